@@ -1,0 +1,26 @@
+# Every package that the build uses; why each is there stands in Documentation/Architecture.md.
+
+find_package(Eigen3 3.4 REQUIRED NO_MODULE)
+
+# Components are named on purpose: without them VTK wants every third-party package and drags in
+# the MPI modules, which replace stock classes.
+set(PALPATE_VTK_COMPONENTS
+  CommonCore CommonDataModel CommonExecutionModel CommonMath CommonMisc CommonTransforms
+  FiltersCore FiltersGeneral FiltersGeometry FiltersModeling FiltersSources
+  ImagingCore ImagingGeneral ImagingMorphological ImagingStencil
+  IOExport IOGeometry IOImage IOPLY IOXML
+  InteractionStyle RenderingAnnotation RenderingCore RenderingFreeType RenderingOpenGL2)
+set(palpate_vtk_build_components TestingCore TestingRendering)
+if(PALPATE_WRAP_PYTHON)
+  list(APPEND palpate_vtk_build_components WrappingPythonCore CommonPython WrappingTools Python)
+  # The VTK package of Debian is built for the system's interpreter, whatever else is on the PATH.
+  set(Python3_EXECUTABLE /usr/bin/python3 CACHE FILEPATH "")
+endif()
+find_package(VTK 9.1 REQUIRED COMPONENTS ${PALPATE_VTK_COMPONENTS} ${palpate_vtk_build_components})
+
+find_package(ITK 5.2 REQUIRED COMPONENTS ITKCommon ITKIOImageBase ITKIONIFTI ITKIONRRD ITKIOMeta
+  ITKIOGDCM ITKImageLabel ITKConnectedComponents ITKLabelMap)
+find_package(DCMTK REQUIRED)
+find_package(CLI11 REQUIRED)
+find_package(nlohmann_json 3.11 REQUIRED)
+find_package(Threads REQUIRED)

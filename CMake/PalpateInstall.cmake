@@ -1,0 +1,18 @@
+# Installs the kernels and the package files; the VTK modules install themselves.
+
+include(CMakePackageConfigHelpers)
+install(EXPORT PalpateKernels NAMESPACE Palpate:: FILE PalpateKernels-targets.cmake
+  DESTINATION "${PALPATE_VTK_CMAKE_DIR}")
+export(EXPORT PalpateKernels NAMESPACE Palpate::
+  FILE "${CMAKE_BINARY_DIR}/${PALPATE_VTK_CMAKE_DIR}/PalpateKernels-targets.cmake")
+configure_package_config_file(CMake/PalpateConfig.cmake.in
+  "${CMAKE_BINARY_DIR}/${PALPATE_VTK_CMAKE_DIR}/PalpateConfig.cmake"
+  INSTALL_DESTINATION "${PALPATE_VTK_CMAKE_DIR}")
+write_basic_package_version_file(
+  "${CMAKE_BINARY_DIR}/${PALPATE_VTK_CMAKE_DIR}/PalpateConfigVersion.cmake"
+  COMPATIBILITY SameMinorVersion)
+install(FILES
+  "${CMAKE_BINARY_DIR}/${PALPATE_VTK_CMAKE_DIR}/PalpateConfig.cmake"
+  "${CMAKE_BINARY_DIR}/${PALPATE_VTK_CMAKE_DIR}/PalpateConfigVersion.cmake"
+  DESTINATION "${PALPATE_VTK_CMAKE_DIR}")
+install(FILES LICENSE DESTINATION "${CMAKE_INSTALL_DOCDIR}")

@@ -1,0 +1,52 @@
+# The VTK modules: scanned from their vtk.module files, built and installed by VTK's module system.
+
+set(PALPATE_VTK_MODULE_FILES)
+foreach(room IO Surface ShapeModel Session)
+  list(APPEND PALPATE_VTK_MODULE_FILES "${CMAKE_CURRENT_SOURCE_DIR}/Modules/${room}/vtk.module")
+endforeach()
+set(PALPATE_VTK_CMAKE_DIR "${CMAKE_INSTALL_LIBDIR}/cmake/Palpate")
+
+# A macro, so that what VTK's functions set stays visible in the caller.
+macro(palpate_build_vtk_modules)
+  vtk_module_scan(
+    MODULE_FILES ${PALPATE_VTK_MODULE_FILES}
+    PROVIDES_MODULES PALPATE_MODULES
+    WANT_BY_DEFAULT ON
+    REQUIRES_MODULES palpate_required_modules)
+  vtk_module_build(
+    MODULES ${PALPATE_MODULES}
+    INSTALL_EXPORT PalpateModules
+    PACKAGE Palpate
+    CMAKE_DESTINATION "${PALPATE_VTK_CMAKE_DIR}"
+    HEADERS_DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/palpate"
+    VERSION "${PROJECT_VERSION}"
+    SOVERSION 1
+    TARGET_NAMESPACE Palpate)
+  if(PALPATE_WRAP_PYTHON)
+    set(PALPATE_PYTHON_DIR "${CMAKE_INSTALL_LIBDIR}/python3/dist-packages")
+    set(palpate_wrapped ${PALPATE_MODULES})
+    list(REMOVE_ITEM palpate_wrapped Palpate::Session)
+    vtk_module_wrap_python(
+      MODULES ${palpate_wrapped}
+      PYTHON_PACKAGE palpate
+      MODULE_DESTINATION "${PALPATE_PYTHON_DIR}"
+      CMAKE_DESTINATION "${PALPATE_VTK_CMAKE_DIR}"
+      LIBRARY_DESTINATION "${CMAKE_INSTALL_LIBDIR}"
+      INSTALL_EXPORT PalpateModules
+      TARGET Palpate::Python
+      TARGET_NAMESPACE Palpate)
+  endif()
+endmacro()
+
+# Adds a room's VTK module: VTK classes (header and source pairs, wrapped), kernel classes (not
+# wrapped), and our compiler settings.
+#   palpate_add_vtk_module(Room CLASSES vtkA… KERNELS B… HEADERS C…)
+function(palpate_add_vtk_module room)
+  cmake_parse_arguments(arg "" "" "CLASSES;KERNELS;HEADERS" ${ARGN})
+  list(TRANSFORM arg_HEADERS APPEND ".h")
+  vtk_module_add_module(Palpate::${room}
+    CLASSES ${arg_CLASSES}
+    NOWRAP_CLASSES ${arg_KERNELS}
+    NOWRAP_HEADERS ${arg_HEADERS})
+  palpate_compile_settings(${room})
+endfunction()

@@ -1,0 +1,40 @@
+#pragma once
+
+#include "Vector3.h"
+
+#include <array>
+#include <vector>
+
+namespace palpate
+{
+/// The directions of an icosahedron whose edges are cut into `frequency` parts and whose points
+/// are pushed out to the unit sphere: 10 f^2 + 2 directions, 20 f^2 triangles (f = 20: 4,002 and
+/// 8,000). The icosahedron's corners are the cyclic permutations of (0, +-1, +-golden ratio), so
+/// the set is symmetric under a change of sign of any coordinate.
+class IcosahedronDirections
+{
+public:
+  /// `frequency` >= 1; smaller values count as 1.
+  explicit IcosahedronDirections(int frequency);
+
+  int Frequency() const noexcept { return this->Parts; }
+  static long long DirectionCount(int frequency) noexcept
+  {
+    return 10LL * frequency * frequency + 2;
+  }
+  static long long TriangleCount(int frequency) noexcept { return 20LL * frequency * frequency; }
+
+  /// Unit vectors.
+  const std::vector<Vector3>& Directions() const noexcept { return this->Points; }
+  /// Indices into Directions(), counter-clockwise seen from outside.
+  const std::vector<std::array<int, 3>>& Triangles() const noexcept { return this->Faces; }
+  /// Solid angle (sr) that each direction stands for: a third of its spherical triangles' areas;
+  /// the sum is 4 pi.
+  std::vector<double> SolidAngles() const;
+
+private:
+  int Parts;
+  std::vector<Vector3> Points;
+  std::vector<std::array<int, 3>> Faces;
+};
+} // namespace palpate

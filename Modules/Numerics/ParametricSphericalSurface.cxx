@@ -1,0 +1,67 @@
+#include "ParametricSphericalSurface.h"
+
+#include "SphereQuadrature.h"
+#include "SphericalHarmonicBasis.h"
+
+#include <Eigen/Geometry>
+#include <cmath>
+#include <limits>
+
+namespace palpate
+{
+ParametricSphericalSurface::ParametricSphericalSurface(
+    int degree, const std::array<std::vector<double>, 3>& coefficients)
+    : Coordinates{SphericalHarmonicModel(degree, coefficients[0], Vector3::Zero()),
+                  SphericalHarmonicModel(degree, coefficients[1], Vector3::Zero()),
+                  SphericalHarmonicModel(degree, coefficients[2], Vector3::Zero())}
+{
+}
+
+ParametricSphericalSurface
+ParametricSphericalSurface::FromModel(const SphericalHarmonicModel& model)
+{
+  const int degree = model.Degree() + 1;
+  const SphericalHarmonicBasis basis(degree);
+  // R(u) u_k times a harmonic is a polynomial of degree 2 (L + 1): the quadrature is exact.
+  const SphereQuadrature sphere(2 * degree);
+  std::array<std::vector<double>, 3> coefficients;
+  coefficients.fill(std::vector<double>(basis.Size(), 0.0));
+  std::vector<double> values(basis.Size());
+  for (std::size_t i = 0; i < sphere.Weights.size(); ++i)
+  {
+    const Vector3& u = sphere.Directions[i];
+    basis.Evaluate(u, values.data());
+    const Vector3 weighted = sphere.Weights[i] * model.PointWorld(u);
+    for (std::size_t k = 0; k < values.size(); ++k)
+    {
+      coefficients[0][k] += weighted.x() * values[k];
+      coefficients[1][k] += weighted.y() * values[k];
+      coefficients[2][k] += weighted.z() * values[k];
+    }
+  }
+  return {degree, coefficients};
+}
+
+Vector3 ParametricSphericalSurface::Point(const Vector3& parameter) const noexcept
+{
+  return {this->Coordinates[0].Radius(parameter), this->Coordinates[1].Radius(parameter),
+          this->Coordinates[2].Radius(parameter)};
+}
+
+Vector3 ParametricSphericalSurface::Normal(const Vector3& parameter) const noexcept
+{
+  Eigen::Matrix3d gradients; // row k: surface gradient of coordinate k
+  for (int k = 0; k < 3; ++k)
+  {
+    gradients.row(k) =
+        this->Coordinates[static_cast<std::size_t>(k)].Evaluate(parameter).SurfaceGradient;
+  }
+  Eigen::Index smallest = 0;
+  parameter.cwiseAbs().minCoeff(&smallest);
+  const Vector3 first = parameter.cross(Vector3::Unit(smallest)).normalized();
+  const Vector3 second = parameter.cross(first);
+  const Vector3 normal = (gradients * first).cross(gradients * second);
+  const double length = normal.norm();
+  return length > std::numeric_limits<double>::min() ? Vector3(normal / length) : Vector3::Zero();
+}
+} // namespace palpate

@@ -1,0 +1,42 @@
+#pragma once
+
+#include "SphericalHarmonicModel.h"
+#include "Vector3.h"
+
+#include <array>
+#include <vector>
+
+namespace palpate
+{
+/// A closed surface x(u), y(u), z(u) (mm) over the parameter sphere, each coordinate a sum of
+/// spherical harmonics: the surface of Brechbuhler, Gerig and Kubler (1995) that SPHARM-PDM
+/// writes. Unlike a SphericalHarmonicModel it needs no centre and need not be star-shaped.
+class ParametricSphericalSurface
+{
+public:
+  /// Coefficients of the three coordinates, (degree + 1)^2 each, in Palpate's convention (see
+  /// SphericalHarmonicBasis).
+  ParametricSphericalSurface(int degree, const std::array<std::vector<double>, 3>& coefficients);
+
+  /// The star-shaped surface centre + R(u) u as a parametric one: exact, since each coordinate of
+  /// R(u) u is a sum of harmonics one degree higher.
+  static ParametricSphericalSurface FromModel(const SphericalHarmonicModel& model);
+
+  int Degree() const noexcept { return this->Coordinates[0].Degree(); }
+  /// Coefficients of coordinate 0, 1 or 2 (mm).
+  const std::vector<double>& Coefficients(int coordinate) const noexcept
+  {
+    return this->Coordinates[static_cast<std::size_t>(coordinate)].Coefficients();
+  }
+
+  /// The surface point (mm) of a unit parameter vector.
+  Vector3 Point(const Vector3& parameter) const noexcept;
+  /// Unit normal: the cross product of two tangents, oriented as the parameter sphere is. Zero
+  /// where the surface has no tangent plane.
+  Vector3 Normal(const Vector3& parameter) const noexcept;
+
+private:
+  // Each coordinate is a function on the sphere; the model class already evaluates those.
+  std::array<SphericalHarmonicModel, 3> Coordinates;
+};
+} // namespace palpate

@@ -1,0 +1,167 @@
+#include "SphericalHarmonicModel.h"
+
+#include "SphereQuadrature.h"
+#include "SphericalHarmonicBasis.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace palpate
+{
+SphericalHarmonicModel::SphericalHarmonicModel(int degree, std::vector<double> coefficients,
+                                               const Vector3& centerWorld)
+    : Recurrence(degree), Values(std::move(coefficients)), Center(centerWorld)
+{
+  this->Values.resize(SphericalHarmonicBasis::CoefficientCount(degree), 0.0);
+  for (int m = 0; m <= degree; ++m)
+  {
+    for (int l = m; l <= degree; ++l)
+    {
+      this->Pairs.push_back(
+          {this->Values[SphericalHarmonicBasis::Index(l, m)],
+           m == 0 ? 0.0 : this->Values[SphericalHarmonicBasis::Index(l, -m)]});
+    }
+  }
+}
+
+double SphericalHarmonicModel::Radius(const Vector3& direction) const noexcept
+{
+  const double z = direction.z();
+  const int degree = this->Degree();
+  const Pair* pair = this->Pairs.data();
+  double radius = 0.0;
+  double cosine = 1.0; // Re and Im of (x + iy)^m
+  double sine = 0.0;
+  for (int m = 0; m <= degree; ++m)
+  {
+    double previous = 0.0;
+    double current = this->Recurrence.Diagonal(m);
+    double cosineSum = current * pair->Cosine;
+    double sineSum = current * pair->Sine;
+    ++pair;
+    const SphericalHarmonicRecurrence::Term* term = this->Recurrence.Column(m);
+    for (int l = m + 1; l <= degree; ++l, ++term, ++pair)
+    {
+      const double next = term->A * (z * current - term->B * previous);
+      previous = current;
+      current = next;
+      cosineSum += current * pair->Cosine;
+      sineSum += current * pair->Sine;
+    }
+    radius += cosineSum * cosine + sineSum * sine;
+    const double nextCosine = cosine * direction.x() - sine * direction.y();
+    sine = cosine * direction.y() + sine * direction.x();
+    cosine = nextCosine;
+  }
+  return radius;
+}
+
+SphericalHarmonicModel::Sample
+SphericalHarmonicModel::Evaluate(const Vector3& direction) const noexcept
+{
+  const double z = direction.z();
+  const int degree = this->Degree();
+  const Pair* pair = this->Pairs.data();
+  double radius = 0.0;
+  Vector3 gradient = Vector3::Zero(); // of the extension sum Q_lm(z) Re/Im (x + iy)^m
+  double cosine = 1.0;                // Re and Im of (x + iy)^m, and of (x + iy)^(m-1)
+  double sine = 0.0;
+  double lowerCosine = 0.0;
+  double lowerSine = 0.0;
+  for (int m = 0; m <= degree; ++m)
+  {
+    double previous = 0.0;
+    double current = this->Recurrence.Diagonal(m);
+    double previousSlope = 0.0;
+    double slope = 0.0; // dQ/dz
+    double cosineSum = current * pair->Cosine;
+    double sineSum = current * pair->Sine;
+    double cosineSlope = 0.0;
+    double sineSlope = 0.0;
+    ++pair;
+    const SphericalHarmonicRecurrence::Term* term = this->Recurrence.Column(m);
+    for (int l = m + 1; l <= degree; ++l, ++term, ++pair)
+    {
+      const double nextSlope = term->A * (current + z * slope - term->B * previousSlope);
+      const double next = term->A * (z * current - term->B * previous);
+      previous = current;
+      current = next;
+      previousSlope = slope;
+      slope = nextSlope;
+      cosineSum += current * pair->Cosine;
+      sineSum += current * pair->Sine;
+      cosineSlope += slope * pair->Cosine;
+      sineSlope += slope * pair->Sine;
+    }
+    radius += cosineSum * cosine + sineSum * sine;
+    gradient.x() += m * (cosineSum * lowerCosine + sineSum * lowerSine);
+    gradient.y() += m * (sineSum * lowerCosine - cosineSum * lowerSine);
+    gradient.z() += cosineSlope * cosine + sineSlope * sine;
+    lowerCosine = cosine;
+    lowerSine = sine;
+    cosine = lowerCosine * direction.x() - lowerSine * direction.y();
+    sine = lowerCosine * direction.y() + lowerSine * direction.x();
+  }
+  return {radius, gradient - gradient.dot(direction) * direction};
+}
+
+Vector3 SphericalHarmonicModel::PointWorld(const Vector3& direction) const noexcept
+{
+  return this->Center + this->Radius(direction) * direction;
+}
+
+Vector3 SphericalHarmonicModel::Normal(const Vector3& direction) const noexcept
+{
+  const Sample sample = this->Evaluate(direction);
+  return (sample.Radius * direction - sample.SurfaceGradient).normalized();
+}
+
+double SphericalHarmonicModel::Volume() const
+{
+  const SphereQuadrature sphere(3 * this->Degree());
+  double sum = 0.0;
+  for (std::size_t i = 0; i < sphere.Weights.size(); ++i)
+  {
+    const double radius = this->Radius(sphere.Directions[i]);
+    sum += sphere.Weights[i] * radius * radius * radius;
+  }
+  return sum / 3.0;
+}
+
+double SphericalHarmonicModel::Area() const
+{
+  const SphereQuadrature sphere(4 * this->Degree() + 16);
+  double sum = 0.0;
+  for (std::size_t i = 0; i < sphere.Weights.size(); ++i)
+  {
+    const Sample s = this->Evaluate(sphere.Directions[i]);
+    sum += sphere.Weights[i] * std::abs(s.Radius) *
+           std::sqrt(s.Radius * s.Radius + s.SurfaceGradient.squaredNorm());
+  }
+  return sum;
+}
+
+std::vector<double> SphericalHarmonicModel::PowerSpectrum() const
+{
+  std::vector<double> power;
+  for (int l = 0; l <= this->Degree(); ++l)
+  {
+    double sum = 0.0;
+    for (int m = -l; m <= l; ++m)
+    {
+      const double c = this->Values[SphericalHarmonicBasis::Index(l, m)];
+      sum += c * c;
+    }
+    power.push_back(sum);
+  }
+  return power;
+}
+
+SphericalHarmonicModel SphericalHarmonicModel::WithDegree(int degree) const
+{
+  std::vector<double> values(SphericalHarmonicBasis::CoefficientCount(degree), 0.0);
+  std::copy_n(this->Values.begin(), std::min(values.size(), this->Values.size()), values.begin());
+  return {degree, std::move(values), this->Center};
+}
+} // namespace palpate

@@ -1,0 +1,65 @@
+#pragma once
+
+#include "SphericalHarmonicRecurrence.h"
+#include "Vector3.h"
+
+#include <cstddef>
+#include <vector>
+
+namespace palpate
+{
+/// A star-shaped surface: around a centre, the radius R(u) = sum c_lm Y_lm(u) (mm) along each unit
+/// direction u. Immutable; every query is const, thread-safe and free of allocation unless it says
+/// otherwise. Convention of the coefficients: see SphericalHarmonicBasis. The model's axes are the
+/// axes of the frame that the centre is given in (patient LPS, mm).
+class SphericalHarmonicModel
+{
+public:
+  /// The sphere of radius 0 at the origin.
+  SphericalHarmonicModel() : SphericalHarmonicModel(0, {0.0}, Vector3::Zero()) {}
+  /// `coefficients` has (degree + 1)^2 entries in mm; `centerWorld` is in mm.
+  SphericalHarmonicModel(int degree, std::vector<double> coefficients, const Vector3& centerWorld);
+
+  int Degree() const noexcept { return this->Recurrence.Degree(); }
+  const std::vector<double>& Coefficients() const noexcept { return this->Values; }
+  const Vector3& CenterWorld() const noexcept { return this->Center; }
+
+  /// Radius in mm along a unit vector.
+  double Radius(const Vector3& direction) const noexcept;
+
+  struct Sample
+  {
+    double Radius;            ///< mm
+    Vector3 SurfaceGradient;  ///< gradient of R on the unit sphere (mm/rad), tangent to it
+  };
+  Sample Evaluate(const Vector3& direction) const noexcept;
+
+  /// centre + R(u) u, mm.
+  Vector3 PointWorld(const Vector3& direction) const noexcept;
+  /// Unit normal of the surface, outward where R > 0: (R u - grad R) / |R u - grad R|.
+  Vector3 Normal(const Vector3& direction) const noexcept;
+
+  /// Enclosed volume (mm^3), the integral of R^3 / 3: exact up to rounding (R^3 is a polynomial of
+  /// degree 3L, and the quadrature is exact for those). Allocates.
+  double Volume() const;
+  /// Surface area (mm^2), by quadrature of degree 4L + 16: the integrand is no polynomial, and the
+  /// error falls geometrically with that degree. Allocates.
+  double Area() const;
+  /// Sum of squared coefficients (mm^2) of each degree 0..L. Allocates.
+  std::vector<double> PowerSpectrum() const;
+  /// The same surface with all terms above `degree` left out (or zeros added up to it). Allocates.
+  SphericalHarmonicModel WithDegree(int degree) const;
+
+private:
+  SphericalHarmonicRecurrence Recurrence;
+  std::vector<double> Values;
+  Vector3 Center;
+  // Cosine and sine coefficients, order by order, as the recurrence visits them.
+  struct Pair
+  {
+    double Cosine;
+    double Sine;
+  };
+  std::vector<Pair> Pairs;
+};
+} // namespace palpate

@@ -1,0 +1,89 @@
+#pragma once
+
+#include "FitSettings.h"
+
+#include "Segmentation.h"
+#include "SphericalHarmonicModel.h"
+#include "Volume.h"
+#include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace palpate
+{
+/// Distances (mm) between two surfaces, both ways, weighted by area.
+struct SurfaceDistances
+{
+  double Mean = 0.0;
+  double Rms = 0.0;
+  double Percentile95 = 0.0;
+  double Maximum = 0.0;
+};
+
+/// What became of one structure. Lengths are mm, volumes ml, points and surfaces patient LPS.
+struct FitResult
+{
+  enum class Outcome
+  {
+    Fitted,
+    Refused,  ///< the structure cannot be modelled this way; Message says why
+    BadInput, ///< Message says what is wrong with the input
+    Failed    ///< something else went wrong
+  };
+
+  // What was asked.
+  std::filesystem::path Input;
+  std::string CaseName; ///< file name without its endings, for output files
+  Segment Structure;
+  FitSettings Settings;
+
+  Outcome State = Outcome::Failed;
+  std::string Message; ///< one sentence; empty when fitted without remarks
+  std::vector<std::string> Notes;
+
+  // The mask.
+  vtkSmartPointer<vtkImageData> Mask; ///< the label layer, on its own grid
+  double MaskMilliliters = 0.0;       ///< of the component that was fitted
+  bool TouchesBorder = false;
+  std::vector<double> ComponentMilliliters; ///< falling
+  int CavityCount = 0;
+  double CavityMilliliters = 0.0;
+
+  // The surface.
+  vtkSmartPointer<vtkPolyData> Surface;
+  double SurfaceMilliliters = 0.0;
+  SurfaceDistances SurfaceToMask;
+
+  // What the centre sees.
+  bool StarShaped = false;
+  double HiddenPercent = 0.0;   ///< of the surface's area
+  double MultiplePercent = 0.0; ///< of the directions (solid angle): more than one crossing
+  double MissedPercent = 0.0;   ///< of the directions: no crossing
+
+  // The model.
+  SphericalHarmonicModel Model;
+  double Condition = 0.0;
+  double Rms = 0.0;
+  double NoiseDeviation = 0.0;
+  double Roughness = 0.0;
+  double DegreesOfFreedom = 0.0;
+  std::vector<double> RmsByDegree; ///< entry l: RMS residual of degree l; may be empty
+  /// The model's surface with point arrays "DistanceToSurface" (signed, mm, positive outside the
+  /// original), "Residual" (mm) and "RadiusDeviation" (mm), and analytic normals.
+  vtkSmartPointer<vtkPolyData> ModelSurface;
+
+  // Its quality.
+  SurfaceDistances ModelToSurface;
+  SurfaceDistances ModelToMask; ///< against the mask's half-level boundary
+  double Dice = 0.0;            ///< on the mask's own grid
+  double ModelMilliliters = 0.0;
+  double SurfaceAreaSquareMillimeters = 0.0;
+  double ModelAreaSquareMillimeters = 0.0;
+
+  /// Seconds of each stage, in the order in which they ran; "total" last.
+  std::vector<std::pair<std::string, double>> Seconds;
+};
+} // namespace palpate
