@@ -1,0 +1,35 @@
+#pragma once
+
+#include <chrono>
+#include <iosfwd>
+#include <string>
+
+namespace palpate::cli
+{
+/// Where a command writes: results on the output stream, sentences and progress on the error
+/// stream. Progress is drawn only where the error stream is a terminal.
+class Console
+{
+public:
+  Console(std::ostream& output, std::ostream& errors, bool errorsAreTerminal);
+
+  /// Results: what a script reads.
+  std::ostream& Output() { return this->Out; }
+  /// A remark; one line on the error stream.
+  void Note(const std::string& sentence);
+  /// An error; one line "palpate: sentence" on the error stream.
+  void Error(const std::string& sentence);
+  /// Draws `stage` with a bar and the time left; fraction in 0..1. Cheap enough to call often.
+  void Progress(double fraction, const std::string& stage);
+  /// Wipes the progress line and starts the clock of the next one.
+  void EndProgress();
+
+private:
+  std::ostream& Out;
+  std::ostream& Errors;
+  bool Terminal;
+  bool Drawn = false;
+  std::chrono::steady_clock::time_point Start;
+  std::chrono::steady_clock::time_point LastDraw;
+};
+} // namespace palpate::cli
