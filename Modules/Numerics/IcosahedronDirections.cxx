@@ -15,8 +15,18 @@ constexpr int CornerCount = 12;
 std::array<Vector3, CornerCount> Corners()
 {
   const double g = (1.0 + std::sqrt(5.0)) / 2.0;
-  return {{{0, 1, g}, {0, -1, g}, {0, 1, -g}, {0, -1, -g}, {g, 0, 1}, {g, 0, -1},
-           {-g, 0, 1}, {-g, 0, -1}, {1, g, 0}, {-1, g, 0}, {1, -g, 0}, {-1, -g, 0}}};
+  return {{{0, 1, g},
+           {0, -1, g},
+           {0, 1, -g},
+           {0, -1, -g},
+           {g, 0, 1},
+           {g, 0, -1},
+           {-g, 0, 1},
+           {-g, 0, -1},
+           {1, g, 0},
+           {-1, g, 0},
+           {1, -g, 0},
+           {-1, -g, 0}}};
 }
 
 // The 20 triples of mutually adjacent corners (distance 2), turned to face outwards.
@@ -56,13 +66,13 @@ public:
     const auto zeros = std::count(parts.begin(), parts.end(), 0);
     if (zeros == 2)
     {
-      return face[static_cast<std::size_t>(
-          std::find(parts.begin(), parts.end(), this->Parts) - parts.begin())];
+      return face[static_cast<std::size_t>(std::find(parts.begin(), parts.end(), this->Parts) -
+                                           parts.begin())];
     }
     if (zeros == 1)
     {
-      const auto missing = static_cast<std::size_t>(
-          std::find(parts.begin(), parts.end(), 0) - parts.begin());
+      const auto missing =
+          static_cast<std::size_t>(std::find(parts.begin(), parts.end(), 0) - parts.begin());
       const std::size_t first = (missing + 1) % 3;
       const std::size_t second = (missing + 2) % 3;
       return this->OnEdge(face[first], face[second], parts[second]);

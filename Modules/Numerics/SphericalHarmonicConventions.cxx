@@ -10,7 +10,10 @@ namespace
 {
 constexpr double Root2 = 1.41421356237309504880;
 
-double PhaseSign(int order) { return order % 2 == 0 ? 1.0 : -1.0; }
+double PhaseSign(int order)
+{
+  return order % 2 == 0 ? 1.0 : -1.0;
+}
 
 std::size_t SpharmPdmRow(int l, int m)
 {
@@ -21,7 +24,10 @@ std::size_t SpharmPdmRow(int l, int m)
   return static_cast<std::size_t>(m > 0 ? l * l + 2 * m - 1 : l * l - 2 * m);
 }
 
-double SpharmPdmScale(int m) { return m == 0 ? 1.0 : Root2 * PhaseSign(m); }
+double SpharmPdmScale(int m)
+{
+  return m == 0 ? 1.0 : Root2 * PhaseSign(m);
+}
 } // namespace
 
 int DegreeOfCount(std::size_t count) noexcept

@@ -26,6 +26,7 @@ struct ReducedProblem
   Vector Right;    // first entries of Q^T b
   Vector Tail;     // the other entries: what no coefficients can reach
   Vector Scales;   // square roots of the normalised weights
+  double Samples;  // number of those with a weight: the others do not count anywhere
 };
 
 Status CheckSamples(const RadialSamples& samples, const SphericalHarmonicFitOptions& options)
@@ -75,10 +76,10 @@ ReducedProblem Reduce(const RadialSamples& samples, int degree)
   problem.Design = values;
   const Eigen::Map<const Vector> weights(samples.Weights.data(), rows);
   problem.Scales = (weights * (4.0 * M_PI / weights.sum())).cwiseSqrt();
+  problem.Samples = static_cast<double>((weights.array() > 0.0).count());
   const Eigen::Map<const Vector> radii(samples.Radii.data(), rows);
   const Eigen::HouseholderQR<Matrix> qr(problem.Scales.asDiagonal() * problem.Design);
-  const Vector rotated =
-      qr.householderQ().adjoint() * Vector(problem.Scales.cwiseProduct(radii));
+  const Vector rotated = qr.householderQ().adjoint() * Vector(problem.Scales.cwiseProduct(radii));
   problem.Triangle = qr.matrixQR().topRows(columns).triangularView<Eigen::Upper>();
   problem.Right = rotated.head(columns);
   problem.Tail = rotated.tail(rows - columns);
@@ -125,10 +126,10 @@ double ConditionOfTriangle(const Matrix& triangle)
   {
     return std::numeric_limits<double>::infinity();
   }
-  const double largest =
-      LargestSingularValue(triangle.cols(),
-                           [&triangle](const Vector& v) -> Vector
-                           { return triangle.transpose() * Vector(triangle * v); });
+  const double largest = LargestSingularValue(triangle.cols(),
+                                              [&triangle](const Vector& v) -> Vector {
+                                                return triangle.transpose() * Vector(triangle * v);
+                                              });
   const double inverse =
       LargestSingularValue(triangle.cols(),
                            [&upper](const Vector& v) -> Vector
@@ -217,8 +218,8 @@ public:
     const Index size = triangle.cols();
     // Columns of `map` take the rotated right-hand side (constant first) to the coefficients.
     Matrix map = Matrix::Zero(size, size);
-    map.bottomRightCorner(size - 1, size - 1) = this->Scales.cwiseInverse().asDiagonal() *
-                                                this->Svd.matrixV() * gain.asDiagonal();
+    map.bottomRightCorner(size - 1, size - 1) =
+        this->Scales.cwiseInverse().asDiagonal() * this->Svd.matrixV() * gain.asDiagonal();
     map(0, 0) = 1.0 / triangle(0, 0);
     map.row(0).tail(size - 1) = -triangle.row(0).tail(size - 1) *
                                 map.bottomRightCorner(size - 1, size - 1) / triangle(0, 0);
@@ -235,7 +236,7 @@ private:
     const Eigen::ArrayXd kept = s.array().square() / (s.array().square() + strength);
     const double residual =
         ((1.0 - kept) * this->Right.array()).square().sum() + this->Problem.Tail.squaredNorm();
-    const double free = static_cast<double>(this->Problem.Scales.size()) - 1.0 - kept.sum();
+    const double free = this->Problem.Samples - 1.0 - kept.sum();
     return residual / (free * free);
   }
 
@@ -275,10 +276,10 @@ void FinishResult(const RadialSamples& samples, const ReducedProblem& problem,
   result.Residuals.assign(residuals.begin(), residuals.end());
   result.DegreesOfFreedom = solution.DegreesOfFreedom;
   result.Rms = std::sqrt(squares / (4.0 * M_PI));
-  const double free = static_cast<double>(rows) - solution.DegreesOfFreedom;
+  const double free = problem.Samples - solution.DegreesOfFreedom;
   // In scaled rows the noise of a sample of mean weight is sigma sqrt(4 pi / n).
   const double scaledVariance = free > 0.0 ? squares / free : 0.0;
-  result.NoiseDeviation = std::sqrt(scaledVariance * static_cast<double>(rows) / (4.0 * M_PI));
+  result.NoiseDeviation = std::sqrt(scaledVariance * problem.Samples / (4.0 * M_PI));
   result.CovarianceFactor = std::sqrt(scaledVariance) * solution.Factor;
 }
 

@@ -23,7 +23,7 @@ struct SphericalHarmonicFitOptions
   enum class Penalty
   {
     None,
-    Given,                    ///< strength is Roughness
+    Given,                     ///< strength is Roughness
     GeneralisedCrossValidation ///< strength chosen from the samples
   };
 

@@ -18,9 +18,8 @@ SphericalHarmonicModel::SphericalHarmonicModel(int degree, std::vector<double> c
   {
     for (int l = m; l <= degree; ++l)
     {
-      this->Pairs.push_back(
-          {this->Values[SphericalHarmonicBasis::Index(l, m)],
-           m == 0 ? 0.0 : this->Values[SphericalHarmonicBasis::Index(l, -m)]});
+      this->Pairs.push_back({this->Values[SphericalHarmonicBasis::Index(l, m)],
+                             m == 0 ? 0.0 : this->Values[SphericalHarmonicBasis::Index(l, -m)]});
     }
   }
 }

@@ -29,8 +29,8 @@ public:
 
   struct Sample
   {
-    double Radius;            ///< mm
-    Vector3 SurfaceGradient;  ///< gradient of R on the unit sphere (mm/rad), tangent to it
+    double Radius;           ///< mm
+    Vector3 SurfaceGradient; ///< gradient of R on the unit sphere (mm/rad), tangent to it
   };
   Sample Evaluate(const Vector3& direction) const noexcept;
 

@@ -1,6 +1,7 @@
 #pragma once
 
-#include <Eigen/Core>
+// Geometry and not only Core: without it a cross product compiles and is missing at link time.
+#include <Eigen/Geometry>
 
 namespace palpate
 {

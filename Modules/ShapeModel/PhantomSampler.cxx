@@ -1,0 +1,198 @@
+#include "PhantomSampler.h"
+
+#include "SeededNoise.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+namespace palpate
+{
+namespace
+{
+// Streams of the phantom's seed; rows have their own from FirstRowStream on.
+constexpr std::uint64_t BiasStream = 0;
+constexpr std::uint64_t FirstRowStream = 1;
+
+// With |Y_l|^2 = sum over m of Y_lm^2 = (2l + 1) / (4 pi) everywhere, the degree l part of R is at
+// most sqrt(power_l (2l + 1) / (4 pi)) by Cauchy and Schwarz; its gradient's component along any
+// tangent at most that times sqrt(l (l + 1) / 2).
+struct Bounds
+{
+  double Deviation = 0.0; // of R from its mean, mm
+  double Slope = 0.0;     // mm/rad
+};
+
+Bounds BoundsOf(const SphericalHarmonicModel& model)
+{
+  Bounds bounds;
+  const std::vector<double> power = model.PowerSpectrum();
+  for (std::size_t l = 1; l < power.size(); ++l)
+  {
+    const double degree = static_cast<double>(l);
+    const double part = std::sqrt(power[l] * (2.0 * degree + 1.0) / (4.0 * M_PI));
+    bounds.Deviation += part;
+    bounds.Slope += part * std::sqrt(degree * (degree + 1.0) / 2.0);
+  }
+  return bounds;
+}
+
+double MeanRadius(const SphericalHarmonicModel& model)
+{
+  return model.Coefficients().front() / std::sqrt(4.0 * M_PI);
+}
+
+// Nine smooth functions of voxel position scaled to [-1, 1]^3, each within [-1, 1].
+std::array<double, 9> SmoothTerms(const Vector3& s)
+{
+  return {s.x(),         s.y(),         s.z(),         s.x() * s.x(), s.y() * s.y(),
+          s.z() * s.z(), s.x() * s.y(), s.y() * s.z(), s.z() * s.x()};
+}
+} // namespace
+
+PhantomSampler::PhantomSampler(const SphericalHarmonicModel& model, const PhantomGrid& grid,
+                               const PhantomAppearance& appearance)
+    : Model(model), Grid(grid), Appearance(appearance),
+      StepWorld(grid.Direction * grid.Spacing.asDiagonal()), HalfDiagonal(0.5 * grid.Spacing.norm())
+{
+  const Bounds bounds = BoundsOf(model);
+  this->LargestRadius = MeanRadius(model) + bounds.Deviation;
+  this->SlopeBound = bounds.Slope;
+
+  SeededNoise noise(appearance.Seed, BiasStream);
+  double sum = 0.0;
+  for (double& term : this->BiasTerms)
+  {
+    term = noise.Next();
+    sum += std::abs(term);
+  }
+  for (double& term : this->BiasTerms)
+  {
+    term *= appearance.BiasAmplitude / sum;
+  }
+}
+
+double PhantomSampler::RadiusBound(const SphericalHarmonicModel& model)
+{
+  return MeanRadius(model) + BoundsOf(model).Deviation;
+}
+
+double PhantomSampler::BiasAt(const Vector3& index) const
+{
+  Vector3 scaled;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const int last = this->Grid.Size[static_cast<std::size_t>(axis)] - 1;
+    scaled[axis] = last > 0 ? 2.0 * index[axis] / last - 1.0 : 0.0;
+  }
+  const std::array<double, 9> terms = SmoothTerms(scaled);
+  double bias = 1.0;
+  for (std::size_t t = 0; t < terms.size(); ++t)
+  {
+    bias += this->BiasTerms[t] * terms[t];
+  }
+  return bias;
+}
+
+double PhantomSampler::TissueAt(double distance, double radius) const
+{
+  if (distance > radius)
+  {
+    return this->Appearance.Background;
+  }
+  if (distance > radius - this->Appearance.CapsuleThickness)
+  {
+    return this->Appearance.Capsule;
+  }
+  return distance <= this->Appearance.InnerZoneFraction * radius ? this->Appearance.InnerZone
+                                                                 : this->Appearance.Body;
+}
+
+double PhantomSampler::VariationWithin(double distance) const
+{
+  const double nearest = distance - this->HalfDiagonal;
+  if (nearest <= 0.0)
+  {
+    return std::numeric_limits<double>::infinity();
+  }
+  return this->HalfDiagonal * std::hypot(1.0, this->SlopeBound / nearest);
+}
+
+double PhantomSampler::SubdividedMean(const Vector3& offset) const
+{
+  const int parts = this->Appearance.Subdivision;
+  const auto part = [parts](int p) { return (p + 0.5) / parts - 0.5; };
+  double sum = 0.0;
+  for (int c = 0; c < parts; ++c)
+  {
+    for (int b = 0; b < parts; ++b)
+    {
+      for (int a = 0; a < parts; ++a)
+      {
+        const Vector3 point = offset + this->StepWorld * Vector3(part(a), part(b), part(c));
+        const double distance = point.norm();
+        const Vector3 direction = distance > 0.0 ? Vector3(point / distance) : Vector3::UnitZ();
+        sum += this->TissueAt(distance, this->Model.Radius(direction));
+      }
+    }
+  }
+  return sum / (static_cast<double>(parts) * parts * parts);
+}
+
+double PhantomSampler::VoxelMean(const Vector3& offset, double distance, double radius) const
+{
+  const double variation = this->VariationWithin(distance);
+  // The boundary between inner zone and body lies at a fraction <= 1 of R, so the same bound holds.
+  const bool isPure = std::abs(distance - radius) > variation &&
+                      std::abs(distance - radius + this->Appearance.CapsuleThickness) > variation &&
+                      std::abs(distance - this->Appearance.InnerZoneFraction * radius) > variation;
+  return isPure ? this->TissueAt(distance, radius) : this->SubdividedMean(offset);
+}
+
+void PhantomSampler::SampleRow(int j, int k, float* intensities, unsigned char* mask) const
+{
+  for (int i = 0; i < this->Grid.Size[0]; ++i)
+  {
+    const Vector3 index(i, j, k);
+    const Vector3 offset = this->Grid.PointWorld(index) - this->Model.CenterWorld();
+    const double distance = offset.norm();
+    double mean = this->Appearance.Background;
+    bool isInside = false;
+    if (distance - this->HalfDiagonal <= this->LargestRadius)
+    {
+      const Vector3 direction = distance > 0.0 ? Vector3(offset / distance) : Vector3::UnitZ();
+      const double radius = this->Model.Radius(direction);
+      isInside = distance <= radius;
+      mean = intensities ? this->VoxelMean(offset, distance, radius) : 0.0;
+    }
+    if (mask)
+    {
+      mask[i] = isInside ? 1 : 0;
+    }
+    if (intensities)
+    {
+      intensities[i] = static_cast<float>(mean * this->BiasAt(index));
+    }
+  }
+  if (intensities && this->Appearance.NoiseDeviation > 0.0)
+  {
+    this->AddNoise(j, k, intensities);
+  }
+}
+
+void PhantomSampler::AddNoise(int j, int k, float* intensities) const
+{
+  const auto row = static_cast<std::uint64_t>(k) * static_cast<std::uint64_t>(this->Grid.Size[1]) +
+                   static_cast<std::uint64_t>(j);
+  SeededNoise noise(this->Appearance.Seed, FirstRowStream + row);
+  const double deviation = this->Appearance.NoiseDeviation;
+  for (int i = 0; i < this->Grid.Size[0]; ++i)
+  {
+    const double real = intensities[i] + deviation * noise.Next();
+    const bool isMagnitude = this->Appearance.NoiseKind == PhantomAppearance::Noise::Rician;
+    intensities[i] =
+        static_cast<float>(isMagnitude ? std::hypot(real, deviation * noise.Next()) : real);
+  }
+}
+} // namespace palpate

@@ -1,0 +1,175 @@
+#include "vtkSphericalHarmonicFit.h"
+
+#include "ModelTable.h"
+#include "SphericalHarmonicBasis.h"
+#include "SphericalHarmonicFit.h"
+
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkTable.h"
+
+#include <algorithm>
+#include <sstream>
+#include <utility>
+
+vtkStandardNewMacro(vtkSphericalHarmonicFit);
+
+namespace
+{
+bool CollectSamples(vtkPolyData* input, int weighting, palpate::RadialSamples& samples)
+{
+  const char* weightName = weighting == vtkSphericalHarmonicFit::AREA ? "AreaWeight" : "SolidAngle";
+  vtkDataArray* direction = input->GetPointData()->GetArray("Direction");
+  vtkDataArray* radius = input->GetPointData()->GetArray("Radius");
+  vtkDataArray* valid = input->GetPointData()->GetArray("Valid");
+  vtkDataArray* weight = weighting == vtkSphericalHarmonicFit::UNIFORM
+                             ? nullptr
+                             : input->GetPointData()->GetArray(weightName);
+  vtkDataArray* center = input->GetFieldData()->GetArray("Center");
+  if (direction == nullptr || direction->GetNumberOfComponents() != 3 || radius == nullptr ||
+      center == nullptr || center->GetNumberOfComponents() != 3)
+  {
+    return false;
+  }
+  for (vtkIdType id = 0; id < input->GetNumberOfPoints(); ++id)
+  {
+    if (valid == nullptr || valid->GetTuple1(id) != 0.0)
+    {
+      samples.Directions.emplace_back(direction->GetTuple3(id));
+      samples.Radii.push_back(radius->GetTuple1(id));
+      samples.Weights.push_back(weight != nullptr ? weight->GetTuple1(id) : 1.0);
+    }
+  }
+  return true;
+}
+
+void AddCovariance(const Eigen::MatrixXd& factor, vtkTable* output)
+{
+  vtkNew<vtkDoubleArray> array;
+  array->SetName("CovarianceFactor");
+  array->SetNumberOfComponents(static_cast<int>(factor.cols()));
+  array->SetNumberOfTuples(factor.rows());
+  Eigen::Map<Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>>(
+      array->GetPointer(0), factor.rows(), factor.cols()) = factor;
+  output->GetFieldData()->AddArray(array);
+}
+
+// The smallest degree whose RMS residual meets the tolerance. Factorises for a moderate degree
+// first, because the work grows with the degree's fourth power.
+palpate::Status FindDegree(const palpate::RadialSamples& samples,
+                           palpate::SphericalHarmonicFitOptions options, double tolerance,
+                           int maximumDegree, int& found)
+{
+  options.PenaltyKind = palpate::SphericalHarmonicFitOptions::Penalty::None;
+  int tried = std::min(12, maximumDegree);
+  while (true)
+  {
+    options.Degree = tried;
+    palpate::SphericalHarmonicFitResult result;
+    const palpate::Status status = palpate::FitSphericalHarmonics(samples, options, result);
+    if (!status.IsOk())
+    {
+      return status;
+    }
+    const auto first = std::find_if(result.RmsByDegree.begin(), result.RmsByDegree.end(),
+                                    [tolerance](double rms) { return rms <= tolerance; });
+    if (first != result.RmsByDegree.end())
+    {
+      found = static_cast<int>(first - result.RmsByDegree.begin());
+      return palpate::Status::Success();
+    }
+    if (tried == maximumDegree)
+    {
+      std::ostringstream text;
+      text.precision(3);
+      text << "no degree up to " << maximumDegree << " meets the tolerance of " << tolerance
+           << " mm; degree " << maximumDegree << " leaves " << result.RmsByDegree.back()
+           << " mm; allow a larger tolerance or degree";
+      return palpate::Status::Failure(text.str());
+    }
+    tried = std::min(maximumDegree, tried * 3 / 2);
+  }
+}
+} // namespace
+
+int vtkSphericalHarmonicFit::FillInputPortInformation(int, vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
+  return 1;
+}
+
+int vtkSphericalHarmonicFit::RequestData(vtkInformation*, vtkInformationVector** inputs,
+                                         vtkInformationVector* outputs)
+{
+  vtkPolyData* input = vtkPolyData::GetData(inputs[0]);
+  palpate::RadialSamples samples;
+  if (!CollectSamples(input, this->Weighting, samples))
+  {
+    vtkErrorMacro("the input has no samples: arrays Direction and Radius and the field Center are "
+                  "needed, as vtkRadialSampler writes them");
+    return 0;
+  }
+  palpate::SphericalHarmonicFitOptions options;
+  options.Degree = this->Degree;
+  options.PenaltyKind = static_cast<palpate::SphericalHarmonicFitOptions::Penalty>(this->Penalty);
+  options.Roughness = this->Roughness;
+  options.MaximumCondition = this->MaximumCondition;
+  options.IsCancelled = [this] { return this->AbortExecute != 0; };
+  this->UpdateProgress(0.1);
+  palpate::SphericalHarmonicFitResult result;
+  palpate::Status status = this->Tolerance > 0.0 ? FindDegree(samples, options, this->Tolerance,
+                                                              this->MaximumDegree, options.Degree)
+                                                 : palpate::Status::Success();
+  if (status.IsOk() && !this->AbortExecute)
+  {
+    status = palpate::FitSphericalHarmonics(samples, options, result);
+  }
+  if (this->AbortExecute)
+  {
+    return 1;
+  }
+  if (!status.IsOk())
+  {
+    vtkErrorMacro(<< status.Message());
+    return 0;
+  }
+  this->FittedDegree = options.Degree;
+  this->Condition = result.Condition;
+  this->UsedRoughness = result.Roughness;
+  this->Rms = result.Rms;
+  this->NoiseDeviation = result.NoiseDeviation;
+  this->DegreesOfFreedom = result.DegreesOfFreedom;
+  this->RmsByDegree = result.RmsByDegree;
+  const palpate::Vector3 center(input->GetFieldData()->GetArray("Center")->GetTuple3(0));
+  vtkTable* output = vtkTable::GetData(outputs);
+  palpate::ToTable(
+      palpate::SphericalHarmonicModel(options.Degree, std::move(result.Coefficients), center),
+      output);
+  AddCovariance(result.CovarianceFactor, output);
+  this->UpdateProgress(1.0);
+  return 1;
+}
+
+void vtkSphericalHarmonicFit::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Degree: " << this->Degree << "\n";
+  os << indent << "Weighting: " << this->Weighting << "\n";
+  os << indent << "Tolerance: " << this->Tolerance << " mm\n";
+  os << indent << "MaximumDegree: " << this->MaximumDegree << "\n";
+  os << indent << "Penalty: " << this->Penalty << "\n";
+  os << indent << "Roughness: " << this->Roughness << "\n";
+  os << indent << "MaximumCondition: " << this->MaximumCondition << "\n";
+  os << indent << "FittedDegree: " << this->FittedDegree << "\n";
+  os << indent << "Condition: " << this->Condition << "\n";
+  os << indent << "UsedRoughness: " << this->UsedRoughness << "\n";
+  os << indent << "Rms: " << this->Rms << " mm\n";
+  os << indent << "NoiseDeviation: " << this->NoiseDeviation << " mm\n";
+  os << indent << "DegreesOfFreedom: " << this->DegreesOfFreedom << "\n";
+}

@@ -1,0 +1,116 @@
+#ifndef vtkSphericalHarmonicFit_h
+#define vtkSphericalHarmonicFit_h
+
+#include "PalpateShapeModelModule.h"
+#include "vtkTableAlgorithm.h"
+
+#include <vector>
+
+/// Fits a spherical-harmonic model to radial samples by least squares.
+///
+/// Input: samples as vtkRadialSampler writes them (arrays "Direction", "Radius" in mm, "Valid", and
+/// "AreaWeight" or "SolidAngle" as weights, field data "Center"). Output: the model as a table (see
+/// palpate::ToTable), with the field data array "CovarianceFactor": a square matrix F, row by row,
+/// F F^T being the covariance of the coefficients (mm^2). The arithmetic, the penalty and the
+/// refusals are those of palpate::FitSphericalHarmonics; a refusal is raised as an error, and there
+/// is no output.
+class PALPATESHAPEMODEL_EXPORT vtkSphericalHarmonicFit : public vtkTableAlgorithm
+{
+public:
+  static vtkSphericalHarmonicFit* New();
+  vtkTypeMacro(vtkSphericalHarmonicFit, vtkTableAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  enum Penalties
+  {
+    NO_PENALTY,
+    GIVEN_PENALTY,
+    CROSS_VALIDATION
+  };
+
+  enum Weightings
+  {
+    AREA,
+    SOLID_ANGLE,
+    UNIFORM
+  };
+
+  ///@{ Degree of the model; default 12.
+  vtkSetClampMacro(Degree, int, 0, 1000);
+  vtkGetMacro(Degree, int);
+  ///@}
+
+  ///@{ How much a sample counts: by the surface's area (array "AreaWeight", default), so that the
+  /// distance along the normal is what is made small; by the solid angle (array "SolidAngle"), so
+  /// that the radial distance is; or all the same.
+  vtkSetClampMacro(Weighting, int, AREA, UNIFORM);
+  vtkGetMacro(Weighting, int);
+  ///@}
+
+  ///@{ If positive: take the smallest degree, up to MaximumDegree, whose root mean square residual
+  /// (mm) is at most this, and set Degree to it. Without such a degree the update is an error.
+  /// Default 0: the degree is given.
+  vtkSetClampMacro(Tolerance, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(Tolerance, double);
+  vtkSetClampMacro(MaximumDegree, int, 0, 1000);
+  vtkGetMacro(MaximumDegree, int);
+  ///@}
+
+  ///@{ Roughness penalty: none (default), of strength Roughness, or chosen by generalised
+  /// cross-validation.
+  vtkSetClampMacro(Penalty, int, NO_PENALTY, CROSS_VALIDATION);
+  vtkGetMacro(Penalty, int);
+  vtkSetMacro(Roughness, double);
+  vtkGetMacro(Roughness, double);
+  ///@}
+
+  ///@{ Largest condition number that is accepted without a penalty; default 1e4.
+  vtkSetMacro(MaximumCondition, double);
+  vtkGetMacro(MaximumCondition, double);
+  ///@}
+
+  ///@{ What the last update found; lengths are mm.
+  vtkGetMacro(FittedDegree, int);
+  vtkGetMacro(Condition, double);
+  vtkGetMacro(UsedRoughness, double);
+  vtkGetMacro(Rms, double);
+  vtkGetMacro(NoiseDeviation, double);
+  vtkGetMacro(DegreesOfFreedom, double);
+  /// RMS residual of the unpenalised fit of every degree up to GetNumberOfDegrees() - 1.
+  int GetNumberOfDegrees() const { return static_cast<int>(this->RmsByDegree.size()); }
+  double GetRmsOfDegree(int degree) const
+  {
+    return this->RmsByDegree.at(static_cast<std::size_t>(degree));
+  }
+  ///@}
+
+protected:
+  vtkSphericalHarmonicFit() = default;
+  ~vtkSphericalHarmonicFit() override = default;
+
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  int RequestData(vtkInformation* request, vtkInformationVector** inputs,
+                  vtkInformationVector* outputs) override;
+
+private:
+  vtkSphericalHarmonicFit(const vtkSphericalHarmonicFit&) = delete;
+  void operator=(const vtkSphericalHarmonicFit&) = delete;
+
+  int Degree = 12;
+  int Weighting = AREA;
+  double Tolerance = 0.0;
+  int MaximumDegree = 40;
+  int Penalty = NO_PENALTY;
+  double Roughness = 0.0;
+  double MaximumCondition = 1e4;
+
+  int FittedDegree = 0;
+  double Condition = 0.0;
+  double UsedRoughness = 0.0;
+  double Rms = 0.0;
+  double NoiseDeviation = 0.0;
+  double DegreesOfFreedom = 0.0;
+  std::vector<double> RmsByDegree;
+};
+
+#endif

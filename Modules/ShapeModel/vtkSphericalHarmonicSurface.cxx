@@ -1,0 +1,172 @@
+#include "vtkSphericalHarmonicSurface.h"
+
+#include "ClosestPointDistances.h"
+#include "DirectionCaster.h"
+#include "IcosahedronDirections.h"
+#include "MeshConversion.h"
+#include "ModelTable.h"
+#include "SphericalHarmonicBasis.h"
+
+#include "vtkCellArray.h"
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkMath.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkSMPTools.h"
+#include "vtkTable.h"
+
+#include <Eigen/Core>
+#include <algorithm>
+
+vtkStandardNewMacro(vtkSphericalHarmonicSurface);
+
+namespace
+{
+using palpate::Vector3;
+
+vtkNew<vtkDoubleArray> MakeArray(const char* name, std::size_t count, int components = 1)
+{
+  vtkNew<vtkDoubleArray> array;
+  array->SetName(name);
+  array->SetNumberOfComponents(components);
+  array->SetNumberOfTuples(static_cast<vtkIdType>(count));
+  return array;
+}
+
+void AddGeometry(const palpate::SphericalHarmonicModel& model,
+                 const palpate::IcosahedronDirections& sphere, vtkPolyData* output)
+{
+  const std::vector<Vector3>& directions = sphere.Directions();
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  points->SetNumberOfPoints(static_cast<vtkIdType>(directions.size()));
+  auto radii = MakeArray("Radius", directions.size());
+  auto normals = MakeArray("Normals", directions.size(), 3);
+  for (std::size_t i = 0; i < directions.size(); ++i)
+  {
+    const auto id = static_cast<vtkIdType>(i);
+    const double radius = model.Radius(directions[i]);
+    points->SetPoint(id, Vector3(model.CenterWorld() + radius * directions[i]).data());
+    radii->SetValue(id, radius);
+    normals->SetTuple(id, model.Normal(directions[i]).data());
+  }
+  vtkNew<vtkCellArray> triangles;
+  for (const std::array<int, 3>& t : sphere.Triangles())
+  {
+    triangles->InsertNextCell({t[0], t[1], t[2]});
+  }
+  output->SetPoints(points);
+  output->SetPolys(triangles);
+  output->GetPointData()->AddArray(radii);
+  output->GetPointData()->SetNormals(normals);
+}
+
+// sqrt(y^T F F^T y) at each direction; blocks of directions, so that it is one matrix product.
+void AddDeviation(vtkDataArray* factorArray, int degree, const std::vector<Vector3>& directions,
+                  vtkPolyData* output)
+{
+  const palpate::SphericalHarmonicBasis basis(degree);
+  const auto size = static_cast<Eigen::Index>(basis.Size());
+  auto* values = vtkDoubleArray::SafeDownCast(factorArray);
+  if (values == nullptr || values->GetNumberOfTuples() != size ||
+      values->GetNumberOfComponents() != size)
+  {
+    return;
+  }
+  using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+  const Eigen::Map<const RowMajor> factor(values->GetPointer(0), size, size);
+  auto deviations = MakeArray("RadiusDeviation", directions.size());
+  constexpr vtkIdType Block = 256;
+  vtkSMPTools::For(0, static_cast<vtkIdType>(directions.size()), Block,
+                   [&](vtkIdType first, vtkIdType last)
+                   {
+                     RowMajor harmonics(last - first, size);
+                     for (vtkIdType id = first; id < last; ++id)
+                     {
+                       basis.Evaluate(directions[static_cast<std::size_t>(id)],
+                                      harmonics.row(id - first).data());
+                     }
+                     const Eigen::VectorXd lengths = (harmonics * factor).rowwise().norm();
+                     std::copy(lengths.begin(), lengths.end(), deviations->GetPointer(first));
+                   });
+  output->GetPointData()->AddArray(deviations);
+}
+
+void AddComparison(const palpate::SphericalHarmonicModel& model,
+                   const std::vector<Vector3>& directions, vtkPolyData* original,
+                   vtkPolyData* output)
+{
+  const auto crossings = palpate::DirectionCaster(directions)
+                             .Cast(palpate::ToIndexedMesh(original), model.CenterWorld());
+  const std::vector<double> distances =
+      palpate::ClosestPointDistances(output->GetPoints(), original);
+  auto signedDistances = MakeArray("DistanceToSurface", directions.size());
+  auto residuals = MakeArray("Residual", directions.size());
+  for (std::size_t i = 0; i < directions.size(); ++i)
+  {
+    const auto id = static_cast<vtkIdType>(i);
+    const double radius = model.Radius(directions[i]);
+    // Inside a closed surface if the rest of the ray leaves it once more than it enters.
+    const auto beyond = std::count_if(crossings[i].begin(), crossings[i].end(),
+                                      [radius](const palpate::RayCrossing& crossing)
+                                      { return crossing.Distance > radius; });
+    signedDistances->SetValue(id, beyond % 2 == 1 ? -distances[i] : distances[i]);
+    residuals->SetValue(id, crossings[i].empty() ? vtkMath::Nan()
+                                                 : crossings[i].back().Distance - radius);
+  }
+  output->GetPointData()->AddArray(signedDistances);
+  output->GetPointData()->AddArray(residuals);
+}
+} // namespace
+
+void vtkSphericalHarmonicSurface::SetOriginalData(vtkPolyData* surface)
+{
+  this->SetInputDataObject(1, surface);
+}
+
+int vtkSphericalHarmonicSurface::FillInputPortInformation(int port, vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), port == 0 ? "vtkTable" : "vtkPolyData");
+  info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), port);
+  return 1;
+}
+
+int vtkSphericalHarmonicSurface::RequestData(vtkInformation*, vtkInformationVector** inputs,
+                                             vtkInformationVector* outputs)
+{
+  vtkTable* table = vtkTable::GetData(inputs[0]);
+  vtkPolyData* original = vtkPolyData::GetData(inputs[1]);
+  palpate::SphericalHarmonicModel model;
+  if (!palpate::FromTable(table, model))
+  {
+    vtkErrorMacro("the input is no spherical-harmonic model: columns Degree, Order and Coefficient "
+                  "and the field Center are needed");
+    return 0;
+  }
+  const palpate::IcosahedronDirections sphere(this->Frequency);
+  vtkPolyData* output = vtkPolyData::GetData(outputs);
+  AddGeometry(model, sphere, output);
+  this->UpdateProgress(0.3);
+  if (vtkDataArray* factor = table->GetFieldData()->GetArray("CovarianceFactor"))
+  {
+    AddDeviation(factor, model.Degree(), sphere.Directions(), output);
+  }
+  this->UpdateProgress(0.6);
+  if (original != nullptr && original->GetNumberOfPolys() > 0 && !this->AbortExecute)
+  {
+    AddComparison(model, sphere.Directions(), original, output);
+  }
+  this->UpdateProgress(1.0);
+  return 1;
+}
+
+void vtkSphericalHarmonicSurface::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Frequency: " << this->Frequency << "\n";
+}

@@ -1,0 +1,184 @@
+#include "IsoSurface.h"
+
+#include "vtkCellArray.h"
+#include "vtkCellArrayIterator.h"
+#include "vtkFloatArray.h"
+#include "vtkFlyingEdges3D.h"
+#include "vtkImageData.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPolyDataConnectivityFilter.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+namespace palpate
+{
+namespace
+{
+// A sample that equals the level would put several vertices on one spot; a millionth of the
+// field's range away it cannot be told apart by anyone else.
+void MoveOffLevel(ScalarGrid& grid, float level)
+{
+  const auto [low, high] = std::minmax_element(grid.Values.begin(), grid.Values.end());
+  const float nudge = 1e-6f * std::max(*high - *low, std::abs(level));
+  for (float& value : grid.Values)
+  {
+    if (std::abs(value - level) < nudge)
+    {
+      value = value < level ? level - nudge : level + nudge;
+    }
+  }
+}
+
+vtkSmartPointer<vtkPolyData> Contour(ScalarGrid& grid, float level)
+{
+  MoveOffLevel(grid, level);
+  vtkNew<vtkFloatArray> scalars;
+  scalars->SetArray(grid.Values.data(), static_cast<vtkIdType>(grid.Values.size()), 1);
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(grid.Size.data());
+  image->SetSpacing(grid.Spacing.data());
+  image->GetPointData()->SetScalars(scalars);
+  vtkNew<vtkFlyingEdges3D> contour;
+  contour->SetInputData(image);
+  contour->SetValue(0, level);
+  contour->ComputeNormalsOff();
+  contour->ComputeScalarsOff();
+  contour->Update();
+  return contour->GetOutput();
+}
+
+IsoSurface ChoosePieces(vtkPolyData* surface, SurfacePieces pieces)
+{
+  vtkNew<vtkPolyDataConnectivityFilter> connectivity;
+  connectivity->SetInputData(surface);
+  if (pieces == SurfacePieces::Largest)
+  {
+    connectivity->SetExtractionModeToLargestRegion();
+  }
+  else
+  {
+    connectivity->SetExtractionModeToAllRegions();
+  }
+  connectivity->Update();
+  return {connectivity->GetOutput(), connectivity->GetNumberOfExtractedRegions(), 0.0};
+}
+
+// Drops points that no triangle uses and turns triangles outwards.
+vtkSmartPointer<vtkPolyData> Compact(vtkPolyData* surface)
+{
+  std::vector<vtkIdType> renumbered(static_cast<std::size_t>(surface->GetNumberOfPoints()), -1);
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  vtkNew<vtkCellArray> triangles;
+  const auto renumber = [&](vtkIdType id)
+  {
+    vtkIdType& entry = renumbered[static_cast<std::size_t>(id)];
+    if (entry < 0)
+    {
+      entry = points->InsertNextPoint(surface->GetPoint(id));
+    }
+    return entry;
+  };
+  auto cells = vtk::TakeSmartPointer(surface->GetPolys()->NewIterator());
+  for (cells->GoToFirstCell(); !cells->IsDoneWithTraversal(); cells->GoToNextCell())
+  {
+    vtkIdType count = 0;
+    const vtkIdType* ids = nullptr;
+    cells->GetCurrentCell(count, ids);
+    triangles->InsertNextCell({renumber(ids[0]), renumber(ids[1]), renumber(ids[2])});
+  }
+  auto result = vtkSmartPointer<vtkPolyData>::New();
+  result->SetPoints(points);
+  result->SetPolys(triangles);
+  if (MeasureEnclosed(result).Volume < 0.0)
+  {
+    ReverseTriangles(result);
+  }
+  return result;
+}
+} // namespace
+
+EnclosedMeasure MeasureEnclosed(vtkPolyData* surface)
+{
+  EnclosedMeasure measure{0.0, 0.0};
+  auto cells = vtk::TakeSmartPointer(surface->GetPolys()->NewIterator());
+  Eigen::Vector3d origin = Eigen::Vector3d::Zero();
+  if (surface->GetNumberOfPoints() > 0)
+  {
+    surface->GetPoint(0, origin.data()); // near the surface: less cancellation
+  }
+  for (cells->GoToFirstCell(); !cells->IsDoneWithTraversal(); cells->GoToNextCell())
+  {
+    vtkIdType count = 0;
+    const vtkIdType* ids = nullptr;
+    cells->GetCurrentCell(count, ids);
+    Eigen::Vector3d a;
+    Eigen::Vector3d b;
+    Eigen::Vector3d c;
+    surface->GetPoint(ids[0], a.data());
+    surface->GetPoint(ids[1], b.data());
+    surface->GetPoint(ids[2], c.data());
+    const Eigen::Vector3d doubled = (b - a).cross(c - a);
+    measure.Volume += (a - origin).dot(doubled) / 6.0;
+    measure.Area += 0.5 * doubled.norm();
+  }
+  return measure;
+}
+
+void ReverseTriangles(vtkPolyData* surface)
+{
+  vtkNew<vtkCellArray> reversed;
+  auto cells = vtk::TakeSmartPointer(surface->GetPolys()->NewIterator());
+  for (cells->GoToFirstCell(); !cells->IsDoneWithTraversal(); cells->GoToNextCell())
+  {
+    vtkIdType count = 0;
+    const vtkIdType* ids = nullptr;
+    cells->GetCurrentCell(count, ids);
+    reversed->InsertNextCell({ids[0], ids[2], ids[1]});
+  }
+  surface->SetPolys(reversed);
+}
+
+IsoSurface ExtractIsoSurface(ScalarGrid& grid, float level, SurfacePieces pieces)
+{
+  IsoSurface result = ChoosePieces(Contour(grid, level), pieces);
+  result.Surface = Compact(result.Surface);
+  result.Level = level;
+  return result;
+}
+
+IsoSurface ExtractIsoSurfaceOfVolume(ScalarGrid& grid, double volume, SurfacePieces pieces)
+{
+  const auto [lowest, highest] = std::minmax_element(grid.Values.begin(), grid.Values.end());
+  double low = *lowest; // the surface's volume falls as the level rises
+  double high = *highest;
+  double level = 0.0;
+  IsoSurface result;
+  double lastLevel = 0.0;
+  double lastExcess = 0.0;
+  // Secants kept inside the bracket; the first step guesses the field's slope at the surface.
+  for (int step = 0; step < 12; ++step)
+  {
+    result = ExtractIsoSurface(grid, static_cast<float>(level), pieces);
+    const EnclosedMeasure measure = MeasureEnclosed(result.Surface);
+    const double excess = measure.Volume - volume;
+    if (std::abs(excess) <= 1e-3 * volume)
+    {
+      break;
+    }
+    (excess > 0.0 ? low : high) = level;
+    const double slope =
+        step == 0 || excess == lastExcess
+            ? -measure.Area * std::cbrt(grid.Spacing[0] * grid.Spacing[1] * grid.Spacing[2])
+            : (excess - lastExcess) / (level - lastLevel);
+    lastLevel = level;
+    lastExcess = excess;
+    const double next = slope < 0.0 ? level - excess / slope : low;
+    level = next > low && next < high ? next : 0.5 * (low + high);
+  }
+  return result;
+}
+} // namespace palpate

@@ -1,0 +1,46 @@
+#pragma once
+
+#include "PalpateSurfaceModule.h"
+#include "ScalarGrid.h"
+#include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
+
+namespace palpate
+{
+/// Volume and area of a closed surface, in the units of its points; the volume is positive where
+/// triangles run counter-clockwise seen from outside.
+struct EnclosedMeasure
+{
+  double Volume;
+  double Area;
+};
+
+PALPATESURFACE_EXPORT EnclosedMeasure MeasureEnclosed(vtkPolyData* surface);
+
+/// Turns every triangle over.
+PALPATESURFACE_EXPORT void ReverseTriangles(vtkPolyData* surface);
+
+enum class SurfacePieces
+{
+  Largest,
+  All
+};
+
+struct IsoSurface
+{
+  vtkSmartPointer<vtkPolyData> Surface; ///< outward-facing triangles
+  int PieceCount = 0;                   ///< connected pieces before a choice among them
+  double Level = 0.0;
+};
+
+/// The surface where `grid` passes `level`; points in mm along the grid's axes, from its first
+/// sample. Closed as long as the grid's outermost samples lie below the level. Samples that equal
+/// the level are moved off it.
+PALPATESURFACE_EXPORT IsoSurface ExtractIsoSurface(ScalarGrid& grid, float level,
+                                                   SurfacePieces pieces);
+
+/// The same at a level near zero at which the surface encloses `volume` (mm^3) to a part in a
+/// thousand, as long as the field's levels reach that far.
+PALPATESURFACE_EXPORT IsoSurface ExtractIsoSurfaceOfVolume(ScalarGrid& grid, double volume,
+                                                           SurfacePieces pieces);
+} // namespace palpate

@@ -1,0 +1,38 @@
+#pragma once
+
+#include "PalpateSurfaceModule.h"
+#include "VoxelMask.h"
+
+#include <vector>
+
+namespace palpate
+{
+/// Connected components of a mask: voxels that share a face belong together, which is how a
+/// surface drawn around them hangs together too.
+class PALPATESURFACE_EXPORT MaskComponents
+{
+public:
+  explicit MaskComponents(const VoxelMask& mask);
+
+  /// Voxels of each component, falling.
+  const std::vector<long long>& VoxelCounts() const noexcept { return this->Counts; }
+
+  /// Keeps the component of this rank (0 is the largest) in `mask` and clears the others.
+  void Keep(int rank, VoxelMask& mask) const;
+
+private:
+  std::vector<int> Labels; ///< 0 outside, else 1 + rank
+  std::vector<long long> Counts;
+};
+
+/// Empty regions that a mask encloses: outside voxels that no path over faces, edges or corners of
+/// outside voxels joins to the rim of the box (which must be empty).
+struct MaskCavities
+{
+  int Count = 0;
+  long long Voxels = 0;
+};
+
+/// Fills the cavities of `mask` and says what it filled.
+PALPATESURFACE_EXPORT MaskCavities FillCavities(VoxelMask& mask);
+} // namespace palpate

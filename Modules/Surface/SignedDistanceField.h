@@ -1,0 +1,32 @@
+#pragma once
+
+#include "PalpateSurfaceModule.h"
+#include "ScalarGrid.h"
+#include "VoxelMask.h"
+
+namespace palpate
+{
+/// How a mask becomes a field whose zero level is its boundary.
+enum class FieldMethod
+{
+  ShapeInterpolation, ///< distance in each slice, interpolated between slices
+  Distance,           ///< distance in three dimensions
+  Plain               ///< the mask's own half level
+};
+
+/// The method that suits a mask: shape interpolation where one spacing is at least 1.5 times each
+/// of the others, distance in three dimensions elsewhere.
+PALPATESURFACE_EXPORT FieldMethod SuitableMethod(const VoxelMask& mask);
+
+/// A field over the box of `mask`, from -0.5 well outside to +0.5 well inside; its zero level is
+/// the boundary, which runs half way between neighbouring voxel centres.
+///
+/// ShapeInterpolation (after Raya and Udupa, IEEE TMI 9, 1990): in each slice across the coarsest
+/// axis the signed in-plane distance, cut off at one slice step, and between slices their linear
+/// interpolation, sampled so finely that the steps are about the in-plane spacing. Distance: the
+/// signed distance in three dimensions. Both are then taken to the range above over one in-plane
+/// voxel, and smoothed by a Gaussian of standard deviation `smoothing` / 2 voxels along each axis.
+/// Plain is neither interpolated nor smoothed.
+PALPATESURFACE_EXPORT ScalarGrid BuildField(const VoxelMask& mask, FieldMethod method,
+                                            double smoothing);
+} // namespace palpate

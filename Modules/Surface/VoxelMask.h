@@ -1,0 +1,121 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <vector>
+
+namespace palpate
+{
+/// The voxels of one label inside a box of an image, with a rim of empty voxels around them.
+struct VoxelMask
+{
+  std::array<int, 3> StartIndex{};   ///< image index of the box's first voxel; the rim may lie
+                                     ///< outside the image
+  std::array<int, 3> Size{};         ///< voxels along i, j, k
+  std::array<double, 3> Spacing{};   ///< mm
+  std::vector<unsigned char> Inside; ///< 1 inside, 0 outside; i runs fastest
+
+  std::size_t Offset(int i, int j, int k) const noexcept
+  {
+    return (static_cast<std::size_t>(k) * static_cast<std::size_t>(this->Size[1]) +
+            static_cast<std::size_t>(j)) *
+               static_cast<std::size_t>(this->Size[0]) +
+           static_cast<std::size_t>(i);
+  }
+  double VoxelVolume() const noexcept
+  {
+    return this->Spacing[0] * this->Spacing[1] * this->Spacing[2];
+  }
+  long long Count() const noexcept
+  {
+    return std::count(this->Inside.begin(), this->Inside.end(), static_cast<unsigned char>(1));
+  }
+};
+
+/// The first and last index (inclusive) of the voxels that have a label; first > last where none
+/// has.
+struct LabelBounds
+{
+  std::array<int, 3> First{1, 1, 1};
+  std::array<int, 3> Last{0, 0, 0};
+
+  bool IsEmpty() const noexcept { return this->First[0] > this->Last[0]; }
+  bool Touches(const std::array<int, 3>& imageSize) const noexcept
+  {
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      if (this->First[axis] == 0 || this->Last[axis] == imageSize[axis] - 1)
+      {
+        return !this->IsEmpty();
+      }
+    }
+    return false;
+  }
+};
+
+template <typename T>
+LabelBounds FindLabelBounds(const T* voxels, const std::array<int, 3>& size, int label)
+{
+  const T wanted = static_cast<T>(label);
+  LabelBounds bounds;
+  bounds.First = size;
+  bounds.Last = {-1, -1, -1};
+  for (int k = 0; k < size[2]; ++k)
+  {
+    for (int j = 0; j < size[1]; ++j, voxels += size[0])
+    {
+      const T* end = voxels + size[0];
+      const T* first = std::find(voxels, end, wanted);
+      if (first == end)
+      {
+        continue;
+      }
+      const T* last = end - 1;
+      while (*last != wanted)
+      {
+        --last;
+      }
+      bounds.First = {std::min(bounds.First[0], static_cast<int>(first - voxels)),
+                      std::min(bounds.First[1], j), std::min(bounds.First[2], k)};
+      bounds.Last = {std::max(bounds.Last[0], static_cast<int>(last - voxels)),
+                     std::max(bounds.Last[1], j), std::max(bounds.Last[2], k)};
+    }
+  }
+  return bounds;
+}
+
+/// Copies the voxels that have `label` and lie in `bounds` (not empty), with `rim` empty voxels
+/// on every side.
+template <typename T>
+VoxelMask CopyLabel(const T* voxels, const std::array<int, 3>& size,
+                    const std::array<double, 3>& spacing, const LabelBounds& bounds, int label,
+                    int rim)
+{
+  VoxelMask mask;
+  mask.Spacing = spacing;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    mask.StartIndex[axis] = bounds.First[axis] - rim;
+    mask.Size[axis] = bounds.Last[axis] - bounds.First[axis] + 1 + 2 * rim;
+  }
+  mask.Inside.assign(mask.Offset(0, 0, mask.Size[2]), 0);
+  const T wanted = static_cast<T>(label);
+  for (int k = bounds.First[2]; k <= bounds.Last[2]; ++k)
+  {
+    for (int j = bounds.First[1]; j <= bounds.Last[1]; ++j)
+    {
+      const T* row = voxels + (static_cast<std::size_t>(k) * static_cast<std::size_t>(size[1]) +
+                               static_cast<std::size_t>(j)) *
+                                  static_cast<std::size_t>(size[0]);
+      unsigned char* target =
+          &mask.Inside[mask.Offset(rim, j - mask.StartIndex[1], k - mask.StartIndex[2])];
+      for (int i = bounds.First[0]; i <= bounds.Last[0]; ++i)
+      {
+        *target++ = row[i] == wanted ? 1 : 0;
+      }
+    }
+  }
+  return mask;
+}
+} // namespace palpate

@@ -1,0 +1,194 @@
+#include "vtkSegmentationSurface.h"
+
+#include "IsoSurface.h"
+#include "MaskComponents.h"
+#include "SignedDistanceField.h"
+#include "VoxelMask.h"
+
+#include "vtkDataArray.h"
+#include "vtkImageData.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkMatrix3x3.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+
+#include <algorithm>
+#include <cmath>
+
+vtkStandardNewMacro(vtkSegmentationSurface);
+
+namespace
+{
+// Wide enough for the blur of the field to find no edge; outermost samples stay outside.
+int RimFor(double smoothing)
+{
+  return 2 + static_cast<int>(std::ceil(1.5 * smoothing));
+}
+
+palpate::VoxelMask ExtractMask(vtkImageData* image, int label, int rim, bool& touchesBorder)
+{
+  std::array<int, 3> size{};
+  std::array<double, 3> spacing{};
+  image->GetDimensions(size.data());
+  image->GetSpacing(spacing.data());
+  vtkDataArray* scalars = image->GetPointData()->GetScalars();
+  palpate::VoxelMask mask;
+  const auto extract = [&](const auto* voxels)
+  {
+    const palpate::LabelBounds bounds = palpate::FindLabelBounds(voxels, size, label);
+    touchesBorder = bounds.Touches(size);
+    if (!bounds.IsEmpty())
+    {
+      mask = palpate::CopyLabel(voxels, size, spacing, bounds, label, rim);
+    }
+  };
+  switch (scalars->GetDataType())
+  {
+    vtkTemplateMacro(extract(static_cast<const VTK_TT*>(scalars->GetVoidPointer(0))));
+  default:
+    break;
+  }
+  return mask;
+}
+
+// Points from mm along the grid's axes to world mm.
+void MoveToWorld(const palpate::ScalarGrid& grid, vtkImageData* image, vtkPolyData* surface)
+{
+  int extent[6];
+  image->GetExtent(extent);
+  vtkPoints* points = surface->GetPoints();
+  for (vtkIdType id = 0; id < points->GetNumberOfPoints(); ++id)
+  {
+    double point[3];
+    points->GetPoint(id, point);
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      point[axis] = extent[2 * axis] + grid.StartIndex[axis] +
+                    point[axis] / grid.Spacing[axis] * grid.StepIndex[axis];
+    }
+    double world[3];
+    image->TransformContinuousIndexToPhysicalPoint(point, world);
+    points->SetPoint(id, world);
+  }
+  if (image->GetDirectionMatrix()->Determinant() < 0.0)
+  {
+    palpate::ReverseTriangles(surface);
+  }
+}
+} // namespace
+
+int vtkSegmentationSurface::FillInputPortInformation(int, vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkImageData");
+  return 1;
+}
+
+int vtkSegmentationSurface::RequestData(vtkInformation*, vtkInformationVector** inputs,
+                                        vtkInformationVector* outputs)
+{
+  vtkImageData* image = vtkImageData::GetData(inputs[0]);
+  vtkPolyData* output = vtkPolyData::GetData(outputs);
+  vtkDataArray* scalars = image->GetPointData()->GetScalars();
+  if (scalars == nullptr || scalars->GetNumberOfComponents() != 1)
+  {
+    vtkErrorMacro("the label map needs scalars of one component");
+    return 0;
+  }
+  const bool plain = this->Method == PLAIN;
+  palpate::VoxelMask mask =
+      ExtractMask(image, this->Label, plain ? 1 : RimFor(this->Smoothing), this->TouchesBorder);
+  if (mask.Inside.empty())
+  {
+    vtkErrorMacro("no voxel has label " << this->Label);
+    return 0;
+  }
+  this->UpdateProgress(0.1);
+  if (this->AbortExecute || !this->SelectComponent(mask))
+  {
+    return this->AbortExecute ? 1 : 0;
+  }
+  this->UpdateProgress(0.3);
+  return this->AbortExecute || this->BuildSurface(mask, image, output) ? 1 : 0;
+}
+
+bool vtkSegmentationSurface::SelectComponent(palpate::VoxelMask& mask)
+{
+  const palpate::MaskComponents components(mask);
+  const double voxel = mask.VoxelVolume();
+  this->ComponentVolumes.clear();
+  for (const long long count : components.VoxelCounts())
+  {
+    this->ComponentVolumes.push_back(static_cast<double>(count) * voxel);
+  }
+  if (this->Component > this->GetNumberOfComponents())
+  {
+    vtkErrorMacro("label " << this->Label << " has " << this->GetNumberOfComponents()
+                           << " connected component(s); there is no component " << this->Component);
+    return false;
+  }
+  if (this->Component > 0)
+  {
+    components.Keep(this->Component - 1, mask);
+  }
+  this->MaskVolume = static_cast<double>(mask.Count()) * voxel;
+  const palpate::MaskCavities cavities = palpate::FillCavities(mask);
+  this->CavityCount = cavities.Count;
+  this->CavityVolume = static_cast<double>(cavities.Voxels) * voxel;
+  return true;
+}
+
+bool vtkSegmentationSurface::BuildSurface(const palpate::VoxelMask& mask, vtkImageData* image,
+                                          vtkPolyData* output)
+{
+  const auto pieces =
+      this->Component > 0 ? palpate::SurfacePieces::Largest : palpate::SurfacePieces::All;
+  const double volume = this->MaskVolume + this->CavityVolume;
+  palpate::IsoSurface surface;
+  palpate::ScalarGrid grid;
+  const auto extract = [&](palpate::FieldMethod method)
+  {
+    grid = palpate::BuildField(mask, method, this->Smoothing);
+    this->UpdateProgress(0.6);
+    surface = method == palpate::FieldMethod::Plain
+                  ? palpate::ExtractIsoSurface(grid, 0.0f, pieces)
+                  : palpate::ExtractIsoSurfaceOfVolume(grid, volume, pieces);
+  };
+  const palpate::FieldMethod method =
+      this->Method == PLAIN ? palpate::FieldMethod::Plain : palpate::SuitableMethod(mask);
+  extract(method);
+  // A level far from the middle means that the interpolation tore a thin, slanting shape apart.
+  this->UsedDistanceInstead =
+      method == palpate::FieldMethod::ShapeInterpolation && std::abs(surface.Level) > 0.25;
+  if (this->UsedDistanceInstead)
+  {
+    extract(palpate::FieldMethod::Distance);
+  }
+  if (surface.Surface->GetNumberOfPolys() == 0)
+  {
+    vtkErrorMacro("label " << this->Label << " is too thin to have a surface");
+    return false;
+  }
+  this->SurfaceVolume = palpate::MeasureEnclosed(surface.Surface).Volume;
+  MoveToWorld(grid, image, surface.Surface);
+  output->ShallowCopy(surface.Surface);
+  this->UpdateProgress(1.0);
+  return true;
+}
+
+void vtkSegmentationSurface::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Label: " << this->Label << "\n";
+  os << indent << "Method: " << (this->Method == PLAIN ? "plain" : "shape interpolation") << "\n";
+  os << indent << "Smoothing: " << this->Smoothing << " voxels\n";
+  os << indent << "Component: " << this->Component << "\n";
+  os << indent << "TouchesBorder: " << this->TouchesBorder << "\n";
+  os << indent << "MaskVolume: " << this->MaskVolume << " mm^3\n";
+  os << indent << "SurfaceVolume: " << this->SurfaceVolume << " mm^3\n";
+  os << indent << "CavityCount: " << this->CavityCount << "\n";
+  os << indent << "CavityVolume: " << this->CavityVolume << " mm^3\n";
+  os << indent << "NumberOfComponents: " << this->GetNumberOfComponents() << "\n";
+  os << indent << "UsedDistanceInstead: " << this->UsedDistanceInstead << "\n";
+}
