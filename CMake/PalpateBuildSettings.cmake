@@ -26,8 +26,10 @@ if(PALPATE_SANITIZERS)
   add_link_options(-fsanitize=${PALPATE_SANITIZERS})
 endif()
 
-# Warnings for a target of ours.
+# Warnings for a target of ours; a library that lacks a symbol fails where it is linked, not where it
+# is loaded.
 function(palpate_compile_settings target)
+  target_link_options(${target} PRIVATE -Wl,--no-undefined)
   target_compile_options(${target} PRIVATE -Wall -Wextra -Wshadow -Wnon-virtual-dtor
     -Woverloaded-virtual -Wno-unused-parameter
     $<$<BOOL:${PALPATE_WARNINGS_AS_ERRORS}>:-Werror>)

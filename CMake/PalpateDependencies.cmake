@@ -21,6 +21,7 @@ find_package(VTK 9.1 REQUIRED COMPONENTS ${PALPATE_VTK_COMPONENTS} ${palpate_vtk
 find_package(ITK 5.2 REQUIRED COMPONENTS ITKCommon ITKIOImageBase ITKIONIFTI ITKIONRRD ITKIOMeta
   ITKIOGDCM ITKImageLabel ITKConnectedComponents ITKLabelMap)
 find_package(DCMTK REQUIRED)
+find_package(ZLIB REQUIRED)
 find_package(CLI11 REQUIRED)
 find_package(nlohmann_json 3.11 REQUIRED)
 find_package(Threads REQUIRED)

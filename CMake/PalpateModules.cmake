@@ -17,25 +17,13 @@ macro(palpate_build_vtk_modules)
     MODULES ${PALPATE_MODULES}
     INSTALL_EXPORT PalpateModules
     PACKAGE Palpate
+    # Tests are added by palpate_add_module_tests, after all rooms exist.
+    TEST_DIRECTORY_NAME NONE
     CMAKE_DESTINATION "${PALPATE_VTK_CMAKE_DIR}"
     HEADERS_DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/palpate"
     VERSION "${PROJECT_VERSION}"
     SOVERSION 1
     TARGET_NAMESPACE Palpate)
-  if(PALPATE_WRAP_PYTHON)
-    set(PALPATE_PYTHON_DIR "${CMAKE_INSTALL_LIBDIR}/python3/dist-packages")
-    set(palpate_wrapped ${PALPATE_MODULES})
-    list(REMOVE_ITEM palpate_wrapped Palpate::Session)
-    vtk_module_wrap_python(
-      MODULES ${palpate_wrapped}
-      PYTHON_PACKAGE palpate
-      MODULE_DESTINATION "${PALPATE_PYTHON_DIR}"
-      CMAKE_DESTINATION "${PALPATE_VTK_CMAKE_DIR}"
-      LIBRARY_DESTINATION "${CMAKE_INSTALL_LIBDIR}"
-      INSTALL_EXPORT PalpateModules
-      TARGET Palpate::Python
-      TARGET_NAMESPACE Palpate)
-  endif()
 endmacro()
 
 # Adds a room's VTK module: VTK classes (header and source pairs, wrapped), kernel classes (not
@@ -48,5 +36,10 @@ function(palpate_add_vtk_module room)
     CLASSES ${arg_CLASSES}
     NOWRAP_CLASSES ${arg_KERNELS}
     NOWRAP_HEADERS ${arg_HEADERS})
+  # A module may hold headers only.
+  set_target_properties(${room} PROPERTIES LINKER_LANGUAGE CXX)
   palpate_compile_settings(${room})
+  if(arg_CLASSES)
+    set_property(GLOBAL APPEND PROPERTY PALPATE_ROOMS_WITH_VTK_CLASSES ${room})
+  endif()
 endfunction()

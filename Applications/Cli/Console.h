@@ -13,6 +13,9 @@ class Console
 public:
   Console(std::ostream& output, std::ostream& errors, bool errorsAreTerminal);
 
+  /// Quiet: no remarks and no progress; results and errors stay.
+  void SetQuiet(bool quiet) { this->Quiet = quiet; }
+
   /// Results: what a script reads.
   std::ostream& Output() { return this->Out; }
   /// A remark; one line on the error stream.
@@ -25,9 +28,13 @@ public:
   void EndProgress();
 
 private:
+  void Draw(double fraction, const std::string& stage, double elapsedSeconds);
+  void Wipe();
+
   std::ostream& Out;
   std::ostream& Errors;
   bool Terminal;
+  bool Quiet = false;
   bool Drawn = false;
   std::chrono::steady_clock::time_point Start;
   std::chrono::steady_clock::time_point LastDraw;

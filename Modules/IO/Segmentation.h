@@ -14,10 +14,10 @@ namespace palpate
 /// One structure of a segmentation: the voxels of a layer that have one value.
 struct Segment
 {
-  int Label = 0;      ///< number that the user names it by; unique in the segmentation
-  int Value = 0;      ///< voxel value in its layer; equals Label wherever that is unique
-  int Layer = 0;      ///< index into Segmentation::Layers
-  std::string Name;   ///< empty where the file has none
+  int Label = 0;    ///< number that the user names it by; unique in the segmentation
+  int Value = 0;    ///< voxel value in its layer; equals Label wherever that is unique
+  int Layer = 0;    ///< index into Segmentation::Layers
+  std::string Name; ///< empty where the file has none
   std::array<double, 3> Color{{0.9, 0.6, 0.4}}; ///< red, green, blue in 0..1
 };
 

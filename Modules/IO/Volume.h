@@ -10,8 +10,8 @@
 
 namespace palpate
 {
-/// An MR or CT volume. The image carries origin, spacing (mm) and a right-handed direction matrix in
-/// patient LPS; its one-component scalars keep the file's type.
+/// An MR or CT volume. The image carries origin, spacing (mm) and a right-handed direction matrix
+/// in patient LPS; its one-component scalars keep the file's type.
 struct Volume
 {
   vtkSmartPointer<vtkImageData> Image;

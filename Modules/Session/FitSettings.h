@@ -21,6 +21,12 @@ struct FitSettings
     Centroid,   ///< of the enclosed volume
     MostVisible ///< the point from which most of the surface is seen
   };
+  enum class SampleWeight
+  {
+    Area,       ///< by the surface's area: small distances along the normal
+    SolidAngle, ///< by the solid angle: small radial distances
+    Uniform
+  };
   enum class Penalty
   {
     None,
@@ -29,18 +35,19 @@ struct FitSettings
   };
 
   SurfaceMethod Method = SurfaceMethod::ShapeInterpolation;
-  double Smoothing = 1.0;  ///< width of the surface's smoothing, in voxels; 0 for none
-  int Component = 1;       ///< which connected component, by falling size, from 1; 0 for all
+  double Smoothing = 1.0; ///< width of the surface's smoothing, in voxels; 0 for none
+  int Component = 1;      ///< which connected component, by falling size, from 1; 0 for all
 
-  int Frequency = 20;      ///< of the icosahedron: 10 f^2 + 2 directions
+  int Frequency = 20; ///< of the icosahedron: 10 f^2 + 2 directions
   CenterChoice Center = CenterChoice::Centroid;
   std::optional<std::array<double, 3>> GivenCenterWorld; ///< mm, patient LPS; overrides Center
 
   int Degree = 12;
   std::optional<double> Tolerance; ///< mm; if set, the smallest degree whose RMS residual meets it
   int MaximumDegree = 40;          ///< where the search for a degree ends
+  SampleWeight Weight = SampleWeight::Area;
   Penalty PenaltyKind = Penalty::None;
-  double Roughness = 0.0;          ///< with Penalty::Given
+  double Roughness = 0.0; ///< with Penalty::Given
 
   double MaximumHiddenPercent = 10.0; ///< more hidden surface than this is refused
 };

@@ -1,0 +1,129 @@
+#include "CommandLine.h"
+
+#include "Console.h"
+#include "InputError.h"
+#include "ProgramVersion.h"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <new>
+#include <ostream>
+
+namespace palpate::cli
+{
+namespace
+{
+constexpr int Success = 0;
+constexpr int Failure = 1;
+constexpr int BadInput = 2;
+constexpr int ParsedWithoutHelp = -1;
+
+std::string ProgramExamples()
+{
+  return "Examples:\n"
+         "  palpate info mask.nii.gz                what a file holds\n"
+         "  palpate fit mask.nii.gz --output case1  a model, its quality and a report\n"
+         "  palpate fit --help                      the options of one command";
+}
+
+// CLI11 ends some messages with a full stop or a line break, and starts some in lower case.
+std::string AsClause(std::string message)
+{
+  std::replace(message.begin(), message.end(), '\n', ' ');
+  while (!message.empty() && (message.back() == ' ' || message.back() == '.'))
+  {
+    message.pop_back();
+  }
+  return message;
+}
+} // namespace
+
+CommandLine::CommandLine(std::vector<std::unique_ptr<Command>> commands)
+    : Commands(std::move(commands)),
+      App(std::make_unique<CLI::App>(
+          "From segmentations to spherical-harmonic organ models: fit, measure, draw.", "palpate"))
+{
+  this->App->set_version_flag("--version", ProgramVersion());
+  this->App->add_flag("--quiet", this->Quiet, "No remarks and no progress; errors stay");
+  this->App->footer(ProgramExamples());
+  this->App->require_subcommand(1);
+  for (const auto& command : this->Commands)
+  {
+    CLI::App* sub = this->App->add_subcommand(command->Name(), command->Summary());
+    // So that --quiet may also follow the command.
+    sub->fallthrough();
+    sub->footer("Examples:\n" + command->Examples());
+    command->DeclareOptions(*sub);
+  }
+}
+
+CommandLine::~CommandLine() = default;
+
+int CommandLine::Run(const std::vector<std::string>& arguments, Console& console)
+{
+  const int parsed = this->Parse(arguments, console);
+  if (parsed != ParsedWithoutHelp)
+  {
+    return parsed;
+  }
+  console.SetQuiet(this->Quiet);
+  const int code = this->RunParsed(console);
+  console.EndProgress();
+  console.Output().flush();
+  if (code == Success && !console.Output())
+  {
+    console.Error("the results could not be written to standard output; is its disk full?");
+    return Failure;
+  }
+  return code;
+}
+
+int CommandLine::Parse(std::vector<std::string> arguments, Console& console)
+{
+  // CLI11 takes a vector from its end.
+  std::reverse(arguments.begin(), arguments.end());
+  try
+  {
+    this->App->parse(std::move(arguments));
+    return ParsedWithoutHelp;
+  }
+  catch (const CLI::ParseError& error)
+  {
+    if (error.get_exit_code() == static_cast<int>(CLI::ExitCodes::Success))
+    {
+      return this->App->exit(error, console.Output(), console.Output());
+    }
+    const auto chosen = this->App->get_subcommands();
+    const std::string subject =
+        chosen.empty() ? "palpate" : "palpate " + chosen.front()->get_name();
+    console.Error(AsClause(error.what()) + "; see " + subject + " --help");
+    return BadInput;
+  }
+}
+
+int CommandLine::RunParsed(Console& console)
+{
+  const std::string name = this->App->get_subcommands().front()->get_name();
+  const auto command = std::find_if(this->Commands.begin(), this->Commands.end(),
+                                    [&](const auto& c) { return c->Name() == name; });
+  try
+  {
+    return (*command)->Run(console);
+  }
+  catch (const InputError& error)
+  {
+    console.Error(error.what());
+    return BadInput;
+  }
+  catch (const std::bad_alloc&)
+  {
+    console.Error("not enough memory for this; try a smaller image, degree or frequency");
+    return Failure;
+  }
+  catch (const std::exception& error)
+  {
+    console.Error(AsClause(error.what()));
+    return Failure;
+  }
+}
+} // namespace palpate::cli

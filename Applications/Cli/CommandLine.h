@@ -1,0 +1,37 @@
+#pragma once
+
+#include "Command.h"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace CLI
+{
+class App;
+}
+
+namespace palpate::cli
+{
+class Console;
+
+/// The whole command line: its commands, their options, and how a failure becomes an exit code and
+/// a sentence. 0 is success, 1 a failure, 2 bad input or a bad command line.
+class CommandLine
+{
+public:
+  explicit CommandLine(std::vector<std::unique_ptr<Command>> commands);
+  ~CommandLine();
+
+  /// Parses `arguments` (without the program's name) and runs the command that they name.
+  int Run(const std::vector<std::string>& arguments, Console& console);
+
+private:
+  int Parse(std::vector<std::string> arguments, Console& console);
+  int RunParsed(Console& console);
+
+  std::vector<std::unique_ptr<Command>> Commands;
+  std::unique_ptr<CLI::App> App;
+  bool Quiet = false;
+};
+} // namespace palpate::cli

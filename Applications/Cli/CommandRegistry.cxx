@@ -1,0 +1,25 @@
+#include "CommandRegistry.h"
+
+#include "CompletionCommand.h"
+#include "ConvertCommand.h"
+#include "EvaluateCommand.h"
+#include "FitCommand.h"
+#include "InfoCommand.h"
+#include "MeshCommand.h"
+#include "PhantomCommand.h"
+
+namespace palpate::cli
+{
+std::vector<std::unique_ptr<Command>> MakeCommands()
+{
+  std::vector<std::unique_ptr<Command>> commands;
+  commands.push_back(std::make_unique<InfoCommand>());
+  commands.push_back(std::make_unique<FitCommand>());
+  commands.push_back(std::make_unique<MeshCommand>());
+  commands.push_back(std::make_unique<EvaluateCommand>());
+  commands.push_back(std::make_unique<ConvertCommand>());
+  commands.push_back(std::make_unique<PhantomCommand>());
+  commands.push_back(std::make_unique<CompletionCommand>());
+  return commands;
+}
+} // namespace palpate::cli

@@ -1,0 +1,12 @@
+#pragma once
+
+#include "Command.h"
+
+#include <memory>
+#include <vector>
+
+namespace palpate::cli
+{
+/// Every sub-command of `palpate`, in the order in which --help lists them.
+std::vector<std::unique_ptr<Command>> MakeCommands();
+} // namespace palpate::cli

@@ -1,0 +1,226 @@
+#include "CompletionScript.h"
+
+#include <CLI/CLI.hpp>
+#include <sstream>
+
+namespace palpate::cli
+{
+namespace
+{
+// CLI11 tells an IsMember check's values only within the option's type name: "TEXT:{a,b}".
+std::vector<std::string> FixedValues(const std::string& typeName)
+{
+  std::vector<std::string> values;
+  const std::size_t open = typeName.find('{');
+  const std::size_t close = typeName.find('}', open);
+  if (open != std::string::npos && close != std::string::npos)
+  {
+    std::istringstream list(typeName.substr(open + 1, close - open - 1));
+    for (std::string value; std::getline(list, value, ',');)
+    {
+      values.push_back(value);
+    }
+  }
+  return values;
+}
+
+std::string Join(const std::vector<std::string>& words, const std::string& separator)
+{
+  std::string text;
+  for (const std::string& word : words)
+  {
+    text += text.empty() ? word : separator + word;
+  }
+  return text;
+}
+
+// A shell's single-quoted word, with the escapes that each shell wants for a quote in it.
+std::string Quoted(const std::string& text, const std::string& quoteEscape)
+{
+  std::string result = "'";
+  for (const char c : text)
+  {
+    result += c == '\'' ? quoteEscape : std::string(1, c);
+  }
+  return result + "'";
+}
+std::string QuotedForBash(const std::string& text)
+{
+  return Quoted(text, "'\\''");
+}
+std::string QuotedForFish(const std::string& text)
+{
+  return Quoted(text, "\\'");
+}
+
+// In zsh's _arguments, brackets and colons of a help text have a meaning.
+std::string HelpForZsh(const std::string& text)
+{
+  std::string result;
+  for (const char c : text)
+  {
+    result +=
+        c == '[' || c == ']' || c == ':' || c == '\\' ? std::string{'\\', c} : std::string(1, c);
+  }
+  return result;
+}
+} // namespace
+
+CompletionScript::CompletionScript(const CLI::App& root)
+{
+  this->Commands.push_back(Describe(root));
+  this->Commands.front().Name.clear();
+  for (const CLI::App* sub : root.get_subcommands([](const CLI::App*) { return true; }))
+  {
+    Command command = Describe(*sub);
+    // The program's own options are also taken after a command.
+    for (const Option& option : this->Program().Options)
+    {
+      if (option.Names.front() != "-h" && option.Names.front() != "--version")
+      {
+        command.Options.push_back(option);
+      }
+    }
+    this->Commands.push_back(std::move(command));
+  }
+}
+
+CompletionScript::Command CompletionScript::Describe(const CLI::App& app)
+{
+  Command command{app.get_name(), app.get_description(), {}};
+  for (const CLI::Option* declared : app.get_options())
+  {
+    Option option{{},
+                  declared->get_description(),
+                  FixedValues(declared->get_type_name()),
+                  declared->get_type_size_max() > 0};
+    for (const std::string& name : declared->get_snames())
+    {
+      option.Names.push_back("-" + name);
+    }
+    for (const std::string& name : declared->get_lnames())
+    {
+      option.Names.push_back("--" + name);
+    }
+    command.Options.push_back(std::move(option));
+  }
+  return command;
+}
+
+std::string CompletionScript::Bash() const
+{
+  std::ostringstream names;
+  std::ostringstream options;
+  std::ostringstream values;
+  for (const Command& command : this->Commands)
+  {
+    names << (command.Name.empty() ? "" : command.Name + " ");
+    std::vector<std::string> words;
+    for (const Option& option : command.Options)
+    {
+      words.insert(words.end(), option.Names.begin(), option.Names.end());
+      if (option.Names.empty())
+      {
+        words.insert(words.end(), option.Values.begin(), option.Values.end());
+      }
+      else if (!option.Values.empty())
+      {
+        values << "    '" << command.Name << " " << Join(option.Names, "'|'" + command.Name + " ")
+               << "') words=" << QuotedForBash(Join(option.Values, " ")) << " ;;\n";
+      }
+      else if (option.TakesValue)
+      {
+        values << "    '" << command.Name << " " << Join(option.Names, "'|'" + command.Name + " ")
+               << "') words= ;;\n";
+      }
+    }
+    options << "    '" << command.Name << "') words=" << QuotedForBash(Join(words, " ")) << " ;;\n";
+  }
+  return "_palpate()\n{\n"
+         "  local current=${COMP_WORDS[COMP_CWORD]} previous=${COMP_WORDS[COMP_CWORD-1]}\n"
+         "  local command= words= i\n"
+         "  for ((i = 1; i < COMP_CWORD; i++)); do\n"
+         "    case ${COMP_WORDS[i]} in\n      -*) ;;\n"
+         "      *) command=${COMP_WORDS[i]}; break ;;\n    esac\n  done\n"
+         "  case $command in\n" +
+         options.str() +
+         "  esac\n"
+         "  [[ -z $command ]] && words+=" +
+         QuotedForBash(" " + names.str()) + "\n  case \"$command $previous\" in\n" + values.str() +
+         "  esac\n"
+         "  COMPREPLY=($(compgen -W \"$words\" -- \"$current\"))\n}\n"
+         "# File names where nothing else fits.\n"
+         "complete -o default -F _palpate palpate\n";
+}
+
+std::string CompletionScript::Zsh() const
+{
+  std::ostringstream script;
+  script << "#compdef palpate\n_palpate()\n{\n  local -a commands\n  commands=(\n";
+  for (const Command& command : this->Commands)
+  {
+    if (!command.Name.empty())
+    {
+      script << "    " << QuotedForBash(command.Name + ":" + HelpForZsh(command.Help)) << "\n";
+    }
+  }
+  script << "  )\n  if (( CURRENT == 2 )); then\n    _describe command commands\n    return\n  fi\n"
+         << "  local command=$words[2]\n  shift words\n  (( CURRENT-- ))\n  case $command in\n";
+  for (const Command& command : this->Commands)
+  {
+    if (command.Name.empty())
+    {
+      continue;
+    }
+    script << "    " << command.Name << ")\n      _arguments";
+    for (const Option& option : command.Options)
+    {
+      const std::string action =
+          option.Values.empty() ? "_files" : "(" + Join(option.Values, " ") + ")";
+      for (const std::string& name : option.Names)
+      {
+        script << " \\\n        "
+               << QuotedForBash("*" + name + "[" + HelpForZsh(option.Help) + "]" +
+                                (option.TakesValue ? ":value:" + action : ""));
+      }
+      if (option.Names.empty() && !option.Values.empty())
+      {
+        script << " \\\n        " << QuotedForBash("1:value:" + action);
+      }
+    }
+    script << " \\\n        '*:file:_files' ;;\n";
+  }
+  script << "  esac\n}\ncompdef _palpate palpate\n";
+  return script.str();
+}
+
+std::string CompletionScript::Fish() const
+{
+  std::ostringstream script;
+  for (const Command& command : this->Commands)
+  {
+    const std::string when = command.Name.empty() ? "__fish_use_subcommand"
+                                                  : "__fish_seen_subcommand_from " + command.Name;
+    if (!command.Name.empty())
+    {
+      script << "complete -c palpate -n __fish_use_subcommand -a " << command.Name << " -d "
+             << QuotedForFish(command.Help) << "\n";
+    }
+    for (const Option& option : command.Options)
+    {
+      script << "complete -c palpate -n " << QuotedForFish(when);
+      for (const std::string& name : option.Names)
+      {
+        script << (name.rfind("--", 0) == 0 ? " -l " + name.substr(2) : " -s " + name.substr(1));
+      }
+      script << (option.TakesValue && !option.Names.empty() ? " -r" : "");
+      if (!option.Values.empty())
+      {
+        script << " -f -a " << QuotedForFish(Join(option.Values, " "));
+      }
+      script << " -d " << QuotedForFish(option.Help) << "\n";
+    }
+  }
+  return script.str();
+}
+} // namespace palpate::cli

@@ -1,0 +1,129 @@
+#include "ConvertCommand.h"
+
+#include "Console.h"
+#include "ImageContent.h"
+#include "ImageWriter.h"
+#include "InputError.h"
+#include "ModelFile.h"
+#include "ModelSurface.h"
+#include "StructureMask.h"
+#include "SurfaceFile.h"
+
+#include <CLI/CLI.hpp>
+
+namespace palpate::cli
+{
+namespace
+{
+void PassOn(const std::vector<std::string>& notes, Console& console)
+{
+  for (const std::string& note : notes)
+  {
+    console.Note(note);
+  }
+}
+} // namespace
+
+std::string ConvertCommand::Examples() const
+{
+  return "  palpate convert model.json model.coef              for SPHARM-PDM\n"
+         "  palpate convert hippocampus.coef surface.vtp       draw SPHARM-PDM's coefficients\n"
+         "  palpate convert model.json model.x3d --frequency 40\n"
+         "  palpate convert surface.vtp surface.stl            surfaces: vtp stl ply obj gltf x3d\n"
+         "  palpate convert mask.nii.gz mask.nrrd              images: nii nii.gz nrrd mha\n"
+         "  palpate convert mask.seg.nrrd gland.nii.gz --label Prostate";
+}
+
+void ConvertCommand::DeclareOptions(CLI::App& app)
+{
+  app.add_option("IN", this->Input, "Model, surface, image or segmentation")->required();
+  app.add_option("OUT", this->Output, "Its ending says the format")->required();
+  app.add_option("--label", this->Label,
+                 "Write this structure of a segmentation alone, as a mask of 0 and 1")
+      ->type_name("N|NAME");
+  app.add_option("--frequency", this->Frequency,
+                 "Subdivision F of the icosahedron that a model is drawn on: 20 F^2 triangles")
+      ->check(CLI::Range(1, 200))
+      ->capture_default_str();
+}
+
+int ConvertCommand::Run(Console& console)
+{
+  if (IsModelFile(this->Input))
+  {
+    this->ConvertModel(console);
+  }
+  else if (IsSurfaceFile(this->Input))
+  {
+    if (!IsSurfaceFile(this->Output))
+    {
+      throw InputError(this->Output.string() + " is no surface file and " + this->Input.string() +
+                       " is one; use .vtp, .stl, .ply, .obj, .gltf, .glb or .x3d, or palpate fit "
+                       "on its mask for a model.");
+    }
+    WriteSurface(this->Output, ReadSurface(this->Input));
+  }
+  else
+  {
+    this->ConvertImage(console);
+  }
+  return 0;
+}
+
+void ConvertCommand::ConvertModel(Console& console) const
+{
+  const ModelDocument document = ReadModel(this->Input);
+  if (IsSurfaceFile(this->Output))
+  {
+    WriteSurface(this->Output, DrawModel(document.Surface, this->Frequency));
+    return;
+  }
+  if (!IsModelFile(this->Output))
+  {
+    throw InputError(this->Output.string() + " is neither a model nor a surface file and " +
+                     this->Input.string() +
+                     " is a model; use .json, .csv, .coef or a surface's ending.");
+  }
+  WriteModel(this->Output, document);
+  if (std::holds_alternative<SphericalHarmonicModel>(document.Surface) &&
+      std::holds_alternative<ParametricSphericalSurface>(ReadModel(this->Output).Surface))
+  {
+    console.Note(this->Output.string() +
+                 " holds the same surface as a parametric one of one degree more; its format has "
+                 "no room for the centre.");
+  }
+}
+
+void ConvertCommand::ConvertImage(Console& console) const
+{
+  if (!IsWritableImage(this->Output))
+  {
+    throw InputError(this->Output.string() + " is no image file that can be written and " +
+                     this->Input.string() +
+                     " is taken for an image; use .nii, .nii.gz, .nrrd or .mha, or palpate mesh "
+                     "for a surface.");
+  }
+  if (!this->Label.empty())
+  {
+    const Segmentation segmentation = ReadSegmentation(this->Input);
+    PassOn(segmentation.Notes, console);
+    WriteImage(this->Output, MaskOf(segmentation, segmentation.Find(this->Label)));
+    return;
+  }
+  const ImageContent content = ReadImageContent(this->Input);
+  if (content.Image)
+  {
+    PassOn(content.Image->Notes, console);
+    WriteImage(this->Output, content.Image->Image);
+    return;
+  }
+  if (content.Labels->Layers.size() != 1)
+  {
+    throw InputError(this->Input.string() + " has structures in " +
+                     std::to_string(content.Labels->Layers.size()) +
+                     " layers, more than one image can hold; name one with --label.");
+  }
+  PassOn(content.Labels->Notes, console);
+  WriteImage(this->Output, content.Labels->Layers.front());
+}
+} // namespace palpate::cli

@@ -1,0 +1,32 @@
+#pragma once
+
+#include "Command.h"
+
+#include <filesystem>
+
+namespace palpate::cli
+{
+/// `palpate convert IN OUT`: models, surfaces and images from one format to another, by their
+/// endings, and a model drawn as a surface.
+class ConvertCommand : public Command
+{
+public:
+  std::string Name() const override { return "convert"; }
+  std::string Summary() const override
+  {
+    return "Convert models, surfaces and images; draw a model as a surface";
+  }
+  std::string Examples() const override;
+  void DeclareOptions(CLI::App& app) override;
+  int Run(Console& console) override;
+
+private:
+  void ConvertModel(Console& console) const;
+  void ConvertImage(Console& console) const;
+
+  std::filesystem::path Input;
+  std::filesystem::path Output;
+  std::string Label;
+  int Frequency = 20;
+};
+} // namespace palpate::cli

@@ -1,0 +1,124 @@
+#include "EvaluateCommand.h"
+
+#include "Console.h"
+#include "EvaluationText.h"
+#include "IcosahedronDirections.h"
+#include "InputError.h"
+#include "ModelFile.h"
+#include "VectorText.h"
+#include "WholeFile.h"
+
+#include <CLI/CLI.hpp>
+#include <ostream>
+#include <sstream>
+
+namespace palpate::cli
+{
+namespace
+{
+constexpr std::uintmax_t MaximumDirectionsBytes = 1u << 30;
+
+Vector3 UnitVector(const std::string& subject, const std::string& word)
+{
+  const Vector3 vector = ParseVector(subject, word);
+  // Scaled first, so that lengths of extreme numbers neither overflow nor vanish.
+  const double largest = vector.cwiseAbs().maxCoeff();
+  if (!(largest > 0.0))
+  {
+    throw InputError(subject + " " + word + " has no direction; give x,y,z that are not all 0.");
+  }
+  return (vector / largest).normalized();
+}
+
+// One direction a line, x,y,z; a title line and lines that start with # are passed over.
+std::vector<Vector3> ReadDirections(const std::string& file)
+{
+  std::vector<Vector3> directions;
+  std::istringstream lines(ReadWholeFile(file, MaximumDirectionsBytes));
+  int number = 0;
+  for (std::string line; std::getline(lines, line);)
+  {
+    ++number;
+    const bool title = number == 1 && line.find_first_of("xX") != std::string::npos;
+    if (!title && line.find_first_not_of(" \t\r") != std::string::npos && line.front() != '#')
+    {
+      directions.push_back(UnitVector(file + ", line " + std::to_string(number) + ":", line));
+    }
+  }
+  return directions;
+}
+} // namespace
+
+std::string EvaluateCommand::Examples() const
+{
+  return "  palpate evaluate model.json                          volume, area, spectrum\n"
+         "  palpate evaluate model.json --direction 1,0,0 --direction 0,0,1\n"
+         "  palpate evaluate model.json --point 10,-5,22.5       inside or outside, and how far\n"
+         "  palpate evaluate model.json --frequency 20 --csv > samples.csv   4,002 directions";
+}
+
+void EvaluateCommand::DeclareOptions(CLI::App& app)
+{
+  app.add_option("MODEL", this->Model, "Model: .json, .csv or SPHARM-PDM's .coef")->required();
+  app.add_option("--direction", this->DirectionWords,
+                 "Evaluate along this direction from the centre (LPS); may be repeated")
+      ->type_name("X,Y,Z")
+      ->allow_extra_args(false);
+  app.add_option("--directions", this->DirectionsFile,
+                 "Evaluate along each direction of a file, "
+                 "one x,y,z a line")
+      ->type_name("FILE.csv");
+  app.add_option("--frequency", this->Frequency,
+                 "Evaluate along the 10 F^2 + 2 directions of a subdivided icosahedron")
+      ->type_name("F")
+      ->check(CLI::Range(1, 200));
+  app.add_option("--point", this->PointWords,
+                 "Tell whether this point (mm, LPS) is inside; may be repeated")
+      ->type_name("X,Y,Z")
+      ->allow_extra_args(false);
+  CLI::Option* json = app.add_flag("--json", this->Json, "One JSON object");
+  app.add_flag("--csv", this->Csv, "One table: directions, or points, or the spectrum")
+      ->excludes(json);
+}
+
+std::vector<Vector3> EvaluateCommand::UnitDirections() const
+{
+  std::vector<Vector3> directions;
+  for (const std::string& word : this->DirectionWords)
+  {
+    directions.push_back(UnitVector("--direction", word));
+  }
+  if (!this->DirectionsFile.empty())
+  {
+    const std::vector<Vector3> more = ReadDirections(this->DirectionsFile);
+    directions.insert(directions.end(), more.begin(), more.end());
+  }
+  if (this->Frequency > 0)
+  {
+    const IcosahedronDirections sphere(this->Frequency);
+    directions.insert(directions.end(), sphere.Directions().begin(), sphere.Directions().end());
+  }
+  return directions;
+}
+
+int EvaluateCommand::Run(Console& console)
+{
+  const std::vector<Vector3> directions = this->UnitDirections();
+  std::vector<Vector3> pointsWorld;
+  for (const std::string& word : this->PointWords)
+  {
+    pointsWorld.push_back(ParseVector("--point", word));
+  }
+  if (this->Csv && !directions.empty() && !pointsWorld.empty())
+  {
+    throw InputError("--csv is one table, and directions and points are two; ask for one at a "
+                     "time, or use --json.");
+  }
+  const ModelEvaluation evaluation =
+      EvaluateModel(this->Model, ReadModel(this->Model).Surface, directions, pointsWorld);
+  console.Output() << (this->Json  ? EvaluationAsJson(evaluation)
+                       : this->Csv ? EvaluationAsCsv(evaluation)
+                                   : EvaluationAsText(evaluation));
+  return 0;
+}
+} // namespace palpate::cli

@@ -1,0 +1,171 @@
+#include "EvaluationText.h"
+
+#include "DecimalText.h"
+#include "Refusal.h"
+#include "TextTable.h"
+#include "VectorText.h"
+
+#include <nlohmann/json.hpp>
+
+namespace palpate::cli
+{
+namespace
+{
+using Json = nlohmann::ordered_json;
+
+constexpr int Decimals = 4;
+constexpr double CubicMillimetersPerMilliliter = 1000.0;
+
+std::string Short(const Vector3& vector)
+{
+  return TextTable::Fixed(vector.x(), Decimals) + ", " + TextTable::Fixed(vector.y(), Decimals) +
+         ", " + TextTable::Fixed(vector.z(), Decimals);
+}
+
+Json AsJson(const Vector3& vector)
+{
+  return {vector.x(), vector.y(), vector.z()};
+}
+
+std::string DirectionTable(const ModelEvaluation& evaluation)
+{
+  TextTable table;
+  table.AddRow({"direction", "radius mm", "gradient mm/rad", "point mm", "normal"});
+  for (const ModelEvaluation::DirectionSample& sample : evaluation.Directions)
+  {
+    table.AddRow({Short(sample.Direction),
+                  sample.Radius ? TextTable::Fixed(*sample.Radius, Decimals) : "-",
+                  sample.Gradient ? Short(*sample.Gradient) : "-", Short(sample.PointWorld),
+                  Short(sample.Normal)});
+  }
+  return "\n" + table.Text();
+}
+
+std::string PointTable(const ModelEvaluation& evaluation)
+{
+  TextTable table;
+  table.AddRow({"point mm", "where", "radial distance mm", "radius mm"});
+  for (const ModelEvaluation::PointSample& sample : evaluation.Points)
+  {
+    table.AddRow({Short(sample.PointWorld), sample.Inside ? "inside" : "outside",
+                  TextTable::Fixed(sample.RadialDistance, Decimals),
+                  TextTable::Fixed(sample.Radius, Decimals)});
+  }
+  return "\n" + table.Text();
+}
+
+std::string DirectionCsv(const ModelEvaluation& evaluation)
+{
+  std::string text = "ux,uy,uz,radius_mm,gradient_x_mm_per_rad,gradient_y_mm_per_rad,"
+                     "gradient_z_mm_per_rad,x_mm,y_mm,z_mm,nx,ny,nz\n";
+  for (const ModelEvaluation::DirectionSample& sample : evaluation.Directions)
+  {
+    text += VectorText(sample.Direction) + "," + (sample.Radius ? ExactText(*sample.Radius) : "") +
+            "," + (sample.Gradient ? VectorText(*sample.Gradient) : ",,") + "," +
+            VectorText(sample.PointWorld) + "," + VectorText(sample.Normal) + "\n";
+  }
+  return text;
+}
+
+std::string PointCsv(const ModelEvaluation& evaluation)
+{
+  std::string text = "x_mm,y_mm,z_mm,inside,radial_distance_mm,radius_mm\n";
+  for (const ModelEvaluation::PointSample& sample : evaluation.Points)
+  {
+    text += VectorText(sample.PointWorld) + (sample.Inside ? ",1," : ",0,") +
+            ExactText(sample.RadialDistance) + "," + ExactText(sample.Radius) + "\n";
+  }
+  return text;
+}
+} // namespace
+
+std::string EvaluationAsText(const ModelEvaluation& evaluation)
+{
+  TextTable table;
+  table.AddRow({"model", evaluation.File});
+  table.AddRow({"surface", evaluation.StarShaped  ? "star-shaped"
+                           : evaluation.InsideOut ? "parametric, parametrised inside out"
+                                                  : "parametric"});
+  table.AddRow({"degree", std::to_string(evaluation.Degree)});
+  table.AddRow({"frame", "patient LPS, mm"});
+  if (evaluation.CenterWorld)
+  {
+    table.AddRow({"centre", Short(*evaluation.CenterWorld) + " mm"});
+  }
+  table.AddRow(
+      {"volume",
+       TextTable::Fixed(evaluation.Volume / CubicMillimetersPerMilliliter, Decimals) + " ml"});
+  table.AddRow({"area", NumberText(evaluation.Area) + " mm^2"});
+  std::string text = table.Text();
+  TextTable power;
+  power.AddRow({"degree", "power mm^2"});
+  power.AlignRight({0, 1});
+  for (std::size_t l = 0; l < evaluation.Power.size(); ++l)
+  {
+    power.AddRow({std::to_string(l), NumberText(evaluation.Power[l])});
+  }
+  text += "\n" + power.Text();
+  text += evaluation.Directions.empty() ? "" : DirectionTable(evaluation);
+  text += evaluation.Points.empty() ? "" : PointTable(evaluation);
+  return text;
+}
+
+std::string EvaluationAsJson(const ModelEvaluation& evaluation)
+{
+  Json result;
+  result["model"] = evaluation.File;
+  result["surface"] = evaluation.StarShaped ? "star-shaped" : "parametric";
+  result["degree"] = evaluation.Degree;
+  result["frame"] = "patient LPS";
+  if (evaluation.CenterWorld)
+  {
+    result["center_mm"] = AsJson(*evaluation.CenterWorld);
+  }
+  else
+  {
+    result["inside_out"] = evaluation.InsideOut;
+  }
+  result["volume_ml"] = evaluation.Volume / CubicMillimetersPerMilliliter;
+  result["area_mm2"] = evaluation.Area;
+  result["power_mm2"] = evaluation.Power;
+  for (const ModelEvaluation::DirectionSample& sample : evaluation.Directions)
+  {
+    Json entry;
+    entry["direction"] = AsJson(sample.Direction);
+    if (sample.Radius && sample.Gradient)
+    {
+      entry["radius_mm"] = *sample.Radius;
+      entry["gradient_mm_per_rad"] = AsJson(*sample.Gradient);
+    }
+    entry["point_mm"] = AsJson(sample.PointWorld);
+    entry["normal"] = AsJson(sample.Normal);
+    result["directions"].push_back(std::move(entry));
+  }
+  for (const ModelEvaluation::PointSample& sample : evaluation.Points)
+  {
+    result["points"].push_back({{"point_mm", AsJson(sample.PointWorld)},
+                                {"inside", sample.Inside},
+                                {"radial_distance_mm", sample.RadialDistance},
+                                {"radius_mm", sample.Radius}});
+  }
+  return result.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+std::string EvaluationAsCsv(const ModelEvaluation& evaluation)
+{
+  if (!evaluation.Directions.empty())
+  {
+    return DirectionCsv(evaluation);
+  }
+  if (!evaluation.Points.empty())
+  {
+    return PointCsv(evaluation);
+  }
+  std::string text = "degree,power_mm2\n";
+  for (std::size_t l = 0; l < evaluation.Power.size(); ++l)
+  {
+    text += std::to_string(l) + "," + ExactText(evaluation.Power[l]) + "\n";
+  }
+  return text;
+}
+} // namespace palpate::cli

@@ -1,0 +1,124 @@
+#include "FitJson.h"
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+namespace palpate::cli
+{
+namespace
+{
+using Json = nlohmann::ordered_json;
+
+Json DistancesJson(const SurfaceDistances& distances)
+{
+  return {{"mean_mm", distances.Mean},
+          {"rms_mm", distances.Rms},
+          {"p95_mm", distances.Percentile95},
+          {"max_mm", distances.Maximum}};
+}
+
+Json StarJson(const FitResult& result, bool sampled)
+{
+  if (!sampled)
+  {
+    return {{"star_shaped", nullptr},
+            {"hidden_percent", nullptr},
+            {"multiple_percent", nullptr},
+            {"missed_percent", nullptr}};
+  }
+  return {{"star_shaped", result.StarShaped},
+          {"hidden_percent", result.HiddenPercent},
+          {"multiple_percent", result.MultiplePercent},
+          {"missed_percent", result.MissedPercent}};
+}
+
+Json FitJsonOf(const FitResult& result, bool fitted)
+{
+  if (!fitted)
+  {
+    return {{"condition", nullptr}, {"rms_mm", nullptr}};
+  }
+  const Vector3& center = result.Model.CenterWorld();
+  return {{"condition", result.Condition},
+          {"rms_mm", result.Rms},
+          {"noise_mm", result.NoiseDeviation},
+          {"roughness", result.Roughness},
+          {"degrees_of_freedom", result.DegreesOfFreedom},
+          {"rms_by_degree_mm", result.RmsByDegree},
+          {"center_mm", {center.x(), center.y(), center.z()}},
+          {"power_mm2", result.Model.PowerSpectrum()}};
+}
+
+Json QualityJson(const FitResult& result, bool fitted)
+{
+  if (!fitted)
+  {
+    const Json nothing = {
+        {"mean_mm", nullptr}, {"rms_mm", nullptr}, {"p95_mm", nullptr}, {"max_mm", nullptr}};
+    Json mask = {{"dice", nullptr}};
+    mask.update(nothing);
+    return {{"mask", mask}, {"surface", nothing}, {"surface_to_mask", nothing}};
+  }
+  Json mask = {{"dice", result.Dice}};
+  mask.update(DistancesJson(result.ModelToMask));
+  return {{"mask", mask},
+          {"surface", DistancesJson(result.ModelToSurface)},
+          {"surface_to_mask", DistancesJson(result.SurfaceToMask)}};
+}
+
+bool WasSampled(const FitResult& result)
+{
+  return std::any_of(result.Seconds.begin(), result.Seconds.end(),
+                     [](const auto& stage) { return stage.first == "samples"; });
+}
+} // namespace
+
+std::string OutcomeWord(FitResult::Outcome outcome)
+{
+  switch (outcome)
+  {
+  case FitResult::Outcome::Fitted:
+    return "fitted";
+  case FitResult::Outcome::Refused:
+    return "refused";
+  case FitResult::Outcome::BadInput:
+    return "bad-input";
+  default:
+    return "failed";
+  }
+}
+
+std::string FitResultJson(const FitResult& result, const std::string& folder)
+{
+  const bool fitted = result.State == FitResult::Outcome::Fitted;
+  const bool measured = !result.ComponentMilliliters.empty();
+  Json json;
+  json["input"] = result.Input.string();
+  json["label"] = result.Structure.Label;
+  json["name"] = result.Structure.Name;
+  json["degree"] = fitted ? result.Model.Degree() : result.Settings.Degree;
+  json["status"] = OutcomeWord(result.State);
+  json["message"] = result.Message;
+  json["notes"] = result.Notes;
+  json["star"] = StarJson(result, WasSampled(result));
+  json["fit"] = FitJsonOf(result, fitted);
+  json["quality"] = QualityJson(result, fitted);
+  const auto orNull = [](bool known, double value) { return known ? Json(value) : Json(); };
+  json["volume_ml"] = {{"mask", orNull(measured, result.MaskMilliliters)},
+                       {"surface", orNull(measured, result.SurfaceMilliliters)},
+                       {"model", orNull(fitted, result.ModelMilliliters)}};
+  json["area_mm2"] = {{"surface", orNull(fitted, result.SurfaceAreaSquareMillimeters)},
+                      {"model", orNull(fitted, result.ModelAreaSquareMillimeters)}};
+  json["touches_border"] = result.TouchesBorder;
+  json["components_ml"] = result.ComponentMilliliters;
+  json["cavities"] = {{"count", result.CavityCount}, {"ml", result.CavityMilliliters}};
+  Json seconds = Json::object();
+  for (const auto& [stage, time] : result.Seconds)
+  {
+    seconds[stage] = time;
+  }
+  json["seconds"] = seconds;
+  json["folder"] = folder.empty() ? Json() : Json(folder);
+  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+} // namespace palpate::cli

@@ -1,0 +1,171 @@
+#include "FitOptions.h"
+
+#include "InputError.h"
+
+#include <CLI/CLI.hpp>
+#include <charconv>
+#include <cmath>
+#include <sstream>
+
+namespace palpate::cli
+{
+namespace
+{
+constexpr int HighestDegree = 100; // a fit of it takes minutes and gigabytes
+constexpr double DefaultTolerance = 0.5;
+
+template <typename T>
+bool ParseWhole(const std::string& word, T& value)
+{
+  const char* end = word.data() + word.size();
+  const auto [stop, error] = std::from_chars(word.data(), end, value);
+  return error == std::errc() && stop == end;
+}
+
+int ParseDegree(const std::string& word)
+{
+  int degree = 0;
+  if (!ParseWhole(word, degree) || degree < 0 || degree > HighestDegree)
+  {
+    throw InputError("--degree " + word + " is no degree; give a whole number from 0 to " +
+                     std::to_string(HighestDegree) + ", or auto");
+  }
+  return degree;
+}
+
+std::array<double, 3> ParsePoint(const std::string& word)
+{
+  std::array<double, 3> point{};
+  std::istringstream text(word);
+  std::string part;
+  std::size_t count = 0;
+  while (std::getline(text, part, ','))
+  {
+    double value = 0.0;
+    if (count == point.size() || !ParseWhole(part, value) || !std::isfinite(value))
+    {
+      count = 0;
+      break;
+    }
+    point[count++] = value;
+  }
+  if (count != point.size())
+  {
+    throw InputError("--center " + word +
+                     " is no centre; give centroid, visible, or a point x,y,z in mm (LPS)");
+  }
+  return point;
+}
+} // namespace
+
+void FitOptions::DeclareLabels(CLI::App& app)
+{
+  app.add_option("--label", this->LabelWords,
+                 "Structures by number or name, separated by commas (default: all)")
+      ->type_name("N|NAME")
+      ->delimiter(',')
+      ->allow_extra_args(false);
+}
+
+void FitOptions::DeclareSurface(CLI::App& app)
+{
+  app.add_option("--method", this->MethodWord,
+                 "shape: interpolate the shape between slices; plain: the mask's half level")
+      ->check(CLI::IsMember({"shape", "plain"}))
+      ->capture_default_str();
+  app.add_option("--smoothing", this->Values.Smoothing,
+                 "Smoothing of the surface in voxels (0 for none)")
+      ->check(CLI::Range(0.0, 10.0))
+      ->capture_default_str();
+  app.add_option("--component", this->ComponentWord,
+                 "Which connected component, by falling size from 1, or all")
+      ->type_name("N|all")
+      ->capture_default_str();
+}
+
+void FitOptions::DeclareModel(CLI::App& app)
+{
+  app.add_option("--degree", this->DegreeWord,
+                 "Degree of the model, or auto: the smallest that meets --tolerance")
+      ->type_name("N|auto")
+      ->capture_default_str();
+  app.add_option("--tolerance", this->Tolerance,
+                 "RMS residual in mm that --degree auto has to meet (default 0.5)")
+      ->type_name("MM")
+      ->check(CLI::PositiveNumber);
+  app.add_option("--max-degree", this->Values.MaximumDegree, "Where --degree auto gives up")
+      ->check(CLI::Range(0, HighestDegree))
+      ->capture_default_str();
+  app.add_option("--frequency", this->Values.Frequency,
+                 "Subdivision F of the icosahedron: 10 F^2 + 2 directions")
+      ->check(CLI::Range(1, 200))
+      ->capture_default_str();
+  app.add_option("--center", this->CenterWord,
+                 "centroid, visible (sees most of the surface), or a point x,y,z in mm (LPS)")
+      ->type_name("CENTER")
+      ->capture_default_str();
+  app.add_option("--weights", this->WeightsWord, "What a sample counts by")
+      ->check(CLI::IsMember({"area", "solid-angle", "uniform"}))
+      ->capture_default_str();
+  app.add_option("--penalty", this->PenaltyWord,
+                 "Roughness penalty: none, auto (cross-validation), or its strength")
+      ->type_name("none|auto|X")
+      ->capture_default_str();
+  app.add_option("--max-hidden", this->Values.MaximumHiddenPercent,
+                 "Refuse structures of which the centre doesn't see more than this (%)")
+      ->check(CLI::Range(0.0, 100.0))
+      ->capture_default_str();
+}
+
+FitSettings FitOptions::Settings() const
+{
+  FitSettings settings = this->Values;
+  settings.Method = this->MethodWord == "plain" ? FitSettings::SurfaceMethod::Plain
+                                                : FitSettings::SurfaceMethod::ShapeInterpolation;
+  settings.Component = 0;
+  if (this->ComponentWord != "all" &&
+      (!ParseWhole(this->ComponentWord, settings.Component) || settings.Component < 1))
+  {
+    throw InputError("--component " + this->ComponentWord +
+                     " is no component; give a whole number from 1, or all");
+  }
+  if (this->DegreeWord == "auto")
+  {
+    settings.Tolerance = this->Tolerance > 0.0 ? this->Tolerance : DefaultTolerance;
+  }
+  else
+  {
+    settings.Degree = ParseDegree(this->DegreeWord);
+    if (this->Tolerance > 0.0)
+    {
+      throw InputError("--tolerance needs --degree auto; a given degree meets what it meets");
+    }
+  }
+  if (this->CenterWord == "visible")
+  {
+    settings.Center = FitSettings::CenterChoice::MostVisible;
+  }
+  else if (this->CenterWord != "centroid")
+  {
+    settings.GivenCenterWorld = ParsePoint(this->CenterWord);
+  }
+  settings.Weight = this->WeightsWord == "area"          ? FitSettings::SampleWeight::Area
+                    : this->WeightsWord == "solid-angle" ? FitSettings::SampleWeight::SolidAngle
+                                                         : FitSettings::SampleWeight::Uniform;
+  if (this->PenaltyWord == "auto")
+  {
+    settings.PenaltyKind = FitSettings::Penalty::Automatic;
+  }
+  else if (this->PenaltyWord != "none")
+  {
+    settings.PenaltyKind = FitSettings::Penalty::Given;
+    if (!ParseWhole(this->PenaltyWord, settings.Roughness) || !(settings.Roughness > 0.0) ||
+        !std::isfinite(settings.Roughness))
+    {
+      throw InputError("--penalty " + this->PenaltyWord +
+                       " is no penalty; give none, auto, or a positive number");
+    }
+  }
+  return settings;
+}
+} // namespace palpate::cli

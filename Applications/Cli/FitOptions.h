@@ -1,0 +1,44 @@
+#pragma once
+
+#include "FitSettings.h"
+
+#include <string>
+#include <vector>
+
+namespace CLI
+{
+class App;
+}
+
+namespace palpate::cli
+{
+/// The options that decide how a structure becomes a surface and a model, the same words for every
+/// command that needs them.
+class FitOptions
+{
+public:
+  /// --label.
+  void DeclareLabels(CLI::App& app);
+  /// --method, --smoothing, --component.
+  void DeclareSurface(CLI::App& app);
+  /// --degree, --tolerance, --max-degree, --frequency, --center, --weights, --penalty,
+  /// --max-hidden.
+  void DeclareModel(CLI::App& app);
+
+  /// Labels by number or name; empty for all.
+  const std::vector<std::string>& Labels() const { return this->LabelWords; }
+  /// Throws InputError for words that mean nothing.
+  FitSettings Settings() const;
+
+private:
+  std::vector<std::string> LabelWords;
+  FitSettings Values;
+  std::string MethodWord = "shape";
+  std::string ComponentWord = "1";
+  std::string DegreeWord = "12";
+  double Tolerance = 0.0;
+  std::string CenterWord = "centroid";
+  std::string WeightsWord = "area";
+  std::string PenaltyWord = "none";
+};
+} // namespace palpate::cli

@@ -1,0 +1,66 @@
+#include "InfoCommand.h"
+
+#include "Console.h"
+#include "ImageContent.h"
+#include "InfoReport.h"
+#include "InputError.h"
+#include "LabelStatistics.h"
+
+#include <CLI/CLI.hpp>
+#include <ostream>
+
+namespace palpate::cli
+{
+std::string InfoCommand::Examples() const
+{
+  return "  palpate info t2.nii.gz mask.seg.nrrd     geometry, values, labels\n"
+         "  palpate info dicom-folder --series 2     the second series of a folder\n"
+         "  palpate info *.nii.gz --json             one JSON object a line, for scripts";
+}
+
+void InfoCommand::DeclareOptions(CLI::App& app)
+{
+  app.add_option("FILE", this->Inputs,
+                 "Images (NIfTI, NRRD, MetaImage, DICOM file or folder) and segmentations")
+      ->required();
+  app.add_option(
+         "--series", this->Series,
+         "DICOM series of a folder: its number in the list that the error gives, or its UID")
+      ->type_name("N|UID");
+  app.add_flag("--json", this->Json, "One JSON object a line instead of text");
+}
+
+void InfoCommand::Describe(const std::string& input, Console& console) const
+{
+  InfoReport report;
+  report.Input = input;
+  report.Content = ReadImageContent(input, {this->Series});
+  if (report.Content.Labels)
+  {
+    report.Labels = MeasureLabels(*report.Content.Labels);
+  }
+  console.Output() << (this->Json ? report.Json() + '\n' : report.Text());
+}
+
+int InfoCommand::Run(Console& console)
+{
+  int code = 0;
+  for (const std::string& input : this->Inputs)
+  {
+    try
+    {
+      this->Describe(input, console);
+    }
+    catch (const InputError& error)
+    {
+      code = 2;
+      console.Error(error.what());
+      if (this->Json)
+      {
+        console.Output() << InfoReport::FailureJson(input, error.what()) << '\n';
+      }
+    }
+  }
+  return code;
+}
+} // namespace palpate::cli

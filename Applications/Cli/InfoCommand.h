@@ -1,0 +1,28 @@
+#pragma once
+
+#include "Command.h"
+
+#include <string>
+#include <vector>
+
+namespace palpate::cli
+{
+/// `palpate info FILE...`: what each file holds, its geometry in patient LPS, its values, and for
+/// segmentations a table of the labels. A file that cannot be read doesn't stop the others.
+class InfoCommand : public Command
+{
+public:
+  std::string Name() const override { return "info"; }
+  std::string Summary() const override { return "Print what image files and segmentations hold"; }
+  std::string Examples() const override;
+  void DeclareOptions(CLI::App& app) override;
+  int Run(Console& console) override;
+
+private:
+  void Describe(const std::string& input, Console& console) const;
+
+  std::vector<std::string> Inputs;
+  std::string Series;
+  bool Json = false;
+};
+} // namespace palpate::cli

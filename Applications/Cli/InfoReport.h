@@ -1,0 +1,25 @@
+#pragma once
+
+#include "ImageContent.h"
+#include "LabelStatistics.h"
+
+#include <string>
+#include <vector>
+
+namespace palpate::cli
+{
+/// What `palpate info` says about one file.
+struct InfoReport
+{
+  std::string Input;
+  ImageContent Content;
+  std::vector<LabelStatistics> Labels; ///< of each segment of Content.Labels
+
+  /// Lines for people, ended by an empty line.
+  std::string Text() const;
+  /// One JSON object on one line.
+  std::string Json() const;
+  /// The object of a file that could not be read.
+  static std::string FailureJson(const std::string& input, const std::string& sentence);
+};
+} // namespace palpate::cli

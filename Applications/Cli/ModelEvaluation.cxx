@@ -1,0 +1,88 @@
+#include "ModelEvaluation.h"
+
+#include "InputError.h"
+#include "ParametricMeasures.h"
+
+#include <cmath>
+
+namespace palpate::cli
+{
+namespace
+{
+ModelEvaluation::PointSample SamplePoint(const SphericalHarmonicModel& model, const Vector3& point)
+{
+  const Vector3 arm = point - model.CenterWorld();
+  const double distance = arm.norm();
+  const double radius =
+      model.Radius(distance > 0.0 ? Vector3(arm / distance) : Vector3(Vector3::UnitZ()));
+  return {point, distance <= radius, distance - radius, radius};
+}
+
+void Evaluate(const SphericalHarmonicModel& model, const std::vector<Vector3>& directions,
+              const std::vector<Vector3>& pointsWorld, ModelEvaluation& result)
+{
+  result.StarShaped = true;
+  result.CenterWorld = model.CenterWorld();
+  result.Volume = model.Volume();
+  result.Area = model.Area();
+  result.Power = model.PowerSpectrum();
+  for (const Vector3& u : directions)
+  {
+    const SphericalHarmonicModel::Sample sample = model.Evaluate(u);
+    result.Directions.push_back(
+        {u, sample.Radius, sample.SurfaceGradient, model.PointWorld(u), model.Normal(u)});
+  }
+  for (const Vector3& point : pointsWorld)
+  {
+    result.Points.push_back(SamplePoint(model, point));
+  }
+}
+
+void Evaluate(const ParametricSphericalSurface& surface, const std::vector<Vector3>& directions,
+              const std::vector<Vector3>& pointsWorld, ModelEvaluation& result)
+{
+  if (!pointsWorld.empty())
+  {
+    throw InputError(result.File + " holds a parametric surface, which has no centre to tell "
+                                   "inside from outside; use a star-shaped model for --point.");
+  }
+  const ParametricMeasures measures(surface);
+  result.InsideOut = measures.Volume < 0.0;
+  result.Volume = std::abs(measures.Volume);
+  result.Area = measures.Area;
+  result.Power.assign(static_cast<std::size_t>(surface.Degree()) + 1, 0.0);
+  for (int k = 0; k < 3; ++k)
+  {
+    const SphericalHarmonicModel coordinate(surface.Degree(), surface.Coefficients(k),
+                                            Vector3::Zero());
+    const std::vector<double> power = coordinate.PowerSpectrum();
+    for (std::size_t l = 0; l < power.size(); ++l)
+    {
+      result.Power[l] += power[l];
+    }
+  }
+  const double side = result.InsideOut ? -1.0 : 1.0;
+  for (const Vector3& u : directions)
+  {
+    result.Directions.push_back(
+        {u, std::nullopt, std::nullopt, surface.Point(u), side * surface.Normal(u)});
+  }
+}
+} // namespace
+
+ModelEvaluation EvaluateModel(const std::string& file, const SurfaceModel& surface,
+                              const std::vector<Vector3>& directions,
+                              const std::vector<Vector3>& pointsWorld)
+{
+  ModelEvaluation result;
+  result.File = file;
+  std::visit(
+      [&](const auto& s)
+      {
+        result.Degree = s.Degree();
+        Evaluate(s, directions, pointsWorld, result);
+      },
+      surface);
+  return result;
+}
+} // namespace palpate::cli

@@ -1,0 +1,48 @@
+#pragma once
+
+#include "ModelDocument.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace palpate::cli
+{
+/// What `palpate evaluate` tells of a model. Lengths mm, points patient LPS. Whatever needs a
+/// centre is absent for a parametric surface.
+struct ModelEvaluation
+{
+  struct DirectionSample
+  {
+    Vector3 Direction;               ///< unit vector; of a parametric surface, its parameter
+    std::optional<double> Radius;    ///< mm
+    std::optional<Vector3> Gradient; ///< of the radius on the unit sphere, mm/rad
+    Vector3 PointWorld;              ///< mm
+    Vector3 Normal;                  ///< unit, outward
+  };
+  struct PointSample
+  {
+    Vector3 PointWorld;    ///< mm
+    bool Inside;           ///< on the surface counts as inside
+    double RadialDistance; ///< mm from the surface along the ray from the centre; negative inside
+    double Radius;         ///< mm, of the surface along that ray
+  };
+
+  std::string File;
+  bool StarShaped = false;
+  bool InsideOut = false; ///< a parametric surface whose parameter sphere is turned outside in
+  int Degree = 0;
+  std::optional<Vector3> CenterWorld;
+  double Volume = 0.0;       ///< mm^3
+  double Area = 0.0;         ///< mm^2
+  std::vector<double> Power; ///< mm^2 of each degree; of the three coordinates together
+  std::vector<DirectionSample> Directions;
+  std::vector<PointSample> Points;
+};
+
+/// Evaluates a model along unit directions and at points (mm, patient LPS); the centre itself is
+/// seen along +z. Throws InputError for points in a parametric surface.
+ModelEvaluation EvaluateModel(const std::string& file, const SurfaceModel& surface,
+                              const std::vector<Vector3>& directions,
+                              const std::vector<Vector3>& pointsWorld);
+} // namespace palpate::cli

@@ -1,0 +1,213 @@
+#include "PhantomCommand.h"
+
+#include "Console.h"
+#include "FilterRun.h"
+#include "ImageWriter.h"
+#include "InputError.h"
+#include "Interruption.h"
+#include "MemoryCheck.h"
+#include "ModelFile.h"
+#include "PhantomSampler.h"
+#include "ProgramVersion.h"
+#include "ProstateLikeModel.h"
+
+#include "vtkNew.h"
+#include "vtkSphericalHarmonicPhantom.h"
+
+#include <CLI/CLI.hpp>
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <iomanip>
+#include <numeric>
+#include <ostream>
+#include <system_error>
+
+namespace palpate::cli
+{
+namespace
+{
+constexpr double MostVoxels = 100000.0;    // along an axis
+constexpr double MarginMillimeters = 10.0; // between the body and the grid's sides
+// An intensity and a label, and a second copy of them while they are written.
+constexpr double BytesPerVoxel = 2.0 * (sizeof(float) + 1.0);
+
+double MaskMilliliters(vtkImageData* mask)
+{
+  const auto* first = static_cast<const unsigned char*>(mask->GetScalarPointer());
+  const double voxels = std::accumulate(first, first + mask->GetNumberOfPoints(), 0.0);
+  const double* spacing = mask->GetSpacing();
+  return voxels * spacing[0] * spacing[1] * spacing[2] / 1000.0;
+}
+
+void MakeFolder(const std::filesystem::path& folder)
+{
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (error || !std::filesystem::is_directory(folder))
+  {
+    throw InputError(folder.string() + ": the folder cannot be made" +
+                     (error ? " (" + error.message() + ")" : std::string()) +
+                     "; choose another with --output");
+  }
+}
+} // namespace
+
+std::string PhantomCommand::Examples() const
+{
+  return "  palpate phantom --output p                        0.5 x 0.5 x 3 mm voxels, some noise\n"
+         "  palpate phantom --output p --spacing 1,1,1 --noise 0 --bias 0   clean and isotropic\n"
+         "  palpate phantom --output p --oblique 20 --seed 7  a turned grid, another body\n"
+         "  palpate phantom --output p --model model.json     the body of a fitted model";
+}
+
+void PhantomCommand::DeclareOptions(CLI::App& app)
+{
+  app.add_option("--output", this->OutputFolder, "Folder for volume, mask and truth.json")
+      ->type_name("DIR")
+      ->required();
+  app.add_option("--model", this->ModelPath,
+                 "The body: a model file (default: a prostate-like body)");
+  app.add_option("--degree", this->Degree, "Degree of the prostate-like body")
+      ->check(CLI::Range(0, 64))
+      ->capture_default_str();
+  app.add_option("--seed", this->Seed, "Of the body's bumps, the noise and the bias field")
+      ->capture_default_str();
+  app.add_option("--spacing", this->Spacing, "Voxel size x,y,z in mm")
+      ->delimiter(',')
+      ->expected(3)
+      ->check(CLI::Range(0.01, 100.0))
+      ->capture_default_str();
+  app.add_option("--size", this->Size, "Voxels x,y,z (default: as many as the body needs)")
+      ->delimiter(',')
+      ->expected(3)
+      ->check(CLI::Range(1, static_cast<int>(MostVoxels)));
+  app.add_option("--oblique", this->ObliqueDegrees,
+                 "Turn the grid by this angle about the left-right axis and by half of it about "
+                 "the front-back axis")
+      ->type_name("DEG")
+      ->check(CLI::Range(-180.0, 180.0));
+  app.add_option("--noise", this->Noise,
+                 "Standard deviation of the Rician noise; the body's intensity is 220")
+      ->check(CLI::Range(0.0, 1e4))
+      ->capture_default_str();
+  app.add_option("--bias", this->Bias, "The bias field lies within 1 +- this")
+      ->check(CLI::Range(0.0, 0.99))
+      ->capture_default_str();
+  app.add_option("--partial-volume", this->PartialVolume,
+                 "Average a voxel over N points along each axis (1 for none)")
+      ->type_name("N")
+      ->check(CLI::Range(1, 16))
+      ->capture_default_str();
+  app.add_option("--format", this->Format, "Ending of the images")
+      ->check(CLI::IsMember({"nii.gz", "nrrd", "mha"}))
+      ->capture_default_str();
+}
+
+SphericalHarmonicModel PhantomCommand::TrueModel() const
+{
+  if (this->ModelPath.empty())
+  {
+    return MakeProstateLikeModel(this->Degree, this->Seed, Vector3::Zero());
+  }
+  const ModelDocument document = ReadModel(this->ModelPath);
+  const auto* model = std::get_if<SphericalHarmonicModel>(&document.Surface);
+  if (!model)
+  {
+    throw InputError(this->ModelPath + ": a parametric surface has no inside that a phantom could "
+                                       "be made of; give a star-shaped model (.json or .csv)");
+  }
+  return *model;
+}
+
+void PhantomCommand::PrepareGrid(vtkSphericalHarmonicPhantom& phantom,
+                                 const SphericalHarmonicModel& model) const
+{
+  const double angle = this->ObliqueDegrees * M_PI / 180.0;
+  const Eigen::Matrix<double, 3, 3, Eigen::RowMajor> direction =
+      (Eigen::AngleAxisd(angle, Vector3::UnitX()) *
+       Eigen::AngleAxisd(0.5 * angle, Vector3::UnitY()))
+          .toRotationMatrix();
+  phantom.SetDirectionMatrix(direction.data());
+  phantom.SetSpacing(this->Spacing.data());
+  std::array<int, 3> size{};
+  double voxels = 1.0;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    const double wanted = 2.0 * (PhantomSampler::RadiusBound(model) + MarginMillimeters);
+    const double needed = this->Size.empty()
+                              ? std::clamp(std::ceil(wanted / this->Spacing[axis]), 1.0, MostVoxels)
+                              : static_cast<double>(this->Size[axis]);
+    voxels *= needed;
+    size[axis] = static_cast<int>(needed);
+  }
+  if (voxels * BytesPerVoxel > static_cast<double>(AvailableMemoryBytes()))
+  {
+    throw InputError(this->OutputFolder + ": a phantom of " + std::to_string(size[0]) + " x " +
+                     std::to_string(size[1]) + " x " + std::to_string(size[2]) +
+                     " voxels is larger than the free memory; give a coarser --spacing or a "
+                     "smaller --size");
+  }
+  phantom.SetDimensions(size.data());
+  const Vector3& center = model.CenterWorld();
+  phantom.CenterGridOn(center.x(), center.y(), center.z());
+}
+
+void PhantomCommand::PrepareAppearance(vtkSphericalHarmonicPhantom& phantom) const
+{
+  PhantomAppearance look;
+  look.NoiseDeviation = this->Noise;
+  look.BiasAmplitude = this->Bias;
+  look.Subdivision = this->PartialVolume;
+  look.Seed = this->Seed;
+  phantom.SetAppearance(look);
+}
+
+void PhantomCommand::WriteTruth(const SphericalHarmonicModel& model,
+                                const std::filesystem::path& file) const
+{
+  ModelProvenance provenance;
+  provenance.Program = ProgramVersion();
+  provenance.Input = this->ModelPath;
+  if (this->ModelPath.empty())
+  {
+    provenance.Settings = {{"seed", std::to_string(this->Seed)}};
+  }
+  WriteModel(file, {model, provenance});
+}
+
+int PhantomCommand::Run(Console& console)
+{
+  const Interruption interruption;
+  const SphericalHarmonicModel model = this->TrueModel();
+  vtkNew<vtkSphericalHarmonicPhantom> phantom;
+  phantom->SetModel(model);
+  this->PrepareGrid(*phantom, model);
+  this->PrepareAppearance(*phantom);
+  const std::filesystem::path folder = this->OutputFolder;
+  MakeFolder(folder);
+  RunFilter(phantom, "making the phantom", 0.0, 1.0,
+            [&console](double fraction, const std::string& stage)
+            {
+              console.Progress(fraction, stage);
+              return !Interruption::WasAsked();
+            });
+  console.EndProgress();
+
+  const std::filesystem::path volume = folder / ("volume." + this->Format);
+  const std::filesystem::path mask = folder / ("mask." + this->Format);
+  const std::filesystem::path truth = folder / "truth.json";
+  WriteImage(volume, phantom->GetOutput(0));
+  WriteImage(mask, phantom->GetOutput(1));
+  this->WriteTruth(model, truth);
+  const int* size = phantom->GetDimensions();
+  console.Output() << volume.string() << ": " << size[0] << " x " << size[1] << " x " << size[2]
+                   << " voxels\n"
+                   << std::fixed << std::setprecision(3) << mask.string() << ": "
+                   << MaskMilliliters(phantom->GetOutput(1)) << " ml\n"
+                   << truth.string() << ": degree " << model.Degree() << ", "
+                   << model.Volume() / 1000.0 << " ml\n";
+  return 0;
+}
+} // namespace palpate::cli

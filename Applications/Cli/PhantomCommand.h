@@ -1,0 +1,47 @@
+#pragma once
+
+#include "Command.h"
+#include "SphericalHarmonicModel.h"
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+class vtkSphericalHarmonicPhantom;
+
+namespace palpate::cli
+{
+/// `palpate phantom`: an MR-like volume, a mask and the true coefficients of a body, so that the
+/// truth is known on any machine.
+class PhantomCommand : public Command
+{
+public:
+  std::string Name() const override { return "phantom"; }
+  std::string Summary() const override
+  {
+    return "Make an MR volume and a mask of a body with known coefficients";
+  }
+  std::string Examples() const override;
+  void DeclareOptions(CLI::App& app) override;
+  int Run(Console& console) override;
+
+private:
+  void PrepareGrid(vtkSphericalHarmonicPhantom& phantom, const SphericalHarmonicModel& model) const;
+  void PrepareAppearance(vtkSphericalHarmonicPhantom& phantom) const;
+  SphericalHarmonicModel TrueModel() const;
+  void WriteTruth(const SphericalHarmonicModel& model, const std::filesystem::path& file) const;
+
+  std::string OutputFolder;
+  std::string ModelPath;
+  std::string Format = "nii.gz";
+  std::vector<double> Spacing{0.5, 0.5, 3.0}; ///< mm
+  std::vector<int> Size;                      ///< voxels; empty for as many as the body needs
+  double ObliqueDegrees = 0.0;
+  double Noise = 10.0;
+  double Bias = 0.15;
+  int PartialVolume = 4;
+  int Degree = 12;
+  std::uint32_t Seed = 1;
+};
+} // namespace palpate::cli

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <set>
+#include <string>
+#include <vector>
+
+namespace palpate::cli
+{
+/// Rows of text in columns as wide as their widest entry, two blanks apart. A column whose entries
+/// are all empty is left out.
+class TextTable
+{
+public:
+  void AddRow(std::vector<std::string> row) { this->Rows.push_back(std::move(row)); }
+  /// Columns (from 0) of numbers; the others are aligned left.
+  void AlignRight(std::set<std::size_t> columns) { this->RightColumns = std::move(columns); }
+  /// The table, a line a row, without blanks at the ends of lines.
+  std::string Text() const;
+
+  /// A number with a fixed count of decimals.
+  static std::string Fixed(double value, int decimals);
+
+private:
+  std::vector<std::vector<std::string>> Rows;
+  std::set<std::size_t> RightColumns;
+};
+} // namespace palpate::cli

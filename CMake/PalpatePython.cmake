@@ -1,0 +1,26 @@
+# The Python package `palpate`: the VTK classes of the rooms below Session, wrapped by VTK's tools.
+# It works from the build tree (PYTHONPATH=build/…/lib/python3/dist-packages) and installed.
+
+set(PALPATE_PYTHON_DIR "${CMAKE_INSTALL_LIBDIR}/python3/dist-packages")
+
+# A room without a VTK class has nothing to wrap.
+get_property(wrapped_rooms GLOBAL PROPERTY PALPATE_ROOMS_WITH_VTK_CLASSES)
+list(REMOVE_ITEM wrapped_rooms Session)
+set(wrapped_modules ${wrapped_rooms})
+list(TRANSFORM wrapped_modules PREPEND "Palpate::")
+vtk_module_wrap_python(
+  MODULES ${wrapped_modules}
+  PYTHON_PACKAGE palpate
+  MODULE_DESTINATION "${PALPATE_PYTHON_DIR}"
+  CMAKE_DESTINATION "${PALPATE_VTK_CMAKE_DIR}"
+  LIBRARY_DESTINATION "${CMAKE_INSTALL_LIBDIR}"
+  INSTALL_EXPORT PalpateModules
+  TARGET Palpate::Python)
+
+set(PALPATE_PYTHON_IMPORTS)
+foreach(room IN LISTS wrapped_rooms)
+  string(APPEND PALPATE_PYTHON_IMPORTS "from .Palpate${room} import *\n")
+endforeach()
+set(init "${CMAKE_BINARY_DIR}/${PALPATE_PYTHON_DIR}/palpate/__init__.py")
+configure_file(Python/palpate/__init__.py.in "${init}" @ONLY)
+install(FILES "${init}" DESTINATION "${PALPATE_PYTHON_DIR}/palpate")

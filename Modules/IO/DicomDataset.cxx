@@ -1,0 +1,132 @@
+#include "DicomDataset.h"
+
+#include "Refusal.h"
+
+#include <Eigen/Geometry>
+#include <cmath>
+#include <limits>
+
+// DCMTK's configuration header must come before its others.
+#include "dcmtk/config/osconfig.h"
+
+#include "dcmtk/dcmdata/dctk.h"
+
+namespace palpate
+{
+namespace
+{
+bool ReadVector(DcmItem& item, const DcmTagKey& tag, unsigned long first, Vector3& vector)
+{
+  for (unsigned long i = 0; i < 3; ++i)
+  {
+    vector[static_cast<Eigen::Index>(i)] =
+        DicomNumber(item, tag, std::numeric_limits<double>::quiet_NaN(), first + i);
+  }
+  return vector.allFinite();
+}
+} // namespace
+
+DicomDataset::DicomDataset(const std::filesystem::path& file, Extent extent)
+    : Format(std::make_unique<DcmFileFormat>())
+{
+  const DcmTagKey stop = extent == Extent::All ? DCM_UndefinedTagKey : DCM_PixelData;
+  const OFCondition status = this->Format->loadFileUntilTag(
+      file.c_str(), EXS_Unknown, EGL_noChange, DCM_MaxReadLength, ERM_autoDetect, stop);
+  if (status.bad() || this->Format->getDataset()->card() == 0)
+  {
+    Refuse(file, "is no DICOM file or is truncated or damaged", "copy or export it again");
+  }
+  // Without a conversion the text stays as it is in the file.
+  this->Format->convertToUTF8();
+}
+
+DicomDataset::~DicomDataset() = default;
+
+DcmItem& DicomDataset::Root() const
+{
+  return *this->Format->getDataset();
+}
+
+bool DicomDataset::HasCompressedPixels() const
+{
+  return DcmXfer(this->Format->getDataset()->getOriginalXfer()).isEncapsulated();
+}
+
+DcmItem* DicomItem(DcmItem& item, const DcmTagKey& sequence, unsigned long index)
+{
+  DcmItem* found = nullptr;
+  const auto status = item.findAndGetSequenceItem(sequence, found, static_cast<long>(index));
+  return status.good() ? found : nullptr;
+}
+
+std::string DicomText(DcmItem& item, const DcmTagKey& tag)
+{
+  OFString text;
+  return item.findAndGetOFStringArray(tag, text).good() ? std::string(text.c_str()) : std::string();
+}
+
+double DicomNumber(DcmItem& item, const DcmTagKey& tag, double fallback, unsigned long index)
+{
+  // findAndGetFloat64 converts no integers; the string form serves decimal and binary attributes.
+  OFString text;
+  if (item.findAndGetOFString(tag, text, index).bad() || text.empty())
+  {
+    return fallback;
+  }
+  OFBool good = OFFalse;
+  const double number = OFStandard::atof(text.c_str(), &good);
+  return good && std::isfinite(number) ? number : fallback;
+}
+
+const std::uint8_t* DicomPixelBytes(DcmItem& item, std::size_t& count)
+{
+  unsigned long values = 0;
+  const Uint8* bytes = nullptr;
+  const Uint16* words = nullptr;
+  count = 0;
+  if (item.findAndGetUint8Array(DCM_PixelData, bytes, &values).good() && bytes)
+  {
+    count = values;
+    return bytes;
+  }
+  if (item.findAndGetUint16Array(DCM_PixelData, words, &values).good() && words)
+  {
+    count = 2 * static_cast<std::size_t>(values);
+  }
+  return reinterpret_cast<const std::uint8_t*>(words);
+}
+
+bool ReadPlanePosition(DcmItem& item, SlicePlane& plane)
+{
+  return ReadVector(item, DCM_ImagePositionPatient, 0, plane.PositionWorld);
+}
+
+bool ReadPlaneOrientation(DcmItem& item, SlicePlane& plane)
+{
+  if (!ReadVector(item, DCM_ImageOrientationPatient, 0, plane.RowWorld) ||
+      !ReadVector(item, DCM_ImageOrientationPatient, 3, plane.ColumnWorld))
+  {
+    return false;
+  }
+  // Rounded to few decimals in many files: any direction close to perpendicular unit vectors is
+  // meant to be so, and is made so; others are no orientation.
+  const double cosine = plane.RowWorld.dot(plane.ColumnWorld);
+  if (std::abs(plane.RowWorld.norm() - 1.0) > 1e-3 ||
+      std::abs(plane.ColumnWorld.norm() - 1.0) > 1e-3 || std::abs(cosine) > 1e-3)
+  {
+    return false;
+  }
+  plane.RowWorld.normalize();
+  plane.ColumnWorld -= plane.RowWorld.dot(plane.ColumnWorld) * plane.RowWorld;
+  plane.ColumnWorld.normalize();
+  return true;
+}
+
+bool ReadPixelSpacing(DcmItem& item, SlicePlane& plane)
+{
+  // First value: between rows; second: between columns (PS3.3, 10.7.1.3).
+  plane.Spacing[1] = DicomNumber(item, DCM_PixelSpacing, 0.0, 0);
+  plane.Spacing[0] = DicomNumber(item, DCM_PixelSpacing, 0.0, 1);
+  return plane.Spacing[0] > 0.0 && plane.Spacing[1] > 0.0;
+}
+} // namespace palpate

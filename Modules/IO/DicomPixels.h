@@ -1,0 +1,36 @@
+#pragma once
+
+#include "DicomDataset.h"
+#include "PalpateIOModule.h"
+#include "vtkDataArray.h"
+
+#include <filesystem>
+
+namespace palpate
+{
+/// How a DICOM slice stores its pixels (PS3.3, C.7.6.3) and what they mean (C.7.6.16.2.9).
+struct DicomPixelFormat
+{
+  int BitsAllocated = 0;
+  int BitsStored = 0;
+  int HighBit = 0;
+  bool IsSigned = false;
+  bool IsGrey = true; ///< one sample a pixel that is no index into a palette
+  bool IsCompressed = false;
+  double Slope = 1.0;
+  double Intercept = 0.0;
+
+  /// The smallest VTK type that holds every value (after slope and intercept): the stored type
+  /// where slope and intercept change nothing, int where they are whole numbers, else float.
+  PALPATEIO_EXPORT int ScalarType() const;
+};
+
+PALPATEIO_EXPORT DicomPixelFormat ReadPixelFormat(const DicomDataset& dataset);
+
+/// Reads a slice's `count` values into `voxels` from value `first` on. Uncompressed pixels are
+/// taken from DCMTK's data set, because GDCM as Debian builds it ends the program at the first
+/// assertion that a damaged file violates; only compressed ones go through it. Throws InputError.
+PALPATEIO_EXPORT void ReadSlicePixels(const std::filesystem::path& file,
+                                      const DicomPixelFormat& format, vtkIdType count,
+                                      vtkDataArray* voxels, vtkIdType first);
+} // namespace palpate

@@ -1,0 +1,157 @@
+#include "DicomSegmentation.h"
+
+#include "CieLabColor.h"
+#include "DicomDataset.h"
+#include "DicomSegmentationFrames.h"
+#include "Refusal.h"
+#include "SegmentColor.h"
+#include "SegmentCompletion.h"
+#include "SegmentLayers.h"
+
+#include "dcmtk/config/osconfig.h"
+
+#include "dcmtk/dcmdata/dcdeftag.h"
+#include "dcmtk/dcmdata/dcitem.h"
+#include <algorithm>
+#include <map>
+#include <string>
+
+namespace palpate
+{
+namespace
+{
+constexpr const char* SegmentationClass = "1.2.840.10008.5.1.4.1.1.66.4";
+constexpr const char* LabelMapClass = "1.2.840.10008.5.1.4.1.1.66.7";
+
+std::vector<Segment> DescribedSegments(const DicomDataset& dataset)
+{
+  std::vector<Segment> segments;
+  for (unsigned long i = 0;; ++i)
+  {
+    DcmItem* item = DicomItem(dataset.Root(), DCM_SegmentSequence, i);
+    if (!item)
+    {
+      return segments;
+    }
+    Segment segment;
+    segment.Label = static_cast<int>(DicomNumber(*item, DCM_SegmentNumber, 0.0));
+    segment.Value = segment.Label;
+    segment.Name = DicomText(*item, DCM_SegmentLabel);
+    segment.Color = DefaultSegmentColor(segment.Label);
+    std::array<std::uint16_t, 3> lab{};
+    bool colored = true;
+    for (unsigned long channel = 0; channel < 3; ++channel)
+    {
+      const double value = DicomNumber(*item, DCM_RecommendedDisplayCIELabValue, -1.0, channel);
+      colored = colored && value >= 0.0;
+      lab[channel] = static_cast<std::uint16_t>(std::clamp(value, 0.0, 65535.0));
+    }
+    if (colored)
+    {
+      segment.Color = CieLabToRgb(lab);
+    }
+    if (segment.Label > 0)
+    {
+      segments.push_back(segment);
+    }
+  }
+}
+
+// The smallest pixel value that counts as inside.
+int Threshold(const std::filesystem::path& file, const DicomDataset& dataset,
+              const std::string& kind, std::vector<std::string>& notes)
+{
+  if (kind == "BINARY")
+  {
+    return 1;
+  }
+  if (kind != "FRACTIONAL")
+  {
+    Refuse(file, "is a DICOM segmentation of the kind '" + kind + "', which is not read",
+           "convert it to the kind BINARY");
+  }
+  const int largest =
+      static_cast<int>(DicomNumber(dataset.Root(), DCM_MaximumFractionalValue, 255.0));
+  notes.emplace_back("The segmentation is fractional; pixels of at least half its maximum (" +
+                     std::to_string(largest) + ") were taken as inside.");
+  return std::max(1, (largest + 1) / 2);
+}
+
+// BINARY and FRACTIONAL: every frame belongs to one segment.
+void ReadSeparateSegments(const std::filesystem::path& file, const DicomSegmentationFrames& frames,
+                          int threshold, Segmentation& segmentation)
+{
+  std::map<int, std::vector<VoxelRun>> runsOfSegment;
+  for (std::size_t frame = 0; frame < frames.Count(); ++frame)
+  {
+    frames.AppendRuns(frame, threshold, runsOfSegment[frames.SegmentNumber(frame)]);
+  }
+  if (runsOfSegment.begin()->first < 1)
+  {
+    Refuse(file, "has a frame that names no segment", "export the segmentation again");
+  }
+  SegmentLayers layers(file, frames.Grid(), runsOfSegment.rbegin()->first);
+  for (const auto& [number, runs] : runsOfSegment)
+  {
+    const int layer = layers.Add(number, runs);
+    for (Segment& segment : segmentation.Segments)
+    {
+      segment.Layer = segment.Label == number ? layer : segment.Layer;
+    }
+  }
+  segmentation.Layers = layers.Images();
+}
+
+// LABELMAP: pixel values are segment numbers.
+void ReadLabelFrames(const std::filesystem::path& file, const DicomSegmentationFrames& frames,
+                     Segmentation& segmentation)
+{
+  std::map<int, std::vector<VoxelRun>> runsOfValue;
+  for (std::size_t frame = 0; frame < frames.Count(); ++frame)
+  {
+    frames.AppendRunsByValue(frame, runsOfValue);
+  }
+  SegmentLayers layers(file, frames.Grid(), runsOfValue.empty() ? 1 : runsOfValue.rbegin()->first);
+  for (const auto& [value, runs] : runsOfValue)
+  {
+    if (layers.Add(value, runs) > 0)
+    {
+      Refuse(file, "has several frames in one slice", "export the segmentation again");
+    }
+  }
+  segmentation.Layers = layers.Images();
+}
+} // namespace
+
+bool IsDicomSegmentation(const std::filesystem::path& file)
+{
+  const DicomDataset dataset(file, DicomDataset::Extent::UpToPixels);
+  const std::string sopClass = DicomText(dataset.Root(), DCM_SOPClassUID);
+  return sopClass == SegmentationClass || sopClass == LabelMapClass;
+}
+
+Segmentation ReadDicomSegmentation(const std::filesystem::path& file)
+{
+  const DicomDataset dataset(file, DicomDataset::Extent::All);
+  const std::string kind = DicomText(dataset.Root(), DCM_SegmentationType);
+  Segmentation segmentation;
+  segmentation.Source = file;
+  segmentation.Segments = DescribedSegments(dataset);
+  const bool isLabelMap = kind == "LABELMAP";
+  const int threshold = isLabelMap ? 0 : Threshold(file, dataset, kind, segmentation.Notes);
+  const DicomSegmentationFrames frames(file, dataset);
+  if (isLabelMap)
+  {
+    ReadLabelFrames(file, frames, segmentation);
+  }
+  else
+  {
+    ReadSeparateSegments(file, frames, threshold, segmentation);
+  }
+  segmentation.Notes.emplace_back(
+      "A DICOM segmentation may leave out empty slices: a structure that touches the first or last "
+      "slice need not be cut off there.");
+  CompleteSegments(segmentation);
+  return segmentation;
+}
+} // namespace palpate

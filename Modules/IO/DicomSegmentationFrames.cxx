@@ -1,0 +1,190 @@
+#include "DicomSegmentationFrames.h"
+
+#include "Refusal.h"
+
+#include "dcmtk/config/osconfig.h"
+
+#include "dcmtk/dcmdata/dcdeftag.h"
+#include "dcmtk/dcmdata/dcitem.h"
+#include <algorithm>
+#include <optional>
+#include <string>
+
+namespace palpate
+{
+namespace
+{
+// A frame's functional groups: its own item first, then the one that all frames share.
+struct FunctionalGroups
+{
+  DcmItem* Own;
+  DcmItem* Shared;
+
+  // Item of a group macro's sequence, null where neither has it.
+  DcmItem* Find(const DcmTagKey& sequence) const
+  {
+    DcmItem* found = this->Own ? DicomItem(*this->Own, sequence) : nullptr;
+    return found || !this->Shared ? found : DicomItem(*this->Shared, sequence);
+  }
+};
+
+bool ReadPlane(const FunctionalGroups& groups, SlicePlane& plane)
+{
+  DcmItem* position = groups.Find(DCM_PlanePositionSequence);
+  DcmItem* orientation = groups.Find(DCM_PlaneOrientationSequence);
+  DcmItem* measures = groups.Find(DCM_PixelMeasuresSequence);
+  return position && orientation && measures && ReadPlanePosition(*position, plane) &&
+         ReadPlaneOrientation(*orientation, plane) && ReadPixelSpacing(*measures, plane);
+}
+
+std::optional<double> StatedStep(const FunctionalGroups& groups)
+{
+  DcmItem* measures = groups.Find(DCM_PixelMeasuresSequence);
+  const double thickness = measures ? DicomNumber(*measures, DCM_SliceThickness, 0.0) : 0.0;
+  const double step =
+      measures ? DicomNumber(*measures, DCM_SpacingBetweenSlices, thickness) : thickness;
+  return step > 0.0 ? std::optional<double>(step) : std::nullopt;
+}
+
+int SegmentNumberOf(const FunctionalGroups& groups)
+{
+  DcmItem* identification = groups.Find(DCM_SegmentIdentificationSequence);
+  return identification
+             ? static_cast<int>(DicomNumber(*identification, DCM_ReferencedSegmentNumber, 0.0))
+             : 0;
+}
+
+// Frames of a damaged header are not counted by the million.
+constexpr double MostFrames = 1e6;
+} // namespace
+
+DicomSegmentationFrames::DicomSegmentationFrames(const std::filesystem::path& file,
+                                                 const DicomDataset& dataset)
+{
+  this->ReadPlanes(file, dataset);
+  this->ReadPixels(file, dataset);
+}
+
+void DicomSegmentationFrames::ReadPlanes(const std::filesystem::path& file,
+                                         const DicomDataset& dataset)
+{
+  DcmItem& root = dataset.Root();
+  const double frames = DicomNumber(root, DCM_NumberOfFrames, 0.0);
+  SlicePlane plane;
+  plane.Columns = static_cast<int>(DicomNumber(root, DCM_Columns, 0.0));
+  plane.Rows = static_cast<int>(DicomNumber(root, DCM_Rows, 0.0));
+  if (!(frames >= 1.0 && frames <= MostFrames) || plane.Columns < 1 || plane.Rows < 1)
+  {
+    Refuse(file, "has no frames", "export the segmentation again");
+  }
+  this->PixelsPerFrame = plane.Columns * plane.Rows;
+  FunctionalGroups groups{nullptr, DicomItem(root, DCM_SharedFunctionalGroupsSequence)};
+  SliceStackRules rules;
+  rules.Sparse = true;
+  for (unsigned long i = 0; i < static_cast<unsigned long>(frames); ++i)
+  {
+    groups.Own = DicomItem(root, DCM_PerFrameFunctionalGroupsSequence, i);
+    if (!ReadPlane(groups, plane))
+    {
+      Refuse(file, "does not say where frame " + std::to_string(i + 1) + " lies in the patient",
+             "export the segmentation again with plane positions");
+    }
+    this->Planes.push_back(plane);
+    this->SegmentNumbers.push_back(SegmentNumberOf(groups));
+    rules.StatedStep = StatedStep(groups);
+  }
+  this->Stack = StackSlices(file, this->Planes, rules);
+}
+
+void DicomSegmentationFrames::ReadPixels(const std::filesystem::path& file,
+                                         const DicomDataset& dataset)
+{
+  DcmItem& root = dataset.Root();
+  if (dataset.HasCompressedPixels())
+  {
+    Refuse(file, "has compressed pixels, which are not read in segmentations",
+           "decompress it first (dcmdrle, dcmdjpeg or gdcmconv --raw)");
+  }
+  this->BitsPerPixel = static_cast<int>(DicomNumber(root, DCM_BitsAllocated, 0.0));
+  if ((this->BitsPerPixel != 1 && this->BitsPerPixel != 8 && this->BitsPerPixel != 16) ||
+      DicomNumber(root, DCM_SamplesPerPixel, 1.0) != 1.0)
+  {
+    Refuse(file, "has pixels of a form that no segmentation has", "export the segmentation again");
+  }
+  std::size_t bytes = 0;
+  this->Pixels = DicomPixelBytes(root, bytes);
+  const double needed = static_cast<double>(this->PixelsPerFrame) *
+                        static_cast<double>(this->Planes.size()) * this->BitsPerPixel / 8.0;
+  if (!this->Pixels || static_cast<double>(bytes) < needed)
+  {
+    Refuse(file, "is truncated: it has fewer pixels than its header promises",
+           "copy or export it again");
+  }
+}
+
+int DicomSegmentationFrames::Value(std::size_t frame, int pixel) const
+{
+  const std::size_t place =
+      frame * static_cast<std::size_t>(this->PixelsPerFrame) + static_cast<std::size_t>(pixel);
+  switch (this->BitsPerPixel)
+  {
+  case 1:
+    // Frames follow each other without padding, the first pixel in the lowest bit (PS3.5, 8.1.1).
+    return (this->Pixels[place / 8] >> (place % 8)) & 1;
+  case 8:
+    return this->Pixels[place];
+  default:
+    return this->Pixels[2 * place] | (this->Pixels[2 * place + 1] << 8);
+  }
+}
+
+int DicomSegmentationFrames::SkipZeros(std::size_t frame, int pixel) const
+{
+  const std::size_t first = frame * static_cast<std::size_t>(this->PixelsPerFrame);
+  while (pixel < this->PixelsPerFrame && this->Value(frame, pixel) == 0)
+  {
+    // Most bytes of a binary frame are empty: eight pixels at once.
+    const std::size_t place = first + static_cast<std::size_t>(pixel);
+    const bool isEmptyByte =
+        this->BitsPerPixel == 1 && place % 8 == 0 && this->Pixels[place / 8] == 0;
+    pixel += isEmptyByte ? 8 : 1;
+  }
+  return std::min(pixel, this->PixelsPerFrame);
+}
+
+void DicomSegmentationFrames::AppendRuns(std::size_t frame, int threshold,
+                                         std::vector<VoxelRun>& runs) const
+{
+  const std::int64_t first = this->FirstVoxel(frame);
+  for (int start = this->SkipZeros(frame, 0); start < this->PixelsPerFrame;)
+  {
+    int end = start;
+    while (end < this->PixelsPerFrame && this->Value(frame, end) >= threshold)
+    {
+      ++end;
+    }
+    if (end > start)
+    {
+      runs.push_back({first + start, end - start});
+    }
+    start = this->SkipZeros(frame, end > start ? end : end + 1);
+  }
+}
+
+void DicomSegmentationFrames::AppendRunsByValue(std::size_t frame,
+                                                std::map<int, std::vector<VoxelRun>>& runs) const
+{
+  const std::int64_t first = this->FirstVoxel(frame);
+  for (int start = this->SkipZeros(frame, 0); start < this->PixelsPerFrame;)
+  {
+    const int value = this->Value(frame, start);
+    int end = start + 1;
+    while (end < this->PixelsPerFrame && this->Value(frame, end) == value)
+    {
+      ++end;
+    }
+    runs[value].push_back({first + start, end - start});
+    start = this->SkipZeros(frame, end);
+  }
+}
+} // namespace palpate

@@ -1,0 +1,52 @@
+#pragma once
+
+#include "DicomDataset.h"
+#include "PalpateIOModule.h"
+#include "SegmentLayers.h"
+#include "SliceStack.h"
+
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <vector>
+
+namespace palpate
+{
+/// The frames of a DICOM segmentation object: their planes, the segment that each shows (0 where a
+/// frame shows many) and their pixels.
+class PALPATEIO_EXPORT DicomSegmentationFrames
+{
+public:
+  /// Throws InputError for planes that are no stack and for fewer pixels than the header promises.
+  /// `dataset` must outlive the object.
+  DicomSegmentationFrames(const std::filesystem::path& file, const DicomDataset& dataset);
+
+  /// Right-handed by construction: its third axis is the cross product of the others.
+  const ImageGrid& Grid() const { return this->Stack.Grid; }
+  std::size_t Count() const { return this->Planes.size(); }
+  int SegmentNumber(std::size_t frame) const { return this->SegmentNumbers[frame]; }
+  /// Appends the runs of a frame's pixels that are at least `threshold` (> 0), as voxels of the
+  /// grid.
+  void AppendRuns(std::size_t frame, int threshold, std::vector<VoxelRun>& runs) const;
+  /// Appends the runs of each value but 0 in a frame.
+  void AppendRunsByValue(std::size_t frame, std::map<int, std::vector<VoxelRun>>& runs) const;
+
+private:
+  int Value(std::size_t frame, int pixel) const;
+  // The first pixel from `pixel` on that is not 0, or the pixel count.
+  int SkipZeros(std::size_t frame, int pixel) const;
+  std::int64_t FirstVoxel(std::size_t frame) const
+  {
+    return static_cast<std::int64_t>(this->Stack.SliceOfPlane[frame]) * this->PixelsPerFrame;
+  }
+  void ReadPlanes(const std::filesystem::path& file, const DicomDataset& dataset);
+  void ReadPixels(const std::filesystem::path& file, const DicomDataset& dataset);
+
+  std::vector<SlicePlane> Planes;
+  std::vector<int> SegmentNumbers;
+  SliceStack Stack;
+  int PixelsPerFrame = 0;
+  int BitsPerPixel = 1;
+  const std::uint8_t* Pixels = nullptr; // little-endian, as the host's
+};
+} // namespace palpate

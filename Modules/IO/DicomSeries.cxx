@@ -1,0 +1,183 @@
+#include "DicomSeries.h"
+
+#include "DicomDataset.h"
+#include "FileKind.h"
+#include "InputError.h"
+#include "Refusal.h"
+
+#include "dcmtk/config/osconfig.h"
+
+#include "dcmtk/dcmdata/dcdeftag.h"
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace palpate
+{
+namespace
+{
+struct SliceHeader
+{
+  std::string Uid;
+  std::string Description;
+  int Number = 0;
+  SlicePlane Plane;
+  DicomPixelFormat Format;
+};
+
+// Empty for a file that is no slice of a volume: a report, a segmentation, a projection image.
+std::optional<SliceHeader> ReadSliceHeader(const std::filesystem::path& file)
+{
+  const DicomDataset dataset(file, DicomDataset::Extent::UpToPixels);
+  DcmItem& root = dataset.Root();
+  SliceHeader header;
+  header.Plane.Columns = static_cast<int>(DicomNumber(root, DCM_Columns, 0.0));
+  header.Plane.Rows = static_cast<int>(DicomNumber(root, DCM_Rows, 0.0));
+  if (header.Plane.Columns < 1 || header.Plane.Rows < 1 ||
+      DicomNumber(root, DCM_NumberOfFrames, 1.0) != 1.0 || !ReadPlanePosition(root, header.Plane) ||
+      !ReadPlaneOrientation(root, header.Plane) || !ReadPixelSpacing(root, header.Plane))
+  {
+    return std::nullopt;
+  }
+  header.Format = ReadPixelFormat(dataset);
+  header.Uid = DicomText(root, DCM_SeriesInstanceUID);
+  header.Description = DicomText(root, DCM_SeriesDescription);
+  header.Number = static_cast<int>(DicomNumber(root, DCM_SeriesNumber, 0.0));
+  return header;
+}
+
+std::vector<std::filesystem::path> DicomFiles(const std::filesystem::path& folder)
+{
+  std::vector<std::filesystem::path> files;
+  std::error_code failure;
+  for (const auto& entry : std::filesystem::directory_iterator(folder, failure))
+  {
+    if (entry.is_regular_file(failure) && HasDicomMark(entry.path()))
+    {
+      files.push_back(entry.path());
+    }
+  }
+  if (failure)
+  {
+    Refuse(folder, "cannot be opened", "check its permissions");
+  }
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+void AddSlice(const SliceHeader& header, const std::filesystem::path& file,
+              std::vector<DicomSeries>& all)
+{
+  auto place = std::find_if(all.begin(), all.end(),
+                            [&](const DicomSeries& series) {
+                              return series.Uid == header.Uid &&
+                                     series.Planes.front().IsParallelTo(header.Plane);
+                            });
+  if (place == all.end())
+  {
+    all.push_back({header.Uid, header.Description, header.Number, {}, {}, {}});
+    place = all.end() - 1;
+  }
+  place->Files.push_back(file);
+  place->Planes.push_back(header.Plane);
+  place->Formats.push_back(header.Format);
+}
+
+std::string SeriesList(const std::vector<DicomSeries>& all)
+{
+  std::string list;
+  for (std::size_t i = 0; i < all.size(); ++i)
+  {
+    list += (i == 0 ? "" : ", ") + std::to_string(i + 1) + ": '" + all[i].Description + "' " +
+            std::to_string(all[i].Files.size()) + " slices, " + all[i].OrientationName() +
+            ", UID " + all[i].Uid;
+  }
+  return list;
+}
+
+[[noreturn]] void RefuseWithList(const std::filesystem::path& folder, const std::string& fact,
+                                 const std::vector<DicomSeries>& all)
+{
+  Refuse(folder, fact + " (" + SeriesList(all) + ")",
+         "choose one by its number or, where that is unique, its UID (--series)");
+}
+
+} // namespace
+
+std::string DicomSeries::OrientationName() const
+{
+  const Vector3 normal = this->Planes.front().NormalWorld();
+  Eigen::Index axis = 0;
+  const double largest = normal.cwiseAbs().maxCoeff(&axis);
+  const std::string plane = axis == 0 ? "sagittal" : axis == 1 ? "coronal" : "axial";
+  // Within a degree of a patient plane.
+  return largest > std::cos(0.0174533) ? plane : "oblique " + plane;
+}
+
+std::vector<DicomSeries> FindDicomSeries(const std::filesystem::path& folder)
+{
+  std::vector<DicomSeries> all;
+  const std::vector<std::filesystem::path> files = DicomFiles(folder);
+  for (const auto& file : files)
+  {
+    if (const std::optional<SliceHeader> header = ReadSliceHeader(file))
+    {
+      AddSlice(*header, file, all);
+    }
+  }
+  if (all.empty())
+  {
+    Refuse(folder,
+           files.empty() ? "holds no DICOM file"
+                         : "holds no DICOM slice with a position in the patient",
+           "name the folder that holds the slices of a series");
+  }
+  std::stable_sort(all.begin(), all.end(),
+                   [](const DicomSeries& a, const DicomSeries& b)
+                   { return a.Number != b.Number ? a.Number < b.Number : a.Uid < b.Uid; });
+  return all;
+}
+
+const DicomSeries& ChooseSeries(const std::filesystem::path& folder,
+                                const std::vector<DicomSeries>& all, const VolumeChoice& choice)
+{
+  const std::string& wanted = choice.DicomSeries;
+  std::vector<const DicomSeries*> matches;
+  for (std::size_t i = 0; i < all.size(); ++i)
+  {
+    if (wanted.empty() || wanted == all[i].Uid || wanted == std::to_string(i + 1))
+    {
+      matches.push_back(&all[i]);
+    }
+  }
+  if (matches.empty())
+  {
+    RefuseWithList(folder, "has no series " + wanted, all);
+  }
+  if (matches.size() > 1)
+  {
+    RefuseWithList(folder,
+                   "holds " + std::to_string(matches.size()) + " series or orientations" +
+                       (wanted.empty() ? "" : " of UID " + wanted),
+                   all);
+  }
+  return *matches.front();
+}
+
+const DicomSeries& SeriesOfFile(const std::filesystem::path& file,
+                                const std::vector<DicomSeries>& all)
+{
+  for (const DicomSeries& series : all)
+  {
+    for (const auto& member : series.Files)
+    {
+      if (member.filename() == file.filename())
+      {
+        return series;
+      }
+    }
+  }
+  Refuse(file, "is no DICOM slice with a position in the patient",
+         "name a slice of a volume or the folder of its series");
+}
+} // namespace palpate

@@ -1,0 +1,40 @@
+#pragma once
+
+#include "DicomPixels.h"
+#include "PalpateIOModule.h"
+#include "SliceStack.h"
+#include "Volume.h"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace palpate
+{
+/// The slices of a folder that may be one volume: same series, orientation, size, pixel spacing.
+struct DicomSeries
+{
+  std::string Uid;         ///< series instance UID; not unique where a series mixes orientations
+  std::string Description; ///< series description, as the scanner wrote it; no patient data
+  int Number = 0;          ///< series number
+  std::vector<std::filesystem::path> Files;
+  std::vector<SlicePlane> Planes;        ///< of each file
+  std::vector<DicomPixelFormat> Formats; ///< of each file
+
+  /// "axial", "oblique coronal", ...
+  std::string OrientationName() const;
+};
+
+/// All image series of a folder (not of folders in it), by rising series number. Files that are no
+/// DICOM images are passed over. Throws InputError where no image is left.
+PALPATEIO_EXPORT std::vector<DicomSeries> FindDicomSeries(const std::filesystem::path& folder);
+
+/// The series that the user chose, or the only one. Throws InputError with the list of all.
+PALPATEIO_EXPORT const DicomSeries& ChooseSeries(const std::filesystem::path& folder,
+                                                 const std::vector<DicomSeries>& all,
+                                                 const VolumeChoice& choice);
+
+/// The series that one of the folder's files belongs to; throws InputError where it is no slice.
+PALPATEIO_EXPORT const DicomSeries& SeriesOfFile(const std::filesystem::path& file,
+                                                 const std::vector<DicomSeries>& all);
+} // namespace palpate

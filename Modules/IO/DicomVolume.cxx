@@ -1,0 +1,44 @@
+#include "DicomVolume.h"
+
+#include "DicomPixels.h"
+#include "MemoryCheck.h"
+
+#include <cstddef>
+
+namespace palpate
+{
+namespace
+{
+// The type that holds every slice. Slices differ in it where their rescale slopes do (PET).
+int CommonScalarType(const std::vector<DicomPixelFormat>& formats)
+{
+  int type = formats.front().ScalarType();
+  for (const DicomPixelFormat& format : formats)
+  {
+    type = format.ScalarType() == type ? type : VTK_FLOAT;
+  }
+  return type;
+}
+} // namespace
+
+Volume ReadDicomVolume(const DicomSeries& series, const std::filesystem::path& source)
+{
+  SliceStack stack = StackSlices(source, series.Planes, {});
+  CheckGrid(source, stack.Grid);
+  auto voxels = vtkSmartPointer<vtkDataArray>::Take(
+      vtkDataArray::CreateDataArray(CommonScalarType(series.Formats)));
+  CheckMemory(source, static_cast<double>(stack.Grid.VoxelCount()) * voxels->GetDataTypeSize(),
+              AvailableMemoryBytes());
+  voxels->SetNumberOfTuples(stack.Grid.VoxelCount());
+  const vtkIdType sliceVoxels = static_cast<vtkIdType>(stack.Grid.Size[0]) * stack.Grid.Size[1];
+  for (std::size_t i = 0; i < series.Files.size(); ++i)
+  {
+    ReadSlicePixels(series.Files[i], series.Formats[i], sliceVoxels, voxels,
+                    stack.SliceOfPlane[i] * sliceVoxels);
+  }
+  Volume volume;
+  volume.Image = MakeImage(stack.Grid, voxels);
+  volume.Source = source;
+  return volume;
+}
+} // namespace palpate

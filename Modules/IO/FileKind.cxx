@@ -1,0 +1,81 @@
+#include "FileKind.h"
+
+#include "FileEnding.h"
+#include "Refusal.h"
+
+#include <fstream>
+#include <string>
+
+namespace palpate
+{
+namespace
+{
+void CheckReadable(const std::filesystem::path& file)
+{
+  std::error_code failure;
+  if (!std::filesystem::exists(file, failure))
+  {
+    Refuse(file, "does not exist", "check the path");
+  }
+  if (!std::filesystem::is_regular_file(file, failure))
+  {
+    Refuse(file, "is no file", "name an image file");
+  }
+  if (!std::ifstream(file, std::ios::binary))
+  {
+    Refuse(file, "cannot be opened", "check its permissions");
+  }
+  if (std::filesystem::file_size(file, failure) == 0)
+  {
+    Refuse(file, "is empty", "copy or export it again");
+  }
+}
+} // namespace
+
+bool HasDicomMark(const std::filesystem::path& file)
+{
+  std::ifstream stream(file, std::ios::binary);
+  std::string mark(4, '\0');
+  return stream.seekg(128) && stream.read(mark.data(), 4) && mark == "DICM";
+}
+
+FileKind DetectFileKind(const std::filesystem::path& file)
+{
+  CheckReadable(file);
+  const std::string ending = FileEnding(file);
+  if (HasDicomMark(file) || ending == ".dcm" || ending == ".ima")
+  {
+    return FileKind::Dicom;
+  }
+  if (ending == ".nii" || ending == ".nii.gz")
+  {
+    return FileKind::Nifti;
+  }
+  if (ending == ".nrrd" || ending == ".seg.nrrd" || ending == ".nhdr")
+  {
+    return FileKind::Nrrd;
+  }
+  if (ending == ".mha" || ending == ".mhd")
+  {
+    return FileKind::MetaImage;
+  }
+  Refuse(file, "is in no known image format",
+         "give NIfTI (.nii, .nii.gz), NRRD (.nrrd, .nhdr), MetaImage (.mha, .mhd) or DICOM");
+}
+
+const char* FileKindName(FileKind kind)
+{
+  switch (kind)
+  {
+  case FileKind::Nifti:
+    return "NIfTI";
+  case FileKind::Nrrd:
+    return "NRRD";
+  case FileKind::MetaImage:
+    return "MetaImage";
+  case FileKind::Dicom:
+    break;
+  }
+  return "DICOM";
+}
+} // namespace palpate

@@ -1,0 +1,27 @@
+#pragma once
+
+#include "PalpateIOModule.h"
+#include "Segmentation.h"
+#include "Volume.h"
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+namespace palpate
+{
+/// What a path holds, where the user has not said what to expect.
+struct ImageContent
+{
+  /// "NIfTI label map", "DICOM series", "3D Slicer segmentation", ...
+  std::string Kind;
+  std::string KindReason; ///< why it was taken as a volume or a label map; empty where it is plain
+  std::optional<Volume> Image;        ///< absent for 3D Slicer's and DICOM segmentations
+  std::optional<Segmentation> Labels; ///< absent for grey values
+};
+
+/// Reads a path as a segmentation where it says that it is one or holds label values (see
+/// WhyNoLabelMap), else as a volume. Throws InputError.
+PALPATEIO_EXPORT ImageContent ReadImageContent(const std::filesystem::path& path,
+                                               const VolumeChoice& choice = {});
+} // namespace palpate

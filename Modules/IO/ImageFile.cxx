@@ -1,0 +1,119 @@
+#include "ImageFile.h"
+
+#include "ItkImageReader.h"
+#include "MemoryCheck.h"
+#include "MetaImageHeader.h"
+#include "NiftiHeader.h"
+#include "Refusal.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace palpate
+{
+ImageFile::ImageFile(const std::filesystem::path& file, FileKind kind) : File(file), Kind(kind)
+{
+  if (kind == FileKind::Nifti)
+  {
+    this->HeaderNotes = CheckNiftiHeader(file);
+  }
+  if (kind == FileKind::MetaImage)
+  {
+    CheckMetaImageHeader(file);
+  }
+  this->OpenReader();
+  this->CheckHeader();
+  this->TakeGrid();
+  if (kind != FileKind::Dicom)
+  {
+    CheckGrid(file, this->FileGrid);
+  }
+}
+
+ImageFile::~ImageFile() = default;
+
+void ImageFile::OpenReader()
+{
+  try
+  {
+    this->Reader = std::make_unique<ItkImageReader>(this->File, this->Kind);
+    this->Header = this->Reader->Header();
+  }
+  catch (const std::exception& error)
+  {
+    if (std::string(error.what()).find("orthonormal") != std::string::npos)
+    {
+      Refuse(this->File, "has axes that are not perpendicular (a sheared direction)",
+             "resample it to a rectangular grid");
+    }
+    Refuse(this->File,
+           std::string("is no ") + FileKindName(this->Kind) + " image or its header is damaged",
+           "copy or export it again");
+  }
+}
+
+void ImageFile::CheckHeader() const
+{
+  const std::vector<long long>& size = this->Header.Size;
+  for (std::size_t axis = 0; axis < size.size(); ++axis)
+  {
+    if (size[axis] < 1 || size[axis] > std::numeric_limits<int>::max())
+    {
+      Refuse(this->File, "has a damaged header", "copy or export it again");
+    }
+    if (axis > 2 && size[axis] > 1)
+    {
+      Refuse(this->File, "has " + std::to_string(size.size()) + " dimensions",
+             "extract one three-dimensional volume of it");
+    }
+  }
+  if (this->Header.VtkType == 0 || this->Header.Components < 1)
+  {
+    Refuse(this->File, "has voxels of a type that is not read",
+           "convert it to integers or floating-point numbers");
+  }
+}
+
+void ImageFile::TakeGrid()
+{
+  const std::size_t axes = std::min<std::size_t>(this->Header.Size.size(), 3);
+  this->FileGrid.Size = {1, 1, 1};
+  for (std::size_t axis = 0; axis < axes; ++axis)
+  {
+    const auto i = static_cast<Eigen::Index>(axis);
+    this->FileGrid.Size[axis] = static_cast<int>(this->Header.Size[axis]);
+    this->FileGrid.Spacing[i] = this->Header.Spacing[axis];
+    this->FileGrid.OriginWorld[i] = this->Header.OriginWorld[axis];
+    for (std::size_t row = 0; row < axes; ++row)
+    {
+      this->FileGrid.Direction(static_cast<Eigen::Index>(row), i) =
+          this->Header.AxesWorld[axis][row];
+    }
+  }
+}
+
+vtkSmartPointer<vtkDataArray> ImageFile::NewArray() const
+{
+  auto array =
+      vtkSmartPointer<vtkDataArray>::Take(vtkDataArray::CreateDataArray(this->ScalarType()));
+  const double bytes = static_cast<double>(this->FileGrid.VoxelCount()) * this->Components() *
+                       array->GetDataTypeSize();
+  CheckMemory(this->File, bytes, AvailableMemoryBytes());
+  array->SetNumberOfComponents(this->Components());
+  array->SetNumberOfTuples(this->FileGrid.VoxelCount());
+  return array;
+}
+
+void ImageFile::ReadInto(void* buffer)
+{
+  try
+  {
+    this->Reader->ReadInto(buffer);
+  }
+  catch (const std::exception&)
+  {
+    Refuse(this->File, "cannot be read to its end: it is truncated or damaged",
+           "copy or export it again");
+  }
+}
+} // namespace palpate

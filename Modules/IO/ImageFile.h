@@ -1,0 +1,61 @@
+#pragma once
+
+#include "FileKind.h"
+#include "ImageGrid.h"
+#include "ItkImageHeader.h"
+#include "PalpateIOModule.h"
+#include "vtkDataArray.h"
+#include "vtkSmartPointer.h"
+
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace palpate
+{
+class ItkImageReader;
+
+/// One image file, read with ITK. The constructor reads the header only; the voxels then go
+/// straight from ITK's reader into the VTK array, in the type that the file has (after its rescale
+/// slope). Every failure is an InputError; nothing is printed.
+class PALPATEIO_EXPORT ImageFile
+{
+public:
+  /// Throws InputError where the header cannot be read or its geometry is no volume's. A DICOM file
+  /// is a single slice: its size is read, its place is not.
+  ImageFile(const std::filesystem::path& file, FileKind kind);
+  ImageFile(const ImageFile&) = delete;
+  ImageFile& operator=(const ImageFile&) = delete;
+  ~ImageFile();
+
+  /// Patient LPS, mm; as in the file, so perhaps left-handed.
+  const ImageGrid& Grid() const { return this->FileGrid; }
+  int Components() const { return this->Header.Components; }
+  /// VTK_SHORT, ...
+  int ScalarType() const { return this->Header.VtkType; }
+  /// Text entries of the header (NRRD's key/value pairs).
+  const std::map<std::string, std::string>& Entries() const { return this->Header.Entries; }
+  /// Sentences on what was made of the header.
+  const std::vector<std::string>& Notes() const { return this->HeaderNotes; }
+
+  /// An array of the file's type, components and voxel count, not yet filled. Throws InputError
+  /// where it does not fit into memory.
+  vtkSmartPointer<vtkDataArray> NewArray() const;
+  /// Reads all voxels to `buffer`, which has room for them.
+  void ReadInto(void* buffer);
+
+private:
+  void OpenReader();
+  void CheckHeader() const;
+  void TakeGrid();
+
+  std::filesystem::path File;
+  FileKind Kind;
+  std::unique_ptr<ItkImageReader> Reader;
+  ItkImageHeader Header;
+  ImageGrid FileGrid;
+  std::vector<std::string> HeaderNotes;
+};
+} // namespace palpate

@@ -1,0 +1,32 @@
+#pragma once
+
+#include "FileKind.h"
+#include "ItkImageHeader.h"
+#include "PalpateIOModule.h"
+
+#include <filesystem>
+#include <memory>
+#include <string>
+
+namespace palpate
+{
+/// The only door to ITK's image readers. It prints nothing; failures come back as exceptions of
+/// ITK's (std::exception) with ITK's own words.
+class PALPATEIO_EXPORT ItkImageReader
+{
+public:
+  /// Reads the header. Throws where the file is not of that kind or damaged.
+  ItkImageReader(const std::filesystem::path& file, FileKind kind);
+  ItkImageReader(const ItkImageReader&) = delete;
+  ItkImageReader& operator=(const ItkImageReader&) = delete;
+  ~ItkImageReader();
+
+  ItkImageHeader Header() const;
+  /// Reads all voxels to `buffer`, which has room for them.
+  void ReadInto(void* buffer);
+
+private:
+  struct Implementation;
+  std::unique_ptr<Implementation> Itk;
+};
+} // namespace palpate

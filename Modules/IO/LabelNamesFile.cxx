@@ -1,0 +1,92 @@
+#include "LabelNamesFile.h"
+
+#include <fstream>
+#include <map>
+#include <optional>
+#include <sstream>
+#include <vector>
+
+namespace palpate
+{
+namespace
+{
+std::filesystem::path Beside(std::filesystem::path image, const char* ending)
+{
+  if (image.extension() == ".gz")
+  {
+    image.replace_extension();
+  }
+  image += ending;
+  return image;
+}
+
+// Empty where the file is absent or any line of it has another form.
+std::optional<std::map<int, std::string>> ReadNames(const std::filesystem::path& file)
+{
+  std::map<int, std::string> names;
+  std::ifstream stream(file);
+  std::string line;
+  while (std::getline(stream, line))
+  {
+    std::istringstream words(line);
+    int label = 0;
+    std::string name;
+    if (line.find_first_not_of(" \t\r") == std::string::npos)
+    {
+      continue;
+    }
+    if (!(words >> label >> name))
+    {
+      return std::nullopt;
+    }
+    names[label] = name;
+  }
+  return names;
+}
+
+void ApplyColors(const std::filesystem::path& file, Segmentation& segmentation)
+{
+  constexpr std::size_t Entries = 256;
+  std::ifstream stream(file, std::ios::binary);
+  const std::vector<char> bytes{std::istreambuf_iterator<char>(stream), {}};
+  if (bytes.size() != 3 * Entries)
+  {
+    return;
+  }
+  for (Segment& segment : segmentation.Segments)
+  {
+    if (segment.Value < static_cast<int>(Entries))
+    {
+      for (std::size_t channel = 0; channel < 3; ++channel)
+      {
+        const char byte = bytes[channel * Entries + static_cast<std::size_t>(segment.Value)];
+        segment.Color[channel] = static_cast<unsigned char>(byte) / 255.0;
+      }
+    }
+  }
+}
+} // namespace
+
+void ApplyLabelNames(Segmentation& segmentation)
+{
+  const std::filesystem::path namesFile = Beside(segmentation.Source, ".txt");
+  ApplyColors(Beside(segmentation.Source, ".lut"), segmentation);
+  if (!std::filesystem::exists(namesFile))
+  {
+    return;
+  }
+  const auto names = ReadNames(namesFile);
+  if (!names)
+  {
+    segmentation.Notes.push_back(namesFile.string() +
+                                 " is no list of label names and was not used.");
+    return;
+  }
+  for (Segment& segment : segmentation.Segments)
+  {
+    const auto name = names->find(segment.Value);
+    segment.Name = name == names->end() ? segment.Name : name->second;
+  }
+  segmentation.Notes.push_back("Names of the labels are from " + namesFile.string() + ".");
+}
+} // namespace palpate

@@ -1,0 +1,165 @@
+#include "LabelValues.h"
+
+#include "MemoryCheck.h"
+#include "Refusal.h"
+
+#include "vtkSetGet.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+namespace palpate
+{
+namespace
+{
+// Largest value; throws at the first that is no label.
+template <typename T>
+int LargestLabel(const std::filesystem::path& file, const T* values, vtkIdType count)
+{
+  T largest = 0;
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    const T value = values[i];
+    if constexpr (std::is_floating_point_v<T>)
+    {
+      if (!(std::floor(value) == value) || std::isinf(value))
+      {
+        Refuse(file,
+               "is no label map: it holds the value " + NumberText(static_cast<double>(value)),
+               "give whole numbers, one for each structure");
+      }
+    }
+    if constexpr (std::is_signed_v<T>)
+    {
+      if (value < 0)
+      {
+        Refuse(file,
+               "is no label map: it holds the negative value " +
+                   NumberText(static_cast<double>(value)),
+               "give labels from 1, with 0 for the background");
+      }
+    }
+    largest = std::max(largest, value);
+  }
+  if (static_cast<long double>(largest) > std::numeric_limits<int>::max())
+  {
+    Refuse(file, "holds the label " + NumberText(static_cast<double>(largest)),
+           "give labels up to " + std::to_string(std::numeric_limits<int>::max()));
+  }
+  return static_cast<int>(largest);
+}
+
+template <typename From, typename To>
+void ConvertTo(const From* from, vtkDataArray* to)
+{
+  To* target = static_cast<To*>(to->GetVoidPointer(0));
+  std::transform(from, from + to->GetNumberOfValues(), target,
+                 [](From value) { return static_cast<To>(value); });
+}
+
+template <typename From>
+void Convert(const From* from, vtkDataArray* to)
+{
+  switch (to->GetDataType())
+  {
+  case VTK_UNSIGNED_CHAR:
+    return ConvertTo<From, unsigned char>(from, to);
+  case VTK_UNSIGNED_SHORT:
+    return ConvertTo<From, unsigned short>(from, to);
+  default:
+    return ConvertTo<From, int>(from, to);
+  }
+}
+
+template <typename T>
+std::map<int, vtkIdType> CountSmall(const T* values, vtkIdType count)
+{
+  std::vector<vtkIdType> counts(std::size_t{1} << (8 * sizeof(T)), 0);
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    ++counts[values[i]];
+  }
+  std::map<int, vtkIdType> found;
+  for (std::size_t value = 1; value < counts.size(); ++value)
+  {
+    if (counts[value] > 0)
+    {
+      found.emplace(static_cast<int>(value), counts[value]);
+    }
+  }
+  return found;
+}
+
+// Runs of one value, so that the tree is searched once a run.
+std::map<int, vtkIdType> CountLarge(const int* values, vtkIdType count)
+{
+  std::map<int, vtkIdType> found;
+  for (vtkIdType start = 0; start < count;)
+  {
+    vtkIdType end = start + 1;
+    while (end < count && values[end] == values[start])
+    {
+      ++end;
+    }
+    found[values[start]] += end - start;
+    start = end;
+  }
+  found.erase(0);
+  return found;
+}
+} // namespace
+
+int LabelType(int largestLabel) noexcept
+{
+  if (largestLabel <= std::numeric_limits<unsigned char>::max())
+  {
+    return VTK_UNSIGNED_CHAR;
+  }
+  return largestLabel <= std::numeric_limits<unsigned short>::max() ? VTK_UNSIGNED_SHORT : VTK_INT;
+}
+
+vtkSmartPointer<vtkDataArray> ToLabels(const std::filesystem::path& file, vtkDataArray* voxels)
+{
+  const void* data = voxels->GetVoidPointer(0);
+  int largest = 0;
+  switch (voxels->GetDataType())
+  {
+    vtkTemplateMacro(largest = LargestLabel(file, static_cast<const VTK_TT*>(data),
+                                            voxels->GetNumberOfValues()));
+  }
+  const int type = LabelType(largest);
+  if (type == voxels->GetDataType())
+  {
+    return voxels;
+  }
+  auto labels = vtkSmartPointer<vtkDataArray>::Take(vtkDataArray::CreateDataArray(type));
+  CheckMemory(file, static_cast<double>(voxels->GetNumberOfTuples()) * labels->GetDataTypeSize(),
+              AvailableMemoryBytes());
+  labels->SetNumberOfTuples(voxels->GetNumberOfTuples());
+  switch (voxels->GetDataType())
+  {
+    vtkTemplateMacro(Convert(static_cast<const VTK_TT*>(data), labels));
+  }
+  return labels;
+}
+
+std::map<int, vtkIdType> CountLabels(vtkDataArray* labels)
+{
+  const vtkIdType count = labels->GetNumberOfValues();
+  const void* data = labels->GetVoidPointer(0);
+  switch (labels->GetDataType())
+  {
+  case VTK_UNSIGNED_CHAR:
+    return CountSmall(static_cast<const unsigned char*>(data), count);
+  case VTK_UNSIGNED_SHORT:
+    return CountSmall(static_cast<const unsigned short*>(data), count);
+  default:
+    return CountLarge(static_cast<const int*>(data), count);
+  }
+}
+} // namespace palpate

@@ -1,0 +1,14 @@
+#pragma once
+
+#include "PalpateIOModule.h"
+
+#include <filesystem>
+
+namespace palpate
+{
+/// Looks at the text header of a MetaImage file before the MetaIO library does, which trusts it: a
+/// number of dimensions above ten overruns its arrays. Throws InputError for a header that is cut
+/// off or damaged, 2-D and 4-D images, several values per voxel, spacings that are not positive,
+/// and uncompressed data that are shorter than the header says.
+PALPATEIO_EXPORT void CheckMetaImageHeader(const std::filesystem::path& file);
+} // namespace palpate

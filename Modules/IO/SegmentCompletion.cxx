@@ -1,0 +1,103 @@
+#include "SegmentCompletion.h"
+
+#include "LabelValues.h"
+#include "Refusal.h"
+#include "SegmentColor.h"
+
+#include "vtkPointData.h"
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+namespace palpate
+{
+namespace
+{
+using LayerCounts = std::vector<std::map<int, vtkIdType>>;
+
+bool IsPresent(const LayerCounts& counts, const Segment& segment)
+{
+  return segment.Layer >= 0 && segment.Layer < static_cast<int>(counts.size()) &&
+         counts[static_cast<std::size_t>(segment.Layer)].count(segment.Value) > 0;
+}
+
+void AddUndescribed(const LayerCounts& counts, std::vector<Segment>& segments)
+{
+  for (std::size_t layer = 0; layer < counts.size(); ++layer)
+  {
+    for (const auto& [value, voxels] : counts[layer])
+    {
+      Segment segment;
+      segment.Label = value;
+      segment.Value = value;
+      segment.Layer = static_cast<int>(layer);
+      segment.Color = DefaultSegmentColor(value);
+      const bool described =
+          std::any_of(segments.begin(), segments.end(),
+                      [&](const Segment& other)
+                      { return other.Value == segment.Value && other.Layer == segment.Layer; });
+      if (!described)
+      {
+        segments.push_back(segment);
+      }
+    }
+  }
+}
+
+void MakeLabelsUnique(std::vector<Segment>& segments)
+{
+  std::set<int> labels;
+  for (const Segment& segment : segments)
+  {
+    labels.insert(segment.Label);
+  }
+  if (labels.size() < segments.size())
+  {
+    for (std::size_t i = 0; i < segments.size(); ++i)
+    {
+      segments[i].Label = static_cast<int>(i + 1);
+    }
+  }
+}
+
+void DropEmpty(const LayerCounts& counts, Segmentation& segmentation)
+{
+  std::vector<Segment> present;
+  std::set<std::pair<int, int>> taken;
+  for (const Segment& segment : segmentation.Segments)
+  {
+    if (IsPresent(counts, segment) && taken.emplace(segment.Layer, segment.Value).second)
+    {
+      present.push_back(segment);
+    }
+    else
+    {
+      segmentation.Notes.push_back("Segment " + std::to_string(segment.Label) +
+                                   (segment.Name.empty() ? "" : " '" + segment.Name + "'") +
+                                   " is empty and was left out.");
+    }
+  }
+  segmentation.Segments = present;
+}
+} // namespace
+
+void CompleteSegments(Segmentation& segmentation)
+{
+  LayerCounts counts;
+  for (const auto& layer : segmentation.Layers)
+  {
+    counts.push_back(CountLabels(layer->GetPointData()->GetScalars()));
+  }
+  AddUndescribed(counts, segmentation.Segments);
+  MakeLabelsUnique(segmentation.Segments);
+  DropEmpty(counts, segmentation);
+  if (segmentation.Segments.empty())
+  {
+    Refuse(segmentation.Source, "has no labelled voxel (an empty mask)",
+           "check that it is the right file and was exported with its labels");
+  }
+  std::sort(segmentation.Segments.begin(), segmentation.Segments.end(),
+            [](const Segment& a, const Segment& b) { return a.Label < b.Label; });
+}
+} // namespace palpate

@@ -1,0 +1,87 @@
+#include "SegmentLayers.h"
+
+#include "LabelValues.h"
+#include "MemoryCheck.h"
+
+#include "vtkSetGet.h"
+
+#include <algorithm>
+
+namespace palpate
+{
+namespace
+{
+template <typename T>
+bool IsFree(const T* layer, const std::vector<VoxelRun>& runs)
+{
+  return std::all_of(runs.begin(), runs.end(),
+                     [layer](const VoxelRun& run)
+                     {
+                       const T* first = layer + run.First;
+                       return std::all_of(first, first + run.Count,
+                                          [](T value) { return value == T(0); });
+                     });
+}
+
+template <typename T>
+void Fill(T* layer, const std::vector<VoxelRun>& runs, int label)
+{
+  for (const VoxelRun& run : runs)
+  {
+    std::fill_n(layer + run.First, run.Count, static_cast<T>(label));
+  }
+}
+
+bool TryFill(vtkDataArray* layer, const std::vector<VoxelRun>& runs, int label)
+{
+  bool isFree = false;
+  void* data = layer->GetVoidPointer(0);
+  switch (layer->GetDataType())
+  {
+    vtkTemplateMacro(isFree = IsFree(static_cast<const VTK_TT*>(data), runs);
+                     if (isFree) Fill(static_cast<VTK_TT*>(data), runs, label));
+  }
+  return isFree;
+}
+} // namespace
+
+SegmentLayers::SegmentLayers(const std::filesystem::path& file, const ImageGrid& grid,
+                             int largestLabel)
+    : File(file), Grid(grid), Type(LabelType(largestLabel))
+{
+  this->AddLayer();
+}
+
+void SegmentLayers::AddLayer()
+{
+  auto layer = vtkSmartPointer<vtkDataArray>::Take(vtkDataArray::CreateDataArray(this->Type));
+  CheckMemory(this->File, static_cast<double>(this->Grid.VoxelCount()) * layer->GetDataTypeSize(),
+              AvailableMemoryBytes());
+  layer->SetNumberOfTuples(this->Grid.VoxelCount());
+  layer->Fill(0.0);
+  this->Layers.push_back(layer);
+}
+
+int SegmentLayers::Add(int label, const std::vector<VoxelRun>& runs)
+{
+  std::size_t place = 0;
+  while (!TryFill(this->Layers[place], runs, label))
+  {
+    if (++place == this->Layers.size())
+    {
+      this->AddLayer();
+    }
+  }
+  return static_cast<int>(place);
+}
+
+std::vector<vtkSmartPointer<vtkImageData>> SegmentLayers::Images() const
+{
+  std::vector<vtkSmartPointer<vtkImageData>> images;
+  for (const auto& layer : this->Layers)
+  {
+    images.push_back(MakeImage(this->Grid, layer));
+  }
+  return images;
+}
+} // namespace palpate

@@ -1,0 +1,131 @@
+#include "Segmentation.h"
+
+#include "DicomSegmentation.h"
+#include "FileKind.h"
+#include "ImageFile.h"
+#include "LabelMap.h"
+#include "LabelValues.h"
+#include "MemoryCheck.h"
+#include "Refusal.h"
+#include "RightHandedAxes.h"
+#include "SegmentCompletion.h"
+#include "SlicerSegments.h"
+
+#include "vtkPointData.h"
+
+namespace palpate
+{
+namespace
+{
+// Component `layer` of voxels that keep one value a layer.
+vtkSmartPointer<vtkDataArray> ExtractLayer(const std::filesystem::path& file, vtkDataArray* voxels,
+                                           int layer)
+{
+  if (voxels->GetNumberOfComponents() == 1)
+  {
+    return voxels;
+  }
+  auto single =
+      vtkSmartPointer<vtkDataArray>::Take(vtkDataArray::CreateDataArray(voxels->GetDataType()));
+  CheckMemory(file, static_cast<double>(voxels->GetNumberOfTuples()) * voxels->GetDataTypeSize(),
+              AvailableMemoryBytes());
+  single->SetNumberOfTuples(voxels->GetNumberOfTuples());
+  single->CopyComponent(0, voxels, layer);
+  return single;
+}
+
+Segmentation ReadSlicerSegmentation(const std::filesystem::path& path, ImageFile& file,
+                                    const std::vector<Segment>& described)
+{
+  Segmentation segmentation;
+  segmentation.Source = path;
+  segmentation.Segments = described;
+  segmentation.Notes = file.Notes();
+  const vtkSmartPointer<vtkDataArray> voxels = file.NewArray();
+  file.ReadInto(voxels->GetVoidPointer(0));
+  ImageGrid grid = file.Grid();
+  if (const std::string note = MakeRightHanded(grid, voxels); !note.empty())
+  {
+    segmentation.Notes.push_back(note);
+  }
+  for (int layer = 0; layer < file.Components(); ++layer)
+  {
+    segmentation.Layers.push_back(
+        MakeImage(grid, ToLabels(path, ExtractLayer(path, voxels, layer))));
+  }
+  CompleteSegments(segmentation);
+  return segmentation;
+}
+
+std::filesystem::path FindDicomSegmentation(const std::filesystem::path& folder)
+{
+  std::vector<std::filesystem::path> found;
+  for (const auto& entry : std::filesystem::directory_iterator(folder))
+  {
+    if (entry.is_regular_file() && HasDicomMark(entry.path()) && IsDicomSegmentation(entry.path()))
+    {
+      found.push_back(entry.path());
+    }
+  }
+  if (found.size() != 1)
+  {
+    Refuse(folder,
+           "is a folder that holds " + std::to_string(found.size()) + " DICOM segmentation objects",
+           "name one segmentation file");
+  }
+  return found.front();
+}
+} // namespace
+
+Segmentation ReadSegmentation(const std::filesystem::path& path)
+{
+  std::error_code failure;
+  if (std::filesystem::is_directory(path, failure))
+  {
+    return ReadDicomSegmentation(FindDicomSegmentation(path));
+  }
+  const FileKind kind = DetectFileKind(path);
+  if (kind == FileKind::Dicom)
+  {
+    if (!IsDicomSegmentation(path))
+    {
+      Refuse(path, "is a DICOM file but no segmentation",
+             "name a DICOM segmentation object or a label map");
+    }
+    return ReadDicomSegmentation(path);
+  }
+  if (kind == FileKind::Nrrd)
+  {
+    ImageFile file(path, kind);
+    if (const std::vector<Segment> described = SlicerSegments(file.Entries()); !described.empty())
+    {
+      return ReadSlicerSegmentation(path, file, described);
+    }
+  }
+  return LabelMapOf(ReadVolume(path));
+}
+
+const Segment& Segmentation::Find(const std::string& labelOrName) const
+{
+  // A label before a name, where a structure is named by a number.
+  for (const Segment& segment : this->Segments)
+  {
+    if (labelOrName == std::to_string(segment.Label))
+    {
+      return segment;
+    }
+  }
+  std::string list;
+  for (const Segment& segment : this->Segments)
+  {
+    if (!segment.Name.empty() && labelOrName == segment.Name)
+    {
+      return segment;
+    }
+    list += (list.empty() ? "" : ", ") + std::to_string(segment.Label) +
+            (segment.Name.empty() ? "" : " " + segment.Name);
+  }
+  Refuse(this->Source, "has no label " + (labelOrName.empty() ? "''" : labelOrName),
+         "choose one of those it has: " + list);
+}
+} // namespace palpate

@@ -1,0 +1,147 @@
+#include "SurfaceFile.h"
+
+#include "AlgorithmErrors.h"
+#include "FileEnding.h"
+#include "MeshFormats.h"
+#include "MeshGltf.h"
+#include "PlyReader.h"
+#include "QuietStandardStreams.h"
+#include "Refusal.h"
+#include "TriangleMesh.h"
+#include "WholeFile.h"
+#include "vtkFieldData.h"
+#include "vtkNew.h"
+#include "vtkOBJReader.h"
+#include "vtkSTLReader.h"
+#include "vtkStringArray.h"
+#include "vtkXMLPolyDataReader.h"
+#include "vtkXMLPolyDataWriter.h"
+
+#include <array>
+
+namespace palpate
+{
+namespace
+{
+// More than any surface that fits into memory here; a mistaken name must not fill the memory.
+constexpr std::uintmax_t MaximumBytes = std::uintmax_t{4} << 30;
+
+using MeshWriter = std::string (*)(const TriangleMesh&);
+
+struct MeshFormat
+{
+  const char* Ending;
+  MeshWriter Write;
+};
+
+constexpr std::array<MeshFormat, 6> MeshFormats{{{".stl", &MeshToStl},
+                                                 {".ply", &MeshToPly},
+                                                 {".obj", &MeshToObj},
+                                                 {".gltf", &MeshToGltf},
+                                                 {".glb", &MeshToGlb},
+                                                 {".x3d", &MeshToX3d}}};
+
+MeshWriter WriterOf(const std::string& ending)
+{
+  for (const MeshFormat& format : MeshFormats)
+  {
+    if (ending == format.Ending)
+    {
+      return format.Write;
+    }
+  }
+  return nullptr;
+}
+
+std::string SurfaceToVtp(vtkPolyData* surface, const std::filesystem::path& path)
+{
+  vtkNew<vtkPolyData> copy;
+  copy->ShallowCopy(surface);
+  // A field array of its own, so that the caller's data set stays as it is.
+  vtkNew<vtkFieldData> fields;
+  fields->ShallowCopy(surface->GetFieldData());
+  vtkNew<vtkStringArray> frame;
+  frame->SetName("Frame");
+  frame->InsertNextValue("patient LPS, mm");
+  fields->AddArray(frame);
+  copy->SetFieldData(fields);
+  vtkNew<vtkXMLPolyDataWriter> writer;
+  const AlgorithmErrors errors(writer);
+  writer->SetInputData(copy);
+  writer->WriteToOutputStringOn();
+  if (writer->Write() == 0 || errors.Raised())
+  {
+    Refuse(path, "cannot be written: " + errors.Message(), "choose another format");
+  }
+  return writer->GetOutputString();
+}
+
+template <typename Reader>
+vtkSmartPointer<vtkPolyData> ReadWith(const std::filesystem::path& path)
+{
+  vtkNew<Reader> reader;
+  const AlgorithmErrors errors(reader);
+  reader->SetFileName(path.c_str());
+  {
+    // The readers' helper objects print, where no observer reaches.
+    const QuietStandardStreams quiet;
+    reader->Update();
+  }
+  if (errors.Raised())
+  {
+    Refuse(path, "cannot be read as a surface: " + errors.Message(), "write the file again");
+  }
+  return reader->GetOutput();
+}
+
+vtkSmartPointer<vtkPolyData> ReadByEnding(const std::filesystem::path& path)
+{
+  const std::string ending = FileEnding(path);
+  if (ending == ".vtp")
+  {
+    return ReadWith<vtkXMLPolyDataReader>(path);
+  }
+  if (ending == ".stl")
+  {
+    return ReadWith<vtkSTLReader>(path);
+  }
+  if (ending == ".ply")
+  {
+    return PolyDataOf(MeshFromPly(ReadWholeFile(path, MaximumBytes), path.string()));
+  }
+  if (ending == ".obj")
+  {
+    return ReadWith<vtkOBJReader>(path);
+  }
+  Refuse(path, "does not end as a surface that can be read", "use .vtp, .stl, .ply or .obj");
+}
+} // namespace
+
+bool IsSurfaceFile(const std::filesystem::path& path)
+{
+  const std::string ending = FileEnding(path);
+  return ending == ".vtp" || WriterOf(ending) != nullptr;
+}
+
+void WriteSurface(const std::filesystem::path& path, vtkPolyData* surface)
+{
+  const std::string ending = FileEnding(path);
+  const MeshWriter write = WriterOf(ending);
+  if (ending != ".vtp" && write == nullptr)
+  {
+    Refuse(path, "does not end as a surface file does",
+           "use .vtp, .stl, .ply, .obj, .gltf, .glb or .x3d");
+  }
+  const TriangleMesh mesh = TrianglesOf(surface, path);
+  WriteWholeFile(path, write == nullptr ? SurfaceToVtp(surface, path) : write(mesh));
+}
+
+vtkSmartPointer<vtkPolyData> ReadSurface(const std::filesystem::path& path)
+{
+  // Says what is wrong with the path itself better than the readers do.
+  InputFileSize(path);
+  vtkSmartPointer<vtkPolyData> surface = ReadByEnding(path);
+  TrianglesOf(surface, path);
+  return surface;
+}
+} // namespace palpate

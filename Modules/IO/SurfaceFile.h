@@ -1,0 +1,28 @@
+#pragma once
+
+#include "PalpateIOModule.h"
+#include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
+
+#include <filesystem>
+
+namespace palpate
+{
+/// Whether the ending is one that WriteSurface takes: .vtp, .stl, .ply, .obj, .gltf, .glb, .x3d.
+PALPATEIO_EXPORT bool IsSurfaceFile(const std::filesystem::path& path);
+
+/// Writes a surface (patient LPS, mm) in the format of the ending, under AtomicFile's rules:
+///   .vtp         everything that the data set holds, in its own precision;
+///   .ply         points, normals, colours, one-component point arrays (see MeshToPly);
+///   .stl, .obj   see MeshToStl and MeshToObj;
+///   .gltf, .glb  see MeshToGltf;
+///   .x3d         an indexed face set (see MeshToX3d).
+/// Needs no display. Throws InputError, also for a surface without triangles.
+PALPATEIO_EXPORT void WriteSurface(const std::filesystem::path& path, vtkPolyData* surface);
+
+/// Reads .vtp, .stl, .ply or .obj as patient LPS in mm; whatever the file says about its frame is
+/// not looked at. STL has no common points, so equal ones are merged and a closed surface is closed
+/// again. PLY comes back with normals, colours and point arrays (see MeshFromPly), OBJ in single
+/// precision with its normals. Throws InputError.
+PALPATEIO_EXPORT vtkSmartPointer<vtkPolyData> ReadSurface(const std::filesystem::path& path);
+} // namespace palpate

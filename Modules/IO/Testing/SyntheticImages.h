@@ -1,0 +1,87 @@
+#pragma once
+
+#include "Vector3.h"
+
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+/// Image files for tests, written byte by byte from the formats' definitions, so that the readers'
+/// oracles owe nothing to the readers' libraries (DICOM goes through DCMTK's data set writer).
+namespace palpate::test
+{
+/// Values as they lie in memory.
+template <typename T>
+std::string BytesOf(const std::vector<T>& values)
+{
+  return {reinterpret_cast<const char*>(values.data()), values.size() * sizeof(T)};
+}
+
+/// A NIfTI-1 header's fields (nifti1.h); the defaults are a 4 x 5 x 6 volume of bytes, 2 mm.
+struct NiftiSpec
+{
+  std::array<short, 8> Dimensions{{3, 4, 5, 6, 1, 1, 1, 1}};
+  short Type = 2; ///< 2 unsigned char, 4 short, 8 int, 16 float, 64 double, 512 unsigned short
+  short Bits = 8;
+  std::array<float, 4> PixelDimensions{{1, 2, 2, 2}};
+  short QFormCode = 0;
+  short SFormCode = 1;
+  std::array<float, 12> SForm{{2, 0, 0, 10, 0, 2, 0, 20, 0, 0, 2, 30}}; ///< rows, RAS
+  float Slope = 0;
+  float Intercept = 0;
+
+  std::size_t VoxelCount() const;
+};
+
+std::string NiftiBytes(const NiftiSpec& spec, const std::string& voxels);
+/// Zeros for voxels.
+std::string NiftiBytes(const NiftiSpec& spec);
+
+/// A header of lines, an empty line, the data.
+std::string NrrdBytes(const std::vector<std::string>& lines, const std::string& voxels);
+/// Header of a raw 4 x 5 x 6 NRRD of a type, LPS, 2 mm.
+std::vector<std::string> PlainNrrdLines(const std::string& type);
+
+/// Lines of a MetaImage with its data in the same file; 4 x 5 x 6, 2 mm.
+std::string MetaImageBytes(const std::string& type, const std::string& voxels,
+                           const std::string& moreLines = "");
+
+std::string Gzipped(const std::string& bytes);
+
+/// A slice of a DICOM MR series: 4 columns, 3 rows, unsigned short, every pixel has one value.
+struct DicomSliceSpec
+{
+  std::string SeriesUid = "1.2.3";
+  std::string Description = "synthetic";
+  int SeriesNumber = 1;
+  Vector3 PositionWorld = Vector3::Zero();
+  Vector3 RowWorld = Vector3::UnitX();
+  Vector3 ColumnWorld = Vector3::UnitY();
+  std::uint16_t Value = 0;
+};
+void WriteDicomSlice(const std::filesystem::path& file, const DicomSliceSpec& spec);
+
+/// A DICOM segmentation object: 4 columns, 3 rows, 2 mm; frames of 12 pixel values each.
+struct DicomSegmentationSpec
+{
+  struct Frame
+  {
+    int SegmentNumber = 1;
+    double Height = 0.0; ///< mm along the slice normal
+    std::vector<int> Pixels = std::vector<int>(12, 0);
+  };
+  struct Description
+  {
+    int Number = 1;
+    std::string Name;
+  };
+  std::string Kind = "BINARY";
+  int BitsAllocated = 1;
+  double StatedStep = 3.0; ///< mm; 0 leaves it out
+  std::vector<Description> Segments;
+  std::vector<Frame> Frames;
+};
+void WriteDicomSegmentation(const std::filesystem::path& file, const DicomSegmentationSpec& spec);
+} // namespace palpate::test

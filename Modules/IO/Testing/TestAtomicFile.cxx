@@ -1,0 +1,172 @@
+#include "AtomicFile.h"
+#include "InputError.h"
+#include "TemporaryFolder.h"
+
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+using palpate::AtomicFile;
+using palpate::InputError;
+using palpate::test::ReadAll;
+using palpate::test::TemporaryFolder;
+using palpate::test::WriteAll;
+
+namespace
+{
+std::string MessageOf(const std::filesystem::path& path)
+{
+  try
+  {
+    AtomicFile file(path);
+  }
+  catch (const InputError& error)
+  {
+    return error.what();
+  }
+  return "no error";
+}
+} // namespace
+
+TEST(AtomicFile, CommittedFileHasItsNameAndNothingElseIsLeft)
+{
+  const TemporaryFolder folder;
+  AtomicFile file(folder / "a.json");
+  WriteAll(file.TemporaryPath(), "new");
+  file.Commit();
+  EXPECT_EQ(ReadAll(folder / "a.json"), "new");
+  EXPECT_EQ(folder.EntryCount(), 1u);
+}
+
+TEST(AtomicFile, AbandonedFileLeavesTheFolderAsItWas)
+{
+  const TemporaryFolder folder;
+  WriteAll(folder / "a.json", "old");
+  {
+    AtomicFile file(folder / "a.json");
+    WriteAll(file.TemporaryPath(), "half of the n");
+  }
+  EXPECT_EQ(ReadAll(folder / "a.json"), "old");
+  EXPECT_EQ(folder.EntryCount(), 1u);
+}
+
+TEST(AtomicFile, OldContentIsThereUntilTheCommit)
+{
+  const TemporaryFolder folder;
+  WriteAll(folder / "a.json", "old");
+  AtomicFile file(folder / "a.json");
+  WriteAll(file.TemporaryPath(), "new");
+  EXPECT_EQ(ReadAll(folder / "a.json"), "old");
+  file.Commit();
+  EXPECT_EQ(ReadAll(folder / "a.json"), "new");
+}
+
+TEST(AtomicFile, TemporaryNameKeepsEveryEnding)
+{
+  const TemporaryFolder folder;
+  const AtomicFile file(folder / "a.seg.nii.gz");
+  const std::string name = file.TemporaryPath().filename().string();
+  EXPECT_EQ(name.substr(name.size() - 11), ".seg.nii.gz");
+}
+
+TEST(AtomicFile, TemporaryFileIsInTheSameFolder)
+{
+  const TemporaryFolder folder;
+  const AtomicFile file(folder / "a.json");
+  EXPECT_EQ(file.TemporaryPath().parent_path(), folder.Path());
+}
+
+TEST(AtomicFile, LongestFileNameIsWritten)
+{
+  const TemporaryFolder folder;
+  const std::string name = std::string(250, 'x') + ".json"; // 255 bytes, the most there are
+  AtomicFile file(folder / name);
+  file.Commit();
+  EXPECT_TRUE(std::filesystem::exists(folder / name));
+}
+
+TEST(AtomicFile, TwoWritersOfOneNameDoNotMix)
+{
+  const TemporaryFolder folder;
+  AtomicFile first(folder / "a");
+  AtomicFile second(folder / "a");
+  WriteAll(first.TemporaryPath(), "first");
+  WriteAll(second.TemporaryPath(), "second");
+  first.Commit();
+  second.Commit();
+  EXPECT_EQ(ReadAll(folder / "a"), "second");
+}
+
+TEST(AtomicFile, SymbolicLinkStaysALink)
+{
+  const TemporaryFolder folder;
+  std::filesystem::create_directory(folder / "elsewhere");
+  WriteAll(folder / "elsewhere/target", "old");
+  std::filesystem::create_symlink("elsewhere/target", folder / "link");
+  AtomicFile file(folder / "link");
+  WriteAll(file.TemporaryPath(), "new");
+  file.Commit();
+  EXPECT_TRUE(std::filesystem::is_symlink(folder / "link"));
+  EXPECT_EQ(ReadAll(folder / "elsewhere/target"), "new");
+}
+
+TEST(AtomicFile, PermissionsOfAnExistingFileAreKept)
+{
+  const TemporaryFolder folder;
+  WriteAll(folder / "a", "old");
+  chmod((folder / "a").c_str(), 0640);
+  AtomicFile(folder / "a").Commit();
+  struct stat status = {};
+  ASSERT_EQ(stat((folder / "a").c_str(), &status), 0);
+  EXPECT_EQ(status.st_mode & 0777, 0640u);
+}
+
+TEST(AtomicFile, PermissionsOfANewFileFollowTheMask)
+{
+  const TemporaryFolder folder;
+  const mode_t mask = umask(0022);
+  AtomicFile(folder / "a").Commit();
+  umask(mask);
+  struct stat status = {};
+  ASSERT_EQ(stat((folder / "a").c_str(), &status), 0);
+  EXPECT_EQ(status.st_mode & 0777, 0644u);
+}
+
+TEST(AtomicFile, MissingFolderIsNamed)
+{
+  const TemporaryFolder folder;
+  const std::string message = MessageOf(folder / "none/a.json");
+  EXPECT_NE(message.find("there is no folder"), std::string::npos) << message;
+  EXPECT_NE(message.find("none"), std::string::npos) << message;
+  EXPECT_EQ(folder.EntryCount(), 0u);
+}
+
+TEST(AtomicFile, FolderInPlaceOfTheFileIsRefused)
+{
+  const TemporaryFolder folder;
+  std::filesystem::create_directory(folder / "a.json");
+  EXPECT_NE(MessageOf(folder / "a.json").find("it is a folder"), std::string::npos);
+}
+
+TEST(AtomicFile, DeviceIsRefused)
+{
+  EXPECT_NE(MessageOf("/dev/null").find("no regular file"), std::string::npos);
+}
+
+TEST(AtomicFile, EmptyNameIsRefused)
+{
+  EXPECT_NE(MessageOf("").find("names no file"), std::string::npos);
+}
+
+TEST(AtomicFile, UnwritableFolderIsRefused)
+{
+  if (geteuid() == 0)
+  {
+    GTEST_SKIP() << "root may write everywhere";
+  }
+  const TemporaryFolder folder;
+  std::filesystem::create_directory(folder / "locked");
+  chmod((folder / "locked").c_str(), 0500);
+  EXPECT_NE(MessageOf(folder / "locked/a").find("cannot be written"), std::string::npos);
+  chmod((folder / "locked").c_str(), 0700);
+}

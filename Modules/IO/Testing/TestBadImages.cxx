@@ -1,0 +1,252 @@
+#include "MessageOf.h"
+#include "Segmentation.h"
+#include "SyntheticImages.h"
+#include "TemporaryFolder.h"
+#include "Volume.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <gtest/gtest.h>
+#include <limits>
+
+using namespace palpate;
+using namespace palpate::test;
+
+namespace
+{
+// A file that must be refused by both readers, and what the sentence says.
+struct BadFile
+{
+  std::string Name;
+  std::string Bytes;
+  std::string Fact;
+};
+
+NiftiSpec With(const std::function<void(NiftiSpec&)>& change)
+{
+  NiftiSpec spec;
+  change(spec);
+  return spec;
+}
+
+std::string NrrdWith(std::size_t line, const std::string& text, std::size_t bytes = 120)
+{
+  std::vector<std::string> lines = PlainNrrdLines("unsigned char");
+  lines[line] = text;
+  return NrrdBytes(lines, std::string(bytes, '\1'));
+}
+
+std::string MetaWith(const std::string& from, const std::string& to)
+{
+  std::string bytes = MetaImageBytes("MET_UCHAR", std::string(120, '\1'));
+  return bytes.replace(bytes.find(from), from.size(), to);
+}
+
+std::string NrrdOfFloats(float odd)
+{
+  std::vector<float> values(120, 1.0F);
+  values[77] = odd;
+  return NrrdBytes(PlainNrrdLines("float"), BytesOf(values));
+}
+
+std::vector<BadFile> NiftiCases()
+{
+  const std::string good = NiftiBytes({}, std::string(120, '\1'));
+  const NiftiSpec flat = With([](auto& s) { s.Dimensions = {2, 4, 5, 1, 1, 1, 1, 1}; });
+  const NiftiSpec oneSlice = With([](auto& s) { s.Dimensions = {3, 4, 5, 1, 1, 1, 1, 1}; });
+  const NiftiSpec series = With([](auto& s) { s.Dimensions = {4, 4, 5, 6, 7, 1, 1, 1}; });
+  const NiftiSpec color = With(
+      [](auto& s)
+      {
+        s.Type = 128;
+        s.Bits = 24;
+      });
+  const NiftiSpec zero = With([](auto& s) { s.PixelDimensions[2] = 0; });
+  const NiftiSpec negative = With([](auto& s) { s.PixelDimensions[3] = -2; });
+  const NiftiSpec sheared = With([](auto& s) { s.SForm[1] = 0.4F; });
+  const NiftiSpec huge = With([](auto& s) { s.Dimensions = {3, 32767, 32767, 32767, 1, 1, 1, 1}; });
+  std::string version2 = good;
+  version2[0] = 28;
+  version2[1] = 2;
+  return {
+      {"empty.nii", "", "is empty"},
+      {"short.nii", good.substr(0, 200), "within its header"},
+      {"cut.nii", good.substr(0, 400), "header promises 472 bytes and it has 400"},
+      {"cut.nii.gz", Gzipped(good).substr(0, 60), "damaged"},
+      {"garbage.nii", std::string(5000, 'x'), "is no NIfTI-1 file"},
+      {"garbage.nii.gz", std::string(5000, 'x'), "is no NIfTI-1 file"},
+      {"v2.nii", version2, "NIfTI-2"},
+      {"flat.nii", NiftiBytes(flat), "is two-dimensional"},
+      {"slice.nii", NiftiBytes(oneSlice), "is two-dimensional (4 x 5 x 1 voxels)"},
+      {"series.nii", NiftiBytes(series), "has 4 dimensions (7 along axis 4)"},
+      {"color.nii", NiftiBytes(color), "holds colours"},
+      {"zero.nii", NiftiBytes(zero), "a voxel spacing of 0"},
+      {"negative.nii", NiftiBytes(negative), "a voxel spacing of -2"},
+      {"sheared.nii", NiftiBytes(sheared), "not perpendicular"},
+      {"huge.nii", NiftiBytes(huge, std::string(100, '\1')), "is truncated"},
+      {"huge.nii.gz", Gzipped(NiftiBytes(huge, std::string(100, '\1'))), "GB of memory"},
+  };
+}
+
+std::vector<BadFile> NrrdCases()
+{
+  constexpr float NaN = std::numeric_limits<float>::quiet_NaN();
+  const std::string good = NrrdBytes(PlainNrrdLines("unsigned char"), std::string(120, '\1'));
+  return {
+      {"empty.nrrd", "", "is empty"},
+      {"garbage.nrrd", std::string(5000, 'x'), "is no NRRD image"},
+      {"short.nrrd", good.substr(0, 60), "is no NRRD image or its header is damaged"},
+      {"cut.nrrd", good.substr(0, good.size() - 30), "truncated"},
+      {"flat.nrrd", NrrdWith(3, "sizes: 4 5 1", 20), "is two-dimensional"},
+      {"sheared.nrrd", NrrdWith(4, "space directions: (2,0,0) (0.3,2,0) (0,0,2)"),
+       "not perpendicular"},
+      {"zero.nrrd", NrrdWith(4, "space directions: (2,0,0) (0,0,0) (0,0,2)"), ""},
+      {"vectors.nrrd",
+       NrrdBytes({"type: unsigned char", "dimension: 4", "sizes: 3 4 5 6",
+                  "kinds: vector domain domain domain", "encoding: raw"},
+                 std::string(360, '\1')),
+       "has 3 values per voxel"},
+      {"series.nrrd",
+       NrrdBytes({"type: unsigned char", "dimension: 4", "sizes: 4 5 6 2",
+                  "kinds: domain domain domain domain", "encoding: raw"},
+                 std::string(240, '\1')),
+       ""},
+      {"nan.nrrd", NrrdOfFloats(NaN), "1 voxels that are NaN or infinite"},
+      {"infinite.nrrd", NrrdOfFloats(-INFINITY), "NaN or infinite"},
+  };
+}
+
+std::vector<BadFile> OtherCases()
+{
+  const std::string good = MetaImageBytes("MET_UCHAR", std::string(120, '\1'));
+  return {
+      {"empty.mha", "", "is empty"},
+      {"garbage.mha", std::string(5000, 'x'), "is no MetaImage file"},
+      {"cut.mha", good.substr(0, good.size() - 20),
+       "promises 120 bytes of voxels and there are 100"},
+      {"zero.mha", MetaWith("ElementSpacing = 2 2 2", "ElementSpacing = 2 0 2"),
+       "a voxel spacing of 0"},
+      {"negative.mha", MetaWith("ElementSpacing = 2 2 2", "ElementSpacing = 2 -1 2"),
+       "a voxel spacing of -1"},
+      {"sheared.mha", MetaWith("1 0 0 0 1 0", "1 0 0 0.2 1 0"), "not perpendicular"},
+      {"many.mha", MetaWith("NDims = 3", "NDims = 30"), "damaged header"},
+      {"flat.mha", MetaWith("DimSize = 4 5 6", "DimSize = 4 30 1"), "is two-dimensional"},
+      {"lost.mhd", MetaWith("LOCAL", "lost.raw"), "lacks its data file"},
+      {"plain.txt", "hello", "is in no known image format"},
+      {"empty.dcm", "", "is empty"},
+      {"garbage.dcm", std::string(5000, 'x'), ""},
+      {"marked.dcm", std::string(128, '\0') + "DICM" + std::string(500, 'y'), ""},
+  };
+}
+
+// One sentence: it starts with the file, holds the fact, a way out, and no line break.
+void ExpectSentence(const std::string& message, const std::filesystem::path& file,
+                    const std::string& fact)
+{
+  EXPECT_EQ(message.rfind(file.string(), 0), 0u) << message;
+  EXPECT_TRUE(Contains(message, fact));
+  EXPECT_TRUE(Contains(message, "; "));
+  EXPECT_EQ(message.back(), '.') << message;
+  EXPECT_EQ(std::count(message.begin(), message.end(), '\n'), 0) << message;
+}
+
+// What the readers let through to the standard streams.
+template <typename Action>
+std::string Chatter(const Action& action)
+{
+  testing::internal::CaptureStderr();
+  testing::internal::CaptureStdout();
+  action();
+  return testing::internal::GetCapturedStdout() + testing::internal::GetCapturedStderr();
+}
+
+void ExpectRefused(const std::vector<BadFile>& cases)
+{
+  for (const BadFile& bad : cases)
+  {
+    const TemporaryFolder folder;
+    const auto file = folder / bad.Name;
+    WriteAll(file, bad.Bytes);
+    std::string asVolume;
+    std::string asSegmentation;
+    const std::string chatter = Chatter(
+        [&]
+        {
+          asVolume = MessageOf([&] { ReadVolume(file); });
+          asSegmentation = MessageOf([&] { ReadSegmentation(file); });
+        });
+    ExpectSentence(asVolume, file, bad.Fact);
+    ExpectSentence(asSegmentation, file, bad.Fact);
+    EXPECT_EQ(chatter, "") << bad.Name;
+    EXPECT_EQ(folder.EntryCount(), 1u) << bad.Name;
+  }
+}
+
+std::string SegmentationRefusal(const std::string& nrrd)
+{
+  const TemporaryFolder folder;
+  WriteAll(folder / "a.nrrd", nrrd);
+  return MessageOf([&] { ReadSegmentation(folder / "a.nrrd"); });
+}
+} // namespace
+
+TEST(BadImages, NiftiFilesAreRefusedWithOneSentence)
+{
+  ExpectRefused(NiftiCases());
+}
+
+TEST(BadImages, NrrdFilesAreRefusedWithOneSentence)
+{
+  ExpectRefused(NrrdCases());
+}
+
+TEST(BadImages, OtherFilesAreRefusedWithOneSentence)
+{
+  ExpectRefused(OtherCases());
+}
+
+TEST(BadImages, MissingFileIsRefused)
+{
+  ExpectSentence(MessageOf([] { ReadVolume("/no/such/file.nii"); }), "/no/such/file.nii",
+                 "does not exist");
+  ExpectSentence(MessageOf([] { ReadSegmentation("/no/such/file.nii"); }), "/no/such/file.nii",
+                 "does not exist");
+}
+
+TEST(BadImages, FolderWithoutImagesIsRefused)
+{
+  const TemporaryFolder folder;
+  ExpectSentence(MessageOf([&] { ReadVolume(folder.Path()); }), folder.Path(), "no DICOM file");
+  ExpectSentence(MessageOf([&] { ReadSegmentation(folder.Path()); }), folder.Path(),
+                 "holds 0 DICOM segmentation objects");
+}
+
+TEST(BadImages, LabelsThatAreNotWholeAreRefused)
+{
+  EXPECT_TRUE(Contains(SegmentationRefusal(NrrdOfFloats(1.5F)), "it holds the value 1.5"));
+}
+
+TEST(BadImages, NegativeLabelsAreRefused)
+{
+  std::vector<short> values(120, 1);
+  values[5] = -3;
+  EXPECT_TRUE(Contains(SegmentationRefusal(NrrdBytes(PlainNrrdLines("short"), BytesOf(values))),
+                       "the negative value -3"));
+}
+
+TEST(BadImages, LabelsBeyondIntAreRefused)
+{
+  std::vector<std::uint32_t> values(120, 1);
+  values[5] = 3000000000U;
+  EXPECT_TRUE(
+      Contains(SegmentationRefusal(NrrdBytes(PlainNrrdLines("unsigned int"), BytesOf(values))),
+               "holds the label 3e+09"));
+}
+
+TEST(BadImages, EmptyMaskIsRefused)
+{
+  EXPECT_TRUE(Contains(
+      SegmentationRefusal(NrrdBytes(PlainNrrdLines("unsigned char"), std::string(120, '\0'))),
+      "has no labelled voxel"));
+}

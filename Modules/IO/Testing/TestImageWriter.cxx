@@ -1,0 +1,154 @@
+#include "FileSizeLimit.h"
+#include "ImageWriter.h"
+#include "InputError.h"
+#include "TemporaryFolder.h"
+#include "Vector3.h"
+#include "Volume.h"
+#include "vtkDataArray.h"
+#include "vtkMatrix3x3.h"
+#include "vtkPointData.h"
+
+#include <Eigen/Geometry>
+#include <gtest/gtest.h>
+#include <random>
+
+using namespace palpate;
+using namespace palpate::test;
+
+namespace
+{
+const char* const Names[] = {"a.nii", "a.nii.gz", "a.nrrd", "a.mha"};
+
+// Noise on an oblique, anisotropic grid.
+vtkSmartPointer<vtkImageData> Oblique(int scalarType)
+{
+  const Eigen::Matrix<double, 3, 3, Eigen::RowMajor> direction =
+      Eigen::AngleAxisd(0.7, Vector3(1.0, 2.0, -0.5).normalized()).toRotationMatrix();
+  auto image = vtkSmartPointer<vtkImageData>::New();
+  image->SetDimensions(17, 11, 5);
+  image->SetSpacing(0.3125, 0.5, 3.6);
+  image->SetOrigin(-81.25, 17.5, 240.125);
+  image->SetDirectionMatrix(direction.data());
+  image->AllocateScalars(scalarType, 1);
+  std::mt19937_64 random(5);
+  vtkDataArray* voxels = image->GetPointData()->GetScalars();
+  for (vtkIdType i = 0; i < voxels->GetNumberOfTuples(); ++i)
+  {
+    voxels->SetTuple1(i, static_cast<double>(random() % 120));
+  }
+  return image;
+}
+
+double LargestCornerShift(vtkImageData* a, vtkImageData* b)
+{
+  double largest = 0.0;
+  for (int corner = 0; corner < 8; ++corner)
+  {
+    const int i = corner & 1 ? 16 : 0;
+    const int j = corner & 2 ? 10 : 0;
+    const int k = corner & 4 ? 4 : 0;
+    Vector3 first;
+    Vector3 second;
+    a->TransformIndexToPhysicalPoint(i, j, k, first.data());
+    b->TransformIndexToPhysicalPoint(i, j, k, second.data());
+    const double shift = (first - second).norm();
+    largest = shift <= largest ? largest : shift; // NaN counts as large
+  }
+  return largest;
+}
+} // namespace
+
+TEST(ImageWriter, EveryFormatKeepsTypeAndValues)
+{
+  for (const char* name : Names)
+  {
+    // ITK takes the voxels of a.nii.gz from an a.nii beside it, so each format has its folder.
+    const TemporaryFolder folder;
+    for (const int type : {VTK_UNSIGNED_CHAR, VTK_SIGNED_CHAR, VTK_UNSIGNED_SHORT, VTK_SHORT,
+                           VTK_UNSIGNED_INT, VTK_INT, VTK_FLOAT, VTK_DOUBLE})
+    {
+      const auto image = Oblique(type);
+      WriteImage(folder / name, image);
+      const auto back = ReadVolume(folder / name).Image;
+      ASSERT_EQ(back->GetScalarType(), type) << name;
+      vtkDataArray* before = image->GetPointData()->GetScalars();
+      vtkDataArray* after = back->GetPointData()->GetScalars();
+      ASSERT_EQ(after->GetNumberOfTuples(), before->GetNumberOfTuples()) << name;
+      for (vtkIdType i = 0; i < before->GetNumberOfTuples(); ++i)
+      {
+        ASSERT_EQ(after->GetTuple1(i), before->GetTuple1(i)) << name << ", type " << type;
+      }
+    }
+  }
+}
+
+TEST(ImageWriter, EveryFormatKeepsThePlaceOfEveryCorner)
+{
+  for (const char* name : Names)
+  {
+    const TemporaryFolder folder;
+    const auto image = Oblique(VTK_SHORT);
+    WriteImage(folder / name, image);
+    // NIfTI keeps its geometry in single precision: some 1e-5 mm at 260 mm.
+    EXPECT_LT(LargestCornerShift(image, ReadVolume(folder / name).Image), 1e-4) << name;
+  }
+}
+
+TEST(ImageWriter, NrrdAndMetaImageKeepTheGridToDoublePrecision)
+{
+  const TemporaryFolder folder;
+  for (const char* name : {"a.nrrd", "a.mha"})
+  {
+    const auto image = Oblique(VTK_SHORT);
+    WriteImage(folder / name, image);
+    // Both write 17 digits; spacing and direction are multiplied and taken apart again.
+    EXPECT_LT(LargestCornerShift(image, ReadVolume(folder / name).Image), 1e-11) << name;
+  }
+}
+
+TEST(ImageWriter, ExtentThatDoesNotStartAtZeroKeepsItsPlace)
+{
+  const TemporaryFolder folder;
+  const auto image = Oblique(VTK_SHORT);
+  const auto shifted = vtkSmartPointer<vtkImageData>::New();
+  shifted->ShallowCopy(image);
+  shifted->SetExtent(3, 19, -2, 8, 1, 5);
+  WriteImage(folder / "a.nrrd", shifted);
+  Vector3 expected;
+  shifted->TransformIndexToPhysicalPoint(3, -2, 1, expected.data());
+  const Vector3 found(ReadVolume(folder / "a.nrrd").Image->GetOrigin());
+  EXPECT_LT((found - expected).norm(), 1e-11); // 17 digits of numbers near 250
+}
+
+TEST(ImageWriter, ImagesThatCannotBeWrittenLeaveNothing)
+{
+  const TemporaryFolder folder;
+  vtkNew<vtkImageData> empty;
+  vtkNew<vtkImageData> colour;
+  colour->SetDimensions(2, 2, 2);
+  colour->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
+  for (const char* name : Names)
+  {
+    EXPECT_THROW(WriteImage(folder / name, empty), InputError) << name;
+    EXPECT_THROW(WriteImage(folder / name, colour), InputError) << name;
+    EXPECT_THROW(WriteImage(folder / name, Oblique(VTK_LONG)), InputError) << name;
+  }
+  EXPECT_THROW(WriteImage(folder / "a.mhd", Oblique(VTK_SHORT)), InputError);
+  EXPECT_THROW(WriteImage(folder / "a.txt", Oblique(VTK_SHORT)), InputError);
+  EXPECT_EQ(folder.EntryCount(), 0u);
+}
+
+TEST(ImageWriter, FullDiskKeepsTheOldFile)
+{
+  const TemporaryFolder folder;
+  for (const char* name : Names)
+  {
+    WriteAll(folder / name, "old");
+    {
+      const FileSizeLimit limit(600);
+      EXPECT_THROW(WriteImage(folder / name, Oblique(VTK_DOUBLE)), InputError) << name;
+    }
+    EXPECT_EQ(ReadAll(folder / name), "old") << name;
+  }
+  EXPECT_EQ(folder.EntryCount(), 4u);
+}

@@ -1,0 +1,32 @@
+#include "MemoryCheck.h"
+#include "MessageOf.h"
+#include "TemporaryFolder.h"
+
+#include <gtest/gtest.h>
+#include <limits>
+
+using namespace palpate;
+using namespace palpate::test;
+
+TEST(MemoryCheck, AvailableMemoryIsReadFromMeminfo)
+{
+  const TemporaryFolder folder;
+  WriteAll(folder / "meminfo", "MemTotal:  900 kB\nMemFree:   100 kB\nMemAvailable:   300 kB\n");
+  EXPECT_EQ(AvailableMemoryBytes(folder / "meminfo"), 300u * 1024u);
+}
+
+TEST(MemoryCheck, WithoutMeminfoNothingIsRefused)
+{
+  EXPECT_EQ(AvailableMemoryBytes("/no/such/meminfo"), std::numeric_limits<std::uint64_t>::max());
+}
+
+TEST(MemoryCheck, DataCountTwice)
+{
+  EXPECT_NO_THROW(CheckMemory("x.nii", 500.0, 1000));
+  EXPECT_EQ(
+      MessageOf([] { CheckMemory("x.nii", 2e9, 1000000000); }),
+      "x.nii needs about 4 GB of memory to read and 1 GB are free; crop or resample it, or use "
+      "a larger machine.");
+  EXPECT_NE(MessageOf([] { CheckMemory("x.nii", std::numeric_limits<double>::quiet_NaN(), 1000); }),
+            "no error");
+}

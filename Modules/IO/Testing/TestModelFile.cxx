@@ -1,0 +1,61 @@
+#include "FileSizeLimit.h"
+#include "InputError.h"
+#include "ModelFile.h"
+#include "RandomModels.h"
+#include "TemporaryFolder.h"
+
+#include <gtest/gtest.h>
+
+using namespace palpate;
+using namespace palpate::test;
+
+TEST(ModelFile, EndingChoosesTheFormat)
+{
+  const TemporaryFolder folder;
+  std::mt19937_64 random(1);
+  const ModelDocument document{RandomModel(random, 3), {}};
+  for (const char* name : {"a.json", "a.csv", "a.JSON"})
+  {
+    WriteModel(folder / name, document);
+    const ModelDocument back = ReadModel(folder / name);
+    EXPECT_TRUE(std::holds_alternative<SphericalHarmonicModel>(back.Surface)) << name;
+  }
+  WriteModel(folder / "a.coef", document);
+  const ModelDocument back = ReadModel(folder / "a.coef");
+  EXPECT_TRUE(std::holds_alternative<ParametricSphericalSurface>(back.Surface));
+}
+
+TEST(ModelFile, OtherEndingIsRefused)
+{
+  const TemporaryFolder folder;
+  std::mt19937_64 random(2);
+  EXPECT_THROW(WriteModel(folder / "a.txt", {RandomModel(random, 1), {}}), InputError);
+  EXPECT_THROW(ReadModel(folder / "a.txt"), InputError);
+  EXPECT_THROW(ReadModel(folder / "missing.json"), InputError);
+  EXPECT_EQ(folder.EntryCount(), 0u);
+}
+
+TEST(ModelFile, FoldersOfTheInputStayOutOfTheFile)
+{
+  const TemporaryFolder folder;
+  std::mt19937_64 random(3);
+  WriteModel(folder / "a.json",
+             {RandomModel(random, 1), {"", "/home/SMITH^JOHN/m.nii", "", "", {}}});
+  EXPECT_EQ(ReadAll(folder / "a.json").find("SMITH"), std::string::npos);
+  EXPECT_EQ(ReadModel(folder / "a.json").Provenance.Input, "m.nii");
+}
+
+TEST(ModelFile, ModelThatCannotBeWrittenKeepsTheOldFile)
+{
+  const TemporaryFolder folder;
+  WriteAll(folder / "a.json", "old");
+  const SphericalHarmonicModel broken(0, {std::nan("")}, Vector3::Zero());
+  EXPECT_THROW(WriteModel(folder / "a.json", {broken, {}}), InputError);
+  std::mt19937_64 random(4);
+  {
+    const FileSizeLimit limit(1024);
+    EXPECT_THROW(WriteModel(folder / "a.json", {RandomModel(random, 12), {}}), InputError);
+  }
+  EXPECT_EQ(ReadAll(folder / "a.json"), "old");
+  EXPECT_EQ(folder.EntryCount(), 1u);
+}

@@ -1,0 +1,219 @@
+#include "InputError.h"
+#include "ModelJson.h"
+#include "RandomModels.h"
+
+#include <gtest/gtest.h>
+#include <limits>
+#include <nlohmann/json.hpp>
+
+using namespace palpate;
+using namespace palpate::test;
+using Json = nlohmann::ordered_json;
+
+namespace
+{
+Json SmallFile()
+{
+  std::mt19937_64 random(1);
+  return Json::parse(
+      ModelToJson({RandomModel(random, 2), {"palpate 0", "a.nii", "1", "", {}}}, "f"));
+}
+
+std::string RefusalOf(const std::string& text)
+{
+  try
+  {
+    ModelFromJson(text, "folder/name.json");
+  }
+  catch (const InputError& error)
+  {
+    return error.what();
+  }
+  return "accepted";
+}
+
+void ExpectRefusal(const Json& file, const std::string& fact)
+{
+  const std::string message = RefusalOf(file.dump());
+  EXPECT_NE(message.find("folder/name.json"), std::string::npos) << message;
+  EXPECT_NE(message.find(fact), std::string::npos) << message;
+  EXPECT_NE(message.find(';'), std::string::npos) << "no way out: " << message;
+}
+} // namespace
+
+TEST(ModelJson, EveryBitOfAStarShapedModelComesBack)
+{
+  std::mt19937_64 random(2);
+  for (const int degree : {0, 1, 5, 12, 40})
+  {
+    const std::vector<double> values =
+        RandomBits(random, SphericalHarmonicBasis::CoefficientCount(degree));
+    const std::vector<double> center = RandomBits(random, 3);
+    const SphericalHarmonicModel model(degree, values, {center[0], center[1], center[2]});
+    const ModelDocument back = ModelFromJson(ModelToJson({model, {}}, "f"), "f");
+    const auto& read = std::get<SphericalHarmonicModel>(back.Surface);
+    EXPECT_EQ(read.Degree(), degree);
+    EXPECT_TRUE(SameBits(read.Coefficients(), values)) << "degree " << degree;
+    EXPECT_TRUE(SameBits(read.CenterWorld(), model.CenterWorld())) << "degree " << degree;
+  }
+}
+
+TEST(ModelJson, ZeroOfEitherSignAndSubnormalsComeBack)
+{
+  const double smallest = std::numeric_limits<double>::denorm_min();
+  const std::vector<double> values{-0.0, 0.0, smallest, -smallest};
+  const ModelDocument back = ModelFromJson(
+      ModelToJson({SphericalHarmonicModel(1, values, {-0.0, smallest, 0.0}), {}}, "f"), "f");
+  EXPECT_TRUE(SameBits(std::get<SphericalHarmonicModel>(back.Surface).Coefficients(), values));
+}
+
+TEST(ModelJson, EveryBitOfAParametricSurfaceComesBack)
+{
+  std::mt19937_64 random(3);
+  const ParametricSphericalSurface surface = RandomParametric(random, 7);
+  const ModelDocument back = ModelFromJson(ModelToJson({surface, {}}, "f"), "f");
+  const auto& read = std::get<ParametricSphericalSurface>(back.Surface);
+  for (int k = 0; k < 3; ++k)
+  {
+    EXPECT_TRUE(SameBits(read.Coefficients(k), surface.Coefficients(k)));
+  }
+}
+
+TEST(ModelJson, ProvenanceComesBack)
+{
+  std::mt19937_64 random(4);
+  const ModelProvenance provenance{
+      "palpate 9.8", "mask \"a\"\n.nii.gz", "Prostata Süd", "2024-01-02", {{"degree", "12"}}};
+  const ModelProvenance back =
+      ModelFromJson(ModelToJson({RandomModel(random, 1), provenance}, "f"), "f").Provenance;
+  EXPECT_EQ(back.Program, provenance.Program);
+  EXPECT_EQ(back.Input, provenance.Input);
+  EXPECT_EQ(back.Label, provenance.Label);
+  EXPECT_EQ(back.Date, provenance.Date);
+  EXPECT_EQ(back.Settings, provenance.Settings);
+}
+
+TEST(ModelJson, StatesItsConvention)
+{
+  const Json file = SmallFile();
+  EXPECT_EQ(file["format"], "palpate spherical-harmonic model");
+  EXPECT_EQ(file["version"], 1);
+  EXPECT_EQ(file["basis"]["normalization"], "orthonormal over the unit sphere");
+  EXPECT_EQ(file["basis"]["phase"], "no Condon-Shortley phase");
+  EXPECT_EQ(file["basis"]["polar_axis"], "+z");
+  EXPECT_EQ(file["basis"]["order"], "l(l+1)+m");
+  EXPECT_EQ(file["frame"], "patient LPS");
+  EXPECT_EQ(file["unit"], "mm");
+  EXPECT_EQ(file["degree"], 2);
+}
+
+TEST(ModelJson, SameModelGivesSameText)
+{
+  std::mt19937_64 random(5);
+  const ModelDocument document{RandomModel(random, 6), {"p", "i", "1", "", {{"a", "b"}}}};
+  EXPECT_EQ(ModelToJson(document, "f"), ModelToJson(document, "g"));
+}
+
+TEST(ModelJson, NoDateUnlessGiven)
+{
+  EXPECT_FALSE(SmallFile()["provenance"].contains("date"));
+}
+
+TEST(ModelJson, OtherConventionIsRefused)
+{
+  for (const char* key : {"kind", "normalization", "phase", "polar_axis", "order", "signs"})
+  {
+    Json file = SmallFile();
+    file["basis"][key] = "Schmidt semi-normalised";
+    ExpectRefusal(file, key);
+    file["basis"].erase(key);
+    ExpectRefusal(file, key);
+  }
+  for (const char* key : {"frame", "unit", "format", "surface"})
+  {
+    Json file = SmallFile();
+    file[key] = "RAS";
+    ExpectRefusal(file, key);
+  }
+}
+
+TEST(ModelJson, OtherVersionIsRefused)
+{
+  for (const Json& version : {Json(2), Json(0), Json("1"), Json(nullptr), Json(1.5)})
+  {
+    Json file = SmallFile();
+    file["version"] = version;
+    ExpectRefusal(file, "version");
+  }
+}
+
+TEST(ModelJson, WrongCountsAndTypesAreRefused)
+{
+  const std::vector<std::pair<const char*, Json>> changes{
+      {"degree", Json(3)},
+      {"degree", Json(-1)},
+      {"degree", Json(1000000000)},
+      {"degree", Json(2.0)},
+      {"degree", Json("2")},
+      {"center_mm", Json::array({1, 2})},
+      {"center_mm", Json("0 0 0")},
+      {"center_mm", Json::array({1, 2, nullptr})},
+      {"coefficients_mm", Json::array()},
+      {"coefficients_mm", Json::array({1, 2, 3, 4, 5, 6, 7, 8, "9"})},
+      {"coefficients_mm", Json::object()},
+      {"basis", Json(3)},
+      {"surface", Json(3)}};
+  for (const auto& [key, value] : changes)
+  {
+    Json file = SmallFile();
+    file[key] = value;
+    ExpectRefusal(file, "");
+  }
+}
+
+TEST(ModelJson, NumberOutOfRangeIsRefused)
+{
+  std::string text = SmallFile().dump();
+  text.replace(text.find("\"center_mm\":[") + 13, 0, "1e999,");
+  EXPECT_NE(RefusalOf(text), "accepted");
+}
+
+TEST(ModelJson, NumbersThatAreNotFiniteAreNotWritten)
+{
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const double infinity = std::numeric_limits<double>::infinity();
+  EXPECT_THROW(ModelToJson({SphericalHarmonicModel(0, {nan}, Vector3::Zero()), {}}, "f"),
+               InputError);
+  EXPECT_THROW(ModelToJson({SphericalHarmonicModel(0, {1.0}, {0.0, infinity, 0.0}), {}}, "f"),
+               InputError);
+}
+
+TEST(ModelJson, EveryTruncationIsRefused)
+{
+  const std::string text = SmallFile().dump();
+  for (std::size_t length = 0; length < text.size(); ++length)
+  {
+    ASSERT_NE(RefusalOf(text.substr(0, length)), "accepted") << length << " bytes";
+  }
+}
+
+TEST(ModelJson, DamagedBytesNeverDoWorseThanARefusal)
+{
+  const std::string text = SmallFile().dump(1);
+  std::mt19937_64 random(6);
+  for (int i = 0; i < 20000; ++i)
+  {
+    std::string damaged = text;
+    for (std::uint64_t flips = 1 + random() % 4; flips > 0; --flips)
+    {
+      damaged[random() % damaged.size()] = static_cast<char>(random());
+    }
+    const std::string message = RefusalOf(damaged); // any other exception fails the test
+    ASSERT_FALSE(message.empty());
+  }
+}
+
+TEST(ModelJson, DeeplyNestedTextIsRefused)
+{
+  EXPECT_NE(RefusalOf(std::string(2000000, '[')), "accepted");
+}

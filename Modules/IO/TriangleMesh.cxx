@@ -1,0 +1,175 @@
+#include "TriangleMesh.h"
+
+#include "Refusal.h"
+#include "vtkCellArray.h"
+#include "vtkCellArrayIterator.h"
+#include "vtkDataArray.h"
+#include "vtkDoubleArray.h"
+#include "vtkFloatArray.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkTriangleFilter.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <limits>
+
+namespace palpate
+{
+namespace
+{
+std::vector<Vector3> Vectors(vtkDataArray* array)
+{
+  std::vector<Vector3> result(static_cast<std::size_t>(array->GetNumberOfTuples()));
+  for (std::size_t i = 0; i < result.size(); ++i)
+  {
+    array->GetTuple(static_cast<vtkIdType>(i), result[i].data());
+  }
+  return result;
+}
+
+std::vector<std::array<unsigned char, 3>> ColorsOf(vtkPointData* data)
+{
+  std::vector<std::array<unsigned char, 3>> result;
+  auto* colors = vtkUnsignedCharArray::SafeDownCast(data->GetScalars());
+  if (colors != nullptr && colors->GetNumberOfComponents() >= 3)
+  {
+    for (vtkIdType i = 0; i < colors->GetNumberOfTuples(); ++i)
+    {
+      result.push_back({colors->GetTypedComponent(i, 0), colors->GetTypedComponent(i, 1),
+                        colors->GetTypedComponent(i, 2)});
+    }
+  }
+  return result;
+}
+
+std::vector<TriangleMesh::PointValues> ValuesOf(vtkPointData* data)
+{
+  std::vector<TriangleMesh::PointValues> result;
+  for (int a = 0; a < data->GetNumberOfArrays(); ++a)
+  {
+    vtkDataArray* array = data->GetArray(a);
+    if (array == nullptr || array->GetNumberOfComponents() != 1 || array->GetName() == nullptr)
+    {
+      continue;
+    }
+    std::vector<double> numbers;
+    for (vtkIdType i = 0; i < array->GetNumberOfTuples(); ++i)
+    {
+      numbers.push_back(array->GetComponent(i, 0));
+    }
+    result.push_back({array->GetName(), std::move(numbers)});
+  }
+  return result;
+}
+
+std::vector<std::array<int, 3>> TriangleIndices(vtkPolyData* surface)
+{
+  std::vector<std::array<int, 3>> result;
+  const auto cells = vtk::TakeSmartPointer(surface->GetPolys()->NewIterator());
+  for (cells->GoToFirstCell(); !cells->IsDoneWithTraversal(); cells->GoToNextCell())
+  {
+    vtkIdType count = 0;
+    const vtkIdType* corners = nullptr;
+    cells->GetCurrentCell(count, corners);
+    if (count == 3)
+    {
+      result.push_back({static_cast<int>(corners[0]), static_cast<int>(corners[1]),
+                        static_cast<int>(corners[2])});
+    }
+  }
+  return result;
+}
+void AddColorsAndValues(const TriangleMesh& mesh, vtkPointData* data)
+{
+  for (const TriangleMesh::PointValues& values : mesh.Values)
+  {
+    vtkNew<vtkDoubleArray> array;
+    array->SetName(values.Name.c_str());
+    for (const double number : values.Numbers)
+    {
+      array->InsertNextValue(number);
+    }
+    data->AddArray(array);
+  }
+  if (!mesh.Colors.empty())
+  {
+    vtkNew<vtkUnsignedCharArray> colors;
+    colors->SetName("Colors");
+    colors->SetNumberOfComponents(3);
+    for (const auto& color : mesh.Colors)
+    {
+      colors->InsertNextTypedTuple(color.data());
+    }
+    data->SetScalars(colors);
+  }
+}
+} // namespace
+
+TriangleMesh TrianglesOf(vtkPolyData* surface, const std::filesystem::path& file)
+{
+  vtkNew<vtkTriangleFilter> cut;
+  cut->PassVertsOff();
+  cut->PassLinesOff();
+  cut->SetInputData(surface);
+  cut->Update();
+  vtkPolyData* triangles = cut->GetOutput();
+  if (triangles->GetNumberOfPolys() == 0)
+  {
+    Refuse(file, "holds no triangle", "give a closed surface");
+  }
+  if (triangles->GetNumberOfPoints() > std::numeric_limits<int>::max())
+  {
+    Refuse(file, "has more points than surface formats can number", "use a coarser surface");
+  }
+  TriangleMesh mesh;
+  mesh.PointsWorld = Vectors(triangles->GetPoints()->GetData());
+  mesh.SinglePrecision = triangles->GetPoints()->GetDataType() == VTK_FLOAT;
+  for (const Vector3& point : mesh.PointsWorld)
+  {
+    if (!point.allFinite())
+    {
+      Refuse(file, "has a point whose coordinates are not finite", "make the surface again");
+    }
+  }
+  vtkPointData* data = triangles->GetPointData();
+  if (data->GetNormals() != nullptr)
+  {
+    mesh.Normals = Vectors(data->GetNormals());
+  }
+  mesh.Colors = ColorsOf(data);
+  mesh.Values = ValuesOf(data);
+  mesh.Triangles = TriangleIndices(triangles);
+  return mesh;
+}
+
+vtkSmartPointer<vtkPolyData> PolyDataOf(const TriangleMesh& mesh)
+{
+  auto surface = vtkSmartPointer<vtkPolyData>::New();
+  vtkNew<vtkPoints> points;
+  points->SetDataType(mesh.SinglePrecision ? VTK_FLOAT : VTK_DOUBLE);
+  for (const Vector3& point : mesh.PointsWorld)
+  {
+    points->InsertNextPoint(point.data());
+  }
+  surface->SetPoints(points);
+  vtkNew<vtkCellArray> faces;
+  for (const auto& triangle : mesh.Triangles)
+  {
+    faces->InsertNextCell({triangle[0], triangle[1], triangle[2]});
+  }
+  surface->SetPolys(faces);
+  if (!mesh.Normals.empty())
+  {
+    vtkNew<vtkFloatArray> normals;
+    normals->SetName("Normals");
+    normals->SetNumberOfComponents(3);
+    for (const Vector3& normal : mesh.Normals)
+    {
+      normals->InsertNextTuple(normal.data());
+    }
+    surface->GetPointData()->SetNormals(normals);
+  }
+  AddColorsAndValues(mesh, surface->GetPointData());
+  return surface;
+}
+} // namespace palpate

@@ -1,0 +1,39 @@
+#pragma once
+
+#include "PalpateIOModule.h"
+#include "Vector3.h"
+#include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
+
+#include <array>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace palpate
+{
+/// A surface as plain arrays, as the surface formats want it: points in patient LPS (mm).
+struct TriangleMesh
+{
+  struct PointValues
+  {
+    std::string Name;
+    std::vector<double> Numbers;
+  };
+
+  std::vector<Vector3> PointsWorld;
+  bool SinglePrecision = false;                     ///< whether the points' own type was float
+  std::vector<Vector3> Normals;                     ///< unit vectors, one a point, or none
+  std::vector<std::array<unsigned char, 3>> Colors; ///< red, green, blue, one a point, or none
+  std::vector<PointValues> Values;                  ///< every one-component point array
+  std::vector<std::array<int, 3>> Triangles;        ///< counter-clockwise seen from outside
+};
+
+/// The triangles of a surface; larger polygons and strips are cut up, lines and vertices left out.
+/// Active point scalars of three or four unsigned chars are its colours. Throws InputError, naming
+/// `file`, where it has no triangle or a coordinate is not finite.
+PALPATEIO_EXPORT TriangleMesh TrianglesOf(vtkPolyData* surface, const std::filesystem::path& file);
+
+/// The data set of a mesh; colours become its active point scalars.
+PALPATEIO_EXPORT vtkSmartPointer<vtkPolyData> PolyDataOf(const TriangleMesh& mesh);
+} // namespace palpate

@@ -1,0 +1,65 @@
+#include "Volume.h"
+
+#include "DicomSegmentation.h"
+#include "DicomVolume.h"
+#include "FileKind.h"
+#include "ImageFile.h"
+#include "Refusal.h"
+#include "RightHandedAxes.h"
+#include "VoxelCheck.h"
+
+#include "vtkPointData.h"
+
+namespace palpate
+{
+namespace
+{
+Volume ReadImageFile(const std::filesystem::path& path, FileKind kind)
+{
+  ImageFile file(path, kind);
+  if (file.Components() != 1)
+  {
+    Refuse(path, "has " + std::to_string(file.Components()) + " values per voxel",
+           "give one grey value per voxel, or read it as a segmentation if its values are layers");
+  }
+  const vtkSmartPointer<vtkDataArray> voxels = file.NewArray();
+  file.ReadInto(voxels->GetVoidPointer(0));
+  ImageGrid grid = file.Grid();
+  Volume volume;
+  volume.Source = path;
+  volume.Notes = file.Notes();
+  if (const std::string note = MakeRightHanded(grid, voxels); !note.empty())
+  {
+    volume.Notes.push_back(note);
+  }
+  volume.Image = MakeImage(grid, voxels);
+  return volume;
+}
+
+Volume ReadDicom(const std::filesystem::path& path, const VolumeChoice& choice)
+{
+  if (std::filesystem::is_directory(path))
+  {
+    const std::vector<DicomSeries> all = FindDicomSeries(path);
+    return ReadDicomVolume(ChooseSeries(path, all, choice), path);
+  }
+  if (IsDicomSegmentation(path))
+  {
+    Refuse(path, "is a DICOM segmentation", "read it as a segmentation, or name an image series");
+  }
+  const auto folder = path.has_parent_path() ? path.parent_path() : std::filesystem::path(".");
+  const std::vector<DicomSeries> all = FindDicomSeries(folder);
+  return ReadDicomVolume(SeriesOfFile(path, all), path);
+}
+} // namespace
+
+Volume ReadVolume(const std::filesystem::path& path, const VolumeChoice& choice)
+{
+  std::error_code failure;
+  const bool isFolder = std::filesystem::is_directory(path, failure);
+  const FileKind kind = isFolder ? FileKind::Dicom : DetectFileKind(path);
+  Volume volume = kind == FileKind::Dicom ? ReadDicom(path, choice) : ReadImageFile(path, kind);
+  CheckFinite(path, volume.Image->GetPointData()->GetScalars());
+  return volume;
+}
+} // namespace palpate

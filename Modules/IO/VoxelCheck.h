@@ -1,0 +1,12 @@
+#pragma once
+
+#include "PalpateIOModule.h"
+#include "vtkDataArray.h"
+
+#include <filesystem>
+
+namespace palpate
+{
+/// Throws InputError where floating-point voxels are not finite (NaN, infinity).
+PALPATEIO_EXPORT void CheckFinite(const std::filesystem::path& file, vtkDataArray* voxels);
+} // namespace palpate

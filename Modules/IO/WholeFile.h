@@ -1,0 +1,22 @@
+#pragma once
+
+#include "PalpateIOModule.h"
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+namespace palpate
+{
+/// A file's size in bytes. Throws InputError where it is missing, no regular file, or empty.
+PALPATEIO_EXPORT std::uintmax_t InputFileSize(const std::filesystem::path& path);
+
+/// All bytes of a file. Throws InputError where it is missing, no regular file, empty, unreadable,
+/// or larger than `maximumBytes`.
+PALPATEIO_EXPORT std::string ReadWholeFile(const std::filesystem::path& path,
+                                           std::uintmax_t maximumBytes);
+
+/// Writes all bytes, under AtomicFile's rules. Throws InputError.
+PALPATEIO_EXPORT void WriteWholeFile(const std::filesystem::path& path, std::string_view bytes);
+} // namespace palpate

@@ -1,0 +1,155 @@
+#include "SphericalHarmonicConventions.h"
+
+#include "RandomShapes.h"
+#include "SphereQuadrature.h"
+#include "SphericalHarmonicBasis.h"
+#include "SphericalHarmonicModel.h"
+#include "TextbookHarmonics.h"
+
+#include <gtest/gtest.h>
+
+namespace palpate
+{
+namespace
+{
+using test::Random;
+constexpr int Degree = 9;
+
+// SPHARM-PDM's sum: associated Legendre functions with the phase, normalised, cosine and sine parts
+// without the factor sqrt(2).
+double SpharmPdmSum(const std::vector<double>& rows, const Vector3& u)
+{
+  long double sum = 0.0L;
+  std::size_t next = 0;
+  for (int l = 0; next < rows.size(); ++l)
+  {
+    sum += rows[next++] * test::TextbookComplex(l, 0, u).real();
+    for (int m = 1; m <= l; ++m)
+    {
+      const std::complex<long double> y = test::TextbookComplex(l, m, u);
+      sum += rows[next++] * y.real();
+      sum += rows[next++] * y.imag();
+    }
+  }
+  return static_cast<double>(sum);
+}
+
+TEST(SphericalHarmonicConventions, ComplexCoefficientsOfXAndYAreThoseOfTheTextbooks)
+{
+  const double root = 1.0 / std::sqrt(2.0);
+  const auto ofX = ToComplex({0.0, 0.0, 0.0, 1.0});
+  ASSERT_EQ(ofX.size(), 3U);
+  EXPECT_EQ(ofX[1], std::complex<double>(0.0, 0.0));
+  EXPECT_NEAR(ofX[2].real(), -root, 1e-16); // rounding
+  EXPECT_NEAR(ofX[2].imag(), 0.0, 1e-16);
+  const auto ofY = ToComplex({0.0, 1.0, 0.0, 0.0});
+  EXPECT_NEAR(ofY[2].real(), 0.0, 1e-16);
+  EXPECT_NEAR(ofY[2].imag(), root, 1e-16);
+  EXPECT_EQ(ToComplex({0.0, 0.0, 1.0, 0.0})[1], std::complex<double>(1.0, 0.0));
+}
+
+TEST(SphericalHarmonicConventions, ComplexCoefficientsAreIntegralsAgainstTheComplexHarmonics)
+{
+  Random random(301);
+  const SphericalHarmonicModel model = test::RandomOrgan(random, Degree);
+  const auto complex = ToComplex(model.Coefficients());
+  const SphereQuadrature sphere(2 * Degree);
+  std::size_t next = 0;
+  for (int l = 0; l <= Degree; ++l)
+  {
+    for (int m = 0; m <= l; ++m, ++next)
+    {
+      std::complex<long double> integral = 0.0L;
+      for (std::size_t i = 0; i < sphere.Weights.size(); ++i)
+      {
+        const Vector3& u = sphere.Directions[i];
+        const long double weighted = sphere.Weights[i] * model.Radius(u);
+        integral += weighted * std::conj(test::TextbookComplex(l, m, u));
+      }
+      // A radius of 20 mm over the sphere: 70 in units of which each value has rounding errors.
+      EXPECT_NEAR(complex[next].real(), static_cast<double>(integral.real()), 2e-13);
+      EXPECT_NEAR(complex[next].imag(), static_cast<double>(integral.imag()), 2e-13);
+    }
+  }
+  EXPECT_EQ(next, complex.size());
+}
+
+TEST(SphericalHarmonicConventions, ComplexRoundTripLosesNothingButRounding)
+{
+  Random random(302);
+  const std::vector<double> c = test::RandomCoefficients(random, Degree);
+  const std::vector<double> back = FromComplex(ToComplex(c));
+  ASSERT_EQ(back.size(), c.size());
+  for (std::size_t k = 0; k < c.size(); ++k)
+  {
+    EXPECT_NEAR(back[k], c[k], 1e-15); // two roundings of numbers of size 1 to 4
+  }
+}
+
+TEST(SphericalHarmonicConventions, IncompleteComplexDegreesAreFilledWithZeros)
+{
+  const std::vector<double> c = FromComplex({{1.0, 0.0}, {2.0, 0.0}});
+  EXPECT_EQ(c, (std::vector<double>{1.0, 0.0, 2.0, 0.0}));
+}
+
+TEST(SphericalHarmonicConventions, SpharmPdmRowsEvaluateToTheSameFunction)
+{
+  Random random(303);
+  const std::vector<double> rows = test::RandomCoefficients(random, Degree);
+  const std::vector<double> c = FromSpharmPdm(rows);
+  const SphericalHarmonicBasis basis(Degree);
+  std::vector<double> values(basis.Size());
+  for (const Vector3& u : test::RandomDirections(random, 50))
+  {
+    basis.Evaluate(u, values.data());
+    double sum = 0.0;
+    for (std::size_t k = 0; k < c.size(); ++k)
+    {
+      sum += c[k] * values[k];
+    }
+    EXPECT_NEAR(sum, SpharmPdmSum(rows, u), 2e-14); // a hundred terms of size 1
+  }
+}
+
+TEST(SphericalHarmonicConventions, SpharmPdmRowsOfASphereAreKnown)
+{
+  // x = u: only first-order terms. Row 1 is z, row 2 the cosine part, row 3 the sine part.
+  const double ours = std::sqrt(4 * M_PI / 3);
+  const double theirs = std::sqrt(8 * M_PI / 3);
+  const std::vector<double> ofX = ToSpharmPdm({0.0, 0.0, 0.0, ours});
+  const std::vector<double> ofY = ToSpharmPdm({0.0, ours, 0.0, 0.0});
+  const std::vector<double> ofZ = ToSpharmPdm({0.0, 0.0, ours, 0.0});
+  const double tolerance = 1e-15; // two roundings
+  for (std::size_t row = 0; row < 4; ++row)
+  {
+    EXPECT_NEAR(ofX[row], row == 2 ? -theirs : 0.0, tolerance);
+    EXPECT_NEAR(ofY[row], row == 3 ? -theirs : 0.0, tolerance);
+    EXPECT_NEAR(ofZ[row], row == 1 ? ours : 0.0, tolerance);
+  }
+}
+
+TEST(SphericalHarmonicConventions, SpharmPdmRoundTripLosesNothingButRounding)
+{
+  Random random(304);
+  const std::vector<double> c = test::RandomCoefficients(random, 20);
+  const std::vector<double> back = FromSpharmPdm(ToSpharmPdm(c));
+  ASSERT_EQ(back.size(), c.size());
+  for (std::size_t k = 0; k < c.size(); ++k)
+  {
+    EXPECT_NEAR(back[k], c[k], 1e-15); // two roundings of numbers of size 1 to 4
+  }
+}
+
+TEST(SphericalHarmonicConventions, DegreeIsKnownFromTheCountOrRefused)
+{
+  for (int degree = 0; degree <= 100; ++degree)
+  {
+    const auto count = static_cast<std::size_t>((degree + 1) * (degree + 1));
+    EXPECT_EQ(DegreeOfCount(count), degree);
+    EXPECT_EQ(DegreeOfCount(count + 1), -1);
+  }
+  EXPECT_EQ(DegreeOfCount(0), -1);
+  EXPECT_EQ(DegreeOfCount(168), -1);
+}
+} // namespace
+} // namespace palpate

@@ -1,0 +1,53 @@
+#include "DivergingColorMap.h"
+
+#include "CieLabColor.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace palpate
+{
+namespace
+{
+// L*, a*, b* under D50 of RdBu's second outermost blue and red and of its middle.
+using Lab = std::array<double, 3>;
+constexpr Lab Blue{{41.79, -1.68, -44.32}};
+constexpr Lab White{{97.23, 0.00, 0.00}};
+constexpr Lab Red{{39.08, 59.10, 33.17}};
+constexpr std::array<std::uint8_t, 3> Grey{{128, 128, 128}};
+
+// sRGB 0..255 of the colour at `share` of the way from the middle to an end.
+std::array<std::uint8_t, 3> ColorTowards(const Lab& end, double share)
+{
+  const auto mix = [&end, share](std::size_t c) { return White[c] + share * (end[c] - White[c]); };
+  const auto encode = [](double part)
+  { return static_cast<std::uint16_t>(std::lround(part * 65535.0)); };
+  const std::array<double, 3> rgb = CieLabToRgb(
+      {encode(mix(0) / 100.0), encode((mix(1) + 128.0) / 255.0), encode((mix(2) + 128.0) / 255.0)});
+  std::array<std::uint8_t, 3> color{};
+  std::transform(rgb.begin(), rgb.end(), color.begin(),
+                 [](double c) { return static_cast<std::uint8_t>(std::lround(255.0 * c)); });
+  return color;
+}
+} // namespace
+
+DivergingColorMap::DivergingColorMap(double limit) : Range(limit)
+{
+  for (int step = -HalfSteps; step <= HalfSteps; ++step)
+  {
+    const double share = std::abs(step) / static_cast<double>(HalfSteps);
+    this->Table[static_cast<std::size_t>(step + HalfSteps)] =
+        ColorTowards(step < 0 ? Blue : Red, share);
+  }
+}
+
+std::array<std::uint8_t, 3> DivergingColorMap::ColorOf(double number) const
+{
+  if (!std::isfinite(number))
+  {
+    return Grey;
+  }
+  const double share = std::clamp(number / this->Range, -1.0, 1.0);
+  return this->Table[static_cast<std::size_t>(std::lround(share * HalfSteps) + HalfSteps)];
+}
+} // namespace palpate

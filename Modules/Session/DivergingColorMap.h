@@ -1,0 +1,30 @@
+#pragma once
+
+#include "PalpateSessionModule.h"
+
+#include <array>
+#include <cstdint>
+
+namespace palpate
+{
+/// Colours for signed numbers: blue below zero, nearly white at zero, red above. Blue and red stay
+/// apart for the colour-blind, and lightness falls evenly to both sides. Made by linear
+/// interpolation in CIELAB between the ends and the middle of ColorBrewer's RdBu scheme (Harrower
+/// and Brewer, The Cartographic Journal 40, 2003).
+class PALPATESESSION_EXPORT DivergingColorMap
+{
+public:
+  /// Numbers from -limit to limit are told apart, those beyond get the ends' colours.
+  explicit DivergingColorMap(double limit);
+
+  double Limit() const { return this->Range; }
+  /// sRGB; grey for a number that is not finite.
+  std::array<std::uint8_t, 3> ColorOf(double number) const;
+
+private:
+  static constexpr int HalfSteps = 128;
+
+  double Range;
+  std::array<std::array<std::uint8_t, 3>, 2 * HalfSteps + 1> Table{};
+};
+} // namespace palpate

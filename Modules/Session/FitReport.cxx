@@ -1,0 +1,109 @@
+#include "FitReport.h"
+
+#include "HtmlText.h"
+#include "ReportCharts.h"
+#include "ReportPage.h"
+#include "ReportSlices.h"
+#include "ReportTables.h"
+#include "ReportVerdict.h"
+#include "ReportViews.h"
+#include "SoftwareVersions.h"
+#include "WholeFile.h"
+
+namespace palpate
+{
+namespace
+{
+std::string Header(const FitResult& result)
+{
+  const FitResult::Outcome outcome = result.State;
+  return "<header>\n<div class=\"kicker\">Palpate \xC2\xB7 spherical-harmonic fit</div>\n<h1>" +
+         EscapeHtml(StructureText(result)) + "</h1>\n<div class=\"soft\">label " +
+         std::to_string(result.Structure.Label) + " of " +
+         EscapeHtml(result.Input.filename().string()) + "</div>\n<div class=\"verdict " +
+         OutcomeStyle(outcome) + "\"><strong>" + OutcomeText(outcome) + "</strong><p>" +
+         EscapeHtml(VerdictText(result)) + "</p></div>\n</header>\n";
+}
+
+std::string Card(const std::string& name, const std::string& value, const std::string& unit,
+                 const std::string& remark)
+{
+  return "<div class=\"card\"><dt>" + EscapeHtml(name) + "</dt><dd>" + EscapeHtml(value) +
+         (unit.empty() ? "" : " <span class=\"unit\">" + EscapeHtml(unit) + "</span>") +
+         (remark.empty() ? "" : "<small>" + EscapeHtml(remark) + "</small>") + "</dd></div>\n";
+}
+
+std::string QualityCards(const FitResult& result)
+{
+  const double difference = 100.0 * (result.ModelMilliliters / result.MaskMilliliters - 1.0);
+  return Card("Dice", FixedText(result.Dice, 4), "", "on the mask\xE2\x80\x99s grid") +
+         Card("Mean distance", FixedText(result.ModelToMask.Mean, 2), "mm", "model to mask") +
+         Card("95th percentile", FixedText(result.ModelToMask.Percentile95, 2), "mm",
+              "model to mask") +
+         Card("Maximum", FixedText(result.ModelToMask.Maximum, 2), "mm", "model to mask") +
+         Card("Model volume", FixedText(result.ModelMilliliters, 2), "ml",
+              (difference >= 0.0 ? "+" : "") + FixedText(difference, 2) + " % against the mask") +
+         Card("Degree", std::to_string(result.Model.Degree()), "",
+              std::to_string(result.Model.Coefficients().size()) + " coefficients");
+}
+
+std::string Cards(const FitResult& result)
+{
+  std::string cards;
+  if (result.State == FitResult::Outcome::Fitted)
+  {
+    cards += QualityCards(result);
+  }
+  if (result.MaskMilliliters > 0.0)
+  {
+    cards += Card("Mask volume", FixedText(result.MaskMilliliters, 2), "ml",
+                  result.TouchesBorder ? "touches the image\xE2\x80\x99s border" : "");
+  }
+  if (result.Surface)
+  {
+    cards += Card("Star-shaped", result.StarShaped ? "yes" : "no", "",
+                  FixedText(result.HiddenPercent, 2) + " % of the surface hidden");
+  }
+  return cards.empty() ? cards : "<dl class=\"cards\">\n" + cards + "</dl>\n";
+}
+
+std::string NoteItem(const std::string& note)
+{
+  return "<li>" + EscapeHtml(note) + "</li>\n";
+}
+
+std::string Notes(const FitResult& result, const Volume* volume)
+{
+  std::string items;
+  for (const std::string& note : result.Notes)
+  {
+    items += NoteItem(SharedText(result.Input, note));
+  }
+  if (volume)
+  {
+    for (const std::string& note : volume->Notes)
+    {
+      items += NoteItem(SharedText(volume->Source, note));
+    }
+  }
+  return items.empty() ? items : "<ul class=\"notes\">\n" + items + "</ul>\n";
+}
+} // namespace
+
+void WriteFitReport(const FitResult& result, const Volume* volumeOrNull,
+                    const std::filesystem::path& html)
+{
+  const std::string body =
+      Header(result) + Cards(result) + ReportSection("Notes", Notes(result, volumeOrNull)) +
+      ReportSection("Slices", ReportSlices(result, volumeOrNull)) +
+      ReportSection("From six sides", ReportViews(result)) +
+      ReportSection("By degree and by distance", ReportCharts(result)) +
+      ReportSection("All numbers", ReportNumbers(result)) +
+      ReportSection("Settings and software",
+                    "<div class=\"tables\">\n" + ReportSettings(result.Settings) +
+                        HtmlTable("Software", SoftwareVersions()) + "</div>\n") +
+      "<footer>Lengths are millimetres in the patient\xE2\x80\x99s frame (L, P, S). For research; "
+      "not a medical device.</footer>\n";
+  WriteWholeFile(html, ReportPage(StructureText(result) + " \xE2\x80\x93 Palpate", body));
+}
+} // namespace palpate

@@ -1,0 +1,73 @@
+#include "FitSettingsText.h"
+
+#include <sstream>
+
+namespace palpate
+{
+namespace
+{
+std::string Text(double value)
+{
+  std::ostringstream text;
+  text << value;
+  return text.str();
+}
+
+std::string CenterText(const FitSettings& settings)
+{
+  if (settings.GivenCenterWorld)
+  {
+    const auto& center = *settings.GivenCenterWorld;
+    return Text(center[0]) + "," + Text(center[1]) + "," + Text(center[2]);
+  }
+  return settings.Center == FitSettings::CenterChoice::Centroid ? "centroid" : "visible";
+}
+
+std::string WeightText(FitSettings::SampleWeight weight)
+{
+  switch (weight)
+  {
+  case FitSettings::SampleWeight::Area:
+    return "area";
+  case FitSettings::SampleWeight::SolidAngle:
+    return "solid-angle";
+  default:
+    return "uniform";
+  }
+}
+
+std::string PenaltyText(const FitSettings& settings)
+{
+  switch (settings.PenaltyKind)
+  {
+  case FitSettings::Penalty::Given:
+    return Text(settings.Roughness);
+  case FitSettings::Penalty::Automatic:
+    return "auto";
+  default:
+    return "none";
+  }
+}
+} // namespace
+
+std::vector<std::pair<std::string, std::string>> DescribeSettings(const FitSettings& settings)
+{
+  std::vector<std::pair<std::string, std::string>> result{
+      {"method",
+       settings.Method == FitSettings::SurfaceMethod::ShapeInterpolation ? "shape" : "plain"},
+      {"smoothing", Text(settings.Smoothing)},
+      {"component", settings.Component == 0 ? "all" : std::to_string(settings.Component)},
+      {"frequency", std::to_string(settings.Frequency)},
+      {"center", CenterText(settings)},
+      {"degree", settings.Tolerance ? "auto" : std::to_string(settings.Degree)}};
+  if (settings.Tolerance)
+  {
+    result.emplace_back("tolerance", Text(*settings.Tolerance));
+    result.emplace_back("max-degree", std::to_string(settings.MaximumDegree));
+  }
+  result.emplace_back("weights", WeightText(settings.Weight));
+  result.emplace_back("penalty", PenaltyText(settings));
+  result.emplace_back("max-hidden", Text(settings.MaximumHiddenPercent));
+  return result;
+}
+} // namespace palpate

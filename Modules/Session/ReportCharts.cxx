@@ -1,0 +1,136 @@
+#include "ReportCharts.h"
+
+#include "HtmlText.h"
+#include "ReportPage.h"
+#include "SvgChart.h"
+
+#include "vtkCellArray.h"
+#include "vtkCellArrayIterator.h"
+#include "vtkDataArray.h"
+#include "vtkPointData.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+namespace palpate
+{
+namespace
+{
+constexpr int BinCount = 40;
+
+std::string SpectrumChart(const FitResult& result)
+{
+  std::vector<std::pair<double, double>> points;
+  const std::vector<double> power = result.Model.PowerSpectrum();
+  for (std::size_t l = 0; l < power.size(); ++l)
+  {
+    points.emplace_back(static_cast<double>(l), std::sqrt(power[l] / (4.0 * M_PI)));
+  }
+  SvgChart chart("degree", "RMS share of the radius, mm");
+  chart.SetLogarithmic(true);
+  chart.SetBars(std::move(points), 1.0);
+  return ReportFigure(chart.Svg(), "Power spectrum: what each degree adds to the radius, as root "
+                                   "mean square over all directions.");
+}
+
+std::string DegreeChart(const FitResult& result)
+{
+  std::vector<std::pair<double, double>> points;
+  for (std::size_t l = 0; l < result.RmsByDegree.size(); ++l)
+  {
+    points.emplace_back(static_cast<double>(l), result.RmsByDegree[l]);
+  }
+  SvgChart chart("degree", "RMS residual, mm");
+  chart.SetLogarithmic(true);
+  chart.SetLine(std::move(points));
+  const int degree = result.Model.Degree();
+  chart.SetMarker(degree, "degree " + std::to_string(degree));
+  return ReportFigure(chart.Svg(), "Error against degree: residual of the radii for every smaller "
+                                   "model.");
+}
+
+// A third of the area (mm^2) of the triangles round each point.
+std::vector<double> PointAreas(vtkPolyData* surface)
+{
+  std::vector<double> areas(static_cast<std::size_t>(surface->GetNumberOfPoints()), 0.0);
+  const auto iterator = vtk::TakeSmartPointer(surface->GetPolys()->NewIterator());
+  for (iterator->GoToFirstCell(); !iterator->IsDoneWithTraversal(); iterator->GoToNextCell())
+  {
+    vtkIdType count = 0;
+    const vtkIdType* ids = nullptr;
+    iterator->GetCurrentCell(count, ids);
+    if (count != 3)
+    {
+      continue;
+    }
+    Eigen::Matrix3d corners;
+    for (int c = 0; c < 3; ++c)
+    {
+      surface->GetPoint(ids[c], corners.col(c).data());
+    }
+    const double area =
+        0.5 * (corners.col(1) - corners.col(0)).cross(corners.col(2) - corners.col(0)).norm();
+    for (int c = 0; c < 3; ++c)
+    {
+      areas[static_cast<std::size_t>(ids[c])] += area / 3.0;
+    }
+  }
+  return areas;
+}
+
+std::string DistanceChart(vtkPolyData* model)
+{
+  vtkDataArray* distances = model ? model->GetPointData()->GetArray("DistanceToSurface") : nullptr;
+  if (!distances || distances->GetNumberOfTuples() != model->GetNumberOfPoints())
+  {
+    return {};
+  }
+  double range[2];
+  distances->GetFiniteRange(range);
+  const double width = (range[1] - range[0]) / BinCount;
+  if (!(width > 0.0))
+  {
+    return {};
+  }
+  const std::vector<double> areas = PointAreas(model);
+  std::vector<std::pair<double, double>> bins;
+  for (int b = 0; b < BinCount; ++b)
+  {
+    bins.emplace_back(range[0] + (b + 0.5) * width, 0.0);
+  }
+  double total = 0.0;
+  for (std::size_t p = 0; p < areas.size(); ++p)
+  {
+    const double distance = distances->GetComponent(static_cast<vtkIdType>(p), 0);
+    if (std::isfinite(distance))
+    {
+      const int bin = std::min(BinCount - 1, static_cast<int>((distance - range[0]) / width));
+      bins[static_cast<std::size_t>(bin)].second += areas[p];
+      total += areas[p];
+    }
+  }
+  for (auto& bin : bins)
+  {
+    bin.second *= 100.0 / total;
+  }
+  SvgChart chart("signed distance from model to surface, mm",
+                 "share of the model\xE2\x80\x99s area, %");
+  chart.SetBars(std::move(bins), width);
+  return ReportFigure(chart.Svg(),
+                      "Distances: how much of the model lies how far inside (negative) "
+                      "or outside the surface of the mask.");
+}
+} // namespace
+
+std::string ReportCharts(const FitResult& result)
+{
+  if (result.State != FitResult::Outcome::Fitted)
+  {
+    return {};
+  }
+  const std::string figures =
+      SpectrumChart(result) + DegreeChart(result) + DistanceChart(result.ModelSurface);
+  return "<div class=\"charts\">\n" + figures + "</div>\n";
+}
+} // namespace palpate

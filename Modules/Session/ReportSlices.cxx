@@ -1,0 +1,173 @@
+#include "ReportSlices.h"
+
+#include "AnatomicalView.h"
+#include "HtmlText.h"
+#include "Picture.h"
+#include "ReportPage.h"
+#include "SliceContour.h"
+#include "SlicePicture.h"
+#include "SlicePlane.h"
+
+#include "vtkSMPTools.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace palpate
+{
+namespace
+{
+constexpr int AxialCount = 4;
+constexpr int LongestSide = 340; // pixels
+
+std::vector<std::vector<float>> SampleAll(const std::vector<SlicePlane>& planes,
+                                          const FitResult& result, const Volume* volume)
+{
+  std::vector<std::vector<float>> values(planes.size());
+  vtkSMPTools::For(0, static_cast<vtkIdType>(planes.size()), 1,
+                   [&](vtkIdType first, vtkIdType last)
+                   {
+                     for (auto p = static_cast<std::size_t>(first);
+                          p < static_cast<std::size_t>(last); ++p)
+                     {
+                       values[p] = volume ? SampleLinear(volume->Image, planes[p])
+                                          : SampleNearest(result.Mask, planes[p]);
+                     }
+                   });
+  return values;
+}
+
+// Without a volume: the structure is light, other labels are darker, the rest is nearly black.
+void ShadeMask(std::vector<float>& values, int value)
+{
+  for (float& v : values)
+  {
+    v = v == static_cast<float>(value) ? 0.62F : v != 0.0F ? 0.3F : 0.12F;
+  }
+}
+
+std::string PathElement(const std::string& style, const std::string& data)
+{
+  return data.empty() ? std::string() : "<path class=\"" + style + "\" d=\"" + data + "\"/>";
+}
+
+std::string Letter(double x, double y, const std::string& anchor, const std::string& text)
+{
+  return "<text x=\"" + FixedText(x, 1) + "\" y=\"" + FixedText(y, 1) + "\" text-anchor=\"" +
+         anchor + "\">" + text + "</text>";
+}
+
+std::string Letters(const SlicePlane& plane)
+{
+  const double middleX = 0.5 * plane.Width;
+  const double middleY = 0.5 * plane.Height + 5.0;
+  return Letter(5.0, middleY, "start", OrientationLetters(-plane.RightWorld)) +
+         Letter(plane.Width - 5.0, middleY, "end", OrientationLetters(plane.RightWorld)) +
+         Letter(middleX, 17.0, "middle", OrientationLetters(-plane.DownWorld)) +
+         Letter(middleX, plane.Height - 6.0, "middle", OrientationLetters(plane.DownWorld));
+}
+
+// A bar of 1, 2 or 5 times a power of ten of millimetres, at most a third of the width.
+std::string ScaleBar(const SlicePlane& plane)
+{
+  const double room = plane.Width * plane.PixelMillimeters / 3.0;
+  const double decade = std::pow(10.0, std::floor(std::log10(room)));
+  const double length = decade * (room >= 5.0 * decade ? 5.0 : room >= 2.0 * decade ? 2.0 : 1.0);
+  const double y = plane.Height - 9.0;
+  return "<line class=\"scale\" x1=\"8\" x2=\"" +
+         FixedText(8.0 + length / plane.PixelMillimeters, 1) + "\" y1=\"" + FixedText(y, 1) +
+         "\" y2=\"" + FixedText(y, 1) + "\"/>" +
+         Letter(8.0, y - 6.0, "start", SignificantText(length, 3) + " mm");
+}
+
+// `share` is the picture's width relative to the widest one, so that all are shown at one scale.
+std::string SliceFigure(const SlicePlane& plane, double share, const Picture& picture,
+                        const FitResult& result)
+{
+  const std::string width = std::to_string(plane.Width);
+  const std::string height = std::to_string(plane.Height);
+  std::string svg = "<svg class=\"slice\" style=\"width: " + FixedText(100.0 * share, 2) +
+                    "%\" role=\"img\" viewBox=\"0 0 " + width + " " + height + "\" aria-label=\"" +
+                    plane.Name + " slice\"><image width=\"" + width + "\" height=\"" + height +
+                    "\" href=\"" + PngDataUri(picture) + "\"/>";
+  svg += PathElement("mask", MaskOutlinePath(result.Mask, result.Structure.Value, plane));
+  if (result.Surface)
+  {
+    svg += PathElement("surface", SurfaceContourPath(result.Surface, plane));
+  }
+  if (result.ModelSurface)
+  {
+    svg += PathElement("model", SurfaceContourPath(result.ModelSurface, plane));
+  }
+  svg += Letters(plane) + ScaleBar(plane) + "</svg>";
+  return ReportFigure(svg, plane.Name + ", slice " + std::to_string(plane.SliceNumber) + " of " +
+                               std::to_string(plane.SliceCount));
+}
+
+std::string Legend(const FitResult& result, const Volume* volume)
+{
+  std::string html =
+      "<ul class=\"legend\"><li><i class=\"mask\"></i>mask, edges of its voxels</li>";
+  if (result.Surface)
+  {
+    html += "<li><i class=\"surface\"></i>surface of the mask</li>";
+  }
+  if (result.ModelSurface)
+  {
+    html += "<li><i class=\"model\"></i>model</li>";
+  }
+  const std::string picture =
+      volume ? volume->Source.filename().string() : std::string("the mask itself, no volume given");
+  return html + "<li class=\"soft\">picture: " + EscapeHtml(picture) + "</li></ul>\n";
+}
+} // namespace
+
+std::string ReportSlices(const FitResult& result, const Volume* volume)
+{
+  if (!result.Mask)
+  {
+    return {};
+  }
+  const std::vector<SlicePlane> planes =
+      ChooseSlicePlanes(result.Mask, result.Structure.Value, AxialCount, LongestSide);
+  if (planes.empty())
+  {
+    return {};
+  }
+  std::vector<std::vector<float>> values = SampleAll(planes, result, volume);
+  GreyWindow window;
+  if (volume)
+  {
+    window = FindWindow(values);
+  }
+  else
+  {
+    for (std::vector<float>& slice : values)
+    {
+      ShadeMask(slice, result.Structure.Value);
+    }
+  }
+  const int widest =
+      std::max_element(planes.begin(), planes.end(),
+                       [](const SlicePlane& a, const SlicePlane& b) { return a.Width < b.Width; })
+          ->Width;
+  std::vector<std::string> figures(planes.size());
+  vtkSMPTools::For(0, static_cast<vtkIdType>(planes.size()), 1,
+                   [&](vtkIdType first, vtkIdType last)
+                   {
+                     for (auto p = static_cast<std::size_t>(first);
+                          p < static_cast<std::size_t>(last); ++p)
+                     {
+                       const double share = static_cast<double>(planes[p].Width) / widest;
+                       figures[p] = SliceFigure(planes[p], share,
+                                                DrawGrey(values[p], planes[p], window), result);
+                     }
+                   });
+  std::string html = Legend(result, volume) + "<div class=\"slices\">\n";
+  for (const std::string& figure : figures)
+  {
+    html += figure;
+  }
+  return html + "</div>\n";
+}
+} // namespace palpate

@@ -1,0 +1,187 @@
+#include "ReportTables.h"
+
+#include "FitSettingsText.h"
+#include "HtmlText.h"
+
+#include <algorithm>
+
+namespace palpate
+{
+namespace
+{
+constexpr std::size_t MostComponents = 8; // listed one by one
+
+std::string Millimeters(double value)
+{
+  return FixedText(value, 3) + " mm";
+}
+std::string Milliliters(double value)
+{
+  return FixedText(value, 3) + " ml";
+}
+std::string Percent(double value)
+{
+  return FixedText(value, 2) + " %";
+}
+std::string Point(const Vector3& world)
+{
+  return FixedText(world.x(), 2) + ", " + FixedText(world.y(), 2) + ", " + FixedText(world.z(), 2) +
+         " mm";
+}
+
+std::string ComponentList(const std::vector<double>& milliliters)
+{
+  std::string list;
+  for (std::size_t c = 0; c < std::min(milliliters.size(), MostComponents); ++c)
+  {
+    list += (c > 0 ? "; " : "") + FixedText(milliliters[c], 3);
+  }
+  return list + " ml" + (milliliters.size() > MostComponents ? "; \xE2\x80\xA6" : "");
+}
+
+HtmlRows MaskRows(const FitResult& result)
+{
+  HtmlRows rows{{"Label", std::to_string(result.Structure.Label)}};
+  if (result.Mask)
+  {
+    int size[3];
+    double spacing[3];
+    result.Mask->GetDimensions(size);
+    result.Mask->GetSpacing(spacing);
+    rows.emplace_back("Grid", std::to_string(size[0]) + " \xC3\x97 " + std::to_string(size[1]) +
+                                  " \xC3\x97 " + std::to_string(size[2]));
+    rows.emplace_back("Voxel", SignificantText(spacing[0], 5) + " \xC3\x97 " +
+                                   SignificantText(spacing[1], 5) + " \xC3\x97 " +
+                                   SignificantText(spacing[2], 5) + " mm");
+  }
+  rows.emplace_back("Volume", Milliliters(result.MaskMilliliters));
+  rows.emplace_back("Touches the image border", result.TouchesBorder ? "yes" : "no");
+  if (!result.ComponentMilliliters.empty())
+  {
+    rows.emplace_back("Connected components", std::to_string(result.ComponentMilliliters.size()));
+    rows.emplace_back("Their volumes", ComponentList(result.ComponentMilliliters));
+  }
+  rows.emplace_back("Cavities", std::to_string(result.CavityCount));
+  if (result.CavityCount > 0)
+  {
+    rows.emplace_back("Volume of the cavities", Milliliters(result.CavityMilliliters));
+  }
+  return rows;
+}
+
+void AddDistances(HtmlRows& rows, const SurfaceDistances& distances)
+{
+  rows.emplace_back("Mean distance", Millimeters(distances.Mean));
+  rows.emplace_back("Root mean square", Millimeters(distances.Rms));
+  rows.emplace_back("95th percentile", Millimeters(distances.Percentile95));
+  rows.emplace_back("Maximum", Millimeters(distances.Maximum));
+}
+
+HtmlRows SurfaceRows(const FitResult& result)
+{
+  HtmlRows rows{{"Points", std::to_string(result.Surface->GetNumberOfPoints())},
+                {"Triangles", std::to_string(result.Surface->GetNumberOfPolys())},
+                {"Volume", Milliliters(result.SurfaceMilliliters)}};
+  // Measured together with the model's quality, so not for a refused structure.
+  if (result.SurfaceAreaSquareMillimeters > 0.0)
+  {
+    rows.emplace_back("Area", FixedText(result.SurfaceAreaSquareMillimeters, 1) + " mm\xC2\xB2");
+    AddDistances(rows, result.SurfaceToMask);
+  }
+  return rows;
+}
+
+HtmlRows ViewRows(const FitResult& result)
+{
+  return {{"Star-shaped", result.StarShaped ? "yes" : "no"},
+          {"Hidden surface", Percent(result.HiddenPercent)},
+          {"Directions with several crossings", Percent(result.MultiplePercent)},
+          {"Directions without a crossing", Percent(result.MissedPercent)}};
+}
+
+HtmlRows ModelRows(const FitResult& result)
+{
+  return {{"Degree", std::to_string(result.Model.Degree())},
+          {"Coefficients", std::to_string(result.Model.Coefficients().size())},
+          {"Centre (LPS, mm)", Point(result.Model.CenterWorld())},
+          {"Condition number", SignificantText(result.Condition, 4)},
+          {"RMS residual of the radii", Millimeters(result.Rms)},
+          {"Noise of a sample", Millimeters(result.NoiseDeviation)},
+          {"Roughness penalty used", SignificantText(result.Roughness, 4)},
+          {"Degrees of freedom", FixedText(result.DegreesOfFreedom, 1)},
+          {"Volume", Milliliters(result.ModelMilliliters)},
+          {"Area", FixedText(result.ModelAreaSquareMillimeters, 1) + " mm\xC2\xB2"}};
+}
+
+HtmlRows ModelToMaskRows(const FitResult& result)
+{
+  HtmlRows rows{{"Dice", FixedText(result.Dice, 4)}};
+  AddDistances(rows, result.ModelToMask);
+  const double difference = 100.0 * (result.ModelMilliliters / result.MaskMilliliters - 1.0);
+  rows.emplace_back("Volume difference", Percent(difference));
+  return rows;
+}
+
+HtmlRows ModelToSurfaceRows(const FitResult& result)
+{
+  HtmlRows rows;
+  AddDistances(rows, result.ModelToSurface);
+  const double volume = 100.0 * (result.ModelMilliliters / result.SurfaceMilliliters - 1.0);
+  const double area =
+      100.0 * (result.ModelAreaSquareMillimeters / result.SurfaceAreaSquareMillimeters - 1.0);
+  rows.emplace_back("Volume difference", Percent(volume));
+  rows.emplace_back("Area difference", Percent(area));
+  return rows;
+}
+
+HtmlRows DegreeRows(const FitResult& result)
+{
+  HtmlRows rows;
+  const std::vector<double> power = result.Model.PowerSpectrum();
+  for (std::size_t l = 0; l < power.size(); ++l)
+  {
+    std::string text = SignificantText(power[l], 5) + " mm\xC2\xB2";
+    if (l < result.RmsByDegree.size())
+    {
+      text += "; " + SignificantText(result.RmsByDegree[l], 4) + " mm";
+    }
+    rows.emplace_back(std::to_string(l), text);
+  }
+  return rows;
+}
+
+} // namespace
+
+std::string ReportNumbers(const FitResult& result)
+{
+  std::string html = HtmlTable("Mask", MaskRows(result));
+  if (result.Surface)
+  {
+    html += HtmlTable("Surface, and its distance to the mask", SurfaceRows(result));
+    html += HtmlTable("Seen from the centre", ViewRows(result));
+  }
+  if (result.State == FitResult::Outcome::Fitted)
+  {
+    html += HtmlTable("Model", ModelRows(result)) +
+            HtmlTable("Model and mask", ModelToMaskRows(result)) +
+            HtmlTable("Model and surface", ModelToSurfaceRows(result)) +
+            HtmlTable("Degree: power; RMS residual up to there", DegreeRows(result));
+  }
+  if (!result.Seconds.empty())
+  {
+    HtmlRows seconds;
+    for (const auto& [stage, time] : result.Seconds)
+    {
+      seconds.emplace_back(stage, FixedText(time, 3) + " s");
+    }
+    html += HtmlTable("Time", seconds);
+  }
+  return "<div class=\"tables\">\n" + html + "</div>\n";
+}
+
+std::string ReportSettings(const FitSettings& settings)
+{
+  return HtmlTable("Settings, named as the command line\xE2\x80\x99s options",
+                   DescribeSettings(settings));
+}
+} // namespace palpate

@@ -1,0 +1,86 @@
+#include "ReportVerdict.h"
+
+#include "HtmlText.h"
+
+#include <cstring>
+
+namespace palpate
+{
+namespace
+{
+// Messages about a structure leave it to the reader's page to name it: "is not star-shaped: ...".
+bool IsPredicate(const std::string& message, const FitResult& result)
+{
+  return !message.empty() && message.front() >= 'a' && message.front() <= 'z' &&
+         message.rfind(result.Input.filename().string(), 0) != 0;
+}
+} // namespace
+
+std::string OutcomeText(FitResult::Outcome outcome)
+{
+  switch (outcome)
+  {
+  case FitResult::Outcome::Fitted:
+    return "Fitted";
+  case FitResult::Outcome::Refused:
+    return "Refused";
+  case FitResult::Outcome::BadInput:
+    return "Bad input";
+  case FitResult::Outcome::Failed:
+    break;
+  }
+  return "Failed";
+}
+
+std::string OutcomeStyle(FitResult::Outcome outcome)
+{
+  switch (outcome)
+  {
+  case FitResult::Outcome::Fitted:
+    return "good";
+  case FitResult::Outcome::Refused:
+    return "poor";
+  case FitResult::Outcome::BadInput:
+  case FitResult::Outcome::Failed:
+    break;
+  }
+  return "bad";
+}
+
+std::string StructureText(const FitResult& result)
+{
+  return result.Structure.Name.empty() ? "Label " + std::to_string(result.Structure.Label)
+                                       : result.Structure.Name;
+}
+
+std::string SharedText(const std::filesystem::path& file, std::string sentence)
+{
+  const std::string folder = file.parent_path().string() + "/";
+  std::size_t at = folder.size() > 1 ? sentence.find(folder) : std::string::npos;
+  while (at != std::string::npos)
+  {
+    const bool isStart = at == 0 || std::strchr(" \"'(", sentence[at - 1]) != nullptr;
+    if (isStart)
+    {
+      sentence.erase(at, folder.size());
+    }
+    at = sentence.find(folder, at + (isStart ? 0 : 1));
+  }
+  return sentence;
+}
+
+std::string VerdictText(const FitResult& result)
+{
+  std::string text;
+  if (result.State == FitResult::Outcome::Fitted)
+  {
+    text = "A model of degree " + std::to_string(result.Model.Degree()) + " (" +
+           std::to_string(result.Model.Coefficients().size()) +
+           " coefficients) follows the mask\xE2\x80\x99s boundary with a mean distance of " +
+           FixedText(result.ModelToMask.Mean, 2) + " mm; 95 % of the boundary lies within " +
+           FixedText(result.ModelToMask.Percentile95, 2) + " mm. ";
+  }
+  const std::string message = SharedText(result.Input, result.Message);
+  return text + (IsPredicate(message, result) ? StructureText(result) + " " : "") + message;
+}
+} // namespace palpate

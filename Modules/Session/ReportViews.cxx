@@ -1,0 +1,169 @@
+#include "ReportViews.h"
+
+#include "AnatomicalView.h"
+#include "DivergingColorMap.h"
+#include "HtmlText.h"
+#include "Picture.h"
+#include "ReportPage.h"
+#include "SoftwareRenderer.h"
+
+#include "vtkDataArray.h"
+#include "vtkPointData.h"
+#include "vtkSMPTools.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+
+namespace palpate
+{
+namespace
+{
+constexpr int ViewSize = 300; // pixels
+
+vtkDataArray* DistancesOf(vtkPolyData* model)
+{
+  return model ? model->GetPointData()->GetArray("DistanceToSurface") : nullptr;
+}
+
+// The 99th percentile of the distances' sizes, rounded up to a number that reads well: a few extremes
+// must not drain the colour from all the rest.
+double ColorLimit(vtkDataArray* distances)
+{
+  std::vector<double> sizes;
+  for (vtkIdType p = 0; p < distances->GetNumberOfTuples(); ++p)
+  {
+    const double size = std::abs(distances->GetComponent(p, 0));
+    if (std::isfinite(size))
+    {
+      sizes.push_back(size);
+    }
+  }
+  if (sizes.empty())
+  {
+    return 1.0;
+  }
+  const auto rank = static_cast<std::ptrdiff_t>(0.99 * static_cast<double>(sizes.size() - 1));
+  std::nth_element(sizes.begin(), sizes.begin() + rank, sizes.end());
+  // Below a micrometre only rounding would be coloured.
+  const double wanted = std::max(1e-3, sizes[static_cast<std::size_t>(rank)]);
+  const double decade = std::pow(10.0, std::floor(std::log10(wanted)));
+  for (const double step : {1.0, 1.5, 2.0, 3.0, 4.0, 5.0, 6.0, 8.0})
+  {
+    if (step * decade >= wanted)
+    {
+      return step * decade;
+    }
+  }
+  return 10.0 * decade;
+}
+
+std::string CssColor(const std::array<std::uint8_t, 3>& color)
+{
+  std::array<char, 8> text{};
+  std::snprintf(text.data(), text.size(), "#%02x%02x%02x", color[0], color[1], color[2]);
+  return text.data();
+}
+
+std::string ColorBar(const DivergingColorMap& colors)
+{
+  constexpr int Stops = 16;
+  constexpr double Left = 20.0;
+  constexpr double Width = 360.0;
+  std::string svg = "<svg class=\"colorbar\" viewBox=\"0 0 400 62\" role=\"img\" "
+                    "aria-label=\"colour bar\"><defs><linearGradient id=\"distance\">";
+  for (int stop = 0; stop <= Stops; ++stop)
+  {
+    const double share = static_cast<double>(stop) / Stops;
+    svg += "<stop offset=\"" + SignificantText(share, 4) + "\" stop-color=\"" +
+           CssColor(colors.ColorOf((2.0 * share - 1.0) * colors.Limit())) + "\"/>";
+  }
+  svg += "</linearGradient></defs><rect x=\"20\" y=\"18\" width=\"360\" height=\"14\" rx=\"2\" "
+         "fill=\"url(#distance)\"/>";
+  for (const double share : {-1.0, -0.5, 0.0, 0.5, 1.0})
+  {
+    const double x = Left + 0.5 * (share + 1.0) * Width;
+    const std::string sign = share > 0.0 ? "+" : "";
+    svg += "<text text-anchor=\"middle\" x=\"" + FixedText(x, 1) + "\" y=\"48\">" + sign +
+           SignificantText(share * colors.Limit(), 3) + "</text>";
+  }
+  return svg + "<text x=\"20\" y=\"12\">model inside</text><text x=\"380\" y=\"12\" "
+               "text-anchor=\"end\">model outside</text><text x=\"200\" y=\"12\" "
+               "text-anchor=\"middle\">mm</text></svg>\n";
+}
+
+std::string ViewFigure(const SoftwareRenderer& renderer, ViewSide side)
+{
+  const ViewFrame frame = FrameOf(side);
+  const std::string size = std::to_string(ViewSize);
+  const auto letter = [](double x, double y, const char* anchor, const Vector3& direction)
+  {
+    return "<text x=\"" + FixedText(x, 0) + "\" y=\"" + FixedText(y, 0) + "\" text-anchor=\"" +
+           anchor + "\">" + OrientationLetters(direction) + "</text>";
+  };
+  const std::string svg =
+      "<svg class=\"view\" role=\"img\" viewBox=\"0 0 " + size + " " + size + "\" aria-label=\"" +
+      NameOf(side) + " view\"><image width=\"" + size + "\" height=\"" + size + "\" href=\"" +
+      PngDataUri(renderer.Render(side, ViewSize)) + "\"/>" +
+      letter(6.0, 0.5 * ViewSize + 5.0, "start", -frame.RightWorld) +
+      letter(ViewSize - 6.0, 0.5 * ViewSize + 5.0, "end", frame.RightWorld) +
+      letter(0.5 * ViewSize, 16.0, "middle", frame.UpWorld) +
+      letter(0.5 * ViewSize, ViewSize - 6.0, "middle", -frame.UpWorld) + "</svg>";
+  return ReportFigure(svg, NameOf(side));
+}
+
+std::string AllViews(const SoftwareRenderer& renderer)
+{
+  std::array<std::string, AllViewSides.size()> figures;
+  vtkSMPTools::For(0, static_cast<vtkIdType>(figures.size()), 1,
+                   [&](vtkIdType first, vtkIdType last)
+                   {
+                     for (auto v = static_cast<std::size_t>(first);
+                          v < static_cast<std::size_t>(last); ++v)
+                     {
+                       figures[v] = ViewFigure(renderer, AllViewSides[v]);
+                     }
+                   });
+  std::string html = "<div class=\"views\">\n";
+  for (const std::string& figure : figures)
+  {
+    html += figure;
+  }
+  return html + "</div>\n";
+}
+
+std::string ErrorMap(vtkPolyData* model, vtkDataArray* distances)
+{
+  const DivergingColorMap colors(ColorLimit(distances));
+  std::vector<SoftwareRenderer::Color> pointColors;
+  double range[2];
+  distances->GetRange(range);
+  for (vtkIdType p = 0; p < distances->GetNumberOfTuples(); ++p)
+  {
+    pointColors.push_back(colors.ColorOf(distances->GetComponent(p, 0)));
+  }
+  SoftwareRenderer renderer(model);
+  renderer.SetPointColors(std::move(pointColors));
+  return "<p class=\"soft\">Signed distance from the model to the surface of the mask, from " +
+         FixedText(range[0], 2) + " to " + (range[1] > 0.0 ? "+" : "") + FixedText(range[1], 2) +
+         " mm. Distances beyond the ends of the bar have the ends\xE2\x80\x99 colours.</p>\n" +
+         AllViews(renderer) + ColorBar(colors);
+}
+} // namespace
+
+std::string ReportViews(const FitResult& result)
+{
+  vtkPolyData* shown = result.ModelSurface ? result.ModelSurface : result.Surface;
+  if (!shown || shown->GetNumberOfPolys() == 0)
+  {
+    return {};
+  }
+  vtkDataArray* distances = DistancesOf(result.ModelSurface);
+  if (distances && distances->GetNumberOfTuples() == shown->GetNumberOfPoints())
+  {
+    return ErrorMap(shown, distances);
+  }
+  return AllViews(SoftwareRenderer(shown));
+}
+} // namespace palpate

@@ -1,0 +1,350 @@
+#include "SceneRenderer.h"
+
+#include "DivergingColorMap.h"
+#include "ImageAxes.h"
+#include "SlicePicture.h"
+
+#include "vtkActor.h"
+#include "vtkBoundingBox.h"
+#include "vtkCamera.h"
+#include "vtkDataArray.h"
+#include "vtkImageData.h"
+#include "vtkImageProperty.h"
+#include "vtkImageSlice.h"
+#include "vtkImageSliceMapper.h"
+#include "vtkLightKit.h"
+#include "vtkLookupTable.h"
+#include "vtkMatrix4x4.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkPolyDataMapper.h"
+#include "vtkPolyDataNormals.h"
+#include "vtkProperty.h"
+#include "vtkRenderWindow.h"
+#include "vtkRenderer.h"
+#include "vtkScalarBarActor.h"
+#include "vtkTextActor.h"
+#include "vtkTextProperty.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace palpate
+{
+namespace
+{
+constexpr double Margin = 1.12;   // picture over what is in it
+constexpr int LetterPoints = 18;  // font size
+constexpr int ColorCount = 257;   // odd, so that zero has its own colour
+constexpr std::size_t WindowSamples = 200000;
+
+vtkSmartPointer<vtkPolyData> WithNormals(vtkPolyData* surface)
+{
+  if (surface->GetPointData()->GetNormals())
+  {
+    return surface;
+  }
+  vtkNew<vtkPolyDataNormals> normals;
+  normals->SetInputData(surface);
+  normals->SplittingOff();
+  normals->ConsistencyOff();
+  normals->Update();
+  return normals->GetOutput();
+}
+
+// The image's axis that is nearest to a body axis.
+int NearestAxis(const ImageAxes& axes, int bodyAxis)
+{
+  int nearest = 0;
+  for (int axis = 1; axis < 3; ++axis)
+  {
+    if (std::abs(axes.UnitWorld[axis][bodyAxis]) > std::abs(axes.UnitWorld[nearest][bodyAxis]))
+    {
+      nearest = axis;
+    }
+  }
+  return nearest;
+}
+
+// Some of VTK's filters and mappers ignore an image's direction matrix, so they get a copy without
+// one, and the prop gets the matrix.
+vtkSmartPointer<vtkImageData> WithoutPlace(vtkImageData* image)
+{
+  auto copy = vtkSmartPointer<vtkImageData>::New();
+  copy->ShallowCopy(image);
+  copy->SetOrigin(0.0, 0.0, 0.0);
+  const double identity[9] = {1, 0, 0, 0, 1, 0, 0, 0, 1};
+  copy->SetDirectionMatrix(identity);
+  return copy;
+}
+
+vtkSmartPointer<vtkMatrix4x4> PlaceOf(const ImageAxes& axes)
+{
+  auto matrix = vtkSmartPointer<vtkMatrix4x4>::New();
+  for (int row = 0; row < 3; ++row)
+  {
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      matrix->SetElement(row, axis, axes.UnitWorld[axis][row]);
+    }
+    matrix->SetElement(row, 3, axes.OriginWorld[row]);
+  }
+  return matrix;
+}
+
+GreyWindow WindowOf(vtkImageData* image)
+{
+  vtkDataArray* scalars = image->GetPointData()->GetScalars();
+  const vtkIdType count = scalars->GetNumberOfTuples();
+  const vtkIdType stride = std::max<vtkIdType>(1, count / static_cast<vtkIdType>(WindowSamples));
+  std::vector<float> values;
+  for (vtkIdType v = 0; v < count; v += stride)
+  {
+    values.push_back(static_cast<float>(scalars->GetComponent(v, 0)));
+  }
+  return FindWindow({values});
+}
+
+vtkSmartPointer<vtkLookupTable> MakeLookup(double low, double high)
+{
+  const double limit = std::max({std::abs(low), std::abs(high), 1e-12});
+  const DivergingColorMap colors(limit);
+  auto table = vtkSmartPointer<vtkLookupTable>::New();
+  table->SetRange(low < 0.0 ? -limit : 0.0, high > 0.0 ? limit : 0.0);
+  table->SetNumberOfTableValues(ColorCount);
+  const double* range = table->GetRange();
+  for (int c = 0; c < ColorCount; ++c)
+  {
+    const auto color = colors.ColorOf(range[0] + (range[1] - range[0]) * c / (ColorCount - 1));
+    table->SetTableValue(c, color[0] / 255.0, color[1] / 255.0, color[2] / 255.0);
+  }
+  return table;
+}
+
+Picture ReadPixels(vtkRenderWindow* window, int width, int height)
+{
+  vtkNew<vtkUnsignedCharArray> pixels;
+  window->GetPixelData(0, 0, width - 1, height - 1, 1, pixels);
+  Picture picture(width, height);
+  for (int row = 0; row < height; ++row)
+  {
+    for (int column = 0; column < width; ++column)
+    {
+      const vtkIdType tuple = static_cast<vtkIdType>(height - 1 - row) * width + column;
+      std::uint8_t* pixel = picture.Pixel(column, row);
+      std::copy_n(pixels->GetPointer(3 * tuple), 3, pixel);
+      pixel[3] = 255;
+    }
+  }
+  return picture;
+}
+} // namespace
+
+SceneRenderer::SceneRenderer()
+    : Renderer(vtkSmartPointer<vtkRenderer>::New()), Window(vtkSmartPointer<vtkRenderWindow>::New())
+{
+  this->Window->SetOffScreenRendering(1);
+  this->Window->SetMultiSamples(4);
+  this->Window->AddRenderer(this->Renderer);
+  vtkNew<vtkLightKit> lights;
+  lights->AddLightsToRenderer(this->Renderer);
+  this->SetBackground(this->Background);
+}
+
+SceneRenderer::~SceneRenderer() = default;
+
+void SceneRenderer::SetBackground(const Color& color)
+{
+  this->Background = color;
+  this->Renderer->SetBackground(color[0], color[1], color[2]);
+}
+
+void SceneRenderer::AddSurface(vtkPolyData* surface, const Color& color, double opacity)
+{
+  const vtkSmartPointer<vtkPolyData> shown = WithNormals(surface);
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputData(shown);
+  mapper->ScalarVisibilityOff();
+  vtkNew<vtkActor> actor;
+  actor->SetMapper(mapper);
+  actor->GetProperty()->SetColor(color[0], color[1], color[2]);
+  actor->GetProperty()->SetSpecular(0.15);
+  actor->GetProperty()->SetSpecularPower(25.0);
+  actor->GetProperty()->SetOpacity(opacity);
+  this->Renderer->AddActor(actor);
+  this->Surfaces.push_back({actor, shown});
+  if (opacity < 1.0)
+  {
+    // Peeling loses all that is translucent where several samples a pixel are taken.
+    this->Window->SetMultiSamples(0);
+    this->Window->SetAlphaBitPlanes(1);
+    this->Renderer->SetUseDepthPeeling(1);
+  }
+}
+
+void SceneRenderer::AddSlice(vtkImageData* volume, Plane plane, const Vector3& throughWorld)
+{
+  const ImageAxes axes(volume);
+  const int axis = NearestAxis(axes, static_cast<int>(plane));
+  const int slice = static_cast<int>(std::lround(axes.ToIndex(throughWorld)[axis]));
+  vtkNew<vtkImageSliceMapper> mapper;
+  mapper->SetInputData(WithoutPlace(volume));
+  mapper->SetOrientation(axis);
+  mapper->SetSliceNumber(std::clamp(slice, axes.Extent[2 * axis], axes.Extent[2 * axis + 1]));
+  mapper->BorderOn();
+  const GreyWindow window = WindowOf(volume);
+  vtkNew<vtkImageSlice> shown;
+  shown->SetMapper(mapper);
+  shown->SetUserMatrix(PlaceOf(axes));
+  shown->GetProperty()->SetColorWindow(window.High - window.Low);
+  shown->GetProperty()->SetColorLevel(0.5 * (window.High + window.Low));
+  this->Renderer->AddViewProp(shown);
+}
+
+std::array<double, 2> SceneRenderer::RangeOf(const std::string& name) const
+{
+  std::array<double, 2> range{{0.0, 0.0}};
+  for (const Surface& surface : this->Surfaces)
+  {
+    if (vtkDataArray* values = surface.Data->GetPointData()->GetArray(name.c_str()))
+    {
+      double own[2];
+      values->GetFiniteRange(own);
+      range[0] = std::min(range[0], own[0]);
+      range[1] = std::max(range[1], own[1]);
+    }
+  }
+  return range;
+}
+
+bool SceneRenderer::ColorByArray(const std::string& name)
+{
+  const std::array<double, 2> range = this->RangeOf(name);
+  const vtkSmartPointer<vtkLookupTable> table = MakeLookup(range[0], range[1]);
+  bool isFound = false;
+  for (const Surface& surface : this->Surfaces)
+  {
+    vtkDataArray* values = surface.Data->GetPointData()->GetArray(name.c_str());
+    if (values && values->GetNumberOfComponents() == 1)
+    {
+      vtkMapper* mapper = surface.Actor->GetMapper();
+      mapper->ScalarVisibilityOn();
+      mapper->SetScalarModeToUsePointFieldData();
+      mapper->SelectColorArray(name.c_str());
+      mapper->SetLookupTable(table);
+      mapper->UseLookupTableScalarRangeOn();
+      mapper->InterpolateScalarsBeforeMappingOn();
+      isFound = true;
+    }
+  }
+  if (isFound)
+  {
+    this->BarColors = table;
+    this->BarTitle = name;
+  }
+  return isFound;
+}
+
+Vector3 SceneRenderer::MiddleWorld() const
+{
+  double bounds[6];
+  this->Renderer->ComputeVisiblePropBounds(bounds);
+  return {0.5 * (bounds[0] + bounds[1]), 0.5 * (bounds[2] + bounds[3]),
+          0.5 * (bounds[4] + bounds[5])};
+}
+
+void SceneRenderer::PlaceCamera(const ViewFrame& frame, double aspect)
+{
+  const vtkBoundingBox box(this->Renderer->ComputeVisiblePropBounds());
+  const Vector3 middle = this->MiddleWorld();
+  Vector3 half = Vector3::Ones();
+  for (int corner = 0; box.IsValid() && corner < 8; ++corner)
+  {
+    double point[3];
+    box.GetCorner(corner, point);
+    const Vector3 offset = Vector3(point) - middle;
+    half = half.cwiseMax(Vector3(std::abs(offset.dot(frame.RightWorld)),
+                                 std::abs(offset.dot(frame.UpWorld)),
+                                 std::abs(offset.dot(frame.TowardsViewerWorld))));
+  }
+  const Vector3 eye = middle + 3.0 * half.z() * frame.TowardsViewerWorld;
+  vtkCamera* camera = this->Renderer->GetActiveCamera();
+  camera->ParallelProjectionOn();
+  camera->SetFocalPoint(middle.data());
+  camera->SetPosition(eye.data());
+  camera->SetViewUp(frame.UpWorld.data());
+  camera->SetParallelScale(Margin * std::max(half.y(), half.x() / aspect));
+  this->Renderer->ResetCameraClippingRange();
+}
+
+SceneRenderer::Color SceneRenderer::InkColor() const
+{
+  const double luminance =
+      0.3 * this->Background[0] + 0.6 * this->Background[1] + 0.1 * this->Background[2];
+  return luminance > 0.5 ? Color{{0.1, 0.1, 0.1}} : Color{{0.95, 0.95, 0.95}};
+}
+
+void SceneRenderer::AddLetters(const ViewFrame& frame)
+{
+  const Color ink = this->InkColor();
+  const auto add = [&](const Vector3& direction, double x, double y)
+  {
+    vtkNew<vtkTextActor> text;
+    text->SetInput(OrientationLetters(direction).c_str());
+    vtkTextProperty* style = text->GetTextProperty();
+    style->SetFontSize(LetterPoints);
+    style->BoldOn();
+    style->SetColor(ink[0], ink[1], ink[2]);
+    style->SetJustification(x < 0.3 ? VTK_TEXT_LEFT : x > 0.7 ? VTK_TEXT_RIGHT : VTK_TEXT_CENTERED);
+    style->SetVerticalJustification(y < 0.3   ? VTK_TEXT_BOTTOM
+                                    : y > 0.7 ? VTK_TEXT_TOP
+                                              : VTK_TEXT_CENTERED);
+    text->GetPositionCoordinate()->SetCoordinateSystemToNormalizedViewport();
+    text->SetPosition(x, y);
+    this->Renderer->AddViewProp(text);
+  };
+  add(-frame.RightWorld, 0.012, 0.5);
+  add(frame.RightWorld, 0.988, 0.5);
+  add(frame.UpWorld, 0.5, 0.985);
+  add(-frame.UpWorld, 0.5, 0.015);
+}
+
+void SceneRenderer::AddColorBar(vtkScalarsToColors* colors, const std::string& title)
+{
+  const Color ink = this->InkColor();
+  vtkNew<vtkScalarBarActor> bar;
+  bar->SetLookupTable(colors);
+  bar->SetTitle((title + ", mm").c_str());
+  bar->SetNumberOfLabels(5);
+  bar->SetLabelFormat("%-#.3g");
+  bar->SetMaximumNumberOfColors(ColorCount);
+  bar->UnconstrainedFontSizeOn();
+  bar->SetOrientationToHorizontal();
+  for (vtkTextProperty* style : {bar->GetTitleTextProperty(), bar->GetLabelTextProperty()})
+  {
+    style->SetColor(ink[0], ink[1], ink[2]);
+    style->SetFontSize(14);
+    style->BoldOff();
+    style->ItalicOff();
+    style->ShadowOff();
+  }
+  bar->SetPosition(0.03, 0.03);
+  bar->SetPosition2(0.4, 0.1);
+  this->Renderer->AddViewProp(bar);
+}
+
+Picture SceneRenderer::Render(const ViewFrame& frame, int width, int height)
+{
+  this->Window->SetSize(width, height);
+  this->PlaceCamera(frame, static_cast<double>(width) / height);
+  this->AddLetters(frame);
+  if (this->BarColors)
+  {
+    this->AddColorBar(this->BarColors, this->BarTitle);
+  }
+  this->Window->Render();
+  return ReadPixels(this->Window, width, height);
+}
+} // namespace palpate

@@ -1,0 +1,78 @@
+#pragma once
+
+#include "AnatomicalView.h"
+#include "PalpateSessionModule.h"
+#include "Picture.h"
+
+#include "vtkSmartPointer.h"
+
+#include <array>
+#include <string>
+#include <vector>
+
+class vtkActor;
+class vtkImageData;
+class vtkPolyData;
+class vtkProp3D;
+class vtkRenderer;
+class vtkRenderWindow;
+class vtkScalarsToColors;
+
+namespace palpate
+{
+/// Draws surfaces and slices of volumes in space (patient LPS, mm) with VTK, off screen: parallel
+/// projection, letters of the patient's directions at the picture's edges, and a colour bar where an
+/// array is coloured. Needs a DisplayServer that outlives it.
+class PALPATESESSION_EXPORT SceneRenderer
+{
+public:
+  using Color = std::array<double, 3>; ///< 0..1
+
+  enum class Plane
+  {
+    Sagittal,
+    Coronal,
+    Axial
+  };
+
+  SceneRenderer();
+  SceneRenderer(const SceneRenderer&) = delete;
+  SceneRenderer& operator=(const SceneRenderer&) = delete;
+  ~SceneRenderer();
+
+  void SetBackground(const Color& color);
+  void AddSurface(vtkPolyData* surface, const Color& color, double opacity);
+  /// The slice of a volume (with its direction matrix) through a point, along the image's axis
+  /// that is nearest to the body's.
+  void AddSlice(vtkImageData* volume, Plane plane, const Vector3& throughWorld);
+  /// Colours every surface that has this one-component point array, all on one scale: diverging
+  /// around zero where it has both signs, and from white on otherwise. False where none has it.
+  bool ColorByArray(const std::string& name);
+
+  /// The middle of what was added so far, mm.
+  Vector3 MiddleWorld() const;
+
+  /// Everything, seen along a frame, as large as it fits.
+  Picture Render(const ViewFrame& frame, int width, int height);
+
+private:
+  struct Surface
+  {
+    vtkSmartPointer<vtkActor> Actor;
+    vtkSmartPointer<vtkPolyData> Data;
+  };
+
+  std::array<double, 2> RangeOf(const std::string& name) const;
+  void PlaceCamera(const ViewFrame& frame, double aspect);
+  void AddLetters(const ViewFrame& frame);
+  void AddColorBar(vtkScalarsToColors* colors, const std::string& title);
+  Color InkColor() const;
+
+  vtkSmartPointer<vtkRenderer> Renderer;
+  vtkSmartPointer<vtkRenderWindow> Window;
+  std::vector<Surface> Surfaces;
+  Color Background{{1.0, 1.0, 1.0}};
+  std::string BarTitle;
+  vtkSmartPointer<vtkScalarsToColors> BarColors;
+};
+} // namespace palpate

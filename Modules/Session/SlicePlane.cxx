@@ -1,0 +1,152 @@
+#include "SlicePlane.h"
+
+#include "ImageAxes.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+namespace palpate
+{
+namespace
+{
+// What surrounds the structure in the pictures, mm and as a share of its size.
+constexpr double SmallestMargin = 6.0;
+constexpr double MarginShare = 0.22;
+
+// The image's axes by their part in the body: 0 towards left, 1 towards posterior, 2 towards
+// superior; the sign is -1 where the index runs the other way.
+struct BodyAxes
+{
+  std::array<int, 3> Axis{};
+  std::array<double, 3> Sign{};
+};
+
+BodyAxes AssignAxes(const ImageAxes& image)
+{
+  std::array<int, 3> order{{0, 1, 2}};
+  BodyAxes best;
+  double bestSum = -1.0;
+  do
+  {
+    double sum = 0.0;
+    for (int part = 0; part < 3; ++part)
+    {
+      sum += std::abs(image.UnitWorld[order[part]][part]);
+    }
+    if (sum > bestSum)
+    {
+      bestSum = sum;
+      best.Axis = order;
+    }
+  } while (std::next_permutation(order.begin(), order.end()));
+  for (int part = 0; part < 3; ++part)
+  {
+    best.Sign[part] = image.UnitWorld[best.Axis[part]][part] < 0.0 ? -1.0 : 1.0;
+  }
+  return best;
+}
+
+// Lays out planes around one box of voxels.
+class Layout
+{
+public:
+  Layout(const ImageAxes& image, const IndexBox& box, int longestSide)
+      : Image(image), Box(box), Body(AssignAxes(image))
+  {
+    double longest = 0.0;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      longest = std::max(longest, this->SideMillimeters(axis));
+    }
+    this->Margin = std::max(SmallestMargin, MarginShare * longest);
+    this->PixelMillimeters = (longest + 2.0 * this->Margin) / longestSide;
+  }
+
+  // A plane across body axis `across`; the picture's right and down are body axes with a sign.
+  SlicePlane Make(const std::string& name, int across, int right, int down, double downSign,
+                  int sliceIndex) const
+  {
+    SlicePlane plane;
+    plane.Name = name;
+    plane.RightAxis = this->Body.Axis[right];
+    plane.DownAxis = this->Body.Axis[down];
+    plane.SliceAxis = this->Body.Axis[across];
+    plane.RightWorld = this->Body.Sign[right] * this->Image.UnitWorld[plane.RightAxis];
+    plane.DownWorld = downSign * this->Body.Sign[down] * this->Image.UnitWorld[plane.DownAxis];
+    plane.PixelMillimeters = this->PixelMillimeters;
+    const double width = this->SideMillimeters(plane.RightAxis) + 2.0 * this->Margin;
+    const double height = this->SideMillimeters(plane.DownAxis) + 2.0 * this->Margin;
+    plane.Width = std::max(1, static_cast<int>(std::lround(width / this->PixelMillimeters)));
+    plane.Height = std::max(1, static_cast<int>(std::lround(height / this->PixelMillimeters)));
+    plane.SliceIndex = sliceIndex;
+    plane.SliceNumber = sliceIndex - this->Image.Extent[2 * plane.SliceAxis] + 1;
+    plane.SliceCount = this->Image.Size(plane.SliceAxis);
+
+    Vector3 middleIndex = 0.5 * (this->Box.Low + this->Box.High).cast<double>();
+    middleIndex[plane.SliceAxis] = sliceIndex;
+    plane.CornerWorld = this->Image.ToWorld(middleIndex) -
+                        0.5 * this->PixelMillimeters *
+                            (plane.Width * plane.RightWorld + plane.Height * plane.DownWorld);
+    return plane;
+  }
+
+  std::vector<SlicePlane> All(int axialCount) const
+  {
+    std::vector<SlicePlane> planes;
+    const int axis = this->Body.Axis[2];
+    int previous = this->Box.Low[axis] - 1;
+    for (int k = 0; k < axialCount; ++k)
+    {
+      // The middles of equal parts of the structure's height, from below.
+      const int part = this->Body.Sign[2] > 0.0 ? k : axialCount - 1 - k;
+      const double height = this->Box.High[axis] - this->Box.Low[axis];
+      const int index =
+          this->Box.Low[axis] + static_cast<int>(std::lround(height * (part + 0.5) / axialCount));
+      if (k == 0 || index != previous)
+      {
+        planes.push_back(this->Make("Axial", 2, 0, 1, 1.0, index));
+      }
+      previous = index;
+    }
+    planes.push_back(this->Make("Sagittal", 0, 1, 2, -1.0, this->Middle(0)));
+    planes.push_back(this->Make("Coronal", 1, 0, 2, -1.0, this->Middle(1)));
+    return planes;
+  }
+
+private:
+  double SideMillimeters(int axis) const
+  {
+    return (this->Box.High[axis] - this->Box.Low[axis] + 1) * this->Image.Spacing[axis];
+  }
+  int Middle(int bodyAxis) const
+  {
+    const int axis = this->Body.Axis[bodyAxis];
+    return (this->Box.Low[axis] + this->Box.High[axis]) / 2;
+  }
+
+  const ImageAxes& Image;
+  const IndexBox& Box;
+  BodyAxes Body;
+  double Margin;
+  double PixelMillimeters;
+};
+} // namespace
+
+Vector3 SlicePlane::NormalWorld() const
+{
+  return this->RightWorld.cross(this->DownWorld);
+}
+
+std::vector<SlicePlane> ChooseSlicePlanes(vtkImageData* mask, int value, int axialCount,
+                                          int longestSide)
+{
+  const ImageAxes image(mask);
+  IndexBox box;
+  if (!FindValueBox(mask, value, box))
+  {
+    return {};
+  }
+  return Layout(image, box, longestSide).All(axialCount);
+}
+} // namespace palpate

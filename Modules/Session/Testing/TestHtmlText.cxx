@@ -1,0 +1,55 @@
+#include "HtmlText.h"
+
+#include <gtest/gtest.h>
+#include <limits>
+
+using palpate::EscapeHtml;
+using palpate::FixedText;
+using palpate::SignificantText;
+
+TEST(HtmlText, MarkupAndQuotesLoseTheirMeaning)
+{
+  EXPECT_EQ(EscapeHtml("<b a=\"1\" b='2'>&amp;"),
+            "&lt;b a=&quot;1&quot; b=&#39;2&#39;&gt;&amp;amp;");
+}
+
+TEST(HtmlText, Utf8StaysAndWhatIsNoneIsReplaced)
+{
+  EXPECT_EQ(EscapeHtml("Dr\xC3\xBCse \xF0\x9F\x98\x80"), "Dr\xC3\xBCse \xF0\x9F\x98\x80");
+  const std::string replaced = "\xEF\xBF\xBD";
+  EXPECT_EQ(EscapeHtml("Dr\xFCse"), "Dr" + replaced + "se");             // Latin-1
+  EXPECT_EQ(EscapeHtml("\xC3"), replaced);                               // cut off
+  EXPECT_EQ(EscapeHtml("\xC0\xBC"), replaced + replaced);                // overlong '<'
+  EXPECT_EQ(EscapeHtml("\xED\xA0\x80"), replaced + replaced + replaced); // surrogate
+}
+
+TEST(HtmlText, ControlCharactersAreLeftOutAndLineBreaksBecomeSpaces)
+{
+  EXPECT_EQ(EscapeHtml(std::string("a\0b\x01\x1B[31mc\nd\x7F", 12)), "ab[31mc d");
+}
+
+TEST(HtmlText, NumbersThatAreNotFiniteAreADash)
+{
+  const std::string dash = "\xE2\x80\x93";
+  EXPECT_EQ(FixedText(std::numeric_limits<double>::quiet_NaN(), 2), dash);
+  EXPECT_EQ(FixedText(-std::numeric_limits<double>::infinity(), 2), dash);
+  EXPECT_EQ(SignificantText(std::numeric_limits<double>::quiet_NaN(), 2), dash);
+}
+
+TEST(HtmlText, NumbersHaveTheDigitsAskedFor)
+{
+  EXPECT_EQ(FixedText(3.14159, 2), "3.14");
+  EXPECT_EQ(FixedText(-0.001, 2), "0.00");
+  EXPECT_EQ(FixedText(-0.01, 2), "-0.01");
+  EXPECT_EQ(FixedText(12345.6, 0), "12346");
+  EXPECT_EQ(SignificantText(0.000123456, 3), "0.000123");
+  EXPECT_EQ(SignificantText(5.0, 4), "5");
+}
+
+TEST(HtmlText, TablesEscapeNamesAndValues)
+{
+  const std::string html = palpate::HtmlTable("<c>", {{"<n>", "<v>"}});
+  EXPECT_NE(html.find("&lt;c&gt;"), std::string::npos);
+  EXPECT_NE(html.find("&lt;n&gt;"), std::string::npos);
+  EXPECT_NE(html.find("&lt;v&gt;"), std::string::npos);
+}

@@ -1,0 +1,87 @@
+#include "Picture.h"
+
+#include "vtkImageData.h"
+#include "vtkNew.h"
+#include "vtkPNGReader.h"
+
+#include <gtest/gtest.h>
+#include <random>
+
+using palpate::Picture;
+
+namespace
+{
+// Reads a PNG back; row 0 of the answer is the top.
+Picture Decode(const std::string& png, int& components)
+{
+  vtkNew<vtkPNGReader> reader;
+  reader->SetMemoryBuffer(png.data());
+  reader->SetMemoryBufferLength(static_cast<vtkIdType>(png.size()));
+  reader->Update();
+  vtkImageData* image = reader->GetOutput();
+  int size[3];
+  image->GetDimensions(size);
+  components = image->GetNumberOfScalarComponents();
+  Picture picture(size[0], size[1]);
+  for (int row = 0; row < size[1]; ++row)
+  {
+    for (int column = 0; column < size[0]; ++column)
+    {
+      const auto* source =
+          static_cast<const std::uint8_t*>(image->GetScalarPointer(column, size[1] - 1 - row, 0));
+      for (int c = 0; c < 4; ++c)
+      {
+        const bool isColor = c < 3;
+        picture.Pixel(column, row)[c] = components == 1  ? (isColor ? source[0] : 255)
+                                        : c < components ? source[c]
+                                                         : 255;
+      }
+    }
+  }
+  return picture;
+}
+
+Picture RandomPicture(bool isGrey, bool isOpaque)
+{
+  std::mt19937_64 random(99);
+  Picture picture(37, 21);
+  for (std::size_t p = 0; p < picture.Rgba.size(); p += 4)
+  {
+    std::uint8_t* pixel = picture.Rgba.data() + p;
+    pixel[0] = static_cast<std::uint8_t>(random());
+    pixel[1] = isGrey ? pixel[0] : static_cast<std::uint8_t>(random());
+    pixel[2] = isGrey ? pixel[0] : static_cast<std::uint8_t>(random());
+    pixel[3] = isOpaque ? 255 : static_cast<std::uint8_t>(random());
+  }
+  return picture;
+}
+} // namespace
+
+TEST(Picture, PngKeepsEveryPixelInTheFewestComponents)
+{
+  int components = 0;
+  for (const bool isGrey : {true, false})
+  {
+    const Picture picture = RandomPicture(isGrey, true);
+    EXPECT_EQ(Decode(palpate::EncodePng(picture), components).Rgba, picture.Rgba);
+    EXPECT_EQ(components, isGrey ? 1 : 3);
+  }
+  const Picture transparent = RandomPicture(false, false);
+  EXPECT_EQ(Decode(palpate::EncodePng(transparent), components).Rgba, transparent.Rgba);
+  EXPECT_EQ(components, 4);
+}
+
+TEST(Picture, DataUriIsBase64OfThePng)
+{
+  // RFC 4648: a PNG's first nine bytes 89 50 4E 47 0D 0A 1A 0A 00 are "iVBORw0KGgoA".
+  const std::string uri = palpate::PngDataUri(RandomPicture(true, true));
+  const std::string start = "data:image/png;base64,";
+  EXPECT_EQ(uri.substr(0, start.size() + 12), start + "iVBORw0KGgoA");
+  const std::string png = palpate::EncodePng(RandomPicture(true, true));
+  EXPECT_EQ(uri.size() - start.size(), (png.size() + 2) / 3 * 4);
+}
+
+TEST(Picture, AnEmptyPictureHasNoBytes)
+{
+  EXPECT_EQ(palpate::EncodePng(Picture()), "");
+}

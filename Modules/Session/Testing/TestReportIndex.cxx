@@ -1,0 +1,46 @@
+#include "ReportIndex.h"
+
+#include "MarkupCheck.h"
+#include "SyntheticFit.h"
+#include "TemporaryFolder.h"
+
+#include <gtest/gtest.h>
+
+using palpate::FitResult;
+
+namespace
+{
+std::string Page(const palpate::ReportIndex& index)
+{
+  const palpate::test::TemporaryFolder folder;
+  index.Write(folder / "index.html");
+  return palpate::test::ReadAll(folder / "index.html");
+}
+} // namespace
+
+TEST(ReportIndex, LinksEveryCaseAndCountsTheFittedOnes)
+{
+  const palpate::test::SyntheticFit fit;
+  FitResult refused = fit.Result;
+  refused.State = FitResult::Outcome::Refused;
+  refused.Structure.Name = "<Zone> & \"more\"";
+  refused.Message = "is not star-shaped: <why>";
+  palpate::ReportIndex index;
+  index.Add(fit.Result, "case 1%/report.html");
+  index.Add(refused, "case_2/report.html");
+  index.Add(refused, "");
+  const std::string html = Page(index);
+  EXPECT_EQ(palpate::test::MarkupError(html), "");
+  EXPECT_NE(html.find("3 structures, 1 fitted"), std::string::npos);
+  EXPECT_NE(html.find("href=\"case%201%25/report.html\""), std::string::npos);
+  EXPECT_NE(html.find("href=\"case_2/report.html\""), std::string::npos);
+  EXPECT_NE(html.find("0.9873"), std::string::npos);
+  EXPECT_NE(html.find("is not star-shaped: &lt;why&gt;"), std::string::npos);
+  EXPECT_EQ(html.find("secret-folder"), std::string::npos);
+  EXPECT_EQ(html.find("http"), std::string::npos);
+}
+
+TEST(ReportIndex, NoCasesMakeAPageToo)
+{
+  EXPECT_EQ(palpate::test::MarkupError(Page(palpate::ReportIndex())), "");
+}

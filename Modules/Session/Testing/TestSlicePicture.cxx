@@ -1,0 +1,134 @@
+#include "SlicePicture.h"
+
+#include "ImageAxes.h"
+#include "SyntheticFit.h"
+
+#include <Eigen/Geometry>
+#include <cmath>
+#include <gtest/gtest.h>
+#include <limits>
+
+using palpate::SlicePlane;
+using palpate::Vector3;
+
+namespace
+{
+const Vector3 Slope(0.3, -0.7, 0.2);
+
+// Values Slope . x (world) on a grid that is turned against everything else.
+vtkSmartPointer<vtkImageData> MakeLinearImage()
+{
+  auto image = vtkSmartPointer<vtkImageData>::New();
+  image->SetDimensions(50, 60, 40);
+  image->SetSpacing(2.0, 1.7, 2.3);
+  const Eigen::Matrix<double, 3, 3, Eigen::RowMajor> rows =
+      Eigen::AngleAxisd(0.6, Vector3(2, 1, 1).normalized()).toRotationMatrix();
+  image->SetDirectionMatrix(rows.data());
+  image->AllocateScalars(VTK_DOUBLE, 1);
+  const Vector3 middle = palpate::ImageAxes(image).ToWorld(Vector3(24.5, 29.5, 19.5));
+  const Vector3 origin = palpate::test::SyntheticFit::Center - middle;
+  image->SetOrigin(origin.x(), origin.y(), origin.z());
+  for (vtkIdType p = 0; p < image->GetNumberOfPoints(); ++p)
+  {
+    double point[3];
+    image->GetPoint(p, point);
+    static_cast<double*>(image->GetScalarPointer())[p] = Slope.dot(Vector3(point));
+  }
+  return image;
+}
+} // namespace
+
+TEST(SlicePicture, ALinearImageOnAnotherGridIsReproducedInMillimetres)
+{
+  const palpate::test::SyntheticFit fit;
+  const auto image = MakeLinearImage();
+  int inside = 0;
+  for (const SlicePlane& plane : palpate::ChooseSlicePlanes(fit.Result.Mask, 1, 2, 90))
+  {
+    const std::vector<float> values = palpate::SampleLinear(image, plane);
+    for (int row = 0; row < plane.Height; ++row)
+    {
+      for (int column = 0; column < plane.Width; ++column)
+      {
+        const float value = values[static_cast<std::size_t>(row * plane.Width + column)];
+        const Vector3 world = plane.ToWorld({column + 0.5, row + 0.5});
+        const Vector3 index = palpate::ImageAxes(image).ToIndex(world);
+        const bool isWithinCentres =
+            index.minCoeff() > 0.0 && index.x() < 49.0 && index.y() < 59.0 && index.z() < 39.0;
+        if (isWithinCentres)
+        {
+          // Linear interpolation of a linear function; floats of size 70 carry 4e-6.
+          ASSERT_NEAR(value, Slope.dot(world), 5e-5);
+          ++inside;
+        }
+      }
+    }
+  }
+  EXPECT_GT(inside, 10000);
+}
+
+TEST(SlicePicture, OutsideTheImageThereIsNoNumber)
+{
+  const palpate::test::SyntheticFit fit;
+  SlicePlane plane = palpate::ChooseSlicePlanes(fit.Result.Mask, 1, 1, 50).front();
+  plane.CornerWorld += Vector3(5000.0, 0.0, 0.0);
+  for (const float value : palpate::SampleLinear(fit.Mri.Image, plane))
+  {
+    ASSERT_TRUE(std::isnan(value));
+  }
+  for (const float value : palpate::SampleNearest(fit.Result.Mask, plane))
+  {
+    ASSERT_EQ(value, 0.0F);
+  }
+}
+
+TEST(SlicePicture, NearestSamplesAreTheVoxelThatHoldsThePoint)
+{
+  const palpate::test::SyntheticFit fit;
+  const SlicePlane plane = palpate::ChooseSlicePlanes(fit.Result.Mask, 1, 1, 77).front();
+  const std::vector<float> values = palpate::SampleNearest(fit.Result.Mask, plane);
+  const palpate::ImageAxes axes(fit.Result.Mask);
+  for (int row = 0; row < plane.Height; ++row)
+  {
+    for (int column = 0; column < plane.Width; ++column)
+    {
+      const Vector3 index = axes.ToIndex(plane.ToWorld({column + 0.5, row + 0.5}));
+      const Eigen::Vector3i voxel = index.array().round().matrix().cast<int>();
+      if ((index - voxel.cast<double>()).head<2>().cwiseAbs().maxCoeff() < 0.499)
+      {
+        ASSERT_EQ(values[static_cast<std::size_t>(row * plane.Width + column)],
+                  fit.Result.Mask->GetScalarComponentAsDouble(voxel.x(), voxel.y(), voxel.z(), 0));
+      }
+    }
+  }
+}
+
+TEST(SlicePicture, TheWindowSpansTheValuesWithoutTheirExtremes)
+{
+  std::vector<float> values;
+  for (int v = 0; v < 100000; ++v)
+  {
+    values.push_back(static_cast<float>(v));
+  }
+  values.push_back(std::numeric_limits<float>::quiet_NaN());
+  const palpate::GreyWindow window = palpate::FindWindow({values});
+  // Percentiles of every fifth value: at most five off.
+  EXPECT_NEAR(window.Low, 1000.0, 5.0);
+  EXPECT_NEAR(window.High, 99500.0, 5.0);
+  const palpate::GreyWindow flat = palpate::FindWindow({std::vector<float>(100, 3.0F)});
+  EXPECT_LT(flat.Low, flat.High);
+}
+
+TEST(SlicePicture, GreyRunsFromBlackToWhiteAndNoNumberIsBlack)
+{
+  SlicePlane plane;
+  plane.Width = 4;
+  plane.Height = 1;
+  const palpate::Picture picture = palpate::DrawGrey(
+      {10.0F, 20.0F, 15.0F, std::numeric_limits<float>::quiet_NaN()}, plane, {10.0, 20.0});
+  EXPECT_EQ(picture.Pixel(0, 0)[0], 0);
+  EXPECT_EQ(picture.Pixel(1, 0)[1], 255);
+  EXPECT_NEAR(picture.Pixel(2, 0)[2], 127, 1);
+  EXPECT_EQ(picture.Pixel(3, 0)[0], 0);
+  EXPECT_EQ(picture.Pixel(3, 0)[3], 255);
+}

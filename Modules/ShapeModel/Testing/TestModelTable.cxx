@@ -1,0 +1,42 @@
+#include "ModelTable.h"
+
+#include "RandomShapes.h"
+
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
+#include "vtkNew.h"
+#include "vtkTable.h"
+
+#include <gtest/gtest.h>
+
+namespace
+{
+using palpate::SphericalHarmonicModel;
+
+TEST(ModelTable, ComesBackToTheBit)
+{
+  palpate::test::Random random(5);
+  const SphericalHarmonicModel model(7, palpate::test::RandomCoefficients(random, 7),
+                                     palpate::Vector3(1.5, -20.25, 1e-3));
+  vtkNew<vtkTable> table;
+  palpate::ToTable(model, table);
+  EXPECT_EQ(table->GetNumberOfRows(), 64);
+  SphericalHarmonicModel back;
+  ASSERT_TRUE(palpate::FromTable(table, back));
+  EXPECT_EQ(back.Coefficients(), model.Coefficients());
+  EXPECT_EQ(back.CenterWorld(), model.CenterWorld());
+}
+
+TEST(ModelTable, OtherTablesAreRefused)
+{
+  SphericalHarmonicModel model;
+  vtkNew<vtkTable> table;
+  EXPECT_FALSE(palpate::FromTable(table, model));
+  palpate::ToTable(SphericalHarmonicModel(), table);
+  table->GetFieldData()->RemoveArray("Center");
+  EXPECT_FALSE(palpate::FromTable(table, model));
+  palpate::ToTable(SphericalHarmonicModel(), table);
+  table->SetValueByName(0, "Order", 1); // |m| > l
+  EXPECT_FALSE(palpate::FromTable(table, model));
+}
+} // namespace

@@ -1,0 +1,15 @@
+#pragma once
+
+#include "PairedBenchmark.h"
+
+#include <iosfwd>
+#include <string>
+#include <vector>
+
+namespace palpate::bench
+{
+/// One line a comparison; the ratio is how many times faster ours is.
+void PrintTable(std::ostream& out, const std::vector<Comparison>& comparisons);
+/// A list of {"name", "ns", "against", "against_ns", "ratio"}.
+std::string ToJson(const std::vector<Comparison>& comparisons);
+} // namespace palpate::bench

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace palpate::bench
+{
+/// Something of ours and a named alternative that does the same job, timed in the same run. A time
+/// alone says nothing on another machine; the ratio does.
+struct PairedBenchmark
+{
+  std::string Name;    ///< e.g. "sh/fit/4002x169"
+  std::string Against; ///< e.g. "Eigen ColPivHouseholderQR"
+  std::function<void()> Run;
+  std::function<void()> RunAgainst;
+  /// Empty if the results of the last two runs agree, else a sentence that says how they do not.
+  std::function<std::string()> Disagreement;
+};
+
+/// One line of the outcome. Times are real time, the median of the repetitions.
+struct Comparison
+{
+  std::string Name;
+  double Nanoseconds;
+  std::string Against;
+  double AgainstNanoseconds;
+
+  double Ratio() const { return this->AgainstNanoseconds / this->Nanoseconds; }
+};
+
+/// Runs both sides of each pair once and asks whether they agree. Returns the sentences of those
+/// that do not.
+std::vector<std::string> Disagreements(const std::vector<PairedBenchmark>& pairs);
+
+/// Times both sides of each pair with Google Benchmark.
+std::vector<Comparison> Measure(const std::vector<PairedBenchmark>& pairs);
+} // namespace palpate::bench

@@ -1,0 +1,46 @@
+#pragma once
+
+#include "ImageWriter.h"
+#include "ModelFile.h"
+#include "SphericalHarmonicBasis.h"
+#include "vtkImageData.h"
+#include "vtkNew.h"
+
+#include <cmath>
+#include <filesystem>
+
+namespace palpate::test
+{
+/// A ball of label 1 (radius 9 mm round the origin) and a small one of label 2, on an anisotropic
+/// grid.
+inline void WriteTwoBalls(const std::filesystem::path& path)
+{
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(41, 41, 15);
+  image->SetSpacing(1.0, 1.0, 2.5);
+  image->SetOrigin(-20.0, -20.0, -17.5);
+  image->AllocateScalars(VTK_UNSIGNED_CHAR, 1);
+  auto* voxel = static_cast<unsigned char*>(image->GetScalarPointer());
+  for (vtkIdType i = 0; i < image->GetNumberOfPoints(); ++i)
+  {
+    double point[3];
+    image->GetPoint(i, point);
+    const double big = std::hypot(point[0], point[1], point[2]);
+    const double small = std::hypot(point[0] - 15.0, point[1] - 15.0, point[2]);
+    voxel[i] = big < 9.0 ? 1 : small < 4.0 ? 2 : 0;
+  }
+  WriteImage(path, image);
+}
+
+/// The sphere of 10 mm round (1, 2, 3) mm, as a model of degree 1 with a small tilt.
+inline SphericalHarmonicModel NearlyASphere()
+{
+  const double root = std::sqrt(4.0 * 3.14159265358979323846);
+  return {1, {10.0 * root, 0.0, 0.25, 0.0}, Vector3(1.0, 2.0, 3.0)};
+}
+
+inline void WriteNearlyASphere(const std::filesystem::path& path)
+{
+  WriteModel(path, {NearlyASphere(), {}});
+}
+} // namespace palpate::test

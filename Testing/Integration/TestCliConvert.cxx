@@ -1,0 +1,146 @@
+#include "CommandRun.h"
+#include "SurfaceFile.h"
+#include "SyntheticFiles.h"
+#include "TemporaryFolder.h"
+#include "TestData.h"
+#include "Volume.h"
+#include "vtkPolyData.h"
+
+#include <gtest/gtest.h>
+
+using namespace palpate;
+using namespace palpate::test;
+
+namespace
+{
+void ExpectRefused(const CommandRun& run, const std::string& name)
+{
+  EXPECT_EQ(run.Code, 2) << run.Errors;
+  EXPECT_EQ(run.Output, "");
+  EXPECT_NE(run.Errors.find(name), std::string::npos) << run.Errors;
+  EXPECT_EQ(run.Errors.find('\n'), run.Errors.size() - 1) << "more than a sentence: " << run.Errors;
+}
+} // namespace
+
+TEST(CliConvert, ModelGoesRoundThroughJsonAndCsvUnchanged)
+{
+  const TemporaryFolder folder;
+  WriteNearlyASphere(folder / "a.json");
+  EXPECT_EQ(RunPalpate({"convert", "a.json", "b.csv"}, folder.Path()).Code, 0);
+  EXPECT_EQ(RunPalpate({"convert", "b.csv", "c.json"}, folder.Path()).Code, 0);
+  EXPECT_EQ(ReadAll(folder / "a.json"), ReadAll(folder / "c.json"));
+}
+
+TEST(CliConvert, ModelAsCoefSaysWhatIsLostUnlessQuiet)
+{
+  const TemporaryFolder folder;
+  WriteNearlyASphere(folder / "a.json");
+  EXPECT_NE(RunPalpate({"convert", "a.json", "a.coef"}, folder.Path()).Errors, "");
+  EXPECT_EQ(RunPalpate({"convert", "a.json", "a.coef", "--quiet"}, folder.Path()).Errors, "");
+}
+
+TEST(CliConvert, StarShapedAndParametricFormOfAModelAreDrawnAlike)
+{
+  const TemporaryFolder folder;
+  WriteNearlyASphere(folder / "a.json");
+  RunPalpate({"convert", "a.json", "a.coef"}, folder.Path());
+  RunPalpate({"convert", "a.json", "a.vtp", "--frequency", "6"}, folder.Path());
+  RunPalpate({"convert", "a.coef", "b.vtp", "--frequency", "6"}, folder.Path());
+  const auto first = ReadSurface(folder / "a.vtp");
+  const auto second = ReadSurface(folder / "b.vtp");
+  ASSERT_EQ(first->GetNumberOfPoints(), 362);
+  ASSERT_EQ(second->GetNumberOfPoints(), 362);
+  for (vtkIdType i = 0; i < 362; ++i)
+  {
+    const Vector3 a(first->GetPoint(i));
+    const Vector3 b(second->GetPoint(i));
+    ASSERT_LT((a - b).norm(), 1e-5); // either may be drawn in single precision
+  }
+}
+
+TEST(CliConvert, ModelIsDrawnWithTheExactCountsOfItsFrequency)
+{
+  const TemporaryFolder folder;
+  WriteNearlyASphere(folder / "a.json");
+  for (const char* name : {"a.vtp", "a.stl", "a.ply", "a.obj"})
+  {
+    ASSERT_EQ(RunPalpate({"convert", "a.json", name}, folder.Path()).Code, 0) << name;
+    EXPECT_EQ(ReadSurface(folder / name)->GetNumberOfPoints(), 4002) << name;
+    EXPECT_EQ(ReadSurface(folder / name)->GetNumberOfCells(), 8000) << name;
+  }
+  for (const char* name : {"a.gltf", "a.glb", "a.x3d"})
+  {
+    EXPECT_EQ(RunPalpate({"convert", "a.vtp", name}, folder.Path()).Code, 0) << name;
+  }
+  EXPECT_EQ(folder.EntryCount(), 8u);
+}
+
+TEST(CliConvert, RealCoefficientFilesAreDrawn)
+{
+  PALPATE_REQUIRE_FILE(DataPath("spharm_coef/case0_hippoL.coef"));
+  const TemporaryFolder folder;
+  const CommandRun run = RunPalpate(
+      {"convert", DataPath("spharm_coef/case0_hippoL.coef").string(), "a.vtp"}, folder.Path());
+  EXPECT_EQ(run.Code, 0) << run.Errors;
+  EXPECT_EQ(ReadSurface(folder / "a.vtp")->GetNumberOfPoints(), 4002);
+}
+
+TEST(CliConvert, ImageKeepsItsVoxelsInEveryFormat)
+{
+  const TemporaryFolder folder;
+  WriteTwoBalls(folder / "a.nii.gz");
+  const auto before = ReadVolume(folder / "a.nii.gz").Image;
+  for (const char* name : {"b.nrrd", "c.mha", "d.nii"})
+  {
+    ASSERT_EQ(RunPalpate({"convert", "a.nii.gz", name}, folder.Path()).Code, 0) << name;
+    const auto after = ReadVolume(folder / name).Image;
+    ASSERT_EQ(after->GetScalarType(), VTK_UNSIGNED_CHAR) << name;
+    EXPECT_EQ(0, std::memcmp(before->GetScalarPointer(), after->GetScalarPointer(),
+                             static_cast<std::size_t>(before->GetNumberOfPoints())))
+        << name;
+  }
+}
+
+TEST(CliConvert, LabelIsWrittenAloneAsZeroAndOne)
+{
+  const TemporaryFolder folder;
+  WriteTwoBalls(folder / "a.nii.gz");
+  ASSERT_EQ(RunPalpate({"convert", "a.nii.gz", "b.nrrd", "--label", "2"}, folder.Path()).Code, 0);
+  const auto before = ReadVolume(folder / "a.nii.gz").Image;
+  const auto after = ReadVolume(folder / "b.nrrd").Image;
+  for (vtkIdType i = 0; i < before->GetNumberOfPoints(); ++i)
+  {
+    const auto* label = static_cast<unsigned char*>(before->GetScalarPointer()) + i;
+    const auto* mask = static_cast<unsigned char*>(after->GetScalarPointer()) + i;
+    ASSERT_EQ(*mask, *label == 2 ? 1 : 0);
+  }
+}
+
+TEST(CliConvert, LabelThatIsNotThereListsThoseThatAre)
+{
+  const TemporaryFolder folder;
+  WriteTwoBalls(folder / "a.nii.gz");
+  const CommandRun run =
+      RunPalpate({"convert", "a.nii.gz", "b.nrrd", "--label", "7"}, folder.Path());
+  ExpectRefused(run, "a.nii.gz");
+  EXPECT_NE(run.Errors.find("1"), std::string::npos);
+  EXPECT_NE(run.Errors.find("2"), std::string::npos);
+}
+
+TEST(CliConvert, InputsAndOutputsThatDoNotFitAreRefusedAndLeaveNothing)
+{
+  const TemporaryFolder folder;
+  WriteNearlyASphere(folder / "a.json");
+  WriteTwoBalls(folder / "a.nii.gz");
+  WriteAll(folder / "bad.json", "{\"format\": 3}");
+  WriteAll(folder / "bad.nii.gz", "no image");
+  WriteAll(folder / "bad.stl", "no surface");
+  ExpectRefused(RunPalpate({"convert", "none.json", "b.csv"}, folder.Path()), "none.json");
+  ExpectRefused(RunPalpate({"convert", "bad.json", "b.csv"}, folder.Path()), "bad.json");
+  ExpectRefused(RunPalpate({"convert", "bad.nii.gz", "b.nrrd"}, folder.Path()), "bad.nii.gz");
+  ExpectRefused(RunPalpate({"convert", "bad.stl", "b.vtp"}, folder.Path()), "bad.stl");
+  ExpectRefused(RunPalpate({"convert", "a.json", "b.nii.gz"}, folder.Path()), "b.nii.gz");
+  ExpectRefused(RunPalpate({"convert", "a.nii.gz", "b.stl"}, folder.Path()), "b.stl");
+  ExpectRefused(RunPalpate({"convert", "a.json", "no/b.csv"}, folder.Path()), "no/b.csv");
+  EXPECT_EQ(folder.EntryCount(), 5u);
+}

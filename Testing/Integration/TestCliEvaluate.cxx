@@ -1,0 +1,166 @@
+#include "CommandRun.h"
+#include "SyntheticFiles.h"
+#include "TemporaryFolder.h"
+#include "TestData.h"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+using namespace palpate;
+using namespace palpate::test;
+using Json = nlohmann::json;
+
+namespace
+{
+Vector3 AsVector(const Json& list)
+{
+  return {list.at(0).get<double>(), list.at(1).get<double>(), list.at(2).get<double>()};
+}
+
+Json Evaluate(const TemporaryFolder& folder, std::vector<std::string> more)
+{
+  WriteNearlyASphere(folder / "a.json");
+  std::vector<std::string> words{"evaluate", "a.json", "--json"};
+  words.insert(words.end(), more.begin(), more.end());
+  const CommandRun run = RunPalpate(words, folder.Path());
+  EXPECT_EQ(run.Code, 0) << run.Errors;
+  EXPECT_EQ(run.Errors, "");
+  return Json::parse(run.Output);
+}
+} // namespace
+
+TEST(CliEvaluate, JsonHoldsTheKernelsNumbersToTheLastBit)
+{
+  const TemporaryFolder folder;
+  const Json result = Evaluate(folder, {"--direction", "0,0,-2"});
+  const SphericalHarmonicModel model = NearlyASphere();
+  const Vector3 down(0.0, 0.0, -1.0);
+  EXPECT_EQ(result.at("degree"), 1);
+  EXPECT_EQ(result.at("volume_ml").get<double>(), model.Volume() / 1000.0);
+  EXPECT_EQ(result.at("area_mm2").get<double>(), model.Area());
+  EXPECT_EQ(result.at("power_mm2").get<std::vector<double>>(), model.PowerSpectrum());
+  EXPECT_EQ(AsVector(result.at("center_mm")), model.CenterWorld());
+  const Json& sample = result.at("directions").at(0);
+  EXPECT_EQ(AsVector(sample.at("direction")), down);
+  EXPECT_EQ(sample.at("radius_mm").get<double>(), model.Radius(down));
+  EXPECT_EQ(AsVector(sample.at("gradient_mm_per_rad")), model.Evaluate(down).SurfaceGradient);
+  EXPECT_EQ(AsVector(sample.at("point_mm")), model.PointWorld(down));
+  EXPECT_EQ(AsVector(sample.at("normal")), model.Normal(down));
+}
+
+TEST(CliEvaluate, PointsAreToldInsideFromOutside)
+{
+  const TemporaryFolder folder;
+  const Json result =
+      Evaluate(folder, {"--point", "1,2,3", "--point", "1,2,8", "--point", "1,22,3"});
+  const double up = NearlyASphere().Radius(Vector3::UnitZ());
+  const Json& points = result.at("points");
+  ASSERT_EQ(points.size(), 3u);
+  EXPECT_EQ(points[0].at("inside"), true);
+  EXPECT_EQ(points[0].at("radial_distance_mm").get<double>(), -up);
+  EXPECT_EQ(points[1].at("inside"), true);
+  EXPECT_EQ(points[1].at("radial_distance_mm").get<double>(), 5.0 - up);
+  EXPECT_EQ(points[2].at("inside"), false);
+  EXPECT_NEAR(points[2].at("radial_distance_mm").get<double>(), 10.0, 1e-13); // rounding at 20
+}
+
+TEST(CliEvaluate, FrequencyGivesEveryIcosahedronDirection)
+{
+  const TemporaryFolder folder;
+  EXPECT_EQ(Evaluate(folder, {"--frequency", "20"}).at("directions").size(), 4002u);
+}
+
+TEST(CliEvaluate, DirectionsComeFromAFileWithTitleAndRemarks)
+{
+  const TemporaryFolder folder;
+  WriteAll(folder / "d.csv", "x,y,z\n# a remark\n1,0,0\r\n\n0, -3e-200 ,0\n");
+  const Json directions = Evaluate(folder, {"--directions", "d.csv"}).at("directions");
+  ASSERT_EQ(directions.size(), 2u);
+  EXPECT_EQ(AsVector(directions[1].at("direction")), Vector3(0.0, -1.0, 0.0));
+}
+
+TEST(CliEvaluate, CsvOutputServesAsDirectionsAgain)
+{
+  const TemporaryFolder folder;
+  WriteNearlyASphere(folder / "a.json");
+  const CommandRun run =
+      RunPalpate({"evaluate", "a.json", "--frequency", "2", "--csv"}, folder.Path());
+  EXPECT_EQ(run.Code, 0) << run.Errors;
+  std::istringstream lines(run.Output);
+  std::string line;
+  std::getline(lines, line);
+  const auto columns = std::count(line.begin(), line.end(), ',');
+  int rows = 0;
+  for (; std::getline(lines, line); ++rows)
+  {
+    EXPECT_EQ(std::count(line.begin(), line.end(), ','), columns);
+  }
+  EXPECT_EQ(rows, 42);
+}
+
+TEST(CliEvaluate, TextNamesUnitsAndFrame)
+{
+  const TemporaryFolder folder;
+  WriteNearlyASphere(folder / "a.json");
+  const CommandRun run =
+      RunPalpate({"evaluate", "a.json", "--direction", "1,0,0", "--point", "0,0,0"}, folder.Path());
+  EXPECT_EQ(run.Code, 0);
+  for (const char* word : {"patient LPS", "ml", "mm^2", "radius mm", "inside"})
+  {
+    EXPECT_NE(run.Output.find(word), std::string::npos) << word;
+  }
+}
+
+TEST(CliEvaluate, ParametricFormOfAModelHasItsVolumeAndArea)
+{
+  const TemporaryFolder folder;
+  WriteNearlyASphere(folder / "a.json");
+  RunPalpate({"convert", "a.json", "a.coef"}, folder.Path());
+  const Json result =
+      Json::parse(RunPalpate({"evaluate", "a.coef", "--json"}, folder.Path()).Output);
+  const SphericalHarmonicModel model = NearlyASphere();
+  EXPECT_EQ(result.at("surface"), "parametric");
+  EXPECT_EQ(result.at("inside_out"), false);
+  // Both are sums of some hundred terms of the same size.
+  EXPECT_NEAR(result.at("volume_ml").get<double>(), model.Volume() / 1000.0, 1e-12);
+  EXPECT_NEAR(result.at("area_mm2").get<double>(), model.Area(), 1e-9);
+}
+
+TEST(CliEvaluate, BadWordsAreRefusedWithOneSentence)
+{
+  const TemporaryFolder folder;
+  WriteNearlyASphere(folder / "a.json");
+  WriteAll(folder / "bad.csv", "x,y,z\n1,0,0\n1;2;3\n");
+  RunPalpate({"convert", "a.json", "a.coef"}, folder.Path());
+  for (const std::vector<std::string>& more : std::vector<std::vector<std::string>>{
+           {"a.json", "--direction", "0,0,0"},
+           {"a.json", "--direction", "1,2"},
+           {"a.json", "--direction", "1,2,3,4"},
+           {"a.json", "--direction", "1,nan,3"},
+           {"a.json", "--point", "x,y,z"},
+           {"a.json", "--directions", "bad.csv"},
+           {"a.json", "--directions", "none.csv"},
+           {"a.json", "--direction", "1,0,0", "--point", "1,0,0", "--csv"},
+           {"a.coef", "--point", "0,0,0"},
+           {"none.json"},
+           {"a.txt"}})
+  {
+    std::vector<std::string> words{"evaluate"};
+    words.insert(words.end(), more.begin(), more.end());
+    const CommandRun run = RunPalpate(words, folder.Path());
+    EXPECT_EQ(run.Code, 2) << run.Errors;
+    EXPECT_EQ(run.Output, "");
+    EXPECT_EQ(run.Errors.find('\n'), run.Errors.size() - 1) << run.Errors;
+  }
+}
+
+TEST(CliEvaluate, BadLineOfADirectionsFileIsNamed)
+{
+  const TemporaryFolder folder;
+  WriteNearlyASphere(folder / "a.json");
+  WriteAll(folder / "bad.csv", "x,y,z\n1,0,0\n1;2;3\n");
+  const CommandRun run =
+      RunPalpate({"evaluate", "a.json", "--directions", "bad.csv"}, folder.Path());
+  EXPECT_NE(run.Errors.find("bad.csv, line 3"), std::string::npos) << run.Errors;
+}

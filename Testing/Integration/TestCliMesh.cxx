@@ -1,0 +1,96 @@
+#include "CommandRun.h"
+#include "SurfaceFile.h"
+#include "SyntheticFiles.h"
+#include "TemporaryFolder.h"
+#include "vtkPolyData.h"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+using namespace palpate::test;
+using Json = nlohmann::json;
+
+namespace
+{
+std::vector<Json> Lines(const std::string& text)
+{
+  std::vector<Json> objects;
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);)
+  {
+    objects.push_back(Json::parse(line));
+  }
+  return objects;
+}
+} // namespace
+
+TEST(CliMesh, OneStructureBecomesOneFile)
+{
+  const TemporaryFolder folder;
+  WriteTwoBalls(folder / "a.nii.gz");
+  const CommandRun run = RunPalpate(
+      {"mesh", "a.nii.gz", "--label", "1", "--output", "s.stl", "--json"}, folder.Path());
+  EXPECT_EQ(run.Code, 0) << run.Errors;
+  const Json result = Json::parse(run.Output);
+  const auto surface = palpate::ReadSurface(folder / "s.stl");
+  EXPECT_EQ(result.at("triangles").get<vtkIdType>(), surface->GetNumberOfCells());
+  EXPECT_EQ(result.at("touches_border"), false);
+  EXPECT_EQ(result.at("status"), "written");
+  // The default keeps the mask's volume within 2 %.
+  const double mask = result.at("volume_ml").at("mask").get<double>();
+  EXPECT_NEAR(result.at("volume_ml").at("surface").get<double>(), mask, 0.02 * mask);
+}
+
+TEST(CliMesh, EveryStructureBecomesAFileOfAFolder)
+{
+  const TemporaryFolder folder;
+  WriteTwoBalls(folder / "a.nii.gz");
+  const CommandRun run =
+      RunPalpate({"mesh", "a.nii.gz", "--output", "out/deep", "--json"}, folder.Path());
+  EXPECT_EQ(run.Code, 0) << run.Errors;
+  const std::vector<Json> results = Lines(run.Output);
+  ASSERT_EQ(results.size(), 2u);
+  for (const Json& result : results)
+  {
+    EXPECT_TRUE(std::filesystem::exists(folder / result.at("output").get<std::string>()));
+  }
+}
+
+TEST(CliMesh, FailingFileIsReportedAndDoesNotStopTheOthers)
+{
+  const TemporaryFolder folder;
+  WriteAll(folder / "bad.nii.gz", "no image");
+  WriteTwoBalls(folder / "good.nii.gz");
+  const CommandRun run =
+      RunPalpate({"mesh", "bad.nii.gz", "good.nii.gz", "--output", "out", "--json"}, folder.Path());
+  EXPECT_EQ(run.Code, 1);
+  const std::vector<Json> results = Lines(run.Output);
+  ASSERT_EQ(results.size(), 3u);
+  EXPECT_EQ(results[0].at("status"), "failed");
+  EXPECT_EQ(results[1].at("status"), "written");
+  EXPECT_NE(run.Errors.find("bad.nii.gz"), std::string::npos);
+  EXPECT_NE(run.Errors.find("1 of 3"), std::string::npos) << run.Errors;
+}
+
+TEST(CliMesh, BadInputIsRefusedAndLeavesNothing)
+{
+  const TemporaryFolder folder;
+  WriteTwoBalls(folder / "a.nii.gz");
+  for (const std::vector<std::string>& more : std::vector<std::vector<std::string>>{
+           {"none.nii.gz", "--output", "s.vtp"},
+           {"a.nii.gz", "--label", "7", "--output", "s.vtp"},
+           {"a.nii.gz", "--output", "s.vtp"},
+           {"a.nii.gz", "a.nii.gz", "--output", "s.vtp"},
+           {"a.nii.gz", "--label", "1", "--output", "no/s.vtp"},
+           {"a.nii.gz", "--component", "x", "--output", "s.vtp"},
+           {"a.nii.gz", "--label", "1", "--output", "a.nii.gz/x"}})
+  {
+    std::vector<std::string> words{"mesh"};
+    words.insert(words.end(), more.begin(), more.end());
+    const CommandRun run = RunPalpate(words, folder.Path());
+    EXPECT_EQ(run.Code, 2) << run.Errors;
+    EXPECT_EQ(run.Errors.find('\n'), run.Errors.size() - 1) << run.Errors;
+    EXPECT_EQ(folder.EntryCount(), 1u);
+  }
+}

@@ -1,0 +1,90 @@
+#include "Console.h"
+
+#include <gtest/gtest.h>
+#include <sstream>
+
+using palpate::cli::Console;
+
+TEST(Console, ResultsAndRemarksGoToTheirStreams)
+{
+  std::ostringstream out;
+  std::ostringstream err;
+  Console console(out, err, false);
+  console.Output() << "result\n";
+  console.Note("remark");
+  console.Error("sentence");
+  EXPECT_EQ(out.str(), "result\n");
+  EXPECT_EQ(err.str(), "remark\npalpate: sentence\n");
+}
+
+TEST(Console, NoProgressWhereErrorsAreNoTerminal)
+{
+  std::ostringstream out;
+  std::ostringstream err;
+  Console console(out, err, false);
+  console.Progress(0.5, "fit");
+  console.EndProgress();
+  EXPECT_EQ(err.str() + out.str(), "");
+}
+
+TEST(Console, ProgressIsDrawnAtOnceAndWiped)
+{
+  std::ostringstream out;
+  std::ostringstream err;
+  Console console(out, err, true);
+  console.Progress(0.5, "fit");
+  EXPECT_NE(err.str().find("############............]  50 %  fit"), std::string::npos) << err.str();
+  console.EndProgress();
+  const std::string wipe = "\r\x1b[K";
+  EXPECT_EQ(err.str().substr(err.str().size() - wipe.size()), wipe);
+  EXPECT_EQ(out.str(), "");
+}
+
+TEST(Console, ManyStepsAreDrawnSeldom)
+{
+  std::ostringstream out;
+  std::ostringstream err;
+  Console console(out, err, true);
+  console.Progress(0.0, "fit");
+  const std::size_t once = err.str().size();
+  for (int i = 0; i < 100; ++i)
+  {
+    console.Progress(i / 100.0, "fit");
+  }
+  // A hundred calls take far less than a hundred drawing intervals of a tenth of a second.
+  EXPECT_LT(err.str().size(), 50 * once);
+}
+
+TEST(Console, FractionsOutOfRangeAndNanAreDrawable)
+{
+  for (const double fraction : {-1.0, 2.0, std::nan("")})
+  {
+    std::ostringstream out;
+    std::ostringstream err;
+    Console console(out, err, true);
+    console.Progress(fraction, "fit");
+    EXPECT_NE(err.str().find(" %  fit"), std::string::npos);
+  }
+}
+
+TEST(Console, QuietKeepsErrorsOnly)
+{
+  std::ostringstream out;
+  std::ostringstream err;
+  Console console(out, err, true);
+  console.SetQuiet(true);
+  console.Note("remark");
+  console.Progress(0.5, "fit");
+  console.Error("sentence");
+  EXPECT_EQ(err.str(), "palpate: sentence\n");
+}
+
+TEST(Console, RemarkWipesTheProgressLineFirst)
+{
+  std::ostringstream out;
+  std::ostringstream err;
+  Console console(out, err, true);
+  console.Progress(0.5, "fit");
+  console.Note("remark");
+  EXPECT_NE(err.str().find("\r\x1b[Kremark\n"), std::string::npos);
+}

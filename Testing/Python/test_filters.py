@@ -1,0 +1,83 @@
+"""Palpate's filters run from Python on NumPy arrays and sit in a pipeline with stock filters."""
+
+import unittest
+
+import numpy
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.vtkCommonDataModel import vtkImageData
+from vtkmodules.vtkFiltersCore import vtkFeatureEdges, vtkMassProperties
+
+from palpate import vtkSegmentationSurface
+
+SPACING = numpy.array([1.0, 1.5, 3.0])  # mm
+ORIGIN = numpy.array([-40.0, 25.0, 110.0])  # mm, patient LPS
+# A quarter turn about z, then one about x: columns are the index axes in the world.
+DIRECTION = numpy.array([[0.0, -1.0, 0.0], [0.0, 0.0, -1.0], [1.0, 0.0, 0.0]])
+SHAPE = numpy.array([40, 30, 16])  # i, j, k
+
+
+def image_of(array):
+    """vtkImageData of an array indexed [i, j, k]."""
+    image = vtkImageData()
+    image.SetDimensions(*array.shape)
+    image.SetSpacing(*SPACING)
+    image.SetOrigin(*ORIGIN)
+    image.SetDirectionMatrix(*DIRECTION.ravel())
+    image.GetPointData().SetScalars(numpy_to_vtk(array.ravel(order="F"), deep=True))
+    return image
+
+
+def ellipsoid(center, axes, label):
+    """Mask of an ellipsoid given in index coordinates."""
+    grid = numpy.indices(SHAPE)
+    distance = sum(((grid[n] - center[n]) / axes[n]) ** 2 for n in range(3))
+    return numpy.where(distance <= 1.0, label, 0).astype(numpy.uint8)
+
+
+class SegmentationSurface(unittest.TestCase):
+    center = numpy.array([21.0, 13.0, 8.0])
+
+    def setUp(self):
+        self.mask = ellipsoid(self.center, (12.0, 9.0, 5.0), 7)
+        self.filter = vtkSegmentationSurface()
+        self.filter.SetInputData(image_of(self.mask))
+        self.filter.SetLabel(7)
+
+    def test_output_is_closed(self):
+        edges = vtkFeatureEdges()
+        edges.SetInputConnection(self.filter.GetOutputPort())
+        edges.FeatureEdgesOff()
+        edges.BoundaryEdgesOn()
+        edges.NonManifoldEdgesOn()
+        edges.Update()
+        self.assertGreater(self.filter.GetOutput().GetNumberOfPolys(), 100)
+        self.assertEqual(edges.GetOutput().GetNumberOfCells(), 0)
+
+    def test_output_encloses_the_voxels_volume(self):
+        mass = vtkMassProperties()
+        mass.SetInputConnection(self.filter.GetOutputPort())
+        mass.Update()
+        voxels = numpy.count_nonzero(self.mask) * SPACING.prod()
+        # The default keeps the mask's volume within 2 %.
+        self.assertAlmostEqual(mass.GetVolume() / voxels, 1.0, delta=0.02)
+
+    def test_output_lies_where_the_direction_matrix_puts_it(self):
+        self.filter.Update()
+        points = vtk_to_numpy(self.filter.GetOutput().GetPoints().GetData())
+        middle = (points.min(axis=0) + points.max(axis=0)) / 2.0
+        expected = ORIGIN + DIRECTION @ (self.center * SPACING)
+        # A symmetric body: its middle is its centre, to a small part of a voxel.
+        numpy.testing.assert_allclose(middle, expected, atol=0.2)
+
+    def test_absent_label_raises_the_error_event(self):
+        errors = []
+        self.filter.AddObserver("ErrorEvent", lambda caller, event: errors.append(event))
+        self.filter.GetExecutive().AddObserver("ErrorEvent", lambda caller, event: None)
+        self.filter.SetLabel(3)
+        self.filter.Update()
+        self.assertEqual(errors, ["ErrorEvent"])
+        self.assertEqual(self.filter.GetOutput().GetNumberOfPoints(), 0)
+
+
+if __name__ == "__main__":
+    unittest.main()

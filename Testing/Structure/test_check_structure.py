@@ -1,0 +1,95 @@
+"""The checker is green on a small clean repository and red on each planted violation."""
+
+import json
+import pathlib
+import tempfile
+import unittest
+
+from check_structure import Checker
+
+TABLE = {
+    "externals": {"Eigen": ["Eigen/*"], "VTK": ["vtk*"], "Qt": ["Q*"]},
+    "rooms": {
+        "Modules/Low": {"level": 0, "rooms": [], "externals": ["Eigen"]},
+        "Modules/High": {"level": 1, "rooms": ["Low"], "externals": ["VTK"]},
+    },
+    "sources": ["Modules"],
+    "largest_file_lines": 20,
+}
+CLEAN = {
+    "Modules/Low/README.md": "",
+    "Modules/Low/Vector.h": "#include <Eigen/Core>\n#include <vector>\n#include <sys/stat.h>\n",
+    "Modules/Low/Vector.cxx": '#include "Vector.h"\n',
+    "Modules/High/README.md": "",
+    "Modules/High/vtk.module": "NAME\n  Palpate::High\nDEPENDS\n  Palpate::Low\n  VTK::CommonCore\n",
+    "Modules/High/vtkThing.h": '#include "PalpateHighModule.h"\n#include "Vector.h"\n#include "vtkObject.h"\n',
+    "Modules/High/vtkThing.cxx": '#include "vtkThing.h"\n',
+    "Modules/High/Testing/TestThing.cxx": "#include <gtest/gtest.h>\n",
+}
+
+
+class CheckStructure(unittest.TestCase):
+    def violations(self, table=TABLE, **changes):
+        with tempfile.TemporaryDirectory() as folder:
+            root = pathlib.Path(folder)
+            files = {"Testing/Structure/rooms.json": json.dumps(table), **CLEAN, **changes}
+            for name, text in files.items():
+                if text is not None:
+                    path = root / name
+                    path.parent.mkdir(parents=True, exist_ok=True)
+                    path.write_text(text)
+            return Checker(root).check()
+
+    def assert_one(self, fact, **changes):
+        violations = self.violations(**changes)
+        self.assertEqual(len(violations), 1, violations)
+        self.assertIn(fact, violations[0])
+
+    def test_clean_repository_is_green(self):
+        self.assertEqual(self.violations(), [])
+
+    def test_forbidden_package(self):
+        self.assert_one("vtkObject.h of VTK", **{"Modules/Low/Extra.h": '#include "vtkObject.h"\n'})
+        self.assert_one("QWidget of Qt", **{"Modules/High/Extra.h": "#include <QWidget>\n"})
+
+    def test_forbidden_room(self):
+        self.assert_one("of room High", **{"Modules/Low/Extra.h": "#include <vtkThing.h>\n"})
+
+    def test_forbidden_export_header(self):
+        self.assert_one("PalpateHighModule.h", **{"Modules/Low/Extra.h": '#include "PalpateHighModule.h"\n'})
+
+    def test_unknown_header(self):
+        self.assert_one("no room or package", **{"Modules/Low/Extra.h": "#include <boost/any.hpp>\n"})
+
+    def test_forbidden_module_dependency(self):
+        self.assert_one("names room Other", **{"Modules/High/vtk.module": "NAME\n Palpate::High\nDEPENDS\n Palpate::Other\n"})
+
+    def test_module_file_in_a_room_without_vtk(self):
+        self.assert_one("without VTK", **{"Modules/Low/vtk.module": "NAME\n Palpate::Low\n"})
+
+    def test_source_without_header(self):
+        self.assert_one("no header", **{"Modules/Low/Lonely.cxx": "\n"})
+
+    def test_room_without_page(self):
+        self.assert_one("README", **{"Modules/Low/README.md": None})
+
+    def test_file_that_is_too_long(self):
+        self.assert_one("21 lines", **{"Modules/High/Testing/TestLong.cxx": "\n" * 21})
+
+    def test_work_left_behind(self):
+        self.assert_one("line 2", **{"Modules/High/Testing/TestThing.cxx": "\n// TO" "DO later\n"})
+
+    def test_room_that_is_not_in_the_table(self):
+        self.assert_one("rooms.json", **{"Modules/New/README.md": ""})
+
+    def test_same_header_in_two_rooms(self):
+        self.assert_one("of this name", **{"Modules/High/Vector.h": "\n"})
+
+    def test_table_that_points_upward(self):
+        table = json.loads(json.dumps(TABLE))
+        table["rooms"]["Modules/Low"]["rooms"] = ["High"]
+        self.assertIn("not below", self.violations(table)[0])
+
+
+if __name__ == "__main__":
+    unittest.main()

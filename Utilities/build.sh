@@ -1,0 +1,10 @@
+#!/bin/sh
+# Configures and builds the release preset into build/release. What is built stays built.
+set -eu
+cd "$(dirname "$0")/.."
+
+echo "== Build: preset release into build/release (programs in build/release/bin)"
+if [ ! -f build/release/build.ninja ]; then
+  cmake --preset release
+fi
+cmake --build --preset release --parallel "$(nproc)"

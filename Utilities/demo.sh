@@ -1,0 +1,30 @@
+#!/bin/sh
+# Installs what is missing, builds, and runs the main job on real MR data that Debian ships: some
+# structures of the Colin 27 head, fitted, measured and drawn into demo-output/.
+set -eu
+cd "$(dirname "$0")/.."
+templates=/usr/share/mricron/templates
+output=demo-output
+
+Utilities/install-dependencies.sh
+Utilities/build.sh
+
+echo "== Demonstration: eight structures of $templates/aal.nii.gz, as spherical-harmonic models"
+set -- fit "$templates/aal.nii.gz" --volume "$templates/ch2.nii.gz" --output "$output" --label \
+  Caudate_L,Caudate_R,Putamen_L,Putamen_R,Thalamus_L,Thalamus_R,Hippocampus_L,Hippocampus_R
+echo "build/release/bin/palpate $*"
+build/release/bin/palpate "$@"
+
+cat <<END
+
+== Done. In $output/:
+END
+ls "$output"
+cat <<END
+
+How to go on:
+  open $output/report.html in a browser (it needs no network)
+  build/release/bin/palpate --help          every command, with examples
+  build/release/bin/palpate fit --help      every setting of the fit
+  build/release/bin/palpate info FILE...    what is in your own files
+END

@@ -1,0 +1,30 @@
+#!/bin/sh
+# Installs the Debian packages of Utilities/packages.txt that are missing. Where none is missing it
+# touches nothing and needs no network.
+set -eu
+here=$(cd "$(dirname "$0")" && pwd)
+
+missing=
+for package in $(grep -v '^#' "$here/packages.txt"); do
+  state=$(dpkg-query --show --showformat='${db:Status-Status}' "$package" 2>/dev/null || true)
+  [ "$state" = installed ] || missing="$missing $package"
+done
+
+if [ -z "$missing" ]; then
+  echo "== Packages: all are installed."
+  exit 0
+fi
+
+echo "== Packages: installing$missing"
+as_root=
+if [ "$(id -u)" -ne 0 ]; then
+  if ! command -v sudo >/dev/null; then
+    echo "Installing packages needs root: run this as root, or install sudo." >&2
+    exit 1
+  fi
+  as_root=sudo
+fi
+$as_root apt-get update -qq
+# shellcheck disable=SC2086 # a list of words
+$as_root env DEBIAN_FRONTEND=noninteractive \
+  apt-get install --yes --no-install-recommends -qq $missing
