@@ -22,6 +22,7 @@ find_package(ITK 5.2 REQUIRED COMPONENTS ITKCommon ITKIOImageBase ITKIONIFTI ITK
   ITKIOGDCM ITKImageLabel ITKConnectedComponents ITKLabelMap)
 find_package(DCMTK REQUIRED)
 find_package(ZLIB REQUIRED)
+find_package(X11 REQUIRED)
 find_package(CLI11 REQUIRED)
 find_package(nlohmann_json 3.11 REQUIRED)
 find_package(Threads REQUIRED)

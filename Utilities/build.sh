@@ -4,7 +4,5 @@ set -eu
 cd "$(dirname "$0")/.."
 
 echo "== Build: preset release into build/release (programs in build/release/bin)"
-if [ ! -f build/release/build.ninja ]; then
-  cmake --preset release
-fi
+cmake --preset release --log-level=NOTICE
 cmake --build --preset release --parallel "$(nproc)"

@@ -11,7 +11,7 @@ Utilities/build.sh
 
 echo "== Demonstration: eight structures of $templates/aal.nii.gz, as spherical-harmonic models"
 set -- fit "$templates/aal.nii.gz" --volume "$templates/ch2.nii.gz" --output "$output" --label \
-  Caudate_L,Caudate_R,Putamen_L,Putamen_R,Thalamus_L,Thalamus_R,Hippocampus_L,Hippocampus_R
+  Thalamus_L,Thalamus_R,Pallidum_L,Pallidum_R,Amygdala_L,Amygdala_R,Cerebelum_9_L,Cerebelum_9_R
 echo "build/release/bin/palpate $*"
 build/release/bin/palpate "$@"
 
@@ -24,6 +24,8 @@ cat <<END
 
 How to go on:
   open $output/report.html in a browser (it needs no network)
+  build/release/bin/palpate fit $templates/aal.nii.gz --json
+                                            all 116 structures; most are refused, with the reason
   build/release/bin/palpate --help          every command, with examples
   build/release/bin/palpate fit --help      every setting of the fit
   build/release/bin/palpate info FILE...    what is in your own files

@@ -7,6 +7,7 @@
 #include "InfoCommand.h"
 #include "MeshCommand.h"
 #include "PhantomCommand.h"
+#include "RenderCommand.h"
 
 namespace palpate::cli
 {
@@ -19,6 +20,7 @@ std::vector<std::unique_ptr<Command>> MakeCommands()
   commands.push_back(std::make_unique<EvaluateCommand>());
   commands.push_back(std::make_unique<ConvertCommand>());
   commands.push_back(std::make_unique<PhantomCommand>());
+  commands.push_back(std::make_unique<RenderCommand>());
   commands.push_back(std::make_unique<CompletionCommand>());
   return commands;
 }

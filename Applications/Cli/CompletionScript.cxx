@@ -107,34 +107,41 @@ CompletionScript::Command CompletionScript::Describe(const CLI::App& app)
   return command;
 }
 
+std::string CompletionScript::BashWords(const Command& command)
+{
+  std::vector<std::string> words;
+  for (const Option& option : command.Options)
+  {
+    const auto& more = option.Names.empty() ? option.Values : option.Names;
+    words.insert(words.end(), more.begin(), more.end());
+  }
+  return "    '" + command.Name + "') words=" + QuotedForBash(Join(words, " ")) + " ;;\n";
+}
+
+std::string CompletionScript::BashValues(const Command& command)
+{
+  std::string cases;
+  for (const Option& option : command.Options)
+  {
+    if (!option.Names.empty() && option.TakesValue)
+    {
+      cases += "    '" + command.Name + " " + Join(option.Names, "'|'" + command.Name + " ") +
+               "') words=" + QuotedForBash(Join(option.Values, " ")) + " ;;\n";
+    }
+  }
+  return cases;
+}
+
 std::string CompletionScript::Bash() const
 {
-  std::ostringstream names;
-  std::ostringstream options;
-  std::ostringstream values;
+  std::string names;
+  std::string options;
+  std::string values;
   for (const Command& command : this->Commands)
   {
-    names << (command.Name.empty() ? "" : command.Name + " ");
-    std::vector<std::string> words;
-    for (const Option& option : command.Options)
-    {
-      words.insert(words.end(), option.Names.begin(), option.Names.end());
-      if (option.Names.empty())
-      {
-        words.insert(words.end(), option.Values.begin(), option.Values.end());
-      }
-      else if (!option.Values.empty())
-      {
-        values << "    '" << command.Name << " " << Join(option.Names, "'|'" + command.Name + " ")
-               << "') words=" << QuotedForBash(Join(option.Values, " ")) << " ;;\n";
-      }
-      else if (option.TakesValue)
-      {
-        values << "    '" << command.Name << " " << Join(option.Names, "'|'" + command.Name + " ")
-               << "') words= ;;\n";
-      }
-    }
-    options << "    '" << command.Name << "') words=" << QuotedForBash(Join(words, " ")) << " ;;\n";
+    names += " " + command.Name;
+    options += BashWords(command);
+    values += BashValues(command);
   }
   return "_palpate()\n{\n"
          "  local current=${COMP_WORDS[COMP_CWORD]} previous=${COMP_WORDS[COMP_CWORD-1]}\n"
@@ -143,10 +150,10 @@ std::string CompletionScript::Bash() const
          "    case ${COMP_WORDS[i]} in\n      -*) ;;\n"
          "      *) command=${COMP_WORDS[i]}; break ;;\n    esac\n  done\n"
          "  case $command in\n" +
-         options.str() +
+         options +
          "  esac\n"
          "  [[ -z $command ]] && words+=" +
-         QuotedForBash(" " + names.str()) + "\n  case \"$command $previous\" in\n" + values.str() +
+         QuotedForBash(names) + "\n  case \"$command $previous\" in\n" + values +
          "  esac\n"
          "  COMPREPLY=($(compgen -W \"$words\" -- \"$current\"))\n}\n"
          "# File names where nothing else fits.\n"

@@ -37,6 +37,9 @@ private:
   };
 
   static Command Describe(const CLI::App& app);
+  /// Lines of bash's case: a command's words, and the values of its options.
+  static std::string BashWords(const Command& command);
+  static std::string BashValues(const Command& command);
   const Command& Program() const { return this->Commands.front(); }
 
   std::vector<Command> Commands; ///< the program itself first

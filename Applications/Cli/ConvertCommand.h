@@ -27,6 +27,7 @@ private:
   std::filesystem::path Input;
   std::filesystem::path Output;
   std::string Label;
+  std::string Series;
   int Frequency = 20;
 };
 } // namespace palpate::cli

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
+#include <sys/resource.h>
 
 namespace palpate::cli
 {
@@ -118,6 +119,9 @@ std::string FitResultJson(const FitResult& result, const std::string& folder)
     seconds[stage] = time;
   }
   json["seconds"] = seconds;
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  json["peak_memory_mb"] = static_cast<double>(usage.ru_maxrss) / 1024.0; // of the process so far
   json["folder"] = folder.empty() ? Json() : Json(folder);
   return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }

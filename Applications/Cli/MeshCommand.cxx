@@ -155,6 +155,20 @@ int MeshCommand::Run(Console& console)
   return tally.Cases == 1 && tally.BadInputs == 1 ? 2 : 1;
 }
 
+Segmentation MeshCommand::Read(const std::filesystem::path& input,
+                               std::vector<Segment>& structures) const
+{
+  Segmentation segmentation = ReadSegmentation(input);
+  structures = Choose(segmentation, this->Options.Labels());
+  if (this->OutputIsFile() && structures.size() > 1)
+  {
+    throw InputError(input.string() + " has " + std::to_string(structures.size()) +
+                     " structures and --output is one file; name one with --label, or give a "
+                     "folder.");
+  }
+  return segmentation;
+}
+
 void MeshCommand::MeshFile(std::size_t file, Console& console, Tally& tally) const
 {
   const std::filesystem::path input = this->Inputs[file];
@@ -162,14 +176,7 @@ void MeshCommand::MeshFile(std::size_t file, Console& console, Tally& tally) con
   std::vector<Segment> structures;
   try
   {
-    segmentation = ReadSegmentation(input);
-    structures = Choose(segmentation, this->Options.Labels());
-    if (this->OutputIsFile() && structures.size() > 1)
-    {
-      throw InputError(input.string() + " has " + std::to_string(structures.size()) +
-                       " structures and --output is one file; name one with --label, or give a "
-                       "folder.");
-    }
+    segmentation = this->Read(input, structures);
   }
   catch (const InputError& error)
   {
@@ -187,22 +194,28 @@ void MeshCommand::MeshFile(std::size_t file, Console& console, Tally& tally) con
   for (std::size_t s = 0; s < structures.size(); ++s)
   {
     const double from = static_cast<double>(file) / files + static_cast<double>(s) / parts;
-    ++tally.Cases;
-    try
-    {
-      this->MeshStructure(input, segmentation, structures[s], from, from + 1.0 / parts, console);
-    }
-    catch (const InputError& error)
-    {
-      ++tally.BadInputs;
-      this->Report(input, &structures[s], error.what(), console);
-    }
-    catch (const FilterError& error)
-    {
-      ++tally.Failures;
-      this->Report(input, &structures[s], TitleOf(input, structures[s]) + ": " + error.what(),
-                   console);
-    }
+    this->MeshCase(input, segmentation, structures[s], from, from + 1.0 / parts, console, tally);
+  }
+}
+
+void MeshCommand::MeshCase(const std::filesystem::path& input, const Segmentation& segmentation,
+                           const Segment& structure, double from, double to, Console& console,
+                           Tally& tally) const
+{
+  ++tally.Cases;
+  try
+  {
+    this->MeshStructure(input, segmentation, structure, from, to, console);
+  }
+  catch (const InputError& error)
+  {
+    ++tally.BadInputs;
+    this->Report(input, &structure, error.what(), console);
+  }
+  catch (const FilterError& error)
+  {
+    ++tally.Failures;
+    this->Report(input, &structure, TitleOf(input, structure) + ": " + error.what(), console);
   }
 }
 

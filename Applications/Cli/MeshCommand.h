@@ -28,7 +28,12 @@ private:
     int Failures = 0;
   };
 
+  /// Reads a file and chooses its structures; throws InputError.
+  Segmentation Read(const std::filesystem::path& input, std::vector<Segment>& structures) const;
   void MeshFile(std::size_t file, Console& console, Tally& tally) const;
+  void MeshCase(const std::filesystem::path& input, const Segmentation& segmentation,
+                const Segment& structure, double from, double to, Console& console,
+                Tally& tally) const;
   void MeshStructure(const std::filesystem::path& input, const Segmentation& segmentation,
                      const Segment& structure, double from, double to, Console& console) const;
   void Report(const std::filesystem::path& input, const Segment* structure,

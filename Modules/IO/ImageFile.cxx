@@ -8,14 +8,16 @@
 
 #include <algorithm>
 #include <limits>
+#include <optional>
 
 namespace palpate
 {
 ImageFile::ImageFile(const std::filesystem::path& file, FileKind kind) : File(file), Kind(kind)
 {
+  std::optional<NiftiOrientation> orientation;
   if (kind == FileKind::Nifti)
   {
-    this->HeaderNotes = CheckNiftiHeader(file);
+    orientation = CheckNiftiHeader(file);
   }
   if (kind == FileKind::MetaImage)
   {
@@ -27,6 +29,10 @@ ImageFile::ImageFile(const std::filesystem::path& file, FileKind kind) : File(fi
   if (kind != FileKind::Dicom)
   {
     CheckGrid(file, this->FileGrid);
+  }
+  if (orientation)
+  {
+    this->HeaderNotes = OrientationNotes(*orientation, this->FileGrid);
   }
 }
 

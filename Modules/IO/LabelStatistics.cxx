@@ -122,7 +122,7 @@ std::vector<vtkIdType> ComponentSizes(const RunSet& set, const std::vector<int>&
 // of the box the way out is free.
 std::vector<vtkIdType> CavitySizes(const RunSet& set, const std::array<int, 6>& box)
 {
-  const std::vector<int> components = LabelRunComponents(set, Neighborhood::Faces);
+  const std::vector<int> components = LabelRunComponents(set, Neighborhood::FacesEdgesCorners);
   std::vector<vtkIdType> sizes = ComponentSizes(set, components);
   const std::size_t rows = set.RowStarts.size() - 1;
   for (std::size_t row = 0; row < rows; ++row)
@@ -153,7 +153,7 @@ void MeasureInBox(const LayerView<T>& view, int value, LabelStatistics& statisti
   }
   const RunSet inside = CollectRuns(view, box, value, true);
   statistics.ComponentVoxels =
-      ComponentSizes(inside, LabelRunComponents(inside, Neighborhood::FacesEdgesCorners));
+      ComponentSizes(inside, LabelRunComponents(inside, Neighborhood::Faces));
   statistics.CavityVoxels = CavitySizes(CollectRuns(view, box, value, false), box);
   std::sort(statistics.ComponentVoxels.begin(), statistics.ComponentVoxels.end(), std::greater<>());
   std::sort(statistics.CavityVoxels.begin(), statistics.CavityVoxels.end(), std::greater<>());

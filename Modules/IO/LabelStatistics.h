@@ -18,9 +18,10 @@ struct LabelStatistics
   std::array<int, 6> BoundsIndex{{0, -1, 0, -1, 0, -1}};
   /// Faces of the image that the structure reaches, in the order of BoundsIndex.
   std::array<bool, 6> TouchesFace{{false, false, false, false, false, false}};
-  /// Voxels of each connected component (26 neighbours), falling.
+  /// Voxels of each connected component, falling. Voxels that share a face belong together, as in
+  /// the surface that is made of them.
   std::vector<vtkIdType> ComponentVoxels;
-  /// Voxels of each cavity, falling: a component (6 neighbours) of the voxels that are not the
+  /// Voxels of each cavity, falling: a component (26 neighbours) of the voxels that are not the
   /// structure's, from which the outside of the image cannot be reached. Voxels of other structures
   /// count as not the structure's, and what lies beyond the image as outside.
   std::vector<vtkIdType> CavityVoxels;

@@ -2,6 +2,7 @@
 
 #include "Refusal.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -150,9 +151,52 @@ void CheckLength(const std::filesystem::path& file, const HeaderReader& header)
            "copy or export it again");
   }
 }
+double MillimetersPerUnit(const HeaderReader& header)
+{
+  switch (header.At<char>(123) & 7)
+  {
+  case 1:
+    return 1000.0;
+  case 3:
+    return 0.001;
+  default:
+    return 1.0;
+  }
+}
+
+// From RAS in the file's unit to LPS in mm.
+Eigen::Matrix<double, 3, 4> ToWorld(const Eigen::Matrix<double, 3, 4>& form, double unit)
+{
+  return (unit * Vector3(-1.0, -1.0, 1.0)).asDiagonal() * form;
+}
+
+Eigen::Matrix<double, 3, 4> QForm(const HeaderReader& header)
+{
+  const Vector3 imaginary(header.At<float>(256), header.At<float>(260), header.At<float>(264));
+  const double real = std::sqrt(std::max(0.0, 1.0 - imaginary.squaredNorm()));
+  const Eigen::Quaterniond turn(real, imaginary[0], imaginary[1], imaginary[2]);
+  const double lastSign = header.PixelDimension(0) < 0.0 ? -1.0 : 1.0;
+  const Vector3 steps(header.PixelDimension(1), header.PixelDimension(2),
+                      lastSign * header.PixelDimension(3));
+  Eigen::Matrix<double, 3, 4> form;
+  form << turn.normalized().toRotationMatrix() * steps.asDiagonal(),
+      Vector3(header.At<float>(268), header.At<float>(272), header.At<float>(276));
+  return form;
+}
+
+Eigen::Matrix<double, 3, 4> SForm(const HeaderReader& header)
+{
+  Eigen::Matrix<double, 3, 4> form;
+  for (int entry = 0; entry < 12; ++entry)
+  {
+    form(entry / 4, entry % 4) =
+        static_cast<double>(header.At<float>(280 + 4 * static_cast<std::size_t>(entry)));
+  }
+  return form;
+}
 } // namespace
 
-std::vector<std::string> CheckNiftiHeader(const std::filesystem::path& file)
+NiftiOrientation CheckNiftiHeader(const std::filesystem::path& file)
 {
   const HeaderReader header(file);
   CheckMark(file, header);
@@ -160,11 +204,11 @@ std::vector<std::string> CheckNiftiHeader(const std::filesystem::path& file)
   CheckSpacings(file, header);
   CheckVoxelType(file, header);
   CheckLength(file, header);
-  std::vector<std::string> notes;
-  if (header.At<std::int16_t>(252) <= 0 && header.At<std::int16_t>(254) <= 0)
-  {
-    notes.emplace_back("The file gives no orientation; its index axes were taken as L, P, S.");
-  }
-  return notes;
+  NiftiOrientation orientation;
+  orientation.QFormCode = header.At<std::int16_t>(252);
+  orientation.SFormCode = header.At<std::int16_t>(254);
+  orientation.QFormWorld = ToWorld(QForm(header), MillimetersPerUnit(header));
+  orientation.SFormWorld = ToWorld(SForm(header), MillimetersPerUnit(header));
+  return orientation;
 }
 } // namespace palpate

@@ -17,7 +17,9 @@
 #include "vtkXMLPolyDataReader.h"
 #include "vtkXMLPolyDataWriter.h"
 
+#include <algorithm>
 #include <array>
+#include <cstdint>
 
 namespace palpate
 {
@@ -76,6 +78,26 @@ std::string SurfaceToVtp(vtkPolyData* surface, const std::filesystem::path& path
   return writer->GetOutputString();
 }
 
+// VTK's reader takes an STL file that is cut short without a word. A binary one says how many
+// triangles it has; a text one says where it ends.
+void CheckStlIsWhole(const std::filesystem::path& path)
+{
+  const std::string bytes = ReadWholeFile(path, MaximumBytes);
+  constexpr std::size_t header = 80;
+  std::uint64_t triangles = 0;
+  for (std::size_t i = 4; i-- > 0 && bytes.size() >= header + 4;)
+  {
+    triangles = triangles << 8 | static_cast<unsigned char>(bytes[header + i]);
+  }
+  const bool wholeBinary = bytes.size() >= header + 4 + 50 * std::max<std::uint64_t>(triangles, 1);
+  const bool wholeText =
+      bytes.rfind("solid", 0) == 0 && bytes.find("endsolid") != std::string::npos;
+  if (!wholeBinary && !wholeText)
+  {
+    Refuse(path, "is no whole STL file, perhaps cut short", "write the file again");
+  }
+}
+
 template <typename Reader>
 vtkSmartPointer<vtkPolyData> ReadWith(const std::filesystem::path& path)
 {
@@ -103,6 +125,7 @@ vtkSmartPointer<vtkPolyData> ReadByEnding(const std::filesystem::path& path)
   }
   if (ending == ".stl")
   {
+    CheckStlIsWhole(path);
     return ReadWith<vtkSTLReader>(path);
   }
   if (ending == ".ply")

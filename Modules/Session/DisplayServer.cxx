@@ -92,7 +92,10 @@ DisplayServer::DisplayServer()
   }
 }
 
-DisplayServer::~DisplayServer() { this->Stop(); }
+DisplayServer::~DisplayServer()
+{
+  this->Stop();
+}
 
 void DisplayServer::Start()
 {

@@ -9,11 +9,11 @@ namespace palpate
 {
 namespace
 {
-// L*, a*, b* under D50 of RdBu's second outermost blue and red and of its middle.
+// L*, a*, b* under D65 of RdBu's second outermost blue and red and of its middle.
 using Lab = std::array<double, 3>;
-constexpr Lab Blue{{41.79, -1.68, -44.32}};
-constexpr Lab White{{97.23, 0.00, 0.00}};
-constexpr Lab Red{{39.08, 59.10, 33.17}};
+constexpr Lab Blue{{42.47, 4.44, -43.42}};
+constexpr Lab White{{97.23, 0.01, -0.01}};
+constexpr Lab Red{{38.36, 58.66, 31.60}};
 constexpr std::array<std::uint8_t, 3> Grey{{128, 128, 128}};
 
 // sRGB 0..255 of the colour at `share` of the way from the middle to an end.
@@ -39,6 +39,24 @@ DivergingColorMap::DivergingColorMap(double limit) : Range(limit)
     this->Table[static_cast<std::size_t>(step + HalfSteps)] =
         ColorTowards(step < 0 ? Blue : Red, share);
   }
+}
+
+double DivergingColorMap::RoundLimit(double size)
+{
+  if (!(size > 0.0) || !std::isfinite(size))
+  {
+    return 1.0;
+  }
+  const double decade = std::pow(10.0, std::floor(std::log10(size)));
+  for (const double step : {1.0, 1.5, 2.0, 3.0, 4.0, 5.0, 6.0, 8.0})
+  {
+    // Rounding must not push a round number one step up.
+    if (step * decade >= size * (1.0 - 1e-12))
+    {
+      return step * decade;
+    }
+  }
+  return 10.0 * decade;
 }
 
 std::array<std::uint8_t, 3> DivergingColorMap::ColorOf(double number) const

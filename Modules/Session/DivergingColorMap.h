@@ -17,6 +17,10 @@ public:
   /// Numbers from -limit to limit are told apart, those beyond get the ends' colours.
   explicit DivergingColorMap(double limit);
 
+  /// The smallest limit that reads well on a colour bar (1, 1.5, 2, 3, 4, 5, 6 or 8 times a power
+  /// of ten) and is at least `size`; 1 where that is not a positive number.
+  static double RoundLimit(double size);
+
   double Limit() const { return this->Range; }
   /// sRGB; grey for a number that is not finite.
   std::array<std::uint8_t, 3> ColorOf(double number) const;

@@ -27,8 +27,8 @@ vtkDataArray* DistancesOf(vtkPolyData* model)
   return model ? model->GetPointData()->GetArray("DistanceToSurface") : nullptr;
 }
 
-// The 99th percentile of the distances' sizes, rounded up to a number that reads well: a few extremes
-// must not drain the colour from all the rest.
+// The 99th percentile of the distances' sizes, rounded up to a number that reads well: a few
+// extremes must not drain the colour from all the rest.
 double ColorLimit(vtkDataArray* distances)
 {
   std::vector<double> sizes;
@@ -47,16 +47,7 @@ double ColorLimit(vtkDataArray* distances)
   const auto rank = static_cast<std::ptrdiff_t>(0.99 * static_cast<double>(sizes.size() - 1));
   std::nth_element(sizes.begin(), sizes.begin() + rank, sizes.end());
   // Below a micrometre only rounding would be coloured.
-  const double wanted = std::max(1e-3, sizes[static_cast<std::size_t>(rank)]);
-  const double decade = std::pow(10.0, std::floor(std::log10(wanted)));
-  for (const double step : {1.0, 1.5, 2.0, 3.0, 4.0, 5.0, 6.0, 8.0})
-  {
-    if (step * decade >= wanted)
-    {
-      return step * decade;
-    }
-  }
-  return 10.0 * decade;
+  return DivergingColorMap::RoundLimit(std::max(1e-3, sizes[static_cast<std::size_t>(rank)]));
 }
 
 std::string CssColor(const std::array<std::uint8_t, 3>& color)

@@ -5,14 +5,13 @@
 #include "SlicePicture.h"
 
 #include "vtkActor.h"
-#include "vtkBoundingBox.h"
 #include "vtkCamera.h"
 #include "vtkDataArray.h"
 #include "vtkImageData.h"
 #include "vtkImageProperty.h"
 #include "vtkImageSlice.h"
 #include "vtkImageSliceMapper.h"
-#include "vtkLightKit.h"
+#include "vtkLight.h"
 #include "vtkLookupTable.h"
 #include "vtkMatrix4x4.h"
 #include "vtkNew.h"
@@ -28,16 +27,24 @@
 #include "vtkTextProperty.h"
 #include "vtkUnsignedCharArray.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <set>
 
 namespace palpate
 {
 namespace
 {
-constexpr double Margin = 1.12;   // picture over what is in it
-constexpr int LetterPoints = 18;  // font size
-constexpr int ColorCount = 257;   // odd, so that zero has its own colour
+// Picture over what is in it: room for the letters, and for the colour bar.
+constexpr double Margin = 1.16;
+constexpr double BarMargin = 1.42;
+// Font sizes of a picture whose shorter side is ReferenceSide pixels.
+constexpr double ReferenceSide = 800.0;
+constexpr double LetterSize = 24.0;
+constexpr double BarTextSize = 17.0;
+constexpr int ColorCount = 257; // odd, so that zero has its own colour
 constexpr std::size_t WindowSamples = 200000;
 
 vtkSmartPointer<vtkPolyData> WithNormals(vtkPolyData* surface)
@@ -109,7 +116,7 @@ GreyWindow WindowOf(vtkImageData* image)
 
 vtkSmartPointer<vtkLookupTable> MakeLookup(double low, double high)
 {
-  const double limit = std::max({std::abs(low), std::abs(high), 1e-12});
+  const double limit = DivergingColorMap::RoundLimit(std::max(-low, high));
   const DivergingColorMap colors(limit);
   auto table = vtkSmartPointer<vtkLookupTable>::New();
   table->SetRange(low < 0.0 ? -limit : 0.0, high > 0.0 ? limit : 0.0);
@@ -121,6 +128,17 @@ vtkSmartPointer<vtkLookupTable> MakeLookup(double low, double high)
     table->SetTableValue(c, color[0] / 255.0, color[1] / 255.0, color[2] / 255.0);
   }
   return table;
+}
+
+// Arrays of our own are lengths; of others the unit is not known.
+std::string BarTitle(const std::string& array)
+{
+  static const std::map<std::string, std::string> Titles{
+      {"DistanceToSurface", "Distance to the surface, mm"},
+      {"Residual", "Residual of the fit, mm"},
+      {"RadiusDeviation", "Uncertainty of the radius, mm"}};
+  const auto title = Titles.find(array);
+  return title == Titles.end() ? array : title->second;
 }
 
 Picture ReadPixels(vtkRenderWindow* window, int width, int height)
@@ -148,8 +166,11 @@ SceneRenderer::SceneRenderer()
   this->Window->SetOffScreenRendering(1);
   this->Window->SetMultiSamples(4);
   this->Window->AddRenderer(this->Renderer);
-  vtkNew<vtkLightKit> lights;
-  lights->AddLightsToRenderer(this->Renderer);
+  // White, above the viewer's left shoulder: tinted lights would falsify colours that mean numbers.
+  vtkNew<vtkLight> lamp;
+  lamp->SetLightTypeToCameraLight();
+  lamp->SetPosition(-0.35, 0.45, 1.0);
+  this->Renderer->AddLight(lamp);
   this->SetBackground(this->Background);
 }
 
@@ -170,11 +191,19 @@ void SceneRenderer::AddSurface(vtkPolyData* surface, const Color& color, double 
   vtkNew<vtkActor> actor;
   actor->SetMapper(mapper);
   actor->GetProperty()->SetColor(color[0], color[1], color[2]);
-  actor->GetProperty()->SetSpecular(0.15);
+  actor->GetProperty()->SetAmbient(0.4);
+  actor->GetProperty()->SetDiffuse(0.62);
+  actor->GetProperty()->SetSpecular(0.12);
   actor->GetProperty()->SetSpecularPower(25.0);
   actor->GetProperty()->SetOpacity(opacity);
   this->Renderer->AddActor(actor);
   this->Surfaces.push_back({actor, shown});
+  for (vtkIdType p = 0; p < shown->GetNumberOfPoints(); ++p)
+  {
+    double point[3];
+    shown->GetPoint(p, point);
+    this->Outline.emplace_back(point);
+  }
   if (opacity < 1.0)
   {
     // Peeling loses all that is translucent where several samples a pixel are taken.
@@ -201,6 +230,18 @@ void SceneRenderer::AddSlice(vtkImageData* volume, Plane plane, const Vector3& t
   shown->GetProperty()->SetColorWindow(window.High - window.Low);
   shown->GetProperty()->SetColorLevel(0.5 * (window.High + window.Low));
   this->Renderer->AddViewProp(shown);
+  for (int corner = 0; corner < 4; ++corner)
+  {
+    Vector3 index;
+    index[axis] = mapper->GetSliceNumber();
+    for (int side = 0; side < 2; ++side)
+    {
+      const int across = (axis + 1 + side) % 3;
+      const bool isHigh = (corner >> side & 1) != 0;
+      index[across] = axes.Extent[2 * across + (isHigh ? 1 : 0)] + (isHigh ? 0.5 : -0.5);
+    }
+    this->Outline.push_back(axes.ToWorld(index));
+  }
 }
 
 std::array<double, 2> SceneRenderer::RangeOf(const std::string& name) const
@@ -242,40 +283,62 @@ bool SceneRenderer::ColorByArray(const std::string& name)
   if (isFound)
   {
     this->BarColors = table;
-    this->BarTitle = name;
+    this->ColoredArray = name;
   }
   return isFound;
 }
 
+std::vector<std::string> SceneRenderer::ArrayNames() const
+{
+  std::set<std::string> names;
+  for (const Surface& surface : this->Surfaces)
+  {
+    vtkPointData* data = surface.Data->GetPointData();
+    for (int a = 0; a < data->GetNumberOfArrays(); ++a)
+    {
+      vtkDataArray* array = data->GetArray(a);
+      if (array && array->GetName() && array->GetNumberOfComponents() == 1)
+      {
+        names.insert(array->GetName());
+      }
+    }
+  }
+  return {names.begin(), names.end()};
+}
+
 Vector3 SceneRenderer::MiddleWorld() const
 {
-  double bounds[6];
-  this->Renderer->ComputeVisiblePropBounds(bounds);
-  return {0.5 * (bounds[0] + bounds[1]), 0.5 * (bounds[2] + bounds[3]),
-          0.5 * (bounds[4] + bounds[5])};
+  Eigen::AlignedBox3d box;
+  for (const Vector3& point : this->Outline)
+  {
+    box.extend(point);
+  }
+  return box.isEmpty() ? Vector3(Vector3::Zero()) : Vector3(box.center());
 }
 
 void SceneRenderer::PlaceCamera(const ViewFrame& frame, double aspect)
 {
-  const vtkBoundingBox box(this->Renderer->ComputeVisiblePropBounds());
-  const Vector3 middle = this->MiddleWorld();
-  Vector3 half = Vector3::Ones();
-  for (int corner = 0; box.IsValid() && corner < 8; ++corner)
+  Eigen::Matrix3d axes; // of the view: right, up, towards the viewer
+  axes << frame.RightWorld, frame.UpWorld, frame.TowardsViewerWorld;
+  Eigen::AlignedBox3d box;
+  for (const Vector3& point : this->Outline)
   {
-    double point[3];
-    box.GetCorner(corner, point);
-    const Vector3 offset = Vector3(point) - middle;
-    half = half.cwiseMax(Vector3(std::abs(offset.dot(frame.RightWorld)),
-                                 std::abs(offset.dot(frame.UpWorld)),
-                                 std::abs(offset.dot(frame.TowardsViewerWorld))));
+    box.extend(Vector3(axes.transpose() * point));
   }
-  const Vector3 eye = middle + 3.0 * half.z() * frame.TowardsViewerWorld;
+  if (box.isEmpty())
+  {
+    box.extend(Vector3(Vector3::Zero()));
+  }
+  const Vector3 half = (0.5 * box.sizes()).cwiseMax(1.0);
+  const Vector3 middle = axes * box.center();
+  const Vector3 eye = middle + 3.0 * half.norm() * frame.TowardsViewerWorld;
   vtkCamera* camera = this->Renderer->GetActiveCamera();
   camera->ParallelProjectionOn();
   camera->SetFocalPoint(middle.data());
   camera->SetPosition(eye.data());
   camera->SetViewUp(frame.UpWorld.data());
-  camera->SetParallelScale(Margin * std::max(half.y(), half.x() / aspect));
+  camera->SetParallelScale((this->BarColors ? BarMargin : Margin) *
+                           std::max(half.y(), half.x() / aspect));
   this->Renderer->ResetCameraClippingRange();
 }
 
@@ -286,6 +349,12 @@ SceneRenderer::Color SceneRenderer::InkColor() const
   return luminance > 0.5 ? Color{{0.1, 0.1, 0.1}} : Color{{0.95, 0.95, 0.95}};
 }
 
+int SceneRenderer::FontSize(double referenceSize) const
+{
+  const int* size = this->Window->GetSize();
+  return std::max(9, static_cast<int>(referenceSize * std::min(size[0], size[1]) / ReferenceSide));
+}
+
 void SceneRenderer::AddLetters(const ViewFrame& frame)
 {
   const Color ink = this->InkColor();
@@ -294,7 +363,7 @@ void SceneRenderer::AddLetters(const ViewFrame& frame)
     vtkNew<vtkTextActor> text;
     text->SetInput(OrientationLetters(direction).c_str());
     vtkTextProperty* style = text->GetTextProperty();
-    style->SetFontSize(LetterPoints);
+    style->SetFontSize(this->FontSize(LetterSize));
     style->BoldOn();
     style->SetColor(ink[0], ink[1], ink[2]);
     style->SetJustification(x < 0.3 ? VTK_TEXT_LEFT : x > 0.7 ? VTK_TEXT_RIGHT : VTK_TEXT_CENTERED);
@@ -303,46 +372,63 @@ void SceneRenderer::AddLetters(const ViewFrame& frame)
                                               : VTK_TEXT_CENTERED);
     text->GetPositionCoordinate()->SetCoordinateSystemToNormalizedViewport();
     text->SetPosition(x, y);
-    this->Renderer->AddViewProp(text);
+    this->Annotate(text);
   };
   add(-frame.RightWorld, 0.012, 0.5);
   add(frame.RightWorld, 0.988, 0.5);
   add(frame.UpWorld, 0.5, 0.985);
-  add(-frame.UpWorld, 0.5, 0.015);
+  add(-frame.UpWorld, this->BarColors ? 0.6 : 0.5, 0.015);
 }
 
-void SceneRenderer::AddColorBar(vtkScalarsToColors* colors, const std::string& title)
+void SceneRenderer::Annotate(vtkProp* prop)
+{
+  this->Renderer->AddViewProp(prop);
+  this->Annotations.emplace_back(prop);
+}
+
+void SceneRenderer::AddColorBar()
 {
   const Color ink = this->InkColor();
   vtkNew<vtkScalarBarActor> bar;
-  bar->SetLookupTable(colors);
-  bar->SetTitle((title + ", mm").c_str());
-  bar->SetNumberOfLabels(5);
-  bar->SetLabelFormat("%-#.3g");
+  bar->SetLookupTable(this->BarColors);
+  bar->SetNumberOfLabels(3);
+  bar->SetLabelFormat("%.3g");
   bar->SetMaximumNumberOfColors(ColorCount);
   bar->UnconstrainedFontSizeOn();
   bar->SetOrientationToHorizontal();
-  for (vtkTextProperty* style : {bar->GetTitleTextProperty(), bar->GetLabelTextProperty()})
+  bar->SetTextPositionToPrecedeScalarBar();
+  bar->SetPosition(0.05, 0.02);
+  bar->SetPosition2(0.42, 0.08);
+  // The bar's own title would overlap its labels.
+  vtkNew<vtkTextActor> title;
+  title->SetInput(BarTitle(this->ColoredArray).c_str());
+  title->GetPositionCoordinate()->SetCoordinateSystemToNormalizedViewport();
+  title->SetPosition(0.055, 0.115);
+  for (vtkTextProperty* style : {title->GetTextProperty(), bar->GetLabelTextProperty()})
   {
     style->SetColor(ink[0], ink[1], ink[2]);
-    style->SetFontSize(14);
+    style->SetFontSize(this->FontSize(BarTextSize));
     style->BoldOff();
     style->ItalicOff();
     style->ShadowOff();
   }
-  bar->SetPosition(0.03, 0.03);
-  bar->SetPosition2(0.4, 0.1);
-  this->Renderer->AddViewProp(bar);
+  this->Annotate(bar);
+  this->Annotate(title);
 }
 
 Picture SceneRenderer::Render(const ViewFrame& frame, int width, int height)
 {
   this->Window->SetSize(width, height);
+  for (const vtkSmartPointer<vtkProp>& prop : this->Annotations)
+  {
+    this->Renderer->RemoveViewProp(prop);
+  }
+  this->Annotations.clear();
   this->PlaceCamera(frame, static_cast<double>(width) / height);
   this->AddLetters(frame);
   if (this->BarColors)
   {
-    this->AddColorBar(this->BarColors, this->BarTitle);
+    this->AddColorBar();
   }
   this->Window->Render();
   return ReadPixels(this->Window, width, height);

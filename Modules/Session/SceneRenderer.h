@@ -13,7 +13,7 @@
 class vtkActor;
 class vtkImageData;
 class vtkPolyData;
-class vtkProp3D;
+class vtkProp;
 class vtkRenderer;
 class vtkRenderWindow;
 class vtkScalarsToColors;
@@ -21,8 +21,8 @@ class vtkScalarsToColors;
 namespace palpate
 {
 /// Draws surfaces and slices of volumes in space (patient LPS, mm) with VTK, off screen: parallel
-/// projection, letters of the patient's directions at the picture's edges, and a colour bar where an
-/// array is coloured. Needs a DisplayServer that outlives it.
+/// projection, letters of the patient's directions at the picture's edges, and a colour bar where
+/// an array is coloured. Needs a DisplayServer that outlives it.
 class PALPATESESSION_EXPORT SceneRenderer
 {
 public:
@@ -48,6 +48,8 @@ public:
   /// Colours every surface that has this one-component point array, all on one scale: diverging
   /// around zero where it has both signs, and from white on otherwise. False where none has it.
   bool ColorByArray(const std::string& name);
+  /// The one-component point arrays of all surfaces.
+  std::vector<std::string> ArrayNames() const;
 
   /// The middle of what was added so far, mm.
   Vector3 MiddleWorld() const;
@@ -65,14 +67,18 @@ private:
   std::array<double, 2> RangeOf(const std::string& name) const;
   void PlaceCamera(const ViewFrame& frame, double aspect);
   void AddLetters(const ViewFrame& frame);
-  void AddColorBar(vtkScalarsToColors* colors, const std::string& title);
+  void AddColorBar();
+  void Annotate(vtkProp* prop);
   Color InkColor() const;
+  int FontSize(double referenceSize) const;
 
   vtkSmartPointer<vtkRenderer> Renderer;
   vtkSmartPointer<vtkRenderWindow> Window;
   std::vector<Surface> Surfaces;
+  std::vector<Vector3> Outline;                      ///< what has to be in the picture, mm
+  std::vector<vtkSmartPointer<vtkProp>> Annotations; ///< of the picture drawn last
   Color Background{{1.0, 1.0, 1.0}};
-  std::string BarTitle;
+  std::string ColoredArray;
   vtkSmartPointer<vtkScalarsToColors> BarColors;
 };
 } // namespace palpate

@@ -126,7 +126,7 @@ StarShapeVerdict JudgeStarShape(const IndexedMesh& mesh, const Vector3& center)
     }
   }
   const double percent = total > 0.0 ? 100.0 * hidden / total : 100.0;
-  return {percent < 0.01, percent};
+  return {percent < 0.01, std::min(percent, 100.0)};
 }
 
 Vector3 MostVisibleCenter(const IndexedMesh& mesh)

@@ -2,6 +2,7 @@
 #include "ComparisonReport.h"
 #include "FitBenchmarks.h"
 #include "PairedBenchmark.h"
+#include "PipelineBenchmarks.h"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -15,7 +16,12 @@ using palpate::bench::PairedBenchmark;
 // Every group of benchmarks joins here.
 std::vector<PairedBenchmark> AllBenchmarks()
 {
-  return palpate::bench::FitBenchmarks();
+  std::vector<PairedBenchmark> all;
+  for (auto& group : {palpate::bench::FitBenchmarks(), palpate::bench::PipelineBenchmarks()})
+  {
+    all.insert(all.end(), group.begin(), group.end());
+  }
+  return all;
 }
 
 std::vector<PairedBenchmark> Matching(const std::string& filter)

@@ -144,3 +144,17 @@ TEST(CliConvert, InputsAndOutputsThatDoNotFitAreRefusedAndLeaveNothing)
   ExpectRefused(RunPalpate({"convert", "a.json", "no/b.csv"}, folder.Path()), "no/b.csv");
   EXPECT_EQ(folder.EntryCount(), 5u);
 }
+
+TEST(CliConvert, DicomFolderThatMixesOrientationsIsChosenFromByNumber)
+{
+  PALPATE_REQUIRE_FILE(DataPath("prostate/dicom_localizer_three_planes"));
+  const TemporaryFolder folder;
+  const std::string input = DataPath("prostate/dicom_localizer_three_planes").string();
+  const CommandRun mixed = RunPalpate({"convert", input, "a.nrrd"}, folder.Path());
+  EXPECT_EQ(mixed.Code, 2);
+  EXPECT_NE(mixed.Errors.find("--series"), std::string::npos) << mixed.Errors;
+  EXPECT_EQ(folder.EntryCount(), 0u);
+  const CommandRun chosen =
+      RunPalpate({"convert", input, "a.nrrd", "--series", "2"}, folder.Path());
+  EXPECT_EQ(chosen.Code, 0) << chosen.Errors;
+}

@@ -1,5 +1,6 @@
 #include "Console.h"
 
+#include <cmath>
 #include <gtest/gtest.h>
 #include <sstream>
 

@@ -7,6 +7,7 @@
 
 #include "dcmtk/config/osconfig.h"
 
+#include "dcmtk/dcmdata/dcrleerg.h"
 #include "dcmtk/dcmdata/dctk.h"
 
 namespace palpate::test
@@ -165,6 +166,10 @@ std::string NiftiBytes(const NiftiSpec& spec, const std::string& voxels)
   Put(bytes, 123, char{2}); // millimetres
   Put(bytes, 252, spec.QFormCode);
   Put(bytes, 254, spec.SFormCode);
+  for (std::size_t i = 0; i < 6; ++i)
+  {
+    Put(bytes, 256 + 4 * i, spec.QForm[i]);
+  }
   for (std::size_t i = 0; i < 12; ++i)
   {
     Put(bytes, 280 + 4 * i, spec.SForm[i]);
@@ -244,9 +249,24 @@ void WriteDicomSlice(const std::filesystem::path& file, const DicomSliceSpec& sp
   PutOrientation(item, spec.RowWorld, spec.ColumnWorld);
   PutText(item, DCM_PixelSpacing, "1.5\\2");
   PutImageSize(item, 16);
+  PutNumber(item, DCM_BitsStored, spec.BitsStored);
+  PutNumber(item, DCM_HighBit, spec.BitsStored - 1);
+  PutNumber(item, DCM_PixelRepresentation, spec.IsSigned ? 1 : 0);
+  if (!spec.Slope.empty())
+  {
+    PutText(item, DCM_RescaleSlope, spec.Slope);
+    PutText(item, DCM_RescaleIntercept, spec.Intercept);
+  }
   const std::vector<Uint16> pixels(12, spec.Value);
   Require(item.putAndInsertUint16Array(DCM_PixelData, pixels.data(), pixels.size()));
-  Save(format, file);
+  if (!spec.IsRunLengthCoded)
+  {
+    return Save(format, file);
+  }
+  DcmRLEEncoderRegistration::registerCodecs();
+  Require(format.getDataset()->chooseRepresentation(EXS_RLELossless, nullptr));
+  Require(format.saveFile(file.c_str(), EXS_RLELossless));
+  DcmRLEEncoderRegistration::cleanup();
 }
 
 void WriteDicomSegmentation(const std::filesystem::path& file, const DicomSegmentationSpec& spec)

@@ -29,6 +29,7 @@ struct NiftiSpec
   short QFormCode = 0;
   short SFormCode = 1;
   std::array<float, 12> SForm{{2, 0, 0, 10, 0, 2, 0, 20, 0, 0, 2, 30}}; ///< rows, RAS
+  std::array<float, 6> QForm{{0, 0, 0, 10, 20, 30}}; ///< quaternion b, c, d; offset, RAS
   float Slope = 0;
   float Intercept = 0;
 
@@ -50,7 +51,7 @@ std::string MetaImageBytes(const std::string& type, const std::string& voxels,
 
 std::string Gzipped(const std::string& bytes);
 
-/// A slice of a DICOM MR series: 4 columns, 3 rows, unsigned short, every pixel has one value.
+/// A slice of a DICOM MR series: 4 columns, 3 rows, 16 bits, every pixel has one stored value.
 struct DicomSliceSpec
 {
   std::string SeriesUid = "1.2.3";
@@ -60,6 +61,11 @@ struct DicomSliceSpec
   Vector3 RowWorld = Vector3::UnitX();
   Vector3 ColumnWorld = Vector3::UnitY();
   std::uint16_t Value = 0;
+  int BitsStored = 16;
+  bool IsSigned = false;
+  std::string Slope; ///< empty: left out, as is the intercept
+  std::string Intercept;
+  bool IsRunLengthCoded = false; ///< compressed pixels
 };
 void WriteDicomSlice(const std::filesystem::path& file, const DicomSliceSpec& spec);
 

@@ -117,6 +117,17 @@ std::vector<BadFile> NrrdCases()
   };
 }
 
+// Later lines of the header win: 30 dimensions, more than MetaIO has room for.
+std::string ManyDimensions()
+{
+  std::string sizes;
+  for (int axis = 0; axis < 30; ++axis)
+  {
+    sizes += " 2";
+  }
+  return "NDims = 30\nDimSize =" + sizes + "\n";
+}
+
 std::vector<BadFile> OtherCases()
 {
   const std::string good = MetaImageBytes("MET_UCHAR", std::string(120, '\1'));
@@ -130,7 +141,8 @@ std::vector<BadFile> OtherCases()
       {"negative.mha", MetaWith("ElementSpacing = 2 2 2", "ElementSpacing = 2 -1 2"),
        "a voxel spacing of -1"},
       {"sheared.mha", MetaWith("1 0 0 0 1 0", "1 0 0 0.2 1 0"), "not perpendicular"},
-      {"many.mha", MetaWith("NDims = 3", "NDims = 30"), "damaged header"},
+      {"many.mha", MetaImageBytes("MET_UCHAR", std::string(120, '\1'), ManyDimensions()),
+       "damaged header"},
       {"flat.mha", MetaWith("DimSize = 4 5 6", "DimSize = 4 30 1"), "is two-dimensional"},
       {"lost.mhd", MetaWith("LOCAL", "lost.raw"), "lacks its data file"},
       {"plain.txt", "hello", "is in no known image format"},

@@ -3,6 +3,7 @@
 #include "ImageGrid.h"
 #include "LabelStatistics.h"
 #include "MessageOf.h"
+#include "RandomShapes.h"
 #include "SyntheticImages.h"
 #include "TemporaryFolder.h"
 #include "TestData.h"
@@ -99,6 +100,36 @@ TEST(DicomSegmentation, DistanceOfSlicesComesFromThePositionsWhereNoneIsStated)
   // A stated distance that the positions do not fit is not believed.
   spec.StatedStep = 3.0;
   EXPECT_EQ(GridOf(ReadBack(spec).Layers[0]).Spacing[2], 4.0);
+}
+
+TEST(DicomSegmentation, RandomFramesComeBackPixelByPixel)
+{
+  Random random(31);
+  for (int round = 0; round < 50; ++round)
+  {
+    DicomSegmentationSpec spec;
+    // Frames of 12 bits: they start at every other half byte.
+    for (int slice = 0; slice < 7; ++slice)
+    {
+      std::vector<int> pixels(12, 0);
+      for (int& pixel : pixels)
+      {
+        pixel = random() % 10 == 0 ? 1 : 0;
+      }
+      spec.Frames.push_back({1, 3.0 * slice, pixels});
+    }
+    spec.Frames[3].Pixels[11] = 1;
+    const Segmentation segmentation = ReadBack(spec);
+    for (const auto& frame : spec.Frames)
+    {
+      for (int pixel = 0; pixel < 12; ++pixel)
+      {
+        ASSERT_EQ(LabelAt(segmentation, 0, frame.Height, pixel),
+                  frame.Pixels[static_cast<std::size_t>(pixel)])
+            << "round " << round << ", height " << frame.Height << ", pixel " << pixel;
+      }
+    }
+  }
 }
 
 TEST(DicomSegmentation, OverlappingSegmentsGoToFurtherLayers)

@@ -110,8 +110,8 @@ void ExpectMatchesFloodFill(Labels& labels, const Segment& segment,
   const auto isLabel = [&](int x, int y, int z)
   { return labels.Holds(x, y, z) && labels.At(x, y, z) == segment.Value; };
   const auto isNotLabel = [&](int x, int y, int z) { return !isLabel(x, y, z); };
-  EXPECT_EQ(statistics.ComponentVoxels, FloodedSizes(labels.N, true, isLabel));
-  EXPECT_EQ(statistics.CavityVoxels, FloodedSizes(labels.N, false, isNotLabel));
+  EXPECT_EQ(statistics.ComponentVoxels, FloodedSizes(labels.N, false, isLabel));
+  EXPECT_EQ(statistics.CavityVoxels, FloodedSizes(labels.N, true, isNotLabel));
   EXPECT_EQ(statistics.Voxels,
             std::count(labels.Values.begin(), labels.Values.end(), segment.Value));
 }
@@ -167,12 +167,12 @@ TEST(LabelStatistics, HollowBoxHasOneCavity)
   EXPECT_NEAR(statistics.CavityMilliliters, 2 * 3.0 / 1000.0, 1e-15);
 }
 
-TEST(LabelStatistics, VoxelsThatShareACornerAreOneComponent)
+TEST(LabelStatistics, VoxelsThatShareAFaceAreOneComponent)
 {
   Labels labels({4, 4, 4});
   labels.At(0, 0, 0) = 1;
-  labels.At(1, 1, 1) = 1;
-  labels.At(3, 3, 3) = 1;
+  labels.At(0, 0, 1) = 1;
+  labels.At(1, 1, 2) = 1;
   EXPECT_EQ(MeasureLabels(SegmentationOf(labels))[0].ComponentVoxels,
             (std::vector<vtkIdType>{2, 1}));
 }

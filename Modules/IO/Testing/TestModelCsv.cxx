@@ -129,6 +129,8 @@ TEST(ModelCsv, WrongRowsAreRefused)
            {"\n2,-2,", "\n2,-2,1,"},
            {"\n2,-2,", "\n2;-2;"},
            {"\n2,-2,", "\n-1,0,"},
+           {"\n0,0,", "\n0,-1,"},
+           {"\n2,2,", "\n2,3,"},
            {"l,m,coefficient_mm", "l,m,coefficient_cm"},
            {"# degree: 2", "# degree: 3"},
            {"# degree: 2", "# degree: 1"},

@@ -258,6 +258,17 @@ TEST(SurfaceFile, TruncatedFilesAreRefused)
   }
 }
 
+TEST(SurfaceFile, TextStlIsRead)
+{
+  const TemporaryFolder folder;
+  const std::string text = "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\n"
+                           "vertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\nendsolid a\n";
+  WriteAll(folder / "a.stl", text);
+  EXPECT_EQ(ReadSurface(folder / "a.stl")->GetNumberOfCells(), 1);
+  WriteAll(folder / "a.stl", text.substr(0, text.size() - 12));
+  EXPECT_THROW(ReadSurface(folder / "a.stl"), InputError);
+}
+
 TEST(SurfaceFile, EndingsInCapitalsAreKnown)
 {
   EXPECT_TRUE(IsSurfaceFile("a.STL"));

@@ -1,4 +1,5 @@
 #include "ImageGrid.h"
+#include "MessageOf.h"
 #include "RandomShapes.h"
 #include "SyntheticImages.h"
 #include "TemporaryFolder.h"
@@ -161,6 +162,33 @@ TEST(Volume, NiftiWithoutOrientationSaysSo)
   spec.SFormCode = 1;
   WriteAll(folder / "b.nii", NiftiBytes(spec));
   EXPECT_TRUE(ReadVolume(folder / "b.nii").Notes.empty());
+}
+
+TEST(Volume, NiftiFormsThatAgreeNeedNoNote)
+{
+  const TemporaryFolder folder;
+  NiftiSpec spec;
+  spec.QFormCode = 1;
+  WriteAll(folder / "a.nii", NiftiBytes(spec));
+  EXPECT_TRUE(ReadVolume(folder / "a.nii").Notes.empty());
+  // Half a turn about z: quaternion 0, 0, 0, 1.
+  spec.QForm = {0, 0, 1, 10, 20, 30};
+  spec.SForm = {-2, 0, 0, 10, 0, -2, 0, 20, 0, 0, 2, 30};
+  WriteAll(folder / "b.nii", NiftiBytes(spec));
+  EXPECT_TRUE(ReadVolume(folder / "b.nii").Notes.empty());
+}
+
+TEST(Volume, NiftiFormsThatDisagreeAreNoted)
+{
+  const TemporaryFolder folder;
+  NiftiSpec spec;
+  spec.QFormCode = 1;
+  spec.QForm[3] = 17;
+  WriteAll(folder / "a.nii", NiftiBytes(spec));
+  const std::vector<std::string> notes = ReadVolume(folder / "a.nii").Notes;
+  ASSERT_EQ(notes.size(), 1u);
+  EXPECT_TRUE(Contains(notes[0],
+                       "would place voxels up to 7 mm elsewhere; the other orientation was used"));
 }
 
 TEST(Volume, FourthDimensionOfOneIsNone)

@@ -57,3 +57,14 @@ TEST(DivergingColorMap, NotANumberIsGrey)
   EXPECT_EQ(DivergingColorMap(1.0).ColorOf(std::numeric_limits<double>::quiet_NaN()),
             (Color{{128, 128, 128}}));
 }
+
+TEST(DivergingColorMap, LimitsAreRoundedUpToNumbersThatReadWell)
+{
+  EXPECT_DOUBLE_EQ(DivergingColorMap::RoundLimit(0.54), 0.6);
+  EXPECT_DOUBLE_EQ(DivergingColorMap::RoundLimit(1.0), 1.0);
+  EXPECT_DOUBLE_EQ(DivergingColorMap::RoundLimit(0.3), 0.3);
+  EXPECT_DOUBLE_EQ(DivergingColorMap::RoundLimit(1.01), 1.5);
+  EXPECT_DOUBLE_EQ(DivergingColorMap::RoundLimit(82.0), 100.0);
+  EXPECT_DOUBLE_EQ(DivergingColorMap::RoundLimit(0.0), 1.0);
+  EXPECT_DOUBLE_EQ(DivergingColorMap::RoundLimit(std::numeric_limits<double>::quiet_NaN()), 1.0);
+}

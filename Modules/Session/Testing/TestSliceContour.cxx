@@ -1,7 +1,9 @@
 #include "SliceContour.h"
 
+#include "ImageAxes.h"
 #include "SyntheticFit.h"
 
+#include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
 #include <sstream>
@@ -109,6 +111,32 @@ TEST(SliceContour, TheMasksOutlineIsTheBoundaryOfItsVoxels)
     const PathMeasure measure = Measure(palpate::MaskOutlinePath(fit.Result.Mask, 1, plane));
     // Ends are rounded to a tenth of a pixel, which may fall on either side.
     EXPECT_NEAR(measure.Length * plane.PixelMillimeters / length, 1.0, 0.01) << plane.Name;
+  }
+}
+
+TEST(SliceContour, TheMasksOutlineRunsAlongTheFacesOfItsVoxels)
+{
+  palpate::test::SyntheticFit fit;
+  const palpate::ImageAxes axes(fit.Result.Mask);
+  for (const SlicePlane& plane : palpate::ChooseSlicePlanes(fit.Result.Mask, 1, 2, 400))
+  {
+    std::string path = palpate::MaskOutlinePath(fit.Result.Mask, 1, plane);
+    std::replace_if(
+        path.begin(), path.end(), [](char c) { return c == 'M' || c == 'L'; }, ' ');
+    std::istringstream text(path);
+    Eigen::Vector2d point;
+    int count = 0;
+    while (text >> point.x() >> point.y())
+    {
+      const palpate::Vector3 index = axes.ToIndex(plane.ToWorld(point));
+      for (const int axis : {plane.RightAxis, plane.DownAxis})
+      {
+        // A twentieth of a pixel of 0.2 mm is a hundredth of a voxel.
+        EXPECT_NEAR(std::abs(index[axis] - std::floor(index[axis])), 0.5, 0.02);
+      }
+      ++count;
+    }
+    EXPECT_GT(count, 40);
   }
 }
 

@@ -326,6 +326,31 @@ TEST(SphericalHarmonicPhantom, GaussianNoiseHasTheGivenDeviation)
   EXPECT_NEAR(std::sqrt(squares / count), Deviation, 5.0 * Deviation / std::sqrt(2.0 * count));
 }
 
+TEST(SphericalHarmonicPhantom, NoiseOfNeighbouringVoxelsIsUncorrelated)
+{
+  vtkNew<vtkSphericalHarmonicPhantom> phantom;
+  PrepareOblique(*phantom, 2.0, 0.0);
+  palpate::PhantomAppearance look;
+  look.NoiseKind = palpate::PhantomAppearance::Noise::Gaussian;
+  phantom->SetAppearance(look);
+  const std::vector<float> clean = Intensities(*phantom);
+  look.NoiseDeviation = 1.0;
+  phantom->SetAppearance(look);
+  const std::vector<float> noisy = Intensities(*phantom);
+  for (const std::size_t step : {1U, 32U, 32U * 32U}) // along a row, a column and a stack
+  {
+    double sum = 0.0;
+    double count = 0.0;
+    for (std::size_t v = step; v < clean.size(); ++v)
+    {
+      sum += (noisy[v] - clean[v]) * (noisy[v - step] - clean[v - step]);
+      count += 1.0;
+    }
+    // The mean of products of independent numbers of variance 1: five standard errors.
+    EXPECT_NEAR(sum / count, 0.0, 5.0 / std::sqrt(count)) << "step " << step;
+  }
+}
+
 TEST(SphericalHarmonicPhantom, BiasFieldStaysWithinItsAmplitudeAndIsNotFlat)
 {
   constexpr double Amplitude = 0.4;

@@ -1,0 +1,251 @@
+#include "RenderCommand.h"
+
+#include "Console.h"
+#include "DisplayServer.h"
+#include "FilterRun.h"
+#include "InputError.h"
+#include "Interruption.h"
+#include "ModelFile.h"
+#include "ModelSurface.h"
+#include "Segmentation.h"
+#include "SurfaceFile.h"
+#include "Volume.h"
+#include "WholeFile.h"
+
+#include "vtkNew.h"
+#include "vtkSegmentationSurface.h"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <array>
+#include <map>
+#include <ostream>
+#include <regex>
+
+namespace palpate::cli
+{
+namespace
+{
+constexpr int ModelFrequency = 40;
+constexpr int LargestSide = 8192; // pixels
+
+// Colours that the colour-blind tell apart (Okabe and Ito 2008), the organ's first.
+constexpr std::array<SceneRenderer::Color, 7> Palette{{{{0.85, 0.66, 0.55}},
+                                                       {{0.34, 0.71, 0.91}},
+                                                       {{0.90, 0.62, 0.00}},
+                                                       {{0.00, 0.62, 0.45}},
+                                                       {{0.80, 0.47, 0.65}},
+                                                       {{0.94, 0.89, 0.26}},
+                                                       {{0.84, 0.37, 0.00}}}};
+
+const std::map<std::string, ViewSide>& Sides()
+{
+  static const std::map<std::string, ViewSide> sides{
+      {"anterior", ViewSide::Anterior}, {"posterior", ViewSide::Posterior},
+      {"left", ViewSide::Left},         {"right", ViewSide::Right},
+      {"superior", ViewSide::Superior}, {"inferior", ViewSide::Inferior}};
+  return sides;
+}
+
+const std::map<std::string, SceneRenderer::Plane>& Planes()
+{
+  static const std::map<std::string, SceneRenderer::Plane> planes{
+      {"axial", SceneRenderer::Plane::Axial},
+      {"sagittal", SceneRenderer::Plane::Sagittal},
+      {"coronal", SceneRenderer::Plane::Coronal}};
+  return planes;
+}
+
+std::pair<int, int> ParseSize(const std::string& word)
+{
+  std::smatch parts;
+  static const std::regex pattern("([0-9]{1,5})x([0-9]{1,5})");
+  if (std::regex_match(word, parts, pattern))
+  {
+    const int width = std::stoi(parts[1]);
+    const int height = std::stoi(parts[2]);
+    if (std::min(width, height) >= 16 && std::max(width, height) <= LargestSide)
+    {
+      return {width, height};
+    }
+  }
+  throw InputError("--size " + word + " is no picture size; give WIDTHxHEIGHT, 16 to " +
+                   std::to_string(LargestSide) + " pixels each");
+}
+
+SceneRenderer::Color ParseColor(const std::string& word)
+{
+  if (word == "white" || word == "black")
+  {
+    const double value = word == "white" ? 1.0 : 0.0;
+    return {{value, value, value}};
+  }
+  static const std::regex pattern("#([0-9a-fA-F]{6})");
+  std::smatch parts;
+  if (!std::regex_match(word, parts, pattern))
+  {
+    throw InputError("--background " + word + " is no colour; give white, black, or #rrggbb");
+  }
+  const unsigned long code = std::stoul(parts[1], nullptr, 16);
+  return {{(code >> 16U & 255U) / 255.0, (code >> 8U & 255U) / 255.0, (code & 255U) / 255.0}};
+}
+} // namespace
+
+std::string RenderCommand::Examples() const
+{
+  return "  palpate render out/model.vtp --array DistanceToSurface --output errors.png\n"
+         "  palpate render mask.seg.nrrd --volume t2.nrrd --slices axial --output gland.png\n"
+         "  palpate render model.json surface.stl --opacity 0.5 --view left --output both.png";
+}
+
+void RenderCommand::DeclareOptions(CLI::App& app)
+{
+  app.add_option("FILE", this->Inputs,
+                 "Surfaces (.vtp, .stl, .ply, .obj), models (.json, .csv, .coef), segmentations");
+  app.add_option("--output", this->Output, "The picture, a .png file")
+      ->type_name("FILE")
+      ->required();
+  this->Options.DeclareLabels(app);
+  app.add_option("--volume", this->VolumePath, "Draw slices of this image");
+  app.add_option("--series", this->Series, "DICOM series of a --volume folder: number or UID")
+      ->type_name("N|UID");
+  app.add_option("--slices", this->Slices,
+                 "Which slices of --volume, through the middle of what is drawn")
+      ->delimiter(',')
+      ->allow_extra_args(false)
+      ->check(CLI::IsMember({"axial", "sagittal", "coronal"}))
+      ->capture_default_str();
+  app.add_option("--view", this->View, "The side that is looked at")
+      ->check(CLI::IsMember(
+          {"anterior", "posterior", "left", "right", "superior", "inferior", "oblique"}))
+      ->capture_default_str();
+  app.add_option("--size", this->Size, "Width and height in pixels")
+      ->type_name("WxH")
+      ->capture_default_str();
+  app.add_option("--array", this->ArrayName,
+                 "Colour surfaces by this point array, e.g. DistanceToSurface");
+  app.add_option("--opacity", this->Opacity, "Of the surfaces")
+      ->check(CLI::Range(0.0, 1.0))
+      ->capture_default_str();
+  app.add_option("--background", this->Background, "white, black or #rrggbb")
+      ->type_name("COLOR")
+      ->capture_default_str();
+}
+
+SceneRenderer::Color RenderCommand::NextColor()
+{
+  return Palette[this->ColorCount++ % Palette.size()];
+}
+
+void RenderCommand::AddSegmentation(const std::filesystem::path& file, SceneRenderer& scene,
+                                    Console& console)
+{
+  const Segmentation segmentation = ReadSegmentation(file);
+  std::vector<Segment> chosen;
+  for (const std::string& word : this->Options.Labels())
+  {
+    chosen.push_back(segmentation.Find(word));
+  }
+  for (const Segment& structure : chosen.empty() ? segmentation.Segments : chosen)
+  {
+    vtkNew<vtkSegmentationSurface> surface;
+    surface->SetInputData(segmentation.Layers[static_cast<std::size_t>(structure.Layer)]);
+    surface->SetLabel(structure.Value);
+    surface->SetComponent(0);
+    RunFilter(surface, file.filename().string() + ", label " + std::to_string(structure.Label), 0.0,
+              1.0,
+              [&console](double fraction, const std::string& stage)
+              {
+                console.Progress(fraction, stage);
+                return !Interruption::WasAsked();
+              });
+    scene.AddSurface(surface->GetOutput(), structure.Color, this->Opacity);
+  }
+  console.EndProgress();
+}
+
+void RenderCommand::AddFile(const std::filesystem::path& file, SceneRenderer& scene,
+                            Console& console)
+{
+  if (IsModelFile(file))
+  {
+    scene.AddSurface(DrawModel(ReadModel(file).Surface, ModelFrequency), this->NextColor(),
+                     this->Opacity);
+  }
+  else if (IsSurfaceFile(file))
+  {
+    scene.AddSurface(ReadSurface(file), this->NextColor(), this->Opacity);
+  }
+  else
+  {
+    this->AddSegmentation(file, scene, console);
+  }
+}
+
+void RenderCommand::AddSlices(SceneRenderer& scene) const
+{
+  const Volume volume = ReadVolume(this->VolumePath, {this->Series});
+  Vector3 middle = scene.MiddleWorld();
+  if (this->Inputs.empty())
+  {
+    middle = Vector3(volume.Image->GetCenter());
+  }
+  for (const std::string& word : this->Slices)
+  {
+    scene.AddSlice(volume.Image, Planes().at(word), middle);
+  }
+}
+
+void RenderCommand::ColorByArray(SceneRenderer& scene) const
+{
+  if (!scene.ColorByArray(this->ArrayName))
+  {
+    const std::vector<std::string> names = scene.ArrayNames();
+    std::string list;
+    for (const std::string& name : names)
+    {
+      list += (list.empty() ? "" : ", ") + name;
+    }
+    throw InputError(
+        "--array " + this->ArrayName + ": no surface has a point array of this name" +
+        (names.empty() ? "; leave the option out, none has an array" : "; there is " + list));
+  }
+}
+
+int RenderCommand::Run(Console& console)
+{
+  const Interruption interruption;
+  const auto [width, height] = ParseSize(this->Size);
+  const SceneRenderer::Color background = ParseColor(this->Background);
+  if (this->Output.extension() != ".png")
+  {
+    throw InputError("--output " + this->Output.string() +
+                     " does not end in .png; pictures are PNG files");
+  }
+  if (this->Inputs.empty() && this->VolumePath.empty())
+  {
+    throw InputError("there is nothing to draw; name a surface, a model or a segmentation, or an "
+                     "image with --volume");
+  }
+  const DisplayServer display;
+  SceneRenderer scene;
+  scene.SetBackground(background);
+  for (const std::string& input : this->Inputs)
+  {
+    this->AddFile(input, scene, console);
+  }
+  if (!this->ArrayName.empty())
+  {
+    this->ColorByArray(scene);
+  }
+  if (!this->VolumePath.empty())
+  {
+    this->AddSlices(scene);
+  }
+  const auto side = Sides().find(this->View);
+  const ViewFrame frame = side == Sides().end() ? ObliqueFrame() : FrameOf(side->second);
+  WriteWholeFile(this->Output, EncodePng(scene.Render(frame, width, height)));
+  console.Output() << this->Output.string() << ": " << width << " x " << height << " pixels\n";
+  return 0;
+}
+} // namespace palpate::cli

@@ -1,0 +1,47 @@
+#pragma once
+
+#include "Command.h"
+#include "FitOptions.h"
+#include "SceneRenderer.h"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace palpate::cli
+{
+/// `palpate render FILE...`: one picture of surfaces, models and segmentations in space, with
+/// slices of a volume.
+class RenderCommand : public Command
+{
+public:
+  std::string Name() const override { return "render"; }
+  std::string Summary() const override
+  {
+    return "Draw surfaces, models, segmentations and slices as a PNG picture";
+  }
+  std::string Examples() const override;
+  void DeclareOptions(CLI::App& app) override;
+  int Run(Console& console) override;
+
+private:
+  void AddFile(const std::filesystem::path& file, SceneRenderer& scene, Console& console);
+  void AddSegmentation(const std::filesystem::path& file, SceneRenderer& scene, Console& console);
+  void AddSlices(SceneRenderer& scene) const;
+  void ColorByArray(SceneRenderer& scene) const;
+  SceneRenderer::Color NextColor();
+
+  std::vector<std::string> Inputs;
+  FitOptions Options;
+  std::filesystem::path Output;
+  std::string VolumePath;
+  std::string Series;
+  std::vector<std::string> Slices{"axial", "sagittal", "coronal"};
+  std::string Size = "800x800";
+  std::string View = "oblique";
+  std::string Background = "white";
+  std::string ArrayName;
+  double Opacity = 1.0;
+  std::size_t ColorCount = 0;
+};
+} // namespace palpate::cli

@@ -1,0 +1,117 @@
+#include "CommandRun.h"
+#include "SyntheticFiles.h"
+#include "TemporaryFolder.h"
+#include "TestData.h"
+
+#include <gtest/gtest.h>
+#include <iterator>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+using namespace palpate::test;
+using Json = nlohmann::json;
+
+namespace
+{
+std::vector<Json> Lines(const std::string& text)
+{
+  std::vector<Json> objects;
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);)
+  {
+    objects.push_back(Json::parse(line));
+  }
+  return objects;
+}
+
+// The words of the line that starts with `first`, empty where there is none.
+std::vector<std::string> WordsOfLine(const std::string& text, const std::string& first)
+{
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);)
+  {
+    std::istringstream words(line);
+    const std::vector<std::string> found{std::istream_iterator<std::string>(words), {}};
+    if (!found.empty() && found.front() == first)
+    {
+      return found;
+    }
+  }
+  return {};
+}
+} // namespace
+
+TEST(CliInfo, TableTellsTheLabels)
+{
+  const TemporaryFolder folder;
+  WriteTwoBalls(folder / "a.nii.gz");
+  const CommandRun run = RunPalpate({"info", "a.nii.gz"}, folder.Path());
+  EXPECT_EQ(run.Code, 0) << run.Errors;
+  EXPECT_EQ(run.Errors, "");
+  EXPECT_EQ(WordsOfLine(run.Output, "size"),
+            (std::vector<std::string>{"size", "41", "x", "41", "x", "15", "voxels"}));
+  EXPECT_EQ(WordsOfLine(run.Output, "holds")[1], "NIfTI");
+  const std::vector<std::string> ball = WordsOfLine(run.Output, "1");
+  ASSERT_EQ(ball.size(), 7u) << run.Output;
+  EXPECT_EQ(ball[3], "-");
+  EXPECT_EQ(ball[4], "1");
+  EXPECT_EQ(ball[5], "0");
+}
+
+TEST(CliInfo, JsonHasTheSameNumbers)
+{
+  const TemporaryFolder folder;
+  WriteTwoBalls(folder / "a.nrrd");
+  const CommandRun run = RunPalpate({"info", "a.nrrd", "--json"}, folder.Path());
+  EXPECT_EQ(run.Code, 0) << run.Errors;
+  const Json info = Json::parse(run.Output);
+  EXPECT_EQ(info.at("status"), "ok");
+  EXPECT_EQ(info.at("kind"), "NRRD label map");
+  EXPECT_EQ(info.at("geometry").at("spacing_mm"), Json({1.0, 1.0, 2.5}));
+  EXPECT_EQ(info.at("geometry").at("origin_mm"), Json({-20.0, -20.0, -17.5}));
+  const Json& ball = info.at("labels").at(0);
+  EXPECT_EQ(ball.at("label"), 1);
+  EXPECT_EQ(ball.at("touches_border"), false);
+  EXPECT_EQ(ball.at("component_voxels").at(0), ball.at("voxels"));
+  EXPECT_DOUBLE_EQ(ball.at("ml").get<double>(), ball.at("voxels").get<int>() * 2.5 / 1000.0);
+}
+
+TEST(CliInfo, BadFileDoesNotStopTheOthers)
+{
+  const TemporaryFolder folder;
+  WriteTwoBalls(folder / "a.nii.gz");
+  WriteAll(folder / "bad.nii", "");
+  const CommandRun run =
+      RunPalpate({"info", "bad.nii", "missing.nii", "a.nii.gz", "--json"}, folder.Path());
+  EXPECT_EQ(run.Code, 2);
+  EXPECT_EQ(run.Errors, "palpate: bad.nii is empty; copy or export it again.\n"
+                        "palpate: missing.nii does not exist; check the path.\n");
+  const std::vector<Json> objects = Lines(run.Output);
+  ASSERT_EQ(objects.size(), 3u);
+  EXPECT_EQ(objects[0].at("status"), "bad input");
+  EXPECT_EQ(objects[1].at("message"), "missing.nii does not exist; check the path.");
+  EXPECT_EQ(objects[2].at("status"), "ok");
+}
+
+TEST(CliInfo, AnotherSeriesCanBeChosen)
+{
+  const auto path = DataPath("prostate/dicom_localizer_three_planes");
+  PALPATE_REQUIRE_FILE(path);
+  const TemporaryFolder folder;
+  EXPECT_EQ(RunPalpate({"info", path.string()}, folder.Path()).Code, 2);
+  const CommandRun run =
+      RunPalpate({"info", path.string(), "--series", "3", "--json"}, folder.Path());
+  EXPECT_EQ(run.Code, 0) << run.Errors;
+  EXPECT_EQ(Json::parse(run.Output).at("geometry").at("axes").at(2), Json({0.0, 0.0, 1.0}));
+}
+
+TEST(CliInfo, PatientsAreNotNamed)
+{
+  const auto path = DataPath("prostate/dicom_t2_axial");
+  PALPATE_REQUIRE_FILE(path);
+  const TemporaryFolder folder;
+  const CommandRun run = RunPalpate({"info", path.string()}, folder.Path());
+  EXPECT_EQ(run.Code, 0) << run.Errors;
+  // PatientName of the series' headers.
+  EXPECT_EQ(run.Output.find("PCAMRGBX"), std::string::npos);
+}

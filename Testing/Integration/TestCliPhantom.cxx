@@ -1,0 +1,101 @@
+#include "CommandRun.h"
+#include "ModelFile.h"
+#include "ProstateLikeModel.h"
+#include "Segmentation.h"
+#include "TemporaryFolder.h"
+#include "Volume.h"
+
+#include "vtkImageData.h"
+#include "vtkMatrix3x3.h"
+
+#include <gtest/gtest.h>
+#include <variant>
+
+using namespace palpate::test;
+
+namespace
+{
+double MaskMilliliters(const std::filesystem::path& file)
+{
+  const palpate::Segmentation mask = palpate::ReadSegmentation(file);
+  vtkImageData* image = mask.Layers.front();
+  double voxels = 0.0;
+  int size[3];
+  image->GetDimensions(size);
+  for (int k = 0; k < size[2]; ++k)
+  {
+    for (int j = 0; j < size[1]; ++j)
+    {
+      for (int i = 0; i < size[0]; ++i)
+      {
+        voxels += image->GetScalarComponentAsDouble(i, j, k, 0);
+      }
+    }
+  }
+  const double* spacing = image->GetSpacing();
+  return voxels * spacing[0] * spacing[1] * spacing[2] / 1000.0;
+}
+} // namespace
+
+TEST(CliPhantom, TheFilesHoldTheBodyThatTheTruthDescribes)
+{
+  for (const char* format : {"nii.gz", "nrrd", "mha"})
+  {
+    const TemporaryFolder folder;
+    const CommandRun run =
+        RunPalpate({"phantom", "--output", "p", "--spacing", "2,2,3", "--oblique", "20", "--seed",
+                    "5", "--degree", "9", "--format", format},
+                   folder.Path());
+    EXPECT_EQ(run.Code, 0) << run.Errors;
+    const auto truth = std::get<palpate::SphericalHarmonicModel>(
+        palpate::ReadModel(folder / "p/truth.json").Surface);
+    EXPECT_EQ(truth.Coefficients(),
+              palpate::MakeProstateLikeModel(9, 5, palpate::Vector3::Zero()).Coefficients());
+    const std::string mask = std::string("p/mask.") + format;
+    // Counting voxels of 12 mm^3: a standard deviation of 0.2 %, five of them.
+    const double milliliters = truth.Volume() / 1000.0;
+    EXPECT_NEAR(MaskMilliliters(folder / mask), milliliters, 0.01 * milliliters);
+    const palpate::Volume volume =
+        palpate::ReadVolume(folder / (std::string("p/volume.") + format));
+    EXPECT_LT(volume.Image->GetDirectionMatrix()->GetElement(2, 2), 0.99);
+  }
+}
+
+TEST(CliPhantom, TheBodyOfAModelFileIsUsed)
+{
+  const TemporaryFolder folder;
+  ASSERT_EQ(
+      RunPalpate({"phantom", "--output", "a", "--spacing", "3,3,3", "--seed", "9"}, folder.Path())
+          .Code,
+      0);
+  const CommandRun run = RunPalpate(
+      {"phantom", "--output", "b", "--spacing", "3,3,3", "--model", "a/truth.json"}, folder.Path());
+  EXPECT_EQ(run.Code, 0) << run.Errors;
+  EXPECT_EQ(MaskMilliliters(folder / "a/mask.nii.gz"), MaskMilliliters(folder / "b/mask.nii.gz"));
+}
+
+TEST(CliPhantom, SettingsThatMakeNoPhantomAreRefusedAndLeaveNothing)
+{
+  const TemporaryFolder folder;
+  WriteAll(folder / "file", "in the way");
+  for (const std::vector<std::string>& more :
+       std::vector<std::vector<std::string>>{{"--spacing", "0,1,1"},
+                                             {"--spacing", "1,1"},
+                                             {"--bias", "1.5"},
+                                             {"--noise", "-1"},
+                                             {"--size", "90000,90000,90000"},
+                                             {"--model", "missing.json"},
+                                             {"--output", "file"}})
+  {
+    std::vector<std::string> arguments{"phantom"};
+    if (more.front() != "--output")
+    {
+      arguments.insert(arguments.end(), {"--output", "p"});
+    }
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    const CommandRun run = RunPalpate(arguments, folder.Path());
+    EXPECT_EQ(run.Code, 2) << more.front() << " " << run.Errors;
+    EXPECT_FALSE(run.Errors.empty());
+    EXPECT_EQ(folder.EntryCount(), 1U) << more.front();
+  }
+}

@@ -1,0 +1,84 @@
+#include "CommandRun.h"
+#include "DisplayServer.h"
+#include "SyntheticFiles.h"
+#include "TemporaryFolder.h"
+
+#include <gtest/gtest.h>
+#include <stdexcept>
+
+using namespace palpate::test;
+
+namespace
+{
+bool CanDraw()
+{
+  try
+  {
+    const palpate::DisplayServer display;
+    return true;
+  }
+  catch (const std::runtime_error&)
+  {
+    return false;
+  }
+}
+
+// Width and height that a PNG's header states.
+std::pair<int, int> PngSize(const std::string& bytes)
+{
+  const auto number = [&bytes](std::size_t at)
+  {
+    int value = 0;
+    for (std::size_t b = 0; b < 4; ++b)
+    {
+      value = value << 8 | static_cast<unsigned char>(bytes.at(at + b));
+    }
+    return value;
+  };
+  return {number(16), number(20)};
+}
+} // namespace
+
+TEST(CliRender, SegmentationsModelsAndSlicesBecomeOnePicture)
+{
+  if (!CanDraw())
+  {
+    GTEST_SKIP() << "no X server and no Xvfb";
+  }
+  const TemporaryFolder folder;
+  ASSERT_EQ(RunPalpate({"phantom", "--output", "p", "--spacing", "2,2,3"}, folder.Path()).Code, 0);
+  const CommandRun run =
+      RunPalpate({"render", "p/mask.nii.gz", "p/truth.json", "--volume", "p/volume.nii.gz",
+                  "--slices", "axial,coronal", "--opacity", "0.5", "--size", "320x200", "--view",
+                  "left", "--output", "picture.png"},
+                 folder.Path());
+  EXPECT_EQ(run.Code, 0) << run.Errors;
+  EXPECT_EQ(PngSize(ReadAll(folder / "picture.png")), (std::pair<int, int>{320, 200}));
+}
+
+TEST(CliRender, BadInputIsRefusedAndLeavesNothing)
+{
+  if (!CanDraw())
+  {
+    GTEST_SKIP() << "no X server and no Xvfb";
+  }
+  const TemporaryFolder folder;
+  WriteTwoBalls(folder / "a.nii.gz");
+  for (const std::vector<std::string>& more : std::vector<std::vector<std::string>>{
+           {"a.nii.gz", "--output", "x.jpg"},
+           {"--output", "x.png"},
+           {"missing.vtp", "--output", "x.png"},
+           {"a.nii.gz", "--label", "77", "--output", "x.png"},
+           {"a.nii.gz", "--array", "Nothing", "--output", "x.png"},
+           {"a.nii.gz", "--size", "0x5", "--output", "x.png"},
+           {"a.nii.gz", "--background", "mauve", "--output", "x.png"},
+           {"a.nii.gz", "--volume", "missing.nrrd", "--output", "x.png"},
+           {"a.nii.gz", "--output", "no/such/folder/x.png"}})
+  {
+    std::vector<std::string> arguments{"render"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    const CommandRun run = RunPalpate(arguments, folder.Path());
+    EXPECT_EQ(run.Code, 2) << more.front() << ": " << run.Errors;
+    EXPECT_EQ(folder.EntryCount(), 1U);
+  }
+}
