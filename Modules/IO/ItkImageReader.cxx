@@ -1,5 +1,6 @@
 #include "ItkImageReader.h"
 
+#include "NiftiAlias.h"
 #include "QuietStandardStreams.h"
 
 #include "itkGDCMImageIO.h"
@@ -15,6 +16,9 @@ namespace palpate
 {
 struct ItkImageReader::Implementation
 {
+  explicit Implementation(const std::filesystem::path& file) : Alias(file) {}
+
+  NiftiAlias Alias;
   itk::ImageIOBase::Pointer Io;
 };
 
@@ -71,12 +75,13 @@ int VtkTypeOf(itk::IOComponentEnum type)
 } // namespace
 
 ItkImageReader::ItkImageReader(const std::filesystem::path& file, FileKind kind)
-    : Itk(std::make_unique<Implementation>())
+    : Itk(std::make_unique<Implementation>(file))
 {
   const QuietStandardStreams quiet;
   this->Itk->Io = NewImageIo(kind);
-  this->Itk->Io->SetFileName(file.string());
-  if (!this->Itk->Io->CanReadFile(file.c_str()))
+  const std::filesystem::path& name = this->Itk->Alias.Path();
+  this->Itk->Io->SetFileName(name.string());
+  if (!this->Itk->Io->CanReadFile(name.c_str()))
   {
     throw std::runtime_error("not a file of this kind");
   }

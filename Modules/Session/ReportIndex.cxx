@@ -104,9 +104,8 @@ void ReportIndex::Add(const FitResult& result, const std::filesystem::path& repo
       NumberCell(result.Surface != nullptr, result.HiddenPercent, 2) + "</tr>\n";
   if (!isFitted)
   {
-    this->Messages += "<li><strong>" + name + "</strong>, " +
-                      EscapeHtml(result.Input.filename().string()) + ": " +
-                      EscapeHtml(VerdictText(result)) + "</li>\n";
+    this->Messages += "<li><strong>" + EscapeHtml(result.Input.filename().string()) +
+                      "</strong>: " + EscapeHtml(VerdictText(result)) + "</li>\n";
   }
 }
 

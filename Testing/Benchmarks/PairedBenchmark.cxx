@@ -86,6 +86,7 @@ std::vector<Comparison> Measure(const std::vector<PairedBenchmark>& pairs)
   Collector collector;
   benchmark::RunSpecifiedBenchmarks(&collector);
   std::vector<Comparison> comparisons;
+  comparisons.reserve(pairs.size());
   for (const PairedBenchmark& pair : pairs)
   {
     comparisons.push_back({pair.Name, collector.Median(pair.Name), pair.Against,

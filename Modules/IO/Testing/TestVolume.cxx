@@ -152,6 +152,15 @@ TEST(Volume, CompressedAndPlainNiftiAreTheSame)
   }
 }
 
+TEST(Volume, CompressedNiftiBesideAPlainOneKeepsItsOwnVoxels)
+{
+  const TemporaryFolder folder;
+  WriteAll(folder / "a.nii", NiftiBytes({}));
+  WriteAll(folder / "a.nii.gz", Gzipped(NiftiBytes({}, BytesOf(Counting<unsigned char>(120)))));
+  EXPECT_EQ(ReadVolume(folder / "a.nii").Image->GetScalarComponentAsDouble(3, 4, 5, 0), 0.0);
+  EXPECT_EQ(ReadVolume(folder / "a.nii.gz").Image->GetScalarComponentAsDouble(3, 4, 5, 0), 119.0);
+}
+
 TEST(Volume, NiftiWithoutOrientationSaysSo)
 {
   const TemporaryFolder folder;

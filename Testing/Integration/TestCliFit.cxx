@@ -1,0 +1,181 @@
+#include "CommandRun.h"
+#include "ModelFile.h"
+#include "SyntheticFiles.h"
+#include "TemporaryFolder.h"
+
+#include <fstream>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+using namespace palpate::test;
+using Json = nlohmann::json;
+
+namespace
+{
+std::vector<Json> Lines(const std::string& text)
+{
+  std::vector<Json> objects;
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);)
+  {
+    objects.push_back(Json::parse(line));
+  }
+  return objects;
+}
+
+bool Has(const std::string& text, const std::string& part)
+{
+  return text.find(part) != std::string::npos;
+}
+} // namespace
+
+TEST(CliFit, OneStructureGivesNumbersFilesAndAReport)
+{
+  const TemporaryFolder folder;
+  WriteTwoBalls(folder / "a.nii.gz");
+  const CommandRun run =
+      RunPalpate({"fit", "a.nii.gz", "--label", "1", "--degree", "6", "--output", "out", "--json"},
+                 folder.Path());
+  ASSERT_EQ(run.Code, 0) << run.Errors;
+  const Json result = Json::parse(run.Output);
+  EXPECT_EQ(result.at("input"), "a.nii.gz");
+  EXPECT_EQ(result.at("label"), 1);
+  EXPECT_EQ(result.at("degree"), 6);
+  EXPECT_EQ(result.at("status"), "fitted");
+  EXPECT_EQ(result.at("message"), "");
+  EXPECT_LT(result.at("star").at("hidden_percent").get<double>(), 0.1);
+  EXPECT_GE(result.at("fit").at("condition").get<double>(), 1.0);
+  EXPECT_GT(result.at("fit").at("rms_mm").get<double>(), 0.0);
+  const Json& mask = result.at("quality").at("mask");
+  EXPECT_GT(mask.at("dice").get<double>(), 0.95);
+  EXPECT_LE(mask.at("mean_mm").get<double>(), mask.at("p95_mm").get<double>());
+  EXPECT_LE(mask.at("p95_mm").get<double>(), mask.at("max_mm").get<double>());
+  // A ball of 9 mm, on a grid whose voxels are a quarter of it.
+  EXPECT_NEAR(result.at("volume_ml").at("mask").get<double>(), 3.054, 0.2);
+  EXPECT_NEAR(result.at("volume_ml").at("model").get<double>(),
+              result.at("volume_ml").at("mask").get<double>(), 0.03);
+  EXPECT_GT(result.at("seconds").at("total").get<double>(), 0.0);
+  EXPECT_TRUE(result.at("seconds").contains("surface"));
+  for (const char* file : {"model.json", "model.csv", "model.vtp", "surface.vtp", "report.html"})
+  {
+    EXPECT_TRUE(std::filesystem::exists(folder / "out" / file)) << file;
+  }
+  const auto document = palpate::ReadModel(folder / "out" / "model.json");
+  const auto& model = std::get<palpate::SphericalHarmonicModel>(document.Surface);
+  EXPECT_EQ(model.Degree(), 6);
+  // What the report and JSON say of the model is what its file holds.
+  EXPECT_DOUBLE_EQ(model.Volume() / 1000.0, result.at("volume_ml").at("model").get<double>());
+}
+
+TEST(CliFit, EveryLabelIsACaseWithAFolderAndAnOverview)
+{
+  const TemporaryFolder folder;
+  WriteTwoBalls(folder / "a.nii.gz");
+  const CommandRun run =
+      RunPalpate({"fit", "a.nii.gz", "--degree", "4", "--output", "out", "--json"}, folder.Path());
+  ASSERT_EQ(run.Code, 0) << run.Errors;
+  EXPECT_EQ(Lines(run.Output).size(), 2U);
+  EXPECT_TRUE(std::filesystem::exists(folder / "out/report.html"));
+  EXPECT_TRUE(std::filesystem::exists(folder / "out/a_1/report.html"));
+  EXPECT_TRUE(std::filesystem::exists(folder / "out/a_2/model.json"));
+}
+
+TEST(CliFit, FailingCaseIsReportedAtTheEndAndDoesNotStopTheOthers)
+{
+  const TemporaryFolder folder;
+  WriteTwoBalls(folder / "good.nii.gz");
+  std::ofstream(folder / "bad.nii.gz") << "no image";
+  const CommandRun run = RunPalpate({"fit", "bad.nii.gz", "missing.nrrd", "good.nii.gz", "--label",
+                                     "1", "--degree", "4", "--json"},
+                                    folder.Path());
+  EXPECT_EQ(run.Code, 1);
+  const auto results = Lines(run.Output);
+  ASSERT_EQ(results.size(), 3U);
+  EXPECT_EQ(results[0].at("status"), "bad-input");
+  EXPECT_TRUE(results[0].at("quality").at("mask").at("dice").is_null());
+  EXPECT_EQ(results[2].at("status"), "fitted");
+  EXPECT_TRUE(Has(run.Errors, "2 of 3 cases were not fitted")) << run.Errors;
+}
+
+TEST(CliFit, BadInputGivesOneSentenceAndLeavesNothing)
+{
+  const TemporaryFolder folder;
+  WriteTwoBalls(folder / "a.nii.gz");
+  const std::vector<std::pair<std::vector<std::string>, std::string>> cases{
+      {{"missing.nii.gz"}, "missing.nii.gz"},
+      {{"a.nii.gz", "--label", "7"}, "1, 2"},
+      {{"a.nii.gz", "--label", "Prostate"}, "Prostate"},
+      {{"a.nii.gz", "--degree", "x"}, "--degree"},
+      {{"a.nii.gz", "--degree", "-1"}, "--degree"},
+      {{"a.nii.gz", "--center", "1,2"}, "--center"},
+      {{"a.nii.gz", "--penalty", "-3"}, "--penalty"},
+      {{"a.nii.gz", "--component", "0"}, "--component"},
+      {{"a.nii.gz", "--tolerance", "0.1"}, "--degree auto"},
+      {{"a.nii.gz", "--volume", "missing.nii"}, "missing.nii"},
+      {{"a.nii.gz", "--frequency", "0"}, "--frequency"},
+      {{}, "MASK"}};
+  for (const auto& [arguments, part] : cases)
+  {
+    std::vector<std::string> all{"fit", "--output", "out"};
+    all.insert(all.end(), arguments.begin(), arguments.end());
+    const CommandRun run = RunPalpate(all, folder.Path());
+    EXPECT_EQ(run.Code, 2) << part;
+    EXPECT_TRUE(Has(run.Errors, part)) << run.Errors;
+    EXPECT_EQ(std::count(run.Errors.begin(), run.Errors.end(), '\n'), 1) << run.Errors;
+    EXPECT_FALSE(std::filesystem::exists(folder / "out"));
+  }
+}
+
+TEST(CliFit, OutputThatCannotBeWrittenIsBadInput)
+{
+  const TemporaryFolder folder;
+  WriteTwoBalls(folder / "a.nii.gz");
+  std::ofstream(folder / "file") << "in the way";
+  const CommandRun run = RunPalpate(
+      {"fit", "a.nii.gz", "--label", "1", "--degree", "4", "--output", "file/out"}, folder.Path());
+  EXPECT_EQ(run.Code, 2);
+  EXPECT_TRUE(Has(run.Errors, "file/out")) << run.Errors;
+}
+
+TEST(CliFit, FewerDirectionsThanCoefficientsAreRefusedWithTheWayOut)
+{
+  const TemporaryFolder folder;
+  WriteTwoBalls(folder / "a.nii.gz");
+  const CommandRun run = RunPalpate(
+      {"fit", "a.nii.gz", "--label", "1", "--degree", "12", "--frequency", "3"}, folder.Path());
+  EXPECT_EQ(run.Code, 1);
+  EXPECT_TRUE(Has(run.Errors, "take more directions or a lower degree")) << run.Errors;
+}
+
+TEST(CliFit, DegreeAutoTakesTheSmallestThatMeetsTheTolerance)
+{
+  const TemporaryFolder folder;
+  WriteTwoBalls(folder / "a.nii.gz");
+  const CommandRun run = RunPalpate(
+      {"fit", "a.nii.gz", "--label", "1", "--degree", "auto", "--tolerance", "0.3", "--json"},
+      folder.Path());
+  ASSERT_EQ(run.Code, 0) << run.Errors;
+  const Json result = Json::parse(run.Output);
+  EXPECT_LE(result.at("fit").at("rms_mm").get<double>(), 0.3);
+  const auto degree = result.at("degree").get<std::size_t>();
+  if (degree > 0)
+  {
+    EXPECT_GT(result.at("fit").at("rms_by_degree_mm").at(degree - 1).get<double>(), 0.3);
+  }
+}
+
+TEST(CliFit, PenaltiesAndCentresAreTaken)
+{
+  const TemporaryFolder folder;
+  WriteTwoBalls(folder / "a.nii.gz");
+  const CommandRun run =
+      RunPalpate({"fit", "a.nii.gz", "--label", "1", "--degree", "8", "--penalty", "auto",
+                  "--center", "1,-1,0.5", "--weights", "solid-angle", "--json"},
+                 folder.Path());
+  ASSERT_EQ(run.Code, 0) << run.Errors;
+  const Json fit = Json::parse(run.Output).at("fit");
+  EXPECT_GT(fit.at("roughness").get<double>(), 0.0);
+  EXPECT_LT(fit.at("degrees_of_freedom").get<double>(), 81.0);
+  EXPECT_EQ(fit.at("center_mm"), Json({1.0, -1.0, 0.5}));
+}
