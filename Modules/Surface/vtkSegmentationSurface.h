@@ -18,8 +18,8 @@ struct VoxelMask;
 /// Input: vtkImageData with one-component integer scalars; origin, spacing (mm) and direction
 /// matrix are honoured. Output: triangles, points in world mm (double), outward orientation. A mask
 /// that touches the image's border is closed there, about half a voxel outside the last voxel
-/// centres; GetTouchesBorder says so. Cavities are filled. Raises an error and produces no output if
-/// no voxel has the label, or the component does not exist.
+/// centres; GetTouchesBorder says so. Cavities are filled. Raises an error and produces no output
+/// if no voxel has the label, or the component does not exist.
 ///
 /// SHAPE_INTERPOLATION takes the mask's steps between thick slices for what they are, an effect of
 /// the sampling (see palpate::BuildField), and encloses the mask's volume to a part in a thousand.

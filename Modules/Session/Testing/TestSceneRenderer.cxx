@@ -1,15 +1,12 @@
 #include "SceneRenderer.h"
 
+#include "BaselinePicture.h"
 #include "DisplayServer.h"
 #include "SyntheticFit.h"
-
-#include "vtkPNGReader.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <filesystem>
-#include <fstream>
 #include <gtest/gtest.h>
 #include <memory>
 #include <stdexcept>
@@ -19,9 +16,11 @@ using palpate::Picture;
 using palpate::SceneRenderer;
 using palpate::Vector3;
 using palpate::ViewSide;
+using palpate::test::ExpectLikeBaseline;
 
 namespace
 {
+const std::filesystem::path Baselines = PALPATE_BASELINES;
 constexpr SceneRenderer::Color Tan{{0.85, 0.66, 0.55}};
 
 class SceneRendererTest : public testing::Test
@@ -42,75 +41,6 @@ protected:
   std::unique_ptr<palpate::DisplayServer> Display;
 };
 
-Picture ReadBaseline(const std::filesystem::path& file)
-{
-  vtkNew<vtkPNGReader> reader;
-  reader->SetFileName(file.c_str());
-  reader->Update();
-  vtkImageData* image = reader->GetOutput();
-  int size[3];
-  image->GetDimensions(size);
-  Picture picture(size[0], size[1]);
-  for (int row = 0; row < size[1]; ++row)
-  {
-    for (int column = 0; column < size[0]; ++column)
-    {
-      for (int c = 0; c < 3; ++c)
-      {
-        picture.Pixel(column, row)[c] = static_cast<std::uint8_t>(
-            image->GetScalarComponentAsDouble(column, size[1] - 1 - row, 0, c));
-      }
-    }
-  }
-  return picture;
-}
-
-struct Difference
-{
-  double Mean = 255.0;     // over pixels and colours, of 255
-  double LargeShare = 1.0; // of the pixels, where a colour differs by more than 40
-};
-
-Difference Compare(const Picture& a, const Picture& b)
-{
-  if (a.Width != b.Width || a.Height != b.Height)
-  {
-    return {};
-  }
-  double sum = 0.0;
-  double large = 0.0;
-  for (std::size_t p = 0; p < a.Rgba.size(); p += 4)
-  {
-    int largest = 0;
-    for (std::size_t c = 0; c < 3; ++c)
-    {
-      const int difference = std::abs(a.Rgba[p + c] - b.Rgba[p + c]);
-      sum += difference;
-      largest = std::max(largest, difference);
-    }
-    large += largest > 40 ? 1.0 : 0.0;
-  }
-  const double pixels = static_cast<double>(a.Rgba.size()) / 4.0;
-  return {sum / (3.0 * pixels), large / pixels};
-}
-
-// The baseline was made with llvmpipe. Other drivers place samples and hint letters differently,
-// which changes pixels along edges: about 1 % of them here. A prop that is missing, moved by two
-// pixels or lit differently changes more.
-void ExpectLikeBaseline(const Picture& picture, const std::string& name)
-{
-  const std::filesystem::path file = std::filesystem::path(PALPATE_BASELINES) / name;
-  const Difference difference = Compare(picture, ReadBaseline(file));
-  const bool isAlike = difference.Mean < 1.5 && difference.LargeShare < 0.015;
-  EXPECT_TRUE(isAlike) << name << ": mean difference " << difference.Mean << ", large in "
-                       << 100.0 * difference.LargeShare << " % of the pixels; the picture is in "
-                       << std::filesystem::current_path() / name;
-  if (!isAlike)
-  {
-    std::ofstream(name, std::ios::binary) << palpate::EncodePng(picture);
-  }
-}
-
 bool IsBackground(const std::uint8_t* pixel)
 {
   return pixel[0] == 255 && pixel[1] == 255 && pixel[2] == 255;
@@ -123,7 +53,8 @@ TEST_F(SceneRendererTest, ErrorMapLooksLikeItsBaseline)
   SceneRenderer scene;
   scene.AddSurface(fit.Result.ModelSurface, Tan, 1.0);
   ASSERT_TRUE(scene.ColorByArray("DistanceToSurface"));
-  ExpectLikeBaseline(scene.Render(palpate::ObliqueFrame(), 480, 480), "SceneErrorMap.png");
+  ExpectLikeBaseline(scene.Render(palpate::ObliqueFrame(), 480, 480),
+                     Baselines / "SceneErrorMap.png");
 }
 
 TEST_F(SceneRendererTest, SurfaceInObliqueSlicesLooksLikeItsBaseline)
@@ -135,7 +66,8 @@ TEST_F(SceneRendererTest, SurfaceInObliqueSlicesLooksLikeItsBaseline)
   scene.AddSlice(fit.Mri.Image, SceneRenderer::Plane::Axial, palpate::test::SyntheticFit::Center);
   scene.AddSlice(fit.Mri.Image, SceneRenderer::Plane::Sagittal,
                  palpate::test::SyntheticFit::Center);
-  ExpectLikeBaseline(scene.Render(palpate::ObliqueFrame(), 480, 360), "SceneSlices.png");
+  ExpectLikeBaseline(scene.Render(palpate::ObliqueFrame(), 480, 360),
+                     Baselines / "SceneSlices.png");
 }
 
 TEST_F(SceneRendererTest, AnObliqueSliceShowsTheBodyWhereItsSurfaceIs)
