@@ -147,6 +147,10 @@ void FitCommand::FitFile(std::size_t file, const Volume* volume, Console& consol
     return;
   }
   clock.EndStage("read");
+  for (const std::string& note : segmentation.Notes)
+  {
+    console.Note(segmentation.Source.filename().string() + ": " + note);
+  }
   const bool single = this->Inputs.size() == 1 && structures.size() == 1;
   for (std::size_t s = 0; s < structures.size(); ++s)
   {
@@ -158,7 +162,7 @@ void FitCommand::FitFile(std::size_t file, const Volume* volume, Console& consol
     };
     FitResult result = this->FitCase(segmentation, structures[s], readTime.front().second, share(s),
                                      share(s + 1), console);
-    this->Finish(result, volume, single, console, tally);
+    this->Finish(result, volume, single, segmentation.Notes.size(), console, tally);
   }
 }
 
@@ -178,8 +182,8 @@ FitResult FitCommand::FitCase(const Segmentation& segmentation, const Segment& s
   return result;
 }
 
-void FitCommand::Finish(FitResult& result, const Volume* volume, bool single, Console& console,
-                        Tally& tally)
+void FitCommand::Finish(FitResult& result, const Volume* volume, bool single, std::size_t fileNotes,
+                        Console& console, Tally& tally)
 {
   ++tally.Cases;
   const bool bad = result.State == FitResult::Outcome::BadInput;
@@ -215,9 +219,10 @@ void FitCommand::Finish(FitResult& result, const Volume* volume, bool single, Co
   {
     console.Output() << Line(result) << std::flush;
   }
-  for (const std::string& note : result.Notes)
+  // What was said of the whole file comes first in a result's notes; it is not said again.
+  for (std::size_t n = fileNotes; n < result.Notes.size(); ++n)
   {
-    console.Note(CaseTitle(result) + ": " + note);
+    console.Note(CaseTitle(result) + ": " + result.Notes[n]);
   }
 }
 

@@ -44,7 +44,8 @@ private:
   void FitFile(std::size_t file, const Volume* volume, Console& console, Tally& tally);
   FitResult FitCase(const Segmentation& segmentation, const Segment& structure, double readSeconds,
                     double from, double to, Console& console) const;
-  void Finish(FitResult& result, const Volume* volume, bool single, Console& console, Tally& tally);
+  void Finish(FitResult& result, const Volume* volume, bool single, std::size_t fileNotes,
+              Console& console, Tally& tally);
   int Conclude(const Tally& tally, Console& console) const;
 
   std::vector<std::string> Inputs;

@@ -1,11 +1,11 @@
 #include "FitOptions.h"
 
 #include "InputError.h"
+#include "VectorText.h"
 
 #include <CLI/CLI.hpp>
 #include <charconv>
 #include <cmath>
-#include <sstream>
 
 namespace palpate::cli
 {
@@ -31,30 +31,6 @@ int ParseDegree(const std::string& word)
                      std::to_string(HighestDegree) + ", or auto");
   }
   return degree;
-}
-
-std::array<double, 3> ParsePoint(const std::string& word)
-{
-  std::array<double, 3> point{};
-  std::istringstream text(word);
-  std::string part;
-  std::size_t count = 0;
-  while (std::getline(text, part, ','))
-  {
-    double value = 0.0;
-    if (count == point.size() || !ParseWhole(part, value) || !std::isfinite(value))
-    {
-      count = 0;
-      break;
-    }
-    point[count++] = value;
-  }
-  if (count != point.size())
-  {
-    throw InputError("--center " + word +
-                     " is no centre; give centroid, visible, or a point x,y,z in mm (LPS)");
-  }
-  return point;
 }
 } // namespace
 
@@ -147,7 +123,8 @@ FitSettings FitOptions::Settings() const
   }
   else if (this->CenterWord != "centroid")
   {
-    settings.GivenCenterWorld = ParsePoint(this->CenterWord);
+    const Vector3 center = ParseVector("--center", this->CenterWord);
+    settings.GivenCenterWorld = {center.x(), center.y(), center.z()};
   }
   settings.Weight = this->WeightsWord == "area"          ? FitSettings::SampleWeight::Area
                     : this->WeightsWord == "solid-angle" ? FitSettings::SampleWeight::SolidAngle

@@ -1,7 +1,6 @@
 #include "ModelEvaluation.h"
 
 #include "InputError.h"
-#include "ParametricMeasures.h"
 
 #include <cmath>
 
@@ -46,10 +45,10 @@ void Evaluate(const ParametricSphericalSurface& surface, const std::vector<Vecto
     throw InputError(result.File + " holds a parametric surface, which has no centre to tell "
                                    "inside from outside; use a star-shaped model for --point.");
   }
-  const ParametricMeasures measures(surface);
-  result.InsideOut = measures.Volume < 0.0;
-  result.Volume = std::abs(measures.Volume);
-  result.Area = measures.Area;
+  const double volume = surface.Volume();
+  result.InsideOut = volume < 0.0;
+  result.Volume = std::abs(volume);
+  result.Area = surface.Area();
   result.Power.assign(static_cast<std::size_t>(surface.Degree()) + 1, 0.0);
   for (int k = 0; k < 3; ++k)
   {

@@ -3,7 +3,6 @@
 #include "FilterRun.h"
 #include "IcosahedronDirections.h"
 #include "ModelTable.h"
-#include "ParametricMeasures.h"
 #include "TriangleMesh.h"
 #include "vtkNew.h"
 #include "vtkSphericalHarmonicSurface.h"
@@ -29,7 +28,7 @@ vtkSmartPointer<vtkPolyData> Draw(const SphericalHarmonicModel& model, int frequ
 vtkSmartPointer<vtkPolyData> Draw(const ParametricSphericalSurface& surface, int frequency)
 {
   const IcosahedronDirections sphere(frequency);
-  const double side = ParametricMeasures(surface).Volume < 0.0 ? -1.0 : 1.0;
+  const double side = surface.Volume() < 0.0 ? -1.0 : 1.0;
   TriangleMesh mesh;
   for (const Vector3& parameter : sphere.Directions())
   {

@@ -48,7 +48,7 @@ Vector3 ParametricSphericalSurface::Point(const Vector3& parameter) const noexce
           this->Coordinates[2].Radius(parameter)};
 }
 
-Vector3 ParametricSphericalSurface::Normal(const Vector3& parameter) const noexcept
+Vector3 ParametricSphericalSurface::AreaVector(const Vector3& parameter) const noexcept
 {
   Eigen::Matrix3d gradients; // row k: surface gradient of coordinate k
   for (int k = 0; k < 3; ++k)
@@ -56,12 +56,38 @@ Vector3 ParametricSphericalSurface::Normal(const Vector3& parameter) const noexc
     gradients.row(k) =
         this->Coordinates[static_cast<std::size_t>(k)].Evaluate(parameter).SurfaceGradient;
   }
-  Eigen::Index smallest = 0;
-  parameter.cwiseAbs().minCoeff(&smallest);
-  const Vector3 first = parameter.cross(Vector3::Unit(smallest)).normalized();
+  const Vector3 first = parameter.unitOrthogonal();
   const Vector3 second = parameter.cross(first);
-  const Vector3 normal = (gradients * first).cross(gradients * second);
+  return (gradients * first).cross(gradients * second);
+}
+
+Vector3 ParametricSphericalSurface::Normal(const Vector3& parameter) const noexcept
+{
+  const Vector3 normal = this->AreaVector(parameter);
   const double length = normal.norm();
   return length > std::numeric_limits<double>::min() ? Vector3(normal / length) : Vector3::Zero();
+}
+
+double ParametricSphericalSurface::Volume() const
+{
+  const SphereQuadrature sphere(3 * this->Degree() + 2);
+  double sum = 0.0;
+  for (std::size_t i = 0; i < sphere.Weights.size(); ++i)
+  {
+    const Vector3& u = sphere.Directions[i];
+    sum += sphere.Weights[i] * this->Point(u).dot(this->AreaVector(u));
+  }
+  return sum / 3.0;
+}
+
+double ParametricSphericalSurface::Area() const
+{
+  const SphereQuadrature sphere(4 * this->Degree() + 16);
+  double sum = 0.0;
+  for (std::size_t i = 0; i < sphere.Weights.size(); ++i)
+  {
+    sum += sphere.Weights[i] * this->AreaVector(sphere.Directions[i]).norm();
+  }
+  return sum;
 }
 } // namespace palpate

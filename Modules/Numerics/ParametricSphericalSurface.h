@@ -35,7 +35,17 @@ public:
   /// where the surface has no tangent plane.
   Vector3 Normal(const Vector3& parameter) const noexcept;
 
+  /// Enclosed volume (mm^3), negative where the surface is parametrised inside out: a third of the
+  /// integral of X . (dX x dX), a polynomial that the quadrature is exact for. Allocates.
+  double Volume() const;
+  /// Surface area (mm^2), by quadrature of degree 4L + 16: the integrand is no polynomial.
+  /// Allocates.
+  double Area() const;
+
 private:
+  // Cross product of the tangents along two orthonormal directions of the parameter sphere.
+  Vector3 AreaVector(const Vector3& parameter) const noexcept;
+
   // Each coordinate is a function on the sphere; the model class already evaluates those.
   std::array<SphericalHarmonicModel, 3> Coordinates;
 };

@@ -144,9 +144,9 @@ Vector3 MostVisibleCenter(const IndexedMesh& mesh)
   double bestArea = AreaFacingAway(facets, best, stride);
   for (int n = 0; n < GridSteps * GridSteps * GridSteps; ++n)
   {
-    const Vector3 parts((n % GridSteps + 0.5) / GridSteps,
-                        (n / GridSteps % GridSteps + 0.5) / GridSteps,
-                        (n / GridSteps / GridSteps + 0.5) / GridSteps);
+    const int rest = n / GridSteps;
+    const Vector3 cell(n % GridSteps, rest % GridSteps, rest / GridSteps);
+    const Vector3 parts = (cell + Vector3::Constant(0.5)) / GridSteps;
     const Vector3 candidate = box.min() + parts.cwiseProduct(box.sizes());
     const double area = AreaFacingAway(facets, candidate, stride);
     if (area < bestArea)

@@ -72,7 +72,7 @@ palpate::Status FindDegree(const palpate::RadialSamples& samples,
   {
     options.Degree = tried;
     palpate::SphericalHarmonicFitResult result;
-    const palpate::Status status = palpate::FitSphericalHarmonics(samples, options, result);
+    palpate::Status status = palpate::FitSphericalHarmonics(samples, options, result);
     if (!status.IsOk())
     {
       return status;

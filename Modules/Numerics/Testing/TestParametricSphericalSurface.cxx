@@ -73,6 +73,26 @@ TEST(ParametricSphericalSurface, MirroredHasInwardNormals)
   EXPECT_LT(surface.Normal(u).dot(surface.Point(u)), -1.9);
 }
 
+TEST(ParametricSphericalSurface, VolumeIsExactAndSignedByOrientation)
+{
+  const double exact = 4.0 / 3.0 * M_PI * 3.0 * 5.0 * 8.0;
+  EXPECT_NEAR(Ellipsoid({3.0, 5.0, 8.0}).Volume(), exact, 1e-12 * exact);
+  EXPECT_NEAR(Ellipsoid({-3.0, 5.0, 8.0}).Volume(), -exact, 1e-12 * exact);
+  Random random(404);
+  const SphericalHarmonicModel model = test::RandomOrgan(random, 8);
+  EXPECT_NEAR(ParametricSphericalSurface::FromModel(model).Volume(), model.Volume(),
+              1e-10 * model.Volume()); // cancellation: the body lies away from the origin
+}
+
+TEST(ParametricSphericalSurface, AreaIsThatOfKnownBodies)
+{
+  EXPECT_NEAR(Ellipsoid({5.0, 5.0, 5.0}).Area(), 100.0 * M_PI, 1e-10);
+  // Prolate spheroid, semi-axes a = 3, c = 5: 2 pi a^2 (1 + c / (a e) asin e), e^2 = 1 - a^2 / c^2.
+  const double e = 0.8;
+  const double exact = 2.0 * M_PI * 9.0 * (1.0 + 5.0 / (3.0 * e) * std::asin(e));
+  EXPECT_NEAR(Ellipsoid({3.0, 3.0, 5.0}).Area(), exact, 1e-4 * exact);
+}
+
 TEST(ParametricSphericalSurface, WithoutATangentPlaneHasTheZeroNormal)
 {
   const ParametricSphericalSurface point(
