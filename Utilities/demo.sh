@@ -14,6 +14,14 @@ set -- fit "$templates/aal.nii.gz" --volume "$templates/ch2.nii.gz" --output "$o
   Thalamus_L,Thalamus_R,Pallidum_L,Pallidum_R,Amygdala_L,Amygdala_R,Cerebelum_9_L,Cerebelum_9_R
 echo "build/release/bin/palpate $*"
 build/release/bin/palpate "$@"
+set -- render "$output"/aal_*/model.vtp --volume "$templates/ch2.nii.gz" --slices sagittal,axial \
+  --size 900x700 --output "$output/structures.png"
+echo "build/release/bin/palpate render $output/aal_*/model.vtp --volume … --output $output/structures.png"
+build/release/bin/palpate "$@"
+set -- render "$output/aal_77_Thalamus_L/model.vtp" --array DistanceToSurface \
+  --output "$output/thalamus-error.png"
+echo "build/release/bin/palpate $*"
+build/release/bin/palpate "$@"
 
 cat <<END
 
@@ -23,7 +31,7 @@ ls "$output"
 cat <<END
 
 How to go on:
-  open $output/report.html in a browser (it needs no network)
+  open $output/report.html in a browser (it needs no network), and the pictures
   build/release/bin/palpate fit $templates/aal.nii.gz --json
                                             all 116 structures; most are refused, with the reason
   build/release/bin/palpate --help          every command, with examples
