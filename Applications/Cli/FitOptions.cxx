@@ -1,5 +1,6 @@
 #include "FitOptions.h"
 
+#include "FiniteNumber.h"
 #include "InputError.h"
 #include "VectorText.h"
 
@@ -32,6 +33,20 @@ int ParseDegree(const std::string& word)
   }
   return degree;
 }
+
+// Known before a mask is read; directions that miss the surface may make it too few later.
+void CheckDirections(const FitSettings& settings)
+{
+  const int directions = 10 * settings.Frequency * settings.Frequency + 2;
+  const int coefficients = (settings.Degree + 1) * (settings.Degree + 1);
+  if (directions < coefficients)
+  {
+    throw InputError("--frequency " + std::to_string(settings.Frequency) + " gives " +
+                     std::to_string(directions) + " samples and --degree " +
+                     std::to_string(settings.Degree) + " has " + std::to_string(coefficients) +
+                     " coefficients; take more directions or a lower degree");
+  }
+}
 } // namespace
 
 void FitOptions::DeclareLabels(CLI::App& app)
@@ -39,7 +54,6 @@ void FitOptions::DeclareLabels(CLI::App& app)
   app.add_option("--label", this->LabelWords,
                  "Structures by number or name, separated by commas (default: all)")
       ->type_name("N|NAME")
-      ->delimiter(',')
       ->allow_extra_args(false);
 }
 
@@ -51,7 +65,7 @@ void FitOptions::DeclareSurface(CLI::App& app)
       ->capture_default_str();
   app.add_option("--smoothing", this->Values.Smoothing,
                  "Smoothing of the surface in voxels (0 for none)")
-      ->check(CLI::Range(0.0, 10.0))
+      ->check(FiniteNumber::Between(0.0, 10.0))
       ->capture_default_str();
   app.add_option("--component", this->ComponentWord,
                  "Which connected component, by falling size from 1, or all")
@@ -68,7 +82,7 @@ void FitOptions::DeclareModel(CLI::App& app)
   app.add_option("--tolerance", this->Tolerance,
                  "RMS residual in mm that --degree auto has to meet (default 0.5)")
       ->type_name("MM")
-      ->check(CLI::PositiveNumber);
+      ->check(FiniteNumber::Positive());
   app.add_option("--max-degree", this->Values.MaximumDegree, "Where --degree auto gives up")
       ->check(CLI::Range(0, HighestDegree))
       ->capture_default_str();
@@ -87,9 +101,13 @@ void FitOptions::DeclareModel(CLI::App& app)
                  "Roughness penalty: none, auto (cross-validation), or its strength")
       ->type_name("none|auto|X")
       ->capture_default_str();
+  app.add_option("--min-dice", this->Values.MinimumDice,
+                 "Refuse models that overlap the mask less than this (0 accepts all)")
+      ->check(FiniteNumber::Between(0.0, 1.0))
+      ->capture_default_str();
   app.add_option("--max-hidden", this->Values.MaximumHiddenPercent,
                  "Refuse structures of which the centre doesn't see more than this (%)")
-      ->check(CLI::Range(0.0, 100.0))
+      ->check(FiniteNumber::Between(0.0, 100.0))
       ->capture_default_str();
 }
 
@@ -112,6 +130,7 @@ FitSettings FitOptions::Settings() const
   else
   {
     settings.Degree = ParseDegree(this->DegreeWord);
+    CheckDirections(settings);
     if (this->Tolerance > 0.0)
     {
       throw InputError("--tolerance needs --degree auto; a given degree meets what it meets");

@@ -50,5 +50,6 @@ struct FitSettings
   double Roughness = 0.0; ///< with Penalty::Given
 
   double MaximumHiddenPercent = 10.0; ///< more hidden surface than this is refused
+  double MinimumDice = 0.75;          ///< a model that overlaps the mask less than this is refused
 };
 } // namespace palpate

@@ -109,6 +109,11 @@ std::string Fixed(double value, int digits)
   return text.str();
 }
 
+std::string Counted(long count, const char* one, const char* several)
+{
+  return std::to_string(count) + " " + (count == 1 ? one : several);
+}
+
 // What a reader of the result should know about the structure.
 void RemarkOnStructure(const Pipeline& pipeline, FitResult& result)
 {
@@ -126,8 +131,8 @@ void RemarkOnStructure(const Pipeline& pipeline, FitResult& result)
   }
   if (result.CavityCount > 0)
   {
-    result.Notes.push_back(std::to_string(result.CavityCount) + " cavity(ies) of " +
-                           Fixed(result.CavityMilliliters, 3) + " ml in all were filled");
+    result.Notes.push_back(Counted(result.CavityCount, "cavity", "cavities") + " of " +
+                           Fixed(result.CavityMilliliters, 3) + " ml in all filled");
   }
   if (pipeline.Surface->GetUsedDistanceInstead())
   {
@@ -199,8 +204,8 @@ void RunStages(Pipeline& pipeline, const Segment& structure, FitResult& result,
   if (voxels < SmallestVoxelCount - 0.5)
   {
     result.State = FitResult::Outcome::BadInput;
-    result.Message = "has only " + Fixed(voxels, 0) +
-                     " voxel(s), too few to have a shape; choose another label or component";
+    result.Message = "has only " + Counted(std::lround(voxels), "voxel", "voxels") +
+                     ", too few to have a shape; choose another label or component";
     return;
   }
   RunFilter(pipeline.Boundary, "surface", 0.25, 0.3, progress);
@@ -227,6 +232,17 @@ void RunStages(Pipeline& pipeline, const Segment& structure, FitResult& result,
   clock.EndStage("model");
   MeasureQuality(pipeline, structure, result, progress);
   clock.EndStage("quality");
+  if (result.Dice < result.Settings.MinimumDice)
+  {
+    result.State = FitResult::Outcome::Refused;
+    result.Message = "is not followed by a model of degree " +
+                     std::to_string(result.Model.Degree()) + ": Dice " + Fixed(result.Dice, 2) +
+                     ", " + Fixed(result.ModelMilliliters, 2) + " ml for a mask of " +
+                     Fixed(result.MaskMilliliters, 2) +
+                     " ml; try another degree, more directions or the most visible centre, or "
+                     "lower the limit on Dice to see it";
+    return;
+  }
   result.State = FitResult::Outcome::Fitted;
 }
 } // namespace

@@ -8,6 +8,10 @@
 #include "vtkPolyData.h"
 #include "vtkPolyDataToImageStencil.h"
 
+#include <algorithm>
+#include <array>
+#include <cmath>
+
 namespace palpate
 {
 namespace
@@ -37,30 +41,47 @@ struct VoxelCounts
   long long Both = 0;
 };
 
+// The image's extent, grown to where the surface reaches.
+std::array<int, 6> ExtentOf(vtkImageData* image, vtkPolyData* indexSurface)
+{
+  std::array<int, 6> extent{};
+  image->GetExtent(extent.data());
+  double bounds[6];
+  indexSurface->GetBounds(bounds);
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    extent[2 * axis] = std::min(extent[2 * axis], static_cast<int>(std::floor(bounds[2 * axis])));
+    extent[2 * axis + 1] =
+        std::max(extent[2 * axis + 1], static_cast<int>(std::ceil(bounds[2 * axis + 1])));
+  }
+  return extent;
+}
+
 template <typename T>
-VoxelCounts CountVoxels(const T* voxels, const int extent[6], vtkImageStencilData* stencil,
-                        int label)
+VoxelCounts CountVoxels(const T* voxels, const int image[6], const std::array<int, 6>& extent,
+                        vtkImageStencilData* stencil, int label)
 {
   const T wanted = static_cast<T>(label);
+  const std::ptrdiff_t width = image[1] - image[0] + 1;
+  const std::ptrdiff_t height = image[3] - image[2] + 1;
   VoxelCounts counts;
-  const long long width = extent[1] - extent[0] + 1;
+  counts.Mask = std::count(voxels, voxels + width * height * (image[5] - image[4] + 1), wanted);
   for (int k = extent[4]; k <= extent[5]; ++k)
   {
-    for (int j = extent[2]; j <= extent[3]; ++j, voxels += width)
+    for (int j = extent[2]; j <= extent[3]; ++j)
     {
-      for (long long i = 0; i < width; ++i)
-      {
-        counts.Mask += voxels[i] == wanted ? 1 : 0;
-      }
+      const bool isInside = j >= image[2] && j <= image[3] && k >= image[4] && k <= image[5];
+      const T* row =
+          isInside ? voxels + ((k - image[4]) * height + (j - image[2])) * width : voxels;
       int first = 0;
       int last = 0;
       int iterator = 0;
       while (stencil->GetNextExtent(first, last, extent[0], extent[1], j, k, iterator) != 0)
       {
         counts.Surface += last - first + 1;
-        for (int i = first; i <= last; ++i)
+        for (int i = std::max(first, image[0]); isInside && i <= std::min(last, image[1]); ++i)
         {
-          counts.Both += voxels[i - extent[0]] == wanted ? 1 : 0;
+          counts.Both += row[i - image[0]] == wanted ? 1 : 0;
         }
       }
     }
@@ -73,11 +94,12 @@ double DiceOfSurfaceAndMask(vtkPolyData* surface, vtkImageData* mask, int label)
 {
   vtkNew<vtkPolyData> indexSurface;
   CopyToIndexSpace(surface, mask, indexSurface);
-  int extent[6];
-  mask->GetExtent(extent);
+  int imageExtent[6];
+  mask->GetExtent(imageExtent);
+  std::array<int, 6> extent = ExtentOf(mask, indexSurface);
   vtkNew<vtkPolyDataToImageStencil> voxelize;
   voxelize->SetInputData(indexSurface);
-  voxelize->SetOutputWholeExtent(extent);
+  voxelize->SetOutputWholeExtent(extent.data());
   voxelize->SetOutputSpacing(1.0, 1.0, 1.0);
   voxelize->SetOutputOrigin(0.0, 0.0, 0.0);
   voxelize->Update();
@@ -86,7 +108,7 @@ double DiceOfSurfaceAndMask(vtkPolyData* surface, vtkImageData* mask, int label)
   switch (scalars->GetDataType())
   {
     vtkTemplateMacro(counts = CountVoxels(static_cast<const VTK_TT*>(scalars->GetVoidPointer(0)),
-                                          extent, voxelize->GetOutput(), label));
+                                          imageExtent, extent, voxelize->GetOutput(), label));
   default:
     break;
   }

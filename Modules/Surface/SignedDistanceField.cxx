@@ -1,12 +1,12 @@
 #include "SignedDistanceField.h"
 
+#include "DistanceTransform.h"
+
 #include "vtkFloatArray.h"
 #include "vtkImageData.h"
-#include "vtkImageEuclideanDistance.h"
 #include "vtkImageGaussianSmooth.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
-#include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
 #include <cmath>
@@ -18,39 +18,11 @@ namespace
 constexpr int MaximumRefinement = 16;
 constexpr double MaximumSamples = 6e7; // 240 MB of float: beyond it slices are refined less
 
-// Squared distance (mm^2) of every voxel that has the wanted value to the nearest that has not;
-// in planes across the third axis (dimensions = 2) or in space (3).
-std::vector<float> DistanceWithin(const VoxelMask& mask, unsigned char value, int dimensions)
-{
-  vtkNew<vtkUnsignedCharArray> scalars;
-  scalars->SetNumberOfValues(static_cast<vtkIdType>(mask.Inside.size()));
-  std::transform(mask.Inside.begin(), mask.Inside.end(), scalars->GetPointer(0),
-                 [value](unsigned char v) { return static_cast<unsigned char>(v == value); });
-  vtkNew<vtkImageData> image;
-  image->SetDimensions(mask.Size.data());
-  image->SetSpacing(mask.Spacing.data());
-  image->GetPointData()->SetScalars(scalars);
-  vtkNew<vtkImageEuclideanDistance> distance;
-  distance->SetInputData(image);
-  distance->SetDimensionality(dimensions);
-  distance->SetAlgorithmToSaito();
-  distance->ConsiderAnisotropyOn();
-  distance->Update();
-  vtkDataArray* squared = distance->GetOutput()->GetPointData()->GetScalars();
-  std::vector<float> result(mask.Inside.size());
-  for (std::size_t at = 0; at < result.size(); ++at)
-  {
-    result[at] =
-        static_cast<float>(std::sqrt(squared->GetComponent(static_cast<vtkIdType>(at), 0)));
-  }
-  return result;
-}
-
 // Distances run between voxel centres; the boundary lies half a step from the last one.
-std::vector<float> SignedDistance(const VoxelMask& mask, int dimensions, double halfStep)
+std::vector<float> SignedDistance(const VoxelMask& mask, DistanceDomain domain, double halfStep)
 {
-  const std::vector<float> inner = DistanceWithin(mask, 1, dimensions);
-  const std::vector<float> outer = DistanceWithin(mask, 0, dimensions);
+  const std::vector<float> inner = DistanceToOthers(mask, 1, domain);
+  const std::vector<float> outer = DistanceToOthers(mask, 0, domain);
   const auto half = static_cast<float>(halfStep);
   std::vector<float> field(inner.size());
   for (std::size_t at = 0; at < field.size(); ++at)
@@ -150,7 +122,8 @@ class SliceInterpolator
 public:
   SliceInterpolator(const VoxelMask& mask, int refinement)
       : Mask(mask), Refinement(refinement), SliceSize(mask.Offset(0, 0, 1)),
-        Field(SignedDistance(mask, 2, 0.25 * (mask.Spacing[0] + mask.Spacing[1])))
+        Field(SignedDistance(mask, DistanceDomain::Slices,
+                             0.25 * (mask.Spacing[0] + mask.Spacing[1])))
   {
     const auto bound = static_cast<float>(mask.Spacing[2]);
     for (float& value : this->Field)
@@ -218,7 +191,7 @@ ScalarGrid DistanceInSpace(const VoxelMask& mask)
 {
   ScalarGrid grid = GridOf(mask);
   const double meanSpacing = std::cbrt(mask.VoxelVolume());
-  grid.Values = SignedDistance(mask, 3, 0.5 * meanSpacing);
+  grid.Values = SignedDistance(mask, DistanceDomain::Space, 0.5 * meanSpacing);
   return grid;
 }
 

@@ -124,8 +124,10 @@ bool vtkSegmentationSurface::SelectComponent(palpate::VoxelMask& mask)
   }
   if (this->Component > this->GetNumberOfComponents())
   {
-    vtkErrorMacro("label " << this->Label << " has " << this->GetNumberOfComponents()
-                           << " connected component(s); there is no component " << this->Component);
+    const int count = this->GetNumberOfComponents();
+    vtkErrorMacro("there is no component " << this->Component << ": label " << this->Label
+                                           << " has " << count << " connected component"
+                                           << (count == 1 ? "" : "s"));
     return false;
   }
   if (this->Component > 0)

@@ -122,6 +122,26 @@ TEST(FitStructure, RefusesARingAndSaysWhatIsHidden)
   EXPECT_EQ(result.ModelSurface, nullptr);
 }
 
+TEST(FitStructure, RefusesAModelThatDoesNotFollowTheMask)
+{
+  palpate::test::LabelGrid grid;
+  grid.Size = {70, 70, 9};
+  grid.CenterOnOrigin();
+  // A plate thirty times as wide as thick: star-shaped, but no business of a low degree.
+  const auto plate =
+      palpate::test::MakeLabelImage(grid, [](double x, double y, double z)
+                                    { return std::hypot(x, y) < 30 && std::abs(z) < 1.1; });
+  FitSettings settings;
+  settings.Degree = 3;
+  const Segmentation segmentation = SegmentationOf(plate);
+  const FitResult result = Fit(segmentation, settings);
+  EXPECT_EQ(result.State, Outcome::Refused);
+  EXPECT_NE(result.Message.find("is not followed by a model of degree 3"), std::string::npos)
+      << result.Message;
+  settings.MinimumDice = 0.0;
+  EXPECT_EQ(Fit(segmentation, settings).State, Outcome::Fitted);
+}
+
 TEST(FitStructure, CallsASingleVoxelBadInput)
 {
   palpate::test::LabelGrid grid;
@@ -260,7 +280,8 @@ TEST_P(EveryOtherMask, IsFittedOrRefusedWithAReason)
         << result.Message;
     if (result.State == Outcome::Refused)
     {
-      EXPECT_GT(result.HiddenPercent, result.Settings.MaximumHiddenPercent);
+      EXPECT_TRUE(result.HiddenPercent > result.Settings.MaximumHiddenPercent ||
+                  result.Dice < result.Settings.MinimumDice);
       EXPECT_FALSE(result.Message.empty());
       continue;
     }

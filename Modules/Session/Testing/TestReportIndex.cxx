@@ -31,13 +31,28 @@ TEST(ReportIndex, LinksEveryCaseAndCountsTheFittedOnes)
   index.Add(refused, "");
   const std::string html = Page(index);
   EXPECT_EQ(palpate::test::MarkupError(html), "");
-  EXPECT_NE(html.find("3 structures, 1 fitted"), std::string::npos);
+  EXPECT_NE(html.find("3 cases, 1 fitted"), std::string::npos);
   EXPECT_NE(html.find("href=\"case%201%25/report.html\""), std::string::npos);
   EXPECT_NE(html.find("href=\"case_2/report.html\""), std::string::npos);
   EXPECT_NE(html.find("0.9873"), std::string::npos);
   EXPECT_NE(html.find("is not star-shaped: &lt;why&gt;"), std::string::npos);
   EXPECT_EQ(html.find("secret-folder"), std::string::npos);
   EXPECT_EQ(html.find("http"), std::string::npos);
+}
+
+TEST(ReportIndex, AFileWithoutStructuresHasItsReason)
+{
+  FitResult unread;
+  unread.Input = "folder/bad.nii.gz";
+  unread.State = FitResult::Outcome::BadInput;
+  unread.Message = "folder/bad.nii.gz is empty; copy or export it again.";
+  palpate::ReportIndex index;
+  index.Add(unread, "");
+  const std::string html = Page(index);
+  EXPECT_EQ(palpate::test::MarkupError(html), "");
+  EXPECT_NE(html.find("1 cases, 0 fitted"), std::string::npos);
+  EXPECT_NE(html.find("bad.nii.gz is empty; copy"), std::string::npos);
+  EXPECT_EQ(html.find("Label 0"), std::string::npos);
 }
 
 TEST(ReportIndex, NoCasesMakeAPageToo)

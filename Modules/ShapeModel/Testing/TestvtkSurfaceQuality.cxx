@@ -125,6 +125,22 @@ TEST(SurfaceQuality, DiceCountsExactlyTheVoxelsWhoseCentresAreInside)
   EXPECT_DOUBLE_EQ(quality->GetDice(), 1.0);
 }
 
+TEST(SurfaceQuality, DiceCountsWhatReachesBeyondTheGrid)
+{
+  palpate::test::LabelGrid grid;
+  grid.Size = {50, 50, 25};
+  grid.CenterOnOrigin();
+  grid.Origin[2] = 0.5; // the upper half only
+  const auto half = palpate::test::MakeLabelImage(grid, [](double x, double y, double z)
+                                                  { return x * x + y * y + z * z < 400.0; });
+  const auto ball = MakeBall(20.0, {0, 0, 0}, 40);
+  auto quality = Compare(ball, ball);
+  quality->SetMaskData(half);
+  quality->Update();
+  // The mask is half of the ball: 2 * 1 / (1 + 2). Voxels on the rim fall either way.
+  EXPECT_NEAR(quality->GetDice(), 2.0 / 3.0, 2e-3);
+}
+
 TEST(SurfaceQuality, WithoutAMaskThereIsNoDice)
 {
   const auto ball = MakeBall(20.0, {0, 0, 0}, 5);

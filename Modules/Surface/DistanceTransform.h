@@ -1,0 +1,23 @@
+#pragma once
+
+#include "PalpateSurfaceModule.h"
+#include "VoxelMask.h"
+
+#include <vector>
+
+namespace palpate
+{
+/// Which neighbours a distance may run to.
+enum class DistanceDomain
+{
+  Slices, ///< within the slice across the third axis
+  Space
+};
+
+/// Exact Euclidean distance (mm) between voxel centres, for each voxel of the mask that has
+/// `value`, to the nearest voxel that has not; 0 for the others. Infinite where there is none.
+/// Source: Felzenszwalb and Huttenlocher, "Distance transforms of sampled functions", Theory of
+/// Computing 8 (2012): along each axis in turn, the lower envelope of parabolas.
+PALPATESURFACE_EXPORT std::vector<float>
+DistanceToOthers(const VoxelMask& mask, unsigned char value, DistanceDomain domain);
+} // namespace palpate
