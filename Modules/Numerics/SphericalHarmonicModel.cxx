@@ -1,5 +1,6 @@
 #include "SphericalHarmonicModel.h"
 
+#include "PolynomialKernelChoice.h"
 #include "SphereQuadrature.h"
 #include "SphericalHarmonicBasis.h"
 
@@ -10,10 +11,16 @@
 namespace palpate
 {
 SphericalHarmonicModel::SphericalHarmonicModel(int degree, std::vector<double> coefficients,
-                                               const Vector3& centerWorld)
+                                               const Vector3& centerWorld, Formulation formulation)
     : Recurrence(degree), Values(std::move(coefficients)), Center(centerWorld)
 {
   this->Values.resize(SphericalHarmonicBasis::CoefficientCount(degree), 0.0);
+  if (formulation == Formulation::Polynomial ||
+      (formulation == Formulation::Automatic && degree <= HighestPolynomialDegree))
+  {
+    this->Kernel = &polynomial::FastestKernel();
+    this->Table = PolynomialTable(degree, this->Values, this->Kernel->Lanes);
+  }
   for (int m = 0; m <= degree; ++m)
   {
     for (int l = m; l <= degree; ++l)
@@ -25,6 +32,41 @@ SphericalHarmonicModel::SphericalHarmonicModel(int degree, std::vector<double> c
 }
 
 double SphericalHarmonicModel::Radius(const Vector3& direction) const noexcept
+{
+  return this->Kernel != nullptr
+             ? this->Kernel->Radius(this->Table.Data(), this->Degree(), direction.data())
+             : this->RadiusByRecurrence(direction);
+}
+
+SphericalHarmonicModel::Sample
+SphericalHarmonicModel::Evaluate(const Vector3& direction) const noexcept
+{
+  if (this->Kernel == nullptr)
+  {
+    return this->EvaluateByRecurrence(direction);
+  }
+  static_assert(sizeof(Sample) == 4 * sizeof(double), "the kernels write four doubles");
+  Sample sample;
+  this->Kernel->Evaluate(this->Table.Data(), this->Degree(), direction.data(), &sample.Radius);
+  return sample;
+}
+
+void SphericalHarmonicModel::EvaluateBatch(const Vector3* directions, std::size_t count,
+                                           Sample* samples) const noexcept
+{
+  if (this->Kernel != nullptr)
+  {
+    this->Kernel->EvaluateBatch(this->Table.Data(), this->Table.End(), this->Degree(),
+                                directions->data(), static_cast<long>(count), &samples->Radius);
+    return;
+  }
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    samples[i] = this->EvaluateByRecurrence(directions[i]);
+  }
+}
+
+double SphericalHarmonicModel::RadiusByRecurrence(const Vector3& direction) const noexcept
 {
   const double z = direction.z();
   const int degree = this->Degree();
@@ -57,7 +99,7 @@ double SphericalHarmonicModel::Radius(const Vector3& direction) const noexcept
 }
 
 SphericalHarmonicModel::Sample
-SphericalHarmonicModel::Evaluate(const Vector3& direction) const noexcept
+SphericalHarmonicModel::EvaluateByRecurrence(const Vector3& direction) const noexcept
 {
   const double z = direction.z();
   const int degree = this->Degree();

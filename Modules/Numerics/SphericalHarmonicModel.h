@@ -1,5 +1,7 @@
 #pragma once
 
+#include "PolynomialKernel.h"
+#include "PolynomialTable.h"
 #include "SphericalHarmonicRecurrence.h"
 #include "Vector3.h"
 
@@ -12,13 +14,25 @@ namespace palpate
 /// direction u. Immutable; every query is const, thread-safe and free of allocation unless it says
 /// otherwise. Convention of the coefficients: see SphericalHarmonicBasis. The model's axes are the
 /// axes of the frame that the centre is given in (patient LPS, mm).
+///
+/// Up to degree 16 the radius is evaluated by polynomials made for this model (PolynomialTable),
+/// with the fastest instructions that the processor has; above, by the normalised recurrence.
 class SphericalHarmonicModel
 {
 public:
+  enum class Formulation
+  {
+    Automatic,  ///< polynomials up to HighestPolynomialDegree
+    Polynomial, ///< loses digits above degree 16 or so
+    Recurrence  ///< good at every degree
+  };
+  static constexpr int HighestPolynomialDegree = 16;
+
   /// The sphere of radius 0 at the origin.
   SphericalHarmonicModel() : SphericalHarmonicModel(0, {0.0}, Vector3::Zero()) {}
   /// `coefficients` has (degree + 1)^2 entries in mm; `centerWorld` is in mm.
-  SphericalHarmonicModel(int degree, std::vector<double> coefficients, const Vector3& centerWorld);
+  SphericalHarmonicModel(int degree, std::vector<double> coefficients, const Vector3& centerWorld,
+                         Formulation formulation = Formulation::Automatic);
 
   int Degree() const noexcept { return this->Recurrence.Degree(); }
   const std::vector<double>& Coefficients() const noexcept { return this->Values; }
@@ -33,6 +47,9 @@ public:
     Vector3 SurfaceGradient; ///< gradient of R on the unit sphere (mm/rad), tangent to it
   };
   Sample Evaluate(const Vector3& direction) const noexcept;
+
+  /// Evaluate for `count` unit vectors; several at once, so a third faster or more.
+  void EvaluateBatch(const Vector3* directions, std::size_t count, Sample* samples) const noexcept;
 
   /// centre + R(u) u, mm.
   Vector3 PointWorld(const Vector3& direction) const noexcept;
@@ -51,9 +68,14 @@ public:
   SphericalHarmonicModel WithDegree(int degree) const;
 
 private:
+  double RadiusByRecurrence(const Vector3& direction) const noexcept;
+  Sample EvaluateByRecurrence(const Vector3& direction) const noexcept;
+
   SphericalHarmonicRecurrence Recurrence;
   std::vector<double> Values;
   Vector3 Center;
+  const polynomial::Kernel* Kernel = nullptr; // null: by recurrence
+  PolynomialTable Table;
   // Cosine and sine coefficients, order by order, as the recurrence visits them.
   struct Pair
   {

@@ -1,0 +1,14 @@
+#include "PolynomialKernel.h"
+
+namespace palpate::polynomial
+{
+struct Avx2Set
+{
+  typedef double Vector __attribute__((vector_size(32), may_alias));
+  static constexpr int Lanes = 4;
+};
+using Avx2Arithmetic = Arithmetic<Avx2Set>;
+
+const Kernel Avx2{Avx2Set::Lanes, Avx2Arithmetic::Radius, Avx2Arithmetic::Evaluate,
+                  Avx2Arithmetic::EvaluateBatch};
+} // namespace palpate::polynomial
