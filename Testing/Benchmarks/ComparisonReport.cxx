@@ -3,16 +3,41 @@
 #include <iomanip>
 #include <nlohmann/json.hpp>
 #include <ostream>
+#include <sstream>
 
 namespace palpate::bench
 {
+namespace
+{
+// Three or four figures in the unit that suits them.
+std::string TimeText(double nanoseconds)
+{
+  std::ostringstream text;
+  text << std::fixed;
+  if (nanoseconds < 1e4)
+  {
+    text << std::setprecision(1) << nanoseconds << " ns";
+  }
+  else if (nanoseconds < 1e7)
+  {
+    text << std::setprecision(1) << nanoseconds / 1e3 << " us";
+  }
+  else
+  {
+    text << std::setprecision(1) << nanoseconds / 1e6 << " ms";
+  }
+  return text.str();
+}
+} // namespace
+
 void PrintTable(std::ostream& out, const std::vector<Comparison>& comparisons)
 {
-  out << std::fixed << std::setprecision(3);
   for (const Comparison& c : comparisons)
   {
-    out << c.Name << ": " << c.Nanoseconds / 1e6 << " ms; " << c.Against << ": "
-        << c.AgainstNanoseconds / 1e6 << " ms; ratio " << c.Ratio() << '\n';
+    out << std::left << std::setw(34) << c.Name << std::right << std::setw(10)
+        << TimeText(c.Nanoseconds) << "  x " << std::fixed << std::setprecision(2) << std::setw(6)
+        << c.Ratio() << "  against " << std::setw(10) << TimeText(c.AgainstNanoseconds) << "  "
+        << c.Against << '\n';
   }
 }
 

@@ -89,8 +89,8 @@ std::vector<Comparison> Measure(const std::vector<PairedBenchmark>& pairs)
   comparisons.reserve(pairs.size());
   for (const PairedBenchmark& pair : pairs)
   {
-    comparisons.push_back({pair.Name, collector.Median(pair.Name), pair.Against,
-                           collector.Median(AlternativeName(pair))});
+    comparisons.push_back({pair.Name, collector.Median(pair.Name) / pair.Items, pair.Against,
+                           collector.Median(AlternativeName(pair)) / pair.Items});
   }
   return comparisons;
 }

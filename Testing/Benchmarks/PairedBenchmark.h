@@ -16,6 +16,8 @@ struct PairedBenchmark
   std::function<void()> RunAgainst;
   /// Empty if the results of the last two runs agree, else a sentence that says how they do not.
   std::function<std::string()> Disagreement;
+  /// How many items a run handles; times are given for one item.
+  double Items = 1.0;
 };
 
 /// One line of the outcome. Times are real time, the median of the repetitions.

@@ -1,5 +1,6 @@
 // PalpateBenchmarks: times ours beside named alternatives, after checking that both agree.
 #include "ComparisonReport.h"
+#include "EvaluationBenchmarks.h"
 #include "FitBenchmarks.h"
 #include "PairedBenchmark.h"
 #include "PipelineBenchmarks.h"
@@ -17,7 +18,8 @@ using palpate::bench::PairedBenchmark;
 std::vector<PairedBenchmark> AllBenchmarks()
 {
   std::vector<PairedBenchmark> all;
-  for (auto& group : {palpate::bench::FitBenchmarks(), palpate::bench::PipelineBenchmarks()})
+  for (auto& group : {palpate::bench::EvaluationBenchmarks(), palpate::bench::FitBenchmarks(),
+                      palpate::bench::PipelineBenchmarks()})
   {
     all.insert(all.end(), group.begin(), group.end());
   }
