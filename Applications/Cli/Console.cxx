@@ -1,5 +1,7 @@
 #include "Console.h"
 
+#include "ScreenText.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -27,6 +29,19 @@ std::string MinutesAndSeconds(double seconds)
   std::snprintf(text, sizeof text, "%ld:%02ld", whole / 60, whole % 60);
   return text;
 }
+
+// Sentences hold names from files; line breaks may be meant.
+std::string Safe(const std::string& sentence)
+{
+  std::string safe;
+  std::size_t start = 0;
+  for (std::size_t end = sentence.find('\n'); end != std::string::npos;
+       start = end + 1, end = sentence.find('\n', start))
+  {
+    safe += Printable(sentence.substr(start, end - start)) + '\n';
+  }
+  return safe + Printable(sentence.substr(start));
+}
 } // namespace
 
 Console::Console(std::ostream& output, std::ostream& errors, bool errorsAreTerminal)
@@ -40,7 +55,7 @@ void Console::Note(const std::string& sentence)
   if (!this->Quiet)
   {
     this->Wipe();
-    this->Errors << sentence << '\n' << std::flush;
+    this->Errors << Safe(sentence) << '\n' << std::flush;
   }
 }
 
@@ -49,7 +64,7 @@ void Console::Error(const std::string& sentence)
   this->Wipe();
   // What is on its way to the output stream comes first, as the user expects to read it.
   this->Out << std::flush;
-  this->Errors << "palpate: " << sentence << '\n' << std::flush;
+  this->Errors << "palpate: " << Safe(sentence) << '\n' << std::flush;
 }
 
 void Console::Progress(double fraction, const std::string& stage)
@@ -81,7 +96,7 @@ void Console::Draw(double fraction, const std::string& stage, double elapsedSeco
   std::snprintf(percent, sizeof percent, "%3.0f %%", 100.0 * fraction);
   this->Errors << "\r\x1b[K[" << std::string(static_cast<std::size_t>(filled), '#')
                << std::string(static_cast<std::size_t>(BarWidth - filled), '.') << "] " << percent
-               << "  " << stage;
+               << "  " << Printable(stage);
   if (elapsedSeconds >= FirstEstimateSeconds && fraction > 0.0)
   {
     this->Errors << "  " << MinutesAndSeconds(elapsedSeconds * (1.0 - fraction) / fraction)

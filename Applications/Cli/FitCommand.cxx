@@ -1,5 +1,6 @@
 #include "FitCommand.h"
 
+#include "CaseText.h"
 #include "Console.h"
 #include "FilterRun.h"
 #include "FitFiles.h"
@@ -9,8 +10,10 @@
 #include "Interruption.h"
 #include "ProgramVersion.h"
 #include "StageClock.h"
+#include "VolumeCoverage.h"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <iomanip>
 #include <numeric>
 #include <ostream>
@@ -20,26 +23,12 @@ namespace palpate::cli
 {
 namespace
 {
-constexpr int Success = 0;
 constexpr int Failure = 1;
-constexpr int BadInput = 2;
-
-std::string CaseTitle(const FitResult& result)
-{
-  std::string title =
-      result.Input.filename().string() + ", label " + std::to_string(result.Structure.Label);
-  return result.Structure.Name.empty() ? title : title + " (" + result.Structure.Name + ")";
-}
 
 std::string Line(const FitResult& result)
 {
   std::ostringstream text;
-  text << CaseTitle(result) << ": ";
-  if (result.State != FitResult::Outcome::Fitted)
-  {
-    text << OutcomeWord(result.State) << ": " << result.Message << '\n';
-    return text.str();
-  }
+  text << CaseTitle(result.Input, result.Structure) << ": ";
   text << std::fixed << "degree " << result.Model.Degree() << ", Dice " << std::setprecision(4)
        << result.Dice << ", distance to the mask's boundary mean " << std::setprecision(3)
        << result.ModelToMask.Mean << " / 95 % " << result.ModelToMask.Percentile95 << " / max "
@@ -48,6 +37,31 @@ std::string Line(const FitResult& result)
        << (result.StarShaped ? "star-shaped" : "not quite star-shaped") << " ("
        << result.HiddenPercent << " % hidden)\n";
   return text.str();
+}
+
+// Until its model is there, a case fails by what the structure is and what the options ask of it:
+// no such component, too thin for a surface, too few samples for the degree.
+void BlameInput(FitResult& result)
+{
+  const bool isFitReached = std::any_of(result.Seconds.begin(), result.Seconds.end(),
+                                        [](const auto& stage) { return stage.first == "fit"; });
+  if (result.State == FitResult::Outcome::Failed && !isFitReached)
+  {
+    result.State = FitResult::Outcome::BadInput;
+  }
+}
+
+void RemarkOnVolume(const Volume& volume, FitResult& result)
+{
+  if (result.Surface == nullptr || result.Surface->GetNumberOfPoints() == 0)
+  {
+    return;
+  }
+  if (const std::string note = CoverageNote(volume.Image, result.Surface->GetBounds());
+      !note.empty())
+  {
+    result.Notes.push_back(note);
+  }
 }
 } // namespace
 
@@ -80,18 +94,20 @@ int FitCommand::Run(Console& console)
 {
   const Interruption interruption;
   this->Settings = this->Options.Settings();
+  this->Names = CaseNames(this->Inputs);
+  this->Tally = {};
+  this->Sentences.clear();
   this->Index = {};
   std::optional<Volume> volume;
   if (!this->VolumePath.empty())
   {
     volume = ReadVolume(this->VolumePath, {this->Series});
   }
-  Tally tally;
   try
   {
     for (std::size_t file = 0; file < this->Inputs.size(); ++file)
     {
-      this->FitFile(file, volume ? &*volume : nullptr, console, tally);
+      this->FitFile(file, volume ? &*volume : nullptr, console);
     }
   }
   catch (const Cancelled&)
@@ -100,50 +116,22 @@ int FitCommand::Run(Console& console)
     console.Error("cancelled; the cases that were finished are kept");
     return Failure;
   }
-  return this->Conclude(tally, console);
+  return this->Conclude(console);
 }
 
-std::vector<Segment> FitCommand::Choose(const Segmentation& segmentation) const
-{
-  if (this->Options.Labels().empty())
-  {
-    return segmentation.Segments;
-  }
-  std::vector<Segment> chosen;
-  for (const std::string& word : this->Options.Labels())
-  {
-    chosen.push_back(segmentation.Find(word));
-  }
-  return chosen;
-}
-
-void FitCommand::FitFile(std::size_t file, const Volume* volume, Console& console, Tally& tally)
+void FitCommand::FitFile(std::size_t file, const Volume* volume, Console& console)
 {
   const std::string& input = this->Inputs[file];
   std::vector<std::pair<std::string, double>> readTime;
   StageClock clock(readTime);
   Segmentation segmentation;
-  std::vector<Segment> structures;
   try
   {
     segmentation = ReadSegmentation(input);
-    structures = this->Choose(segmentation);
   }
   catch (const InputError& error)
   {
-    FitResult result;
-    result.Input = input;
-    result.CaseName = CaseNameOf(input);
-    result.Settings = this->Settings;
-    result.State = FitResult::Outcome::BadInput;
-    result.Message = error.what();
-    ++tally.Cases;
-    ++tally.BadInputs;
-    tally.Sentences.emplace_back(error.what());
-    if (this->Json)
-    {
-      console.Output() << FitResultJson(result, {}) << '\n';
-    }
+    this->RecordBadInput(input, {}, error.what(), console);
     return;
   }
   clock.EndStage("read");
@@ -151,23 +139,40 @@ void FitCommand::FitFile(std::size_t file, const Volume* volume, Console& consol
   {
     console.Note(segmentation.Source.filename().string() + ": " + note);
   }
-  const bool single = this->Inputs.size() == 1 && structures.size() == 1;
-  for (std::size_t s = 0; s < structures.size(); ++s)
+  const StructureChoice choice = ChooseStructures(segmentation, this->Options.Labels());
+  for (const StructureChoice::Missing& missing : choice.Lost)
   {
-    const auto share = [&](std::size_t done)
+    this->RecordBadInput(input, missing.Structure, missing.Message, console);
+  }
+  this->FitStructures(file, segmentation, choice, readTime.front().second, volume, console);
+}
+
+void FitCommand::FitStructures(std::size_t file, const Segmentation& segmentation,
+                               const StructureChoice& choice, double readSeconds,
+                               const Volume* volume, Console& console)
+{
+  const bool single = this->Inputs.size() == 1 && choice.Found.size() == 1 && choice.Lost.empty();
+  const double part = 1.0 / static_cast<double>(this->Inputs.size() * choice.Found.size());
+  double done = static_cast<double>(file) / static_cast<double>(this->Inputs.size());
+  for (const Segment& structure : choice.Found)
+  {
+    FitResult result =
+        this->FitCase(segmentation, structure, readSeconds, {done, done + part}, console);
+    done += part;
+    if (volume != nullptr)
     {
-      return (static_cast<double>(file) +
-              static_cast<double>(done) / static_cast<double>(structures.size())) /
-             static_cast<double>(this->Inputs.size());
-    };
-    FitResult result = this->FitCase(segmentation, structures[s], readTime.front().second, share(s),
-                                     share(s + 1), console);
-    this->Finish(result, volume, single, segmentation.Notes.size(), console, tally);
+      RemarkOnVolume(*volume, result);
+    }
+    const std::string name = single ? std::string() : this->Names.Take(file, structure);
+    const std::string folder = this->Write(result, volume, name);
+    this->Record(result, folder, folder.empty() ? "" : name + "/report.html",
+                 segmentation.Notes.size(), console);
   }
 }
 
 FitResult FitCommand::FitCase(const Segmentation& segmentation, const Segment& structure,
-                              double readSeconds, double from, double to, Console& console) const
+                              double readSeconds, std::pair<double, double> share,
+                              Console& console) const
 {
   const std::string title =
       structure.Name.empty() ? "label " + std::to_string(structure.Label) : structure.Name;
@@ -175,40 +180,69 @@ FitResult FitCommand::FitCase(const Segmentation& segmentation, const Segment& s
       FitStructure(segmentation, structure, this->Settings,
                    [&](double fraction, const std::string& stage)
                    {
-                     console.Progress(from + (to - from) * fraction, title + ": " + stage);
+                     console.Progress(share.first + (share.second - share.first) * fraction,
+                                      title + ": " + stage);
                      return !Interruption::WasAsked();
                    });
   result.Seconds.insert(result.Seconds.begin(), {"read", readSeconds});
+  BlameInput(result);
   return result;
 }
 
-void FitCommand::Finish(FitResult& result, const Volume* volume, bool single, std::size_t fileNotes,
-                        Console& console, Tally& tally)
+std::string FitCommand::Write(FitResult& result, const Volume* volume,
+                              const std::string& name) const
 {
-  ++tally.Cases;
-  const bool bad = result.State == FitResult::Outcome::BadInput;
-  std::string folder;
-  if (!this->OutputFolder.empty() && !bad)
+  if (this->OutputFolder.empty() || result.State == FitResult::Outcome::BadInput)
   {
-    StageClock clock(result.Seconds);
-    const std::filesystem::path top = this->OutputFolder;
-    const std::string name = single ? std::string() : CaseFolderName(result);
-    folder = (single ? top : top / name).string();
-    WriteFitFiles(result, volume, folder, ProgramVersion());
-    if (!single)
-    {
-      this->Index.Add(result, name + "/report.html");
-    }
-    clock.EndStage("write");
+    return {};
   }
+  StageClock clock(result.Seconds);
+  const std::filesystem::path top = this->OutputFolder;
+  const std::filesystem::path folder = name.empty() ? top : top / name;
+  try
+  {
+    WriteFitFiles(result, volume, folder, ProgramVersion());
+  }
+  catch (const InputError& error)
+  {
+    if (name.empty())
+    {
+      throw;
+    }
+    result.State = FitResult::Outcome::Failed;
+    result.Message = error.what();
+    return {};
+  }
+  clock.EndStage("write");
+  return folder.string();
+}
+
+void FitCommand::RecordBadInput(const std::string& input, const Segment& structure,
+                                const std::string& message, Console& console)
+{
+  FitResult result;
+  result.Input = input;
+  result.CaseName = CaseNameOf(input);
+  result.Structure = structure;
+  result.Settings = this->Settings;
+  result.State = FitResult::Outcome::BadInput;
+  result.Message = message;
+  this->Record(result, {}, {}, 0, console);
+}
+
+void FitCommand::Record(FitResult& result, const std::string& folder, const std::string& report,
+                        std::size_t fileNotes, Console& console)
+{
   const double total =
       std::accumulate(result.Seconds.begin(), result.Seconds.end(), 0.0,
                       [](double sum, const auto& stage) { return sum + stage.second; });
   result.Seconds.emplace_back("total", total);
+  this->Index.Add(result, report);
+  ++this->Tally.Cases;
   if (result.State != FitResult::Outcome::Fitted)
   {
-    ++(bad ? tally.BadInputs : tally.OtherFailures);
-    tally.Sentences.push_back(CaseTitle(result) + " " + result.Message);
+    ++(result.State == FitResult::Outcome::BadInput ? this->Tally.BadInputs : this->Tally.Failures);
+    this->Sentences.push_back(CaseSentence(result.Input, result.Structure, result.Message));
   }
   console.EndProgress();
   if (this->Json)
@@ -222,33 +256,45 @@ void FitCommand::Finish(FitResult& result, const Volume* volume, bool single, st
   // What was said of the whole file comes first in a result's notes; it is not said again.
   for (std::size_t n = fileNotes; n < result.Notes.size(); ++n)
   {
-    console.Note(CaseTitle(result) + ": " + result.Notes[n]);
+    console.Note(CaseTitle(result.Input, result.Structure) + ": " + result.Notes[n]);
   }
 }
 
-int FitCommand::Conclude(const Tally& tally, Console& console) const
+bool FitCommand::WriteIndex(Console& console) const
+{
+  const std::filesystem::path folder = this->OutputFolder;
+  try
+  {
+    RemoveEarlierFit(folder);
+    this->Index.Write(folder / "report.html");
+  }
+  catch (const InputError& error)
+  {
+    console.Error(error.what());
+    return false;
+  }
+  console.Note("overview: " + (folder / "report.html").string());
+  return true;
+}
+
+int FitCommand::Conclude(Console& console) const
 {
   console.EndProgress();
-  const int failures = tally.BadInputs + tally.OtherFailures;
-  for (const std::string& sentence : tally.Sentences)
+  for (const std::string& sentence : this->Sentences)
   {
     console.Error(sentence);
   }
-  if (failures > 0 && tally.Cases > 1)
+  if (this->Tally.Lost() > 0 && this->Tally.Cases > 1)
   {
-    console.Error(std::to_string(failures) + " of " + std::to_string(tally.Cases) +
+    console.Error(std::to_string(this->Tally.Lost()) + " of " + std::to_string(this->Tally.Cases) +
                   " cases were not fitted");
   }
-  if (!this->OutputFolder.empty() && tally.Cases > 1 && tally.BadInputs < tally.Cases)
+  const bool hasIndex = !this->OutputFolder.empty() && this->Tally.Cases > 1 &&
+                        this->Tally.BadInputs < this->Tally.Cases;
+  if (hasIndex && !this->WriteIndex(console))
   {
-    const std::filesystem::path index = std::filesystem::path(this->OutputFolder) / "report.html";
-    this->Index.Write(index);
-    console.Note("overview: " + index.string());
+    return Failure;
   }
-  if (failures == 0)
-  {
-    return Success;
-  }
-  return tally.Cases == 1 && tally.BadInputs == 1 ? BadInput : Failure;
+  return this->Tally.ExitCode();
 }
 } // namespace palpate::cli

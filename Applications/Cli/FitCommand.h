@@ -1,13 +1,17 @@
 #pragma once
 
+#include "CaseNames.h"
+#include "CaseTally.h"
 #include "Command.h"
 #include "FitOptions.h"
 #include "FitResult.h"
 #include "ReportIndex.h"
+#include "StructureChoice.h"
 
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace palpate::cli
@@ -27,26 +31,25 @@ public:
   int Run(Console& console) override;
 
 private:
-  struct Case
-  {
-    std::size_t File;
-    Segment Structure;
-  };
-  struct Tally
-  {
-    int Cases = 0;
-    int BadInputs = 0;
-    int OtherFailures = 0;
-    std::vector<std::string> Sentences; ///< what went wrong, for the end
-  };
-
-  std::vector<Segment> Choose(const Segmentation& segmentation) const;
-  void FitFile(std::size_t file, const Volume* volume, Console& console, Tally& tally);
+  /// Throws nothing for what is wrong with one file.
+  void FitFile(std::size_t file, const Volume* volume, Console& console);
+  void FitStructures(std::size_t file, const Segmentation& segmentation,
+                     const StructureChoice& choice, double readSeconds, const Volume* volume,
+                     Console& console);
+  /// One of a file's structures; `share` is the part of the whole run that it is.
   FitResult FitCase(const Segmentation& segmentation, const Segment& structure, double readSeconds,
-                    double from, double to, Console& console) const;
-  void Finish(FitResult& result, const Volume* volume, bool single, std::size_t fileNotes,
-              Console& console, Tally& tally);
-  int Conclude(const Tally& tally, Console& console) const;
+                    std::pair<double, double> share, Console& console) const;
+  /// Writes the files of a case. `name` is empty for the only case of a run, whose files lie in the
+  /// output folder itself. Answers the folder; empty where nothing was written.
+  std::string Write(FitResult& result, const Volume* volume, const std::string& name) const;
+  void RecordBadInput(const std::string& input, const Segment& structure,
+                      const std::string& message, Console& console);
+  /// Tells what became of a case and counts it. `folder` and `report` are empty for none; the first
+  /// `fileNotes` notes were told before.
+  void Record(FitResult& result, const std::string& folder, const std::string& report,
+              std::size_t fileNotes, Console& console);
+  bool WriteIndex(Console& console) const;
+  int Conclude(Console& console) const;
 
   std::vector<std::string> Inputs;
   FitOptions Options;
@@ -56,6 +59,9 @@ private:
   bool Json = false;
 
   FitSettings Settings;
+  CaseNames Names;
+  CaseTally Tally;
+  std::vector<std::string> Sentences; ///< what went wrong, for the end
   ReportIndex Index;
 };
 } // namespace palpate::cli

@@ -95,7 +95,8 @@ std::string FitResultJson(const FitResult& result, const std::string& folder)
   const bool measured = !result.ComponentMilliliters.empty();
   Json json;
   json["input"] = result.Input.string();
-  json["label"] = result.Structure.Label;
+  // Background is no structure: a file that cannot be read, or a name that it does not have.
+  json["label"] = result.Structure.Label == 0 ? Json() : Json(result.Structure.Label);
   json["name"] = result.Structure.Name;
   json["degree"] = fitted ? result.Model.Degree() : result.Settings.Degree;
   json["status"] = OutcomeWord(result.State);

@@ -1,5 +1,6 @@
 #include "InfoCommand.h"
 
+#include "CaseTally.h"
 #include "Console.h"
 #include "ImageContent.h"
 #include "InfoReport.h"
@@ -44,16 +45,17 @@ void InfoCommand::Describe(const std::string& input, Console& console) const
 
 int InfoCommand::Run(Console& console)
 {
-  int code = 0;
+  CaseTally tally;
   for (const std::string& input : this->Inputs)
   {
+    ++tally.Cases;
     try
     {
       this->Describe(input, console);
     }
     catch (const InputError& error)
     {
-      code = 2;
+      ++tally.BadInputs;
       console.Error(error.what());
       if (this->Json)
       {
@@ -61,6 +63,6 @@ int InfoCommand::Run(Console& console)
       }
     }
   }
-  return code;
+  return tally.ExitCode();
 }
 } // namespace palpate::cli

@@ -1,5 +1,6 @@
 #include "InfoReport.h"
 
+#include "ScreenText.h"
 #include "TextTable.h"
 
 #include "vtkMatrix3x3.h"
@@ -12,6 +13,8 @@ namespace palpate::cli
 namespace
 {
 using nlohmann::json;
+
+constexpr std::size_t LongestName = 40; // a longer one leaves no room for the numbers
 
 const std::vector<std::string>& NotesOf(const ImageContent& content)
 {
@@ -50,8 +53,8 @@ TextTable GeometryTable(const ImageContent& content)
   const double* range = image->GetScalarRange();
   TextTable table;
   table.AddRow(
-      {"  holds",
-       content.Kind + (content.KindReason.empty() ? "" : " (" + content.KindReason + ")")});
+      {"  holds", Printable(content.Kind +
+                            (content.KindReason.empty() ? "" : " (" + content.KindReason + ")"))});
   table.AddRow({"  size", std::to_string(size[0]) + " x " + std::to_string(size[1]) + " x " +
                               std::to_string(size[2]) + " voxels"});
   table.AddRow({"  spacing", Joined(image->GetSpacing(), 3, " x ") + " mm"});
@@ -74,7 +77,7 @@ TextTable LabelTable(const Segmentation& segmentation, const std::vector<LabelSt
   {
     const Segment& segment = segmentation.Segments[i];
     const LabelStatistics& statistics = labels[i];
-    table.AddRow({std::to_string(segment.Label), segment.Name,
+    table.AddRow({std::to_string(segment.Label), Shortened(Printable(segment.Name), LongestName),
                   layered ? std::to_string(segment.Layer) : "", std::to_string(statistics.Voxels),
                   TextTable::Fixed(statistics.Milliliters, 3),
                   statistics.TouchesBorder() ? statistics.FacesText() : "-",
@@ -130,10 +133,10 @@ std::string OneLine(const json& object)
 
 std::string InfoReport::Text() const
 {
-  std::string text = this->Input + '\n' + GeometryTable(this->Content).Text();
+  std::string text = Printable(this->Input) + '\n' + GeometryTable(this->Content).Text();
   for (const std::string& note : NotesOf(this->Content))
   {
-    text += "  note: " + note + '\n';
+    text += "  note: " + Printable(note) + '\n';
   }
   if (this->Content.Labels)
   {
@@ -168,6 +171,6 @@ std::string InfoReport::Json() const
 
 std::string InfoReport::FailureJson(const std::string& input, const std::string& sentence)
 {
-  return OneLine({{"input", input}, {"status", "bad input"}, {"message", sentence}});
+  return OneLine({{"input", input}, {"status", "bad-input"}, {"message", sentence}});
 }
 } // namespace palpate::cli

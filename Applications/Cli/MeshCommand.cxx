@@ -1,14 +1,14 @@
 #include "MeshCommand.h"
 
+#include "CaseText.h"
 #include "Console.h"
 #include "FilterRun.h"
-#include "FitFiles.h"
-#include "FitResult.h"
-#include "FitStructure.h"
+#include "FitJson.h"
 #include "InputError.h"
 #include "Interruption.h"
 #include "SurfaceFile.h"
 #include "TextTable.h"
+#include "VoxelMinimum.h"
 #include "vtkNew.h"
 #include "vtkSegmentationSurface.h"
 
@@ -25,27 +25,6 @@ using JsonObject = nlohmann::ordered_json;
 
 constexpr double CubicMillimetersPerMilliliter = 1000.0;
 
-std::string TitleOf(const std::filesystem::path& input, const Segment& structure)
-{
-  const std::string title =
-      input.filename().string() + ", label " + std::to_string(structure.Label);
-  return structure.Name.empty() ? title : title + " (" + structure.Name + ")";
-}
-
-std::vector<Segment> Choose(const Segmentation& segmentation, const std::vector<std::string>& words)
-{
-  if (words.empty())
-  {
-    return segmentation.Segments;
-  }
-  std::vector<Segment> chosen;
-  for (const std::string& word : words)
-  {
-    chosen.push_back(segmentation.Find(word));
-  }
-  return chosen;
-}
-
 void Configure(vtkSegmentationSurface* surface, const FitSettings& settings)
 {
   surface->SetMethod(settings.Method == FitSettings::SurfaceMethod::Plain
@@ -53,15 +32,6 @@ void Configure(vtkSegmentationSurface* surface, const FitSettings& settings)
                          : vtkSegmentationSurface::SHAPE_INTERPOLATION);
   surface->SetSmoothing(settings.Smoothing);
   surface->SetComponent(settings.Component);
-}
-
-// One name for one structure of one file, as `palpate fit` names its folders.
-std::filesystem::path FileName(const std::filesystem::path& input, const Segment& structure)
-{
-  FitResult named;
-  named.CaseName = CaseNameOf(input);
-  named.Structure = structure;
-  return CaseFolderName(named) + ".vtp";
 }
 
 void MakeFolder(const std::filesystem::path& folder)
@@ -121,6 +91,8 @@ int MeshCommand::Run(Console& console)
 {
   const Interruption interruption;
   this->Settings = this->Options.Settings();
+  this->Names = CaseNames(this->Inputs);
+  this->Tally = {};
   if (this->OutputIsFile() && this->Inputs.size() > 1)
   {
     throw InputError("--output " + this->Output.string() + " is one file, and there are " +
@@ -130,12 +102,11 @@ int MeshCommand::Run(Console& console)
   {
     MakeFolder(this->Output);
   }
-  Tally tally;
   try
   {
     for (std::size_t file = 0; file < this->Inputs.size(); ++file)
     {
-      this->MeshFile(file, console, tally);
+      this->MeshFile(file, console);
     }
   }
   catch (const Cancelled&)
@@ -143,134 +114,154 @@ int MeshCommand::Run(Console& console)
     console.Error("cancelled; the surfaces that were finished are kept");
     return 1;
   }
-  if (tally.BadInputs + tally.Failures == 0)
+  if (this->Tally.Lost() > 0 && this->Tally.Cases > 1)
   {
-    return 0;
+    console.Error(std::to_string(this->Tally.Lost()) + " of " + std::to_string(this->Tally.Cases) +
+                  " cases have no surface");
   }
-  if (tally.Cases > 1)
-  {
-    console.Error(std::to_string(tally.BadInputs + tally.Failures) + " of " +
-                  std::to_string(tally.Cases) + " cases have no surface");
-  }
-  return tally.Cases == 1 && tally.BadInputs == 1 ? 2 : 1;
+  return this->Tally.ExitCode();
 }
 
-Segmentation MeshCommand::Read(const std::filesystem::path& input,
-                               std::vector<Segment>& structures) const
+Segmentation MeshCommand::Read(const std::filesystem::path& input, StructureChoice& choice) const
 {
   Segmentation segmentation = ReadSegmentation(input);
-  structures = Choose(segmentation, this->Options.Labels());
-  if (this->OutputIsFile() && structures.size() > 1)
+  choice = ChooseStructures(segmentation, this->Options.Labels());
+  if (this->OutputIsFile() && choice.Found.size() > 1)
   {
-    throw InputError(input.string() + " has " + std::to_string(structures.size()) +
+    throw InputError(input.string() + " has " + std::to_string(choice.Found.size()) +
                      " structures and --output is one file; name one with --label, or give a "
                      "folder.");
   }
   return segmentation;
 }
 
-void MeshCommand::MeshFile(std::size_t file, Console& console, Tally& tally) const
+void MeshCommand::MeshFile(std::size_t file, Console& console)
 {
   const std::filesystem::path input = this->Inputs[file];
   Segmentation segmentation;
-  std::vector<Segment> structures;
+  StructureChoice choice;
   try
   {
-    segmentation = this->Read(input, structures);
+    segmentation = this->Read(input, choice);
   }
   catch (const InputError& error)
   {
-    ++tally.Cases;
-    ++tally.BadInputs;
-    this->Report(input, nullptr, error.what(), console);
+    this->RecordLost(input, {}, FitResult::Outcome::BadInput, error.what(), console);
     return;
   }
   for (const std::string& note : segmentation.Notes)
   {
-    console.Note(note);
+    console.Note(input.string() + ": " + note);
   }
-  const double files = static_cast<double>(this->Inputs.size());
-  const double parts = files * static_cast<double>(structures.size());
-  for (std::size_t s = 0; s < structures.size(); ++s)
+  for (const StructureChoice::Missing& missing : choice.Lost)
   {
-    const double from = static_cast<double>(file) / files + static_cast<double>(s) / parts;
-    this->MeshCase(input, segmentation, structures[s], from, from + 1.0 / parts, console, tally);
+    this->RecordLost(input, missing.Structure, FitResult::Outcome::BadInput, missing.Message,
+                     console);
+  }
+  const double part = 1.0 / static_cast<double>(this->Inputs.size() * choice.Found.size());
+  double done = static_cast<double>(file) / static_cast<double>(this->Inputs.size());
+  for (const Segment& structure : choice.Found)
+  {
+    Case one{input,
+             structure,
+             segmentation.Layers[static_cast<std::size_t>(structure.Layer)],
+             this->Output,
+             this->Inputs.size() == 1 && choice.Found.size() == 1 && choice.Lost.empty(),
+             done,
+             done + part};
+    if (!this->OutputIsFile())
+    {
+      one.Output /= this->Names.Take(file, structure) + ".vtp";
+    }
+    done += part;
+    this->MeshCase(one, console);
   }
 }
 
-void MeshCommand::MeshCase(const std::filesystem::path& input, const Segmentation& segmentation,
-                           const Segment& structure, double from, double to, Console& console,
-                           Tally& tally) const
+void MeshCommand::MeshCase(const Case& one, Console& console)
 {
-  ++tally.Cases;
+  FitResult::Outcome blame = FitResult::Outcome::BadInput;
   try
   {
-    this->MeshStructure(input, segmentation, structure, from, to, console);
+    const vtkSmartPointer<vtkSegmentationSurface> surface = this->SurfaceOf(one, console);
+    // An output that is refused stops the only case as a bad command line does.
+    blame = one.IsOnly ? FitResult::Outcome::BadInput : FitResult::Outcome::Failed;
+    WriteSurface(one.Output, surface->GetOutput());
+    this->RecordWritten(one, surface, console);
   }
   catch (const InputError& error)
   {
-    ++tally.BadInputs;
-    this->Report(input, &structure, error.what(), console);
-  }
-  catch (const FilterError& error)
-  {
-    ++tally.Failures;
-    this->Report(input, &structure, TitleOf(input, structure) + ": " + error.what(), console);
+    this->RecordLost(one.Input, one.Structure, blame, error.what(), console);
   }
 }
 
-void MeshCommand::MeshStructure(const std::filesystem::path& input,
-                                const Segmentation& segmentation, const Segment& structure,
-                                double from, double to, Console& console) const
+vtkSmartPointer<vtkSegmentationSurface> MeshCommand::SurfaceOf(const Case& one,
+                                                               Console& console) const
 {
-  vtkNew<vtkSegmentationSurface> surface;
-  surface->SetInputData(segmentation.Layers[static_cast<std::size_t>(structure.Layer)]);
-  surface->SetLabel(structure.Value);
+  const auto surface = vtkSmartPointer<vtkSegmentationSurface>::New();
+  surface->SetInputData(one.Layer);
+  surface->SetLabel(one.Structure.Value);
   Configure(surface, this->Settings);
-  const std::string title = TitleOf(input, structure);
-  RunFilter(surface, title, from, to,
-            [&console](double fraction, const std::string& stage)
-            {
-              console.Progress(fraction, stage);
-              return !Interruption::WasAsked();
-            });
-  const std::filesystem::path output =
-      this->OutputIsFile() ? this->Output : this->Output / FileName(input, structure);
-  WriteSurface(output, surface->GetOutput());
+  try
+  {
+    RunFilter(surface, CaseTitle(one.Input, one.Structure), one.From, one.To,
+              [&console](double fraction, const std::string& stage)
+              {
+                console.Progress(fraction, stage);
+                return !Interruption::WasAsked();
+              });
+  }
+  catch (const FilterError& error)
+  {
+    // It fails by what the structure is: too thin, or without the component asked for.
+    throw InputError(error.what());
+  }
+  if (const std::string reason = TooFewVoxels(surface->GetMaskVolume(), one.Layer); !reason.empty())
+  {
+    throw InputError(reason);
+  }
+  return surface;
+}
+
+void MeshCommand::RecordWritten(const Case& one, vtkSegmentationSurface* surface, Console& console)
+{
+  ++this->Tally.Cases;
   console.EndProgress();
   if (this->Json)
   {
-    JsonObject result{
-        {"input", input.string()}, {"label", structure.Label}, {"name", structure.Name}};
+    JsonObject result{{"input", one.Input.string()},
+                      {"label", one.Structure.Label},
+                      {"name", one.Structure.Name}};
     result["status"] = "written";
-    result["output"] = output.string();
+    result["output"] = one.Output.string();
     result.update(Describe(surface));
     console.Output() << result.dump(-1, ' ', false, JsonObject::error_handler_t::replace) << '\n';
     return;
   }
-  console.Output() << title << ": " << surface->GetOutput()->GetNumberOfPolys() << " triangles, "
+  console.Output() << CaseTitle(one.Input, one.Structure) << ": "
+                   << surface->GetOutput()->GetNumberOfPolys() << " triangles, "
                    << TextTable::Fixed(surface->GetSurfaceVolume() / CubicMillimetersPerMilliliter,
                                        3)
                    << " ml (mask "
                    << TextTable::Fixed(surface->GetMaskVolume() / CubicMillimetersPerMilliliter, 3)
                    << " ml)" << (surface->GetTouchesBorder() ? ", closed at the border" : "")
-                   << ", in " << output.string() << '\n';
+                   << ", in " << one.Output.string() << '\n';
 }
 
-void MeshCommand::Report(const std::filesystem::path& input, const Segment* structure,
-                         const std::string& sentence, Console& console) const
+void MeshCommand::RecordLost(const std::filesystem::path& input, const Segment& structure,
+                             FitResult::Outcome state, const std::string& message, Console& console)
 {
+  ++this->Tally.Cases;
+  ++(state == FitResult::Outcome::BadInput ? this->Tally.BadInputs : this->Tally.Failures);
+  const std::string sentence = CaseSentence(input, structure, message);
   console.EndProgress();
   console.Error(sentence);
   if (this->Json)
   {
     JsonObject result{{"input", input.string()}};
-    if (structure != nullptr)
-    {
-      result["label"] = structure->Label;
-      result["name"] = structure->Name;
-    }
-    result["status"] = "failed";
+    result["label"] = structure.Label == 0 ? JsonObject() : JsonObject(structure.Label);
+    result["name"] = structure.Name;
+    result["status"] = OutcomeWord(state);
     result["message"] = sentence;
     console.Output() << result.dump(-1, ' ', false, JsonObject::error_handler_t::replace) << '\n';
   }

@@ -1,12 +1,18 @@
 #pragma once
 
+#include "CaseNames.h"
+#include "CaseTally.h"
 #include "Command.h"
 #include "FitOptions.h"
+#include "FitResult.h"
 #include "FitSettings.h"
 #include "Segmentation.h"
+#include "StructureChoice.h"
 
 #include <filesystem>
 #include <vector>
+
+class vtkSegmentationSurface;
 
 namespace palpate::cli
 {
@@ -21,23 +27,26 @@ public:
   int Run(Console& console) override;
 
 private:
-  struct Tally
+  /// One structure on its way to a file.
+  struct Case
   {
-    int Cases = 0;
-    int BadInputs = 0;
-    int Failures = 0;
+    std::filesystem::path Input;
+    Segment Structure;
+    vtkSmartPointer<vtkImageData> Layer;
+    std::filesystem::path Output;
+    bool IsOnly;     ///< of this run
+    double From, To; ///< the part of the whole run that it is
   };
 
   /// Reads a file and chooses its structures; throws InputError.
-  Segmentation Read(const std::filesystem::path& input, std::vector<Segment>& structures) const;
-  void MeshFile(std::size_t file, Console& console, Tally& tally) const;
-  void MeshCase(const std::filesystem::path& input, const Segmentation& segmentation,
-                const Segment& structure, double from, double to, Console& console,
-                Tally& tally) const;
-  void MeshStructure(const std::filesystem::path& input, const Segmentation& segmentation,
-                     const Segment& structure, double from, double to, Console& console) const;
-  void Report(const std::filesystem::path& input, const Segment* structure,
-              const std::string& sentence, Console& console) const;
+  Segmentation Read(const std::filesystem::path& input, StructureChoice& choice) const;
+  void MeshFile(std::size_t file, Console& console);
+  void MeshCase(const Case& one, Console& console);
+  /// Throws InputError for what is wrong with the structure.
+  vtkSmartPointer<vtkSegmentationSurface> SurfaceOf(const Case& one, Console& console) const;
+  void RecordWritten(const Case& one, vtkSegmentationSurface* surface, Console& console);
+  void RecordLost(const std::filesystem::path& input, const Segment& structure,
+                  FitResult::Outcome state, const std::string& message, Console& console);
   bool OutputIsFile() const;
 
   std::vector<std::string> Inputs;
@@ -45,5 +54,8 @@ private:
   FitSettings Settings;
   std::filesystem::path Output;
   bool Json = false;
+
+  CaseNames Names;
+  CaseTally Tally;
 };
 } // namespace palpate::cli

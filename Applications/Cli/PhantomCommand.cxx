@@ -2,6 +2,7 @@
 
 #include "Console.h"
 #include "FilterRun.h"
+#include "FiniteNumber.h"
 #include "ImageWriter.h"
 #include "InputError.h"
 #include "Interruption.h"
@@ -77,7 +78,7 @@ void PhantomCommand::DeclareOptions(CLI::App& app)
   app.add_option("--spacing", this->Spacing, "Voxel size x,y,z in mm")
       ->delimiter(',')
       ->expected(3)
-      ->check(CLI::Range(0.01, 100.0))
+      ->check(FiniteNumber::Between(0.01, 100.0))
       ->capture_default_str();
   app.add_option("--size", this->Size, "Voxels x,y,z (default: as many as the body needs)")
       ->delimiter(',')
@@ -87,13 +88,13 @@ void PhantomCommand::DeclareOptions(CLI::App& app)
                  "Turn the grid by this angle about the left-right axis and by half of it about "
                  "the front-back axis")
       ->type_name("DEG")
-      ->check(CLI::Range(-180.0, 180.0));
+      ->check(FiniteNumber::Between(-180.0, 180.0));
   app.add_option("--noise", this->Noise,
                  "Standard deviation of the Rician noise; the body's intensity is 220")
-      ->check(CLI::Range(0.0, 1e4))
+      ->check(FiniteNumber::Between(0.0, 1e4))
       ->capture_default_str();
   app.add_option("--bias", this->Bias, "The bias field lies within 1 +- this")
-      ->check(CLI::Range(0.0, 0.99))
+      ->check(FiniteNumber::Between(0.0, 0.99))
       ->capture_default_str();
   app.add_option("--partial-volume", this->PartialVolume,
                  "Average a voxel over N points along each axis (1 for none)")

@@ -3,11 +3,13 @@
 #include "Console.h"
 #include "DisplayServer.h"
 #include "FilterRun.h"
+#include "FiniteNumber.h"
 #include "InputError.h"
 #include "Interruption.h"
 #include "ModelFile.h"
 #include "ModelSurface.h"
 #include "Segmentation.h"
+#include "StructureChoice.h"
 #include "SurfaceFile.h"
 #include "Volume.h"
 #include "WholeFile.h"
@@ -125,7 +127,7 @@ void RenderCommand::DeclareOptions(CLI::App& app)
   app.add_option("--array", this->ArrayName,
                  "Colour surfaces by this point array, e.g. DistanceToSurface");
   app.add_option("--opacity", this->Opacity, "Of the surfaces")
-      ->check(CLI::Range(0.0, 1.0))
+      ->check(FiniteNumber::Between(0.0, 1.0))
       ->capture_default_str();
   app.add_option("--background", this->Background, "white, black or #rrggbb")
       ->type_name("COLOR")
@@ -141,12 +143,12 @@ void RenderCommand::AddSegmentation(const std::filesystem::path& file, SceneRend
                                     Console& console)
 {
   const Segmentation segmentation = ReadSegmentation(file);
-  std::vector<Segment> chosen;
-  for (const std::string& word : this->Options.Labels())
+  const StructureChoice choice = ChooseStructures(segmentation, this->Options.Labels());
+  if (!choice.Lost.empty())
   {
-    chosen.push_back(segmentation.Find(word));
+    throw InputError(choice.Lost.front().Message);
   }
-  for (const Segment& structure : chosen.empty() ? segmentation.Segments : chosen)
+  for (const Segment& structure : choice.Found)
   {
     vtkNew<vtkSegmentationSurface> surface;
     surface->SetInputData(segmentation.Layers[static_cast<std::size_t>(structure.Layer)]);

@@ -3,25 +3,29 @@
 #include "ItkImageReader.h"
 #include "MemoryCheck.h"
 #include "MetaImageHeader.h"
-#include "NiftiHeader.h"
+#include "NiftiVoxels.h"
+#include "NrrdHeader.h"
 #include "Refusal.h"
 
 #include <algorithm>
 #include <limits>
-#include <optional>
 
 namespace palpate
 {
 ImageFile::ImageFile(const std::filesystem::path& file, FileKind kind) : File(file), Kind(kind)
 {
-  std::optional<NiftiOrientation> orientation;
   if (kind == FileKind::Nifti)
   {
-    orientation = CheckNiftiHeader(file);
+    this->OpenNifti();
+    return;
   }
   if (kind == FileKind::MetaImage)
   {
     CheckMetaImageHeader(file);
+  }
+  if (kind == FileKind::Nrrd)
+  {
+    CheckNrrdHeader(file);
   }
   this->OpenReader();
   this->CheckHeader();
@@ -30,13 +34,22 @@ ImageFile::ImageFile(const std::filesystem::path& file, FileKind kind) : File(fi
   {
     CheckGrid(file, this->FileGrid);
   }
-  if (orientation)
-  {
-    this->HeaderNotes = OrientationNotes(*orientation, this->FileGrid);
-  }
 }
 
 ImageFile::~ImageFile() = default;
+
+void ImageFile::OpenNifti()
+{
+  const NiftiHeader header = ReadNiftiHeader(this->File);
+  this->Nifti = std::make_unique<NiftiVoxels>(this->File, header);
+  this->Header.Components = 1;
+  this->Header.VtkType = this->Nifti->ScalarType();
+  this->FileGrid.Size = header.Size;
+  this->FileGrid.Spacing = header.Spacing;
+  PlaceGrid(this->File, header.Orientation, this->FileGrid);
+  CheckGrid(this->File, this->FileGrid);
+  this->HeaderNotes = OrientationNotes(header.Orientation, this->FileGrid);
+}
 
 void ImageFile::OpenReader()
 {
@@ -45,13 +58,8 @@ void ImageFile::OpenReader()
     this->Reader = std::make_unique<ItkImageReader>(this->File, this->Kind);
     this->Header = this->Reader->Header();
   }
-  catch (const std::exception& error)
+  catch (const std::exception&)
   {
-    if (std::string(error.what()).find("orthonormal") != std::string::npos)
-    {
-      Refuse(this->File, "has axes that are not perpendicular (a sheared direction)",
-             "resample it to a rectangular grid");
-    }
     Refuse(this->File,
            std::string("is no ") + FileKindName(this->Kind) + " image or its header is damaged",
            "copy or export it again");
@@ -112,6 +120,15 @@ vtkSmartPointer<vtkDataArray> ImageFile::NewArray() const
 
 void ImageFile::ReadInto(void* buffer)
 {
+  if (this->Nifti)
+  {
+    this->Nifti->ReadInto(buffer);
+    return;
+  }
+  if (this->Kind == FileKind::Nrrd)
+  {
+    CheckNrrdData(this->File);
+  }
   try
   {
     this->Reader->ReadInto(buffer);

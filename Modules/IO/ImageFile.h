@@ -16,10 +16,11 @@
 namespace palpate
 {
 class ItkImageReader;
+class NiftiVoxels;
 
-/// One image file, read with ITK. The constructor reads the header only; the voxels then go
-/// straight from ITK's reader into the VTK array, in the type that the file has (after its rescale
-/// slope). Every failure is an InputError; nothing is printed.
+/// One image file: NIfTI-1 read here, the others with ITK. The constructor reads the header only;
+/// the voxels then go straight from the reader into the VTK array, in the type that the file has
+/// (after its rescale slope). Every failure is an InputError; nothing is printed.
 class PALPATEIO_EXPORT ImageFile
 {
 public:
@@ -43,16 +44,19 @@ public:
   /// An array of the file's type, components and voxel count, not yet filled. Throws InputError
   /// where it does not fit into memory.
   vtkSmartPointer<vtkDataArray> NewArray() const;
-  /// Reads all voxels to `buffer`, which has room for them.
+  /// Reads all voxels to `buffer`, which has room for them. Throws InputError for a file that is
+  /// truncated or damaged.
   void ReadInto(void* buffer);
 
 private:
+  void OpenNifti();
   void OpenReader();
   void CheckHeader() const;
   void TakeGrid();
 
   std::filesystem::path File;
   FileKind Kind;
+  std::unique_ptr<NiftiVoxels> Nifti; ///< for NIfTI, else Reader
   std::unique_ptr<ItkImageReader> Reader;
   ItkImageHeader Header;
   ImageGrid FileGrid;

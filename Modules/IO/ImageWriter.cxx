@@ -2,8 +2,8 @@
 
 #include "AtomicFile.h"
 #include "FileEnding.h"
-#include "FileKind.h"
-#include "ItkImageReader.h"
+#include "ImageReadBack.h"
+#include "MemoryCheck.h"
 #include "QuietStandardStreams.h"
 #include "Refusal.h"
 
@@ -13,8 +13,8 @@
 #include "vtkDataArray.h"
 #include "vtkMatrix3x3.h"
 #include "vtkPointData.h"
+#include "vtkSmartPointer.h"
 
-#include <cstring>
 #include <exception>
 #include <string>
 #include <vector>
@@ -96,19 +96,29 @@ void SetGeometry(itk::ImageIOBase* io, vtkImageData* image)
   io->SetIORegion(region);
 }
 
-// ITK's writers of NRRD and MetaImage do not notice a full disk, so the file is read again.
-bool HoldsVoxels(const std::filesystem::path& path, vtkDataArray* voxels)
+// 64-bit integers, which no format here holds, as 32-bit ones where those hold every value;
+// else the voxels as they are.
+vtkSmartPointer<vtkDataArray> Narrowed(const std::filesystem::path& path, vtkDataArray* voxels)
 {
-  ItkImageReader reader(path, DetectFileKind(path));
-  if (ItkTypeOf(reader.Header().VtkType) != ItkTypeOf(voxels->GetDataType()))
+  const int type = voxels == nullptr ? VTK_VOID : voxels->GetDataType();
+  if (type != VTK_LONG && type != VTK_UNSIGNED_LONG && type != VTK_LONG_LONG &&
+      type != VTK_UNSIGNED_LONG_LONG && type != VTK_ID_TYPE)
   {
-    return false;
+    return voxels;
   }
-  const auto bytes = static_cast<std::size_t>(voxels->GetNumberOfTuples()) *
-                     static_cast<std::size_t>(voxels->GetDataTypeSize());
-  std::vector<char> back(bytes);
-  reader.ReadInto(back.data());
-  return std::memcmp(back.data(), voxels->GetVoidPointer(0), bytes) == 0;
+  const double* range = voxels->GetRange(0);
+  const bool fitsSigned = range[0] >= VTK_INT_MIN && range[1] <= VTK_INT_MAX;
+  const bool fitsUnsigned = range[0] >= 0.0 && range[1] <= VTK_UNSIGNED_INT_MAX;
+  if (!fitsSigned && !fitsUnsigned)
+  {
+    return voxels;
+  }
+  CheckMemory(path, static_cast<double>(voxels->GetNumberOfValues()) * sizeof(int),
+              AvailableMemoryBytes());
+  auto narrowed = vtkSmartPointer<vtkDataArray>::Take(
+      vtkDataArray::CreateDataArray(fitsSigned ? VTK_INT : VTK_UNSIGNED_INT));
+  narrowed->DeepCopy(voxels);
+  return narrowed;
 }
 
 void CheckWritable(const std::filesystem::path& path, vtkDataArray* voxels)
@@ -146,7 +156,7 @@ void WriteImage(const std::filesystem::path& path, vtkImageData* image)
     Refuse(path, "does not end as an image file that can be written does",
            "use .nii, .nii.gz, .nrrd or .mha");
   }
-  vtkDataArray* voxels = image->GetPointData()->GetScalars();
+  const vtkSmartPointer<vtkDataArray> voxels = Narrowed(path, image->GetPointData()->GetScalars());
   CheckWritable(path, voxels);
   AtomicFile file(path);
   io->SetFileName(file.TemporaryPath().string());
@@ -160,6 +170,7 @@ void WriteImage(const std::filesystem::path& path, vtkImageData* image)
   try
   {
     const QuietStandardStreams quiet;
+    // ITK's writers of NRRD and MetaImage do not notice a full disk, so the file is read again.
     io->Write(voxels->GetVoidPointer(0));
     complete = HoldsVoxels(file.TemporaryPath(), voxels);
   }

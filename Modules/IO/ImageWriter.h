@@ -13,7 +13,7 @@ PALPATEIO_EXPORT bool IsWritableImage(const std::filesystem::path& path);
 /// Writes an image or a label map by its ending: NIfTI, NRRD or MetaImage (all but .nii
 /// compressed), through ITK and under AtomicFile's rules. The one-component scalars keep their
 /// type; origin, spacing (mm) and the direction matrix (patient LPS) go along, in NIfTI in single
-/// precision. Throws InputError, also for more than one component and for a type that no format
-/// has.
+/// precision. 64-bit integers are written as 32-bit ones. Throws InputError, also for more than one
+/// component and where 64-bit integers do not fit.
 PALPATEIO_EXPORT void WriteImage(const std::filesystem::path& path, vtkImageData* image);
 } // namespace palpate

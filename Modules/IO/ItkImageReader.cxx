@@ -1,12 +1,10 @@
 #include "ItkImageReader.h"
 
-#include "NiftiAlias.h"
 #include "QuietStandardStreams.h"
 
 #include "itkGDCMImageIO.h"
 #include "itkMetaDataObject.h"
 #include "itkMetaImageIO.h"
-#include "itkNiftiImageIO.h"
 #include "itkNrrdImageIO.h"
 #include "vtkType.h"
 
@@ -16,9 +14,6 @@ namespace palpate
 {
 struct ItkImageReader::Implementation
 {
-  explicit Implementation(const std::filesystem::path& file) : Alias(file) {}
-
-  NiftiAlias Alias;
   itk::ImageIOBase::Pointer Io;
 };
 
@@ -28,12 +23,11 @@ itk::ImageIOBase::Pointer NewImageIo(FileKind kind)
 {
   switch (kind)
   {
-  case FileKind::Nifti:
-    return itk::NiftiImageIO::New().GetPointer();
   case FileKind::Nrrd:
     return itk::NrrdImageIO::New().GetPointer();
   case FileKind::MetaImage:
     return itk::MetaImageIO::New().GetPointer();
+  case FileKind::Nifti: // NiftiVoxels reads it
   case FileKind::Dicom:
     break;
   }
@@ -75,13 +69,12 @@ int VtkTypeOf(itk::IOComponentEnum type)
 } // namespace
 
 ItkImageReader::ItkImageReader(const std::filesystem::path& file, FileKind kind)
-    : Itk(std::make_unique<Implementation>(file))
+    : Itk(std::make_unique<Implementation>())
 {
   const QuietStandardStreams quiet;
   this->Itk->Io = NewImageIo(kind);
-  const std::filesystem::path& name = this->Itk->Alias.Path();
-  this->Itk->Io->SetFileName(name.string());
-  if (!this->Itk->Io->CanReadFile(name.c_str()))
+  this->Itk->Io->SetFileName(file.string());
+  if (!this->Itk->Io->CanReadFile(file.c_str()))
   {
     throw std::runtime_error("not a file of this kind");
   }

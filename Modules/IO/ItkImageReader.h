@@ -10,8 +10,8 @@
 
 namespace palpate
 {
-/// The only door to ITK's image readers. It prints nothing; failures come back as exceptions of
-/// ITK's (std::exception) with ITK's own words.
+/// The only door to ITK's image readers: NRRD, MetaImage, and single DICOM slices. It prints
+/// nothing; failures come back as exceptions of ITK's (std::exception) with ITK's own words.
 class PALPATEIO_EXPORT ItkImageReader
 {
 public:

@@ -1,8 +1,10 @@
 #include "MetaImageHeader.h"
 
 #include "Refusal.h"
+#include "ZlibCheck.h"
 
 #include <cmath>
+#include <cstdint>
 #include <fstream>
 #include <map>
 #include <sstream>
@@ -131,10 +133,42 @@ double BytesOfType(const std::filesystem::path& file, const Header& header)
   return size->second;
 }
 
+bool IsCompressed(const Header& header)
+{
+  const auto entry = header.Entries.find("CompressedData");
+  const std::string value = entry == header.Entries.end() ? std::string() : entry->second;
+  return !value.empty() && (value[0] == 'T' || value[0] == 't' || value[0] == '1');
+}
+
+// Of data in the header's own file the library must be told the length: else it decodes from the
+// file's first byte.
+void CheckCompressedData(const std::filesystem::path& data, const Header& header, double start,
+                         double dataBytes)
+{
+  const std::vector<double> stated = Numbers(header, "CompressedDataSize");
+  const bool isStated = stated.size() == 1 && stated[0] >= 1.0 && stated[0] <= 1e15;
+  if (!isStated && start > 0.0)
+  {
+    Refuse(data, "is compressed and has no CompressedDataSize in its header",
+           "write it again, for example without compression");
+  }
+  const auto bytes = static_cast<double>(
+      CheckedInflatedBytes(data, static_cast<std::uint64_t>(start),
+                           isStated ? static_cast<std::uint64_t>(stated[0]) : UINT64_MAX));
+  if (bytes != dataBytes)
+  {
+    Refuse(data,
+           std::string(bytes < dataBytes ? "is truncated" : "is damaged") +
+               ": its header promises " + std::to_string(std::llround(dataBytes)) +
+               " bytes of voxels and its compressed data hold " +
+               std::to_string(std::llround(bytes)),
+           "copy or export it again");
+  }
+}
+
 void CheckLength(const std::filesystem::path& file, const Header& header, double dataBytes)
 {
   const std::string name = header.Entries.at("ElementDataFile");
-  const auto compressed = header.Entries.find("CompressedData");
   const bool isLocal = name == "LOCAL" || name == "Local" || name == "local";
   const std::filesystem::path data = isLocal ? file : file.parent_path() / name;
   if (name.empty() || name.rfind("LIST", 0) == 0 || name.find('%') != std::string::npos)
@@ -147,11 +181,13 @@ void CheckLength(const std::filesystem::path& file, const Header& header, double
   {
     Refuse(file, "lacks its data file " + data.string(), "put it beside the header");
   }
-  const double available = static_cast<double>(length) - (isLocal ? header.Bytes : 0.0);
-  const bool isCompressed =
-      compressed != header.Entries.end() &&
-      (compressed->second == "True" || compressed->second == "true" || compressed->second == "1");
-  if (!isCompressed && available < dataBytes)
+  const double start = isLocal ? header.Bytes : 0.0;
+  const double available = static_cast<double>(length) - start;
+  if (IsCompressed(header))
+  {
+    return CheckCompressedData(data, header, start, dataBytes);
+  }
+  if (available < dataBytes)
   {
     Refuse(file,
            "is truncated: its header promises " + std::to_string(std::llround(dataBytes)) +

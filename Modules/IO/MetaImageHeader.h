@@ -9,6 +9,7 @@ namespace palpate
 /// Looks at the text header of a MetaImage file before the MetaIO library does, which trusts it: a
 /// number of dimensions above ten overruns its arrays. Throws InputError for a header that is cut
 /// off or damaged, 2-D and 4-D images, several values per voxel, spacings that are not positive,
-/// and uncompressed data that are shorter than the header says.
+/// data that are shorter than the header says, and compressed data that end early, fail their
+/// checksum or have another length: the library fills up what it misses.
 PALPATEIO_EXPORT void CheckMetaImageHeader(const std::filesystem::path& file);
 } // namespace palpate

@@ -50,6 +50,7 @@ public:
 
   std::string Mark() const { return {this->Bytes.begin() + 344, this->Bytes.begin() + 347}; }
   bool IsCompressed() const { return this->Compressed; }
+  bool IsSwapped() const { return this->Swap; }
   int Dimension(std::size_t i) const { return this->At<std::int16_t>(40 + 2 * i); }
   double PixelDimension(std::size_t i) const
   {
@@ -120,37 +121,75 @@ void CheckSpacings(const std::filesystem::path& file, const HeaderReader& header
   }
 }
 
-void CheckVoxelType(const std::filesystem::path& file, const HeaderReader& header)
+std::size_t BytesPerVoxel(NiftiType type)
 {
-  const int type = header.At<std::int16_t>(70);
-  if (type == 128 || type == 2304)
+  switch (type)
+  {
+  case NiftiType::UnsignedChar:
+  case NiftiType::SignedChar:
+    return 1;
+  case NiftiType::Short:
+  case NiftiType::UnsignedShort:
+    return 2;
+  case NiftiType::Int:
+  case NiftiType::UnsignedInt:
+  case NiftiType::Float:
+    return 4;
+  case NiftiType::Long:
+  case NiftiType::UnsignedLong:
+  case NiftiType::Double:
+    return 8;
+  }
+  return 0;
+}
+
+NiftiType VoxelType(const std::filesystem::path& file, const HeaderReader& header)
+{
+  const int code = header.At<std::int16_t>(70);
+  if (code == 128 || code == 2304)
   {
     Refuse(file, "holds colours", "convert it to one grey value or label per voxel");
   }
-  if (type == 32 || type == 1792 || type == 2048)
+  if (code == 32 || code == 1792 || code == 2048)
   {
     Refuse(file, "holds complex numbers", "convert it to magnitudes");
   }
+  const auto type = static_cast<NiftiType>(code);
+  if (BytesPerVoxel(type) == 0)
+  {
+    Refuse(file, "has voxels of a type that is not read (code " + std::to_string(code) + ")",
+           "convert it to integers or floating-point numbers");
+  }
+  return type;
 }
 
-void CheckLength(const std::filesystem::path& file, const HeaderReader& header)
+// The data of a single file cannot start within its header, whatever that says.
+std::size_t VoxelOffset(const std::filesystem::path& file, const HeaderReader& header)
 {
-  double needed = std::max(0.0, static_cast<double>(header.At<float>(108)));
-  double data = header.At<std::int16_t>(72) / 8.0;
-  for (std::size_t axis = 1; axis <= 3; ++axis)
+  const double offset = header.At<float>(108);
+  if (!std::isfinite(offset) || offset > 1e9)
   {
-    data *= header.Dimension(axis);
+    Refuse(file, "has a damaged header (vox_offset)", "copy or export it again");
   }
-  needed += data;
-  const double length = static_cast<double>(std::filesystem::file_size(file));
-  if (!header.IsCompressed() && length < needed)
+  return std::max(HeaderBytes, static_cast<std::size_t>(std::max(0.0, offset)));
+}
+
+void CheckLength(const std::filesystem::path& file, bool isCompressed, const NiftiHeader& header)
+{
+  const std::size_t needed = header.VoxelOffset + static_cast<std::size_t>(header.Size[0]) *
+                                                      static_cast<std::size_t>(header.Size[1]) *
+                                                      static_cast<std::size_t>(header.Size[2]) *
+                                                      BytesPerVoxel(header.Type);
+  const std::uintmax_t length = std::filesystem::file_size(file);
+  if (!isCompressed && length < needed)
   {
     Refuse(file,
-           "is truncated: its header promises " + std::to_string(std::llround(needed)) +
-               " bytes and it has " + std::to_string(std::llround(length)),
+           "is truncated: its header promises " + std::to_string(needed) + " bytes and it has " +
+               std::to_string(length),
            "copy or export it again");
   }
 }
+
 double MillimetersPerUnit(const HeaderReader& header)
 {
   switch (header.At<char>(123) & 7)
@@ -162,6 +201,12 @@ double MillimetersPerUnit(const HeaderReader& header)
   default:
     return 1.0;
   }
+}
+
+// A slope or an intercept that is NaN or infinite counts as not given.
+double FiniteOrZero(float value)
+{
+  return std::isfinite(value) ? static_cast<double>(value) : 0.0;
 }
 
 // From RAS in the file's unit to LPS in mm.
@@ -196,19 +241,30 @@ Eigen::Matrix<double, 3, 4> SForm(const HeaderReader& header)
 }
 } // namespace
 
-NiftiOrientation CheckNiftiHeader(const std::filesystem::path& file)
+NiftiHeader ReadNiftiHeader(const std::filesystem::path& file)
 {
-  const HeaderReader header(file);
-  CheckMark(file, header);
-  CheckDimensions(file, header);
-  CheckSpacings(file, header);
-  CheckVoxelType(file, header);
-  CheckLength(file, header);
-  NiftiOrientation orientation;
-  orientation.QFormCode = header.At<std::int16_t>(252);
-  orientation.SFormCode = header.At<std::int16_t>(254);
-  orientation.QFormWorld = ToWorld(QForm(header), MillimetersPerUnit(header));
-  orientation.SFormWorld = ToWorld(SForm(header), MillimetersPerUnit(header));
-  return orientation;
+  const HeaderReader reader(file);
+  CheckMark(file, reader);
+  CheckDimensions(file, reader);
+  CheckSpacings(file, reader);
+  NiftiHeader header;
+  const double unit = MillimetersPerUnit(reader);
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    header.Size[axis] = reader.Dimension(axis + 1);
+    header.Spacing[static_cast<Eigen::Index>(axis)] = unit * reader.PixelDimension(axis + 1);
+  }
+  header.Type = VoxelType(file, reader);
+  header.VoxelOffset = VoxelOffset(file, reader);
+  header.Slope = FiniteOrZero(reader.At<float>(112));
+  header.Slope = header.Slope == 0.0 ? 1.0 : header.Slope;
+  header.Intercept = FiniteOrZero(reader.At<float>(116));
+  header.IsSwapped = reader.IsSwapped();
+  header.Orientation.QFormCode = reader.At<std::int16_t>(252);
+  header.Orientation.SFormCode = reader.At<std::int16_t>(254);
+  header.Orientation.QFormWorld = ToWorld(QForm(reader), unit);
+  header.Orientation.SFormWorld = ToWorld(SForm(reader), unit);
+  CheckLength(file, reader.IsCompressed(), header);
+  return header;
 }
 } // namespace palpate

@@ -2,16 +2,46 @@
 
 #include "NiftiOrientation.h"
 #include "PalpateIOModule.h"
+#include "Vector3.h"
 
+#include <array>
+#include <cstddef>
 #include <filesystem>
 
 namespace palpate
 {
-/// Looks at the header of a NIfTI-1 file before the NIfTI library does, which repairs what should
-/// be refused: a spacing of zero becomes 1 there. Throws InputError for a header that is cut off or
-/// damaged, NIfTI-2, colour or complex voxels, 2-D and 4-D images, spacings that are not positive,
-/// and an uncompressed file that is shorter than its header says. Returns the orientation that the
-/// header gives.
+/// Voxel types of NIfTI-1 that are read, by their code in the header.
+enum class NiftiType : int
+{
+  UnsignedChar = 2,
+  Short = 4,
+  Int = 8,
+  Float = 16,
+  Double = 64,
+  SignedChar = 256,
+  UnsignedShort = 512,
+  UnsignedInt = 768,
+  Long = 1024,
+  UnsignedLong = 1280
+};
+
+/// The fields of a NIfTI-1 header that say where its voxels are in the file and in the patient.
+struct NiftiHeader
+{
+  std::array<int, 3> Size{};         ///< voxels along each axis
+  Vector3 Spacing = Vector3::Ones(); ///< mm
+  NiftiOrientation Orientation;
+  NiftiType Type = NiftiType::UnsignedChar;
+  std::size_t VoxelOffset = 0; ///< bytes from the start of the (decompressed) file
+  double Slope = 1.0;          ///< value = slope * stored + intercept
+  double Intercept = 0.0;
+  bool IsSwapped = false; ///< the file's byte order is not this machine's
+};
+
+/// Reads and checks the header of a NIfTI-1 file, plain or compressed. Throws InputError for a
+/// header that is cut off or damaged, NIfTI-2, colour, complex or unknown voxels, 2-D and 4-D
+/// images, spacings that are not positive, and an uncompressed file that is shorter than its header
+/// says.
 /// Source: nifti1.h, https://nifti.nimh.nih.gov/nifti-1.
-PALPATEIO_EXPORT NiftiOrientation CheckNiftiHeader(const std::filesystem::path& file);
+PALPATEIO_EXPORT NiftiHeader ReadNiftiHeader(const std::filesystem::path& file);
 } // namespace palpate

@@ -8,7 +8,44 @@ namespace palpate
 {
 namespace
 {
-double LargestCornerDistance(const Eigen::Matrix<double, 3, 4>& formWorld, const ImageGrid& grid)
+using Form = Eigen::Matrix<double, 3, 4>;
+
+// ITK's tolerances: mm, between unit vectors, and of matrix entries.
+constexpr double SpacingTolerance = 1e-3;
+constexpr double ShearTolerance = 1e-4;
+constexpr double EqualFormTolerance = 1e-4;
+
+Eigen::Matrix3d UnitColumns(const Form& formWorld)
+{
+  return formWorld.leftCols<3>().colwise().normalized();
+}
+
+bool HasSpacing(const Form& formWorld, const Vector3& spacing)
+{
+  const Vector3 lengths = formWorld.leftCols<3>().colwise().norm().transpose();
+  return (lengths - spacing).cwiseAbs().maxCoeff() <= SpacingTolerance;
+}
+
+bool IsPerpendicular(const Form& formWorld)
+{
+  const Eigen::Matrix3d axes = UnitColumns(formWorld);
+  return (axes.transpose() * axes).isIdentity(ShearTolerance);
+}
+
+bool UsesSForm(const NiftiOrientation& orientation, const Vector3& spacing)
+{
+  if (orientation.QFormCode <= 0 || orientation.SFormCode <= 0)
+  {
+    return orientation.SFormCode > 0;
+  }
+  const bool isRigid =
+      HasSpacing(orientation.SFormWorld, spacing) && IsPerpendicular(orientation.SFormWorld);
+  const Form difference = orientation.SFormWorld - orientation.QFormWorld;
+  const bool areEqual = difference.cwiseAbs().maxCoeff() <= EqualFormTolerance;
+  return isRigid && (orientation.SFormCode == 1 || areEqual);
+}
+
+double LargestCornerDistance(const Form& formWorld, const ImageGrid& grid)
 {
   double largest = 0.0;
   for (int corner = 0; corner < 8; ++corner)
@@ -25,8 +62,8 @@ double LargestCornerDistance(const Eigen::Matrix<double, 3, 4>& formWorld, const
   return largest;
 }
 
-void NoteDifference(const std::string& name, int code, const Eigen::Matrix<double, 3, 4>& formWorld,
-                    const ImageGrid& grid, std::vector<std::string>& notes)
+void NoteDifference(const std::string& name, int code, const Form& formWorld, const ImageGrid& grid,
+                    std::vector<std::string>& notes)
 {
   const double distance = code > 0 ? LargestCornerDistance(formWorld, grid) : 0.0;
   if (distance > 0.5 * grid.Spacing.minCoeff())
@@ -37,6 +74,26 @@ void NoteDifference(const std::string& name, int code, const Eigen::Matrix<doubl
   }
 }
 } // namespace
+
+void PlaceGrid(const std::filesystem::path& file, const NiftiOrientation& orientation,
+               ImageGrid& grid)
+{
+  if (orientation.QFormCode <= 0 && orientation.SFormCode <= 0)
+  {
+    grid.OriginWorld.setZero();
+    grid.Direction.setIdentity();
+    return;
+  }
+  const bool usesSForm = UsesSForm(orientation, grid.Spacing);
+  const Form& form = usesSForm ? orientation.SFormWorld : orientation.QFormWorld;
+  if (usesSForm && IsPerpendicular(form) && !HasSpacing(form, grid.Spacing))
+  {
+    Refuse(file, "gives one voxel size by its sform and another by its pixdim",
+           "correct its header or resample it to a rectangular grid");
+  }
+  grid.OriginWorld = form.col(3);
+  grid.Direction = UnitColumns(form);
+}
 
 std::vector<std::string> OrientationNotes(const NiftiOrientation& orientation,
                                           const ImageGrid& grid)

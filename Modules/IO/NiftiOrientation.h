@@ -4,6 +4,7 @@
 #include "PalpateIOModule.h"
 
 #include <Eigen/Core>
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -19,9 +20,18 @@ struct NiftiOrientation
   Eigen::Matrix<double, 3, 4> SFormWorld = Eigen::Matrix<double, 3, 4>::Zero();
 };
 
-/// Sentences on what a user should know of the orientation that ITK chose: none is given, or one of
-/// the two would place a corner of the volume elsewhere by more than half the smallest spacing
-/// (they disagree, or the sform is sheared or scaled, which ITK does not follow).
+/// Puts origin and direction of a grid, whose spacing (mm) is set, where the header says. The
+/// choice is ITK's, so that places agree with other ITK programs: the only form that is given; of
+/// two the sform where it is the scanner's (code 1) or equal to the qform, and neither sheared nor
+/// scaled; else the qform. With neither form the axes are L, P, S and the origin is 0. The
+/// direction's columns are unit vectors, but perpendicular only as far as the form's are. Throws
+/// InputError where the only form is an sform that does not have the grid's spacing.
+PALPATEIO_EXPORT void PlaceGrid(const std::filesystem::path& file,
+                                const NiftiOrientation& orientation, ImageGrid& grid);
+
+/// Sentences on what a user should know of the orientation that PlaceGrid chose: none is given, or
+/// one of the two would place a corner of the volume elsewhere by more than half the smallest
+/// spacing (they disagree, or the sform is sheared or scaled, which is not followed).
 PALPATEIO_EXPORT std::vector<std::string> OrientationNotes(const NiftiOrientation& orientation,
                                                            const ImageGrid& grid);
 } // namespace palpate

@@ -6,6 +6,7 @@
 #include "ModelFile.h"
 #include "SurfaceFile.h"
 
+#include <array>
 #include <cctype>
 #include <system_error>
 
@@ -13,6 +14,11 @@ namespace palpate
 {
 namespace
 {
+constexpr std::size_t LongestPart = 48;
+constexpr std::size_t LongestName = 80;
+constexpr std::array<const char*, 4> ResultFiles{
+    {"model.json", "model.csv", "model.vtp", "surface.vtp"}};
+
 void MakeFolder(const std::filesystem::path& folder)
 {
   std::error_code error;
@@ -34,12 +40,44 @@ ModelDocument Document(const FitResult& result, const std::string& program)
   document.Provenance.Settings = DescribeSettings(result.Settings);
   return document;
 }
+
+void RemoveResults(const std::filesystem::path& folder)
+{
+  for (const char* name : ResultFiles)
+  {
+    const std::filesystem::path file = folder / name;
+    std::error_code error;
+    if (std::filesystem::is_directory(file, error))
+    {
+      continue; // none of ours
+    }
+    std::filesystem::remove(file, error);
+    if (error)
+    {
+      throw InputError(file.string() + " of an earlier fit cannot be removed (" + error.message() +
+                       "); choose another folder with --output");
+    }
+  }
+}
+
+// Letters outside ASCII become one mark for each of their bytes.
+std::string InPlainLetters(std::string text)
+{
+  for (char& letter : text)
+  {
+    const bool plain = std::isalnum(static_cast<unsigned char>(letter)) != 0 || letter == '-' ||
+                       letter == '_' || letter == '.';
+    letter = plain ? letter : '_';
+  }
+  return text;
+}
 } // namespace
 
 void WriteFitFiles(const FitResult& result, const Volume* volumeOrNull,
                    const std::filesystem::path& folder, const std::string& program)
 {
   MakeFolder(folder);
+  RemoveResults(folder);
   if (result.State == FitResult::Outcome::Fitted)
   {
     const ModelDocument document = Document(result, program);
@@ -54,19 +92,27 @@ void WriteFitFiles(const FitResult& result, const Volume* volumeOrNull,
   WriteFitReport(result, volumeOrNull, folder / "report.html");
 }
 
-std::string CaseFolderName(const FitResult& result)
+void RemoveEarlierFit(const std::filesystem::path& folder)
 {
-  std::string name = result.CaseName + "_" + std::to_string(result.Structure.Label);
-  if (!result.Structure.Name.empty())
+  std::error_code ignored;
+  if (std::filesystem::is_regular_file(folder / "report.html", ignored))
   {
-    name += "_" + result.Structure.Name;
+    RemoveResults(folder);
   }
-  for (char& letter : name)
+}
+
+std::string PlainName(const std::string& text)
+{
+  return InPlainLetters(text).substr(0, LongestPart);
+}
+
+std::string CaseFolderName(const std::string& caseName, const Segment& structure)
+{
+  std::string name = PlainName(caseName) + "_" + std::to_string(structure.Label);
+  if (!structure.Name.empty())
   {
-    const bool plain = std::isalnum(static_cast<unsigned char>(letter)) != 0 || letter == '-' ||
-                       letter == '_' || letter == '.';
-    letter = plain ? letter : '_';
+    name += "_" + InPlainLetters(structure.Name);
   }
-  return name;
+  return name.substr(0, LongestName);
 }
 } // namespace palpate

@@ -3,6 +3,7 @@
 #include "FilterRun.h"
 #include "ModelTable.h"
 #include "StageClock.h"
+#include "VoxelMinimum.h"
 #include "vtkIcosahedronDirections.h"
 #include "vtkRadialSampler.h"
 #include "vtkSegmentationSurface.h"
@@ -23,9 +24,6 @@ namespace palpate
 namespace
 {
 constexpr double CubicMillimetersPerMilliliter = 1000.0;
-// A few voxels have no shape: fewer than a cube of two.
-constexpr double SmallestVoxelCount = 8.0;
-
 struct Pipeline
 {
   vtkNew<vtkSegmentationSurface> Surface;
@@ -198,14 +196,10 @@ void RunStages(Pipeline& pipeline, const Segment& structure, FitResult& result,
   TakeSurface(pipeline, result);
   RemarkOnStructure(pipeline, result);
   clock.EndStage("surface");
-  const double* spacing = result.Mask->GetSpacing();
-  const double voxels = result.MaskMilliliters * CubicMillimetersPerMilliliter /
-                        (spacing[0] * spacing[1] * spacing[2]);
-  if (voxels < SmallestVoxelCount - 0.5)
+  result.Message = TooFewVoxels(pipeline.Surface->GetMaskVolume(), result.Mask);
+  if (!result.Message.empty())
   {
     result.State = FitResult::Outcome::BadInput;
-    result.Message = "has only " + Counted(std::lround(voxels), "voxel", "voxels") +
-                     ", too few to have a shape; choose another label or component";
     return;
   }
   RunFilter(pipeline.Boundary, "surface", 0.25, 0.3, progress);

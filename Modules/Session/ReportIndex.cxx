@@ -79,6 +79,16 @@ std::string LinkText(const std::filesystem::path& path)
   }
   return link;
 }
+// A file that cannot be read has no structure, and its message says all.
+bool HasStructure(const FitResult& result)
+{
+  return result.Structure.Label != 0 || !result.Structure.Name.empty();
+}
+
+std::string ReasonText(const FitResult& result)
+{
+  return HasStructure(result) ? VerdictText(result) : SharedText(result.Input, result.Message);
+}
 } // namespace
 
 void ReportIndex::Add(const FitResult& result, const std::filesystem::path& report)
@@ -86,9 +96,10 @@ void ReportIndex::Add(const FitResult& result, const std::filesystem::path& repo
   const bool isFitted = result.State == FitResult::Outcome::Fitted;
   ++this->CaseCount;
   this->FittedCount += isFitted ? 1 : 0;
-  const std::string name = EscapeHtml(StructureText(result));
+  const std::string name =
+      HasStructure(result) ? EscapeHtml(StructureText(result)) : std::string("\xE2\x80\x93");
   const std::string verdict = "<span class=\"" + OutcomeStyle(result.State) + "\" title=\"" +
-                              EscapeHtml(VerdictText(result)) + "\">" + OutcomeText(result.State) +
+                              EscapeHtml(ReasonText(result)) + "\">" + OutcomeText(result.State) +
                               "</span>";
   this->Rows +=
       "<tr>" +
@@ -105,7 +116,7 @@ void ReportIndex::Add(const FitResult& result, const std::filesystem::path& repo
   if (!isFitted)
   {
     this->Messages += "<li><strong>" + EscapeHtml(result.Input.filename().string()) +
-                      "</strong>: " + EscapeHtml(VerdictText(result)) + "</li>\n";
+                      "</strong>: " + EscapeHtml(ReasonText(result)) + "</li>\n";
   }
 }
 
@@ -130,7 +141,7 @@ void ReportIndex::Write(const std::filesystem::path& html) const
       ReportPage("Palpate fits",
                  "<header>\n<div class=\"kicker\">Palpate \xC2\xB7 spherical-harmonic fits</div>\n"
                  "<h1>" +
-                     std::to_string(this->CaseCount) + " structures, " +
+                     std::to_string(this->CaseCount) + " cases, " +
                      std::to_string(this->FittedCount) +
                      " fitted</h1>\n</header>\n<section>\n<div class=\"wide\"><table><thead><tr>" +
                      heads + "</tr></thead><tbody>\n" + this->Rows +

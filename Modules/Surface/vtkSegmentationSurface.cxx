@@ -79,6 +79,17 @@ void MoveToWorld(const palpate::ScalarGrid& grid, vtkImageData* image, vtkPolyDa
 }
 } // namespace
 
+void vtkSegmentationSurface::SetSmoothing(double smoothing)
+{
+  // Written so that NaN, for which every comparison is false, becomes 0.
+  const double clamped = smoothing > 0.0 ? std::min(smoothing, 10.0) : 0.0;
+  if (this->Smoothing != clamped)
+  {
+    this->Smoothing = clamped;
+    this->Modified();
+  }
+}
+
 int vtkSegmentationSurface::FillInputPortInformation(int, vtkInformation* info)
 {
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkImageData");

@@ -51,7 +51,8 @@ public:
 
   ///@{ Smoothing of the shape, in voxels: the field is blurred by a Gaussian of half this standard
   /// deviation along each axis. 0 for none; default 1. PLAIN is never smoothed.
-  vtkSetClampMacro(Smoothing, double, 0.0, 10.0);
+  /// NaN counts as 0.
+  void SetSmoothing(double smoothing);
   vtkGetMacro(Smoothing, double);
   ///@}
 

@@ -144,7 +144,7 @@ TEST(CliFit, FewerDirectionsThanCoefficientsAreRefusedWithTheWayOut)
   WriteTwoBalls(folder / "a.nii.gz");
   const CommandRun run = RunPalpate(
       {"fit", "a.nii.gz", "--label", "1", "--degree", "12", "--frequency", "3"}, folder.Path());
-  EXPECT_EQ(run.Code, 1);
+  EXPECT_EQ(run.Code, 2);
   EXPECT_TRUE(Has(run.Errors, "take more directions or a lower degree")) << run.Errors;
 }
 

@@ -83,12 +83,12 @@ TEST(CliInfo, BadFileDoesNotStopTheOthers)
   WriteAll(folder / "bad.nii", "");
   const CommandRun run =
       RunPalpate({"info", "bad.nii", "missing.nii", "a.nii.gz", "--json"}, folder.Path());
-  EXPECT_EQ(run.Code, 2);
+  EXPECT_EQ(run.Code, 1);
   EXPECT_EQ(run.Errors, "palpate: bad.nii is empty; copy or export it again.\n"
                         "palpate: missing.nii does not exist; check the path.\n");
   const std::vector<Json> objects = Lines(run.Output);
   ASSERT_EQ(objects.size(), 3u);
-  EXPECT_EQ(objects[0].at("status"), "bad input");
+  EXPECT_EQ(objects[0].at("status"), "bad-input");
   EXPECT_EQ(objects[1].at("message"), "missing.nii does not exist; check the path.");
   EXPECT_EQ(objects[2].at("status"), "ok");
 }

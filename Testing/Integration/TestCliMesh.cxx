@@ -67,7 +67,7 @@ TEST(CliMesh, FailingFileIsReportedAndDoesNotStopTheOthers)
   EXPECT_EQ(run.Code, 1);
   const std::vector<Json> results = Lines(run.Output);
   ASSERT_EQ(results.size(), 3u);
-  EXPECT_EQ(results[0].at("status"), "failed");
+  EXPECT_EQ(results[0].at("status"), "bad-input");
   EXPECT_EQ(results[1].at("status"), "written");
   EXPECT_NE(run.Errors.find("bad.nii.gz"), std::string::npos);
   EXPECT_NE(run.Errors.find("1 of 3"), std::string::npos) << run.Errors;

@@ -217,11 +217,12 @@ std::string MetaImageBytes(const std::string& type, const std::string& voxels,
          "ElementType = " + type + "\nElementDataFile = LOCAL\n" + voxels;
 }
 
-std::string Gzipped(const std::string& bytes)
+namespace
+{
+std::string Packed(const std::string& bytes, int windowBits)
 {
   z_stream stream{};
-  // 16 + window bits: a gzip wrapper.
-  deflateInit2(&stream, Z_DEFAULT_COMPRESSION, Z_DEFLATED, 16 + MAX_WBITS, 8, Z_DEFAULT_STRATEGY);
+  deflateInit2(&stream, Z_DEFAULT_COMPRESSION, Z_DEFLATED, windowBits, 8, Z_DEFAULT_STRATEGY);
   std::string packed(deflateBound(&stream, bytes.size()), '\0');
   stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(bytes.data()));
   stream.avail_in = static_cast<uInt>(bytes.size());
@@ -231,6 +232,17 @@ std::string Gzipped(const std::string& bytes)
   packed.resize(stream.total_out);
   deflateEnd(&stream);
   return packed;
+}
+} // namespace
+
+std::string Gzipped(const std::string& bytes)
+{
+  return Packed(bytes, 16 + MAX_WBITS); // 16 + window bits: a gzip wrapper
+}
+
+std::string Deflated(const std::string& bytes)
+{
+  return Packed(bytes, MAX_WBITS);
 }
 
 void WriteDicomSlice(const std::filesystem::path& file, const DicomSliceSpec& spec)

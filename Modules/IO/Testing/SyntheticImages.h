@@ -50,6 +50,8 @@ std::string MetaImageBytes(const std::string& type, const std::string& voxels,
                            const std::string& moreLines = "");
 
 std::string Gzipped(const std::string& bytes);
+/// zlib's own wrapper, as MetaImage has it.
+std::string Deflated(const std::string& bytes);
 
 /// A slice of a DICOM MR series: 4 columns, 3 rows, 16 bits, every pixel has one stored value.
 struct DicomSliceSpec

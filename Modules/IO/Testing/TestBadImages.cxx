@@ -6,9 +6,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <functional>
 #include <gtest/gtest.h>
 #include <limits>
+#include <random>
 
 using namespace palpate;
 using namespace palpate::test;
@@ -50,6 +52,96 @@ std::string NrrdOfFloats(float odd)
   return NrrdBytes(PlainNrrdLines("float"), BytesOf(values));
 }
 
+// Values that compress by half, so that a cut or an overwritten part takes many with it.
+std::string Noise(std::size_t count)
+{
+  std::mt19937 random(7);
+  std::string bytes(count, '\0');
+  for (char& byte : bytes)
+  {
+    byte = static_cast<char>(random() % 4);
+  }
+  return bytes;
+}
+
+// 40 x 50 x 60 bytes.
+std::string LargeNifti()
+{
+  return NiftiBytes(With([](auto& s) { s.Dimensions = {3, 40, 50, 60, 1, 1, 1, 1}; }),
+                    Noise(120000));
+}
+
+std::string LargeMetaImage(const std::string& packed, const std::string& dataFile = "LOCAL")
+{
+  std::string bytes = MetaImageBytes("MET_UCHAR", packed);
+  bytes.replace(bytes.find("CompressedData = False"), 22, "CompressedData = True");
+  if (!packed.empty())
+  {
+    bytes.insert(bytes.find("DimSize"),
+                 "CompressedDataSize = " + std::to_string(packed.size()) + "\n");
+  }
+  bytes.replace(bytes.find("ElementDataFile = LOCAL"), 23, "ElementDataFile = " + dataFile);
+  return bytes.replace(bytes.find("DimSize = 4 5 6"), 15, "DimSize = 40 50 60");
+}
+
+std::string LargeNrrd(const std::string& packed)
+{
+  std::vector<std::string> lines = PlainNrrdLines("unsigned char");
+  lines[3] = "sizes: 40 50 60";
+  lines[7] = "encoding: gzip";
+  return NrrdBytes(lines, packed);
+}
+
+std::string WithWrongChecksum(std::string gzipped)
+{
+  gzipped[gzipped.size() - 6] = static_cast<char>(gzipped[gzipped.size() - 6] ^ 1);
+  return gzipped;
+}
+
+std::string Overwritten(std::string packed)
+{
+  return packed.replace(packed.size() / 2, 50, 50, '\0');
+}
+
+std::vector<BadFile> CompressedCases()
+{
+  const std::string nifti = Gzipped(LargeNifti());
+  const std::string zlib = Deflated(Noise(120000));
+  const std::string gzip = Gzipped(Noise(120000));
+  std::string withoutSize = LargeMetaImage(zlib);
+  withoutSize.erase(withoutSize.find("CompressedDataSize"),
+                    withoutSize.find("DimSize") - withoutSize.find("CompressedDataSize"));
+  return {
+      {"half.nii.gz", nifti.substr(0, nifti.size() / 2), "is truncated"},
+      {"unclosed.nii.gz", nifti.substr(0, nifti.size() - 8), "is truncated"},
+      {"crc.nii.gz", WithWrongChecksum(nifti), "is damaged"},
+      {"over.nii.gz", Overwritten(nifti), "is damaged"},
+      {"few.nii.gz", Gzipped(LargeNifti().substr(0, 100000)), "is truncated"},
+      {"half.mha", LargeMetaImage(zlib.substr(0, zlib.size() / 2)), "is truncated"},
+      {"unclosed.mha", LargeMetaImage(zlib.substr(0, zlib.size() - 4)), "is truncated"},
+      {"over.mha", LargeMetaImage(Overwritten(zlib)), "is damaged"},
+      {"few.mha", LargeMetaImage(Deflated(Noise(60000))), "compressed data hold 60000"},
+      {"unstated.mha", withoutSize, "no CompressedDataSize"},
+      {"half.nrrd", LargeNrrd(gzip.substr(0, gzip.size() / 2)), "is truncated"},
+      {"crc.nrrd", LargeNrrd(WithWrongChecksum(gzip)), "is damaged"},
+      {"over.nrrd", LargeNrrd(Overwritten(gzip)), "is damaged"},
+  };
+}
+
+template <typename T>
+std::string NiftiWith(short type, T odd)
+{
+  std::vector<T> values(120, T(1));
+  values[77] = odd;
+  return NiftiBytes(With(
+                        [type](auto& s)
+                        {
+                          s.Type = type;
+                          s.Bits = 8 * sizeof(T);
+                        }),
+                    BytesOf(values));
+}
+
 std::vector<BadFile> NiftiCases()
 {
   const std::string good = NiftiBytes({}, std::string(120, '\1'));
@@ -65,6 +157,8 @@ std::vector<BadFile> NiftiCases()
   const NiftiSpec zero = With([](auto& s) { s.PixelDimensions[2] = 0; });
   const NiftiSpec negative = With([](auto& s) { s.PixelDimensions[3] = -2; });
   const NiftiSpec sheared = With([](auto& s) { s.SForm[1] = 0.4F; });
+  const NiftiSpec rescaled = With([](auto& s) { s.SForm[0] = 2.5F; });
+  const NiftiSpec bits = With([](auto& s) { s.Type = 1; });
   const NiftiSpec huge = With([](auto& s) { s.Dimensions = {3, 32767, 32767, 32767, 1, 1, 1, 1}; });
   std::string version2 = good;
   version2[0] = 28;
@@ -84,6 +178,11 @@ std::vector<BadFile> NiftiCases()
       {"zero.nii", NiftiBytes(zero), "a voxel spacing of 0"},
       {"negative.nii", NiftiBytes(negative), "a voxel spacing of -2"},
       {"sheared.nii", NiftiBytes(sheared), "not perpendicular"},
+      {"rescaled.nii", NiftiBytes(rescaled), "one voxel size by its sform"},
+      {"bits.nii", NiftiBytes(bits), "type that is not read (code 1)"},
+      {"nan.nii", NiftiWith(16, std::nanf("")), "1 voxels that are NaN or infinite"},
+      {"inf.nii", NiftiWith(16, INFINITY), "1 voxels that are NaN or infinite"},
+      {"nan64.nii.gz", Gzipped(NiftiWith(64, std::nan(""))), "1 voxels that are NaN or infinite"},
       {"huge.nii", NiftiBytes(huge, std::string(100, '\1')), "is truncated"},
       {"huge.nii.gz", Gzipped(NiftiBytes(huge, std::string(100, '\1'))), "GB of memory"},
   };
@@ -112,6 +211,11 @@ std::vector<BadFile> NrrdCases()
                   "kinds: domain domain domain domain", "encoding: raw"},
                  std::string(240, '\1')),
        ""},
+      {"lost.nhdr",
+       NrrdBytes(
+           {"type: uchar", "dimension: 3", "sizes: 4 5 6", "encoding: raw", "data file: lost.raw"},
+           ""),
+       "lacks its data file"},
       {"nan.nrrd", NrrdOfFloats(NaN), "1 voxels that are NaN or infinite"},
       {"infinite.nrrd", NrrdOfFloats(-INFINITY), "NaN or infinite"},
   };
@@ -206,6 +310,36 @@ std::string SegmentationRefusal(const std::string& nrrd)
 TEST(BadImages, NiftiFilesAreRefusedWithOneSentence)
 {
   ExpectRefused(NiftiCases());
+}
+
+TEST(BadImages, CompressedDataThatEndEarlyOrDoNotFitAreRefused)
+{
+  ExpectRefused(CompressedCases());
+}
+
+TEST(BadImages, CompressedDataThatAreWholeAreRead)
+{
+  const TemporaryFolder folder;
+  const std::string voxels = Noise(120000);
+  WriteAll(folder / "a.nii.gz", Gzipped(LargeNifti()));
+  WriteAll(folder / "a.mha", LargeMetaImage(Deflated(voxels)));
+  WriteAll(folder / "b.mhd", LargeMetaImage("", "b.zraw"));
+  WriteAll(folder / "b.zraw", Deflated(voxels));
+  WriteAll(folder / "a.nrrd", LargeNrrd(Gzipped(voxels)));
+  for (const char* name : {"a.nii.gz", "a.mha", "b.mhd", "a.nrrd"})
+  {
+    const auto image = ReadVolume(folder / name).Image;
+    EXPECT_EQ(std::memcmp(image->GetScalarPointer(), voxels.data(), voxels.size()), 0) << name;
+  }
+}
+
+TEST(BadImages, SeparateCompressedDataThatEndEarlyAreRefused)
+{
+  const TemporaryFolder folder;
+  const std::string packed = Deflated(Noise(120000));
+  WriteAll(folder / "b.mhd", LargeMetaImage("", "b.zraw"));
+  WriteAll(folder / "b.zraw", packed.substr(0, packed.size() / 2));
+  EXPECT_TRUE(Contains(MessageOf([&] { ReadVolume(folder / "b.mhd"); }), "b.zraw is truncated"));
 }
 
 TEST(BadImages, NrrdFilesAreRefusedWithOneSentence)

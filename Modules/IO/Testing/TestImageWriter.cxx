@@ -62,7 +62,6 @@ TEST(ImageWriter, EveryFormatKeepsTypeAndValues)
 {
   for (const char* name : Names)
   {
-    // ITK takes the voxels of a.nii.gz from an a.nii beside it, so each format has its folder.
     const TemporaryFolder folder;
     for (const int type : {VTK_UNSIGNED_CHAR, VTK_SIGNED_CHAR, VTK_UNSIGNED_SHORT, VTK_SHORT,
                            VTK_UNSIGNED_INT, VTK_INT, VTK_FLOAT, VTK_DOUBLE})
@@ -78,6 +77,24 @@ TEST(ImageWriter, EveryFormatKeepsTypeAndValues)
       {
         ASSERT_EQ(after->GetTuple1(i), before->GetTuple1(i)) << name << ", type " << type;
       }
+    }
+  }
+}
+
+TEST(ImageWriter, LongIntegersThatFitAreWrittenAsInt)
+{
+  for (const char* name : Names)
+  {
+    const TemporaryFolder folder;
+    const auto image = Oblique(VTK_LONG_LONG);
+    image->GetPointData()->GetScalars()->SetTuple1(0, -70000);
+    WriteImage(folder / name, image);
+    const auto back = ReadVolume(folder / name).Image;
+    EXPECT_EQ(back->GetScalarType(), VTK_INT) << name;
+    vtkDataArray* before = image->GetPointData()->GetScalars();
+    for (vtkIdType i = 0; i < before->GetNumberOfTuples(); ++i)
+    {
+      ASSERT_EQ(back->GetPointData()->GetScalars()->GetTuple1(i), before->GetTuple1(i)) << name;
     }
   }
 }
@@ -131,7 +148,9 @@ TEST(ImageWriter, ImagesThatCannotBeWrittenLeaveNothing)
   {
     EXPECT_THROW(WriteImage(folder / name, empty), InputError) << name;
     EXPECT_THROW(WriteImage(folder / name, colour), InputError) << name;
-    EXPECT_THROW(WriteImage(folder / name, Oblique(VTK_LONG)), InputError) << name;
+    const auto wide = Oblique(VTK_LONG);
+    wide->GetPointData()->GetScalars()->SetTuple1(3, 5e9);
+    EXPECT_THROW(WriteImage(folder / name, wide), InputError) << name;
   }
   EXPECT_THROW(WriteImage(folder / "a.mhd", Oblique(VTK_SHORT)), InputError);
   EXPECT_THROW(WriteImage(folder / "a.txt", Oblique(VTK_SHORT)), InputError);

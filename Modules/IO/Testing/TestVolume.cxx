@@ -10,6 +10,7 @@
 #include "vtkPointData.h"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <gtest/gtest.h>
@@ -159,6 +160,56 @@ TEST(Volume, CompressedNiftiBesideAPlainOneKeepsItsOwnVoxels)
   WriteAll(folder / "a.nii.gz", Gzipped(NiftiBytes({}, BytesOf(Counting<unsigned char>(120)))));
   EXPECT_EQ(ReadVolume(folder / "a.nii").Image->GetScalarComponentAsDouble(3, 4, 5, 0), 0.0);
   EXPECT_EQ(ReadVolume(folder / "a.nii.gz").Image->GetScalarComponentAsDouble(3, 4, 5, 0), 119.0);
+}
+
+TEST(Volume, NiftiOfTheOtherByteOrderIsTheSame)
+{
+  const TemporaryFolder folder;
+  NiftiSpec spec;
+  spec.Type = 4;
+  spec.Bits = 16;
+  std::string bytes = NiftiBytes(spec, BytesOf(Counting<short>(120)));
+  const auto reverse = [&bytes](std::size_t first, std::size_t size, std::size_t count)
+  {
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      const auto start = bytes.begin() + static_cast<std::ptrdiff_t>(first + i * size);
+      std::reverse(start, start + static_cast<std::ptrdiff_t>(size));
+    }
+  };
+  reverse(0, 4, 1);
+  reverse(40, 2, 8);
+  reverse(70, 2, 2);
+  reverse(76, 4, 11); // pixdim, vox_offset, slope, intercept
+  reverse(252, 2, 2);
+  reverse(256, 4, 18);
+  reverse(352, 2, 120);
+  WriteAll(folder / "a.nii", bytes);
+  const Volume volume = ReadVolume(folder / "a.nii");
+  EXPECT_EQ(volume.Image->GetScalarType(), VTK_SHORT);
+  EXPECT_EQ(volume.Image->GetScalarComponentAsDouble(3, 4, 5, 0), 119.0);
+  EXPECT_EQ(WorldOf(volume.Image, 3, 4, 5), Vector3(-16, -28, 40));
+}
+
+TEST(Volume, NiftiSformFarFromZeroOrOfFineVoxelsIsRead)
+{
+  for (const float spacing : {0.01F, 0.02F, 1.0F})
+  {
+    for (const float offset : {0.0F, 3e4F, -1e5F})
+    {
+      const TemporaryFolder folder;
+      NiftiSpec spec;
+      spec.PixelDimensions = {1, spacing, spacing, 3 * spacing};
+      spec.SForm = {spacing, 0, 0, offset, 0, spacing, 0, -offset, 0, 0, 3 * spacing, offset};
+      WriteAll(folder / "a.nii", NiftiBytes(spec));
+      const Volume volume = ReadVolume(folder / "a.nii");
+      const Vector3 last(3 * spacing + offset, 4 * spacing - offset, 15 * spacing + offset);
+      const Vector3 expected(-last[0], -last[1], last[2]);
+      // Single precision of 1e5 mm.
+      EXPECT_LT((WorldOf(volume.Image, 3, 4, 5) - expected).norm(), 0.02);
+      EXPECT_TRUE(volume.Notes.empty());
+    }
+  }
 }
 
 TEST(Volume, NiftiWithoutOrientationSaysSo)

@@ -364,6 +364,17 @@ TEST(SegmentationSurface, RaisesAnErrorForAComponentThatIsNotThere)
   EXPECT_TRUE(errors.Contains("there is no component 2"));
 }
 
+TEST(SegmentationSurface, SmoothingIsClampedAndNeverNan)
+{
+  vtkNew<vtkSegmentationSurface> filter;
+  filter->SetSmoothing(-1.0);
+  EXPECT_EQ(filter->GetSmoothing(), 0.0);
+  filter->SetSmoothing(1e9);
+  EXPECT_EQ(filter->GetSmoothing(), 10.0);
+  filter->SetSmoothing(std::nan(""));
+  EXPECT_EQ(filter->GetSmoothing(), 0.0);
+}
+
 TEST(SegmentationSurface, StopsWhenAskedTo)
 {
   auto filter = Filter(MakeLabelImage(ClinicalGrid(), InEllipsoid));

@@ -1,0 +1,68 @@
+#include "CaseNames.h"
+
+#include "FitFiles.h"
+#include "FitStructure.h"
+
+#include <algorithm>
+#include <cctype>
+#include <map>
+
+namespace palpate::cli
+{
+namespace
+{
+std::string SmallLetters(std::string name)
+{
+  std::transform(name.begin(), name.end(), name.begin(),
+                 [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
+  return name;
+}
+
+// Whole, so that `.` and `folder/` have a name too.
+std::filesystem::path WholePath(const std::string& input)
+{
+  const std::filesystem::path whole = std::filesystem::absolute(input).lexically_normal();
+  return whole.has_filename() ? whole : whole.parent_path();
+}
+
+std::string Unique(const std::string& name, std::set<std::string>& taken)
+{
+  std::string unique = name;
+  for (int number = 2; !taken.insert(SmallLetters(unique)).second; ++number)
+  {
+    unique = name + "-" + std::to_string(number);
+  }
+  return unique;
+}
+} // namespace
+
+CaseNames::CaseNames(const std::vector<std::string>& inputs)
+{
+  std::map<std::string, int> counts;
+  for (const std::string& input : inputs)
+  {
+    this->Inputs.push_back(PlainName(CaseNameOf(WholePath(input))));
+    ++counts[SmallLetters(this->Inputs.back())];
+  }
+  std::set<std::string> taken;
+  for (const auto& [name, count] : counts)
+  {
+    // Also one that several would have: which of them has it is not plain to see, so none has.
+    taken.insert(name);
+  }
+  for (std::size_t i = 0; i < inputs.size(); ++i)
+  {
+    std::string& name = this->Inputs[i];
+    if (counts[SmallLetters(name)] > 1)
+    {
+      name = Unique(PlainName(WholePath(inputs[i]).parent_path().filename().string() + "_" + name),
+                    taken);
+    }
+  }
+}
+
+std::string CaseNames::Take(std::size_t input, const Segment& structure)
+{
+  return Unique(CaseFolderName(this->Inputs[input], structure), this->Taken);
+}
+} // namespace palpate::cli

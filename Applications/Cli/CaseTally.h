@@ -1,0 +1,23 @@
+#pragma once
+
+namespace palpate::cli
+{
+/// What became of the cases of one run, and the exit code that says so.
+struct CaseTally
+{
+  int Cases = 0;
+  int BadInputs = 0;
+  int Failures = 0; ///< without the bad inputs
+
+  int Lost() const { return this->BadInputs + this->Failures; }
+  /// 0 where all went well, 2 where there was nothing but bad input, 1 otherwise.
+  int ExitCode() const
+  {
+    if (this->Lost() == 0)
+    {
+      return 0;
+    }
+    return this->BadInputs == this->Cases ? 2 : 1;
+  }
+};
+} // namespace palpate::cli

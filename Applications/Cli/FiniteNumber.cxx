@@ -1,0 +1,38 @@
+#include "FiniteNumber.h"
+
+#include "DecimalText.h"
+#include "Refusal.h"
+
+#include <limits>
+
+namespace palpate::cli
+{
+namespace
+{
+std::optional<double> NumberOf(const std::string& word)
+{
+  return ParseNumber(word.size() > 1 && word.front() == '+' ? word.substr(1) : word);
+}
+} // namespace
+
+FiniteNumber::FiniteNumber(double low, double high, bool lowIsIn, const std::string& range)
+    : CLI::Validator(range)
+{
+  this->func_ = [low, high, lowIsIn, range](const std::string& word)
+  {
+    const std::optional<double> number = NumberOf(word);
+    const bool good = number && *number <= high && (lowIsIn ? *number >= low : *number > low);
+    return good ? std::string() : word + " is no number " + range;
+  };
+}
+
+FiniteNumber FiniteNumber::Between(double low, double high)
+{
+  return {low, high, true, "from " + NumberText(low) + " to " + NumberText(high)};
+}
+
+FiniteNumber FiniteNumber::Positive()
+{
+  return {0.0, std::numeric_limits<double>::max(), false, "above 0"};
+}
+} // namespace palpate::cli

@@ -1,0 +1,89 @@
+#include "NrrdHeader.h"
+
+#include "Refusal.h"
+#include "ZlibCheck.h"
+
+#include <cstdint>
+#include <fstream>
+#include <map>
+#include <string>
+#include <system_error>
+
+namespace palpate
+{
+namespace
+{
+// No line of a real header is longer; binary data have no line ends.
+constexpr std::size_t LongestLine = 1U << 20;
+
+struct Header
+{
+  std::map<std::string, std::string> Fields;
+  std::uint64_t Bytes = 0; // where the data of an attached header start
+};
+
+Header ReadHeader(const std::filesystem::path& file)
+{
+  Header header;
+  std::ifstream stream(file, std::ios::binary);
+  std::string line;
+  while (std::getline(stream, line) && !line.empty() && line != "\r" && line.size() < LongestLine)
+  {
+    const std::string key = line.substr(0, line.find(':'));
+    const auto first = line.find_first_not_of(" \t\r", key.size() + 1);
+    if (first != std::string::npos)
+    {
+      header.Fields[key] = line.substr(first, line.find_last_not_of(" \t\r") + 1 - first);
+    }
+  }
+  header.Bytes = stream ? static_cast<std::uint64_t>(stream.tellg()) : 0;
+  return header;
+}
+
+std::string Field(const Header& header, const std::string& key, const std::string& otherKey)
+{
+  const auto found = header.Fields.find(key);
+  const auto other = header.Fields.find(otherKey);
+  if (found != header.Fields.end())
+  {
+    return found->second;
+  }
+  return other == header.Fields.end() ? std::string() : other->second;
+}
+
+// Where the data lie: the file itself or one beside it; empty for several files.
+std::filesystem::path DataFile(const std::filesystem::path& file, const Header& header)
+{
+  const std::string name = Field(header, "data file", "datafile");
+  const bool areSeveral = name.rfind("LIST", 0) == 0 || name.find('%') != std::string::npos;
+  if (areSeveral)
+  {
+    return {};
+  }
+  return name.empty() ? file : file.parent_path() / name;
+}
+} // namespace
+
+void CheckNrrdHeader(const std::filesystem::path& file)
+{
+  const std::filesystem::path data = DataFile(file, ReadHeader(file));
+  std::error_code failure;
+  if (!data.empty() && !std::filesystem::exists(data, failure))
+  {
+    Refuse(file, "lacks its data file " + data.string(), "put it beside the header");
+  }
+}
+
+void CheckNrrdData(const std::filesystem::path& file)
+{
+  const Header header = ReadHeader(file);
+  const std::string encoding = Field(header, "encoding", "encoding");
+  const bool skips = !Field(header, "line skip", "lineskip").empty() ||
+                     !Field(header, "byte skip", "byteskip").empty();
+  const std::filesystem::path data = DataFile(file, header);
+  if ((encoding == "gzip" || encoding == "gz") && !skips && !data.empty())
+  {
+    CheckedInflatedBytes(data, data == file ? header.Bytes : 0);
+  }
+}
+} // namespace palpate

@@ -1,0 +1,19 @@
+#pragma once
+
+#include "PalpateIOModule.h"
+
+#include <filesystem>
+
+namespace palpate
+{
+/// Looks at the header of an NRRD file before its library does, which does not say that the data
+/// file of a detached header (.nhdr) is missing. Throws InputError for that; whatever else may be
+/// wrong is left to the library.
+/// Source: teem, Definition of NRRD File Format, https://teem.sourceforge.net/nrrd/format.html.
+PALPATEIO_EXPORT void CheckNrrdHeader(const std::filesystem::path& file);
+
+/// Decodes the gzip data of an NRRD file once; throws InputError where they end early or fail their
+/// checksum, which the library looks at only where the length fits. Other encodings, skipped lines
+/// or bytes and several data files are left to the library.
+PALPATEIO_EXPORT void CheckNrrdData(const std::filesystem::path& file);
+} // namespace palpate

@@ -1,0 +1,65 @@
+#include "ZlibCheck.h"
+
+#include "Refusal.h"
+
+#include <algorithm>
+#include <fstream>
+#include <memory>
+#include <vector>
+#include <zlib.h>
+
+namespace palpate
+{
+namespace
+{
+constexpr std::size_t BufferBytes = std::size_t{1} << 17;
+
+// Decodes what the stream has as input. Returns zlib's state; counts the bytes.
+int InflateInput(z_stream& stream, std::vector<unsigned char>& room, std::uint64_t& bytes)
+{
+  int state = Z_OK;
+  do
+  {
+    stream.next_out = room.data();
+    stream.avail_out = static_cast<uInt>(room.size());
+    state = inflate(&stream, Z_NO_FLUSH);
+    bytes += room.size() - stream.avail_out;
+  } while (state == Z_OK && stream.avail_out == 0);
+  // No progress without more input is no error.
+  return state == Z_BUF_ERROR ? Z_OK : state;
+}
+} // namespace
+
+std::uint64_t CheckedInflatedBytes(const std::filesystem::path& file, std::uint64_t start,
+                                   std::uint64_t mostBytes)
+{
+  std::ifstream input(file, std::ios::binary);
+  input.seekg(static_cast<std::streamoff>(start));
+  z_stream stream{};
+  inflateInit2(&stream, MAX_WBITS + 32); // zlib or gzip by its first bytes
+  const std::unique_ptr<z_stream, int (*)(z_stream*)> end(&stream, inflateEnd);
+  std::vector<unsigned char> packed(BufferBytes);
+  std::vector<unsigned char> room(BufferBytes);
+  std::uint64_t bytes = 0;
+  int state = Z_OK;
+  while (state == Z_OK)
+  {
+    const auto wanted = std::min<std::uint64_t>(BufferBytes, mostBytes);
+    input.read(reinterpret_cast<char*>(packed.data()), static_cast<std::streamsize>(wanted));
+    mostBytes -= static_cast<std::uint64_t>(input.gcount());
+    stream.next_in = packed.data();
+    stream.avail_in = static_cast<uInt>(input.gcount());
+    if (stream.avail_in == 0)
+    {
+      Refuse(file, "is truncated: its compressed data end early", "copy or export it again");
+    }
+    state = InflateInput(stream, room, bytes);
+  }
+  if (state != Z_STREAM_END)
+  {
+    Refuse(file, "is damaged: its compressed data do not decode or fail their checksum",
+           "copy or export it again");
+  }
+  return bytes;
+}
+} // namespace palpate

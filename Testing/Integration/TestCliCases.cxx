@@ -1,0 +1,339 @@
+#include "CommandRun.h"
+#include "ImageWriter.h"
+#include "SyntheticFiles.h"
+#include "TemporaryFolder.h"
+#include "vtkImageData.h"
+#include "vtkNew.h"
+
+#include <algorithm>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <sstream>
+
+// What several cases of one run do to each other: names, labels, failures, exit codes.
+
+using namespace palpate::test;
+using Json = nlohmann::json;
+
+namespace
+{
+std::vector<Json> Lines(const std::string& text)
+{
+  std::vector<Json> objects;
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);)
+  {
+    objects.push_back(Json::parse(line));
+  }
+  return objects;
+}
+
+bool Has(const std::string& text, const std::string& part)
+{
+  return text.find(part) != std::string::npos;
+}
+
+// A small box of each of these labels, one after the other along x.
+void WriteBoxes(const std::filesystem::path& path, const std::vector<int>& labels, int side = 6)
+{
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(static_cast<int>(labels.size()) * (side + 3) + 3, side + 6, side + 6);
+  image->AllocateScalars(VTK_UNSIGNED_CHAR, 1);
+  std::fill_n(static_cast<unsigned char*>(image->GetScalarPointer()), image->GetNumberOfPoints(),
+              static_cast<unsigned char>(0));
+  for (std::size_t box = 0; box < labels.size(); ++box)
+  {
+    for (int i = 0; i < side * side * side; ++i)
+    {
+      const int x = static_cast<int>(box) * (side + 3) + 3 + i % side;
+      *static_cast<unsigned char*>(image->GetScalarPointer(
+          x, 3 + i / side % side, 3 + i / (side * side))) = static_cast<unsigned char>(labels[box]);
+    }
+  }
+  palpate::WriteImage(path, image);
+}
+
+// A 3D Slicer segmentation of boxes of 4 voxels a side, labelled from 1, with these names.
+void WriteNamed(const std::filesystem::path& path, const std::vector<std::string>& names)
+{
+  const int length = static_cast<int>(names.size()) * 7 + 3;
+  std::string voxels(static_cast<std::size_t>(length) * 10 * 10, '\0');
+  std::ostringstream header;
+  header << "NRRD0004\ntype: uint8\ndimension: 3\nspace: left-posterior-superior\nsizes: " << length
+         << " 10 10\nspace directions: (1,0,0) (0,1,0) (0,0,1)\nkinds: domain domain domain\n"
+            "encoding: raw\nspace origin: (0,0,0)\n";
+  for (std::size_t n = 0; n < names.size(); ++n)
+  {
+    const std::string key = "Segment" + std::to_string(n) + "_";
+    header << key << "ID:=s" << n << '\n'
+           << key << "Name:=" << names[n] << '\n'
+           << key << "LabelValue:=" << n + 1 << '\n'
+           << key << "Layer:=0\n";
+    for (int i = 0; i < 64; ++i)
+    {
+      const int x = static_cast<int>(n) * 7 + 3 + i % 4;
+      voxels[static_cast<std::size_t>(x + length * (3 + i / 4 % 4 + 10 * (3 + i / 16)))] =
+          static_cast<char>(n + 1);
+    }
+  }
+  WriteAll(path, header.str() + "\n" + voxels);
+}
+
+std::vector<std::string> FitWords(std::vector<std::string> more)
+{
+  const std::vector<std::string> fast{"--degree",   "2", "--frequency", "6",
+                                      "--min-dice", "0", "--json"};
+  more.insert(more.begin(), "fit");
+  more.insert(more.end(), fast.begin(), fast.end());
+  return more;
+}
+} // namespace
+
+TEST(CliCases, FilesOfOneNameKeepTheirResultsApart)
+{
+  const TemporaryFolder folder;
+  std::filesystem::create_directories(folder / "A");
+  std::filesystem::create_directories(folder / "B");
+  WriteBoxes(folder / "A/same.nii.gz", {1}, 4);
+  WriteBoxes(folder / "B/same.nii.gz", {1}, 8);
+  const std::vector<std::string> masks{"A/same.nii.gz", "B/same.nii.gz", "A/same.nii.gz"};
+  std::vector<std::string> words = masks;
+  words.insert(words.end(), {"--output", "o"});
+  const CommandRun fit = RunPalpate(FitWords(words), folder.Path());
+  ASSERT_EQ(fit.Code, 0) << fit.Errors;
+  const std::vector<Json> fits = Lines(fit.Output);
+  ASSERT_EQ(fits.size(), 3U);
+  EXPECT_EQ(fits[0].at("folder"), "o/A_same_1");
+  EXPECT_EQ(fits[1].at("folder"), "o/B_same_1");
+  EXPECT_EQ(fits[2].at("folder"), "o/A_same-2_1");
+
+  words.insert(words.begin(), "mesh");
+  words.emplace_back("--json");
+  const CommandRun mesh = RunPalpate(words, folder.Path());
+  ASSERT_EQ(mesh.Code, 0) << mesh.Errors;
+  std::set<std::string> files;
+  for (const Json& result : Lines(mesh.Output))
+  {
+    files.insert(result.at("output").get<std::string>());
+  }
+  EXPECT_EQ(files, (std::set<std::string>{"o/A_same_1.vtp", "o/B_same_1.vtp", "o/A_same-2_1.vtp"}));
+}
+
+TEST(CliCases, NamesThatOnlyTogetherCollideAreNumbered)
+{
+  const TemporaryFolder folder;
+  WriteNamed(folder / "a.seg.nrrd", {"2"}); // a, label 1, named 2
+  WriteBoxes(folder / "a_1.nii.gz", {2});   // a_1, label 2
+  const CommandRun run =
+      RunPalpate(FitWords({"a.seg.nrrd", "a_1.nii.gz", "--output", "o"}), folder.Path());
+  ASSERT_EQ(run.Code, 0) << run.Errors;
+  EXPECT_EQ(Lines(run.Output).at(0).at("folder"), "o/a_1_2");
+  EXPECT_EQ(Lines(run.Output).at(1).at("folder"), "o/a_1_2-2");
+}
+
+TEST(CliCases, NumbersThatAreNoneAreRefusedByTheOptionsName)
+{
+  const TemporaryFolder folder;
+  WriteBoxes(folder / "a.nii.gz", {1});
+  const std::vector<std::vector<std::string>> commands{
+      {"fit", "a.nii.gz", "--smoothing", "nan"},
+      {"fit", "a.nii.gz", "--max-hidden", "nan"},
+      {"fit", "a.nii.gz", "--min-dice", "nan"},
+      {"fit", "a.nii.gz", "--degree", "auto", "--tolerance", "inf"},
+      {"fit", "a.nii.gz", "--degree", "auto", "--tolerance", "0"},
+      {"fit", "a.nii.gz", "--penalty", "nan"},
+      {"mesh", "a.nii.gz", "--output", "s.vtp", "--smoothing", "nan"},
+      {"render", "a.nii.gz", "--output", "p.png", "--opacity", "nan"},
+      {"phantom", "--output", "p", "--spacing", "nan,1,1"},
+      {"phantom", "--output", "p", "--noise", "nan"},
+      {"phantom", "--output", "p", "--bias", "-inf"},
+      {"phantom", "--output", "p", "--oblique", "nan"}};
+  for (const std::vector<std::string>& words : commands)
+  {
+    const CommandRun run = RunPalpate(words, folder.Path());
+    const std::string option = words[words.size() - 2];
+    EXPECT_EQ(run.Code, 2) << option;
+    EXPECT_TRUE(Has(run.Errors, option)) << run.Errors;
+    EXPECT_LT(run.Errors.size(), 160U) << run.Errors;
+    EXPECT_EQ(folder.EntryCount(), 1U);
+  }
+}
+
+TEST(CliCases, LongNamesAreShortened)
+{
+  const TemporaryFolder folder;
+  WriteNamed(folder / "a.seg.nrrd", {std::string(400, 'n'), std::string(400, 'n')});
+  const CommandRun fit = RunPalpate(FitWords({"a.seg.nrrd", "--output", "o"}), folder.Path());
+  EXPECT_EQ(fit.Code, 0) << fit.Errors;
+  std::set<std::string> folders;
+  for (const Json& result : Lines(fit.Output))
+  {
+    folders.insert(result.at("folder").get<std::string>());
+  }
+  EXPECT_EQ(folders.size(), 2U);
+  EXPECT_EQ(RunPalpate({"mesh", "a.seg.nrrd", "--output", "m"}, folder.Path()).Code, 0);
+}
+
+TEST(CliCases, ACaseThatCannotBeWrittenDoesNotStopTheOthers)
+{
+  const TemporaryFolder folder;
+  WriteBoxes(folder / "a.nii.gz", {1, 2, 3});
+  std::filesystem::create_directories(folder / "o");
+  std::filesystem::create_directories(folder / "m/a_1.vtp");
+  WriteAll(folder / "o/a_1", "a file in the way");
+  const CommandRun fit = RunPalpate(FitWords({"a.nii.gz", "--output", "o"}), folder.Path());
+  EXPECT_EQ(fit.Code, 1);
+  const std::vector<Json> fits = Lines(fit.Output);
+  ASSERT_EQ(fits.size(), 3U);
+  EXPECT_EQ(fits[0].at("status"), "failed");
+  EXPECT_TRUE(Has(fits[0].at("message").get<std::string>(), "o/a_1"));
+  EXPECT_TRUE(fits[0].at("folder").is_null());
+  EXPECT_EQ(fits[2].at("status"), "fitted");
+  EXPECT_TRUE(std::filesystem::exists(folder / "o/a_3/report.html"));
+  EXPECT_TRUE(Has(ReadAll(folder / "o/report.html"), "3 cases, 2 fitted"));
+
+  const CommandRun mesh =
+      RunPalpate({"mesh", "a.nii.gz", "--output", "m", "--json"}, folder.Path());
+  EXPECT_EQ(mesh.Code, 1);
+  EXPECT_EQ(Lines(mesh.Output).at(0).at("status"), "failed");
+  EXPECT_TRUE(std::filesystem::exists(folder / "m/a_3.vtp"));
+}
+
+TEST(CliCases, AFewVoxelsHaveNoSurface)
+{
+  const TemporaryFolder folder;
+  WriteBoxes(folder / "one.nii.gz", {1}, 1);
+  for (const char* command : {"fit", "mesh"})
+  {
+    const CommandRun run =
+        RunPalpate({command, "one.nii.gz", "--output", "s.vtp", "--json"}, folder.Path());
+    EXPECT_EQ(run.Code, 2) << command;
+    EXPECT_EQ(Json::parse(run.Output).at("status"), "bad-input");
+    EXPECT_TRUE(Has(run.Errors, "one.nii.gz, label 1 has only 1 voxel, too few")) << run.Errors;
+    EXPECT_EQ(folder.EntryCount(), 1U);
+  }
+}
+
+TEST(CliCases, ALabelThatOneFileLacksDoesNotStopThoseThatAreThere)
+{
+  const TemporaryFolder folder;
+  WriteBoxes(folder / "multi.nii.gz", {1, 2});
+  WriteBoxes(folder / "box.nii.gz", {3});
+  for (const char* command : {"fit", "mesh"})
+  {
+    const CommandRun run =
+        RunPalpate({command, "multi.nii.gz", "box.nii.gz", "--label", "2,3", "--label", "gland",
+                    "--output", std::string("o-") + command, "--json"},
+                   folder.Path());
+    EXPECT_EQ(run.Code, 1);
+    int lost = 0;
+    int unnamed = 0;
+    for (const Json& result : Lines(run.Output))
+    {
+      const bool isLost = result.at("status") == "bad-input";
+      lost += isLost ? 1 : 0;
+      unnamed += isLost && result.at("label").is_null() && result.at("name") == "gland" ? 1 : 0;
+    }
+    EXPECT_EQ(Lines(run.Output).size(), 6U);
+    EXPECT_EQ(lost, 4);
+    EXPECT_EQ(unnamed, 2);
+    EXPECT_TRUE(Has(run.Errors, "multi.nii.gz has no label 3; choose")) << run.Errors;
+    EXPECT_TRUE(Has(run.Errors, "4 of 6 cases")) << run.Errors;
+  }
+}
+
+TEST(CliCases, NothingOfAnEarlierFitStandsBesideANewReport)
+{
+  const TemporaryFolder folder;
+  WriteBoxes(folder / "a.nii.gz", {1, 2});
+  const std::vector<std::string> one{"a.nii.gz", "--label", "1", "--output", "o"};
+  ASSERT_EQ(RunPalpate(FitWords(one), folder.Path()).Code, 0);
+  WriteAll(folder / "o/mine.txt", "kept");
+  std::vector<std::string> refused = one;
+  refused.insert(refused.end(), {"--center", "80,80,80"});
+  EXPECT_EQ(RunPalpate(FitWords(refused), folder.Path()).Code, 1);
+  for (const char* file : {"model.json", "model.csv", "model.vtp"})
+  {
+    EXPECT_FALSE(std::filesystem::exists(folder / "o" / file)) << file;
+  }
+  EXPECT_TRUE(std::filesystem::exists(folder / "o/report.html"));
+  EXPECT_TRUE(std::filesystem::exists(folder / "o/mine.txt"));
+
+  ASSERT_EQ(RunPalpate(FitWords(one), folder.Path()).Code, 0);
+  ASSERT_EQ(RunPalpate(FitWords({"a.nii.gz", "--output", "o"}), folder.Path()).Code, 0);
+  EXPECT_FALSE(std::filesystem::exists(folder / "o/model.json"));
+  EXPECT_FALSE(std::filesystem::exists(folder / "o/surface.vtp"));
+  EXPECT_TRUE(std::filesystem::exists(folder / "o/a_1/model.json"));
+}
+
+TEST(CliCases, TheOverviewListsBadInputs)
+{
+  const TemporaryFolder folder;
+  WriteBoxes(folder / "a.nii.gz", {1});
+  WriteAll(folder / "bad.nii.gz", "");
+  ASSERT_EQ(RunPalpate(FitWords({"a.nii.gz", "bad.nii.gz", "--output", "o"}), folder.Path()).Code,
+            1);
+  const std::string page = ReadAll(folder / "o/report.html");
+  EXPECT_TRUE(Has(page, "2 cases, 1 fitted"));
+  EXPECT_TRUE(Has(page, "bad.nii.gz is empty"));
+}
+
+TEST(CliCases, WhatTheOptionsAskInVainIsBadInput)
+{
+  const TemporaryFolder folder;
+  WriteBoxes(folder / "a.nii.gz", {1});
+  const CommandRun fit = RunPalpate({"fit", "a.nii.gz", "--component", "9"}, folder.Path());
+  EXPECT_EQ(fit.Code, 2);
+  EXPECT_EQ(fit.Errors.find("palpate: a.nii.gz, label 1"), 0U) << fit.Errors;
+  EXPECT_EQ(
+      RunPalpate({"mesh", "a.nii.gz", "--component", "9", "--output", "s.vtp"}, folder.Path()).Code,
+      2);
+  const CommandRun info = RunPalpate({"info", "gone.nii", "lost.nii"}, folder.Path());
+  EXPECT_EQ(info.Code, 2);
+  EXPECT_EQ(RunPalpate({"info", "gone.nii", "a.nii.gz"}, folder.Path()).Code, 1);
+}
+
+TEST(CliCases, AVolumeThatMissesTheStructureIsRemarkedOn)
+{
+  const TemporaryFolder folder;
+  WriteBoxes(folder / "a.nii.gz", {1, 2});
+  WriteBoxes(folder / "volume.nii.gz", {1});
+  const CommandRun run =
+      RunPalpate(FitWords({"a.nii.gz", "--volume", "volume.nii.gz"}), folder.Path());
+  ASSERT_EQ(run.Code, 0) << run.Errors;
+  EXPECT_FALSE(Has(Lines(run.Output).at(0).at("notes").dump(), "the volume covers only"));
+  EXPECT_TRUE(Has(Lines(run.Output).at(1).at("notes").dump(), "the volume covers only 0 %"))
+      << run.Output;
+  EXPECT_TRUE(Has(run.Errors, "a.nii.gz, label 2: the volume covers only")) << run.Errors;
+}
+
+TEST(CliCases, ANameThatTwoStructuresHaveIsRefused)
+{
+  const TemporaryFolder folder;
+  WriteNamed(folder / "a.seg.nrrd", {"One", "One", "Left, lobe"});
+  const CommandRun run = RunPalpate(FitWords({"a.seg.nrrd", "--label", "One"}), folder.Path());
+  EXPECT_EQ(run.Code, 2);
+  EXPECT_TRUE(Has(run.Errors, "has several labels named One; choose one of them by its number: "
+                              "1, 2"))
+      << run.Errors;
+  const CommandRun comma = RunPalpate(
+      FitWords({"a.seg.nrrd", "--label", "Left, lobe", "--label", "1,1"}), folder.Path());
+  EXPECT_EQ(comma.Code, 0) << comma.Errors;
+  ASSERT_EQ(Lines(comma.Output).size(), 2U);
+  EXPECT_EQ(Lines(comma.Output)[0].at("name"), "Left, lobe");
+}
+
+TEST(CliCases, NamesCannotSteerTheTerminal)
+{
+  const TemporaryFolder folder;
+  WriteNamed(folder / "a.seg.nrrd", {"red\x1b[31m", std::string(60, 'n') + "END"});
+  const CommandRun info = RunPalpate({"info", "a.seg.nrrd"}, folder.Path());
+  EXPECT_EQ(info.Code, 0);
+  EXPECT_FALSE(Has(info.Output, "\x1b"));
+  EXPECT_TRUE(Has(info.Output, "red\\x1b[31m")) << info.Output;
+  EXPECT_TRUE(Has(info.Output, "nn\xE2\x80\xA6"));
+  EXPECT_FALSE(Has(info.Output, "END"));
+  const CommandRun fit = RunPalpate({"fit", "a.seg.nrrd", "--label", "gone"}, folder.Path());
+  EXPECT_FALSE(Has(fit.Errors, "\x1b")) << fit.Errors;
+}
