@@ -4,6 +4,13 @@ namespace palpate::polynomial
 {
 namespace
 {
+struct PortableSet
+{
+  typedef double Vector __attribute__((vector_size(16), may_alias));
+  static constexpr int Lanes = 2;
+};
+using PortableArithmetic = Arithmetic<PortableSet>;
+
 bool HasAvx2() noexcept
 {
 #if defined(__x86_64__)
@@ -13,6 +20,9 @@ bool HasAvx2() noexcept
 #endif
 }
 } // namespace
+
+const Kernel Portable{PortableSet::Lanes, PortableArithmetic::Radius, PortableArithmetic::Evaluate,
+                      PortableArithmetic::EvaluateBatch};
 
 const Kernel& FastestKernel() noexcept
 {

@@ -1,3 +1,5 @@
+// The arithmetic for AVX2 and FMA: this file alone is compiled for them (see CMakeLists.txt), so it
+// must include nothing else. The portable arithmetic is made in PolynomialKernelChoice.cxx.
 #include "PolynomialKernel.h"
 
 namespace palpate::polynomial
