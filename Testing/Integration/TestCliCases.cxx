@@ -1,5 +1,6 @@
 #include "CommandRun.h"
 #include "ImageWriter.h"
+#include "JsonLines.h"
 #include "SyntheticFiles.h"
 #include "TemporaryFolder.h"
 #include "vtkImageData.h"
@@ -7,7 +8,6 @@
 
 #include <algorithm>
 #include <gtest/gtest.h>
-#include <nlohmann/json.hpp>
 #include <set>
 #include <sstream>
 
@@ -18,17 +18,6 @@ using Json = nlohmann::json;
 
 namespace
 {
-std::vector<Json> Lines(const std::string& text)
-{
-  std::vector<Json> objects;
-  std::istringstream lines(text);
-  for (std::string line; std::getline(lines, line);)
-  {
-    objects.push_back(Json::parse(line));
-  }
-  return objects;
-}
-
 bool Has(const std::string& text, const std::string& part)
 {
   return text.find(part) != std::string::npos;

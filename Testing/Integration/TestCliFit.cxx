@@ -1,29 +1,17 @@
 #include "CommandRun.h"
+#include "JsonLines.h"
 #include "ModelFile.h"
 #include "SyntheticFiles.h"
 #include "TemporaryFolder.h"
 
 #include <fstream>
 #include <gtest/gtest.h>
-#include <nlohmann/json.hpp>
-#include <sstream>
 
 using namespace palpate::test;
 using Json = nlohmann::json;
 
 namespace
 {
-std::vector<Json> Lines(const std::string& text)
-{
-  std::vector<Json> objects;
-  std::istringstream lines(text);
-  for (std::string line; std::getline(lines, line);)
-  {
-    objects.push_back(Json::parse(line));
-  }
-  return objects;
-}
-
 bool Has(const std::string& text, const std::string& part)
 {
   return text.find(part) != std::string::npos;

@@ -1,11 +1,11 @@
 #include "CommandRun.h"
+#include "JsonLines.h"
 #include "SyntheticFiles.h"
 #include "TemporaryFolder.h"
 #include "TestData.h"
 
 #include <gtest/gtest.h>
 #include <iterator>
-#include <nlohmann/json.hpp>
 #include <sstream>
 
 using namespace palpate::test;
@@ -13,17 +13,6 @@ using Json = nlohmann::json;
 
 namespace
 {
-std::vector<Json> Lines(const std::string& text)
-{
-  std::vector<Json> objects;
-  std::istringstream lines(text);
-  for (std::string line; std::getline(lines, line);)
-  {
-    objects.push_back(Json::parse(line));
-  }
-  return objects;
-}
-
 // The words of the line that starts with `first`, empty where there is none.
 std::vector<std::string> WordsOfLine(const std::string& text, const std::string& first)
 {

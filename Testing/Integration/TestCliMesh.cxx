@@ -1,29 +1,14 @@
 #include "CommandRun.h"
+#include "JsonLines.h"
 #include "SurfaceFile.h"
 #include "SyntheticFiles.h"
 #include "TemporaryFolder.h"
 #include "vtkPolyData.h"
 
 #include <gtest/gtest.h>
-#include <nlohmann/json.hpp>
-#include <sstream>
 
 using namespace palpate::test;
 using Json = nlohmann::json;
-
-namespace
-{
-std::vector<Json> Lines(const std::string& text)
-{
-  std::vector<Json> objects;
-  std::istringstream lines(text);
-  for (std::string line; std::getline(lines, line);)
-  {
-    objects.push_back(Json::parse(line));
-  }
-  return objects;
-}
-} // namespace
 
 TEST(CliMesh, OneStructureBecomesOneFile)
 {
