@@ -20,9 +20,9 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <map>
 #include <ostream>
-#include <regex>
 
 namespace palpate::cli
 {
@@ -60,13 +60,15 @@ const std::map<std::string, SceneRenderer::Plane>& Planes()
 
 std::pair<int, int> ParseSize(const std::string& word)
 {
-  std::smatch parts;
-  static const std::regex pattern("([0-9]{1,5})x([0-9]{1,5})");
-  if (std::regex_match(word, parts, pattern))
+  const char* end = word.data() + word.size();
+  int width = 0;
+  int height = 0;
+  const auto first = std::from_chars(word.data(), end, width);
+  if (first.ec == std::errc() && first.ptr != end && *first.ptr == 'x')
   {
-    const int width = std::stoi(parts[1]);
-    const int height = std::stoi(parts[2]);
-    if (std::min(width, height) >= 16 && std::max(width, height) <= LargestSide)
+    const auto second = std::from_chars(first.ptr + 1, end, height);
+    if (second.ec == std::errc() && second.ptr == end && std::min(width, height) >= 16 &&
+        std::max(width, height) <= LargestSide)
     {
       return {width, height};
     }
@@ -82,13 +84,13 @@ SceneRenderer::Color ParseColor(const std::string& word)
     const double value = word == "white" ? 1.0 : 0.0;
     return {{value, value, value}};
   }
-  static const std::regex pattern("#([0-9a-fA-F]{6})");
-  std::smatch parts;
-  if (!std::regex_match(word, parts, pattern))
+  unsigned int code = 0;
+  const char* end = word.data() + word.size();
+  if (word.size() != 7 || word.front() != '#' ||
+      std::from_chars(word.data() + 1, end, code, 16).ptr != end)
   {
     throw InputError("--background " + word + " is no colour; give white, black, or #rrggbb");
   }
-  const unsigned long code = std::stoul(parts[1], nullptr, 16);
   return {{(code >> 16U & 255U) / 255.0, (code >> 8U & 255U) / 255.0, (code & 255U) / 255.0}};
 }
 } // namespace
