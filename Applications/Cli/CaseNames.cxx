@@ -55,8 +55,9 @@ CaseNames::CaseNames(const std::vector<std::string>& inputs)
     std::string& name = this->Inputs[i];
     if (counts[SmallLetters(name)] > 1)
     {
-      name = Unique(PlainName(WholePath(inputs[i]).parent_path().filename().string() + "_" + name),
-                    taken);
+      std::string withFolder = WholePath(inputs[i]).parent_path().filename().string();
+      withFolder.append("_").append(name);
+      name = Unique(PlainName(withFolder), taken);
     }
   }
 }
