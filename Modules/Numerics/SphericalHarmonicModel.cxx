@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <complex>
 #include <utility>
 
 namespace palpate
@@ -145,6 +146,68 @@ SphericalHarmonicModel::EvaluateByRecurrence(const Vector3& direction) const noe
     sine = lowerCosine * direction.y() + lowerSine * direction.x();
   }
   return {radius, gradient - gradient.dot(direction) * direction};
+}
+
+SphericalHarmonicModel::SecondOrderSample
+SphericalHarmonicModel::EvaluateSecondOrder(const Vector3& direction) const noexcept
+{
+  using Complex = std::complex<double>;
+  const double z = direction.z();
+  const Complex w(direction.x(), direction.y());
+  const int degree = this->Degree();
+  const Pair* pair = this->Pairs.data();
+  double radius = 0.0;
+  // Of the extension sum Re (C_m - i S_m)(z) w^m, whose terms have the derivatives of w^m in x, y.
+  Vector3 gradient = Vector3::Zero();
+  Matrix3 hessian = Matrix3::Zero();
+  Complex powers[3] = {1.0, 0.0, 0.0}; // w^m, w^(m-1), w^(m-2)
+  for (int m = 0; m <= degree; ++m)
+  {
+    // Value, first and second derivative in z of Q, and the sums of C - i S.
+    double previous[3] = {0.0, 0.0, 0.0};
+    double current[3] = {this->Recurrence.Diagonal(m), 0.0, 0.0};
+    Complex sums[3] = {};
+    const SphericalHarmonicRecurrence::Term* term = this->Recurrence.Column(m);
+    for (int l = m;; ++l, ++term)
+    {
+      const Complex coefficient(pair->Cosine, -pair->Sine);
+      ++pair;
+      for (int k = 0; k < 3; ++k)
+      {
+        sums[k] += current[k] * coefficient;
+      }
+      if (l == degree)
+      {
+        break;
+      }
+      const double next[3] = {term->A * (z * current[0] - term->B * previous[0]),
+                              term->A * (current[0] + z * current[1] - term->B * previous[1]),
+                              term->A *
+                                  (2.0 * current[1] + z * current[2] - term->B * previous[2])};
+      std::copy_n(current, 3, previous);
+      std::copy_n(next, 3, current);
+    }
+    const Complex first = static_cast<double>(m) * powers[1];
+    const Complex second = static_cast<double>(m) * (m - 1.0) * powers[2];
+    const Complex alongX = sums[0] * first;
+    const Complex alongXZ = sums[1] * first;
+    const Complex alongXX = sums[0] * second;
+    radius += (sums[0] * powers[0]).real();
+    gradient += Vector3(alongX.real(), -alongX.imag(), (sums[1] * powers[0]).real());
+    hessian(0, 0) += alongXX.real();
+    hessian(0, 1) -= alongXX.imag();
+    hessian(0, 2) += alongXZ.real();
+    hessian(1, 2) -= alongXZ.imag();
+    hessian(2, 2) += (sums[2] * powers[0]).real();
+    powers[2] = powers[1];
+    powers[1] = powers[0];
+    powers[0] *= w;
+  }
+  hessian(1, 1) = -hessian(0, 0); // Re and Im of w^m are harmonic in the plane
+  const Matrix3 symmetric = hessian.selfadjointView<Eigen::Upper>();
+  const Matrix3 tangent = Matrix3::Identity() - direction * direction.transpose();
+  const double radial = gradient.dot(direction);
+  return {radius, gradient - radial * direction, tangent * symmetric * tangent - radial * tangent};
 }
 
 Vector3 SphericalHarmonicModel::PointWorld(const Vector3& direction) const noexcept

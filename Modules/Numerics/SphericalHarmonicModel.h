@@ -48,6 +48,17 @@ public:
   };
   Sample Evaluate(const Vector3& direction) const noexcept;
 
+  struct SecondOrderSample
+  {
+    double Radius;           ///< mm
+    Vector3 SurfaceGradient; ///< as in Sample
+    /// Covariant Hessian of R on the unit sphere (mm/rad^2): symmetric, and zero along the
+    /// direction. For tangent unit vectors t it is the second derivative of R along the great
+    /// circle of t.
+    Matrix3 SurfaceHessian;
+  };
+  SecondOrderSample EvaluateSecondOrder(const Vector3& direction) const noexcept;
+
   /// Evaluate for `count` unit vectors; several at once, so a third faster or more.
   void EvaluateBatch(const Vector3* directions, std::size_t count, Sample* samples) const noexcept;
 

@@ -128,6 +128,50 @@ TEST(SphericalHarmonicModel, GradientIsTangentAndAgreesWithDifferences)
   }
 }
 
+TEST(SphericalHarmonicModel, TraceOfTheHessianIsTheEigenvalueOfEachDegree)
+{
+  Random random(207);
+  for (const int degree : {0, 1, 2, 7, 12, 30})
+  {
+    std::vector<double> c(SphericalHarmonicBasis::CoefficientCount(degree), 0.0);
+    const std::vector<double> all = test::RandomCoefficients(random, degree);
+    const std::ptrdiff_t first = static_cast<std::ptrdiff_t>(degree) * degree;
+    std::copy(all.begin() + first, all.end(), c.begin() + first);
+    const SphericalHarmonicModel model(degree, c, Vector3::Zero());
+    std::vector<Vector3> directions = test::RandomDirections(random, 30);
+    directions.emplace_back(0.0, 0.0, 1.0);
+    directions.emplace_back(0.0, 0.0, -1.0);
+    for (const Vector3& u : directions)
+    {
+      const auto sample = model.EvaluateSecondOrder(u);
+      const double eigenvalue = degree * (degree + 1.0);
+      // Roundings of second derivatives, which grow with the square of the degree.
+      const double tolerance = 1e-13 * (1.0 + eigenvalue) * (degree + 1.0);
+      EXPECT_NEAR(sample.SurfaceHessian.trace(), -eigenvalue * sample.Radius, tolerance);
+      EXPECT_LE((sample.SurfaceHessian * u).norm(), tolerance);
+      EXPECT_NEAR(sample.Radius, model.Radius(u), tolerance);
+      EXPECT_LE((sample.SurfaceGradient - model.Evaluate(u).SurfaceGradient).norm(), tolerance);
+    }
+  }
+}
+
+TEST(SphericalHarmonicModel, HessianIsTheSecondDifferenceAlongGreatCircles)
+{
+  Random random(208);
+  const SphericalHarmonicModel model(12, test::RandomCoefficients(random, 12), Vector3::Zero());
+  for (const Vector3& u : test::RandomDirections(random, 50))
+  {
+    const Vector3 tangent = u.unitOrthogonal();
+    const auto along = [&](double angle)
+    { return model.Radius(std::cos(angle) * u + std::sin(angle) * tangent); };
+    // Error of the fourth derivative, about (12 h)^2 / 12 of values of size 12^2 * 13.
+    constexpr double Step = 1e-4;
+    const double difference = (along(Step) - 2.0 * along(0.0) + along(-Step)) / (Step * Step);
+    const double exact = tangent.dot(model.EvaluateSecondOrder(u).SurfaceHessian * tangent);
+    EXPECT_NEAR(exact, difference, 1e-3);
+  }
+}
+
 TEST(SphericalHarmonicModel, NormalIsPerpendicularToTheSurfaceAndPointsOut)
 {
   Random random(205);
