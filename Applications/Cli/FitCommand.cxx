@@ -8,6 +8,7 @@
 #include "FitStructure.h"
 #include "InputError.h"
 #include "Interruption.h"
+#include "OutputFolder.h"
 #include "ProgramVersion.h"
 #include "StageClock.h"
 #include "VolumeCoverage.h"
@@ -98,6 +99,10 @@ int FitCommand::Run(Console& console)
   this->Tally = {};
   this->Sentences.clear();
   this->Index = {};
+  if (!this->OutputFolder.empty())
+  {
+    CheckOutputFolder(this->OutputFolder);
+  }
   std::optional<Volume> volume;
   if (!this->VolumePath.empty())
   {

@@ -6,6 +6,7 @@
 #include "FitJson.h"
 #include "InputError.h"
 #include "Interruption.h"
+#include "OutputFolder.h"
 #include "SurfaceFile.h"
 #include "TextTable.h"
 #include "VoxelMinimum.h"
@@ -15,7 +16,6 @@
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 #include <ostream>
-#include <system_error>
 
 namespace palpate::cli
 {
@@ -32,18 +32,6 @@ void Configure(vtkSegmentationSurface* surface, const FitSettings& settings)
                          : vtkSegmentationSurface::SHAPE_INTERPOLATION);
   surface->SetSmoothing(settings.Smoothing);
   surface->SetComponent(settings.Component);
-}
-
-void MakeFolder(const std::filesystem::path& folder)
-{
-  std::error_code error;
-  std::filesystem::create_directories(folder, error);
-  if (error || !std::filesystem::is_directory(folder))
-  {
-    throw InputError(folder.string() +
-                     " cannot be made as a folder; choose another --output, or end it as a "
-                     "surface file does (.vtp, .stl, .ply, .obj, .gltf, .glb, .x3d).");
-  }
 }
 
 JsonObject Describe(vtkSegmentationSurface* surface)
@@ -100,7 +88,7 @@ int MeshCommand::Run(Console& console)
   }
   if (!this->OutputIsFile())
   {
-    MakeFolder(this->Output);
+    CheckOutputFolder(this->Output);
   }
   try
   {
@@ -186,6 +174,10 @@ void MeshCommand::MeshCase(const Case& one, Console& console)
     const vtkSmartPointer<vtkSegmentationSurface> surface = this->SurfaceOf(one, console);
     // An output that is refused stops the only case as a bad command line does.
     blame = one.IsOnly ? FitResult::Outcome::BadInput : FitResult::Outcome::Failed;
+    if (!this->OutputIsFile())
+    {
+      MakeOutputFolder(this->Output);
+    }
     WriteSurface(one.Output, surface->GetOutput());
     this->RecordWritten(one, surface, console);
   }

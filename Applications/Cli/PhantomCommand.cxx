@@ -8,6 +8,7 @@
 #include "Interruption.h"
 #include "MemoryCheck.h"
 #include "ModelFile.h"
+#include "OutputFolder.h"
 #include "PhantomSampler.h"
 #include "ProgramVersion.h"
 #include "ProstateLikeModel.h"
@@ -23,7 +24,6 @@
 #include <iomanip>
 #include <numeric>
 #include <ostream>
-#include <system_error>
 
 namespace palpate::cli
 {
@@ -42,17 +42,6 @@ double MaskMilliliters(vtkImageData* mask)
   return voxels * spacing[0] * spacing[1] * spacing[2] / 1000.0;
 }
 
-void MakeFolder(const std::filesystem::path& folder)
-{
-  std::error_code error;
-  std::filesystem::create_directories(folder, error);
-  if (error || !std::filesystem::is_directory(folder))
-  {
-    throw InputError(folder.string() + ": the folder cannot be made" +
-                     (error ? " (" + error.message() + ")" : std::string()) +
-                     "; choose another with --output");
-  }
-}
 } // namespace
 
 std::string PhantomCommand::Examples() const
@@ -187,7 +176,7 @@ int PhantomCommand::Run(Console& console)
   this->PrepareGrid(*phantom, model);
   this->PrepareAppearance(*phantom);
   const std::filesystem::path folder = this->OutputFolder;
-  MakeFolder(folder);
+  MakeOutputFolder(folder);
   RunFilter(phantom, "making the phantom", 0.0, 1.0,
             [&console](double fraction, const std::string& stage)
             {

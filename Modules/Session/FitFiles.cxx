@@ -4,6 +4,7 @@
 #include "FitSettingsText.h"
 #include "InputError.h"
 #include "ModelFile.h"
+#include "OutputFolder.h"
 #include "SurfaceFile.h"
 
 #include <array>
@@ -18,17 +19,6 @@ constexpr std::size_t LongestPart = 48;
 constexpr std::size_t LongestName = 80;
 constexpr std::array<const char*, 4> ResultFiles{
     {"model.json", "model.csv", "model.vtp", "surface.vtp"}};
-
-void MakeFolder(const std::filesystem::path& folder)
-{
-  std::error_code error;
-  std::filesystem::create_directories(folder, error);
-  if (error)
-  {
-    throw InputError("the output folder " + folder.string() + " cannot be made (" +
-                     error.message() + "); choose another with --output");
-  }
-}
 
 ModelDocument Document(const FitResult& result, const std::string& program)
 {
@@ -76,7 +66,7 @@ std::string InPlainLetters(std::string text)
 void WriteFitFiles(const FitResult& result, const Volume* volumeOrNull,
                    const std::filesystem::path& folder, const std::string& program)
 {
-  MakeFolder(folder);
+  MakeOutputFolder(folder);
   RemoveResults(folder);
   if (result.State == FitResult::Outcome::Fitted)
   {

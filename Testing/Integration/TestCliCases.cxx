@@ -189,6 +189,31 @@ TEST(CliCases, ACaseThatCannotBeWrittenDoesNotStopTheOthers)
   EXPECT_TRUE(std::filesystem::exists(folder / "m/a_3.vtp"));
 }
 
+TEST(CliCases, AnOutputFolderThatCannotBeMadeIsRefusedBeforeTheWork)
+{
+  const TemporaryFolder folder;
+  WriteBoxes(folder / "a.nii.gz", {1, 2, 3});
+  WriteAll(folder / "file", "in the way");
+  for (const char* command : {"fit", "mesh"})
+  {
+    const CommandRun run =
+        RunPalpate({command, "a.nii.gz", "--output", "file/o", "--json"}, folder.Path());
+    EXPECT_EQ(run.Code, 2) << command;
+    EXPECT_TRUE(Has(run.Errors, "file/o")) << run.Errors;
+    EXPECT_EQ(run.Output, "") << "cases were computed before the folder was looked at";
+  }
+}
+
+TEST(CliCases, BadInputLeavesNoOutputFolder)
+{
+  const TemporaryFolder folder;
+  for (const char* command : {"fit", "mesh"})
+  {
+    EXPECT_EQ(RunPalpate({command, "missing.nii.gz", "--output", "o"}, folder.Path()).Code, 2);
+    EXPECT_EQ(folder.EntryCount(), 0U) << command;
+  }
+}
+
 TEST(CliCases, AFewVoxelsHaveNoSurface)
 {
   const TemporaryFolder folder;
