@@ -190,7 +190,7 @@ void MeshCommand::MeshCase(const Case& one, Console& console)
 vtkSmartPointer<vtkSegmentationSurface> MeshCommand::SurfaceOf(const Case& one,
                                                                Console& console) const
 {
-  const auto surface = vtkSmartPointer<vtkSegmentationSurface>::New();
+  auto surface = vtkSmartPointer<vtkSegmentationSurface>::New();
   surface->SetInputData(one.Layer);
   surface->SetLabel(one.Structure.Value);
   Configure(surface, this->Settings);

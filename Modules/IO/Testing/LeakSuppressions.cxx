@@ -1,5 +1,6 @@
 // Asked by the leak sanitizer, which finds it by this name; unused without it. ITK's NRRD library
 // keeps its half-read image when a damaged file makes it give up.
+// NOLINTNEXTLINE(bugprone-reserved-identifier): the sanitizer chose the name
 extern "C" const char* __lsan_default_suppressions();
 
 const char* __lsan_default_suppressions()

@@ -3,6 +3,7 @@
 #include "ModelDocument.h"
 #include "SphericalHarmonicBasis.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstring>
@@ -59,13 +60,19 @@ inline ParametricSphericalSurface RandomParametric(std::mt19937_64& random, int 
   return {degree, coordinates};
 }
 
+inline bool SameBits(double a, double b)
+{
+  return a == b && std::signbit(a) == std::signbit(b);
+}
+
 inline bool SameBits(const std::vector<double>& a, const std::vector<double>& b)
 {
-  return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(double)) == 0;
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                    [](double x, double y) { return SameBits(x, y); });
 }
 
 inline bool SameBits(const Vector3& a, const Vector3& b)
 {
-  return std::memcmp(a.data(), b.data(), 3 * sizeof(double)) == 0;
+  return SameBits(a.x(), b.x()) && SameBits(a.y(), b.y()) && SameBits(a.z(), b.z());
 }
 } // namespace palpate::test

@@ -15,7 +15,7 @@ namespace
 template <typename Real>
 bool SameBits(Real a, Real b)
 {
-  return std::memcmp(&a, &b, sizeof a) == 0;
+  return a == b && std::signbit(a) == std::signbit(b);
 }
 } // namespace
 

@@ -26,6 +26,7 @@ SlicePlane PlaneAt(double height, const Eigen::Matrix3d& axes = Eigen::Matrix3d:
 std::vector<SlicePlane> PlanesAt(const std::vector<double>& heights)
 {
   std::vector<SlicePlane> planes;
+  planes.reserve(heights.size());
   for (const double height : heights)
   {
     planes.push_back(PlaneAt(height));
@@ -47,6 +48,7 @@ TEST(SliceStack, AnyOrderAndOrientationGivesTheSameStack)
     const Eigen::Matrix3d axes =
         Eigen::AngleAxisd(round, RandomDirection(random)).toRotationMatrix();
     std::vector<SlicePlane> planes;
+    planes.reserve(9);
     for (int slice = 0; slice < 9; ++slice)
     {
       planes.push_back(PlaneAt(2.5 * slice, axes));

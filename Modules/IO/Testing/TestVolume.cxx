@@ -12,7 +12,6 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <gtest/gtest.h>
 #include <numeric>
 #include <sstream>
@@ -75,7 +74,8 @@ void ExpectNrrdKeepsType(const char* nrrdType, int vtkType)
   vtkDataArray* scalars = volume.Image->GetPointData()->GetScalars();
   EXPECT_EQ(scalars->GetDataType(), vtkType) << nrrdType;
   ASSERT_EQ(scalars->GetNumberOfValues(), 120);
-  EXPECT_EQ(std::memcmp(scalars->GetVoidPointer(0), values.data(), 120 * sizeof(T)), 0) << nrrdType;
+  const T* found = static_cast<const T*>(scalars->GetVoidPointer(0));
+  EXPECT_TRUE(std::equal(values.begin(), values.end(), found)) << nrrdType;
 }
 } // namespace
 
@@ -292,7 +292,9 @@ TEST(Volume, EveryVoxelKeepsItsPlaceWhateverTheHandedness)
     EXPECT_EQ(volume.Notes.size(), leftHanded ? 1u : 0u);
     for (int voxel = 0; voxel < 120; ++voxel)
     {
-      const Vector3 index(voxel % 4, voxel / 4 % 5, voxel / 20);
+      const int row = voxel / 4 % 5;
+      const int slice = voxel / 20;
+      const Vector3 index(voxel % 4, row, slice);
       const Vector3 world = origin + axes * spacing.asDiagonal() * index;
       ASSERT_EQ(ValueAt(volume.Image, world), voxel) << "round " << round;
     }
