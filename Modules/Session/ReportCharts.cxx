@@ -95,6 +95,7 @@ std::string DistanceChart(vtkPolyData* model)
   }
   const std::vector<double> areas = PointAreas(model);
   std::vector<std::pair<double, double>> bins;
+  bins.reserve(BinCount);
   for (int b = 0; b < BinCount; ++b)
   {
     bins.emplace_back(range[0] + (b + 0.5) * width, 0.0);

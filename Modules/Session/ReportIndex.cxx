@@ -131,7 +131,7 @@ void ReportIndex::Write(const std::filesystem::path& html) const
   std::string versions;
   for (const auto& [name, version] : SoftwareVersions())
   {
-    versions += (versions.empty() ? "" : " \xC2\xB7 ") + name + " " + version;
+    versions.append(versions.empty() ? "" : " \xC2\xB7 ").append(name).append(" ").append(version);
   }
   const std::string messages = this->Messages.empty()
                                    ? std::string()
