@@ -107,10 +107,10 @@ TEST(SphericalHarmonicPenalty, VanishingStrengthGivesTheUnpenalisedFit)
   EXPECT_NEAR(weak.DegreesOfFreedom, 81.0, 1e-9);
   EXPECT_NEAR(weak.NoiseDeviation / plain.NoiseDeviation, 1.0, 1e-11);
   // A factor of the covariance is unique up to a rotation: compare the covariances.
-  EXPECT_LE((weak.CovarianceFactor * weak.CovarianceFactor.transpose() -
-             plain.CovarianceFactor * plain.CovarianceFactor.transpose())
-                .norm(),
-            1e-9 * (plain.CovarianceFactor * plain.CovarianceFactor.transpose()).norm());
+  const Eigen::MatrixXd weakFactor = weak.Covariance.Factor();
+  const Eigen::MatrixXd plainFactor = plain.Covariance.Factor();
+  const Eigen::MatrixXd covariance = plainFactor * plainFactor.transpose();
+  EXPECT_LE((weakFactor * weakFactor.transpose() - covariance).norm(), 1e-9 * covariance.norm());
 }
 
 TEST(SphericalHarmonicPenalty, UnlimitedStrengthGivesTheSphereOfTheMeanRadius)
@@ -273,7 +273,7 @@ std::pair<double, double> SpreadOverPrediction(const Options& options, double no
       sum[k] += radius / trials;
       squares[k] += radius * radius / trials;
       basis.Evaluate(directions[k], values.data());
-      predicted[k] += std::pow(fit.RadiusDeviation(values.data()), 2) / trials;
+      predicted[k] += std::pow(fit.Covariance.RadiusDeviation(values.data()), 2) / trials;
     }
   }
   std::pair<double, double> range(std::numeric_limits<double>::infinity(), 0.0);
