@@ -60,8 +60,12 @@ public:
     }
     result.Condition = EstimateCondition(this->Solver.Triangle());
     this->IsAble = result.Condition <= this->Solver.HighestCondition();
-    if (!this->IsAble ||
-        (!this->IsPenalised() && !(result.Condition <= this->Settings.MaximumCondition)))
+    if (!this->IsAble)
+    {
+      return Status::Failure("the directions are too uneven for the method of moments; use the "
+                             "orthogonal one");
+    }
+    if (!this->IsPenalised() && !(result.Condition <= this->Settings.MaximumCondition))
     {
       return IllPosed(result.Condition, this->Settings);
     }
