@@ -51,6 +51,8 @@ FixedDirectionFit::Scratch FixedDirectionFit::MakeScratch() const
 bool FixedDirectionFit::Refit(const double* radii, Scratch& scratch,
                               double* coefficients) const noexcept
 {
+  // A radius that was not finite may have left its mark in the padding.
+  std::fill(scratch.Coefficients.begin(), scratch.Coefficients.end(), 0.0);
   scratch.Sums.Find({this->Directions.front().data(), this->Weights.data(), radii,
                      static_cast<long>(this->Weights.size())},
                     nullptr, nullptr, scratch.Coefficients.data());

@@ -6,8 +6,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <limits>
-#include <queue>
+#include <utility>
 
 namespace palpate
 {
@@ -24,48 +23,18 @@ double SquaredChordOf(double angle)
   return chord * chord;
 }
 
-// A triangle on the sphere: how far its centre is from the nearest direction, and how far any point
-// of it can be.
+using Corners = std::array<Vector3, 3>;
+
+// A triangle on the sphere and where the directions stand that may be nearest to a point of it.
 struct Cell
 {
-  std::array<Vector3, 3> Corners;
-  Vector3 Center;
-  double Distance;
-  double Bound;
-  std::vector<Vector3> Candidates; // that may be nearest to a point of the triangle
-
-  bool operator<(const Cell& other) const { return this->Bound < other.Bound; }
+  Corners Points;
+  double Bound; // no point of the triangle is farther from all directions
+  std::size_t First;
+  std::size_t Count;
 };
 
-Cell MakeCell(const std::array<Vector3, 3>& corners, const std::vector<Vector3>& directions)
-{
-  Cell cell{corners, (corners[0] + corners[1] + corners[2]).normalized(), M_PI, M_PI, {}};
-  double farthest = 0.0;
-  for (const Vector3& corner : corners)
-  {
-    farthest = std::max(farthest, (corner - cell.Center).squaredNorm());
-  }
-  double nearest = 4.0;
-  for (const Vector3& direction : directions)
-  {
-    nearest = std::min(nearest, (direction - cell.Center).squaredNorm());
-  }
-  const double size = AngleOfChord(farthest);
-  cell.Distance = AngleOfChord(nearest);
-  cell.Bound = cell.Distance + size;
-  // Twice the size: once to the point, once back. A little more for rounding.
-  const double limit = SquaredChordOf(cell.Distance + 2.0 * size + 1e-6);
-  for (const Vector3& direction : directions)
-  {
-    if ((direction - cell.Center).squaredNorm() <= limit)
-    {
-      cell.Candidates.push_back(direction);
-    }
-  }
-  return cell;
-}
-
-std::array<std::array<Vector3, 3>, 4> Quarters(const std::array<Vector3, 3>& corners)
+std::array<Corners, 4> Quarters(const Corners& corners)
 {
   const auto& [a, b, c] = corners;
   const Vector3 ab = (a + b).normalized();
@@ -73,40 +42,91 @@ std::array<std::array<Vector3, 3>, 4> Quarters(const std::array<Vector3, 3>& cor
   const Vector3 ca = (c + a).normalized();
   return {{{a, ab, ca}, {b, bc, ab}, {c, ca, bc}, {ab, bc, ca}}};
 }
+
+// All triangles of one size that are still open, and those directions.
+class Level
+{
+public:
+  std::vector<Cell> Cells;
+  std::vector<Vector3> Directions;
+
+  // Looks at a triangle whose candidates are given; keeps it if it may hold something better.
+  void Add(const Corners& corners, const Vector3* candidates, std::size_t count, double tolerance,
+           SphericalCap& best)
+  {
+    const Vector3 center = (corners[0] + corners[1] + corners[2]).normalized();
+    double nearest = 4.0;
+    this->Chords.resize(count);
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      this->Chords[i] = (candidates[i] - center).squaredNorm();
+      nearest = std::min(nearest, this->Chords[i]);
+    }
+    const double distance = AngleOfChord(nearest);
+    if (distance > best.Radius)
+    {
+      best = {center, distance};
+    }
+    double farthest = 0.0;
+    for (const Vector3& corner : corners)
+    {
+      farthest = std::max(farthest, (corner - center).squaredNorm());
+    }
+    const double size = AngleOfChord(farthest);
+    if (distance + size > best.Radius + tolerance)
+    {
+      this->Keep(corners, distance, size, candidates);
+    }
+  }
+
+private:
+  void Keep(const Corners& corners, double distance, double size, const Vector3* candidates)
+  {
+    // Twice the size: once to the point, once back. A little more for rounding.
+    const double limit = SquaredChordOf(distance + 2.0 * size + 1e-6);
+    Cell cell{corners, distance + size, this->Directions.size(), 0};
+    for (std::size_t i = 0; i < this->Chords.size(); ++i)
+    {
+      if (this->Chords[i] <= limit)
+      {
+        this->Directions.push_back(candidates[i]);
+      }
+    }
+    cell.Count = this->Directions.size() - cell.First;
+    this->Cells.push_back(cell);
+  }
+
+  std::vector<double> Chords;
+};
 } // namespace
 
 SphericalCap LargestEmptyCap(const std::vector<Vector3>& directions, double tolerance)
 {
   SphericalCap best{Vector3::UnitZ(), -1.0};
-  std::priority_queue<Cell> open;
-  const auto add = [&best, &open, tolerance](const std::array<Vector3, 3>& corners,
-                                             const std::vector<Vector3>& candidates)
-  {
-    Cell cell = MakeCell(corners, candidates);
-    if (cell.Distance > best.Radius)
-    {
-      best = {cell.Center, cell.Distance};
-    }
-    if (cell.Bound > best.Radius + tolerance)
-    {
-      open.push(std::move(cell));
-    }
-  };
+  Level level;
   const IcosahedronDirections sphere(1);
   for (const auto& triangle : sphere.Triangles())
   {
     const auto corner = [&sphere, &triangle](std::size_t i)
     { return sphere.Directions()[static_cast<std::size_t>(triangle[i])]; };
-    add({corner(0), corner(1), corner(2)}, directions);
+    level.Add({corner(0), corner(1), corner(2)}, directions.data(), directions.size(), tolerance,
+              best);
   }
-  while (!open.empty() && open.top().Bound > best.Radius + tolerance)
+  while (!level.Cells.empty())
   {
-    const Cell cell = open.top();
-    open.pop();
-    for (const auto& quarter : Quarters(cell.Corners))
+    Level next;
+    for (const Cell& cell : level.Cells)
     {
-      add(quarter, cell.Candidates);
+      if (cell.Bound <= best.Radius + tolerance)
+      {
+        continue;
+      }
+      for (const Corners& quarter : Quarters(cell.Points))
+      {
+        next.Add(quarter, level.Directions.data() + cell.First, cell.Count, tolerance, best);
+      }
     }
+    level = std::move(next);
   }
   return best;
 }

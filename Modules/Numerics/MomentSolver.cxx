@@ -121,6 +121,8 @@ bool MomentSolver::Refine(double strength)
 // One step; returns the size of the correction. The residuals are those before it.
 double MomentSolver::Correct(double strength)
 {
+  // An earlier fit that overflowed may have left its mark in the padding.
+  std::fill(this->Correction.begin(), this->Correction.end(), 0.0);
   this->Residual.Find(this->Samples, this->Solution.data(), this->Left.data(),
                       this->Correction.data());
   for (int l = 1; this->IsPenalised && l <= this->MaximumDegree; ++l)
