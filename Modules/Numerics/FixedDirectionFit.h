@@ -13,7 +13,7 @@ namespace palpate
 {
 /// Fits many sets of radii along the same directions: everything that depends on directions,
 /// weights and penalty is worked out once. A refit is one pass over the samples and two triangular
-/// solves: some 300 products a sample at degree 12, where the matrix that takes radii to
+/// solves: some 330 products a sample at degree 12, where the matrix that takes radii to
 /// coefficients costs 169 but is 5.4 MB of memory to read for 4,002 directions (0.1 MB here).
 /// Results equal those of FitSphericalHarmonics to the rounding of the radii times the square of
 /// the condition number.

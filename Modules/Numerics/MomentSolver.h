@@ -17,9 +17,10 @@ namespace palpate
 /// about c^2 epsilon, down to what an orthogonal factorisation reaches. Refuses a problem whose
 /// condition is far above HighestCondition() or whose refinement does not converge.
 ///
-/// Cost at degree 12 and 4,002 samples: 3.2 M products for the moments, 0.2 M for the matrix, 0.8 M
-/// for its factor, 1.8 M for each refinement. An object keeps tables and memory for its degree, so
-/// that later fits do not allocate.
+/// Cost at degree 12 and 4,002 samples: 4.5 M products for the moments, 0.2 M for the matrix, 0.8 M
+/// for its factor, 2.1 M for each refinement: 0.28 ms at 28 products a nanosecond, four lanes and
+/// two units at 3.5 GHz. An object keeps tables and memory for its degree, so that later fits do
+/// not allocate.
 class MomentSolver : public LeastSquaresSolver
 {
 public:

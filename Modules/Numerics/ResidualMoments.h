@@ -11,7 +11,7 @@ namespace palpate
 {
 /// Residuals of samples against a model, and their weighted sums with the harmonics: what one step
 /// of iterative refinement needs, in one pass. Without a model it gives the right-hand side of the
-/// normal equations. Some 400 products a sample at degree 12. Rounding errors of the residuals are
+/// normal equations. Some 500 products a sample at degree 12. Rounding errors of the residuals are
 /// those of evaluating the model: some epsilon of its radius. Holds scratch memory, so each thread
 /// needs its own; calls do not allocate.
 class ResidualMoments
