@@ -151,7 +151,7 @@ int vtkSphericalHarmonicFit::RequestData(vtkInformation*, vtkInformationVector**
   palpate::ToTable(
       palpate::SphericalHarmonicModel(options.Degree, std::move(result.Coefficients), center),
       output);
-  AddCovariance(result.CovarianceFactor, output);
+  AddCovariance(result.Covariance.Factor(), output);
   this->UpdateProgress(1.0);
   return 1;
 }

@@ -1,0 +1,98 @@
+#include "CoefficientCovariance.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace palpate
+{
+namespace
+{
+Eigen::Map<const Eigen::VectorXd> AsVector(const AlignedVector& v, int size)
+{
+  return {v.data(), size};
+}
+} // namespace
+
+double CoefficientCovariance::Deviation(AlignedVector combination) const
+{
+  if (this->System.Size() == 0)
+  {
+    this->Samples.SolveLower(combination.data());
+    return std::sqrt(this->Variance) * AsVector(combination, this->Size()).norm();
+  }
+  this->System.Solve(combination.data());
+  AlignedVector reached = this->Samples.MakeVector();
+  this->Samples.MultiplyUpper(combination.data(), reached.data());
+  return std::sqrt(this->Variance) * AsVector(reached, this->Size()).norm();
+}
+
+double CoefficientCovariance::RadiusDeviation(const double* basisValues) const
+{
+  AlignedVector values = this->Samples.MakeVector();
+  std::copy_n(basisValues, this->Size(), values.begin());
+  return this->Deviation(std::move(values));
+}
+
+double CoefficientCovariance::CoefficientDeviation(std::size_t index) const
+{
+  AlignedVector unit = this->Samples.MakeVector();
+  unit[index] = 1.0;
+  return this->Deviation(std::move(unit));
+}
+
+Eigen::MatrixXd CoefficientCovariance::Factor() const
+{
+  Eigen::MatrixXd factor(this->Size(), this->Size());
+  AlignedVector column = this->Samples.MakeVector();
+  AlignedVector unit = this->Samples.MakeVector();
+  for (int i = 0; i < this->Size(); ++i)
+  {
+    std::fill(unit.begin(), unit.end(), 0.0);
+    unit[static_cast<std::size_t>(i)] = 1.0;
+    if (this->System.Size() == 0)
+    {
+      this->Samples.SolveUpper(unit.data());
+      std::swap(unit, column);
+    }
+    else
+    {
+      this->Samples.MultiplyLower(unit.data(), column.data());
+      this->System.Solve(column.data());
+    }
+    factor.col(i) = std::sqrt(this->Variance) * AsVector(column, this->Size());
+  }
+  return factor;
+}
+
+double CoefficientCovariance::DegreesOfFreedom() const
+{
+  if (this->System.Size() == 0)
+  {
+    return this->Size();
+  }
+  double trace = 0.0;
+  AlignedVector unit = this->Samples.MakeVector();
+  AlignedVector column = this->Samples.MakeVector();
+  for (int i = 0; i < this->Size(); ++i)
+  {
+    std::fill(unit.begin(), unit.end(), 0.0);
+    unit[static_cast<std::size_t>(i)] = 1.0;
+    this->Samples.MultiplyLower(unit.data(), column.data());
+    this->System.SolveLower(column.data());
+    trace += AsVector(column, this->Size()).squaredNorm();
+  }
+  return trace;
+}
+
+double CoefficientCovariance::Trace() const
+{
+  double trace = 0.0;
+  for (int i = 0; i < this->Size(); ++i)
+  {
+    const double deviation = this->CoefficientDeviation(static_cast<std::size_t>(i));
+    trace += deviation * deviation;
+  }
+  return trace;
+}
+} // namespace palpate

@@ -1,0 +1,51 @@
+#pragma once
+
+#include "PackedTriangle.h"
+
+#include <Eigen/Core>
+#include <cstddef>
+
+namespace palpate
+{
+/// Covariance of fitted coefficients, kept as triangles and worked out where it is asked for. With
+/// A^T A = L L^T from the samples and A^T A + penalty = S S^T, it is variance (S S^T)^-1 L L^T
+/// (S S^T)^-1, without a penalty variance (L L^T)^-1. Errors of the samples are taken as
+/// independent, with a variance inverse to the weight. A penalty's bias is not part of it.
+class CoefficientCovariance
+{
+public:
+  /// Of no coefficients.
+  CoefficientCovariance() = default;
+  /// Without a penalty.
+  CoefficientCovariance(const PackedTriangle& samples, double variance)
+      : Samples(samples), Variance(variance)
+  {
+  }
+  CoefficientCovariance(const PackedTriangle& samples, const PackedTriangle& system,
+                        double variance)
+      : Samples(samples), System(system), Variance(variance)
+  {
+  }
+
+  void SetVariance(double variance) noexcept { this->Variance = variance; }
+  int Size() const noexcept { return this->Samples.Size(); }
+  /// Standard deviation (mm) of the fitted radius where the harmonics have these values (Size() of
+  /// them). Allocates; two triangular solves at most.
+  double RadiusDeviation(const double* basisValues) const;
+  /// Standard deviation (mm) of one coefficient.
+  double CoefficientDeviation(std::size_t index) const;
+  /// F with covariance F F^T (mm^2).
+  Eigen::MatrixXd Factor() const;
+  /// Trace of the influence matrix: coefficients that the samples determine.
+  double DegreesOfFreedom() const;
+  /// Sum of the variances of all coefficients (mm^2): 4 pi times the mean variance of the radius.
+  double Trace() const;
+
+private:
+  double Deviation(AlignedVector combination) const;
+
+  PackedTriangle Samples;
+  PackedTriangle System; // of size 0 without a penalty
+  double Variance = 0.0;
+};
+} // namespace palpate

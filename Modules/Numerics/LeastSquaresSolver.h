@@ -1,0 +1,74 @@
+#pragma once
+
+#include "PackedTriangle.h"
+#include "SampleMoments.h"
+
+#include <vector>
+
+namespace palpate
+{
+/// Minimises sum_i w_i (r_i - R(u_i))^2 + strength sum_lm (l (l+1))^2 c_lm^2 over the coefficients
+/// of a degree. The weights of the samples are expected to sum up to about 4 pi. One class forms
+/// the normal equations from moments (MomentSolver), one factorises the samples themselves
+/// (OrthogonalSolver).
+class LeastSquaresSolver
+{
+public:
+  virtual ~LeastSquaresSolver() = default;
+
+  int Degree() const noexcept { return this->MaximumDegree; }
+  /// What the penalty multiplies c_lm^2 with: (l (l+1))^2.
+  static double Roughness(int degree) noexcept
+  {
+    const double l = degree;
+    return l * l * (l + 1.0) * (l + 1.0);
+  }
+
+  /// Takes samples, which must outlive the calls of Solve, and reduces them to Triangle(). False
+  /// where this class cannot.
+  virtual bool Reduce(const SampleView& samples) = 0;
+  /// Finds Coefficients() and Residuals(). False where this class cannot do it accurately. With a
+  /// strength of 0, Reduce must have found a Triangle() of full rank.
+  virtual bool Solve(double strength) = 0;
+  /// Makes System() for a strength without solving. False as for Solve.
+  virtual bool FactoriseSystem(double strength) = 0;
+
+  /// Makes Projection() and Unreachable(). False as for Solve.
+  virtual bool Project() = 0;
+  /// The largest condition number of the weighted samples that this class is accurate at.
+  virtual double HighestCondition() const noexcept = 0;
+
+  /// L with L L^T = A^T A for the matrix A of weighted samples.
+  const PackedTriangle& Triangle() const noexcept { return this->Reduced; }
+  /// L with L L^T = A^T A + strength times the penalty, for the last strength.
+  const PackedTriangle& System() const noexcept
+  {
+    return this->IsPenalised ? this->Penalised : this->Reduced;
+  }
+  /// (degree + 1)^2 coefficients, padded.
+  const AlignedVector& Coefficients() const noexcept { return this->Solution; }
+  /// Sample minus model, one a sample.
+  const std::vector<double>& Residuals() const noexcept { return this->Left; }
+
+  /// L^-1 A^T b, padded: coordinates of the weighted radii b in an orthonormal basis of what A
+  /// reaches. Its first (l + 1)^2 entries belong to degree l.
+  const AlignedVector& Projection() const noexcept { return this->Projected; }
+  /// Sum of squares of what no coefficients reach: the residual of the fit without penalty.
+  double Unreachable() const noexcept { return this->UnreachableSquares; }
+
+protected:
+  explicit LeastSquaresSolver(int degree);
+  LeastSquaresSolver(const LeastSquaresSolver&) = default;
+  LeastSquaresSolver& operator=(const LeastSquaresSolver&) = default;
+
+  int MaximumDegree;
+  bool IsPenalised = false;
+  SampleView Samples{};
+  PackedTriangle Reduced;
+  PackedTriangle Penalised;
+  AlignedVector Solution;
+  AlignedVector Projected;
+  double UnreachableSquares = 0.0;
+  std::vector<double> Left;
+};
+} // namespace palpate

@@ -1,0 +1,79 @@
+#include "OrthogonalSolver.h"
+
+#include "SphericalHarmonicBasis.h"
+
+#include <Eigen/QR>
+#include <algorithm>
+#include <cmath>
+
+namespace palpate
+{
+using Matrix = Eigen::MatrixXd;
+using Vector = Eigen::VectorXd;
+using Index = Eigen::Index;
+
+bool OrthogonalSolver::Reduce(const SampleView& samples)
+{
+  this->Samples = samples;
+  this->IsPenalised = false;
+  const SphericalHarmonicBasis basis(this->MaximumDegree);
+  const Index rows = samples.Count;
+  const auto columns = static_cast<Index>(basis.Size());
+  Matrix values(columns, rows);
+  for (Index i = 0; i < rows; ++i)
+  {
+    basis.Evaluate(Eigen::Map<const Vector3>(samples.Directions + 3 * i), values.col(i).data());
+  }
+  this->Design = values.transpose();
+  const Vector scales = Eigen::Map<const Vector>(samples.Weights, rows).cwiseSqrt();
+  const Eigen::HouseholderQR<Matrix> qr(scales.asDiagonal() * this->Design);
+  const Vector right = scales.cwiseProduct(Eigen::Map<const Vector>(samples.Values, rows));
+  const Vector rotated = qr.householderQ().adjoint() * right;
+  this->Upper = qr.matrixQR().topRows(columns).triangularView<Eigen::Upper>();
+  std::copy_n(rotated.begin(), columns, this->Projected.begin());
+  this->UnreachableSquares = rotated.tail(rows - columns).squaredNorm();
+  this->Reduced.SetFactor(this->Upper);
+  return true;
+}
+
+// The penalty's rows below the triangle, and one more factorisation.
+bool OrthogonalSolver::FactoriseSystem(double strength)
+{
+  this->IsPenalised = strength > 0.0;
+  const Index size = this->Upper.cols();
+  const Eigen::Map<const Vector> right(this->Projected.data(), size);
+  if (!this->IsPenalised)
+  {
+    this->Rotated = right;
+    return true;
+  }
+  Matrix stacked = Matrix::Zero(2 * size, size);
+  stacked.topRows(size) = this->Upper;
+  for (int l = 1; l <= this->MaximumDegree; ++l)
+  {
+    for (int i = l * l; i < (l + 1) * (l + 1); ++i)
+    {
+      stacked(size + i, i) = std::sqrt(strength * Roughness(l));
+    }
+  }
+  const Eigen::HouseholderQR<Matrix> qr(stacked);
+  Vector stackedRight = Vector::Zero(2 * size);
+  stackedRight.head(size) = right;
+  this->Rotated = Vector(qr.householderQ().adjoint() * stackedRight).head(size);
+  this->Penalised = PackedTriangle(static_cast<int>(size));
+  this->Penalised.SetFactor(qr.matrixQR().topRows(size));
+  return true;
+}
+
+bool OrthogonalSolver::Solve(double strength)
+{
+  this->FactoriseSystem(strength);
+  std::copy(this->Rotated.begin(), this->Rotated.end(), this->Solution.begin());
+  this->System().SolveUpper(this->Solution.data());
+  const Eigen::Map<const Vector> coefficients(this->Solution.data(), this->Design.cols());
+  const Vector residuals = Eigen::Map<const Vector>(this->Samples.Values, this->Samples.Count) -
+                           this->Design * coefficients;
+  this->Left.assign(residuals.begin(), residuals.end());
+  return coefficients.allFinite();
+}
+} // namespace palpate

@@ -1,0 +1,81 @@
+#pragma once
+
+#include "AlignedVector.h"
+#include "TriangleKernel.h"
+
+#include <Eigen/Core>
+#include <cstddef>
+#include <vector>
+
+namespace palpate
+{
+/// The lower triangle of a square matrix: of a symmetric one, or of its Cholesky factor. Stored in
+/// strips of a few rows (see triangle::Kernel), half the memory of the square, so that a matrix of
+/// 169 rows stays in the second-level cache.
+///
+/// Vectors handed to the members have PaddedSize() entries on a cache line (AlignedVector); those
+/// past Size() are zero and stay so. Members that are const and noexcept do not allocate.
+class PackedTriangle
+{
+public:
+  PackedTriangle() : PackedTriangle(0) {}
+  explicit PackedTriangle(int size);
+  PackedTriangle(int size, const triangle::Kernel& kernel);
+
+  int Size() const noexcept { return this->Rows; }
+  int PaddedSize() const noexcept { return this->Strips * this->Arithmetic->Lanes; }
+  AlignedVector MakeVector() const
+  {
+    return AlignedVector(static_cast<std::size_t>(this->PaddedSize()), 0.0);
+  }
+
+  /// Where entry (row, column), column <= row, stands in Data(): RowStart(row) + column * Lanes().
+  std::size_t RowStart(int row) const noexcept
+  {
+    return this->RowStarts[static_cast<std::size_t>(row)];
+  }
+  int Lanes() const noexcept { return this->Arithmetic->Lanes; }
+  double* Data() noexcept { return this->Values.data(); }
+  double& At(int row, int column) noexcept { return this->Values[this->IndexOf(row, column)]; }
+  double At(int row, int column) const noexcept { return this->Values[this->IndexOf(row, column)]; }
+
+  /// Zeros everywhere, ones on the diagonal past the last row.
+  void Clear() noexcept;
+  /// Replaces a symmetric positive definite matrix S by L with L L^T = S. False, with undefined
+  /// contents, where a pivot falls to the rounding of its column or a number is not finite.
+  bool Factorise() noexcept;
+  /// Takes L = R^T from the upper triangle of `upper`, whose diagonal has no zero.
+  void SetFactor(const Eigen::MatrixXd& upper);
+  /// R = L^T.
+  Eigen::MatrixXd UpperFactor() const;
+
+  ///@{ With the factor L: x := L^-1 x, x := L^-T x, x := (L L^T)^-1 x, y := L x, y := L^T x.
+  void SolveLower(double* x) const noexcept;
+  void SolveUpper(double* x) const noexcept;
+  void Solve(double* x) const noexcept;
+  void MultiplyLower(const double* x, double* y) const noexcept;
+  void MultiplyUpper(const double* x, double* y) const noexcept;
+  ///@}
+
+  ///@{ With a symmetric matrix S: S += factor x x^T, y := S x. Blocks of Lanes() rows on the
+  /// diagonal must be whole, which MirrorDiagonal sees to.
+  void AddSquare(double factor, const double* x) noexcept;
+  void MultiplySymmetric(const double* x, double* y) const noexcept;
+  void MirrorDiagonal() noexcept;
+  ///@}
+
+private:
+  std::size_t IndexOf(int row, int column) const noexcept
+  {
+    return this->RowStart(row) +
+           static_cast<std::size_t>(column) * static_cast<std::size_t>(this->Arithmetic->Lanes);
+  }
+
+  int Rows;
+  int Strips;
+  const triangle::Kernel* Arithmetic;
+  std::vector<std::size_t> RowStarts;
+  AlignedVector Values;
+  AlignedVector Reciprocals; // of the factor's diagonal
+};
+} // namespace palpate

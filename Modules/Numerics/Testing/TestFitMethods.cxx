@@ -1,0 +1,250 @@
+// The two methods of FitSphericalHarmonics against each other: moments with refinement, and the
+// orthogonal factorisation.
+#include "SphericalHarmonicFit.h"
+
+#include "FitSamples.h"
+#include "SphericalHarmonicBasis.h"
+
+#include <gtest/gtest.h>
+#include <limits>
+
+namespace palpate
+{
+namespace
+{
+using test::Random;
+using Options = SphericalHarmonicFitOptions;
+using Method = Options::Method;
+
+Options WithMethod(int degree, Method method)
+{
+  Options options;
+  options.Degree = degree;
+  options.MethodKind = method;
+  options.MaximumCondition = std::numeric_limits<double>::infinity();
+  return options;
+}
+
+SphericalHarmonicFitResult Fit(const RadialSamples& samples, const Options& options)
+{
+  SphericalHarmonicFitResult result;
+  const Status status = FitSphericalHarmonics(samples, options, result);
+  EXPECT_TRUE(status.IsOk()) << status.Message();
+  return result;
+}
+
+RadialSamples NoisyCap(unsigned seed, int degree, double capDegrees)
+{
+  Random random(seed);
+  RadialSamples samples = test::SamplesOf(test::RandomOrgan(random, degree), 12);
+  test::AddNoise(random, 0.3, samples);
+  return capDegrees > 0.0 ? test::WithoutCap(samples, capDegrees * M_PI / 180.0) : samples;
+}
+
+TEST(FitMethods, GiveTheSameResult)
+{
+  for (const int degree : {0, 1, 3, 6, 12, 20})
+  {
+    for (const double cap : {0.0, 20.0})
+    {
+      const RadialSamples samples =
+          NoisyCap(1000U + static_cast<unsigned>(degree), degree + 2, cap);
+      const SphericalHarmonicFitResult fast = Fit(samples, WithMethod(degree, Method::Moments));
+      const SphericalHarmonicFitResult slow = Fit(samples, WithMethod(degree, Method::Orthogonal));
+      EXPECT_EQ(fast.UsedMethod, Method::Moments);
+      EXPECT_EQ(slow.UsedMethod, Method::Orthogonal);
+      // Radii of 20 mm and their rounding, times a condition of up to 200 at degree 20.
+      const double tolerance = 1e-13 * slow.Condition * test::Norm(slow.Coefficients);
+      EXPECT_LE(test::Distance(fast.Coefficients, slow.Coefficients), tolerance) << degree;
+      EXPECT_LE(test::Distance(fast.Residuals, slow.Residuals), 1e-11) << degree;
+      EXPECT_NEAR(fast.Rms / slow.Rms, 1.0, 1e-12) << degree;
+      EXPECT_NEAR(fast.NoiseDeviation / slow.NoiseDeviation, 1.0, 1e-12) << degree;
+      EXPECT_NEAR(fast.Condition / slow.Condition, 1.0, 1e-8) << degree;
+      ASSERT_EQ(fast.RmsByDegree.size(), slow.RmsByDegree.size());
+      for (std::size_t l = 0; l < fast.RmsByDegree.size(); ++l)
+      {
+        EXPECT_NEAR(fast.RmsByDegree[l] / slow.RmsByDegree[l], 1.0, 1e-10) << degree << " " << l;
+      }
+    }
+  }
+}
+
+TEST(FitMethods, GiveTheSameResultWithAPenalty)
+{
+  for (const double cap : {0.0, 45.0})
+  {
+    for (const double roughness : {1e-8, 1e-4, 1e2})
+    {
+      const RadialSamples samples = NoisyCap(1100, 12, cap);
+      Options options = WithMethod(12, Method::Moments);
+      options.PenaltyKind = Options::Penalty::Given;
+      options.Roughness = roughness;
+      const SphericalHarmonicFitResult fast = Fit(samples, options);
+      options.MethodKind = Method::Orthogonal;
+      const SphericalHarmonicFitResult slow = Fit(samples, options);
+      // The weakest penalty leaves a condition of 2e3.
+      EXPECT_LE(test::Distance(fast.Coefficients, slow.Coefficients), 1e-9);
+      EXPECT_NEAR(fast.DegreesOfFreedom / slow.DegreesOfFreedom, 1.0, 1e-8);
+      EXPECT_NEAR(fast.Rms / slow.Rms, 1.0, 1e-10);
+      const std::vector<double> values(169, 1.0);
+      EXPECT_NEAR(fast.Covariance.RadiusDeviation(values.data()) /
+                      slow.Covariance.RadiusDeviation(values.data()),
+                  1.0, 1e-8);
+    }
+  }
+}
+
+TEST(FitMethods, ChooseTheSameStrengthByCrossValidation)
+{
+  const RadialSamples samples = NoisyCap(1110, 12, 45.0);
+  Options options = WithMethod(12, Method::Moments);
+  options.PenaltyKind = Options::Penalty::GeneralisedCrossValidation;
+  const SphericalHarmonicFitResult fast = Fit(samples, options);
+  options.MethodKind = Method::Orthogonal;
+  // The search ends within a thousandth on both sides.
+  EXPECT_NEAR(fast.Roughness / Fit(samples, options).Roughness, 1.0, 2e-3);
+}
+
+TEST(FitMethods, RefinementBringsMomentsToTheAccuracyOfTheOrthogonalFactorisation)
+{
+  Random random(1120);
+  const SphericalHarmonicModel truth = test::RandomOrgan(random, 12);
+  const RadialSamples sphere = test::SamplesOf(truth, 20);
+  // Conditions of 80, 2e3 and 8e4; one step without refinement leaves 1e-6 in the last.
+  for (const double cap : {30.0, 45.0, 60.0})
+  {
+    const RadialSamples samples = test::WithoutCap(sphere, cap * M_PI / 180.0);
+    const SphericalHarmonicFitResult fit = Fit(samples, WithMethod(12, Method::Moments));
+    // The requirement at a condition of 1e5: the radii's own rounding, 1e-16, times the condition,
+    // spread over all samples.
+    EXPECT_LE(test::Distance(fit.Coefficients, truth.Coefficients()),
+              1e-12 * test::Norm(truth.Coefficients()))
+        << cap;
+    EXPECT_LE(fit.Rms, 1e-13) << cap;
+  }
+}
+
+TEST(FitMethods, AutomaticGoesOverToTheOrthogonalFactorisationAboveTheLimit)
+{
+  Random random(1130);
+  const SphericalHarmonicModel truth = test::RandomOrgan(random, 12);
+  const RadialSamples sphere = test::SamplesOf(truth, 20);
+  const auto fit = [&sphere](double cap)
+  { return Fit(test::WithoutCap(sphere, cap * M_PI / 180.0), WithMethod(12, Method::Automatic)); };
+  const SphericalHarmonicFitResult below = fit(68.0);
+  EXPECT_LT(below.Condition, 1e6);
+  EXPECT_EQ(below.UsedMethod, Method::Moments);
+  const SphericalHarmonicFitResult above = fit(70.0);
+  EXPECT_GT(above.Condition, 1e6);
+  EXPECT_EQ(above.UsedMethod, Method::Orthogonal);
+  for (const auto* result : {&below, &above})
+  {
+    // 1e-16 times a condition of 1e6.
+    EXPECT_LE(test::Distance(result->Coefficients, truth.Coefficients()),
+              1e-10 * test::Norm(truth.Coefficients()));
+  }
+}
+
+TEST(FitMethods, MomentsAloneAreRefusedAboveTheLimit)
+{
+  Random random(1130);
+  const RadialSamples samples =
+      test::WithoutCap(test::SamplesOf(test::RandomOrgan(random, 12), 20), 70.0 * M_PI / 180.0);
+  SphericalHarmonicFitResult result;
+  const Status status = FitSphericalHarmonics(samples, WithMethod(12, Method::Moments), result);
+  EXPECT_NE(status.Message().find("method of moments"), std::string::npos) << status.Message();
+}
+
+TEST(FitMethods, AutomaticFitsAPenalisedProblemWithoutEnoughDirections)
+{
+  // All on one half: singular to rounding without the penalty.
+  Random random(1140);
+  const SphericalHarmonicModel truth = test::RandomOrgan(random, 4);
+  const RadialSamples samples = test::WithoutCap(test::SamplesOf(truth, 14), 100.0 * M_PI / 180.0);
+  Options options = WithMethod(12, Method::Automatic);
+  options.PenaltyKind = Options::Penalty::Given;
+  options.Roughness = 1e-6;
+  const SphericalHarmonicFitResult fit = Fit(samples, options);
+  EXPECT_LT(fit.Rms, 0.1); // the samples are exact, the penalty weak
+  for (const double c : fit.Coefficients)
+  {
+    EXPECT_LT(std::abs(c), 100.0); // sqrt(4 pi) times 20 mm for the largest
+  }
+}
+
+TEST(FitMethods, AWorkspaceGivesTheSameBitsAgainAndAgain)
+{
+  MomentSolver workspace(8);
+  const Options options = WithMethod(8, Method::Automatic);
+  for (unsigned seed = 1150; seed < 1153; ++seed)
+  {
+    const RadialSamples samples = NoisyCap(seed, 8, seed == 1151 ? 20.0 : 0.0);
+    SphericalHarmonicFitResult result;
+    ASSERT_TRUE(FitSphericalHarmonics(samples, options, workspace, result).IsOk());
+    EXPECT_EQ(result.Coefficients, Fit(samples, options).Coefficients);
+  }
+  SphericalHarmonicFitResult result;
+  EXPECT_NE(FitSphericalHarmonics(NoisyCap(1, 8, 0.0), WithMethod(7, Method::Automatic), workspace,
+                                  result)
+                .Message()
+                .find("another degree"),
+            std::string::npos);
+}
+
+TEST(FitMethods, AWorkspaceIsWellAgainAfterAFitThatOverflowed)
+{
+  MomentSolver workspace(8);
+  const Options options = WithMethod(8, Method::Moments);
+  const RadialSamples good = NoisyCap(1155, 8, 0.0);
+  RadialSamples huge = good;
+  huge.Radii.assign(huge.Radii.size(), 1e308);
+  SphericalHarmonicFitResult result;
+  EXPECT_FALSE(FitSphericalHarmonics(huge, options, workspace, result).IsOk());
+  ASSERT_TRUE(FitSphericalHarmonics(good, options, workspace, result).IsOk());
+  EXPECT_EQ(result.Coefficients, Fit(good, options).Coefficients);
+}
+
+TEST(FitMethods, WeightsOfAnySizeGiveTheSameFit)
+{
+  RadialSamples samples = NoisyCap(1160, 6, 0.0);
+  const SphericalHarmonicFitResult fit = Fit(samples, WithMethod(6, Method::Automatic));
+  for (const double scale : {1e-280, 1e300})
+  {
+    RadialSamples scaled = samples;
+    for (double& weight : scaled.Weights)
+    {
+      weight *= scale;
+    }
+    const SphericalHarmonicFitResult other = Fit(scaled, WithMethod(6, Method::Automatic));
+    EXPECT_LE(test::Distance(fit.Coefficients, other.Coefficients), 1e-11) << scale;
+    EXPECT_NEAR(other.Rms / fit.Rms, 1.0, 1e-11) << scale;
+  }
+}
+
+TEST(FitMethods, DirectionsOfSinglePrecisionAreGoodEnough)
+{
+  RadialSamples samples = NoisyCap(1170, 12, 30.0);
+  for (Vector3& direction : samples.Directions)
+  {
+    direction = direction.cast<float>().cast<double>();
+  }
+  // Moments take the directions for unit vectors; refinement mends what that costs.
+  const SphericalHarmonicFitResult fast = Fit(samples, WithMethod(12, Method::Moments));
+  const SphericalHarmonicFitResult slow = Fit(samples, WithMethod(12, Method::Orthogonal));
+  EXPECT_LE(test::Distance(fast.Coefficients, slow.Coefficients),
+            1e-11 * test::Norm(slow.Coefficients));
+}
+
+TEST(FitMethods, AllRadiiZeroGiveZeroCoefficients)
+{
+  RadialSamples samples = NoisyCap(1180, 4, 0.0);
+  samples.Radii.assign(samples.Radii.size(), 0.0);
+  for (const Method method : {Method::Moments, Method::Orthogonal})
+  {
+    const SphericalHarmonicFitResult fit = Fit(samples, WithMethod(4, method));
+    EXPECT_EQ(test::Norm(fit.Coefficients), 0.0);
+    EXPECT_EQ(fit.Rms, 0.0);
+  }
+}
+} // namespace
+} // namespace palpate

@@ -1,0 +1,21 @@
+#pragma once
+
+#include "TriangleKernel.h"
+
+#include <string>
+#include <vector>
+
+namespace palpate::triangle
+{
+/// The fastest kernel that this processor can run; asked of the processor once.
+const Kernel& FastestKernel() noexcept;
+
+struct NamedKernel
+{
+  std::string Name;
+  const Kernel* Arithmetic;
+};
+
+/// Every kernel that this processor can run, for tests and benchmarks; "portable" comes first.
+std::vector<NamedKernel> RunnableKernels();
+} // namespace palpate::triangle
