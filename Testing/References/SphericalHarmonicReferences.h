@@ -39,7 +39,9 @@ inline constexpr SphericalHarmonicReference SphericalHarmonicReferences[] = {
 };
 
 /// The coefficients of a reference, bit for bit those of make_references.py (all are exact floats).
-/// Seed 0 is organ-like: radius 20, relief falling as (l + 1)^-2; other seeds are white in [-1, 1).
+/// Seed 0 is organ-like: radius 20, relief falling as (l + 1)^-2. Seed 3 is the worst for the
+/// poles: orders -1, 0 and 1 are 1, so that all degrees add up there. Other seeds are white in [-1,
+/// 1).
 inline std::vector<double> ReferenceCoefficients(int degree, std::uint64_t seed)
 {
   std::uint64_t state = seed;
@@ -52,7 +54,8 @@ inline std::vector<double> ReferenceCoefficients(int degree, std::uint64_t seed)
     {
       state = state * 6364136223846793005U + 1442695040888963407U;
       const auto whole = static_cast<std::int64_t>(state >> 43U) - (1 << 20);
-      coefficients.push_back(std::ldexp(static_cast<double>(whole), -20 - fall));
+      const double white = std::ldexp(static_cast<double>(whole), -20 - fall);
+      coefficients.push_back(seed != 3 ? white : std::abs(m) <= 1 ? 1.0 : 0.0);
     }
   }
   if (seed == 0)
