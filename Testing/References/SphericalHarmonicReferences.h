@@ -23,8 +23,8 @@ enum class ReferenceKind
 struct SphericalHarmonicReference
 {
   int Degree;
-  std::uint64_t Seed; ///< of ReferenceCoefficients
   ReferenceKind Kind;
+  std::uint64_t Seed; ///< of ReferenceCoefficients
   std::array<double, 3> Direction;
   double Radius;
   std::array<double, 3> Gradient; ///< surface gradient (per rad), tangent to the sphere

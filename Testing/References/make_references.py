@@ -2,7 +2,7 @@
 """Writes SphericalHarmonicReferences.inc: radii, surface gradients and surface Hessians of
 spherical-harmonic sums to 50 digits, rounded once to double and written as hexadecimal floats.
 
-Needed only to make the table again (python3-mpmath; some minutes):
+Needed only to make the table again (python3-mpmath; five minutes):
     Testing/References/make_references.py
 
 A direction in the table is a vector of three doubles whose length differs from 1 by rounding. The
@@ -265,7 +265,7 @@ CASES = {
     1000: ([1, 3], ["Few", "Pole", "1e-3", "1e-8"]),
 }
 
-HEADER = """// Made by make_references.py; do not edit. One row a case: degree, seed, kind, direction, radius,
+HEADER = """// Made by make_references.py; do not edit. One row a case: degree, kind, seed, direction, radius,
 // surface gradient (x, y, z), surface Hessian (xx, xy, xz, yy, yz, zz). Rounded once from 50 digits.
 """
 
@@ -276,7 +276,7 @@ def row(degree, seed, kind, direction, sample):
     def text(numbers):
         return "{" + ", ".join(float(v).hex() for v in numbers) + "}"
 
-    return (f"{{{degree}, {seed}, ReferenceKind::{kind}, {text(direction)}, {float(value).hex()},\n"
+    return (f"{{{degree}, ReferenceKind::{kind}, {seed}, {text(direction)}, {float(value).hex()},\n"
             f" {text(gradient)},\n {text(hessian)}}},\n")
 
 
