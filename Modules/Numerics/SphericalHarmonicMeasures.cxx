@@ -1,6 +1,7 @@
 #include "SphericalHarmonicMeasures.h"
 
-#include "SphereQuadrature.h"
+#include "GaussLegendre.h"
+#include "LatitudeSynthesis.h"
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
@@ -14,19 +15,22 @@ namespace
 {
 using Sample = SphericalHarmonicModel::Sample;
 
-// Directions are evaluated in groups, so that a fine quadrature needs no samples of its own size.
+// Visits the nodes of a quadrature that is exact for polynomials of this degree: Gauss-Legendre in
+// z, equal steps in longitude, as SphereQuadrature, but circle by circle.
 template <typename Add>
-void ForEachSample(const SphericalHarmonicModel& model, const SphereQuadrature& sphere, Add add)
+void ForEachSample(const SphericalHarmonicModel& model, int degree, Add add)
 {
-  constexpr std::size_t Group = 256;
-  std::vector<Sample> samples(std::min(Group, sphere.Directions.size()));
-  for (std::size_t first = 0; first < sphere.Directions.size(); first += Group)
+  const GaussLegendre latitude(degree / 2 + 1);
+  const int longitudes = degree + 1;
+  LatitudeSynthesis circle(model, longitudes);
+  for (std::size_t i = 0; i < latitude.Nodes.size(); ++i)
   {
-    const std::size_t count = std::min(Group, sphere.Directions.size() - first);
-    model.EvaluateBatch(sphere.Directions.data() + first, count, samples.data());
-    for (std::size_t i = 0; i < count; ++i)
+    const double z = latitude.Nodes[i];
+    const double weight = latitude.Weights[i] * 2.0 * M_PI / longitudes;
+    const std::vector<Sample>& samples = circle.Evaluate(z);
+    for (std::size_t j = 0; j < samples.size(); ++j)
     {
-      add(samples[i], sphere.Directions[first + i], sphere.Weights[first + i]);
+      add(samples[j], circle.Direction(z, j), weight);
     }
   }
 }
@@ -34,7 +38,7 @@ void ForEachSample(const SphericalHarmonicModel& model, const SphereQuadrature& 
 double AreaByQuadrature(const SphericalHarmonicModel& model, int degree)
 {
   double sum = 0.0;
-  ForEachSample(model, SphereQuadrature(degree),
+  ForEachSample(model, degree,
                 [&sum](const Sample& sample, const Vector3&, double weight)
                 {
                   sum += weight * std::abs(sample.Radius) *
@@ -52,7 +56,7 @@ struct CentralMoments
 
   explicit CentralMoments(const SphericalHarmonicModel& model)
   {
-    ForEachSample(model, SphereQuadrature(5 * model.Degree() + 2),
+    ForEachSample(model, 5 * model.Degree() + 2,
                   [this](const Sample& sample, const Vector3& direction, double weight)
                   {
                     const double cube = weight * std::pow(sample.Radius, 3);
@@ -88,7 +92,7 @@ void SetPrincipalAxes(BodyMoments& moments)
 double VolumeOf(const SphericalHarmonicModel& model)
 {
   double sum = 0.0;
-  ForEachSample(model, SphereQuadrature(3 * model.Degree()),
+  ForEachSample(model, 3 * model.Degree(),
                 [&sum](const Sample& sample, const Vector3&, double weight)
                 { sum += weight * sample.Radius * sample.Radius * sample.Radius; });
   return sum / 3.0;
