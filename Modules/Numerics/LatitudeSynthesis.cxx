@@ -1,15 +1,21 @@
 #include "LatitudeSynthesis.h"
 
-#include "SphericalHarmonicBasis.h"
-
 #include <algorithm>
 #include <cmath>
 
 namespace palpate
 {
 LatitudeSynthesis::LatitudeSynthesis(const SphericalHarmonicModel& model, int longitudeCount)
-    : Recurrence(model.Degree()), Coefficients(model.Coefficients())
+    : Basis(model.Degree()), Coefficients(model.Coefficients()), Harmonics(Basis.Size()),
+      Sums(static_cast<std::size_t>(model.Degree()) + 1)
 {
+  for (int l = 0; l <= model.Degree(); ++l)
+  {
+    for (int m = 0; m <= l; ++m)
+    {
+      this->Ladder.push_back(std::sqrt(static_cast<double>(l - m) * (l + m + 1)));
+    }
+  }
   const auto count = static_cast<std::size_t>(longitudeCount);
   for (std::size_t j = 0; j < count; ++j)
   {
@@ -18,8 +24,7 @@ LatitudeSynthesis::LatitudeSynthesis(const SphericalHarmonicModel& model, int lo
     this->StepSine.push_back(std::sin(angle));
   }
   for (std::vector<double>* const column :
-       {&this->Cosine, &this->Sine, &this->LowerCosine, &this->LowerSine, &this->Radius,
-        &this->SlopeX, &this->SlopeY, &this->SlopeZ})
+       {&this->Cosine, &this->Sine, &this->Radius, &this->SouthSlope, &this->EastSlope})
   {
     column->resize(count);
   }
@@ -35,102 +40,87 @@ Vector3 LatitudeSynthesis::Direction(double z, std::size_t j) const noexcept
 const std::vector<SphericalHarmonicModel::Sample>& LatitudeSynthesis::Evaluate(double z)
 {
   const double s = std::sqrt((1.0 - z) * (1.0 + z));
+  this->SumDegrees(z, s);
   std::fill(this->Cosine.begin(), this->Cosine.end(), 1.0);
   for (std::vector<double>* const column :
-       {&this->Sine, &this->LowerCosine, &this->LowerSine, &this->Radius, &this->SlopeX,
-        &this->SlopeY, &this->SlopeZ})
+       {&this->Sine, &this->Radius, &this->SouthSlope, &this->EastSlope})
   {
     std::fill(column->begin(), column->end(), 0.0);
   }
-  double power = 1.0; // s^m
-  double lowerPower = 0.0;
-  for (int m = 0; m <= this->Recurrence.Degree(); ++m)
+  for (int m = 0; m <= this->Basis.Degree(); ++m)
   {
-    this->AddOrder(this->SumDegrees(m, z, power, lowerPower));
+    this->AddOrder(m, this->Sums[static_cast<std::size_t>(m)]);
     this->Turn();
-    lowerPower = power;
-    power *= s;
   }
-  this->Store(z);
+  this->Store(z, s);
   return this->Samples;
 }
 
-// As in SphericalHarmonicModel: Q_lm and dQ_lm/dz by the recurrence, times the coefficients.
-LatitudeSynthesis::OrderSums LatitudeSynthesis::SumDegrees(int order, double z, double power,
-                                                           double lowerPower) const noexcept
+// At longitude 0 the harmonics are those of the cosines, B_m, and by the angle from +z
+//   B_m' = (Ladder_(m-1) B_(m-1) - Ladder_m B_(m+1)) / 2,
+// where B_0 counts sqrt(2) times in B_1' and B_0' = -Ladder_0 B_1 / sqrt(2): the usual relation of
+// the associated Legendre functions, normalised.
+void LatitudeSynthesis::SumDegrees(double z, double s)
 {
-  double previous = 0.0;
-  double current = this->Recurrence.Diagonal(order);
-  double previousSlope = 0.0;
-  double slope = 0.0;
-  OrderSums sums{};
-  const SphericalHarmonicRecurrence::Term* term = this->Recurrence.Column(order);
-  for (int l = order; l <= this->Recurrence.Degree(); ++l)
+  this->Basis.Evaluate({s, 0.0, z}, this->Harmonics.data());
+  std::fill(this->Sums.begin(), this->Sums.end(), OrderSums());
+  const double root2 = std::sqrt(2.0);
+  const double* ladder = this->Ladder.data();
+  for (int l = 0; l <= this->Basis.Degree(); ++l)
   {
-    if (l > order)
+    const double* const b = this->Harmonics.data() + SphericalHarmonicBasis::Index(l, 0);
+    const double* const c = this->Coefficients.data() + SphericalHarmonicBasis::Index(l, 0);
+    this->Sums[0].Cosine += c[0] * b[0];
+    this->Sums[0].CosineSlope -= l == 0 ? 0.0 : c[0] * ladder[0] * b[1] / root2;
+    for (int m = 1; m <= l; ++m)
     {
-      const double nextSlope = term->A * (current + z * slope - term->B * previousSlope);
-      const double next = term->A * (z * current - term->B * previous);
-      previous = current;
-      current = next;
-      previousSlope = slope;
-      slope = nextSlope;
-      ++term;
+      const double lower = ladder[m - 1] * (m == 1 ? root2 * b[0] : b[m - 1]);
+      const double upper = m == l ? 0.0 : ladder[m] * b[m + 1];
+      const double slope = 0.5 * (lower - upper);
+      OrderSums& sums = this->Sums[static_cast<std::size_t>(m)];
+      sums.Cosine += c[m] * b[m];
+      sums.Sine += c[-m] * b[m];
+      sums.CosineSlope += c[m] * slope;
+      sums.SineSlope += c[-m] * slope;
     }
-    const double cosine = this->Coefficients[SphericalHarmonicBasis::Index(l, order)];
-    const double sine =
-        order == 0 ? 0.0 : this->Coefficients[SphericalHarmonicBasis::Index(l, -order)];
-    sums.Cosine += current * cosine;
-    sums.Sine += current * sine;
-    sums.CosineSlope += slope * cosine;
-    sums.SineSlope += slope * sine;
+    ladder += l + 1;
   }
-  sums.LowerCosine = sums.Cosine * order * lowerPower;
-  sums.LowerSine = sums.Sine * order * lowerPower;
-  sums.Cosine *= power;
-  sums.Sine *= power;
-  sums.CosineSlope *= power;
-  sums.SineSlope *= power;
-  return sums;
 }
 
-// Adds Re D w^m with w = s (cos a + i sin a), its slope in z, and m D w^(m-1) (1, i).
-void LatitudeSynthesis::AddOrder(const OrderSums& sums) noexcept
+void LatitudeSynthesis::AddOrder(int order, const OrderSums& sums) noexcept
 {
+  const double east = order * sums.Sine;
+  const double west = order * sums.Cosine;
   for (std::size_t j = 0; j < this->Samples.size(); ++j)
   {
     const double cosine = this->Cosine[j];
     const double sine = this->Sine[j];
-    const double lowerCosine = this->LowerCosine[j];
-    const double lowerSine = this->LowerSine[j];
     this->Radius[j] += sums.Cosine * cosine + sums.Sine * sine;
-    this->SlopeX[j] += sums.LowerCosine * lowerCosine + sums.LowerSine * lowerSine;
-    this->SlopeY[j] += sums.LowerSine * lowerCosine - sums.LowerCosine * lowerSine;
-    this->SlopeZ[j] += sums.CosineSlope * cosine + sums.SineSlope * sine;
+    this->SouthSlope[j] += sums.CosineSlope * cosine + sums.SineSlope * sine;
+    this->EastSlope[j] += east * cosine - west * sine;
   }
 }
 
 // From order m to m + 1.
 void LatitudeSynthesis::Turn() noexcept
 {
-  this->LowerCosine.swap(this->Cosine);
-  this->LowerSine.swap(this->Sine);
   for (std::size_t j = 0; j < this->Samples.size(); ++j)
   {
-    this->Cosine[j] =
-        this->LowerCosine[j] * this->StepCosine[j] - this->LowerSine[j] * this->StepSine[j];
-    this->Sine[j] =
-        this->LowerCosine[j] * this->StepSine[j] + this->LowerSine[j] * this->StepCosine[j];
+    const double cosine = this->Cosine[j];
+    const double sine = this->Sine[j];
+    this->Cosine[j] = cosine * this->StepCosine[j] - sine * this->StepSine[j];
+    this->Sine[j] = cosine * this->StepSine[j] + sine * this->StepCosine[j];
   }
 }
 
-void LatitudeSynthesis::Store(double z) noexcept
+void LatitudeSynthesis::Store(double z, double s) noexcept
 {
   for (std::size_t j = 0; j < this->Samples.size(); ++j)
   {
-    const Vector3 direction = this->Direction(z, j);
-    const Vector3 gradient(this->SlopeX[j], this->SlopeY[j], this->SlopeZ[j]);
-    this->Samples[j] = {this->Radius[j], gradient - gradient.dot(direction) * direction};
+    const Vector3 south(z * this->StepCosine[j], z * this->StepSine[j], -s);
+    const Vector3 east(-this->StepSine[j], this->StepCosine[j], 0.0);
+    this->Samples[j] = {this->Radius[j],
+                        this->SouthSlope[j] * south + this->EastSlope[j] / s * east};
   }
 }
 } // namespace palpate
