@@ -1,8 +1,8 @@
 #include "SphericalHarmonicModel.h"
 
 #include "PolynomialKernelChoice.h"
-#include "SphereQuadrature.h"
 #include "SphericalHarmonicBasis.h"
+#include "SphericalHarmonicMeasures.h"
 
 #include <algorithm>
 #include <cmath>
@@ -223,27 +223,12 @@ Vector3 SphericalHarmonicModel::Normal(const Vector3& direction) const noexcept
 
 double SphericalHarmonicModel::Volume() const
 {
-  const SphereQuadrature sphere(3 * this->Degree());
-  double sum = 0.0;
-  for (std::size_t i = 0; i < sphere.Weights.size(); ++i)
-  {
-    const double radius = this->Radius(sphere.Directions[i]);
-    sum += sphere.Weights[i] * radius * radius * radius;
-  }
-  return sum / 3.0;
+  return VolumeOf(*this);
 }
 
 double SphericalHarmonicModel::Area() const
 {
-  const SphereQuadrature sphere(4 * this->Degree() + 16);
-  double sum = 0.0;
-  for (std::size_t i = 0; i < sphere.Weights.size(); ++i)
-  {
-    const Sample s = this->Evaluate(sphere.Directions[i]);
-    sum += sphere.Weights[i] * std::abs(s.Radius) *
-           std::sqrt(s.Radius * s.Radius + s.SurfaceGradient.squaredNorm());
-  }
-  return sum;
+  return AreaOf(*this).Value;
 }
 
 std::vector<double> SphericalHarmonicModel::PowerSpectrum() const

@@ -67,11 +67,10 @@ public:
   /// Unit normal of the surface, outward where R > 0: (R u - grad R) / |R u - grad R|.
   Vector3 Normal(const Vector3& direction) const noexcept;
 
-  /// Enclosed volume (mm^3), the integral of R^3 / 3: exact up to rounding (R^3 is a polynomial of
-  /// degree 3L, and the quadrature is exact for those). Allocates.
+  /// Enclosed volume (mm^3), exact up to rounding: VolumeOf. Allocates.
   double Volume() const;
-  /// Surface area (mm^2), by quadrature of degree 4L + 16: the integrand is no polynomial, and the
-  /// error falls geometrically with that degree. Allocates.
+  /// Surface area (mm^2) to 1e-9 relative where R > 0: AreaOf, which gives its error too.
+  /// Allocates.
   double Area() const;
   /// Sum of squared coefficients (mm^2) of each degree 0..L. Allocates.
   std::vector<double> PowerSpectrum() const;

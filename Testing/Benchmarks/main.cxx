@@ -1,4 +1,5 @@
 // PalpateBenchmarks: times ours beside named alternatives, after checking that both agree.
+#include "BoundsBenchmarks.h"
 #include "ComparisonReport.h"
 #include "EvaluationBenchmarks.h"
 #include "FitBenchmarks.h"
@@ -19,7 +20,7 @@ std::vector<PairedBenchmark> AllBenchmarks()
 {
   std::vector<PairedBenchmark> all;
   for (auto& group : {palpate::bench::EvaluationBenchmarks(), palpate::bench::FitBenchmarks(),
-                      palpate::bench::PipelineBenchmarks()})
+                      palpate::bench::BoundsBenchmarks(), palpate::bench::PipelineBenchmarks()})
   {
     all.insert(all.end(), group.begin(), group.end());
   }

@@ -1,0 +1,104 @@
+#include "RadiusRange.h"
+
+#include "SphericalHarmonicSpectrum.h"
+#include "SphericalTriangle.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <queue>
+
+namespace palpate
+{
+namespace
+{
+constexpr int LargestEvaluationCount = 500000; // of each of the two searches
+
+struct Cell
+{
+  SphericalTriangle Triangle;
+  double Upper;
+
+  friend bool operator<(const Cell& a, const Cell& b) { return a.Upper < b.Upper; }
+};
+
+struct Extreme
+{
+  double Found;
+  double Bound;
+};
+
+// The largest value of `sign` times the radius.
+class ExtremeSearch
+{
+public:
+  ExtremeSearch(const SphericalHarmonicModel& model, const SphericalHarmonicSpectrum& spectrum,
+                double sign)
+      : Model(model), Spectrum(spectrum), Sign(sign)
+  {
+  }
+
+  Extreme Run(double tolerance)
+  {
+    for (const SphericalTriangle& face : SphericalTriangle::Icosahedron())
+    {
+      this->Add(face);
+    }
+    while (this->Bound() - this->Found > tolerance &&
+           this->EvaluationCount < LargestEvaluationCount)
+    {
+      const SphericalTriangle best = this->Cells.top().Triangle;
+      this->Cells.pop();
+      for (const SphericalTriangle& part : best.Split())
+      {
+        this->Add(part);
+      }
+    }
+    return {this->Found, this->Bound()};
+  }
+
+private:
+  // No value anywhere is larger.
+  double Bound() const
+  {
+    return this->Cells.empty() ? this->Found : std::max(this->Found, this->Cells.top().Upper);
+  }
+
+  void Add(const SphericalTriangle& triangle)
+  {
+    const SphericalCap cap = triangle.Cap();
+    const SphericalHarmonicModel::Sample sample = this->Model.Evaluate(cap.Center);
+    const RadiusInterval interval = this->Spectrum.RadiusAround(sample, cap.Radius);
+    this->Found = std::max(this->Found, this->Sign * sample.Radius);
+    const double upper = this->Sign > 0.0 ? interval.Upper : -interval.Lower;
+    if (upper > this->Found)
+    {
+      this->Cells.push({triangle, upper});
+    }
+    ++this->EvaluationCount;
+  }
+
+  const SphericalHarmonicModel& Model;
+  const SphericalHarmonicSpectrum& Spectrum;
+  double Sign;
+  std::priority_queue<Cell> Cells;
+  double Found = -std::numeric_limits<double>::infinity();
+  int EvaluationCount = 0;
+};
+} // namespace
+
+RadiusRange FindRadiusRange(const SphericalHarmonicModel& model, double tolerance)
+{
+  const SphericalHarmonicSpectrum spectrum(model);
+  // Less than the error of evaluation cannot be reached.
+  const double reachable = std::max(4.0 * spectrum.EvaluationError(), tolerance);
+  if (!std::isfinite(spectrum.EvaluationError()))
+  {
+    const double none = std::numeric_limits<double>::quiet_NaN();
+    return {none, none, none, none};
+  }
+  const Extreme highest = ExtremeSearch(model, spectrum, 1.0).Run(reachable);
+  const Extreme lowest = ExtremeSearch(model, spectrum, -1.0).Run(reachable);
+  return {-lowest.Bound, -lowest.Found, highest.Found, highest.Bound};
+}
+} // namespace palpate

@@ -1,0 +1,265 @@
+#include "IcosahedronDirections.h"
+#include "PolynomialKernelChoice.h"
+#include "PolynomialTable.h"
+#include "SphericalHarmonicBasis.h"
+#include "SphericalHarmonicModel.h"
+#include "SphericalHarmonicReferences.h"
+#include "WorstCase.h"
+
+#include <functional>
+#include <gtest/gtest.h>
+#include <numeric>
+#include <optional>
+
+namespace palpate
+{
+namespace
+{
+using test::ReferenceKind;
+using test::SphericalHarmonicReference;
+using Sample = SphericalHarmonicModel::Sample;
+using Evaluation = std::function<Sample(const Vector3&)>;
+
+// Largest errors, in units of ReferenceScale.
+struct Errors
+{
+  test::WorstCase Radius;
+  test::WorstCase Gradient;
+  int Count = 0;
+};
+
+Vector3 Direction(const SphericalHarmonicReference& reference)
+{
+  return {reference.Direction[0], reference.Direction[1], reference.Direction[2]};
+}
+
+// Compares with every reference of a degree and kind; `make` gives the function that belongs to
+// coefficients.
+Errors Compare(int degree, ReferenceKind kind,
+               const std::function<Evaluation(const std::vector<double>&)>& make)
+{
+  Errors errors;
+  std::optional<std::uint64_t> seed;
+  std::vector<double> coefficients;
+  Evaluation evaluate;
+  for (const SphericalHarmonicReference& reference : test::SphericalHarmonicReferences)
+  {
+    if (reference.Degree != degree || reference.Kind != kind)
+    {
+      continue;
+    }
+    if (seed != reference.Seed)
+    {
+      seed = reference.Seed;
+      coefficients = test::ReferenceCoefficients(degree, reference.Seed);
+      evaluate = make(coefficients);
+    }
+    const test::ReferenceScale scale(degree, coefficients);
+    const Sample sample = evaluate(Direction(reference));
+    const Vector3 gradient(reference.Gradient[0], reference.Gradient[1], reference.Gradient[2]);
+    errors.Radius.Add((sample.Radius - reference.Radius) / scale.Radius);
+    errors.Gradient.Add((sample.SurfaceGradient - gradient).norm() / scale.Gradient);
+    ++errors.Count;
+  }
+  return errors;
+}
+
+auto ByModel(int degree, SphericalHarmonicModel::Formulation formulation)
+{
+  return [=](const std::vector<double>& coefficients) -> Evaluation
+  {
+    const SphericalHarmonicModel model(degree, coefficients, Vector3::Zero(), formulation);
+    return [model](const Vector3& direction) { return model.Evaluate(direction); };
+  };
+}
+
+// The radius alone goes another way through the kernels.
+auto ByRadius(int degree, SphericalHarmonicModel::Formulation formulation)
+{
+  return [=](const std::vector<double>& coefficients) -> Evaluation
+  {
+    const SphericalHarmonicModel model(degree, coefficients, Vector3::Zero(), formulation);
+    return [model](const Vector3& direction) {
+      return Sample{model.Radius(direction), model.Evaluate(direction).SurfaceGradient};
+    };
+  };
+}
+
+auto ByKernel(int degree, const polynomial::Kernel& kernel)
+{
+  return [degree, &kernel](const std::vector<double>& coefficients) -> Evaluation
+  {
+    const PolynomialTable table(degree, coefficients, kernel.Lanes);
+    return [table, degree, &kernel](const Vector3& direction)
+    {
+      Sample sample;
+      kernel.Evaluate(table.Data(), degree, direction.data(), &sample.Radius);
+      return sample;
+    };
+  };
+}
+
+// As a full group of lanes, with other directions beside it.
+auto ByBatch(int degree)
+{
+  return [degree](const std::vector<double>& coefficients) -> Evaluation
+  {
+    const SphericalHarmonicModel model(degree, coefficients, Vector3::Zero());
+    return [model](const Vector3& direction)
+    {
+      std::vector<Vector3> directions = IcosahedronDirections(1).Directions();
+      directions[5] = direction;
+      std::vector<Sample> samples(directions.size());
+      model.EvaluateBatch(directions.data(), directions.size(), samples.data());
+      return samples[5];
+    };
+  };
+}
+
+const std::initializer_list<ReferenceKind> UnitKinds = {ReferenceKind::General, ReferenceKind::Pole,
+                                                        ReferenceKind::NearPole};
+
+const char* Name(ReferenceKind kind)
+{
+  switch (kind)
+  {
+  case ReferenceKind::General:
+    return "general";
+  case ReferenceKind::Pole:
+    return "pole";
+  case ReferenceKind::NearPole:
+    return "near a pole";
+  case ReferenceKind::Float:
+    return "float";
+  }
+  return "";
+}
+
+// The bounds are Palpate's promise (issue of the kernel), not a fit to what was measured.
+constexpr double LowDegreeBound = 1e-14;
+constexpr double HighDegreeBound = 1e-12;
+
+void ExpectWithin(double bound, const Errors& errors, int degree, ReferenceKind kind)
+{
+  EXPECT_GT(errors.Count, 0) << "no reference of degree " << degree << ", " << Name(kind);
+  EXPECT_LE(errors.Radius.Value(), bound) << "degree " << degree << ", " << Name(kind);
+  EXPECT_LE(errors.Gradient.Value(), bound) << "degree " << degree << ", " << Name(kind);
+}
+} // namespace
+
+TEST(References, PolynomialsAreTrueTo14DigitsUpToDegree16)
+{
+  for (const int degree : {0, 1, 2, 12, 16})
+  {
+    for (const ReferenceKind kind : UnitKinds)
+    {
+      if (degree > 0 || kind != ReferenceKind::NearPole)
+      {
+        const auto formulation = SphericalHarmonicModel::Formulation::Polynomial;
+        ExpectWithin(LowDegreeBound, Compare(degree, kind, ByModel(degree, formulation)), degree,
+                     kind);
+        ExpectWithin(LowDegreeBound, Compare(degree, kind, ByRadius(degree, formulation)), degree,
+                     kind);
+      }
+    }
+  }
+}
+
+TEST(References, EveryKernelAndBatchesAreTrueTo14DigitsAtDegree12)
+{
+  for (const ReferenceKind kind : UnitKinds)
+  {
+    for (const polynomial::NamedKernel& kernel : polynomial::RunnableKernels())
+    {
+      SCOPED_TRACE(kernel.Name);
+      ExpectWithin(LowDegreeBound, Compare(12, kind, ByKernel(12, *kernel.Arithmetic)), 12, kind);
+    }
+    ExpectWithin(LowDegreeBound, Compare(12, kind, ByBatch(12)), 12, kind);
+  }
+}
+
+TEST(References, RecurrenceIsTrueTo14DigitsUpToDegree16)
+{
+  for (const int degree : {0, 1, 2, 12, 16})
+  {
+    for (const ReferenceKind kind : UnitKinds)
+    {
+      if (degree > 0 || kind != ReferenceKind::NearPole)
+      {
+        const auto formulation = SphericalHarmonicModel::Formulation::Recurrence;
+        ExpectWithin(LowDegreeBound, Compare(degree, kind, ByModel(degree, formulation)), degree,
+                     kind);
+        ExpectWithin(LowDegreeBound, Compare(degree, kind, ByRadius(degree, formulation)), degree,
+                     kind);
+      }
+    }
+  }
+}
+
+TEST(References, RecurrenceIsTrueTo12DigitsUpToDegree1000)
+{
+  for (const int degree : {40, 100, 300, 1000})
+  {
+    for (const ReferenceKind kind : UnitKinds)
+    {
+      const auto formulation = SphericalHarmonicModel::Formulation::Automatic;
+      ExpectWithin(HighDegreeBound, Compare(degree, kind, ByModel(degree, formulation)), degree,
+                   kind);
+      ExpectWithin(HighDegreeBound, Compare(degree, kind, ByRadius(degree, formulation)), degree,
+                   kind);
+    }
+  }
+}
+
+TEST(References, BasisIsTrueTo14DigitsUpToDegree16And12DigitsUpToDegree1000)
+{
+  for (const int degree : {0, 1, 2, 12, 16, 40, 100, 300, 1000})
+  {
+    const SphericalHarmonicBasis basis(degree);
+    const auto byBasis = [&basis](const std::vector<double>& coefficients) -> Evaluation
+    {
+      return [&basis, coefficients](const Vector3& direction)
+      {
+        std::vector<double> values(basis.Size());
+        basis.Evaluate(direction, values.data());
+        // In long double: the rounding of this sum is not the basis's.
+        const long double sum =
+            std::inner_product(values.begin(), values.end(), coefficients.begin(), 0.0L);
+        return Sample{static_cast<double>(sum), Vector3::Zero()};
+      };
+    };
+    for (const ReferenceKind kind : UnitKinds)
+    {
+      const Errors errors = Compare(degree, kind, byBasis);
+      EXPECT_LE(errors.Radius.Value(), degree <= 16 ? LowDegreeBound : HighDegreeBound)
+          << "degree " << degree << ", " << Name(kind);
+    }
+  }
+}
+
+TEST(References, FloatDirectionsAreAsGoodOnceNormalised)
+{
+  const auto normalised = [](const std::vector<double>& coefficients) -> Evaluation
+  {
+    const SphericalHarmonicModel model(12, coefficients, Vector3::Zero());
+    return [model](const Vector3& direction) { return model.Evaluate(direction.normalized()); };
+  };
+  ExpectWithin(LowDegreeBound, Compare(12, ReferenceKind::Float, normalised), 12,
+               ReferenceKind::Float);
+}
+
+TEST(References, HessiansOfTheTableAreTangent)
+{
+  for (const SphericalHarmonicReference& reference : test::SphericalHarmonicReferences)
+  {
+    const std::array<double, 6>& h = reference.Hessian;
+    Eigen::Matrix3d hessian;
+    hessian << h[0], h[1], h[2], h[1], h[3], h[4], h[2], h[4], h[5];
+    const std::vector<double> c = test::ReferenceCoefficients(reference.Degree, reference.Seed);
+    const double scale = test::ReferenceScale(reference.Degree, c).Hessian;
+    const Vector3 u = Direction(reference).normalized();
+    // The normal direction and the table's numbers are rounded once each.
+    EXPECT_LE((hessian * u).norm(), 4e-16 * scale);
+  }
+}
+} // namespace palpate

@@ -1,0 +1,355 @@
+#include "SphericalHarmonicMeasures.h"
+
+#include "IcosahedronDirections.h"
+#include "RandomShapes.h"
+#include "SphereQuadrature.h"
+#include "SphericalHarmonicBasis.h"
+#include "SphericalHarmonicRotation.h"
+
+#include <Eigen/Geometry>
+#include <functional>
+#include <gtest/gtest.h>
+
+namespace palpate
+{
+namespace
+{
+using test::Random;
+
+const Vector3 Center(10.0, -20.0, 30.0);
+
+// Coefficients of a radius function by quadrature fine enough for what is left out.
+SphericalHarmonicModel Project(int degree, const std::function<double(const Vector3&)>& radius)
+{
+  const SphericalHarmonicBasis basis(degree);
+  const SphereQuadrature sphere(2 * degree + 80);
+  std::vector<double> values(basis.Size());
+  std::vector<double> coefficients(basis.Size(), 0.0);
+  for (std::size_t i = 0; i < sphere.Weights.size(); ++i)
+  {
+    basis.Evaluate(sphere.Directions[i], values.data());
+    const double weighted = sphere.Weights[i] * radius(sphere.Directions[i]);
+    for (std::size_t k = 0; k < values.size(); ++k)
+    {
+      coefficients[k] += weighted * values[k];
+    }
+  }
+  return {degree, coefficients, Center};
+}
+
+SphericalHarmonicModel Ellipsoid(const Vector3& axes, int degree)
+{
+  return Project(degree, [axes](const Vector3& u) { return 1.0 / u.cwiseQuotient(axes).norm(); });
+}
+
+// A sphere seen from a point inside it.
+SphericalHarmonicModel ShiftedSphere(double radius, const Vector3& shift, int degree)
+{
+  return Project(degree,
+                 [radius, shift](const Vector3& u)
+                 {
+                   const double along = shift.dot(u);
+                   return along + std::sqrt(radius * radius - shift.squaredNorm() + along * along);
+                 });
+}
+
+BodyMoments Measure(const SphericalHarmonicModel& model)
+{
+  BodyMoments moments;
+  const Status status = MeasureBody(model, moments);
+  EXPECT_TRUE(status.IsOk()) << status.Message();
+  return moments;
+}
+
+double LargestRelative(const Eigen::Matrix3d& matrix, const Eigen::Matrix3d& expected)
+{
+  return (matrix - expected).norm() / expected.norm();
+}
+
+// The divergence theorem on a mesh: exact moments of its tetrahedra with the centre.
+BodyMoments OfMesh(const SphericalHarmonicModel& model, int frequency)
+{
+  const IcosahedronDirections directions(frequency);
+  std::vector<Vector3> points;
+  for (const Vector3& u : directions.Directions())
+  {
+    points.push_back(model.Radius(u) * u);
+  }
+  double volume = 0.0;
+  Vector3 first = Vector3::Zero();
+  Eigen::Matrix3d second = Eigen::Matrix3d::Zero();
+  for (const auto& face : directions.Triangles())
+  {
+    Eigen::Matrix3d corners;
+    for (int k = 0; k < 3; ++k)
+    {
+      corners.col(k) = points[static_cast<std::size_t>(face[static_cast<std::size_t>(k)])];
+    }
+    const double part = corners.determinant() / 6.0;
+    const Vector3 sum = corners.rowwise().sum();
+    volume += part;
+    first += part * sum / 4.0;
+    second += part / 20.0 * (corners * corners.transpose() + sum * sum.transpose());
+  }
+  BodyMoments moments{};
+  moments.Volume = volume;
+  moments.CentroidWorld = model.CenterWorld() + first / volume;
+  moments.SecondMoments = second - first * first.transpose() / volume;
+  return moments;
+}
+} // namespace
+
+TEST(SphericalHarmonicMeasures, SphereHasItsClosedForms)
+{
+  const double r = 7.0;
+  const SphericalHarmonicModel sphere(0, {r * std::sqrt(4 * M_PI)}, Center);
+  const BodyMoments moments = Measure(sphere);
+  // Relative: some roundings.
+  EXPECT_NEAR(VolumeOf(sphere) / (4 * M_PI / 3 * r * r * r), 1.0, 1e-14);
+  EXPECT_NEAR(AreaOf(sphere).Value / (4 * M_PI * r * r), 1.0, 1e-14);
+  EXPECT_NEAR(moments.Volume / VolumeOf(sphere), 1.0, 1e-14);
+  EXPECT_LE((moments.CentroidWorld - Center).norm(), 1e-14 * Center.norm());
+  const double second = 4 * M_PI / 15 * std::pow(r, 5);
+  EXPECT_LE(LargestRelative(moments.SecondMoments, second * Eigen::Matrix3d::Identity()), 1e-14);
+  EXPECT_LE(LargestRelative(moments.Inertia, 2 * second * Eigen::Matrix3d::Identity()), 1e-14);
+  EXPECT_LE((moments.SemiAxes - Vector3::Constant(r)).norm(), 1e-13);
+}
+
+TEST(SphericalHarmonicMeasures, LinearRadiusHasItsClosedForms)
+{
+  // R = r + a.u: integrals of (a.u)^2 and u u^T (a.u)^2 by hand.
+  Random random(441);
+  const double r = 20.0;
+  const Vector3 a(3.0, -1.0, 2.0);
+  const double scale = std::sqrt(4 * M_PI / 3);
+  const SphericalHarmonicModel model(
+      1, {r * std::sqrt(4 * M_PI), a.y() * scale, a.z() * scale, a.x() * scale}, Center);
+  const double a2 = a.squaredNorm();
+  const double volume = 4 * M_PI / 3 * r * (r * r + a2);
+  const Vector3 first = 4 * M_PI * r * (r * r / 3 + a2 / 5) * a;
+  const BodyMoments moments = Measure(model);
+  EXPECT_NEAR(VolumeOf(model) / volume, 1.0, 1e-14); // rounding
+  EXPECT_NEAR(moments.Volume / volume, 1.0, 1e-14);
+  EXPECT_LE((moments.CentroidWorld - Center - first / volume).norm(), 1e-13);
+}
+
+TEST(SphericalHarmonicMeasures, EllipsoidConvergesToItsClosedForms)
+{
+  const Vector3 axes(28.0, 24.0, 20.0);
+  const double volume = 4 * M_PI / 3 * axes.prod();
+  double volumeError = 1.0;
+  double momentError = 1.0;
+  for (const int degree : {2, 4, 6, 8})
+  {
+    const BodyMoments moments = Measure(Ellipsoid(axes, degree));
+    const double error = std::abs(moments.Volume / volume - 1.0);
+    const double axesError = (moments.SemiAxes - axes).norm() / axes.norm();
+    // Not band-limited: coefficients fall geometrically, and integrals of their products faster.
+    EXPECT_LT(error, 0.3 * volumeError) << degree;
+    EXPECT_LT(axesError, 0.3 * momentError) << degree;
+    volumeError = error;
+    momentError = axesError;
+  }
+  const BodyMoments moments = Measure(Ellipsoid(axes, 48));
+  // What is left out at degree 48 is below the rounding of 2,401 coefficients.
+  EXPECT_NEAR(moments.Volume / volume, 1.0, 1e-12);
+  EXPECT_LE((moments.CentroidWorld - Center).norm(), 1e-12);
+  EXPECT_LE((moments.SemiAxes - axes).norm(), 1e-11);
+  const Eigen::Matrix3d second = volume / 5 * axes.cwiseAbs2().asDiagonal().toDenseMatrix();
+  EXPECT_LE(LargestRelative(moments.SecondMoments, second), 1e-12);
+  EXPECT_LE((moments.PrincipalAxes - Eigen::Matrix3d::Identity()).norm(), 1e-10);
+}
+
+TEST(SphericalHarmonicMeasures, ProlateSpheroidHasItsArea)
+{
+  const double a = 20.0;
+  const double c = 26.0;
+  const double e = std::sqrt(1.0 - a * a / (c * c));
+  const double exact = 2.0 * M_PI * a * a * (1.0 + c / (a * e) * std::asin(e));
+  const SurfaceArea area = AreaOf(Ellipsoid({a, a, c}, 48));
+  EXPECT_NEAR(area.Value / exact, 1.0, 1e-12); // the series, as above
+  EXPECT_LE(area.ErrorEstimate, 1e-9 * exact); // the default tolerance
+}
+
+TEST(SphericalHarmonicMeasures, ShiftedSphereConvergesToItsClosedForms)
+{
+  const double r = 15.0;
+  const Vector3 shift(6.0, 8.0, -3.0);
+  double error = 1.0;
+  for (const int degree : {2, 4, 6, 8})
+  {
+    const BodyMoments moments = Measure(ShiftedSphere(r, shift, degree));
+    const double now = (moments.CentroidWorld - Center - shift).norm() / r;
+    EXPECT_LT(now, 0.3 * error) << degree;
+    error = now;
+  }
+  const SphericalHarmonicModel sphere = ShiftedSphere(r, shift, 40);
+  const BodyMoments moments = Measure(sphere);
+  // As for the ellipsoid; the series falls by 2.5 a degree.
+  EXPECT_NEAR(moments.Volume / (4 * M_PI / 3 * r * r * r), 1.0, 1e-12);
+  EXPECT_LE((moments.CentroidWorld - Center - shift).norm(), 1e-12 * r);
+  const double second = 4 * M_PI / 15 * std::pow(r, 5);
+  EXPECT_LE(LargestRelative(moments.SecondMoments, second * Eigen::Matrix3d::Identity()), 1e-12);
+  EXPECT_NEAR(AreaOf(sphere).Value / (4 * M_PI * r * r), 1.0, 1e-12);
+}
+
+TEST(SphericalHarmonicMeasures, AreThoseOfTheMeshInTheLimit)
+{
+  Random random(442);
+  const SphericalHarmonicModel model = test::RandomOrgan(random, 6);
+  const BodyMoments moments = Measure(model);
+  const BodyMoments coarse = OfMesh(model, 20);
+  const BodyMoments fine = OfMesh(model, 40);
+  // The error of inscribed facets is a series in f^-2: one extrapolation leaves f^-4.
+  const auto limit = [](const auto& once, const auto& twice)
+  { return ((4.0 * twice - once) / 3.0).eval(); };
+  EXPECT_NEAR(moments.Volume / ((4.0 * fine.Volume - coarse.Volume) / 3.0), 1.0, 1e-5);
+  EXPECT_LE((moments.CentroidWorld - limit(coarse.CentroidWorld, fine.CentroidWorld)).norm(), 1e-4);
+  EXPECT_LE(LargestRelative(moments.SecondMoments, limit(coarse.SecondMoments, fine.SecondMoments)),
+            2e-5);
+}
+
+TEST(SphericalHarmonicMeasures, MomentsAreThoseOfAFinerQuadrature)
+{
+  Random random(443);
+  for (const int degree : {1, 5, 12, 20})
+  {
+    const SphericalHarmonicModel model = test::RandomOrgan(random, degree);
+    const SphereQuadrature sphere(5 * degree + 60);
+    double volume = 0.0;
+    Vector3 first = Vector3::Zero();
+    Eigen::Matrix3d second = Eigen::Matrix3d::Zero();
+    for (std::size_t i = 0; i < sphere.Weights.size(); ++i)
+    {
+      const Vector3& u = sphere.Directions[i];
+      const double r = model.Radius(u);
+      volume += sphere.Weights[i] * std::pow(r, 3) / 3;
+      first += sphere.Weights[i] * std::pow(r, 4) / 4 * u;
+      second += sphere.Weights[i] * std::pow(r, 5) / 5 * u * u.transpose();
+    }
+    const BodyMoments moments = Measure(model);
+    // The integrands are polynomials: only thousands of roundings differ.
+    EXPECT_NEAR(moments.Volume / volume, 1.0, 1e-13);
+    EXPECT_NEAR(VolumeOf(model) / volume, 1.0, 1e-13);
+    const Vector3 centroid = first / volume;
+    EXPECT_LE((moments.CentroidWorld - model.CenterWorld() - centroid).norm(), 1e-12);
+    second -= volume * centroid * centroid.transpose();
+    EXPECT_LE(LargestRelative(moments.SecondMoments, second), 1e-13);
+  }
+}
+
+TEST(SphericalHarmonicMeasures, TurnWithTheBody)
+{
+  Random random(444);
+  for (int sample = 0; sample < 5; ++sample)
+  {
+    const SphericalHarmonicModel model = test::RandomOrgan(random, 9);
+    const Eigen::Matrix3d q =
+        Eigen::AngleAxisd(1.0 + sample, test::RandomDirection(random)).toRotationMatrix();
+    SphericalHarmonicRotation rotation;
+    ASSERT_TRUE(SphericalHarmonicRotation::Make(9, q, rotation).IsOk());
+    const Vector3 pivot = 50.0 * test::RandomDirection(random);
+    const BodyMoments before = Measure(model);
+    const BodyMoments after = Measure(rotation.ApplyAbout(pivot, model));
+    // Exact quadratures of two placements: thousands of roundings.
+    EXPECT_NEAR(after.Volume / before.Volume, 1.0, 1e-13);
+    EXPECT_LE((after.CentroidWorld - pivot - q * (before.CentroidWorld - pivot)).norm(), 1e-12);
+    EXPECT_LE(LargestRelative(after.SecondMoments, q * before.SecondMoments * q.transpose()),
+              1e-13);
+    EXPECT_LE((after.SemiAxes - before.SemiAxes).norm(), 1e-11);
+    // The area's quadrature is good to its tolerance.
+    EXPECT_NEAR(rotation.Apply(model).Area() / model.Area(), 1.0, 1e-9);
+  }
+}
+
+TEST(SphericalHarmonicMeasures, GrowWithTheBody)
+{
+  Random random(445);
+  const SphericalHarmonicModel model = test::RandomOrgan(random, 7);
+  std::vector<double> doubled = model.Coefficients();
+  for (double& c : doubled)
+  {
+    c *= 2.0;
+  }
+  const SphericalHarmonicModel large(7, doubled, model.CenterWorld());
+  // A power of two changes no digit.
+  EXPECT_EQ(VolumeOf(large), 8.0 * VolumeOf(model));
+  EXPECT_EQ(AreaOf(large).Value, 4.0 * AreaOf(model).Value);
+  EXPECT_LE(LargestRelative(Measure(large).SecondMoments, 32.0 * Measure(model).SecondMoments),
+            1e-15);
+}
+
+TEST(SphericalHarmonicMeasures, PrincipalAxesDiagonaliseAndAreRightHanded)
+{
+  Random random(446);
+  for (int sample = 0; sample < 10; ++sample)
+  {
+    const BodyMoments moments = Measure(test::RandomOrgan(random, 8));
+    const Eigen::Matrix3d& axes = moments.PrincipalAxes;
+    EXPECT_LE((axes.transpose() * axes - Eigen::Matrix3d::Identity()).norm(), 1e-14);
+    EXPECT_NEAR(axes.determinant(), 1.0, 1e-14);
+    EXPECT_GT(axes.col(0).maxCoeff(), -axes.col(0).minCoeff());
+    EXPECT_GT(axes.col(1).maxCoeff(), -axes.col(1).minCoeff());
+    const Vector3 expected = moments.Volume / 5 * moments.SemiAxes.cwiseAbs2();
+    const Eigen::Matrix3d diagonal = axes.transpose() * moments.SecondMoments * axes;
+    EXPECT_LE(LargestRelative(diagonal, expected.asDiagonal().toDenseMatrix()), 1e-13);
+    EXPECT_GE(moments.SemiAxes[0], moments.SemiAxes[1]);
+    EXPECT_GE(moments.SemiAxes[1], moments.SemiAxes[2]);
+    EXPECT_LE(LargestRelative(moments.Inertia + moments.SecondMoments,
+                              moments.SecondMoments.trace() * Eigen::Matrix3d::Identity()),
+              1e-15);
+  }
+}
+
+TEST(SphericalHarmonicMeasures, AreaIsWithinItsErrorEstimate)
+{
+  Random random(447);
+  const auto areaAtDegree = [](const SphericalHarmonicModel& model, int degree)
+  {
+    const SphereQuadrature sphere(degree);
+    double area = 0.0;
+    for (std::size_t i = 0; i < sphere.Weights.size(); ++i)
+    {
+      const SphericalHarmonicModel::Sample s = model.Evaluate(sphere.Directions[i]);
+      area +=
+          sphere.Weights[i] * std::abs(s.Radius) * std::hypot(s.Radius, s.SurfaceGradient.norm());
+    }
+    return area;
+  };
+  for (const double tolerance : {1e-2, 1e-5, 1e-9})
+  {
+    for (int sample = 0; sample < 4; ++sample)
+    {
+      const SphericalHarmonicModel model = test::RandomOrgan(random, 12);
+      const SurfaceArea area = AreaOf(model, tolerance);
+      EXPECT_LE(std::abs(area.Value - areaAtDegree(model, 300)), area.ErrorEstimate);
+      EXPECT_LE(area.ErrorEstimate, 1.1 * tolerance * area.Value);
+    }
+  }
+  // A surface through its own centre: |R| has a kink, and the quadrature converges slowly.
+  const SphericalHarmonicModel kinked(1, {1.0, 2.0, -3.0, 1.0}, Center);
+  const SurfaceArea area = AreaOf(kinked, 1e-9);
+  EXPECT_LE(std::abs(area.Value - areaAtDegree(kinked, 1200)), area.ErrorEstimate);
+  EXPECT_GT(area.ErrorEstimate, 1e-9 * area.Value) << "the tolerance must not look reached";
+}
+
+TEST(SphericalHarmonicMeasures, VolumeCountsNegativeRadiiNegative)
+{
+  const SphericalHarmonicModel inverted(0, {-3.0}, Center);
+  const SphericalHarmonicModel upright(0, {3.0}, Center);
+  EXPECT_EQ(VolumeOf(inverted), -VolumeOf(upright));
+  EXPECT_EQ(AreaOf(inverted).Value, AreaOf(upright).Value);
+  EXPECT_EQ(VolumeOf(SphericalHarmonicModel()), 0.0);
+  EXPECT_EQ(AreaOf(SphericalHarmonicModel()).Value, 0.0);
+}
+
+TEST(SphericalHarmonicMeasures, RefuseABodyWithoutVolume)
+{
+  BodyMoments moments{};
+  EXPECT_FALSE(MeasureBody(SphericalHarmonicModel(), moments).IsOk());
+  EXPECT_FALSE(MeasureBody({0, {-3.0}, Center}, moments).IsOk());
+  EXPECT_FALSE(MeasureBody({1, {3.0, std::nan(""), 0.0, 0.0}, Center}, moments).IsOk());
+  EXPECT_FALSE(MeasureBody({1, {INFINITY, 1.0, 0.0, 0.0}, Center}, moments).IsOk());
+  EXPECT_TRUE(std::isnan(AreaOf({1, {3.0, std::nan(""), 0.0, 0.0}, Center}).Value));
+}
+} // namespace palpate

@@ -1,0 +1,11 @@
+#pragma once
+
+#include "PairedBenchmark.h"
+
+#include <vector>
+
+namespace palpate::bench
+{
+/// Certified bounds of a model's radius over a cone, against the extremes of samples in it.
+std::vector<PairedBenchmark> BoundsBenchmarks();
+} // namespace palpate::bench
