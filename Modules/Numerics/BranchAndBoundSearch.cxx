@@ -12,10 +12,12 @@ namespace palpate
 {
 namespace
 {
-// Angle between two unit vectors, rounded up.
+// Angle between two unit vectors, rounded up a little.
 double AngleBetween(const Vector3& a, const Vector3& b)
 {
-  return 2.0 * std::asin(std::min(1.0, 0.5 * (a - b).norm())) + 1e-15;
+  const double chord = (a - b).norm();
+  return chord < 1.0 ? chord * (1.0 + 0.05 * chord * chord) + 1e-15
+                     : 2.0 * std::asin(std::min(1.0, 0.5 * chord)) + 1e-15;
 }
 } // namespace
 
@@ -77,11 +79,12 @@ bool BranchAndBoundSearch::IsCovered(const Vector3& center, double reach) noexce
   return false;
 }
 
-void BranchAndBoundSearch::Descend(const Piece& piece) noexcept
+void BranchAndBoundSearch::Descend(const Vector3& direction,
+                                   const SphericalHarmonicModel::SecondOrderSample& sample) noexcept
 {
   constexpr double Tolerance = 1e-12; // rad
   const ClosestPoint found =
-      this->Descent.Run(this->Query, piece.Center, piece.Sample, Tolerance,
+      this->Descent.Run(this->Query, direction, sample, Tolerance,
                         std::max(0, this->EvaluationLimit - this->Evaluations));
   this->Evaluations += found.Evaluations;
   const double distance = std::abs(found.SignedDistance);
@@ -97,11 +100,21 @@ void BranchAndBoundSearch::Descend(const Piece& piece) noexcept
   }
 }
 
+// The point in the query's direction is often a good start: what comes later then only proves it.
+void BranchAndBoundSearch::DescendFromQuery() noexcept
+{
+  const double distance = this->Query.norm();
+  const Vector3 direction =
+      distance > 0.0 ? Vector3(this->Query / distance) : Vector3(Vector3::UnitZ());
+  ++this->Evaluations;
+  this->Descend(direction, this->Model.EvaluateSecondOrder(direction));
+}
+
 void BranchAndBoundSearch::Examine(double bound, const Piece& piece) noexcept
 {
   const SquaredDistance distance(piece.Center, piece.Sample, this->Query);
   bool worthwhile = distance.Offset.norm() < this->BestDistance;
-  if (!worthwhile && distance.SmallestEigenvalue > 0.0)
+  if (!worthwhile && distance.IsConvex())
   {
     const Vector3 step = distance.Step(0.0);
     worthwhile = step.norm() <= 2.0 * piece.Reach &&
@@ -109,7 +122,7 @@ void BranchAndBoundSearch::Examine(double bound, const Piece& piece) noexcept
   }
   if (worthwhile)
   {
-    this->Descend(piece);
+    this->Descend(piece.Center, piece.Sample);
   }
   if (!this->IsCovered(piece.Center, piece.Reach))
   {
@@ -169,17 +182,17 @@ void BranchAndBoundSearch::Visit(const Part& part) noexcept
     this->Examine(part.Bound, piece);
     return;
   }
+  const auto& [center, reach] = this->Tree.CapOf(part.Index);
+  if (this->IsCovered(center, reach))
+  {
+    return;
+  }
   if (this->Tree.IsInner(part.Index))
   {
     this->PushParts(part.Index);
     return;
   }
-  const SphericalTriangle triangle = this->Tree.Triangle(part.Index);
-  if (this->IsCovered(triangle.Center(), triangle.Reach()))
-  {
-    return;
-  }
-  const Piece piece = this->Evaluate(triangle);
+  const Piece piece = this->Evaluate(this->Tree.Triangle(part.Index));
   const double bound = std::max(part.Bound, this->Descent.LowerDistance(this->Query, piece.Center,
                                                                         piece.Sample, piece.Reach));
   if (bound < this->Enough())
@@ -190,6 +203,7 @@ void BranchAndBoundSearch::Visit(const Part& part) noexcept
 
 ClosestPoint BranchAndBoundSearch::Run() noexcept
 {
+  this->DescendFromQuery();
   for (int root = 0; root < SurfacePatchTree::RootCount; ++root)
   {
     this->Push(this->Tree.LowerDistance(root, this->Query), root);

@@ -55,7 +55,9 @@ private:
   void Examine(double bound, const Piece& piece) noexcept;
   void Cut(double bound, const Piece& piece) noexcept;
   void Visit(const Part& part) noexcept;
-  void Descend(const Piece& piece) noexcept;
+  void Descend(const Vector3& direction,
+               const SphericalHarmonicModel::SecondOrderSample& sample) noexcept;
+  void DescendFromQuery() noexcept;
   // Whether a basin covers the cap, and so proves its lower bound.
   bool IsCovered(const Vector3& center, double reach) noexcept;
   // Nothing nearer than this is left to find, but for rounding.

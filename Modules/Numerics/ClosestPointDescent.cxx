@@ -1,5 +1,7 @@
 #include "ClosestPointDescent.h"
 
+#include "SquaredDistance.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -9,9 +11,21 @@ namespace palpate
 namespace
 {
 constexpr double Infinite = std::numeric_limits<double>::infinity();
-} // namespace
 
-struct ClosestPointDescent::LocalBounds
+// The end of a step from a unit vector along a tangent. Short steps, and that is every step of a
+// servo tick, need neither root nor division.
+Vector3 Moved(const Vector3& direction, const Vector3& step) noexcept
+{
+  const Vector3 end = direction + step;
+  const double excess = end.squaredNorm() - 1.0;
+  // The next term of the series is below rounding.
+  const double scale = std::abs(excess) < 1e-4
+                           ? 1.0 - excess * (0.5 - excess * (0.375 - 0.3125 * excess))
+                           : 1.0 / std::sqrt(1.0 + excess);
+  return scale * end;
+}
+
+struct LocalBounds
 {
   double First;    // |x'|, mm/rad
   double Second;   // |x''|, mm/rad^2
@@ -36,49 +50,42 @@ struct ClosestPointDescent::LocalBounds
   }
 };
 
-struct ClosestPointDescent::Remainder
+struct Remainder
 {
   double Eigenvalue; // lower bound of the Hessian's at the end of the step, mm^2/rad^2
   double Gradient;   // upper bound of what is left of it there, mm^2/rad
   double Angle;      // the minimum is within this of the end, rad; infinite if not known
 };
 
-ClosestPointDescent::ClosestPointDescent(const SphericalHarmonicModel& model)
-    : Model(&model), Derivatives(model), Size(Derivatives.Radius[0] + model.CenterWorld().norm()),
-      UnitRounding(4.0 * (model.Degree() + 4.0) * std::numeric_limits<double>::epsilon()),
-      LongestStep(2.0 / (model.Degree() + 1.0))
-{
-}
-
-ClosestPointDescent::LocalBounds
-ClosestPointDescent::BoundsAt(const SphericalHarmonicModel::SecondOrderSample& sample,
-                              const SquaredDistance& distance, const Vector3& query) const noexcept
+LocalBounds BoundsAt(const SphericalHarmonicModel::SecondOrderSample& sample,
+                     const SquaredDistance& distance, double third, double rounding) noexcept
 {
   const double slope = sample.SurfaceGradient.squaredNorm();
   const double bend = sample.SurfaceHessian.norm() + std::abs(sample.Radius);
   const double first = std::sqrt(sample.Radius * sample.Radius + slope);
-  return {first, std::sqrt(bend * bend + 4.0 * slope), this->Derivatives.PointThird,
-          distance.Offset.norm(), first * this->Rounding(query)};
+  return {first, std::sqrt(bend * bend + 4.0 * slope), third, distance.Offset.norm(),
+          first * rounding};
 }
 
-ClosestPointDescent::Remainder ClosestPointDescent::After(double step,
-                                                          const SquaredDistance& distance,
-                                                          const LocalBounds& bounds) const noexcept
+// What is known after a last step of Newton's over the angle `step`.
+Remainder After(double step, const SquaredDistance& distance, const LocalBounds& bounds) noexcept
 {
   const double gradient = distance.Gradient.norm();
   // The third covariant derivative is symmetric up to the curvature of the sphere times the
   // gradient; a symmetric form is largest with three equal arguments.
-  const double third = bounds.ThirdOfF(step) + 2.0 * gradient;
-  const double eigenvalue = distance.SmallestEigenvalue - step * third;
+  const double third = bounds.ThirdOfF(2.0 * step) + 2.0 * gradient;
+  const double eigenvalue = distance.SmallestEigenvalue() - step * third;
   const double left = bounds.Noise + (step > 0.0 ? 0.5 * step * step * third : gradient);
   const double angle = 4.0 * left / eigenvalue;
-  const bool known = eigenvalue > 0.0 && angle * bounds.ThirdOfF(step + angle) <= 1.5 * eigenvalue;
-  return {eigenvalue, left, known ? angle : Infinite};
+  // Almost always the angle is much less than the step, and the bound at hand will do.
+  const double thirdThere = angle <= step ? third : bounds.ThirdOfF(step + angle);
+  const bool isKnown = eigenvalue > 0.0 && angle * thirdThere <= 1.5 * eigenvalue;
+  return {eigenvalue, left, isKnown ? angle : Infinite};
 }
 
-void ClosestPointDescent::Finish(const Vector3& query, const Vector3& step,
-                                 const SquaredDistance& distance, const Remainder& remainder,
-                                 ClosestPoint& point) const noexcept
+// Fills in the point at the end of a last, short step.
+void Finish(const Vector3& query, const Vector3& centerWorld, const Vector3& step, double rounding,
+            const LocalBounds& bounds, const Remainder& remainder, ClosestPoint& point) noexcept
 {
   const auto& sample = point.Sample;
   const Vector3& u = point.SampleDirection;
@@ -86,56 +93,63 @@ void ClosestPointDescent::Finish(const Vector3& query, const Vector3& step,
   const Vector3 bent = sample.SurfaceHessian * step;
   const double slope = g.dot(step);
   const double radius = sample.Radius + slope + 0.5 * step.dot(bent);
-  point.Direction = (u + step).normalized();
+  point.Direction = Moved(u, step);
   const Vector3 surface = radius * point.Direction;
   const Vector3 normal = surface - (g + bent - slope * u);
   const double size = normal.norm();
-  point.Normal = size > 0.0 ? Vector3(normal / size) : point.Direction;
-  point.PointWorld = this->Model->CenterWorld() + surface;
+  point.Normal = size > 0.0 ? Vector3((1.0 / size) * normal) : point.Direction;
+  point.PointWorld = centerWorld + surface;
   const Vector3 offset = query - surface;
   const double length = offset.norm();
-  point.SignedDistance = std::copysign(length, offset.dot(point.Normal));
+  point.SignedDistance = std::copysign(length, offset.dot(normal));
 
   point.PositionError = Infinite;
   point.DistanceError = Infinite;
   if (remainder.Angle < Infinite)
   {
     const double angle = step.norm();
-    const double expansion =
-        this->Derivatives.PointThird * angle * angle * angle / 6.0 + this->Rounding(query);
-    const LocalBounds bounds = this->BoundsAt(sample, distance, query);
+    const double expansion = bounds.Third * angle * angle * angle / 6.0 + rounding;
     const double reach = angle + remainder.Angle;
     const double first = bounds.First + reach * (bounds.Second + reach * bounds.Third);
     point.PositionError = remainder.Angle * first + expansion;
+    // d - sqrt(d^2 - drop) is at most drop / d.
     const double drop = 2.0 * remainder.Gradient * remainder.Gradient / remainder.Eigenvalue;
-    const double square = length * length;
-    point.DistanceError =
-        (drop < square ? drop / (length + std::sqrt(square - drop)) : length) + expansion;
+    point.DistanceError = (drop < length * length ? drop / length : length) + expansion;
   }
 }
 
-bool ClosestPointDescent::Advance(const Vector3& query, double noise, int evaluationLimit,
-                                  ClosestPoint& point, SquaredDistance& distance) const noexcept
+// One step down of at most `longest` rad, Newton's if it can be; false if none was found.
+bool Advance(const SphericalHarmonicModel& model, double longest, const Vector3& query,
+             const Vector3& newton, double rounding, int evaluationLimit, ClosestPoint& point,
+             SquaredDistance& distance) noexcept
 {
   // Far below any eigenvalue that matters; keeps the step finite.
-  const double metric = point.Sample.Radius * point.Sample.Radius;
-  const double least = 1e-9 * (std::abs(distance.Trace) + metric) + noise;
-  const double smallest = distance.SmallestEigenvalue;
-  const double shift = smallest >= least ? 0.0 : std::max(-smallest, least) - smallest;
-  Vector3 step = distance.Step(shift);
-  const double length = step.norm();
-  step *= length > this->LongestStep ? this->LongestStep / length : 1.0;
-  const Vector3 from = point.Sample.Radius * point.SampleDirection;
-  const double unresolved = distance.Offset.norm() * this->Rounding(query);
+  const double radius = point.Sample.Radius;
+  const double least = 1e-9 * (std::abs(distance.Trace) + radius * radius) + rounding * rounding;
+  Vector3 step = newton;
+  // For a positive definite Hessian the quotient is less than the smallest eigenvalue.
+  if (!(distance.IsConvex() && distance.Determinant >= least * distance.Trace))
+  {
+    const double smallest = distance.SmallestEigenvalue();
+    step = distance.Step(std::max(-smallest, least) - smallest);
+  }
+  const double square = step.squaredNorm();
+  if (square > longest * longest)
+  {
+    step *= longest / std::sqrt(square);
+  }
+  const Vector3 from = radius * point.SampleDirection;
   while (point.Evaluations < evaluationLimit)
   {
-    const Vector3 direction = (point.SampleDirection + step).normalized();
-    const auto sample = this->Model->EvaluateSecondOrder(direction);
+    const Vector3 direction = Moved(point.SampleDirection, step);
+    const auto sample = model.EvaluateSecondOrder(direction);
     ++point.Evaluations;
     const SquaredDistance there(direction, sample, query);
     const double change =
         0.5 * (from - sample.Radius * direction).dot(there.Offset + distance.Offset);
-    if (change <= 1e-4 * distance.Gradient.dot(step) + unresolved)
+    const double enough = 1e-4 * distance.Gradient.dot(step);
+    // The last term is what rounding leaves of the change.
+    if (change <= enough || change <= enough + distance.Offset.norm() * rounding)
     {
       point.SampleDirection = direction;
       point.Sample = sample;
@@ -146,35 +160,55 @@ bool ClosestPointDescent::Advance(const Vector3& query, double noise, int evalua
   }
   return false;
 }
+} // namespace
+
+ClosestPointDescent::ClosestPointDescent(const SphericalHarmonicModel& model)
+    : Model(&model), Derivatives(model), Size(Derivatives.Radius[0] + model.CenterWorld().norm()),
+      UnitRounding(4.0 * (model.Degree() + 4.0) * std::numeric_limits<double>::epsilon()),
+      LongestStep(2.0 / (model.Degree() + 1.0))
+{
+}
 
 ClosestPoint ClosestPointDescent::Run(const Vector3& query, const Vector3& direction,
                                       const SphericalHarmonicModel::SecondOrderSample& sample,
                                       double tolerance, int evaluationLimit) const noexcept
 {
+  const double rounding = this->Rounding(query);
   ClosestPoint point;
   point.SampleDirection = direction;
   point.Sample = sample;
   SquaredDistance distance(direction, sample, query);
   for (;;)
   {
-    const LocalBounds bounds = this->BoundsAt(point.Sample, distance, query);
-    const bool stationary = distance.Gradient.norm() <= bounds.Noise;
-    if (distance.SmallestEigenvalue > 0.0)
+    const double radius = point.Sample.Radius;
+    const double metric = radius * radius + point.Sample.SurfaceGradient.squaredNorm();
+    const bool isStationary = distance.Gradient.squaredNorm() <= metric * rounding * rounding;
+    const Vector3 newton = distance.Step(0.0);
+    // The angle left is at least the left side over the smallest eigenvalue, and that is at most
+    // half the trace.
+    const double square = newton.squaredNorm();
+    const bool isShort = 6.0 * square * radius * radius <= 0.5 * tolerance * distance.Trace;
+    if (distance.IsConvex() && (isShort || isStationary))
     {
-      const Vector3 step = distance.Step(0.0);
-      const Remainder remainder = this->After(step.norm(), distance, bounds);
-      if (remainder.Angle <= tolerance || (stationary && remainder.Angle < Infinite))
+      const LocalBounds bounds =
+          BoundsAt(point.Sample, distance, this->Derivatives.PointThird, rounding);
+      const Remainder remainder = After(std::sqrt(square), distance, bounds);
+      if (remainder.Angle <= tolerance || (isStationary && remainder.Angle < Infinite))
       {
-        this->Finish(query, step, distance, remainder, point);
+        Finish(query, this->Model->CenterWorld(), newton, rounding, bounds, remainder, point);
         point.State = ClosestPoint::Outcome::Minimum;
-        return point;
+        break;
       }
     }
-    if (stationary || !this->Advance(query, bounds.Noise, evaluationLimit, point, distance))
+    if (isStationary || !Advance(*this->Model, this->LongestStep, query, newton, rounding,
+                                 evaluationLimit, point, distance))
     {
-      const LocalBounds last = this->BoundsAt(point.Sample, distance, query);
-      this->Finish(query, Vector3::Zero(), distance, this->After(0.0, distance, last), point);
-      point.State = stationary ? ClosestPoint::Outcome::Stationary : ClosestPoint::Outcome::Limit;
+      const LocalBounds bounds =
+          BoundsAt(point.Sample, distance, this->Derivatives.PointThird, rounding);
+      const Remainder remainder = After(0.0, distance, bounds);
+      Finish(query, this->Model->CenterWorld(), Vector3::Zero(), rounding, bounds, remainder,
+             point);
+      point.State = isStationary ? ClosestPoint::Outcome::Stationary : ClosestPoint::Outcome::Limit;
       break;
     }
   }
@@ -189,12 +223,13 @@ ClosestPointDescent::Basin
 ClosestPointDescent::BasinAround(const Vector3& query, const ClosestPoint& point) const noexcept
 {
   const SquaredDistance distance(point.SampleDirection, point.Sample, query);
-  const double smallest = distance.SmallestEigenvalue;
-  if (!(smallest > 0.0))
+  if (!distance.IsConvex())
   {
     return {};
   }
-  const LocalBounds bounds = this->BoundsAt(point.Sample, distance, query);
+  const double smallest = distance.SmallestEigenvalue();
+  const LocalBounds bounds =
+      BoundsAt(point.Sample, distance, this->Derivatives.PointThird, this->Rounding(query));
   // Where angle * Fall(angle) is 1.5 times the eigenvalue; the last step makes it no more.
   double angle = 1.5 * smallest / bounds.Fall(0.0);
   for (int i = 0; i < 4; ++i)
@@ -216,8 +251,9 @@ double ClosestPointDescent::LowerDistance(const Vector3& query, const Vector3& d
                                           double reach) const noexcept
 {
   const SquaredDistance distance(direction, sample, query);
-  const LocalBounds bounds = this->BoundsAt(sample, distance, query);
-  const double smallest = distance.SmallestEigenvalue;
+  const LocalBounds bounds =
+      BoundsAt(sample, distance, this->Derivatives.PointThird, this->Rounding(query));
+  const double smallest = distance.SmallestEigenvalue();
   double change = 0.0; // of the quadratic expansion, at least
   if (smallest > 0.0)
   {

@@ -2,9 +2,6 @@
 
 #include "ClosestPoint.h"
 #include "RadiusDerivativeBounds.h"
-#include "SquaredDistance.h"
-
-#include <limits>
 
 namespace palpate
 {
@@ -60,21 +57,6 @@ public:
   }
 
 private:
-  // Bounds of |x'|, |x''| and of the gradient that rounding leaves, at one sample.
-  struct LocalBounds;
-  struct Remainder;
-
-  LocalBounds BoundsAt(const SphericalHarmonicModel::SecondOrderSample& sample,
-                       const SquaredDistance& distance, const Vector3& query) const noexcept;
-  // What is known after a last step of Newton's over the angle `step`.
-  Remainder After(double step, const SquaredDistance& distance,
-                  const LocalBounds& bounds) const noexcept;
-  // One step down; false if none was found.
-  bool Advance(const Vector3& query, double noise, int evaluationLimit, ClosestPoint& point,
-               SquaredDistance& distance) const noexcept;
-  void Finish(const Vector3& query, const Vector3& step, const SquaredDistance& distance,
-              const Remainder& remainder, ClosestPoint& point) const noexcept;
-
   const SphericalHarmonicModel* Model;
   RadiusDerivativeBounds Derivatives;
   double Size;         // of the coordinates of surface points, mm

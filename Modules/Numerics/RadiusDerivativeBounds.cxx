@@ -51,7 +51,10 @@ RadiusDerivativeBounds::RadiusDerivativeBounds(const SphericalHarmonicModel& mod
   }
   this->Radius[3] = degree * this->Radius[2];
   // With e the arc's direction: (R e)''' = (R''' - 3 R') e + (3 R'' - R) e'.
-  this->PointThird =
+  const double along =
       std::hypot(this->Radius[3] + 3.0 * this->Radius[1], 3.0 * this->Radius[2] + this->Radius[0]);
+  // A symmetric form is largest with three equal arguments; what is not symmetric in the covariant
+  // derivative is the curvature of the sphere, 1, times x'.
+  this->PointThird = along + std::hypot(this->Radius[1], this->Radius[0]);
 }
 } // namespace palpate

@@ -19,6 +19,6 @@ struct RadiusDerivativeBounds
   explicit RadiusDerivativeBounds(const SphericalHarmonicModel& model);
 
   std::array<double, 4> Radius; ///< |R| (mm), |R'| (mm/rad), |R''|, |R'''|
-  double PointThird;            ///< |x'''| (mm/rad^3)
+  double PointThird;            ///< |x'''| (mm/rad^3), and the same for three different directions
 };
 } // namespace palpate

@@ -42,13 +42,21 @@ struct SquaredDistance
     this->Xz = entry(0, 2);
     this->Yz = entry(1, 2);
     this->Trace = this->Xx + this->Yy + this->Zz;
-    const double squares = this->Xx * this->Xx + this->Yy * this->Yy + this->Zz * this->Zz +
-                           2.0 * (this->Xy * this->Xy + this->Xz * this->Xz + this->Yz * this->Yz);
-    this->Determinant = 0.5 * (this->Trace * this->Trace - squares);
+    // One eigenvalue is zero, so the sum of the principal minors is the product of the others.
+    this->Determinant = (this->Xx * this->Yy - this->Xy * this->Xy) +
+                        (this->Xx * this->Zz - this->Xz * this->Xz) +
+                        (this->Yy * this->Zz - this->Yz * this->Yz);
+  }
+
+  /// Whether the Hessian is positive definite in the tangent plane.
+  bool IsConvex() const noexcept { return this->Trace > 0.0 && this->Determinant > 0.0; }
+  /// In the tangent plane, mm^2/rad^2.
+  double SmallestEigenvalue() const noexcept
+  {
     // The larger root in magnitude first: the other then keeps its digits.
     const double half = 0.5 * this->Trace;
     const double spread = std::sqrt(std::max(0.0, half * half - this->Determinant));
-    this->SmallestEigenvalue = half > 0.0 ? this->Determinant / (half + spread) : half - spread;
+    return half > 0.0 ? this->Determinant / (half + spread) : half - spread;
   }
 
   /// Newton's step (rad, tangent to the sphere) of the function with `shift` times the identity
@@ -59,15 +67,14 @@ struct SquaredDistance
     const Vector3 image(this->Xx * g[0] + this->Xy * g[1] + this->Xz * g[2],
                         this->Xy * g[0] + this->Yy * g[1] + this->Yz * g[2],
                         this->Xz * g[0] + this->Yz * g[1] + this->Zz * g[2]);
-    return (image - (this->Trace + shift) * g) /
-           (this->Determinant + shift * (this->Trace + shift));
+    const double scale = 1.0 / (this->Determinant + shift * (this->Trace + shift));
+    return scale * (image - (this->Trace + shift) * g);
   }
 
   Vector3 Offset;   ///< query - point, mm
   Vector3 Gradient; ///< mm^2/rad, tangent to the sphere
   double Trace;     ///< of the Hessian in the tangent plane, mm^2/rad^2
   double Determinant;
-  double SmallestEigenvalue;
 
 private:
   double Xx, Yy, Zz, Xy, Xz, Yz; // the Hessian; zero along the direction

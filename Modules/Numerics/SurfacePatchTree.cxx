@@ -24,6 +24,7 @@ SurfacePatchTree::SurfacePatchTree(const SphericalHarmonicModel& model,
     inner += finest;
     finest *= 4;
   }
+  this->Caps.resize(inner + finest);
   this->Spheres.resize(inner);
   this->Patches.resize(finest);
   for (int root = 0; root < RootCount; ++root)
@@ -36,9 +37,10 @@ SurfacePatchTree::Sphere SurfacePatchTree::Build(const SphericalHarmonicModel& m
                                                  const RadiusDerivativeBounds& bounds, int node,
                                                  const SphericalTriangle& triangle)
 {
+  this->Caps[static_cast<std::size_t>(node)] = {triangle.Center(), triangle.Reach()};
   if (!this->IsInner(node))
   {
-    return this->BuildPatch(model, bounds, node, triangle);
+    return this->BuildPatch(model, bounds, node);
   }
   std::array<Sphere, 4> parts;
   Vector3 center = Vector3::Zero();
@@ -59,10 +61,9 @@ SurfacePatchTree::Sphere SurfacePatchTree::Build(const SphericalHarmonicModel& m
 
 SurfacePatchTree::Sphere SurfacePatchTree::BuildPatch(const SphericalHarmonicModel& model,
                                                       const RadiusDerivativeBounds& bounds,
-                                                      int node, const SphericalTriangle& triangle)
+                                                      int node)
 {
-  const Vector3 direction = triangle.Center();
-  const double reach = triangle.Reach();
+  const auto& [direction, reach] = this->CapOf(node);
   const auto sample = model.EvaluateSecondOrder(direction);
   const double change =
       reach * (sample.SurfaceGradient.norm() +

@@ -43,6 +43,13 @@ public:
   }
   /// The directions that a node stands for.
   SphericalTriangle Triangle(int node) const noexcept;
+  /// A cap of directions around them.
+  struct Cap
+  {
+    Vector3 Center; ///< unit vector
+    double Reach;   ///< rad
+  };
+  const Cap& CapOf(int node) const noexcept { return this->Caps[static_cast<std::size_t>(node)]; }
 
   /// |R| is between these everywhere, mm.
   double LeastRadius() const noexcept { return std::max({0.0, this->Lowest, -this->Highest}); }
@@ -58,9 +65,10 @@ private:
   Sphere Build(const SphericalHarmonicModel& model, const RadiusDerivativeBounds& bounds, int node,
                const SphericalTriangle& triangle);
   Sphere BuildPatch(const SphericalHarmonicModel& model, const RadiusDerivativeBounds& bounds,
-                    int node, const SphericalTriangle& triangle);
+                    int node);
 
   std::vector<SphericalTriangle> Roots;
+  std::vector<Cap> Caps;
   std::vector<Sphere> Spheres;
   std::vector<SurfacePatch> Patches;
   double Lowest; // bounds of R
