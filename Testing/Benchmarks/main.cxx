@@ -3,6 +3,7 @@
 #include "ComparisonReport.h"
 #include "EvaluationBenchmarks.h"
 #include "FitBenchmarks.h"
+#include "NearestBenchmarks.h"
 #include "PairedBenchmark.h"
 #include "PipelineBenchmarks.h"
 
@@ -20,7 +21,8 @@ std::vector<PairedBenchmark> AllBenchmarks()
 {
   std::vector<PairedBenchmark> all;
   for (auto& group : {palpate::bench::EvaluationBenchmarks(), palpate::bench::FitBenchmarks(),
-                      palpate::bench::BoundsBenchmarks(), palpate::bench::PipelineBenchmarks()})
+                      palpate::bench::BoundsBenchmarks(), palpate::bench::NearestBenchmarks(),
+                      palpate::bench::PipelineBenchmarks()})
   {
     all.insert(all.end(), group.begin(), group.end());
   }

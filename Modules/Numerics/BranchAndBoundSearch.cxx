@@ -1,0 +1,232 @@
+#include "BranchAndBoundSearch.h"
+
+#include "SquaredDistance.h"
+#include "SurfacePatch.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+namespace palpate
+{
+namespace
+{
+// Angle between two unit vectors, rounded up a little.
+double AngleBetween(const Vector3& a, const Vector3& b)
+{
+  const double chord = (a - b).norm();
+  return chord < 1.0 ? chord * (1.0 + 0.05 * chord * chord) + 1e-15
+                     : 2.0 * std::asin(std::min(1.0, 0.5 * chord)) + 1e-15;
+}
+} // namespace
+
+BranchAndBoundSearch::BranchAndBoundSearch(const SphericalHarmonicModel& model,
+                                           const ClosestPointDescent& descent,
+                                           const SurfacePatchTree& tree, const Vector3& query,
+                                           int evaluationLimit) noexcept
+    : Model(model), Descent(descent), Tree(tree), Query(query), EvaluationLimit(evaluationLimit),
+      Rounding(descent.Rounding(query)), BestDistance(std::numeric_limits<double>::infinity()),
+      Proven(BestDistance)
+{
+  std::iota(this->FreePieces.begin(), this->FreePieces.end(), 0);
+}
+
+void BranchAndBoundSearch::Push(double bound, int index) noexcept
+{
+  if (!(bound < this->Enough()))
+  {
+    return;
+  }
+  if (this->PartCount == PartCapacity)
+  {
+    this->Proven = std::min(this->Proven, bound);
+    return;
+  }
+  this->Queue[this->PartCount++] = {bound, index};
+  std::push_heap(this->Queue.begin(),
+                 this->Queue.begin() + static_cast<std::ptrdiff_t>(this->PartCount),
+                 [](const Part& a, const Part& b) { return a.Bound > b.Bound; });
+}
+
+BranchAndBoundSearch::Part BranchAndBoundSearch::Pop() noexcept
+{
+  std::pop_heap(this->Queue.begin(),
+                this->Queue.begin() + static_cast<std::ptrdiff_t>(this->PartCount),
+                [](const Part& a, const Part& b) { return a.Bound > b.Bound; });
+  return this->Queue[--this->PartCount];
+}
+
+BranchAndBoundSearch::Piece
+BranchAndBoundSearch::Evaluate(const SphericalTriangle& triangle) noexcept
+{
+  ++this->Evaluations;
+  const SphericalCap cap = triangle.Cap();
+  return {triangle, cap.Center, cap.Radius, this->Model.EvaluateSecondOrder(cap.Center)};
+}
+
+bool BranchAndBoundSearch::IsCovered(const Vector3& center, double reach) noexcept
+{
+  for (std::size_t i = 0; i < this->BasinCount; ++i)
+  {
+    const Basin& basin = this->Basins[i];
+    if (AngleBetween(center, basin.Direction) + reach <= basin.Around.Angle)
+    {
+      this->Proven = std::min(this->Proven, basin.Around.LowerDistance);
+      return true;
+    }
+  }
+  return false;
+}
+
+void BranchAndBoundSearch::Descend(const Vector3& direction,
+                                   const SphericalHarmonicModel::SecondOrderSample& sample) noexcept
+{
+  constexpr double Tolerance = 1e-12; // rad
+  const ClosestPoint found =
+      this->Descent.Run(this->Query, direction, sample, Tolerance,
+                        std::max(0, this->EvaluationLimit - this->Evaluations));
+  this->Evaluations += found.Evaluations;
+  const double distance = std::abs(found.SignedDistance);
+  if (distance < this->BestDistance)
+  {
+    this->Best = found;
+    this->BestDistance = distance;
+  }
+  if (this->BasinCount < BasinCapacity)
+  {
+    this->Basins[this->BasinCount++] = {found.SampleDirection,
+                                        this->Descent.BasinAround(this->Query, found)};
+  }
+}
+
+// The point in the query's direction is often a good start: what comes later then only proves it.
+void BranchAndBoundSearch::DescendFromQuery() noexcept
+{
+  const double distance = this->Query.norm();
+  const Vector3 direction =
+      distance > 0.0 ? Vector3(this->Query / distance) : Vector3(Vector3::UnitZ());
+  ++this->Evaluations;
+  this->Descend(direction, this->Model.EvaluateSecondOrder(direction));
+}
+
+void BranchAndBoundSearch::Examine(double bound, const Piece& piece) noexcept
+{
+  const SquaredDistance distance(piece.Center, piece.Sample, this->Query);
+  bool worthwhile = distance.Offset.norm() < this->BestDistance;
+  if (!worthwhile && distance.IsConvex())
+  {
+    const Vector3 step = distance.Step(0.0);
+    worthwhile = step.norm() <= 2.0 * piece.Reach &&
+                 !this->IsCovered((piece.Center + step).normalized(), 0.0);
+  }
+  if (worthwhile)
+  {
+    this->Descend(piece.Center, piece.Sample);
+  }
+  if (!this->IsCovered(piece.Center, piece.Reach))
+  {
+    this->Cut(bound, piece);
+  }
+}
+
+void BranchAndBoundSearch::Cut(double bound, const Piece& piece) noexcept
+{
+  for (const SphericalTriangle& triangle : piece.Triangle.Split())
+  {
+    const SphericalCap cap = triangle.Cap();
+    if (this->IsCovered(cap.Center, cap.Radius))
+    {
+      continue;
+    }
+    const Piece child = this->Evaluate(triangle);
+    const SurfacePatch patch(child.Center, child.Sample, child.Reach,
+                             this->Descent.Bounds().PointThird);
+    const double expansion =
+        this->Descent.LowerDistance(this->Query, child.Center, child.Sample, child.Reach);
+    this->PushPiece(std::max({bound, patch.LowerDistance(this->Query), expansion}), child);
+  }
+}
+
+void BranchAndBoundSearch::PushPiece(double bound, const Piece& piece) noexcept
+{
+  if (!(bound < this->Enough()))
+  {
+    return;
+  }
+  if (this->FreeCount == 0)
+  {
+    this->Proven = std::min(this->Proven, bound);
+    return;
+  }
+  const int slot = this->FreePieces[--this->FreeCount];
+  this->Pieces[static_cast<std::size_t>(slot)] = piece;
+  this->Push(bound, this->Tree.NodeCount() + slot);
+}
+
+void BranchAndBoundSearch::PushParts(int node) noexcept
+{
+  const int first = SurfacePatchTree::FirstPart(node);
+  for (int part = first; part < first + 4; ++part)
+  {
+    this->Push(this->Tree.LowerDistance(part, this->Query), part);
+  }
+}
+
+void BranchAndBoundSearch::Visit(const Part& part) noexcept
+{
+  if (part.Index >= this->Tree.NodeCount())
+  {
+    const int slot = part.Index - this->Tree.NodeCount();
+    const Piece piece = this->Pieces[static_cast<std::size_t>(slot)];
+    this->FreePieces[this->FreeCount++] = slot;
+    this->Examine(part.Bound, piece);
+    return;
+  }
+  const auto& [center, reach] = this->Tree.CapOf(part.Index);
+  if (this->IsCovered(center, reach))
+  {
+    return;
+  }
+  if (this->Tree.IsInner(part.Index))
+  {
+    this->PushParts(part.Index);
+    return;
+  }
+  const Piece piece = this->Evaluate(this->Tree.Triangle(part.Index));
+  const double bound = std::max(part.Bound, this->Descent.LowerDistance(this->Query, piece.Center,
+                                                                        piece.Sample, piece.Reach));
+  if (bound < this->Enough())
+  {
+    this->Examine(bound, piece);
+  }
+}
+
+ClosestPoint BranchAndBoundSearch::Run() noexcept
+{
+  this->DescendFromQuery();
+  for (int root = 0; root < SurfacePatchTree::RootCount; ++root)
+  {
+    this->Push(this->Tree.LowerDistance(root, this->Query), root);
+  }
+  const double distance = this->Query.norm();
+  const double shell =
+      std::max({0.0, this->Tree.LeastRadius() - distance, distance - this->Tree.LargestRadius()});
+  while (this->PartCount > 0 && shell < this->Enough())
+  {
+    const Part part = this->Pop();
+    const bool isDone = this->Evaluations >= this->EvaluationLimit &&
+                        this->BestDistance < std::numeric_limits<double>::infinity();
+    if (!(part.Bound < this->Enough()) || isDone)
+    {
+      this->Proven = std::min(this->Proven, part.Bound);
+      break;
+    }
+    this->Visit(part);
+  }
+  const double proven = std::max(shell, std::min(this->Proven, this->Enough()));
+  this->Best.DistanceError = std::max(0.0, this->BestDistance - proven) + this->Rounding;
+  this->Best.Evaluations = this->Evaluations;
+  return this->Best;
+}
+} // namespace palpate

@@ -1,0 +1,85 @@
+#pragma once
+
+#include "ClosestPoint.h"
+#include "ClosestPointDescent.h"
+#include "SphericalTriangle.h"
+#include "SurfacePatchTree.h"
+
+#include <array>
+#include <cstddef>
+
+namespace palpate
+{
+/// One search of ClosestPointSearch for the nearest point of the whole surface; see there. Lives on
+/// the stack for one query, allocates nothing and ends after a fixed number of evaluations.
+class BranchAndBoundSearch
+{
+public:
+  /// `query` is relative to the model's centre, mm.
+  BranchAndBoundSearch(const SphericalHarmonicModel& model, const ClosestPointDescent& descent,
+                       const SurfacePatchTree& tree, const Vector3& query,
+                       int evaluationLimit) noexcept;
+
+  ClosestPoint Run() noexcept;
+
+private:
+  // A part of the surface, by its lower bound of the distance: a node of the tree, or, with
+  // numbers from the tree's end on, a piece of a finest node.
+  struct Part
+  {
+    double Bound; // mm
+    int Index;
+  };
+  struct Piece
+  {
+    SphericalTriangle Triangle;
+    Vector3 Center;
+    double Reach; // rad
+    SphericalHarmonicModel::SecondOrderSample Sample;
+  };
+  struct Basin
+  {
+    Vector3 Direction;
+    ClosestPointDescent::Basin Around;
+  };
+  static constexpr std::size_t PartCapacity = 8192;
+  static constexpr std::size_t PieceCapacity = 256;
+  static constexpr std::size_t BasinCapacity = 8;
+
+  Piece Evaluate(const SphericalTriangle& triangle) noexcept;
+  void PushPiece(double bound, const Piece& piece) noexcept;
+  void Push(double bound, int index) noexcept;
+  Part Pop() noexcept;
+  void PushParts(int node) noexcept;
+  // Looks for a minimum near the piece's centre, and cuts what that does not settle.
+  void Examine(double bound, const Piece& piece) noexcept;
+  void Cut(double bound, const Piece& piece) noexcept;
+  void Visit(const Part& part) noexcept;
+  void Descend(const Vector3& direction,
+               const SphericalHarmonicModel::SecondOrderSample& sample) noexcept;
+  void DescendFromQuery() noexcept;
+  // Whether a basin covers the cap, and so proves its lower bound.
+  bool IsCovered(const Vector3& center, double reach) noexcept;
+  // Nothing nearer than this is left to find, but for rounding.
+  double Enough() const noexcept { return this->BestDistance - this->Rounding; }
+
+  const SphericalHarmonicModel& Model;
+  const ClosestPointDescent& Descent;
+  const SurfacePatchTree& Tree;
+  const Vector3 Query;
+  const int EvaluationLimit;
+  const double Rounding; // of distances, mm
+
+  ClosestPoint Best;
+  double BestDistance; // mm
+  double Proven;       // no point outside the queue is nearer, mm
+  int Evaluations = 0;
+  std::array<Part, PartCapacity> Queue; // a heap, least bound first
+  std::size_t PartCount = 0;
+  std::array<Piece, PieceCapacity> Pieces;
+  std::array<int, PieceCapacity> FreePieces;
+  std::size_t FreeCount = PieceCapacity;
+  std::array<Basin, BasinCapacity> Basins;
+  std::size_t BasinCount = 0;
+};
+} // namespace palpate

@@ -1,0 +1,113 @@
+#include "ClosestPointSearch.h"
+
+#include "BranchAndBoundSearch.h"
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+namespace palpate
+{
+namespace
+{
+// Parts about as wide as the finest detail that the degree can show.
+int LevelsFor(int degree)
+{
+  constexpr int Most = 5;
+  int levels = 2;
+  while (levels < Most && (1 << levels) < degree)
+  {
+    ++levels;
+  }
+  return levels;
+}
+
+// Squares of what is larger would overflow.
+bool IsUsable(const Vector3& query)
+{
+  return query.lpNorm<Eigen::Infinity>() <= 1e100;
+}
+
+ClosestPoint Unusable(const SphericalHarmonicModel& model)
+{
+  ClosestPoint point;
+  const Vector3 up = Vector3::UnitZ();
+  point.Direction = up;
+  point.PointWorld = model.PointWorld(up);
+  point.Normal = up;
+  point.SignedDistance = 0.0;
+  point.DistanceError = std::numeric_limits<double>::infinity();
+  point.PositionError = point.DistanceError;
+  point.SampleDirection = up;
+  point.Sample = model.EvaluateSecondOrder(up);
+  return point;
+}
+} // namespace
+
+ClosestPointSearch::ClosestPointSearch(std::shared_ptr<const SphericalHarmonicModel> model)
+    : Surface(std::move(model)), Descent(*Surface),
+      Tree(*Surface, Descent.Bounds(), LevelsFor(Surface->Degree()))
+{
+}
+
+ClosestPoint ClosestPointSearch::Nearest(const Vector3& queryWorld,
+                                         int evaluationLimit) const noexcept
+{
+  const Vector3 query = queryWorld - this->Surface->CenterWorld();
+  if (!IsUsable(query))
+  {
+    return Unusable(*this->Surface);
+  }
+  BranchAndBoundSearch search(*this->Surface, this->Descent, this->Tree, query, evaluationLimit);
+  const ClosestPoint closest = search.Run();
+  return closest.State == ClosestPoint::Outcome::BadInput ? Unusable(*this->Surface) : closest;
+}
+
+ClosestPoint ClosestPointSearch::Track(const Vector3& queryWorld,
+                                       const ClosestPoint& previous) const noexcept
+{
+  const Vector3 query = queryWorld - this->Surface->CenterWorld();
+  if (!IsUsable(query))
+  {
+    return Unusable(*this->Surface);
+  }
+  return this->Descent.Run(query, previous.SampleDirection, previous.Sample, TrackingTolerance,
+                           TrackingEvaluationLimit);
+}
+
+ClosestPoint ClosestPointSearch::Track(const Vector3& queryWorld,
+                                       const Vector3& previousDirection) const noexcept
+{
+  ClosestPoint start;
+  start.SampleDirection = previousDirection;
+  start.Sample = this->Surface->EvaluateSecondOrder(previousDirection);
+  ClosestPoint point = this->Track(queryWorld, start);
+  ++point.Evaluations;
+  return point;
+}
+
+ToolContact ClosestPointSearch::Touch(const ClosestPoint& closest, double toolRadius) noexcept
+{
+  return {closest.SignedDistance - toolRadius, closest.PointWorld, closest.Normal,
+          closest.PointWorld + toolRadius * closest.Normal, 0.0};
+}
+
+ToolContact ClosestPointSearch::TouchAnywhere(const Vector3& toolCenterWorld,
+                                              double toolRadius) const noexcept
+{
+  // In a hollow too narrow for the tool the walls push it out by turns.
+  constexpr int MostPushes = 64;
+  ToolContact contact = Touch(this->Nearest(toolCenterWorld), toolRadius);
+  for (int push = 0; push < MostPushes; ++push)
+  {
+    const ClosestPoint closest = this->Nearest(contact.ToolCenterWorld);
+    contact.Overlap = std::max(0.0, toolRadius - closest.SignedDistance);
+    if (contact.Overlap <= 1e-9 * toolRadius)
+    {
+      break;
+    }
+    contact.ToolCenterWorld += contact.Overlap * closest.Normal;
+  }
+  return contact;
+}
+} // namespace palpate

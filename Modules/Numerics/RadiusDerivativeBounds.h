@@ -1,0 +1,24 @@
+#pragma once
+
+#include "SphericalHarmonicModel.h"
+
+#include <array>
+
+namespace palpate
+{
+/// Bounds that hold at every direction u and along every great circle through it, with derivatives
+/// in the arc's angle: of the radius R, and of the surface point x = R u.
+///
+/// Along a great circle a radius of degree L is a trigonometric polynomial of degree L. If its
+/// largest size is M, an angle s away it is still at least M cos(L s) (M. Riesz 1914), and its
+/// derivative is at most L M (Bernstein 1912). The same holds for its derivatives. So values and
+/// first two derivatives at directions that leave gaps of the angle s bound those everywhere, and
+/// the second derivative bounds the third. The model is evaluated in about 10 L^2 directions.
+struct RadiusDerivativeBounds
+{
+  explicit RadiusDerivativeBounds(const SphericalHarmonicModel& model);
+
+  std::array<double, 4> Radius; ///< |R| (mm), |R'| (mm/rad), |R''|, |R'''|
+  double PointThird;            ///< |x'''| (mm/rad^3), and the same for three different directions
+};
+} // namespace palpate

@@ -1,0 +1,36 @@
+#pragma once
+
+#include "SphericalHarmonicModel.h"
+#include "Vector3.h"
+
+#include <array>
+
+namespace palpate
+{
+/// How a star-shaped surface x(u) = centre + R(u) u bends at one point. A curvature is positive
+/// where the surface bends away from the outward normal (R u - grad R): a sphere of radius a has
+/// mean curvature 1/a.
+struct SurfaceCurvature
+{
+  double Mean;                     ///< half the sum of the principal curvatures, 1/mm
+  double Gaussian;                 ///< their product, 1/mm^2
+  std::array<double, 2> Principal; ///< the larger first, 1/mm
+  /// Unit tangents of the surface in the model's axes, perpendicular to each other, in the order
+  /// of Principal. At an umbilic point, where every direction is principal, some such pair.
+  std::array<Vector3, 2> Directions;
+};
+
+/// Curvature where the unit vector `direction` meets the surface, from the radius and its first two
+/// derivatives there (SphericalHarmonicModel::EvaluateSecondOrder). Where R < 0 it is that of the
+/// surface through centre + R u, still with the normal pointing away from the centre. Where R = 0
+/// the surface has no tangent plane, and every number is NaN.
+///
+/// With g and H the surface gradient and Hessian of R, and t a tangent of the unit sphere, the
+/// fundamental forms are
+///   I(t, t) = R^2 |t|^2 + (g.t)^2
+///   II(t, t) = (R^2 |t|^2 + 2 (g.t)^2 - R t.H t) / sqrt(R^2 + |g|^2),
+/// and no angle appears. Source: do Carmo, Differential Geometry of Curves and Surfaces (1976),
+/// sections 2-5 and 3-3, for x(u) = R u.
+SurfaceCurvature CurvatureAt(const Vector3& direction,
+                             const SphericalHarmonicModel::SecondOrderSample& sample) noexcept;
+} // namespace palpate

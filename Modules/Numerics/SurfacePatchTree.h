@@ -1,0 +1,77 @@
+#pragma once
+
+#include "RadiusDerivativeBounds.h"
+#include "SphericalHarmonicModel.h"
+#include "SphericalTriangle.h"
+#include "SurfacePatch.h"
+
+#include <cstddef>
+#include <vector>
+
+namespace palpate
+{
+/// A hierarchy of volumes around the parts of a model's surface: the triangles of an icosahedron,
+/// each cut into four a number of times. The finest have a SurfacePatch each, the others a sphere
+/// around their four parts. Nodes are numbered level by level; points are relative to the model's
+/// centre, mm. Immutable; its queries are const, thread-safe and free of allocation.
+class SurfacePatchTree
+{
+public:
+  /// `levels` >= 0 is how often the 20 triangles are cut. Evaluates the model in 20 * 4^levels
+  /// directions.
+  SurfacePatchTree(const SphericalHarmonicModel& model, const RadiusDerivativeBounds& bounds,
+                   int levels);
+
+  static constexpr int RootCount = 20;
+  /// All nodes but the finest, and all nodes.
+  int InnerCount() const noexcept { return static_cast<int>(this->Spheres.size()); }
+  int NodeCount() const noexcept { return InnerCount() + static_cast<int>(this->Patches.size()); }
+  bool IsInner(int node) const noexcept { return node < this->InnerCount(); }
+  /// The first of the four parts of an inner node; the others follow.
+  static constexpr int FirstPart(int node) noexcept { return RootCount + 4 * node; }
+
+  /// No point of the node's surface is nearer to the query than this (mm), up to rounding.
+  double LowerDistance(int node, const Vector3& query) const noexcept
+  {
+    if (!this->IsInner(node))
+    {
+      return this->Patches[static_cast<std::size_t>(node - this->InnerCount())].LowerDistance(
+          query);
+    }
+    const Sphere& sphere = this->Spheres[static_cast<std::size_t>(node)];
+    return std::max(0.0, (query - sphere.Center).norm() - sphere.Radius);
+  }
+  /// The directions that a node stands for.
+  SphericalTriangle Triangle(int node) const noexcept;
+  /// A cap of directions around them.
+  struct Cap
+  {
+    Vector3 Center; ///< unit vector
+    double Reach;   ///< rad
+  };
+  const Cap& CapOf(int node) const noexcept { return this->Caps[static_cast<std::size_t>(node)]; }
+
+  /// |R| is between these everywhere, mm.
+  double LeastRadius() const noexcept { return std::max({0.0, this->Lowest, -this->Highest}); }
+  double LargestRadius() const noexcept { return std::max(-this->Lowest, this->Highest); }
+
+private:
+  struct Sphere
+  {
+    Vector3 Center;
+    double Radius;
+  };
+
+  Sphere Build(const SphericalHarmonicModel& model, const RadiusDerivativeBounds& bounds, int node,
+               const SphericalTriangle& triangle);
+  Sphere BuildPatch(const SphericalHarmonicModel& model, const RadiusDerivativeBounds& bounds,
+                    int node);
+
+  std::vector<SphericalTriangle> Roots;
+  std::vector<Cap> Caps;
+  std::vector<Sphere> Spheres;
+  std::vector<SurfacePatch> Patches;
+  double Lowest; // bounds of R
+  double Highest;
+};
+} // namespace palpate

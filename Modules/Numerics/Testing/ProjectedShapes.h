@@ -1,0 +1,58 @@
+#pragma once
+
+#include "SphereQuadrature.h"
+#include "SphericalHarmonicBasis.h"
+#include "SphericalHarmonicModel.h"
+
+#include <cmath>
+#include <functional>
+#include <vector>
+
+namespace palpate::test
+{
+/// The model of a given degree nearest to a radius function (mm): coefficients by quadrature of
+/// four times the degree.
+inline SphericalHarmonicModel Project(int degree,
+                                      const std::function<double(const Vector3&)>& radius,
+                                      const Vector3& centerWorld = Vector3::Zero())
+{
+  const SphericalHarmonicBasis basis(degree);
+  const SphereQuadrature sphere(4 * degree);
+  std::vector<double> values(basis.Size());
+  std::vector<double> coefficients(basis.Size(), 0.0);
+  for (std::size_t i = 0; i < sphere.Weights.size(); ++i)
+  {
+    basis.Evaluate(sphere.Directions[i], values.data());
+    const double weighted = sphere.Weights[i] * radius(sphere.Directions[i]);
+    for (std::size_t k = 0; k < values.size(); ++k)
+    {
+      coefficients[k] += weighted * values[k];
+    }
+  }
+  return {degree, coefficients, centerWorld};
+}
+
+/// An ellipsoid with these half axes along the columns of `rotation`.
+inline SphericalHarmonicModel Ellipsoid(const Vector3& axes, const Matrix3& rotation, int degree)
+{
+  return Project(degree, [axes, rotation](const Vector3& u)
+                 { return 1.0 / (rotation.transpose() * u).cwiseQuotient(axes).norm(); });
+}
+
+/// A sphere whose middle is `offset` from the model's centre; exact for offset zero.
+inline SphericalHarmonicModel OffCenterSphere(double radius, const Vector3& offset, int degree)
+{
+  return Project(degree,
+                 [radius, offset](const Vector3& u)
+                 {
+                   const double along = offset.dot(u);
+                   return along + std::sqrt(radius * radius - offset.squaredNorm() + along * along);
+                 });
+}
+
+/// The sphere around `centerWorld`.
+inline SphericalHarmonicModel Sphere(double radius, const Vector3& centerWorld = Vector3::Zero())
+{
+  return {0, {radius * std::sqrt(4.0 * M_PI)}, centerWorld};
+}
+} // namespace palpate::test

@@ -1,0 +1,319 @@
+#include "ClosestPointSearch.h"
+
+#include "NearestByBruteForce.h"
+#include "ProjectedShapes.h"
+#include "RandomShapes.h"
+
+#include <gtest/gtest.h>
+
+namespace palpate
+{
+namespace
+{
+using Outcome = ClosestPoint::Outcome;
+using test::Random;
+
+ClosestPointSearch SearchOn(const SphericalHarmonicModel& model)
+{
+  return ClosestPointSearch(std::make_shared<const SphericalHarmonicModel>(model));
+}
+
+// A smooth path that stays between 95 % and 110 % of the radius, `step` mm a tick.
+class Path
+{
+public:
+  Path(Random& random, const SphericalHarmonicModel& model, double step)
+      : Source(random), Model(model), Step(step), Velocity(test::RandomDirection(random)),
+        Query(model.PointWorld(test::RandomDirection(random)))
+  {
+  }
+
+  const Vector3& Next()
+  {
+    const Vector3 outwards = this->Query - this->Model.CenterWorld();
+    const Vector3 u = outwards.normalized();
+    const double ratio = outwards.norm() / this->Model.Radius(u);
+    const double back = ratio > 1.1 ? -0.2 : ratio < 0.95 ? 0.2 : 0.0;
+    this->Velocity =
+        (this->Velocity + back * u + 0.05 * test::RandomDirection(this->Source)).normalized();
+    this->Query += this->Step * this->Velocity;
+    return this->Query;
+  }
+
+private:
+  Random& Source;
+  const SphericalHarmonicModel& Model;
+  double Step;
+  Vector3 Velocity;
+  Vector3 Query;
+};
+
+TEST(ClosestPointTracking, EqualsTheGlobalSearchAlongSmoothPaths)
+{
+  Random random(951);
+  for (int sample = 0; sample < 3; ++sample)
+  {
+    const ClosestPointSearch search = SearchOn(test::RandomOrgan(random, 12));
+    for (const double step : {0.01, 0.1, 1.0}) // mm
+    {
+      Path path(random, search.Model(), step);
+      ClosestPoint tracked = search.Nearest(path.Next());
+      for (int tick = 0; tick < 300; ++tick)
+      {
+        const Vector3 query = path.Next();
+        tracked = search.Track(query, tracked);
+        const ClosestPoint nearest = search.Nearest(query);
+        ASSERT_TRUE(tracked.Converged()) << tick;
+        // What both say of themselves.
+        EXPECT_NEAR(tracked.SignedDistance, nearest.SignedDistance,
+                    tracked.DistanceError + nearest.DistanceError);
+        EXPECT_LE((tracked.PointWorld - nearest.PointWorld).norm(),
+                  tracked.PositionError + nearest.PositionError);
+        // The tolerance in mm. The distance errs by its square, and by what the expansion of the
+        // last step leaves: |x'''| = 500 mm times the cube of at most 1e-4.
+        EXPECT_LE(tracked.PositionError, 5e-6);
+        EXPECT_LE(tracked.DistanceError, 1e-8);
+        EXPECT_NEAR(tracked.SignedDistance, nearest.SignedDistance, 1e-10);
+      }
+    }
+  }
+}
+
+TEST(ClosestPointTracking, NeedsOneEvaluationATickOnServoPaths)
+{
+  Random random(952);
+  const ClosestPointSearch search = SearchOn(test::RandomOrgan(random, 12));
+  for (const double step : {0.01, 0.1}) // mm: 10 and 100 mm/s at 1 kHz
+  {
+    Path path(random, search.Model(), step);
+    ClosestPoint tracked = search.Nearest(path.Next());
+    int evaluations = 0;
+    constexpr int Ticks = 2000;
+    for (int tick = 0; tick < Ticks; ++tick)
+    {
+      tracked = search.Track(path.Next(), tracked);
+      evaluations += tracked.Evaluations;
+    }
+    EXPECT_LE(evaluations, 1.01 * Ticks);
+  }
+}
+
+TEST(ClosestPointTracking, FollowsItsMinimumOnRoughBodiesAndTheGlobalOneIsNeverFarther)
+{
+  Random random(953);
+  const ClosestPointSearch search = SearchOn(test::RandomRough(random, 12, 20.0));
+  Path path(random, search.Model(), 0.1);
+  ClosestPoint tracked = search.Nearest(path.Next());
+  int apart = 0;
+  int lost = 0;
+  constexpr int Ticks = 1500;
+  for (int tick = 0; tick < Ticks; ++tick)
+  {
+    const Vector3 query = path.Next();
+    tracked = search.Track(query, tracked);
+    const ClosestPoint nearest = search.Nearest(query);
+    EXPECT_LE(std::abs(nearest.SignedDistance), std::abs(tracked.SignedDistance) + 1e-11);
+    if (!tracked.Converged())
+    {
+      ++lost;
+      tracked = nearest;
+    }
+    else if (std::abs(tracked.SignedDistance) - std::abs(nearest.SignedDistance) > 1e-9)
+    {
+      // Only because another point became nearer: they are well apart.
+      EXPECT_GT((tracked.PointWorld - nearest.PointWorld).norm(), 0.1);
+      ++apart;
+      tracked = nearest;
+    }
+    else
+    {
+      EXPECT_LE((tracked.PointWorld - nearest.PointWorld).norm(),
+                tracked.PositionError + nearest.PositionError);
+    }
+  }
+  EXPECT_LE(apart + lost, Ticks / 10);
+}
+
+TEST(ClosestPointTracking, FromAnyDirectionEndsSoonAndNotFartherThanItStarted)
+{
+  Random random(954);
+  const ClosestPointSearch search = SearchOn(test::RandomRough(random, 12, 20.0));
+  const SphericalHarmonicModel& model = search.Model();
+  int converged = 0;
+  for (int i = 0; i < 2000; ++i)
+  {
+    const Vector3 start = test::RandomDirection(random);
+    const double far = std::pow(10.0, std::uniform_real_distribution<double>(-3, 6)(random));
+    const Vector3 query = model.CenterWorld() + far * test::RandomDirection(random);
+    const ClosestPoint found = search.Track(query, start);
+    EXPECT_LE(found.Evaluations, ClosestPointSearch::TrackingEvaluationLimit + 1);
+    EXPECT_TRUE(found.PointWorld.allFinite());
+    const double begin = (model.PointWorld(start) - query).norm();
+    EXPECT_LE(std::abs(found.SignedDistance), begin * (1.0 + 1e-13) + 1e-12);
+    converged += found.Converged() ? 1 : 0;
+  }
+  EXPECT_GT(converged, 1000);
+}
+
+TEST(ClosestPointTracking, ErrorBoundsHoldAgainstASphereSeenFromASide)
+{
+  Random random(955);
+  const Vector3 middle(3.0, -2.0, 1.0);
+  const ClosestPointSearch search = SearchOn(test::OffCenterSphere(10.0, middle, 32));
+  for (int i = 0; i < 1000; ++i)
+  {
+    const Vector3 normal = test::RandomDirection(random);
+    const double height = std::uniform_real_distribution<double>(-5.0, 20.0)(random);
+    const Vector3 query = middle + (10.0 + height) * normal;
+    // Start as far off as a servo tick, and as a jump.
+    const double off = std::pow(10.0, std::uniform_real_distribution<double>(-6, -0.5)(random));
+    const Vector3 start =
+        (middle + 10.0 * (normal + off * test::RandomDirection(random)).normalized()).normalized();
+    const ClosestPoint found = search.Track(query, start);
+    ASSERT_TRUE(found.Converged());
+    // The series of degree 32 is the sphere but for rounding, which tilts it by 1e-13 rad or so; at
+    // a height of 20 mm the nearest point moves by as many times that.
+    const double series = 5e-12;
+    const Vector3 exact = middle + 10.0 * normal;
+    EXPECT_LE((found.PointWorld - exact).norm(), found.PositionError + series);
+    EXPECT_NEAR(found.SignedDistance, height, found.DistanceError + series);
+  }
+}
+
+TEST(ClosestPointTracking, ErrorBoundsHoldAgainstATighterSolve)
+{
+  Random random(956);
+  for (const double size : {1e-3, 20.0, 1e4})
+  {
+    const SphericalHarmonicModel model = test::RandomRough(random, 10, size);
+    const ClosestPointDescent descent(model);
+    for (int i = 0; i < 500; ++i)
+    {
+      const Vector3 u = test::RandomDirection(random);
+      const auto sample = model.EvaluateSecondOrder(u);
+      const double height = std::uniform_real_distribution<double>(-0.1, 0.5)(random) * size;
+      const double off = std::pow(10.0, std::uniform_real_distribution<double>(-5, -1.5)(random));
+      const Vector3 query =
+          sample.Radius * u + height * model.Normal(u) + off * size * test::RandomDirection(random);
+      const ClosestPoint loose = descent.Run(query, u, sample, 1e-4, 20);
+      if (loose.Converged())
+      {
+        const ClosestPoint tight =
+            descent.Run(query, loose.SampleDirection, loose.Sample, 1e-13, 20);
+        EXPECT_LE((loose.PointWorld - tight.PointWorld).norm(),
+                  loose.PositionError + tight.PositionError);
+        EXPECT_NEAR(loose.SignedDistance, tight.SignedDistance,
+                    loose.DistanceError + tight.DistanceError);
+      }
+    }
+  }
+}
+
+TEST(ClosestPointTracking, NoPointInABasinIsNearer)
+{
+  Random random(957);
+  const SphericalHarmonicModel model = test::RandomRough(random, 8, 20.0);
+  const ClosestPointDescent descent(model);
+  int basins = 0;
+  for (int i = 0; i < 300; ++i)
+  {
+    const Vector3 u = test::RandomDirection(random);
+    const Vector3 query = std::uniform_real_distribution<double>(0.5, 2.0)(random) *
+                          model.Radius(u) * test::RandomDirection(random);
+    const ClosestPoint found = descent.Run(query, u, model.EvaluateSecondOrder(u), 1e-12, 60);
+    const auto basin = descent.BasinAround(query, found);
+    basins += basin.Angle > 0.0 ? 1 : 0;
+    for (int k = 0; k < 30; ++k)
+    {
+      const Vector3& v = found.SampleDirection;
+      const Vector3 t = v.cross(test::RandomDirection(random)).normalized();
+      const double angle = basin.Angle * std::uniform_real_distribution<double>()(random);
+      const Vector3 w = std::cos(angle) * v + std::sin(angle) * t;
+      EXPECT_GE((model.Radius(w) * w - query).norm(), basin.LowerDistance);
+    }
+    // And the bound over a cap anywhere.
+    const double reach = std::pow(10.0, std::uniform_real_distribution<double>(-3, 0)(random));
+    const double least = descent.LowerDistance(query, u, model.EvaluateSecondOrder(u), reach);
+    for (int k = 0; k < 30; ++k)
+    {
+      const Vector3 t = u.cross(test::RandomDirection(random)).normalized();
+      const double angle = reach * std::uniform_real_distribution<double>()(random);
+      const Vector3 w = std::cos(angle) * u + std::sin(angle) * t;
+      EXPECT_GE((model.Radius(w) * w - query).norm(), least - 1e-12);
+    }
+  }
+  EXPECT_GT(basins, 200);
+}
+
+TEST(ClosestPointTracking, SaysSoOppositeOfTheNearestPoint)
+{
+  const ClosestPointSearch search = SearchOn(test::Sphere(10.0));
+  const ClosestPoint found = search.Track({20.0, 0.0, 0.0}, Vector3(-1.0, 0.0, 0.0));
+  EXPECT_EQ(found.State, Outcome::Stationary); // the farthest point
+  EXPECT_FALSE(found.Converged());
+  EXPECT_EQ(found.DistanceError, INFINITY);
+  // A little beside it the way down is found.
+  const Vector3 beside = Vector3(-1.0, 1e-6, 0.0).normalized();
+  ClosestPoint next = search.Track({20.0, 0.0, 0.0}, beside);
+  for (int tick = 0; tick < 3 && !next.Converged(); ++tick)
+  {
+    next = search.Track({20.0, 0.0, 0.0}, next);
+  }
+  EXPECT_TRUE(next.Converged());
+  EXPECT_NEAR(next.SignedDistance, 10.0, 1e-14);
+}
+
+TEST(ClosestPointTracking, FromADirectionThatIsNotANumberIsBadInput)
+{
+  const ClosestPointSearch search = SearchOn(test::Sphere(10.0));
+  const ClosestPoint found = search.Track({20.0, 0.0, 0.0}, Vector3(NAN, 0.0, 1.0));
+  EXPECT_EQ(found.State, Outcome::BadInput);
+}
+
+TEST(ToolContact, OfASphericalToolIsItsRadiusNearer)
+{
+  const Vector3 center(1.0, 2.0, 3.0);
+  const ClosestPointSearch search = SearchOn(test::Sphere(10.0, center));
+  const Vector3 u = Vector3(1.0, -2.0, 2.0) / 3.0;
+  for (const double height : {5.0, 2.0, 0.5, -3.0})
+  {
+    const Vector3 query = center + (10.0 + height) * u;
+    for (const ToolContact& contact :
+         {ClosestPointSearch::Touch(search.Nearest(query), 2.0), search.TouchAnywhere(query, 2.0)})
+    {
+      // Some roundings of coordinates.
+      EXPECT_NEAR(contact.SignedDistance, height - 2.0, 1e-13);
+      EXPECT_LE((contact.ContactWorld - (center + 10.0 * u)).norm(), 1e-13);
+      EXPECT_LE((contact.ToolCenterWorld - (center + 12.0 * u)).norm(), 1e-13);
+      EXPECT_LE(contact.Overlap, 1e-13);
+    }
+  }
+}
+
+TEST(ToolContact, IsPushedOutOfHollowsTooNarrowForIt)
+{
+  // Two lobes with a waist, whose hollow is narrower than the tool.
+  const SphericalHarmonicModel model =
+      test::Project(8, [](const Vector3& u) { return 10.0 * (0.4 + u.z() * u.z()); });
+  const ClosestPointSearch search = SearchOn(model);
+  constexpr double ToolRadius = 9.0;
+  Random random(958);
+  int corrected = 0;
+  for (int i = 0; i < 60; ++i)
+  {
+    const Vector3 u = test::RandomDirection(random);
+    const Vector3 query =
+        model.PointWorld(u) -
+        std::uniform_real_distribution<double>(-8.0, 1.0)(random) * model.Normal(u);
+    const ToolContact local = ClosestPointSearch::Touch(search.Nearest(query), ToolRadius);
+    const ToolContact contact = search.TouchAnywhere(query, ToolRadius);
+    const double left = search.Nearest(contact.ToolCenterWorld).SignedDistance - ToolRadius;
+    // What the pushes stop at.
+    EXPECT_GE(left, -1e-6) << i;
+    EXPECT_NEAR(contact.Overlap, std::max(0.0, -left), 1e-12);
+    corrected += (local.ToolCenterWorld - contact.ToolCenterWorld).norm() > 1e-3 ? 1 : 0;
+  }
+  EXPECT_GT(corrected, 3); // the case happens
+}
+} // namespace
+} // namespace palpate
