@@ -2,7 +2,7 @@
 
 // The arithmetic of SampleMoments and ResidualMoments. This header is compiled once for each
 // instruction set, with different options, so it must not contain or include anything that another
-// file could also instantiate; see PolynomialKernel.h.
+// file could also instantiate; see Quartet.h.
 
 namespace palpate::moments
 {

@@ -23,7 +23,10 @@ double NormOf(const AlignedVector& v)
 }
 } // namespace
 
-MomentSolver::MomentSolver(int degree) : MomentSolver(degree, moments::FastestKernel()) {}
+MomentSolver::MomentSolver(int degree)
+    : MomentSolver(degree, moments::KernelFor(FastestInstructionSet()))
+{
+}
 
 MomentSolver::MomentSolver(int degree, const moments::Kernel& kernel)
     : LeastSquaresSolver(degree),

@@ -7,7 +7,10 @@
 
 namespace palpate
 {
-PackedTriangle::PackedTriangle(int size) : PackedTriangle(size, triangle::FastestKernel()) {}
+PackedTriangle::PackedTriangle(int size)
+    : PackedTriangle(size, triangle::KernelFor(FastestInstructionSet()))
+{
+}
 
 PackedTriangle::PackedTriangle(int size, const triangle::Kernel& kernel)
     : Rows(size), Strips((size + kernel.Lanes - 1) / kernel.Lanes), Arithmetic(&kernel)

@@ -2,22 +2,23 @@
 
 #include "SphericalHarmonicBasis.h"
 
+#include <array>
 #include <cmath>
 
 namespace palpate
 {
 namespace
 {
-using Real = long double;
+using Long = long double;
 
 // E + z O with coefficients of rising powers of t.
 struct ParityPolynomial
 {
-  std::vector<Real> Even;
-  std::vector<Real> Odd;
+  std::vector<Long> Even;
+  std::vector<Long> Odd;
 };
 
-void AddTo(std::vector<Real>& sum, const std::vector<Real>& terms, Real factor)
+void AddTo(std::vector<Long>& sum, const std::vector<Long>& terms, Long factor)
 {
   if (sum.size() < terms.size())
   {
@@ -44,9 +45,9 @@ ParityPolynomial TimesZ(const ParityPolynomial& p)
 }
 
 // Q_mm of SphericalHarmonicRecurrence, in long double.
-Real Diagonal(int order)
+Long Diagonal(int order)
 {
-  Real value = 1.0L / std::sqrt(16.0L * std::atan(1.0L)); // 1 / sqrt(4 pi)
+  Long value = 1.0L / std::sqrt(16.0L * std::atan(1.0L)); // 1 / sqrt(4 pi)
   for (int m = 1; m <= order; ++m)
   {
     value *= std::sqrt((2.0L * m + 1.0L) / (m == 1 ? 1.0L : 2.0L * m));
@@ -71,17 +72,17 @@ OrderPolynomials SumOrder(int degree, int order, const std::vector<double>& coef
   {
     if (l > order)
     {
-      const Real l2 = static_cast<Real>(l) * l;
-      const Real m2 = static_cast<Real>(order) * order;
-      const Real k2 = (l - 1.0L) * (l - 1.0L);
-      const Real a = std::sqrt((4.0L * l2 - 1.0L) / (l2 - m2));
-      const Real b = l == order + 1 ? 0.0L : std::sqrt((k2 - m2) / (4.0L * k2 - 1.0L));
+      const Long l2 = static_cast<Long>(l) * l;
+      const Long m2 = static_cast<Long>(order) * order;
+      const Long k2 = (l - 1.0L) * (l - 1.0L);
+      const Long a = std::sqrt((4.0L * l2 - 1.0L) / (l2 - m2));
+      const Long b = l == order + 1 ? 0.0L : std::sqrt((k2 - m2) / (4.0L * k2 - 1.0L));
       ParityPolynomial next = TimesZ(current);
       AddTo(next.Even, previous.Even, -b);
       AddTo(next.Odd, previous.Odd, -b);
-      for (std::vector<Real>* part : {&next.Even, &next.Odd})
+      for (std::vector<Long>* part : {&next.Even, &next.Odd})
       {
-        for (Real& value : *part)
+        for (Long& value : *part)
         {
           value *= a;
         }
@@ -89,8 +90,8 @@ OrderPolynomials SumOrder(int degree, int order, const std::vector<double>& coef
       previous = std::move(current);
       current = std::move(next);
     }
-    const Real cosine = coefficients[SphericalHarmonicBasis::Index(l, order)];
-    const Real sine = order == 0 ? 0.0L : coefficients[SphericalHarmonicBasis::Index(l, -order)];
+    const Long cosine = coefficients[SphericalHarmonicBasis::Index(l, order)];
+    const Long sine = order == 0 ? 0.0L : coefficients[SphericalHarmonicBasis::Index(l, -order)];
     AddTo(sums.Cosine.Even, current.Even, cosine);
     AddTo(sums.Cosine.Odd, current.Odd, cosine);
     AddTo(sums.Sine.Even, current.Even, sine);
@@ -99,51 +100,67 @@ OrderPolynomials SumOrder(int degree, int order, const std::vector<double>& coef
   return sums;
 }
 
-double At(const std::vector<Real>& terms, int power)
+template <typename Real>
+Real At(const std::vector<Long>& terms, int power)
 {
   return static_cast<std::size_t>(power) < terms.size()
-             ? static_cast<double>(terms[static_cast<std::size_t>(power)])
-             : 0.0;
+             ? static_cast<Real>(terms[static_cast<std::size_t>(power)])
+             : Real(0);
+}
+
+template <typename Real>
+void AddZonal(int degree, const std::vector<double>& coefficients, EvaluationTable<Real>& table)
+{
+  const ParityPolynomial zonal = SumOrder(degree, 0, coefficients).Cosine;
+  for (int square = degree / 4; square >= 0; --square)
+  {
+    table.push_back(At<Real>(zonal.Even, 2 * square));
+    table.push_back(At<Real>(zonal.Even, 2 * square + 1));
+    table.push_back(At<Real>(zonal.Odd, 2 * square));
+    table.push_back(At<Real>(zonal.Odd, 2 * square + 1));
+  }
+}
+
+template <typename Real>
+void AddBlock(int degree, int first, const std::vector<double>& coefficients,
+              EvaluationTable<Real>& table)
+{
+  std::array<OrderPolynomials, 4> block;
+  for (int lane = 0; lane < 4 && first + lane <= degree; ++lane)
+  {
+    block[static_cast<std::size_t>(lane)] = SumOrder(degree, first + lane, coefficients);
+  }
+  const auto store = [&table, &block](std::vector<Long> ParityPolynomial::*part, int count)
+  {
+    for (int power = count - 1; power >= 0; --power)
+    {
+      for (const OrderPolynomials& order : block)
+      {
+        table.push_back(At<Real>(order.Cosine.*part, power));
+      }
+      for (const OrderPolynomials& order : block)
+      {
+        table.push_back(At<Real>(order.Sine.*part, power));
+      }
+    }
+  };
+  store(&ParityPolynomial::Even, (degree - first) / 2 + 1);
+  store(&ParityPolynomial::Odd, (degree - first + 1) / 2);
 }
 } // namespace
 
-PolynomialTable::PolynomialTable(int degree, const std::vector<double>& coefficients, int lanes)
-    : MaximumDegree(degree)
+template <typename Real>
+EvaluationTable<Real> MakePolynomialTable(int degree, const std::vector<double>& coefficients)
 {
-  const OrderPolynomials zero = SumOrder(degree, 0, coefficients);
-  for (int power = EvenCount(degree, 0) - 1; power >= 0; --power)
+  EvaluationTable<Real> table;
+  AddZonal(degree, coefficients, table);
+  for (int first = 1; first <= degree; first += 4)
   {
-    this->Values.push_back(At(zero.Cosine.Even, power));
-    this->Values.push_back(At(zero.Cosine.Odd, power));
+    AddBlock(degree, first, coefficients, table);
   }
-  // Blocks start on a multiple of their width.
-  while (this->Values.size() % static_cast<std::size_t>(lanes) != 0)
-  {
-    this->Values.push_back(0.0);
-  }
-  for (int first = 1; first <= degree; first += lanes)
-  {
-    std::vector<OrderPolynomials> block;
-    for (int m = first; m < first + lanes; ++m)
-    {
-      block.push_back(m <= degree ? SumOrder(degree, m, coefficients) : OrderPolynomials());
-    }
-    const auto store = [this, &block](std::vector<Real> ParityPolynomial::*part, int count)
-    {
-      for (int power = count - 1; power >= 0; --power)
-      {
-        for (const OrderPolynomials& order : block)
-        {
-          this->Values.push_back(At(order.Cosine.*part, power));
-        }
-        for (const OrderPolynomials& order : block)
-        {
-          this->Values.push_back(At(order.Sine.*part, power));
-        }
-      }
-    };
-    store(&ParityPolynomial::Even, EvenCount(degree, first));
-    store(&ParityPolynomial::Odd, OddCount(degree, first));
-  }
+  return table;
 }
+
+template EvaluationTable<float> MakePolynomialTable(int, const std::vector<double>&);
+template EvaluationTable<double> MakePolynomialTable(int, const std::vector<double>&);
 } // namespace palpate

@@ -8,7 +8,7 @@
 namespace palpate
 {
 ResidualMoments::ResidualMoments(std::shared_ptr<const MomentTables> tables)
-    : ResidualMoments(std::move(tables), moments::FastestKernel())
+    : ResidualMoments(std::move(tables), moments::KernelFor(FastestInstructionSet()))
 {
 }
 

@@ -16,7 +16,7 @@ std::size_t PairCount(int degree)
 } // namespace
 
 SampleMoments::SampleMoments(std::shared_ptr<const MomentTables> tables)
-    : SampleMoments(std::move(tables), moments::FastestKernel())
+    : SampleMoments(std::move(tables), moments::KernelFor(FastestInstructionSet()))
 {
 }
 

@@ -1,8 +1,6 @@
 #pragma once
 
-#include "PolynomialKernel.h"
-#include "PolynomialTable.h"
-#include "SphericalHarmonicRecurrence.h"
+#include "SphericalHarmonicEvaluator.h"
 #include "Vector3.h"
 
 #include <cstddef>
@@ -15,18 +13,16 @@ namespace palpate
 /// otherwise. Convention of the coefficients: see SphericalHarmonicBasis. The model's axes are the
 /// axes of the frame that the centre is given in (patient LPS, mm).
 ///
-/// Up to degree 16 the radius is evaluated by polynomials made for this model (PolynomialTable),
-/// with the fastest instructions that the processor has; above, by the normalised recurrence.
+/// What a direction must be and how exact the results are: see SphericalHarmonicEvaluator, whose
+/// double form this is; a float form of the same coefficients can be made beside it.
 class SphericalHarmonicModel
 {
 public:
-  enum class Formulation
-  {
-    Automatic,  ///< polynomials up to HighestPolynomialDegree
-    Polynomial, ///< loses digits above degree 16 or so
-    Recurrence  ///< good at every degree
-  };
-  static constexpr int HighestPolynomialDegree = 16;
+  using Formulation = EvaluationFormulation;
+  /// mm, mm/rad.
+  using Sample = SphericalHarmonicEvaluator<double>::Sample;
+  /// mm, mm/rad, mm/rad^2.
+  using SecondOrderSample = SphericalHarmonicEvaluator<double>::SecondOrderSample;
 
   /// The sphere of radius 0 at the origin.
   SphericalHarmonicModel() : SphericalHarmonicModel(0, {0.0}, Vector3::Zero()) {}
@@ -34,33 +30,39 @@ public:
   SphericalHarmonicModel(int degree, std::vector<double> coefficients, const Vector3& centerWorld,
                          Formulation formulation = Formulation::Automatic);
 
-  int Degree() const noexcept { return this->Recurrence.Degree(); }
+  int Degree() const noexcept { return this->MaximumDegree; }
   const std::vector<double>& Coefficients() const noexcept { return this->Values; }
   const Vector3& CenterWorld() const noexcept { return this->Center; }
 
   /// Radius in mm along a unit vector.
-  double Radius(const Vector3& direction) const noexcept;
-
-  struct Sample
+  double Radius(const Vector3& direction) const noexcept
   {
-    double Radius;           ///< mm
-    Vector3 SurfaceGradient; ///< gradient of R on the unit sphere (mm/rad), tangent to it
-  };
-  Sample Evaluate(const Vector3& direction) const noexcept;
-
-  struct SecondOrderSample
+    return this->Evaluator.Radius(direction);
+  }
+  Sample Evaluate(const Vector3& direction) const noexcept
   {
-    double Radius;           ///< mm
-    Vector3 SurfaceGradient; ///< as in Sample
-    /// Covariant Hessian of R on the unit sphere (mm/rad^2): symmetric, and zero along the
-    /// direction. For tangent unit vectors t it is the second derivative of R along the great
-    /// circle of t.
-    Matrix3 SurfaceHessian;
-  };
-  SecondOrderSample EvaluateSecondOrder(const Vector3& direction) const noexcept;
+    return this->Evaluator.Evaluate(direction);
+  }
+  SecondOrderSample EvaluateSecondOrder(const Vector3& direction) const noexcept
+  {
+    return this->Evaluator.EvaluateSecondOrder(direction);
+  }
 
   /// Evaluate for `count` unit vectors; several at once, so a third faster or more.
-  void EvaluateBatch(const Vector3* directions, std::size_t count, Sample* samples) const noexcept;
+  void EvaluateBatch(const Vector3* directions, std::size_t count, Sample* samples) const noexcept
+  {
+    this->Evaluator.EvaluateBatch(directions, count, samples);
+  }
+  /// The same with second derivatives, and for radii alone.
+  void EvaluateSecondOrderBatch(const Vector3* directions, std::size_t count,
+                                SecondOrderSample* samples) const noexcept
+  {
+    this->Evaluator.EvaluateSecondOrderBatch(directions, count, samples);
+  }
+  void RadiusBatch(const Vector3* directions, std::size_t count, double* radii) const noexcept
+  {
+    this->Evaluator.RadiusBatch(directions, count, radii);
+  }
 
   /// centre + R(u) u, mm.
   Vector3 PointWorld(const Vector3& direction) const noexcept;
@@ -78,20 +80,12 @@ public:
   SphericalHarmonicModel WithDegree(int degree) const;
 
 private:
-  double RadiusByRecurrence(const Vector3& direction) const noexcept;
-  Sample EvaluateByRecurrence(const Vector3& direction) const noexcept;
+  SphericalHarmonicModel(std::vector<double> coefficients, const Vector3& centerWorld, int degree,
+                         Formulation formulation);
 
-  SphericalHarmonicRecurrence Recurrence;
-  std::vector<double> Values;
+  SphericalHarmonicEvaluator<double> Evaluator; // first: with the next two, what a tick reads
   Vector3 Center;
-  const polynomial::Kernel* Kernel = nullptr; // null: by recurrence
-  PolynomialTable Table;
-  // Cosine and sine coefficients, order by order, as the recurrence visits them.
-  struct Pair
-  {
-    double Cosine;
-    double Sine;
-  };
-  std::vector<Pair> Pairs;
+  int MaximumDegree;
+  std::vector<double> Values;
 };
 } // namespace palpate

@@ -6,22 +6,25 @@ namespace palpate
 {
 SphericalHarmonicRecurrence::SphericalHarmonicRecurrence(int degree) : MaximumDegree(degree)
 {
-  double diagonal = 1.0 / std::sqrt(4.0 * M_PI);
-  this->Diagonals.push_back(diagonal);
+  // In long double, so that every constant is rounded once.
+  long double diagonal = 1.0L / std::sqrt(16.0L * std::atan(1.0L)); // 1 / sqrt(4 pi)
+  this->Diagonals.push_back(static_cast<double>(diagonal));
   for (int m = 1; m <= degree; ++m)
   {
-    diagonal *= std::sqrt((2.0 * m + 1.0) / (m == 1 ? 1.0 : 2.0 * m));
-    this->Diagonals.push_back(diagonal);
+    diagonal *= std::sqrt((2.0L * m + 1.0L) / (m == 1 ? 1.0L : 2.0L * m));
+    this->Diagonals.push_back(static_cast<double>(diagonal));
   }
+  const auto size = static_cast<std::size_t>(degree);
+  this->Terms.reserve(size * (size + 1) / 2);
   for (int m = 0; m <= degree; ++m)
   {
     for (int l = m + 1; l <= degree; ++l)
     {
-      const double l2 = static_cast<double>(l) * l;
-      const double m2 = static_cast<double>(m) * m;
-      const double k2 = (l - 1.0) * (l - 1.0);
-      this->Terms.push_back({std::sqrt((4.0 * l2 - 1.0) / (l2 - m2)),
-                             l == m + 1 ? 0.0 : std::sqrt((k2 - m2) / (4.0 * k2 - 1.0))});
+      const long double odd = 2.0L * l - 1.0L;
+      const long double a =
+          std::sqrt(odd * (odd + 2.0L) / (static_cast<long double>(l - m) * (l + m)));
+      this->Terms.push_back({static_cast<double>(a * (l + m) / odd),
+                             static_cast<double>(a * (l - 1 - m) / odd), static_cast<double>(a)});
     }
   }
 }

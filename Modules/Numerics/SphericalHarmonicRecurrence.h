@@ -10,11 +10,16 @@ namespace palpate
 /// With Y_lm(u) = Q_l|m|(z) Re or Im (x + iy)^|m| (cosine for m >= 0, sine for m < 0), orthonormal
 /// over the sphere and without the Condon-Shortley phase, the polynomials Q obey
 ///   Q_00 = 1 / sqrt(4 pi),  Q_mm = Q_(m-1)(m-1) sqrt((2m+1) / (2m)),  times sqrt(2) at m = 1,
-///   Q_lm = a_lm (z Q_(l-1)m - b_lm Q_(l-2)m),
-///   a_lm = sqrt((4 l^2 - 1) / (l^2 - m^2)),  b_lm = sqrt(((l-1)^2 - m^2) / (4 (l-1)^2 - 1)).
-/// No angle appears, so the poles are ordinary points. Terms are stored order by order: all degrees
-/// of m = 0, then of m = 1, and so on. Source: Holmes and Featherstone, J. Geodesy 76 (2002), with
-/// sin^m divided out.
+///   Q_lm = a z Q_(l-1)m - a b Q_(l-2)m,  a = sqrt((4 l^2 - 1) / (l^2 - m^2)).
+/// Near the poles that loses l^2 roundings, and the rounding of z spoils it before. So it is used
+/// for the differences D_lm = Q_lm - r Q_(l-1)m to the values that the pole would have, with the
+/// distance d = 1 - z = (x^2 + y^2) / (1 + z):
+///   D_lm = g D_(l-1)m - a d Q_(l-1)m,  Q_lm = r Q_(l-1)m + D_lm,
+///   r = a (l + m) / (2 l - 1),  g = a (l - 1 - m) / (2 l - 1).
+/// In the south the same holds for -z, and Q_lm changes its sign where l - m is odd. No angle
+/// appears, so the poles are ordinary points. Terms are stored order by order: all degrees of m =
+/// 0, then of m = 1, and so on. Sources: Holmes and Featherstone, J. Geodesy 76 (2002), with sin^m
+/// divided out; the differences after Reinsch (Deuflhard, Computing 17 (1976), for Fourier series).
 class SphericalHarmonicRecurrence
 {
 public:
@@ -23,8 +28,9 @@ public:
 
   struct Term
   {
-    double A;
-    double B;
+    double Ratio; ///< r
+    double Carry; ///< g
+    double Slope; ///< a
   };
 
   int Degree() const noexcept { return this->MaximumDegree; }
@@ -36,14 +42,8 @@ public:
   /// Terms of order m from degree m + 1 to the last, in that order.
   const Term* Column(int order) const noexcept
   {
-    return this->Terms.data() + this->ColumnStart(order);
-  }
-  /// Where the column of `order` starts in an order-major array with one entry for each degree
-  /// from m + 1 on.
-  std::size_t ColumnStart(int order) const noexcept
-  {
-    return static_cast<std::size_t>(order) * static_cast<std::size_t>(this->MaximumDegree) -
-           static_cast<std::size_t>(order) * static_cast<std::size_t>(order - 1) / 2;
+    const auto m = static_cast<std::ptrdiff_t>(order);
+    return this->Terms.data() + m * this->MaximumDegree - m * (m - 1) / 2;
   }
 
 private:

@@ -10,15 +10,6 @@ struct PortableSet
   static constexpr int Lanes = 2;
 };
 using PortableArithmetic = Arithmetic<PortableSet>;
-
-bool HasAvx2() noexcept
-{
-#if defined(__x86_64__)
-  return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
-#else
-  return false;
-#endif
-}
 } // namespace
 
 const Kernel Portable{PortableSet::Lanes,
@@ -30,19 +21,8 @@ const Kernel Portable{PortableSet::Lanes,
                       PortableArithmetic::AddSquare,
                       PortableArithmetic::MultiplySymmetric};
 
-const Kernel& FastestKernel() noexcept
+const Kernel& KernelFor(InstructionSet set) noexcept
 {
-  static const bool avx2 = HasAvx2();
-  return avx2 ? Avx2 : Portable;
-}
-
-std::vector<NamedKernel> RunnableKernels()
-{
-  std::vector<NamedKernel> kernels{{"portable", &Portable}};
-  if (HasAvx2())
-  {
-    kernels.push_back({"avx2", &Avx2});
-  }
-  return kernels;
+  return set == InstructionSet::Avx2 ? Avx2 : Portable;
 }
 } // namespace palpate::triangle

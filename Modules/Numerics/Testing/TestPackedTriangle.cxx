@@ -75,84 +75,89 @@ double Error(const AlignedVector& found, const Vector& expected)
 
 TEST(PackedTriangle, FactorisesAsEigenDoes)
 {
-  for (const auto& [name, kernel] : triangle::RunnableKernels())
+  for (const InstructionSet set : RunnableInstructionSets())
   {
+    const triangle::Kernel& kernel = triangle::KernelFor(set);
     for (const int size : Sizes)
     {
       const Matrix matrix = RandomSymmetric(size);
-      PackedTriangle packed = Pack(matrix, *kernel);
-      ASSERT_TRUE(packed.Factorise()) << name << size;
+      PackedTriangle packed = Pack(matrix, kernel);
+      ASSERT_TRUE(packed.Factorise()) << NameOf(set) << size;
       const Matrix expected = matrix.llt().matrixU();
       // Rounding of sums of `size` terms times the condition of the leading blocks, below 1e3.
-      EXPECT_LE((packed.UpperFactor() - expected).norm(), 1e-12 * expected.norm()) << name << size;
+      EXPECT_LE((packed.UpperFactor() - expected).norm(), 1e-12 * expected.norm())
+          << NameOf(set) << size;
     }
   }
 }
 
 TEST(PackedTriangle, SolvesAndMultiplies)
 {
-  for (const auto& [name, kernel] : triangle::RunnableKernels())
+  for (const InstructionSet set : RunnableInstructionSets())
   {
+    const triangle::Kernel& kernel = triangle::KernelFor(set);
     for (const int size : Sizes)
     {
       const Matrix matrix = RandomSymmetric(size);
-      PackedTriangle packed = Pack(matrix, *kernel);
+      PackedTriangle packed = Pack(matrix, kernel);
       ASSERT_TRUE(packed.Factorise());
       const Matrix lower = matrix.llt().matrixL();
       const Vector x = RandomMatrix(size, 5).col(0);
       AlignedVector y = packed.MakeVector();
       packed.MultiplyLower(Padded(packed, x).data(), y.data());
-      EXPECT_LE(Error(y, lower * x), 1e-12) << name << size;
+      EXPECT_LE(Error(y, lower * x), 1e-12) << NameOf(set) << size;
       packed.SolveLower(y.data());
-      EXPECT_LE(Error(y, x), 1e-11) << name << size;
+      EXPECT_LE(Error(y, x), 1e-11) << NameOf(set) << size;
       packed.MultiplyUpper(Padded(packed, x).data(), y.data());
-      EXPECT_LE(Error(y, lower.transpose() * x), 1e-12) << name << size;
+      EXPECT_LE(Error(y, lower.transpose() * x), 1e-12) << NameOf(set) << size;
       packed.SolveUpper(y.data());
-      EXPECT_LE(Error(y, x), 1e-11) << name << size;
+      EXPECT_LE(Error(y, x), 1e-11) << NameOf(set) << size;
       y = Padded(packed, matrix * x);
       packed.Solve(y.data());
-      EXPECT_LE(Error(y, x), 1e-10) << name << size; // a condition of some hundreds
+      EXPECT_LE(Error(y, x), 1e-10) << NameOf(set) << size; // a condition of some hundreds
     }
   }
 }
 
 TEST(PackedTriangle, ChangesAndMultipliesSymmetricMatrices)
 {
-  for (const auto& [name, kernel] : triangle::RunnableKernels())
+  for (const InstructionSet set : RunnableInstructionSets())
   {
+    const triangle::Kernel& kernel = triangle::KernelFor(set);
     for (const int size : Sizes)
     {
       Matrix matrix = RandomSymmetric(size);
-      PackedTriangle packed = Pack(matrix, *kernel);
+      PackedTriangle packed = Pack(matrix, kernel);
       packed.MirrorDiagonal();
       const Vector x = RandomMatrix(size, 6).col(0);
       AlignedVector y = packed.MakeVector();
       packed.MultiplySymmetric(Padded(packed, x).data(), y.data());
-      EXPECT_LE(Error(y, matrix * x), 1e-13) << name << size;
+      EXPECT_LE(Error(y, matrix * x), 1e-13) << NameOf(set) << size;
       packed.AddSquare(-0.25, Padded(packed, x).data());
       matrix -= 0.25 * x * x.transpose();
       packed.MultiplySymmetric(Padded(packed, x).data(), y.data());
-      EXPECT_LE(Error(y, matrix * x), 1e-12) << name << size;
+      EXPECT_LE(Error(y, matrix * x), 1e-12) << NameOf(set) << size;
     }
   }
 }
 
 TEST(PackedTriangle, RefusesWhatIsNotPositiveDefinite)
 {
-  for (const auto& [name, kernel] : triangle::RunnableKernels())
+  for (const InstructionSet set : RunnableInstructionSets())
   {
+    const triangle::Kernel& kernel = triangle::KernelFor(set);
     for (const int bad : {0, 1, 5, 8, 12})
     {
       Matrix matrix = RandomSymmetric(13);
       matrix(bad, bad) = -1.0;
-      EXPECT_FALSE(Pack(matrix, *kernel).Factorise()) << name << bad;
+      EXPECT_FALSE(Pack(matrix, kernel).Factorise()) << NameOf(set) << bad;
       matrix(bad, bad) = std::nan("");
-      EXPECT_FALSE(Pack(matrix, *kernel).Factorise()) << name << bad;
+      EXPECT_FALSE(Pack(matrix, kernel).Factorise()) << NameOf(set) << bad;
     }
     // Of rank 12, and so singular to rounding.
     const Matrix half = RandomMatrix(13, 7).leftCols(12);
-    EXPECT_FALSE(Pack(half * half.transpose(), *kernel).Factorise()) << name;
-    EXPECT_FALSE(Pack(Matrix::Zero(3, 3), *kernel).Factorise()) << name;
+    EXPECT_FALSE(Pack(half * half.transpose(), kernel).Factorise()) << NameOf(set);
+    EXPECT_FALSE(Pack(Matrix::Zero(3, 3), kernel).Factorise()) << NameOf(set);
   }
 }
 

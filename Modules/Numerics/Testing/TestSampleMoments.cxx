@@ -111,22 +111,23 @@ double SizeOf(const Case& c)
 
 TEST(SampleMoments, MakeTheGramMatrixOfTheDenseProductAtEveryDegree)
 {
-  for (const auto& [name, kernel] : moments::RunnableKernels())
+  for (const InstructionSet set : RunnableInstructionSets())
   {
+    const moments::Kernel& kernel = moments::KernelFor(set);
     for (const int degree : {0, 1, 2, 3, 4, 5, 7, 8, 12, 13, 16, 24})
     {
       const Case c(degree);
-      const auto tables = std::make_shared<const MomentTables>(degree, kernel->Lanes);
-      SampleMoments moments(tables, *kernel);
+      const auto tables = std::make_shared<const MomentTables>(degree, kernel.Lanes);
+      SampleMoments moments(tables, kernel);
       moments.Add(c.View());
       const Eigen::MatrixXd harmonics = c.Harmonics();
       const Eigen::MatrixXd dense =
           harmonics * c.WeightVector().asDiagonal() * harmonics.transpose();
       // Some roundings of sums of (degree + 1)^2 / 4 pi times all weights; measured below 4
       // epsilon.
-      EXPECT_LE((GramOf(*tables, *kernel, moments) - dense).cwiseAbs().maxCoeff(),
+      EXPECT_LE((GramOf(*tables, kernel, moments) - dense).cwiseAbs().maxCoeff(),
                 20 * std::numeric_limits<double>::epsilon() * SizeOf(c))
-          << name << " degree " << degree;
+          << NameOf(set) << " degree " << degree;
       std::vector<double> right(static_cast<std::size_t>(dense.rows()));
       moments.RightSide(right.data());
       const Eigen::VectorXd denseRight =
@@ -136,7 +137,7 @@ TEST(SampleMoments, MakeTheGramMatrixOfTheDenseProductAtEveryDegree)
                     .maxCoeff(),
                 20 * std::numeric_limits<double>::epsilon() * SizeOf(c) *
                     c.RadiusVector().cwiseAbs().maxCoeff())
-          << name << " degree " << degree;
+          << NameOf(set) << " degree " << degree;
     }
   }
 }
@@ -144,7 +145,7 @@ TEST(SampleMoments, MakeTheGramMatrixOfTheDenseProductAtEveryDegree)
 TEST(SampleMoments, StayAccurateAtDegree64)
 {
   const Case c(64, 700);
-  const moments::Kernel& kernel = moments::FastestKernel();
+  const moments::Kernel& kernel = moments::KernelFor(FastestInstructionSet());
   const auto tables = std::make_shared<const MomentTables>(64, kernel.Lanes);
   SampleMoments moments(tables, kernel);
   moments.Add(c.View());
@@ -189,8 +190,8 @@ TEST(SampleMoments, DependOnTheOrderOfTheSamplesOnlyWithinTheStatedBound)
   for (const int degree : {3, 12})
   {
     Case c(degree, 4000);
-    const auto tables =
-        std::make_shared<const MomentTables>(degree, moments::FastestKernel().Lanes);
+    const auto tables = std::make_shared<const MomentTables>(
+        degree, moments::KernelFor(FastestInstructionSet()).Lanes);
     SampleMoments moments(tables);
     moments.Add(c.View());
     for (int trial = 0; trial < 5; ++trial)
@@ -216,7 +217,8 @@ TEST(SampleMoments, MergedPartsAreTheWholeWithinTheStatedBound)
 {
   constexpr int Degree = 12;
   const Case c(Degree, 4000);
-  const auto tables = std::make_shared<const MomentTables>(Degree, moments::FastestKernel().Lanes);
+  const auto tables = std::make_shared<const MomentTables>(
+      Degree, moments::KernelFor(FastestInstructionSet()).Lanes);
   SampleMoments whole(tables);
   whole.Add(c.View());
   for (const std::size_t parts : {2U, 3U, 7U, 64U})
@@ -236,7 +238,8 @@ TEST(SampleMoments, TheBoundTellsAMissingSampleOfTinyWeight)
 {
   constexpr int Degree = 12;
   Case c(Degree, 4000);
-  const auto tables = std::make_shared<const MomentTables>(Degree, moments::FastestKernel().Lanes);
+  const auto tables = std::make_shared<const MomentTables>(
+      Degree, moments::KernelFor(FastestInstructionSet()).Lanes);
   SampleMoments whole(tables);
   whole.Add(c.View());
   c.Weights[17] += 1e-9 * c.WeightSum;
@@ -249,7 +252,8 @@ TEST(SampleMoments, PassNaNOn)
 {
   Case c(3);
   c.Weights[5] = std::nan("");
-  const auto tables = std::make_shared<const MomentTables>(3, moments::FastestKernel().Lanes);
+  const auto tables =
+      std::make_shared<const MomentTables>(3, moments::KernelFor(FastestInstructionSet()).Lanes);
   SampleMoments moments(tables);
   moments.Add(c.View());
   EXPECT_TRUE(std::isnan(moments.Weights()[0]));
@@ -257,13 +261,14 @@ TEST(SampleMoments, PassNaNOn)
 
 TEST(ResidualMoments, AreThoseOfEvaluatingTheModelForEveryCount)
 {
-  for (const auto& [name, kernel] : moments::RunnableKernels())
+  for (const InstructionSet set : RunnableInstructionSets())
   {
+    const moments::Kernel& kernel = moments::KernelFor(set);
     for (const int degree : {0, 1, 3, 4, 12, 24})
     {
       const Case c(degree);
-      const auto tables = std::make_shared<const MomentTables>(degree, kernel->Lanes);
-      ResidualMoments residual(tables, *kernel);
+      const auto tables = std::make_shared<const MomentTables>(degree, kernel.Lanes);
+      ResidualMoments residual(tables, kernel);
       const SphericalHarmonicModel model(degree, c.Truth, Vector3::Zero(),
                                          SphericalHarmonicModel::Formulation::Recurrence);
       for (const std::size_t count :
@@ -278,7 +283,7 @@ TEST(ResidualMoments, AreThoseOfEvaluatingTheModelForEveryCount)
         {
           const double exact = c.Radii[i] - model.Radius(c.Directions[i]);
           // Coefficients of unit size: some roundings of (degree + 1) of them.
-          ASSERT_NEAR(residuals[i], exact, 1e-14 * (degree + 1) * (degree + 1)) << name;
+          ASSERT_NEAR(residuals[i], exact, 1e-14 * (degree + 1) * (degree + 1)) << NameOf(set);
           weighted[static_cast<Eigen::Index>(i)] = c.Weights[i] * exact;
         }
         ASSERT_EQ(residuals[count], -7.0) << "written past the end";
@@ -286,7 +291,7 @@ TEST(ResidualMoments, AreThoseOfEvaluatingTheModelForEveryCount)
         ASSERT_LE(
             (Eigen::Map<Eigen::VectorXd>(sums.data(), dense.size()) - dense).cwiseAbs().maxCoeff(),
             1e-14 * SizeOf(c) * (degree + 1) * (degree + 1))
-            << name << " degree " << degree;
+            << NameOf(set) << " degree " << degree;
       }
     }
   }
@@ -294,20 +299,21 @@ TEST(ResidualMoments, AreThoseOfEvaluatingTheModelForEveryCount)
 
 TEST(ResidualMoments, WithoutAModelAreTheRightSideOfTheNormalEquations)
 {
-  for (const auto& [name, kernel] : moments::RunnableKernels())
+  for (const InstructionSet set : RunnableInstructionSets())
   {
+    const moments::Kernel& kernel = moments::KernelFor(set);
     const Case c(12);
-    const auto tables = std::make_shared<const MomentTables>(12, kernel->Lanes);
+    const auto tables = std::make_shared<const MomentTables>(12, kernel.Lanes);
     std::vector<double> sums(169);
     std::vector<double> right(169);
-    ResidualMoments(tables, *kernel).Find(c.View(), nullptr, nullptr, sums.data());
-    SampleMoments moments(tables, *kernel);
+    ResidualMoments(tables, kernel).Find(c.View(), nullptr, nullptr, sums.data());
+    SampleMoments moments(tables, kernel);
     moments.Add(c.View());
     moments.RightSide(right.data());
     for (std::size_t i = 0; i < 169; ++i)
     {
       // The order of products differs: roundings of sums of this size.
-      EXPECT_NEAR(sums[i], right[i], 1e-14 * SizeOf(c) * 10.0) << name;
+      EXPECT_NEAR(sums[i], right[i], 1e-14 * SizeOf(c) * 10.0) << NameOf(set);
     }
   }
 }

@@ -1,0 +1,15 @@
+#pragma once
+
+#include "EvaluationKernel.h"
+#include "InstructionSet.h"
+
+namespace palpate
+{
+/// The kernels for an instruction set that this processor has.
+template <typename Real>
+const EvaluationKernels<Real>& KernelsFor(InstructionSet set) noexcept;
+template <>
+const EvaluationKernels<double>& KernelsFor<double>(InstructionSet set) noexcept;
+template <>
+const EvaluationKernels<float>& KernelsFor<float>(InstructionSet set) noexcept;
+} // namespace palpate

@@ -1,0 +1,326 @@
+#pragma once
+
+#include "SurfaceHessian.h"
+
+// One direction by the polynomials of a PolynomialTable (the rule of Quartet.h holds here too). The
+// degree is known to the compiler: every loop is unrolled, and no term that is always zero is left.
+
+namespace palpate::evaluation
+{
+/// A unit vector and what the polynomials depend on. The function is that of the exactly normalised
+/// direction: n = |u|^2 differs from 1 by roundings, and 1/n = 2 - n, 1/|u| = (3 - n) / 2 up to
+/// (n - 1)^2.
+template <typename Set>
+struct PolynomialDirection
+{
+  using Real = typename Set::Real;
+  using Numbers = Quartet<Set>;
+
+  explicit PALPATE_INLINE PolynomialDirection(const Real* direction)
+  {
+    const Numbers x = Numbers::All(direction[0]);
+    const Numbers y = Numbers::All(direction[1]);
+    const Numbers z = Numbers::All(direction[2]);
+    const Numbers one = Numbers::All(1);
+    const Numbers square = x * x + y * y;
+    const Numbers twice = square + square;
+    const Numbers excess = square + (z * z - one);
+    const Numbers shrink = one - excess * Numbers::All(Real(0.5));
+    this->T = twice * excess + (one - twice);
+    this->Excess = excess;
+    this->Unit = {x * shrink, y * shrink, z * shrink};
+  }
+
+  UnitVector<Set> Unit;
+  Numbers T;      // 1 - 2 (x^2 + y^2) / n
+  Numbers Excess; // n - 1
+};
+
+/// Horner's rule for a polynomial in t with complex coefficients (cosine and sine terms of a
+/// block), and for its derivatives in t.
+template <typename Set, int Count, int Derivatives>
+struct BlockPolynomial
+{
+  using Real = typename Set::Real;
+  using Numbers = Quartet<Set>;
+
+  PALPATE_INLINE BlockPolynomial(const Real* table, const Numbers& t)
+  {
+    this->template Step<0>(table, t);
+  }
+
+  template <int Power>
+  PALPATE_INLINE void Step(const Real* table, const Numbers& t)
+  {
+    if constexpr (Power < Count)
+    {
+      const ComplexQuartet<Set> next{Numbers::Load(table), Numbers::Load(table + 4)};
+      if constexpr (Derivatives > 1 && Power > 1)
+      {
+        Raise<(Power > 2)>(this->HalfCurvature, t, this->Slope);
+      }
+      if constexpr (Derivatives > 0 && Power > 0)
+      {
+        Raise<(Power > 1)>(this->Slope, t, this->Value);
+      }
+      Raise<(Power > 0)>(this->Value, t, next);
+      this->template Step<Power + 1>(table + 8, t);
+    }
+  }
+
+  // One step of Horner's rule; the first one only starts the polynomial.
+  template <bool Started>
+  static PALPATE_INLINE void Raise(ComplexQuartet<Set>& polynomial, const Numbers& t,
+                                   const ComplexQuartet<Set>& next)
+  {
+    if constexpr (Started)
+    {
+      polynomial.Real = t * polynomial.Real + next.Real;
+      polynomial.Imaginary = t * polynomial.Imaginary + next.Imaginary;
+    }
+    else
+    {
+      polynomial.Real = next.Real;
+      polynomial.Imaginary = next.Imaginary;
+    }
+  }
+
+  ComplexQuartet<Set> Value;
+  ComplexQuartet<Set> Slope;         // if Derivatives > 0 and Count > 1
+  ComplexQuartet<Set> HalfCurvature; // if Derivatives > 1 and Count > 2
+};
+
+/// R, and derivatives, of a model of degree `Degree` at one direction.
+template <typename Set, int Degree>
+struct PolynomialPoint
+{
+  using Real = typename Set::Real;
+  using Numbers = Quartet<Set>;
+  using Complexes = ComplexQuartet<Set>;
+  using Direction = PolynomialDirection<Set>;
+
+  // The layout of PolynomialTable: order 0, then blocks from order 1 on.
+  static constexpr int ZonalCount = Degree / 4 + 1;
+  static constexpr int EvenCount(int order) { return (Degree - order) / 2 + 1; }
+  static constexpr int OddCount(int order) { return (Degree - order + 1) / 2; }
+  static constexpr int BlockStart(int order)
+  {
+    int start = 4 * ZonalCount;
+    for (int first = 1; first < order; first += 4)
+    {
+      start += 8 * (EvenCount(first) + OddCount(first));
+    }
+    return start;
+  }
+  static constexpr int HighestBlock = Degree == 0 ? 0 : 1 + (Degree - 1) / 4 * 4;
+
+  // E + z O, without O where there is none.
+  template <bool WithOdd>
+  static PALPATE_INLINE Complexes Both(const Complexes& even, const Complexes& odd,
+                                       const Numbers& z)
+  {
+    if constexpr (WithOdd)
+    {
+      return z * odd + even;
+    }
+    else
+    {
+      return even;
+    }
+  }
+
+  // dD/dz = O + 4 z (E' + z O').
+  template <int First, typename Even, typename Odd>
+  static PALPATE_INLINE Complexes Slope(const Even& even, const Odd& odd, const Numbers& z)
+  {
+    if constexpr (EvenCount(First) > 1)
+    {
+      const Numbers fourZ = (z + z) + (z + z);
+      return fourZ * Both<(OddCount(First) > 1)>(even.Slope, odd.Slope, z) + odd.Value;
+    }
+    else if constexpr (OddCount(First) > 0)
+    {
+      return odd.Value;
+    }
+    else
+    {
+      return {Numbers{}, Numbers{}};
+    }
+  }
+
+  // A quarter of d2D/dz2 = 4 (E' + 3 z O') + 16 z^2 (E'' + z O'').
+  template <int First, typename Even, typename Odd>
+  static PALPATE_INLINE Complexes Curvature(const Even& even, const Odd& odd, const Numbers& z)
+  {
+    if constexpr (EvenCount(First) > 1)
+    {
+      const Complexes slope = Both<(OddCount(First) > 1)>(even.Slope, odd.Slope, z + z + z);
+      if constexpr (EvenCount(First) > 2)
+      {
+        const Numbers eightSquares = (z + z) * ((z + z) + (z + z));
+        return eightSquares *
+                   Both<(OddCount(First) > 2)>(even.HalfCurvature, odd.HalfCurvature, z) +
+               slope;
+      }
+      else
+      {
+        return slope;
+      }
+    }
+    else
+    {
+      return {Numbers{}, Numbers{}};
+    }
+  }
+
+  template <int First, int Derivatives>
+  static PALPATE_INLINE OrderTerms<Set, Derivatives> Block(const Real* table, const Direction& d)
+  {
+    table += BlockStart(First);
+    const BlockPolynomial<Set, EvenCount(First), Derivatives> even(table, d.T);
+    const BlockPolynomial<Set, OddCount(First), Derivatives> odd(table + 8 * EvenCount(First), d.T);
+    OrderTerms<Set, Derivatives> terms;
+    terms.Value = Both<(OddCount(First) > 0)>(even.Value, odd.Value, d.Unit.Z);
+    if constexpr (Derivatives > 0)
+    {
+      terms.Slope = Slope<First>(even, odd, d.Unit.Z);
+    }
+    if constexpr (Derivatives > 1)
+    {
+      terms.Curvature = Curvature<First>(even, odd, d.Unit.Z);
+    }
+    return terms;
+  }
+
+  // Blocks from the highest one down to that of order 5: the highest have the shortest polynomials,
+  // and nothing long is left to do once the last is known.
+  template <int First, int Derivatives>
+  static PALPATE_INLINE OrderSums<Set, Derivatives>
+  UpperBlock(const Real* table, const Direction& d, const Complexes* fourthPowers)
+  {
+    const Complexes& power = fourthPowers[First / 4];
+    return {Block<First, Derivatives>(table, d),
+            Numbers::Of(First, First + 1, First + 2, First + 3), power, power,
+            WithFirstLane(fourthPowers[First / 4 - 1], power)};
+  }
+  template <int First, int Derivatives>
+  static PALPATE_INLINE void AddUpperBlocks(const Real* table, const Direction& d,
+                                            const Complexes* fourthPowers,
+                                            OrderSums<Set, Derivatives>& sums)
+  {
+    if constexpr (First > 4)
+    {
+      sums.Add(UpperBlock<First, Derivatives>(table, d, fourthPowers));
+      AddUpperBlocks<First - 4>(table, d, fourthPowers, sums);
+    }
+  }
+
+  template <int Derivatives>
+  static PALPATE_INLINE OrderSums<Set, Derivatives> AllBlocks(const Real* table, const Direction& d,
+                                                              const LanePowers<Set>& powers)
+  {
+    const Numbers orders = Numbers::Of(1, 2, 3, 4);
+    if constexpr (HighestBlock > 1)
+    {
+      Complexes fourthPowers[4];
+      fourthPowers[0] = {Numbers::All(1), Numbers{}};
+      fourthPowers[1] = {LastLane(powers.Value.Real), LastLane(powers.Value.Imaginary)};
+      for (int k = 2; k <= HighestBlock / 4; ++k)
+      {
+        fourthPowers[k] = fourthPowers[k - 1] * fourthPowers[1];
+      }
+      auto sums = UpperBlock<HighestBlock, Derivatives>(table, d, fourthPowers);
+      AddUpperBlocks<HighestBlock - 4>(table, d, fourthPowers, sums);
+      sums.Add({Block<1, Derivatives>(table, d), orders});
+      return sums;
+    }
+    else if constexpr (HighestBlock > 0)
+    {
+      return {Block<1, Derivatives>(table, d), orders};
+    }
+    else
+    {
+      return OrderSums<Set, Derivatives>{};
+    }
+  }
+
+  // Order 0, as four polynomials in t^2: E = E0(t^2) + t E1(t^2), and O alike.
+  template <int Derivatives>
+  static PALPATE_INLINE ZonalTerms<Set> Zonal(const Real* table, const Direction& d)
+  {
+    const Numbers& t = d.T;
+    const Numbers& z = d.Unit.Z;
+    const Numbers zero{};
+    const Numbers one = Numbers::All(1);
+    const Numbers tt = t * t;
+    Numbers p[3] = {Numbers::Load(table), zero, zero}; // and derivatives, the second halved
+    for (int k = 1; k < ZonalCount; ++k)
+    {
+      if (Derivatives > 1 && k > 1)
+      {
+        p[2] = p[2] * tt + p[1];
+      }
+      if (Derivatives > 0)
+      {
+        p[1] = k > 1 ? p[1] * tt + p[0] : p[0];
+      }
+      p[0] = p[0] * tt + Numbers::Load(table + 4 * k);
+    }
+    const Numbers constant = p[0].UnlessFar(d.Excess);
+    const Numbers powerOfT = Alternate(one, t);
+    const Numbers powerOfZ = Halves(one, z);
+    const Numbers value = constant * powerOfT;
+    ZonalTerms<Set> terms;
+    terms.Value = value * powerOfZ;
+    if constexpr (Derivatives > 0)
+    {
+      const Numbers twiceT = t + t;
+      const Numbers slope = p[1] * (powerOfT * twiceT) + Alternate(zero, constant);
+      const Numbers fourZ = (z + z) + (z + z);
+      terms.Slope = slope * (powerOfZ * fourZ) + Halves(zero, value);
+      if constexpr (Derivatives > 1)
+      {
+        const Numbers sixT = twiceT + twiceT + twiceT;
+        const Numbers second =
+            p[1] * Alternate(one + one, sixT) + p[2] * (powerOfT * (twiceT * twiceT) * (one + one));
+        const Numbers three = one + one + one;
+        terms.Curvature = powerOfZ * (slope * Halves(one, three) + second * (z * fourZ));
+      }
+    }
+    return terms;
+  }
+
+  static PALPATE_INLINE LanePowers<Set> Powers(const Direction& d)
+  {
+    LanePowers<Set> powers;
+    powers.Value = FirstPowers(d.Unit.X, d.Unit.Y);
+    powers.First = {Shifted(Numbers::All(1), powers.Value.Real),
+                    Shifted(Numbers{}, powers.Value.Imaginary)};
+    powers.Second = Rotated(powers.First);
+    powers.FirstTimesW = powers.Value;
+    return powers;
+  }
+
+  static Real Value(const Real* table, int, const Real* direction) noexcept
+  {
+    const Direction d(direction);
+    const LanePowers<Set> powers = Powers(d);
+    const auto zonal = Zonal<0>(table, d);
+    return FinishValue(AllBlocks<0>(table, d, powers), powers, zonal);
+  }
+  static void Gradient(const Real* table, int, const Real* direction, Real* sample) noexcept
+  {
+    const Direction d(direction);
+    const LanePowers<Set> powers = Powers(d);
+    const auto zonal = Zonal<1>(table, d);
+    FinishGradient(AllBlocks<1>(table, d, powers), powers, zonal, d.Unit, sample);
+  }
+  static void Hessian(const Real* table, int, const Real* direction, Real* sample) noexcept
+  {
+    const Direction d(direction);
+    const LanePowers<Set> powers = Powers(d);
+    const auto zonal = Zonal<2>(table, d);
+    FinishHessian(AllBlocks<2>(table, d, powers), powers, zonal, d.Unit, Real(4), sample);
+  }
+};
+} // namespace palpate::evaluation

@@ -1,0 +1,355 @@
+#pragma once
+
+// Four numbers, one for each of four consecutive orders. This header and those that say the same
+// are compiled once for each instruction set, with different options, so they must not contain or
+// include anything that another file could also instantiate: the linker would keep one copy,
+// perhaps the one for the wrong machine. That is why everything in them is templated on the
+// instruction set, and nothing else is included.
+//
+// `Set` describes an instruction set and a precision: `Real`; `Vector`, a vector of `Lanes` of them
+// (the vector extension of GCC and Clang; Lanes divides 4); `PointVector` of `Points`, for several
+// directions at once; and Spread, which makes a Vector of equal lanes.
+
+#define PALPATE_INLINE inline __attribute__((always_inline))
+
+namespace palpate::evaluation
+{
+/// Directions are unit vectors to a rounding, perhaps of float; the square of the length of
+/// anything else differs from 1 by more than this.
+template <typename Real>
+struct UnitLength
+{
+  static constexpr Real Tolerance = Real(1e-3);
+};
+
+/// `values`, or not-a-number in the lanes where |excess| is above the tolerance.
+template <typename Real, typename Vector>
+PALPATE_INLINE Vector NanUnlessUnit(const Vector& values, const Vector& excess)
+{
+  const Vector squares = excess * excess;
+  const Vector limit = Vector{} + UnitLength<Real>::Tolerance * UnitLength<Real>::Tolerance;
+  const auto far = limit < squares;
+  using Bits = decltype(far);
+  return (Vector)((Bits)values | far); // all bits set is not-a-number
+}
+
+template <typename Set>
+struct Quartet
+{
+  using Real = typename Set::Real;
+  using Vector = typename Set::Vector;
+  static constexpr int Parts = 4 / Set::Lanes;
+
+  static PALPATE_INLINE Quartet All(Real value)
+  {
+    Quartet result;
+    const Vector spread = Set::Spread(value);
+    for (Vector& part : result.Part)
+    {
+      part = spread;
+    }
+    return result;
+  }
+  static PALPATE_INLINE Quartet Of(Real a, Real b, Real c, Real d)
+  {
+    if constexpr (Parts == 1)
+    {
+      return {{Vector{a, b, c, d}}};
+    }
+    else
+    {
+      return {{Vector{a, b}, Vector{c, d}}};
+    }
+  }
+  static PALPATE_INLINE Quartet Load(const Real* values)
+  {
+    Quartet result;
+    for (int i = 0; i < Parts; ++i)
+    {
+      result.Part[i] = *reinterpret_cast<const Vector*>(values + i * Set::Lanes);
+    }
+    return result;
+  }
+  PALPATE_INLINE void Store(Real* values) const
+  {
+    for (int i = 0; i < Parts; ++i)
+    {
+      *reinterpret_cast<Vector*>(values + i * Set::Lanes) = this->Part[i];
+    }
+  }
+  PALPATE_INLINE Real Lane(int lane) const
+  {
+    return this->Part[lane / Set::Lanes][lane % Set::Lanes];
+  }
+  PALPATE_INLINE Real Sum() const
+  {
+    if constexpr (Parts == 1)
+    {
+      const Vector& v = this->Part[0];
+      return (v[0] + v[2]) + (v[1] + v[3]);
+    }
+    else
+    {
+      const Vector v = this->Part[0] + this->Part[1];
+      return v[0] + v[1];
+    }
+  }
+
+  /// These numbers, or not-a-number where `excess` says that a direction is no unit vector.
+  PALPATE_INLINE Quartet UnlessFar(const Quartet& excess) const
+  {
+    Quartet result;
+    for (int i = 0; i < Parts; ++i)
+    {
+      result.Part[i] = NanUnlessUnit<Real>(this->Part[i], excess.Part[i]);
+    }
+    return result;
+  }
+
+  Vector Part[Parts];
+};
+
+template <typename Set>
+PALPATE_INLINE Quartet<Set> operator+(const Quartet<Set>& a, const Quartet<Set>& b)
+{
+  Quartet<Set> result;
+  for (int i = 0; i < Quartet<Set>::Parts; ++i)
+  {
+    result.Part[i] = a.Part[i] + b.Part[i];
+  }
+  return result;
+}
+
+template <typename Set>
+PALPATE_INLINE Quartet<Set> operator-(const Quartet<Set>& a, const Quartet<Set>& b)
+{
+  Quartet<Set> result;
+  for (int i = 0; i < Quartet<Set>::Parts; ++i)
+  {
+    result.Part[i] = a.Part[i] - b.Part[i];
+  }
+  return result;
+}
+
+template <typename Set>
+PALPATE_INLINE Quartet<Set> operator*(const Quartet<Set>& a, const Quartet<Set>& b)
+{
+  Quartet<Set> result;
+  for (int i = 0; i < Quartet<Set>::Parts; ++i)
+  {
+    result.Part[i] = a.Part[i] * b.Part[i];
+  }
+  return result;
+}
+
+/// b0 a0 a1 a2 of `a` with `first` in front: one order further.
+template <typename Set>
+PALPATE_INLINE Quartet<Set> Shifted(const Quartet<Set>& first, const Quartet<Set>& a)
+{
+  if constexpr (Quartet<Set>::Parts == 1)
+  {
+    return {{__builtin_shufflevector(first.Part[0], a.Part[0], 0, 4, 5, 6)}};
+  }
+  else
+  {
+    return {{__builtin_shufflevector(first.Part[0], a.Part[0], 0, 2),
+             __builtin_shufflevector(a.Part[0], a.Part[1], 1, 2)}};
+  }
+}
+
+/// a3 a0 a1 a2.
+template <typename Set>
+PALPATE_INLINE Quartet<Set> Rotated(const Quartet<Set>& a)
+{
+  if constexpr (Quartet<Set>::Parts == 1)
+  {
+    return {{__builtin_shufflevector(a.Part[0], a.Part[0], 3, 0, 1, 2)}};
+  }
+  else
+  {
+    return {{__builtin_shufflevector(a.Part[1], a.Part[0], 1, 2),
+             __builtin_shufflevector(a.Part[0], a.Part[1], 1, 2)}};
+  }
+}
+
+/// a0 b1 b2 b3.
+template <typename Set>
+PALPATE_INLINE Quartet<Set> WithFirstLane(const Quartet<Set>& a, const Quartet<Set>& b)
+{
+  if constexpr (Quartet<Set>::Parts == 1)
+  {
+    return {{__builtin_shufflevector(a.Part[0], b.Part[0], 0, 5, 6, 7)}};
+  }
+  else
+  {
+    return {{__builtin_shufflevector(a.Part[0], b.Part[0], 0, 3), b.Part[1]}};
+  }
+}
+
+/// The last lane of `a` in every lane.
+template <typename Set>
+PALPATE_INLINE Quartet<Set> LastLane(const Quartet<Set>& a)
+{
+  if constexpr (Quartet<Set>::Parts == 1)
+  {
+    return {{__builtin_shufflevector(a.Part[0], a.Part[0], 3, 3, 3, 3)}};
+  }
+  else
+  {
+    const auto last = __builtin_shufflevector(a.Part[1], a.Part[1], 1, 1);
+    return {{last, last}};
+  }
+}
+
+/// a0 b1 a2 b3.
+template <typename Set>
+PALPATE_INLINE Quartet<Set> Alternate(const Quartet<Set>& a, const Quartet<Set>& b)
+{
+  if constexpr (Quartet<Set>::Parts == 1)
+  {
+    return {{__builtin_shufflevector(a.Part[0], b.Part[0], 0, 5, 2, 7)}};
+  }
+  else
+  {
+    return {{__builtin_shufflevector(a.Part[0], b.Part[0], 0, 3),
+             __builtin_shufflevector(a.Part[1], b.Part[1], 0, 3)}};
+  }
+}
+
+/// a0 a1 b2 b3.
+template <typename Set>
+PALPATE_INLINE Quartet<Set> Halves(const Quartet<Set>& a, const Quartet<Set>& b)
+{
+  if constexpr (Quartet<Set>::Parts == 1)
+  {
+    return {{__builtin_shufflevector(a.Part[0], b.Part[0], 0, 1, 6, 7)}};
+  }
+  else
+  {
+    return {{a.Part[0], b.Part[1]}};
+  }
+}
+
+/// The sums of a, of b, of c and of d: one transposition instead of four sums.
+template <typename Set>
+PALPATE_INLINE Quartet<Set> Sums(const Quartet<Set>& a, const Quartet<Set>& b,
+                                 const Quartet<Set>& c, const Quartet<Set>& d)
+{
+  using Vector = typename Set::Vector;
+  if constexpr (Quartet<Set>::Parts == 1)
+  {
+    const Vector ab = __builtin_shufflevector(a.Part[0], b.Part[0], 0, 4, 2, 6) +
+                      __builtin_shufflevector(a.Part[0], b.Part[0], 1, 5, 3, 7);
+    const Vector cd = __builtin_shufflevector(c.Part[0], d.Part[0], 0, 4, 2, 6) +
+                      __builtin_shufflevector(c.Part[0], d.Part[0], 1, 5, 3, 7);
+    return {{__builtin_shufflevector(ab, cd, 0, 1, 4, 5) +
+             __builtin_shufflevector(ab, cd, 2, 3, 6, 7)}};
+  }
+  else
+  {
+    const Vector a2 = a.Part[0] + a.Part[1];
+    const Vector b2 = b.Part[0] + b.Part[1];
+    const Vector c2 = c.Part[0] + c.Part[1];
+    const Vector d2 = d.Part[0] + d.Part[1];
+    return {{__builtin_shufflevector(a2, b2, 0, 2) + __builtin_shufflevector(a2, b2, 1, 3),
+             __builtin_shufflevector(c2, d2, 0, 2) + __builtin_shufflevector(c2, d2, 1, 3)}};
+  }
+}
+
+/// Four complex numbers. Copied part by part, or GCC would copy it through memory.
+template <typename Set>
+struct ComplexQuartet
+{
+  ComplexQuartet() = default;
+  PALPATE_INLINE ComplexQuartet(const Quartet<Set>& real, const Quartet<Set>& imaginary)
+      : Real(real), Imaginary(imaginary)
+  {
+  }
+  PALPATE_INLINE ComplexQuartet(const ComplexQuartet& other)
+      : Real(other.Real), Imaginary(other.Imaginary)
+  {
+  }
+  PALPATE_INLINE ComplexQuartet& operator=(const ComplexQuartet& other)
+  {
+    this->Real = other.Real;
+    this->Imaginary = other.Imaginary;
+    return *this;
+  }
+
+  Quartet<Set> Real;
+  Quartet<Set> Imaginary;
+};
+
+template <typename Set>
+PALPATE_INLINE ComplexQuartet<Set> Rotated(const ComplexQuartet<Set>& a)
+{
+  return {Rotated(a.Real), Rotated(a.Imaginary)};
+}
+
+template <typename Set>
+PALPATE_INLINE ComplexQuartet<Set> WithFirstLane(const ComplexQuartet<Set>& a,
+                                                 const ComplexQuartet<Set>& b)
+{
+  return {WithFirstLane(a.Real, b.Real), WithFirstLane(a.Imaginary, b.Imaginary)};
+}
+
+template <typename Set>
+PALPATE_INLINE ComplexQuartet<Set> Halves(const ComplexQuartet<Set>& a,
+                                          const ComplexQuartet<Set>& b)
+{
+  return {Halves(a.Real, b.Real), Halves(a.Imaginary, b.Imaginary)};
+}
+
+template <typename Set>
+PALPATE_INLINE ComplexQuartet<Set> operator+(const ComplexQuartet<Set>& a,
+                                             const ComplexQuartet<Set>& b)
+{
+  return {a.Real + b.Real, a.Imaginary + b.Imaginary};
+}
+
+template <typename Set>
+PALPATE_INLINE ComplexQuartet<Set> operator*(const ComplexQuartet<Set>& a,
+                                             const ComplexQuartet<Set>& b)
+{
+  return {a.Real * b.Real - a.Imaginary * b.Imaginary, a.Real * b.Imaginary + a.Imaginary * b.Real};
+}
+
+template <typename Set>
+PALPATE_INLINE ComplexQuartet<Set> operator*(const Quartet<Set>& a, const ComplexQuartet<Set>& b)
+{
+  return {a * b.Real, a * b.Imaginary};
+}
+
+/// d conj(w). A term Re((c - i s) w) of a sum keeps d = c + i s; then the real part of this is the
+/// term, and its imaginary part the same with i w instead of w.
+template <typename Set>
+PALPATE_INLINE ComplexQuartet<Set> Turned(const ComplexQuartet<Set>& d,
+                                          const ComplexQuartet<Set>& w)
+{
+  return {d.Real * w.Real + d.Imaginary * w.Imaginary, d.Imaginary * w.Real - d.Real * w.Imaginary};
+}
+
+template <typename Set>
+PALPATE_INLINE ComplexQuartet<Set> AddTurned(const ComplexQuartet<Set>& sum,
+                                             const ComplexQuartet<Set>& d,
+                                             const ComplexQuartet<Set>& w)
+{
+  return {sum.Real + d.Real * w.Real + d.Imaginary * w.Imaginary,
+          sum.Imaginary + d.Imaginary * w.Real - d.Real * w.Imaginary};
+}
+
+/// The real part of d conj(w).
+template <typename Set>
+PALPATE_INLINE Quartet<Set> Terms(const ComplexQuartet<Set>& d, const ComplexQuartet<Set>& w)
+{
+  return d.Real * w.Real + d.Imaginary * w.Imaginary;
+}
+
+/// The same, added to `sum`.
+template <typename Set>
+PALPATE_INLINE Quartet<Set> AddTerms(const Quartet<Set>& sum, const ComplexQuartet<Set>& d,
+                                     const ComplexQuartet<Set>& w)
+{
+  return sum + d.Real * w.Real + d.Imaginary * w.Imaginary;
+}
+} // namespace palpate::evaluation

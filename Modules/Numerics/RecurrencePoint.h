@@ -1,0 +1,366 @@
+#pragma once
+
+#include "SurfaceHessian.h"
+
+// One direction by the normalised recurrence, from a RecurrenceTable (the rule of Quartet.h holds
+// here too).
+
+namespace palpate::evaluation
+{
+/// The exactly normalised direction, and its distance from the equator's pole: d = 1 - |z|, from x
+/// and y, because near a pole the rounding of z itself is what spoils high degrees.
+template <typename Set>
+struct RecurrenceDirection
+{
+  using Real = typename Set::Real;
+  using Numbers = Quartet<Set>;
+
+  explicit PALPATE_INLINE RecurrenceDirection(const Real* direction)
+  {
+    const Real x = direction[0];
+    const Real y = direction[1];
+    const Real z = direction[2];
+    const Real square = x * x + y * y;
+    const Real squares = square + z * z;
+    const Real length = SquareRoot(squares);
+    const Real inverse = 1 / length;
+    this->South = z < 0;
+    this->IsUnit = __builtin_fabs(squares - 1) <= UnitLength<Real>::Tolerance;
+    this->Depth = Numbers::All(square / (squares + (this->South ? -z : z) * length));
+    this->Unit = {Numbers::All(x * inverse), Numbers::All(y * inverse), Numbers::All(z * inverse)};
+  }
+  static PALPATE_INLINE Real SquareRoot(Real square)
+  {
+    if constexpr (sizeof(Real) == sizeof(float))
+    {
+      return __builtin_sqrtf(square);
+    }
+    else
+    {
+      return __builtin_sqrt(square);
+    }
+  }
+
+  UnitVector<Set> Unit;
+  Numbers Depth; // 1 - |z|
+  bool South;
+  bool IsUnit;
+};
+
+/// Q of four orders, or a derivative of it in z (the k-th divided by k!), on its way through the
+/// degrees; and the sums of c Q and s Q so far.
+template <typename Set>
+struct ColumnLevel
+{
+  using Numbers = Quartet<Set>;
+
+  struct Constants
+  {
+    Numbers Ratio;
+    Numbers Carry;
+    Numbers Drop;
+  };
+
+  template <bool South>
+  PALPATE_INLINE void Advance(const Constants& by)
+  {
+    if constexpr (South)
+    {
+      this->Difference = by.Drop * this->Value - by.Carry * this->Difference;
+      this->Value = this->Difference - by.Ratio * this->Value;
+    }
+    else
+    {
+      this->Difference = by.Carry * this->Difference - by.Drop * this->Value;
+      this->Value = this->Difference + by.Ratio * this->Value;
+    }
+  }
+  /// `lower` is what the product rule adds to a derivative: the slope times the one below.
+  template <bool South>
+  PALPATE_INLINE void Advance(const Constants& by, const Numbers& lower)
+  {
+    if constexpr (South)
+    {
+      this->Difference = lower + by.Drop * this->Value - by.Carry * this->Difference;
+      this->Value = this->Difference - by.Ratio * this->Value;
+    }
+    else
+    {
+      this->Difference = lower + by.Carry * this->Difference - by.Drop * this->Value;
+      this->Value = this->Difference + by.Ratio * this->Value;
+    }
+  }
+  PALPATE_INLINE void Collect(const Numbers& cosine, const Numbers& sine)
+  {
+    this->Cosines = this->Cosines + cosine * this->Value;
+    this->Sines = this->Sines + sine * this->Value;
+  }
+  PALPATE_INLINE void Scale(const Numbers& factor)
+  {
+    this->Value = this->Value * factor;
+    this->Difference = this->Difference * factor;
+    this->Cosines = this->Cosines * factor;
+    this->Sines = this->Sines * factor;
+  }
+  PALPATE_INLINE bool Exceeds(typename Set::Real limit) const
+  {
+    bool exceeds = false;
+    for (int lane = 0; lane < 4; ++lane)
+    {
+      exceeds = exceeds || __builtin_fabs(this->Value.Lane(lane)) > limit ||
+                __builtin_fabs(this->Difference.Lane(lane)) > limit;
+    }
+    return exceeds;
+  }
+  PALPATE_INLINE ComplexQuartet<Set> Sum() const { return {this->Cosines, this->Sines}; }
+
+  Numbers Value{};
+  Numbers Difference{};
+  Numbers Cosines{};
+  Numbers Sines{};
+};
+
+/// Four orders through all their degrees. Q at degree l is r Q + D with the difference D to the
+/// value that the pole would have, D = g D - a d Q in terms of degree l - 1; in the south the sign
+/// of every other degree changes. Near a pole D is small, and its roundings with it.
+template <typename Set, int Derivatives, bool South>
+struct Column
+{
+  using Real = typename Set::Real;
+  using Numbers = Quartet<Set>;
+
+  /// Starts at the rows of RecurrenceTable for one block.
+  PALPATE_INLINE Column(const Real* table, const Numbers& depth) : Row(table + 12), Depth(depth)
+  {
+    this->Level0.Value = Numbers::Load(table);
+    this->Level0.Cosines = this->Level0.Value * Numbers::Load(table + 4);
+    this->Level0.Sines = this->Level0.Value * Numbers::Load(table + 8);
+  }
+
+  PALPATE_INLINE void Run(int degrees)
+  {
+    const Real* row = this->Row;
+    for (int i = 0; i < degrees; ++i, row += 20)
+    {
+      const Numbers slope = Numbers::Load(row + 8);
+      const typename ColumnLevel<Set>::Constants by{Numbers::Load(row), Numbers::Load(row + 4),
+                                                    slope * this->Depth};
+      const Numbers cosine = Numbers::Load(row + 12);
+      const Numbers sine = Numbers::Load(row + 16);
+      if constexpr (Derivatives > 1)
+      {
+        this->Level2.template Advance<South>(by, slope * this->Level1.Value);
+        this->Level2.Collect(cosine, sine);
+      }
+      if constexpr (Derivatives > 0)
+      {
+        this->Level1.template Advance<South>(by, slope * this->Level0.Value);
+        this->Level1.Collect(cosine, sine);
+      }
+      this->Level0.template Advance<South>(by);
+      this->Level0.Collect(cosine, sine);
+    }
+    this->Row = row;
+  }
+
+  /// Runs while the numbers stand for 2^(-scale ScaleBits) times themselves, and lowers the scale
+  /// as they grow.
+  PALPATE_INLINE void RunScaled(int degrees, int& scale)
+  {
+    constexpr int Stride = 8; // numbers grow by less than 2^11 a degree up to degree 10^6
+    while (scale > 0 && degrees > 0)
+    {
+      const int count = degrees < Stride ? degrees : Stride;
+      this->Run(count);
+      degrees -= count;
+      if (this->Level0.Exceeds(Set::ScaleUp) || this->Level1.Exceeds(Set::ScaleUp) ||
+          this->Level2.Exceeds(Set::ScaleUp))
+      {
+        const Numbers factor = Numbers::All(1 / Set::ScaleUp);
+        this->Level0.Scale(factor);
+        this->Level1.Scale(factor);
+        this->Level2.Scale(factor);
+        --scale;
+      }
+    }
+    this->Run(degrees);
+  }
+
+  PALPATE_INLINE OrderTerms<Set, Derivatives> Terms() const
+  {
+    OrderTerms<Set, Derivatives> terms;
+    terms.Value = this->Level0.Sum();
+    terms.Slope = this->Level1.Sum();
+    terms.Curvature = this->Level2.Sum();
+    return terms;
+  }
+
+  ColumnLevel<Set> Level0;
+  ColumnLevel<Set> Level1;
+  ColumnLevel<Set> Level2;
+  const Real* Row;
+  Numbers Depth;
+};
+
+/// The powers of w^4 of a block and of the one before, times 2^(Scale ScaleBits) so that no power
+/// that can still count is lost below the smallest number.
+template <typename Set>
+struct ScaledPower
+{
+  using Real = typename Set::Real;
+  using Numbers = Quartet<Set>;
+  using Complexes = ComplexQuartet<Set>;
+
+  PALPATE_INLINE void Advance(const Complexes& fourthPower)
+  {
+    this->Before = this->Power;
+    this->Power = this->Power * fourthPower;
+    const Real real = this->Power.Real.Lane(0);
+    const Real imaginary = this->Power.Imaginary.Lane(0);
+    const Real size = __builtin_fabs(real) + __builtin_fabs(imaginary);
+    if (size < 1 / Set::ScaleUp)
+    {
+      const Numbers factor = Numbers::All(Set::ScaleUp);
+      this->Power = factor * this->Power;
+      this->Before = factor * this->Before;
+      ++this->Scale;
+    }
+  }
+
+  Complexes Power{Numbers::All(1), Numbers{}};
+  Complexes Before{Numbers{}, Numbers{}};
+  int Scale = 0;
+};
+
+/// R, and derivatives, of a model of any degree at one direction.
+template <typename Set>
+struct RecurrencePoint
+{
+  using Real = typename Set::Real;
+  using Numbers = Quartet<Set>;
+  using Complexes = ComplexQuartet<Set>;
+  using Direction = RecurrenceDirection<Set>;
+
+  static PALPATE_INLINE LanePowers<Set> Powers(const Complexes& firstFour)
+  {
+    LanePowers<Set> powers;
+    powers.Value = {Shifted(Numbers::All(1), firstFour.Real),
+                    Shifted(Numbers{}, firstFour.Imaginary)};
+    powers.First = Rotated(powers.Value);
+    powers.Second = Rotated(powers.First);
+    powers.FirstTimesW = Rotated(firstFour);
+    return powers;
+  }
+
+  template <int Derivatives, bool South>
+  static PALPATE_INLINE OrderSums<Set, Derivatives>
+  AllBlocks(const Real* table, int degree, const Direction& d, const Complexes& fourthPower)
+  {
+    Numbers orders = Numbers::Of(0, 1, 2, 3);
+    Column<Set, Derivatives, South> lowest(table, d.Depth);
+    lowest.Run(degree);
+    table += 20 * degree + 12;
+    OrderSums<Set, Derivatives> sums(lowest.Terms(), orders);
+    ScaledPower<Set> power;
+    for (int first = 4; first <= degree; first += 4)
+    {
+      power.Advance(fourthPower);
+      // A column of Q grows by less than 2^degree: from here on nothing counts any more.
+      if ((power.Scale - 1) * Set::ScaleBits > degree)
+      {
+        break;
+      }
+      int scale = power.Scale;
+      Column<Set, Derivatives, South> column(table, d.Depth);
+      column.RunScaled(degree - first, scale);
+      table += 20 * (degree - first) + 12;
+      orders = orders + Numbers::All(4);
+      const Numbers factor =
+          Numbers::All(scale == 0 ? Real(1) : (scale == 1 ? 1 / Set::ScaleUp : Real(0)));
+      const Complexes value = factor * power.Power;
+      const Complexes before = factor * power.Before;
+      sums.Add(
+          {column.Terms(), orders, value, WithFirstLane(before, value), Halves(before, value)});
+    }
+    return sums;
+  }
+
+  template <int Derivatives>
+  static PALPATE_INLINE OrderSums<Set, Derivatives>
+  SumBlocks(const Real* table, int degree, const Direction& d, const Complexes& firstFour)
+  {
+    const Complexes fourthPower{LastLane(firstFour.Real), LastLane(firstFour.Imaginary)};
+    return d.South ? AllBlocks<Derivatives, true>(table, degree, d, fourthPower)
+                   : AllBlocks<Derivatives, false>(table, degree, d, fourthPower);
+  }
+
+  static PALPATE_INLINE void Refuse(Real* sample, int numbers)
+  {
+    for (int i = 0; i < numbers; ++i)
+    {
+      sample[i] = Real(__builtin_nan(""));
+    }
+  }
+
+  static Real Value(const Real* table, int degree, const Real* direction) noexcept
+  {
+    const Direction d(direction);
+    if (!d.IsUnit)
+    {
+      return Real(__builtin_nan(""));
+    }
+    const Complexes firstFour = FirstPowers(d.Unit.X, d.Unit.Y);
+    return FinishValue(SumBlocks<0>(table, degree, d, firstFour), Powers(firstFour),
+                       ZonalTerms<Set>());
+  }
+  static void Gradient(const Real* table, int degree, const Real* direction, Real* sample) noexcept
+  {
+    const Direction d(direction);
+    if (!d.IsUnit)
+    {
+      Refuse(sample, 4);
+      return;
+    }
+    const Complexes firstFour = FirstPowers(d.Unit.X, d.Unit.Y);
+    FinishGradient(SumBlocks<1>(table, degree, d, firstFour), Powers(firstFour), ZonalTerms<Set>(),
+                   d.Unit, sample);
+  }
+  static void Hessian(const Real* table, int degree, const Real* direction, Real* sample) noexcept
+  {
+    const Direction d(direction);
+    if (!d.IsUnit)
+    {
+      Refuse(sample, 13);
+      return;
+    }
+    const Complexes firstFour = FirstPowers(d.Unit.X, d.Unit.Y);
+    FinishHessian(SumBlocks<2>(table, degree, d, firstFour), Powers(firstFour), ZonalTerms<Set>(),
+                  d.Unit, Real(2), sample);
+  }
+
+  static void Values(const Real* table, int degree, const Real* directions, long count,
+                     Real* samples) noexcept
+  {
+    for (long i = 0; i < count; ++i)
+    {
+      samples[i] = Value(table, degree, directions + 3 * i);
+    }
+  }
+  static void Gradients(const Real* table, int degree, const Real* directions, long count,
+                        Real* samples) noexcept
+  {
+    for (long i = 0; i < count; ++i)
+    {
+      Gradient(table, degree, directions + 3 * i, samples + 4 * i);
+    }
+  }
+  static void Hessians(const Real* table, int degree, const Real* directions, long count,
+                       Real* samples) noexcept
+  {
+    for (long i = 0; i < count; ++i)
+    {
+      Hessian(table, degree, directions + 3 * i, samples + 13 * i);
+    }
+  }
+};
+} // namespace palpate::evaluation

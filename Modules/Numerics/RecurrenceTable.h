@@ -1,0 +1,23 @@
+#pragma once
+
+#include "EvaluationTable.h"
+
+namespace palpate
+{
+/// The coefficients of a radius function beside the constants of SphericalHarmonicRecurrence, for
+/// the kernels that evaluate it.
+///
+/// Layout: blocks of four consecutive orders, from order 0 on. A block of lowest order f has a
+/// first row of three times four numbers, one for each order: Q_mm, and the cosine and sine
+/// coefficients of degree m. Then one row of five times four for each further degree, up to degree
+/// - f of them: ratio, carry, slope, cosine and sine coefficient of degree m + k. Zeros stand for
+/// what does not exist.
+///
+/// `coefficients` has (degree + 1)^2 entries in the convention of SphericalHarmonicBasis; degree >=
+/// 0.
+template <typename Real>
+EvaluationTable<Real> MakeRecurrenceTable(int degree, const std::vector<double>& coefficients);
+
+extern template EvaluationTable<float> MakeRecurrenceTable(int, const std::vector<double>&);
+extern template EvaluationTable<double> MakeRecurrenceTable(int, const std::vector<double>&);
+} // namespace palpate
