@@ -17,6 +17,12 @@ int RoundedUp(int count, int lanes)
   return (count + lanes - 1) / lanes * lanes;
 }
 
+// The plain recurrence is Q_lm = a_lm (z Q_(l-1)m - b_lm Q_(l-2)m) with b_lm = 1 / a_(l-1)m.
+double Back(const SphericalHarmonicRecurrence& harmonics, int degree, int order)
+{
+  return degree > order + 1 ? 1.0 / harmonics.Column(order)[degree - order - 2].Slope : 0.0;
+}
+
 // Q_lm(z) of one order for l = m .. last.
 std::vector<double> HarmonicColumn(const SphericalHarmonicRecurrence& harmonics, int order,
                                    int last, double z)
@@ -28,7 +34,7 @@ std::vector<double> HarmonicColumn(const SphericalHarmonicRecurrence& harmonics,
   double previous = 0.0;
   for (int l = order + 1; l <= last; ++l, ++term)
   {
-    const double next = term->A * (z * values.back() - term->B * previous);
+    const double next = term->Slope * (z * values.back() - Back(harmonics, l, order) * previous);
     previous = values.back();
     values.push_back(next);
   }
@@ -69,10 +75,10 @@ void MomentTables::MakeFactors(const SphericalHarmonicRecurrence& harmonics)
   {
     const std::size_t start = this->Factors.size();
     this->Factors.resize(start + static_cast<std::size_t>(last) + 1, 0.0);
-    const SphericalHarmonicRecurrence::Term* term = harmonics.Column(first);
-    for (int k = 1; k <= last - first; ++k, ++term)
+    for (int k = 1; k <= last - first; ++k)
     {
-      this->Factors[start + static_cast<std::size_t>(k)] = 4.0 * term->B * term->B;
+      const double back = Back(harmonics, first + k, first);
+      this->Factors[start + static_cast<std::size_t>(k)] = 4.0 * back * back;
     }
   }
 }
@@ -94,11 +100,11 @@ void MomentTables::MakeConversions(const SphericalHarmonicRecurrence& harmonics)
         std::vector<Real> next = TimesZ(current, factors);
         for (std::size_t k = 0; k < previous.size(); ++k)
         {
-          next[k] -= term->B * previous[k];
+          next[k] -= Back(harmonics, l, m) * previous[k];
         }
         for (Real& value : next)
         {
-          value *= term->A;
+          value *= term->Slope;
         }
         previous = std::move(current);
         current = std::move(next);
@@ -197,7 +203,7 @@ void MomentTables::MakeFamilyValues(const SphericalHarmonicRecurrence& harmonics
         this->FamilyValues[start + k * stride + node] = measure * scale * column[k];
         if (k + 1 < column.size())
         {
-          scale *= term[k].A / 2.0;
+          scale *= term[k].Slope / 2.0;
         }
       }
     }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "EvaluationKernel.h"
 #include "EvaluationTable.h"
 #include "InstructionSet.h"
 
