@@ -78,7 +78,9 @@ public:
       this->Try(direction);
     }
     this->Try(gapCenter);
-    for (double step = 0.5 / frequency; step > 0.005; step *= 0.5)
+    constexpr int Halvings = 5; // down to a few thousandths of a radian
+    double step = 0.5 / frequency;
+    for (int halving = 0; halving < Halvings; ++halving, step *= 0.5)
     {
       const Vector3 middle = this->Direction;
       const Vector3 side = middle.unitOrthogonal();
