@@ -33,7 +33,7 @@ struct ToolContact
 class ClosestPointSearch
 {
 public:
-  static constexpr int DefaultEvaluationLimit = 256;
+  static constexpr int DefaultEvaluationLimit = 1000;
   /// One servo tick must end: more evaluations than tracking ever needs on a smooth path.
   static constexpr int TrackingEvaluationLimit = 8;
   /// Angle (rad) that a tracked point may be off its minimum; the distance is then off by the
@@ -46,7 +46,8 @@ public:
 
   /// The nearest point of the whole surface. Where several are equally near, one of them. With
   /// `evaluationLimit` fewer evaluations may be allowed; the result is then still a point of the
-  /// surface, and DistanceError says what the search could not exclude. Queries up to 1e100 mm.
+  /// surface, and DistanceError says what the search could not exclude. Queries up to 1e100 mm; 0.2
+  /// MB of stack.
   ClosestPoint Nearest(const Vector3& queryWorld,
                        int evaluationLimit = DefaultEvaluationLimit) const noexcept;
 
