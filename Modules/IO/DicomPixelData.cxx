@@ -1,10 +1,11 @@
 #include "DicomPixelData.h"
 
 #include "CompressedFrame.h"
-#include "DcmtkFrameDecoder.h"
 #include "DicomTransferSyntax.h"
 #include "EncapsulatedFrames.h"
 #include "Jpeg2000Decoder.h"
+#include "JpegDecoder.h"
+#include "JpegLsDecoder.h"
 #include "MemoryCheck.h"
 #include "Refusal.h"
 #include "RunLengthDecoder.h"
@@ -51,8 +52,9 @@ bool DecodeFrame(PixelCoding coding, const CompressedFrame& frame, std::uint8_t*
   case PixelCoding::RunLength:
     return DecodeRunLength(frame, pixels);
   case PixelCoding::Jpeg:
+    return DecodeJpeg(frame, pixels);
   case PixelCoding::JpegLs:
-    return DecodeWithDcmtk(frame, pixels);
+    return DecodeJpegLs(frame, pixels);
   case PixelCoding::Jpeg2000:
     return DecodeJpeg2000(frame, pixels);
   case PixelCoding::Native:
