@@ -269,6 +269,20 @@ void ReplaceFragments(const std::filesystem::path& file, const std::vector<std::
   Require(format.saveFile(file.c_str(), syntax).good(), "cannot save");
 }
 
+void StateTransferSyntax(const std::filesystem::path& file, const std::string& uid)
+{
+  const QuietStandardStreams quiet;
+  DcmFileFormat format;
+  Load(format, file);
+  Require(format.getMetaInfo()->putAndInsertString(DCM_TransferSyntaxUID, uid.c_str()).good(),
+          "cannot put a transfer syntax");
+  Require(format
+              .saveFile(file.c_str(), format.getDataset()->getOriginalXfer(), EET_UndefinedLength,
+                        EGL_recalcGL, EPD_noChange, 0, 0, EWM_dontUpdateMeta)
+              .good(),
+          "cannot save");
+}
+
 std::string Jpeg2000Stream(const std::vector<int>& values, int columns, int rows, int precision,
                            bool isSigned, int ratio)
 {

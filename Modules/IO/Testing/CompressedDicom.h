@@ -36,6 +36,9 @@ std::vector<std::string> Fragments(const std::filesystem::path& file);
 void ReplaceFragments(const std::filesystem::path& file, const std::vector<std::string>& fragments,
                       const std::vector<std::uint32_t>& offsets = {});
 
+/// Names another transfer syntax in the file's meta header and leaves everything else.
+void StateTransferSyntax(const std::filesystem::path& file, const std::string& uid);
+
 /// A JPEG 2000 codestream of grey values. `ratio` above 1 makes it lossy.
 std::string Jpeg2000Stream(const std::vector<int>& values, int columns, int rows, int precision,
                            bool isSigned, int ratio = 1);

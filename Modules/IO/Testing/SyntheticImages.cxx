@@ -55,7 +55,7 @@ DcmItem& NewItem(DcmItem& parent, const DcmTagKey& sequence)
   return *item;
 }
 
-void PutImageSize(DcmItem& item, int bits, int columns = 4, int rows = 3)
+void PutImageSize(DcmItem& item, int bits, int columns, int rows)
 {
   PutNumber(item, DCM_SamplesPerPixel, 1);
   PutText(item, DCM_PhotometricInterpretation, "MONOCHROME2");
@@ -309,7 +309,7 @@ void WriteDicomSegmentation(const std::filesystem::path& file, const DicomSegmen
   {
     PutNumber(item, DCM_MaximumFractionalValue, 100);
   }
-  PutImageSize(item, spec.BitsAllocated);
+  PutImageSize(item, spec.BitsAllocated, spec.Columns, spec.Rows);
   PutSegmentDescriptions(item, spec);
   PutFrames(item, spec);
   const std::vector<Uint8> pixels = PackedPixels(spec);

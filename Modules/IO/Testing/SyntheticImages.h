@@ -75,7 +75,8 @@ struct DicomSliceSpec
 };
 void WriteDicomSlice(const std::filesystem::path& file, const DicomSliceSpec& spec);
 
-/// A DICOM segmentation object: 4 columns, 3 rows, 2 mm; frames of 12 pixel values each.
+/// A DICOM segmentation object: 2 mm, and 4 columns and 3 rows unless they are changed; a frame has
+/// a value for each pixel.
 struct DicomSegmentationSpec
 {
   struct Frame
@@ -89,6 +90,8 @@ struct DicomSegmentationSpec
     int Number = 1;
     std::string Name;
   };
+  int Columns = 4;
+  int Rows = 3;
   std::string Kind = "BINARY";
   int BitsAllocated = 1;
   double StatedStep = 3.0; ///< mm; 0 leaves it out

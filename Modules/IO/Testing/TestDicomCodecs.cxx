@@ -17,8 +17,9 @@ using namespace palpate::test;
 
 namespace
 {
-// 23 x 17 pixels: an odd number of bytes, where they are single. Noise on a slope, and the
-// extremes.
+// 23 x 17 pixels: an odd number of bytes, where they are single. A slope, and the extremes, with no
+// more noise than compresses: DCMTK writes past its buffer where a JPEG-LS stream grows longer than
+// the pixels.
 DicomSliceSpec NoisySlice(int bitsAllocated, int bitsStored, bool isSigned, unsigned int seed)
 {
   DicomSliceSpec spec;
@@ -32,7 +33,7 @@ DicomSliceSpec NoisySlice(int bitsAllocated, int bitsStored, bool isSigned, unsi
   const int lowest = isSigned ? -range / 2 : 0;
   for (int i = 0; i < spec.Columns * spec.Rows; ++i)
   {
-    const int noise = static_cast<int>(random() % static_cast<unsigned int>(range / 4));
+    const int noise = static_cast<int>(random() % static_cast<unsigned int>(range / 16));
     spec.Pixels.push_back(lowest + i * (range / 2) / 391 + noise);
   }
   spec.Pixels[0] = lowest;
@@ -131,14 +132,14 @@ TEST(DicomCodecs, RescaleIsAppliedAfterDecoding)
 TEST(DicomCodecs, LossyCodingsComeBackNearly)
 {
   const DicomSliceSpec bytes = NoisySlice(8, 8, false, 10);
-  // Noise of 64 grey values at quality 95: the largest quantisation step of the standard's tables
-  // is 12, and the errors of 64 cosines seldom add up to more than two of them.
+  // At quality 95 the largest quantisation step of the standard's tables is 12, and the errors of
+  // 64 cosines seldom add up to more than two of them.
   EXPECT_LT(LargestError(ReadBack(bytes, Codec::JpegBaseline)), 24.0);
   EXPECT_GT(LargestError(ReadBack(bytes, Codec::JpegBaseline)), 0.0);
   // The bound that JPEG-LS was given.
   EXPECT_EQ(LargestError(ReadBack(bytes, Codec::JpegLsNearLossless)), 2.0);
-  // Half of the bits keep the slope; what is lost is noise, whose range is 64.
-  EXPECT_LT(LargestError(ReadBack(bytes, Codec::Jpeg2000Lossy)), 64.0);
+  // Half of the bits keep the slope; what is lost is noise, whose range is 16.
+  EXPECT_LT(LargestError(ReadBack(bytes, Codec::Jpeg2000Lossy)), 16.0);
   EXPECT_GT(LargestError(ReadBack(bytes, Codec::Jpeg2000Lossy)), 0.0);
 }
 
@@ -182,18 +183,24 @@ TEST(DicomCodecs, LabelMapSegmentationsAreReadInEveryLosslessCoding)
       DicomSegmentationSpec spec;
       spec.Kind = "LABELMAP";
       spec.BitsAllocated = bits;
-      spec.Frames = {{0, 0.0, {0, 0, 1, 1, 1, 0, 0, 2, 2, 2, 2, 2}},
-                     {0, 3.0, {2, 2, 2, 0, 0, 0, 0, 0, 0, 0, 1, 1}}};
+      spec.Columns = 20;
+      spec.Rows = 15;
+      for (int frame = 0; frame < 2; ++frame)
+      {
+        spec.Frames.push_back({0, 3.0 * frame, {}});
+        for (int i = 0; i < 300; ++i)
+        {
+          spec.Frames.back().Pixels.push_back(i / 7 % (2 + frame));
+        }
+      }
       const TemporaryFolder folder;
       WriteDicomSegmentation(folder / "a.dcm", spec);
       Compress(folder / "a.dcm", codec);
       const Segmentation segmentation = ReadSegmentation(folder / "a.dcm");
       vtkDataArray* labels = segmentation.Layers[0]->GetPointData()->GetScalars();
-      for (int i = 0; i < 24; ++i)
+      for (int i = 0; i < 600; ++i)
       {
-        EXPECT_EQ(
-            labels->GetTuple1(i),
-            spec.Frames[static_cast<std::size_t>(i / 12)].Pixels[static_cast<std::size_t>(i % 12)])
+        EXPECT_EQ(labels->GetTuple1(i), i % 300 / 7 % (2 + i / 300))
             << CodecName(codec) << ", " << bits << " bits, pixel " << i;
       }
     }

@@ -8,6 +8,7 @@
 #include "vtkDataArray.h"
 #include "vtkPointData.h"
 
+#include <algorithm>
 #include <gtest/gtest.h>
 
 using namespace palpate;
@@ -26,19 +27,18 @@ std::vector<std::string> Split(const std::string& stream, std::size_t length)
   return pieces;
 }
 
-// A label map of three frames, whose k-th pixel row is the only labelled one in frame k.
+// A label map of three frames of 16 x 12 pixels, each labelled in another third of its rows.
 void WriteThreeFrames(const std::filesystem::path& file, Codec codec)
 {
   DicomSegmentationSpec spec;
   spec.Kind = "LABELMAP";
   spec.BitsAllocated = 8;
+  spec.Columns = 16;
+  spec.Rows = 12;
   for (int frame = 0; frame < 3; ++frame)
   {
-    std::vector<int> pixels(12, 0);
-    for (int i = 4 * frame; i < 4 * frame + 4; ++i)
-    {
-      pixels[static_cast<std::size_t>(i)] = frame + 1;
-    }
+    std::vector<int> pixels(192, 0);
+    std::fill_n(pixels.begin() + 64 * frame, 64, frame + 1);
     spec.Frames.push_back({0, 3.0 * frame, pixels});
   }
   WriteDicomSegmentation(file, spec);
@@ -50,10 +50,10 @@ void ExpectThreeFrames(const std::filesystem::path& file)
   const Segmentation segmentation = ReadSegmentation(file);
   for (int frame = 0; frame < 3; ++frame)
   {
-    for (int row = 0; row < 3; ++row)
+    for (int row = 0; row < 12; ++row)
     {
       EXPECT_EQ(segmentation.Layers[0]->GetScalarComponentAsDouble(1, row, frame, 0),
-                row == frame ? frame + 1 : 0);
+                row / 4 == frame ? frame + 1 : 0);
     }
   }
 }
