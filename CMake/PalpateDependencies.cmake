@@ -19,8 +19,12 @@ endif()
 find_package(VTK 9.1 REQUIRED COMPONENTS ${PALPATE_VTK_COMPONENTS} ${palpate_vtk_build_components})
 
 find_package(ITK 5.2 REQUIRED COMPONENTS ITKCommon ITKIOImageBase ITKIONIFTI ITKIONRRD ITKIOMeta
-  ITKIOGDCM ITKImageLabel ITKConnectedComponents ITKLabelMap)
+  ITKImageLabel ITKConnectedComponents ITKLabelMap)
 find_package(DCMTK REQUIRED)
+# Debian packs OpenJPEG's programs apart from its library, and CMake reports each of them as absent.
+set(CMAKE_MESSAGE_LOG_LEVEL WARNING)
+find_package(OpenJPEG REQUIRED NO_MODULE)
+unset(CMAKE_MESSAGE_LOG_LEVEL)
 find_package(ZLIB REQUIRED)
 find_package(X11 REQUIRED)
 find_package(CLI11 REQUIRED)

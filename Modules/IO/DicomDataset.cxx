@@ -47,9 +47,13 @@ DcmItem& DicomDataset::Root() const
   return *this->Format->getDataset();
 }
 
-bool DicomDataset::HasCompressedPixels() const
+std::string DicomDataset::TransferSyntax() const
 {
-  return DcmXfer(this->Format->getDataset()->getOriginalXfer()).isEncapsulated();
+  // Where DCMTK does not know the one stated, it reads the data set as if none were stated.
+  const std::string stated = DicomText(*this->Format->getMetaInfo(), DCM_TransferSyntaxUID);
+  return !stated.empty() && DcmXfer(stated.c_str()).getXfer() == EXS_Unknown
+             ? stated
+             : DcmXfer(this->Format->getDataset()->getOriginalXfer()).getXferID();
 }
 
 DcmItem* DicomItem(DcmItem& item, const DcmTagKey& sequence, unsigned long index)

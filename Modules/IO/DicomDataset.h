@@ -35,8 +35,9 @@ public:
   ~DicomDataset();
 
   DcmItem& Root() const;
-  /// True where the pixels are stored in a compressed form that DCMTK's data set does not undo.
-  bool HasCompressedPixels() const;
+  /// UID of the transfer syntax that the file states; the one that DCMTK recognises where it states
+  /// none.
+  std::string TransferSyntax() const;
 
 private:
   // DCMTK also prints when a damaged attribute is looked at.

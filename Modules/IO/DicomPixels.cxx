@@ -1,6 +1,6 @@
 #include "DicomPixels.h"
 
-#include "ImageFile.h"
+#include "DicomPixelData.h"
 #include "Refusal.h"
 
 #include "vtkSetGet.h"
@@ -83,18 +83,6 @@ void Rescale(const StoredPixels& stored, const DicomPixelFormat& format, vtkIdTy
   }
 }
 
-void ReadCompressed(const std::filesystem::path& file, vtkIdType count, vtkDataArray* voxels,
-                    vtkIdType first)
-{
-  ImageFile slice(file, FileKind::Dicom);
-  if (slice.Components() != 1 || slice.Grid().VoxelCount() != count)
-  {
-    RefuseDamaged(file);
-  }
-  const vtkSmartPointer<vtkDataArray> pixels = slice.NewArray();
-  slice.ReadInto(pixels->GetVoidPointer(0));
-  voxels->InsertTuples(first, count, 0, pixels);
-}
 } // namespace
 
 int DicomPixelFormat::ScalarType() const
@@ -120,7 +108,7 @@ DicomPixelFormat ReadPixelFormat(const DicomDataset& dataset)
   format.IsSigned = DicomNumber(root, DCM_PixelRepresentation, 0.0) == 1.0;
   format.IsGrey = DicomNumber(root, DCM_SamplesPerPixel, 1.0) == 1.0 &&
                   DicomText(root, DCM_PhotometricInterpretation) != "PALETTE COLOR";
-  format.IsCompressed = dataset.HasCompressedPixels();
+  format.TransferSyntax = dataset.TransferSyntax();
   format.Slope = DicomNumber(root, DCM_RescaleSlope, 1.0);
   format.Intercept = DicomNumber(root, DCM_RescaleIntercept, 0.0);
   return format;
@@ -137,19 +125,16 @@ void ReadSlicePixels(const std::filesystem::path& file, const DicomPixelFormat& 
   {
     RefuseDamaged(file);
   }
-  if (format.IsCompressed)
-  {
-    return ReadCompressed(file, count, voxels, first);
-  }
+  // Asked before the pixels are parsed, which DCMTK cannot do in a syntax that it does not know.
+  CheckTransferSyntax(file, format.TransferSyntax);
   const DicomDataset dataset(file, DicomDataset::Extent::All);
-  std::size_t bytes = 0;
-  const std::uint8_t* pixels = DicomPixelBytes(dataset.Root(), bytes);
-  if (!pixels ||
-      bytes < static_cast<std::size_t>(count) * static_cast<std::size_t>(format.BitsAllocated / 8))
+  const DicomPixelData pixels(file, dataset, 1);
+  const std::size_t bytesPerPixel = static_cast<std::size_t>(format.BitsAllocated) / 8;
+  if (!pixels.Bytes() || pixels.ByteCount() < static_cast<std::size_t>(count) * bytesPerPixel)
   {
     RefuseDamaged(file);
   }
-  const StoredPixels stored(format, pixels);
+  const StoredPixels stored(format, pixels.Bytes());
   switch (voxels->GetDataType())
   {
     vtkTemplateMacro(

@@ -5,6 +5,7 @@
 #include "vtkDataArray.h"
 
 #include <filesystem>
+#include <string>
 
 namespace palpate
 {
@@ -15,8 +16,8 @@ struct DicomPixelFormat
   int BitsStored = 0;
   int HighBit = 0;
   bool IsSigned = false;
-  bool IsGrey = true; ///< one sample a pixel that is no index into a palette
-  bool IsCompressed = false;
+  bool IsGrey = true;         ///< one sample a pixel that is no index into a palette
+  std::string TransferSyntax; ///< UID
   double Slope = 1.0;
   double Intercept = 0.0;
 
@@ -27,9 +28,7 @@ struct DicomPixelFormat
 
 PALPATEIO_EXPORT DicomPixelFormat ReadPixelFormat(const DicomDataset& dataset);
 
-/// Reads a slice's `count` values into `voxels` from value `first` on. Uncompressed pixels are
-/// taken from DCMTK's data set, because GDCM as Debian builds it ends the program at the first
-/// assertion that a damaged file violates; only compressed ones go through it. Throws InputError.
+/// Reads a slice's `count` values into `voxels` from value `first` on. Throws InputError.
 PALPATEIO_EXPORT void ReadSlicePixels(const std::filesystem::path& file,
                                       const DicomPixelFormat& format, vtkIdType count,
                                       vtkDataArray* voxels, vtkIdType first);

@@ -1,5 +1,6 @@
 #include "DicomSegmentationFrames.h"
 
+#include "DicomTransferSyntax.h"
 #include "Refusal.h"
 
 #include "dcmtk/config/osconfig.h"
@@ -100,22 +101,22 @@ void DicomSegmentationFrames::ReadPixels(const std::filesystem::path& file,
                                          const DicomDataset& dataset)
 {
   DcmItem& root = dataset.Root();
-  if (dataset.HasCompressedPixels())
-  {
-    Refuse(file, "has compressed pixels, which are not read in segmentations",
-           "decompress it first (dcmdrle, dcmdjpeg or gdcmconv --raw)");
-  }
   this->BitsPerPixel = static_cast<int>(DicomNumber(root, DCM_BitsAllocated, 0.0));
   if ((this->BitsPerPixel != 1 && this->BitsPerPixel != 8 && this->BitsPerPixel != 16) ||
       DicomNumber(root, DCM_SamplesPerPixel, 1.0) != 1.0)
   {
     Refuse(file, "has pixels of a form that no segmentation has", "export the segmentation again");
   }
-  std::size_t bytes = 0;
-  this->Pixels = DicomPixelBytes(root, bytes);
+  if (this->BitsPerPixel == 1 && PixelCodingOf(dataset.TransferSyntax()) != PixelCoding::Native)
+  {
+    Refuse(file, "has compressed pixels of one bit, which are not read",
+           "export the segmentation again uncompressed or with eight bits a pixel");
+  }
+  this->PixelData.emplace(file, dataset, this->Planes.size());
+  this->Pixels = this->PixelData->Bytes();
   const double needed = static_cast<double>(this->PixelsPerFrame) *
                         static_cast<double>(this->Planes.size()) * this->BitsPerPixel / 8.0;
-  if (!this->Pixels || static_cast<double>(bytes) < needed)
+  if (!this->Pixels || static_cast<double>(this->PixelData->ByteCount()) < needed)
   {
     Refuse(file, "is truncated: it has fewer pixels than its header promises",
            "copy or export it again");

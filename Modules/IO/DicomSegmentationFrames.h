@@ -1,6 +1,7 @@
 #pragma once
 
 #include "DicomDataset.h"
+#include "DicomPixelData.h"
 #include "PalpateIOModule.h"
 #include "SegmentLayers.h"
 #include "SliceStack.h"
@@ -8,6 +9,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <vector>
 
 namespace palpate
@@ -20,6 +22,8 @@ public:
   /// Throws InputError for planes that are no stack and for fewer pixels than the header promises.
   /// `dataset` must outlive the object.
   DicomSegmentationFrames(const std::filesystem::path& file, const DicomDataset& dataset);
+  DicomSegmentationFrames(const DicomSegmentationFrames&) = delete;
+  DicomSegmentationFrames& operator=(const DicomSegmentationFrames&) = delete;
 
   /// Right-handed by construction: its third axis is the cross product of the others.
   const ImageGrid& Grid() const { return this->Stack.Grid; }
@@ -47,6 +51,7 @@ private:
   SliceStack Stack;
   int PixelsPerFrame = 0;
   int BitsPerPixel = 1;
-  const std::uint8_t* Pixels = nullptr; // little-endian, as the host's
+  std::optional<DicomPixelData> PixelData;
+  const std::uint8_t* Pixels = nullptr; // in PixelData
 };
 } // namespace palpate

@@ -30,10 +30,7 @@ ImageFile::ImageFile(const std::filesystem::path& file, FileKind kind) : File(fi
   this->OpenReader();
   this->CheckHeader();
   this->TakeGrid();
-  if (kind != FileKind::Dicom)
-  {
-    CheckGrid(file, this->FileGrid);
-  }
+  CheckGrid(file, this->FileGrid);
 }
 
 ImageFile::~ImageFile() = default;

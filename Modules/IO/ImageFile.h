@@ -24,8 +24,8 @@ class NiftiVoxels;
 class PALPATEIO_EXPORT ImageFile
 {
 public:
-  /// Throws InputError where the header cannot be read or its geometry is no volume's. A DICOM file
-  /// is a single slice: its size is read, its place is not.
+  /// Throws InputError where the header cannot be read or its geometry is no volume's. The kind is
+  /// any but DICOM.
   ImageFile(const std::filesystem::path& file, FileKind kind);
   ImageFile(const ImageFile&) = delete;
   ImageFile& operator=(const ImageFile&) = delete;

@@ -2,7 +2,6 @@
 
 #include "QuietStandardStreams.h"
 
-#include "itkGDCMImageIO.h"
 #include "itkMetaDataObject.h"
 #include "itkMetaImageIO.h"
 #include "itkNrrdImageIO.h"
@@ -21,17 +20,8 @@ namespace
 {
 itk::ImageIOBase::Pointer NewImageIo(FileKind kind)
 {
-  switch (kind)
-  {
-  case FileKind::Nrrd:
-    return itk::NrrdImageIO::New().GetPointer();
-  case FileKind::MetaImage:
-    return itk::MetaImageIO::New().GetPointer();
-  case FileKind::Nifti: // NiftiVoxels reads it
-  case FileKind::Dicom:
-    break;
-  }
-  return itk::GDCMImageIO::New().GetPointer();
+  return kind == FileKind::Nrrd ? itk::ImageIOBase::Pointer(itk::NrrdImageIO::New())
+                                : itk::ImageIOBase::Pointer(itk::MetaImageIO::New());
 }
 
 int VtkTypeOf(itk::IOComponentEnum type)

@@ -10,12 +10,12 @@
 
 namespace palpate
 {
-/// The only door to ITK's image readers: NRRD, MetaImage, and single DICOM slices. It prints
-/// nothing; failures come back as exceptions of ITK's (std::exception) with ITK's own words.
+/// The only door to ITK's image readers: NRRD and MetaImage. It prints nothing; failures come back
+/// as exceptions of ITK's (std::exception) with ITK's own words.
 class PALPATEIO_EXPORT ItkImageReader
 {
 public:
-  /// Reads the header. Throws where the file is not of that kind or damaged.
+  /// Reads the header of an NRRD or MetaImage file. Throws where it is no such file or damaged.
   ItkImageReader(const std::filesystem::path& file, FileKind kind);
   ItkImageReader(const ItkImageReader&) = delete;
   ItkImageReader& operator=(const ItkImageReader&) = delete;

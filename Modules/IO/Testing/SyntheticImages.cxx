@@ -7,7 +7,6 @@
 
 #include "dcmtk/config/osconfig.h"
 
-#include "dcmtk/dcmdata/dcrleerg.h"
 #include "dcmtk/dcmdata/dctk.h"
 
 namespace palpate::test
@@ -56,12 +55,12 @@ DcmItem& NewItem(DcmItem& parent, const DcmTagKey& sequence)
   return *item;
 }
 
-void PutImageSize(DcmItem& item, int bits)
+void PutImageSize(DcmItem& item, int bits, int columns, int rows)
 {
   PutNumber(item, DCM_SamplesPerPixel, 1);
   PutText(item, DCM_PhotometricInterpretation, "MONOCHROME2");
-  PutNumber(item, DCM_Rows, 3);
-  PutNumber(item, DCM_Columns, 4);
+  PutNumber(item, DCM_Rows, rows);
+  PutNumber(item, DCM_Columns, columns);
   PutNumber(item, DCM_BitsAllocated, bits);
   PutNumber(item, DCM_BitsStored, bits);
   PutNumber(item, DCM_HighBit, bits - 1);
@@ -128,6 +127,27 @@ std::vector<Uint8> PackedPixels(const DicomSegmentationSpec& spec)
   }
   bytes.resize((bytes.size() + 1) / 2 * 2, 0);
   return bytes;
+}
+
+void PutPixels(DcmItem& item, const DicomSliceSpec& spec)
+{
+  const auto count = static_cast<std::size_t>(spec.Columns * spec.Rows);
+  std::vector<int> values(spec.Pixels);
+  for (int& value : values)
+  {
+    value &= (1 << spec.BitsStored) - 1;
+  }
+  values.resize(count, spec.Value);
+  // A little-endian host's words, so bytes lie as they do in the file.
+  std::vector<Uint16> words(values.begin(), values.end());
+  if (spec.BitsAllocated == 8)
+  {
+    std::vector<Uint8> bytes(values.begin(), values.end());
+    bytes.resize((count + 1) / 2 * 2, 0);
+    words.resize(bytes.size() / 2);
+    std::memcpy(words.data(), bytes.data(), bytes.size());
+  }
+  Require(item.putAndInsertUint16Array(DCM_PixelData, words.data(), words.size()));
 }
 
 void Save(DcmFileFormat& format, const std::filesystem::path& file)
@@ -260,7 +280,7 @@ void WriteDicomSlice(const std::filesystem::path& file, const DicomSliceSpec& sp
           Decimals({spec.PositionWorld[0], spec.PositionWorld[1], spec.PositionWorld[2]}));
   PutOrientation(item, spec.RowWorld, spec.ColumnWorld);
   PutText(item, DCM_PixelSpacing, "1.5\\2");
-  PutImageSize(item, 16);
+  PutImageSize(item, spec.BitsAllocated, spec.Columns, spec.Rows);
   PutNumber(item, DCM_BitsStored, spec.BitsStored);
   PutNumber(item, DCM_HighBit, spec.BitsStored - 1);
   PutNumber(item, DCM_PixelRepresentation, spec.IsSigned ? 1 : 0);
@@ -269,16 +289,8 @@ void WriteDicomSlice(const std::filesystem::path& file, const DicomSliceSpec& sp
     PutText(item, DCM_RescaleSlope, spec.Slope);
     PutText(item, DCM_RescaleIntercept, spec.Intercept);
   }
-  const std::vector<Uint16> pixels(12, spec.Value);
-  Require(item.putAndInsertUint16Array(DCM_PixelData, pixels.data(), pixels.size()));
-  if (!spec.IsRunLengthCoded)
-  {
-    return Save(format, file);
-  }
-  DcmRLEEncoderRegistration::registerCodecs();
-  Require(format.getDataset()->chooseRepresentation(EXS_RLELossless, nullptr));
-  Require(format.saveFile(file.c_str(), EXS_RLELossless));
-  DcmRLEEncoderRegistration::cleanup();
+  PutPixels(item, spec);
+  Save(format, file);
 }
 
 void WriteDicomSegmentation(const std::filesystem::path& file, const DicomSegmentationSpec& spec)
@@ -297,7 +309,7 @@ void WriteDicomSegmentation(const std::filesystem::path& file, const DicomSegmen
   {
     PutNumber(item, DCM_MaximumFractionalValue, 100);
   }
-  PutImageSize(item, spec.BitsAllocated);
+  PutImageSize(item, spec.BitsAllocated, spec.Columns, spec.Rows);
   PutSegmentDescriptions(item, spec);
   PutFrames(item, spec);
   const std::vector<Uint8> pixels = PackedPixels(spec);

@@ -53,7 +53,8 @@ std::string Gzipped(const std::string& bytes);
 /// zlib's own wrapper, as MetaImage has it.
 std::string Deflated(const std::string& bytes);
 
-/// A slice of a DICOM MR series: 4 columns, 3 rows, 16 bits, every pixel has one stored value.
+/// An uncompressed slice of a DICOM MR series; the default has 4 columns, 3 rows, 16 bits, and one
+/// stored value in every pixel.
 struct DicomSliceSpec
 {
   std::string SeriesUid = "1.2.3";
@@ -62,16 +63,20 @@ struct DicomSliceSpec
   Vector3 PositionWorld = Vector3::Zero();
   Vector3 RowWorld = Vector3::UnitX();
   Vector3 ColumnWorld = Vector3::UnitY();
+  int Columns = 4;
+  int Rows = 3;
   std::uint16_t Value = 0;
+  std::vector<int> Pixels; ///< where there are any, instead of Value; stored in BitsStored bits
+  int BitsAllocated = 16;  ///< or 8
   int BitsStored = 16;
   bool IsSigned = false;
   std::string Slope; ///< empty: left out, as is the intercept
   std::string Intercept;
-  bool IsRunLengthCoded = false; ///< compressed pixels
 };
 void WriteDicomSlice(const std::filesystem::path& file, const DicomSliceSpec& spec);
 
-/// A DICOM segmentation object: 4 columns, 3 rows, 2 mm; frames of 12 pixel values each.
+/// A DICOM segmentation object: 2 mm, and 4 columns and 3 rows unless they are changed; a frame has
+/// a value for each pixel.
 struct DicomSegmentationSpec
 {
   struct Frame
@@ -85,6 +90,8 @@ struct DicomSegmentationSpec
     int Number = 1;
     std::string Name;
   };
+  int Columns = 4;
+  int Rows = 3;
   std::string Kind = "BINARY";
   int BitsAllocated = 1;
   double StatedStep = 3.0; ///< mm; 0 leaves it out

@@ -88,17 +88,6 @@ TEST(DicomPixels, SlicesOfDifferentScaleShareAType)
   EXPECT_EQ(volume.Image->GetScalarComponentAsDouble(0, 0, 1, 0), 7.0);
 }
 
-TEST(DicomPixels, CompressedPixelsAreTheSame)
-{
-  DicomSliceSpec spec;
-  spec.IsRunLengthCoded = true;
-  spec.Value = 4097;
-  ExpectValue(spec, VTK_UNSIGNED_SHORT, 4097);
-  spec.Slope = "2";
-  spec.Intercept = "-10";
-  ExpectValue(spec, VTK_INT, 8184);
-}
-
 TEST(DicomPixels, TooFewPixelsAreRefused)
 {
   const TemporaryFolder folder;

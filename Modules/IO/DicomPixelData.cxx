@@ -1,0 +1,119 @@
+#include "DicomPixelData.h"
+
+#include "CompressedFrame.h"
+#include "DicomTransferSyntax.h"
+#include "EncapsulatedFrames.h"
+#include "Jpeg2000Decoder.h"
+#include "JpegDecoder.h"
+#include "JpegLsDecoder.h"
+#include "MemoryCheck.h"
+#include "Refusal.h"
+#include "RunLengthDecoder.h"
+
+#include "dcmtk/config/osconfig.h"
+
+#include "dcmtk/dcmdata/dcdeftag.h"
+#include <string>
+
+namespace palpate
+{
+namespace
+{
+int HeaderNumber(const DicomDataset& dataset, const DcmTagKey& tag, int fallback)
+{
+  return static_cast<int>(DicomNumber(dataset.Root(), tag, fallback));
+}
+
+CompressedFrame FrameForm(const DicomDataset& dataset)
+{
+  CompressedFrame frame;
+  frame.Columns = HeaderNumber(dataset, DCM_Columns, 0);
+  frame.Rows = HeaderNumber(dataset, DCM_Rows, 0);
+  const int bitsAllocated = HeaderNumber(dataset, DCM_BitsAllocated, 0);
+  frame.BytesPerPixel = bitsAllocated / 8;
+  frame.BitsStored = HeaderNumber(dataset, DCM_BitsStored, bitsAllocated);
+  frame.HighBit = HeaderNumber(dataset, DCM_HighBit, frame.BitsStored - 1);
+  frame.IsSigned = HeaderNumber(dataset, DCM_PixelRepresentation, 0) == 1;
+  return frame;
+}
+
+bool IsPlausible(const CompressedFrame& frame)
+{
+  const bool isWord =
+      frame.BytesPerPixel == 1 || frame.BytesPerPixel == 2 || frame.BytesPerPixel == 4;
+  return isWord && frame.Columns >= 1 && frame.Rows >= 1 && frame.BitsStored >= 1 &&
+         frame.HighBit >= frame.BitsStored - 1 && frame.HighBit < 8 * frame.BytesPerPixel;
+}
+
+bool DecodeFrame(PixelCoding coding, const CompressedFrame& frame, std::uint8_t* pixels)
+{
+  switch (coding)
+  {
+  case PixelCoding::RunLength:
+    return DecodeRunLength(frame, pixels);
+  case PixelCoding::Jpeg:
+    return DecodeJpeg(frame, pixels);
+  case PixelCoding::JpegLs:
+    return DecodeJpegLs(frame, pixels);
+  case PixelCoding::Jpeg2000:
+    return DecodeJpeg2000(frame, pixels);
+  case PixelCoding::Native:
+  case PixelCoding::Unread:
+    break;
+  }
+  return false;
+}
+} // namespace
+
+void CheckTransferSyntax(const std::filesystem::path& file, const std::string& transferSyntaxUid)
+{
+  if (PixelCodingOf(transferSyntaxUid) == PixelCoding::Unread)
+  {
+    Refuse(file,
+           "stores its pixels in the transfer syntax " + TransferSyntaxName(transferSyntaxUid) +
+               ", which is not read",
+           "export it again uncompressed or as RLE, JPEG, JPEG-LS or JPEG 2000");
+  }
+}
+
+DicomPixelData::DicomPixelData(const std::filesystem::path& file, const DicomDataset& dataset,
+                               std::size_t frameCount)
+{
+  CheckTransferSyntax(file, dataset.TransferSyntax());
+  if (PixelCodingOf(dataset.TransferSyntax()) != PixelCoding::Native)
+  {
+    this->Decode(file, dataset, frameCount);
+    return;
+  }
+  this->Native = DicomPixelBytes(dataset.Root(), this->Count);
+}
+
+void DicomPixelData::Decode(const std::filesystem::path& file, const DicomDataset& dataset,
+                            std::size_t frameCount)
+{
+  CompressedFrame frame = FrameForm(dataset);
+  const EncapsulatedFrames frames(dataset.Root(), frameCount, std::filesystem::file_size(file));
+  if (!IsPlausible(frame) || !frames.AreFound())
+  {
+    Refuse(file, "is truncated or damaged: its pixels are not what its header promises",
+           "copy or export it again");
+  }
+  const std::size_t frameBytes = frame.PixelCount() * static_cast<std::size_t>(frame.BytesPerPixel);
+  CheckMemory(file, static_cast<double>(frameBytes) * static_cast<double>(frameCount),
+              AvailableMemoryBytes());
+  this->Count = frameBytes * frameCount;
+  this->Decoded.resize(this->Count);
+  const PixelCoding coding = PixelCodingOf(dataset.TransferSyntax());
+  for (std::size_t i = 0; i < frameCount; ++i)
+  {
+    frame.Stream = frames.Frame(i);
+    if (!DecodeFrame(coding, frame, this->Decoded.data() + i * frameBytes))
+    {
+      Refuse(file,
+             "is truncated or damaged: its pixels cannot be decoded as " +
+                 TransferSyntaxName(dataset.TransferSyntax()),
+             "copy or export it again");
+    }
+  }
+}
+} // namespace palpate

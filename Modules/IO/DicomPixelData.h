@@ -1,0 +1,45 @@
+#pragma once
+
+#include "DicomDataset.h"
+#include "PalpateIOModule.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace palpate
+{
+/// Throws InputError where the pixels are stored in a transfer syntax that is not read.
+PALPATEIO_EXPORT void CheckTransferSyntax(const std::filesystem::path& file,
+                                          const std::string& transferSyntaxUid);
+
+/// The grey pixels of a DICOM file in the form of an uncompressed one, whatever their coding: all
+/// frames, row by row, little-endian words of BitsAllocated bits (several pixels in a byte where
+/// that is 1).
+class PALPATEIO_EXPORT DicomPixelData
+{
+public:
+  /// `dataset` must outlive the object. Throws InputError for pixels that cannot be decoded and for
+  /// such as do not fit into memory.
+  DicomPixelData(const std::filesystem::path& file, const DicomDataset& dataset,
+                 std::size_t frameCount);
+
+  /// Null where there are none.
+  const std::uint8_t* Bytes() const
+  {
+    return this->Decoded.empty() ? this->Native : this->Decoded.data();
+  }
+  /// What the file really holds, for the caller to compare with what its header promises.
+  std::size_t ByteCount() const { return this->Count; }
+
+private:
+  void Decode(const std::filesystem::path& file, const DicomDataset& dataset,
+              std::size_t frameCount);
+
+  const std::uint8_t* Native = nullptr; // in the data set
+  std::size_t Count = 0;
+  std::vector<std::uint8_t> Decoded;
+};
+} // namespace palpate

@@ -1,0 +1,41 @@
+#include "CompressedFrame.h"
+
+#include <array>
+#include <gtest/gtest.h>
+
+using palpate::CompressedFrame;
+
+namespace
+{
+// The 16-bit word that a sample becomes.
+int Stored(std::uint32_t sample, int precision, int bitsStored, int highBit, bool isSigned)
+{
+  CompressedFrame frame;
+  frame.BytesPerPixel = 2;
+  frame.BitsStored = bitsStored;
+  frame.HighBit = highBit;
+  frame.IsSigned = isSigned;
+  std::array<std::uint8_t, 4> pixels{};
+  frame.Store(sample, precision, 1, pixels.data());
+  return pixels[2] | pixels[3] << 8;
+}
+} // namespace
+
+TEST(CompressedFrame, FullSamplesStayAsTheyAre)
+{
+  EXPECT_EQ(Stored(0x8765, 16, 16, 15, true), 0x8765);
+  EXPECT_EQ(Stored(0xF765, 16, 12, 11, true), 0xF765);
+}
+
+TEST(CompressedFrame, NarrowSignedSamplesAreExtended)
+{
+  EXPECT_EQ(Stored(0x80, 8, 16, 15, true), 0xFF80);
+  EXPECT_EQ(Stored(0x80, 8, 16, 15, false), 0x0080);
+  EXPECT_EQ(Stored(0x7F, 8, 16, 15, true), 0x007F);
+}
+
+TEST(CompressedFrame, NarrowSamplesGoUpToTheHighBit)
+{
+  EXPECT_EQ(Stored(0x123, 12, 12, 15, false), 0x1230);
+  EXPECT_EQ(Stored(0x1230, 16, 12, 15, false), 0x1230);
+}
