@@ -133,6 +133,22 @@ struct Arithmetic
         weight[i] = exists ? points.Weights[first + i] : 0.0;
         value[i] = exists ? points.Values[first + i] : 0.0;
       }
+      this->Normalise();
+    }
+
+    // Unit vectors that were rounded, perhaps to float, stand for the exact ones. One step of
+    // Newton's method for 1 / |u|, whose error is the square of what the rounding left.
+    void Normalise()
+    {
+      for (int v = 0; v < Vectors; ++v)
+      {
+        const Vector square =
+            this->X[v] * this->X[v] + this->Y[v] * this->Y[v] + 0.25 * (this->Z2[v] * this->Z2[v]);
+        const Vector scale = 1.5 - 0.5 * square;
+        this->X[v] *= scale;
+        this->Y[v] *= scale;
+        this->Z2[v] *= scale;
+      }
     }
 
     // seed (x+iy)^m for m = 0..degree.

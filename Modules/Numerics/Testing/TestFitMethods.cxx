@@ -228,7 +228,6 @@ TEST(FitMethods, DirectionsOfSinglePrecisionAreGoodEnough)
   {
     direction = direction.cast<float>().cast<double>();
   }
-  // Moments take the directions for unit vectors; refinement mends what that costs.
   const SphericalHarmonicFitResult fast = Fit(samples, WithMethod(12, Method::Moments));
   const SphericalHarmonicFitResult slow = Fit(samples, WithMethod(12, Method::Orthogonal));
   EXPECT_LE(test::Distance(fast.Coefficients, slow.Coefficients),
