@@ -19,9 +19,8 @@ Vector3 Moved(const Vector3& direction, const Vector3& step) noexcept
   const Vector3 end = direction + step;
   const double excess = end.squaredNorm() - 1.0;
   // The next term of the series is below rounding.
-  const double scale = std::abs(excess) < 1e-4
-                           ? 1.0 - excess * (0.5 - excess * (0.375 - 0.3125 * excess))
-                           : 1.0 / std::sqrt(1.0 + excess);
+  const double scale = std::abs(excess) < 1e-5 ? 1.0 - excess * (0.5 - 0.375 * excess)
+                                               : 1.0 / std::sqrt(1.0 + excess);
   return scale * end;
 }
 

@@ -22,25 +22,28 @@ struct SquaredDistance
                   const Vector3& query) noexcept
       : Offset(query - sample.Radius * direction)
   {
+    // Sums are grouped so that few operations wait for others: a servo tick is one chain of them.
     const double radius = sample.Radius;
+    const Vector3& u = direction;
     const Vector3& g = sample.SurfaceGradient;
-    const double along = this->Offset.dot(direction);
-    const Vector3 across = this->Offset - along * direction;
+    const Matrix3& h = sample.SurfaceHessian;
+    const double along = query.dot(u) - radius * u.squaredNorm();
+    const Vector3 across = this->Offset - along * u;
     this->Gradient = -along * g - radius * across;
+    const double round = radius * (radius + along);
     // g g' - g d' - d g' = (g - d) (g - d)' - d d'
     const Vector3 sum = g - across;
-    const double round = radius * (radius + along);
-    const auto entry = [&](int i, int j)
+    const auto entry = [&](int i, int j, double unit)
     {
-      return sum[i] * sum[j] - across[i] * across[j] - along * sample.SurfaceHessian(i, j) -
-             round * direction[i] * direction[j];
+      return (sum[i] * sum[j] - across[i] * across[j]) -
+             (along * h(i, j) - round * (unit - u[i] * u[j]));
     };
-    this->Xx = entry(0, 0) + round;
-    this->Yy = entry(1, 1) + round;
-    this->Zz = entry(2, 2) + round;
-    this->Xy = entry(0, 1);
-    this->Xz = entry(0, 2);
-    this->Yz = entry(1, 2);
+    this->Xx = entry(0, 0, 1.0);
+    this->Yy = entry(1, 1, 1.0);
+    this->Zz = entry(2, 2, 1.0);
+    this->Xy = entry(0, 1, 0.0);
+    this->Xz = entry(0, 2, 0.0);
+    this->Yz = entry(1, 2, 0.0);
     this->Trace = this->Xx + this->Yy + this->Zz;
     // One eigenvalue is zero, so the sum of the principal minors is the product of the others.
     this->Determinant = (this->Xx * this->Yy - this->Xy * this->Xy) +
