@@ -29,6 +29,7 @@ endfunction()
 # Every room's Testing folder, after all rooms exist, so that a room's tests may use any lower room.
 function(palpate_add_module_tests)
   add_subdirectory(Testing/Support)
+  add_subdirectory(Testing/References)
   foreach(room Numerics IO Surface ShapeModel Session)
     add_subdirectory(Modules/${room}/Testing)
   endforeach()

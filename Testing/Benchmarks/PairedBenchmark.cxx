@@ -8,7 +8,8 @@ namespace palpate::bench
 {
 namespace
 {
-constexpr int Repetitions = 5;
+constexpr int Repetitions = 9;
+constexpr double MinimumSeconds = 0.05; // of a repetition
 
 // Keeps the times of every repetition, by name.
 class Collector : public benchmark::BenchmarkReporter
@@ -55,6 +56,7 @@ void Register(const std::string& name, const std::function<void()>& run)
                                })
       ->Unit(benchmark::kNanosecond)
       ->UseRealTime()
+      ->MinTime(MinimumSeconds)
       ->Repetitions(Repetitions);
 }
 } // namespace

@@ -3,14 +3,18 @@
 #include "ComparisonReport.h"
 #include "EvaluationBenchmarks.h"
 #include "FitBenchmarks.h"
+#include "MachineName.h"
+#include "MissingCaps.h"
 #include "NearestBenchmarks.h"
 #include "PairedBenchmark.h"
 #include "PipelineBenchmarks.h"
+#include "TradeOff.h"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <fstream>
 #include <iostream>
+#include <nlohmann/json.hpp>
 
 namespace
 {
@@ -22,7 +26,7 @@ std::vector<PairedBenchmark> AllBenchmarks()
   std::vector<PairedBenchmark> all;
   for (auto& group : {palpate::bench::EvaluationBenchmarks(), palpate::bench::FitBenchmarks(),
                       palpate::bench::BoundsBenchmarks(), palpate::bench::NearestBenchmarks(),
-                      palpate::bench::PipelineBenchmarks()})
+                      palpate::bench::TradeOffBenchmarks(), palpate::bench::PipelineBenchmarks()})
   {
     all.insert(all.end(), group.begin(), group.end());
   }
@@ -38,16 +42,38 @@ std::vector<PairedBenchmark> Matching(const std::string& filter)
               pairs.end());
   return pairs;
 }
+
+bool WriteText(const std::string& fileName, const std::string& text)
+{
+  std::ofstream file(fileName);
+  file << text << '\n';
+  return file.good();
+}
+
+// What the page of measurements holds besides the comparisons.
+std::string PageJson(const std::vector<palpate::bench::Comparison>& comparisons)
+{
+  constexpr int Bodies = 8;
+  const nlohmann::json page = {
+      {"machine", palpate::bench::MachineName()},
+      {"compiler", std::string("GCC ") + __VERSION__},
+      {"tradeoff",
+       nlohmann::json::parse(palpate::bench::ToJson(palpate::bench::TradeOffRows(comparisons)))},
+      {"caps", palpate::bench::ToMarkdown(palpate::bench::MissingCaps(Bodies))}};
+  return page.dump(2);
+}
 } // namespace
 
 int main(int argc, char** argv)
 {
   std::string filter;
   std::string json;
+  std::string page;
   bool verifyOnly = false;
   CLI::App app("Times Palpate beside named alternatives in the same run.");
   app.add_option("--filter", filter, "only benchmarks whose name contains this");
   app.add_option("--json", json, "file to write the comparisons to");
+  app.add_option("--page-json", page, "file to write what the page of measurements needs to");
   app.add_flag("--verify-only", verifyOnly, "run everything once and compare the results only");
   CLI11_PARSE(app, argc, argv);
 
@@ -68,11 +94,7 @@ int main(int argc, char** argv)
   }
   const auto comparisons = palpate::bench::Measure(pairs);
   palpate::bench::PrintTable(std::cout, comparisons);
-  if (!json.empty())
-  {
-    std::ofstream file(json);
-    file << palpate::bench::ToJson(comparisons) << '\n';
-    return file.good() ? 0 : 1;
-  }
-  return 0;
+  const bool isWritten = (json.empty() || WriteText(json, palpate::bench::ToJson(comparisons))) &&
+                         (page.empty() || WriteText(page, PageJson(comparisons)));
+  return isWritten ? 0 : 1;
 }

@@ -1,0 +1,238 @@
+#include "TradeOff.h"
+
+#include "IcosahedronDirections.h"
+#include "RandomShapes.h"
+#include "SphericalHarmonicEvaluator.h"
+#include "SphericalHarmonicSpectrum.h"
+#include "TextbookHarmonics.h"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+namespace palpate::bench
+{
+namespace
+{
+constexpr int BodyDegree = 64;
+constexpr double MeanRadius = 25.0; // mm
+constexpr std::size_t DirectionCount = 1000;
+
+// One way to evaluate a degree.
+struct Way
+{
+  int Degree;
+  EvaluationFormulation Formulation;
+  bool IsFloat;
+  bool IsBatch;
+
+  std::string FormulationName() const
+  {
+    return this->Formulation == EvaluationFormulation::Automatic ? "polynomials" : "recurrence";
+  }
+  std::string PrecisionName() const { return this->IsFloat ? "float" : "double"; }
+  std::string CallsName() const { return this->IsBatch ? "batch" : "one"; }
+  std::string Name() const
+  {
+    return "sh/tradeoff/degree" + std::to_string(this->Degree) + "/" + this->FormulationName() +
+           "/" + this->PrecisionName() + "/" + this->CallsName();
+  }
+};
+
+std::vector<Way> AllWays()
+{
+  std::vector<Way> ways;
+  for (const int degree : {4, 8, 12, 16})
+  {
+    for (const bool isFloat : {false, true})
+    {
+      for (const bool isBatch : {false, true})
+      {
+        ways.push_back({degree, EvaluationFormulation::Automatic, isFloat, isBatch});
+      }
+    }
+  }
+  for (const int degree : {4, 8, 12, 16, 20, 32, 48, 64})
+  {
+    for (const bool isFloat : {false, true})
+    {
+      ways.push_back({degree, EvaluationFormulation::Recurrence, isFloat, false});
+    }
+  }
+  return ways;
+}
+
+SphericalHarmonicModel Body()
+{
+  test::Random random(20261120);
+  std::vector<double> coefficients = test::RandomCoefficients(random, BodyDegree, 2.5);
+  for (double& c : coefficients)
+  {
+    c *= 8.0;
+  }
+  coefficients[0] = MeanRadius * std::sqrt(4.0 * M_PI);
+  return {BodyDegree, coefficients, Vector3::Zero()};
+}
+
+// The directions, evaluated one way; single calls in an order without pattern.
+template <typename Real>
+class Evaluation
+{
+public:
+  Evaluation(const Way& way, const std::vector<double>& coefficients)
+      : Evaluator(way.Degree, coefficients, way.Formulation), IsBatch(way.IsBatch),
+        Samples(DirectionCount)
+  {
+    test::Random random(3);
+    for (const Vector3& direction :
+         test::RandomDirections(random, static_cast<int>(DirectionCount)))
+    {
+      this->Directions.push_back(direction.template cast<Real>());
+    }
+  }
+
+  void Run()
+  {
+    if (this->IsBatch)
+    {
+      this->Evaluator.EvaluateBatch(this->Directions.data(), DirectionCount, this->Samples.data());
+      return;
+    }
+    for (std::size_t i = 0; i < DirectionCount; ++i)
+    {
+      this->Samples[i] = this->Evaluator.Evaluate(this->Directions[i]);
+    }
+  }
+
+  double Radius(std::size_t direction) const
+  {
+    return static_cast<double>(this->Samples[direction].Radius);
+  }
+
+private:
+  using Tables = SphericalHarmonicEvaluator<Real>;
+  Tables Evaluator;
+  bool IsBatch;
+  std::vector<typename Tables::Vector> Directions;
+  std::vector<typename Tables::Sample> Samples;
+};
+
+template <typename Real>
+PairedBenchmark Pair(const Way& way, const std::vector<double>& coefficients)
+{
+  const auto ours = std::make_shared<Evaluation<Real>>(way, coefficients);
+  const auto plain = std::make_shared<Evaluation<double>>(
+      Way{way.Degree, EvaluationFormulation::Recurrence, false, false}, coefficients);
+  const auto disagreement = [ours, plain]() -> std::string
+  {
+    double worst = 0.0;
+    for (std::size_t i = 0; i < DirectionCount; ++i)
+    {
+      worst = std::fmax(worst, std::abs(ours->Radius(i) - plain->Radius(i)));
+    }
+    // Directions rounded to float move the radius by 6e-8 of its slope.
+    const double bound = sizeof(Real) == sizeof(float) ? 1e-4 : 1e-11;
+    std::ostringstream text;
+    text << "radii differ by " << worst << " mm";
+    return worst <= bound ? std::string() : text.str();
+  };
+  return {way.Name(),
+          "recurrence, double, one direction a call",
+          [ours] { ours->Run(); },
+          [plain] { plain->Run(); },
+          disagreement,
+          static_cast<double>(DirectionCount)};
+}
+
+// Largest error of the radius of the truncated body, for a few directions: the oracle is slow.
+template <typename Real>
+double Rounding(const Way& way, const std::vector<double>& coefficients)
+{
+  const SphericalHarmonicEvaluator<Real> evaluator(way.Degree, coefficients, way.Formulation);
+  test::Random random(4);
+  double worst = 0.0;
+  for (const Vector3& direction : test::RandomDirections(random, 20))
+  {
+    const auto rounded = direction.template cast<Real>().eval();
+    const Vector3 exact = rounded.template cast<double>().normalized();
+    long double sum = 0.0L;
+    for (int l = 0; l <= way.Degree; ++l)
+    {
+      for (int m = -l; m <= l; ++m)
+      {
+        sum += coefficients[SphericalHarmonicBasis::Index(l, m)] * test::TextbookReal(l, m, exact);
+      }
+    }
+    const long double error = evaluator.Evaluate(rounded).Radius - sum;
+    worst = std::fmax(worst, static_cast<double>(std::abs(error)));
+  }
+  return worst;
+}
+
+double LargestLoss(const SphericalHarmonicModel& body, int degree)
+{
+  const SphericalHarmonicModel truncated = body.WithDegree(degree);
+  double worst = 0.0;
+  for (const Vector3& direction : IcosahedronDirections(20).Directions())
+  {
+    worst = std::fmax(worst, std::abs(body.Radius(direction) - truncated.Radius(direction)));
+  }
+  return worst;
+}
+} // namespace
+
+std::vector<PairedBenchmark> TradeOffBenchmarks()
+{
+  const SphericalHarmonicModel body = Body();
+  std::vector<PairedBenchmark> pairs;
+  for (const Way& way : AllWays())
+  {
+    const std::vector<double> coefficients = body.WithDegree(way.Degree).Coefficients();
+    pairs.push_back(way.IsFloat ? Pair<float>(way, coefficients) : Pair<double>(way, coefficients));
+  }
+  return pairs;
+}
+
+std::vector<TradeOffRow> TradeOffRows(const std::vector<Comparison>& comparisons)
+{
+  const SphericalHarmonicModel body = Body();
+  const SphericalHarmonicSpectrum spectrum(body);
+  std::vector<TradeOffRow> rows;
+  for (const Way& way : AllWays())
+  {
+    const auto measured = std::find_if(comparisons.begin(), comparisons.end(),
+                                       [name = way.Name()](const Comparison& comparison)
+                                       { return comparison.Name == name; });
+    if (measured == comparisons.end())
+    {
+      continue;
+    }
+    const std::vector<double> coefficients = body.WithDegree(way.Degree).Coefficients();
+    const double rounding =
+        way.IsFloat ? Rounding<float>(way, coefficients) : Rounding<double>(way, coefficients);
+    rows.push_back({way.Degree, way.FormulationName(), way.PrecisionName(), way.CallsName(),
+                    measured->Nanoseconds, rounding, spectrum.Truncation(way.Degree).Rms,
+                    LargestLoss(body, way.Degree)});
+  }
+  return rows;
+}
+
+std::string ToJson(const std::vector<TradeOffRow>& rows)
+{
+  nlohmann::json list = nlohmann::json::array();
+  for (const TradeOffRow& row : rows)
+  {
+    list.push_back({{"degree", row.Degree},
+                    {"formulation", row.Formulation},
+                    {"precision", row.Precision},
+                    {"calls", row.Calls},
+                    {"ns", row.Nanoseconds},
+                    {"rounding_mm", row.RoundingMillimeters},
+                    {"lost_rms_mm", row.LostRmsMillimeters},
+                    {"lost_maximum_mm", row.LostMaximumMillimeters}});
+  }
+  return list.dump(2);
+}
+} // namespace palpate::bench
