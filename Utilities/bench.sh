@@ -4,12 +4,20 @@
 # argument it also writes Documentation/SpeedAndAccuracy.md and its picture from this run.
 set -eu
 cd "$(dirname "$0")/.."
+benchmarks=build/release/bin/PalpateBenchmarks
+counts=build/release/instructions
 
 Utilities/build.sh
+rm -rf "$counts"
+mkdir -p "$counts"
+echo "Counting instructions (some minutes without a filter) ..." >&2
+valgrind --tool=callgrind --instr-atstart=no --callgrind-out-file="$counts/count" --quiet \
+  "$benchmarks" --count-only --filter "${1:-}" >"$counts/log" 2>&1 ||
+  echo "They could not be counted; see $counts/log." >&2
 if [ $# -gt 0 ]; then
-  exec build/release/bin/PalpateBenchmarks --filter "$1" --json build/release/benchmarks.json
+  exec "$benchmarks" --filter "$1" --instructions "$counts" --json build/release/benchmarks.json
 fi
-build/release/bin/PalpateBenchmarks --json build/release/benchmarks.json \
+"$benchmarks" --instructions "$counts" --json build/release/benchmarks.json \
   --page-json build/release/page.json
 exec /usr/bin/python3 Utilities/speed_and_accuracy.py build/release/benchmarks.json \
   build/release/page.json

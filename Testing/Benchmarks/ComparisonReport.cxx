@@ -28,16 +28,28 @@ std::string TimeText(double nanoseconds)
   }
   return text.str();
 }
+
+std::string CountText(const std::optional<double>& count)
+{
+  if (!count)
+  {
+    return "";
+  }
+  std::ostringstream text;
+  text << std::fixed << std::setprecision(0) << *count << " instr.";
+  return text.str();
+}
 } // namespace
 
 void PrintTable(std::ostream& out, const std::vector<Comparison>& comparisons)
 {
   for (const Comparison& c : comparisons)
   {
-    out << std::left << std::setw(34) << c.Name << std::right << std::setw(10)
-        << TimeText(c.Nanoseconds) << "  x " << std::fixed << std::setprecision(2) << std::setw(6)
-        << c.Ratio() << "  against " << std::setw(10) << TimeText(c.AgainstNanoseconds) << "  "
-        << c.Against << '\n';
+    out << std::left << std::setw(38) << c.Name << std::right << std::setw(10)
+        << TimeText(c.Nanoseconds) << std::setw(18) << CountText(c.Instructions) << "  x "
+        << std::fixed << std::setprecision(2) << std::setw(6) << c.Ratio() << "  against "
+        << std::setw(10) << TimeText(c.AgainstNanoseconds) << std::setw(18)
+        << CountText(c.AgainstInstructions) << "  " << c.Against << '\n';
   }
 }
 
@@ -51,6 +63,11 @@ std::string ToJson(const std::vector<Comparison>& comparisons)
                     {"against", c.Against},
                     {"against_ns", c.AgainstNanoseconds},
                     {"ratio", c.Ratio()}});
+    if (c.Instructions && c.AgainstInstructions)
+    {
+      list.back()["instructions"] = *c.Instructions;
+      list.back()["against_instructions"] = *c.AgainstInstructions;
+    }
   }
   return list.dump(2);
 }

@@ -10,6 +10,7 @@ namespace palpate::bench
 {
 /// One line a comparison; the ratio is how many times faster ours is.
 void PrintTable(std::ostream& out, const std::vector<Comparison>& comparisons);
-/// A list of {"name", "ns", "against", "against_ns", "ratio"}.
+/// A list of {"name", "ns", "against", "against_ns", "ratio"}, and "instructions" and
+/// "against_instructions" where both were counted.
 std::string ToJson(const std::vector<Comparison>& comparisons);
 } // namespace palpate::bench

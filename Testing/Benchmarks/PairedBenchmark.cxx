@@ -1,5 +1,7 @@
 #include "PairedBenchmark.h"
 
+#include "InstructionCounts.h"
+
 #include <algorithm>
 #include <benchmark/benchmark.h>
 #include <map>
@@ -77,7 +79,8 @@ std::vector<std::string> Disagreements(const std::vector<PairedBenchmark>& pairs
   return sentences;
 }
 
-std::vector<Comparison> Measure(const std::vector<PairedBenchmark>& pairs)
+std::vector<Comparison> Measure(const std::vector<PairedBenchmark>& pairs,
+                                const InstructionCounts& counts)
 {
   benchmark::ClearRegisteredBenchmarks();
   for (const PairedBenchmark& pair : pairs)
@@ -91,8 +94,11 @@ std::vector<Comparison> Measure(const std::vector<PairedBenchmark>& pairs)
   comparisons.reserve(pairs.size());
   for (const PairedBenchmark& pair : pairs)
   {
+    const auto each = [&pair](std::optional<double> count)
+    { return count ? std::optional<double>(*count / pair.Items) : std::nullopt; };
     comparisons.push_back({pair.Name, collector.Median(pair.Name) / pair.Items, pair.Against,
-                           collector.Median(AlternativeName(pair)) / pair.Items});
+                           collector.Median(AlternativeName(pair)) / pair.Items,
+                           each(counts.Of(pair.Name)), each(counts.OfAlternative(pair.Name))});
   }
   return comparisons;
 }

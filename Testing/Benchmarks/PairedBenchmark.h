@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -27,6 +28,9 @@ struct Comparison
   double Nanoseconds;
   std::string Against;
   double AgainstNanoseconds;
+  /// For one item; empty where they were not counted.
+  std::optional<double> Instructions;
+  std::optional<double> AgainstInstructions;
 
   double Ratio() const { return this->AgainstNanoseconds / this->Nanoseconds; }
 };
@@ -35,6 +39,10 @@ struct Comparison
 /// that do not.
 std::vector<std::string> Disagreements(const std::vector<PairedBenchmark>& pairs);
 
-/// Times both sides of each pair with Google Benchmark.
-std::vector<Comparison> Measure(const std::vector<PairedBenchmark>& pairs);
+class InstructionCounts;
+
+/// Times both sides of each pair with Google Benchmark, and adds the instructions that were counted
+/// before.
+std::vector<Comparison> Measure(const std::vector<PairedBenchmark>& pairs,
+                                const InstructionCounts& counts);
 } // namespace palpate::bench

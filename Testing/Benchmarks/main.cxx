@@ -3,6 +3,7 @@
 #include "ComparisonReport.h"
 #include "EvaluationBenchmarks.h"
 #include "FitBenchmarks.h"
+#include "InstructionCounts.h"
 #include "MachineName.h"
 #include "MissingCaps.h"
 #include "NearestBenchmarks.h"
@@ -69,12 +70,17 @@ int main(int argc, char** argv)
   std::string filter;
   std::string json;
   std::string page;
+  std::string counts;
   bool verifyOnly = false;
+  bool countOnly = false;
   CLI::App app("Times Palpate beside named alternatives in the same run.");
   app.add_option("--filter", filter, "only benchmarks whose name contains this");
   app.add_option("--json", json, "file to write the comparisons to");
   app.add_option("--page-json", page, "file to write what the page of measurements needs to");
   app.add_flag("--verify-only", verifyOnly, "run everything once and compare the results only");
+  app.add_flag("--count-only", countOnly,
+               "under Callgrind: have it dump the instructions of every side, and do no more");
+  app.add_option("--instructions", counts, "folder of what Callgrind dumped");
   CLI11_PARSE(app, argc, argv);
 
   const std::vector<PairedBenchmark> pairs = Matching(filter);
@@ -82,6 +88,10 @@ int main(int argc, char** argv)
   {
     std::cerr << "no benchmark's name contains " << filter << '\n';
     return 2;
+  }
+  if (countOnly)
+  {
+    return palpate::bench::InstructionCounts::Count(pairs) ? 0 : 1;
   }
   const std::vector<std::string> disagreements = palpate::bench::Disagreements(pairs);
   for (const std::string& sentence : disagreements)
@@ -92,7 +102,8 @@ int main(int argc, char** argv)
   {
     return disagreements.empty() ? 0 : 1;
   }
-  const auto comparisons = palpate::bench::Measure(pairs);
+  const auto comparisons =
+      palpate::bench::Measure(pairs, palpate::bench::InstructionCounts(counts));
   palpate::bench::PrintTable(std::cout, comparisons);
   const bool isWritten = (json.empty() || WriteText(json, palpate::bench::ToJson(comparisons))) &&
                          (page.empty() || WriteText(page, PageJson(comparisons)));
