@@ -1,10 +1,10 @@
 #include "EvaluationBenchmarks.h"
 
+#include "GslHarmonics.h"
 #include "IcosahedronDirections.h"
-#include "PolynomialKernelChoice.h"
-#include "PolynomialTable.h"
 #include "RandomShapes.h"
-#include "SphericalHarmonicModel.h"
+#include "SharpGrid.h"
+#include "SphericalHarmonicEvaluator.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,116 +15,278 @@ namespace palpate::bench
 {
 namespace
 {
-using Sample = SphericalHarmonicModel::Sample;
+using Evaluator = SphericalHarmonicEvaluator<double>;
+using Sample = Evaluator::Sample;
+using Formulation = EvaluationFormulation;
 
-// 4,002 directions in random order, and what each way of evaluating made of them.
-class EvaluationCase
+std::vector<double> OrganCoefficients(int degree)
 {
-public:
-  EvaluationCase()
-      : Directions(IcosahedronDirections(20).Directions()), Fast(MakeModel()),
-        Slow(Fast.Degree(), Fast.Coefficients(), Fast.CenterWorld(),
-             SphericalHarmonicModel::Formulation::Recurrence),
-        Table(Fast.Degree(), Fast.Coefficients(), polynomial::Portable.Lanes),
-        FastSamples(Directions.size()), SlowSamples(Directions.size())
-  {
-    test::Random random(13);
-    std::shuffle(this->Directions.begin(), this->Directions.end(), random);
-  }
+  test::Random random(12);
+  return test::RandomOrgan(random, degree).Coefficients();
+}
 
-  void Independent()
+// 4,002 directions in random order, none of them a pole, which GSL does not have.
+std::vector<Vector3> ShuffledDirections()
+{
+  std::vector<Vector3> directions = IcosahedronDirections(20).Directions();
+  test::Random random(13);
+  std::shuffle(directions.begin(), directions.end(), random);
+  for (Vector3& direction : directions)
   {
-    for (std::size_t i = 0; i < this->Directions.size(); ++i)
+    if (std::abs(direction.z()) > 1.0 - 1e-9)
     {
-      this->FastSamples[i] = this->Fast.Evaluate(this->Directions[i]);
+      direction = Vector3(0.01, 0.02, direction.z()).normalized();
     }
   }
-  // Each direction waits for the last result, as in an iterative search.
-  void Chained() { Chain(this->Fast, this->FastSamples); }
-  void Batch()
-  {
-    this->Fast.EvaluateBatch(this->Directions.data(), this->Directions.size(),
-                             this->FastSamples.data());
-  }
-  void Portable()
-  {
-    for (std::size_t i = 0; i < this->Directions.size(); ++i)
-    {
-      polynomial::Portable.Evaluate(this->Table.Data(), this->Fast.Degree(),
-                                    this->Directions[i].data(), &this->FastSamples[i].Radius);
-    }
-  }
-  void Recurrence()
-  {
-    for (std::size_t i = 0; i < this->Directions.size(); ++i)
-    {
-      this->SlowSamples[i] = this->Slow.Evaluate(this->Directions[i]);
-    }
-  }
-  void ChainedRecurrence() { Chain(this->Slow, this->SlowSamples); }
+  return directions;
+}
 
-  double Items() const { return static_cast<double>(this->Directions.size()); }
+std::string Difference(double worst, double bound)
+{
+  if (worst <= bound)
+  {
+    return {};
+  }
+  std::ostringstream text;
+  text << "results differ by " << worst << " mm";
+  return text.str();
+}
 
-  std::string Disagreement() const
+// What both sides made of the directions.
+struct Results
+{
+  std::vector<Sample> Ours;
+  std::vector<Sample> Theirs;
+
+  explicit Results(std::size_t count) : Ours(count), Theirs(count) {}
+
+  std::string Disagreement(double bound) const
   {
     double worst = 0.0;
-    for (std::size_t i = 0; i < this->FastSamples.size(); ++i)
+    for (std::size_t i = 0; i < this->Ours.size(); ++i)
     {
-      const double value = std::abs(this->FastSamples[i].Radius - this->SlowSamples[i].Radius);
-      const double gradient =
-          (this->FastSamples[i].SurfaceGradient - this->SlowSamples[i].SurfaceGradient).norm();
-      worst = std::isnan(value + gradient) ? INFINITY : std::max({worst, value, gradient});
+      worst = std::fmax(worst, std::abs(this->Ours[i].Radius - this->Theirs[i].Radius));
+      worst = std::fmax(worst,
+                        (this->Ours[i].SurfaceGradient - this->Theirs[i].SurfaceGradient).norm());
+      worst = std::isnan(this->Ours[i].Radius) ? INFINITY : worst;
     }
-    // Radii of 20 mm: a few roundings.
-    if (worst <= 1e-12)
-    {
-      return {};
-    }
-    std::ostringstream text;
-    text << "results differ by " << worst << " mm";
-    return text.str();
+    return Difference(worst, bound);
   }
-
-private:
-  static SphericalHarmonicModel MakeModel()
-  {
-    test::Random random(12);
-    return test::RandomOrgan(random, 12);
-  }
-
-  void Chain(const SphericalHarmonicModel& model, std::vector<Sample>& samples) const
-  {
-    double last = 0.0;
-    for (std::size_t i = 0; i < this->Directions.size(); ++i)
-    {
-      Vector3 direction = this->Directions[i];
-      direction.x() += 0.0 * last;
-      samples[i] = model.Evaluate(direction);
-      last = samples[i].Radius + samples[i].SurfaceGradient.z();
-    }
-  }
-
-  std::vector<Vector3> Directions;
-  SphericalHarmonicModel Fast;
-  SphericalHarmonicModel Slow;
-  PolynomialTable Table;
-  std::vector<Sample> FastSamples;
-  std::vector<Sample> SlowSamples;
 };
+
+template <typename Evaluate>
+void OneByOne(const std::vector<Vector3>& directions, std::vector<Sample>& samples,
+              const Evaluate& evaluate)
+{
+  for (std::size_t i = 0; i < directions.size(); ++i)
+  {
+    samples[i] = evaluate(directions[i]);
+  }
+}
+
+// Each direction waits for the last result, as in an iterative search.
+template <typename Evaluate>
+void Chained(const std::vector<Vector3>& directions, std::vector<Sample>& samples,
+             const Evaluate& evaluate)
+{
+  double last = 0.0;
+  for (std::size_t i = 0; i < directions.size(); ++i)
+  {
+    Vector3 direction = directions[i];
+    direction.x() += 0.0 * last;
+    samples[i] = evaluate(direction);
+    last = samples[i].Radius + samples[i].SurfaceGradient.z();
+  }
+}
+
+// Single calls of one formulation and instruction set against GSL's.
+struct AgainstGsl
+{
+  AgainstGsl(int degree, Formulation formulation, InstructionSet set)
+      : Ours(degree, OrganCoefficients(degree), formulation, set),
+        Theirs(degree, OrganCoefficients(degree)), Directions(ShuffledDirections()),
+        Found(Directions.size())
+  {
+  }
+
+  Evaluator Ours;
+  GslHarmonics Theirs;
+  std::vector<Vector3> Directions;
+  Results Found;
+};
+
+PairedBenchmark PairWithGsl(const std::string& name, int degree, bool isChained,
+                            Formulation formulation = Formulation::Automatic,
+                            InstructionSet set = FastestInstructionSet())
+{
+  const auto c = std::make_shared<AgainstGsl>(degree, formulation, set);
+  const auto run = [isChained, c](std::vector<Sample>& samples, const auto& evaluate)
+  {
+    isChained ? Chained(c->Directions, samples, evaluate)
+              : OneByOne(c->Directions, samples, evaluate);
+  };
+  // GSL is given z alone: near its poles its gradients have half of the digits.
+  return {name,
+          "GSL, deriv_alt_array and sums",
+          [c, run] { run(c->Found.Ours, [&](const Vector3& u) { return c->Ours.Evaluate(u); }); },
+          [c, run]
+          { run(c->Found.Theirs, [&](const Vector3& u) { return c->Theirs.Evaluate(u); }); },
+          [c] { return c->Found.Disagreement(1e-6); },
+          static_cast<double>(c->Directions.size())};
+}
+
+PairedBenchmark PairWithSharp()
+{
+  constexpr int Degree = 12;
+  constexpr int Rings = 46;
+  constexpr int Columns = 87; // 4,002 nodes
+  struct Case
+  {
+    Evaluator Ours{Degree, OrganCoefficients(Degree)};
+    SharpGrid Theirs{Degree, OrganCoefficients(Degree), Rings, Columns};
+    Results Found{static_cast<std::size_t>(Rings) * Columns};
+  };
+  const auto c = std::make_shared<Case>();
+  return {"sh/gradient/degree12/batch",
+          "libsharp on a grid of 46 x 87",
+          [c]
+          {
+            const std::vector<Vector3>& nodes = c->Theirs.Directions();
+            c->Ours.EvaluateBatch(nodes.data(), nodes.size(), c->Found.Ours.data());
+          },
+          [c] { c->Theirs.Run(); },
+          [c]
+          {
+            for (std::size_t i = 0; i < c->Found.Theirs.size(); ++i)
+            {
+              c->Found.Theirs[i] = c->Theirs.At(i);
+            }
+            return c->Found.Disagreement(1e-11);
+          },
+          static_cast<double>(Rings) * Columns};
+}
+
+// The naive sum: one call of the standard library for each degree and order.
+double StandardRadius(int degree, const std::vector<double>& coefficients, const Vector3& direction)
+{
+  const double theta = std::acos(direction.z());
+  const double phi = std::atan2(direction.y(), direction.x());
+  double radius = 0.0;
+  for (int l = 0; l <= degree; ++l)
+  {
+    for (int m = 0; m <= l; ++m)
+    {
+      const double phase = m % 2 == 0 ? 1.0 : -1.0; // Condon and Shortley's, taken out again
+      const double p =
+          phase * std::sph_legendre(static_cast<unsigned>(l), static_cast<unsigned>(m), theta);
+      const double c = coefficients[SphericalHarmonicBasis::Index(l, m)];
+      const double s = coefficients[SphericalHarmonicBasis::Index(l, -m)];
+      radius +=
+          m == 0 ? c * p : std::sqrt(2.0) * p * (c * std::cos(m * phi) + s * std::sin(m * phi));
+    }
+  }
+  return radius;
+}
+
+PairedBenchmark PairWithStandardLibrary()
+{
+  constexpr int Degree = 12;
+  struct Case
+  {
+    std::vector<double> Coefficients = OrganCoefficients(Degree);
+    Evaluator Ours{Degree, Coefficients};
+    std::vector<Vector3> Directions = ShuffledDirections();
+    Results Found{Directions.size()};
+  };
+  const auto c = std::make_shared<Case>();
+  return {"sh/value/degree12/independent",
+          "std::sph_legendre and sums",
+          [c]
+          {
+            OneByOne(c->Directions, c->Found.Ours,
+                     [&](const Vector3& u) {
+                       return Sample{c->Ours.Radius(u), Vector3::Zero()};
+                     });
+          },
+          [c]
+          {
+            OneByOne(c->Directions, c->Found.Theirs,
+                     [&](const Vector3& u) {
+                       return Sample{StandardRadius(Degree, c->Coefficients, u), Vector3::Zero()};
+                     });
+          },
+          [c] { return c->Found.Disagreement(1e-6); },
+          static_cast<double>(c->Directions.size())};
+}
+
+// Second derivatives against two gradients along each of two tangents.
+PairedBenchmark PairWithDifferences()
+{
+  constexpr int Degree = 12;
+  constexpr double Step = 1e-5;
+  struct Case
+  {
+    Evaluator Ours{Degree, OrganCoefficients(Degree)};
+    std::vector<Vector3> Directions = ShuffledDirections();
+    std::vector<double> Traces = std::vector<double>(Directions.size());
+    std::vector<double> Differences = std::vector<double>(Directions.size());
+  };
+  const auto c = std::make_shared<Case>();
+  const auto differences = [c](const Vector3& u)
+  {
+    double trace = 0.0;
+    const Vector3 first = u.unitOrthogonal();
+    for (const Vector3& tangent : {first, Vector3(u.cross(first))})
+    {
+      const auto slope = [&](double angle)
+      {
+        const Vector3 at = std::cos(angle) * u + std::sin(angle) * tangent;
+        const Vector3 along = std::cos(angle) * tangent - std::sin(angle) * u;
+        return c->Ours.Evaluate(at).SurfaceGradient.dot(along);
+      };
+      trace += (slope(Step) - slope(-Step)) / (2.0 * Step);
+    }
+    return trace;
+  };
+  return {"sh/hessian/degree12/independent",
+          "differences of our gradients",
+          [c]
+          {
+            for (std::size_t i = 0; i < c->Directions.size(); ++i)
+            {
+              c->Traces[i] = c->Ours.EvaluateSecondOrder(c->Directions[i]).SurfaceHessian.trace();
+            }
+          },
+          [c, differences]
+          {
+            for (std::size_t i = 0; i < c->Directions.size(); ++i)
+            {
+              c->Differences[i] = differences(c->Directions[i]);
+            }
+          },
+          [c]
+          {
+            double worst = 0.0;
+            for (std::size_t i = 0; i < c->Traces.size(); ++i)
+            {
+              worst = std::fmax(worst, std::abs(c->Traces[i] - c->Differences[i]));
+            }
+            return Difference(worst, 1e-6);
+          },
+          static_cast<double>(c->Directions.size())};
+}
 } // namespace
 
 std::vector<PairedBenchmark> EvaluationBenchmarks()
 {
-  const auto c = std::make_shared<EvaluationCase>();
-  const auto agree = [c] { return c->Disagreement(); };
-  const std::string recurrence = "the scalar normalised recurrence";
-  return {{"sh/gradient/degree12/chained", recurrence, [c] { c->Chained(); },
-           [c] { c->ChainedRecurrence(); }, agree, c->Items()},
-          {"sh/gradient/degree12/independent", recurrence, [c] { c->Independent(); },
-           [c] { c->Recurrence(); }, agree, c->Items()},
-          {"sh/gradient/degree12/batch", recurrence, [c] { c->Batch(); }, [c] { c->Recurrence(); },
-           agree, c->Items()},
-          {"sh/gradient/degree12/portable", recurrence, [c] { c->Portable(); },
-           [c] { c->Recurrence(); }, agree, c->Items()}};
+  return {PairWithGsl("sh/gradient/degree12/chained", 12, true),
+          PairWithGsl("sh/gradient/degree12/independent", 12, false),
+          PairWithSharp(),
+          PairWithGsl("sh/gradient/degree12/portable", 12, false, Formulation::Automatic,
+                      InstructionSet::Portable),
+          PairWithGsl("sh/gradient/degree12/recurrence", 12, false, Formulation::Recurrence),
+          PairWithGsl("sh/gradient/degree40/independent", 40, false),
+          PairWithStandardLibrary(),
+          PairWithDifferences()};
 }
 } // namespace palpate::bench

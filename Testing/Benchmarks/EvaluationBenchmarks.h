@@ -6,7 +6,7 @@
 
 namespace palpate::bench
 {
-/// Radius and gradient of a model of degree 12, in every way that a caller may ask, against the
-/// scalar recurrence.
+/// Radius and gradient in every way that a caller may ask, and more and less than that, against
+/// public libraries: GSL, libsharp and the standard library.
 std::vector<PairedBenchmark> EvaluationBenchmarks();
 } // namespace palpate::bench

@@ -1,0 +1,25 @@
+#pragma once
+
+#include "SphericalHarmonicModel.h"
+
+#include <vector>
+
+namespace palpate::bench
+{
+/// Radius and gradient by the GNU Scientific Library: its normalised Legendre functions and their
+/// derivatives for one direction, cosines and sines of the longitude by rotation, and the sum over
+/// the coefficients. It has no poles: directions must be off them.
+class GslHarmonics
+{
+public:
+  GslHarmonics(int degree, std::vector<double> coefficients);
+
+  SphericalHarmonicModel::Sample Evaluate(const Vector3& direction);
+
+private:
+  int Degree;
+  std::vector<double> Coefficients; // Palpate's convention
+  std::vector<double> Values;       // P_lm, where GSL keeps them
+  std::vector<double> Slopes;       // dP_lm / dtheta
+};
+} // namespace palpate::bench
