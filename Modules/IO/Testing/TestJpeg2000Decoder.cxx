@@ -14,6 +14,7 @@ constexpr int Rows = 30;
 std::vector<int> Slope()
 {
   std::vector<int> values;
+  values.reserve(Columns * Rows);
   for (int i = 0; i < Columns * Rows; ++i)
   {
     values.push_back(i % Columns - i / Columns);
