@@ -11,7 +11,8 @@ namespace
 struct Avx2DoubleSet
 {
   using Real = double;
-  typedef double Vector __attribute__((vector_size(32), aligned(8), may_alias));
+  typedef double Vector __attribute__((vector_size(32)));
+  typedef double StoredVector __attribute__((vector_size(32), aligned(8), may_alias));
   static constexpr int Lanes = 4;
   typedef double PointVector __attribute__((vector_size(32)));
   static constexpr int Points = 4;
@@ -32,7 +33,8 @@ struct Avx2DoubleSet
 struct Avx2FloatSet
 {
   using Real = float;
-  typedef float Vector __attribute__((vector_size(16), aligned(4), may_alias));
+  typedef float Vector __attribute__((vector_size(16)));
+  typedef float StoredVector __attribute__((vector_size(16), aligned(4), may_alias));
   static constexpr int Lanes = 4;
   typedef float PointVector __attribute__((vector_size(32)));
   static constexpr int Points = 8;

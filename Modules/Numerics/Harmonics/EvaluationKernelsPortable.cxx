@@ -10,7 +10,8 @@ template <typename Number, int Count>
 struct PortableSet
 {
   using Real = Number;
-  typedef Number Vector __attribute__((vector_size(16), aligned(sizeof(Number)), may_alias));
+  typedef Number Vector __attribute__((vector_size(16)));
+  typedef Number StoredVector __attribute__((vector_size(16), aligned(sizeof(Number)), may_alias));
   static constexpr int Lanes = Count;
   typedef Number PointVector __attribute__((vector_size(16)));
   static constexpr int Points = Count;

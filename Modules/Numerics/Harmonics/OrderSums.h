@@ -34,19 +34,19 @@ struct LanePowers
 
 /// D_m and its derivatives in z for the orders of a block. What is kept as the second derivative
 /// may be any fixed multiple of it.
-template <typename Set, int Derivatives>
+template <typename Complex>
 struct OrderTerms
 {
-  ComplexQuartet<Set> Value;
-  ComplexQuartet<Set> Slope;     // if Derivatives > 0
-  ComplexQuartet<Set> Curvature; // if Derivatives > 1
+  Complex Value;
+  Complex Slope;
+  Complex Curvature;
 };
 
 /// Sums over the blocks of what R and its derivatives are made of.
 template <typename Set, int Derivatives>
 struct OrderSums
 {
-  using Terms = OrderTerms<Set, Derivatives>;
+  using Terms = OrderTerms<ComplexQuartet<Set>>;
   using Numbers = Quartet<Set>;
   using Complexes = ComplexQuartet<Set>;
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "EvaluationKernel.h"
+#include "PolynomialTerms.h"
 #include "SurfaceHessian.h"
 
 // Several directions at once by the polynomials of a PolynomialTable, one direction a lane (the
@@ -7,62 +9,64 @@
 
 namespace palpate::evaluation
 {
-/// Horner's rule in t for one order, and for the derivatives in t, the k-th divided by k!.
-template <typename Set, int Derivatives>
-struct LanePolynomial
+/// A complex number for each direction.
+template <typename Set>
+struct ComplexLanes
 {
   using Vector = typename Set::PointVector;
 
-  PALPATE_INLINE void Step(const Vector& t, typename Set::Real cosine, typename Set::Real sine)
+  static PALPATE_INLINE ComplexLanes Zero() { return {Vector{}, Vector{}}; }
+  /// A coefficient of one order in a block, the same for all directions.
+  static PALPATE_INLINE ComplexLanes Load(const typename Set::Real* values)
   {
-    for (int k = Derivatives; k > 0; --k)
-    {
-      this->Cosine[k] = this->Cosine[k] * t + this->Cosine[k - 1];
-      this->Sine[k] = this->Sine[k] * t + this->Sine[k - 1];
-    }
-    this->Cosine[0] = this->Cosine[0] * t + cosine;
-    this->Sine[0] = this->Sine[0] * t + sine;
+    return {values[0] - Vector{}, values[4] - Vector{}};
   }
 
-  Vector Cosine[Derivatives + 1]{};
-  Vector Sine[Derivatives + 1]{};
+  Vector Real;
+  Vector Imaginary;
 };
 
+template <typename Set>
+PALPATE_INLINE ComplexLanes<Set> operator+(const ComplexLanes<Set>& a, const ComplexLanes<Set>& b)
+{
+  return {a.Real + b.Real, a.Imaginary + b.Imaginary};
+}
+
+template <typename Set>
+PALPATE_INLINE ComplexLanes<Set> operator*(const typename Set::PointVector& a,
+                                           const ComplexLanes<Set>& b)
+{
+  return {a * b.Real, a * b.Imaginary};
+}
+
 /// Horner's rule in w, from the highest order down, for D_m and for its derivatives in z: the sums
-/// and their derivatives in w.
+/// and their derivatives in w. As in OrderSums all are complex conjugates.
 template <typename Set, int Derivatives>
 struct NestedOrders
 {
   using Vector = typename Set::PointVector;
+  using Complex = ComplexLanes<Set>;
 
-  struct Complex
+  PALPATE_INLINE void Step(Complex& sum, const Complex& next) const
   {
-    Vector Real{};
-    Vector Imaginary{};
-  };
-
-  PALPATE_INLINE void Step(Complex& sum, const Vector& real, const Vector& imaginary) const
-  {
-    const Vector next = sum.Real * this->X - sum.Imaginary * this->Y + real;
-    sum.Imaginary = sum.Real * this->Y + sum.Imaginary * this->X + imaginary;
-    sum.Real = next;
+    const Vector real = next.Real + sum.Real * this->X + sum.Imaginary * this->Y;
+    sum.Imaginary = next.Imaginary + sum.Imaginary * this->X - sum.Real * this->Y;
+    sum.Real = real;
   }
-
-  /// D_m and derivatives of one order; the sine terms are minus the imaginary parts.
-  PALPATE_INLINE void Add(const Vector* cosine, const Vector* sine)
+  PALPATE_INLINE void Add(const OrderTerms<Complex>& terms)
   {
     if constexpr (Derivatives > 1)
     {
-      this->Step(this->HalfSecond, this->First.Real, this->First.Imaginary);
-      this->Step(this->FirstSlope, this->Slope.Real, this->Slope.Imaginary);
-      this->Step(this->Curvature, cosine[2], -sine[2]);
+      this->Step(this->HalfSecond, this->First);
+      this->Step(this->FirstSlope, this->Slope);
+      this->Step(this->Curvature, terms.Curvature);
     }
     if constexpr (Derivatives > 0)
     {
-      this->Step(this->First, this->Value.Real, this->Value.Imaginary);
-      this->Step(this->Slope, cosine[1], -sine[1]);
+      this->Step(this->First, this->Value);
+      this->Step(this->Slope, terms.Slope);
     }
-    this->Step(this->Value, cosine[0], -sine[0]);
+    this->Step(this->Value, terms.Value);
   }
 
   Vector X;
@@ -94,10 +98,9 @@ struct LaneDirections
       z[lane] = directions[3 * lane + 2];
     }
     const Vector square = x * x + y * y;
-    const Vector twice = square + square;
     this->Excess = square + (z * z - Real(1));
     const Vector shrink = Real(1) - Real(0.5) * this->Excess;
-    this->T = twice * this->Excess + (Real(1) - twice);
+    this->T = (square + square) * this->Excess + (Real(1) - Real(2) * square);
     this->X = x * shrink;
     this->Y = y * shrink;
     this->Z = z * shrink;
@@ -115,97 +118,62 @@ struct PolynomialBatch
 {
   using Vector = typename Set::PointVector;
   using Real = typename Set::Real;
-  using Polynomial = LanePolynomial<Set, Derivatives>;
+  using Complex = ComplexLanes<Set>;
   using Sums = NestedOrders<Set, Derivatives>;
   static constexpr int SampleSize = Derivatives == 0 ? 1 : (Derivatives == 1 ? 4 : 13);
 
-  // D = E + z O and its derivatives in z; see PolynomialPoint.
-  static PALPATE_INLINE void AddTerms(const Polynomial& even, const Polynomial& odd,
-                                      const Vector& z, Sums& sums)
+  // All orders from degree - Above down to 1. How many coefficients an order has depends on `Above`
+  // alone, so one piece of code, unrolled, serves every degree. Orders share a block of the table
+  // with lower ones that have more coefficients; theirs are the last.
+  template <int Above>
+  static PALPATE_INLINE void AddOrders(const Real* table, int degree, const LaneDirections<Set>& d,
+                                       Sums& sums)
   {
-    Vector cosine[Derivatives + 1] = {even.Cosine[0] + z * odd.Cosine[0]};
-    Vector sine[Derivatives + 1] = {even.Sine[0] + z * odd.Sine[0]};
-    const Vector fourZ = Real(4) * z;
-    if constexpr (Derivatives > 0)
+    if constexpr (Above < HighestPolynomialDegree)
     {
-      cosine[1] = odd.Cosine[0] + fourZ * (even.Cosine[1] + z * odd.Cosine[1]);
-      sine[1] = odd.Sine[0] + fourZ * (even.Sine[1] + z * odd.Sine[1]);
-    }
-    if constexpr (Derivatives > 1)
-    {
-      const Vector threeZ = Real(3) * z;
-      const Vector squares = Real(2) * fourZ * fourZ;
-      cosine[2] = Real(4) * (even.Cosine[1] + threeZ * odd.Cosine[1]) +
-                  squares * (even.Cosine[2] + z * odd.Cosine[2]);
-      sine[2] = Real(4) * (even.Sine[1] + threeZ * odd.Sine[1]) +
-                squares * (even.Sine[2] + z * odd.Sine[2]);
-    }
-    sums.Add(cosine, sine);
-  }
-
-  // The orders of one block, the highest first. Higher orders of a block have fewer terms; their
-  // first ones are zeros in the table and left out.
-  static PALPATE_INLINE void AddBlock(const Real* block, int degree, int first,
-                                      const LaneDirections<Set>& d, Sums& sums)
-  {
-    const int blockEven = (degree - first) / 2 + 1;
-    const int blockOdd = (degree - first + 1) / 2;
-    for (int lane = degree - first < 3 ? degree - first : 3; lane >= 0; --lane)
-    {
-      const int evenCount = (degree - first - lane) / 2 + 1;
-      const int oddCount = (degree - first - lane + 1) / 2;
-      const Real* evenTerm = block + lane + 8 * (blockEven - evenCount);
-      const Real* oddTerm = block + lane + 8 * (blockEven + blockOdd - oddCount);
-      Polynomial even;
-      Polynomial odd;
-      if (evenCount > oddCount)
+      if (Above < degree)
       {
-        even.Cosine[0] += evenTerm[0];
-        even.Sine[0] += evenTerm[4];
-        evenTerm += 8;
+        using Order = PolynomialOrder<Complex, Vector, Above, Derivatives>;
+        const int before = (degree - Above - 1) / 4; // blocks
+        const int lane = (degree - Above - 1) % 4;
+        const int highest = Above + lane; // what is above the first order of the block
+        const Real* block =
+            table + 4 * (degree / 4 + 1) + 8 * before * (degree - 2 * (before - 1)) + lane;
+        const int evens = highest / 2 + 1;
+        sums.Add(Order::Terms(block + 8 * (evens - Order::EvenCount),
+                              block + 8 * (highest + 1 - Order::OddCount), d.T, d.Z));
+        AddOrders<Above + 1>(table, degree, d, sums);
       }
-      for (int k = 0; k < oddCount; ++k, evenTerm += 8, oddTerm += 8)
-      {
-        even.Step(d.T, evenTerm[0], evenTerm[4]);
-        odd.Step(d.T, oddTerm[0], oddTerm[4]);
-      }
-      AddTerms(even, odd, d.Z, sums);
     }
   }
 
-  // Order 0 has its even and odd powers of t side by side, and no sine terms.
+  // Order 0: four real polynomials in t^2 side by side, the even and odd powers of E and of O.
   static PALPATE_INLINE void AddZonal(const Real* table, int degree, const LaneDirections<Set>& d,
                                       Sums& sums)
   {
-    Polynomial even;
-    Polynomial odd;
+    Complex value{}; // E and O
+    Complex slope{}; // and their derivatives in t
+    Complex halfCurvature{};
+    const auto step = [&](Real even, Real odd)
+    {
+      halfCurvature = d.T * halfCurvature + slope;
+      slope = d.T * slope + value;
+      value = d.T * value + Complex{even - Vector{}, odd - Vector{}};
+    };
     for (int square = degree / 4; square >= 0; --square, table += 4)
     {
-      even.Step(d.T, table[1], Real(0));
-      odd.Step(d.T, table[3], Real(0));
-      even.Step(d.T, table[0], Real(0));
-      odd.Step(d.T, table[2], Real(0));
+      step(table[1], table[3]);
+      step(table[0], table[2]);
     }
-    AddTerms(even, odd, d.Z, sums);
-  }
-
-  static PALPATE_INLINE Sums SumOrders(const Real* table, int degree, const LaneDirections<Set>& d)
-  {
-    Sums sums;
-    sums.X = d.X;
-    sums.Y = d.Y;
-    const Real* block = table + 4 * (degree / 4 + 1);
-    for (int first = 1; first <= degree; first += 4)
-    {
-      block += 8 * (degree - first + 1);
-    }
-    for (int first = 1 + (degree - 1) / 4 * 4; degree > 0 && first >= 1; first -= 4)
-    {
-      block -= 8 * (degree - first + 1);
-      AddBlock(block, degree, first, d, sums);
-    }
-    AddZonal(table, degree, d, sums);
-    return sums;
+    const Vector fourZ = Real(4) * d.Z;
+    const Vector slopes = slope.Real + d.Z * slope.Imaginary;
+    OrderTerms<Complex> terms = {Complex::Zero(), Complex::Zero(), Complex::Zero()};
+    terms.Value.Real = value.Real + d.Z * value.Imaginary;
+    terms.Slope.Real = value.Imaginary + fourZ * slopes;
+    terms.Curvature.Real =
+        slopes + Real(2) * d.Z * slope.Imaginary +
+        Real(0.5) * fourZ * fourZ * (halfCurvature.Real + d.Z * halfCurvature.Imaginary);
+    sums.Add(terms);
   }
 
   static PALPATE_INLINE void Write(const Sums& sums, const LaneDirections<Set>& d, Real* samples)
@@ -221,9 +189,9 @@ struct PolynomialBatch
     else if constexpr (Derivatives == 1)
     {
       const Vector gz = NanUnlessUnit<Real>(sums.Slope.Real, d.Excess);
-      const Vector radial = sums.First.Real * d.X - sums.First.Imaginary * d.Y + gz * d.Z;
+      const Vector radial = sums.First.Real * d.X + sums.First.Imaginary * d.Y + gz * d.Z;
       const Vector x = sums.First.Real - radial * d.X;
-      const Vector y = -sums.First.Imaginary - radial * d.Y;
+      const Vector y = sums.First.Imaginary - radial * d.Y;
       const Vector z = gz - radial * d.Z;
       for (int lane = 0; lane < Set::Points; ++lane)
       {
@@ -236,14 +204,14 @@ struct PolynomialBatch
     else
     {
       const SpaceDerivatives<Set, Vector> space{sums.First.Real,
-                                                -sums.First.Imaginary,
+                                                sums.First.Imaginary,
                                                 NanUnlessUnit<Real>(sums.Slope.Real, d.Excess),
                                                 sums.HalfSecond.Real + sums.HalfSecond.Real,
-                                                -sums.HalfSecond.Imaginary -
+                                                sums.HalfSecond.Imaginary +
                                                     sums.HalfSecond.Imaginary,
                                                 sums.FirstSlope.Real,
-                                                -sums.FirstSlope.Imaginary,
-                                                sums.Curvature.Real};
+                                                sums.FirstSlope.Imaginary,
+                                                Real(4) * sums.Curvature.Real};
       const auto s = ToSurface<Set, Vector>(space, d.X, d.Y, d.Z);
       for (int lane = 0; lane < Set::Points; ++lane)
       {
@@ -255,38 +223,32 @@ struct PolynomialBatch
     }
   }
 
-  static PALPATE_INLINE void EvaluateLanes(const Real* table, int degree, const Real* directions,
-                                           Real* samples)
-  {
-    const LaneDirections<Set> d(directions);
-    Write(SumOrders(table, degree, d), d, samples);
-  }
-
   static void Evaluate(const Real* table, int degree, const Real* directions, long count,
                        Real* samples) noexcept
   {
-    long at = 0;
-    for (; at + Set::Points <= count; at += Set::Points)
-    {
-      EvaluateLanes(table, degree, directions + 3 * at, samples + SampleSize * at);
-    }
-    if (at == count)
-    {
-      return;
-    }
     // The last ones in a group of their own, filled up with the last direction: so a result never
     // depends on how many directions came with it.
     Real lastDirections[3 * Set::Points];
     Real lastSamples[SampleSize * Set::Points];
-    for (int i = 0; i < 3 * Set::Points; ++i)
+    for (long at = 0; at < count; at += Set::Points)
     {
-      const long from = 3 * at + i;
-      lastDirections[i] = directions[from < 3 * count ? from : 3 * (count - 1) + i % 3];
-    }
-    EvaluateLanes(table, degree, lastDirections, lastSamples);
-    for (long i = 0; i < SampleSize * (count - at); ++i)
-    {
-      samples[SampleSize * at + i] = lastSamples[i];
+      const bool whole = at + Set::Points <= count;
+      for (int i = 0; !whole && i < 3 * Set::Points; ++i)
+      {
+        const long from = 3 * at + i;
+        lastDirections[i] = directions[from < 3 * count ? from : 3 * (count - 1) + i % 3];
+      }
+      const LaneDirections<Set> d(whole ? directions + 3 * at : lastDirections);
+      Sums sums;
+      sums.X = d.X;
+      sums.Y = d.Y;
+      AddOrders<0>(table, degree, d, sums);
+      AddZonal(table, degree, d, sums);
+      Write(sums, d, whole ? samples + SampleSize * at : lastSamples);
+      for (long i = 0; !whole && i < SampleSize * (count - at); ++i)
+      {
+        samples[SampleSize * at + i] = lastSamples[i];
+      }
     }
   }
 };

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "PolynomialTerms.h"
 #include "SurfaceHessian.h"
 
 // One direction by the polynomials of a PolynomialTable (the rule of Quartet.h holds here too). The
@@ -23,10 +24,9 @@ struct PolynomialDirection
     const Numbers z = Numbers::All(direction[2]);
     const Numbers one = Numbers::All(1);
     const Numbers square = x * x + y * y;
-    const Numbers twice = square + square;
     const Numbers excess = square + (z * z - one);
     const Numbers shrink = one - excess * Numbers::All(Real(0.5));
-    this->T = twice * excess + (one - twice);
+    this->T = (square + square) * excess + (one - square * Numbers::All(2));
     this->Excess = excess;
     this->Unit = {x * shrink, y * shrink, z * shrink};
   }
@@ -34,60 +34,6 @@ struct PolynomialDirection
   UnitVector<Set> Unit;
   Numbers T;      // 1 - 2 (x^2 + y^2) / n
   Numbers Excess; // n - 1
-};
-
-/// Horner's rule for a polynomial in t with complex coefficients (cosine and sine terms of a
-/// block), and for its derivatives in t.
-template <typename Set, int Count, int Derivatives>
-struct BlockPolynomial
-{
-  using Real = typename Set::Real;
-  using Numbers = Quartet<Set>;
-
-  PALPATE_INLINE BlockPolynomial(const Real* table, const Numbers& t)
-  {
-    this->template Step<0>(table, t);
-  }
-
-  template <int Power>
-  PALPATE_INLINE void Step(const Real* table, const Numbers& t)
-  {
-    if constexpr (Power < Count)
-    {
-      const ComplexQuartet<Set> next{Numbers::Load(table), Numbers::Load(table + 4)};
-      if constexpr (Derivatives > 1 && Power > 1)
-      {
-        Raise<(Power > 2)>(this->HalfCurvature, t, this->Slope);
-      }
-      if constexpr (Derivatives > 0 && Power > 0)
-      {
-        Raise<(Power > 1)>(this->Slope, t, this->Value);
-      }
-      Raise<(Power > 0)>(this->Value, t, next);
-      this->template Step<Power + 1>(table + 8, t);
-    }
-  }
-
-  // One step of Horner's rule; the first one only starts the polynomial.
-  template <bool Started>
-  static PALPATE_INLINE void Raise(ComplexQuartet<Set>& polynomial, const Numbers& t,
-                                   const ComplexQuartet<Set>& next)
-  {
-    if constexpr (Started)
-    {
-      polynomial.Real = t * polynomial.Real + next.Real;
-      polynomial.Imaginary = t * polynomial.Imaginary + next.Imaginary;
-    }
-    else
-    {
-      polynomial.Real = next.Real;
-      polynomial.Imaginary = next.Imaginary;
-    }
-  }
-
-  ComplexQuartet<Set> Value;
-  ComplexQuartet<Set> Slope;         // if Derivatives > 0 and Count > 1
-  ComplexQuartet<Set> HalfCurvature; // if Derivatives > 1 and Count > 2
 };
 
 /// R, and derivatives, of a model of degree `Degree` at one direction.
@@ -102,94 +48,24 @@ struct PolynomialPoint
   // The layout of PolynomialTable: order 0, then blocks from order 1 on.
   static constexpr int ZonalCount = Degree / 4 + 1;
   static constexpr int EvenCount(int order) { return (Degree - order) / 2 + 1; }
-  static constexpr int OddCount(int order) { return (Degree - order + 1) / 2; }
   static constexpr int BlockStart(int order)
   {
     int start = 4 * ZonalCount;
     for (int first = 1; first < order; first += 4)
     {
-      start += 8 * (EvenCount(first) + OddCount(first));
+      start += 8 * (Degree - first + 1);
     }
     return start;
   }
   static constexpr int HighestBlock = Degree == 0 ? 0 : 1 + (Degree - 1) / 4 * 4;
 
-  // E + z O, without O where there is none.
-  template <bool WithOdd>
-  static PALPATE_INLINE Complexes Both(const Complexes& even, const Complexes& odd,
-                                       const Numbers& z)
-  {
-    if constexpr (WithOdd)
-    {
-      return z * odd + even;
-    }
-    else
-    {
-      return even;
-    }
-  }
-
-  // dD/dz = O + 4 z (E' + z O').
-  template <int First, typename Even, typename Odd>
-  static PALPATE_INLINE Complexes Slope(const Even& even, const Odd& odd, const Numbers& z)
-  {
-    if constexpr (EvenCount(First) > 1)
-    {
-      const Numbers fourZ = (z + z) + (z + z);
-      return fourZ * Both<(OddCount(First) > 1)>(even.Slope, odd.Slope, z) + odd.Value;
-    }
-    else if constexpr (OddCount(First) > 0)
-    {
-      return odd.Value;
-    }
-    else
-    {
-      return {Numbers{}, Numbers{}};
-    }
-  }
-
-  // A quarter of d2D/dz2 = 4 (E' + 3 z O') + 16 z^2 (E'' + z O'').
-  template <int First, typename Even, typename Odd>
-  static PALPATE_INLINE Complexes Curvature(const Even& even, const Odd& odd, const Numbers& z)
-  {
-    if constexpr (EvenCount(First) > 1)
-    {
-      const Complexes slope = Both<(OddCount(First) > 1)>(even.Slope, odd.Slope, z + z + z);
-      if constexpr (EvenCount(First) > 2)
-      {
-        const Numbers eightSquares = (z + z) * ((z + z) + (z + z));
-        return eightSquares *
-                   Both<(OddCount(First) > 2)>(even.HalfCurvature, odd.HalfCurvature, z) +
-               slope;
-      }
-      else
-      {
-        return slope;
-      }
-    }
-    else
-    {
-      return {Numbers{}, Numbers{}};
-    }
-  }
-
   template <int First, int Derivatives>
-  static PALPATE_INLINE OrderTerms<Set, Derivatives> Block(const Real* table, const Direction& d)
+  static PALPATE_INLINE OrderTerms<Complexes> Block(const Real* table, const Direction& d)
   {
-    table += BlockStart(First);
-    const BlockPolynomial<Set, EvenCount(First), Derivatives> even(table, d.T);
-    const BlockPolynomial<Set, OddCount(First), Derivatives> odd(table + 8 * EvenCount(First), d.T);
-    OrderTerms<Set, Derivatives> terms;
-    terms.Value = Both<(OddCount(First) > 0)>(even.Value, odd.Value, d.Unit.Z);
-    if constexpr (Derivatives > 0)
-    {
-      terms.Slope = Slope<First>(even, odd, d.Unit.Z);
-    }
-    if constexpr (Derivatives > 1)
-    {
-      terms.Curvature = Curvature<First>(even, odd, d.Unit.Z);
-    }
-    return terms;
+    const Real* even = table + BlockStart(First);
+    const Real* odd = even + 8 * EvenCount(First);
+    return PolynomialOrder<Complexes, Numbers, Degree - First, Derivatives>::Terms(even, odd, d.T,
+                                                                                   d.Unit.Z);
   }
 
   // Blocks from the highest one down to that of order 5: the highest have the shortest polynomials,
@@ -225,9 +101,13 @@ struct PolynomialPoint
       Complexes fourthPowers[4];
       fourthPowers[0] = {Numbers::All(1), Numbers{}};
       fourthPowers[1] = {LastLane(powers.Value.Real), LastLane(powers.Value.Imaginary)};
-      for (int k = 2; k <= HighestBlock / 4; ++k)
+      if constexpr (HighestBlock > 8)
       {
-        fourthPowers[k] = fourthPowers[k - 1] * fourthPowers[1];
+        fourthPowers[2] = Square(fourthPowers[1]);
+      }
+      if constexpr (HighestBlock > 12)
+      {
+        fourthPowers[3] = fourthPowers[2] * fourthPowers[1];
       }
       auto sums = UpperBlock<HighestBlock, Derivatives>(table, d, fourthPowers);
       AddUpperBlocks<HighestBlock - 4>(table, d, fourthPowers, sums);
@@ -275,7 +155,7 @@ struct PolynomialPoint
     if constexpr (Derivatives > 0)
     {
       const Numbers twiceT = t + t;
-      const Numbers slope = p[1] * (powerOfT * twiceT) + Alternate(zero, constant);
+      const Numbers slope = p[1] * Alternate(twiceT, tt + tt) + Alternate(zero, constant);
       const Numbers fourZ = (z + z) + (z + z);
       terms.Slope = slope * (powerOfZ * fourZ) + Halves(zero, value);
       if constexpr (Derivatives > 1)

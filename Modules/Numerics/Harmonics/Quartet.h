@@ -66,7 +66,8 @@ struct Quartet
     Quartet result;
     for (int i = 0; i < Parts; ++i)
     {
-      result.Part[i] = *reinterpret_cast<const Vector*>(values + i * Set::Lanes);
+      result.Part[i] =
+          *reinterpret_cast<const typename Set::StoredVector*>(values + i * Set::Lanes);
     }
     return result;
   }
@@ -74,7 +75,7 @@ struct Quartet
   {
     for (int i = 0; i < Parts; ++i)
     {
-      *reinterpret_cast<Vector*>(values + i * Set::Lanes) = this->Part[i];
+      *reinterpret_cast<typename Set::StoredVector*>(values + i * Set::Lanes) = this->Part[i];
     }
   }
   PALPATE_INLINE Real Lane(int lane) const
@@ -265,6 +266,12 @@ struct ComplexQuartet
       : Real(real), Imaginary(imaginary)
   {
   }
+  static PALPATE_INLINE ComplexQuartet Zero() { return {Quartet<Set>{}, Quartet<Set>{}}; }
+  /// Four real parts, then four imaginary parts.
+  static PALPATE_INLINE ComplexQuartet Load(const typename Set::Real* values)
+  {
+    return {Quartet<Set>::Load(values), Quartet<Set>::Load(values + 4)};
+  }
   PALPATE_INLINE ComplexQuartet(const ComplexQuartet& other)
       : Real(other.Real), Imaginary(other.Imaginary)
   {
@@ -312,6 +319,12 @@ PALPATE_INLINE ComplexQuartet<Set> operator*(const ComplexQuartet<Set>& a,
                                              const ComplexQuartet<Set>& b)
 {
   return {a.Real * b.Real - a.Imaginary * b.Imaginary, a.Real * b.Imaginary + a.Imaginary * b.Real};
+}
+
+template <typename Set>
+PALPATE_INLINE ComplexQuartet<Set> Square(const ComplexQuartet<Set>& a)
+{
+  return {a.Real * a.Real - a.Imaginary * a.Imaginary, (a.Real + a.Real) * a.Imaginary};
 }
 
 template <typename Set>

@@ -137,30 +137,43 @@ struct Column
     this->Level0.Sines = this->Level0.Value * Numbers::Load(table + 8);
   }
 
-  PALPATE_INLINE void Run(int degrees)
+  PALPATE_INLINE void Advance()
   {
     const Real* row = this->Row;
-    for (int i = 0; i < degrees; ++i, row += 20)
+    this->Row += 20;
+    const Numbers slope = Numbers::Load(row + 8);
+    const typename ColumnLevel<Set>::Constants by{Numbers::Load(row), Numbers::Load(row + 4),
+                                                  slope * this->Depth};
+    const Numbers cosine = Numbers::Load(row + 12);
+    const Numbers sine = Numbers::Load(row + 16);
+    if constexpr (Derivatives > 1)
     {
-      const Numbers slope = Numbers::Load(row + 8);
-      const typename ColumnLevel<Set>::Constants by{Numbers::Load(row), Numbers::Load(row + 4),
-                                                    slope * this->Depth};
-      const Numbers cosine = Numbers::Load(row + 12);
-      const Numbers sine = Numbers::Load(row + 16);
-      if constexpr (Derivatives > 1)
-      {
-        this->Level2.template Advance<South>(by, slope * this->Level1.Value);
-        this->Level2.Collect(cosine, sine);
-      }
-      if constexpr (Derivatives > 0)
-      {
-        this->Level1.template Advance<South>(by, slope * this->Level0.Value);
-        this->Level1.Collect(cosine, sine);
-      }
-      this->Level0.template Advance<South>(by);
-      this->Level0.Collect(cosine, sine);
+      this->Level2.template Advance<South>(by, slope * this->Level1.Value);
+      this->Level2.Collect(cosine, sine);
     }
-    this->Row = row;
+    if constexpr (Derivatives > 0)
+    {
+      this->Level1.template Advance<South>(by, slope * this->Level0.Value);
+      this->Level1.Collect(cosine, sine);
+    }
+    this->Level0.template Advance<South>(by);
+    this->Level0.Collect(cosine, sine);
+  }
+  PALPATE_INLINE void Run(int degrees)
+  {
+    for (int i = 0; i < degrees; ++i)
+    {
+      this->Advance();
+    }
+  }
+  /// Two columns side by side, since a step of one waits for its last.
+  PALPATE_INLINE void RunWith(Column& other, int degrees)
+  {
+    for (int i = 0; i < degrees; ++i)
+    {
+      this->Advance();
+      other.Advance();
+    }
   }
 
   /// Runs while the numbers stand for 2^(-scale ScaleBits) times themselves, and lowers the scale
@@ -186,9 +199,9 @@ struct Column
     this->Run(degrees);
   }
 
-  PALPATE_INLINE OrderTerms<Set, Derivatives> Terms() const
+  PALPATE_INLINE OrderTerms<ComplexQuartet<Set>> Terms() const
   {
-    OrderTerms<Set, Derivatives> terms;
+    OrderTerms<ComplexQuartet<Set>> terms;
     terms.Value = this->Level0.Sum();
     terms.Slope = this->Level1.Sum();
     terms.Curvature = this->Level2.Sum();
@@ -252,35 +265,72 @@ struct RecurrencePoint
     return powers;
   }
 
+  // A column of Q grows by less than 2^degree: with this scale nothing counts any more.
+  static PALPATE_INLINE bool IsLost(const ScaledPower<Set>& power, int degree)
+  {
+    return (power.Scale - 1) * Set::ScaleBits > degree;
+  }
+
+  // Adds a block; its terms stand for 2^(-scale ScaleBits) times themselves.
+  template <int Derivatives>
+  static PALPATE_INLINE void Add(const OrderTerms<Complexes>& terms, int first, int scale,
+                                 const ScaledPower<Set>& power, OrderSums<Set, Derivatives>& sums)
+  {
+    const Numbers factor =
+        Numbers::All(scale == 0 ? Real(1) : (scale == 1 ? 1 / Set::ScaleUp : Real(0)));
+    const Complexes value = factor * power.Power;
+    const Complexes before = factor * power.Before;
+    const Numbers orders = Numbers::Of(0, 1, 2, 3) + Numbers::All(static_cast<Real>(first));
+    sums.Add({terms, orders, value, WithFirstLane(before, value), Halves(before, value)});
+  }
+
+  // Two blocks from order `first` on, or what there is of them. Returns where the next ones start.
+  template <int Derivatives, bool South>
+  static PALPATE_INLINE const Real* AddPair(const Real* table, int degree, int first,
+                                            const Direction& d, const ScaledPower<Set>& power,
+                                            const ScaledPower<Set>& nextPower,
+                                            OrderSums<Set, Derivatives>& sums)
+  {
+    using BlockColumn = Column<Set, Derivatives, South>;
+    const int degrees = degree - first;
+    const Real* next = table + 12 + 20 * degrees;
+    const bool both = degrees >= 4 && !IsLost(nextPower, degree);
+    BlockColumn column(table, d.Depth);
+    if (both && nextPower.Scale == 0)
+    {
+      BlockColumn nextColumn(next, d.Depth);
+      column.RunWith(nextColumn, degrees - 4);
+      column.Run(4);
+      Add(column.Terms(), first, 0, power, sums);
+      Add(nextColumn.Terms(), first + 4, 0, nextPower, sums);
+      return next + 12 + 20 * (degrees - 4);
+    }
+    int scale = power.Scale;
+    column.RunScaled(degrees, scale);
+    Add(column.Terms(), first, scale, power, sums);
+    if (both)
+    {
+      BlockColumn nextColumn(next, d.Depth);
+      scale = nextPower.Scale;
+      nextColumn.RunScaled(degrees - 4, scale);
+      Add(nextColumn.Terms(), first + 4, scale, nextPower, sums);
+    }
+    return next + 12 + 20 * (degrees - 4);
+  }
+
   template <int Derivatives, bool South>
   static PALPATE_INLINE OrderSums<Set, Derivatives>
   AllBlocks(const Real* table, int degree, const Direction& d, const Complexes& fourthPower)
   {
-    Numbers orders = Numbers::Of(0, 1, 2, 3);
-    Column<Set, Derivatives, South> lowest(table, d.Depth);
-    lowest.Run(degree);
-    table += 20 * degree + 12;
-    OrderSums<Set, Derivatives> sums(lowest.Terms(), orders);
+    OrderSums<Set, Derivatives> sums{};
     ScaledPower<Set> power;
-    for (int first = 4; first <= degree; first += 4)
+    for (int first = 0; first <= degree && !IsLost(power, degree); first += 8)
     {
+      ScaledPower<Set> nextPower = power;
+      nextPower.Advance(fourthPower);
+      table = AddPair<Derivatives, South>(table, degree, first, d, power, nextPower, sums);
+      power = nextPower;
       power.Advance(fourthPower);
-      // A column of Q grows by less than 2^degree: from here on nothing counts any more.
-      if ((power.Scale - 1) * Set::ScaleBits > degree)
-      {
-        break;
-      }
-      int scale = power.Scale;
-      Column<Set, Derivatives, South> column(table, d.Depth);
-      column.RunScaled(degree - first, scale);
-      table += 20 * (degree - first) + 12;
-      orders = orders + Numbers::All(4);
-      const Numbers factor =
-          Numbers::All(scale == 0 ? Real(1) : (scale == 1 ? 1 / Set::ScaleUp : Real(0)));
-      const Complexes value = factor * power.Power;
-      const Complexes before = factor * power.Before;
-      sums.Add(
-          {column.Terms(), orders, value, WithFirstLane(before, value), Halves(before, value)});
     }
     return sums;
   }

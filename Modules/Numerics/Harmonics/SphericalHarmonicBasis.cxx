@@ -1,7 +1,6 @@
 #include "SphericalHarmonicBasis.h"
 
 #include <cmath>
-#include <limits>
 
 namespace palpate
 {

@@ -27,55 +27,6 @@ SphericalHarmonicEvaluator<Real>::SphericalHarmonicEvaluator(
   }
 }
 
-template <typename Real>
-Real SphericalHarmonicEvaluator<Real>::Radius(const Vector& direction) const noexcept
-{
-  return this->Kernel.Value(this->Table.data(), this->TableDegree, direction.data());
-}
-
-template <typename Real>
-auto SphericalHarmonicEvaluator<Real>::Evaluate(const Vector& direction) const noexcept -> Sample
-{
-  static_assert(sizeof(Sample) == 4 * sizeof(Real), "the kernels write four numbers");
-  Sample sample;
-  this->Kernel.Gradient(this->Table.data(), this->TableDegree, direction.data(), &sample.Radius);
-  return sample;
-}
-
-template <typename Real>
-auto SphericalHarmonicEvaluator<Real>::EvaluateSecondOrder(const Vector& direction) const noexcept
-    -> SecondOrderSample
-{
-  static_assert(sizeof(SecondOrderSample) == 13 * sizeof(Real), "the kernels write 13 numbers");
-  SecondOrderSample sample;
-  this->Kernel.Hessian(this->Table.data(), this->TableDegree, direction.data(), &sample.Radius);
-  return sample;
-}
-
-template <typename Real>
-void SphericalHarmonicEvaluator<Real>::RadiusBatch(const Vector* directions, std::size_t count,
-                                                   Real* radii) const noexcept
-{
-  this->Kernel.Values(this->Table.data(), this->TableDegree, directions->data(),
-                      static_cast<long>(count), radii);
-}
-
-template <typename Real>
-void SphericalHarmonicEvaluator<Real>::EvaluateBatch(const Vector* directions, std::size_t count,
-                                                     Sample* samples) const noexcept
-{
-  this->Kernel.Gradients(this->Table.data(), this->TableDegree, directions->data(),
-                         static_cast<long>(count), &samples->Radius);
-}
-
-template <typename Real>
-void SphericalHarmonicEvaluator<Real>::EvaluateSecondOrderBatch(
-    const Vector* directions, std::size_t count, SecondOrderSample* samples) const noexcept
-{
-  this->Kernel.Hessians(this->Table.data(), this->TableDegree, directions->data(),
-                        static_cast<long>(count), &samples->Radius);
-}
-
 template class SphericalHarmonicEvaluator<double>;
 template class SphericalHarmonicEvaluator<float>;
 } // namespace palpate

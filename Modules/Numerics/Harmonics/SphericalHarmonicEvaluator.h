@@ -59,16 +59,43 @@ public:
                              EvaluationFormulation formulation = EvaluationFormulation::Automatic,
                              InstructionSet set = FastestInstructionSet());
 
-  Real Radius(const Vector& direction) const noexcept;
-  Sample Evaluate(const Vector& direction) const noexcept;
-  SecondOrderSample EvaluateSecondOrder(const Vector& direction) const noexcept;
+  Real Radius(const Vector& direction) const noexcept
+  {
+    return this->Kernel.Value(this->Table.data(), this->TableDegree, direction.data());
+  }
+  Sample Evaluate(const Vector& direction) const noexcept
+  {
+    static_assert(sizeof(Sample) == 4 * sizeof(Real), "the kernels write four numbers");
+    Sample sample;
+    this->Kernel.Gradient(this->Table.data(), this->TableDegree, direction.data(), &sample.Radius);
+    return sample;
+  }
+  SecondOrderSample EvaluateSecondOrder(const Vector& direction) const noexcept
+  {
+    static_assert(sizeof(SecondOrderSample) == 13 * sizeof(Real), "the kernels write 13 numbers");
+    SecondOrderSample sample;
+    this->Kernel.Hessian(this->Table.data(), this->TableDegree, direction.data(), &sample.Radius);
+    return sample;
+  }
 
   /// The same for `count` unit vectors. With polynomials several are handled at once; results then
   /// differ from single calls by roundings, but never with `count` or the place in the batch.
-  void RadiusBatch(const Vector* directions, std::size_t count, Real* radii) const noexcept;
-  void EvaluateBatch(const Vector* directions, std::size_t count, Sample* samples) const noexcept;
+  void RadiusBatch(const Vector* directions, std::size_t count, Real* radii) const noexcept
+  {
+    this->Kernel.Values(this->Table.data(), this->TableDegree, directions->data(),
+                        static_cast<long>(count), radii);
+  }
+  void EvaluateBatch(const Vector* directions, std::size_t count, Sample* samples) const noexcept
+  {
+    this->Kernel.Gradients(this->Table.data(), this->TableDegree, directions->data(),
+                           static_cast<long>(count), &samples->Radius);
+  }
   void EvaluateSecondOrderBatch(const Vector* directions, std::size_t count,
-                                SecondOrderSample* samples) const noexcept;
+                                SecondOrderSample* samples) const noexcept
+  {
+    this->Kernel.Hessians(this->Table.data(), this->TableDegree, directions->data(),
+                          static_cast<long>(count), &samples->Radius);
+  }
 
   /// Size of the table that a query reads.
   std::size_t TableBytes() const noexcept { return this->Table.size() * sizeof(Real); }
