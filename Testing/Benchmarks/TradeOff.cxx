@@ -174,8 +174,9 @@ double Rounding(const Way& way, const std::vector<double>& coefficients)
 double LargestLoss(const SphericalHarmonicModel& body, int degree)
 {
   const SphericalHarmonicModel truncated = body.WithDegree(degree);
+  const IcosahedronDirections sphere(20);
   double worst = 0.0;
-  for (const Vector3& direction : IcosahedronDirections(20).Directions())
+  for (const Vector3& direction : sphere.Directions())
   {
     worst = std::fmax(worst, std::abs(body.Radius(direction) - truncated.Radius(direction)));
   }

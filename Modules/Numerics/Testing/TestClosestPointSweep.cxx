@@ -21,10 +21,11 @@ class SurfacePoints
 {
 public:
   explicit SurfacePoints(const SphericalHarmonicModel& model)
-      : Points(3, IcosahedronDirections(16).Directions().size())
   {
+    const IcosahedronDirections sphere(16);
+    this->Points.resize(3, static_cast<Eigen::Index>(sphere.Directions().size()));
     Eigen::Index column = 0;
-    for (const Vector3& u : IcosahedronDirections(16).Directions())
+    for (const Vector3& u : sphere.Directions())
     {
       this->Points.col(column++) = model.PointWorld(u);
     }
