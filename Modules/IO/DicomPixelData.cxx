@@ -92,7 +92,7 @@ void DicomPixelData::Decode(const std::filesystem::path& file, const DicomDatase
                             std::size_t frameCount)
 {
   CompressedFrame frame = FrameForm(dataset);
-  const EncapsulatedFrames frames(dataset.Root(), frameCount, std::filesystem::file_size(file));
+  const EncapsulatedFrames frames(dataset.Root(), frameCount);
   if (!IsPlausible(frame) || !frames.AreFound())
   {
     Refuse(file, "is truncated or damaged: its pixels are not what its header promises",

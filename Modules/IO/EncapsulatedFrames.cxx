@@ -64,10 +64,9 @@ bool StartsStream(DcmPixelItem& item)
 }
 } // namespace
 
-EncapsulatedFrames::EncapsulatedFrames(DcmItem& root, std::size_t frameCount,
-                                       std::uintmax_t fileBytes)
+EncapsulatedFrames::EncapsulatedFrames(DcmItem& root, std::size_t frameCount)
 {
-  if (!this->CollectFragments(root, fileBytes) || this->Fragments.size() < frameCount)
+  if (!this->CollectFragments(root) || this->Fragments.size() < frameCount)
   {
     return;
   }
@@ -89,14 +88,13 @@ EncapsulatedFrames::EncapsulatedFrames(DcmItem& root, std::size_t frameCount,
   }
 }
 
-bool EncapsulatedFrames::CollectFragments(DcmItem& root, std::uintmax_t fileBytes)
+bool EncapsulatedFrames::CollectFragments(DcmItem& root)
 {
   DcmPixelSequence* sequence = FindSequence(root);
   if (!sequence || sequence->getItem(this->OffsetTable, 0).bad())
   {
     return false;
   }
-  std::uintmax_t total = this->OffsetTable->getLength();
   for (unsigned long i = 1; i < sequence->card(); ++i)
   {
     DcmPixelItem* item = nullptr;
@@ -104,10 +102,9 @@ bool EncapsulatedFrames::CollectFragments(DcmItem& root, std::uintmax_t fileByte
     {
       return false;
     }
-    total += item->getLength();
     this->Fragments.push_back(item);
   }
-  return total <= fileBytes;
+  return true;
 }
 
 void EncapsulatedFrames::DivideByOffsets(std::size_t frameCount)

@@ -16,9 +16,9 @@ namespace palpate
 class PALPATEIO_EXPORT EncapsulatedFrames
 {
 public:
-  /// Finds `frameCount` frames among the fragments of `root`, which must outlive the object. A file
-  /// of `fileBytes` bytes has no longer fragment; DCMTK would allocate what a damaged length says.
-  EncapsulatedFrames(DcmItem& root, std::size_t frameCount, std::uintmax_t fileBytes);
+  /// Finds `frameCount` frames among the fragments of `root`, which must outlive the object. (DCMTK
+  /// has refused fragments that end behind the file's end.)
+  EncapsulatedFrames(DcmItem& root, std::size_t frameCount);
 
   /// False where it cannot be told which fragments belong to which frame.
   bool AreFound() const { return !this->FirstFragments.empty(); }
@@ -26,7 +26,7 @@ public:
   std::vector<std::uint8_t> Frame(std::size_t frame) const;
 
 private:
-  bool CollectFragments(DcmItem& root, std::uintmax_t fileBytes);
+  bool CollectFragments(DcmItem& root);
   void DivideByOffsets(std::size_t frameCount);
   void DivideByMarks(std::size_t frameCount);
 

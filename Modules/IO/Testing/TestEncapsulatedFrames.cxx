@@ -175,6 +175,19 @@ TEST(EncapsulatedFrames, FewerFragmentsThanFramesAreRefused)
                        "its pixels are not what its header promises"));
 }
 
+TEST(EncapsulatedFrames, FragmentLongerThanTheFileIsRefused)
+{
+  const TemporaryFolder folder;
+  const auto file = folder / "a.dcm";
+  WriteThreeFrames(file, Codec::RunLength);
+  std::string bytes = ReadAll(file);
+  // The last fragment's length stands before it; the sequence's delimiter is the last eight bytes.
+  const std::size_t length = bytes.size() - 8 - Fragments(file).back().size() - 4;
+  bytes[length + 3] = 0x7F;
+  WriteAll(file, bytes);
+  EXPECT_TRUE(Contains(MessageOf([&] { ReadSegmentation(file); }), "is truncated or damaged"));
+}
+
 TEST(EncapsulatedFrames, FragmentsThatBelongToNoFrameAreRefused)
 {
   const TemporaryFolder folder;

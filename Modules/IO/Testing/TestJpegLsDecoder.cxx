@@ -6,6 +6,7 @@
 #include "TemporaryFolder.h"
 
 #include <algorithm>
+#include <array>
 #include <cstdlib>
 #include <gtest/gtest.h>
 
@@ -167,6 +168,22 @@ TEST(JpegLsDecoder, ParametersOutOfTheirRangeAreRefused)
     EXPECT_FALSE(ReadJpegLsParameters(Frame(stream, 10, 8, 5))) << place;
   }
   EXPECT_FALSE(ReadJpegLsParameters(Frame(Lossless, 8, 10, 5)));
+}
+
+TEST(JpegLsDecoder, DefaultThresholdsAreTheStandards)
+{
+  // T.87, C.2.4.1.1: for 12 bits in its table C.3, for 7 and 8 from its formulas.
+  const std::vector<std::array<int, 4>> expected{{7, 2, 3, 10}, {8, 3, 7, 21}, {12, 18, 67, 276}};
+  for (const auto& [bits, first, second, third] : expected)
+  {
+    Bytes stream = Lossless;
+    stream[6] = static_cast<std::uint8_t>(bits);
+    const auto parameters = ReadJpegLsParameters(Frame(stream, 10, 8, bits));
+    ASSERT_TRUE(parameters);
+    EXPECT_EQ(parameters->Threshold1, first);
+    EXPECT_EQ(parameters->Threshold2, second);
+    EXPECT_EQ(parameters->Threshold3, third);
+  }
 }
 
 TEST(JpegLsDecoder, StatedParametersAreTakenAndChecked)

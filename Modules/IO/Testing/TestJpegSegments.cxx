@@ -62,6 +62,7 @@ TEST(JpegSegments, LengthsThatDoNotEvenHoldThemselvesAreDamage)
 {
   EXPECT_FALSE(HasHeader(Stream({{0xFF, 0xFE, 0, 1}, Frame, Scan})));
   EXPECT_FALSE(HasHeader(Stream({{0xFF, 0xFE, 0xFF, 0xFE}, Frame, Scan})));
+  EXPECT_FALSE(HasHeader(Stream({Frame, {0xFF, 0xDA, 0, 1, 1}})));
 }
 
 TEST(JpegSegments, ThereIsOneFrame)
