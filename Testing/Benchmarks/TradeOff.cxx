@@ -16,7 +16,7 @@ namespace palpate::bench
 {
 namespace
 {
-constexpr int BodyDegree = 64;
+constexpr int BodyDegree = 96;
 constexpr double MeanRadius = 25.0; // mm
 constexpr std::size_t DirectionCount = 1000;
 

@@ -12,7 +12,7 @@ namespace palpate::bench
 std::vector<PairedBenchmark> TradeOffBenchmarks();
 
 /// What one of those costs and brings, for an organ-like body of 25 mm that has terms up to degree
-/// 64.
+/// 96.
 struct TradeOffRow
 {
   int Degree;
