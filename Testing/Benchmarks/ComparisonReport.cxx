@@ -34,10 +34,15 @@ void PrintTable(std::ostream& out, const std::vector<Comparison>& comparisons)
 {
   for (const Comparison& c : comparisons)
   {
-    out << std::left << std::setw(34) << c.Name << std::right << std::setw(10)
+    out << std::left << std::setw(44) << c.Name << std::right << std::setw(10)
         << TimeText(c.Nanoseconds) << "  x " << std::fixed << std::setprecision(2) << std::setw(6)
-        << c.Ratio() << "  against " << std::setw(10) << TimeText(c.AgainstNanoseconds) << "  "
-        << c.Against << '\n';
+        << c.Ratio() << "  against " << std::setw(10) << TimeText(c.AgainstNanoseconds);
+    if (c.Instructions > 0.0)
+    {
+      out << std::setprecision(0) << "  instructions " << std::setw(10) << c.Instructions
+          << " against " << std::setw(10) << c.AgainstInstructions;
+    }
+    out << "  " << c.Against << '\n';
   }
 }
 
@@ -51,6 +56,11 @@ std::string ToJson(const std::vector<Comparison>& comparisons)
                     {"against", c.Against},
                     {"against_ns", c.AgainstNanoseconds},
                     {"ratio", c.Ratio()}});
+    if (c.Instructions > 0.0)
+    {
+      list.back()["instructions"] = c.Instructions;
+      list.back()["against_instructions"] = c.AgainstInstructions;
+    }
   }
   return list.dump(2);
 }

@@ -8,7 +8,8 @@ namespace palpate::bench
 {
 namespace
 {
-constexpr int Repetitions = 5;
+constexpr int Repetitions = 20;
+constexpr double RepetitionSeconds = 0.05;
 
 // Keeps the times of every repetition, by name.
 class Collector : public benchmark::BenchmarkReporter
@@ -26,12 +27,10 @@ public:
     }
   }
 
-  double Median(const std::string& name)
+  double Shortest(const std::string& name) const
   {
-    std::vector<double>& times = this->Times.at(name);
-    const auto middle = times.begin() + static_cast<std::ptrdiff_t>(times.size() / 2);
-    std::nth_element(times.begin(), middle, times.end());
-    return *middle;
+    const std::vector<double>& times = this->Times.at(name);
+    return *std::min_element(times.begin(), times.end());
   }
 
 private:
@@ -55,6 +54,7 @@ void Register(const std::string& name, const std::function<void()>& run)
                                })
       ->Unit(benchmark::kNanosecond)
       ->UseRealTime()
+      ->MinTime(RepetitionSeconds)
       ->Repetitions(Repetitions);
 }
 } // namespace
@@ -89,8 +89,8 @@ std::vector<Comparison> Measure(const std::vector<PairedBenchmark>& pairs)
   comparisons.reserve(pairs.size());
   for (const PairedBenchmark& pair : pairs)
   {
-    comparisons.push_back({pair.Name, collector.Median(pair.Name) / pair.Items, pair.Against,
-                           collector.Median(AlternativeName(pair)) / pair.Items});
+    comparisons.push_back({pair.Name, collector.Shortest(pair.Name) / pair.Items, pair.Against,
+                           collector.Shortest(AlternativeName(pair)) / pair.Items, 0.0, 0.0});
   }
   return comparisons;
 }

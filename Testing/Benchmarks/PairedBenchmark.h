@@ -18,15 +18,20 @@ struct PairedBenchmark
   std::function<std::string()> Disagreement;
   /// How many items a run handles; times are given for one item.
   double Items = 1.0;
+  /// Whether instructions are counted, which takes some fifty times as long as the run.
+  bool IsCounted = true;
 };
 
-/// One line of the outcome. Times are real time, the median of the repetitions.
+/// One line of the outcome. Times are real time, the shortest of the repetitions: what else the
+/// machine does only adds to it. Zero instructions were not counted.
 struct Comparison
 {
   std::string Name;
   double Nanoseconds;
   std::string Against;
   double AgainstNanoseconds;
+  double Instructions = 0.0;
+  double AgainstInstructions = 0.0;
 
   double Ratio() const { return this->AgainstNanoseconds / this->Nanoseconds; }
 };

@@ -93,6 +93,6 @@ std::vector<PairedBenchmark> PipelineBenchmarks()
   return {{"pipeline/fit/384x384x23",
            "read, vtkDiscreteFlyingEdges3D, vtkWindowedSincPolyDataFilter",
            [pipeline] { pipeline->Fit(); }, [pipeline] { pipeline->MeshTheStockWay(); },
-           [pipeline] { return pipeline->Disagreement(); }}};
+           [pipeline] { return pipeline->Disagreement(); }, 1.0, false}};
 }
 } // namespace palpate::bench

@@ -2,6 +2,7 @@
 #include "ComparisonReport.h"
 #include "EvaluationBenchmarks.h"
 #include "FitBenchmarks.h"
+#include "InstructionCounts.h"
 #include "PairedBenchmark.h"
 #include "PipelineBenchmarks.h"
 
@@ -35,17 +36,37 @@ std::vector<PairedBenchmark> Matching(const std::string& filter)
               pairs.end());
   return pairs;
 }
+// Instructions of one item, where a run under callgrind has counted them.
+void AddInstructions(const std::string& folder, const std::vector<PairedBenchmark>& pairs,
+                     std::vector<palpate::bench::Comparison>& comparisons)
+{
+  const auto counts = palpate::bench::ReadInstructionCounts(folder);
+  for (std::size_t i = 0; i < pairs.size(); ++i)
+  {
+    const auto count = counts.find(pairs[i].Name);
+    if (count != counts.end())
+    {
+      comparisons[i].Instructions = count->second.Ours / pairs[i].Items;
+      comparisons[i].AgainstInstructions = count->second.Against / pairs[i].Items;
+    }
+  }
+}
 } // namespace
 
 int main(int argc, char** argv)
 {
   std::string filter;
   std::string json;
+  std::string instructions;
   bool verifyOnly = false;
+  bool countOnly = false;
   CLI::App app("Times Palpate beside named alternatives in the same run.");
   app.add_option("--filter", filter, "only benchmarks whose name contains this");
   app.add_option("--json", json, "file to write the comparisons to");
   app.add_flag("--verify-only", verifyOnly, "run everything once and compare the results only");
+  app.add_flag("--count-only", countOnly,
+               "under valgrind --tool=callgrind --instr-atstart=no: count instructions only");
+  app.add_option("--instructions", instructions, "folder with callgrind's files of such a run");
   CLI11_PARSE(app, argc, argv);
 
   const std::vector<PairedBenchmark> pairs = Matching(filter);
@@ -53,6 +74,10 @@ int main(int argc, char** argv)
   {
     std::cerr << "no benchmark's name contains " << filter << '\n';
     return 2;
+  }
+  if (countOnly)
+  {
+    return palpate::bench::CountInstructions(pairs) ? 0 : 1;
   }
   const std::vector<std::string> disagreements = palpate::bench::Disagreements(pairs);
   for (const std::string& sentence : disagreements)
@@ -63,7 +88,8 @@ int main(int argc, char** argv)
   {
     return disagreements.empty() ? 0 : 1;
   }
-  const auto comparisons = palpate::bench::Measure(pairs);
+  std::vector<palpate::bench::Comparison> comparisons = palpate::bench::Measure(pairs);
+  AddInstructions(instructions, pairs, comparisons);
   palpate::bench::PrintTable(std::cout, comparisons);
   if (!json.empty())
   {
