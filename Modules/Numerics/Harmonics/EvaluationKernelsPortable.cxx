@@ -1,5 +1,10 @@
 #include "EvaluationKernelsPortable.h"
 
+// Registers are scarce here: GCC does better if it orders the instructions before it assigns them.
+#if defined(__GNUC__) && !defined(__clang__)
+#pragma GCC optimize("schedule-insns", "sched-pressure")
+#endif
+
 #include "EvaluationKernelsOf.h"
 
 namespace palpate::evaluation

@@ -89,6 +89,7 @@ void SphericalHarmonicBasis::Evaluate(const Vector3& direction, double* values) 
   const double depth = square / (squares + std::abs(direction.z()) * length);
   const double pole = direction.z() < 0.0 ? -1.0 : 1.0;
   Power power;
+  power.Real = length / length; // 1, or not-a-number for what is no direction
   for (int m = 0; m <= this->Degree(); ++m)
   {
     StoreOrder(this->Recurrence, m, power, depth, pole, values);

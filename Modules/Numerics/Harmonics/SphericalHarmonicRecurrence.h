@@ -19,7 +19,7 @@ namespace palpate
 /// In the south the same holds for -z, and Q_lm changes its sign where l - m is odd. No angle
 /// appears, so the poles are ordinary points. Terms are stored order by order: all degrees of m =
 /// 0, then of m = 1, and so on. Sources: Holmes and Featherstone, J. Geodesy 76 (2002), with sin^m
-/// divided out; the differences after Reinsch (Deuflhard, Computing 17 (1976), for Fourier series).
+/// divided out; the differences as Reinsch proposed them: Deuflhard, Computing 17 (1976).
 class SphericalHarmonicRecurrence
 {
 public:

@@ -85,7 +85,7 @@ TEST(SphericalHarmonicBasis, EqualsTheTextbookSumUpToDegree64)
   const SphericalHarmonicBasis basis(64);
   WorstCase worst;
   std::vector<Vector3> directions = test::RandomDirections(random, 60);
-  for (const double small : {1e-3, 1e-6, 1e-9})
+  for (const double small : {1e-3, 1e-6, 1e-9, 1e-15})
   {
     directions.push_back(Vector3(small, 2 * small, 1.0).normalized());
     directions.push_back(Vector3(-small, small, -1.0).normalized());
@@ -103,9 +103,8 @@ TEST(SphericalHarmonicBasis, EqualsTheTextbookSumUpToDegree64)
       }
     }
   }
-  // Directions are unit vectors to one rounding only, and near the poles the harmonics of order 0,
-  // as polynomials in z, change by l (l+1) / 2 sqrt((2l+1) / 4 pi) = 6700 times that: 7.5e-13.
-  EXPECT_LE(worst.Value(), 1e-12);
+  // The promise of 1e-14 of the largest harmonic, sqrt((2l+1) / 4 pi) = 3.2.
+  EXPECT_LE(worst.Value(), 3.2e-14);
 }
 
 TEST(SphericalHarmonicBasis, IsOrthonormal)
@@ -192,6 +191,23 @@ TEST(SphericalHarmonicBasis, IsContinuousTowardsThePoles)
     }
     // Slopes reach l (l+1) / 2 sqrt((2l+1) / 4 pi) < 1e4 within a distance of 1.5 small.
     EXPECT_LE(worst.Value(), 1.5e4 * small + 1e-13) << small;
+  }
+}
+
+TEST(SphericalHarmonicBasis, IsThatOfTheNormalisedDirection)
+{
+  Random random(106);
+  const SphericalHarmonicBasis basis(40);
+  const Vector3 u = test::RandomDirection(random);
+  const std::vector<double> unit = Evaluate(basis, u);
+  const std::vector<double> longer = Evaluate(basis, 1024.0 * u);
+  for (std::size_t k = 0; k < unit.size(); ++k)
+  {
+    EXPECT_EQ(unit[k], longer[k]); // a power of two rounds nothing
+  }
+  for (const double value : Evaluate(basis, Vector3::Zero()))
+  {
+    EXPECT_TRUE(std::isnan(value));
   }
 }
 

@@ -324,6 +324,7 @@ TEST(SphericalHarmonicEvaluator, ThreadsThatShareItGetTheSameBits)
   };
   std::vector<std::vector<double>> results(4);
   std::vector<std::thread> threads;
+  threads.reserve(results.size());
   for (std::vector<double>& result : results)
   {
     threads.emplace_back([&] { result = evaluateAll(); });
