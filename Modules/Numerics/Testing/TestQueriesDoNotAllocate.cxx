@@ -1,6 +1,12 @@
 #include "AllocationCounter.h"
+#include "ClosestPointSearch.h"
 #include "EvaluatorCases.h"
+#include "FitSamples.h"
+#include "FixedDirectionFit.h"
+#include "IncrementalFit.h"
+#include "RandomShapes.h"
 #include "SphericalHarmonicBasis.h"
+#include "SphericalHarmonicBounds.h"
 
 #include <gtest/gtest.h>
 
@@ -56,6 +62,54 @@ TEST(QueriesDoNotAllocate, OfTheBasis)
   std::vector<double> values(basis.Size());
   const std::size_t before = AllocationCount();
   basis.Evaluate({0.6, 0.0, 0.8}, values.data());
+  EXPECT_EQ(AllocationCount(), before);
+}
+
+TEST(QueriesDoNotAllocate, OfTheNearestPoint)
+{
+  test::Random random(1301);
+  const auto model = std::make_shared<const SphericalHarmonicModel>(test::RandomOrgan(random, 12));
+  const ClosestPointSearch search(model);
+  const Vector3 outside = model->CenterWorld() + Vector3(30.0, 10.0, -5.0);
+  const std::size_t before = AllocationCount();
+  ClosestPoint point = search.Nearest(outside);
+  point = search.Track(outside + Vector3(0.1, 0.0, 0.0), point);
+  point = search.Track(outside, Vector3::UnitZ());
+  const ToolContact contact = search.TouchAnywhere(outside, 2.0);
+  EXPECT_EQ(AllocationCount(), before);
+  EXPECT_TRUE(contact.Normal.allFinite());
+}
+
+TEST(QueriesDoNotAllocate, OfBoundsOverCones)
+{
+  test::Random random(1302);
+  const SphericalHarmonicBounds bounds(test::RandomOrgan(random, 12));
+  const std::size_t before = AllocationCount();
+  for (const double angle : {0.0, 0.1, 1.0, 3.0})
+  {
+    EXPECT_LE(bounds.RadiusInCone(Vector3::UnitX(), angle).Lower,
+              bounds.RadiusInCone(Vector3::UnitX(), angle).Upper);
+    EXPECT_GE(bounds.SlopeInCone(Vector3::UnitX(), angle), 0.0);
+  }
+  EXPECT_EQ(AllocationCount(), before);
+}
+
+TEST(QueriesDoNotAllocate, OfRefitsAndIncrementalFits)
+{
+  test::Random random(1303);
+  const RadialSamples samples = test::SamplesOf(test::RandomOrgan(random, 8), 8);
+  FixedDirectionFit fixed;
+  ASSERT_TRUE(fixed.Prepare(samples.Directions, samples.Weights, 8, 0.0).IsOk());
+  FixedDirectionFit::Scratch scratch = fixed.MakeScratch();
+  std::vector<double> coefficients(fixed.CoefficientCount());
+  IncrementalFit incremental(8);
+  ASSERT_TRUE(incremental.Start(samples, 0.0, samples.Radii.size() + 1).IsOk());
+  const std::size_t before = AllocationCount();
+  EXPECT_TRUE(fixed.Refit(samples.Radii.data(), scratch, coefficients.data()));
+  std::size_t number = 0;
+  EXPECT_EQ(incremental.Add(Vector3::UnitY(), 20.0, 0.01, number), IncrementalFit::Change::Made);
+  EXPECT_EQ(incremental.SetRadius(number, 21.0), IncrementalFit::Change::Made);
+  EXPECT_EQ(incremental.Remove(number), IncrementalFit::Change::Made);
   EXPECT_EQ(AllocationCount(), before);
 }
 } // namespace
