@@ -4,14 +4,28 @@
 
 #include <algorithm>
 #include <benchmark/benchmark.h>
+#include <chrono>
 #include <map>
 
 namespace palpate::bench
 {
 namespace
 {
-constexpr int Repetitions = 9;
-constexpr double MinimumSeconds = 0.05; // of a repetition
+// Short repetitions, so that some pass while nothing else runs; as many as take a second, but a few
+// of what is long.
+constexpr double RepetitionSeconds = 0.002;
+constexpr double TotalSeconds = 1.0;
+constexpr int FewestRepetitions = 5;
+
+int RepetitionsOf(const std::function<void()>& run)
+{
+  using Clock = std::chrono::steady_clock;
+  const Clock::time_point start = Clock::now();
+  run();
+  const std::chrono::duration<double> once = Clock::now() - start;
+  return std::max(FewestRepetitions,
+                  static_cast<int>(TotalSeconds / std::max(once.count(), RepetitionSeconds)));
+}
 
 // Keeps the times of every repetition, by name.
 class Collector : public benchmark::BenchmarkReporter
@@ -29,12 +43,11 @@ public:
     }
   }
 
-  double Median(const std::string& name)
+  // What the machine can do: whatever else it does only adds.
+  double Shortest(const std::string& name) const
   {
-    std::vector<double>& times = this->Times.at(name);
-    const auto middle = times.begin() + static_cast<std::ptrdiff_t>(times.size() / 2);
-    std::nth_element(times.begin(), middle, times.end());
-    return *middle;
+    const std::vector<double>& times = this->Times.at(name);
+    return *std::min_element(times.begin(), times.end());
   }
 
 private:
@@ -58,8 +71,8 @@ void Register(const std::string& name, const std::function<void()>& run)
                                })
       ->Unit(benchmark::kNanosecond)
       ->UseRealTime()
-      ->MinTime(MinimumSeconds)
-      ->Repetitions(Repetitions);
+      ->MinTime(RepetitionSeconds)
+      ->Repetitions(RepetitionsOf(run));
 }
 } // namespace
 
@@ -102,8 +115,8 @@ std::vector<Comparison> Measure(const std::vector<PairedBenchmark>& pairs,
   {
     const auto each = [&pair](std::optional<double> count)
     { return count ? std::optional<double>(*count / pair.Items) : std::nullopt; };
-    comparisons.push_back({pair.Name, collector.Median(pair.Name) / pair.Items, pair.Against,
-                           collector.Median(AlternativeName(pair)) / pair.Items,
+    comparisons.push_back({pair.Name, collector.Shortest(pair.Name) / pair.Items, pair.Against,
+                           collector.Shortest(AlternativeName(pair)) / pair.Items,
                            each(counts.Of(pair.Name)), each(counts.OfAlternative(pair.Name))});
   }
   return comparisons;

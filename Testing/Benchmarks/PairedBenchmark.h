@@ -21,7 +21,7 @@ struct PairedBenchmark
   double Items = 1.0;
 };
 
-/// One line of the outcome. Times are real time, the median of the repetitions.
+/// One line of the outcome. Times are real time, the shortest of many short repetitions.
 struct Comparison
 {
   std::string Name;

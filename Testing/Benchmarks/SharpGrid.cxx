@@ -8,6 +8,7 @@
 #include <complex>
 #include <libsharp/sharp_almhelpers.h>
 #include <libsharp/sharp_geomhelpers.h>
+#include <omp.h>
 
 namespace palpate::bench
 {
@@ -30,6 +31,7 @@ struct SharpGrid::Plan
 SharpGrid::SharpGrid(int degree, const std::vector<double>& coefficients, int rings, int columns)
     : Work(std::make_unique<Plan>())
 {
+  omp_set_num_threads(1); // libsharp's, as one core is what it is compared on
   sharp_make_triangular_alm_info(degree, degree, 1, &this->Work->Order);
   sharp_make_gauss_geom_info(rings, columns, 0.0, 1, columns, &this->Work->Geometry);
   const std::vector<std::complex<double>> packed = ToComplex(coefficients);
@@ -66,7 +68,7 @@ void SharpGrid::Run()
   void* alm = this->Work->Coefficients.data();
   void* radii = this->Radii.data();
   void* slopes[2] = {this->AlongTheta.data(), this->AlongPhi.data()};
-  constexpr int Flags = SHARP_DP | SHARP_NO_OPENMP;
+  constexpr int Flags = SHARP_DP;
   sharp_execute(SHARP_ALM2MAP, 0, &alm, &radii, this->Work->Geometry, this->Work->Order, Flags,
                 nullptr, nullptr);
   sharp_execute(SHARP_ALM2MAP_DERIV1, 1, &alm, slopes, this->Work->Geometry, this->Work->Order,
