@@ -89,13 +89,12 @@ template <typename Evaluate>
 void Chained(const std::vector<Vector3>& directions, std::vector<Sample>& samples,
              const Evaluate& evaluate)
 {
-  double last = 0.0;
+  Sample last{0.0, Vector3::Zero()};
   for (std::size_t i = 0; i < directions.size(); ++i)
   {
-    Vector3 direction = directions[i];
-    direction.x() += 0.0 * last;
-    samples[i] = evaluate(direction);
-    last = samples[i].Radius + samples[i].SurfaceGradient.z();
+    const Vector3 after(last.Radius, last.SurfaceGradient.y(), last.SurfaceGradient.z());
+    last = evaluate(Vector3(directions[i] + 0.0 * after));
+    samples[i] = last;
   }
 }
 
