@@ -145,7 +145,8 @@ Vector3 MostVisibleCenter(const IndexedMesh& mesh)
   for (int n = 0; n < GridSteps * GridSteps * GridSteps; ++n)
   {
     const int rest = n / GridSteps;
-    const Vector3 cell(n % GridSteps, rest % GridSteps, rest / GridSteps);
+    const int slice = rest / GridSteps;
+    const Vector3 cell(n % GridSteps, rest % GridSteps, slice);
     const Vector3 parts = (cell + Vector3::Constant(0.5)) / GridSteps;
     const Vector3 candidate = box.min() + parts.cwiseProduct(box.sizes());
     const double area = AreaFacingAway(facets, candidate, stride);

@@ -11,7 +11,6 @@ namespace
 {
 using palpate::DirectionCaster;
 using palpate::IndexedMesh;
-using palpate::RayCrossing;
 using palpate::Vector3;
 
 IndexedMesh Ball(double radius, const Vector3& center, int frequency)

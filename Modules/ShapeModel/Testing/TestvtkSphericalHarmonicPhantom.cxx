@@ -201,7 +201,9 @@ TEST(SphericalHarmonicPhantom, SkippingPureVoxelsChangesNothing)
     double sum = 0.0;
     for (int part = 0; part < 27; ++part)
     {
-      const Vector3 shift((part % 3 - 1) / 3.0, (part / 3 % 3 - 1) / 3.0, (part / 9 - 1) / 3.0);
+      const int row = part / 3 % 3;
+      const int slice = part / 9;
+      const Vector3 shift = Vector3(part % 3 - 1, row - 1, slice - 1) / 3.0;
       const Vector3 offset = center + step * shift - TestCenter;
       const double distance = offset.norm();
       const double radius = model.Radius(offset.normalized());
