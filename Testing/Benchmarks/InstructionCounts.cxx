@@ -8,11 +8,6 @@ namespace palpate::bench
 {
 namespace
 {
-std::string AlternativeName(const std::string& name)
-{
-  return name + " against";
-}
-
 void CountOne(const std::string& name, const std::function<void()>& run)
 {
   run();
@@ -57,11 +52,6 @@ std::optional<double> InstructionCounts::Of(const std::string& name) const
   return found != this->Counts.end() ? std::optional<double>(found->second) : std::nullopt;
 }
 
-std::optional<double> InstructionCounts::OfAlternative(const std::string& name) const
-{
-  return this->Of(AlternativeName(name));
-}
-
 bool InstructionCounts::Count(const std::vector<PairedBenchmark>& pairs)
 {
   if (RUNNING_ON_VALGRIND == 0)
@@ -71,7 +61,7 @@ bool InstructionCounts::Count(const std::vector<PairedBenchmark>& pairs)
   for (const PairedBenchmark& pair : pairs)
   {
     CountOne(pair.Name, pair.Run);
-    CountOne(AlternativeName(pair.Name), pair.RunAgainst);
+    CountOne(pair.AlternativeName(), pair.RunAgainst);
   }
   return true;
 }

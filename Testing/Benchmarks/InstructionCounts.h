@@ -22,9 +22,8 @@ public:
   /// reasons is passed over.
   explicit InstructionCounts(const std::filesystem::path& folder);
 
-  /// Instructions of one run; empty where they were not counted.
+  /// Instructions of one run of a side, by its name; empty where they were not counted.
   std::optional<double> Of(const std::string& name) const;
-  std::optional<double> OfAlternative(const std::string& name) const;
 
   /// Runs both sides of each pair, a first time uncounted, and has Callgrind dump what the second
   /// took. False where the program does not run under Valgrind.

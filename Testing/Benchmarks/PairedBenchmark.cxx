@@ -54,11 +54,6 @@ private:
   std::map<std::string, std::vector<double>> Times;
 };
 
-std::string AlternativeName(const PairedBenchmark& pair)
-{
-  return pair.Name + " against";
-}
-
 void Register(const std::string& name, const std::function<void()>& run)
 {
   benchmark::RegisterBenchmark(name.c_str(),
@@ -99,7 +94,7 @@ std::vector<Comparison> Measure(const std::vector<PairedBenchmark>& pairs,
   for (const PairedBenchmark& pair : pairs)
   {
     Register(pair.Name, pair.Run);
-    Register(AlternativeName(pair), pair.RunAgainst);
+    Register(pair.AlternativeName(), pair.RunAgainst);
   }
   // What a neighbour does to the machine for a second hits both sides alike.
   char program[] = "PalpateBenchmarks";
@@ -116,8 +111,8 @@ std::vector<Comparison> Measure(const std::vector<PairedBenchmark>& pairs,
     const auto each = [&pair](std::optional<double> count)
     { return count ? std::optional<double>(*count / pair.Items) : std::nullopt; };
     comparisons.push_back({pair.Name, collector.Shortest(pair.Name) / pair.Items, pair.Against,
-                           collector.Shortest(AlternativeName(pair)) / pair.Items,
-                           each(counts.Of(pair.Name)), each(counts.OfAlternative(pair.Name))});
+                           collector.Shortest(pair.AlternativeName()) / pair.Items,
+                           each(counts.Of(pair.Name)), each(counts.Of(pair.AlternativeName()))});
   }
   return comparisons;
 }

@@ -19,6 +19,9 @@ struct PairedBenchmark
   std::function<std::string()> Disagreement;
   /// How many items a run handles; times are given for one item.
   double Items = 1.0;
+
+  /// Under which the alternative's times and instructions are kept.
+  std::string AlternativeName() const { return this->Name + " against"; }
 };
 
 /// One line of the outcome. Times are real time, the shortest of many short repetitions.

@@ -98,9 +98,10 @@ void MomentTables::MakeConversions(const SphericalHarmonicRecurrence& harmonics)
       if (l > m)
       {
         std::vector<Real> next = TimesZ(current, factors);
+        const double back = Back(harmonics, l, m);
         for (std::size_t k = 0; k < previous.size(); ++k)
         {
-          next[k] -= Back(harmonics, l, m) * previous[k];
+          next[k] -= back * previous[k];
         }
         for (Real& value : next)
         {

@@ -37,8 +37,7 @@ SurfacePatchTree::Sphere SurfacePatchTree::Build(const SphericalHarmonicModel& m
                                                  const RadiusDerivativeBounds& bounds, int node,
                                                  const SphericalTriangle& triangle)
 {
-  const SphericalCap cap = triangle.Cap();
-  this->Caps[static_cast<std::size_t>(node)] = {cap.Center, cap.Radius};
+  this->Caps[static_cast<std::size_t>(node)] = triangle.Cap();
   if (!this->IsInner(node))
   {
     return this->BuildPatch(model, bounds, node);

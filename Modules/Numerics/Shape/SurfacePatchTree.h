@@ -44,12 +44,10 @@ public:
   /// The directions that a node stands for.
   SphericalTriangle Triangle(int node) const noexcept;
   /// A cap of directions around them.
-  struct Cap
+  const SphericalCap& CapOf(int node) const noexcept
   {
-    Vector3 Center; ///< unit vector
-    double Reach;   ///< rad
-  };
-  const Cap& CapOf(int node) const noexcept { return this->Caps[static_cast<std::size_t>(node)]; }
+    return this->Caps[static_cast<std::size_t>(node)];
+  }
 
   /// |R| is between these everywhere, mm.
   double LeastRadius() const noexcept { return std::max({0.0, this->Lowest, -this->Highest}); }
@@ -68,7 +66,7 @@ private:
                     int node);
 
   std::vector<SphericalTriangle> Roots;
-  std::vector<Cap> Caps;
+  std::vector<SphericalCap> Caps;
   std::vector<Sphere> Spheres;
   std::vector<SurfacePatch> Patches;
   double Lowest; // bounds of R

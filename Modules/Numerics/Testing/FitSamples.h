@@ -46,6 +46,25 @@ inline RadialSamples WithoutCap(const RadialSamples& samples, double angle)
   return kept;
 }
 
+/// Takes the weight of every `step`-th sample and makes its radius absurd; returns the others.
+inline RadialSamples SilenceEvery(std::size_t step, RadialSamples& samples)
+{
+  RadialSamples kept;
+  for (std::size_t i = 0; i < samples.Radii.size(); ++i)
+  {
+    if (i % step == 0)
+    {
+      samples.Weights[i] = 0.0;
+      samples.Radii[i] = 1e6;
+      continue;
+    }
+    kept.Directions.push_back(samples.Directions[i]);
+    kept.Radii.push_back(samples.Radii[i]);
+    kept.Weights.push_back(samples.Weights[i]);
+  }
+  return kept;
+}
+
 /// Norm of the difference of two coefficient vectors.
 inline double Distance(const std::vector<double>& a, const std::vector<double>& b)
 {

@@ -4,20 +4,21 @@
 #include "SphericalHarmonicBasis.h"
 #include "SphericalHarmonicModel.h"
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <vector>
 
 namespace palpate::test
 {
-/// The model of a given degree nearest to a radius function (mm): coefficients by quadrature of
-/// four times the degree.
+/// The model of a given degree nearest to a radius function (mm): coefficients by quadrature fine
+/// enough for what the degree leaves out.
 inline SphericalHarmonicModel Project(int degree,
                                       const std::function<double(const Vector3&)>& radius,
                                       const Vector3& centerWorld = Vector3::Zero())
 {
   const SphericalHarmonicBasis basis(degree);
-  const SphereQuadrature sphere(4 * degree);
+  const SphereQuadrature sphere(std::max(4 * degree, 2 * degree + 80));
   std::vector<double> values(basis.Size());
   std::vector<double> coefficients(basis.Size(), 0.0);
   for (std::size_t i = 0; i < sphere.Weights.size(); ++i)

@@ -153,24 +153,32 @@ void ExpectWithin(double bound, const Errors& errors, int degree, ReferenceKind 
   EXPECT_LE(errors.Radius.Value(), bound) << "degree " << degree << ", " << Name(kind);
   EXPECT_LE(errors.Gradient.Value(), bound) << "degree " << degree << ", " << Name(kind);
 }
+
+// Radii, with gradients and alone, in all places.
+void ExpectTrue(double bound, int degree, SphericalHarmonicModel::Formulation formulation)
+{
+  for (const ReferenceKind kind : UnitKinds)
+  {
+    if (degree > 0 || kind != ReferenceKind::NearPole)
+    {
+      ExpectWithin(bound, Compare(degree, kind, ByModel(degree, formulation)), degree, kind);
+      ExpectWithin(bound, Compare(degree, kind, ByRadius(degree, formulation)), degree, kind);
+    }
+  }
+}
+
+void ExpectTrueUpToDegree16(SphericalHarmonicModel::Formulation formulation)
+{
+  for (const int degree : {0, 1, 2, 12, 16})
+  {
+    ExpectTrue(LowDegreeBound, degree, formulation);
+  }
+}
 } // namespace
 
 TEST(References, PolynomialsAreTrueTo14DigitsUpToDegree16)
 {
-  for (const int degree : {0, 1, 2, 12, 16})
-  {
-    for (const ReferenceKind kind : UnitKinds)
-    {
-      if (degree > 0 || kind != ReferenceKind::NearPole)
-      {
-        const auto formulation = SphericalHarmonicModel::Formulation::Automatic;
-        ExpectWithin(LowDegreeBound, Compare(degree, kind, ByModel(degree, formulation)), degree,
-                     kind);
-        ExpectWithin(LowDegreeBound, Compare(degree, kind, ByRadius(degree, formulation)), degree,
-                     kind);
-      }
-    }
-  }
+  ExpectTrueUpToDegree16(SphericalHarmonicModel::Formulation::Automatic);
 }
 
 TEST(References, EveryKernelAndBatchesAreTrueTo14DigitsAtDegree12)
@@ -188,34 +196,14 @@ TEST(References, EveryKernelAndBatchesAreTrueTo14DigitsAtDegree12)
 
 TEST(References, RecurrenceIsTrueTo14DigitsUpToDegree16)
 {
-  for (const int degree : {0, 1, 2, 12, 16})
-  {
-    for (const ReferenceKind kind : UnitKinds)
-    {
-      if (degree > 0 || kind != ReferenceKind::NearPole)
-      {
-        const auto formulation = SphericalHarmonicModel::Formulation::Recurrence;
-        ExpectWithin(LowDegreeBound, Compare(degree, kind, ByModel(degree, formulation)), degree,
-                     kind);
-        ExpectWithin(LowDegreeBound, Compare(degree, kind, ByRadius(degree, formulation)), degree,
-                     kind);
-      }
-    }
-  }
+  ExpectTrueUpToDegree16(SphericalHarmonicModel::Formulation::Recurrence);
 }
 
 TEST(References, RecurrenceIsTrueTo12DigitsUpToDegree1000)
 {
   for (const int degree : {40, 100, 300, 1000})
   {
-    for (const ReferenceKind kind : UnitKinds)
-    {
-      const auto formulation = SphericalHarmonicModel::Formulation::Automatic;
-      ExpectWithin(HighDegreeBound, Compare(degree, kind, ByModel(degree, formulation)), degree,
-                   kind);
-      ExpectWithin(HighDegreeBound, Compare(degree, kind, ByRadius(degree, formulation)), degree,
-                   kind);
-    }
+    ExpectTrue(HighDegreeBound, degree, SphericalHarmonicModel::Formulation::Automatic);
   }
 }
 

@@ -227,19 +227,7 @@ TEST(RobustFit, SamplesOfWeightZeroCountNowhere)
   RadialSamples samples = test::SamplesOf(test::RandomOrgan(random, 4), 8);
   test::AddNoise(random, Noise, samples);
   AddOutliers(random, 0.05, samples);
-  RadialSamples kept;
-  for (std::size_t i = 0; i < samples.Radii.size(); ++i)
-  {
-    if (i % 4 == 0)
-    {
-      samples.Weights[i] = 0.0;
-      samples.Radii[i] = 1e6;
-      continue;
-    }
-    kept.Directions.push_back(samples.Directions[i]);
-    kept.Radii.push_back(samples.Radii[i]);
-    kept.Weights.push_back(samples.Weights[i]);
-  }
+  const RadialSamples kept = test::SilenceEvery(4, samples);
   const SphericalHarmonicFitResult all = Fit(samples, Huber(4));
   const SphericalHarmonicFitResult some = Fit(kept, Huber(4));
   EXPECT_LE(test::Distance(all.Coefficients, some.Coefficients), 1e-10);

@@ -155,19 +155,7 @@ TEST(SphericalHarmonicFit, ASampleOfWeightZeroHasNoInfluence)
   Random random(506);
   RadialSamples samples = test::SamplesOf(test::RandomOrgan(random, 6), 8);
   test::AddNoise(random, 0.5, samples);
-  RadialSamples kept;
-  for (std::size_t i = 0; i < samples.Radii.size(); ++i)
-  {
-    if (i % 3 == 0)
-    {
-      samples.Weights[i] = 0.0;
-      samples.Radii[i] = 1e6;
-      continue;
-    }
-    kept.Directions.push_back(samples.Directions[i]);
-    kept.Radii.push_back(samples.Radii[i]);
-    kept.Weights.push_back(samples.Weights[i]);
-  }
+  const RadialSamples kept = test::SilenceEvery(3, samples);
   for (const auto kind : {Options::Penalty::None, Options::Penalty::GeneralisedCrossValidation})
   {
     Options options = OfDegree(6);

@@ -1,13 +1,13 @@
 #include "SphericalHarmonicMeasures.h"
 
 #include "IcosahedronDirections.h"
+#include "ProjectedShapes.h"
 #include "RandomShapes.h"
 #include "SphereQuadrature.h"
 #include "SphericalHarmonicBasis.h"
 #include "SphericalHarmonicRotation.h"
 
 #include <Eigen/Geometry>
-#include <functional>
 #include <gtest/gtest.h>
 
 namespace palpate
@@ -18,39 +18,17 @@ using test::Random;
 
 const Vector3 Center(10.0, -20.0, 30.0);
 
-// Coefficients of a radius function by quadrature fine enough for what is left out.
-SphericalHarmonicModel Project(int degree, const std::function<double(const Vector3&)>& radius)
-{
-  const SphericalHarmonicBasis basis(degree);
-  const SphereQuadrature sphere(2 * degree + 80);
-  std::vector<double> values(basis.Size());
-  std::vector<double> coefficients(basis.Size(), 0.0);
-  for (std::size_t i = 0; i < sphere.Weights.size(); ++i)
-  {
-    basis.Evaluate(sphere.Directions[i], values.data());
-    const double weighted = sphere.Weights[i] * radius(sphere.Directions[i]);
-    for (std::size_t k = 0; k < values.size(); ++k)
-    {
-      coefficients[k] += weighted * values[k];
-    }
-  }
-  return {degree, coefficients, Center};
-}
-
 SphericalHarmonicModel Ellipsoid(const Vector3& axes, int degree)
 {
-  return Project(degree, [axes](const Vector3& u) { return 1.0 / u.cwiseQuotient(axes).norm(); });
+  const SphericalHarmonicModel centered = test::Ellipsoid(axes, Matrix3::Identity(), degree);
+  return {degree, centered.Coefficients(), Center};
 }
 
 // A sphere seen from a point inside it.
 SphericalHarmonicModel ShiftedSphere(double radius, const Vector3& shift, int degree)
 {
-  return Project(degree,
-                 [radius, shift](const Vector3& u)
-                 {
-                   const double along = shift.dot(u);
-                   return along + std::sqrt(radius * radius - shift.squaredNorm() + along * along);
-                 });
+  const SphericalHarmonicModel centered = test::OffCenterSphere(radius, shift, degree);
+  return {degree, centered.Coefficients(), Center};
 }
 
 BodyMoments Measure(const SphericalHarmonicModel& model)

@@ -1,12 +1,12 @@
 #include "SphericalHarmonicModel.h"
 
 #include "IcosahedronDirections.h"
+#include "ProjectedShapes.h"
 #include "RandomShapes.h"
 #include "SphereQuadrature.h"
 #include "SphericalHarmonicBasis.h"
 
 #include <Eigen/Geometry>
-#include <functional>
 #include <gtest/gtest.h>
 #include <numeric>
 
@@ -15,35 +15,6 @@ namespace palpate
 namespace
 {
 using test::Random;
-
-SphericalHarmonicModel Sphere(double radius)
-{
-  return {0, {radius * std::sqrt(4 * M_PI)}, Vector3::Zero()};
-}
-
-// Coefficients of a radius function, by quadrature of twice the degree.
-SphericalHarmonicModel Project(int degree, const std::function<double(const Vector3&)>& radius)
-{
-  const SphericalHarmonicBasis basis(degree);
-  const SphereQuadrature sphere(4 * degree);
-  std::vector<double> values(basis.Size());
-  std::vector<double> coefficients(basis.Size(), 0.0);
-  for (std::size_t i = 0; i < sphere.Weights.size(); ++i)
-  {
-    basis.Evaluate(sphere.Directions[i], values.data());
-    const double weighted = sphere.Weights[i] * radius(sphere.Directions[i]);
-    for (std::size_t k = 0; k < values.size(); ++k)
-    {
-      coefficients[k] += weighted * values[k];
-    }
-  }
-  return {degree, coefficients, Vector3::Zero()};
-}
-
-SphericalHarmonicModel Ellipsoid(const Vector3& axes, int degree)
-{
-  return Project(degree, [axes](const Vector3& u) { return 1.0 / u.cwiseQuotient(axes).norm(); });
-}
 
 TEST(SphericalHarmonicModel, RadiusIsTheSumOverTheBasis)
 {
@@ -196,7 +167,7 @@ TEST(SphericalHarmonicModel, NormalIsPerpendicularToTheSurfaceAndPointsOut)
 
 TEST(SphericalHarmonicModel, SphereHasItsVolumeAreaAndNormals)
 {
-  const SphericalHarmonicModel sphere = Sphere(7.0);
+  const SphericalHarmonicModel sphere = test::Sphere(7.0);
   // Relative: some roundings.
   EXPECT_NEAR(sphere.Volume() / (4.0 / 3.0 * M_PI * 343.0), 1.0, 1e-14);
   EXPECT_NEAR(sphere.Area() / (4.0 * M_PI * 49.0), 1.0, 1e-14);
@@ -209,12 +180,14 @@ TEST(SphericalHarmonicModel, EllipsoidHasItsVolumeAndArea)
   const Vector3 axes(20.0, 24.0, 28.0);
   // Coefficients fall by about a factor of 4 every two degrees; at 48 the rest is below rounding
   // growth.
-  EXPECT_NEAR(Ellipsoid(axes, 48).Volume() / (4.0 / 3.0 * M_PI * axes.prod()), 1.0, 1e-12);
+  EXPECT_NEAR(test::Ellipsoid(axes, Matrix3::Identity(), 48).Volume() /
+                  (4.0 / 3.0 * M_PI * axes.prod()),
+              1.0, 1e-12);
   const double a = 20.0;
   const double c = 26.0;
   const double e = std::sqrt(1.0 - a * a / (c * c));
   const double prolate = 2.0 * M_PI * a * a * (1.0 + c / (a * e) * std::asin(e));
-  EXPECT_NEAR(Ellipsoid({a, a, c}, 48).Area() / prolate, 1.0, 1e-12);
+  EXPECT_NEAR(test::Ellipsoid({a, a, c}, Matrix3::Identity(), 48).Area() / prolate, 1.0, 1e-12);
 }
 
 TEST(SphericalHarmonicModel, VolumeIsThatOfItsMeshInTheLimit)
