@@ -41,8 +41,7 @@ void ConvertCommand::DeclareOptions(CLI::App& app)
   app.add_option("--label", this->Label,
                  "Write this structure of a segmentation alone, as a mask of 0 and 1")
       ->type_name("N|NAME");
-  app.add_option("--series", this->Series, "DICOM series of a folder: number or UID")
-      ->type_name("N|UID");
+  this->Images.Declare(app, "folder");
   app.add_option("--frequency", this->Frequency,
                  "Subdivision F of the icosahedron that a model is drawn on: 20 F^2 triangles")
       ->check(CLI::Range(1, 200))
@@ -107,12 +106,12 @@ void ConvertCommand::ConvertImage(Console& console) const
   }
   if (!this->Label.empty())
   {
-    const Segmentation segmentation = ReadSegmentation(this->Input);
+    const Segmentation segmentation = ReadSegmentation(this->Input, this->Images.LeftHanded());
     PassOn(segmentation.Notes, console);
     WriteImage(this->Output, MaskOf(segmentation, segmentation.Find(this->Label)));
     return;
   }
-  const ImageContent content = ReadImageContent(this->Input, {this->Series});
+  const ImageContent content = ReadImageContent(this->Input, this->Images.Choice());
   if (content.Image)
   {
     PassOn(content.Image->Notes, console);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "Command.h"
+#include "ImageOptions.h"
 
 #include <filesystem>
 
@@ -27,7 +28,7 @@ private:
   std::filesystem::path Input;
   std::filesystem::path Output;
   std::string Label;
-  std::string Series;
+  ImageOptions Images;
   int Frequency = 20;
 };
 } // namespace palpate::cli

@@ -83,8 +83,7 @@ void FitCommand::DeclareOptions(CLI::App& app)
   this->Options.DeclareSurface(app);
   app.add_option("--volume", this->VolumePath,
                  "The image that the segmentations belong to, for the report's slices");
-  app.add_option("--series", this->Series, "DICOM series of a --volume folder: number or UID")
-      ->type_name("N|UID");
+  this->Images.Declare(app, "--volume folder");
   app.add_option("--output", this->OutputFolder,
                  "Folder for models, surfaces and report.html (default: write nothing)")
       ->type_name("DIR");
@@ -106,7 +105,7 @@ int FitCommand::Run(Console& console)
   std::optional<Volume> volume;
   if (!this->VolumePath.empty())
   {
-    volume = ReadVolume(this->VolumePath, {this->Series});
+    volume = ReadVolume(this->VolumePath, this->Images.Choice());
   }
   try
   {
@@ -132,7 +131,7 @@ void FitCommand::FitFile(std::size_t file, const Volume* volume, Console& consol
   Segmentation segmentation;
   try
   {
-    segmentation = ReadSegmentation(input);
+    segmentation = ReadSegmentation(input, this->Images.LeftHanded());
   }
   catch (const InputError& error)
   {

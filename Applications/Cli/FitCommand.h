@@ -5,6 +5,7 @@
 #include "Command.h"
 #include "FitOptions.h"
 #include "FitResult.h"
+#include "ImageOptions.h"
 #include "ReportIndex.h"
 #include "StructureChoice.h"
 
@@ -54,7 +55,7 @@ private:
   std::vector<std::string> Inputs;
   FitOptions Options;
   std::string VolumePath;
-  std::string Series;
+  ImageOptions Images;
   std::string OutputFolder;
   bool Json = false;
 

@@ -24,10 +24,7 @@ void InfoCommand::DeclareOptions(CLI::App& app)
   app.add_option("FILE", this->Inputs,
                  "Images (NIfTI, NRRD, MetaImage, DICOM file or folder) and segmentations")
       ->required();
-  app.add_option(
-         "--series", this->Series,
-         "DICOM series of a folder: its number in the list that the error gives, or its UID")
-      ->type_name("N|UID");
+  this->Images.Declare(app, "folder");
   app.add_flag("--json", this->Json, "One JSON object a line instead of text");
 }
 
@@ -35,7 +32,7 @@ void InfoCommand::Describe(const std::string& input, Console& console) const
 {
   InfoReport report;
   report.Input = input;
-  report.Content = ReadImageContent(input, {this->Series});
+  report.Content = ReadImageContent(input, this->Images.Choice());
   if (report.Content.Labels)
   {
     report.Labels = MeasureLabels(*report.Content.Labels);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "Command.h"
+#include "ImageOptions.h"
 
 #include <string>
 #include <vector>
@@ -22,7 +23,7 @@ private:
   void Describe(const std::string& input, Console& console) const;
 
   std::vector<std::string> Inputs;
-  std::string Series;
+  ImageOptions Images;
   bool Json = false;
 };
 } // namespace palpate::cli

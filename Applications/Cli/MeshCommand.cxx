@@ -60,6 +60,7 @@ void MeshCommand::DeclareOptions(CLI::App& app)
 {
   app.add_option("MASK", this->Inputs, "Segmentations: label maps, .seg.nrrd, DICOM-SEG")
       ->required();
+  this->Images.DeclareAxes(app);
   this->Options.DeclareLabels(app);
   this->Options.DeclareSurface(app);
   app.add_option("--output", this->Output,
@@ -112,7 +113,7 @@ int MeshCommand::Run(Console& console)
 
 Segmentation MeshCommand::Read(const std::filesystem::path& input, StructureChoice& choice) const
 {
-  Segmentation segmentation = ReadSegmentation(input);
+  Segmentation segmentation = ReadSegmentation(input, this->Images.LeftHanded());
   choice = ChooseStructures(segmentation, this->Options.Labels());
   if (this->OutputIsFile() && choice.Found.size() > 1)
   {

@@ -6,6 +6,7 @@
 #include "FitOptions.h"
 #include "FitResult.h"
 #include "FitSettings.h"
+#include "ImageOptions.h"
 #include "Segmentation.h"
 #include "StructureChoice.h"
 
@@ -50,6 +51,7 @@ private:
   bool OutputIsFile() const;
 
   std::vector<std::string> Inputs;
+  ImageOptions Images;
   FitOptions Options;
   FitSettings Settings;
   std::filesystem::path Output;

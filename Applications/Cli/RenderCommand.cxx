@@ -111,8 +111,7 @@ void RenderCommand::DeclareOptions(CLI::App& app)
       ->required();
   this->Options.DeclareLabels(app);
   app.add_option("--volume", this->VolumePath, "Draw slices of this image");
-  app.add_option("--series", this->Series, "DICOM series of a --volume folder: number or UID")
-      ->type_name("N|UID");
+  this->Images.Declare(app, "--volume folder");
   app.add_option("--slices", this->Slices,
                  "Which slices of --volume, through the middle of what is drawn")
       ->delimiter(',')
@@ -144,7 +143,7 @@ SceneRenderer::Color RenderCommand::NextColor()
 void RenderCommand::AddSegmentation(const std::filesystem::path& file, SceneRenderer& scene,
                                     Console& console)
 {
-  const Segmentation segmentation = ReadSegmentation(file);
+  const Segmentation segmentation = ReadSegmentation(file, this->Images.LeftHanded());
   const StructureChoice choice = ChooseStructures(segmentation, this->Options.Labels());
   if (!choice.Lost.empty())
   {
@@ -188,7 +187,7 @@ void RenderCommand::AddFile(const std::filesystem::path& file, SceneRenderer& sc
 
 void RenderCommand::AddSlices(SceneRenderer& scene) const
 {
-  const Volume volume = ReadVolume(this->VolumePath, {this->Series});
+  const Volume volume = ReadVolume(this->VolumePath, this->Images.Choice());
   Vector3 middle = scene.MiddleWorld();
   if (this->Inputs.empty())
   {

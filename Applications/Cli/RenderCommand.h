@@ -2,6 +2,7 @@
 
 #include "Command.h"
 #include "FitOptions.h"
+#include "ImageOptions.h"
 #include "SceneRenderer.h"
 
 #include <filesystem>
@@ -35,7 +36,7 @@ private:
   FitOptions Options;
   std::filesystem::path Output;
   std::string VolumePath;
-  std::string Series;
+  ImageOptions Images;
   std::vector<std::string> Slices{"axial", "sagittal", "coronal"};
   std::string Size = "800x800";
   std::string View = "oblique";

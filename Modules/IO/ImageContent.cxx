@@ -34,7 +34,7 @@ ImageContent ReadImageContent(const std::filesystem::path& path, const VolumeCho
   content.Kind = isFolder ? std::string() : SegmentationKind(path, kind);
   if (!content.Kind.empty())
   {
-    content.Labels = ReadSegmentation(path);
+    content.Labels = ReadSegmentation(path, choice.LeftHanded);
     return content;
   }
   content.Image = ReadVolume(path, choice);

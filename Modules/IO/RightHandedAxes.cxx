@@ -1,5 +1,7 @@
 #include "RightHandedAxes.h"
 
+#include "Refusal.h"
+
 #include <Eigen/LU>
 #include <algorithm>
 #include <cstddef>
@@ -56,11 +58,18 @@ void ReverseAxis(const ImageGrid& grid, int axis, vtkDataArray* voxels)
 }
 } // namespace
 
-std::string MakeRightHanded(ImageGrid& grid, vtkDataArray* voxels)
+std::string MakeRightHanded(const std::filesystem::path& file, LeftHandedAxes handling,
+                            ImageGrid& grid, vtkDataArray* voxels)
 {
   if (grid.Direction.determinant() > 0.0)
   {
     return {};
+  }
+  if (handling == LeftHandedAxes::Refuse)
+  {
+    Refuse(file, "has left-handed directions, which mirror the patient if the header is wrong",
+           "if they are right (as from FSL or dcm2niix), read it with one index axis reversed "
+           "(--reverse-left-handed)");
   }
   const int axis = AxisToReverse(grid.Direction);
   ReverseAxis(grid, axis, voxels);

@@ -35,7 +35,8 @@ vtkSmartPointer<vtkDataArray> ExtractLayer(const std::filesystem::path& file, vt
 }
 
 Segmentation ReadSlicerSegmentation(const std::filesystem::path& path, ImageFile& file,
-                                    const std::vector<Segment>& described)
+                                    const std::vector<Segment>& described,
+                                    LeftHandedAxes leftHanded)
 {
   Segmentation segmentation;
   segmentation.Source = path;
@@ -43,7 +44,7 @@ Segmentation ReadSlicerSegmentation(const std::filesystem::path& path, ImageFile
   const vtkSmartPointer<vtkDataArray> voxels = file.NewArray();
   file.ReadInto(voxels->GetVoidPointer(0));
   ImageGrid grid = file.Grid();
-  if (const std::string note = MakeRightHanded(grid, voxels); !note.empty())
+  if (const std::string note = MakeRightHanded(path, leftHanded, grid, voxels); !note.empty())
   {
     segmentation.Notes.push_back(note);
   }
@@ -76,7 +77,7 @@ std::filesystem::path FindDicomSegmentation(const std::filesystem::path& folder)
 }
 } // namespace
 
-Segmentation ReadSegmentation(const std::filesystem::path& path)
+Segmentation ReadSegmentation(const std::filesystem::path& path, LeftHandedAxes leftHanded)
 {
   std::error_code failure;
   if (std::filesystem::is_directory(path, failure))
@@ -98,10 +99,10 @@ Segmentation ReadSegmentation(const std::filesystem::path& path)
     ImageFile file(path, kind);
     if (const std::vector<Segment> described = SlicerSegments(file.Entries()); !described.empty())
     {
-      return ReadSlicerSegmentation(path, file, described);
+      return ReadSlicerSegmentation(path, file, described, leftHanded);
     }
   }
-  return LabelMapOf(ReadVolume(path));
+  return LabelMapOf(ReadVolume(path, {{}, leftHanded}));
 }
 
 const Segment& Segmentation::Find(const std::string& labelOrName) const

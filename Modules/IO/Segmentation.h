@@ -1,5 +1,6 @@
 #pragma once
 
+#include "LeftHandedAxes.h"
 #include "PalpateIOModule.h"
 #include "vtkImageData.h"
 #include "vtkSmartPointer.h"
@@ -39,5 +40,6 @@ struct Segmentation
 /// Reads a label map (NIfTI, NRRD, MetaImage), 3D Slicer's .seg.nrrd, or a DICOM segmentation
 /// object. A file of names beside a label map (such as mricron's `aal.nii.txt` beside `aal.nii.gz`)
 /// is used. Throws InputError, also where no voxel is labelled.
-PALPATEIO_EXPORT Segmentation ReadSegmentation(const std::filesystem::path& path);
+PALPATEIO_EXPORT Segmentation ReadSegmentation(const std::filesystem::path& path,
+                                               LeftHandedAxes leftHanded = LeftHandedAxes::Refuse);
 } // namespace palpate

@@ -14,7 +14,7 @@ namespace palpate
 {
 namespace
 {
-Volume ReadImageFile(const std::filesystem::path& path, FileKind kind)
+Volume ReadImageFile(const std::filesystem::path& path, FileKind kind, LeftHandedAxes handling)
 {
   ImageFile file(path, kind);
   if (file.Components() != 1)
@@ -28,7 +28,7 @@ Volume ReadImageFile(const std::filesystem::path& path, FileKind kind)
   Volume volume;
   volume.Source = path;
   volume.Notes = file.Notes();
-  if (const std::string note = MakeRightHanded(grid, voxels); !note.empty())
+  if (const std::string note = MakeRightHanded(path, handling, grid, voxels); !note.empty())
   {
     volume.Notes.push_back(note);
   }
@@ -58,7 +58,8 @@ Volume ReadVolume(const std::filesystem::path& path, const VolumeChoice& choice)
   std::error_code failure;
   const bool isFolder = std::filesystem::is_directory(path, failure);
   const FileKind kind = isFolder ? FileKind::Dicom : DetectFileKind(path);
-  Volume volume = kind == FileKind::Dicom ? ReadDicom(path, choice) : ReadImageFile(path, kind);
+  Volume volume = kind == FileKind::Dicom ? ReadDicom(path, choice)
+                                          : ReadImageFile(path, kind, choice.LeftHanded);
   CheckFinite(path, volume.Image->GetPointData()->GetScalars());
   return volume;
 }

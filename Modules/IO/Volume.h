@@ -1,5 +1,6 @@
 #pragma once
 
+#include "LeftHandedAxes.h"
 #include "PalpateIOModule.h"
 #include "vtkImageData.h"
 #include "vtkSmartPointer.h"
@@ -20,12 +21,13 @@ struct Volume
   std::vector<std::string> Notes;
 };
 
-/// What the user may have to choose when a path holds more than one volume.
+/// What the user may have to choose before a path can be read.
 struct VolumeChoice
 {
   /// Series instance UID, or its number in the list that the error message gives (from 1); empty
   /// where there is only one.
   std::string DicomSeries;
+  LeftHandedAxes LeftHanded = LeftHandedAxes::Refuse;
 };
 
 /// Reads NIfTI, NRRD, MetaImage, or a DICOM series given by its folder or by one of its files.

@@ -48,8 +48,11 @@ int vtkOrientedVolumeReader::RequestInformation(vtkInformation*, vtkInformationV
     this->State->Volume = {};
     try
     {
-      this->State->Volume = palpate::ReadVolume(this->FileName ? this->FileName : "",
-                                                {this->Series ? this->Series : ""});
+      this->State->Volume =
+          palpate::ReadVolume(this->FileName ? this->FileName : "",
+                              {this->Series ? this->Series : "",
+                               this->ReverseLeftHanded ? palpate::LeftHandedAxes::Reverse
+                                                       : palpate::LeftHandedAxes::Refuse});
     }
     catch (const std::exception& error)
     {
@@ -75,5 +78,6 @@ void vtkOrientedVolumeReader::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "FileName: " << (this->FileName ? this->FileName : "(none)") << '\n';
   os << indent << "Series: " << (this->Series ? this->Series : "(none)") << '\n';
+  os << indent << "ReverseLeftHanded: " << this->ReverseLeftHanded << '\n';
   os << indent << "Notes: " << this->GetNumberOfNotes() << '\n';
 }

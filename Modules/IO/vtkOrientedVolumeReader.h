@@ -36,6 +36,16 @@ public:
   ///@}
 
   ///@{
+  /**
+   * Read a file with left-handed directions by reversing one index axis; every voxel keeps its
+   * place. Off by default: such a file is an error, as its header may mirror the patient.
+   */
+  vtkSetMacro(ReverseLeftHanded, bool);
+  vtkGetMacro(ReverseLeftHanded, bool);
+  vtkBooleanMacro(ReverseLeftHanded, bool);
+  ///@}
+
+  ///@{
   /** What was done to the file's data on the way in, a sentence each. After UpdateInformation. */
   int GetNumberOfNotes();
   const char* GetNote(int index);
@@ -55,6 +65,7 @@ private:
   void operator=(const vtkOrientedVolumeReader&) = delete;
 
   char* FileName = nullptr;
+  bool ReverseLeftHanded = false;
   char* Series = nullptr;
   struct ReadState;
   std::unique_ptr<ReadState> State;

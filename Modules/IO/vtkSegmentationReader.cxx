@@ -17,6 +17,7 @@ struct vtkSegmentationReader::ReadState
 {
   palpate::Segmentation Segmentation;
   std::optional<std::string> FileName; ///< of the file that was read
+  bool ReverseLeftHanded = false;      ///< when it was read
 
   const palpate::Segment* Find(int index) const
   {
@@ -94,14 +95,16 @@ const char* vtkSegmentationReader::GetNote(int index)
 bool vtkSegmentationReader::ReadFile()
 {
   const std::string name = this->FileName ? this->FileName : "";
-  if (this->State->FileName == name)
+  if (this->State->FileName == name && this->State->ReverseLeftHanded == this->ReverseLeftHanded)
   {
     return true;
   }
   *this->State = {};
   try
   {
-    this->State->Segmentation = palpate::ReadSegmentation(name);
+    this->State->Segmentation =
+        palpate::ReadSegmentation(name, this->ReverseLeftHanded ? palpate::LeftHandedAxes::Reverse
+                                                                : palpate::LeftHandedAxes::Refuse);
   }
   catch (const std::exception& error)
   {
@@ -109,6 +112,7 @@ bool vtkSegmentationReader::ReadFile()
     return false;
   }
   this->State->FileName = name;
+  this->State->ReverseLeftHanded = this->ReverseLeftHanded;
   return true;
 }
 
@@ -143,6 +147,7 @@ void vtkSegmentationReader::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "FileName: " << (this->FileName ? this->FileName : "(none)") << '\n';
+  os << indent << "ReverseLeftHanded: " << this->ReverseLeftHanded << '\n';
   os << indent << "Layer: " << this->Layer << '\n';
   os << indent << "Layers: " << this->GetNumberOfLayers() << '\n';
   os << indent << "Segments: " << this->GetNumberOfSegments() << '\n';

@@ -50,6 +50,16 @@ public:
   ///@}
 
   ///@{
+  /**
+   * Read a file with left-handed directions by reversing one index axis; every voxel keeps its
+   * place. Off by default: such a file is an error, as its header may mirror the patient.
+   */
+  vtkSetMacro(ReverseLeftHanded, bool);
+  vtkGetMacro(ReverseLeftHanded, bool);
+  vtkBooleanMacro(ReverseLeftHanded, bool);
+  ///@}
+
+  ///@{
   /** What was done to the file's data on the way in, a sentence each. After UpdateInformation. */
   int GetNumberOfNotes();
   const char* GetNote(int index);
@@ -71,6 +81,7 @@ private:
   bool ReadFile();
 
   char* FileName = nullptr;
+  bool ReverseLeftHanded = false;
   int Layer = 0;
   struct ReadState;
   std::unique_ptr<ReadState> State;

@@ -121,6 +121,40 @@ TEST(CliCases, NamesThatOnlyTogetherCollideAreNumbered)
   EXPECT_EQ(Lines(run.Output).at(1).at("folder"), "o/a_1_2-2");
 }
 
+TEST(CliCases, LeftHandedFilesAreReadWhereAskedByEveryCommand)
+{
+  const TemporaryFolder folder;
+  WriteTwoBalls(folder / "plain.nrrd");
+  const std::string axis = "space directions: (1,0,0)";
+  std::string bytes = ReadAll(folder / "plain.nrrd");
+  ASSERT_NE(bytes.find(axis), std::string::npos) << bytes.substr(0, 500);
+  WriteAll(folder / "m.nrrd",
+           bytes.replace(bytes.find(axis), axis.size(), "space directions: (-1,0,0)"));
+  const std::vector<std::vector<std::string>> commands{
+      {"info", "m.nrrd"},
+      {"fit", "m.nrrd", "--label", "1", "--degree", "2", "--frequency", "6", "--output", "fit"},
+      {"fit", "plain.nrrd", "--label", "1", "--degree", "2", "--frequency", "6", "--volume",
+       "m.nrrd", "--output", "report"},
+      {"mesh", "m.nrrd", "--label", "1", "--output", "m.vtp"},
+      {"convert", "m.nrrd", "m.nii.gz"},
+      {"convert", "m.nrrd", "one.nii.gz", "--label", "1"},
+  };
+  for (std::vector<std::string> command : commands)
+  {
+    const CommandRun refused = RunPalpate(command, folder.Path());
+    EXPECT_EQ(refused.Code, 2) << command[0];
+    EXPECT_TRUE(Has(refused.Errors, "m.nrrd has left-handed directions")) << refused.Errors;
+    EXPECT_TRUE(Has(refused.Errors, "(--reverse-left-handed)")) << refused.Errors;
+    EXPECT_EQ(folder.EntryCount(), 2u) << command[0];
+  }
+  for (std::vector<std::string> command : commands)
+  {
+    command.emplace_back("--reverse-left-handed");
+    const CommandRun read = RunPalpate(command, folder.Path());
+    EXPECT_EQ(read.Code, 0) << command[0] << ": " << read.Errors;
+  }
+}
+
 TEST(CliCases, NumbersThatAreNoneAreRefusedByTheOptionsName)
 {
   const TemporaryFolder folder;

@@ -1,4 +1,5 @@
 #include "ImageGrid.h"
+#include "InputError.h"
 #include "MessageOf.h"
 #include "Segmentation.h"
 #include "SyntheticImages.h"
@@ -54,11 +55,12 @@ std::vector<std::string> SlicerLines(int layers, const std::vector<std::string>&
   return lines;
 }
 
-Segmentation ReadSlicer(const std::vector<std::string>& lines, const std::string& voxels)
+Segmentation ReadSlicer(const std::vector<std::string>& lines, const std::string& voxels,
+                        LeftHandedAxes leftHanded = LeftHandedAxes::Refuse)
 {
   const TemporaryFolder folder;
   WriteAll(folder / "a.seg.nrrd", NrrdBytes(lines, voxels));
-  return ReadSegmentation(folder / "a.seg.nrrd");
+  return ReadSegmentation(folder / "a.seg.nrrd", leftHanded);
 }
 } // namespace
 
@@ -183,7 +185,8 @@ TEST(Segmentation, LeftHandedSlicerLayersKeepTheirPlaces)
   std::string voxels(240, '\0');
   voxels[0] = 1;
   voxels[2 * 119 + 1] = 1;
-  const Segmentation segmentation = ReadSlicer(lines, voxels);
+  EXPECT_THROW(ReadSlicer(lines, voxels), InputError);
+  const Segmentation segmentation = ReadSlicer(lines, voxels, LeftHandedAxes::Reverse);
   // The slices are reversed: voxel 0 of slice 0 is now in slice 5, the last one in slice 0.
   EXPECT_EQ(ValueOf(segmentation, 0, 100), 1);
   EXPECT_EQ(ValueOf(segmentation, 1, 19), 1);

@@ -27,6 +27,13 @@ std::string TurnedNrrd(const std::string& voxels)
   return NrrdBytes(lines, voxels);
 }
 
+std::string MirroredNrrd()
+{
+  std::vector<std::string> lines = PlainNrrdLines("unsigned char");
+  lines[4] = "space directions: (2,0,0) (0,-2,0) (0,0,2)";
+  return NrrdBytes(lines, std::string(120, '\1'));
+}
+
 // Errors that a reader and its executive report.
 struct ErrorWatch
 {
@@ -72,6 +79,35 @@ TEST(vtkOrientedVolumeReader, BadFileRaisesTheSentenceAndAnotherNameRecovers)
   reader->SetFileName((folder / "a.nrrd").c_str());
   reader->Update();
   EXPECT_EQ(reader->GetOutput()->GetNumberOfPoints(), 120);
+}
+
+template <typename Reader>
+void ExpectMirroredFileOnlyWhereAsked()
+{
+  const TemporaryFolder folder;
+  WriteAll(folder / "a.nrrd", MirroredNrrd());
+  vtkNew<Reader> reader;
+  const ErrorWatch errors(reader);
+  reader->SetFileName((folder / "a.nrrd").c_str());
+  reader->Update();
+  EXPECT_NE(errors.Own->GetErrorMessage().find("left-handed"), std::string::npos);
+  EXPECT_EQ(reader->GetOutput()->GetNumberOfPoints(), 0);
+  reader->ReverseLeftHandedOn();
+  reader->Update();
+  EXPECT_EQ(reader->GetOutput()->GetNumberOfPoints(), 120);
+  EXPECT_EQ(GridOf(reader->GetOutput()).OriginWorld, Vector3(10, 12, 30));
+  ASSERT_EQ(reader->GetNumberOfNotes(), 1);
+  EXPECT_NE(std::string(reader->GetNote(0)).find("index axis 2 was reversed"), std::string::npos);
+}
+
+TEST(vtkOrientedVolumeReader, LeftHandedFileIsReversedWhereAsked)
+{
+  ExpectMirroredFileOnlyWhereAsked<vtkOrientedVolumeReader>();
+}
+
+TEST(vtkSegmentationReader, LeftHandedFileIsReversedWhereAsked)
+{
+  ExpectMirroredFileOnlyWhereAsked<vtkSegmentationReader>();
 }
 
 TEST(vtkSegmentationReader, LayersAndSegmentsAreAtHand)
