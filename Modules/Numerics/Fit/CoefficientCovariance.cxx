@@ -8,13 +8,13 @@ namespace palpate
 {
 namespace
 {
-Eigen::Map<const Eigen::VectorXd> AsVector(const AlignedVector& v, int size)
+Eigen::Map<const Eigen::VectorXd> AsVector(const CacheLineVector<double>& v, int size)
 {
   return {v.data(), size};
 }
 } // namespace
 
-double CoefficientCovariance::Deviation(AlignedVector combination) const
+double CoefficientCovariance::Deviation(CacheLineVector<double> combination) const
 {
   if (this->System.Size() == 0)
   {
@@ -22,21 +22,21 @@ double CoefficientCovariance::Deviation(AlignedVector combination) const
     return std::sqrt(this->Variance) * AsVector(combination, this->Size()).norm();
   }
   this->System.Solve(combination.data());
-  AlignedVector reached = this->Samples.MakeVector();
+  CacheLineVector<double> reached = this->Samples.MakeVector();
   this->Samples.MultiplyUpper(combination.data(), reached.data());
   return std::sqrt(this->Variance) * AsVector(reached, this->Size()).norm();
 }
 
 double CoefficientCovariance::RadiusDeviation(const double* basisValues) const
 {
-  AlignedVector values = this->Samples.MakeVector();
+  CacheLineVector<double> values = this->Samples.MakeVector();
   std::copy_n(basisValues, this->Size(), values.begin());
   return this->Deviation(std::move(values));
 }
 
 double CoefficientCovariance::CoefficientDeviation(std::size_t index) const
 {
-  AlignedVector unit = this->Samples.MakeVector();
+  CacheLineVector<double> unit = this->Samples.MakeVector();
   unit[index] = 1.0;
   return this->Deviation(std::move(unit));
 }
@@ -44,8 +44,8 @@ double CoefficientCovariance::CoefficientDeviation(std::size_t index) const
 Eigen::MatrixXd CoefficientCovariance::Factor() const
 {
   Eigen::MatrixXd factor(this->Size(), this->Size());
-  AlignedVector column = this->Samples.MakeVector();
-  AlignedVector unit = this->Samples.MakeVector();
+  CacheLineVector<double> column = this->Samples.MakeVector();
+  CacheLineVector<double> unit = this->Samples.MakeVector();
   for (int i = 0; i < this->Size(); ++i)
   {
     std::fill(unit.begin(), unit.end(), 0.0);
@@ -72,8 +72,8 @@ double CoefficientCovariance::DegreesOfFreedom() const
     return this->Size();
   }
   double trace = 0.0;
-  AlignedVector unit = this->Samples.MakeVector();
-  AlignedVector column = this->Samples.MakeVector();
+  CacheLineVector<double> unit = this->Samples.MakeVector();
+  CacheLineVector<double> column = this->Samples.MakeVector();
   for (int i = 0; i < this->Size(); ++i)
   {
     std::fill(unit.begin(), unit.end(), 0.0);

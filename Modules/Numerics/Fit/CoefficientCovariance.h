@@ -42,7 +42,7 @@ public:
   double Trace() const;
 
 private:
-  double Deviation(AlignedVector combination) const;
+  double Deviation(CacheLineVector<double> combination) const;
 
   PackedTriangle Samples;
   PackedTriangle System; // of size 0 without a penalty

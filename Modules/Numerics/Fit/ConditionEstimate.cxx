@@ -13,9 +13,9 @@ namespace
 constexpr int MostSteps = 16;
 
 // A fixed start without symmetry, so that it is orthogonal to no eigenvector in practice.
-AlignedVector Start(const PackedTriangle& factor)
+CacheLineVector<double> Start(const PackedTriangle& factor)
 {
-  AlignedVector v = factor.MakeVector();
+  CacheLineVector<double> v = factor.MakeVector();
   Eigen::Map<Eigen::VectorXd> head(v.data(), factor.Size());
   for (Eigen::Index i = 0; i < head.size(); ++i)
   {
@@ -40,14 +40,14 @@ double LargestRitzValue(const std::vector<double>& diagonal, const std::vector<d
 template <typename Apply>
 double LargestEigenvalue(const PackedTriangle& factor, const Apply& apply)
 {
-  std::vector<AlignedVector> basis{Start(factor)};
+  std::vector<CacheLineVector<double>> basis{Start(factor)};
   std::vector<double> diagonal;
   std::vector<double> beside;
   double value = 0.0;
   const int steps = std::min(MostSteps, factor.Size());
   for (int step = 0; step < steps; ++step)
   {
-    AlignedVector next = basis.back();
+    CacheLineVector<double> next = basis.back();
     apply(next.data());
     Eigen::Map<Eigen::VectorXd> w(next.data(), factor.PaddedSize());
     for (std::size_t k = basis.size(); k-- > 0;)
@@ -88,7 +88,7 @@ double EstimateCondition(const PackedTriangle& factor)
       return std::numeric_limits<double>::infinity();
     }
   }
-  AlignedVector work = factor.MakeVector();
+  CacheLineVector<double> work = factor.MakeVector();
   const double largest = LargestEigenvalue(factor,
                                            [&factor, &work](double* x)
                                            {

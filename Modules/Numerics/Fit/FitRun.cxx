@@ -26,7 +26,7 @@ Status IllPosed(double condition, const Options& options)
 }
 
 // Root mean square over the sphere of the difference of two radius functions.
-double RmsDifference(const AlignedVector& a, const AlignedVector& b)
+double RmsDifference(const CacheLineVector<double>& a, const CacheLineVector<double>& b)
 {
   double squares = 0.0;
   for (std::size_t i = 0; i < a.size(); ++i)
@@ -122,7 +122,7 @@ CoefficientCovariance FitRun::Covariance() const
 double FitRun::FinishCommon(const std::vector<double>& weights,
                             SphericalHarmonicFitResult& result) const
 {
-  const AlignedVector& coefficients = this->Solver.Coefficients();
+  const CacheLineVector<double>& coefficients = this->Solver.Coefficients();
   result.Coefficients.assign(coefficients.begin(),
                              coefficients.begin() + this->Solver.Triangle().Size());
   result.Residuals = this->Solver.Residuals();
@@ -159,7 +159,7 @@ Status FitRun::Finish(SphericalHarmonicFitResult& result)
 // A leading block of the triangle solves the problem of the leading columns.
 void FitRun::FindRmsByDegree(SphericalHarmonicFitResult& result) const
 {
-  const AlignedVector& projection = this->Solver.Projection();
+  const CacheLineVector<double>& projection = this->Solver.Projection();
   double squares = this->Solver.Unreachable();
   result.RmsByDegree.resize(static_cast<std::size_t>(this->Settings.Degree) + 1);
   for (int l = this->Settings.Degree; l >= 0; --l)
@@ -191,7 +191,7 @@ Status FitRun::FinishRobust(SphericalHarmonicFitResult& result)
     huber.Update(this->Solver.Residuals());
     std::transform(this->Weights.begin(), this->Weights.end(), huber.Factors().begin(),
                    weights.begin(), std::multiplies<>());
-    const AlignedVector before = this->Solver.Coefficients();
+    const CacheLineVector<double> before = this->Solver.Coefficients();
     this->IsAble = this->Solver.Reduce(this->View(weights)) &&
                    (step >= FreeSteps || this->FindStrength()) &&
                    this->Solver.Solve(this->Strength);

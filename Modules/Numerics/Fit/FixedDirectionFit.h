@@ -27,7 +27,7 @@ public:
   struct Scratch
   {
     ResidualMoments Sums;
-    AlignedVector Coefficients;
+    CacheLineVector<double> Coefficients;
   };
 
   /// Unit directions, weights (only their ratios matter), degree and the strength of the roughness

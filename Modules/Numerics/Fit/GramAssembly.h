@@ -32,8 +32,9 @@ private:
                int columns, PackedTriangle& gram) const noexcept;
 
   const moments::Kernel* Kernel;
-  AlignedVector Weights; // [order][parity][part][node]: measure at the nodes, times s^-order
-  AlignedVector Pair;    // [4][node]: of cosine cosine, sine sine, cosine sine, sine cosine
-  AlignedVector Products;
+  CacheLineVector<double>
+      Weights;                  // [order][parity][part][node]: measure at the nodes, times s^-order
+  CacheLineVector<double> Pair; // [4][node]: of cosine cosine, sine sine, cosine sine, sine cosine
+  CacheLineVector<double> Products;
 };
 } // namespace palpate

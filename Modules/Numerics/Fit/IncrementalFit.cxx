@@ -96,7 +96,7 @@ Status IncrementalFit::Restart()
   }
   this->Values = this->Solver.Coefficients();
   this->Inverse.Clear();
-  AlignedVector column = this->Inverse.MakeVector();
+  CacheLineVector<double> column = this->Inverse.MakeVector();
   for (int i = 0; i < this->Inverse.Size(); ++i)
   {
     std::fill(column.begin(), column.end(), 0.0);

@@ -81,8 +81,8 @@ private:
   double Strength = 0.0;
   double WeightScale = 0.0;
   PackedTriangle Inverse;
-  AlignedVector Values;
-  AlignedVector Harmonics;
-  AlignedVector Gain;
+  CacheLineVector<double> Values;
+  CacheLineVector<double> Harmonics;
+  CacheLineVector<double> Gain;
 };
 } // namespace palpate

@@ -46,13 +46,13 @@ public:
     return this->IsPenalised ? this->Penalised : this->Reduced;
   }
   /// (degree + 1)^2 coefficients, padded.
-  const AlignedVector& Coefficients() const noexcept { return this->Solution; }
+  const CacheLineVector<double>& Coefficients() const noexcept { return this->Solution; }
   /// Sample minus model, one a sample.
   const std::vector<double>& Residuals() const noexcept { return this->Left; }
 
   /// L^-1 A^T b, padded: coordinates of the weighted radii b in an orthonormal basis of what A
   /// reaches. Its first (l + 1)^2 entries belong to degree l.
-  const AlignedVector& Projection() const noexcept { return this->Projected; }
+  const CacheLineVector<double>& Projection() const noexcept { return this->Projected; }
   /// Sum of squares of what no coefficients reach: the residual of the fit without penalty.
   double Unreachable() const noexcept { return this->UnreachableSquares; }
 
@@ -66,8 +66,8 @@ protected:
   SampleView Samples{};
   PackedTriangle Reduced;
   PackedTriangle Penalised;
-  AlignedVector Solution;
-  AlignedVector Projected;
+  CacheLineVector<double> Solution;
+  CacheLineVector<double> Projected;
   double UnreachableSquares = 0.0;
   std::vector<double> Left;
 };

@@ -17,7 +17,7 @@ constexpr double Negligible = 1e-14;
 constexpr double Converged = 1e-9;
 constexpr int MostSteps = 8;
 
-double NormOf(const AlignedVector& v)
+double NormOf(const CacheLineVector<double>& v)
 {
   return Eigen::Map<const Eigen::VectorXd>(v.data(), static_cast<Eigen::Index>(v.size())).norm();
 }

@@ -46,7 +46,7 @@ private:
   ResidualMoments Residual;
   GramAssembly Assembly;
   PackedTriangle Gram;
-  AlignedVector Right;
-  AlignedVector Correction;
+  CacheLineVector<double> Right;
+  CacheLineVector<double> Correction;
 };
 } // namespace palpate

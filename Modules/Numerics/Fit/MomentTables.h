@@ -1,6 +1,6 @@
 #pragma once
 
-#include "AlignedVector.h"
+#include "CacheLineVector.h"
 #include "MomentKernel.h"
 #include "SphericalHarmonicRecurrence.h"
 
@@ -73,11 +73,11 @@ private:
   std::vector<double> NodeZ;
   std::vector<double> NodeWeights; // doubled where z > 0, for the node at -z
   std::vector<double> Factors;
-  AlignedVector FamilyValues;
+  CacheLineVector<double> FamilyValues;
   std::vector<std::size_t> FamilyStarts;
-  AlignedVector Powers;
+  CacheLineVector<double> Powers;
   std::vector<double> Conversions; // order by order, degree by degree: columns 0 .. l - m
-  AlignedVector BlockValues;
+  CacheLineVector<double> BlockValues;
   struct BlockPlace
   {
     int Rows;

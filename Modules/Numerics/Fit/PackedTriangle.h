@@ -1,6 +1,6 @@
 #pragma once
 
-#include "AlignedVector.h"
+#include "CacheLineVector.h"
 #include "TriangleKernel.h"
 
 #include <Eigen/Core>
@@ -13,8 +13,9 @@ namespace palpate
 /// strips of a few rows (see triangle::Kernel), half the memory of the square, so that a matrix of
 /// 169 rows stays in the second-level cache.
 ///
-/// Vectors handed to the members have PaddedSize() entries on a cache line (AlignedVector); those
-/// past Size() are zero and stay so. Members that are const and noexcept do not allocate.
+/// Vectors handed to the members have PaddedSize() entries on a cache line
+/// (CacheLineVector<double>); those past Size() are zero and stay so. Members that are const and
+/// noexcept do not allocate.
 class PackedTriangle
 {
 public:
@@ -24,9 +25,9 @@ public:
 
   int Size() const noexcept { return this->Rows; }
   int PaddedSize() const noexcept { return this->Strips * this->Arithmetic->Lanes; }
-  AlignedVector MakeVector() const
+  CacheLineVector<double> MakeVector() const
   {
-    return AlignedVector(static_cast<std::size_t>(this->PaddedSize()), 0.0);
+    return CacheLineVector<double>(static_cast<std::size_t>(this->PaddedSize()), 0.0);
   }
 
   /// Where entry (row, column), column <= row, stands in Data(): RowStart(row) + column * Lanes().
@@ -75,7 +76,7 @@ private:
   int Strips;
   const triangle::Kernel* Arithmetic;
   std::vector<std::size_t> RowStarts;
-  AlignedVector Values;
-  AlignedVector Reciprocals; // of the factor's diagonal
+  CacheLineVector<double> Values;
+  CacheLineVector<double> Reciprocals; // of the factor's diagonal
 };
 } // namespace palpate

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "AlignedVector.h"
+#include "CacheLineVector.h"
 #include "MomentKernel.h"
 #include "MomentTables.h"
 #include "SampleMoments.h"
@@ -28,8 +28,8 @@ public:
 private:
   std::shared_ptr<const MomentTables> Tables;
   const moments::Kernel* Kernel;
-  AlignedVector Scratch;
-  AlignedVector LaneSums;
-  AlignedVector Pairs;
+  CacheLineVector<double> Scratch;
+  CacheLineVector<double> LaneSums;
+  CacheLineVector<double> Pairs;
 };
 } // namespace palpate

@@ -47,7 +47,7 @@ void SampleMoments::Add(const SampleView& samples) noexcept
   this->Kernel->Accumulate(this->Tables->FamilyRecurrence(), 2 * degree, degree, samples,
                            this->Scratch.data(), this->LaneSums.data(), right);
   const double* lane = this->LaneSums.data();
-  for (AlignedVector* sums : {&this->GramSums, &this->RightSums})
+  for (CacheLineVector<double>* sums : {&this->GramSums, &this->RightSums})
   {
     for (double& sum : *sums)
     {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "AlignedVector.h"
+#include "CacheLineVector.h"
 #include "MomentKernel.h"
 #include "MomentTables.h"
 
@@ -42,9 +42,9 @@ public:
 private:
   std::shared_ptr<const MomentTables> Tables;
   const moments::Kernel* Kernel;
-  AlignedVector Scratch;
-  AlignedVector LaneSums;
-  AlignedVector GramSums;
-  AlignedVector RightSums;
+  CacheLineVector<double> Scratch;
+  CacheLineVector<double> LaneSums;
+  CacheLineVector<double> GramSums;
+  CacheLineVector<double> RightSums;
 };
 } // namespace palpate

@@ -109,7 +109,7 @@ Real At(const std::vector<Long>& terms, int power)
 }
 
 template <typename Real>
-void AddZonal(int degree, const std::vector<double>& coefficients, EvaluationTable<Real>& table)
+void AddZonal(int degree, const std::vector<double>& coefficients, CacheLineVector<Real>& table)
 {
   const ParityPolynomial zonal = SumOrder(degree, 0, coefficients).Cosine;
   for (int square = degree / 4; square >= 0; --square)
@@ -123,7 +123,7 @@ void AddZonal(int degree, const std::vector<double>& coefficients, EvaluationTab
 
 template <typename Real>
 void AddBlock(int degree, int first, const std::vector<double>& coefficients,
-              EvaluationTable<Real>& table)
+              CacheLineVector<Real>& table)
 {
   std::array<OrderPolynomials, 4> block;
   for (int lane = 0; lane < 4 && first + lane <= degree; ++lane)
@@ -150,9 +150,9 @@ void AddBlock(int degree, int first, const std::vector<double>& coefficients,
 } // namespace
 
 template <typename Real>
-EvaluationTable<Real> MakePolynomialTable(int degree, const std::vector<double>& coefficients)
+CacheLineVector<Real> MakePolynomialTable(int degree, const std::vector<double>& coefficients)
 {
-  EvaluationTable<Real> table;
+  CacheLineVector<Real> table;
   AddZonal(degree, coefficients, table);
   for (int first = 1; first <= degree; first += 4)
   {
@@ -161,6 +161,6 @@ EvaluationTable<Real> MakePolynomialTable(int degree, const std::vector<double>&
   return table;
 }
 
-template EvaluationTable<float> MakePolynomialTable(int, const std::vector<double>&);
-template EvaluationTable<double> MakePolynomialTable(int, const std::vector<double>&);
+template CacheLineVector<float> MakePolynomialTable(int, const std::vector<double>&);
+template CacheLineVector<double> MakePolynomialTable(int, const std::vector<double>&);
 } // namespace palpate

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "EvaluationTable.h"
+#include "CacheLineVector.h"
 
 namespace palpate
 {
@@ -21,8 +21,8 @@ namespace palpate
 /// `coefficients` has (degree + 1)^2 entries in the convention of SphericalHarmonicBasis; degree >=
 /// 0. The polynomials are made in long double and rounded once.
 template <typename Real>
-EvaluationTable<Real> MakePolynomialTable(int degree, const std::vector<double>& coefficients);
+CacheLineVector<Real> MakePolynomialTable(int degree, const std::vector<double>& coefficients);
 
-extern template EvaluationTable<float> MakePolynomialTable(int, const std::vector<double>&);
-extern template EvaluationTable<double> MakePolynomialTable(int, const std::vector<double>&);
+extern template CacheLineVector<float> MakePolynomialTable(int, const std::vector<double>&);
+extern template CacheLineVector<double> MakePolynomialTable(int, const std::vector<double>&);
 } // namespace palpate

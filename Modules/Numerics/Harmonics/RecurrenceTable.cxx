@@ -36,7 +36,7 @@ Entry EntryOf(const SphericalHarmonicRecurrence& recurrence,
 
 template <typename Real, typename Number>
 void AddLanes(const std::array<Entry, 4>& entries, const Number& number,
-              EvaluationTable<Real>& table)
+              CacheLineVector<Real>& table)
 {
   for (const Entry& entry : entries)
   {
@@ -46,10 +46,10 @@ void AddLanes(const std::array<Entry, 4>& entries, const Number& number,
 } // namespace
 
 template <typename Real>
-EvaluationTable<Real> MakeRecurrenceTable(int degree, const std::vector<double>& coefficients)
+CacheLineVector<Real> MakeRecurrenceTable(int degree, const std::vector<double>& coefficients)
 {
   const SphericalHarmonicRecurrence recurrence(degree);
-  EvaluationTable<Real> table;
+  CacheLineVector<Real> table;
   for (int first = 0; first <= degree; first += 4)
   {
     for (int lane = 0; lane < 4; ++lane)
@@ -83,6 +83,6 @@ EvaluationTable<Real> MakeRecurrenceTable(int degree, const std::vector<double>&
   return table;
 }
 
-template EvaluationTable<float> MakeRecurrenceTable(int, const std::vector<double>&);
-template EvaluationTable<double> MakeRecurrenceTable(int, const std::vector<double>&);
+template CacheLineVector<float> MakeRecurrenceTable(int, const std::vector<double>&);
+template CacheLineVector<double> MakeRecurrenceTable(int, const std::vector<double>&);
 } // namespace palpate

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "EvaluationTable.h"
+#include "CacheLineVector.h"
 
 namespace palpate
 {
@@ -16,8 +16,8 @@ namespace palpate
 /// `coefficients` has (degree + 1)^2 entries in the convention of SphericalHarmonicBasis; degree >=
 /// 0.
 template <typename Real>
-EvaluationTable<Real> MakeRecurrenceTable(int degree, const std::vector<double>& coefficients);
+CacheLineVector<Real> MakeRecurrenceTable(int degree, const std::vector<double>& coefficients);
 
-extern template EvaluationTable<float> MakeRecurrenceTable(int, const std::vector<double>&);
-extern template EvaluationTable<double> MakeRecurrenceTable(int, const std::vector<double>&);
+extern template CacheLineVector<float> MakeRecurrenceTable(int, const std::vector<double>&);
+extern template CacheLineVector<double> MakeRecurrenceTable(int, const std::vector<double>&);
 } // namespace palpate

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "CacheLineVector.h"
 #include "EvaluationKernel.h"
-#include "EvaluationTable.h"
 #include "InstructionSet.h"
 
 #include <Eigen/Core>
@@ -101,7 +101,7 @@ public:
   std::size_t TableBytes() const noexcept { return this->Table.size() * sizeof(Real); }
 
 private:
-  EvaluationTable<Real> Table;
+  CacheLineVector<Real> Table;
   int TableDegree;
   EvaluationKernel<Real> Kernel; // a copy, beside the table's address
 };

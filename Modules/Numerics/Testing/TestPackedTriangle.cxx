@@ -51,15 +51,15 @@ PackedTriangle Pack(const Matrix& matrix, const triangle::Kernel& kernel)
   return packed;
 }
 
-AlignedVector Padded(const PackedTriangle& packed, const Vector& v)
+CacheLineVector<double> Padded(const PackedTriangle& packed, const Vector& v)
 {
-  AlignedVector padded = packed.MakeVector();
+  CacheLineVector<double> padded = packed.MakeVector();
   std::copy(v.begin(), v.end(), padded.begin());
   return padded;
 }
 
 // Distance to `expected`, relative; NaN and anything but zero in the padding count as infinite.
-double Error(const AlignedVector& found, const Vector& expected)
+double Error(const CacheLineVector<double>& found, const Vector& expected)
 {
   for (auto i = static_cast<std::size_t>(expected.size()); i < found.size(); ++i)
   {
@@ -103,7 +103,7 @@ TEST(PackedTriangle, SolvesAndMultiplies)
       ASSERT_TRUE(packed.Factorise());
       const Matrix lower = matrix.llt().matrixL();
       const Vector x = RandomMatrix(size, 5).col(0);
-      AlignedVector y = packed.MakeVector();
+      CacheLineVector<double> y = packed.MakeVector();
       packed.MultiplyLower(Padded(packed, x).data(), y.data());
       EXPECT_LE(Error(y, lower * x), 1e-12) << NameOf(set) << size;
       packed.SolveLower(y.data());
@@ -130,7 +130,7 @@ TEST(PackedTriangle, ChangesAndMultipliesSymmetricMatrices)
       PackedTriangle packed = Pack(matrix, kernel);
       packed.MirrorDiagonal();
       const Vector x = RandomMatrix(size, 6).col(0);
-      AlignedVector y = packed.MakeVector();
+      CacheLineVector<double> y = packed.MakeVector();
       packed.MultiplySymmetric(Padded(packed, x).data(), y.data());
       EXPECT_LE(Error(y, matrix * x), 1e-13) << NameOf(set) << size;
       packed.AddSquare(-0.25, Padded(packed, x).data());
@@ -170,7 +170,7 @@ TEST(PackedTriangle, TakesATriangleWithNegativeDiagonal)
   packed.SetFactor(upper);
   EXPECT_EQ((packed.UpperFactor() - upper).norm(), 0.0);
   const Vector x = RandomMatrix(13, 8).col(0);
-  AlignedVector y = Padded(packed, matrix * x);
+  CacheLineVector<double> y = Padded(packed, matrix * x);
   packed.Solve(y.data());
   EXPECT_LE(Error(y, x), 1e-11);
 }

@@ -23,7 +23,7 @@ TEST(QueriesDoNotAllocate, TheCounterCounts)
 {
   const std::size_t before = AllocationCount();
   const std::vector<double> numbers(3, 1.0);
-  EvaluationTable<double> aligned;
+  CacheLineVector<double> aligned;
   aligned.push_back(numbers[0]);
   EXPECT_EQ(AllocationCount(), before + 2);
 }

@@ -27,7 +27,7 @@ struct CacheLineAllocator
   friend bool operator!=(const CacheLineAllocator&, const CacheLineAllocator&) { return false; }
 };
 
-/// The numbers of one model that an EvaluationKernel reads, in one piece.
-template <typename Real>
-using EvaluationTable = std::vector<Real, CacheLineAllocator<Real>>;
+/// Numbers in one piece that begins a cache line, as kernels want them.
+template <typename T>
+using CacheLineVector = std::vector<T, CacheLineAllocator<T>>;
 } // namespace palpate
