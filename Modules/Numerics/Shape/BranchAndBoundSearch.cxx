@@ -116,7 +116,7 @@ void BranchAndBoundSearch::Examine(double bound, const Piece& piece) noexcept
   bool worthwhile = distance.Offset.norm() < this->BestDistance;
   if (!worthwhile && distance.IsConvex())
   {
-    const Vector3 step = distance.Step(0.0);
+    const Vector3 step = distance.NewtonStep();
     worthwhile = step.norm() <= 2.0 * piece.Reach &&
                  !this->IsCovered((piece.Center + step).normalized(), 0.0);
   }

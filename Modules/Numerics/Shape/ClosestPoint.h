@@ -1,6 +1,7 @@
 #pragma once
 
 #include "SphericalHarmonicModel.h"
+#include "SquaredDistance.h"
 #include "Vector3.h"
 
 namespace palpate
@@ -29,10 +30,11 @@ struct ClosestPoint
   int Evaluations = 0; ///< of the radius with its first two derivatives
   Outcome State = Outcome::BadInput;
 
-  /// The surface as it was last evaluated, very close to Direction: where tracking goes on, which
-  /// spares it one evaluation.
+  /// The surface as it was last evaluated, very close to Direction, and the distance expanded
+  /// there: where tracking goes on, which spares it one evaluation.
   Vector3 SampleDirection;
   SphericalHarmonicModel::SecondOrderSample Sample;
+  SquaredDistance Expansion;
 
   bool Converged() const noexcept { return this->State == Outcome::Minimum; }
 };

@@ -24,13 +24,16 @@ Vector3 Moved(const Vector3& direction, const Vector3& step) noexcept
   return scale * end;
 }
 
+// What is known of f and of the surface at a sample.
 struct LocalBounds
 {
-  double First;    // |x'|, mm/rad
-  double Second;   // |x''|, mm/rad^2
-  double Third;    // |x'''| everywhere, mm/rad^3
-  double Distance; // |x - q|, mm
-  double Noise;    // rounding of the gradient of f, mm^2/rad
+  double First;      // |x'|, mm/rad
+  double Second;     // |x''|, mm/rad^2
+  double Third;      // |x'''| everywhere, mm/rad^3
+  double Distance;   // |x - q|, mm
+  double Gradient;   // of f, mm^2/rad
+  double Eigenvalue; // the smallest of the Hessian of f, mm^2/rad^2
+  double Noise;      // rounding of the gradient of f, mm^2/rad
 
   // |f'''| on arcs through the sample up to this angle.
   double ThirdOfF(double angle) const noexcept
@@ -51,35 +54,40 @@ struct LocalBounds
 
 struct Remainder
 {
-  double Eigenvalue; // lower bound of the Hessian's at the end of the step, mm^2/rad^2
-  double Gradient;   // upper bound of what is left of it there, mm^2/rad
-  double Angle;      // the minimum is within this of the end, rad; infinite if not known
+  double Angle; // the minimum is within this of the end, rad; infinite if not known
+  double Drop;  // |x - q|^2 is at most this much above its minimum there, mm^2
 };
 
 LocalBounds BoundsAt(const SphericalHarmonicModel::SecondOrderSample& sample,
                      const SquaredDistance& distance, double third, double rounding) noexcept
 {
+  // Roots are slow, and two take no longer than one.
+  using Pair = Eigen::Array2d;
   const double slope = sample.SurfaceGradient.squaredNorm();
-  const double bend = sample.SurfaceHessian.norm() + std::abs(sample.Radius);
-  const double first = std::sqrt(sample.Radius * sample.Radius + slope);
-  return {first, std::sqrt(bend * bend + 4.0 * slope), third, distance.Offset.norm(),
-          first * rounding};
+  const Pair sizes =
+      Pair(sample.SurfaceHessian.squaredNorm(), sample.Radius * sample.Radius + slope).sqrt();
+  const double bend = sizes[0] + std::abs(sample.Radius);
+  const Pair roots = Pair(bend * bend + 4.0 * slope, distance.SquaredSpread()).sqrt();
+  const Pair lengths = Pair(distance.Offset.squaredNorm(), distance.Gradient.squaredNorm()).sqrt();
+  return {sizes[1],           roots[0],   third,
+          lengths[0],         lengths[1], distance.SmallestEigenvalue(roots[1]),
+          sizes[1] * rounding};
 }
 
 // What is known after a last step of Newton's over the angle `step`.
-Remainder After(double step, const SquaredDistance& distance, const LocalBounds& bounds) noexcept
+Remainder After(double step, const LocalBounds& bounds) noexcept
 {
-  const double gradient = distance.Gradient.norm();
   // The third covariant derivative is symmetric up to the curvature of the sphere times the
   // gradient; a symmetric form is largest with three equal arguments.
-  const double third = bounds.ThirdOfF(2.0 * step) + 2.0 * gradient;
-  const double eigenvalue = distance.SmallestEigenvalue() - step * third;
-  const double left = bounds.Noise + (step > 0.0 ? 0.5 * step * step * third : gradient);
-  const double angle = 4.0 * left / eigenvalue;
+  const double third = bounds.ThirdOfF(2.0 * step) + 2.0 * bounds.Gradient;
+  const double eigenvalue = bounds.Eigenvalue - step * third;
+  const double left = bounds.Noise + (step > 0.0 ? 0.5 * step * step * third : bounds.Gradient);
+  const double quotient = left / eigenvalue;
+  const double angle = 4.0 * quotient;
   // Almost always the angle is much less than the step, and the bound at hand will do.
   const double thirdThere = angle <= step ? third : bounds.ThirdOfF(step + angle);
   const bool isKnown = eigenvalue > 0.0 && angle * thirdThere <= 1.5 * eigenvalue;
-  return {eigenvalue, left, isKnown ? angle : Infinite};
+  return {isKnown ? angle : Infinite, 2.0 * left * quotient};
 }
 
 // Fills in the point at the end of a last, short step.
@@ -107,57 +115,115 @@ void Finish(const Vector3& query, const Vector3& centerWorld, const Vector3& ste
   if (remainder.Angle < Infinite)
   {
     const double angle = step.norm();
-    const double expansion = bounds.Third * angle * angle * angle / 6.0 + rounding;
+    const double expansion = bounds.Third * angle * angle * angle * (1.0 / 6.0) + rounding;
     const double reach = angle + remainder.Angle;
     const double first = bounds.First + reach * (bounds.Second + reach * bounds.Third);
     point.PositionError = remainder.Angle * first + expansion;
     // d - sqrt(d^2 - drop) is at most drop / d.
-    const double drop = 2.0 * remainder.Gradient * remainder.Gradient / remainder.Eigenvalue;
-    point.DistanceError = (drop < length * length ? drop / length : length) + expansion;
+    const bool isSmall = remainder.Drop < length * length;
+    point.DistanceError = (isSmall ? remainder.Drop / length : length) + expansion;
   }
+}
+
+// The angle left at the minimum is at least the left side over the smallest eigenvalue, and that is
+// at most half the trace.
+bool IsShort(double squaredStep, double tolerance, const SquaredDistance& distance,
+             double radius) noexcept
+{
+  return 6.0 * squaredStep * radius * radius <= 0.5 * tolerance * distance.Trace;
+}
+
+// Far below any eigenvalue that matters; keeps steps finite.
+double LeastEigenvalue(const SquaredDistance& distance, double radius, double rounding) noexcept
+{
+  return 1e-9 * (std::abs(distance.Trace) + radius * radius) + rounding * rounding;
+}
+
+// For a positive definite Hessian the quotient is less than the smallest eigenvalue.
+bool IsWellConditioned(const SquaredDistance& distance, double least) noexcept
+{
+  return distance.IsConvex() && distance.Determinant >= least * distance.Trace;
+}
+
+// Goes to the end of a step if the distance falls enough on the way; `point` is then there. Else it
+// is in disorder.
+bool TryStep(const SphericalHarmonicModel& model, const Vector3& query, const Vector3& from,
+             const SquaredDistance& here, const Vector3& step, double rounding,
+             ClosestPoint& point) noexcept
+{
+  point.SampleDirection = Moved(from, step);
+  point.Sample = model.EvaluateSecondOrder(point.SampleDirection);
+  ++point.Evaluations;
+  point.Expansion = SquaredDistance(point.SampleDirection, point.Sample, query);
+  const Vector3& offset = point.Expansion.Offset;
+  const double change = 0.5 * (offset - here.Offset).dot(offset + here.Offset);
+  const double enough = 1e-4 * here.Gradient.dot(step);
+  // The last term is what rounding leaves of the change.
+  return change <= enough || change <= enough + here.Offset.norm() * rounding;
 }
 
 // One step down of at most `longest` rad, Newton's if it can be; false if none was found.
 bool Advance(const SphericalHarmonicModel& model, double longest, const Vector3& query,
-             const Vector3& newton, double rounding, int evaluationLimit, ClosestPoint& point,
-             SquaredDistance& distance) noexcept
+             const Vector3& newton, double rounding, int evaluationLimit,
+             ClosestPoint& point) noexcept
 {
-  // Far below any eigenvalue that matters; keeps the step finite.
-  const double radius = point.Sample.Radius;
-  const double least = 1e-9 * (std::abs(distance.Trace) + radius * radius) + rounding * rounding;
+  const double least = LeastEigenvalue(point.Expansion, point.Sample.Radius, rounding);
   Vector3 step = newton;
-  // For a positive definite Hessian the quotient is less than the smallest eigenvalue.
-  if (!(distance.IsConvex() && distance.Determinant >= least * distance.Trace))
+  if (!IsWellConditioned(point.Expansion, least))
   {
-    const double smallest = distance.SmallestEigenvalue();
-    step = distance.Step(std::max(-smallest, least) - smallest);
+    const double smallest = point.Expansion.SmallestEigenvalue();
+    step = point.Expansion.ShiftedStep(std::max(-smallest, least) - smallest);
   }
   const double square = step.squaredNorm();
   if (square > longest * longest)
   {
     step *= longest / std::sqrt(square);
   }
-  const Vector3 from = radius * point.SampleDirection;
+  const ClosestPoint start = point;
   while (point.Evaluations < evaluationLimit)
   {
-    const Vector3 direction = Moved(point.SampleDirection, step);
-    const auto sample = model.EvaluateSecondOrder(direction);
-    ++point.Evaluations;
-    const SquaredDistance there(direction, sample, query);
-    const double change =
-        0.5 * (from - sample.Radius * direction).dot(there.Offset + distance.Offset);
-    const double enough = 1e-4 * distance.Gradient.dot(step);
-    // The last term is what rounding leaves of the change.
-    if (change <= enough || change <= enough + distance.Offset.norm() * rounding)
+    if (TryStep(model, query, start.SampleDirection, start.Expansion, step, rounding, point))
     {
-      point.SampleDirection = direction;
-      point.Sample = sample;
-      distance = there;
       return true;
     }
     step *= 0.25;
   }
+  const int evaluations = point.Evaluations;
+  point = start;
+  point.Evaluations = evaluations;
   return false;
+}
+
+// Takes a last step if the minimum is then known to be within `angle`.
+bool EndWithin(double angle, const Vector3& query, const Vector3& centerWorld, const Vector3& step,
+               double third, double rounding, ClosestPoint& point) noexcept
+{
+  const LocalBounds bounds = BoundsAt(point.Sample, point.Expansion, third, rounding);
+  const Remainder remainder = After(step.norm(), bounds);
+  if (!(remainder.Angle <= angle))
+  {
+    return false;
+  }
+  Finish(query, centerWorld, step, rounding, bounds, remainder, point);
+  point.State = ClosestPoint::Outcome::Minimum;
+  return true;
+}
+
+// Gives up where the point is, or where rounding lets no gradient be told from zero.
+void Stop(const Vector3& query, const Vector3& centerWorld, double third, double rounding,
+          bool isStationary, ClosestPoint& point) noexcept
+{
+  const LocalBounds bounds = BoundsAt(point.Sample, point.Expansion, third, rounding);
+  const Remainder remainder = After(0.0, bounds);
+  Finish(query, centerWorld, Vector3::Zero(), rounding, bounds, remainder, point);
+  point.State = isStationary ? ClosestPoint::Outcome::Stationary : ClosestPoint::Outcome::Limit;
+}
+
+bool IsStationary(const ClosestPoint& point, double rounding) noexcept
+{
+  const double radius = point.Sample.Radius;
+  const double metric = radius * radius + point.Sample.SurfaceGradient.squaredNorm();
+  return point.Expansion.Gradient.squaredNorm() <= metric * rounding * rounding;
 }
 } // namespace
 
@@ -172,42 +238,79 @@ ClosestPoint ClosestPointDescent::Run(const Vector3& query, const Vector3& direc
                                       const SphericalHarmonicModel::SecondOrderSample& sample,
                                       double tolerance, int evaluationLimit) const noexcept
 {
-  const double rounding = this->Rounding(query);
   ClosestPoint point;
   point.SampleDirection = direction;
   point.Sample = sample;
-  SquaredDistance distance(direction, sample, query);
+  point.Expansion = SquaredDistance(direction, sample, query);
+  this->Descend(query, tolerance, evaluationLimit, this->Rounding(query), point);
+  return point;
+}
+
+// A servo tick: in one piece, so that what the steps hand on stays in registers.
+[[gnu::flatten]] ClosestPoint ClosestPointDescent::Continue(const Vector3& query,
+                                                            const ClosestPoint& previous,
+                                                            double tolerance,
+                                                            int evaluationLimit) const noexcept
+{
+  const double rounding = this->Rounding(query);
+  ClosestPoint point;
+  if (!this->Foresee(query, previous, tolerance, rounding, point))
+  {
+    point.SampleDirection = previous.SampleDirection;
+    point.Sample = previous.Sample;
+    point.Expansion = SquaredDistance(point.SampleDirection, point.Sample, query);
+  }
+  this->Descend(query, tolerance, evaluationLimit, rounding, point);
+  return point;
+}
+
+// The curvature of the tick before foresees this tick's step nearly as well as its own would, for a
+// fraction of the work; what it misses, the last step mends. False where the step was not taken.
+bool ClosestPointDescent::Foresee(const Vector3& query, const ClosestPoint& previous,
+                                  double tolerance, double rounding,
+                                  ClosestPoint& point) const noexcept
+{
+  SquaredDistance distance = previous.Expansion;
+  distance.MoveQuery(previous.SampleDirection, previous.Sample, query);
+  const double radius = previous.Sample.Radius;
+  if (!IsWellConditioned(distance, LeastEigenvalue(distance, radius, rounding)))
+  {
+    return false;
+  }
+  const Vector3 step = distance.NewtonStep();
+  const double square = step.squaredNorm();
+  // A last step needs the true curvature.
+  return square <= this->LongestStep * this->LongestStep &&
+         !IsShort(square, tolerance, distance, radius) &&
+         TryStep(*this->Model, query, previous.SampleDirection, distance, step, rounding, point);
+}
+
+void ClosestPointDescent::Descend(const Vector3& query, double tolerance, int evaluationLimit,
+                                  double rounding, ClosestPoint& point) const noexcept
+{
+  const double third = this->Derivatives.PointThird;
+  const Vector3& center = this->Model->CenterWorld();
   for (;;)
   {
-    const double radius = point.Sample.Radius;
-    const double metric = radius * radius + point.Sample.SurfaceGradient.squaredNorm();
-    const bool isStationary = distance.Gradient.squaredNorm() <= metric * rounding * rounding;
-    const Vector3 newton = distance.Step(0.0);
-    // The angle left is at least the left side over the smallest eigenvalue, and that is at most
-    // half the trace.
-    const double square = newton.squaredNorm();
-    const bool isShort = 6.0 * square * radius * radius <= 0.5 * tolerance * distance.Trace;
-    if (distance.IsConvex() && (isShort || isStationary))
+    const Vector3 newton = point.Expansion.NewtonStep();
+    const bool isConvex = point.Expansion.IsConvex();
+    if (isConvex &&
+        IsShort(newton.squaredNorm(), tolerance, point.Expansion, point.Sample.Radius) &&
+        EndWithin(tolerance, query, center, newton, third, rounding, point))
     {
-      const LocalBounds bounds =
-          BoundsAt(point.Sample, distance, this->Derivatives.PointThird, rounding);
-      const Remainder remainder = After(std::sqrt(square), distance, bounds);
-      if (remainder.Angle <= tolerance || (isStationary && remainder.Angle < Infinite))
-      {
-        Finish(query, this->Model->CenterWorld(), newton, rounding, bounds, remainder, point);
-        point.State = ClosestPoint::Outcome::Minimum;
-        break;
-      }
+      break;
     }
-    if (isStationary || !Advance(*this->Model, this->LongestStep, query, newton, rounding,
-                                 evaluationLimit, point, distance))
+    const bool isStationary = IsStationary(point, rounding);
+    if (isConvex && isStationary &&
+        EndWithin(std::numeric_limits<double>::max(), query, center, newton, third, rounding,
+                  point))
     {
-      const LocalBounds bounds =
-          BoundsAt(point.Sample, distance, this->Derivatives.PointThird, rounding);
-      const Remainder remainder = After(0.0, distance, bounds);
-      Finish(query, this->Model->CenterWorld(), Vector3::Zero(), rounding, bounds, remainder,
-             point);
-      point.State = isStationary ? ClosestPoint::Outcome::Stationary : ClosestPoint::Outcome::Limit;
+      break;
+    }
+    if (isStationary ||
+        !Advance(*this->Model, this->LongestStep, query, newton, rounding, evaluationLimit, point))
+    {
+      Stop(query, center, third, rounding, isStationary, point);
       break;
     }
   }
@@ -215,20 +318,19 @@ ClosestPoint ClosestPointDescent::Run(const Vector3& query, const Vector3& direc
   {
     point.State = ClosestPoint::Outcome::BadInput;
   }
-  return point;
 }
 
 ClosestPointDescent::Basin
 ClosestPointDescent::BasinAround(const Vector3& query, const ClosestPoint& point) const noexcept
 {
-  const SquaredDistance distance(point.SampleDirection, point.Sample, query);
+  const SquaredDistance& distance = point.Expansion;
   if (!distance.IsConvex())
   {
     return {};
   }
-  const double smallest = distance.SmallestEigenvalue();
   const LocalBounds bounds =
       BoundsAt(point.Sample, distance, this->Derivatives.PointThird, this->Rounding(query));
+  const double smallest = bounds.Eigenvalue;
   // Where angle * Fall(angle) is 1.5 times the eigenvalue; the last step makes it no more.
   double angle = 1.5 * smallest / bounds.Fall(0.0);
   for (int i = 0; i < 4; ++i)
@@ -238,7 +340,7 @@ ClosestPointDescent::BasinAround(const Vector3& query, const ClosestPoint& point
   angle = std::min(angle, 1.5 * smallest / bounds.Fall(angle));
   // At the distance a from the expansion's minimum, itself s from the sample, f is above that by
   // smallest a^2 / 2 - Fall (a + s)^3 / 6: positive for a > 10 s, and no less than this before.
-  const Vector3 step = distance.Step(0.0);
+  const Vector3 step = distance.NewtonStep();
   const double length = 11.0 * step.norm();
   const double least = 0.5 * (distance.Offset.squaredNorm() + distance.Gradient.dot(step)) -
                        length * length * length * bounds.Fall(length) / 6.0;
@@ -252,17 +354,17 @@ double ClosestPointDescent::LowerDistance(const Vector3& query, const Vector3& d
   const SquaredDistance distance(direction, sample, query);
   const LocalBounds bounds =
       BoundsAt(sample, distance, this->Derivatives.PointThird, this->Rounding(query));
-  const double smallest = distance.SmallestEigenvalue();
+  const double smallest = bounds.Eigenvalue;
   double change = 0.0; // of the quadratic expansion, at least
   if (smallest > 0.0)
   {
-    const Vector3 step = distance.Step(0.0);
+    const Vector3 step = distance.NewtonStep();
     const double beyond = std::max(0.0, step.norm() - reach);
     change = 0.5 * (distance.Gradient.dot(step) + smallest * beyond * beyond);
   }
   else
   {
-    change = reach * (0.5 * reach * smallest - distance.Gradient.norm());
+    change = reach * (0.5 * reach * smallest - bounds.Gradient);
   }
   const double least = 0.5 * distance.Offset.squaredNorm() + change -
                        reach * reach * reach * bounds.Fall(reach) / 6.0;

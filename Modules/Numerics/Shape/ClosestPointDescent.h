@@ -39,6 +39,10 @@ public:
                    const SphericalHarmonicModel::SecondOrderSample& sample, double tolerance,
                    int evaluationLimit) const noexcept;
 
+  /// The same from what was found for the query of the tick before, which is near.
+  ClosestPoint Continue(const Vector3& query, const ClosestPoint& previous, double tolerance,
+                        int evaluationLimit) const noexcept;
+
   /// Around a point that Run found from the same query.
   Basin BasinAround(const Vector3& query, const ClosestPoint& point) const noexcept;
 
@@ -57,6 +61,11 @@ public:
   }
 
 private:
+  bool Foresee(const Vector3& query, const ClosestPoint& previous, double tolerance,
+               double rounding, ClosestPoint& point) const noexcept;
+  void Descend(const Vector3& query, double tolerance, int evaluationLimit, double rounding,
+               ClosestPoint& point) const noexcept;
+
   const SphericalHarmonicModel* Model;
   RadiusDerivativeBounds Derivatives;
   double Size;         // of the coordinates of surface points, mm

@@ -71,8 +71,7 @@ ClosestPoint ClosestPointSearch::Track(const Vector3& queryWorld,
   {
     return Unusable(*this->Surface);
   }
-  return this->Descent.Run(query, previous.SampleDirection, previous.Sample, TrackingTolerance,
-                           TrackingEvaluationLimit);
+  return this->Descent.Continue(query, previous, TrackingTolerance, TrackingEvaluationLimit);
 }
 
 ClosestPoint ClosestPointSearch::Track(const Vector3& queryWorld,

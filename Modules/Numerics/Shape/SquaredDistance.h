@@ -18,68 +18,116 @@ namespace palpate
 /// tr(A) I - A, so no basis of the tangent plane is needed.
 struct SquaredDistance
 {
+  SquaredDistance() = default;
   SquaredDistance(const Vector3& direction, const SphericalHarmonicModel::SecondOrderSample& sample,
                   const Vector3& query) noexcept
-      : Offset(query - sample.Radius * direction)
   {
     // Sums are grouped so that few operations wait for others: a servo tick is one chain of them.
+    const auto [along, across] = this->Aim(direction, sample, query);
     const double radius = sample.Radius;
     const Vector3& u = direction;
     const Vector3& g = sample.SurfaceGradient;
     const Matrix3& h = sample.SurfaceHessian;
-    const double along = query.dot(u) - radius * u.squaredNorm();
-    const Vector3 across = this->Offset - along * u;
-    this->Gradient = -along * g - radius * across;
     const double round = radius * (radius + along);
     // g g' - g d' - d g' = (g - d) (g - d)' - d d'
     const Vector3 sum = g - across;
-    const auto entry = [&](int i, int j, double unit)
-    {
-      return (sum[i] * sum[j] - across[i] * across[j]) -
-             (along * h(i, j) - round * (unit - u[i] * u[j]));
-    };
-    this->Xx = entry(0, 0, 1.0);
-    this->Yy = entry(1, 1, 1.0);
-    this->Zz = entry(2, 2, 1.0);
-    this->Xy = entry(0, 1, 0.0);
-    this->Xz = entry(0, 2, 0.0);
-    this->Yz = entry(1, 2, 0.0);
-    this->Trace = this->Xx + this->Yy + this->Zz;
+    // Pairs of entries, xx with yy and xz with yz: processors have room for two.
+    using Pair = Eigen::Array2d;
+    const Pair sumXy(sum[0], sum[1]);
+    const Pair acrossXy(across[0], across[1]);
+    const Pair directionXy(u[0], u[1]);
+    const Pair squares = (sumXy * sumXy - acrossXy * acrossXy) -
+                         (along * Pair(h(0, 0), h(1, 1)) - round * (1.0 - directionXy.square()));
+    const Pair withZ = (sum[2] * sumXy - across[2] * acrossXy) -
+                       (along * Pair(h(0, 2), h(1, 2)) + round * u[2] * directionXy);
+    this->Xx = squares[0];
+    this->Yy = squares[1];
+    this->Xz = withZ[0];
+    this->Yz = withZ[1];
+    this->Zz =
+        (sum[2] * sum[2] - across[2] * across[2]) - (along * h(2, 2) - round * (1.0 - u[2] * u[2]));
+    this->Xy = (sum[0] * sum[1] - across[0] * across[1]) - (along * h(0, 1) + round * u[0] * u[1]);
+    const double sumOfTwo = this->Xx + this->Yy;
+    this->Trace = sumOfTwo + this->Zz;
     // One eigenvalue is zero, so the sum of the principal minors is the product of the others.
     this->Determinant = (this->Xx * this->Yy - this->Xy * this->Xy) +
-                        (this->Xx * this->Zz - this->Xz * this->Xz) +
-                        (this->Yy * this->Zz - this->Yz * this->Yz);
+                        (sumOfTwo * this->Zz - (this->Xz * this->Xz + this->Yz * this->Yz));
+  }
+
+  /// Goes over to another query from the same direction. The Hessian stays as it was; it changes in
+  /// proportion to the query.
+  void MoveQuery(const Vector3& direction, const SphericalHarmonicModel::SecondOrderSample& sample,
+                 const Vector3& query) noexcept
+  {
+    this->Aim(direction, sample, query);
   }
 
   /// Whether the Hessian is positive definite in the tangent plane.
   bool IsConvex() const noexcept { return this->Trace > 0.0 && this->Determinant > 0.0; }
-  /// In the tangent plane, mm^2/rad^2.
-  double SmallestEigenvalue() const noexcept
+  /// The square of half the difference of the Hessian's eigenvalues in the tangent plane.
+  double SquaredSpread() const noexcept
+  {
+    const double half = 0.5 * this->Trace;
+    return std::max(0.0, half * half - this->Determinant);
+  }
+  /// In the tangent plane, mm^2/rad^2, by the root of SquaredSpread.
+  double SmallestEigenvalue(double spread) const noexcept
   {
     // The larger root in magnitude first: the other then keeps its digits.
     const double half = 0.5 * this->Trace;
-    const double spread = std::sqrt(std::max(0.0, half * half - this->Determinant));
     return half > 0.0 ? this->Determinant / (half + spread) : half - spread;
   }
-
-  /// Newton's step (rad, tangent to the sphere) of the function with `shift` times the identity
-  /// added to its Hessian; that must leave it positive definite.
-  Vector3 Step(double shift) const noexcept
+  double SmallestEigenvalue() const noexcept
   {
-    const Vector3& g = this->Gradient;
-    const Vector3 image(this->Xx * g[0] + this->Xy * g[1] + this->Xz * g[2],
-                        this->Xy * g[0] + this->Yy * g[1] + this->Yz * g[2],
-                        this->Xz * g[0] + this->Yz * g[1] + this->Zz * g[2]);
-    const double scale = 1.0 / (this->Determinant + shift * (this->Trace + shift));
-    return scale * (image - (this->Trace + shift) * g);
+    return this->SmallestEigenvalue(std::sqrt(this->SquaredSpread()));
   }
 
-  Vector3 Offset;   ///< query - point, mm
-  Vector3 Gradient; ///< mm^2/rad, tangent to the sphere
-  double Trace;     ///< of the Hessian in the tangent plane, mm^2/rad^2
-  double Determinant;
+  /// Newton's step (rad, tangent to the sphere); the determinant must not be zero.
+  Vector3 NewtonStep() const noexcept
+  {
+    return (1.0 / this->Determinant) * (this->Image() - this->Trace * this->Gradient);
+  }
+  /// The same for the function with `shift` times the identity added to its Hessian; that must
+  /// leave it positive definite.
+  Vector3 ShiftedStep(double shift) const noexcept
+  {
+    const double sum = this->Trace + shift;
+    return (1.0 / (this->Determinant + shift * sum)) * (this->Image() - sum * this->Gradient);
+  }
+
+  Vector3 Offset;     ///< query - point, mm
+  Vector3 Gradient;   ///< mm^2/rad, tangent to the sphere
+  double Trace = 0.0; ///< of the Hessian in the tangent plane, mm^2/rad^2
+  double Determinant = 0.0;
 
 private:
+  // Of the gradient by the Hessian.
+  Vector3 Image() const noexcept
+  {
+    const Vector3& g = this->Gradient;
+    return {this->Xx * g[0] + this->Xy * g[1] + this->Xz * g[2],
+            this->Xy * g[0] + this->Yy * g[1] + this->Yz * g[2],
+            this->Xz * g[0] + this->Yz * g[1] + this->Zz * g[2]};
+  }
+
+  struct Parts
+  {
+    double Along;
+    Vector3 Across;
+  };
+
+  // Everything but the Hessian; returns the parts of q - x.
+  Parts Aim(const Vector3& u, const SphericalHarmonicModel::SecondOrderSample& sample,
+            const Vector3& query) noexcept
+  {
+    const double radius = sample.Radius;
+    this->Offset = query - radius * u;
+    const double along = query.dot(u) - radius * u.squaredNorm();
+    const Vector3 across = this->Offset - along * u;
+    this->Gradient = -along * sample.SurfaceGradient - radius * across;
+    return {along, across};
+  }
+
   double Xx, Yy, Zz, Xy, Xz, Yz; // the Hessian; zero along the direction
 };
 } // namespace palpate
