@@ -227,10 +227,10 @@ bool IsStationary(const ClosestPoint& point, double rounding) noexcept
 }
 } // namespace
 
-ClosestPointDescent::ClosestPointDescent(const SphericalHarmonicModel& model)
+ClosestPointDescent::ClosestPointDescent(const SphericalHarmonicModel& model, InstructionSet set)
     : Model(&model), Derivatives(model), Size(Derivatives.Radius[0] + model.CenterWorld().norm()),
       UnitRounding(4.0 * (model.Degree() + 4.0) * std::numeric_limits<double>::epsilon()),
-      LongestStep(2.0 / (model.Degree() + 1.0))
+      LongestStep(2.0 / (model.Degree() + 1.0)), Set(set)
 {
 }
 
@@ -246,11 +246,36 @@ ClosestPoint ClosestPointDescent::Run(const Vector3& query, const Vector3& direc
   return point;
 }
 
-// A servo tick: in one piece, so that what the steps hand on stays in registers.
-[[gnu::flatten]] ClosestPoint ClosestPointDescent::Continue(const Vector3& query,
-                                                            const ClosestPoint& previous,
-                                                            double tolerance,
-                                                            int evaluationLimit) const noexcept
+ClosestPoint ClosestPointDescent::Continue(const Vector3& query, const ClosestPoint& previous,
+                                           double tolerance, int evaluationLimit) const noexcept
+{
+  return this->Set == InstructionSet::Avx2
+             ? this->ContinueByAvx2(query, previous, tolerance, evaluationLimit)
+             : this->ContinuePortably(query, previous, tolerance, evaluationLimit);
+}
+
+// A servo tick in one piece, so that what its steps hand on stays in registers: once for any
+// machine and once for AVX2. Nothing that another file might share is compiled for AVX2, as all of
+// it is inlined here.
+[[gnu::flatten]] ClosestPoint
+ClosestPointDescent::ContinuePortably(const Vector3& query, const ClosestPoint& previous,
+                                      double tolerance, int evaluationLimit) const noexcept
+{
+  return this->Follow(query, previous, tolerance, evaluationLimit);
+}
+
+#if defined(__x86_64__)
+[[gnu::target("avx2,fma")]]
+#endif
+[[gnu::flatten]] ClosestPoint
+ClosestPointDescent::ContinueByAvx2(const Vector3& query, const ClosestPoint& previous,
+                                    double tolerance, int evaluationLimit) const noexcept
+{
+  return this->Follow(query, previous, tolerance, evaluationLimit);
+}
+
+ClosestPoint ClosestPointDescent::Follow(const Vector3& query, const ClosestPoint& previous,
+                                         double tolerance, int evaluationLimit) const noexcept
 {
   const double rounding = this->Rounding(query);
   ClosestPoint point;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "ClosestPoint.h"
+#include "InstructionSet.h"
 #include "RadiusDerivativeBounds.h"
 
 namespace palpate
@@ -30,8 +31,10 @@ public:
     double LowerDistance = 0.0;
   };
 
-  /// Keeps the address of the model, which must outlive it.
-  explicit ClosestPointDescent(const SphericalHarmonicModel& model);
+  /// Keeps the address of the model, which must outlive it. The processor must have `set`, by which
+  /// Continue's results differ by roundings.
+  explicit ClosestPointDescent(const SphericalHarmonicModel& model,
+                               InstructionSet set = FastestInstructionSet());
 
   /// From the sample at `direction` to the minimum. `query` is relative to the model's centre (mm),
   /// `tolerance` the angle (rad) that the minimum may be off, `evaluationLimit` >= 0.
@@ -39,7 +42,8 @@ public:
                    const SphericalHarmonicModel::SecondOrderSample& sample, double tolerance,
                    int evaluationLimit) const noexcept;
 
-  /// The same from what was found for the query of the tick before, which is near.
+  /// The same from what was found for the query of the tick before, which is near;
+  /// `evaluationLimit` >= 1.
   ClosestPoint Continue(const Vector3& query, const ClosestPoint& previous, double tolerance,
                         int evaluationLimit) const noexcept;
 
@@ -61,6 +65,12 @@ public:
   }
 
 private:
+  ClosestPoint ContinuePortably(const Vector3& query, const ClosestPoint& previous,
+                                double tolerance, int evaluationLimit) const noexcept;
+  ClosestPoint ContinueByAvx2(const Vector3& query, const ClosestPoint& previous, double tolerance,
+                              int evaluationLimit) const noexcept;
+  ClosestPoint Follow(const Vector3& query, const ClosestPoint& previous, double tolerance,
+                      int evaluationLimit) const noexcept;
   bool Foresee(const Vector3& query, const ClosestPoint& previous, double tolerance,
                double rounding, ClosestPoint& point) const noexcept;
   void Descend(const Vector3& query, double tolerance, int evaluationLimit, double rounding,
@@ -71,5 +81,6 @@ private:
   double Size;         // of the coordinates of surface points, mm
   double UnitRounding; // relative
   double LongestStep;  // rad
+  InstructionSet Set;
 };
 } // namespace palpate

@@ -5,6 +5,7 @@
 #include "RandomShapes.h"
 
 #include <gtest/gtest.h>
+#include <limits>
 
 namespace palpate
 {
@@ -206,6 +207,62 @@ TEST(ClosestPointTracking, ErrorBoundsHoldAgainstATighterSolve)
                     loose.DistanceError + tight.DistanceError);
       }
     }
+  }
+}
+
+TEST(ClosestPointTracking, EveryInstructionSetFollowsTheSamePoint)
+{
+  Random random(958);
+  const SphericalHarmonicModel model = test::RandomOrgan(random, 12);
+  for (const InstructionSet set : RunnableInstructionSets())
+  {
+    const ClosestPointDescent descent(model, set);
+    const ClosestPointDescent reference(model, InstructionSet::Portable);
+    Path path(random, model, 0.05);
+    const Vector3 u = (path.Next() - model.CenterWorld()).normalized();
+    ClosestPoint tracked =
+        reference.Run(path.Next() - model.CenterWorld(), u, model.EvaluateSecondOrder(u), 1e-7, 50);
+    ASSERT_TRUE(tracked.Converged());
+    for (int tick = 0; tick < 2000; ++tick)
+    {
+      const Vector3 query = path.Next() - model.CenterWorld();
+      const ClosestPoint expected = reference.Continue(query, tracked, 1e-7, 8);
+      tracked = descent.Continue(query, tracked, 1e-7, 8);
+      ASSERT_TRUE(tracked.Converged()) << NameOf(set);
+      ASSERT_LE((tracked.PointWorld - expected.PointWorld).norm(),
+                tracked.PositionError + expected.PositionError)
+          << NameOf(set);
+    }
+  }
+}
+
+// What the last tick left may be of another place or no number at all: it only foresees the step.
+TEST(ClosestPointTracking, AWrongCurvatureCostsEvaluationsOnly)
+{
+  Random random(959);
+  const SphericalHarmonicModel model = test::RandomOrgan(random, 12);
+  const ClosestPointDescent descent(model);
+  Path path(random, model, 0.5);
+  const Vector3 u = (path.Next() - model.CenterWorld()).normalized();
+  ClosestPoint tracked =
+      descent.Run(path.Next() - model.CenterWorld(), u, model.EvaluateSecondOrder(u), 1e-7, 50);
+  for (int tick = 0; tick < 500; ++tick)
+  {
+    const Vector3 query = path.Next() - model.CenterWorld();
+    const Vector3 elsewhere = test::RandomDirection(random);
+    ClosestPoint wrong = tracked;
+    wrong.Expansion =
+        SquaredDistance(elsewhere, model.EvaluateSecondOrder(elsewhere), 40.0 * elsewhere);
+    if (tick % 10 == 0)
+    {
+      wrong.Expansion.Determinant = std::numeric_limits<double>::quiet_NaN();
+    }
+    tracked = descent.Continue(query, tracked, 1e-7, 8);
+    const ClosestPoint found = descent.Continue(query, wrong, 1e-7, 50);
+    ASSERT_TRUE(tracked.Converged());
+    ASSERT_TRUE(found.Converged());
+    ASSERT_LE((tracked.PointWorld - found.PointWorld).norm(),
+              tracked.PositionError + found.PositionError);
   }
 }
 
