@@ -1,6 +1,5 @@
 #pragma once
 
-#include "PalpateSurfaceModule.h"
 #include "VoxelMask.h"
 
 #include <vector>
@@ -18,6 +17,6 @@ enum class DistanceDomain
 /// `value`, to the nearest voxel that has not; 0 for the others. Infinite where there is none.
 /// Source: Felzenszwalb and Huttenlocher, "Distance transforms of sampled functions", Theory of
 /// Computing 8 (2012): along each axis in turn, the lower envelope of parabolas.
-PALPATESURFACE_EXPORT std::vector<float>
-DistanceToOthers(const VoxelMask& mask, unsigned char value, DistanceDomain domain);
+std::vector<float> DistanceToOthers(const VoxelMask& mask, unsigned char value,
+                                    DistanceDomain domain);
 } // namespace palpate
