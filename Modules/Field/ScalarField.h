@@ -21,7 +21,7 @@ struct FieldMemory
 
 /// One or several channels on one grid, of which only the bricks are stored through which the
 /// surface of a material passes, and a margin around them. Immutable once FieldBuilder has made it,
-/// so any number of threads may query it. FieldSampler asks it for values.
+/// so any number of threads may query it. FieldSampler and RayCaster ask it for values and hits.
 class ScalarField
 {
 public:
