@@ -35,8 +35,8 @@ public:
 
   int Count() const noexcept { return this->Found; }
   double Parameter(int crossing) const noexcept { return this->Parameters[crossing]; }
-  /// How far Newton's method, or halving, moved last.
-  double LastStep(int crossing) const noexcept { return this->LastSteps[crossing]; }
+  /// How far the solver may have stopped from it.
+  double Error(int crossing) const noexcept { return this->Errors[crossing]; }
 
   static double Value(const double* coefficients, double u) noexcept
   {
@@ -62,6 +62,17 @@ public:
     slope = Degree * (row[1] - row[0]);
     return row[0] * v + row[1] * u;
   }
+  /// A bound of the second derivative.
+  static double LargestBend(const double* coefficients) noexcept
+  {
+    double largest = 0.0;
+    for (int n = 0; n + 2 <= Degree; ++n)
+    {
+      const double bend = coefficients[n] - 2.0 * coefficients[n + 1] + coefficients[n + 2];
+      largest = std::abs(bend) > largest ? std::abs(bend) : largest;
+    }
+    return Degree * (Degree - 1) * largest;
+  }
 
 private:
   static int Changes(const double* coefficients) noexcept
@@ -74,12 +85,12 @@ private:
     return changes;
   }
 
-  void Add(double parameter, double lastStep) noexcept
+  void Add(double parameter, double error) noexcept
   {
     if (this->Found < Degree)
     {
       this->Parameters[this->Found] = parameter;
-      this->LastSteps[this->Found++] = lastStep;
+      this->Errors[this->Found++] = error;
     }
   }
 
@@ -138,38 +149,47 @@ private:
       return;
     }
     const double chord = first / (first - last);
-    double step = 1.0;
-    const double u = Newton(coefficients, chord > 0.0 && chord < 1.0 ? chord : 0.5, step);
-    this->Add(from + u * (to - from), step * (to - from));
+    double error = 0.0;
+    const double u = Newton(coefficients, chord > 0.0 && chord < 1.0 ? chord : 0.5, error);
+    this->Add(from + u * (to - from), error * (to - from));
   }
 
   // Newton's method, halving the bracket where it leaves it, or where the slope is not that of the
-  // crossing: an end that is nearly zero may have another root close by.
-  static double Newton(const double* coefficients, double u, double& step) noexcept
+  // crossing: an end that is nearly zero may have another root close by. A step of Newton's leaves
+  // its square times bend / (2 slope); `error` becomes twice that, or the bracket.
+  static double Newton(const double* coefficients, double u, double& error) noexcept
   {
     constexpr int MostSteps = 60;
     constexpr double Resolution = 1e-16;
     const bool startsInside = coefficients[0] >= 0.0;
+    const double bend = LargestBend(coefficients);
     double low = 0.0;
     double high = 1.0;
-    for (int n = 0; n < MostSteps && step > Resolution; ++n)
+    error = 1.0;
+    for (int n = 0; n < MostSteps && error > Resolution; ++n)
     {
       double slope = 0.0;
       const double value = Evaluate(coefficients, u, slope);
-      ((value >= 0.0) == startsInside ? low : high) = u;
-      double next = u - value / slope;
-      if ((slope < 0.0) != startsInside || !(next >= low && next <= high))
+      const bool isLow = (value >= 0.0) == startsInside;
+      low = isLow ? u : low;
+      high = isLow ? high : u;
+      const double next = u - value / slope;
+      if ((slope < 0.0) == startsInside && next >= low && next <= high)
       {
-        next = 0.5 * (low + high);
+        error = bend * (next - u) * (next - u) / std::abs(slope);
+        u = next;
       }
-      step = std::abs(next - u);
-      u = next;
+      else
+      {
+        error = high - low;
+        u = 0.5 * (low + high);
+      }
     }
     return u;
   }
 
   int Found = 0;
-  double Parameters[Degree] = {};
-  double LastSteps[Degree] = {};
+  double Parameters[Degree];
+  double Errors[Degree];
 };
 } // namespace palpate

@@ -9,7 +9,9 @@ namespace palpate
 /// Which neighbours a distance may run to.
 enum class DistanceDomain
 {
-  Slices, ///< within the slice across the third axis
+  AcrossI, ///< within the slice across the first axis,
+  AcrossJ, ///< the second,
+  AcrossK, ///< the third
   Space
 };
 

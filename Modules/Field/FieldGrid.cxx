@@ -9,6 +9,10 @@ FieldGrid::FieldGrid(const std::array<int, 3>& size, const Vector3& originWorld,
     : Nodes(size), Origin(originWorld), Steps(spacing), Axes(direction),
       ToWorld(direction * spacing.asDiagonal()), ToIndex(ToWorld.inverse())
 {
+  // One rounding of a difference, one of each product, two of the sum, and those of the matrix.
+  constexpr double Roundings = 8.0;
+  this->Rounding = Roundings * std::numeric_limits<double>::epsilon() *
+                   this->ToIndex.cwiseAbs().rowwise().sum().maxCoeff();
 }
 
 Status FieldGrid::Check() const
@@ -50,14 +54,12 @@ std::size_t FieldGrid::NodeCount() const noexcept
 
 double FieldGrid::PointIndexRounding(const Vector3& pointWorld) const noexcept
 {
-  return this->VectorIndexRounding(pointWorld.cwiseAbs() + this->Origin.cwiseAbs());
+  return this->Rounding *
+         (pointWorld.lpNorm<Eigen::Infinity>() + this->Origin.lpNorm<Eigen::Infinity>());
 }
 
 double FieldGrid::VectorIndexRounding(const Vector3& vectorWorld) const noexcept
 {
-  // One rounding of a difference, one of each product, two of the sum, and those of the matrix.
-  constexpr double Roundings = 8.0;
-  return Roundings * std::numeric_limits<double>::epsilon() *
-         (this->ToIndex.cwiseAbs() * vectorWorld.cwiseAbs()).maxCoeff();
+  return this->Rounding * vectorWorld.lpNorm<Eigen::Infinity>();
 }
 } // namespace palpate

@@ -60,5 +60,6 @@ private:
   Matrix3 Axes = Matrix3::Identity();
   Matrix3 ToWorld = Matrix3::Identity();
   Matrix3 ToIndex = Matrix3::Identity();
+  double Rounding = 0.0; ///< of ToIndex times a vector whose largest coordinate is 1
 };
 } // namespace palpate

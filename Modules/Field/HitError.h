@@ -47,8 +47,12 @@ double ParameterError(const double* polynomial, const Cell& relation, double par
   double slope = 0.0;
   Polynomial::Evaluate(polynomial, parameter, slope);
   double reach = 2.0 * valueError / std::abs(slope);
-  // Widened until the value on both sides is beyond its error: near a double root the slope alone
-  // says too little.
+  if (Polynomial::LargestBend(polynomial) * reach < 0.5 * std::abs(slope))
+  {
+    return reach;
+  }
+  // Near a double root the slope alone says too little: widened until the value on both sides is
+  // beyond its error.
   constexpr int MostDoublings = 60;
   for (int n = 0; n < MostDoublings && reach < 1.0; ++n, reach *= 2.0)
   {

@@ -16,7 +16,7 @@ public:
   {
     double T;
     double Parameter; ///< from 0 to 1 between the segment's ends
-    double LastStep;  ///< of the solver, as a parameter
+    double Error;     ///< the solver's, as a parameter
     int Condition;    ///< which of the material's changes here
   };
 
@@ -36,7 +36,7 @@ public:
       for (int n = 0; n < crossings.Count(); ++n)
       {
         this->Insert(count++, {segment.At(crossings.Parameter(n)), crossings.Parameter(n),
-                               crossings.LastStep(n), c});
+                               crossings.Error(n), c});
       }
     }
     this->StartsInside = material.ConditionCount == 1 ? holds[0] : holds[0] && holds[1];

@@ -1,10 +1,13 @@
 #pragma once
 
+#include "BrickWalk.h"
 #include "FieldHit.h"
 #include "HitError.h"
 #include "MaterialCrossings.h"
 #include "RayPath.h"
 #include "ScalarField.h"
+
+#include <algorithm>
 
 namespace palpate
 {
@@ -34,29 +37,27 @@ public:
     {
       return hit;
     }
-    const MaterialSet inside = this->MaterialsAtStart();
+    const MaterialSet inside = this->ExamineStart(hit);
     if (this->StartsOutside && inside != 0)
     {
-      return this->BorderHit(this->T, this->Axis, true, inside);
+      return this->BorderHit(true, inside);
     }
     hit.StartsInside = inside;
-    while (this->IsInGrid)
+    while (hit.Kind == HitKind::Missed && this->T < this->GridEnd && this->T <= this->TMax)
     {
       const BrickDirectory::Entry entry = this->Field.Directory()[this->Brick()];
       if (entry.Leap > 0)
       {
-        this->Leap(static_cast<int>(entry.Leap));
+        this->GoTo(this->EndOfBox(static_cast<int>(entry.Leap)));
       }
-      else if (this->WalkBrick(this->Field.Directory().Surface(entry), hit))
+      else
       {
-        return hit;
-      }
-      if (this->T > this->TMax)
-      {
-        return hit;
+        this->WalkBrick(this->Field.Directory().Surface(entry), hit);
       }
     }
-    return inside != 0 ? this->BorderHit(this->T, this->Axis, false, inside) : hit;
+    return hit.Kind == HitKind::Missed && this->T >= this->GridEnd && inside != 0
+               ? this->BorderHit(false, inside)
+               : hit;
   }
 
 private:
@@ -64,64 +65,42 @@ private:
   bool Enter() noexcept
   {
     constexpr double Infinity = std::numeric_limits<double>::infinity();
-    double exit = Infinity;
-    int exitAxis = 0;
-    this->T = -Infinity;
+    double entry = -Infinity;
+    this->GridEnd = Infinity;
+    bool isBeside = false;
     for (int axis = 0; axis < 3; ++axis)
     {
-      const int last = this->CellCount[axis] - 1;
-      const int step = this->Path.StepOf(axis);
+      entry = std::max(entry, this->Path.EntryAt(axis, this->FirstCell(axis)));
+      this->GridEnd = std::min(this->GridEnd, this->Path.ExitAt(axis, this->LastCell(axis)));
       const double at = this->Path.Coordinate(axis, 0.0);
-      if (step == 0 && !(at >= 0.0 && at <= last + 1))
-      {
-        return false;
-      }
-      const double entry = this->Path.EntryAt(axis, step > 0 ? 0 : last);
-      if (entry >= this->T)
-      {
-        this->T = entry;
-        this->Axis = axis;
-      }
-      const double leave = this->Path.ExitAt(axis, step > 0 ? last : 0);
-      if (leave < exit)
-      {
-        exit = leave;
-        exitAxis = axis;
-      }
+      isBeside |= this->Path.StepOf(axis) == 0 && !(at >= 0.0 && at <= this->CellCount[axis]);
     }
-    if (this->T > exit || (this->T == exit && this->Axis >= exitAxis) || this->TMin > exit ||
-        this->T > this->TMax)
+    if (isBeside || entry >= this->GridEnd || this->TMin > this->GridEnd || entry > this->TMax)
     {
       return false;
     }
-    this->StartsOutside = this->TMin <= this->T;
-    this->StartsOutside ? this->GoToFirstCell() : this->GoToCellBefore(this->TMin);
+    this->StartsOutside = this->TMin <= entry;
+    if (this->StartsOutside)
+    {
+      this->GoTo(entry);
+      return true;
+    }
+    this->T = entry;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      this->At[axis] = this->Path.CellBefore(axis, this->TMin, this->CellCount[axis]);
+      this->T = std::max(this->T, this->Path.EntryAt(axis, this->At[axis]));
+    }
     return true;
   }
 
-  void GoToFirstCell() noexcept
+  int FirstCell(int axis) const noexcept
   {
-    const int entryAxis = this->Axis;
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      this->At[axis] = this->Path.CellAt(axis, this->T, axis < entryAxis, this->CellCount[axis]);
-    }
-    this->At[entryAxis] = this->Path.StepOf(entryAxis) > 0 ? 0 : this->CellCount[entryAxis] - 1;
+    return this->Path.StepOf(axis) > 0 ? 0 : this->CellCount[axis] - 1;
   }
-
-  void GoToCellBefore(double t) noexcept
+  int LastCell(int axis) const noexcept
   {
-    this->T = -std::numeric_limits<double>::infinity();
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      this->At[axis] = this->Path.CellAt(axis, t, false, this->CellCount[axis]);
-      const double entry = this->Path.EntryAt(axis, this->At[axis]);
-      if (entry >= this->T)
-      {
-        this->T = entry;
-        this->Axis = axis;
-      }
-    }
+    return this->Path.StepOf(axis) > 0 ? this->CellCount[axis] - 1 : 0;
   }
 
   std::size_t Brick() const noexcept
@@ -136,22 +115,17 @@ private:
   // From the present cell's entry to its exit.
   CellSegment Segment() const noexcept
   {
-    int axis = 0;
-    double exit = this->Path.ExitAt(0, this->At[0]);
-    for (int a = 1; a < 3; ++a)
+    double exit = std::numeric_limits<double>::infinity();
+    for (int axis = 0; axis < 3; ++axis)
     {
-      const double leave = this->Path.ExitAt(a, this->At[a]);
-      if (leave < exit)
-      {
-        exit = leave;
-        axis = a;
-      }
+      exit = std::min(exit, this->Path.ExitAt(axis, this->At[axis]));
     }
-    return {this->Path, this->At, this->T, this->Axis, exit, axis};
+    return {this->Path, this->At, this->T, exit};
   }
 
-  // Of those wanted: just before TMin, or at the first cell's face.
-  MaterialSet MaterialsAtStart() const noexcept
+  // What of the wanted the ray is in just before TMin, or at the first cell's face. Looks for a hit
+  // in the first cell on the way.
+  MaterialSet ExamineStart(FieldHit& hit) noexcept
   {
     const BrickDirectory::Entry entry = this->Field.Directory()[this->Brick()];
     if (entry.Leap > 0)
@@ -159,114 +133,75 @@ private:
       return entry.Word & this->Wanted;
     }
     const SurfaceBrick& surface = this->Field.Directory().Surface(entry);
-    const CellSegment segment = this->Segment();
     MaterialSet inside = surface.Inside & this->Wanted;
-    for (int m = 0; surface.Materials >> m != 0 && m < MostMaterials; ++m)
-    {
-      if (!Contains(surface.Materials & this->Wanted, m))
-      {
-        continue;
-      }
-      const MaterialCrossings<Cell> crossings(this->Field, this->Field.Material(m), this->Brick(),
-                                              this->FirstNode(), segment);
-      bool isInside = crossings.IsInsideAtStart();
-      for (int n = 0; n < crossings.Count() && crossings[n].T < this->TMin; ++n)
-      {
-        isInside = !isInside;
-      }
-      inside |= isInside ? OnlyMaterial(m) : 0;
-    }
+    inside |= this->FindHit(surface.Materials & this->Wanted, this->Brick(), this->Segment(), hit);
+    this->IsFirstCell = true;
     return inside;
   }
 
-  // Crosses the boundary of the largest box of bricks round this one that has no surface.
-  void Leap(int bricks) noexcept
+  // When the ray leaves the box of bricks that are nearer to this one than `bricks`, if that is in
+  // the grid.
+  double EndOfBox(int bricks) const noexcept
   {
-    int last[3];
-    double exit = std::numeric_limits<double>::infinity();
-    int exitAxis = 0;
+    double planes[3];
     for (int axis = 0; axis < 3; ++axis)
     {
       const int brick = this->At[axis] >> BrickLayout::Shift;
-      const int ahead = (brick + bricks) * BrickLayout::Cells - 1;
-      const int behind = (brick - bricks + 1) * BrickLayout::Cells;
-      last[axis] = this->Path.StepOf(axis) > 0
-                       ? (ahead < this->CellCount[axis] - 1 ? ahead : this->CellCount[axis] - 1)
-                       : (behind > 0 ? behind : 0);
-      const double leave = this->Path.ExitAt(axis, last[axis]);
-      if (leave < exit)
-      {
-        exit = leave;
-        exitAxis = axis;
-      }
+      const int ahead = brick + 1 - bricks + this->Path.Rises(axis) * (2 * bricks - 1);
+      planes[axis] = ahead * BrickLayout::Cells;
     }
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      this->At[axis] = axis == exitAxis
-                           ? last[axis]
-                           : this->Path.CellAt(axis, exit, axis < exitAxis, this->CellCount[axis]);
-    }
-    this->T = exit;
-    this->StepAlong(exitAxis);
+    const RayPath::Pair xy = this->Path.Crossings(0, RayPath::Pair{planes[0], planes[1]});
+    const RayPath::Pair z = this->Path.Crossings(1, RayPath::Pair{planes[2], 0.0});
+    return std::min(std::min(xy[0], xy[1]), std::min(z[0], this->GridEnd));
   }
 
-  void StepAlong(int axis) noexcept
+  // Crosses whatever is crossed at t.
+  void GoTo(double t) noexcept
   {
-    this->Axis = axis;
-    this->At[axis] += this->Path.StepOf(axis);
-    this->IsInGrid = this->At[axis] >= 0 && this->At[axis] < this->CellCount[axis];
+    this->T = t;
+    this->Path.GetCellAfter(t, this->CellCount, this->At);
   }
 
-  // Cell by cell until the ray leaves the brick; true at a hit, or past TMax.
-  bool WalkBrick(const SurfaceBrick& surface, FieldHit& hit) noexcept
+  // Cell by cell until the ray leaves the brick, is past TMax, or hits.
+  void WalkBrick(const SurfaceBrick& surface, FieldHit& hit) noexcept
   {
     const std::size_t brick = this->Brick();
     const MaterialSet materials = surface.Materials & this->Wanted;
-    double exits[3];
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      exits[axis] = this->Path.ExitAt(axis, this->At[axis]);
-    }
+    const double end = this->EndOfBox(1);
+    BrickWalk walk(this->Path, this->At, end);
     for (;;)
     {
-      const int lower = exits[1] < exits[0] ? 1 : 0;
-      const int axis = exits[2] < exits[lower] ? 2 : lower;
-      const double exit = exits[axis];
-      if (this->MayHaveSurface(surface))
+      const int bit = walk.CellBit();
+      const std::uint64_t word = surface.Cells[static_cast<std::size_t>(bit >> 6)];
+      if ((word >> (bit & 63) & 1u) != 0 && !this->IsFirstCell)
       {
-        const CellSegment segment(this->Path, this->At, this->T, this->Axis, exit, axis);
-        if (this->FindHit(materials, brick, segment, hit))
+        walk.GetCell(this->At);
+        this->FindHit(materials, brick, {this->Path, this->At, this->T, walk.Exit()}, hit);
+        if (hit.Kind != HitKind::Missed)
         {
-          return true;
+          return;
         }
       }
-      const int before = this->At[axis];
-      this->T = exit;
-      this->StepAlong(axis);
-      if (exit > this->TMax || !this->IsInGrid ||
-          (before ^ this->At[axis]) >> BrickLayout::Shift != 0)
+      this->IsFirstCell = false;
+      this->T = walk.Exit();
+      if (walk.IsLast() || this->T > this->TMax)
       {
-        return false;
+        return this->GoTo(this->T);
       }
-      exits[axis] = this->Path.ExitAt(axis, this->At[axis]);
+      walk.Step();
     }
   }
 
-  bool MayHaveSurface(const SurfaceBrick& surface) const noexcept
+  // The earliest crossing of all wanted materials in this cell, from TMin on. Answers in which of
+  // them the ray is just before TMin or, if that is earlier, at the cell's entry.
+  MaterialSet FindHit(MaterialSet materials, std::size_t brick, const CellSegment& segment,
+                      FieldHit& hit) noexcept
   {
-    constexpr int Mask = BrickLayout::Cells - 1;
-    const int bit = (this->At[1] & Mask) * BrickLayout::Cells + (this->At[0] & Mask);
-    return (surface.Cells[static_cast<std::size_t>(this->At[2] & Mask)] >> bit & 1u) != 0;
-  }
-
-  // The earliest crossing of all wanted materials in this cell, from TMin on.
-  bool FindHit(MaterialSet materials, std::size_t brick, const CellSegment& segment,
-               FieldHit& hit) noexcept
-  {
+    MaterialSet inside = 0;
     double earliest = this->TMax;
-    for (int m = 0; materials >> m != 0; ++m)
+    for (int m = 0; materials != 0; ++m, materials >>= 1)
     {
-      if (!Contains(materials, m))
+      if ((materials & 1u) == 0)
       {
         continue;
       }
@@ -277,16 +212,18 @@ private:
       {
         ++n;
       }
+      const bool isInside = crossings.IsInsideAtStart() == (n % 2 == 0);
+      inside |= isInside ? OnlyMaterial(m) : 0;
       if (n < crossings.Count() && (crossings[n].T < earliest ||
                                     (crossings[n].T == earliest && hit.Kind == HitKind::Missed)))
       {
         earliest = crossings[n].T;
         hit.Material = m;
-        hit.IsEntering = crossings.IsInsideAtStart() == (n % 2 != 0);
+        hit.IsEntering = !isInside;
         this->Describe(crossings, crossings[n], segment, hit);
       }
     }
-    return hit.Kind != HitKind::Missed;
+    return inside;
   }
 
   void Describe(const MaterialCrossings<Cell>& crossings,
@@ -306,15 +243,16 @@ private:
     const double coordinateError = this->Rounding.At(this->Path, crossing.T);
     const double parameterError = ParameterError(crossings.Polynomial(crossing.Condition), relation,
                                                  crossing.Parameter, coordinateError) +
-                                  crossing.LastStep;
+                                  crossing.Error;
     hit.ErrorT = parameterError * (segment.T1 - segment.T0) + RoundingOfT(crossing.T);
   }
 
-  FieldHit BorderHit(double t, int axis, bool isEntering, MaterialSet inside) const noexcept
+  // Where the ray is now.
+  FieldHit BorderHit(bool isEntering, MaterialSet inside) const noexcept
   {
     FieldHit hit;
     hit.StartsInside = isEntering ? 0 : inside;
-    if (t > this->TMax)
+    if (this->T > this->TMax)
     {
       return hit;
     }
@@ -323,11 +261,25 @@ private:
     while (!Contains(inside, ++hit.Material))
     {
     }
-    hit.T = t;
-    hit.Position = this->Path.Point(t);
+    hit.T = this->T;
+    hit.Position = this->Path.Point(this->T);
+    const int axis = this->BorderAxis(isEntering);
     hit.Gradient[axis] = (this->Path.StepOf(axis) > 0) == isEntering ? 1.0 : -1.0;
-    hit.ErrorT = RoundingOfT(t) + this->Rounding.At(this->Path, t) * this->Path.Slowness(axis);
+    hit.ErrorT =
+        RoundingOfT(this->T) + this->Rounding.At(this->Path, this->T) * this->Path.Slowness(axis);
     return hit;
+  }
+
+  // Of the faces of the grid that are crossed now, the lowest axis.
+  int BorderAxis(bool isEntering) const noexcept
+  {
+    int axis = 0;
+    while (axis < 2 && (isEntering ? this->Path.EntryAt(axis, this->FirstCell(axis))
+                                   : this->Path.ExitAt(axis, this->LastCell(axis))) != this->T)
+    {
+      ++axis;
+    }
+    return axis;
   }
 
   const ScalarField& Field;
@@ -338,10 +290,10 @@ private:
   MaterialSet Wanted;
   const CoordinateRounding& Rounding;
   int CellCount[3];
-  int At[3];      ///< the present cell
-  double T = 0.0; ///< when the ray entered it,
-  int Axis = 0;   ///< and across which plane
-  bool IsInGrid = true;
+  int At[3];            ///< the present cell
+  double T = 0.0;       ///< when the ray entered it
+  double GridEnd = 0.0; ///< when the ray leaves the grid
   bool StartsOutside = false;
+  bool IsFirstCell = false; ///< and that was examined already
 };
 } // namespace palpate
