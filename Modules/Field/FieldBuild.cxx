@@ -116,8 +116,16 @@ ConditionCells FieldBuild::CellsOf(const FieldCondition& condition) const
   const bool isAtLeast = condition.Sense == FieldSense::AtLeast;
   const bool all = isAtLeast ? nodes.Lowest() >= condition.Iso : nodes.Highest() <= condition.Iso;
   const bool any = isAtLeast ? nodes.Highest() >= condition.Iso : nodes.Lowest() <= condition.Iso;
-  return all == any ? UniformCells(all)
-                    : ClassifyCells(nodes.Values(), this->Field->Bricks, condition);
+  if (all == any)
+  {
+    return UniformCells(all);
+  }
+  ConditionCells cells = ClassifyCells(nodes.Values(), this->Field->Bricks, condition);
+  if (this->Field->Method == FieldInterpolation::TricubicBSpline)
+  {
+    TightenBSplineCells(nodes.Values(), this->Field->Bricks, condition, cells);
+  }
+  return cells;
 }
 
 ConditionCells FieldBuild::CellsOf(const FieldMaterial& material) const

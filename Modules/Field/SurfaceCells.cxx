@@ -1,5 +1,10 @@
 #include "SurfaceCells.h"
 
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <limits>
+
 namespace palpate
 {
 namespace
@@ -56,6 +61,56 @@ struct SliceBits
     }
   }
 };
+
+// Four B-spline coefficients to the four Bernstein coefficients of the piece that they make.
+void ToBernstein(double* first, int stride)
+{
+  const double a = first[0];
+  const double b = first[stride];
+  const double c = first[2 * stride];
+  const double d = first[3 * stride];
+  first[0] = (a + 4.0 * b + c) / 6.0;
+  first[stride] = (2.0 * b + c) / 3.0;
+  first[2 * stride] = (b + 2.0 * c) / 3.0;
+  first[3 * stride] = (b + 4.0 * c + d) / 6.0;
+}
+
+// How far a condition holds in a cell, at least and at most, but for rounding.
+struct CellRange
+{
+  double Lowest = std::numeric_limits<double>::infinity();
+  double Highest = -std::numeric_limits<double>::infinity();
+
+  CellRange(const double* firstNode, int side, const FieldCondition& condition)
+  {
+    constexpr int Window = 4;
+    double values[Window * Window * Window];
+    double largest = 0.0;
+    const double sign = condition.Sense == FieldSense::AtLeast ? 1.0 : -1.0;
+    for (int n = 0; n < Window * Window * Window; ++n)
+    {
+      const double node = firstNode[((n >> 4) * side + (n >> 2 & 3)) * side + (n & 3)];
+      values[n] = sign * (node - condition.Iso);
+      largest = std::max(largest, std::abs(values[n]));
+    }
+    for (int line = 0; line < Window * Window; ++line)
+    {
+      ToBernstein(values + 4 * line, 1);
+    }
+    for (int line = 0; line < Window * Window; ++line)
+    {
+      ToBernstein(values + 16 * (line >> 2) + (line & 3), 4);
+    }
+    for (int line = 0; line < Window * Window; ++line)
+    {
+      ToBernstein(values + line, 16);
+    }
+    constexpr double Rounding = 1e-12; // of values as rays compute them, with much to spare
+    const auto [low, high] = std::minmax_element(std::begin(values), std::end(values));
+    this->Lowest = *low - Rounding * largest;
+    this->Highest = *high + Rounding * largest;
+  }
+};
 } // namespace
 
 ConditionCells ClassifyCells(const double* nodes, const BrickLayout& layout,
@@ -78,6 +133,25 @@ ConditionCells ClassifyCells(const double* nodes, const BrickLayout& layout,
     }
   }
   return cells;
+}
+
+void TightenBSplineCells(const double* nodes, const BrickLayout& layout,
+                         const FieldCondition& condition, ConditionCells& cells)
+{
+  for (int cell = 0; cell < Cells * Cells * Cells; ++cell)
+  {
+    const int k = cell / (Cells * Cells);
+    const auto word = static_cast<std::size_t>(k);
+    const std::uint64_t bit = std::uint64_t{1} << (cell % (Cells * Cells));
+    if ((cells.Any[word] & ~cells.All[word] & bit) == 0)
+    {
+      continue;
+    }
+    const int first = layout.FirstNodeOfCell(cell % Cells, cell / Cells % Cells, k);
+    const CellRange range(nodes + first, layout.Side, condition);
+    cells.Any[word] &= range.Highest < 0.0 ? ~bit : ~std::uint64_t{0};
+    cells.All[word] |= range.Lowest >= 0.0 ? bit : 0;
+  }
 }
 
 ConditionCells UniformCells(bool holds)

@@ -16,6 +16,10 @@ struct ConditionCells
 /// For the nodes of one brick, i fastest.
 ConditionCells ClassifyCells(const double* nodes, const BrickLayout& layout,
                              const FieldCondition& condition);
-/// The same where every node says the same.
+/// Takes cells out of what ClassifyCells left open for a cubic B-spline: in each, its coefficients
+/// are turned into Bernstein coefficients of the cell, between which the values lie much closer.
+void TightenBSplineCells(const double* nodes, const BrickLayout& layout,
+                         const FieldCondition& condition, ConditionCells& cells);
+/// What ClassifyCells gives where every node says the same.
 ConditionCells UniformCells(bool holds);
 } // namespace palpate
