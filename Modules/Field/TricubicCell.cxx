@@ -1,5 +1,7 @@
 #include "TricubicCell.h"
 
+#include <algorithm>
+
 namespace palpate
 {
 namespace
@@ -56,45 +58,60 @@ double Contract(const double* nodes, const double* x, const double* y, const dou
 }
 
 // The basis functions along a segment: Bernstein coefficients times binomials, so that products of
-// polynomials are convolutions. [coefficient][function]
+// polynomials are convolutions.
 struct SegmentWeights
 {
-  double Scaled[4][4];
+  double Scaled[4][4]; ///< [function][coefficient]
 
   SegmentWeights(double from, double to)
   {
-    PolarWeights(from, from, from, this->Scaled[0]);
-    PolarWeights(from, from, to, this->Scaled[1]);
-    PolarWeights(from, to, to, this->Scaled[2]);
-    PolarWeights(to, to, to, this->Scaled[3]);
+    double weights[4][4];
+    PolarWeights(from, from, from, weights[0]);
+    PolarWeights(from, from, to, weights[1]);
+    PolarWeights(from, to, to, weights[2]);
+    PolarWeights(to, to, to, weights[3]);
     for (int function = 0; function < 4; ++function)
     {
-      this->Scaled[1][function] *= 3.0;
-      this->Scaled[2][function] *= 3.0;
+      this->Scaled[function][0] = weights[0][function];
+      this->Scaled[function][1] = 3.0 * weights[1][function];
+      this->Scaled[function][2] = 3.0 * weights[2][function];
+      this->Scaled[function][3] = weights[3][function];
     }
   }
 };
+
+// sum_f nodes[f] weights[f], of degree 3.
+void Combine(const double* nodes, const SegmentWeights& weights, double* sum)
+{
+  double total[4] = {};
+  for (int function = 0; function < 4; ++function)
+  {
+    for (int c = 0; c < 4; ++c)
+    {
+      total[c] += nodes[function] * weights.Scaled[function][c];
+    }
+  }
+  std::copy_n(total, 4, sum);
+}
 
 // sum_f polynomials[f] weights[f], of degree `degree` + 3.
 template <int degree>
 void Convolve(const double (*polynomials)[degree + 1], const SegmentWeights& weights,
               double* product)
 {
-  for (int c = 0; c <= degree + 3; ++c)
-  {
-    product[c] = 0.0;
-  }
+  double total[degree + 4] = {};
   for (int function = 0; function < 4; ++function)
   {
     for (int w = 0; w < 4; ++w)
     {
-      const double weight = weights.Scaled[w][function];
+      const double weight = weights.Scaled[function][w];
       for (int c = 0; c <= degree; ++c)
       {
-        product[c + w] += polynomials[function][c] * weight;
+        total[c + w] += polynomials[function][c] * weight;
       }
     }
   }
+  std::copy_n(total, degree + 4, product);
 }
 } // namespace
 
@@ -133,10 +150,7 @@ void TricubicCell::Restrict(const double* from, const double* to, double* bernst
     double rows[4][4];
     for (int j = 0; j < 4; ++j)
     {
-      for (int c = 0; c < 4; ++c)
-      {
-        rows[j][c] = Dot(this->Nodes + 16 * k + 4 * j, x.Scaled[c]);
-      }
+      Combine(this->Nodes + 16 * k + 4 * j, x, rows[j]);
     }
     Convolve<3>(rows, y, slices[k]);
   }
