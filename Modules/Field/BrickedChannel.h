@@ -35,6 +35,9 @@ public:
 
   const Slot& SlotOf(std::size_t brick) const noexcept { return this->Slots[brick]; }
   ScalarType StoredType() const noexcept { return this->Type; }
+  /// The blocks' numbers, and how many there are from block to block.
+  const void* BlockData() const noexcept { return this->Data; }
+  std::size_t BlockStride() const noexcept { return this->Stride; }
   std::size_t BlockCount() const noexcept { return this->Count; }
   std::size_t Bytes() const noexcept;
 

@@ -45,6 +45,7 @@ FieldBuild::FieldBuild(const FieldGrid& grid, FieldInterpolation interpolation,
   this->Field->Bricks = BrickLayout(grid.Size(), interpolation);
   this->Field->BrickEntries = BrickDirectory(this->Field->Bricks);
   this->Field->Materials = materials;
+  this->Field->Maps.assign(materials.size(), MaterialMap(this->Field->Bricks.BrickCount()));
 }
 
 void FieldBuild::AddChannel(const FieldSamples& samples, ScalarType stored)
@@ -209,6 +210,7 @@ void FieldBuild::ClassifyMaterial(int number, const BrickPlace& brick, const Cel
   {
     // Neighbouring cells share nodes: without a surface, what holds in one cell holds in all.
     surface.Inside |= OnlyMaterial(number);
+    this->Field->Maps[static_cast<std::size_t>(number)].Set(brick.Number, MaterialMap::Filled);
   }
 }
 
@@ -257,6 +259,28 @@ void FieldBuild::StoreWanted(const BrickPlace& brick)
     {
       source.Nodes.Gather(brick.I, brick.J, brick.K);
       this->Field->Channels[channel].Store(brick.Number, source.Nodes.Values());
+    }
+  }
+  this->MapBlocks(brick);
+}
+
+// Of materials that have a surface in the brick.
+void FieldBuild::MapBlocks(const BrickPlace& brick)
+{
+  const BrickDirectory::Entry entry = this->Field->BrickEntries[brick.Number];
+  if (entry.Leap > 0)
+  {
+    return;
+  }
+  const MaterialSet materials = this->Field->BrickEntries.Surface(entry).Materials;
+  for (int m = 0; m < this->Field->MaterialCount(); ++m)
+  {
+    if (Contains(materials, m))
+    {
+      const BrickedChannel& channel =
+          this->Field->Channel(this->Field->Material(m).Conditions[0].Channel);
+      this->Field->Maps[static_cast<std::size_t>(m)].Set(brick.Number,
+                                                         channel.SlotOf(brick.Number).Block);
     }
   }
 }

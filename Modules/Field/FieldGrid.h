@@ -28,13 +28,21 @@ public:
   const Vector3& Spacing() const noexcept { return this->Steps; }
   const Matrix3& Direction() const noexcept { return this->Axes; }
 
+  /// Applied to point - origin, mm.
+  const Matrix3& WorldToIndex() const noexcept { return this->ToIndex; }
+
   Vector3 PointWorld(const Vector3& pointIndex) const noexcept
   {
     return this->Origin + this->ToWorld * pointIndex;
   }
   Vector3 PointIndex(const Vector3& pointWorld) const noexcept
   {
-    return this->ToIndex * (pointWorld - this->Origin);
+    // Written out, so that kernels that do the same get the same bits.
+    const Vector3 d = pointWorld - this->Origin;
+    const Matrix3& m = this->ToIndex;
+    return {m(0, 0) * d[0] + m(0, 1) * d[1] + m(0, 2) * d[2],
+            m(1, 0) * d[0] + m(1, 1) * d[1] + m(1, 2) * d[2],
+            m(2, 0) * d[0] + m(2, 1) * d[1] + m(2, 2) * d[2]};
   }
   Vector3 VectorWorld(const Vector3& vectorIndex) const noexcept
   {

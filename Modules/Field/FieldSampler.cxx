@@ -54,42 +54,38 @@ FieldGradientSample GradientOf(const ScalarField& field, int channel,
   return sample;
 }
 
-// Of a material that has a surface in the brick, so that its channels' nodes are stored there.
 template <typename Cell>
-bool HoldsAt(const ScalarField& field, const FieldMaterial& material,
-             const CellPlace& place) noexcept
+bool Holds(const FieldCondition& condition, const BrickedChannel& samples, std::uint32_t block,
+           const CellPlace& place) noexcept
 {
-  for (int c = 0; c < material.ConditionCount; ++c)
-  {
-    const FieldCondition& condition = material.Conditions[c];
-    const BrickedChannel& samples = field.Channel(condition.Channel);
-    Cell cell = LoadCell<Cell>(samples, samples.SlotOf(place.Brick).Block, place);
-    cell.Relate(condition);
-    if (!(cell.Value(place.U) >= 0.0))
-    {
-      return false;
-    }
-  }
-  return true;
+  Cell cell = LoadCell<Cell>(samples, block, place);
+  cell.Relate(condition);
+  return cell.Value(place.U) >= 0.0;
 }
 
 template <typename Cell>
-bool IsInside(const ScalarField& field, int material, const Vector3& pointIndex) noexcept
+bool IsInside(const ScalarField& field, int number, const Vector3& pointIndex) noexcept
 {
   CellPlace place;
   if (!place.Locate(field.Layout(), pointIndex))
   {
     return false;
   }
-  const BrickDirectory::Entry entry = field.Directory()[place.Brick];
-  if (entry.Leap > 0)
+  const std::uint32_t code = field.Map(number)[place.Brick];
+  if (code >= MaterialMap::Filled)
   {
-    return Contains(entry.Word, material);
+    return code == MaterialMap::Filled;
   }
-  const SurfaceBrick& surface = field.Directory().Surface(entry);
-  return Contains(surface.Materials, material)
-             ? HoldsAt<Cell>(field, field.Material(material), place)
-             : Contains(surface.Inside, material);
+  const FieldMaterial& material = field.Material(number);
+  bool isInside = Holds<Cell>(material.Conditions[0], field.Channel(material.Conditions[0].Channel),
+                              code, place);
+  for (int c = 1; c < material.ConditionCount && isInside; ++c)
+  {
+    const BrickedChannel& samples = field.Channel(material.Conditions[c].Channel);
+    isInside =
+        Holds<Cell>(material.Conditions[c], samples, samples.SlotOf(place.Brick).Block, place);
+  }
+  return isInside;
 }
 
 template <typename Cell>
@@ -107,7 +103,44 @@ bool IsTrilinear(const ScalarField& field) noexcept
 {
   return field.Interpolation() == FieldInterpolation::Trilinear;
 }
+
+// Of 32 bits and more only floating point is stored.
+int KernelType(ScalarType type) noexcept
+{
+  return type == ScalarType::Float32 ? 4 : type == ScalarType::Float64 ? 5 : static_cast<int>(type);
+}
+
+inside::Material DescribeForKernel(const ScalarField& field, int number) noexcept
+{
+  const FieldCondition& condition = field.Material(number).Conditions[0];
+  const BrickedChannel& samples = field.Channel(condition.Channel);
+  inside::Material material{};
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const auto a = static_cast<std::size_t>(axis);
+    for (int column = 0; column < 3; ++column)
+    {
+      material.ToIndex[3 * axis + column] = field.Grid().WorldToIndex()(axis, column);
+    }
+    material.Origin[axis] = field.Grid().OriginWorld()[axis];
+    material.Nodes[axis] = field.Layout().Nodes[a];
+    material.Bricks[axis] = field.Layout().Bricks[a];
+  }
+  material.Codes = field.Map(number).Data();
+  material.Absent = MaterialMap::Absent;
+  material.Filled = MaterialMap::Filled;
+  material.Blocks = samples.BlockData();
+  material.Stride = samples.BlockStride();
+  material.Iso = condition.Iso;
+  material.Sign = condition.Sense == FieldSense::AtLeast ? 1.0 : -1.0;
+  return material;
+}
 } // namespace
+
+FieldSampler::FieldSampler(std::shared_ptr<const ScalarField> field, InstructionSet set)
+    : Data(std::move(field)), Kernel(&inside::KernelFor(set))
+{
+}
 
 FieldSample FieldSampler::ValueIndex(int channel, const Vector3& pointIndex) const noexcept
 {
@@ -158,18 +191,18 @@ MaterialSet FieldSampler::MaterialsWorld(const Vector3& pointWorld) const noexce
   return this->MaterialsIndex(this->Data->Grid().PointIndex(pointWorld));
 }
 
-void FieldSampler::AreInsideIndex(int material, const Vector3* pointsIndex, std::size_t count,
-                                  unsigned char* inside) const noexcept
-{
-  for (std::size_t p = 0; p < count; ++p)
-  {
-    inside[p] = this->IsInsideIndex(material, pointsIndex[p]) ? 1 : 0;
-  }
-}
-
 void FieldSampler::AreInsideWorld(int material, const Vector3* pointsWorld, std::size_t count,
                                   unsigned char* inside) const noexcept
 {
+  const ScalarField& field = *this->Data;
+  if (IsTrilinear(field) && field.Material(material).ConditionCount == 1)
+  {
+    const BrickedChannel& samples = field.Channel(field.Material(material).Conditions[0].Channel);
+    const auto test = this->Kernel->AreInside[KernelType(samples.StoredType())];
+    static_assert(sizeof(Vector3) == 3 * sizeof(double));
+    test(DescribeForKernel(field, material), pointsWorld->data(), static_cast<long>(count), inside);
+    return;
+  }
   for (std::size_t p = 0; p < count; ++p)
   {
     inside[p] = this->IsInsideWorld(material, pointsWorld[p]) ? 1 : 0;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "InsideKernelChoice.h"
 #include "ScalarField.h"
 #include "Vector3.h"
 
@@ -36,7 +37,9 @@ struct FieldGradientSample
 class FieldSampler
 {
 public:
-  explicit FieldSampler(std::shared_ptr<const ScalarField> field) : Data(std::move(field)) {}
+  /// `set` is one that this processor has; it changes the time of batches, and no answer.
+  explicit FieldSampler(std::shared_ptr<const ScalarField> field,
+                        InstructionSet set = FastestInstructionSet());
   const ScalarField& Field() const noexcept { return *this->Data; }
 
   FieldSample ValueIndex(int channel, const Vector3& pointIndex) const noexcept;
@@ -50,13 +53,13 @@ public:
   /// Every material that the point lies in.
   MaterialSet MaterialsIndex(const Vector3& pointIndex) const noexcept;
   MaterialSet MaterialsWorld(const Vector3& pointWorld) const noexcept;
-  /// The same as IsInside for each point, 1 or 0.
-  void AreInsideIndex(int material, const Vector3* pointsIndex, std::size_t count,
-                      unsigned char* inside) const noexcept;
+  /// The same as IsInsideWorld for each point, 1 or 0. Several points at once where the material
+  /// has one condition and the interpolation is trilinear.
   void AreInsideWorld(int material, const Vector3* pointsWorld, std::size_t count,
                       unsigned char* inside) const noexcept;
 
 private:
   std::shared_ptr<const ScalarField> Data;
+  const inside::Kernel* Kernel;
 };
 } // namespace palpate

@@ -10,6 +10,10 @@ FieldMemory ScalarField::Memory() const noexcept
   memory.Bytes = sizeof(*this) + this->BrickEntries.Bytes() +
                  this->Materials.size() * sizeof(FieldMaterial) +
                  this->Channels.size() * sizeof(BrickedChannel);
+  for (const MaterialMap& map : this->Maps)
+  {
+    memory.Bytes += sizeof(MaterialMap) + map.Bytes();
+  }
   for (const BrickedChannel& channel : this->Channels)
   {
     memory.StoredBlocks += channel.BlockCount();

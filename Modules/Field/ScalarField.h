@@ -4,6 +4,7 @@
 #include "BrickedChannel.h"
 #include "FieldGrid.h"
 #include "FieldMaterial.h"
+#include "MaterialMap.h"
 
 #include <cstddef>
 #include <vector>
@@ -37,6 +38,10 @@ public:
 
   const BrickLayout& Layout() const noexcept { return this->Bricks; }
   const BrickDirectory& Directory() const noexcept { return this->BrickEntries; }
+  const MaterialMap& Map(int material) const noexcept
+  {
+    return this->Maps[static_cast<std::size_t>(material)];
+  }
   const BrickedChannel& Channel(int channel) const noexcept
   {
     return this->Channels[static_cast<std::size_t>(channel)];
@@ -51,6 +56,7 @@ private:
   BrickLayout Bricks;
   BrickDirectory BrickEntries;
   std::vector<FieldMaterial> Materials;
+  std::vector<MaterialMap> Maps;
   std::vector<BrickedChannel> Channels;
 };
 } // namespace palpate

@@ -268,32 +268,56 @@ TEST(FieldSampler, TricubicGradientIsContinuousAcrossFaces)
   EXPECT_LE(jump.Value(), 1e-11); // roundings of gradients of some hundreds
 }
 
-TEST(FieldSampler, BatchesAnswerLikeSingleQueries)
+template <typename T>
+void ExpectBatchesLikeSingleQueries(FieldInterpolation method, FieldSense sense)
 {
   std::mt19937_64 random(17);
-  for (const FieldInterpolation method : Methods)
+  const FieldGrid grid = test::ObliqueGrid({21, 30, 17}, random);
+  std::vector<T> samples = test::RandomSteps<T>(grid, random, 9);
+  std::fill(samples.begin(), samples.begin() + 21 * 30 * 9, T{7}); // bricks without a surface
+  FieldBuilder builder(grid);
+  builder.AddMaterial({builder.AddChannel(SamplesOfGrid(samples.data(), grid)), 4.0, sense});
+  builder.SetInterpolation(method);
+  std::shared_ptr<const ScalarField> field;
+  ASSERT_TRUE(builder.Build(field).IsOk());
+  for (const InstructionSet set : RunnableInstructionSets())
   {
-    const FieldGrid grid = test::ObliqueGrid({21, 30, 17}, random);
-    const auto samples = test::RandomSteps<std::int16_t>(grid, random, 9);
-    const FieldSampler sampler(MakeField(grid, samples, 4.0, method));
+    const FieldSampler sampler(field, set);
     for (const std::size_t count : {0u, 1u, 3u, 4u, 7u, 400u})
     {
-      std::vector<Vector3> index;
       std::vector<Vector3> world;
       for (std::size_t p = 0; p < count; ++p)
       {
-        index.push_back(RandomPoint(grid, random) * 1.1);
-        world.push_back(grid.PointWorld(index.back()));
+        world.push_back(grid.PointWorld(RandomPoint(grid, random) * 1.1));
       }
-      std::vector<unsigned char> insideIndex(count, 7);
-      std::vector<unsigned char> insideWorld(count, 7);
-      sampler.AreInsideIndex(0, index.data(), count, insideIndex.data());
-      sampler.AreInsideWorld(0, world.data(), count, insideWorld.data());
+      if (count > 3)
+      {
+        world[1][2] = NaN;
+        world[2][0] = Infinity;
+        world[3][1] = 1e300;
+      }
+      std::vector<unsigned char> inside(count, 7);
+      sampler.AreInsideWorld(0, world.data(), count, inside.data());
       for (std::size_t p = 0; p < count; ++p)
       {
-        ASSERT_EQ(insideIndex[p] != 0, sampler.IsInsideIndex(0, index[p]));
-        ASSERT_EQ(insideWorld[p] != 0, sampler.IsInsideWorld(0, world[p]));
+        ASSERT_EQ(inside[p], sampler.IsInsideWorld(0, world[p]) ? 1 : 0) << NameOf(set);
       }
+    }
+  }
+}
+
+TEST(FieldSampler, BatchesAnswerLikeSingleQueriesForEveryInstructionSet)
+{
+  for (const FieldInterpolation method : Methods)
+  {
+    for (const FieldSense sense : {FieldSense::AtLeast, FieldSense::AtMost})
+    {
+      ExpectBatchesLikeSingleQueries<std::int8_t>(method, sense);
+      ExpectBatchesLikeSingleQueries<std::uint8_t>(method, sense);
+      ExpectBatchesLikeSingleQueries<std::int16_t>(method, sense);
+      ExpectBatchesLikeSingleQueries<std::uint16_t>(method, sense);
+      ExpectBatchesLikeSingleQueries<float>(method, sense);
+      ExpectBatchesLikeSingleQueries<double>(method, sense);
     }
   }
 }
