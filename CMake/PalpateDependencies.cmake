@@ -19,7 +19,7 @@ endif()
 find_package(VTK 9.1 REQUIRED COMPONENTS ${PALPATE_VTK_COMPONENTS} ${palpate_vtk_build_components})
 
 find_package(ITK 5.2 REQUIRED COMPONENTS ITKCommon ITKIOImageBase ITKIONIFTI ITKIONRRD ITKIOMeta
-  ITKImageLabel ITKConnectedComponents ITKLabelMap)
+  ITKImageLabel ITKConnectedComponents ITKLabelMap ITKImageFunction)
 find_package(DCMTK REQUIRED)
 # Debian packs OpenJPEG's programs apart from its library, and CMake reports each of them as absent.
 set(CMAKE_MESSAGE_LOG_LEVEL WARNING)

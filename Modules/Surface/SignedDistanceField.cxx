@@ -122,7 +122,7 @@ class SliceInterpolator
 public:
   SliceInterpolator(const VoxelMask& mask, int refinement)
       : Mask(mask), Refinement(refinement), SliceSize(mask.Offset(0, 0, 1)),
-        Field(SignedDistance(mask, DistanceDomain::Slices,
+        Field(SignedDistance(mask, DistanceDomain::AcrossK,
                              0.25 * (mask.Spacing[0] + mask.Spacing[1])))
   {
     const auto bound = static_cast<float>(mask.Spacing[2]);

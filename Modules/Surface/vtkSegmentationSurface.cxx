@@ -16,6 +16,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <type_traits>
 
 vtkStandardNewMacro(vtkSegmentationSurface);
 
@@ -37,7 +38,9 @@ palpate::VoxelMask ExtractMask(vtkImageData* image, int label, int rim, bool& to
   palpate::VoxelMask mask;
   const auto extract = [&](const auto* voxels)
   {
-    const palpate::LabelBounds bounds = palpate::FindLabelBounds(voxels, size, label);
+    using Voxel = std::remove_cv_t<std::remove_pointer_t<decltype(voxels)>>;
+    const palpate::LabelBounds bounds =
+        palpate::FindLabelBounds(voxels, size, static_cast<Voxel>(label));
     touchesBorder = bounds.Touches(size);
     if (!bounds.IsEmpty())
     {

@@ -2,6 +2,7 @@
 #include "BoundsBenchmarks.h"
 #include "ComparisonReport.h"
 #include "EvaluationBenchmarks.h"
+#include "FieldBenchmarks.h"
 #include "FitBenchmarks.h"
 #include "InstructionCounts.h"
 #include "MachineName.h"
@@ -27,7 +28,8 @@ std::vector<PairedBenchmark> AllBenchmarks()
   std::vector<PairedBenchmark> all;
   for (auto& group : {palpate::bench::EvaluationBenchmarks(), palpate::bench::FitBenchmarks(),
                       palpate::bench::BoundsBenchmarks(), palpate::bench::NearestBenchmarks(),
-                      palpate::bench::TradeOffBenchmarks(), palpate::bench::PipelineBenchmarks()})
+                      palpate::bench::FieldBenchmarks(), palpate::bench::TradeOffBenchmarks(),
+                      palpate::bench::PipelineBenchmarks()})
   {
     all.insert(all.end(), group.begin(), group.end());
   }

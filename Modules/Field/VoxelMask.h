@@ -55,9 +55,8 @@ struct LabelBounds
 };
 
 template <typename T>
-LabelBounds FindLabelBounds(const T* voxels, const std::array<int, 3>& size, int label)
+LabelBounds FindLabelBounds(const T* voxels, const std::array<int, 3>& size, T wanted)
 {
-  const T wanted = static_cast<T>(label);
   LabelBounds bounds;
   bounds.First = size;
   bounds.Last = {-1, -1, -1};

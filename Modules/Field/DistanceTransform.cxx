@@ -93,9 +93,12 @@ std::vector<float> DistanceToOthers(const VoxelMask& mask, unsigned char value,
     squared[at] = mask.Inside[at] == value ? std::numeric_limits<float>::infinity() : 0.0f;
   }
   const std::array<std::size_t, 3> strides{1, mask.Offset(0, 1, 0), mask.Offset(0, 0, 1)};
-  const std::size_t axes = domain == DistanceDomain::Slices ? 2 : 3;
-  for (std::size_t axis = 0; axis < axes; ++axis)
+  for (std::size_t axis = 0; axis < 3; ++axis)
   {
+    if (axis == static_cast<std::size_t>(domain))
+    {
+      continue;
+    }
     LineTransform line(mask.Size[axis], mask.Spacing[axis]);
     const std::size_t second = axis == 0 ? 1 : 0;
     const std::size_t third = axis == 2 ? 1 : 2;

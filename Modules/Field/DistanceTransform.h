@@ -1,6 +1,5 @@
 #pragma once
 
-#include "PalpateSurfaceModule.h"
 #include "VoxelMask.h"
 
 #include <vector>
@@ -10,7 +9,9 @@ namespace palpate
 /// Which neighbours a distance may run to.
 enum class DistanceDomain
 {
-  Slices, ///< within the slice across the third axis
+  AcrossI, ///< within the slice across the first axis,
+  AcrossJ, ///< the second,
+  AcrossK, ///< the third
   Space
 };
 
@@ -18,6 +19,6 @@ enum class DistanceDomain
 /// `value`, to the nearest voxel that has not; 0 for the others. Infinite where there is none.
 /// Source: Felzenszwalb and Huttenlocher, "Distance transforms of sampled functions", Theory of
 /// Computing 8 (2012): along each axis in turn, the lower envelope of parabolas.
-PALPATESURFACE_EXPORT std::vector<float>
-DistanceToOthers(const VoxelMask& mask, unsigned char value, DistanceDomain domain);
+std::vector<float> DistanceToOthers(const VoxelMask& mask, unsigned char value,
+                                    DistanceDomain domain);
 } // namespace palpate

@@ -26,6 +26,12 @@ palpate::VoxelMask RandomMask(std::mt19937_64& random, const std::array<double, 
   return mask;
 }
 
+bool IsReached(std::array<int, 3> to, std::array<int, 3> from, DistanceDomain domain)
+{
+  const auto axis = static_cast<std::size_t>(domain);
+  return domain == DistanceDomain::Space || to[axis] == from[axis];
+}
+
 // The nearest voxel of the other kind, by looking at all.
 double SlowDistance(const palpate::VoxelMask& mask, std::array<int, 3> from, unsigned char value,
                     DistanceDomain domain)
@@ -37,8 +43,7 @@ double SlowDistance(const palpate::VoxelMask& mask, std::array<int, 3> from, uns
     {
       for (int i = 0; i < mask.Size[0]; ++i)
       {
-        if (mask.Inside[mask.Offset(i, j, k)] != value &&
-            (domain == DistanceDomain::Space || k == from[2]))
+        if (mask.Inside[mask.Offset(i, j, k)] != value && IsReached({i, j, k}, from, domain))
         {
           nearest = std::min(nearest, std::hypot((i - from[0]) * mask.Spacing[0],
                                                  (j - from[1]) * mask.Spacing[1],
@@ -59,7 +64,8 @@ TEST(DistanceTransform, AgreesWithTheSlowSearchAtEverySpacing)
   {
     const palpate::VoxelMask mask =
         RandomMask(random, spacings[static_cast<std::size_t>(round) % spacings.size()]);
-    for (const auto domain : {DistanceDomain::Slices, DistanceDomain::Space})
+    for (const auto domain : {DistanceDomain::AcrossI, DistanceDomain::AcrossJ,
+                              DistanceDomain::AcrossK, DistanceDomain::Space})
     {
       for (const unsigned char value : {0, 1})
       {

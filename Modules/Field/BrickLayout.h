@@ -1,0 +1,65 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+namespace palpate
+{
+/// How a field is interpolated between nodes.
+enum class FieldInterpolation
+{
+  Trilinear,      ///< continuous; its gradient jumps at the faces of cells
+  TricubicBSpline ///< interpolating cubic B-spline: value, gradient and curvature are continuous
+};
+
+/// How a grid is cut into bricks of 8 x 8 x 8 cells. Cell i lies between the nodes i and i + 1. A
+/// brick has its own copy of every node that its cells need: 9^3 for trilinear interpolation; 11^3
+/// for the cubic B-spline, from one node before its first.
+struct BrickLayout
+{
+  static constexpr int Cells = 8;
+  static constexpr int Shift = 3;
+
+  std::array<int, 3> Nodes{};
+  std::array<int, 3> Bricks{};
+  int Side = 9;   ///< nodes of a brick along an axis
+  int Window = 2; ///< nodes that a cell needs along an axis
+
+  BrickLayout() = default;
+  BrickLayout(const std::array<int, 3>& nodes, FieldInterpolation interpolation)
+      : Nodes(nodes), Side(interpolation == FieldInterpolation::Trilinear ? 9 : 11),
+        Window(interpolation == FieldInterpolation::Trilinear ? 2 : 4)
+  {
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      this->Bricks[axis] = (nodes[axis] - 2) / Cells + 1;
+    }
+  }
+
+  /// Nodes that a brick has before its first cell.
+  int Apron() const noexcept { return this->Window / 2 - 1; }
+  std::size_t BrickCount() const noexcept { return this->Number(0, 0, this->Bricks[2]); }
+  std::size_t NodesOfBrick() const noexcept
+  {
+    return static_cast<std::size_t>(this->Side * this->Side * this->Side);
+  }
+  std::size_t Number(int i, int j, int k) const noexcept
+  {
+    return (static_cast<std::size_t>(k) * static_cast<std::size_t>(this->Bricks[1]) +
+            static_cast<std::size_t>(j)) *
+               static_cast<std::size_t>(this->Bricks[0]) +
+           static_cast<std::size_t>(i);
+  }
+  /// The brick that a cell lies in.
+  std::size_t NumberOfCell(int i, int j, int k) const noexcept
+  {
+    return this->Number(i >> Shift, j >> Shift, k >> Shift);
+  }
+  /// Where the first node that a cell needs stands in its brick's copy.
+  int FirstNodeOfCell(int i, int j, int k) const noexcept
+  {
+    constexpr int Mask = Cells - 1;
+    return ((k & Mask) * this->Side + (j & Mask)) * this->Side + (i & Mask);
+  }
+};
+} // namespace palpate

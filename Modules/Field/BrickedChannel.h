@@ -1,0 +1,93 @@
+#pragma once
+
+#include "BrickLayout.h"
+#include "CacheLineVector.h"
+#include "ScalarType.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <variant>
+#include <vector>
+
+namespace palpate
+{
+/// One channel of a field: for every brick either a copy of its nodes or one value. A copy begins a
+/// cache line, and its numbers are of a type that holds the channel's samples exactly.
+class BrickedChannel
+{
+public:
+  static constexpr std::uint32_t NotStored = ~std::uint32_t{0};
+  struct Slot
+  {
+    std::uint32_t Block = NotStored;
+    float Constant = 0.0f; ///< near the brick's values; exact where all are the same and a float is
+  };
+
+  /// `stored` is a type of at most 16 bits, Float32 or Float64.
+  BrickedChannel(const BrickLayout& layout, ScalarType stored);
+  BrickedChannel(BrickedChannel&&) = default;
+  BrickedChannel& operator=(BrickedChannel&&) = default;
+
+  void SetConstant(std::size_t brick, float value) { this->Slots[brick].Constant = value; }
+  /// Makes room for so many blocks; then each is stored once.
+  void Reserve(std::size_t blocks);
+  void Store(std::size_t brick, const double* nodes);
+
+  const Slot& SlotOf(std::size_t brick) const noexcept { return this->Slots[brick]; }
+  ScalarType StoredType() const noexcept { return this->Type; }
+  /// The blocks' numbers, and how many there are from block to block.
+  const void* BlockData() const noexcept { return this->Data; }
+  std::size_t BlockStride() const noexcept { return this->Stride; }
+  std::size_t BlockCount() const noexcept { return this->Count; }
+  std::size_t Bytes() const noexcept;
+
+  /// Copies Window^3 nodes of a block of Side^3, from `first` on, i fastest.
+  template <int Window, int Side>
+  void Load(std::uint32_t block, int first, double* nodes) const noexcept
+  {
+    const std::size_t offset = block * this->Stride + static_cast<std::size_t>(first);
+    switch (this->Type)
+    {
+    case ScalarType::Int8:
+      return LoadFrom<Window, Side>(static_cast<const std::int8_t*>(this->Data) + offset, nodes);
+    case ScalarType::UInt8:
+      return LoadFrom<Window, Side>(static_cast<const std::uint8_t*>(this->Data) + offset, nodes);
+    case ScalarType::Int16:
+      return LoadFrom<Window, Side>(static_cast<const std::int16_t*>(this->Data) + offset, nodes);
+    case ScalarType::UInt16:
+      return LoadFrom<Window, Side>(static_cast<const std::uint16_t*>(this->Data) + offset, nodes);
+    case ScalarType::Float32:
+      return LoadFrom<Window, Side>(static_cast<const float*>(this->Data) + offset, nodes);
+    default:
+      return LoadFrom<Window, Side>(static_cast<const double*>(this->Data) + offset, nodes);
+    }
+  }
+
+private:
+  template <int Window, int Side, typename T>
+  static void LoadFrom(const T* from, double* nodes) noexcept
+  {
+    for (int k = 0; k < Window; ++k)
+    {
+      for (int j = 0; j < Window; ++j)
+      {
+        for (int i = 0; i < Window; ++i)
+        {
+          *nodes++ = static_cast<double>(from[(k * Side + j) * Side + i]);
+        }
+      }
+    }
+  }
+
+  std::vector<Slot> Slots;
+  ScalarType Type;
+  std::size_t BlockNodes;
+  std::size_t Stride; ///< numbers from block to block
+  std::size_t Count = 0;
+  std::variant<CacheLineVector<std::int8_t>, CacheLineVector<std::uint8_t>,
+               CacheLineVector<std::int16_t>, CacheLineVector<std::uint16_t>,
+               CacheLineVector<float>, CacheLineVector<double>>
+      Blocks;
+  const void* Data = nullptr; ///< of Blocks, which a query reads without asking which it is
+};
+} // namespace palpate

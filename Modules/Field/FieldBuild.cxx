@@ -1,0 +1,287 @@
+#include "FieldBuild.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace palpate
+{
+namespace
+{
+// Marks what lies within `reach` bricks along one axis.
+void Widen(const BrickLayout& layout, std::size_t axis, int reach,
+           std::vector<unsigned char>& marks)
+{
+  const std::vector<unsigned char> before = marks;
+  std::array<int, 3> at{};
+  for (at[2] = 0; at[2] < layout.Bricks[2]; ++at[2])
+  {
+    for (at[1] = 0; at[1] < layout.Bricks[1]; ++at[1])
+    {
+      for (at[0] = 0; at[0] < layout.Bricks[0]; ++at[0])
+      {
+        if (before[layout.Number(at[0], at[1], at[2])] == 0)
+        {
+          continue;
+        }
+        std::array<int, 3> other = at;
+        const int last = std::min(at[axis] + reach, layout.Bricks[axis] - 1);
+        for (other[axis] = std::max(at[axis] - reach, 0); other[axis] <= last; ++other[axis])
+        {
+          marks[layout.Number(other[0], other[1], other[2])] = 1;
+        }
+      }
+    }
+  }
+}
+} // namespace
+
+FieldBuild::FieldBuild(const FieldGrid& grid, FieldInterpolation interpolation,
+                       const std::vector<FieldMaterial>& materials,
+                       const FieldBuilder::Progress& progress)
+    : Field(new ScalarField), Report(progress)
+{
+  this->Field->NodeGrid = grid;
+  this->Field->Method = interpolation;
+  this->Field->Bricks = BrickLayout(grid.Size(), interpolation);
+  this->Field->BrickEntries = BrickDirectory(this->Field->Bricks);
+  this->Field->Materials = materials;
+  this->Field->Maps.assign(materials.size(), MaterialMap(this->Field->Bricks.BrickCount()));
+}
+
+void FieldBuild::AddChannel(const FieldSamples& samples, ScalarType stored)
+{
+  const BrickLayout& layout = this->Field->Bricks;
+  this->Field->Channels.emplace_back(layout, stored);
+  this->Sources.push_back(
+      {{}, BrickNodes(layout, samples), std::vector<unsigned char>(layout.BrickCount(), 0)});
+}
+
+void FieldBuild::UseCoefficients(std::vector<float>&& coefficients)
+{
+  Source& source = this->Sources.back();
+  source.Coefficients = std::move(coefficients);
+  source.Nodes = BrickNodes(this->Field->Bricks,
+                            SamplesOfGrid(source.Coefficients.data(), this->Field->NodeGrid));
+}
+
+Status FieldBuild::Run(double margin, std::shared_ptr<const ScalarField>& field)
+{
+  const Status cancelled = Status::Failure("Building the field was cancelled.");
+  if (!this->ForEachBrick(0.0, [this](const BrickPlace& brick) { this->Classify(brick); }))
+  {
+    return cancelled;
+  }
+  Status status = this->CheckSurfaces();
+  if (!status.IsOk())
+  {
+    return status;
+  }
+  this->Field->BrickEntries.FindLeaps(this->Field->Bricks);
+  this->WidenWanted(margin);
+  if (!this->ForEachBrick(0.5, [this](const BrickPlace& brick) { this->StoreWanted(brick); }))
+  {
+    return cancelled;
+  }
+  field = this->Field;
+  return status;
+}
+
+// False once the caller wants no more.
+template <typename Function>
+bool FieldBuild::ForEachBrick(double progressBefore, const Function& function)
+{
+  const BrickLayout& layout = this->Field->Bricks;
+  std::size_t number = 0;
+  for (int k = 0; k < layout.Bricks[2]; ++k)
+  {
+    const double done = progressBefore + 0.5 * k / layout.Bricks[2];
+    if (this->Report && !this->Report(done))
+    {
+      return false;
+    }
+    for (int j = 0; j < layout.Bricks[1]; ++j)
+    {
+      for (int i = 0; i < layout.Bricks[0]; ++i)
+      {
+        function(BrickPlace{i, j, k, number++});
+      }
+    }
+  }
+  return true;
+}
+
+// Cells of the brick whose nodes were gathered last.
+ConditionCells FieldBuild::CellsOf(const FieldCondition& condition) const
+{
+  const BrickNodes& nodes = this->Sources[static_cast<std::size_t>(condition.Channel)].Nodes;
+  const bool isAtLeast = condition.Sense == FieldSense::AtLeast;
+  const bool all = isAtLeast ? nodes.Lowest() >= condition.Iso : nodes.Highest() <= condition.Iso;
+  const bool any = isAtLeast ? nodes.Highest() >= condition.Iso : nodes.Lowest() <= condition.Iso;
+  if (all == any)
+  {
+    return UniformCells(all);
+  }
+  ConditionCells cells = ClassifyCells(nodes.Values(), this->Field->Bricks, condition);
+  if (this->Field->Method == FieldInterpolation::TricubicBSpline)
+  {
+    TightenBSplineCells(nodes.Values(), this->Field->Bricks, condition, cells);
+  }
+  return cells;
+}
+
+ConditionCells FieldBuild::CellsOf(const FieldMaterial& material) const
+{
+  ConditionCells cells = this->CellsOf(material.Conditions[0]);
+  for (int c = 1; c < material.ConditionCount; ++c)
+  {
+    const ConditionCells more = this->CellsOf(material.Conditions[c]);
+    for (std::size_t word = 0; word < cells.Any.size(); ++word)
+    {
+      cells.Any[word] &= more.Any[word];
+      cells.All[word] &= more.All[word];
+    }
+  }
+  return cells;
+}
+
+CellSet FieldBuild::CellsInGrid(const BrickPlace& brick) const
+{
+  const std::array<int, 3>& nodes = this->Field->Bricks.Nodes;
+  const auto cellsLeft = [](int all, int before)
+  { return std::min(BrickLayout::Cells, all - 1 - BrickLayout::Cells * before); };
+  const std::uint64_t row = (1u << cellsLeft(nodes[0], brick.I)) - 1u;
+  std::uint64_t slice = 0;
+  for (int j = 0; j < cellsLeft(nodes[1], brick.J); ++j)
+  {
+    slice |= row << (BrickLayout::Cells * j);
+  }
+  CellSet cells{};
+  std::fill_n(cells.begin(), cellsLeft(nodes[2], brick.K), slice);
+  return cells;
+}
+
+void FieldBuild::Classify(const BrickPlace& brick)
+{
+  for (std::size_t channel = 0; channel < this->Sources.size(); ++channel)
+  {
+    BrickNodes& nodes = this->Sources[channel].Nodes;
+    nodes.Gather(brick.I, brick.J, brick.K);
+    this->Field->Channels[channel].SetConstant(brick.Number, nodes.Middle());
+  }
+  const CellSet inGrid = this->CellsInGrid(brick);
+  SurfaceBrick surface;
+  for (int m = 0; m < this->Field->MaterialCount(); ++m)
+  {
+    this->ClassifyMaterial(m, brick, inGrid, surface);
+  }
+  this->WithSurface |= surface.Materials;
+  if (surface.Materials != 0)
+  {
+    this->Field->BrickEntries.AddSurface(brick.Number, surface);
+  }
+  else
+  {
+    this->Field->BrickEntries.SetInside(brick.Number, surface.Inside);
+  }
+}
+
+void FieldBuild::ClassifyMaterial(int number, const BrickPlace& brick, const CellSet& inGrid,
+                                  SurfaceBrick& surface)
+{
+  const FieldMaterial& material = this->Field->Material(number);
+  const ConditionCells cells = this->CellsOf(material);
+  std::uint64_t some = 0;
+  for (std::size_t word = 0; word < inGrid.size(); ++word)
+  {
+    const std::uint64_t passed = cells.Any[word] & ~cells.All[word] & inGrid[word];
+    surface.Cells[word] |= passed;
+    some |= passed;
+  }
+  if (some != 0)
+  {
+    surface.Materials |= OnlyMaterial(number);
+    for (int c = 0; c < material.ConditionCount; ++c)
+    {
+      const auto channel = static_cast<std::size_t>(material.Conditions[c].Channel);
+      this->Sources[channel].IsWanted[brick.Number] = 1;
+    }
+  }
+  else if ((cells.All[0] & 1u) != 0)
+  {
+    // Neighbouring cells share nodes: without a surface, what holds in one cell holds in all.
+    surface.Inside |= OnlyMaterial(number);
+    this->Field->Maps[static_cast<std::size_t>(number)].Set(brick.Number, MaterialMap::Filled);
+  }
+}
+
+Status FieldBuild::CheckSurfaces() const
+{
+  for (int m = 0; m < this->Field->MaterialCount(); ++m)
+  {
+    if (!Contains(this->WithSurface, m))
+    {
+      return Status::Failure("Material " + std::to_string(m) +
+                             " has no surface: its conditions hold together nowhere, or "
+                             "everywhere.");
+    }
+  }
+  return Status::Success();
+}
+
+void FieldBuild::WidenWanted(double margin)
+{
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    const double brickLength =
+        this->Field->NodeGrid.Spacing()[static_cast<int>(axis)] * BrickLayout::Cells;
+    const double reach = std::ceil(margin / brickLength);
+    for (Source& source : this->Sources)
+    {
+      Widen(this->Field->Bricks, axis,
+            static_cast<int>(std::min<double>(reach, this->Field->Bricks.Bricks[axis])),
+            source.IsWanted);
+    }
+  }
+  for (std::size_t channel = 0; channel < this->Sources.size(); ++channel)
+  {
+    const std::vector<unsigned char>& isWanted = this->Sources[channel].IsWanted;
+    this->Field->Channels[channel].Reserve(
+        static_cast<std::size_t>(std::count(isWanted.begin(), isWanted.end(), 1)));
+  }
+}
+
+void FieldBuild::StoreWanted(const BrickPlace& brick)
+{
+  for (std::size_t channel = 0; channel < this->Sources.size(); ++channel)
+  {
+    Source& source = this->Sources[channel];
+    if (source.IsWanted[brick.Number] != 0)
+    {
+      source.Nodes.Gather(brick.I, brick.J, brick.K);
+      this->Field->Channels[channel].Store(brick.Number, source.Nodes.Values());
+    }
+  }
+  this->MapBlocks(brick);
+}
+
+// Of materials that have a surface in the brick.
+void FieldBuild::MapBlocks(const BrickPlace& brick)
+{
+  const BrickDirectory::Entry entry = this->Field->BrickEntries[brick.Number];
+  if (entry.Leap > 0)
+  {
+    return;
+  }
+  const MaterialSet materials = this->Field->BrickEntries.Surface(entry).Materials;
+  for (int m = 0; m < this->Field->MaterialCount(); ++m)
+  {
+    if (Contains(materials, m))
+    {
+      const BrickedChannel& channel =
+          this->Field->Channel(this->Field->Material(m).Conditions[0].Channel);
+      this->Field->Maps[static_cast<std::size_t>(m)].Set(brick.Number,
+                                                         channel.SlotOf(brick.Number).Block);
+    }
+  }
+}
+} // namespace palpate

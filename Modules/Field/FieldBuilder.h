@@ -1,0 +1,52 @@
+#pragma once
+
+#include "ChannelSurvey.h"
+#include "FieldMaterial.h"
+#include "FieldSamples.h"
+#include "ScalarField.h"
+#include "Status.h"
+
+#include <functional>
+#include <memory>
+#include <vector>
+
+namespace palpate
+{
+/// Collects what a field is made of, and builds it. The samples have to live until then.
+class FieldBuilder
+{
+public:
+  /// Told what part of the work is done, from 0 to 1; answers whether to go on.
+  using Progress = std::function<bool(double)>;
+
+  explicit FieldBuilder(const FieldGrid& grid) : Grid(grid) {}
+
+  /// Both give the number, counted from 0, by which the field knows it.
+  int AddChannel(const FieldSamples& samples);
+  int AddMaterial(const FieldCondition& condition);
+  /// Where both conditions hold: for example an iso-value inside a label.
+  int AddMaterial(const FieldCondition& condition, const FieldCondition& limit);
+
+  void SetInterpolation(FieldInterpolation interpolation) { this->Interpolation = interpolation; }
+  /// Within this distance (mm) of a surface, FieldSampler has samples of the channels that the
+  /// surface's material is made of. 0 by default.
+  void SetMargin(double margin) { this->Margin = margin; }
+
+  /// Refuses, with `field` untouched: a grid or samples that are none, an iso-value that not some
+  /// but all or none of the samples reach, a material without a surface, too many materials, too
+  /// little memory, and what the caller cancels.
+  Status Build(std::shared_ptr<const ScalarField>& field, const Progress& progress = {}) const;
+
+private:
+  Status SurveyChannels(std::vector<ChannelSurvey>& surveys) const;
+  Status CheckMaterials(const std::vector<ChannelSurvey>& surveys) const;
+  Status CheckCondition(const FieldCondition& condition,
+                        const std::vector<ChannelSurvey>& surveys) const;
+
+  FieldGrid Grid;
+  FieldInterpolation Interpolation = FieldInterpolation::Trilinear;
+  double Margin = 0.0;
+  std::vector<FieldSamples> Channels;
+  std::vector<FieldMaterial> Materials;
+};
+} // namespace palpate

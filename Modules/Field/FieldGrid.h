@@ -1,0 +1,73 @@
+#pragma once
+
+#include "Status.h"
+#include "Vector3.h"
+
+#include <array>
+#include <cstddef>
+
+namespace palpate
+{
+/// Where the nodes of a field lie in the world (patient LPS, mm). The index of a node is a whole
+/// number along i, j, k, each from 0; points between nodes have continuous indices, from 0 to
+/// size - 1. Columns of `direction` are the axes in world coordinates.
+class FieldGrid
+{
+public:
+  FieldGrid() = default;
+  FieldGrid(const std::array<int, 3>& size, const Vector3& originWorld, const Vector3& spacing,
+            const Matrix3& direction);
+
+  /// Refuses fewer than two nodes along an axis or more than 65,536, spacings
+  /// that are not positive, and a direction that is not orthonormal (to 1e-4) and right-handed.
+  Status Check() const;
+
+  const std::array<int, 3>& Size() const noexcept { return this->Nodes; }
+  std::size_t NodeCount() const noexcept;
+  const Vector3& OriginWorld() const noexcept { return this->Origin; }
+  const Vector3& Spacing() const noexcept { return this->Steps; }
+  const Matrix3& Direction() const noexcept { return this->Axes; }
+
+  /// Applied to point - origin, mm.
+  const Matrix3& WorldToIndex() const noexcept { return this->ToIndex; }
+
+  Vector3 PointWorld(const Vector3& pointIndex) const noexcept
+  {
+    return this->Origin + this->ToWorld * pointIndex;
+  }
+  Vector3 PointIndex(const Vector3& pointWorld) const noexcept
+  {
+    // Written out, so that kernels that do the same get the same bits.
+    const Vector3 d = pointWorld - this->Origin;
+    const Matrix3& m = this->ToIndex;
+    return {m(0, 0) * d[0] + m(0, 1) * d[1] + m(0, 2) * d[2],
+            m(1, 0) * d[0] + m(1, 1) * d[1] + m(1, 2) * d[2],
+            m(2, 0) * d[0] + m(2, 1) * d[1] + m(2, 2) * d[2]};
+  }
+  Vector3 VectorWorld(const Vector3& vectorIndex) const noexcept
+  {
+    return this->ToWorld * vectorIndex;
+  }
+  Vector3 VectorIndex(const Vector3& vectorWorld) const noexcept
+  {
+    return this->ToIndex * vectorWorld;
+  }
+  /// From change a voxel to change a mm: the transposed inverse of what vectors are mapped with.
+  Vector3 GradientWorld(const Vector3& gradientIndex) const noexcept
+  {
+    return this->ToIndex.transpose() * gradientIndex;
+  }
+  /// How far rounding may put PointIndex(pointWorld) from the exact index, along any axis.
+  double PointIndexRounding(const Vector3& pointWorld) const noexcept;
+  double VectorIndexRounding(const Vector3& vectorWorld) const noexcept;
+
+private:
+  std::array<int, 3> Nodes{};
+  Vector3 Origin = Vector3::Zero();
+  Vector3 Steps = Vector3::Ones();
+  Matrix3 Axes = Matrix3::Identity();
+  Matrix3 ToWorld = Matrix3::Identity();
+  Matrix3 ToIndex = Matrix3::Identity();
+  double Rounding = 0.0; ///< of ToIndex times a vector whose largest coordinate is 1
+};
+} // namespace palpate

@@ -1,0 +1,211 @@
+#include "FieldSampler.h"
+
+#include "CellPlace.h"
+#include "TricubicCell.h"
+#include "TrilinearCell.h"
+
+namespace palpate
+{
+namespace
+{
+template <typename Cell>
+Cell LoadCell(const BrickedChannel& channel, std::uint32_t block, const CellPlace& place) noexcept
+{
+  Cell cell;
+  cell.Load(channel, block, place.FirstNode);
+  return cell;
+}
+
+template <typename Cell>
+FieldSample ValueOf(const ScalarField& field, int channel, const Vector3& pointIndex) noexcept
+{
+  CellPlace place;
+  if (!place.Locate(field.Layout(), pointIndex))
+  {
+    return {};
+  }
+  const BrickedChannel& samples = field.Channel(channel);
+  const BrickedChannel::Slot slot = samples.SlotOf(place.Brick);
+  if (slot.Block == BrickedChannel::NotStored)
+  {
+    return {SampleKind::Constant, slot.Constant};
+  }
+  return {SampleKind::Sampled, LoadCell<Cell>(samples, slot.Block, place).Value(place.U)};
+}
+
+template <typename Cell>
+FieldGradientSample GradientOf(const ScalarField& field, int channel,
+                               const Vector3& pointIndex) noexcept
+{
+  CellPlace place;
+  if (!place.Locate(field.Layout(), pointIndex))
+  {
+    return {};
+  }
+  const BrickedChannel& samples = field.Channel(channel);
+  const BrickedChannel::Slot slot = samples.SlotOf(place.Brick);
+  if (slot.Block == BrickedChannel::NotStored)
+  {
+    return {SampleKind::Constant, slot.Constant, Vector3::Zero()};
+  }
+  const Cell cell = LoadCell<Cell>(samples, slot.Block, place);
+  FieldGradientSample sample{SampleKind::Sampled, cell.Value(place.U), Vector3::Zero()};
+  cell.Gradient(place.U, sample.Gradient.data());
+  return sample;
+}
+
+template <typename Cell>
+bool Holds(const FieldCondition& condition, const BrickedChannel& samples, std::uint32_t block,
+           const CellPlace& place) noexcept
+{
+  Cell cell = LoadCell<Cell>(samples, block, place);
+  cell.Relate(condition);
+  return cell.Value(place.U) >= 0.0;
+}
+
+template <typename Cell>
+bool IsInside(const ScalarField& field, int number, const Vector3& pointIndex) noexcept
+{
+  CellPlace place;
+  if (!place.Locate(field.Layout(), pointIndex))
+  {
+    return false;
+  }
+  const std::uint32_t code = field.Map(number)[place.Brick];
+  if (code >= MaterialMap::Filled)
+  {
+    return code == MaterialMap::Filled;
+  }
+  const FieldMaterial& material = field.Material(number);
+  bool isInside = Holds<Cell>(material.Conditions[0], field.Channel(material.Conditions[0].Channel),
+                              code, place);
+  for (int c = 1; c < material.ConditionCount && isInside; ++c)
+  {
+    const BrickedChannel& samples = field.Channel(material.Conditions[c].Channel);
+    isInside =
+        Holds<Cell>(material.Conditions[c], samples, samples.SlotOf(place.Brick).Block, place);
+  }
+  return isInside;
+}
+
+template <typename Cell>
+MaterialSet MaterialsAt(const ScalarField& field, const Vector3& pointIndex) noexcept
+{
+  MaterialSet set = 0;
+  for (int material = 0; material < field.MaterialCount(); ++material)
+  {
+    set |= IsInside<Cell>(field, material, pointIndex) ? OnlyMaterial(material) : 0;
+  }
+  return set;
+}
+
+bool IsTrilinear(const ScalarField& field) noexcept
+{
+  return field.Interpolation() == FieldInterpolation::Trilinear;
+}
+
+// Of 32 bits and more only floating point is stored.
+int KernelType(ScalarType type) noexcept
+{
+  return type == ScalarType::Float32 ? 4 : type == ScalarType::Float64 ? 5 : static_cast<int>(type);
+}
+
+inside::Material DescribeForKernel(const ScalarField& field, int number) noexcept
+{
+  const FieldCondition& condition = field.Material(number).Conditions[0];
+  const BrickedChannel& samples = field.Channel(condition.Channel);
+  inside::Material material{};
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const auto a = static_cast<std::size_t>(axis);
+    for (int column = 0; column < 3; ++column)
+    {
+      material.ToIndex[3 * axis + column] = field.Grid().WorldToIndex()(axis, column);
+    }
+    material.Origin[axis] = field.Grid().OriginWorld()[axis];
+    material.Nodes[axis] = field.Layout().Nodes[a];
+    material.Bricks[axis] = field.Layout().Bricks[a];
+  }
+  material.Codes = field.Map(number).Data();
+  material.Absent = MaterialMap::Absent;
+  material.Filled = MaterialMap::Filled;
+  material.Blocks = samples.BlockData();
+  material.Stride = samples.BlockStride();
+  material.Iso = condition.Iso;
+  material.Sign = condition.Sense == FieldSense::AtLeast ? 1.0 : -1.0;
+  return material;
+}
+} // namespace
+
+FieldSampler::FieldSampler(std::shared_ptr<const ScalarField> field, InstructionSet set)
+    : Data(std::move(field)), Kernel(&inside::KernelFor(set))
+{
+}
+
+FieldSample FieldSampler::ValueIndex(int channel, const Vector3& pointIndex) const noexcept
+{
+  return IsTrilinear(*this->Data) ? ValueOf<TrilinearCell>(*this->Data, channel, pointIndex)
+                                  : ValueOf<TricubicCell>(*this->Data, channel, pointIndex);
+}
+
+FieldSample FieldSampler::ValueWorld(int channel, const Vector3& pointWorld) const noexcept
+{
+  return this->ValueIndex(channel, this->Data->Grid().PointIndex(pointWorld));
+}
+
+FieldGradientSample FieldSampler::ValueAndGradientIndex(int channel,
+                                                        const Vector3& pointIndex) const noexcept
+{
+  return IsTrilinear(*this->Data) ? GradientOf<TrilinearCell>(*this->Data, channel, pointIndex)
+                                  : GradientOf<TricubicCell>(*this->Data, channel, pointIndex);
+}
+
+FieldGradientSample FieldSampler::ValueAndGradientWorld(int channel,
+                                                        const Vector3& pointWorld) const noexcept
+{
+  const FieldGrid& grid = this->Data->Grid();
+  FieldGradientSample sample = this->ValueAndGradientIndex(channel, grid.PointIndex(pointWorld));
+  sample.Gradient = grid.GradientWorld(sample.Gradient);
+  return sample;
+}
+
+bool FieldSampler::IsInsideIndex(int material, const Vector3& pointIndex) const noexcept
+{
+  return IsTrilinear(*this->Data) ? IsInside<TrilinearCell>(*this->Data, material, pointIndex)
+                                  : IsInside<TricubicCell>(*this->Data, material, pointIndex);
+}
+
+bool FieldSampler::IsInsideWorld(int material, const Vector3& pointWorld) const noexcept
+{
+  return this->IsInsideIndex(material, this->Data->Grid().PointIndex(pointWorld));
+}
+
+MaterialSet FieldSampler::MaterialsIndex(const Vector3& pointIndex) const noexcept
+{
+  return IsTrilinear(*this->Data) ? MaterialsAt<TrilinearCell>(*this->Data, pointIndex)
+                                  : MaterialsAt<TricubicCell>(*this->Data, pointIndex);
+}
+
+MaterialSet FieldSampler::MaterialsWorld(const Vector3& pointWorld) const noexcept
+{
+  return this->MaterialsIndex(this->Data->Grid().PointIndex(pointWorld));
+}
+
+void FieldSampler::AreInsideWorld(int material, const Vector3* pointsWorld, std::size_t count,
+                                  unsigned char* inside) const noexcept
+{
+  const ScalarField& field = *this->Data;
+  if (IsTrilinear(field) && field.Material(material).ConditionCount == 1)
+  {
+    const BrickedChannel& samples = field.Channel(field.Material(material).Conditions[0].Channel);
+    const auto test = this->Kernel->AreInside[KernelType(samples.StoredType())];
+    static_assert(sizeof(Vector3) == 3 * sizeof(double));
+    test(DescribeForKernel(field, material), pointsWorld->data(), static_cast<long>(count), inside);
+    return;
+  }
+  for (std::size_t p = 0; p < count; ++p)
+  {
+    inside[p] = this->IsInsideWorld(material, pointsWorld[p]) ? 1 : 0;
+  }
+}
+} // namespace palpate

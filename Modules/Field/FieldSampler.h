@@ -1,0 +1,65 @@
+#pragma once
+
+#include "InsideKernelChoice.h"
+#include "ScalarField.h"
+#include "Vector3.h"
+
+#include <memory>
+
+namespace palpate
+{
+/// How a sampler's answer came about.
+enum class SampleKind
+{
+  Outside,  ///< the point is not in the grid: there is no value, and no material
+  Constant, ///< far from surfaces: one value stands for the brick, the gradient is zero
+  Sampled   ///< interpolated between nodes
+};
+
+struct FieldSample
+{
+  SampleKind Kind = SampleKind::Outside;
+  double Value = 0.0;
+};
+
+/// The gradient is in the frame that the question was asked in: per voxel along i, j, k (Index), or
+/// per mm (World).
+struct FieldGradientSample
+{
+  SampleKind Kind = SampleKind::Outside;
+  double Value = 0.0;
+  Vector3 Gradient = Vector3::Zero();
+};
+
+/// Asks a field for values and for what is inside what. World is patient LPS in mm; Index is
+/// continuous, with nodes at whole numbers. Queries neither allocate nor lock, and may come from
+/// any number of threads. Numbers of channels and materials have to be the field's.
+class FieldSampler
+{
+public:
+  /// `set` is one that this processor has; it changes the time of batches, and no answer.
+  explicit FieldSampler(std::shared_ptr<const ScalarField> field,
+                        InstructionSet set = FastestInstructionSet());
+  const ScalarField& Field() const noexcept { return *this->Data; }
+
+  FieldSample ValueIndex(int channel, const Vector3& pointIndex) const noexcept;
+  FieldSample ValueWorld(int channel, const Vector3& pointWorld) const noexcept;
+  FieldGradientSample ValueAndGradientIndex(int channel, const Vector3& pointIndex) const noexcept;
+  FieldGradientSample ValueAndGradientWorld(int channel, const Vector3& pointWorld) const noexcept;
+
+  /// Whether all of a material's conditions hold at a point; they do at the iso-value itself.
+  bool IsInsideIndex(int material, const Vector3& pointIndex) const noexcept;
+  bool IsInsideWorld(int material, const Vector3& pointWorld) const noexcept;
+  /// Every material that the point lies in.
+  MaterialSet MaterialsIndex(const Vector3& pointIndex) const noexcept;
+  MaterialSet MaterialsWorld(const Vector3& pointWorld) const noexcept;
+  /// The same as IsInsideWorld for each point, 1 or 0. Several points at once where the material
+  /// has one condition and the interpolation is trilinear.
+  void AreInsideWorld(int material, const Vector3* pointsWorld, std::size_t count,
+                      unsigned char* inside) const noexcept;
+
+private:
+  std::shared_ptr<const ScalarField> Data;
+  const inside::Kernel* Kernel;
+};
+} // namespace palpate

@@ -1,0 +1,214 @@
+#include "LabelField.h"
+
+#include "DistanceTransform.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+
+namespace palpate
+{
+namespace
+{
+// In which directions distances run, and how far.
+struct DistanceRule
+{
+  DistanceDomain Domain = DistanceDomain::Space;
+  double CutOff = 0.0;               ///< mm
+  double HalfStep = 0.0;             ///< from a voxel centre to the boundary
+  std::array<double, 3> Deviation{}; ///< of the smoothing, in voxels
+  std::array<int, 3> Reach{};        ///< of cut-off and smoothing together, in voxels
+};
+
+constexpr double WidestSmoothing = 8.0;
+constexpr double KernelReach = 3.0; // in standard deviations
+
+DistanceRule RuleFor(const FieldGrid& grid, double smoothing)
+{
+  constexpr double ThickSlices = 1.5;
+  constexpr double VoxelsInSpace = 4.0;
+  const Vector3& spacing = grid.Spacing();
+  int coarsest = 0;
+  spacing.maxCoeff(&coarsest);
+  const double others = std::max(spacing[(coarsest + 1) % 3], spacing[(coarsest + 2) % 3]);
+  DistanceRule rule;
+  const bool isThick = spacing[coarsest] >= ThickSlices * others;
+  rule.Domain = isThick ? static_cast<DistanceDomain>(coarsest) : DistanceDomain::Space;
+  rule.CutOff = isThick ? spacing[coarsest] : VoxelsInSpace * spacing[coarsest];
+  // The smallest step: with a longer one, centres near the boundary would change sides. The same
+  // on both sides, it puts the boundary half way along every axis.
+  rule.HalfStep = 0.5 * spacing.minCoeff();
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const auto a = static_cast<std::size_t>(axis);
+    const bool isWithinSlices = !isThick || axis != coarsest;
+    rule.Deviation[a] = smoothing * spacing.minCoeff() / spacing[axis];
+    const double distance = isWithinSlices ? (rule.CutOff + rule.HalfStep) / spacing[axis] : 0.0;
+    rule.Reach[a] = static_cast<int>(std::ceil(distance + KernelReach * rule.Deviation[a])) + 1;
+  }
+  return rule;
+}
+
+// The label's voxels with a rim, as far as the volume goes.
+template <typename T>
+VoxelMask CutOut(const T* labels, const FieldGrid& grid, const LabelBounds& bounds, T label,
+                 const std::array<int, 3>& rim)
+{
+  VoxelMask mask;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    const int last = std::min(bounds.Last[axis] + rim[axis], grid.Size()[axis] - 1);
+    mask.StartIndex[axis] = std::max(bounds.First[axis] - rim[axis], 0);
+    mask.Size[axis] = last - mask.StartIndex[axis] + 1;
+    mask.Spacing[axis] = grid.Spacing()[static_cast<int>(axis)];
+  }
+  mask.Inside.reserve(mask.Offset(0, 0, mask.Size[2]));
+  const FieldSamples whole = SamplesOfGrid(labels, grid);
+  for (int k = 0; k < mask.Size[2]; ++k)
+  {
+    for (int j = 0; j < mask.Size[1]; ++j)
+    {
+      const T* row =
+          labels + whole.Offset(mask.StartIndex[0], mask.StartIndex[1] + j, mask.StartIndex[2] + k);
+      std::transform(row, row + mask.Size[0], std::back_inserter(mask.Inside),
+                     [label](T voxel) { return voxel == label ? 1 : 0; });
+    }
+  }
+  return mask;
+}
+
+template <typename T>
+bool CanHold(long long label)
+{
+  return label < 0 ? std::numeric_limits<T>::is_signed &&
+                         label >= static_cast<long long>(std::numeric_limits<T>::min())
+                   : static_cast<unsigned long long>(label) <=
+                         static_cast<unsigned long long>(std::numeric_limits<T>::max());
+}
+
+template <typename T>
+bool CutOutLabel(const T* labels, const FieldGrid& grid, long long label,
+                 const std::array<int, 3>& rim, VoxelMask& mask)
+{
+  if constexpr (std::is_integral_v<T>)
+  {
+    if (!CanHold<T>(label))
+    {
+      return false;
+    }
+    const LabelBounds bounds = FindLabelBounds(labels, grid.Size(), static_cast<T>(label));
+    if (!bounds.IsEmpty())
+    {
+      mask = CutOut(labels, grid, bounds, static_cast<T>(label), rim);
+    }
+    return !bounds.IsEmpty();
+  }
+  return false;
+}
+
+std::vector<float> SignedDistances(const VoxelMask& mask, const DistanceRule& rule)
+{
+  const std::vector<float> inner = DistanceToOthers(mask, 1, rule.Domain);
+  const std::vector<float> outer = DistanceToOthers(mask, 0, rule.Domain);
+  const auto half = static_cast<float>(rule.HalfStep);
+  const auto cutOff = static_cast<float>(rule.CutOff);
+  std::vector<float> distances(inner.size());
+  for (std::size_t at = 0; at < distances.size(); ++at)
+  {
+    const float distance = mask.Inside[at] != 0 ? inner[at] - half : half - outer[at];
+    distances[at] = std::clamp(distance, -cutOff, cutOff);
+  }
+  return distances;
+}
+// Weights of a Gaussian, from its middle on; together with their mirror images they sum to one.
+std::vector<float> GaussianWeights(double deviation)
+{
+  std::vector<float> weights{1.0f};
+  float sum = 1.0f;
+  for (int n = 1; n <= std::ceil(KernelReach * deviation) && deviation > 0.0; ++n)
+  {
+    weights.push_back(static_cast<float>(std::exp(-0.5 * n * n / (deviation * deviation))));
+    sum += 2.0f * weights.back();
+  }
+  for (float& weight : weights)
+  {
+    weight /= sum;
+  }
+  return weights;
+}
+
+// Along one axis; beyond the box the outermost values go on.
+void Smooth(const VoxelMask& mask, std::size_t axis, double deviation, std::vector<float>& values)
+{
+  const std::vector<float> weights = GaussianWeights(deviation);
+  const std::vector<float> before = values;
+  const int last = mask.Size[axis] - 1;
+  std::array<int, 3> at{};
+  for (at[2] = 0; at[2] < mask.Size[2]; ++at[2])
+  {
+    for (at[1] = 0; at[1] < mask.Size[1]; ++at[1])
+    {
+      for (at[0] = 0; at[0] < mask.Size[0]; ++at[0])
+      {
+        const std::size_t offset = mask.Offset(at[0], at[1], at[2]);
+        float sum = weights[0] * before[offset];
+        std::array<int, 3> low = at;
+        std::array<int, 3> high = at;
+        for (std::size_t n = 1; n < weights.size(); ++n)
+        {
+          low[axis] = std::max(at[axis] - static_cast<int>(n), 0);
+          high[axis] = std::min(at[axis] + static_cast<int>(n), last);
+          sum += weights[n] * (before[mask.Offset(low[0], low[1], low[2])] +
+                               before[mask.Offset(high[0], high[1], high[2])]);
+        }
+        values[offset] = sum;
+      }
+    }
+  }
+}
+} // namespace
+
+Status LabelField::Make(const FieldSamples& labels, const FieldGrid& grid, long long label,
+                        double smoothing, LabelField& field)
+{
+  Status status = grid.Check();
+  if (!status.IsOk())
+  {
+    return status;
+  }
+  if (labels.Data == nullptr || labels.Type == ScalarType::Float32 ||
+      labels.Type == ScalarType::Float64 || labels.Count() != grid.NodeCount())
+  {
+    return Status::Failure("A label map has to hold one integer for every voxel of the grid.");
+  }
+  if (!(smoothing >= 0.0 && smoothing <= WidestSmoothing))
+  {
+    return Status::Failure("A label field's smoothing has to lie between 0 and 8 voxels.");
+  }
+  const DistanceRule rule = RuleFor(grid, smoothing);
+  VoxelMask mask;
+  const bool isThere = VisitScalars(labels.Data, labels.Type,
+                                    [&](const auto* data)
+                                    { return CutOutLabel(data, grid, label, rule.Reach, mask); });
+  if (!isThere)
+  {
+    return Status::Failure("No voxel has the label " + std::to_string(label) + ".");
+  }
+  field.Distances = SignedDistances(mask, rule);
+  for (std::size_t axis = 0; axis < 3 && smoothing > 0.0; ++axis)
+  {
+    Smooth(mask, axis, rule.Deviation[axis], field.Distances);
+  }
+  field.StartIndex = mask.StartIndex;
+  field.Size = mask.Size;
+  field.CutOff = static_cast<float>(rule.CutOff);
+  return Status::Success();
+}
+
+FieldSamples LabelField::Samples() const noexcept
+{
+  return {this->Distances.data(), ScalarType::Float32, this->StartIndex, this->Size,
+          -static_cast<double>(this->CutOff)};
+}
+} // namespace palpate

@@ -1,0 +1,46 @@
+#pragma once
+
+#include "FieldHit.h"
+#include "ScalarField.h"
+
+#include <cstddef>
+#include <memory>
+
+namespace palpate
+{
+struct FieldRay
+{
+  Vector3 Origin = Vector3::Zero();
+  Vector3 Direction = Vector3::UnitX(); ///< of any length but none; t counts in it
+};
+
+/// Finds where rays cross the boundaries of a field's materials. What is inside is closed: it holds
+/// the iso-value. Outside the grid nothing is inside, so the grid's border closes what reaches it.
+///
+/// A boundary that is crossed is found, however thin the wall: in each cell the field along the ray
+/// is a polynomial, whose crossings are isolated and solved. The same hit has the same bits
+/// whatever interval, containing it, is asked for and whether rays come one by one or in a batch.
+/// To go on behind a hit, ask from the next number above its T.
+///
+/// Queries neither allocate nor lock, and may come from any number of threads.
+class RayCaster
+{
+public:
+  explicit RayCaster(std::shared_ptr<const ScalarField> field) : Data(std::move(field)) {}
+  const ScalarField& Field() const noexcept { return *this->Data; }
+
+  /// The first boundary of the wanted materials with tMin <= t <= tMax, which may be infinite.
+  /// Index: voxels along i, j, k.
+  FieldHit CastIndex(const FieldRay& rayIndex, double tMin, double tMax,
+                     MaterialSet materials = AllMaterials) const noexcept;
+  /// The same in the world, patient LPS in mm.
+  FieldHit CastWorld(const FieldRay& rayWorld, double tMin, double tMax,
+                     MaterialSet materials = AllMaterials) const noexcept;
+  /// CastWorld for many rays.
+  void CastAllWorld(const FieldRay* raysWorld, std::size_t count, double tMin, double tMax,
+                    FieldHit* hits, MaterialSet materials = AllMaterials) const noexcept;
+
+private:
+  std::shared_ptr<const ScalarField> Data;
+};
+} // namespace palpate

@@ -1,0 +1,299 @@
+#pragma once
+
+#include "BrickWalk.h"
+#include "FieldHit.h"
+#include "HitError.h"
+#include "MaterialCrossings.h"
+#include "RayPath.h"
+#include "ScalarField.h"
+
+#include <algorithm>
+
+namespace palpate
+{
+/// One ray on its way through a field: over bricks without a surface it leaps, in the others it
+/// goes from cell to cell (Amanatides and Woo, "A fast voxel traversal algorithm for ray tracing",
+/// Eurographics 1987, with planes instead of increments). All in index coordinates. `Cell` is the
+/// interpolation.
+template <typename Cell>
+class RayTraversal
+{
+public:
+  RayTraversal(const ScalarField& field, const RayPath& path, double tMin, double tMax,
+               MaterialSet materials, const CoordinateRounding& rounding) noexcept
+      : Field(field), Layout(field.Layout()), Path(path), TMin(tMin), TMax(tMax), Wanted(materials),
+        Rounding(rounding)
+  {
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      this->CellCount[axis] = this->Layout.Nodes[static_cast<std::size_t>(axis)] - 1;
+    }
+  }
+
+  FieldHit Run() noexcept
+  {
+    FieldHit hit;
+    if (!this->Enter())
+    {
+      return hit;
+    }
+    const MaterialSet inside = this->ExamineStart(hit);
+    if (this->StartsOutside && inside != 0)
+    {
+      return this->BorderHit(true, inside);
+    }
+    hit.StartsInside = inside;
+    while (hit.Kind == HitKind::Missed && this->T < this->GridEnd && this->T <= this->TMax)
+    {
+      const BrickDirectory::Entry entry = this->Field.Directory()[this->Brick()];
+      if (entry.Leap > 0)
+      {
+        this->GoTo(this->EndOfBox(static_cast<int>(entry.Leap)));
+      }
+      else
+      {
+        this->WalkBrick(this->Field.Directory().Surface(entry), hit);
+      }
+    }
+    return hit.Kind == HitKind::Missed && this->T >= this->GridEnd && inside != 0
+               ? this->BorderHit(false, inside)
+               : hit;
+  }
+
+private:
+  // Goes to the cell that the ray is in just before TMin, or to the first one of the grid.
+  bool Enter() noexcept
+  {
+    constexpr double Infinity = std::numeric_limits<double>::infinity();
+    double entry = -Infinity;
+    this->GridEnd = Infinity;
+    bool isBeside = false;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      entry = std::max(entry, this->Path.EntryAt(axis, this->FirstCell(axis)));
+      this->GridEnd = std::min(this->GridEnd, this->Path.ExitAt(axis, this->LastCell(axis)));
+      const double at = this->Path.Coordinate(axis, 0.0);
+      isBeside |= this->Path.StepOf(axis) == 0 && !(at >= 0.0 && at <= this->CellCount[axis]);
+    }
+    if (isBeside || entry >= this->GridEnd || this->TMin > this->GridEnd || entry > this->TMax)
+    {
+      return false;
+    }
+    this->StartsOutside = this->TMin <= entry;
+    if (this->StartsOutside)
+    {
+      this->GoTo(entry);
+      return true;
+    }
+    this->T = entry;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      this->At[axis] = this->Path.CellBefore(axis, this->TMin, this->CellCount[axis]);
+      this->T = std::max(this->T, this->Path.EntryAt(axis, this->At[axis]));
+    }
+    return true;
+  }
+
+  int FirstCell(int axis) const noexcept
+  {
+    return this->Path.StepOf(axis) > 0 ? 0 : this->CellCount[axis] - 1;
+  }
+  int LastCell(int axis) const noexcept
+  {
+    return this->Path.StepOf(axis) > 0 ? this->CellCount[axis] - 1 : 0;
+  }
+
+  std::size_t Brick() const noexcept
+  {
+    return this->Layout.NumberOfCell(this->At[0], this->At[1], this->At[2]);
+  }
+  int FirstNode() const noexcept
+  {
+    return this->Layout.FirstNodeOfCell(this->At[0], this->At[1], this->At[2]);
+  }
+
+  // From the present cell's entry to its exit.
+  CellSegment Segment() const noexcept
+  {
+    double exit = std::numeric_limits<double>::infinity();
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      exit = std::min(exit, this->Path.ExitAt(axis, this->At[axis]));
+    }
+    return {this->Path, this->At, this->T, exit};
+  }
+
+  // What of the wanted the ray is in just before TMin, or at the first cell's face. Looks for a hit
+  // in the first cell on the way.
+  MaterialSet ExamineStart(FieldHit& hit) noexcept
+  {
+    const BrickDirectory::Entry entry = this->Field.Directory()[this->Brick()];
+    if (entry.Leap > 0)
+    {
+      return entry.Word & this->Wanted;
+    }
+    const SurfaceBrick& surface = this->Field.Directory().Surface(entry);
+    MaterialSet inside = surface.Inside & this->Wanted;
+    inside |= this->FindHit(surface.Materials & this->Wanted, this->Brick(), this->Segment(), hit);
+    this->IsFirstCell = true;
+    return inside;
+  }
+
+  // When the ray leaves the box of bricks that are nearer to this one than `bricks`, if that is in
+  // the grid.
+  double EndOfBox(int bricks) const noexcept
+  {
+    double planes[3];
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      const int brick = this->At[axis] >> BrickLayout::Shift;
+      const int ahead = brick + 1 - bricks + this->Path.Rises(axis) * (2 * bricks - 1);
+      planes[axis] = ahead * BrickLayout::Cells;
+    }
+    const RayPath::Pair xy = this->Path.Crossings(0, RayPath::Pair{planes[0], planes[1]});
+    const RayPath::Pair z = this->Path.Crossings(1, RayPath::Pair{planes[2], 0.0});
+    return std::min(std::min(xy[0], xy[1]), std::min(z[0], this->GridEnd));
+  }
+
+  // Crosses whatever is crossed at t.
+  void GoTo(double t) noexcept
+  {
+    this->T = t;
+    this->Path.GetCellAfter(t, this->CellCount, this->At);
+  }
+
+  // Cell by cell until the ray leaves the brick, is past TMax, or hits.
+  void WalkBrick(const SurfaceBrick& surface, FieldHit& hit) noexcept
+  {
+    const std::size_t brick = this->Brick();
+    const MaterialSet materials = surface.Materials & this->Wanted;
+    const double end = this->EndOfBox(1);
+    BrickWalk walk(this->Path, this->At, end);
+    for (;;)
+    {
+      const int bit = walk.CellBit();
+      const std::uint64_t word = surface.Cells[static_cast<std::size_t>(bit >> 6)];
+      if ((word >> (bit & 63) & 1u) != 0 && !this->IsFirstCell)
+      {
+        walk.GetCell(this->At);
+        this->FindHit(materials, brick, {this->Path, this->At, this->T, walk.Exit()}, hit);
+        if (hit.Kind != HitKind::Missed)
+        {
+          return;
+        }
+      }
+      this->IsFirstCell = false;
+      this->T = walk.Exit();
+      if (walk.IsLast() || this->T > this->TMax)
+      {
+        return this->GoTo(this->T);
+      }
+      walk.Step();
+    }
+  }
+
+  // The earliest crossing of all wanted materials in this cell, from TMin on. Answers in which of
+  // them the ray is just before TMin or, if that is earlier, at the cell's entry.
+  MaterialSet FindHit(MaterialSet materials, std::size_t brick, const CellSegment& segment,
+                      FieldHit& hit) noexcept
+  {
+    MaterialSet inside = 0;
+    double earliest = this->TMax;
+    for (int m = 0; materials != 0; ++m, materials >>= 1)
+    {
+      if ((materials & 1u) == 0)
+      {
+        continue;
+      }
+      const MaterialCrossings<Cell> crossings(this->Field, this->Field.Material(m), brick,
+                                              this->FirstNode(), segment);
+      int n = 0;
+      while (n < crossings.Count() && crossings[n].T < this->TMin)
+      {
+        ++n;
+      }
+      const bool isInside = crossings.IsInsideAtStart() == (n % 2 == 0);
+      inside |= isInside ? OnlyMaterial(m) : 0;
+      if (n < crossings.Count() && (crossings[n].T < earliest ||
+                                    (crossings[n].T == earliest && hit.Kind == HitKind::Missed)))
+      {
+        earliest = crossings[n].T;
+        hit.Material = m;
+        hit.IsEntering = !isInside;
+        this->Describe(crossings, crossings[n], segment, hit);
+      }
+    }
+    return inside;
+  }
+
+  void Describe(const MaterialCrossings<Cell>& crossings,
+                const typename MaterialCrossings<Cell>::Crossing& crossing,
+                const CellSegment& segment, FieldHit& hit) const noexcept
+  {
+    hit.Kind = HitKind::Surface;
+    hit.T = crossing.T;
+    hit.Position = this->Path.Point(crossing.T);
+    double u[3];
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      u[axis] = CellSegment::Within(hit.Position[axis] - this->At[axis]);
+    }
+    const Cell& relation = crossings.Relation(crossing.Condition);
+    relation.Gradient(u, hit.Gradient.data());
+    const double coordinateError = this->Rounding.At(this->Path, crossing.T);
+    const double parameterError = ParameterError(crossings.Polynomial(crossing.Condition), relation,
+                                                 crossing.Parameter, coordinateError) +
+                                  crossing.Error;
+    hit.ErrorT = parameterError * (segment.T1 - segment.T0) + RoundingOfT(crossing.T);
+  }
+
+  // Where the ray is now.
+  FieldHit BorderHit(bool isEntering, MaterialSet inside) const noexcept
+  {
+    FieldHit hit;
+    hit.StartsInside = isEntering ? 0 : inside;
+    if (this->T > this->TMax)
+    {
+      return hit;
+    }
+    hit.Kind = HitKind::Border;
+    hit.IsEntering = isEntering;
+    while (!Contains(inside, ++hit.Material))
+    {
+    }
+    hit.T = this->T;
+    hit.Position = this->Path.Point(this->T);
+    const int axis = this->BorderAxis(isEntering);
+    hit.Gradient[axis] = (this->Path.StepOf(axis) > 0) == isEntering ? 1.0 : -1.0;
+    hit.ErrorT =
+        RoundingOfT(this->T) + this->Rounding.At(this->Path, this->T) * this->Path.Slowness(axis);
+    return hit;
+  }
+
+  // Of the faces of the grid that are crossed now, the lowest axis.
+  int BorderAxis(bool isEntering) const noexcept
+  {
+    int axis = 0;
+    while (axis < 2 && (isEntering ? this->Path.EntryAt(axis, this->FirstCell(axis))
+                                   : this->Path.ExitAt(axis, this->LastCell(axis))) != this->T)
+    {
+      ++axis;
+    }
+    return axis;
+  }
+
+  const ScalarField& Field;
+  const BrickLayout& Layout;
+  const RayPath& Path;
+  double TMin;
+  double TMax;
+  MaterialSet Wanted;
+  const CoordinateRounding& Rounding;
+  int CellCount[3];
+  int At[3];            ///< the present cell
+  double T = 0.0;       ///< when the ray entered it
+  double GridEnd = 0.0; ///< when the ray leaves the grid
+  bool StartsOutside = false;
+  bool IsFirstCell = false; ///< and that was examined already
+};
+} // namespace palpate

@@ -1,0 +1,59 @@
+#pragma once
+
+#include "FieldBuilder.h"
+#include "RandomOrientation.h"
+
+#include <gtest/gtest.h>
+#include <random>
+
+namespace palpate::test
+{
+/// An oblique grid with three different spacings, off the origin.
+inline FieldGrid ObliqueGrid(const std::array<int, 3>& size, std::mt19937_64& random)
+{
+  return {size, {-12.5, 40.25, 7.0}, {0.7, 0.5, 3.1}, RandomOrientation(random)};
+}
+
+/// The same size in a frame in which index and world agree.
+inline FieldGrid PlainGrid(const std::array<int, 3>& size)
+{
+  return {size, Vector3::Zero(), Vector3::Ones(), Matrix3::Identity()};
+}
+
+/// A field of one channel and one material, value >= iso; the test fails where it is refused.
+template <typename T>
+std::shared_ptr<const ScalarField>
+MakeField(const FieldGrid& grid, const std::vector<T>& samples, double iso,
+          FieldInterpolation interpolation = FieldInterpolation::Trilinear)
+{
+  FieldBuilder builder(grid);
+  builder.AddMaterial({builder.AddChannel(SamplesOfGrid(samples.data(), grid)), iso});
+  builder.SetInterpolation(interpolation);
+  std::shared_ptr<const ScalarField> field;
+  const Status status = builder.Build(field);
+  EXPECT_TRUE(status.IsOk()) << status.Message();
+  return field;
+}
+
+/// The sentence that Build refuses with; empty where it does not.
+inline std::string RefusalOf(const FieldBuilder& builder)
+{
+  std::shared_ptr<const ScalarField> field;
+  const Status status = builder.Build(field);
+  EXPECT_EQ(status.IsOk(), field != nullptr);
+  return status.Message();
+}
+
+/// Small whole numbers, many of them alike: values that equal the iso-value, saturated regions and
+/// saddles at nodes are the rule.
+template <typename T = double>
+std::vector<T> RandomSteps(const FieldGrid& grid, std::mt19937_64& random, int levels)
+{
+  std::vector<T> samples(grid.NodeCount());
+  for (T& sample : samples)
+  {
+    sample = static_cast<T>(static_cast<int>(random() % static_cast<unsigned>(levels)));
+  }
+  return samples;
+}
+} // namespace palpate::test

@@ -1,0 +1,211 @@
+#include "RayOracle.h"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+namespace palpate::test
+{
+namespace
+{
+using Real = RayOracle::Real;
+
+std::string Sentence(const char* fact, Real t, Real value)
+{
+  std::ostringstream text;
+  text.precision(17);
+  text << fact << " at t = " << t << ", relation " << value;
+  return text.str();
+}
+} // namespace
+
+Real RayOracle::Relation(const FieldRay& ray, Real t) const
+{
+  DenseReference::Point p;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    const int a = static_cast<int>(axis);
+    p[axis] = std::clamp<Real>(ray.Origin[a] + t * ray.Direction[a], 0, this->Size[axis] - 1);
+  }
+  Real relation = std::numeric_limits<Real>::infinity();
+  for (const DenseCondition& condition : this->Conditions)
+  {
+    relation = std::min(relation, condition.Reference->Value(p) - condition.Iso);
+  }
+  return relation;
+}
+
+RayOracle::Interval RayOracle::InGrid(const FieldRay& ray) const
+{
+  Interval grid{-std::numeric_limits<Real>::infinity(), std::numeric_limits<Real>::infinity()};
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    const Real o = ray.Origin[static_cast<int>(axis)];
+    const Real d = ray.Direction[static_cast<int>(axis)];
+    const Real last = this->Size[axis] - 1;
+    if (d == 0)
+    {
+      grid.To = o >= 0 && o <= last ? grid.To : -std::numeric_limits<Real>::infinity();
+      continue;
+    }
+    grid.From = std::max(grid.From, std::min(-o / d, (last - o) / d));
+    grid.To = std::min(grid.To, std::max(-o / d, (last - o) / d));
+  }
+  return grid;
+}
+
+std::vector<Real> RayOracle::PlaneCrossings(const FieldRay& ray, const Interval& interval) const
+{
+  std::vector<Real> crossings{interval.From, interval.To};
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    const Real d = ray.Direction[static_cast<int>(axis)];
+    for (int plane = 0; d != 0 && plane < this->Size[axis]; ++plane)
+    {
+      const Real t = (plane - static_cast<Real>(ray.Origin[static_cast<int>(axis)])) / d;
+      if (t > interval.From && t < interval.To)
+      {
+        crossings.push_back(t);
+      }
+    }
+  }
+  std::sort(crossings.begin(), crossings.end());
+  return crossings;
+}
+
+// The roots of the derivative of the cubic through four values.
+void RayOracle::AddExtrema(const FieldRay& ray, Real from, Real to, std::vector<Real>& places) const
+{
+  const Real third = (to - from) / 3;
+  const Real f0 = this->Relation(ray, from);
+  const Real f1 = this->Relation(ray, from + third);
+  const Real f2 = this->Relation(ray, to - third);
+  const Real f3 = this->Relation(ray, to);
+  // In u = 3 (t - from) / (to - from), from 0 to 3, by divided differences.
+  const Real c2 = (f2 - 2 * f1 + f0) / 2;
+  const Real c3 = (f3 - 3 * f2 + 3 * f1 - f0) / 6;
+  const Real c1 = f1 - f0;
+  const Real a = 3 * c3;
+  const Real b = 2 * c2 - 6 * c3;
+  const Real c = c1 - c2 + 2 * c3;
+  const Real root = std::sqrt(std::max<Real>(b * b - 4 * a * c, 0));
+  const Real q = -(b + std::copysign(root, b)) / 2;
+  for (const Real u : {q / a, c / q})
+  {
+    if (u > 0 && u < 3)
+    {
+      places.push_back(from + u * third);
+    }
+  }
+}
+
+bool RayOracle::Contradicts(const FieldRay& ray, const Interval& interval, bool isInside,
+                            Real& where) const
+{
+  constexpr int Between = 16;
+  const std::vector<Real> planes = this->PlaneCrossings(ray, interval);
+  for (std::size_t n = 0; n + 1 < planes.size(); ++n)
+  {
+    std::vector<Real> places;
+    for (int step = 0; step <= Between; ++step)
+    {
+      places.push_back(planes[n] + (planes[n + 1] - planes[n]) * step / Between);
+    }
+    if (this->Conditions.size() == 1 && this->Interpolation == FieldInterpolation::Trilinear)
+    {
+      this->AddExtrema(ray, planes[n], planes[n + 1], places);
+    }
+    for (const Real t : places)
+    {
+      const Real relation = this->Relation(ray, t);
+      if (isInside ? relation < -this->Tolerance : relation > this->Tolerance)
+      {
+        where = t;
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
+std::string RayOracle::FaultOfHit(const FieldRay& ray, const FieldHit& hit) const
+{
+  const Real at = this->Relation(ray, hit.T);
+  DenseReference::Point steps{};
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    steps[static_cast<std::size_t>(axis)] = std::abs(ray.Direction[axis]);
+  }
+  const Real before = this->Relation(ray, hit.T - hit.ErrorT);
+  const Real after = this->Relation(ray, hit.T + hit.ErrorT);
+  const Real sign = hit.IsEntering ? 1 : -1;
+  // The bound holds the exact crossing, unless the ray grazes there: then all three are zero.
+  constexpr Real Tiny = 1e-16L;
+  const bool isBound = sign * before <= Tiny && sign * after >= -Tiny;
+  if (!isBound && std::abs(at) > this->Tolerance)
+  {
+    return Sentence("no crossing within the error bound", hit.T, at);
+  }
+  return {};
+}
+
+std::string RayOracle::FaultAtBorder(const FieldRay& ray, const Interval& grid, double tMin,
+                                     double tMax, const FieldHit& hit) const
+{
+  const Real relation = this->Relation(ray, grid.From);
+  const bool isExpected = tMin < grid.From - 1e-9L && relation > this->Tolerance;
+  const bool isSaid = hit.Kind == HitKind::Border && hit.IsEntering;
+  if (isExpected && !isSaid)
+  {
+    return Sentence("no hit where the ray enters the grid inside", grid.From, relation);
+  }
+  if (hit.Kind == HitKind::Border)
+  {
+    const Real border = hit.IsEntering ? grid.From : grid.To;
+    if (!(std::abs(hit.T - border) <= hit.ErrorT) || this->Relation(ray, border) < -this->Tolerance)
+    {
+      return Sentence("a hit that is not at the border", hit.T, this->Relation(ray, border));
+    }
+  }
+  return {};
+}
+
+std::string RayOracle::Fault(const FieldRay& ray, double tMin, double tMax,
+                             const FieldHit& hit) const
+{
+  const Interval grid = this->InGrid(ray);
+  const Interval asked{std::max<Real>(grid.From, tMin), std::min<Real>(grid.To, tMax)};
+  if (!(asked.To - asked.From > 1e-9L))
+  {
+    return {}; // passes by, or no more than a corner: rounding decides
+  }
+  if (hit.Kind != HitKind::Missed && !(hit.T >= tMin && hit.T <= tMax))
+  {
+    return Sentence("a hit outside the interval", hit.T, 0);
+  }
+  std::string fault = this->FaultAtBorder(ray, grid, tMin, tMax, hit);
+  if (!fault.empty() || (hit.Kind == HitKind::Border && hit.IsEntering))
+  {
+    return fault;
+  }
+  const Real start = this->Relation(ray, asked.From);
+  const bool isInside = hit.StartsInside != 0;
+  if (std::abs(start) > this->Tolerance && isInside != (start > 0))
+  {
+    return Sentence("starts on the wrong side", asked.From, start);
+  }
+  if (hit.Kind == HitKind::Surface)
+  {
+    fault = hit.IsEntering == isInside ? Sentence("crosses to where it is", hit.T, 0)
+                                       : this->FaultOfHit(ray, hit);
+  }
+  const Real until = hit.Kind == HitKind::Missed ? asked.To : static_cast<Real>(hit.T) - hit.ErrorT;
+  Real where = 0;
+  if (fault.empty() && until > asked.From &&
+      this->Contradicts(ray, {asked.From, until}, isInside, where))
+  {
+    fault = Sentence("a crossing was lost before", where, this->Relation(ray, where));
+  }
+  return fault;
+}
+} // namespace palpate::test

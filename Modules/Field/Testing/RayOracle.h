@@ -1,0 +1,58 @@
+#pragma once
+
+#include "DenseReference.h"
+#include "FieldHit.h"
+#include "RayCaster.h"
+
+#include <string>
+#include <vector>
+
+namespace palpate::test
+{
+/// One condition of a material, over its dense samples.
+struct DenseCondition
+{
+  const DenseReference* Reference;
+  double Iso;
+};
+
+/// Judges a ray's answer by looking at the material's field everywhere on the ray, cell by cell, in
+/// long double: at the ends of cells, at the extrema between them where these are exact (one
+/// condition, trilinear), and at many points between.
+class RayOracle
+{
+public:
+  using Real = DenseReference::Real;
+
+  RayOracle(const std::array<int, 3>& size, std::vector<DenseCondition> conditions,
+            FieldInterpolation interpolation, double tolerance)
+      : Size(size), Conditions(std::move(conditions)), Interpolation(interpolation),
+        Tolerance(tolerance)
+  {
+  }
+
+  /// How far all conditions hold on the ray; negative where one does not.
+  Real Relation(const FieldRay& rayIndex, Real t) const;
+  /// What is wrong with the answer; empty where nothing is.
+  std::string Fault(const FieldRay& rayIndex, double tMin, double tMax, const FieldHit& hit) const;
+
+private:
+  struct Interval
+  {
+    Real From, To;
+  };
+  Interval InGrid(const FieldRay& ray) const;
+  std::string FaultAtBorder(const FieldRay& ray, const Interval& grid, double tMin, double tMax,
+                            const FieldHit& hit) const;
+  std::string FaultOfHit(const FieldRay& ray, const FieldHit& hit) const;
+  /// Whether the field is surely on the other side somewhere in between; says where.
+  bool Contradicts(const FieldRay& ray, const Interval& interval, bool isInside, Real& where) const;
+  std::vector<Real> PlaneCrossings(const FieldRay& ray, const Interval& interval) const;
+  void AddExtrema(const FieldRay& ray, Real from, Real to, std::vector<Real>& places) const;
+
+  std::array<int, 3> Size;
+  std::vector<DenseCondition> Conditions;
+  FieldInterpolation Interpolation;
+  double Tolerance; ///< of values that are compared with the iso-value
+};
+} // namespace palpate::test

@@ -1,0 +1,205 @@
+#include "FieldCases.h"
+#include "ProceduralFields.h"
+
+#include <cstdint>
+#include <limits>
+
+namespace palpate
+{
+namespace
+{
+using test::MakeField;
+using test::PlainGrid;
+using test::RefusalOf;
+
+const FieldGrid Cube = PlainGrid({6, 6, 6});
+
+std::vector<double> Ramp()
+{
+  return test::SampleAtIndices({6, 6, 6}, test::PlaneField{{1, 0, 0}, 0.0});
+}
+
+bool Says(const std::string& sentence, const std::string& part)
+{
+  return sentence.find(part) != std::string::npos;
+}
+
+std::string RefusalOfIso(double iso)
+{
+  const std::vector<double> ramp = Ramp();
+  FieldBuilder builder(Cube);
+  builder.AddMaterial({builder.AddChannel(SamplesOfGrid(ramp.data(), Cube)), iso});
+  return RefusalOf(builder);
+}
+
+TEST(FieldBuilder, RefusesIsoValuesWithoutASurface)
+{
+  EXPECT_EQ(RefusalOfIso(2.5), "");
+  EXPECT_EQ(RefusalOfIso(5.0), ""); // the iso-value itself is inside
+  EXPECT_TRUE(Says(RefusalOfIso(5.5), "samples run from 0 to 5"));
+  EXPECT_TRUE(Says(RefusalOfIso(0.0), "samples run from 0 to 5"));
+  EXPECT_TRUE(Says(RefusalOfIso(std::numeric_limits<double>::quiet_NaN()), "no surface"));
+}
+
+TEST(FieldBuilder, RefusesSamplesThatAreNotFinite)
+{
+  for (const double bad :
+       {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()})
+  {
+    std::vector<double> ramp = Ramp();
+    ramp[6 * 6 * 3 + 6 * 2 + 1] = bad;
+    FieldBuilder builder(Cube);
+    builder.AddMaterial({builder.AddChannel(SamplesOfGrid(ramp.data(), Cube)), 2.5});
+    EXPECT_TRUE(Says(RefusalOf(builder), "index (1, 2, 3)"));
+  }
+}
+
+TEST(FieldBuilder, RefusesAOneSliceVolume)
+{
+  const FieldGrid slice = PlainGrid({6, 6, 1});
+  const std::vector<double> ramp = Ramp();
+  FieldBuilder builder(slice);
+  builder.AddMaterial({builder.AddChannel(SamplesOfGrid(ramp.data(), slice)), 2.5});
+  EXPECT_TRUE(Says(RefusalOf(builder), "1 samples along axis 2"));
+}
+
+TEST(FieldBuilder, RefusesMaterialsThatItCannotMake)
+{
+  const std::vector<double> ramp = Ramp();
+  FieldBuilder none(Cube);
+  none.AddChannel(SamplesOfGrid(ramp.data(), Cube));
+  EXPECT_TRUE(Says(RefusalOf(none), "1 to 32 materials"));
+  FieldBuilder unknown(Cube);
+  unknown.AddMaterial({unknown.AddChannel(SamplesOfGrid(ramp.data(), Cube)) + 1, 2.5});
+  EXPECT_TRUE(Says(RefusalOf(unknown), "channel 1"));
+  FieldBuilder contradiction(Cube);
+  const int channel = contradiction.AddChannel(SamplesOfGrid(ramp.data(), Cube));
+  contradiction.AddMaterial({channel, 4.0}, {channel, 1.0, FieldSense::AtMost});
+  EXPECT_TRUE(Says(RefusalOf(contradiction), "Material 0 has no surface"));
+}
+
+TEST(FieldBuilder, RefusesSamplesThatAreNotThereOrOutsideTheGrid)
+{
+  const std::vector<double> ramp = Ramp();
+  FieldSamples absent = SamplesOfGrid(ramp.data(), Cube);
+  absent.Data = nullptr;
+  FieldSamples beside = SamplesOfGrid(ramp.data(), Cube);
+  beside.StartIndex[1] = 1;
+  for (const FieldSamples& samples : {absent, beside})
+  {
+    FieldBuilder builder(Cube);
+    builder.AddMaterial({builder.AddChannel(samples), 2.5});
+    EXPECT_NE(RefusalOf(builder), "");
+  }
+}
+
+TEST(FieldBuilder, StopsWhenTheCallerWantsNoMore)
+{
+  const std::vector<double> ramp = Ramp();
+  FieldBuilder builder(Cube);
+  builder.AddMaterial({builder.AddChannel(SamplesOfGrid(ramp.data(), Cube)), 2.5});
+  std::shared_ptr<const ScalarField> field;
+  for (const double stopAt : {0.0, 0.5})
+  {
+    const Status status = builder.Build(field, [stopAt](double done) { return done < stopAt; });
+    EXPECT_TRUE(Says(status.Message(), "cancelled"));
+    EXPECT_EQ(field, nullptr);
+  }
+}
+
+template <typename T>
+ScalarType StoredAs(T low, T high)
+{
+  std::vector<T> samples(Cube.NodeCount(), low);
+  samples.back() = high;
+  const auto field = MakeField(Cube, samples, static_cast<double>(high));
+  return field->Channel(0).StoredType();
+}
+
+TEST(FieldBuilder, StoresSamplesInTheSmallestTypeThatLosesNothing)
+{
+  EXPECT_EQ(StoredAs<std::int8_t>(-5, 5), ScalarType::Int8);
+  EXPECT_EQ(StoredAs<std::uint8_t>(0, 255), ScalarType::UInt8);
+  EXPECT_EQ(StoredAs<std::int16_t>(-1024, 3071), ScalarType::Int16);
+  EXPECT_EQ(StoredAs<std::uint16_t>(0, 65535), ScalarType::UInt16);
+  EXPECT_EQ(StoredAs<std::int32_t>(-1024, 3071), ScalarType::Float32);
+  EXPECT_EQ(StoredAs<std::int32_t>(0, (1 << 24) + 1), ScalarType::Float64);
+  EXPECT_EQ(StoredAs<std::uint32_t>(0, 4000000000u), ScalarType::Float32); // has zeros at its end
+  EXPECT_EQ(StoredAs<std::int64_t>(0, 7), ScalarType::Float32);
+  EXPECT_EQ(StoredAs<std::uint64_t>(0, (1u << 24) + 1), ScalarType::Float64);
+  EXPECT_EQ(StoredAs<float>(0.1f, 0.2f), ScalarType::Float32);
+  EXPECT_EQ(StoredAs<double>(0.1, 0.2), ScalarType::Float64);
+  EXPECT_EQ(StoredAs<double>(0.0, 1e300), ScalarType::Float64);
+}
+
+TEST(FieldBuilder, StoresOnlyBricksNearTheSurface)
+{
+  const FieldGrid grid = PlainGrid({129, 129, 129});
+  const test::SphereField sphere{{64, 64, 64}, 40.0};
+  const auto samples = test::SampleAtIndices<std::int16_t>(grid.Size(), sphere);
+  const FieldMemory memory = MakeField(grid, samples, 0.5)->Memory();
+  EXPECT_EQ(memory.Bricks, 16u * 16u * 16u);
+  EXPECT_EQ(memory.StoredBlocks, memory.SurfaceBricks);
+  // The surface is 4 pi 40^2 = 20,000 square voxels; a brick holds a piece of at least some dozens.
+  EXPECT_LE(memory.SurfaceBricks, 700u);
+  EXPECT_GE(memory.SurfaceBricks, 200u);
+  EXPECT_LE(memory.Bytes, grid.NodeCount() * sizeof(float) / 5);
+}
+
+TEST(FieldBuilder, StoresAMarginThatIsWideEnoughAlongEveryAxis)
+{
+  const FieldGrid grid({65, 65, 65}, Vector3::Zero(), {1.0, 0.5, 3.0}, Matrix3::Identity());
+  std::vector<double> samples(grid.NodeCount(), 0.0);
+  samples[(32 * 65 + 32) * 65 + 36] = 1.0; // in the brick from (32, 32, 32) to (40, 40, 40)
+  FieldBuilder builder(grid);
+  builder.AddMaterial({builder.AddChannel(SamplesOfGrid(samples.data(), grid)), 0.5});
+  builder.SetMargin(6.0);
+  std::shared_ptr<const ScalarField> field;
+  ASSERT_TRUE(builder.Build(field).IsOk());
+  const auto isStored = [&field](int i, int j, int k)
+  {
+    const std::size_t brick = field->Layout().NumberOfCell(i, j, k);
+    return field->Channel(0).SlotOf(brick).Block != BrickedChannel::NotStored;
+  };
+  EXPECT_TRUE(isStored(40 + 5, 33, 33));
+  EXPECT_TRUE(isStored(33, 40 + 11, 33));
+  EXPECT_TRUE(isStored(33, 33, 40 + 1));
+  EXPECT_FALSE(isStored(33 + 16, 33, 33));
+  EXPECT_FALSE(isStored(33, 33, 33 + 16));
+}
+
+TEST(FieldBuilder, LeapsAreChessboardDistancesToTheNextSurface)
+{
+  const FieldGrid grid = PlainGrid({8 * 9 + 1, 8 * 7 + 1, 8 * 5 + 1});
+  std::mt19937_64 random(4);
+  std::vector<std::int16_t> samples(grid.NodeCount(), 0);
+  for (int bump = 0; bump < 3; ++bump)
+  {
+    samples[random() % samples.size()] = 1;
+  }
+  const auto field = MakeField(grid, samples, 0.5);
+  const BrickLayout& layout = field->Layout();
+  std::vector<std::array<int, 3>> places;
+  for (std::size_t n = 0; n < layout.BrickCount(); ++n)
+  {
+    places.push_back({static_cast<int>(n) % layout.Bricks[0],
+                      static_cast<int>(n) / layout.Bricks[0] % layout.Bricks[1],
+                      static_cast<int>(n) / layout.Bricks[0] / layout.Bricks[1]});
+  }
+  for (std::size_t a = 0; a < places.size(); ++a)
+  {
+    int nearest = 255;
+    for (std::size_t b = 0; b < places.size(); ++b)
+    {
+      if (field->Directory()[b].Leap == 0)
+      {
+        nearest = std::min(nearest, std::max({std::abs(places[a][0] - places[b][0]),
+                                              std::abs(places[a][1] - places[b][1]),
+                                              std::abs(places[a][2] - places[b][2])}));
+      }
+    }
+    ASSERT_EQ(field->Directory()[a].Leap, static_cast<unsigned>(nearest));
+  }
+}
+} // namespace
+} // namespace palpate

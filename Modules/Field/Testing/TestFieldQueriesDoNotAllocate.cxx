@@ -1,0 +1,45 @@
+#include "AllocationCounter.h"
+#include "FieldCases.h"
+#include "FieldSampler.h"
+#include "RandomRays.h"
+#include "RayCaster.h"
+
+namespace palpate
+{
+namespace
+{
+TEST(FieldQueriesDoNotAllocate, OfSamplersAndRayCasters)
+{
+  std::mt19937_64 random(51);
+  for (const auto method : {FieldInterpolation::Trilinear, FieldInterpolation::TricubicBSpline})
+  {
+    const FieldGrid grid = test::ObliqueGrid({25, 12, 9}, random);
+    const auto samples = test::RandomSteps<std::int16_t>(grid, random, 7);
+    const auto field = test::MakeField(grid, samples, 3.0, method);
+    const FieldSampler sampler(field);
+    const RayCaster caster(field);
+    std::vector<FieldRay> rays;
+    std::vector<Vector3> points;
+    for (int n = 0; n < 200; ++n)
+    {
+      rays.push_back(test::RandomRay(grid, random));
+      points.push_back(grid.PointWorld(rays.back().Origin));
+    }
+    std::vector<FieldHit> hits(rays.size());
+    std::vector<unsigned char> inside(points.size());
+    MaterialSet found = 0;
+    const std::size_t before = test::AllocationCount();
+    caster.CastAllWorld(rays.data(), rays.size(), 0.0, 1e3, hits.data());
+    sampler.AreInsideWorld(0, points.data(), points.size(), inside.data());
+    for (std::size_t n = 0; n < rays.size(); ++n)
+    {
+      hits[n] = caster.CastIndex(rays[n], 0.0, 1e3);
+      found |= sampler.MaterialsWorld(points[n]);
+      inside[n] = sampler.ValueAndGradientWorld(0, points[n]).Kind != SampleKind::Outside;
+    }
+    EXPECT_EQ(test::AllocationCount(), before);
+    EXPECT_EQ(found, 1u);
+  }
+}
+} // namespace
+} // namespace palpate

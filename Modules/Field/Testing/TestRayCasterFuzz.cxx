@@ -1,0 +1,216 @@
+#include "FieldCases.h"
+#include "RandomRays.h"
+#include "RayOracle.h"
+
+#include <cmath>
+#include <cstring>
+#include <limits>
+
+namespace palpate
+{
+namespace
+{
+using test::DenseReference;
+using test::RayOracle;
+
+const double Infinity = std::numeric_limits<double>::infinity();
+constexpr FieldInterpolation Methods[] = {FieldInterpolation::Trilinear,
+                                          FieldInterpolation::TricubicBSpline};
+
+// A random volume with a field and all that the oracle needs.
+struct RandomVolume
+{
+  FieldGrid Grid;
+  std::vector<double> Samples;
+  double Iso;
+  FieldInterpolation Method;
+  std::shared_ptr<const ScalarField> Field;
+  DenseReference Reference;
+
+  static FieldGrid RandomGrid(std::mt19937_64& random)
+  {
+    return test::PlainGrid({2 + static_cast<int>(random() % 20), 2 + static_cast<int>(random() % 9),
+                            2 + static_cast<int>(random() % 12)});
+  }
+  // Steps with plateaus at the iso-value, noise, or a few bumps in empty space.
+  static std::vector<double> RandomSamples(const FieldGrid& grid, std::mt19937_64& random)
+  {
+    const auto kind = random() % 3;
+    std::vector<double> samples = test::RandomSteps(grid, random, kind == 1 ? 1000 : 3);
+    for (double& sample : samples)
+    {
+      sample = kind == 2 && random() % 50 != 0 ? 0.0 : sample;
+    }
+    samples.front() = 0.0;
+    samples.back() = kind == 1 ? 999.0 : 2.0;
+    return samples;
+  }
+
+  RandomVolume(FieldInterpolation method, std::mt19937_64& random)
+      : Grid(RandomGrid(random)), Samples(RandomSamples(Grid, random)),
+        Iso(Samples.back() > 2.0 ? 499.5
+            : random() % 2 == 0  ? 1.0
+                                 : 0.5),
+        Method(method), Field(test::MakeField(Grid, Samples, Iso, method)),
+        Reference(Grid.Size(), Samples, method)
+  {
+  }
+  RayOracle Oracle() const
+  {
+    // Coefficients are kept in float.
+    const double tolerance =
+        (this->Method == FieldInterpolation::Trilinear ? 1e-13 : 1e-5) * this->Samples.back();
+    return {this->Grid.Size(), {{&this->Reference, this->Iso}}, this->Method, tolerance};
+  }
+};
+
+void ExpectNoFaults(FieldInterpolation method, int volumes, int raysOfEach, unsigned seed)
+{
+  std::mt19937_64 random(seed);
+  int hits = 0;
+  for (int v = 0; v < volumes; ++v)
+  {
+    const RandomVolume volume(method, random);
+    const RayCaster caster(volume.Field);
+    const RayOracle oracle = volume.Oracle();
+    for (int r = 0; r < raysOfEach; ++r)
+    {
+      const FieldRay ray = test::RandomRay(volume.Grid, random);
+      double tMin = random() % 3 == 0 ? 0.0 : -Infinity;
+      for (int crossing = 0; crossing < 3; ++crossing)
+      {
+        const FieldHit hit = caster.CastIndex(ray, tMin, Infinity);
+        const std::string fault = oracle.Fault(ray, tMin, Infinity, hit);
+        ASSERT_EQ(fault, "") << "seed " << seed << " volume " << v << " ray " << r << ": from "
+                             << ray.Origin.transpose() << " along " << ray.Direction.transpose()
+                             << " after " << tMin;
+        if (hit.Kind == HitKind::Missed)
+        {
+          break;
+        }
+        ++hits;
+        tMin = std::nextafter(hit.T, Infinity);
+      }
+    }
+  }
+  EXPECT_GE(hits, volumes * raysOfEach / 2);
+}
+
+TEST(RayCasterFuzz, TrilinearAnswersStandBeforeTheOracle)
+{
+  ExpectNoFaults(FieldInterpolation::Trilinear, 150, 100, 31);
+}
+
+TEST(RayCasterFuzz, TricubicAnswersStandBeforeTheOracle)
+{
+  ExpectNoFaults(FieldInterpolation::TricubicBSpline, 60, 40, 32);
+}
+
+bool SameBits(const FieldHit& a, const FieldHit& b)
+{
+  const auto same = [](double x, double y) { return std::memcmp(&x, &y, sizeof(x)) == 0; };
+  bool all = a.Kind == b.Kind && a.IsEntering == b.IsEntering && a.Material == b.Material &&
+             a.StartsInside == b.StartsInside && same(a.T, b.T) && same(a.ErrorT, b.ErrorT) &&
+             same(a.ErrorLength, b.ErrorLength);
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    all =
+        all && same(a.Position[axis], b.Position[axis]) && same(a.Gradient[axis], b.Gradient[axis]);
+  }
+  return all;
+}
+
+TEST(RayCasterFuzz, AnyIntervalThatHoldsTheHitGivesItsBits)
+{
+  for (const FieldInterpolation method : Methods)
+  {
+    std::mt19937_64 random(33);
+    for (int v = 0; v < 60; ++v)
+    {
+      const RandomVolume volume(method, random);
+      const RayCaster caster(volume.Field);
+      for (int r = 0; r < 60; ++r)
+      {
+        const FieldRay ray = test::RandomRay(volume.Grid, random);
+        const FieldHit hit = caster.CastIndex(ray, -100.0, Infinity);
+        if (hit.Kind == HitKind::Missed || (hit.Kind == HitKind::Border && !hit.IsEntering))
+        {
+          continue;
+        }
+        std::uniform_real_distribution<double> part(0.0, 1.0);
+        for (const double share : {0.0, 1.0, part(random), part(random), 1.0 - 1e-3 * part(random)})
+        {
+          double tMin = -100.0 + share * (hit.T + 100.0);
+          tMin = std::min(tMin, hit.T);
+          FieldHit again = caster.CastIndex(ray, tMin, hit.T + part(random) * part(random));
+          if (tMin > -100.0 && hit.StartsInside != again.StartsInside)
+          {
+            // It began outside the grid, or where the first one began.
+            FAIL() << "starts elsewhere: volume " << v << " ray " << r;
+          }
+          ASSERT_TRUE(SameBits(hit, again)) << "volume " << v << " ray " << r << " from " << tMin;
+          ASSERT_TRUE(SameBits(hit, caster.CastIndex(ray, tMin, hit.T)));
+        }
+      }
+    }
+  }
+}
+
+TEST(RayCasterFuzz, BatchesGiveTheBitsOfSingleRays)
+{
+  std::mt19937_64 random(34);
+  for (const FieldInterpolation method : Methods)
+  {
+    const RandomVolume volume(method, random);
+    const RayCaster caster(volume.Field);
+    std::vector<FieldRay> rays;
+    for (int r = 0; r < 300; ++r)
+    {
+      rays.push_back(test::RandomRay(volume.Grid, random));
+    }
+    std::vector<FieldHit> hits(rays.size());
+    caster.CastAllWorld(rays.data(), rays.size(), 0.0, 1e3, hits.data());
+    for (std::size_t r = 0; r < rays.size(); ++r)
+    {
+      ASSERT_TRUE(SameBits(hits[r], caster.CastWorld(rays[r], 0.0, 1e3)));
+    }
+  }
+}
+
+// Closed solids: no ray from the inside gets out unseen, aimed at nodes, edges and faces exactly.
+TEST(RayCasterFuzz, NothingLeaksThroughFacesEdgesOrCorners)
+{
+  std::mt19937_64 random(35);
+  for (const FieldInterpolation method : Methods)
+  {
+    const FieldGrid grid = test::PlainGrid({24, 24, 24});
+    std::vector<double> samples = test::RandomSteps(grid, random, 4);
+    for (std::size_t at = 0; at < samples.size(); ++at)
+    {
+      const Vector3 p(static_cast<double>(at % 24), static_cast<double>(at / 24 % 24),
+                      static_cast<double>(at / 24 / 24));
+      const double radius = (p - Vector3::Constant(12.0)).lpNorm<Eigen::Infinity>();
+      samples[at] += radius < 6.0 ? 40.0 : radius < 9.0 ? 4.0 : -40.0;
+    }
+    const RayCaster caster(test::MakeField(grid, samples, 6.0, method));
+    for (int target = 0; target < 24 * 24 * 24; ++target)
+    {
+      const Vector3 node(target % 24, target / 24 % 24, target / 24 / 24);
+      for (const Vector3& aim :
+           {node, Vector3(node + Vector3(0.5, 0, 0)), Vector3(node + Vector3(0, 0.5, 0.5))})
+      {
+        const Vector3 direction = aim - Vector3::Constant(12.0);
+        if (direction.lpNorm<Eigen::Infinity>() < 1.0)
+        {
+          continue;
+        }
+        const FieldHit hit = caster.CastIndex({Vector3::Constant(12.0), direction}, 0.0, Infinity);
+        ASSERT_EQ(hit.Kind, HitKind::Surface) << direction.transpose();
+        ASSERT_EQ(hit.StartsInside, 1u);
+        ASSERT_FALSE(hit.IsEntering);
+      }
+    }
+  }
+}
+} // namespace
+} // namespace palpate

@@ -1,0 +1,39 @@
+#pragma once
+
+#include "BrickedChannel.h"
+#include "FieldMaterial.h"
+
+namespace palpate
+{
+/// Cubic B-spline between the 64 coefficients that a cell needs; u runs from 0 to 1 along each
+/// axis. The weights are not negative, and at a face those of both cells are the same bit by bit,
+/// so that what TrilinearCell promises holds here too.
+struct TricubicCell
+{
+  static constexpr int Window = 4;
+  static constexpr int Side = 11;
+  static constexpr int Degree = 9; ///< of the value along a straight line
+  static constexpr int Count = 64;
+
+  double Nodes[Count]; ///< i fastest
+
+  void Load(const BrickedChannel& channel, std::uint32_t block, int firstNode) noexcept
+  {
+    channel.Load<Window, Side>(block, firstNode, this->Nodes);
+  }
+  /// Makes values of how far the condition holds: negative where it does not.
+  void Relate(const FieldCondition& condition) noexcept
+  {
+    const double sign = condition.Sense == FieldSense::AtLeast ? 1.0 : -1.0;
+    for (double& node : this->Nodes)
+    {
+      node = sign * (node - condition.Iso);
+    }
+  }
+
+  double Value(const double* u) const noexcept;
+  void Gradient(const double* u, double* gradient) const noexcept;
+  /// The value along the segment between two points as ten Bernstein coefficients.
+  void Restrict(const double* from, const double* to, double* bernstein) const noexcept;
+};
+} // namespace palpate

@@ -1,0 +1,27 @@
+#pragma once
+
+#include "FieldGrid.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace palpate::bench
+{
+/// A head like a CT's: air, soft tissue with noise, and a closed shell of bone with a soft profile,
+/// 4 to 5 mm thick.
+struct SkullPhantom
+{
+  static constexpr double BoneIso = 400.0;
+
+  FieldGrid Grid; ///< 0.8 mm
+  std::vector<std::int16_t> Samples;
+  Vector3 CenterWorld;
+
+  explicit SkullPhantom(int nodes);
+
+  /// Half axes of the middle of the bone, mm.
+  Vector3 HalfAxes() const;
+  /// On that middle, in a direction.
+  Vector3 PointInBoneWorld(const Vector3& direction) const;
+};
+} // namespace palpate::bench
