@@ -9,7 +9,8 @@ set(PALPATE_VTK_COMPONENTS
   FiltersCore FiltersGeneral FiltersGeometry FiltersModeling FiltersSources
   ImagingCore ImagingGeneral ImagingMorphological ImagingStencil
   IOExport IOGeometry IOImage IOPLY IOXML
-  InteractionStyle RenderingAnnotation RenderingCore RenderingFreeType RenderingOpenGL2)
+  InteractionStyle RenderingAnnotation RenderingCore RenderingFreeType RenderingOpenGL2
+  RenderingVolume)
 set(palpate_vtk_build_components TestingCore TestingRendering)
 if(PALPATE_WRAP_PYTHON)
   list(APPEND palpate_vtk_build_components WrappingPythonCore CommonPython WrappingTools Python)

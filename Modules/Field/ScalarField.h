@@ -6,6 +6,7 @@
 #include "FieldMaterial.h"
 #include "MaterialMap.h"
 
+#include <array>
 #include <cstddef>
 #include <vector>
 
@@ -35,6 +36,8 @@ public:
     return this->Materials[static_cast<std::size_t>(material)];
   }
   FieldMemory Memory() const noexcept;
+  /// The cells through which surfaces may pass, by their lowest nodes. Allocates: not for a tick.
+  std::vector<std::array<int, 3>> SurfaceCells() const;
 
   const BrickLayout& Layout() const noexcept { return this->Bricks; }
   const BrickDirectory& Directory() const noexcept { return this->BrickEntries; }

@@ -201,5 +201,31 @@ TEST(FieldBuilder, LeapsAreChessboardDistancesToTheNextSurface)
     ASSERT_EQ(field->Directory()[a].Leap, static_cast<unsigned>(nearest));
   }
 }
+
+TEST(FieldBuilder, SurfaceCellsAreThoseWithCornersOnBothSides)
+{
+  const FieldGrid grid = test::PlainGrid({21, 24, 30});
+  const test::SphereField sphere{{10.2, 11.5, 14.0}, 7.3};
+  const auto field = test::MakeField(grid, test::SampleAtIndices(grid.Size(), sphere), 0.0);
+  std::vector<std::array<int, 3>> found = field->SurfaceCells();
+  std::sort(found.begin(), found.end());
+  std::vector<std::array<int, 3>> expected;
+  for (int cell = 0; cell < 20 * 23 * 29; ++cell)
+  {
+    const std::array<int, 3> lowest{cell / 29 / 23, cell / 29 % 23, cell % 29};
+    int inside = 0;
+    for (int corner = 0; corner < 8; ++corner)
+    {
+      const Vector3 node(lowest[0] + (corner & 1), lowest[1] + (corner >> 1 & 1),
+                         lowest[2] + (corner >> 2));
+      inside += sphere.Value(node) >= 0.0 ? 1 : 0;
+    }
+    if (inside != 0 && inside != 8)
+    {
+      expected.push_back(lowest);
+    }
+  }
+  EXPECT_EQ(found, expected);
+}
 } // namespace
 } // namespace palpate

@@ -1,0 +1,103 @@
+#include "DepthPicture.h"
+
+#include "vtkOpenGLQuadHelper.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLShaderCache.h"
+#include "vtkOpenGLState.h"
+#include "vtkRenderer.h"
+#include "vtkShaderProgram.h"
+#include "vtkTextureObject.h"
+#include "vtk_glew.h"
+
+namespace palpate
+{
+namespace
+{
+// Where nothing was hit, nothing is drawn; depths are those of the pixel itself, as depths between
+// two surfaces belong to neither.
+const char* const FragmentShader = R"(//VTK::System::Dec
+//VTK::Output::Dec
+in vec2 texCoord;
+uniform sampler2D colors;
+uniform sampler2D depths;
+void main()
+{
+  vec4 color = texture(colors, texCoord);
+  if (color.a == 0.0)
+  {
+    discard;
+  }
+  gl_FragData[0] = color;
+  gl_FragDepth = texture(depths, texCoord).r;
+}
+)";
+} // namespace
+
+DepthPicture::DepthPicture() = default;
+DepthPicture::~DepthPicture() = default;
+
+void DepthPicture::Load(vtkOpenGLRenderWindow* window, const FieldPicture& picture)
+{
+  const auto width = static_cast<unsigned int>(picture.Width);
+  const auto height = static_cast<unsigned int>(picture.Height);
+  // The textures' functions want pointers that they could write to, and do not.
+  this->Colors->SetContext(window);
+  this->Colors->SetMagnificationFilter(vtkTextureObject::Nearest);
+  this->Colors->SetMinificationFilter(vtkTextureObject::Nearest);
+  this->Colors->Create2DFromRaw(width, height, 4, VTK_UNSIGNED_CHAR,
+                                const_cast<std::uint8_t*>(picture.Colors.data()));
+  this->Depths->SetContext(window);
+  this->Depths->SetMagnificationFilter(vtkTextureObject::Nearest);
+  this->Depths->SetMinificationFilter(vtkTextureObject::Nearest);
+  this->Depths->Create2DFromRaw(width, height, 1, VTK_FLOAT,
+                                const_cast<float*>(picture.Depths.data()));
+}
+
+void DepthPicture::Draw(vtkRenderer* renderer, const FieldPicture& picture, bool writesDepths)
+{
+  auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
+  if (window == nullptr || picture.Width <= 0 || picture.Height <= 0)
+  {
+    return;
+  }
+  this->Load(window, picture);
+  if (!this->Quad)
+  {
+    this->Quad = std::make_unique<vtkOpenGLQuadHelper>(window, nullptr, FragmentShader, "");
+  }
+  else
+  {
+    window->GetShaderCache()->ReadyShaderProgram(this->Quad->Program);
+  }
+  vtkOpenGLState* state = window->GetState();
+  const vtkOpenGLState::ScopedglEnableDisable blend(state, GL_BLEND);
+  const vtkOpenGLState::ScopedglEnableDisable test(state, GL_DEPTH_TEST);
+  const vtkOpenGLState::ScopedglBlendFuncSeparate function(state);
+  const vtkOpenGLState::ScopedglDepthMask mask(state);
+  const vtkOpenGLState::ScopedglDepthFunc depthFunction(state);
+  state->vtkglEnable(GL_BLEND);
+  state->vtkglEnable(GL_DEPTH_TEST);
+  state->vtkglDepthFunc(GL_LEQUAL);
+  state->vtkglDepthMask(writesDepths ? GL_TRUE : GL_FALSE);
+  state->vtkglBlendFuncSeparate(GL_ONE, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+
+  this->Colors->Activate();
+  this->Depths->Activate();
+  this->Quad->Program->SetUniformi("colors", this->Colors->GetTextureUnit());
+  this->Quad->Program->SetUniformi("depths", this->Depths->GetTextureUnit());
+  this->Quad->Render();
+  this->Depths->Deactivate();
+  this->Colors->Deactivate();
+}
+
+void DepthPicture::ReleaseGraphicsResources(vtkWindow* window)
+{
+  if (this->Quad)
+  {
+    this->Quad->ReleaseGraphicsResources(window);
+    this->Quad.reset();
+  }
+  this->Colors->ReleaseGraphicsResources(window);
+  this->Depths->ReleaseGraphicsResources(window);
+}
+} // namespace palpate

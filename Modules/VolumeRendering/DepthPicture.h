@@ -1,0 +1,40 @@
+#pragma once
+
+#include "FieldPicture.h"
+#include "PalpateVolumeRenderingModule.h"
+
+#include "vtkNew.h"
+
+#include <memory>
+
+class vtkOpenGLQuadHelper;
+class vtkOpenGLRenderWindow;
+class vtkRenderer;
+class vtkTextureObject;
+class vtkWindow;
+
+namespace palpate
+{
+/// Draws a picture with depths over a renderer's viewport, exactly pixel on pixel where it has the
+/// viewport's size, so that it hides and is hidden by what else is drawn. OpenGL; belongs to one
+/// window at a time.
+class PALPATEVOLUMERENDERING_EXPORT DepthPicture
+{
+public:
+  DepthPicture();
+  DepthPicture(const DepthPicture&) = delete;
+  DepthPicture& operator=(const DepthPicture&) = delete;
+  ~DepthPicture();
+
+  /// `writesDepths`: also what is drawn later is hidden by it.
+  void Draw(vtkRenderer* renderer, const FieldPicture& picture, bool writesDepths);
+  void ReleaseGraphicsResources(vtkWindow* window);
+
+private:
+  void Load(vtkOpenGLRenderWindow* window, const FieldPicture& picture);
+
+  vtkNew<vtkTextureObject> Colors;
+  vtkNew<vtkTextureObject> Depths;
+  std::unique_ptr<vtkOpenGLQuadHelper> Quad;
+};
+} // namespace palpate

@@ -1,0 +1,97 @@
+#include "FieldOfImage.h"
+
+#include "vtkDataArray.h"
+#include "vtkImageData.h"
+#include "vtkMatrix3x3.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+
+#include <optional>
+
+namespace palpate
+{
+namespace
+{
+std::optional<ScalarType> TypeOf(vtkDataArray* scalars)
+{
+  switch (scalars->GetDataType())
+  {
+    vtkTemplateMacro(return ScalarTypeOf<VTK_TT>());
+  }
+  return std::nullopt;
+}
+} // namespace
+
+FieldGrid GridOfImage(vtkImageData* image)
+{
+  const int* extent = image->GetExtent();
+  std::array<int, 3> size{};
+  image->GetDimensions(size.data());
+  Matrix3 direction;
+  for (int row = 0; row < 3; ++row)
+  {
+    for (int column = 0; column < 3; ++column)
+    {
+      direction(row, column) = image->GetDirectionMatrix()->GetElement(row, column);
+    }
+  }
+  Vector3 origin;
+  image->TransformIndexToPhysicalPoint(extent[0], extent[2], extent[4], origin.data());
+  return {size, origin, Vector3(image->GetSpacing()), direction};
+}
+
+vtkSmartPointer<vtkImageData> EmptyImageOf(const FieldGrid& grid)
+{
+  auto image = vtkSmartPointer<vtkImageData>::New();
+  image->SetDimensions(grid.Size().data());
+  image->SetSpacing(grid.Spacing().data());
+  image->SetOrigin(grid.OriginWorld().data());
+  vtkNew<vtkMatrix3x3> direction;
+  for (int row = 0; row < 3; ++row)
+  {
+    for (int column = 0; column < 3; ++column)
+    {
+      direction->SetElement(row, column, grid.Direction()(row, column));
+    }
+  }
+  image->SetDirectionMatrix(direction);
+  return image;
+}
+
+Status SamplesOfImage(vtkImageData* image, FieldSamples& samples)
+{
+  vtkDataArray* scalars = image->GetPointData()->GetScalars();
+  if (scalars == nullptr || scalars->GetNumberOfComponents() != 1)
+  {
+    return Status::Failure("The image needs scalars of one component.");
+  }
+  const std::optional<ScalarType> type = TypeOf(scalars);
+  if (!type || !scalars->HasStandardMemoryLayout())
+  {
+    return Status::Failure("The image's scalars are of no type that a field is made from.");
+  }
+  std::array<int, 3> size{};
+  image->GetDimensions(size.data());
+  samples = {scalars->GetVoidPointer(0), *type, {0, 0, 0}, size, 0.0};
+  return Status::Success();
+}
+
+Status BuildFieldOfImage(vtkImageData* image, const std::vector<double>& isoValues,
+                         FieldInterpolation interpolation, const FieldBuilder::Progress& progress,
+                         std::shared_ptr<const ScalarField>& field)
+{
+  FieldSamples samples;
+  if (Status status = SamplesOfImage(image, samples); !status.IsOk())
+  {
+    return status;
+  }
+  FieldBuilder builder(GridOfImage(image));
+  builder.SetInterpolation(interpolation);
+  const int channel = builder.AddChannel(samples);
+  for (const double iso : isoValues)
+  {
+    builder.AddMaterial({channel, iso, FieldSense::AtLeast});
+  }
+  return builder.Build(field, progress);
+}
+} // namespace palpate

@@ -1,0 +1,35 @@
+#pragma once
+
+#include "FieldHit.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace palpate
+{
+/// What a renderer made of a field: rows from the bottom up.
+struct FieldPicture
+{
+  int Width = 0;
+  int Height = 0;
+  std::vector<std::uint8_t> Colors; ///< red, green, blue, opacity; colours times opacity
+  std::vector<float> Depths;        ///< of the nearest surface, 1 where there is none
+  std::vector<FieldHit> Hits;       ///< the nearest surface, world; empty unless asked for
+
+  void Resize(int width, int height, bool keepsHits)
+  {
+    this->Width = width;
+    this->Height = height;
+    const std::size_t count = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+    this->Colors.resize(4 * count);
+    this->Depths.resize(count);
+    this->Hits.resize(keepsHits ? count : 0);
+  }
+  std::size_t Pixel(int column, int row) const noexcept
+  {
+    return static_cast<std::size_t>(row) * static_cast<std::size_t>(this->Width) +
+           static_cast<std::size_t>(column);
+  }
+};
+} // namespace palpate

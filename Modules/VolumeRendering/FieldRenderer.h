@@ -1,0 +1,73 @@
+#pragma once
+
+#include "CropRegions.h"
+#include "FieldPicture.h"
+#include "PixelRays.h"
+#include "SurfaceShading.h"
+
+#include <memory>
+#include <vector>
+
+namespace palpate
+{
+/// How the surface of one material is drawn.
+struct MaterialLook
+{
+  Vector3 Color = Vector3(0.9, 0.85, 0.75); ///< 0..1
+  double Opacity = 1.0;                     ///< 0..1; 0 hides the material
+};
+
+/// Everything that a picture of a field depends on. The field's own world (patient LPS, mm) may lie
+/// elsewhere in the scene: rays, clips and crops are in the former, lights in the latter.
+struct FieldView
+{
+  PixelRays Rays; ///< in the field's world
+  std::vector<HalfSpace> Kept;
+  CropRegions Crop;
+  std::vector<MaterialLook> Looks; ///< by material; those that are missing have the default look
+  SurfaceFinish Finish;
+  std::vector<SurfaceLight> Lights;
+  Eigen::Matrix4d ToScene = Eigen::Matrix4d::Identity(); ///< from the field's world
+  /// Depths, by pixel, of what is drawn already and ends the rays; empty for nothing.
+  std::vector<float> SceneDepths;
+};
+
+/// Draws a field by the first hits of its rays: the hits are RayCaster's, so what is seen is what
+/// is felt. Const; tiles may be drawn by any number of threads at once.
+class PALPATEVOLUMERENDERING_EXPORT FieldRenderer
+{
+public:
+  FieldRenderer(std::shared_ptr<const ScalarField> field, FieldView view);
+
+  const FieldView& View() const noexcept { return this->Scene; }
+  /// Whether no pixel shows more than its nearest surface.
+  bool IsOpaque() const noexcept { return this->Opaque; }
+
+  /// The nearest surface that is shown on a pixel's ray; missed where there is none.
+  FieldHit FirstHit(int column, int row) const noexcept;
+  /// The same at any place of the picture, in pixels (see PixelRays).
+  FieldHit FirstHitAt(double x, double y) const noexcept;
+  /// Fills the pixels of `picture` (of the view's size) with column0 <= column < column1 and
+  /// row0 <= row < row1.
+  void DrawTile(int column0, int column1, int row0, int row1, FieldPicture& picture) const noexcept;
+
+private:
+  struct Ray
+  {
+    FieldRay World;
+    RayInterval Interval;
+  };
+
+  Ray RayAt(double x, double y) const noexcept;
+  FieldHit NextHit(const FieldRay& ray, RayInterval interval) const noexcept;
+  Vector3 ColorOf(const FieldHit& hit, const Vector3& toEyeScene) const noexcept;
+  void DrawPixel(int column, int row, FieldPicture& picture) const noexcept;
+
+  RayCaster Caster;
+  FieldView Scene;
+  MaterialSet Shown = 0;
+  Eigen::Matrix3d VectorToScene;
+  Eigen::Matrix3d NormalToScene;
+  bool Opaque = true;
+};
+} // namespace palpate

@@ -1,0 +1,28 @@
+#pragma once
+
+#include "PalpateVolumeRenderingModule.h"
+#include "RayCaster.h"
+
+#include <vector>
+
+namespace palpate
+{
+/// The points x (mm) with Normal . x + Offset >= 0: what a clipping plane leaves.
+struct HalfSpace
+{
+  Vector3 Normal = Vector3::UnitX();
+  double Offset = 0.0;
+};
+
+/// A part of a ray, in its own parameter; empty where From > To.
+struct RayInterval
+{
+  double From = 0.0;
+  double To = 1.0;
+};
+
+/// What all half-spaces leave of an interval.
+PALPATEVOLUMERENDERING_EXPORT RayInterval ClippedInterval(const FieldRay& ray,
+                                                          const std::vector<HalfSpace>& kept,
+                                                          RayInterval interval) noexcept;
+} // namespace palpate

@@ -1,0 +1,226 @@
+#include "FieldRenderer.h"
+
+#include "FieldBuilder.h"
+#include "ProceduralFields.h"
+
+#include <gtest/gtest.h>
+
+namespace palpate
+{
+namespace
+{
+constexpr int Nodes = 33;
+constexpr double Spacing = 0.5; // mm: the grid runs from -8 to 8
+
+FieldGrid Grid()
+{
+  return {{Nodes, Nodes, Nodes},
+          Vector3::Constant(-8.0),
+          Vector3::Constant(Spacing),
+          Matrix3::Identity()};
+}
+
+// Distance from the middle, mm.
+std::vector<double> Distances()
+{
+  test::SphereField sphere;
+  sphere.Center = Vector3::Constant((Nodes - 1) / 2.0);
+  sphere.Radius = 0.0;
+  std::vector<double> samples = test::SampleAtIndices({Nodes, Nodes, Nodes}, sphere);
+  for (double& sample : samples)
+  {
+    sample *= -Spacing;
+  }
+  return samples;
+}
+
+// Balls round the middle, one in the other: material 0 is the outer one.
+std::shared_ptr<const ScalarField> Balls(const std::vector<double>& radii)
+{
+  const std::vector<double> samples = Distances();
+  FieldBuilder builder(Grid());
+  const int channel = builder.AddChannel(SamplesOfGrid(samples.data(), Grid()));
+  for (const double radius : radii)
+  {
+    builder.AddMaterial({channel, radius, FieldSense::AtMost});
+  }
+  std::shared_ptr<const ScalarField> field;
+  const Status status = builder.Build(field);
+  EXPECT_TRUE(status.IsOk()) << status.Message();
+  return field;
+}
+
+// Seen along -z in parallel: x and y from -10 to 10 mm, z from 20 (near) to -20 (far).
+FieldView ViewAlongZ(int side)
+{
+  Eigen::Matrix4d toClip = Eigen::Matrix4d::Identity();
+  toClip(0, 0) = 0.1;
+  toClip(1, 1) = 0.1;
+  toClip(2, 2) = -1.0 / 40.0;
+  toClip(2, 3) = 0.5;
+  FieldView view;
+  view.Rays = PixelRays(toClip, side, side);
+  view.Finish.IsShaded = false;
+  return view;
+}
+
+FieldPicture Draw(const FieldRenderer& renderer)
+{
+  const PixelRays& rays = renderer.View().Rays;
+  FieldPicture picture;
+  picture.Resize(rays.Width(), rays.Height(), true);
+  renderer.DrawTile(0, rays.Width(), 0, rays.Height(), picture);
+  return picture;
+}
+
+std::array<int, 4> ColorAt(const FieldPicture& picture, int column, int row)
+{
+  const std::uint8_t* bytes = &picture.Colors[4 * picture.Pixel(column, row)];
+  return {bytes[0], bytes[1], bytes[2], bytes[3]};
+}
+
+TEST(FieldRenderer, EveryPixelShowsTheHitThatACasterGivesForItsRay)
+{
+  const auto field = Balls({6.0});
+  const RayCaster caster(field);
+  const FieldRenderer renderer(field, ViewAlongZ(64));
+  const FieldPicture picture = Draw(renderer);
+  int hits = 0;
+  for (int row = 0; row < 64; ++row)
+  {
+    for (int column = 0; column < 64; ++column)
+    {
+      const FieldHit expected =
+          caster.CastWorld(renderer.View().Rays.OfPixel(column, row), 0.0, 1.0);
+      const FieldHit& seen = picture.Hits[picture.Pixel(column, row)];
+      ASSERT_EQ(seen.Kind, expected.Kind);
+      ASSERT_EQ(seen.T, expected.T);
+      ASSERT_EQ(seen.Position, expected.Position);
+      ASSERT_EQ(seen.Gradient, expected.Gradient);
+      hits += seen.Material == 0 ? 1 : 0;
+    }
+  }
+  // The disc of 6 mm in 20 mm squared, by its pixels' centres; the rim is some 60 pixels long.
+  EXPECT_NEAR(hits, M_PI * 36.0 / 400.0 * 64 * 64, 30.0);
+}
+
+TEST(FieldRenderer, DepthsAreThoseOfTheHits)
+{
+  const FieldPicture picture = Draw(FieldRenderer(Balls({6.0}), ViewAlongZ(65)));
+  // The middle ray meets the sphere at z = 6: (20 - 6) / 40. The node there lies on the sphere.
+  EXPECT_NEAR(picture.Depths[picture.Pixel(32, 32)], 14.0 / 40.0, 1e-6);
+  EXPECT_EQ(picture.Depths[picture.Pixel(0, 0)], 1.0F);
+  EXPECT_EQ(ColorAt(picture, 0, 0), (std::array<int, 4>{0, 0, 0, 0}));
+}
+
+TEST(FieldRenderer, NestedTranslucentSurfacesAreBlendedFrontToBack)
+{
+  FieldView view = ViewAlongZ(65);
+  view.Looks = {{{1.0, 0.0, 0.0}, 0.25}, {{0.0, 1.0, 0.0}, 1.0}};
+  const FieldPicture picture = Draw(FieldRenderer(Balls({6.0, 3.0}), view));
+  // One crossing of red lies before green, which is opaque.
+  EXPECT_EQ(ColorAt(picture, 32, 32), (std::array<int, 4>{64, 191, 0, 255}));
+  // Beside green the ray enters and leaves red: 1/4 + 3/4 * 1/4.
+  EXPECT_EQ(ColorAt(picture, 32 + 14, 32), (std::array<int, 4>{112, 0, 0, 112}));
+}
+
+TEST(FieldRenderer, AMaterialOfNoOpacityIsNotThere)
+{
+  FieldView view = ViewAlongZ(65);
+  view.Looks = {{{1.0, 0.0, 0.0}, 0.0}, {{0.0, 1.0, 0.0}, 1.0}};
+  const FieldRenderer renderer(Balls({6.0, 3.0}), view);
+  const FieldPicture picture = Draw(renderer);
+  EXPECT_TRUE(renderer.IsOpaque());
+  EXPECT_EQ(ColorAt(picture, 32, 32), (std::array<int, 4>{0, 255, 0, 255}));
+  EXPECT_EQ(ColorAt(picture, 32 + 14, 32)[3], 0);
+}
+
+TEST(FieldRenderer, AClippingPlaneOpensTheSurfaceAndShowsItsBack)
+{
+  FieldView view = ViewAlongZ(65);
+  view.Kept = {{-Vector3::UnitZ(), 0.0}}; // z <= 0
+  const FieldPicture picture = Draw(FieldRenderer(Balls({6.0}), view));
+  const FieldHit& hit = picture.Hits[picture.Pixel(32, 32)];
+  EXPECT_NEAR(hit.Position[2], -6.0, 1e-9);
+  EXPECT_FALSE(hit.IsEntering);
+}
+
+TEST(FieldRenderer, CroppingToTheMiddleIsTheSameByItsSidesAndByItsRegions)
+{
+  const auto field = Balls({6.0, 3.0});
+  // -3.3 to 2.2 mm along x, all along y, -5.3 to 4.9 along z.
+  const std::array<double, 6> planes{9.4, 20.4, -1.0, 40.0, 5.4, 25.8};
+  FieldView bySides = ViewAlongZ(80);
+  bySides.Crop = CropRegions(planes, 1 << 13);
+  FieldView byRegions = ViewAlongZ(80);
+  // The same and a corner where nothing is.
+  byRegions.Crop = CropRegions(planes, 1 << 13 | 1);
+  const FieldPicture a = Draw(FieldRenderer(field, bySides));
+  const FieldPicture b = Draw(FieldRenderer(field, byRegions));
+  int shown = 0;
+  for (std::size_t pixel = 0; pixel < a.Depths.size(); ++pixel)
+  {
+    ASSERT_EQ(a.Hits[pixel].Kind, b.Hits[pixel].Kind);
+    ASSERT_EQ(a.Hits[pixel].T, b.Hits[pixel].T);
+    shown += a.Hits[pixel].Material >= 0 ? 1 : 0;
+  }
+  EXPECT_GT(shown, 500);
+}
+
+TEST(FieldRenderer, CropRegionsFollowVtksNumbers)
+{
+  const std::array<double, 6> planes{1.0, 2.0, 1.0, 2.0, 1.0, 2.0};
+  for (int region = 0; region < 27; ++region)
+  {
+    const CropRegions crop(planes, 1 << region);
+    for (int other = 0; other < 27; ++other)
+    {
+      const Vector3 point(0.5 + other % 3, 0.5 + other / 3 % 3, 0.5 + other / 9);
+      EXPECT_EQ(crop.Shows(point), other == region);
+    }
+  }
+}
+
+TEST(FieldRenderer, WhatIsDrawnAlreadyEndsTheRays)
+{
+  FieldView view = ViewAlongZ(65);
+  view.Looks = {{{1.0, 0.0, 0.0}, 0.5}};
+  // Between the front at depth 0.35 and the back at 0.65; and before both.
+  view.SceneDepths.assign(65 * 65, 0.5F);
+  view.SceneDepths[32 * 65 + 33] = 0.3F;
+  const FieldPicture picture = Draw(FieldRenderer(Balls({6.0}), view));
+  EXPECT_EQ(ColorAt(picture, 32, 32), (std::array<int, 4>{128, 0, 0, 128}));
+  EXPECT_EQ(ColorAt(picture, 33, 32), (std::array<int, 4>{0, 0, 0, 0}));
+}
+
+TEST(FieldRenderer, TilesMakeTheWholePicture)
+{
+  const FieldRenderer renderer(Balls({6.0}), ViewAlongZ(50));
+  const FieldPicture whole = Draw(renderer);
+  FieldPicture tiled;
+  tiled.Resize(50, 50, true);
+  for (int row = 0; row < 50; row += 7)
+  {
+    for (int column = 0; column < 50; column += 9)
+    {
+      renderer.DrawTile(column, std::min(50, column + 9), row, std::min(50, row + 7), tiled);
+    }
+  }
+  EXPECT_EQ(whole.Colors, tiled.Colors);
+  EXPECT_EQ(whole.Depths, tiled.Depths);
+}
+
+TEST(FieldRenderer, APlaceInTheSceneMovesTheLightNotTheShape)
+{
+  FieldView view = ViewAlongZ(65);
+  view.Finish = {true, 0.0, 1.0, 0.0, 1.0};
+  view.Lights = {{false, Vector3::UnitX(), Vector3::Ones(), Vector3::Ones()}};
+  view.Looks = {{Vector3::Ones(), 1.0}};
+  // Turned so that the field's +z is the scene's +x: the side that faces the viewer is lit fully.
+  view.ToScene.topLeftCorner<3, 3>() =
+      Eigen::AngleAxisd(M_PI / 2.0, Vector3::UnitY()).toRotationMatrix();
+  const FieldPicture picture = Draw(FieldRenderer(Balls({6.0}), view));
+  EXPECT_EQ(ColorAt(picture, 32, 32), (std::array<int, 4>{255, 255, 255, 255}));
+}
+} // namespace
+} // namespace palpate

@@ -1,0 +1,387 @@
+#include "vtkSubVoxelVolumeMapper.h"
+
+#include "DisplayServer.h"
+#include "FieldRenderer.h"
+#include "vtkSubVoxelPicker.h"
+#include "vtkSubVoxelVolume.h"
+
+#include "vtkActor.h"
+#include "vtkCallbackCommand.h"
+#include "vtkCamera.h"
+#include "vtkCommand.h"
+#include "vtkImageData.h"
+#include "vtkMatrix3x3.h"
+#include "vtkNew.h"
+#include "vtkPlane.h"
+#include "vtkPolyDataMapper.h"
+#include "vtkProperty.h"
+#include "vtkRenderWindow.h"
+#include "vtkRenderer.h"
+#include "vtkSMPTools.h"
+#include "vtkSphereSource.h"
+#include "vtkTestErrorObserver.h"
+#include "vtkUnsignedCharArray.h"
+#include "vtkVolume.h"
+#include "vtkVolumeProperty.h"
+
+#include <gtest/gtest.h>
+#include <memory>
+#include <stdexcept>
+
+namespace
+{
+using palpate::Vector3;
+
+constexpr int Side = 200; // pixels
+constexpr double Radius = 6.0;
+
+// The distance (mm) from the point (0.5, -0.3, 0.2) up to which a voxel is, less 10, on a turned
+// grid that reaches 8 mm round it: a ball of 6 mm is what has at least -6 when negated.
+vtkSmartPointer<vtkImageData> BallImage()
+{
+  auto image = vtkSmartPointer<vtkImageData>::New();
+  image->SetDimensions(33, 33, 21);
+  image->SetSpacing(0.5, 0.5, 0.8);
+  const double c = std::cos(0.4);
+  const double s = std::sin(0.4);
+  image->SetDirectionMatrix(c, -s, 0.0, s, c, 0.0, 0.0, 0.0, 1.0);
+  const Eigen::Matrix3d axes = Eigen::AngleAxisd(0.4, Vector3::UnitZ()).toRotationMatrix();
+  const Vector3 middle(0.5, -0.3, 0.2);
+  const Vector3 origin = middle - axes * Vector3(8.0, 8.0, 8.0);
+  image->SetOrigin(origin.data());
+  image->AllocateScalars(VTK_FLOAT, 1);
+  auto* values = static_cast<float*>(image->GetScalarPointer());
+  for (vtkIdType i = 0; i < image->GetNumberOfPoints(); ++i)
+  {
+    Vector3 point;
+    image->GetPoint(i, point.data());
+    values[i] = static_cast<float>(-(point - middle).norm());
+  }
+  return image;
+}
+
+const Vector3 Middle(0.5, -0.3, 0.2);
+
+// A ball, drawn off screen along -z in parallel, 20 mm across the picture.
+class SubVoxelVolumeMapper : public testing::Test
+{
+protected:
+  void SetUp() override
+  {
+    try
+    {
+      this->Display = std::make_unique<palpate::DisplayServer>();
+    }
+    catch (const std::runtime_error& error)
+    {
+      GTEST_SKIP() << error.what();
+    }
+    this->Renderer = vtkSmartPointer<vtkRenderer>::New();
+    this->Window = vtkSmartPointer<vtkRenderWindow>::New();
+    this->Window->SetOffScreenRendering(1);
+    this->Window->SetMultiSamples(0);
+    this->Window->SetSize(Side, Side);
+    this->Window->AddRenderer(this->Renderer);
+    vtkCamera* camera = this->Renderer->GetActiveCamera();
+    camera->SetPosition(0.0, 0.0, 30.0);
+    camera->SetFocalPoint(0.0, 0.0, 0.0);
+    camera->ParallelProjectionOn();
+    camera->SetParallelScale(10.0);
+    camera->SetClippingRange(5.0, 55.0);
+    this->Mapper->SetInputData(BallImage());
+    this->Mapper->SetIsoValue(0, -Radius);
+    this->Mapper->SetMaterialColor(0, 1.0, 0.0, 0.0);
+    this->Volume->SetMapper(this->Mapper);
+    this->Volume->GetProperty()->ShadeOff();
+    this->Renderer->AddVolume(this->Volume);
+  }
+
+  void Render()
+  {
+    this->Window->Render();
+    this->Window->GetRGBACharPixelData(0, 0, Side - 1, Side - 1, 0, this->Pixels);
+  }
+  std::array<int, 3> ColorAt(int column, int row)
+  {
+    const vtkIdType pixel = static_cast<vtkIdType>(row) * Side + column;
+    return {static_cast<int>(this->Pixels->GetTypedComponent(pixel, 0)),
+            static_cast<int>(this->Pixels->GetTypedComponent(pixel, 1)),
+            static_cast<int>(this->Pixels->GetTypedComponent(pixel, 2))};
+  }
+  // A polygon ball of 2 mm; its centre in mm.
+  vtkActor* AddPolygons(double x, double y, double z)
+  {
+    vtkNew<vtkSphereSource> sphere;
+    sphere->SetRadius(2.0);
+    sphere->SetCenter(x, y, z);
+    vtkNew<vtkPolyDataMapper> mapper;
+    mapper->SetInputConnection(sphere->GetOutputPort());
+    vtkNew<vtkActor> actor;
+    actor->SetMapper(mapper);
+    actor->GetProperty()->SetColor(0.0, 0.0, 1.0);
+    actor->GetProperty()->LightingOff();
+    this->Renderer->AddActor(actor);
+    return actor;
+  }
+  void UseSubVoxelVolume()
+  {
+    this->Renderer->RemoveVolume(this->Volume);
+    this->Volume = vtkSmartPointer<vtkSubVoxelVolume>::New();
+    this->Volume->SetMapper(this->Mapper);
+    this->Volume->GetProperty()->ShadeOff();
+    this->Renderer->AddVolume(this->Volume);
+  }
+
+  std::unique_ptr<palpate::DisplayServer> Display;
+  vtkSmartPointer<vtkRenderer> Renderer;
+  vtkSmartPointer<vtkRenderWindow> Window;
+  vtkSmartPointer<vtkVolume> Volume = vtkSmartPointer<vtkVolume>::New();
+  vtkNew<vtkSubVoxelVolumeMapper> Mapper;
+  vtkNew<vtkUnsignedCharArray> Pixels;
+};
+
+constexpr std::array<int, 3> Red{{255, 0, 0}};
+constexpr std::array<int, 3> Blue{{0, 0, 255}};
+constexpr std::array<int, 3> Black{{0, 0, 0}};
+} // namespace
+
+TEST_F(SubVoxelVolumeMapper, DrawsTheBallWhereItIs)
+{
+  this->Render();
+  int red = 0;
+  for (int row = 0; row < Side; ++row)
+  {
+    for (int column = 0; column < Side; ++column)
+    {
+      const double x = (column + 0.5) / 10.0 - 10.0 - Middle[0];
+      const double y = (row + 0.5) / 10.0 - 10.0 - Middle[1];
+      const double distance = std::hypot(x, y);
+      // Trilinear interpolation of a distance errs by spacing^2 / 8 R times 3 at most: 0.02 mm; and
+      // half a pixel.
+      if (std::abs(distance - Radius) > 0.07)
+      {
+        ASSERT_EQ(this->ColorAt(column, row), distance < Radius ? Red : Black)
+            << column << ", " << row;
+      }
+      red += this->ColorAt(column, row) == Red ? 1 : 0;
+    }
+  }
+  EXPECT_NEAR(red, M_PI * Radius * Radius * 100.0, 150.0);
+}
+
+TEST_F(SubVoxelVolumeMapper, HidesAndIsHiddenByPolygons)
+{
+  this->AddPolygons(-2.0, 0.0, 8.0); // in front
+  this->AddPolygons(5.0, 0.0, -7.0); // behind, and looking out at the side
+  for (const bool isSubVoxelVolume : {false, true})
+  {
+    if (isSubVoxelVolume)
+    {
+      this->UseSubVoxelVolume();
+    }
+    this->Render();
+    EXPECT_EQ(this->ColorAt(80, 100), Blue);
+    EXPECT_EQ(this->ColorAt(140, 100), Red);
+    EXPECT_EQ(this->ColorAt(167, 100), Blue);
+  }
+}
+
+TEST_F(SubVoxelVolumeMapper, PolygonsCutIntoTheSurfaceAtTheRightDepth)
+{
+  // Half of the polygon ball sticks out of the side that faces the viewer, at z = 6.2.
+  this->AddPolygons(Middle[0], Middle[1], Middle[2] + Radius);
+  this->Render();
+  // The balls meet where the distance from the axis is r^2 = 2^2 - h^2 with h = 2^2 / 12.
+  const double rim = std::sqrt(4.0 - 1.0 / 9.0);
+  const int row = 97; // y = -0.25
+  EXPECT_EQ(this->ColorAt(static_cast<int>(100 + 10 * (Middle[0] + rim - 0.15)), row), Blue);
+  EXPECT_EQ(this->ColorAt(static_cast<int>(100 + 10 * (Middle[0] + rim + 0.15)), row), Red);
+}
+
+TEST_F(SubVoxelVolumeMapper, TranslucentPolygonsInFrontAreBlendedOverASubVoxelVolume)
+{
+  this->UseSubVoxelVolume();
+  this->AddPolygons(0.0, 0.0, 9.0)->GetProperty()->SetOpacity(0.5);
+  this->Render();
+  // Two layers of half blue over red.
+  const std::array<int, 3> color = this->ColorAt(100, 100);
+  EXPECT_NEAR(color[0], 64, 2);
+  EXPECT_NEAR(color[2], 191, 2);
+}
+
+TEST_F(SubVoxelVolumeMapper, TranslucentMaterialsEndAtPolygonsInside)
+{
+  this->Mapper->SetMaterialOpacity(0, 0.5);
+  this->AddPolygons(Middle[0], Middle[1], Middle[2]);
+  for (const bool isSubVoxelVolume : {false, true})
+  {
+    if (isSubVoxelVolume)
+    {
+      this->UseSubVoxelVolume();
+    }
+    this->Render();
+    const std::array<int, 3> over = this->ColorAt(105, 97);
+    EXPECT_NEAR(over[0], 128, 1);
+    EXPECT_NEAR(over[2], 128, 1);
+    EXPECT_NEAR(this->ColorAt(140, 97)[0], 191, 1); // front and back
+  }
+}
+
+TEST_F(SubVoxelVolumeMapper, DepthBufferHasTheSurface)
+{
+  this->Mapper->KeepHitsOn();
+  this->Render();
+  const palpate::FieldPicture& picture = *this->Mapper->GetPicture();
+  const palpate::PixelRays& rays = this->Mapper->GetFieldRenderer()->View().Rays;
+  for (const int column : {60, 100, 140})
+  {
+    const palpate::FieldHit& hit = picture.Hits[picture.Pixel(column, 90)];
+    ASSERT_EQ(hit.Material, 0);
+    // Depths are floats, and the buffer has 24 bits at least.
+    EXPECT_NEAR(this->Window->GetZbufferDataAtPoint(column, 90), rays.Depth(hit.Position), 2e-7);
+  }
+}
+
+TEST_F(SubVoxelVolumeMapper, EveryPixelsHitIsTheHapticQuerysBitByBit)
+{
+  this->Mapper->KeepHitsOn();
+  this->Renderer->GetActiveCamera()->ParallelProjectionOff();
+  this->Renderer->GetActiveCamera()->Azimuth(33.0);
+  this->Renderer->GetActiveCamera()->Elevation(21.0);
+  this->Render();
+  const palpate::FieldPicture& picture = *this->Mapper->GetPicture();
+  const palpate::PixelRays& rays = this->Mapper->GetFieldRenderer()->View().Rays;
+  const palpate::RayCaster hand(this->Mapper->GetField());
+  int hits = 0;
+  for (int row = 0; row < picture.Height; ++row)
+  {
+    for (int column = 0; column < picture.Width; ++column)
+    {
+      const palpate::FieldHit felt = hand.CastWorld(rays.OfPixel(column, row), 0.0, 1.0);
+      const palpate::FieldHit& seen = picture.Hits[picture.Pixel(column, row)];
+      ASSERT_EQ(seen.Kind, felt.Kind);
+      ASSERT_EQ(seen.Material, felt.Material);
+      ASSERT_EQ(seen.T, felt.T);
+      ASSERT_EQ(seen.Position, felt.Position);
+      ASSERT_EQ(seen.Gradient, felt.Gradient);
+      hits += seen.Material == 0 ? 1 : 0;
+    }
+  }
+  EXPECT_GT(hits, 2000);
+}
+
+TEST_F(SubVoxelVolumeMapper, ThePickerFindsThePointThatIsSeen)
+{
+  this->Mapper->KeepHitsOn();
+  this->Render();
+  const palpate::FieldPicture& picture = *this->Mapper->GetPicture();
+  vtkNew<vtkSubVoxelPicker> picker;
+  ASSERT_EQ(picker->Pick(77.0, 91.0, 0.0, this->Renderer), 1);
+  const palpate::FieldHit& seen = picture.Hits[picture.Pixel(77, 91)];
+  EXPECT_EQ(Vector3(picker->GetPickPosition()), seen.Position);
+  EXPECT_EQ(picker->GetMaterial(), 0);
+  EXPECT_EQ(picker->GetViewProp(), this->Volume.Get());
+  const Vector3 outwards = (seen.Position - Middle).normalized();
+  // The gradient of trilinear interpolation errs by spacing / 2R.
+  EXPECT_LT((Vector3(picker->GetNormal()) - outwards).norm(), 0.1);
+  EXPECT_EQ(picker->Pick(2.0, 2.0, 0.0, this->Renderer), 0);
+  EXPECT_EQ(picker->GetMaterial(), -1);
+}
+
+TEST_F(SubVoxelVolumeMapper, AMovedVolumeIsPickedWhereItIsDrawn)
+{
+  this->Volume->SetPosition(3.0, -1.0, 2.0);
+  this->Volume->SetScale(0.5, 0.5, 0.5);
+  this->Render();
+  const Vector3 middle = Vector3(3.0, -1.0, 2.0) + 0.5 * Middle;
+  EXPECT_EQ(this->ColorAt(static_cast<int>(100 + 10 * (middle[0] + 2.8)), 87), Red);
+  EXPECT_EQ(this->ColorAt(static_cast<int>(100 + 10 * (middle[0] + 3.2)), 87), Black);
+  vtkNew<vtkSubVoxelPicker> picker;
+  ASSERT_EQ(picker->Pick(130.0, 90.0, 0.0, this->Renderer), 1);
+  EXPECT_NEAR((Vector3(picker->GetPickPosition()) - middle).norm(), 3.0, 0.02);
+}
+
+TEST_F(SubVoxelVolumeMapper, ClippingPlanesAreOfTheWorld)
+{
+  vtkNew<vtkPlane> plane;
+  plane->SetOrigin(1.0, 0.0, 0.0);
+  plane->SetNormal(-1.0, 0.0, 0.0);
+  this->Mapper->AddClippingPlane(plane);
+  this->Render();
+  EXPECT_EQ(this->ColorAt(109, 100), Red);
+  EXPECT_EQ(this->ColorAt(111, 100), Black);
+}
+
+TEST_F(SubVoxelVolumeMapper, CastsFewerRaysWhereTimeIsShortAndAllOfThemAtRest)
+{
+  this->Render(); // to know how long a ray takes
+  EXPECT_EQ(this->Mapper->GetImageSampleDistance(), 1.0);
+  this->Window->SetDesiredUpdateRate(1e5);
+  this->Render();
+  EXPECT_EQ(this->Mapper->GetImageSampleDistance(), 4.0);
+  EXPECT_EQ(this->Mapper->GetPicture()->Width, Side / 4);
+  EXPECT_EQ(this->ColorAt(100, 100), Red);
+  this->Window->SetDesiredUpdateRate(1e-4);
+  this->Render();
+  EXPECT_EQ(this->Mapper->GetPicture()->Width, Side);
+}
+
+TEST_F(SubVoxelVolumeMapper, PictureDoesNotDependOnTheThreads)
+{
+  this->Volume->GetProperty()->ShadeOn();
+  this->Render();
+  const std::vector<std::uint8_t> many = this->Mapper->GetPicture()->Colors;
+  vtkSMPTools::LocalScope(vtkSMPTools::Config{1, "Sequential", false}, [&] { this->Render(); });
+  EXPECT_EQ(many, this->Mapper->GetPicture()->Colors);
+}
+
+TEST_F(SubVoxelVolumeMapper, AnotherIsoValueIsDrawnAtOnce)
+{
+  this->Render();
+  EXPECT_EQ(this->ColorAt(150, 97), Red);
+  this->Mapper->SetIsoValue(0, -3.0);
+  this->Render();
+  EXPECT_EQ(this->ColorAt(150, 97), Black);
+  this->Mapper->SetInterpolation(vtkSubVoxelVolumeMapper::TRICUBIC);
+  EXPECT_EQ(this->Mapper->GetField()->Interpolation(),
+            palpate::FieldInterpolation::TricubicBSpline);
+}
+
+TEST_F(SubVoxelVolumeMapper, AFieldMadeElsewhereNeedsNoImage)
+{
+  const auto field = this->Mapper->GetField();
+  vtkNew<vtkSubVoxelVolumeMapper> other;
+  other->SetField(field);
+  other->SetMaterialColor(0, 1.0, 0.0, 0.0);
+  this->Volume->SetMapper(other);
+  this->Render();
+  EXPECT_EQ(this->ColorAt(100, 100), Red);
+  double expected[6];
+  this->Mapper->GetBounds(expected);
+  double bounds[6];
+  other->GetBounds(bounds);
+  for (int i = 0; i < 6; ++i)
+  {
+    EXPECT_NEAR(bounds[i], expected[i], 1e-12);
+  }
+}
+
+TEST_F(SubVoxelVolumeMapper, AnIsoValueThatNothingHasIsAnErrorAndNothingIsDrawn)
+{
+  vtkNew<vtkTest::ErrorObserver> errors;
+  this->Mapper->AddObserver(vtkCommand::ErrorEvent, errors);
+  this->Mapper->SetIsoValue(0, 7.0);
+  this->Render();
+  EXPECT_NE(errors->GetErrorMessage().find("7"), std::string::npos) << errors->GetErrorMessage();
+  EXPECT_EQ(this->ColorAt(100, 100), Black);
+}
+
+TEST_F(SubVoxelVolumeMapper, AnAbortedFrameDrawsNothing)
+{
+  vtkNew<vtkCallbackCommand> abort;
+  abort->SetCallback([](vtkObject* window, unsigned long, void*, void*)
+                     { static_cast<vtkRenderWindow*>(window)->SetAbortRender(1); });
+  this->Window->AddObserver(vtkCommand::AbortCheckEvent, abort);
+  this->Render();
+  EXPECT_EQ(this->ColorAt(100, 100), Black);
+}

@@ -1,0 +1,51 @@
+/**
+ * @class vtkSubVoxelPicker
+ * @brief picks the surface that a vtkSubVoxelVolumeMapper draws, to a fraction of a voxel
+ *
+ * Pick casts the same ray as the picture, and so gives the very point that is seen. Volumes with
+ * other mappers, and actors, are passed over. Of several volumes the nearest to the camera counts.
+ */
+#ifndef vtkSubVoxelPicker_h
+#define vtkSubVoxelPicker_h
+
+#include "PalpateVolumeRenderingModule.h" // For export macro
+#include "vtkAbstractPropPicker.h"
+
+class PALPATEVOLUMERENDERING_EXPORT vtkSubVoxelPicker : public vtkAbstractPropPicker
+{
+public:
+  static vtkSubVoxelPicker* New();
+  vtkTypeMacro(vtkSubVoxelPicker, vtkAbstractPropPicker);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  using Superclass::Pick;
+  /**
+   * Picks at a place of the window (pixels; z is not used). Returns 1 if a surface was hit. The
+   * point is then the PickPosition (mm, world).
+   */
+  int Pick(double x, double y, double z, vtkRenderer* renderer) override;
+
+  ///@{
+  /** Of the last pick: the material, -1 where nothing was hit, and the outward unit normal. */
+  vtkGetMacro(Material, int);
+  vtkGetVector3Macro(Normal, double);
+  ///@}
+  ///@{
+  /** How far (mm) rounding may have put the point from the field's own surface, along the ray. */
+  vtkGetMacro(Error, double);
+  ///@}
+
+protected:
+  vtkSubVoxelPicker() = default;
+  ~vtkSubVoxelPicker() override = default;
+
+private:
+  vtkSubVoxelPicker(const vtkSubVoxelPicker&) = delete;
+  void operator=(const vtkSubVoxelPicker&) = delete;
+
+  int Material = -1;
+  double Normal[3] = {0.0, 0.0, 0.0};
+  double Error = 0.0;
+};
+
+#endif

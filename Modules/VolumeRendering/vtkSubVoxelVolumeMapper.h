@@ -1,0 +1,162 @@
+/**
+ * @class vtkSubVoxelVolumeMapper
+ * @brief draws the surfaces of a field exactly where a haptic tool would touch them
+ *
+ * For each pixel the first surface on its ray is found by palpate::RayCaster, which is what haptic
+ * queries use too, and shaded by the analytic gradient. There is one material for each iso-value of
+ * the input image (one component, any numeric type; origin, spacing in mm and direction are
+ * honoured): what has at least that value. Or a field that was built elsewhere, with any materials,
+ * is given by SetField, and no input is needed.
+ *
+ * Colour and opacity belong to the material; shading (on or off, ambient, diffuse, specular and its
+ * power) is the vtkVolumeProperty's, whose transfer functions are not used. Translucent surfaces
+ * are blended from front to back. Clipping planes (world) and cropping regions hollow the surfaces
+ * out; cropping planes are in the image's own axes, origin + spacing times index in mm.
+ *
+ * The picture has depths: what lies in front of a surface hides it, and the surface hides what lies
+ * behind. Over translucent polygons see vtkSubVoxelVolume. Rays are cast by vtkSMPTools; the
+ * picture does not depend on the number of threads. Where a frame would take longer than the
+ * renderer allows, as while the camera moves, fewer rays are cast, and all of them once it rests.
+ * Raises VolumeMapperRender events; looks for an abort between bands of rows.
+ *
+ * Errors: an image that FieldBuilder refuses raises an ErrorEvent with its sentence, and nothing is
+ * drawn.
+ */
+#ifndef vtkSubVoxelVolumeMapper_h
+#define vtkSubVoxelVolumeMapper_h
+
+#include "PalpateVolumeRenderingModule.h" // For export macro
+#include "vtkVolumeMapper.h"
+
+#include <memory> // For the field that is shared
+
+namespace palpate
+{
+class FieldRenderer;
+class ScalarField;
+struct FieldPicture;
+} // namespace palpate
+
+class PALPATEVOLUMERENDERING_EXPORT vtkSubVoxelVolumeMapper : public vtkVolumeMapper
+{
+public:
+  static vtkSubVoxelVolumeMapper* New();
+  vtkTypeMacro(vtkSubVoxelVolumeMapper, vtkVolumeMapper);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  enum InterpolationTypes
+  {
+    TRILINEAR, ///< the faster one
+    TRICUBIC   ///< B-spline: normals without creases
+  };
+
+  ///@{
+  /** The iso-values of the input image, one material each. None by default. */
+  void SetNumberOfIsoValues(int count);
+  int GetNumberOfIsoValues();
+  void SetIsoValue(int material, double value);
+  double GetIsoValue(int material);
+  ///@}
+
+  ///@{
+  /** How values between the nodes of the input image are found. Default: TRILINEAR. */
+  void SetInterpolation(int interpolation);
+  vtkGetMacro(Interpolation, int);
+  ///@}
+
+#ifndef __VTK_WRAP__
+  /** A field made elsewhere, which is drawn instead of the input; null to draw the input again. */
+  void SetField(std::shared_ptr<const palpate::ScalarField> field);
+  /** The field that is drawn, made if need be; null where it cannot be made. */
+  std::shared_ptr<const palpate::ScalarField> GetField();
+#endif
+
+  ///@{
+  /** Red, green, blue and opacity of a material, 0 to 1. Opacity 0 hides it; default is 1. */
+  void SetMaterialColor(int material, double red, double green, double blue);
+  void GetMaterialColor(int material, double color[3]);
+  void SetMaterialOpacity(int material, double opacity);
+  double GetMaterialOpacity(int material);
+  ///@}
+  /** Whether no material that is shown is translucent. */
+  bool IsOpaque();
+
+  ///@{
+  /**
+   * Whether rays may be fewer than pixels so that a frame takes no longer than the renderer allows.
+   * On by default. ImageSampleDistance is the distance of rays in pixels where this is off, and
+   * says what the last frame had where it is on; MaximumImageSampleDistance bounds it.
+   */
+  vtkSetMacro(AutoAdjustSampleDistances, bool);
+  vtkGetMacro(AutoAdjustSampleDistances, bool);
+  vtkBooleanMacro(AutoAdjustSampleDistances, bool);
+  vtkSetClampMacro(ImageSampleDistance, double, 1.0, 64.0);
+  vtkGetMacro(ImageSampleDistance, double);
+  vtkSetClampMacro(MaximumImageSampleDistance, double, 1.0, 64.0);
+  vtkGetMacro(MaximumImageSampleDistance, double);
+  ///@}
+
+  ///@{
+  /** Whether the picture of the last frame keeps each pixel's hit. Off by default. */
+  vtkSetMacro(KeepHits, bool);
+  vtkGetMacro(KeepHits, bool);
+  vtkBooleanMacro(KeepHits, bool);
+  ///@}
+#ifndef __VTK_WRAP__
+  ///@{
+  /** The last frame: what was drawn, and by which rays. Null before the first. */
+  const palpate::FieldPicture* GetPicture() const
+  {
+    return this->Picture.get();
+  }
+  const palpate::FieldRenderer* GetFieldRenderer() const
+  {
+    return this->Caster.get();
+  }
+  ///@}
+
+  /** A point of the surface as it is seen at a place of the window; world of the scene, mm. */
+  struct SurfacePoint
+  {
+    double Position[3];
+    double Normal[3]; ///< outward, unit
+    double Error;     ///< mm along the ray
+    double Depth;     ///< 0 at the near plane, 1 at the far plane
+    int Material;
+  };
+  /** The surface on the ray of the window's pixel (x, y); false where there is none. */
+  bool PickSurface(vtkRenderer* renderer, vtkVolume* volume, double x, double y,
+                   SurfacePoint& point);
+#endif
+
+  void Render(vtkRenderer* renderer, vtkVolume* volume) override;
+  void ReleaseGraphicsResources(vtkWindow* window) override;
+
+protected:
+  vtkSubVoxelVolumeMapper();
+  ~vtkSubVoxelVolumeMapper() override;
+
+private:
+  vtkSubVoxelVolumeMapper(const vtkSubVoxelVolumeMapper&) = delete;
+  void operator=(const vtkSubVoxelVolumeMapper&) = delete;
+
+  bool UpdateField();
+  double ChooseSampleDistance(vtkVolume* volume, double pixels);
+  std::unique_ptr<palpate::FieldRenderer> MakeRenderer(vtkRenderer* renderer, vtkVolume* volume,
+                                                       int width, int height,
+                                                       bool readsSceneDepths);
+  bool CastRays(vtkRenderer* renderer);
+
+  int Interpolation = TRILINEAR;
+  bool AutoAdjustSampleDistances = true;
+  double ImageSampleDistance = 1.0;
+  double MaximumImageSampleDistance = 4.0;
+  bool KeepHits = false;
+
+  struct State;
+  std::unique_ptr<State> Inner;
+  std::unique_ptr<palpate::FieldPicture> Picture;
+  std::unique_ptr<palpate::FieldRenderer> Caster;
+};
+
+#endif
