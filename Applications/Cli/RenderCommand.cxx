@@ -8,7 +8,7 @@
 #include "Interruption.h"
 #include "ModelFile.h"
 #include "ModelSurface.h"
-#include "Segmentation.h"
+#include "SceneField.h"
 #include "StructureChoice.h"
 #include "SurfaceFile.h"
 #include "Volume.h"
@@ -21,6 +21,7 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <limits>
 #include <map>
 #include <ostream>
 
@@ -29,6 +30,8 @@ namespace palpate::cli
 namespace
 {
 constexpr int ModelFrequency = 40;
+// Standard deviation in voxels: what a mesh is smoothed by, by default.
+constexpr double FieldSmoothing = 0.5;
 constexpr int LargestSide = 8192; // pixels
 
 // Colours that the colour-blind tell apart (Okabe and Ito 2008), the organ's first.
@@ -93,12 +96,36 @@ SceneRenderer::Color ParseColor(const std::string& word)
   }
   return {{(code >> 16U & 255U) / 255.0, (code >> 8U & 255U) / 255.0, (code & 255U) / 255.0}};
 }
+
+ProgressFunction ProgressOn(Console& console)
+{
+  return [&console](double fraction, const std::string& stage)
+  {
+    console.Progress(fraction, stage);
+    return !Interruption::WasAsked();
+  };
+}
+
+// A field that cannot be made is the file's or the options' fault.
+template <typename Make>
+std::shared_ptr<const ScalarField> Field(const std::filesystem::path& file, const Make& make)
+{
+  try
+  {
+    return make();
+  }
+  catch (const FilterError& error)
+  {
+    throw InputError(file.string() + ": " + error.what());
+  }
+}
 } // namespace
 
 std::string RenderCommand::Examples() const
 {
   return "  palpate render out/model.vtp --array DistanceToSurface --output errors.png\n"
          "  palpate render mask.seg.nrrd --volume t2.nrrd --slices axial --output gland.png\n"
+         "  palpate render --volume head-ct.nii.gz --iso 300 --output skull.png\n"
          "  palpate render model.json surface.stl --opacity 0.5 --view left --output both.png";
 }
 
@@ -110,13 +137,25 @@ void RenderCommand::DeclareOptions(CLI::App& app)
       ->type_name("FILE")
       ->required();
   this->Options.DeclareLabels(app);
-  app.add_option("--volume", this->VolumePath, "Draw slices of this image");
+  app.add_option("--volume", this->VolumePath, "Draw slices or iso-surfaces of this image");
   this->Images.Declare(app, "--volume folder");
   app.add_option("--slices", this->Slices,
-                 "Which slices of --volume, through the middle of what is drawn")
+                 "Which slices of --volume, through the middle of what is drawn: axial, sagittal, "
+                 "coronal (default: all, and none with --iso)")
       ->delimiter(',')
       ->allow_extra_args(false)
-      ->check(CLI::IsMember({"axial", "sagittal", "coronal"}))
+      ->check(CLI::IsMember({"axial", "sagittal", "coronal"}));
+  app.add_option("--iso", this->IsoValues,
+                 "Draw where --volume reaches these values, by the ray caster that feels it")
+      ->delimiter(',')
+      ->allow_extra_args(false)
+      ->check(FiniteNumber::Between(std::numeric_limits<double>::lowest(),
+                                    std::numeric_limits<double>::max()));
+  app.add_flag("--sub-voxel", this->IsSubVoxel,
+               "Draw segmentations by that ray caster too, instead of by triangles");
+  app.add_option("--interpolation", this->Interpolation,
+                 "Between voxels, for --iso and --sub-voxel: linear, or cubic (smoother, slower)")
+      ->check(CLI::IsMember({"linear", "cubic"}))
       ->capture_default_str();
   app.add_option("--view", this->View, "The side that is looked at")
       ->check(CLI::IsMember(
@@ -140,6 +179,54 @@ SceneRenderer::Color RenderCommand::NextColor()
   return Palette[this->ColorCount++ % Palette.size()];
 }
 
+FieldInterpolation RenderCommand::FieldKind() const
+{
+  return this->Interpolation == "cubic" ? FieldInterpolation::TricubicBSpline
+                                        : FieldInterpolation::Trilinear;
+}
+
+void RenderCommand::AddMeshes(const Segmentation& segmentation,
+                              const std::vector<Segment>& structures, SceneRenderer& scene,
+                              Console& console) const
+{
+  for (const Segment& structure : structures)
+  {
+    vtkNew<vtkSegmentationSurface> surface;
+    surface->SetInputData(segmentation.Layers[static_cast<std::size_t>(structure.Layer)]);
+    surface->SetLabel(structure.Value);
+    surface->SetComponent(0);
+    RunFilter(surface,
+              segmentation.Source.filename().string() + ", label " +
+                  std::to_string(structure.Label),
+              0.0, 1.0, ProgressOn(console));
+    scene.AddSurface(surface->GetOutput(), structure.Color, this->Opacity);
+  }
+}
+
+void RenderCommand::AddFields(const Segmentation& segmentation,
+                              const std::vector<Segment>& structures, SceneRenderer& scene,
+                              Console& console) const
+{
+  for (std::size_t first = 0; first < structures.size(); first += MostMaterials)
+  {
+    const std::size_t last = std::min(structures.size(), first + MostMaterials);
+    const std::vector<Segment> some(structures.begin() + static_cast<std::ptrdiff_t>(first),
+                                    structures.begin() + static_cast<std::ptrdiff_t>(last));
+    std::vector<SceneRenderer::Color> colors;
+    for (const Segment& structure : some)
+    {
+      colors.push_back(structure.Color);
+    }
+    scene.AddField(Field(segmentation.Source,
+                         [&]
+                         {
+                           return MakeSegmentField(segmentation, some, this->FieldKind(),
+                                                   FieldSmoothing, ProgressOn(console));
+                         }),
+                   colors, this->Opacity);
+  }
+}
+
 void RenderCommand::AddSegmentation(const std::filesystem::path& file, SceneRenderer& scene,
                                     Console& console)
 {
@@ -149,21 +236,8 @@ void RenderCommand::AddSegmentation(const std::filesystem::path& file, SceneRend
   {
     throw InputError(choice.Lost.front().Message);
   }
-  for (const Segment& structure : choice.Found)
-  {
-    vtkNew<vtkSegmentationSurface> surface;
-    surface->SetInputData(segmentation.Layers[static_cast<std::size_t>(structure.Layer)]);
-    surface->SetLabel(structure.Value);
-    surface->SetComponent(0);
-    RunFilter(surface, file.filename().string() + ", label " + std::to_string(structure.Label), 0.0,
-              1.0,
-              [&console](double fraction, const std::string& stage)
-              {
-                console.Progress(fraction, stage);
-                return !Interruption::WasAsked();
-              });
-    scene.AddSurface(surface->GetOutput(), structure.Color, this->Opacity);
-  }
+  this->IsSubVoxel ? this->AddFields(segmentation, choice.Found, scene, console)
+                   : this->AddMeshes(segmentation, choice.Found, scene, console);
   console.EndProgress();
 }
 
@@ -185,15 +259,30 @@ void RenderCommand::AddFile(const std::filesystem::path& file, SceneRenderer& sc
   }
 }
 
-void RenderCommand::AddSlices(SceneRenderer& scene) const
+void RenderCommand::AddVolume(SceneRenderer& scene, Console& console)
 {
   const Volume volume = ReadVolume(this->VolumePath, this->Images.Choice());
-  Vector3 middle = scene.MiddleWorld();
-  if (this->Inputs.empty())
+  if (!this->IsoValues.empty())
   {
-    middle = Vector3(volume.Image->GetCenter());
+    std::vector<SceneRenderer::Color> colors;
+    for (std::size_t i = 0; i < this->IsoValues.size(); ++i)
+    {
+      colors.push_back(this->NextColor());
+    }
+    scene.AddField(Field(this->VolumePath,
+                         [&] {
+                           return MakeIsoField(volume.Image, this->IsoValues, this->FieldKind(),
+                                               ProgressOn(console));
+                         }),
+                   colors, this->Opacity);
+    console.EndProgress();
   }
-  for (const std::string& word : this->Slices)
+  // Slices through an opaque surface would be hidden in it, so they are drawn with it if asked for.
+  const std::vector<std::string> every{"axial", "sagittal", "coronal"};
+  const bool isPlain = this->Slices.empty() && this->IsoValues.empty();
+  const Vector3 middle =
+      this->Inputs.empty() && isPlain ? Vector3(volume.Image->GetCenter()) : scene.MiddleWorld();
+  for (const std::string& word : isPlain ? every : this->Slices)
   {
     scene.AddSlice(volume.Image, Planes().at(word), middle);
   }
@@ -225,6 +314,10 @@ int RenderCommand::Run(Console& console)
     throw InputError("--output " + this->Output.string() +
                      " does not end in .png; pictures are PNG files");
   }
+  if (!this->IsoValues.empty() && this->VolumePath.empty())
+  {
+    throw InputError("--iso has no image to draw; name one with --volume");
+  }
   if (this->Inputs.empty() && this->VolumePath.empty())
   {
     throw InputError("there is nothing to draw; name a surface, a model or a segmentation, or an "
@@ -243,7 +336,7 @@ int RenderCommand::Run(Console& console)
   }
   if (!this->VolumePath.empty())
   {
-    this->AddSlices(scene);
+    this->AddVolume(scene, console);
   }
   const auto side = Sides().find(this->View);
   const ViewFrame frame = side == Sides().end() ? ObliqueFrame() : FrameOf(side->second);

@@ -4,6 +4,7 @@
 #include "FitOptions.h"
 #include "ImageOptions.h"
 #include "SceneRenderer.h"
+#include "Segmentation.h"
 
 #include <filesystem>
 #include <string>
@@ -12,7 +13,7 @@
 namespace palpate::cli
 {
 /// `palpate render FILE...`: one picture of surfaces, models and segmentations in space, with
-/// slices of a volume.
+/// slices and iso-surfaces of a volume.
 class RenderCommand : public Command
 {
 public:
@@ -28,7 +29,14 @@ public:
 private:
   void AddFile(const std::filesystem::path& file, SceneRenderer& scene, Console& console);
   void AddSegmentation(const std::filesystem::path& file, SceneRenderer& scene, Console& console);
-  void AddSlices(SceneRenderer& scene) const;
+  /// By triangles, one surface each.
+  void AddMeshes(const Segmentation& segmentation, const std::vector<Segment>& structures,
+                 SceneRenderer& scene, Console& console) const;
+  /// By fields.
+  void AddFields(const Segmentation& segmentation, const std::vector<Segment>& structures,
+                 SceneRenderer& scene, Console& console) const;
+  void AddVolume(SceneRenderer& scene, Console& console);
+  FieldInterpolation FieldKind() const;
   void ColorByArray(SceneRenderer& scene) const;
   SceneRenderer::Color NextColor();
 
@@ -37,7 +45,10 @@ private:
   std::filesystem::path Output;
   std::string VolumePath;
   ImageOptions Images;
-  std::vector<std::string> Slices{"axial", "sagittal", "coronal"};
+  std::vector<std::string> Slices;
+  std::vector<double> IsoValues;
+  std::string Interpolation = "linear";
+  bool IsSubVoxel = false;
   std::string Size = "800x800";
   std::string View = "oblique";
   std::string Background = "white";

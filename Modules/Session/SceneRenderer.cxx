@@ -23,9 +23,12 @@
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
 #include "vtkScalarBarActor.h"
+#include "vtkSubVoxelVolume.h"
+#include "vtkSubVoxelVolumeMapper.h"
 #include "vtkTextActor.h"
 #include "vtkTextProperty.h"
 #include "vtkUnsignedCharArray.h"
+#include "vtkVolumeProperty.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -45,6 +48,11 @@ constexpr double ReferenceSide = 800.0;
 constexpr double LetterSize = 24.0;
 constexpr double BarTextSize = 17.0;
 constexpr int ColorCount = 257; // odd, so that zero has its own colour
+// How surfaces answer to light, polygons and fields alike.
+constexpr double SurfaceAmbient = 0.4;
+constexpr double SurfaceDiffuse = 0.62;
+constexpr double SurfaceSpecular = 0.12;
+constexpr double SurfacePower = 25.0;
 constexpr std::size_t WindowSamples = 200000;
 
 vtkSmartPointer<vtkPolyData> WithNormals(vtkPolyData* surface)
@@ -191,10 +199,10 @@ void SceneRenderer::AddSurface(vtkPolyData* surface, const Color& color, double 
   vtkNew<vtkActor> actor;
   actor->SetMapper(mapper);
   actor->GetProperty()->SetColor(color[0], color[1], color[2]);
-  actor->GetProperty()->SetAmbient(0.4);
-  actor->GetProperty()->SetDiffuse(0.62);
-  actor->GetProperty()->SetSpecular(0.12);
-  actor->GetProperty()->SetSpecularPower(25.0);
+  actor->GetProperty()->SetAmbient(SurfaceAmbient);
+  actor->GetProperty()->SetDiffuse(SurfaceDiffuse);
+  actor->GetProperty()->SetSpecular(SurfaceSpecular);
+  actor->GetProperty()->SetSpecularPower(SurfacePower);
   actor->GetProperty()->SetOpacity(opacity);
   this->Renderer->AddActor(actor);
   this->Surfaces.push_back({actor, shown});
@@ -210,6 +218,34 @@ void SceneRenderer::AddSurface(vtkPolyData* surface, const Color& color, double 
     this->Window->SetMultiSamples(0);
     this->Window->SetAlphaBitPlanes(1);
     this->Renderer->SetUseDepthPeeling(1);
+  }
+}
+
+void SceneRenderer::AddField(const std::shared_ptr<const ScalarField>& field,
+                             const std::vector<Color>& colors, double opacity)
+{
+  vtkNew<vtkSubVoxelVolumeMapper> mapper;
+  mapper->SetField(field);
+  mapper->AutoAdjustSampleDistancesOff();
+  for (std::size_t m = 0; m < colors.size(); ++m)
+  {
+    const auto material = static_cast<int>(m);
+    mapper->SetMaterialColor(material, colors[m][0], colors[m][1], colors[m][2]);
+    mapper->SetMaterialOpacity(material, opacity);
+  }
+  vtkNew<vtkSubVoxelVolume> volume;
+  volume->SetMapper(mapper);
+  vtkVolumeProperty* property = volume->GetProperty();
+  property->ShadeOn();
+  property->SetAmbient(SurfaceAmbient);
+  property->SetDiffuse(SurfaceDiffuse);
+  property->SetSpecular(SurfaceSpecular);
+  property->SetSpecularPower(SurfacePower);
+  this->Renderer->AddVolume(volume);
+  for (const std::array<int, 3>& cell : field->SurfaceCells())
+  {
+    this->Outline.push_back(
+        field->Grid().PointWorld(Vector3(cell[0] + 0.5, cell[1] + 0.5, cell[2] + 0.5)));
   }
 }
 

@@ -3,10 +3,12 @@
 #include "AnatomicalView.h"
 #include "PalpateSessionModule.h"
 #include "Picture.h"
+#include "ScalarField.h"
 
 #include "vtkSmartPointer.h"
 
 #include <array>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -42,6 +44,10 @@ public:
 
   void SetBackground(const Color& color);
   void AddSurface(vtkPolyData* surface, const Color& color, double opacity);
+  /// The surfaces of a field's materials, sub-voxel: by the ray caster that haptic queries use.
+  /// Colours by material.
+  void AddField(const std::shared_ptr<const ScalarField>& field, const std::vector<Color>& colors,
+                double opacity);
   /// The slice of a volume (with its direction matrix) through a point, along the image's axis
   /// that is nearest to the body's.
   void AddSlice(vtkImageData* volume, Plane plane, const Vector3& throughWorld);

@@ -56,6 +56,31 @@ TEST(CliRender, SegmentationsModelsAndSlicesBecomeOnePicture)
   EXPECT_EQ(PngSize(ReadAll(folder / "picture.png")), (std::pair<int, int>{320, 200}));
 }
 
+TEST(CliRender, IsoValuesAndSegmentationsAreDrawnSubVoxel)
+{
+  if (!CanDraw())
+  {
+    GTEST_SKIP() << "no X server and no Xvfb";
+  }
+  const TemporaryFolder folder;
+  WriteTwoBalls(folder / "a.nii.gz");
+  const std::vector<std::vector<std::string>> pictures{
+      {"--volume", "a.nii.gz", "--iso", "0.5,1.5"},
+      {"--volume", "a.nii.gz", "--iso", "0.5", "--interpolation", "cubic", "--slices", "axial"},
+      {"a.nii.gz", "--sub-voxel"},
+      {"a.nii.gz", "--sub-voxel", "--opacity", "0.4", "--volume", "a.nii.gz"},
+  };
+  for (std::vector<std::string> words : pictures)
+  {
+    words.insert(words.begin(), "render");
+    words.insert(words.end(), {"--size", "120x100", "--output", "picture.png"});
+    const CommandRun run = RunPalpate(words, folder.Path());
+    EXPECT_EQ(run.Code, 0) << run.Errors;
+    EXPECT_EQ(PngSize(ReadAll(folder / "picture.png")), (std::pair<int, int>{120, 100}));
+    std::filesystem::remove(folder / "picture.png");
+  }
+}
+
 TEST(CliRender, BadInputIsRefusedAndLeavesNothing)
 {
   if (!CanDraw())
@@ -73,6 +98,10 @@ TEST(CliRender, BadInputIsRefusedAndLeavesNothing)
            {"a.nii.gz", "--size", "0x5", "--output", "x.png"},
            {"a.nii.gz", "--background", "mauve", "--output", "x.png"},
            {"a.nii.gz", "--volume", "missing.nrrd", "--output", "x.png"},
+           {"a.nii.gz", "--iso", "1", "--output", "x.png"},
+           {"--volume", "a.nii.gz", "--iso", "1000", "--output", "x.png"},
+           {"--volume", "a.nii.gz", "--iso", "nan", "--output", "x.png"},
+           {"--volume", "a.nii.gz", "--iso", "1", "--interpolation", "best", "--output", "x.png"},
            {"a.nii.gz", "--output", "no/such/folder/x.png"}})
   {
     std::vector<std::string> arguments{"render"};

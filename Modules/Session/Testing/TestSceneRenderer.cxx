@@ -2,6 +2,7 @@
 
 #include "BaselinePicture.h"
 #include "DisplayServer.h"
+#include "SceneField.h"
 #include "SyntheticFit.h"
 
 #include <algorithm>
@@ -68,6 +69,42 @@ TEST_F(SceneRendererTest, SurfaceInObliqueSlicesLooksLikeItsBaseline)
                  palpate::test::SyntheticFit::Center);
   ExpectLikeBaseline(scene.Render(palpate::ObliqueFrame(), 480, 360),
                      Baselines / "SceneSlices.png");
+}
+
+TEST_F(SceneRendererTest, AFieldCoversThePixelsOfItsMesh)
+{
+  const palpate::test::SyntheticFit fit;
+  palpate::Segmentation mask;
+  mask.Layers = {fit.Result.Mask};
+  mask.Segments = {fit.Result.Structure};
+  const auto field =
+      palpate::MakeSegmentField(mask, mask.Segments, palpate::FieldInterpolation::Trilinear, 0.5,
+                                [](double, const std::string&) { return true; });
+  // Both are in both scenes, so that the frames agree, but only one is seen.
+  const auto draw = [&](double meshOpacity, double fieldOpacity)
+  {
+    SceneRenderer scene;
+    scene.AddSurface(fit.Result.Surface, Tan, meshOpacity);
+    scene.AddField(field, {Tan}, fieldOpacity);
+    return scene.Render(palpate::ObliqueFrame(), 300, 300);
+  };
+  const Picture seenMesh = draw(1.0, 0.0);
+  const Picture seenField = draw(0.0, 1.0);
+  int covered = 0;
+  int different = 0;
+  for (int row = 0; row < 300; ++row)
+  {
+    for (int column = 0; column < 300; ++column)
+    {
+      const bool isMesh = !IsBackground(seenMesh.Pixel(column, row));
+      covered += isMesh ? 1 : 0;
+      different += isMesh != !IsBackground(seenField.Pixel(column, row)) ? 1 : 0;
+    }
+  }
+  // The outline is some 700 pixels long; the mask's slices are six pixels thick, and the mesh is
+  // that of the body itself.
+  EXPECT_GT(covered, 20000);
+  EXPECT_LT(different, 1400);
 }
 
 TEST_F(SceneRendererTest, AnObliqueSliceShowsTheBodyWhereItsSurfaceIs)

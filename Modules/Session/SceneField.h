@@ -1,0 +1,27 @@
+#pragma once
+
+#include "PalpateSessionModule.h"
+#include "Progress.h"
+#include "ScalarField.h"
+#include "Segmentation.h"
+
+#include <memory>
+#include <vector>
+
+namespace palpate
+{
+/// The fields of a scene, for the eye and the hand alike. Throw FilterError with a sentence where a
+/// field cannot be made, and Cancelled.
+
+/// One material for each value: what of the image is at least that.
+PALPATESESSION_EXPORT std::shared_ptr<const ScalarField>
+MakeIsoField(vtkImageData* image, const std::vector<double>& isoValues,
+             FieldInterpolation interpolation, const ProgressFunction& progress);
+
+/// One material for each structure, in their order, each with a smooth signed distance of its own
+/// (see LabelField, also for `smoothing`). At most MostMaterials structures.
+PALPATESESSION_EXPORT std::shared_ptr<const ScalarField>
+MakeSegmentField(const Segmentation& segmentation, const std::vector<Segment>& structures,
+                 FieldInterpolation interpolation, double smoothing,
+                 const ProgressFunction& progress);
+} // namespace palpate

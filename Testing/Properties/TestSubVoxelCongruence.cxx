@@ -1,0 +1,156 @@
+#include "DisplayServer.h"
+#include "FieldRenderer.h"
+#include "SceneField.h"
+#include "TemporaryFolder.h"
+#include "TestData.h"
+#include "Volume.h"
+#include "vtkSubVoxelVolumeMapper.h"
+
+#include "vtkCamera.h"
+#include "vtkNew.h"
+#include "vtkRenderWindow.h"
+#include "vtkRenderer.h"
+#include "vtkVolume.h"
+
+#include <cstdlib>
+#include <gtest/gtest.h>
+#include <memory>
+#include <stdexcept>
+
+// What is seen is what is felt: every pixel's hit of a rendered picture of real data, and the hit
+// of a haptic query along the same ray, have the same bits.
+
+using namespace palpate;
+using namespace palpate::test;
+
+namespace
+{
+class SubVoxelCongruence : public testing::Test
+{
+protected:
+  void SetUp() override
+  {
+    try
+    {
+      this->Display = std::make_unique<DisplayServer>();
+    }
+    catch (const std::runtime_error& error)
+    {
+      GTEST_SKIP() << error.what();
+    }
+  }
+
+  // Several views, in perspective and in parallel.
+  static void ExpectCongruence(const std::shared_ptr<const ScalarField>& field)
+  {
+    vtkNew<vtkSubVoxelVolumeMapper> mapper;
+    mapper->SetField(field);
+    mapper->KeepHitsOn();
+    vtkNew<vtkVolume> volume;
+    volume->SetMapper(mapper);
+    vtkNew<vtkRenderer> renderer;
+    renderer->AddVolume(volume);
+    vtkNew<vtkRenderWindow> window;
+    window->SetOffScreenRendering(1);
+    window->SetMultiSamples(0);
+    window->SetSize(160, 120);
+    window->AddRenderer(renderer);
+    vtkCamera* camera = renderer->GetActiveCamera();
+    std::array<double, 6> bounds = SurfaceBounds(*field);
+    for (int view = 0; view < 4; ++view)
+    {
+      camera->SetParallelProjection(view % 2);
+      camera->Azimuth(71.0);
+      camera->Elevation(-17.0 + 11.0 * view);
+      camera->OrthogonalizeViewUp();
+      renderer->ResetCamera(bounds.data());
+      renderer->ResetCameraClippingRange();
+      window->Render();
+      ComparePixels(*mapper, field);
+    }
+  }
+
+private:
+  static std::array<double, 6> SurfaceBounds(const ScalarField& field)
+  {
+    Eigen::AlignedBox3d box;
+    for (const std::array<int, 3>& cell : field.SurfaceCells())
+    {
+      box.extend(field.Grid().PointWorld(Vector3(cell[0], cell[1], cell[2])));
+    }
+    return {box.min()[0], box.max()[0], box.min()[1], box.max()[1], box.min()[2], box.max()[2]};
+  }
+  static void ComparePixels(const vtkSubVoxelVolumeMapper& mapper,
+                            const std::shared_ptr<const ScalarField>& field)
+  {
+    const FieldPicture& picture = *mapper.GetPicture();
+    const PixelRays& rays = mapper.GetFieldRenderer()->View().Rays;
+    const RayCaster hand(field);
+    int hits = 0;
+    for (int row = 0; row < picture.Height; ++row)
+    {
+      for (int column = 0; column < picture.Width; ++column)
+      {
+        const FieldHit& seen = picture.Hits[picture.Pixel(column, row)];
+        const FieldRay ray = rays.OfPixel(column, row);
+        ExpectSame(seen, hand.CastWorld(ray, 0.0, 1.0), column, row);
+        if (seen.Material >= 0)
+        {
+          // The hand looks along a piece of the ray only.
+          ExpectSame(seen, hand.CastWorld(ray, seen.T - 1e-3, seen.T + 1e-3), column, row);
+          ++hits;
+        }
+        if (testing::Test::HasFailure())
+        {
+          return;
+        }
+      }
+    }
+    EXPECT_GT(hits, 1000);
+  }
+  static void ExpectSame(const FieldHit& seen, const FieldHit& felt, int column, int row)
+  {
+    EXPECT_TRUE(seen.Kind == felt.Kind && seen.Material == felt.Material && seen.T == felt.T &&
+                seen.Position == felt.Position && seen.Gradient == felt.Gradient &&
+                seen.IsEntering == felt.IsEntering && seen.ErrorT == felt.ErrorT)
+        << "pixel " << column << ", " << row << ": T " << seen.T << " and " << felt.T;
+  }
+
+  std::unique_ptr<DisplayServer> Display;
+};
+
+bool GoOn(double, const std::string&)
+{
+  return true;
+}
+} // namespace
+
+TEST_F(SubVoxelCongruence, OfTheSkullInAHeadCt)
+{
+  const std::filesystem::path project = "/usr/share/doc/invesalius-examples/examples/Cranium.inv3";
+  PALPATE_REQUIRE_FILE(project);
+  const TemporaryFolder folder;
+  const std::string command = "/usr/bin/python3 '" PALPATE_SOURCE_DIR
+                              "/Data/convert_invesalius.py' '" +
+                              project.string() + "' '" + (folder / "head.nrrd").string() + "'";
+  ASSERT_EQ(std::system(command.c_str()), 0);
+  const Volume head = ReadVolume(folder / "head.nrrd");
+  ExpectCongruence(MakeIsoField(head.Image, {300.0}, FieldInterpolation::Trilinear, GoOn));
+}
+
+TEST_F(SubVoxelCongruence, OfTwoIsoValuesInAnMrHead)
+{
+  const std::filesystem::path path = "/usr/share/mricron/templates/ch2.nii.gz";
+  PALPATE_REQUIRE_FILE(path);
+  const Volume head = ReadVolume(path);
+  ExpectCongruence(MakeIsoField(head.Image, {60.0, 110.0}, FieldInterpolation::Trilinear, GoOn));
+}
+
+TEST_F(SubVoxelCongruence, OfAProstateBetweenThickSlicesByCubicInterpolation)
+{
+  const std::filesystem::path path = DataPath("prostate/whole_gland_oblique_label.nrrd");
+  PALPATE_REQUIRE_FILE(path);
+  const Segmentation gland = ReadSegmentation(path);
+  ExpectCongruence(
+      MakeSegmentField(gland, gland.Segments, FieldInterpolation::TricubicBSpline, 0.5, GoOn));
+}
