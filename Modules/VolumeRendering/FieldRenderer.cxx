@@ -1,5 +1,7 @@
 #include "FieldRenderer.h"
 
+#include "BeamClearance.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -9,6 +11,8 @@ namespace palpate
 {
 namespace
 {
+constexpr int BeamSide = 4; // pixels
+
 std::uint8_t Byte(double part) noexcept
 {
   return static_cast<std::uint8_t>(255.0 * std::clamp(part, 0.0, 1.0) + 0.5);
@@ -82,16 +86,38 @@ Vector3 FieldRenderer::ColorOf(const FieldHit& hit, const Vector3& toEyeScene) c
                      length > 0.0 ? Vector3(normal / length) : toEyeScene, toEyeScene);
 }
 
-void FieldRenderer::DrawPixel(int column, int row, FieldPicture& picture) const noexcept
+// Up to which t no ray of these pixels meets anything.
+double FieldRenderer::ClearBeam(int column0, int column1, int row0, int row1,
+                                double from) const noexcept
+{
+  const FieldGrid& grid = this->Caster.Field().Grid();
+  const int columns[2] = {column0, column1 - 1};
+  const int rows[2] = {row0, row1 - 1};
+  FieldRay corners[4];
+  for (int corner = 0; corner < 4; ++corner)
+  {
+    const FieldRay world = this->Scene.Rays.OfPixel(columns[corner % 2], rows[corner / 2]);
+    corners[corner] = {grid.PointIndex(world.Origin), grid.VectorIndex(world.Direction)};
+  }
+  return ClearUntil(this->Caster.Field(), BeamOf(corners), from, 1.0);
+}
+
+void FieldRenderer::DrawPixel(int column, int row, double from,
+                              FieldPicture& picture) const noexcept
 {
   const std::size_t pixel = picture.Pixel(column, row);
   Ray ray = this->RayAt(column + 0.5, row + 0.5);
+  ray.Interval.From = std::max(ray.Interval.From, from);
   if (!this->Scene.SceneDepths.empty())
   {
     const double end = this->Scene.Rays.ParameterAtDepth(ray.World, this->Scene.SceneDepths[pixel]);
     ray.Interval.To = std::min(ray.Interval.To, end);
   }
-  FieldHit hit = this->NextHit(ray.World, ray.Interval);
+  FieldHit hit;
+  if (ray.Interval.From < ray.Interval.To)
+  {
+    hit = this->NextHit(ray.World, ray.Interval);
+  }
   if (!picture.Hits.empty())
   {
     picture.Hits[pixel] = hit;
@@ -128,11 +154,23 @@ void FieldRenderer::DrawPixel(int column, int row, FieldPicture& picture) const 
 void FieldRenderer::DrawTile(int column0, int column1, int row0, int row1,
                              FieldPicture& picture) const noexcept
 {
-  for (int row = row0; row < row1; ++row)
+  // What is empty before all of them, the rays skip together.
+  const double clear = this->ClearBeam(column0, column1, row0, row1, 0.0);
+  for (int row = row0; row < row1; row += BeamSide)
   {
-    for (int column = column0; column < column1; ++column)
+    for (int column = column0; column < column1; column += BeamSide)
     {
-      this->DrawPixel(column, row, picture);
+      const int columnEnd = std::min(column1, column + BeamSide);
+      const int rowEnd = std::min(row1, row + BeamSide);
+      const double from =
+          clear < 1.0 ? this->ClearBeam(column, columnEnd, row, rowEnd, clear) : clear;
+      for (int y = row; y < rowEnd; ++y)
+      {
+        for (int x = column; x < columnEnd; ++x)
+        {
+          this->DrawPixel(x, y, from, picture);
+        }
+      }
     }
   }
 }

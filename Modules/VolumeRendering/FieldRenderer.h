@@ -58,10 +58,11 @@ private:
     RayInterval Interval;
   };
 
+  double ClearBeam(int column0, int column1, int row0, int row1, double from) const noexcept;
   Ray RayAt(double x, double y) const noexcept;
   FieldHit NextHit(const FieldRay& ray, RayInterval interval) const noexcept;
   Vector3 ColorOf(const FieldHit& hit, const Vector3& toEyeScene) const noexcept;
-  void DrawPixel(int column, int row, FieldPicture& picture) const noexcept;
+  void DrawPixel(int column, int row, double from, FieldPicture& picture) const noexcept;
 
   RayCaster Caster;
   FieldView Scene;

@@ -60,8 +60,11 @@ bool InstructionCounts::Count(const std::vector<PairedBenchmark>& pairs)
   }
   for (const PairedBenchmark& pair : pairs)
   {
-    CountOne(pair.Name, pair.Run);
-    CountOne(pair.AlternativeName(), pair.RunAgainst);
+    if (pair.IsCounted)
+    {
+      CountOne(pair.Name, pair.Run);
+      CountOne(pair.AlternativeName(), pair.RunAgainst);
+    }
   }
   return true;
 }

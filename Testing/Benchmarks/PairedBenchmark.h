@@ -19,6 +19,8 @@ struct PairedBenchmark
   std::function<std::string()> Disagreement;
   /// How many items a run handles; times are given for one item.
   double Items = 1.0;
+  /// Whether Callgrind counts its instructions: not those of an OpenGL that compiles as it goes.
+  bool IsCounted = true;
 
   /// Under which the alternative's times and instructions are kept.
   std::string AlternativeName() const { return this->Name + " against"; }

@@ -10,6 +10,7 @@
 #include "NearestBenchmarks.h"
 #include "PairedBenchmark.h"
 #include "PipelineBenchmarks.h"
+#include "RenderBenchmarks.h"
 #include "TradeOff.h"
 
 #include <CLI/CLI.hpp>
@@ -28,8 +29,8 @@ std::vector<PairedBenchmark> AllBenchmarks()
   std::vector<PairedBenchmark> all;
   for (auto& group : {palpate::bench::EvaluationBenchmarks(), palpate::bench::FitBenchmarks(),
                       palpate::bench::BoundsBenchmarks(), palpate::bench::NearestBenchmarks(),
-                      palpate::bench::FieldBenchmarks(), palpate::bench::TradeOffBenchmarks(),
-                      palpate::bench::PipelineBenchmarks()})
+                      palpate::bench::FieldBenchmarks(), palpate::bench::RenderBenchmarks(),
+                      palpate::bench::TradeOffBenchmarks(), palpate::bench::PipelineBenchmarks()})
   {
     all.insert(all.end(), group.begin(), group.end());
   }
