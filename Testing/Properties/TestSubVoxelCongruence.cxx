@@ -1,5 +1,6 @@
 #include "DisplayServer.h"
 #include "FieldRenderer.h"
+#include "HeadCt.h"
 #include "SceneField.h"
 #include "TemporaryFolder.h"
 #include "TestData.h"
@@ -12,7 +13,6 @@
 #include "vtkRenderer.h"
 #include "vtkVolume.h"
 
-#include <cstdlib>
 #include <gtest/gtest.h>
 #include <memory>
 #include <stdexcept>
@@ -127,13 +127,9 @@ bool GoOn(double, const std::string&)
 
 TEST_F(SubVoxelCongruence, OfTheSkullInAHeadCt)
 {
-  const std::filesystem::path project = "/usr/share/doc/invesalius-examples/examples/Cranium.inv3";
-  PALPATE_REQUIRE_FILE(project);
+  PALPATE_REQUIRE_FILE(HeadCtProject);
   const TemporaryFolder folder;
-  const std::string command = "/usr/bin/python3 '" PALPATE_SOURCE_DIR
-                              "/Data/convert_invesalius.py' '" +
-                              project.string() + "' '" + (folder / "head.nrrd").string() + "'";
-  ASSERT_EQ(std::system(command.c_str()), 0);
+  ASSERT_TRUE(ConvertHeadCt(folder / "head.nrrd"));
   const Volume head = ReadVolume(folder / "head.nrrd");
   ExpectCongruence(MakeIsoField(head.Image, {300.0}, FieldInterpolation::Trilinear, GoOn));
 }

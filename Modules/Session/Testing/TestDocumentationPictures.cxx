@@ -1,8 +1,13 @@
 #include "BaselinePicture.h"
 #include "DisplayServer.h"
 #include "FitStructure.h"
+#include "HeadCt.h"
 #include "ProstateLikeModel.h"
+#include "SceneField.h"
 #include "SceneRenderer.h"
+#include "TemporaryFolder.h"
+#include "TestData.h"
+#include "Volume.h"
 #include "vtkSphericalHarmonicPhantom.h"
 
 #include "vtkNew.h"
@@ -105,4 +110,40 @@ TEST(DocumentationPictures, OverviewShowsMaskModelAndError)
   }
   palpate::test::ExpectLikeBaseline(
       SideBySide(panels), std::filesystem::path(PALPATE_DOCUMENTATION_IMAGES) / "overview.png");
+}
+
+TEST(DocumentationPictures, SkullIsDrawnFromTheCtItselfAndUnderItsSkin)
+{
+  PALPATE_REQUIRE_FILE(palpate::test::HeadCtProject);
+  std::unique_ptr<palpate::DisplayServer> display;
+  try
+  {
+    display = std::make_unique<palpate::DisplayServer>();
+  }
+  catch (const std::runtime_error& error)
+  {
+    GTEST_SKIP() << error.what();
+  }
+  const palpate::test::TemporaryFolder folder;
+  ASSERT_TRUE(palpate::test::ConvertHeadCt(folder / "head.nrrd"));
+  const palpate::Volume head = palpate::ReadVolume(folder / "head.nrrd");
+  const auto field = [&head](double iso)
+  {
+    return palpate::MakeIsoField(head.Image, {iso}, palpate::FieldInterpolation::Trilinear,
+                                 [](double, const std::string&) { return true; });
+  };
+  constexpr SceneRenderer::Color Bone{{0.93, 0.89, 0.80}};
+  std::vector<Picture> panels;
+  for (const bool hasSkin : {false, true})
+  {
+    SceneRenderer scene;
+    scene.AddField(field(300.0), {Bone}, 1.0);
+    if (hasSkin)
+    {
+      scene.AddField(field(-300.0), {Tan}, 0.4);
+    }
+    panels.push_back(scene.Render(palpate::FrameOf(palpate::ViewSide::Anterior), 500, 480));
+  }
+  palpate::test::ExpectLikeBaseline(
+      SideBySide(panels), std::filesystem::path(PALPATE_DOCUMENTATION_IMAGES) / "skull.png");
 }
