@@ -195,7 +195,7 @@ void FieldSampler::AreInsideWorld(int material, const Vector3* pointsWorld, std:
                                   unsigned char* inside) const noexcept
 {
   const ScalarField& field = *this->Data;
-  if (IsTrilinear(field) && field.Material(material).ConditionCount == 1)
+  if (count > 0 && IsTrilinear(field) && field.Material(material).ConditionCount == 1)
   {
     const BrickedChannel& samples = field.Channel(field.Material(material).Conditions[0].Channel);
     const auto test = this->Kernel->AreInside[KernelType(samples.StoredType())];

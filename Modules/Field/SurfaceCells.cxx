@@ -34,8 +34,8 @@ struct SliceBits
   SliceBits() = default;
   SliceBits(const double* slice, const BrickLayout& layout, const FieldCondition& condition)
   {
-    unsigned any[LongestSide];
-    unsigned all[LongestSide];
+    unsigned any[LongestSide] = {};
+    unsigned all[LongestSide] = {};
     for (int j = 0; j < layout.Side; ++j)
     {
       const unsigned bits = RowBits(slice + j * layout.Side, layout.Side, condition);
