@@ -177,6 +177,38 @@ TEST(RayCasterFuzz, BatchesGiveTheBitsOfSingleRays)
   }
 }
 
+// From denormal to huge, and the same for the interval: what matters is that there is an answer.
+TEST(RayCasterFuzz, EveryMagnitudeIsAnswered)
+{
+  std::mt19937_64 random(36);
+  const auto number = [&random]
+  {
+    const double size = std::pow(10.0, static_cast<double>(random() % 640) - 325.0);
+    return random() % 8 == 0 ? 0.0 : random() % 2 == 0 ? size : -size;
+  };
+  for (const FieldInterpolation method : Methods)
+  {
+    const RandomVolume volume(method, random);
+    const RayCaster caster(volume.Field);
+    for (int r = 0; r < 20000; ++r)
+    {
+      FieldRay ray = test::RandomRay(volume.Grid, random);
+      ray.Direction[static_cast<int>(random() % 3)] = number();
+      if (random() % 2 == 0)
+      {
+        ray.Direction = {number(), number(), number()};
+      }
+      if (random() % 4 == 0)
+      {
+        ray.Origin[static_cast<int>(random() % 3)] = number();
+      }
+      const double tMin = random() % 2 == 0 ? -Infinity : number();
+      const FieldHit hit = caster.CastIndex(ray, tMin, random() % 2 == 0 ? Infinity : number());
+      ASSERT_TRUE(hit.Kind != HitKind::Surface || hit.T >= tMin);
+    }
+  }
+}
+
 // Closed solids: no ray from the inside gets out unseen, aimed at nodes, edges and faces exactly.
 TEST(RayCasterFuzz, NothingLeaksThroughFacesEdgesOrCorners)
 {
