@@ -17,6 +17,7 @@ std::vector<double> CrossingsOf(const std::vector<double>& coefficients)
 {
   const BernsteinCrossings<Degree> crossings(coefficients.data());
   std::vector<double> parameters;
+  parameters.reserve(Degree);
   for (int n = 0; n < crossings.Count(); ++n)
   {
     parameters.push_back(crossings.Parameter(n));

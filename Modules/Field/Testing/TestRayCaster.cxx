@@ -233,8 +233,7 @@ TEST(RayCaster, WorldRaysHitAPlaneWithinTheirBoundInObliqueGrids)
     std::vector<double> samples;
     for (std::size_t n = 0; n < grid.NodeCount(); ++n)
     {
-      const auto at = static_cast<int>(n);
-      samples.push_back(plane.Value(grid.PointWorld(Vector3(at % 31, at / 31 % 40, at / 31 / 40))));
+      samples.push_back(plane.Value(grid.PointWorld(test::NodeIndex(grid.Size(), n))));
     }
     const RayCaster caster(MakeField(grid, samples, 0.0, method));
     for (int round = 0; round < 300; ++round)
