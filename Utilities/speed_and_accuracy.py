@@ -39,6 +39,9 @@ AIMS = {
     "sh/nearest/degree12/warm": 150,
     "sh/fit/4002x169": 600e3,
     "sh/refit/4002x169": 100e3,
+    "field/inside/trilinear": 50,
+    "field/firsthit/trilinear/picture": 500,
+    "field/firsthit/trilinear/tool": 500,
 }
 TRADE = """## What each nanosecond buys
 

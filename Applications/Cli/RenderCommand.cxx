@@ -30,8 +30,8 @@ namespace palpate::cli
 namespace
 {
 constexpr int ModelFrequency = 40;
-// Standard deviation in voxels: what a mesh is smoothed by, by default.
-constexpr double FieldSmoothing = 0.5;
+// Standard deviation in voxels: enough for normals that do not feel them.
+constexpr double FieldSmoothing = 1.0;
 constexpr int LargestSide = 8192; // pixels
 
 // Colours that the colour-blind tell apart (Okabe and Ito 2008), the organ's first.

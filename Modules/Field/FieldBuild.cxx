@@ -66,7 +66,7 @@ void FieldBuild::UseCoefficients(std::vector<float>&& coefficients)
 
 Status FieldBuild::Run(double margin, std::shared_ptr<const ScalarField>& field)
 {
-  const Status cancelled = Status::Failure("Building the field was cancelled.");
+  Status cancelled = Status::Failure("Building the field was cancelled.");
   if (!this->ForEachBrick(0.0, [this](const BrickPlace& brick) { this->Classify(brick); }))
   {
     return cancelled;

@@ -1,6 +1,7 @@
 #include "FieldSampler.h"
 
 #include "CellPlace.h"
+#include "InsideKernelChoice.h"
 #include "TricubicCell.h"
 #include "TrilinearCell.h"
 
@@ -110,7 +111,9 @@ int KernelType(ScalarType type) noexcept
   return type == ScalarType::Float32 ? 4 : type == ScalarType::Float64 ? 5 : static_cast<int>(type);
 }
 
-inside::Material DescribeForKernel(const ScalarField& field, int number) noexcept
+// `toIndex` is applied to points - origin.
+inside::Material DescribeForKernel(const ScalarField& field, int number, const Matrix3& toIndex,
+                                   const Vector3& origin) noexcept
 {
   const FieldCondition& condition = field.Material(number).Conditions[0];
   const BrickedChannel& samples = field.Channel(condition.Channel);
@@ -120,20 +123,34 @@ inside::Material DescribeForKernel(const ScalarField& field, int number) noexcep
     const auto a = static_cast<std::size_t>(axis);
     for (int column = 0; column < 3; ++column)
     {
-      material.ToIndex[3 * axis + column] = field.Grid().WorldToIndex()(axis, column);
+      material.ToIndex[3 * axis + column] = toIndex(axis, column);
     }
-    material.Origin[axis] = field.Grid().OriginWorld()[axis];
+    material.Origin[axis] = origin[axis];
     material.Nodes[axis] = field.Layout().Nodes[a];
     material.Bricks[axis] = field.Layout().Bricks[a];
   }
   material.Codes = field.Map(number).Data();
-  material.Absent = MaterialMap::Absent;
   material.Filled = MaterialMap::Filled;
   material.Blocks = samples.BlockData();
   material.Stride = samples.BlockStride();
   material.Iso = condition.Iso;
   material.Sign = condition.Sense == FieldSense::AtLeast ? 1.0 : -1.0;
   return material;
+}
+
+bool IsForKernel(const ScalarField& field, int number, std::size_t count) noexcept
+{
+  return count > 0 && IsTrilinear(field) && field.Material(number).ConditionCount == 1;
+}
+
+void RunKernel(const inside::Kernel& kernel, const ScalarField& field, int number,
+               const inside::Material& material, const Vector3* points, std::size_t count,
+               unsigned char* inside) noexcept
+{
+  static_assert(sizeof(Vector3) == 3 * sizeof(double));
+  const int channel = field.Material(number).Conditions[0].Channel;
+  const auto test = kernel.AreInside[KernelType(field.Channel(channel).StoredType())];
+  test(material, points->data(), static_cast<long>(count), inside);
 }
 } // namespace
 
@@ -191,16 +208,33 @@ MaterialSet FieldSampler::MaterialsWorld(const Vector3& pointWorld) const noexce
   return this->MaterialsIndex(this->Data->Grid().PointIndex(pointWorld));
 }
 
+void FieldSampler::AreInsideIndex(int material, const Vector3* pointsIndex, std::size_t count,
+                                  unsigned char* inside) const noexcept
+{
+  const ScalarField& field = *this->Data;
+  if (IsForKernel(field, material, count))
+  {
+    RunKernel(*this->Kernel, field, material,
+              DescribeForKernel(field, material, Matrix3::Identity(), Vector3::Zero()), pointsIndex,
+              count, inside);
+    return;
+  }
+  for (std::size_t p = 0; p < count; ++p)
+  {
+    inside[p] = this->IsInsideIndex(material, pointsIndex[p]) ? 1 : 0;
+  }
+}
+
 void FieldSampler::AreInsideWorld(int material, const Vector3* pointsWorld, std::size_t count,
                                   unsigned char* inside) const noexcept
 {
   const ScalarField& field = *this->Data;
-  if (IsTrilinear(field) && field.Material(material).ConditionCount == 1)
+  if (IsForKernel(field, material, count))
   {
-    const BrickedChannel& samples = field.Channel(field.Material(material).Conditions[0].Channel);
-    const auto test = this->Kernel->AreInside[KernelType(samples.StoredType())];
-    static_assert(sizeof(Vector3) == 3 * sizeof(double));
-    test(DescribeForKernel(field, material), pointsWorld->data(), static_cast<long>(count), inside);
+    const FieldGrid& grid = field.Grid();
+    RunKernel(*this->Kernel, field, material,
+              DescribeForKernel(field, material, grid.WorldToIndex(), grid.OriginWorld()),
+              pointsWorld, count, inside);
     return;
   }
   for (std::size_t p = 0; p < count; ++p)

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "InsideKernelChoice.h"
+#include "InstructionSet.h"
 #include "ScalarField.h"
 #include "Vector3.h"
 
@@ -8,6 +8,11 @@
 
 namespace palpate
 {
+namespace inside
+{
+struct Kernel;
+}
+
 /// How a sampler's answer came about.
 enum class SampleKind
 {
@@ -53,8 +58,10 @@ public:
   /// Every material that the point lies in.
   MaterialSet MaterialsIndex(const Vector3& pointIndex) const noexcept;
   MaterialSet MaterialsWorld(const Vector3& pointWorld) const noexcept;
-  /// The same as IsInsideWorld for each point, 1 or 0. Several points at once where the material
-  /// has one condition and the interpolation is trilinear.
+  /// The same as IsInside for each point, 1 or 0. Several points at once where the material has one
+  /// condition and the interpolation is trilinear.
+  void AreInsideIndex(int material, const Vector3* pointsIndex, std::size_t count,
+                      unsigned char* inside) const noexcept;
   void AreInsideWorld(int material, const Vector3* pointsWorld, std::size_t count,
                       unsigned char* inside) const noexcept;
 

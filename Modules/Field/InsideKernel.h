@@ -15,7 +15,6 @@ struct Material
   int Nodes[3];
   int Bricks[3];
   const unsigned* Codes; ///< of the map
-  unsigned Absent;
   unsigned Filled;
   const void* Blocks;
   unsigned long Stride; ///< numbers from block to block

@@ -141,7 +141,10 @@ private:
     const double place = step == 0 ? this->Origins[axis] : this->Coordinate(axis, t);
     // Not a number, where t is huge, becomes 0.
     int cell = place > 0.0 ? static_cast<int>(std::min<double>(place, cells - 1)) : 0;
-    // Where the ray stands still, nothing is crossed.
+    if (step == 0)
+    {
+      return cell;
+    }
     while (isCrossed(this->ExitAt(axis, cell)) && cell + step >= 0 && cell + step < cells)
     {
       cell += step;

@@ -34,8 +34,8 @@ struct SliceBits
   SliceBits() = default;
   SliceBits(const double* slice, const BrickLayout& layout, const FieldCondition& condition)
   {
-    unsigned any[LongestSide];
-    unsigned all[LongestSide];
+    unsigned any[LongestSide] = {};
+    unsigned all[LongestSide] = {};
     for (int j = 0; j < layout.Side; ++j)
     {
       const unsigned bits = RowBits(slice + j * layout.Side, layout.Side, condition);
@@ -69,10 +69,11 @@ void ToBernstein(double* first, int stride)
   const double b = first[stride];
   const double c = first[2 * stride];
   const double d = first[3 * stride];
-  first[0] = (a + 4.0 * b + c) / 6.0;
-  first[stride] = (2.0 * b + c) / 3.0;
-  first[2 * stride] = (b + 2.0 * c) / 3.0;
-  first[3 * stride] = (b + 4.0 * c + d) / 6.0;
+  constexpr double Sixth = 1.0 / 6.0;
+  first[0] = Sixth * (a + 4.0 * b + c);
+  first[stride] = Sixth * (4.0 * b + 2.0 * c);
+  first[2 * stride] = Sixth * (2.0 * b + 4.0 * c);
+  first[3 * stride] = Sixth * (b + 4.0 * c + d);
 }
 
 // How far a condition holds in a cell, at least and at most, but for rounding.

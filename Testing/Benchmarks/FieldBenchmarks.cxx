@@ -119,14 +119,15 @@ public:
     const Eigen::Array3d b = (this->Last - ray.Origin).array() / ray.Direction.array();
     double t = std::max(a.min(b).maxCoeff(), 0.0);
     const double end = std::min(a.max(b).minCoeff(), tMax);
-    bool isInside = t < end && this->IsInside(ray, t);
-    for (const bool started = isInside; t < end; t += this->Step)
+    const bool startsInside = t < end && this->IsInside(ray, t);
+    while (t < end)
     {
-      isInside = this->IsInside(ray, std::min(t + this->Step, end));
-      if (isInside != started)
+      const double next = std::min(t + this->Step, end);
+      if (this->IsInside(ray, next) != startsInside)
       {
-        return this->Bisect(ray, t, std::min(t + this->Step, end), started);
+        return this->Bisect(ray, t, next, startsInside);
       }
+      t = next;
     }
     return INFINITY;
   }

@@ -14,6 +14,15 @@ inline FieldGrid ObliqueGrid(const std::array<int, 3>& size, std::mt19937_64& ra
   return {size, {-12.5, 40.25, 7.0}, {0.7, 0.5, 3.1}, RandomOrientation(random)};
 }
 
+/// The index of a node by its number, i fastest.
+inline Vector3 NodeIndex(const std::array<int, 3>& size, std::size_t number)
+{
+  const auto n = static_cast<int>(number);
+  const int row = n / size[0];
+  const int slice = row / size[1];
+  return {1.0 * (n % size[0]), 1.0 * (row % size[1]), 1.0 * slice};
+}
+
 /// The same size in a frame in which index and world agree.
 inline FieldGrid PlainGrid(const std::array<int, 3>& size)
 {

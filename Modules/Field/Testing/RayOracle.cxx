@@ -150,7 +150,7 @@ std::string RayOracle::FaultOfHit(const FieldRay& ray, const FieldHit& hit) cons
 }
 
 std::string RayOracle::FaultAtBorder(const FieldRay& ray, const Interval& grid, double tMin,
-                                     double tMax, const FieldHit& hit) const
+                                     const FieldHit& hit) const
 {
   const Real relation = this->Relation(ray, grid.From);
   const bool isExpected = tMin < grid.From - 1e-9L && relation > this->Tolerance;
@@ -183,7 +183,7 @@ std::string RayOracle::Fault(const FieldRay& ray, double tMin, double tMax,
   {
     return Sentence("a hit outside the interval", hit.T, 0);
   }
-  std::string fault = this->FaultAtBorder(ray, grid, tMin, tMax, hit);
+  std::string fault = this->FaultAtBorder(ray, grid, tMin, hit);
   if (!fault.empty() || (hit.Kind == HitKind::Border && hit.IsEntering))
   {
     return fault;

@@ -42,7 +42,7 @@ private:
     Real From, To;
   };
   Interval InGrid(const FieldRay& ray) const;
-  std::string FaultAtBorder(const FieldRay& ray, const Interval& grid, double tMin, double tMax,
+  std::string FaultAtBorder(const FieldRay& ray, const Interval& grid, double tMin,
                             const FieldHit& hit) const;
   std::string FaultOfHit(const FieldRay& ray, const FieldHit& hit) const;
   /// Whether the field is surely on the other side somewhere in between; says where.

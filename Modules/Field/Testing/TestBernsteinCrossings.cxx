@@ -17,6 +17,7 @@ std::vector<double> CrossingsOf(const std::vector<double>& coefficients)
 {
   const BernsteinCrossings<Degree> crossings(coefficients.data());
   std::vector<double> parameters;
+  parameters.reserve(Degree);
   for (int n = 0; n < crossings.Count(); ++n)
   {
     parameters.push_back(crossings.Parameter(n));
@@ -115,16 +116,22 @@ TEST(BernsteinCrossings, ZerosAtTheEndsAreInside)
   EXPECT_EQ(CrossingsOf<3>({0, 1, -1, 0}), (std::vector<double>{0.5, 1.0}));
 }
 
-// 2 u^3 - 5 u^2 + 3 u - 1/2 = (u - 1/2) (2 u^2 - 4 u + 1): halving puts a root on the cut.
+// 2 u^3 - 5 u^2 + 3 u - 1/2 = (u - 1/2) (2 u^2 - 4 u + 1): halving puts a root on the cut, and the
+// left half has another one just at its end, or just beyond.
 TEST(BernsteinCrossings, ARootOnTheCutDoesNotHideItsNeighbour)
 {
-  for (const double shift : {0.0, 1e-17, -1e-17, 1e-14})
+  const std::vector<double> whole = CrossingsOf<3>({-0.5, 0.5, -1.0 / 6.0, -0.5});
+  ASSERT_EQ(whole.size(), 2u);
+  EXPECT_NEAR(whole[0], 1.0 - std::sqrt(0.5), 1e-12);
+  EXPECT_NEAR(whole[1], 0.5, 1e-12);
+  for (const double end : {0.0, 1e-17, 1e-14, 1e-300})
   {
-    const std::vector<double> found =
-        CrossingsOf<3>({-0.5 + shift, 0.5 + shift, -1.0 / 6.0 + shift, -0.5 + shift});
-    ASSERT_EQ(found.size(), 2u) << shift;
-    EXPECT_NEAR(found[0], 1.0 - std::sqrt(0.5), 1e-12);
-    EXPECT_NEAR(found[1], 0.5, 1e-12);
+    const std::vector<double> left = CrossingsOf<3>({-0.5, 0.0, 1.0 / 12.0, end});
+    ASSERT_EQ(left.size(), 1u) << end;
+    EXPECT_NEAR(left[0], 2.0 - std::sqrt(2.0), 1e-12) << end;
+    const std::vector<double> mirrored = CrossingsOf<3>({end, 1.0 / 12.0, 0.0, -0.5});
+    ASSERT_EQ(mirrored.size(), 1u) << end;
+    EXPECT_NEAR(mirrored[0], std::sqrt(2.0) - 1.0, 1e-12) << end;
   }
 }
 

@@ -4,10 +4,23 @@
 #include "RandomRays.h"
 #include "RayCaster.h"
 
+#include <utility>
+
 namespace palpate
 {
 namespace
 {
+// What a servo thread calls cannot throw either.
+static_assert(
+    noexcept(std::declval<const FieldSampler&>().IsInsideWorld(0, std::declval<const Vector3&>())));
+static_assert(
+    noexcept(std::declval<const FieldSampler&>().MaterialsWorld(std::declval<const Vector3&>())));
+static_assert(noexcept(
+    std::declval<const FieldSampler&>().ValueAndGradientWorld(0, std::declval<const Vector3&>())));
+static_assert(noexcept(std::declval<const FieldSampler&>().AreInsideWorld(0, nullptr, 0, nullptr)));
+static_assert(noexcept(std::declval<const RayCaster&>().CastWorld(std::declval<const FieldRay&>(),
+                                                                  0.0, 1.0)));
+
 TEST(FieldQueriesDoNotAllocate, OfSamplersAndRayCasters)
 {
   std::mt19937_64 random(51);

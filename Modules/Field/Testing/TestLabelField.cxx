@@ -109,8 +109,7 @@ TEST(LabelField, KeepsTheSideOfEveryVoxelCentre)
     const FieldSampler sampler(MakeLabelMaterial(grid, labels, 1));
     for (std::size_t at = 0; at < labels.size(); ++at)
     {
-      const Vector3 p(static_cast<double>(at % 14), static_cast<double>(at / 14 % 11),
-                      static_cast<double>(at / 14 / 11));
+      const Vector3 p = test::NodeIndex(grid.Size(), at);
       ASSERT_EQ(sampler.IsInsideIndex(0, p), labels[at] == 1) << p.transpose();
     }
   }

@@ -125,6 +125,10 @@ TEST(RayCaster, AnswersWhatIsNoRay)
   EXPECT_EQ(caster.CastIndex({{1e300, 4, 4}, {1, 0, 0}}, -Infinity, Infinity).Kind,
             HitKind::Missed);
   EXPECT_EQ(caster.CastIndex({{0, 4, 4}, {1, 1e-320, -0.0}}, 0, Infinity).T, 9.5);
+  // So slow that crossing a voxel takes more than any finite t: there is an answer, whichever.
+  EXPECT_NE(caster.CastIndex({{0, 4, 4}, {1e-308, 0, 0}}, 0, Infinity).Kind, HitKind::BadRay);
+  EXPECT_NE(caster.CastIndex({{0.5, 4, 4}, {0, -1e-308, 1e-308}}, -Infinity, Infinity).Kind,
+            HitKind::BadRay);
   EXPECT_EQ(caster.CastIndex({{0, 8.5, 4}, {1, 0, 0}}, 0, Infinity).Kind, HitKind::Missed);
   EXPECT_EQ(caster.CastIndex({{0, 8, 8}, {1, 0, 0}}, 0, Infinity).T, 9.5); // on the grid's edge
   EXPECT_EQ(caster.CastIndex({{20, 0, 0}, {-1, 0, 0}}, 0, Infinity).T, 9.5);
@@ -214,6 +218,47 @@ TEST(RayCaster, RepresentableFieldsAreHitToRounding)
     }
   }
   EXPECT_GE(hits, 400);
+}
+
+TEST(RayCaster, WorldRaysHitAPlaneWithinTheirBoundInObliqueGrids)
+{
+  std::mt19937_64 random(24);
+  std::normal_distribution<double> normal;
+  for (const FieldInterpolation method : Methods)
+  {
+    const FieldGrid grid = test::ObliqueGrid({31, 40, 25}, random);
+    const Vector3 middle = grid.PointWorld({15.0, 19.5, 12.0});
+    const Vector3 inwards = Vector3(normal(random), normal(random), normal(random)).normalized();
+    const test::PlaneField plane{inwards, inwards.dot(middle)};
+    std::vector<double> samples;
+    for (std::size_t n = 0; n < grid.NodeCount(); ++n)
+    {
+      samples.push_back(plane.Value(grid.PointWorld(test::NodeIndex(grid.Size(), n))));
+    }
+    const RayCaster caster(MakeField(grid, samples, 0.0, method));
+    for (int round = 0; round < 300; ++round)
+    {
+      // Into the middle, where the B-spline does not feel its mirrored border.
+      const Vector3 u = Vector3(normal(random), normal(random), normal(random)).normalized();
+      if (std::abs(u.dot(inwards)) < 0.2)
+      {
+        continue;
+      }
+      const Vector3 aim = middle + inwards.unitOrthogonal() * normal(random) * 0.3;
+      const double speed = std::exp(normal(random));
+      const FieldHit hit = caster.CastWorld({aim - u, speed * u}, 0.0, 2.0 / speed);
+      ASSERT_EQ(hit.Kind, HitKind::Surface);
+      ASSERT_EQ(hit.IsEntering, u.dot(inwards) > 0.0);
+      // Coefficients of the B-spline are floats of numbers up to 40; its border is 12 voxels away.
+      const double allowed = method == FieldInterpolation::Trilinear ? hit.ErrorT : 1e-4 / speed;
+      ASSERT_NEAR(hit.T, 1.0 / speed, allowed);
+      ASSERT_LE(hit.ErrorLength, 1e-10);
+      ASSERT_NEAR(hit.ErrorLength, hit.ErrorT * speed, 1e-16);
+      ASSERT_LE((hit.Position - aim).norm(), 1e-4);
+      ASSERT_LE((hit.Gradient - inwards).norm(),
+                method == FieldInterpolation::Trilinear ? 1e-12 : 1e-4);
+    }
+  }
 }
 
 // Largest distance of hits from a sphere, and largest angle of their normals, both from all sides.

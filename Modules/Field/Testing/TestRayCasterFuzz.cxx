@@ -3,6 +3,7 @@
 #include "RayOracle.h"
 
 #include <cmath>
+#include <cstdint>
 #include <cstring>
 #include <limits>
 
@@ -108,7 +109,13 @@ TEST(RayCasterFuzz, TricubicAnswersStandBeforeTheOracle)
 
 bool SameBits(const FieldHit& a, const FieldHit& b)
 {
-  const auto same = [](double x, double y) { return std::memcmp(&x, &y, sizeof(x)) == 0; };
+  const auto bits = [](double x)
+  {
+    std::uint64_t word = 0;
+    std::memcpy(&word, &x, sizeof(x));
+    return word;
+  };
+  const auto same = [&bits](double x, double y) { return bits(x) == bits(y); };
   bool all = a.Kind == b.Kind && a.IsEntering == b.IsEntering && a.Material == b.Material &&
              a.StartsInside == b.StartsInside && same(a.T, b.T) && same(a.ErrorT, b.ErrorT) &&
              same(a.ErrorLength, b.ErrorLength);
@@ -164,6 +171,7 @@ TEST(RayCasterFuzz, BatchesGiveTheBitsOfSingleRays)
     const RandomVolume volume(method, random);
     const RayCaster caster(volume.Field);
     std::vector<FieldRay> rays;
+    rays.reserve(300);
     for (int r = 0; r < 300; ++r)
     {
       rays.push_back(test::RandomRay(volume.Grid, random));
@@ -173,6 +181,38 @@ TEST(RayCasterFuzz, BatchesGiveTheBitsOfSingleRays)
     for (std::size_t r = 0; r < rays.size(); ++r)
     {
       ASSERT_TRUE(SameBits(hits[r], caster.CastWorld(rays[r], 0.0, 1e3)));
+    }
+  }
+}
+
+// From denormal to huge, and the same for the interval: what matters is that there is an answer.
+TEST(RayCasterFuzz, EveryMagnitudeIsAnswered)
+{
+  std::mt19937_64 random(36);
+  const auto number = [&random]
+  {
+    const double size = std::pow(10.0, static_cast<double>(random() % 640) - 325.0);
+    return random() % 8 == 0 ? 0.0 : random() % 2 == 0 ? size : -size;
+  };
+  for (const FieldInterpolation method : Methods)
+  {
+    const RandomVolume volume(method, random);
+    const RayCaster caster(volume.Field);
+    for (int r = 0; r < 20000; ++r)
+    {
+      FieldRay ray = test::RandomRay(volume.Grid, random);
+      ray.Direction[static_cast<int>(random() % 3)] = number();
+      if (random() % 2 == 0)
+      {
+        ray.Direction = {number(), number(), number()};
+      }
+      if (random() % 4 == 0)
+      {
+        ray.Origin[static_cast<int>(random() % 3)] = number();
+      }
+      const double tMin = random() % 2 == 0 ? -Infinity : number();
+      const FieldHit hit = caster.CastIndex(ray, tMin, random() % 2 == 0 ? Infinity : number());
+      ASSERT_TRUE(hit.Kind != HitKind::Surface || hit.T >= tMin);
     }
   }
 }
@@ -187,15 +227,14 @@ TEST(RayCasterFuzz, NothingLeaksThroughFacesEdgesOrCorners)
     std::vector<double> samples = test::RandomSteps(grid, random, 4);
     for (std::size_t at = 0; at < samples.size(); ++at)
     {
-      const Vector3 p(static_cast<double>(at % 24), static_cast<double>(at / 24 % 24),
-                      static_cast<double>(at / 24 / 24));
+      const Vector3 p = test::NodeIndex(grid.Size(), at);
       const double radius = (p - Vector3::Constant(12.0)).lpNorm<Eigen::Infinity>();
       samples[at] += radius < 6.0 ? 40.0 : radius < 9.0 ? 4.0 : -40.0;
     }
     const RayCaster caster(test::MakeField(grid, samples, 6.0, method));
-    for (int target = 0; target < 24 * 24 * 24; ++target)
+    for (std::size_t target = 0; target < grid.NodeCount(); ++target)
     {
-      const Vector3 node(target % 24, target / 24 % 24, target / 24 / 24);
+      const Vector3 node = test::NodeIndex(grid.Size(), target);
       for (const Vector3& aim :
            {node, Vector3(node + Vector3(0.5, 0, 0)), Vector3(node + Vector3(0, 0.5, 0.5))})
       {
