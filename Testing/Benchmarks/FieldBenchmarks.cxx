@@ -296,17 +296,17 @@ std::vector<PairedBenchmark> FieldBenchmarks()
   const auto agree = [theCase] { return theCase->InsideDisagreement(); };
   const auto inside = [theCase](FieldInterpolation interpolation)
   { return [theCase, interpolation] { theCase->AreInside(interpolation); }; };
-  return {{"field/inside/trilinear", "vtkImplicitVolume", inside(Linear),
+  return {{"field/inside", "vtkImplicitVolume", inside(Linear),
            [theCase] { theCase->AreInsideByVtk(); }, agree, Points},
-          {"field/inside/trilinear/itk", "itk::LinearInterpolateImageFunction", inside(Linear),
+          {"field/inside/itk", "itk::LinearInterpolateImageFunction", inside(Linear),
            [theCase] { theCase->AreInsideByItk(Linear); }, agree, Points},
-          {"field/inside/tricubic/itk", "itk::BSplineInterpolateImageFunction", inside(Cubic),
+          {"field/inside/tricubic", "itk::BSplineInterpolateImageFunction", inside(Cubic),
            [theCase] { theCase->AreInsideByItk(Cubic); }, agree, Points},
-          FirstHits(theCase, "field/firsthit/trilinear/picture", "vtkImageInterpolator, half steps",
+          FirstHits(theCase, "field/firsthit", "vtkImageInterpolator, half steps",
                     Linear, picture, INFINITY),
-          FirstHits(theCase, "field/firsthit/trilinear/tool", "vtkImageInterpolator, half steps",
+          FirstHits(theCase, "field/firsthit/tool", "vtkImageInterpolator, half steps",
                     Linear, tool, TouchReach),
-          FirstHits(theCase, "field/firsthit/tricubic/picture",
+          FirstHits(theCase, "field/firsthit/tricubic",
                     "vtkImageBSplineInterpolator, half steps", Cubic, picture, INFINITY),
           FirstHits(theCase, "field/firsthit/tricubic/tool",
                     "vtkImageBSplineInterpolator, half steps", Cubic, tool, TouchReach)};
