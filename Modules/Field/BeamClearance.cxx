@@ -11,8 +11,6 @@ namespace
 constexpr double Infinite = std::numeric_limits<double>::infinity();
 // Voxels; far above the rounding of any ray's index, far below what matters.
 constexpr double Slack = 1e-6;
-// A beam that leaps less than this, in voxels, is better left to its rays.
-constexpr double LeastLeap = 0.5;
 
 struct Box
 {
@@ -69,31 +67,113 @@ double Arrival(const FieldBeam& beam, const FieldGrid& grid, double t) noexcept
   return t;
 }
 
-// The empty bricks round a place, as far as its leap says; beyond the grid everything is empty.
-// False where the place's brick has a surface, or lies in a material, which may end at the grid's
-// border.
-bool EmptyBox(const ScalarField& field, const Vector3& place, Box& box) noexcept
+// Bricks along i, j, k; the last ones included.
+struct BrickRange
 {
-  const BrickLayout& layout = field.Layout();
-  int brick[3];
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    const int last = layout.Bricks[static_cast<std::size_t>(axis)] - 1;
-    brick[axis] = static_cast<int>(
-        std::clamp(std::floor(place[axis] / BrickLayout::Cells), 0.0, static_cast<double>(last)));
-  }
-  const BrickDirectory::Entry& entry =
-      field.Directory()[layout.Number(brick[0], brick[1], brick[2])];
-  const auto leap = static_cast<int>(entry.Leap);
+  int First[3];
+  int Last[3];
+};
+
+int BrickOf(double place, int count) noexcept
+{
+  return static_cast<int>(
+      std::clamp(std::floor(place / BrickLayout::Cells), 0.0, static_cast<double>(count - 1)));
+}
+
+// The bricks that the beam's box reaches into at t; where it is beyond the grid, the nearest ones.
+BrickRange Reached(const FieldBeam& beam, const BrickLayout& layout, double t) noexcept
+{
+  BrickRange range;
   for (int axis = 0; axis < 3; ++axis)
   {
     const int count = layout.Bricks[static_cast<std::size_t>(axis)];
-    const int first = brick[axis] - leap + 1;
-    const int end = brick[axis] + leap;
+    const double place = beam.Middle.Origin[axis] + t * beam.Middle.Direction[axis];
+    // A little more than StaysUntil allows, so that every range goes on behind the last one.
+    const double half = beam.HalfSize[axis] + t * beam.Growth[axis] + 2.0 * Slack;
+    range.First[axis] = BrickOf(place - half, count);
+    range.Last[axis] = BrickOf(place + half, count);
+  }
+  return range;
+}
+
+// Neither a surface nor a material, which may end at the grid's border.
+bool IsEmpty(const BrickDirectory::Entry& entry) noexcept
+{
+  return entry.Leap > 0 && entry.Word == 0;
+}
+
+bool IsEmpty(const ScalarField& field, const BrickRange& range) noexcept
+{
+  // Of a beam that is wider than this, parts are better looked at.
+  constexpr int MostBricks = 27;
+  int bricks = 1;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    bricks *= range.Last[axis] - range.First[axis] + 1;
+  }
+  bool isEmpty = bricks <= MostBricks;
+  for (int k = range.First[2]; k <= range.Last[2] && isEmpty; ++k)
+  {
+    for (int j = range.First[1]; j <= range.Last[1] && isEmpty; ++j)
+    {
+      for (int i = range.First[0]; i <= range.Last[0] && isEmpty; ++i)
+      {
+        isEmpty = IsEmpty(field.Directory()[field.Layout().Number(i, j, k)]);
+      }
+    }
+  }
+  return isEmpty;
+}
+
+// A box of bricks, with what lies beyond the grid on their sides of it, where nothing is.
+Box BoxOf(const BrickRange& range, const BrickLayout& layout) noexcept
+{
+  Box box;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const int first = range.First[axis];
+    const int end = range.Last[axis] + 1;
+    const int count = layout.Bricks[static_cast<std::size_t>(axis)];
     box.Lower[axis] = first <= 0 ? -Infinite : static_cast<double>(BrickLayout::Cells * first);
     box.Upper[axis] = end >= count ? Infinite : static_cast<double>(BrickLayout::Cells * end);
   }
-  return leap > 0 && entry.Word == 0;
+  return box;
+}
+
+double StaysUntil(const FieldBeam& beam, const Box& box, double t) noexcept
+{
+  return std::min({StaysUntil(beam, 0, box.Lower[0], box.Upper[0], t),
+                   StaysUntil(beam, 1, box.Lower[1], box.Upper[1], t),
+                   StaysUntil(beam, 2, box.Lower[2], box.Upper[2], t)});
+}
+
+// Until when the beam is known to meet nothing, by the leap of its middle's brick or by the bricks
+// that it reaches into; not after t where it may meet something at once.
+double EmptyUntil(const ScalarField& field, const FieldBeam& beam, double t) noexcept
+{
+  const BrickLayout& layout = field.Layout();
+  const BrickRange reached = Reached(beam, layout, t);
+  int middle[3];
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    middle[axis] = (reached.First[axis] + reached.Last[axis]) / 2;
+  }
+  const BrickDirectory::Entry& entry =
+      field.Directory()[layout.Number(middle[0], middle[1], middle[2])];
+  if (!IsEmpty(entry))
+  {
+    return t;
+  }
+  const int leap = static_cast<int>(entry.Leap) - 1;
+  BrickRange around;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    around.First[axis] = middle[axis] - leap;
+    around.Last[axis] = middle[axis] + leap;
+  }
+  const double byLeap = StaysUntil(beam, BoxOf(around, layout), t);
+  return byLeap > t || !IsEmpty(field, reached) ? byLeap
+                                                : StaysUntil(beam, BoxOf(reached, layout), t);
 }
 } // namespace
 
@@ -118,24 +198,13 @@ FieldBeam BeamOf(const FieldRay (&cornersIndex)[4]) noexcept
 double ClearUntil(const ScalarField& field, const FieldBeam& beamIndex, double tMin,
                   double tMax) noexcept
 {
-  const double speed = beamIndex.Middle.Direction.lpNorm<Eigen::Infinity>();
   double t = std::max(tMin, Arrival(beamIndex, field.Grid(), tMin));
   while (t < tMax)
   {
-    const Vector3 place = beamIndex.Middle.Origin + t * beamIndex.Middle.Direction;
-    Box empty;
-    if (!EmptyBox(field, place, empty))
+    const double until = EmptyUntil(field, beamIndex, t);
+    if (!(until > t))
     {
       return t;
-    }
-    double until = Infinite;
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      until = std::min(until, StaysUntil(beamIndex, axis, empty.Lower[axis], empty.Upper[axis], t));
-    }
-    if (!((until - t) * speed > LeastLeap))
-    {
-      return std::max(t, std::min(until, tMax));
     }
     t = until;
   }

@@ -2,6 +2,7 @@
 
 #include "FieldHit.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -25,6 +26,21 @@ struct FieldPicture
     this->Colors.resize(4 * count);
     this->Depths.resize(count);
     this->Hits.resize(keepsHits ? count : 0);
+  }
+  /// No surface at these pixels, of the columns and rows before the second ones.
+  void Clear(int column0, int column1, int row0, int row1) noexcept
+  {
+    for (int row = row0; row < row1; ++row)
+    {
+      const std::size_t first = this->Pixel(column0, row);
+      const auto count = static_cast<std::size_t>(column1 - column0);
+      std::fill_n(this->Colors.begin() + static_cast<std::ptrdiff_t>(4 * first), 4 * count, 0);
+      std::fill_n(this->Depths.begin() + static_cast<std::ptrdiff_t>(first), count, 1.0F);
+      if (!this->Hits.empty())
+      {
+        std::fill_n(this->Hits.begin() + static_cast<std::ptrdiff_t>(first), count, FieldHit());
+      }
+    }
   }
   std::size_t Pixel(int column, int row) const noexcept
   {

@@ -151,26 +151,36 @@ void FieldRenderer::DrawPixel(int column, int row, double from,
   bytes[3] = Byte(1.0 - open);
 }
 
+void FieldRenderer::DrawBeam(int column0, int column1, int row0, int row1, double from,
+                             FieldPicture& picture) const noexcept
+{
+  for (int row = row0; row < row1; ++row)
+  {
+    for (int column = column0; column < column1; ++column)
+    {
+      this->DrawPixel(column, row, from, picture);
+    }
+  }
+}
+
 void FieldRenderer::DrawTile(int column0, int column1, int row0, int row1,
                              FieldPicture& picture) const noexcept
 {
   // What is empty before all of them, the rays skip together.
   const double clear = this->ClearBeam(column0, column1, row0, row1, 0.0);
+  if (clear >= 1.0)
+  {
+    return picture.Clear(column0, column1, row0, row1);
+  }
   for (int row = row0; row < row1; row += BeamSide)
   {
     for (int column = column0; column < column1; column += BeamSide)
     {
       const int columnEnd = std::min(column1, column + BeamSide);
       const int rowEnd = std::min(row1, row + BeamSide);
-      const double from =
-          clear < 1.0 ? this->ClearBeam(column, columnEnd, row, rowEnd, clear) : clear;
-      for (int y = row; y < rowEnd; ++y)
-      {
-        for (int x = column; x < columnEnd; ++x)
-        {
-          this->DrawPixel(x, y, from, picture);
-        }
-      }
+      const double from = this->ClearBeam(column, columnEnd, row, rowEnd, clear);
+      from < 1.0 ? this->DrawBeam(column, columnEnd, row, rowEnd, from, picture)
+                 : picture.Clear(column, columnEnd, row, rowEnd);
     }
   }
 }

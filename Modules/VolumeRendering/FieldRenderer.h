@@ -62,6 +62,8 @@ private:
   Ray RayAt(double x, double y) const noexcept;
   FieldHit NextHit(const FieldRay& ray, RayInterval interval) const noexcept;
   Vector3 ColorOf(const FieldHit& hit, const Vector3& toEyeScene) const noexcept;
+  void DrawBeam(int column0, int column1, int row0, int row1, double from,
+                FieldPicture& picture) const noexcept;
   void DrawPixel(int column, int row, double from, FieldPicture& picture) const noexcept;
 
   RayCaster Caster;
