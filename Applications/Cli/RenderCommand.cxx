@@ -213,6 +213,7 @@ void RenderCommand::AddFields(const Segmentation& segmentation,
     const std::vector<Segment> some(structures.begin() + static_cast<std::ptrdiff_t>(first),
                                     structures.begin() + static_cast<std::ptrdiff_t>(last));
     std::vector<SceneRenderer::Color> colors;
+    colors.reserve(some.size());
     for (const Segment& structure : some)
     {
       colors.push_back(structure.Color);

@@ -15,7 +15,7 @@ constexpr int BeamSide = 4; // pixels
 
 std::uint8_t Byte(double part) noexcept
 {
-  return static_cast<std::uint8_t>(255.0 * std::clamp(part, 0.0, 1.0) + 0.5);
+  return static_cast<std::uint8_t>(std::lrint(255.0 * std::clamp(part, 0.0, 1.0)));
 }
 } // namespace
 
@@ -54,7 +54,7 @@ FieldHit FieldRenderer::NextHit(const FieldRay& ray, RayInterval interval) const
   const FieldGrid& grid = this->Caster.Field().Grid();
   for (;;)
   {
-    const FieldHit hit = this->Caster.CastWorld(ray, interval.From, interval.To, this->Shown);
+    FieldHit hit = this->Caster.CastWorld(ray, interval.From, interval.To, this->Shown);
     const bool isHit = hit.Kind == HitKind::Surface || hit.Kind == HitKind::Border;
     if (!isHit || this->Scene.Crop.ShowsAll() ||
         this->Scene.Crop.Shows(grid.PointIndex(hit.Position)))

@@ -302,12 +302,12 @@ std::vector<PairedBenchmark> FieldBenchmarks()
            [theCase] { theCase->AreInsideByItk(Linear); }, agree, Points},
           {"field/inside/tricubic", "itk::BSplineInterpolateImageFunction", inside(Cubic),
            [theCase] { theCase->AreInsideByItk(Cubic); }, agree, Points},
-          FirstHits(theCase, "field/firsthit", "vtkImageInterpolator, half steps",
-                    Linear, picture, INFINITY),
-          FirstHits(theCase, "field/firsthit/tool", "vtkImageInterpolator, half steps",
-                    Linear, tool, TouchReach),
-          FirstHits(theCase, "field/firsthit/tricubic",
-                    "vtkImageBSplineInterpolator, half steps", Cubic, picture, INFINITY),
+          FirstHits(theCase, "field/firsthit", "vtkImageInterpolator, half steps", Linear, picture,
+                    INFINITY),
+          FirstHits(theCase, "field/firsthit/tool", "vtkImageInterpolator, half steps", Linear,
+                    tool, TouchReach),
+          FirstHits(theCase, "field/firsthit/tricubic", "vtkImageBSplineInterpolator, half steps",
+                    Cubic, picture, INFINITY),
           FirstHits(theCase, "field/firsthit/tricubic/tool",
                     "vtkImageBSplineInterpolator, half steps", Cubic, tool, TouchReach)};
 }

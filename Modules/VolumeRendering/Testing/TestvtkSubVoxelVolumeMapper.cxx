@@ -301,6 +301,26 @@ TEST_F(SubVoxelVolumeMapper, AMovedVolumeIsPickedWhereItIsDrawn)
   EXPECT_NEAR((Vector3(picker->GetPickPosition()) - middle).norm(), 3.0, 0.02);
 }
 
+TEST_F(SubVoxelVolumeMapper, DrawsAndIsPickedInItsViewport)
+{
+  this->Renderer->SetViewport(0.5, 0.25, 1.0, 1.0);          // 100 x 150 pixels from (100, 50)
+  this->Renderer->GetActiveCamera()->SetParallelScale(10.0); // 7.5 pixels a mm
+  for (const double opacity : {1.0, 0.5})
+  {
+    this->Mapper->SetMaterialOpacity(0, opacity);
+    this->Render();
+    const int x = static_cast<int>(150.0 + 7.5 * Middle[0]);
+    const int y = static_cast<int>(125.0 + 7.5 * Middle[1]);
+    EXPECT_GT(this->ColorAt(x, y)[0], 180);
+    EXPECT_EQ(this->ColorAt(x, y + 48), Black);
+    EXPECT_EQ(this->ColorAt(x - 60, y), Black);
+    vtkNew<vtkSubVoxelPicker> picker;
+    ASSERT_EQ(picker->Pick(x, y, 0.0, this->Renderer), 1);
+    // The pixel's centre is within one pixel of the axis through the middle.
+    EXPECT_LT((Vector3(picker->GetPickPosition()) - Middle).head<2>().norm(), 0.2);
+  }
+}
+
 TEST_F(SubVoxelVolumeMapper, ClippingPlanesAreOfTheWorld)
 {
   vtkNew<vtkPlane> plane;
