@@ -145,9 +145,10 @@ std::string SvgChart::Axes(const Frame& frame) const
   {
     const double decades = frame.HighY - frame.LowY;
     const double step = std::max(1.0, std::ceil(decades / TickGoal));
-    for (double decade = frame.LowY; decade <= frame.HighY + 0.5; decade += step)
+    const int ticks = static_cast<int>((decades + 0.5) / step);
+    for (int tick = 0; tick <= ticks; ++tick)
     {
-      const double value = std::pow(10.0, decade);
+      const double value = std::pow(10.0, frame.LowY + tick * step);
       svg += LineElement("grid", Left, frame.Y(value), Right, frame.Y(value));
       svg += TextElement(Left - 6.0, frame.Y(value) + 4.0, "end", SignificantText(value, 3));
     }

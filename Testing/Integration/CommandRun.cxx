@@ -38,6 +38,7 @@ CommandRun RunCommand(const std::string& program, const std::vector<std::string>
   std::vector<std::string> all{program};
   all.insert(all.end(), arguments.begin(), arguments.end());
   std::vector<char*> words;
+  words.reserve(all.size() + 1);
   for (std::string& word : all)
   {
     words.push_back(word.data());

@@ -175,7 +175,7 @@ TEST(CliCases, NumbersThatAreNoneAreRefusedByTheOptionsName)
   for (const std::vector<std::string>& words : commands)
   {
     const CommandRun run = RunPalpate(words, folder.Path());
-    const std::string option = words[words.size() - 2];
+    const std::string& option = words[words.size() - 2];
     EXPECT_EQ(run.Code, 2) << option;
     EXPECT_TRUE(Has(run.Errors, option)) << run.Errors;
     EXPECT_LT(run.Errors.size(), 160U) << run.Errors;

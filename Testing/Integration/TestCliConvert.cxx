@@ -123,8 +123,8 @@ TEST(CliConvert, LabelThatIsNotThereListsThoseThatAre)
   const CommandRun run =
       RunPalpate({"convert", "a.nii.gz", "b.nrrd", "--label", "7"}, folder.Path());
   ExpectRefused(run, "a.nii.gz");
-  EXPECT_NE(run.Errors.find("1"), std::string::npos);
-  EXPECT_NE(run.Errors.find("2"), std::string::npos);
+  EXPECT_NE(run.Errors.find('1'), std::string::npos);
+  EXPECT_NE(run.Errors.find('2'), std::string::npos);
 }
 
 TEST(CliConvert, InputsAndOutputsThatDoNotFitAreRefusedAndLeaveNothing)

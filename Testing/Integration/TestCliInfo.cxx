@@ -20,7 +20,7 @@ std::vector<std::string> WordsOfLine(const std::string& text, const std::string&
   for (std::string line; std::getline(lines, line);)
   {
     std::istringstream words(line);
-    const std::vector<std::string> found{std::istream_iterator<std::string>(words), {}};
+    std::vector<std::string> found{std::istream_iterator<std::string>(words), {}};
     if (!found.empty() && found.front() == first)
     {
       return found;

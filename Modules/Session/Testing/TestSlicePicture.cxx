@@ -7,6 +7,7 @@
 #include <cmath>
 #include <gtest/gtest.h>
 #include <limits>
+#include <numeric>
 
 using palpate::SlicePlane;
 using palpate::Vector3;
@@ -105,11 +106,8 @@ TEST(SlicePicture, NearestSamplesAreTheVoxelThatHoldsThePoint)
 
 TEST(SlicePicture, TheWindowSpansTheValuesWithoutTheirExtremes)
 {
-  std::vector<float> values;
-  for (int v = 0; v < 100000; ++v)
-  {
-    values.push_back(static_cast<float>(v));
-  }
+  std::vector<float> values(100000);
+  std::iota(values.begin(), values.end(), 0.0F);
   values.push_back(std::numeric_limits<float>::quiet_NaN());
   const palpate::GreyWindow window = palpate::FindWindow({values});
   // Percentiles of every fifth value: at most five off.

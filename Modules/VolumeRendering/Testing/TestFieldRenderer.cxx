@@ -175,7 +175,9 @@ TEST(FieldRenderer, CropRegionsFollowVtksNumbers)
     const CropRegions crop(planes, 1 << region);
     for (int other = 0; other < 27; ++other)
     {
-      const Vector3 point(0.5 + other % 3, 0.5 + other / 3 % 3, 0.5 + other / 9);
+      const int j = other / 3 % 3;
+      const int k = other / 9;
+      const Vector3 point(0.5 + other % 3, 0.5 + j, 0.5 + k);
       EXPECT_EQ(crop.Shows(point), other == region);
     }
   }

@@ -392,7 +392,7 @@ TEST_F(SubVoxelVolumeMapper, AnIsoValueThatNothingHasIsAnErrorAndNothingIsDrawn)
   this->Mapper->AddObserver(vtkCommand::ErrorEvent, errors);
   this->Mapper->SetIsoValue(0, 7.0);
   this->Render();
-  EXPECT_NE(errors->GetErrorMessage().find("7"), std::string::npos) << errors->GetErrorMessage();
+  EXPECT_NE(errors->GetErrorMessage().find('7'), std::string::npos) << errors->GetErrorMessage();
   EXPECT_EQ(this->ColorAt(100, 100), Black);
 }
 
