@@ -35,4 +35,10 @@ FiniteNumber FiniteNumber::Positive()
 {
   return {0.0, std::numeric_limits<double>::max(), false, "above 0"};
 }
+
+FiniteNumber FiniteNumber::Any()
+{
+  constexpr double Largest = std::numeric_limits<double>::max();
+  return {-Largest, Largest, true, "that is finite"};
+}
 } // namespace palpate::cli

@@ -11,6 +11,7 @@ public:
   /// Both ends are in the range.
   static FiniteNumber Between(double low, double high);
   static FiniteNumber Positive();
+  static FiniteNumber Any();
 
 private:
   FiniteNumber(double low, double high, bool lowIsIn, const std::string& range);

@@ -21,7 +21,6 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
-#include <limits>
 #include <map>
 #include <ostream>
 
@@ -149,8 +148,7 @@ void RenderCommand::DeclareOptions(CLI::App& app)
                  "Draw where --volume reaches these values, by the ray caster that feels it")
       ->delimiter(',')
       ->allow_extra_args(false)
-      ->check(FiniteNumber::Between(std::numeric_limits<double>::lowest(),
-                                    std::numeric_limits<double>::max()));
+      ->check(FiniteNumber::Any());
   app.add_flag("--sub-voxel", this->IsSubVoxel,
                "Draw segmentations by that ray caster too, instead of by triangles");
   app.add_option("--interpolation", this->Interpolation,
