@@ -43,3 +43,26 @@ function(palpate_add_vtk_module room)
     set_property(GLOBAL APPEND PROPERTY PALPATE_ROOMS_WITH_VTK_CLASSES ${room})
   endif()
 endfunction()
+
+# Makes a library of a room without VTK what every such room is: its alias, settings, header folders
+# (under the room's own), installed headers and export.
+#   palpate_add_kernel_room(Room SOURCES a.cxx… HEADERS a.h… FOLDERS . Sub… LIBRARIES t…)
+function(palpate_add_kernel_room room)
+  cmake_parse_arguments(arg "" "" "SOURCES;HEADERS;FOLDERS;LIBRARIES" ${ARGN})
+  add_library(${room} ${arg_SOURCES})
+  add_library(Palpate::${room} ALIAS ${room})
+  palpate_compile_settings(${room})
+  set_target_properties(${room} PROPERTIES
+    OUTPUT_NAME Palpate${room} VERSION ${PROJECT_VERSION} SOVERSION 1)
+  target_compile_features(${room} PUBLIC cxx_std_17)
+  foreach(folder IN LISTS arg_FOLDERS)
+    cmake_path(ABSOLUTE_PATH folder NORMALIZE)
+    target_include_directories(${room} PUBLIC $<BUILD_INTERFACE:${folder}>)
+  endforeach()
+  target_include_directories(${room} PUBLIC
+    $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/palpate>)
+  target_link_libraries(${room} PUBLIC ${arg_LIBRARIES})
+  install(TARGETS ${room} EXPORT PalpateKernels
+    LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
+  install(FILES ${arg_HEADERS} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/palpate)
+endfunction()

@@ -1,6 +1,7 @@
 #include "MeshCommand.h"
 
 #include "CaseText.h"
+#include "CommandProgress.h"
 #include "Console.h"
 #include "FilterRun.h"
 #include "FitJson.h"
@@ -197,12 +198,7 @@ vtkSmartPointer<vtkSegmentationSurface> MeshCommand::SurfaceOf(const Case& one,
   Configure(surface, this->Settings);
   try
   {
-    RunFilter(surface, CaseTitle(one.Input, one.Structure), one.From, one.To,
-              [&console](double fraction, const std::string& stage)
-              {
-                console.Progress(fraction, stage);
-                return !Interruption::WasAsked();
-              });
+    RunFilter(surface, CaseTitle(one.Input, one.Structure), one.From, one.To, ProgressOn(console));
   }
   catch (const FilterError& error)
   {

@@ -1,5 +1,6 @@
 #include "PhantomCommand.h"
 
+#include "CommandProgress.h"
 #include "Console.h"
 #include "FilterRun.h"
 #include "FiniteNumber.h"
@@ -177,12 +178,7 @@ int PhantomCommand::Run(Console& console)
   this->PrepareAppearance(*phantom);
   const std::filesystem::path folder = this->OutputFolder;
   MakeOutputFolder(folder);
-  RunFilter(phantom, "making the phantom", 0.0, 1.0,
-            [&console](double fraction, const std::string& stage)
-            {
-              console.Progress(fraction, stage);
-              return !Interruption::WasAsked();
-            });
+  RunFilter(phantom, "making the phantom", 0.0, 1.0, ProgressOn(console));
   console.EndProgress();
 
   const std::filesystem::path volume = folder / ("volume." + this->Format);

@@ -1,5 +1,6 @@
 #include "RenderCommand.h"
 
+#include "CommandProgress.h"
 #include "Console.h"
 #include "DisplayServer.h"
 #include "FilterRun.h"
@@ -94,15 +95,6 @@ SceneRenderer::Color ParseColor(const std::string& word)
     throw InputError("--background " + word + " is no colour; give white, black, or #rrggbb");
   }
   return {{(code >> 16U & 255U) / 255.0, (code >> 8U & 255U) / 255.0, (code & 255U) / 255.0}};
-}
-
-ProgressFunction ProgressOn(Console& console)
-{
-  return [&console](double fraction, const std::string& stage)
-  {
-    console.Progress(fraction, stage);
-    return !Interruption::WasAsked();
-  };
 }
 
 // A field that cannot be made is the file's or the options' fault.

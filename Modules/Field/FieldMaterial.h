@@ -17,6 +17,16 @@ struct FieldCondition
   int Channel = 0;
   double Iso = 0.0;
   FieldSense Sense = FieldSense::AtLeast;
+
+  /// Makes of values how far the condition holds: negative where it does not.
+  void Relate(double* values, int count) const noexcept
+  {
+    const double sign = this->Sense == FieldSense::AtLeast ? 1.0 : -1.0;
+    for (int i = 0; i < count; ++i)
+    {
+      values[i] = sign * (values[i] - this->Iso);
+    }
+  }
 };
 
 /// One touchable thing: the points where all its conditions hold, one or two.

@@ -24,14 +24,7 @@ struct TrilinearCell
     channel.Load<Window, Side>(block, firstNode, this->Nodes);
   }
   /// Makes values of how far the condition holds: negative where it does not.
-  void Relate(const FieldCondition& condition) noexcept
-  {
-    const double sign = condition.Sense == FieldSense::AtLeast ? 1.0 : -1.0;
-    for (double& node : this->Nodes)
-    {
-      node = sign * (node - condition.Iso);
-    }
-  }
+  void Relate(const FieldCondition& condition) noexcept { condition.Relate(this->Nodes, Count); }
 
   double Value(const double* u) const noexcept
   {

@@ -71,11 +71,6 @@ FieldHit FieldRenderer::FirstHitAt(double x, double y) const noexcept
   return this->NextHit(ray.World, ray.Interval);
 }
 
-FieldHit FieldRenderer::FirstHit(int column, int row) const noexcept
-{
-  return this->FirstHitAt(column + 0.5, row + 0.5);
-}
-
 Vector3 FieldRenderer::ColorOf(const FieldHit& hit, const Vector3& toEyeScene) const noexcept
 {
   const MaterialLook& look = this->Scene.Looks[static_cast<std::size_t>(hit.Material)];

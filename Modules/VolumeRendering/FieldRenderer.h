@@ -43,9 +43,8 @@ public:
   /// Whether no pixel shows more than its nearest surface.
   bool IsOpaque() const noexcept { return this->Opaque; }
 
-  /// The nearest surface that is shown on a pixel's ray; missed where there is none.
-  FieldHit FirstHit(int column, int row) const noexcept;
-  /// The same at any place of the picture, in pixels (see PixelRays).
+  /// The nearest surface that is shown on the ray of a place of the picture, in pixels (see
+  /// PixelRays); missed where there is none.
   FieldHit FirstHitAt(double x, double y) const noexcept;
   /// Fills the pixels of `picture` (of the view's size) with column0 <= column < column1 and
   /// row0 <= row < row1.

@@ -1,4 +1,4 @@
-#include "DisplayServer.h"
+#include "DisplayTest.h"
 #include "FieldRenderer.h"
 #include "HeadCt.h"
 #include "SceneField.h"
@@ -14,8 +14,6 @@
 #include "vtkVolume.h"
 
 #include <gtest/gtest.h>
-#include <memory>
-#include <stdexcept>
 
 // What is seen is what is felt: every pixel's hit of a rendered picture of real data, and the hit
 // of a haptic query along the same ray, have the same bits.
@@ -25,21 +23,9 @@ using namespace palpate::test;
 
 namespace
 {
-class SubVoxelCongruence : public testing::Test
+class SubVoxelCongruence : public DisplayTest
 {
 protected:
-  void SetUp() override
-  {
-    try
-    {
-      this->Display = std::make_unique<DisplayServer>();
-    }
-    catch (const std::runtime_error& error)
-    {
-      GTEST_SKIP() << error.what();
-    }
-  }
-
   // Several views, in perspective and in parallel.
   static void ExpectCongruence(const std::shared_ptr<const ScalarField>& field)
   {
@@ -115,8 +101,6 @@ private:
                 seen.IsEntering == felt.IsEntering && seen.ErrorT == felt.ErrorT)
         << "pixel " << column << ", " << row << ": T " << seen.T << " and " << felt.T;
   }
-
-  std::unique_ptr<DisplayServer> Display;
 };
 
 bool GoOn(double, const std::string&)

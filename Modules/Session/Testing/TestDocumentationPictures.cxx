@@ -1,5 +1,5 @@
 #include "BaselinePicture.h"
-#include "DisplayServer.h"
+#include "DisplayTest.h"
 #include "FitStructure.h"
 #include "HeadCt.h"
 #include "ProstateLikeModel.h"
@@ -14,8 +14,6 @@
 
 #include <algorithm>
 #include <gtest/gtest.h>
-#include <memory>
-#include <stdexcept>
 
 namespace
 {
@@ -73,19 +71,13 @@ struct PhantomFit
   palpate::FitResult Model;
   palpate::FitResult Steps; // the mask's own boundary
 };
+class DocumentationPictures : public palpate::test::DisplayTest
+{
+};
 } // namespace
 
-TEST(DocumentationPictures, OverviewShowsMaskModelAndError)
+TEST_F(DocumentationPictures, OverviewShowsMaskModelAndError)
 {
-  std::unique_ptr<palpate::DisplayServer> display;
-  try
-  {
-    display = std::make_unique<palpate::DisplayServer>();
-  }
-  catch (const std::runtime_error& error)
-  {
-    GTEST_SKIP() << error.what();
-  }
   const PhantomFit fit;
   ASSERT_EQ(fit.Model.State, palpate::FitResult::Outcome::Fitted) << fit.Model.Message;
   std::vector<Picture> panels;
@@ -112,18 +104,9 @@ TEST(DocumentationPictures, OverviewShowsMaskModelAndError)
       SideBySide(panels), std::filesystem::path(PALPATE_DOCUMENTATION_IMAGES) / "overview.png");
 }
 
-TEST(DocumentationPictures, SkullIsDrawnFromTheCtItselfAndUnderItsSkin)
+TEST_F(DocumentationPictures, SkullIsDrawnFromTheCtItselfAndUnderItsSkin)
 {
   PALPATE_REQUIRE_FILE(palpate::test::HeadCtProject);
-  std::unique_ptr<palpate::DisplayServer> display;
-  try
-  {
-    display = std::make_unique<palpate::DisplayServer>();
-  }
-  catch (const std::runtime_error& error)
-  {
-    GTEST_SKIP() << error.what();
-  }
   const palpate::test::TemporaryFolder folder;
   ASSERT_TRUE(palpate::test::ConvertHeadCt(folder / "head.nrrd"));
   const palpate::Volume head = palpate::ReadVolume(folder / "head.nrrd");

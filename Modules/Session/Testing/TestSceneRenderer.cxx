@@ -1,7 +1,7 @@
 #include "SceneRenderer.h"
 
 #include "BaselinePicture.h"
-#include "DisplayServer.h"
+#include "DisplayTest.h"
 #include "SceneField.h"
 #include "SyntheticFit.h"
 
@@ -9,8 +9,6 @@
 #include <cmath>
 #include <cstdlib>
 #include <gtest/gtest.h>
-#include <memory>
-#include <stdexcept>
 
 using palpate::FrameOf;
 using palpate::Picture;
@@ -24,22 +22,8 @@ namespace
 const std::filesystem::path Baselines = PALPATE_BASELINES;
 constexpr SceneRenderer::Color Tan{{0.85, 0.66, 0.55}};
 
-class SceneRendererTest : public testing::Test
+class SceneRendererTest : public palpate::test::DisplayTest
 {
-protected:
-  void SetUp() override
-  {
-    try
-    {
-      this->Display = std::make_unique<palpate::DisplayServer>();
-    }
-    catch (const std::runtime_error& error)
-    {
-      GTEST_SKIP() << error.what();
-    }
-  }
-
-  std::unique_ptr<palpate::DisplayServer> Display;
 };
 
 bool IsBackground(const std::uint8_t* pixel)

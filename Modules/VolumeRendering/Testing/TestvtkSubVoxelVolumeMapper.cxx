@@ -1,6 +1,6 @@
 #include "vtkSubVoxelVolumeMapper.h"
 
-#include "DisplayServer.h"
+#include "DisplayTest.h"
 #include "FieldRenderer.h"
 #include "vtkSubVoxelPicker.h"
 #include "vtkSubVoxelVolume.h"
@@ -25,8 +25,6 @@
 #include "vtkVolumeProperty.h"
 
 #include <gtest/gtest.h>
-#include <memory>
-#include <stdexcept>
 
 namespace
 {
@@ -63,18 +61,15 @@ vtkSmartPointer<vtkImageData> BallImage()
 const Vector3 Middle(0.5, -0.3, 0.2);
 
 // A ball, drawn off screen along -z in parallel, 20 mm across the picture.
-class SubVoxelVolumeMapper : public testing::Test
+class SubVoxelVolumeMapper : public palpate::test::DisplayTest
 {
 protected:
   void SetUp() override
   {
-    try
+    DisplayTest::SetUp();
+    if (IsSkipped())
     {
-      this->Display = std::make_unique<palpate::DisplayServer>();
-    }
-    catch (const std::runtime_error& error)
-    {
-      GTEST_SKIP() << error.what();
+      return;
     }
     this->Renderer = vtkSmartPointer<vtkRenderer>::New();
     this->Window = vtkSmartPointer<vtkRenderWindow>::New();
@@ -132,7 +127,6 @@ protected:
     this->Renderer->AddVolume(this->Volume);
   }
 
-  std::unique_ptr<palpate::DisplayServer> Display;
   vtkSmartPointer<vtkRenderer> Renderer;
   vtkSmartPointer<vtkRenderWindow> Window;
   vtkSmartPointer<vtkVolume> Volume = vtkSmartPointer<vtkVolume>::New();
