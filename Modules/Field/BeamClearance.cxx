@@ -1,5 +1,7 @@
 #include "BeamClearance.h"
 
+#include "CellBox.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -175,6 +177,101 @@ double EmptyUntil(const ScalarField& field, const FieldBeam& beam, double t) noe
   return byLeap > t || !IsEmpty(field, reached) ? byLeap
                                                 : StaysUntil(beam, BoxOf(reached, layout), t);
 }
+
+// A beam on its way across slabs of cells, along the axis on which it is fastest; counted so that
+// places along it rise.
+class SlabMarch
+{
+public:
+  explicit SlabMarch(const FieldBeam& beam) noexcept : Beam(beam)
+  {
+    Eigen::Index fastest = 0;
+    beam.Middle.Direction.cwiseAbs().maxCoeff(&fastest);
+    this->Axis = static_cast<int>(fastest);
+    this->Rises = beam.Middle.Direction[fastest] > 0.0;
+    const double speed = std::abs(beam.Middle.Direction[fastest]);
+    const double middle = (this->Rises ? 1.0 : -1.0) * beam.Middle.Origin[fastest];
+    this->Front = middle + beam.HalfSize[fastest] + Slack;
+    this->Back = middle - beam.HalfSize[fastest] - Slack;
+    this->FrontSpeed = speed + beam.Growth[fastest];
+    this->BackSpeed = speed - beam.Growth[fastest];
+  }
+
+  // Whether the beam leaves a slab at all.
+  bool IsOnItsWay() const noexcept { return this->BackSpeed > 0.0; }
+  double BackAt(double t) const noexcept { return this->Back + t * this->BackSpeed; }
+  double EntersAt(double slab) const noexcept { return (slab - this->Front) / this->FrontSpeed; }
+  double LeavesAt(double slab) const noexcept
+  {
+    return (slab + 1.0 - this->Back) / this->BackSpeed;
+  }
+
+  // The cells of a slab that the beam reaches between two times; false where they are too many or
+  // not all in the grid.
+  bool GetCells(const BrickLayout& layout, double slab, double t0, double t1,
+                CellBox& box) const noexcept
+  {
+    // Of a wider beam, parts are better looked at.
+    constexpr double MostCells = 16.0;
+    bool isNarrow = true;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      const double low = std::min(this->EdgeAt(axis, -1.0, t0), this->EdgeAt(axis, -1.0, t1));
+      const double high = std::max(this->EdgeAt(axis, 1.0, t0), this->EdgeAt(axis, 1.0, t1));
+      // Not a number is no cell.
+      const bool isHere = low >= 0.0 && high - low <= MostCells &&
+                          high < layout.Nodes[static_cast<std::size_t>(axis)] - 1;
+      isNarrow = isNarrow && (isHere || axis == this->Axis);
+      box.First[axis] = isHere ? static_cast<int>(low) : 0;
+      box.Last[axis] = isHere ? static_cast<int>(high) : 0;
+    }
+    const double cell = this->Rises ? slab : -slab - 1.0;
+    const int last = layout.Nodes[static_cast<std::size_t>(this->Axis)] - 2;
+    box.First[this->Axis] = static_cast<int>(std::clamp(cell, -1.0, last + 1.0));
+    box.Last[this->Axis] = box.First[this->Axis];
+    return isNarrow && box.IsIn(layout);
+  }
+
+private:
+  double EdgeAt(int axis, double side, double t) const noexcept
+  {
+    return this->Beam.Middle.Origin[axis] + t * this->Beam.Middle.Direction[axis] +
+           side * (this->Beam.HalfSize[axis] + t * this->Beam.Growth[axis] + Slack);
+  }
+
+  const FieldBeam& Beam;
+  int Axis;
+  bool Rises;
+  double Front; // of the beam, at t = 0
+  double Back;
+  double FrontSpeed;
+  double BackSpeed;
+};
+
+// Until when the beam, of which no ray is in a material at t, reaches only cells of the grid that
+// have no surface: so until then it is in no material either. Not after t where it may meet one.
+double FreeUntil(const ScalarField& field, const FieldBeam& beam, double t, double tMax) noexcept
+{
+  constexpr int MostSlabs = 3 * BrickLayout::Cells; // then bricks may be empty again
+  const SlabMarch march(beam);
+  if (!march.IsOnItsWay())
+  {
+    return t;
+  }
+  double slab = std::floor(march.BackAt(t));
+  double entry = t;
+  for (int n = 0; n < MostSlabs && entry < tMax; ++n, slab += 1.0)
+  {
+    entry = std::max(t, march.EntersAt(slab));
+    CellBox cells;
+    if (!march.GetCells(field.Layout(), slab, entry, march.LeavesAt(slab), cells) ||
+        !cells.IsFree(field))
+    {
+      return entry;
+    }
+  }
+  return entry;
+}
 } // namespace
 
 FieldBeam BeamOf(const FieldRay (&cornersIndex)[4]) noexcept
@@ -199,13 +296,19 @@ double ClearUntil(const ScalarField& field, const FieldBeam& beamIndex, double t
                   double tMax) noexcept
 {
   double t = std::max(tMin, Arrival(beamIndex, field.Grid(), tMin));
+  bool isInNoMaterial = false;
   while (t < tMax)
   {
-    const double until = EmptyUntil(field, beamIndex, t);
+    double until = EmptyUntil(field, beamIndex, t);
+    if (!(until > t) && isInNoMaterial)
+    {
+      until = FreeUntil(field, beamIndex, t, tMax);
+    }
     if (!(until > t))
     {
       return t;
     }
+    isInNoMaterial = true;
     t = until;
   }
   return tMax;
