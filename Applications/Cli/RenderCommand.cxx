@@ -22,6 +22,7 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <iterator>
 #include <map>
 #include <ostream>
 
@@ -30,8 +31,6 @@ namespace palpate::cli
 namespace
 {
 constexpr int ModelFrequency = 40;
-// Standard deviation in voxels: enough for normals that do not feel them.
-constexpr double FieldSmoothing = 1.0;
 constexpr int LargestSide = 8192; // pixels
 
 // Colours that the colour-blind tell apart (Okabe and Ito 2008), the organ's first.
@@ -97,6 +96,41 @@ SceneRenderer::Color ParseColor(const std::string& word)
   return {{(code >> 16U & 255U) / 255.0, (code >> 8U & 255U) / 255.0, (code & 255U) / 255.0}};
 }
 
+// The structures that words name, all of which there have to be.
+std::vector<Segment> Found(const Segmentation& segmentation, const std::vector<std::string>& words)
+{
+  const StructureChoice choice = ChooseStructures(segmentation, words);
+  if (!choice.Lost.empty())
+  {
+    throw InputError(choice.Lost.front().Message);
+  }
+  return choice.Found;
+}
+
+// Structures in groups of at most so many, as a field has room for.
+std::vector<std::vector<Segment>> Groups(const std::vector<Segment>& structures, std::size_t most)
+{
+  std::vector<std::vector<Segment>> groups;
+  for (const Segment& structure : structures)
+  {
+    if (groups.empty() || groups.back().size() >= most)
+    {
+      groups.emplace_back();
+    }
+    groups.back().push_back(structure);
+  }
+  return groups;
+}
+
+std::vector<SceneRenderer::Color> ColorsOf(const std::vector<Segment>& structures)
+{
+  std::vector<SceneRenderer::Color> colors;
+  colors.reserve(structures.size());
+  std::transform(structures.begin(), structures.end(), std::back_inserter(colors),
+                 [](const Segment& structure) { return structure.Color; });
+  return colors;
+}
+
 // A field that cannot be made is the file's or the options' fault.
 template <typename Make>
 std::shared_ptr<const ScalarField> Field(const std::filesystem::path& file, const Make& make)
@@ -117,6 +151,7 @@ std::string RenderCommand::Examples() const
   return "  palpate render out/model.vtp --array DistanceToSurface --output errors.png\n"
          "  palpate render mask.seg.nrrd --volume t2.nrrd --slices axial --output gland.png\n"
          "  palpate render --volume head-ct.nii.gz --iso 300 --output skull.png\n"
+         "  palpate render --volume ct.nrrd --iso 300 --within bones.seg.nrrd --output bones.png\n"
          "  palpate render model.json surface.stl --opacity 0.5 --view left --output both.png";
 }
 
@@ -141,11 +176,23 @@ void RenderCommand::DeclareOptions(CLI::App& app)
       ->delimiter(',')
       ->allow_extra_args(false)
       ->check(FiniteNumber::Any());
+  app.add_option("--within", this->WithinPath, "Draw --iso only within this segmentation")
+      ->type_name("FILE");
+  app.add_option("--within-label", this->WithinLabels,
+                 "Structures of --within by number or name, separated by commas (default: all)")
+      ->type_name("N|NAME")
+      ->allow_extra_args(false);
   app.add_flag("--sub-voxel", this->IsSubVoxel,
                "Draw segmentations by that ray caster too, instead of by triangles");
   app.add_option("--interpolation", this->Interpolation,
                  "Between voxels, for --iso and --sub-voxel: linear, or cubic (smoother, slower)")
       ->check(CLI::IsMember({"linear", "cubic"}))
+      ->capture_default_str();
+  app.add_option(
+         "--smoothing", this->Smoothing,
+         "Of structures for --sub-voxel and --within, in voxels (0: no voxel changes sides; "
+         "more where voxels can be seen)")
+      ->check(FiniteNumber::Between(0.0, 8.0))
       ->capture_default_str();
   app.add_option("--view", this->View, "The side that is looked at")
       ->check(CLI::IsMember(
@@ -197,24 +244,15 @@ void RenderCommand::AddFields(const Segmentation& segmentation,
                               const std::vector<Segment>& structures, SceneRenderer& scene,
                               Console& console) const
 {
-  for (std::size_t first = 0; first < structures.size(); first += MostMaterials)
+  for (const std::vector<Segment>& some : Groups(structures, MostMaterials))
   {
-    const std::size_t last = std::min(structures.size(), first + MostMaterials);
-    const std::vector<Segment> some(structures.begin() + static_cast<std::ptrdiff_t>(first),
-                                    structures.begin() + static_cast<std::ptrdiff_t>(last));
-    std::vector<SceneRenderer::Color> colors;
-    colors.reserve(some.size());
-    for (const Segment& structure : some)
-    {
-      colors.push_back(structure.Color);
-    }
     scene.AddField(Field(segmentation.Source,
                          [&]
                          {
                            return MakeSegmentField(segmentation, some, this->FieldKind(),
-                                                   FieldSmoothing, ProgressOn(console));
+                                                   this->Smoothing, ProgressOn(console));
                          }),
-                   colors, this->Opacity);
+                   ColorsOf(some), this->Opacity);
   }
 }
 
@@ -222,13 +260,9 @@ void RenderCommand::AddSegmentation(const std::filesystem::path& file, SceneRend
                                     Console& console)
 {
   const Segmentation segmentation = ReadSegmentation(file, this->Images.LeftHanded());
-  const StructureChoice choice = ChooseStructures(segmentation, this->Options.Labels());
-  if (!choice.Lost.empty())
-  {
-    throw InputError(choice.Lost.front().Message);
-  }
-  this->IsSubVoxel ? this->AddFields(segmentation, choice.Found, scene, console)
-                   : this->AddMeshes(segmentation, choice.Found, scene, console);
+  const std::vector<Segment> structures = Found(segmentation, this->Options.Labels());
+  this->IsSubVoxel ? this->AddFields(segmentation, structures, scene, console)
+                   : this->AddMeshes(segmentation, structures, scene, console);
   console.EndProgress();
 }
 
@@ -250,22 +284,49 @@ void RenderCommand::AddFile(const std::filesystem::path& file, SceneRenderer& sc
   }
 }
 
+void RenderCommand::AddIsoSurfaces(vtkImageData* image, SceneRenderer& scene, Console& console)
+{
+  std::vector<SceneRenderer::Color> colors;
+  for (std::size_t i = 0; i < this->IsoValues.size(); ++i)
+  {
+    colors.push_back(this->NextColor());
+  }
+  scene.AddField(Field(this->VolumePath,
+                       [&] {
+                         return MakeIsoField(image, this->IsoValues, this->FieldKind(),
+                                             ProgressOn(console));
+                       }),
+                 colors, this->Opacity);
+}
+
+void RenderCommand::AddIsoSurfacesWithin(vtkImageData* image, SceneRenderer& scene,
+                                         Console& console) const
+{
+  const Segmentation segmentation = ReadSegmentation(this->WithinPath, this->Images.LeftHanded());
+  const std::vector<Segment> structures = Found(segmentation, this->WithinLabels);
+  for (const double iso : this->IsoValues)
+  {
+    for (const std::vector<Segment>& some : Groups(structures, MostMaterials))
+    {
+      scene.AddField(Field(this->VolumePath + " within " + this->WithinPath,
+                           [&]
+                           {
+                             return MakeIsoFieldWithin(image, iso, segmentation, some,
+                                                       this->FieldKind(), this->Smoothing,
+                                                       ProgressOn(console));
+                           }),
+                     ColorsOf(some), this->Opacity);
+    }
+  }
+}
+
 void RenderCommand::AddVolume(SceneRenderer& scene, Console& console)
 {
   const Volume volume = ReadVolume(this->VolumePath, this->Images.Choice());
   if (!this->IsoValues.empty())
   {
-    std::vector<SceneRenderer::Color> colors;
-    for (std::size_t i = 0; i < this->IsoValues.size(); ++i)
-    {
-      colors.push_back(this->NextColor());
-    }
-    scene.AddField(Field(this->VolumePath,
-                         [&] {
-                           return MakeIsoField(volume.Image, this->IsoValues, this->FieldKind(),
-                                               ProgressOn(console));
-                         }),
-                   colors, this->Opacity);
+    this->WithinPath.empty() ? this->AddIsoSurfaces(volume.Image, scene, console)
+                             : this->AddIsoSurfacesWithin(volume.Image, scene, console);
     console.EndProgress();
   }
   // Slices through an opaque surface would be hidden in it, so they are drawn with it if asked for.
@@ -308,6 +369,14 @@ int RenderCommand::Run(Console& console)
   if (!this->IsoValues.empty() && this->VolumePath.empty())
   {
     throw InputError("--iso has no image to draw; name one with --volume");
+  }
+  if (this->IsoValues.empty() && !this->WithinPath.empty())
+  {
+    throw InputError("--within limits no iso-surface; give its value with --iso");
+  }
+  if (this->WithinPath.empty() && !this->WithinLabels.empty())
+  {
+    throw InputError("--within-label names structures of no segmentation; give it with --within");
   }
   if (this->Inputs.empty() && this->VolumePath.empty())
   {

@@ -36,6 +36,8 @@ private:
   void AddFields(const Segmentation& segmentation, const std::vector<Segment>& structures,
                  SceneRenderer& scene, Console& console) const;
   void AddVolume(SceneRenderer& scene, Console& console);
+  void AddIsoSurfaces(vtkImageData* image, SceneRenderer& scene, Console& console);
+  void AddIsoSurfacesWithin(vtkImageData* image, SceneRenderer& scene, Console& console) const;
   FieldInterpolation FieldKind() const;
   void ColorByArray(SceneRenderer& scene) const;
   SceneRenderer::Color NextColor();
@@ -48,7 +50,10 @@ private:
   std::vector<std::string> Slices;
   std::vector<double> IsoValues;
   std::string Interpolation = "linear";
+  std::string WithinPath;
+  std::vector<std::string> WithinLabels;
   bool IsSubVoxel = false;
+  double Smoothing = 1.0;
   std::string Size = "800x800";
   std::string View = "oblique";
   std::string Background = "white";

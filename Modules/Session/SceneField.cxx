@@ -3,6 +3,7 @@
 #include "FieldOfImage.h"
 #include "FilterRun.h"
 #include "LabelField.h"
+#include "LabelsOnGrid.h"
 
 #include "vtkImageData.h"
 
@@ -22,35 +23,39 @@ void Require(const Status& status, bool wasCancelled)
     throw FilterError(status.Message());
   }
 }
-} // namespace
 
-std::shared_ptr<const ScalarField> MakeIsoField(vtkImageData* image,
-                                                const std::vector<double>& isoValues,
-                                                FieldInterpolation interpolation,
-                                                const ProgressFunction& progress)
+// Distances to labels take most of the time.
+constexpr double DistancesPart = 0.8;
+
+// Runs what answers a status and makes a field, and tells its progress from `done` on.
+template <typename Make>
+std::shared_ptr<const ScalarField> Build(const Make& make, double done,
+                                         const ProgressFunction& progress)
 {
   bool wasCancelled = false;
   const auto report = [&](double part)
   {
-    wasCancelled = wasCancelled || !progress(part, "field");
+    wasCancelled = wasCancelled || !progress(done + (1.0 - done) * part, "field");
     return !wasCancelled;
   };
   std::shared_ptr<const ScalarField> field;
-  Require(BuildFieldOfImage(image, isoValues, interpolation, report, field), wasCancelled);
+  const Status status = make(report, field);
+  Require(status, wasCancelled);
   return field;
 }
 
-std::shared_ptr<const ScalarField> MakeSegmentField(const Segmentation& segmentation,
-                                                    const std::vector<Segment>& structures,
-                                                    FieldInterpolation interpolation,
-                                                    double smoothing,
-                                                    const ProgressFunction& progress)
+std::shared_ptr<const ScalarField> Build(const FieldBuilder& builder,
+                                         const ProgressFunction& progress)
 {
-  // Distances take most of the time.
-  constexpr double DistancesPart = 0.8;
-  const FieldGrid grid = GridOfImage(segmentation.Layers.front());
-  FieldBuilder builder(grid);
-  builder.SetInterpolation(interpolation);
+  return Build([&](const auto& report, auto& field) { return builder.Build(field, report); },
+               DistancesPart, progress);
+}
+
+// The distances of structures, on the grid of the images that `layerOf` gives for their layers.
+template <typename LayerOf>
+std::vector<LabelField> DistancesOf(const std::vector<Segment>& structures, const LayerOf& layerOf,
+                                    double smoothing, const ProgressFunction& progress)
+{
   std::vector<LabelField> distances(structures.size());
   for (std::size_t s = 0; s < structures.size(); ++s)
   {
@@ -59,20 +64,71 @@ std::shared_ptr<const ScalarField> MakeSegmentField(const Segmentation& segmenta
     {
       throw Cancelled();
     }
-    vtkImageData* layer = segmentation.Layers[static_cast<std::size_t>(structures[s].Layer)];
+    const vtkSmartPointer<vtkImageData> layer = layerOf(structures[s].Layer);
     FieldSamples labels;
     Require(SamplesOfImage(layer, labels), false);
-    Require(LabelField::Make(labels, grid, structures[s].Value, smoothing, distances[s]), false);
-    builder.AddMaterial({builder.AddChannel(distances[s].Samples()), 0.0, FieldSense::AtLeast});
+    Require(
+        LabelField::Make(labels, GridOfImage(layer), structures[s].Value, smoothing, distances[s]),
+        false);
   }
-  bool wasCancelled = false;
-  const auto report = [&](double part)
+  return distances;
+}
+} // namespace
+
+std::shared_ptr<const ScalarField> MakeIsoField(vtkImageData* image,
+                                                const std::vector<double>& isoValues,
+                                                FieldInterpolation interpolation,
+                                                const ProgressFunction& progress)
+{
+  return Build([&](const auto& report, auto& field)
+               { return BuildFieldOfImage(image, isoValues, interpolation, report, field); },
+               0.0, progress);
+}
+
+std::shared_ptr<const ScalarField>
+MakeIsoFieldWithin(vtkImageData* image, double isoValue, const Segmentation& segmentation,
+                   const std::vector<Segment>& structures, FieldInterpolation interpolation,
+                   double smoothing, const ProgressFunction& progress)
+{
+  std::vector<vtkSmartPointer<vtkImageData>> matched(segmentation.Layers.size());
+  const auto layerOf = [&](int number)
   {
-    wasCancelled = wasCancelled || !progress(DistancesPart + (1.0 - DistancesPart) * part, "field");
-    return !wasCancelled;
+    const auto layer = static_cast<std::size_t>(number);
+    if (!matched[layer])
+    {
+      matched[layer] = LabelsOnGrid(segmentation.Layers[layer], image);
+    }
+    return matched[layer];
   };
-  std::shared_ptr<const ScalarField> field;
-  Require(builder.Build(field, report), wasCancelled);
-  return field;
+  const std::vector<LabelField> distances = DistancesOf(structures, layerOf, smoothing, progress);
+  FieldSamples samples;
+  Require(SamplesOfImage(image, samples), false);
+  FieldBuilder builder(GridOfImage(image));
+  builder.SetInterpolation(interpolation);
+  const int channel = builder.AddChannel(samples);
+  for (const LabelField& distance : distances)
+  {
+    builder.AddMaterial({channel, isoValue, FieldSense::AtLeast},
+                        {builder.AddChannel(distance.Samples()), 0.0, FieldSense::AtLeast});
+  }
+  return Build(builder, progress);
+}
+
+std::shared_ptr<const ScalarField> MakeSegmentField(const Segmentation& segmentation,
+                                                    const std::vector<Segment>& structures,
+                                                    FieldInterpolation interpolation,
+                                                    double smoothing,
+                                                    const ProgressFunction& progress)
+{
+  const auto layerOf = [&](int layer)
+  { return segmentation.Layers[static_cast<std::size_t>(layer)]; };
+  const std::vector<LabelField> distances = DistancesOf(structures, layerOf, smoothing, progress);
+  FieldBuilder builder(GridOfImage(segmentation.Layers.front()));
+  builder.SetInterpolation(interpolation);
+  for (const LabelField& distance : distances)
+  {
+    builder.AddMaterial({builder.AddChannel(distance.Samples()), 0.0, FieldSense::AtLeast});
+  }
+  return Build(builder, progress);
 }
 } // namespace palpate

@@ -18,6 +18,14 @@ PALPATESESSION_EXPORT std::shared_ptr<const ScalarField>
 MakeIsoField(vtkImageData* image, const std::vector<double>& isoValues,
              FieldInterpolation interpolation, const ProgressFunction& progress);
 
+/// One material for each structure, in their order: what of the image is at least the value, within
+/// the structure. Structures are matched with the image in millimetres and bounded as in
+/// MakeSegmentField. At most MostMaterials structures.
+PALPATESESSION_EXPORT std::shared_ptr<const ScalarField>
+MakeIsoFieldWithin(vtkImageData* image, double isoValue, const Segmentation& segmentation,
+                   const std::vector<Segment>& structures, FieldInterpolation interpolation,
+                   double smoothing, const ProgressFunction& progress);
+
 /// One material for each structure, in their order, each with a smooth signed distance of its own
 /// (see LabelField, also for `smoothing`). At most MostMaterials structures.
 PALPATESESSION_EXPORT std::shared_ptr<const ScalarField>

@@ -67,7 +67,8 @@ TEST(CliRender, IsoValuesAndSegmentationsAreDrawnSubVoxel)
   const std::vector<std::vector<std::string>> pictures{
       {"--volume", "a.nii.gz", "--iso", "0.5,1.5"},
       {"--volume", "a.nii.gz", "--iso", "0.5", "--interpolation", "cubic", "--slices", "axial"},
-      {"a.nii.gz", "--sub-voxel"},
+      {"--volume", "a.nii.gz", "--iso", "0.5", "--within", "a.nii.gz", "--within-label", "2"},
+      {"a.nii.gz", "--sub-voxel", "--smoothing", "0"},
       {"a.nii.gz", "--sub-voxel", "--opacity", "0.4", "--volume", "a.nii.gz"},
   };
   for (std::vector<std::string> words : pictures)
@@ -102,6 +103,12 @@ TEST(CliRender, BadInputIsRefusedAndLeavesNothing)
            {"--volume", "a.nii.gz", "--iso", "1000", "--output", "x.png"},
            {"--volume", "a.nii.gz", "--iso", "nan", "--output", "x.png"},
            {"--volume", "a.nii.gz", "--iso", "1", "--interpolation", "best", "--output", "x.png"},
+           {"--volume", "a.nii.gz", "--within", "a.nii.gz", "--output", "x.png"},
+           {"--volume", "a.nii.gz", "--iso", "1", "--within-label", "1", "--output", "x.png"},
+           {"--volume", "a.nii.gz", "--iso", "1", "--within", "a.nii.gz", "--within-label", "9",
+            "--output", "x.png"},
+           {"--volume", "a.nii.gz", "--iso", "1", "--within", "no.nrrd", "--output", "x.png"},
+           {"a.nii.gz", "--sub-voxel", "--smoothing", "-1", "--output", "x.png"},
            {"a.nii.gz", "--output", "no/such/folder/x.png"}})
   {
     std::vector<std::string> arguments{"render"};
