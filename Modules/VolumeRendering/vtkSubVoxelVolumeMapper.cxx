@@ -123,7 +123,7 @@ std::shared_ptr<const palpate::ScalarField> vtkSubVoxelVolumeMapper::GetField()
   {
     return this->Inner->Given;
   }
-  return this->UpdateField() ? this->Inner->Made : nullptr;
+  return this->UpdateField(nullptr) ? this->Inner->Made : nullptr;
 }
 
 void vtkSubVoxelVolumeMapper::SetMaterialColor(int material, double red, double green, double blue)
@@ -157,7 +157,7 @@ bool vtkSubVoxelVolumeMapper::IsOpaque()
                      { return look.Opacity <= 0.0 || look.Opacity >= 1.0; });
 }
 
-bool vtkSubVoxelVolumeMapper::UpdateField()
+bool vtkSubVoxelVolumeMapper::UpdateField(vtkRenderWindow* window)
 {
   State& inner = *this->Inner;
   if (inner.Given)
@@ -179,18 +179,26 @@ bool vtkSubVoxelVolumeMapper::UpdateField()
   {
     return inner.Made != nullptr;
   }
-  inner.MadeTime.Modified();
   inner.Made.reset();
-  const auto progress = [this](double part)
+  this->SetAbortExecute(0);
+  bool isAborted = false;
+  const auto progress = [&](double part)
   {
     this->UpdateProgress(part);
-    return this->GetAbortExecute() == 0;
+    isAborted =
+        this->GetAbortExecute() != 0 || (window != nullptr && window->CheckAbortStatus() != 0);
+    return !isAborted;
   };
   const auto interpolation = this->Interpolation == TRICUBIC
                                  ? palpate::FieldInterpolation::TricubicBSpline
                                  : palpate::FieldInterpolation::Trilinear;
   const palpate::Status status =
       palpate::BuildFieldOfImage(image, inner.IsoValues, interpolation, progress, inner.Made);
+  if (isAborted)
+  {
+    return false; // and begun anew when it is asked for again
+  }
+  inner.MadeTime.Modified();
   if (!status.IsOk())
   {
     vtkErrorMacro(<< status.Message());
@@ -259,7 +267,7 @@ bool vtkSubVoxelVolumeMapper::CastRays(vtkRenderer* renderer)
 
 void vtkSubVoxelVolumeMapper::Render(vtkRenderer* renderer, vtkVolume* volume)
 {
-  if (!this->GetField())
+  if (!this->UpdateField(renderer->GetRenderWindow()))
   {
     return;
   }

@@ -17,7 +17,9 @@
  * behind. Over translucent polygons see vtkSubVoxelVolume. Rays are cast by vtkSMPTools; the
  * picture does not depend on the number of threads. Where a frame would take longer than the
  * renderer allows, as while the camera moves, fewer rays are cast, and all of them once it rests.
- * Raises VolumeMapperRender events; looks for an abort between bands of rows.
+ * Raises VolumeMapperRender events; looks for an abort between bands of rows. While the field is
+ * made it raises progress events, and the window's abort and AbortExecute end that; what was begun
+ * is begun anew when the field is asked for again.
  *
  * Errors: an image that FieldBuilder refuses raises an ErrorEvent with its sentence, and nothing is
  * drawn.
@@ -29,6 +31,8 @@
 #include "vtkVolumeMapper.h"
 
 #include <memory> // For the field that is shared
+
+class vtkRenderWindow;
 
 namespace palpate
 {
@@ -140,7 +144,8 @@ private:
   vtkSubVoxelVolumeMapper(const vtkSubVoxelVolumeMapper&) = delete;
   void operator=(const vtkSubVoxelVolumeMapper&) = delete;
 
-  bool UpdateField();
+  /** `window`, if any, can abort it. */
+  bool UpdateField(vtkRenderWindow* window);
   double ChooseSampleDistance(vtkVolume* volume, double pixels);
   std::unique_ptr<palpate::FieldRenderer> MakeRenderer(vtkRenderer* renderer, vtkVolume* volume,
                                                        int width, int height,

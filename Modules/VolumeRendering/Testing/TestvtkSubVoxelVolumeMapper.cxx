@@ -390,12 +390,44 @@ TEST_F(SubVoxelVolumeMapper, AnIsoValueThatNothingHasIsAnErrorAndNothingIsDrawn)
   EXPECT_EQ(this->ColorAt(100, 100), Black);
 }
 
-TEST_F(SubVoxelVolumeMapper, AnAbortedFrameDrawsNothing)
+// What aborts a window's frames while it is observed.
+vtkSmartPointer<vtkCommand> AbortingCommand()
 {
-  vtkNew<vtkCallbackCommand> abort;
+  auto abort = vtkSmartPointer<vtkCallbackCommand>::New();
   abort->SetCallback([](vtkObject* window, unsigned long, void*, void*)
                      { static_cast<vtkRenderWindow*>(window)->SetAbortRender(1); });
-  this->Window->AddObserver(vtkCommand::AbortCheckEvent, abort);
+  return abort;
+}
+
+TEST_F(SubVoxelVolumeMapper, AnAbortedFrameDrawsNothing)
+{
+  ASSERT_NE(this->Mapper->GetField(), nullptr);
+  this->Window->AddObserver(vtkCommand::AbortCheckEvent, AbortingCommand());
   this->Render();
   EXPECT_EQ(this->ColorAt(100, 100), Black);
+}
+
+TEST_F(SubVoxelVolumeMapper, AFrameThatIsAbortedWhileTheFieldIsMadeLeavesThatToTheNextOne)
+{
+  vtkNew<vtkTest::ErrorObserver> errors;
+  this->Mapper->AddObserver(vtkCommand::ErrorEvent, errors);
+  const unsigned long tag =
+      this->Window->AddObserver(vtkCommand::AbortCheckEvent, AbortingCommand());
+  this->Render();
+  EXPECT_EQ(this->Mapper->GetPicture()->Width, 0) << "it was made all the same";
+  this->Window->RemoveObserver(tag);
+  this->Render();
+  EXPECT_NE(this->ColorAt(100, 100), Black);
+  EXPECT_FALSE(errors->GetError()) << errors->GetErrorMessage();
+}
+
+TEST_F(SubVoxelVolumeMapper, AFieldWhoseMakingIsAbortedIsMadeWhenItIsAskedForAgain)
+{
+  vtkNew<vtkCallbackCommand> abort;
+  abort->SetCallback([](vtkObject* mapper, unsigned long, void*, void*)
+                     { static_cast<vtkAlgorithm*>(mapper)->SetAbortExecute(1); });
+  const unsigned long tag = this->Mapper->AddObserver(vtkCommand::ProgressEvent, abort);
+  EXPECT_EQ(this->Mapper->GetField(), nullptr);
+  this->Mapper->RemoveObserver(tag);
+  EXPECT_NE(this->Mapper->GetField(), nullptr);
 }
