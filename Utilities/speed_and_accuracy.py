@@ -61,6 +61,14 @@ degree 12. *Noise gain* is by how much noise of the radii is amplified in the mo
 """
 
 
+FOOTPRINTS = """## What a field occupies
+
+The bone of a head phantom (16-bit samples, `Testing/Benchmarks/SkullPhantom`) as a field, beside the whole volume as
+dense floats: `vtkImageCast` for trilinear interpolation, `vtkImageBSplineCoefficients` for the cubic. One thread builds
+the field, VTK has all there are.
+"""
+
+
 def row(*cells):
     return "| " + " | ".join(map(str, cells)) + " |"
 
@@ -148,7 +156,7 @@ def main():
     parts = [INTRODUCTION.format(machine=measured["machine"], compiler=measured["compiler"]),
              aims(pairs), "## Against others\n", comparisons(pairs),
              TRADE.format(picture=picture), trade_table(measured["tradeoff"]),
-             CAPS, measured["caps"]]
+             FOOTPRINTS, measured["footprints"], CAPS, measured["caps"]]
     arguments.page.write_text("\n".join(parts))
 
 

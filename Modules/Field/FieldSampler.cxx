@@ -140,7 +140,7 @@ inside::Material DescribeForKernel(const ScalarField& field, int number, const M
 
 bool IsForKernel(const ScalarField& field, int number, std::size_t count) noexcept
 {
-  return count > 0 && IsTrilinear(field) && field.Material(number).ConditionCount == 1;
+  return count > 0 && field.Material(number).ConditionCount == 1;
 }
 
 void RunKernel(const inside::Kernel& kernel, const ScalarField& field, int number,
@@ -149,7 +149,8 @@ void RunKernel(const inside::Kernel& kernel, const ScalarField& field, int numbe
 {
   static_assert(sizeof(Vector3) == 3 * sizeof(double));
   const int channel = field.Material(number).Conditions[0].Channel;
-  const auto test = kernel.AreInside[KernelType(field.Channel(channel).StoredType())];
+  const int type = KernelType(field.Channel(channel).StoredType());
+  const auto test = IsTrilinear(field) ? kernel.Trilinear[type] : kernel.Tricubic[type];
   test(material, points->data(), static_cast<long>(count), inside);
 }
 } // namespace

@@ -6,8 +6,7 @@
 
 namespace palpate::inside
 {
-/// A material of one condition in a field with trilinear interpolation; see FieldGrid, BrickLayout,
-/// MaterialMap and BrickedChannel.
+/// A material of one condition; see FieldGrid, BrickLayout, MaterialMap and BrickedChannel.
 struct Material
 {
   double ToIndex[9]; ///< row by row; applied to point - Origin
@@ -25,12 +24,16 @@ struct Material
 /// Stored types: signed and unsigned char, signed and unsigned short, float, double.
 constexpr int StoredTypes = 6;
 
-/// What every instruction set offers: whether points (x, y, z one after the other) are inside, 1 or
-/// 0, by the number of the stored type.
+/// Whether points (x, y, z one after the other) are inside, 1 or 0.
+using Test = void (*)(const Material& material, const double* points, long count,
+                      unsigned char* inside);
+
+/// What every instruction set offers, by the number of the stored type. B-spline coefficients are
+/// floating point: the last two.
 struct Kernel
 {
-  void (*AreInside[StoredTypes])(const Material& material, const double* points, long count,
-                                 unsigned char* inside);
+  Test Trilinear[StoredTypes];
+  Test Tricubic[StoredTypes];
 };
 
 /// `Set` describes an instruction set: `Vector` and `Integers`, vectors of `Lanes` doubles and ints
@@ -41,7 +44,9 @@ struct Arithmetic
   using Vector = typename Set::Vector;
   using Integers = typename Set::Integers;
   static constexpr int Lanes = Set::Lanes;
-  static constexpr int Side = 9; // nodes of a brick along an axis
+  // Nodes of a brick along an axis.
+  static constexpr int LinearSide = 9;
+  static constexpr int CubicSide = 11;
 
   // Where Lanes points lie.
   struct Places
@@ -64,6 +69,23 @@ struct Arithmetic
     }
   }
 
+  // Numbers of a vector or an array as doubles. Written out, which compilers turn into one
+  // instruction where there is one.
+  template <typename T>
+  static inline __attribute__((always_inline)) Vector Widened(const T& from)
+  {
+    if constexpr (Lanes == 4)
+    {
+      return Vector{static_cast<double>(from[0]), static_cast<double>(from[1]),
+                    static_cast<double>(from[2]), static_cast<double>(from[3])};
+    }
+    else
+    {
+      return Vector{static_cast<double>(from[0]), static_cast<double>(from[1])};
+    }
+  }
+
+  template <int Side>
   static inline __attribute__((always_inline)) void Locate(const Material& m, const double* points,
                                                            Places& places)
   {
@@ -81,7 +103,7 @@ struct Arithmetic
       const Vector last = Vector{} + static_cast<double>(m.Nodes[axis] - 2);
       const Vector below = index < last ? index : last;
       cells[axis] = __builtin_convertvector(isHere ? below : Vector{}, Integers);
-      places.U[axis] = index - __builtin_convertvector(cells[axis], Vector);
+      places.U[axis] = index - Widened(cells[axis]);
     }
     places.Brick =
         ((cells[2] >> 3) * m.Bricks[1] + (cells[1] >> 3)) * m.Bricks[0] + (cells[0] >> 3);
@@ -115,8 +137,8 @@ struct Arithmetic
       constexpr bool isSigned = T(-1) < T(0);
       const Integers low = isSigned ? both << 16 >> 16 : both & 0xFFFF;
       const Integers high = isSigned ? both >> 16 : both >> 16 & 0xFFFF;
-      first = __builtin_convertvector(low, Vector);
-      second = __builtin_convertvector(high, Vector);
+      first = Widened(low);
+      second = Widened(high);
     }
     else
     {
@@ -128,12 +150,118 @@ struct Arithmetic
     }
   }
 
+  // The values of Lanes points whose cells' first nodes these are.
   template <typename T>
+  static inline __attribute__((always_inline)) Vector
+  LinearValue(const Material& m, const T* const* nodes, const Vector* u)
+  {
+    constexpr int Side = LinearSide;
+    Vector rows[4] = {};
+    for (int row = 0; row < 4; ++row)
+    {
+      Vector first{};
+      Vector second{};
+      LoadTwo(nodes, (row & 1) * Side + (row >> 1) * Side * Side, first, second);
+      rows[row] = Mean(first - m.Iso, second - m.Iso, u[0]);
+    }
+    return Mean(Mean(rows[0], rows[1], u[1]), Mean(rows[2], rows[3], u[1]), u[2]);
+  }
+
+  // The four basis functions of the cubic B-spline, as TricubicCell has them.
+  static inline __attribute__((always_inline)) void CubicWeights(const Vector& u, Vector* weights)
+  {
+    constexpr double Sixth = 1.0 / 6.0;
+    const Vector v = 1.0 - u;
+    const Vector low = v * v * v;
+    const Vector high = u * u * u;
+    weights[0] = Sixth * low;
+    weights[1] = Sixth * (4.0 - 2.0 * (u * u + u * u + u * u) + 3.0 * high);
+    weights[2] = Sixth * (4.0 - 2.0 * (v * v + v * v + v * v) + 3.0 * low);
+    weights[3] = Sixth * high;
+  }
+
+  // Four coefficients along i, less the iso-value, and sums of such.
+  struct Row
+  {
+    static constexpr int Parts = 4 / Lanes;
+    Vector Part[Parts];
+
+    template <typename T>
+    inline __attribute__((always_inline)) void Add(const T* nodes, double iso, double weight,
+                                                   bool isFirst)
+    {
+      for (int part = 0; part < Parts; ++part)
+      {
+        const Vector term = (Widened(nodes + Lanes * part) - iso) * weight;
+        this->Part[part] = isFirst ? term : this->Part[part] + term;
+      }
+    }
+    inline __attribute__((always_inline)) void Add(const Row& row, double weight, bool isFirst)
+    {
+      for (int part = 0; part < Parts; ++part)
+      {
+        const Vector term = row.Part[part] * weight;
+        this->Part[part] = isFirst ? term : this->Part[part] + term;
+      }
+    }
+    inline __attribute__((always_inline)) double At(int i) const
+    {
+      return this->Part[i / Lanes][i % Lanes];
+    }
+  };
+
+  // The value of one point: along k, then j, then i, as TricubicCell sums.
+  template <typename T>
+  static inline __attribute__((always_inline)) double
+  CubicValueOf(const T* nodes, double iso, const double* x, const double* y, const double* z)
+  {
+    constexpr int Side = CubicSide;
+    Row slice{};
+    for (int j = 0; j < 4; ++j)
+    {
+      Row column{};
+      for (int k = 0; k < 4; ++k)
+      {
+        column.Add(nodes + (k * Side + j) * Side, iso, z[k], k == 0);
+      }
+      slice.Add(column, y[j], j == 0);
+    }
+    return slice.At(0) * x[0] + slice.At(1) * x[1] + slice.At(2) * x[2] + slice.At(3) * x[3];
+  }
+
+  template <typename T>
+  static inline __attribute__((always_inline)) Vector
+  CubicValue(const Material& m, const T* const* nodes, const Vector* u)
+  {
+    double weights[3][4][Lanes]; // [axis][function][lane]
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      Vector functions[4] = {};
+      CubicWeights(u[axis], functions);
+      __builtin_memcpy(weights[axis], functions, sizeof(functions));
+    }
+    Vector values{};
+    for (int lane = 0; lane < Lanes; ++lane)
+    {
+      double ofLane[3][4];
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        for (int function = 0; function < 4; ++function)
+        {
+          ofLane[axis][function] = weights[axis][function][lane];
+        }
+      }
+      values[lane] = CubicValueOf(nodes[lane], m.Iso, ofLane[0], ofLane[1], ofLane[2]);
+    }
+    return values;
+  }
+
+  template <typename T, bool isCubic>
   static inline __attribute__((always_inline)) void
   TestLanes(const Material& m, const double* points, unsigned char* inside)
   {
     Places places;
-    Locate(m, points, places);
+    Locate<isCubic ? CubicSide : LinearSide>(m, points, places);
     const T* nodes[Lanes];
     unsigned codes[Lanes];
     for (int lane = 0; lane < Lanes; ++lane)
@@ -143,17 +271,17 @@ struct Arithmetic
       const unsigned long block = codes[lane] < m.Filled ? codes[lane] : 0;
       nodes[lane] = static_cast<const T*>(m.Blocks) + block * m.Stride + places.FirstNode[lane];
     }
-    Vector rows[4] = {};
-    for (int row = 0; row < 4; ++row)
+    Vector value{};
+    if constexpr (isCubic)
     {
-      Vector first{};
-      Vector second{};
-      LoadTwo(nodes, (row & 1) * Side + (row >> 1) * Side * Side, first, second);
-      rows[row] = Mean(m.Sign * (first - m.Iso), m.Sign * (second - m.Iso), places.U[0]);
+      value = CubicValue(m, nodes, places.U);
     }
-    const Vector value =
-        Mean(Mean(rows[0], rows[1], places.U[1]), Mean(rows[2], rows[3], places.U[1]), places.U[2]);
-    const auto holds = value >= 0.0;
+    else
+    {
+      value = LinearValue(m, nodes, places.U);
+    }
+    // Sums and means of negated numbers are the negated ones, bit by bit.
+    const auto holds = m.Sign * value >= 0.0;
     for (int lane = 0; lane < Lanes; ++lane)
     {
       const bool isStored = codes[lane] < m.Filled;
@@ -162,13 +290,15 @@ struct Arithmetic
     }
   }
 
-  template <typename T>
-  static void AreInside(const Material& m, const double* points, long count, unsigned char* inside)
+  template <typename T, bool isCubic>
+  static void AreInside(const Material& material, const double* points, long count,
+                        unsigned char* inside)
   {
+    const Material m = material; // which answers cannot be part of
     long p = 0;
     for (; p + Lanes <= count; p += Lanes)
     {
-      TestLanes<T>(m, points + 3 * p, inside + p);
+      TestLanes<T, isCubic>(m, points + 3 * p, inside + p);
     }
     if (p < count)
     {
@@ -178,7 +308,7 @@ struct Arithmetic
       {
         rest[n] = points[3 * p + n];
       }
-      TestLanes<T>(m, rest, answers);
+      TestLanes<T, isCubic>(m, rest, answers);
       for (long n = p; n < count; ++n)
       {
         inside[n] = answers[n - p];
@@ -188,8 +318,10 @@ struct Arithmetic
 
   static constexpr Kernel All()
   {
-    return {{AreInside<signed char>, AreInside<unsigned char>, AreInside<short>,
-             AreInside<unsigned short>, AreInside<float>, AreInside<double>}};
+    return {{AreInside<signed char, false>, AreInside<unsigned char, false>,
+             AreInside<short, false>, AreInside<unsigned short, false>, AreInside<float, false>,
+             AreInside<double, false>},
+            {nullptr, nullptr, nullptr, nullptr, AreInside<float, true>, AreInside<double, true>}};
   }
 };
 

@@ -37,24 +37,21 @@ void Slopes(double u, double* slopes)
   slopes[3] = 0.5 * u * u;
 }
 
-double Dot(const double* a, const double* b)
-{
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2] + a[3] * b[3];
-}
-
+// Along k, then j, then i: the order that inside tests of several points share (InsideKernel.h).
 double Contract(const double* nodes, const double* x, const double* y, const double* z)
 {
-  double slices[4];
-  for (int k = 0; k < 4; ++k)
+  double slice[4] = {};
+  for (int j = 0; j < 4; ++j)
   {
-    double rows[4];
-    for (int j = 0; j < 4; ++j)
+    const double* row = nodes + 4 * j;
+    for (int i = 0; i < 4; ++i)
     {
-      rows[j] = Dot(nodes + 16 * k + 4 * j, x);
+      const double column =
+          row[i] * z[0] + row[16 + i] * z[1] + row[32 + i] * z[2] + row[48 + i] * z[3];
+      slice[i] = j == 0 ? column * y[0] : slice[i] + column * y[j];
     }
-    slices[k] = Dot(rows, y);
   }
-  return Dot(slices, z);
+  return slice[0] * x[0] + slice[1] * x[1] + slice[2] * x[2] + slice[3] * x[3];
 }
 
 // The basis functions along a segment: Bernstein coefficients times binomials, so that products of

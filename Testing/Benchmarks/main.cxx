@@ -3,6 +3,7 @@
 #include "ComparisonReport.h"
 #include "EvaluationBenchmarks.h"
 #include "FieldBenchmarks.h"
+#include "FieldFootprint.h"
 #include "FitBenchmarks.h"
 #include "InstructionCounts.h"
 #include "MachineName.h"
@@ -63,7 +64,8 @@ std::string PageJson(const std::vector<palpate::bench::Comparison>& comparisons)
       {"compiler", std::string("GCC ") + __VERSION__},
       {"tradeoff",
        nlohmann::json::parse(palpate::bench::ToJson(palpate::bench::TradeOffRows(comparisons)))},
-      {"caps", palpate::bench::ToMarkdown(palpate::bench::MissingCaps(Bodies))}};
+      {"caps", palpate::bench::ToMarkdown(palpate::bench::MissingCaps(Bodies))},
+      {"footprints", palpate::bench::ToMarkdown(palpate::bench::FieldFootprints())}};
   return page.dump(2);
 }
 } // namespace
