@@ -1,0 +1,26 @@
+#pragma once
+
+#include "Contact.h"
+#include "ToolPose.h"
+
+namespace palpate
+{
+/// Follows one tool at one structure from tick to tick: remembers the proxy, so that it is coherent
+/// and never crosses the surface, however fast the probe moves. One for each servo thread. Neither
+/// allocates nor locks after it was made.
+class ContactTracker
+{
+public:
+  virtual ~ContactTracker() = default;
+  ContactTracker(const ContactTracker&) = delete;
+  ContactTracker& operator=(const ContactTracker&) = delete;
+
+  /// One tick. The result holds until the next call.
+  virtual const Contact& Follow(const ToolPose& pose) noexcept = 0;
+  /// Forgets the proxy: the next tick starts afresh, wherever the tool is by then.
+  virtual void Release() noexcept = 0;
+
+protected:
+  ContactTracker() = default;
+};
+} // namespace palpate

@@ -1,0 +1,12 @@
+#pragma once
+
+namespace palpate
+{
+/// Coulomb's coefficients of a surface, tangential by normal force; 0 is without friction. Usually
+/// Dynamic <= Static.
+struct SurfaceFriction
+{
+  double Static = 0.0;  ///< up to which the tool sticks
+  double Dynamic = 0.0; ///< with which it slips
+};
+} // namespace palpate

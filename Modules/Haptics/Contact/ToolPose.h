@@ -1,0 +1,14 @@
+#pragma once
+
+#include "Vector3.h"
+
+namespace palpate
+{
+/// Where a tool is: world is patient LPS, mm.
+struct ToolPose
+{
+  Vector3 PositionWorld = Vector3::Zero(); ///< of the origin of the tool's frame
+  /// From the tool's frame to the world; a unit quaternion.
+  Eigen::Quaterniond Orientation = Eigen::Quaterniond::Identity();
+};
+} // namespace palpate
