@@ -1,0 +1,101 @@
+#pragma once
+
+#include "Clock.h"
+#include "HapticDevice.h"
+#include "LatestValue.h"
+#include "SimulatedHand.h"
+
+#include <array>
+#include <atomic>
+#include <functional>
+
+namespace palpate
+{
+/// How a simulated device can be made to fail.
+enum class SimulatedFault
+{
+  None,
+  NonFinitePosition, ///< positions are NaN
+  FrozenSample,      ///< the last sample for ever
+  LateSamples,       ///< samples are 20 ms old
+  MirroredPosition,  ///< encoders count the wrong way
+  RefusedForce,      ///< forces are not taken
+  Unplugged          ///< nothing answers any more
+};
+
+/// A device of about a Falcon's size with a hand on it. Numbers of mechanism and hand are
+/// plausible ones, not measured on a device.
+struct SimulatedSettings
+{
+  HandProperties Hand;
+  double MaximumForce = 8.0;     ///< N; stronger ones are cut
+  double MaximumStiffness = 3.0; ///< N/mm
+  double MaximumDamping = 0.02;  ///< N s/mm
+  double Resolution = 0.045;     ///< mm, positions are multiples of it; 0 is exact
+  double Delay = 0.0;            ///< s until a force takes effect
+  double Rate = 1000.0;          ///< Hz
+  double WorkspaceRadius = 40.0; ///< mm, around the origin
+  double HomingDuration = 0.0;   ///< s
+  /// The hand's target (mm) at a time (s) after opening; without one it is what SetTarget said. It
+  /// must neither throw nor allocate.
+  std::function<Vector3(double)> Path;
+};
+
+/// A device that is computed: a hand on a mechanism (SimulatedHand) with encoders that count, a
+/// force that comes late, motors that saturate and give up when they hear nothing for 20 ms. Time
+/// is the clock's; the motion is integrated in steps of at most 10 us up to each Read. What comes
+/// out depends on the clock and the calls alone, to the last bit.
+class SimulatedDevice final : public HapticDevice
+{
+public:
+  /// Keeps the address of the clock, which must outlive it.
+  SimulatedDevice(Clock& clock, const SimulatedSettings& settings);
+
+  const DeviceCapabilities& Capabilities() const noexcept override { return this->Abilities; }
+  DeviceState State() const noexcept override { return this->Life.load(); }
+  std::string Problem() const override;
+  Status Open() override;
+  void Close() noexcept override;
+  bool Read(DeviceSample& sample) noexcept override;
+  bool Apply(const Vector3& force) noexcept override;
+
+  /// Where the hand wants to be (mm), as a mouse would say it; from one thread.
+  void SetTarget(const Vector3& target) noexcept { this->Wanted.Publish(target); }
+  /// From any thread; in effect from the next Read or Apply on.
+  void Inject(SimulatedFault fault) noexcept { this->Broken.store(fault); }
+
+  /// Where the hand really is and what it did; for the thread that reads.
+  const SimulatedHand& Hand() const noexcept { return this->Body; }
+
+private:
+  struct Command
+  {
+    std::int64_t Time = 0; // ns, when it takes effect
+    Vector3 Force = Vector3::Zero();
+  };
+
+  void AdvanceTo(std::int64_t now) noexcept;
+  const Vector3& ForceAt(std::int64_t time) noexcept;
+  Vector3 TargetAt(std::int64_t time) noexcept;
+  Vector3 Counted() const noexcept;
+  void Measure(std::int64_t now, SimulatedFault fault) noexcept;
+  void ForgetCommands() noexcept;
+
+  Clock& Time;
+  SimulatedSettings Settings;
+  DeviceCapabilities Abilities;
+  SimulatedHand Body;
+  std::atomic<DeviceState> Life{DeviceState::Closed};
+  std::atomic<SimulatedFault> Broken{SimulatedFault::None};
+  LatestValue<PlainVector3> Wanted;
+  Vector3 Target = Vector3::Zero(); // of the hand at the time reached
+  std::int64_t Opened = 0;          // ns
+  std::int64_t Reached = 0;         // ns, by the motion
+  DeviceSample Last;
+  // Commands on their way; more than 64 at once are not kept.
+  std::array<Command, 64> Commands;
+  std::size_t Oldest = 0;
+  std::size_t CommandCount = 0;
+  Command InEffect;
+};
+} // namespace palpate

@@ -1,0 +1,41 @@
+#include "SimulatedHand.h"
+
+namespace palpate
+{
+namespace
+{
+// N / kg in mm/s^2.
+constexpr double MillimetersPerMeter = 1000.0;
+} // namespace
+
+void SimulatedHand::Advance(const Vector3& target, const Vector3& targetVelocity,
+                            const Vector3& force, double step) noexcept
+{
+  const HandProperties& p = this->Properties;
+  const Vector3 before = this->Speed;
+  const Vector3 hand =
+      p.HandStiffness * (target - this->Place) + p.HandDamping * (targetVelocity - before);
+  const double gain = MillimetersPerMeter * step / p.Mass; // mm/s per N
+  // The mechanism's damping acts with the mean velocity, so it takes up energy at any step.
+  const double half = 0.5 * gain * p.Damping;
+  const Vector3 pushed = ((1.0 - half) * before + gain * (hand + force)) / (1.0 + half);
+  // Friction slows down at most to a halt.
+  const double speed = pushed.norm();
+  const double slowed = gain * p.Friction / (1.0 + half);
+  const Vector3 after = speed > slowed ? Vector3(pushed * (1.0 - slowed / speed)) : Vector3::Zero();
+
+  const Vector3 mean = 0.5 * (before + after);
+  const Vector3 way = step * mean;
+  HandEnergy& e = this->Bookkeeping;
+  const double motion = 0.5 * p.Mass / MillimetersPerMeter * after.squaredNorm();
+  const double works = (hand + force).dot(way);
+  const double damped = p.Damping * mean.dot(way);
+  e.HandWork += hand.dot(way);
+  e.MotorWork += force.dot(way);
+  e.DampingLoss += damped;
+  e.FrictionLoss += works - damped - (motion - e.Motion);
+  e.Motion = motion;
+  this->Place += way;
+  this->Speed = after;
+}
+} // namespace palpate

@@ -1,0 +1,9 @@
+#pragma once
+
+#include "DeviceRegistry.h"
+
+namespace palpate
+{
+/// Adds "simulated": a SimulatedDevice as it comes.
+Status RegisterSimulatedDevices(DeviceRegistry& registry);
+} // namespace palpate

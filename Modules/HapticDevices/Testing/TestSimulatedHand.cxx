@@ -1,0 +1,84 @@
+#include "SimulatedHand.h"
+
+#include "RandomShapes.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace palpate
+{
+namespace
+{
+constexpr double Step = 1e-5; // s
+
+TEST(SimulatedHand, EnergiesBalanceAndNothingIsGained)
+{
+  test::Random random(1);
+  SimulatedHand hand(HandProperties(), Vector3::Zero());
+  double turnover = 0.0;
+  for (int n = 0; n < 20'000; ++n)
+  {
+    const Vector3 force = 5.0 * test::RandomDirection(random);
+    const Vector3 target = 3.0 * test::RandomDirection(random);
+    const HandEnergy before = hand.Energy();
+    hand.Advance(target, 100.0 * test::RandomDirection(random), force, Step);
+    const HandEnergy& e = hand.Energy();
+    turnover += std::abs(e.HandWork - before.HandWork) + std::abs(e.MotorWork - before.MotorWork);
+    // Friction opposes the velocity at the step's end; where it turned round within the step, a way
+    // of at most (10 us)^2 10 N / 0.25 kg is gone against 0.2 N the wrong way.
+    ASSERT_GE(e.FrictionLoss - before.FrictionLoss, -1e-6);
+    ASSERT_GE(e.DampingLoss, before.DampingLoss);
+    // Rounding of sums of this size.
+    ASSERT_NEAR(e.HandWork + e.MotorWork, e.DampingLoss + e.FrictionLoss + e.Motion,
+                1e-12 * (1.0 + turnover));
+  }
+  EXPECT_GT(turnover, 1.0);
+}
+
+TEST(SimulatedHand, ComesToRestWhereSpringAndForceBalance)
+{
+  HandProperties properties;
+  properties.Friction = 0.0;
+  SimulatedHand hand(properties, Vector3::Zero());
+  const Vector3 target(10.0, 0.0, -5.0);
+  const Vector3 force(0.0, 2.0, 0.0);
+  for (int n = 0; n < 200'000; ++n)
+  {
+    hand.Advance(target, Vector3::Zero(), force, Step);
+  }
+  // Two seconds are some thirty time constants of the damping.
+  const Vector3 expected = target + force / properties.HandStiffness;
+  EXPECT_NEAR((hand.Position() - expected).norm(), 0.0, 1e-9);
+}
+
+TEST(SimulatedHand, SwingsWithItsOwnFrequency)
+{
+  HandProperties properties;
+  properties.Friction = 0.0;
+  properties.Damping = 0.0;
+  properties.HandDamping = 0.0;
+  SimulatedHand hand(properties, Vector3::UnitX());
+  // 0.5 N/mm on 0.25 kg: sqrt(2000) rad/s; a quarter of a swing later it is in the middle.
+  const double quarter = 0.5 * M_PI / std::sqrt(2000.0);
+  const int steps = static_cast<int>(std::lround(quarter / Step));
+  for (int n = 0; n < steps; ++n)
+  {
+    hand.Advance(Vector3::Zero(), Vector3::Zero(), Vector3::Zero(), quarter / steps);
+  }
+  // The explicit spring adds energy of first order in step times frequency, 5e-4.
+  EXPECT_NEAR(hand.Position()[0], 0.0, 1e-3);
+}
+
+TEST(SimulatedHand, FrictionHoldsAgainstASmallerForce)
+{
+  HandProperties properties;
+  SimulatedHand hand(properties, Vector3::Zero());
+  for (int n = 0; n < 1000; ++n)
+  {
+    hand.Advance(Vector3::Zero(), Vector3::Zero(), {0.19, 0.0, 0.0}, Step);
+  }
+  EXPECT_EQ(hand.Position(), Vector3::Zero());
+}
+} // namespace
+} // namespace palpate

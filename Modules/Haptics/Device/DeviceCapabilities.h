@@ -1,0 +1,24 @@
+#pragma once
+
+#include "Vector3.h"
+
+#include <string>
+
+namespace palpate
+{
+/// What a device can do, in its own frame; 0 where a number is not known.
+struct DeviceCapabilities
+{
+  std::string Name;              ///< as a person would call it
+  int DegreesOfFreedom = 3;      ///< of the pose that it measures: 3 or 6; forces have 3
+  Eigen::AlignedBox3d Workspace; ///< mm
+  double MaximumForce = 0.0;     ///< N, in any direction
+  double MaximumStiffness = 0.0; ///< N/mm, that its maker or experience calls stable
+  double MaximumDamping = 0.0;   ///< N s/mm, of commanded forces, likewise
+  double Damping = 0.0;          ///< N s/mm, of the mechanism itself
+  double Friction = 0.0;         ///< N, Coulomb's, of the mechanism itself
+  double Resolution = 0.0;       ///< mm, one count of its encoders
+  double Delay = 0.0;            ///< s, from a position's being measured to its force's being felt
+  double Rate = 0.0;             ///< Hz, new samples
+};
+} // namespace palpate

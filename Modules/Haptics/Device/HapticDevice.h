@@ -1,0 +1,47 @@
+#pragma once
+
+#include "DeviceCapabilities.h"
+#include "DeviceSample.h"
+#include "DeviceState.h"
+#include "Status.h"
+
+#include <string>
+
+namespace palpate
+{
+/// A device that measures where a hand is and pushes it. Open, Close and Problem are for the thread
+/// that owns it; Read and Apply are for the servo thread, between them; State is for any.
+///
+///     Closed -> Opening -> Homing -> Ready -> Closed
+///                  any of these -> Error -> Closed
+///
+/// Every back end must give 0 N by itself where nothing calls Apply any more.
+class HapticDevice
+{
+public:
+  HapticDevice() = default;
+  HapticDevice(const HapticDevice&) = delete;
+  HapticDevice& operator=(const HapticDevice&) = delete;
+  /// Of an open one: the back end closes it.
+  virtual ~HapticDevice() = default;
+
+  /// Known before it is opened, and as it stands after.
+  virtual const DeviceCapabilities& Capabilities() const noexcept = 0;
+  virtual DeviceState State() const noexcept = 0;
+  /// What an Error is, in one sentence for the person at the device; empty without.
+  virtual std::string Problem() const = 0;
+
+  /// Takes it out of Closed. May take seconds; may end in Homing, which then ends while samples
+  /// are read.
+  virtual Status Open() = 0;
+  /// Gives 0 N first. Nothing where it is closed.
+  virtual void Close() noexcept = 0;
+
+  /// The newest sample; the same as before where there is no newer one. False where the device
+  /// failed. Never waits for longer than a fraction of its own period.
+  virtual bool Read(DeviceSample& sample) noexcept = 0;
+  /// The force (N, in the device's frame) from now until the next call. False where the device
+  /// failed.
+  virtual bool Apply(const Vector3& force) noexcept = 0;
+};
+} // namespace palpate

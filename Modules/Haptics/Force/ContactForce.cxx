@@ -1,0 +1,17 @@
+#include "ContactForce.h"
+
+#include <algorithm>
+
+namespace palpate
+{
+Vector3 ContactForce(const ContactLaw& law, const ContactOffset& contact) noexcept
+{
+  if (!contact.IsTouching)
+  {
+    return Vector3::Zero();
+  }
+  const Vector3 spring = law.Stiffness * contact.Offset;
+  const double damping = law.Damping * contact.Velocity.dot(contact.Normal);
+  return spring + std::max(damping, -spring.dot(contact.Normal)) * contact.Normal;
+}
+} // namespace palpate

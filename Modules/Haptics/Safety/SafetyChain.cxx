@@ -1,0 +1,114 @@
+#include "SafetyChain.h"
+
+namespace palpate
+{
+SafetyChain::SafetyChain(const SafetySettings& settings) noexcept
+    : Dog(settings.Limits), Ramp(settings.RampDuration), Energy(settings.LargestDamping),
+      Limit(settings.MaximumForce), Slew(settings.MaximumSlew)
+{
+}
+
+SafetyFault SafetyChain::FaultOf(const SafetyInput& input) noexcept
+{
+  const SafetyFault observed = this->Dog.Check(input.Observed);
+  return observed != SafetyFault::None ? observed : input.SceneFault;
+}
+
+double SafetyChain::PeriodBefore(const TickObservation& now) const noexcept
+{
+  return this->HasLast ? 1e-9 * static_cast<double>(now.Tick.Started - this->Last.Tick.Started)
+                       : 0.0;
+}
+
+void SafetyChain::AccountFor(const TickObservation& now) noexcept
+{
+  if (this->HasLast)
+  {
+    this->Energy.Account(this->AppliedContact,
+                         Vector3(now.Sample.Position) - Vector3(this->Last.Sample.Position));
+  }
+}
+
+Vector3 SafetyChain::Zero() noexcept
+{
+  this->HasLast = false;
+  this->AppliedContact.setZero();
+  this->Energy.Close();
+  this->Slew.Reset();
+  this->Ramp.Restart();
+  return Vector3::Zero();
+}
+
+void SafetyChain::Fail(SafetyFault fault) noexcept
+{
+  if (this->LastReport.Fault == SafetyFault::None)
+  {
+    this->LastReport = {};
+    this->LastReport.Fault = fault;
+  }
+}
+
+void SafetyChain::Rearm() noexcept
+{
+  this->LastReport = {};
+  this->Dog.Reset();
+  this->Guard.Reset();
+  this->Zero();
+}
+
+void SafetyChain::FadeIn() noexcept
+{
+  this->Ramp.Restart();
+}
+
+Vector3 SafetyChain::Apply(const SafetyInput& input) noexcept
+{
+  if (this->LastReport.Fault == SafetyFault::None)
+  {
+    this->Fail(this->FaultOf(input));
+  }
+  const bool isReady = input.Observed.State == DeviceState::Ready;
+  if (this->LastReport.Fault != SafetyFault::None || !isReady)
+  {
+    this->LastReport.IsArmed = false;
+    return this->Zero();
+  }
+  const Vector3 force = this->Shape(input);
+  if (this->Guard.HasTripped())
+  {
+    this->Fail(SafetyFault::NonFiniteForce);
+    return this->Zero();
+  }
+  this->Last = input.Observed;
+  this->HasLast = true;
+  return force;
+}
+
+Vector3 SafetyChain::Shape(const SafetyInput& input) noexcept
+{
+  const double period = this->PeriodBefore(input.Observed);
+  this->AccountFor(input.Observed);
+  const double factor = this->Ramp.Advance(period);
+  Vector3 contact = factor * this->Guard.Apply(input.ContactForce);
+  const Vector3 ambient = factor * this->Guard.Apply(input.AmbientForce);
+  if (!input.IsTouching && this->AppliedContact.isZero(0.0))
+  {
+    this->Energy.Close();
+  }
+  const Vector3 damping = this->Energy.Damping(contact, input.Velocity, period);
+  contact += damping;
+
+  const Vector3 limited = this->Limit.Apply(contact + ambient);
+  const Vector3 slewed = this->Slew.Apply(limited, period);
+  // The way from one allowed force to another stays allowed, but for roundings.
+  const bool isLimited = this->Limit.IsLimiting();
+  const Vector3 force = this->Limit.Apply(slewed);
+  // Exactly zero without contact, once nothing is left to slew.
+  this->AppliedContact = force - ambient;
+
+  this->LastReport = {SafetyFault::None,    true,      this->Ramp.IsRamping(),
+                      !damping.isZero(0.0), isLimited, this->Slew.IsSlewing(),
+                      this->Energy.Energy()};
+  return force;
+}
+} // namespace palpate

@@ -1,0 +1,61 @@
+#include "ContactForce.h"
+
+#include "SafetyCases.h"
+
+#include <gtest/gtest.h>
+
+namespace palpate
+{
+namespace
+{
+ContactOffset RandomContact(test::Random& random)
+{
+  std::uniform_real_distribution<double> depth(0.0, 3.0);
+  ContactOffset contact;
+  contact.IsTouching = true;
+  contact.Normal = test::RandomDirection(random);
+  const Vector3 along = contact.Normal.cross(test::RandomDirection(random));
+  contact.Offset = depth(random) * contact.Normal + 0.3 * along; // as with friction
+  contact.Velocity = 100.0 * test::RandomDirection(random);
+  return contact;
+}
+
+TEST(ContactForce, WithoutDampingIsTheSpringOfThePaper)
+{
+  test::Random random(61);
+  for (int n = 0; n < 1000; ++n)
+  {
+    const ContactOffset contact = RandomContact(random);
+    const Vector3 force = ContactForce({1.5, 0.0}, contact);
+    EXPECT_NEAR((force - 1.5 * contact.Offset).norm(), 0.0, 1e-14); // roundings of 5 N
+  }
+}
+
+TEST(ContactForce, NeverPullsInwards)
+{
+  test::Random random(62);
+  for (int n = 0; n < 10'000; ++n)
+  {
+    const ContactOffset contact = RandomContact(random);
+    EXPECT_GE(ContactForce({1.0, 0.1}, contact).dot(contact.Normal), -1e-13); // of 10 N
+  }
+}
+
+TEST(ContactForce, DampsAlongTheNormalOnly)
+{
+  ContactOffset contact;
+  contact.IsTouching = true;
+  contact.Offset = {0.0, 0.0, 2.0};
+  contact.Velocity = {50.0, 60.0, 10.0};
+  EXPECT_NEAR((ContactForce({1.0, 0.02}, contact) - Vector3(0.0, 0.0, 2.2)).norm(), 0.0, 1e-15);
+}
+
+TEST(ContactForce, IsZeroWithoutTouch)
+{
+  ContactOffset contact;
+  contact.Offset = Vector3::Ones();
+  contact.Velocity = Vector3::Ones();
+  EXPECT_EQ(ContactForce({1.0, 1.0}, contact), Vector3::Zero());
+}
+} // namespace
+} // namespace palpate

@@ -1,0 +1,50 @@
+#include "DeviceRegistry.h"
+
+#include "ManualClock.h"
+
+#include <gtest/gtest.h>
+
+namespace palpate
+{
+namespace
+{
+Status Refuse(Clock&, const std::string& argument, std::unique_ptr<HapticDevice>&)
+{
+  return Status::Failure("refused <" + argument + ">");
+}
+
+TEST(DeviceRegistry, HandsTheArgumentToTheFactoryOfTheName)
+{
+  DeviceRegistry registry;
+  ASSERT_TRUE(registry.Add("first", "", Refuse).IsOk());
+  ManualClock clock;
+  std::unique_ptr<HapticDevice> device;
+  EXPECT_EQ(registry.Make("first:a:b", clock, device).Message(), "refused <a:b>");
+  EXPECT_EQ(registry.Make("first", clock, device).Message(), "refused <>");
+}
+
+TEST(DeviceRegistry, NamesWhatThereIsWhereANameIsNotKnown)
+{
+  DeviceRegistry registry;
+  ASSERT_TRUE(registry.Add("first", "one", Refuse).IsOk());
+  ASSERT_TRUE(registry.Add("second", "two", Refuse).IsOk());
+  EXPECT_EQ(registry.Names(), (std::vector<std::string>{"first", "second"}));
+  EXPECT_EQ(registry.Description("second"), "two");
+  EXPECT_EQ(registry.Description("third"), "");
+  ManualClock clock;
+  std::unique_ptr<HapticDevice> device;
+  EXPECT_EQ(registry.Make("third", clock, device).Message(),
+            "There is no kind of device named third; known are: first, second.");
+}
+
+TEST(DeviceRegistry, RefusesWhatItCouldNotFindAgain)
+{
+  DeviceRegistry registry;
+  ASSERT_TRUE(registry.Add("first", "", Refuse).IsOk());
+  EXPECT_FALSE(registry.Add("first", "", Refuse).IsOk());
+  EXPECT_FALSE(registry.Add("", "", Refuse).IsOk());
+  EXPECT_FALSE(registry.Add("a:b", "", Refuse).IsOk());
+  EXPECT_FALSE(registry.Add("second", "", nullptr).IsOk());
+}
+} // namespace
+} // namespace palpate

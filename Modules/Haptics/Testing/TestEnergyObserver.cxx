@@ -1,0 +1,81 @@
+#include "EnergyObserver.h"
+
+#include "SafetyCases.h"
+
+#include <gtest/gtest.h>
+
+namespace palpate
+{
+namespace
+{
+TEST(EnergyObserver, ASpringThatComesBackHasGivenOutWhatItTookIn)
+{
+  EnergyObserver observer(0.02);
+  // Held forces of a spring of 1 N/mm lag behind: in by 2 mm, and out again, in steps of 0.5 mm.
+  const double ways[] = {0.5, 0.5, 0.5, 0.5, -0.5, -0.5, -0.5, -0.5};
+  double depth = 0.0;
+  for (const double way : ways)
+  {
+    observer.Account({-depth, 0.0, 0.0}, {way, 0.0, 0.0});
+    depth += way;
+  }
+  // Worked out by hand: in 0.5 (0 + 0.5 + 1 + 1.5), out 0.5 (2 + 1.5 + 1 + 0.5).
+  EXPECT_DOUBLE_EQ(observer.Energy(), 1.5 - 2.5);
+}
+
+TEST(EnergyObserver, DampingTakesUpInOnePeriodWhatWasGivenOut)
+{
+  EnergyObserver observer(1.0);
+  observer.Account({1.0, 0.0, 0.0}, {0.1, 0.0, 0.0});
+  ASSERT_LT(observer.Energy(), 0.0);
+  const Vector3 velocity(100.0, 20.0, 0.0);
+  const Vector3 damping = observer.Damping({10.0, 0.0, 0.0}, velocity, 0.001);
+  observer.Account(damping, 0.001 * velocity);
+  EXPECT_NEAR(observer.Energy(), 0.0, 1e-15); // roundings of 0.1 N mm
+}
+
+TEST(EnergyObserver, AContactThatTookInEnergyIsNotDamped)
+{
+  EnergyObserver observer(1.0);
+  observer.Account({-1.0, 0.0, 0.0}, {0.1, 0.0, 0.0});
+  EXPECT_EQ(observer.Damping({1.0, 0.0, 0.0}, {100.0, 0.0, 0.0}, 0.001), Vector3::Zero());
+}
+
+TEST(EnergyObserver, DampingNeverPullsAndNeverExceedsItsLimit)
+{
+  test::Random random(33);
+  for (int n = 0; n < 10'000; ++n)
+  {
+    EnergyObserver observer(0.02);
+    observer.Account(test::VectorOfAnyLength(random), test::VectorOfAnyLength(random));
+    const Vector3 contact = test::VectorOfAnyLength(random);
+    const Vector3 velocity = test::VectorOfAnyLength(random);
+    const Vector3 damping = observer.Damping(contact, velocity, 0.001);
+    // Roundings of products of these sizes.
+    const double rounding = 1e-14 * (contact.norm() + damping.norm());
+    ASSERT_GE((contact + damping).dot(contact.normalized()), -rounding);
+    ASSERT_LE(damping.norm(), 0.02 * velocity.norm() + rounding);
+    ASSERT_LE(damping.dot(velocity), 0.02 * rounding * velocity.norm());
+  }
+}
+
+TEST(EnergyObserver, WhatIsNoNumberSpoilsNothing)
+{
+  test::Random random(34);
+  EnergyObserver observer(0.02);
+  for (int n = 0; n < 10'000; ++n)
+  {
+    observer.Account(test::HostileVector(random), test::HostileVector(random));
+    ASSERT_FALSE(std::isnan(observer.Energy()));
+  }
+}
+
+TEST(EnergyObserver, ClosesItsBooks)
+{
+  EnergyObserver observer(0.02);
+  observer.Account(Vector3::UnitX(), Vector3::UnitX());
+  observer.Close();
+  EXPECT_EQ(observer.Energy(), 0.0);
+}
+} // namespace
+} // namespace palpate

@@ -1,0 +1,113 @@
+#include "Watchdog.h"
+
+#include "SafetyCases.h"
+
+#include <gtest/gtest.h>
+
+namespace palpate
+{
+namespace
+{
+// A watchdog that has seen healthy ticks 0 to 9, and tick 10 to be spoilt.
+struct Watched
+{
+  Watched()
+  {
+    for (std::uint64_t n = 0; n < 10; ++n)
+    {
+      EXPECT_EQ(this->Dog.Check(test::HealthyTick(n)), SafetyFault::None);
+    }
+  }
+  Watchdog Dog{WatchdogLimits()};
+  TickObservation Next = test::HealthyTick(10);
+};
+
+TEST(Watchdog, ADeviceThatFailsOrLeavesReadyIsAFaultAtOnce)
+{
+  for (const DeviceState state : {DeviceState::Error, DeviceState::Closed, DeviceState::Homing})
+  {
+    Watched watched;
+    watched.Next.State = state;
+    EXPECT_EQ(watched.Dog.Check(watched.Next), SafetyFault::DeviceFailed);
+  }
+  Watched watched;
+  watched.Next.HasSample = false;
+  EXPECT_EQ(watched.Dog.Check(watched.Next), SafetyFault::DeviceFailed);
+}
+
+TEST(Watchdog, ADeviceThatIsNotYetReadyIsNoFault)
+{
+  Watchdog dog{WatchdogLimits()};
+  TickObservation tick = test::HealthyTick(0, {test::NotANumber, 0.0, 0.0});
+  for (const DeviceState state : {DeviceState::Closed, DeviceState::Opening, DeviceState::Homing})
+  {
+    tick.State = state;
+    EXPECT_EQ(dog.Check(tick), SafetyFault::None);
+  }
+}
+
+TEST(Watchdog, TheJumpOfHomingIsNoMotion)
+{
+  Watchdog dog{WatchdogLimits()};
+  TickObservation homing = test::HealthyTick(0, {500.0, 0.0, 0.0});
+  homing.State = DeviceState::Homing;
+  EXPECT_EQ(dog.Check(homing), SafetyFault::None);
+  EXPECT_EQ(dog.Check(test::HealthyTick(1)), SafetyFault::None);
+}
+
+TEST(Watchdog, ATickThatComesTooLateIsAFault)
+{
+  Watched watched;
+  watched.Next.Tick.Started += 9'500'000;
+  watched.Next.Sample.Time = watched.Next.Tick.Started;
+  EXPECT_EQ(watched.Dog.Check(watched.Next), SafetyFault::StalledTick);
+}
+
+TEST(Watchdog, TheSecondTickWithoutANewSampleIsAFault)
+{
+  Watched watched;
+  watched.Next.Sample.Sequence = 10;
+  EXPECT_EQ(watched.Dog.Check(watched.Next), SafetyFault::None);
+  TickObservation second = test::HealthyTick(11);
+  second.Sample.Sequence = 10;
+  EXPECT_EQ(watched.Dog.Check(second), SafetyFault::StaleSample);
+}
+
+TEST(Watchdog, AnOldSampleIsAFaultThoughItIsANewOne)
+{
+  Watched watched;
+  watched.Next.Sample.Time -= 10'000'001;
+  EXPECT_EQ(watched.Dog.Check(watched.Next), SafetyFault::StaleSample);
+}
+
+TEST(Watchdog, MotionFasterThanAHandIsAFault)
+{
+  Watched slow;
+  slow.Next.Sample.Position = Vector3(4.99, 0.0, 0.0);
+  EXPECT_EQ(slow.Dog.Check(slow.Next), SafetyFault::None);
+  Watched fast;
+  fast.Next.Sample.Position = Vector3(5.01, 0.0, 0.0);
+  EXPECT_EQ(fast.Dog.Check(fast.Next), SafetyFault::ImplausibleMotion);
+}
+
+TEST(Watchdog, AnyNumberOfASampleThatIsNoneIsAFault)
+{
+  for (const double bad : {test::NotANumber, test::Infinite})
+  {
+    Watched position;
+    position.Next.Sample.Position.Z = bad;
+    EXPECT_EQ(position.Dog.Check(position.Next), SafetyFault::NonFinitePosition);
+    Watched orientation;
+    orientation.Next.Sample.Orientation[2] = bad;
+    EXPECT_EQ(orientation.Dog.Check(orientation.Next), SafetyFault::NonFinitePosition);
+  }
+}
+
+TEST(Watchdog, AfterAResetTheNextTickIsAFirstOne)
+{
+  Watched watched;
+  watched.Dog.Reset();
+  EXPECT_EQ(watched.Dog.Check(test::HealthyTick(5000, {90.0, 0.0, 0.0})), SafetyFault::None);
+}
+} // namespace
+} // namespace palpate

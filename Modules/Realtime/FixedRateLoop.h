@@ -1,0 +1,43 @@
+#pragma once
+
+#include "Clock.h"
+#include "LoopSchedule.h"
+
+#include <atomic>
+
+namespace palpate
+{
+/// Calls something once a period, by LoopSchedule's rules, until it or somebody else says stop.
+class FixedRateLoop
+{
+public:
+  /// Keeps the address of the clock, which must outlive it; `period` > 0 (ns).
+  FixedRateLoop(Clock& clock, std::int64_t period) noexcept : Time(clock), Period(period) {}
+
+  /// Calls `tick(const TickInfo&)`, which must not throw, until it returns false or Stop was called
+  /// (before Run counts too). Only one Run at a time.
+  template <typename Tick>
+  void Run(Tick&& tick)
+  {
+    LoopSchedule schedule(this->Time.Now(), this->Period);
+    while (!this->IsStopped())
+    {
+      this->Time.WaitUntil(schedule.Deadline());
+      if (this->IsStopped() || !tick(schedule.Begin(this->Time.Now())))
+      {
+        return;
+      }
+    }
+  }
+
+  /// The tick that is running is the last one. From any thread.
+  void Stop() noexcept { this->StopWanted.store(true, std::memory_order_release); }
+
+private:
+  bool IsStopped() const noexcept { return this->StopWanted.load(std::memory_order_acquire); }
+
+  Clock& Time;
+  std::int64_t Period;
+  std::atomic<bool> StopWanted{false};
+};
+} // namespace palpate

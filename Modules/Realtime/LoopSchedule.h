@@ -1,0 +1,36 @@
+#pragma once
+
+#include <cstdint>
+
+namespace palpate
+{
+/// What one tick of a loop is told about its own time; ns of the loop's clock.
+struct TickInfo
+{
+  std::uint64_t Number = 0;         ///< counts the ticks that ran, from 0
+  std::int64_t Scheduled = 0;       ///< when it should have started
+  std::int64_t Started = 0;         ///< when it did
+  std::uint64_t SkippedPeriods = 0; ///< deadlines between the last tick and this one without a tick
+  bool IsLate = false;              ///< started more than a tenth of a period after its deadline
+};
+
+/// The deadlines of a loop at a fixed rate: multiples of the period after its start, whatever ticks
+/// really take. A tick whose deadline has just passed runs at once; deadlines that a whole period
+/// or more has passed since are skipped, so that a loop that was held up does not hurry after them.
+class LoopSchedule
+{
+public:
+  /// The first tick is due at `start`; `period` > 0. ns.
+  LoopSchedule(std::int64_t start, std::int64_t period) noexcept;
+
+  /// When the next tick is due.
+  std::int64_t Deadline() const noexcept { return this->Next; }
+  /// The tick that starts at `now`, which is not before the deadline.
+  TickInfo Begin(std::int64_t now) noexcept;
+
+private:
+  std::int64_t Period;
+  std::int64_t Next;
+  std::uint64_t Ticks = 0;
+};
+} // namespace palpate

@@ -1,0 +1,94 @@
+#include "RealtimeThread.h"
+
+#include <future>
+#include <system_error>
+#include <utility>
+
+#include <cerrno>
+#include <pthread.h>
+#include <sys/mman.h>
+
+namespace palpate
+{
+namespace
+{
+std::string Reason(int error)
+{
+  return std::generic_category().message(error);
+}
+
+void AskForPriority(int priority, RealtimeGrant& grant)
+{
+  sched_param parameters{};
+  parameters.sched_priority = priority;
+  const int error = pthread_setschedparam(pthread_self(), SCHED_FIFO, &parameters);
+  grant.HasPriority = error == 0;
+  if (error != 0)
+  {
+    grant.Advice += "Real-time priority " + std::to_string(priority) + " was refused (" +
+                    Reason(error) +
+                    "): forces may be late when the machine is busy; allow it by 'rtprio' in "
+                    "/etc/security/limits.d. ";
+  }
+}
+
+void AskForLockedMemory(RealtimeGrant& grant)
+{
+  // Not what comes later: under a limit, that would make ordinary allocations fail.
+  grant.HasLockedMemory = mlockall(MCL_CURRENT) == 0;
+  if (!grant.HasLockedMemory)
+  {
+    grant.Advice += "Locking the memory was refused (" + Reason(errno) +
+                    "): forces may be late when memory is short; allow it by 'memlock' in "
+                    "/etc/security/limits.d. ";
+  }
+}
+
+RealtimeGrant AskFor(const RealtimeRequest& request)
+{
+  RealtimeGrant grant;
+  if (request.Priority != 0)
+  {
+    AskForPriority(request.Priority, grant);
+  }
+  if (request.LocksMemory)
+  {
+    AskForLockedMemory(grant);
+  }
+  return grant;
+}
+} // namespace
+
+Status RealtimeThread::Start(const RealtimeRequest& request, std::function<void()> body)
+{
+  if (this->Thread.joinable())
+  {
+    return Status::Failure("A real-time thread was to be started that is running already.");
+  }
+  std::promise<RealtimeGrant> granted;
+  std::future<RealtimeGrant> grant = granted.get_future();
+  try
+  {
+    this->Thread = std::thread(
+        [request, work = std::move(body), answer = std::move(granted)]() mutable
+        {
+          answer.set_value(AskFor(request));
+          work();
+        });
+  }
+  catch (const std::system_error& error)
+  {
+    return Status::Failure("The system gives no thread (" + std::string(error.what()) + ").");
+  }
+  this->Given = grant.get();
+  return Status::Success();
+}
+
+void RealtimeThread::Join()
+{
+  if (this->Thread.joinable())
+  {
+    this->Thread.join();
+  }
+}
+} // namespace palpate

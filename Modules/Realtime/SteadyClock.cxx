@@ -1,0 +1,36 @@
+#include "SteadyClock.h"
+
+#include <cerrno>
+#include <ctime>
+
+namespace palpate
+{
+namespace
+{
+constexpr std::int64_t Second = 1'000'000'000; // ns
+}
+
+std::int64_t SteadyClock::Now() const noexcept
+{
+  timespec now{};
+  clock_gettime(CLOCK_MONOTONIC, &now);
+  return std::int64_t{now.tv_sec} * Second + now.tv_nsec;
+}
+
+void SteadyClock::WaitUntil(std::int64_t time) noexcept
+{
+  const std::int64_t wake = time - this->Spin;
+  if (wake > this->Now())
+  {
+    timespec until{};
+    until.tv_sec = static_cast<time_t>(wake / Second);
+    until.tv_nsec = static_cast<long>(wake % Second);
+    while (clock_nanosleep(CLOCK_MONOTONIC, TIMER_ABSTIME, &until, nullptr) == EINTR)
+    {
+    }
+  }
+  while (this->Now() < time)
+  {
+  }
+}
+} // namespace palpate

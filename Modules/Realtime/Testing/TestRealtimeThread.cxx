@@ -1,0 +1,103 @@
+#include "RealtimeThread.h"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+
+#include <pthread.h>
+
+namespace palpate
+{
+namespace
+{
+TEST(RealtimeThread, SaysTruthfullyWhetherThePriorityWasGranted)
+{
+  int policy = -1;
+  sched_param parameters{};
+  RealtimeThread thread;
+  RealtimeRequest request;
+  request.Priority = 1;
+  const Status status =
+      thread.Start(request, [&] { pthread_getschedparam(pthread_self(), &policy, &parameters); });
+  ASSERT_TRUE(status.IsOk()) << status.Message();
+  thread.Join();
+  EXPECT_EQ(thread.Grant().HasPriority, policy == SCHED_FIFO && parameters.sched_priority == 1);
+  EXPECT_EQ(thread.Grant().HasPriority, thread.Grant().Advice.empty());
+}
+
+TEST(RealtimeThread, RunsWithoutAPriorityThatDoesNotExistAndSaysWhy)
+{
+  std::atomic<bool> hasRun{false};
+  RealtimeThread thread;
+  RealtimeRequest request;
+  request.Priority = 1000;
+  ASSERT_TRUE(thread.Start(request, [&] { hasRun = true; }).IsOk());
+  thread.Join();
+  EXPECT_TRUE(hasRun);
+  EXPECT_FALSE(thread.Grant().HasPriority);
+  EXPECT_NE(thread.Grant().Advice.find("1000 was refused"), std::string::npos);
+}
+
+TEST(RealtimeThread, AsksForNothingThatIsNotWanted)
+{
+  RealtimeThread thread;
+  RealtimeRequest request;
+  request.Priority = 0;
+  ASSERT_TRUE(thread.Start(request, [] {}).IsOk());
+  EXPECT_FALSE(thread.Grant().HasPriority);
+  EXPECT_FALSE(thread.Grant().HasLockedMemory);
+  EXPECT_TRUE(thread.Grant().Advice.empty());
+}
+
+TEST(RealtimeThread, LockedMemoryIsGrantedOrExplained)
+{
+  RealtimeThread thread;
+  RealtimeRequest request;
+  request.Priority = 0;
+  request.LocksMemory = true;
+  ASSERT_TRUE(thread.Start(request, [] {}).IsOk());
+  EXPECT_EQ(thread.Grant().HasLockedMemory, thread.Grant().Advice.empty());
+}
+
+TEST(RealtimeThread, OneThatRunsIsNotStartedAgainUntilItWasJoined)
+{
+  std::atomic<bool> isStopped{false};
+  RealtimeThread thread;
+  const RealtimeRequest request;
+  ASSERT_TRUE(thread
+                  .Start(request,
+                         [&]
+                         {
+                           while (!isStopped)
+                           {
+                             std::this_thread::yield();
+                           }
+                         })
+                  .IsOk());
+  EXPECT_FALSE(thread.Start(request, [] {}).IsOk());
+  isStopped = true;
+  thread.Join();
+  EXPECT_TRUE(thread.Start(request, [] {}).IsOk());
+}
+
+TEST(RealtimeThread, ItsEndWaitsForTheBody)
+{
+  std::atomic<int> steps{0};
+  {
+    RealtimeThread thread;
+    ASSERT_TRUE(thread
+                    .Start({},
+                           [&]
+                           {
+                             for (int i = 0; i < 100; ++i)
+                             {
+                               std::this_thread::yield();
+                               ++steps;
+                             }
+                           })
+                    .IsOk());
+  }
+  EXPECT_EQ(steps, 100);
+}
+} // namespace
+} // namespace palpate

@@ -1,0 +1,71 @@
+#include "RingBuffer.h"
+
+#include <gtest/gtest.h>
+
+#include <thread>
+
+namespace palpate
+{
+namespace
+{
+TEST(RingBuffer, KeepsOrderAndCountsWhatItDropped)
+{
+  RingBuffer<int> buffer(3);
+  int value = 0;
+  EXPECT_FALSE(buffer.Pop(value));
+  for (int round = 0; round < 5; ++round)
+  {
+    for (int i = 0; i < 5; ++i)
+    {
+      EXPECT_EQ(buffer.Push(i), i < 3);
+    }
+    for (int i = 0; i < 3; ++i)
+    {
+      ASSERT_TRUE(buffer.Pop(value));
+      EXPECT_EQ(value, i);
+    }
+    EXPECT_FALSE(buffer.Pop(value));
+  }
+  EXPECT_EQ(buffer.Dropped(), 10u);
+}
+
+TEST(RingBuffer, HoldsAtLeastOne)
+{
+  RingBuffer<int> buffer(0);
+  EXPECT_EQ(buffer.Capacity(), 1u);
+  EXPECT_TRUE(buffer.Push(1));
+}
+
+TEST(RingBuffer, EveryValueArrivesOnceOrIsCountedAsDropped)
+{
+  constexpr int count = 100'000;
+  RingBuffer<int> buffer(64);
+  std::atomic<bool> isDone{false};
+  std::thread writer(
+      [&]
+      {
+        for (int i = 0; i < count; ++i)
+        {
+          buffer.Push(i);
+        }
+        isDone.store(true, std::memory_order_release);
+      });
+  int received = 0;
+  int last = -1;
+  bool isOrdered = true;
+  for (bool wasDone = false; !wasDone;)
+  {
+    // Asked first: what was written before the end is then popped below.
+    wasDone = isDone.load(std::memory_order_acquire);
+    for (int value = 0; buffer.Pop(value); ++received)
+    {
+      isOrdered = isOrdered && value > last;
+      last = value;
+    }
+  }
+  writer.join();
+  EXPECT_TRUE(isOrdered);
+  EXPECT_EQ(static_cast<std::uint64_t>(received) + buffer.Dropped(), std::uint64_t{count});
+}
+} // namespace
+} // namespace palpate
