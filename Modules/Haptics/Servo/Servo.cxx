@@ -1,0 +1,172 @@
+#include "Servo.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace palpate
+{
+namespace
+{
+SafetySettings SafetyOf(const DeviceCapabilities& device, const ServoSettings& settings)
+{
+  SafetySettings safety;
+  safety.MaximumForce = device.MaximumForce;
+  safety.LargestDamping = device.MaximumDamping;
+  safety.RampDuration = settings.RampDuration;
+  safety.MaximumSlew = settings.MaximumSlew;
+  // A device that is slower than the servo repeats its samples, and one that is as fast may now
+  // and then.
+  const double repeats = device.Rate > 0.0 ? std::ceil(settings.Rate / device.Rate) : 1.0;
+  safety.Limits.StaleTicks = 1 + static_cast<int>(std::clamp(repeats, 1.0, 1000.0));
+  return safety;
+}
+} // namespace
+
+Servo::Servo(HapticDevice& device, const ServoSettings& settings)
+    : Device(device), Settings(settings), Safety(SafetyOf(device.Capabilities(), settings)),
+      Recorded(settings.RecordedTicks), HandVelocity(settings.VelocityTimeConstant)
+{
+}
+
+Status Servo::Publish(std::shared_ptr<const TouchScene> scene)
+{
+  std::unique_ptr<ServoScene> next;
+  Status status = ServoScene::Make(std::move(scene), this->Settings.VelocityTimeConstant, next);
+  if (status.IsOk())
+  {
+    this->Scenes.Publish(std::move(next));
+  }
+  return status;
+}
+
+void Servo::Tick(const TickInfo& tick) noexcept
+{
+  const bool isRearmed = this->TakeOver();
+  const TickObservation now = this->Observe(tick);
+  if (now.State == DeviceState::Ready && now.HasSample)
+  {
+    this->Feel(now);
+  }
+  const Vector3 force = this->Safety.Apply(this->InputOf(now));
+  this->Send(force);
+  this->Tell(now, force, isRearmed);
+}
+
+// What other threads wanted since the last tick.
+bool Servo::TakeOver() noexcept
+{
+  const bool isRearmed = this->RearmWanted.exchange(false, std::memory_order_acq_rel);
+  if (isRearmed)
+  {
+    this->Safety.Rearm();
+    this->ForgetMotion();
+  }
+  if (this->Scenes.Refresh())
+  {
+    ++this->SceneCount;
+    this->Safety.FadeIn();
+    this->ForgetMotion();
+  }
+  return isRearmed;
+}
+
+void Servo::ForgetMotion() noexcept
+{
+  this->HasFelt = false;
+  this->HandVelocity.Reset();
+  if (this->Scenes.Current() != nullptr)
+  {
+    this->Scenes.Current()->Leave();
+  }
+}
+
+TickObservation Servo::Observe(const TickInfo& tick) noexcept
+{
+  TickObservation now;
+  now.Tick = tick;
+  now.HasSample = this->Device.Read(now.Sample);
+  now.State = this->Device.State();
+  return now;
+}
+
+FollowStep Servo::StepTo(const ToolPose& pose, double passed) noexcept
+{
+  FollowStep step;
+  step.Now = pose;
+  step.Last = this->HasFelt ? this->LastAsked : pose;
+  step.Passed = passed;
+  const int interval = std::max(this->Settings.ModelInterval, 1);
+  this->TicksSinceModel = this->HasFelt ? this->TicksSinceModel + 1 : interval;
+  step.AsksModel = this->TicksSinceModel >= interval;
+  step.ModelPeriod = interval > 1 ? interval / this->Settings.Rate : 0.0;
+  if (step.AsksModel)
+  {
+    this->TicksSinceModel = 0;
+    this->LastAsked = pose;
+  }
+  return step;
+}
+
+void Servo::Feel(const TickObservation& now) noexcept
+{
+  ServoScene* const scene = this->Scenes.Current();
+  const bool isNew = !this->HasFelt || now.Sample.Sequence != this->LastFelt.Sequence;
+  // What is no number the watchdog will see; no model is asked about it.
+  if (scene == nullptr || !isNew || !Vector3(now.Sample.Position).allFinite())
+  {
+    return;
+  }
+  const double passed =
+      this->HasFelt ? 1e-9 * static_cast<double>(now.Sample.Time - this->LastFelt.Time) : 0.0;
+  const Vector3& velocity = this->HandVelocity.Update(now.Sample.Position, passed);
+  this->Current.Pose = scene->Scene().Frame.PoseWorld(now.Sample);
+  this->Current.Felt = scene->Follow(this->StepTo(this->Current.Pose, passed));
+  const AmbientForce& ambient = scene->Scene().Ambient;
+  this->Current.AmbientForce = ambient.Constant - ambient.Viscosity * velocity;
+  this->LastFelt = now.Sample;
+  this->HasFelt = true;
+}
+
+SafetyInput Servo::InputOf(const TickObservation& now) const noexcept
+{
+  SafetyInput input;
+  input.Observed = now;
+  input.SceneFault = this->Current.Felt.IsValid ? SafetyFault::None : SafetyFault::InvalidContact;
+  input.IsTouching = this->Current.Felt.Structure >= 0;
+  input.ContactForce = this->Current.Felt.Force;
+  input.AmbientForce = this->Current.AmbientForce;
+  input.Velocity = this->HandVelocity.Velocity();
+  return input;
+}
+
+void Servo::Send(const Vector3& force) noexcept
+{
+  const bool isTaken = this->Device.Apply(force);
+  if (!isTaken && this->Device.State() == DeviceState::Ready)
+  {
+    this->Safety.Fail(SafetyFault::DeviceFailed);
+  }
+}
+
+void Servo::Tell(const TickObservation& now, const Vector3& force, bool wasRearmed) noexcept
+{
+  TouchState state;
+  state.Tick = now.Tick;
+  state.State = now.State;
+  state.HasSample = now.HasSample;
+  state.Sample = now.Sample;
+  state.ProbeWorld = this->Current.Pose.PositionWorld;
+  state.ProxyWorld = this->Current.Felt.Deepest.ProxyWorld;
+  state.ForceDevice = force;
+  ServoScene* const scene = this->Scenes.Current();
+  state.ForceWorld = scene != nullptr ? scene->Scene().Frame.TurnedToWorld(force) : force;
+  state.Structure = this->Current.Felt.Structure;
+  state.Depth = this->Current.Felt.Deepest.Depth;
+  state.Scene = this->SceneCount;
+  state.WasRearmed = wasRearmed;
+  state.Safety = this->Safety.Report();
+  this->Newest.Publish(state);
+  this->Recorded.Push(state);
+}
+} // namespace palpate

@@ -1,0 +1,94 @@
+#pragma once
+
+#include "HapticDevice.h"
+#include "LatestValue.h"
+#include "RingBuffer.h"
+#include "SafetyChain.h"
+#include "ServoScene.h"
+#include "SnapshotSlot.h"
+#include "TouchState.h"
+#include "VelocityEstimate.h"
+
+#include <atomic>
+#include <memory>
+
+namespace palpate
+{
+struct ServoSettings
+{
+  double Rate = 1000.0;                ///< Hz, of ticks
+  int ModelInterval = 1;               ///< ticks from one question to the models to the next
+  double VelocityTimeConstant = 0.003; ///< s
+  double RampDuration = 0.3;           ///< s
+  double MaximumSlew = 2000.0;         ///< N/s
+  /// Ticks kept for a recording until somebody fetches them; 0 keeps one.
+  std::size_t RecordedTicks = 4096;
+};
+
+/// The way from a device's position to its force, one tick at a time: read, map to the world,
+/// follow every structure in reach, add the forces, pass the safety chain, apply, publish. What a
+/// tick does depends on its TickInfo, the device's samples and the scene alone, so that a recorded
+/// session gives the same forces to the last bit.
+///
+/// Publish, Reclaim: one publishing thread. Tick: the servo thread. Latest: one reading thread.
+/// PopRecorded: one recording thread. Rearm: any.
+class Servo
+{
+public:
+  /// Keeps the address of the device, which must outlive it and whose capabilities it takes as
+  /// they are now: open it before.
+  Servo(HapticDevice& device, const ServoSettings& settings);
+
+  /// Makes what the servo needs to feel `scene`, which it then takes over in its next tick, fading
+  /// in. Refuses a scene that cannot be felt; the one before stays.
+  Status Publish(std::shared_ptr<const TouchScene> scene);
+  /// Destroys scenes that the servo has done with; Publish does it too.
+  void Reclaim() noexcept { this->Scenes.Reclaim(); }
+
+  /// Switches forces on again after a fault, from the next tick on.
+  void Rearm() noexcept { this->RearmWanted.store(true, std::memory_order_release); }
+
+  void Tick(const TickInfo& tick) noexcept;
+
+  const TouchState& Latest() noexcept { return this->Newest.Latest(); }
+  /// The oldest tick that was not fetched yet; false where there is none.
+  bool PopRecorded(TouchState& state) noexcept { return this->Recorded.Pop(state); }
+  /// Ticks that were lost since nobody fetched them in time.
+  std::uint64_t LostTicks() const noexcept { return this->Recorded.Dropped(); }
+
+private:
+  // What the models said to the newest sample.
+  struct Answer
+  {
+    ServoScene::Feeling Felt;
+    Vector3 AmbientForce = Vector3::Zero(); // N, device's frame
+    ToolPose Pose;
+  };
+
+  bool TakeOver() noexcept;
+  TickObservation Observe(const TickInfo& tick) noexcept;
+  void Feel(const TickObservation& now) noexcept;
+  FollowStep StepTo(const ToolPose& pose, double passed) noexcept;
+  void ForgetMotion() noexcept;
+  SafetyInput InputOf(const TickObservation& now) const noexcept;
+  void Send(const Vector3& force) noexcept;
+  void Tell(const TickObservation& now, const Vector3& force, bool wasRearmed) noexcept;
+
+  HapticDevice& Device;
+  ServoSettings Settings;
+  SafetyChain Safety;
+  SnapshotSlot<ServoScene> Scenes;
+  std::atomic<bool> RearmWanted{false};
+  LatestValue<TouchState> Newest;
+  RingBuffer<TouchState> Recorded;
+
+  // The servo thread's own.
+  std::uint64_t SceneCount = 0;
+  VelocityEstimate HandVelocity; // mm/s, device's frame
+  Answer Current;
+  ToolPose LastAsked; // at the last question to the models
+  DeviceSample LastFelt;
+  bool HasFelt = false;
+  int TicksSinceModel = 0;
+};
+} // namespace palpate

@@ -1,0 +1,67 @@
+#include "StiffnessAdvice.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <limits>
+
+namespace palpate
+{
+namespace
+{
+std::string Rounded(double number)
+{
+  char text[32];
+  std::snprintf(text, sizeof(text), "%.3g", number);
+  return text;
+}
+
+void Lower(StableStiffness& stable, double bound, const char* reason) noexcept
+{
+  if (bound < stable.Largest)
+  {
+    stable = {bound, reason};
+  }
+}
+} // namespace
+
+StableStiffness StiffestStable(const DeviceCapabilities& device, double rate,
+                               double damping) noexcept
+{
+  StableStiffness stable{std::numeric_limits<double>::infinity(), ""};
+  if (device.Damping > 0.0 && rate > 0.0)
+  {
+    const double lag = 0.5 / rate + device.Delay;
+    Lower(stable, std::max(0.0, device.Damping - damping) / lag,
+          "its own damping cannot take up more of what sampling gives out");
+  }
+  if (device.Friction > 0.0 && device.Resolution > 0.0)
+  {
+    Lower(stable, 2.0 * device.Friction / device.Resolution,
+          "its encoder counts would be felt as buzzing");
+  }
+  if (device.MaximumStiffness > 0.0)
+  {
+    Lower(stable, device.MaximumStiffness, "more is not known to be stable");
+  }
+  return stable;
+}
+
+std::vector<std::string> StiffnessWarnings(const TouchScene& scene,
+                                           const DeviceCapabilities& device, double rate)
+{
+  std::vector<std::string> warnings;
+  for (const TouchStructure& structure : scene.Structures)
+  {
+    const StableStiffness stable = StiffestStable(device, rate, structure.Law.Damping);
+    if (structure.Law.Stiffness > stable.Largest)
+    {
+      warnings.push_back("The structure " + structure.Name + " asks for " +
+                         Rounded(structure.Law.Stiffness) + " N/mm; the device " + device.Name +
+                         " at " + Rounded(rate) + " Hz is stable up to " + Rounded(stable.Largest) +
+                         " N/mm, since " + stable.Reason +
+                         ": lower its stiffness or its damping, or it may vibrate.");
+    }
+  }
+  return warnings;
+}
+} // namespace palpate

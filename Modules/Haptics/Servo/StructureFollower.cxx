@@ -1,0 +1,132 @@
+#include "StructureFollower.h"
+
+#include <utility>
+
+namespace palpate
+{
+namespace
+{
+// No tool is this far (mm) from where it should be, but for a failed computation.
+constexpr double LargestDepth = 1e4;
+
+// A contact that a force may be made of; every comparison fails for NaN.
+bool IsSound(const Contact& contact, const Vector3& probeWorld) noexcept
+{
+  if (!contact.IsValid)
+  {
+    return false;
+  }
+  const double normal = contact.NormalWorld.squaredNorm();
+  return !contact.IsTouching || ((contact.ProxyWorld - probeWorld).norm() <= LargestDepth &&
+                                 normal >= 0.99 && normal <= 1.01);
+}
+
+Contact Untouched(const Vector3& probeWorld) noexcept
+{
+  Contact contact;
+  contact.ProxyWorld = probeWorld;
+  contact.IsValid = true;
+  return contact;
+}
+} // namespace
+
+StructureFollower::StructureFollower(const TouchStructure& structure, const TouchScene& scene,
+                                     double velocityTimeConstant,
+                                     std::unique_ptr<ContactTracker> tracker)
+    : Tracker(std::move(tracker)), ReachWorld(structure.Model->BoundsWorld()), Frame(scene.Frame),
+      Law(structure.Law), OffsetVelocity(velocityTimeConstant)
+{
+  const Vector3 reach = Vector3::Constant(scene.Tool.BoundingRadius());
+  this->ReachWorld.min() -= reach;
+  this->ReachWorld.max() += reach;
+}
+
+Status StructureFollower::Make(const TouchStructure& structure, const TouchScene& scene,
+                               double velocityTimeConstant,
+                               std::vector<StructureFollower>& followers)
+{
+  std::unique_ptr<ContactTracker> tracker;
+  const Status status = structure.Model->MakeTracker(scene.Tool, structure.Friction, tracker);
+  if (!status.IsOk())
+  {
+    return Status::Failure("The structure " + structure.Name +
+                           " cannot be touched: " + status.Message());
+  }
+  followers.push_back(
+      StructureFollower(structure, scene, velocityTimeConstant, std::move(tracker)));
+  return Status::Success();
+}
+
+bool StructureFollower::IsInReach(const FollowStep& step) const noexcept
+{
+  const Eigen::AlignedBox3d way(step.Last.PositionWorld.cwiseMin(step.Now.PositionWorld),
+                                step.Last.PositionWorld.cwiseMax(step.Now.PositionWorld));
+  return way.intersects(this->ReachWorld);
+}
+
+void StructureFollower::Leave() noexcept
+{
+  this->IsFollowing = false;
+  this->OffsetVelocity.Reset();
+  this->Interpolation.Reset();
+}
+
+// A tracker that was left while out of reach begins anew at the place before this tick, which was
+// out of reach too. So it never takes the way round a structure for a way through it.
+void StructureFollower::Enter(const FollowStep& step) noexcept
+{
+  this->Tracker->Release();
+  this->Tracker->Follow(step.Last);
+  this->OffsetVelocity.Update(Vector3::Zero(), step.Passed);
+  this->IsFollowing = true;
+}
+
+void StructureFollower::AskModel(const FollowStep& step) noexcept
+{
+  this->Last = this->Tracker->Follow(step.Now);
+  this->Last.IsValid = IsSound(this->Last, step.Now.PositionWorld);
+  this->Last.IsTouching = this->Last.IsTouching && this->Last.IsValid;
+}
+
+ContactOffset StructureFollower::Felt(const FollowStep& step) noexcept
+{
+  const Vector3& probe = step.Now.PositionWorld;
+  const bool isInterpolated = step.ModelPeriod > 0.0;
+  ContactOffset felt;
+  if (isInterpolated)
+  {
+    felt = this->Interpolation.Advance(probe, step.Passed);
+  }
+  if (step.AsksModel)
+  {
+    this->AskModel(step);
+    felt.IsTouching = this->Last.IsTouching;
+    felt.Normal = this->Last.NormalWorld;
+    felt.Offset = felt.IsTouching ? Vector3(this->Last.ProxyWorld - probe) : Vector3::Zero();
+  }
+  if (step.AsksModel && isInterpolated)
+  {
+    this->Interpolation.Renew(this->Last, probe, probe, step.ModelPeriod);
+    felt = this->Interpolation.Advance(probe, 0.0);
+  }
+  return felt;
+}
+
+Vector3 StructureFollower::Follow(const FollowStep& step) noexcept
+{
+  if (step.AsksModel && this->IsInReach(step) != this->IsFollowing)
+  {
+    this->IsFollowing ? this->Leave() : this->Enter(step);
+  }
+  if (!this->IsFollowing)
+  {
+    this->Last = Untouched(step.Now.PositionWorld);
+    return Vector3::Zero();
+  }
+  ContactOffset felt = this->Felt(step);
+  felt.Offset = this->Frame.LengthDevice(felt.Offset);
+  felt.Normal = this->Frame.TurnedToDevice(felt.Normal);
+  felt.Velocity = this->OffsetVelocity.Update(felt.Offset, step.Passed);
+  return ContactForce(this->Law, felt);
+}
+} // namespace palpate

@@ -1,0 +1,59 @@
+#pragma once
+
+#include "ContactForce.h"
+#include "ContactTracker.h"
+#include "ForceInterpolation.h"
+#include "TouchScene.h"
+#include "VelocityEstimate.h"
+
+#include <memory>
+
+namespace palpate
+{
+/// How a tick's follower is to go on from the last one.
+struct FollowStep
+{
+  ToolPose Last;            ///< at the last tick of the model
+  ToolPose Now;             ///< at this tick
+  double Passed = 0.0;      ///< s since the last tick
+  bool AsksModel = true;    ///< else what was felt is interpolated
+  double ModelPeriod = 0.0; ///< s between ticks of the model; 0 where every tick asks it
+};
+
+/// One structure on the servo thread: asks its tracker only where the tool could reach it, and
+/// turns its contact into a force. Allocates nothing after it was made.
+class StructureFollower
+{
+public:
+  /// Makes the tracker. `velocityTimeConstant` in s.
+  static Status Make(const TouchStructure& structure, const TouchScene& scene,
+                     double velocityTimeConstant, std::vector<StructureFollower>& followers);
+
+  /// The force (N) in the device's frame.
+  Vector3 Follow(const FollowStep& step) noexcept;
+
+  /// Forgets where the tool was: the next Follow begins anew.
+  void Leave() noexcept;
+
+  /// Of the last Follow. Invalid where the model gave nothing that can be felt.
+  const Contact& Touched() const noexcept { return this->Last; }
+
+private:
+  StructureFollower(const TouchStructure& structure, const TouchScene& scene,
+                    double velocityTimeConstant, std::unique_ptr<ContactTracker> tracker);
+
+  bool IsInReach(const FollowStep& step) const noexcept;
+  void Enter(const FollowStep& step) noexcept;
+  void AskModel(const FollowStep& step) noexcept;
+  ContactOffset Felt(const FollowStep& step) noexcept;
+
+  std::unique_ptr<ContactTracker> Tracker;
+  Eigen::AlignedBox3d ReachWorld; // where the tool's origin may touch
+  DeviceFrame Frame;
+  ContactLaw Law;
+  VelocityEstimate OffsetVelocity;
+  ForceInterpolation Interpolation;
+  Contact Last;
+  bool IsFollowing = false;
+};
+} // namespace palpate

@@ -1,0 +1,42 @@
+#include "TouchScene.h"
+
+#include <cmath>
+
+namespace palpate
+{
+namespace
+{
+bool IsAmount(double number)
+{
+  return number >= 0.0 && std::isfinite(number);
+}
+} // namespace
+
+Status TouchScene::Check() const
+{
+  for (const Status& status : {this->Tool.Check(), this->Frame.Check()})
+  {
+    if (!status.IsOk())
+    {
+      return status;
+    }
+  }
+  for (const TouchStructure& structure : this->Structures)
+  {
+    if (structure.Model == nullptr)
+    {
+      return Status::Failure("The structure " + structure.Name + " has no model to be touched.");
+    }
+    if (!IsAmount(structure.Law.Stiffness) || !IsAmount(structure.Law.Damping))
+    {
+      return Status::Failure("Stiffness and damping of the structure " + structure.Name +
+                             " must be finite and not negative.");
+    }
+  }
+  if (!this->Ambient.Constant.allFinite() || !IsAmount(this->Ambient.Viscosity))
+  {
+    return Status::Failure("The ambient force must be finite and its viscosity not negative.");
+  }
+  return Status::Success();
+}
+} // namespace palpate

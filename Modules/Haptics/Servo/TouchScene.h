@@ -1,0 +1,45 @@
+#pragma once
+
+#include "ContactForce.h"
+#include "ContactModel.h"
+#include "DeviceFrame.h"
+#include "Status.h"
+#include "SurfaceFriction.h"
+#include "ToolShape.h"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace palpate
+{
+/// One thing to be touched.
+struct TouchStructure
+{
+  std::string Name;
+  std::shared_ptr<const ContactModel> Model;
+  /// As the hand feels it: N per mm of the hand's way, whatever the scale of the device's frame.
+  ContactLaw Law;
+  SurfaceFriction Friction;
+};
+
+/// What acts without touch too, in the device's frame.
+struct AmbientForce
+{
+  Vector3 Constant = Vector3::Zero(); ///< N, for instance against the mechanism's weight
+  double Viscosity = 0.0;             ///< N s/mm
+};
+
+/// Everything that a hand is to feel, as it is handed to the servo. Not to be changed after that:
+/// publish another one.
+struct TouchScene
+{
+  std::vector<TouchStructure> Structures;
+  ToolShape Tool = ToolShape::Sphere(1.0);
+  DeviceFrame Frame;
+  AmbientForce Ambient;
+
+  /// Refuses, naming the structure, what could not be felt.
+  Status Check() const;
+};
+} // namespace palpate

@@ -1,0 +1,49 @@
+#pragma once
+
+#include "SafetyCases.h"
+#include "Servo.h"
+#include "TouchDoubles.h"
+
+#include <gtest/gtest.h>
+
+namespace palpate::test
+{
+/// A servo on a scripted device at 1 kHz, driven tick by tick.
+class ServoRun
+{
+public:
+  explicit ServoRun(const TouchScene& scene, const ServoSettings& settings = ServoSettings())
+      : Loop(this->Device, settings)
+  {
+    const Status status = this->Loop.Publish(std::make_shared<TouchScene>(scene));
+    EXPECT_TRUE(status.IsOk()) << status.Message();
+  }
+
+  /// One tick with the device at a place (mm, its own frame). Returns the applied force (N).
+  Vector3 TickAt(const Vector3& position)
+  {
+    const TickObservation healthy = HealthyTick(this->Ticks++, position);
+    this->Device.Next.Position = position;
+    this->Device.Next.Time = healthy.Sample.Time;
+    this->Loop.Tick(healthy.Tick);
+    return this->Device.Applied;
+  }
+
+  /// As many ticks there as make everything that fades or filters settle.
+  Vector3 RestAt(const Vector3& position)
+  {
+    Vector3 force = Vector3::Zero();
+    for (int n = 0; n < 600; ++n)
+    {
+      force = this->TickAt(position);
+    }
+    return force;
+  }
+
+  ScriptedDevice Device;
+  Servo Loop;
+
+private:
+  std::uint64_t Ticks = 0;
+};
+} // namespace palpate::test

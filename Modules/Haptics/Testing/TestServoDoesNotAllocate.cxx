@@ -1,0 +1,48 @@
+#include "AllocationCounter.h"
+#include "ServoRun.h"
+
+#include <gtest/gtest.h>
+
+#include <utility>
+
+namespace palpate
+{
+namespace
+{
+static_assert(noexcept(std::declval<Servo&>().Tick(std::declval<const TickInfo&>())));
+
+// In and out of a wall, through a new scene, a fault and its end.
+std::size_t AllocationsOfASession(const ServoSettings& settings)
+{
+  test::ServoRun run(test::WallScene(0.0, {1.0, 0.01}), settings);
+  std::size_t publishing = 0;
+  const std::size_t before = test::AllocationCount();
+  for (int n = 0; n < 2000; ++n)
+  {
+    run.TickAt({0.0, 0.0, 2.0 * std::cos(0.02 * n)});
+    if (n == 500)
+    {
+      const std::size_t start = test::AllocationCount();
+      EXPECT_TRUE(
+          run.Loop.Publish(std::make_shared<TouchScene>(test::WallScene(0.5, {1.0, 0.0}))).IsOk());
+      publishing += test::AllocationCount() - start;
+    }
+    if (n == 1000)
+    {
+      run.TickAt({test::NotANumber, 0.0, 0.0});
+      run.Loop.Rearm();
+    }
+  }
+  EXPECT_EQ(run.Loop.Latest().Scene, 2u);
+  return test::AllocationCount() - before - publishing;
+}
+
+TEST(ServoDoesNotAllocate, InAnyTick)
+{
+  ServoSettings settings;
+  EXPECT_EQ(AllocationsOfASession(settings), 0u);
+  settings.ModelInterval = 3;
+  EXPECT_EQ(AllocationsOfASession(settings), 0u);
+}
+} // namespace
+} // namespace palpate

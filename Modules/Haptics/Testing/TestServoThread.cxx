@@ -1,0 +1,124 @@
+#include "ServoThread.h"
+
+#include "ManualClock.h"
+#include "TouchDoubles.h"
+
+#include <gtest/gtest.h>
+
+#include <thread>
+
+namespace palpate
+{
+namespace
+{
+// A device above a wall whose samples are as new as the clock's time.
+class TimedDevice final : public HapticDevice
+{
+public:
+  explicit TimedDevice(const Clock& clock) : Time(clock)
+  {
+    this->Abilities.MaximumForce = 8.0;
+    this->Abilities.Rate = 1000.0;
+  }
+  const DeviceCapabilities& Capabilities() const noexcept override { return this->Abilities; }
+  DeviceState State() const noexcept override { return DeviceState::Ready; }
+  std::string Problem() const override { return ""; }
+  Status Open() override { return Status::Success(); }
+  void Close() noexcept override {}
+  bool Read(DeviceSample& sample) noexcept override
+  {
+    sample.Position.Z = -1.0;
+    sample.Sequence = ++this->Reads;
+    sample.Time = this->Time.Now();
+    return true;
+  }
+  bool Apply(const Vector3& force) noexcept override
+  {
+    this->Applied = force;
+    return true;
+  }
+
+  Vector3 Applied = Vector3::Zero();
+
+private:
+  const Clock& Time;
+  DeviceCapabilities Abilities;
+  std::uint64_t Reads = 0;
+};
+
+TEST(ServoThread, FeelsScenesThatArePublishedWhileItRunsAndEndsWithoutForce)
+{
+  ManualClock clock;
+  TimedDevice device(clock);
+  ServoThread servo(device, clock, ServoSettings());
+  ASSERT_TRUE(servo.Start(RealtimeRequest()).IsOk());
+  EXPECT_TRUE(servo.IsRunning());
+  EXPECT_FALSE(servo.Start(RealtimeRequest()).IsOk());
+  for (int n = 1; n <= 50; ++n)
+  {
+    const auto scene = std::make_shared<const TouchScene>(test::WallScene(0.0, {0.1 * n, 0.0}));
+    ASSERT_TRUE(servo.Loop().Publish(scene).IsOk());
+    while (servo.Loop().Latest().Structure < 0)
+    {
+      std::this_thread::yield();
+    }
+  }
+  // The last scene is taken over and faded in.
+  while (servo.Loop().Latest().ForceDevice.Z < 5.0 - 1e-9)
+  {
+    std::this_thread::yield();
+  }
+  servo.Stop();
+  EXPECT_FALSE(servo.IsRunning());
+  EXPECT_EQ(device.Applied, Vector3::Zero());
+  EXPECT_EQ(servo.Loop().Latest().Safety.Fault, SafetyFault::None);
+}
+
+TEST(ServoThread, KeepsItsRateAndCountsIt)
+{
+  ManualClock clock;
+  TimedDevice device(clock);
+  ServoSettings settings;
+  settings.Rate = 500.0;
+  ServoThread servo(device, clock, settings);
+  ASSERT_TRUE(servo.Start(RealtimeRequest()).IsOk());
+  while (servo.Statistics().Periods.Count() < 200)
+  {
+    std::this_thread::yield();
+  }
+  servo.Stop();
+  EXPECT_EQ(servo.Statistics().Periods.Min(), 2'000'000);
+  EXPECT_EQ(servo.Statistics().Periods.Max(), 2'000'000);
+  EXPECT_EQ(servo.Statistics().Periods.Misses(), 0u);
+}
+
+TEST(ServoThread, StartsAgainAfterAStop)
+{
+  ManualClock clock;
+  TimedDevice device(clock);
+  ServoThread servo(device, clock, ServoSettings());
+  for (int n = 0; n < 3; ++n)
+  {
+    ASSERT_TRUE(servo.Start(RealtimeRequest()).IsOk());
+    while (servo.Statistics().Periods.Count() == 0)
+    {
+      std::this_thread::yield();
+    }
+    servo.Stop();
+  }
+}
+
+TEST(ServoThread, RefusesARateThatIsNone)
+{
+  ManualClock clock;
+  TimedDevice device(clock);
+  ServoSettings settings;
+  for (const double rate : {0.0, -1.0, 1e9, std::numeric_limits<double>::quiet_NaN()})
+  {
+    settings.Rate = rate;
+    ServoThread servo(device, clock, settings);
+    EXPECT_FALSE(servo.Start(RealtimeRequest()).IsOk()) << rate;
+  }
+}
+} // namespace
+} // namespace palpate

@@ -1,0 +1,100 @@
+#include "StructureFollower.h"
+
+#include "TouchDoubles.h"
+
+#include <gtest/gtest.h>
+
+namespace palpate
+{
+namespace
+{
+// A plate, thin in x, that is touched by whatever crossed it and stays on its side: a tracker with
+// a memory, as real ones have.
+class PlateModel final : public ContactModel
+{
+public:
+  Eigen::AlignedBox3d BoundsWorld() const noexcept override
+  {
+    return {Vector3(-0.1, -10.0, -10.0), Vector3(0.1, 10.0, 10.0)};
+  }
+  Status MakeTracker(const ToolShape&, const SurfaceFriction&,
+                     std::unique_ptr<ContactTracker>& tracker) const override
+  {
+    tracker = std::make_unique<Tracker>();
+    return Status::Success();
+  }
+
+private:
+  class Tracker final : public ContactTracker
+  {
+  public:
+    const Contact& Follow(const ToolPose& pose) noexcept override
+    {
+      const double x = pose.PositionWorld[0];
+      const bool hasCrossed = this->Side != 0.0 && x * this->Side < 0.0;
+      this->Felt = {};
+      this->Felt.IsValid = true;
+      this->Felt.IsTouching = hasCrossed;
+      this->Felt.ProxyWorld = pose.PositionWorld;
+      this->Felt.ProxyWorld[0] = hasCrossed ? 0.0 : x;
+      this->Felt.NormalWorld = (hasCrossed ? this->Side : 1.0) * Vector3::UnitX();
+      this->Side = this->Side == 0.0 ? x : this->Side;
+      return this->Felt;
+    }
+    void Release() noexcept override { this->Side = 0.0; }
+
+  private:
+    double Side = 0.0; // where it was first
+    Contact Felt;
+  };
+};
+
+class StructureFollowerTest : public testing::Test
+{
+protected:
+  void SetUp() override
+  {
+    TouchScene scene;
+    scene.Tool = ToolShape::Sphere(0.0);
+    scene.Structures.push_back({"plate", std::make_shared<PlateModel>(), {1.0, 0.0}, {}});
+    ASSERT_TRUE(StructureFollower::Make(scene.Structures[0], scene, 0.003, this->Followers).IsOk());
+  }
+  Vector3 MoveTo(const Vector3& place)
+  {
+    FollowStep step;
+    step.Last.PositionWorld = this->Place;
+    step.Now.PositionWorld = place;
+    step.Passed = 0.001;
+    this->Place = place;
+    return this->Followers[0].Follow(step);
+  }
+
+  std::vector<StructureFollower> Followers;
+  Vector3 Place = Vector3(-1.0, 0.0, 0.0);
+};
+
+TEST_F(StructureFollowerTest, AWayThroughInOneTickIsFelt)
+{
+  EXPECT_EQ(this->MoveTo({1.0, 0.0, 0.0}), Vector3(-1.0, 0.0, 0.0));
+  EXPECT_TRUE(this->Followers[0].Touched().IsTouching);
+}
+
+TEST_F(StructureFollowerTest, AWayRoundIsNoWayThrough)
+{
+  // Near the plate's box on its left, round its edge while out of reach, and back on its right.
+  this->MoveTo({-0.05, 0.0, 0.0});
+  this->MoveTo({-1.0, 0.0, 0.0});
+  this->MoveTo({-1.0, 20.0, 0.0});
+  this->MoveTo({1.0, 20.0, 0.0});
+  this->MoveTo({1.0, 0.0, 0.0});
+  EXPECT_EQ(this->MoveTo({0.05, 0.0, 0.0}), Vector3::Zero());
+  EXPECT_FALSE(this->Followers[0].Touched().IsTouching);
+}
+
+TEST_F(StructureFollowerTest, WhatIsNowhereIsNotFelt)
+{
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(this->MoveTo({nan, nan, nan}), Vector3::Zero());
+}
+} // namespace
+} // namespace palpate

@@ -1,0 +1,156 @@
+#pragma once
+
+#include "ContactModel.h"
+#include "HapticDevice.h"
+#include "TouchScene.h"
+
+#include <atomic>
+#include <cstdint>
+#include <limits>
+#include <memory>
+
+namespace palpate::test
+{
+/// How a WallModel can go wrong.
+enum class WallFault
+{
+  None,
+  Invalid, ///< the tracker says so
+  NaNProxy,
+  InfiniteProxy,
+  HugeDepth, ///< finite, and nowhere near
+  NaNNormal,
+  NoNormal ///< the zero vector
+};
+
+/// What the tracker of a wall counts, and how it is told to fail, from any thread.
+struct WallControl
+{
+  std::atomic<int> Questions{0};
+  std::atomic<WallFault> Fault{WallFault::None};
+};
+
+/// The half-space below a height along z, a metre wide; the simplest exact contact model.
+class WallModel final : public ContactModel
+{
+public:
+  explicit WallModel(double heightWorld, std::shared_ptr<WallControl> control = nullptr)
+      : Height(heightWorld),
+        Control(control != nullptr ? std::move(control) : std::make_shared<WallControl>())
+  {
+  }
+
+  Eigen::AlignedBox3d BoundsWorld() const noexcept override
+  {
+    return {Vector3(-500.0, -500.0, this->Height - 1000.0), Vector3(500.0, 500.0, this->Height)};
+  }
+
+  Status MakeTracker(const ToolShape& tool, const SurfaceFriction&,
+                     std::unique_ptr<ContactTracker>& tracker) const override
+  {
+    if (!tool.IsSphere())
+    {
+      return Status::Failure("A wall feels spheres only.");
+    }
+    tracker = std::make_unique<Tracker>(this->Height + tool.Radius(), this->Control);
+    return Status::Success();
+  }
+
+private:
+  class Tracker final : public ContactTracker
+  {
+  public:
+    Tracker(double height, std::shared_ptr<WallControl> control)
+        : Height(height), Control(std::move(control))
+    {
+    }
+    const Contact& Follow(const ToolPose& pose) noexcept override
+    {
+      ++this->Control->Questions;
+      this->Depth(pose);
+      this->Spoil(this->Control->Fault);
+      return this->Felt;
+    }
+    void Release() noexcept override {}
+
+  private:
+    void Depth(const ToolPose& pose) noexcept
+    {
+      const double depth = this->Height - pose.PositionWorld[2];
+      this->Felt = {};
+      this->Felt.IsValid = pose.PositionWorld.allFinite();
+      this->Felt.IsTouching = depth > 0.0;
+      this->Felt.Depth = this->Felt.IsTouching ? depth : 0.0;
+      this->Felt.ProxyWorld = pose.PositionWorld + Vector3(0.0, 0.0, this->Felt.Depth);
+    }
+    void Spoil(WallFault fault) noexcept
+    {
+      constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+      Vector3& proxy = this->Felt.ProxyWorld;
+      Vector3& normal = this->Felt.NormalWorld;
+      this->Felt.IsValid = this->Felt.IsValid && fault != WallFault::Invalid;
+      proxy[0] = fault == WallFault::NaNProxy ? nan : proxy[0];
+      proxy[1] =
+          fault == WallFault::InfiniteProxy ? std::numeric_limits<double>::infinity() : proxy[1];
+      proxy[2] = fault == WallFault::HugeDepth ? 1e300 : proxy[2];
+      normal[2] = fault == WallFault::NaNNormal ? nan : normal[2];
+      normal[2] = fault == WallFault::NoNormal ? 0.0 : normal[2];
+    }
+
+    double Height; // mm, that the tool's centre cannot go below
+    std::shared_ptr<WallControl> Control;
+    Contact Felt;
+  };
+
+  double Height;
+  std::shared_ptr<WallControl> Control;
+};
+
+/// A scene with one wall, to be felt by a point.
+inline TouchScene WallScene(double heightWorld, const ContactLaw& law,
+                            std::shared_ptr<WallControl> control = nullptr)
+{
+  TouchScene scene;
+  scene.Tool = ToolShape::Sphere(0.0);
+  scene.Structures.push_back(
+      {"wall", std::make_shared<WallModel>(heightWorld, std::move(control)), law, {}});
+  return scene;
+}
+
+/// A device that is where it is told to be and remembers what was applied. It gives a new sample
+/// at each Read, taken at SampleTime.
+class ScriptedDevice final : public HapticDevice
+{
+public:
+  ScriptedDevice()
+  {
+    this->Abilities.Name = "scripted device";
+    this->Abilities.MaximumForce = 8.0;
+    this->Abilities.MaximumDamping = 0.02;
+    this->Abilities.Rate = 1000.0;
+  }
+
+  const DeviceCapabilities& Capabilities() const noexcept override { return this->Abilities; }
+  DeviceState State() const noexcept override { return this->Life; }
+  std::string Problem() const override { return ""; }
+  Status Open() override { return Status::Success(); }
+  void Close() noexcept override {}
+  bool Read(DeviceSample& sample) noexcept override
+  {
+    sample = this->Next;
+    sample.Sequence = this->RepeatsSample ? sample.Sequence : ++this->Next.Sequence;
+    return true;
+  }
+  bool Apply(const Vector3& force) noexcept override
+  {
+    this->Applied = force;
+    return true;
+  }
+
+  DeviceCapabilities Abilities;
+  DeviceState Life = DeviceState::Ready;
+  DeviceSample Next;
+  bool RepeatsSample = false;
+  Vector3 Applied = Vector3::Zero();
+};
+} // namespace palpate::test
