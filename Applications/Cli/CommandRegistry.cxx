@@ -2,12 +2,14 @@
 
 #include "CompletionCommand.h"
 #include "ConvertCommand.h"
+#include "DevicesCommand.h"
 #include "EvaluateCommand.h"
 #include "FitCommand.h"
 #include "InfoCommand.h"
 #include "MeshCommand.h"
 #include "PhantomCommand.h"
 #include "RenderCommand.h"
+#include "TouchCommand.h"
 
 namespace palpate::cli
 {
@@ -21,6 +23,8 @@ std::vector<std::unique_ptr<Command>> MakeCommands()
   commands.push_back(std::make_unique<ConvertCommand>());
   commands.push_back(std::make_unique<PhantomCommand>());
   commands.push_back(std::make_unique<RenderCommand>());
+  commands.push_back(std::make_unique<TouchCommand>());
+  commands.push_back(std::make_unique<DevicesCommand>());
   commands.push_back(std::make_unique<CompletionCommand>());
   return commands;
 }

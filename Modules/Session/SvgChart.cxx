@@ -190,10 +190,15 @@ std::string SvgChart::Marks(const Frame& frame, const Points& points) const
     }
     return svg;
   }
+  constexpr std::size_t MostMarked = 100; // of more, the marks would hide the line
   std::string path;
   for (const auto& [x, y] : points)
   {
     path += (path.empty() ? "" : " ") + Coordinate(frame.X(x)) + "," + Coordinate(frame.Y(y));
+    if (points.size() > MostMarked)
+    {
+      continue;
+    }
     svg += "<circle class=\"bar\" r=\"2.6\" cx=\"" + Coordinate(frame.X(x)) + "\" cy=\"" +
            Coordinate(frame.Y(y)) + "\"><title>" +
            EscapeHtml(SignificantText(x, 4) + ": " + SignificantText(y, 4)) + "</title></circle>";

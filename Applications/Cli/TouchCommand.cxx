@@ -1,0 +1,269 @@
+#include "TouchCommand.h"
+
+#include "CommandProgress.h"
+#include "Console.h"
+#include "FilterRun.h"
+#include "FiniteNumber.h"
+#include "InputError.h"
+#include "Interruption.h"
+#include "OutputFolder.h"
+#include "TouchReport.h"
+#include "TouchSceneFile.h"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <iomanip>
+#include <map>
+#include <ostream>
+
+namespace palpate::cli
+{
+namespace
+{
+const std::map<std::string, TouchRepresentation>& Representations()
+{
+  static const std::map<std::string, TouchRepresentation> words{
+      {"automatic", TouchRepresentation::Automatic},
+      {"harmonics", TouchRepresentation::Harmonics},
+      {"facets", TouchRepresentation::Facets},
+      {"sub-voxel", TouchRepresentation::SubVoxel}};
+  return words;
+}
+
+// A scene is JSON, and so is a model, which says so in its format.
+bool IsScene(const std::filesystem::path& path)
+{
+  const std::string name = path.filename().string();
+  const std::string ending = ".scene.json";
+  return name == "scene.json" ||
+         (name.size() > ending.size() &&
+          name.compare(name.size() - ending.size(), ending.size(), ending) == 0);
+}
+} // namespace
+
+std::string TouchCommand::Examples() const
+{
+  return "  palpate touch case1/model.json                   a sweep round a fitted model\n"
+         "  palpate touch mask.seg.nrrd --label 1 --tool-radius 3 --output felt\n"
+         "  palpate touch ct.nrrd --iso 300 --stiffness 1 --rate 2000\n"
+         "  palpate touch knee.scene.json --path hand.csv --real-time --output felt";
+}
+
+void TouchCommand::DeclareStructure(CLI::App& app)
+{
+  app.add_option("--label", this->Labels,
+                 "Structures of segmentations by number or name (default: all)")
+      ->type_name("N|NAME")
+      ->delimiter(',')
+      ->allow_extra_args(false);
+  app.add_option("--iso", this->Iso, "The files are images: touch where they reach this value")
+      ->expected(1)
+      ->check(FiniteNumber::Any());
+  app.add_option("--representation", this->Representation,
+                 "By what structures are touched (automatic: models by harmonics, surfaces by "
+                 "facets, voxels sub-voxel)")
+      ->check(CLI::IsMember({"automatic", "harmonics", "facets", "sub-voxel"}))
+      ->capture_default_str();
+  app.add_option("--degree", this->Structure.Degree, "Of harmonics fitted to segmentations")
+      ->check(CLI::Range(0, 64))
+      ->capture_default_str();
+  app.add_option("--mode", this->Mode, "Of harmonics: nearest point, or the published radial law")
+      ->check(CLI::IsMember({"nearest", "radial"}))
+      ->capture_default_str();
+  app.add_option("--interpolation", this->Interpolation,
+                 "Between voxels: linear, or cubic (smoother, slower)")
+      ->check(CLI::IsMember({"linear", "cubic"}))
+      ->capture_default_str();
+  app.add_option("--smoothing", this->Structure.Smoothing, "Of sub-voxel structures, in voxels")
+      ->check(FiniteNumber::Between(0.0, 8.0))
+      ->capture_default_str();
+  app.add_option("--stiffness", this->Structure.Stiffness, "N/mm of the hand's way")
+      ->check(FiniteNumber::Between(0.0, 1e4))
+      ->capture_default_str();
+  app.add_option("--damping", this->Structure.Damping, "N s/mm")
+      ->check(FiniteNumber::Between(0.0, 10.0))
+      ->capture_default_str();
+  app.add_option("--friction", this->Structure.Friction.Static,
+                 "Coulomb's coefficient, up to which the tool sticks; it slips with 0.8 of that")
+      ->check(FiniteNumber::Between(0.0, 10.0))
+      ->capture_default_str();
+  app.add_option("--tool-radius", this->Tool.Radius, "Of the tool, a sphere, in mm (0: a point)")
+      ->check(FiniteNumber::Between(0.0, 100.0))
+      ->capture_default_str();
+  app.add_option("--tool-points", this->Tool.Points,
+                 "Of its shell at sub-voxel structures (0: as voxels and radius ask for)")
+      ->check(CLI::Range(0, ToolShape::MaximumCount))
+      ->capture_default_str();
+}
+
+void TouchCommand::DeclareRun(CLI::App& app)
+{
+  app.add_option("--device", this->Device, "See palpate devices (default: the scene's, simulated)")
+      ->type_name("NAME");
+  app.add_option("--rate", this->Rate, "Of the servo, Hz (default: the scene's, 1000)")
+      ->check(FiniteNumber::Between(1.0, 1e5));
+  app.add_option("--scale", this->Scale,
+                 "Millimetres of the scene for one of the hand (default: all is in reach)")
+      ->expected(1)
+      ->check(FiniteNumber::Between(1e-3, 1e3));
+  app.add_option("--path", this->PathFile,
+                 "Where a simulated hand wants to be, time_s,x_mm,y_mm,z_mm a line (default: a "
+                 "sweep round the scene)")
+      ->type_name("CSV");
+  app.add_option("--depth", this->Sweep.SweepDepth, "Of the sweep below the surface, mm")
+      ->check(FiniteNumber::Between(0.0, 100.0))
+      ->capture_default_str();
+  app.add_option("--speed", this->Sweep.SweepSpeed, "Of the sweep, mm/s")
+      ->check(FiniteNumber::Between(0.1, 1e5))
+      ->capture_default_str();
+  app.add_option("--seconds", this->Seconds, "How long (default: as long as the path)")
+      ->expected(1)
+      ->check(FiniteNumber::Between(0.001, 36000.0));
+  app.add_flag("--real-time", this->IsRealTime,
+               "At the rate that is asked for, on a thread of its own; else as fast as it goes");
+}
+
+void TouchCommand::DeclareOptions(CLI::App& app)
+{
+  app.add_option("FILE", this->Inputs,
+                 "A scene (.scene.json), or models, surfaces, segmentations, images with --iso")
+      ->required();
+  this->DeclareStructure(app);
+  this->DeclareRun(app);
+  app.add_option("--output", this->OutputFolder,
+                 "Folder for report.html, summary.json, trace.csv and scene.json")
+      ->type_name("DIR");
+  app.add_flag("--json", this->Json, "The summary as one JSON object on standard output");
+}
+
+TouchSettings TouchCommand::Settings() const
+{
+  TouchSettings settings;
+  const bool isScene = IsScene(this->Inputs.front());
+  if (isScene && this->Inputs.size() > 1)
+  {
+    throw InputError(this->Inputs.front() + " is a whole scene; list the other files in it");
+  }
+  if (isScene)
+  {
+    settings = ReadTouchScene(this->Inputs.front());
+  }
+  else
+  {
+    settings.Tool = this->Tool;
+    for (const std::string& input : this->Inputs)
+    {
+      TouchStructureSettings structure = this->Structure;
+      structure.File = input;
+      structure.Labels = this->Labels;
+      structure.Representation = Representations().at(this->Representation);
+      structure.Mode =
+          this->Mode == "radial" ? HarmonicContactMode::Radial : HarmonicContactMode::Nearest;
+      structure.Interpolation = this->Interpolation == "cubic" ? FieldInterpolation::TricubicBSpline
+                                                               : FieldInterpolation::Trilinear;
+      constexpr double DynamicPart = 0.8;
+      structure.Friction.Dynamic = DynamicPart * structure.Friction.Static;
+      if (!this->Iso.empty())
+      {
+        structure.Iso = this->Iso.front();
+      }
+      settings.Structures.push_back(structure);
+    }
+  }
+  settings.Device = this->Device.empty() ? settings.Device : this->Device;
+  settings.Rate = this->Rate > 0.0 ? this->Rate : settings.Rate;
+  if (!this->Scale.empty())
+  {
+    settings.Scale = this->Scale.front();
+  }
+  return settings;
+}
+
+TouchScript TouchCommand::Script() const
+{
+  TouchScript script = this->Sweep;
+  if (!this->PathFile.empty())
+  {
+    script.Path = ReadHandPath(this->PathFile);
+  }
+  if (!this->Seconds.empty())
+  {
+    script.Duration = this->Seconds.front();
+  }
+  return script;
+}
+
+void TouchCommand::PrintSummary(const PreparedTouch& touch, const TouchResult& result,
+                                Console& console) const
+{
+  if (this->Json)
+  {
+    console.Output() << TouchSummaryText(touch, result);
+    return;
+  }
+  constexpr double Almost = 0.999;
+  constexpr double Micro = 1e-3;
+  std::ostream& out = console.Output();
+  for (std::size_t s = 0; s < touch.Structures.size(); ++s)
+  {
+    out << touch.Structures[s].Touch.Name << ": " << touch.Structures[s].Represented
+        << ", touched for " << std::fixed << std::setprecision(2) << result.TouchedSeconds[s]
+        << " s\n";
+  }
+  const auto most = [](const std::vector<float>& values)
+  { return values.empty() ? 0.0F : *std::max_element(values.begin(), values.end()); };
+  out << result.Ticks << " ticks; at most " << most(result.Trace.Force) << " N, "
+      << most(result.Trace.Depth) << " mm deep; a tick takes "
+      << Micro * static_cast<double>(result.Durations.Median()) << " us, 99.9 % at most "
+      << Micro * static_cast<double>(result.Durations.Quantile(Almost)) << " us\n";
+  if (!this->OutputFolder.empty())
+  {
+    out << (this->OutputFolder / "report.html").string() << '\n';
+  }
+}
+
+int TouchCommand::Run(Console& console)
+{
+  const Interruption interruption;
+  if (!this->OutputFolder.empty())
+  {
+    CheckOutputFolder(this->OutputFolder);
+  }
+  try
+  {
+    const PreparedTouch touch = PrepareTouch(this->Settings(), this->Script(), ProgressOn(console));
+    console.EndProgress();
+    for (const std::string& warning : touch.Warnings)
+    {
+      console.Note(warning);
+    }
+    const TouchResult result = RunTouch(touch, !this->IsRealTime, ProgressOn(console));
+    console.EndProgress();
+    if (!this->OutputFolder.empty())
+    {
+      WriteTouchFiles(this->OutputFolder, touch, result);
+    }
+    this->PrintSummary(touch, result, console);
+    if (!result.ThreadAdvice.empty())
+    {
+      console.Note(result.ThreadAdvice);
+    }
+    if (result.Fault != SafetyFault::None)
+    {
+      console.Error(std::string("forces went off: ") + Describe(result.Fault) +
+                    (result.DeviceProblem.empty() ? "" : " " + result.DeviceProblem));
+      return 1;
+    }
+    return 0;
+  }
+  catch (const FilterError& error)
+  {
+    throw InputError(error.what());
+  }
+  catch (const Cancelled&)
+  {
+    console.Error("cancelled before anything was touched");
+    return 1;
+  }
+}
+} // namespace palpate::cli

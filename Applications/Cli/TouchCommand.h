@@ -1,0 +1,51 @@
+#pragma once
+
+#include "Command.h"
+#include "TouchRun.h"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace palpate::cli
+{
+/// `palpate touch SCENE|FILE...`: a scene felt by a device, without a window.
+class TouchCommand : public Command
+{
+public:
+  std::string Name() const override { return "touch"; }
+  std::string Summary() const override
+  {
+    return "Touch a scene with a device or a simulated hand, and say what was felt";
+  }
+  std::string Examples() const override;
+  void DeclareOptions(CLI::App& app) override;
+  int Run(Console& console) override;
+
+private:
+  void DeclareStructure(CLI::App& app);
+  void DeclareRun(CLI::App& app);
+  /// The scene file, or what the options say of the files.
+  TouchSettings Settings() const;
+  TouchScript Script() const;
+  void PrintSummary(const PreparedTouch& touch, const TouchResult& result, Console& console) const;
+
+  std::vector<std::string> Inputs;
+  TouchStructureSettings Structure; ///< of every input that is no scene
+  std::vector<std::string> Labels;
+  std::vector<double> Iso; ///< none or one
+  std::string Representation = "automatic";
+  std::string Mode = "nearest";
+  std::string Interpolation = "linear";
+  TouchToolSettings Tool;
+  std::string Device;
+  double Rate = 0.0;         ///< Hz; 0: the scene's
+  std::vector<double> Scale; ///< none or one
+  std::string PathFile;
+  TouchScript Sweep;
+  std::vector<double> Seconds; ///< none or one
+  bool IsRealTime = false;
+  bool Json = false;
+  std::filesystem::path OutputFolder;
+};
+} // namespace palpate::cli

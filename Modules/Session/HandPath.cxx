@@ -1,0 +1,208 @@
+#include "HandPath.h"
+
+#include "DecimalText.h"
+#include "Refusal.h"
+#include "WholeFile.h"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+namespace palpate
+{
+namespace
+{
+constexpr std::uintmax_t LargestFile = std::uintmax_t{256} << 20;
+
+HandPath::Place ParseLine(const std::string& line, const std::filesystem::path& path, int number)
+{
+  std::istringstream stream(line);
+  double numbers[4] = {};
+  std::size_t count = 0;
+  for (std::string word; std::getline(stream, word, ',') && count < 4; ++count)
+  {
+    const auto value = ParseNumber(word);
+    if (!value || !std::isfinite(*value))
+    {
+      break;
+    }
+    numbers[count] = *value;
+  }
+  if (count != 4 || !stream.eof())
+  {
+    Refuse(path, "has no four numbers in line " + std::to_string(number),
+           "write time_s,x_mm,y_mm,z_mm a line");
+  }
+  return {numbers[0], Vector3(numbers[1], numbers[2], numbers[3])};
+}
+
+// Where tools first touch a scene, looked for along rays from far outside to the middle.
+class SceneProbe
+{
+public:
+  explicit SceneProbe(const TouchScene& scene)
+  {
+    for (const TouchStructure& structure : scene.Structures)
+    {
+      this->Bounds.extend(structure.Model->BoundsWorld());
+    }
+    this->Reach = 0.5 * this->Bounds.diagonal().norm() + scene.Tool.BoundingRadius();
+  }
+
+  Status MakeTrackers(const TouchScene& scene)
+  {
+    for (const TouchStructure& structure : scene.Structures)
+    {
+      std::unique_ptr<ContactTracker> tracker;
+      Status status = structure.Model->MakeTracker(scene.Tool, {}, tracker);
+      if (!status.IsOk())
+      {
+        return status;
+      }
+      this->Trackers.push_back(std::move(tracker));
+    }
+    return Status::Success();
+  }
+
+  Vector3 Middle() const { return this->Bounds.center(); }
+  /// From the middle, in which nothing is beyond.
+  double Extent() const { return this->Reach; }
+
+  // The distance from the middle at which a tool that comes in along `direction` first touches, or
+  // a negative number.
+  double FirstTouch(const Vector3& direction)
+  {
+    constexpr int Steps = 200;
+    constexpr int Halvings = 12;
+    double outside = 1.05 * this->Reach;
+    const double step = outside / Steps;
+    this->Touches(this->Middle() + outside * direction, true);
+    for (double inside = outside - step; inside >= 0.0; inside -= step)
+    {
+      if (!this->Touches(this->Middle() + inside * direction, false))
+      {
+        outside = inside;
+        continue;
+      }
+      for (int n = 0; n < Halvings; ++n)
+      {
+        const double between = 0.5 * (inside + outside);
+        (this->Touches(this->Middle() + between * direction, true) ? inside : outside) = between;
+      }
+      return inside;
+    }
+    return -1.0;
+  }
+
+private:
+  bool Touches(const Vector3& pointWorld, bool afresh)
+  {
+    bool isTouching = false;
+    for (const auto& tracker : this->Trackers)
+    {
+      if (afresh)
+      {
+        tracker->Release();
+      }
+      isTouching =
+          tracker->Follow({pointWorld, Eigen::Quaterniond::Identity()}).IsTouching || isTouching;
+    }
+    return isTouching;
+  }
+
+  Eigen::AlignedBox3d Bounds;
+  double Reach = 0.0;
+  std::vector<std::unique_ptr<ContactTracker>> Trackers;
+};
+
+// Turns about the z axis from pole to pole; `part` from 0 to 1.
+Vector3 OnSpiral(double part)
+{
+  constexpr double Pi = 3.14159265358979323846;
+  constexpr double Turns = 8.0;
+  const double polar = Pi * (0.02 + 0.96 * part);
+  const double azimuth = 2.0 * Pi * Turns * part;
+  return {std::sin(polar) * std::cos(azimuth), std::sin(polar) * std::sin(azimuth),
+          std::cos(polar)};
+}
+} // namespace
+
+Vector3 HandPath::At(double time) const noexcept
+{
+  if (this->Places.empty())
+  {
+    return Vector3::Zero();
+  }
+  const auto next = std::lower_bound(this->Places.begin(), this->Places.end(), time,
+                                     [](const Place& place, double t) { return place.Time < t; });
+  if (next == this->Places.begin())
+  {
+    return next->PointWorld;
+  }
+  const Place& last = *(next - 1);
+  if (next == this->Places.end())
+  {
+    return last.PointWorld;
+  }
+  const double part = (time - last.Time) / (next->Time - last.Time);
+  return (1.0 - part) * last.PointWorld + part * next->PointWorld;
+}
+
+HandPath ReadHandPath(const std::filesystem::path& path)
+{
+  std::istringstream stream(ReadWholeFile(path, LargestFile));
+  std::vector<HandPath::Place> places;
+  std::string line;
+  std::getline(stream, line);
+  for (int number = 2; std::getline(stream, line); ++number)
+  {
+    if (!line.empty() && line.back() == '\r')
+    {
+      line.pop_back();
+    }
+    if (line.empty())
+    {
+      continue;
+    }
+    places.push_back(ParseLine(line, path, number));
+    if (places.size() > 1 && !(places.back().Time > places[places.size() - 2].Time))
+    {
+      Refuse(path, "has a time in line " + std::to_string(number) + " that does not rise",
+             "sort its lines by time");
+    }
+  }
+  if (places.empty())
+  {
+    Refuse(path, "has no places for a hand", "write time_s,x_mm,y_mm,z_mm and then a place a line");
+  }
+  return HandPath(std::move(places));
+}
+
+Status SweepOf(const TouchScene& scene, double depth, double speed, HandPath& path)
+{
+  constexpr int Knots = 400;
+  SceneProbe probe(scene);
+  Status status = probe.MakeTrackers(scene);
+  if (!status.IsOk())
+  {
+    return status;
+  }
+  const double outside = 1.05 * probe.Extent();
+  std::vector<HandPath::Place> places{{0.0, probe.Middle() + outside * OnSpiral(0.0)}};
+  const auto goTo = [&](const Vector3& point)
+  {
+    const double way = (point - places.back().PointWorld).norm();
+    // Places that coincide would take no time.
+    places.push_back({places.back().Time + std::max(way / speed, 1e-3), point});
+  };
+  for (int knot = 0; knot <= Knots; ++knot)
+  {
+    const Vector3 direction = OnSpiral(static_cast<double>(knot) / Knots);
+    const double touch = probe.FirstTouch(direction);
+    goTo(probe.Middle() + (touch < 0.0 ? outside : std::max(touch - depth, 0.0)) * direction);
+  }
+  goTo(probe.Middle() + outside * OnSpiral(1.0));
+  path = HandPath(std::move(places));
+  return status;
+}
+} // namespace palpate

@@ -1,0 +1,43 @@
+#pragma once
+
+#include "PalpateSessionModule.h"
+#include "TouchScene.h"
+
+#include <filesystem>
+#include <vector>
+
+namespace palpate
+{
+/// Where a hand wants to be over time: straight from place to place, still before the first and
+/// after the last. World, mm.
+class PALPATESESSION_EXPORT HandPath
+{
+public:
+  struct Place
+  {
+    double Time; ///< s, rising
+    Vector3 PointWorld;
+  };
+
+  HandPath() = default;
+  explicit HandPath(std::vector<Place> places) : Places(std::move(places)) {}
+
+  bool IsEmpty() const noexcept { return this->Places.empty(); }
+  double Duration() const noexcept { return this->IsEmpty() ? 0.0 : this->Places.back().Time; }
+  /// For a servo: neither allocates nor throws.
+  Vector3 At(double time) const noexcept;
+  const std::vector<Place>& List() const noexcept { return this->Places; }
+
+private:
+  std::vector<Place> Places;
+};
+
+/// Reads "time_s,x_mm,y_mm,z_mm" a line, after a line of these names. Throws InputError.
+PALPATESESSION_EXPORT HandPath ReadHandPath(const std::filesystem::path& path);
+
+/// A way round everything that a scene lets be touched: along a spiral from pole to pole, `depth`
+/// mm below where the tool first touches, at `speed` mm/s, and off again. Parts of the spiral that
+/// meet nothing lead round the outside. Refuses a scene that cannot be felt.
+PALPATESESSION_EXPORT Status SweepOf(const TouchScene& scene, double depth, double speed,
+                                     HandPath& path);
+} // namespace palpate

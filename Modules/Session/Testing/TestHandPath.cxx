@@ -1,0 +1,81 @@
+#include "HandPath.h"
+
+#include "HarmonicContactModel.h"
+#include "InputError.h"
+#include "SphericalHarmonicModel.h"
+#include "TemporaryFolder.h"
+#include "WholeFile.h"
+
+#include <cmath>
+#include <gtest/gtest.h>
+
+namespace palpate
+{
+namespace
+{
+TEST(HandPath, IsStraightBetweenPlacesAndStillBeyondThem)
+{
+  const HandPath path({{1.0, Vector3(0.0, 0.0, 0.0)},
+                       {2.0, Vector3(4.0, 0.0, 0.0)},
+                       {4.0, Vector3(4.0, 2.0, 0.0)}});
+  EXPECT_EQ(path.Duration(), 4.0);
+  EXPECT_EQ(path.At(0.0), Vector3(0.0, 0.0, 0.0));
+  EXPECT_EQ(path.At(1.25), Vector3(1.0, 0.0, 0.0));
+  EXPECT_EQ(path.At(2.0), Vector3(4.0, 0.0, 0.0));
+  EXPECT_EQ(path.At(3.0), Vector3(4.0, 1.0, 0.0));
+  EXPECT_EQ(path.At(9.0), Vector3(4.0, 2.0, 0.0));
+}
+
+TEST(HandPath, IsReadFromAFile)
+{
+  const test::TemporaryFolder folder;
+  WriteWholeFile(folder / "hand.csv", "time_s,x_mm,y_mm,z_mm\r\n0,1,2,3\r\n\r\n0.5,-1,2e1,.5\r\n");
+  const HandPath path = ReadHandPath(folder / "hand.csv");
+  ASSERT_EQ(path.List().size(), 2U);
+  EXPECT_EQ(path.List()[1].Time, 0.5);
+  EXPECT_EQ(path.List()[1].PointWorld, Vector3(-1.0, 20.0, 0.5));
+}
+
+TEST(HandPath, AFileThatIsNoneIsRefused)
+{
+  const test::TemporaryFolder folder;
+  for (const std::string& lines :
+       {"", "0,1,2", "0,1,2,3,4", "0,1,2,nan", "0,1,2,x", "1,1,2,3\n1,1,2,3", "2,1,2,3\n1,1,2,3"})
+  {
+    WriteWholeFile(folder / "hand.csv", "time_s,x_mm,y_mm,z_mm\n" + lines);
+    EXPECT_THROW(ReadHandPath(folder / "hand.csv"), InputError) << lines;
+  }
+}
+
+TEST(HandPath, ASweepLeadsRoundABallAtItsDepth)
+{
+  constexpr double Radius = 20.0;
+  constexpr double ToolRadius = 2.0;
+  constexpr double Depth = 1.5;
+  constexpr double Speed = 40.0;
+  const Vector3 center(10.0, -30.0, 5.0);
+  TouchScene scene;
+  TouchStructure ball;
+  ASSERT_TRUE(HarmonicContactModel::Make(
+                  std::make_shared<const SphericalHarmonicModel>(
+                      0, std::vector<double>{Radius * std::sqrt(4.0 * M_PI)}, center),
+                  HarmonicContactMode::Nearest, ball.Model)
+                  .IsOk());
+  scene.Structures = {ball};
+  scene.Tool = ToolShape::Sphere(ToolRadius);
+  HandPath path;
+  ASSERT_TRUE(SweepOf(scene, Depth, Speed, path).IsOk());
+  const auto& places = path.List();
+  ASSERT_GT(places.size(), 100U);
+  for (std::size_t p = 1; p + 1 < places.size(); ++p)
+  {
+    // Halving finds the touch to the march's step by 2^-12.
+    EXPECT_NEAR((places[p].PointWorld - center).norm(), Radius + ToolRadius - Depth, 1e-3);
+    const double way = (places[p].PointWorld - places[p - 1].PointWorld).norm();
+    EXPECT_NEAR(way / (places[p].Time - places[p - 1].Time), Speed, 1e-6 * Speed);
+  }
+  EXPECT_GT((places.front().PointWorld - center).norm(), Radius + ToolRadius);
+  EXPECT_GT((places.back().PointWorld - center).norm(), Radius + ToolRadius);
+}
+} // namespace
+} // namespace palpate

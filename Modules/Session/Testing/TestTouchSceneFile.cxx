@@ -1,0 +1,129 @@
+#include "TouchSceneFile.h"
+
+#include "InputError.h"
+#include "TemporaryFolder.h"
+#include "WholeFile.h"
+
+#include <gtest/gtest.h>
+
+namespace palpate
+{
+namespace
+{
+class TouchSceneFile : public testing::Test
+{
+protected:
+  TouchSettings Read(const std::string& text)
+  {
+    const std::filesystem::path path = this->Folder / "a.scene.json";
+    WriteWholeFile(path, text);
+    return ReadTouchScene(path);
+  }
+  std::string Refusal(const std::string& text)
+  {
+    try
+    {
+      this->Read(text);
+    }
+    catch (const InputError& error)
+    {
+      return error.what();
+    }
+    return {};
+  }
+
+  test::TemporaryFolder Folder;
+};
+
+TEST_F(TouchSceneFile, WhatIsWrittenIsReadBackTheSame)
+{
+  TouchSettings settings;
+  TouchStructureSettings gland;
+  gland.Name = "gland";
+  gland.File = this->Folder / "models/gland.json";
+  gland.Mode = HarmonicContactMode::Radial;
+  gland.Stiffness = 1.25;
+  gland.Damping = 0.002;
+  TouchStructureSettings bone;
+  bone.File = this->Folder / "ct.nrrd";
+  bone.Iso = -300.5;
+  bone.Representation = TouchRepresentation::SubVoxel;
+  bone.Interpolation = FieldInterpolation::TricubicBSpline;
+  bone.Smoothing = 2.5;
+  bone.Friction = {0.4, 0.3};
+  TouchStructureSettings mask;
+  mask.File = this->Folder / "mask.nii.gz";
+  mask.Labels = {"1", "tumour, left"};
+  mask.Representation = TouchRepresentation::Facets;
+  mask.Degree = 20;
+  settings.Structures = {gland, bone, mask};
+  settings.Tool.Kind = TouchToolSettings::Shape::Ellipsoid;
+  settings.Tool.SemiAxes = Vector3(3.0, 2.0, 1.0);
+  settings.Tool.Points = 77;
+  settings.Device = "replay:old.touch";
+  settings.Rate = 2500.0;
+  settings.Scale = 0.5;
+  const std::string text = TouchSceneText(settings, this->Folder.Path());
+  const TouchSettings back = this->Read(text);
+  EXPECT_EQ(TouchSceneText(back, this->Folder.Path()), text);
+  ASSERT_EQ(back.Structures.size(), 3U);
+  EXPECT_EQ(back.Structures[0].File.lexically_normal(), gland.File.lexically_normal());
+  EXPECT_EQ(back.Structures[0].Mode, HarmonicContactMode::Radial);
+  EXPECT_EQ(back.Structures[1].Iso, -300.5);
+  EXPECT_EQ(back.Structures[1].Friction.Dynamic, 0.3);
+  EXPECT_EQ(back.Structures[2].Labels, mask.Labels);
+  EXPECT_EQ(back.Structures[2].Degree, 20);
+  EXPECT_EQ(back.Tool.SemiAxes, settings.Tool.SemiAxes);
+  EXPECT_EQ(back.Rate, 2500.0);
+  EXPECT_EQ(back.Scale, 0.5);
+}
+
+TEST_F(TouchSceneFile, WhatIsLeftOutHasItsDefault)
+{
+  const TouchSettings settings =
+      this->Read(R"({"format": "palpate-scene", "structures": [{"file": "a.json"}]})");
+  const TouchStructureSettings usual;
+  ASSERT_EQ(settings.Structures.size(), 1U);
+  EXPECT_EQ(settings.Structures[0].File, this->Folder / "a.json");
+  EXPECT_EQ(settings.Structures[0].Stiffness, usual.Stiffness);
+  EXPECT_EQ(settings.Structures[0].Representation, TouchRepresentation::Automatic);
+  EXPECT_FALSE(settings.Structures[0].Iso.has_value());
+  EXPECT_EQ(settings.Device, "simulated");
+  EXPECT_FALSE(settings.Scale.has_value());
+}
+
+// Each with a word that its refusal has to hold.
+TEST_F(TouchSceneFile, WhatIsWrongIsRefusedByName)
+{
+  const std::string begin = R"({"format": "palpate-scene", "structures": [{"file": "a.json")";
+  const std::vector<std::pair<std::string, std::string>> cases{
+      {"no JSON", "JSON"},
+      {"[]", "object"},
+      {"{}", "format"},
+      {R"({"format": "palpate-model"})", "format"},
+      {R"({"format": "palpate-scene"})", "structures"},
+      {R"({"format": "palpate-scene", "structures": []})", "structures"},
+      {R"({"format": "palpate-scene", "structures": [{}]})", "file"},
+      {R"({"format": "palpate-scene", "structures": [3]})", "structures[0]"},
+      {begin + R"(, "stiffness": 1}]})", "stiffness"},
+      {begin + R"(, "stiffness_n_per_mm": -1}]})", "stiffness_n_per_mm"},
+      {begin + R"(, "stiffness_n_per_mm": "stiff"}]})", "stiffness_n_per_mm"},
+      {begin + R"(, "degree": 2.5}]})", "degree"},
+      {begin + R"(, "iso": null}]})", "iso"},
+      {begin + R"(, "representation": "voxels"}]})", "sub-voxel"},
+      {begin + R"(, "label": [1]}]})", "label"},
+      {begin + R"(}], "tool": {"semi_axes_mm": [1, 2]}})", "semi_axes_mm"},
+      {begin + R"(}], "tool": {"points": 100000}})", "points"},
+      {begin + R"(}], "device": 4})", "device"},
+      {begin + R"(}], "rate_hz": 0})", "rate_hz"},
+      {begin + R"(}], "scale": 1e9})", "scale"},
+      {begin + R"(}], "rate": 1000})", "rate_hz"}};
+  for (const auto& [text, word] : cases)
+  {
+    const std::string refusal = this->Refusal(text);
+    EXPECT_NE(refusal.find(word), std::string::npos) << text << ": " << refusal;
+    EXPECT_NE(refusal.find("a.scene.json"), std::string::npos) << refusal;
+  }
+}
+} // namespace
+} // namespace palpate

@@ -1,0 +1,252 @@
+#include "TouchRun.h"
+
+#include "BuiltInDevices.h"
+#include "InputError.h"
+#include "ManualClock.h"
+#include "ServoThread.h"
+#include "SimulatedDevice.h"
+#include "SteadyClock.h"
+#include "StiffnessAdvice.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <thread>
+
+namespace palpate
+{
+namespace
+{
+constexpr double Nano = 1e-9;
+constexpr const char* SimulatedName = "simulated";
+constexpr double DefaultDuration = 10.0; // s, where no path says how long
+
+void Require(const Status& status)
+{
+  if (!status.IsOk())
+  {
+    throw InputError(status.Message());
+  }
+}
+
+// The device of a name; its hand follows `path` (device's frame) where it has none of its own.
+std::unique_ptr<HapticDevice> MakeDevice(const std::string& name, Clock& clock,
+                                         std::function<Vector3(double)> path)
+{
+  if (name == SimulatedName)
+  {
+    SimulatedSettings settings;
+    settings.Path = std::move(path);
+    return std::make_unique<SimulatedDevice>(clock, settings);
+  }
+  DeviceRegistry registry;
+  Require(RegisterBuiltInDevices(registry));
+  std::unique_ptr<HapticDevice> device;
+  Require(registry.Make(name, clock, device));
+  return device;
+}
+
+Eigen::AlignedBox3d BoundsOf(const TouchScene& scene)
+{
+  Eigen::AlignedBox3d bounds;
+  for (const TouchStructure& structure : scene.Structures)
+  {
+    bounds.extend(structure.Model->BoundsWorld());
+  }
+  return bounds;
+}
+
+// So that a device reaches round the scene, with a little to spare; never below life size.
+double ReachingScale(const TouchScene& scene, const DeviceCapabilities& device)
+{
+  constexpr double Spare = 1.2;
+  const double reach = 0.5 * BoundsOf(scene).sizes().maxCoeff() + 2.0 * scene.Tool.BoundingRadius();
+  const double half = 0.5 * device.Workspace.sizes().minCoeff();
+  return half > 0.0 ? std::max(1.0, Spare * reach / half) : 1.0;
+}
+
+// Collects ticks into a result.
+class TraceKeeper
+{
+public:
+  TraceKeeper(TouchResult& result, std::size_t structures) : Result(result)
+  {
+    result.TouchedSeconds.resize(structures);
+  }
+
+  void Add(const TouchState& state)
+  {
+    if (this->Result.Ticks++ == 0)
+    {
+      this->Start = state.Tick.Scheduled;
+      this->Last = state.Tick.Started;
+    }
+    const double passed = Nano * static_cast<double>(state.Tick.Started - this->Last);
+    this->Last = state.Tick.Started;
+    TouchTrace& trace = this->Result.Trace;
+    trace.Time.push_back(Nano * static_cast<double>(state.Tick.Started - this->Start));
+    trace.Force.push_back(static_cast<float>(Vector3(state.ForceDevice).norm()));
+    trace.Depth.push_back(static_cast<float>(state.Structure < 0 ? 0.0 : state.Depth));
+    if (state.Structure >= 0)
+    {
+      this->Result.TouchedSeconds[static_cast<std::size_t>(state.Structure)] += passed;
+    }
+    this->Result.LeastEnergy = std::min(this->Result.LeastEnergy, state.Safety.Energy);
+    if (this->Result.Fault == SafetyFault::None)
+    {
+      this->Result.Fault = state.Safety.Fault;
+    }
+  }
+
+private:
+  TouchResult& Result;
+  std::int64_t Start = 0;
+  std::int64_t Last = 0;
+};
+
+// All of it while a tool touches.
+class TouchSession
+{
+public:
+  TouchSession(const PreparedTouch& touch, Clock& clock)
+      : Touch(touch), Keeper(Result, touch.Structures.size())
+  {
+    this->Settings.Rate = touch.Settings.Rate;
+    this->Device = MakeDevice(touch.Settings.Device, clock, this->PathOfDevice());
+    const Status status = this->Device->Open();
+    if (!status.IsOk())
+    {
+      throw std::runtime_error(status.Message());
+    }
+  }
+  ~TouchSession() { this->Device->Close(); }
+  TouchSession(const TouchSession&) = delete;
+  TouchSession& operator=(const TouchSession&) = delete;
+
+  TouchResult RunVirtual(ManualClock& clock, const ProgressFunction& progress)
+  {
+    Servo servo(*this->Device, this->Settings);
+    Require(servo.Publish(this->Touch.Scene));
+    const SteadyClock watch;
+    FixedRateLoop loop(clock, this->Period());
+    const auto ticks = static_cast<std::uint64_t>(this->Touch.Duration * this->Settings.Rate);
+    constexpr std::uint64_t TicksBetweenReports = 1024;
+    loop.Run(
+        [&](const TickInfo& tick)
+        {
+          const std::int64_t start = watch.Now();
+          servo.Tick(tick);
+          const std::int64_t spent = watch.Now() - start;
+          this->Result.Durations.Add(spent);
+          this->Result.Trace.TickMicroseconds.push_back(1e-3F * static_cast<float>(spent));
+          this->Fetch(servo);
+          const bool goesOn = tick.Number % TicksBetweenReports != 0 ||
+                              progress(this->PartAt(tick.Number), "touch");
+          return goesOn && tick.Number + 1 < ticks;
+        });
+    return this->Finished(servo);
+  }
+
+  TouchResult RunReal(Clock& clock, const ProgressFunction& progress)
+  {
+    ServoThread thread(*this->Device, clock, this->Settings);
+    Require(thread.Loop().Publish(this->Touch.Scene));
+    Require(thread.Start({}));
+    this->Result.ThreadAdvice = thread.Grant().Advice;
+    constexpr auto Nap = std::chrono::milliseconds(20);
+    const std::int64_t start = clock.Now();
+    double passed = 0.0;
+    while (passed < this->Touch.Duration && progress(passed / this->Touch.Duration, "touch"))
+    {
+      std::this_thread::sleep_for(Nap);
+      this->Fetch(thread.Loop());
+      passed = Nano * static_cast<double>(clock.Now() - start);
+    }
+    thread.Stop();
+    this->Fetch(thread.Loop());
+    this->Result.Durations = thread.Statistics().Durations;
+    this->Result.Periods = thread.Statistics().Periods;
+    return this->Finished(thread.Loop());
+  }
+
+private:
+  std::int64_t Period() const
+  {
+    return static_cast<std::int64_t>(std::llround(1.0 / (Nano * this->Settings.Rate)));
+  }
+  double PartAt(std::uint64_t tick) const
+  {
+    return static_cast<double>(tick) / (this->Touch.Duration * this->Settings.Rate);
+  }
+
+  std::function<Vector3(double)> PathOfDevice() const
+  {
+    const PreparedTouch& touch = this->Touch;
+    return [&touch, middle = Vector3(BoundsOf(*touch.Scene).center())](double time)
+    { return Vector3((touch.Path.At(time) - middle) / touch.Scale); };
+  }
+
+  void Fetch(Servo& servo)
+  {
+    TouchState state;
+    while (servo.PopRecorded(state))
+    {
+      this->Keeper.Add(state);
+    }
+  }
+
+  TouchResult Finished(Servo& servo)
+  {
+    this->Result.LostTicks = servo.LostTicks();
+    this->Result.DeviceProblem = this->Device->Problem();
+    return std::move(this->Result);
+  }
+
+  const PreparedTouch& Touch;
+  ServoSettings Settings;
+  std::unique_ptr<HapticDevice> Device;
+  TouchResult Result;
+  TraceKeeper Keeper;
+};
+} // namespace
+
+PreparedTouch PrepareTouch(const TouchSettings& settings, const TouchScript& script,
+                           const ProgressFunction& progress)
+{
+  PreparedTouch touch;
+  touch.Settings = settings;
+  touch.Structures = MakeTouchStructures(settings, progress);
+  auto scene = std::make_shared<TouchScene>();
+  scene->Tool = MakeTool(settings.Tool);
+  for (const TouchableStructure& structure : touch.Structures)
+  {
+    scene->Structures.push_back(structure.Touch);
+  }
+  ManualClock clock;
+  const DeviceCapabilities device = MakeDevice(settings.Device, clock, {})->Capabilities();
+  touch.Scale = settings.Scale.value_or(ReachingScale(*scene, device));
+  scene->Frame = DeviceFrame(Matrix3::Identity(), touch.Scale, BoundsOf(*scene).center());
+  Require(scene->Check());
+  touch.Path = script.Path;
+  if (touch.Path.IsEmpty() && settings.Device == SimulatedName)
+  {
+    Require(SweepOf(*scene, script.SweepDepth, script.SweepSpeed, touch.Path));
+  }
+  const double duration = touch.Path.IsEmpty() ? DefaultDuration : touch.Path.Duration();
+  touch.Duration = script.Duration.value_or(duration);
+  touch.Warnings = StiffnessWarnings(*scene, device, settings.Rate);
+  touch.Scene = std::move(scene);
+  return touch;
+}
+
+TouchResult RunTouch(const PreparedTouch& touch, bool isVirtual, const ProgressFunction& progress)
+{
+  if (isVirtual)
+  {
+    ManualClock clock;
+    return TouchSession(touch, clock).RunVirtual(clock, progress);
+  }
+  SteadyClock clock;
+  return TouchSession(touch, clock).RunReal(clock, progress);
+}
+} // namespace palpate

@@ -1,0 +1,71 @@
+#pragma once
+
+#include "HandPath.h"
+#include "PalpateSessionModule.h"
+#include "PeriodStatistics.h"
+#include "Progress.h"
+#include "SafetyReport.h"
+#include "TouchStructures.h"
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace palpate
+{
+/// How the hand of a simulated device moves, and for how long a scene is touched.
+struct TouchScript
+{
+  HandPath Path;                  ///< empty: a sweep round the scene
+  double SweepDepth = 3.0;        ///< mm, of the hand's target below the first touch
+  double SweepSpeed = 50.0;       ///< mm/s
+  std::optional<double> Duration; ///< s; none: as long as the path
+};
+
+/// A scene, a device's place in it, and what a person should know before forces start.
+struct PreparedTouch
+{
+  TouchSettings Settings;
+  std::vector<TouchableStructure> Structures;
+  std::shared_ptr<const TouchScene> Scene;
+  HandPath Path;         ///< empty for a device with a hand of its own
+  double Duration = 0.0; ///< s
+  double Scale = 1.0;    ///< mm of the scene for one of the device
+  std::vector<std::string> Warnings;
+};
+
+/// What was felt, a number a tick.
+struct TouchTrace
+{
+  std::vector<double> Time;            ///< s since the first tick
+  std::vector<float> Force;            ///< N, applied
+  std::vector<float> Depth;            ///< mm, of the deepest contact
+  std::vector<float> TickMicroseconds; ///< to compute, where time is virtual; else empty
+};
+
+struct TouchResult
+{
+  TouchTrace Trace;
+  PeriodStatistics Durations; ///< of ticks; its misses are late ones
+  PeriodStatistics Periods;   ///< from tick to tick; its misses are those that were left out
+  std::uint64_t Ticks = 0;
+  std::uint64_t LostTicks = 0;        ///< that the trace has not, though they ran
+  std::vector<double> TouchedSeconds; ///< by structure, the one touched most deeply
+  double LeastEnergy = 0.0;           ///< N mm that contacts had taken in, at the lowest
+  SafetyFault Fault = SafetyFault::None;
+  std::string DeviceProblem; ///< empty without
+  std::string ThreadAdvice;  ///< why the thread has not what it asked for; empty in virtual time
+};
+
+/// Reads and makes everything, so that forces could start. Throws InputError, FilterError,
+/// Cancelled.
+PALPATESESSION_EXPORT PreparedTouch PrepareTouch(const TouchSettings& settings,
+                                                 const TouchScript& script,
+                                                 const ProgressFunction& progress);
+
+/// Touches. Ends early, with what there is until then, where `progress` answers false. Throws
+/// std::runtime_error where the device does not open.
+PALPATESESSION_EXPORT TouchResult RunTouch(const PreparedTouch& touch, bool isVirtual,
+                                           const ProgressFunction& progress);
+} // namespace palpate

@@ -1,0 +1,184 @@
+#include "TouchSceneFile.h"
+
+#include "JsonFields.h"
+#include "Refusal.h"
+#include "WholeFile.h"
+
+namespace palpate
+{
+namespace
+{
+constexpr const char* Format = "palpate-scene";
+constexpr std::uintmax_t LargestFile = 1 << 20;
+constexpr double LargestLength = 1e4;    // mm
+constexpr double LargestStiffness = 1e4; // N/mm
+constexpr double LargestDamping = 10.0;  // N s/mm
+constexpr double LargestFriction = 10.0;
+constexpr double LargestIso = 1e300;
+
+const std::initializer_list<const char*> RepresentationWords{"automatic", "harmonics", "facets",
+                                                             "sub-voxel"};
+const std::initializer_list<const char*> ModeWords{"nearest", "radial"};
+const std::initializer_list<const char*> InterpolationWords{"linear", "cubic"};
+const std::initializer_list<const char*> ShapeWords{"sphere", "capsule", "ellipsoid"};
+
+template <typename Choice>
+void ReadChoice(JsonFields& fields, const char* key, std::initializer_list<const char*> words,
+                Choice& choice)
+{
+  int number = static_cast<int>(choice);
+  fields.Read(key, number, words);
+  choice = static_cast<Choice>(number);
+}
+
+template <typename Choice>
+const char* WordOf(std::initializer_list<const char*> words, Choice choice)
+{
+  return *(words.begin() + static_cast<int>(choice));
+}
+
+TouchStructureSettings ReadStructure(const nlohmann::json& object,
+                                     const std::filesystem::path& path, std::size_t number)
+{
+  TouchStructureSettings structure;
+  JsonFields fields(object, path, "structures[" + std::to_string(number) + "]");
+  std::string file;
+  fields.Read("name", structure.Name);
+  fields.Read("file", file);
+  if (file.empty())
+  {
+    Refuse(path, "cannot be read: its structures[" + std::to_string(number) + "] has no file",
+           "name a model, a surface, a segmentation or an image in its entry \"file\"");
+  }
+  structure.File = path.parent_path() / file;
+  fields.Read("label", structure.Labels);
+  if (fields.Has("iso"))
+  {
+    structure.Iso = 0.0;
+    fields.Read("iso", *structure.Iso, -LargestIso, LargestIso);
+  }
+  ReadChoice(fields, "representation", RepresentationWords, structure.Representation);
+  fields.Read("degree", structure.Degree, 0, 64);
+  ReadChoice(fields, "mode", ModeWords, structure.Mode);
+  ReadChoice(fields, "interpolation", InterpolationWords, structure.Interpolation);
+  fields.Read("smoothing_voxels", structure.Smoothing, 0.0, 8.0);
+  fields.Read("stiffness_n_per_mm", structure.Stiffness, 0.0, LargestStiffness);
+  fields.Read("damping_ns_per_mm", structure.Damping, 0.0, LargestDamping);
+  fields.Read("static_friction", structure.Friction.Static, 0.0, LargestFriction);
+  fields.Read("dynamic_friction", structure.Friction.Dynamic, 0.0, LargestFriction);
+  fields.RefuseOthers();
+  return structure;
+}
+
+TouchToolSettings ReadTool(const nlohmann::json& object, const std::filesystem::path& path)
+{
+  TouchToolSettings tool;
+  JsonFields fields(object, path, "tool");
+  ReadChoice(fields, "shape", ShapeWords, tool.Kind);
+  fields.Read("radius_mm", tool.Radius, 0.0, LargestLength);
+  fields.Read("length_mm", tool.Length, 0.0, LargestLength);
+  fields.Read("semi_axes_mm", tool.SemiAxes, 0.0, LargestLength);
+  fields.Read("points", tool.Points, 0, ToolShape::MaximumCount);
+  fields.RefuseOthers();
+  return tool;
+}
+
+nlohmann::json Parse(const std::filesystem::path& path)
+{
+  const std::string text = ReadWholeFile(path, LargestFile);
+  nlohmann::json root = nlohmann::json::parse(text, nullptr, false);
+  if (root.is_discarded())
+  {
+    Refuse(path, "is no JSON", "write a scene as Documentation/HowTo/Touch.md shows");
+  }
+  return root;
+}
+
+nlohmann::ordered_json AsJson(const TouchStructureSettings& structure,
+                              const std::filesystem::path& folder)
+{
+  nlohmann::ordered_json object;
+  if (!structure.Name.empty())
+  {
+    object["name"] = structure.Name;
+  }
+  object["file"] = std::filesystem::proximate(structure.File, folder).generic_string();
+  if (!structure.Labels.empty())
+  {
+    object["label"] = structure.Labels;
+  }
+  if (structure.Iso)
+  {
+    object["iso"] = *structure.Iso;
+  }
+  object["representation"] = WordOf(RepresentationWords, structure.Representation);
+  object["degree"] = structure.Degree;
+  object["mode"] = WordOf(ModeWords, structure.Mode);
+  object["interpolation"] = WordOf(InterpolationWords, structure.Interpolation);
+  object["smoothing_voxels"] = structure.Smoothing;
+  object["stiffness_n_per_mm"] = structure.Stiffness;
+  object["damping_ns_per_mm"] = structure.Damping;
+  object["static_friction"] = structure.Friction.Static;
+  object["dynamic_friction"] = structure.Friction.Dynamic;
+  return object;
+}
+} // namespace
+
+TouchSettings ReadTouchScene(const std::filesystem::path& path)
+{
+  const nlohmann::json root = Parse(path);
+  JsonFields fields(root, path, "scene");
+  std::string format;
+  fields.Read("format", format);
+  if (format != Format)
+  {
+    Refuse(path, "does not say that it is a scene to touch",
+           "begin it with \"format\": \"" + std::string(Format) + "\"");
+  }
+  TouchSettings settings;
+  if (!fields.Has("structures") || !root["structures"].is_array() || root["structures"].empty())
+  {
+    Refuse(path, "has nothing to touch", "list its \"structures\": [ { \"file\": ... } ]");
+  }
+  for (const nlohmann::json& structure : root["structures"])
+  {
+    settings.Structures.push_back(ReadStructure(structure, path, settings.Structures.size()));
+  }
+  if (fields.Has("tool"))
+  {
+    settings.Tool = ReadTool(root["tool"], path);
+  }
+  fields.Read("device", settings.Device);
+  fields.Read("rate_hz", settings.Rate, 1.0, 1e5);
+  if (fields.Has("scale"))
+  {
+    settings.Scale = 1.0;
+    fields.Read("scale", *settings.Scale, 1e-3, 1e3);
+  }
+  fields.RefuseOthers();
+  return settings;
+}
+
+std::string TouchSceneText(const TouchSettings& settings, const std::filesystem::path& folder)
+{
+  nlohmann::ordered_json root;
+  root["format"] = Format;
+  for (const TouchStructureSettings& structure : settings.Structures)
+  {
+    root["structures"].push_back(AsJson(structure, folder));
+  }
+  const TouchToolSettings& tool = settings.Tool;
+  root["tool"] = {{"shape", WordOf(ShapeWords, tool.Kind)},
+                  {"radius_mm", tool.Radius},
+                  {"length_mm", tool.Length},
+                  {"semi_axes_mm", {tool.SemiAxes[0], tool.SemiAxes[1], tool.SemiAxes[2]}},
+                  {"points", tool.Points}};
+  root["device"] = settings.Device;
+  root["rate_hz"] = settings.Rate;
+  if (settings.Scale)
+  {
+    root["scale"] = *settings.Scale;
+  }
+  return root.dump(2) + "\n";
+}
+} // namespace palpate

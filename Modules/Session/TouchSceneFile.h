@@ -1,0 +1,18 @@
+#pragma once
+
+#include "PalpateSessionModule.h"
+#include "TouchSettings.h"
+
+#include <filesystem>
+
+namespace palpate
+{
+/// Reads a scene to touch from JSON: "format": "palpate-scene", "structures", "tool", "device",
+/// "rate_hz", "scale"; every number's name ends with its unit. Paths are relative to the file.
+/// Throws InputError.
+PALPATESESSION_EXPORT TouchSettings ReadTouchScene(const std::filesystem::path& path);
+
+/// The same as text, all entries written out, paths relative to the folder.
+PALPATESESSION_EXPORT std::string TouchSceneText(const TouchSettings& settings,
+                                                 const std::filesystem::path& folder);
+} // namespace palpate

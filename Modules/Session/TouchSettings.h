@@ -1,0 +1,69 @@
+#pragma once
+
+#include "FieldBuilder.h"
+#include "HarmonicContactModel.h"
+#include "SurfaceFriction.h"
+#include "ToolShape.h"
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace palpate
+{
+/// By what a structure is touched.
+enum class TouchRepresentation
+{
+  Automatic, ///< a model by harmonics, a surface by facets, voxels by the sub-voxel field
+  Harmonics,
+  Facets,
+  SubVoxel
+};
+
+/// One file's share in a scene to touch. Every structure that the file and the labels name becomes
+/// one of its own.
+struct TouchStructureSettings
+{
+  std::string Name;                ///< empty: the file's and the label's
+  std::filesystem::path File;      ///< a model, a surface, a segmentation, or an image with `Iso`
+  std::vector<std::string> Labels; ///< of a segmentation, numbers or names; none for all
+  std::optional<double> Iso;       ///< of an image: what has at least this value
+  TouchRepresentation Representation = TouchRepresentation::Automatic;
+
+  int Degree = 12; ///< of the harmonics that a segmentation is fitted with
+  HarmonicContactMode Mode = HarmonicContactMode::Nearest;
+  FieldInterpolation Interpolation = FieldInterpolation::Trilinear;
+  double Smoothing = 1.0; ///< of a segmentation's field, in voxels
+
+  double Stiffness = 0.5; ///< N/mm
+  double Damping = 0.0;   ///< N s/mm
+  SurfaceFriction Friction;
+};
+
+struct TouchToolSettings
+{
+  enum class Shape
+  {
+    Sphere,
+    Capsule,
+    Ellipsoid
+  };
+  Shape Kind = Shape::Sphere;
+  double Radius = 2.0;                       ///< mm; of sphere and capsule
+  double Length = 10.0;                      ///< mm, between the ends of a capsule's axis
+  Vector3 SemiAxes = Vector3(4.0, 2.0, 2.0); ///< mm, of an ellipsoid
+  int Points = 26;                           ///< of the shell that touches fields
+};
+
+/// What is touched, with what, and by which device.
+struct TouchSettings
+{
+  std::vector<TouchStructureSettings> Structures;
+  TouchToolSettings Tool;
+  std::string Device = "simulated"; ///< as DeviceRegistry::Make takes it
+  double Rate = 1000.0;             ///< Hz, of the servo
+  /// mm of the scene for one of the device; none: so that the whole scene is in reach.
+  std::optional<double> Scale;
+};
+} // namespace palpate
