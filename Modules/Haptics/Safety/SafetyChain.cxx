@@ -20,13 +20,10 @@ double SafetyChain::PeriodBefore(const TickObservation& now) const noexcept
                        : 0.0;
 }
 
-void SafetyChain::AccountFor(const TickObservation& now) noexcept
+Vector3 SafetyChain::WayBefore(const TickObservation& now) const noexcept
 {
-  if (this->HasLast)
-  {
-    this->Energy.Account(this->AppliedContact,
-                         Vector3(now.Sample.Position) - Vector3(this->Last.Sample.Position));
-  }
+  return this->HasLast ? Vector3(Vector3(now.Sample.Position) - Vector3(this->Last.Sample.Position))
+                       : Vector3::Zero();
 }
 
 Vector3 SafetyChain::Zero() noexcept
@@ -87,7 +84,8 @@ Vector3 SafetyChain::Apply(const SafetyInput& input) noexcept
 Vector3 SafetyChain::Shape(const SafetyInput& input) noexcept
 {
   const double period = this->PeriodBefore(input.Observed);
-  this->AccountFor(input.Observed);
+  const Vector3 way = this->WayBefore(input.Observed);
+  this->Energy.Account(this->AppliedContact, way);
   const double factor = this->Ramp.Advance(period);
   Vector3 contact = factor * this->Guard.Apply(input.ContactForce);
   const Vector3 ambient = factor * this->Guard.Apply(input.AmbientForce);
@@ -95,7 +93,8 @@ Vector3 SafetyChain::Shape(const SafetyInput& input) noexcept
   {
     this->Energy.Close();
   }
-  const Vector3 damping = this->Energy.Damping(contact, input.Velocity, period);
+  // By the bare difference: a filtered velocity comes too late to take up energy.
+  const Vector3 damping = this->Energy.Damping(contact, way / period, period);
   contact += damping;
 
   const Vector3 limited = this->Limit.Apply(contact + ambient);

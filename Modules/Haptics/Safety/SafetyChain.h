@@ -27,7 +27,6 @@ struct SafetyInput
   bool IsTouching = false;
   Vector3 ContactForce = Vector3::Zero(); ///< N
   Vector3 AmbientForce = Vector3::Zero(); ///< N, what acts without touch too
-  Vector3 Velocity = Vector3::Zero();     ///< mm/s, of the hand
 };
 
 /// Stands between everything that computes forces and the device; it cannot be switched off. In
@@ -55,7 +54,7 @@ private:
   SafetyFault FaultOf(const SafetyInput& input) noexcept;
   Vector3 Shape(const SafetyInput& input) noexcept;
   double PeriodBefore(const TickObservation& now) const noexcept;
-  void AccountFor(const TickObservation& now) noexcept;
+  Vector3 WayBefore(const TickObservation& now) const noexcept;
   Vector3 Zero() noexcept;
 
   Watchdog Dog;

@@ -42,15 +42,19 @@ Status Servo::Publish(std::shared_ptr<const TouchScene> scene)
 
 void Servo::Tick(const TickInfo& tick) noexcept
 {
-  const bool isRearmed = this->TakeOver();
+  const bool wasRearmed = this->TakeOver();
   const TickObservation now = this->Observe(tick);
   if (now.State == DeviceState::Ready && now.HasSample)
   {
     this->Feel(now);
   }
   const Vector3 force = this->Safety.Apply(this->InputOf(now));
-  this->Send(force);
-  this->Tell(now, force, isRearmed);
+  TouchState state = this->StateOf(now, force);
+  state.WasTaken = this->Send(force);
+  state.WasRearmed = wasRearmed;
+  state.Safety = this->Safety.Report();
+  this->Newest.Publish(state);
+  this->Recorded.Push(state);
 }
 
 // What other threads wanted since the last tick.
@@ -136,20 +140,20 @@ SafetyInput Servo::InputOf(const TickObservation& now) const noexcept
   input.IsTouching = this->Current.Felt.Structure >= 0;
   input.ContactForce = this->Current.Felt.Force;
   input.AmbientForce = this->Current.AmbientForce;
-  input.Velocity = this->HandVelocity.Velocity();
   return input;
 }
 
-void Servo::Send(const Vector3& force) noexcept
+bool Servo::Send(const Vector3& force) noexcept
 {
   const bool isTaken = this->Device.Apply(force);
   if (!isTaken && this->Device.State() == DeviceState::Ready)
   {
     this->Safety.Fail(SafetyFault::DeviceFailed);
   }
+  return isTaken;
 }
 
-void Servo::Tell(const TickObservation& now, const Vector3& force, bool wasRearmed) noexcept
+TouchState Servo::StateOf(const TickObservation& now, const Vector3& force) noexcept
 {
   TouchState state;
   state.Tick = now.Tick;
@@ -164,9 +168,6 @@ void Servo::Tell(const TickObservation& now, const Vector3& force, bool wasRearm
   state.Structure = this->Current.Felt.Structure;
   state.Depth = this->Current.Felt.Deepest.Depth;
   state.Scene = this->SceneCount;
-  state.WasRearmed = wasRearmed;
-  state.Safety = this->Safety.Report();
-  this->Newest.Publish(state);
-  this->Recorded.Push(state);
+  return state;
 }
 } // namespace palpate

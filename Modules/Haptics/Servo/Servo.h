@@ -71,8 +71,8 @@ private:
   FollowStep StepTo(const ToolPose& pose, double passed) noexcept;
   void ForgetMotion() noexcept;
   SafetyInput InputOf(const TickObservation& now) const noexcept;
-  void Send(const Vector3& force) noexcept;
-  void Tell(const TickObservation& now, const Vector3& force, bool wasRearmed) noexcept;
+  bool Send(const Vector3& force) noexcept;
+  TouchState StateOf(const TickObservation& now, const Vector3& force) noexcept;
 
   HapticDevice& Device;
   ServoSettings Settings;

@@ -19,8 +19,9 @@ struct TouchState
   DeviceSample Sample;
   PlainVector3 ProbeWorld;     ///< where the device is, mm
   PlainVector3 ProxyWorld;     ///< where the tool is drawn, mm: at the deepest contact's proxy
-  PlainVector3 ForceDevice;    ///< applied, N
+  PlainVector3 ForceDevice;    ///< to be applied, N
   PlainVector3 ForceWorld;     ///< the same, turned
+  bool WasTaken = false;       ///< the device took the force
   std::int32_t Structure = -1; ///< of the scene's, the one touched most deeply; -1 without touch
   double Depth = 0.0;          ///< mm, in that one
   std::uint64_t Scene = 0;     ///< counts the scenes taken over; 0 before the first

@@ -63,7 +63,8 @@ TEST(RealtimeThread, OneThatRunsIsNotStartedAgainUntilItWasJoined)
 {
   std::atomic<bool> isStopped{false};
   RealtimeThread thread;
-  const RealtimeRequest request;
+  RealtimeRequest request;
+  request.Priority = 0; // it spins
   ASSERT_TRUE(thread
                   .Start(request,
                          [&]

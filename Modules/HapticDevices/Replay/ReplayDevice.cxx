@@ -1,0 +1,59 @@
+#include "ReplayDevice.h"
+
+#include <utility>
+
+namespace palpate
+{
+ReplayDevice::ReplayDevice(Clock& clock, std::shared_ptr<const TouchRecording> recording)
+    : Time(clock), Recording(std::move(recording)), Abilities(this->Recording->Session.Device)
+{
+  this->Abilities.Name = "Recorded device";
+}
+
+std::string ReplayDevice::Problem() const
+{
+  return this->State() == DeviceState::Error ? "The recording has ended, or shows a device that "
+                                               "failed here."
+                                             : "";
+}
+
+Status ReplayDevice::Open()
+{
+  if (this->Recording->Ticks.empty())
+  {
+    return Status::Failure("The recording has no ticks.");
+  }
+  if (this->State() != DeviceState::Closed)
+  {
+    return Status::Failure("The recorded device is open already.");
+  }
+  this->Current = 0;
+  this->Shift = this->Time.Now() - this->Recording->Ticks.front().Tick.Started;
+  this->Life = this->Recording->Ticks.front().State;
+  return Status::Success();
+}
+
+bool ReplayDevice::Read(DeviceSample& sample) noexcept
+{
+  const std::vector<TouchState>& ticks = this->Recording->Ticks;
+  const std::int64_t recordedTime = this->Time.Now() - this->Shift;
+  while (this->Current + 1 < ticks.size() && ticks[this->Current + 1].Tick.Started <= recordedTime)
+  {
+    ++this->Current;
+  }
+  // The last tick lasts as long as a sample may be old.
+  constexpr std::int64_t lastTick = 10'000'000;
+  const TouchState& now = ticks[this->Current];
+  const bool hasEnded =
+      this->Current + 1 == ticks.size() && recordedTime - now.Tick.Started > lastTick;
+  this->Life = hasEnded ? DeviceState::Error : now.State;
+  sample = now.Sample;
+  sample.Time += this->Shift;
+  return now.HasSample && !hasEnded;
+}
+
+bool ReplayDevice::Apply(const Vector3& force) noexcept
+{
+  return this->Recording->Ticks[this->Current].WasTaken;
+}
+} // namespace palpate

@@ -1,0 +1,38 @@
+#pragma once
+
+#include "TouchRecording.h"
+
+#include <cstdint>
+#include <fstream>
+#include <string>
+
+namespace palpate
+{
+/// Writes a session to a file while it goes on: somebody calls Drain often enough for the servo's
+/// ring not to overflow. The file has its name only once Finish has written it whole.
+class TouchRecorder
+{
+public:
+  TouchRecorder() = default;
+  TouchRecorder(const TouchRecorder&) = delete;
+  TouchRecorder& operator=(const TouchRecorder&) = delete;
+  /// Removes what was not finished.
+  ~TouchRecorder();
+
+  /// Begins a file. The servo has not ticked yet.
+  Status Start(const std::string& path, const TouchSession& session);
+  /// Takes what the servo did since the last call. Fails where ticks were lost or the file cannot
+  /// be written; go on or not, Finish then refuses.
+  Status Drain(Servo& servo);
+  /// The file under its name. The servo has stopped, and Drain was called since.
+  Status Finish();
+
+private:
+  Status Write(const TouchState& state);
+
+  std::string Path;
+  std::string TemporaryPath; // empty while there is no file
+  std::ofstream File;
+  std::uint64_t Written = 0;
+};
+} // namespace palpate

@@ -1,0 +1,67 @@
+#include "TouchReplay.h"
+
+#include "ManualClock.h"
+#include "ReplayDevice.h"
+#include "TouchRecordingFormat.h"
+
+#include <cmath>
+
+namespace palpate
+{
+namespace
+{
+void Compare(const TouchState& recorded, const TouchState& recomputed, ReplayComparison& comparison)
+{
+  ++comparison.Ticks;
+  // As files hold them: every bit of every field, and no padding.
+  if (TouchRecordingFormat::Encode(recorded) != TouchRecordingFormat::Encode(recomputed))
+  {
+    comparison.FirstDifference = comparison.DifferentTicks == 0
+                                     ? static_cast<std::int64_t>(recorded.Tick.Number)
+                                     : comparison.FirstDifference;
+    ++comparison.DifferentTicks;
+  }
+  const double difference =
+      (Vector3(recorded.ForceDevice) - Vector3(recomputed.ForceDevice)).norm();
+  // Once NaN, it stays so.
+  if (!(difference <= comparison.LargestDifference) && !std::isnan(comparison.LargestDifference))
+  {
+    comparison.LargestDifference = difference;
+  }
+}
+} // namespace
+
+Status ReplayTouch(std::shared_ptr<const TouchRecording> recording,
+                   const std::vector<std::shared_ptr<const TouchScene>>& scenes,
+                   ReplayComparison& comparison)
+{
+  if (recording->Ticks.empty())
+  {
+    return Status::Failure("The recording has no ticks.");
+  }
+  ManualClock clock(recording->Ticks.front().Tick.Started);
+  ReplayDevice device(clock, recording);
+  Status status = device.Open();
+  Servo servo(device, recording->Session.Settings);
+  std::uint64_t scene = 0;
+  for (std::size_t i = 0; i < recording->Ticks.size() && status.IsOk(); ++i)
+  {
+    const TouchState& tick = recording->Ticks[i];
+    if (tick.Scene > scene)
+    {
+      scene = tick.Scene;
+      status = scene <= scenes.size()
+                   ? servo.Publish(scenes[scene - 1])
+                   : Status::Failure("The recording takes over more scenes than were given.");
+    }
+    if (tick.WasRearmed)
+    {
+      servo.Rearm();
+    }
+    clock.WaitUntil(tick.Tick.Started);
+    servo.Tick(tick.Tick);
+    Compare(tick, servo.Latest(), comparison);
+  }
+  return status;
+}
+} // namespace palpate

@@ -1,0 +1,27 @@
+#pragma once
+
+#include "TouchRecording.h"
+#include "TouchScene.h"
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+namespace palpate
+{
+/// How recomputed forces compare with recorded ones.
+struct ReplayComparison
+{
+  std::uint64_t Ticks = 0;
+  std::uint64_t DifferentTicks = 0;  ///< whose force, contact or safety differs in any bit
+  std::int64_t FirstDifference = -1; ///< the number of that tick; -1 if there is none
+  double LargestDifference = 0.0;    ///< N, of the forces; NaN if one of them is
+};
+
+/// Feels a recorded session again, tick by tick at the recorded times: the same build gives the
+/// same bits, and another one shows what it changed. `scenes` are those that the servo took over,
+/// in their order. Fails where there are fewer, or where one cannot be felt.
+Status ReplayTouch(std::shared_ptr<const TouchRecording> recording,
+                   const std::vector<std::shared_ptr<const TouchScene>>& scenes,
+                   ReplayComparison& comparison);
+} // namespace palpate

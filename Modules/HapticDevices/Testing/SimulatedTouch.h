@@ -1,0 +1,66 @@
+#pragma once
+
+#include "LoopSchedule.h"
+#include "ManualClock.h"
+#include "Servo.h"
+#include "SimulatedDevice.h"
+#include "TouchDoubles.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <memory>
+
+namespace palpate::test
+{
+/// A servo on an open simulated device, with the time of a manual clock.
+class SimulatedTouch
+{
+public:
+  SimulatedTouch(const TouchScene& scene, const SimulatedSettings& device,
+                 const ServoSettings& settings = ServoSettings())
+      : Device(Time, device), IsOpen(Device.Open().IsOk()), Loop(Device, settings),
+        Period(std::llround(1e9 / settings.Rate)), Schedule(0, Period)
+  {
+    EXPECT_TRUE(this->IsOpen);
+    const Status status = this->Loop.Publish(std::make_shared<TouchScene>(scene));
+    EXPECT_TRUE(status.IsOk()) << status.Message();
+  }
+
+  /// One tick, as a fixed-rate loop would make it. Returns what it did.
+  const TouchState& Tick()
+  {
+    this->Time.WaitUntil(this->Schedule.Deadline());
+    this->Loop.Tick(this->Schedule.Begin(this->Time.Now()));
+    return this->Loop.Latest();
+  }
+  const TouchState& Tick(int count)
+  {
+    for (int n = 1; n < count; ++n)
+    {
+      this->Tick();
+    }
+    return this->Tick();
+  }
+
+  ManualClock Time;
+  SimulatedDevice Device;
+  bool IsOpen;
+  Servo Loop;
+
+private:
+  std::int64_t Period; // ns
+  LoopSchedule Schedule;
+};
+
+/// A hand that presses and lets go: along z from `height` down to -`height` mm and back,
+/// `frequency` times a second, while it strokes along x.
+inline std::function<Vector3(double)> PressingPath(double height, double frequency)
+{
+  return [=](double t)
+  {
+    const double phase = 2.0 * M_PI * frequency * t;
+    return Vector3(3.0 * std::sin(0.3 * phase), 0.0, height * std::cos(phase));
+  };
+}
+} // namespace palpate::test

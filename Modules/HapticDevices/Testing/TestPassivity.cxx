@@ -1,0 +1,127 @@
+// A virtual wall on the simulated device gives out no more energy than it took in, wherever
+// StiffnessAdvice calls it stable.
+#include "SimulatedTouch.h"
+#include "StiffnessAdvice.h"
+
+#include <algorithm>
+
+namespace palpate
+{
+namespace
+{
+struct WallCase
+{
+  double Rate = 1000.0; // Hz
+  double DelayTicks = 0.0;
+  double Resolution = 0.0;     // mm
+  double Damping = 0.002;      // N s/mm, of the mechanism
+  double WallDamping = 0.0;    // in parts of that
+  double TimeConstant = 0.003; // s
+  double Frequency = 2.0;      // Hz
+};
+
+SimulatedSettings DeviceOf(const WallCase& c)
+{
+  SimulatedSettings device;
+  device.Path = test::PressingPath(3.0, c.Frequency);
+  device.Rate = c.Rate;
+  device.Delay = c.DelayTicks / c.Rate;
+  device.Resolution = c.Resolution;
+  device.Hand.Damping = c.Damping;
+  // Friction helps against counts, and would only hide what happens without them.
+  device.Hand.Friction = c.Resolution > 0.0 ? 0.2 : 0.0;
+  // The bounds that are tested, and nothing else.
+  device.MaximumStiffness = 0.0;
+  device.MaximumForce = 1000.0;
+  device.MaximumDamping = 0.0;
+  return device;
+}
+
+// The least energy (N mm) that wall and mechanism have taken in at any tick of a second, with a
+// wall of `share` times the stiffness that is called stable.
+double LeastEnergy(const WallCase& c, double share, double largestDamping = 0.0)
+{
+  SimulatedSettings device = DeviceOf(c);
+  device.MaximumDamping = largestDamping;
+  ServoSettings settings;
+  settings.Rate = c.Rate;
+  settings.RampDuration = 0.0;
+  settings.MaximumSlew = 1e9;
+  settings.VelocityTimeConstant = c.TimeConstant;
+  ManualClock clock;
+  const double wallDamping = c.WallDamping * c.Damping;
+  const double stiffness =
+      share *
+      StiffestStable(SimulatedDevice(clock, device).Capabilities(), c.Rate, wallDamping).Largest;
+  test::SimulatedTouch touch(test::WallScene(0.0, {stiffness, wallDamping}), device, settings);
+  double least = 0.0;
+  double deepest = 0.0;
+  for (int n = 0; n < static_cast<int>(c.Rate); ++n)
+  {
+    deepest = std::max(deepest, touch.Tick().Depth);
+    least = std::min(least, touch.Device.Hand().Energy().TakenIn());
+  }
+  EXPECT_EQ(touch.Loop.Latest().Safety.Fault, SafetyFault::None);
+  EXPECT_GT(deepest, 0.02); // it was touched
+  return least;
+}
+
+// Calls `visit` with every combination of a moderate sweep.
+template <typename Visit>
+void ForAllWalls(Visit visit)
+{
+  for (const double rate : {500.0, 1000.0, 4000.0})
+  {
+    for (const double delay : {0.0, 1.0, 3.0})
+    {
+      for (const double resolution : {0.0, 0.045})
+      {
+        for (const double damping : {0.002, 0.01})
+        {
+          for (const double wallDamping : {0.0, 0.3, 0.8})
+          {
+            for (const double timeConstant : {0.0, 0.003})
+            {
+              for (const double frequency : {2.0, 7.0})
+              {
+                visit(WallCase{rate, delay, resolution, damping, wallDamping, timeConstant,
+                               frequency});
+              }
+            }
+          }
+        }
+      }
+    }
+  }
+}
+
+TEST(Passivity, NoWallWithinTheClaimedBorderGivesOutEnergy)
+{
+  ForAllWalls(
+      [](const WallCase& c)
+      {
+        // Where the hand turns round within a step of its integration, friction is misplaced by
+        // less than this; what these walls take in is around 1 N mm.
+        EXPECT_GE(LeastEnergy(c, 0.99), -1e-6)
+            << c.Rate << " Hz, " << c.DelayTicks << " ticks late, counts of " << c.Resolution
+            << " mm, mechanism " << c.Damping << ", wall " << c.WallDamping << " of it, filter "
+            << c.TimeConstant << " s, hand " << c.Frequency << " Hz";
+      });
+}
+
+TEST(Passivity, BeyondTheBorderAWallGivesOutEnergy)
+{
+  WallCase c;
+  EXPECT_LT(LeastEnergy(c, 6.0), -0.1);
+  c.DelayTicks = 2.0;
+  EXPECT_LT(LeastEnergy(c, 6.0), -0.1);
+}
+
+TEST(Passivity, TheEnergyObserverTakesBackMostOfWhatAWallBeyondTheBorderGivesOut)
+{
+  WallCase c;
+  const double without = LeastEnergy(c, 6.0);
+  EXPECT_GT(LeastEnergy(c, 6.0, 0.02), 0.2 * without);
+}
+} // namespace
+} // namespace palpate

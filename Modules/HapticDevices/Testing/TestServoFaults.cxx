@@ -1,0 +1,168 @@
+// Every fault ends in 0 N within two ticks, says which one it was, and stays until it is rearmed.
+#include "SimulatedTouch.h"
+
+#include <functional>
+#include <string>
+
+namespace palpate
+{
+namespace
+{
+// A rig that presses 3 mm into a wall 10 mm below the origin.
+struct Rig
+{
+  static SimulatedSettings Pressing()
+  {
+    SimulatedSettings device;
+    device.Path = [](double) { return Vector3(0.0, 0.0, -13.0); };
+    return device;
+  }
+
+  std::shared_ptr<test::WallControl> Wall = std::make_shared<test::WallControl>();
+  test::SimulatedTouch Touch{test::WallScene(-10.0, {1.0, 0.001}, this->Wall), Pressing()};
+};
+
+struct FaultCase
+{
+  std::string Name;
+  SafetyFault Expected;
+  std::function<void(Rig&)> Break;
+  std::function<void(Rig&)> Mend;
+};
+
+void PrintTo(const FaultCase& c, std::ostream* stream)
+{
+  *stream << c.Name;
+}
+
+FaultCase OfDevice(const std::string& name, SimulatedFault fault, SafetyFault expected)
+{
+  return {name, expected, [fault](Rig& rig) { rig.Touch.Device.Inject(fault); },
+          [](Rig& rig)
+          {
+            rig.Touch.Device.Inject(SimulatedFault::None);
+            if (rig.Touch.Device.State() == DeviceState::Error)
+            {
+              rig.Touch.Device.Close();
+              EXPECT_TRUE(rig.Touch.Device.Open().IsOk());
+            }
+          }};
+}
+
+FaultCase OfScene(const std::string& name, test::WallFault fault)
+{
+  return {name, SafetyFault::InvalidContact, [fault](Rig& rig) { rig.Wall->Fault = fault; },
+          [](Rig& rig) { rig.Wall->Fault = test::WallFault::None; }};
+}
+
+std::vector<FaultCase> AllFaults()
+{
+  return {OfDevice("NonFinitePosition", SimulatedFault::NonFinitePosition,
+                   SafetyFault::NonFinitePosition),
+          OfDevice("FrozenSample", SimulatedFault::FrozenSample, SafetyFault::StaleSample),
+          OfDevice("LateSamples", SimulatedFault::LateSamples, SafetyFault::StaleSample),
+          OfDevice("MirroredPosition", SimulatedFault::MirroredPosition,
+                   SafetyFault::ImplausibleMotion),
+          OfDevice("RefusedForce", SimulatedFault::RefusedForce, SafetyFault::DeviceFailed),
+          OfDevice("Unplugged", SimulatedFault::Unplugged, SafetyFault::DeviceFailed),
+          {"Closed", SafetyFault::DeviceFailed, [](Rig& rig) { rig.Touch.Device.Close(); },
+           [](Rig& rig) { EXPECT_TRUE(rig.Touch.Device.Open().IsOk()); }},
+          {"StalledTick", SafetyFault::StalledTick,
+           [](Rig& rig) { rig.Touch.Time.Advance(15'000'000); }, [](Rig&) {}},
+          OfScene("InvalidContact", test::WallFault::Invalid),
+          OfScene("NaNProxy", test::WallFault::NaNProxy),
+          OfScene("InfiniteProxy", test::WallFault::InfiniteProxy),
+          OfScene("HugeDepth", test::WallFault::HugeDepth),
+          OfScene("NaNNormal", test::WallFault::NaNNormal),
+          OfScene("NoNormal", test::WallFault::NoNormal)};
+}
+
+class ServoFaults : public testing::TestWithParam<FaultCase>
+{
+protected:
+  void SetUp() override
+  {
+    ASSERT_GT(this->Broken.Touch.Tick(1000).ForceDevice.Z, 0.5);
+    ASSERT_TRUE(this->Broken.Touch.Loop.Latest().Safety.IsArmed);
+  }
+  Rig Broken;
+};
+
+TEST_P(ServoFaults, EndInNoForceWithinTwoTicksAndSayWhich)
+{
+  GetParam().Break(this->Broken);
+  this->Broken.Touch.Tick();
+  for (int n = 0; n < 50; ++n)
+  {
+    const TouchState& state = this->Broken.Touch.Tick();
+    ASSERT_EQ(Vector3(state.ForceDevice), Vector3::Zero());
+    ASSERT_EQ(Vector3(state.ForceWorld), Vector3::Zero());
+    ASSERT_EQ(state.Safety.Fault, GetParam().Expected) << Describe(state.Safety.Fault);
+    ASSERT_FALSE(state.Safety.IsArmed);
+  }
+}
+
+TEST_P(ServoFaults, LastUntilTheyAreMendedAndForcesSwitchedOnAgain)
+{
+  GetParam().Break(this->Broken);
+  this->Broken.Touch.Tick(3);
+  GetParam().Mend(this->Broken);
+  EXPECT_EQ(Vector3(this->Broken.Touch.Tick(100).ForceDevice), Vector3::Zero());
+  this->Broken.Touch.Loop.Rearm();
+  EXPECT_EQ(this->Broken.Touch.Tick().Safety.Fault, SafetyFault::None);
+  // Fading in, not from one tick to the next.
+  EXPECT_LT(this->Broken.Touch.Tick(5).ForceDevice.Z, 0.2);
+  EXPECT_GT(this->Broken.Touch.Tick(1000).ForceDevice.Z, 0.5);
+}
+
+INSTANTIATE_TEST_SUITE_P(All, ServoFaults, testing::ValuesIn(AllFaults()),
+                         [](const auto& chosen) { return chosen.param.Name; });
+
+// Those that are not over after their first tick.
+std::vector<FaultCase> LastingFaults()
+{
+  std::vector<FaultCase> lasting;
+  for (const FaultCase& c : AllFaults())
+  {
+    if (c.Expected != SafetyFault::StalledTick && c.Expected != SafetyFault::ImplausibleMotion)
+    {
+      lasting.push_back(c);
+    }
+  }
+  return lasting;
+}
+
+class LastingServoFaults : public ServoFaults
+{
+};
+
+TEST_P(LastingServoFaults, ComeBackWithinTwoTicksWhereTheyAreNotMended)
+{
+  GetParam().Break(this->Broken);
+  this->Broken.Touch.Tick(3);
+  this->Broken.Touch.Loop.Rearm();
+  this->Broken.Touch.Tick(2);
+  for (int n = 0; n < 20; ++n)
+  {
+    ASSERT_EQ(Vector3(this->Broken.Touch.Tick().ForceDevice), Vector3::Zero());
+    ASSERT_FALSE(this->Broken.Touch.Loop.Latest().Safety.IsArmed);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(All, LastingServoFaults, testing::ValuesIn(LastingFaults()),
+                         [](const auto& chosen) { return chosen.param.Name; });
+
+TEST(ServoBeforeReady, ThereIsNoForceWhileTheDeviceHomes)
+{
+  SimulatedSettings device = Rig::Pressing();
+  device.HomingDuration = 0.1;
+  test::SimulatedTouch touch(test::WallScene(-10.0, {1.0, 0.0}), device);
+  for (int n = 0; n < 100; ++n)
+  {
+    ASSERT_EQ(Vector3(touch.Tick().ForceDevice), Vector3::Zero());
+  }
+  EXPECT_GT(touch.Tick(1000).ForceDevice.Z, 0.5);
+  EXPECT_EQ(touch.Loop.Latest().Safety.Fault, SafetyFault::None);
+}
+} // namespace
+} // namespace palpate

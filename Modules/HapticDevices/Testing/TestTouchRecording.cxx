@@ -1,0 +1,154 @@
+#include "TouchRecording.h"
+
+#include "RecordedSession.h"
+#include "TemporaryFolder.h"
+#include "TouchRecordingFormat.h"
+
+#include <fstream>
+#include <limits>
+#include <random>
+
+namespace palpate
+{
+namespace
+{
+class TouchRecordingFile : public testing::Test
+{
+protected:
+  void SetUp() override
+  {
+    test::RecordSession(this->Path, 400);
+    std::ifstream file(this->Path, std::ios::binary);
+    this->Bytes.assign(std::istreambuf_iterator<char>(file), {});
+  }
+  // Writes the bytes and reads them as a recording.
+  Status ReadBytes()
+  {
+    std::ofstream(this->Path, std::ios::binary | std::ios::trunc) << this->Bytes;
+    return ReadTouchRecording(this->Path, this->Recording);
+  }
+
+  test::TemporaryFolder Folder;
+  std::string Path = (Folder / "session.touch").string();
+  std::string Bytes;
+  TouchRecording Recording;
+};
+
+TEST(TouchRecordingFormat, AnyTickComesBackToTheSameBits)
+{
+  std::mt19937_64 random(5);
+  for (int n = 0; n < 1000; ++n)
+  {
+    TouchRecordingFormat::TickRecord words{};
+    for (std::uint64_t& word : words)
+    {
+      word = random();
+    }
+    words[4] &= 0x1ff;       // nine flags
+    words[5] %= 5;           // states
+    words[6] %= 8;           // faults
+    words[15] &= 0xffffffff; // buttons
+    words[30] %= 1'000'000;  // structure
+    TouchState state;
+    ASSERT_TRUE(TouchRecordingFormat::Decode(words, state));
+    ASSERT_EQ(TouchRecordingFormat::Encode(state), words);
+  }
+}
+
+TEST(TouchRecordingFormat, WhatIsNoTickIsRefused)
+{
+  const TouchRecordingFormat::TickRecord good = TouchRecordingFormat::Encode(TouchState());
+  TouchState state;
+  ASSERT_TRUE(TouchRecordingFormat::Decode(good, state));
+  const std::pair<std::size_t, std::uint64_t> bad[] = {
+      {4, 0x200}, {5, 5}, {6, 8}, {15, std::uint64_t{1} << 32}, {30, std::uint64_t{1} << 40}};
+  for (const auto& [word, value] : bad)
+  {
+    TouchRecordingFormat::TickRecord words = good;
+    words[word] = value;
+    EXPECT_FALSE(TouchRecordingFormat::Decode(words, state)) << word;
+  }
+}
+
+TEST_F(TouchRecordingFile, HasEveryTickAndTheSession)
+{
+  ASSERT_TRUE(ReadTouchRecording(this->Path, this->Recording).IsOk());
+  ASSERT_EQ(this->Recording.Ticks.size(), 400u);
+  EXPECT_EQ(this->Recording.Session.Settings.Rate, 1000.0);
+  EXPECT_EQ(this->Recording.Session.Device.MaximumForce, 8.0);
+  // 3.3 ms after tick 99, which was 1 ms before tick 100 was due.
+  EXPECT_EQ(this->Recording.Ticks[100].Tick.SkippedPeriods, 2u);
+  EXPECT_EQ(this->Recording.Ticks[205].Safety.Fault, SafetyFault::NonFinitePosition);
+  EXPECT_TRUE(this->Recording.Ticks[210].WasRearmed);
+  EXPECT_EQ(this->Recording.Ticks[399].Scene, 2u);
+  EXPECT_EQ(this->Folder.EntryCount(), 1u); // nothing temporary is left
+}
+
+TEST_F(TouchRecordingFile, ThatIsCutOffAnywhereIsRefusedOrEndsWithAWholeTick)
+{
+  const std::size_t head = this->Bytes.size() - 400 * 8 * TouchRecordingFormat::TickWords;
+  for (std::size_t cut = 1; cut < this->Bytes.size(); cut += 97)
+  {
+    const std::string whole = this->Bytes;
+    this->Bytes.resize(this->Bytes.size() - cut);
+    const bool isWhole = this->Bytes.size() >= head &&
+                         (this->Bytes.size() - head) % (8 * TouchRecordingFormat::TickWords) == 0;
+    EXPECT_EQ(this->ReadBytes().IsOk(), isWhole) << cut;
+    this->Bytes = whole;
+  }
+}
+
+TEST_F(TouchRecordingFile, OfAnotherFormatOrVersionIsRefused)
+{
+  this->Bytes[24] = '2';
+  EXPECT_EQ(this->ReadBytes().Message(),
+            this->Path + " is no recorded touch session of version 1.");
+  this->Bytes = "";
+  EXPECT_FALSE(this->ReadBytes().IsOk());
+  EXPECT_EQ(ReadTouchRecording(this->Path + "x", this->Recording).Message(),
+            this->Path + "x cannot be read.");
+}
+
+TEST_F(TouchRecordingFile, ThatLacksATickIsRefused)
+{
+  const std::size_t tick = 8 * TouchRecordingFormat::TickWords;
+  this->Bytes.erase(this->Bytes.size() - 2 * tick, tick);
+  EXPECT_NE(this->ReadBytes().Message().find("lacks ticks"), std::string::npos);
+  EXPECT_TRUE(this->Recording.Ticks.empty());
+}
+
+TEST(TouchRecorder, LeavesNothingUnfinishedBehind)
+{
+  const test::TemporaryFolder folder;
+  {
+    TouchRecorder recorder;
+    ASSERT_TRUE(recorder.Start((folder / "session").string(), TouchSession()).IsOk());
+    EXPECT_FALSE(recorder.Start((folder / "other").string(), TouchSession()).IsOk());
+    EXPECT_EQ(folder.EntryCount(), 1u);
+  }
+  EXPECT_EQ(folder.EntryCount(), 0u);
+}
+
+TEST(TouchRecorder, SaysWhenItLostTicks)
+{
+  const test::TemporaryFolder folder;
+  ServoSettings settings;
+  settings.RecordedTicks = 10;
+  test::SimulatedTouch touch(test::WallScene(0.0, {1.0, 0.0}), SimulatedSettings(), settings);
+  TouchRecorder recorder;
+  ASSERT_TRUE(recorder.Start((folder / "session").string(), test::SessionOf(touch.Device, settings))
+                  .IsOk());
+  touch.Tick(15);
+  EXPECT_TRUE(recorder.Drain(touch.Loop).IsOk());
+  touch.Tick();
+  EXPECT_FALSE(recorder.Drain(touch.Loop).IsOk());
+}
+
+TEST(TouchRecorder, SaysWhereItCannotWrite)
+{
+  TouchRecorder recorder;
+  EXPECT_FALSE(recorder.Start("/nowhere/session", TouchSession()).IsOk());
+  EXPECT_FALSE(recorder.Finish().IsOk());
+}
+} // namespace
+} // namespace palpate

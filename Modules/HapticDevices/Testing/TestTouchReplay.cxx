@@ -1,0 +1,125 @@
+#include "TouchReplay.h"
+
+#include "BuiltInDevices.h"
+#include "RecordedSession.h"
+#include "ReplayDevice.h"
+#include "TemporaryFolder.h"
+
+namespace palpate
+{
+namespace
+{
+std::shared_ptr<TouchRecording> Recorded(int ticks, const ServoSettings& settings = ServoSettings())
+{
+  const test::TemporaryFolder folder;
+  const std::string path = (folder / "session.touch").string();
+  test::RecordSession(path, ticks, settings);
+  auto recording = std::make_shared<TouchRecording>();
+  const Status status = ReadTouchRecording(path, *recording);
+  EXPECT_TRUE(status.IsOk()) << status.Message();
+  return recording;
+}
+
+TEST(TouchReplay, ASessionIsFeltAgainToTheLastBit)
+{
+  for (const int interval : {1, 3})
+  {
+    ServoSettings settings;
+    settings.ModelInterval = interval;
+    const auto recording = Recorded(4000, settings);
+    double strongest = 0.0;
+    for (const TouchState& tick : recording->Ticks)
+    {
+      strongest = std::max(strongest, Vector3(tick.ForceDevice).norm());
+    }
+    EXPECT_GT(strongest, 1.0);
+    ReplayComparison comparison;
+    ASSERT_TRUE(ReplayTouch(recording, test::RecordedScenes(), comparison).IsOk());
+    EXPECT_EQ(comparison.Ticks, 4000u);
+    EXPECT_EQ(comparison.DifferentTicks, 0u);
+    EXPECT_EQ(comparison.FirstDifference, -1);
+    EXPECT_EQ(comparison.LargestDifference, 0.0);
+  }
+}
+
+TEST(TouchReplay, ADeviceThatFailedFailsAgain)
+{
+  const test::TemporaryFolder folder;
+  for (const SimulatedFault fault : {SimulatedFault::Unplugged, SimulatedFault::RefusedForce})
+  {
+    SimulatedSettings device;
+    device.Path = test::PressingPath(3.0, 2.0);
+    test::SimulatedTouch touch(*test::RecordedScenes()[0], device);
+    auto recording = std::make_shared<TouchRecording>();
+    recording->Session = test::SessionOf(touch.Device, ServoSettings());
+    for (int n = 0; n < 400; ++n)
+    {
+      touch.Device.Inject(n < 300 ? SimulatedFault::None : fault);
+      recording->Ticks.push_back(touch.Tick());
+    }
+    ASSERT_EQ(recording->Ticks.back().Safety.Fault, SafetyFault::DeviceFailed);
+    ReplayComparison comparison;
+    ASSERT_TRUE(ReplayTouch(recording, test::RecordedScenes(), comparison).IsOk());
+    EXPECT_EQ(comparison.DifferentTicks, 0u);
+  }
+}
+
+TEST(TouchReplay, WhatAChangeDoesToForcesIsSeen)
+{
+  const auto recording = Recorded(4000);
+  auto scenes = test::RecordedScenes();
+  TouchScene stiffer = *scenes[0];
+  stiffer.Structures[0].Law.Stiffness *= 1.1;
+  scenes[0] = std::make_shared<TouchScene>(stiffer);
+  ReplayComparison comparison;
+  ASSERT_TRUE(ReplayTouch(recording, scenes, comparison).IsOk());
+  EXPECT_GT(comparison.DifferentTicks, 500u);
+  EXPECT_GT(comparison.FirstDifference, 0);
+  EXPECT_GT(comparison.LargestDifference, 0.05);
+}
+
+TEST(TouchReplay, RefusesWhatItHasNoSceneFor)
+{
+  ReplayComparison comparison;
+  EXPECT_FALSE(ReplayTouch(Recorded(400), {test::RecordedScenes()[0]}, comparison).IsOk());
+  EXPECT_FALSE(ReplayTouch(std::make_shared<TouchRecording>(), {}, comparison).IsOk());
+}
+
+TEST(ReplayDevice, PlaysASessionAtAnyTimeAndEnds)
+{
+  const auto recording = Recorded(400);
+  ManualClock clock(123'456'789);
+  ReplayDevice device(clock, recording);
+  EXPECT_EQ(device.State(), DeviceState::Closed);
+  ASSERT_TRUE(device.Open().IsOk());
+  DeviceSample sample;
+  for (int n = 0; n < 100; ++n)
+  {
+    ASSERT_TRUE(device.Read(sample));
+    EXPECT_EQ(sample.Time, clock.Now());
+    EXPECT_EQ(sample.Position.X, recording->Ticks[n].Sample.Position.X);
+    EXPECT_TRUE(device.Apply(Vector3::UnitX()));
+    clock.Advance(1'000'000);
+  }
+  EXPECT_TRUE(device.Problem().empty());
+  clock.Advance(10'000'000'000);
+  EXPECT_FALSE(device.Read(sample));
+  EXPECT_EQ(device.State(), DeviceState::Error);
+  EXPECT_FALSE(device.Problem().empty());
+}
+
+TEST(ReplayDevice, IsMadeByNameFromAFile)
+{
+  const test::TemporaryFolder folder;
+  const std::string path = (folder / "a:b.touch").string();
+  test::RecordSession(path, 40);
+  DeviceRegistry registry;
+  ASSERT_TRUE(RegisterBuiltInDevices(registry).IsOk());
+  ManualClock clock;
+  std::unique_ptr<HapticDevice> device;
+  ASSERT_TRUE(registry.Make("replay:" + path, clock, device).IsOk());
+  EXPECT_EQ(device->Capabilities().MaximumForce, 8.0);
+  EXPECT_FALSE(registry.Make("replay:nowhere", clock, device).IsOk());
+}
+} // namespace
+} // namespace palpate
