@@ -46,7 +46,8 @@ std::string TouchCommand::Examples() const
   return "  palpate touch case1/model.json                   a sweep round a fitted model\n"
          "  palpate touch mask.seg.nrrd --label 1 --tool-radius 3 --output felt\n"
          "  palpate touch ct.nrrd --iso 300 --stiffness 1 --rate 2000\n"
-         "  palpate touch knee.scene.json --path hand.csv --real-time --output felt";
+         "  palpate touch knee.scene.json --path hand.csv --real-time --output felt\n"
+         "  palpate touch felt/scene.json --replay felt/session.touch";
 }
 
 void TouchCommand::DeclareStructure(CLI::App& app)
@@ -131,8 +132,11 @@ void TouchCommand::DeclareOptions(CLI::App& app)
   this->DeclareStructure(app);
   this->DeclareRun(app);
   app.add_option("--output", this->OutputFolder,
-                 "Folder for report.html, summary.json, trace.csv and scene.json")
+                 "Folder for report.html, summary.json, trace.csv, scene.json and session.touch")
       ->type_name("DIR");
+  app.add_option("--replay", this->ReplayFile,
+                 "Feel a recorded session (session.touch) again, and compare each tick's force")
+      ->type_name("FILE");
   app.add_flag("--json", this->Json, "The summary as one JSON object on standard output");
 }
 
@@ -222,6 +226,42 @@ void TouchCommand::PrintSummary(const PreparedTouch& touch, const TouchResult& r
   }
 }
 
+int TouchCommand::Replay(const PreparedTouch& touch, Console& console) const
+{
+  const TouchComparison comparison = CompareTouch(touch, this->ReplayFile);
+  console.Output() << comparison.DifferentTicks << " of " << comparison.Ticks
+                   << " ticks differ, forces by at most " << comparison.LargestDifference << " N\n";
+  return comparison.DifferentTicks == 0 ? 0 : 1;
+}
+
+int TouchCommand::Touch(const PreparedTouch& touch, Console& console) const
+{
+  std::filesystem::path recording;
+  if (!this->OutputFolder.empty())
+  {
+    MakeOutputFolder(this->OutputFolder);
+    recording = this->OutputFolder / "session.touch";
+  }
+  const TouchResult result = RunTouch(touch, !this->IsRealTime, recording, ProgressOn(console));
+  console.EndProgress();
+  if (!this->OutputFolder.empty())
+  {
+    WriteTouchFiles(this->OutputFolder, touch, result);
+  }
+  this->PrintSummary(touch, result, console);
+  if (!result.ThreadAdvice.empty())
+  {
+    console.Note(result.ThreadAdvice);
+  }
+  if (result.Fault != SafetyFault::None)
+  {
+    console.Error(std::string("forces went off: ") + Describe(result.Fault) +
+                  (result.DeviceProblem.empty() ? "" : " " + result.DeviceProblem));
+    return 1;
+  }
+  return 0;
+}
+
 int TouchCommand::Run(Console& console)
 {
   const Interruption interruption;
@@ -237,24 +277,7 @@ int TouchCommand::Run(Console& console)
     {
       console.Note(warning);
     }
-    const TouchResult result = RunTouch(touch, !this->IsRealTime, ProgressOn(console));
-    console.EndProgress();
-    if (!this->OutputFolder.empty())
-    {
-      WriteTouchFiles(this->OutputFolder, touch, result);
-    }
-    this->PrintSummary(touch, result, console);
-    if (!result.ThreadAdvice.empty())
-    {
-      console.Note(result.ThreadAdvice);
-    }
-    if (result.Fault != SafetyFault::None)
-    {
-      console.Error(std::string("forces went off: ") + Describe(result.Fault) +
-                    (result.DeviceProblem.empty() ? "" : " " + result.DeviceProblem));
-      return 1;
-    }
-    return 0;
+    return this->ReplayFile.empty() ? this->Touch(touch, console) : this->Replay(touch, console);
   }
   catch (const FilterError& error)
   {

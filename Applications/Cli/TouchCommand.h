@@ -28,6 +28,8 @@ private:
   /// The scene file, or what the options say of the files.
   TouchSettings Settings() const;
   TouchScript Script() const;
+  int Touch(const PreparedTouch& touch, Console& console) const;
+  int Replay(const PreparedTouch& touch, Console& console) const;
   void PrintSummary(const PreparedTouch& touch, const TouchResult& result, Console& console) const;
 
   std::vector<std::string> Inputs;
@@ -45,6 +47,7 @@ private:
   TouchScript Sweep;
   std::vector<double> Seconds; ///< none or one
   bool IsRealTime = false;
+  std::string ReplayFile;
   bool Json = false;
   std::filesystem::path OutputFolder;
 };

@@ -1,7 +1,6 @@
 #include "TouchReport.h"
 
 #include "HtmlText.h"
-#include "OutputFolder.h"
 #include "ReportPage.h"
 #include "SvgChart.h"
 #include "TouchSceneFile.h"
@@ -236,9 +235,10 @@ std::string TouchSummaryText(const PreparedTouch& touch, const TouchResult& resu
 void WriteTouchFiles(const std::filesystem::path& folder, const PreparedTouch& touch,
                      const TouchResult& result)
 {
-  MakeOutputFolder(folder);
   WriteWholeFile(folder / "summary.json", TouchSummaryText(touch, result));
-  WriteWholeFile(folder / "scene.json", TouchSceneText(touch.Settings, folder));
+  TouchSettings settings = touch.Settings;
+  settings.Scale = touch.Scale; // so that the same file means the same touch
+  WriteWholeFile(folder / "scene.json", TouchSceneText(settings, folder));
   WriteWholeFile(folder / "trace.csv", TraceAsCsv(result.Trace));
   WriteWholeFile(folder / "report.html", PageOf(touch, result));
 }

@@ -12,7 +12,7 @@ namespace palpate
 PALPATESESSION_EXPORT std::string TouchSummaryText(const PreparedTouch& touch,
                                                    const TouchResult& result);
 
-/// Writes into a folder, which it makes: `summary.json`, `trace.csv` (a line a tick), `scene.json`
+/// Writes into a folder, which exists: `summary.json`, `trace.csv` (a line a tick), `scene.json`
 /// and `report.html` with force, depth and tick time over time. Throws InputError.
 PALPATESESSION_EXPORT void WriteTouchFiles(const std::filesystem::path& folder,
                                            const PreparedTouch& touch, const TouchResult& result);

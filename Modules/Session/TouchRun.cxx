@@ -7,6 +7,8 @@
 #include "SimulatedDevice.h"
 #include "SteadyClock.h"
 #include "StiffnessAdvice.h"
+#include "TouchRecorder.h"
+#include "TouchReplay.h"
 
 #include <algorithm>
 #include <cmath>
@@ -26,6 +28,15 @@ void Require(const Status& status)
   if (!status.IsOk())
   {
     throw InputError(status.Message());
+  }
+}
+
+// What is not the user's fault.
+void Succeed(const Status& status)
+{
+  if (!status.IsOk())
+  {
+    throw std::runtime_error(status.Message());
   }
 }
 
@@ -105,23 +116,24 @@ private:
 };
 
 // All of it while a tool touches.
-class TouchSession
+class LiveTouch
 {
 public:
-  TouchSession(const PreparedTouch& touch, Clock& clock)
-      : Touch(touch), Keeper(Result, touch.Structures.size())
+  LiveTouch(const PreparedTouch& touch, Clock& clock, const std::filesystem::path& recording)
+      : Touch(touch), Keeper(Result, touch.Structures.size()), IsRecording(!recording.empty())
   {
     this->Settings.Rate = touch.Settings.Rate;
     this->Device = MakeDevice(touch.Settings.Device, clock, this->PathOfDevice());
-    const Status status = this->Device->Open();
-    if (!status.IsOk())
+    Succeed(this->Device->Open());
+    if (this->IsRecording)
     {
-      throw std::runtime_error(status.Message());
+      Succeed(
+          this->Recorder.Start(recording.string(), {this->Settings, this->Device->Capabilities()}));
     }
   }
-  ~TouchSession() { this->Device->Close(); }
-  TouchSession(const TouchSession&) = delete;
-  TouchSession& operator=(const TouchSession&) = delete;
+  ~LiveTouch() { this->Device->Close(); }
+  LiveTouch(const LiveTouch&) = delete;
+  LiveTouch& operator=(const LiveTouch&) = delete;
 
   TouchResult RunVirtual(ManualClock& clock, const ProgressFunction& progress)
   {
@@ -134,6 +146,9 @@ public:
     loop.Run(
         [&](const TickInfo& tick)
         {
+          // A computed hand moves when it is read; that is no part of the tick's own time.
+          DeviceSample ahead;
+          this->Device->Read(ahead);
           const std::int64_t start = watch.Now();
           servo.Tick(tick);
           const std::int64_t spent = watch.Now() - start;
@@ -192,11 +207,19 @@ private:
     while (servo.PopRecorded(state))
     {
       this->Keeper.Add(state);
+      if (this->IsRecording)
+      {
+        Succeed(this->Recorder.Take(state));
+      }
     }
   }
 
   TouchResult Finished(Servo& servo)
   {
+    if (this->IsRecording)
+    {
+      Succeed(this->Recorder.Finish());
+    }
     this->Result.LostTicks = servo.LostTicks();
     this->Result.DeviceProblem = this->Device->Problem();
     return std::move(this->Result);
@@ -207,6 +230,8 @@ private:
   std::unique_ptr<HapticDevice> Device;
   TouchResult Result;
   TraceKeeper Keeper;
+  bool IsRecording;
+  TouchRecorder Recorder;
 };
 } // namespace
 
@@ -239,14 +264,24 @@ PreparedTouch PrepareTouch(const TouchSettings& settings, const TouchScript& scr
   return touch;
 }
 
-TouchResult RunTouch(const PreparedTouch& touch, bool isVirtual, const ProgressFunction& progress)
+TouchResult RunTouch(const PreparedTouch& touch, bool isVirtual,
+                     const std::filesystem::path& recording, const ProgressFunction& progress)
 {
   if (isVirtual)
   {
     ManualClock clock;
-    return TouchSession(touch, clock).RunVirtual(clock, progress);
+    return LiveTouch(touch, clock, recording).RunVirtual(clock, progress);
   }
   SteadyClock clock;
-  return TouchSession(touch, clock).RunReal(clock, progress);
+  return LiveTouch(touch, clock, recording).RunReal(clock, progress);
+}
+
+TouchComparison CompareTouch(const PreparedTouch& touch, const std::filesystem::path& recording)
+{
+  auto read = std::make_shared<TouchRecording>();
+  Require(ReadTouchRecording(recording.string(), *read));
+  ReplayComparison comparison;
+  Require(ReplayTouch(std::move(read), {touch.Scene}, comparison));
+  return {comparison.Ticks, comparison.DifferentTicks, comparison.LargestDifference};
 }
 } // namespace palpate

@@ -64,8 +64,23 @@ PALPATESESSION_EXPORT PreparedTouch PrepareTouch(const TouchSettings& settings,
                                                  const TouchScript& script,
                                                  const ProgressFunction& progress);
 
-/// Touches. Ends early, with what there is until then, where `progress` answers false. Throws
-/// std::runtime_error where the device does not open.
+/// Touches, for `touch.Duration`: in virtual time as fast as ticks are computed, else at the rate
+/// that is asked for, on a thread of its own. Records the session to a file, unless its name is
+/// empty. Ends early, with what there is until then, where `progress` answers false. Throws
+/// std::runtime_error where the device does not open or the recording cannot be written.
 PALPATESESSION_EXPORT TouchResult RunTouch(const PreparedTouch& touch, bool isVirtual,
+                                           const std::filesystem::path& recording,
                                            const ProgressFunction& progress);
+
+/// How what is felt again compares with what was recorded.
+struct TouchComparison
+{
+  std::uint64_t Ticks = 0;
+  std::uint64_t DifferentTicks = 0; ///< in any bit
+  double LargestDifference = 0.0;   ///< N, of the forces
+};
+
+/// Feels a recorded session again. Throws InputError where it is none.
+PALPATESESSION_EXPORT TouchComparison CompareTouch(const PreparedTouch& touch,
+                                                   const std::filesystem::path& recording);
 } // namespace palpate

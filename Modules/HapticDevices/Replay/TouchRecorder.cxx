@@ -52,7 +52,7 @@ Status TouchRecorder::Start(const std::string& path, const TouchSession& session
   return Status::Success();
 }
 
-Status TouchRecorder::Write(const TouchState& state)
+Status TouchRecorder::Take(const TouchState& state)
 {
   if (state.Tick.Number != this->Written)
   {
@@ -70,7 +70,7 @@ Status TouchRecorder::Drain(Servo& servo)
   Status status = Status::Success();
   for (TouchState state; status.IsOk() && servo.PopRecorded(state);)
   {
-    status = this->Write(state);
+    status = this->Take(state);
   }
   return status;
 }

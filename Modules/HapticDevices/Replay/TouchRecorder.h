@@ -21,15 +21,15 @@ public:
 
   /// Begins a file. The servo has not ticked yet.
   Status Start(const std::string& path, const TouchSession& session);
-  /// Takes what the servo did since the last call. Fails where ticks were lost or the file cannot
-  /// be written; go on or not, Finish then refuses.
+  /// The next tick, for who fetches them from the servo and wants them too. Fails where ticks before
+  /// it were lost or the file cannot be written.
+  Status Take(const TouchState& state);
+  /// Takes what the servo did since the last call.
   Status Drain(Servo& servo);
   /// The file under its name. The servo has stopped, and Drain was called since.
   Status Finish();
 
 private:
-  Status Write(const TouchState& state);
-
   std::string Path;
   std::string TemporaryPath; // empty while there is no file
   std::ofstream File;

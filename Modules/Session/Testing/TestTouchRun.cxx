@@ -1,0 +1,212 @@
+#include "TouchRun.h"
+
+#include "DeviceList.h"
+#include "InputError.h"
+#include "LabelImages.h"
+#include "ModelFile.h"
+#include "ImageWriter.h"
+#include "TemporaryFolder.h"
+#include "TouchReport.h"
+#include "WholeFile.h"
+
+#include <algorithm>
+#include <cmath>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+namespace palpate
+{
+namespace
+{
+bool GoOn(double, const std::string&)
+{
+  return true;
+}
+
+constexpr double Radius = 15.0;
+
+// A ball, as a model, and as a mask on 1 mm voxels.
+class TouchRun : public testing::Test
+{
+protected:
+  void SetUp() override
+  {
+    WriteModel(this->ModelPath,
+               {SphericalHarmonicModel(0, {Radius * std::sqrt(4.0 * M_PI)}, Vector3::Zero()), {}});
+    test::LabelGrid grid;
+    grid.Size = {{40, 40, 40}};
+    grid.CenterOnOrigin();
+    WriteImage(this->MaskPath, test::MakeLabelImage(grid, [](double x, double y, double z)
+                                                    { return std::hypot(x, y, z) < Radius; }));
+  }
+
+  TouchSettings SettingsOf(const std::filesystem::path& file, TouchRepresentation representation)
+  {
+    TouchSettings settings;
+    TouchStructureSettings structure;
+    structure.File = file;
+    structure.Representation = representation;
+    structure.Degree = 2;
+    settings.Structures = {structure};
+    return settings;
+  }
+  // Straight to a point on the x axis, and rest there.
+  static TouchScript PressTo(double x)
+  {
+    TouchScript script;
+    script.Path = HandPath({{0.0, Vector3(40.0, 0.0, 0.0)},
+                            {1.0, Vector3(x, 0.0, 0.0)},
+                            {2.0, Vector3(x, 0.0, 0.0)}});
+    return script;
+  }
+
+  test::TemporaryFolder Folder;
+  std::filesystem::path ModelPath = Folder / "ball.json";
+  std::filesystem::path MaskPath = Folder / "ball.nii.gz";
+};
+
+// At rest the hand's spring and the structure's share the way: half of 4 mm each, as both have
+// 0.5 N/mm. The mechanism's friction (0.2 N) may hold 0.2 mm of it.
+TEST_F(TouchRun, EveryRepresentationOfABallGivesTheSameForce)
+{
+  for (const TouchRepresentation representation :
+       {TouchRepresentation::Automatic, TouchRepresentation::SubVoxel,
+        TouchRepresentation::Harmonics, TouchRepresentation::Facets})
+  {
+    const bool isModel = representation == TouchRepresentation::Automatic;
+    const TouchSettings settings =
+        this->SettingsOf(isModel ? this->ModelPath : this->MaskPath, representation);
+    const double end = Radius + settings.Tool.Radius - 4.0;
+    const PreparedTouch touch = PrepareTouch(settings, PressTo(end), GoOn);
+    const TouchResult result = RunTouch(touch, true, {}, GoOn);
+    EXPECT_EQ(result.Ticks, 2000U);
+    EXPECT_EQ(result.Fault, SafetyFault::None);
+    EXPECT_EQ(result.LostTicks, 0U);
+    // The voxels' ball may be half a voxel larger or smaller.
+    const double voxels = isModel ? 0.0 : 0.5;
+    EXPECT_NEAR(result.Trace.Depth.back(), 2.0, 0.25 + 0.5 * voxels)
+        << touch.Structures[0].Represented;
+    EXPECT_NEAR(result.Trace.Force.back(), 0.5 * result.Trace.Depth.back(), 1e-2)
+        << touch.Structures[0].Represented;
+    EXPECT_GT(result.TouchedSeconds[0], 1.0);
+  }
+}
+
+TEST_F(TouchRun, ASessionIsFeltAgainToTheLastBit)
+{
+  TouchSettings settings = this->SettingsOf(this->MaskPath, TouchRepresentation::SubVoxel);
+  settings.Structures[0].Friction = {0.4, 0.3};
+  const PreparedTouch touch = PrepareTouch(settings, PressTo(10.0), GoOn);
+  const auto file = this->Folder / "session.touch";
+  const TouchResult result = RunTouch(touch, true, file, GoOn);
+  const TouchComparison same = CompareTouch(touch, file);
+  EXPECT_EQ(same.Ticks, result.Ticks);
+  EXPECT_EQ(same.DifferentTicks, 0U);
+  settings.Structures[0].Stiffness *= 1.5;
+  const PreparedTouch stiffer = PrepareTouch(settings, PressTo(10.0), GoOn);
+  EXPECT_GT(CompareTouch(stiffer, file).DifferentTicks, 500U);
+  EXPECT_THROW(CompareTouch(touch, this->ModelPath), InputError);
+}
+
+TEST_F(TouchRun, ASweepTouchesAllTheWay)
+{
+  const TouchSettings settings = this->SettingsOf(this->ModelPath, TouchRepresentation::Automatic);
+  const PreparedTouch touch = PrepareTouch(settings, {}, GoOn);
+  EXPECT_EQ(touch.Duration, touch.Path.Duration());
+  const TouchResult result = RunTouch(touch, true, {}, GoOn);
+  EXPECT_GT(result.TouchedSeconds[0], 0.8 * touch.Duration);
+}
+
+TEST_F(TouchRun, AHandOfALargeSceneReachesAllOfIt)
+{
+  TouchSettings settings = this->SettingsOf(this->ModelPath, TouchRepresentation::Automatic);
+  WriteModel(this->ModelPath,
+             {SphericalHarmonicModel(0, {100.0 * std::sqrt(4.0 * M_PI)}, Vector3::Zero()), {}});
+  EXPECT_GT(PrepareTouch(settings, {}, GoOn).Scale, 100.0 / 40.0);
+  settings.Scale = 1.5;
+  EXPECT_EQ(PrepareTouch(settings, {}, GoOn).Scale, 1.5);
+}
+
+TEST_F(TouchRun, WarnsOfMoreStiffnessThanTheDeviceAllows)
+{
+  TouchSettings settings = this->SettingsOf(this->ModelPath, TouchRepresentation::Automatic);
+  EXPECT_TRUE(PrepareTouch(settings, PressTo(10.0), GoOn).Warnings.empty());
+  settings.Structures[0].Stiffness = 50.0;
+  EXPECT_EQ(PrepareTouch(settings, PressTo(10.0), GoOn).Warnings.size(), 1U);
+}
+
+TEST_F(TouchRun, CanBeEndedEarly)
+{
+  const TouchSettings settings = this->SettingsOf(this->ModelPath, TouchRepresentation::Automatic);
+  const PreparedTouch touch = PrepareTouch(settings, PressTo(10.0), GoOn);
+  const auto half = [](double part, const std::string&) { return part < 0.5; };
+  const TouchResult result = RunTouch(touch, true, {}, half);
+  EXPECT_GT(result.Ticks, 900U);
+  EXPECT_LT(result.Ticks, 2000U);
+}
+
+// Runs for as long as it says, at a rate that a busy machine keeps too.
+TEST_F(TouchRun, RunsInRealTimeOnAThread)
+{
+  TouchSettings settings = this->SettingsOf(this->ModelPath, TouchRepresentation::Automatic);
+  settings.Rate = 200.0;
+  TouchScript script = PressTo(10.0);
+  script.Duration = 0.2;
+  const PreparedTouch touch = PrepareTouch(settings, script, GoOn);
+  const TouchResult result = RunTouch(touch, false, {}, GoOn);
+  EXPECT_GT(result.Ticks, 0U);
+  EXPECT_EQ(result.Trace.Time.size(), result.Ticks);
+  EXPECT_TRUE(result.Trace.TickMicroseconds.empty());
+}
+
+TEST_F(TouchRun, WhatCannotBeTouchedIsRefused)
+{
+  TouchSettings settings = this->SettingsOf(this->ModelPath, TouchRepresentation::SubVoxel);
+  EXPECT_THROW(PrepareTouch(settings, {}, GoOn), InputError);
+  settings = this->SettingsOf(this->Folder / "missing.json", TouchRepresentation::Automatic);
+  EXPECT_THROW(PrepareTouch(settings, {}, GoOn), InputError);
+  settings = this->SettingsOf(this->MaskPath, TouchRepresentation::Automatic);
+  settings.Structures[0].Labels = {"7"};
+  EXPECT_THROW(PrepareTouch(settings, {}, GoOn), InputError);
+  settings = this->SettingsOf(this->ModelPath, TouchRepresentation::Automatic);
+  settings.Device = "phantom";
+  EXPECT_THROW(PrepareTouch(settings, {}, GoOn), InputError);
+  settings = this->SettingsOf(this->ModelPath, TouchRepresentation::Automatic);
+  settings.Tool.Kind = TouchToolSettings::Shape::Capsule;
+  EXPECT_THROW(PrepareTouch(settings, {}, GoOn), InputError) << "harmonics are felt by spheres";
+}
+
+TEST_F(TouchRun, FilesSayWhatWasFelt)
+{
+  const TouchSettings settings = this->SettingsOf(this->ModelPath, TouchRepresentation::Automatic);
+  const PreparedTouch touch = PrepareTouch(settings, PressTo(10.0), GoOn);
+  const TouchResult result = RunTouch(touch, true, {}, GoOn);
+  WriteTouchFiles(this->Folder.Path(), touch, result);
+  const auto read = [this](const char* name)
+  { return ReadWholeFile(this->Folder / name, std::uintmax_t{1} << 30); };
+  const nlohmann::json summary = nlohmann::json::parse(read("summary.json"));
+  EXPECT_EQ(summary["ticks"], 2000);
+  EXPECT_EQ(summary["fault"], "");
+  EXPECT_GT(summary["force_max_n"].get<double>(), 1.0);
+  EXPECT_GT(summary["tick"]["median_us"].get<double>(), 0.0);
+  const std::string trace = read("trace.csv");
+  EXPECT_EQ(std::count(trace.begin(), trace.end(), '\n'), 2001);
+  EXPECT_NE(read("report.html").find("force, N"), std::string::npos);
+  EXPECT_NE(read("scene.json").find("ball.json"), std::string::npos);
+}
+
+TEST(DeviceList, HasTheSimulatedDeviceAndSaysWhatOthersLack)
+{
+  const std::vector<DeviceReport> reports = ListDevices();
+  const auto named = [&](const std::string& name)
+  {
+    return *std::find_if(reports.begin(), reports.end(),
+                         [&](const DeviceReport& report) { return report.Name == name; });
+  };
+  EXPECT_TRUE(named("simulated").IsThere);
+  EXPECT_EQ(named("simulated").Says, "ready");
+  EXPECT_FALSE(named("replay").IsThere);
+  EXPECT_NE(named("replay").Says.find("file"), std::string::npos);
+}
+} // namespace
+} // namespace palpate
