@@ -159,24 +159,16 @@ void FieldProxyTracker::Slide(const Vector3& probe) noexcept
 // One short step of the probe, with friction; false if the tool is let go.
 bool FieldProxyTracker::Press(const Vector3& goal) noexcept
 {
-  const FrictionCone::Pull pull(goal - this->ToolWorld, this->NormalWorld);
   if (this->FootCount == 0)
   {
     return this->Solve(goal) && this->Solve(goal); // the second one moves the feet
   }
-  if (this->Friction.IsFrictionless() || pull.Into <= 0.0)
-  {
-    return this->Solve(goal);
-  }
-  if (this->Friction.Sticks(pull) && !this->IsTurned)
+  const FrictionCone::Pull pull(goal - this->ToolWorld, this->NormalWorld);
+  if (!this->Friction.IsFrictionless() && this->Friction.Sticks(pull) && !this->IsTurned)
   {
     return true;
   }
-  // What friction takes of the pull along the surface is taken of the goal.
-  const double left = this->Friction.Sticks(pull) ? 0.0 : this->Friction.Excess(pull);
-  const Vector3 into = this->ToolWorld - pull.Into * this->NormalWorld;
-  const Vector3 along = goal - into;
-  return this->Solve(into + (pull.Along > 0.0 ? left / pull.Along : 0.0) * along);
+  return this->Solve(this->Friction.DrawnTo(goal, this->ToolWorld, this->NormalWorld));
 }
 
 // Brings the proxy as near to the goal as the field allows; false where nothing is in the way.

@@ -49,6 +49,20 @@ public:
     return pull.Along - this->Friction.Dynamic * pull.Into;
   }
 
+  /// Where a proxy is drawn to instead of the probe: friction takes of the pull what it resists. A
+  /// proxy that sticks is drawn straight into the surface.
+  Vector3 DrawnTo(const Vector3& probe, const Vector3& proxy, const Vector3& normal) const noexcept
+  {
+    const Pull pull(probe - proxy, normal);
+    if (this->IsFrictionless() || pull.Into <= 0.0)
+    {
+      return probe;
+    }
+    const double left = this->Sticks(pull) ? 0.0 : this->Excess(pull);
+    const Vector3 into = proxy - pull.Into * normal;
+    return into + (pull.Along > 0.0 ? left / pull.Along : 0.0) * (probe - into);
+  }
+
 private:
   SurfaceFriction Friction;
 };
