@@ -17,18 +17,14 @@ constexpr std::uintmax_t LargestFile = std::uintmax_t{256} << 20;
 HandPath::Place ParseLine(const std::string& line, const std::filesystem::path& path, int number)
 {
   std::istringstream stream(line);
-  double numbers[4] = {};
-  std::size_t count = 0;
-  for (std::string word; std::getline(stream, word, ',') && count < 4; ++count)
+  std::vector<double> numbers;
+  for (std::string word; std::getline(stream, word, ',');)
   {
-    const auto value = ParseNumber(word);
-    if (!value || !std::isfinite(*value))
-    {
-      break;
-    }
-    numbers[count] = *value;
+    numbers.push_back(ParseNumber(word).value_or(NAN));
   }
-  if (count != 4 || !stream.eof())
+  const bool areFinite = std::all_of(numbers.begin(), numbers.end(),
+                                     [](double number) { return std::isfinite(number); });
+  if (numbers.size() != 4 || !areFinite)
   {
     Refuse(path, "has no four numbers in line " + std::to_string(number),
            "write time_s,x_mm,y_mm,z_mm a line");

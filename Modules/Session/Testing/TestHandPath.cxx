@@ -39,10 +39,10 @@ TEST(HandPath, IsReadFromAFile)
 TEST(HandPath, AFileThatIsNoneIsRefused)
 {
   const test::TemporaryFolder folder;
-  for (const std::string& lines :
+  for (const char* const lines :
        {"", "0,1,2", "0,1,2,3,4", "0,1,2,nan", "0,1,2,x", "1,1,2,3\n1,1,2,3", "2,1,2,3\n1,1,2,3"})
   {
-    WriteWholeFile(folder / "hand.csv", "time_s,x_mm,y_mm,z_mm\n" + lines);
+    WriteWholeFile(folder / "hand.csv", std::string("time_s,x_mm,y_mm,z_mm\n") + lines);
     EXPECT_THROW(ReadHandPath(folder / "hand.csv"), InputError) << lines;
   }
 }

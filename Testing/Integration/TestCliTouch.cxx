@@ -1,0 +1,83 @@
+#include "CommandRun.h"
+#include "SyntheticFiles.h"
+#include "TemporaryFolder.h"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+using namespace palpate::test;
+
+TEST(CliTouch, AMaskIsSweptAndWhatWasFeltIsWritten)
+{
+  const TemporaryFolder folder;
+  WriteTwoBalls(folder / "a.nii.gz");
+  const CommandRun run = RunPalpate(
+      {"touch", "a.nii.gz", "--label", "1", "--speed", "200", "--output", "felt", "--json"},
+      folder.Path());
+  ASSERT_EQ(run.Code, 0) << run.Errors;
+  const nlohmann::json summary = nlohmann::json::parse(run.Output);
+  EXPECT_EQ(summary["structures"].size(), 1U);
+  EXPECT_GT(summary["touching_percent"].get<double>(), 50.0);
+  EXPECT_GT(summary["force_max_n"].get<double>(), 0.1);
+  for (const char* name :
+       {"report.html", "summary.json", "trace.csv", "scene.json", "session.touch"})
+  {
+    EXPECT_TRUE(std::filesystem::exists(folder / "felt" / name)) << name;
+  }
+  const CommandRun again =
+      RunPalpate({"touch", "felt/scene.json", "--replay", "felt/session.touch"}, folder.Path());
+  EXPECT_EQ(again.Code, 0) << again.Output << again.Errors;
+  EXPECT_EQ(again.Output.rfind("0 of ", 0), 0U) << again.Output;
+  const CommandRun device = RunPalpate(
+      {"touch", "felt/scene.json", "--device", "replay:felt/session.touch", "--seconds", "0.5"},
+      folder.Path());
+  EXPECT_EQ(device.Code, 0) << device.Errors;
+}
+
+TEST(CliTouch, TooMuchStiffnessIsWarnedOfBeforeForcesStart)
+{
+  const TemporaryFolder folder;
+  WriteTwoBalls(folder / "a.nii.gz");
+  const CommandRun run =
+      RunPalpate({"touch", "a.nii.gz", "--label", "1", "--stiffness", "40", "--seconds", "0.2"},
+                 folder.Path());
+  EXPECT_NE(run.Errors.find("40 N/mm"), std::string::npos) << run.Errors;
+}
+
+TEST(CliTouch, BadInputIsRefusedAndLeavesNothing)
+{
+  const TemporaryFolder folder;
+  WriteTwoBalls(folder / "a.nii.gz");
+  for (const std::vector<std::string>& more :
+       std::vector<std::vector<std::string>>{{},
+                                             {"missing.json"},
+                                             {"a.nii.gz", "--label", "77"},
+                                             {"a.nii.gz", "--representation", "voxels"},
+                                             {"a.nii.gz", "--iso", "1000"},
+                                             {"a.nii.gz", "--stiffness", "-1"},
+                                             {"a.nii.gz", "--device", "phantom"},
+                                             {"a.nii.gz", "--device", "replay"},
+                                             {"a.nii.gz", "--path", "missing.csv"},
+                                             {"a.nii.gz", "--replay", "a.nii.gz"},
+                                             {"a.nii.gz", "--output", "a.nii.gz/felt"},
+                                             {"missing.scene.json"}})
+  {
+    std::vector<std::string> arguments{"touch"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    const CommandRun run = RunPalpate(arguments, folder.Path());
+    EXPECT_EQ(run.Code, 2) << (more.empty() ? "" : more.back()) << ": " << run.Errors;
+    EXPECT_EQ(folder.EntryCount(), 1U);
+  }
+}
+
+TEST(CliDevices, ListsEachWithWhatItSays)
+{
+  const TemporaryFolder folder;
+  const CommandRun run = RunPalpate({"devices"}, folder.Path());
+  EXPECT_EQ(run.Code, 0) << run.Errors;
+  EXPECT_NE(run.Output.find("simulated: "), std::string::npos) << run.Output;
+  EXPECT_NE(run.Output.find("replay: "), std::string::npos) << run.Output;
+  const CommandRun json = RunPalpate({"devices", "--json"}, folder.Path());
+  EXPECT_TRUE(
+      nlohmann::json::parse(json.Output.substr(0, json.Output.find('\n')))["there"].is_boolean());
+}
