@@ -52,9 +52,10 @@ public:
   std::uint64_t Dropped() const noexcept { return this->DropCount.load(std::memory_order_relaxed); }
 
 private:
-  std::vector<T> Slots;
+  // Two lines, so that the two threads do not slow each other down: the writer's and the reader's.
   alignas(64) std::atomic<std::uint64_t> Written{0};
-  alignas(64) std::atomic<std::uint64_t> Read{0};
   std::atomic<std::uint64_t> DropCount{0};
+  std::vector<T> Slots;
+  alignas(64) std::atomic<std::uint64_t> Read{0};
 };
 } // namespace palpate

@@ -35,6 +35,10 @@ Status ReplayDevice::Open()
 
 bool ReplayDevice::Read(DeviceSample& sample) noexcept
 {
+  if (this->State() == DeviceState::Closed)
+  {
+    return false;
+  }
   const std::vector<TouchState>& ticks = this->Recording->Ticks;
   const std::int64_t recordedTime = this->Time.Now() - this->Shift;
   while (this->Current + 1 < ticks.size() && ticks[this->Current + 1].Tick.Started <= recordedTime)
@@ -54,6 +58,6 @@ bool ReplayDevice::Read(DeviceSample& sample) noexcept
 
 bool ReplayDevice::Apply(const Vector3& force) noexcept
 {
-  return this->Recording->Ticks[this->Current].WasTaken;
+  return this->State() != DeviceState::Closed && this->Recording->Ticks[this->Current].WasTaken;
 }
 } // namespace palpate

@@ -1,8 +1,9 @@
 #include "BuiltInDevices.h"
 
+#include "DeviceContract.h"
 #include "ManualClock.h"
-
-#include <gtest/gtest.h>
+#include "RecordedSession.h"
+#include "TemporaryFolder.h"
 
 namespace palpate
 {
@@ -19,16 +20,22 @@ TEST(BuiltInDevices, EveryNameHasADescription)
   }
 }
 
-TEST(BuiltInDevices, ASimulatedDeviceIsMadeClosedAndOpens)
+TEST(BuiltInDevices, KeepTheContractOfDevices)
 {
+  const test::TemporaryFolder folder;
+  const std::string session = (folder / "session.touch").string();
+  test::RecordSession(session, 400);
   DeviceRegistry registry;
   ASSERT_TRUE(RegisterBuiltInDevices(registry).IsOk());
-  ManualClock clock;
-  std::unique_ptr<HapticDevice> device;
-  ASSERT_TRUE(registry.Make("simulated", clock, device).IsOk());
-  EXPECT_EQ(device->State(), DeviceState::Closed);
-  EXPECT_TRUE(device->Open().IsOk());
-  EXPECT_EQ(device->State(), DeviceState::Ready);
+  for (const std::string& name : registry.Names())
+  {
+    SCOPED_TRACE(name);
+    ManualClock clock(5'000'000);
+    std::unique_ptr<HapticDevice> device;
+    ASSERT_TRUE(
+        registry.Make(name == "replay" ? name + ":" + session : name, clock, device).IsOk());
+    test::ExpectDeviceContract(*device, [&] { clock.Advance(1'000'000); });
+  }
 }
 
 TEST(BuiltInDevices, AreNotAddedTwice)

@@ -13,7 +13,15 @@ struct PlainVector3
   double Z = 0.0;
 
   PlainVector3() = default;
-  PlainVector3(const Vector3& v) noexcept : X(v[0]), Y(v[1]), Z(v[2]) {}
+  /// Of a vector or of an expression that gives one.
+  template <typename Derived>
+  PlainVector3(const Eigen::MatrixBase<Derived>& v) noexcept
+  {
+    const Vector3 value = v;
+    this->X = value[0];
+    this->Y = value[1];
+    this->Z = value[2];
+  }
   operator Vector3() const noexcept { return {this->X, this->Y, this->Z}; }
 };
 } // namespace palpate

@@ -69,9 +69,9 @@ TEST(PeriodStatistics, MergedSnapshotsAreWhatOneWouldHaveCounted)
   EXPECT_EQ(first.Max(), all.Max());
   // Whole numbers below 2^53 add up exactly in any order.
   EXPECT_EQ(first.Mean(), all.Mean());
-  for (double fraction = 0.0; fraction <= 1.0; fraction += 0.01)
+  for (int percent = 0; percent <= 100; ++percent)
   {
-    EXPECT_EQ(first.Quantile(fraction), all.Quantile(fraction));
+    EXPECT_EQ(first.Quantile(0.01 * percent), all.Quantile(0.01 * percent));
   }
 }
 
