@@ -23,7 +23,7 @@ HandPath::Place ParseLine(const std::string& line, const std::filesystem::path& 
     numbers.push_back(ParseNumber(word).value_or(NAN));
   }
   const bool areFinite = std::all_of(numbers.begin(), numbers.end(),
-                                     [](double number) { return std::isfinite(number); });
+                                     [](double value) { return std::isfinite(value); });
   if (numbers.size() != 4 || !areFinite)
   {
     Refuse(path, "has no four numbers in line " + std::to_string(number),

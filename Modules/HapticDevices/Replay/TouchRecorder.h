@@ -21,8 +21,8 @@ public:
 
   /// Begins a file. The servo has not ticked yet.
   Status Start(const std::string& path, const TouchSession& session);
-  /// The next tick, for who fetches them from the servo and wants them too. Fails where ticks before
-  /// it were lost or the file cannot be written.
+  /// The next tick, for who fetches them from the servo and wants them too. Fails where ticks
+  /// before it were lost or the file cannot be written.
   Status Take(const TouchState& state);
   /// Takes what the servo did since the last call.
   Status Drain(Servo& servo);

@@ -1,10 +1,10 @@
 #include "TouchRun.h"
 
 #include "DeviceList.h"
+#include "ImageWriter.h"
 #include "InputError.h"
 #include "LabelImages.h"
 #include "ModelFile.h"
-#include "ImageWriter.h"
 #include "TemporaryFolder.h"
 #include "TouchReport.h"
 #include "WholeFile.h"
@@ -54,9 +54,8 @@ protected:
   static TouchScript PressTo(double x)
   {
     TouchScript script;
-    script.Path = HandPath({{0.0, Vector3(40.0, 0.0, 0.0)},
-                            {1.0, Vector3(x, 0.0, 0.0)},
-                            {2.0, Vector3(x, 0.0, 0.0)}});
+    script.Path = HandPath(
+        {{0.0, Vector3(40.0, 0.0, 0.0)}, {1.0, Vector3(x, 0.0, 0.0)}, {2.0, Vector3(x, 0.0, 0.0)}});
     return script;
   }
 
