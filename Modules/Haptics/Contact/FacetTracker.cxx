@@ -1,5 +1,6 @@
 #include "FacetTracker.h"
 
+#include <algorithm>
 #include <limits>
 #include <utility>
 
@@ -10,6 +11,8 @@ namespace
 // What a tick may cost: so many rounds of so many planes.
 constexpr int MostRounds = 4;
 constexpr std::size_t MostPlanes = 4;
+// A round that changes the pull by less is the last one.
+constexpr double Enough = 1e-3;
 } // namespace
 
 FacetTracker::FacetTracker(std::shared_ptr<const FacetTree> tree, double toolRadius,
@@ -70,7 +73,8 @@ void FacetTracker::Advance(const Vector3& probe) noexcept
   {
     const Vector3 before = this->ProxyWorld;
     this->IsTouching = this->MoveTo(drawnTo);
-    if (!this->IsTouching || (this->ProxyWorld - before).norm() <= this->Skin)
+    const double left = Enough * (probe - this->ProxyWorld).norm();
+    if (!this->IsTouching || (this->ProxyWorld - before).norm() <= std::max(this->Skin, left))
     {
       break;
     }

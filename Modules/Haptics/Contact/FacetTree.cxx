@@ -73,7 +73,7 @@ Status FacetTree::Make(const std::vector<Vector3>& pointsWorld,
       return Status::Failure("The mesh to be touched has triangles of points that it lacks.");
     }
     const auto corner = [&](std::size_t n) { return pointsWorld[static_cast<std::size_t>(t[n])]; };
-    const Facet facet{corner(0), corner(1), corner(2)};
+    const Facet facet(corner(0), corner(1), corner(2));
     if (HasArea(facet))
     {
       facets.push_back(facet);
@@ -205,7 +205,7 @@ SweepHit FacetTree::SweepNear(const SphereMotion& motion) const noexcept
   while (count > 0)
   {
     const Pending next = pending[--count];
-    if (!(next.Part <= hit.Part))
+    if (!(next.Part < hit.Part))
     {
       continue;
     }

@@ -58,17 +58,17 @@ void SweepEdge(const SphereMotion& motion, const Vector3& from, const Vector3& t
   }
 }
 
-bool IsInFacet(const Vector3& point, const Facet& facet, const Vector3& normal) noexcept
+bool IsInFacet(const Vector3& point, const Facet& facet) noexcept
 {
-  return (facet.B - facet.A).cross(point - facet.A).dot(normal) >= 0.0 &&
-         (facet.C - facet.B).cross(point - facet.B).dot(normal) >= 0.0 &&
-         (facet.A - facet.C).cross(point - facet.C).dot(normal) >= 0.0;
+  return (facet.B - facet.A).cross(point - facet.A).dot(facet.Normal) >= 0.0 &&
+         (facet.C - facet.B).cross(point - facet.B).dot(facet.Normal) >= 0.0 &&
+         (facet.A - facet.C).cross(point - facet.C).dot(facet.Normal) >= 0.0;
 }
 
 // True where the face is touched first, or no part of the facet can be.
 bool SweepFace(const SphereMotion& motion, const Facet& facet, SweepHit& hit) noexcept
 {
-  const Vector3 normal = (facet.B - facet.A).cross(facet.C - facet.A).normalized();
+  const Vector3& normal = facet.Normal;
   const double height = normal.dot(motion.Start - facet.A);
   const double side = height >= 0.0 ? 1.0 : -1.0;
   const double gap = std::abs(height) - motion.Radius;
@@ -79,7 +79,7 @@ bool SweepFace(const SphereMotion& motion, const Facet& facet, SweepHit& hit) no
   }
   const double part = gap / speed;
   const Vector3 touched = motion.Start + part * motion.Way - side * motion.Radius * normal;
-  if (gap > 0.0 && IsInFacet(touched, facet, normal))
+  if (gap > 0.0 && IsInFacet(touched, facet))
   {
     Record(part, side * normal, motion.Way, hit);
     return true;

@@ -4,12 +4,18 @@
 
 namespace palpate
 {
-/// A triangle by its corners.
+/// A triangle that has an area, by its corners.
 struct Facet
 {
+  Facet(const Vector3& a, const Vector3& b, const Vector3& c)
+      : A(a), B(b), C(c), Normal((b - a).cross(c - a).normalized())
+  {
+  }
+
   Vector3 A;
   Vector3 B;
   Vector3 C;
+  Vector3 Normal; ///< unit vector to the side from which the corners go round counter-clockwise
 };
 
 /// A sphere on its way.
