@@ -11,6 +11,7 @@
 #include "PairedBenchmark.h"
 #include "PipelineBenchmarks.h"
 #include "RenderBenchmarks.h"
+#include "TouchBenchmarks.h"
 #include "TradeOff.h"
 
 #include <CLI/CLI.hpp>
@@ -30,7 +31,8 @@ std::vector<PairedBenchmark> AllBenchmarks()
   for (auto& group : {palpate::bench::EvaluationBenchmarks(), palpate::bench::FitBenchmarks(),
                       palpate::bench::BoundsBenchmarks(), palpate::bench::NearestBenchmarks(),
                       palpate::bench::FieldBenchmarks(), palpate::bench::RenderBenchmarks(),
-                      palpate::bench::TradeOffBenchmarks(), palpate::bench::PipelineBenchmarks()})
+                      palpate::bench::TouchBenchmarks(), palpate::bench::TradeOffBenchmarks(),
+                      palpate::bench::PipelineBenchmarks()})
   {
     all.insert(all.end(), group.begin(), group.end());
   }

@@ -2,8 +2,8 @@
 
 namespace palpate
 {
-/// Coulomb's coefficients of a surface, tangential by normal force; 0 is without friction. Usually
-/// Dynamic <= Static.
+/// Coulomb's coefficients of a surface, tangential by normal force; 0 is without friction.
+/// 0 <= Dynamic <= Static.
 struct SurfaceFriction
 {
   double Static = 0.0;  ///< up to which the tool sticks

@@ -1,0 +1,30 @@
+#pragma once
+
+#include "ContactModel.h"
+#include "FacetTree.h"
+
+#include <memory>
+#include <vector>
+
+namespace palpate
+{
+/// A structure whose surface is a closed triangle mesh: the baseline that others are compared with.
+/// Its tools are spheres.
+class FacetContactModel final : public ContactModel
+{
+public:
+  /// Refuses what FacetTree refuses. Corners are numbers of points.
+  static Status Make(const std::vector<Vector3>& pointsWorld,
+                     const std::vector<FacetTree::Triangle>& triangles,
+                     std::shared_ptr<const ContactModel>& contact);
+
+  Eigen::AlignedBox3d BoundsWorld() const noexcept override { return this->Tree->BoundsWorld(); }
+  Status MakeTracker(const ToolShape& tool, const SurfaceFriction& friction,
+                     std::unique_ptr<ContactTracker>& tracker) const override;
+
+private:
+  explicit FacetContactModel(std::shared_ptr<const FacetTree> tree) : Tree(std::move(tree)) {}
+
+  std::shared_ptr<const FacetTree> Tree;
+};
+} // namespace palpate

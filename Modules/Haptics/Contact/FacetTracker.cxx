@@ -1,0 +1,108 @@
+#include "FacetTracker.h"
+
+#include <limits>
+#include <utility>
+
+namespace palpate
+{
+namespace
+{
+// What a tick may cost: so many rounds of so many planes.
+constexpr int MostRounds = 4;
+constexpr std::size_t MostPlanes = 4;
+} // namespace
+
+FacetTracker::FacetTracker(std::shared_ptr<const FacetTree> tree, double toolRadius,
+                           const SurfaceFriction& friction)
+    : Tree(std::move(tree)), ToolRadius(toolRadius),
+      Skin(1e-6 * (Tree->BoundsWorld().diagonal().norm() + toolRadius)), Friction(friction)
+{
+}
+
+const Contact& FacetTracker::Follow(const ToolPose& pose) noexcept
+{
+  if (!pose.IsUsable())
+  {
+    this->Felt = Contact();
+    return this->Felt;
+  }
+  const Vector3& probe = pose.PositionWorld;
+  if (this->IsKnown)
+  {
+    this->Advance(probe);
+  }
+  else
+  {
+    this->Settle(probe);
+  }
+  this->Felt.IsValid = true;
+  this->Felt.IsTouching = this->IsTouching;
+  this->Felt.ProxyWorld = this->IsTouching ? this->ProxyWorld : probe;
+  this->Felt.NormalWorld = this->NormalWorld;
+  this->Felt.Depth = (this->Felt.ProxyWorld - probe).norm();
+  return this->Felt;
+}
+
+// With nothing known: next to the nearest point, out of the mesh.
+void FacetTracker::Settle(const Vector3& probe) noexcept
+{
+  this->IsKnown = true;
+  this->IsTouching = false;
+  this->ProxyWorld = probe;
+  const bool isInside = this->Tree->IsInside(probe);
+  const double distance = this->ToolRadius + this->Skin;
+  const double within = isInside ? std::numeric_limits<double>::infinity() : distance;
+  const FacetTree::Nearest nearest = this->Tree->NearestTo(probe, within);
+  if (nearest.Distance <= within)
+  {
+    const Vector3 offset = isInside ? nearest.PointWorld - probe : probe - nearest.PointWorld;
+    this->IsTouching = true;
+    this->NormalWorld = offset.squaredNorm() > 0.0 ? offset.normalized() : this->NormalWorld;
+    this->ProxyWorld = nearest.PointWorld + distance * this->NormalWorld;
+  }
+}
+
+void FacetTracker::Advance(const Vector3& probe) noexcept
+{
+  const Vector3 drawnTo =
+      this->IsTouching ? this->Friction.DrawnTo(probe, this->ProxyWorld, this->NormalWorld) : probe;
+  for (int round = 0; round < MostRounds; ++round)
+  {
+    const Vector3 before = this->ProxyWorld;
+    this->IsTouching = this->MoveTo(drawnTo);
+    if (!this->IsTouching || (this->ProxyWorld - before).norm() <= this->Skin)
+    {
+      break;
+    }
+  }
+}
+
+// As near to the goal as planes that are touched on the way allow; false if it was reached without
+// touch.
+bool FacetTracker::MoveTo(const Vector3& goal) noexcept
+{
+  std::array<HalfSpace, MostPlanes> planes;
+  std::size_t count = 0;
+  Vector3 target = goal;
+  while (count < MostPlanes)
+  {
+    const Vector3 way = target - this->ProxyWorld;
+    const SweepHit hit = this->Tree->Sweep({this->ProxyWorld, way, this->ToolRadius + this->Skin});
+    this->ProxyWorld = hit.IsHit ? Vector3(this->ProxyWorld + hit.Part * way) : target;
+    if (!hit.IsHit)
+    {
+      break;
+    }
+    planes[count++] = {hit.Normal, hit.Normal.dot(this->ProxyWorld) + hit.Overlap};
+    const NearestHeld held = NearestInHalfSpaces(goal, planes.data(), count);
+    if (!held.IsHeld)
+    {
+      break;
+    }
+    target = held.Point;
+    const Vector3 push = target - goal;
+    this->NormalWorld = push.squaredNorm() > 0.0 ? push.normalized() : this->NormalWorld;
+  }
+  return count > 0;
+}
+} // namespace palpate

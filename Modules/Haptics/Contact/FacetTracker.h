@@ -1,0 +1,42 @@
+#pragma once
+
+#include "ContactTracker.h"
+#include "FacetTree.h"
+#include "FrictionCone.h"
+#include "HalfSpaces.h"
+
+#include <array>
+#include <cstddef>
+#include <memory>
+
+namespace palpate
+{
+/// The god-object (Zilles and Salisbury, IROS 1995), with a radius (Ruspini, Kolarov and Khatib,
+/// SIGGRAPH 1997): the proxy goes straight to the probe until it touches a facet, then on to the
+/// nearest place on that plane, and so on with up to three planes. Each move is swept, so nothing
+/// is passed through however fast the probe.
+class FacetTracker final : public ContactTracker
+{
+public:
+  FacetTracker(std::shared_ptr<const FacetTree> tree, double toolRadius,
+               const SurfaceFriction& friction);
+
+  const Contact& Follow(const ToolPose& pose) noexcept override;
+  void Release() noexcept override { this->IsKnown = false; }
+
+private:
+  void Settle(const Vector3& probe) noexcept;
+  void Advance(const Vector3& probe) noexcept;
+  bool MoveTo(const Vector3& goal) noexcept;
+
+  std::shared_ptr<const FacetTree> Tree;
+  double ToolRadius; // mm
+  double Skin;       // mm; kept between tool and facets, so that rounding does not let it through
+  FrictionCone Friction;
+  bool IsKnown = false; // where the proxy is
+  bool IsTouching = false;
+  Vector3 ProxyWorld = Vector3::Zero();
+  Vector3 NormalWorld = Vector3::UnitZ();
+  Contact Felt;
+};
+} // namespace palpate

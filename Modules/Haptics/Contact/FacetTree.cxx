@@ -1,0 +1,256 @@
+#include "FacetTree.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace palpate
+{
+namespace
+{
+constexpr double Infinite = std::numeric_limits<double>::infinity();
+constexpr std::size_t LeafSize = 4;
+// Halving leaves no tree deeper than that.
+constexpr int MostPending = 64;
+
+Eigen::AlignedBox3d BoxOf(const Facet& facet)
+{
+  Eigen::AlignedBox3d box(facet.A);
+  box.extend(facet.B);
+  box.extend(facet.C);
+  return box;
+}
+
+// The part of the way on which a sphere's box is first met; infinite if it is not on [0, last].
+double PartToBox(const SphereMotion& motion, const Vector3& inverse, const Eigen::AlignedBox3d& box,
+                 double last) noexcept
+{
+  double first = 0.0;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const double low = box.min()[axis] - motion.Radius - motion.Start[axis];
+    const double high = box.max()[axis] + motion.Radius - motion.Start[axis];
+    if (motion.Way[axis] == 0.0)
+    {
+      if (low > 0.0 || high < 0.0)
+      {
+        return Infinite;
+      }
+      continue;
+    }
+    const double a = low * inverse[axis];
+    const double b = high * inverse[axis];
+    first = std::max(first, std::min(a, b));
+    last = std::min(last, std::max(a, b));
+  }
+  return first <= last ? first : Infinite;
+}
+
+bool HasArea(const Facet& facet)
+{
+  const Vector3 ab = facet.B - facet.A;
+  const Vector3 ac = facet.C - facet.A;
+  // What is left of the cross product of parallel edges is rounding.
+  return ab.cross(ac).norm() > 1e-14 * ab.norm() * ac.norm() && (facet.C - facet.B).norm() > 0.0;
+}
+} // namespace
+
+Status FacetTree::Make(const std::vector<Vector3>& pointsWorld,
+                       const std::vector<Triangle>& triangles,
+                       std::shared_ptr<const FacetTree>& tree)
+{
+  if (!std::all_of(pointsWorld.begin(), pointsWorld.end(),
+                   [](const Vector3& p) { return p.allFinite(); }))
+  {
+    return Status::Failure("The mesh to be touched has points that are not finite.");
+  }
+  const int count = static_cast<int>(pointsWorld.size());
+  std::vector<Facet> facets;
+  for (const Triangle& t : triangles)
+  {
+    if (!std::all_of(t.begin(), t.end(), [count](int p) { return p >= 0 && p < count; }))
+    {
+      return Status::Failure("The mesh to be touched has triangles of points that it lacks.");
+    }
+    const auto corner = [&](std::size_t n) { return pointsWorld[static_cast<std::size_t>(t[n])]; };
+    const Facet facet{corner(0), corner(1), corner(2)};
+    if (HasArea(facet))
+    {
+      facets.push_back(facet);
+    }
+  }
+  if (facets.empty())
+  {
+    return Status::Failure("The mesh to be touched has no triangle with an area.");
+  }
+  const std::shared_ptr<FacetTree> made(new FacetTree);
+  made->Build(facets, 0, facets.size());
+  made->Facets = std::move(facets);
+  tree = made;
+  return Status::Success();
+}
+
+// Halves of equal number along the longest side.
+void FacetTree::Build(std::vector<Facet>& facets, std::size_t begin, std::size_t end)
+{
+  Node node;
+  Eigen::AlignedBox3d centers;
+  for (std::size_t i = begin; i < end; ++i)
+  {
+    node.Box.extend(BoxOf(facets[i]));
+    centers.extend(BoxOf(facets[i]).center());
+  }
+  const std::size_t number = this->Nodes.size();
+  if (end - begin <= LeafSize)
+  {
+    node.First = static_cast<std::int32_t>(begin);
+    node.Count = static_cast<std::int32_t>(end - begin);
+    this->Nodes.push_back(node);
+    return;
+  }
+  this->Nodes.push_back(node);
+  Eigen::Index axis = 0;
+  centers.sizes().maxCoeff(&axis);
+  const std::size_t middle = begin + (end - begin) / 2;
+  const auto at = [&](std::size_t i) { return facets.begin() + static_cast<std::ptrdiff_t>(i); };
+  std::nth_element(at(begin), at(middle), at(end),
+                   [axis](const Facet& one, const Facet& other)
+                   { return BoxOf(one).center()[axis] < BoxOf(other).center()[axis]; });
+  this->Build(facets, begin, middle);
+  this->Nodes[number].Second = static_cast<std::int32_t>(this->Nodes.size());
+  this->Build(facets, middle, end);
+}
+
+// Both walks keep what is still to be looked at with a bound from below, and drop it if something
+// better was found meanwhile.
+FacetTree::Nearest FacetTree::NearestTo(const Vector3& pointWorld, double within) const noexcept
+{
+  struct Pending
+  {
+    std::int32_t Number;
+    double Square;
+  };
+  Pending pending[MostPending];
+  int count = 0;
+  pending[count++] = {0, this->Nodes.front().Box.squaredExteriorDistance(pointWorld)};
+  double least = within * within;
+  Nearest nearest;
+  nearest.Distance = Infinite;
+  while (count > 0)
+  {
+    const Pending next = pending[--count];
+    if (next.Square > least)
+    {
+      continue;
+    }
+    const Node& node = this->Nodes[static_cast<std::size_t>(next.Number)];
+    for (std::int32_t i = node.First; i < node.First + node.Count; ++i)
+    {
+      const Vector3 point =
+          ClosestPointOnFacet(pointWorld, this->Facets[static_cast<std::size_t>(i)]);
+      const double square = (point - pointWorld).squaredNorm();
+      if (square <= least)
+      {
+        least = square;
+        nearest = {point, std::sqrt(square)};
+      }
+    }
+    if (node.Count == 0)
+    {
+      const auto squareOf = [&](std::int32_t number) {
+        return this->Nodes[static_cast<std::size_t>(number)].Box.squaredExteriorDistance(
+            pointWorld);
+      };
+      Pending near{next.Number + 1, squareOf(next.Number + 1)};
+      Pending far{node.Second, squareOf(node.Second)};
+      if (far.Square < near.Square)
+      {
+        std::swap(near, far);
+      }
+      pending[count++] = far;
+      pending[count++] = near;
+    }
+  }
+  return nearest;
+}
+
+// The way begins at the box of the whole mesh: from far away, roots would have too few digits.
+SweepHit FacetTree::Sweep(const SphereMotion& motion) const noexcept
+{
+  const double before = PartToBox(motion, motion.Way.cwiseInverse(), this->Nodes.front().Box, 1.0);
+  if (!(before <= 1.0))
+  {
+    return {};
+  }
+  SweepHit hit = this->SweepNear(
+      {motion.Start + before * motion.Way, (1.0 - before) * motion.Way, motion.Radius});
+  hit.Part = before + hit.Part * (1.0 - before);
+  return hit;
+}
+
+SweepHit FacetTree::SweepNear(const SphereMotion& motion) const noexcept
+{
+  struct Pending
+  {
+    std::int32_t Number;
+    double Part;
+  };
+  const Vector3 inverse = motion.Way.cwiseInverse();
+  const auto partTo = [&](std::int32_t number, double last)
+  { return PartToBox(motion, inverse, this->Nodes[static_cast<std::size_t>(number)].Box, last); };
+  Pending pending[MostPending];
+  int count = 0;
+  pending[count++] = {0, partTo(0, 1.0)};
+  SweepHit hit;
+  while (count > 0)
+  {
+    const Pending next = pending[--count];
+    if (!(next.Part <= hit.Part))
+    {
+      continue;
+    }
+    const Node& node = this->Nodes[static_cast<std::size_t>(next.Number)];
+    for (std::int32_t i = node.First; i < node.First + node.Count; ++i)
+    {
+      SweepSphere(motion, this->Facets[static_cast<std::size_t>(i)], hit);
+    }
+    if (node.Count == 0)
+    {
+      Pending near{next.Number + 1, partTo(next.Number + 1, hit.Part)};
+      Pending far{node.Second, partTo(node.Second, hit.Part)};
+      if (far.Part < near.Part)
+      {
+        std::swap(near, far);
+      }
+      pending[count++] = far;
+      pending[count++] = near;
+    }
+  }
+  return hit;
+}
+
+bool FacetTree::IsInside(const Vector3& pointWorld) const noexcept
+{
+  if (!this->BoundsWorld().contains(pointWorld))
+  {
+    return false;
+  }
+  // A direction along which nothing that people make lies.
+  const Vector3 direction = Vector3(0.5257311, 0.3090170, 0.7936204);
+  bool isInside = false;
+  for (const Facet& facet : this->Facets)
+  {
+    const Vector3 ab = facet.B - facet.A;
+    const Vector3 ac = facet.C - facet.A;
+    const Vector3 p = direction.cross(ac);
+    const double determinant = ab.dot(p);
+    const Vector3 offset = pointWorld - facet.A;
+    const double u = offset.dot(p) / determinant;
+    const Vector3 q = offset.cross(ab);
+    const double v = direction.dot(q) / determinant;
+    const bool isCrossed = u >= 0.0 && v >= 0.0 && u + v <= 1.0 && ac.dot(q) / determinant > 0.0;
+    isInside = isInside != isCrossed;
+  }
+  return isInside;
+}
+} // namespace palpate

@@ -1,0 +1,73 @@
+#include "FieldContactModel.h"
+
+#include "FieldProxyTracker.h"
+#include "FieldShellTracker.h"
+#include "FrictionCone.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace palpate
+{
+Status FieldContactModel::Make(std::shared_ptr<const ScalarField> field, int material,
+                               FieldContactMode mode, std::shared_ptr<const ContactModel>& contact)
+{
+  std::shared_ptr<const FieldSolid> solid;
+  Status status = FieldSolid::Make(std::move(field), material, solid);
+  if (status.IsOk())
+  {
+    contact.reset(new FieldContactModel(std::move(solid), mode));
+  }
+  return status;
+}
+
+FieldContactModel::FieldContactModel(std::shared_ptr<const FieldSolid> solid, FieldContactMode mode)
+    : Solid(std::move(solid)), Mode(mode)
+{
+}
+
+int FieldContactModel::PointCountFor(double radius, double voxelSize) noexcept
+{
+  // A place of a sphere is up to 0.8 sqrt(area / count) from the nearest point, where the sphere
+  // is 4 radius / count lower.
+  const double radii = radius / voxelSize;
+  constexpr double Lower = 0.05;
+  const double wanted = std::max(4.0 * radii / Lower, 4.0 * M_PI * radii * radii);
+  return static_cast<int>(std::clamp(std::ceil(wanted), 1.0 * FewestPoints, 1.0 * MostPoints));
+}
+
+Eigen::AlignedBox3d FieldContactModel::BoundsWorld() const noexcept
+{
+  return this->Solid->BoundsWorld();
+}
+
+Status FieldContactModel::MakeTracker(const ToolShape& tool, const SurfaceFriction& friction,
+                                      std::unique_ptr<ContactTracker>& tracker) const
+{
+  for (Status status : {tool.Check(), FrictionCone::Check(friction)})
+  {
+    if (!status.IsOk())
+    {
+      return status;
+    }
+  }
+  const ToolShape shell =
+      tool.Points().empty()
+          ? ToolShape::SpherePoints(tool.Radius(),
+                                    PointCountFor(tool.Radius(), this->Solid->VoxelSize()))
+          : tool;
+  if (this->Mode == FieldContactMode::Proxy)
+  {
+    tracker = std::make_unique<FieldProxyTracker>(this->Solid, shell, friction);
+    return Status::Success();
+  }
+  if (friction.Static > 0.0 || !(shell.BoundingRadius() > 0.0))
+  {
+    return Status::Failure("The published law of the sub-voxel tool has no friction, and its tool "
+                           "is no point.");
+  }
+  tracker = std::make_unique<FieldShellTracker>(this->Solid, shell);
+  return Status::Success();
+}
+} // namespace palpate

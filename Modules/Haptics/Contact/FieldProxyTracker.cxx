@@ -1,0 +1,342 @@
+#include "FieldProxyTracker.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace palpate
+{
+namespace
+{
+// In voxels. A step of the proxy or of its goal is short enough not to change the side of a wall
+// one voxel thick; a point is watched while it is near; and so near is near enough.
+constexpr double LongestStep = 0.25;
+constexpr double Watched = 0.5;
+constexpr double Enough = 1e-3;
+// What a tick may cost.
+constexpr int MostParts = 4;
+constexpr int MostStrides = 16;
+constexpr int MostSolves = 8;
+} // namespace
+
+FieldProxyTracker::FieldProxyTracker(std::shared_ptr<const FieldSolid> solid, const ToolShape& tool,
+                                     const SurfaceFriction& friction)
+    : Solid(std::move(solid)), Shell(tool), Friction(friction), Reach(tool.BoundingRadius()),
+      SphereRadius(tool.Radius()), Feet(2 * Shell.Count()), HasFoot(Shell.Count(), 0),
+      Planes(Feet.size())
+{
+}
+
+const Contact& FieldProxyTracker::Follow(const ToolPose& pose) noexcept
+{
+  if (!pose.IsUsable())
+  {
+    this->Felt = Contact();
+    return this->Felt;
+  }
+  this->IsTurned = this->Shell.Turn(pose.Orientation);
+  this->Advance(pose.PositionWorld);
+  this->Report(pose.PositionWorld);
+  return this->Felt;
+}
+
+void FieldProxyTracker::Advance(const Vector3& probe) noexcept
+{
+  if (this->Known == State::Nothing || this->IsLost)
+  {
+    this->Settle(probe);
+    return;
+  }
+  for (int part = 0; part < MostParts; ++part)
+  {
+    if (this->Known == State::Free && this->MoveFree(probe))
+    {
+      return;
+    }
+    this->Slide(probe);
+    if (this->Known == State::Touching)
+    {
+      return;
+    }
+  }
+}
+
+// False where the tool touches.
+bool FieldProxyTracker::MoveFree(const Vector3& probe) noexcept
+{
+  const Eigen::AlignedBox3d path =
+      Eigen::AlignedBox3d(this->ToolWorld.cwiseMin(probe), this->ToolWorld.cwiseMax(probe));
+  const double square = this->Reach * this->Reach;
+  if (path.squaredExteriorDistance(this->Solid->BoundsWorld()) > square)
+  {
+    this->ProbeWorld = this->ToolWorld = probe;
+    return true;
+  }
+  const Vector3 way = probe - this->ToolWorld;
+  const double part = way.norm() > LongestStep * this->Solid->VoxelSize()
+                          ? this->Shell.PartToEntry(*this->Solid, this->ToolWorld, way)
+                          : 1.0;
+  if (part == 1.0 && this->Shell.CountInside(*this->Solid, probe) == 0)
+  {
+    this->ProbeWorld = this->ToolWorld = probe;
+    return true;
+  }
+  if (part < 1.0)
+  {
+    this->ToolWorld += part * way;
+  }
+  this->ProbeWorld = this->ToolWorld;
+  this->Known = State::Touching;
+  this->ForgetFeet();
+  return false;
+}
+
+// With nothing known: where the tool can be next to where it is.
+void FieldProxyTracker::Settle(const Vector3& probe) noexcept
+{
+  this->IsLost = false;
+  this->ProbeWorld = this->ToolWorld = probe;
+  this->ForgetFeet();
+  const int inside = this->Shell.CountInside(*this->Solid, probe);
+  this->Known = inside == 0 ? State::Free : State::Touching;
+  if (inside == 0)
+  {
+    return;
+  }
+  this->AddFeet();
+  this->GatherPlanes();
+  if (this->FootCount < static_cast<std::size_t>(inside))
+  {
+    this->Escape(probe);
+  }
+  for (int more = 0; more < MostStrides && this->Known == State::Touching; ++more)
+  {
+    this->Slide(probe);
+    if (this->Deepest <= Enough * this->Solid->VoxelSize())
+    {
+      break;
+    }
+  }
+}
+
+// By the shortest way along which the tool's origin leaves the solid, to where the tool is free of
+// it; it stays where there is none.
+void FieldProxyTracker::Escape(const Vector3& probe) noexcept
+{
+  double shortest = this->Solid->BoundsWorld().diagonal().norm();
+  for (std::size_t i = 0; i < this->Shell.Count(); ++i)
+  {
+    const Vector3 outward = -this->Shell.InwardNormal(i);
+    const double length = this->Solid->DistanceToExit(probe, outward, shortest);
+    const Vector3 place = probe + (length + this->Reach) * outward;
+    if (length < shortest && this->Shell.CountInside(*this->Solid, place) == 0)
+    {
+      shortest = length;
+      this->ToolWorld = place;
+    }
+  }
+}
+
+// Along the probe's path in short steps, until the tool is let go or the end is reached.
+void FieldProxyTracker::Slide(const Vector3& probe) noexcept
+{
+  const Vector3 start = this->ProbeWorld;
+  const Vector3 way = probe - start;
+  const double wanted = way.norm() / (LongestStep * this->Solid->VoxelSize());
+  const int strides = 1 + static_cast<int>(std::min(wanted, MostStrides - 1.0));
+  for (int i = 1; i <= strides; ++i)
+  {
+    this->ProbeWorld = i == strides ? probe : Vector3(start + (1.0 * i / strides) * way);
+    if (!this->Press(this->ProbeWorld))
+    {
+      this->Known = State::Free;
+      return;
+    }
+  }
+}
+
+// One short step of the probe, with friction; false if the tool is let go.
+bool FieldProxyTracker::Press(const Vector3& goal) noexcept
+{
+  if (this->FootCount == 0)
+  {
+    return this->Solve(goal) && this->Solve(goal); // the second one moves the feet
+  }
+  const FrictionCone::Pull pull(goal - this->ToolWorld, this->NormalWorld);
+  if (!this->Friction.IsFrictionless() && this->Friction.Sticks(pull) && !this->IsTurned)
+  {
+    return true;
+  }
+  return this->Solve(this->Friction.DrawnTo(goal, this->ToolWorld, this->NormalWorld));
+}
+
+// Brings the proxy as near to the goal as the field allows; false where nothing is in the way.
+bool FieldProxyTracker::Solve(const Vector3& goal) noexcept
+{
+  const double voxel = this->Solid->VoxelSize();
+  this->MoveFeet();
+  for (int solve = 0; solve < MostSolves; ++solve)
+  {
+    const int inside = this->Shell.CountInside(*this->Solid, this->ToolWorld);
+    if (inside > 0)
+    {
+      this->AddFeet();
+    }
+    this->GatherPlanes();
+    this->IsLost = inside > 0 && this->FootCount == 0;
+    if (this->IsLost)
+    {
+      break;
+    }
+    const NearestHeld held = NearestInHalfSpaces(goal, this->Planes.data(), this->FootCount);
+    if (!held.IsHeld)
+    {
+      break;
+    }
+    const Vector3 step = held.Point - this->ToolWorld;
+    const double length = step.norm();
+    const bool isThere = length <= Enough * voxel;
+    const Vector3 push = held.Point - goal;
+    if (push.squaredNorm() > 0.0)
+    {
+      this->NormalWorld = push.normalized();
+    }
+    else if (this->Deepest <= Enough * voxel && (isThere || (solve > 0 && this->FootCount == 0)))
+    {
+      return false;
+    }
+    this->ToolWorld += std::min(1.0, LongestStep * voxel / length) * step;
+    if (isThere)
+    {
+      return true;
+    }
+  }
+  this->Surface();
+  return true;
+}
+
+// Where there was no time to get near the goal: at least onto the surface, by the shortest way.
+void FieldProxyTracker::Surface() noexcept
+{
+  constexpr int Steps = 2;
+  for (int step = 0; step < Steps; ++step)
+  {
+    if (this->Shell.CountInside(*this->Solid, this->ToolWorld) > 0)
+    {
+      this->AddFeet();
+    }
+    this->GatherPlanes();
+    const NearestHeld held =
+        NearestInHalfSpaces(this->ToolWorld, this->Planes.data(), this->FootCount);
+    const Vector3 way = held.Point - this->ToolWorld;
+    const double longest = LongestStep * this->Solid->VoxelSize();
+    this->ToolWorld += std::min(1.0, longest / way.norm()) * way;
+  }
+}
+
+void FieldProxyTracker::ForgetFeet() noexcept
+{
+  this->FootCount = 0;
+  std::fill(this->HasFoot.begin(), this->HasFoot.end(), 0);
+}
+
+void FieldProxyTracker::LiftFoot(std::size_t foot) noexcept
+{
+  if (!this->Feet[foot].HasMoved)
+  {
+    this->HasFoot[this->Feet[foot].Point] = 0;
+  }
+  this->Feet[foot] = this->Feet[--this->FootCount];
+}
+
+// Once a step of the goal, so that planes do not move while a place between them is looked for.
+// Feet that come together become one.
+void FieldProxyTracker::MoveFeet() noexcept
+{
+  const double together = 0.01 * this->SphereRadius;
+  for (std::size_t i = this->FootCount; i-- > 0;)
+  {
+    Foot& foot = this->Feet[i];
+    if (!(this->SphereRadius > 0.0))
+    {
+      foot.Offset = this->Shell.Offset(foot.Point);
+      continue;
+    }
+    this->MoveOnSphere(foot);
+    for (std::size_t other = i + 1; other < this->FootCount; ++other)
+    {
+      if ((this->Feet[other].Offset - foot.Offset).squaredNorm() <= together * together)
+      {
+        this->LiftFoot(i);
+        break;
+      }
+    }
+  }
+}
+
+// To where the sphere is deepest in the plane that was found last, if it is deeper there: on edges
+// it is not. The point where the foot began may then get another one.
+void FieldProxyTracker::MoveOnSphere(Foot& foot) noexcept
+{
+  const Vector3 deepest = -this->SphereRadius * foot.Normal;
+  const FieldSolid::Wall here = this->Solid->WallNear(this->ToolWorld + foot.Offset, foot.Normal);
+  const FieldSolid::Wall there = this->Solid->WallNear(this->ToolWorld + deepest, foot.Normal);
+  if (there.IsKnown && there.Distance < here.Distance)
+  {
+    foot.Offset = deepest;
+    if (!foot.HasMoved)
+    {
+      foot.HasMoved = true;
+      this->HasFoot[foot.Point] = 0;
+    }
+  }
+}
+
+// For every point that is inside and has none.
+void FieldProxyTracker::AddFeet() noexcept
+{
+  for (std::size_t point = 0; point < this->Shell.Count(); ++point)
+  {
+    if (this->Shell.IsInside(point) && this->HasFoot[point] == 0 &&
+        this->FootCount < this->Feet.size())
+    {
+      this->HasFoot[point] = 1;
+      // Until more is known, out is where the tool's inside is.
+      this->Feet[this->FootCount++] = {this->Shell.Offset(point), this->Shell.InwardNormal(point),
+                                       point, false};
+    }
+  }
+}
+
+// Feet that are lost, or no longer near the surface, are lifted.
+void FieldProxyTracker::GatherPlanes() noexcept
+{
+  const double watched = Watched * this->Solid->VoxelSize();
+  this->Deepest = 0.0;
+  for (std::size_t i = this->FootCount; i-- > 0;)
+  {
+    Foot& foot = this->Feet[i];
+    const FieldSolid::Wall wall = this->Solid->WallNear(this->ToolWorld + foot.Offset, foot.Normal);
+    if (!wall.IsKnown || wall.Distance > watched)
+    {
+      this->LiftFoot(i);
+      this->Planes[i] = this->Planes[this->FootCount];
+      continue;
+    }
+    foot.Normal = wall.Normal;
+    this->Planes[i] = {wall.Normal, wall.Normal.dot(this->ToolWorld) - wall.Distance};
+    this->Deepest = std::max(this->Deepest, -wall.Distance);
+  }
+}
+
+void FieldProxyTracker::Report(const Vector3& probe) noexcept
+{
+  this->Felt.IsValid = true;
+  this->Felt.IsTouching = this->Known == State::Touching;
+  this->Felt.Material = this->Solid->Material();
+  this->Felt.ProxyWorld = this->Felt.IsTouching ? this->ToolWorld : probe;
+  this->Felt.NormalWorld = this->NormalWorld;
+  this->Felt.Depth = (this->Felt.ProxyWorld - probe).norm();
+}
+} // namespace palpate

@@ -1,0 +1,81 @@
+#include "FieldShellTracker.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace palpate
+{
+FieldShellTracker::FieldShellTracker(std::shared_ptr<const FieldSolid> solid, const ToolShape& tool)
+    : Solid(std::move(solid)), Shell(tool), Reach(tool.BoundingRadius()),
+      MostTouching(static_cast<int>(Shell.Count() / 2))
+{
+}
+
+const Contact& FieldShellTracker::Follow(const ToolPose& pose) noexcept
+{
+  const Vector3 normal = this->Felt.NormalWorld;
+  this->Felt = Contact();
+  if (!pose.IsUsable())
+  {
+    return this->Felt;
+  }
+  const Vector3& probe = pose.PositionWorld;
+  this->Felt.IsValid = true;
+  this->Felt.Material = this->Solid->Material();
+  this->Shell.Turn(pose.Orientation);
+  const bool isFar = this->Solid->BoundsWorld().exteriorDistance(probe) > this->Reach;
+  const int touching = isFar ? 0 : this->Shell.CountInside(*this->Solid, probe);
+  this->ProxyWorld = touching > this->MostTouching && this->HasProxy ? this->WayBack(probe)
+                     : touching > 0                                  ? this->PushedOut(probe)
+                                                                     : probe;
+  this->HasProxy = true;
+  const Vector3 way = this->ProxyWorld - probe;
+  this->Felt.IsTouching = touching > 0;
+  this->Felt.ProxyWorld = this->ProxyWorld;
+  this->Felt.Depth = way.norm();
+  this->Felt.NormalWorld = this->Felt.Depth > 0.0 ? Vector3(way / this->Felt.Depth) : normal;
+  return this->Felt;
+}
+
+// By the points that were found inside last.
+Vector3 FieldShellTracker::PushedOut(const Vector3& probe) const noexcept
+{
+  Vector3 sum = Vector3::Zero();
+  double lengths = 0.0;
+  int touching = 0;
+  for (std::size_t i = 0; i < this->Shell.Count(); ++i)
+  {
+    if (this->Shell.IsInside(i))
+    {
+      const Vector3& inward = this->Shell.InwardNormal(i);
+      const double length =
+          this->Solid->DistanceToExit(probe + this->Shell.Offset(i), inward, this->Reach);
+      sum += length * inward;
+      lengths += length;
+      ++touching;
+    }
+  }
+  const double size = sum.norm();
+  // Vectors that cancel but for rounding have no direction.
+  return size > 1e-12 * lengths ? Vector3(probe + (lengths / touching / size) * sum) : probe;
+}
+
+Vector3 FieldShellTracker::WayBack(const Vector3& probe) noexcept
+{
+  constexpr double StepsPerVoxel = 4.0;
+  constexpr double MostSteps = 64.0;
+  const Vector3 way = this->ProxyWorld - probe;
+  const double wanted = std::ceil(StepsPerVoxel * way.norm() / this->Solid->VoxelSize());
+  const int steps = static_cast<int>(std::clamp(wanted, 1.0, MostSteps));
+  for (int step = 1; step < steps; ++step)
+  {
+    const Vector3 place = probe + (1.0 * step / steps) * way;
+    if (this->Shell.CountInside(*this->Solid, place) <= this->MostTouching)
+    {
+      return place;
+    }
+  }
+  return this->ProxyWorld;
+}
+} // namespace palpate

@@ -1,0 +1,40 @@
+#pragma once
+
+#include "ContactTracker.h"
+#include "FieldSolid.h"
+#include "ToolShell.h"
+
+#include <memory>
+
+namespace palpate
+{
+/// The published law of the sub-voxel sphere tool: its surface points inside the solid are traced
+/// along their inward normals to the surface; the sum of these vectors gives the direction in which
+/// the tool is pushed out, their mean length how far. Where more points touch than half of them,
+/// the way back to the proxy is traced until no more than that do, and the proxy stays there
+/// (Petersik, Pflesser, Tiede, Hoehne and Leuwer, "Haptic volume interaction with anatomic models
+/// at sub-voxel resolution", Haptics 2002).
+///
+/// In clefts and where many points touch, the mean is less than the depth: see FieldProxyTracker. A
+/// tool that begins with every point inside feels no direction.
+class FieldShellTracker final : public ContactTracker
+{
+public:
+  FieldShellTracker(std::shared_ptr<const FieldSolid> solid, const ToolShape& tool);
+
+  const Contact& Follow(const ToolPose& pose) noexcept override;
+  void Release() noexcept override { this->HasProxy = false; }
+
+private:
+  Vector3 PushedOut(const Vector3& probe) const noexcept;
+  Vector3 WayBack(const Vector3& probe) noexcept;
+
+  std::shared_ptr<const FieldSolid> Solid;
+  ToolShell Shell;
+  double Reach; // mm; of tool points from the origin
+  int MostTouching;
+  bool HasProxy = false;
+  Vector3 ProxyWorld = Vector3::Zero();
+  Contact Felt;
+};
+} // namespace palpate

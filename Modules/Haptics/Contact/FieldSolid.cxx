@@ -1,0 +1,167 @@
+#include "FieldSolid.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace palpate
+{
+namespace
+{
+constexpr double Infinite = std::numeric_limits<double>::infinity();
+
+// The bricks in which a material is, by index.
+Eigen::AlignedBox3d OccupiedIndex(const ScalarField& field, int material)
+{
+  const BrickLayout& layout = field.Layout();
+  Eigen::AlignedBox3d box;
+  for (int k = 0; k < layout.Bricks[2]; ++k)
+  {
+    for (int j = 0; j < layout.Bricks[1]; ++j)
+    {
+      for (int i = 0; i < layout.Bricks[0]; ++i)
+      {
+        if (field.Map(material)[layout.Number(i, j, k)] != MaterialMap::Absent)
+        {
+          const Vector3 first = BrickLayout::Cells * Vector3(i, j, k);
+          box.extend(first);
+          box.extend(Vector3(first + Vector3::Constant(BrickLayout::Cells)));
+        }
+      }
+    }
+  }
+  const auto& size = layout.Nodes;
+  const Vector3 last(size[0] - 1, size[1] - 1, size[2] - 1);
+  return box.intersection(Eigen::AlignedBox3d(Vector3::Zero(), last));
+}
+
+Eigen::AlignedBox3d BoundsOf(const ScalarField& field, int material)
+{
+  const Eigen::AlignedBox3d index = OccupiedIndex(field, material);
+  Eigen::AlignedBox3d world;
+  for (int corner = 0; corner < 8; ++corner)
+  {
+    const auto type = static_cast<Eigen::AlignedBox3d::CornerType>(corner);
+    world.extend(field.Grid().PointWorld(index.corner(type)));
+  }
+  return world;
+}
+} // namespace
+
+Status FieldSolid::Make(std::shared_ptr<const ScalarField> field, int material,
+                        std::shared_ptr<const FieldSolid>& solid)
+{
+  if (material < 0 || material >= field->MaterialCount())
+  {
+    return Status::Failure("The field has no material " + std::to_string(material) + ".");
+  }
+  solid.reset(new FieldSolid(std::move(field), material));
+  return Status::Success();
+}
+
+FieldSolid::FieldSolid(std::shared_ptr<const ScalarField> field, int material)
+    : Sampler(field), Caster(field), Number(material), Bounds(BoundsOf(*field, material)),
+      Voxel(field->Grid().Spacing().minCoeff())
+{
+}
+
+FieldSolid::Wall FieldSolid::WallNear(const Vector3& pointWorld,
+                                      const Vector3& outward) const noexcept
+{
+  const Vector3 pointIndex = this->Sampler.Field().Grid().PointIndex(pointWorld);
+  Wall wall = this->WallBySamples(pointIndex);
+  this->JoinBorder(pointIndex, wall);
+  return wall.IsKnown ? wall : this->WallByRay(pointWorld, outward);
+}
+
+// A material is where all its conditions hold, so of their planes the one that is left least deep
+// stands for it.
+FieldSolid::Wall FieldSolid::WallBySamples(const Vector3& pointIndex) const noexcept
+{
+  const ScalarField& field = this->Sampler.Field();
+  const FieldMaterial& material = field.Material(this->Number);
+  Wall wall;
+  wall.Distance = -Infinite;
+  for (int c = 0; c < material.ConditionCount; ++c)
+  {
+    const FieldCondition& condition = material.Conditions[c];
+    const FieldGradientSample sample =
+        this->Sampler.ValueAndGradientIndex(condition.Channel, pointIndex);
+    const Vector3 gradient = field.Grid().GradientWorld(sample.Gradient);
+    const double slope = gradient.norm();
+    if (!(slope > 0.0))
+    {
+      continue;
+    }
+    double value = sample.Value;
+    condition.Relate(&value, 1);
+    const double sign = condition.Sense == FieldSense::AtLeast ? -1.0 : 1.0;
+    if (-value / slope > wall.Distance)
+    {
+      wall = {true, -value / slope, (sign / slope) * gradient};
+    }
+  }
+  return wall;
+}
+
+FieldSolid::Wall FieldSolid::WallByRay(const Vector3& pointWorld,
+                                       const Vector3& outward) const noexcept
+{
+  const FieldHit hit = this->Caster.CastWorld({pointWorld, outward}, 0.0, 2.0 * this->Voxel,
+                                              OnlyMaterial(this->Number));
+  const bool isExit =
+      (hit.Kind == HitKind::Surface || hit.Kind == HitKind::Border) && !hit.IsEntering;
+  const double slope = hit.Gradient.norm();
+  if (!isExit || !(slope > 0.0))
+  {
+    return {};
+  }
+  const Vector3 normal = (-1.0 / slope) * hit.Gradient;
+  return {true, (pointWorld - hit.Position).dot(normal), normal};
+}
+
+void FieldSolid::JoinBorder(const Vector3& pointIndex, Wall& wall) const noexcept
+{
+  const FieldGrid& grid = this->Sampler.Field().Grid();
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const double last = grid.Size()[static_cast<std::size_t>(axis)] - 1.0;
+    const double below = -pointIndex[axis] * grid.Spacing()[axis];
+    const double above = (pointIndex[axis] - last) * grid.Spacing()[axis];
+    // Deeper than two voxels the border is not the way out.
+    const double distance = std::max(below, above);
+    if (distance > wall.Distance && distance > -2.0 * grid.Spacing()[axis])
+    {
+      wall = {true, distance, (above > below ? 1.0 : -1.0) * grid.Direction().col(axis)};
+    }
+  }
+}
+
+double FieldSolid::PartToEntry(const Vector3& fromWorld, const Vector3& way) const noexcept
+{
+  if (way.isZero(0.0))
+  {
+    return 1.0;
+  }
+  const FieldRay ray{fromWorld, way};
+  const MaterialSet material = OnlyMaterial(this->Number);
+  FieldHit hit = this->Caster.CastWorld(ray, 0.0, 1.0, material);
+  if (hit.Kind != HitKind::Missed && !hit.IsEntering)
+  {
+    hit = this->Caster.CastWorld(ray, std::nextafter(hit.T, Infinite), 1.0, material);
+  }
+  const bool isHit = hit.Kind == HitKind::Surface || hit.Kind == HitKind::Border;
+  return isHit && hit.IsEntering ? hit.T : 1.0;
+}
+
+double FieldSolid::DistanceToExit(const Vector3& fromWorld, const Vector3& direction,
+                                  double reach) const noexcept
+{
+  const FieldRay ray{fromWorld, direction};
+  const FieldHit hit = this->Caster.CastWorld(ray, 0.0, reach, OnlyMaterial(this->Number));
+  const bool isHit = hit.Kind == HitKind::Surface || hit.Kind == HitKind::Border;
+  return isHit && !hit.IsEntering ? hit.T : reach;
+}
+} // namespace palpate

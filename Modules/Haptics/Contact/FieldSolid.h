@@ -1,0 +1,62 @@
+#pragma once
+
+#include "FieldSampler.h"
+#include "RayCaster.h"
+#include "Status.h"
+
+#include <cstddef>
+#include <memory>
+
+namespace palpate
+{
+/// One material of a field as a solid body, shared by what follows tools at it. Immutable; queries
+/// are noexcept and allocate nothing. World is patient LPS, mm.
+class FieldSolid
+{
+public:
+  /// The surface close to a point as a plane, by value over gradient there.
+  struct Wall
+  {
+    bool IsKnown = false;  ///< false deep inside, where the field says nothing of the way out
+    double Distance = 0.0; ///< from the plane to the point, mm; negative inside
+    Vector3 Normal = Vector3::UnitZ(); ///< outward unit normal
+  };
+
+  /// Refuses a material that the field does not have.
+  static Status Make(std::shared_ptr<const ScalarField> field, int material,
+                     std::shared_ptr<const FieldSolid>& solid);
+
+  int Material() const noexcept { return this->Number; }
+  const Eigen::AlignedBox3d& BoundsWorld() const noexcept { return this->Bounds; }
+  double VoxelSize() const noexcept { return this->Voxel; } ///< the smallest spacing, mm
+
+  /// 1 or 0 for each point.
+  void AreInside(const Vector3* pointsWorld, std::size_t count,
+                 unsigned char* inside) const noexcept
+  {
+    this->Sampler.AreInsideWorld(this->Number, pointsWorld, count, inside);
+  }
+  /// Inside, but where the field has no samples because no surface is near enough, a ray looks for
+  /// one a voxel or two along `outward`, a unit vector.
+  Wall WallNear(const Vector3& pointWorld, const Vector3& outward) const noexcept;
+  /// The part (0 to 1) of the way after which it first enters the solid; 1 where it never does. A
+  /// way that begins inside is looked at from where it leaves.
+  double PartToEntry(const Vector3& fromWorld, const Vector3& way) const noexcept;
+  /// How far (mm) a ray along a unit vector goes until it leaves the solid that it begins in;
+  /// `reach` at most.
+  double DistanceToExit(const Vector3& fromWorld, const Vector3& direction,
+                        double reach) const noexcept;
+
+private:
+  FieldSolid(std::shared_ptr<const ScalarField> field, int material);
+  Wall WallBySamples(const Vector3& pointIndex) const noexcept;
+  Wall WallByRay(const Vector3& pointWorld, const Vector3& outward) const noexcept;
+  void JoinBorder(const Vector3& pointIndex, Wall& wall) const noexcept;
+
+  FieldSampler Sampler;
+  RayCaster Caster;
+  int Number;
+  Eigen::AlignedBox3d Bounds;
+  double Voxel;
+};
+} // namespace palpate

@@ -1,0 +1,69 @@
+#pragma once
+
+#include "Status.h"
+#include "SurfaceFriction.h"
+#include "Vector3.h"
+
+#include <cmath>
+
+namespace palpate
+{
+/// Coulomb's law for a proxy that the probe pulls by a spring: the pull's part along the surface
+/// against the part into it, so that the stiffness cancels (Zilles and Salisbury, "A
+/// constraint-based god-object method for haptic display", IROS 1995).
+class FrictionCone
+{
+public:
+  /// How the probe pulls its proxy, mm.
+  struct Pull
+  {
+    double Into;  ///< the surface; negative where it lifts off
+    double Along; ///< the surface; at least 0
+
+    Pull(const Vector3& proxyToProbe, const Vector3& normal) noexcept
+        : Into(-proxyToProbe.dot(normal)), Along((proxyToProbe + this->Into * normal).norm())
+    {
+    }
+  };
+
+  explicit FrictionCone(const SurfaceFriction& friction) noexcept : Friction(friction) {}
+
+  /// Refuses coefficients that are negative or not finite, and more of them when slipping.
+  static Status Check(const SurfaceFriction& friction)
+  {
+    const bool isFriction = friction.Dynamic >= 0.0 && friction.Dynamic <= friction.Static &&
+                            std::isfinite(friction.Static);
+    return isFriction ? Status::Success()
+                      : Status::Failure("Friction must be finite and 0 <= dynamic <= static.");
+  }
+
+  bool IsFrictionless() const noexcept { return this->Friction.Static == 0.0; }
+  bool Sticks(const Pull& pull) const noexcept
+  {
+    return pull.Along <= this->Friction.Static * pull.Into;
+  }
+  /// By how much (mm) the pull along the surface exceeds what a slipping proxy resists: 0 where it
+  /// comes to rest.
+  double Excess(const Pull& pull) const noexcept
+  {
+    return pull.Along - this->Friction.Dynamic * pull.Into;
+  }
+
+  /// Where a proxy is drawn to instead of the probe: friction takes of the pull what it resists. A
+  /// proxy that sticks is drawn straight into the surface.
+  Vector3 DrawnTo(const Vector3& probe, const Vector3& proxy, const Vector3& normal) const noexcept
+  {
+    const Pull pull(probe - proxy, normal);
+    if (this->IsFrictionless() || pull.Into <= 0.0)
+    {
+      return probe;
+    }
+    const double left = this->Sticks(pull) ? 0.0 : this->Excess(pull);
+    const Vector3 into = proxy - pull.Into * normal;
+    return into + (pull.Along > 0.0 ? left / pull.Along : 0.0) * (probe - into);
+  }
+
+private:
+  SurfaceFriction Friction;
+};
+} // namespace palpate

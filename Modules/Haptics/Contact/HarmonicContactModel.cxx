@@ -1,0 +1,63 @@
+#include "HarmonicContactModel.h"
+
+#include "FrictionCone.h"
+#include "HarmonicNearestTracker.h"
+#include "HarmonicRadialTracker.h"
+
+#include <utility>
+
+namespace palpate
+{
+Status HarmonicContactModel::Make(std::shared_ptr<const SphericalHarmonicModel> model,
+                                  HarmonicContactMode mode,
+                                  std::shared_ptr<const ContactModel>& contact)
+{
+  std::shared_ptr<const HarmonicSurface> surface;
+  Status status = HarmonicSurface::Make(std::move(model), surface);
+  if (status.IsOk())
+  {
+    contact.reset(new HarmonicContactModel(std::move(surface), mode));
+  }
+  return status;
+}
+
+HarmonicContactModel::HarmonicContactModel(std::shared_ptr<const HarmonicSurface> surface,
+                                           HarmonicContactMode mode)
+    : Surface(std::move(surface)), Mode(mode)
+{
+}
+
+Eigen::AlignedBox3d HarmonicContactModel::BoundsWorld() const noexcept
+{
+  const Vector3& center = this->Surface->Model().CenterWorld();
+  const Vector3 reach = Vector3::Constant(this->Surface->LargestRadius());
+  return {center - reach, center + reach};
+}
+
+Status HarmonicContactModel::MakeTracker(const ToolShape& tool, const SurfaceFriction& friction,
+                                         std::unique_ptr<ContactTracker>& tracker) const
+{
+  for (Status status : {tool.Check(), FrictionCone::Check(friction)})
+  {
+    if (!status.IsOk())
+    {
+      return status;
+    }
+  }
+  if (!tool.IsSphere())
+  {
+    return Status::Failure("Surfaces of spherical harmonics are felt by spheres and points only.");
+  }
+  if (this->Mode == HarmonicContactMode::Nearest)
+  {
+    tracker = std::make_unique<HarmonicNearestTracker>(this->Surface, tool.Radius(), friction);
+    return Status::Success();
+  }
+  if (friction.Static > 0.0)
+  {
+    return Status::Failure("The radial law has no friction.");
+  }
+  tracker = std::make_unique<HarmonicRadialTracker>(this->Surface, tool.Radius());
+  return Status::Success();
+}
+} // namespace palpate

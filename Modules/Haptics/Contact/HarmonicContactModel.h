@@ -1,0 +1,35 @@
+#pragma once
+
+#include "ContactModel.h"
+#include "HarmonicSurface.h"
+
+#include <memory>
+
+namespace palpate
+{
+/// How a tool's proxy is put on a star-shaped surface.
+enum class HarmonicContactMode
+{
+  Nearest, ///< on the nearest point, coherent from tick to tick, with friction
+  Radial   ///< on the probe's own radius: the published law, without friction
+};
+
+/// A structure whose surface is a radius in spherical harmonics. Its tools are spheres.
+class HarmonicContactModel final : public ContactModel
+{
+public:
+  /// Refuses what HarmonicSurface refuses.
+  static Status Make(std::shared_ptr<const SphericalHarmonicModel> model, HarmonicContactMode mode,
+                     std::shared_ptr<const ContactModel>& contact);
+
+  Eigen::AlignedBox3d BoundsWorld() const noexcept override;
+  Status MakeTracker(const ToolShape& tool, const SurfaceFriction& friction,
+                     std::unique_ptr<ContactTracker>& tracker) const override;
+
+private:
+  HarmonicContactModel(std::shared_ptr<const HarmonicSurface> surface, HarmonicContactMode mode);
+
+  std::shared_ptr<const HarmonicSurface> Surface;
+  HarmonicContactMode Mode;
+};
+} // namespace palpate

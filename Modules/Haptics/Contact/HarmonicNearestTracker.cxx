@@ -1,0 +1,274 @@
+#include "HarmonicNearestTracker.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace palpate
+{
+namespace
+{
+// Of the smallest radius, so that units do not matter. The gap is far below what a hand or an
+// encoder knows; the stride keeps Newton's method in the basin of its minimum.
+constexpr double RelativeGap = 1e-6;
+constexpr double RelativeStride = 1.0 / 16.0;
+// What a tick may cost: steps through free space, and short steps of a probe that touches.
+constexpr int MostParts = 8;
+constexpr int MostFreeSteps = 16;
+constexpr int MostStrides = 64;
+
+// How far (rad) a proxy may turn about the centre while the probe moves by `motion` times the
+// smallest radius: more than it ever needs to follow a minimum, except close to the medial axis,
+// where it shall not jump.
+double LargestTurn(double motion) noexcept
+{
+  return std::min(0.5, 0.1 + 2.0 * motion);
+}
+
+// From a unit vector by `angle` (rad) towards another; to the opposite one by any way.
+Vector3 Turned(const Vector3& from, const Vector3& to, double angle) noexcept
+{
+  const Vector3 across = to - to.dot(from) * from;
+  const double length = across.norm();
+  const Vector3 side = length > 1e-6 ? Vector3(across / length) : from.unitOrthogonal();
+  return (std::cos(angle) * from + std::sin(angle) * side).normalized();
+}
+
+HarmonicSurface::Place PlaceOf(const ClosestPoint& point) noexcept
+{
+  return {point.Direction, point.PointWorld, point.Normal};
+}
+} // namespace
+
+HarmonicNearestTracker::HarmonicNearestTracker(std::shared_ptr<const HarmonicSurface> surface,
+                                               double toolRadius, const SurfaceFriction& friction)
+    : Surface(std::move(surface)), ToolRadius(toolRadius), Friction(friction),
+      TouchingGap(RelativeGap * this->Surface->SmallestRadius()),
+      Stride(RelativeStride * this->Surface->SmallestRadius())
+{
+}
+
+const Contact& HarmonicNearestTracker::Follow(const ToolPose& pose) noexcept
+{
+  if (!pose.IsUsable())
+  {
+    this->Felt = Contact();
+    return this->Felt;
+  }
+  this->Advance(pose.PositionWorld);
+  this->Report(pose.PositionWorld);
+  return this->Felt;
+}
+
+// Follows the probe's path from where it was. What a tick has no time for is left to the next.
+void HarmonicNearestTracker::Advance(const Vector3& probe) noexcept
+{
+  if (this->Known == State::Nothing)
+  {
+    this->Settle(probe);
+    return;
+  }
+  for (int part = 0; part < MostParts; ++part)
+  {
+    if (this->Known == State::Free && this->MoveFree(probe))
+    {
+      return;
+    }
+    this->Slide(probe);
+    if (this->Known == State::Touching)
+    {
+      return;
+    }
+  }
+}
+
+// From ball to ball along the path (Hart, "Sphere tracing", The Visual Computer 12, 1996). False
+// where the tool touches.
+bool HarmonicNearestTracker::MoveFree(const Vector3& probe) noexcept
+{
+  for (int step = 0; step < MostFreeSteps; ++step)
+  {
+    if ((probe - this->ClearCenterWorld).norm() <= this->ClearRadius)
+    {
+      this->ProbeWorld = probe;
+      return true;
+    }
+    this->Measure(this->ProbeWorld);
+    if (this->ClearRadius <= this->TouchingGap)
+    {
+      break;
+    }
+    const Vector3 way = probe - this->ProbeWorld;
+    const double length = way.norm();
+    this->ProbeWorld += std::min(1.0, this->ClearRadius / length) * way;
+  }
+  this->Touch(this->Surface->Search().Nearest(this->ProbeWorld));
+  return false;
+}
+
+// Puts the ball around a place of the probe. Far away the sphere around the surface will do.
+void HarmonicNearestTracker::Measure(const Vector3& probe) noexcept
+{
+  const double largest = this->Surface->LargestRadius();
+  const double centerDistance = (probe - this->Surface->Model().CenterWorld()).norm();
+  this->ClearCenterWorld = probe;
+  this->ClearRadius = centerDistance - largest - this->ToolRadius;
+  if (this->ClearRadius <= 0.25 * largest)
+  {
+    const ClosestPoint closest = this->Surface->Search().Nearest(probe);
+    this->ClearRadius = closest.SignedDistance - closest.DistanceError - this->ToolRadius;
+  }
+}
+
+void HarmonicNearestTracker::Settle(const Vector3& probe) noexcept
+{
+  const ClosestPoint nearest = this->Surface->Search().Nearest(probe);
+  this->ProbeWorld = probe;
+  if (nearest.SignedDistance < this->ToolRadius)
+  {
+    this->Touch(nearest);
+  }
+  else
+  {
+    this->LetGo(nearest);
+  }
+}
+
+void HarmonicNearestTracker::Touch(const ClosestPoint& nearest) noexcept
+{
+  this->Known = State::Touching;
+  this->Closest = nearest;
+  this->Held = PlaceOf(nearest);
+}
+
+void HarmonicNearestTracker::LetGo(const ClosestPoint& nearest) noexcept
+{
+  this->Known = State::Free;
+  this->ClearCenterWorld = this->ProbeWorld;
+  this->ClearRadius = nearest.SignedDistance - nearest.DistanceError - this->ToolRadius;
+}
+
+// Along the path in short steps, until the tool is let go or the end is reached.
+void HarmonicNearestTracker::Slide(const Vector3& probe) noexcept
+{
+  const Vector3 start = this->ProbeWorld;
+  const Vector3 way = probe - start;
+  const double length = way.norm();
+  const int strides = 1 + static_cast<int>(std::min(length / this->Stride, MostStrides - 1.0));
+  for (int i = 1; i <= strides; ++i)
+  {
+    const Vector3 next = i == strides ? probe : Vector3(start + (1.0 * i / strides) * way);
+    if (!this->Press(next, length / strides))
+    {
+      return;
+    }
+  }
+}
+
+// One short step of a tool that touches; false if it was let go there.
+bool HarmonicNearestTracker::Press(const Vector3& probe, double motion) noexcept
+{
+  this->ProbeWorld = probe;
+  const ClosestPoint next = this->Continued(probe);
+  if (next.SignedDistance >= this->ToolRadius)
+  {
+    this->LetGo(next);
+    return false;
+  }
+  const double largestTurn = LargestTurn(motion / this->Surface->SmallestRadius());
+  const Vector3& last = this->Closest.Direction;
+  const bool isNear = (next.Direction - last).squaredNorm() <= largestTurn * largestTurn;
+  this->Closest =
+      isNear ? next : this->Surface->PointAt(Turned(last, next.Direction, largestTurn), probe);
+  this->Drag(probe);
+  return true;
+}
+
+// The minimum that goes on; or another one, where it has let go but the whole surface does not, and
+// where it has become a saddle or a maximum that descent would never leave.
+ClosestPoint HarmonicNearestTracker::Continued(const Vector3& probe) const noexcept
+{
+  const ClosestPoint next = this->Surface->Search().Track(probe, this->Closest);
+  const bool isStationary = next.State == ClosestPoint::Outcome::Stationary;
+  if (next.SignedDistance < this->ToolRadius && !isStationary)
+  {
+    return next;
+  }
+  const ClosestPoint nearest = this->Surface->Search().Nearest(probe);
+  // In the centre of a sphere all directions are as good: it stays then.
+  constexpr double Nearer = 1.0 - 1e-6;
+  const bool isNearer = std::abs(nearest.SignedDistance) < Nearer * std::abs(next.SignedDistance);
+  return isStationary && !isNearer ? next : nearest;
+}
+
+FrictionCone::Pull
+HarmonicNearestTracker::PullOf(const Vector3& probe,
+                               const HarmonicSurface::Place& place) const noexcept
+{
+  return {probe - (place.PointWorld + this->ToolRadius * place.Normal), place.Normal};
+}
+
+// Lets friction decide where the tool is held.
+void HarmonicNearestTracker::Drag(const Vector3& probe) noexcept
+{
+  if (this->Friction.IsFrictionless())
+  {
+    this->Held = PlaceOf(this->Closest);
+  }
+  else if (!this->Friction.Sticks(this->PullOf(probe, this->Held)))
+  {
+    this->Held = this->Slip(probe, PlaceOf(this->Closest));
+  }
+}
+
+// Between where the tool was held and the end of its way, the place where it resists again: a root
+// by the Illinois form of the false position.
+HarmonicSurface::Place
+HarmonicNearestTracker::Slip(const Vector3& probe, const HarmonicSurface::Place& end) const noexcept
+{
+  constexpr int MostSteps = 12;
+  constexpr double Enough = 1e-6; // of the pull
+  double before = 0.0;
+  double after = 1.0;
+  double excessBefore = this->Friction.Excess(this->PullOf(probe, this->Held));
+  double excessAfter = this->Friction.Excess(this->PullOf(probe, end));
+  int lastSide = 0;
+  HarmonicSurface::Place place = end;
+  for (int step = 0; step < MostSteps && excessBefore > 0.0 && excessAfter < 0.0; ++step)
+  {
+    const double part =
+        (before * excessAfter - after * excessBefore) / (excessAfter - excessBefore);
+    const Vector3 between = (1.0 - part) * this->Held.Direction + part * end.Direction;
+    place = this->Surface->PlaceAt(between.normalized());
+    const FrictionCone::Pull pull = this->PullOf(probe, place);
+    const double excess = this->Friction.Excess(pull);
+    if (std::abs(excess) <= Enough * pull.Along)
+    {
+      break;
+    }
+    const int side = excess > 0.0 ? 1 : -1;
+    (side > 0 ? before : after) = part;
+    (side > 0 ? excessBefore : excessAfter) = excess;
+    if (side == lastSide) // the other end has stayed: halved, it moves the next time
+    {
+      (side > 0 ? excessAfter : excessBefore) *= 0.5;
+    }
+    lastSide = side;
+  }
+  return place;
+}
+
+void HarmonicNearestTracker::Report(const Vector3& probe) noexcept
+{
+  this->Felt.IsValid = true;
+  this->Felt.IsTouching = this->Known == State::Touching;
+  this->Felt.ProxyWorld = probe;
+  this->Felt.Depth = 0.0;
+  if (this->Felt.IsTouching)
+  {
+    this->Felt.NormalWorld = this->Held.Normal;
+    this->Felt.ProxyWorld = this->Held.PointWorld + this->ToolRadius * this->Held.Normal;
+    this->Felt.Depth = (probe - this->Felt.ProxyWorld).norm();
+  }
+}
+} // namespace palpate

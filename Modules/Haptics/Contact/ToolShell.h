@@ -1,0 +1,44 @@
+#pragma once
+
+#include "FieldSolid.h"
+#include "ToolPose.h"
+#include "ToolShape.h"
+
+#include <cstddef>
+#include <vector>
+
+namespace palpate
+{
+/// A tool's shell as it is turned now, and which of its points are inside a solid. The memory that
+/// a tick needs is there from the beginning.
+class ToolShell
+{
+public:
+  /// The tool must have a shell.
+  explicit ToolShell(const ToolShape& tool);
+
+  /// False where the tool is turned as before.
+  bool Turn(const Eigen::Quaterniond& orientation) noexcept;
+
+  std::size_t Count() const noexcept { return this->Offsets.size(); }
+  /// From the tool's origin to its points, mm.
+  const Vector3& Offset(std::size_t point) const noexcept { return this->Offsets[point]; }
+  const Vector3& InwardNormal(std::size_t point) const noexcept { return this->Inward[point]; }
+
+  /// How many points are inside with the tool's origin here; IsInside then answers for each.
+  int CountInside(const FieldSolid& solid, const Vector3& positionWorld) noexcept;
+  bool IsInside(std::size_t point) const noexcept { return this->Inside[point] != 0; }
+  /// The part of the way from here after which the first point enters; 1 where none does.
+  double PartToEntry(const FieldSolid& solid, const Vector3& positionWorld,
+                     const Vector3& way) const noexcept;
+
+private:
+  std::vector<Vector3> ToolPoints;
+  std::vector<Vector3> ToolNormals;
+  Eigen::Quaterniond Orientation = Eigen::Quaterniond::Identity();
+  std::vector<Vector3> Offsets;
+  std::vector<Vector3> Inward;
+  std::vector<Vector3> PointsWorld;
+  std::vector<unsigned char> Inside;
+};
+} // namespace palpate

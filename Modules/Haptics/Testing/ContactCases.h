@@ -1,0 +1,80 @@
+#pragma once
+
+#include "ContactModel.h"
+#include "HarmonicContactModel.h"
+#include "ProjectedShapes.h"
+#include "RandomShapes.h"
+
+#include <gtest/gtest.h>
+
+#include <memory>
+#include <utility>
+
+namespace palpate::test
+{
+inline std::shared_ptr<const SphericalHarmonicModel> Shared(SphericalHarmonicModel model)
+{
+  return std::make_shared<const SphericalHarmonicModel>(std::move(model));
+}
+
+inline std::shared_ptr<const ContactModel>
+HarmonicContact(const SphericalHarmonicModel& model,
+                HarmonicContactMode mode = HarmonicContactMode::Nearest)
+{
+  std::shared_ptr<const ContactModel> contact;
+  const Status status = HarmonicContactModel::Make(Shared(model), mode, contact);
+  EXPECT_TRUE(status.IsOk()) << status.Message();
+  return contact;
+}
+
+inline std::unique_ptr<ContactTracker> TrackerOf(const ContactModel& model, const ToolShape& tool,
+                                                 const SurfaceFriction& friction = {})
+{
+  std::unique_ptr<ContactTracker> tracker;
+  const Status status = model.MakeTracker(tool, friction, tracker);
+  EXPECT_TRUE(status.IsOk()) << status.Message();
+  return tracker;
+}
+
+/// A tool whose orientation does not matter.
+inline ToolPose At(const Vector3& positionWorld)
+{
+  return {positionWorld, Eigen::Quaterniond::Identity()};
+}
+
+/// Goes straight from one place to another in ticks of `step` mm, the first place left out.
+template <typename Visit>
+void MoveStraight(ContactTracker& tracker, const Vector3& from, const Vector3& to, double step,
+                  const Visit& visit)
+{
+  const int ticks = static_cast<int>(std::ceil((to - from).norm() / step));
+  for (int tick = 1; tick <= ticks; ++tick)
+  {
+    const Vector3 probe = from + (1.0 * tick / ticks) * (to - from);
+    visit(probe, tracker.Follow(At(probe)));
+  }
+}
+
+/// A unit vector that wanders smoothly over the sphere.
+class WanderingDirection
+{
+public:
+  explicit WanderingDirection(Random& random)
+      : Source(random), Place(RandomDirection(random)), Axis(RandomDirection(random))
+  {
+  }
+
+  const Vector3& Turn(double angle)
+  {
+    this->Axis = (this->Axis + 0.02 * RandomDirection(this->Source)).normalized();
+    this->Place = (Eigen::AngleAxisd(angle, this->Axis) * this->Place).normalized();
+    return this->Place;
+  }
+  const Vector3& Direction() const { return this->Place; }
+
+private:
+  Random& Source;
+  Vector3 Place;
+  Vector3 Axis;
+};
+} // namespace palpate::test

@@ -1,0 +1,251 @@
+#include "TouchBenchmarks.h"
+
+#include "FacetContactModel.h"
+#include "FieldBuilder.h"
+#include "FieldContactModel.h"
+#include "HarmonicContactModel.h"
+#include "IcosahedronDirections.h"
+#include "ProceduralFields.h"
+#include "RandomShapes.h"
+
+#include "vtkCellArray.h"
+#include "vtkGenericCell.h"
+#include "vtkImplicitPolyDataDistance.h"
+#include "vtkNew.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkStaticCellLocator.h"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <sstream>
+
+namespace palpate::bench
+{
+namespace
+{
+constexpr int Ticks = 4000;
+constexpr double Step = 0.05; // mm a tick: 50 mm/s at 1 kHz
+
+// A unit vector that wanders over the sphere, some `angle` (rad) a tick.
+std::vector<Vector3> Wander(double angle)
+{
+  test::Random random(61);
+  std::vector<Vector3> places;
+  Vector3 place = Vector3::UnitX();
+  Vector3 axis = test::RandomDirection(random);
+  while (places.size() < Ticks)
+  {
+    axis = (axis + 0.02 * test::RandomDirection(random)).normalized();
+    place = (Eigen::AngleAxisd(angle, axis) * place).normalized();
+    places.push_back(place);
+  }
+  return places;
+}
+
+// Proxies of both sides of a pair.
+struct Proxies
+{
+  std::vector<Vector3> Ours{Ticks};
+  std::vector<Vector3> Theirs{Ticks};
+
+  std::string Disagreement(double most) const
+  {
+    double worst = 0.0;
+    for (std::size_t i = 0; i < Ticks; ++i)
+    {
+      const double difference = (this->Ours[i] - this->Theirs[i]).norm();
+      worst = std::isnan(difference) ? INFINITY : std::max(worst, difference);
+    }
+    if (worst <= most)
+    {
+      return {};
+    }
+    std::ostringstream text;
+    text << "proxies differ by " << worst << " mm";
+    return text.str();
+  }
+};
+
+void FollowAll(ContactTracker& tracker, const std::vector<Vector3>& path,
+               std::vector<Vector3>& proxies)
+{
+  tracker.Release();
+  for (std::size_t i = 0; i < path.size(); ++i)
+  {
+    proxies[i] = tracker.Follow({path[i], Eigen::Quaterniond::Identity()}).ProxyWorld;
+  }
+}
+
+std::unique_ptr<ContactTracker> TrackerOf(const std::shared_ptr<const ContactModel>& model,
+                                          const ToolShape& tool)
+{
+  std::unique_ptr<ContactTracker> tracker;
+  return model != nullptr && model->MakeTracker(tool, {}, tracker).IsOk() ? std::move(tracker)
+                                                                          : nullptr;
+}
+
+// An organ of degree 12 and its mesh, touched 1.5 mm deep.
+class OrganCase
+{
+public:
+  OrganCase()
+  {
+    test::Random random(12);
+    const auto organ =
+        std::make_shared<const SphericalHarmonicModel>(test::RandomOrgan(random, 12));
+    for (const Vector3& u : Wander(Step / 20.0))
+    {
+      this->PointPath.push_back(organ->PointWorld(u) - 1.5 * organ->Normal(u));
+      this->BallPath.push_back(organ->PointWorld(u) + (BallRadius - 1.5) * organ->Normal(u));
+    }
+    std::shared_ptr<const ContactModel> model;
+    if (HarmonicContactModel::Make(organ, HarmonicContactMode::Nearest, model).IsOk())
+    {
+      this->Harmonic = TrackerOf(model, ToolShape::Sphere(0.0));
+      this->HarmonicBall = TrackerOf(model, ToolShape::Sphere(BallRadius));
+    }
+    this->MakeMesh(*organ);
+  }
+
+  void FollowHarmonic() { FollowAll(*this->Harmonic, this->PointPath, this->Pairs.Ours); }
+  void FollowHarmonicAsTheirs() { FollowAll(*this->Harmonic, this->PointPath, this->Pairs.Theirs); }
+  void FollowHarmonicBall() { FollowAll(*this->HarmonicBall, this->BallPath, this->Pairs.Ours); }
+  void FollowFacets() { FollowAll(*this->Facets, this->PointPath, this->Pairs.Ours); }
+  void FollowFacetsBall() { FollowAll(*this->FacetsBall, this->BallPath, this->Pairs.Theirs); }
+  void Locate()
+  {
+    for (std::size_t i = 0; i < Ticks; ++i)
+    {
+      vtkIdType triangle = 0;
+      int part = 0;
+      double square = 0.0;
+      this->Locator->FindClosestPoint(this->PointPath[i].data(), this->Pairs.Theirs[i].data(),
+                                      this->Cell, triangle, part, square);
+    }
+  }
+  void EvaluateDistance()
+  {
+    for (std::size_t i = 0; i < Ticks; ++i)
+    {
+      this->Distance->EvaluateFunctionAndGetClosestPoint(this->PointPath[i].data(),
+                                                         this->Pairs.Theirs[i].data());
+    }
+  }
+  // Facets lie up to some hundredths of a millimetre inside the surface, and which place of a facet
+  // is nearest differs by its slope times the depth.
+  std::string Disagreement() const { return this->Pairs.Disagreement(0.3); }
+
+private:
+  static constexpr double BallRadius = 2.0; // mm
+
+  void MakeMesh(const SphericalHarmonicModel& organ)
+  {
+    const IcosahedronDirections sphere(20);
+    std::vector<Vector3> corners;
+    vtkNew<vtkPoints> points;
+    points->SetDataTypeToDouble();
+    for (const Vector3& u : sphere.Directions())
+    {
+      corners.push_back(organ.PointWorld(u));
+      points->InsertNextPoint(corners.back().data());
+    }
+    vtkNew<vtkCellArray> triangles;
+    for (const auto& [a, b, c] : sphere.Triangles())
+    {
+      triangles->InsertNextCell({a, b, c});
+    }
+    this->Mesh->SetPoints(points);
+    this->Mesh->SetPolys(triangles);
+    this->Locator->SetDataSet(this->Mesh);
+    this->Locator->BuildLocator();
+    this->Distance->SetInput(this->Mesh);
+    std::shared_ptr<const ContactModel> model;
+    if (FacetContactModel::Make(corners, sphere.Triangles(), model).IsOk())
+    {
+      this->Facets = TrackerOf(model, ToolShape::Sphere(0.0));
+      this->FacetsBall = TrackerOf(model, ToolShape::Sphere(BallRadius));
+    }
+  }
+
+  std::vector<Vector3> PointPath;
+  std::vector<Vector3> BallPath;
+  std::unique_ptr<ContactTracker> Harmonic;
+  std::unique_ptr<ContactTracker> HarmonicBall;
+  std::unique_ptr<ContactTracker> Facets;
+  std::unique_ptr<ContactTracker> FacetsBall;
+  Proxies Pairs;
+  vtkNew<vtkPolyData> Mesh;
+  vtkNew<vtkStaticCellLocator> Locator;
+  vtkNew<vtkGenericCell> Cell;
+  vtkNew<vtkImplicitPolyDataDistance> Distance;
+};
+
+// A ball of 30 mm in voxels of 0.5 mm, touched by one of 2 mm with 26 points, half a voxel deep.
+class FieldCase
+{
+public:
+  FieldCase()
+  {
+    constexpr int Nodes = 140;
+    const FieldGrid grid({Nodes, Nodes, Nodes}, Vector3::Zero(), Vector3::Constant(0.5),
+                         Matrix3::Identity());
+    const test::SphereField ball{Vector3(69.3, 70.1, 68.7), 60.0};
+    const auto samples = test::SampleAtIndices<float>(grid.Size(), ball);
+    FieldBuilder builder(grid);
+    builder.AddMaterial({builder.AddChannel(SamplesOfGrid(samples.data(), grid)), 0.0});
+    std::shared_ptr<const ScalarField> field;
+    if (!builder.Build(field).IsOk())
+    {
+      return;
+    }
+    const ToolShape tool = ToolShape::SpherePoints(2.0, ToolShape::NeighbourCount);
+    std::shared_ptr<const ContactModel> model;
+    if (FieldContactModel::Make(field, 0, FieldContactMode::Proxy, model).IsOk())
+    {
+      this->Solved = TrackerOf(model, tool);
+    }
+    if (FieldContactModel::Make(field, 0, FieldContactMode::PublishedShell, model).IsOk())
+    {
+      this->Published = TrackerOf(model, tool);
+    }
+    for (const Vector3& u : Wander(Step / 30.0))
+    {
+      this->Path.push_back(grid.PointWorld(ball.Center) + (30.0 + 2.0 - 0.5) * u);
+    }
+  }
+
+  void FollowSolved() { FollowAll(*this->Solved, this->Path, this->Pairs.Ours); }
+  void FollowPublished() { FollowAll(*this->Published, this->Path, this->Pairs.Theirs); }
+  // The published law pushes out by the mean, which is up to the depth less.
+  std::string Disagreement() const { return this->Pairs.Disagreement(0.6); }
+
+private:
+  std::vector<Vector3> Path;
+  std::unique_ptr<ContactTracker> Solved;
+  std::unique_ptr<ContactTracker> Published;
+  Proxies Pairs;
+};
+} // namespace
+
+std::vector<PairedBenchmark> TouchBenchmarks()
+{
+  const auto organ = std::make_shared<OrganCase>();
+  const auto field = std::make_shared<FieldCase>();
+  const auto agree = [organ] { return organ->Disagreement(); };
+  return {
+      {"touch/sh/degree12", "vtkStaticCellLocator, 8,000 triangles",
+       [organ] { organ->FollowHarmonic(); }, [organ] { organ->Locate(); }, agree, Ticks},
+      {"touch/sh/degree12/signed", "vtkImplicitPolyDataDistance, 8,000 triangles",
+       [organ] { organ->FollowHarmonic(); }, [organ] { organ->EvaluateDistance(); }, agree, Ticks},
+      {"touch/sh/degree12/ball", "god-object on 8,000 triangles (ours), ball of 2 mm",
+       [organ] { organ->FollowHarmonicBall(); }, [organ] { organ->FollowFacetsBall(); }, agree,
+       Ticks},
+      {"touch/facets/8000", "spherical harmonics of degree 12 (ours)",
+       [organ] { organ->FollowFacets(); }, [organ] { organ->FollowHarmonicAsTheirs(); }, agree,
+       Ticks},
+      {"touch/subvoxel/26", "the published law (ours)", [field] { field->FollowSolved(); },
+       [field] { field->FollowPublished(); }, [field] { return field->Disagreement(); }, Ticks}};
+}
+} // namespace palpate::bench
