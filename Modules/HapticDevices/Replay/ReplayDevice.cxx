@@ -56,7 +56,7 @@ bool ReplayDevice::Read(DeviceSample& sample) noexcept
   return now.HasSample && !hasEnded;
 }
 
-bool ReplayDevice::Apply(const Vector3& force) noexcept
+bool ReplayDevice::Apply(const Vector3&) noexcept
 {
   return this->State() != DeviceState::Closed && this->Recording->Ticks[this->Current].WasTaken;
 }

@@ -24,8 +24,8 @@ SafetySettings SafetyOf(const DeviceCapabilities& device, const ServoSettings& s
 } // namespace
 
 Servo::Servo(HapticDevice& device, const ServoSettings& settings)
-    : Device(device), Settings(settings), Safety(SafetyOf(device.Capabilities(), settings)),
-      Recorded(settings.RecordedTicks), HandVelocity(settings.VelocityTimeConstant)
+    : Recorded(settings.RecordedTicks), Device(device), Settings(settings),
+      HandVelocity(settings.VelocityTimeConstant), Safety(SafetyOf(device.Capabilities(), settings))
 {
 }
 

@@ -74,21 +74,22 @@ private:
   bool Send(const Vector3& force) noexcept;
   TouchState StateOf(const TickObservation& now, const Vector3& force) noexcept;
 
-  HapticDevice& Device;
-  ServoSettings Settings;
-  SafetyChain Safety;
-  SnapshotSlot<ServoScene> Scenes;
-  std::atomic<bool> RearmWanted{false};
-  LatestValue<TouchState> Newest;
+  // Exchanged with other threads, on cache lines of their own.
   RingBuffer<TouchState> Recorded;
+  SnapshotSlot<ServoScene> Scenes;
+  LatestValue<TouchState> Newest;
 
   // The servo thread's own.
-  std::uint64_t SceneCount = 0;
-  VelocityEstimate HandVelocity; // mm/s, device's frame
-  Answer Current;
   ToolPose LastAsked; // at the last question to the models
+  Answer Current;
+  HapticDevice& Device;
+  std::uint64_t SceneCount = 0;
+  ServoSettings Settings;
+  VelocityEstimate HandVelocity; // mm/s, device's frame
   DeviceSample LastFelt;
-  bool HasFelt = false;
+  SafetyChain Safety;
   int TicksSinceModel = 0;
+  std::atomic<bool> RearmWanted{false}; // any thread's
+  bool HasFelt = false;
 };
 } // namespace palpate
