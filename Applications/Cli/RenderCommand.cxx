@@ -131,13 +131,17 @@ std::vector<SceneRenderer::Color> ColorsOf(const std::vector<Segment>& structure
   return colors;
 }
 
-// A field that cannot be made is the file's or the options' fault.
+// Makes a field, which is the file's or the options' fault where it fails, and says what it takes.
 template <typename Make>
-std::shared_ptr<const ScalarField> Field(const std::filesystem::path& file, const Make& make)
+std::shared_ptr<const ScalarField> Field(const std::filesystem::path& file, Console& console,
+                                         const Make& make)
 {
   try
   {
-    return make();
+    auto field = make();
+    console.EndProgress();
+    console.Note(file.filename().string() + ": the field takes " + MemoryText(*field));
+    return field;
   }
   catch (const FilterError& error)
   {
@@ -246,7 +250,7 @@ void RenderCommand::AddFields(const Segmentation& segmentation,
 {
   for (const std::vector<Segment>& some : Groups(structures, MostMaterials))
   {
-    scene.AddField(Field(segmentation.Source,
+    scene.AddField(Field(segmentation.Source, console,
                          [&]
                          {
                            return MakeSegmentField(segmentation, some, this->FieldKind(),
@@ -291,7 +295,7 @@ void RenderCommand::AddIsoSurfaces(vtkImageData* image, SceneRenderer& scene, Co
   {
     colors.push_back(this->NextColor());
   }
-  scene.AddField(Field(this->VolumePath,
+  scene.AddField(Field(this->VolumePath, console,
                        [&] {
                          return MakeIsoField(image, this->IsoValues, this->FieldKind(),
                                              ProgressOn(console));
@@ -308,7 +312,7 @@ void RenderCommand::AddIsoSurfacesWithin(vtkImageData* image, SceneRenderer& sce
   {
     for (const std::vector<Segment>& some : Groups(structures, MostMaterials))
     {
-      scene.AddField(Field(this->VolumePath + " within " + this->WithinPath,
+      scene.AddField(Field(this->VolumePath + " within " + this->WithinPath, console,
                            [&]
                            {
                              return MakeIsoFieldWithin(image, iso, segmentation, some,

@@ -6,6 +6,7 @@
 #include "Segmentation.h"
 
 #include <memory>
+#include <string>
 #include <vector>
 
 namespace palpate
@@ -17,6 +18,9 @@ namespace palpate
 PALPATESESSION_EXPORT std::shared_ptr<const ScalarField>
 MakeIsoField(vtkImageData* image, const std::vector<double>& isoValues,
              FieldInterpolation interpolation, const ProgressFunction& progress);
+
+/// What a field occupies, in words: "3.2 MB, 6.1 % of all its nodes as floats".
+PALPATESESSION_EXPORT std::string MemoryText(const ScalarField& field);
 
 /// One material for each structure, in their order: what of the image is at least the value, within
 /// the structure. Structures are matched with the image in millimetres and bounded as in

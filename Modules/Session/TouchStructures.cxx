@@ -141,7 +141,8 @@ private:
             this->Settings.File);
     const bool isLinear = this->Settings.Interpolation == FieldInterpolation::Trilinear;
     this->Add(name, std::move(contact),
-              isLinear ? "sub-voxel field, trilinear" : "sub-voxel field, tricubic");
+              std::string("sub-voxel field, ") + (isLinear ? "trilinear, " : "tricubic, ") +
+                  MemoryText(*field));
   }
 
   void AddIsoSurface()

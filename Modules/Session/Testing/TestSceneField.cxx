@@ -4,6 +4,7 @@
 #include "LabelImages.h"
 #include "RayCaster.h"
 
+#include <cstdio>
 #include <gtest/gtest.h>
 
 namespace palpate
@@ -63,6 +64,17 @@ TEST_F(SceneFieldWithin, AStructureBesideTheImageIsRefused)
   EXPECT_THROW(MakeIsoFieldWithin(this->Image, 50.0, this->Labels, {this->Half},
                                   FieldInterpolation::Trilinear, 0.0, GoOn),
                FilterError);
+}
+
+TEST_F(SceneFieldWithin, MemoryIsToldBesideThatOfAllNodes)
+{
+  const auto field = MakeIsoField(this->Image, {50.0}, FieldInterpolation::Trilinear, GoOn);
+  const double dense = 4.0 * 48 * 40 * 40;
+  const double percent = 100.0 * static_cast<double>(field->Memory().Bytes) / dense;
+  const std::string text = MemoryText(*field);
+  double told = 0.0;
+  ASSERT_EQ(std::sscanf(text.c_str(), "%*f MB, %lf %% of", &told), 1) << text;
+  EXPECT_NEAR(told, percent, 0.06) << "one digit";
 }
 
 TEST_F(SceneFieldWithin, CanBeCancelled)
