@@ -1,6 +1,7 @@
 #pragma once
 
 #include "FieldHit.h"
+#include "InstructionSet.h"
 #include "ScalarField.h"
 
 #include <cstddef>
@@ -8,10 +9,22 @@
 
 namespace palpate
 {
+namespace rays
+{
+struct Kernel;
+}
+
 struct FieldRay
 {
   Vector3 Origin = Vector3::Zero();
   Vector3 Direction = Vector3::UnitX(); ///< of any length but none; t counts in it
+};
+
+/// The part of a ray that is asked for; both ends belong to it and may be infinite.
+struct RaySpan
+{
+  double TMin = 0.0;
+  double TMax = 0.0;
 };
 
 /// Finds where rays cross the boundaries of a field's materials. What is inside is closed: it holds
@@ -26,7 +39,9 @@ struct FieldRay
 class RayCaster
 {
 public:
-  explicit RayCaster(std::shared_ptr<const ScalarField> field) : Data(std::move(field)) {}
+  /// `set` is one that this processor has; it changes the time of batches, and no answer.
+  explicit RayCaster(std::shared_ptr<const ScalarField> field,
+                     InstructionSet set = FastestInstructionSet());
   const ScalarField& Field() const noexcept { return *this->Data; }
 
   /// The first boundary of the wanted materials with tMin <= t <= tMax, which may be infinite.
@@ -36,11 +51,19 @@ public:
   /// The same in the world, patient LPS in mm.
   FieldHit CastWorld(const FieldRay& rayWorld, double tMin, double tMax,
                      MaterialSet materials = AllMaterials) const noexcept;
-  /// CastWorld for many rays.
+  /// CastWorld for many rays, several at once.
   void CastAllWorld(const FieldRay* raysWorld, std::size_t count, double tMin, double tMax,
+                    FieldHit* hits, MaterialSet materials = AllMaterials) const noexcept;
+  /// The same with a span for each ray.
+  void CastAllWorld(const FieldRay* raysWorld, const RaySpan* spans, std::size_t count,
                     FieldHit* hits, MaterialSet materials = AllMaterials) const noexcept;
 
 private:
+  // `spanStep`: 1 where each ray has a span, 0 where all share one.
+  void CastBatches(const FieldRay* raysWorld, const RaySpan* spans, std::size_t spanStep,
+                   std::size_t count, FieldHit* hits, MaterialSet materials) const noexcept;
+
   std::shared_ptr<const ScalarField> Data;
+  const rays::Kernel* Kernel;
 };
 } // namespace palpate
