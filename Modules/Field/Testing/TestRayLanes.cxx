@@ -122,16 +122,36 @@ TEST(RayLanes, GiveTheBitsOfSingleRays)
     {
       const RandomVolume volume(method, random);
       const Questions asked(volume.Grid, 150, random);
-      ExpectSingleAnswers(volume.Field, asked, asked.Rays.size(), AllMaterials, tally);
-      if (HasFatalFailure())
-      {
-        FAIL() << "volume " << v;
-      }
+      ASSERT_NO_FATAL_FAILURE(
+          ExpectSingleAnswers(volume.Field, asked, asked.Rays.size(), AllMaterials, tally));
     }
     EXPECT_GT(tally.Hits, isTrilinear ? 10000 : 1000);
     EXPECT_GT(tally.Borders, isTrilinear ? 1000 : 100);
     EXPECT_GT(tally.Inside, isTrilinear ? 5000 : 400);
   }
+}
+
+// Hits are at nodes and on faces often, where cells end too.
+TEST(RayLanes, GiveTheBitsOfSingleRaysWhereSpansEndAtHits)
+{
+  std::mt19937_64 random(65);
+  Tally tally;
+  for (int v = 0; v < 100; ++v)
+  {
+    const RandomVolume volume(FieldInterpolation::Trilinear, random);
+    Questions asked(volume.Grid, 120, random);
+    const RayCaster caster(volume.Field);
+    for (std::size_t n = 0; n < asked.Rays.size(); ++n)
+    {
+      const double t = caster.CastWorld(asked.Rays[n], 0.0, Infinity).T;
+      const RaySpan spans[] = {
+          {-Infinity, t}, {t, Infinity}, {std::nextafter(t, Infinity), Infinity}, {t, t}};
+      asked.Spans[n] = spans[n % 4];
+    }
+    ASSERT_NO_FATAL_FAILURE(
+        ExpectSingleAnswers(volume.Field, asked, asked.Rays.size(), AllMaterials, tally));
+  }
+  EXPECT_GT(tally.Hits, 5000);
 }
 
 TEST(RayLanes, AnswerAnyNumberOfRays)
@@ -142,7 +162,8 @@ TEST(RayLanes, AnswerAnyNumberOfRays)
   for (const int count : {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 63, 64, 65, 127, 131})
   {
     const Questions asked(volume.Grid, count, random);
-    ExpectSingleAnswers(volume.Field, asked, asked.Rays.size(), AllMaterials, tally);
+    ASSERT_NO_FATAL_FAILURE(
+        ExpectSingleAnswers(volume.Field, asked, asked.Rays.size(), AllMaterials, tally));
   }
 }
 
@@ -183,7 +204,7 @@ TEST(RayLanes, GiveTheBitsOfSingleRaysForEverySetOfMaterials)
   for (MaterialSet materials = 0; materials < 16; ++materials)
   {
     const Questions asked(grid, 700, random);
-    ExpectSingleAnswers(field, asked, asked.Rays.size(), materials, tally);
+    ASSERT_NO_FATAL_FAILURE(ExpectSingleAnswers(field, asked, asked.Rays.size(), materials, tally));
   }
   EXPECT_GT(tally.Hits, 3000);
 }
