@@ -34,33 +34,34 @@ struct IndexRay
 
 // run(traversal), whatever the interpolation is.
 template <typename Function>
-FieldHit Traverse(const ScalarField& field, const IndexRay& ray, const RaySpan& span,
+FieldHit Traverse(const ScalarField& field, const IndexRay& ray, const RayInterval& interval,
                   MaterialSet materials, const Function& run) noexcept
 {
   RayPath path;
-  if (!path.Set(ray.Origin, ray.Direction) || std::isnan(span.TMin) || std::isnan(span.TMax))
+  if (!path.Set(ray.Origin, ray.Direction) || std::isnan(interval.From) || std::isnan(interval.To))
   {
     FieldHit none;
     none.Kind = HitKind::BadRay;
     return none;
   }
-  if (span.TMin > span.TMax)
+  if (interval.From > interval.To)
   {
     return {};
   }
   if (field.Interpolation() == FieldInterpolation::Trilinear)
   {
-    return run(
-        RayTraversal<TrilinearCell>(field, path, span.TMin, span.TMax, materials, ray.Rounding));
+    return run(RayTraversal<TrilinearCell>(field, path, interval.From, interval.To, materials,
+                                           ray.Rounding));
   }
   return run(
-      RayTraversal<TricubicCell>(field, path, span.TMin, span.TMax, materials, ray.Rounding));
+      RayTraversal<TricubicCell>(field, path, interval.From, interval.To, materials, ray.Rounding));
 }
 
-FieldHit Cast(const ScalarField& field, const IndexRay& ray, const RaySpan& span,
+FieldHit Cast(const ScalarField& field, const IndexRay& ray, const RayInterval& interval,
               MaterialSet materials) noexcept
 {
-  return Traverse(field, ray, span, materials, [](auto&& traversal) { return traversal.Run(); });
+  return Traverse(field, ray, interval, materials,
+                  [](auto&& traversal) { return traversal.Run(); });
 }
 
 // A hit from index coordinates to the world.
@@ -112,7 +113,8 @@ void DescribeField(const ScalarField& field, MaterialSet materials, rays::Field&
   }
 }
 
-void Put(const IndexRay& ray, const RaySpan& span, std::size_t at, rays::Batch& batch) noexcept
+void Put(const IndexRay& ray, const RayInterval& interval, std::size_t at,
+         rays::Batch& batch) noexcept
 {
   for (int axis = 0; axis < 3; ++axis)
   {
@@ -121,8 +123,8 @@ void Put(const IndexRay& ray, const RaySpan& span, std::size_t at, rays::Batch& 
   }
   batch.OriginRounding[at] = ray.Rounding.Origin;
   batch.DirectionRounding[at] = ray.Rounding.Direction;
-  batch.TMin[at] = span.TMin;
-  batch.TMax[at] = span.TMax;
+  batch.TMin[at] = interval.From;
+  batch.TMax[at] = interval.To;
 }
 
 IndexRay RayOf(const rays::Batch& batch, std::size_t at) noexcept
@@ -137,15 +139,15 @@ IndexRay RayOf(const rays::Batch& batch, std::size_t at) noexcept
 FieldHit Answer(const ScalarField& field, const rays::Batch& batch, std::size_t at,
                 MaterialSet materials) noexcept
 {
-  const RaySpan span{batch.TMin[at], batch.TMax[at]};
+  const RayInterval interval{batch.TMin[at], batch.TMax[at]};
   const rays::Outcome outcome = batch.Answer[at];
   if (outcome == rays::Outcome::Unstarted)
   {
-    return Cast(field, RayOf(batch, at), span, materials);
+    return Cast(field, RayOf(batch, at), interval, materials);
   }
   if (outcome == rays::Outcome::Underway)
   {
-    return Traverse(field, RayOf(batch, at), span, materials,
+    return Traverse(field, RayOf(batch, at), interval, materials,
                     [&batch, at](auto&& traversal) {
                       return traversal.RunFrom(batch.Cell[at], batch.T[at], batch.StartsInside[at]);
                     });
@@ -190,18 +192,20 @@ FieldHit RayCaster::CastWorld(const FieldRay& rayWorld, double tMin, double tMax
 void RayCaster::CastAllWorld(const FieldRay* raysWorld, std::size_t count, double tMin, double tMax,
                              FieldHit* hits, MaterialSet materials) const noexcept
 {
-  const RaySpan span{tMin, tMax};
-  this->CastBatches(raysWorld, &span, 0, count, hits, materials);
+  const RayInterval interval{tMin, tMax};
+  this->CastBatches(raysWorld, &interval, 0, count, hits, materials);
 }
 
-void RayCaster::CastAllWorld(const FieldRay* raysWorld, const RaySpan* spans, std::size_t count,
-                             FieldHit* hits, MaterialSet materials) const noexcept
+void RayCaster::CastAllWorld(const FieldRay* raysWorld, const RayInterval* intervals,
+                             std::size_t count, FieldHit* hits,
+                             MaterialSet materials) const noexcept
 {
-  this->CastBatches(raysWorld, spans, 1, count, hits, materials);
+  this->CastBatches(raysWorld, intervals, 1, count, hits, materials);
 }
 
-void RayCaster::CastBatches(const FieldRay* raysWorld, const RaySpan* spans, std::size_t spanStep,
-                            std::size_t count, FieldHit* hits, MaterialSet materials) const noexcept
+void RayCaster::CastBatches(const FieldRay* raysWorld, const RayInterval* intervals,
+                            std::size_t step, std::size_t count, FieldHit* hits,
+                            MaterialSet materials) const noexcept
 {
   const ScalarField& field = *this->Data;
   rays::Field described;
@@ -213,7 +217,7 @@ void RayCaster::CastBatches(const FieldRay* raysWorld, const RaySpan* spans, std
     for (std::size_t at = 0; at < size; ++at)
     {
       const std::size_t ray = first + at;
-      Put(IndexRay(field.Grid(), raysWorld[ray]), spans[spanStep * ray], at, batch);
+      Put(IndexRay(field.Grid(), raysWorld[ray]), intervals[step * ray], at, batch);
     }
     for (std::size_t at = size; at % 4 != 0; ++at)
     {

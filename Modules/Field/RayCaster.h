@@ -20,11 +20,12 @@ struct FieldRay
   Vector3 Direction = Vector3::UnitX(); ///< of any length but none; t counts in it
 };
 
-/// The part of a ray that is asked for; both ends belong to it and may be infinite.
-struct RaySpan
+/// A part of a ray, in its own parameter, which may be infinite; both ends belong to it. Empty
+/// where From > To.
+struct RayInterval
 {
-  double TMin = 0.0;
-  double TMax = 0.0;
+  double From = 0.0;
+  double To = 1.0;
 };
 
 /// Finds where rays cross the boundaries of a field's materials. What is inside is closed: it holds
@@ -54,13 +55,13 @@ public:
   /// CastWorld for many rays, several at once.
   void CastAllWorld(const FieldRay* raysWorld, std::size_t count, double tMin, double tMax,
                     FieldHit* hits, MaterialSet materials = AllMaterials) const noexcept;
-  /// The same with a span for each ray.
-  void CastAllWorld(const FieldRay* raysWorld, const RaySpan* spans, std::size_t count,
+  /// The same with an interval for each ray.
+  void CastAllWorld(const FieldRay* raysWorld, const RayInterval* intervals, std::size_t count,
                     FieldHit* hits, MaterialSet materials = AllMaterials) const noexcept;
 
 private:
-  // `spanStep`: 1 where each ray has a span, 0 where all share one.
-  void CastBatches(const FieldRay* raysWorld, const RaySpan* spans, std::size_t spanStep,
+  // `step`: 1 where each ray has an interval, 0 where all share one.
+  void CastBatches(const FieldRay* raysWorld, const RayInterval* intervals, std::size_t step,
                    std::size_t count, FieldHit* hits, MaterialSet materials) const noexcept;
 
   std::shared_ptr<const ScalarField> Data;

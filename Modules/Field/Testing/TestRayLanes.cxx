@@ -17,12 +17,12 @@ using test::SameBits;
 const double Infinity = std::numeric_limits<double>::infinity();
 const double NotANumber = std::numeric_limits<double>::quiet_NaN();
 
-// Rays and what is asked of each: spans that hold the grid, begin or end in it, hold nothing, or
-// are none; rays that are none.
+// Rays and what is asked of each: intervals that hold the grid, begin or end in it, hold nothing,
+// or are none; rays that are none.
 struct Questions
 {
   std::vector<FieldRay> Rays;
-  std::vector<RaySpan> Spans;
+  std::vector<RayInterval> Intervals;
 
   Questions(const FieldGrid& grid, int count, std::mt19937_64& random)
   {
@@ -31,7 +31,7 @@ struct Questions
       FieldRay ray = test::RandomRay(grid, random);
       ray = {grid.PointWorld(ray.Origin), grid.VectorWorld(ray.Direction)};
       this->Rays.push_back(random() % 40 == 0 ? Spoilt(ray, random) : ray);
-      this->Spans.push_back(RandomSpan(random));
+      this->Intervals.push_back(RandomInterval(random));
     }
   }
 
@@ -54,7 +54,7 @@ struct Questions
     }
     return ray;
   }
-  static RaySpan RandomSpan(std::mt19937_64& random)
+  static RayInterval RandomInterval(std::mt19937_64& random)
   {
     std::uniform_real_distribution<double> place(-5.0, 80.0);
     switch (random() % 8)
@@ -70,7 +70,7 @@ struct Questions
     case 4:
       return {std::floor(place(random)), Infinity};
     case 5:
-      return random() % 4 == 0 ? RaySpan{NotANumber, 1.0} : RaySpan{0.0, 100.0};
+      return random() % 4 == 0 ? RayInterval{NotANumber, 1.0} : RayInterval{0.0, 100.0};
     default:
       return {0.0, Infinity};
     }
@@ -93,16 +93,16 @@ void ExpectSingleAnswers(const std::shared_ptr<const ScalarField>& field, const 
     const RayCaster caster(field, set);
     std::vector<FieldHit> hits(count + 1);
     hits[count].T = 17.0;
-    caster.CastAllWorld(asked.Rays.data(), asked.Spans.data(), count, hits.data(), materials);
+    caster.CastAllWorld(asked.Rays.data(), asked.Intervals.data(), count, hits.data(), materials);
     ASSERT_EQ(hits[count].T, 17.0) << "written behind the end";
     for (std::size_t n = 0; n < count; ++n)
     {
       const FieldRay& ray = asked.Rays[n];
-      const RaySpan& span = asked.Spans[n];
-      const FieldHit single = caster.CastWorld(ray, span.TMin, span.TMax, materials);
+      const RayInterval& interval = asked.Intervals[n];
+      const FieldHit single = caster.CastWorld(ray, interval.From, interval.To, materials);
       ASSERT_TRUE(SameBits(hits[n], single))
           << NameOf(set) << " ray " << n << " of " << count << ": from " << ray.Origin.transpose()
-          << " along " << ray.Direction.transpose() << " in " << span.TMin << " " << span.TMax
+          << " along " << ray.Direction.transpose() << " in " << interval.From << " " << interval.To
           << ": " << hits[n].T << " not " << single.T;
       tally.Hits += single.Kind == HitKind::Surface ? 1 : 0;
       tally.Borders += single.Kind == HitKind::Border ? 1 : 0;
@@ -132,7 +132,7 @@ TEST(RayLanes, GiveTheBitsOfSingleRays)
 }
 
 // Hits are at nodes and on faces often, where cells end too.
-TEST(RayLanes, GiveTheBitsOfSingleRaysWhereSpansEndAtHits)
+TEST(RayLanes, GiveTheBitsOfSingleRaysWhereIntervalsEndAtHits)
 {
   std::mt19937_64 random(65);
   Tally tally;
@@ -144,9 +144,9 @@ TEST(RayLanes, GiveTheBitsOfSingleRaysWhereSpansEndAtHits)
     for (std::size_t n = 0; n < asked.Rays.size(); ++n)
     {
       const double t = caster.CastWorld(asked.Rays[n], 0.0, Infinity).T;
-      const RaySpan spans[] = {
+      const RayInterval intervals[] = {
           {-Infinity, t}, {t, Infinity}, {std::nextafter(t, Infinity), Infinity}, {t, t}};
-      asked.Spans[n] = spans[n % 4];
+      asked.Intervals[n] = intervals[n % 4];
     }
     ASSERT_NO_FATAL_FAILURE(
         ExpectSingleAnswers(volume.Field, asked, asked.Rays.size(), AllMaterials, tally));
@@ -209,17 +209,17 @@ TEST(RayLanes, GiveTheBitsOfSingleRaysForEverySetOfMaterials)
   EXPECT_GT(tally.Hits, 3000);
 }
 
-TEST(RayLanes, OneSpanForAllIsThatSpanForEach)
+TEST(RayLanes, OneIntervalForAllIsThatIntervalForEach)
 {
   std::mt19937_64 random(64);
   const RandomVolume volume(FieldInterpolation::Trilinear, random);
   Questions asked(volume.Grid, 90, random);
-  asked.Spans.assign(asked.Rays.size(), {-3.0, 60.0});
+  asked.Intervals.assign(asked.Rays.size(), {-3.0, 60.0});
   const RayCaster caster(volume.Field);
   std::vector<FieldHit> shared(asked.Rays.size());
   std::vector<FieldHit> own(asked.Rays.size());
   caster.CastAllWorld(asked.Rays.data(), shared.size(), -3.0, 60.0, shared.data());
-  caster.CastAllWorld(asked.Rays.data(), asked.Spans.data(), own.size(), own.data());
+  caster.CastAllWorld(asked.Rays.data(), asked.Intervals.data(), own.size(), own.data());
   for (std::size_t n = 0; n < own.size(); ++n)
   {
     EXPECT_TRUE(SameBits(shared[n], own[n])) << n;
