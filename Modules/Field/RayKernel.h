@@ -22,7 +22,7 @@ struct Material
   double Sign; ///< 1: at least, -1: at most
 };
 
-/// A surface brick in bytes (see BrickDirectory): its cells come first.
+/// A surface brick in bytes (see BrickDirectory): its cells, its materials, what fills it.
 constexpr long SurfaceBytes = 72;
 constexpr long MaterialsAt = 64;
 constexpr long InsideAt = 68;
@@ -35,7 +35,7 @@ struct Field
   double BrickRows;
   const unsigned char* Entries;  ///< eight bytes a brick: the word, then the leap
   const unsigned char* Surfaces; ///< surface bricks; one at least
-  unsigned Wanted;               ///< materials
+  long long Wanted;              ///< materials
   Material Materials[MostMaterials];
 };
 

@@ -193,11 +193,14 @@ struct RayLanes : LaneArithmetic<Set>
   /// Until all wait.
   inline __attribute__((always_inline)) void Move(const Field& field, unsigned* startsInside)
   {
-    while (Base::IsAny(this->IsArrived))
+    do
     {
-      this->Leap(field, startsInside);
+      while (Base::IsAny(this->IsArrived))
+      {
+        this->Leap(field, startsInside);
+      }
       this->Walk(field);
-    }
+    } while (Base::IsAny(this->IsArrived));
   }
 
   // Those that have arrived in a brick: where it has no surface, they leap as far as none is near;
@@ -218,7 +221,10 @@ struct RayLanes : LaneArithmetic<Set>
       leap |= isAtSurface & ~isWalk & 1; // nothing that is wanted
     }
     const Mask isLeaping = this->IsArrived & ~isWalk;
-    this->LeaveBox(corner, BrickCells * Base::OfWhole(leap), isLeaping);
+    if (Base::IsAny(isLeaping))
+    {
+      this->LeaveBox(corner, BrickCells * Base::OfWhole(leap), isLeaping);
+    }
     this->IsArrived = isLeaping & this->IsUnderway();
   }
 
@@ -251,17 +257,16 @@ struct RayLanes : LaneArithmetic<Set>
                                                    unsigned* startsInside)
   {
     const Mask surface = (entry & 0xFFFFFFFFLL & isAtSurface) * SurfaceBytes;
-    Mask isWalk = isAtSurface;
-    for (int lane = 0; lane < Lanes; ++lane)
+    const auto materials = Base::template Each<Mask>(
+        [&](int lane) { return Read<long long>(field.Surfaces + surface[lane] + MaterialsAt); });
+    const Mask isWalk = isAtSurface & ((materials & field.Wanted) != 0);
+    const Mask isNew = this->IsArrived & this->IsFirst;
+    if (Base::IsAny(isNew))
     {
-      const unsigned char* brick = field.Surfaces + surface[lane];
-      const bool isWanted = (Read<unsigned>(brick + MaterialsAt) & field.Wanted) != 0;
-      isWalk[lane] = isWanted ? isWalk[lane] : 0;
-      if ((this->IsArrived & this->IsFirst)[lane] != 0)
+      const Mask inside = isAtSurface ? materials >> 32 : entry;
+      for (int lane = 0; lane < Lanes; ++lane)
       {
-        const unsigned fill = isAtSurface[lane] != 0 ? Read<unsigned>(brick + InsideAt)
-                                                     : static_cast<unsigned>(entry[lane]);
-        startsInside[lane] = fill & field.Wanted;
+        startsInside[lane] |= static_cast<unsigned>((inside & isNew & field.Wanted)[lane]);
       }
     }
     Vector end = this->GridEnd;
