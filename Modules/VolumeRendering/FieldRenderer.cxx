@@ -74,13 +74,14 @@ RayInterval FieldRenderer::IntervalOf(const FieldRay& ray, std::size_t pixel,
 
 FieldHit FieldRenderer::NextHit(const FieldRay& ray, RayInterval interval) const noexcept
 {
-  return this->FirstShown(ray, interval,
-                          this->Caster.CastWorld(ray, interval.From, interval.To, this->Shown));
+  FieldHit hit = this->Caster.CastWorld(ray, interval.From, interval.To, this->Shown);
+  this->PassHidden(ray, interval, hit);
+  return hit;
 }
 
-// The first hit from `hit` on that no crop hides.
-FieldHit FieldRenderer::FirstShown(const FieldRay& ray, RayInterval interval,
-                                   FieldHit hit) const noexcept
+// Where a crop hides the hit, the first one behind it that none hides.
+void FieldRenderer::PassHidden(const FieldRay& ray, RayInterval interval,
+                               FieldHit& hit) const noexcept
 {
   const FieldGrid& grid = this->Caster.Field().Grid();
   while (hit.Material >= 0 && !this->Scene.Crop.ShowsAll() &&
@@ -89,7 +90,6 @@ FieldHit FieldRenderer::FirstShown(const FieldRay& ray, RayInterval interval,
     interval.From = std::nextafter(hit.T, std::numeric_limits<double>::infinity());
     hit = this->Caster.CastWorld(ray, interval.From, interval.To, this->Shown);
   }
-  return hit;
 }
 
 FieldHit FieldRenderer::FirstHitAt(double x, double y) const noexcept
@@ -124,8 +124,8 @@ double FieldRenderer::ClearBeam(int column0, int column1, int row0, int row1,
   return ClearUntil(this->Caster.Field(), BeamOf(corners), from, 1.0);
 }
 
-// `hit` is the first that is shown.
-void FieldRenderer::DrawPixel(const FieldRay& ray, RayInterval interval, FieldHit hit,
+// From the first hit on that is shown; what is behind it is cast ray by ray.
+void FieldRenderer::DrawPixel(const FieldRay& ray, RayInterval interval, FieldHit& hit,
                               std::size_t pixel, FieldPicture& picture) const noexcept
 {
   if (!picture.Hits.empty())
@@ -184,9 +184,15 @@ void FieldRenderer::DrawBeam(int column0, int column1, int row0, int row1, doubl
   this->Caster.CastAllWorld(rays, intervals, count, hits, this->Shown);
   for (std::size_t n = 0; n < count; ++n)
   {
-    const bool isAny = intervals[n].From < intervals[n].To;
-    const FieldHit hit = isAny ? this->FirstShown(rays[n], intervals[n], hits[n]) : FieldHit();
-    this->DrawPixel(rays[n], intervals[n], hit, pixels[n], picture);
+    if (intervals[n].From < intervals[n].To)
+    {
+      this->PassHidden(rays[n], intervals[n], hits[n]);
+    }
+    else
+    {
+      hits[n] = FieldHit();
+    }
+    this->DrawPixel(rays[n], intervals[n], hits[n], pixels[n], picture);
   }
 }
 
