@@ -5,7 +5,7 @@
 #include "RayKernel.h"
 #include "RayLanes.h"
 
-// Like RayKernel.h compiled once for each instruction set.
+// Compiled for AVX2 alone: see RayKernel.h.
 
 namespace palpate::rays
 {

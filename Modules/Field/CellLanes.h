@@ -3,7 +3,7 @@
 #include "LaneArithmetic.h"
 #include "RayKernel.h"
 
-// Like RayKernel.h compiled once for each instruction set.
+// Compiled for AVX2 alone: see RayKernel.h.
 
 namespace palpate::rays
 {
@@ -182,12 +182,14 @@ struct CellLanes : LaneArithmetic<Set>
     const Mask isAtStart = (first == 0.0) & (this->Polynomial[1] < 0.0);
     const Mask isAtEnd = ~isAtStart & (last == 0.0) & (this->Polynomial[2] < 0.0);
     const Vector chord = first / (first - last);
-    Vector u = (chord > 0.0) & (chord < 1.0) ? chord : All(0.5);
+    const Mask isBetween = (chord > 0.0) & (chord < 1.0);
+    Vector u = isBetween ? chord : All(0.5);
     Vector error = All(1.0);
     Vector low{};
     Vector high = All(1.0);
     const Vector bend = this->LargestBend();
-    Mask isOpen = this->IsCrossed & ~isAtStart & ~isAtEnd;
+    const Mask isAtEither = isAtStart | isAtEnd;
+    Mask isOpen = this->IsCrossed & ~isAtEither;
     for (int n = 0; n < MostSteps && Base::IsAny(isOpen); ++n)
     {
       Vector slope{};
@@ -205,7 +207,7 @@ struct CellLanes : LaneArithmetic<Set>
       isOpen &= error > Resolution;
     }
     this->Parameter = isAtStart ? Vector{} : isAtEnd ? All(1.0) : u;
-    this->Error = isAtStart | isAtEnd ? Vector{} : error;
+    this->Error = isAtEither ? Vector{} : error;
   }
 
   /// TrilinearCell::Gradient, per voxel.

@@ -1,11 +1,13 @@
 #pragma once
 
-// Like RayKernel.h compiled once for each instruction set.
+#include "RayKernel.h"
+
+// Compiled for AVX2 alone: see RayKernel.h.
 
 namespace palpate::rays
 {
 /// What the kernel does with vectors. `Set` describes an instruction set: `Vector` and `Integers`,
-/// vectors of `Lanes` doubles and ints (GCC and Clang's vector extension). Least and Largest answer
+/// vectors of four doubles and ints (GCC and Clang's vector extension). Least and Largest answer
 /// as std::min and std::max do.
 template <typename Set>
 struct LaneArithmetic
@@ -13,20 +15,13 @@ struct LaneArithmetic
   using Vector = typename Set::Vector;
   using Integers = typename Set::Integers;
   using Mask = decltype(Vector{} < Vector{});
-  static constexpr int Lanes = Set::Lanes;
+  static constexpr int Lanes = rays::Lanes;
 
   /// function(lane) for every lane, side by side.
   template <typename Result, typename Function>
   static inline __attribute__((always_inline)) Result Each(const Function& function)
   {
-    if constexpr (Lanes == 4)
-    {
-      return Result{function(0), function(1), function(2), function(3)};
-    }
-    else
-    {
-      return Result{function(0), function(1)};
-    }
+    return Result{function(0), function(1), function(2), function(3)};
   }
   static inline __attribute__((always_inline)) Vector All(double value) { return Vector{} + value; }
   static inline __attribute__((always_inline)) Vector Least(const Vector& a, const Vector& b)
@@ -82,16 +77,9 @@ struct LaneArithmetic
   /// Whether a lane is set.
   static inline __attribute__((always_inline)) bool IsAny(const Mask& mask)
   {
-    if constexpr (Lanes == 4)
-    {
-      typedef long long Half __attribute__((vector_size(16)));
-      const Half all = Half{mask[0], mask[1]} | Half{mask[2], mask[3]};
-      return (all[0] | all[1]) != 0;
-    }
-    else
-    {
-      return (mask[0] | mask[1]) != 0;
-    }
+    typedef long long Half __attribute__((vector_size(16)));
+    const Half all = Half{mask[0], mask[1]} | Half{mask[2], mask[3]};
+    return (all[0] | all[1]) != 0;
   }
 };
 } // namespace palpate::rays

@@ -1,6 +1,6 @@
 #include "RayCaster.h"
 
-#include "RayKernelChoice.h"
+#include "RayKernel.h"
 #include "RayTraversal.h"
 #include "TricubicCell.h"
 #include "TrilinearCell.h"
@@ -75,13 +75,19 @@ void MoveToWorld(const FieldGrid& grid, const FieldRay& rayWorld, FieldHit& hit)
   }
 }
 
+// A stored type's number in the kernel; of 32 bits and more only floating point is stored.
+int NumberOf(ScalarType type) noexcept
+{
+  return type == ScalarType::Float32 ? 4 : type == ScalarType::Float64 ? 5 : static_cast<int>(type);
+}
+
 rays::Material DescribeMaterial(const ScalarField& field, int number) noexcept
 {
   const FieldMaterial& material = field.Material(number);
   const FieldCondition& condition = material.Conditions[0];
   const BrickedChannel& channel = field.Channel(condition.Channel);
   return {material.ConditionCount == 1 && field.Interpolation() == FieldInterpolation::Trilinear,
-          rays::NumberOf(channel.StoredType()),
+          NumberOf(channel.StoredType()),
           field.Map(number).Data(),
           channel.BlockData(),
           channel.BlockStride(),
@@ -168,7 +174,7 @@ FieldHit Answer(const ScalarField& field, const rays::Batch& batch, std::size_t 
 } // namespace
 
 RayCaster::RayCaster(std::shared_ptr<const ScalarField> field, InstructionSet set)
-    : Data(std::move(field)), Kernel(&rays::KernelFor(set))
+    : Data(std::move(field)), Set(set)
 {
 }
 
@@ -193,21 +199,36 @@ void RayCaster::CastAllWorld(const FieldRay* raysWorld, std::size_t count, doubl
                              FieldHit* hits, MaterialSet materials) const noexcept
 {
   const RayInterval interval{tMin, tMax};
-  this->CastBatches(raysWorld, &interval, 0, count, hits, materials);
+  this->CastEach(raysWorld, &interval, 0, count, hits, materials);
 }
 
 void RayCaster::CastAllWorld(const FieldRay* raysWorld, const RayInterval* intervals,
                              std::size_t count, FieldHit* hits,
                              MaterialSet materials) const noexcept
 {
-  this->CastBatches(raysWorld, intervals, 1, count, hits, materials);
+  this->CastEach(raysWorld, intervals, 1, count, hits, materials);
 }
 
-void RayCaster::CastBatches(const FieldRay* raysWorld, const RayInterval* intervals,
+void RayCaster::CastEach(const FieldRay* raysWorld, const RayInterval* intervals, std::size_t step,
+                         std::size_t count, FieldHit* hits, MaterialSet materials) const noexcept
+{
+  if (this->Set == InstructionSet::Avx2)
+  {
+    return this->CastInLanes(raysWorld, intervals, step, count, hits, materials);
+  }
+  for (std::size_t ray = 0; ray < count; ++ray)
+  {
+    const RayInterval& interval = intervals[step * ray];
+    hits[ray] = this->CastWorld(raysWorld[ray], interval.From, interval.To, materials);
+  }
+}
+
+void RayCaster::CastInLanes(const FieldRay* raysWorld, const RayInterval* intervals,
                             std::size_t step, std::size_t count, FieldHit* hits,
                             MaterialSet materials) const noexcept
 {
   const ScalarField& field = *this->Data;
+  const FieldGrid& grid = field.Grid();
   rays::Field described;
   DescribeField(field, materials, described);
   rays::Batch batch;
@@ -216,19 +237,17 @@ void RayCaster::CastBatches(const FieldRay* raysWorld, const RayInterval* interv
     const std::size_t size = std::min<std::size_t>(count - first, rays::MostRays);
     for (std::size_t at = 0; at < size; ++at)
     {
-      const std::size_t ray = first + at;
-      Put(IndexRay(field.Grid(), raysWorld[ray]), intervals[step * ray], at, batch);
+      Put(IndexRay(grid, raysWorld[first + at]), intervals[step * (first + at)], at, batch);
     }
-    for (std::size_t at = size; at % 4 != 0; ++at)
+    for (std::size_t at = size; at % rays::Lanes != 0; ++at)
     {
       Put(IndexRay(FieldRay{Vector3::Zero(), Vector3::Zero()}), {}, at, batch);
     }
-    this->Kernel->Cast(described, static_cast<int>(size), batch);
+    rays::CastAvx2(described, static_cast<int>(size), batch);
     for (std::size_t at = 0; at < size; ++at)
     {
-      const std::size_t ray = first + at;
-      hits[ray] = Answer(field, batch, at, materials);
-      MoveToWorld(field.Grid(), raysWorld[ray], hits[ray]);
+      hits[first + at] = Answer(field, batch, at, materials);
+      MoveToWorld(grid, raysWorld[first + at], hits[first + at]);
     }
   }
 }

@@ -9,11 +9,6 @@
 
 namespace palpate
 {
-namespace rays
-{
-struct Kernel;
-}
-
 struct FieldRay
 {
   Vector3 Origin = Vector3::Zero();
@@ -52,7 +47,7 @@ public:
   /// The same in the world, patient LPS in mm.
   FieldHit CastWorld(const FieldRay& rayWorld, double tMin, double tMax,
                      MaterialSet materials = AllMaterials) const noexcept;
-  /// CastWorld for many rays, several at once.
+  /// CastWorld for many rays, four at once where the instruction set has the lanes for it.
   void CastAllWorld(const FieldRay* raysWorld, std::size_t count, double tMin, double tMax,
                     FieldHit* hits, MaterialSet materials = AllMaterials) const noexcept;
   /// The same with an interval for each ray.
@@ -61,10 +56,12 @@ public:
 
 private:
   // `step`: 1 where each ray has an interval, 0 where all share one.
-  void CastBatches(const FieldRay* raysWorld, const RayInterval* intervals, std::size_t step,
+  void CastEach(const FieldRay* raysWorld, const RayInterval* intervals, std::size_t step,
+                std::size_t count, FieldHit* hits, MaterialSet materials) const noexcept;
+  void CastInLanes(const FieldRay* raysWorld, const RayInterval* intervals, std::size_t step,
                    std::size_t count, FieldHit* hits, MaterialSet materials) const noexcept;
 
   std::shared_ptr<const ScalarField> Data;
-  const rays::Kernel* Kernel;
+  InstructionSet Set;
 };
 } // namespace palpate

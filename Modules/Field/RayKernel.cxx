@@ -1,5 +1,5 @@
 // The rays' kernel for AVX2: this file alone is compiled for it (see CMakeLists.txt), so it must
-// include nothing else. The portable one is made in RayKernelChoice.cxx.
+// include nothing else.
 #include "BatchCast.h"
 
 namespace palpate::rays
@@ -8,8 +8,10 @@ struct Avx2Set
 {
   typedef double Vector __attribute__((vector_size(32)));
   typedef int Integers __attribute__((vector_size(16)));
-  static constexpr int Lanes = 4;
 };
 
-const Kernel Avx2 = {BatchCast<Avx2Set>::Run};
+void CastAvx2(const Field& field, int count, Batch& batch)
+{
+  BatchCast<Avx2Set>::Run(field, count, batch);
+}
 } // namespace palpate::rays

@@ -1,13 +1,15 @@
 #pragma once
 
-// First hits of several rays at once. This header is compiled once for each instruction set, with
-// different options, so it must not contain or include anything that another file could also
-// instantiate. Products and sums are not contracted, so all sets give the same bits.
+// First hits of several rays at once. This header is compiled for AVX2 too, so it must not contain
+// or include anything that another file could also instantiate. Products and sums are not
+// contracted, so rays have the bits here that they have one by one.
 
 namespace palpate::rays
 {
 /// Rays of one batch.
 constexpr int MostRays = 64;
+/// Rays side by side.
+constexpr int Lanes = 4;
 constexpr int MostMaterials = 32;
 
 /// See FieldMaterial, MaterialMap and BrickedChannel.
@@ -47,7 +49,7 @@ enum class Outcome
   Underway   ///< left to RayTraversal from the batch's T and Cell on
 };
 
-/// Rays in index coordinates, by coordinate, and what became of them. A multiple of 4 is read:
+/// Rays in index coordinates, by coordinate, and what became of them. A multiple of Lanes is read:
 /// what follows the last ray has to be numbers.
 struct Batch
 {
@@ -68,13 +70,7 @@ struct Batch
   bool IsEntering[MostRays];
 };
 
-/// What every instruction set offers.
-struct Kernel
-{
-  /// Answers the first `count` rays of the batch.
-  void (*Cast)(const Field& field, int count, Batch& batch);
-};
-
-/// In RayKernel.cxx, which is compiled for AVX2.
-extern const Kernel Avx2;
+/// Answers the first `count` rays of a batch. For AVX2; two lanes, as SSE2 and NEON have them, are
+/// no faster than one ray after the other.
+void CastAvx2(const Field& field, int count, Batch& batch);
 } // namespace palpate::rays

@@ -4,7 +4,7 @@
 #include "LaneArithmetic.h"
 #include "RayKernel.h"
 
-// Like RayKernel.h compiled once for each instruction set.
+// Compiled for AVX2 alone: see RayKernel.h.
 
 namespace palpate::rays
 {
