@@ -44,6 +44,9 @@ public:
   {
     return this->Surfaces[entry.Word];
   }
+  /// For kernels that read many at once.
+  const Entry* EntryData() const noexcept { return this->Entries.data(); }
+  const SurfaceBrick* SurfaceData() const noexcept { return this->Surfaces.data(); }
   std::size_t SurfaceCount() const noexcept { return this->Surfaces.size(); }
   std::size_t Bytes() const noexcept
   {

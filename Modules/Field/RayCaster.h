@@ -1,6 +1,7 @@
 #pragma once
 
 #include "FieldHit.h"
+#include "InstructionSet.h"
 #include "ScalarField.h"
 
 #include <cstddef>
@@ -12,6 +13,14 @@ struct FieldRay
 {
   Vector3 Origin = Vector3::Zero();
   Vector3 Direction = Vector3::UnitX(); ///< of any length but none; t counts in it
+};
+
+/// A part of a ray, in its own parameter, which may be infinite; both ends belong to it. Empty
+/// where From > To.
+struct RayInterval
+{
+  double From = 0.0;
+  double To = 1.0;
 };
 
 /// Finds where rays cross the boundaries of a field's materials. What is inside is closed: it holds
@@ -26,7 +35,9 @@ struct FieldRay
 class RayCaster
 {
 public:
-  explicit RayCaster(std::shared_ptr<const ScalarField> field) : Data(std::move(field)) {}
+  /// `set` is one that this processor has; it changes the time of batches, and no answer.
+  explicit RayCaster(std::shared_ptr<const ScalarField> field,
+                     InstructionSet set = FastestInstructionSet());
   const ScalarField& Field() const noexcept { return *this->Data; }
 
   /// The first boundary of the wanted materials with tMin <= t <= tMax, which may be infinite.
@@ -36,11 +47,21 @@ public:
   /// The same in the world, patient LPS in mm.
   FieldHit CastWorld(const FieldRay& rayWorld, double tMin, double tMax,
                      MaterialSet materials = AllMaterials) const noexcept;
-  /// CastWorld for many rays.
+  /// CastWorld for many rays, four at once where the instruction set has the lanes for it.
   void CastAllWorld(const FieldRay* raysWorld, std::size_t count, double tMin, double tMax,
+                    FieldHit* hits, MaterialSet materials = AllMaterials) const noexcept;
+  /// The same with an interval for each ray.
+  void CastAllWorld(const FieldRay* raysWorld, const RayInterval* intervals, std::size_t count,
                     FieldHit* hits, MaterialSet materials = AllMaterials) const noexcept;
 
 private:
+  // `step`: 1 where each ray has an interval, 0 where all share one.
+  void CastEach(const FieldRay* raysWorld, const RayInterval* intervals, std::size_t step,
+                std::size_t count, FieldHit* hits, MaterialSet materials) const noexcept;
+  void CastInLanes(const FieldRay* raysWorld, const RayInterval* intervals, std::size_t step,
+                   std::size_t count, FieldHit* hits, MaterialSet materials) const noexcept;
+
   std::shared_ptr<const ScalarField> Data;
+  InstructionSet Set;
 };
 } // namespace palpate

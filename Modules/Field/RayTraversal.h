@@ -43,6 +43,27 @@ public:
       return this->BorderHit(true, inside);
     }
     hit.StartsInside = inside;
+    return this->GoOn(hit);
+  }
+
+  /// The same from a cell on that the ray enters at t, behind the one that it begins in.
+  FieldHit RunFrom(const int* cell, double t, MaterialSet startsInside) noexcept
+  {
+    FieldHit hit;
+    hit.StartsInside = startsInside;
+    this->GridEnd = std::numeric_limits<double>::infinity();
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      this->At[axis] = cell[axis];
+      this->GridEnd = std::min(this->GridEnd, this->Path.ExitAt(axis, this->LastCell(axis)));
+    }
+    this->T = t;
+    return this->GoOn(hit);
+  }
+
+private:
+  FieldHit GoOn(FieldHit hit) noexcept
+  {
     while (hit.Kind == HitKind::Missed && this->T < this->GridEnd && this->T <= this->TMax)
     {
       const BrickDirectory::Entry entry = this->Field.Directory()[this->Brick()];
@@ -55,12 +76,11 @@ public:
         this->WalkBrick(this->Field.Directory().Surface(entry), hit);
       }
     }
-    return hit.Kind == HitKind::Missed && this->T >= this->GridEnd && inside != 0
-               ? this->BorderHit(false, inside)
+    return hit.Kind == HitKind::Missed && this->T >= this->GridEnd && hit.StartsInside != 0
+               ? this->BorderHit(false, hit.StartsInside)
                : hit;
   }
 
-private:
   // Goes to the cell that the ray is in just before TMin, or to the first one of the grid.
   bool Enter() noexcept
   {

@@ -70,17 +70,18 @@ public:
   {
     constexpr int Steps = 200;
     constexpr int Halvings = 12;
-    double outside = 1.05 * this->Reach;
-    const double step = outside / Steps;
+    const double farthest = 1.05 * this->Reach;
+    double outside = farthest;
     this->Touches(this->Middle() + outside * direction, true);
-    for (double inside = outside - step; inside >= 0.0; inside -= step)
+    for (int n = Steps - 1; n >= 0; --n)
     {
+      double inside = farthest * n / Steps;
       if (!this->Touches(this->Middle() + inside * direction, false))
       {
         outside = inside;
         continue;
       }
-      for (int n = 0; n < Halvings; ++n)
+      for (int halving = 0; halving < Halvings; ++halving)
       {
         const double between = 0.5 * (inside + outside);
         (this->Touches(this->Middle() + between * direction, true) ? inside : outside) = between;

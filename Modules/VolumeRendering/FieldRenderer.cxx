@@ -12,6 +12,16 @@ namespace palpate
 namespace
 {
 constexpr int BeamSide = 4; // pixels
+constexpr int BeamPixels = BeamSide * BeamSide;
+
+// The pixels of a beam, square by square: rays that are cast together shall be neighbours.
+struct Place
+{
+  int Column, Row;
+};
+constexpr Place InSquares[BeamPixels] = {{0, 0}, {1, 0}, {0, 1}, {1, 1}, {2, 0}, {3, 0},
+                                         {2, 1}, {3, 1}, {0, 2}, {1, 2}, {0, 3}, {1, 3},
+                                         {2, 2}, {3, 2}, {2, 3}, {3, 3}};
 
 std::uint8_t Byte(double part) noexcept
 {
@@ -43,32 +53,49 @@ FieldRenderer::FieldRenderer(std::shared_ptr<const ScalarField> field, FieldView
   }
 }
 
-FieldRenderer::Ray FieldRenderer::RayAt(double x, double y) const noexcept
+RayInterval FieldRenderer::ShownInterval(const FieldRay& ray) const noexcept
 {
-  const FieldRay ray = this->Scene.Rays.At(x, y);
-  return {ray, ClippedInterval(ray, this->Scene.Kept, {})};
+  return ClippedInterval(ray, this->Scene.Kept, {});
+}
+
+// What of a pixel's ray is asked for, behind `from`.
+RayInterval FieldRenderer::IntervalOf(const FieldRay& ray, std::size_t pixel,
+                                      double from) const noexcept
+{
+  RayInterval interval = this->ShownInterval(ray);
+  interval.From = std::max(interval.From, from);
+  if (!this->Scene.SceneDepths.empty())
+  {
+    const double end = this->Scene.Rays.ParameterAtDepth(ray, this->Scene.SceneDepths[pixel]);
+    interval.To = std::min(interval.To, end);
+  }
+  return interval;
 }
 
 FieldHit FieldRenderer::NextHit(const FieldRay& ray, RayInterval interval) const noexcept
 {
+  FieldHit hit = this->Caster.CastWorld(ray, interval.From, interval.To, this->Shown);
+  this->PassHidden(ray, interval, hit);
+  return hit;
+}
+
+// Where a crop hides the hit, the first one behind it that none hides.
+void FieldRenderer::PassHidden(const FieldRay& ray, RayInterval interval,
+                               FieldHit& hit) const noexcept
+{
   const FieldGrid& grid = this->Caster.Field().Grid();
-  for (;;)
+  while (hit.Material >= 0 && !this->Scene.Crop.ShowsAll() &&
+         !this->Scene.Crop.Shows(grid.PointIndex(hit.Position)))
   {
-    FieldHit hit = this->Caster.CastWorld(ray, interval.From, interval.To, this->Shown);
-    const bool isHit = hit.Kind == HitKind::Surface || hit.Kind == HitKind::Border;
-    if (!isHit || this->Scene.Crop.ShowsAll() ||
-        this->Scene.Crop.Shows(grid.PointIndex(hit.Position)))
-    {
-      return hit;
-    }
     interval.From = std::nextafter(hit.T, std::numeric_limits<double>::infinity());
+    hit = this->Caster.CastWorld(ray, interval.From, interval.To, this->Shown);
   }
 }
 
 FieldHit FieldRenderer::FirstHitAt(double x, double y) const noexcept
 {
-  const Ray ray = this->RayAt(x, y);
-  return this->NextHit(ray.World, ray.Interval);
+  const FieldRay ray = this->Scene.Rays.At(x, y);
+  return this->NextHit(ray, this->ShownInterval(ray));
 }
 
 Vector3 FieldRenderer::ColorOf(const FieldHit& hit, const Vector3& toEyeScene) const noexcept
@@ -97,22 +124,10 @@ double FieldRenderer::ClearBeam(int column0, int column1, int row0, int row1,
   return ClearUntil(this->Caster.Field(), BeamOf(corners), from, 1.0);
 }
 
-void FieldRenderer::DrawPixel(int column, int row, double from,
-                              FieldPicture& picture) const noexcept
+// From the first hit on that is shown; what is behind it is cast ray by ray.
+void FieldRenderer::DrawPixel(const FieldRay& ray, RayInterval interval, FieldHit& hit,
+                              std::size_t pixel, FieldPicture& picture) const noexcept
 {
-  const std::size_t pixel = picture.Pixel(column, row);
-  Ray ray = this->RayAt(column + 0.5, row + 0.5);
-  ray.Interval.From = std::max(ray.Interval.From, from);
-  if (!this->Scene.SceneDepths.empty())
-  {
-    const double end = this->Scene.Rays.ParameterAtDepth(ray.World, this->Scene.SceneDepths[pixel]);
-    ray.Interval.To = std::min(ray.Interval.To, end);
-  }
-  FieldHit hit;
-  if (ray.Interval.From < ray.Interval.To)
-  {
-    hit = this->NextHit(ray.World, ray.Interval);
-  }
   if (!picture.Hits.empty())
   {
     picture.Hits[pixel] = hit;
@@ -122,7 +137,7 @@ void FieldRenderer::DrawPixel(int column, int row, double from,
   Vector3 color = Vector3::Zero();
   double open = 1.0; // how much of what lies behind is seen
   const Vector3 toEye =
-      isAny ? (-(this->VectorToScene * ray.World.Direction)).normalized().eval() : Vector3::Zero();
+      isAny ? (-(this->VectorToScene * ray.Direction)).normalized().eval() : Vector3::Zero();
   // Below half a step of the picture nothing behind is seen.
   constexpr double LeastOpen = 0.5 / 255.0;
   while (hit.Material >= 0)
@@ -136,8 +151,8 @@ void FieldRenderer::DrawPixel(int column, int row, double from,
       open = 0.0;
       break;
     }
-    ray.Interval.From = std::nextafter(hit.T, std::numeric_limits<double>::infinity());
-    hit = this->NextHit(ray.World, ray.Interval);
+    interval.From = std::nextafter(hit.T, std::numeric_limits<double>::infinity());
+    hit = this->NextHit(ray, interval);
   }
   std::uint8_t* bytes = &picture.Colors[4 * pixel];
   bytes[0] = Byte(color[0]);
@@ -149,12 +164,35 @@ void FieldRenderer::DrawPixel(int column, int row, double from,
 void FieldRenderer::DrawBeam(int column0, int column1, int row0, int row1, double from,
                              FieldPicture& picture) const noexcept
 {
-  for (int row = row0; row < row1; ++row)
+  FieldRay rays[BeamPixels];
+  RayInterval intervals[BeamPixels];
+  std::size_t pixels[BeamPixels];
+  FieldHit hits[BeamPixels];
+  std::size_t count = 0;
+  for (int n = 0; n < BeamPixels; ++n)
   {
-    for (int column = column0; column < column1; ++column)
+    const int column = column0 + InSquares[n].Column;
+    const int row = row0 + InSquares[n].Row;
+    if (column < column1 && row < row1)
     {
-      this->DrawPixel(column, row, from, picture);
+      pixels[count] = picture.Pixel(column, row);
+      rays[count] = this->Scene.Rays.OfPixel(column, row);
+      intervals[count] = this->IntervalOf(rays[count], pixels[count], from);
+      ++count;
     }
+  }
+  this->Caster.CastAllWorld(rays, intervals, count, hits, this->Shown);
+  for (std::size_t n = 0; n < count; ++n)
+  {
+    if (intervals[n].From < intervals[n].To)
+    {
+      this->PassHidden(rays[n], intervals[n], hits[n]);
+    }
+    else
+    {
+      hits[n] = FieldHit();
+    }
+    this->DrawPixel(rays[n], intervals[n], hits[n], pixels[n], picture);
   }
 }
 

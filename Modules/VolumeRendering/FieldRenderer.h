@@ -51,19 +51,16 @@ public:
   void DrawTile(int column0, int column1, int row0, int row1, FieldPicture& picture) const noexcept;
 
 private:
-  struct Ray
-  {
-    FieldRay World;
-    RayInterval Interval;
-  };
-
   double ClearBeam(int column0, int column1, int row0, int row1, double from) const noexcept;
-  Ray RayAt(double x, double y) const noexcept;
+  RayInterval ShownInterval(const FieldRay& ray) const noexcept;
+  RayInterval IntervalOf(const FieldRay& ray, std::size_t pixel, double from) const noexcept;
   FieldHit NextHit(const FieldRay& ray, RayInterval interval) const noexcept;
+  void PassHidden(const FieldRay& ray, RayInterval interval, FieldHit& hit) const noexcept;
   Vector3 ColorOf(const FieldHit& hit, const Vector3& toEyeScene) const noexcept;
   void DrawBeam(int column0, int column1, int row0, int row1, double from,
                 FieldPicture& picture) const noexcept;
-  void DrawPixel(int column, int row, double from, FieldPicture& picture) const noexcept;
+  void DrawPixel(const FieldRay& ray, RayInterval interval, FieldHit& hit, std::size_t pixel,
+                 FieldPicture& picture) const noexcept;
 
   RayCaster Caster;
   FieldView Scene;

@@ -14,13 +14,6 @@ struct HalfSpace
   double Offset = 0.0;
 };
 
-/// A part of a ray, in its own parameter; empty where From > To.
-struct RayInterval
-{
-  double From = 0.0;
-  double To = 1.0;
-};
-
 /// What all half-spaces leave of an interval.
 PALPATEVOLUMERENDERING_EXPORT RayInterval ClippedInterval(const FieldRay& ray,
                                                           const std::vector<HalfSpace>& kept,

@@ -1,69 +1,21 @@
-#include "FieldCases.h"
 #include "RandomRays.h"
-#include "RayOracle.h"
+#include "RandomVolume.h"
+#include "SameBits.h"
 
 #include <cmath>
-#include <cstdint>
-#include <cstring>
 #include <limits>
 
 namespace palpate
 {
 namespace
 {
-using test::DenseReference;
+using test::RandomVolume;
 using test::RayOracle;
+using test::SameBits;
 
 const double Infinity = std::numeric_limits<double>::infinity();
 constexpr FieldInterpolation Methods[] = {FieldInterpolation::Trilinear,
                                           FieldInterpolation::TricubicBSpline};
-
-// A random volume with a field and all that the oracle needs.
-struct RandomVolume
-{
-  FieldGrid Grid;
-  std::vector<double> Samples;
-  double Iso;
-  FieldInterpolation Method;
-  std::shared_ptr<const ScalarField> Field;
-  DenseReference Reference;
-
-  static FieldGrid RandomGrid(std::mt19937_64& random)
-  {
-    return test::PlainGrid({2 + static_cast<int>(random() % 20), 2 + static_cast<int>(random() % 9),
-                            2 + static_cast<int>(random() % 12)});
-  }
-  // Steps with plateaus at the iso-value, noise, or a few bumps in empty space.
-  static std::vector<double> RandomSamples(const FieldGrid& grid, std::mt19937_64& random)
-  {
-    const auto kind = random() % 3;
-    std::vector<double> samples = test::RandomSteps(grid, random, kind == 1 ? 1000 : 3);
-    for (double& sample : samples)
-    {
-      sample = kind == 2 && random() % 50 != 0 ? 0.0 : sample;
-    }
-    samples.front() = 0.0;
-    samples.back() = kind == 1 ? 999.0 : 2.0;
-    return samples;
-  }
-
-  RandomVolume(FieldInterpolation method, std::mt19937_64& random)
-      : Grid(RandomGrid(random)), Samples(RandomSamples(Grid, random)),
-        Iso(Samples.back() > 2.0 ? 499.5
-            : random() % 2 == 0  ? 1.0
-                                 : 0.5),
-        Method(method), Field(test::MakeField(Grid, Samples, Iso, method)),
-        Reference(Grid.Size(), Samples, method)
-  {
-  }
-  RayOracle Oracle() const
-  {
-    // Coefficients are kept in float.
-    const double tolerance =
-        (this->Method == FieldInterpolation::Trilinear ? 1e-13 : 1e-5) * this->Samples.back();
-    return {this->Grid.Size(), {{&this->Reference, this->Iso}}, this->Method, tolerance};
-  }
-};
 
 void ExpectNoFaults(FieldInterpolation method, int volumes, int raysOfEach, unsigned seed)
 {
@@ -105,26 +57,6 @@ TEST(RayCasterFuzz, TrilinearAnswersStandBeforeTheOracle)
 TEST(RayCasterFuzz, TricubicAnswersStandBeforeTheOracle)
 {
   ExpectNoFaults(FieldInterpolation::TricubicBSpline, 60, 40, 32);
-}
-
-bool SameBits(const FieldHit& a, const FieldHit& b)
-{
-  const auto bits = [](double x)
-  {
-    std::uint64_t word = 0;
-    std::memcpy(&word, &x, sizeof(x));
-    return word;
-  };
-  const auto same = [&bits](double x, double y) { return bits(x) == bits(y); };
-  bool all = a.Kind == b.Kind && a.IsEntering == b.IsEntering && a.Material == b.Material &&
-             a.StartsInside == b.StartsInside && same(a.T, b.T) && same(a.ErrorT, b.ErrorT) &&
-             same(a.ErrorLength, b.ErrorLength);
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    all =
-        all && same(a.Position[axis], b.Position[axis]) && same(a.Gradient[axis], b.Gradient[axis]);
-  }
-  return all;
 }
 
 TEST(RayCasterFuzz, AnyIntervalThatHoldsTheHitGivesItsBits)

@@ -1,0 +1,85 @@
+#pragma once
+
+#include "RayKernel.h"
+
+// Compiled for AVX2 alone: see RayKernel.h.
+
+namespace palpate::rays
+{
+/// What the kernel does with vectors. `Set` describes an instruction set: `Vector` and `Integers`,
+/// vectors of four doubles and ints (GCC and Clang's vector extension). Least and Largest answer
+/// as std::min and std::max do.
+template <typename Set>
+struct LaneArithmetic
+{
+  using Vector = typename Set::Vector;
+  using Integers = typename Set::Integers;
+  using Mask = decltype(Vector{} < Vector{});
+  static constexpr int Lanes = rays::Lanes;
+
+  /// function(lane) for every lane, side by side.
+  template <typename Result, typename Function>
+  static inline __attribute__((always_inline)) Result Each(const Function& function)
+  {
+    return Result{function(0), function(1), function(2), function(3)};
+  }
+  static inline __attribute__((always_inline)) Vector All(double value) { return Vector{} + value; }
+  static inline __attribute__((always_inline)) Vector Least(const Vector& a, const Vector& b)
+  {
+    return b < a ? b : a;
+  }
+  static inline __attribute__((always_inline)) Vector Largest(const Vector& a, const Vector& b)
+  {
+    return a < b ? b : a;
+  }
+  static inline __attribute__((always_inline)) Vector Absolute(const Vector& a)
+  {
+    return (Vector)((Mask)a & 0x7FFFFFFFFFFFFFFFLL);
+  }
+  /// a where the mask is set, else 0.
+  static inline __attribute__((always_inline)) Vector Where(const Mask& mask, const Vector& a)
+  {
+    return (Vector)((Mask)a & mask);
+  }
+  static inline __attribute__((always_inline)) Vector Mean(const Vector& a, const Vector& b,
+                                                           const Vector& u)
+  {
+    return a * (1.0 - u) + b * u;
+  }
+  static inline __attribute__((always_inline)) Vector Real(const Integers& a)
+  {
+    // GCC 12 makes four instructions of __builtin_convertvector and one of this.
+    return Each<Vector>([&a](int lane) { return static_cast<double>(a[lane]); });
+  }
+  /// The nearest whole number; of magnitude below 2^51.
+  static inline __attribute__((always_inline)) Vector Nearest(const Vector& a)
+  {
+    constexpr double Shift = 6755399441055744.0; // 1.5 2^52
+    return a + Shift - Shift;
+  }
+  /// The largest multiple of 8 that is not above a, which is whole.
+  static inline __attribute__((always_inline)) Vector FloorOfEight(const Vector& a)
+  {
+    constexpr double Shift = 8.0 * 6755399441055744.0;
+    return a - 3.5 + Shift - Shift;
+  }
+  /// Whole numbers from 0 to below 2^52.
+  static inline __attribute__((always_inline)) Mask Whole(const Vector& a)
+  {
+    constexpr double Shift = 4503599627370496.0; // 2^52
+    return (Mask)(a + Shift) & 0xFFFFFFFFFFFFFLL;
+  }
+  static inline __attribute__((always_inline)) Vector OfWhole(const Mask& a)
+  {
+    constexpr double Shift = 4503599627370496.0;
+    return (Vector)(a | (Mask)(Vector{} + Shift)) - Shift;
+  }
+  /// Whether a lane is set.
+  static inline __attribute__((always_inline)) bool IsAny(const Mask& mask)
+  {
+    typedef long long Half __attribute__((vector_size(16)));
+    const Half all = Half{mask[0], mask[1]} | Half{mask[2], mask[3]};
+    return (all[0] | all[1]) != 0;
+  }
+};
+} // namespace palpate::rays

@@ -1,0 +1,76 @@
+#pragma once
+
+// First hits of several rays at once. This header is compiled for AVX2 too, so it must not contain
+// or include anything that another file could also instantiate. Products and sums are not
+// contracted, so rays have the bits here that they have one by one.
+
+namespace palpate::rays
+{
+/// Rays of one batch.
+constexpr int MostRays = 64;
+/// Rays side by side.
+constexpr int Lanes = 4;
+constexpr int MostMaterials = 32;
+
+/// See FieldMaterial, MaterialMap and BrickedChannel.
+struct Material
+{
+  bool IsSimple;         ///< one condition, trilinear: only such are solved here
+  int Type;              ///< signed and unsigned char, signed and unsigned short, float, double
+  const unsigned* Codes; ///< the block of each brick
+  const void* Blocks;
+  unsigned long Stride; ///< numbers from block to block
+  double Iso;
+  double Sign; ///< 1: at least, -1: at most
+};
+
+/// A surface brick in bytes (see BrickDirectory): its cells, its materials, what fills it.
+constexpr long SurfaceBytes = 72;
+constexpr long MaterialsAt = 64;
+constexpr long InsideAt = 68;
+
+/// See BrickLayout and BrickDirectory.
+struct Field
+{
+  int Cells[3];        ///< along i, j, k
+  double BrickColumns; ///< bricks along i, j
+  double BrickRows;
+  const unsigned char* Entries;  ///< eight bytes a brick: the word, then the leap
+  const unsigned char* Surfaces; ///< surface bricks; one at least
+  long long Wanted;              ///< materials
+  Material Materials[MostMaterials];
+};
+
+enum class Outcome
+{
+  Missed,
+  Surface,
+  Unstarted, ///< left to RayTraversal
+  Underway   ///< left to RayTraversal from the batch's T and Cell on
+};
+
+/// Rays in index coordinates, by coordinate, and what became of them. A multiple of Lanes is read:
+/// what follows the last ray has to be numbers.
+struct Batch
+{
+  alignas(32) double Origin[3][MostRays];
+  alignas(32) double Direction[3][MostRays];
+  alignas(32) double OriginRounding[MostRays];
+  alignas(32) double DirectionRounding[MostRays];
+  alignas(32) double TMin[MostRays];
+  alignas(32) double TMax[MostRays];
+
+  Outcome Answer[MostRays];
+  unsigned StartsInside[MostRays];
+  double T[MostRays];
+  int Cell[MostRays][3];
+  double Gradient[MostRays][3]; ///< per voxel
+  double ErrorT[MostRays];
+  int Material[MostRays];
+  bool IsEntering[MostRays];
+};
+
+/// Answers the first `count` rays of a batch. For AVX2; two lanes, as SSE2 and NEON have them, are
+/// no faster than one ray after the other.
+void CastAvx2(const Field& field, int count, Batch& batch);
+} // namespace palpate::rays
