@@ -196,13 +196,13 @@ bool HarmonicNearestTracker::Press(const Vector3& probe, double motion) noexcept
 // where it has become a saddle or a maximum that descent would never leave.
 ClosestPoint HarmonicNearestTracker::Continued(const Vector3& probe) const noexcept
 {
-  const ClosestPoint next = this->Surface->Search().Track(probe, this->Closest);
+  ClosestPoint next = this->Surface->Search().Track(probe, this->Closest);
   const bool isStationary = next.State == ClosestPoint::Outcome::Stationary;
   if (next.SignedDistance < this->ToolRadius && !isStationary)
   {
     return next;
   }
-  const ClosestPoint nearest = this->Surface->Search().Nearest(probe);
+  ClosestPoint nearest = this->Surface->Search().Nearest(probe);
   // In the centre of a sphere all directions are as good: it stays then.
   constexpr double Nearer = 1.0 - 1e-6;
   const bool isNearer = std::abs(nearest.SignedDistance) < Nearer * std::abs(next.SignedDistance);

@@ -78,10 +78,9 @@ bool HarmonicWedge::Step(const Vector3& goalWorld) noexcept
     const ClosestPoint& wall = this->Walls[i];
     planes[i] = {wall.Normal, wall.Normal.dot(wall.PointWorld) + this->Radius};
   }
-  const Vector3 goal = goalWorld;
-  const NearestHeld held = NearestInHalfSpaces(goal, planes.data(), this->WallCount);
-  const Vector3 push = held.Point - goal;
-  if (push.squaredNorm() > 0.0 && goal != this->Center)
+  const NearestHeld held = NearestInHalfSpaces(goalWorld, planes.data(), this->WallCount);
+  const Vector3 push = held.Point - goalWorld;
+  if (push.squaredNorm() > 0.0 && goalWorld != this->Center)
   {
     this->JointNormal = push.normalized();
   }
