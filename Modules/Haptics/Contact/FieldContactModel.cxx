@@ -10,11 +10,11 @@
 
 namespace palpate
 {
-Status FieldContactModel::Make(std::shared_ptr<const ScalarField> field, int material,
+Status FieldContactModel::Make(const std::shared_ptr<const ScalarField>& field, int material,
                                FieldContactMode mode, std::shared_ptr<const ContactModel>& contact)
 {
   std::shared_ptr<const FieldSolid> solid;
-  Status status = FieldSolid::Make(std::move(field), material, solid);
+  Status status = FieldSolid::Make(field, material, solid);
   if (status.IsOk())
   {
     contact.reset(new FieldContactModel(std::move(solid), mode));

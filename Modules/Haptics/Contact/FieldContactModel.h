@@ -23,8 +23,8 @@ public:
   static constexpr int MostPoints = 400;
 
   /// Refuses what FieldSolid refuses.
-  static Status Make(std::shared_ptr<const ScalarField> field, int material, FieldContactMode mode,
-                     std::shared_ptr<const ContactModel>& contact);
+  static Status Make(const std::shared_ptr<const ScalarField>& field, int material,
+                     FieldContactMode mode, std::shared_ptr<const ContactModel>& contact);
 
   /// Points of a sphere's shell (radius in mm): so many, within the limits, that the sphere is
   /// nowhere more than 0.05 voxel lower than its nearest point, and that what is as wide as a voxel

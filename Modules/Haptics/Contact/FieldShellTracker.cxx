@@ -70,7 +70,7 @@ Vector3 FieldShellTracker::WayBack(const Vector3& probe) noexcept
   const int steps = static_cast<int>(std::clamp(wanted, 1.0, MostSteps));
   for (int step = 1; step < steps; ++step)
   {
-    const Vector3 place = probe + (1.0 * step / steps) * way;
+    Vector3 place = probe + (1.0 * step / steps) * way;
     if (this->Shell.CountInside(*this->Solid, place) <= this->MostTouching)
     {
       return place;

@@ -50,18 +50,18 @@ Eigen::AlignedBox3d BoundsOf(const ScalarField& field, int material)
 }
 } // namespace
 
-Status FieldSolid::Make(std::shared_ptr<const ScalarField> field, int material,
+Status FieldSolid::Make(const std::shared_ptr<const ScalarField>& field, int material,
                         std::shared_ptr<const FieldSolid>& solid)
 {
   if (material < 0 || material >= field->MaterialCount())
   {
     return Status::Failure("The field has no material " + std::to_string(material) + ".");
   }
-  solid.reset(new FieldSolid(std::move(field), material));
+  solid.reset(new FieldSolid(field, material));
   return Status::Success();
 }
 
-FieldSolid::FieldSolid(std::shared_ptr<const ScalarField> field, int material)
+FieldSolid::FieldSolid(const std::shared_ptr<const ScalarField>& field, int material)
     : Sampler(field), Caster(field), Number(material), Bounds(BoundsOf(*field, material)),
       Voxel(field->Grid().Spacing().minCoeff())
 {

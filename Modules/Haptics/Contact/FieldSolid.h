@@ -23,7 +23,7 @@ public:
   };
 
   /// Refuses a material that the field does not have.
-  static Status Make(std::shared_ptr<const ScalarField> field, int material,
+  static Status Make(const std::shared_ptr<const ScalarField>& field, int material,
                      std::shared_ptr<const FieldSolid>& solid);
 
   int Material() const noexcept { return this->Number; }
@@ -48,7 +48,7 @@ public:
                         double reach) const noexcept;
 
 private:
-  FieldSolid(std::shared_ptr<const ScalarField> field, int material);
+  FieldSolid(const std::shared_ptr<const ScalarField>& field, int material);
   Wall WallBySamples(const Vector3& pointIndex) const noexcept;
   Wall WallByRay(const Vector3& pointWorld, const Vector3& outward) const noexcept;
   void JoinBorder(const Vector3& pointIndex, Wall& wall) const noexcept;

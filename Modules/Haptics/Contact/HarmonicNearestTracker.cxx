@@ -46,6 +46,10 @@ HarmonicNearestTracker::HarmonicNearestTracker(std::shared_ptr<const HarmonicSur
       TouchingGap(RelativeGap * this->Surface->SmallestRadius()),
       Stride(RelativeStride * this->Surface->SmallestRadius())
 {
+  if (HarmonicWedge::IsNeeded(*this->Surface, toolRadius))
+  {
+    this->Wedge.emplace(this->Surface, toolRadius);
+  }
 }
 
 const Contact& HarmonicNearestTracker::Follow(const ToolPose& pose) noexcept
@@ -139,6 +143,10 @@ void HarmonicNearestTracker::Touch(const ClosestPoint& nearest) noexcept
   this->Known = State::Touching;
   this->Closest = nearest;
   this->Held = PlaceOf(nearest);
+  if (this->Wedge)
+  {
+    this->Wedge->Begin(nearest.PointWorld + this->ToolRadius * nearest.Normal);
+  }
 }
 
 void HarmonicNearestTracker::LetGo(const ClosestPoint& nearest) noexcept
@@ -188,13 +196,13 @@ bool HarmonicNearestTracker::Press(const Vector3& probe, double motion) noexcept
 // where it has become a saddle or a maximum that descent would never leave.
 ClosestPoint HarmonicNearestTracker::Continued(const Vector3& probe) const noexcept
 {
-  const ClosestPoint next = this->Surface->Search().Track(probe, this->Closest);
+  ClosestPoint next = this->Surface->Search().Track(probe, this->Closest);
   const bool isStationary = next.State == ClosestPoint::Outcome::Stationary;
   if (next.SignedDistance < this->ToolRadius && !isStationary)
   {
     return next;
   }
-  const ClosestPoint nearest = this->Surface->Search().Nearest(probe);
+  ClosestPoint nearest = this->Surface->Search().Nearest(probe);
   // In the centre of a sphere all directions are as good: it stays then.
   constexpr double Nearer = 1.0 - 1e-6;
   const bool isNearer = std::abs(nearest.SignedDistance) < Nearer * std::abs(next.SignedDistance);
@@ -211,13 +219,28 @@ HarmonicNearestTracker::PullOf(const Vector3& probe,
 // Lets friction decide where the tool is held.
 void HarmonicNearestTracker::Drag(const Vector3& probe) noexcept
 {
-  if (this->Friction.IsFrictionless())
+  if (this->Wedge)
+  {
+    this->DragWedge(probe);
+  }
+  else if (this->Friction.IsFrictionless())
   {
     this->Held = PlaceOf(this->Closest);
   }
   else if (!this->Friction.Sticks(this->PullOf(probe, this->Held)))
   {
     this->Held = this->Slip(probe, PlaceOf(this->Closest));
+  }
+}
+
+void HarmonicNearestTracker::DragWedge(const Vector3& probe) noexcept
+{
+  const Vector3& held = this->Wedge->CenterWorld();
+  const Vector3& normal = this->Wedge->Normal();
+  if (this->Friction.IsFrictionless() ||
+      !this->Friction.Sticks(FrictionCone::Pull(probe - held, normal)))
+  {
+    this->Wedge->MoveTo(this->Friction.DrawnTo(probe, held, normal));
   }
 }
 
@@ -266,8 +289,10 @@ void HarmonicNearestTracker::Report(const Vector3& probe) noexcept
   this->Felt.Depth = 0.0;
   if (this->Felt.IsTouching)
   {
-    this->Felt.NormalWorld = this->Held.Normal;
-    this->Felt.ProxyWorld = this->Held.PointWorld + this->ToolRadius * this->Held.Normal;
+    this->Felt.NormalWorld = this->Wedge ? this->Wedge->Normal() : this->Held.Normal;
+    this->Felt.ProxyWorld =
+        this->Wedge ? this->Wedge->CenterWorld()
+                    : Vector3(this->Held.PointWorld + this->ToolRadius * this->Held.Normal);
     this->Felt.Depth = (probe - this->Felt.ProxyWorld).norm();
   }
 }

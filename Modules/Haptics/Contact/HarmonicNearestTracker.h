@@ -3,8 +3,10 @@
 #include "ContactTracker.h"
 #include "FrictionCone.h"
 #include "HarmonicSurface.h"
+#include "HarmonicWedge.h"
 
 #include <memory>
+#include <optional>
 
 namespace palpate
 {
@@ -18,7 +20,8 @@ namespace palpate
 /// surface, so much a tick and no more. It lets go where the tool is a radius or more outside, by
 /// that minimum first and then by the whole surface.
 ///
-/// The tool is put at the nearest point plus radius times normal. Friction holds it where it was,
+/// The tool is put at the nearest point plus radius times normal; one that is too large for some
+/// hollow of the surface is kept out of all walls by HarmonicWedge. Friction holds it where it was,
 /// until the pull leaves the cone; then it slips towards the nearest point until it resists again.
 class HarmonicNearestTracker final : public ContactTracker
 {
@@ -47,6 +50,7 @@ private:
   ClosestPoint Continued(const Vector3& probe) const noexcept;
   void Measure(const Vector3& probe) noexcept;
   void Drag(const Vector3& probe) noexcept;
+  void DragWedge(const Vector3& probe) noexcept;
   HarmonicSurface::Place Slip(const Vector3& probe,
                               const HarmonicSurface::Place& end) const noexcept;
   FrictionCone::Pull PullOf(const Vector3& probe,
@@ -67,6 +71,7 @@ private:
   // Touching: the minimum that is followed, and where friction holds the tool.
   ClosestPoint Closest{};
   HarmonicSurface::Place Held{};
+  std::optional<HarmonicWedge> Wedge; // that holds it instead, where it does not fit everywhere
   Contact Felt;
 };
 } // namespace palpate

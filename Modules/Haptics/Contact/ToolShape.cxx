@@ -73,6 +73,7 @@ std::vector<Vector3> SphereDirections(int count)
     return NeighbourDirections(count == Faces);
   }
   std::vector<Vector3> directions;
+  directions.reserve(static_cast<std::size_t>(count));
   for (int n = 0; n < count; ++n)
   {
     directions.push_back(SpiralPoint(n, count).OnUnitSphere());

@@ -8,11 +8,11 @@
 namespace palpate::test
 {
 inline std::shared_ptr<const ContactModel>
-FieldContact(std::shared_ptr<const ScalarField> field,
+FieldContact(const std::shared_ptr<const ScalarField>& field,
              FieldContactMode mode = FieldContactMode::Proxy, int material = 0)
 {
   std::shared_ptr<const ContactModel> contact;
-  const Status status = FieldContactModel::Make(std::move(field), material, mode, contact);
+  const Status status = FieldContactModel::Make(field, material, mode, contact);
   EXPECT_TRUE(status.IsOk()) << status.Message();
   return contact;
 }

@@ -1,0 +1,91 @@
+#include "ContactCases.h"
+#include "HarmonicWedge.h"
+#include "NearestByBruteForce.h"
+#include "WorstCase.h"
+
+namespace palpate
+{
+namespace
+{
+using test::At;
+using test::HarmonicContact;
+using test::Random;
+using test::TrackerOf;
+using test::WorstCase;
+
+// Round but for a groove along the equator, up to 3 mm deep and some 6 mm wide.
+SphericalHarmonicModel GroovedBall()
+{
+  return test::Project(24, [](const Vector3& u)
+                       { return 20.0 - 3.0 * std::exp(-u[2] * u[2] / (0.1 * 0.1)); });
+}
+
+std::shared_ptr<const HarmonicSurface> SurfaceOf(const SphericalHarmonicModel& model)
+{
+  std::shared_ptr<const HarmonicSurface> surface;
+  EXPECT_TRUE(HarmonicSurface::Make(test::Shared(model), surface).IsOk());
+  return surface;
+}
+
+TEST(HarmonicWedge, IsNeededWhereAHollowIsNarrowerThanTheBall)
+{
+  EXPECT_FALSE(HarmonicWedge::IsNeeded(*SurfaceOf(test::Sphere(20.0)), 100.0));
+  const auto grooved = SurfaceOf(GroovedBall());
+  EXPECT_FALSE(HarmonicWedge::IsNeeded(*grooved, 0.0));
+  EXPECT_FALSE(HarmonicWedge::IsNeeded(*grooved, 0.2));
+  EXPECT_TRUE(HarmonicWedge::IsNeeded(*grooved, 4.0));
+}
+
+TEST(HarmonicWedge, ABallTooLargeForAGrooveRestsOnBothItsEdges)
+{
+  const SphericalHarmonicModel ball = GroovedBall();
+  const ClosestPointSearch search(test::Shared(ball));
+  const auto model = HarmonicContact(ball);
+  constexpr double Radius = 4.0;
+  // By symmetry the rest is on the x axis: there the ball just touches.
+  double rest = 20.0;
+  double free = 30.0;
+  while (free - rest > 1e-9)
+  {
+    const double middle = 0.5 * (rest + free);
+    (search.Nearest({middle, 0.0, 0.0}).SignedDistance < Radius ? rest : free) = middle;
+  }
+  const auto tracker = TrackerOf(*model, ToolShape::Sphere(Radius));
+  Contact last;
+  tracker->Follow(At({30.0, 0.0, 0.3}));
+  test::MoveStraight(*tracker, {30.0, 0.0, 0.3}, {rest - 1.5, 0.0, 0.1}, 0.05,
+                     [&](const Vector3&, const Contact& contact) { last = contact; });
+  ASSERT_TRUE(last.IsTouching);
+  EXPECT_LE((last.ProxyWorld - Vector3(rest, 0.0, 0.0)).norm(),
+            1e-4); // where steps end: 1e-5 of 1 mm, and its slopes
+  EXPECT_NEAR(last.Depth, std::hypot(1.5, 0.1), 1e-4);
+}
+
+TEST(HarmonicWedge, NoPartOfARoughSurfaceIsNearerThanTheBallsRadius)
+{
+  Random random(4401);
+  for (int body = 0; body < 3; ++body)
+  {
+    const SphericalHarmonicModel rough = test::RandomRough(random, 12, 20.0);
+    const ClosestPointSearch search(test::Shared(rough));
+    const auto model = HarmonicContact(rough);
+    const auto tracker = TrackerOf(*model, ToolShape::Sphere(4.0), {0.2, 0.1});
+    test::WanderingDirection wandering(random);
+    WorstCase overlap;
+    for (int tick = 0; tick < 1500; ++tick)
+    {
+      const Vector3 u = wandering.Turn(0.0025);
+      const Vector3 probe = rough.PointWorld(u) + (4.0 - 1.0) * rough.Normal(u);
+      const Contact& contact = tracker->Follow(At(probe));
+      ASSERT_TRUE(contact.IsValid);
+      if (tick >= 10) // it starts overlapping
+      {
+        overlap.Add(std::min(0.0, search.Nearest(contact.ProxyWorld).SignedDistance - 4.0));
+      }
+    }
+    // A wall that is met is met up to a step after; a tool moves by less than this a tick.
+    EXPECT_LE(overlap.Value(), 0.05);
+  }
+}
+} // namespace
+} // namespace palpate
