@@ -156,7 +156,10 @@ private:
       {
         nodes = nodes == nullptr ? any : nodes;
       }
-      isPassing = this->Solve(rays, candidates, isIn, isLeft);
+      const Mask isFree =
+          rays.IsFirst & ~Rays::IsAtSurface(this->Of, rays.Surface & isCandidate, rays.Bit);
+      isPassing = Rays::IsAny(isIn & ~isFree) ? this->Solve(rays, candidates, isIn, isLeft)
+                                              : this->Start(candidates, isIn);
     }
     for (int lane = 0; lane < Lanes; ++lane)
     {
@@ -169,13 +172,38 @@ private:
     return isPassing;
   }
 
+  static inline __attribute__((always_inline)) Vector IsoOf(const Candidates& candidates)
+  {
+    return Rays::template Each<Vector>([&](int lane) { return candidates.Iso[lane]; });
+  }
+  static inline __attribute__((always_inline)) Vector SignOf(const Candidates& candidates)
+  {
+    return Rays::template Each<Vector>([&](int lane) { return candidates.Sign[lane]; });
+  }
+
+  // First cells that no surface passes: what the ray begins in, all nodes say alike.
+  inline __attribute__((always_inline)) Mask Start(const Candidates& candidates, const Mask& isIn)
+  {
+    const Vector node =
+        Cells::FirstNode(candidates.Type, candidates.Nodes, IsoOf(candidates), SignOf(candidates));
+    this->TellStart(candidates, isIn & (node >= 0.0));
+    return isIn;
+  }
+  inline __attribute__((always_inline)) void TellStart(const Candidates& candidates,
+                                                       const Mask& isInside)
+  {
+    for (int lane = 0; lane < Lanes; ++lane)
+    {
+      this->Answers.StartsInside[this->First + lane] |=
+          isInside[lane] != 0 ? 1u << candidates.Material[lane] : 0;
+    }
+  }
+
   inline __attribute__((always_inline)) Mask Solve(const Rays& rays, const Candidates& candidates,
                                                    const Mask& isIn, Mask& isLeft)
   {
     Cells cells;
-    cells.Load(candidates.Type, candidates.Nodes,
-               Rays::template Each<Vector>([&](int lane) { return candidates.Iso[lane]; }),
-               Rays::template Each<Vector>([&](int lane) { return candidates.Sign[lane]; }));
+    cells.Load(candidates.Type, candidates.Nodes, IsoOf(candidates), SignOf(candidates));
     const Vector exit = this->Restrict(rays, cells);
     cells.CountCrossings();
     Mask isFound{};
@@ -191,14 +219,7 @@ private:
       isInside ^= cells.IsCrossed & (t < rays.TMin);
     }
     isLeft |= isIn & cells.IsManyfold;
-    for (int lane = 0; lane < Lanes; ++lane)
-    {
-      if ((isIn & rays.IsFirst)[lane] != 0)
-      {
-        this->Answers.StartsInside[this->First + lane] |=
-            isInside[lane] != 0 ? 1u << candidates.Material[lane] : 0;
-      }
-    }
+    this->TellStart(candidates, isIn & rays.IsFirst & isInside);
     isFound &= ~isLeft;
     const Mask isPassing = isIn & ~isFound & ~isLeft;
     if (Rays::IsAny(isFound))

@@ -63,7 +63,7 @@ struct CellLanes : LaneArithmetic<Set>
   }
 
   template <typename T>
-  inline __attribute__((always_inline)) void LoadAs(const void* const* first)
+  inline __attribute__((always_inline)) void LoadAs(const T*, const void* const* first)
   {
     const T* nodes[Lanes];
     for (int lane = 0; lane < Lanes; ++lane)
@@ -77,31 +77,46 @@ struct CellLanes : LaneArithmetic<Set>
     }
   }
 
-  /// `first`: each cell's first node, of one type.
-  inline __attribute__((always_inline)) void Load(int type, const void* const* first,
-                                                  const Vector& iso, const Vector& sign)
+  // Calls `use` with a null pointer to the C++ type of the stored type's number.
+  template <typename Use>
+  static inline __attribute__((always_inline)) auto AsType(int type, const Use& use)
   {
     switch (type)
     {
     case 0:
-      LoadAs<signed char>(first);
-      break;
+      return use(static_cast<const signed char*>(nullptr));
     case 1:
-      LoadAs<unsigned char>(first);
-      break;
+      return use(static_cast<const unsigned char*>(nullptr));
     case 2:
-      LoadAs<short>(first);
-      break;
+      return use(static_cast<const short*>(nullptr));
     case 3:
-      LoadAs<unsigned short>(first);
-      break;
+      return use(static_cast<const unsigned short*>(nullptr));
     case 4:
-      LoadAs<float>(first);
-      break;
+      return use(static_cast<const float*>(nullptr));
     default:
-      LoadAs<double>(first);
-      break;
+      return use(static_cast<const double*>(nullptr));
     }
+  }
+
+  /// How far the condition holds at each cell's first node; in a cell that no surface passes its
+  /// sign is that of the whole cell.
+  static inline __attribute__((always_inline)) Vector
+  FirstNode(int type, const void* const* first, const Vector& iso, const Vector& sign)
+  {
+    const auto node = [&](auto* as)
+    {
+      using T = decltype(as);
+      return Base::template Each<Vector>(
+          [&](int lane) { return static_cast<double>(*static_cast<T>(first[lane])); });
+    };
+    return sign * (AsType(type, node) - iso);
+  }
+
+  /// `first`: each cell's first node, of one type.
+  inline __attribute__((always_inline)) void Load(int type, const void* const* first,
+                                                  const Vector& iso, const Vector& sign)
+  {
+    AsType(type, [&](auto* as) { this->LoadAs(as, first); });
     for (Vector& node : this->Nodes)
     {
       node = sign * (node - iso);

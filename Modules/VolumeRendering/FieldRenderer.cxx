@@ -32,7 +32,9 @@ std::uint8_t Byte(double part) noexcept
 FieldRenderer::FieldRenderer(std::shared_ptr<const ScalarField> field, FieldView view)
     : Caster(std::move(field)), Scene(std::move(view)),
       VectorToScene(Scene.ToScene.topLeftCorner<3, 3>()),
-      NormalToScene(VectorToScene.inverse().transpose())
+      NormalToScene(VectorToScene.inverse().transpose()),
+      LightsHavePlaces(std::any_of(Scene.Lights.begin(), Scene.Lights.end(),
+                                   [](const SurfaceLight& light) { return light.IsPositional; }))
 {
   const int count = this->Caster.Field().MaterialCount();
   this->Scene.Looks.resize(static_cast<std::size_t>(count));
@@ -103,7 +105,10 @@ Vector3 FieldRenderer::ColorOf(const FieldHit& hit, const Vector3& toEyeScene) c
   const MaterialLook& look = this->Scene.Looks[static_cast<std::size_t>(hit.Material)];
   const Vector3 normal = -(this->NormalToScene * hit.Gradient);
   const double length = normal.norm();
-  const Vector3 point = (this->Scene.ToScene * hit.Position.homogeneous()).hnormalized();
+  const Vector3 point =
+      this->LightsHavePlaces
+          ? Vector3((this->Scene.ToScene * hit.Position.homogeneous()).hnormalized())
+          : Vector3(Vector3::Zero());
   return ShadedColor(look.Color, this->Scene.Finish, this->Scene.Lights, point,
                      length > 0.0 ? Vector3(normal / length) : toEyeScene, toEyeScene);
 }

@@ -67,6 +67,7 @@ private:
   MaterialSet Shown = 0;
   Eigen::Matrix3d VectorToScene;
   Eigen::Matrix3d NormalToScene;
+  bool LightsHavePlaces; ///< else the shade does not depend on where a point lies
   bool Opaque = true;
 };
 } // namespace palpate
