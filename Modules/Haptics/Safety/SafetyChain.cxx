@@ -85,7 +85,7 @@ Vector3 SafetyChain::Apply(const SafetyInput& input) noexcept
     this->LastReport.IsArmed = false;
     return this->Zero();
   }
-  const Vector3 force = this->Shape(input);
+  Vector3 force = this->Shape(input);
   if (this->Guard.HasTripped())
   {
     this->Fail(SafetyFault::NonFiniteForce);
@@ -116,7 +116,7 @@ Vector3 SafetyChain::Shape(const SafetyInput& input) noexcept
   const Vector3 slewed = this->Slew.Apply(limited, period);
   // The way from one allowed force to another stays allowed, but for roundings.
   const bool isLimited = this->Limit.IsLimiting();
-  const Vector3 force = this->Limit.Apply(slewed);
+  Vector3 force = this->Limit.Apply(slewed);
   // Exactly zero without contact, once nothing is left to slew.
   this->AppliedContact = force - ambient;
 
