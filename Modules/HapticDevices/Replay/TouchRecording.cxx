@@ -66,7 +66,7 @@ Status ReadTouchRecording(const std::string& path, TouchRecording& recording)
   {
     return Status::Failure(path + " is no recorded touch session of version 1.");
   }
-  const Status status = ReadTicks(path, file, read.Ticks);
+  Status status = ReadTicks(path, file, read.Ticks);
   if (status.IsOk())
   {
     recording = std::move(read);

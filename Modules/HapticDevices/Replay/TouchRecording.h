@@ -14,7 +14,7 @@ namespace palpate
 struct TouchSession
 {
   ServoSettings Settings;
-  /// Those that forces depend on: MaximumForce, MaximumDamping, Rate.
+  /// Those that forces depend on: MaximumForce, MaximumDamping, Damping, Friction, Rate.
   DeviceCapabilities Device;
 };
 

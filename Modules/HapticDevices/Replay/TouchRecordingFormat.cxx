@@ -136,6 +136,8 @@ void VisitSession(Words& words, Session& s)
   words.Field(s.Settings.MaximumSlew);
   words.Field(s.Device.MaximumForce);
   words.Field(s.Device.MaximumDamping);
+  words.Field(s.Device.Damping);
+  words.Field(s.Device.Friction);
   words.Field(s.Device.Rate);
 }
 } // namespace

@@ -15,7 +15,7 @@ namespace TouchRecordingFormat
 {
 inline constexpr char Magic[] = "palpate-touch-recording 1\n";
 inline constexpr std::size_t MagicSize = sizeof(Magic) - 1;
-inline constexpr std::size_t SessionWords = 8;
+inline constexpr std::size_t SessionWords = 10;
 inline constexpr std::size_t TickWords = 33;
 
 using SessionRecord = std::array<std::uint64_t, SessionWords>;

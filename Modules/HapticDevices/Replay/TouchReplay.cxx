@@ -31,7 +31,7 @@ void Compare(const TouchState& recorded, const TouchState& recomputed, ReplayCom
 }
 } // namespace
 
-Status ReplayTouch(std::shared_ptr<const TouchRecording> recording,
+Status ReplayTouch(const std::shared_ptr<const TouchRecording>& recording,
                    const std::vector<std::shared_ptr<const TouchScene>>& scenes,
                    ReplayComparison& comparison)
 {

@@ -21,7 +21,7 @@ struct ReplayComparison
 /// Feels a recorded session again, tick by tick at the recorded times: the same build gives the
 /// same bits, and another one shows what it changed. `scenes` are those that the servo took over,
 /// in their order. Fails where there are fewer, or where one cannot be felt.
-Status ReplayTouch(std::shared_ptr<const TouchRecording> recording,
+Status ReplayTouch(const std::shared_ptr<const TouchRecording>& recording,
                    const std::vector<std::shared_ptr<const TouchScene>>& scenes,
                    ReplayComparison& comparison);
 } // namespace palpate

@@ -19,10 +19,9 @@ class SimulatedTouch
 public:
   SimulatedTouch(const TouchScene& scene, const SimulatedSettings& device,
                  const ServoSettings& settings = ServoSettings())
-      : Device(Time, device), IsOpen(Device.Open().IsOk()), Loop(Device, settings),
-        Period(std::llround(1e9 / settings.Rate)), Schedule(0, Period)
+      : Schedule(0, std::llround(1e9 / settings.Rate)), Device(Time, device),
+        Loop(Opened(Device), settings)
   {
-    EXPECT_TRUE(this->IsOpen);
     const Status status = this->Loop.Publish(std::make_shared<TouchScene>(scene));
     EXPECT_TRUE(status.IsOk()) << status.Message();
   }
@@ -44,13 +43,19 @@ public:
   }
 
   ManualClock Time;
-  SimulatedDevice Device;
-  bool IsOpen;
-  Servo Loop;
 
 private:
-  std::int64_t Period; // ns
+  static SimulatedDevice& Opened(SimulatedDevice& device)
+  {
+    EXPECT_TRUE(device.Open().IsOk());
+    return device;
+  }
+
   LoopSchedule Schedule;
+
+public:
+  SimulatedDevice Device;
+  Servo Loop;
 };
 
 /// A hand that presses and lets go: along z from `height` down to -`height` mm and back,

@@ -32,8 +32,9 @@ TEST(BuiltInDevices, KeepTheContractOfDevices)
     SCOPED_TRACE(name);
     ManualClock clock(5'000'000);
     std::unique_ptr<HapticDevice> device;
-    ASSERT_TRUE(
-        registry.Make(name == "replay" ? name + ":" + session : name, clock, device).IsOk());
+    std::string text = name;
+    text.append(name == "replay" ? ":" + session : "");
+    ASSERT_TRUE(registry.Make(text, clock, device).IsOk());
     test::ExpectDeviceContract(*device, [&] { clock.Advance(1'000'000); });
   }
 }

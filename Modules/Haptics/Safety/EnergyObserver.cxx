@@ -11,6 +11,11 @@ void EnergyObserver::Account(const Vector3& force, const Vector3& way) noexcept
   this->Balance += std::isfinite(taken) ? taken : 0.0;
 }
 
+void EnergyObserver::Credit(double energy) noexcept
+{
+  this->Balance += energy > 0.0 && std::isfinite(energy) ? energy : 0.0;
+}
+
 Vector3 EnergyObserver::Damping(const Vector3& contactForce, const Vector3& velocity,
                                 double period) noexcept
 {

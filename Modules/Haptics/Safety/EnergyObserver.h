@@ -11,6 +11,10 @@ namespace palpate
 /// A force is held from one tick to the next, so the energy of a tick is exactly the held force
 /// times the way moved, without any velocity. The books are closed when the contact ends: what one
 /// contact took in is no credit for the next.
+///
+/// A sampled spring gives out a little in every motion, K T / 2 times velocity squared, and encoder
+/// counts do too; a mechanism's own damping and friction take it up. What they certainly did is
+/// credited, or every stable wall would be damped.
 class EnergyObserver
 {
 public:
@@ -19,6 +23,8 @@ public:
 
   /// The hand moved by `way` (mm) while it was pushed with `force` (N).
   void Account(const Vector3& force, const Vector3& way) noexcept;
+  /// The mechanism itself took up this much (N mm) meanwhile; what is not positive is ignored.
+  void Credit(double energy) noexcept;
   /// The force (N) to add to the contact's, against the hand's velocity (mm/s), that takes up in
   /// one `period` (s) what was given out too much. It never turns the contact's push into a pull.
   Vector3 Damping(const Vector3& contactForce, const Vector3& velocity, double period) noexcept;

@@ -6,7 +6,7 @@ namespace palpate
 {
 Vector3 ForceLimit::Apply(const Vector3& force) noexcept
 {
-  const Vector3 limited = ClampedLength(force, this->Maximum);
+  Vector3 limited = ClampedLength(force, this->Maximum);
   this->Limiting = limited != force;
   return limited;
 }

@@ -2,9 +2,16 @@
 
 namespace palpate
 {
+namespace
+{
+// s. The gain of the filter is at most 1, so what is credited is no more than what was taken up.
+constexpr double MotionTimeConstant = 0.003;
+} // namespace
+
 SafetyChain::SafetyChain(const SafetySettings& settings) noexcept
     : Dog(settings.Limits), Ramp(settings.RampDuration), Energy(settings.LargestDamping),
-      Limit(settings.MaximumForce), Slew(settings.MaximumSlew)
+      Limit(settings.MaximumForce), Slew(settings.MaximumSlew), Motion(MotionTimeConstant),
+      DeviceDamping(settings.DeviceDamping), DeviceFriction(settings.DeviceFriction)
 {
 }
 
@@ -26,8 +33,16 @@ Vector3 SafetyChain::WayBefore(const TickObservation& now) const noexcept
                        : Vector3::Zero();
 }
 
+void SafetyChain::KeepBooks(const TickObservation& now, const Vector3& way, double period) noexcept
+{
+  const double speed = this->Motion.Update(now.Sample.Position, period).norm();
+  this->Energy.Account(this->AppliedContact, way);
+  this->Energy.Credit((this->DeviceDamping * speed + this->DeviceFriction) * speed * period);
+}
+
 Vector3 SafetyChain::Zero() noexcept
 {
+  this->Motion.Reset();
   this->HasLast = false;
   this->AppliedContact.setZero();
   this->Energy.Close();
@@ -70,7 +85,7 @@ Vector3 SafetyChain::Apply(const SafetyInput& input) noexcept
     this->LastReport.IsArmed = false;
     return this->Zero();
   }
-  const Vector3 force = this->Shape(input);
+  Vector3 force = this->Shape(input);
   if (this->Guard.HasTripped())
   {
     this->Fail(SafetyFault::NonFiniteForce);
@@ -85,7 +100,7 @@ Vector3 SafetyChain::Shape(const SafetyInput& input) noexcept
 {
   const double period = this->PeriodBefore(input.Observed);
   const Vector3 way = this->WayBefore(input.Observed);
-  this->Energy.Account(this->AppliedContact, way);
+  this->KeepBooks(input.Observed, way, period);
   const double factor = this->Ramp.Advance(period);
   Vector3 contact = factor * this->Guard.Apply(input.ContactForce);
   const Vector3 ambient = factor * this->Guard.Apply(input.AmbientForce);
@@ -101,7 +116,7 @@ Vector3 SafetyChain::Shape(const SafetyInput& input) noexcept
   const Vector3 slewed = this->Slew.Apply(limited, period);
   // The way from one allowed force to another stays allowed, but for roundings.
   const bool isLimited = this->Limit.IsLimiting();
-  const Vector3 force = this->Limit.Apply(slewed);
+  Vector3 force = this->Limit.Apply(slewed);
   // Exactly zero without contact, once nothing is left to slew.
   this->AppliedContact = force - ambient;
 

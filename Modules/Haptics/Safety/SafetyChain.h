@@ -6,6 +6,7 @@
 #include "RampIn.h"
 #include "SafetyReport.h"
 #include "SlewLimit.h"
+#include "VelocityEstimate.h"
 #include "Watchdog.h"
 
 namespace palpate
@@ -16,6 +17,8 @@ struct SafetySettings
   double MaximumSlew = 2000.0; ///< N/s
   double RampDuration = 0.3;   ///< s
   double LargestDamping = 0.0; ///< N s/mm, that the energy observer may add
+  double DeviceDamping = 0.0;  ///< N s/mm, that the mechanism has by itself; 0 if not known
+  double DeviceFriction = 0.0; ///< N, likewise
   WatchdogLimits Limits;
 };
 
@@ -55,6 +58,7 @@ private:
   Vector3 Shape(const SafetyInput& input) noexcept;
   double PeriodBefore(const TickObservation& now) const noexcept;
   Vector3 WayBefore(const TickObservation& now) const noexcept;
+  void KeepBooks(const TickObservation& now, const Vector3& way, double period) noexcept;
   Vector3 Zero() noexcept;
 
   Watchdog Dog;
@@ -64,6 +68,9 @@ private:
   ForceLimit Limit;
   SlewLimit Slew;
   SafetyReport LastReport;
+  VelocityEstimate Motion; // mm/s
+  double DeviceDamping;    // N s/mm
+  double DeviceFriction;   // N
   TickObservation Last;
   bool HasLast = false;
   Vector3 AppliedContact = Vector3::Zero(); // N, of the last tick, held since

@@ -13,6 +13,8 @@ SafetySettings SafetyOf(const DeviceCapabilities& device, const ServoSettings& s
   SafetySettings safety;
   safety.MaximumForce = device.MaximumForce;
   safety.LargestDamping = device.MaximumDamping;
+  safety.DeviceDamping = device.Damping;
+  safety.DeviceFriction = device.Friction;
   safety.RampDuration = settings.RampDuration;
   safety.MaximumSlew = settings.MaximumSlew;
   // A device that is slower than the servo repeats its samples, and one that is as fast may now

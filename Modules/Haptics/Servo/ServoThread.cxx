@@ -11,7 +11,7 @@ constexpr std::uint64_t TicksBetweenStatistics = 50;
 } // namespace
 
 ServoThread::ServoThread(HapticDevice& device, Clock& clock, const ServoSettings& settings)
-    : Device(device), Time(clock), Settings(settings), Touch(device, settings)
+    : Touch(device, settings), Device(device), Time(clock), Settings(settings)
 {
 }
 

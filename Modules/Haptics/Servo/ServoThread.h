@@ -42,15 +42,15 @@ public:
 private:
   bool Tick(const TickInfo& tick) noexcept;
 
+  Servo Touch;
+  LatestValue<ServoStatistics> Published;
   HapticDevice& Device;
   Clock& Time;
-  ServoSettings Settings;
-  Servo Touch;
   std::unique_ptr<FixedRateLoop> Rate;
-  LatestValue<ServoStatistics> Published;
+  ServoSettings Settings;
   // The servo thread's own.
-  ServoStatistics Counted;
   std::int64_t LastStarted = 0;
+  ServoStatistics Counted;
   RealtimeThread Thread;
 };
 } // namespace palpate

@@ -40,10 +40,11 @@ public:
     return force;
   }
 
-  ScriptedDevice Device;
-  Servo Loop;
-
 private:
   std::uint64_t Ticks = 0;
+
+public:
+  ScriptedDevice Device;
+  Servo Loop;
 };
 } // namespace palpate::test

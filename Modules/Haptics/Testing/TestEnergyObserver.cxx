@@ -70,6 +70,17 @@ TEST(EnergyObserver, WhatIsNoNumberSpoilsNothing)
   }
 }
 
+TEST(EnergyObserver, WhatTheMechanismTookUpIsCreditedAndNothingElse)
+{
+  EnergyObserver observer(0.02);
+  observer.Credit(0.25);
+  for (const double none : {-1.0, 0.0, test::NotANumber, test::Infinite})
+  {
+    observer.Credit(none);
+  }
+  EXPECT_EQ(observer.Energy(), 0.25);
+}
+
 TEST(EnergyObserver, ClosesItsBooks)
 {
   EnergyObserver observer(0.02);
