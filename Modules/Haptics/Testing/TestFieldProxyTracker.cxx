@@ -444,6 +444,21 @@ TEST(FieldProxyTracker, WhatIsDeepInsideFromTheBeginningFindsAWayOut)
   EXPECT_NEAR((last.ProxyWorld - middle)[1], 13.5, 0.02);
 }
 
+TEST(FieldSolid, BeyondTheGridThereIsAWallOnlyNextToMaterial)
+{
+  const FieldGrid grid = FineGrid(24);
+  std::shared_ptr<const FieldSolid> solid;
+  ASSERT_TRUE(
+      FieldSolid::Make(SampledField(grid, test::PlaneField{-Vector3::UnitZ(), -12.0}), 0, solid)
+          .IsOk());
+  const FieldSolid::Wall next =
+      solid->WallNear(grid.PointWorld({-0.5, 12.0, 6.0}), Vector3::UnitX());
+  EXPECT_TRUE(next.IsKnown);
+  EXPECT_NEAR(next.Distance, 0.5 * VoxelSize, 1e-12); // rounding
+  EXPECT_EQ(next.Normal, Vector3(-Vector3::UnitX()));
+  EXPECT_FALSE(solid->WallNear(grid.PointWorld({-0.5, 12.0, 18.0}), Vector3::UnitX()).IsKnown);
+}
+
 TEST(FieldContactModel, HasShellsAsFineAsVoxelsAndNoUnknownMaterial)
 {
   EXPECT_EQ(FieldContactModel::PointCountFor(0.0, 0.5), 6);
