@@ -14,6 +14,8 @@ namespace
 constexpr double LongestStep = 0.25;
 constexpr double Watched = 0.5;
 constexpr double Enough = 1e-3;
+// rad; a foot of a sphere stands straight on the surface.
+constexpr double Aligned = 1e-4;
 // What a tick may cost.
 constexpr int MostParts = 4;
 constexpr int MostStrides = 16;
@@ -275,20 +277,28 @@ void FieldProxyTracker::MoveFeet() noexcept
   }
 }
 
-// To where the sphere is deepest in the plane that was found last, if it is deeper there: on edges
-// it is not. The point where the foot began may then get another one.
+// Towards where the sphere is deepest in the plane that was found last, as far as it gets deeper:
+// not on edges, and on surfaces that bend away as much as the sphere only half as far. The point
+// where the foot began may then get another one.
 void FieldProxyTracker::MoveOnSphere(Foot& foot) noexcept
 {
-  const Vector3 deepest = -this->SphereRadius * foot.Normal;
-  const FieldSolid::Wall here = this->Solid->WallNear(this->ToolWorld + foot.Offset, foot.Normal);
-  const FieldSolid::Wall there = this->Solid->WallNear(this->ToolWorld + deepest, foot.Normal);
-  if (there.IsKnown && there.Distance < here.Distance)
+  const Vector3 from = foot.Offset / this->SphereRadius;
+  if ((from + foot.Normal).squaredNorm() <= Aligned * Aligned)
   {
-    foot.Offset = deepest;
-    if (!foot.HasMoved)
+    return;
+  }
+  const FieldSolid::Wall here = this->Solid->WallNear(this->ToolWorld + foot.Offset, foot.Normal);
+  for (const double part : {1.0, 0.5, 0.25})
+  {
+    const Vector3 to = (1.0 - part) * from - part * foot.Normal;
+    const Vector3 offset = this->SphereRadius * to.normalized();
+    const FieldSolid::Wall there = this->Solid->WallNear(this->ToolWorld + offset, foot.Normal);
+    if (there.IsKnown && there.Distance < here.Distance)
     {
+      foot.Offset = offset;
+      this->HasFoot[foot.Point] = foot.HasMoved ? this->HasFoot[foot.Point] : 0;
       foot.HasMoved = true;
-      this->HasFoot[foot.Point] = 0;
+      return;
     }
   }
 }

@@ -11,6 +11,8 @@ namespace palpate
 namespace
 {
 constexpr double Infinite = std::numeric_limits<double>::infinity();
+// Deeper inside, no wall is known as the way out.
+constexpr double MostVoxelsDeep = 2.0;
 
 // The bricks in which a material is, by index.
 Eigen::AlignedBox3d OccupiedIndex(const ScalarField& field, int material)
@@ -73,7 +75,9 @@ FieldSolid::Wall FieldSolid::WallNear(const Vector3& pointWorld,
   const Vector3 pointIndex = this->Sampler.Field().Grid().PointIndex(pointWorld);
   Wall wall = this->WallBySamples(pointIndex);
   this->JoinBorder(pointIndex, wall);
-  return wall.IsKnown ? wall : this->WallByRay(pointWorld, outward);
+  // Where the gradient is as good as none, value over gradient says nothing.
+  const bool isTrusted = wall.IsKnown && wall.Distance > -MostVoxelsDeep * this->Voxel;
+  return isTrusted ? wall : this->WallByRay(pointWorld, outward);
 }
 
 // A material is where all its conditions hold, so of their planes the one that is left least deep
@@ -109,8 +113,8 @@ FieldSolid::Wall FieldSolid::WallBySamples(const Vector3& pointIndex) const noex
 FieldSolid::Wall FieldSolid::WallByRay(const Vector3& pointWorld,
                                        const Vector3& outward) const noexcept
 {
-  const FieldHit hit = this->Caster.CastWorld({pointWorld, outward}, 0.0, 2.0 * this->Voxel,
-                                              OnlyMaterial(this->Number));
+  const FieldHit hit = this->Caster.CastWorld(
+      {pointWorld, outward}, 0.0, MostVoxelsDeep * this->Voxel, OnlyMaterial(this->Number));
   const bool isExit =
       (hit.Kind == HitKind::Surface || hit.Kind == HitKind::Border) && !hit.IsEntering;
   const double slope = hit.Gradient.norm();
@@ -122,17 +126,21 @@ FieldSolid::Wall FieldSolid::WallByRay(const Vector3& pointWorld,
   return {true, (pointWorld - hit.Position).dot(normal), normal};
 }
 
+// Where the material reaches the grid's border, that is a wall too.
 void FieldSolid::JoinBorder(const Vector3& pointIndex, Wall& wall) const noexcept
 {
   const FieldGrid& grid = this->Sampler.Field().Grid();
+  const auto& size = grid.Size();
+  const Vector3 last(size[0] - 1, size[1] - 1, size[2] - 1);
   for (int axis = 0; axis < 3; ++axis)
   {
-    const double last = grid.Size()[static_cast<std::size_t>(axis)] - 1.0;
-    const double below = -pointIndex[axis] * grid.Spacing()[axis];
-    const double above = (pointIndex[axis] - last) * grid.Spacing()[axis];
-    // Deeper than two voxels the border is not the way out.
+    const double spacing = grid.Spacing()[axis];
+    const double below = -pointIndex[axis] * spacing;
+    const double above = (pointIndex[axis] - last[axis]) * spacing;
     const double distance = std::max(below, above);
-    if (distance > wall.Distance && distance > -2.0 * grid.Spacing()[axis])
+    const Vector3 inGrid = pointIndex.cwiseMax(0.0).cwiseMin(last);
+    if (distance > wall.Distance && distance > -MostVoxelsDeep * spacing &&
+        this->Sampler.IsInsideIndex(this->Number, inGrid))
     {
       wall = {true, distance, (above > below ? 1.0 : -1.0) * grid.Direction().col(axis)};
     }

@@ -13,9 +13,10 @@ namespace
 constexpr double RelativeGap = 1e-6;
 constexpr double RelativeStride = 1.0 / 16.0;
 // What a tick may cost: steps through free space, and short steps of a probe that touches.
-constexpr int MostParts = 8;
+constexpr int MostParts = 4;
 constexpr int MostFreeSteps = 16;
-constexpr int MostStrides = 64;
+constexpr int MostStrides = 32;
+constexpr int MostEvaluations = 256; // of a search of the whole surface
 
 // How far (rad) a proxy may turn about the centre while the probe moves by `motion` times the
 // smallest radius: more than it ever needs to follow a minimum, except close to the medial axis,
@@ -60,6 +61,10 @@ const Contact& HarmonicNearestTracker::Follow(const ToolPose& pose) noexcept
     return this->Felt;
   }
   this->Advance(pose.PositionWorld);
+  if (this->Wedge && this->Known == State::Touching)
+  {
+    this->DragWedge(pose.PositionWorld);
+  }
   this->Report(pose.PositionWorld);
   return this->Felt;
 }
@@ -106,7 +111,7 @@ bool HarmonicNearestTracker::MoveFree(const Vector3& probe) noexcept
     const double length = way.norm();
     this->ProbeWorld += std::min(1.0, this->ClearRadius / length) * way;
   }
-  this->Touch(this->Surface->Search().Nearest(this->ProbeWorld));
+  this->Touch(this->Surface->Search().Nearest(this->ProbeWorld, MostEvaluations));
   return false;
 }
 
@@ -119,14 +124,14 @@ void HarmonicNearestTracker::Measure(const Vector3& probe) noexcept
   this->ClearRadius = centerDistance - largest - this->ToolRadius;
   if (this->ClearRadius <= 0.25 * largest)
   {
-    const ClosestPoint closest = this->Surface->Search().Nearest(probe);
+    const ClosestPoint closest = this->Surface->Search().Nearest(probe, MostEvaluations);
     this->ClearRadius = closest.SignedDistance - closest.DistanceError - this->ToolRadius;
   }
 }
 
 void HarmonicNearestTracker::Settle(const Vector3& probe) noexcept
 {
-  const ClosestPoint nearest = this->Surface->Search().Nearest(probe);
+  const ClosestPoint nearest = this->Surface->Search().Nearest(probe, MostEvaluations);
   this->ProbeWorld = probe;
   if (nearest.SignedDistance < this->ToolRadius)
   {
@@ -202,7 +207,7 @@ ClosestPoint HarmonicNearestTracker::Continued(const Vector3& probe) const noexc
   {
     return next;
   }
-  ClosestPoint nearest = this->Surface->Search().Nearest(probe);
+  ClosestPoint nearest = this->Surface->Search().Nearest(probe, MostEvaluations);
   // In the centre of a sphere all directions are as good: it stays then.
   constexpr double Nearer = 1.0 - 1e-6;
   const bool isNearer = std::abs(nearest.SignedDistance) < Nearer * std::abs(next.SignedDistance);
@@ -219,11 +224,7 @@ HarmonicNearestTracker::PullOf(const Vector3& probe,
 // Lets friction decide where the tool is held.
 void HarmonicNearestTracker::Drag(const Vector3& probe) noexcept
 {
-  if (this->Wedge)
-  {
-    this->DragWedge(probe);
-  }
-  else if (this->Friction.IsFrictionless())
+  if (this->Friction.IsFrictionless())
   {
     this->Held = PlaceOf(this->Closest);
   }
@@ -233,6 +234,7 @@ void HarmonicNearestTracker::Drag(const Vector3& probe) noexcept
   }
 }
 
+// Once a tick: it goes its way in short steps itself.
 void HarmonicNearestTracker::DragWedge(const Vector3& probe) noexcept
 {
   const Vector3& held = this->Wedge->CenterWorld();

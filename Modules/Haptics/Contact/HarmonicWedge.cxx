@@ -12,8 +12,10 @@ namespace
 {
 // Of the smallest radius, so that units do not matter.
 constexpr double RelativeStep = 1.0 / 16.0;
-constexpr double Enough = 1e-5;
-constexpr int MostSteps = 8;
+constexpr double Enough = 1e-4;
+constexpr int MostSteps = 6;
+// So many find the nearest wall, if not the proof that there is no other.
+constexpr int MostEvaluations = 64;
 // Walls are one where the surface between them turns by less (rad), seen from the centre.
 constexpr double Apart = 0.01;
 } // namespace
@@ -95,7 +97,7 @@ void HarmonicWedge::FollowWalls() noexcept
 {
   const auto walls = this->Walls;
   const std::size_t count = std::exchange(this->WallCount, 0);
-  this->Meet(this->Surface->Search().Nearest(this->Center));
+  this->Meet(this->Surface->Search().Nearest(this->Center, MostEvaluations));
   for (std::size_t i = 0; i < count; ++i)
   {
     const ClosestPoint wall = this->Surface->Search().Track(this->Center, walls[i]);

@@ -19,7 +19,7 @@ class HarmonicWedge
 public:
   HarmonicWedge(std::shared_ptr<const HarmonicSurface> surface, double radius);
 
-  /// Whether a ball (mm) touches in one place only wherever it may roll, found by trying some
+  /// False if a ball (mm) touches in one place only wherever it may roll, found by trying some
   /// thousand places with a ball a tenth larger. Takes milliseconds.
   static bool IsNeeded(const HarmonicSurface& surface, double radius);
 

@@ -243,7 +243,8 @@ TEST(FieldProxyTracker, AStructureOfOneVoxelIsFelt)
   const Vector3 voxel = grid.PointWorld(Vector3::Constant(4.0));
   for (const double radius : {0.0, 0.3, 2.0})
   {
-    const auto tracker = TrackerOf(*model, ToolShape::Sphere(radius));
+    // So small a thing slips between 400 points of the largest one.
+    const auto tracker = TrackerOf(*model, ToolShape::SpherePoints(radius, 4000));
     const Vector3 above = voxel + Vector3(0.0, 0.0, radius + 1.0);
     const Vector3 pressed = voxel + Vector3(0.0, 0.0, radius + 0.1);
     tracker->Follow(At(above));
@@ -297,6 +298,29 @@ TEST(FieldProxyTracker, WhereTheGridEndsTheSolidEnds)
   ASSERT_TRUE(last.IsTouching);
   EXPECT_NEAR(last.ProxyWorld[2], bottom[2] - 0.5, SolvingError);
   EXPECT_NEAR(last.NormalWorld[2], -1.0, 1e-6); // one plane's, but for rounding
+}
+
+TEST(FieldProxyTracker, WhereTheGridEndsWithoutMaterialThereIsNoWall)
+{
+  // A ball close to the side of its grid, and a tool that reaches beyond that.
+  const FieldGrid grid = FineGrid(24);
+  const Vector3 middle(5.5, 12.0, 12.0);
+  const auto model = FieldContact(
+      SampledField(grid, test::SphereField{middle, 4.0}, FieldInterpolation::TricubicBSpline));
+  const auto tracker = TrackerOf(*model, ToolShape::Sphere(2.0));
+  const Vector3 place = grid.PointWorld(middle);
+  tracker->Follow(At(place - Vector3(5.0, 0.0, 0.0)));
+  WorstCase error;
+  for (int tick = 0; tick <= 300; ++tick)
+  {
+    const double angle = 0.005 * tick;
+    const Vector3 u(-std::cos(angle), std::sin(angle), 0.0);
+    const Contact& contact = tracker->Follow(At(place + 3.5 * u)); // 0.5 mm deep
+    ASSERT_TRUE(contact.IsTouching);
+    error.Add((contact.ProxyWorld - place - 4.0 * u).norm());
+  }
+  // What the cubic makes of a ball of four voxels.
+  EXPECT_LE(error.Value(), 0.03);
 }
 
 TEST(FieldProxyTracker, BothConditionsOfAMaterialAreWalls)
@@ -418,6 +442,21 @@ TEST(FieldProxyTracker, WhatIsDeepInsideFromTheBeginningFindsAWayOut)
   EXPECT_NEAR((last.ProxyWorld - middle).norm(), 13.5,
               0.02); // solving ends at steps, which depth enlarges sixfold
   EXPECT_NEAR((last.ProxyWorld - middle)[1], 13.5, 0.02);
+}
+
+TEST(FieldSolid, BeyondTheGridThereIsAWallOnlyNextToMaterial)
+{
+  const FieldGrid grid = FineGrid(24);
+  std::shared_ptr<const FieldSolid> solid;
+  ASSERT_TRUE(
+      FieldSolid::Make(SampledField(grid, test::PlaneField{-Vector3::UnitZ(), -12.0}), 0, solid)
+          .IsOk());
+  const FieldSolid::Wall next =
+      solid->WallNear(grid.PointWorld({-0.5, 12.0, 6.0}), Vector3::UnitX());
+  EXPECT_TRUE(next.IsKnown);
+  EXPECT_NEAR(next.Distance, 0.5 * VoxelSize, 1e-12); // rounding
+  EXPECT_EQ(next.Normal, Vector3(-Vector3::UnitX()));
+  EXPECT_FALSE(solid->WallNear(grid.PointWorld({-0.5, 12.0, 18.0}), Vector3::UnitX()).IsKnown);
 }
 
 TEST(FieldContactModel, HasShellsAsFineAsVoxelsAndNoUnknownMaterial)
