@@ -61,21 +61,46 @@ Vector3 FieldShellTracker::PushedOut(const Vector3& probe) const noexcept
   return size > 1e-12 * lengths ? Vector3(probe + (lengths / touching / size) * sum) : probe;
 }
 
+// In quarters of a voxel; where those would be too many, in longer steps and then by halves.
 Vector3 FieldShellTracker::WayBack(const Vector3& probe) noexcept
 {
   constexpr double StepsPerVoxel = 4.0;
   constexpr double MostSteps = 64.0;
-  const Vector3 way = this->ProxyWorld - probe;
+  const Vector3 way = this->WayInReach(probe);
   const double wanted = std::ceil(StepsPerVoxel * way.norm() / this->Solid->VoxelSize());
-  const int steps = static_cast<int>(std::clamp(wanted, 1.0, MostSteps));
-  for (int step = 1; step < steps; ++step)
+  const double steps = std::clamp(wanted, 1.0, MostSteps);
+  double free = 1.0;
+  for (double step = 1.0; step < steps && free == 1.0; ++step)
   {
-    const Vector3 place = probe + (1.0 * step / steps) * way;
-    if (this->Shell.CountInside(*this->Solid, place) <= this->MostTouching)
-    {
-      return place;
-    }
+    free = this->IsFreeAt(probe + step / steps * way) ? step / steps : 1.0;
   }
-  return this->ProxyWorld;
+  double touching = free - 1.0 / steps;
+  for (double length = wanted / steps; length > 1.0; length *= 0.5)
+  {
+    const double middle = 0.5 * (touching + free);
+    (this->IsFreeAt(probe + middle * way) ? free : touching) = middle;
+  }
+  return probe + free * way;
+}
+
+// To the last proxy, but no farther than to where the tool reaches nothing of the solid.
+Vector3 FieldShellTracker::WayInReach(const Vector3& probe) const noexcept
+{
+  const Vector3 reach = Vector3::Constant(this->Reach);
+  const Vector3 lowest = this->Solid->BoundsWorld().min() - reach;
+  const Vector3 highest = this->Solid->BoundsWorld().max() + reach;
+  const Vector3 way = this->ProxyWorld - probe;
+  double part = 1.0;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const double border = way[axis] > 0.0 ? highest[axis] : lowest[axis];
+    part = way[axis] != 0.0 ? std::min(part, (border - probe[axis]) / way[axis]) : part;
+  }
+  return part * way;
+}
+
+bool FieldShellTracker::IsFreeAt(const Vector3& place) noexcept
+{
+  return this->Shell.CountInside(*this->Solid, place) <= this->MostTouching;
 }
 } // namespace palpate
