@@ -79,6 +79,15 @@ void FacetTracker::Advance(const Vector3& probe) noexcept
       break;
     }
   }
+  this->IsTouching = this->IsTouching && this->IsInReach();
+}
+
+// False where planes led the proxy off the mesh and there was no time to come back: it goes on from
+// there in the next tick.
+bool FacetTracker::IsInReach() const noexcept
+{
+  const double reach = this->ToolRadius + 2.0 * this->Skin;
+  return this->Tree->BoundsWorld().squaredExteriorDistance(this->ProxyWorld) <= reach * reach;
 }
 
 // As near to the goal as planes that are touched on the way allow; false if it was reached without

@@ -28,6 +28,7 @@ private:
   void Settle(const Vector3& probe) noexcept;
   void Advance(const Vector3& probe) noexcept;
   bool MoveTo(const Vector3& goal) noexcept;
+  bool IsInReach() const noexcept;
 
   std::shared_ptr<const FacetTree> Tree;
   double ToolRadius; // mm
