@@ -3,6 +3,7 @@
 #include "FieldContactCases.h"
 #include "MeshCases.h"
 
+#include <algorithm>
 #include <memory>
 #include <string>
 #include <vector>
@@ -190,7 +191,7 @@ inline ExtremeCase ExtremeFacetCase(ExtremeShape shape)
   return made;
 }
 
-inline ExtremeCase MakeExtremeCase(Representation representation, ExtremeShape shape)
+inline ExtremeCase MadeExtremeCase(Representation representation, ExtremeShape shape)
 {
   switch (representation)
   {
@@ -206,5 +207,15 @@ inline ExtremeCase MakeExtremeCase(Representation representation, ExtremeShape s
     break;
   }
   return ExtremeFieldCase(shape, FieldContactMode::PublishedShell);
+}
+
+/// Without points in the middle itself, from which no way leads outwards.
+inline ExtremeCase MakeExtremeCase(Representation representation, ExtremeShape shape)
+{
+  ExtremeCase made = MadeExtremeCase(representation, shape);
+  auto& points = made.SurfacePoints;
+  const auto isInTheMiddle = [](const Vector3& p) { return (p - ExtremeMiddle).norm() < 1e-3; };
+  points.erase(std::remove_if(points.begin(), points.end(), isInTheMiddle), points.end());
+  return made;
 }
 } // namespace palpate::test
