@@ -66,7 +66,7 @@ Vector3 FieldShellTracker::WayBack(const Vector3& probe) noexcept
 {
   constexpr double StepsPerVoxel = 4.0;
   constexpr double MostSteps = 64.0;
-  const Vector3 way = this->WayInReach(probe);
+  const Vector3 way = this->ProxyWorld - probe;
   const double wanted = std::ceil(StepsPerVoxel * way.norm() / this->Solid->VoxelSize());
   const double steps = std::clamp(wanted, 1.0, MostSteps);
   double free = 1.0;
@@ -81,22 +81,6 @@ Vector3 FieldShellTracker::WayBack(const Vector3& probe) noexcept
     (this->IsFreeAt(probe + middle * way) ? free : touching) = middle;
   }
   return probe + free * way;
-}
-
-// To the last proxy, but no farther than to where the tool reaches nothing of the solid.
-Vector3 FieldShellTracker::WayInReach(const Vector3& probe) const noexcept
-{
-  const Vector3 reach = Vector3::Constant(this->Reach);
-  const Vector3 lowest = this->Solid->BoundsWorld().min() - reach;
-  const Vector3 highest = this->Solid->BoundsWorld().max() + reach;
-  const Vector3 way = this->ProxyWorld - probe;
-  double part = 1.0;
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    const double border = way[axis] > 0.0 ? highest[axis] : lowest[axis];
-    part = way[axis] != 0.0 ? std::min(part, (border - probe[axis]) / way[axis]) : part;
-  }
-  return part * way;
 }
 
 bool FieldShellTracker::IsFreeAt(const Vector3& place) noexcept
