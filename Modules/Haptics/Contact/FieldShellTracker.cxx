@@ -70,15 +70,17 @@ Vector3 FieldShellTracker::WayBack(const Vector3& probe) noexcept
   const double wanted = std::ceil(StepsPerVoxel * way.norm() / this->Solid->VoxelSize());
   const double steps = std::clamp(wanted, 1.0, MostSteps);
   double free = 1.0;
-  for (double step = 1.0; step < steps && free == 1.0; ++step)
+  for (int step = 1; step < static_cast<int>(steps) && free == 1.0; ++step)
   {
     free = this->IsFreeAt(probe + step / steps * way) ? step / steps : 1.0;
   }
   double touching = free - 1.0 / steps;
-  for (double length = wanted / steps; length > 1.0; length *= 0.5)
+  double length = wanted / steps; // in quarters of a voxel
+  while (length > 1.0)
   {
     const double middle = 0.5 * (touching + free);
     (this->IsFreeAt(probe + middle * way) ? free : touching) = middle;
+    length *= 0.5;
   }
   return probe + free * way;
 }

@@ -16,6 +16,10 @@ constexpr double RelativeStride = 1.0 / 16.0;
 constexpr int MostParts = 8;
 constexpr int MostFreeSteps = 16;
 constexpr int MostStrides = 64;
+// Of the radius with its derivatives, in searches of the whole surface: in a tick, after which
+// every search gets by with a few. Rough bodies need many.
+constexpr int EvaluationsOfTick = 1000;
+constexpr int FewEvaluations = 50;
 
 // How far (rad) a proxy may turn about the centre while the probe moves by `motion` times the
 // smallest radius: more than it ever needs to follow a minimum, except close to the medial axis,
@@ -55,9 +59,18 @@ const Contact& HarmonicNearestTracker::Follow(const ToolPose& pose) noexcept
     this->Felt = Contact();
     return this->Felt;
   }
+  this->EvaluationsLeft = EvaluationsOfTick;
   this->Advance(pose.PositionWorld);
   this->Report(pose.PositionWorld);
   return this->Felt;
+}
+
+ClosestPoint HarmonicNearestTracker::NearestTo(const Vector3& probe) noexcept
+{
+  ClosestPoint nearest =
+      this->Surface->Search().Nearest(probe, std::max(this->EvaluationsLeft, FewEvaluations));
+  this->EvaluationsLeft -= nearest.Evaluations;
+  return nearest;
 }
 
 // Follows the probe's path from where it was. What a tick has no time for is left to the next.
@@ -102,7 +115,7 @@ bool HarmonicNearestTracker::MoveFree(const Vector3& probe) noexcept
     const double length = way.norm();
     this->ProbeWorld += std::min(1.0, this->ClearRadius / length) * way;
   }
-  this->Touch(this->Surface->Search().Nearest(this->ProbeWorld));
+  this->Touch(this->NearestTo(this->ProbeWorld));
   return false;
 }
 
@@ -115,14 +128,14 @@ void HarmonicNearestTracker::Measure(const Vector3& probe) noexcept
   this->ClearRadius = centerDistance - largest - this->ToolRadius;
   if (this->ClearRadius <= 0.25 * largest)
   {
-    const ClosestPoint closest = this->Surface->Search().Nearest(probe);
+    const ClosestPoint closest = this->NearestTo(probe);
     this->ClearRadius = closest.SignedDistance - closest.DistanceError - this->ToolRadius;
   }
 }
 
 void HarmonicNearestTracker::Settle(const Vector3& probe) noexcept
 {
-  const ClosestPoint nearest = this->Surface->Search().Nearest(probe);
+  const ClosestPoint nearest = this->NearestTo(probe);
   this->ProbeWorld = probe;
   if (nearest.SignedDistance < this->ToolRadius)
   {
@@ -186,15 +199,15 @@ bool HarmonicNearestTracker::Press(const Vector3& probe, double motion) noexcept
 
 // The minimum that goes on; or another one, where it has let go but the whole surface does not, and
 // where it has become a saddle or a maximum that descent would never leave.
-ClosestPoint HarmonicNearestTracker::Continued(const Vector3& probe) const noexcept
+ClosestPoint HarmonicNearestTracker::Continued(const Vector3& probe) noexcept
 {
-  const ClosestPoint next = this->Surface->Search().Track(probe, this->Closest);
+  ClosestPoint next = this->Surface->Search().Track(probe, this->Closest);
   const bool isStationary = next.State == ClosestPoint::Outcome::Stationary;
   if (next.SignedDistance < this->ToolRadius && !isStationary)
   {
     return next;
   }
-  const ClosestPoint nearest = this->Surface->Search().Nearest(probe);
+  const ClosestPoint nearest = this->NearestTo(probe);
   // In the centre of a sphere all directions are as good: it stays then.
   constexpr double Nearer = 1.0 - 1e-6;
   const bool isNearer = std::abs(nearest.SignedDistance) < Nearer * std::abs(next.SignedDistance);
