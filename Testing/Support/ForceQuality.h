@@ -9,8 +9,8 @@
 
 namespace palpate::test
 {
-/// How well felt forces follow ideal ones, tick by tick, in N and rad. With a force that is no number
-/// the error and the angles are NaN.
+/// How well felt forces follow ideal ones, tick by tick, in N and rad. With a force that is no
+/// number the error and the angles are NaN.
 class ForceQuality
 {
 public:
