@@ -78,6 +78,18 @@ void FollowAll(ContactTracker& tracker, const std::vector<Vector3>& path,
   }
 }
 
+// The touched places instead of the proxies, so that tools of different radii can be compared.
+void TouchAll(ContactTracker& tracker, double toolRadius, const std::vector<Vector3>& path,
+              std::vector<Vector3>& places)
+{
+  tracker.Release();
+  for (std::size_t i = 0; i < path.size(); ++i)
+  {
+    const Contact& contact = tracker.Follow({path[i], Eigen::Quaterniond::Identity()});
+    places[i] = contact.ProxyWorld - toolRadius * contact.NormalWorld;
+  }
+}
+
 std::unique_ptr<ContactTracker> TrackerOf(const std::shared_ptr<const ContactModel>& model,
                                           const ToolShape& tool)
 {
@@ -86,7 +98,7 @@ std::unique_ptr<ContactTracker> TrackerOf(const std::shared_ptr<const ContactMod
                                                                           : nullptr;
 }
 
-// An organ of degree 12 and its mesh, touched 1.5 mm deep.
+// An organ of degree 12 and its meshes of 8,000, 32,000 and 128,000 triangles, touched 1.5 mm deep.
 class OrganCase
 {
 public:
@@ -107,13 +119,25 @@ public:
       this->HarmonicBall = TrackerOf(model, ToolShape::Sphere(BallRadius));
     }
     this->MakeMesh(*organ);
+    for (const int frequency : {20, 40, 80})
+    {
+      this->MakeFacets(*organ, frequency);
+    }
   }
 
   void FollowHarmonic() { FollowAll(*this->Harmonic, this->PointPath, this->Pairs.Ours); }
   void FollowHarmonicAsTheirs() { FollowAll(*this->Harmonic, this->PointPath, this->Pairs.Theirs); }
+  void TouchHarmonicPoint() { TouchAll(*this->Harmonic, 0.0, this->PointPath, this->Pairs.Theirs); }
+  void TouchHarmonicBall()
+  {
+    TouchAll(*this->HarmonicBall, BallRadius, this->BallPath, this->Pairs.Ours);
+  }
   void FollowHarmonicBall() { FollowAll(*this->HarmonicBall, this->BallPath, this->Pairs.Ours); }
-  void FollowFacets() { FollowAll(*this->Facets, this->PointPath, this->Pairs.Ours); }
-  void FollowFacetsBall() { FollowAll(*this->FacetsBall, this->BallPath, this->Pairs.Theirs); }
+  void FollowFacets(std::size_t size)
+  {
+    FollowAll(*this->Facets[size], this->PointPath, this->Pairs.Ours);
+  }
+  void FollowFacetsBall() { FollowAll(*this->FacetsBall[0], this->BallPath, this->Pairs.Theirs); }
   void Locate()
   {
     for (std::size_t i = 0; i < Ticks; ++i)
@@ -143,13 +167,11 @@ private:
   void MakeMesh(const SphericalHarmonicModel& organ)
   {
     const IcosahedronDirections sphere(20);
-    std::vector<Vector3> corners;
     vtkNew<vtkPoints> points;
     points->SetDataTypeToDouble();
     for (const Vector3& u : sphere.Directions())
     {
-      corners.push_back(organ.PointWorld(u));
-      points->InsertNextPoint(corners.back().data());
+      points->InsertNextPoint(organ.PointWorld(u).data());
     }
     vtkNew<vtkCellArray> triangles;
     for (const auto& [a, b, c] : sphere.Triangles())
@@ -161,11 +183,21 @@ private:
     this->Locator->SetDataSet(this->Mesh);
     this->Locator->BuildLocator();
     this->Distance->SetInput(this->Mesh);
+  }
+
+  void MakeFacets(const SphericalHarmonicModel& organ, int frequency)
+  {
+    const IcosahedronDirections sphere(frequency);
+    std::vector<Vector3> corners;
+    for (const Vector3& u : sphere.Directions())
+    {
+      corners.push_back(organ.PointWorld(u));
+    }
     std::shared_ptr<const ContactModel> model;
     if (FacetContactModel::Make(corners, sphere.Triangles(), model).IsOk())
     {
-      this->Facets = TrackerOf(model, ToolShape::Sphere(0.0));
-      this->FacetsBall = TrackerOf(model, ToolShape::Sphere(BallRadius));
+      this->Facets.push_back(TrackerOf(model, ToolShape::Sphere(0.0)));
+      this->FacetsBall.push_back(TrackerOf(model, ToolShape::Sphere(BallRadius)));
     }
   }
 
@@ -173,8 +205,8 @@ private:
   std::vector<Vector3> BallPath;
   std::unique_ptr<ContactTracker> Harmonic;
   std::unique_ptr<ContactTracker> HarmonicBall;
-  std::unique_ptr<ContactTracker> Facets;
-  std::unique_ptr<ContactTracker> FacetsBall;
+  std::vector<std::unique_ptr<ContactTracker>> Facets;
+  std::vector<std::unique_ptr<ContactTracker>> FacetsBall;
   Proxies Pairs;
   vtkNew<vtkPolyData> Mesh;
   vtkNew<vtkStaticCellLocator> Locator;
@@ -205,6 +237,8 @@ public:
     if (FieldContactModel::Make(field, 0, FieldContactMode::Proxy, model).IsOk())
     {
       this->Solved = TrackerOf(model, tool);
+      this->Small = TrackerOf(model, ToolShape::SpherePoints(SmallRadius, tool.NeighbourCount));
+      this->Large = TrackerOf(model, ToolShape::SpherePoints(LargeRadius, tool.NeighbourCount));
     }
     if (FieldContactModel::Make(field, 0, FieldContactMode::PublishedShell, model).IsOk())
     {
@@ -212,17 +246,31 @@ public:
     }
     for (const Vector3& u : Wander(Step / 30.0))
     {
-      this->Path.push_back(grid.PointWorld(ball.Center) + (30.0 + 2.0 - 0.5) * u);
+      const Vector3 place = grid.PointWorld(ball.Center) + (30.0 - 0.5) * u;
+      this->Path.push_back(place + 2.0 * u);
+      this->SmallPath.push_back(place + SmallRadius * u);
+      this->LargePath.push_back(place + LargeRadius * u);
     }
   }
 
   void FollowSolved() { FollowAll(*this->Solved, this->Path, this->Pairs.Ours); }
   void FollowPublished() { FollowAll(*this->Published, this->Path, this->Pairs.Theirs); }
+  void TouchSmall() { TouchAll(*this->Small, SmallRadius, this->SmallPath, this->Pairs.Theirs); }
+  void TouchLarge() { TouchAll(*this->Large, LargeRadius, this->LargePath, this->Pairs.Ours); }
   // The published law pushes out by the mean, which is up to the depth less.
-  std::string Disagreement() const { return this->Pairs.Disagreement(0.6); }
+  std::string LawsDisagreement() const { return this->Pairs.Disagreement(0.6); }
+  // Tools touch at the same place, but for solving, and normals that lag by a tick.
+  std::string RadiiDisagreement() const { return this->Pairs.Disagreement(0.02); }
 
 private:
+  static constexpr double SmallRadius = 0.5; // mm
+  static constexpr double LargeRadius = 4.0;
+
   std::vector<Vector3> Path;
+  std::vector<Vector3> SmallPath;
+  std::vector<Vector3> LargePath;
+  std::unique_ptr<ContactTracker> Small;
+  std::unique_ptr<ContactTracker> Large;
   std::unique_ptr<ContactTracker> Solved;
   std::unique_ptr<ContactTracker> Published;
   Proxies Pairs;
@@ -234,18 +282,34 @@ std::vector<PairedBenchmark> TouchBenchmarks()
   const auto organ = std::make_shared<OrganCase>();
   const auto field = std::make_shared<FieldCase>();
   const auto agree = [organ] { return organ->Disagreement(); };
-  return {
-      {"touch/sh/degree12", "vtkStaticCellLocator, 8,000 triangles",
-       [organ] { organ->FollowHarmonic(); }, [organ] { organ->Locate(); }, agree, Ticks},
-      {"touch/sh/degree12/signed", "vtkImplicitPolyDataDistance, 8,000 triangles",
-       [organ] { organ->FollowHarmonic(); }, [organ] { organ->EvaluateDistance(); }, agree, Ticks},
-      {"touch/sh/degree12/ball", "god-object on 8,000 triangles (ours), ball of 2 mm",
-       [organ] { organ->FollowHarmonicBall(); }, [organ] { organ->FollowFacetsBall(); }, agree,
-       Ticks},
-      {"touch/facets/8000", "spherical harmonics of degree 12 (ours)",
-       [organ] { organ->FollowFacets(); }, [organ] { organ->FollowHarmonicAsTheirs(); }, agree,
-       Ticks},
-      {"touch/subvoxel/26", "the published law (ours)", [field] { field->FollowSolved(); },
-       [field] { field->FollowPublished(); }, [field] { return field->Disagreement(); }, Ticks}};
+  const auto facets = [&](std::size_t size, const char* count)
+  {
+    return PairedBenchmark{std::string("touch/facets/") + count,
+                           "spherical harmonics of degree 12 (ours)",
+                           [organ, size] { organ->FollowFacets(size); },
+                           [organ] { organ->FollowHarmonicAsTheirs(); },
+                           agree,
+                           Ticks};
+  };
+  return {{"touch/sh/degree12", "vtkStaticCellLocator, 8,000 triangles",
+           [organ] { organ->FollowHarmonic(); }, [organ] { organ->Locate(); }, agree, Ticks},
+          {"touch/sh/degree12/signed", "vtkImplicitPolyDataDistance, 8,000 triangles",
+           [organ] { organ->FollowHarmonic(); }, [organ] { organ->EvaluateDistance(); }, agree,
+           Ticks},
+          {"touch/sh/degree12/ball", "god-object on 8,000 triangles (ours), ball of 2 mm",
+           [organ] { organ->FollowHarmonicBall(); }, [organ] { organ->FollowFacetsBall(); }, agree,
+           Ticks},
+          {"touch/sh/degree12/radius", "a point instead of a ball of 2 mm (ours)",
+           [organ] { organ->TouchHarmonicBall(); }, [organ] { organ->TouchHarmonicPoint(); }, agree,
+           Ticks},
+          facets(0, "8000"),
+          facets(1, "32000"),
+          facets(2, "128000"),
+          {"touch/subvoxel/26/radius", "a ball of 0.5 mm instead of one of 4 mm (ours)",
+           [field] { field->TouchLarge(); }, [field] { field->TouchSmall(); },
+           [field] { return field->RadiiDisagreement(); }, Ticks},
+          {"touch/subvoxel/26", "the published law (ours)", [field] { field->FollowSolved(); },
+           [field] { field->FollowPublished(); }, [field] { return field->LawsDisagreement(); },
+           Ticks}};
 }
 } // namespace palpate::bench

@@ -7,6 +7,7 @@
 namespace palpate::bench
 {
 /// Ticks of tools that slide over structures: spherical harmonics against VTK's closest points on
-/// 8,000 triangles, facets against spherical harmonics, and the two tools of fields.
+/// 8,000 triangles, 8,000 to 128,000 facets against spherical harmonics, the two tools of fields,
+/// and large tools against small ones.
 std::vector<PairedBenchmark> TouchBenchmarks();
 } // namespace palpate::bench

@@ -13,6 +13,7 @@
 #include "PipelineBenchmarks.h"
 #include "RenderBenchmarks.h"
 #include "TouchBenchmarks.h"
+#include "TouchQuality.h"
 #include "TradeOff.h"
 
 #include <CLI/CLI.hpp>
@@ -67,7 +68,8 @@ std::string PageJson(const std::vector<palpate::bench::Comparison>& comparisons)
       {"tradeoff",
        nlohmann::json::parse(palpate::bench::ToJson(palpate::bench::TradeOffRows(comparisons)))},
       {"caps", palpate::bench::ToMarkdown(palpate::bench::MissingCaps(Bodies))},
-      {"footprints", palpate::bench::ToMarkdown(palpate::bench::FieldFootprints())}};
+      {"footprints", palpate::bench::ToMarkdown(palpate::bench::FieldFootprints())},
+      {"touch", palpate::bench::ToMarkdown(palpate::bench::TouchQuality())}};
   return page.dump(2);
 }
 } // namespace

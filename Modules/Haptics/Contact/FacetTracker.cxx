@@ -72,23 +72,34 @@ void FacetTracker::Advance(const Vector3& probe) noexcept
   for (int round = 0; round < MostRounds; ++round)
   {
     const Vector3 before = this->ProxyWorld;
-    this->IsTouching = this->MoveTo(drawnTo);
+    this->IsTouching = this->MoveTo(drawnTo, MostPlanes);
     const double left = Enough * (probe - this->ProxyWorld).norm();
     if (!this->IsTouching || (this->ProxyWorld - before).norm() <= std::max(this->Skin, left))
     {
       break;
     }
   }
+  // Planes may have led the proxy off the mesh with no time left to come back along others.
+  if (this->IsTouching && !this->IsInReach())
+  {
+    this->IsTouching = this->MoveTo(drawnTo, 1) && this->IsInReach();
+  }
+}
+
+bool FacetTracker::IsInReach() const noexcept
+{
+  const double reach = this->ToolRadius + 2.0 * this->Skin;
+  return this->Tree->BoundsWorld().squaredExteriorDistance(this->ProxyWorld) <= reach * reach;
 }
 
 // As near to the goal as planes that are touched on the way allow; false if it was reached without
 // touch.
-bool FacetTracker::MoveTo(const Vector3& goal) noexcept
+bool FacetTracker::MoveTo(const Vector3& goal, std::size_t mostPlanes) noexcept
 {
   std::array<HalfSpace, MostPlanes> planes;
   std::size_t count = 0;
   Vector3 target = goal;
-  while (count < MostPlanes)
+  while (count < mostPlanes)
   {
     const Vector3 way = target - this->ProxyWorld;
     const SweepHit hit = this->Tree->Sweep({this->ProxyWorld, way, this->ToolRadius + this->Skin});

@@ -27,7 +27,8 @@ public:
 private:
   void Settle(const Vector3& probe) noexcept;
   void Advance(const Vector3& probe) noexcept;
-  bool MoveTo(const Vector3& goal) noexcept;
+  bool MoveTo(const Vector3& goal, std::size_t mostPlanes) noexcept;
+  bool IsInReach() const noexcept;
 
   std::shared_ptr<const FacetTree> Tree;
   double ToolRadius; // mm

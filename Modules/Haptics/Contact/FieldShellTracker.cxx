@@ -61,21 +61,40 @@ Vector3 FieldShellTracker::PushedOut(const Vector3& probe) const noexcept
   return size > 1e-12 * lengths ? Vector3(probe + (lengths / touching / size) * sum) : probe;
 }
 
+// In quarters of a voxel; where those would be too many, in longer steps and then by halves.
 Vector3 FieldShellTracker::WayBack(const Vector3& probe) noexcept
 {
   constexpr double StepsPerVoxel = 4.0;
   constexpr double MostSteps = 64.0;
   const Vector3 way = this->ProxyWorld - probe;
   const double wanted = std::ceil(StepsPerVoxel * way.norm() / this->Solid->VoxelSize());
-  const int steps = static_cast<int>(std::clamp(wanted, 1.0, MostSteps));
-  for (int step = 1; step < steps; ++step)
+  const double steps = std::clamp(wanted, 1.0, MostSteps);
+  double free = 1.0;
+  for (int step = 1; step < static_cast<int>(steps) && free == 1.0; ++step)
   {
+<<<<<<< HEAD
     Vector3 place = probe + (1.0 * step / steps) * way;
     if (this->Shell.CountInside(*this->Solid, place) <= this->MostTouching)
     {
       return place;
     }
+=======
+    free = this->IsFreeAt(probe + step / steps * way) ? step / steps : 1.0;
+>>>>>>> truth
   }
-  return this->ProxyWorld;
+  double touching = free - 1.0 / steps;
+  double length = wanted / steps; // in quarters of a voxel
+  while (length > 1.0)
+  {
+    const double middle = 0.5 * (touching + free);
+    (this->IsFreeAt(probe + middle * way) ? free : touching) = middle;
+    length *= 0.5;
+  }
+  return probe + free * way;
+}
+
+bool FieldShellTracker::IsFreeAt(const Vector3& place) noexcept
+{
+  return this->Shell.CountInside(*this->Solid, place) <= this->MostTouching;
 }
 } // namespace palpate

@@ -47,7 +47,8 @@ private:
   void Settle(const Vector3& probe) noexcept;
   void Touch(const ClosestPoint& nearest) noexcept;
   void LetGo(const ClosestPoint& nearest) noexcept;
-  ClosestPoint Continued(const Vector3& probe) const noexcept;
+  ClosestPoint Continued(const Vector3& probe) noexcept;
+  ClosestPoint NearestTo(const Vector3& probe) noexcept;
   void Measure(const Vector3& probe) noexcept;
   void Drag(const Vector3& probe) noexcept;
   void DragWedge(const Vector3& probe) noexcept;
@@ -63,6 +64,7 @@ private:
   double TouchingGap; // mm; what is closer is taken as touched
   double Stride;      // mm; the longest step of the probe that keeps to its minimum
 
+  int EvaluationsLeft = 0; // in this tick, of searches of the whole surface
   State Known = State::Nothing;
   Vector3 ProbeWorld = Vector3::Zero(); // up to where its path has been followed
   // Free: the tool touches nothing while its centre is in this ball.

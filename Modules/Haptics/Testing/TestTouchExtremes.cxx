@@ -1,0 +1,247 @@
+// Whatever the place, the speed, the shape and the stiffness: what is felt is finite and bounded.
+#include "ExtremeCases.h"
+#include "ServoRun.h"
+#include "WorstCase.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace palpate
+{
+namespace
+{
+using test::At;
+using test::ExtremeMiddle;
+using test::ExtremeShape;
+using test::Random;
+using test::Representation;
+using test::WorstCase;
+
+const char* const RepresentationNames[] = {"HarmonicNearest", "HarmonicRadial", "Facets",
+                                           "FieldProxy", "FieldShell"};
+const char* const ShapeNames[] = {"Ball", "ThinWall", "Needle", "Cleft", "OneVoxel"};
+
+class TouchExtremes : public ::testing::TestWithParam<std::tuple<Representation, ExtremeShape>>
+{
+protected:
+  // Tools that this representation can feel.
+  std::vector<double> ToolRadii() const
+  {
+    const bool needsShell = std::get<0>(GetParam()) == Representation::FieldShell;
+    return needsShell ? std::vector<double>{1.0} : std::vector<double>{0.0, 1.0};
+  }
+  std::unique_ptr<ContactTracker> TrackerFor(double toolRadius) const
+  {
+    return test::TrackerOf(*this->Case.Model, ToolShape::Sphere(toolRadius));
+  }
+  void ExpectBounded(const Vector3& probe, const Contact& contact, double toolRadius) const;
+
+  const test::ExtremeCase Case =
+      test::MakeExtremeCase(std::get<0>(GetParam()), std::get<1>(GetParam()));
+};
+
+// A proxy that touches is next to the structure, another one is the probe itself.
+void TouchExtremes::ExpectBounded(const Vector3& probe, const Contact& contact,
+                                  double toolRadius) const
+{
+  ASSERT_TRUE(contact.IsValid);
+  ASSERT_TRUE(contact.ProxyWorld.allFinite()) << probe.transpose();
+  ASSERT_NEAR(contact.NormalWorld.norm(), 1.0, 1e-12) << probe.transpose(); // rounding
+  if (!contact.IsTouching)
+  {
+    ASSERT_EQ(contact.ProxyWorld, probe);
+    ASSERT_EQ(contact.Depth, 0.0);
+    return;
+  }
+  // What facets keep between tool and surface is 1e-6 of their size.
+  const double reach = toolRadius + 1e-4;
+  ASSERT_LE(this->Case.Model->BoundsWorld().exteriorDistance(contact.ProxyWorld), reach)
+      << probe.transpose();
+  const double depth = (contact.ProxyWorld - probe).norm();
+  ASSERT_NEAR(contact.Depth, depth, 1e-9 * (1.0 + depth)); // rounding
+}
+
+std::vector<Vector3> SpecialPlaces()
+{
+  std::vector<Vector3> places{ExtremeMiddle};
+  for (const Vector3& u : test::ProbingDirections())
+  {
+    for (const double distance :
+         {1e-300, 1e-15, 1e-6, 0.25, 1.0, 8.999, 9.0, 10.0, 30.0, 1e4, 1e90})
+    {
+      places.push_back(ExtremeMiddle + distance * u);
+    }
+  }
+  return places;
+}
+
+// The centre, the axis, the poles, ten metres away and farther, from one to the other at once.
+TEST_P(TouchExtremes, AtAnyPlaceInAnyOrderAToolIsNextToTheStructure)
+{
+  const std::vector<Vector3> places = SpecialPlaces();
+  for (const double toolRadius : this->ToolRadii())
+  {
+    Random random(8202);
+    const auto tracker = this->TrackerFor(toolRadius);
+    for (int tick = 0; tick < 1000; ++tick)
+    {
+      const Vector3& probe = places[random() % places.size()];
+      const Contact& contact = tracker->Follow(At(probe));
+      ASSERT_NO_FATAL_FAILURE(this->ExpectBounded(probe, contact, toolRadius)) << tick;
+      if (random() % 8 == 0)
+      {
+        tracker->Release();
+      }
+    }
+  }
+}
+
+TEST_P(TouchExtremes, TenMetresAwayNothingIsTouched)
+{
+  for (const double toolRadius : this->ToolRadii())
+  {
+    const auto tracker = this->TrackerFor(toolRadius);
+    for (const Vector3& u : test::ProbingDirections())
+    {
+      tracker->Follow(At(ExtremeMiddle));
+      tracker->Release();
+      EXPECT_FALSE(tracker->Follow(At(ExtremeMiddle + 1e4 * u)).IsTouching);
+      EXPECT_FALSE(tracker->Follow(At(ExtremeMiddle + 1e4 * u + u)).IsTouching);
+    }
+  }
+}
+
+TEST_P(TouchExtremes, OnTheSurfaceToTheLastBitNothingIsDeep)
+{
+  if (this->ToolRadii().front() > 0.0)
+  {
+    GTEST_SKIP() << "this law has no tool that is a point";
+  }
+  const auto tracker = this->TrackerFor(0.0);
+  WorstCase depth;
+  for (const Vector3& point : this->Case.SurfacePoints)
+  {
+    const Vector3 outward = (point - ExtremeMiddle).normalized();
+    for (const double side : {1e300, -1e300})
+    {
+      Vector3 beside = point;
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        beside[axis] = std::nextafter(point[axis], std::copysign(side, side * outward[axis]));
+      }
+      tracker->Release();
+      for (const Vector3& probe : {beside, point, beside})
+      {
+        const Contact& contact = tracker->Follow(At(probe));
+        ASSERT_NO_FATAL_FAILURE(this->ExpectBounded(probe, contact, 0.0));
+        depth.Add(contact.Depth);
+      }
+    }
+  }
+  // A twentieth of a voxel is what fields are asked for; the others are far below.
+  const bool isField = std::get<0>(GetParam()) == Representation::FieldProxy;
+  EXPECT_LE(depth.Value(), isField ? 0.05 * 0.5 : 1e-4);
+}
+
+// Through the middle, along every direction. What is beyond may be held back where it came from.
+TEST_P(TouchExtremes, AtAnySpeedAToolIsNextToTheStructure)
+{
+  for (const double toolRadius : this->ToolRadii())
+  {
+    for (const double step : {1.0, 100.0}) // mm a tick: 1 m/s, 100 m/s
+    {
+      const auto check = [&](const Vector3& probe, const Contact& contact)
+      { ASSERT_NO_FATAL_FAILURE(this->ExpectBounded(probe, contact, toolRadius)) << step; };
+      for (const Vector3& u : test::ProbingDirections())
+      {
+        const auto tracker = this->TrackerFor(toolRadius);
+        const Vector3 start = ExtremeMiddle + 60.0 * u;
+        const Vector3 end = ExtremeMiddle - 50.0 * u;
+        tracker->Follow(At(start));
+        test::MoveStraight(*tracker, start, end, step, check);
+        test::MoveStraight(*tracker, end, start, step, check);
+      }
+    }
+  }
+}
+
+TEST_P(TouchExtremes, AtAnySpeedAToolLeavesTheWayItCame)
+{
+  // The tip of one voxel slips in between the points of a shell, and may be held there until the
+  // structure is out of reach, where the servo leaves it.
+  const bool isTrap =
+      GetParam() == std::make_tuple(Representation::FieldProxy, ExtremeShape::OneVoxel);
+  const auto ignore = [](const Vector3&, const Contact&) {};
+  for (const double toolRadius : isTrap ? std::vector<double>{0.0} : this->ToolRadii())
+  {
+    for (const double step : {1.0, 100.0}) // mm a tick: 1 m/s, 100 m/s
+    {
+      for (const Vector3& place : this->Case.SurfacePoints)
+      {
+        const Vector3 u = (place - ExtremeMiddle).normalized();
+        const Vector3 start = place + (toolRadius + 60.0) * u;
+        const Vector3 end = place + (toolRadius - 0.2) * u;
+        const auto tracker = this->TrackerFor(toolRadius);
+        tracker->Follow(At(start));
+        test::MoveStraight(*tracker, start, end, step, ignore);
+        test::MoveStraight(*tracker, end, start, step, ignore);
+        for (int tick = 0; tick < 100; ++tick) // what a tick had no time for
+        {
+          tracker->Follow(At(start));
+        }
+        EXPECT_FALSE(tracker->Follow(At(start)).IsTouching)
+            << step << " " << toolRadius << " " << u.transpose();
+      }
+    }
+  }
+}
+
+TEST_P(TouchExtremes, WithAnyStiffnessTheForceIsFiniteAndAtMostTheDevices)
+{
+  for (const double stiffness : {0.0, 0.5, 1e4}) // N/mm
+  {
+    for (const double toolRadius : this->ToolRadii())
+    {
+      TouchScene scene;
+      scene.Tool = ToolShape::Sphere(toolRadius);
+      scene.Structures.push_back({"extreme", this->Case.Model, {stiffness, 0.0}, {}});
+      test::ServoRun run(scene);
+      const double most = run.Device.Abilities.MaximumForce;
+      // The farthest along x: not where a cleft closes, and there is nothing to press.
+      const auto& places = this->Case.SurfacePoints;
+      const Vector3 surface =
+          *std::max_element(places.begin(), places.end(),
+                            [](const Vector3& a, const Vector3& b) { return a[0] < b[0]; });
+      const Vector3 outward = (surface - ExtremeMiddle).normalized();
+      double largest = 0.0;
+      for (int tick = 0; tick < 1500; ++tick)
+      {
+        // In and out again at 50 mm/s and less, after the ramp.
+        const double height = 1.2 + 1.5 * std::cos(2e-2 * tick);
+        const Vector3 force = run.TickAt(surface + (height + toolRadius) * outward);
+        ASSERT_TRUE(force.allFinite()) << tick;
+        ASSERT_LE(force.norm(), most * (1.0 + 1e-12)) << tick; // rounding
+        largest = std::max(largest, force.norm());
+      }
+      EXPECT_EQ(run.Loop.Latest().Safety.Fault, SafetyFault::None);
+      EXPECT_EQ(largest > 0.0, stiffness > 0.0) << stiffness << " " << toolRadius;
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Each, TouchExtremes,
+    ::testing::Combine(::testing::Values(Representation::HarmonicNearest,
+                                         Representation::HarmonicRadial, Representation::Facets,
+                                         Representation::FieldProxy, Representation::FieldShell),
+                       ::testing::Values(ExtremeShape::Ball, ExtremeShape::ThinWall,
+                                         ExtremeShape::Needle, ExtremeShape::Cleft,
+                                         ExtremeShape::OneVoxel)),
+    [](const auto& each)
+    {
+      return std::string(RepresentationNames[static_cast<int>(std::get<0>(each.param))]) +
+             ShapeNames[static_cast<int>(std::get<1>(each.param))];
+    });
+} // namespace
+} // namespace palpate
