@@ -72,15 +72,7 @@ Vector3 FieldShellTracker::WayBack(const Vector3& probe) noexcept
   double free = 1.0;
   for (int step = 1; step < static_cast<int>(steps) && free == 1.0; ++step)
   {
-<<<<<<< HEAD
-    Vector3 place = probe + (1.0 * step / steps) * way;
-    if (this->Shell.CountInside(*this->Solid, place) <= this->MostTouching)
-    {
-      return place;
-    }
-=======
     free = this->IsFreeAt(probe + step / steps * way) ? step / steps : 1.0;
->>>>>>> truth
   }
   double touching = free - 1.0 / steps;
   double length = wanted / steps; // in quarters of a voxel

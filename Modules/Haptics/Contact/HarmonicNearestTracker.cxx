@@ -15,16 +15,12 @@ constexpr double RelativeStride = 1.0 / 16.0;
 // What a tick may cost: steps through free space, and short steps of a probe that touches.
 constexpr int MostParts = 4;
 constexpr int MostFreeSteps = 16;
-<<<<<<< HEAD
 constexpr int MostStrides = 32;
-constexpr int MostEvaluations = 256; // of a search of the whole surface
-=======
-constexpr int MostStrides = 64;
-// Of the radius with its derivatives, in searches of the whole surface: in a tick, after which
-// every search gets by with a few. Rough bodies need many.
+// Of the radius with its derivatives, in searches of the whole surface: of one, and of all in a
+// tick, after which every search gets by with a few. Rough bodies need many.
+constexpr int EvaluationsOfSearch = 256;
 constexpr int EvaluationsOfTick = 1000;
 constexpr int FewEvaluations = 50;
->>>>>>> truth
 
 // How far (rad) a proxy may turn about the centre while the probe moves by `motion` times the
 // smallest radius: more than it ever needs to follow a minimum, except close to the medial axis,
@@ -80,8 +76,8 @@ const Contact& HarmonicNearestTracker::Follow(const ToolPose& pose) noexcept
 
 ClosestPoint HarmonicNearestTracker::NearestTo(const Vector3& probe) noexcept
 {
-  ClosestPoint nearest =
-      this->Surface->Search().Nearest(probe, std::max(this->EvaluationsLeft, FewEvaluations));
+  ClosestPoint nearest = this->Surface->Search().Nearest(
+      probe, std::clamp(this->EvaluationsLeft, FewEvaluations, EvaluationsOfSearch));
   this->EvaluationsLeft -= nearest.Evaluations;
   return nearest;
 }
@@ -128,11 +124,7 @@ bool HarmonicNearestTracker::MoveFree(const Vector3& probe) noexcept
     const double length = way.norm();
     this->ProbeWorld += std::min(1.0, this->ClearRadius / length) * way;
   }
-<<<<<<< HEAD
-  this->Touch(this->Surface->Search().Nearest(this->ProbeWorld, MostEvaluations));
-=======
   this->Touch(this->NearestTo(this->ProbeWorld));
->>>>>>> truth
   return false;
 }
 
@@ -145,22 +137,14 @@ void HarmonicNearestTracker::Measure(const Vector3& probe) noexcept
   this->ClearRadius = centerDistance - largest - this->ToolRadius;
   if (this->ClearRadius <= 0.25 * largest)
   {
-<<<<<<< HEAD
-    const ClosestPoint closest = this->Surface->Search().Nearest(probe, MostEvaluations);
-=======
     const ClosestPoint closest = this->NearestTo(probe);
->>>>>>> truth
     this->ClearRadius = closest.SignedDistance - closest.DistanceError - this->ToolRadius;
   }
 }
 
 void HarmonicNearestTracker::Settle(const Vector3& probe) noexcept
 {
-<<<<<<< HEAD
-  const ClosestPoint nearest = this->Surface->Search().Nearest(probe, MostEvaluations);
-=======
   const ClosestPoint nearest = this->NearestTo(probe);
->>>>>>> truth
   this->ProbeWorld = probe;
   if (nearest.SignedDistance < this->ToolRadius)
   {
@@ -236,11 +220,7 @@ ClosestPoint HarmonicNearestTracker::Continued(const Vector3& probe) noexcept
   {
     return next;
   }
-<<<<<<< HEAD
-  ClosestPoint nearest = this->Surface->Search().Nearest(probe, MostEvaluations);
-=======
   const ClosestPoint nearest = this->NearestTo(probe);
->>>>>>> truth
   // In the centre of a sphere all directions are as good: it stays then.
   constexpr double Nearer = 1.0 - 1e-6;
   const bool isNearer = std::abs(nearest.SignedDistance) < Nearer * std::abs(next.SignedDistance);
