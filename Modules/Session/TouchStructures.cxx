@@ -10,6 +10,7 @@
 #include "SceneField.h"
 #include "StageClock.h"
 #include "SurfaceFile.h"
+#include "TouchTexture.h"
 #include "TriangleMesh.h"
 #include "Volume.h"
 #include "vtkSegmentationSurface.h"
@@ -103,6 +104,13 @@ private:
     structure.Touch.Model = std::move(contact);
     structure.Touch.Law = {this->Settings.Stiffness, this->Settings.Damping};
     structure.Touch.Friction = this->Settings.Friction;
+    structure.Touch.Viscosity = this->Settings.Viscosity;
+    if (this->Settings.Texture > 0.0)
+    {
+      structure.Touch.Texture =
+          MakeTouchTexture(this->Settings.TextureImage, structure.Touch.Model->BoundsWorld(),
+                           this->Settings.Texture, this->Progress);
+    }
     structure.Represented = std::move(represented);
     this->Clock.EndStage(structure.Touch.Name);
     structure.Seconds = this->Stages.back().second;

@@ -107,6 +107,29 @@ TEST_F(TouchRun, ASessionIsFeltAgainToTheLastBit)
   EXPECT_THROW(CompareTouch(touch, this->ModelPath), InputError);
 }
 
+// The image is brighter where x is larger, and the hand presses there.
+TEST_F(TouchRun, ATextureMakesWhatIsBrightPushMore)
+{
+  const auto image = this->Folder / "image.nrrd";
+  test::LabelGrid grid;
+  grid.Size = {{40, 40, 40}};
+  grid.CenterOnOrigin();
+  WriteImage(image, test::MakeLabelImage(grid, [](double x, double, double) { return x > 10.0; }));
+  TouchSettings settings = this->SettingsOf(this->ModelPath, TouchRepresentation::Automatic);
+  const auto ratio = [&]
+  {
+    const TouchResult result =
+        RunTouch(PrepareTouch(settings, PressTo(13.0), GoOn), true, {}, GoOn);
+    return result.Trace.Force.back() / result.Trace.Depth.back();
+  };
+  EXPECT_NEAR(ratio(), 0.5, 1e-6); // single precision
+  settings.Structures[0].Texture = 0.3;
+  settings.Structures[0].TextureImage = image;
+  EXPECT_GT(ratio(), 0.55);
+  settings.Structures[0].TextureImage = this->Folder / "missing.nrrd";
+  EXPECT_THROW(PrepareTouch(settings, PressTo(13.0), GoOn), InputError);
+}
+
 TEST_F(TouchRun, ASweepTouchesAllTheWay)
 {
   const TouchSettings settings = this->SettingsOf(this->ModelPath, TouchRepresentation::Automatic);
