@@ -3,6 +3,7 @@
 #include "BuiltInDevices.h"
 #include "InputError.h"
 #include "ManualClock.h"
+#include "ResidentMemory.h"
 #include "ServoThread.h"
 #include "SimulatedDevice.h"
 #include "SteadyClock.h"
@@ -76,6 +77,18 @@ double ReachingScale(const TouchScene& scene, const DeviceCapabilities& device)
   return half > 0.0 ? std::max(1.0, Spare * reach / half) : 1.0;
 }
 
+// A sweep is gone to and fro for as long as a touch lasts; other paths end.
+double TimeOnPath(const PreparedTouch& touch, double time) noexcept
+{
+  const double once = touch.Path.Duration();
+  if (!touch.IsSweep || !(once > 0.0))
+  {
+    return time;
+  }
+  const double passed = std::fmod(time, 2.0 * once);
+  return passed <= once ? passed : 2.0 * once - passed;
+}
+
 // Collects ticks into a result.
 class TraceKeeper
 {
@@ -85,7 +98,8 @@ public:
     result.TouchedSeconds.resize(structures);
   }
 
-  void Add(const TouchState& state)
+  // A tick that took `microseconds` to compute; 0 where that is not known.
+  void Add(const TouchState& state, float microseconds)
   {
     if (this->Result.Ticks++ == 0)
     {
@@ -94,10 +108,16 @@ public:
     }
     const double passed = Nano * static_cast<double>(state.Tick.Started - this->Last);
     this->Last = state.Tick.Started;
-    TouchTrace& trace = this->Result.Trace;
-    trace.Time.push_back(Nano * static_cast<double>(state.Tick.Started - this->Start));
-    trace.Force.push_back(static_cast<float>(Vector3(state.ForceDevice).norm()));
-    trace.Depth.push_back(static_cast<float>(state.Structure < 0 ? 0.0 : state.Depth));
+    const auto alone = [](double value) {
+      return LeastAndMost{static_cast<float>(value), static_cast<float>(value)};
+    };
+    TouchStretch tick;
+    tick.Time = Nano * static_cast<double>(state.Tick.Started - this->Start);
+    tick.Force = alone(Vector3(state.ForceDevice).norm());
+    tick.Depth = alone(state.Structure < 0 ? 0.0 : state.Depth);
+    tick.Period = alone(1e6 * passed);
+    tick.Computation = {microseconds, microseconds};
+    this->Result.Trace.Add(tick);
     if (state.Structure >= 0)
     {
       this->Result.TouchedSeconds[static_cast<std::size_t>(state.Structure)] += passed;
@@ -119,16 +139,17 @@ private:
 class LiveTouch
 {
 public:
-  LiveTouch(const PreparedTouch& touch, Clock& clock, const std::filesystem::path& recording)
-      : Touch(touch), Keeper(Result, touch.Structures.size()), IsRecording(!recording.empty())
+  LiveTouch(const PreparedTouch& touch, Clock& clock, const TouchRunSettings& settings)
+      : Touch(touch), View(settings.View), Keeper(Result, touch.Structures.size()),
+        IsRecording(!settings.Recording.empty())
   {
     this->Settings.Rate = touch.Settings.Rate;
     this->Device = MakeDevice(touch.Settings.Device, clock, this->PathOfDevice());
     Succeed(this->Device->Open());
     if (this->IsRecording)
     {
-      Succeed(
-          this->Recorder.Start(recording.string(), {this->Settings, this->Device->Capabilities()}));
+      Succeed(this->Recorder.Start(settings.Recording.string(),
+                                   {this->Settings, this->Device->Capabilities()}));
     }
   }
   ~LiveTouch() { this->Device->Close(); }
@@ -153,8 +174,7 @@ public:
           servo.Tick(tick);
           const std::int64_t spent = watch.Now() - start;
           this->Result.Durations.Add(spent);
-          this->Result.Trace.TickMicroseconds.push_back(1e-3F * static_cast<float>(spent));
-          this->Fetch(servo);
+          this->Fetch(servo, 1e-3F * static_cast<float>(spent));
           const bool goesOn = tick.Number % TicksBetweenReports != 0 ||
                               progress(this->PartAt(tick.Number), "touch");
           return goesOn && tick.Number + 1 < ticks;
@@ -168,15 +188,15 @@ public:
     Require(thread.Loop().Publish(this->Touch.Scene));
     Require(thread.Start({}));
     this->Result.ThreadAdvice = thread.Grant().Advice;
-    constexpr auto Nap = std::chrono::milliseconds(20);
     const std::int64_t start = clock.Now();
     double passed = 0.0;
     while (passed < this->Touch.Duration && progress(passed / this->Touch.Duration, "touch"))
     {
-      std::this_thread::sleep_for(Nap);
+      this->Look(thread.Loop(), clock, passed);
       this->Fetch(thread.Loop());
       passed = Nano * static_cast<double>(clock.Now() - start);
     }
+    this->Result.FramesPerSecond = static_cast<double>(this->Result.Frames.Count()) / passed;
     thread.Stop();
     this->Fetch(thread.Loop());
     this->Result.Durations = thread.Statistics().Durations;
@@ -198,19 +218,38 @@ private:
   {
     const PreparedTouch& touch = this->Touch;
     return [&touch, middle = Vector3(BoundsOf(*touch.Scene).center())](double time)
-    { return Vector3((touch.Path.At(time) - middle) / touch.Scale); };
+    { return Vector3((touch.Path.At(TimeOnPath(touch, time)) - middle) / touch.Scale); };
   }
 
-  void Fetch(Servo& servo)
+  // Draws a picture, or waits for about as long as one takes.
+  void Look(Servo& servo, const Clock& clock, double time)
+  {
+    constexpr auto Nap = std::chrono::milliseconds(20);
+    if (!this->View)
+    {
+      std::this_thread::sleep_for(Nap);
+      return;
+    }
+    const std::int64_t start = clock.Now();
+    this->View(time, servo.Latest());
+    this->Result.Frames.Add(clock.Now() - start);
+  }
+
+  void Fetch(Servo& servo, float microseconds = 0.0F)
   {
     TouchState state;
     while (servo.PopRecorded(state))
     {
-      this->Keeper.Add(state);
+      this->Keeper.Add(state, microseconds);
       if (this->IsRecording)
       {
         Succeed(this->Recorder.Take(state));
       }
+    }
+    constexpr double SettlingTime = 1.0; // s
+    if (this->Result.MebibytesAtStart == 0.0 && this->Result.Trace.Duration() >= SettlingTime)
+    {
+      this->Result.MebibytesAtStart = ResidentMebibytes();
     }
   }
 
@@ -222,10 +261,16 @@ private:
     }
     this->Result.LostTicks = servo.LostTicks();
     this->Result.DeviceProblem = this->Device->Problem();
+    this->Result.MebibytesAtEnd = ResidentMebibytes();
+    if (this->Result.MebibytesAtStart == 0.0)
+    {
+      this->Result.MebibytesAtStart = this->Result.MebibytesAtEnd;
+    }
     return std::move(this->Result);
   }
 
   const PreparedTouch& Touch;
+  const TouchViewer& View;
   ServoSettings Settings;
   std::unique_ptr<HapticDevice> Device;
   TouchResult Result;
@@ -256,6 +301,7 @@ PreparedTouch PrepareTouch(const TouchSettings& settings, const TouchScript& scr
   if (touch.Path.IsEmpty() && settings.Device == SimulatedName)
   {
     Require(SweepOf(*scene, script.SweepDepth, script.SweepSpeed, touch.Path));
+    touch.IsSweep = true;
   }
   const double duration = touch.Path.IsEmpty() ? DefaultDuration : touch.Path.Duration();
   touch.Duration = script.Duration.value_or(duration);
@@ -264,16 +310,16 @@ PreparedTouch PrepareTouch(const TouchSettings& settings, const TouchScript& scr
   return touch;
 }
 
-TouchResult RunTouch(const PreparedTouch& touch, bool isVirtual,
-                     const std::filesystem::path& recording, const ProgressFunction& progress)
+TouchResult RunTouch(const PreparedTouch& touch, const TouchRunSettings& settings,
+                     const ProgressFunction& progress)
 {
-  if (isVirtual)
+  if (settings.IsVirtual)
   {
     ManualClock clock;
-    return LiveTouch(touch, clock, recording).RunVirtual(clock, progress);
+    return LiveTouch(touch, clock, settings).RunVirtual(clock, progress);
   }
   SteadyClock clock;
-  return LiveTouch(touch, clock, recording).RunReal(clock, progress);
+  return LiveTouch(touch, clock, settings).RunReal(clock, progress);
 }
 
 TouchComparison CompareTouch(const PreparedTouch& touch, const std::filesystem::path& recording)
