@@ -3,13 +3,13 @@
 #include "BuiltInDevices.h"
 #include "InputError.h"
 #include "ManualClock.h"
-#include "ResidentMemory.h"
 #include "ServoThread.h"
 #include "SimulatedDevice.h"
 #include "SteadyClock.h"
 #include "StiffnessAdvice.h"
 #include "TouchRecorder.h"
 #include "TouchReplay.h"
+#include "TouchResultKeeper.h"
 
 #include <algorithm>
 #include <cmath>
@@ -88,52 +88,6 @@ double TimeOnPath(const PreparedTouch& touch, double time) noexcept
   const double passed = std::fmod(time, 2.0 * once);
   return passed <= once ? passed : 2.0 * once - passed;
 }
-
-// Collects ticks into a result.
-class TraceKeeper
-{
-public:
-  TraceKeeper(TouchResult& result, std::size_t structures) : Result(result)
-  {
-    result.TouchedSeconds.resize(structures);
-  }
-
-  // A tick that took `microseconds` to compute; 0 where that is not known.
-  void Add(const TouchState& state, float microseconds)
-  {
-    if (this->Result.Ticks++ == 0)
-    {
-      this->Start = state.Tick.Scheduled;
-      this->Last = state.Tick.Started;
-    }
-    const double passed = Nano * static_cast<double>(state.Tick.Started - this->Last);
-    this->Last = state.Tick.Started;
-    const auto alone = [](double value) {
-      return LeastAndMost{static_cast<float>(value), static_cast<float>(value)};
-    };
-    TouchStretch tick;
-    tick.Time = Nano * static_cast<double>(state.Tick.Started - this->Start);
-    tick.Force = alone(Vector3(state.ForceDevice).norm());
-    tick.Depth = alone(state.Structure < 0 ? 0.0 : state.Depth);
-    tick.Period = alone(1e6 * passed);
-    tick.Computation = {microseconds, microseconds};
-    this->Result.Trace.Add(tick);
-    if (state.Structure >= 0)
-    {
-      this->Result.TouchedSeconds[static_cast<std::size_t>(state.Structure)] += passed;
-    }
-    this->Result.LeastEnergy = std::min(this->Result.LeastEnergy, state.Safety.Energy);
-    if (this->Result.Fault == SafetyFault::None)
-    {
-      this->Result.Fault = state.Safety.Fault;
-    }
-  }
-
-private:
-  TouchResult& Result;
-  std::int64_t Start = 0;
-  std::int64_t Last = 0;
-};
 
 // All of it while a tool touches.
 class LiveTouch
@@ -246,11 +200,6 @@ private:
         Succeed(this->Recorder.Take(state));
       }
     }
-    constexpr double SettlingTime = 1.0; // s
-    if (this->Result.MebibytesAtStart == 0.0 && this->Result.Trace.Duration() >= SettlingTime)
-    {
-      this->Result.MebibytesAtStart = ResidentMebibytes();
-    }
   }
 
   TouchResult Finished(Servo& servo)
@@ -261,11 +210,7 @@ private:
     }
     this->Result.LostTicks = servo.LostTicks();
     this->Result.DeviceProblem = this->Device->Problem();
-    this->Result.MebibytesAtEnd = ResidentMebibytes();
-    if (this->Result.MebibytesAtStart == 0.0)
-    {
-      this->Result.MebibytesAtStart = this->Result.MebibytesAtEnd;
-    }
+    this->Keeper.Close();
     return std::move(this->Result);
   }
 
@@ -274,7 +219,7 @@ private:
   ServoSettings Settings;
   std::unique_ptr<HapticDevice> Device;
   TouchResult Result;
-  TraceKeeper Keeper;
+  TouchResultKeeper Keeper;
   bool IsRecording;
   TouchRecorder Recorder;
 };
