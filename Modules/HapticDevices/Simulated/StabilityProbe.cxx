@@ -94,7 +94,7 @@ class Trial
 {
 public:
   explicit Trial(const StabilityTrial& trial)
-      : Device(Time, DeviceOf(trial)), IsOpen(Device.Open().IsOk()), Loop(Device, trial.Loop),
+      : Device(Time, DeviceOf(trial)), Loop(Device, trial.Loop),
         Period(std::llround(1e9 / trial.Loop.Rate)),
         Books(static_cast<int>(std::ceil(trial.Device.Delay * trial.Loop.Rate)))
   {
@@ -102,8 +102,12 @@ public:
 
   Status Run(const TouchScene& scene, StabilityObservation& observation)
   {
-    const Status status = this->Loop.Publish(std::make_shared<TouchScene>(scene));
-    if (!status.IsOk() || !this->IsOpen)
+    Status status = this->Device.Open();
+    if (status.IsOk())
+    {
+      status = this->Loop.Publish(std::make_shared<TouchScene>(scene));
+    }
+    if (!status.IsOk())
     {
       return status;
     }
@@ -146,7 +150,6 @@ private:
 
   ManualClock Time;
   SimulatedDevice Device;
-  bool IsOpen;
   Servo Loop;
   std::int64_t Period; // ns
   ContactBooks Books;

@@ -43,11 +43,11 @@ bool SurfaceTexture::LearnUsual(const Eigen::AlignedBox3d& boundsWorld)
   double squares = 0.0;
   for (int n = 0; n < Points * Points * Points; ++n)
   {
-    const Vector3 part(n % Points, n / Points % Points, n / (Points * Points));
-    const FieldSample sample = this->Sampler.ValueWorld(
-        this->Channel,
-        boundsWorld.min() +
-            (part.array() + 0.5).matrix().cwiseProduct(boundsWorld.sizes() / Points));
+    const int row = n / Points;
+    const int layer = row / Points;
+    const Vector3 node(n % Points, row % Points, layer);
+    const Vector3 place = (node.array() + 0.5) * boundsWorld.sizes().array() / Points;
+    const FieldSample sample = this->Sampler.ValueWorld(this->Channel, boundsWorld.min() + place);
     if (sample.Kind != SampleKind::Outside)
     {
       // About the first value, so that large intensities lose no digits.
