@@ -9,11 +9,12 @@
 #include "OutputFolder.h"
 #include "TouchReport.h"
 #include "TouchSceneFile.h"
+#include "TouchView.h"
 
 #include <CLI/CLI.hpp>
-#include <algorithm>
 #include <iomanip>
 #include <map>
+#include <memory>
 #include <ostream>
 
 namespace palpate::cli
@@ -122,6 +123,9 @@ void TouchCommand::DeclareRun(CLI::App& app)
       ->check(FiniteNumber::Between(0.001, 36000.0));
   app.add_flag("--real-time", this->IsRealTime,
                "At the rate that is asked for, on a thread of its own; else as fast as it goes");
+  app.add_flag("--view", this->IsViewed,
+               "Draws the scene off screen meanwhile, and says how many pictures a second")
+      ->needs("--real-time");
 }
 
 void TouchCommand::DeclareOptions(CLI::App& app)
@@ -214,12 +218,16 @@ void TouchCommand::PrintSummary(const PreparedTouch& touch, const TouchResult& r
         << ", touched for " << std::fixed << std::setprecision(2) << result.TouchedSeconds[s]
         << " s\n";
   }
-  const auto most = [](const std::vector<float>& values)
-  { return values.empty() ? 0.0F : *std::max_element(values.begin(), values.end()); };
-  out << result.Ticks << " ticks; at most " << most(result.Trace.Force) << " N, "
-      << most(result.Trace.Depth) << " mm deep; a tick takes "
+  out << result.Ticks << " ticks; at most " << result.Trace.Whole().Force.Most << " N, "
+      << result.Trace.Whole().Depth.Most << " mm deep; a tick takes "
       << Micro * static_cast<double>(result.Durations.Median()) << " us, 99.9 % at most "
       << Micro * static_cast<double>(result.Durations.Quantile(Almost)) << " us\n";
+  if (result.Frames.Count() > 0)
+  {
+    out << result.FramesPerSecond << " pictures a second beside " << result.Periods.Misses()
+        << " ticks left out; memory " << result.MebibytesAtStart << " MiB after a second, "
+        << result.MebibytesAtEnd << " MiB at the end\n";
+  }
   if (!this->OutputFolder.empty())
   {
     out << (this->OutputFolder / "report.html").string() << '\n';
@@ -236,13 +244,21 @@ int TouchCommand::Replay(const PreparedTouch& touch, Console& console) const
 
 int TouchCommand::Touch(const PreparedTouch& touch, Console& console) const
 {
-  std::filesystem::path recording;
+  TouchRunSettings settings;
+  settings.IsVirtual = !this->IsRealTime;
   if (!this->OutputFolder.empty())
   {
     MakeOutputFolder(this->OutputFolder);
-    recording = this->OutputFolder / "session.touch";
+    settings.Recording = this->OutputFolder / "session.touch";
   }
-  const TouchResult result = RunTouch(touch, !this->IsRealTime, recording, ProgressOn(console));
+  std::unique_ptr<TouchView> view;
+  if (this->IsViewed)
+  {
+    view = std::make_unique<TouchView>(touch);
+    settings.View = [&view](double time, const TouchState& newest)
+    { view->Draw(time, newest.ProxyWorld); };
+  }
+  const TouchResult result = RunTouch(touch, settings, ProgressOn(console));
   console.EndProgress();
   if (!this->OutputFolder.empty())
   {

@@ -190,7 +190,7 @@ void SceneRenderer::SetBackground(const Color& color)
   this->Renderer->SetBackground(color[0], color[1], color[2]);
 }
 
-void SceneRenderer::AddSurface(vtkPolyData* surface, const Color& color, double opacity)
+std::size_t SceneRenderer::AddSurface(vtkPolyData* surface, const Color& color, double opacity)
 {
   const vtkSmartPointer<vtkPolyData> shown = WithNormals(surface);
   vtkNew<vtkPolyDataMapper> mapper;
@@ -219,6 +219,12 @@ void SceneRenderer::AddSurface(vtkPolyData* surface, const Color& color, double 
     this->Window->SetAlphaBitPlanes(1);
     this->Renderer->SetUseDepthPeeling(1);
   }
+  return this->Surfaces.size() - 1;
+}
+
+void SceneRenderer::MoveSurface(std::size_t surface, const Vector3& wayWorld)
+{
+  this->Surfaces[surface].Actor->SetPosition(wayWorld[0], wayWorld[1], wayWorld[2]);
 }
 
 void SceneRenderer::AddField(const std::shared_ptr<const ScalarField>& field,

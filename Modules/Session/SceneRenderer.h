@@ -43,7 +43,10 @@ public:
   ~SceneRenderer();
 
   void SetBackground(const Color& color);
-  void AddSurface(vtkPolyData* surface, const Color& color, double opacity);
+  /// The surface's number, from 0, to move it by.
+  std::size_t AddSurface(vtkPolyData* surface, const Color& color, double opacity);
+  /// Draws it so far (mm) from where it was added; the picture's frame is made for that place.
+  void MoveSurface(std::size_t surface, const Vector3& wayWorld);
   /// The surfaces of a field's materials, sub-voxel: by the ray caster that haptic queries use.
   /// Colours by material.
   void AddField(const std::shared_ptr<const ScalarField>& field, const std::vector<Color>& colors,

@@ -18,11 +18,6 @@ namespace
 {
 constexpr double Micro = 1e-3; // us in a ns
 
-double LargestOf(const std::vector<float>& values)
-{
-  return values.empty() ? 0.0 : *std::max_element(values.begin(), values.end());
-}
-
 double TouchingPercent(const TouchResult& result)
 {
   double touched = 0.0;
@@ -30,7 +25,7 @@ double TouchingPercent(const TouchResult& result)
   {
     touched += seconds;
   }
-  const double whole = result.Trace.Time.empty() ? 0.0 : result.Trace.Time.back();
+  const double whole = result.Trace.Duration();
   return whole > 0.0 ? 100.0 * touched / whole : 0.0;
 }
 
@@ -59,18 +54,25 @@ nlohmann::ordered_json SummaryOf(const PreparedTouch& touch, const TouchResult& 
   summary["device"] = touch.Settings.Device;
   summary["rate_hz"] = touch.Settings.Rate;
   summary["scale"] = touch.Scale;
-  summary["seconds"] = result.Trace.Time.empty() ? 0.0 : result.Trace.Time.back();
+  summary["seconds"] = result.Trace.Duration();
   summary["ticks"] = result.Ticks;
   summary["lost_ticks"] = result.LostTicks;
   summary["touching_percent"] = TouchingPercent(result);
-  summary["force_max_n"] = LargestOf(result.Trace.Force);
-  summary["depth_max_mm"] = LargestOf(result.Trace.Depth);
+  summary["force_max_n"] = result.Trace.Whole().Force.Most;
+  summary["depth_max_mm"] = result.Trace.Whole().Depth.Most;
   summary["energy_least_n_mm"] = result.LeastEnergy;
   summary["tick"] = StatisticsAsJson(result.Durations);
   if (result.Periods.Count() > 0)
   {
     summary["period"] = StatisticsAsJson(result.Periods);
   }
+  if (result.Frames.Count() > 0)
+  {
+    summary["frame"] = StatisticsAsJson(result.Frames);
+    summary["frames_per_second"] = result.FramesPerSecond;
+  }
+  summary["memory_start_mib"] = result.MebibytesAtStart;
+  summary["memory_end_mib"] = result.MebibytesAtEnd;
   summary["fault"] = result.Fault == SafetyFault::None ? "" : Describe(result.Fault);
   summary["device_problem"] = result.DeviceProblem;
   summary["warnings"] = touch.Warnings;
@@ -78,52 +80,46 @@ nlohmann::ordered_json SummaryOf(const PreparedTouch& touch, const TouchResult& 
   return summary;
 }
 
-// Of many values the smallest and the largest in each of some thousand stretches of time, so that
-// a peak of one tick is seen.
-std::vector<std::pair<double, double>> Envelope(const std::vector<double>& time,
-                                                const std::vector<float>& values)
+using Quantity = LeastAndMost TouchStretch::*;
+
+// The least and the most in each of some thousand stretches of time, so that a peak of one tick is
+// seen. What is 0, of ticks that nothing is known of, is left out of logarithms.
+std::vector<std::pair<double, double>> Envelope(const std::vector<TouchStretch>& stretches,
+                                                Quantity quantity, bool isLogarithmic)
 {
-  constexpr std::size_t MostStretches = 1000;
-  const std::size_t count = std::min(time.size(), values.size());
-  const std::size_t length = std::max<std::size_t>(1, count / MostStretches);
+  constexpr std::size_t MostPoints = 1000;
+  const std::size_t length = std::max<std::size_t>(1, stretches.size() / MostPoints);
   std::vector<std::pair<double, double>> points;
-  for (std::size_t first = 0; first < count; first += length)
+  for (std::size_t first = 0; first < stretches.size(); first += length)
   {
-    const auto begin = values.begin() + static_cast<std::ptrdiff_t>(first);
-    const auto end = values.begin() + static_cast<std::ptrdiff_t>(std::min(count, first + length));
-    const auto [low, high] = std::minmax_element(begin, end);
-    points.emplace_back(time[first], *low);
-    if (length > 1)
+    LeastAndMost values = stretches[first].*quantity;
+    for (std::size_t i = first; i < std::min(stretches.size(), first + length); ++i)
     {
-      points.emplace_back(time[first], *high);
+      values.Join(stretches[i].*quantity);
+    }
+    const auto add = [&](float value)
+    {
+      if (value > 0.0F || !isLogarithmic)
+      {
+        points.emplace_back(stretches[first].Time, static_cast<double>(value));
+      }
+    };
+    add(values.Least);
+    if (values.Most > values.Least)
+    {
+      add(values.Most);
     }
   }
   return points;
 }
 
-std::string Chart(const TouchTrace& trace, const std::vector<float>& values,
-                  const std::string& quantity, const std::string& caption,
-                  bool isLogarithmic = false)
+std::string Chart(const TouchTrace& trace, Quantity quantity, const std::string& label,
+                  const std::string& caption, bool isLogarithmic = false)
 {
-  SvgChart chart("time, s", quantity);
+  SvgChart chart("time, s", label);
   chart.SetLogarithmic(isLogarithmic);
-  chart.SetLine(Envelope(trace.Time, values));
+  chart.SetLine(Envelope(trace.Stretches(), quantity, isLogarithmic));
   return ReportFigure(chart.Svg(), caption);
-}
-
-// From each tick's start to the next's, us.
-std::vector<float> PeriodsOf(const TouchTrace& trace)
-{
-  std::vector<float> periods(trace.Time.size(), 0.0F);
-  for (std::size_t t = 1; t < periods.size(); ++t)
-  {
-    periods[t] = static_cast<float>(1e6 * (trace.Time[t] - trace.Time[t - 1]));
-  }
-  if (periods.size() > 1)
-  {
-    periods[0] = periods[1];
-  }
-  return periods;
 }
 
 std::string StructuresTable(const PreparedTouch& touch, const TouchResult& result)
@@ -152,14 +148,20 @@ std::string NumbersTable(const PreparedTouch& touch, const TouchResult& result)
       {"rate", SignificantText(touch.Settings.Rate, 4) + " Hz"},
       {"ticks", std::to_string(result.Ticks)},
       {"touching", FixedText(TouchingPercent(result), 1) + " % of the time"},
-      {"largest force", FixedText(LargestOf(result.Trace.Force), 2) + " N"},
-      {"largest depth", FixedText(LargestOf(result.Trace.Depth), 2) + " mm"},
+      {"largest force", FixedText(result.Trace.Whole().Force.Most, 2) + " N"},
+      {"largest depth", FixedText(result.Trace.Whole().Depth.Most, 2) + " mm"},
       {"a tick takes, median", micro(result.Durations.Median())},
       {"99.9 %", micro(result.Durations.Quantile(Almost))},
       {"at most", micro(result.Durations.Max())},
       {"late ticks", std::to_string(result.Durations.Misses())},
       {"left out", std::to_string(result.Periods.Misses())},
+      {"memory after a second and at the end", FixedText(result.MebibytesAtStart, 1) + " and " +
+                                                   FixedText(result.MebibytesAtEnd, 1) + " MiB"},
       {"forces", result.Fault == SafetyFault::None ? "on to the end" : Describe(result.Fault)}};
+  if (result.Frames.Count() > 0)
+  {
+    rows.emplace_back("pictures beside it", FixedText(result.FramesPerSecond, 1) + " a second");
+  }
   for (const std::string& warning : touch.Warnings)
   {
     rows.emplace_back("warning", warning);
@@ -184,16 +186,18 @@ std::string Header(const PreparedTouch& touch)
 
 std::string Charts(const TouchTrace& trace)
 {
-  const bool isVirtual = !trace.TickMicroseconds.empty();
+  const bool isVirtual = trace.Whole().Computation.Most > 0.0F;
   const std::string time =
-      isVirtual ? Chart(trace, trace.TickMicroseconds, "time of a tick, µs",
-                        "What each tick took to compute. Virtual time: ticks follow each other at "
-                        "once.",
-                        true)
-                : Chart(trace, PeriodsOf(trace), "period, µs", "From tick to tick.", true);
-  return "<div class=\"charts\">\n" + Chart(trace, trace.Force, "force, N", "Force on the hand.") +
-         Chart(trace, trace.Depth, "depth, mm", "How deep the tool is in what it touches.") + time +
-         "</div>\n";
+      isVirtual
+          ? Chart(trace, &TouchStretch::Computation, "time of a tick, µs",
+                  "What each tick took to compute. Virtual time: ticks follow each other at once.",
+                  true)
+          : Chart(trace, &TouchStretch::Period, "period, µs", "From tick to tick.", true);
+  return "<div class=\"charts\">\n" +
+         Chart(trace, &TouchStretch::Force, "force, N", "Force on the hand.") +
+         Chart(trace, &TouchStretch::Depth, "depth, mm",
+               "How deep the tool is in what it touches.") +
+         time + "</div>\n";
 }
 
 std::string PageOf(const PreparedTouch& touch, const TouchResult& result)
@@ -208,18 +212,16 @@ std::string PageOf(const PreparedTouch& touch, const TouchResult& result)
 
 std::string TraceAsCsv(const TouchTrace& trace)
 {
-  const bool hasTicks = !trace.TickMicroseconds.empty();
-  std::string text = hasTicks ? "time_s,force_n,depth_mm,tick_us\n" : "time_s,force_n,depth_mm\n";
-  std::array<char, 96> line{};
-  for (std::size_t t = 0; t < trace.Time.size(); ++t)
+  std::string text = "time_s,force_least_n,force_most_n,depth_least_mm,depth_most_mm,"
+                     "period_most_us,computed_most_us\n";
+  std::array<char, 160> line{};
+  for (const TouchStretch& s : trace.Stretches())
   {
-    const auto force = static_cast<double>(trace.Force[t]);
-    const auto depth = static_cast<double>(trace.Depth[t]);
+    const auto number = [](float value) { return static_cast<double>(value); };
     const int length =
-        hasTicks ? std::snprintf(line.data(), line.size(), "%.6f,%.6g,%.6g,%.4g\n", trace.Time[t],
-                                 force, depth, static_cast<double>(trace.TickMicroseconds[t]))
-                 : std::snprintf(line.data(), line.size(), "%.6f,%.6g,%.6g\n", trace.Time[t], force,
-                                 depth);
+        std::snprintf(line.data(), line.size(), "%.6f,%.6g,%.6g,%.6g,%.6g,%.5g,%.4g\n", s.Time,
+                      number(s.Force.Least), number(s.Force.Most), number(s.Depth.Least),
+                      number(s.Depth.Most), number(s.Period.Most), number(s.Computation.Most));
     text.append(line.data(), static_cast<std::size_t>(length));
   }
   return text;

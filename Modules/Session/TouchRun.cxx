@@ -9,6 +9,7 @@
 #include "StiffnessAdvice.h"
 #include "TouchRecorder.h"
 #include "TouchReplay.h"
+#include "TouchResultKeeper.h"
 
 #include <algorithm>
 #include <cmath>
@@ -76,59 +77,33 @@ double ReachingScale(const TouchScene& scene, const DeviceCapabilities& device)
   return half > 0.0 ? std::max(1.0, Spare * reach / half) : 1.0;
 }
 
-// Collects ticks into a result.
-class TraceKeeper
+// A sweep is gone to and fro for as long as a touch lasts; other paths end.
+double TimeOnPath(const PreparedTouch& touch, double time) noexcept
 {
-public:
-  TraceKeeper(TouchResult& result, std::size_t structures) : Result(result)
+  const double once = touch.Path.Duration();
+  if (!touch.IsSweep || !(once > 0.0))
   {
-    result.TouchedSeconds.resize(structures);
+    return time;
   }
-
-  void Add(const TouchState& state)
-  {
-    if (this->Result.Ticks++ == 0)
-    {
-      this->Start = state.Tick.Scheduled;
-      this->Last = state.Tick.Started;
-    }
-    const double passed = Nano * static_cast<double>(state.Tick.Started - this->Last);
-    this->Last = state.Tick.Started;
-    TouchTrace& trace = this->Result.Trace;
-    trace.Time.push_back(Nano * static_cast<double>(state.Tick.Started - this->Start));
-    trace.Force.push_back(static_cast<float>(Vector3(state.ForceDevice).norm()));
-    trace.Depth.push_back(static_cast<float>(state.Structure < 0 ? 0.0 : state.Depth));
-    if (state.Structure >= 0)
-    {
-      this->Result.TouchedSeconds[static_cast<std::size_t>(state.Structure)] += passed;
-    }
-    this->Result.LeastEnergy = std::min(this->Result.LeastEnergy, state.Safety.Energy);
-    if (this->Result.Fault == SafetyFault::None)
-    {
-      this->Result.Fault = state.Safety.Fault;
-    }
-  }
-
-private:
-  TouchResult& Result;
-  std::int64_t Start = 0;
-  std::int64_t Last = 0;
-};
+  const double passed = std::fmod(time, 2.0 * once);
+  return passed <= once ? passed : 2.0 * once - passed;
+}
 
 // All of it while a tool touches.
 class LiveTouch
 {
 public:
-  LiveTouch(const PreparedTouch& touch, Clock& clock, const std::filesystem::path& recording)
-      : Touch(touch), Keeper(Result, touch.Structures.size()), IsRecording(!recording.empty())
+  LiveTouch(const PreparedTouch& touch, Clock& clock, const TouchRunSettings& settings)
+      : Touch(touch), View(settings.View), Keeper(Result, touch.Structures.size()),
+        IsRecording(!settings.Recording.empty())
   {
     this->Settings.Rate = touch.Settings.Rate;
     this->Device = MakeDevice(touch.Settings.Device, clock, this->PathOfDevice());
     Succeed(this->Device->Open());
     if (this->IsRecording)
     {
-      Succeed(
-          this->Recorder.Start(recording.string(), {this->Settings, this->Device->Capabilities()}));
+      Succeed(this->Recorder.Start(settings.Recording.string(),
+                                   {this->Settings, this->Device->Capabilities()}));
     }
   }
   ~LiveTouch() { this->Device->Close(); }
@@ -153,8 +128,7 @@ public:
           servo.Tick(tick);
           const std::int64_t spent = watch.Now() - start;
           this->Result.Durations.Add(spent);
-          this->Result.Trace.TickMicroseconds.push_back(1e-3F * static_cast<float>(spent));
-          this->Fetch(servo);
+          this->Fetch(servo, 1e-3F * static_cast<float>(spent));
           const bool goesOn = tick.Number % TicksBetweenReports != 0 ||
                               progress(this->PartAt(tick.Number), "touch");
           return goesOn && tick.Number + 1 < ticks;
@@ -168,15 +142,15 @@ public:
     Require(thread.Loop().Publish(this->Touch.Scene));
     Require(thread.Start({}));
     this->Result.ThreadAdvice = thread.Grant().Advice;
-    constexpr auto Nap = std::chrono::milliseconds(20);
     const std::int64_t start = clock.Now();
     double passed = 0.0;
     while (passed < this->Touch.Duration && progress(passed / this->Touch.Duration, "touch"))
     {
-      std::this_thread::sleep_for(Nap);
+      this->Look(thread.Loop(), clock, passed);
       this->Fetch(thread.Loop());
       passed = Nano * static_cast<double>(clock.Now() - start);
     }
+    this->Result.FramesPerSecond = static_cast<double>(this->Result.Frames.Count()) / passed;
     thread.Stop();
     this->Fetch(thread.Loop());
     this->Result.Durations = thread.Statistics().Durations;
@@ -198,15 +172,29 @@ private:
   {
     const PreparedTouch& touch = this->Touch;
     return [&touch, middle = Vector3(BoundsOf(*touch.Scene).center())](double time)
-    { return Vector3((touch.Path.At(time) - middle) / touch.Scale); };
+    { return Vector3((touch.Path.At(TimeOnPath(touch, time)) - middle) / touch.Scale); };
   }
 
-  void Fetch(Servo& servo)
+  // Draws a picture, or waits for about as long as one takes.
+  void Look(Servo& servo, const Clock& clock, double time)
+  {
+    constexpr auto Nap = std::chrono::milliseconds(20);
+    if (!this->View)
+    {
+      std::this_thread::sleep_for(Nap);
+      return;
+    }
+    const std::int64_t start = clock.Now();
+    this->View(time, servo.Latest());
+    this->Result.Frames.Add(clock.Now() - start);
+  }
+
+  void Fetch(Servo& servo, float microseconds = 0.0F)
   {
     TouchState state;
     while (servo.PopRecorded(state))
     {
-      this->Keeper.Add(state);
+      this->Keeper.Add(state, microseconds);
       if (this->IsRecording)
       {
         Succeed(this->Recorder.Take(state));
@@ -222,14 +210,16 @@ private:
     }
     this->Result.LostTicks = servo.LostTicks();
     this->Result.DeviceProblem = this->Device->Problem();
+    this->Keeper.Close();
     return std::move(this->Result);
   }
 
   const PreparedTouch& Touch;
+  const TouchViewer& View;
   ServoSettings Settings;
   std::unique_ptr<HapticDevice> Device;
   TouchResult Result;
-  TraceKeeper Keeper;
+  TouchResultKeeper Keeper;
   bool IsRecording;
   TouchRecorder Recorder;
 };
@@ -256,6 +246,7 @@ PreparedTouch PrepareTouch(const TouchSettings& settings, const TouchScript& scr
   if (touch.Path.IsEmpty() && settings.Device == SimulatedName)
   {
     Require(SweepOf(*scene, script.SweepDepth, script.SweepSpeed, touch.Path));
+    touch.IsSweep = true;
   }
   const double duration = touch.Path.IsEmpty() ? DefaultDuration : touch.Path.Duration();
   touch.Duration = script.Duration.value_or(duration);
@@ -264,16 +255,16 @@ PreparedTouch PrepareTouch(const TouchSettings& settings, const TouchScript& scr
   return touch;
 }
 
-TouchResult RunTouch(const PreparedTouch& touch, bool isVirtual,
-                     const std::filesystem::path& recording, const ProgressFunction& progress)
+TouchResult RunTouch(const PreparedTouch& touch, const TouchRunSettings& settings,
+                     const ProgressFunction& progress)
 {
-  if (isVirtual)
+  if (settings.IsVirtual)
   {
     ManualClock clock;
-    return LiveTouch(touch, clock, recording).RunVirtual(clock, progress);
+    return LiveTouch(touch, clock, settings).RunVirtual(clock, progress);
   }
   SteadyClock clock;
-  return LiveTouch(touch, clock, recording).RunReal(clock, progress);
+  return LiveTouch(touch, clock, settings).RunReal(clock, progress);
 }
 
 TouchComparison CompareTouch(const PreparedTouch& touch, const std::filesystem::path& recording)

@@ -5,8 +5,12 @@
 #include "PeriodStatistics.h"
 #include "Progress.h"
 #include "SafetyReport.h"
+#include "TouchState.h"
 #include "TouchStructures.h"
+#include "TouchTrace.h"
 
+#include <filesystem>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -17,7 +21,7 @@ namespace palpate
 /// How the hand of a simulated device moves, and for how long a scene is touched.
 struct TouchScript
 {
-  HandPath Path;                  ///< empty: a sweep round the scene
+  HandPath Path;                  ///< empty: a sweep round the scene, to and fro
   double SweepDepth = 3.0;        ///< mm, of the hand's target below the first touch
   double SweepSpeed = 50.0;       ///< mm/s
   std::optional<double> Duration; ///< s; none: as long as the path
@@ -30,18 +34,10 @@ struct PreparedTouch
   std::vector<TouchableStructure> Structures;
   std::shared_ptr<const TouchScene> Scene;
   HandPath Path;         ///< empty for a device with a hand of its own
+  bool IsSweep = false;  ///< then the path is gone to and fro, for as long as it takes
   double Duration = 0.0; ///< s
   double Scale = 1.0;    ///< mm of the scene for one of the device
   std::vector<std::string> Warnings;
-};
-
-/// What was felt, a number a tick.
-struct TouchTrace
-{
-  std::vector<double> Time;            ///< s since the first tick
-  std::vector<float> Force;            ///< N, applied
-  std::vector<float> Depth;            ///< mm, of the deepest contact
-  std::vector<float> TickMicroseconds; ///< to compute, where time is virtual; else empty
 };
 
 struct TouchResult
@@ -49,6 +45,11 @@ struct TouchResult
   TouchTrace Trace;
   PeriodStatistics Durations; ///< of ticks; its misses are late ones
   PeriodStatistics Periods;   ///< from tick to tick; its misses are those that were left out
+  PeriodStatistics Frames;    ///< that each picture of a view took
+  double FramesPerSecond = 0.0;
+  double MebibytesAtStart = 0.0; ///< resident, a second after the first tick (a shorter touch: at
+                                 ///< its end); 0 where not known
+  double MebibytesAtEnd = 0.0;
   std::uint64_t Ticks = 0;
   std::uint64_t LostTicks = 0;        ///< that the trace has not, though they ran
   std::vector<double> TouchedSeconds; ///< by structure, the one touched most deeply
@@ -64,12 +65,22 @@ PALPATESESSION_EXPORT PreparedTouch PrepareTouch(const TouchSettings& settings,
                                                  const TouchScript& script,
                                                  const ProgressFunction& progress);
 
-/// Touches, for `touch.Duration`: in virtual time as fast as ticks are computed, else at the rate
-/// that is asked for, on a thread of its own. Records the session to a file, unless its name is
-/// empty. Ends early, with what there is until then, where `progress` answers false. Throws
-/// std::runtime_error where the device does not open or the recording cannot be written.
-PALPATESESSION_EXPORT TouchResult RunTouch(const PreparedTouch& touch, bool isVirtual,
-                                           const std::filesystem::path& recording,
+/// Draws a picture of the newest tick, `time` (s) after the first.
+using TouchViewer = std::function<void(double time, const TouchState& newest)>;
+
+/// How a scene is touched.
+struct TouchRunSettings
+{
+  bool IsVirtual = true;           ///< as fast as ticks are computed; else at the rate, on a thread
+  std::filesystem::path Recording; ///< of the session; empty for none
+  TouchViewer View;                ///< drawn again and again beside the servo; not in virtual time
+};
+
+/// Touches, for `touch.Duration`. Ends early, with what there is until then, where `progress`
+/// answers false. Throws std::runtime_error where the device does not open or the recording cannot
+/// be written. The memory it takes does not depend on the duration.
+PALPATESESSION_EXPORT TouchResult RunTouch(const PreparedTouch& touch,
+                                           const TouchRunSettings& settings,
                                            const ProgressFunction& progress);
 
 /// How what is felt again compares with what was recorded.

@@ -14,6 +14,7 @@ constexpr double LargestLength = 1e4;    // mm
 constexpr double LargestStiffness = 1e4; // N/mm
 constexpr double LargestDamping = 10.0;  // N s/mm
 constexpr double LargestFriction = 10.0;
+constexpr double LargestTexture = 10.0; // N
 constexpr double LargestIso = 1e300;
 
 const std::initializer_list<const char*> RepresentationWords{"automatic", "harmonics", "facets",
@@ -35,6 +36,20 @@ template <typename Choice>
 const char* WordOf(std::initializer_list<const char*> words, Choice choice)
 {
   return *(words.begin() + static_cast<int>(choice));
+}
+
+void ReadTexture(JsonFields& fields, const std::filesystem::path& path, std::size_t number,
+                 TouchStructureSettings& structure)
+{
+  std::string image;
+  fields.Read("texture_n", structure.Texture, 0.0, LargestTexture);
+  fields.Read("texture_image", image);
+  if ((structure.Texture > 0.0) != !image.empty())
+  {
+    Refuse(path, "says only half of the texture of its structures[" + std::to_string(number) + "]",
+           "give both \"texture_n\", its largest force, and \"texture_image\", a file");
+  }
+  structure.TextureImage = image.empty() ? std::filesystem::path() : path.parent_path() / image;
 }
 
 TouchStructureSettings ReadStructure(const nlohmann::json& object,
@@ -66,6 +81,8 @@ TouchStructureSettings ReadStructure(const nlohmann::json& object,
   fields.Read("damping_ns_per_mm", structure.Damping, 0.0, LargestDamping);
   fields.Read("static_friction", structure.Friction.Static, 0.0, LargestFriction);
   fields.Read("dynamic_friction", structure.Friction.Dynamic, 0.0, LargestFriction);
+  fields.Read("viscosity_ns_per_mm", structure.Viscosity, 0.0, LargestDamping);
+  ReadTexture(fields, path, number, structure);
   fields.RefuseOthers();
   return structure;
 }
@@ -120,6 +137,13 @@ nlohmann::ordered_json AsJson(const TouchStructureSettings& structure,
   object["damping_ns_per_mm"] = structure.Damping;
   object["static_friction"] = structure.Friction.Static;
   object["dynamic_friction"] = structure.Friction.Dynamic;
+  object["viscosity_ns_per_mm"] = structure.Viscosity;
+  if (structure.Texture > 0.0)
+  {
+    object["texture_n"] = structure.Texture;
+    object["texture_image"] =
+        std::filesystem::proximate(structure.TextureImage, folder).generic_string();
+  }
   return object;
 }
 } // namespace

@@ -39,6 +39,9 @@ struct TouchStructureSettings
   double Stiffness = 0.5; ///< N/mm
   double Damping = 0.0;   ///< N s/mm
   SurfaceFriction Friction;
+  double Viscosity = 0.0;             ///< N s/mm, while the tool's centre is inside
+  double Texture = 0.0;               ///< N, at most, by the intensities of `TextureImage`
+  std::filesystem::path TextureImage; ///< empty without texture
 };
 
 struct TouchToolSettings

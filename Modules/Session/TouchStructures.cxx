@@ -10,6 +10,7 @@
 #include "SceneField.h"
 #include "StageClock.h"
 #include "SurfaceFile.h"
+#include "TouchTexture.h"
 #include "TriangleMesh.h"
 #include "Volume.h"
 #include "vtkSegmentationSurface.h"
@@ -31,16 +32,6 @@ void Require(const Status& status, const std::filesystem::path& file)
   {
     throw InputError(file.string() + ": " + status.Message());
   }
-}
-
-ContactPointer Harmonics(const SphericalHarmonicModel& model,
-                         const TouchStructureSettings& settings)
-{
-  ContactPointer contact;
-  Require(HarmonicContactModel::Make(std::make_shared<const SphericalHarmonicModel>(model),
-                                     settings.Mode, contact),
-          settings.File);
-  return contact;
 }
 
 std::string HarmonicsText(int degree, HarmonicContactMode mode)
@@ -96,17 +87,35 @@ private:
     }
   }
 
-  void Add(const std::string& name, ContactPointer contact, std::string represented)
+  void Add(const std::string& name, ContactPointer contact, TouchAppearance looks,
+           std::string represented)
   {
     TouchableStructure structure;
+    structure.Looks = std::move(looks);
     structure.Touch.Name = this->Settings.Name.empty() ? name : this->Settings.Name;
     structure.Touch.Model = std::move(contact);
     structure.Touch.Law = {this->Settings.Stiffness, this->Settings.Damping};
     structure.Touch.Friction = this->Settings.Friction;
+    structure.Touch.Viscosity = this->Settings.Viscosity;
+    if (this->Settings.Texture > 0.0)
+    {
+      structure.Touch.Texture =
+          MakeTouchTexture(this->Settings.TextureImage, structure.Touch.Model->BoundsWorld(),
+                           this->Settings.Texture, this->Progress);
+    }
     structure.Represented = std::move(represented);
     this->Clock.EndStage(structure.Touch.Name);
     structure.Seconds = this->Stages.back().second;
     this->Made.push_back(std::move(structure));
+  }
+
+  void AddHarmonics(const SphericalHarmonicModel& model, const std::string& name)
+  {
+    const auto shared = std::make_shared<const SphericalHarmonicModel>(model);
+    ContactPointer contact;
+    Require(HarmonicContactModel::Make(shared, this->Settings.Mode, contact), this->Settings.File);
+    this->Add(name, std::move(contact), {shared, nullptr, nullptr},
+              HarmonicsText(model.Degree(), this->Settings.Mode));
   }
 
   void AddModel()
@@ -119,8 +128,7 @@ private:
       Refuse(this->Settings.File, "is a parametric surface, which has no radius to touch",
              "write it as a surface (palpate convert) and touch that");
     }
-    this->Add(this->Settings.File.stem().string(), Harmonics(*model, this->Settings),
-              HarmonicsText(model->Degree(), this->Settings.Mode));
+    this->AddHarmonics(*model, this->Settings.File.stem().string());
   }
 
   void AddSurface(vtkPolyData* surface, const std::string& name)
@@ -130,7 +138,8 @@ private:
     ContactPointer contact;
     Require(FacetContactModel::Make(mesh.PointsWorld, mesh.Triangles, contact),
             this->Settings.File);
-    this->Add(name, std::move(contact), std::to_string(mesh.Triangles.size()) + " facets");
+    this->Add(name, std::move(contact), {nullptr, surface, nullptr},
+              std::to_string(mesh.Triangles.size()) + " facets");
   }
 
   void AddField(const std::shared_ptr<const ScalarField>& field, int material,
@@ -140,7 +149,7 @@ private:
     Require(FieldContactModel::Make(field, material, FieldContactMode::Proxy, contact),
             this->Settings.File);
     const bool isLinear = this->Settings.Interpolation == FieldInterpolation::Trilinear;
-    this->Add(name, std::move(contact),
+    this->Add(name, std::move(contact), {nullptr, nullptr, field},
               std::string("sub-voxel field, ") + (isLinear ? "trilinear, " : "tricubic, ") +
                   MemoryText(*field));
   }
@@ -200,8 +209,7 @@ private:
     {
       throw InputError(this->Settings.File.string() + ", " + name + ": " + fit.Message);
     }
-    this->Add(name, Harmonics(fit.Model, this->Settings),
-              HarmonicsText(fit.Model.Degree(), this->Settings.Mode));
+    this->AddHarmonics(fit.Model, name);
   }
 
   void AddMesh(const Segmentation& segmentation, const Segment& structure, const std::string& name)

@@ -68,6 +68,19 @@ void HarmonicWedge::MoveTo(const Vector3& goalWorld) noexcept
   {
     isOverlapping = this->Step(this->Center);
   }
+  this->ReturnToSurface(goalWorld);
+}
+
+// Along a wall's plane a fast ball leaves a surface that bends away. Back by the gap it is nearer
+// to no other wall than its radius, since the nearest one was the nearest.
+void HarmonicWedge::ReturnToSurface(const Vector3& goalWorld) noexcept
+{
+  const ClosestPoint wall = this->Surface->Search().Nearest(this->Center, MostEvaluations);
+  const double gap = wall.SignedDistance - wall.DistanceError - this->Radius;
+  if (gap > 0.0 && this->Center != goalWorld)
+  {
+    this->Center -= gap * wall.Normal;
+  }
 }
 
 // Goes on to the place nearest to the goal that the walls' planes allow; false where that is here.

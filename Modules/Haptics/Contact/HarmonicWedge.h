@@ -35,6 +35,7 @@ private:
   static constexpr std::size_t MostWalls = 4;
 
   bool Step(const Vector3& goalWorld) noexcept;
+  void ReturnToSurface(const Vector3& goalWorld) noexcept;
   void FollowWalls() noexcept;
   void Meet(const ClosestPoint& wall) noexcept;
 

@@ -96,12 +96,13 @@ TickObservation Servo::Observe(const TickInfo& tick) noexcept
   return now;
 }
 
-FollowStep Servo::StepTo(const ToolPose& pose, double passed) noexcept
+FollowStep Servo::StepTo(const ToolPose& pose, const Vector3& velocity, double passed) noexcept
 {
   FollowStep step;
   step.Now = pose;
   step.Last = this->HasFelt ? this->LastAsked : pose;
   step.Passed = passed;
+  step.HandVelocity = velocity;
   const int interval = std::max(this->Settings.ModelInterval, 1);
   this->TicksSinceModel = this->HasFelt ? this->TicksSinceModel + 1 : interval;
   step.AsksModel = this->TicksSinceModel >= interval;
@@ -127,7 +128,7 @@ void Servo::Feel(const TickObservation& now) noexcept
       this->HasFelt ? 1e-9 * static_cast<double>(now.Sample.Time - this->LastFelt.Time) : 0.0;
   const Vector3& velocity = this->HandVelocity.Update(now.Sample.Position, passed);
   this->Current.Pose = scene->Scene().Frame.PoseWorld(now.Sample);
-  this->Current.Felt = scene->Follow(this->StepTo(this->Current.Pose, passed));
+  this->Current.Felt = scene->Follow(this->StepTo(this->Current.Pose, velocity, passed));
   const AmbientForce& ambient = scene->Scene().Ambient;
   this->Current.AmbientForce = ambient.Constant - ambient.Viscosity * velocity;
   this->LastFelt = now.Sample;

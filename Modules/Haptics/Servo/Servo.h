@@ -68,7 +68,7 @@ private:
   bool TakeOver() noexcept;
   TickObservation Observe(const TickInfo& tick) noexcept;
   void Feel(const TickObservation& now) noexcept;
-  FollowStep StepTo(const ToolPose& pose, double passed) noexcept;
+  FollowStep StepTo(const ToolPose& pose, const Vector3& velocity, double passed) noexcept;
   void ForgetMotion() noexcept;
   SafetyInput InputOf(const TickObservation& now) const noexcept;
   bool Send(const Vector3& force) noexcept;

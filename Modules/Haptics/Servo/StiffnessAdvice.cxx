@@ -52,7 +52,8 @@ std::vector<std::string> StiffnessWarnings(const TouchScene& scene,
   std::vector<std::string> warnings;
   for (const TouchStructure& structure : scene.Structures)
   {
-    const StableStiffness stable = StiffestStable(device, rate, structure.Law.Damping);
+    const double damping = structure.Law.Damping + structure.Viscosity;
+    const StableStiffness stable = StiffestStable(device, rate, damping);
     if (structure.Law.Stiffness > stable.Largest)
     {
       warnings.push_back("The structure " + structure.Name + " asks for " +
@@ -60,6 +61,13 @@ std::vector<std::string> StiffnessWarnings(const TouchScene& scene,
                          " at " + Rounded(rate) + " Hz is stable up to " + Rounded(stable.Largest) +
                          " N/mm, since " + stable.Reason +
                          ": lower its stiffness or its damping, or it may vibrate.");
+    }
+    else if (device.Damping > 0.0 && damping > device.Damping)
+    {
+      warnings.push_back("The structure " + structure.Name + " damps with " + Rounded(damping) +
+                         " N s/mm; the mechanism of " + device.Name + " bears " +
+                         Rounded(device.Damping) +
+                         ": lower its damping or its viscosity, or it may vibrate.");
     }
   }
   return warnings;

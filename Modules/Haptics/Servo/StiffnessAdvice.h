@@ -30,7 +30,8 @@ struct StableStiffness
 StableStiffness StiffestStable(const DeviceCapabilities& device, double rate,
                                double damping) noexcept;
 
-/// A sentence for every structure that asks for more, to be shown before forces start.
+/// A sentence for every structure that asks for more, or for more viscosity and damping than the
+/// mechanism has, to be shown before forces start.
 std::vector<std::string> StiffnessWarnings(const TouchScene& scene,
                                            const DeviceCapabilities& device, double rate);
 } // namespace palpate

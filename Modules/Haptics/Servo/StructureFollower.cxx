@@ -1,5 +1,8 @@
 #include "StructureFollower.h"
 
+#include "VolumeViscosity.h"
+
+#include <algorithm>
 #include <utility>
 
 namespace palpate
@@ -21,6 +24,16 @@ bool IsSound(const Contact& contact, const Vector3& probeWorld) noexcept
                                  normal >= 0.99 && normal <= 1.01);
 }
 
+double LeastRadius(const ToolShape& tool)
+{
+  double least = tool.BoundingRadius();
+  for (const Vector3& point : tool.Points())
+  {
+    least = std::min(least, point.norm());
+  }
+  return least;
+}
+
 Contact Untouched(const Vector3& probeWorld) noexcept
 {
   Contact contact;
@@ -34,7 +47,10 @@ StructureFollower::StructureFollower(const TouchStructure& structure, const Touc
                                      double velocityTimeConstant,
                                      std::unique_ptr<ContactTracker> tracker)
     : Tracker(std::move(tracker)), ReachWorld(structure.Model->BoundsWorld()), Frame(scene.Frame),
-      Law(structure.Law), OffsetVelocity(velocityTimeConstant)
+      Law(structure.Law), Texture(structure.Texture), Viscosity(structure.Viscosity),
+      ToolRadiusWorld(LeastRadius(scene.Tool)),
+      ToolRadiusDevice(scene.Frame.LengthDevice(ToolRadiusWorld * Vector3::UnitX()).norm()),
+      OffsetVelocity(velocityTimeConstant)
 {
   const Vector3 reach = Vector3::Constant(scene.Tool.BoundingRadius());
   this->ReachWorld.min() -= reach;
@@ -124,9 +140,25 @@ Vector3 StructureFollower::Follow(const FollowStep& step) noexcept
     return Vector3::Zero();
   }
   ContactOffset felt = this->Felt(step);
+  const Vector3 proxyWorld = step.Now.PositionWorld + felt.Offset;
   felt.Offset = this->Frame.LengthDevice(felt.Offset);
   felt.Normal = this->Frame.TurnedToDevice(felt.Normal);
   felt.Velocity = this->OffsetVelocity.Update(felt.Offset, step.Passed);
-  return ContactForce(this->Law, felt);
+  const Vector3 force = ContactForce(this->Law, felt);
+  return force + this->TextureForce(felt, force, proxyWorld) +
+         VolumeViscosity(this->Viscosity, felt, this->ToolRadiusDevice, step.HandVelocity);
+}
+
+// By the image where the tool touches, as a sphere does.
+Vector3 StructureFollower::TextureForce(const ContactOffset& felt, const Vector3& contactForce,
+                                        const Vector3& proxyWorld) const noexcept
+{
+  if (this->Texture == nullptr || !felt.IsTouching)
+  {
+    return Vector3::Zero();
+  }
+  const Vector3 outWorld = this->Frame.TurnedToWorld(felt.Normal);
+  const double push = contactForce.dot(felt.Normal);
+  return this->Texture->Force(push, proxyWorld - this->ToolRadiusWorld * outWorld) * felt.Normal;
 }
 } // namespace palpate

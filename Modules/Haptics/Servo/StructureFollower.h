@@ -13,10 +13,11 @@ namespace palpate
 /// How a tick's follower is to go on from the last one.
 struct FollowStep
 {
-  ToolPose Last;            ///< at the last tick of the model
-  ToolPose Now;             ///< at this tick
-  double Passed = 0.0;      ///< s since the last tick
-  bool AsksModel = true;    ///< else what was felt is interpolated
+  ToolPose Last;                          ///< at the last tick of the model
+  ToolPose Now;                           ///< at this tick
+  double Passed = 0.0;                    ///< s since the last tick
+  Vector3 HandVelocity = Vector3::Zero(); ///< mm/s, device's frame
+  bool AsksModel = true;                  ///< else what was felt is interpolated
   double ModelPeriod = 0.0; ///< s between ticks of the model; 0 where every tick asks it
 };
 
@@ -46,11 +47,17 @@ private:
   void Enter(const FollowStep& step) noexcept;
   void AskModel(const FollowStep& step) noexcept;
   ContactOffset Felt(const FollowStep& step) noexcept;
+  Vector3 TextureForce(const ContactOffset& felt, const Vector3& contactForce,
+                       const Vector3& proxyWorld) const noexcept;
 
   std::unique_ptr<ContactTracker> Tracker;
   Eigen::AlignedBox3d ReachWorld; // where the tool's origin may touch
   DeviceFrame Frame;
   ContactLaw Law;
+  std::shared_ptr<const SurfaceTexture> Texture;
+  double Viscosity;        // N s/mm
+  double ToolRadiusWorld;  // mm, from the tool's centre to its surface where that is nearest
+  double ToolRadiusDevice; // the same in mm of the hand
   VelocityEstimate OffsetVelocity;
   ForceInterpolation Interpolation;
   Contact Last;

@@ -32,6 +32,11 @@ Status TouchScene::Check() const
       return Status::Failure("Stiffness and damping of the structure " + structure.Name +
                              " must be finite and not negative.");
     }
+    if (!IsAmount(structure.Viscosity))
+    {
+      return Status::Failure("The viscosity of the structure " + structure.Name +
+                             " must be finite and not negative.");
+    }
   }
   if (!this->Ambient.Constant.allFinite() || !IsAmount(this->Ambient.Viscosity))
   {

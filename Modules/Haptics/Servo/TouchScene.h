@@ -5,6 +5,7 @@
 #include "DeviceFrame.h"
 #include "Status.h"
 #include "SurfaceFriction.h"
+#include "SurfaceTexture.h"
 #include "ToolShape.h"
 
 #include <memory>
@@ -21,6 +22,8 @@ struct TouchStructure
   /// As the hand feels it: N per mm of the hand's way, whatever the scale of the device's frame.
   ContactLaw Law;
   SurfaceFriction Friction;
+  std::shared_ptr<const SurfaceTexture> Texture = nullptr; ///< none: smooth
+  double Viscosity = 0.0;                                  ///< N s/mm, of what is inside
 };
 
 /// What acts without touch too, in the device's frame.

@@ -1,5 +1,6 @@
 #include "AllocationCounter.h"
 #include "ServoRun.h"
+#include "TexturedField.h"
 
 #include <gtest/gtest.h>
 
@@ -14,7 +15,12 @@ static_assert(noexcept(std::declval<Servo&>().Tick(std::declval<const TickInfo&>
 // In and out of a wall, through a new scene, a fault and its end.
 std::size_t AllocationsOfASession(const ServoSettings& settings)
 {
-  test::ServoRun run(test::WallScene(0.0, {1.0, 0.01}), settings);
+  TouchScene scene = test::WallScene(0.0, {1.0, 0.01});
+  EXPECT_TRUE(SurfaceTexture::Make(test::TexturedField(), 0, test::TexturedBox(), 0.2,
+                                   scene.Structures[0].Texture)
+                  .IsOk());
+  scene.Structures[0].Viscosity = 0.001;
+  test::ServoRun run(scene, settings);
   std::size_t publishing = 0;
   const std::size_t before = test::AllocationCount();
   for (int n = 0; n < 2000; ++n)

@@ -55,5 +55,16 @@ TEST(StiffnessAdvice, WarnsOfEveryStructureThatAsksForMore)
             "N/mm, since its own damping cannot take up more of what sampling gives out: lower its "
             "stiffness or its damping, or it may vibrate.");
 }
+
+// The mechanism's 0.002 N s/mm have to bear it, however soft the structure.
+TEST(StiffnessAdvice, WarnsOfMoreViscosityThanTheMechanismBears)
+{
+  TouchScene scene = test::WallScene(0.0, {0.0, 0.0});
+  scene.Structures[0].Viscosity = 0.0019;
+  EXPECT_TRUE(StiffnessWarnings(scene, Known(), 1000.0).empty());
+  scene.Structures[0].Viscosity = 0.0021;
+  ASSERT_EQ(StiffnessWarnings(scene, Known(), 1000.0).size(), 1u);
+  EXPECT_NE(StiffnessWarnings(scene, Known(), 1000.0)[0].find("0.0021 N s/mm"), std::string::npos);
+}
 } // namespace
 } // namespace palpate

@@ -23,6 +23,12 @@ bool GoOn(double, const std::string&)
   return true;
 }
 
+// A stretch of one tick.
+const TouchStretch& LastOf(const TouchResult& result)
+{
+  return result.Trace.Stretches().back();
+}
+
 constexpr double Radius = 15.0;
 
 // A ball, as a model, and as a mask on 1 mm voxels.
@@ -77,15 +83,15 @@ TEST_F(TouchRun, EveryRepresentationOfABallGivesTheSameForce)
         this->SettingsOf(isModel ? this->ModelPath : this->MaskPath, representation);
     const double end = Radius + settings.Tool.Radius - 4.0;
     const PreparedTouch touch = PrepareTouch(settings, PressTo(end), GoOn);
-    const TouchResult result = RunTouch(touch, true, {}, GoOn);
+    const TouchResult result = RunTouch(touch, {}, GoOn);
     EXPECT_EQ(result.Ticks, 2000U);
     EXPECT_EQ(result.Fault, SafetyFault::None);
     EXPECT_EQ(result.LostTicks, 0U);
     // The voxels' ball may be half a voxel larger or smaller.
     const double voxels = isModel ? 0.0 : 0.5;
-    EXPECT_NEAR(result.Trace.Depth.back(), 2.0, 0.25 + 0.5 * voxels)
+    EXPECT_NEAR(LastOf(result).Depth.Most, 2.0, 0.25 + 0.5 * voxels)
         << touch.Structures[0].Represented;
-    EXPECT_NEAR(result.Trace.Force.back(), 0.5 * result.Trace.Depth.back(), 1e-2)
+    EXPECT_NEAR(LastOf(result).Force.Most, 0.5 * LastOf(result).Depth.Most, 1e-2)
         << touch.Structures[0].Represented;
     EXPECT_GT(result.TouchedSeconds[0], 1.0);
   }
@@ -97,7 +103,7 @@ TEST_F(TouchRun, ASessionIsFeltAgainToTheLastBit)
   settings.Structures[0].Friction = {0.4, 0.3};
   const PreparedTouch touch = PrepareTouch(settings, PressTo(10.0), GoOn);
   const auto file = this->Folder / "session.touch";
-  const TouchResult result = RunTouch(touch, true, file, GoOn);
+  const TouchResult result = RunTouch(touch, {true, file, {}}, GoOn);
   const TouchComparison same = CompareTouch(touch, file);
   EXPECT_EQ(same.Ticks, result.Ticks);
   EXPECT_EQ(same.DifferentTicks, 0U);
@@ -107,12 +113,47 @@ TEST_F(TouchRun, ASessionIsFeltAgainToTheLastBit)
   EXPECT_THROW(CompareTouch(touch, this->ModelPath), InputError);
 }
 
+// The image is brighter where x is larger, and the hand presses there.
+TEST_F(TouchRun, ATextureMakesWhatIsBrightPushMore)
+{
+  const auto image = this->Folder / "image.nrrd";
+  test::LabelGrid grid;
+  grid.Size = {{40, 40, 40}};
+  grid.CenterOnOrigin();
+  WriteImage(image, test::MakeLabelImage(grid, [](double x, double, double) { return x > 10.0; }));
+  TouchSettings settings = this->SettingsOf(this->ModelPath, TouchRepresentation::Automatic);
+  const auto ratio = [&]
+  {
+    const TouchResult result = RunTouch(PrepareTouch(settings, PressTo(13.0), GoOn), {}, GoOn);
+    return LastOf(result).Force.Most / LastOf(result).Depth.Most;
+  };
+  EXPECT_NEAR(ratio(), 0.5, 1e-6); // single precision
+  settings.Structures[0].Texture = 0.3;
+  settings.Structures[0].TextureImage = image;
+  EXPECT_GT(ratio(), 0.55);
+  settings.Structures[0].TextureImage = this->Folder / "missing.nrrd";
+  EXPECT_THROW(PrepareTouch(settings, PressTo(13.0), GoOn), InputError);
+}
+
 TEST_F(TouchRun, ASweepTouchesAllTheWay)
 {
   const TouchSettings settings = this->SettingsOf(this->ModelPath, TouchRepresentation::Automatic);
   const PreparedTouch touch = PrepareTouch(settings, {}, GoOn);
   EXPECT_EQ(touch.Duration, touch.Path.Duration());
-  const TouchResult result = RunTouch(touch, true, {}, GoOn);
+  const TouchResult result = RunTouch(touch, {}, GoOn);
+  EXPECT_GT(result.TouchedSeconds[0], 0.8 * touch.Duration);
+}
+
+// Thrice as long as the sweep, it touches as much of the time.
+TEST_F(TouchRun, ASweepGoesToAndFroForAsLongAsATouchLasts)
+{
+  const TouchSettings settings = this->SettingsOf(this->ModelPath, TouchRepresentation::Automatic);
+  TouchScript script;
+  script.SweepSpeed = 200.0;
+  script.Duration = 3.0 * PrepareTouch(settings, script, GoOn).Duration;
+  const PreparedTouch touch = PrepareTouch(settings, script, GoOn);
+  const TouchResult result = RunTouch(touch, {}, GoOn);
+  EXPECT_EQ(result.Fault, SafetyFault::None);
   EXPECT_GT(result.TouchedSeconds[0], 0.8 * touch.Duration);
 }
 
@@ -139,7 +180,7 @@ TEST_F(TouchRun, CanBeEndedEarly)
   const TouchSettings settings = this->SettingsOf(this->ModelPath, TouchRepresentation::Automatic);
   const PreparedTouch touch = PrepareTouch(settings, PressTo(10.0), GoOn);
   const auto half = [](double part, const std::string&) { return part < 0.5; };
-  const TouchResult result = RunTouch(touch, true, {}, half);
+  const TouchResult result = RunTouch(touch, {}, half);
   EXPECT_GT(result.Ticks, 900U);
   EXPECT_LT(result.Ticks, 2000U);
 }
@@ -152,10 +193,16 @@ TEST_F(TouchRun, RunsInRealTimeOnAThread)
   TouchScript script = PressTo(10.0);
   script.Duration = 0.2;
   const PreparedTouch touch = PrepareTouch(settings, script, GoOn);
-  const TouchResult result = RunTouch(touch, false, {}, GoOn);
+  std::uint64_t pictures = 0;
+  TouchRunSettings run;
+  run.IsVirtual = false;
+  run.View = [&pictures](double, const TouchState&) { ++pictures; };
+  const TouchResult result = RunTouch(touch, run, GoOn);
   EXPECT_GT(result.Ticks, 0U);
-  EXPECT_EQ(result.Trace.Time.size(), result.Ticks);
-  EXPECT_TRUE(result.Trace.TickMicroseconds.empty());
+  EXPECT_EQ(result.Trace.Stretches().size(), result.Ticks);
+  EXPECT_EQ(result.Trace.Whole().Computation.Most, 0.0F);
+  EXPECT_EQ(result.Frames.Count(), pictures);
+  EXPECT_GT(result.FramesPerSecond, 0.0);
 }
 
 TEST_F(TouchRun, WhatCannotBeTouchedIsRefused)
@@ -179,7 +226,7 @@ TEST_F(TouchRun, FilesSayWhatWasFelt)
 {
   const TouchSettings settings = this->SettingsOf(this->ModelPath, TouchRepresentation::Automatic);
   const PreparedTouch touch = PrepareTouch(settings, PressTo(10.0), GoOn);
-  const TouchResult result = RunTouch(touch, true, {}, GoOn);
+  const TouchResult result = RunTouch(touch, {}, GoOn);
   WriteTouchFiles(this->Folder.Path(), touch, result);
   const auto read = [this](const char* name)
   { return ReadWholeFile(this->Folder / name, std::uintmax_t{1} << 30); };
@@ -188,6 +235,7 @@ TEST_F(TouchRun, FilesSayWhatWasFelt)
   EXPECT_EQ(summary["fault"], "");
   EXPECT_GT(summary["force_max_n"].get<double>(), 1.0);
   EXPECT_GT(summary["tick"]["median_us"].get<double>(), 0.0);
+  EXPECT_GT(summary["memory_end_mib"].get<double>(), 1.0);
   const std::string trace = read("trace.csv");
   EXPECT_EQ(std::count(trace.begin(), trace.end(), '\n'), 2001);
   EXPECT_NE(read("report.html").find("force, N"), std::string::npos);

@@ -51,6 +51,9 @@ TEST_F(TouchSceneFile, WhatIsWrittenIsReadBackTheSame)
   bone.Interpolation = FieldInterpolation::TricubicBSpline;
   bone.Smoothing = 2.5;
   bone.Friction = {0.4, 0.3};
+  bone.Viscosity = 0.003;
+  bone.Texture = 0.25;
+  bone.TextureImage = this->Folder / "images/mr.nii.gz";
   TouchStructureSettings mask;
   mask.File = this->Folder / "mask.nii.gz";
   mask.Labels = {"1", "tumour, left"};
@@ -71,6 +74,11 @@ TEST_F(TouchSceneFile, WhatIsWrittenIsReadBackTheSame)
   EXPECT_EQ(back.Structures[0].Mode, HarmonicContactMode::Radial);
   EXPECT_EQ(back.Structures[1].Iso, -300.5);
   EXPECT_EQ(back.Structures[1].Friction.Dynamic, 0.3);
+  EXPECT_EQ(back.Structures[1].Viscosity, 0.003);
+  EXPECT_EQ(back.Structures[1].Texture, 0.25);
+  EXPECT_EQ(back.Structures[1].TextureImage.lexically_normal(),
+            bone.TextureImage.lexically_normal());
+  EXPECT_TRUE(back.Structures[0].TextureImage.empty());
   EXPECT_EQ(back.Structures[2].Labels, mask.Labels);
   EXPECT_EQ(back.Structures[2].Degree, 20);
   EXPECT_EQ(back.Tool.SemiAxes, settings.Tool.SemiAxes);
@@ -112,6 +120,9 @@ TEST_F(TouchSceneFile, WhatIsWrongIsRefusedByName)
       {begin + R"(, "iso": null}]})", "iso"},
       {begin + R"(, "representation": "voxels"}]})", "sub-voxel"},
       {begin + R"(, "label": [1]}]})", "label"},
+      {begin + R"(, "viscosity_ns_per_mm": -1}]})", "viscosity_ns_per_mm"},
+      {begin + R"(, "texture_n": 0.1}]})", "texture_image"},
+      {begin + R"(, "texture_image": "mr.nrrd"}]})", "texture_n"},
       {begin + R"(}], "tool": {"semi_axes_mm": [1, 2]}})", "semi_axes_mm"},
       {begin + R"(}], "tool": {"points": 100000}})", "points"},
       {begin + R"(}], "device": 4})", "device"},

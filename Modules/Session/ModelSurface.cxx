@@ -10,7 +10,7 @@
 
 #include <utility>
 
-namespace palpate::cli
+namespace palpate
 {
 namespace
 {
@@ -51,4 +51,4 @@ vtkSmartPointer<vtkPolyData> DrawModel(const SurfaceModel& surface, int frequenc
 {
   return std::visit([frequency](const auto& s) { return Draw(s, frequency); }, surface);
 }
-} // namespace palpate::cli
+} // namespace palpate

@@ -1,0 +1,168 @@
+#include "StabilityProbe.h"
+
+#include "ManualClock.h"
+#include "PressableScenes.h"
+#include "StiffnessAdvice.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace palpate
+{
+namespace
+{
+using Observation = StabilityObservation;
+
+// The bounds that are tested, and nothing else: no ramp, slew limit or energy observer helps.
+StabilityTrial BareTrial(const Vector3& outward, double rate = 1000.0)
+{
+  StabilityTrial trial;
+  trial.Outward = outward;
+  trial.Device.Rate = rate;
+  trial.Device.MaximumStiffness = 0.0;
+  trial.Device.MaximumDamping = 0.0;
+  trial.Device.MaximumForce = 1000.0;
+  trial.Device.Resolution = 0.0;
+  trial.Device.Hand.Friction = 0.0;
+  trial.Loop.Rate = rate;
+  trial.Loop.RampDuration = 0.0;
+  trial.Loop.MaximumSlew = 1e9;
+  trial.Loop.RecordedTicks = 0;
+  return trial;
+}
+
+double Claimed(const StabilityTrial& trial, double damping)
+{
+  ManualClock clock;
+  return StiffestStable(SimulatedDevice(clock, trial.Device).Capabilities(), trial.Loop.Rate,
+                        damping)
+      .Largest;
+}
+
+Observation Observe(const TouchScene& scene, const StabilityTrial& trial)
+{
+  Observation observation;
+  const Status status = ObserveStability(scene, trial, observation);
+  EXPECT_TRUE(status.IsOk()) << status.Message();
+  return observation;
+}
+
+template <typename T>
+const T& OneOf(test::Random& random, const std::vector<T>& choices)
+{
+  return choices[std::uniform_int_distribution<std::size_t>(0, choices.size() - 1)(random)];
+}
+
+// Any device and hand of the sweep, and how much of the mechanism's damping the structure's is.
+StabilityTrial RandomTrial(test::Random& random, const Vector3& outward, double& damping)
+{
+  StabilityTrial trial = BareTrial(outward, OneOf<double>(random, {500.0, 1000.0, 4000.0}));
+  trial.Device.Delay = OneOf<double>(random, {0.0, 1.0, 3.0}) / trial.Loop.Rate;
+  trial.Device.Resolution = OneOf<double>(random, {0.0, 0.02, 0.045});
+  HandProperties& hand = trial.Device.Hand;
+  hand.Friction = trial.Device.Resolution > 0.0 ? OneOf<double>(random, {0.05, 0.2}) : 0.0;
+  hand.Damping = OneOf<double>(random, {0.002, 0.01});
+  hand.HandStiffness = OneOf<double>(random, {0.1, 0.5, 2.0});
+  hand.HandDamping = OneOf<double>(random, {0.001, 0.005, 0.02});
+  hand.Mass = OneOf<double>(random, {0.1, 0.25, 0.5});
+  trial.Loop.VelocityTimeConstant = OneOf<double>(random, {0.0, 0.003});
+  trial.Frequency = OneOf<double>(random, {2.0, 7.0});
+  damping = OneOf<double>(random, {0.0, 0.3, 0.8}) * hand.Damping;
+  return trial;
+}
+
+// The energy (N mm) that a sphere of 26 points may give out where it first touches: its points can
+// be this much (mm) higher than the sphere itself, which then pushes out at once. The direction
+// that is farthest from all 26 is 27.6 degrees away; and the ball of 20 mm falls off meanwhile.
+double GapEnergy(double stiffness)
+{
+  constexpr double Angle = 27.6 * M_PI / 180.0;
+  const double aside = test::pressable::ToolRadius * std::sin(Angle);
+  const double gap = test::pressable::ToolRadius * (1.0 - std::cos(Angle)) + aside * aside / 40.0;
+  return 0.5 * stiffness * gap * gap;
+}
+
+TEST(StabilityProbe, NoStructureWithinTheClaimedBorderGivesOutEnergy)
+{
+  constexpr int Trials = 60;
+  test::Random random(71);
+  std::vector<test::PressableScene> scenes = test::MakePressableScenes(random);
+  for (test::PressableScene& pressed : scenes)
+  {
+    const bool hasGaps = pressed.Kind == "sub-voxel, 26 points";
+    for (int n = 0; n < Trials; ++n)
+    {
+      ContactLaw& law = pressed.Scene.Structures.front().Law;
+      const StabilityTrial trial = RandomTrial(random, pressed.Outward, law.Damping);
+      law.Stiffness = 0.99 * Claimed(trial, law.Damping);
+      Observation seen = Observe(pressed.Scene, trial);
+      EXPECT_EQ(seen.Fault, SafetyFault::None);
+      EXPECT_GT(seen.Deepest, 0.02);
+      seen.LeastEnergy += hasGaps ? GapEnergy(law.Stiffness) : 0.0;
+      const HandProperties& hand = trial.Device.Hand;
+      EXPECT_FALSE(seen.GaveOutEnergy() || (seen.Vibrated() && !hasGaps))
+          << pressed.Kind << ": " << seen.LeastEnergy << " N mm, " << seen.LaterMotion << " after "
+          << seen.EarlierMotion << " mm; " << law.Stiffness << " N/mm, " << law.Damping
+          << " N s/mm; " << trial.Loop.Rate << " Hz, " << trial.Device.Delay
+          << " s late, counts of " << trial.Device.Resolution << " mm; friction " << hand.Friction
+          << ", damping " << hand.Damping << ", hand " << hand.HandStiffness << ' '
+          << hand.HandDamping << ' ' << hand.Mass << ", filter " << trial.Loop.VelocityTimeConstant
+          << ", " << trial.Frequency << " Hz";
+    }
+  }
+}
+
+TEST(StabilityProbe, BeyondTheBorderEveryStructureGivesOutEnergy)
+{
+  test::Random random(73);
+  for (test::PressableScene& pressed : test::MakePressableScenes(random))
+  {
+    const StabilityTrial trial = BareTrial(pressed.Outward);
+    ContactLaw& law = pressed.Scene.Structures.front().Law;
+    law.Stiffness = 4.0 * Claimed(trial, 0.0);
+    EXPECT_TRUE(Observe(pressed.Scene, trial).GaveOutEnergy()) << pressed.Kind;
+  }
+}
+
+// With all that holds back but the friction that counts need.
+TEST(StabilityProbe, CountsWithoutFrictionEndInALimitCycle)
+{
+  test::Random random(74);
+  test::PressableScene wall = std::move(test::MakePressableScenes(random).front());
+  StabilityTrial trial = BareTrial(wall.Outward);
+  trial.Device.Resolution = 0.1;
+  wall.Scene.Structures.front().Law.Stiffness = 3.0;
+  EXPECT_TRUE(Observe(wall.Scene, trial).Vibrated());
+  trial.Device.Hand.Friction = 0.2; // more than 3 N/mm * 0.1 mm / 2
+  EXPECT_FALSE(Observe(wall.Scene, trial).Vibrated());
+}
+
+// A hand that is led slowly comes close to the bound, which a hand at constant speed would reach.
+TEST(StabilityProbe, TheBorderOfAWallIsAtMostAFewTimesTheBound)
+{
+  test::Random random(75);
+  const test::PressableScene wall = test::MakePressableScenes(random).front();
+  const StabilityTrial trial = BareTrial(wall.Outward);
+  const double claimed = Claimed(trial, 0.0);
+  double border = 0.0;
+  ASSERT_TRUE(FindStableBorder(
+                  wall.Scene, trial, claimed,
+                  [](const Observation& seen) { return !seen.GaveOutEnergy(); }, border)
+                  .IsOk());
+  EXPECT_GE(border, claimed);
+  EXPECT_LE(border, 3.0 * claimed);
+}
+
+TEST(StabilityProbe, WhatHasNoStructureIsRefused)
+{
+  Observation observation;
+  double border = 0.0;
+  const StabilityTrial trial = BareTrial(Vector3::UnitZ());
+  EXPECT_FALSE(ObserveStability({}, trial, observation).IsOk());
+  EXPECT_FALSE(FindStableBorder(
+                   {}, trial, 1.0, [](const Observation&) { return true; }, border)
+                   .IsOk());
+}
+} // namespace
+} // namespace palpate

@@ -1,0 +1,17 @@
+#include "ResidentMemory.h"
+
+#include <fstream>
+#include <unistd.h>
+
+namespace palpate
+{
+double ResidentMebibytes()
+{
+  constexpr double Mebi = 1024.0 * 1024.0;
+  std::ifstream file("/proc/self/statm");
+  double pages = 0.0;
+  double resident = 0.0;
+  file >> pages >> resident;
+  return file ? resident * static_cast<double>(sysconf(_SC_PAGESIZE)) / Mebi : 0.0;
+}
+} // namespace palpate

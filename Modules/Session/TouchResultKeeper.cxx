@@ -1,0 +1,69 @@
+#include "TouchResultKeeper.h"
+
+#include "ResidentMemory.h"
+
+#include <algorithm>
+
+namespace palpate
+{
+namespace
+{
+constexpr double Nano = 1e-9;
+constexpr double SettlingTime = 1.0; // s, until all memory is there
+
+LeastAndMost Alone(double value)
+{
+  return {static_cast<float>(value), static_cast<float>(value)};
+}
+} // namespace
+
+TouchResultKeeper::TouchResultKeeper(TouchResult& result, std::size_t structures) : Result(result)
+{
+  result.TouchedSeconds.resize(structures);
+}
+
+void TouchResultKeeper::Add(const TouchState& state, float microseconds)
+{
+  if (this->Result.Ticks++ == 0)
+  {
+    this->Start = state.Tick.Scheduled;
+    this->Last = state.Tick.Started;
+  }
+  const double passed = Nano * static_cast<double>(state.Tick.Started - this->Last);
+  this->Last = state.Tick.Started;
+  this->Trace(state, passed, microseconds);
+  if (state.Structure >= 0)
+  {
+    this->Result.TouchedSeconds[static_cast<std::size_t>(state.Structure)] += passed;
+  }
+  this->Result.LeastEnergy = std::min(this->Result.LeastEnergy, state.Safety.Energy);
+  if (this->Result.Fault == SafetyFault::None)
+  {
+    this->Result.Fault = state.Safety.Fault;
+  }
+}
+
+void TouchResultKeeper::Trace(const TouchState& state, double passed, float microseconds)
+{
+  TouchStretch tick;
+  tick.Time = Nano * static_cast<double>(state.Tick.Started - this->Start);
+  tick.Force = Alone(Vector3(state.ForceDevice).norm());
+  tick.Depth = Alone(state.Structure < 0 ? 0.0 : state.Depth);
+  tick.Period = Alone(1e6 * passed);
+  tick.Computation = {microseconds, microseconds};
+  this->Result.Trace.Add(tick);
+  if (this->Result.MebibytesAtStart == 0.0 && tick.Time >= SettlingTime)
+  {
+    this->Result.MebibytesAtStart = ResidentMebibytes();
+  }
+}
+
+void TouchResultKeeper::Close()
+{
+  this->Result.MebibytesAtEnd = ResidentMebibytes();
+  if (this->Result.MebibytesAtStart == 0.0)
+  {
+    this->Result.MebibytesAtStart = this->Result.MebibytesAtEnd;
+  }
+}
+} // namespace palpate

@@ -1,0 +1,49 @@
+#include "TouchTrace.h"
+
+namespace palpate
+{
+namespace
+{
+void Join(TouchStretch& stretch, const TouchStretch& next)
+{
+  stretch.Force.Join(next.Force);
+  stretch.Depth.Join(next.Depth);
+  stretch.Period.Join(next.Period);
+  stretch.Computation.Join(next.Computation);
+}
+} // namespace
+
+void TouchTrace::Add(const TouchStretch& tick)
+{
+  this->LastTime = tick.Time;
+  if (this->List.empty())
+  {
+    this->List.reserve(MostStretches);
+    this->All = tick;
+  }
+  Join(this->All, tick);
+  if (!this->List.empty() && this->TicksInLast < this->Length)
+  {
+    Join(this->List.back(), tick);
+    ++this->TicksInLast;
+    return;
+  }
+  if (this->List.size() == MostStretches)
+  {
+    this->Halve();
+  }
+  this->List.push_back(tick);
+  this->TicksInLast = 1;
+}
+
+void TouchTrace::Halve()
+{
+  for (std::size_t i = 0; i < this->List.size() / 2; ++i)
+  {
+    this->List[i] = this->List[2 * i];
+    Join(this->List[i], this->List[2 * i + 1]);
+  }
+  this->List.resize(this->List.size() / 2);
+  this->Length *= 2;
+}
+} // namespace palpate

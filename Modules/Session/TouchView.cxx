@@ -1,0 +1,67 @@
+#include "TouchView.h"
+
+#include "ModelSurface.h"
+
+#include "vtkNew.h"
+#include "vtkPolyData.h"
+#include "vtkSphereSource.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace palpate
+{
+namespace
+{
+constexpr SceneRenderer::Color StructureColor{{0.85, 0.72, 0.55}};
+constexpr SceneRenderer::Color ToolColor{{0.15, 0.35, 0.75}};
+} // namespace
+
+TouchView::TouchView(const PreparedTouch& touch)
+{
+  for (const TouchableStructure& structure : touch.Structures)
+  {
+    this->Add(structure.Looks);
+  }
+  this->Middle = this->Renderer.MiddleWorld();
+  this->AddTool(touch.Scene->Tool);
+}
+
+void TouchView::Add(const TouchAppearance& looks)
+{
+  constexpr int Frequency = 20;
+  if (looks.Field != nullptr)
+  {
+    this->Renderer.AddField(looks.Field, {StructureColor}, 1.0);
+  }
+  if (looks.Surface != nullptr)
+  {
+    this->Renderer.AddSurface(looks.Surface, StructureColor, 1.0);
+  }
+  if (looks.Model != nullptr)
+  {
+    this->Renderer.AddSurface(DrawModel(*looks.Model, Frequency), StructureColor, 1.0);
+  }
+}
+
+// As a sphere round what there is of it.
+void TouchView::AddTool(const ToolShape& tool)
+{
+  constexpr double LeastRadius = 0.5; // mm, so that a point is seen
+  vtkNew<vtkSphereSource> sphere;
+  sphere->SetRadius(std::max(LeastRadius, tool.BoundingRadius()));
+  sphere->SetCenter(this->Middle.data());
+  sphere->Update();
+  this->Tool = this->Renderer.AddSurface(sphere->GetOutput(), ToolColor, 1.0);
+}
+
+Picture TouchView::Draw(double time, const Vector3& proxyWorld)
+{
+  constexpr double Turning = M_PI / 6.0; // rad/s
+  const double angle = Turning * time;
+  const Vector3 up = Vector3::UnitZ();
+  const Vector3 right(std::cos(angle), std::sin(angle), 0.0);
+  this->Renderer.MoveSurface(this->Tool, proxyWorld - this->Middle);
+  return this->Renderer.Render({right, up, right.cross(up)}, Width, Height);
+}
+} // namespace palpate

@@ -1,0 +1,33 @@
+#pragma once
+
+#include "DisplayServer.h"
+#include "PalpateSessionModule.h"
+#include "SceneRenderer.h"
+#include "TouchRun.h"
+
+namespace palpate
+{
+/// What a touch looks like while it goes on, off screen: the structures as they are touched,
+/// turning round the patient's long axis, and the tool at its proxy.
+class PALPATESESSION_EXPORT TouchView
+{
+public:
+  static constexpr int Width = 640; ///< pixels
+  static constexpr int Height = 480;
+
+  /// Throws FilterError, and std::runtime_error where nothing can be drawn.
+  explicit TouchView(const PreparedTouch& touch);
+
+  /// `time` in s turns the scene, 30 degrees a second.
+  Picture Draw(double time, const Vector3& proxyWorld);
+
+private:
+  void Add(const TouchAppearance& looks);
+  void AddTool(const ToolShape& tool);
+
+  DisplayServer Display; // before any window
+  SceneRenderer Renderer;
+  std::size_t Tool = 0; // its surface
+  Vector3 Middle = Vector3::Zero();
+};
+} // namespace palpate

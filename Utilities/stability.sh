@@ -1,0 +1,9 @@
+#!/bin/sh
+# Measures up to which stiffness structures are stable on the simulated device (some minutes), and
+# writes Documentation/Stability.md and its picture from this run.
+set -eu
+cd "$(dirname "$0")/.."
+
+Utilities/build.sh
+build/release/bin/PalpateStability build/release/stability.json
+exec /usr/bin/python3 Utilities/stability.py build/release/stability.json
