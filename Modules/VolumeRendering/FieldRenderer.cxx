@@ -57,7 +57,7 @@ FieldRenderer::FieldRenderer(std::shared_ptr<const ScalarField> field, FieldView
 
 RayInterval FieldRenderer::ShownInterval(const FieldRay& ray) const noexcept
 {
-  return ClippedInterval(ray, this->Scene.Kept, {});
+  return this->Scene.Kept.empty() ? RayInterval() : ClippedInterval(ray, this->Scene.Kept, {});
 }
 
 // What of a pixel's ray is asked for, behind `from`.

@@ -21,8 +21,13 @@ FieldRay PixelRays::At(double x, double y) const noexcept
 
 double PixelRays::Depth(const Vector3& pointWorld) const noexcept
 {
-  const Eigen::Vector4d clip = this->ToClip * pointWorld.homogeneous();
-  return clip[2] / clip[3];
+  // The two coordinates that a depth needs.
+  const auto coordinate = [&](Eigen::Index row)
+  {
+    return this->ToClip(row, 0) * pointWorld[0] + this->ToClip(row, 1) * pointWorld[1] +
+           this->ToClip(row, 2) * pointWorld[2] + this->ToClip(row, 3);
+  };
+  return coordinate(2) / coordinate(3);
 }
 
 double PixelRays::ParameterAtDepth(const FieldRay& ray, double depth) const noexcept

@@ -160,6 +160,8 @@ public:
   // Facets lie up to some hundredths of a millimetre inside the surface, and which place of a facet
   // is nearest differs by its slope times the depth.
   std::string Disagreement() const { return this->Pairs.Disagreement(0.3); }
+  // A god-object waits at edges now and then: up to 22 degrees off, of 1.5 mm.
+  std::string FacetsDisagreement() const { return this->Pairs.Disagreement(0.6); }
 
 private:
   static constexpr double BallRadius = 2.0; // mm
@@ -259,8 +261,9 @@ public:
   void TouchLarge() { TouchAll(*this->Large, LargeRadius, this->LargePath, this->Pairs.Ours); }
   // The published law pushes out by the mean, which is up to the depth less.
   std::string LawsDisagreement() const { return this->Pairs.Disagreement(0.6); }
-  // Tools touch at the same place, but for solving, and normals that lag by a tick.
-  std::string RadiiDisagreement() const { return this->Pairs.Disagreement(0.02); }
+  // Tools touch at the same place, but for solving, and for normals that lag by a tick: 4 mm times
+  // some hundredth.
+  std::string RadiiDisagreement() const { return this->Pairs.Disagreement(0.06); }
 
 private:
   static constexpr double SmallRadius = 0.5; // mm
@@ -288,7 +291,7 @@ std::vector<PairedBenchmark> TouchBenchmarks()
                            "spherical harmonics of degree 12 (ours)",
                            [organ, size] { organ->FollowFacets(size); },
                            [organ] { organ->FollowHarmonicAsTheirs(); },
-                           agree,
+                           [organ] { return organ->FacetsDisagreement(); },
                            Ticks};
   };
   return {{"touch/sh/degree12", "vtkStaticCellLocator, 8,000 triangles",

@@ -16,6 +16,7 @@ constexpr double Enough = 1e-4;
 constexpr int MostSteps = 6;
 // So many find the nearest wall, if not the proof that there is no other.
 constexpr int MostEvaluations = 64;
+constexpr int ProvingEvaluations = 512;
 // Walls are one where the surface between them turns by less (rad), seen from the centre.
 constexpr double Apart = 0.01;
 } // namespace
@@ -75,7 +76,7 @@ void HarmonicWedge::MoveTo(const Vector3& goalWorld) noexcept
 // to no other wall than its radius, since the nearest one was the nearest.
 void HarmonicWedge::ReturnToSurface(const Vector3& goalWorld) noexcept
 {
-  const ClosestPoint wall = this->Surface->Search().Nearest(this->Center, MostEvaluations);
+  const ClosestPoint wall = this->Surface->Search().Nearest(this->Center, ProvingEvaluations);
   const double gap = wall.SignedDistance - wall.DistanceError - this->Radius;
   if (gap > 0.0 && this->Center != goalWorld)
   {
