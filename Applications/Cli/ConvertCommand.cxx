@@ -8,6 +8,7 @@
 #include "ModelSurface.h"
 #include "StructureMask.h"
 #include "SurfaceFile.h"
+#include "TouchTicksFile.h"
 
 #include <CLI/CLI.hpp>
 
@@ -31,12 +32,14 @@ std::string ConvertCommand::Examples() const
          "  palpate convert model.json model.x3d --frequency 40\n"
          "  palpate convert surface.vtp surface.stl            surfaces: vtp stl ply obj gltf x3d\n"
          "  palpate convert mask.nii.gz mask.nrrd              images: nii nii.gz nrrd mha\n"
-         "  palpate convert mask.seg.nrrd gland.nii.gz --label Prostate";
+         "  palpate convert mask.seg.nrrd gland.nii.gz --label Prostate\n"
+         "  palpate convert felt/session.touch ticks.csv       a line a tick";
 }
 
 void ConvertCommand::DeclareOptions(CLI::App& app)
 {
-  app.add_option("IN", this->Input, "Model, surface, image or segmentation")->required();
+  app.add_option("IN", this->Input, "Model, surface, image, segmentation or recorded touch")
+      ->required();
   app.add_option("OUT", this->Output, "Its ending says the format")->required();
   app.add_option("--label", this->Label,
                  "Write this structure of a segmentation alone, as a mask of 0 and 1")
@@ -64,11 +67,28 @@ int ConvertCommand::Run(Console& console)
     }
     WriteSurface(this->Output, ReadSurface(this->Input));
   }
+  else if (IsTouchRecording(this->Input))
+  {
+    this->ConvertTouch(console);
+  }
   else
   {
     this->ConvertImage(console);
   }
   return 0;
+}
+
+void ConvertCommand::ConvertTouch(Console& console) const
+{
+  if (this->Output.extension() != ".csv")
+  {
+    throw InputError(this->Output.string() + " does not end in .csv and " + this->Input.string() +
+                     " is a recorded touch, which is written as CSV only");
+  }
+  if (WriteTouchTicks(this->Input, this->Output))
+  {
+    console.Note(this->Input.string() + " ended within a tick, which is left out");
+  }
 }
 
 void ConvertCommand::ConvertModel(Console& console) const

@@ -23,6 +23,7 @@ public:
 
 private:
   void ConvertModel(Console& console) const;
+  void ConvertTouch(Console& console) const;
   void ConvertImage(Console& console) const;
 
   std::filesystem::path Input;

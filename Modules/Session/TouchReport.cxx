@@ -31,9 +31,11 @@ double TouchingPercent(const TouchResult& result)
 
 nlohmann::ordered_json StatisticsAsJson(const PeriodStatistics& statistics)
 {
+  constexpr double Most = 0.99;
   constexpr double Almost = 0.999;
   return {{"count", statistics.Count()},
           {"median_us", Micro * static_cast<double>(statistics.Median())},
+          {"p99_us", Micro * static_cast<double>(statistics.Quantile(Most))},
           {"p999_us", Micro * static_cast<double>(statistics.Quantile(Almost))},
           {"max_us", Micro * static_cast<double>(statistics.Max())},
           {"missed", statistics.Misses()}};

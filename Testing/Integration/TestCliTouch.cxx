@@ -2,6 +2,8 @@
 #include "SyntheticFiles.h"
 #include "TemporaryFolder.h"
 
+#include <algorithm>
+#include <fstream>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
@@ -32,6 +34,33 @@ TEST(CliTouch, AMaskIsSweptAndWhatWasFeltIsWritten)
       {"touch", "felt/scene.json", "--device", "replay:felt/session.touch", "--seconds", "0.5"},
       folder.Path());
   EXPECT_EQ(device.Code, 0) << device.Errors;
+}
+
+TEST(CliTouch, ARecordingBecomesALineATick)
+{
+  const TemporaryFolder folder;
+  WriteTwoBalls(folder / "a.nii.gz");
+  ASSERT_EQ(
+      RunPalpate({"touch", "a.nii.gz", "--label", "1", "--seconds", "0.5", "--output", "felt"},
+                 folder.Path())
+          .Code,
+      0);
+  const CommandRun run = RunPalpate({"convert", "felt/session.touch", "ticks.csv"}, folder.Path());
+  ASSERT_EQ(run.Code, 0) << run.Errors;
+  const std::string text = ReadAll(folder / "ticks.csv");
+  EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 501);
+  const std::string first = text.substr(0, text.find('\n'));
+  const std::string last = text.substr(text.rfind('\n', text.size() - 2) + 1);
+  EXPECT_EQ(std::count(first.begin(), first.end(), ','), std::count(last.begin(), last.end(), ','));
+  EXPECT_EQ(last.rfind("499,", 0), 0U) << last;
+  // Cut off, as by a program that died.
+  const std::string bytes = ReadAll(folder / "felt/session.touch");
+  std::ofstream(folder / "cut.part", std::ios::binary) << bytes.substr(0, bytes.size() - 100);
+  const CommandRun cut = RunPalpate({"convert", "cut.part", "cut.csv"}, folder.Path());
+  EXPECT_EQ(cut.Code, 0) << cut.Errors;
+  EXPECT_NE(cut.Errors.find("left out"), std::string::npos) << cut.Errors;
+  EXPECT_EQ(RunPalpate({"convert", "a.nii.gz", "b.csv"}, folder.Path()).Code, 2);
+  EXPECT_EQ(RunPalpate({"convert", "cut.part", "b.nrrd"}, folder.Path()).Code, 2);
 }
 
 TEST(CliTouch, TooMuchStiffnessIsWarnedOfBeforeForcesStart)

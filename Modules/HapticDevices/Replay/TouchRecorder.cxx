@@ -59,8 +59,12 @@ Status TouchRecorder::Take(const TouchState& state)
     return Status::Failure("Ticks before number " + std::to_string(state.Tick.Number) +
                            " were lost: the recording cannot be replayed.");
   }
-  ++this->Written;
+  constexpr std::uint64_t TicksBetweenFlushes = 256;
   WriteWords(this->File, Encode(state));
+  if (++this->Written % TicksBetweenFlushes == 0)
+  {
+    this->File.flush();
+  }
   return this->File ? Status::Success()
                     : Status::Failure(this->TemporaryPath + " cannot be written any further.");
 }

@@ -9,7 +9,8 @@
 namespace palpate
 {
 /// Writes a session to a file while it goes on: somebody calls Drain often enough for the servo's
-/// ring not to overflow. The file has its name only once Finish has written it whole.
+/// ring not to overflow. The file has its name only once Finish has written it whole; of a program
+/// that dies the file ending with .part is left, up to the last 256 ticks.
 class TouchRecorder
 {
 public:

@@ -46,8 +46,7 @@ Status ReadTicks(const std::string& path, std::istream& file, std::vector<TouchS
     }
     ticks.push_back(state);
   }
-  return file.gcount() == 0 ? Status::Success()
-                            : Status::Failure(path + " was cut off within a tick.");
+  return Status::Success();
 }
 } // namespace
 
@@ -69,6 +68,7 @@ Status ReadTouchRecording(const std::string& path, TouchRecording& recording)
   Status status = ReadTicks(path, file, read.Ticks);
   if (status.IsOk())
   {
+    read.WasCutOff = file.gcount() > 0;
     recording = std::move(read);
   }
   return status;

@@ -23,9 +23,10 @@ struct TouchRecording
 {
   TouchSession Session;
   std::vector<TouchState> Ticks;
+  bool WasCutOff = false; ///< the file ended within a tick, which is left out
 };
 
-/// Reads a file that a TouchRecorder wrote. Refuses, with `recording` untouched, what is none, what
-/// was cut off, and what lacks ticks.
+/// Reads a file that a TouchRecorder wrote, or what a program that died has left of one (its name
+/// ends with .part). Refuses, with `recording` untouched, what is none and what lacks ticks.
 Status ReadTouchRecording(const std::string& path, TouchRecording& recording);
 } // namespace palpate

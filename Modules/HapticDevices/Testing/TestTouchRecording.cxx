@@ -84,18 +84,39 @@ TEST_F(TouchRecordingFile, HasEveryTickAndTheSession)
   EXPECT_EQ(this->Folder.EntryCount(), 1u); // nothing temporary is left
 }
 
-TEST_F(TouchRecordingFile, ThatIsCutOffAnywhereIsRefusedOrEndsWithAWholeTick)
+TEST_F(TouchRecordingFile, ThatIsCutOffAnywhereKeepsItsWholeTicks)
 {
-  const std::size_t head = this->Bytes.size() - 400 * 8 * TouchRecordingFormat::TickWords;
-  for (std::size_t cut = 1; cut < this->Bytes.size(); cut += 97)
+  constexpr std::size_t Tick = 8 * TouchRecordingFormat::TickWords;
+  const std::string whole = this->Bytes;
+  const std::size_t head = whole.size() - 400 * Tick;
+  for (std::size_t cut = 1; cut < whole.size(); cut += 97)
   {
-    const std::string whole = this->Bytes;
-    this->Bytes.resize(this->Bytes.size() - cut);
-    const bool isWhole = this->Bytes.size() >= head &&
-                         (this->Bytes.size() - head) % (8 * TouchRecordingFormat::TickWords) == 0;
-    EXPECT_EQ(this->ReadBytes().IsOk(), isWhole) << cut;
-    this->Bytes = whole;
+    this->Bytes = whole.substr(0, whole.size() - cut);
+    this->Recording = TouchRecording();
+    ASSERT_EQ(this->ReadBytes().IsOk(), this->Bytes.size() >= head) << cut;
+    if (this->Bytes.size() >= head)
+    {
+      ASSERT_EQ(this->Recording.Ticks.size(), (this->Bytes.size() - head) / Tick);
+      ASSERT_EQ(this->Recording.WasCutOff, (this->Bytes.size() - head) % Tick != 0);
+    }
   }
+}
+
+// As if the program had died: the file under its temporary name is read while it is written.
+TEST(TouchRecorder, WhatWasFlushedOutlivesTheProgram)
+{
+  const test::TemporaryFolder folder;
+  const std::string path = (folder / "session").string();
+  TouchRecorder recorder;
+  ASSERT_TRUE(recorder.Start(path, TouchSession()).IsOk());
+  TouchState state;
+  for (state.Tick.Number = 0; state.Tick.Number < 1000; ++state.Tick.Number)
+  {
+    ASSERT_TRUE(recorder.Take(state).IsOk());
+  }
+  TouchRecording left;
+  ASSERT_TRUE(ReadTouchRecording(path + ".part", left).IsOk());
+  EXPECT_GE(left.Ticks.size(), 768U);
 }
 
 TEST_F(TouchRecordingFile, OfAnotherFormatOrVersionIsRefused)

@@ -1,0 +1,83 @@
+#include "TouchTicksFile.h"
+
+#include "InputError.h"
+#include "TouchRecording.h"
+#include "WholeFile.h"
+
+#include <array>
+#include <cstdio>
+#include <string>
+
+namespace palpate
+{
+namespace
+{
+constexpr const char* Columns =
+    "tick,due_s,began_s,state,fault,buttons,x_mm,y_mm,z_mm,qx,qy,qz,qw,"
+    "probe_world_x_mm,probe_world_y_mm,probe_world_z_mm,"
+    "proxy_world_x_mm,proxy_world_y_mm,proxy_world_z_mm,force_x_n,force_y_n,force_z_n,"
+    "force_world_x_n,force_world_y_n,force_world_z_n,structure,depth_mm,energy_n_mm\n";
+
+// All digits, so that what is read is what was recorded.
+void Append(std::string& text, double number)
+{
+  std::array<char, 40> word{};
+  const int length = std::snprintf(word.data(), word.size(), ",%.17g", number);
+  text.append(word.data(), static_cast<std::size_t>(length));
+}
+
+void Append(std::string& text, const PlainVector3& v)
+{
+  Append(text, v.X);
+  Append(text, v.Y);
+  Append(text, v.Z);
+}
+
+void Append(std::string& text, const TouchState& state, std::int64_t start)
+{
+  constexpr double Nano = 1e-9;
+  text += std::to_string(state.Tick.Number);
+  Append(text, Nano * static_cast<double>(state.Tick.Scheduled - start));
+  Append(text, Nano * static_cast<double>(state.Tick.Started - start));
+  text += ',' + std::string(NameOf(state.State)) + ',' +
+          std::to_string(static_cast<int>(state.Safety.Fault)) + ',' +
+          std::to_string(state.Sample.Buttons);
+  Append(text, state.Sample.Position);
+  for (const double number : state.Sample.Orientation)
+  {
+    Append(text, number);
+  }
+  Append(text, state.ProbeWorld);
+  Append(text, state.ProxyWorld);
+  Append(text, state.ForceDevice);
+  Append(text, state.ForceWorld);
+  text += ',' + std::to_string(state.Structure);
+  Append(text, state.Depth);
+  Append(text, state.Safety.Energy);
+  text += '\n';
+}
+} // namespace
+
+bool IsTouchRecording(const std::filesystem::path& path)
+{
+  return path.extension() == ".touch" || path.extension() == ".part";
+}
+
+bool WriteTouchTicks(const std::filesystem::path& recording, const std::filesystem::path& csv)
+{
+  TouchRecording read;
+  const Status status = ReadTouchRecording(recording.string(), read);
+  if (!status.IsOk())
+  {
+    throw InputError(status.Message());
+  }
+  std::string text = Columns;
+  const std::int64_t start = read.Ticks.empty() ? 0 : read.Ticks.front().Tick.Scheduled;
+  for (const TouchState& state : read.Ticks)
+  {
+    Append(text, state, start);
+  }
+  WriteWholeFile(csv, text);
+  return read.WasCutOff;
+}
+} // namespace palpate

@@ -1,0 +1,17 @@
+#pragma once
+
+#include "PalpateSessionModule.h"
+
+#include <filesystem>
+
+namespace palpate
+{
+/// Whether the ending is that of a recorded touch: .touch, or .part where a program died.
+PALPATESESSION_EXPORT bool IsTouchRecording(const std::filesystem::path& path);
+
+/// Writes every tick of a recorded touch as a line of CSV; the first line names the columns with
+/// their units. Lengths in the device's frame or, where a name says so, in the world. Answers
+/// whether the recording was cut off. Throws InputError.
+PALPATESESSION_EXPORT bool WriteTouchTicks(const std::filesystem::path& recording,
+                                           const std::filesystem::path& csv);
+} // namespace palpate
