@@ -47,17 +47,9 @@ READING = """## What it says
 - Without counts and friction, the kinds of structure hardly differ.
 """
 
-GAPS = """- **A sphere of 26 points on voxels gives out energy at any stiffness k, up to k g^2 / 2 a contact.** It is noticed when its
-  first point enters, which can be a gap g (up to 0.25 mm for a radius of 2 mm) after the sphere itself would have; from then
-  on it is felt as a sphere, and pushed out by that gap at once. `--tool-points 0` takes as many points as voxels and radius
-  ask for (g below 0.05 voxel). As it has no border, it is left out of the numbers above. Its limit cycles began below the
-  claimed border in {gapped} of {all_gapped} combinations, all above 20 N/mm.
-"""
-
-# In the order of the legend; a sphere of few points has no border by energy.
+# In the order of the legend.
 KINDS = {"wall": "o", "harmonics": "s", "facets": "^", "sub-voxel, point": "D",
          "sub-voxel, 26 points": "x"}
-GAPPED = "sub-voxel, 26 points"
 # Borders are found to 1 %.
 NEARLY = 0.99
 
@@ -89,9 +81,8 @@ def scatter(axes, entries, bound, title, label):
     for kind, marker in KINDS.items():
         series = [e for e in entries if e["kind"] == kind]
         colour = f"C{list(KINDS).index(kind)}"
-        if kind != GAPPED:
-            axes.loglog([bound(e) for e in series], [e["energy_n_per_mm"] for e in series], marker,
-                        color=colour, markersize=5, label=f"{kind}: energy comes out")
+        axes.loglog([bound(e) for e in series], [e["energy_n_per_mm"] for e in series], marker,
+                    color=colour, markersize=5, label=f"{kind}: energy comes out")
         axes.loglog([bound(e) * 1.04 for e in series], [e["vibration_n_per_mm"] for e in series], marker,
                     color=colour, markersize=5, fillstyle="none", alpha=0.7,
                     label=f"{kind}: limit cycle")
@@ -109,8 +100,7 @@ def bars(axes, entries):
     columns = [("energy_n_per_mm", "energy comes out", "C0"), ("vibration_n_per_mm", "limit cycle", "C1"),
                ("safety_n_per_mm", "limit cycle with the safety chain", "C2")]
     for i, (key, label, colour) in enumerate(columns):
-        shown = [e for e in usual if e["kind"] != GAPPED or key != "energy_n_per_mm"]
-        axes.bar([places[e["kind"]] + 0.27 * (i - 1) for e in shown], [e[key] for e in shown], 0.25,
+        axes.bar([places[e["kind"]] + 0.27 * (i - 1) for e in usual], [e[key] for e in usual], 0.25,
                  color=colour, label=label)
     axes.set_ylim(2, 200)
     axes.axhline(usual[0]["claimed_n_per_mm"], color="k", linewidth=1, label="claimed")
@@ -146,14 +136,14 @@ def sampling_table(entries):
                             number(e["mechanism_damping_ns_per_mm"]), number(e["damping_ns_per_mm"]),
                             number(e["claimed_n_per_mm"]),
                             *[border(cells[k]["energy_n_per_mm"], e["claimed_n_per_mm"])
-                              for k in KINDS if k != GAPPED]))
+                              for k in KINDS]))
     return table(["Hz", "delay, ms", "b, N s/mm", "B, N s/mm", "claimed, N/mm",
-                  *[kind for kind in KINDS if kind != GAPPED]], rows)
+                  *KINDS], rows)
 
 
 def counts_table(entries):
     rows = [row(e["kind"], number(e["count_mm"]), number(e["friction_n"]), number(e["claimed_n_per_mm"]),
-                "–" if e["kind"] == GAPPED else border(e["energy_n_per_mm"], e["claimed_n_per_mm"]),
+                border(e["energy_n_per_mm"], e["claimed_n_per_mm"]),
                 border(e["vibration_n_per_mm"], e["claimed_n_per_mm"]))
             for e in entries if e["sweep"] == "counts"]
     return table(["structure", "D, mm", "f, N", "claimed, N/mm", "energy comes out", "limit cycle"], rows)
@@ -161,7 +151,7 @@ def counts_table(entries):
 
 def hands_table(entries):
     rows = [row(e["kind"], e["hand"], number(e["claimed_n_per_mm"]),
-                "–" if e["kind"] == GAPPED else border(e["energy_n_per_mm"], e["claimed_n_per_mm"]),
+                border(e["energy_n_per_mm"], e["claimed_n_per_mm"]),
                 border(e["vibration_n_per_mm"], e["claimed_n_per_mm"]),
                 border(e["safety_n_per_mm"], e["claimed_n_per_mm"]))
             for e in entries if e["sweep"] == "hands"]
@@ -170,21 +160,18 @@ def hands_table(entries):
 
 
 def reading(entries):
-    judged = [e for e in entries if e["kind"] != GAPPED]
-    gapped = [e for e in entries if e["kind"] == GAPPED]
-    bare, counted = (sorted(e["energy_n_per_mm"] / e["claimed_n_per_mm"] for e in judged
+    bare, counted = (sorted(e["energy_n_per_mm"] / e["claimed_n_per_mm"] for e in entries
                             if (e["sweep"] == "sampling") == is_bare) for is_bare in (True, False))
     failed = sum(ratio < NEARLY for ratio in bare + counted)
-    earlier = [e for e in judged if e["vibration_n_per_mm"] < NEARLY * e["energy_n_per_mm"]]
+    earlier = [e for e in entries if e["vibration_n_per_mm"] < NEARLY * e["energy_n_per_mm"]]
     violations = f"{failed or 'none'} gave out energy below the claimed border."
     below = [e for e in entries if e["vibration_n_per_mm"] < NEARLY * e["claimed_n_per_mm"]]
-    assert all(e["kind"] == GAPPED and e["vibration_n_per_mm"] > 20.0 for e in below), "reword the page"
-    return READING.format(count=len(judged), violations=violations, low=bare[0], high=bare[-1],
+    assert not below, "reword the page"
+    return READING.format(count=len(entries), violations=violations, low=bare[0], high=bare[-1],
                           median=bare[len(bare) // 2], low_counts=counted[0],
                           high_counts=counted[-1], median_counts=counted[len(counted) // 2],
                           earlier=len(earlier),
-                          others=sum(e["sweep"] == "sampling" for e in earlier)) + \
-        GAPS.format(gapped=len(below), all_gapped=len(gapped))
+                          others=sum(e["sweep"] == "sampling" for e in earlier))
 
 
 def kept(page):

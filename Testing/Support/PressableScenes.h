@@ -28,6 +28,7 @@ struct PressableScene
 namespace pressable
 {
 constexpr double ToolRadius = 2.0; // mm
+constexpr double VoxelSize = 0.5;  // mm
 
 inline PressableScene At(Random& random, const char* kind, const ToolShape& tool,
                          std::shared_ptr<const ContactModel> model, const Vector3& centerWorld,
@@ -81,11 +82,10 @@ inline std::vector<PressableScene> MakePressableScenes(Random& random)
   std::shared_ptr<const ContactModel> facets;
   const bool isFacets = FacetContactModel::Make(corners, sphere.Triangles(), facets).IsOk();
 
-  constexpr double Spacing = 0.5;     // mm
   constexpr double BallRadius = 20.0; // mm
   const Vector3 ballIndex(44.3, 45.1, 43.7);
-  const auto voxels = Voxels(ballIndex, BallRadius, Spacing);
-  const Vector3 ball = Spacing * ballIndex;
+  const auto voxels = Voxels(ballIndex, BallRadius, pressable::VoxelSize);
+  const Vector3 ball = pressable::VoxelSize * ballIndex;
 
   const ToolShape point = ToolShape::Sphere(0.0);
   const ToolShape tool = ToolShape::Sphere(ToolRadius);

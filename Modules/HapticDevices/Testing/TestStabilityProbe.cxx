@@ -72,15 +72,13 @@ StabilityTrial RandomTrial(test::Random& random, const Vector3& outward, double&
   return trial;
 }
 
-// The energy (N mm) that a sphere of 26 points may give out where it first touches: its points can
-// be this much (mm) higher than the sphere itself, which then pushes out at once. The direction
-// that is farthest from all 26 is 27.6 degrees away; and the ball of 20 mm falls off meanwhile.
-double GapEnergy(double stiffness)
+// The energy (N mm) that the tracker of a sphere of few points may bring in: it puts the tool where
+// it belongs to 1e-3 of a voxel, and so far the force may move for nothing when another point
+// becomes the one on which the sphere stands.
+double ShiftEnergy(double stiffness, double depth)
 {
-  constexpr double Angle = 27.6 * M_PI / 180.0;
-  const double aside = test::pressable::ToolRadius * std::sin(Angle);
-  const double gap = test::pressable::ToolRadius * (1.0 - std::cos(Angle)) + aside * aside / 40.0;
-  return 0.5 * stiffness * gap * gap;
+  constexpr double Enough = 1e-3;
+  return stiffness * depth * Enough * test::pressable::VoxelSize;
 }
 
 TEST(StabilityProbe, NoStructureWithinTheClaimedBorderGivesOutEnergy)
@@ -90,7 +88,8 @@ TEST(StabilityProbe, NoStructureWithinTheClaimedBorderGivesOutEnergy)
   std::vector<test::PressableScene> scenes = test::MakePressableScenes(random);
   for (test::PressableScene& pressed : scenes)
   {
-    const bool hasGaps = pressed.Kind == "sub-voxel, 26 points";
+    // Which of its few points stands on the surface may change at rest, by less than a count.
+    const bool mayShift = pressed.Kind == "sub-voxel, 26 points";
     for (int n = 0; n < Trials; ++n)
     {
       ContactLaw& law = pressed.Scene.Structures.front().Law;
@@ -99,9 +98,9 @@ TEST(StabilityProbe, NoStructureWithinTheClaimedBorderGivesOutEnergy)
       Observation seen = Observe(pressed.Scene, trial);
       EXPECT_EQ(seen.Fault, SafetyFault::None);
       EXPECT_GT(seen.Deepest, 0.02);
-      seen.LeastEnergy += hasGaps ? GapEnergy(law.Stiffness) : 0.0;
+      seen.LeastEnergy += mayShift ? ShiftEnergy(law.Stiffness, seen.Deepest) : 0.0;
       const HandProperties& hand = trial.Device.Hand;
-      EXPECT_FALSE(seen.GaveOutEnergy() || (seen.Vibrated() && !hasGaps))
+      EXPECT_FALSE(seen.GaveOutEnergy() || (seen.Vibrated() && !mayShift))
           << pressed.Kind << ": " << seen.LeastEnergy << " N mm, " << seen.LaterMotion << " after "
           << seen.EarlierMotion << " mm; " << law.Stiffness << " N/mm, " << law.Damping
           << " N s/mm; " << trial.Loop.Rate << " Hz, " << trial.Device.Delay

@@ -1,5 +1,7 @@
 #include "FieldProxyTracker.h"
 
+#include "IcosahedronDirections.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -20,13 +22,44 @@ constexpr double Aligned = 1e-4;
 constexpr int MostParts = 4;
 constexpr int MostStrides = 16;
 constexpr int MostSolves = 8;
+
+// A sphere's points moved out: over the place between them that is farthest from all, and by a
+// voxel for walls that bend. None where the tool is no sphere, or so rough that points say little.
+std::optional<ToolShell> HaloOf(const ToolShape& tool, double voxel)
+{
+  constexpr int Frequency = 12; // directions 4 degrees apart
+  constexpr double LeastCover = 0.5;
+  if (!tool.IsSphere() || !(tool.Radius() > 0.0))
+  {
+    return std::nullopt;
+  }
+  const IcosahedronDirections sphere(Frequency);
+  double cover = 1.0;
+  for (const Vector3& u : sphere.Directions())
+  {
+    double nearest = 0.0;
+    for (const Vector3& inward : tool.Normals())
+    {
+      nearest = std::max(nearest, -u.dot(inward));
+    }
+    cover = std::min(cover, nearest);
+  }
+  const double radius = tool.Radius() / std::max(cover, LeastCover) + voxel;
+  std::vector<Vector3> points;
+  points.reserve(tool.Normals().size());
+  for (const Vector3& inward : tool.Normals())
+  {
+    points.push_back(-radius * inward);
+  }
+  return ToolShell(ToolShape::FromSurfacePoints(std::move(points), tool.Normals()));
+}
 } // namespace
 
 FieldProxyTracker::FieldProxyTracker(std::shared_ptr<const FieldSolid> solid, const ToolShape& tool,
                                      const SurfaceFriction& friction)
-    : Solid(std::move(solid)), Shell(tool), Friction(friction), Reach(tool.BoundingRadius()),
-      SphereRadius(tool.Radius()), Feet(2 * Shell.Count()), HasFoot(Shell.Count(), 0),
-      Planes(Feet.size())
+    : Solid(std::move(solid)), Shell(tool), Halo(HaloOf(tool, Solid->VoxelSize())),
+      Friction(friction), Reach(tool.BoundingRadius()), SphereRadius(tool.Radius()),
+      Feet(2 * Shell.Count()), HasFoot(Shell.Count(), 0), Planes(Feet.size())
 {
 }
 
@@ -38,6 +71,10 @@ const Contact& FieldProxyTracker::Follow(const ToolPose& pose) noexcept
     return this->Felt;
   }
   this->IsTurned = this->Shell.Turn(pose.Orientation);
+  if (this->Halo)
+  {
+    this->Halo->Turn(pose.Orientation);
+  }
   this->Advance(pose.PositionWorld);
   this->Report(pose.PositionWorld);
   return this->Felt;
@@ -81,8 +118,10 @@ bool FieldProxyTracker::MoveFree(const Vector3& probe) noexcept
                           : 1.0;
   if (part == 1.0 && this->Shell.CountInside(*this->Solid, probe) == 0)
   {
+    const bool isTouching = this->TouchesBetweenPoints(probe);
     this->ProbeWorld = this->ToolWorld = probe;
-    return true;
+    this->Known = isTouching ? State::Touching : State::Free;
+    return !isTouching;
   }
   if (part < 1.0)
   {
@@ -92,6 +131,37 @@ bool FieldProxyTracker::MoveFree(const Vector3& probe) noexcept
   this->Known = State::Touching;
   this->ForgetFeet();
   return false;
+}
+
+// Whether a sphere, none of whose points is inside, is inside between them. Its feet then stand
+// there.
+bool FieldProxyTracker::TouchesBetweenPoints(const Vector3& probe) noexcept
+{
+  if (!this->Halo || this->Halo->CountInside(*this->Solid, probe) == 0)
+  {
+    return false;
+  }
+  this->ForgetFeet();
+  for (std::size_t point = 0; point < this->Halo->Count(); ++point)
+  {
+    if (!this->Halo->IsInside(point))
+    {
+      continue;
+    }
+    FieldSolid::Wall wall =
+        this->Solid->WallNear(probe + this->Halo->Offset(point), this->Halo->InwardNormal(point));
+    constexpr int Moves = 4; // to where the sphere is deepest in the wall
+    for (int move = 0; move < Moves && wall.IsKnown; ++move)
+    {
+      const Vector3 offset = -this->SphereRadius * wall.Normal;
+      wall = this->Solid->WallNear(probe + offset, wall.Normal);
+      if (move + 1 == Moves && wall.IsKnown && wall.Distance < 0.0)
+      {
+        this->Feet[this->FootCount++] = {offset, wall.Normal, point, true};
+      }
+    }
+  }
+  return this->FootCount > 0;
 }
 
 // With nothing known: where the tool can be next to where it is.

@@ -8,6 +8,7 @@
 
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace palpate
@@ -20,7 +21,8 @@ namespace palpate
 /// apart its points are. The proxy goes to
 /// the nearest place that all planes allow, asks the field again there, and so on until nothing
 /// changes: sequential quadratic programming, whose end lies on the field's own surface, not on a
-/// plane. Its steps are shorter than half a voxel, so it stays on its side of walls that are a
+/// plane. A sphere is noticed before it touches between its points, so contact begins at its own
+/// surface. Its steps are shorter than half a voxel, so it stays on its side of walls that are a
 /// voxel thick; without touch, rays of all points along the way find walls however thin. What a
 /// tick has no time for is left to the next.
 class FieldProxyTracker final : public ContactTracker
@@ -51,6 +53,7 @@ private:
 
   void Advance(const Vector3& probe) noexcept;
   bool MoveFree(const Vector3& probe) noexcept;
+  bool TouchesBetweenPoints(const Vector3& probe) noexcept;
   void Slide(const Vector3& probe) noexcept;
   bool Press(const Vector3& goal) noexcept;
   bool Solve(const Vector3& goal) noexcept;
@@ -67,6 +70,8 @@ private:
 
   std::shared_ptr<const FieldSolid> Solid;
   ToolShell Shell;
+  /// Of a sphere, points outside of it, so high that it touches no wall before one of them does.
+  std::optional<ToolShell> Halo;
   FrictionCone Friction;
   double Reach;        // mm; of tool points from the origin
   double SphereRadius; // mm; 0 for other tools and points

@@ -107,6 +107,32 @@ TEST(FieldProxyTracker, TheDeepestPointOfASphereLiesOnTheFieldsOwnSurface)
   }
 }
 
+// Also where that is far from all of its points: 26 of them leave up to 0.23 mm of a sphere of 2 mm
+// unnoticed.
+TEST(FieldProxyTracker, ASphereOfFewPointsBeginsToTouchWhereTheSphereDoes)
+{
+  constexpr double Radius = 2.0; // mm
+  constexpr double Step = 0.01;  // mm a tick
+  Random random(5309);
+  const FieldGrid grid = FineGrid(48);
+  for (int n = 0; n < 50; ++n)
+  {
+    const Vector3 outward = test::RandomDirection(random);
+    // A plane through the middle of the grid.
+    const test::PlaneField plane{-outward, -outward.dot(Vector3::Constant(24.0))};
+    const auto model = FieldContact(SampledField(grid, plane));
+    const auto tracker = TrackerOf(*model, ToolShape::SpherePoints(Radius, 26));
+    const Vector3 middle = grid.PointWorld(Vector3::Constant(24.0));
+    double height = Radius + 0.3;
+    while (!tracker->Follow(At(middle + height * outward)).IsTouching && height > 0.0)
+    {
+      height -= Step;
+    }
+    EXPECT_LE(height, Radius + SolvingError) << outward.transpose();
+    EXPECT_GE(height, Radius - Step - SolvingError) << outward.transpose();
+  }
+}
+
 TEST(FieldProxyTracker, APointsProxyIsTheNearestPointOfASphereToFourthOrder)
 {
   Random random(5302);
