@@ -331,7 +331,6 @@ void RenderCommand::AddVolume(SceneRenderer& scene, Console& console)
   {
     this->WithinPath.empty() ? this->AddIsoSurfaces(volume.Image, scene, console)
                              : this->AddIsoSurfacesWithin(volume.Image, scene, console);
-    console.EndProgress();
   }
   // Slices through an opaque surface would be hidden in it, so they are drawn with it if asked for.
   const std::vector<std::string> every{"axial", "sagittal", "coronal"};

@@ -18,10 +18,12 @@ struct FieldCondition
   double Iso = 0.0;
   FieldSense Sense = FieldSense::AtLeast;
 
+  /// By which value - Iso says how far the condition holds.
+  double Sign() const noexcept { return this->Sense == FieldSense::AtLeast ? 1.0 : -1.0; }
   /// Makes of values how far the condition holds: negative where it does not.
   void Relate(double* values, int count) const noexcept
   {
-    const double sign = this->Sense == FieldSense::AtLeast ? 1.0 : -1.0;
+    const double sign = this->Sign();
     for (int i = 0; i < count; ++i)
     {
       values[i] = sign * (values[i] - this->Iso);

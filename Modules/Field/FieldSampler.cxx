@@ -105,12 +105,6 @@ bool IsTrilinear(const ScalarField& field) noexcept
   return field.Interpolation() == FieldInterpolation::Trilinear;
 }
 
-// Of 32 bits and more only floating point is stored.
-int KernelType(ScalarType type) noexcept
-{
-  return type == ScalarType::Float32 ? 4 : type == ScalarType::Float64 ? 5 : static_cast<int>(type);
-}
-
 // `toIndex` is applied to points - origin.
 inside::Material DescribeForKernel(const ScalarField& field, int number, const Matrix3& toIndex,
                                    const Vector3& origin) noexcept
@@ -134,7 +128,7 @@ inside::Material DescribeForKernel(const ScalarField& field, int number, const M
   material.Blocks = samples.BlockData();
   material.Stride = samples.BlockStride();
   material.Iso = condition.Iso;
-  material.Sign = condition.Sense == FieldSense::AtLeast ? 1.0 : -1.0;
+  material.Sign = condition.Sign();
   return material;
 }
 
@@ -149,7 +143,7 @@ void RunKernel(const inside::Kernel& kernel, const ScalarField& field, int numbe
 {
   static_assert(sizeof(Vector3) == 3 * sizeof(double));
   const int channel = field.Material(number).Conditions[0].Channel;
-  const int type = KernelType(field.Channel(channel).StoredType());
+  const int type = StoredNumber(field.Channel(channel).StoredType());
   const auto test = IsTrilinear(field) ? kernel.Trilinear[type] : kernel.Tricubic[type];
   test(material, points->data(), static_cast<long>(count), inside);
 }

@@ -75,24 +75,18 @@ void MoveToWorld(const FieldGrid& grid, const FieldRay& rayWorld, FieldHit& hit)
   }
 }
 
-// A stored type's number in the kernel; of 32 bits and more only floating point is stored.
-int NumberOf(ScalarType type) noexcept
-{
-  return type == ScalarType::Float32 ? 4 : type == ScalarType::Float64 ? 5 : static_cast<int>(type);
-}
-
 rays::Material DescribeMaterial(const ScalarField& field, int number) noexcept
 {
   const FieldMaterial& material = field.Material(number);
   const FieldCondition& condition = material.Conditions[0];
   const BrickedChannel& channel = field.Channel(condition.Channel);
   return {material.ConditionCount == 1 && field.Interpolation() == FieldInterpolation::Trilinear,
-          NumberOf(channel.StoredType()),
+          StoredNumber(channel.StoredType()),
           field.Map(number).Data(),
           channel.BlockData(),
           channel.BlockStride(),
           condition.Iso,
-          condition.Sense == FieldSense::AtLeast ? 1.0 : -1.0};
+          condition.Sign()};
 }
 
 void DescribeField(const ScalarField& field, MaterialSet materials, rays::Field& described) noexcept

@@ -36,6 +36,13 @@ constexpr ScalarType ScalarTypeOf() noexcept
   }
 }
 
+/// The number by which kernels know a type that bricks are stored in: of 32 bits and more only
+/// floating point is.
+constexpr int StoredNumber(ScalarType type) noexcept
+{
+  return type == ScalarType::Float32 ? 4 : type == ScalarType::Float64 ? 5 : static_cast<int>(type);
+}
+
 /// visitor(pointer) with the pointer's true type.
 template <typename Visitor>
 decltype(auto) VisitScalars(const void* samples, ScalarType type, const Visitor& visitor)

@@ -87,7 +87,7 @@ struct CellRange
     constexpr int Window = 4;
     double values[Window * Window * Window];
     double largest = 0.0;
-    const double sign = condition.Sense == FieldSense::AtLeast ? 1.0 : -1.0;
+    const double sign = condition.Sign();
     for (int n = 0; n < Window * Window * Window; ++n)
     {
       const double node = firstNode[((n >> 4) * side + (n >> 2 & 3)) * side + (n & 3)];

@@ -11,6 +11,14 @@ void Refuse(const std::filesystem::path& file, const std::string& fact, const st
   throw InputError(file.string() + " " + fact + "; " + wayOut + ".");
 }
 
+void RequireInput(const Status& status, const std::string& about)
+{
+  if (!status.IsOk())
+  {
+    throw InputError((about.empty() ? about : about + ": ") + status.Message());
+  }
+}
+
 std::string NumberText(double value)
 {
   std::ostringstream text;

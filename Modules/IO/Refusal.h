@@ -1,6 +1,7 @@
 #pragma once
 
 #include "PalpateIOModule.h"
+#include "Status.h"
 
 #include <filesystem>
 #include <string>
@@ -10,6 +11,10 @@ namespace palpate
 /// Throws InputError with the one sentence "<file> <fact>; <way out>.".
 [[noreturn]] PALPATEIO_EXPORT void Refuse(const std::filesystem::path& file,
                                           const std::string& fact, const std::string& wayOut);
+
+/// Throws InputError with a failure's sentence, after what it is about ("<about>: <sentence>")
+/// unless that is empty. Nothing for a success.
+PALPATEIO_EXPORT void RequireInput(const Status& status, const std::string& about = {});
 
 /// A number for a sentence: six significant digits, no trailing zeros.
 PALPATEIO_EXPORT std::string NumberText(double value);

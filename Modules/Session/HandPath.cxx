@@ -37,12 +37,9 @@ class SceneProbe
 {
 public:
   explicit SceneProbe(const TouchScene& scene)
+      : Bounds(scene.BoundsWorld()),
+        Reach(0.5 * Bounds.diagonal().norm() + scene.Tool.BoundingRadius())
   {
-    for (const TouchStructure& structure : scene.Structures)
-    {
-      this->Bounds.extend(structure.Model->BoundsWorld());
-    }
-    this->Reach = 0.5 * this->Bounds.diagonal().norm() + scene.Tool.BoundingRadius();
   }
 
   Status MakeTrackers(const TouchScene& scene)
@@ -108,7 +105,7 @@ private:
   }
 
   Eigen::AlignedBox3d Bounds;
-  double Reach = 0.0;
+  double Reach;
   std::vector<std::unique_ptr<ContactTracker>> Trackers;
 };
 

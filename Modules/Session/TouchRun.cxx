@@ -1,8 +1,8 @@
 #include "TouchRun.h"
 
 #include "BuiltInDevices.h"
-#include "InputError.h"
 #include "ManualClock.h"
+#include "Refusal.h"
 #include "ServoThread.h"
 #include "SimulatedDevice.h"
 #include "SteadyClock.h"
@@ -24,14 +24,6 @@ constexpr double Nano = 1e-9;
 constexpr const char* SimulatedName = "simulated";
 constexpr double DefaultDuration = 10.0; // s, where no path says how long
 
-void Require(const Status& status)
-{
-  if (!status.IsOk())
-  {
-    throw InputError(status.Message());
-  }
-}
-
 // What is not the user's fault.
 void Succeed(const Status& status)
 {
@@ -52,27 +44,18 @@ std::unique_ptr<HapticDevice> MakeDevice(const std::string& name, Clock& clock,
     return std::make_unique<SimulatedDevice>(clock, settings);
   }
   DeviceRegistry registry;
-  Require(RegisterBuiltInDevices(registry));
+  RequireInput(RegisterBuiltInDevices(registry));
   std::unique_ptr<HapticDevice> device;
-  Require(registry.Make(name, clock, device));
+  RequireInput(registry.Make(name, clock, device));
   return device;
-}
-
-Eigen::AlignedBox3d BoundsOf(const TouchScene& scene)
-{
-  Eigen::AlignedBox3d bounds;
-  for (const TouchStructure& structure : scene.Structures)
-  {
-    bounds.extend(structure.Model->BoundsWorld());
-  }
-  return bounds;
 }
 
 // So that a device reaches round the scene, with a little to spare; never below life size.
 double ReachingScale(const TouchScene& scene, const DeviceCapabilities& device)
 {
   constexpr double Spare = 1.2;
-  const double reach = 0.5 * BoundsOf(scene).sizes().maxCoeff() + 2.0 * scene.Tool.BoundingRadius();
+  const double reach =
+      0.5 * scene.BoundsWorld().sizes().maxCoeff() + 2.0 * scene.Tool.BoundingRadius();
   const double half = 0.5 * device.Workspace.sizes().minCoeff();
   return half > 0.0 ? std::max(1.0, Spare * reach / half) : 1.0;
 }
@@ -113,7 +96,7 @@ public:
   TouchResult RunVirtual(ManualClock& clock, const ProgressFunction& progress)
   {
     Servo servo(*this->Device, this->Settings);
-    Require(servo.Publish(this->Touch.Scene));
+    RequireInput(servo.Publish(this->Touch.Scene));
     const SteadyClock watch;
     FixedRateLoop loop(clock, this->Period());
     const auto ticks = static_cast<std::uint64_t>(this->Touch.Duration * this->Settings.Rate);
@@ -139,8 +122,8 @@ public:
   TouchResult RunReal(Clock& clock, const ProgressFunction& progress)
   {
     ServoThread thread(*this->Device, clock, this->Settings);
-    Require(thread.Loop().Publish(this->Touch.Scene));
-    Require(thread.Start({}));
+    RequireInput(thread.Loop().Publish(this->Touch.Scene));
+    RequireInput(thread.Start({}));
     this->Result.ThreadAdvice = thread.Grant().Advice;
     const std::int64_t start = clock.Now();
     double passed = 0.0;
@@ -171,7 +154,7 @@ private:
   std::function<Vector3(double)> PathOfDevice() const
   {
     const PreparedTouch& touch = this->Touch;
-    return [&touch, middle = Vector3(BoundsOf(*touch.Scene).center())](double time)
+    return [&touch, middle = Vector3(touch.Scene->BoundsWorld().center())](double time)
     { return Vector3((touch.Path.At(TimeOnPath(touch, time)) - middle) / touch.Scale); };
   }
 
@@ -240,12 +223,12 @@ PreparedTouch PrepareTouch(const TouchSettings& settings, const TouchScript& scr
   ManualClock clock;
   const DeviceCapabilities device = MakeDevice(settings.Device, clock, {})->Capabilities();
   touch.Scale = settings.Scale.value_or(ReachingScale(*scene, device));
-  scene->Frame = DeviceFrame(Matrix3::Identity(), touch.Scale, BoundsOf(*scene).center());
-  Require(scene->Check());
+  scene->Frame = DeviceFrame(Matrix3::Identity(), touch.Scale, scene->BoundsWorld().center());
+  RequireInput(scene->Check());
   touch.Path = script.Path;
   if (touch.Path.IsEmpty() && settings.Device == SimulatedName)
   {
-    Require(SweepOf(*scene, script.SweepDepth, script.SweepSpeed, touch.Path));
+    RequireInput(SweepOf(*scene, script.SweepDepth, script.SweepSpeed, touch.Path));
     touch.IsSweep = true;
   }
   const double duration = touch.Path.IsEmpty() ? DefaultDuration : touch.Path.Duration();
@@ -270,9 +253,9 @@ TouchResult RunTouch(const PreparedTouch& touch, const TouchRunSettings& setting
 TouchComparison CompareTouch(const PreparedTouch& touch, const std::filesystem::path& recording)
 {
   auto read = std::make_shared<TouchRecording>();
-  Require(ReadTouchRecording(recording.string(), *read));
+  RequireInput(ReadTouchRecording(recording.string(), *read));
   ReplayComparison comparison;
-  Require(ReplayTouch(std::move(read), {touch.Scene}, comparison));
+  RequireInput(ReplayTouch(std::move(read), {touch.Scene}, comparison));
   return {comparison.Ticks, comparison.DifferentTicks, comparison.LargestDifference};
 }
 } // namespace palpate

@@ -26,14 +26,6 @@ namespace
 using Representation = TouchRepresentation;
 using ContactPointer = std::shared_ptr<const ContactModel>;
 
-void Require(const Status& status, const std::filesystem::path& file)
-{
-  if (!status.IsOk())
-  {
-    throw InputError(file.string() + ": " + status.Message());
-  }
-}
-
 std::string HarmonicsText(int degree, HarmonicContactMode mode)
 {
   return "harmonics of degree " + std::to_string(degree) +
@@ -113,7 +105,8 @@ private:
   {
     const auto shared = std::make_shared<const SphericalHarmonicModel>(model);
     ContactPointer contact;
-    Require(HarmonicContactModel::Make(shared, this->Settings.Mode, contact), this->Settings.File);
+    RequireInput(HarmonicContactModel::Make(shared, this->Settings.Mode, contact),
+                 this->Settings.File.string());
     this->Add(name, std::move(contact), {shared, nullptr, nullptr},
               HarmonicsText(model.Degree(), this->Settings.Mode));
   }
@@ -136,8 +129,8 @@ private:
     this->Expect({Representation::Facets}, "a surface of triangles");
     const TriangleMesh mesh = TrianglesOf(surface, this->Settings.File);
     ContactPointer contact;
-    Require(FacetContactModel::Make(mesh.PointsWorld, mesh.Triangles, contact),
-            this->Settings.File);
+    RequireInput(FacetContactModel::Make(mesh.PointsWorld, mesh.Triangles, contact),
+                 this->Settings.File.string());
     this->Add(name, std::move(contact), {nullptr, surface, nullptr},
               std::to_string(mesh.Triangles.size()) + " facets");
   }
@@ -146,8 +139,8 @@ private:
                 const std::string& name)
   {
     ContactPointer contact;
-    Require(FieldContactModel::Make(field, material, FieldContactMode::Proxy, contact),
-            this->Settings.File);
+    RequireInput(FieldContactModel::Make(field, material, FieldContactMode::Proxy, contact),
+                 this->Settings.File.string());
     const bool isLinear = this->Settings.Interpolation == FieldInterpolation::Trilinear;
     this->Add(name, std::move(contact), {nullptr, nullptr, field},
               std::string("sub-voxel field, ") + (isLinear ? "trilinear, " : "tricubic, ") +
@@ -261,11 +254,7 @@ ToolShape MakeTool(const TouchToolSettings& settings)
   {
     tool = ToolShape::SpherePoints(settings.Radius, settings.Points);
   }
-  const Status status = tool.Check();
-  if (!status.IsOk())
-  {
-    throw InputError("the tool cannot touch: " + status.Message());
-  }
+  RequireInput(tool.Check(), "the tool cannot touch");
   return tool;
 }
 } // namespace palpate

@@ -2,7 +2,7 @@
 
 #include "FieldOfImage.h"
 #include "FilterRun.h"
-#include "InputError.h"
+#include "Refusal.h"
 #include "Volume.h"
 
 namespace palpate
@@ -43,10 +43,7 @@ std::shared_ptr<const SurfaceTexture> MakeTouchTexture(const std::filesystem::pa
   {
     status = SurfaceTexture::Make(field, channel, boundsWorld, amplitude, texture);
   }
-  if (!status.IsOk())
-  {
-    throw InputError(image.string() + ": " + status.Message());
-  }
+  RequireInput(status, image.string());
   return texture;
 }
 } // namespace palpate

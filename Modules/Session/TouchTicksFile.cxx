@@ -1,11 +1,10 @@
 #include "TouchTicksFile.h"
 
-#include "InputError.h"
+#include "DecimalText.h"
+#include "Refusal.h"
 #include "TouchRecording.h"
 #include "WholeFile.h"
 
-#include <array>
-#include <cstdio>
 #include <string>
 
 namespace palpate
@@ -18,12 +17,9 @@ constexpr const char* Columns =
     "proxy_world_x_mm,proxy_world_y_mm,proxy_world_z_mm,force_x_n,force_y_n,force_z_n,"
     "force_world_x_n,force_world_y_n,force_world_z_n,structure,depth_mm,energy_n_mm\n";
 
-// All digits, so that what is read is what was recorded.
 void Append(std::string& text, double number)
 {
-  std::array<char, 40> word{};
-  const int length = std::snprintf(word.data(), word.size(), ",%.17g", number);
-  text.append(word.data(), static_cast<std::size_t>(length));
+  text += ',' + ExactText(number);
 }
 
 void Append(std::string& text, const PlainVector3& v)
@@ -66,11 +62,7 @@ bool IsTouchRecording(const std::filesystem::path& path)
 bool WriteTouchTicks(const std::filesystem::path& recording, const std::filesystem::path& csv)
 {
   TouchRecording read;
-  const Status status = ReadTouchRecording(recording.string(), read);
-  if (!status.IsOk())
-  {
-    throw InputError(status.Message());
-  }
+  RequireInput(ReadTouchRecording(recording.string(), read));
   std::string text = Columns;
   const std::int64_t start = read.Ticks.empty() ? 0 : read.Ticks.front().Tick.Scheduled;
   for (const TouchState& state : read.Ticks)

@@ -1,6 +1,5 @@
 #include "FieldBenchmarks.h"
 
-#include "FieldBuilder.h"
 #include "FieldSampler.h"
 #include "ItkInterpolators.h"
 #include "RandomShapes.h"
@@ -28,17 +27,6 @@ constexpr int Points = 26 * 770;
 constexpr int PictureSide = 96;
 constexpr int TouchRays = 4000;
 constexpr double TouchReach = 10.0; // mm
-
-std::shared_ptr<const ScalarField> MakeField(const SkullPhantom& skull,
-                                             FieldInterpolation interpolation)
-{
-  FieldBuilder builder(skull.Grid);
-  builder.AddMaterial(
-      {builder.AddChannel(SamplesOfGrid(skull.Samples.data(), skull.Grid)), SkullPhantom::BoneIso});
-  builder.SetInterpolation(interpolation);
-  std::shared_ptr<const ScalarField> field;
-  return builder.Build(field).IsOk() ? field : nullptr;
-}
 
 void MakeImage(const SkullPhantom& skull, vtkImageData* image)
 {
@@ -258,10 +246,10 @@ private:
   SkullPhantom Skull;
   ItkInterpolators Itk;
   std::vector<Vector3> PointsWorld;
-  FieldSampler LinearSampler{MakeField(Skull, FieldInterpolation::Trilinear)};
-  FieldSampler CubicSampler{MakeField(Skull, FieldInterpolation::TricubicBSpline)};
-  RayCaster LinearCaster{MakeField(Skull, FieldInterpolation::Trilinear)};
-  RayCaster CubicCaster{MakeField(Skull, FieldInterpolation::TricubicBSpline)};
+  FieldSampler LinearSampler{Skull.MakeField(FieldInterpolation::Trilinear)};
+  FieldSampler CubicSampler{Skull.MakeField(FieldInterpolation::TricubicBSpline)};
+  RayCaster LinearCaster{Skull.MakeField(FieldInterpolation::Trilinear)};
+  RayCaster CubicCaster{Skull.MakeField(FieldInterpolation::TricubicBSpline)};
   std::vector<unsigned char> Ours;
   std::vector<unsigned char> Theirs;
   std::vector<FieldHit> OurHits;

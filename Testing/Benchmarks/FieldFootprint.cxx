@@ -1,6 +1,5 @@
 #include "FieldFootprint.h"
 
-#include "FieldBuilder.h"
 #include "FieldSampler.h"
 #include "SkullPhantom.h"
 
@@ -26,22 +25,6 @@ double SecondsOf(const Run& run)
   const auto start = std::chrono::steady_clock::now();
   run();
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
-
-std::shared_ptr<const ScalarField> BuildField(const SkullPhantom& skull,
-                                              FieldInterpolation interpolation)
-{
-  FieldBuilder builder(skull.Grid);
-  builder.AddMaterial(
-      {builder.AddChannel(SamplesOfGrid(skull.Samples.data(), skull.Grid)), SkullPhantom::BoneIso});
-  builder.SetInterpolation(interpolation);
-  std::shared_ptr<const ScalarField> field;
-  const Status status = builder.Build(field);
-  if (!status.IsOk())
-  {
-    throw std::runtime_error(status.Message());
-  }
-  return field;
 }
 
 // The samples are shared, not copied.
@@ -94,7 +77,7 @@ FieldFootprintRow MakeRow(SkullPhantom& skull, FieldInterpolation interpolation)
   row.DenseBytes = sizeof(float) * skull.Samples.size();
   row.DenseBuildSeconds = SecondsOfDense(ImageOf(skull), interpolation);
   std::shared_ptr<const ScalarField> field;
-  row.BuildSeconds = SecondsOf([&] { field = BuildField(skull, interpolation); });
+  row.BuildSeconds = SecondsOf([&] { field = skull.MakeField(interpolation); });
   CheckAnswers(skull, field);
   const FieldMemory memory = field->Memory();
   row.Bytes = memory.Bytes;

@@ -1,7 +1,10 @@
 #include "SkullPhantom.h"
 
+#include "FieldBuilder.h"
+
 #include <cmath>
 #include <random>
+#include <stdexcept>
 
 namespace palpate::bench
 {
@@ -28,6 +31,21 @@ SkullPhantom::SkullPhantom(int nodes)
       }
     }
   }
+}
+
+std::shared_ptr<const ScalarField> SkullPhantom::MakeField(FieldInterpolation interpolation) const
+{
+  FieldBuilder builder(this->Grid);
+  builder.AddMaterial(
+      {builder.AddChannel(SamplesOfGrid(this->Samples.data(), this->Grid)), BoneIso});
+  builder.SetInterpolation(interpolation);
+  std::shared_ptr<const ScalarField> field;
+  const Status status = builder.Build(field);
+  if (!status.IsOk())
+  {
+    throw std::runtime_error(status.Message());
+  }
+  return field;
 }
 
 Vector3 SkullPhantom::HalfAxes() const

@@ -1,8 +1,10 @@
 #pragma once
 
 #include "FieldGrid.h"
+#include "ScalarField.h"
 
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 namespace palpate::bench
@@ -18,6 +20,9 @@ struct SkullPhantom
   Vector3 CenterWorld;
 
   explicit SkullPhantom(int nodes);
+
+  /// The bone as a field. Throws std::runtime_error where it cannot be made.
+  std::shared_ptr<const ScalarField> MakeField(FieldInterpolation interpolation) const;
 
   /// Half axes of the middle of the bone, mm.
   Vector3 HalfAxes() const;

@@ -44,4 +44,14 @@ Status TouchScene::Check() const
   }
   return Status::Success();
 }
+
+Eigen::AlignedBox3d TouchScene::BoundsWorld() const
+{
+  Eigen::AlignedBox3d bounds;
+  for (const TouchStructure& structure : this->Structures)
+  {
+    bounds.extend(structure.Model->BoundsWorld());
+  }
+  return bounds;
+}
 } // namespace palpate

@@ -44,5 +44,7 @@ struct TouchScene
 
   /// Refuses, naming the structure, what could not be felt.
   Status Check() const;
+  /// Holds all structures, which have models; empty without any.
+  Eigen::AlignedBox3d BoundsWorld() const;
 };
 } // namespace palpate
