@@ -1,6 +1,6 @@
 #pragma once
 
-#include "PalpateSessionModule.h"
+#include "PalpateImagingModule.h"
 #include "Vector3.h"
 
 #include <Eigen/Core>
@@ -12,7 +12,7 @@ namespace palpate
 {
 /// The geometry of an image with its direction matrix, without VTK's lookups. World is patient LPS,
 /// mm; indices are the image's own, which need not start at 0.
-struct PALPATESESSION_EXPORT ImageAxes
+struct PALPATEIMAGING_EXPORT ImageAxes
 {
   explicit ImageAxes(vtkImageData* image);
 
@@ -42,5 +42,5 @@ struct IndexBox
 };
 
 /// The smallest box that holds all voxels with a value; false where there is none.
-PALPATESESSION_EXPORT bool FindValueBox(vtkImageData* image, int value, IndexBox& box);
+PALPATEIMAGING_EXPORT bool FindValueBox(vtkImageData* image, int value, IndexBox& box);
 } // namespace palpate
