@@ -24,6 +24,9 @@ struct PALPATEIMAGING_EXPORT ImageAxes
   {
     return this->WorldToIndex * (world - this->OriginWorld);
   }
+  /// Of the box that all voxels fill, half a voxel beyond their outermost centres. Corner c is at
+  /// the upper end of axis a where bit a of c is set.
+  std::array<Vector3, 8> CornersWorld() const;
   int Size(int axis) const { return this->Extent[2 * axis + 1] - this->Extent[2 * axis] + 1; }
 
   std::array<int, 6> Extent{};

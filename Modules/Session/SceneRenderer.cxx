@@ -5,6 +5,7 @@
 #include "GreyWindow.h"
 #include "ImageAxes.h"
 #include "SurfaceMaterial.h"
+#include "SurfaceNormals.h"
 #include "WindowPicture.h"
 
 #include "vtkActor.h"
@@ -21,7 +22,6 @@
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkPolyDataMapper.h"
-#include "vtkPolyDataNormals.h"
 #include "vtkProperty.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
@@ -48,20 +48,6 @@ constexpr double BarMargin = 1.42;
 constexpr double ReferenceSide = 800.0;
 constexpr double LetterSize = 24.0;
 constexpr double BarTextSize = 17.0;
-
-vtkSmartPointer<vtkPolyData> WithNormals(vtkPolyData* surface)
-{
-  if (surface->GetPointData()->GetNormals())
-  {
-    return surface;
-  }
-  vtkNew<vtkPolyDataNormals> normals;
-  normals->SetInputData(surface);
-  normals->SplittingOff();
-  normals->ConsistencyOff();
-  normals->Update();
-  return normals->GetOutput();
-}
 
 // Some of VTK's filters and mappers ignore an image's direction matrix, so they get a copy without
 // one, and the prop gets the matrix.

@@ -35,6 +35,17 @@ TEST(ImageAxes, PlacesVoxelsWhereVtkDoes)
   }
 }
 
+TEST(ImageAxes, CornersLieHalfAVoxelBeyondTheOutermostCentres)
+{
+  vtkNew<vtkImageData> image;
+  image->SetExtent(-3, 9, 2, 12, 0, 8);
+  image->SetSpacing(2.0, 1.0, 4.0);
+  const auto corners = ImageAxes(image).CornersWorld();
+  EXPECT_EQ(corners[0], Vector3(-7.0, 1.5, -2.0));
+  EXPECT_EQ(corners[5], Vector3(19.0, 1.5, 34.0));
+  EXPECT_EQ(corners[7], Vector3(19.0, 12.5, 34.0));
+}
+
 TEST(ImageAxes, TheBoxOfAValueIsTheSmallestThatHoldsIt)
 {
   std::mt19937_64 random(2);
