@@ -1,8 +1,12 @@
 #include "SceneRenderer.h"
 
-#include "DivergingColorMap.h"
+#include "ArrayColors.h"
+#include "BodyAxes.h"
+#include "GreyWindow.h"
 #include "ImageAxes.h"
-#include "SlicePicture.h"
+#include "SurfaceMaterial.h"
+#include "SurfaceNormals.h"
+#include "WindowPicture.h"
 
 #include "vtkActor.h"
 #include "vtkCamera.h"
@@ -18,7 +22,6 @@
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkPolyDataMapper.h"
-#include "vtkPolyDataNormals.h"
 #include "vtkProperty.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
@@ -27,13 +30,11 @@
 #include "vtkSubVoxelVolumeMapper.h"
 #include "vtkTextActor.h"
 #include "vtkTextProperty.h"
-#include "vtkUnsignedCharArray.h"
 #include "vtkVolumeProperty.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <set>
 
 namespace palpate
@@ -47,41 +48,6 @@ constexpr double BarMargin = 1.42;
 constexpr double ReferenceSide = 800.0;
 constexpr double LetterSize = 24.0;
 constexpr double BarTextSize = 17.0;
-constexpr int ColorCount = 257; // odd, so that zero has its own colour
-// How surfaces answer to light, polygons and fields alike.
-constexpr double SurfaceAmbient = 0.4;
-constexpr double SurfaceDiffuse = 0.62;
-constexpr double SurfaceSpecular = 0.12;
-constexpr double SurfacePower = 25.0;
-constexpr std::size_t WindowSamples = 200000;
-
-vtkSmartPointer<vtkPolyData> WithNormals(vtkPolyData* surface)
-{
-  if (surface->GetPointData()->GetNormals())
-  {
-    return surface;
-  }
-  vtkNew<vtkPolyDataNormals> normals;
-  normals->SetInputData(surface);
-  normals->SplittingOff();
-  normals->ConsistencyOff();
-  normals->Update();
-  return normals->GetOutput();
-}
-
-// The image's axis that is nearest to a body axis.
-int NearestAxis(const ImageAxes& axes, int bodyAxis)
-{
-  int nearest = 0;
-  for (int axis = 1; axis < 3; ++axis)
-  {
-    if (std::abs(axes.UnitWorld[axis][bodyAxis]) > std::abs(axes.UnitWorld[nearest][bodyAxis]))
-    {
-      nearest = axis;
-    }
-  }
-  return nearest;
-}
 
 // Some of VTK's filters and mappers ignore an image's direction matrix, so they get a copy without
 // one, and the prop gets the matrix.
@@ -108,47 +74,6 @@ vtkSmartPointer<vtkMatrix4x4> PlaceOf(const ImageAxes& axes)
   }
   return matrix;
 }
-
-GreyWindow WindowOf(vtkImageData* image)
-{
-  vtkDataArray* scalars = image->GetPointData()->GetScalars();
-  const vtkIdType count = scalars->GetNumberOfTuples();
-  const vtkIdType stride = std::max<vtkIdType>(1, count / static_cast<vtkIdType>(WindowSamples));
-  std::vector<float> values;
-  for (vtkIdType v = 0; v < count; v += stride)
-  {
-    values.push_back(static_cast<float>(scalars->GetComponent(v, 0)));
-  }
-  return FindWindow({values});
-}
-
-vtkSmartPointer<vtkLookupTable> MakeLookup(double low, double high)
-{
-  const double limit = DivergingColorMap::RoundLimit(std::max(-low, high));
-  const DivergingColorMap colors(limit);
-  auto table = vtkSmartPointer<vtkLookupTable>::New();
-  table->SetRange(low < 0.0 ? -limit : 0.0, high > 0.0 ? limit : 0.0);
-  table->SetNumberOfTableValues(ColorCount);
-  const double* range = table->GetRange();
-  for (int c = 0; c < ColorCount; ++c)
-  {
-    const auto color = colors.ColorOf(range[0] + (range[1] - range[0]) * c / (ColorCount - 1));
-    table->SetTableValue(c, color[0] / 255.0, color[1] / 255.0, color[2] / 255.0);
-  }
-  return table;
-}
-
-// Arrays of our own are lengths; of others the unit is not known.
-std::string BarTitle(const std::string& array)
-{
-  static const std::map<std::string, std::string> Titles{
-      {"DistanceToSurface", "Distance to the surface, mm"},
-      {"Residual", "Residual of the fit, mm"},
-      {"RadiusDeviation", "Uncertainty of the radius, mm"}};
-  const auto title = Titles.find(array);
-  return title == Titles.end() ? array : title->second;
-}
-
 } // namespace
 
 SceneRenderer::SceneRenderer()
@@ -159,10 +84,9 @@ SceneRenderer::SceneRenderer()
   this->Window->SetOffScreenRendering(1);
   this->Window->SetMultiSamples(4);
   this->Window->AddRenderer(this->Renderer);
-  // White, above the viewer's left shoulder: tinted lights would falsify colours that mean numbers.
   vtkNew<vtkLight> lamp;
   lamp->SetLightTypeToCameraLight();
-  lamp->SetPosition(-0.35, 0.45, 1.0);
+  lamp->SetPosition(SurfaceMaterial::Lamp[0], SurfaceMaterial::Lamp[1], SurfaceMaterial::Lamp[2]);
   this->Renderer->AddLight(lamp);
   this->SetBackground(this->Background);
 }
@@ -185,10 +109,10 @@ std::size_t SceneRenderer::AddSurface(vtkPolyData* surface, const Color& color, 
   vtkNew<vtkActor> actor;
   actor->SetMapper(mapper);
   actor->GetProperty()->SetColor(color[0], color[1], color[2]);
-  actor->GetProperty()->SetAmbient(SurfaceAmbient);
-  actor->GetProperty()->SetDiffuse(SurfaceDiffuse);
-  actor->GetProperty()->SetSpecular(SurfaceSpecular);
-  actor->GetProperty()->SetSpecularPower(SurfacePower);
+  actor->GetProperty()->SetAmbient(SurfaceMaterial::Ambient);
+  actor->GetProperty()->SetDiffuse(SurfaceMaterial::Diffuse);
+  actor->GetProperty()->SetSpecular(SurfaceMaterial::Specular);
+  actor->GetProperty()->SetSpecularPower(SurfaceMaterial::SpecularPower);
   actor->GetProperty()->SetOpacity(opacity);
   this->Renderer->AddActor(actor);
   this->Surfaces.push_back({actor, shown});
@@ -229,10 +153,10 @@ void SceneRenderer::AddField(const std::shared_ptr<const ScalarField>& field,
   volume->SetMapper(mapper);
   vtkVolumeProperty* property = volume->GetProperty();
   property->ShadeOn();
-  property->SetAmbient(SurfaceAmbient);
-  property->SetDiffuse(SurfaceDiffuse);
-  property->SetSpecular(SurfaceSpecular);
-  property->SetSpecularPower(SurfacePower);
+  property->SetAmbient(SurfaceMaterial::Ambient);
+  property->SetDiffuse(SurfaceMaterial::Diffuse);
+  property->SetSpecular(SurfaceMaterial::Specular);
+  property->SetSpecularPower(SurfaceMaterial::SpecularPower);
   this->Renderer->AddVolume(volume);
   for (const std::array<int, 3>& cell : field->SurfaceCells())
   {
@@ -244,7 +168,7 @@ void SceneRenderer::AddField(const std::shared_ptr<const ScalarField>& field,
 void SceneRenderer::AddSlice(vtkImageData* volume, Plane plane, const Vector3& throughWorld)
 {
   const ImageAxes axes(volume);
-  const int axis = NearestAxis(axes, static_cast<int>(plane));
+  const int axis = BodyAxes(axes).Axis[static_cast<std::size_t>(plane)];
   const int slice = static_cast<int>(std::lround(axes.ToIndex(throughWorld)[axis]));
   vtkNew<vtkImageSliceMapper> mapper;
   mapper->SetInputData(WithoutPlace(volume));
@@ -291,7 +215,7 @@ std::array<double, 2> SceneRenderer::RangeOf(const std::string& name) const
 bool SceneRenderer::ColorByArray(const std::string& name)
 {
   const std::array<double, 2> range = this->RangeOf(name);
-  const vtkSmartPointer<vtkLookupTable> table = MakeLookup(range[0], range[1]);
+  const vtkSmartPointer<vtkLookupTable> table = MakeArrayColors(range[0], range[1]);
   bool isFound = false;
   for (const Surface& surface : this->Surfaces)
   {
@@ -430,7 +354,7 @@ void SceneRenderer::AddColorBar()
   bar->SetLookupTable(this->BarColors);
   bar->SetNumberOfLabels(3);
   bar->SetLabelFormat("%.3g");
-  bar->SetMaximumNumberOfColors(ColorCount);
+  bar->SetMaximumNumberOfColors(static_cast<int>(this->BarColors->GetNumberOfAvailableColors()));
   bar->UnconstrainedFontSizeOn();
   bar->SetOrientationToHorizontal();
   bar->SetTextPositionToPrecedeScalarBar();
@@ -438,7 +362,7 @@ void SceneRenderer::AddColorBar()
   bar->SetPosition2(0.42, 0.08);
   // The bar's own title would overlap its labels.
   vtkNew<vtkTextActor> title;
-  title->SetInput(BarTitle(this->ColoredArray).c_str());
+  title->SetInput(ArrayTitle(this->ColoredArray).c_str());
   title->GetPositionCoordinate()->SetCoordinateSystemToNormalizedViewport();
   title->SetPosition(0.055, 0.115);
   for (vtkTextProperty* style : {title->GetTextProperty(), bar->GetLabelTextProperty()})
@@ -492,22 +416,6 @@ void SceneRenderer::Render(const ViewFrame& frame, Picture& picture)
   this->SetLetters(frame);
   this->PlaceCamera(frame, static_cast<double>(picture.Width) / picture.Height);
   this->Window->Render();
-  this->ReadPixels(picture);
-}
-
-void SceneRenderer::ReadPixels(Picture& picture)
-{
-  this->Window->GetPixelData(0, 0, picture.Width - 1, picture.Height - 1, 1, this->Pixels);
-  for (int row = 0; row < picture.Height; ++row)
-  {
-    for (int column = 0; column < picture.Width; ++column)
-    {
-      const vtkIdType tuple =
-          static_cast<vtkIdType>(picture.Height - 1 - row) * picture.Width + column;
-      std::uint8_t* pixel = picture.Pixel(column, row);
-      std::copy_n(this->Pixels->GetPointer(3 * tuple), 3, pixel);
-      pixel[3] = 255;
-    }
-  }
+  ReadWindow(this->Window, this->Pixels, picture);
 }
 } // namespace palpate

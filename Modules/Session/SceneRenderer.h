@@ -84,7 +84,6 @@ private:
   void AddColorBar();
   void RemoveAnnotations();
   void AddAnnotations(int width, int height);
-  void ReadPixels(Picture& picture);
   void Annotate(vtkProp* prop);
   Color InkColor() const;
   int FontSize(double referenceSize) const;

@@ -55,6 +55,23 @@ ImageAxes::ImageAxes(vtkImageData* image)
   this->WorldToIndex = this->StepWorld.inverse();
 }
 
+std::array<Vector3, 8> ImageAxes::CornersWorld() const
+{
+  std::array<Vector3, 8> corners;
+  for (std::size_t c = 0; c < 8; ++c)
+  {
+    Vector3 index;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      const bool isUpper = (c >> axis & 1U) != 0;
+      index[static_cast<int>(axis)] =
+          isUpper ? this->Extent[2 * axis + 1] + 0.5 : this->Extent[2 * axis] - 0.5;
+    }
+    corners[c] = this->ToWorld(index);
+  }
+  return corners;
+}
+
 bool FindValueBox(vtkImageData* image, int value, IndexBox& box)
 {
   const ImageAxes axes(image);

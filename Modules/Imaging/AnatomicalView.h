@@ -1,6 +1,6 @@
 #pragma once
 
-#include "PalpateSessionModule.h"
+#include "PalpateImagingModule.h"
 #include "Vector3.h"
 
 #include <array>
@@ -33,15 +33,15 @@ struct ViewFrame
 
 /// Looked at from the front, the back, the left or the right, the patient's head is up; from above
 /// or below, the patient's front is up (from below: as radiologists show axial slices).
-PALPATESESSION_EXPORT ViewFrame FrameOf(ViewSide side);
+PALPATEIMAGING_EXPORT ViewFrame FrameOf(ViewSide side);
 
 /// From the patient's front, a little from the left and from above.
-PALPATESESSION_EXPORT ViewFrame ObliqueFrame();
+PALPATEIMAGING_EXPORT ViewFrame ObliqueFrame();
 
 /// "Anterior", "Posterior", ...
-PALPATESESSION_EXPORT std::string NameOf(ViewSide side);
+PALPATEIMAGING_EXPORT std::string NameOf(ViewSide side);
 
 /// Letters of the patient's directions (L, R, P, A, S, I) along a unit vector in LPS, the strongest
 /// first; those are named whose share is at least half of the strongest. "S", or "PL" for oblique.
-PALPATESESSION_EXPORT std::string OrientationLetters(const Vector3& directionWorld);
+PALPATEIMAGING_EXPORT std::string OrientationLetters(const Vector3& directionWorld);
 } // namespace palpate

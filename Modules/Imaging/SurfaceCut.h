@@ -1,6 +1,6 @@
 #pragma once
 
-#include "PalpateSessionModule.h"
+#include "PalpateImagingModule.h"
 #include "Vector3.h"
 
 #include <vector>
@@ -17,6 +17,6 @@ struct SurfaceCurve
   bool IsClosed = false;
 };
 
-PALPATESESSION_EXPORT std::vector<SurfaceCurve>
+PALPATEIMAGING_EXPORT std::vector<SurfaceCurve>
 CutSurface(vtkPolyData* surface, const Vector3& origin, const Vector3& normal);
 } // namespace palpate

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "PalpateSessionModule.h"
+#include "PalpateImagingModule.h"
 #include "Vector3.h"
 
 #include <Eigen/Core>
@@ -12,7 +12,7 @@ namespace palpate
 {
 /// The geometry of an image with its direction matrix, without VTK's lookups. World is patient LPS,
 /// mm; indices are the image's own, which need not start at 0.
-struct PALPATESESSION_EXPORT ImageAxes
+struct PALPATEIMAGING_EXPORT ImageAxes
 {
   explicit ImageAxes(vtkImageData* image);
 
@@ -24,6 +24,9 @@ struct PALPATESESSION_EXPORT ImageAxes
   {
     return this->WorldToIndex * (world - this->OriginWorld);
   }
+  /// Of the box that all voxels fill, half a voxel beyond their outermost centres. Corner c is at
+  /// the upper end of axis a where bit a of c is set.
+  std::array<Vector3, 8> CornersWorld() const;
   int Size(int axis) const { return this->Extent[2 * axis + 1] - this->Extent[2 * axis] + 1; }
 
   std::array<int, 6> Extent{};
@@ -42,5 +45,5 @@ struct IndexBox
 };
 
 /// The smallest box that holds all voxels with a value; false where there is none.
-PALPATESESSION_EXPORT bool FindValueBox(vtkImageData* image, int value, IndexBox& box);
+PALPATEIMAGING_EXPORT bool FindValueBox(vtkImageData* image, int value, IndexBox& box);
 } // namespace palpate

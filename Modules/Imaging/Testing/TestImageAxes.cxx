@@ -1,6 +1,8 @@
 #include "ImageAxes.h"
 
-#include "SyntheticFit.h"
+#include "LabelImages.h"
+
+#include "vtkNew.h"
 
 #include <gtest/gtest.h>
 #include <random>
@@ -11,21 +13,37 @@ using palpate::Vector3;
 
 TEST(ImageAxes, PlacesVoxelsWhereVtkDoes)
 {
-  const palpate::test::SyntheticFit fit;
-  const ImageAxes axes(fit.Result.Mask);
   std::mt19937_64 random(1);
   for (int trial = 0; trial < 100; ++trial)
   {
-    const auto voxel = static_cast<vtkIdType>(
-        random() % static_cast<std::uint64_t>(fit.Result.Mask->GetNumberOfPoints()));
+    palpate::test::LabelGrid grid;
+    grid.Size = {{13, 8, 9}};
+    grid.Spacing = {{0.8, 0.7, 3.0}};
+    grid.Origin = {{10.0, -80.0, 55.0}};
+    grid.Direction = palpate::test::RandomRotation(random);
+    const auto image =
+        palpate::test::MakeLabelImage(grid, [](double, double, double) { return true; });
+    const ImageAxes axes(image);
+    const auto voxel = static_cast<vtkIdType>(random() % (13 * 8 * 9));
     double world[3];
-    fit.Result.Mask->GetPoint(voxel, world);
-    const Vector3 index(static_cast<double>(voxel % 96), static_cast<double>(voxel / 96 % 96),
-                        static_cast<double>(voxel / (96 * 96)));
+    image->GetPoint(voxel, world);
+    const Vector3 index(static_cast<double>(voxel % 13), static_cast<double>(voxel / 13 % 8),
+                        static_cast<double>(voxel / (13 * 8)));
     // Rounding of numbers around 100.
     EXPECT_NEAR((axes.ToWorld(index) - Vector3(world)).norm(), 0.0, 1e-11);
     EXPECT_NEAR((axes.ToIndex(Vector3(world)) - index).norm(), 0.0, 1e-11);
   }
+}
+
+TEST(ImageAxes, CornersLieHalfAVoxelBeyondTheOutermostCentres)
+{
+  vtkNew<vtkImageData> image;
+  image->SetExtent(-3, 9, 2, 12, 0, 8);
+  image->SetSpacing(2.0, 1.0, 4.0);
+  const auto corners = ImageAxes(image).CornersWorld();
+  EXPECT_EQ(corners[0], Vector3(-7.0, 1.5, -2.0));
+  EXPECT_EQ(corners[5], Vector3(19.0, 1.5, 34.0));
+  EXPECT_EQ(corners[7], Vector3(19.0, 12.5, 34.0));
 }
 
 TEST(ImageAxes, TheBoxOfAValueIsTheSmallestThatHoldsIt)

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "PalpateSessionModule.h"
+#include "PalpateImagingModule.h"
 
 #include <array>
 #include <cstdint>
@@ -11,7 +11,7 @@ namespace palpate
 /// apart for the colour-blind, and lightness falls evenly to both sides. Made by linear
 /// interpolation in CIELAB between the ends and the middle of ColorBrewer's RdBu scheme (Harrower
 /// and Brewer, The Cartographic Journal 40, 2003).
-class PALPATESESSION_EXPORT DivergingColorMap
+class PALPATEIMAGING_EXPORT DivergingColorMap
 {
 public:
   /// Numbers from -limit to limit are told apart, those beyond get the ends' colours.
