@@ -1,5 +1,6 @@
 #include "StudyState.h"
 
+#include <algorithm>
 #include <tuple>
 
 namespace palpate
@@ -74,6 +75,14 @@ bool operator==(const StudyState& a, const StudyState& b)
 std::filesystem::path StudyPath(const std::filesystem::path& file)
 {
   return file.empty() ? file : std::filesystem::absolute(file).lexically_normal();
+}
+
+const StudyStructure* FindStructure(const StudyState& state, int label)
+{
+  const auto found =
+      std::find_if(state.Structures.begin(), state.Structures.end(),
+                   [label](const StudyStructure& structure) { return structure.Label == label; });
+  return found != state.Structures.end() ? &*found : nullptr;
 }
 
 FitSettings FitSettingsOf(const StudyState& state, const StudyStructure& structure)

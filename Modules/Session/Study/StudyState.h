@@ -103,6 +103,9 @@ inline bool operator!=(const StudyState& a, const StudyState& b)
 /// A file as a state names it, whatever the program's folder is later; empty stays empty.
 PALPATESESSION_EXPORT std::filesystem::path StudyPath(const std::filesystem::path& file);
 
+/// The structure of a label, or nothing.
+PALPATESESSION_EXPORT const StudyStructure* FindStructure(const StudyState& state, int label);
+
 /// How a structure of a state is fitted.
 PALPATESESSION_EXPORT FitSettings FitSettingsOf(const StudyState& state,
                                                 const StudyStructure& structure);
