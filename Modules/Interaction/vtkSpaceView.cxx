@@ -39,7 +39,7 @@ vtkStandardNewMacro(vtkSpaceView);
 namespace
 {
 // VTK leaves room for a ball round everything, of which boxes and organs fill less.
-constexpr double FitCloseness = 1.3;
+constexpr double FitCloseness = 1.15;
 } // namespace
 
 struct vtkSpaceView::State
