@@ -25,6 +25,7 @@
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
 #include "vtkTextActor.h"
+#include "vtkTextProperty.h"
 
 #include <algorithm>
 #include <cmath>
@@ -446,6 +447,9 @@ void vtkSliceView::UpdateAnnotation(const SlicePosition& position)
                                                   : geometry.ForwardWorld)
        << ' ' << palpate::LengthText(std::abs(place), 1);
   palpate::SetViewText(state.Information, text.str());
+  // By which its trace is known in the other views.
+  const std::array<double, 3> color = palpate::ColorOf(orientation);
+  state.Information->GetTextProperty()->SetColor(color[0], color[1], color[2]);
 }
 
 void vtkSliceView::PrintSelf(ostream& os, vtkIndent indent)

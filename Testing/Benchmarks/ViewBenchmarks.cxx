@@ -11,7 +11,6 @@
 #include "vtkActor.h"
 #include "vtkCamera.h"
 #include "vtkCutter.h"
-#include "vtkFlyingEdges3D.h"
 #include "vtkImageProperty.h"
 #include "vtkImageResliceMapper.h"
 #include "vtkImageSlice.h"
@@ -19,6 +18,7 @@
 #include "vtkPlane.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkProperty.h"
+#include "vtkSphereSource.h"
 
 #include <cmath>
 #include <filesystem>
@@ -34,7 +34,6 @@ namespace
 constexpr const char* BrainFile = "/usr/share/mricron/templates/ch2.nii.gz"; // Colin 27
 constexpr int Width = 1280;
 constexpr int Height = 800;
-constexpr double WhiteMatter = 110.0; // of the brain's values: a surface to cut
 
 vtkSmartPointer<vtkImageData> ReadBrain()
 {
@@ -44,14 +43,16 @@ vtkSmartPointer<vtkImageData> ReadBrain()
   return reader->GetOutput();
 }
 
-// Half of the brain's voxels a side: some hundred thousand triangles.
-vtkSmartPointer<vtkPolyData> BrainSurface(vtkImageData* image)
+// A structure as large as a lobe, of as many triangles as the surface of a segmentation has.
+vtkSmartPointer<vtkPolyData> StructureSurface()
 {
-  vtkNew<vtkFlyingEdges3D> edges;
-  edges->SetInputData(image);
-  edges->SetValue(0, WhiteMatter);
-  edges->Update();
-  return edges->GetOutput();
+  vtkNew<vtkSphereSource> sphere;
+  sphere->SetRadius(35.0);
+  sphere->SetCenter(8.0, -10.0, 12.0);
+  sphere->SetThetaResolution(200);
+  sphere->SetPhiResolution(200);
+  sphere->Update();
+  return sphere->GetOutput();
 }
 
 // A way through the brain, a little further in every frame.
@@ -254,7 +255,7 @@ private:
     if (!this->Ours)
     {
       const vtkSmartPointer<vtkImageData> brain = ReadBrain();
-      const vtkSmartPointer<vtkPolyData> surface = BrainSurface(brain);
+      const vtkSmartPointer<vtkPolyData> surface = StructureSurface();
       this->Ours = std::make_unique<OurViews>(brain, surface);
       this->Ours->Frame(0);
       this->Theirs = std::make_unique<StockViews>(brain, surface, *this->Ours);

@@ -15,6 +15,7 @@
 #include "TouchBenchmarks.h"
 #include "TouchQuality.h"
 #include "TradeOff.h"
+#include "ViewBenchmarks.h"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -33,8 +34,8 @@ std::vector<PairedBenchmark> AllBenchmarks()
   for (auto& group : {palpate::bench::EvaluationBenchmarks(), palpate::bench::FitBenchmarks(),
                       palpate::bench::BoundsBenchmarks(), palpate::bench::NearestBenchmarks(),
                       palpate::bench::FieldBenchmarks(), palpate::bench::RenderBenchmarks(),
-                      palpate::bench::TouchBenchmarks(), palpate::bench::TradeOffBenchmarks(),
-                      palpate::bench::PipelineBenchmarks()})
+                      palpate::bench::ViewBenchmarks(), palpate::bench::TouchBenchmarks(),
+                      palpate::bench::TradeOffBenchmarks(), palpate::bench::PipelineBenchmarks()})
   {
     all.insert(all.end(), group.begin(), group.end());
   }
