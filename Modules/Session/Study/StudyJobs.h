@@ -58,9 +58,11 @@ public:
 
   /// Does what results that have come since ask for; returns how many.
   std::size_t Deliver();
-  /// Waits until there is something to deliver; false where nothing is on its way. For programs
-  /// without a window, and tests.
-  bool WaitForResult();
+  /// Nothing waits, runs, or is to be delivered.
+  bool IsIdle() const;
+  /// Waits until there is something to deliver, `longest` at most; false where there is nothing. At
+  /// once where nothing is on its way. For programs without a window, and tests.
+  bool WaitForResult(std::optional<std::chrono::milliseconds> longest = std::nullopt);
 
   /// Cancels everything and waits for it to end, `longest` at most. False where something does not
   /// ask whether it is wanted any more: it goes on by itself, with what it has, until its end or
