@@ -353,6 +353,7 @@ void UsbfsFalcon::Serve()
 void UsbfsFalcon::TakeAway(UsbfsFile& file, Unplugging how)
 {
   file.IsGone = true;
+  file.HasClaim = false;
   while (!file.Waiting.empty())
   {
     const bool aborts = how == Unplugging::AbortsReads || !file.Waiting.front().IsRead();

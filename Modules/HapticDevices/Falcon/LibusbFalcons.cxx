@@ -174,6 +174,13 @@ FalconListing Inspect(const FalconOnBus& falcon)
 }
 } // namespace
 
+void LibusbHandleCloser::operator()(libusb_device_handle* handle) const noexcept
+{
+  // Of a device that is gone, or was not claimed, there is none.
+  static_cast<void>(libusb_release_interface(handle, Interface));
+  libusb_close(handle);
+}
+
 Status MakeLibusbContext(LibusbContext& context)
 {
   libusb_context* made = nullptr;

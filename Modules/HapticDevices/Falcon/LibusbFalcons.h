@@ -13,9 +13,10 @@ struct LibusbContextCloser
 {
   void operator()(libusb_context* context) const noexcept { libusb_exit(context); }
 };
+/// Gives back the interface too, so that the next program can have it at once.
 struct LibusbHandleCloser
 {
-  void operator()(libusb_device_handle* handle) const noexcept { libusb_close(handle); }
+  void operator()(libusb_device_handle* handle) const noexcept;
 };
 using LibusbContext = std::unique_ptr<libusb_context, LibusbContextCloser>;
 using LibusbHandle = std::unique_ptr<libusb_device_handle, LibusbHandleCloser>;
