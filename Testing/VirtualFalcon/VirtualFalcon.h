@@ -48,6 +48,8 @@ public:
   void Unplug(std::int64_t now);
   /// With fresh firmware memory: the Falcon loses it with its power. Nothing where it is plugged.
   void Plug(std::int64_t now);
+  /// As if another program had loaded the firmware.
+  void StartLoaded() { this->Brain.StartLoaded(); }
   bool IsPluggedIn() const { return this->Plugged; }
 
   /// In effect from the next call on.

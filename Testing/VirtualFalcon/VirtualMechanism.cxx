@@ -55,7 +55,8 @@ std::array<double, 3> VirtualMechanism::AnglesAt(const Vector3& position) const
         (radial * radial + p[2] * p[2] + thigh * thigh - reach * reach) / (2.0 * thigh);
     // radial cos + height sin = k, by the tangent of half the angle.
     const double root = std::sqrt(radial * radial + p[2] * p[2] - k * k);
-    angles[static_cast<std::size_t>(leg)] = 2.0 * std::atan2(p[2] - root, k + radial);
+    angles[static_cast<std::size_t>(leg)] =
+        std::remainder(2.0 * std::atan2(p[2] - root, k + radial), 2.0 * M_PI);
   }
   return angles;
 }
