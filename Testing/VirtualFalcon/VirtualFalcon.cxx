@@ -28,7 +28,7 @@ void VirtualFalcon::AdvanceTo(std::int64_t now)
       this->Brain.Receive(byte, this->Serial, this->Body, this->Faults);
     }
     const std::uint64_t last = this->Faults.UnplugAtReply;
-    if (last != 0 && this->Brain.Replies() >= last)
+    if (this->Brain.WantsUnplug() || (last != 0 && this->Brain.Replies() >= last))
     {
       this->Unplug(now);
     }

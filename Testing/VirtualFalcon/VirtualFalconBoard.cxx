@@ -144,12 +144,14 @@ void VirtualFalconBoard::Answer(VirtualFalconAnswer::Kind kind, std::vector<std:
   {
     faults.Spoil(answer);
   }
+  this->Unplugs = this->Unplugs || answer.Unplugs;
   const std::int64_t duration = std::llround(1e10 / this->Baud);
   this->WireFree = std::max(this->WireFree, this->Time + answer.Delay);
   for (const std::uint8_t value : answer.Bytes)
   {
     this->WireFree += duration;
     chip.Receive({this->WireFree, this->Baud, value});
+    this->WireFree += answer.Gap;
   }
 }
 

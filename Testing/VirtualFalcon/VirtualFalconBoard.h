@@ -39,6 +39,7 @@ public:
   void StartLoaded() { this->Life = State::Running; }
 
   State Now() const { return this->Life; }
+  bool WantsUnplug() const { return this->Unplugs; }
   int Resets() const { return this->ResetCount; }
   /// What it was sent as its image since the last reset.
   const std::vector<std::uint8_t>& Image() const { return this->Loaded; }
@@ -63,6 +64,7 @@ private:
 
   State Life = State::Off;
   bool Dtr = false;
+  bool Unplugs = false;
   int ResetCount = 0;
   double Baud = 9600.0; // the board's own
   std::int64_t Time = 0;

@@ -21,6 +21,8 @@ struct VirtualFalconAnswer
   int Resets = 0;           ///< of the board so far, by DTR or power
   std::vector<std::uint8_t> Bytes;
   std::int64_t Delay = 0; ///< ns until the first byte starts
+  std::int64_t Gap = 0;   ///< ns between one byte and the next
+  bool Unplugs = false;   ///< the cable comes out once it is sent
 };
 
 /// What a virtual Falcon does wrong. The functions decide by numbers, not by chance of their own,

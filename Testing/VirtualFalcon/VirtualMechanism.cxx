@@ -145,7 +145,9 @@ void VirtualMechanism::AdvanceTo(std::int64_t now)
   this->Reached = this->Reached < 0 ? now : this->Reached;
   while (this->Reached < now)
   {
-    const std::int64_t end = std::min(now, this->Reached + LongestStep);
+    // A rigid hand needs steps only to meet its index on the way.
+    const std::int64_t longest = this->Settings.IsRigid ? 20 * LongestStep : LongestStep;
+    const std::int64_t end = std::min(now, this->Reached + longest);
     const double step = 1e-9 * static_cast<double>(end - this->Reached);
     const Vector3 target = this->TargetAt(end);
     if (this->Settings.IsRigid)
