@@ -3,6 +3,7 @@
 #include "MotorValues.h"
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 namespace palpate
@@ -75,6 +76,33 @@ std::string FalconDevice::Problem() const
   return "";
 }
 
+std::string FalconDevice::Guidance() const
+{
+  if (this->State() != DeviceState::Homing)
+  {
+    return "";
+  }
+  std::string missing;
+  const std::array<const char*, 3> legs{"top", "right", "left"};
+  for (std::size_t leg = 0; leg < legs.size(); ++leg)
+  {
+    const bool isHomed = (this->HomedLegs >> leg & 1U) != 0;
+    missing += isHomed ? "" : (missing.empty() ? "" : ", ") + std::string(legs.at(leg));
+  }
+  return "Pull the handle all the way out, then push it all the way in" +
+         (missing.empty() ? "." : "; these legs have no zero yet: " + missing + ".");
+}
+
+std::string FalconDevice::ConnectionReport() const
+{
+  const FalconStatistics& s = this->Exchange.Statistics();
+  const auto count = [](std::uint64_t number, const char* what)
+  { return std::to_string(number) + " " + what; };
+  return count(s.Requests, "requests, ") + count(s.Replies, "replies, ") + count(s.Lost, "lost, ") +
+         count(s.Unasked, "not asked for, ") + count(s.Implausible, "not believed; ") +
+         count(s.SkippedBytes, "bytes belonged to none");
+}
+
 bool FalconDevice::IsInUse() const noexcept
 {
   const DeviceState state = this->State();
@@ -85,6 +113,7 @@ void FalconDevice::Forget() noexcept
 {
   this->Failure = Fault::None;
   this->Homing = {};
+  this->HomedLegs = 0;
   this->Last.Position = Vector3(Vector3::Zero());
   this->Last.Buttons = 0;
   this->Last.Time = this->Time.Now();
@@ -148,6 +177,7 @@ bool FalconDevice::Fail(Fault fault) noexcept
 void FalconDevice::Measure(const FalconReply& reply, std::int64_t now) noexcept
 {
   const HomingWatch::Verdict verdict = this->Homing.Take(reply.Homed);
+  this->HomedLegs = reply.Homed;
   const Vector3 counts(reply.Counts[0], reply.Counts[1], reply.Counts[2]);
   const bool isReady = this->State() == DeviceState::Ready;
   this->HasPosition =

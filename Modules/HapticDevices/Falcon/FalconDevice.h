@@ -41,6 +41,8 @@ public:
   const DeviceCapabilities& Capabilities() const noexcept override { return this->Abilities; }
   DeviceState State() const noexcept override { return this->Life.load(); }
   std::string Problem() const override;
+  std::string Guidance() const override;
+  std::string ConnectionReport() const override;
   Status Open() override;
   void Close() noexcept override;
   bool Read(DeviceSample& sample) noexcept override;
@@ -76,6 +78,7 @@ private:
 
   std::atomic<DeviceState> Life{DeviceState::Closed};
   std::atomic<Fault> Failure{Fault::None};
+  std::atomic<unsigned> HomedLegs{0}; // a bit each, as the newest reply says
   LatestValue<FalconStatistics> Numbers;
   DeviceSample Last;
   Vector3 Grip = Vector3::Zero(); // mm, from the base
