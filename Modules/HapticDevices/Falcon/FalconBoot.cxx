@@ -39,14 +39,22 @@ Status FalconBoot::Unplugged() const
   return Status::Failure("The Falcon was unplugged while it was being started.");
 }
 
-Status FalconBoot::Command(FtdiRequest request)
+Status FalconBoot::Command(std::initializer_list<FtdiRequest> requests)
 {
-  const Status status = this->Link.Control(request);
-  if (status.IsOk() || this->Link.IsGone())
+  Status status = Status::Success();
+  for (const FtdiRequest& request : requests)
   {
-    return this->Link.IsGone() ? this->Unplugged() : status;
+    status = this->Link.Control(request);
+    if (this->Link.IsGone())
+    {
+      return this->Unplugged();
+    }
+    if (!status.IsOk())
+    {
+      return Status::Failure("The Falcon's serial chip could not be set up: " + status.Message());
+    }
   }
-  return Status::Failure("The Falcon's serial chip could not be set up: " + status.Message());
+  return status;
 }
 
 Status FalconBoot::SendAll(const std::uint8_t* bytes, std::size_t count)
@@ -86,21 +94,18 @@ bool FalconBoot::WaitForBytes(const std::uint8_t* wanted, std::size_t count, std
 Status FalconBoot::Greet()
 {
   this->Account.Step = FalconBootStep::Setup;
-  for (const FtdiRequest& request :
-       {FtdiRequest::PurgeOut(), FtdiRequest::PurgeIn(), FtdiRequest::LatencyTimer(16),
-        FtdiRequest::Baud(GreetingDivisor, GreetingEighths), FtdiRequest::EightDataBits(),
-        FtdiRequest::NoFlowControl(), FtdiRequest::RequestToSend(false),
-        FtdiRequest::DataTerminalReady(false)})
+  Status status =
+      this->Command({FtdiRequest::PurgeOut(), FtdiRequest::PurgeIn(), FtdiRequest::LatencyTimer(16),
+                     FtdiRequest::Baud(GreetingDivisor, GreetingEighths),
+                     FtdiRequest::EightDataBits(), FtdiRequest::NoFlowControl(),
+                     FtdiRequest::RequestToSend(false), FtdiRequest::DataTerminalReady(false)});
+  if (!status.IsOk())
   {
-    const Status status = this->Command(request);
-    if (!status.IsOk())
-    {
-      return status;
-    }
+    return status;
   }
   // The edge resets the board into its loader; how long it must be was never measured.
   this->Wait(Hold);
-  Status status = this->Command(FtdiRequest::DataTerminalReady(true));
+  status = this->Command({FtdiRequest::DataTerminalReady(true)});
   this->Account.Step = FalconBootStep::Greeting;
   for (int n = 0; n < Greetings && status.IsOk(); ++n)
   {
@@ -120,14 +125,11 @@ Status FalconBoot::Greet()
 Status FalconBoot::LockRate()
 {
   const unsigned divisor = this->Account.IsSlow ? SlowDivisor : UploadDivisor;
-  for (const FtdiRequest& request :
-       {FtdiRequest::DataTerminalReady(false), FtdiRequest::Baud(divisor), FtdiRequest::PurgeIn()})
+  Status status = this->Command(
+      {FtdiRequest::DataTerminalReady(false), FtdiRequest::Baud(divisor), FtdiRequest::PurgeIn()});
+  if (!status.IsOk())
   {
-    const Status status = this->Command(request);
-    if (!status.IsOk())
-    {
-      return status;
-    }
+    return status;
   }
   this->Account.Step = FalconBootStep::RateLock;
   // Only waited for, not insisted on: whether every Falcon says so is not known.
@@ -139,7 +141,7 @@ Status FalconBoot::LockRate()
     this->Wait(Poll);
   }
   // Once only: a second letter would become the image's first byte.
-  const Status status = this->SendAll(&LockLetter, 1);
+  status = this->SendAll(&LockLetter, 1);
   if (status.IsOk() && this->WaitForBytes(&LockLetter, 1, EchoTime))
   {
     return Status::Success();
@@ -158,7 +160,7 @@ Status FalconBoot::Upload(const FalconFirmware& firmware)
   for (std::size_t first = 0; first < image.size(); first += Portion)
   {
     const std::size_t count = std::min(Portion, image.size() - first);
-    const Status status = this->SendAll(image.data() + first, count);
+    Status status = this->SendAll(image.data() + first, count);
     const std::int64_t deadline = this->Time.Now() + EchoTime;
     for (std::size_t i = first; i < first + count && status.IsOk(); ++i)
     {
@@ -186,17 +188,9 @@ Status FalconBoot::Upload(const FalconFirmware& firmware)
 
 Status FalconBoot::SwitchToRunning()
 {
-  for (const FtdiRequest& request :
-       {FtdiRequest::LatencyTimer(1), FtdiRequest::Baud(RunDivisor), FtdiRequest::EightDataBits(),
-        FtdiRequest::NoFlowControl(), FtdiRequest::PurgeOut(), FtdiRequest::PurgeIn()})
-  {
-    const Status status = this->Command(request);
-    if (!status.IsOk())
-    {
-      return status;
-    }
-  }
-  return Status::Success();
+  return this->Command({FtdiRequest::LatencyTimer(1), FtdiRequest::Baud(RunDivisor),
+                        FtdiRequest::EightDataBits(), FtdiRequest::NoFlowControl(),
+                        FtdiRequest::PurgeOut(), FtdiRequest::PurgeIn()});
 }
 
 // There is no question that only tells whether firmware is there: a request without torque has to

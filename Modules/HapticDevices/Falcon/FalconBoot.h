@@ -7,6 +7,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <initializer_list>
 #include <string>
 
 namespace palpate
@@ -57,7 +58,7 @@ private:
   Status Upload(const FalconFirmware& firmware);
   Status SwitchToRunning();
   bool Answers(int rounds);
-  Status Command(FtdiRequest request);
+  Status Command(std::initializer_list<FtdiRequest> requests);
   Status SendAll(const std::uint8_t* bytes, std::size_t count);
   bool WaitForByte(std::int64_t deadline, std::uint8_t& byte);
   bool WaitForBytes(const std::uint8_t* wanted, std::size_t count, std::int64_t duration);

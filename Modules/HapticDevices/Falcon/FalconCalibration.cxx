@@ -8,6 +8,7 @@
 #include <fstream>
 #include <iterator>
 #include <sstream>
+#include <utility>
 #include <vector>
 
 namespace palpate
@@ -145,7 +146,9 @@ Status ParseCalibration(const std::string& text, const std::string& name,
     const std::string fault = TakeLine(line, entries);
     if (!fault.empty())
     {
-      return Status::Failure(name + " is not a Falcon's calibration: " + fault + ".");
+      std::string sentence = name + " is not a Falcon's calibration: ";
+      sentence.append(fault).append(".");
+      return Status::Failure(std::move(sentence));
     }
   }
   const Status status = Check(found);

@@ -22,11 +22,17 @@ double MaximumForceOf(const FalconKinematics& kinematics, double countsPerNewton
 {
   const double torque = LargestMotorValue / countsPerNewtonMillimeter;
   double least = kinematics.LeastForce(torque, kinematics.Middle());
-  for (int i = 0; i < 27; ++i)
+  for (const double x : {-1.0, 0.0, 1.0})
   {
-    const Vector3 way(i % 3 - 1.0, i / 3 % 3 - 1.0, i / 9 - 1.0);
-    const Vector3 edge = kinematics.Middle() + WorkspaceRadius * way.stableNormalized();
-    least = std::min(least, kinematics.LeastForce(torque, edge));
+    for (const double y : {-1.0, 0.0, 1.0})
+    {
+      for (const double z : {-1.0, 0.0, 1.0})
+      {
+        const Vector3 way(x, y, z);
+        const Vector3 edge = kinematics.Middle() + WorkspaceRadius * way.stableNormalized();
+        least = std::min(least, kinematics.LeastForce(torque, edge));
+      }
+    }
   }
   return least;
 }

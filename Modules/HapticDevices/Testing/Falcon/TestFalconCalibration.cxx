@@ -65,9 +65,10 @@ TEST(FalconCalibration, EachFaultHasItsSentence)
   EXPECT_EQ(FaultOf("shin 100\n"),
             begin + "its first line is not \"palpate-falcon-calibration 1\".");
   EXPECT_EQ(FaultOf(Head + "leg 100\n"), begin + "leg is not known.");
-  for (const std::string value : {"", "long", "1 2", "1,5", "nan", "inf", "1e999", "0x10"})
+  for (const char* const value : {"", "long", "1 2", "1,5", "nan", "inf", "1e999", "0x10"})
   {
-    EXPECT_EQ(FaultOf(Head + "shin " + value + "\n"), begin + "shin is not followed by one number.")
+    EXPECT_EQ(FaultOf(std::string(Head).append("shin ").append(value)),
+              begin + "shin is not followed by one number.")
         << value;
   }
   EXPECT_EQ(FaultOf(Head + "shin -5\n"), "file cannot be used: A Falcon's lengths, its angle per "
