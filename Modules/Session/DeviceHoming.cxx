@@ -7,6 +7,7 @@
 #include "Refusal.h"
 #include "SteadyClock.h"
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <stdexcept>
@@ -98,24 +99,31 @@ HomingReport HomeDevice(HapticDevice& device, double leastSeconds,
   constexpr auto Nap = std::chrono::milliseconds(50);
   SteadyClock clock;
   ForcelessLoop loop(device, clock);
-  RequireInput(loop.Start());
   const std::int64_t start = clock.Now();
   HomingReport report;
   HomingView view;
-  do
+  const auto look = [&]
   {
-    std::this_thread::sleep_for(Nap);
     view.Seconds = Nano * static_cast<double>(clock.Now() - start);
     view.State = device.State();
     view.Guidance = device.Guidance();
     view.Sample = loop.Latest().Sample;
-    view.Rate = static_cast<double>(loop.Latest().Samples) / view.Seconds;
+    view.Rate = static_cast<double>(loop.Latest().Samples) / std::max(view.Seconds, Nano);
     if (view.State == DeviceState::Ready && report.HomedAfter == 0.0)
     {
       report.HomedAfter = view.Seconds;
     }
-  } while (show(view) && (view.State == DeviceState::Homing ||
-                          (view.State == DeviceState::Ready && view.Seconds < leastSeconds)));
+    return show(view) && (view.State == DeviceState::Homing ||
+                          (view.State == DeviceState::Ready && view.Seconds < leastSeconds));
+  };
+  // What to do is said before the first sample may end the homing.
+  bool goesOn = look();
+  RequireInput(loop.Start());
+  while (goesOn)
+  {
+    std::this_thread::sleep_for(Nap);
+    goesOn = look();
+  }
   loop.Stop();
   report.State = device.State();
   report.Problem = device.Problem();

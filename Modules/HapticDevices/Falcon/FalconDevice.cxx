@@ -51,6 +51,8 @@ DeviceCapabilities CapabilitiesOf(const FalconKinematics& kinematics, double sca
   c.Resolution = 0.045;
   c.Delay = 0.0015;
   c.Rate = 1000.0;
+  // The chip's timer runs beside the servo's, and a reply that is given up takes as long.
+  c.LongestGap = 1e-9 * static_cast<double>(FalconExchange::ReplyDeadline);
   return c;
 }
 } // namespace
