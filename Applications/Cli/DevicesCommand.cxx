@@ -1,9 +1,9 @@
 #include "DevicesCommand.h"
 
 #include "Console.h"
-#include "DeviceArgument.h"
 #include "DeviceHoming.h"
 #include "DeviceList.h"
+#include "DeviceOption.h"
 #include "Interruption.h"
 #include "ScreenText.h"
 
@@ -117,7 +117,7 @@ std::string DevicesCommand::Examples() const
          "  palpate devices --json                    one JSON object a device\n"
          "  palpate devices --home                    home what is plugged in, and measure its "
          "loop\n"
-         "  palpate devices --home --device falcon:1-2 --firmware FILE";
+         "  palpate devices --home --device falcon --firmware FILE";
 }
 
 void DevicesCommand::DeclareOptions(CLI::App& app)
@@ -157,7 +157,8 @@ int DevicesCommand::Home(Console& console) const
   const std::string device = this->Device.empty() ? FirstDevicePluggedIn() : this->Device;
   std::string said;
   const HomingReport report = HomeDevice(
-      this->Firmware.empty() ? device : WithFirmware(device, this->Firmware), LeastSeconds,
+      this->Firmware.empty() ? device : WithDeviceOption(device, "firmware", this->Firmware),
+      LeastSeconds,
       [&](const HomingView& view)
       {
         if (view.Guidance != said && !view.Guidance.empty())

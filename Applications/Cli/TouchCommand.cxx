@@ -2,7 +2,7 @@
 
 #include "CommandProgress.h"
 #include "Console.h"
-#include "DeviceArgument.h"
+#include "DeviceOption.h"
 #include "FilterRun.h"
 #include "FiniteNumber.h"
 #include "InputError.h"
@@ -182,8 +182,9 @@ TouchSettings TouchCommand::Settings() const
     }
   }
   settings.Device = this->Device.empty() ? settings.Device : this->Device;
-  settings.Device =
-      this->Firmware.empty() ? settings.Device : WithFirmware(settings.Device, this->Firmware);
+  settings.Device = this->Firmware.empty()
+                        ? settings.Device
+                        : WithDeviceOption(settings.Device, "firmware", this->Firmware);
   settings.Rate = this->Rate > 0.0 ? this->Rate : settings.Rate;
   if (!this->Scale.empty())
   {

@@ -93,6 +93,7 @@ std::string FirstDevicePluggedIn()
 {
   const DeviceRegistry registry = Registry();
   SteadyClock clock;
+  std::string first;
   std::string obstacle = "no device of this build can be plugged in";
   for (const std::string& name : registry.Names())
   {
@@ -105,14 +106,19 @@ std::string FirstDevicePluggedIn()
     obstacle = status.IsOk() ? obstacle : status.Message();
     for (const FoundDevice& one : found)
     {
+      const std::string text = name + ":" + one.Argument;
       if (one.IsUsable)
       {
-        return name + ":" + one.Argument;
+        return text;
       }
-      obstacle = one.Says;
+      first = first.empty() ? text : first;
     }
   }
-  throw InputError(obstacle);
+  if (first.empty())
+  {
+    throw InputError(obstacle);
+  }
+  return first;
 }
 
 bool IsPluggedIn(const std::string& device)

@@ -22,8 +22,8 @@ struct DeviceReport
 /// stands; of the others, one is opened and closed again.
 PALPATESESSION_EXPORT std::vector<DeviceReport> ListDevices();
 
-/// The name of the first device that is plugged in and can be used. Throws InputError, with what
-/// stands in the way, where there is none.
+/// The name of the first device that is plugged in and can be used as it stands; where none can,
+/// of the first, whose opening says what is missing. Throws InputError where there is none.
 PALPATESESSION_EXPORT std::string FirstDevicePluggedIn();
 /// Whether devices of this name are plugged in, so that their time is the real one; replayed and
 /// computed ones have any.

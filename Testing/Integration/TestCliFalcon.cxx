@@ -82,6 +82,9 @@ TEST_F(CliFalcon, WithoutOneTheListSaysSo)
   EXPECT_FALSE(falcons[0]["there"].get<bool>());
   EXPECT_EQ(falcons[0]["says"],
             "There is no Falcon on USB: plug in its cable and its power supply.");
+  const CommandRun home = this->Run({"devices", "--home"});
+  EXPECT_EQ(home.Code, 2);
+  EXPECT_NE(home.Errors.find("There is no Falcon on USB"), std::string::npos) << home.Errors;
 }
 
 TEST_F(CliFalcon, ItComesAndGoesInTheListWithItsState)
@@ -89,7 +92,7 @@ TEST_F(CliFalcon, ItComesAndGoesInTheListWithItsState)
   this->Bed.Plug(this->Bus, 2);
   std::vector<nlohmann::json> falcons = this->Listed("falcon");
   ASSERT_EQ(falcons.size(), 1U);
-  EXPECT_EQ(falcons[0]["name"], "falcon:1-2");
+  EXPECT_EQ(falcons[0]["name"], "falcon:device=1-2");
   EXPECT_FALSE(falcons[0]["there"].get<bool>());
   const std::string says = falcons[0]["says"];
   EXPECT_NE(says.find("no firmware"), std::string::npos) << says;
@@ -112,7 +115,7 @@ TEST_F(CliFalcon, TheVirtualBusIsNeededToSeeIt)
   const CommandRun run =
       RunCommand("env", {"-u", "LD_PRELOAD", PALPATE_PROGRAM, "devices"}, this->Folder.Path());
   EXPECT_EQ(run.Code, 0) << run.Errors;
-  EXPECT_EQ(run.Output.find("falcon:1-2"), std::string::npos) << run.Output;
+  EXPECT_EQ(run.Output.find("falcon:device=1-2"), std::string::npos) << run.Output;
 }
 
 TEST_F(CliFalcon, WithoutPermissionTheWayOutIsNamed)
@@ -126,15 +129,14 @@ TEST_F(CliFalcon, WithoutPermissionTheWayOutIsNamed)
   const std::string says = this->Listed("falcon").at(0)["says"];
   EXPECT_NE(says.find("Utilities/install-udev-rule.sh"), std::string::npos) << says;
   const CommandRun run = this->Run({"devices", "--home"});
-  EXPECT_EQ(run.Code, 2);
+  EXPECT_EQ(run.Code, 1);
   EXPECT_NE(run.Errors.find("Utilities/install-udev-rule.sh"), std::string::npos) << run.Errors;
 }
 
 TEST_F(CliFalcon, IsLoadedAndHomedWithGuidance)
 {
   this->Bed.Plug(this->Bus, 2);
-  const CommandRun run = this->Run(
-      {"devices", "--home", "--device", "falcon", "--firmware", "firmware.bin", "--json"});
+  const CommandRun run = this->Run({"devices", "--home", "--firmware", "firmware.bin", "--json"});
   ASSERT_EQ(run.Code, 0) << run.Errors;
   EXPECT_TRUE(this->IsLoaded());
   EXPECT_NE(run.Errors.find("Pull the handle all the way out"), std::string::npos) << run.Errors;
@@ -167,8 +169,8 @@ TEST_F(CliFalcon, AMaskIsTouchedWithIt)
   this->Bed.Plug(this->Bus, 2);
   WriteTwoBalls(this->Folder / "a.nii.gz");
   const CommandRun run =
-      this->Run({"touch", "a.nii.gz", "--label", "1", "--device", "falcon:VF000001", "--firmware",
-                 "firmware.bin", "--seconds", "2", "--json"});
+      this->Run({"touch", "a.nii.gz", "--label", "1", "--device", "falcon:device=VF000001",
+                 "--firmware", "firmware.bin", "--seconds", "2", "--json"});
   EXPECT_TRUE(this->IsLoaded());
   // Replies here may take longer than the watchdog lets them, on a busy machine.
   EXPECT_TRUE(run.Code == 0 ||

@@ -81,7 +81,7 @@ Status FindFalcons(FalconFinder& finder, Clock& clock, const std::string& firmwa
       device = opened.IsOk() ? Ask(*link, clock, firmwarePath)
                              : FoundDevice{"", false, opened.Message()};
     }
-    device.Argument = listing.BusPath;
+    device.Argument = "device=" + listing.BusPath;
     device.Says += listing.Serial.empty() ? "" : " (serial number " + listing.Serial + ")";
     found.push_back(device);
   }
