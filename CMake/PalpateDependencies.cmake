@@ -32,3 +32,12 @@ find_package(X11 REQUIRED)
 find_package(CLI11 REQUIRED)
 find_package(nlohmann_json 3.11 REQUIRED)
 find_package(Threads REQUIRED)
+
+# Without libusb everything builds but the way to a real Falcon.
+find_package(PkgConfig)
+if(PkgConfig_FOUND)
+  pkg_check_modules(libusb IMPORTED_TARGET libusb-1.0>=1.0.23)
+endif()
+if(NOT TARGET PkgConfig::libusb)
+  message(STATUS "libusb (libusb-1.0-0-dev) was not found: there will be no device named falcon")
+endif()
