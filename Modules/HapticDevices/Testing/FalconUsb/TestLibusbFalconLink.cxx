@@ -159,6 +159,26 @@ TEST_F(LibusbFalconLinkTest, WhereNothingIsTakenItGivesUpAtItsDeadline)
   this->ExpectBoundedClose();
 }
 
+TEST_F(LibusbFalconLinkTest, ABurstOfFailedReadsCostsNothingElse)
+{
+  this->OpenLink();
+  ASSERT_NO_FATAL_FAILURE(EnterLoader(this->Link));
+  this->Bus.FailReads(20);
+  ASSERT_TRUE(SendBytes(this->Link, ImageHead(10)));
+  EXPECT_EQ(ReceiveBytes(this->Link, ImageHead(10).size()), ImageHead(10));
+  EXPECT_FALSE(this->Link.IsGone());
+}
+
+TEST_F(LibusbFalconLinkTest, WhereEveryReadFailsItGivesUp)
+{
+  this->OpenLink();
+  this->Bus.FailReads(1'000'000);
+  EXPECT_TRUE(Eventually([this] { return this->Link.IsGone(); }));
+  EXPECT_EQ(this->Link.Control(FtdiRequest::Baud(2)).Message(),
+            "Nothing but errors comes from the Falcon: try another cable or another USB socket.");
+  this->ExpectBoundedClose();
+}
+
 TEST_F(LibusbFalconLinkTest, UnpluggedWithReadsInFlightItSaysSoAndOpensAgain)
 {
   for (const auto how : {UsbfsFalcon::Unplugging::AbortsReads, UsbfsFalcon::Unplugging::RefusesNext,
