@@ -25,7 +25,7 @@ TEST(ScaleBar, TheBarIsShorterThanAThirdOfTheViewAndNotMuchShorter)
   ScaleBar bar;
   for (const double pixel : {0.01, 0.123, 0.5, 2.0})
   {
-    bar.Update(pixel, 640, 400, 72);
+    bar.Update(pixel, 640, 400, 1.0);
     EXPECT_LT(bar.LengthMillimeters() / pixel, 640.0 / 3.0);
     EXPECT_GT(bar.LengthMillimeters() / pixel, 640.0 * 0.3 * 0.4 - 1e-9);
   }
