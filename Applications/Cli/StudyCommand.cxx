@@ -79,7 +79,7 @@ Line LineOf(StudyStep step, const StudyStepState& state)
 // What is felt or seen of it is what counts: a model that was refused has a field in its place.
 Line LineOf(const StudyStructure& structure, const StudyPipeline& pipeline)
 {
-  Line line{structure.Name, NameOf(Kind::NotWanted), {}, {}, false};
+  Line line{TitleOf(structure), NameOf(Kind::NotWanted), {}, {}, false};
   std::set<std::string> said;
   for (const StudyStep step : StructureSteps)
   {

@@ -78,5 +78,6 @@ TEST(CliStudy, OneStructureThatFailsIsToldAndTheOthersAreWritten)
       RunPalpate({"study", "case.palpate.json", "--output", "out"}, folder.Path());
   EXPECT_EQ(run.Code, 1) << run.Errors;
   EXPECT_NE(run.Errors.find("9"), std::string::npos) << run.Errors;
+  EXPECT_NE(run.Output.find("label 1 "), std::string::npos) << run.Output;
   EXPECT_TRUE(std::filesystem::exists(folder / "out/a_1/model.json"));
 }

@@ -13,7 +13,7 @@ namespace palpate
 /// Writes what was made of a study into `folder`: a folder for every structure that has a surface
 /// or a model (see WriteFitFiles; a surface alone is surface.vtp), scene.json where something can
 /// be touched, markups.mrk.json and markups.csv where there are landmarks or distances. `program`
-/// is the maker that coefficient files name. Throws InputError.
+/// is the maker that coefficient files name. For when nothing is being made. Throws InputError.
 PALPATESESSION_EXPORT void WriteStudyFiles(const StudyState& state, const StudyPipeline& pipeline,
                                            const std::filesystem::path& folder,
                                            const std::string& program);

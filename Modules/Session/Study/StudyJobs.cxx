@@ -168,7 +168,8 @@ StudyJobs::Id StudyJobs::Start(StudyJob job)
   entry->Number = ++this->Shared->LastId;
   if (!this->Shared->IsEnding)
   {
-    this->Shared->Waiting.push_back(entry);
+    std::deque<EntryPointer>& waiting = this->Shared->Waiting;
+    waiting.insert(entry->Job.IsUrgent ? waiting.begin() : waiting.end(), entry);
     this->Shared->News.notify_all();
   }
   return entry->Number;

@@ -26,6 +26,8 @@ struct StudyJob
   std::function<Delivery(const ProgressFunction& progress)> Work;
   /// On the owner's thread, where Work threw.
   std::function<void(const std::string& sentence)> Fail;
+  /// Goes before all that only waits.
+  bool IsUrgent = false;
 };
 
 /// How far a job has come.
@@ -36,7 +38,8 @@ struct StudyJobProgress
   std::string Stage;
 };
 
-/// Runs long work beside the thread that owns it, in the order of being started. The owner's thread
+/// Runs long work beside the thread that owns it, in the order of being started, what is urgent
+/// first. The owner's thread
 /// never waits: it asks now and then (Deliver), and whatever a result does to it happens there.
 class PALPATESESSION_EXPORT StudyJobs
 {

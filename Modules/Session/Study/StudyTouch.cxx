@@ -210,6 +210,7 @@ const StudyTouchReading& StudyTouch::Poll()
       touched < this->Felt.Structures.size() ? this->Felt.Structures[touched].Label : 0;
   this->Reading.Safety = SafetyText(this->Reading.Newest);
   this->Reading.DeviceProblem = this->Device->Problem();
+  this->Reading.Guidance = this->Device->Guidance();
   const ServoStatistics& statistics = this->Thread->Statistics();
   this->Reading.Periods = statistics.Periods;
   this->Reading.Durations = statistics.Durations;

@@ -28,6 +28,7 @@ struct StudyTouchReading
   int TouchedLabel = 0;             ///< of the structure touched most deeply; 0 without touch
   std::string Safety;               ///< what the safety chain does, in plain words
   std::string DeviceProblem;        ///< in one sentence; empty without
+  std::string Guidance;             ///< what the person should do now; empty where nothing
   PeriodStatistics Periods;         ///< ns from tick to tick; misses are those left out
   PeriodStatistics Durations;       ///< ns that ticks took; misses are late ones
   std::uint64_t LostTicks = 0;      ///< that no reading has seen
