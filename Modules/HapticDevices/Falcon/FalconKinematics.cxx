@@ -39,20 +39,30 @@ bool FalconKinematics::Solve(int leg, const Vector3& position, Leg& solution) co
   const double v = position[1] * cosine - position[0] * sine - g.BaseTangential;
   const double w = position[2];
 
+  // Cosine and sine of the shin's angle out of the leg's plane.
   const double aside = (v + g.PlatformTangential) / g.Shin;
-  const double reach =
-      g.KneeOffset + g.AnkleOffset + g.Shin * std::sqrt(std::max(0.0, 1.0 - aside * aside));
+  const double lean = std::sqrt(std::max(0.0, 1.0 - aside * aside));
+  const double reach = g.KneeOffset + g.AnkleOffset + g.Shin * lean;
   const double length = std::hypot(u, w);
   const double k = (u * u + w * w + g.Thigh * g.Thigh - reach * reach) / (2.0 * g.Thigh);
   // Written so that what is no number is refused.
-  if (!(std::abs(aside) < 1.0 && std::abs(k) < length))
+  if (!(lean > SmallestSine && std::abs(k) < length))
   {
     return false;
   }
-  solution.Aside = std::acos(aside);
-  solution.Thigh = std::atan2(w, u) - std::acos(k / length);
-  solution.Shin =
-      std::atan2(w - g.Thigh * std::sin(solution.Thigh), u - g.Thigh * std::cos(solution.Thigh));
+  const double thigh = std::atan2(w, u) - std::acos(k / length);
+  const double thighCosine = std::cos(thigh);
+  const double thighSine = std::sin(thigh);
+  // Of the shin's angle in the leg's plane, and of the bend at the knee.
+  const double shinCosine = (u - g.Thigh * thighCosine) / reach;
+  const double shinSine = (w - g.Thigh * thighSine) / reach;
+  const double bend = shinSine * thighCosine - shinCosine * thighSine;
+  if (!(bend > SmallestSine))
+  {
+    return false;
+  }
+  const double d = g.Thigh * bend;
+  solution = {thigh, shinCosine / d, aside / lean / d, shinSine / d};
   return true;
 }
 
@@ -66,17 +76,10 @@ bool FalconKinematics::Evaluate(const Vector3& position, Vector3& angles,
     {
       return false;
     }
-    const double bend = std::sin(solution.Shin - solution.Thigh);
-    const double lean = std::sin(solution.Aside);
-    if (!(bend > SmallestSine && lean > SmallestSine))
-    {
-      return false;
-    }
-    const double d = this->Lengths.Thigh * bend;
-    const double radial = std::cos(solution.Shin) / d;
-    const double tangential = std::cos(solution.Aside) / lean / d;
-    jacobian.row(leg) << this->Cosines[leg] * radial - this->Sines[leg] * tangential,
-        this->Sines[leg] * radial + this->Cosines[leg] * tangential, std::sin(solution.Shin) / d;
+    const double cosine = this->Cosines[leg];
+    const double sine = this->Sines[leg];
+    jacobian.row(leg) << cosine * solution.ByRadial - sine * solution.ByTangential,
+        sine * solution.ByRadial + cosine * solution.ByTangential, solution.ByHeight;
     angles[leg] = solution.Thigh;
   }
   return true;

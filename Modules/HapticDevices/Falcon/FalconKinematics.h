@@ -12,7 +12,7 @@ namespace palpate
 /// where a leg does not reach, or only with its thigh beyond its limits; and where the mechanism is
 /// close to a pose in which its legs would no longer hold the grip, or behind one, where only
 /// another assembly would get.
-/// Const and without allocation, for the servo thread. Costs about a microsecond.
+/// Const and without allocation, for the servo thread.
 class FalconKinematics
 {
 public:
@@ -47,12 +47,14 @@ public:
   Vector3 Middle() const noexcept { return {0.0, 0.0, this->Lengths.MiddleHeight}; }
 
 private:
-  // The angles of one leg: of the thigh, of the shin in the leg's plane, and of the shin out of it.
+  // The thigh's angle, and its derivatives by the position in the leg's own plane, across it, and
+  // along the height.
   struct Leg
   {
     double Thigh = 0.0;
-    double Shin = 0.0;
-    double Aside = 0.0;
+    double ByRadial = 0.0;
+    double ByTangential = 0.0;
+    double ByHeight = 0.0;
   };
   bool Solve(int leg, const Vector3& position, Leg& solution) const noexcept;
   bool Evaluate(const Vector3& position, Vector3& angles, Matrix3& jacobian) const noexcept;
