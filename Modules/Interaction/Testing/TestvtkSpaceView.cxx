@@ -347,3 +347,13 @@ TEST_F(vtkSpaceViewTest, ARendererThatIsGivenBackIsEmpty)
   EXPECT_EQ(this->Renderer->GetViewProps()->GetNumberOfItems(), 0);
   EXPECT_FALSE(this->Renderer->HasObserver(vtkCommand::StartEvent));
 }
+
+TEST_F(vtkSpaceViewTest, MayOutliveItsWindow)
+{
+  this->Surface->SetSurface(Ball(Vector3::Zero(), 9.0));
+  this->View->AddSurface(this->Surface);
+  this->Draw();
+  this->Window = nullptr;
+  this->View->SetRenderer(nullptr);
+  EXPECT_EQ(this->Renderer->GetViewProps()->GetNumberOfItems(), 0);
+}
