@@ -173,7 +173,8 @@ TEST_F(vtkSpaceViewTest, SlicesShowTheVolumeWhereItIs)
     const Picture picture = this->Draw();
     for (int place = 0; place < 30 * 30; ++place)
     {
-      const double x = -25.0 + 1.7 * (place / 30);
+      const int step = place / 30;
+      const double x = -25.0 + 1.7 * step;
       const double z = -25.0 + 1.7 * (place % 30);
       // Of the pixel's middle.
       const double column = std::floor(0.5 * Side + x / PixelMillimeters) + 0.5;
