@@ -11,7 +11,8 @@ set(PALPATE_VTK_COMPONENTS
   IOExport IOGeometry IOImage IOPLY IOXML
   InteractionStyle RenderingAnnotation RenderingCore RenderingFreeType RenderingOpenGL2
   RenderingVolume)
-set(palpate_vtk_build_components TestingCore TestingRendering RenderingVolumeOpenGL2)
+set(palpate_vtk_build_components TestingCore TestingRendering RenderingImage
+  RenderingVolumeOpenGL2)
 if(PALPATE_WRAP_PYTHON)
   list(APPEND palpate_vtk_build_components WrappingPythonCore CommonPython WrappingTools Python)
   # The VTK package of Debian is built for the system's interpreter, whatever else is on the PATH.

@@ -1,7 +1,7 @@
 # The VTK modules: scanned from their vtk.module files, built and installed by VTK's module system.
 
 set(PALPATE_VTK_MODULE_FILES)
-foreach(room IO Surface ShapeModel VolumeRendering Session)
+foreach(room IO Surface ShapeModel VolumeRendering Imaging Interaction Session)
   list(APPEND PALPATE_VTK_MODULE_FILES "${CMAKE_CURRENT_SOURCE_DIR}/Modules/${room}/vtk.module")
 endforeach()
 set(PALPATE_VTK_CMAKE_DIR "${CMAKE_INSTALL_LIBDIR}/cmake/Palpate")

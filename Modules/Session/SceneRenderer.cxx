@@ -1,8 +1,12 @@
 #include "SceneRenderer.h"
 
-#include "DivergingColorMap.h"
+#include "ArrayColors.h"
+#include "BodyAxes.h"
+#include "GreyWindow.h"
 #include "ImageAxes.h"
-#include "SlicePicture.h"
+#include "SurfaceMaterial.h"
+#include "SurfaceNormals.h"
+#include "WindowPicture.h"
 
 #include "vtkActor.h"
 #include "vtkCamera.h"
@@ -18,7 +22,6 @@
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkPolyDataMapper.h"
-#include "vtkPolyDataNormals.h"
 #include "vtkProperty.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
@@ -27,13 +30,11 @@
 #include "vtkSubVoxelVolumeMapper.h"
 #include "vtkTextActor.h"
 #include "vtkTextProperty.h"
-#include "vtkUnsignedCharArray.h"
 #include "vtkVolumeProperty.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <set>
 
 namespace palpate
@@ -47,41 +48,6 @@ constexpr double BarMargin = 1.42;
 constexpr double ReferenceSide = 800.0;
 constexpr double LetterSize = 24.0;
 constexpr double BarTextSize = 17.0;
-constexpr int ColorCount = 257; // odd, so that zero has its own colour
-// How surfaces answer to light, polygons and fields alike.
-constexpr double SurfaceAmbient = 0.4;
-constexpr double SurfaceDiffuse = 0.62;
-constexpr double SurfaceSpecular = 0.12;
-constexpr double SurfacePower = 25.0;
-constexpr std::size_t WindowSamples = 200000;
-
-vtkSmartPointer<vtkPolyData> WithNormals(vtkPolyData* surface)
-{
-  if (surface->GetPointData()->GetNormals())
-  {
-    return surface;
-  }
-  vtkNew<vtkPolyDataNormals> normals;
-  normals->SetInputData(surface);
-  normals->SplittingOff();
-  normals->ConsistencyOff();
-  normals->Update();
-  return normals->GetOutput();
-}
-
-// The image's axis that is nearest to a body axis.
-int NearestAxis(const ImageAxes& axes, int bodyAxis)
-{
-  int nearest = 0;
-  for (int axis = 1; axis < 3; ++axis)
-  {
-    if (std::abs(axes.UnitWorld[axis][bodyAxis]) > std::abs(axes.UnitWorld[nearest][bodyAxis]))
-    {
-      nearest = axis;
-    }
-  }
-  return nearest;
-}
 
 // Some of VTK's filters and mappers ignore an image's direction matrix, so they get a copy without
 // one, and the prop gets the matrix.
@@ -108,76 +74,19 @@ vtkSmartPointer<vtkMatrix4x4> PlaceOf(const ImageAxes& axes)
   }
   return matrix;
 }
-
-GreyWindow WindowOf(vtkImageData* image)
-{
-  vtkDataArray* scalars = image->GetPointData()->GetScalars();
-  const vtkIdType count = scalars->GetNumberOfTuples();
-  const vtkIdType stride = std::max<vtkIdType>(1, count / static_cast<vtkIdType>(WindowSamples));
-  std::vector<float> values;
-  for (vtkIdType v = 0; v < count; v += stride)
-  {
-    values.push_back(static_cast<float>(scalars->GetComponent(v, 0)));
-  }
-  return FindWindow({values});
-}
-
-vtkSmartPointer<vtkLookupTable> MakeLookup(double low, double high)
-{
-  const double limit = DivergingColorMap::RoundLimit(std::max(-low, high));
-  const DivergingColorMap colors(limit);
-  auto table = vtkSmartPointer<vtkLookupTable>::New();
-  table->SetRange(low < 0.0 ? -limit : 0.0, high > 0.0 ? limit : 0.0);
-  table->SetNumberOfTableValues(ColorCount);
-  const double* range = table->GetRange();
-  for (int c = 0; c < ColorCount; ++c)
-  {
-    const auto color = colors.ColorOf(range[0] + (range[1] - range[0]) * c / (ColorCount - 1));
-    table->SetTableValue(c, color[0] / 255.0, color[1] / 255.0, color[2] / 255.0);
-  }
-  return table;
-}
-
-// Arrays of our own are lengths; of others the unit is not known.
-std::string BarTitle(const std::string& array)
-{
-  static const std::map<std::string, std::string> Titles{
-      {"DistanceToSurface", "Distance to the surface, mm"},
-      {"Residual", "Residual of the fit, mm"},
-      {"RadiusDeviation", "Uncertainty of the radius, mm"}};
-  const auto title = Titles.find(array);
-  return title == Titles.end() ? array : title->second;
-}
-
-Picture ReadPixels(vtkRenderWindow* window, int width, int height)
-{
-  vtkNew<vtkUnsignedCharArray> pixels;
-  window->GetPixelData(0, 0, width - 1, height - 1, 1, pixels);
-  Picture picture(width, height);
-  for (int row = 0; row < height; ++row)
-  {
-    for (int column = 0; column < width; ++column)
-    {
-      const vtkIdType tuple = static_cast<vtkIdType>(height - 1 - row) * width + column;
-      std::uint8_t* pixel = picture.Pixel(column, row);
-      std::copy_n(pixels->GetPointer(3 * tuple), 3, pixel);
-      pixel[3] = 255;
-    }
-  }
-  return picture;
-}
 } // namespace
 
 SceneRenderer::SceneRenderer()
-    : Renderer(vtkSmartPointer<vtkRenderer>::New()), Window(vtkSmartPointer<vtkRenderWindow>::New())
+    : Renderer(vtkSmartPointer<vtkRenderer>::New()),
+      Window(vtkSmartPointer<vtkRenderWindow>::New()),
+      Pixels(vtkSmartPointer<vtkUnsignedCharArray>::New())
 {
   this->Window->SetOffScreenRendering(1);
   this->Window->SetMultiSamples(4);
   this->Window->AddRenderer(this->Renderer);
-  // White, above the viewer's left shoulder: tinted lights would falsify colours that mean numbers.
   vtkNew<vtkLight> lamp;
   lamp->SetLightTypeToCameraLight();
-  lamp->SetPosition(-0.35, 0.45, 1.0);
+  lamp->SetPosition(SurfaceMaterial::Lamp[0], SurfaceMaterial::Lamp[1], SurfaceMaterial::Lamp[2]);
   this->Renderer->AddLight(lamp);
   this->SetBackground(this->Background);
 }
@@ -188,6 +97,7 @@ void SceneRenderer::SetBackground(const Color& color)
 {
   this->Background = color;
   this->Renderer->SetBackground(color[0], color[1], color[2]);
+  this->RemoveAnnotations();
 }
 
 std::size_t SceneRenderer::AddSurface(vtkPolyData* surface, const Color& color, double opacity)
@@ -199,10 +109,10 @@ std::size_t SceneRenderer::AddSurface(vtkPolyData* surface, const Color& color, 
   vtkNew<vtkActor> actor;
   actor->SetMapper(mapper);
   actor->GetProperty()->SetColor(color[0], color[1], color[2]);
-  actor->GetProperty()->SetAmbient(SurfaceAmbient);
-  actor->GetProperty()->SetDiffuse(SurfaceDiffuse);
-  actor->GetProperty()->SetSpecular(SurfaceSpecular);
-  actor->GetProperty()->SetSpecularPower(SurfacePower);
+  actor->GetProperty()->SetAmbient(SurfaceMaterial::Ambient);
+  actor->GetProperty()->SetDiffuse(SurfaceMaterial::Diffuse);
+  actor->GetProperty()->SetSpecular(SurfaceMaterial::Specular);
+  actor->GetProperty()->SetSpecularPower(SurfaceMaterial::SpecularPower);
   actor->GetProperty()->SetOpacity(opacity);
   this->Renderer->AddActor(actor);
   this->Surfaces.push_back({actor, shown});
@@ -243,10 +153,10 @@ void SceneRenderer::AddField(const std::shared_ptr<const ScalarField>& field,
   volume->SetMapper(mapper);
   vtkVolumeProperty* property = volume->GetProperty();
   property->ShadeOn();
-  property->SetAmbient(SurfaceAmbient);
-  property->SetDiffuse(SurfaceDiffuse);
-  property->SetSpecular(SurfaceSpecular);
-  property->SetSpecularPower(SurfacePower);
+  property->SetAmbient(SurfaceMaterial::Ambient);
+  property->SetDiffuse(SurfaceMaterial::Diffuse);
+  property->SetSpecular(SurfaceMaterial::Specular);
+  property->SetSpecularPower(SurfaceMaterial::SpecularPower);
   this->Renderer->AddVolume(volume);
   for (const std::array<int, 3>& cell : field->SurfaceCells())
   {
@@ -258,7 +168,7 @@ void SceneRenderer::AddField(const std::shared_ptr<const ScalarField>& field,
 void SceneRenderer::AddSlice(vtkImageData* volume, Plane plane, const Vector3& throughWorld)
 {
   const ImageAxes axes(volume);
-  const int axis = NearestAxis(axes, static_cast<int>(plane));
+  const int axis = BodyAxes(axes).Axis[static_cast<std::size_t>(plane)];
   const int slice = static_cast<int>(std::lround(axes.ToIndex(throughWorld)[axis]));
   vtkNew<vtkImageSliceMapper> mapper;
   mapper->SetInputData(WithoutPlace(volume));
@@ -305,7 +215,7 @@ std::array<double, 2> SceneRenderer::RangeOf(const std::string& name) const
 bool SceneRenderer::ColorByArray(const std::string& name)
 {
   const std::array<double, 2> range = this->RangeOf(name);
-  const vtkSmartPointer<vtkLookupTable> table = MakeLookup(range[0], range[1]);
+  const vtkSmartPointer<vtkLookupTable> table = MakeArrayColors(range[0], range[1]);
   bool isFound = false;
   for (const Surface& surface : this->Surfaces)
   {
@@ -326,6 +236,7 @@ bool SceneRenderer::ColorByArray(const std::string& name)
   {
     this->BarColors = table;
     this->ColoredArray = name;
+    this->RemoveAnnotations();
   }
   return isFound;
 }
@@ -397,13 +308,12 @@ int SceneRenderer::FontSize(double referenceSize) const
   return std::max(9, static_cast<int>(referenceSize * std::min(size[0], size[1]) / ReferenceSide));
 }
 
-void SceneRenderer::AddLetters(const ViewFrame& frame)
+void SceneRenderer::AddLetters()
 {
   const Color ink = this->InkColor();
-  const auto add = [&](const Vector3& direction, double x, double y)
+  const auto add = [&](double x, double y)
   {
-    vtkNew<vtkTextActor> text;
-    text->SetInput(OrientationLetters(direction).c_str());
+    auto text = vtkSmartPointer<vtkTextActor>::New();
     vtkTextProperty* style = text->GetTextProperty();
     style->SetFontSize(this->FontSize(LetterSize));
     style->BoldOn();
@@ -415,11 +325,20 @@ void SceneRenderer::AddLetters(const ViewFrame& frame)
     text->GetPositionCoordinate()->SetCoordinateSystemToNormalizedViewport();
     text->SetPosition(x, y);
     this->Annotate(text);
+    return text;
   };
-  add(-frame.RightWorld, 0.012, 0.5);
-  add(frame.RightWorld, 0.988, 0.5);
-  add(frame.UpWorld, 0.5, 0.985);
-  add(-frame.UpWorld, this->BarColors ? 0.6 : 0.5, 0.015);
+  this->Letters = {add(0.012, 0.5), add(0.988, 0.5), add(0.5, 0.985),
+                   add(this->BarColors ? 0.6 : 0.5, 0.015)};
+}
+
+void SceneRenderer::SetLetters(const ViewFrame& frame)
+{
+  const std::array<Vector3, 4> directions{
+      {-frame.RightWorld, frame.RightWorld, frame.UpWorld, -frame.UpWorld}};
+  for (std::size_t side = 0; side < directions.size(); ++side)
+  {
+    this->Letters[side]->SetInput(OrientationLetters(directions[side]).c_str());
+  }
 }
 
 void SceneRenderer::Annotate(vtkProp* prop)
@@ -435,7 +354,7 @@ void SceneRenderer::AddColorBar()
   bar->SetLookupTable(this->BarColors);
   bar->SetNumberOfLabels(3);
   bar->SetLabelFormat("%.3g");
-  bar->SetMaximumNumberOfColors(ColorCount);
+  bar->SetMaximumNumberOfColors(static_cast<int>(this->BarColors->GetNumberOfAvailableColors()));
   bar->UnconstrainedFontSizeOn();
   bar->SetOrientationToHorizontal();
   bar->SetTextPositionToPrecedeScalarBar();
@@ -443,7 +362,7 @@ void SceneRenderer::AddColorBar()
   bar->SetPosition2(0.42, 0.08);
   // The bar's own title would overlap its labels.
   vtkNew<vtkTextActor> title;
-  title->SetInput(BarTitle(this->ColoredArray).c_str());
+  title->SetInput(ArrayTitle(this->ColoredArray).c_str());
   title->GetPositionCoordinate()->SetCoordinateSystemToNormalizedViewport();
   title->SetPosition(0.055, 0.115);
   for (vtkTextProperty* style : {title->GetTextProperty(), bar->GetLabelTextProperty()})
@@ -458,21 +377,45 @@ void SceneRenderer::AddColorBar()
   this->Annotate(title);
 }
 
-Picture SceneRenderer::Render(const ViewFrame& frame, int width, int height)
+void SceneRenderer::RemoveAnnotations()
 {
-  this->Window->SetSize(width, height);
   for (const vtkSmartPointer<vtkProp>& prop : this->Annotations)
   {
     this->Renderer->RemoveViewProp(prop);
   }
   this->Annotations.clear();
-  this->PlaceCamera(frame, static_cast<double>(width) / height);
-  this->AddLetters(frame);
+}
+
+// They stay from picture to picture: text made anew for each costs memory that comes and goes.
+void SceneRenderer::AddAnnotations(int width, int height)
+{
+  const int* size = this->Window->GetSize();
+  if (!this->Annotations.empty() && size[0] == width && size[1] == height)
+  {
+    return;
+  }
+  this->RemoveAnnotations();
+  this->Window->SetSize(width, height);
+  this->AddLetters();
   if (this->BarColors)
   {
     this->AddColorBar();
   }
+}
+
+Picture SceneRenderer::Render(const ViewFrame& frame, int width, int height)
+{
+  Picture picture(width, height);
+  this->Render(frame, picture);
+  return picture;
+}
+
+void SceneRenderer::Render(const ViewFrame& frame, Picture& picture)
+{
+  this->AddAnnotations(picture.Width, picture.Height);
+  this->SetLetters(frame);
+  this->PlaceCamera(frame, static_cast<double>(picture.Width) / picture.Height);
   this->Window->Render();
-  return ReadPixels(this->Window, width, height);
+  ReadWindow(this->Window, this->Pixels, picture);
 }
 } // namespace palpate

@@ -1,6 +1,6 @@
 #include "SlicePlane.h"
 
-#include "ImageAxes.h"
+#include "BodyAxes.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -14,45 +14,12 @@ namespace
 constexpr double SmallestMargin = 6.0;
 constexpr double MarginShare = 0.22;
 
-// The image's axes by their part in the body: 0 towards left, 1 towards posterior, 2 towards
-// superior; the sign is -1 where the index runs the other way.
-struct BodyAxes
-{
-  std::array<int, 3> Axis{};
-  std::array<double, 3> Sign{};
-};
-
-BodyAxes AssignAxes(const ImageAxes& image)
-{
-  std::array<int, 3> order{{0, 1, 2}};
-  BodyAxes best;
-  double bestSum = -1.0;
-  do
-  {
-    double sum = 0.0;
-    for (int part = 0; part < 3; ++part)
-    {
-      sum += std::abs(image.UnitWorld[order[part]][part]);
-    }
-    if (sum > bestSum)
-    {
-      bestSum = sum;
-      best.Axis = order;
-    }
-  } while (std::next_permutation(order.begin(), order.end()));
-  for (int part = 0; part < 3; ++part)
-  {
-    best.Sign[part] = image.UnitWorld[best.Axis[part]][part] < 0.0 ? -1.0 : 1.0;
-  }
-  return best;
-}
-
 // Lays out planes around one box of voxels.
 class Layout
 {
 public:
   Layout(const ImageAxes& image, const IndexBox& box, int longestSide)
-      : Image(image), Box(box), Body(AssignAxes(image))
+      : Image(image), Box(box), Body(image)
   {
     double longest = 0.0;
     for (int axis = 0; axis < 3; ++axis)

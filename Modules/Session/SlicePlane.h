@@ -1,6 +1,7 @@
 #pragma once
 
 #include "PalpateSessionModule.h"
+#include "PixelGrid.h"
 #include "Vector3.h"
 
 #include <Eigen/Core>
@@ -40,6 +41,11 @@ struct PALPATESESSION_EXPORT SlicePlane
   {
     const Vector3 offset = (world - this->CornerWorld) / this->PixelMillimeters;
     return {offset.dot(this->RightWorld), offset.dot(this->DownWorld)};
+  }
+  PixelGrid Pixels() const
+  {
+    return {this->ToWorld({0.5, 0.5}), this->PixelMillimeters * this->RightWorld,
+            this->PixelMillimeters * this->DownWorld, this->Width, this->Height};
   }
   /// Unit normal, away from the viewer.
   Vector3 NormalWorld() const;

@@ -1,0 +1,76 @@
+#include "ImageAxes.h"
+
+#include "LabelImages.h"
+
+#include "vtkNew.h"
+
+#include <gtest/gtest.h>
+#include <random>
+
+using palpate::ImageAxes;
+using palpate::IndexBox;
+using palpate::Vector3;
+
+TEST(ImageAxes, PlacesVoxelsWhereVtkDoes)
+{
+  std::mt19937_64 random(1);
+  for (int trial = 0; trial < 100; ++trial)
+  {
+    palpate::test::LabelGrid grid;
+    grid.Size = {{13, 8, 9}};
+    grid.Spacing = {{0.8, 0.7, 3.0}};
+    grid.Origin = {{10.0, -80.0, 55.0}};
+    grid.Direction = palpate::test::RandomRotation(random);
+    const auto image =
+        palpate::test::MakeLabelImage(grid, [](double, double, double) { return true; });
+    const ImageAxes axes(image);
+    const auto voxel = static_cast<vtkIdType>(random() % (13 * 8 * 9));
+    double world[3];
+    image->GetPoint(voxel, world);
+    const Vector3 index(static_cast<double>(voxel % 13), static_cast<double>(voxel / 13 % 8),
+                        static_cast<double>(voxel / (13 * 8)));
+    // Rounding of numbers around 100.
+    EXPECT_NEAR((axes.ToWorld(index) - Vector3(world)).norm(), 0.0, 1e-11);
+    EXPECT_NEAR((axes.ToIndex(Vector3(world)) - index).norm(), 0.0, 1e-11);
+  }
+}
+
+TEST(ImageAxes, CornersLieHalfAVoxelBeyondTheOutermostCentres)
+{
+  vtkNew<vtkImageData> image;
+  image->SetExtent(-3, 9, 2, 12, 0, 8);
+  image->SetSpacing(2.0, 1.0, 4.0);
+  const auto corners = ImageAxes(image).CornersWorld();
+  EXPECT_EQ(corners[0], Vector3(-7.0, 1.5, -2.0));
+  EXPECT_EQ(corners[5], Vector3(19.0, 1.5, 34.0));
+  EXPECT_EQ(corners[7], Vector3(19.0, 12.5, 34.0));
+}
+
+TEST(ImageAxes, TheBoxOfAValueIsTheSmallestThatHoldsIt)
+{
+  std::mt19937_64 random(2);
+  for (int trial = 0; trial < 50; ++trial)
+  {
+    vtkNew<vtkImageData> image;
+    image->SetExtent(-3, 9, 2, 12, 0, 8);
+    image->AllocateScalars(VTK_SHORT, 1);
+    std::fill_n(static_cast<short*>(image->GetScalarPointer()), image->GetNumberOfPoints(),
+                short{1});
+    Eigen::Vector3i low(1000, 1000, 1000);
+    Eigen::Vector3i high(-1000, -1000, -1000);
+    const int count = 1 + static_cast<int>(random() % 4);
+    for (int c = 0; c < count; ++c)
+    {
+      const Eigen::Vector3i at(static_cast<int>(random() % 13) - 3,
+                               static_cast<int>(random() % 11) + 2, static_cast<int>(random() % 9));
+      *static_cast<short*>(image->GetScalarPointer(at.x(), at.y(), at.z())) = 42;
+      low = low.cwiseMin(at);
+      high = high.cwiseMax(at);
+    }
+    IndexBox box;
+    ASSERT_TRUE(palpate::FindValueBox(image, 42, box));
+    EXPECT_EQ(box.Low, low);
+    EXPECT_EQ(box.High, high);
+    EXPECT_FALSE(palpate::FindValueBox(image, 43, box));
+  }
+}

@@ -1,0 +1,90 @@
+#include "AxesMarker.h"
+
+#include "ViewText.h"
+
+#include "vtkActor2D.h"
+#include "vtkCellArray.h"
+#include "vtkCoordinate.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkPolyDataMapper2D.h"
+#include "vtkProperty2D.h"
+#include "vtkRenderer.h"
+#include "vtkTextActor.h"
+
+namespace palpate
+{
+namespace
+{
+constexpr double AxisLength = 26.0; // points
+constexpr double Reach = 42.0;      // from the corner to the middle
+constexpr double LetterPlace = 1.3; // of an axis
+constexpr int LetterSize = 12;
+constexpr double LineWidth = 1.5;
+} // namespace
+
+AxesMarker::AxesMarker()
+{
+  vtkNew<vtkPolyDataMapper2D> mapper;
+  mapper->SetInputData(this->Lines);
+  this->Axes->SetMapper(mapper);
+  this->Axes->GetProperty()->SetColor(1.0, 1.0, 1.0);
+  this->Axes->PickableOff();
+  for (int part = 0; part < 3; ++part)
+  {
+    auto& letter = this->Letters[static_cast<std::size_t>(part)];
+    letter = MakeViewText(0.5, 0.5, LetterSize); // justified to its middle
+    letter->GetPositionCoordinate()->SetCoordinateSystemToViewport();
+    SetViewText(letter, OrientationLetters(Vector3::Unit(part)));
+  }
+}
+
+AxesMarker::~AxesMarker() = default;
+
+void AxesMarker::AddTo(vtkRenderer* renderer) const
+{
+  renderer->AddViewProp(this->Axes);
+  for (vtkTextActor* letter : this->Letters)
+  {
+    renderer->AddViewProp(letter);
+  }
+}
+
+void AxesMarker::RemoveFrom(vtkRenderer* renderer) const
+{
+  renderer->RemoveViewProp(this->Axes);
+  for (vtkTextActor* letter : this->Letters)
+  {
+    renderer->RemoveViewProp(letter);
+  }
+}
+
+void AxesMarker::SetVisible(bool isVisible)
+{
+  this->Axes->SetVisibility(isVisible ? 1 : 0);
+  for (vtkTextActor* letter : this->Letters)
+  {
+    letter->SetVisibility(isVisible ? 1 : 0);
+  }
+}
+
+void AxesMarker::Update(const ViewFrame& frame, int width, double pointPixels)
+{
+  const double length = AxisLength * pointPixels;
+  const double middle[2] = {width - Reach * pointPixels, Reach * pointPixels};
+  vtkNew<vtkPoints> points;
+  vtkNew<vtkCellArray> lines;
+  const vtkIdType start = points->InsertNextPoint(middle[0], middle[1], 0.0);
+  for (int part = 0; part < 3; ++part)
+  {
+    const double right = length * frame.RightWorld[part];
+    const double up = length * frame.UpWorld[part];
+    lines->InsertNextCell({start, points->InsertNextPoint(middle[0] + right, middle[1] + up, 0.0)});
+    this->Letters[static_cast<std::size_t>(part)]->SetPosition(middle[0] + LetterPlace * right,
+                                                               middle[1] + LetterPlace * up);
+  }
+  this->Lines->SetPoints(points);
+  this->Lines->SetLines(lines);
+  this->Axes->GetProperty()->SetLineWidth(static_cast<float>(LineWidth * pointPixels));
+}
+} // namespace palpate

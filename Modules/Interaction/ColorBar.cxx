@@ -1,0 +1,66 @@
+#include "ColorBar.h"
+
+#include "ArrayColors.h"
+#include "ViewText.h"
+
+#include "vtkLookupTable.h"
+#include "vtkRenderer.h"
+#include "vtkScalarBarActor.h"
+#include "vtkTextActor.h"
+#include "vtkTextProperty.h"
+
+namespace palpate
+{
+namespace
+{
+constexpr int TextSize = 11; // points
+constexpr int LabelCount = 5;
+constexpr double Left = 0.02; // all as shares of the view
+constexpr double Bottom = 0.05;
+constexpr double Width = 0.12;
+constexpr double Height = 0.4;
+} // namespace
+
+ColorBar::ColorBar() : Title(MakeViewText(Left, Bottom + Height + 0.02, TextSize))
+{
+  this->Title->GetTextProperty()->SetVerticalJustificationToBottom();
+  this->Bar->SetNumberOfLabels(LabelCount);
+  this->Bar->SetLabelFormat("%.3g");
+  this->Bar->UnconstrainedFontSizeOn();
+  this->Bar->SetPosition(Left, Bottom);
+  this->Bar->SetPosition2(Width, Height);
+  this->Bar->SetBarRatio(0.25);
+  this->Bar->PickableOff();
+  vtkTextProperty* style = this->Bar->GetLabelTextProperty();
+  style->SetColor(1.0, 1.0, 1.0);
+  style->SetFontSize(TextSize);
+  style->BoldOff();
+  style->ItalicOff();
+}
+
+ColorBar::~ColorBar() = default;
+
+void ColorBar::AddTo(vtkRenderer* renderer) const
+{
+  renderer->AddViewProp(this->Bar);
+  renderer->AddViewProp(this->Title);
+}
+
+void ColorBar::RemoveFrom(vtkRenderer* renderer) const
+{
+  renderer->RemoveViewProp(this->Bar);
+  renderer->RemoveViewProp(this->Title);
+}
+
+void ColorBar::Update(vtkLookupTable* colors, const std::string& array)
+{
+  this->Bar->SetVisibility(colors != nullptr ? 1 : 0);
+  this->Title->SetVisibility(colors != nullptr ? 1 : 0);
+  if (colors != nullptr && this->Bar->GetLookupTable() != colors)
+  {
+    this->Bar->SetLookupTable(colors);
+    this->Bar->SetMaximumNumberOfColors(static_cast<int>(colors->GetNumberOfAvailableColors()));
+    SetViewText(this->Title, ArrayTitle(array));
+  }
+}
+} // namespace palpate

@@ -1,0 +1,39 @@
+#pragma once
+
+#include "PalpateInteractionModule.h"
+#include "SurfaceCut.h"
+
+#include "vtkNew.h"
+
+#include <array>
+#include <vector>
+
+class vtkActor;
+class vtkPolyData;
+class vtkRenderer;
+
+namespace palpate
+{
+/// Curves in space (mm), unlit lines that cannot be picked.
+class PALPATEINTERACTION_EXPORT CurveActor
+{
+public:
+  CurveActor();
+  ~CurveActor();
+  CurveActor(const CurveActor&) = delete;
+  CurveActor& operator=(const CurveActor&) = delete;
+
+  /// Moved by `lift`: towards the viewer it changes nothing but what lies over what.
+  void SetCurves(const std::vector<SurfaceCurve>& curves, const Vector3& lift);
+  /// `width` in pixels.
+  void SetStyle(const std::array<double, 3>& color, double opacity, double width);
+  void SetVisible(bool isVisible);
+
+  vtkActor* Actor() const { return this->Lines; }
+  vtkPolyData* Data() const { return this->Curves; }
+
+private:
+  vtkNew<vtkPolyData> Curves;
+  vtkNew<vtkActor> Lines;
+};
+} // namespace palpate

@@ -1,0 +1,90 @@
+#include "LandmarksInSpace.h"
+
+#include "LengthText.h"
+#include "vtkLandmarks.h"
+
+#include "vtkActor.h"
+#include "vtkGlyph3D.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkPolyDataMapper.h"
+#include "vtkProperty.h"
+#include "vtkRenderer.h"
+#include "vtkSphereSource.h"
+
+namespace palpate
+{
+namespace
+{
+constexpr int BallResolution = 16;
+constexpr double LineWidth = 2.0; // pixels
+} // namespace
+
+LandmarksInSpace::LandmarksInSpace()
+{
+  this->Ball->SetThetaResolution(BallResolution);
+  this->Ball->SetPhiResolution(BallResolution);
+  vtkNew<vtkGlyph3D> glyphs;
+  glyphs->SetInputData(this->Places);
+  glyphs->SetSourceConnection(this->Ball->GetOutputPort());
+  glyphs->ScalingOff();
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputConnection(glyphs->GetOutputPort());
+  mapper->ScalarVisibilityOff();
+  this->Balls->SetMapper(mapper);
+  this->Balls->PickableOff();
+}
+
+LandmarksInSpace::~LandmarksInSpace() = default;
+
+void LandmarksInSpace::SetRenderer(vtkRenderer* renderer)
+{
+  for (vtkActor* actor : {this->Balls.Get(), this->Distances.Actor()})
+  {
+    if (this->Renderer != nullptr)
+    {
+      this->Renderer->RemoveViewProp(actor);
+    }
+    if (renderer != nullptr)
+    {
+      renderer->AddViewProp(actor);
+    }
+  }
+  this->Labels.SetRenderer(renderer);
+  this->Renderer = renderer;
+}
+
+void LandmarksInSpace::Update(vtkLandmarks* landmarks)
+{
+  const bool isShown = landmarks != nullptr && landmarks->GetNumberOfLandmarks() > 0;
+  this->Balls->SetVisibility(isShown ? 1 : 0);
+  this->Distances.SetVisible(isShown);
+  if (!isShown)
+  {
+    this->Labels.Update({}, {});
+    return;
+  }
+  vtkNew<vtkPoints> points;
+  std::vector<PointLabels::Label> labels;
+  for (const vtkLandmarks::Landmark& landmark : landmarks->GetLandmarks())
+  {
+    points->InsertNextPoint(landmark.PositionWorld.data());
+    labels.push_back({landmark.Name, Vector3(landmark.PositionWorld.data())});
+  }
+  std::vector<SurfaceCurve> lines;
+  for (const auto& [from, to] : landmarks->GetDistances())
+  {
+    const Vector3 a = labels[static_cast<std::size_t>(from)].PositionWorld;
+    const Vector3 b = labels[static_cast<std::size_t>(to)].PositionWorld;
+    lines.push_back({{a, b}, false});
+    labels.push_back({LengthText((b - a).norm(), 1), 0.5 * (a + b)});
+  }
+  const double* color = landmarks->GetColor();
+  this->Places->SetPoints(points);
+  this->Ball->SetRadius(landmarks->GetRadius());
+  this->Balls->GetProperty()->SetColor(landmarks->GetColor());
+  this->Distances.SetCurves(lines, Vector3::Zero());
+  this->Distances.SetStyle({{color[0], color[1], color[2]}}, 1.0, LineWidth);
+  this->Labels.Update(labels, {{color[0], color[1], color[2]}});
+}
+} // namespace palpate

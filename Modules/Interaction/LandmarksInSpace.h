@@ -1,0 +1,37 @@
+#pragma once
+
+#include "CurveActor.h"
+#include "PalpateInteractionModule.h"
+#include "PointLabels.h"
+
+class vtkActor;
+class vtkLandmarks;
+class vtkPolyData;
+class vtkRenderer;
+class vtkSphereSource;
+
+namespace palpate
+{
+/// Landmarks as balls with their names, distances as lines.
+class PALPATEINTERACTION_EXPORT LandmarksInSpace
+{
+public:
+  LandmarksInSpace();
+  ~LandmarksInSpace();
+  LandmarksInSpace(const LandmarksInSpace&) = delete;
+  LandmarksInSpace& operator=(const LandmarksInSpace&) = delete;
+
+  /// Null takes them away.
+  void SetRenderer(vtkRenderer* renderer);
+  /// Null shows nothing.
+  void Update(vtkLandmarks* landmarks);
+
+private:
+  vtkSmartPointer<vtkRenderer> Renderer;
+  vtkNew<vtkPolyData> Places;
+  vtkNew<vtkSphereSource> Ball;
+  vtkNew<vtkActor> Balls;
+  CurveActor Distances;
+  PointLabels Labels;
+};
+} // namespace palpate

@@ -1,0 +1,45 @@
+#pragma once
+
+#include "PalpateInteractionModule.h"
+#include "Vector3.h"
+
+#include "vtkSmartPointer.h"
+#include "vtkWeakPointer.h"
+
+#include <array>
+#include <string>
+#include <vector>
+
+class vtkRenderer;
+class vtkTextActor;
+
+namespace palpate
+{
+/// Words beside points in space, in front of everything.
+class PALPATEINTERACTION_EXPORT PointLabels
+{
+public:
+  struct Label
+  {
+    std::string Text;
+    Vector3 PositionWorld;
+  };
+
+  PointLabels();
+  ~PointLabels();
+  PointLabels(const PointLabels&) = delete;
+  PointLabels& operator=(const PointLabels&) = delete;
+
+  /// Takes them from the renderer before; null is none.
+  void SetRenderer(vtkRenderer* renderer);
+  void Update(const std::vector<Label>& labels, const std::array<double, 3>& color);
+
+  int Count() const { return static_cast<int>(this->Texts.size()); }
+
+private:
+  void Resize(std::size_t count);
+
+  vtkWeakPointer<vtkRenderer> Renderer;
+  std::vector<vtkSmartPointer<vtkTextActor>> Texts;
+};
+} // namespace palpate

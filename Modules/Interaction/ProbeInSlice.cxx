@@ -1,0 +1,114 @@
+#include "ProbeInSlice.h"
+
+#include "vtkProbeRepresentation.h"
+
+#include "vtkActor.h"
+#include "vtkMatrix4x4.h"
+#include "vtkPolyData.h"
+#include "vtkRenderer.h"
+
+#include <algorithm>
+
+namespace palpate
+{
+namespace
+{
+constexpr double ProbeOpacity = 0.6;
+constexpr double ProbeWidth = 1.0; // points
+constexpr double ProxyWidth = 2.0;
+constexpr double ArrowWidth = 2.0;
+constexpr double HeadPoints = 9.0;
+
+std::array<double, 3> ToArray(const double* color)
+{
+  return {{color[0], color[1], color[2]}};
+}
+} // namespace
+
+std::vector<SurfaceCurve> CutTool(vtkPolyData* tool, vtkMatrix4x4* place,
+                                  const Vector3& originWorld, const Vector3& normalWorld)
+{
+  Matrix3 turn;
+  Vector3 position;
+  for (int row = 0; row < 3; ++row)
+  {
+    for (int column = 0; column < 3; ++column)
+    {
+      turn(row, column) = place->GetElement(row, column);
+    }
+    position[row] = place->GetElement(row, 3);
+  }
+  std::vector<SurfaceCurve> curves =
+      CutSurface(tool, turn.transpose() * (originWorld - position), turn.transpose() * normalWorld);
+  for (SurfaceCurve& curve : curves)
+  {
+    for (Vector3& point : curve.Points)
+    {
+      point = turn * point + position;
+    }
+  }
+  return curves;
+}
+
+std::vector<SurfaceCurve> FlatArrow(const Vector3& from, const Vector3& vector,
+                                    const Vector3& normal, double headLength)
+{
+  const double length = vector.norm();
+  if (!(length > 0.0))
+  {
+    return {};
+  }
+  const Vector3 along = vector / length;
+  const Vector3 across = normal.cross(along);
+  const Vector3 tip = from + vector;
+  const double head = std::min(headLength, length);
+  const Vector3 back = tip - head * along;
+  return {{{from, tip}, false},
+          {{back + 0.5 * head * across, tip, back - 0.5 * head * across}, false}};
+}
+
+void ProbeInSlice::AddTo(vtkRenderer* renderer) const
+{
+  renderer->AddViewProp(this->Probe.Actor());
+  renderer->AddViewProp(this->Proxy.Actor());
+  renderer->AddViewProp(this->Arrow.Actor());
+}
+
+void ProbeInSlice::RemoveFrom(vtkRenderer* renderer) const
+{
+  renderer->RemoveViewProp(this->Probe.Actor());
+  renderer->RemoveViewProp(this->Proxy.Actor());
+  renderer->RemoveViewProp(this->Arrow.Actor());
+}
+
+void ProbeInSlice::Update(vtkProbeRepresentation* probe, const SlicePosition& slice)
+{
+  const bool isShown = probe != nullptr && probe->GetVisibility() && probe->GetTool() != nullptr;
+  this->Probe.SetVisible(isShown);
+  this->Proxy.SetVisible(isShown);
+  this->Arrow.SetVisible(isShown);
+  if (!isShown)
+  {
+    return;
+  }
+  const Vector3& normal = slice.Frame.TowardsViewerWorld;
+  const auto cut = [&](vtkMatrix4x4* place)
+  { return CutTool(probe->GetTool(), place, slice.CenterWorld, normal); };
+  const std::vector<SurfaceCurve> proxy = cut(probe->GetProxyMatrix());
+  this->Probe.SetCurves(cut(probe->GetProbeMatrix()), slice.Lift(ProbeLayer));
+  this->Proxy.SetCurves(proxy, slice.Lift(ProbeLayer));
+  const double size = slice.PointPixels;
+  this->Probe.SetStyle(ToArray(probe->GetColor()), ProbeOpacity, ProbeWidth * size);
+  this->Proxy.SetStyle(ToArray(probe->GetColor()), 1.0, ProxyWidth * size);
+
+  vtkMatrix4x4* place = probe->GetProxyMatrix();
+  const Vector3 from(place->GetElement(0, 3), place->GetElement(1, 3), place->GetElement(2, 3));
+  const Vector3 arrow = probe->GetForceScale() * Vector3(probe->GetForce());
+  const Vector3 inPlane = arrow - arrow.dot(normal) * normal;
+  this->Arrow.SetCurves(proxy.empty() ? std::vector<SurfaceCurve>{}
+                                      : FlatArrow(slice.Projected(from), inPlane, normal,
+                                                  HeadPoints * size * slice.PixelMillimeters),
+                        slice.Lift(ArrowLayer));
+  this->Arrow.SetStyle(ToArray(probe->GetContactColor()), 1.0, ArrowWidth * size);
+}
+} // namespace palpate

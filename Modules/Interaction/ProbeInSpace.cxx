@@ -1,0 +1,115 @@
+#include "ProbeInSpace.h"
+
+#include "SurfaceMaterial.h"
+#include "Vector3.h"
+#include "vtkProbeRepresentation.h"
+
+#include "vtkActor.h"
+#include "vtkArrowSource.h"
+#include "vtkMatrix4x4.h"
+#include "vtkPolyData.h"
+#include "vtkPolyDataMapper.h"
+#include "vtkProperty.h"
+#include "vtkRenderer.h"
+
+#include <algorithm>
+
+namespace palpate
+{
+namespace
+{
+constexpr double ProbeOpacity = 0.35;
+// Of an arrow of one unit's length: how much thicker than long it may be, mm.
+constexpr double ArrowThickness = 14.0;
+constexpr double LeastForce = 1e-3; // N; shorter arrows are not drawn
+
+void SetMaterial(vtkActor* actor)
+{
+  actor->GetProperty()->SetAmbient(SurfaceMaterial::Ambient);
+  actor->GetProperty()->SetDiffuse(SurfaceMaterial::Diffuse);
+  actor->PickableOff();
+}
+
+// Takes an arrow along x to one from a point along a vector; thin ones stay as thick as others.
+void PlaceArrow(const Vector3& from, const Vector3& vector, vtkMatrix4x4* matrix)
+{
+  const Vector3 along = vector.normalized();
+  const Vector3 across = along.unitOrthogonal();
+  const double thickness = std::min(ArrowThickness, vector.norm());
+  Matrix3 axes;
+  axes << vector, thickness * across, thickness * along.cross(across);
+  for (int row = 0; row < 3; ++row)
+  {
+    for (int column = 0; column < 3; ++column)
+    {
+      matrix->SetElement(row, column, axes(row, column));
+    }
+    matrix->SetElement(row, 3, from[row]);
+  }
+}
+} // namespace
+
+ProbeInSpace::ProbeInSpace()
+{
+  vtkNew<vtkPolyDataMapper> tool;
+  this->Probe->SetMapper(tool);
+  vtkNew<vtkPolyDataMapper> sameTool;
+  this->Proxy->SetMapper(sameTool);
+  this->Probe->GetProperty()->SetOpacity(ProbeOpacity);
+  vtkNew<vtkArrowSource> arrow;
+  arrow->SetTipResolution(16);
+  arrow->SetShaftResolution(12);
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputConnection(arrow->GetOutputPort());
+  this->Arrow->SetMapper(mapper);
+  this->Arrow->SetUserMatrix(vtkNew<vtkMatrix4x4>());
+  SetMaterial(this->Probe);
+  SetMaterial(this->Proxy);
+  SetMaterial(this->Arrow);
+}
+
+ProbeInSpace::~ProbeInSpace() = default;
+
+void ProbeInSpace::AddTo(vtkRenderer* renderer) const
+{
+  renderer->AddViewProp(this->Probe);
+  renderer->AddViewProp(this->Proxy);
+  renderer->AddViewProp(this->Arrow);
+}
+
+void ProbeInSpace::RemoveFrom(vtkRenderer* renderer) const
+{
+  renderer->RemoveViewProp(this->Probe);
+  renderer->RemoveViewProp(this->Proxy);
+  renderer->RemoveViewProp(this->Arrow);
+}
+
+void ProbeInSpace::Update(vtkProbeRepresentation* probe)
+{
+  const bool isShown = probe != nullptr && probe->GetVisibility() && probe->GetTool() != nullptr;
+  const bool hasForce =
+      isShown && Vector3(probe->GetForce()).norm() > LeastForce && probe->GetForceScale() > 0.0;
+  this->Probe->SetVisibility(isShown ? 1 : 0);
+  this->Proxy->SetVisibility(isShown ? 1 : 0);
+  this->Arrow->SetVisibility(hasForce ? 1 : 0);
+  if (!isShown)
+  {
+    return;
+  }
+  for (vtkActor* actor : {this->Probe.Get(), this->Proxy.Get()})
+  {
+    static_cast<vtkPolyDataMapper*>(actor->GetMapper())->SetInputData(probe->GetTool());
+    actor->GetProperty()->SetColor(probe->GetColor());
+  }
+  this->Probe->SetUserMatrix(probe->GetProbeMatrix());
+  this->Proxy->SetUserMatrix(probe->GetProxyMatrix());
+  if (hasForce)
+  {
+    vtkMatrix4x4* place = probe->GetProxyMatrix();
+    const Vector3 from(place->GetElement(0, 3), place->GetElement(1, 3), place->GetElement(2, 3));
+    PlaceArrow(from, probe->GetForceScale() * Vector3(probe->GetForce()),
+               this->Arrow->GetUserMatrix());
+    this->Arrow->GetProperty()->SetColor(probe->GetContactColor());
+  }
+}
+} // namespace palpate

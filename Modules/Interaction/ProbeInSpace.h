@@ -1,0 +1,33 @@
+#pragma once
+
+#include "PalpateInteractionModule.h"
+
+#include "vtkNew.h"
+
+class vtkActor;
+class vtkProbeRepresentation;
+class vtkRenderer;
+
+namespace palpate
+{
+/// A probe in space: the tool where the device is (translucent) and where it is drawn (solid), and
+/// the force as an arrow.
+class PALPATEINTERACTION_EXPORT ProbeInSpace
+{
+public:
+  ProbeInSpace();
+  ~ProbeInSpace();
+  ProbeInSpace(const ProbeInSpace&) = delete;
+  ProbeInSpace& operator=(const ProbeInSpace&) = delete;
+
+  void AddTo(vtkRenderer* renderer) const;
+  void RemoveFrom(vtkRenderer* renderer) const;
+  /// Null shows nothing.
+  void Update(vtkProbeRepresentation* probe);
+
+private:
+  vtkNew<vtkActor> Probe;
+  vtkNew<vtkActor> Proxy;
+  vtkNew<vtkActor> Arrow;
+};
+} // namespace palpate

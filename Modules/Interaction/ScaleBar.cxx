@@ -1,0 +1,90 @@
+#include "ScaleBar.h"
+
+#include "LengthText.h"
+#include "ViewText.h"
+
+#include "vtkActor2D.h"
+#include "vtkCellArray.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkPolyDataMapper2D.h"
+#include "vtkProperty2D.h"
+#include "vtkRenderer.h"
+#include "vtkTextActor.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace palpate
+{
+namespace
+{
+constexpr double Left = 0.02;        // of the view's width
+constexpr double Bottom = 0.03;      // of its height
+constexpr double LargestShare = 0.3; // of its width
+constexpr double TickPoints = 4.0;
+constexpr int TextSize = 11;
+} // namespace
+
+ScaleBar::ScaleBar() : Label(MakeViewText(Left, Bottom, TextSize))
+{
+  vtkNew<vtkPolyDataMapper2D> mapper;
+  mapper->SetInputData(this->Line);
+  this->Bar->SetMapper(mapper);
+  this->Bar->GetProperty()->SetColor(1.0, 1.0, 1.0);
+  this->Bar->PickableOff();
+}
+
+ScaleBar::~ScaleBar() = default;
+
+double ScaleBar::RoundLength(double millimeters)
+{
+  const double decade = std::pow(10.0, std::floor(std::log10(millimeters)));
+  double length = decade;
+  for (const double step : {2.0, 5.0, 10.0})
+  {
+    // Rounding must not keep a round number from itself.
+    length = step * decade <= millimeters * (1.0 + 1e-12) ? step * decade : length;
+  }
+  return length;
+}
+
+void ScaleBar::AddTo(vtkRenderer* renderer) const
+{
+  renderer->AddViewProp(this->Bar);
+  renderer->AddViewProp(this->Label);
+}
+
+void ScaleBar::RemoveFrom(vtkRenderer* renderer) const
+{
+  renderer->RemoveViewProp(this->Bar);
+  renderer->RemoveViewProp(this->Label);
+}
+
+void ScaleBar::SetVisible(bool isVisible)
+{
+  this->Bar->SetVisibility(isVisible ? 1 : 0);
+  this->Label->SetVisibility(isVisible ? 1 : 0);
+}
+
+void ScaleBar::Update(double pixelMillimeters, int width, int height, double pointPixels)
+{
+  this->Length = RoundLength(LargestShare * width * pixelMillimeters);
+  const double left = Left * width;
+  const double right = left + this->Length / pixelMillimeters;
+  const double bottom = Bottom * height;
+  const double tick = TickPoints * pointPixels;
+  vtkNew<vtkPoints> points;
+  points->InsertNextPoint(left, bottom + tick, 0.0);
+  points->InsertNextPoint(left, bottom, 0.0);
+  points->InsertNextPoint(right, bottom, 0.0);
+  points->InsertNextPoint(right, bottom + tick, 0.0);
+  vtkNew<vtkCellArray> lines;
+  lines->InsertNextCell({0, 1, 2, 3});
+  this->Line->SetPoints(points);
+  this->Line->SetLines(lines);
+  this->Bar->GetProperty()->SetLineWidth(static_cast<float>(0.5 * tick));
+  SetViewText(this->Label, LengthText(this->Length, this->Length < 1.0 ? 3 : 0));
+  this->Label->SetPosition(Left, Bottom + 1.5 * tick / height);
+}
+} // namespace palpate

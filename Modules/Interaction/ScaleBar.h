@@ -1,0 +1,41 @@
+#pragma once
+
+#include "PalpateInteractionModule.h"
+
+#include "vtkNew.h"
+#include "vtkSmartPointer.h"
+
+class vtkActor2D;
+class vtkPolyData;
+class vtkRenderer;
+class vtkTextActor;
+
+namespace palpate
+{
+/// A bar of a round length at the lower left of a view, with that length in words.
+class PALPATEINTERACTION_EXPORT ScaleBar
+{
+public:
+  ScaleBar();
+  ~ScaleBar();
+  ScaleBar(const ScaleBar&) = delete;
+  ScaleBar& operator=(const ScaleBar&) = delete;
+
+  /// The largest of 1, 2 and 5 times a power of ten that is not above `millimeters` > 0.
+  static double RoundLength(double millimeters);
+
+  void AddTo(vtkRenderer* renderer) const;
+  void RemoveFrom(vtkRenderer* renderer) const;
+  void SetVisible(bool isVisible);
+  /// For a view of that many pixels, `pointPixels` of which are a point (1/72 inch).
+  void Update(double pixelMillimeters, int width, int height, double pointPixels);
+
+  double LengthMillimeters() const { return this->Length; }
+
+private:
+  double Length = 0.0;
+  vtkNew<vtkPolyData> Line;
+  vtkNew<vtkActor2D> Bar;
+  vtkSmartPointer<vtkTextActor> Label;
+};
+} // namespace palpate

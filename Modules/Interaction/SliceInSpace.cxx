@@ -1,0 +1,125 @@
+#include "SliceInSpace.h"
+
+#include "ImageAxes.h"
+#include "SlicePainter.h"
+#include "vtkImageDisplay.h"
+
+#include "vtkActor.h"
+#include "vtkCellArray.h"
+#include "vtkImageData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkRenderer.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace palpate
+{
+namespace
+{
+constexpr double OutlineWidth = 2.0;
+constexpr double LongestSide = 512.0; // pixels
+
+// The polygon in which a plane cuts the box of an image; empty where it does not.
+std::vector<Vector3> CutBox(const ImageAxes& axes, const Vector3& through, const Vector3& normal)
+{
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  for (const Vector3& corner : axes.CornersWorld())
+  {
+    points->InsertNextPoint(corner.data());
+  }
+  vtkNew<vtkCellArray> faces;
+  for (const auto& face : {std::array<vtkIdType, 4>{{0, 1, 3, 2}},
+                           {{4, 6, 7, 5}},
+                           {{0, 4, 5, 1}},
+                           {{2, 3, 7, 6}},
+                           {{0, 2, 6, 4}},
+                           {{1, 5, 7, 3}}})
+  {
+    faces->InsertNextCell(4, face.data());
+  }
+  vtkNew<vtkPolyData> box;
+  box->SetPoints(points);
+  box->SetPolys(faces);
+  const std::vector<SurfaceCurve> curves = CutSurface(box, through, normal);
+  return curves.empty() ? std::vector<Vector3>{} : curves.front().Points;
+}
+} // namespace
+
+SliceInSpace::SliceInSpace(SliceOrientation orientation) : Orientation(orientation)
+{
+  this->Patch.SetInterpolate(true);
+  this->Outline.SetStyle(ColorOf(orientation), 1.0, OutlineWidth);
+}
+
+void SliceInSpace::AddTo(vtkRenderer* renderer) const
+{
+  renderer->AddViewProp(this->Patch.Actor());
+  renderer->AddViewProp(this->Outline.Actor());
+}
+
+void SliceInSpace::RemoveFrom(vtkRenderer* renderer) const
+{
+  renderer->RemoveViewProp(this->Patch.Actor());
+  renderer->RemoveViewProp(this->Outline.Actor());
+}
+
+void SliceInSpace::SetVisible(bool isVisible)
+{
+  this->IsVisible = isVisible;
+}
+
+PixelGrid SliceInSpace::GridOf(const std::vector<Vector3>& corners, const ViewFrame& frame,
+                               double pixelMillimeters) const
+{
+  Eigen::AlignedBox2d box;
+  for (const Vector3& corner : corners)
+  {
+    box.extend(Eigen::Vector2d(corner.dot(frame.RightWorld), corner.dot(frame.UpWorld)));
+  }
+  const double pixel = std::max(pixelMillimeters, box.sizes().maxCoeff() / LongestSide);
+  const Vector3 normal = frame.TowardsViewerWorld;
+  PixelGrid grid;
+  grid.Width = std::max(1, static_cast<int>(std::ceil(box.sizes().x() / pixel)));
+  grid.Height = std::max(1, static_cast<int>(std::ceil(box.sizes().y() / pixel)));
+  grid.ColumnWorld = box.sizes().x() / grid.Width * frame.RightWorld;
+  grid.RowWorld = box.sizes().y() / grid.Height * frame.UpWorld;
+  grid.FirstWorld = box.min().x() * frame.RightWorld + box.min().y() * frame.UpWorld +
+                    corners.front().dot(normal) * normal + 0.5 * (grid.ColumnWorld + grid.RowWorld);
+  return grid;
+}
+
+void SliceInSpace::Update(vtkImageDisplay* display, bool isAlongImage, const Vector3& throughWorld)
+{
+  vtkImageData* image = display == nullptr ? nullptr : display->GetImage();
+  const bool isShown = this->IsVisible && image != nullptr;
+  if (isShown)
+  {
+    const ViewFrame frame = SliceGeometry(this->Orientation, isAlongImage, image).Frame;
+    const Vector3& normal = frame.TowardsViewerWorld;
+    const double height = throughWorld.dot(normal);
+    const std::uint64_t time = display->GetMTime();
+    if (time != this->PaintedTime || height != this->PaintedHeight || normal != this->PaintedNormal)
+    {
+      const ImageAxes axes(image);
+      const std::vector<Vector3> corners = CutBox(axes, throughWorld, normal);
+      this->IsEmpty = corners.size() < 3;
+      if (!this->IsEmpty)
+      {
+        const double pixel = *std::min_element(axes.Spacing.begin(), axes.Spacing.end());
+        const PixelGrid grid = this->GridOf(corners, frame, pixel);
+        PaintSlice(display->GetContent(), grid, this->Patch.Picture());
+        this->Patch.Place(grid, corners);
+        this->Outline.SetCurves({{corners, true}}, Vector3::Zero());
+      }
+      this->PaintedTime = time;
+      this->PaintedHeight = height;
+      this->PaintedNormal = normal;
+    }
+  }
+  this->Patch.Actor()->SetVisibility(isShown && !this->IsEmpty ? 1 : 0);
+  this->Outline.SetVisible(isShown && !this->IsEmpty);
+}
+} // namespace palpate

@@ -1,0 +1,44 @@
+#pragma once
+
+#include "CurveActor.h"
+#include "PalpateInteractionModule.h"
+#include "SliceGeometry.h"
+#include "SlicePatch.h"
+
+#include <cstdint>
+
+class vtkImageDisplay;
+class vtkRenderer;
+
+namespace palpate
+{
+/// A whole slice of a volume as a picture in space, about as fine as the voxels, with an outline in
+/// the colour by which its plane is known. World is patient LPS, mm.
+class PALPATEINTERACTION_EXPORT SliceInSpace
+{
+public:
+  explicit SliceInSpace(SliceOrientation orientation);
+
+  void AddTo(vtkRenderer* renderer) const;
+  void RemoveFrom(vtkRenderer* renderer) const;
+  void SetVisible(bool isVisible);
+  /// Through a point; nothing is shown where the plane misses the volume. Painted anew only where
+  /// something is another.
+  void Update(vtkImageDisplay* display, bool isAlongImage, const Vector3& throughWorld);
+
+  vtkActor* Actor() const { return this->Patch.Actor(); }
+
+private:
+  PixelGrid GridOf(const std::vector<Vector3>& corners, const ViewFrame& frame,
+                   double pixelMillimeters) const;
+
+  SliceOrientation Orientation;
+  bool IsVisible = true;
+  SlicePatch Patch;
+  CurveActor Outline;
+  std::uint64_t PaintedTime = 0;
+  double PaintedHeight = 0.0;
+  Vector3 PaintedNormal = Vector3::Zero();
+  bool IsEmpty = true;
+};
+} // namespace palpate

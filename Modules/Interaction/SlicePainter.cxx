@@ -1,0 +1,152 @@
+#include "SlicePainter.h"
+
+#include "PlaneSampler.h"
+
+#include "vtkImageData.h"
+#include "vtkSMPTools.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+
+namespace palpate
+{
+namespace
+{
+// No label has this number, since labels fit into an int.
+constexpr float NoLabel = 1e20F;
+// Makes truncation of what is not negative the nearest number.
+constexpr float Half = 0.5F;
+
+struct PaintedLayer
+{
+  PlaneSampler Labels;
+  const LabelLayer& Layer;
+};
+
+// Paints rows of one picture; those of a range share their buffers.
+class RowPainter
+{
+public:
+  RowPainter(const SliceContent& content, const PixelGrid& grid, std::uint8_t* pixels)
+      : Content(content), Grid(grid), Pixels(pixels)
+  {
+    if (content.Image != nullptr)
+    {
+      this->Image.emplace_back(content.Image, grid);
+    }
+    for (const LabelLayer& layer : content.Layers)
+    {
+      if (layer.Image != nullptr && !layer.Colors.empty())
+      {
+        this->Layers.push_back({PlaneSampler(layer.Image, grid), layer});
+      }
+    }
+  }
+
+  void operator()(vtkIdType begin, vtkIdType end) const
+  {
+    std::vector<float> values(static_cast<std::size_t>(this->Grid.Width));
+    for (auto row = static_cast<int>(begin); row < end; ++row)
+    {
+      std::uint8_t* pixels = this->Pixels + std::size_t{4} * row * this->Grid.Width;
+      this->PaintGrey(row, values, pixels);
+      for (const PaintedLayer& layer : this->Layers)
+      {
+        layer.Labels.SampleNearest(row, NoLabel, values.data());
+        this->BlendLabels(layer.Layer, values, pixels);
+      }
+    }
+  }
+
+private:
+  void PaintGrey(int row, std::vector<float>& values, std::uint8_t* pixels) const
+  {
+    if (this->Image.empty())
+    {
+      std::fill_n(pixels, 4 * values.size(), std::uint8_t{0});
+      return;
+    }
+    const PlaneSampler& image = this->Image.front();
+    if (this->Content.IsSmooth)
+    {
+      image.SampleLinear(row, values.data());
+    }
+    else
+    {
+      image.SampleNearest(row, std::numeric_limits<float>::quiet_NaN(), values.data());
+    }
+    const auto low = static_cast<float>(this->Content.Window.Low);
+    const auto scale =
+        static_cast<float>(255.0 / (this->Content.Window.High - this->Content.Window.Low));
+    for (const float value : values)
+    {
+      const bool isNumber = value == value;
+      const float grey = isNumber ? std::clamp((value - low) * scale + Half, 0.0F, 255.0F) : 0.0F;
+      const auto level = static_cast<std::uint8_t>(grey);
+      *pixels++ = level;
+      *pixels++ = level;
+      *pixels++ = level;
+      *pixels++ = isNumber ? 255 : 0;
+    }
+  }
+
+  // Neighbours mostly have the same label, so its colour is looked up where it changes.
+  void BlendLabels(const LabelLayer& layer, const std::vector<float>& labels,
+                   std::uint8_t* pixels) const
+  {
+    float known = NoLabel;
+    LabelLayer::Color color{};
+    for (const float label : labels)
+    {
+      if (label != known)
+      {
+        const auto found =
+            label == NoLabel ? layer.Colors.end() : layer.Colors.find(static_cast<int>(label));
+        color = found == layer.Colors.end() ? LabelLayer::Color{} : found->second;
+        color[3] *= this->Content.LabelOpacity;
+        known = label;
+      }
+      if (color[3] > 0.0F)
+      {
+        for (std::size_t c = 0; c < 3; ++c)
+        {
+          const float mixed = (1.0F - color[3]) * pixels[c] + color[3] * 255.0F * color[c];
+          const float level = mixed + Half;
+          pixels[c] = static_cast<std::uint8_t>(level);
+        }
+        pixels[3] = 255;
+      }
+      pixels += 4;
+    }
+  }
+
+  const SliceContent& Content;
+  const PixelGrid& Grid;
+  std::uint8_t* Pixels;
+  std::vector<PlaneSampler> Image; // one or none
+  std::vector<PaintedLayer> Layers;
+};
+
+void Allocate(vtkImageData* picture, const PixelGrid& grid)
+{
+  const int* size = picture->GetDimensions();
+  if (picture->GetNumberOfScalarComponents() != 4 || size[0] != grid.Width ||
+      size[1] != grid.Height || size[2] != 1)
+  {
+    picture->SetDimensions(grid.Width, grid.Height, 1);
+    picture->AllocateScalars(VTK_UNSIGNED_CHAR, 4);
+  }
+}
+} // namespace
+
+void PaintSlice(const SliceContent& content, const PixelGrid& grid, vtkImageData* picture)
+{
+  constexpr vtkIdType RowsAtATime = 16;
+  Allocate(picture, grid);
+  const RowPainter painter(content, grid, static_cast<std::uint8_t*>(picture->GetScalarPointer()));
+  vtkSMPTools::For(0, grid.Height, RowsAtATime, painter);
+  picture->Modified();
+}
+} // namespace palpate

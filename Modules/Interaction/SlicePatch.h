@@ -1,0 +1,44 @@
+#pragma once
+
+#include "PalpateInteractionModule.h"
+#include "PixelGrid.h"
+
+#include "vtkNew.h"
+
+#include <vector>
+
+class vtkActor;
+class vtkImageData;
+class vtkPolyData;
+class vtkTexture;
+
+namespace palpate
+{
+/// A flat, unlit piece of a picture in space: pixels of a grid where the grid says, within a convex
+/// polygon of its plane.
+class PALPATEINTERACTION_EXPORT SlicePatch
+{
+public:
+  SlicePatch();
+  ~SlicePatch();
+  SlicePatch(const SlicePatch&) = delete;
+  SlicePatch& operator=(const SlicePatch&) = delete;
+
+  /// The picture that is shown; paint into it, then place it.
+  vtkImageData* Picture() const { return this->Pixels; }
+  /// Corners in order, world, mm.
+  void Place(const PixelGrid& grid, const std::vector<Vector3>& cornersWorld);
+  /// Those of the whole picture.
+  static std::vector<Vector3> CornersOf(const PixelGrid& grid);
+  /// Whether values between pixels are interpolated: not where pixels meet those of the screen.
+  void SetInterpolate(bool interpolate);
+
+  vtkActor* Actor() const { return this->Polygon; }
+
+private:
+  vtkNew<vtkImageData> Pixels;
+  vtkNew<vtkTexture> Texture;
+  vtkNew<vtkPolyData> Shape;
+  vtkNew<vtkActor> Polygon;
+};
+} // namespace palpate

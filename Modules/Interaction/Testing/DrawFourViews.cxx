@@ -1,0 +1,33 @@
+// Draws three linked slices and a view in space into one picture, off screen: an example of how the
+// classes of this room go together. Argument: the PNG file to write.
+#include "DisplayServer.h"
+#include "PhantomViews.h"
+#include "Picture.h"
+#include "WindowPicture.h"
+
+#include <fstream>
+#include <iostream>
+#include <stdexcept>
+
+int main(int argc, char** argv)
+{
+  if (argc != 2)
+  {
+    std::cerr << "usage: " << argv[0] << " PICTURE.png\n";
+    return 2;
+  }
+  try
+  {
+    const palpate::DisplayServer display;
+    palpate::test::PhantomViews scene(1280, 800);
+    scene.Views.Render();
+    std::ofstream(argv[1], std::ios::binary)
+        << palpate::EncodePng(palpate::ReadWindow(scene.Views.Window));
+  }
+  catch (const std::runtime_error& error)
+  {
+    std::cerr << error.what() << '\n';
+    return 1;
+  }
+  return 0;
+}

@@ -1,0 +1,87 @@
+#include "ViewText.h"
+
+#include "vtkCoordinate.h"
+#include "vtkRenderer.h"
+#include "vtkTextActor.h"
+#include "vtkTextProperty.h"
+
+namespace palpate
+{
+namespace
+{
+constexpr int LetterSize = 15; // points
+constexpr double Edge = 0.015; // of the view, between letters and edges
+} // namespace
+
+vtkSmartPointer<vtkTextActor> MakeViewText(double x, double y, int size)
+{
+  auto text = vtkSmartPointer<vtkTextActor>::New();
+  vtkTextProperty* style = text->GetTextProperty();
+  style->SetFontSize(size);
+  style->SetColor(1.0, 1.0, 1.0);
+  style->ShadowOn();
+  style->SetShadowOffset(1, -1);
+  style->SetJustification(x < 0.3 ? VTK_TEXT_LEFT : x > 0.7 ? VTK_TEXT_RIGHT : VTK_TEXT_CENTERED);
+  style->SetVerticalJustification(y < 0.3   ? VTK_TEXT_BOTTOM
+                                  : y > 0.7 ? VTK_TEXT_TOP
+                                            : VTK_TEXT_CENTERED);
+  text->GetPositionCoordinate()->SetCoordinateSystemToNormalizedViewport();
+  text->SetPosition(x, y);
+  text->PickableOff();
+  return text;
+}
+
+void SetViewText(vtkTextActor* actor, const std::string& text)
+{
+  if (actor->GetInput() == nullptr || text != actor->GetInput())
+  {
+    actor->SetInput(text.c_str());
+  }
+}
+
+EdgeLetters::EdgeLetters()
+    : Letters{{MakeViewText(Edge, 0.5, LetterSize), MakeViewText(1.0 - Edge, 0.5, LetterSize),
+               MakeViewText(0.5, 1.0 - Edge, LetterSize), MakeViewText(0.5, Edge, LetterSize)}}
+{
+  for (vtkTextActor* letter : this->Letters)
+  {
+    letter->GetTextProperty()->BoldOn();
+  }
+}
+
+EdgeLetters::~EdgeLetters() = default;
+
+void EdgeLetters::AddTo(vtkRenderer* renderer) const
+{
+  for (vtkTextActor* letter : this->Letters)
+  {
+    renderer->AddViewProp(letter);
+  }
+}
+
+void EdgeLetters::RemoveFrom(vtkRenderer* renderer) const
+{
+  for (vtkTextActor* letter : this->Letters)
+  {
+    renderer->RemoveViewProp(letter);
+  }
+}
+
+void EdgeLetters::SetVisible(bool isVisible)
+{
+  for (vtkTextActor* letter : this->Letters)
+  {
+    letter->SetVisibility(isVisible ? 1 : 0);
+  }
+}
+
+void EdgeLetters::Update(const ViewFrame& frame)
+{
+  const std::array<Vector3, 4> directions{
+      {-frame.RightWorld, frame.RightWorld, frame.UpWorld, -frame.UpWorld}};
+  for (std::size_t edge = 0; edge < 4; ++edge)
+  {
+    SetViewText(this->Letters[edge], OrientationLetters(directions[edge]));
+  }
+}
+} // namespace palpate

@@ -1,0 +1,42 @@
+#pragma once
+
+#include "AnatomicalView.h"
+#include "PalpateInteractionModule.h"
+
+#include "vtkSmartPointer.h"
+
+#include <array>
+
+class vtkRenderer;
+class vtkTextActor;
+
+namespace palpate
+{
+/// A white text with a shadow at a place of a view, 0 to 1 from its lower left corner; what is near
+/// an edge is justified to it. Size in points.
+PALPATEINTERACTION_EXPORT vtkSmartPointer<vtkTextActor> MakeViewText(double x, double y, int size);
+
+/// Sets the text if it is another one: making its picture takes longer than drawing it.
+PALPATEINTERACTION_EXPORT void SetViewText(vtkTextActor* actor, const std::string& text);
+
+/// Letters of the patient's directions at the four edges of a view.
+class PALPATEINTERACTION_EXPORT EdgeLetters
+{
+public:
+  EdgeLetters();
+  ~EdgeLetters();
+  EdgeLetters(const EdgeLetters&) = delete;
+  EdgeLetters& operator=(const EdgeLetters&) = delete;
+
+  void AddTo(vtkRenderer* renderer) const;
+  void RemoveFrom(vtkRenderer* renderer) const;
+  void SetVisible(bool isVisible);
+  void Update(const ViewFrame& frame);
+
+  /// Left, right, top, bottom.
+  const std::array<vtkSmartPointer<vtkTextActor>, 4>& Texts() const { return this->Letters; }
+
+private:
+  std::array<vtkSmartPointer<vtkTextActor>, 4> Letters;
+};
+} // namespace palpate

@@ -1,0 +1,184 @@
+#include "vtkImageDisplay.h"
+
+#include "ImageAxes.h"
+#include "SlicePainter.h"
+
+#include "vtkImageData.h"
+#include "vtkObjectFactory.h"
+
+#include <algorithm>
+#include <cmath>
+
+using palpate::GreyWindow;
+using palpate::LabelLayer;
+using palpate::Vector3;
+
+vtkStandardNewMacro(vtkImageDisplay);
+
+namespace
+{
+constexpr double DefaultLabelOpacity = 0.4;
+constexpr double SmallestWindowShare = 1e-3;
+} // namespace
+
+vtkImageDisplay::vtkImageDisplay() : Content(std::make_unique<palpate::SliceContent>())
+{
+  this->Content->LabelOpacity = DefaultLabelOpacity;
+}
+
+vtkImageDisplay::~vtkImageDisplay() = default;
+
+void vtkImageDisplay::SetImage(vtkImageData* image)
+{
+  if (this->Content->Image != image)
+  {
+    this->Content->Image = image;
+    this->ResetWindowLevel();
+    this->Modified();
+  }
+}
+
+vtkImageData* vtkImageDisplay::GetImage()
+{
+  return this->Content->Image;
+}
+
+void vtkImageDisplay::ResetWindowLevel()
+{
+  if (this->Content->Image != nullptr)
+  {
+    const GreyWindow window = palpate::WindowOf(this->Content->Image);
+    this->ChosenWindow = window.High - window.Low;
+    this->SetWindowLevel(this->ChosenWindow, 0.5 * (window.Low + window.High));
+  }
+}
+
+void vtkImageDisplay::SetWindowLevel(double window, double level)
+{
+  if (!std::isfinite(window) || !std::isfinite(level))
+  {
+    return;
+  }
+  const double width = std::max(window, SmallestWindowShare * this->ChosenWindow);
+  GreyWindow& shown = this->Content->Window;
+  const GreyWindow wanted{level - 0.5 * width, level + 0.5 * width};
+  if (shown.Low != wanted.Low || shown.High != wanted.High)
+  {
+    shown = wanted;
+    this->Modified();
+  }
+}
+
+double vtkImageDisplay::GetWindow()
+{
+  return this->Content->Window.High - this->Content->Window.Low;
+}
+
+double vtkImageDisplay::GetLevel()
+{
+  return 0.5 * (this->Content->Window.Low + this->Content->Window.High);
+}
+
+void vtkImageDisplay::SetInterpolate(bool interpolate)
+{
+  if (this->Content->IsSmooth != interpolate)
+  {
+    this->Content->IsSmooth = interpolate;
+    this->Modified();
+  }
+}
+
+bool vtkImageDisplay::GetInterpolate()
+{
+  return this->Content->IsSmooth;
+}
+
+int vtkImageDisplay::AddLabels(vtkImageData* labels)
+{
+  this->Content->Layers.push_back({labels, {}});
+  this->Modified();
+  return this->GetNumberOfLayers() - 1;
+}
+
+int vtkImageDisplay::GetNumberOfLayers()
+{
+  return static_cast<int>(this->Content->Layers.size());
+}
+
+void vtkImageDisplay::RemoveAllLabels()
+{
+  if (!this->Content->Layers.empty())
+  {
+    this->Content->Layers.clear();
+    this->Modified();
+  }
+}
+
+void vtkImageDisplay::SetLabelColor(int layer, int label, double red, double green, double blue,
+                                    double opacity)
+{
+  if (layer < 0 || layer >= this->GetNumberOfLayers())
+  {
+    vtkErrorMacro(<< "There is no layer " << layer << " of labels.");
+    return;
+  }
+  LabelLayer::Color color{};
+  const double parts[4] = {red, green, blue, opacity};
+  std::transform(parts, parts + 4, color.begin(),
+                 [](double part) { return static_cast<float>(std::clamp(part, 0.0, 1.0)); });
+  this->Content->Layers[static_cast<std::size_t>(layer)].Colors[label] = color;
+  this->Modified();
+}
+
+void vtkImageDisplay::SetLabelOpacity(double opacity)
+{
+  const auto wanted = static_cast<float>(std::clamp(opacity, 0.0, 1.0));
+  if (this->Content->LabelOpacity != wanted)
+  {
+    this->Content->LabelOpacity = wanted;
+    this->Modified();
+  }
+}
+
+double vtkImageDisplay::GetLabelOpacity()
+{
+  return this->Content->LabelOpacity;
+}
+
+bool vtkImageDisplay::GetCenterWorld(double center[3])
+{
+  if (this->Content->Image == nullptr)
+  {
+    return false;
+  }
+  const palpate::ImageAxes axes(this->Content->Image);
+  const std::array<int, 6>& e = axes.Extent;
+  const Vector3 middle = axes.ToWorld(0.5 * Vector3(e[0] + e[1], e[2] + e[3], e[4] + e[5]));
+  std::copy_n(middle.data(), 3, center);
+  return true;
+}
+
+vtkMTimeType vtkImageDisplay::GetMTime()
+{
+  vtkMTimeType time = this->Superclass::GetMTime();
+  if (this->Content->Image != nullptr)
+  {
+    time = std::max(time, this->Content->Image->GetMTime());
+  }
+  for (const LabelLayer& layer : this->Content->Layers)
+  {
+    time = layer.Image == nullptr ? time : std::max(time, layer.Image->GetMTime());
+  }
+  return time;
+}
+
+void vtkImageDisplay::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Image: " << this->Content->Image.Get() << '\n';
+  os << indent << "Window: " << this->GetWindow() << '\n';
+  os << indent << "Level: " << this->GetLevel() << '\n';
+  os << indent << "Interpolate: " << this->Content->IsSmooth << '\n';
+  os << indent << "Layers: " << this->Content->Layers.size() << '\n';
+  os << indent << "LabelOpacity: " << this->Content->LabelOpacity << '\n';
+}

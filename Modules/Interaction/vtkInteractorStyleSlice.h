@@ -1,0 +1,102 @@
+/**
+ * @class vtkInteractorStyleSlice
+ * @brief mouse and keys in slice views, as users of 3D Slicer and ITK-SNAP know them
+ *
+ * - left drag: moves the crosshair, or window (to the right: wider) and level (upwards: brighter);
+ *   LeftButtonMode says which, and with Ctrl it is the other one
+ * - mouse wheel: slices; with Ctrl: zoom. Middle drag: pan. Right drag: zoom, upwards larger
+ * - arrow keys: a slice; page up and down: ten slices; r: fits the view to the volume
+ * - double click: a MaximizeEvent
+ *
+ * It serves the views that were added, by the renderer under the pointer. In other renderers of the
+ * window it is a vtkInteractorStyleTrackballCamera, so that one style serves slices and a view in
+ * space side by side. It draws its own window; views in other windows are drawn by whoever observes
+ * what they share (vtkCrosshair, vtkImageDisplay) and this style's InteractionEvent.
+ */
+#ifndef vtkInteractorStyleSlice_h
+#define vtkInteractorStyleSlice_h
+
+#include "PalpateInteractionModule.h" // For export macro
+#include "vtkCommand.h"               // For the number of the event
+#include "vtkInteractorStyleTrackballCamera.h"
+#include "vtkSmartPointer.h" // For the views
+
+#include <vector> // For the views
+
+class vtkSliceView;
+
+class PALPATEINTERACTION_EXPORT vtkInteractorStyleSlice : public vtkInteractorStyleTrackballCamera
+{
+public:
+  static vtkInteractorStyleSlice* New();
+  vtkTypeMacro(vtkInteractorStyleSlice, vtkInteractorStyleTrackballCamera);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  enum Events
+  {
+    /** A double click; the call data is the vtkRenderer, of a slice view or not. */
+    MaximizeEvent = vtkCommand::UserEvent + 701
+  };
+  enum LeftButtonModes
+  {
+    CROSSHAIR,
+    WINDOW_LEVEL
+  };
+
+  void AddView(vtkSliceView* view);
+  void RemoveView(vtkSliceView* view);
+
+  ///@{
+  /** What a left drag does. Default: CROSSHAIR. */
+  vtkSetClampMacro(LeftButtonMode, int, CROSSHAIR, WINDOW_LEVEL);
+  vtkGetMacro(LeftButtonMode, int);
+  ///@}
+
+  void OnMouseMove() override;
+  void OnLeftButtonDown() override;
+  void OnLeftButtonUp() override;
+  void OnLeftButtonDoubleClick() override;
+  void OnMiddleButtonDown() override;
+  void OnMiddleButtonUp() override;
+  void OnRightButtonDown() override;
+  void OnRightButtonUp() override;
+  void OnMouseWheelForward() override;
+  void OnMouseWheelBackward() override;
+  void OnKeyPress() override;
+  void OnChar() override;
+
+protected:
+  vtkInteractorStyleSlice() = default;
+  ~vtkInteractorStyleSlice() override = default;
+
+private:
+  vtkInteractorStyleSlice(const vtkInteractorStyleSlice&) = delete;
+  void operator=(const vtkInteractorStyleSlice&) = delete;
+
+  enum Drags
+  {
+    NO_DRAG,
+    CROSSHAIR_DRAG,
+    WINDOW_LEVEL_DRAG,
+    PAN_DRAG,
+    ZOOM_DRAG
+  };
+
+  /** The view under the pointer; null where there is none of ours. */
+  vtkSliceView* PokedView();
+  /** True where the drag is a slice view's. */
+  bool StartDrag(int drag);
+  bool EndDrag();
+  void Drag();
+  void DragWindowLevel(double right, double up);
+  bool Wheel(int direction);
+  void Finish();
+
+  std::vector<vtkSmartPointer<vtkSliceView>> Views;
+  int LeftButtonMode = CROSSHAIR;
+  int ActiveDrag = NO_DRAG;
+  vtkSmartPointer<vtkSliceView> DraggedView;
+  int StartPosition[2] = {0, 0};
+};
+
+#endif

@@ -1,0 +1,136 @@
+#include "vtkProbeRepresentation.h"
+
+#include "ToolSurface.h"
+
+#include "vtkMath.h"
+#include "vtkMatrix4x4.h"
+#include "vtkObjectFactory.h"
+#include "vtkPolyData.h"
+
+#include <algorithm>
+#include <cmath>
+
+vtkStandardNewMacro(vtkProbeRepresentation);
+
+namespace
+{
+constexpr double Upright[4] = {1.0, 0.0, 0.0, 0.0};
+
+bool AreNumbers(const double* numbers, int count)
+{
+  return std::all_of(numbers, numbers + count, [](double n) { return std::isfinite(n); });
+}
+} // namespace
+
+vtkProbeRepresentation::vtkProbeRepresentation()
+    : ProbeMatrix(vtkSmartPointer<vtkMatrix4x4>::New()),
+      ProxyMatrix(vtkSmartPointer<vtkMatrix4x4>::New())
+{
+  this->SetToolSphere(1.0);
+}
+
+vtkProbeRepresentation::~vtkProbeRepresentation() = default;
+
+void vtkProbeRepresentation::SetToolSphere(double radius)
+{
+  this->SetTool(palpate::MakeToolSphere(radius));
+}
+
+void vtkProbeRepresentation::SetTool(vtkPolyData* closedSurface)
+{
+  if (this->Tool != closedSurface)
+  {
+    this->Tool = closedSurface;
+    this->Modified();
+  }
+}
+
+vtkPolyData* vtkProbeRepresentation::GetTool()
+{
+  return this->Tool;
+}
+
+double vtkProbeRepresentation::GetToolRadius()
+{
+  double largest = 0.0;
+  const vtkIdType count = this->Tool == nullptr ? 0 : this->Tool->GetNumberOfPoints();
+  for (vtkIdType p = 0; p < count; ++p)
+  {
+    largest = std::max(largest, vtkMath::Norm(this->Tool->GetPoint(p)));
+  }
+  return largest;
+}
+
+void vtkProbeRepresentation::SetPose(vtkMatrix4x4* matrix, const double position[3],
+                                     const double orientation[4])
+{
+  if (!AreNumbers(position, 3) || !AreNumbers(orientation, 4))
+  {
+    return;
+  }
+  double rotation[3][3];
+  vtkMath::QuaternionToMatrix3x3(orientation, rotation);
+  for (int row = 0; row < 3; ++row)
+  {
+    for (int column = 0; column < 3; ++column)
+    {
+      matrix->SetElement(row, column, rotation[row][column]);
+    }
+    matrix->SetElement(row, 3, position[row]);
+  }
+  this->Modified();
+}
+
+void vtkProbeRepresentation::SetProbePose(const double position[3], const double orientation[4])
+{
+  this->SetPose(this->ProbeMatrix, position, orientation);
+}
+
+void vtkProbeRepresentation::SetProxyPose(const double position[3], const double orientation[4])
+{
+  this->SetPose(this->ProxyMatrix, position, orientation);
+}
+
+void vtkProbeRepresentation::SetProbePosition(double x, double y, double z)
+{
+  const double position[3] = {x, y, z};
+  this->SetProbePose(position, Upright);
+}
+
+void vtkProbeRepresentation::SetProxyPosition(double x, double y, double z)
+{
+  const double position[3] = {x, y, z};
+  this->SetProxyPose(position, Upright);
+}
+
+vtkMatrix4x4* vtkProbeRepresentation::GetProbeMatrix()
+{
+  return this->ProbeMatrix;
+}
+
+vtkMatrix4x4* vtkProbeRepresentation::GetProxyMatrix()
+{
+  return this->ProxyMatrix;
+}
+
+void vtkProbeRepresentation::SetForce(double x, double y, double z)
+{
+  const double force[3] = {x, y, z};
+  if (AreNumbers(force, 3) && !std::equal(force, force + 3, this->Force))
+  {
+    std::copy_n(force, 3, this->Force);
+    this->Modified();
+  }
+}
+
+void vtkProbeRepresentation::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Tool: " << this->Tool.Get() << '\n';
+  os << indent << "Force: (" << this->Force[0] << ", " << this->Force[1] << ", " << this->Force[2]
+     << ")\n";
+  os << indent << "ForceScale: " << this->ForceScale << '\n';
+  os << indent << "InContact: " << this->InContact << '\n';
+  os << indent << "ContactRadius: " << this->ContactRadius << '\n';
+  os << indent << "Visibility: " << this->Visibility << '\n';
+}

@@ -1,0 +1,116 @@
+/**
+ * @class vtkProbeRepresentation
+ * @brief a haptic tool in linked views: where the device is, where the tool is drawn, what it feels
+ *
+ * Views in space show the tool's shape at the probe (translucent) and at the proxy (solid), the
+ * force as an arrow from the proxy, and colour surfaces round the place that is touched. Slices
+ * show the cuts of both shapes, and the part of the force that lies in the slice.
+ *
+ * The tool is a sphere or a closed surface of triangles in its own frame (mm); of a tool that is
+ * felt, palpate::MakeToolSurface makes one. Whoever polls a
+ * servo sets poses and force before views are drawn; numbers that are none are ignored, so that
+ * what was known last stays.
+ */
+#ifndef vtkProbeRepresentation_h
+#define vtkProbeRepresentation_h
+
+#include "PalpateInteractionModule.h" // For export macro
+#include "vtkObject.h"
+#include "vtkSmartPointer.h" // For the tool
+
+class vtkMatrix4x4;
+class vtkPolyData;
+
+class PALPATEINTERACTION_EXPORT vtkProbeRepresentation : public vtkObject
+{
+public:
+  static vtkProbeRepresentation* New();
+  vtkTypeMacro(vtkProbeRepresentation, vtkObject);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /** The tool; the default is a sphere of 1 mm. A point (radius 0) is drawn as one of 0.5 mm. */
+  void SetToolSphere(double radius);
+  void SetTool(vtkPolyData* closedSurface);
+  vtkPolyData* GetTool();
+  ///@}
+  /** Of the sphere round the origin of the tool's frame that holds it, mm. */
+  double GetToolRadius();
+
+  ///@{
+  /**
+   * Where the tool is: world, mm; its orientation as a unit quaternion (w, x, y, z) from the tool's
+   * frame to the world.
+   */
+  void SetProbePose(const double position[3], const double orientation[4]);
+  void SetProxyPose(const double position[3], const double orientation[4]);
+  void SetProbePosition(double x, double y, double z);
+  void SetProxyPosition(double x, double y, double z);
+  ///@}
+  ///@{
+  /** From the tool's frame to the world. Not to be changed. */
+  vtkMatrix4x4* GetProbeMatrix();
+  vtkMatrix4x4* GetProxyMatrix();
+  ///@}
+
+  ///@{
+  /** On the hand, in N, world axes. */
+  void SetForce(double x, double y, double z);
+  vtkGetVector3Macro(Force, double);
+  ///@}
+  ///@{
+  /** How long its arrow is, mm per N. Default: 10. */
+  vtkSetClampMacro(ForceScale, double, 0.0, 1e4);
+  vtkGetMacro(ForceScale, double);
+  ///@}
+
+  ///@{
+  /** Whether something is touched. */
+  vtkSetMacro(InContact, bool);
+  vtkGetMacro(InContact, bool);
+  vtkBooleanMacro(InContact, bool);
+  ///@}
+  ///@{
+  /** Surfaces are coloured up to so far (mm) from the proxy's tool while in contact. Default: 4. */
+  vtkSetClampMacro(ContactRadius, double, 0.0, 1e3);
+  vtkGetMacro(ContactRadius, double);
+  ///@}
+  ///@{
+  /** Of what is touched, red, green, blue. */
+  vtkSetVector3Macro(ContactColor, double);
+  vtkGetVector3Macro(ContactColor, double);
+  ///@}
+  ///@{
+  /** Of the tool, red, green, blue. */
+  vtkSetVector3Macro(Color, double);
+  vtkGetVector3Macro(Color, double);
+  ///@}
+  ///@{
+  vtkSetMacro(Visibility, bool);
+  vtkGetMacro(Visibility, bool);
+  vtkBooleanMacro(Visibility, bool);
+  ///@}
+
+protected:
+  vtkProbeRepresentation();
+  ~vtkProbeRepresentation() override;
+
+private:
+  vtkProbeRepresentation(const vtkProbeRepresentation&) = delete;
+  void operator=(const vtkProbeRepresentation&) = delete;
+
+  void SetPose(vtkMatrix4x4* matrix, const double position[3], const double orientation[4]);
+
+  vtkSmartPointer<vtkPolyData> Tool;
+  vtkSmartPointer<vtkMatrix4x4> ProbeMatrix;
+  vtkSmartPointer<vtkMatrix4x4> ProxyMatrix;
+  double Force[3] = {0.0, 0.0, 0.0};
+  double ForceScale = 10.0;
+  bool InContact = false;
+  double ContactRadius = 4.0;
+  double ContactColor[3] = {0.84, 0.37, 0.0};
+  double Color[3] = {0.34, 0.71, 0.91};
+  bool Visibility = true;
+};
+
+#endif

@@ -1,0 +1,45 @@
+#include "vtkSurfaceDisplay.h"
+
+#include "vtkObjectFactory.h"
+#include "vtkPolyData.h"
+
+#include <algorithm>
+
+vtkStandardNewMacro(vtkSurfaceDisplay);
+
+vtkSurfaceDisplay::vtkSurfaceDisplay() = default;
+
+vtkSurfaceDisplay::~vtkSurfaceDisplay() = default;
+
+void vtkSurfaceDisplay::SetSurface(vtkPolyData* surface)
+{
+  if (this->Surface != surface)
+  {
+    this->Surface = surface;
+    this->Modified();
+  }
+}
+
+vtkPolyData* vtkSurfaceDisplay::GetSurface()
+{
+  return this->Surface;
+}
+
+vtkMTimeType vtkSurfaceDisplay::GetMTime()
+{
+  const vtkMTimeType time = this->Superclass::GetMTime();
+  return this->Surface == nullptr ? time : std::max(time, this->Surface->GetMTime());
+}
+
+void vtkSurfaceDisplay::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Surface: " << this->Surface.Get() << '\n';
+  os << indent << "Color: (" << this->Color[0] << ", " << this->Color[1] << ", " << this->Color[2]
+     << ")\n";
+  os << indent << "Opacity: " << this->Opacity << '\n';
+  os << indent << "Visibility: " << this->Visibility << '\n';
+  os << indent << "ContourVisibility: " << this->ContourVisibility << '\n';
+  os << indent << "LineWidth: " << this->LineWidth << '\n';
+  os << indent << "ColorArray: " << this->ColorArray << '\n';
+}

@@ -1,0 +1,85 @@
+/**
+ * @class vtkSurfaceDisplay
+ * @brief how linked views show one surface: in space, and as a contour in slices
+ *
+ * The surface (world, patient LPS, mm) is shared by all views. With a color array the view in space
+ * shows that array's numbers, such as a model's distances to its original, in colours fit for
+ * colour-blind eyes, and a bar that says what they mean; slices keep the plain colour.
+ */
+#ifndef vtkSurfaceDisplay_h
+#define vtkSurfaceDisplay_h
+
+#include "PalpateInteractionModule.h" // For export macro
+#include "vtkObject.h"
+#include "vtkSmartPointer.h" // For the surface
+
+#include <string> // For the array's name
+
+class vtkPolyData;
+
+class PALPATEINTERACTION_EXPORT vtkSurfaceDisplay : public vtkObject
+{
+public:
+  static vtkSurfaceDisplay* New();
+  vtkTypeMacro(vtkSurfaceDisplay, vtkObject);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  void SetSurface(vtkPolyData* surface);
+  vtkPolyData* GetSurface();
+  ///@}
+
+  ///@{
+  /** Red, green, blue, 0 to 1. */
+  vtkSetVector3Macro(Color, double);
+  vtkGetVector3Macro(Color, double);
+  ///@}
+  ///@{
+  /** In space, 0 to 1; contours are opaque. */
+  vtkSetClampMacro(Opacity, double, 0.0, 1.0);
+  vtkGetMacro(Opacity, double);
+  ///@}
+  ///@{
+  /** Whether it is shown at all. */
+  vtkSetMacro(Visibility, bool);
+  vtkGetMacro(Visibility, bool);
+  vtkBooleanMacro(Visibility, bool);
+  ///@}
+  ///@{
+  /** Whether slices show its contour. */
+  vtkSetMacro(ContourVisibility, bool);
+  vtkGetMacro(ContourVisibility, bool);
+  vtkBooleanMacro(ContourVisibility, bool);
+  ///@}
+  ///@{
+  /** Of contours, in points. */
+  vtkSetClampMacro(LineWidth, double, 0.5, 20.0);
+  vtkGetMacro(LineWidth, double);
+  ///@}
+  ///@{
+  /** The one-component point array that colours it in space; empty for none, the default. */
+  vtkSetStdStringFromCharMacro(ColorArray);
+  vtkGetCharFromStdStringMacro(ColorArray);
+  ///@}
+
+  /** The latest of its own time and that of the surface. */
+  vtkMTimeType GetMTime() override;
+
+protected:
+  vtkSurfaceDisplay();
+  ~vtkSurfaceDisplay() override;
+
+private:
+  vtkSurfaceDisplay(const vtkSurfaceDisplay&) = delete;
+  void operator=(const vtkSurfaceDisplay&) = delete;
+
+  vtkSmartPointer<vtkPolyData> Surface;
+  double Color[3] = {0.85, 0.72, 0.55};
+  double Opacity = 1.0;
+  bool Visibility = true;
+  bool ContourVisibility = true;
+  double LineWidth = 1.5;
+  std::string ColorArray;
+};
+
+#endif

@@ -1,0 +1,32 @@
+#include "CaseText.h"
+
+#include "ScreenText.h"
+
+namespace palpate
+{
+namespace
+{
+bool StartsWith(const std::string& text, const std::string& start)
+{
+  return text.compare(0, start.size(), start) == 0;
+}
+} // namespace
+
+std::string CaseTitle(const std::filesystem::path& input, const Segment& structure)
+{
+  const std::string title = input.string() + ", label " + std::to_string(structure.Label);
+  return Printable(structure.Name.empty() ? title : title + " (" + structure.Name + ")");
+}
+
+std::string CaseSentence(const std::filesystem::path& input, const Segment& structure,
+                         const std::string& message)
+{
+  const bool isOfFile = structure.Label == 0 && structure.Name.empty();
+  if (isOfFile || StartsWith(message, input.string()))
+  {
+    return message;
+  }
+  const bool isPredicate = StartsWith(message, "is ") || StartsWith(message, "has ");
+  return CaseTitle(input, structure) + (isPredicate ? " " : ": ") + message;
+}
+} // namespace palpate

@@ -1,0 +1,54 @@
+#include "StudyScene.h"
+
+#include "TouchStructures.h"
+
+namespace palpate
+{
+std::vector<StudyContact> ContactsOf(const StudyState& state, const StudyPipeline& pipeline)
+{
+  std::vector<StudyContact> contacts;
+  for (const StudyStructure& structure : state.Structures)
+  {
+    auto contact = pipeline.Newest<TouchContact>(StudyStep::Touch, structure.Label);
+    if (contact != nullptr)
+    {
+      contacts.push_back({structure.Label, std::move(contact)});
+    }
+  }
+  return TouchableOf(state, contacts);
+}
+
+std::vector<StudyContact> TouchableOf(const StudyState& state,
+                                      const std::vector<StudyContact>& contacts)
+{
+  std::vector<StudyContact> touchable;
+  for (const StudyContact& contact : contacts)
+  {
+    const StudyStructure* structure = FindStructure(state, contact.Label);
+    if (structure != nullptr && structure->IsTouchable)
+    {
+      touchable.push_back(contact);
+    }
+  }
+  return touchable;
+}
+
+TouchScene MakeStudyScene(const StudyState& state, const std::vector<StudyContact>& contacts,
+                          const WorkspaceFrame& frame)
+{
+  TouchScene scene;
+  scene.Tool = MakeTool(state.Tool);
+  scene.Frame = frame.ForDevice();
+  for (const StudyContact& contact : contacts)
+  {
+    const StudyStructure* structure = FindStructure(state, contact.Label);
+    TouchStructure touch;
+    touch.Name = TitleOf(*structure);
+    touch.Model = contact.Contact->Model;
+    touch.Law.Stiffness = structure->Stiffness;
+    touch.Friction = structure->Friction;
+    scene.Structures.push_back(std::move(touch));
+  }
+  return scene;
+}
+} // namespace palpate
