@@ -100,13 +100,14 @@ void Print(const HomingReport& report, std::ostream& out)
   }
 }
 
+// Short, since a line that wraps cannot be drawn over; what to do stands above it.
 std::string LiveLine(const HomingView& view)
 {
   const DeviceSample& sample = view.Sample;
   std::ostringstream text;
   text << std::fixed << std::setprecision(1) << NameOf(view.State) << "  x " << sample.Position.X
        << "  y " << sample.Position.Y << "  z " << sample.Position.Z << " mm  "
-       << std::lround(view.Rate) << " Hz  " << view.Guidance;
+       << std::lround(view.Rate) << " Hz";
   return text.str();
 }
 } // namespace

@@ -78,8 +78,8 @@ struct TouchRunSettings
   bool IsVirtual = true; ///< where the device allows it; as fast as ticks are computed; else at the
                          ///< rate, on a thread
   std::filesystem::path Recording; ///< of the session; empty for none
-  TouchGuide Guide;                ///< none: nobody is told
   TouchViewer View;                ///< drawn again and again beside the servo; not in virtual time
+  TouchGuide Guide;                ///< none: nobody is told
 };
 
 /// Touches, for `touch.Duration` from when the device is homed. Ends early, with what there is

@@ -97,8 +97,11 @@ std::string FalconDevice::Guidance() const
     const bool isHomed = (this->HomedLegs >> leg & 1U) != 0;
     missing += isHomed ? "" : (missing.empty() ? "" : ", ") + std::string(legs.at(leg));
   }
-  return "Pull the handle all the way out, then push it all the way in" +
-         (missing.empty() ? "." : "; these legs have no zero yet: " + missing + ".");
+  // Without any, it only settles.
+  return missing.empty() ? ""
+                         : "Pull the handle all the way out, then push it all the way in; these "
+                           "legs have no zero yet: " +
+                               missing + ".";
 }
 
 std::string FalconDevice::ConnectionReport() const
