@@ -94,6 +94,43 @@ TEST_F(FalconTouchTest, AWallIsFeltWithItsStiffnessAndStandsStill)
   EXPECT_LT(this->Highest - this->Lowest, 0.1) << "it does not hum";
 }
 
+// The chip holds what came until its latency timer of 1 ms says so.
+TEST_F(FalconTouchTest, ForTenMinutesAtAKilohertzItIsHeardInEveryPeriodButFew)
+{
+  constexpr int Ticks = 600'000;
+  Servo servo(this->Device, ServoSettings());
+  const auto scene = std::make_shared<TouchScene>(test::WallScene(WallHeight, {1.0, 0.001}));
+  ASSERT_TRUE(servo.Publish(scene).IsOk());
+  LoopSchedule schedule(this->Time.Now(), Period);
+  std::uint64_t last = 0;
+  int heard = 0;
+  int silence = 0;
+  int longestSilence = 0;
+  int touched = 0;
+  for (int n = 0; n < Ticks; ++n)
+  {
+    // Twice in three seconds 3 mm into the wall and as far out of it.
+    this->Target[2] = 125.0 + WallHeight + 3.0 * std::cos(2e-3 * M_PI / 1.5 * n);
+    const TouchState state = this->Tick(servo, schedule);
+    ASSERT_EQ(state.Safety.Fault, SafetyFault::None) << Describe(state.Safety.Fault) << " at " << n;
+    const bool isNew = state.Sample.Sequence != last;
+    last = state.Sample.Sequence;
+    heard += isNew ? 1 : 0;
+    silence = isNew ? 0 : silence + 1;
+    longestSilence = std::max(longestSilence, silence);
+    touched += state.Structure >= 0 ? 1 : 0;
+  }
+  const FalconStatistics statistics = this->Device.Statistics();
+  this->RecordProperty("samples_per_second", std::to_string(heard / 600.0));
+  this->RecordProperty("longest_silence_ticks", longestSilence);
+  this->RecordProperty("replies_lost", std::to_string(statistics.Lost));
+  EXPECT_GE(heard, 950 * 600);
+  EXPECT_LE(longestSilence, 3); // what the watchdog lets pass for this device
+  EXPECT_EQ(statistics.Lost, 0u);
+  EXPECT_GT(touched, Ticks / 4);
+  EXPECT_LT(touched, 3 * Ticks / 4);
+}
+
 TEST_F(FalconTouchTest, UnpluggedInContactTheServoSaysSoWithinTwoTicks)
 {
   Servo servo(this->Device, ServoSettings());
