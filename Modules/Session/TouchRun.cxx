@@ -4,7 +4,6 @@
 #include "DeviceHoming.h"
 #include "DeviceList.h"
 #include "ManualClock.h"
-#include "ReachingScale.h"
 #include "Refusal.h"
 #include "ServoThread.h"
 #include "SimulatedDevice.h"
@@ -13,6 +12,7 @@
 #include "TouchRecorder.h"
 #include "TouchReplay.h"
 #include "TouchResultKeeper.h"
+#include "WorkspaceFrame.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,5 @@
 #include "ViewBenchmarks.h"
 
-#include "DisplayServer.h"
 #include "FourViews.h"
 #include "ImageAxes.h"
 #include "Picture.h"
@@ -25,7 +24,6 @@
 #include <iostream>
 #include <memory>
 #include <sstream>
-#include <stdexcept>
 
 namespace palpate::bench
 {
@@ -270,21 +268,15 @@ private:
 };
 } // namespace
 
-std::vector<PairedBenchmark> ViewBenchmarks()
+std::vector<PairedBenchmark> ViewBenchmarks(const std::shared_ptr<DisplayServer>& display)
 {
+  if (display == nullptr)
+  {
+    return {};
+  }
   if (!std::filesystem::exists(BrainFile))
   {
     std::cerr << "No views are timed: " << BrainFile << " is absent.\n";
-    return {};
-  }
-  std::shared_ptr<DisplayServer> display;
-  try
-  {
-    display = std::make_shared<DisplayServer>();
-  }
-  catch (const std::runtime_error& error)
-  {
-    std::cerr << "No views are timed: " << error.what() << '\n';
     return {};
   }
   const auto c = std::make_shared<ViewCase>(display);

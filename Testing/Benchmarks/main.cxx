@@ -1,4 +1,5 @@
 // PalpateBenchmarks: times ours beside named alternatives, after checking that both agree.
+#include "BenchmarkDisplay.h"
 #include "BoundsBenchmarks.h"
 #include "ComparisonReport.h"
 #include "EvaluationBenchmarks.h"
@@ -30,11 +31,12 @@ using palpate::bench::PairedBenchmark;
 // Every group of benchmarks joins here.
 std::vector<PairedBenchmark> AllBenchmarks()
 {
+  const auto display = palpate::bench::OpenDisplay();
   std::vector<PairedBenchmark> all;
   for (auto& group : {palpate::bench::EvaluationBenchmarks(), palpate::bench::FitBenchmarks(),
                       palpate::bench::BoundsBenchmarks(), palpate::bench::NearestBenchmarks(),
-                      palpate::bench::FieldBenchmarks(), palpate::bench::RenderBenchmarks(),
-                      palpate::bench::ViewBenchmarks(), palpate::bench::TouchBenchmarks(),
+                      palpate::bench::FieldBenchmarks(), palpate::bench::RenderBenchmarks(display),
+                      palpate::bench::ViewBenchmarks(display), palpate::bench::TouchBenchmarks(),
                       palpate::bench::TradeOffBenchmarks(), palpate::bench::PipelineBenchmarks()})
   {
     all.insert(all.end(), group.begin(), group.end());

@@ -201,5 +201,20 @@ TEST_F(CliFalcon, UnpluggedWhileItIsHomedItSaysSo)
   EXPECT_EQ(run.Code, 1);
   EXPECT_NE(run.Errors.find("unplugged"), std::string::npos) << run.Errors;
 }
+TEST(FalconUdevRule, IsInstalledOnRequest)
+{
+  const TemporaryFolder folder;
+  const std::string script = std::string(PALPATE_SOURCE_DIR) + "/Utilities/install-udev-rule.sh";
+  const CommandRun run = RunCommand("sh", {script, "rules"}, folder.Path());
+  EXPECT_EQ(run.Code, 0) << run.Errors;
+  const std::string rule = ReadAll(folder / "rules/70-palpate-falcon.rules");
+  for (const char* part : {"ATTR{idVendor}==\"0403\"", "ATTR{idProduct}==\"cb48\"",
+                           "TAG+=\"uaccess\"", "SUBSYSTEM==\"usb\""})
+  {
+    EXPECT_NE(rule.find(part), std::string::npos) << part;
+  }
+  WriteAll(folder / "file", "");
+  EXPECT_EQ(RunCommand("sh", {script, "file/rules"}, folder.Path()).Code, 1);
+}
 } // namespace
 } // namespace palpate::test

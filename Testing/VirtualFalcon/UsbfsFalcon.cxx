@@ -261,6 +261,12 @@ bool UsbfsFalcon::Fill(UsbfsRequest& read, std::int64_t now)
 {
   const auto capacity = static_cast<std::size_t>(read.Urb->buffer_length);
   std::uint8_t packet[VirtualFalcon::PacketSize];
+  if (this->ReadFailures > 0)
+  {
+    --this->ReadFailures;
+    read.Outcome = -EPROTO;
+    return true;
+  }
   while (read.Received.size() < capacity)
   {
     const std::size_t count = this->Falcon.BulkIn(packet, now);
@@ -385,6 +391,13 @@ void UsbfsFalcon::HoldWrites(bool hold)
 {
   const std::lock_guard<std::mutex> lock(this->Access);
   this->HoldsWrites = hold;
+  this->Changed.notify_all();
+}
+
+void UsbfsFalcon::FailReads(int count)
+{
+  const std::lock_guard<std::mutex> lock(this->Access);
+  this->ReadFailures = count;
   this->Changed.notify_all();
 }
 

@@ -82,6 +82,8 @@ public:
   void Plug();
   /// Writes wait, as where a device takes no data, until this is called with false.
   void HoldWrites(bool hold);
+  /// So many reads fail, one after the other, as on a bad cable.
+  void FailReads(int count);
   /// What is discarded is not given back, as by a kernel that hangs.
   void KeepDiscarded(bool keep);
   /// A driver of the kernel has the interface; it lets go when it is told to.
@@ -118,6 +120,7 @@ private:
   std::string Driver;
   bool HoldsWrites = false;
   bool KeepsDiscarded = false;
+  int ReadFailures = 0; // still to come
   bool IsEnding = false;
   std::thread Server;
 };

@@ -230,7 +230,7 @@ bool FalconDevice::Read(DeviceSample& sample) noexcept
     this->Measure(reply, now);
   }
   this->Numbers.Publish(this->Exchange.Statistics());
-  if (now - this->Exchange.LastReply() > LongestSilence)
+  if (this->Exchange.Silence(now) > LongestSilence)
   {
     return this->Fail(Fault::Silent);
   }

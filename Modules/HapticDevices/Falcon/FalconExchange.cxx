@@ -19,6 +19,12 @@ void FalconExchange::Restart(std::int64_t now) noexcept
   this->Owed = 0;
   this->Sent = now;
   this->Replied = now;
+  this->IsAsking = false;
+}
+
+std::int64_t FalconExchange::Silence(std::int64_t now) const noexcept
+{
+  return this->IsAsking ? std::min(now, this->Sent + ReplyDeadline) - this->AskedSince : 0;
 }
 
 void FalconExchange::GiveUpReplies(std::int64_t now) noexcept
@@ -46,6 +52,8 @@ bool FalconExchange::Send(const FalconRequest& request, std::int64_t now) noexce
   {
     return false;
   }
+  this->AskedSince = this->IsAsking ? this->AskedSince : now;
+  this->IsAsking = true;
   ++this->Counts.Requests;
   ++this->Owed;
   this->Sent = now;
@@ -56,6 +64,7 @@ bool FalconExchange::Accept(const FalconReply& reply, std::int64_t now) noexcept
 {
   ++this->Counts.Replies;
   this->Replied = now;
+  this->IsAsking = false;
   this->Counts.Unasked += this->Owed > 0 ? 0 : 1;
   this->Owed -= this->Owed > 0 ? 1 : 0;
   const bool isBelieved = this->Screen.Believes(reply.Counts, now);

@@ -40,8 +40,9 @@ public:
   /// Takes what has come. True where there is a reply to be believed; it is the newest one.
   bool Receive(std::int64_t now, FalconReply& reply) noexcept;
 
-  /// When the newest whole reply came, or when the exchange started (ns).
-  std::int64_t LastReply() const noexcept { return this->Replied; }
+  /// For how long (ns) requests have had no whole reply; time in which the caller sends none does
+  /// not count.
+  std::int64_t Silence(std::int64_t now) const noexcept;
   const FalconStatistics& Statistics() const noexcept { return this->Counts; }
 
   /// Begins anew: no replies are owed, none is half there.
@@ -60,5 +61,7 @@ private:
   int Owed = 0;
   std::int64_t Sent = 0; // ns, the newest request
   std::int64_t Replied = 0;
+  bool IsAsking = false;       // requests were sent since the newest reply
+  std::int64_t AskedSince = 0; // ns, the first of them
 };
 } // namespace palpate

@@ -60,7 +60,7 @@ Status FindFalcons(FalconFinder& finder, Clock& clock, const std::string& firmwa
                    std::vector<FoundDevice>& found)
 {
   std::vector<FalconListing> listings;
-  const Status status = finder.List(listings);
+  Status status = finder.List(listings);
   if (!status.IsOk())
   {
     return status;

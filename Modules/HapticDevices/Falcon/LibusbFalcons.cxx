@@ -145,7 +145,7 @@ Status OpenAndClaim(const FalconOnBus& falcon, const std::string& serial, Libusb
   {
     return Status::Failure("There is no Falcon at USB or with serial number " + serial + ".");
   }
-  const Status status = Claim(opened, falcon.BusPath);
+  Status status = Claim(opened, falcon.BusPath);
   if (status.IsOk())
   {
     handle = std::move(owned);
@@ -209,7 +209,7 @@ Status ListFalcons(libusb_context& context, std::vector<FalconListing>& listings
 Status OpenFalcon(libusb_context& context, const std::string& which, LibusbHandle& handle)
 {
   std::vector<FalconOnBus> falcons;
-  const Status listed = FalconsOn(context, falcons);
+  Status listed = FalconsOn(context, falcons);
   if (!listed.IsOk())
   {
     return listed;
@@ -243,7 +243,7 @@ Status OpenFalcon(libusb_context& context, int descriptor, LibusbHandle& handle)
     return Status::Failure(Sentence(error, ""));
   }
   LibusbHandle owned(opened);
-  const Status status = Claim(opened, "");
+  Status status = Claim(opened, "");
   if (status.IsOk())
   {
     handle = std::move(owned);

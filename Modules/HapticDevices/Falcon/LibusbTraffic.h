@@ -34,7 +34,7 @@ public:
   ~LibusbTraffic() { this->Stop(); }
 
   Status Start();
-  /// Lets what was sent go out, for at most 0.1 s, and takes back what is in flight, for at most a
+  /// Lets what was sent go out, for at most 0.25 s, and takes back what is in flight, for at most a
   /// second. Nothing where it does not run.
   void Stop() noexcept;
 

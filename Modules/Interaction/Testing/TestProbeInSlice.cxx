@@ -14,7 +14,6 @@
 
 using palpate::CutTool;
 using palpate::FlatArrow;
-using palpate::SurfaceCurve;
 using palpate::Vector3;
 
 TEST(ProbeInSlice, ASphereIsCutInTheCircleThatItsDepthSays)

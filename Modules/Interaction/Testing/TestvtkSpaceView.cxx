@@ -171,19 +171,18 @@ TEST_F(vtkSpaceViewTest, SlicesShowTheVolumeWhereItIs)
   {
     this->Crosshair->SetPositionWorld(0.0, depth, 0.0);
     const Picture picture = this->Draw();
-    for (double x = -25.0; x < 25.0; x += 1.7)
+    for (int place = 0; place < 30 * 30; ++place)
     {
-      for (double z = -25.0; z < 25.0; z += 1.7)
-      {
-        // Of the pixel's middle.
-        const double column = std::floor(0.5 * Side + x / PixelMillimeters) + 0.5;
-        const double row = std::floor(0.5 * Side - z / PixelMillimeters) + 0.5;
-        const Vector3 world((column - 0.5 * Side) * PixelMillimeters, depth,
-                            (0.5 * Side - row) * PixelMillimeters);
-        // Two roundings to levels and the graphics system's interpolation between them.
-        ASSERT_NEAR(PixelAt(picture, x, z)[0], 255.0 * (palpate::test::Ramp(world) + 50.0) / 300.0,
-                    1.6);
-      }
+      const double x = -25.0 + 1.7 * (place / 30);
+      const double z = -25.0 + 1.7 * (place % 30);
+      // Of the pixel's middle.
+      const double column = std::floor(0.5 * Side + x / PixelMillimeters) + 0.5;
+      const double row = std::floor(0.5 * Side - z / PixelMillimeters) + 0.5;
+      const Vector3 world((column - 0.5 * Side) * PixelMillimeters, depth,
+                          (0.5 * Side - row) * PixelMillimeters);
+      // Two roundings to levels and the graphics system's interpolation between them.
+      ASSERT_NEAR(PixelAt(picture, x, z)[0], 255.0 * (palpate::test::Ramp(world) + 50.0) / 300.0,
+                  1.6);
     }
   }
 }
@@ -326,9 +325,9 @@ TEST_F(vtkSpaceViewTest, LandmarksAreBallsAndDistancesLines)
   {
     const Picture picture = this->Draw();
     bool isSeen = false;
-    for (double z = -0.6; z <= 0.6; z += PixelMillimeters)
+    for (int row = -2; row <= 2; ++row)
     {
-      isSeen = isSeen || IsBlue(PixelAt(picture, -4.0, z));
+      isSeen = isSeen || IsBlue(PixelAt(picture, -4.0, row * PixelMillimeters));
     }
     EXPECT_TRUE(IsBlue(PixelAt(picture, -12.0, 2.0)));
     EXPECT_TRUE(IsBlue(PixelAt(picture, 12.0, -2.0)));
@@ -347,4 +346,14 @@ TEST_F(vtkSpaceViewTest, ARendererThatIsGivenBackIsEmpty)
   this->View->SetRenderer(nullptr);
   EXPECT_EQ(this->Renderer->GetViewProps()->GetNumberOfItems(), 0);
   EXPECT_FALSE(this->Renderer->HasObserver(vtkCommand::StartEvent));
+}
+
+TEST_F(vtkSpaceViewTest, MayOutliveItsWindow)
+{
+  this->Surface->SetSurface(Ball(Vector3::Zero(), 9.0));
+  this->View->AddSurface(this->Surface);
+  this->Draw();
+  this->Window = nullptr;
+  this->View->SetRenderer(nullptr);
+  EXPECT_EQ(this->Renderer->GetViewProps()->GetNumberOfItems(), 0);
 }

@@ -1,5 +1,6 @@
 #include "Study.h"
 
+#include "OpenBuiltInDevice.h"
 #include "StudyFile.h"
 
 #include <utility>
@@ -123,7 +124,7 @@ void Study::StartTouch()
   job.Work = [this, name = this->State().Device, &clock = this->Time](const ProgressFunction&)
   {
     const auto device = std::make_shared<std::unique_ptr<HapticDevice>>();
-    const Status status = OpenTouchDevice(name, clock, *device);
+    const Status status = OpenBuiltInDevice(name, clock, *device);
     return StudyJob::Delivery(
         [this, device, status]
         {

@@ -1,6 +1,5 @@
 #include "StudyScene.h"
 
-#include "ReachingScale.h"
 #include "TouchStructures.h"
 
 namespace palpate
@@ -35,11 +34,11 @@ std::vector<StudyContact> TouchableOf(const StudyState& state,
 }
 
 TouchScene MakeStudyScene(const StudyState& state, const std::vector<StudyContact>& contacts,
-                          const StudyFrame& frame)
+                          const WorkspaceFrame& frame)
 {
   TouchScene scene;
   scene.Tool = MakeTool(state.Tool);
-  scene.Frame = DeviceFrame(frame.Rotation, frame.Scale, frame.CenterWorld);
+  scene.Frame = frame.ForDevice();
   for (const StudyContact& contact : contacts)
   {
     const StudyStructure* structure = FindStructure(state, contact.Label);
@@ -51,16 +50,5 @@ TouchScene MakeStudyScene(const StudyState& state, const std::vector<StudyContac
     scene.Structures.push_back(std::move(touch));
   }
   return scene;
-}
-
-StudyFrame ReachingFrame(const TouchScene& scene, const DeviceCapabilities& device)
-{
-  StudyFrame frame;
-  if (!scene.Structures.empty())
-  {
-    frame.Scale = ReachingScale(scene, device);
-    frame.CenterWorld = scene.BoundsWorld().center();
-  }
-  return frame;
 }
 } // namespace palpate

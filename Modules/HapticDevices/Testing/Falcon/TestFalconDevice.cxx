@@ -262,6 +262,24 @@ TEST_F(FalconDeviceTest, ASilentDeviceGetsNoForceAndIsAnError)
             "it again.");
 }
 
+TEST_F(FalconDeviceTest, AServoThatStartsLateOrPausesFindsItAlive)
+{
+  ASSERT_TRUE(this->Device->Open().IsOk());
+  for (int pause = 0; pause < 3; ++pause)
+  {
+    // Even if the last replies before a pause were lost.
+    this->Falcon.Faults.Spoil = [](VirtualFalconAnswer& answer) { answer.Bytes.clear(); };
+    this->Time.Advance(20 * Period);
+    ASSERT_TRUE(this->Tick());
+    this->Time.Advance(5'000 * Period);
+    this->Falcon.Faults.Spoil = nullptr;
+    for (int n = 0; n < 20; ++n)
+    {
+      ASSERT_TRUE(this->Tick()) << this->Device->Problem();
+    }
+  }
+}
+
 TEST_F(FalconDeviceTest, ABoardThatLosesItsHomeIsAnError)
 {
   this->OpenAndHome();

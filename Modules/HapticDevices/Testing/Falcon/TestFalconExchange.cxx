@@ -171,10 +171,11 @@ TEST_F(FalconExchangeTest, AMuteDeviceIsAskedAgainAndHeardWhenItComesBack)
   const std::uint64_t requests = this->Wire.Statistics().Requests;
   EXPECT_LT(requests, 100U + 200U / 8U * FalconExchange::MostOwed + 8U);
   EXPECT_GT(requests, 100U + 20U);
-  EXPECT_GT(this->Time.Now() - this->Wire.LastReply(), 190 * Period);
+  EXPECT_GT(this->Wire.Silence(this->Time.Now()), 190 * Period);
   this->Falcon.Faults.Spoil = nullptr;
   this->Run(20);
   EXPECT_TRUE(this->Tick());
+  EXPECT_LT(this->Wire.Silence(this->Time.Now()), 2 * Period);
 }
 
 TEST_F(FalconExchangeTest, NothingCanBeSentToADeviceThatIsGone)

@@ -3,7 +3,7 @@
 #include "FalconOptions.h"
 #include "ManualClock.h"
 #include "TemporaryFolder.h"
-#include "VirtualFalconLink.h"
+#include "VirtualFinder.h"
 
 #include <gtest/gtest.h>
 
@@ -11,30 +11,6 @@ namespace palpate
 {
 namespace
 {
-// Finds one virtual Falcon, and remembers which was asked for.
-class VirtualFinder final : public FalconFinder
-{
-public:
-  explicit VirtualFinder(const Clock& clock) : Time(clock) {}
-  Status List(std::vector<FalconListing>& listings) override
-  {
-    listings = {{"1-2", "", ""}};
-    return Status::Success();
-  }
-  Status MakeLink(const std::string& which, std::unique_ptr<FalconLink>& link) override
-  {
-    this->Asked = which;
-    link = std::make_unique<test::VirtualFalconLink>(this->Falcon, this->Time);
-    return Status::Success();
-  }
-
-  test::VirtualFalcon Falcon;
-  std::string Asked;
-
-private:
-  const Clock& Time;
-};
-
 class FalconKindTest : public testing::Test
 {
 protected:
@@ -45,7 +21,7 @@ protected:
   }
 
   ManualClock Time;
-  std::shared_ptr<VirtualFinder> Finder = std::make_shared<VirtualFinder>(Time);
+  std::shared_ptr<test::VirtualFinder> Finder = std::make_shared<test::VirtualFinder>(Time);
   DeviceRegistry Registry;
   std::unique_ptr<HapticDevice> Device;
 };

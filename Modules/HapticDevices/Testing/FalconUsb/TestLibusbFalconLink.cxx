@@ -121,16 +121,12 @@ TEST_F(LibusbFalconLinkTest, APurgeForgetsWhatCame)
 {
   this->OpenLink();
   ASSERT_NO_FATAL_FAILURE(EnterLoader(this->Link));
-  ASSERT_TRUE(SendBytes(this->Link, {0xaa}));
-  ASSERT_TRUE(Eventually(
-      [this]
-      {
-        return this->Bus.WithFalcon([](VirtualFalcon& falcon)
-                                    { return falcon.Board().Image().size() == 1; });
-      }));
+  ASSERT_TRUE(SendBytes(this->Link, {0xaa, 0x08}));
+  // Both come in one packet, so the second one is there too.
+  ASSERT_EQ(ReceiveBytes(this->Link, 1), Bytes{0xaa});
   ASSERT_TRUE(this->Link.Control(FtdiRequest::PurgeIn()).IsOk());
-  ASSERT_TRUE(SendBytes(this->Link, {0x08}));
-  EXPECT_EQ(ReceiveBytes(this->Link, 1), Bytes{0x08});
+  ASSERT_TRUE(SendBytes(this->Link, {0x00}));
+  EXPECT_EQ(ReceiveBytes(this->Link, 1), Bytes{0x00});
 }
 
 TEST_F(LibusbFalconLinkTest, TheQueueIsBoundedAndTakesAllOrNothing)
@@ -156,6 +152,26 @@ TEST_F(LibusbFalconLinkTest, WhereNothingIsTakenItGivesUpAtItsDeadline)
             "The Falcon takes no data: unplug it, plug it in and open it again.");
   EXPECT_TRUE(this->Link.IsGone());
   EXPECT_FALSE(SendBytes(this->Link, {0x55}));
+  this->ExpectBoundedClose();
+}
+
+TEST_F(LibusbFalconLinkTest, ABurstOfFailedReadsCostsNothingElse)
+{
+  this->OpenLink();
+  ASSERT_NO_FATAL_FAILURE(EnterLoader(this->Link));
+  this->Bus.FailReads(20);
+  ASSERT_TRUE(SendBytes(this->Link, ImageHead(10)));
+  EXPECT_EQ(ReceiveBytes(this->Link, ImageHead(10).size()), ImageHead(10));
+  EXPECT_FALSE(this->Link.IsGone());
+}
+
+TEST_F(LibusbFalconLinkTest, WhereEveryReadFailsItGivesUp)
+{
+  this->OpenLink();
+  this->Bus.FailReads(1'000'000);
+  EXPECT_TRUE(Eventually([this] { return this->Link.IsGone(); }));
+  EXPECT_EQ(this->Link.Control(FtdiRequest::Baud(2)).Message(),
+            "Nothing but errors comes from the Falcon: try another cable or another USB socket.");
   this->ExpectBoundedClose();
 }
 
@@ -211,8 +227,14 @@ TEST_F(LibusbFalconLinkTest, ClosingLetsOutWhatWasSent)
 {
   this->OpenLink();
   ASSERT_NO_FATAL_FAILURE(EnterLoader(this->Link));
+  ASSERT_TRUE(this->Link.Control(FtdiRequest::LatencyTimer(1)).IsOk());
+  this->Bus.HoldWrites(true);
   ASSERT_TRUE(SendBytes(this->Link, ImageHead(100)));
-  this->ExpectBoundedClose();
+  std::thread owner([this] { this->ExpectBoundedClose(); });
+  // Closing has begun where reads are not submitted again; only the write waits.
+  EXPECT_TRUE(Eventually([this] { return this->Bus.WaitingCount() <= 1; }));
+  this->Bus.HoldWrites(false);
+  owner.join();
   EXPECT_TRUE(Eventually(
       [this]
       {
