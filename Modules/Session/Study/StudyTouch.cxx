@@ -254,7 +254,7 @@ Status StudyTouch::StopRecording()
   {
     return Status::Failure(this->Reading.RecordingProblem);
   }
-  const Status status = this->Recorder->Finish();
+  Status status = this->Recorder->Finish();
   this->Recorder.reset();
   return status;
 }

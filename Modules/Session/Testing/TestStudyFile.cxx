@@ -94,9 +94,11 @@ TEST_F(StudyFile, AFileThatIsThereStaysWhereItIs)
   state.VolumeFile = this->Folder / "t2.nii.gz";
   state.SegmentationFile = this->Folder / "mask.nii.gz";
   test::WriteAll(state.SegmentationFile, "there");
-  const StudyState moved = Relocate(state, state.VolumeFile, this->Folder / "other.nii.gz");
+  std::filesystem::create_directories(this->Folder / "new");
+  test::WriteAll(this->Folder / "new/mask.nii.gz", "another one");
+  const StudyState moved = Relocate(state, state.VolumeFile, this->Folder / "new/t2.nii.gz");
   EXPECT_EQ(moved.SegmentationFile, state.SegmentationFile);
-  EXPECT_EQ(moved.VolumeFile, this->Folder / "other.nii.gz");
+  EXPECT_EQ(moved.VolumeFile, this->Folder / "new/t2.nii.gz");
 }
 
 TEST_F(StudyFile, WhatWouldNotOpenAgainIsNotWritten)

@@ -244,6 +244,15 @@ TEST_F(StudyPipelineTest, AFileThatIsWrittenAnewIsReadAnew)
   this->ExpectUpToDate({StudyStep::Segmentation, StudyStep::Model});
 }
 
+TEST_F(StudyPipelineTest, WhatNobodyWantsAnyMoreIsCancelled)
+{
+  this->Pipeline.Update(this->Phantom.State());
+  EXPECT_FALSE(this->Jobs.IsIdle());
+  this->Pipeline.Update(StudyState());
+  EXPECT_TRUE(this->Jobs.IsIdle());
+  EXPECT_EQ(this->Jobs.Deliver(), 0U);
+}
+
 TEST_F(StudyPipelineTest, WhatTheUserCancelsWaitsUntilItIsResumed)
 {
   const StudyState state = this->Phantom.State();
