@@ -1,6 +1,9 @@
 #pragma once
 
+#include <cstdlib>
+#include <filesystem>
 #include <gtest/gtest.h>
+#include <string>
 #include <unistd.h>
 
 namespace palpate::test
@@ -24,5 +27,22 @@ bool HoldsUnprivileged(const Condition& condition)
   };
   EXPECT_EXIT(ask(), ended, "");
   return holds;
+}
+
+/// For root, in a test about what others may not do: runs that test again in a process of nobody's,
+/// and fails where it fails. Skips where nobody may not run this program.
+inline void RunAgainUnprivileged()
+{
+  const std::string program = std::filesystem::read_symlink("/proc/self/exe").string();
+  const testing::TestInfo* test = testing::UnitTest::GetInstance()->current_test_info();
+  const std::string name = std::string(test->test_suite_name()) + "." + test->name();
+  const std::string nobody = "env -u UMOCKDEV_DIR setpriv --reuid=65534 --regid=65534 "
+                             "--clear-groups '";
+  const std::string quiet = "' --gtest_brief=1 --gtest_filter=";
+  if (std::system((nobody + program + quiet + "None").c_str()) != 0)
+  {
+    GTEST_SKIP() << "nobody may not run " << program;
+  }
+  EXPECT_EQ(std::system((nobody + program + quiet + name).c_str()), 0);
 }
 } // namespace palpate::test
