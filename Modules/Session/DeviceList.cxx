@@ -106,7 +106,7 @@ std::string FirstDevicePluggedIn()
     obstacle = status.IsOk() ? obstacle : status.Message();
     for (const FoundDevice& one : found)
     {
-      const std::string text = name + ":" + one.Argument;
+      std::string text = name + ":" + one.Argument;
       if (one.IsUsable)
       {
         return text;

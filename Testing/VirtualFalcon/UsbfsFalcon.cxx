@@ -19,7 +19,7 @@ std::int64_t Now()
 }
 
 // Moves a request to what can be reaped.
-void Finish(UsbfsFile& file, std::deque<UsbfsRequest>::iterator waiting, int outcome)
+void Finish(UsbfsFile& file, const std::deque<UsbfsRequest>::iterator& waiting, int outcome)
 {
   waiting->Outcome = outcome;
   file.Finished.push_back(std::move(*waiting));
