@@ -27,8 +27,9 @@ function(palpate_add_gtest name)
       PROPERTIES TIMEOUT 300 ENVIRONMENT "ASAN_OPTIONS=detect_leaks=0")
     gtest_discover_tests(${discover} TEST_FILTER "-${arg_RENDERING}" PROPERTIES TIMEOUT 300)
   elseif(arg_ON_VIRTUAL_BUS)
-    # AddressSanitizer would be the first library, and GLib keeps much to its end.
-    gtest_discover_tests(${discover} PROPERTIES TIMEOUT 60 ENVIRONMENT
+    # In real time, with several processes for every byte: one after the other. AddressSanitizer
+    # would be the first library, and GLib keeps much to its end.
+    gtest_discover_tests(${discover} PROPERTIES TIMEOUT 60 RUN_SERIAL TRUE ENVIRONMENT
       "LD_PRELOAD=libumockdev-preload.so.0;ASAN_OPTIONS=verify_asan_link_order=0:detect_leaks=0")
   else()
     gtest_discover_tests(${discover} PROPERTIES TIMEOUT 300)

@@ -48,7 +48,7 @@ Status VirtualFalconLink::Control(FtdiRequest request)
 
 bool VirtualFalconLink::Send(const std::uint8_t* bytes, std::size_t count) noexcept
 {
-  if (!this->IsOpen || this->Gone)
+  if (!this->IsOpen || this->Gone || this->IsFull)
   {
     return false;
   }

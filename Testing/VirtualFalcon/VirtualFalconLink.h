@@ -26,6 +26,8 @@ public:
 
   /// Another program has the device: Open fails.
   bool IsBusy = false;
+  /// Send takes nothing, as where a real link's queue is full.
+  bool IsFull = false;
   /// Open fails this many times more.
   int OpenFailures = 0;
 

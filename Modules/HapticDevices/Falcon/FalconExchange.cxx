@@ -47,13 +47,15 @@ bool FalconExchange::Send(const FalconRequest& request, std::int64_t now) noexce
   {
     return true;
   }
+  this->AskedSince = this->IsAsking ? this->AskedSince : now;
+  this->IsAsking = true;
   const FalconPacket packet = Encoded(request);
   if (!this->Link->Send(packet.data(), packet.size()))
   {
-    return false;
+    // A full queue is a device that does not listen just now; for how long, Silence says.
+    this->Sent = now;
+    return !this->Link->IsGone();
   }
-  this->AskedSince = this->IsAsking ? this->AskedSince : now;
-  this->IsAsking = true;
   ++this->Counts.Requests;
   ++this->Owed;
   this->Sent = now;

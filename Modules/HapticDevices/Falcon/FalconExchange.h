@@ -35,7 +35,8 @@ public:
   /// Keeps the link's address.
   explicit FalconExchange(FalconLink& link) noexcept : Link(&link) {}
 
-  /// Sends a request, unless too many replies are owed. False where the link takes none any more.
+  /// Sends a request, unless too many replies are owed or the link's queue is full. False where the
+  /// device is gone.
   bool Send(const FalconRequest& request, std::int64_t now) noexcept;
   /// Takes what has come. True where there is a reply to be believed; it is the newest one.
   bool Receive(std::int64_t now, FalconReply& reply) noexcept;

@@ -178,6 +178,18 @@ TEST_F(FalconExchangeTest, AMuteDeviceIsAskedAgainAndHeardWhenItComesBack)
   EXPECT_LT(this->Wire.Silence(this->Time.Now()), 2 * Period);
 }
 
+TEST_F(FalconExchangeTest, AFullQueueIsSilenceAndNotTheEnd)
+{
+  this->Run(10);
+  this->Cable.IsFull = true;
+  this->Run(50);
+  EXPECT_GT(this->Wire.Silence(this->Time.Now()), 40 * Period);
+  this->Cable.IsFull = false;
+  this->Run(20);
+  EXPECT_TRUE(this->Tick());
+  EXPECT_LT(this->Wire.Silence(this->Time.Now()), 2 * Period);
+}
+
 TEST_F(FalconExchangeTest, NothingCanBeSentToADeviceThatIsGone)
 {
   this->Run(10);
