@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <tuple>
 
 namespace palpate
 {
@@ -52,4 +53,15 @@ struct FitSettings
   double MaximumHiddenPercent = 10.0; ///< more hidden surface than this is refused
   double MinimumDice = 0.75;          ///< a model that overlaps the mask less than this is refused
 };
+
+inline bool operator==(const FitSettings& a, const FitSettings& b)
+{
+  const auto fields = [](const FitSettings& s)
+  {
+    return std::tie(s.Method, s.Smoothing, s.Component, s.Frequency, s.Center, s.GivenCenterWorld,
+                    s.Degree, s.Tolerance, s.MaximumDegree, s.Weight, s.PenaltyKind, s.Roughness,
+                    s.MaximumHiddenPercent, s.MinimumDice);
+  };
+  return fields(a) == fields(b);
+}
 } // namespace palpate

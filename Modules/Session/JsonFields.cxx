@@ -76,6 +76,18 @@ void JsonFields::Read(const char* key, int& value, int least, int most)
   }
 }
 
+void JsonFields::Read(const char* key, bool& value)
+{
+  if (const nlohmann::json* entry = this->Find(key))
+  {
+    if (!entry->is_boolean())
+    {
+      this->RefuseEntry(key, "true or false");
+    }
+    value = entry->get<bool>();
+  }
+}
+
 void JsonFields::Read(const char* key, std::string& value)
 {
   if (const nlohmann::json* entry = this->Find(key))

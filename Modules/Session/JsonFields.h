@@ -23,12 +23,20 @@ public:
 
   void Read(const char* key, double& value, double least, double most);
   void Read(const char* key, int& value, int least, int most);
+  void Read(const char* key, bool& value);
   void Read(const char* key, std::string& value);
   /// A text or a list of texts.
   void Read(const char* key, std::vector<std::string>& values);
   void Read(const char* key, Vector3& value, double least, double most);
   /// One of these words; `value` becomes its place among them.
   void Read(const char* key, int& value, std::initializer_list<const char*> words);
+  template <typename Choice>
+  void ReadChoice(const char* key, std::initializer_list<const char*> words, Choice& choice)
+  {
+    int number = static_cast<int>(choice);
+    this->Read(key, number, words);
+    choice = static_cast<Choice>(number);
+  }
   bool Has(const char* key);
 
   /// Refuses entries that nobody asked for, since they may be misspelt.
@@ -44,4 +52,11 @@ private:
   std::string Place;
   std::set<std::string> Known;
 };
+
+/// The word that ReadChoice takes for a choice.
+template <typename Choice>
+const char* WordOf(std::initializer_list<const char*> words, Choice choice)
+{
+  return *(words.begin() + static_cast<int>(choice));
+}
 } // namespace palpate

@@ -2,6 +2,7 @@
 
 #include "BuiltInDevices.h"
 #include "ManualClock.h"
+#include "ReachingScale.h"
 #include "Refusal.h"
 #include "ServoThread.h"
 #include "SimulatedDevice.h"
@@ -48,16 +49,6 @@ std::unique_ptr<HapticDevice> MakeDevice(const std::string& name, Clock& clock,
   std::unique_ptr<HapticDevice> device;
   RequireInput(registry.Make(name, clock, device));
   return device;
-}
-
-// So that a device reaches round the scene, with a little to spare; never below life size.
-double ReachingScale(const TouchScene& scene, const DeviceCapabilities& device)
-{
-  constexpr double Spare = 1.2;
-  const double reach =
-      0.5 * scene.BoundsWorld().sizes().maxCoeff() + 2.0 * scene.Tool.BoundingRadius();
-  const double half = 0.5 * device.Workspace.sizes().minCoeff();
-  return half > 0.0 ? std::max(1.0, Spare * reach / half) : 1.0;
 }
 
 // A sweep is gone to and fro for as long as a touch lasts; other paths end.

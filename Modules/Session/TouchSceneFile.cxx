@@ -2,6 +2,8 @@
 
 #include "JsonFields.h"
 #include "Refusal.h"
+#include "TouchToolJson.h"
+#include "TouchWords.h"
 #include "WholeFile.h"
 
 namespace palpate
@@ -10,33 +12,13 @@ namespace
 {
 constexpr const char* Format = "palpate-scene";
 constexpr std::uintmax_t LargestFile = 1 << 20;
-constexpr double LargestLength = 1e4;    // mm
 constexpr double LargestStiffness = 1e4; // N/mm
 constexpr double LargestDamping = 10.0;  // N s/mm
 constexpr double LargestFriction = 10.0;
 constexpr double LargestTexture = 10.0; // N
 constexpr double LargestIso = 1e300;
 
-const std::initializer_list<const char*> RepresentationWords{"automatic", "harmonics", "facets",
-                                                             "sub-voxel"};
 const std::initializer_list<const char*> ModeWords{"nearest", "radial"};
-const std::initializer_list<const char*> InterpolationWords{"linear", "cubic"};
-const std::initializer_list<const char*> ShapeWords{"sphere", "capsule", "ellipsoid"};
-
-template <typename Choice>
-void ReadChoice(JsonFields& fields, const char* key, std::initializer_list<const char*> words,
-                Choice& choice)
-{
-  int number = static_cast<int>(choice);
-  fields.Read(key, number, words);
-  choice = static_cast<Choice>(number);
-}
-
-template <typename Choice>
-const char* WordOf(std::initializer_list<const char*> words, Choice choice)
-{
-  return *(words.begin() + static_cast<int>(choice));
-}
 
 void ReadTexture(JsonFields& fields, const std::filesystem::path& path, std::size_t number,
                  TouchStructureSettings& structure)
@@ -72,10 +54,10 @@ TouchStructureSettings ReadStructure(const nlohmann::json& object,
     structure.Iso = 0.0;
     fields.Read("iso", *structure.Iso, -LargestIso, LargestIso);
   }
-  ReadChoice(fields, "representation", RepresentationWords, structure.Representation);
+  fields.ReadChoice("representation", RepresentationWords, structure.Representation);
   fields.Read("degree", structure.Degree, 0, 64);
-  ReadChoice(fields, "mode", ModeWords, structure.Mode);
-  ReadChoice(fields, "interpolation", InterpolationWords, structure.Interpolation);
+  fields.ReadChoice("mode", ModeWords, structure.Mode);
+  fields.ReadChoice("interpolation", InterpolationWords, structure.Interpolation);
   fields.Read("smoothing_voxels", structure.Smoothing, 0.0, 8.0);
   fields.Read("stiffness_n_per_mm", structure.Stiffness, 0.0, LargestStiffness);
   fields.Read("damping_ns_per_mm", structure.Damping, 0.0, LargestDamping);
@@ -85,19 +67,6 @@ TouchStructureSettings ReadStructure(const nlohmann::json& object,
   ReadTexture(fields, path, number, structure);
   fields.RefuseOthers();
   return structure;
-}
-
-TouchToolSettings ReadTool(const nlohmann::json& object, const std::filesystem::path& path)
-{
-  TouchToolSettings tool;
-  JsonFields fields(object, path, "tool");
-  ReadChoice(fields, "shape", ShapeWords, tool.Kind);
-  fields.Read("radius_mm", tool.Radius, 0.0, LargestLength);
-  fields.Read("length_mm", tool.Length, 0.0, LargestLength);
-  fields.Read("semi_axes_mm", tool.SemiAxes, 0.0, LargestLength);
-  fields.Read("points", tool.Points, 0, ToolShape::MaximumCount);
-  fields.RefuseOthers();
-  return tool;
 }
 
 nlohmann::json Parse(const std::filesystem::path& path)
@@ -170,7 +139,7 @@ TouchSettings ReadTouchScene(const std::filesystem::path& path)
   }
   if (fields.Has("tool"))
   {
-    settings.Tool = ReadTool(root["tool"], path);
+    settings.Tool = ReadTouchTool(root["tool"], path);
   }
   fields.Read("device", settings.Device);
   fields.Read("rate_hz", settings.Rate, 1.0, 1e5);
@@ -191,12 +160,7 @@ std::string TouchSceneText(const TouchSettings& settings, const std::filesystem:
   {
     root["structures"].push_back(AsJson(structure, folder));
   }
-  const TouchToolSettings& tool = settings.Tool;
-  root["tool"] = {{"shape", WordOf(ShapeWords, tool.Kind)},
-                  {"radius_mm", tool.Radius},
-                  {"length_mm", tool.Length},
-                  {"semi_axes_mm", {tool.SemiAxes[0], tool.SemiAxes[1], tool.SemiAxes[2]}},
-                  {"points", tool.Points}};
+  root["tool"] = TouchToolJson(settings.Tool);
   root["device"] = settings.Device;
   root["rate_hz"] = settings.Rate;
   if (settings.Scale)

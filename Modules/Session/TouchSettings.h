@@ -59,6 +59,12 @@ struct TouchToolSettings
   int Points = 26;                           ///< of the shell that touches fields
 };
 
+inline bool operator==(const TouchToolSettings& a, const TouchToolSettings& b)
+{
+  return a.Kind == b.Kind && a.Radius == b.Radius && a.Length == b.Length &&
+         a.SemiAxes == b.SemiAxes && a.Points == b.Points;
+}
+
 /// What is touched, with what, and by which device.
 struct TouchSettings
 {

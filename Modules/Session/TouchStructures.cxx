@@ -1,7 +1,5 @@
 #include "TouchStructures.h"
 
-#include "FacetContactModel.h"
-#include "FieldContactModel.h"
 #include "FilterRun.h"
 #include "FitStructure.h"
 #include "InputError.h"
@@ -11,7 +9,6 @@
 #include "StageClock.h"
 #include "SurfaceFile.h"
 #include "TouchTexture.h"
-#include "TriangleMesh.h"
 #include "Volume.h"
 #include "vtkSegmentationSurface.h"
 
@@ -24,13 +21,6 @@ namespace palpate
 namespace
 {
 using Representation = TouchRepresentation;
-using ContactPointer = std::shared_ptr<const ContactModel>;
-
-std::string HarmonicsText(int degree, HarmonicContactMode mode)
-{
-  return "harmonics of degree " + std::to_string(degree) +
-         (mode == HarmonicContactMode::Nearest ? ", nearest point" : ", radial");
-}
 
 // Fills the structures of one entry of the settings.
 class StructureMaker
@@ -79,13 +69,12 @@ private:
     }
   }
 
-  void Add(const std::string& name, ContactPointer contact, TouchAppearance looks,
-           std::string represented)
+  void Add(const std::string& name, TouchContact contact)
   {
     TouchableStructure structure;
-    structure.Looks = std::move(looks);
+    structure.Looks = std::move(contact.Looks);
     structure.Touch.Name = this->Settings.Name.empty() ? name : this->Settings.Name;
-    structure.Touch.Model = std::move(contact);
+    structure.Touch.Model = std::move(contact.Model);
     structure.Touch.Law = {this->Settings.Stiffness, this->Settings.Damping};
     structure.Touch.Friction = this->Settings.Friction;
     structure.Touch.Viscosity = this->Settings.Viscosity;
@@ -95,7 +84,7 @@ private:
           MakeTouchTexture(this->Settings.TextureImage, structure.Touch.Model->BoundsWorld(),
                            this->Settings.Texture, this->Progress);
     }
-    structure.Represented = std::move(represented);
+    structure.Represented = std::move(contact.Represented);
     this->Clock.EndStage(structure.Touch.Name);
     structure.Seconds = this->Stages.back().second;
     this->Made.push_back(std::move(structure));
@@ -103,12 +92,7 @@ private:
 
   void AddHarmonics(const SphericalHarmonicModel& model, const std::string& name)
   {
-    const auto shared = std::make_shared<const SphericalHarmonicModel>(model);
-    ContactPointer contact;
-    RequireInput(HarmonicContactModel::Make(shared, this->Settings.Mode, contact),
-                 this->Settings.File.string());
-    this->Add(name, std::move(contact), {shared, nullptr, nullptr},
-              HarmonicsText(model.Degree(), this->Settings.Mode));
+    this->Add(name, MakeHarmonicContact(model, this->Settings.Mode, this->Settings.File));
   }
 
   void AddModel()
@@ -127,24 +111,14 @@ private:
   void AddSurface(vtkPolyData* surface, const std::string& name)
   {
     this->Expect({Representation::Facets}, "a surface of triangles");
-    const TriangleMesh mesh = TrianglesOf(surface, this->Settings.File);
-    ContactPointer contact;
-    RequireInput(FacetContactModel::Make(mesh.PointsWorld, mesh.Triangles, contact),
-                 this->Settings.File.string());
-    this->Add(name, std::move(contact), {nullptr, surface, nullptr},
-              std::to_string(mesh.Triangles.size()) + " facets");
+    this->Add(name, MakeFacetContact(surface, this->Settings.File));
   }
 
   void AddField(const std::shared_ptr<const ScalarField>& field, int material,
                 const std::string& name)
   {
-    ContactPointer contact;
-    RequireInput(FieldContactModel::Make(field, material, FieldContactMode::Proxy, contact),
-                 this->Settings.File.string());
-    const bool isLinear = this->Settings.Interpolation == FieldInterpolation::Trilinear;
-    this->Add(name, std::move(contact), {nullptr, nullptr, field},
-              std::string("sub-voxel field, ") + (isLinear ? "trilinear, " : "tricubic, ") +
-                  MemoryText(*field));
+    this->Add(name,
+              MakeFieldContact(field, material, this->Settings.Interpolation, this->Settings.File));
   }
 
   void AddIsoSurface()

@@ -2,28 +2,15 @@
 
 #include "PalpateSessionModule.h"
 #include "Progress.h"
+#include "TouchContact.h"
 #include "TouchScene.h"
 #include "TouchSettings.h"
 
-#include "ScalarField.h"
-#include "SphericalHarmonicModel.h"
-#include "vtkPolyData.h"
-#include "vtkSmartPointer.h"
-
-#include <memory>
 #include <string>
 #include <vector>
 
 namespace palpate
 {
-/// How a structure looks that is touched: by one of these, which its contact model is made of.
-struct TouchAppearance
-{
-  std::shared_ptr<const SphericalHarmonicModel> Model;
-  vtkSmartPointer<vtkPolyData> Surface;
-  std::shared_ptr<const ScalarField> Field; ///< its first material
-};
-
 /// A structure ready to be touched, and what it took.
 struct TouchableStructure
 {

@@ -175,6 +175,6 @@ bool TouchRecordingFormat::Decode(const TickRecord& record, TouchState& state) n
   SetFlags(flags, state);
   return words.AllFitted() && flags == FlagsOf(state) && state.State <= DeviceState::Error &&
          state.State >= DeviceState::Closed && state.Safety.Fault >= SafetyFault::None &&
-         state.Safety.Fault <= SafetyFault::InvalidContact;
+         state.Safety.Fault <= SafetyFault::SwitchedOff;
 }
 } // namespace palpate

@@ -44,6 +44,7 @@ Status ReplayTouch(const std::shared_ptr<const TouchRecording>& recording,
   Status status = device.Open();
   Servo servo(device, recording->Session.Settings);
   std::uint64_t scene = 0;
+  bool wasOff = false;
   for (std::size_t i = 0; i < recording->Ticks.size() && status.IsOk(); ++i)
   {
     const TouchState& tick = recording->Ticks[i];
@@ -58,6 +59,12 @@ Status ReplayTouch(const std::shared_ptr<const TouchRecording>& recording,
     {
       servo.Rearm();
     }
+    const bool isOff = tick.Safety.Fault == SafetyFault::SwitchedOff;
+    if (isOff && (!wasOff || tick.WasRearmed))
+    {
+      servo.SwitchOff();
+    }
+    wasOff = isOff;
     clock.WaitUntil(tick.Tick.Started);
     servo.Tick(tick.Tick);
     Compare(tick, servo.Latest(), comparison);

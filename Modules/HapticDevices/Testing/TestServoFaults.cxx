@@ -69,6 +69,8 @@ std::vector<FaultCase> AllFaults()
            [](Rig& rig) { EXPECT_TRUE(rig.Touch.Device.Open().IsOk()); }},
           {"StalledTick", SafetyFault::StalledTick,
            [](Rig& rig) { rig.Touch.Time.Advance(15'000'000); }, [](Rig&) {}},
+          {"SwitchedOff", SafetyFault::SwitchedOff, [](Rig& rig) { rig.Touch.Loop.SwitchOff(); },
+           [](Rig&) {}},
           OfScene("InvalidContact", test::WallFault::Invalid),
           OfScene("NaNProxy", test::WallFault::NaNProxy),
           OfScene("InfiniteProxy", test::WallFault::InfiniteProxy),
@@ -124,7 +126,8 @@ std::vector<FaultCase> LastingFaults()
   std::vector<FaultCase> lasting;
   for (const FaultCase& c : AllFaults())
   {
-    if (c.Expected != SafetyFault::StalledTick && c.Expected != SafetyFault::ImplausibleMotion)
+    if (c.Expected != SafetyFault::StalledTick && c.Expected != SafetyFault::ImplausibleMotion &&
+        c.Expected != SafetyFault::SwitchedOff)
     {
       lasting.push_back(c);
     }

@@ -64,6 +64,33 @@ TEST(TouchReplay, ADeviceThatFailedFailsAgain)
   }
 }
 
+TEST(TouchReplay, ForcesThatWereSwitchedOffAndOnAreSoAgain)
+{
+  SimulatedSettings device;
+  device.Path = test::PressingPath(3.0, 2.0);
+  test::SimulatedTouch touch(*test::RecordedScenes()[0], device);
+  auto recording = std::make_shared<TouchRecording>();
+  recording->Session = test::SessionOf(touch.Device, ServoSettings());
+  for (int n = 0; n < 900; ++n)
+  {
+    if (n == 500 || n == 700)
+    {
+      touch.Loop.Rearm();
+    }
+    if (n == 400 || n == 500)
+    {
+      touch.Loop.SwitchOff(); // the second time together with being switched on
+    }
+    recording->Ticks.push_back(touch.Tick());
+    const bool isOff = n >= 400 && n < 700;
+    ASSERT_EQ(touch.Loop.Latest().Safety.Fault,
+              isOff ? SafetyFault::SwitchedOff : SafetyFault::None);
+  }
+  ReplayComparison comparison;
+  ASSERT_TRUE(ReplayTouch(recording, test::RecordedScenes(), comparison).IsOk());
+  EXPECT_EQ(comparison.DifferentTicks, 0u);
+}
+
 TEST(TouchReplay, WhatAChangeDoesToForcesIsSeen)
 {
   const auto recording = Recorded(4000);

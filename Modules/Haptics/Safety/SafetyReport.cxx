@@ -27,6 +27,8 @@ const char* Describe(SafetyFault fault) noexcept
   case SafetyFault::InvalidContact:
     return "A model of the scene gave no valid contact: change the scene, then switch forces on "
            "again.";
+  case SafetyFault::SwitchedOff:
+    return "Forces were switched off: switch them on again when nothing is in the way.";
   }
   return "An unknown fault.";
 }

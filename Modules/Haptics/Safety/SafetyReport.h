@@ -12,7 +12,8 @@ enum class SafetyFault
   ImplausibleMotion,
   NonFinitePosition,
   NonFiniteForce,
-  InvalidContact
+  InvalidContact,
+  SwitchedOff ///< by a person
 };
 
 /// What a safety chain did in the last tick.

@@ -68,6 +68,11 @@ bool Servo::TakeOver() noexcept
     this->Safety.Rearm();
     this->ForgetMotion();
   }
+  // After Rearm: of both at once the safe one holds.
+  if (this->OffWanted.exchange(false, std::memory_order_acq_rel))
+  {
+    this->Safety.Fail(SafetyFault::SwitchedOff);
+  }
   if (this->Scenes.Refresh())
   {
     ++this->SceneCount;

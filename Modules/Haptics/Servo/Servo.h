@@ -31,7 +31,7 @@ struct ServoSettings
 /// session gives the same forces to the last bit.
 ///
 /// Publish, Reclaim: one publishing thread. Tick: the servo thread. Latest: one reading thread.
-/// PopRecorded: one recording thread. Rearm: any.
+/// PopRecorded: one recording thread. Rearm, SwitchOff: any.
 class Servo
 {
 public:
@@ -47,6 +47,8 @@ public:
 
   /// Switches forces on again after a fault, from the next tick on.
   void Rearm() noexcept { this->RearmWanted.store(true, std::memory_order_release); }
+  /// 0 N from the next tick on, until Rearm; the tool is followed all the same.
+  void SwitchOff() noexcept { this->OffWanted.store(true, std::memory_order_release); }
 
   void Tick(const TickInfo& tick) noexcept;
 
@@ -90,6 +92,7 @@ private:
   SafetyChain Safety;
   int TicksSinceModel = 0;
   std::atomic<bool> RearmWanted{false}; // any thread's
+  std::atomic<bool> OffWanted{false};   // any thread's
   bool HasFelt = false;
 };
 } // namespace palpate

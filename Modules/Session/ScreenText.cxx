@@ -1,6 +1,6 @@
 #include "ScreenText.h"
 
-namespace palpate::cli
+namespace palpate
 {
 namespace
 {
@@ -61,4 +61,4 @@ std::string Shortened(const std::string& text, std::size_t characters)
   }
   return count > characters ? text.substr(0, cut) + "\xE2\x80\xA6" : text;
 }
-} // namespace palpate::cli
+} // namespace palpate

@@ -2,7 +2,7 @@
 
 #include "ScreenText.h"
 
-namespace palpate::cli
+namespace palpate
 {
 namespace
 {
@@ -29,4 +29,4 @@ std::string CaseSentence(const std::filesystem::path& input, const Segment& stru
   const bool isPredicate = StartsWith(message, "is ") || StartsWith(message, "has ");
   return CaseTitle(input, structure) + (isPredicate ? " " : ": ") + message;
 }
-} // namespace palpate::cli
+} // namespace palpate

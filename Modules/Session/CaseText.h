@@ -1,0 +1,21 @@
+#pragma once
+
+#include "PalpateSessionModule.h"
+#include "Segmentation.h"
+
+#include <filesystem>
+#include <string>
+
+namespace palpate
+{
+/// "folder/mask.nii.gz, label 1 (Prostate)": a structure as lines and errors name it.
+PALPATESESSION_EXPORT std::string CaseTitle(const std::filesystem::path& input,
+                                            const Segment& structure);
+
+/// A case and what happened to it, in one sentence. A message that is a predicate ("is not
+/// star-shaped") follows its subject, a full clause follows a colon, and one that starts with the
+/// file's path, or is of a file without a structure, stands alone.
+PALPATESESSION_EXPORT std::string CaseSentence(const std::filesystem::path& input,
+                                               const Segment& structure,
+                                               const std::string& message);
+} // namespace palpate

@@ -1,0 +1,252 @@
+#include "StudyJobs.h"
+
+#include "FilterRun.h"
+
+#include <algorithm>
+#include <atomic>
+#include <condition_variable>
+#include <deque>
+#include <mutex>
+#include <new>
+#include <utility>
+
+namespace palpate
+{
+namespace
+{
+struct Entry
+{
+  StudyJobs::Id Number = 0;
+  StudyJob Job;
+  std::atomic<bool> IsCancelled{false};
+  // Under the desk's lock.
+  StudyJobProgress Progress;
+  StudyJob::Delivery Delivery; ///< once it has ended
+};
+using EntryPointer = std::shared_ptr<Entry>;
+
+StudyJob::Delivery FailWith(const Entry& entry, const std::string& sentence)
+{
+  return [fail = entry.Job.Fail, sentence]
+  {
+    if (fail)
+    {
+      fail(sentence);
+    }
+  };
+}
+
+void Remove(std::deque<EntryPointer>& entries, const EntryPointer& entry)
+{
+  entries.erase(std::remove(entries.begin(), entries.end(), entry), entries.end());
+}
+} // namespace
+
+// What owner and workers share.
+struct StudyJobs::Desk
+{
+  std::mutex Lock;
+  std::condition_variable News; ///< something was started, has ended, or is no longer wanted
+  std::deque<EntryPointer> Waiting;
+  std::deque<EntryPointer> Running;
+  std::deque<EntryPointer> Done;
+  Id LastId = 0;
+  int Workers = 0; ///< threads that have not ended
+  bool IsEnding = false;
+
+  EntryPointer Take();
+  StudyJob::Delivery Do(Entry& entry);
+  void Work();
+  void Drop(Id id);
+};
+
+// Waits for a job; empty where there will be none.
+EntryPointer StudyJobs::Desk::Take()
+{
+  std::unique_lock<std::mutex> hold(this->Lock);
+  this->News.wait(hold, [this] { return this->IsEnding || !this->Waiting.empty(); });
+  if (this->IsEnding)
+  {
+    return nullptr;
+  }
+  EntryPointer entry = this->Waiting.front();
+  this->Waiting.pop_front();
+  this->Running.push_back(entry);
+  entry->Progress.IsRunning = true;
+  return entry;
+}
+
+StudyJob::Delivery StudyJobs::Desk::Do(Entry& entry)
+{
+  const auto progress = [this, &entry](double fraction, const std::string& stage)
+  {
+    const std::lock_guard<std::mutex> hold(this->Lock);
+    entry.Progress.Fraction = fraction;
+    entry.Progress.Stage = stage;
+    return !entry.IsCancelled;
+  };
+  try
+  {
+    return entry.Job.Work(progress);
+  }
+  catch (const Cancelled& cancelled)
+  {
+    return FailWith(entry, cancelled.what()); // which is dropped where the owner cancelled
+  }
+  catch (const std::bad_alloc&)
+  {
+    return FailWith(entry, "not enough memory for this; try a smaller image, degree or frequency");
+  }
+  catch (const std::exception& error)
+  {
+    return FailWith(entry, error.what());
+  }
+}
+
+void StudyJobs::Desk::Work()
+{
+  while (EntryPointer entry = this->Take())
+  {
+    StudyJob::Delivery delivery = this->Do(*entry);
+    const std::lock_guard<std::mutex> hold(this->Lock);
+    Remove(this->Running, entry);
+    if (!entry->IsCancelled)
+    {
+      entry->Delivery = std::move(delivery);
+      this->Done.push_back(entry);
+    }
+    this->News.notify_all();
+  }
+  const std::lock_guard<std::mutex> hold(this->Lock);
+  --this->Workers;
+  this->News.notify_all();
+}
+
+// Under the lock.
+void StudyJobs::Desk::Drop(Id id)
+{
+  const auto isIt = [id](const EntryPointer& entry) { return entry->Number == id; };
+  for (std::deque<EntryPointer>* entries : {&this->Waiting, &this->Done})
+  {
+    entries->erase(std::remove_if(entries->begin(), entries->end(), isIt), entries->end());
+  }
+  for (const EntryPointer& entry : this->Running)
+  {
+    entry->IsCancelled = entry->IsCancelled || isIt(entry);
+  }
+  this->News.notify_all();
+}
+
+StudyJobs::StudyJobs(int workers) : Shared(std::make_shared<Desk>())
+{
+  this->Shared->Workers = workers;
+  for (int worker = 0; worker < workers; ++worker)
+  {
+    this->Threads.emplace_back([desk = this->Shared] { desk->Work(); });
+  }
+}
+
+StudyJobs::~StudyJobs()
+{
+  this->End(std::chrono::milliseconds(800));
+}
+
+StudyJobs::Id StudyJobs::Start(StudyJob job)
+{
+  auto entry = std::make_shared<Entry>();
+  entry->Job = std::move(job);
+  const std::lock_guard<std::mutex> hold(this->Shared->Lock);
+  entry->Number = ++this->Shared->LastId;
+  if (!this->Shared->IsEnding)
+  {
+    this->Shared->Waiting.push_back(entry);
+    this->Shared->News.notify_all();
+  }
+  return entry->Number;
+}
+
+void StudyJobs::Cancel(Id id)
+{
+  const std::lock_guard<std::mutex> hold(this->Shared->Lock);
+  this->Shared->Drop(id);
+}
+
+std::optional<StudyJobProgress> StudyJobs::ProgressOf(Id id) const
+{
+  const std::lock_guard<std::mutex> hold(this->Shared->Lock);
+  for (const std::deque<EntryPointer>* entries : {&this->Shared->Running, &this->Shared->Waiting})
+  {
+    for (const EntryPointer& entry : *entries)
+    {
+      if (entry->Number == id && !entry->IsCancelled)
+      {
+        return entry->Progress;
+      }
+    }
+  }
+  return std::nullopt;
+}
+
+std::size_t StudyJobs::Deliver()
+{
+  std::size_t count = 0;
+  while (true)
+  {
+    EntryPointer entry;
+    {
+      const std::lock_guard<std::mutex> hold(this->Shared->Lock);
+      if (this->Shared->Done.empty())
+      {
+        return count;
+      }
+      entry = this->Shared->Done.front();
+      this->Shared->Done.pop_front();
+    }
+    // Unlocked, since a result may start more work.
+    if (entry->Delivery)
+    {
+      entry->Delivery();
+    }
+    ++count;
+  }
+}
+
+bool StudyJobs::WaitForResult()
+{
+  Desk& desk = *this->Shared;
+  std::unique_lock<std::mutex> hold(desk.Lock);
+  const auto isOnItsWay = [&desk]
+  {
+    return !desk.Waiting.empty() ||
+           std::any_of(desk.Running.begin(), desk.Running.end(),
+                       [](const EntryPointer& entry) { return !entry->IsCancelled; });
+  };
+  desk.News.wait(hold, [&] { return !desk.Done.empty() || !isOnItsWay(); });
+  return !desk.Done.empty();
+}
+
+bool StudyJobs::End(std::chrono::milliseconds longest)
+{
+  Desk& desk = *this->Shared;
+  std::unique_lock<std::mutex> hold(desk.Lock);
+  desk.IsEnding = true;
+  desk.Waiting.clear();
+  desk.Done.clear();
+  for (const EntryPointer& entry : desk.Running)
+  {
+    entry->IsCancelled = true;
+  }
+  desk.News.notify_all();
+  const auto isEmpty = [&desk] { return desk.Workers == 0; };
+  const bool hasEnded =
+      this->Threads.empty() ? isEmpty() : desk.News.wait_for(hold, longest, isEmpty);
+  hold.unlock();
+  for (std::thread& thread : this->Threads)
+  {
+    // What does not end in time must not hold up who closes the window; it keeps the desk alive.
+    hasEnded ? thread.join() : thread.detach();
+  }
+  this->Threads.clear();
+  return hasEnded;
+}
+} // namespace palpate

@@ -1,0 +1,60 @@
+#pragma once
+
+#include "PalpateSessionModule.h"
+#include "Progress.h"
+#include "StudyProduct.h"
+#include "StudyState.h"
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace palpate
+{
+/// From files to touch. Volume and segmentation are of the whole study, the others of a structure.
+enum class StudyStep
+{
+  Volume,
+  Segmentation,
+  Structures, ///< those of the state, found in the segmentation
+  Surface,
+  Samples,
+  Model,
+  Field, ///< for sub-voxel structures
+  Touch  ///< the contact model
+};
+
+/// "volume", "segmentation", ...
+PALPATESESSION_EXPORT const char* NameOf(StudyStep step);
+
+/// One thing to be made.
+struct StudyNode
+{
+  StudyStep Step = StudyStep::Volume;
+  int Label = 0; ///< of the structure; 0 for the whole study
+  /// What it is made from, in full: two nodes of one key have the same product. Empty where that is
+  /// not decided yet.
+  std::string Key;
+  std::vector<std::string> Inputs; ///< keys
+  /// Throws what has a sentence for the user, and Cancelled.
+  std::function<StudyProduct(const std::vector<StudyProduct>& inputs,
+                             const ProgressFunction& progress)>
+      Make;
+};
+
+/// The product of a key that is there already, or nothing.
+using StudyLookup = std::function<const StudyProduct*(const std::string& key)>;
+
+/// How the files of a state are now: another text where one was written anew.
+struct StudyStamps
+{
+  std::string Volume;
+  std::string Segmentation;
+};
+PALPATESESSION_EXPORT StudyStamps StampFiles(const StudyState& state);
+
+/// All that a state wants to be made, inputs before what is made from them: only what its
+/// representations need of structures that are shown or touched.
+PALPATESESSION_EXPORT std::vector<StudyNode>
+PlanStudy(const StudyState& state, const StudyStamps& stamps, const StudyLookup& lookup);
+} // namespace palpate

@@ -1,0 +1,49 @@
+#pragma once
+
+#include "FitStages.h"
+#include "PalpateSessionModule.h"
+#include "ScalarField.h"
+#include "Segmentation.h"
+#include "TouchContact.h"
+#include "Volume.h"
+
+#include <cstddef>
+#include <memory>
+#include <string>
+#include <variant>
+
+namespace palpate
+{
+/// Why there is no product: one sentence, the command line's.
+struct StudyFailure
+{
+  std::string Sentence;
+};
+inline bool operator==(const StudyFailure& a, const StudyFailure& b)
+{
+  return a.Sentence == b.Sentence;
+}
+
+/// What a step makes. Shared with whoever shows or touches it, and never changed: a view that gives
+/// it to a VTK pipeline gives it a shallow copy, since pipelines note things on their input.
+using StudyProduct =
+    std::variant<StudyFailure, std::shared_ptr<const Volume>, std::shared_ptr<const Segmentation>,
+                 std::shared_ptr<const FitSurface>, std::shared_ptr<const FitSamples>,
+                 std::shared_ptr<const FitResult>, std::shared_ptr<const ScalarField>,
+                 std::shared_ptr<const TouchContact>>;
+
+/// The product of a type; empty for another one.
+template <typename T>
+std::shared_ptr<const T> ProductAs(const StudyProduct* product)
+{
+  const auto* held = product != nullptr ? std::get_if<std::shared_ptr<const T>>(product) : nullptr;
+  return held != nullptr ? *held : nullptr;
+}
+
+/// The sentence of what failed: there is no product, or the structure stood in the way. Empty for
+/// one that later steps can go on from.
+PALPATESESSION_EXPORT std::string FailureOf(const StudyProduct& product);
+
+/// What it occupies beyond the products that it was made from, about.
+PALPATESESSION_EXPORT std::size_t BytesOf(const StudyProduct& product);
+} // namespace palpate

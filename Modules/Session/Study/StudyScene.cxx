@@ -1,0 +1,66 @@
+#include "StudyScene.h"
+
+#include "ReachingScale.h"
+#include "TouchStructures.h"
+
+namespace palpate
+{
+std::vector<StudyContact> ContactsOf(const StudyState& state, const StudyPipeline& pipeline)
+{
+  std::vector<StudyContact> contacts;
+  for (const StudyStructure& structure : state.Structures)
+  {
+    auto contact = pipeline.Newest<TouchContact>(StudyStep::Touch, structure.Label);
+    if (contact != nullptr)
+    {
+      contacts.push_back({structure.Label, std::move(contact)});
+    }
+  }
+  return TouchableOf(state, contacts);
+}
+
+std::vector<StudyContact> TouchableOf(const StudyState& state,
+                                      const std::vector<StudyContact>& contacts)
+{
+  std::vector<StudyContact> touchable;
+  for (const StudyContact& contact : contacts)
+  {
+    const StudyStructure* structure = FindStructure(state, contact.Label);
+    if (structure != nullptr && structure->IsTouchable)
+    {
+      touchable.push_back(contact);
+    }
+  }
+  return touchable;
+}
+
+TouchScene MakeStudyScene(const StudyState& state, const std::vector<StudyContact>& contacts,
+                          const StudyFrame& frame)
+{
+  TouchScene scene;
+  scene.Tool = MakeTool(state.Tool);
+  scene.Frame = DeviceFrame(frame.Rotation, frame.Scale, frame.CenterWorld);
+  for (const StudyContact& contact : contacts)
+  {
+    const StudyStructure* structure = FindStructure(state, contact.Label);
+    TouchStructure touch;
+    touch.Name = structure->Name;
+    touch.Model = contact.Contact->Model;
+    touch.Law.Stiffness = structure->Stiffness;
+    touch.Friction = structure->Friction;
+    scene.Structures.push_back(std::move(touch));
+  }
+  return scene;
+}
+
+StudyFrame ReachingFrame(const TouchScene& scene, const DeviceCapabilities& device)
+{
+  StudyFrame frame;
+  if (!scene.Structures.empty())
+  {
+    frame.Scale = ReachingScale(scene, device);
+    frame.CenterWorld = scene.BoundsWorld().center();
+  }
+  return frame;
+}
+} // namespace palpate

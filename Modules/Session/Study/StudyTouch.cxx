@@ -1,0 +1,272 @@
+#include "StudyTouch.h"
+
+#include "BuiltInDevices.h"
+#include "InputError.h"
+#include "SafetyText.h"
+#include "SimulatedDevice.h"
+#include "StiffnessAdvice.h"
+#include "TouchRecorder.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace palpate
+{
+Status OpenTouchDevice(const std::string& name, Clock& clock, std::unique_ptr<HapticDevice>& device)
+{
+  DeviceRegistry registry;
+  Status status = RegisterBuiltInDevices(registry);
+  if (status.IsOk())
+  {
+    status = registry.Make(name, clock, device);
+  }
+  return status.IsOk() ? device->Open() : status;
+}
+
+StudyTouch::StudyTouch(Clock& clock, const RealtimeRequest& request) : Time(clock), Request(request)
+{
+}
+
+StudyTouch::~StudyTouch()
+{
+  this->Stop();
+}
+
+bool StudyTouch::IsSame(const Feelable& a, const Feelable& b)
+{
+  const auto isSameOne = [](const Feelable::One& one, const Feelable::One& other)
+  {
+    return one.Label == other.Label && one.Contact == other.Contact &&
+           one.Stiffness == other.Stiffness && one.Friction.Static == other.Friction.Static &&
+           one.Friction.Dynamic == other.Friction.Dynamic;
+  };
+  return a.Tool == b.Tool && a.Frame == b.Frame &&
+         std::equal(a.Structures.begin(), a.Structures.end(), b.Structures.begin(),
+                    b.Structures.end(), isSameOne);
+}
+
+Status StudyTouch::Start(std::unique_ptr<HapticDevice> opened, const StudyState& state,
+                         const std::vector<StudyContact>& contacts)
+{
+  this->Stop();
+  this->Device = std::move(opened);
+  this->Settings = {};
+  this->Settings.Rate = state.Rate;
+  this->Felt = {};
+  this->Scene.reset();
+  this->Automatic.reset();
+  Status status =
+      contacts.empty()
+          ? Status::Failure("There is nothing to touch yet: make a structure touchable and wait "
+                            "until its model is made.")
+          : this->Publish(state, contacts);
+  if (status.IsOk())
+  {
+    status = this->StartServo();
+  }
+  if (!status.IsOk())
+  {
+    this->Stop();
+  }
+  return status;
+}
+
+Status StudyTouch::StartServo()
+{
+  this->Thread = std::make_unique<ServoThread>(*this->Device, this->Time, this->Settings);
+  Status status = this->Thread->Loop().Publish(this->Scene);
+  if (status.IsOk())
+  {
+    status = this->Thread->Start(this->Request);
+  }
+  return status;
+}
+
+void StudyTouch::Stop()
+{
+  if (this->Thread != nullptr)
+  {
+    this->Thread->Stop();
+    if (this->IsRecording())
+    {
+      const Status status = this->StopRecording();
+      this->Reading.RecordingProblem = status.Message();
+    }
+    this->Thread.reset();
+    const std::string problem = this->Reading.RecordingProblem;
+    this->Reading = {};
+    this->Reading.RecordingProblem = problem;
+  }
+  if (this->Device != nullptr)
+  {
+    this->Device->Close();
+    this->Device.reset();
+  }
+}
+
+Status StudyTouch::Update(const StudyState& state, const std::vector<StudyContact>& contacts)
+{
+  return this->IsRunning() ? this->Publish(state, contacts) : Status::Success();
+}
+
+StudyFrame StudyTouch::FrameFor(const StudyPlacement& placement, const TouchScene& scene)
+{
+  if (!this->Automatic)
+  {
+    this->Automatic = ReachingFrame(scene, this->Device->Capabilities());
+  }
+  StudyFrame frame;
+  frame.Rotation = placement.AxesFollowCamera ? this->CameraAxes : Matrix3(Matrix3::Identity());
+  frame.Scale = placement.Scale.value_or(this->Automatic->Scale);
+  frame.CenterWorld = placement.CenterWorld.value_or(this->Automatic->CenterWorld);
+  return frame;
+}
+
+Status StudyTouch::Publish(const StudyState& state, const std::vector<StudyContact>& contacts)
+{
+  try
+  {
+    const std::vector<StudyContact> touchable = TouchableOf(state, contacts);
+    auto scene = std::make_shared<TouchScene>(MakeStudyScene(state, touchable, {}));
+    Feelable next;
+    next.Tool = state.Tool;
+    next.Frame = this->FrameFor(state.Placement, *scene);
+    for (std::size_t s = 0; s < scene->Structures.size(); ++s)
+    {
+      const TouchStructure& one = scene->Structures[s];
+      next.Structures.push_back(
+          {touchable[s].Label, touchable[s].Contact, one.Law.Stiffness, one.Friction});
+    }
+    if (this->Scene != nullptr && IsSame(next, this->Felt))
+    {
+      return Status::Success();
+    }
+    scene->Frame = DeviceFrame(next.Frame.Rotation, next.Frame.Scale, next.Frame.CenterWorld);
+    Status status = scene->Check();
+    if (status.IsOk() && this->IsRunning())
+    {
+      status = this->Thread->Loop().Publish(scene);
+    }
+    if (status.IsOk())
+    {
+      this->Advice = StiffnessWarnings(*scene, this->Device->Capabilities(), this->Settings.Rate);
+      this->Scene = std::move(scene);
+      this->Felt = std::move(next);
+    }
+    return status;
+  }
+  catch (const InputError& error)
+  {
+    return Status::Failure(error.what());
+  }
+}
+
+void StudyTouch::SwitchForcesOff()
+{
+  if (this->IsRunning())
+  {
+    this->Thread->Loop().SwitchOff();
+  }
+}
+
+void StudyTouch::SwitchForcesOn()
+{
+  if (this->IsRunning())
+  {
+    this->Thread->Loop().Rearm();
+  }
+}
+
+bool StudyTouch::MoveHand(const Vector3& targetWorld)
+{
+  auto* simulated = dynamic_cast<SimulatedDevice*>(this->Device.get());
+  if (simulated != nullptr)
+  {
+    simulated->SetTarget(this->Felt.Frame.ToDevice(targetWorld));
+  }
+  return simulated != nullptr;
+}
+
+void StudyTouch::TakeTicks()
+{
+  Servo& servo = this->Thread->Loop();
+  for (TouchState state; servo.PopRecorded(state);)
+  {
+    this->Reading.NewTicks.push_back(state);
+    if (this->IsRecording())
+    {
+      const Status status = this->Recorder->Take(state);
+      if (!status.IsOk())
+      {
+        this->Reading.RecordingProblem = status.Message();
+        this->Recorder.reset();
+      }
+    }
+  }
+}
+
+const StudyTouchReading& StudyTouch::Poll()
+{
+  this->Reading.NewTicks.clear();
+  if (!this->IsRunning())
+  {
+    return this->Reading;
+  }
+  this->TakeTicks();
+  Servo& servo = this->Thread->Loop();
+  servo.Reclaim();
+  this->Reading.Newest = servo.Latest();
+  this->Reading.LostTicks = servo.LostTicks();
+  const auto touched = static_cast<std::size_t>(this->Reading.Newest.Structure);
+  this->Reading.TouchedLabel =
+      touched < this->Felt.Structures.size() ? this->Felt.Structures[touched].Label : 0;
+  this->Reading.Safety = SafetyText(this->Reading.Newest);
+  this->Reading.DeviceProblem = this->Device->Problem();
+  const ServoStatistics& statistics = this->Thread->Statistics();
+  this->Reading.Periods = statistics.Periods;
+  this->Reading.Durations = statistics.Durations;
+  return this->Reading;
+}
+
+Status StudyTouch::StartRecording(const std::filesystem::path& path)
+{
+  if (!this->IsRunning())
+  {
+    return Status::Failure("Nothing is touched: start the touch, then record it.");
+  }
+  if (this->IsRecording())
+  {
+    return Status::Failure("A recording is going on already.");
+  }
+  auto recorder = std::make_unique<TouchRecorder>();
+  Status status = recorder->Start(path.string(), {this->Settings, this->Device->Capabilities()});
+  if (status.IsOk())
+  {
+    this->Thread->Stop();
+    this->Recorder = std::move(recorder);
+    this->Reading.RecordingProblem.clear();
+    status = this->StartServo();
+    if (!status.IsOk())
+    {
+      this->Stop();
+    }
+  }
+  return status;
+}
+
+Status StudyTouch::StopRecording()
+{
+  if (!this->IsRecording())
+  {
+    return Status::Failure("There is no recording to be ended.");
+  }
+  this->TakeTicks();
+  if (!this->IsRecording())
+  {
+    return Status::Failure(this->Reading.RecordingProblem);
+  }
+  const Status status = this->Recorder->Finish();
+  this->Recorder.reset();
+  return status;
+}
+} // namespace palpate

@@ -1,0 +1,131 @@
+#pragma once
+
+#include "Clock.h"
+#include "HapticDevice.h"
+#include "PalpateSessionModule.h"
+#include "PeriodStatistics.h"
+#include "RealtimeThread.h"
+#include "ServoThread.h"
+#include "StudyScene.h"
+#include "StudyState.h"
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace palpate
+{
+class TouchRecorder;
+
+/// Makes and opens a device by its name. May take seconds: for a job, whose delivery hands the
+/// device on. Fails with the sentence of what stands in the way.
+[[nodiscard]] PALPATESESSION_EXPORT Status OpenTouchDevice(const std::string& name, Clock& clock,
+                                                           std::unique_ptr<HapticDevice>& device);
+
+/// What a touch is like now.
+struct StudyTouchReading
+{
+  TouchState Newest;
+  std::vector<TouchState> NewTicks; ///< since the last reading, oldest first
+  int TouchedLabel = 0;             ///< of the structure touched most deeply; 0 without touch
+  std::string Safety;               ///< what the safety chain does, in plain words
+  std::string DeviceProblem;        ///< in one sentence; empty without
+  PeriodStatistics Periods;         ///< ns from tick to tick; misses are those left out
+  PeriodStatistics Durations;       ///< ns that ticks took; misses are late ones
+  std::uint64_t LostTicks = 0;      ///< that no reading has seen
+  std::string RecordingProblem;     ///< why a recording ended by itself; empty without
+};
+
+/// A study while it is touched: a device, a servo on its thread, and the scene that follows what
+/// the study becomes. For the thread that owns it, which never waits but in Start, Stop and where a
+/// recording begins.
+class PALPATESESSION_EXPORT StudyTouch
+{
+public:
+  /// Keeps the address of the clock.
+  explicit StudyTouch(Clock& clock, const RealtimeRequest& request = {});
+  StudyTouch(const StudyTouch&) = delete;
+  StudyTouch& operator=(const StudyTouch&) = delete;
+  /// Stops, forces first.
+  ~StudyTouch();
+
+  /// Begins with an open device. Fails, and closes it, where there is nothing to touch or the tool
+  /// cannot touch it.
+  Status Start(std::unique_ptr<HapticDevice> opened, const StudyState& state,
+               const std::vector<StudyContact>& contacts);
+  bool IsRunning() const { return this->Thread != nullptr; }
+  /// 0 N; the device is closed. What was recorded is kept.
+  void Stop();
+
+  /// Feels `state` from now on; nothing where nothing is different that can be felt. The servo goes
+  /// on, and a new scene fades in. Where it cannot be felt the one before stays. Device and rate
+  /// are taken by the next Start.
+  Status Update(const StudyState& state, const std::vector<StudyContact>& contacts);
+  /// The device's axes in the world, where the placement wants them to follow the camera: taken by
+  /// the next Update.
+  void TurnAxes(const Matrix3& rotation) { this->CameraAxes = rotation; }
+  /// Makes all of the scene reachable again at the next Update. By itself the workspace stays where
+  /// it was when the touch began, lest the hand jump.
+  void FitWorkspace() { this->Automatic.reset(); }
+  const StudyFrame& Frame() const { return this->Felt.Frame; }
+
+  /// 0 N from the next tick on, until SwitchForcesOn; the hand is followed all the same.
+  void SwitchForcesOff();
+  void SwitchForcesOn();
+
+  /// Where the hand of a simulated device wants to be (mm). False for a device with a hand of its
+  /// own.
+  bool MoveHand(const Vector3& targetWorld);
+
+  /// For views, some ten times a second or oftener; a recording takes its ticks here.
+  const StudyTouchReading& Poll();
+  /// What a person should know before pressing: stiffness that the device may not hold.
+  const std::vector<std::string>& Warnings() const { return this->Advice; }
+  /// Of the device that runs.
+  const DeviceCapabilities& Capabilities() const { return this->Device->Capabilities(); }
+
+  /// Records from now on. The servo begins anew for it, since a session is felt again from its
+  /// first tick: forces fade in.
+  Status StartRecording(const std::filesystem::path& path);
+  bool IsRecording() const { return this->Recorder != nullptr; }
+  Status StopRecording();
+
+private:
+  // All that a scene is made from.
+  struct Feelable
+  {
+    struct One
+    {
+      int Label;
+      std::shared_ptr<const TouchContact> Contact;
+      double Stiffness;
+      SurfaceFriction Friction;
+    };
+    std::vector<One> Structures;
+    TouchToolSettings Tool;
+    StudyFrame Frame;
+  };
+  static bool IsSame(const Feelable& a, const Feelable& b);
+
+  Status Publish(const StudyState& state, const std::vector<StudyContact>& contacts);
+  StudyFrame FrameFor(const StudyPlacement& placement, const TouchScene& scene);
+  Status StartServo();
+  void TakeTicks();
+
+  Clock& Time;
+  RealtimeRequest Request;
+  ServoSettings Settings;
+  std::unique_ptr<HapticDevice> Device; // before the thread that uses it
+  std::unique_ptr<ServoThread> Thread;
+  std::shared_ptr<const TouchScene> Scene;
+  Feelable Felt;
+  Matrix3 CameraAxes = Matrix3::Identity();
+  std::optional<StudyFrame> Automatic;
+  std::unique_ptr<TouchRecorder> Recorder;
+  StudyTouchReading Reading;
+  std::vector<std::string> Advice;
+};
+} // namespace palpate

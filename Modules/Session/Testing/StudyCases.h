@@ -1,0 +1,136 @@
+#pragma once
+
+#include "StudyState.h"
+
+#include "RandomShapes.h"
+
+namespace palpate::test
+{
+inline bool RandomChoice(Random& random)
+{
+  return random() % 2 == 0;
+}
+
+inline double RandomNumber(Random& random, double least, double most)
+{
+  return std::uniform_real_distribution<double>(least, most)(random);
+}
+
+inline int RandomWhole(Random& random, int least, int most)
+{
+  return std::uniform_int_distribution<int>(least, most)(random);
+}
+
+inline Vector3 RandomPlace(Random& random)
+{
+  return 200.0 * RandomDirection(random);
+}
+
+/// A name with what files and JSON have to quote.
+inline std::string RandomName(Random& random)
+{
+  const std::vector<std::string> parts{"Prostata", " \"", "\\", "\xC3\xA4", "\n", "\t", ",", "7"};
+  std::string name;
+  for (int i = RandomWhole(random, 0, 4); i > 0; --i)
+  {
+    name += parts[random() % parts.size()];
+  }
+  return name;
+}
+
+inline StudyStructure RandomStructure(Random& random)
+{
+  StudyStructure structure;
+  structure.Label = RandomWhole(random, 1, 300);
+  structure.Name = RandomName(random);
+  structure.Color = {{RandomNumber(random, 0.0, 1.0), RandomNumber(random, 0.0, 1.0), 1.0}};
+  structure.IsVisible = RandomChoice(random);
+  structure.IsTouchable = RandomChoice(random);
+  structure.Representation = static_cast<TouchRepresentation>(RandomWhole(random, 0, 3));
+  structure.Degree = RandomWhole(random, 0, 40);
+  structure.Stiffness = RandomNumber(random, 0.0, 3.0);
+  structure.Friction = {RandomNumber(random, 0.5, 1.0), RandomNumber(random, 0.0, 0.5)};
+  return structure;
+}
+
+inline void RandomizeFit(Random& random, FitSettings& fit)
+{
+  fit.Method = static_cast<FitSettings::SurfaceMethod>(RandomWhole(random, 0, 1));
+  fit.Smoothing = RandomNumber(random, 0.0, 3.0);
+  fit.Component = RandomWhole(random, 0, 3);
+  fit.Frequency = RandomWhole(random, 1, 60);
+  fit.Center = static_cast<FitSettings::CenterChoice>(RandomWhole(random, 0, 1));
+  if (RandomChoice(random))
+  {
+    const Vector3 center = RandomPlace(random);
+    fit.GivenCenterWorld = {center[0], center[1], center[2]};
+  }
+  fit.Degree = RandomWhole(random, 0, 40);
+  if (RandomChoice(random))
+  {
+    fit.Tolerance = RandomNumber(random, 0.0, 1.0);
+  }
+  fit.MaximumDegree = RandomWhole(random, 0, 60);
+  fit.Weight = static_cast<FitSettings::SampleWeight>(RandomWhole(random, 0, 2));
+  fit.PenaltyKind = static_cast<FitSettings::Penalty>(RandomWhole(random, 0, 2));
+  fit.Roughness = RandomNumber(random, 0.0, 1e-3);
+  fit.MaximumHiddenPercent = RandomNumber(random, 0.0, 100.0);
+  fit.MinimumDice = RandomNumber(random, 0.0, 1.0);
+}
+
+inline void RandomizeTouch(Random& random, StudyState& state)
+{
+  state.Tool.Kind = static_cast<TouchToolSettings::Shape>(RandomWhole(random, 0, 2));
+  state.Tool.Radius = RandomNumber(random, 0.0, 5.0);
+  state.Tool.Length = RandomNumber(random, 1.0, 20.0);
+  state.Tool.SemiAxes = Vector3::Constant(RandomNumber(random, 1.0, 5.0));
+  state.Tool.Points = RandomWhole(random, 0, 100);
+  state.Device = RandomName(random);
+  state.Rate = RandomNumber(random, 1.0, 5000.0);
+  state.Placement = {};
+  if (RandomChoice(random))
+  {
+    state.Placement.Scale = RandomNumber(random, 0.1, 10.0);
+    state.Placement.CenterWorld = RandomPlace(random);
+  }
+  state.Placement.AxesFollowCamera = RandomChoice(random);
+}
+
+inline StudyView RandomView(Random& random)
+{
+  StudyView view;
+  if (RandomChoice(random))
+  {
+    view.CrosshairWorld = RandomPlace(random);
+    view.Window = RandomNumber(random, 0.0, 4000.0);
+    view.Level = RandomNumber(random, -1000.0, 1000.0);
+  }
+  view.Layout = RandomName(random);
+  view.OverlayOpacity = RandomNumber(random, 0.0, 1.0);
+  view.UsesVolumeAxes = RandomChoice(random);
+  view.SlicesFollowProbe = RandomChoice(random);
+  return view;
+}
+
+/// Every entry is another than its default, most of the time.
+inline StudyState RandomStudy(Random& random)
+{
+  StudyState state;
+  state.VolumeFile = StudyPath("volumes/t2 \xC3\xA4.nii.gz");
+  state.SegmentationFile = RandomChoice(random) ? "" : StudyPath("../masks/1.seg.nrrd");
+  state.DicomSeries = RandomChoice(random) ? "" : "1.2.3";
+  state.LeftHanded = static_cast<LeftHandedAxes>(RandomWhole(random, 0, 1));
+  for (int i = RandomWhole(random, 0, 4); i > 0; --i)
+  {
+    state.Structures.push_back(RandomStructure(random));
+    state.Landmarks.push_back({RandomName(random), RandomPlace(random)});
+    state.Distances.push_back({RandomName(random), RandomPlace(random), RandomPlace(random)});
+  }
+  RandomizeFit(random, state.Fit);
+  state.Interpolation = static_cast<FieldInterpolation>(RandomWhole(random, 0, 1));
+  state.FieldSmoothing = RandomNumber(random, 0.0, 4.0);
+  RandomizeTouch(random, state);
+  state.View = RandomView(random);
+  return state;
+}
+} // namespace palpate::test

@@ -1,0 +1,170 @@
+#include "StudyFile.h"
+
+#include "InputError.h"
+#include "StudyCases.h"
+#include "StudyJson.h"
+#include "TemporaryFolder.h"
+
+#include <cmath>
+#include <gtest/gtest.h>
+#include <limits>
+
+namespace palpate
+{
+namespace
+{
+// The sentence that reading a text as a session is refused with.
+std::string RefusalOf(const std::string& text)
+{
+  try
+  {
+    StudyFromText(text, "/folder", "case.palpate.json");
+  }
+  catch (const InputError& error)
+  {
+    return error.what();
+  }
+  return "";
+}
+
+class StudyFile : public testing::Test
+{
+protected:
+  test::TemporaryFolder Folder;
+  std::filesystem::path Path = Folder / "case.palpate.json";
+};
+
+TEST_F(StudyFile, EveryStateComesBackEqual)
+{
+  test::Random random(11);
+  for (int trial = 0; trial < 200; ++trial)
+  {
+    const StudyState state = test::RandomStudy(random);
+    WriteStudy(this->Path, state);
+    ASSERT_EQ(ReadStudy(this->Path), state) << test::ReadAll(this->Path);
+  }
+  EXPECT_EQ(this->Folder.EntryCount(), 1U) << "no temporary file is left";
+}
+
+TEST_F(StudyFile, TheFolderMayMoveWithItsFiles)
+{
+  std::filesystem::create_directories(this->Folder / "a/data");
+  StudyState state;
+  state.VolumeFile = this->Folder / "a/data/t2.nii.gz";
+  state.SegmentationFile = this->Folder / "a/mask.nii.gz";
+  WriteStudy(this->Folder / "a/case.palpate.json", state);
+  const std::string text = test::ReadAll(this->Folder / "a/case.palpate.json");
+  EXPECT_EQ(text.find(this->Folder.Path().string()), std::string::npos) << text;
+  std::filesystem::rename(this->Folder / "a", this->Folder / "b");
+  const StudyState moved = ReadStudy(this->Folder / "b/case.palpate.json");
+  EXPECT_EQ(moved.VolumeFile, this->Folder / "b/data/t2.nii.gz");
+  EXPECT_EQ(moved.SegmentationFile, this->Folder / "b/mask.nii.gz");
+}
+
+TEST_F(StudyFile, MissingFilesAreNamedByTheirRole)
+{
+  StudyState state;
+  state.VolumeFile = this->Folder / "t2.nii.gz";
+  state.SegmentationFile = this->Folder / "mask.nii.gz";
+  test::WriteAll(state.VolumeFile, "there");
+  const auto missing = MissingFiles(state);
+  ASSERT_EQ(missing.size(), 1U);
+  EXPECT_EQ(missing[0].Role, "segmentation");
+  EXPECT_EQ(missing[0].Path, state.SegmentationFile);
+  EXPECT_TRUE(MissingFiles({}).empty());
+}
+
+TEST_F(StudyFile, WhatLayBesideAFileThatMovedIsFoundBesideIt)
+{
+  StudyState state;
+  state.VolumeFile = this->Folder / "old/t2.nii.gz";
+  state.SegmentationFile = this->Folder / "old/masks/1.nii.gz";
+  std::filesystem::create_directories(this->Folder / "new/masks");
+  test::WriteAll(this->Folder / "new/t2.nii.gz", "there");
+  test::WriteAll(this->Folder / "new/masks/1.nii.gz", "there");
+  const StudyState moved = Relocate(state, state.VolumeFile, this->Folder / "new/t2.nii.gz");
+  EXPECT_EQ(moved.VolumeFile, this->Folder / "new/t2.nii.gz");
+  EXPECT_EQ(moved.SegmentationFile, this->Folder / "new/masks/1.nii.gz");
+  EXPECT_TRUE(MissingFiles(moved).empty());
+}
+
+TEST_F(StudyFile, AFileThatIsThereStaysWhereItIs)
+{
+  StudyState state;
+  state.VolumeFile = this->Folder / "t2.nii.gz";
+  state.SegmentationFile = this->Folder / "mask.nii.gz";
+  test::WriteAll(state.SegmentationFile, "there");
+  const StudyState moved = Relocate(state, state.VolumeFile, this->Folder / "other.nii.gz");
+  EXPECT_EQ(moved.SegmentationFile, state.SegmentationFile);
+  EXPECT_EQ(moved.VolumeFile, this->Folder / "other.nii.gz");
+}
+
+TEST_F(StudyFile, WhatWouldNotOpenAgainIsNotWritten)
+{
+  test::WriteAll(this->Path, "old");
+  StudyState nan;
+  nan.Rate = std::nan("");
+  EXPECT_THROW(WriteStudy(this->Path, nan), InputError);
+  StudyState far;
+  far.Landmarks.push_back({"far", Vector3(1e9, 0.0, 0.0)});
+  EXPECT_THROW(WriteStudy(this->Path, far), InputError);
+  StudyState relative;
+  relative.VolumeFile = "t2.nii.gz";
+  EXPECT_THROW(WriteStudy(this->Path, relative), InputError);
+  StudyState bytes;
+  bytes.Structures.resize(1);
+  bytes.Structures[0].Name = "\xFF";
+  EXPECT_THROW(WriteStudy(this->Path, bytes), InputError);
+  EXPECT_EQ(test::ReadAll(this->Path), "old");
+}
+
+TEST(StudyText, BadOnesAreRefusedWithThePlace)
+{
+  const std::string start = "{\"format\": \"palpate-study\"";
+  const std::vector<std::pair<std::string, std::string>> cases{
+      {"{\n  \"format\": oops\n}", "line 2, column 13"},
+      {"", "line 1, column 1"},
+      {start, "line 1"},
+      {"[]", "study is no object"},
+      {"{}", "\"format\""},
+      {start + ", \"rate_hz\": 1e999}", "too large"},
+      {start + ", \"version\": 2}", "version 2"},
+      {start + ", \"volum\": \"a\"}", "\"volum\""},
+      {start + ", \"structures\": {}}", "\"structures\" is no list"},
+      {start + ", \"structures\": [{\"label\": 1}, {\"degree\": 1.5}]}", "structures[1]"},
+      {start + ", \"structures\": [{\"visible\": 1}]}", "true or false"},
+      {start + ", \"tool\": {\"radius_mm\": -1}}", "tool"},
+      {start + ", \"fit\": {\"method\": \"other\"}}", "\"method\" of its fit"},
+      {start + ", \"landmarks\": [{\"position_mm\": [1, 2]}]}", "landmarks[0]"},
+      {start + ", \"placement\": {\"scale\": 0}}", "placement"},
+      {start + ", \"view\": {\"window\": null}}", "view"}};
+  for (const auto& [text, place] : cases)
+  {
+    const std::string sentence = RefusalOf(text);
+    EXPECT_EQ(sentence.rfind("case.palpate.json ", 0), 0U) << text << ": " << sentence;
+    EXPECT_NE(sentence.find(place), std::string::npos) << text << ": " << sentence;
+    EXPECT_EQ(sentence.find('\n'), std::string::npos) << sentence;
+  }
+}
+
+// Whatever byte of a session is cut off or changed, it is refused or read, and nothing else.
+TEST(StudyText, DamageNeverDoesMoreThanRefuse)
+{
+  test::Random random(5);
+  const std::string text = StudyText(test::RandomStudy(random), "/folder", "case.palpate.json");
+  for (int trial = 0; trial < 2000; ++trial)
+  {
+    std::string damaged = text;
+    damaged[random() % damaged.size()] = static_cast<char>(random() % 256);
+    RefusalOf(damaged);
+    RefusalOf(text.substr(0, random() % text.size()));
+  }
+}
+
+TEST(StudyText, AnEmptyObjectOfTheFormatIsTheDefaultState)
+{
+  EXPECT_EQ(StudyFromText("{\"format\": \"palpate-study\"}", "/folder", "case.palpate.json"),
+            StudyState());
+}
+} // namespace
+} // namespace palpate

@@ -1,0 +1,211 @@
+#include "StudyJobs.h"
+
+#include "FilterRun.h"
+
+#include <atomic>
+#include <chrono>
+#include <future>
+#include <gtest/gtest.h>
+#include <memory>
+#include <new>
+#include <thread>
+#include <vector>
+
+namespace palpate
+{
+namespace
+{
+StudyJob Delivering(std::function<void()> delivery)
+{
+  StudyJob job;
+  job.Work = [delivery = std::move(delivery)](const ProgressFunction&) { return delivery; };
+  return job;
+}
+
+void DeliverAll(StudyJobs& jobs)
+{
+  while (jobs.WaitForResult())
+  {
+    jobs.Deliver();
+  }
+}
+
+// Works until it is cancelled, and says when it has begun.
+struct Endless
+{
+  std::promise<void> Begun;
+  std::shared_ptr<std::atomic<bool>> HasEnded = std::make_shared<std::atomic<bool>>(false);
+
+  StudyJob Job()
+  {
+    StudyJob job;
+    job.Work = [this,
+                ended = this->HasEnded](const ProgressFunction& progress) -> StudyJob::Delivery
+    {
+      this->Begun.set_value();
+      while (progress(0.5, "endless"))
+      {
+        std::this_thread::yield();
+      }
+      *ended = true;
+      throw Cancelled();
+    };
+    return job;
+  }
+};
+
+TEST(StudyJobs, ResultsAreDeliveredOnTheThreadThatAsksInTheOrderOfStarting)
+{
+  StudyJobs jobs;
+  std::vector<int> delivered;
+  const auto owner = std::this_thread::get_id();
+  for (int n = 0; n < 20; ++n)
+  {
+    jobs.Start(Delivering(
+        [&delivered, n, owner]
+        {
+          EXPECT_EQ(std::this_thread::get_id(), owner);
+          delivered.push_back(n);
+        }));
+  }
+  DeliverAll(jobs);
+  ASSERT_EQ(delivered.size(), 20U);
+  for (int n = 0; n < 20; ++n)
+  {
+    EXPECT_EQ(delivered[static_cast<std::size_t>(n)], n);
+  }
+  EXPECT_FALSE(jobs.WaitForResult()) << "nothing is on its way";
+}
+
+TEST(StudyJobs, ADeliveryMayStartMore)
+{
+  StudyJobs jobs;
+  int count = 0;
+  std::function<void()> again = [&]
+  {
+    if (++count < 5)
+    {
+      jobs.Start(Delivering(again));
+    }
+  };
+  jobs.Start(Delivering(again));
+  DeliverAll(jobs);
+  EXPECT_EQ(count, 5);
+}
+
+TEST(StudyJobs, WhatWorkThrowsIsASentence)
+{
+  StudyJobs jobs;
+  std::vector<std::string> sentences;
+  const auto start = [&](std::function<StudyJob::Delivery(const ProgressFunction&)> work)
+  {
+    jobs.Start(
+        {std::move(work), [&](const std::string& sentence) { sentences.push_back(sentence); }});
+  };
+  start([](const ProgressFunction&) -> StudyJob::Delivery
+        { throw std::runtime_error("mask.nii.gz is missing"); });
+  start([](const ProgressFunction&) -> StudyJob::Delivery { throw std::bad_alloc(); });
+  DeliverAll(jobs);
+  ASSERT_EQ(sentences.size(), 2U);
+  EXPECT_EQ(sentences[0], "mask.nii.gz is missing");
+  EXPECT_NE(sentences[1].find("memory"), std::string::npos);
+}
+
+TEST(StudyJobs, WhatIsCancelledStopsAndDeliversNothing)
+{
+  StudyJobs jobs;
+  Endless endless;
+  const StudyJobs::Id id = jobs.Start(endless.Job());
+  endless.Begun.get_future().wait();
+  ASSERT_TRUE(jobs.ProgressOf(id).has_value());
+  EXPECT_TRUE(jobs.ProgressOf(id)->IsRunning);
+  jobs.Cancel(id);
+  EXPECT_FALSE(jobs.ProgressOf(id).has_value());
+  bool isDelivered = false;
+  jobs.Start(Delivering([&] { isDelivered = true; }));
+  DeliverAll(jobs);
+  EXPECT_TRUE(*endless.HasEnded) << "its worker was free for the next one";
+  EXPECT_TRUE(isDelivered);
+}
+
+TEST(StudyJobs, WhatWaitsOrIsDoneCanBeCancelledToo)
+{
+  StudyJobs jobs;
+  int delivered = 0;
+  const StudyJobs::Id done = jobs.Start(Delivering([&] { ++delivered; }));
+  ASSERT_TRUE(jobs.WaitForResult());
+  Endless endless;
+  const StudyJobs::Id running = jobs.Start(endless.Job());
+  endless.Begun.get_future().wait();
+  const StudyJobs::Id waiting = jobs.Start(Delivering([&] { ++delivered; }));
+  EXPECT_FALSE(jobs.ProgressOf(waiting)->IsRunning);
+  for (const StudyJobs::Id id : {done, waiting, running})
+  {
+    jobs.Cancel(id);
+  }
+  DeliverAll(jobs);
+  EXPECT_EQ(delivered, 0);
+}
+
+TEST(StudyJobs, EndingCancelsWhatRuns)
+{
+  Endless endless;
+  StudyJobs jobs;
+  jobs.Start(endless.Job());
+  endless.Begun.get_future().wait();
+  EXPECT_TRUE(jobs.End(std::chrono::minutes(1)));
+  EXPECT_TRUE(*endless.HasEnded);
+  EXPECT_EQ(jobs.Deliver(), 0U);
+  bool isDelivered = false;
+  jobs.Start(Delivering([&] { isDelivered = true; }));
+  EXPECT_FALSE(jobs.WaitForResult());
+  EXPECT_FALSE(isDelivered);
+}
+
+// Work that never asks whether it is wanted goes on by itself, with all that it needs.
+TEST(StudyJobs, WhatDoesNotListenHoldsNobodyUp)
+{
+  const auto release = std::make_shared<std::promise<void>>();
+  const auto ended = std::make_shared<std::promise<void>>();
+  std::promise<void> begun;
+  {
+    StudyJobs jobs;
+    StudyJob job;
+    job.Work = [release, ended, &begun](const ProgressFunction& progress) -> StudyJob::Delivery
+    {
+      begun.set_value();
+      release->get_future().wait();
+      EXPECT_FALSE(progress(1.0, "deaf"));
+      ended->set_value();
+      return {};
+    };
+    jobs.Start(std::move(job));
+    begun.get_future().wait();
+    EXPECT_FALSE(jobs.End(std::chrono::milliseconds(1)));
+  }
+  release->set_value();
+  ended->get_future().wait();
+}
+
+TEST(StudyJobs, SeveralWorkersDoEachJobOnce)
+{
+  StudyJobs jobs(4);
+  std::atomic<int> worked{0};
+  int delivered = 0;
+  for (int n = 0; n < 200; ++n)
+  {
+    StudyJob job;
+    job.Work = [&](const ProgressFunction& progress)
+    {
+      progress(0.5, "work");
+      ++worked;
+      return StudyJob::Delivery([&] { ++delivered; });
+    };
+    jobs.Start(std::move(job));
+  }
+  DeliverAll(jobs);
+  EXPECT_EQ(worked, 200);
+  EXPECT_EQ(delivered, 200);
+}
+} // namespace
+} // namespace palpate

@@ -1,0 +1,321 @@
+#include "StudyTouch.h"
+
+#include "ManualClock.h"
+#include "SafetyText.h"
+#include "SimulatedDevice.h"
+#include "SteadyClock.h"
+#include "StudyPhantoms.h"
+#include "TouchReplay.h"
+
+#include <gtest/gtest.h>
+#include <thread>
+
+namespace palpate
+{
+namespace
+{
+// These servos run as fast as they can, in virtual time: with real-time priority nothing else
+// would.
+RealtimeRequest Ordinary()
+{
+  RealtimeRequest request;
+  request.Priority = 0;
+  return request;
+}
+
+StudyContact Ball(int label, double radius)
+{
+  const SphericalHarmonicModel model(0, {radius * std::sqrt(4.0 * M_PI)}, Vector3::Zero());
+  return {label, std::make_shared<const TouchContact>(
+                     MakeHarmonicContact(model, HarmonicContactMode::Nearest, "ball"))};
+}
+
+StudyState BallState(int label)
+{
+  StudyState state;
+  state.Structures = {test::StudyPhantom::Structure(label, TouchRepresentation::Harmonics)};
+  state.Tool.Radius = 0.0;
+  return state;
+}
+
+constexpr double Radius = 20.0;
+
+class StudyTouchTest : public testing::Test
+{
+protected:
+  std::unique_ptr<HapticDevice> OpenDevice(Clock& clock)
+  {
+    std::unique_ptr<HapticDevice> device;
+    EXPECT_TRUE(OpenTouchDevice("simulated", clock, device).IsOk());
+    return device;
+  }
+  void Start()
+  {
+    const Status status =
+        this->Touch.Start(this->OpenDevice(this->Time), this->State, this->Contacts);
+    ASSERT_TRUE(status.IsOk()) << status.Message();
+  }
+  // Presses to a depth below the ball's surface along x, from outside.
+  void Press(double depth)
+  {
+    this->Touch.MoveHand(Vector3(Radius + 5.0, 0.0, 0.0));
+    this->WaitUntil([](const StudyTouchReading& now)
+                    { return now.Newest.ProbeWorld.X > Radius + 4.0; });
+    this->Touch.MoveHand(Vector3(Radius - depth, 0.0, 0.0));
+  }
+  // Reads until `holds`; the servo's own time passes meanwhile.
+  template <typename Condition>
+  const StudyTouchReading& WaitUntil(const Condition& holds)
+  {
+    while (!holds(this->Touch.Poll()))
+    {
+      std::this_thread::yield();
+    }
+    return this->Touch.Poll();
+  }
+  // What is felt once the hand and its ramp are at rest, 2 s of the servo's time from now.
+  const StudyTouchReading& AtRest()
+  {
+    const std::int64_t end = this->Time.Now() + 2'000'000'000;
+    return this->WaitUntil([&](const StudyTouchReading& now)
+                           { return now.Newest.Tick.Started > end; });
+  }
+
+  ManualClock Time;
+  StudyState State = BallState(7);
+  std::vector<StudyContact> Contacts{Ball(7, Radius)};
+  StudyTouch Touch{Time, Ordinary()};
+};
+
+TEST_F(StudyTouchTest, AHandFeelsAStructureAndSaysWhich)
+{
+  this->Start();
+  EXPECT_TRUE(this->Touch.IsRunning());
+  this->Press(4.0);
+  const StudyTouchReading& felt = this->AtRest();
+  EXPECT_EQ(felt.TouchedLabel, 7);
+  // Hand and structure share the way as springs of 0.5 N/mm each; the mechanism's friction of
+  // 0.2 N may hold 0.2 mm of it.
+  EXPECT_NEAR(felt.Newest.Depth, 2.0, 0.25);
+  EXPECT_NEAR(Vector3(felt.Newest.ForceWorld).x(), 0.5 * felt.Newest.Depth, 1e-2);
+  EXPECT_EQ(felt.Safety, "Forces are on.");
+  EXPECT_GT(felt.Durations.Count(), 0U);
+  this->Touch.Stop();
+  EXPECT_FALSE(this->Touch.IsRunning());
+  EXPECT_EQ(Vector3(this->Touch.Poll().Newest.ForceDevice), Vector3::Zero());
+}
+
+TEST_F(StudyTouchTest, StiffnessChangesWhileItIsTouched)
+{
+  this->Start();
+  this->Press(4.0);
+  const double before = this->AtRest().Newest.ForceWorld.X;
+  const std::uint64_t scene = this->Touch.Poll().Newest.Scene;
+  this->State.Structures[0].Stiffness = 1.5;
+  ASSERT_TRUE(this->Touch.Update(this->State, this->Contacts).IsOk());
+  const StudyTouchReading& after = this->AtRest();
+  EXPECT_EQ(after.Newest.Scene, scene + 1);
+  // 4 mm are shared as 1 to 3 and no longer as 1 to 1: 1.5 N instead of 1 N.
+  EXPECT_GT(after.Newest.ForceWorld.X, 1.25 * before);
+}
+
+TEST_F(StudyTouchTest, AModelThatIsFittedAnewIsSwappedIn)
+{
+  this->Start();
+  this->Press(2.0);
+  this->AtRest();
+  const Vector3 center = this->Touch.Frame().CenterWorld;
+  const double scale = this->Touch.Frame().Scale;
+  this->Contacts = {Ball(7, Radius - 10.0)};
+  ASSERT_TRUE(this->Touch.Update(this->State, this->Contacts).IsOk());
+  EXPECT_EQ(this->AtRest().TouchedLabel, 0) << "the hand is outside the smaller ball";
+  EXPECT_EQ(this->Touch.Frame().CenterWorld, center) << "the workspace stays where it is";
+  EXPECT_EQ(this->Touch.Frame().Scale, scale);
+}
+
+TEST_F(StudyTouchTest, WhatCannotBeFeltIsNotPublishedAgain)
+{
+  this->Start();
+  const std::uint64_t scene = this->AtRest().Newest.Scene;
+  this->State.Structures[0].Color = {{0.0, 0.0, 1.0}};
+  this->State.View.OverlayOpacity = 0.9;
+  ASSERT_TRUE(this->Touch.Update(this->State, this->Contacts).IsOk());
+  EXPECT_EQ(this->AtRest().Newest.Scene, scene);
+}
+
+TEST_F(StudyTouchTest, ForcesThatAreSwitchedOffStayOffUntilTheyAreSwitchedOn)
+{
+  this->Start();
+  this->Press(4.0);
+  ASSERT_GT(this->AtRest().Newest.ForceWorld.X, 0.5);
+  this->Touch.SwitchForcesOff();
+  const StudyTouchReading& off = this->AtRest();
+  EXPECT_EQ(Vector3(off.Newest.ForceDevice), Vector3::Zero());
+  EXPECT_EQ(off.Newest.Safety.Fault, SafetyFault::SwitchedOff);
+  EXPECT_NEAR(off.Newest.ProbeWorld.X, Radius - 4.0, 0.5) << "the hand is followed all the same";
+  this->Touch.SwitchForcesOn();
+  this->Press(4.0);
+  EXPECT_GT(this->AtRest().Newest.ForceWorld.X, 0.5);
+}
+
+TEST_F(StudyTouchTest, AStructureThatIsNoLongerTouchableLetsTheHandIn)
+{
+  this->Start();
+  this->Press(4.0);
+  this->AtRest();
+  this->State.Structures[0].IsTouchable = false;
+  ASSERT_TRUE(this->Touch.Update(this->State, {}).IsOk());
+  EXPECT_EQ(this->AtRest().TouchedLabel, 0);
+}
+
+// Whatever is said of a structure is said of the one that was touched.
+TEST_F(StudyTouchTest, ContactsOfWhatIsNotTouchableAreLeftOut)
+{
+  this->State.Structures.insert(this->State.Structures.begin(),
+                                test::StudyPhantom::Structure(3, TouchRepresentation::Harmonics));
+  this->State.Structures[0].IsTouchable = false;
+  this->Contacts = {Ball(3, 2.0 * Radius), Ball(99, 2.0 * Radius), Ball(7, Radius)};
+  this->Start();
+  this->Press(4.0);
+  EXPECT_EQ(this->AtRest().TouchedLabel, 7);
+}
+
+TEST_F(StudyTouchTest, WhereThereIsNothingToTouchItDoesNotStart)
+{
+  const Status status = this->Touch.Start(this->OpenDevice(this->Time), this->State, {});
+  EXPECT_NE(status.Message().find("nothing to touch"), std::string::npos) << status.Message();
+  EXPECT_FALSE(this->Touch.IsRunning());
+}
+
+TEST_F(StudyTouchTest, AToolThatCannotTouchIsRefusedAndTheOneBeforeStays)
+{
+  this->State.Tool.Radius = -1.0;
+  EXPECT_FALSE(this->Touch.Start(this->OpenDevice(this->Time), this->State, this->Contacts).IsOk());
+  this->State.Tool.Radius = 0.0;
+  this->Start();
+  this->State.Tool.Kind = TouchToolSettings::Shape::Ellipsoid; // harmonics feel spheres
+  EXPECT_FALSE(this->Touch.Update(this->State, this->Contacts).IsOk());
+  this->Press(4.0);
+  EXPECT_EQ(this->AtRest().TouchedLabel, 7);
+}
+
+TEST_F(StudyTouchTest, TheWorkspaceLiesWhereThePlacementSays)
+{
+  this->State.Placement.Scale = 2.0;
+  this->State.Placement.CenterWorld = Vector3(5.0, 6.0, 7.0);
+  const Matrix3 turned = Eigen::AngleAxisd(0.5 * M_PI, Vector3::UnitZ()).toRotationMatrix();
+  this->Touch.TurnAxes(turned);
+  this->Start();
+  EXPECT_EQ(this->Touch.Frame().Scale, 2.0);
+  EXPECT_EQ(this->Touch.Frame().Rotation, turned);
+  const Vector3 target(30.0, -10.0, 12.0);
+  this->Touch.MoveHand(target);
+  // One count of the encoders is 0.045 mm, 0.09 mm at this scale; friction holds 0.2 N / 0.5 N/mm.
+  EXPECT_LT((Vector3(this->AtRest().Newest.ProbeWorld) - target).norm(), 2.0 * (0.4 + 0.1));
+  this->State.Placement.AxesFollowCamera = false;
+  ASSERT_TRUE(this->Touch.Update(this->State, this->Contacts).IsOk());
+  EXPECT_EQ(this->Touch.Frame().Rotation, Matrix3(Matrix3::Identity()));
+}
+
+TEST_F(StudyTouchTest, ADeviceThatIsUnpluggedIsNamed)
+{
+  auto device = this->OpenDevice(this->Time);
+  auto* simulated = dynamic_cast<SimulatedDevice*>(device.get());
+  ASSERT_TRUE(this->Touch.Start(std::move(device), this->State, this->Contacts).IsOk());
+  this->AtRest();
+  simulated->Inject(SimulatedFault::Unplugged);
+  const StudyTouchReading& reading = this->WaitUntil(
+      [](const StudyTouchReading& now) { return now.Newest.Safety.Fault != SafetyFault::None; });
+  EXPECT_EQ(reading.Newest.Safety.Fault, SafetyFault::DeviceFailed);
+  EXPECT_NE(reading.Safety.find("unplugged"), std::string::npos);
+  EXPECT_NE(reading.DeviceProblem.find("unplugged"), std::string::npos);
+  this->Start();
+  EXPECT_EQ(this->AtRest().Safety, "Forces are on.");
+}
+
+TEST_F(StudyTouchTest, AnUnknownDeviceIsNamedInTheSentence)
+{
+  std::unique_ptr<HapticDevice> device;
+  const Status status = OpenTouchDevice("phantom", this->Time, device);
+  EXPECT_NE(status.Message().find("simulated"), std::string::npos) << status.Message();
+}
+
+// In real time, since the ring of a servo that runs as fast as it can overflows.
+TEST_F(StudyTouchTest, ARecordingIsFeltAgainToTheLastBit)
+{
+  const test::TemporaryFolder folder;
+  SteadyClock clock;
+  StudyTouch touch(clock, Ordinary());
+  ASSERT_TRUE(touch.Start(this->OpenDevice(clock), this->State, this->Contacts).IsOk());
+  const auto file = folder / "session.touch";
+  ASSERT_TRUE(touch.StartRecording(file).IsOk());
+  EXPECT_FALSE(touch.StartRecording(file).IsOk());
+  touch.MoveHand(Vector3(Radius - 4.0, 0.0, 0.0));
+  while (touch.Poll().Newest.Tick.Number < 150)
+  {
+    std::this_thread::yield();
+  }
+  touch.Stop();
+  EXPECT_EQ(touch.Poll().RecordingProblem, "");
+  auto recording = std::make_shared<TouchRecording>();
+  ASSERT_TRUE(ReadTouchRecording(file.string(), *recording).IsOk());
+  EXPECT_GE(recording->Ticks.size(), 150U);
+  StudyFrame frame = touch.Frame();
+  const auto scene =
+      std::make_shared<const TouchScene>(MakeStudyScene(this->State, this->Contacts, frame));
+  ReplayComparison comparison;
+  ASSERT_TRUE(ReplayTouch(recording, {scene}, comparison).IsOk());
+  EXPECT_EQ(comparison.DifferentTicks, 0U);
+}
+
+TEST_F(StudyTouchTest, ARecordingThatCannotBeWrittenSaysSoAndTheTouchGoesOn)
+{
+  EXPECT_FALSE(this->Touch.StartRecording("/nowhere/session.touch").IsOk());
+  this->Start();
+  EXPECT_FALSE(this->Touch.StartRecording("/nowhere/session.touch").IsOk());
+  EXPECT_FALSE(this->Touch.IsRecording());
+  EXPECT_FALSE(this->Touch.StopRecording().IsOk());
+  this->Press(4.0);
+  EXPECT_EQ(this->AtRest().TouchedLabel, 7);
+}
+
+// From files to a touch, by what a pipeline makes.
+TEST(StudyTouchOfFiles, WhatThePipelineMakesIsFelt)
+{
+  const test::StudyPhantom phantom;
+  StudyState state = phantom.State();
+  StudyJobs jobs;
+  StudyPipeline pipeline(jobs);
+  pipeline.Update(state);
+  EXPECT_TRUE(ContactsOf(state, pipeline).empty());
+  test::Settle(jobs);
+  ManualClock clock;
+  StudyTouch touch(clock, Ordinary());
+  std::unique_ptr<HapticDevice> device;
+  ASSERT_TRUE(OpenTouchDevice(state.Device, clock, device).IsOk());
+  ASSERT_TRUE(touch.Start(std::move(device), state, ContactsOf(state, pipeline)).IsOk());
+  touch.MoveHand(Vector3(-15.0, 0.0, 5.0)); // in the ball, whose middle is at x = -15
+  while (touch.Poll().TouchedLabel != 1)
+  {
+    std::this_thread::yield();
+  }
+}
+
+TEST(SafetyText, SaysWhatTheChainDoes)
+{
+  TouchState state;
+  EXPECT_EQ(SafetyText(state), "Forces are off: the device is closed.");
+  state.State = DeviceState::Homing;
+  EXPECT_NE(SafetyText(state).find("zero"), std::string::npos);
+  state.State = DeviceState::Ready;
+  state.Safety.IsArmed = true;
+  EXPECT_EQ(SafetyText(state), "Forces are on.");
+  state.Safety.IsRamping = true;
+  state.Safety.IsLimited = true;
+  EXPECT_EQ(SafetyText(state), "Forces are on. They are being faded in. They are cut to the "
+                               "largest that the device can give.");
+  state.Safety.Fault = SafetyFault::SwitchedOff;
+  EXPECT_EQ(SafetyText(state), Describe(SafetyFault::SwitchedOff));
+}
+} // namespace
+} // namespace palpate

@@ -1,0 +1,45 @@
+#include "TouchContact.h"
+
+#include "FacetContactModel.h"
+#include "FieldContactModel.h"
+#include "Refusal.h"
+#include "SceneField.h"
+#include "TriangleMesh.h"
+
+namespace palpate
+{
+TouchContact MakeHarmonicContact(const SphericalHarmonicModel& model, HarmonicContactMode mode,
+                                 const std::filesystem::path& file)
+{
+  TouchContact made;
+  made.Looks.Model = std::make_shared<const SphericalHarmonicModel>(model);
+  RequireInput(HarmonicContactModel::Make(made.Looks.Model, mode, made.Model), file.string());
+  made.Represented = "harmonics of degree " + std::to_string(model.Degree()) +
+                     (mode == HarmonicContactMode::Nearest ? ", nearest point" : ", radial");
+  return made;
+}
+
+TouchContact MakeFacetContact(vtkPolyData* surface, const std::filesystem::path& file)
+{
+  const TriangleMesh mesh = TrianglesOf(surface, file);
+  TouchContact made;
+  made.Looks.Surface = surface;
+  RequireInput(FacetContactModel::Make(mesh.PointsWorld, mesh.Triangles, made.Model),
+               file.string());
+  made.Represented = std::to_string(mesh.Triangles.size()) + " facets";
+  return made;
+}
+
+TouchContact MakeFieldContact(const std::shared_ptr<const ScalarField>& field, int material,
+                              FieldInterpolation interpolation, const std::filesystem::path& file)
+{
+  TouchContact made;
+  made.Looks.Field = field;
+  RequireInput(FieldContactModel::Make(field, material, FieldContactMode::Proxy, made.Model),
+               file.string());
+  const bool isLinear = interpolation == FieldInterpolation::Trilinear;
+  made.Represented = std::string("sub-voxel field, ") + (isLinear ? "trilinear, " : "tricubic, ") +
+                     MemoryText(*field);
+  return made;
+}
+} // namespace palpate

@@ -1,0 +1,42 @@
+#pragma once
+
+#include "ContactModel.h"
+#include "HarmonicContactModel.h"
+#include "PalpateSessionModule.h"
+#include "ScalarField.h"
+#include "SphericalHarmonicModel.h"
+#include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
+
+#include <filesystem>
+#include <memory>
+#include <string>
+
+namespace palpate
+{
+/// How a structure looks that is touched: by one of these, which its contact model is made of.
+struct TouchAppearance
+{
+  std::shared_ptr<const SphericalHarmonicModel> Model;
+  vtkSmartPointer<vtkPolyData> Surface;
+  std::shared_ptr<const ScalarField> Field; ///< its first material
+};
+
+/// A structure's surface as something to touch.
+struct TouchContact
+{
+  std::shared_ptr<const ContactModel> Model;
+  TouchAppearance Looks;
+  std::string Represented; ///< in words, such as "harmonics of degree 12, nearest point"
+};
+
+/// The three kinds. `file` is for messages. Throw InputError for what cannot be touched.
+PALPATESESSION_EXPORT TouchContact MakeHarmonicContact(const SphericalHarmonicModel& model,
+                                                       HarmonicContactMode mode,
+                                                       const std::filesystem::path& file);
+PALPATESESSION_EXPORT TouchContact MakeFacetContact(vtkPolyData* surface,
+                                                    const std::filesystem::path& file);
+PALPATESESSION_EXPORT TouchContact MakeFieldContact(const std::shared_ptr<const ScalarField>& field,
+                                                    int material, FieldInterpolation interpolation,
+                                                    const std::filesystem::path& file);
+} // namespace palpate

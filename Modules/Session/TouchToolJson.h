@@ -1,0 +1,15 @@
+#pragma once
+
+#include "PalpateSessionModule.h"
+#include "TouchSettings.h"
+
+#include <nlohmann/json.hpp>
+
+namespace palpate
+{
+/// The entry "tool" of scenes and sessions: "shape", "radius_mm", "length_mm", "semi_axes_mm",
+/// "points". `file` is for messages. Throws InputError.
+PALPATESESSION_EXPORT TouchToolSettings ReadTouchTool(const nlohmann::json& object,
+                                                      const std::filesystem::path& file);
+PALPATESESSION_EXPORT nlohmann::ordered_json TouchToolJson(const TouchToolSettings& tool);
+} // namespace palpate
