@@ -24,6 +24,8 @@ public:
   /// steps that were undone are gone. Changes that follow each other with the same `gesture`, such
   /// as those of one slider, become one step, until EndGesture. False where nothing is different.
   bool Change(const std::string& sentence, const StudyState& next, const std::string& gesture = {});
+  /// What follows from the last step by itself, and goes and comes with it.
+  void Amend(const StudyState& next) { this->Now = next; }
   /// The slider was let go: the next change is a step of its own.
   void EndGesture() { this->Gesture.clear(); }
   /// Looks elsewhere.

@@ -1,0 +1,199 @@
+#include "Study.h"
+
+#include "StudyFile.h"
+
+#include <utility>
+
+namespace palpate
+{
+Study::Study(Clock& clock, const RealtimeRequest& request) : Time(clock), Felt(clock, request) {}
+
+void Study::Begin(const StudyState& state, const std::filesystem::path& file)
+{
+  this->StopTouch();
+  this->Steps.Reset(state);
+  this->SessionFile = file;
+  this->Unread.clear();
+  if (state.Structures.empty())
+  {
+    this->Unread.insert(state.SegmentationFile);
+  }
+  this->Follow();
+}
+
+void Study::Open(const std::filesystem::path& file)
+{
+  this->Begin(ReadStudy(file), StudyPath(file));
+}
+
+void Study::Save(const std::filesystem::path& file)
+{
+  WriteStudy(file, this->State());
+  this->SessionFile = StudyPath(file);
+  this->Steps.MarkSaved();
+}
+
+void Study::OpenVolume(const std::filesystem::path& file)
+{
+  StudyState next = this->State();
+  next.VolumeFile = StudyPath(file);
+  next.DicomSeries.clear();
+  next.View.CrosshairWorld.reset();
+  next.View.Window.reset();
+  next.View.Level.reset();
+  this->Change("Open the volume " + file.filename().string(), next);
+}
+
+void Study::OpenSegmentation(const std::filesystem::path& file)
+{
+  StudyState next = this->State();
+  next.SegmentationFile = StudyPath(file);
+  next.Structures.clear();
+  this->Unread.insert(next.SegmentationFile);
+  this->Change("Open the segmentation " + file.filename().string(), next);
+}
+
+void Study::RelocateFile(const std::filesystem::path& missing, const std::filesystem::path& moved)
+{
+  this->Change("Find " + missing.filename().string(), Relocate(this->State(), missing, moved));
+}
+
+bool Study::Change(const std::string& sentence, const StudyState& next, const std::string& gesture)
+{
+  const bool isChanged = this->Steps.Change(sentence, next, gesture);
+  if (isChanged)
+  {
+    this->Follow();
+  }
+  return isChanged;
+}
+
+bool Study::Undo()
+{
+  const bool isUndone = this->Steps.Undo();
+  this->Follow();
+  return isUndone;
+}
+
+bool Study::Redo()
+{
+  const bool isRedone = this->Steps.Redo();
+  this->Follow();
+  return isRedone;
+}
+
+// What is made and touched is what the state is now.
+void Study::Follow()
+{
+  this->Made.Update(this->State());
+  this->AdoptStructures();
+  this->FollowByTouch();
+}
+
+void Study::AdoptStructures()
+{
+  const bool isRead =
+      this->Made.StateOf(StudyStep::Segmentation).Is == StudyStepState::Kind::UpToDate;
+  if (!isRead || this->Unread.erase(this->State().SegmentationFile) == 0)
+  {
+    return;
+  }
+  const auto segmentation = this->Made.Newest<Segmentation>(StudyStep::Segmentation);
+  if (this->State().Structures.empty())
+  {
+    this->Steps.Amend(WithStructuresOf(this->State(), *segmentation));
+    this->Made.Update(this->State());
+  }
+}
+
+void Study::FollowByTouch()
+{
+  if (this->Felt.IsRunning())
+  {
+    this->Problem =
+        this->Felt.Update(this->State(), ContactsOf(this->State(), this->Made)).Message();
+  }
+}
+
+void Study::StartTouch()
+{
+  this->StopTouch();
+  StudyJob job;
+  job.Work = [this, name = this->State().Device, &clock = this->Time](const ProgressFunction&)
+  {
+    const auto device = std::make_shared<std::unique_ptr<HapticDevice>>();
+    const Status status = OpenTouchDevice(name, clock, *device);
+    return StudyJob::Delivery(
+        [this, device, status]
+        {
+          this->Opening.reset();
+          this->Problem = status.Message();
+          if (status.IsOk())
+          {
+            this->TakeDevice(std::move(*device));
+          }
+        });
+  };
+  job.Fail = [this](const std::string& sentence)
+  {
+    this->Opening.reset();
+    this->Problem = sentence;
+  };
+  this->Opening = this->Work.Start(std::move(job));
+}
+
+void Study::TakeDevice(std::unique_ptr<HapticDevice> device)
+{
+  this->Problem =
+      this->Felt.Start(std::move(device), this->State(), ContactsOf(this->State(), this->Made))
+          .Message();
+}
+
+void Study::StopTouch()
+{
+  if (this->Opening)
+  {
+    this->Work.Cancel(*this->Opening);
+    this->Opening.reset();
+  }
+  this->Felt.Stop();
+  this->Problem.clear();
+}
+
+std::size_t Study::Deliver()
+{
+  const std::size_t count = this->Work.Deliver();
+  if (count > 0)
+  {
+    this->AdoptStructures();
+    this->FollowByTouch();
+  }
+  return count;
+}
+
+bool Study::Close(std::chrono::milliseconds longest)
+{
+  this->StopTouch();
+  return this->Work.End(longest);
+}
+
+StudyState WithStructuresOf(const StudyState& state, const Segmentation& segmentation)
+{
+  StudyState next = state;
+  next.Structures.clear();
+  for (const Segment& segment : segmentation.Segments)
+  {
+    StudyStructure structure;
+    structure.Label = segment.Label;
+    structure.Name = segment.Name.empty() ? "label " + std::to_string(segment.Label) : segment.Name;
+    structure.Color = segment.Color;
+    structure.Degree = state.Fit.Degree;
+    const bool isShown =
+        next.Structures.empty() || segmentation.Segments.size() <= Study::MostShownUnasked;
+    structure.IsVisible = isShown;
+    structure.IsTouchable = isShown;
+    next.Structures.push_back(std::move(structure));
+  }
+  return next;
+}
+} // namespace palpate

@@ -1,0 +1,93 @@
+#pragma once
+
+#include "PalpateSessionModule.h"
+#include "StudyHistory.h"
+#include "StudyJobs.h"
+#include "StudyPipeline.h"
+#include "StudyTouch.h"
+
+#include <chrono>
+#include <cstddef>
+#include <filesystem>
+#include <optional>
+#include <set>
+#include <string>
+
+namespace palpate
+{
+/// What is open: its state with the steps back and forth, what is made of it, and its touch. For
+/// one thread, a window's or a command's, which calls Deliver now and then.
+class PALPATESESSION_EXPORT Study
+{
+public:
+  /// So many structures of a segmentation at most are shown and touched without being asked for; of
+  /// more, the first alone.
+  static constexpr std::size_t MostShownUnasked = 8;
+
+  /// Keeps the address of the clock, which is the servo's.
+  explicit Study(Clock& clock, const RealtimeRequest& request = {});
+
+  const StudyState& State() const { return this->Steps.Current(); }
+  const StudyHistory& History() const { return this->Steps; }
+  StudyPipeline& Pipeline() { return this->Made; }
+  StudyTouch& Touch() { return this->Felt; }
+  StudyJobs& Jobs() { return this->Work; }
+
+  /// An empty one.
+  void New() { this->Begin({}, {}); }
+  /// A session file. Throws InputError, with what was open left as it was; files that it names and
+  /// that are missing are no error (see MissingFiles).
+  void Open(const std::filesystem::path& file);
+  /// Throws InputError.
+  void Save(const std::filesystem::path& file);
+  /// The session file; empty where it has none yet.
+  const std::filesystem::path& File() const { return this->SessionFile; }
+
+  /// Another volume, or another segmentation with its own structures; each a step.
+  void OpenVolume(const std::filesystem::path& file);
+  void OpenSegmentation(const std::filesystem::path& file);
+  /// See Relocate; a step.
+  void RelocateFile(const std::filesystem::path& missing, const std::filesystem::path& moved);
+
+  /// See StudyHistory.
+  bool Change(const std::string& sentence, const StudyState& next, const std::string& gesture = {});
+  void EndGesture() { this->Steps.EndGesture(); }
+  void ChangeView(const StudyView& view) { this->Steps.ChangeView(view); }
+  bool Undo();
+  bool Redo();
+
+  /// Opens the state's device beside the caller, then begins to touch.
+  void StartTouch();
+  void StopTouch();
+  bool IsOpeningDevice() const { return this->Opening.has_value(); }
+  /// Why a touch did not begin, or does not follow what the state has become; empty without.
+  const std::string& TouchProblem() const { return this->Problem; }
+
+  /// Takes what was made meanwhile; returns how many pieces.
+  std::size_t Deliver();
+  /// Forces first, then what is at work. False where something goes on by itself (see StudyJobs):
+  /// then end the program without waiting for it.
+  bool Close(std::chrono::milliseconds longest = std::chrono::milliseconds(800));
+
+private:
+  void Begin(const StudyState& state, const std::filesystem::path& file);
+  void Follow();
+  void AdoptStructures();
+  void FollowByTouch();
+  void TakeDevice(std::unique_ptr<HapticDevice> device);
+
+  Clock& Time;
+  StudyHistory Steps;
+  StudyJobs Work;
+  StudyPipeline Made{Work};
+  StudyTouch Felt;
+  std::filesystem::path SessionFile;
+  std::set<std::filesystem::path> Unread; ///< segmentations whose structures are to be taken over
+  std::optional<StudyJobs::Id> Opening;
+  std::string Problem;
+};
+
+/// A state with a structure for each of a segmentation's.
+PALPATESESSION_EXPORT StudyState WithStructuresOf(const StudyState& state,
+                                                  const Segmentation& segmentation);
+} // namespace palpate

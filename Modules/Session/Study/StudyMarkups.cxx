@@ -1,0 +1,136 @@
+#include "StudyMarkups.h"
+
+#include "DecimalText.h"
+#include "Refusal.h"
+#include "WholeFile.h"
+
+#include <nlohmann/json.hpp>
+
+namespace palpate
+{
+namespace
+{
+using OrderedJson = nlohmann::ordered_json;
+
+// Slicer's documentation of the format: "Markups json file format".
+constexpr const char* Schema =
+    "https://raw.githubusercontent.com/slicer/slicer/master/Modules/Loadable/Markups/Resources/"
+    "Schema/markups-schema-v1.0.3.json#";
+
+bool EndsWith(const std::string& text, const std::string& end)
+{
+  return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
+}
+
+OrderedJson ControlPoint(const std::string& id, const std::string& label, const Vector3& place)
+{
+  return {{"id", id}, {"label", label}, {"position", {place[0], place[1], place[2]}}};
+}
+
+OrderedJson Markup(const char* type, OrderedJson points)
+{
+  return {{"type", type},
+          {"coordinateSystem", "LPS"},
+          {"coordinateUnits", "mm"},
+          {"controlPoints", std::move(points)}};
+}
+
+OrderedJson PointsOf(const std::vector<StudyLandmark>& landmarks)
+{
+  OrderedJson points = OrderedJson::array();
+  for (const StudyLandmark& landmark : landmarks)
+  {
+    points.push_back(
+        ControlPoint(std::to_string(points.size() + 1), landmark.Name, landmark.PositionWorld));
+  }
+  return Markup("Fiducial", std::move(points));
+}
+
+OrderedJson LineOf(const StudyDistance& distance)
+{
+  OrderedJson line = Markup("Line", {ControlPoint("1", distance.Name + "-1", distance.FromWorld),
+                                     ControlPoint("2", distance.Name + "-2", distance.ToWorld)});
+  line["measurements"] = OrderedJson::array(
+      {{{"name", "length"}, {"enabled", true}, {"value", distance.Length()}, {"units", "mm"}}});
+  return line;
+}
+
+std::string SlicerText(const std::filesystem::path& path,
+                       const std::vector<StudyLandmark>& landmarks,
+                       const std::vector<StudyDistance>& distances)
+{
+  OrderedJson markups = OrderedJson::array();
+  if (!landmarks.empty())
+  {
+    markups.push_back(PointsOf(landmarks));
+  }
+  for (const StudyDistance& distance : distances)
+  {
+    markups.push_back(LineOf(distance));
+  }
+  try
+  {
+    return OrderedJson{{"@schema", Schema}, {"markups", markups}}.dump(2) + "\n";
+  }
+  catch (const OrderedJson::type_error&)
+  {
+    Refuse(path, "cannot be written: a name in it is no UTF-8 text", "rename the landmark");
+  }
+}
+
+// RFC 4180.
+std::string Quoted(const std::string& text)
+{
+  std::string quoted = "\"";
+  for (const char letter : text)
+  {
+    quoted += letter == '"' ? "\"\"" : std::string(1, letter);
+  }
+  return quoted + '"';
+}
+
+std::string NumbersOf(const Vector3& place)
+{
+  return ',' + ExactText(place[0]) + ',' + ExactText(place[1]) + ',' + ExactText(place[2]);
+}
+
+std::string CsvText(const std::vector<StudyLandmark>& landmarks,
+                    const std::vector<StudyDistance>& distances)
+{
+  std::string text = "kind,name,x_mm,y_mm,z_mm,to_x_mm,to_y_mm,to_z_mm,length_mm\n";
+  for (const StudyLandmark& landmark : landmarks)
+  {
+    text += "landmark," + Quoted(landmark.Name) + NumbersOf(landmark.PositionWorld) + ",,,,\n";
+  }
+  for (const StudyDistance& distance : distances)
+  {
+    text += "distance," + Quoted(distance.Name) + NumbersOf(distance.FromWorld) +
+            NumbersOf(distance.ToWorld) + ',' + ExactText(distance.Length()) + '\n';
+  }
+  return text;
+}
+} // namespace
+
+void WriteMarkups(const std::filesystem::path& path, const std::vector<StudyLandmark>& landmarks,
+                  const std::vector<StudyDistance>& distances)
+{
+  if (landmarks.empty() && distances.empty())
+  {
+    Refuse(path, "was not written, since there is nothing to write",
+           "place a landmark or a distance first");
+  }
+  const std::string name = path.filename().string();
+  if (EndsWith(name, ".mrk.json"))
+  {
+    WriteWholeFile(path, SlicerText(path, landmarks, distances));
+  }
+  else if (EndsWith(name, ".csv"))
+  {
+    WriteWholeFile(path, CsvText(landmarks, distances));
+  }
+  else
+  {
+    Refuse(path, "has no ending of markups", "end it with .mrk.json or .csv");
+  }
+}
+} // namespace palpate

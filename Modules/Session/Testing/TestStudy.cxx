@@ -1,0 +1,257 @@
+#include "Study.h"
+
+#include "InputError.h"
+#include "ManualClock.h"
+#include "StudyCases.h"
+#include "StudyFile.h"
+#include "StudyPhantoms.h"
+
+#include <gtest/gtest.h>
+#include <thread>
+
+namespace palpate
+{
+namespace
+{
+RealtimeRequest Ordinary()
+{
+  RealtimeRequest request;
+  request.Priority = 0;
+  return request;
+}
+
+class StudyTest : public testing::Test
+{
+protected:
+  void OpenFiles()
+  {
+    this->Open.OpenVolume(this->Phantom.Folder / "volume.nii.gz");
+    this->Open.OpenSegmentation(this->Phantom.Folder / "mask.nii.gz");
+  }
+  void Settle()
+  {
+    while (this->Open.Jobs().WaitForResult())
+    {
+      this->Open.Deliver();
+    }
+  }
+  // As the user would: another degree of the first structure.
+  void ChangeDegree(int degree)
+  {
+    StudyState next = this->Open.State();
+    next.Structures.at(0).Degree = degree;
+    this->Open.Change("Change the degree to " + std::to_string(degree), next);
+  }
+
+  test::StudyPhantom Phantom;
+  ManualClock Time;
+  Study Open{this->Time, Ordinary()};
+};
+
+TEST_F(StudyTest, ASegmentationBringsItsStructuresAsPartOfItsStep)
+{
+  this->OpenFiles();
+  EXPECT_TRUE(this->Open.State().Structures.empty());
+  this->Settle();
+  ASSERT_EQ(this->Open.State().Structures.size(), 3U);
+  EXPECT_EQ(this->Open.State().Structures[1].Label, 2);
+  EXPECT_EQ(this->Open.State().Structures[1].Name, "label 2");
+  EXPECT_EQ(this->Open.Pipeline().StateOf(StudyStep::Touch, 1).Is, StudyStepState::Kind::UpToDate);
+  const StudyState opened = this->Open.State();
+  EXPECT_EQ(this->Open.History().UndoText(), "Open the segmentation mask.nii.gz");
+  this->Open.Undo();
+  EXPECT_TRUE(this->Open.State().SegmentationFile.empty());
+  this->Open.Redo();
+  EXPECT_EQ(this->Open.State(), opened);
+}
+
+TEST_F(StudyTest, StructuresComeAlsoWhereTheStepWasUndoneMeanwhile)
+{
+  this->OpenFiles();
+  this->Open.Undo();
+  this->Settle();
+  this->Open.Redo();
+  this->Settle();
+  EXPECT_EQ(this->Open.State().Structures.size(), 3U);
+}
+
+TEST_F(StudyTest, StructuresThatWereRemovedStayRemoved)
+{
+  this->OpenFiles();
+  this->Settle();
+  StudyState next = this->Open.State();
+  next.Structures.clear();
+  this->Open.Change("Remove all structures", next);
+  this->Settle();
+  this->Open.Undo();
+  this->Open.Redo();
+  this->Settle();
+  EXPECT_TRUE(this->Open.State().Structures.empty());
+}
+
+TEST(StudyStructures, OfManyOnlyTheFirstIsShownUnasked)
+{
+  Segmentation segmentation;
+  for (int label = 1; label <= 20; ++label)
+  {
+    Segment segment;
+    segment.Label = label;
+    segmentation.Segments.push_back(segment);
+  }
+  const StudyState state = WithStructuresOf({}, segmentation);
+  ASSERT_EQ(state.Structures.size(), 20U);
+  for (const StudyStructure& structure : state.Structures)
+  {
+    EXPECT_EQ(structure.IsVisible, structure.Label == 1);
+    EXPECT_EQ(structure.IsTouchable, structure.Label == 1);
+  }
+}
+
+TEST_F(StudyTest, ASessionReopensAsItWasSaved)
+{
+  this->OpenFiles();
+  this->Settle();
+  this->ChangeDegree(5);
+  EXPECT_TRUE(this->Open.History().IsChanged());
+  const auto file = this->Phantom.Folder / "case.palpate.json";
+  this->Open.Save(file);
+  EXPECT_FALSE(this->Open.History().IsChanged());
+  const StudyState saved = this->Open.State();
+  this->Open.New();
+  EXPECT_EQ(this->Open.State(), StudyState());
+  this->Open.Open(file);
+  EXPECT_EQ(this->Open.File(), file);
+  EXPECT_EQ(this->Open.State(), saved);
+  EXPECT_FALSE(this->Open.History().CanUndo());
+  this->Settle();
+  EXPECT_EQ(this->Open.State(), saved);
+  EXPECT_EQ(this->Open.Pipeline().Newest<FitResult>(StudyStep::Model, 1)->Model.Degree(), 5);
+}
+
+TEST_F(StudyTest, ASessionThatCannotBeReadLeavesWhatIsOpen)
+{
+  this->OpenFiles();
+  this->Settle();
+  const StudyState before = this->Open.State();
+  test::WriteAll(this->Phantom.Folder / "bad.palpate.json", "{");
+  EXPECT_THROW(this->Open.Open(this->Phantom.Folder / "bad.palpate.json"), InputError);
+  EXPECT_EQ(this->Open.State(), before);
+  EXPECT_TRUE(this->Open.History().CanUndo());
+}
+
+TEST_F(StudyTest, AMissingFileIsAskedForAndFound)
+{
+  this->OpenFiles();
+  this->Settle();
+  const auto file = this->Phantom.Folder / "case.palpate.json";
+  this->Open.Save(file);
+  const auto mask = this->Phantom.Folder / "mask.nii.gz";
+  std::filesystem::rename(mask, this->Phantom.Folder / "moved.nii.gz");
+  this->Open.Open(file);
+  this->Settle();
+  ASSERT_EQ(MissingFiles(this->Open.State()).size(), 1U);
+  EXPECT_EQ(this->Open.Pipeline().StateOf(StudyStep::Segmentation).Is,
+            StudyStepState::Kind::Failed);
+  this->Open.RelocateFile(mask, this->Phantom.Folder / "moved.nii.gz");
+  this->Settle();
+  EXPECT_EQ(this->Open.Pipeline().StateOf(StudyStep::Touch, 1).Is, StudyStepState::Kind::UpToDate);
+  EXPECT_EQ(this->Open.State().Structures.size(), 3U);
+}
+
+// Open, touch, refit while touching, stop.
+TEST_F(StudyTest, ATouchFollowsWhatTheStudyBecomes)
+{
+  this->OpenFiles();
+  this->Settle();
+  this->Open.StartTouch();
+  EXPECT_TRUE(this->Open.IsOpeningDevice());
+  this->Settle();
+  ASSERT_TRUE(this->Open.Touch().IsRunning()) << this->Open.TouchProblem();
+  this->Open.Touch().MoveHand(Vector3(-15.0, 0.0, 5.0)); // in the ball
+  while (this->Open.Touch().Poll().TouchedLabel != 1)
+  {
+    std::this_thread::yield();
+  }
+  const std::uint64_t scene = this->Open.Touch().Poll().Newest.Scene;
+  this->ChangeDegree(6);
+  this->Settle();
+  while (this->Open.Touch().Poll().Newest.Scene == scene)
+  {
+    std::this_thread::yield();
+  }
+  EXPECT_EQ(this->Open.TouchProblem(), "");
+  this->Open.StopTouch();
+  EXPECT_FALSE(this->Open.Touch().IsRunning());
+}
+
+TEST_F(StudyTest, ATouchThatCannotBeginSaysWhy)
+{
+  this->Open.StartTouch();
+  this->Settle();
+  EXPECT_NE(this->Open.TouchProblem().find("nothing to touch"), std::string::npos);
+  this->OpenFiles();
+  this->Settle();
+  StudyState next = this->Open.State();
+  next.Device = "phantom";
+  this->Open.Change("Choose the device", next);
+  this->Open.StartTouch();
+  this->Settle();
+  EXPECT_NE(this->Open.TouchProblem().find("phantom"), std::string::npos)
+      << this->Open.TouchProblem();
+  EXPECT_FALSE(this->Open.Touch().IsRunning());
+}
+
+TEST_F(StudyTest, ClosingAtAnyMomentEndsEverything)
+{
+  for (int deliveries = 0; deliveries < 8; ++deliveries)
+  {
+    Study closed(this->Time, Ordinary());
+    closed.OpenVolume(this->Phantom.Folder / "volume.nii.gz");
+    closed.OpenSegmentation(this->Phantom.Folder / "mask.nii.gz");
+    for (int n = 0; n < deliveries && closed.Jobs().WaitForResult(); ++n)
+    {
+      closed.Deliver();
+    }
+    closed.StartTouch();
+    // What these small files ask for ends by itself long before.
+    EXPECT_TRUE(closed.Close(std::chrono::minutes(1)));
+    EXPECT_FALSE(closed.Touch().IsRunning());
+    EXPECT_EQ(closed.Deliver(), 0U);
+  }
+}
+
+// Whatever is done in which order, going all the way back and forth gives the states again.
+TEST_F(StudyTest, RandomStepsAllUndoneAndDoneAgainGiveTheSameStates)
+{
+  this->OpenFiles();
+  this->Settle();
+  test::Random random(31);
+  std::vector<StudyState> states{this->Open.State()};
+  for (int step = 0; step < 20; ++step)
+  {
+    StudyState next = this->Open.State();
+    StudyStructure& structure = next.Structures[random() % next.Structures.size()];
+    structure.Degree = test::RandomWhole(random, 1, 4);
+    structure.IsVisible = test::RandomChoice(random);
+    structure.IsTouchable = test::RandomChoice(random);
+    structure.Stiffness = test::RandomNumber(random, 0.1, 1.0);
+    this->Open.Change("step", next);
+    states.push_back(this->Open.State());
+    if (test::RandomChoice(random) && this->Open.Jobs().WaitForResult())
+    {
+      this->Open.Deliver();
+    }
+  }
+  for (std::size_t n = states.size(); n-- > 1;)
+  {
+    ASSERT_EQ(this->Open.State(), states[n]);
+    this->Open.Undo();
+  }
+  for (std::size_t n = 1; n < states.size(); ++n)
+  {
+    this->Open.Redo();
+    ASSERT_EQ(this->Open.State(), states[n]);
+  }
+}
+} // namespace
+} // namespace palpate
