@@ -1,0 +1,50 @@
+#include "ViewerRun.h"
+
+#include <QApplication>
+#include <QTimer>
+
+namespace palpate
+{
+namespace
+{
+constexpr int PictureDelay = 500; // ms: what was made last is drawn, a hand has come to rest
+}
+
+ViewerRun::ViewerRun(StudyController& study, MainWindow& window, const ViewerOptions& options)
+    : Study(study), Window(window), Options(options)
+{
+  std::vector<std::filesystem::path> files;
+  for (const QString& file : options.Files)
+  {
+    files.emplace_back(file.toStdString());
+  }
+  connect(&study, &StudyController::StepsChanged, this, &ViewerRun::GoOn);
+  study.OpenFiles(files);
+}
+
+void ViewerRun::GoOn()
+{
+  if (this->Study.IsBusy())
+  {
+    return;
+  }
+  if (this->Options.StartsTouch && !this->HasTouched)
+  {
+    this->HasTouched = true;
+    this->Study.StartTouch();
+    return;
+  }
+  disconnect(&this->Study, &StudyController::StepsChanged, this, &ViewerRun::GoOn);
+  if (!this->Options.Screenshot.isEmpty())
+  {
+    QTimer::singleShot(PictureDelay, this, &ViewerRun::TakePicture);
+  }
+}
+
+void ViewerRun::TakePicture()
+{
+  const bool isSaved = this->Window.SaveScreenshot(this->Options.Screenshot);
+  this->Study.Close();
+  QApplication::exit(isSaved ? 0 : 1);
+}
+} // namespace palpate

@@ -1,0 +1,28 @@
+#pragma once
+
+#include "StructureTableModel.h"
+
+#include <QTableView>
+#include <QWidget>
+
+namespace palpate
+{
+/// The table of structures, and how strongly labels cover the slices.
+class StructuresPanel : public QWidget
+{
+  Q_OBJECT
+
+public:
+  /// Keeps the address.
+  explicit StructuresPanel(StudyController& study, QWidget* parent = nullptr);
+
+Q_SIGNALS:
+  void OpacityChosen(double opacity);
+
+private:
+  void ChooseColor(const QModelIndex& index);
+
+  StructureTableModel* Model;
+  QTableView* Table;
+};
+} // namespace palpate
