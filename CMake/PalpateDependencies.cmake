@@ -11,7 +11,8 @@ set(PALPATE_VTK_COMPONENTS
   IOExport IOGeometry IOImage IOPLY IOXML
   InteractionStyle RenderingAnnotation RenderingCore RenderingFreeType RenderingOpenGL2
   RenderingVolume)
-set(palpate_vtk_build_components TestingCore TestingRendering RenderingVolumeOpenGL2)
+set(palpate_vtk_build_components TestingCore TestingRendering RenderingImage
+  RenderingVolumeOpenGL2)
 if(PALPATE_WRAP_PYTHON)
   list(APPEND palpate_vtk_build_components WrappingPythonCore CommonPython WrappingTools Python)
   # The VTK package of Debian is built for the system's interpreter, whatever else is on the PATH.
@@ -44,3 +45,12 @@ find_package(X11 REQUIRED)
 find_package(CLI11 REQUIRED)
 find_package(nlohmann_json 3.11 REQUIRED)
 find_package(Threads REQUIRED)
+
+# Without libusb everything builds but the way to a real Falcon.
+find_package(PkgConfig)
+if(PkgConfig_FOUND)
+  pkg_check_modules(libusb IMPORTED_TARGET libusb-1.0>=1.0.23)
+endif()
+if(NOT TARGET PkgConfig::libusb)
+  message(STATUS "libusb (libusb-1.0-0-dev) was not found: there will be no device named falcon")
+endif()

@@ -15,4 +15,6 @@ install(FILES
   "${CMAKE_BINARY_DIR}/${PALPATE_VTK_CMAKE_DIR}/PalpateConfig.cmake"
   "${CMAKE_BINARY_DIR}/${PALPATE_VTK_CMAKE_DIR}/PalpateConfigVersion.cmake"
   DESTINATION "${PALPATE_VTK_CMAKE_DIR}")
+install(PROGRAMS Utilities/install-udev-rule.sh DESTINATION ${CMAKE_INSTALL_DATADIR}/palpate)
+install(FILES Utilities/70-palpate-falcon.rules DESTINATION ${CMAKE_INSTALL_DATADIR}/palpate)
 install(FILES LICENSE DESTINATION "${CMAKE_INSTALL_DOCDIR}")

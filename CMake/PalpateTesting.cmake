@@ -4,11 +4,16 @@ find_package(GTest REQUIRED)
 include(GoogleTest)
 enable_testing()
 find_program(PALPATE_XVFB_RUN xvfb-run)
+# A virtual USB bus for unchanged programs.
+if(PkgConfig_FOUND AND TARGET PkgConfig::libusb)
+  pkg_check_modules(umockdev IMPORTED_TARGET umockdev-1.0 gobject-2.0)
+endif()
 
-# palpate_add_gtest(name SOURCES a.cxx… LIBRARIES t… [RENDERING filter])
+# palpate_add_gtest(name SOURCES a.cxx… LIBRARIES t… [RENDERING filter] [ON_VIRTUAL_BUS])
 # RENDERING: GoogleTest's filter for the tests that render through OpenGL.
+# ON_VIRTUAL_BUS: the tests see umockdev's devices, as under umockdev-wrapper.
 function(palpate_add_gtest name)
-  cmake_parse_arguments(arg "" "RENDERING" "SOURCES;LIBRARIES" ${ARGN})
+  cmake_parse_arguments(arg "ON_VIRTUAL_BUS" "RENDERING" "SOURCES;LIBRARIES" ${ARGN})
   add_executable(${name} ${arg_SOURCES})
   palpate_compile_settings(${name})
   target_link_libraries(${name} PRIVATE ${arg_LIBRARIES} Palpate::TestSupport GTest::gtest_main)
@@ -21,6 +26,10 @@ function(palpate_add_gtest name)
       TEST_LIST ${name}_RENDERING_TESTS
       PROPERTIES TIMEOUT 300 ENVIRONMENT "ASAN_OPTIONS=detect_leaks=0")
     gtest_discover_tests(${discover} TEST_FILTER "-${arg_RENDERING}" PROPERTIES TIMEOUT 300)
+  elseif(arg_ON_VIRTUAL_BUS)
+    # AddressSanitizer would be the first library, and GLib keeps much to its end.
+    gtest_discover_tests(${discover} PROPERTIES TIMEOUT 60 ENVIRONMENT
+      "LD_PRELOAD=libumockdev-preload.so.0;ASAN_OPTIONS=verify_asan_link_order=0:detect_leaks=0")
   else()
     gtest_discover_tests(${discover} PROPERTIES TIMEOUT 300)
   endif()
@@ -30,6 +39,7 @@ endfunction()
 function(palpate_add_module_tests)
   add_subdirectory(Testing/Support)
   add_subdirectory(Testing/References)
+  add_subdirectory(Testing/VirtualFalcon)
   foreach(room Numerics Field Realtime Haptics HapticDevices IO Surface ShapeModel VolumeRendering Imaging Interaction
       Session)
     add_subdirectory(Modules/${room}/Testing)

@@ -67,18 +67,32 @@ void Console::Error(const std::string& sentence)
   this->Errors << "palpate: " << Safe(sentence) << '\n' << std::flush;
 }
 
+bool Console::IsTimeToDraw()
+{
+  const auto now = std::chrono::steady_clock::now();
+  if (!this->Terminal || this->Quiet || now - this->LastDraw < DrawInterval)
+  {
+    return false;
+  }
+  this->LastDraw = now;
+  return true;
+}
+
 void Console::Progress(double fraction, const std::string& stage)
 {
-  if (!this->Terminal || this->Quiet)
+  if (this->IsTimeToDraw())
   {
-    return;
-  }
-  const auto now = std::chrono::steady_clock::now();
-  if (now - this->LastDraw >= DrawInterval)
-  {
-    this->LastDraw = now;
     this->Draw(std::isfinite(fraction) ? std::clamp(fraction, 0.0, 1.0) : 0.0, stage,
-               SecondsBetween(this->Start, now));
+               SecondsBetween(this->Start, this->LastDraw));
+  }
+}
+
+void Console::Live(const std::string& line)
+{
+  if (this->IsTimeToDraw())
+  {
+    this->Errors << "\r\x1b[K" << Printable(line) << std::flush;
+    this->Drawn = true;
   }
 }
 

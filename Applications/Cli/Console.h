@@ -24,10 +24,13 @@ public:
   void Error(const std::string& sentence);
   /// Draws `stage` with a bar and the time left; fraction in 0..1. Cheap enough to call often.
   void Progress(double fraction, const std::string& stage);
+  /// Draws a line that the next one replaces, as progress is drawn.
+  void Live(const std::string& line);
   /// Wipes the progress line and starts the clock of the next one.
   void EndProgress();
 
 private:
+  bool IsTimeToDraw();
   void Draw(double fraction, const std::string& stage, double elapsedSeconds);
   void Wipe();
 

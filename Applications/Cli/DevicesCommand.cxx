@@ -1,12 +1,18 @@
 #include "DevicesCommand.h"
 
 #include "Console.h"
+#include "DeviceHoming.h"
 #include "DeviceList.h"
+#include "DeviceOption.h"
+#include "Interruption.h"
 #include "ScreenText.h"
 
 #include <CLI/CLI.hpp>
+#include <cmath>
+#include <iomanip>
 #include <nlohmann/json.hpp>
 #include <ostream>
+#include <sstream>
 
 namespace palpate::cli
 {
@@ -48,20 +54,87 @@ void Print(const DeviceReport& report, std::ostream& out)
       << "  at most " << device.MaximumForce << " N and " << device.MaximumStiffness
       << " N/mm; positions to " << device.Resolution << " mm, " << device.Rate << " Hz\n";
 }
+
+double Milliseconds(std::int64_t nanoseconds)
+{
+  return 1e-6 * static_cast<double>(nanoseconds);
+}
+
+double SamplesPerSecond(const HomingReport& report)
+{
+  const double mean = report.Periods.Mean();
+  return mean > 0.0 ? 1e9 / mean : 0.0;
+}
+
+nlohmann::ordered_json AsJson(const HomingReport& report)
+{
+  constexpr double Almost = 0.99;
+  return {{"state", NameOf(report.State)},
+          {"problem", report.Problem},
+          {"seconds", report.Seconds},
+          {"homed_after_s", report.HomedAfter},
+          {"samples", report.Periods.Count()},
+          {"rate_hz", SamplesPerSecond(report)},
+          {"period_median_ms", Milliseconds(report.Periods.Median())},
+          {"period_p99_ms", Milliseconds(report.Periods.Quantile(Almost))},
+          {"period_max_ms", Milliseconds(report.Periods.Max())},
+          {"connection", report.ConnectionReport}};
+}
+
+void Print(const HomingReport& report, std::ostream& out)
+{
+  constexpr double Almost = 0.99;
+  out << std::fixed << std::setprecision(2) << NameOf(report.State);
+  if (report.HomedAfter > 0.0)
+  {
+    out << ", homed after " << report.HomedAfter << " s";
+  }
+  out << '\n'
+      << std::lround(SamplesPerSecond(report)) << " samples a second over " << report.Seconds
+      << " s; from one to the next " << Milliseconds(report.Periods.Median())
+      << " ms (median), 99 % at most " << Milliseconds(report.Periods.Quantile(Almost))
+      << " ms, longest " << Milliseconds(report.Periods.Max()) << " ms\n";
+  if (!report.ConnectionReport.empty())
+  {
+    out << Printable(report.ConnectionReport) << '\n';
+  }
+}
+
+std::string LiveLine(const HomingView& view)
+{
+  const DeviceSample& sample = view.Sample;
+  std::ostringstream text;
+  text << std::fixed << std::setprecision(1) << NameOf(view.State) << "  x " << sample.Position.X
+       << "  y " << sample.Position.Y << "  z " << sample.Position.Z << " mm  "
+       << std::lround(view.Rate) << " Hz  " << view.Guidance;
+  return text.str();
+}
 } // namespace
 
 std::string DevicesCommand::Examples() const
 {
-  return "  palpate devices         what there is\n"
-         "  palpate devices --json  one JSON object a device";
+  return "  palpate devices                           what there is\n"
+         "  palpate devices --json                    one JSON object a device\n"
+         "  palpate devices --home                    home what is plugged in, and measure its "
+         "loop\n"
+         "  palpate devices --home --device falcon --firmware FILE";
 }
 
 void DevicesCommand::DeclareOptions(CLI::App& app)
 {
   app.add_flag("--json", this->Json, "One JSON object a line instead of text");
+  CLI::Option* const home =
+      app.add_flag("--home", this->IsHoming,
+                   "Guide the homing of a device, without force, and measure its loop");
+  app.add_option("--device", this->Device, "Which one to home (default: the first plugged in)")
+      ->type_name("NAME")
+      ->needs(home);
+  app.add_option("--firmware", this->Firmware, "What the device is loaded with where it needs that")
+      ->type_name("FILE")
+      ->needs(home);
 }
 
-int DevicesCommand::Run(Console& console)
+int DevicesCommand::List(Console& console) const
 {
   for (const DeviceReport& report : ListDevices())
   {
@@ -75,5 +148,49 @@ int DevicesCommand::Run(Console& console)
     }
   }
   return 0;
+}
+
+int DevicesCommand::Home(Console& console) const
+{
+  constexpr double LeastSeconds = 2.0; // for numbers of the loop that mean something
+  const Interruption interruption;
+  const std::string device = this->Device.empty() ? FirstDevicePluggedIn() : this->Device;
+  std::string said;
+  const HomingReport report = HomeDevice(
+      this->Firmware.empty() ? device : WithDeviceOption(device, "firmware", this->Firmware),
+      LeastSeconds,
+      [&](const HomingView& view)
+      {
+        if (view.Guidance != said && !view.Guidance.empty())
+        {
+          console.Note(view.Guidance);
+        }
+        said = view.Guidance;
+        console.Live(LiveLine(view));
+        return !Interruption::WasAsked();
+      });
+  console.EndProgress();
+  if (this->Json)
+  {
+    console.Output() << AsJson(report).dump() << '\n';
+  }
+  else
+  {
+    Print(report, console.Output());
+  }
+  if (!report.ThreadAdvice.empty())
+  {
+    console.Note(report.ThreadAdvice);
+  }
+  if (!report.Problem.empty())
+  {
+    console.Error(report.Problem);
+  }
+  return report.State == DeviceState::Ready ? 0 : 1;
+}
+
+int DevicesCommand::Run(Console& console)
+{
+  return this->IsHoming ? this->Home(console) : this->List(console);
 }
 } // namespace palpate::cli

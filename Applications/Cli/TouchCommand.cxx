@@ -2,6 +2,7 @@
 
 #include "CommandProgress.h"
 #include "Console.h"
+#include "DeviceOption.h"
 #include "FilterRun.h"
 #include "FiniteNumber.h"
 #include "InputError.h"
@@ -102,6 +103,8 @@ void TouchCommand::DeclareRun(CLI::App& app)
 {
   app.add_option("--device", this->Device, "See palpate devices (default: the scene's, simulated)")
       ->type_name("NAME");
+  app.add_option("--firmware", this->Firmware, "What the device is loaded with where it needs that")
+      ->type_name("FILE");
   app.add_option("--rate", this->Rate, "Of the servo, Hz (default: the scene's, 1000)")
       ->check(FiniteNumber::Between(1.0, 1e5));
   app.add_option("--scale", this->Scale,
@@ -179,6 +182,9 @@ TouchSettings TouchCommand::Settings() const
     }
   }
   settings.Device = this->Device.empty() ? settings.Device : this->Device;
+  settings.Device = this->Firmware.empty()
+                        ? settings.Device
+                        : WithDeviceOption(settings.Device, "firmware", this->Firmware);
   settings.Rate = this->Rate > 0.0 ? this->Rate : settings.Rate;
   if (!this->Scale.empty())
   {
@@ -246,6 +252,7 @@ int TouchCommand::Touch(const PreparedTouch& touch, Console& console) const
 {
   TouchRunSettings settings;
   settings.IsVirtual = !this->IsRealTime;
+  settings.Guide = [&console](const std::string& sentence) { console.Note(sentence); };
   if (!this->OutputFolder.empty())
   {
     MakeOutputFolder(this->OutputFolder);

@@ -41,6 +41,7 @@ private:
   std::string Interpolation = "linear";
   TouchToolSettings Tool;
   std::string Device;
+  std::string Firmware;
   double Rate = 0.0;         ///< Hz; 0: the scene's
   std::vector<double> Scale; ///< none or one
   std::string PathFile;

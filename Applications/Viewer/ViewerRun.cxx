@@ -28,6 +28,12 @@ void ViewerRun::GoOn()
   {
     return;
   }
+  if (this->Options.ShowsDemo && !this->HasChosen)
+  {
+    this->HasChosen = true;
+    this->ChooseDemo();
+    return;
+  }
   if (this->Options.StartsTouch && !this->HasTouched)
   {
     this->HasTouched = true;
@@ -39,6 +45,21 @@ void ViewerRun::GoOn()
   {
     QTimer::singleShot(PictureDelay, this, &ViewerRun::TakePicture);
   }
+}
+
+// Deep structures that are star-shaped, as `palpate fit` is shown with.
+void ViewerRun::ChooseDemo()
+{
+  static const QStringList Names{"Thalamus_L", "Thalamus_R", "Pallidum_L", "Pallidum_R",
+                                 "Amygdala_L", "Amygdala_R", "Caudate_L",  "Caudate_R"};
+  StudyState next = this->Study.State();
+  for (StudyStructure& structure : next.Structures)
+  {
+    const bool isChosen = Names.contains(QString::fromStdString(structure.Name));
+    structure.IsVisible = isChosen;
+    structure.IsTouchable = isChosen;
+  }
+  this->Study.Change("Choose the structures of the demonstration", next);
 }
 
 void ViewerRun::TakePicture()

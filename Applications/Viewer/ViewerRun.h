@@ -18,11 +18,13 @@ public:
 
 private:
   void GoOn();
+  void ChooseDemo();
   void TakePicture();
 
   StudyController& Study;
   MainWindow& Window;
   ViewerOptions Options;
+  bool HasChosen = false;
   bool HasTouched = false;
 };
 } // namespace palpate

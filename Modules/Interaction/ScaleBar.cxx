@@ -22,7 +22,7 @@ namespace
 constexpr double Left = 0.02;        // of the view's width
 constexpr double Bottom = 0.03;      // of its height
 constexpr double LargestShare = 0.3; // of its width
-constexpr double TickPixels = 4.0;   // at 72 dots per inch
+constexpr double TickPoints = 4.0;
 constexpr int TextSize = 11;
 } // namespace
 
@@ -67,13 +67,13 @@ void ScaleBar::SetVisible(bool isVisible)
   this->Label->SetVisibility(isVisible ? 1 : 0);
 }
 
-void ScaleBar::Update(double pixelMillimeters, int width, int height, int dotsPerInch)
+void ScaleBar::Update(double pixelMillimeters, int width, int height, double pointPixels)
 {
   this->Length = RoundLength(LargestShare * width * pixelMillimeters);
   const double left = Left * width;
   const double right = left + this->Length / pixelMillimeters;
   const double bottom = Bottom * height;
-  const double tick = TickPixels * dotsPerInch / 72.0;
+  const double tick = TickPoints * pointPixels;
   vtkNew<vtkPoints> points;
   points->InsertNextPoint(left, bottom + tick, 0.0);
   points->InsertNextPoint(left, bottom, 0.0);

@@ -27,8 +27,8 @@ public:
   void AddTo(vtkRenderer* renderer) const;
   void RemoveFrom(vtkRenderer* renderer) const;
   void SetVisible(bool isVisible);
-  /// For a view of that many pixels; `dotsPerInch` makes it as large on all screens.
-  void Update(double pixelMillimeters, int width, int height, int dotsPerInch);
+  /// For a view of that many pixels, `pointPixels` of which are a point (1/72 inch).
+  void Update(double pixelMillimeters, int width, int height, double pointPixels);
 
   double LengthMillimeters() const { return this->Length; }
 

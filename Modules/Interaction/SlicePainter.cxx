@@ -16,6 +16,8 @@ namespace
 {
 // No label has this number, since labels fit into an int.
 constexpr float NoLabel = 1e20F;
+// Makes truncation of what is not negative the nearest number.
+constexpr float Half = 0.5F;
 
 struct PaintedLayer
 {
@@ -81,8 +83,8 @@ private:
     for (const float value : values)
     {
       const bool isNumber = value == value;
-      const float grey = isNumber ? std::clamp((value - low) * scale, 0.0F, 255.0F) : 0.0F;
-      const auto level = static_cast<std::uint8_t>(grey + 0.5F);
+      const float grey = isNumber ? std::clamp((value - low) * scale + Half, 0.0F, 255.0F) : 0.0F;
+      const auto level = static_cast<std::uint8_t>(grey);
       *pixels++ = level;
       *pixels++ = level;
       *pixels++ = level;
@@ -111,7 +113,8 @@ private:
         for (std::size_t c = 0; c < 3; ++c)
         {
           const float mixed = (1.0F - color[3]) * pixels[c] + color[3] * 255.0F * color[c];
-          pixels[c] = static_cast<std::uint8_t>(mixed + 0.5F);
+          const float level = mixed + Half;
+          pixels[c] = static_cast<std::uint8_t>(level);
         }
         pixels[3] = 255;
       }

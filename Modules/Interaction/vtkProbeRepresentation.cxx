@@ -1,11 +1,11 @@
 #include "vtkProbeRepresentation.h"
 
+#include "ToolSurface.h"
+
 #include "vtkMath.h"
 #include "vtkMatrix4x4.h"
-#include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
-#include "vtkSphereSource.h"
 
 #include <algorithm>
 #include <cmath>
@@ -33,14 +33,7 @@ vtkProbeRepresentation::~vtkProbeRepresentation() = default;
 
 void vtkProbeRepresentation::SetToolSphere(double radius)
 {
-  constexpr double LeastRadius = 0.5; // so that a point is seen
-  constexpr int Resolution = 32;
-  vtkNew<vtkSphereSource> sphere;
-  sphere->SetRadius(std::isfinite(radius) ? std::max(LeastRadius, radius) : LeastRadius);
-  sphere->SetThetaResolution(Resolution);
-  sphere->SetPhiResolution(Resolution);
-  sphere->Update();
-  this->SetTool(sphere->GetOutput());
+  this->SetTool(palpate::MakeToolSphere(radius));
 }
 
 void vtkProbeRepresentation::SetTool(vtkPolyData* closedSurface)

@@ -6,7 +6,8 @@
  * force as an arrow from the proxy, and colour surfaces round the place that is touched. Slices
  * show the cuts of both shapes, and the part of the force that lies in the slice.
  *
- * The tool is a sphere or a closed surface of triangles in its own frame (mm). Whoever polls a
+ * The tool is a sphere or a closed surface of triangles in its own frame (mm); of a tool that is
+ * felt, palpate::MakeToolSurface makes one. Whoever polls a
  * servo sets poses and force before views are drawn; numbers that are none are ignored, so that
  * what was known last stays.
  */

@@ -1,16 +1,14 @@
 #include "vtkSliceView.h"
 
-#include "CurveActor.h"
+#include "CrosshairInSlice.h"
 #include "ImageAxes.h"
 #include "LandmarksInSlice.h"
-#include "LengthText.h"
 #include "ProbeInSlice.h"
-#include "ScaleBar.h"
+#include "SliceAnnotation.h"
 #include "SliceContours.h"
 #include "SliceGeometry.h"
 #include "SlicePainter.h"
 #include "SlicePatch.h"
-#include "ViewText.h"
 #include "vtkCrosshair.h"
 #include "vtkImageDisplay.h"
 #include "vtkLandmarks.h"
@@ -24,16 +22,13 @@
 #include "vtkObjectFactory.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
-#include "vtkTextActor.h"
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 
 using palpate::SliceGeometry;
 using palpate::SliceOrientation;
 using palpate::SlicePosition;
-using palpate::SurfaceCurve;
 using palpate::Vector3;
 
 vtkStandardNewMacro(vtkSliceView);
@@ -44,10 +39,7 @@ constexpr double FitMargin = 1.04;     // view over volume
 constexpr double EyeDistance = 1000.0; // mm; in parallel projection any will do
 constexpr double SmallestHeight = 0.5; // of a view, mm
 constexpr double LargestHeight = 1e5;
-constexpr double EmptyHeight = 200.0;  // without a volume
-constexpr double CrosshairGap = 8.0;   // points from its middle to its lines
-constexpr double CrosshairWidth = 1.0; // points
-constexpr int InformationSize = 11;    // points
+constexpr double EmptyHeight = 200.0; // without a volume
 } // namespace
 
 struct vtkSliceView::State
@@ -70,11 +62,8 @@ struct vtkSliceView::State
   palpate::SliceContours Contours;
   palpate::LandmarksInSlice Marks;
   palpate::ProbeInSlice Tool;
-  palpate::CurveActor AcrossLine; // from left to right
-  palpate::CurveActor UpLine;
-  palpate::EdgeLetters Letters;
-  palpate::ScaleBar Bar;
-  vtkSmartPointer<vtkTextActor> Information = palpate::MakeViewText(0.015, 0.985, InformationSize);
+  palpate::CrosshairInSlice Pointer;
+  palpate::SliceAnnotation Annotation;
 
   vtkImageData* Image() { return this->Display == nullptr ? nullptr : this->Display->GetImage(); }
   void AddTo(vtkRenderer* renderer)
@@ -83,11 +72,8 @@ struct vtkSliceView::State
     this->Contours.SetRenderer(renderer);
     this->Marks.SetRenderer(renderer);
     this->Tool.AddTo(renderer);
-    renderer->AddViewProp(this->AcrossLine.Actor());
-    renderer->AddViewProp(this->UpLine.Actor());
-    this->Letters.AddTo(renderer);
-    this->Bar.AddTo(renderer);
-    renderer->AddViewProp(this->Information);
+    this->Pointer.AddTo(renderer);
+    this->Annotation.AddTo(renderer);
   }
   void RemoveFrom(vtkRenderer* renderer)
   {
@@ -95,11 +81,8 @@ struct vtkSliceView::State
     this->Contours.SetRenderer(nullptr);
     this->Marks.SetRenderer(nullptr);
     this->Tool.RemoveFrom(renderer);
-    renderer->RemoveViewProp(this->AcrossLine.Actor());
-    renderer->RemoveViewProp(this->UpLine.Actor());
-    this->Letters.RemoveFrom(renderer);
-    this->Bar.RemoveFrom(renderer);
-    renderer->RemoveViewProp(this->Information);
+    this->Pointer.RemoveFrom(renderer);
+    this->Annotation.RemoveFrom(renderer);
   }
   SliceGeometry Geometry(const vtkSliceView* view)
   {
@@ -349,8 +332,13 @@ void vtkSliceView::Update()
   state.Contours.Update(position);
   state.Marks.Update(state.Landmarks, position);
   state.Tool.Update(state.Probe, position);
-  this->UpdateCrosshair(position);
-  this->UpdateAnnotation(position);
+  const auto orientation = static_cast<SliceOrientation>(this->Orientation);
+  state.Pointer.Update(state.Crosshair, orientation, position);
+  state.Annotation.SetVisible(this->AnnotationVisibility);
+  if (this->AnnotationVisibility)
+  {
+    state.Annotation.Update(orientation, state.Geometry(this), position, state.Focus());
+  }
 }
 
 void vtkSliceView::PlaceCamera(const SlicePosition& position)
@@ -384,68 +372,6 @@ void vtkSliceView::UpdatePicture(const SlicePosition& position)
   state.PaintedGrid = grid;
   state.PaintedTime = time;
   ++state.PaintCount;
-}
-
-// Two lines with a gap, so that what is pointed at is seen; each has the colour of the plane that
-// it is the trace of.
-void vtkSliceView::UpdateCrosshair(const SlicePosition& position)
-{
-  State& state = *this->Inner;
-  const bool isShown = state.Crosshair != nullptr && state.Crosshair->GetVisibility();
-  state.AcrossLine.SetVisible(isShown);
-  state.UpLine.SetVisible(isShown);
-  if (!isShown)
-  {
-    return;
-  }
-  const Vector3 middle = position.Projected(state.Focus());
-  const double gap = CrosshairGap * position.PointPixels * position.PixelMillimeters;
-  const double reach = (middle - position.CenterWorld).norm() +
-                       position.PixelMillimeters * (position.Width + position.Height);
-  const auto lines = [&](const Vector3& along)
-  {
-    return std::vector<SurfaceCurve>{{{middle - reach * along, middle - gap * along}, false},
-                                     {{middle + gap * along, middle + reach * along}, false}};
-  };
-  const Vector3 lift = position.Lift(palpate::CrosshairLayer);
-  state.AcrossLine.SetCurves(lines(position.Frame.RightWorld), lift);
-  state.UpLine.SetCurves(lines(position.Frame.UpWorld), lift);
-  const auto across =
-      this->Orientation == AXIAL ? SliceOrientation::Coronal : SliceOrientation::Axial;
-  const auto up =
-      this->Orientation == SAGITTAL ? SliceOrientation::Coronal : SliceOrientation::Sagittal;
-  const double width = CrosshairWidth * position.PointPixels;
-  state.AcrossLine.SetStyle(palpate::ColorOf(across), 1.0, width);
-  state.UpLine.SetStyle(palpate::ColorOf(up), 1.0, width);
-}
-
-void vtkSliceView::UpdateAnnotation(const SlicePosition& position)
-{
-  State& state = *this->Inner;
-  state.Letters.SetVisible(this->AnnotationVisibility);
-  state.Bar.SetVisible(this->AnnotationVisibility);
-  state.Information->SetVisibility(this->AnnotationVisibility ? 1 : 0);
-  if (!this->AnnotationVisibility)
-  {
-    return;
-  }
-  state.Letters.Update(position.Frame);
-  state.Bar.Update(position.PixelMillimeters, position.Width, position.Height,
-                   static_cast<int>(std::lround(72.0 * position.PointPixels)));
-  const auto orientation = static_cast<SliceOrientation>(this->Orientation);
-  const SliceGeometry geometry = state.Geometry(this);
-  const double place = state.Focus().dot(geometry.ForwardWorld);
-  std::ostringstream text;
-  text << palpate::NameOf(orientation);
-  if (geometry.HasNumbers())
-  {
-    text << "  " << geometry.NumberOf(state.Focus()) + 1 << " / " << geometry.Count;
-  }
-  text << '\n'
-       << palpate::OrientationLetters(place < 0.0 ? Vector3(-geometry.ForwardWorld)
-                                                  : geometry.ForwardWorld)
-       << ' ' << palpate::LengthText(std::abs(place), 1);
-  palpate::SetViewText(state.Information, text.str());
 }
 
 void vtkSliceView::PrintSelf(ostream& os, vtkIndent indent)

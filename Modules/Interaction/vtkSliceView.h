@@ -128,8 +128,6 @@ private:
   void Fit();
   void PlaceCamera(const palpate::SlicePosition& position);
   void UpdatePicture(const palpate::SlicePosition& position);
-  void UpdateCrosshair(const palpate::SlicePosition& position);
-  void UpdateAnnotation(const palpate::SlicePosition& position);
 
   int Orientation = AXIAL;
   bool AlongImage = true;

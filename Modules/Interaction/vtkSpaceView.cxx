@@ -36,6 +36,12 @@ using palpate::Vector3;
 
 vtkStandardNewMacro(vtkSpaceView);
 
+namespace
+{
+// VTK leaves room for a ball round everything, of which boxes and organs fill less.
+constexpr double FitCloseness = 1.15;
+} // namespace
+
 struct vtkSpaceView::State
 {
   vtkSmartPointer<vtkRenderer> Renderer;
@@ -247,11 +253,12 @@ void vtkSpaceView::ResetCamera()
   {
     return;
   }
-  this->UpdateSlices();
+  this->UpdateContents();
   state.Renderer->ComputeVisiblePropBounds(bounds);
   if (vtkMath::AreBoundsInitialized(bounds))
   {
     state.Renderer->ResetCamera(bounds);
+    state.Renderer->GetActiveCamera()->Dolly(FitCloseness);
     state.NeedsReset = false;
   }
 }
@@ -299,9 +306,13 @@ vtkSurfaceDisplay* vtkSpaceView::GetPickedSurface()
   return this->Inner->Picked;
 }
 
-void vtkSpaceView::UpdateSlices()
+void vtkSpaceView::UpdateContents()
 {
   State& state = *this->Inner;
+  for (const auto& surface : state.Surfaces)
+  {
+    surface->Update();
+  }
   const Vector3 focus = state.Crosshair == nullptr ? Vector3(Vector3::Zero())
                                                    : Vector3(state.Crosshair->GetPositionWorld());
   for (std::size_t orientation = 0; orientation < 3; ++orientation)
@@ -309,6 +320,8 @@ void vtkSpaceView::UpdateSlices()
     state.Slices[orientation].SetVisible(state.AreSlicesShown[orientation]);
     state.Slices[orientation].Update(state.Display, this->AlongImage, focus);
   }
+  state.Marks.Update(state.Landmarks);
+  state.Tool.Update(state.Probe);
 }
 
 void vtkSpaceView::Update()
@@ -318,13 +331,7 @@ void vtkSpaceView::Update()
   {
     return;
   }
-  for (const auto& surface : state.Surfaces)
-  {
-    surface->Update();
-  }
-  this->UpdateSlices();
-  state.Marks.Update(state.Landmarks);
-  state.Tool.Update(state.Probe);
+  this->UpdateContents();
   if (state.NeedsReset)
   {
     state.Look(palpate::ObliqueFrame());

@@ -102,7 +102,7 @@ private:
   vtkSpaceView(const vtkSpaceView&) = delete;
   void operator=(const vtkSpaceView&) = delete;
 
-  void UpdateSlices();
+  void UpdateContents();
   void UpdateAnnotation();
 
   bool AlongImage = true;

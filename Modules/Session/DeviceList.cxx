@@ -1,6 +1,7 @@
 #include "DeviceList.h"
 
 #include "BuiltInDevices.h"
+#include "InputError.h"
 #include "SteadyClock.h"
 
 #include <stdexcept>
@@ -9,6 +10,7 @@ namespace palpate
 {
 namespace
 {
+// Opens one, and closes it again.
 void Ask(const DeviceRegistry& registry, Clock& clock, DeviceReport& report)
 {
   std::unique_ptr<HapticDevice> device;
@@ -27,9 +29,34 @@ void Ask(const DeviceRegistry& registry, Clock& clock, DeviceReport& report)
   report.Says = NameOf(device->State());
   device->Close();
 }
-} // namespace
 
-std::vector<DeviceReport> ListDevices()
+// One report for each that is plugged in; where there is none, one that says so.
+void Find(const DeviceRegistry& registry, Clock& clock, const DeviceReport& kind,
+          std::vector<DeviceReport>& reports)
+{
+  std::vector<FoundDevice> found;
+  const Status status = registry.FindDevices(kind.Name, clock, found);
+  if (!status.IsOk())
+  {
+    reports.push_back(kind);
+    reports.back().Says = status.Message();
+  }
+  for (const FoundDevice& one : found)
+  {
+    DeviceReport report = kind;
+    report.Name += ":" + one.Argument;
+    report.Says = one.Says;
+    std::unique_ptr<HapticDevice> device;
+    report.IsThere = one.IsUsable && registry.Make(report.Name, clock, device).IsOk();
+    if (report.IsThere)
+    {
+      report.Capabilities = device->Capabilities();
+    }
+    reports.push_back(std::move(report));
+  }
+}
+
+DeviceRegistry Registry()
 {
   DeviceRegistry registry;
   const Status status = RegisterBuiltInDevices(registry);
@@ -37,6 +64,13 @@ std::vector<DeviceReport> ListDevices()
   {
     throw std::runtime_error(status.Message());
   }
+  return registry;
+}
+} // namespace
+
+std::vector<DeviceReport> ListDevices()
+{
+  const DeviceRegistry registry = Registry();
   SteadyClock clock;
   std::vector<DeviceReport> reports;
   for (const std::string& name : registry.Names())
@@ -44,9 +78,51 @@ std::vector<DeviceReport> ListDevices()
     DeviceReport report;
     report.Name = name;
     report.Description = registry.Description(name);
+    if (registry.CanBeFound(name))
+    {
+      Find(registry, clock, report, reports);
+      continue;
+    }
     Ask(registry, clock, report);
     reports.push_back(std::move(report));
   }
   return reports;
+}
+
+std::string FirstDevicePluggedIn()
+{
+  const DeviceRegistry registry = Registry();
+  SteadyClock clock;
+  std::string first;
+  std::string obstacle = "no device of this build can be plugged in";
+  for (const std::string& name : registry.Names())
+  {
+    std::vector<FoundDevice> found;
+    if (!registry.CanBeFound(name))
+    {
+      continue;
+    }
+    const Status status = registry.FindDevices(name, clock, found);
+    obstacle = status.IsOk() ? obstacle : status.Message();
+    for (const FoundDevice& one : found)
+    {
+      const std::string text = name + ":" + one.Argument;
+      if (one.IsUsable)
+      {
+        return text;
+      }
+      first = first.empty() ? text : first;
+    }
+  }
+  if (first.empty())
+  {
+    throw InputError(obstacle);
+  }
+  return first;
+}
+
+bool IsPluggedIn(const std::string& device)
+{
+  return Registry().CanBeFound(device.substr(0, device.find(':')));
 }
 } // namespace palpate

@@ -74,11 +74,12 @@ vtkSmartPointer<vtkMatrix4x4> PlaceOf(const ImageAxes& axes)
   }
   return matrix;
 }
-
 } // namespace
 
 SceneRenderer::SceneRenderer()
-    : Renderer(vtkSmartPointer<vtkRenderer>::New()), Window(vtkSmartPointer<vtkRenderWindow>::New())
+    : Renderer(vtkSmartPointer<vtkRenderer>::New()),
+      Window(vtkSmartPointer<vtkRenderWindow>::New()),
+      Pixels(vtkSmartPointer<vtkUnsignedCharArray>::New())
 {
   this->Window->SetOffScreenRendering(1);
   this->Window->SetMultiSamples(4);
@@ -96,6 +97,7 @@ void SceneRenderer::SetBackground(const Color& color)
 {
   this->Background = color;
   this->Renderer->SetBackground(color[0], color[1], color[2]);
+  this->RemoveAnnotations();
 }
 
 std::size_t SceneRenderer::AddSurface(vtkPolyData* surface, const Color& color, double opacity)
@@ -234,6 +236,7 @@ bool SceneRenderer::ColorByArray(const std::string& name)
   {
     this->BarColors = table;
     this->ColoredArray = name;
+    this->RemoveAnnotations();
   }
   return isFound;
 }
@@ -305,13 +308,12 @@ int SceneRenderer::FontSize(double referenceSize) const
   return std::max(9, static_cast<int>(referenceSize * std::min(size[0], size[1]) / ReferenceSide));
 }
 
-void SceneRenderer::AddLetters(const ViewFrame& frame)
+void SceneRenderer::AddLetters()
 {
   const Color ink = this->InkColor();
-  const auto add = [&](const Vector3& direction, double x, double y)
+  const auto add = [&](double x, double y)
   {
-    vtkNew<vtkTextActor> text;
-    text->SetInput(OrientationLetters(direction).c_str());
+    auto text = vtkSmartPointer<vtkTextActor>::New();
     vtkTextProperty* style = text->GetTextProperty();
     style->SetFontSize(this->FontSize(LetterSize));
     style->BoldOn();
@@ -323,11 +325,20 @@ void SceneRenderer::AddLetters(const ViewFrame& frame)
     text->GetPositionCoordinate()->SetCoordinateSystemToNormalizedViewport();
     text->SetPosition(x, y);
     this->Annotate(text);
+    return text;
   };
-  add(-frame.RightWorld, 0.012, 0.5);
-  add(frame.RightWorld, 0.988, 0.5);
-  add(frame.UpWorld, 0.5, 0.985);
-  add(-frame.UpWorld, this->BarColors ? 0.6 : 0.5, 0.015);
+  this->Letters = {add(0.012, 0.5), add(0.988, 0.5), add(0.5, 0.985),
+                   add(this->BarColors ? 0.6 : 0.5, 0.015)};
+}
+
+void SceneRenderer::SetLetters(const ViewFrame& frame)
+{
+  const std::array<Vector3, 4> directions{
+      {-frame.RightWorld, frame.RightWorld, frame.UpWorld, -frame.UpWorld}};
+  for (std::size_t side = 0; side < directions.size(); ++side)
+  {
+    this->Letters[side]->SetInput(OrientationLetters(directions[side]).c_str());
+  }
 }
 
 void SceneRenderer::Annotate(vtkProp* prop)
@@ -366,21 +377,45 @@ void SceneRenderer::AddColorBar()
   this->Annotate(title);
 }
 
-Picture SceneRenderer::Render(const ViewFrame& frame, int width, int height)
+void SceneRenderer::RemoveAnnotations()
 {
-  this->Window->SetSize(width, height);
   for (const vtkSmartPointer<vtkProp>& prop : this->Annotations)
   {
     this->Renderer->RemoveViewProp(prop);
   }
   this->Annotations.clear();
-  this->PlaceCamera(frame, static_cast<double>(width) / height);
-  this->AddLetters(frame);
+}
+
+// They stay from picture to picture: text made anew for each costs memory that comes and goes.
+void SceneRenderer::AddAnnotations(int width, int height)
+{
+  const int* size = this->Window->GetSize();
+  if (!this->Annotations.empty() && size[0] == width && size[1] == height)
+  {
+    return;
+  }
+  this->RemoveAnnotations();
+  this->Window->SetSize(width, height);
+  this->AddLetters();
   if (this->BarColors)
   {
     this->AddColorBar();
   }
+}
+
+Picture SceneRenderer::Render(const ViewFrame& frame, int width, int height)
+{
+  Picture picture(width, height);
+  this->Render(frame, picture);
+  return picture;
+}
+
+void SceneRenderer::Render(const ViewFrame& frame, Picture& picture)
+{
+  this->AddAnnotations(picture.Width, picture.Height);
+  this->SetLetters(frame);
+  this->PlaceCamera(frame, static_cast<double>(picture.Width) / picture.Height);
   this->Window->Render();
-  return ReadWindow(this->Window);
+  ReadWindow(this->Window, this->Pixels, picture);
 }
 } // namespace palpate

@@ -19,6 +19,8 @@ class vtkProp;
 class vtkRenderer;
 class vtkRenderWindow;
 class vtkScalarsToColors;
+class vtkTextActor;
+class vtkUnsignedCharArray;
 
 namespace palpate
 {
@@ -65,6 +67,8 @@ public:
 
   /// Everything, seen along a frame, as large as it fits.
   Picture Render(const ViewFrame& frame, int width, int height);
+  /// The same into a picture that is there, as large as that is: no memory is taken for it.
+  void Render(const ViewFrame& frame, Picture& picture);
 
 private:
   struct Surface
@@ -75,8 +79,11 @@ private:
 
   std::array<double, 2> RangeOf(const std::string& name) const;
   void PlaceCamera(const ViewFrame& frame, double aspect);
-  void AddLetters(const ViewFrame& frame);
+  void AddLetters();
+  void SetLetters(const ViewFrame& frame);
   void AddColorBar();
+  void RemoveAnnotations();
+  void AddAnnotations(int width, int height);
   void Annotate(vtkProp* prop);
   Color InkColor() const;
   int FontSize(double referenceSize) const;
@@ -84,8 +91,10 @@ private:
   vtkSmartPointer<vtkRenderer> Renderer;
   vtkSmartPointer<vtkRenderWindow> Window;
   std::vector<Surface> Surfaces;
-  std::vector<Vector3> Outline;                      ///< what has to be in the picture, mm
-  std::vector<vtkSmartPointer<vtkProp>> Annotations; ///< of the picture drawn last
+  std::vector<Vector3> Outline;                         ///< what has to be in the picture, mm
+  std::vector<vtkSmartPointer<vtkProp>> Annotations;    ///< of the picture drawn last
+  std::array<vtkSmartPointer<vtkTextActor>, 4> Letters; ///< left, right, top, bottom
+  vtkSmartPointer<vtkUnsignedCharArray> Pixels;
   Color Background{{1.0, 1.0, 1.0}};
   std::string ColoredArray;
   vtkSmartPointer<vtkScalarsToColors> BarColors;

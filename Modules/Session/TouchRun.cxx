@@ -1,8 +1,9 @@
 #include "TouchRun.h"
 
 #include "BuiltInDevices.h"
+#include "DeviceHoming.h"
+#include "DeviceList.h"
 #include "ManualClock.h"
-#include "ReachingScale.h"
 #include "Refusal.h"
 #include "ServoThread.h"
 #include "SimulatedDevice.h"
@@ -11,6 +12,7 @@
 #include "TouchRecorder.h"
 #include "TouchReplay.h"
 #include "TouchResultKeeper.h"
+#include "WorkspaceFrame.h"
 
 #include <algorithm>
 #include <cmath>
@@ -68,8 +70,8 @@ class LiveTouch
 {
 public:
   LiveTouch(const PreparedTouch& touch, Clock& clock, const TouchRunSettings& settings)
-      : Touch(touch), View(settings.View), Keeper(Result, touch.Structures.size()),
-        IsRecording(!settings.Recording.empty())
+      : Touch(touch), View(settings.View), Guide(settings.Guide),
+        Keeper(Result, touch.Structures.size()), IsRecording(!settings.Recording.empty())
   {
     this->Settings.Rate = touch.Settings.Rate;
     this->Device = MakeDevice(touch.Settings.Device, clock, this->PathOfDevice());
@@ -112,6 +114,7 @@ public:
 
   TouchResult RunReal(Clock& clock, const ProgressFunction& progress)
   {
+    this->Home(progress);
     ServoThread thread(*this->Device, clock, this->Settings);
     RequireInput(thread.Loop().Publish(this->Touch.Scene));
     RequireInput(thread.Start({}));
@@ -147,6 +150,26 @@ private:
     const PreparedTouch& touch = this->Touch;
     return [&touch, middle = Vector3(touch.Scene->BoundsWorld().center())](double time)
     { return Vector3((touch.Path.At(TimeOnPath(touch, time)) - middle) / touch.Scale); };
+  }
+
+  // Before forces can start; where it fails or is stopped, the touch ends with its first ticks.
+  void Home(const ProgressFunction& progress)
+  {
+    if (this->Device->State() != DeviceState::Homing)
+    {
+      return;
+    }
+    std::string said;
+    HomeDevice(*this->Device, 0.0,
+               [&](const HomingView& view)
+               {
+                 if (this->Guide && view.Guidance != said && !view.Guidance.empty())
+                 {
+                   this->Guide(view.Guidance);
+                 }
+                 said = view.Guidance;
+                 return progress(0.0, "homing");
+               });
   }
 
   // Draws a picture, or waits for about as long as one takes.
@@ -190,6 +213,7 @@ private:
 
   const PreparedTouch& Touch;
   const TouchViewer& View;
+  const TouchGuide& Guide;
   ServoSettings Settings;
   std::unique_ptr<HapticDevice> Device;
   TouchResult Result;
@@ -224,6 +248,7 @@ PreparedTouch PrepareTouch(const TouchSettings& settings, const TouchScript& scr
   }
   const double duration = touch.Path.IsEmpty() ? DefaultDuration : touch.Path.Duration();
   touch.Duration = script.Duration.value_or(duration);
+  touch.IsRealTimeOnly = IsPluggedIn(settings.Device);
   touch.Warnings = StiffnessWarnings(*scene, device, settings.Rate);
   touch.Scene = std::move(scene);
   return touch;
@@ -232,7 +257,7 @@ PreparedTouch PrepareTouch(const TouchSettings& settings, const TouchScript& scr
 TouchResult RunTouch(const PreparedTouch& touch, const TouchRunSettings& settings,
                      const ProgressFunction& progress)
 {
-  if (settings.IsVirtual)
+  if (settings.IsVirtual && !touch.IsRealTimeOnly)
   {
     ManualClock clock;
     return LiveTouch(touch, clock, settings).RunVirtual(clock, progress);

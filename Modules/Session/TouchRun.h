@@ -33,10 +33,11 @@ struct PreparedTouch
   TouchSettings Settings;
   std::vector<TouchableStructure> Structures;
   std::shared_ptr<const TouchScene> Scene;
-  HandPath Path;         ///< empty for a device with a hand of its own
-  bool IsSweep = false;  ///< then the path is gone to and fro, for as long as it takes
-  double Duration = 0.0; ///< s
-  double Scale = 1.0;    ///< mm of the scene for one of the device
+  HandPath Path;               ///< empty for a device with a hand of its own
+  bool IsSweep = false;        ///< then the path is gone to and fro, for as long as it takes
+  double Duration = 0.0;       ///< s
+  bool IsRealTimeOnly = false; ///< the device is plugged in and has no other time
+  double Scale = 1.0;          ///< mm of the scene for one of the device
   std::vector<std::string> Warnings;
 };
 
@@ -68,17 +69,22 @@ PALPATESESSION_EXPORT PreparedTouch PrepareTouch(const TouchSettings& settings,
 /// Draws a picture of the newest tick, `time` (s) after the first.
 using TouchViewer = std::function<void(double time, const TouchState& newest)>;
 
+/// Tells the person at the device what to do now, as while it is homed.
+using TouchGuide = std::function<void(const std::string& sentence)>;
+
 /// How a scene is touched.
 struct TouchRunSettings
 {
-  bool IsVirtual = true;           ///< as fast as ticks are computed; else at the rate, on a thread
+  bool IsVirtual = true; ///< where the device allows it; as fast as ticks are computed; else at the
+                         ///< rate, on a thread
   std::filesystem::path Recording; ///< of the session; empty for none
+  TouchGuide Guide;                ///< none: nobody is told
   TouchViewer View;                ///< drawn again and again beside the servo; not in virtual time
 };
 
-/// Touches, for `touch.Duration`. Ends early, with what there is until then, where `progress`
-/// answers false. Throws std::runtime_error where the device does not open or the recording cannot
-/// be written. The memory it takes does not depend on the duration.
+/// Touches, for `touch.Duration` from when the device is homed. Ends early, with what there is
+/// until then, where `progress` answers false. Throws std::runtime_error where the device does not
+/// open or the recording cannot be written. The memory it takes does not depend on the duration.
 PALPATESESSION_EXPORT TouchResult RunTouch(const PreparedTouch& touch,
                                            const TouchRunSettings& settings,
                                            const ProgressFunction& progress);

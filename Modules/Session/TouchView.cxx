@@ -55,13 +55,14 @@ void TouchView::AddTool(const ToolShape& tool)
   this->Tool = this->Renderer.AddSurface(sphere->GetOutput(), ToolColor, 1.0);
 }
 
-Picture TouchView::Draw(double time, const Vector3& proxyWorld)
+const Picture& TouchView::Draw(double time, const Vector3& proxyWorld)
 {
   constexpr double Turning = M_PI / 6.0; // rad/s
   const double angle = Turning * time;
   const Vector3 up = Vector3::UnitZ();
   const Vector3 right(std::cos(angle), std::sin(angle), 0.0);
   this->Renderer.MoveSurface(this->Tool, proxyWorld - this->Middle);
-  return this->Renderer.Render({right, up, right.cross(up)}, Width, Height);
+  this->Renderer.Render({right, up, right.cross(up)}, this->Drawn);
+  return this->Drawn;
 }
 } // namespace palpate

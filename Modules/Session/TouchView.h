@@ -18,8 +18,9 @@ public:
   /// Throws FilterError, and std::runtime_error where nothing can be drawn.
   explicit TouchView(const PreparedTouch& touch);
 
-  /// `time` in s turns the scene, 30 degrees a second.
-  Picture Draw(double time, const Vector3& proxyWorld);
+  /// `time` in s turns the scene, 30 degrees a second. The picture is the view's own, until the
+  /// next is drawn.
+  const Picture& Draw(double time, const Vector3& proxyWorld);
 
 private:
   void Add(const TouchAppearance& looks);
@@ -27,6 +28,7 @@ private:
 
   DisplayServer Display; // before any window
   SceneRenderer Renderer;
+  Picture Drawn{Width, Height};
   std::size_t Tool = 0; // its surface
   Vector3 Middle = Vector3::Zero();
 };

@@ -4,9 +4,14 @@
 #include "Picture.h"
 
 class vtkRenderWindow;
+class vtkUnsignedCharArray;
 
 namespace palpate
 {
 /// What a window shows, drawn before.
 PALPATESESSION_EXPORT Picture ReadWindow(vtkRenderWindow* window);
+/// The same into a picture of the window's size, through an array; whoever keeps both takes no
+/// memory for each picture.
+PALPATESESSION_EXPORT void ReadWindow(vtkRenderWindow* window, vtkUnsignedCharArray* pixels,
+                                      Picture& picture);
 } // namespace palpate

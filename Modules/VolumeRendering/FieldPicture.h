@@ -42,6 +42,12 @@ struct FieldPicture
       }
     }
   }
+  /// Nothing is seen at this pixel; what its ray met stays.
+  void Clear(std::size_t pixel) noexcept
+  {
+    std::fill_n(this->Colors.begin() + static_cast<std::ptrdiff_t>(4 * pixel), 4, 0);
+    this->Depths[pixel] = 1.0F;
+  }
   std::size_t Pixel(int column, int row) const noexcept
   {
     return static_cast<std::size_t>(row) * static_cast<std::size_t>(this->Width) +

@@ -32,9 +32,7 @@ std::uint8_t Byte(double part) noexcept
 FieldRenderer::FieldRenderer(std::shared_ptr<const ScalarField> field, FieldView view)
     : Caster(std::move(field)), Scene(std::move(view)),
       VectorToScene(Scene.ToScene.topLeftCorner<3, 3>()),
-      NormalToScene(VectorToScene.inverse().transpose()),
-      LightsHavePlaces(std::any_of(Scene.Lights.begin(), Scene.Lights.end(),
-                                   [](const SurfaceLight& light) { return light.IsPositional; }))
+      NormalToScene(VectorToScene.inverse().transpose()), Shading(Scene.Finish, Scene.Lights)
 {
   const int count = this->Caster.Field().MaterialCount();
   this->Scene.Looks.resize(static_cast<std::size_t>(count));
@@ -106,11 +104,11 @@ Vector3 FieldRenderer::ColorOf(const FieldHit& hit, const Vector3& toEyeScene) c
   const Vector3 normal = -(this->NormalToScene * hit.Gradient);
   const double length = normal.norm();
   const Vector3 point =
-      this->LightsHavePlaces
+      this->Shading.NeedsPoints()
           ? Vector3((this->Scene.ToScene * hit.Position.homogeneous()).hnormalized())
           : Vector3(Vector3::Zero());
-  return ShadedColor(look.Color, this->Scene.Finish, this->Scene.Lights, point,
-                     length > 0.0 ? Vector3(normal / length) : toEyeScene, toEyeScene);
+  return this->Shading.ColorAt(
+      point, look.Color, length > 0.0 ? Vector3(1.0 / length * normal) : toEyeScene, toEyeScene);
 }
 
 // Up to which t no ray of these pixels meets anything.
@@ -137,12 +135,15 @@ void FieldRenderer::DrawPixel(const FieldRay& ray, RayInterval interval, FieldHi
   {
     picture.Hits[pixel] = hit;
   }
-  const bool isAny = hit.Material >= 0;
-  picture.Depths[pixel] = isAny ? static_cast<float>(this->Scene.Rays.Depth(hit.Position)) : 1.0F;
+  if (hit.Material < 0)
+  {
+    return picture.Clear(pixel);
+  }
+  picture.Depths[pixel] = static_cast<float>(this->Scene.Rays.Depth(hit.Position));
   Vector3 color = Vector3::Zero();
   double open = 1.0; // how much of what lies behind is seen
-  const Vector3 toEye =
-      isAny ? (-(this->VectorToScene * ray.Direction)).normalized().eval() : Vector3::Zero();
+  const Vector3 fromEye = this->VectorToScene * ray.Direction;
+  const Vector3 toEye = -1.0 / fromEye.norm() * fromEye;
   // Below half a step of the picture nothing behind is seen.
   constexpr double LeastOpen = 0.5 / 255.0;
   while (hit.Material >= 0)
@@ -166,13 +167,18 @@ void FieldRenderer::DrawPixel(const FieldRay& ray, RayInterval interval, FieldHi
   bytes[3] = Byte(1.0 - open);
 }
 
-void FieldRenderer::DrawBeam(int column0, int column1, int row0, int row1, double from,
+struct FieldRenderer::Beam
+{
+  FieldRay Rays[BeamPixels];
+  RayInterval Intervals[BeamPixels];
+  std::size_t Pixels[BeamPixels];
+  FieldHit Hits[BeamPixels];
+};
+
+void FieldRenderer::DrawBeam(int column0, int column1, int row0, int row1, double from, Beam& beam,
                              FieldPicture& picture) const noexcept
 {
-  FieldRay rays[BeamPixels];
-  RayInterval intervals[BeamPixels];
-  std::size_t pixels[BeamPixels];
-  FieldHit hits[BeamPixels];
+  auto& [rays, intervals, pixels, hits] = beam;
   std::size_t count = 0;
   for (int n = 0; n < BeamPixels; ++n)
   {
@@ -210,6 +216,7 @@ void FieldRenderer::DrawTile(int column0, int column1, int row0, int row1,
   {
     return picture.Clear(column0, column1, row0, row1);
   }
+  Beam beam;
   for (int row = row0; row < row1; row += BeamSide)
   {
     for (int column = column0; column < column1; column += BeamSide)
@@ -217,7 +224,7 @@ void FieldRenderer::DrawTile(int column0, int column1, int row0, int row1,
       const int columnEnd = std::min(column1, column + BeamSide);
       const int rowEnd = std::min(row1, row + BeamSide);
       const double from = this->ClearBeam(column, columnEnd, row, rowEnd, clear);
-      from < 1.0 ? this->DrawBeam(column, columnEnd, row, rowEnd, from, picture)
+      from < 1.0 ? this->DrawBeam(column, columnEnd, row, rowEnd, from, beam, picture)
                  : picture.Clear(column, columnEnd, row, rowEnd);
     }
   }

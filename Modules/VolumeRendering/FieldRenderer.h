@@ -51,13 +51,16 @@ public:
   void DrawTile(int column0, int column1, int row0, int row1, FieldPicture& picture) const noexcept;
 
 private:
+  // Rays that are cast together.
+  struct Beam;
+
   double ClearBeam(int column0, int column1, int row0, int row1, double from) const noexcept;
   RayInterval ShownInterval(const FieldRay& ray) const noexcept;
   RayInterval IntervalOf(const FieldRay& ray, std::size_t pixel, double from) const noexcept;
   FieldHit NextHit(const FieldRay& ray, RayInterval interval) const noexcept;
   void PassHidden(const FieldRay& ray, RayInterval interval, FieldHit& hit) const noexcept;
   Vector3 ColorOf(const FieldHit& hit, const Vector3& toEyeScene) const noexcept;
-  void DrawBeam(int column0, int column1, int row0, int row1, double from,
+  void DrawBeam(int column0, int column1, int row0, int row1, double from, Beam& beam,
                 FieldPicture& picture) const noexcept;
   void DrawPixel(const FieldRay& ray, RayInterval interval, FieldHit& hit, std::size_t pixel,
                  FieldPicture& picture) const noexcept;
@@ -67,7 +70,7 @@ private:
   MaterialSet Shown = 0;
   Eigen::Matrix3d VectorToScene;
   Eigen::Matrix3d NormalToScene;
-  bool LightsHavePlaces; ///< else the shade does not depend on where a point lies
+  SurfaceShading Shading;
   bool Opaque = true;
 };
 } // namespace palpate

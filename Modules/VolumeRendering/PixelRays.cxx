@@ -15,8 +15,8 @@ FieldRay PixelRays::At(double x, double y) const noexcept
   const Eigen::Vector4d near =
       this->ToWorld.col(0) * across + this->ToWorld.col(1) * up + this->ToWorld.col(3);
   const Eigen::Vector4d far = near + this->ToWorld.col(2);
-  const Vector3 start = near.head<3>() / near[3];
-  return {start, far.head<3>() / far[3] - start};
+  const Vector3 start = 1.0 / near[3] * near.head<3>();
+  return {start, 1.0 / far[3] * far.head<3>() - start};
 }
 
 double PixelRays::Depth(const Vector3& pointWorld) const noexcept

@@ -26,11 +26,69 @@ struct SurfaceFinish
   double SpecularPower = 10.0;
 };
 
-/// The colour of a point of a surface (world, mm) by Phong's reflection model, both of its sides
-/// alike. `normal` and `toEye` are unit vectors.
+/// The colours of a surface's points by Phong's reflection model, both of its sides alike. Asked
+/// for every pixel, so what does not depend on the pixel is found out before.
 /// Source: Phong, "Illumination for computer generated pictures", Comm. ACM 18 (1975).
-PALPATEVOLUMERENDERING_EXPORT Vector3 ShadedColor(const Vector3& color, const SurfaceFinish& finish,
-                                                  const std::vector<SurfaceLight>& lights,
-                                                  const Vector3& point, const Vector3& normal,
-                                                  const Vector3& toEye) noexcept;
+class PALPATEVOLUMERENDERING_EXPORT SurfaceShading
+{
+public:
+  SurfaceShading(const SurfaceFinish& finish, const std::vector<SurfaceLight>& lights);
+
+  /// Whether colours depend on where a point lies, and not only on its normal.
+  bool NeedsPoints() const noexcept { return this->HasPlaces; }
+
+  /// Of a point (world, mm); `color` is the surface's own, 0..1, `normal` and `toEye` are unit
+  /// vectors.
+  Vector3 ColorAt(const Vector3& point, const Vector3& color, const Vector3& normal,
+                  const Vector3& toEye) const noexcept
+  {
+    if (!this->Finish.IsShaded)
+    {
+      return color;
+    }
+    // The side that is seen is the one that is lit.
+    const Vector3 facing = normal.dot(toEye) < 0.0 ? Vector3(-normal) : normal;
+    Vector3 sum = this->Finish.Ambient * color;
+    for (const SurfaceLight& light : this->Lights)
+    {
+      const Vector3 toLight =
+          light.IsPositional ? (light.Place - point).normalized().eval() : light.Place;
+      const double cosine = facing.dot(toLight);
+      if (cosine > 0.0)
+      {
+        sum += cosine * light.Diffuse.cwiseProduct(color);
+        const double mirrored = (2.0 * cosine * facing - toLight).dot(toEye);
+        if (mirrored > 0.0)
+        {
+          sum += this->Power(mirrored < 1.0 ? mirrored : 1.0) * light.Specular;
+        }
+      }
+    }
+    return sum.cwiseMin(1.0);
+  }
+
+private:
+  // The specular power of a number in 0..1; whole powers, which are usual, without logarithms.
+  double Power(double base) const noexcept
+  {
+    if (!this->IsWholePower)
+    {
+      return this->BrokenPower(base);
+    }
+    double result = 1.0;
+    for (unsigned int left = this->WholePower; left != 0; left >>= 1)
+    {
+      result *= (left & 1u) != 0 ? base : 1.0;
+      base *= base;
+    }
+    return result;
+  }
+  double BrokenPower(double base) const noexcept;
+
+  SurfaceFinish Finish;
+  std::vector<SurfaceLight> Lights; ///< times what the finish makes of them
+  bool HasPlaces;
+  bool IsWholePower;
+  unsigned int WholePower = 0;
+};
 } // namespace palpate

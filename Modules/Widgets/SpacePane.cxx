@@ -1,5 +1,7 @@
 #include "SpacePane.h"
 
+#include "CameraAxes.h"
+
 #include "vtkCamera.h"
 
 namespace palpate
@@ -77,14 +79,8 @@ void SpacePane::SetHand(bool isOn, const Vector3& handWorld)
   this->Style->SetHand(isOn);
 }
 
-Matrix3 SpacePane::CameraAxes() const
+Matrix3 SpacePane::Axes() const
 {
-  vtkCamera* camera = this->Renderer()->GetActiveCamera();
-  Matrix3 axes;
-  axes.col(2) = -Vector3(camera->GetDirectionOfProjection()).normalized();
-  const Vector3 up(camera->GetViewUp());
-  axes.col(0) = up.cross(axes.col(2)).normalized();
-  axes.col(1) = axes.col(2).cross(axes.col(0));
-  return axes;
+  return CameraAxes(this->Renderer()->GetActiveCamera());
 }
 } // namespace palpate

@@ -31,7 +31,7 @@ public:
   /// Whether the mouse is the hand, which is at `handWorld` (mm).
   void SetHand(bool isOn, const Vector3& handWorld);
   /// Columns: right, up and towards the viewer in the world.
-  Matrix3 CameraAxes() const;
+  Matrix3 Axes() const;
 
 Q_SIGNALS:
   void HandMoved(const Vector3& targetWorld);

@@ -28,15 +28,15 @@ TouchLink::TouchLink(StudyController& study, ViewContents& contents, ViewGrid& v
 
 void TouchLink::TellAxes()
 {
-  this->Study.TurnAxes(this->Views.Space()->CameraAxes());
+  this->Study.TurnAxes(this->Views.Space()->Axes());
 }
 
 Vector3 TouchLink::FirstHand() const
 {
   StudyTouch& touch = this->Study.Current().Touch();
-  const StudyFrame& frame = touch.Frame();
+  const WorkspaceFrame& frame = touch.Frame();
   const double reach = 0.5 * touch.Capabilities().Workspace.sizes().minCoeff();
-  const Vector3 towardsViewer = this->Views.Space()->CameraAxes().col(2);
+  const Vector3 towardsViewer = this->Views.Space()->Axes().col(2);
   return frame.CenterWorld + frame.Scale * reach * towardsViewer;
 }
 

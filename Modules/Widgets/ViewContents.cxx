@@ -2,6 +2,7 @@
 
 #include "PlainVector3.h"
 #include "ToolSurface.h"
+#include "TouchStructures.h"
 #include "VoxelValue.h"
 
 #include "vtkImageData.h"
@@ -205,7 +206,7 @@ void ViewContents::ShowTool(const TouchToolSettings& tool)
   if (!this->Tool || !(*this->Tool == tool))
   {
     this->Tool = tool;
-    this->ProbeShown->SetTool(MakeToolSurface(tool));
+    this->ProbeShown->SetTool(MakeToolSurface(MakeTool(tool)));
   }
 }
 

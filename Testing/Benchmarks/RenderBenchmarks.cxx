@@ -1,6 +1,5 @@
 #include "RenderBenchmarks.h"
 
-#include "DisplayServer.h"
 #include "vtkSubVoxelVolume.h"
 #include "vtkSubVoxelVolumeMapper.h"
 
@@ -22,10 +21,8 @@
 
 #include <cmath>
 #include <functional>
-#include <iostream>
 #include <memory>
 #include <sstream>
-#include <stdexcept>
 
 namespace palpate::bench
 {
@@ -223,16 +220,10 @@ PairedBenchmark Pair(const std::shared_ptr<DisplayServer>& display, const std::s
 }
 } // namespace
 
-std::vector<PairedBenchmark> RenderBenchmarks()
+std::vector<PairedBenchmark> RenderBenchmarks(const std::shared_ptr<DisplayServer>& display)
 {
-  std::shared_ptr<DisplayServer> display;
-  try
+  if (display == nullptr)
   {
-    display = std::make_shared<DisplayServer>();
-  }
-  catch (const std::runtime_error& error)
-  {
-    std::cerr << "No frames are timed: " << error.what() << '\n';
     return {};
   }
   const std::string polygons = "vtkFlyingEdges3D's polygons";

@@ -1,4 +1,5 @@
 // PalpateBenchmarks: times ours beside named alternatives, after checking that both agree.
+#include "BenchmarkDisplay.h"
 #include "BoundsBenchmarks.h"
 #include "ComparisonReport.h"
 #include "EvaluationBenchmarks.h"
@@ -15,6 +16,7 @@
 #include "TouchBenchmarks.h"
 #include "TouchQuality.h"
 #include "TradeOff.h"
+#include "ViewBenchmarks.h"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -29,12 +31,13 @@ using palpate::bench::PairedBenchmark;
 // Every group of benchmarks joins here.
 std::vector<PairedBenchmark> AllBenchmarks()
 {
+  const auto display = palpate::bench::OpenDisplay();
   std::vector<PairedBenchmark> all;
   for (auto& group : {palpate::bench::EvaluationBenchmarks(), palpate::bench::FitBenchmarks(),
                       palpate::bench::BoundsBenchmarks(), palpate::bench::NearestBenchmarks(),
-                      palpate::bench::FieldBenchmarks(), palpate::bench::RenderBenchmarks(),
-                      palpate::bench::TouchBenchmarks(), palpate::bench::TradeOffBenchmarks(),
-                      palpate::bench::PipelineBenchmarks()})
+                      palpate::bench::FieldBenchmarks(), palpate::bench::RenderBenchmarks(display),
+                      palpate::bench::ViewBenchmarks(display), palpate::bench::TouchBenchmarks(),
+                      palpate::bench::TradeOffBenchmarks(), palpate::bench::PipelineBenchmarks()})
   {
     all.insert(all.end(), group.begin(), group.end());
   }

@@ -41,6 +41,20 @@ TEST(Console, ProgressIsDrawnAtOnceAndWiped)
   EXPECT_EQ(out.str(), "");
 }
 
+TEST(Console, ALiveLineIsDrawnOnTerminalsAndReplaced)
+{
+  std::ostringstream out;
+  std::ostringstream err;
+  Console console(out, err, true);
+  console.Live("grip");
+  console.Live("too soon to be drawn");
+  console.Note("remark");
+  EXPECT_EQ(err.str(), "\r\x1b[Kgrip\r\x1b[Kremark\n");
+  std::ostringstream file;
+  Console(out, file, false).Live("grip");
+  EXPECT_EQ(file.str() + out.str(), "");
+}
+
 TEST(Console, ManyStepsAreDrawnSeldom)
 {
   std::ostringstream out;

@@ -147,7 +147,10 @@ TouchRecordingFormat::Encode(const TouchSession& session) noexcept
 {
   SessionRecord record{};
   WordWriter words(record.data());
-  VisitSession(words, session);
+  // The rate that its samples keep is the one that forces depend on.
+  TouchSession kept = session;
+  kept.Device.Rate = session.Device.LeastRate();
+  VisitSession(words, kept);
   return record;
 }
 

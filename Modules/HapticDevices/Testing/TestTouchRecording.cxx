@@ -55,6 +55,16 @@ TEST(TouchRecordingFormat, AnyTickComesBackToTheSameBits)
   }
 }
 
+TEST(TouchRecordingFormat, ASessionKeepsTheRateThatSamplesKeep)
+{
+  TouchSession session;
+  session.Device.Rate = 1000.0;
+  session.Device.LongestGap = 0.008;
+  TouchSession read;
+  ASSERT_TRUE(TouchRecordingFormat::Decode(TouchRecordingFormat::Encode(session), read));
+  EXPECT_EQ(read.Device.LeastRate(), session.Device.LeastRate());
+}
+
 TEST(TouchRecordingFormat, WhatIsNoTickIsRefused)
 {
   const TouchRecordingFormat::TickRecord good = TouchRecordingFormat::Encode(TouchState());

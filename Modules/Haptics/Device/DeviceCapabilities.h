@@ -2,6 +2,7 @@
 
 #include "Vector3.h"
 
+#include <algorithm>
 #include <string>
 
 namespace palpate
@@ -20,5 +21,14 @@ struct DeviceCapabilities
   double Resolution = 0.0;       ///< mm, one count of its encoders
   double Delay = 0.0;            ///< s, from a position's being measured to its force's being felt
   double Rate = 0.0;             ///< Hz, new samples
+  /// s, from one new sample to the next while all is well, as on a bus that others use too; 0: a
+  /// period.
+  double LongestGap = 0.0;
+
+  /// Hz, that new samples keep in any case.
+  double LeastRate() const noexcept
+  {
+    return this->LongestGap > 0.0 ? std::min(this->Rate, 1.0 / this->LongestGap) : this->Rate;
+  }
 };
 } // namespace palpate

@@ -12,7 +12,8 @@ const DeviceRegistry::Kind* DeviceRegistry::Find(const std::string& name) const
   return found != this->Kinds.end() ? &*found : nullptr;
 }
 
-Status DeviceRegistry::Add(const std::string& name, const std::string& description, Factory factory)
+Status DeviceRegistry::Add(const std::string& name, const std::string& description, Factory factory,
+                           Search search)
 {
   if (name.empty() || name.find(':') != std::string::npos || factory == nullptr)
   {
@@ -22,7 +23,7 @@ Status DeviceRegistry::Add(const std::string& name, const std::string& descripti
   {
     return Status::Failure("There is already a kind of device named " + name + ".");
   }
-  this->Kinds.push_back({name, description, std::move(factory)});
+  this->Kinds.push_back({name, description, std::move(factory), std::move(search)});
   return Status::Success();
 }
 
@@ -40,6 +41,21 @@ std::string DeviceRegistry::Description(const std::string& name) const
 {
   const Kind* const kind = this->Find(name);
   return kind != nullptr ? kind->Description : "";
+}
+
+bool DeviceRegistry::CanBeFound(const std::string& name) const
+{
+  const Kind* const kind = this->Find(name);
+  return kind != nullptr && kind->FindDevices != nullptr;
+}
+
+Status DeviceRegistry::FindDevices(const std::string& name, Clock& clock,
+                                   std::vector<FoundDevice>& found) const
+{
+  found.clear();
+  return this->CanBeFound(name)
+             ? this->Find(name)->FindDevices(clock, found)
+             : Status::Failure("Devices of the kind " + name + " cannot be looked for.");
 }
 
 Status DeviceRegistry::Make(const std::string& text, Clock& clock,

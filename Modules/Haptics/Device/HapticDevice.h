@@ -31,6 +31,13 @@ public:
   /// What an Error is, in one sentence for the person at the device; empty without.
   virtual std::string Problem() const = 0;
 
+  /// What the person at it should do now, as while it is homed; empty where nothing. For the
+  /// owner's thread, beside a servo too.
+  virtual std::string Guidance() const { return ""; }
+  /// How its connection has done since it was opened, in one sentence; empty where nobody counts.
+  /// For the owner's thread, while no servo runs.
+  virtual std::string ConnectionReport() const { return ""; }
+
   /// Takes it out of Closed. May take seconds; may end in Homing, which then ends while samples
   /// are read.
   virtual Status Open() = 0;

@@ -19,7 +19,8 @@ SafetySettings SafetyOf(const DeviceCapabilities& device, const ServoSettings& s
   safety.MaximumSlew = settings.MaximumSlew;
   // A device that is slower than the servo repeats its samples, and one that is as fast may now
   // and then.
-  const double repeats = device.Rate > 0.0 ? std::ceil(settings.Rate / device.Rate) : 1.0;
+  const double least = device.LeastRate();
+  const double repeats = least > 0.0 ? std::ceil(settings.Rate / least) : 1.0;
   safety.Limits.StaleTicks = 1 + static_cast<int>(std::clamp(repeats, 1.0, 1000.0));
   return safety;
 }

@@ -37,6 +37,30 @@ TEST(DeviceRegistry, NamesWhatThereIsWhereANameIsNotKnown)
             "There is no kind of device named third; known are: first, second.");
 }
 
+TEST(DeviceRegistry, FindsDevicesOfKindsThatCanBeLookedFor)
+{
+  DeviceRegistry registry;
+  const auto search = [](Clock&, std::vector<FoundDevice>& found)
+  {
+    found.push_back({"1-2", true, "closed"});
+    return Status::Success();
+  };
+  ASSERT_TRUE(registry.Add("plugged", "", Refuse, search).IsOk());
+  ASSERT_TRUE(registry.Add("computed", "", Refuse).IsOk());
+  ManualClock clock;
+  std::vector<FoundDevice> found(3);
+  EXPECT_TRUE(registry.CanBeFound("plugged"));
+  EXPECT_TRUE(registry.FindDevices("plugged", clock, found).IsOk());
+  ASSERT_EQ(found.size(), 1U);
+  EXPECT_EQ(found[0].Argument, "1-2");
+  for (const char* name : {"computed", "unknown"})
+  {
+    EXPECT_FALSE(registry.CanBeFound(name));
+    EXPECT_FALSE(registry.FindDevices(name, clock, found).IsOk());
+    EXPECT_TRUE(found.empty());
+  }
+}
+
 TEST(DeviceRegistry, RefusesWhatItCouldNotFindAgain)
 {
   DeviceRegistry registry;

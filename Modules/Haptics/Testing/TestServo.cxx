@@ -116,6 +116,25 @@ TEST(Servo, ARepeatedSampleIsNotFeltAgainAndKeepsItsForce)
   EXPECT_EQ(wall.Control->Questions, questions);
 }
 
+TEST(Servo, ADeviceMayBeSilentForAsLongAsItSaysAndNoLonger)
+{
+  for (const double gap : {0.0, 0.004}) // s
+  {
+    test::ScriptedDevice device;
+    device.Abilities.LongestGap = gap;
+    Servo loop(device, ServoSettings());
+    loop.Tick(test::HealthyTick(0).Tick);
+    device.RepeatsSample = true;
+    std::uint64_t silent = 0;
+    while (silent < 100 && loop.Latest().Safety.Fault == SafetyFault::None)
+    {
+      loop.Tick(test::HealthyTick(++silent).Tick);
+    }
+    EXPECT_EQ(loop.Latest().Safety.Fault, SafetyFault::StaleSample);
+    EXPECT_EQ(silent, gap > 0.0 ? 5U : 2U) << gap;
+  }
+}
+
 TEST(Servo, WithoutASceneThereIsNoForce)
 {
   test::ScriptedDevice device;

@@ -363,3 +363,13 @@ TEST_F(vtkSliceViewTest, ARendererThatIsGivenBackIsEmpty)
   EXPECT_EQ(this->Renderer->GetViewProps()->GetNumberOfItems(), 0);
   EXPECT_FALSE(this->Renderer->HasObserver(vtkCommand::StartEvent));
 }
+
+TEST_F(vtkSliceViewTest, MayOutliveItsWindow)
+{
+  this->View->AddSurface(SphereDisplay(Vector3::Zero(), 9.0));
+  this->Draw();
+  this->Window = nullptr;
+  this->View->Update();
+  this->View->SetRenderer(nullptr);
+  EXPECT_EQ(this->Renderer->GetViewProps()->GetNumberOfItems(), 0);
+}

@@ -1,5 +1,6 @@
 #include "Study.h"
 
+#include "OpenBuiltInDevice.h"
 #include "StudyFile.h"
 
 #include <utility>
@@ -119,10 +120,11 @@ void Study::StartTouch()
 {
   this->StopTouch();
   StudyJob job;
+  job.IsUrgent = true;
   job.Work = [this, name = this->State().Device, &clock = this->Time](const ProgressFunction&)
   {
     const auto device = std::make_shared<std::unique_ptr<HapticDevice>>();
-    const Status status = OpenTouchDevice(name, clock, *device);
+    const Status status = OpenBuiltInDevice(name, clock, *device);
     return StudyJob::Delivery(
         [this, device, status]
         {
@@ -185,7 +187,7 @@ StudyState WithStructuresOf(const StudyState& state, const Segmentation& segment
   {
     StudyStructure structure;
     structure.Label = segment.Label;
-    structure.Name = segment.Name.empty() ? "label " + std::to_string(segment.Label) : segment.Name;
+    structure.Name = segment.Name;
     structure.Color = segment.Color;
     structure.Degree = state.Fit.Degree;
     const bool isShown =

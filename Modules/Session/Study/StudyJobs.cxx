@@ -58,6 +58,7 @@ struct StudyJobs::Desk
   StudyJob::Delivery Do(Entry& entry);
   void Work();
   void Drop(Id id);
+  bool HasWork() const;
 };
 
 // Waits for a job; empty where there will be none.
@@ -137,6 +138,14 @@ void StudyJobs::Desk::Drop(Id id)
   this->News.notify_all();
 }
 
+// Under the lock: what somebody wants is still to come.
+bool StudyJobs::Desk::HasWork() const
+{
+  return !this->Waiting.empty() ||
+         std::any_of(this->Running.begin(), this->Running.end(),
+                     [](const EntryPointer& entry) { return !entry->IsCancelled; });
+}
+
 StudyJobs::StudyJobs(int workers) : Shared(std::make_shared<Desk>())
 {
   this->Shared->Workers = workers;
@@ -159,7 +168,8 @@ StudyJobs::Id StudyJobs::Start(StudyJob job)
   entry->Number = ++this->Shared->LastId;
   if (!this->Shared->IsEnding)
   {
-    this->Shared->Waiting.push_back(entry);
+    std::deque<EntryPointer>& waiting = this->Shared->Waiting;
+    waiting.insert(entry->Job.IsUrgent ? waiting.begin() : waiting.end(), entry);
     this->Shared->News.notify_all();
   }
   return entry->Number;
@@ -211,17 +221,25 @@ std::size_t StudyJobs::Deliver()
   }
 }
 
-bool StudyJobs::WaitForResult()
+bool StudyJobs::IsIdle() const
+{
+  const std::lock_guard<std::mutex> hold(this->Shared->Lock);
+  return this->Shared->Done.empty() && !this->Shared->HasWork();
+}
+
+bool StudyJobs::WaitForResult(std::optional<std::chrono::milliseconds> longest)
 {
   Desk& desk = *this->Shared;
   std::unique_lock<std::mutex> hold(desk.Lock);
-  const auto isOnItsWay = [&desk]
+  const auto isOver = [&desk] { return !desk.Done.empty() || !desk.HasWork(); };
+  if (longest)
   {
-    return !desk.Waiting.empty() ||
-           std::any_of(desk.Running.begin(), desk.Running.end(),
-                       [](const EntryPointer& entry) { return !entry->IsCancelled; });
-  };
-  desk.News.wait(hold, [&] { return !desk.Done.empty() || !isOnItsWay(); });
+    desk.News.wait_for(hold, *longest, isOver);
+  }
+  else
+  {
+    desk.News.wait(hold, isOver);
+  }
   return !desk.Done.empty();
 }
 

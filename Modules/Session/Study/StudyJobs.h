@@ -26,6 +26,8 @@ struct StudyJob
   std::function<Delivery(const ProgressFunction& progress)> Work;
   /// On the owner's thread, where Work threw.
   std::function<void(const std::string& sentence)> Fail;
+  /// Goes before all that only waits.
+  bool IsUrgent = false;
 };
 
 /// How far a job has come.
@@ -36,7 +38,8 @@ struct StudyJobProgress
   std::string Stage;
 };
 
-/// Runs long work beside the thread that owns it, in the order of being started. The owner's thread
+/// Runs long work beside the thread that owns it, in the order of being started, what is urgent
+/// first. The owner's thread
 /// never waits: it asks now and then (Deliver), and whatever a result does to it happens there.
 class PALPATESESSION_EXPORT StudyJobs
 {
@@ -58,9 +61,11 @@ public:
 
   /// Does what results that have come since ask for; returns how many.
   std::size_t Deliver();
-  /// Waits until there is something to deliver; false where nothing is on its way. For programs
-  /// without a window, and tests.
-  bool WaitForResult();
+  /// Nothing waits, runs, or is to be delivered.
+  bool IsIdle() const;
+  /// Waits until there is something to deliver, `longest` at most; false where there is nothing. At
+  /// once where nothing is on its way. For programs without a window, and tests.
+  bool WaitForResult(std::optional<std::chrono::milliseconds> longest = std::nullopt);
 
   /// Cancels everything and waits for it to end, `longest` at most. False where something does not
   /// ask whether it is wanted any more: it goes on by itself, with what it has, until its end or

@@ -3,6 +3,7 @@
 #include "InputError.h"
 
 #include <algorithm>
+#include <array>
 
 namespace palpate
 {
@@ -18,6 +19,13 @@ StudyStepState Simply(StudyStepState::Kind kind)
   return {kind, 0.0, {}, {}};
 }
 } // namespace
+
+const char* NameOf(StudyStepState::Kind kind)
+{
+  constexpr std::array<const char*, 5> Names{"not wanted", "up to date", "needs an update",
+                                             "failed", "running"};
+  return Names.at(static_cast<std::size_t>(kind));
+}
 
 StudyPipeline::StudyPipeline(StudyJobs& jobs, std::size_t mostBytes) : Jobs(jobs), Cache(mostBytes)
 {

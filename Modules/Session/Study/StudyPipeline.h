@@ -34,6 +34,9 @@ struct StudyStepState
   std::string Sentence;  ///< why it failed
 };
 
+/// "not wanted", "up to date", ...
+PALPATESESSION_EXPORT const char* NameOf(StudyStepState::Kind kind);
+
 /// Makes what a state wants, beside the thread that owns it, and keeps what it made: a state that
 /// was there before is there again at once. Nothing is made twice, and nothing for structures that
 /// are neither shown nor touched. Structures are named by their label in the segmentation.

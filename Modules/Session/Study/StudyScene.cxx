@@ -1,6 +1,5 @@
 #include "StudyScene.h"
 
-#include "ReachingScale.h"
 #include "TouchStructures.h"
 
 namespace palpate
@@ -35,32 +34,21 @@ std::vector<StudyContact> TouchableOf(const StudyState& state,
 }
 
 TouchScene MakeStudyScene(const StudyState& state, const std::vector<StudyContact>& contacts,
-                          const StudyFrame& frame)
+                          const WorkspaceFrame& frame)
 {
   TouchScene scene;
   scene.Tool = MakeTool(state.Tool);
-  scene.Frame = DeviceFrame(frame.Rotation, frame.Scale, frame.CenterWorld);
+  scene.Frame = frame.ForDevice();
   for (const StudyContact& contact : contacts)
   {
     const StudyStructure* structure = FindStructure(state, contact.Label);
     TouchStructure touch;
-    touch.Name = structure->Name;
+    touch.Name = TitleOf(*structure);
     touch.Model = contact.Contact->Model;
     touch.Law.Stiffness = structure->Stiffness;
     touch.Friction = structure->Friction;
     scene.Structures.push_back(std::move(touch));
   }
   return scene;
-}
-
-StudyFrame ReachingFrame(const TouchScene& scene, const DeviceCapabilities& device)
-{
-  StudyFrame frame;
-  if (!scene.Structures.empty())
-  {
-    frame.Scale = ReachingScale(scene, device);
-    frame.CenterWorld = scene.BoundsWorld().center();
-  }
-  return frame;
 }
 } // namespace palpate

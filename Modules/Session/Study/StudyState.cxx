@@ -77,6 +77,11 @@ std::filesystem::path StudyPath(const std::filesystem::path& file)
   return file.empty() ? file : std::filesystem::absolute(file).lexically_normal();
 }
 
+std::string TitleOf(const StudyStructure& structure)
+{
+  return structure.Name.empty() ? "label " + std::to_string(structure.Label) : structure.Name;
+}
+
 const StudyStructure* FindStructure(const StudyState& state, int label)
 {
   const auto found =

@@ -17,7 +17,7 @@ namespace palpate
 struct StudyStructure
 {
   int Label = 0;                                ///< by which the segmentation names it
-  std::string Name;                             ///< as tables show it
+  std::string Name;                             ///< may be empty (see TitleOf)
   std::array<double, 3> Color{{0.9, 0.6, 0.4}}; ///< red, green, blue in 0..1
   bool IsVisible = true;
   bool IsTouchable = true;
@@ -102,6 +102,9 @@ inline bool operator!=(const StudyState& a, const StudyState& b)
 
 /// A file as a state names it, whatever the program's folder is later; empty stays empty.
 PALPATESESSION_EXPORT std::filesystem::path StudyPath(const std::filesystem::path& file);
+
+/// Its name, or "label 3" where it has none.
+PALPATESESSION_EXPORT std::string TitleOf(const StudyStructure& structure);
 
 /// The structure of a label, or nothing.
 PALPATESESSION_EXPORT const StudyStructure* FindStructure(const StudyState& state, int label);

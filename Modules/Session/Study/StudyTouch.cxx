@@ -1,6 +1,5 @@
 #include "StudyTouch.h"
 
-#include "BuiltInDevices.h"
 #include "InputError.h"
 #include "SafetyText.h"
 #include "SimulatedDevice.h"
@@ -12,17 +11,6 @@
 
 namespace palpate
 {
-Status OpenTouchDevice(const std::string& name, Clock& clock, std::unique_ptr<HapticDevice>& device)
-{
-  DeviceRegistry registry;
-  Status status = RegisterBuiltInDevices(registry);
-  if (status.IsOk())
-  {
-    status = registry.Make(name, clock, device);
-  }
-  return status.IsOk() ? device->Open() : status;
-}
-
 StudyTouch::StudyTouch(Clock& clock, const RealtimeRequest& request) : Time(clock), Request(request)
 {
 }
@@ -109,13 +97,13 @@ Status StudyTouch::Update(const StudyState& state, const std::vector<StudyContac
   return this->IsRunning() ? this->Publish(state, contacts) : Status::Success();
 }
 
-StudyFrame StudyTouch::FrameFor(const StudyPlacement& placement, const TouchScene& scene)
+WorkspaceFrame StudyTouch::FrameFor(const StudyPlacement& placement, const TouchScene& scene)
 {
   if (!this->Automatic)
   {
-    this->Automatic = ReachingFrame(scene, this->Device->Capabilities());
+    this->Automatic = WorkspaceFrame::Around(scene, this->Device->Capabilities());
   }
-  StudyFrame frame;
+  WorkspaceFrame frame;
   frame.Rotation = placement.AxesFollowCamera ? this->CameraAxes : Matrix3(Matrix3::Identity());
   frame.Scale = placement.Scale.value_or(this->Automatic->Scale);
   frame.CenterWorld = placement.CenterWorld.value_or(this->Automatic->CenterWorld);
@@ -222,6 +210,7 @@ const StudyTouchReading& StudyTouch::Poll()
       touched < this->Felt.Structures.size() ? this->Felt.Structures[touched].Label : 0;
   this->Reading.Safety = SafetyText(this->Reading.Newest);
   this->Reading.DeviceProblem = this->Device->Problem();
+  this->Reading.Guidance = this->Device->Guidance();
   const ServoStatistics& statistics = this->Thread->Statistics();
   this->Reading.Periods = statistics.Periods;
   this->Reading.Durations = statistics.Durations;

@@ -20,11 +20,6 @@ namespace palpate
 {
 class TouchRecorder;
 
-/// Makes and opens a device by its name. May take seconds: for a job, whose delivery hands the
-/// device on. Fails with the sentence of what stands in the way.
-[[nodiscard]] PALPATESESSION_EXPORT Status OpenTouchDevice(const std::string& name, Clock& clock,
-                                                           std::unique_ptr<HapticDevice>& device);
-
 /// What a touch is like now.
 struct StudyTouchReading
 {
@@ -33,6 +28,7 @@ struct StudyTouchReading
   int TouchedLabel = 0;             ///< of the structure touched most deeply; 0 without touch
   std::string Safety;               ///< what the safety chain does, in plain words
   std::string DeviceProblem;        ///< in one sentence; empty without
+  std::string Guidance;             ///< what the person should do now; empty where nothing
   PeriodStatistics Periods;         ///< ns from tick to tick; misses are those left out
   PeriodStatistics Durations;       ///< ns that ticks took; misses are late ones
   std::uint64_t LostTicks = 0;      ///< that no reading has seen
@@ -70,7 +66,7 @@ public:
   /// Makes all of the scene reachable again at the next Update. By itself the workspace stays where
   /// it was when the touch began, lest the hand jump.
   void FitWorkspace() { this->Automatic.reset(); }
-  const StudyFrame& Frame() const { return this->Felt.Frame; }
+  const WorkspaceFrame& Frame() const { return this->Felt.Frame; }
 
   /// 0 N from the next tick on, until SwitchForcesOn; the hand is followed all the same.
   void SwitchForcesOff();
@@ -106,12 +102,12 @@ private:
     };
     std::vector<One> Structures;
     TouchToolSettings Tool;
-    StudyFrame Frame;
+    WorkspaceFrame Frame;
   };
   static bool IsSame(const Feelable& a, const Feelable& b);
 
   Status Publish(const StudyState& state, const std::vector<StudyContact>& contacts);
-  StudyFrame FrameFor(const StudyPlacement& placement, const TouchScene& scene);
+  WorkspaceFrame FrameFor(const StudyPlacement& placement, const TouchScene& scene);
   Status StartServo();
   void TakeTicks();
 
@@ -123,7 +119,7 @@ private:
   std::shared_ptr<const TouchScene> Scene;
   Feelable Felt;
   Matrix3 CameraAxes = Matrix3::Identity();
-  std::optional<StudyFrame> Automatic;
+  std::optional<WorkspaceFrame> Automatic;
   std::unique_ptr<TouchRecorder> Recorder;
   StudyTouchReading Reading;
   std::vector<std::string> Advice;

@@ -158,6 +158,31 @@ TEST_F(SceneRendererTest, OnlyArraysThatAreThereColorAnything)
   EXPECT_EQ(scene.ArrayNames(), std::vector<std::string>{"DistanceToSurface"});
 }
 
+TEST_F(SceneRendererTest, APictureDependsOnNoneThatWasDrawnBefore)
+{
+  const palpate::test::SyntheticFit fit;
+  const auto color = [](SceneRenderer& scene)
+  {
+    scene.SetBackground({{0.1, 0.1, 0.1}}); // and so its letters are light
+    return scene.ColorByArray("DistanceToSurface");
+  };
+  const auto drawnFirst = [&](int width, int height)
+  {
+    SceneRenderer scene;
+    scene.AddSurface(fit.Result.ModelSurface, Tan, 1.0);
+    EXPECT_TRUE(color(scene));
+    return scene.Render(FrameOf(ViewSide::Superior), width, height);
+  };
+  SceneRenderer scene;
+  scene.AddSurface(fit.Result.ModelSurface, Tan, 1.0);
+  scene.Render(FrameOf(ViewSide::Left), 300, 240);
+  ASSERT_TRUE(color(scene));
+  Picture colored(300, 240);
+  scene.Render(FrameOf(ViewSide::Superior), colored);
+  EXPECT_EQ(colored.Rgba, drawnFirst(300, 240).Rgba);
+  EXPECT_EQ(scene.Render(FrameOf(ViewSide::Superior), 160, 130).Rgba, drawnFirst(160, 130).Rgba);
+}
+
 TEST_F(SceneRendererTest, AnEmptySceneIsABackground)
 {
   SceneRenderer scene;

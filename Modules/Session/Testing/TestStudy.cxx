@@ -55,7 +55,7 @@ TEST_F(StudyTest, ASegmentationBringsItsStructuresAsPartOfItsStep)
   this->Settle();
   ASSERT_EQ(this->Open.State().Structures.size(), 3U);
   EXPECT_EQ(this->Open.State().Structures[1].Label, 2);
-  EXPECT_EQ(this->Open.State().Structures[1].Name, "label 2");
+  EXPECT_EQ(TitleOf(this->Open.State().Structures[1]), "label 2");
   EXPECT_EQ(this->Open.Pipeline().StateOf(StudyStep::Touch, 1).Is, StudyStepState::Kind::UpToDate);
   const StudyState opened = this->Open.State();
   EXPECT_EQ(this->Open.History().UndoText(), "Open the segmentation mask.nii.gz");

@@ -77,6 +77,22 @@ TEST(StudyJobs, ResultsAreDeliveredOnTheThreadThatAsksInTheOrderOfStarting)
   EXPECT_FALSE(jobs.WaitForResult()) << "nothing is on its way";
 }
 
+TEST(StudyJobs, WhatIsUrgentGoesBeforeWhatWaits)
+{
+  StudyJobs jobs;
+  Endless endless;
+  const StudyJobs::Id running = jobs.Start(endless.Job());
+  endless.Begun.get_future().wait();
+  std::string order;
+  jobs.Start(Delivering([&] { order += "waiting"; }));
+  StudyJob urgent = Delivering([&] { order += "urgent "; });
+  urgent.IsUrgent = true;
+  jobs.Start(std::move(urgent));
+  jobs.Cancel(running);
+  DeliverAll(jobs);
+  EXPECT_EQ(order, "urgent waiting");
+}
+
 TEST(StudyJobs, ADeliveryMayStartMore)
 {
   StudyJobs jobs;

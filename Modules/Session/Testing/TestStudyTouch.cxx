@@ -1,6 +1,7 @@
 #include "StudyTouch.h"
 
 #include "ManualClock.h"
+#include "OpenBuiltInDevice.h"
 #include "SafetyText.h"
 #include "SimulatedDevice.h"
 #include "SteadyClock.h"
@@ -46,7 +47,7 @@ protected:
   std::unique_ptr<HapticDevice> OpenDevice(Clock& clock)
   {
     std::unique_ptr<HapticDevice> device;
-    EXPECT_TRUE(OpenTouchDevice("simulated", clock, device).IsOk());
+    EXPECT_TRUE(OpenBuiltInDevice("simulated", clock, device).IsOk());
     return device;
   }
   void Start()
@@ -236,7 +237,7 @@ TEST_F(StudyTouchTest, ADeviceThatIsUnpluggedIsNamed)
 TEST_F(StudyTouchTest, AnUnknownDeviceIsNamedInTheSentence)
 {
   std::unique_ptr<HapticDevice> device;
-  const Status status = OpenTouchDevice("phantom", this->Time, device);
+  const Status status = OpenBuiltInDevice("phantom", this->Time, device);
   EXPECT_NE(status.Message().find("simulated"), std::string::npos) << status.Message();
 }
 
@@ -260,7 +261,7 @@ TEST_F(StudyTouchTest, ARecordingIsFeltAgainToTheLastBit)
   auto recording = std::make_shared<TouchRecording>();
   ASSERT_TRUE(ReadTouchRecording(file.string(), *recording).IsOk());
   EXPECT_GE(recording->Ticks.size(), 150U);
-  StudyFrame frame = touch.Frame();
+  WorkspaceFrame frame = touch.Frame();
   const auto scene =
       std::make_shared<const TouchScene>(MakeStudyScene(this->State, this->Contacts, frame));
   ReplayComparison comparison;
@@ -292,7 +293,7 @@ TEST(StudyTouchOfFiles, WhatThePipelineMakesIsFelt)
   ManualClock clock;
   StudyTouch touch(clock, Ordinary());
   std::unique_ptr<HapticDevice> device;
-  ASSERT_TRUE(OpenTouchDevice(state.Device, clock, device).IsOk());
+  ASSERT_TRUE(OpenBuiltInDevice(state.Device, clock, device).IsOk());
   ASSERT_TRUE(touch.Start(std::move(device), state, ContactsOf(state, pipeline)).IsOk());
   touch.MoveHand(Vector3(-15.0, 0.0, 5.0)); // in the ball, whose middle is at x = -15
   while (touch.Poll().TouchedLabel != 1)

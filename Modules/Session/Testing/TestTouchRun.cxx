@@ -103,7 +103,7 @@ TEST_F(TouchRun, ASessionIsFeltAgainToTheLastBit)
   settings.Structures[0].Friction = {0.4, 0.3};
   const PreparedTouch touch = PrepareTouch(settings, PressTo(10.0), GoOn);
   const auto file = this->Folder / "session.touch";
-  const TouchResult result = RunTouch(touch, {true, file, {}}, GoOn);
+  const TouchResult result = RunTouch(touch, {true, file, {}, {}}, GoOn);
   const TouchComparison same = CompareTouch(touch, file);
   EXPECT_EQ(same.Ticks, result.Ticks);
   EXPECT_EQ(same.DifferentTicks, 0U);

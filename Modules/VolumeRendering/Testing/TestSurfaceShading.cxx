@@ -11,12 +11,17 @@ namespace
 const Vector3 Color(0.8, 0.4, 0.2);
 const SurfaceLight FromViewer{false, Vector3::UnitZ(), Vector3::Ones(), Vector3::Ones()};
 
+// At the origin, seen along z.
+Vector3 Shade(const SurfaceFinish& finish, const SurfaceLight& light, const Vector3& normal,
+              const Vector3& color = Color)
+{
+  return SurfaceShading(finish, {light}).ColorAt(Vector3::Zero(), color, normal, Vector3::UnitZ());
+}
+
 TEST(SurfaceShading, WithoutShadingIsThePlainColour)
 {
   const SurfaceFinish flat{false, 0.3, 0.3, 0.3, 5.0};
-  EXPECT_EQ(
-      ShadedColor(Color, flat, {FromViewer}, Vector3::Zero(), Vector3::UnitX(), Vector3::UnitZ()),
-      Color);
+  EXPECT_EQ(Shade(flat, FromViewer, Vector3::UnitX()), Color);
 }
 
 TEST(SurfaceShading, IsPhongsSum)
@@ -24,8 +29,7 @@ TEST(SurfaceShading, IsPhongsSum)
   const SurfaceFinish finish{true, 0.1, 0.6, 0.25, 10.0};
   const double tilt = 0.3;
   const Vector3 normal(std::sin(tilt), 0.0, std::cos(tilt));
-  const Vector3 shaded =
-      ShadedColor(Color, finish, {FromViewer}, Vector3::Zero(), normal, Vector3::UnitZ());
+  const Vector3 shaded = Shade(finish, FromViewer, normal);
   // The mirrored light leaves the viewer by twice the tilt.
   const Vector3 expected = (0.1 + 0.6 * std::cos(tilt)) * Color +
                            Vector3::Constant(0.25 * std::pow(std::cos(2.0 * tilt), 10.0));
@@ -36,8 +40,7 @@ TEST(SurfaceShading, PowersThatAreNotWholeAreMetToo)
 {
   const SurfaceFinish finish{true, 0.0, 0.0, 1.0, 3.7};
   const Vector3 normal(std::sin(0.2), 0.0, std::cos(0.2));
-  const Vector3 shaded =
-      ShadedColor(Color, finish, {FromViewer}, Vector3::Zero(), normal, Vector3::UnitZ());
+  const Vector3 shaded = Shade(finish, FromViewer, normal);
   EXPECT_NEAR(shaded[0], std::pow(std::cos(0.4), 3.7), 1e-14);
 }
 
@@ -45,27 +48,23 @@ TEST(SurfaceShading, BothSidesOfASurfaceAreAlike)
 {
   const SurfaceFinish finish;
   const Vector3 normal = Vector3(0.2, -0.5, 0.6).normalized();
-  const auto shade = [&](const Vector3& n)
-  { return ShadedColor(Color, finish, {FromViewer}, Vector3::Zero(), n, Vector3::UnitZ()); };
-  EXPECT_EQ(shade(normal), shade(-normal));
+  EXPECT_EQ(Shade(finish, FromViewer, normal), Shade(finish, FromViewer, -normal));
 }
 
 TEST(SurfaceShading, ALightBehindTheSurfaceAddsNothing)
 {
   const SurfaceFinish finish;
   const SurfaceLight behind{false, -Vector3::UnitZ(), Vector3::Ones(), Vector3::Ones()};
-  EXPECT_EQ(
-      ShadedColor(Color, finish, {behind}, Vector3::Zero(), Vector3::UnitZ(), Vector3::UnitZ()),
-      Vector3(finish.Ambient * Color));
+  EXPECT_EQ(Shade(finish, behind, Vector3::UnitZ()), Vector3(finish.Ambient * Color));
 }
 
 TEST(SurfaceShading, APositionalLightShinesFromItsPlace)
 {
   const SurfaceFinish finish{true, 0.0, 1.0, 0.0, 1.0};
   const SurfaceLight lamp{true, {3.0, 0.0, 4.0}, Vector3::Ones(), Vector3::Ones()};
-  const Vector3 shaded = ShadedColor(Vector3::Ones(), finish, {lamp}, Vector3::Zero(),
-                                     Vector3::UnitZ(), Vector3::UnitZ());
-  EXPECT_NEAR(shaded[0], 0.8, 1e-15);
+  EXPECT_NEAR(Shade(finish, lamp, Vector3::UnitZ(), Vector3::Ones())[0], 0.8, 1e-15);
+  EXPECT_TRUE(SurfaceShading(finish, {lamp}).NeedsPoints());
+  EXPECT_FALSE(SurfaceShading(finish, {FromViewer}).NeedsPoints());
 }
 } // namespace
 } // namespace palpate

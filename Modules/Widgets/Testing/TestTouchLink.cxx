@@ -90,7 +90,7 @@ TEST_F(TouchLinkTest, WithAModifierTheMouseMovesTheCameraAndNotTheHand)
 {
   this->StartTouch();
   SpacePane* space = this->Window->Views()->Space();
-  const Matrix3 before = space->CameraAxes();
+  const Matrix3 before = space->Axes();
   int moved = 0;
   QObject::connect(space, &SpacePane::HandMoved, [&moved](const Vector3&) { ++moved; });
   QWidget* canvas = space->Canvas();
@@ -100,10 +100,10 @@ TEST_F(TouchLinkTest, WithAModifierTheMouseMovesTheCameraAndNotTheHand)
             Qt::ControlModifier);
   SendMouse(canvas, QEvent::MouseButtonRelease, {160.0, 110.0}, Qt::LeftButton, Qt::NoButton,
             Qt::ControlModifier);
-  EXPECT_GT((space->CameraAxes() - before).norm(), 0.1);
+  EXPECT_GT((space->Axes() - before).norm(), 0.1);
   EXPECT_EQ(moved, 0);
   // The device's axes went with it.
-  EXPECT_LT((this->Study->Current().Touch().Frame().Rotation - space->CameraAxes()).norm(), 1e-12);
+  EXPECT_LT((this->Study->Current().Touch().Frame().Rotation - space->Axes()).norm(), 1e-12);
   Move(canvas, {120.0, 100.0});
   EXPECT_EQ(moved, 1);
 }

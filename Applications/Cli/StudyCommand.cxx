@@ -1,0 +1,219 @@
+#include "StudyCommand.h"
+
+#include "CaseTally.h"
+#include "Console.h"
+#include "FilterRun.h"
+#include "Interruption.h"
+#include "OutputFolder.h"
+#include "ProgramVersion.h"
+#include "SteadyClock.h"
+#include "StudyFiles.h"
+#include "TextTable.h"
+
+#include <CLI/CLI.hpp>
+#include <array>
+#include <nlohmann/json.hpp>
+#include <ostream>
+#include <set>
+#include <vector>
+
+namespace palpate::cli
+{
+namespace
+{
+using Kind = StudyStepState::Kind;
+using JsonObject = nlohmann::ordered_json;
+
+constexpr std::array<StudyStep, 5> StructureSteps{
+    StudyStep::Surface, StudyStep::Samples, StudyStep::Model, StudyStep::Field, StudyStep::Touch};
+
+void ShowProgress(const StudyPipeline& pipeline, Console& console)
+{
+  for (const StudyStep step :
+       {StudyStep::Volume, StudyStep::Segmentation, StudyStep::Surface, StudyStep::Samples,
+        StudyStep::Model, StudyStep::Field, StudyStep::Touch})
+  {
+    const StudyStepState state = pipeline.StateOf(step);
+    if (state.Is == Kind::Running)
+    {
+      return console.Progress(state.Fraction, NameOf(step));
+    }
+  }
+}
+
+void MakeAll(Study& study, Console& console)
+{
+  constexpr std::chrono::milliseconds Glance(50);
+  while (!study.Jobs().IsIdle())
+  {
+    if (Interruption::WasAsked())
+    {
+      throw Cancelled();
+    }
+    study.Jobs().WaitForResult(Glance);
+    study.Deliver();
+    ShowProgress(study.Pipeline(), console);
+  }
+}
+
+// A file or a structure of the study: how it stands, in which words, and why it failed.
+struct Line
+{
+  std::string Name;
+  std::string State;
+  std::string Says;
+  std::vector<std::string> Sentences;
+  bool IsLost = false;
+};
+
+Line LineOf(StudyStep step, const StudyStepState& state)
+{
+  const bool isLost = state.Is == Kind::Failed;
+  return {NameOf(step),
+          NameOf(state.Is),
+          {},
+          isLost ? std::vector{state.Sentence} : std::vector<std::string>{},
+          isLost};
+}
+
+// What is felt or seen of it is what counts: a model that was refused has a field in its place.
+Line LineOf(const StudyStructure& structure, const StudyPipeline& pipeline)
+{
+  Line line{TitleOf(structure), NameOf(Kind::NotWanted), {}, {}, false};
+  std::set<std::string> said;
+  for (const StudyStep step : StructureSteps)
+  {
+    const StudyStepState state = pipeline.StateOf(step, structure.Label);
+    if (state.Is != Kind::NotWanted)
+    {
+      line.State = NameOf(state.Is);
+      line.IsLost = state.Is == Kind::Failed;
+    }
+    if (!state.Sentence.empty() && said.insert(state.Sentence).second)
+    {
+      line.Sentences.push_back(state.Sentence);
+    }
+  }
+  if (const auto contact = pipeline.Newest<TouchContact>(StudyStep::Touch, structure.Label))
+  {
+    line.Says = contact->Represented;
+  }
+  const auto fit = pipeline.Newest<FitResult>(StudyStep::Model, structure.Label);
+  if (fit != nullptr && fit->State == FitResult::Outcome::Fitted)
+  {
+    line.Says += (line.Says.empty() ? "" : "; ") + std::string("Dice ") +
+                 TextTable::Fixed(fit->Dice, 4) + ", mean distance to the mask " +
+                 TextTable::Fixed(fit->ModelToMask.Mean, 3) + " mm";
+  }
+  return line;
+}
+
+std::vector<Line> LinesOf(Study& study)
+{
+  std::vector<Line> lines;
+  for (const StudyStep step : {StudyStep::Volume, StudyStep::Segmentation})
+  {
+    const StudyStepState state = study.Pipeline().StateOf(step);
+    if (state.Is != Kind::NotWanted)
+    {
+      lines.push_back(LineOf(step, state));
+    }
+  }
+  for (const StudyStructure& structure : study.State().Structures)
+  {
+    lines.push_back(LineOf(structure, study.Pipeline()));
+  }
+  return lines;
+}
+
+void Print(const std::vector<Line>& lines, bool asJson, Console& console)
+{
+  TextTable table;
+  for (const Line& line : lines)
+  {
+    if (asJson)
+    {
+      const JsonObject object{{"name", line.Name},
+                              {"state", line.State},
+                              {"says", line.Says},
+                              {"sentences", line.Sentences}};
+      console.Output() << object.dump(-1, ' ', false, JsonObject::error_handler_t::replace) << '\n';
+    }
+    table.AddRow({line.Name, line.State, line.Says});
+  }
+  if (!asJson)
+  {
+    console.Output() << table.Text();
+  }
+}
+
+// Each sentence once: what a file is blamed for, its structures are too.
+CaseTally Tell(const std::vector<Line>& lines, Console& console)
+{
+  CaseTally tally;
+  std::set<std::string> told;
+  for (const Line& line : lines)
+  {
+    ++tally.Cases;
+    tally.BadInputs += line.IsLost ? 1 : 0;
+    for (const std::string& sentence : line.Sentences)
+    {
+      if (told.insert(sentence).second)
+      {
+        line.IsLost ? console.Error(sentence) : console.Note(sentence);
+      }
+    }
+  }
+  return tally;
+}
+} // namespace
+
+std::string StudyCommand::Examples() const
+{
+  return "  palpate study case1.palpate.json                  how each step ends\n"
+         "  palpate study case1.palpate.json --output out     models, surfaces, reports, markups\n"
+         "  palpate touch out/scene.json                      what the study feels like";
+}
+
+void StudyCommand::DeclareOptions(CLI::App& app)
+{
+  app.add_option("SESSION", this->Input, "A session file of the application (.palpate.json)")
+      ->required();
+  app.add_option("--output", this->OutputFolder,
+                 "Folder for models, surfaces, reports, scene.json and markups (default: write "
+                 "nothing)")
+      ->type_name("DIR");
+  app.add_flag("--json", this->Json, "One JSON object a file or structure on standard output");
+}
+
+int StudyCommand::Run(Console& console)
+{
+  const Interruption interruption;
+  if (!this->OutputFolder.empty())
+  {
+    CheckOutputFolder(this->OutputFolder);
+  }
+  SteadyClock clock;
+  Study study(clock);
+  study.Open(this->Input);
+  try
+  {
+    MakeAll(study, console);
+  }
+  catch (const Cancelled&)
+  {
+    console.EndProgress();
+    console.Error("cancelled; nothing was written");
+    return 1;
+  }
+  console.EndProgress();
+  const std::vector<Line> lines = LinesOf(study);
+  Print(lines, this->Json, console);
+  const CaseTally tally = Tell(lines, console);
+  if (!this->OutputFolder.empty() && tally.Lost() < tally.Cases)
+  {
+    WriteStudyFiles(study.State(), study.Pipeline(), this->OutputFolder, ProgramVersion());
+  }
+  return tally.Lost() > 0 && tally.Lost() < tally.Cases ? 1 : tally.ExitCode();
+}
+} // namespace palpate::cli

@@ -1,0 +1,173 @@
+#include "FalconCalibration.h"
+
+#include "FalconKinematics.h"
+
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <fstream>
+#include <iterator>
+#include <sstream>
+#include <utility>
+#include <vector>
+
+namespace palpate
+{
+namespace
+{
+constexpr char Head[] = "palpate-falcon-calibration 1";
+constexpr double RadiansPerDegree = M_PI / 180.0;
+
+// A line of the file, and where its number goes.
+struct Entry
+{
+  const char* Name;
+  double* Value;
+  double Unit; // one of the file's in the program's
+};
+
+std::vector<Entry> EntriesOf(FalconCalibration& c)
+{
+  FalconGeometry& g = c.Geometry;
+  return {{"thigh", &g.Thigh, 1.0},
+          {"shin", &g.Shin, 1.0},
+          {"knee-offset", &g.KneeOffset, 1.0},
+          {"ankle-offset", &g.AnkleOffset, 1.0},
+          {"platform-radial", &g.PlatformRadial, 1.0},
+          {"platform-tangential", &g.PlatformTangential, 1.0},
+          {"base-radial", &g.BaseRadial, 1.0},
+          {"base-tangential", &g.BaseTangential, 1.0},
+          {"leg-direction-1", &g.LegDirections[0], RadiansPerDegree},
+          {"leg-direction-2", &g.LegDirections[1], RadiansPerDegree},
+          {"leg-direction-3", &g.LegDirections[2], RadiansPerDegree},
+          {"home-angle-1", &g.HomeAngles[0], RadiansPerDegree},
+          {"home-angle-2", &g.HomeAngles[1], RadiansPerDegree},
+          {"home-angle-3", &g.HomeAngles[2], RadiansPerDegree},
+          {"angle-per-count", &g.AnglePerCount, RadiansPerDegree},
+          {"middle-height", &g.MiddleHeight, 1.0},
+          {"lowest-angle", &g.LowestAngle, RadiansPerDegree},
+          {"highest-angle", &g.HighestAngle, RadiansPerDegree},
+          {"counts-per-newton-millimeter", &c.CountsPerNewtonMillimeter, 1.0},
+          {"carried-mass", &c.CarriedMass, 1.0}};
+}
+
+bool ParseNumber(const std::string& text, double& number)
+{
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  return error == std::errc() && end == text.data() + text.size() && std::isfinite(number);
+}
+
+// The shortest text that reads back to the same bits.
+std::string NumberText(double number)
+{
+  std::array<char, 32> text{};
+  const auto result = std::to_chars(text.data(), text.data() + text.size(), number);
+  return {text.data(), result.ptr};
+}
+
+// One line; empty where it is understood, else what is wrong with it.
+std::string TakeLine(const std::string& line, const std::vector<Entry>& entries)
+{
+  std::istringstream words(line.substr(0, line.find('#')));
+  std::string name;
+  std::string value;
+  std::string more;
+  if (!(words >> name))
+  {
+    return "";
+  }
+  for (const Entry& entry : entries)
+  {
+    if (name == entry.Name)
+    {
+      double number = 0.0;
+      if (!(words >> value) || words >> more || !ParseNumber(value, number))
+      {
+        return name + " is not followed by one number";
+      }
+      *entry.Value = number * entry.Unit;
+      return "";
+    }
+  }
+  return name + " is not known";
+}
+} // namespace
+
+Status Check(const FalconCalibration& calibration)
+{
+  const FalconGeometry& g = calibration.Geometry;
+  for (const double positive :
+       {g.Thigh, g.Shin, g.AnglePerCount, calibration.CountsPerNewtonMillimeter})
+  {
+    if (!(positive > 0.0 && std::isfinite(positive)))
+    {
+      return Status::Failure("A Falcon's lengths, its angle per count and its torque scale must be "
+                             "positive numbers.");
+    }
+  }
+  if (!(calibration.CarriedMass >= 0.0 && calibration.CarriedMass < 1.0))
+  {
+    return Status::Failure("The mass that a Falcon carries must be from 0 to below 1 kg.");
+  }
+  const FalconKinematics kinematics(g);
+  Vector3 angles;
+  if (!kinematics.AnglesAt(kinematics.Middle(), angles))
+  {
+    return Status::Failure("With these lengths a Falcon's legs do not reach its middle.");
+  }
+  return Status::Success();
+}
+
+std::string TextOf(const FalconCalibration& calibration)
+{
+  FalconCalibration copy = calibration;
+  std::string text = std::string(Head) + "\n";
+  for (const Entry& entry : EntriesOf(copy))
+  {
+    text += std::string(entry.Name) + " " + NumberText(*entry.Value / entry.Unit) + "\n";
+  }
+  return text;
+}
+
+Status ParseCalibration(const std::string& text, const std::string& name,
+                        FalconCalibration& calibration)
+{
+  std::istringstream lines(text);
+  std::string line;
+  if (!std::getline(lines, line) || line != Head)
+  {
+    return Status::Failure(name + " is not a Falcon's calibration: its first line is not \"" +
+                           Head + "\".");
+  }
+  FalconCalibration found;
+  const std::vector<Entry> entries = EntriesOf(found);
+  while (std::getline(lines, line))
+  {
+    const std::string fault = TakeLine(line, entries);
+    if (!fault.empty())
+    {
+      std::string sentence = name + " is not a Falcon's calibration: ";
+      sentence.append(fault).append(".");
+      return Status::Failure(std::move(sentence));
+    }
+  }
+  const Status status = Check(found);
+  if (!status.IsOk())
+  {
+    return Status::Failure(name + " cannot be used: " + status.Message());
+  }
+  calibration = found;
+  return Status::Success();
+}
+
+Status ReadCalibration(const std::string& path, FalconCalibration& calibration)
+{
+  std::ifstream stream(path, std::ios::binary);
+  if (!stream)
+  {
+    return Status::Failure(path + ", the Falcon's calibration, cannot be opened.");
+  }
+  const std::string text{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+  return ParseCalibration(text, path, calibration);
+}
+} // namespace palpate

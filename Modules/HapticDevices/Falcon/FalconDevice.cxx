@@ -1,0 +1,268 @@
+#include "FalconDevice.h"
+
+#include "MotorValues.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+namespace palpate
+{
+namespace
+{
+constexpr double WorkspaceRadius = 40.0;             // mm
+constexpr double Gravity = 9.81;                     // m/s^2
+constexpr std::int64_t OldestPosition = 20'000'000;  // ns that may still make a force
+constexpr std::int64_t LongestSilence = 200'000'000; // ns
+constexpr std::int64_t FarewellInterval = 2'000'000; // ns
+constexpr int Farewells = 3;                         // packets without torque before closing
+
+// The least force of all directions, where in the workspace it is least.
+double MaximumForceOf(const FalconKinematics& kinematics, double countsPerNewtonMillimeter)
+{
+  const double torque = LargestMotorValue / countsPerNewtonMillimeter;
+  double least = kinematics.LeastForce(torque, kinematics.Middle());
+  for (const double x : {-1.0, 0.0, 1.0})
+  {
+    for (const double y : {-1.0, 0.0, 1.0})
+    {
+      for (const double z : {-1.0, 0.0, 1.0})
+      {
+        const Vector3 way(x, y, z);
+        const Vector3 edge = kinematics.Middle() + WorkspaceRadius * way.stableNormalized();
+        least = std::min(least, kinematics.LeastForce(torque, edge));
+      }
+    }
+  }
+  return least;
+}
+
+// Stiffness and damping are what programs for the Falcon found stable; damping and friction of the
+// mechanism were never published.
+DeviceCapabilities CapabilitiesOf(const FalconKinematics& kinematics, double scale)
+{
+  DeviceCapabilities c;
+  c.Name = "Novint Falcon";
+  const Vector3 corner = Vector3::Constant(WorkspaceRadius);
+  c.Workspace = {-corner, corner};
+  c.MaximumForce = MaximumForceOf(kinematics, scale);
+  c.MaximumStiffness = 1.0;
+  c.MaximumDamping = 0.02;
+  c.Resolution = 0.045;
+  c.Delay = 0.0015;
+  c.Rate = 1000.0;
+  // The chip's timer runs beside the servo's, and a reply that is given up takes as long.
+  c.LongestGap = 1e-9 * static_cast<double>(FalconExchange::ReplyDeadline);
+  return c;
+}
+} // namespace
+
+FalconDevice::FalconDevice(Clock& clock, std::unique_ptr<FalconLink> link, FalconSettings settings)
+    : Time(clock), Link(std::move(link)), Settings(std::move(settings)),
+      Kinematics(this->Settings.Calibration.Geometry),
+      Abilities(
+          CapabilitiesOf(this->Kinematics, this->Settings.Calibration.CountsPerNewtonMillimeter)),
+      Boot(*this->Link, clock), Exchange(*this->Link)
+{
+}
+
+std::string FalconDevice::Problem() const
+{
+  switch (this->Failure.load())
+  {
+  case Fault::None:
+    return "";
+  case Fault::Unplugged:
+    return "The Falcon was unplugged: plug it in and open it again.";
+  case Fault::Silent:
+    return "The Falcon does not answer any more: check its power supply and its cable, then open "
+           "it again.";
+  case Fault::HomeLost:
+    return "The Falcon's encoders lost their zero: open it again and pull the handle out and push "
+           "it in.";
+  }
+  return "";
+}
+
+std::string FalconDevice::Guidance() const
+{
+  if (this->State() != DeviceState::Homing)
+  {
+    return "";
+  }
+  std::string missing;
+  const std::array<const char*, 3> legs{"top", "right", "left"};
+  for (std::size_t leg = 0; leg < legs.size(); ++leg)
+  {
+    const bool isHomed = (this->HomedLegs >> leg & 1U) != 0;
+    missing += isHomed ? "" : (missing.empty() ? "" : ", ") + std::string(legs.at(leg));
+  }
+  return "Pull the handle all the way out, then push it all the way in" +
+         (missing.empty() ? "." : "; these legs have no zero yet: " + missing + ".");
+}
+
+std::string FalconDevice::ConnectionReport() const
+{
+  const FalconStatistics& s = this->Exchange.Statistics();
+  const auto count = [](std::uint64_t number, const char* what)
+  { return std::to_string(number) + " " + what; };
+  return count(s.Requests, "requests, ") + count(s.Replies, "replies, ") + count(s.Lost, "lost, ") +
+         count(s.Unasked, "not asked for, ") + count(s.Implausible, "not believed; ") +
+         count(s.SkippedBytes, "bytes belonged to none");
+}
+
+bool FalconDevice::IsInUse() const noexcept
+{
+  const DeviceState state = this->State();
+  return state == DeviceState::Homing || state == DeviceState::Ready;
+}
+
+void FalconDevice::Forget() noexcept
+{
+  this->Failure = Fault::None;
+  this->Homing = {};
+  this->HomedLegs = 0;
+  this->Last.Position = Vector3(Vector3::Zero());
+  this->Last.Buttons = 0;
+  this->Last.Time = this->Time.Now();
+  this->Grip = this->Kinematics.Middle();
+  this->HasPosition = false;
+  this->Measured = this->Time.Now();
+  this->Exchange.Restart(this->Time.Now());
+}
+
+Status FalconDevice::Open()
+{
+  if (this->State() != DeviceState::Closed)
+  {
+    return Status::Failure("The Falcon is open already.");
+  }
+  this->Life = DeviceState::Opening;
+  Status status = this->Link->Open();
+  if (status.IsOk())
+  {
+    status = this->Boot.Run(FalconFirmware::PathOf(this->Settings.FirmwarePath));
+  }
+  if (!status.IsOk())
+  {
+    this->Link->Close();
+    this->Life = DeviceState::Closed;
+    return status;
+  }
+  this->Forget();
+  this->Life = DeviceState::Homing;
+  return status;
+}
+
+void FalconDevice::Close() noexcept
+{
+  if (this->State() == DeviceState::Closed)
+  {
+    return;
+  }
+  FalconRequest request;
+  request.IsHoming = true;
+  const FalconPacket packet = Encoded(request);
+  for (int n = 0; n < Farewells && this->Link->Send(packet.data(), packet.size()); ++n)
+  {
+    this->Time.WaitUntil(this->Time.Now() + FarewellInterval);
+  }
+  this->Link->Close();
+  this->Failure = Fault::None;
+  this->Life = DeviceState::Closed;
+}
+
+bool FalconDevice::Fail(Fault fault) noexcept
+{
+  // Should it still hear, it shall not push. Past the exchange, which may be waiting for replies.
+  const FalconPacket packet = Encoded(FalconRequest());
+  static_cast<void>(this->Link->Send(packet.data(), packet.size()));
+  this->Failure = fault;
+  this->Life = DeviceState::Error;
+  return false;
+}
+
+void FalconDevice::Measure(const FalconReply& reply, std::int64_t now) noexcept
+{
+  const HomingWatch::Verdict verdict = this->Homing.Take(reply.Homed);
+  this->HomedLegs = reply.Homed;
+  const Vector3 counts(reply.Counts[0], reply.Counts[1], reply.Counts[2]);
+  const bool isReady = this->State() == DeviceState::Ready;
+  this->HasPosition =
+      this->Kinematics.PositionAt(this->Kinematics.AnglesOf(counts), this->Grip, this->Grip);
+  if (verdict == HomingWatch::Verdict::Lost)
+  {
+    this->Fail(Fault::HomeLost);
+    return;
+  }
+  // A byte of one reply may be wrong.
+  this->Last.Buttons = reply.Buttons == this->Pressed ? reply.Buttons : this->Last.Buttons;
+  this->Pressed = reply.Buttons;
+  if (this->HasPosition || !isReady)
+  {
+    // While homing, samples come whether or not the counts make sense.
+    this->Last.Position = Vector3(this->Grip - this->Kinematics.Middle());
+    this->Last.Time = now;
+    ++this->Last.Sequence;
+    this->Measured = now;
+  }
+  if (verdict == HomingWatch::Verdict::Homed && this->HasPosition && !isReady)
+  {
+    this->Life = DeviceState::Ready;
+  }
+}
+
+bool FalconDevice::Read(DeviceSample& sample) noexcept
+{
+  if (!this->IsInUse())
+  {
+    return false;
+  }
+  const std::int64_t now = this->Time.Now();
+  FalconReply reply;
+  const bool isNew = this->Exchange.Receive(now, reply);
+  if (this->Link->IsGone())
+  {
+    return this->Fail(Fault::Unplugged);
+  }
+  if (isNew)
+  {
+    this->Measure(reply, now);
+  }
+  this->Numbers.Publish(this->Exchange.Statistics());
+  if (this->Exchange.Silence(now) > LongestSilence)
+  {
+    return this->Fail(Fault::Silent);
+  }
+  sample = this->Last;
+  return this->IsInUse();
+}
+
+FalconNumbers FalconDevice::MotorsFor(const Vector3& force, std::int64_t now) const noexcept
+{
+  const Vector3 weight(0.0, Gravity * this->Settings.Calibration.CarriedMass, 0.0);
+  Vector3 torques;
+  const bool isKnown = this->State() == DeviceState::Ready && this->HasPosition &&
+                       now - this->Measured <= OldestPosition &&
+                       this->Kinematics.TorquesFor(force + weight, this->Grip, torques);
+  return isKnown ? MotorValuesFor(torques, this->Settings.Calibration.CountsPerNewtonMillimeter)
+                 : FalconNumbers{};
+}
+
+bool FalconDevice::SendMotors(const FalconNumbers& motors) noexcept
+{
+  // Without the flag the bits that say whether it is homed mean nothing.
+  const FalconLight light =
+      this->State() == DeviceState::Ready ? FalconLight::Green : FalconLight::Red;
+  return this->Exchange.Send({motors, true, light}, this->Time.Now());
+}
+
+bool FalconDevice::Apply(const Vector3& force) noexcept
+{
+  if (!this->IsInUse())
+  {
+    return false;
+  }
+  return this->SendMotors(this->MotorsFor(force, this->Time.Now())) || this->Fail(Fault::Unplugged);
+}
+} // namespace palpate

@@ -1,0 +1,89 @@
+#pragma once
+
+#include "Clock.h"
+#include "FalconBoot.h"
+#include "FalconCalibration.h"
+#include "FalconExchange.h"
+#include "FalconKinematics.h"
+#include "FalconLink.h"
+#include "HapticDevice.h"
+#include "HomingWatch.h"
+#include "LatestValue.h"
+
+#include <atomic>
+#include <cstdint>
+#include <memory>
+#include <string>
+
+namespace palpate
+{
+struct FalconSettings
+{
+  FalconCalibration Calibration;
+  /// The firmware's file; where empty, what the environment names (FalconFirmware::PathOf).
+  std::string FirmwarePath;
+};
+
+/// A Novint Falcon. Its frame: x to the user's right, y up, z towards the user, mm from the middle
+/// of its workspace.
+///
+/// After power-up its encoders have no zero: it is in Homing, with a red light, until the person
+/// has pulled the handle fully out and pushed it in; then the light is green. There is no force
+/// before, nor while the newest position is older than 20 ms, nor where the counts have no
+/// position. The firmware lets a torque lapse when it hears nothing.
+class FalconDevice final : public HapticDevice
+{
+public:
+  /// Keeps the address of the clock. The calibration has been checked.
+  FalconDevice(Clock& clock, std::unique_ptr<FalconLink> link, FalconSettings settings);
+  ~FalconDevice() override { this->FalconDevice::Close(); }
+
+  const DeviceCapabilities& Capabilities() const noexcept override { return this->Abilities; }
+  DeviceState State() const noexcept override { return this->Life.load(); }
+  std::string Problem() const override;
+  std::string Guidance() const override;
+  std::string ConnectionReport() const override;
+  Status Open() override;
+  void Close() noexcept override;
+  bool Read(DeviceSample& sample) noexcept override;
+  bool Apply(const Vector3& force) noexcept override;
+
+  /// Of the wire since Open, as of the last Read; for one thread, the owner's.
+  FalconStatistics Statistics() noexcept { return this->Numbers.Latest(); }
+  const FalconBootReport& BootReport() const noexcept { return this->Boot.Report(); }
+
+private:
+  enum class Fault
+  {
+    None,
+    Unplugged,
+    Silent,
+    HomeLost
+  };
+  bool Fail(Fault fault) noexcept;
+  bool IsInUse() const noexcept;
+  void Forget() noexcept;
+  void Measure(const FalconReply& reply, std::int64_t now) noexcept;
+  FalconNumbers MotorsFor(const Vector3& force, std::int64_t now) const noexcept;
+  bool SendMotors(const FalconNumbers& motors) noexcept;
+
+  Clock& Time;
+  std::unique_ptr<FalconLink> Link;
+  FalconSettings Settings;
+  FalconKinematics Kinematics;
+  DeviceCapabilities Abilities;
+  FalconBoot Boot;
+  FalconExchange Exchange;
+  HomingWatch Homing;
+
+  std::atomic<DeviceState> Life{DeviceState::Closed};
+  std::atomic<Fault> Failure{Fault::None};
+  std::atomic<unsigned> HomedLegs{0}; // a bit each, as the newest reply says
+  LatestValue<FalconStatistics> Numbers;
+  DeviceSample Last;
+  Vector3 Grip = Vector3::Zero(); // mm, from the base
+  bool HasPosition = false;       // the newest counts have one
+  std::int64_t Measured = 0;      // ns, when they came
+  unsigned Pressed = 0;           // buttons as they were last, believed or not
+};
+} // namespace palpate

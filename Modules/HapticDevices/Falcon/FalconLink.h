@@ -1,0 +1,51 @@
+#pragma once
+
+#include "FtdiRequest.h"
+#include "Status.h"
+
+#include <cstddef>
+#include <cstdint>
+
+namespace palpate
+{
+/// The cable to a Falcon: the serial chip in it, and bytes to and from the board behind the chip.
+/// Whatever really carries them (libusb, a test's model) is behind this.
+///
+/// Two threads at most. The owner's opens, closes and controls; it sends and receives too, but only
+/// while no servo runs, as when it loads the firmware. The servo's sends and receives, and asks
+/// ClearToSend and IsGone. A thread of the link's own may stand behind both.
+class FalconLink
+{
+public:
+  FalconLink() = default;
+  FalconLink(const FalconLink&) = delete;
+  FalconLink& operator=(const FalconLink&) = delete;
+  /// Of an open one: closes it.
+  virtual ~FalconLink() = default;
+
+  /// Finds and claims the device. On failure nothing is claimed, and one sentence names the
+  /// obstacle and what to do about it. The chip's settings stay as they are.
+  virtual Status Open() = 0;
+  /// Returns once the device is released; what is queued and not yet sent may be lost. Nothing
+  /// where it is closed.
+  virtual void Close() noexcept = 0;
+
+  /// Has the chip do what is asked and waits for its answer, up to a second. Never on the tick
+  /// path. Bytes received before a purge that took effect are not given out after it.
+  virtual Status Control(FtdiRequest request) = 0;
+
+  /// Queues bytes and returns at once, without allocating; all are taken, or none. False where the
+  /// device is gone, the link closed or its queue full; it takes at least 512 bytes at a time when
+  /// it is empty.
+  virtual bool Send(const std::uint8_t* bytes, std::size_t count) noexcept = 0;
+  /// Takes what the board sent and has not been taken, in order and without the chip's status
+  /// bytes; returns how many bytes, 0 where there are none. Never waits or allocates.
+  virtual std::size_t Receive(std::uint8_t* bytes, std::size_t capacity) noexcept = 0;
+
+  /// The level of the chip's CTS pin in the newest status that came. False before the first.
+  virtual bool ClearToSend() const noexcept = 0;
+  /// The device was unplugged or fails for good since it was opened; it has to be closed and opened
+  /// again.
+  virtual bool IsGone() const noexcept = 0;
+};
+} // namespace palpate

@@ -1,0 +1,9 @@
+#pragma once
+
+#include "DeviceRegistry.h"
+
+namespace palpate
+{
+/// Adds "falcon": real ones on USB (FalconKind with a LibusbFalconFinder).
+Status RegisterFalconDevices(DeviceRegistry& registry);
+} // namespace palpate

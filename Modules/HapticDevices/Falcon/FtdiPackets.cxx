@@ -1,0 +1,28 @@
+#include "FtdiPackets.h"
+
+#include <algorithm>
+#include <cstring>
+
+namespace palpate
+{
+namespace
+{
+constexpr std::uint8_t LineErrorBits = 0x0E; // overrun, parity, framing
+}
+
+std::size_t FtdiPackets::Strip(const std::uint8_t* transfer, std::size_t count,
+                               std::uint8_t* payload) noexcept
+{
+  std::size_t length = 0;
+  for (std::size_t start = 0; start + StatusSize <= count; start += PacketSize)
+  {
+    const std::size_t packet = std::min(PacketSize, count - start);
+    this->Modem = transfer[start];
+    this->ErrorCount += (transfer[start + 1] & LineErrorBits) != 0 ? 1 : 0;
+    // They overlap where a transfer is stripped in its own place.
+    std::memmove(payload + length, transfer + start + StatusSize, packet - StatusSize);
+    length += packet - StatusSize;
+  }
+  return length;
+}
+} // namespace palpate

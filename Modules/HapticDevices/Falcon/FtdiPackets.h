@@ -1,0 +1,33 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+namespace palpate
+{
+/// Takes apart what an FTDI chip sends: in front of the payload of every packet of at most 64 bytes
+/// stand two bytes of status, so once in every 64 bytes of a longer transfer. A packet of status
+/// alone says that there is nothing.
+class FtdiPackets
+{
+public:
+  static constexpr std::size_t PacketSize = 64;
+  static constexpr std::size_t StatusSize = 2;
+  static constexpr std::size_t PayloadSize = PacketSize - StatusSize;
+
+  /// Copies the payload of one IN transfer of `count` bytes and returns its length, which is less
+  /// than `count` or 0. `payload` holds `count` bytes; it may be `transfer` itself. A packet of one
+  /// byte, which no chip sends, is left out.
+  std::size_t Strip(const std::uint8_t* transfer, std::size_t count,
+                    std::uint8_t* payload) noexcept;
+
+  /// Of the newest packet; false before the first.
+  bool ClearToSend() const noexcept { return (this->Modem & 0x10U) != 0; }
+  /// Packets so far whose status told of overrun, parity or framing errors.
+  std::uint64_t LineErrors() const noexcept { return this->ErrorCount; }
+
+private:
+  std::uint8_t Modem = 0; // first byte of the status
+  std::uint64_t ErrorCount = 0;
+};
+} // namespace palpate

@@ -1,0 +1,14 @@
+#pragma once
+
+#include "FalconFinder.h"
+
+namespace palpate
+{
+/// Finds real Falcons by libusb. Each question looks at the bus anew.
+class LibusbFalconFinder final : public FalconFinder
+{
+public:
+  Status List(std::vector<FalconListing>& listings) override;
+  Status MakeLink(const std::string& which, std::unique_ptr<FalconLink>& link) override;
+};
+} // namespace palpate

@@ -1,0 +1,86 @@
+#include "LibusbFalconLink.h"
+
+#include <unistd.h>
+#include <utility>
+
+namespace palpate
+{
+LibusbFalconLink::LibusbFalconLink(std::string which) : Which(std::move(which)) {}
+
+LibusbFalconLink::LibusbFalconLink(DescriptorSource source) : Source(std::move(source)) {}
+
+Status LibusbFalconLink::OpenHandle()
+{
+  Status status = MakeLibusbContext(this->Context);
+  if (!status.IsOk() || this->Source == nullptr)
+  {
+    return status.IsOk() ? OpenFalcon(*this->Context, this->Which, this->Handle) : status;
+  }
+  this->Descriptor = this->Source();
+  return this->Descriptor >= 0 ? OpenFalcon(*this->Context, this->Descriptor, this->Handle)
+                               : Status::Failure("There is no Falcon: plug it in.");
+}
+
+Status LibusbFalconLink::Open()
+{
+  if (this->Traffic != nullptr)
+  {
+    return Status::Failure("The link to the Falcon is open already.");
+  }
+  Status status = this->OpenHandle();
+  if (status.IsOk())
+  {
+    this->Traffic = std::make_unique<LibusbTraffic>(this->Context.get(), this->Handle.get());
+    status = this->Traffic->Start();
+  }
+  if (!status.IsOk())
+  {
+    this->Close();
+  }
+  return status;
+}
+
+void LibusbFalconLink::Close() noexcept
+{
+  // Transfers that were not given back within their time are safe to release once the handle, and
+  // with it the kernel's side of them, is closed.
+  if (this->Traffic != nullptr)
+  {
+    this->Traffic->Stop();
+  }
+  this->Handle.reset();
+  this->Traffic.reset();
+  this->Context.reset();
+  if (this->Descriptor >= 0)
+  {
+    close(this->Descriptor);
+    this->Descriptor = -1;
+  }
+}
+
+Status LibusbFalconLink::Control(FtdiRequest request)
+{
+  return this->Traffic != nullptr ? this->Traffic->Control(request)
+                                  : Status::Failure("The link to the Falcon is closed.");
+}
+
+bool LibusbFalconLink::Send(const std::uint8_t* bytes, std::size_t count) noexcept
+{
+  return this->Traffic != nullptr && this->Traffic->Send(bytes, count);
+}
+
+std::size_t LibusbFalconLink::Receive(std::uint8_t* bytes, std::size_t capacity) noexcept
+{
+  return this->Traffic != nullptr ? this->Traffic->Receive(bytes, capacity) : 0;
+}
+
+bool LibusbFalconLink::ClearToSend() const noexcept
+{
+  return this->Traffic != nullptr && this->Traffic->ClearToSend();
+}
+
+bool LibusbFalconLink::IsGone() const noexcept
+{
+  return this->Traffic != nullptr && this->Traffic->IsGone();
+}
+} // namespace palpate

@@ -1,0 +1,359 @@
+#include "LibusbTraffic.h"
+
+#include <algorithm>
+#include <chrono>
+#include <string>
+
+namespace palpate
+{
+namespace
+{
+using namespace std::chrono_literals;
+using std::chrono::steady_clock;
+
+constexpr unsigned char EndpointIn = 0x81;
+constexpr unsigned char EndpointOut = 0x02;
+// Of torques that the device does not take, no more than these (32 packets) come late.
+constexpr std::size_t SendCapacity = 512;     // bytes
+constexpr std::size_t ReceiveCapacity = 8192; // bytes, 50 ms at the highest rate
+constexpr unsigned Deadline = 1000;           // ms, of a write and of a control request
+constexpr int ReadFailureLimit = 32;          // errors on a cable come in bursts
+constexpr auto Nap = 100ms;                   // of the thread, where nothing wakes it
+constexpr auto FlushTime = 250ms;
+constexpr auto CancelTime = 1s;
+constexpr const char* Unplugged = "The Falcon was unplugged: plug it in and open it again.";
+constexpr const char* TakesNothing =
+    "The Falcon takes no data: unplug it, plug it in and open it again.";
+constexpr const char* OnlyErrors =
+    "Nothing but errors comes from the Falcon: try another cable or another USB socket.";
+
+bool IsPurgeIn(const FtdiRequest& request)
+{
+  constexpr FtdiRequest Purge = FtdiRequest::PurgeIn();
+  return request.Request == Purge.Request && request.Value == Purge.Value;
+}
+} // namespace
+
+LibusbTraffic::LibusbTraffic(libusb_context* context, libusb_device_handle* handle)
+    : Handle(handle), Context(context), Events(context), Outgoing(SendCapacity),
+      Incoming(ReceiveCapacity)
+{
+}
+
+bool LibusbTraffic::Prepare(Transfer& transfer, unsigned char endpoint,
+                            libusb_transfer_cb_fn finished, unsigned deadline)
+{
+  transfer.Owner = this;
+  transfer.Call.reset(libusb_alloc_transfer(0));
+  if (transfer.Call != nullptr)
+  {
+    libusb_fill_bulk_transfer(transfer.Call.get(), this->Handle, endpoint, transfer.Bytes.data(),
+                              static_cast<int>(Transfer::Size), finished, &transfer, deadline);
+  }
+  return transfer.Call != nullptr;
+}
+
+bool LibusbTraffic::Prepare()
+{
+  constexpr unsigned Never = 0;
+  return this->Prepare(this->ControlTransfer, 0, OnControl, Deadline) &&
+         std::all_of(this->Reads.begin(), this->Reads.end(),
+                     [this](Transfer& read)
+                     { return this->Prepare(read, EndpointIn, OnRead, Never); }) &&
+         std::all_of(this->Writes.begin(), this->Writes.end(),
+                     [this](Transfer& write)
+                     { return this->Prepare(write, EndpointOut, OnWrite, Deadline); });
+}
+
+Status LibusbTraffic::Start()
+{
+  if (!this->Events.IsUsable() || !this->Prepare())
+  {
+    return Status::Failure("The system gives no memory or no descriptor for USB transfers.");
+  }
+  // Replies have to be there when the servo looks for them, so this thread asks for its urgency; if
+  // that is refused, the servo is refused too and says so.
+  return this->Thread.Start({}, [this] { this->Run(); });
+}
+
+void LibusbTraffic::Stop() noexcept
+{
+  this->StopWanted.store(true, std::memory_order_release);
+  this->Events.Wake();
+  this->Thread.Join();
+}
+
+bool LibusbTraffic::Send(const std::uint8_t* bytes, std::size_t count) noexcept
+{
+  if (this->IsGone() || this->Unsent.load(std::memory_order_acquire) + count > SendCapacity)
+  {
+    return false;
+  }
+  this->Unsent.fetch_add(count, std::memory_order_acq_rel);
+  for (std::size_t n = 0; n < count; ++n)
+  {
+    this->Outgoing.Push(bytes[n]);
+  }
+  this->Events.Wake();
+  return true;
+}
+
+std::size_t LibusbTraffic::Receive(std::uint8_t* bytes, std::size_t capacity) noexcept
+{
+  std::size_t count = 0;
+  while (count < capacity && this->Incoming.Pop(bytes[count]))
+  {
+    ++count;
+  }
+  return count;
+}
+
+Status LibusbTraffic::Control(FtdiRequest request)
+{
+  std::unique_lock<std::mutex> lock(this->ControlAccess);
+  // An answer that came after nobody waited any more is no answer to this.
+  if (this->ControlLife == ControlState::Idle || this->ControlLife == ControlState::Finished)
+  {
+    this->ControlWanted = request;
+    this->ControlLife = ControlState::Wanted;
+    this->Events.Wake();
+    // libusb ends the request at its deadline; as long may it wait for what was sent before.
+    this->ControlChanged.wait_for(
+        lock, std::chrono::milliseconds(2 * Deadline),
+        [this] { return this->ControlLife == ControlState::Finished || this->IsGone(); });
+  }
+  if (this->ControlLife == ControlState::Wanted)
+  {
+    this->ControlLife = ControlState::Idle;
+  }
+  if (this->ControlLife != ControlState::Finished)
+  {
+    return Status::Failure(this->IsGone() ? this->GoneBecause : TakesNothing);
+  }
+  this->ControlLife = ControlState::Idle;
+  Status answer = this->ControlAnswer(request.Request);
+  std::uint8_t old = 0;
+  while (answer.IsOk() && IsPurgeIn(request) && this->Incoming.Pop(old))
+  {
+  }
+  return answer;
+}
+
+Status LibusbTraffic::ControlAnswer(std::uint8_t request) const
+{
+  const std::string what = "request " + std::to_string(request);
+  switch (this->ControlOutcome)
+  {
+  case LIBUSB_TRANSFER_COMPLETED:
+    return Status::Success();
+  case LIBUSB_TRANSFER_STALL:
+    return Status::Failure("The Falcon's serial chip refuses " + what + ".");
+  case LIBUSB_TRANSFER_TIMED_OUT:
+    return Status::Failure("The Falcon's serial chip does not answer " + what +
+                           ": unplug it and plug it in again.");
+  case LIBUSB_TRANSFER_NO_DEVICE:
+    return Status::Failure(Unplugged);
+  default:
+    return Status::Failure("The Falcon's serial chip could not be asked " + what +
+                           ": unplug it and plug it in again.");
+  }
+}
+
+void LibusbTraffic::Run() noexcept
+{
+  for (Transfer& read : this->Reads)
+  {
+    this->Submit(read);
+  }
+  while (!this->StopWanted.load(std::memory_order_acquire))
+  {
+    this->StartWrites();
+    this->StartControl();
+    this->Step(steady_clock::now() + Nap);
+  }
+  const auto flushed = steady_clock::now() + FlushTime;
+  while (!this->IsGone() && this->Unsent.load() > 0 && steady_clock::now() < flushed)
+  {
+    this->StartWrites();
+    this->Step(flushed);
+  }
+  this->CancelAll();
+  const auto cancelled = steady_clock::now() + CancelTime;
+  while (this->HasInFlight() && steady_clock::now() < cancelled)
+  {
+    this->Step(cancelled);
+  }
+}
+
+// Waits for something to happen, until then at most, and has libusb call back for what has ended.
+void LibusbTraffic::Step(LibusbPoll::TimePoint until) noexcept
+{
+  this->Events.Wait(until, !this->IsGone());
+  timeval none{};
+  static_cast<void>(libusb_handle_events_timeout_completed(this->Context, &none, nullptr));
+}
+
+void LibusbTraffic::Submit(Transfer& transfer) noexcept
+{
+  transfer.IsInFlight = libusb_submit_transfer(transfer.Call.get()) == LIBUSB_SUCCESS;
+  if (!transfer.IsInFlight)
+  {
+    this->GiveUp(Unplugged);
+  }
+}
+
+void LibusbTraffic::StartWrites() noexcept
+{
+  for (Transfer& write : this->Writes)
+  {
+    std::size_t count = 0;
+    while (!write.IsInFlight && !this->IsGone() && count < Transfer::Size &&
+           this->Outgoing.Pop(write.Bytes[count]))
+    {
+      ++count;
+    }
+    if (count > 0)
+    {
+      write.Call->length = static_cast<int>(count);
+      this->Submit(write);
+    }
+  }
+}
+
+bool LibusbTraffic::TakeControl() noexcept
+{
+  const std::lock_guard<std::mutex> lock(this->ControlAccess);
+  if (this->ControlLife != ControlState::Wanted || this->Unsent.load() > 0 || this->IsGone())
+  {
+    return false;
+  }
+  constexpr int VendorOut =
+      int{LIBUSB_ENDPOINT_OUT} | int{LIBUSB_REQUEST_TYPE_VENDOR} | int{LIBUSB_RECIPIENT_DEVICE};
+  libusb_fill_control_setup(this->ControlTransfer.Bytes.data(), VendorOut,
+                            this->ControlWanted.Request, this->ControlWanted.Value,
+                            this->ControlWanted.Index, 0);
+  this->ControlLife = ControlState::InFlight;
+  return true;
+}
+
+void LibusbTraffic::StartControl() noexcept
+{
+  if (this->TakeControl())
+  {
+    Transfer& transfer = this->ControlTransfer;
+    libusb_fill_control_transfer(transfer.Call.get(), this->Handle, transfer.Bytes.data(),
+                                 OnControl, &transfer, Deadline);
+    this->Submit(transfer);
+  }
+}
+
+void LibusbTraffic::FinishRead(Transfer& read) noexcept
+{
+  switch (read.Call->status)
+  {
+  case LIBUSB_TRANSFER_COMPLETED:
+  {
+    this->FailedReads = 0;
+    const std::size_t count = this->Packets.Strip(
+        read.Bytes.data(), static_cast<std::size_t>(read.Call->actual_length), read.Bytes.data());
+    for (std::size_t n = 0; n < count; ++n)
+    {
+      this->Incoming.Push(read.Bytes[n]);
+    }
+    this->Clear.store(this->Packets.ClearToSend(), std::memory_order_release);
+    break;
+  }
+  case LIBUSB_TRANSFER_CANCELLED:
+    return;
+  case LIBUSB_TRANSFER_NO_DEVICE:
+    this->GiveUp(Unplugged);
+    return;
+  default:
+    if (++this->FailedReads > ReadFailureLimit)
+    {
+      this->GiveUp(OnlyErrors);
+      return;
+    }
+  }
+  if (!this->StopWanted.load(std::memory_order_acquire))
+  {
+    this->Submit(read);
+  }
+}
+
+void LibusbTraffic::FinishWrite(Transfer& write) noexcept
+{
+  const libusb_transfer& call = *write.Call;
+  this->Unsent.fetch_sub(static_cast<std::size_t>(call.length), std::memory_order_acq_rel);
+  const bool isWhole =
+      call.status == LIBUSB_TRANSFER_COMPLETED && call.actual_length == call.length;
+  if (!isWhole && call.status != LIBUSB_TRANSFER_CANCELLED)
+  {
+    this->GiveUp(call.status == LIBUSB_TRANSFER_TIMED_OUT ? TakesNothing : Unplugged);
+  }
+}
+
+void LibusbTraffic::FinishControl(libusb_transfer_status outcome) noexcept
+{
+  {
+    const std::lock_guard<std::mutex> lock(this->ControlAccess);
+    this->ControlOutcome = outcome;
+    this->ControlLife = ControlState::Finished;
+  }
+  this->ControlChanged.notify_all();
+}
+
+void LibusbTraffic::GiveUp(const char* reason) noexcept
+{
+  {
+    const std::lock_guard<std::mutex> lock(this->ControlAccess);
+    this->GoneBecause = this->IsGone() ? this->GoneBecause : reason;
+    this->Gone.store(true, std::memory_order_release);
+  }
+  this->ControlChanged.notify_all();
+}
+
+void LibusbTraffic::CancelAll() noexcept
+{
+  const auto cancel = [](const Transfer& transfer)
+  {
+    if (transfer.IsInFlight)
+    {
+      // What has ended meanwhile is called back anyhow.
+      static_cast<void>(libusb_cancel_transfer(transfer.Call.get()));
+    }
+  };
+  std::for_each(this->Reads.begin(), this->Reads.end(), cancel);
+  std::for_each(this->Writes.begin(), this->Writes.end(), cancel);
+  cancel(this->ControlTransfer);
+}
+
+bool LibusbTraffic::HasInFlight() const noexcept
+{
+  const auto isInFlight = [](const Transfer& transfer) { return transfer.IsInFlight; };
+  return std::any_of(this->Reads.begin(), this->Reads.end(), isInFlight) ||
+         std::any_of(this->Writes.begin(), this->Writes.end(), isInFlight) ||
+         isInFlight(this->ControlTransfer);
+}
+
+void LibusbTraffic::OnRead(libusb_transfer* call) noexcept
+{
+  auto* const read = static_cast<Transfer*>(call->user_data);
+  read->IsInFlight = false;
+  read->Owner->FinishRead(*read);
+}
+
+void LibusbTraffic::OnWrite(libusb_transfer* call) noexcept
+{
+  auto* const write = static_cast<Transfer*>(call->user_data);
+  write->IsInFlight = false;
+  write->Owner->FinishWrite(*write);
+}
+
+void LibusbTraffic::OnControl(libusb_transfer* call) noexcept
+{
+  auto* const control = static_cast<Transfer*>(call->user_data);
+  control->IsInFlight = false;
+  control->Owner->FinishControl(call->status);
+}
+} // namespace palpate

@@ -1,0 +1,115 @@
+#pragma once
+
+#include "FtdiPackets.h"
+#include "FtdiRequest.h"
+#include "LibusbPoll.h"
+#include "RealtimeThread.h"
+#include "RingBuffer.h"
+#include "Status.h"
+
+#include <array>
+#include <atomic>
+#include <condition_variable>
+#include <cstddef>
+#include <cstdint>
+#include <libusb.h>
+#include <memory>
+#include <mutex>
+
+namespace palpate
+{
+/// What goes to and from an open and claimed Falcon, on a thread of its own. libusb allocates and
+/// locks wherever a transfer is handed to it, so only that thread calls it; senders and receivers
+/// have rings, and the thread sleeps in poll until the device or a sender wakes it. Several reads
+/// are always in flight, so that no packet is missed while one is taken apart.
+///
+/// For the two threads of FalconLink.
+class LibusbTraffic
+{
+public:
+  /// Keeps both, which must outlive it.
+  LibusbTraffic(libusb_context* context, libusb_device_handle* handle);
+  LibusbTraffic(const LibusbTraffic&) = delete;
+  LibusbTraffic& operator=(const LibusbTraffic&) = delete;
+  ~LibusbTraffic() { this->Stop(); }
+
+  Status Start();
+  /// Lets what was sent go out, for at most 0.25 s, and takes back what is in flight, for at most a
+  /// second. Nothing where it does not run.
+  void Stop() noexcept;
+
+  /// As FalconLink's. A control request begins once all that was sent before has gone out.
+  Status Control(FtdiRequest request);
+  bool Send(const std::uint8_t* bytes, std::size_t count) noexcept;
+  std::size_t Receive(std::uint8_t* bytes, std::size_t capacity) noexcept;
+  bool ClearToSend() const noexcept { return this->Clear.load(std::memory_order_acquire); }
+  bool IsGone() const noexcept { return this->Gone.load(std::memory_order_acquire); }
+
+private:
+  struct TransferReleaser
+  {
+    void operator()(libusb_transfer* transfer) const noexcept { libusb_free_transfer(transfer); }
+  };
+  struct Transfer
+  {
+    static constexpr std::size_t Size = 512; // bytes, whole packets of 64
+    LibusbTraffic* Owner = nullptr;
+    std::unique_ptr<libusb_transfer, TransferReleaser> Call;
+    std::array<std::uint8_t, Size> Bytes{};
+    bool IsInFlight = false;
+  };
+  enum class ControlState
+  {
+    Idle,
+    Wanted,
+    InFlight,
+    Finished
+  };
+
+  bool Prepare();
+  bool Prepare(Transfer& transfer, unsigned char endpoint, libusb_transfer_cb_fn finished,
+               unsigned deadline);
+  void Run() noexcept;
+  void Step(LibusbPoll::TimePoint until) noexcept;
+  void Submit(Transfer& transfer) noexcept;
+  void StartWrites() noexcept;
+  bool TakeControl() noexcept;
+  void StartControl() noexcept;
+  void FinishRead(Transfer& read) noexcept;
+  void FinishWrite(Transfer& write) noexcept;
+  void FinishControl(libusb_transfer_status outcome) noexcept;
+  void GiveUp(const char* reason) noexcept;
+  void CancelAll() noexcept;
+  bool HasInFlight() const noexcept;
+  Status ControlAnswer(std::uint8_t request) const;
+  static void LIBUSB_CALL OnRead(libusb_transfer* call) noexcept;
+  static void LIBUSB_CALL OnWrite(libusb_transfer* call) noexcept;
+  static void LIBUSB_CALL OnControl(libusb_transfer* call) noexcept;
+
+  libusb_device_handle* Handle;
+  libusb_context* Context;
+  LibusbPoll Events;
+  RealtimeThread Thread;
+  std::atomic<bool> StopWanted{false};
+  std::atomic<bool> Gone{false};
+  std::atomic<bool> Clear{false};
+
+  RingBuffer<std::uint8_t> Outgoing;
+  RingBuffer<std::uint8_t> Incoming;
+  std::atomic<std::size_t> Unsent{0}; // bytes that Send took and the device did not yet
+
+  std::mutex ControlAccess; // of the next four
+  std::condition_variable ControlChanged;
+  ControlState ControlLife = ControlState::Idle;
+  libusb_transfer_status ControlOutcome = LIBUSB_TRANSFER_COMPLETED;
+  FtdiRequest ControlWanted;
+  const char* GoneBecause = "";
+
+  // The thread's own.
+  std::array<Transfer, 4> Reads;
+  std::array<Transfer, 4> Writes;
+  Transfer ControlTransfer;
+  FtdiPackets Packets;
+  int FailedReads = 0; // one after the other
+};
+} // namespace palpate

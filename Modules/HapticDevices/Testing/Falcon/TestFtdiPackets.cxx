@@ -1,0 +1,85 @@
+#include "FtdiPackets.h"
+#include "FtdiRequest.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+#include <vector>
+
+namespace palpate
+{
+namespace
+{
+using Bytes = std::vector<std::uint8_t>;
+
+Bytes Stripped(FtdiPackets& packets, Bytes transfer)
+{
+  // In place, which is the harder case.
+  transfer.resize(packets.Strip(transfer.data(), transfer.size(), transfer.data()));
+  return transfer;
+}
+
+TEST(FtdiPackets, StatusStandsBeforeEveryPacketOfALongTransfer)
+{
+  std::mt19937_64 random(5);
+  for (int round = 0; round < 500; ++round)
+  {
+    FtdiPackets packets;
+    const std::size_t count = random() % 300;
+    Bytes payload;
+    Bytes transfer;
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      if (i % FtdiPackets::PayloadSize == 0)
+      {
+        transfer.insert(transfer.end(), {0x01, 0x60});
+      }
+      payload.push_back(static_cast<std::uint8_t>(random()));
+      transfer.push_back(payload.back());
+    }
+    ASSERT_EQ(Stripped(packets, transfer), payload) << count;
+  }
+}
+
+TEST(FtdiPackets, APacketOfStatusAloneIsEmptyAndItsClearToSendCounts)
+{
+  FtdiPackets packets;
+  EXPECT_FALSE(packets.ClearToSend());
+  EXPECT_TRUE(Stripped(packets, {0x11, 0x60}).empty());
+  EXPECT_TRUE(packets.ClearToSend());
+  EXPECT_EQ(Stripped(packets, {0x01, 0x60, 0x3C}), Bytes{0x3C});
+  EXPECT_FALSE(packets.ClearToSend());
+}
+
+TEST(FtdiPackets, FragmentsOfAStatusGiveNothing)
+{
+  FtdiPackets packets;
+  EXPECT_TRUE(Stripped(packets, {}).empty());
+  EXPECT_TRUE(Stripped(packets, {0x11}).empty());
+  EXPECT_FALSE(packets.ClearToSend());
+}
+
+TEST(FtdiPackets, ErrorsOfTheLineAreCounted)
+{
+  FtdiPackets packets;
+  Stripped(packets, {0x01, 0x60});
+  EXPECT_EQ(packets.LineErrors(), 0U);
+  for (const std::uint8_t line : {0x62, 0x64, 0x68})
+  {
+    Stripped(packets, {0x01, line, 0x00});
+  }
+  EXPECT_EQ(packets.LineErrors(), 3U);
+}
+
+// The values that are known to work with a Falcon.
+TEST(FtdiRequest, DivisorsAreTheKnownOnes)
+{
+  EXPECT_EQ(FtdiRequest::Baud(312, 4).Value, 0x4138); // 9600 Bd
+  EXPECT_EQ(FtdiRequest::Baud(21).Value, 0x0015);     // 142,857 Bd
+  EXPECT_EQ(FtdiRequest::Baud(2).Value, 0x0002);      // 1.5 MBd
+  EXPECT_EQ(FtdiRequest::Baud(312, 4).Index, 0);
+  EXPECT_EQ(FtdiRequest::Baud(2, 3).Index, 1); // the third bit of the fraction's code
+  EXPECT_EQ(FtdiRequest::Baud(2, 3).Value, 0x0002);
+}
+} // namespace
+} // namespace palpate

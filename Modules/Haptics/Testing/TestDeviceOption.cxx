@@ -1,0 +1,20 @@
+#include "DeviceOption.h"
+
+#include <gtest/gtest.h>
+
+namespace palpate
+{
+namespace
+{
+TEST(DeviceOption, IsSetWhateverWasThere)
+{
+  const auto with = [](const std::string& device)
+  { return WithDeviceOption(device, "firmware", "/a=b"); };
+  EXPECT_EQ(with("falcon"), "falcon:firmware=/a=b");
+  EXPECT_EQ(with("falcon:"), "falcon:firmware=/a=b");
+  EXPECT_EQ(with("falcon:device=1-2"), "falcon:device=1-2,firmware=/a=b");
+  EXPECT_EQ(with("falcon:firmware=old,device=1-2"), "falcon:device=1-2,firmware=/a=b");
+  EXPECT_EQ(with("falcon:firmware=old"), "falcon:firmware=/a=b");
+}
+} // namespace
+} // namespace palpate

@@ -1,0 +1,99 @@
+#include "TouchWatch.h"
+
+#include <gtest/gtest.h>
+
+namespace palpate
+{
+namespace
+{
+using Kind = TouchChange::Kind;
+
+class TouchWatchTest : public testing::Test
+{
+protected:
+  // What the next tick, now `Tick`, changes.
+  std::vector<TouchChange> Next()
+  {
+    ++this->Tick.Tick.Started;
+    std::vector<TouchChange> changes;
+    this->Watch.Take(this->Tick, changes);
+    return changes;
+  }
+
+  TouchState Tick;
+  TouchWatch Watch;
+};
+
+TEST_F(TouchWatchTest, NothingHappensInATickLikeTheOneBefore)
+{
+  this->Tick.HasSample = true;
+  EXPECT_TRUE(this->Next().empty());
+  this->Tick.Structure = 2;
+  this->Tick.Sample.Buttons = 5;
+  this->Tick.Safety.Fault = SafetyFault::StaleSample;
+  EXPECT_FALSE(this->Next().empty());
+  EXPECT_TRUE(this->Next().empty());
+}
+
+TEST_F(TouchWatchTest, FromOneStructureToAnotherAContactEndsAndOneBegins)
+{
+  this->Tick.Structure = 1;
+  auto changes = this->Next();
+  ASSERT_EQ(changes.size(), 1u);
+  EXPECT_EQ(changes[0].What, Kind::ContactBegins);
+  EXPECT_EQ(changes[0].Structure, 1);
+  this->Tick.Structure = 0;
+  changes = this->Next();
+  ASSERT_EQ(changes.size(), 2u);
+  EXPECT_EQ(changes[0].What, Kind::ContactEnds);
+  EXPECT_EQ(changes[0].Structure, 1);
+  EXPECT_EQ(changes[1].What, Kind::ContactBegins);
+  EXPECT_EQ(changes[1].Structure, 0);
+  EXPECT_EQ(changes[1].Time, this->Tick.Tick.Started);
+  this->Tick.Structure = -1;
+  changes = this->Next();
+  ASSERT_EQ(changes.size(), 1u);
+  EXPECT_EQ(changes[0].What, Kind::ContactEnds);
+  EXPECT_EQ(changes[0].Structure, 0);
+}
+
+TEST_F(TouchWatchTest, EveryButtonIsItsOwn)
+{
+  this->Tick.HasSample = true;
+  this->Tick.Sample.Buttons = 0x80000002;
+  auto changes = this->Next();
+  ASSERT_EQ(changes.size(), 2u);
+  EXPECT_EQ(changes[0].Button, 1);
+  EXPECT_EQ(changes[1].Button, 31);
+  EXPECT_EQ(changes[1].What, Kind::ButtonPressed);
+  this->Tick.Sample.Buttons = 0x80000000;
+  changes = this->Next();
+  ASSERT_EQ(changes.size(), 1u);
+  EXPECT_EQ(changes[0].What, Kind::ButtonReleased);
+  EXPECT_EQ(changes[0].Button, 1);
+}
+
+TEST_F(TouchWatchTest, ATickWithoutASampleReleasesNoButton)
+{
+  this->Tick.HasSample = true;
+  this->Tick.Sample.Buttons = 1;
+  ASSERT_EQ(this->Next().size(), 1u);
+  this->Tick.HasSample = false;
+  this->Tick.Sample.Buttons = 0;
+  EXPECT_TRUE(this->Next().empty());
+}
+
+TEST_F(TouchWatchTest, AFaultIsNamedAndItsEndIsTold)
+{
+  this->Tick.Safety.Fault = SafetyFault::DeviceFailed;
+  auto changes = this->Next();
+  ASSERT_EQ(changes.size(), 1u);
+  EXPECT_EQ(changes[0].What, Kind::Fault);
+  EXPECT_EQ(changes[0].Why, SafetyFault::DeviceFailed);
+  this->Tick.Safety.Fault = SafetyFault::None;
+  changes = this->Next();
+  ASSERT_EQ(changes.size(), 1u);
+  EXPECT_EQ(changes[0].What, Kind::ForcesOn);
+}
+} // namespace
+} // namespace palpate

@@ -1,0 +1,56 @@
+#include "CrosshairInSlice.h"
+
+#include "vtkCrosshair.h"
+
+#include "vtkActor.h"
+#include "vtkRenderer.h"
+
+namespace palpate
+{
+namespace
+{
+constexpr double Gap = 8.0; // points from the middle to the lines
+constexpr double LineWidth = 1.0;
+} // namespace
+
+void CrosshairInSlice::AddTo(vtkRenderer* renderer) const
+{
+  renderer->AddViewProp(this->Across.Actor());
+  renderer->AddViewProp(this->Up.Actor());
+}
+
+void CrosshairInSlice::RemoveFrom(vtkRenderer* renderer) const
+{
+  renderer->RemoveViewProp(this->Across.Actor());
+  renderer->RemoveViewProp(this->Up.Actor());
+}
+
+void CrosshairInSlice::Update(vtkCrosshair* crosshair, SliceOrientation orientation,
+                              const SlicePosition& slice)
+{
+  const bool isShown = crosshair != nullptr && crosshair->GetVisibility();
+  this->Across.SetVisible(isShown);
+  this->Up.SetVisible(isShown);
+  if (!isShown)
+  {
+    return;
+  }
+  const Vector3 middle = slice.Projected(Vector3(crosshair->GetPositionWorld()));
+  const double gap = Gap * slice.PointPixels * slice.PixelMillimeters;
+  const double reach =
+      (middle - slice.CenterWorld).norm() + slice.PixelMillimeters * (slice.Width + slice.Height);
+  const auto lines = [&](const Vector3& along)
+  {
+    return std::vector<SurfaceCurve>{{{middle - reach * along, middle - gap * along}, false},
+                                     {{middle + gap * along, middle + reach * along}, false}};
+  };
+  const bool isAxial = orientation == SliceOrientation::Axial;
+  const bool isSagittal = orientation == SliceOrientation::Sagittal;
+  this->Across.SetCurves(lines(slice.Frame.RightWorld), slice.Lift(CrosshairLayer));
+  this->Across.SetStyle(ColorOf(isAxial ? SliceOrientation::Coronal : SliceOrientation::Axial), 1.0,
+                        LineWidth * slice.PointPixels);
+  this->Up.SetCurves(lines(slice.Frame.UpWorld), slice.Lift(CrosshairLayer));
+  this->Up.SetStyle(ColorOf(isSagittal ? SliceOrientation::Coronal : SliceOrientation::Sagittal),
+                    1.0, LineWidth * slice.PointPixels);
+}
+} // namespace palpate

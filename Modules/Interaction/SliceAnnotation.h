@@ -1,0 +1,30 @@
+#pragma once
+
+#include "PalpateInteractionModule.h"
+#include "ScaleBar.h"
+#include "SliceGeometry.h"
+#include "SlicePosition.h"
+#include "ViewText.h"
+
+namespace palpate
+{
+/// Words and measures over a slice: letters of the patient's directions, a scale bar, and which
+/// slice it is, in the colour by which its plane is known.
+class PALPATEINTERACTION_EXPORT SliceAnnotation
+{
+public:
+  SliceAnnotation();
+
+  void AddTo(vtkRenderer* renderer) const;
+  void RemoveFrom(vtkRenderer* renderer) const;
+  void SetVisible(bool isVisible);
+  /// `placeWorld` is a point of the slice.
+  void Update(SliceOrientation orientation, const SliceGeometry& geometry,
+              const SlicePosition& slice, const Vector3& placeWorld);
+
+private:
+  EdgeLetters Letters;
+  ScaleBar Bar;
+  vtkSmartPointer<vtkTextActor> Text;
+};
+} // namespace palpate

@@ -1,0 +1,21 @@
+#include "BaselinePicture.h"
+#include "DisplayTest.h"
+#include "PhantomViews.h"
+#include "WindowPicture.h"
+
+#include <gtest/gtest.h>
+
+namespace
+{
+class FourViewsTest : public palpate::test::DisplayTest
+{
+};
+} // namespace
+
+TEST_F(FourViewsTest, LookLikeTheirBaseline)
+{
+  palpate::test::PhantomViews scene(960, 600);
+  scene.Views.Render();
+  palpate::test::ExpectLikeBaseline(palpate::ReadWindow(scene.Views.Window),
+                                    std::filesystem::path(PALPATE_BASELINES) / "FourViews.png");
+}

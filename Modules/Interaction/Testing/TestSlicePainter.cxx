@@ -1,0 +1,100 @@
+#include "SlicePainter.h"
+
+#include "SlicePatch.h"
+#include "SliceViewTest.h"
+
+#include "vtkSMPTools.h"
+
+#include <gtest/gtest.h>
+#include <vector>
+
+using palpate::LabelLayer;
+using palpate::PaintSlice;
+using palpate::PixelGrid;
+using palpate::SliceContent;
+using palpate::Vector3;
+
+namespace
+{
+PixelGrid Plane(int width, int height)
+{
+  const Vector3 right(1.0, 0.0, 0.0);
+  const Vector3 up(0.0, 1.0, 0.0);
+  return {-0.5 * (width - 1) * right - 0.5 * (height - 1) * up, right, up, width, height};
+}
+
+std::vector<unsigned char> Bytes(vtkImageData* picture)
+{
+  const auto* bytes = static_cast<unsigned char*>(picture->GetScalarPointer());
+  return {bytes, bytes + 4 * picture->GetNumberOfPoints()};
+}
+
+vtkSmartPointer<vtkImageData> Uniform(double value)
+{
+  auto image = palpate::test::RampImage(palpate::Matrix3::Identity());
+  std::fill_n(static_cast<float*>(image->GetScalarPointer()), image->GetNumberOfPoints(),
+              static_cast<float>(value));
+  return image;
+}
+} // namespace
+
+TEST(SlicePainter, ThePictureDoesNotDependOnTheThreads)
+{
+  SliceContent content;
+  content.Image = palpate::test::RampImage(palpate::test::SkewTurn());
+  content.Window = {20.0, 160.0};
+  content.Layers = {{Uniform(3.0), {{3, {{1.0F, 0.0F, 0.0F, 0.5F}}}}}};
+  vtkNew<vtkImageData> one;
+  vtkNew<vtkImageData> many;
+  PaintSlice(content, Plane(160, 170), many);
+  vtkSMPTools::LocalScope(vtkSMPTools::Config{1, "Sequential", false},
+                          [&] { PaintSlice(content, Plane(160, 170), one); });
+  EXPECT_EQ(Bytes(one), Bytes(many));
+}
+
+TEST(SlicePainter, OutsideOfEverythingPixelsAreTransparent)
+{
+  SliceContent content;
+  content.Image = Uniform(1.0);
+  vtkNew<vtkImageData> picture;
+  PaintSlice(content, Plane(300, 2), picture);
+  const auto bytes = Bytes(picture);
+  EXPECT_EQ(bytes[3], 0);
+  EXPECT_EQ(bytes[4 * 150 + 3], 255);
+  EXPECT_EQ(bytes[4 * 150], 255);
+}
+
+TEST(SlicePainter, LaterLayersLieOverEarlierOnesAndTheirOpacitiesMultiply)
+{
+  SliceContent content;
+  content.Image = Uniform(0.0);
+  content.LabelOpacity = 0.5F;
+  content.Layers = {{Uniform(1.0), {{1, {{1.0F, 0.0F, 0.0F, 1.0F}}}}},
+                    {Uniform(2.0), {{2, {{0.0F, 1.0F, 0.0F, 0.5F}}}}}};
+  vtkNew<vtkImageData> picture;
+  PaintSlice(content, Plane(1, 1), picture);
+  const auto bytes = Bytes(picture);
+  EXPECT_NEAR(bytes[0], 0.75 * 127.5, 1.0); // half red, a quarter of which is covered
+  EXPECT_NEAR(bytes[1], 0.25 * 255.0, 1.0);
+  EXPECT_EQ(bytes[2], 0);
+}
+
+TEST(SlicePainter, LabelsAreSeenWithoutAnImageAndThoseWithoutAColorAreNot)
+{
+  SliceContent content;
+  content.Layers = {{Uniform(-4.0), {{-4, {{0.0F, 0.0F, 1.0F, 1.0F}}}}}};
+  vtkNew<vtkImageData> picture;
+  PaintSlice(content, Plane(1, 1), picture);
+  EXPECT_EQ(Bytes(picture), (std::vector<unsigned char>{0, 0, 255, 255}));
+  content.Layers = {{Uniform(5.0), {{-4, {{0.0F, 0.0F, 1.0F, 1.0F}}}}}};
+  PaintSlice(content, Plane(1, 1), picture);
+  EXPECT_EQ(Bytes(picture), (std::vector<unsigned char>{0, 0, 0, 0}));
+}
+
+TEST(SlicePatch, CornersAreThoseOfThePixels)
+{
+  const auto corners = palpate::SlicePatch::CornersOf(Plane(4, 2));
+  ASSERT_EQ(corners.size(), 4U);
+  EXPECT_EQ(corners[0], Vector3(-2.0, -1.0, 0.0));
+  EXPECT_EQ(corners[2], Vector3(2.0, 1.0, 0.0));
+}

@@ -1,0 +1,98 @@
+#include "vtkImageDisplay.h"
+
+#include "SliceViewTest.h"
+#include "vtkLandmarks.h"
+#include "vtkSurfaceDisplay.h"
+
+#include "vtkPolyData.h"
+#include "vtkTestErrorObserver.h"
+
+#include <cmath>
+#include <gtest/gtest.h>
+
+using palpate::Vector3;
+
+TEST(vtkImageDisplay, ANewVolumeChoosesItsWindow)
+{
+  vtkNew<vtkImageDisplay> display;
+  const auto image = palpate::test::RampImage(palpate::test::SkewTurn());
+  display->SetImage(image);
+  double range[2];
+  image->GetScalarRange(range);
+  EXPECT_GT(display->GetWindow(), 0.5 * (range[1] - range[0]));
+  EXPECT_LT(display->GetWindow(), range[1] - range[0]);
+  EXPECT_NEAR(display->GetLevel(), 100.0, 5.0); // the ramp is even about its middle
+  EXPECT_EQ(display->GetWindow(), display->GetChosenWindow());
+}
+
+TEST(vtkImageDisplay, TheWindowStaysPositiveAndANumber)
+{
+  vtkNew<vtkImageDisplay> display;
+  display->SetImage(palpate::test::RampImage(palpate::test::SkewTurn()));
+  display->SetWindowLevel(-50.0, 20.0);
+  EXPECT_GT(display->GetWindow(), 0.0);
+  EXPECT_NEAR(display->GetLevel(), 20.0, 1e-12);
+  display->SetWindowLevel(std::nan(""), 20.0);
+  display->SetWindowLevel(10.0, std::nan(""));
+  EXPECT_GT(display->GetWindow(), 0.0);
+  EXPECT_NEAR(display->GetLevel(), 20.0, 1e-12);
+}
+
+TEST(vtkImageDisplay, ItsCenterIsTheMiddleOfTheVolume)
+{
+  vtkNew<vtkImageDisplay> display;
+  double center[3];
+  EXPECT_FALSE(display->GetCenterWorld(center));
+  display->SetImage(palpate::test::RampImage(palpate::test::SkewTurn()));
+  ASSERT_TRUE(display->GetCenterWorld(center));
+  EXPECT_NEAR(Vector3(center).norm(), 0.0, 1e-12);
+}
+
+TEST(vtkImageDisplay, ItsTimeIsThatOfWhatChangedLast)
+{
+  vtkNew<vtkImageDisplay> display;
+  const auto image = palpate::test::RampImage(palpate::test::SkewTurn());
+  const auto labels = palpate::test::RampImage(palpate::test::SkewTurn());
+  display->SetImage(image);
+  display->AddLabels(labels);
+  for (vtkImageData* data : {image.Get(), labels.Get()})
+  {
+    const vtkMTimeType before = display->GetMTime();
+    data->Modified();
+    EXPECT_GT(display->GetMTime(), before);
+  }
+}
+
+TEST(vtkImageDisplay, AColorOfALayerThatIsNotThereIsAnError)
+{
+  vtkNew<vtkTest::ErrorObserver> errors;
+  vtkNew<vtkImageDisplay> display;
+  display->AddObserver(vtkCommand::ErrorEvent, errors);
+  display->SetLabelColor(0, 1, 1.0, 0.0, 0.0, 1.0);
+  EXPECT_TRUE(errors->GetError());
+}
+
+TEST(vtkSurfaceDisplay, ItsTimeIsThatOfItsSurface)
+{
+  vtkNew<vtkSurfaceDisplay> display;
+  vtkNew<vtkPolyData> surface;
+  display->SetSurface(surface);
+  const vtkMTimeType before = display->GetMTime();
+  surface->Modified();
+  EXPECT_GT(display->GetMTime(), before);
+}
+
+TEST(vtkLandmarks, KnowsOnlyPlacesAndDistancesBetweenThem)
+{
+  vtkNew<vtkLandmarks> landmarks;
+  EXPECT_EQ(landmarks->AddLandmark("a", 1.0, 2.0, 3.0), 0);
+  EXPECT_EQ(landmarks->AddLandmark("b", 1.0, std::nan(""), 3.0), -1);
+  EXPECT_EQ(landmarks->AddLandmark(nullptr, 4.0, 2.0, 3.0), 1);
+  EXPECT_TRUE(landmarks->AddDistance(0, 1));
+  EXPECT_FALSE(landmarks->AddDistance(0, 2));
+  EXPECT_FALSE(landmarks->AddDistance(-1, 0));
+  EXPECT_EQ(landmarks->GetNumberOfDistances(), 1);
+  landmarks->RemoveAll();
+  EXPECT_EQ(landmarks->GetNumberOfLandmarks(), 0);
+  EXPECT_EQ(landmarks->GetNumberOfDistances(), 0);
+}

@@ -1,0 +1,348 @@
+#include "vtkInteractorStyleHaptic.h"
+
+#include "CameraAxes.h"
+#include "DisplayTest.h"
+#include "PlacedDevice.h"
+#include "SafetyReport.h"
+#include "SimulatedDevice.h"
+#include "SteadyClock.h"
+#include "vtkProbeRepresentation.h"
+
+#include "vtkCallbackCommand.h"
+#include "vtkCamera.h"
+#include "vtkGenericRenderWindowInteractor.h"
+#include "vtkMatrix4x4.h"
+#include "vtkNew.h"
+#include "vtkRenderWindow.h"
+#include "vtkRenderer.h"
+#include "vtkSphereSource.h"
+#include "vtkTestErrorObserver.h"
+
+#include <chrono>
+#include <cmath>
+#include <functional>
+#include <string>
+#include <thread>
+#include <vector>
+
+namespace palpate
+{
+namespace
+{
+constexpr double BallRadius = 20.0; // mm
+constexpr double ToolRadius = 2.0;
+constexpr int Side = 200; // pixels
+
+// A ball in a window, and the style on its interactor. Time is real: the servo runs beside.
+class StyleHapticTest : public test::DisplayTest
+{
+protected:
+  using Style = vtkInteractorStyleHaptic;
+
+  void SetUp() override
+  {
+    DisplayTest::SetUp();
+    if (IsSkipped())
+    {
+      return;
+    }
+    this->Window = vtkSmartPointer<vtkRenderWindow>::New();
+    this->Window->SetOffScreenRendering(1);
+    this->Window->SetSize(Side, Side);
+    this->Renderer = vtkSmartPointer<vtkRenderer>::New();
+    this->Window->AddRenderer(this->Renderer);
+    this->Renderer->GetActiveCamera()->ParallelProjectionOn();
+    this->Renderer->GetActiveCamera()->SetParallelScale(50.0); // half a mm a pixel
+    this->LookFrom({0.0, 0.0, 1.0}, {0.0, 1.0, 0.0});
+    this->Interactor = vtkSmartPointer<vtkGenericRenderWindowInteractor>::New();
+    this->Interactor->SetRenderWindow(this->Window);
+    this->Touch = vtkSmartPointer<Style>::New();
+    this->Interactor->SetInteractorStyle(this->Touch);
+    vtkNew<vtkSphereSource> ball;
+    ball->SetRadius(BallRadius);
+    ball->SetThetaResolution(60);
+    ball->SetPhiResolution(60);
+    ball->Update();
+    this->Touch->SetToolRadius(ToolRadius);
+    ASSERT_EQ(this->Touch->AddSurface(ball->GetOutput(), 0.5), 0);
+    this->Listen();
+  }
+  void TearDown() override
+  {
+    if (this->Touch != nullptr)
+    {
+      this->Touch->StopTouch();
+    }
+  }
+
+  void LookFrom(const Vector3& towardsViewer, const Vector3& up)
+  {
+    vtkCamera* camera = this->Renderer->GetActiveCamera();
+    const Vector3 eye = 200.0 * towardsViewer;
+    camera->SetFocalPoint(0.0, 0.0, 0.0);
+    camera->SetPosition(eye.data());
+    camera->SetViewUp(up.data());
+  }
+
+  void Listen()
+  {
+    vtkNew<vtkCallbackCommand> listener;
+    listener->SetClientData(this);
+    listener->SetCallback(
+        [](vtkObject*, unsigned long event, void* test, void* data)
+        {
+          auto* self = static_cast<StyleHapticTest*>(test);
+          self->Events.push_back(event);
+          if (event == Style::FaultEvent)
+          {
+            self->Sentence = static_cast<const char*>(data);
+          }
+        });
+    for (unsigned long event = Style::ContactBeginEvent; event <= Style::FaultEvent; ++event)
+    {
+      this->Touch->AddObserver(event, listener);
+    }
+  }
+
+  // Polls, as the timer would, until it is so. The servo decides when; ten seconds is never.
+  bool PollUntil(const std::function<bool()>& isSo)
+  {
+    const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(10);
+    do
+    {
+      this->Touch->Poll();
+      if (isSo())
+      {
+        return true;
+      }
+      std::this_thread::yield();
+    } while (std::chrono::steady_clock::now() < end);
+    return false;
+  }
+  bool Comes(unsigned long event)
+  {
+    return this->PollUntil([&] { return !this->Events.empty() && this->Events.back() == event; });
+  }
+
+  Vector3 Probe() { return PlaceOf(this->Touch->GetProbe()->GetProbeMatrix()); }
+  Vector3 Proxy() { return PlaceOf(this->Touch->GetProbe()->GetProxyMatrix()); }
+  double Force() { return Vector3(this->Touch->GetProbe()->GetForce()).norm(); }
+  static Vector3 PlaceOf(vtkMatrix4x4* matrix)
+  {
+    return {matrix->GetElement(0, 3), matrix->GetElement(1, 3), matrix->GetElement(2, 3)};
+  }
+
+  void MoveMouse(int right, int up)
+  {
+    this->Mouse[0] += right;
+    this->Mouse[1] += up;
+    this->Interactor->SetEventInformation(this->Mouse[0], this->Mouse[1]);
+    this->Interactor->InvokeEvent(vtkCommand::MouseMoveEvent);
+  }
+  void Wheel(unsigned long event, int notches)
+  {
+    for (int n = 0; n < notches; ++n)
+    {
+      this->Interactor->InvokeEvent(event);
+    }
+  }
+  // Begins in front of the ball, and brings the hand beside it, to the right.
+  void StartBesideTheBall()
+  {
+    this->Interactor->SetEventInformation(0, 0);
+    this->Interactor->SetEventInformation(0, 0);
+    ASSERT_TRUE(this->Touch->StartTouch());
+    this->MoveMouse(70, 0);                              // 35 mm
+    this->Wheel(vtkCommand::MouseWheelForwardEvent, 10); // 40 mm
+    ASSERT_TRUE(this->PollUntil(
+        [&] { return this->Probe().x() > 30.0 && std::abs(this->Probe().z()) < 2.0; }));
+    this->Events.clear();
+  }
+
+  vtkSmartPointer<vtkRenderWindow> Window;
+  vtkSmartPointer<vtkRenderer> Renderer;
+  vtkSmartPointer<vtkGenericRenderWindowInteractor> Interactor;
+  vtkSmartPointer<Style> Touch;
+  std::vector<unsigned long> Events;
+  std::string Sentence;
+  int Mouse[2] = {0, 0};
+};
+
+TEST_F(StyleHapticTest, TheMouseFeelsWhatIsInTheWindow)
+{
+  this->StartBesideTheBall();
+  this->MoveMouse(-36, 0); // to 17 mm, 5 below where the tool first touches
+  ASSERT_TRUE(this->Comes(Style::ContactBeginEvent));
+  ASSERT_TRUE(this->PollUntil([&] { return this->Force() > 0.5; }));
+  // Facets lie up to 0.03 mm inside the ball.
+  EXPECT_NEAR(this->Proxy().norm(), BallRadius + ToolRadius, 0.1);
+  EXPECT_LT(this->Probe().norm(), BallRadius + ToolRadius);
+  EXPECT_TRUE(this->Touch->GetProbe()->GetInContact());
+  this->MoveMouse(60, 0);
+  EXPECT_TRUE(this->Comes(Style::ContactEndEvent));
+  EXPECT_TRUE(this->PollUntil([&] { return this->Force() == 0.0; }));
+}
+
+TEST_F(StyleHapticTest, TheWheelGoesInDepth)
+{
+  this->StartBesideTheBall();
+  const double before = this->Probe().z();
+  this->Wheel(vtkCommand::MouseWheelForwardEvent, 3);
+  EXPECT_TRUE(this->PollUntil([&] { return this->Probe().z() < before - 10.0; }));
+  this->Wheel(vtkCommand::MouseWheelBackwardEvent, 3);
+  EXPECT_TRUE(this->PollUntil([&] { return this->Probe().z() > before - 1.0; }));
+}
+
+TEST_F(StyleHapticTest, TheDevicesAxesAreTheCamerasOnceItRests)
+{
+  this->StartBesideTheBall();
+  // Seen from the left with the head up: what was 35 mm to the viewer's right still is.
+  this->LookFrom({1.0, 0.0, 0.0}, {0.0, 0.0, 1.0});
+  EXPECT_TRUE(this->PollUntil([&] { return this->Probe().y() > 30.0; }));
+  EXPECT_NEAR(this->Probe().x(), 0.0, 2.0); // the hand settles to within its friction
+  this->MoveMouse(0, 60);
+  EXPECT_TRUE(this->PollUntil([&] { return this->Probe().z() > 25.0; }));
+}
+
+TEST_F(StyleHapticTest, TheClutchKeepsTheToolWhereItIsAndGivesNoForce)
+{
+  SteadyClock clock;
+  auto owned = std::make_unique<test::PlacedDevice>(clock);
+  test::PlacedDevice* device = owned.get();
+  device->Put({15.0, 0.0, 0.0}, 0);
+  ASSERT_TRUE(this->Touch->StartTouch(std::move(owned)));
+  ASSERT_TRUE(this->PollUntil([&] { return device->Force() > 0.5; }));
+  device->Put({15.0, 0.0, 0.0}, 4);
+  ASSERT_TRUE(this->Comes(Style::ButtonPressEvent));
+  const Vector3 held = this->Probe();
+  EXPECT_TRUE(this->PollUntil([&] { return device->Force() == 0.0; }));
+  for (double x = 15.0; x > -15.0; x -= 0.5) // no faster than a hand
+  {
+    device->Put({x, 0.0, 0.0}, 4);
+    std::this_thread::sleep_for(std::chrono::milliseconds(2));
+  }
+  this->Touch->Poll();
+  EXPECT_EQ(this->Probe(), held);
+  EXPECT_EQ(device->Force(), 0.0);
+  device->Put({-15.0, 0.0, 0.0}, 0);
+  ASSERT_TRUE(this->Comes(Style::ButtonReleaseEvent));
+  EXPECT_TRUE(this->PollUntil([&] { return device->Force() > 0.5; }));
+  EXPECT_LT((this->Probe() - held).norm(), 1e-9);
+  EXPECT_LT(this->Proxy().x() - this->Probe().x(), 10.0); // pushed out to the same side
+  EXPECT_GT(this->Proxy().x(), this->Probe().x());
+}
+
+TEST_F(StyleHapticTest, EscapeSwitchesForcesOffAndFOnAgain)
+{
+  this->StartBesideTheBall();
+  this->MoveMouse(-36, 0);
+  ASSERT_TRUE(this->PollUntil([&] { return this->Force() > 0.5; }));
+  this->Interactor->SetKeySym("Escape");
+  this->Interactor->InvokeEvent(vtkCommand::KeyPressEvent);
+  ASSERT_TRUE(this->Comes(Style::FaultEvent));
+  EXPECT_EQ(this->Sentence, Describe(SafetyFault::SwitchedOff));
+  EXPECT_EQ(this->Touch->GetStatusText(), this->Sentence);
+  EXPECT_EQ(this->Force(), 0.0);
+  EXPECT_TRUE(this->Touch->IsTouching());
+  this->Interactor->SetKeyCode('f');
+  this->Interactor->InvokeEvent(vtkCommand::CharEvent);
+  EXPECT_TRUE(this->PollUntil([&] { return this->Force() > 0.5; }));
+  EXPECT_EQ(this->Touch->GetStatusText(), Describe(SafetyFault::None));
+}
+
+TEST_F(StyleHapticTest, ALostDeviceIsAFaultThatSaysWhatToDo)
+{
+  SteadyClock clock;
+  auto owned = std::make_unique<SimulatedDevice>(clock, SimulatedSettings());
+  SimulatedDevice* device = owned.get();
+  ASSERT_TRUE(owned->Open().IsOk());
+  ASSERT_TRUE(this->Touch->StartTouch(std::move(owned)));
+  device->Inject(SimulatedFault::Unplugged);
+  ASSERT_TRUE(this->Comes(Style::FaultEvent));
+  EXPECT_NE(this->Sentence, "");
+  EXPECT_EQ(this->Touch->GetStatusText(), device->Problem());
+}
+
+TEST_F(StyleHapticTest, WhatIsAddedWhileTouchingIsFelt)
+{
+  this->StartBesideTheBall();
+  vtkNew<vtkSphereSource> ball;
+  ball->SetCenter(45.0, 0.0, 0.0);
+  ball->SetRadius(15.0);
+  ball->Update();
+  EXPECT_EQ(this->Touch->AddSurface(ball->GetOutput(), 0.3), 1);
+  EXPECT_TRUE(this->Comes(Style::ContactBeginEvent));
+  this->Touch->RemoveAllStructures();
+  EXPECT_TRUE(this->Comes(Style::ContactEndEvent));
+}
+
+TEST_F(StyleHapticTest, TheToolIsDrawnWhileItTouches)
+{
+  const int before = this->Renderer->GetViewProps()->GetNumberOfItems();
+  this->StartBesideTheBall();
+  EXPECT_GT(this->Renderer->GetViewProps()->GetNumberOfItems(), before);
+  this->Window->Render();
+  this->Touch->StopTouch();
+  EXPECT_EQ(this->Renderer->GetViewProps()->GetNumberOfItems(), before);
+}
+
+TEST_F(StyleHapticTest, WhatCannotBeDoneIsRefusedWithASentence)
+{
+  vtkNew<vtkTest::ErrorObserver> errors;
+  this->Touch->AddObserver(vtkCommand::ErrorEvent, errors);
+  this->Touch->SetDeviceName("phantom");
+  EXPECT_FALSE(this->Touch->StartTouch());
+  EXPECT_NE(errors->GetErrorMessage().find("phantom"), std::string::npos);
+  vtkNew<vtkPolyData> nothing;
+  EXPECT_EQ(this->Touch->AddSurface(nothing, 1.0), -1);
+  vtkNew<vtkSphereSource> ball;
+  ball->Update();
+  EXPECT_EQ(this->Touch->AddSurface(ball->GetOutput(), -1.0), -1);
+  EXPECT_EQ(this->Touch->GetNumberOfStructures(), 1);
+  this->Interactor->SetInteractorStyle(nullptr);
+  this->Touch->SetDeviceName("simulated");
+  EXPECT_FALSE(this->Touch->StartTouch());
+  EXPECT_FALSE(this->Touch->IsTouching());
+}
+
+TEST_F(StyleHapticTest, LosingItsWindowStopsTheTouch)
+{
+  this->StartBesideTheBall();
+  this->Interactor->SetInteractorStyle(nullptr);
+  EXPECT_FALSE(this->Touch->IsTouching());
+}
+
+TEST(CameraAxes, AreRightHandedWhateverTheViewUp)
+{
+  vtkNew<vtkCamera> camera;
+  camera->SetPosition(3.0, -2.0, 5.0);
+  camera->SetFocalPoint(-1.0, 0.5, 0.0);
+  camera->SetViewUp(0.2, 0.3, 0.9); // not across the view
+  const Matrix3 axes = CameraAxes(camera);
+  EXPECT_LT((axes.transpose() * axes - Matrix3::Identity()).norm(), 1e-14);
+  EXPECT_NEAR(axes.determinant(), 1.0, 1e-14);
+  EXPECT_GT(axes.col(2).dot(Vector3(4.0, -2.5, 5.0)), 0.0);
+  EXPECT_GT(axes.col(1).dot(Vector3(0.2, 0.3, 0.9)), 0.0);
+}
+
+TEST(CameraAxes, APixelsLengthIsTheProjections)
+{
+  vtkNew<vtkRenderer> renderer;
+  vtkNew<vtkRenderWindow> window;
+  window->SetOffScreenRendering(1);
+  window->SetSize(300, 200);
+  window->AddRenderer(renderer);
+  vtkCamera* camera = renderer->GetActiveCamera();
+  camera->SetPosition(0.0, 0.0, 100.0);
+  camera->SetFocalPoint(0.0, 0.0, 0.0);
+  camera->SetViewAngle(60.0);
+  EXPECT_NEAR(MillimetersPerPixel(renderer, {7.0, 3.0, 0.0}),
+              2.0 * 100.0 * std::tan(M_PI / 6.0) / 200.0, 1e-12);
+  EXPECT_NEAR(MillimetersPerPixel(renderer, {7.0, 3.0, 50.0}),
+              2.0 * 50.0 * std::tan(M_PI / 6.0) / 200.0, 1e-12);
+  camera->ParallelProjectionOn();
+  camera->SetParallelScale(40.0);
+  EXPECT_NEAR(MillimetersPerPixel(renderer, {7.0, 3.0, 50.0}), 0.4, 1e-12);
+}
+} // namespace
+} // namespace palpate

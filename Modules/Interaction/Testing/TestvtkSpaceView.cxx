@@ -1,0 +1,359 @@
+#include "vtkSpaceView.h"
+
+#include "AnatomicalView.h"
+#include "SliceViewTest.h"
+#include "vtkLandmarks.h"
+#include "vtkProbeRepresentation.h"
+#include "vtkSubVoxelVolume.h"
+#include "vtkSubVoxelVolumeMapper.h"
+#include "vtkSurfaceDisplay.h"
+
+#include "vtkCamera.h"
+#include "vtkCommand.h"
+#include "vtkDoubleArray.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkPropCollection.h"
+#include "vtkSphereSource.h"
+#include "vtkVolumeProperty.h"
+
+#include <cmath>
+#include <gtest/gtest.h>
+
+using palpate::Picture;
+using palpate::Vector3;
+
+namespace
+{
+constexpr int Side = 200; // pixels, 60 mm
+constexpr double PixelMillimeters = 0.3;
+
+vtkSmartPointer<vtkPolyData> Ball(const Vector3& center, double radius)
+{
+  vtkNew<vtkSphereSource> sphere;
+  sphere->SetCenter(center.x(), center.y(), center.z());
+  sphere->SetRadius(radius);
+  sphere->SetThetaResolution(100);
+  sphere->SetPhiResolution(100);
+  sphere->Update();
+  return sphere->GetOutput();
+}
+
+// A view of the middle of space from the front, in parallel, of which tests choose the contents.
+class vtkSpaceViewTest : public palpate::test::DisplayTest
+{
+protected:
+  void SetUp() override
+  {
+    DisplayTest::SetUp();
+    if (IsSkipped())
+    {
+      return;
+    }
+    this->Renderer = vtkSmartPointer<vtkRenderer>::New();
+    this->Window = vtkSmartPointer<vtkRenderWindow>::New();
+    this->Window->SetOffScreenRendering(1);
+    this->Window->SetMultiSamples(0);
+    this->Window->SetSize(Side, Side);
+    this->Window->AddRenderer(this->Renderer);
+    this->View->SetRenderer(this->Renderer);
+    this->View->SetCrosshair(this->Crosshair);
+    this->View->AnnotationVisibilityOff();
+    this->Surface->SetColor(0.0, 0.0, 1.0);
+  }
+
+  // The first picture chooses a camera; this is the tests'.
+  Picture Draw(int side = vtkSpaceView::ANTERIOR)
+  {
+    this->Window->Render();
+    this->View->LookFrom(side);
+    vtkCamera* camera = this->Renderer->GetActiveCamera();
+    const Vector3 eye =
+        100.0 *
+        palpate::FrameOf(palpate::AllViewSides[static_cast<std::size_t>(side)]).TowardsViewerWorld;
+    camera->ParallelProjectionOn();
+    camera->SetFocalPoint(0.0, 0.0, 0.0);
+    camera->SetPosition(eye.data());
+    camera->SetParallelScale(0.5 * Side * PixelMillimeters);
+    this->Window->Render();
+    return palpate::ReadWindow(this->Window);
+  }
+  // From the front: x to the right, z up, mm.
+  static const std::uint8_t* PixelAt(const Picture& picture, double x, double z)
+  {
+    return picture.Pixel(static_cast<int>(0.5 * Side + x / PixelMillimeters),
+                         static_cast<int>(0.5 * Side - z / PixelMillimeters));
+  }
+  bool PickAt(double x, double z, Vector3& world)
+  {
+    return this->View->Pick(std::floor(0.5 * Side + x / PixelMillimeters),
+                            std::floor(0.5 * Side + z / PixelMillimeters), world.data());
+  }
+  static bool IsBlue(const std::uint8_t* p) { return p[2] > p[0] + 60 && p[2] > p[1] + 60; }
+  static bool IsRed(const std::uint8_t* p) { return p[0] > p[1] + 60 && p[0] > p[2] + 60; }
+  static bool IsBlack(const std::uint8_t* p) { return p[0] + p[1] + p[2] == 0; }
+
+  vtkSmartPointer<vtkRenderer> Renderer;
+  vtkSmartPointer<vtkRenderWindow> Window;
+  vtkNew<vtkSpaceView> View;
+  vtkNew<vtkCrosshair> Crosshair;
+  vtkNew<vtkSurfaceDisplay> Surface;
+};
+} // namespace
+
+TEST_F(vtkSpaceViewTest, ASurfaceIsDrawnInItsColorWhereItIs)
+{
+  this->Surface->SetSurface(Ball(Vector3(8.0, 0.0, 0.0), 10.0));
+  this->View->AddSurface(this->Surface);
+  const Picture picture = this->Draw();
+  EXPECT_TRUE(IsBlue(PixelAt(picture, 8.0, 0.0)));
+  EXPECT_TRUE(IsBlue(PixelAt(picture, 17.0, 0.0)));
+  EXPECT_TRUE(IsBlack(PixelAt(picture, 19.0, 0.0)));
+  EXPECT_TRUE(IsBlack(PixelAt(picture, -3.0, 0.0)));
+  this->Surface->VisibilityOff();
+  EXPECT_TRUE(IsBlack(PixelAt(this->Draw(), 8.0, 0.0)));
+  this->Surface->VisibilityOn();
+  this->View->RemoveSurface(this->Surface);
+  EXPECT_TRUE(IsBlack(PixelAt(this->Draw(), 8.0, 0.0)));
+}
+
+TEST_F(vtkSpaceViewTest, AnArrayColorsTheSurfaceByItsSign)
+{
+  const auto ball = Ball(Vector3::Zero(), 15.0);
+  vtkNew<vtkDoubleArray> distances;
+  distances->SetName("DistanceToSurface");
+  for (vtkIdType p = 0; p < ball->GetNumberOfPoints(); ++p)
+  {
+    distances->InsertNextValue(ball->GetPoint(p)[0]);
+  }
+  ball->GetPointData()->AddArray(distances);
+  this->Surface->SetSurface(ball);
+  this->Surface->SetColorArray("DistanceToSurface");
+  this->View->AddSurface(this->Surface);
+  Picture picture = this->Draw();
+  EXPECT_TRUE(IsRed(PixelAt(picture, 12.0, 0.0)));
+  EXPECT_GT(PixelAt(picture, -12.0, 0.0)[2], PixelAt(picture, -12.0, 0.0)[0] + 40);
+  this->Surface->SetColorArray("");
+  picture = this->Draw();
+  EXPECT_TRUE(IsBlue(PixelAt(picture, 12.0, 0.0)));
+  this->Surface->SetColorArray("nothing of this name");
+  EXPECT_TRUE(IsBlue(PixelAt(this->Draw(), 12.0, 0.0)));
+}
+
+TEST_F(vtkSpaceViewTest, LookFromSeesThePatientFromThatSide)
+{
+  this->Surface->SetSurface(Ball(Vector3(3.0, 4.0, 5.0), 10.0));
+  this->View->AddSurface(this->Surface);
+  for (const palpate::ViewSide side : palpate::AllViewSides)
+  {
+    this->View->LookFrom(static_cast<int>(side));
+    vtkCamera* camera = this->Renderer->GetActiveCamera();
+    const palpate::ViewFrame frame = palpate::FrameOf(side);
+    // The camera's own arithmetic.
+    EXPECT_NEAR((Vector3(camera->GetDirectionOfProjection()) + frame.TowardsViewerWorld).norm(),
+                0.0, 1e-9);
+    EXPECT_NEAR((Vector3(camera->GetViewUp()) - frame.UpWorld).norm(), 0.0, 1e-9);
+    EXPECT_NEAR((Vector3(camera->GetFocalPoint()) - Vector3(3.0, 4.0, 5.0)).norm(), 0.0, 0.1);
+  }
+}
+
+TEST_F(vtkSpaceViewTest, SlicesShowTheVolumeWhereItIs)
+{
+  const auto image = palpate::test::RampImage(palpate::test::SkewTurn());
+  vtkNew<vtkImageDisplay> display;
+  display->SetImage(image);
+  display->SetWindowLevel(300.0, 100.0);
+  this->View->SetImageDisplay(display);
+  this->View->AlongImageOff(); // so that the plane is seen face on, and its edge is a polygon
+  this->View->SetSliceVisibility(vtkSliceView::AXIAL, false);
+  this->View->SetSliceVisibility(vtkSliceView::SAGITTAL, false);
+  for (const double depth : {0.0, 12.0})
+  {
+    this->Crosshair->SetPositionWorld(0.0, depth, 0.0);
+    const Picture picture = this->Draw();
+    for (int place = 0; place < 30 * 30; ++place)
+    {
+      const double x = -25.0 + 1.7 * (place / 30);
+      const double z = -25.0 + 1.7 * (place % 30);
+      // Of the pixel's middle.
+      const double column = std::floor(0.5 * Side + x / PixelMillimeters) + 0.5;
+      const double row = std::floor(0.5 * Side - z / PixelMillimeters) + 0.5;
+      const Vector3 world((column - 0.5 * Side) * PixelMillimeters, depth,
+                          (0.5 * Side - row) * PixelMillimeters);
+      // Two roundings to levels and the graphics system's interpolation between them.
+      ASSERT_NEAR(PixelAt(picture, x, z)[0], 255.0 * (palpate::test::Ramp(world) + 50.0) / 300.0,
+                  1.6);
+    }
+  }
+}
+
+TEST_F(vtkSpaceViewTest, ASliceThatMissesTheVolumeIsNotDrawn)
+{
+  vtkNew<vtkImageDisplay> display;
+  display->SetImage(palpate::test::RampImage(palpate::Matrix3::Identity()));
+  this->View->SetImageDisplay(display);
+  this->View->SetSliceVisibility(vtkSliceView::AXIAL, false);
+  this->View->SetSliceVisibility(vtkSliceView::SAGITTAL, false);
+  this->Crosshair->SetPositionWorld(0.0, 0.0, 0.0);
+  EXPECT_FALSE(IsBlack(PixelAt(this->Draw(), 1.0, 1.0)));
+  this->Crosshair->SetPositionWorld(0.0, 200.0, 0.0);
+  EXPECT_TRUE(IsBlack(PixelAt(this->Draw(), 1.0, 1.0)));
+}
+
+TEST_F(vtkSpaceViewTest, APickedPointLiesOnTheSurfaceUnderThePointer)
+{
+  const Vector3 center(4.0, 6.0, -3.0);
+  this->Surface->SetSurface(Ball(center, 12.0));
+  this->View->AddSurface(this->Surface);
+  this->Draw();
+  Vector3 world;
+  ASSERT_TRUE(this->PickAt(9.0, -1.0, world));
+  // Facets of 100 x 100 lie up to 12 (1 - cos^2(pi / 100)) = 0.012 mm within.
+  EXPECT_NEAR((world - center).norm(), 12.0, 0.02);
+  EXPECT_LT(world.y(), center.y()) << "the nearer side";
+  EXPECT_NEAR(world.x(), 9.0, PixelMillimeters);
+  EXPECT_NEAR(world.z(), -1.0, PixelMillimeters);
+  EXPECT_EQ(this->View->GetPickedSurface(), this->Surface.Get());
+  EXPECT_FALSE(this->PickAt(25.0, 25.0, world));
+  EXPECT_EQ(this->View->GetPickedSurface(), nullptr);
+}
+
+TEST_F(vtkSpaceViewTest, OfPolygonsAndSubVoxelSurfacesTheNearerIsPicked)
+{
+  // The ramp is high at the patient's front; from the back its surface is seen and not the border.
+  vtkNew<vtkSubVoxelVolumeMapper> mapper;
+  mapper->SetInputData(palpate::test::RampImage(palpate::test::SkewTurn()));
+  mapper->SetIsoValue(0, 100.0);
+  vtkNew<vtkSubVoxelVolume> volume;
+  volume->SetMapper(mapper);
+  this->Renderer->AddVolume(volume);
+  this->Draw(vtkSpaceView::POSTERIOR);
+  Vector3 seen;
+  ASSERT_TRUE(this->PickAt(2.0, 3.0, seen));
+  EXPECT_NEAR(palpate::test::Ramp(seen), 100.0, 1e-4); // voxels are floats
+  EXPECT_EQ(this->View->GetPickedSurface(), nullptr);
+  this->Surface->SetSurface(Ball(seen + Vector3(0.0, 20.0, 0.0), 3.0));
+  this->View->AddSurface(this->Surface);
+  this->Draw(vtkSpaceView::POSTERIOR);
+  Vector3 nearer;
+  ASSERT_TRUE(this->PickAt(2.0, 3.0, nearer));
+  EXPECT_EQ(this->View->GetPickedSurface(), this->Surface.Get());
+  EXPECT_NEAR(nearer.y(), seen.y() + 23.0, 0.1);
+  this->Surface->SetSurface(Ball(seen - Vector3(0.0, 20.0, 0.0), 3.0));
+  this->Draw(vtkSpaceView::POSTERIOR);
+  ASSERT_TRUE(this->PickAt(2.0, 3.0, nearer));
+  EXPECT_NEAR((nearer - seen).norm(), 0.0, 1e-9);
+}
+
+TEST_F(vtkSpaceViewTest, WhatIsTouchedHasTheContactColor)
+{
+  this->Surface->SetSurface(Ball(Vector3::Zero(), 15.0));
+  this->View->AddSurface(this->Surface);
+  vtkNew<vtkProbeRepresentation> probe;
+  this->View->SetProbe(probe);
+  probe->SetToolSphere(0.5);
+  probe->SetColor(0.0, 1.0, 0.0);
+  probe->SetContactColor(1.0, 0.0, 0.0);
+  probe->SetContactRadius(5.0);
+  // At the front, 5 mm to the left.
+  const Vector3 outward = Vector3(5.0, -std::sqrt(200.0), 0.0) / 15.0;
+  const Vector3 place = 15.5 * outward;
+  probe->SetProbePosition(place.x(), place.y(), place.z());
+  probe->SetProxyPosition(place.x(), place.y(), place.z());
+  EXPECT_TRUE(IsBlue(PixelAt(this->Draw(), 5.0, 1.8))) << "without contact";
+  probe->InContactOn();
+  Picture picture = this->Draw();
+  EXPECT_TRUE(IsRed(PixelAt(picture, 5.0, 1.8)));
+  EXPECT_TRUE(IsRed(PixelAt(picture, 3.5, 0.0)));
+  EXPECT_TRUE(IsBlue(PixelAt(picture, 5.0, 6.0)));
+  EXPECT_TRUE(IsBlue(PixelAt(picture, -3.0, 0.0)));
+  // The place is the surface's, whatever the camera; from the left, y runs to the right.
+  picture = this->Draw(vtkSpaceView::LEFT);
+  EXPECT_TRUE(IsRed(PixelAt(picture, -13.8, 1.0)));
+  EXPECT_TRUE(IsBlue(PixelAt(picture, -13.8, 5.0)));
+  EXPECT_TRUE(IsBlue(PixelAt(picture, 0.0, 0.0)));
+  probe->InContactOff();
+  EXPECT_TRUE(IsBlue(PixelAt(this->Draw(), 5.0, 1.8)));
+}
+
+TEST_F(vtkSpaceViewTest, TheToolIsSolidAtTheProxyAndTranslucentAtTheProbe)
+{
+  vtkNew<vtkProbeRepresentation> probe;
+  this->View->SetProbe(probe);
+  probe->SetToolSphere(4.0);
+  probe->SetColor(0.0, 0.0, 1.0);
+  probe->SetProxyPosition(-10.0, 0.0, 0.0);
+  probe->SetProbePosition(10.0, 0.0, 0.0);
+  const Picture picture = this->Draw();
+  const int solid = PixelAt(picture, -10.0, 0.0)[2];
+  const int translucent = PixelAt(picture, 10.0, 0.0)[2];
+  EXPECT_GT(solid, 150);
+  EXPECT_GT(translucent, 30);
+  EXPECT_LT(translucent, solid - 50);
+  probe->VisibilityOff();
+  EXPECT_TRUE(IsBlack(PixelAt(this->Draw(), -10.0, 0.0)));
+}
+
+TEST_F(vtkSpaceViewTest, TheArrowIsAsLongAsTheForceSays)
+{
+  vtkNew<vtkProbeRepresentation> probe;
+  this->View->SetProbe(probe);
+  probe->SetToolSphere(0.5);
+  probe->SetColor(0.0, 0.0, 1.0);
+  probe->SetContactColor(1.0, 0.0, 0.0);
+  probe->SetForce(0.0, 0.0, 2.0);
+  probe->SetForceScale(8.0);
+  Picture picture = this->Draw();
+  EXPECT_TRUE(IsRed(PixelAt(picture, 0.0, 8.0)));
+  EXPECT_TRUE(IsRed(PixelAt(picture, 0.0, 15.0)));
+  EXPECT_TRUE(IsBlack(PixelAt(picture, 0.0, 16.5)));
+  EXPECT_TRUE(IsBlack(PixelAt(picture, 0.0, -4.0)));
+  probe->SetForce(0.0, 0.0, 0.0);
+  picture = this->Draw();
+  EXPECT_TRUE(IsBlack(PixelAt(picture, 0.0, 8.0)));
+}
+
+TEST_F(vtkSpaceViewTest, LandmarksAreBallsAndDistancesLines)
+{
+  vtkNew<vtkLandmarks> landmarks;
+  landmarks->SetColor(0.0, 0.0, 1.0);
+  landmarks->SetRadius(3.0);
+  landmarks->AddLandmark("", -12.0, 0.0, 0.0);
+  landmarks->AddLandmark("", 12.0, 0.0, 0.0);
+  this->View->SetLandmarks(landmarks);
+  const auto isLine = [this]
+  {
+    const Picture picture = this->Draw();
+    bool isSeen = false;
+    for (int row = -2; row <= 2; ++row)
+    {
+      isSeen = isSeen || IsBlue(PixelAt(picture, -4.0, row * PixelMillimeters));
+    }
+    EXPECT_TRUE(IsBlue(PixelAt(picture, -12.0, 2.0)));
+    EXPECT_TRUE(IsBlue(PixelAt(picture, 12.0, -2.0)));
+    return isSeen;
+  };
+  EXPECT_FALSE(isLine());
+  landmarks->AddDistance(0, 1);
+  EXPECT_TRUE(isLine());
+}
+
+TEST_F(vtkSpaceViewTest, ARendererThatIsGivenBackIsEmpty)
+{
+  this->Surface->SetSurface(Ball(Vector3::Zero(), 9.0));
+  this->View->AddSurface(this->Surface);
+  this->Draw();
+  this->View->SetRenderer(nullptr);
+  EXPECT_EQ(this->Renderer->GetViewProps()->GetNumberOfItems(), 0);
+  EXPECT_FALSE(this->Renderer->HasObserver(vtkCommand::StartEvent));
+}
+
+TEST_F(vtkSpaceViewTest, MayOutliveItsWindow)
+{
+  this->Surface->SetSurface(Ball(Vector3::Zero(), 9.0));
+  this->View->AddSurface(this->Surface);
+  this->Draw();
+  this->Window = nullptr;
+  this->View->SetRenderer(nullptr);
+  EXPECT_EQ(this->Renderer->GetViewProps()->GetNumberOfItems(), 0);
+}

@@ -1,0 +1,95 @@
+#include "StudyFiles.h"
+
+#include "FitFiles.h"
+#include "FitStructure.h"
+#include "OutputFolder.h"
+#include "StudyMarkups.h"
+#include "StudyScene.h"
+#include "SurfaceFile.h"
+#include "TouchSceneFile.h"
+#include "WholeFile.h"
+
+namespace palpate
+{
+namespace
+{
+std::filesystem::path FolderOf(const StudyState& state, const StudyStructure& structure,
+                               const std::filesystem::path& folder)
+{
+  Segment segment;
+  segment.Label = structure.Label;
+  segment.Name = structure.Name;
+  return folder / CaseFolderName(CaseNameOf(state.SegmentationFile), segment);
+}
+
+void WriteStructure(const StudyStructure& structure, const StudyPipeline& pipeline,
+                    const std::filesystem::path& folder, const std::string& program)
+{
+  const auto volume = pipeline.Newest<Volume>(StudyStep::Volume);
+  const auto fit = pipeline.Newest<FitResult>(StudyStep::Model, structure.Label);
+  const auto surface = pipeline.Newest<FitSurface>(StudyStep::Surface, structure.Label);
+  if (fit != nullptr)
+  {
+    WriteFitFiles(*fit, volume.get(), folder, program);
+  }
+  else if (surface != nullptr && !surface->IsOver)
+  {
+    MakeOutputFolder(folder);
+    WriteSurface(folder / "surface.vtp", surface->Found.Surface);
+  }
+}
+} // namespace
+
+void WriteStudyFiles(const StudyState& state, const StudyPipeline& pipeline,
+                     const std::filesystem::path& folder, const std::string& program)
+{
+  MakeOutputFolder(folder);
+  for (const StudyStructure& structure : state.Structures)
+  {
+    WriteStructure(structure, pipeline, FolderOf(state, structure, folder), program);
+  }
+  const TouchSettings scene = SceneOfStudy(state, pipeline, folder);
+  if (!scene.Structures.empty())
+  {
+    WriteWholeFile(folder / "scene.json", TouchSceneText(scene, folder));
+  }
+  if (!state.Landmarks.empty() || !state.Distances.empty())
+  {
+    for (const char* name : {"markups.mrk.json", "markups.csv"})
+    {
+      WriteMarkups(folder / name, state.Landmarks, state.Distances);
+    }
+  }
+}
+
+TouchSettings SceneOfStudy(const StudyState& state, const StudyPipeline& pipeline,
+                           const std::filesystem::path& folder)
+{
+  TouchSettings scene;
+  scene.Tool = state.Tool;
+  scene.Device = state.Device;
+  scene.Rate = state.Rate;
+  scene.Scale = state.Placement.Scale;
+  for (const StudyContact& contact : ContactsOf(state, pipeline))
+  {
+    const StudyStructure& structure = *FindStructure(state, contact.Label);
+    TouchStructureSettings touch;
+    touch.Name = structure.Name;
+    touch.Stiffness = structure.Stiffness;
+    touch.Friction = structure.Friction;
+    touch.Degree = structure.Degree;
+    touch.Interpolation = state.Interpolation;
+    touch.Smoothing = state.FieldSmoothing;
+    const TouchAppearance& looks = contact.Contact->Looks;
+    touch.File = FolderOf(state, structure, folder) / (looks.Model ? "model.json" : "surface.vtp");
+    if (looks.Field != nullptr)
+    {
+      touch.File = state.SegmentationFile;
+      touch.Labels = {std::to_string(structure.Label)};
+      touch.Representation = TouchRepresentation::SubVoxel;
+    }
+    scene.Structures.push_back(std::move(touch));
+  }
+  return scene;
+}
+} // namespace palpate

@@ -1,0 +1,67 @@
+#include "StudyFiles.h"
+
+#include "ModelFile.h"
+#include "StudyPhantoms.h"
+#include "TouchRun.h"
+#include "TouchSceneFile.h"
+
+#include <gtest/gtest.h>
+
+namespace palpate
+{
+namespace
+{
+// Every representation, and landmarks.
+TEST(StudyFiles, WhatWasMadeIsWrittenAndFeltAgain)
+{
+  const test::StudyPhantom phantom;
+  StudyState state = phantom.State();
+  state.Structures = {test::StudyPhantom::Structure(1, TouchRepresentation::Automatic),
+                      test::StudyPhantom::Structure(2, TouchRepresentation::Facets)};
+  state.Structures[1].Name = "bow";
+  state.Structures[1].Stiffness = 0.25;
+  state.Landmarks.push_back({"apex", Vector3(1.0, 2.0, 3.0)});
+  StudyJobs jobs;
+  StudyPipeline pipeline(jobs);
+  pipeline.Update(state);
+  test::Settle(jobs);
+  const auto out = phantom.Folder / "out";
+  WriteStudyFiles(state, pipeline, out, "test");
+
+  const auto fit = pipeline.Newest<FitResult>(StudyStep::Model, 1);
+  const ModelDocument document = ReadModel(out / "mask_1/model.json");
+  EXPECT_EQ(std::get<SphericalHarmonicModel>(document.Surface).Coefficients(),
+            fit->Model.Coefficients());
+  for (const char* name : {"mask_1/report.html", "mask_2_bow/surface.vtp", "markups.csv",
+                           "markups.mrk.json", "scene.json"})
+  {
+    EXPECT_TRUE(std::filesystem::exists(out / name)) << name;
+  }
+  const PreparedTouch touch = PrepareTouch(ReadTouchScene(out / "scene.json"), {},
+                                           [](double, const std::string&) { return true; });
+  ASSERT_EQ(touch.Structures.size(), 2U);
+  for (std::size_t s = 0; s < 2; ++s)
+  {
+    const auto contact = pipeline.Newest<TouchContact>(StudyStep::Touch, state.Structures[s].Label);
+    EXPECT_EQ(touch.Structures[s].Represented, contact->Represented);
+    EXPECT_EQ(touch.Structures[s].Touch.Law.Stiffness, state.Structures[s].Stiffness);
+  }
+}
+
+TEST(StudyFiles, WhatIsFeltInVoxelsNamesTheSegmentation)
+{
+  const test::StudyPhantom phantom;
+  StudyState state = phantom.State();
+  state.Structures = {test::StudyPhantom::Structure(2, TouchRepresentation::Automatic)};
+  StudyJobs jobs;
+  StudyPipeline pipeline(jobs);
+  pipeline.Update(state);
+  test::Settle(jobs);
+  const TouchSettings scene = SceneOfStudy(state, pipeline, phantom.Folder / "out");
+  ASSERT_EQ(scene.Structures.size(), 1U);
+  EXPECT_EQ(scene.Structures[0].File, state.SegmentationFile);
+  EXPECT_EQ(scene.Structures[0].Labels, std::vector<std::string>{"2"});
+  EXPECT_EQ(scene.Structures[0].Representation, TouchRepresentation::SubVoxel);
+}
+} // namespace
+} // namespace palpate

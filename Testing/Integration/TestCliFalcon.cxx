@@ -1,0 +1,220 @@
+#include "BootStream.h"
+#include "CommandRun.h"
+#include "FalconTestBed.h"
+#include "SyntheticFiles.h"
+#include "TemporaryFolder.h"
+
+#include <atomic>
+#include <cmath>
+#include <cstdlib>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+#include <thread>
+
+namespace palpate::test
+{
+namespace
+{
+// A hand that pulls the handle out and pushes it in, twice a second.
+VirtualMechanismSettings PullingHand()
+{
+  VirtualMechanismSettings settings;
+  settings.IsRigid = true;
+  settings.Path = [](double t)
+  { return Vector3(0.0, 0.0, 130.0 - 45.0 * std::cos(4.0 * M_PI * t)); };
+  return settings;
+}
+
+// The program, unchanged, with virtual Falcons on a virtual bus. Replies take some milliseconds
+// there, so nothing is said about rates.
+class CliFalcon : public testing::Test
+{
+protected:
+  void SetUp() override
+  {
+    // Not skipped: a lost wrapper must not look like success.
+    ASSERT_TRUE(FalconTestBed::IsPossible()) << "umockdev is not preloaded: use umockdev-wrapper";
+    unsetenv("PALPATE_FALCON_FIRMWARE");
+    const std::vector<std::uint8_t> image = BootStream();
+    WriteAll(this->Folder / "firmware.bin", {image.begin(), image.end()});
+  }
+
+  CommandRun Run(const std::vector<std::string>& arguments)
+  {
+    return RunPalpate(arguments, this->Folder.Path());
+  }
+
+  // What `palpate devices --json` says of devices whose names begin so.
+  std::vector<nlohmann::json> Listed(const std::string& name)
+  {
+    const CommandRun run = this->Run({"devices", "--json"});
+    EXPECT_EQ(run.Code, 0) << run.Errors;
+    std::istringstream lines(run.Output);
+    std::vector<nlohmann::json> found;
+    for (std::string line; std::getline(lines, line);)
+    {
+      const nlohmann::json device = nlohmann::json::parse(line);
+      if (device["name"].get<std::string>().rfind(name, 0) == 0)
+      {
+        found.push_back(device);
+      }
+    }
+    return found;
+  }
+
+  bool IsLoaded()
+  {
+    return this->Bus.WithFalcon([](VirtualFalcon& falcon)
+                                { return falcon.Board().Image() == BootStream(); });
+  }
+
+  TemporaryFolder Folder;
+  VirtualFalcon Model{PullingHand()};
+  UsbfsFalcon Bus{Model};
+  FalconTestBed Bed;
+};
+
+TEST_F(CliFalcon, WithoutOneTheListSaysSo)
+{
+  const std::vector<nlohmann::json> falcons = this->Listed("falcon");
+  ASSERT_EQ(falcons.size(), 1U);
+  EXPECT_EQ(falcons[0]["name"], "falcon");
+  EXPECT_FALSE(falcons[0]["there"].get<bool>());
+  EXPECT_EQ(falcons[0]["says"],
+            "There is no Falcon on USB: plug in its cable and its power supply.");
+  const CommandRun home = this->Run({"devices", "--home"});
+  EXPECT_EQ(home.Code, 2);
+  EXPECT_NE(home.Errors.find("There is no Falcon on USB"), std::string::npos) << home.Errors;
+}
+
+TEST_F(CliFalcon, ItComesAndGoesInTheListWithItsState)
+{
+  this->Bed.Plug(this->Bus, 2);
+  std::vector<nlohmann::json> falcons = this->Listed("falcon");
+  ASSERT_EQ(falcons.size(), 1U);
+  EXPECT_EQ(falcons[0]["name"], "falcon:device=1-2");
+  EXPECT_FALSE(falcons[0]["there"].get<bool>());
+  const std::string says = falcons[0]["says"];
+  EXPECT_NE(says.find("no firmware"), std::string::npos) << says;
+  EXPECT_NE(says.find("VF000001"), std::string::npos) << says;
+
+  setenv("PALPATE_FALCON_FIRMWARE", (this->Folder / "firmware.bin").c_str(), 1);
+  falcons = this->Listed("falcon");
+  ASSERT_EQ(falcons.size(), 1U);
+  EXPECT_TRUE(falcons[0]["there"].get<bool>()) << falcons[0];
+  EXPECT_EQ(falcons[0]["device"], "Novint Falcon");
+  EXPECT_FALSE(this->IsLoaded()) << "listing loads nothing";
+
+  this->Bed.Unplug(2);
+  EXPECT_EQ(this->Listed("falcon").at(0)["name"], "falcon");
+}
+
+TEST_F(CliFalcon, TheVirtualBusIsNeededToSeeIt)
+{
+  this->Bed.Plug(this->Bus, 2);
+  const CommandRun run =
+      RunCommand("env", {"-u", "LD_PRELOAD", PALPATE_PROGRAM, "devices"}, this->Folder.Path());
+  EXPECT_EQ(run.Code, 0) << run.Errors;
+  EXPECT_EQ(run.Output.find("falcon:device=1-2"), std::string::npos) << run.Output;
+}
+
+TEST_F(CliFalcon, WithoutPermissionTheWayOutIsNamed)
+{
+  if (geteuid() == 0)
+  {
+    GTEST_SKIP() << "root may open everything";
+  }
+  this->Bed.Plug(this->Bus, 2);
+  this->Bed.Forbid(2, true);
+  const std::string says = this->Listed("falcon").at(0)["says"];
+  EXPECT_NE(says.find("Utilities/install-udev-rule.sh"), std::string::npos) << says;
+  const CommandRun run = this->Run({"devices", "--home"});
+  EXPECT_EQ(run.Code, 1);
+  EXPECT_NE(run.Errors.find("Utilities/install-udev-rule.sh"), std::string::npos) << run.Errors;
+}
+
+TEST_F(CliFalcon, IsLoadedAndHomedWithGuidance)
+{
+  this->Bed.Plug(this->Bus, 2);
+  const CommandRun run = this->Run({"devices", "--home", "--firmware", "firmware.bin", "--json"});
+  ASSERT_EQ(run.Code, 0) << run.Errors;
+  EXPECT_TRUE(this->IsLoaded());
+  EXPECT_NE(run.Errors.find("Pull the handle all the way out"), std::string::npos) << run.Errors;
+  const nlohmann::json report = nlohmann::json::parse(run.Output);
+  EXPECT_EQ(report["state"], "ready");
+  EXPECT_GT(report["samples"].get<int>(), 20);
+  EXPECT_NE(report["connection"].get<std::string>().find("replies"), std::string::npos);
+  EXPECT_EQ(this->Bus.WithFalcon([](VirtualFalcon& falcon) { return falcon.Board().Motors(); }),
+            (std::array<std::int16_t, 3>{}));
+  const std::string says = this->Listed("falcon").at(0)["says"];
+  EXPECT_NE(says.find("homed"), std::string::npos) << "firmware and zero stay: " << says;
+}
+
+TEST_F(CliFalcon, WithoutFirmwareOrWithAFileThatIsNoneItSaysWhatToDo)
+{
+  this->Bed.Plug(this->Bus, 2);
+  const CommandRun none = this->Run({"devices", "--home", "--device", "falcon"});
+  EXPECT_EQ(none.Code, 1);
+  EXPECT_NE(none.Errors.find("PALPATE_FALCON_FIRMWARE"), std::string::npos) << none.Errors;
+  WriteAll(this->Folder / "other.bin", "no firmware");
+  const CommandRun other =
+      this->Run({"devices", "--home", "--device", "falcon", "--firmware", "other.bin"});
+  EXPECT_EQ(other.Code, 1);
+  EXPECT_NE(other.Errors.find("other.bin is not a Falcon's firmware"), std::string::npos)
+      << other.Errors;
+}
+
+TEST_F(CliFalcon, AMaskIsTouchedWithIt)
+{
+  this->Bed.Plug(this->Bus, 2);
+  WriteTwoBalls(this->Folder / "a.nii.gz");
+  const CommandRun run =
+      this->Run({"touch", "a.nii.gz", "--label", "1", "--device", "falcon:device=VF000001",
+                 "--firmware", "firmware.bin", "--seconds", "2", "--json"});
+  EXPECT_TRUE(this->IsLoaded());
+  // Replies here may take longer than the watchdog lets them, on a busy machine.
+  EXPECT_TRUE(run.Code == 0 ||
+              run.Errors.find("The device sends no new positions") != std::string::npos)
+      << run.Errors;
+  const nlohmann::json summary = nlohmann::json::parse(run.Output);
+  EXPECT_GT(summary["ticks"].get<int>(), 200);
+}
+
+TEST_F(CliFalcon, UnpluggedWhileItIsHomedItSaysSo)
+{
+  this->Model.Mechanism().Settings.Path = nullptr; // nobody pulls, so it is never homed
+  this->Bed.Plug(this->Bus, 2);
+  std::atomic<bool> isOver{false};
+  std::thread cable(
+      [&]
+      {
+        while (!isOver && !this->IsLoaded())
+        {
+          std::this_thread::yield();
+        }
+        this->Bed.Unplug(2);
+      });
+  const CommandRun run =
+      this->Run({"devices", "--home", "--device", "falcon", "--firmware", "firmware.bin"});
+  isOver = true;
+  cable.join();
+  EXPECT_EQ(run.Code, 1);
+  EXPECT_NE(run.Errors.find("unplugged"), std::string::npos) << run.Errors;
+}
+TEST(FalconUdevRule, IsInstalledOnRequest)
+{
+  const TemporaryFolder folder;
+  const std::string script = std::string(PALPATE_SOURCE_DIR) + "/Utilities/install-udev-rule.sh";
+  const CommandRun run = RunCommand("sh", {script, "rules"}, folder.Path());
+  EXPECT_EQ(run.Code, 0) << run.Errors;
+  const std::string rule = ReadAll(folder / "rules/70-palpate-falcon.rules");
+  for (const char* part : {"ATTR{idVendor}==\"0403\"", "ATTR{idProduct}==\"cb48\"",
+                           "TAG+=\"uaccess\"", "SUBSYSTEM==\"usb\""})
+  {
+    EXPECT_NE(rule.find(part), std::string::npos) << part;
+  }
+  WriteAll(folder / "file", "");
+  EXPECT_EQ(RunCommand("sh", {script, "file/rules"}, folder.Path()).Code, 1);
+}
+} // namespace
+} // namespace palpate::test

@@ -1,0 +1,83 @@
+#include "CommandRun.h"
+#include "JsonLines.h"
+#include "SyntheticFiles.h"
+#include "TemporaryFolder.h"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+using namespace palpate::test;
+
+namespace
+{
+const std::string Start = "{\"format\": \"palpate-study\", \"fit\": {\"frequency\": 10}, ";
+}
+
+TEST(CliStudy, MakesWhatASessionWantsAndWhatWasMadeCanBeTouched)
+{
+  const TemporaryFolder folder;
+  WriteTwoBalls(folder / "a.nii.gz");
+  WriteAll(folder / "case.palpate.json",
+           Start + "\"segmentation\": \"a.nii.gz\", \"structures\": [{\"label\": 1, \"degree\": 4, "
+                   "\"name\": \"ball\"}]}");
+  const CommandRun run =
+      RunPalpate({"study", "case.palpate.json", "--output", "out", "--json"}, folder.Path());
+  ASSERT_EQ(run.Code, 0) << run.Errors;
+  EXPECT_NE(run.Output.find("harmonics of degree 4"), std::string::npos) << run.Output;
+  EXPECT_TRUE(std::filesystem::exists(folder / "out/a_1_ball/model.json"));
+  const CommandRun touch =
+      RunPalpate({"touch", "out/scene.json", "--seconds", "0.2"}, folder.Path());
+  EXPECT_EQ(touch.Code, 0) << touch.Errors;
+}
+
+TEST(CliStudy, ASessionOfFilesAloneTakesTheirStructures)
+{
+  const TemporaryFolder folder;
+  WriteTwoBalls(folder / "a.nii.gz");
+  WriteAll(folder / "case.palpate.json", Start + "\"segmentation\": \"a.nii.gz\"}");
+  const CommandRun run = RunPalpate({"study", "case.palpate.json"}, folder.Path());
+  EXPECT_EQ(run.Code, 0) << run.Errors;
+  EXPECT_NE(run.Output.find("label 2 "), std::string::npos) << run.Output;
+  EXPECT_EQ(folder.EntryCount(), 2U) << "nothing is written unasked";
+}
+
+// The sentence is the one that the file's own command gives.
+TEST(CliStudy, BadFilesAreBlamedAsEverywhere)
+{
+  const TemporaryFolder folder;
+  WriteAll(folder / "a.nii.gz", "no image");
+  WriteAll(folder / "case.palpate.json", Start + "\"segmentation\": \"a.nii.gz\"}");
+  const CommandRun run =
+      RunPalpate({"study", "case.palpate.json", "--output", "out"}, folder.Path());
+  EXPECT_EQ(run.Code, 2);
+  const CommandRun fit = RunPalpate({"fit", (folder / "a.nii.gz").string()}, folder.Path());
+  EXPECT_EQ(run.Errors, fit.Errors);
+  EXPECT_EQ(folder.EntryCount(), 2U);
+}
+
+TEST(CliStudy, WhatIsNoSessionIsRefused)
+{
+  const TemporaryFolder folder;
+  WriteAll(folder / "bad.palpate.json", "{\"format\": 1}");
+  for (const char* name : {"bad.palpate.json", "missing.palpate.json"})
+  {
+    const CommandRun run = RunPalpate({"study", name}, folder.Path());
+    EXPECT_EQ(run.Code, 2) << run.Errors;
+    EXPECT_NE(run.Errors.find(name), std::string::npos) << run.Errors;
+  }
+}
+
+TEST(CliStudy, OneStructureThatFailsIsToldAndTheOthersAreWritten)
+{
+  const TemporaryFolder folder;
+  WriteTwoBalls(folder / "a.nii.gz");
+  WriteAll(folder / "case.palpate.json",
+           Start + "\"segmentation\": \"a.nii.gz\", \"structures\": [{\"label\": 1}, {\"label\": "
+                   "9}]}");
+  const CommandRun run =
+      RunPalpate({"study", "case.palpate.json", "--output", "out"}, folder.Path());
+  EXPECT_EQ(run.Code, 1) << run.Errors;
+  EXPECT_NE(run.Errors.find("9"), std::string::npos) << run.Errors;
+  EXPECT_NE(run.Output.find("label 1 "), std::string::npos) << run.Output;
+  EXPECT_TRUE(std::filesystem::exists(folder / "out/a_1/model.json"));
+}

@@ -1,0 +1,49 @@
+#pragma once
+
+#include "UmockdevNode.h"
+
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace palpate::test
+{
+/// Virtual Falcons on a virtual bus, for unchanged programs that this process starts and for
+/// libusb in this process: udev, sysfs and usbfs as they see them. It needs umockdev's library
+/// preloaded (umockdev-wrapper), here and there, and changes the environment while it is made.
+///
+/// A reply takes about a millisecond more than it should, and more on a busy machine.
+class FalconTestBed
+{
+public:
+  /// Whether this process has the library preloaded.
+  static bool IsPossible();
+
+  FalconTestBed();
+  ~FalconTestBed();
+  FalconTestBed(const FalconTestBed&) = delete;
+  FalconTestBed& operator=(const FalconTestBed&) = delete;
+
+  /// Plugs it in at a port (1..9) of bus 1, so its bus path is "1-<port>". Keeps the address, which
+  /// must outlive the bed.
+  void Plug(UsbfsFalcon& falcon, int port);
+  void Unplug(int port);
+  /// Takes away everybody's right to open it, or gives it back.
+  void Forbid(int port, bool forbid);
+  /// Who has the interface, as sysfs shows it: a driver, or "usbfs" for a program.
+  void ShowDriver(int port, const std::string& driver);
+
+private:
+  struct Plugged
+  {
+    UsbfsFalcon* Falcon;
+    std::unique_ptr<UmockdevNode> Node;
+  };
+
+  ObjectPointer<UMockdevTestbed> Bed;
+  std::map<int, Plugged> Falcons; // by port
+  // Of what was unplugged while programs had it open.
+  std::vector<std::unique_ptr<UmockdevNode>> OldNodes;
+};
+} // namespace palpate::test

@@ -1,0 +1,183 @@
+#include "UmockdevNode.h"
+
+#include <cstddef>
+#include <fcntl.h>
+#include <filesystem>
+#include <stdexcept>
+#include <sys/stat.h>
+#include <unistd.h>
+#include <utility>
+
+namespace palpate::test
+{
+namespace
+{
+ObjectPointer<UMockdevIoctlData> Resolve(UMockdevIoctlData* data, std::size_t offset,
+                                         std::size_t size)
+{
+  return ObjectPointer<UMockdevIoctlData>(
+      size > 0 ? umockdev_ioctl_data_resolve(data, offset, size, nullptr) : nullptr);
+}
+
+template <typename Structure>
+Structure* As(const ObjectPointer<UMockdevIoctlData>& data)
+{
+  return data != nullptr ? reinterpret_cast<Structure*>(data->data) : nullptr;
+}
+
+void* AddressIn(const UMockdevIoctlData* argument)
+{
+  return *reinterpret_cast<void* const*>(argument->data);
+}
+} // namespace
+
+// The handler is attached before the node exists, since a program that waits for the device opens
+// the node as soon as it is there.
+UmockdevNode::UmockdevNode(UMockdevTestbed* bed, UsbfsFalcon& falcon, std::string path)
+    : Bed(bed), Falcon(falcon), Path(std::move(path)), Handler(umockdev_ioctl_base_new())
+{
+  g_signal_connect(this->Handler.get(), "handle-ioctl", G_CALLBACK(OnRequest), this);
+  g_signal_connect(this->Handler.get(), "client-vanished", G_CALLBACK(OnVanished), this);
+  const std::unique_ptr<gchar, decltype(&g_free)> root(umockdev_testbed_get_root_dir(bed), g_free);
+  this->Pipe = root.get() + this->Path;
+  std::filesystem::create_directories(std::filesystem::path(this->Pipe).parent_path());
+  constexpr mode_t ForAll = 0666;
+  if (umockdev_testbed_attach_ioctl(bed, this->Path.c_str(), this->Handler.get(), nullptr) == 0 ||
+      mkfifo(this->Pipe.c_str(), ForAll) != 0)
+  {
+    throw std::runtime_error("the test bed gives no node");
+  }
+  this->Descriptor = open(this->Pipe.c_str(), O_RDWR | O_NONBLOCK | O_CLOEXEC);
+  fcntl(this->Descriptor, F_SETPIPE_SZ, 1); // rounded up to a page, which is one slot
+  static_cast<void>(!write(this->Descriptor, "", 1));
+}
+
+void UmockdevNode::Remove()
+{
+  if (!this->IsRemoved)
+  {
+    umockdev_testbed_detach_ioctl(this->Bed, this->Path.c_str(), nullptr);
+    std::filesystem::remove(this->Pipe);
+    this->IsRemoved = true;
+  }
+}
+
+UmockdevNode::~UmockdevNode()
+{
+  this->Remove();
+  g_signal_handlers_disconnect_by_data(this->Handler.get(), this);
+  for (auto& [id, client] : this->Clients)
+  {
+    this->Falcon.CloseFile(client.File);
+  }
+  close(this->Descriptor);
+}
+
+void UmockdevNode::Show(Client& client, bool hasWork)
+{
+  const int before = this->WithWork;
+  this->WithWork += static_cast<int>(hasWork) - static_cast<int>(client.HasWork);
+  client.HasWork = hasWork;
+  char byte = 0;
+  if (before == 0 && this->WithWork > 0)
+  {
+    static_cast<void>(!read(this->Descriptor, &byte, 1));
+  }
+  else if (before > 0 && this->WithWork == 0)
+  {
+    static_cast<void>(!write(this->Descriptor, &byte, 1));
+  }
+}
+
+UmockdevNode::Client& UmockdevNode::ClientOf(UMockdevIoctlClient* id)
+{
+  const auto [place, isNew] = this->Clients.try_emplace(id);
+  Client& client = place->second;
+  if (isNew)
+  {
+    client.File = this->Falcon.OpenFile(
+        [this, &client](bool hasWork) { this->Show(client, hasWork); }, [] {});
+  }
+  return client;
+}
+
+void UmockdevNode::OnVanished(UMockdevIoctlBase*, UMockdevIoctlClient* id, gpointer node)
+{
+  auto* const self = static_cast<UmockdevNode*>(node);
+  const auto found = self->Clients.find(id);
+  if (found != self->Clients.end())
+  {
+    self->Falcon.CloseFile(found->second.File);
+    self->Falcon.WithFalcon([&](VirtualFalcon&) { self->Show(found->second, false); });
+    self->Clients.erase(found);
+  }
+}
+
+gboolean UmockdevNode::OnRequest(UMockdevIoctlBase*, UMockdevIoctlClient* id, gpointer node)
+{
+  auto* const self = static_cast<UmockdevNode*>(node);
+  Client& client = self->ClientOf(id);
+  const int answer = client.File != nullptr
+                         ? self->Answer(client, umockdev_ioctl_client_get_request(id),
+                                        umockdev_ioctl_client_get_arg(id))
+                         : -ENODEV;
+  umockdev_ioctl_client_complete(id, answer < 0 ? -1 : answer, answer < 0 ? -answer : 0);
+  return TRUE;
+}
+
+int UmockdevNode::Answer(Client& client, unsigned long request, UMockdevIoctlData* argument)
+{
+  switch (request)
+  {
+  case USBDEVFS_SUBMITURB:
+    return this->Submit(client, argument);
+  case USBDEVFS_REAPURBNDELAY:
+    return this->Reap(client, argument);
+  case USBDEVFS_DISCARDURB:
+    return this->Falcon.Discard(*client.File, AddressIn(argument));
+  default:
+    break;
+  }
+  const auto structure = Resolve(argument, 0, _IOC_SIZE(request));
+  ObjectPointer<UMockdevIoctlData> inner;
+  if (request == USBDEVFS_CONTROL)
+  {
+    inner = Resolve(structure.get(), offsetof(usbdevfs_ctrltransfer, data),
+                    As<usbdevfs_ctrltransfer>(structure)->wLength);
+  }
+  return this->Falcon.Answer(*client.File, request, As<void>(structure));
+}
+
+int UmockdevNode::Submit(Client& client, UMockdevIoctlData* argument)
+{
+  void* const address = AddressIn(argument);
+  Submitted submitted;
+  submitted.Urb = Resolve(argument, 0, sizeof(usbdevfs_urb));
+  auto* const urb = As<usbdevfs_urb>(submitted.Urb);
+  submitted.Buffer = Resolve(submitted.Urb.get(), offsetof(usbdevfs_urb, buffer),
+                             static_cast<std::size_t>(urb->buffer_length));
+  // Kept first: it may be finished at once.
+  client.Urbs[address] = std::move(submitted);
+  const int answer = this->Falcon.Submit(*client.File, *urb, address);
+  if (answer < 0)
+  {
+    client.Urbs.erase(address);
+  }
+  return answer;
+}
+
+int UmockdevNode::Reap(Client& client, UMockdevIoctlData* argument)
+{
+  void* address = nullptr;
+  const int answer = this->Falcon.Reap(*client.File, address);
+  if (answer < 0)
+  {
+    return answer;
+  }
+  const auto found = client.Urbs.find(address);
+  const auto place = Resolve(argument, 0, sizeof(void*));
+  umockdev_ioctl_data_set_ptr(place.get(), 0, found->second.Urb.get());
+  client.Urbs.erase(found);
+  return 0;
+}
+} // namespace palpate::test

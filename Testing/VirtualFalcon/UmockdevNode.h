@@ -1,0 +1,68 @@
+#pragma once
+
+#include "UsbfsFalcon.h"
+
+#include <map>
+#include <memory>
+#include <string>
+#include <umockdev.h>
+
+namespace palpate::test
+{
+struct ObjectReleaser
+{
+  void operator()(void* object) const { g_object_unref(object); }
+};
+template <typename Object>
+using ObjectPointer = std::unique_ptr<Object, ObjectReleaser>;
+
+/// The usbfs node of a virtual Falcon in a umockdev test bed: answers what other programs ask of
+/// it. The node is a pipe with a name and one slot, writable while there is something to reap, so
+/// that programs sleep in poll as they do on usbfs.
+class UmockdevNode
+{
+public:
+  /// Makes the node at `path` (below /dev). Keeps the addresses.
+  UmockdevNode(UMockdevTestbed* bed, UsbfsFalcon& falcon, std::string path);
+  ~UmockdevNode();
+  UmockdevNode(const UmockdevNode&) = delete;
+  UmockdevNode& operator=(const UmockdevNode&) = delete;
+
+  /// Takes the node away; programs that have it open are still answered, until this ends.
+  void Remove();
+  /// Where the pipe really is.
+  const std::string& File() const { return this->Pipe; }
+
+private:
+  // What a program submitted, as copies here, which are written back when it is reaped.
+  struct Submitted
+  {
+    ObjectPointer<UMockdevIoctlData> Urb;
+    ObjectPointer<UMockdevIoctlData> Buffer;
+  };
+  struct Client
+  {
+    UsbfsFile* File = nullptr;
+    bool HasWork = false;
+    std::map<void*, Submitted> Urbs; // by their address in the program
+  };
+
+  static gboolean OnRequest(UMockdevIoctlBase* base, UMockdevIoctlClient* client, gpointer node);
+  static void OnVanished(UMockdevIoctlBase* base, UMockdevIoctlClient* client, gpointer node);
+  int Answer(Client& client, unsigned long request, UMockdevIoctlData* argument);
+  int Submit(Client& client, UMockdevIoctlData* argument);
+  int Reap(Client& client, UMockdevIoctlData* argument);
+  Client& ClientOf(UMockdevIoctlClient* client);
+  void Show(Client& client, bool hasWork);
+
+  UMockdevTestbed* Bed;
+  UsbfsFalcon& Falcon;
+  std::string Path;
+  std::string Pipe;
+  int Descriptor = -1;
+  int WithWork = 0; // clients that have something to reap
+  bool IsRemoved = false;
+  ObjectPointer<UMockdevIoctlBase> Handler;
+  std::map<UMockdevIoctlClient*, Client> Clients; // of umockdev's thread
+};
+} // namespace palpate::test

@@ -1,0 +1,85 @@
+#pragma once
+
+#include "VirtualFalconFaults.h"
+#include "VirtualFtdiChip.h"
+#include "VirtualMechanism.h"
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace palpate::test
+{
+/// The board behind a virtual Falcon's serial chip: the two stages of its boot loader, then the
+/// running firmware. The firmware itself is not run: any image in the loader's format starts the
+/// built-in behaviour.
+class VirtualFalconBoard
+{
+public:
+  enum class State
+  {
+    Off,      ///< no power, or nothing loaded and not reset yet
+    Greeting, ///< after the edge of DTR, at 9600 Bd
+    BaudLock, ///< greeted and DTR off: finds the rate from one letter
+    Loading,  ///< takes and echoes the image
+    Running
+  };
+
+  void SetDataTerminalReady(bool level, std::int64_t now, VirtualFtdiChip& chip);
+  /// Takes a byte off the wire and may answer.
+  void Receive(const VirtualFtdiChip::WireByte& byte, VirtualFtdiChip& chip,
+               VirtualMechanism& mechanism, const VirtualFalconFaults& faults);
+  /// When it does something by itself next, and doing it.
+  std::int64_t NextEvent() const;
+  void Advance(std::int64_t now, VirtualFtdiChip& chip, VirtualMechanism& mechanism,
+               const VirtualFalconFaults& faults);
+  /// Loses what it was loaded with.
+  void PowerOff();
+  /// Is running at once, as after another program's loading it. `Replies` keep counting.
+  void StartLoaded() { this->Life = State::Running; }
+
+  State Now() const { return this->Life; }
+  bool WantsUnplug() const { return this->Unplugs; }
+  int Resets() const { return this->ResetCount; }
+  /// What it was sent as its image since the last reset.
+  const std::vector<std::uint8_t>& Image() const { return this->Loaded; }
+  /// What the last good packet asked for.
+  const std::array<std::int16_t, 3>& Motors() const { return this->Commanded; }
+  unsigned Flags() const { return this->Asked; }
+  std::uint64_t Packets() const { return this->PacketCount; }       ///< good ones
+  std::uint64_t BadPackets() const { return this->BadPacketCount; } ///< since power-up
+  std::uint64_t Replies() const { return this->Numbers.back(); }    ///< since the last reset
+
+private:
+  void Greet(std::uint8_t value, VirtualFtdiChip& chip, const VirtualFalconFaults& faults);
+  void Lock(const VirtualFtdiChip::WireByte& byte, VirtualFtdiChip& chip,
+            const VirtualFalconFaults& faults);
+  void Load(std::uint8_t value, VirtualFtdiChip& chip, const VirtualFalconFaults& faults);
+  void TakeWord(unsigned word);
+  void Run(std::uint8_t value, VirtualFtdiChip& chip, VirtualMechanism& mechanism,
+           const VirtualFalconFaults& faults);
+  void Obey(VirtualFtdiChip& chip, VirtualMechanism& mechanism, const VirtualFalconFaults& faults);
+  void Answer(VirtualFalconAnswer::Kind kind, std::vector<std::uint8_t> bytes, std::int64_t delay,
+              VirtualFtdiChip& chip, const VirtualFalconFaults& faults);
+
+  State Life = State::Off;
+  bool Dtr = false;
+  bool Unplugs = false;
+  int ResetCount = 0;
+  double Baud = 9600.0; // the board's own
+  std::int64_t Time = 0;
+  std::int64_t WireFree = 0;
+  std::int64_t RaiseClearToSend = VirtualFtdiChip::Never;
+  std::int64_t Start = VirtualFtdiChip::Never;
+  std::int64_t Lapse = VirtualFtdiChip::Never;
+  std::vector<std::uint8_t> Frame; // of a greeting or a packet, as far as it has come
+  std::vector<std::uint8_t> Loaded;
+  std::uint64_t WordsLeft = 0; // of the part of the image that is being read
+  int Part = 0;                // 0 head, 1 size of a block, 2 its address, 3 its words
+  std::array<std::int16_t, 3> Commanded{};
+  unsigned Asked = 0;
+  std::uint64_t PacketCount = 0;
+  std::uint64_t BadPacketCount = 0;
+  std::array<std::uint64_t, 4> Numbers{}; // of answers by kind
+};
+} // namespace palpate::test

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+namespace palpate::test
+{
+/// What the board of a virtual Falcon is about to send, before it goes on the wire.
+struct VirtualFalconAnswer
+{
+  enum class Kind
+  {
+    Greeting, ///< four bytes of the loader's first stage
+    BaudLock, ///< the letter that comes back once the loader has found the rate
+    Echo,     ///< a byte of the firmware
+    Run       ///< 16 bytes of the running firmware
+  };
+  Kind What = Kind::Run;
+  std::uint64_t Number = 0; ///< of its kind, from 0, since the last reset of the board
+  int Resets = 0;           ///< of the board so far, by DTR or power
+  std::vector<std::uint8_t> Bytes;
+  std::int64_t Delay = 0; ///< ns until the first byte starts
+  std::int64_t Gap = 0;   ///< ns between one byte and the next
+  bool Unplugs = false;   ///< the cable comes out once it is sent
+};
+
+/// What a virtual Falcon does wrong. The functions decide by numbers, not by chance of their own,
+/// so that a run repeats.
+struct VirtualFalconFaults
+{
+  /// Changes an answer in any way: empties it (lost), shortens, corrupts, doubles or delays it.
+  std::function<void(VirtualFalconAnswer&)> Spoil;
+  bool HasSupply = true;           ///< without, the chip is on the bus and the board is mute
+  bool RaisesClearToSend = true;   ///< the loader says that it is ready
+  bool StartsFirmware = true;      ///< what was loaded runs
+  double FastestUpload = 1e9;      ///< Bd, above which the loader does not find the rate
+  int StalledRequest = -1;         ///< bRequest that the chip refuses
+  std::uint64_t UnplugAtReply = 0; ///< the running firmware's answer at which the cable comes out,
+                                   ///< counted from 1; 0 is never
+};
+} // namespace palpate::test
