@@ -50,8 +50,8 @@ void ViewerRun::GoOn()
 // Deep structures that are star-shaped, as `palpate fit` is shown with.
 void ViewerRun::ChooseDemo()
 {
-  static const QStringList Names{"Thalamus_L", "Thalamus_R", "Pallidum_L", "Pallidum_R",
-                                 "Amygdala_L", "Amygdala_R", "Caudate_L",  "Caudate_R"};
+  static const QStringList Names{"Thalamus_L", "Thalamus_R", "Pallidum_L",    "Pallidum_R",
+                                 "Amygdala_L", "Amygdala_R", "Cerebelum_9_L", "Cerebelum_9_R"};
   StudyState next = this->Study.State();
   for (StudyStructure& structure : next.Structures)
   {

@@ -6,6 +6,7 @@
 #include <QApplication>
 #include <QSurfaceFormat>
 
+#include <cstdlib>
 #include <iostream>
 #include <memory>
 #include <stdexcept>
@@ -26,7 +27,13 @@ int Run(int argc, char* argv[], const palpate::ViewerOptions& options)
   window.resize(options.Size);
   window.show();
   const palpate::ViewerRun run(study, window, options);
-  return QApplication::exec();
+  const int code = QApplication::exec();
+  if (!study.HasEnded() && !study.Close())
+  {
+    // Some work does not hear that it is not wanted; nobody waits for it.
+    std::_Exit(code);
+  }
+  return code;
 }
 } // namespace
 

@@ -11,6 +11,7 @@ FitOptions::FitOptions(StudyController& study, QWidget* parent) : QWidget(parent
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
   auto* important = new QFormLayout;
+  important->setRowWrapPolicy(QFormLayout::WrapLongRows);
   column->addLayout(important);
   this->AddImportant(important);
   auto* unfold = new QToolButton(this);
@@ -23,6 +24,7 @@ FitOptions::FitOptions(StudyController& study, QWidget* parent) : QWidget(parent
   column->addWidget(unfold);
   auto* folded = new QWidget(this);
   auto* others = new QFormLayout(folded);
+  others->setRowWrapPolicy(QFormLayout::WrapLongRows);
   others->setContentsMargins(0, 0, 0, 0);
   column->addWidget(folded);
   folded->setVisible(false);

@@ -24,7 +24,7 @@ namespace palpate
 {
 namespace
 {
-constexpr int LeftWidth = 250; // pixels
+constexpr int LeftWidth = 280; // pixels
 constexpr int BottomHeight = 150;
 } // namespace
 
@@ -86,6 +86,7 @@ void MainWindow::MakePanels()
   scroll->setFrameShape(QFrame::NoFrame);
   scroll->setWidgetResizable(true);
   scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  scroll->setMinimumWidth(LeftWidth);
   scroll->setWidget(new PipelinePanel(this->Study, scroll));
   this->Marks = new LandmarksPanel(this->Study, this->Questions, this);
   auto* structures = new StructuresPanel(this->Study, this);

@@ -1,6 +1,7 @@
 #include "SpacePane.h"
 
 #include "CameraAxes.h"
+#include "SliceGeometry.h"
 
 #include "vtkCamera.h"
 
@@ -15,6 +16,7 @@ SpacePane::SpacePane(const ViewContents& contents, QWidget* parent)
   this->Space->SetLandmarks(contents.Landmarks());
   this->Space->SetProbe(contents.Probe());
   this->Space->SetRenderer(this->Renderer());
+  this->ShowSlices(false);
   this->SetStyle(this->Style);
   this->Follow(contents.Images());
   this->Follow(contents.Crosshair());
@@ -57,6 +59,15 @@ void SpacePane::ShowFields(const std::set<vtkProp*>& fields)
     this->Renderer()->AddViewProp(field);
   }
   this->Fields = next;
+  this->RequestRender();
+}
+
+void SpacePane::ShowSlices(bool areShown)
+{
+  for (const SliceOrientation orientation : AllSliceOrientations)
+  {
+    this->Space->SetSliceVisibility(static_cast<int>(orientation), areShown);
+  }
   this->RequestRender();
 }
 

@@ -25,6 +25,7 @@ public:
   void RemoveSurface(vtkSurfaceDisplay* surface);
   /// Shows these and no others.
   void ShowFields(const std::set<vtkProp*>& fields);
+  void ShowSlices(bool areShown);
   void LookFrom(int side);
   void ShowAll();
 

@@ -251,7 +251,8 @@ bool StudyController::Close()
   this->IsClosed = true;
   this->Timer.stop();
   this->Roles.clear();
-  return this->Open.Close();
+  this->IsEnded = this->Open.Close();
+  return this->IsEnded;
 }
 
 void StudyController::Look()
@@ -285,7 +286,8 @@ void StudyController::LookAtSteps()
   for (const StudyStep step : AllSteps)
   {
     const StudyStepState state = this->Open.Pipeline().StateOf(step);
-    isMaking = isMaking || state.Is == StudyStepState::Kind::Running;
+    isMaking = isMaking || state.Is == StudyStepState::Kind::Running ||
+               state.Is == StudyStepState::Kind::NeedsUpdate;
     if (state.Is == StudyStepState::Kind::Failed && this->Told.insert(state.Sentence).second)
     {
       this->Report(state.Sentence);

@@ -28,7 +28,7 @@ public:
   const StudyState& State() const { return this->Open.State(); }
   const StudyTouchReading& Reading() const { return this->Felt; }
   bool IsTouching() { return this->Open.Touch().IsRunning(); }
-  /// Whether something is being read, made or opened.
+  /// Whether something is to be read, made or opened.
   bool IsBusy() const { return !this->Roles.empty() || this->IsMaking; }
 
   void New();
@@ -64,6 +64,8 @@ public:
   void Report(const std::string& sentence);
   /// Forces first, then what is at work; nothing happens after this. False as Study::Close.
   bool Close();
+  /// What Close answered.
+  bool HasEnded() const { return this->IsEnded; }
 
 Q_SIGNALS:
   void StateChanged();    ///< another step, or another study
@@ -94,5 +96,6 @@ private:
   bool IsMaking = false;
   bool WasTouching = false;
   bool IsClosed = false;
+  bool IsEnded = false;
 };
 } // namespace palpate

@@ -132,6 +132,7 @@ void ViewGrid::TakeContents()
       }
     }
   }
+  const bool areFirst = this->Surfaces.empty() && !next.empty();
   this->Surfaces = next;
   std::set<vtkProp*> fields;
   for (const auto& [label, field] : this->Contents.Fields())
@@ -139,6 +140,10 @@ void ViewGrid::TakeContents()
     fields.insert(field);
   }
   this->InSpace->ShowFields(fields);
+  if (areFirst)
+  {
+    this->InSpace->ShowAll();
+  }
 }
 
 void ViewGrid::SetAlongImage(bool isAlongImage)

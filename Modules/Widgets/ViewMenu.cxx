@@ -83,6 +83,10 @@ void ViewMenu::AddContents()
   error->setCheckable(true);
   error->setShortcut(QString("Ctrl+E"));
   connect(error, &QAction::toggled, this, [this](bool isOn) { this->Contents.ShowError(isOn); });
+  QAction* slices = this->addAction("Slices in &3-D");
+  slices->setCheckable(true);
+  slices->setShortcut(QString("Ctrl+D"));
+  connect(slices, &QAction::toggled, this->Views.Space(), &SpacePane::ShowSlices);
   QAction* smooth = this->addAction("&Smooth slices");
   smooth->setCheckable(true);
   smooth->setChecked(true);

@@ -30,6 +30,7 @@ protected:
     this->Study->Change("Keep the ball", next);
     this->Settle();
     DrawAll(*this->Window->Views());
+    this->Window->Messages()->Clear(); // of structures that are no bodies
     this->Button("start-touch")->click();
     WaitUntil([this] { return this->Study->IsTouching() || !this->Messages().empty(); });
     ASSERT_TRUE(this->Study->IsTouching()) << this->Messages();
