@@ -23,7 +23,7 @@ PipelinePanel::PipelinePanel(StudyController& study, QWidget* parent)
     connect(line, &StepRow::RepeatAsked, &study, &StudyController::ResumeStep);
     this->Rows[step] = line;
   }
-  column->addWidget(new FitOptions(study, this));
+  column->addWidget(new FitPanel(study, this));
   column->addStretch(1);
   connect(&study, &StudyController::StepsChanged, this, &PipelinePanel::Show);
   this->Show();

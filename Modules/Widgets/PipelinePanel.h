@@ -1,6 +1,6 @@
 #pragma once
 
-#include "FitOptions.h"
+#include "FitPanel.h"
 #include "StepRow.h"
 #include "StudyController.h"
 

@@ -17,27 +17,26 @@ QString Write(StudyStructure& structure, int column, const QVariant& value)
   {
   case StructureTableModel::NameColumn:
     structure.Name = value.toString().toStdString();
-    return "the name to " + value.toString();
+    return "name " + value.toString();
   case StructureTableModel::ColorColumn:
   {
     const auto color = value.value<QColor>();
     structure.Color = {{color.redF(), color.greenF(), color.blueF()}};
-    return "the colour";
+    return "colour";
   }
   case StructureTableModel::RepresentationColumn:
     structure.Representation = static_cast<TouchRepresentation>(value.toInt());
-    return "the representation to " +
-           StructureTableModel::RepresentationNames().value(value.toInt());
+    return "representation " + StructureTableModel::RepresentationNames().value(value.toInt());
   case StructureTableModel::DegreeColumn:
     structure.Degree = std::clamp(value.toInt(), 0, 64);
-    return "the degree to " + QString::number(structure.Degree);
+    return "degree " + QString::number(structure.Degree);
   case StructureTableModel::StiffnessColumn:
     structure.Stiffness = std::clamp(value.toDouble(), 0.0, 1e4);
-    return QString("the stiffness to %1 N/mm").arg(structure.Stiffness);
+    return QString("stiffness %1 N/mm").arg(structure.Stiffness);
   case StructureTableModel::FrictionColumn:
     structure.Friction.Static = std::clamp(value.toDouble(), 0.0, 10.0);
     structure.Friction.Dynamic = SlipShare * structure.Friction.Static;
-    return QString("the friction to %1").arg(structure.Friction.Static);
+    return QString("friction %1").arg(structure.Friction.Static);
   default:
     return {};
   }
@@ -208,7 +207,7 @@ bool StructureTableModel::setData(const QModelIndex& index, const QVariant& valu
   else
   {
     const QString change = Write(structure, index.column(), value);
-    sentence = change.isEmpty() ? QString() : QString("Change of %1 %2").arg(name, change);
+    sentence = change.isEmpty() ? QString() : QString("Change %1: %2").arg(name, change);
   }
   if (!sentence.isEmpty())
   {

@@ -6,8 +6,10 @@
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
-#include <QSlider>
+#include <QSignalBlocker>
 #include <QVBoxLayout>
+
+#include <cmath>
 
 namespace palpate
 {
@@ -17,7 +19,8 @@ constexpr double SliderSteps = 100.0;
 }
 
 StructuresPanel::StructuresPanel(StudyController& study, QWidget* parent)
-    : QWidget(parent), Model(new StructureTableModel(study, this)), Table(new QTableView(this))
+    : QWidget(parent), Model(new StructureTableModel(study, this)), Table(new QTableView(this)),
+      Opacity(new QSlider(Qt::Horizontal, this))
 {
   this->Table->setModel(this->Model);
   this->Table->setObjectName("structures");
@@ -29,19 +32,26 @@ StructuresPanel::StructuresPanel(StudyController& study, QWidget* parent)
   this->Table->verticalHeader()->setDefaultSectionSize(this->fontMetrics().height() + 6);
   this->Table->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
   connect(this->Table, &QTableView::doubleClicked, this, &StructuresPanel::ChooseColor);
-  auto* opacity = new QSlider(Qt::Horizontal, this);
-  opacity->setObjectName("opacity");
-  opacity->setRange(0, static_cast<int>(SliderSteps));
-  opacity->setValue(static_cast<int>(SliderSteps * study.State().View.OverlayOpacity));
-  connect(opacity, &QSlider::valueChanged, this,
+  this->Opacity->setObjectName("opacity");
+  this->Opacity->setRange(0, static_cast<int>(SliderSteps));
+  this->ShowOpacity(study.State().View.OverlayOpacity);
+  connect(&study, &StudyController::StateChanged, this,
+          [this, &study] { this->ShowOpacity(study.State().View.OverlayOpacity); });
+  connect(this->Opacity, &QSlider::valueChanged, this,
           [this](int value) { Q_EMIT OpacityChosen(value / SliderSteps); });
   auto* row = new QHBoxLayout;
   row->addWidget(new QLabel("Labels over slices", this));
-  row->addWidget(opacity, 1);
+  row->addWidget(this->Opacity, 1);
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(4, 2, 4, 2);
   column->addWidget(this->Table, 1);
   column->addLayout(row);
+}
+
+void StructuresPanel::ShowOpacity(double opacity)
+{
+  const QSignalBlocker quiet(this->Opacity);
+  this->Opacity->setValue(static_cast<int>(std::lround(SliderSteps * opacity)));
 }
 
 void StructuresPanel::ChooseColor(const QModelIndex& index)

@@ -2,6 +2,7 @@
 
 #include "StructureTableModel.h"
 
+#include <QSlider>
 #include <QTableView>
 #include <QWidget>
 
@@ -20,9 +21,11 @@ Q_SIGNALS:
   void OpacityChosen(double opacity);
 
 private:
+  void ShowOpacity(double opacity);
   void ChooseColor(const QModelIndex& index);
 
   StructureTableModel* Model;
   QTableView* Table;
+  QSlider* Opacity;
 };
 } // namespace palpate

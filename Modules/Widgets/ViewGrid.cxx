@@ -144,6 +144,18 @@ void ViewGrid::TakeContents()
   {
     this->InSpace->ShowAll();
   }
+  this->FitToAnotherImage();
+}
+
+// A volume elsewhere would not be seen where one looks now.
+void ViewGrid::FitToAnotherImage()
+{
+  vtkImageData* image = this->Contents.Images()->GetImage();
+  if (image != this->Image)
+  {
+    this->Image = image;
+    this->FitAll();
+  }
 }
 
 void ViewGrid::SetAlongImage(bool isAlongImage)

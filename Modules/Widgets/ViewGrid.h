@@ -4,6 +4,8 @@
 #include "SpacePane.h"
 #include "ViewContents.h"
 
+#include "vtkImageData.h"
+
 #include <QGridLayout>
 #include <QWidget>
 
@@ -58,6 +60,7 @@ public:
 
 private:
   void Arrange();
+  void FitToAnotherImage();
   void Put(ViewPane* pane, int row, int column, int rows, int columns);
 
   ViewContents& Contents;
@@ -69,5 +72,6 @@ private:
   ViewPane* Alone = nullptr;
   ViewPane* One; ///< of that layout
   std::set<vtkSmartPointer<vtkSurfaceDisplay>> Surfaces;
+  vtkSmartPointer<vtkImageData> Image; ///< that the views were fitted to
 };
 } // namespace palpate

@@ -1,4 +1,4 @@
-#include "FitOptions.h"
+#include "FitPanel.h"
 
 #include <QSignalBlocker>
 #include <QToolButton>
@@ -6,7 +6,7 @@
 
 namespace palpate
 {
-FitOptions::FitOptions(StudyController& study, QWidget* parent) : QWidget(parent), Study(study)
+FitPanel::FitPanel(StudyController& study, QWidget* parent) : QWidget(parent), Study(study)
 {
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
@@ -35,11 +35,11 @@ FitOptions::FitOptions(StudyController& study, QWidget* parent) : QWidget(parent
             folded->setVisible(isOpen);
             unfold->setArrowType(isOpen ? Qt::DownArrow : Qt::RightArrow);
           });
-  connect(&study, &StudyController::StateChanged, this, &FitOptions::Show);
+  connect(&study, &StudyController::StateChanged, this, &FitPanel::Show);
   this->Show();
 }
 
-void FitOptions::AddImportant(QFormLayout* form)
+void FitPanel::AddImportant(QFormLayout* form)
 {
   this->AddWhole(
       form, "Degree of all", "Change the degree of all structures", 0, 64,
@@ -61,7 +61,7 @@ void FitOptions::AddImportant(QFormLayout* form)
                   [](StudyState& state) -> double& { return state.Fit.Smoothing; });
 }
 
-void FitOptions::AddOthers(QFormLayout* form)
+void FitPanel::AddOthers(QFormLayout* form)
 {
   this->AddWhole(
       form, "Frequency", "Change the number of directions", 1, 64,
@@ -94,9 +94,9 @@ void FitOptions::AddOthers(QFormLayout* form)
                   0.25, [](StudyState& state) -> double& { return state.FieldSmoothing; });
 }
 
-void FitOptions::AddNumber(QFormLayout* form, const QString& label, const QString& sentence,
-                           double low, double high, double step,
-                           std::function<double&(StudyState&)> field)
+void FitPanel::AddNumber(QFormLayout* form, const QString& label, const QString& sentence,
+                         double low, double high, double step,
+                         std::function<double&(StudyState&)> field)
 {
   auto* box = new QDoubleSpinBox(this);
   box->setRange(low, high);
@@ -120,9 +120,9 @@ void FitOptions::AddNumber(QFormLayout* form, const QString& label, const QStrin
       });
 }
 
-void FitOptions::AddWhole(QFormLayout* form, const QString& label, const QString& sentence, int low,
-                          int high, std::function<int(const StudyState&)> get,
-                          std::function<void(StudyState&, int)> set)
+void FitPanel::AddWhole(QFormLayout* form, const QString& label, const QString& sentence, int low,
+                        int high, std::function<int(const StudyState&)> get,
+                        std::function<void(StudyState&, int)> set)
 {
   auto* box = new QSpinBox(this);
   box->setObjectName(label);
@@ -145,9 +145,9 @@ void FitOptions::AddWhole(QFormLayout* form, const QString& label, const QString
       });
 }
 
-void FitOptions::AddChoice(QFormLayout* form, const QString& label, const QString& sentence,
-                           const QStringList& choices, std::function<int(const StudyState&)> get,
-                           std::function<void(StudyState&, int)> set)
+void FitPanel::AddChoice(QFormLayout* form, const QString& label, const QString& sentence,
+                         const QStringList& choices, std::function<int(const StudyState&)> get,
+                         std::function<void(StudyState&, int)> set)
 {
   auto* box = new QComboBox(this);
   box->addItems(choices);
@@ -163,7 +163,7 @@ void FitOptions::AddChoice(QFormLayout* form, const QString& label, const QStrin
                            { box->setCurrentIndex(get(state)); });
 }
 
-void FitOptions::Show()
+void FitPanel::Show()
 {
   for (const auto& show : this->Shows)
   {

@@ -16,13 +16,13 @@ namespace palpate
 {
 /// What decides how structures become models: the few options that matter, and the others folded
 /// away. Each change is a step of the study.
-class FitOptions : public QWidget
+class FitPanel : public QWidget
 {
   Q_OBJECT
 
 public:
   /// Keeps the address.
-  FitOptions(StudyController& study, QWidget* parent);
+  FitPanel(StudyController& study, QWidget* parent);
 
 private:
   void AddImportant(QFormLayout* form);
