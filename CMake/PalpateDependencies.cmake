@@ -18,7 +18,20 @@ if(PALPATE_WRAP_PYTHON)
   # The VTK package of Debian is built for the system's interpreter, whatever else is on the PATH.
   set(Python3_EXECUTABLE /usr/bin/python3 CACHE FILEPATH "")
 endif()
-find_package(VTK 9.1 REQUIRED COMPONENTS ${PALPATE_VTK_COMPONENTS} ${palpate_vtk_build_components})
+if(PALPATE_BUILD_VIEWER)
+  find_package(Qt5 5.15 QUIET COMPONENTS Widgets)
+  set(palpate_vtk_qt_components GUISupportQt)
+endif()
+find_package(VTK 9.1 REQUIRED COMPONENTS ${PALPATE_VTK_COMPONENTS} ${palpate_vtk_build_components}
+  OPTIONAL_COMPONENTS ${palpate_vtk_qt_components})
+set(PALPATE_HAS_QT OFF)
+if(Qt5_FOUND AND TARGET VTK::GUISupportQt)
+  set(PALPATE_HAS_QT ON)
+elseif(PALPATE_BUILD_VIEWER)
+  message(STATUS "palpate-viewer is left out: it needs Qt 5.15 (qtbase5-dev) and VTK's libvtk9-qt-dev")
+else()
+  message(STATUS "palpate-viewer is left out, as PALPATE_BUILD_VIEWER says")
+endif()
 
 find_package(ITK 5.2 REQUIRED COMPONENTS ITKCommon ITKIOImageBase ITKIONIFTI ITKIONRRD ITKIOMeta
   ITKImageLabel ITKConnectedComponents ITKLabelMap ITKImageFunction)

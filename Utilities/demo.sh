@@ -23,6 +23,16 @@ set -- render "$output/aal_77_Thalamus_L/model.vtp" --array DistanceToSurface \
 echo "build/release/bin/palpate $*"
 build/release/bin/palpate "$@"
 
+# A window for who has a screen, with the same head open in it; for who has none, its picture.
+viewer=build/release/bin/palpate-viewer
+if [ -x "$viewer" ] && [ -n "${DISPLAY:-}" ]; then
+  echo "$viewer --demo &"
+  "$viewer" --demo &
+elif [ -x "$viewer" ]; then
+  echo "$viewer --demo --screenshot $output/viewer.png"
+  "$viewer" --demo --screenshot "$output/viewer.png"
+fi
+
 cat <<END
 
 == Done. In $output/:
@@ -32,6 +42,7 @@ cat <<END
 
 How to go on:
   open $output/report.html in a browser (it needs no network), and the pictures
+  build/release/bin/palpate-viewer --demo   the same head in a window, to see and to touch
   build/release/bin/palpate fit $templates/aal.nii.gz --json
                                             all 116 structures; most are refused, with the reason
   build/release/bin/palpate --help          every command, with examples

@@ -1,0 +1,44 @@
+#include "ViewerOptions.h"
+
+#include <gtest/gtest.h>
+
+namespace palpate
+{
+namespace
+{
+ViewerOptions Parse(const QStringList& arguments)
+{
+  return ParseViewerOptions(QStringList{"palpate-viewer"} + arguments);
+}
+} // namespace
+
+TEST(ViewerOptions, AreFilesSwitchesAndASize)
+{
+  const ViewerOptions options =
+      Parse({"a.nii.gz", "--touch", "--screenshot", "p.png", "--size", "1600x1000", "b.nrrd"});
+  EXPECT_EQ(options.Problem, "");
+  EXPECT_EQ(options.Files, (QStringList{"a.nii.gz", "b.nrrd"}));
+  EXPECT_TRUE(options.StartsTouch);
+  EXPECT_FALSE(options.ShowsDemo);
+  EXPECT_EQ(options.Screenshot, "p.png");
+  EXPECT_EQ(options.Size, QSize(1600, 1000));
+}
+
+TEST(ViewerOptions, HaveDefaults)
+{
+  const ViewerOptions options = Parse({});
+  EXPECT_EQ(options.Size, QSize(1280, 800));
+  EXPECT_TRUE(options.Screenshot.isEmpty());
+  EXPECT_TRUE(options.Answer.isEmpty());
+  EXPECT_TRUE(Parse({"--help"}).Answer.contains("--screenshot"));
+}
+
+TEST(ViewerOptions, SayWhatIsWrong)
+{
+  EXPECT_TRUE(Parse({"--no-such-thing"}).Problem.contains("no-such-thing"));
+  for (const char* bad : {"12", "axb", "0x0", "-1x5", "100x", "1e3x100"})
+  {
+    EXPECT_TRUE(Parse({QString("--size=") + bad}).Problem.contains(bad)) << bad;
+  }
+}
+} // namespace palpate

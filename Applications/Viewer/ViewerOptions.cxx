@@ -1,0 +1,58 @@
+#include "ViewerOptions.h"
+
+#include <QCommandLineParser>
+#include <QRegularExpression>
+
+namespace palpate
+{
+namespace
+{
+constexpr const char* DemoVolume = "/usr/share/mricron/templates/ch2.nii.gz";
+constexpr const char* DemoLabels = "/usr/share/mricron/templates/aal.nii.gz";
+
+// Empty for what is no size.
+QSize SizeOf(const QString& text)
+{
+  const auto match = QRegularExpression("^(\\d{2,5})x(\\d{2,5})$").match(text);
+  return match.hasMatch() ? QSize(match.captured(1).toInt(), match.captured(2).toInt()) : QSize();
+}
+} // namespace
+
+ViewerOptions ParseViewerOptions(const QStringList& arguments)
+{
+  QCommandLineParser parser;
+  parser.setApplicationDescription(
+      "Opens volumes, segmentations and studies (.palpate.json), to see and to touch.");
+  const QCommandLineOption help = parser.addHelpOption();
+  const QCommandLineOption version = parser.addVersionOption();
+  const QCommandLineOption touch("touch", "Begins to touch as soon as there is something.");
+  const QCommandLineOption demo("demo", "Opens the Colin 27 head of Debian's mricron-data.");
+  const QCommandLineOption picture(
+      "screenshot", "Writes a picture of the window when all is made, and ends.", "file.png");
+  const QCommandLineOption size("size", "Of the window, in pixels.", "WxH", "1280x800");
+  parser.addOptions({touch, demo, picture, size});
+  parser.addPositionalArgument("files", "What to open, whatever each is.", "[files...]");
+  ViewerOptions options;
+  if (!parser.parse(arguments))
+  {
+    options.Problem = parser.errorText();
+    return options;
+  }
+  options.Answer = parser.isSet(help) ? parser.helpText() : QString();
+  options.Answer = parser.isSet(version) ? "palpate-viewer " PALPATE_VERSION "\n" : options.Answer;
+  options.Files = parser.positionalArguments();
+  options.StartsTouch = parser.isSet(touch);
+  options.ShowsDemo = parser.isSet(demo);
+  options.Screenshot = parser.value(picture);
+  options.Size = SizeOf(parser.value(size));
+  if (options.Size.isEmpty())
+  {
+    options.Problem = parser.value(size) + ": a size is written as 1280x800";
+  }
+  if (options.ShowsDemo)
+  {
+    options.Files = QStringList{DemoVolume, DemoLabels} + options.Files;
+  }
+  return options;
+}
+} // namespace palpate

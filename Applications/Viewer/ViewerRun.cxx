@@ -1,0 +1,71 @@
+#include "ViewerRun.h"
+
+#include <QApplication>
+#include <QTimer>
+
+namespace palpate
+{
+namespace
+{
+constexpr int PictureDelay = 500; // ms: what was made last is drawn, a hand has come to rest
+}
+
+ViewerRun::ViewerRun(StudyController& study, MainWindow& window, const ViewerOptions& options)
+    : Study(study), Window(window), Options(options)
+{
+  std::vector<std::filesystem::path> files;
+  for (const QString& file : options.Files)
+  {
+    files.emplace_back(file.toStdString());
+  }
+  connect(&study, &StudyController::StepsChanged, this, &ViewerRun::GoOn);
+  study.OpenFiles(files);
+}
+
+void ViewerRun::GoOn()
+{
+  if (this->Study.IsBusy())
+  {
+    return;
+  }
+  if (this->Options.ShowsDemo && !this->HasChosen)
+  {
+    this->HasChosen = true;
+    this->ChooseDemo();
+    return;
+  }
+  if (this->Options.StartsTouch && !this->HasTouched)
+  {
+    this->HasTouched = true;
+    this->Study.StartTouch();
+    return;
+  }
+  disconnect(&this->Study, &StudyController::StepsChanged, this, &ViewerRun::GoOn);
+  if (!this->Options.Screenshot.isEmpty())
+  {
+    QTimer::singleShot(PictureDelay, this, &ViewerRun::TakePicture);
+  }
+}
+
+// Deep structures that are star-shaped, as `palpate fit` is shown with.
+void ViewerRun::ChooseDemo()
+{
+  static const QStringList Names{"Thalamus_L", "Thalamus_R", "Pallidum_L",    "Pallidum_R",
+                                 "Amygdala_L", "Amygdala_R", "Cerebelum_9_L", "Cerebelum_9_R"};
+  StudyState next = this->Study.State();
+  for (StudyStructure& structure : next.Structures)
+  {
+    const bool isChosen = Names.contains(QString::fromStdString(structure.Name));
+    structure.IsVisible = isChosen;
+    structure.IsTouchable = isChosen;
+  }
+  this->Study.Change("Choose the structures of the demonstration", next);
+}
+
+void ViewerRun::TakePicture()
+{
+  const bool isSaved = this->Window.SaveScreenshot(this->Options.Screenshot);
+  this->Study.Close();
+  QApplication::exit(isSaved ? 0 : 1);
+}
+} // namespace palpate

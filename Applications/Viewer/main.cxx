@@ -1,0 +1,83 @@
+#include "DisplayServer.h"
+#include "SteadyClock.h"
+#include "ViewerOptions.h"
+#include "ViewerRun.h"
+
+#include <QApplication>
+#include <QSurfaceFormat>
+
+#include <cstdlib>
+#include <iostream>
+#include <memory>
+#include <stdexcept>
+
+namespace
+{
+int Run(int argc, char* argv[], const palpate::ViewerOptions& options)
+{
+  QSurfaceFormat::setDefaultFormat(QVTKOpenGLNativeWidget::defaultFormat());
+  QApplication::setAttribute(Qt::AA_EnableHighDpiScaling);
+  QApplication::setAttribute(Qt::AA_UseHighDpiPixmaps);
+  QApplication::setApplicationName("palpate-viewer");
+  QApplication::setOrganizationName("Palpate");
+  QApplication application(argc, argv);
+  palpate::SteadyClock clock;
+  palpate::StudyController study(clock);
+  palpate::MainWindow window(study);
+  window.resize(options.Size);
+  window.show();
+  const palpate::ViewerRun run(study, window, options);
+  const int code = QApplication::exec();
+  if (!study.HasEnded() && !study.Close())
+  {
+    // Some work does not hear that it is not wanted; nobody waits for it.
+    std::_Exit(code);
+  }
+  return code;
+}
+} // namespace
+
+int main(int argc, char* argv[])
+{
+  const QStringList arguments = [&]
+  {
+    QStringList list;
+    for (int a = 0; a < argc; ++a)
+    {
+      list += QString::fromLocal8Bit(argv[a]);
+    }
+    return list;
+  }();
+  const palpate::ViewerOptions options = palpate::ParseViewerOptions(arguments);
+  if (!options.Problem.isEmpty())
+  {
+    std::cerr << options.Problem.toStdString() << '\n';
+    return 2;
+  }
+  if (!options.Answer.isEmpty())
+  {
+    std::cout << options.Answer.toStdString();
+    return 0;
+  }
+  try
+  {
+    // A picture needs no screen; a window that nobody sees would help nobody.
+    std::unique_ptr<palpate::DisplayServer> display;
+    if (!options.Screenshot.isEmpty())
+    {
+      display = std::make_unique<palpate::DisplayServer>();
+    }
+    else if (!palpate::DisplayServer::CanReachDisplay())
+    {
+      std::cerr << "there is no display to open a window on: set DISPLAY, or write a picture with "
+                   "--screenshot\n";
+      return 1;
+    }
+    return Run(argc, argv, options);
+  }
+  catch (const std::runtime_error& error)
+  {
+    std::cerr << error.what() << '\n';
+    return 1;
+  }
+}

@@ -1,0 +1,117 @@
+#include "DisplayTest.h"
+#include "Vector3.h"
+#include "vtkInteractorStyleMouseHand.h"
+
+#include "vtkCamera.h"
+#include "vtkNew.h"
+#include "vtkRenderWindow.h"
+#include "vtkRenderWindowInteractor.h"
+#include "vtkRenderer.h"
+
+#include <gtest/gtest.h>
+#include <limits>
+
+namespace palpate
+{
+namespace
+{
+// A camera 100 mm in front of the origin that looks along -z; parallel, so that a pixel is a tenth
+// of a millimetre everywhere.
+class MouseHandStyleTest : public test::DisplayTest
+{
+protected:
+  void SetUp() override
+  {
+    DisplayTest::SetUp();
+    if (IsSkipped())
+    {
+      return;
+    }
+    this->Window->SetOffScreenRendering(1);
+    this->Window->SetSize(200, 100);
+    this->Window->AddRenderer(this->Renderer);
+    this->Interactor->SetRenderWindow(this->Window);
+    this->Interactor->SetInteractorStyle(this->Style);
+    vtkCamera* camera = this->Renderer->GetActiveCamera();
+    camera->SetPosition(0.0, 0.0, 100.0);
+    camera->SetFocalPoint(0.0, 0.0, 0.0);
+    camera->ParallelProjectionOn();
+    camera->SetParallelScale(5.0);
+    camera->SetClippingRange(1.0, 200.0);
+    this->Window->Render();
+    this->Style->AddObserver(vtkInteractorStyleMouseHand::HandMovedEvent, this,
+                             &MouseHandStyleTest::Count);
+    this->Style->HandOn();
+  }
+  void Count() { ++this->Moves; }
+  void Send(unsigned long event, int x, int y, bool hasControl = false)
+  {
+    this->Interactor->SetEventInformation(x, y, hasControl ? 1 : 0, 0);
+    this->Interactor->InvokeEvent(event);
+  }
+  Vector3 Hand() { return Vector3(this->Style->GetHandWorld()); }
+
+  vtkNew<vtkRenderWindow> Window;
+  vtkNew<vtkRenderer> Renderer;
+  vtkNew<vtkRenderWindowInteractor> Interactor;
+  vtkNew<vtkInteractorStyleMouseHand> Style;
+  int Moves = 0;
+};
+
+TEST_F(MouseHandStyleTest, ThePointerMovesTheHandInItsOwnPlaneOfTheScreen)
+{
+  const double start[3] = {0.0, 0.0, 20.0};
+  this->Style->SetHandWorld(start);
+  this->Send(vtkCommand::MouseMoveEvent, 130, 40);
+  // Pixel 100 of 200 is the middle; within half a pixel of rounding.
+  EXPECT_NEAR(this->Hand().x(), 3.0, 0.051);
+  EXPECT_NEAR(this->Hand().y(), -1.0, 0.051);
+  // The depth goes through a normalised coordinate and back, in double precision.
+  EXPECT_NEAR(this->Hand().z(), 20.0, 1e-9);
+  EXPECT_EQ(this->Moves, 1);
+}
+
+TEST_F(MouseHandStyleTest, TheWheelMovesItAlongTheLineOfSight)
+{
+  this->Style->SetNotchMillimeters(0.5);
+  this->Send(vtkCommand::MouseWheelForwardEvent, 100, 50);
+  this->Send(vtkCommand::MouseWheelForwardEvent, 100, 50);
+  this->Send(vtkCommand::MouseWheelBackwardEvent, 100, 50);
+  EXPECT_LT((this->Hand() - Vector3(0.0, 0.0, -0.5)).norm(), 1e-12);
+  EXPECT_EQ(this->Moves, 3);
+}
+
+TEST_F(MouseHandStyleTest, WithControlTheCameraMovesAndTheHandDoesNot)
+{
+  vtkCamera* camera = this->Renderer->GetActiveCamera();
+  this->Send(vtkCommand::LeftButtonPressEvent, 100, 50, true);
+  this->Send(vtkCommand::MouseMoveEvent, 140, 50, true);
+  this->Send(vtkCommand::LeftButtonReleaseEvent, 140, 50, true);
+  EXPECT_GT((Vector3(camera->GetPosition()) - Vector3(0.0, 0.0, 100.0)).norm(), 1.0);
+  const double scale = camera->GetParallelScale();
+  this->Send(vtkCommand::MouseWheelForwardEvent, 100, 50, true);
+  EXPECT_LT(camera->GetParallelScale(), scale);
+  EXPECT_EQ(this->Moves, 0);
+}
+
+TEST_F(MouseHandStyleTest, WithoutAHandItIsTheTrackball)
+{
+  this->Style->HandOff();
+  this->Send(vtkCommand::MouseMoveEvent, 130, 40);
+  this->Send(vtkCommand::LeftButtonPressEvent, 100, 50);
+  this->Send(vtkCommand::MouseMoveEvent, 140, 50);
+  this->Send(vtkCommand::LeftButtonReleaseEvent, 140, 50);
+  EXPECT_GT(
+      (Vector3(this->Renderer->GetActiveCamera()->GetPosition()) - Vector3(0.0, 0.0, 100.0)).norm(),
+      1.0);
+  EXPECT_EQ(this->Moves, 0);
+}
+
+TEST_F(MouseHandStyleTest, APlaceThatIsNoNumberIsIgnored)
+{
+  const double bad[3] = {std::numeric_limits<double>::quiet_NaN(), 0.0, 0.0};
+  this->Style->SetHandWorld(bad);
+  EXPECT_EQ(this->Hand(), Vector3::Zero());
+}
+} // namespace
+} // namespace palpate

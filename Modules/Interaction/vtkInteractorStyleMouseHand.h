@@ -1,0 +1,72 @@
+/**
+ * @class vtkInteractorStyleMouseHand
+ * @brief the mouse as the hand of a simulated haptic device, in a view in space
+ *
+ * While Hand is on, the pointer moves the hand in the plane of the screen that the hand lies in,
+ * and the wheel moves it along the line of sight, forwards away from the viewer. The camera keeps
+ * what is left: Ctrl with a left drag turns it, Shift with a left drag and a middle drag pan, a
+ * right drag and Ctrl with the wheel zoom. Otherwise it is a vtkInteractorStyleTrackballCamera.
+ *
+ * It moves nothing itself: whoever observes HandMovedEvent takes GetHandWorld to the device.
+ */
+#ifndef vtkInteractorStyleMouseHand_h
+#define vtkInteractorStyleMouseHand_h
+
+#include "PalpateInteractionModule.h" // For export macro
+#include "vtkCommand.h"               // For the number of the event
+#include "vtkInteractorStyleTrackballCamera.h"
+
+class PALPATEINTERACTION_EXPORT vtkInteractorStyleMouseHand
+    : public vtkInteractorStyleTrackballCamera
+{
+public:
+  static vtkInteractorStyleMouseHand* New();
+  vtkTypeMacro(vtkInteractorStyleMouseHand, vtkInteractorStyleTrackballCamera);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  enum Events
+  {
+    HandMovedEvent = vtkCommand::UserEvent + 721
+  };
+
+  ///@{
+  /** Whether the mouse is the hand. Off by default. */
+  vtkSetMacro(Hand, bool);
+  vtkGetMacro(Hand, bool);
+  vtkBooleanMacro(Hand, bool);
+  ///@}
+  ///@{
+  /** Where the hand wants to be: world, mm. What is no number is ignored. */
+  void SetHandWorld(const double position[3]);
+  vtkGetVector3Macro(HandWorld, double);
+  ///@}
+  ///@{
+  /** mm along the line of sight that a notch of the wheel is. Default: 0.5. */
+  vtkSetClampMacro(NotchMillimeters, double, 0.001, 100.0);
+  vtkGetMacro(NotchMillimeters, double);
+  ///@}
+
+  void OnMouseMove() override;
+  void OnLeftButtonDown() override;
+  void OnMouseWheelForward() override;
+  void OnMouseWheelBackward() override;
+
+protected:
+  vtkInteractorStyleMouseHand() = default;
+  ~vtkInteractorStyleMouseHand() override = default;
+
+private:
+  vtkInteractorStyleMouseHand(const vtkInteractorStyleMouseHand&) = delete;
+  void operator=(const vtkInteractorStyleMouseHand&) = delete;
+
+  bool IsForCamera();
+  bool FindRenderer();
+  void MoveHandToPointer();
+  bool MoveHandDeeper(double notches);
+
+  bool Hand = false;
+  double HandWorld[3] = {0.0, 0.0, 0.0};
+  double NotchMillimeters = 0.5;
+};
+
+#endif

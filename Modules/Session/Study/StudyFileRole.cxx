@@ -1,0 +1,21 @@
+#include "StudyFileRole.h"
+
+#include "ImageContent.h"
+#include "StudyFile.h"
+
+#include <string>
+
+namespace palpate
+{
+StudyFileRole RoleOf(const std::filesystem::path& file)
+{
+  const std::string name = file.filename().string();
+  const std::string ending = StudyEnding;
+  if (name.size() > ending.size() &&
+      name.compare(name.size() - ending.size(), ending.size(), ending) == 0)
+  {
+    return StudyFileRole::Session;
+  }
+  return ReadImageContent(file).Labels ? StudyFileRole::Segmentation : StudyFileRole::Volume;
+}
+} // namespace palpate

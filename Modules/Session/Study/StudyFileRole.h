@@ -1,0 +1,20 @@
+#pragma once
+
+#include "PalpateSessionModule.h"
+
+#include <filesystem>
+
+namespace palpate
+{
+/// What a file that somebody gives without a word is to a study.
+enum class StudyFileRole
+{
+  Session, ///< a study itself
+  Segmentation,
+  Volume
+};
+
+/// By its name, or else by what is in it, as `palpate info` tells it. Reads the whole file. Throws
+/// InputError.
+PALPATESESSION_EXPORT StudyFileRole RoleOf(const std::filesystem::path& file);
+} // namespace palpate

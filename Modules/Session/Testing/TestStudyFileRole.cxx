@@ -1,0 +1,39 @@
+#include "StudyFileRole.h"
+
+#include "InputError.h"
+#include "StudyPhantoms.h"
+
+#include <cmath>
+#include <gtest/gtest.h>
+
+namespace palpate
+{
+namespace
+{
+TEST(StudyFileRole, IsToldByTheNameOfASessionAndTheContentOfAnImage)
+{
+  const test::StudyPhantom phantom;
+  EXPECT_EQ(RoleOf(phantom.Folder / "mask.nii.gz"), StudyFileRole::Segmentation);
+  const auto grey = phantom.Folder / "grey.nrrd";
+  const auto image =
+      test::MakeLabelImage<float>(test::LabelGrid(), [](double, double, double) { return true; });
+  for (vtkIdType v = 0; v < image->GetNumberOfPoints(); ++v)
+  {
+    static_cast<float*>(image->GetScalarPointer())[v] =
+        std::sin(0.37F * static_cast<float>(v % 1009));
+  }
+  WriteImage(grey, image);
+  EXPECT_EQ(RoleOf(grey), StudyFileRole::Volume);
+  // It need not be there: who opens it says so.
+  EXPECT_EQ(RoleOf("case.palpate.json"), StudyFileRole::Session);
+}
+
+TEST(StudyFileRole, OfAFileThatIsNoneOfThemIsAnError)
+{
+  const test::TemporaryFolder folder;
+  test::WriteAll(folder / "bad.nii.gz", "no image");
+  EXPECT_THROW((void)RoleOf(folder / "bad.nii.gz"), InputError);
+  EXPECT_THROW((void)RoleOf(folder / "absent.nrrd"), InputError);
+}
+} // namespace
+} // namespace palpate

@@ -1,0 +1,25 @@
+#pragma once
+
+#include "StudyController.h"
+
+#include <QMenu>
+
+namespace palpate
+{
+/// Steps back and forth, with what they are.
+class EditMenu : public QMenu
+{
+  Q_OBJECT
+
+public:
+  /// Keeps the address.
+  EditMenu(StudyController& study, QWidget* window);
+
+private:
+  void Show();
+
+  StudyController& Study;
+  QAction* Undo;
+  QAction* Redo;
+};
+} // namespace palpate

@@ -1,0 +1,174 @@
+#include "FileMenu.h"
+
+#include <QFileInfo>
+#include <QSettings>
+
+namespace palpate
+{
+namespace
+{
+constexpr int MostRecent = 10;
+constexpr const char* RecentKey = "recent";
+constexpr const char* ImageFilter =
+    "Images (*.nii *.nii.gz *.nrrd *.nhdr *.mha *.mhd *.dcm *.ima);;All files (*)";
+constexpr const char* StudyFilter = "Palpate studies (*.palpate.json)";
+
+std::filesystem::path PathOf(const QString& file)
+{
+  return file.toStdString();
+}
+} // namespace
+
+FileMenu::FileMenu(StudyController& study, const FileQuestions& questions, QWidget* window)
+    : QMenu("&File", window), Study(study), Questions(questions), Window(window)
+{
+  this->addAction(
+      "&New study", this,
+      [this]
+      {
+        if (this->MayLeave())
+        {
+          this->Study.New();
+        }
+      },
+      QKeySequence::New);
+  this->addAction(
+      "Open &volume...", this,
+      [this] { this->Open("Open a volume", &StudyController::OpenVolume); }, QKeySequence::Open);
+  this->addAction(
+      "Open &segmentation...", this,
+      [this] { this->Open("Open a segmentation", &StudyController::OpenSegmentation); },
+      QKeySequence("Ctrl+Shift+O"));
+  this->addAction(
+      "Open s&tudy...", this,
+      [this]
+      {
+        const QStringList files = this->Questions.ToOpen(this->Window, "Open a study", StudyFilter);
+        if (!files.isEmpty())
+        {
+          this->OpenSession(files.front());
+        }
+      },
+      QKeySequence("Ctrl+Alt+O"));
+  this->Recent = this->addMenu("&Recent");
+  connect(this->Recent, &QMenu::aboutToShow, this, &FileMenu::ListRecent);
+  this->addSeparator();
+  this->addAction("&Save", this, &FileMenu::Save, QKeySequence::Save);
+  this->addAction("Save &as...", this, &FileMenu::SaveAs, QKeySequence("Ctrl+Shift+S"));
+  this->addAction("S&creenshot...", this, &FileMenu::AskForScreenshot, QKeySequence("Ctrl+P"));
+  this->addSeparator();
+  this->addAction("&Quit", window, &QWidget::close, QKeySequence::Quit);
+  connect(&study, &StudyController::FileOpened, this, &FileMenu::Remember);
+}
+
+void FileMenu::Open(const QString& title,
+                    void (StudyController::*take)(const std::filesystem::path&))
+{
+  for (const QString& file : this->Questions.ToOpen(this->Window, title, ImageFilter))
+  {
+    (this->Study.*take)(PathOf(file));
+  }
+}
+
+void FileMenu::OpenSession(const QString& file)
+{
+  if (this->MayLeave())
+  {
+    this->Study.OpenSession(PathOf(file));
+  }
+}
+
+void FileMenu::AskForMissing()
+{
+  for (auto missing = MissingFiles(this->Study.State()); !missing.empty();
+       missing = MissingFiles(this->Study.State()))
+  {
+    const QString found = this->Questions.Missing(this->Window, missing.front());
+    if (found.isEmpty())
+    {
+      return;
+    }
+    this->Study.RelocateFile(missing.front().Path, PathOf(found));
+  }
+}
+
+bool FileMenu::Save()
+{
+  const std::filesystem::path& file = this->Study.Current().File();
+  return file.empty() ? this->SaveAs() : this->Study.Save(file);
+}
+
+bool FileMenu::SaveAs()
+{
+  const std::filesystem::path& former = this->Study.Current().File();
+  const QString proposal =
+      former.empty() ? QString("study") + StudyEnding : QString::fromStdString(former.string());
+  QString file = this->Questions.ToSave(this->Window, "Save the study", proposal, StudyFilter);
+  if (file.isEmpty())
+  {
+    return false;
+  }
+  file += file.endsWith(StudyEnding) ? "" : StudyEnding;
+  return this->Study.Save(PathOf(file));
+}
+
+void FileMenu::AskForScreenshot()
+{
+  const QString file = this->Questions.ToSave(this->Window, "Save a picture of the window",
+                                              "palpate.png", "Pictures (*.png)");
+  if (!file.isEmpty())
+  {
+    Q_EMIT ScreenshotAsked(file);
+  }
+}
+
+bool FileMenu::MayLeave()
+{
+  if (!this->Study.Current().History().IsChanged())
+  {
+    return true;
+  }
+  switch (this->Questions.WhetherToSave(this->Window))
+  {
+  case FileQuestions::Answer::Save:
+    return this->Save();
+  case FileQuestions::Answer::Discard:
+    return true;
+  case FileQuestions::Answer::Cancel:
+    break;
+  }
+  return false;
+}
+
+void FileMenu::ListRecent()
+{
+  this->Recent->clear();
+  for (const QString& file : QSettings().value(RecentKey).toStringList())
+  {
+    const QFileInfo information(file);
+    QAction* action =
+        this->Recent->addAction(information.fileName() + "  -  " + information.path());
+    connect(action, &QAction::triggered, this,
+            [this, file]
+            {
+              if (file.endsWith(StudyEnding))
+              {
+                this->OpenSession(file);
+              }
+              else
+              {
+                this->Study.OpenFiles({PathOf(file)});
+              }
+            });
+  }
+}
+
+void FileMenu::Remember(const QString& file)
+{
+  QSettings settings;
+  QStringList files = settings.value(RecentKey).toStringList();
+  files.removeAll(file);
+  files.prepend(file);
+  settings.setValue(RecentKey, QStringList(files.mid(0, MostRecent)));
+}
+} // namespace palpate

@@ -1,0 +1,41 @@
+#pragma once
+
+#include "FileQuestions.h"
+#include "StudyController.h"
+
+#include <QMenu>
+
+namespace palpate
+{
+/// Opening, saving and recent files.
+class FileMenu : public QMenu
+{
+  Q_OBJECT
+
+public:
+  /// Keeps the addresses.
+  FileMenu(StudyController& study, const FileQuestions& questions, QWidget* window);
+
+  /// True where nothing is lost by leaving the study: saved, discarded, or nothing was changed.
+  bool MayLeave();
+  /// Asks for each file that the study names and that is missing.
+  void AskForMissing();
+
+Q_SIGNALS:
+  void ScreenshotAsked(const QString& file);
+
+private:
+  void Open(const QString& title, void (StudyController::*take)(const std::filesystem::path&));
+  bool Save();
+  bool SaveAs();
+  void OpenSession(const QString& file);
+  void AskForScreenshot();
+  void ListRecent();
+  static void Remember(const QString& file);
+
+  StudyController& Study;
+  const FileQuestions& Questions;
+  QWidget* Window;
+  QMenu* Recent;
+};
+} // namespace palpate

@@ -1,0 +1,51 @@
+#include "FileQuestions.h"
+
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QMessageBox>
+#include <QPushButton>
+
+namespace palpate
+{
+namespace
+{
+QString AskForMissing(QWidget* parent, const StudyMissingFile& missing)
+{
+  const QString path = QString::fromStdString(missing.Path.string());
+  const QString name = QFileInfo(path).fileName();
+  QMessageBox box(QMessageBox::Question, "A file is missing",
+                  QString("The study's %1, %2, is not where it was. Where is it now?")
+                      .arg(QString::fromStdString(missing.Role), path),
+                  QMessageBox::NoButton, parent);
+  const QAbstractButton* find = box.addButton("Find it...", QMessageBox::AcceptRole);
+  box.addButton("Go on without it", QMessageBox::RejectRole);
+  box.exec();
+  return box.clickedButton() == find
+             ? QFileDialog::getOpenFileName(parent, "Find " + name, QFileInfo(path).path())
+             : QString();
+}
+
+FileQuestions::Answer AskWhetherToSave(QWidget* parent)
+{
+  const auto button =
+      QMessageBox::question(parent, "Palpate", "Save what was changed in this study?",
+                            QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel);
+  return button == QMessageBox::Save      ? FileQuestions::Answer::Save
+         : button == QMessageBox::Discard ? FileQuestions::Answer::Discard
+                                          : FileQuestions::Answer::Cancel;
+}
+} // namespace
+
+FileQuestions AskByDialogs()
+{
+  FileQuestions questions;
+  questions.ToOpen = [](QWidget* parent, const QString& title, const QString& filter)
+  { return QFileDialog::getOpenFileNames(parent, title, {}, filter); };
+  questions.ToSave =
+      [](QWidget* parent, const QString& title, const QString& proposal, const QString& filter)
+  { return QFileDialog::getSaveFileName(parent, title, proposal, filter); };
+  questions.Missing = AskForMissing;
+  questions.WhetherToSave = AskWhetherToSave;
+  return questions;
+}
+} // namespace palpate

@@ -1,0 +1,173 @@
+#include "FitPanel.h"
+
+#include <QSignalBlocker>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+namespace palpate
+{
+FitPanel::FitPanel(StudyController& study, QWidget* parent) : QWidget(parent), Study(study)
+{
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(0, 0, 0, 0);
+  auto* important = new QFormLayout;
+  important->setRowWrapPolicy(QFormLayout::WrapLongRows);
+  column->addLayout(important);
+  this->AddImportant(important);
+  auto* unfold = new QToolButton(this);
+  unfold->setObjectName("more-options");
+  unfold->setText("More options");
+  unfold->setCheckable(true);
+  unfold->setAutoRaise(true);
+  unfold->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+  unfold->setArrowType(Qt::RightArrow);
+  column->addWidget(unfold);
+  auto* folded = new QWidget(this);
+  auto* others = new QFormLayout(folded);
+  others->setRowWrapPolicy(QFormLayout::WrapLongRows);
+  others->setContentsMargins(0, 0, 0, 0);
+  column->addWidget(folded);
+  folded->setVisible(false);
+  this->AddOthers(others);
+  connect(unfold, &QToolButton::toggled, this,
+          [unfold, folded](bool isOpen)
+          {
+            folded->setVisible(isOpen);
+            unfold->setArrowType(isOpen ? Qt::DownArrow : Qt::RightArrow);
+          });
+  connect(&study, &StudyController::StateChanged, this, &FitPanel::Show);
+  this->Show();
+}
+
+void FitPanel::AddImportant(QFormLayout* form)
+{
+  this->AddWhole(
+      form, "Degree of all", "Change the degree of all structures", 0, 64,
+      [](const StudyState& state) { return state.Fit.Degree; },
+      [](StudyState& state, int degree)
+      {
+        state.Fit.Degree = degree;
+        for (StudyStructure& structure : state.Structures)
+        {
+          structure.Degree = degree;
+        }
+      });
+  this->AddChoice(
+      form, "Surface", "Change how surfaces are made", {"shape-interpolated", "plain"},
+      [](const StudyState& state) { return static_cast<int>(state.Fit.Method); },
+      [](StudyState& state, int choice)
+      { state.Fit.Method = static_cast<FitSettings::SurfaceMethod>(choice); });
+  this->AddNumber(form, "Smoothing, voxels", "Change the smoothing of surfaces", 0.0, 8.0, 0.25,
+                  [](StudyState& state) -> double& { return state.Fit.Smoothing; });
+}
+
+void FitPanel::AddOthers(QFormLayout* form)
+{
+  this->AddWhole(
+      form, "Frequency", "Change the number of directions", 1, 64,
+      [](const StudyState& state) { return state.Fit.Frequency; },
+      [](StudyState& state, int frequency) { state.Fit.Frequency = frequency; });
+  this->AddChoice(
+      form, "Centre", "Change the choice of the centre", {"centroid", "most visible"},
+      [](const StudyState& state) { return static_cast<int>(state.Fit.Center); },
+      [](StudyState& state, int choice)
+      { state.Fit.Center = static_cast<FitSettings::CenterChoice>(choice); });
+  this->AddChoice(
+      form, "Weight", "Change the weight of samples", {"area", "solid angle", "uniform"},
+      [](const StudyState& state) { return static_cast<int>(state.Fit.Weight); },
+      [](StudyState& state, int choice)
+      { state.Fit.Weight = static_cast<FitSettings::SampleWeight>(choice); });
+  this->AddChoice(
+      form, "Component", "Change the component", {"all", "largest", "second", "third"},
+      [](const StudyState& state) { return std::min(state.Fit.Component, 3); },
+      [](StudyState& state, int choice) { state.Fit.Component = choice; });
+  this->AddNumber(form, "Most hidden, %", "Change how much may be hidden", 0.0, 100.0, 1.0,
+                  [](StudyState& state) -> double& { return state.Fit.MaximumHiddenPercent; });
+  this->AddNumber(form, "Least Dice", "Change the least overlap", 0.0, 1.0, 0.05,
+                  [](StudyState& state) -> double& { return state.Fit.MinimumDice; });
+  this->AddChoice(
+      form, "Between voxels", "Change the interpolation of fields", {"linear", "cubic"},
+      [](const StudyState& state) { return static_cast<int>(state.Interpolation); },
+      [](StudyState& state, int choice)
+      { state.Interpolation = static_cast<FieldInterpolation>(choice); });
+  this->AddNumber(form, "Smoothing of fields, voxels", "Change the smoothing of fields", 0.0, 8.0,
+                  0.25, [](StudyState& state) -> double& { return state.FieldSmoothing; });
+}
+
+void FitPanel::AddNumber(QFormLayout* form, const QString& label, const QString& sentence,
+                         double low, double high, double step,
+                         std::function<double&(StudyState&)> field)
+{
+  auto* box = new QDoubleSpinBox(this);
+  box->setRange(low, high);
+  box->setSingleStep(step);
+  box->setKeyboardTracking(false);
+  form->addRow(label, box);
+  connect(box, qOverload<double>(&QDoubleSpinBox::valueChanged), this,
+          [this, sentence, field](double value)
+          {
+            StudyState next = this->Study.State();
+            field(next) = value;
+            this->Study.Change(QString("%1 to %2").arg(sentence).arg(value), next, sentence);
+          });
+  connect(box, &QDoubleSpinBox::editingFinished, this, [this] { this->Study.EndGesture(); });
+  this->Shows.emplace_back(
+      [box, field](const StudyState& state)
+      {
+        const QSignalBlocker quiet(box);
+        StudyState copy = state;
+        box->setValue(field(copy));
+      });
+}
+
+void FitPanel::AddWhole(QFormLayout* form, const QString& label, const QString& sentence, int low,
+                        int high, std::function<int(const StudyState&)> get,
+                        std::function<void(StudyState&, int)> set)
+{
+  auto* box = new QSpinBox(this);
+  box->setObjectName(label);
+  box->setRange(low, high);
+  box->setKeyboardTracking(false);
+  form->addRow(label, box);
+  connect(box, qOverload<int>(&QSpinBox::valueChanged), this,
+          [this, sentence, set = std::move(set)](int value)
+          {
+            StudyState next = this->Study.State();
+            set(next, value);
+            this->Study.Change(QString("%1 to %2").arg(sentence).arg(value), next, sentence);
+          });
+  connect(box, &QSpinBox::editingFinished, this, [this] { this->Study.EndGesture(); });
+  this->Shows.emplace_back(
+      [box, get = std::move(get)](const StudyState& state)
+      {
+        const QSignalBlocker quiet(box);
+        box->setValue(get(state));
+      });
+}
+
+void FitPanel::AddChoice(QFormLayout* form, const QString& label, const QString& sentence,
+                         const QStringList& choices, std::function<int(const StudyState&)> get,
+                         std::function<void(StudyState&, int)> set)
+{
+  auto* box = new QComboBox(this);
+  box->addItems(choices);
+  form->addRow(label, box);
+  connect(box, qOverload<int>(&QComboBox::activated), this,
+          [this, sentence, box, set = std::move(set)](int choice)
+          {
+            StudyState next = this->Study.State();
+            set(next, choice);
+            this->Study.Change(sentence + " to " + box->itemText(choice), next);
+          });
+  this->Shows.emplace_back([box, get = std::move(get)](const StudyState& state)
+                           { box->setCurrentIndex(get(state)); });
+}
+
+void FitPanel::Show()
+{
+  for (const auto& show : this->Shows)
+  {
+    show(this->Study.State());
+  }
+}
+} // namespace palpate

@@ -1,0 +1,43 @@
+#pragma once
+
+#include "StudyController.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QFormLayout>
+#include <QSpinBox>
+#include <QWidget>
+
+#include <functional>
+#include <vector>
+
+namespace palpate
+{
+/// What decides how structures become models: the few options that matter, and the others folded
+/// away. Each change is a step of the study.
+class FitPanel : public QWidget
+{
+  Q_OBJECT
+
+public:
+  /// Keeps the address.
+  FitPanel(StudyController& study, QWidget* parent);
+
+private:
+  void AddImportant(QFormLayout* form);
+  void AddOthers(QFormLayout* form);
+  void AddNumber(QFormLayout* form, const QString& label, const QString& sentence, double low,
+                 double high, double step, std::function<double&(StudyState&)> field);
+  void AddWhole(QFormLayout* form, const QString& label, const QString& sentence, int low, int high,
+                std::function<int(const StudyState&)> get,
+                std::function<void(StudyState&, int)> set);
+  void AddChoice(QFormLayout* form, const QString& label, const QString& sentence,
+                 const QStringList& choices, std::function<int(const StudyState&)> get,
+                 std::function<void(StudyState&, int)> set);
+  void Show();
+
+  StudyController& Study;
+  std::vector<std::function<void(const StudyState&)>> Shows; ///< one for each option
+};
+} // namespace palpate

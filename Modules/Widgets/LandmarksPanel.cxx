@@ -1,0 +1,200 @@
+#include "LandmarksPanel.h"
+
+#include "StudyMarkups.h"
+
+#include <QHeaderView>
+#include <QSignalBlocker>
+#include <QVBoxLayout>
+
+#include <algorithm>
+#include <set>
+
+namespace palpate
+{
+namespace
+{
+constexpr int NameColumn = 0;
+
+QTableWidgetItem* FixedItem(const QString& text)
+{
+  auto* item = new QTableWidgetItem(text);
+  item->setFlags(item->flags() & ~Qt::ItemIsEditable);
+  return item;
+}
+
+void FillRow(QTableWidget* table, int row, const std::string& name, const Vector3& place,
+             const QString& length)
+{
+  table->setItem(row, NameColumn, new QTableWidgetItem(QString::fromStdString(name)));
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    table->setItem(row, 1 + axis, FixedItem(QString::number(place[axis], 'f', 2)));
+  }
+  table->setItem(row, 4, FixedItem(length));
+}
+} // namespace
+
+LandmarksPanel::LandmarksPanel(StudyController& study, const FileQuestions& questions,
+                               QWidget* parent)
+    : QWidget(parent), Study(study), Questions(questions), Table(new QTableWidget(0, 5, this)),
+      AddMode(new QPushButton("Add by click  (A)", this))
+{
+  this->Table->setObjectName("landmarks");
+  this->Table->setHorizontalHeaderLabels({"Name", "L, mm", "P, mm", "S, mm", "Length, mm"});
+  this->Table->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+  this->Table->verticalHeader()->hide();
+  this->Table->setSelectionBehavior(QAbstractItemView::SelectRows);
+  auto* row = new QHBoxLayout(this);
+  row->setContentsMargins(4, 2, 4, 2);
+  row->addWidget(this->Table, 1);
+  this->MakeButtons();
+  connect(this->Table, &QTableWidget::itemChanged, this, &LandmarksPanel::TakeEdit);
+  connect(this->Table, &QTableWidget::cellDoubleClicked, this,
+          [this](int chosen)
+          {
+            const auto& marks = this->Study.State().Landmarks;
+            const auto place = static_cast<std::size_t>(chosen);
+            if (place < marks.size())
+            {
+              Q_EMIT Chosen(marks[place].PositionWorld);
+            }
+          });
+  connect(&study, &StudyController::StateChanged, this, &LandmarksPanel::ShowState);
+  this->ShowState();
+}
+
+void LandmarksPanel::MakeButtons()
+{
+  this->AddMode->setObjectName("add-landmarks");
+  this->AddMode->setCheckable(true);
+  this->AddMode->setShortcut(QString("A"));
+  auto* column = new QVBoxLayout;
+  column->addWidget(this->AddMode);
+  const auto add = [this, column](const QString& text, const char* name, auto act)
+  {
+    auto* button = new QPushButton(text, this);
+    button->setObjectName(name);
+    column->addWidget(button);
+    connect(button, &QPushButton::clicked, this, act);
+  };
+  add("Add where touched", "add-touched", &LandmarksPanel::AddAtProxy);
+  add("Distance of two", "add-distance", &LandmarksPanel::AddDistance);
+  add("Remove", "remove-landmarks", &LandmarksPanel::Remove);
+  add("Export...", "export-landmarks", &LandmarksPanel::Export);
+  column->addStretch(1);
+  this->layout()->addItem(column);
+}
+
+void LandmarksPanel::ShowState()
+{
+  const QSignalBlocker quiet(this->Table);
+  const StudyState& state = this->Study.State();
+  const int marks = static_cast<int>(state.Landmarks.size());
+  this->Table->setRowCount(marks + static_cast<int>(state.Distances.size()));
+  for (int m = 0; m < marks; ++m)
+  {
+    const StudyLandmark& mark = state.Landmarks[static_cast<std::size_t>(m)];
+    FillRow(this->Table, m, mark.Name, mark.PositionWorld, {});
+  }
+  for (int d = marks; d < this->Table->rowCount(); ++d)
+  {
+    const StudyDistance& distance = state.Distances[static_cast<std::size_t>(d - marks)];
+    FillRow(this->Table, d, distance.Name, 0.5 * (distance.FromWorld + distance.ToWorld),
+            QString::number(distance.Length(), 'f', 2));
+  }
+}
+
+void LandmarksPanel::Add(const Vector3& pointWorld)
+{
+  StudyState next = this->Study.State();
+  const std::string name = "F-" + std::to_string(next.Landmarks.size() + 1);
+  next.Landmarks.push_back({name, pointWorld});
+  this->Study.Change("Add the landmark " + QString::fromStdString(name), next);
+}
+
+void LandmarksPanel::AddAtProxy()
+{
+  if (this->Study.IsTouching())
+  {
+    const PlainVector3& proxy = this->Study.Reading().Newest.ProxyWorld;
+    this->Add({proxy.X, proxy.Y, proxy.Z});
+  }
+  else
+  {
+    this->Study.Report("Nothing is touched: start the touch, then place landmarks by it.");
+  }
+}
+
+std::vector<std::size_t> LandmarksPanel::SelectedRows() const
+{
+  std::set<std::size_t> rows;
+  for (const QTableWidgetItem* item : this->Table->selectedItems())
+  {
+    rows.insert(static_cast<std::size_t>(item->row()));
+  }
+  return {rows.begin(), rows.end()};
+}
+
+void LandmarksPanel::AddDistance()
+{
+  StudyState next = this->Study.State();
+  const std::vector<std::size_t> rows = this->SelectedRows();
+  if (rows.size() != 2 || rows.back() >= next.Landmarks.size())
+  {
+    this->Study.Report("Select two landmarks of the table: their distance is measured.");
+    return;
+  }
+  const StudyLandmark& from = next.Landmarks[rows.front()];
+  const StudyLandmark& to = next.Landmarks[rows.back()];
+  next.Distances.push_back({from.Name + " to " + to.Name, from.PositionWorld, to.PositionWorld});
+  this->Study.Change("Measure " + QString::fromStdString(next.Distances.back().Name), next);
+}
+
+void LandmarksPanel::Remove()
+{
+  StudyState next = this->Study.State();
+  std::vector<std::size_t> rows = this->SelectedRows();
+  std::reverse(rows.begin(), rows.end());
+  const std::size_t marks = next.Landmarks.size();
+  for (const std::size_t row : rows)
+  {
+    if (row >= marks)
+    {
+      next.Distances.erase(next.Distances.begin() + static_cast<std::ptrdiff_t>(row - marks));
+    }
+    else
+    {
+      next.Landmarks.erase(next.Landmarks.begin() + static_cast<std::ptrdiff_t>(row));
+    }
+  }
+  this->Study.Change("Remove landmarks", next);
+}
+
+void LandmarksPanel::TakeEdit(QTableWidgetItem* item)
+{
+  StudyState next = this->Study.State();
+  const auto row = static_cast<std::size_t>(item->row());
+  const std::size_t marks = next.Landmarks.size();
+  std::string& name = row < marks ? next.Landmarks[row].Name : next.Distances.at(row - marks).Name;
+  name = item->text().toStdString();
+  this->Study.Change("Rename a landmark to " + item->text(), next);
+}
+
+void LandmarksPanel::Export()
+{
+  const QString file = this->Questions.ToSave(this, "Export landmarks", "landmarks.mrk.json",
+                                              "3D Slicer's markups (*.mrk.json);;Table (*.csv)");
+  if (file.isEmpty())
+  {
+    return;
+  }
+  try
+  {
+    WriteMarkups(file.toStdString(), this->Study.State().Landmarks, this->Study.State().Distances);
+  }
+  catch (const std::exception& error)
+  {
+    this->Study.Report(error.what());
+  }
+}
+} // namespace palpate

@@ -1,0 +1,45 @@
+#pragma once
+
+#include "FileQuestions.h"
+#include "StudyController.h"
+
+#include <QPushButton>
+#include <QTableWidget>
+#include <QWidget>
+
+namespace palpate
+{
+/// Landmarks and distances in a table, placed by clicks or by touch, exported for others.
+class LandmarksPanel : public QWidget
+{
+  Q_OBJECT
+
+public:
+  /// Keeps the addresses.
+  LandmarksPanel(StudyController& study, const FileQuestions& questions, QWidget* parent = nullptr);
+
+  /// Whether a click on a view places one.
+  bool IsAdding() const { return this->AddMode->isChecked(); }
+  /// World, mm.
+  void Add(const Vector3& pointWorld);
+
+Q_SIGNALS:
+  /// The user chose a row: look there (world, mm).
+  void Chosen(const Vector3& pointWorld);
+
+private:
+  void MakeButtons();
+  void ShowState();
+  void TakeEdit(QTableWidgetItem* item);
+  void AddAtProxy();
+  void AddDistance();
+  void Remove();
+  void Export();
+  std::vector<std::size_t> SelectedRows() const;
+
+  StudyController& Study;
+  const FileQuestions& Questions;
+  QTableWidget* Table;
+  QPushButton* AddMode;
+};
+} // namespace palpate

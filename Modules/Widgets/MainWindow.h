@@ -1,0 +1,65 @@
+#pragma once
+
+#include "EditMenu.h"
+#include "FileMenu.h"
+#include "FileQuestions.h"
+#include "LandmarksPanel.h"
+#include "MessageArea.h"
+#include "StudyController.h"
+#include "ViewContents.h"
+#include "ViewGrid.h"
+
+#include <QDockWidget>
+#include <QLabel>
+#include <QMainWindow>
+
+namespace palpate
+{
+/// The window: views in the middle, panels around them, messages below. It shows and asks; what is
+/// done is done by the study.
+class MainWindow : public QMainWindow
+{
+  Q_OBJECT
+
+public:
+  /// Keeps the address of the study, which outlives it.
+  explicit MainWindow(StudyController& study, FileQuestions questions = AskByDialogs());
+
+  ViewGrid* Views() const { return this->Grid; }
+  MessageArea* Messages() const { return this->Area; }
+  const ViewContents& Contents() const { return this->Shown; }
+  /// The sentence about the point under the pointer.
+  QString PointText() const { return this->Point->text(); }
+  /// The window as it is, as a PNG file. False, with a message, where it cannot be written.
+  bool SaveScreenshot(const QString& file);
+
+protected:
+  void closeEvent(QCloseEvent* event) override;
+  void dragEnterEvent(QDragEnterEvent* event) override;
+  void dropEvent(QDropEvent* event) override;
+
+private:
+  void MakeCentre();
+  void MakeMenus();
+  void MakePanels();
+  void ConnectViews();
+  QDockWidget* AddPanel(const QString& title, QWidget* panel, Qt::DockWidgetArea area);
+  void ShowState();
+  void ShowTitle();
+  void ShowPoint(const Vector3& pointWorld);
+  void TakeView();
+  void TakeClick(const Vector3& pointWorld);
+  void TakeFile(const QString& file);
+
+  StudyController& Study;
+  FileQuestions Questions;
+  ViewContents Shown;
+  ViewGrid* Grid = nullptr;
+  MessageArea* Area = nullptr;
+  QLabel* Point = nullptr;
+  FileMenu* Files = nullptr;
+  LandmarksPanel* Marks = nullptr;
+  QMenu* Panels = nullptr;
+  bool IsShowing = false; ///< the study's view, so that nobody takes it for the user's
+};
+} // namespace palpate

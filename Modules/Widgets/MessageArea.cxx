@@ -1,0 +1,52 @@
+#include "MessageArea.h"
+
+#include <QApplication>
+#include <QClipboard>
+#include <QHBoxLayout>
+#include <QPushButton>
+#include <QVBoxLayout>
+
+namespace palpate
+{
+namespace
+{
+constexpr int MostSentences = 200;
+constexpr int Lines = 3;
+} // namespace
+
+MessageArea::MessageArea(QWidget* parent) : QFrame(parent), Sentences(new QPlainTextEdit(this))
+{
+  this->setObjectName("messages");
+  this->setFrameShape(QFrame::StyledPanel);
+  this->Sentences->setReadOnly(true);
+  this->Sentences->setMaximumBlockCount(MostSentences);
+  this->Sentences->setFixedHeight(Lines * this->fontMetrics().lineSpacing() + 12);
+  auto* copy = new QPushButton("Copy", this);
+  copy->setObjectName("copy");
+  auto* close = new QPushButton("Close", this);
+  close->setObjectName("close");
+  auto* buttons = new QVBoxLayout;
+  buttons->addWidget(copy);
+  buttons->addWidget(close);
+  auto* row = new QHBoxLayout(this);
+  row->setContentsMargins(4, 2, 4, 2);
+  row->addWidget(this->Sentences, 1);
+  row->addLayout(buttons);
+  connect(copy, &QPushButton::clicked, this,
+          [this] { QApplication::clipboard()->setText(this->Text()); });
+  connect(close, &QPushButton::clicked, this, &MessageArea::Clear);
+  this->hide();
+}
+
+void MessageArea::Add(const QString& sentence)
+{
+  this->Sentences->appendPlainText(sentence);
+  this->show();
+}
+
+void MessageArea::Clear()
+{
+  this->Sentences->clear();
+  this->hide();
+}
+} // namespace palpate

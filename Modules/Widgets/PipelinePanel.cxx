@@ -1,0 +1,39 @@
+#include "PipelinePanel.h"
+
+#include <QGridLayout>
+#include <QVBoxLayout>
+
+namespace palpate
+{
+PipelinePanel::PipelinePanel(StudyController& study, QWidget* parent)
+    : QWidget(parent), Study(study)
+{
+  auto* column = new QVBoxLayout(this);
+  auto* table = new QGridLayout;
+  table->setColumnStretch(2, 1);
+  table->setVerticalSpacing(2);
+  column->addLayout(table);
+  int row = 0;
+  for (const StudyStep step :
+       {StudyStep::Volume, StudyStep::Segmentation, StudyStep::Structures, StudyStep::Surface,
+        StudyStep::Samples, StudyStep::Model, StudyStep::Field, StudyStep::Touch})
+  {
+    auto* line = new StepRow(step, table, row++, this);
+    connect(line, &StepRow::CancelAsked, &study, &StudyController::CancelStep);
+    connect(line, &StepRow::RepeatAsked, &study, &StudyController::ResumeStep);
+    this->Rows[step] = line;
+  }
+  column->addWidget(new FitPanel(study, this));
+  column->addStretch(1);
+  connect(&study, &StudyController::StepsChanged, this, &PipelinePanel::Show);
+  this->Show();
+}
+
+void PipelinePanel::Show()
+{
+  for (const auto& [step, row] : this->Rows)
+  {
+    row->Show(this->Study.Current().Pipeline().StateOf(step));
+  }
+}
+} // namespace palpate

@@ -1,0 +1,40 @@
+#pragma once
+
+#include "StripChart.h"
+#include "StudyController.h"
+
+#include <QWidget>
+
+namespace palpate
+{
+/// Force, penetration, and the time and period of the servo's ticks, over the last seconds and with
+/// their limits.
+class PlotsPanel : public QWidget
+{
+  Q_OBJECT
+
+public:
+  /// Keeps the address.
+  explicit PlotsPanel(StudyController& study, QWidget* parent = nullptr);
+
+  const StripChart& Force() const { return *this->ForceChart; }
+  const StripChart& Period() const { return *this->PeriodChart; }
+
+private:
+  void Begin();
+  void TakeTicks();
+  void AddDuration(const PeriodStatistics& durations);
+
+  StudyController& Study;
+  StripChart* ForceChart;
+  StripChart* DepthChart;
+  StripChart* DurationChart;
+  StripChart* PeriodChart;
+  double LastStarted = -1.0; ///< s, of the tick before
+  struct
+  {
+    double Count = 0.0;
+    double Sum = 0.0; ///< ns
+  } LastDurations;    ///< of the reading before
+};
+} // namespace palpate

@@ -1,0 +1,41 @@
+#pragma once
+
+#include "SliceGeometry.h"
+#include "ViewContents.h"
+#include "ViewPane.h"
+
+#include "vtkInteractorStyleSlice.h"
+#include "vtkSliceView.h"
+
+namespace palpate
+{
+/// One slice view of a window.
+class SlicePane : public ViewPane
+{
+  Q_OBJECT
+
+public:
+  /// Shows `contents`, which outlive it.
+  SlicePane(SliceOrientation orientation, const ViewContents& contents, QWidget* parent);
+
+  vtkSliceView* View() const { return this->Slice; }
+  void AddSurface(vtkSurfaceDisplay* surface);
+  void RemoveSurface(vtkSurfaceDisplay* surface);
+  /// See vtkInteractorStyleSlice::LeftButtonModes.
+  void SetLeftButtonMode(int mode) { this->Style->SetLeftButtonMode(mode); }
+  void SetAlongImage(bool isAlongImage);
+  void FitToImage();
+
+Q_SIGNALS:
+  /// World, mm; of the point under the pointer.
+  void PointedAt(const Vector3& pointWorld);
+  void ClickedAt(const Vector3& pointWorld);
+
+private:
+  void ChooseSlice(int number);
+  Vector3 PointAt(double x, double y) const;
+
+  vtkNew<vtkSliceView> Slice;
+  vtkNew<vtkInteractorStyleSlice> Style;
+};
+} // namespace palpate

@@ -1,0 +1,97 @@
+#include "SpacePane.h"
+
+#include "CameraAxes.h"
+#include "SliceGeometry.h"
+
+#include "vtkCamera.h"
+
+namespace palpate
+{
+SpacePane::SpacePane(const ViewContents& contents, QWidget* parent)
+    : ViewPane("3-D", QColor(170, 170, 170), parent)
+{
+  this->setObjectName("space");
+  this->Space->SetImageDisplay(contents.Images());
+  this->Space->SetCrosshair(contents.Crosshair());
+  this->Space->SetLandmarks(contents.Landmarks());
+  this->Space->SetProbe(contents.Probe());
+  this->Space->SetRenderer(this->Renderer());
+  this->ShowSlices(false);
+  this->SetStyle(this->Style);
+  this->Follow(contents.Images());
+  this->Follow(contents.Crosshair());
+  this->Follow(contents.Landmarks());
+  this->Follow(contents.Probe());
+  this->Style->AddObserver(vtkInteractorStyleMouseHand::HandMovedEvent, this, &SpacePane::TellHand);
+  this->Style->AddObserver(vtkCommand::EndInteractionEvent, this, &SpacePane::CameraTurned);
+}
+
+void SpacePane::TellHand()
+{
+  Q_EMIT HandMoved(Vector3(this->Style->GetHandWorld()));
+}
+
+void SpacePane::AddSurface(vtkSurfaceDisplay* surface)
+{
+  this->Space->AddSurface(surface);
+  this->Follow(surface);
+}
+
+void SpacePane::RemoveSurface(vtkSurfaceDisplay* surface)
+{
+  this->Space->RemoveSurface(surface);
+  this->Unfollow(surface);
+}
+
+void SpacePane::ShowFields(const std::set<vtkProp*>& fields)
+{
+  const std::set<vtkSmartPointer<vtkProp>> next(fields.begin(), fields.end());
+  if (next == this->Fields)
+  {
+    return;
+  }
+  for (const auto& field : this->Fields)
+  {
+    this->Renderer()->RemoveViewProp(field);
+  }
+  for (vtkProp* field : fields)
+  {
+    this->Renderer()->AddViewProp(field);
+  }
+  this->Fields = next;
+  this->RequestRender();
+}
+
+void SpacePane::ShowSlices(bool areShown)
+{
+  for (const SliceOrientation orientation : AllSliceOrientations)
+  {
+    this->Space->SetSliceVisibility(static_cast<int>(orientation), areShown);
+  }
+  this->RequestRender();
+}
+
+void SpacePane::LookFrom(int side)
+{
+  this->Space->LookFrom(side);
+  this->RequestRender();
+  Q_EMIT CameraTurned();
+}
+
+void SpacePane::ShowAll()
+{
+  this->Space->ResetCamera();
+  this->RequestRender();
+}
+
+void SpacePane::SetHand(bool isOn, const Vector3& handWorld)
+{
+  this->Style->SetHandWorld(handWorld.data());
+  this->Style->SetHand(isOn);
+}
+
+Matrix3 SpacePane::Axes() const
+{
+  return CameraAxes(this->Renderer()->GetActiveCamera());
+}
+} // namespace palpate

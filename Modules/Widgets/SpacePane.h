@@ -1,0 +1,48 @@
+#pragma once
+
+#include "ViewContents.h"
+#include "ViewPane.h"
+
+#include "vtkInteractorStyleMouseHand.h"
+#include "vtkSpaceView.h"
+
+#include <set>
+
+namespace palpate
+{
+/// The view in space of a window. While something is touched by a simulated device, the mouse over
+/// it is the hand.
+class SpacePane : public ViewPane
+{
+  Q_OBJECT
+
+public:
+  /// Shows `contents`, which outlive it.
+  SpacePane(const ViewContents& contents, QWidget* parent);
+
+  vtkSpaceView* View() const { return this->Space; }
+  void AddSurface(vtkSurfaceDisplay* surface);
+  void RemoveSurface(vtkSurfaceDisplay* surface);
+  /// Shows these and no others.
+  void ShowFields(const std::set<vtkProp*>& fields);
+  void ShowSlices(bool areShown);
+  void LookFrom(int side);
+  void ShowAll();
+
+  /// Whether the mouse is the hand, which is at `handWorld` (mm).
+  void SetHand(bool isOn, const Vector3& handWorld);
+  /// Columns: right, up and towards the viewer in the world.
+  Matrix3 Axes() const;
+
+Q_SIGNALS:
+  void HandMoved(const Vector3& targetWorld);
+  void CameraTurned();
+
+private:
+  void TellHand();
+
+  vtkNew<vtkSpaceView> Space;
+  vtkNew<vtkInteractorStyleMouseHand> Style;
+  std::set<vtkSmartPointer<vtkProp>> Fields;
+};
+} // namespace palpate

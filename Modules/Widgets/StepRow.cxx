@@ -1,0 +1,74 @@
+#include "StepRow.h"
+
+#include <QGridLayout>
+#include <QStyle>
+
+#include <array>
+#include <cmath>
+
+namespace palpate
+{
+namespace
+{
+// In the order of StudyStepState::Kind; the word says it too, for eyes that see no colours.
+struct StepLook
+{
+  const char* Sign;
+  const char* Color;
+  const char* Word;
+};
+constexpr std::array<StepLook, 5> Looks{{{"\u25CB", "gray", "not needed"},
+                                         {"\u2714", "#009E73", "up to date"},
+                                         {"\u25CF", "#E69F00", "needs an update"},
+                                         {"\u2716", "#D55E00", "failed"},
+                                         {"\u25B6", "#56B4E9", "running"}}};
+} // namespace
+
+StepRow::StepRow(StudyStep step, QGridLayout* table, int row, QWidget* parent)
+    : QObject(parent), Step(step), Sign(new QLabel(parent)), State(new QLabel(parent)),
+      Progress(new QProgressBar(parent)), Button(new QPushButton(parent))
+{
+  auto* name = new QLabel(NameOf(step), parent);
+  this->State->setObjectName(QString("state-") + NameOf(step));
+  this->Button->setObjectName(QString("act-") + NameOf(step));
+  this->Progress->setTextVisible(false);
+  this->Progress->setMaximumHeight(name->fontMetrics().height());
+  this->Button->setFlat(true);
+  table->addWidget(this->Sign, row, 0);
+  table->addWidget(name, row, 1);
+  table->addWidget(this->State, row, 2);
+  table->addWidget(this->Progress, row, 2);
+  table->addWidget(this->Button, row, 3);
+  connect(this->Button, &QPushButton::clicked, this, &StepRow::Press);
+  this->Show({});
+}
+
+void StepRow::Show(const StudyStepState& state)
+{
+  this->Shown = state.Is;
+  const StepLook& look = Looks.at(static_cast<std::size_t>(state.Is));
+  const bool isRunning = state.Is == StudyStepState::Kind::Running;
+  this->Sign->setText(QString("<span style='color:%1'>%2</span>").arg(look.Color, look.Sign));
+  this->State->setText(look.Word);
+  this->State->setToolTip(QString::fromStdString(state.Sentence));
+  this->State->setVisible(!isRunning);
+  this->Progress->setVisible(isRunning);
+  this->Progress->setToolTip(QString::fromStdString(state.Stage));
+  this->Progress->setValue(static_cast<int>(std::lround(100.0 * state.Fraction)));
+  this->Button->setText(isRunning ? "Cancel" : "Again");
+  this->Button->setVisible(isRunning || state.Is == StudyStepState::Kind::Failed ||
+                           state.Is == StudyStepState::Kind::NeedsUpdate);
+}
+
+void StepRow::Press()
+{
+  if (this->Shown == StudyStepState::Kind::Running)
+  {
+    Q_EMIT CancelAsked(this->Step);
+  }
+  else
+  {
+    Q_EMIT RepeatAsked(this->Step);
+  }
+}
+} // namespace palpate

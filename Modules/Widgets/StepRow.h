@@ -1,0 +1,40 @@
+#pragma once
+
+#include "StudyPipeline.h"
+
+#include <QLabel>
+#include <QProgressBar>
+#include <QPushButton>
+
+class QGridLayout;
+
+namespace palpate
+{
+/// A step of the pipeline as a line of a table: sign and word of how it stands, how far it has
+/// come, and a button that stops it or does it again.
+class StepRow : public QObject
+{
+  Q_OBJECT
+
+public:
+  StepRow(StudyStep step, QGridLayout* table, int row, QWidget* parent);
+
+  void Show(const StudyStepState& state);
+  /// In a word.
+  QString Word() const { return this->State->text(); }
+
+Q_SIGNALS:
+  void CancelAsked(StudyStep step);
+  void RepeatAsked(StudyStep step);
+
+private:
+  void Press();
+
+  StudyStep Step;
+  QLabel* Sign;
+  QLabel* State;
+  QProgressBar* Progress;
+  QPushButton* Button;
+  StudyStepState::Kind Shown = StudyStepState::Kind::NotWanted;
+};
+} // namespace palpate

@@ -1,0 +1,235 @@
+#include "StructureTableModel.h"
+
+#include <QColor>
+
+#include <algorithm>
+
+namespace palpate
+{
+namespace
+{
+constexpr double SlipShare = 0.8; // of the static coefficient, as the command line has it
+
+// Writes a cell into a structure; empty where the value means nothing there.
+QString Write(StudyStructure& structure, int column, const QVariant& value)
+{
+  switch (column)
+  {
+  case StructureTableModel::NameColumn:
+    structure.Name = value.toString().toStdString();
+    return "name " + value.toString();
+  case StructureTableModel::ColorColumn:
+  {
+    const auto color = value.value<QColor>();
+    structure.Color = {{color.redF(), color.greenF(), color.blueF()}};
+    return "colour";
+  }
+  case StructureTableModel::RepresentationColumn:
+    structure.Representation = static_cast<TouchRepresentation>(value.toInt());
+    return "representation " + StructureTableModel::RepresentationNames().value(value.toInt());
+  case StructureTableModel::DegreeColumn:
+    structure.Degree = std::clamp(value.toInt(), 0, 64);
+    return "degree " + QString::number(structure.Degree);
+  case StructureTableModel::StiffnessColumn:
+    structure.Stiffness = std::clamp(value.toDouble(), 0.0, 1e4);
+    return QString("stiffness %1 N/mm").arg(structure.Stiffness);
+  case StructureTableModel::FrictionColumn:
+    structure.Friction.Static = std::clamp(value.toDouble(), 0.0, 10.0);
+    structure.Friction.Dynamic = SlipShare * structure.Friction.Static;
+    return QString("friction %1").arg(structure.Friction.Static);
+  default:
+    return {};
+  }
+}
+
+QString Check(StudyStructure& structure, int column, bool isOn)
+{
+  if (column == StructureTableModel::VisibleColumn)
+  {
+    structure.IsVisible = isOn;
+    return isOn ? "Show" : "Hide";
+  }
+  structure.IsTouchable = isOn;
+  return isOn ? "Make touchable" : "Make untouchable";
+}
+} // namespace
+
+QStringList StructureTableModel::RepresentationNames()
+{
+  return {"automatic", "harmonics", "facets", "sub-voxel"};
+}
+
+StructureTableModel::StructureTableModel(StudyController& study, QObject* parent)
+    : QAbstractTableModel(parent), Study(study)
+{
+  connect(&study, &StudyController::StateChanged, this, &StructureTableModel::TakeState);
+  connect(&study, &StudyController::ProductsChanged, this, &StructureTableModel::TakeState);
+  this->TakeState();
+}
+
+void StructureTableModel::TakeState()
+{
+  const int rows = static_cast<int>(this->Study.State().Structures.size());
+  if (rows != this->Rows)
+  {
+    this->beginResetModel();
+    this->Rows = rows;
+    this->endResetModel();
+  }
+  else if (rows > 0)
+  {
+    Q_EMIT dataChanged(this->index(0, 0), this->index(rows - 1, ColumnCount - 1));
+  }
+}
+
+int StructureTableModel::rowCount(const QModelIndex& parent) const
+{
+  // A study that changed in a turn is announced in it; until then there are no more rows than both.
+  return parent.isValid()
+             ? 0
+             : std::min(this->Rows, static_cast<int>(this->Study.State().Structures.size()));
+}
+
+int StructureTableModel::columnCount(const QModelIndex& parent) const
+{
+  return parent.isValid() ? 0 : ColumnCount;
+}
+
+QVariant StructureTableModel::headerData(int section, Qt::Orientation orientation, int role) const
+{
+  static const QStringList Titles{"Structure",   "Colour",       "Seen", "Touched",
+                                  "By",          "Degree",       "N/mm", "Friction",
+                                  "Quality, mm", "Tick, \u00B5s"};
+  static const QStringList Tips{
+      "Name",
+      "Colour",
+      "Whether it is shown",
+      "Whether it can be touched",
+      "By what it is touched; automatic: harmonics, or voxels where those are refused",
+      "Of its harmonics",
+      "Stiffness",
+      "Coulomb's coefficient up to which the tool sticks",
+      "Mean distance of the model from the mask's boundary",
+      "Median time of a servo tick, where this structure alone is touched"};
+  if (orientation != Qt::Horizontal)
+  {
+    return {};
+  }
+  return role == Qt::DisplayRole   ? Titles.value(section)
+         : role == Qt::ToolTipRole ? QVariant(Tips.value(section))
+                                   : QVariant();
+}
+
+const StudyStructure& StructureTableModel::StructureAt(const QModelIndex& index) const
+{
+  return this->Study.State().Structures.at(static_cast<std::size_t>(index.row()));
+}
+
+QVariant StructureTableModel::QualityOf(const StudyStructure& structure) const
+{
+  const auto model =
+      this->Study.Current().Pipeline().Newest<FitResult>(StudyStep::Model, structure.Label);
+  return model != nullptr && model->State == FitResult::Outcome::Fitted
+             ? QString::number(model->ModelToMask.Mean, 'f', 3)
+             : QString("\u2013");
+}
+
+QVariant StructureTableModel::CostOf(const StudyStructure& structure) const
+{
+  const auto& all = this->Study.State().Structures;
+  const auto touched = std::count_if(all.begin(), all.end(),
+                                     [](const StudyStructure& one) { return one.IsTouchable; });
+  const PeriodStatistics& durations = this->Study.Reading().Durations;
+  const bool isKnown = structure.IsTouchable && touched == 1 && durations.Count() > 0;
+  return isKnown ? QString::number(1e-3 * static_cast<double>(durations.Median()), 'f', 1)
+                 : QString("\u2013");
+}
+
+QVariant StructureTableModel::ValueOf(const StudyStructure& structure, int column) const
+{
+  switch (column)
+  {
+  case NameColumn:
+    return QString::fromStdString(structure.Name);
+  case DegreeColumn:
+    return structure.Degree;
+  case StiffnessColumn:
+    return structure.Stiffness;
+  case FrictionColumn:
+    return structure.Friction.Static;
+  case QualityColumn:
+    return this->QualityOf(structure);
+  case CostColumn:
+    return this->CostOf(structure);
+  default:
+    return {};
+  }
+}
+
+QVariant StructureTableModel::data(const QModelIndex& index, int role) const
+{
+  const StudyStructure& structure = this->StructureAt(index);
+  const int column = index.column();
+  const bool isChecked = column == VisibleColumn ? structure.IsVisible : structure.IsTouchable;
+  switch (role)
+  {
+  case Qt::DisplayRole:
+    return column == RepresentationColumn
+               ? RepresentationNames().value(static_cast<int>(structure.Representation))
+               : this->ValueOf(structure, column);
+  case Qt::EditRole:
+    return column == RepresentationColumn ? QVariant(static_cast<int>(structure.Representation))
+                                          : this->ValueOf(structure, column);
+  case Qt::DecorationRole:
+  case Qt::UserRole:
+    return column == ColorColumn ? QVariant(QColor::fromRgbF(structure.Color[0], structure.Color[1],
+                                                             structure.Color[2]))
+                                 : QVariant();
+  case Qt::CheckStateRole:
+    return column == VisibleColumn || column == TouchableColumn
+               ? QVariant(isChecked ? Qt::Checked : Qt::Unchecked)
+               : QVariant();
+  default:
+    return {};
+  }
+}
+
+bool StructureTableModel::setData(const QModelIndex& index, const QVariant& value, int role)
+{
+  StudyState next = this->Study.State();
+  StudyStructure& structure = next.Structures.at(static_cast<std::size_t>(index.row()));
+  const QString name = QString::fromStdString(structure.Name);
+  QString sentence;
+  if (role == Qt::CheckStateRole)
+  {
+    sentence = Check(structure, index.column(), value.toInt() == Qt::Checked) + " " + name;
+  }
+  else
+  {
+    const QString change = Write(structure, index.column(), value);
+    sentence = change.isEmpty() ? QString() : QString("Change %1: %2").arg(name, change);
+  }
+  if (!sentence.isEmpty())
+  {
+    this->Study.Change(sentence, next);
+  }
+  return !sentence.isEmpty();
+}
+
+Qt::ItemFlags StructureTableModel::flags(const QModelIndex& index) const
+{
+  const Qt::ItemFlags flags = Qt::ItemIsEnabled | Qt::ItemIsSelectable;
+  switch (index.column())
+  {
+  case VisibleColumn:
+  case TouchableColumn:
+    return flags | Qt::ItemIsUserCheckable;
+  case ColorColumn:
+  case QualityColumn:
+  case CostColumn:
+    return flags;
+  default:
+    return flags | Qt::ItemIsEditable;
+  }
+}
+} // namespace palpate

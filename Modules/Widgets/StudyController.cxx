@@ -1,0 +1,323 @@
+#include "StudyController.h"
+
+#include "InputError.h"
+#include "StudyFileRole.h"
+#include "StudyScene.h"
+
+#include <array>
+
+namespace palpate
+{
+namespace
+{
+constexpr int LookMilliseconds = 16; // a picture's time at 60 Hz
+constexpr int LooksAStep = 6;
+constexpr std::array<StudyStep, 8> AllSteps{
+    {StudyStep::Volume, StudyStep::Segmentation, StudyStep::Structures, StudyStep::Surface,
+     StudyStep::Samples, StudyStep::Model, StudyStep::Field, StudyStep::Touch}};
+} // namespace
+
+StudyController::StudyController(Clock& clock, const RealtimeRequest& request)
+    : Open(clock, request)
+{
+  connect(&this->Timer, &QTimer::timeout, this, &StudyController::Look);
+  this->Timer.start(LookMilliseconds);
+}
+
+void StudyController::Announce()
+{
+  Q_EMIT StateChanged();
+  this->LooksToSteps = 0;
+  this->Look();
+}
+
+// Whatever the file says is said to the user; what was open stays.
+void StudyController::Try(const std::function<void()>& act)
+{
+  try
+  {
+    act();
+  }
+  catch (const std::exception& error)
+  {
+    this->Report(error.what());
+  }
+  this->Announce();
+}
+
+void StudyController::New()
+{
+  this->Roles.clear();
+  this->Open.New();
+  this->Announce();
+}
+
+void StudyController::OpenFiles(const std::vector<std::filesystem::path>& files)
+{
+  const bool isWaiting = !this->Roles.empty();
+  this->Roles.insert(this->Roles.end(), files.begin(), files.end());
+  if (!isWaiting)
+  {
+    this->TakeRole();
+  }
+}
+
+void StudyController::TakeRole()
+{
+  if (this->Roles.empty())
+  {
+    return;
+  }
+  const std::filesystem::path file = this->Roles.front();
+  const auto goOn = [this]
+  {
+    if (!this->Roles.empty())
+    {
+      this->Roles.erase(this->Roles.begin());
+    }
+    this->TakeRole();
+  };
+  StudyJob job;
+  job.Work = [this, file, goOn](const ProgressFunction&)
+  {
+    const StudyFileRole role = RoleOf(file);
+    return StudyJob::Delivery(
+        [this, file, role, goOn]
+        {
+          switch (role)
+          {
+          case StudyFileRole::Session:
+            this->OpenSession(file);
+            break;
+          case StudyFileRole::Segmentation:
+            this->OpenSegmentation(file);
+            break;
+          case StudyFileRole::Volume:
+            this->OpenVolume(file);
+            break;
+          }
+          goOn();
+        });
+  };
+  job.Fail = [this, goOn](const std::string& sentence)
+  {
+    this->Report(sentence);
+    goOn();
+  };
+  this->Open.Jobs().Start(std::move(job));
+}
+
+void StudyController::OpenVolume(const std::filesystem::path& file)
+{
+  this->Try([&] { this->Open.OpenVolume(file); });
+  Q_EMIT FileOpened(QString::fromStdString(StudyPath(file).string()));
+}
+
+void StudyController::OpenSegmentation(const std::filesystem::path& file)
+{
+  this->Try([&] { this->Open.OpenSegmentation(file); });
+  Q_EMIT FileOpened(QString::fromStdString(StudyPath(file).string()));
+}
+
+void StudyController::OpenSession(const std::filesystem::path& file)
+{
+  this->Try(
+      [&]
+      {
+        this->Open.Open(file);
+        this->Told.clear();
+        Q_EMIT FileOpened(QString::fromStdString(StudyPath(file).string()));
+      });
+}
+
+void StudyController::RelocateFile(const std::filesystem::path& missing,
+                                   const std::filesystem::path& moved)
+{
+  this->Try([&] { this->Open.RelocateFile(missing, moved); });
+}
+
+bool StudyController::Save(const std::filesystem::path& file)
+{
+  bool isSaved = false;
+  this->Try(
+      [&]
+      {
+        this->Open.Save(file);
+        isSaved = true;
+        Q_EMIT FileOpened(QString::fromStdString(StudyPath(file).string()));
+      });
+  return isSaved;
+}
+
+void StudyController::Change(const QString& sentence, const StudyState& next,
+                             const QString& gesture)
+{
+  if (this->Open.Change(sentence.toStdString(), next, gesture.toStdString()))
+  {
+    this->Announce();
+  }
+}
+
+void StudyController::ChangeView(const StudyView& view)
+{
+  if (!(view == this->State().View))
+  {
+    this->Open.ChangeView(view);
+    Q_EMIT ViewChanged();
+  }
+}
+
+void StudyController::Undo()
+{
+  if (this->Open.Undo())
+  {
+    this->Announce();
+  }
+}
+
+void StudyController::Redo()
+{
+  if (this->Open.Redo())
+  {
+    this->Announce();
+  }
+}
+
+void StudyController::CancelStep(StudyStep step)
+{
+  this->Open.Pipeline().Cancel(step);
+  this->LooksToSteps = 0;
+  this->Look();
+}
+
+void StudyController::ResumeStep(StudyStep step)
+{
+  this->Told.clear();
+  this->Open.Pipeline().Resume(step);
+  this->Open.Pipeline().Retry(step);
+  this->LooksToSteps = 0;
+  this->Look();
+}
+
+void StudyController::StartTouch()
+{
+  this->ToldOfTouch.clear();
+  this->Open.StartTouch();
+  this->Look();
+}
+
+void StudyController::StopTouch()
+{
+  this->Open.StopTouch();
+  this->Look();
+}
+
+void StudyController::SwitchForcesOff()
+{
+  this->Open.Touch().SwitchForcesOff();
+}
+
+void StudyController::SwitchForcesOn()
+{
+  this->Open.Touch().SwitchForcesOn();
+}
+
+void StudyController::MoveHand(const Vector3& targetWorld)
+{
+  this->Open.Touch().MoveHand(targetWorld);
+}
+
+void StudyController::TurnAxes(const Matrix3& rotation)
+{
+  this->Open.Touch().TurnAxes(rotation);
+  if (this->IsTouching())
+  {
+    const Status status =
+        this->Open.Touch().Update(this->State(), ContactsOf(this->State(), this->Open.Pipeline()));
+    if (!status.IsOk())
+    {
+      this->Report(status.Message());
+    }
+  }
+}
+
+void StudyController::Report(const std::string& sentence)
+{
+  Q_EMIT Problem(QString::fromStdString(sentence));
+}
+
+bool StudyController::Close()
+{
+  this->IsClosed = true;
+  this->Timer.stop();
+  this->Roles.clear();
+  this->IsEnded = this->Open.Close();
+  return this->IsEnded;
+}
+
+void StudyController::Look()
+{
+  if (this->IsClosed)
+  {
+    return;
+  }
+  if (this->Open.Deliver() > 0)
+  {
+    this->LooksToSteps = 0;
+    Q_EMIT StateChanged();
+  }
+  if (this->Revision != this->Open.Pipeline().Revision())
+  {
+    this->Revision = this->Open.Pipeline().Revision();
+    Q_EMIT ProductsChanged();
+  }
+  // How far steps have come is read by eye.
+  if (this->LooksToSteps-- <= 0)
+  {
+    this->LooksToSteps = LooksAStep;
+    this->LookAtSteps();
+  }
+  this->LookAtTouch();
+}
+
+void StudyController::LookAtSteps()
+{
+  bool isMaking = this->Open.IsOpeningDevice();
+  for (const StudyStep step : AllSteps)
+  {
+    const StudyStepState state = this->Open.Pipeline().StateOf(step);
+    isMaking = isMaking || state.Is == StudyStepState::Kind::Running ||
+               state.Is == StudyStepState::Kind::NeedsUpdate;
+    if (state.Is == StudyStepState::Kind::Failed && this->Told.insert(state.Sentence).second)
+    {
+      this->Report(state.Sentence);
+    }
+  }
+  this->IsMaking = isMaking;
+  Q_EMIT StepsChanged();
+}
+
+void StudyController::LookAtTouch()
+{
+  const std::string& problem = this->Open.TouchProblem();
+  if (problem != this->ToldOfTouch)
+  {
+    this->ToldOfTouch = problem;
+    if (!problem.empty())
+    {
+      this->Report(problem);
+    }
+  }
+  const bool isTouching = this->IsTouching();
+  if (isTouching)
+  {
+    this->Felt = this->Open.Touch().Poll();
+    Q_EMIT Touched();
+  }
+  if (isTouching != this->WasTouching)
+  {
+    this->WasTouching = isTouching;
+    Q_EMIT TouchChanged();
+  }
+}
+} // namespace palpate

@@ -1,0 +1,101 @@
+#pragma once
+
+#include "Study.h"
+
+#include <QObject>
+#include <QString>
+#include <QTimer>
+
+#include <filesystem>
+#include <functional>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace palpate
+{
+/// The study that a window shows, as signals. All that the window wants done goes through here; it
+/// looks by a timer what was made and felt meanwhile.
+class StudyController : public QObject
+{
+  Q_OBJECT
+
+public:
+  /// Keeps the address of the clock, which is the servo's.
+  explicit StudyController(Clock& clock, const RealtimeRequest& request = {});
+
+  Study& Current() { return this->Open; }
+  const StudyState& State() const { return this->Open.State(); }
+  const StudyTouchReading& Reading() const { return this->Felt; }
+  bool IsTouching() { return this->Open.Touch().IsRunning(); }
+  /// Whether something is to be read, made or opened.
+  bool IsBusy() const { return !this->Roles.empty() || this->IsMaking; }
+
+  void New();
+  /// Whatever they are, one after the other; what each is is found out beside the window.
+  void OpenFiles(const std::vector<std::filesystem::path>& files);
+  void OpenVolume(const std::filesystem::path& file);
+  void OpenSegmentation(const std::filesystem::path& file);
+  void OpenSession(const std::filesystem::path& file);
+  void RelocateFile(const std::filesystem::path& missing, const std::filesystem::path& moved);
+  /// False, with a message, where the file cannot be written.
+  bool Save(const std::filesystem::path& file);
+
+  /// A step; see StudyHistory.
+  void Change(const QString& sentence, const StudyState& next, const QString& gesture = {});
+  void EndGesture() { this->Open.EndGesture(); }
+  /// Looks elsewhere; no step.
+  void ChangeView(const StudyView& view);
+  void Undo();
+  void Redo();
+
+  void CancelStep(StudyStep step);
+  void ResumeStep(StudyStep step);
+
+  void StartTouch();
+  void StopTouch();
+  void SwitchForcesOff();
+  void SwitchForcesOn();
+  void MoveHand(const Vector3& targetWorld);
+  /// The device's axes in the world, where they follow the camera.
+  void TurnAxes(const Matrix3& rotation);
+
+  /// A sentence for the user, from wherever in the window.
+  void Report(const std::string& sentence);
+  /// Forces first, then what is at work; nothing happens after this. False as Study::Close.
+  bool Close();
+  /// What Close answered.
+  bool HasEnded() const { return this->IsEnded; }
+
+Q_SIGNALS:
+  void StateChanged();    ///< another step, or another study
+  void ViewChanged();     ///< looked elsewhere
+  void ProductsChanged(); ///< something was made
+  void StepsChanged();    ///< how steps of the pipeline stand
+  void FileOpened(const QString& file);
+  void TouchChanged(); ///< began or ended
+  void Touched();      ///< there is a new reading
+  void Problem(const QString& sentence);
+
+private:
+  void Look();
+  void LookAtTouch();
+  void LookAtSteps();
+  void Announce();
+  void TakeRole();
+  void Try(const std::function<void()>& act);
+
+  Study Open;
+  StudyTouchReading Felt;
+  QTimer Timer;
+  std::vector<std::filesystem::path> Roles; ///< files whose role is to be found out
+  std::set<std::string> Told;               ///< what failed, and was said
+  std::string ToldOfTouch;
+  std::uint64_t Revision = 0;
+  int LooksToSteps = 0;
+  bool IsMaking = false;
+  bool WasTouching = false;
+  bool IsClosed = false;
+  bool IsEnded = false;
+};
+} // namespace palpate

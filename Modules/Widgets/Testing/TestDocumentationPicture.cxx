@@ -1,0 +1,62 @@
+#include "BaselinePicture.h"
+#include "TestData.h"
+#include "WindowTest.h"
+
+#include <QStyleFactory>
+
+#include <set>
+
+namespace palpate
+{
+namespace
+{
+const std::filesystem::path Head = "/usr/share/mricron/templates/ch2.nii.gz";
+const std::filesystem::path Labels = "/usr/share/mricron/templates/aal.nii.gz";
+
+Picture PictureOf(QWidget& widget)
+{
+  const QImage image = widget.grab().toImage().convertToFormat(QImage::Format_RGBA8888);
+  Picture picture(image.width(), image.height());
+  for (int row = 0; row < image.height(); ++row)
+  {
+    std::copy_n(image.constScanLine(row), 4 * static_cast<std::size_t>(image.width()),
+                picture.Pixel(0, row));
+  }
+  return picture;
+}
+
+using WindowPictures = test::WindowTest;
+
+// The window as the documentation shows it: the style is Qt's own, so that it looks alike wherever
+// the test runs.
+TEST_F(WindowPictures, TheWindowShowsAHeadAndItsModels)
+{
+  PALPATE_REQUIRE_FILE(Head);
+  PALPATE_REQUIRE_FILE(Labels);
+  QApplication::setStyle(QStyleFactory::create("Fusion"));
+  this->Window->resize(1280, 800);
+  this->Study->OpenVolume(Head);
+  this->Study->OpenSegmentation(Labels);
+  WaitUntil([this] { return !this->Study->State().Structures.empty(); });
+  StudyState next = this->Study->State();
+  const std::set<std::string> shown{"Thalamus_L", "Thalamus_R", "Pallidum_L", "Amygdala_R"};
+  auto& all = next.Structures;
+  all.erase(std::remove_if(all.begin(), all.end(),
+                           [&](const StudyStructure& one) { return shown.count(one.Name) == 0; }),
+            all.end());
+  for (StudyStructure& structure : all)
+  {
+    structure.IsVisible = true;
+    structure.IsTouchable = true;
+  }
+  next.View.CrosshairWorld = Vector3(12.0, 18.0, 6.0);
+  this->Study->Change("Choose structures", next);
+  this->Study->ChangeView(next.View);
+  this->Settle();
+  this->Window->Messages()->Clear();
+  DrawAll(*this->Window->Views());
+  test::ExpectLikeBaseline(PictureOf(*this->Window),
+                           std::filesystem::path(PALPATE_DOCUMENTATION_IMAGES) / "viewer.png");
+}
+} // namespace
+} // namespace palpate

@@ -1,0 +1,200 @@
+#include "InputError.h"
+#include "TemporaryFolder.h"
+#include "WindowTest.h"
+
+#include <QClipboard>
+#include <QDropEvent>
+#include <QMimeData>
+#include <QSpinBox>
+#include <QUrl>
+
+#include <cmath>
+#include <fstream>
+#include <map>
+
+namespace palpate
+{
+namespace
+{
+using MainWindowTest = test::WindowTest;
+
+TEST_F(MainWindowTest, FilesFindTheirPartByThemselves)
+{
+  // A ball of grey values that vary as those of no label map do.
+  const auto grey = this->Phantom.Folder / "grey.nrrd";
+  test::LabelGrid grid;
+  const auto image = test::MakeLabelImage<float>(grid, [](double, double, double) { return true; });
+  for (vtkIdType v = 0; v < image->GetNumberOfPoints(); ++v)
+  {
+    static_cast<float*>(image->GetScalarPointer())[v] =
+        std::sin(0.37F * static_cast<float>(v % 1009));
+  }
+  WriteImage(grey, image);
+  this->Study->OpenFiles({grey, this->MaskFile()});
+  WaitUntil([this] { return this->Study->State().Structures.size() == 3; });
+  this->Settle();
+  EXPECT_EQ(this->Study->State().VolumeFile, grey);
+  EXPECT_EQ(this->Study->State().SegmentationFile, this->MaskFile());
+  const ViewContents& shown = this->Window->Contents();
+  EXPECT_EQ(shown.Surfaces().count(1), 1U);
+  EXPECT_NE(shown.Images()->GetImage(), nullptr);
+}
+
+TEST_F(MainWindowTest, DroppedFilesAreOpened)
+{
+  QMimeData data;
+  data.setUrls({QUrl::fromLocalFile(QString::fromStdString(this->MaskFile().string()))});
+  QDragEnterEvent enter({300, 300}, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+  QApplication::sendEvent(this->Window.get(), &enter);
+  EXPECT_TRUE(enter.isAccepted());
+  QDropEvent drop(QPointF(300.0, 300.0), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+  QApplication::sendEvent(this->Window.get(), &drop);
+  WaitUntil([this] { return this->Window->Contents().Images()->GetImage() != nullptr; });
+  EXPECT_EQ(this->Study->State().SegmentationFile, this->MaskFile());
+}
+
+TEST_F(MainWindowTest, ABadFileIsSaidInTheCommandLinesWordsAndTheWindowGoesOn)
+{
+  const auto bad = this->Phantom.Folder / "bad.nii.gz";
+  std::ofstream(bad) << "no image";
+  std::string sentence;
+  try
+  {
+    ReadVolume(bad);
+  }
+  catch (const InputError& error)
+  {
+    sentence = error.what();
+  }
+  ASSERT_FALSE(sentence.empty());
+  this->Opened = QStringList{QString::fromStdString(bad.string())};
+  this->Action("Open volume")->trigger();
+  WaitUntil([this] { return !this->Messages().empty(); });
+  EXPECT_EQ(this->Messages(), sentence);
+  this->Button("copy")->click();
+  EXPECT_EQ(QApplication::clipboard()->text().toStdString(), sentence);
+  this->Button("close")->click();
+  EXPECT_FALSE(this->Window->Messages()->isVisible());
+  this->OpenPhantom();
+  EXPECT_EQ(this->Window->Contents().Surfaces().count(1), 1U);
+}
+
+TEST_F(MainWindowTest, UndoSaysWhatItUndoes)
+{
+  this->OpenPhantom();
+  auto* degree = this->Window->findChild<QSpinBox*>("Degree of all");
+  degree->setValue(5);
+  EXPECT_EQ(this->Study->State().Structures.at(0).Degree, 5);
+  QAction* undo = this->Action("Undo");
+  EXPECT_EQ(undo->text(), "&Undo: Change the degree of all structures to 5");
+  undo->trigger();
+  EXPECT_EQ(this->Study->State().Structures.at(0).Degree, 12);
+  EXPECT_EQ(degree->value(), 12);
+  this->Action("Redo")->trigger();
+  EXPECT_EQ(degree->value(), 5);
+}
+
+TEST_F(MainWindowTest, TheStatusLineSaysPlaceValueAndLabel)
+{
+  this->OpenPhantom();
+  SlicePane* axial = this->Window->Views()->Slice(SliceOrientation::Axial);
+  const QPointF middle(0.5 * axial->Canvas()->width(), 0.5 * axial->Canvas()->height());
+  const double left = -15.0 / axial->View()->GetPixelMillimeters(); // to the ball's middle
+  Move(axial->Canvas(), middle + QPointF(left, 0.0));
+  const std::string text = this->Window->PointText().toStdString();
+  EXPECT_NE(text.find("value 700"), std::string::npos) << text;
+  EXPECT_NE(text.find("label 1"), std::string::npos) << text;
+  EXPECT_EQ(text.rfind("L -1", 0), 0U) << text; // -15 mm, within a pixel
+}
+
+TEST_F(MainWindowTest, AStudyReopensAsItWasSaved)
+{
+  this->OpenPhantom();
+  SlicePane* axial = this->Window->Views()->Slice(SliceOrientation::Axial);
+  Click(axial->Canvas(), {90.0, 80.0});
+  this->Action("3-D with slices beside")->trigger();
+  this->SavedTo = QString::fromStdString((this->Phantom.Folder / "case").string());
+  this->Action("Save as")->trigger();
+  const auto file = this->Phantom.Folder / "case.palpate.json";
+  ASSERT_TRUE(std::filesystem::exists(file)) << this->Messages();
+  EXPECT_FALSE(this->Window->isWindowModified());
+  const StudyState saved = this->Study->State();
+  EXPECT_EQ(saved.View.Layout, "space");
+  this->Action("New study")->trigger();
+  EXPECT_EQ(this->Study->State(), StudyState());
+  this->Opened = QStringList{QString::fromStdString(file.string())};
+  this->Action("Open study")->trigger();
+  this->Settle();
+  DrawAll(*this->Window->Views());
+  EXPECT_EQ(this->Study->State(), saved);
+  EXPECT_EQ(this->Window->Views()->Layout(), ViewLayout::Space);
+}
+
+TEST_F(MainWindowTest, AMissingFileIsAskedFor)
+{
+  this->OpenPhantom();
+  const auto file = this->Phantom.Folder / "case.palpate.json";
+  this->Study->Save(file);
+  const auto moved = this->Phantom.Folder / "moved.nii.gz";
+  std::filesystem::rename(this->MaskFile(), moved);
+  this->Found = QString::fromStdString(moved.string());
+  this->Study->OpenSession(file);
+  WaitUntil([this] { return this->Study->State().SegmentationFile.filename() == "moved.nii.gz"; });
+  ASSERT_EQ(this->AskedFor.size(), 1U);
+  EXPECT_EQ(this->AskedFor.front().Role, "segmentation");
+}
+
+TEST_F(MainWindowTest, RecentFilesAreListed)
+{
+  this->OpenPhantom();
+  auto* menu = this->Action("Recent")->menu();
+  Q_EMIT menu->aboutToShow();
+  ASSERT_EQ(menu->actions().size(), 2);
+  EXPECT_TRUE(menu->actions().front()->text().startsWith("mask.nii.gz"));
+}
+
+TEST_F(MainWindowTest, NoShortcutMeansTwoThings)
+{
+  std::map<QKeySequence, QString> keys;
+  for (const QAction* action : this->Window->findChildren<QAction*>())
+  {
+    if (!action->shortcut().isEmpty())
+    {
+      EXPECT_EQ(keys.count(action->shortcut()), 0U)
+          << action->shortcut().toString().toStdString() << " is " << action->text().toStdString()
+          << " and " << keys[action->shortcut()].toStdString();
+      keys[action->shortcut()] = action->text();
+    }
+  }
+  EXPECT_GT(keys.size(), 15U);
+}
+
+TEST_F(MainWindowTest, AScreenshotIsThePictureOfTheWindow)
+{
+  this->OpenPhantom();
+  const auto file = this->Phantom.Folder / "window.png";
+  EXPECT_TRUE(this->Window->SaveScreenshot(QString::fromStdString(file.string())));
+  EXPECT_EQ(QImage(QString::fromStdString(file.string())).size(), this->Window->size());
+  EXPECT_FALSE(this->Window->SaveScreenshot("/no/such/folder/window.png"));
+  EXPECT_NE(this->Messages().find("/no/such/folder/window.png"), std::string::npos);
+}
+
+TEST_F(MainWindowTest, ClosingIsRefusedWhereTheUserThinksBetterOfIt)
+{
+  this->OpenPhantom();
+  this->Leaving = FileQuestions::Answer::Cancel;
+  EXPECT_FALSE(this->Window->close());
+  EXPECT_TRUE(this->Window->isVisible());
+  this->Leaving = FileQuestions::Answer::Discard;
+  EXPECT_TRUE(this->Window->close());
+}
+
+TEST_F(MainWindowTest, ItClosesWhileWorkIsGoingOn)
+{
+  this->Study->OpenSegmentation(this->MaskFile());
+  WaitUntil([this] { return !this->Study->State().Structures.empty(); });
+  EXPECT_TRUE(this->Window->close());
+  EXPECT_FALSE(this->Window->isVisible());
+}
+} // namespace
+} // namespace palpate

@@ -1,0 +1,172 @@
+#include "PlotsPanel.h"
+#include "TouchPanel.h"
+#include "WindowTest.h"
+
+#include "vtkRenderWindow.h"
+
+#include <QKeyEvent>
+#include <QTableWidget>
+
+#include <cmath>
+
+namespace palpate
+{
+namespace
+{
+double Norm(const PlainVector3& vector)
+{
+  return std::hypot(vector.X, vector.Y, vector.Z);
+}
+
+class TouchLinkTest : public test::WindowTest
+{
+protected:
+  // The ball alone, begun to be touched by mouse.
+  void StartTouch()
+  {
+    this->OpenPhantom();
+    StudyState next = this->Study->State();
+    next.Structures.resize(1);
+    this->Study->Change("Keep the ball", next);
+    this->Settle();
+    DrawAll(*this->Window->Views());
+    this->Window->Messages()->Clear(); // of structures that are no bodies
+    this->Button("start-touch")->click();
+    WaitUntil([this] { return this->Study->IsTouching() || !this->Messages().empty(); });
+    ASSERT_TRUE(this->Study->IsTouching()) << this->Messages();
+  }
+  // Where a point is seen in the view in space, in pixels of Qt.
+  QPointF PlaceOf(const Vector3& world) const
+  {
+    SpacePane* space = this->Window->Views()->Space();
+    space->Renderer()->SetWorldPoint(world.x(), world.y(), world.z(), 1.0);
+    space->Renderer()->WorldToDisplay();
+    const double* display = space->Renderer()->GetDisplayPoint();
+    return {display[0], space->Canvas()->height() - 1 - display[1]};
+  }
+  // Over the ball's middle, then towards it until it is felt.
+  void PressByMouse()
+  {
+    QWidget* canvas = this->Window->Views()->Space()->Canvas();
+    const QPointF place = this->PlaceOf(BallMiddle);
+    Move(canvas, place);
+    WaitUntil(
+        [&]
+        {
+          Wheel(canvas, place, 1);
+          return this->Study->Reading().TouchedLabel == 1 &&
+                 Norm(this->Study->Reading().Newest.ForceWorld) > 0.1;
+        });
+  }
+
+  const Vector3 BallMiddle{-15.0, 0.0, 0.0};
+};
+
+TEST_F(TouchLinkTest, TheMouseIsTheHandAndIsSeenInEveryView)
+{
+  this->StartTouch();
+  this->PressByMouse();
+  DrawAll(*this->Window->Views());
+  vtkProbeRepresentation* probe = this->Window->Contents().Probe();
+  EXPECT_TRUE(probe->GetVisibility());
+  EXPECT_TRUE(probe->GetInContact());
+  EXPECT_GT(this->Window->findChild<PlotsPanel*>()->Force().Largest(), 0.1);
+  EXPECT_FALSE(this->Window->findChild<TouchPanel*>()->SafetyWords().isEmpty());
+}
+
+TEST_F(TouchLinkTest, EscapeStopsAllForceAndOneAllowsItAgain)
+{
+  this->StartTouch();
+  this->PressByMouse();
+  QKeyEvent escape(QEvent::KeyPress, Qt::Key_Escape, Qt::NoModifier);
+  QApplication::sendEvent(this->Window->findChild<QTableWidget*>("landmarks"), &escape);
+  WaitUntil([this]
+            { return this->Study->Reading().Newest.Safety.Fault == SafetyFault::SwitchedOff; });
+  EXPECT_EQ(Norm(this->Study->Reading().Newest.ForceDevice), 0.0);
+  this->Button("allow-force")->click();
+  WaitUntil([this] { return Norm(this->Study->Reading().Newest.ForceDevice) > 0.05; });
+}
+
+TEST_F(TouchLinkTest, WithAModifierTheMouseMovesTheCameraAndNotTheHand)
+{
+  this->StartTouch();
+  SpacePane* space = this->Window->Views()->Space();
+  const Matrix3 before = space->Axes();
+  int moved = 0;
+  QObject::connect(space, &SpacePane::HandMoved, [&moved](const Vector3&) { ++moved; });
+  QWidget* canvas = space->Canvas();
+  SendMouse(canvas, QEvent::MouseButtonPress, {100.0, 100.0}, Qt::LeftButton, Qt::LeftButton,
+            Qt::ControlModifier);
+  SendMouse(canvas, QEvent::MouseMove, {160.0, 110.0}, Qt::NoButton, Qt::LeftButton,
+            Qt::ControlModifier);
+  SendMouse(canvas, QEvent::MouseButtonRelease, {160.0, 110.0}, Qt::LeftButton, Qt::NoButton,
+            Qt::ControlModifier);
+  EXPECT_GT((space->Axes() - before).norm(), 0.1);
+  EXPECT_EQ(moved, 0);
+  // The device's axes went with it.
+  EXPECT_LT((this->Study->Current().Touch().Frame().Rotation - space->Axes()).norm(), 1e-12);
+  Move(canvas, {120.0, 100.0});
+  EXPECT_EQ(moved, 1);
+}
+
+TEST_F(TouchLinkTest, SlicesFollowTheProbe)
+{
+  this->StartTouch();
+  this->Action("Slices follow the probe")->trigger();
+  this->PressByMouse();
+  const PlainVector3 proxy = this->Study->Reading().Newest.ProxyWorld;
+  const double* cross = this->Window->Contents().Crosshair()->GetPositionWorld();
+  EXPECT_EQ(cross[0], proxy.X);
+  EXPECT_EQ(cross[2], proxy.Z);
+}
+
+TEST_F(TouchLinkTest, ClosingWhileTouchingTakesForcesAway)
+{
+  this->StartTouch();
+  this->PressByMouse();
+  EXPECT_TRUE(this->Window->close());
+  EXPECT_FALSE(this->Study->IsTouching());
+}
+
+TEST_F(TouchLinkTest, ATouchOfNothingIsRefusedWithItsSentence)
+{
+  this->Button("start-touch")->click();
+  WaitUntil([this] { return !this->Messages().empty(); });
+  EXPECT_EQ(this->Messages(), "There is nothing to touch yet: make a structure touchable and wait "
+                              "until its model is made.");
+}
+
+// Open, fit, touch by mouse, landmark, save, reopen: the same state.
+TEST_F(TouchLinkTest, AWholeSessionReopensTheSame)
+{
+  this->StartTouch();
+  this->PressByMouse();
+  this->Button("add-touched")->click();
+  this->Button("add-landmarks")->setChecked(true);
+  Click(this->Window->Views()->Slice(SliceOrientation::Coronal)->Canvas(), {70.0, 60.0});
+  this->Button("add-landmarks")->setChecked(false);
+  ASSERT_EQ(this->Study->State().Landmarks.size(), 2U);
+  // Touched from outside: at least as far from the middle as the ball reaches, within a voxel.
+  const Vector3 touched = this->Study->State().Landmarks.front().PositionWorld;
+  EXPECT_GT((touched - this->BallMiddle).norm(), 9.0 - 1.0);
+  this->Window->findChild<QTableWidget*>("landmarks")->selectAll();
+  this->Button("add-distance")->click();
+  ASSERT_EQ(this->Study->State().Distances.size(), 1U) << this->Messages();
+  const auto csv = this->Phantom.Folder / "marks.csv";
+  this->SavedTo = QString::fromStdString(csv.string());
+  this->Button("export-landmarks")->click();
+  EXPECT_TRUE(std::filesystem::exists(csv)) << this->Messages();
+  this->Button("start-touch")->click();
+  EXPECT_FALSE(this->Study->IsTouching());
+  const auto file = this->Phantom.Folder / "case.palpate.json";
+  ASSERT_TRUE(this->Study->Save(file)) << this->Messages();
+  const StudyState saved = this->Study->State();
+  this->Study->New();
+  this->Study->OpenSession(file);
+  this->Settle();
+  DrawAll(*this->Window->Views());
+  EXPECT_EQ(this->Study->State(), saved);
+  EXPECT_EQ(this->Window->Contents().Landmarks()->GetNumberOfDistances(), 1);
+}
+} // namespace
+} // namespace palpate

@@ -1,0 +1,181 @@
+#include "LabelImages.h"
+#include "ViewGrid.h"
+#include "WidgetTest.h"
+
+#include "vtkGenericOpenGLRenderWindow.h"
+
+#include <QImage>
+
+#include <cmath>
+#include <set>
+
+namespace palpate
+{
+namespace
+{
+// A ball of 12 mm in a volume of 60 x 50 x 40 mm round the origin.
+vtkSmartPointer<vtkImageData> BallImage()
+{
+  test::LabelGrid grid;
+  grid.Size = {{60, 50, 40}};
+  grid.CenterOnOrigin();
+  return test::MakeLabelImage<short>(
+      grid, [](double x, double y, double z) { return std::hypot(x, y, z) < 12.0; }, 700);
+}
+
+class ViewGridTest : public test::WidgetTest
+{
+protected:
+  void SetUp() override
+  {
+    WidgetTest::SetUp();
+    if (IsSkipped())
+    {
+      return;
+    }
+    this->Contents.Images()->SetImage(BallImage());
+    this->Contents.Crosshair()->SetPositionWorld(0.0, 0.0, 0.0);
+    this->Views = std::make_unique<ViewGrid>(this->Contents);
+    this->Views->resize(640, 480);
+    this->Views->show();
+    DrawAll(*this->Views);
+  }
+  QWidget* CanvasOf(SliceOrientation orientation) const
+  {
+    return this->Views->Slice(orientation)->Canvas();
+  }
+  std::array<int, 4> Counts() const
+  {
+    std::array<int, 4> counts{};
+    for (std::size_t p = 0; p < counts.size(); ++p)
+    {
+      counts[p] = this->Views->Panes()[p]->RenderCount();
+    }
+    return counts;
+  }
+  std::set<ViewPane*> Visible() const
+  {
+    std::set<ViewPane*> visible;
+    for (ViewPane* pane : this->Views->Panes())
+    {
+      if (pane->isVisible())
+      {
+        visible.insert(pane);
+      }
+    }
+    return visible;
+  }
+
+  ViewContents Contents;
+  std::unique_ptr<ViewGrid> Views;
+};
+
+TEST_F(ViewGridTest, TheVolumeIsSeenInEverySlice)
+{
+  for (const SliceOrientation orientation : AllSliceOrientations)
+  {
+    const QImage picture = this->CanvasOf(orientation)->grab().toImage();
+    // Off the crosshair's lines, within the ball: 12 mm are 40 pixels and more.
+    const QColor middle = picture.pixelColor(picture.width() / 2 + 12, picture.height() / 2 + 12);
+    EXPECT_GT(middle.lightness(), 150) << NameOf(orientation);
+  }
+}
+
+TEST_F(ViewGridTest, AClickMovesTheCrosshairOfAllViews)
+{
+  QWidget* axial = this->CanvasOf(SliceOrientation::Axial);
+  const double pixel = this->Views->Slice(SliceOrientation::Axial)->View()->GetPixelMillimeters();
+  const QPointF middle(0.5 * axial->width(), 0.5 * axial->height());
+  Click(axial, middle + QPointF(20.0, 10.0));
+  // Radiologists see axial slices from the feet: right on the screen is the patient's left, down
+  // is posterior. The middle of a pixel is meant, and that of the view lies between two.
+  const double* place = this->Contents.Crosshair()->GetPositionWorld();
+  EXPECT_NEAR(place[0], 20.0 * pixel, 1.5 * pixel);
+  EXPECT_NEAR(place[1], 10.0 * pixel, 1.5 * pixel);
+  EXPECT_NEAR(place[2], 0.0, 0.5); // the slice's own middle
+}
+
+TEST_F(ViewGridTest, ManyChangesOfATurnAreOnePictureOfEachView)
+{
+  const auto before = this->Counts();
+  for (int step = 1; step <= 20; ++step)
+  {
+    this->Contents.Crosshair()->SetPositionWorld(0.1 * step, 0.0, 0.0);
+  }
+  EXPECT_EQ(this->Counts(), before);
+  WaitUntil([&] { return this->Counts() != before; });
+  QApplication::processEvents();
+  for (std::size_t p = 0; p < before.size(); ++p)
+  {
+    EXPECT_EQ(this->Counts()[p], before[p] + 1);
+  }
+}
+
+TEST_F(ViewGridTest, OnlyTheViewThatChangedIsDrawn)
+{
+  const auto before = this->Counts();
+  QWidget* axial = this->CanvasOf(SliceOrientation::Axial);
+  Wheel(axial, {50.0, 50.0}, 1, Qt::ControlModifier); // its own zoom
+  WaitUntil([&] { return this->Counts() != before; });
+  QApplication::processEvents();
+  const auto after = this->Counts();
+  EXPECT_EQ(after[0], before[0] + 1);
+  EXPECT_EQ(after[1], before[1]);
+  EXPECT_EQ(after[2], before[2]);
+  EXPECT_EQ(after[3], before[3]);
+}
+
+TEST_F(ViewGridTest, TheWheelAndTheSliderScroll)
+{
+  SlicePane* axial = this->Views->Slice(SliceOrientation::Axial);
+  const int number = axial->View()->GetSliceNumber();
+  Wheel(axial->Canvas(), {50.0, 50.0}, 1);
+  EXPECT_EQ(axial->View()->GetSliceNumber(), number + 1);
+  auto* slider = axial->findChild<QSlider*>("slice");
+  slider->setValue(7);
+  EXPECT_EQ(axial->View()->GetSliceNumber(), 7);
+  DrawAll(*this->Views);
+  EXPECT_EQ(slider->value(), 7);
+  EXPECT_EQ(slider->maximum(), 40);
+}
+
+TEST_F(ViewGridTest, ADoubleClickShowsOneViewAloneAndAllAgain)
+{
+  SlicePane* coronal = this->Views->Slice(SliceOrientation::Coronal);
+  DoubleClick(coronal->Canvas(), {30.0, 30.0});
+  EXPECT_EQ(this->Visible(), std::set<ViewPane*>{coronal});
+  DoubleClick(coronal->Canvas(), {30.0, 30.0});
+  EXPECT_EQ(this->Visible().size(), 4U);
+}
+
+TEST_F(ViewGridTest, LayoutsShowWhatTheySay)
+{
+  this->Views->SetLayout(ViewLayout::Space);
+  QApplication::processEvents();
+  EXPECT_EQ(this->Visible().size(), 4U);
+  EXPECT_GT(this->Views->Space()->width(),
+            this->Views->Slice(SliceOrientation::Axial)->width() * 3 / 2);
+  this->Views->SetLayout(ViewLayout::One);
+  EXPECT_EQ(this->Visible().size(), 1U);
+  this->Views->SetLayout(ViewLayout::Four);
+  EXPECT_EQ(this->Visible().size(), 4U);
+  EXPECT_EQ(LayoutOf("no layout"), ViewLayout::Four);
+  for (const ViewLayout layout : AllViewLayouts)
+  {
+    EXPECT_EQ(LayoutOf(WordOf(layout)), layout);
+  }
+}
+
+TEST_F(ViewGridTest, WhatCannotBeSeenIsNotDrawn)
+{
+  this->Views->SetLayout(ViewLayout::One);
+  QApplication::processEvents();
+  const auto before = this->Counts();
+  this->Contents.Crosshair()->SetPositionWorld(3.0, 0.0, 0.0);
+  WaitUntil([&] { return this->Counts() != before; });
+  QApplication::processEvents();
+  EXPECT_EQ(this->Counts()[0], before[0]);
+  EXPECT_EQ(this->Counts()[3], before[3] + 1);
+}
+} // namespace
+} // namespace palpate

@@ -1,0 +1,130 @@
+#pragma once
+
+#include "DisplayServer.h"
+#include "FileQuestions.h"
+#include "MainWindow.h"
+#include "SteadyClock.h"
+
+#include <QApplication>
+#include <QMouseEvent>
+#include <QSettings>
+#include <QSurfaceFormat>
+#include <QWheelEvent>
+
+#include <functional>
+#include <gtest/gtest.h>
+#include <memory>
+#include <stdexcept>
+
+namespace palpate::test
+{
+/// One application for all tests of a program, on a display of its own if need be.
+class TestApplication
+{
+public:
+  /// Null where there is no display and none can be started; Reason says why.
+  static TestApplication* Get()
+  {
+    static const std::unique_ptr<TestApplication> One = Make();
+    return One.get();
+  }
+  static std::string& Reason()
+  {
+    static std::string text;
+    return text;
+  }
+
+private:
+  TestApplication()
+  {
+    QSurfaceFormat::setDefaultFormat(QVTKOpenGLNativeWidget::defaultFormat());
+    QApplication::setOrganizationName("Palpate tests");
+    QApplication::setApplicationName("WidgetsTests");
+    this->Application = std::make_unique<QApplication>(this->Count, this->Arguments);
+  }
+  static std::unique_ptr<TestApplication> Make()
+  {
+    try
+    {
+      return std::unique_ptr<TestApplication>(new TestApplication);
+    }
+    catch (const std::runtime_error& error)
+    {
+      Reason() = error.what();
+      return nullptr;
+    }
+  }
+
+  DisplayServer Display; // before the application that draws on it
+  int Count = 1;
+  char Name[13] = "WidgetsTests";
+  char* Arguments[2] = {Name, nullptr};
+  std::unique_ptr<QApplication> Application;
+};
+
+/// Tests that send real events to widgets; skipped, saying so, where there is no display.
+class WidgetTest : public testing::Test
+{
+protected:
+  void SetUp() override
+  {
+    if (TestApplication::Get() == nullptr)
+    {
+      GTEST_SKIP() << TestApplication::Reason();
+    }
+  }
+
+  /// Lets events happen until it is true. What it waits for comes by events: a test that waits in
+  /// vain ends by its time limit.
+  static void WaitUntil(const std::function<bool()>& isTrue)
+  {
+    while (!isTrue())
+    {
+      QApplication::processEvents(QEventLoop::WaitForMoreEvents);
+    }
+  }
+  /// Until nothing is left to be drawn.
+  static void DrawAll(ViewGrid& views)
+  {
+    for (ViewPane* pane : views.Panes())
+    {
+      const int drawn = pane->RenderCount();
+      pane->RequestRender();
+      WaitUntil([&] { return pane->RenderCount() > drawn || !pane->isVisible(); });
+    }
+    QApplication::processEvents();
+  }
+
+  static void SendMouse(QWidget* widget, QEvent::Type type, const QPointF& place,
+                        Qt::MouseButton button, Qt::MouseButtons buttons,
+                        Qt::KeyboardModifiers modifiers = Qt::NoModifier)
+  {
+    QMouseEvent event(type, place, widget->mapToGlobal(place.toPoint()), button, buttons,
+                      modifiers);
+    QApplication::sendEvent(widget, &event);
+  }
+  static void Move(QWidget* widget, const QPointF& place,
+                   Qt::KeyboardModifiers modifiers = Qt::NoModifier)
+  {
+    SendMouse(widget, QEvent::MouseMove, place, Qt::NoButton, Qt::NoButton, modifiers);
+  }
+  static void Click(QWidget* widget, const QPointF& place)
+  {
+    SendMouse(widget, QEvent::MouseButtonPress, place, Qt::LeftButton, Qt::LeftButton);
+    SendMouse(widget, QEvent::MouseButtonRelease, place, Qt::LeftButton, Qt::NoButton);
+  }
+  static void DoubleClick(QWidget* widget, const QPointF& place)
+  {
+    Click(widget, place);
+    SendMouse(widget, QEvent::MouseButtonDblClick, place, Qt::LeftButton, Qt::LeftButton);
+    SendMouse(widget, QEvent::MouseButtonRelease, place, Qt::LeftButton, Qt::NoButton);
+  }
+  static void Wheel(QWidget* widget, const QPointF& place, int notches,
+                    Qt::KeyboardModifiers modifiers = Qt::NoModifier)
+  {
+    QWheelEvent event(place, widget->mapToGlobal(place.toPoint()), {}, QPoint(0, 120 * notches),
+                      Qt::NoButton, modifiers, Qt::NoScrollPhase, false);
+    QApplication::sendEvent(widget, &event);
+  }
+};
+} // namespace palpate::test

@@ -1,0 +1,112 @@
+#pragma once
+
+#include "StudyPhantoms.h"
+#include "WidgetTest.h"
+
+#include <QAction>
+#include <QPushButton>
+
+#include <memory>
+
+namespace palpate::test
+{
+/// A whole window on a phantom, whose questions are answered by the test.
+class WindowTest : public WidgetTest
+{
+protected:
+  void SetUp() override
+  {
+    WidgetTest::SetUp();
+    if (IsSkipped())
+    {
+      return;
+    }
+    QSettings().clear();
+    RealtimeRequest ordinary;
+    ordinary.Priority = 0;
+    this->Study = std::make_unique<StudyController>(this->Time, ordinary);
+    FileQuestions questions;
+    questions.ToOpen = [this](QWidget*, const QString&, const QString&) { return this->Opened; };
+    questions.ToSave = [this](QWidget*, const QString&, const QString&, const QString&)
+    { return this->SavedTo; };
+    questions.Missing = [this](QWidget*, const StudyMissingFile& missing)
+    {
+      this->AskedFor.push_back(missing);
+      return this->Found;
+    };
+    questions.WhetherToSave = [this](QWidget*) { return this->Leaving; };
+    this->Window = std::make_unique<MainWindow>(*this->Study, questions);
+    this->Window->resize(1000, 700);
+    this->Window->show();
+    QApplication::processEvents();
+  }
+  void TearDown() override
+  {
+    if (this->Study != nullptr)
+    {
+      this->Study->Close();
+    }
+    this->Window.reset();
+  }
+
+  std::filesystem::path VolumeFile() const { return this->Phantom.Folder / "volume.nii.gz"; }
+  std::filesystem::path MaskFile() const { return this->Phantom.Folder / "mask.nii.gz"; }
+  /// Until everything that the study wants is made, or has failed.
+  void Settle()
+  {
+    const auto isMade = [this](const StudyStructure& structure)
+    {
+      for (const StudyStep step : {StudyStep::Surface, StudyStep::Model, StudyStep::Touch})
+      {
+        const auto kind = this->Study->Current().Pipeline().StateOf(step, structure.Label).Is;
+        if (kind == StudyStepState::Kind::Running || kind == StudyStepState::Kind::NeedsUpdate)
+        {
+          return false;
+        }
+      }
+      return true;
+    };
+    WaitUntil(
+        [&]
+        {
+          const auto& all = this->Study->State().Structures;
+          return !this->Study->IsBusy() && std::all_of(all.begin(), all.end(), isMade);
+        });
+  }
+  void OpenPhantom()
+  {
+    this->Study->OpenVolume(this->VolumeFile());
+    this->Study->OpenSegmentation(this->MaskFile());
+    WaitUntil([this] { return this->Study->State().Structures.size() == 3; });
+    this->Settle();
+    DrawAll(*this->Window->Views());
+  }
+  QAction* Action(const QString& start) const
+  {
+    for (QAction* action : this->Window->findChildren<QAction*>())
+    {
+      if (action->text().remove('&').startsWith(start))
+      {
+        return action;
+      }
+    }
+    ADD_FAILURE() << "no action " << start.toStdString();
+    return nullptr;
+  }
+  QPushButton* Button(const char* name) const
+  {
+    return this->Window->findChild<QPushButton*>(name);
+  }
+  std::string Messages() const { return this->Window->Messages()->Text().toStdString(); }
+
+  StudyPhantom Phantom;
+  SteadyClock Time;
+  QStringList Opened;
+  QString SavedTo;
+  QString Found;
+  std::vector<StudyMissingFile> AskedFor;
+  FileQuestions::Answer Leaving = FileQuestions::Answer::Discard;
+  std::unique_ptr<StudyController> Study;
+  std::unique_ptr<MainWindow> Window;
+};
+} // namespace palpate::test

@@ -1,0 +1,36 @@
+#pragma once
+
+#include "StudyController.h"
+#include "ViewContents.h"
+#include "ViewGrid.h"
+
+#include <QObject>
+
+namespace palpate
+{
+/// Joins a study's touch with the views: they show what is felt, the mouse over the view in space
+/// is the hand of a simulated device, the device's axes follow the camera, slices follow the probe,
+/// and Escape stops all force wherever the user is.
+class TouchLink : public QObject
+{
+  Q_OBJECT
+
+public:
+  /// Keeps the addresses.
+  TouchLink(StudyController& study, ViewContents& contents, ViewGrid& views, QObject* parent);
+
+protected:
+  bool eventFilter(QObject* object, QEvent* event) override;
+
+private:
+  void Begin();
+  void ShowReading();
+  void TellAxes();
+  /// In front of what is touched, as far as the device reaches.
+  Vector3 FirstHand() const;
+
+  StudyController& Study;
+  ViewContents& Contents;
+  ViewGrid& Views;
+};
+} // namespace palpate

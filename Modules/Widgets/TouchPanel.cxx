@@ -1,0 +1,217 @@
+#include "TouchPanel.h"
+
+#include "BuiltInDevices.h"
+
+#include <QFormLayout>
+#include <QSignalBlocker>
+#include <QVBoxLayout>
+
+#include <cmath>
+
+namespace palpate
+{
+namespace
+{
+QStringList DeviceNames()
+{
+  DeviceRegistry registry;
+  QStringList names;
+  if (RegisterBuiltInDevices(registry).IsOk())
+  {
+    for (const std::string& name : registry.Names())
+    {
+      names += QString::fromStdString(name);
+    }
+  }
+  return names;
+}
+
+double Norm(const PlainVector3& vector)
+{
+  return std::hypot(vector.X, vector.Y, vector.Z);
+}
+
+QLabel* MakeText(const char* name, QWidget* parent)
+{
+  auto* label = new QLabel(parent);
+  label->setObjectName(name);
+  label->setWordWrap(true);
+  label->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  return label;
+}
+} // namespace
+
+TouchPanel::TouchPanel(StudyController& study, QWidget* parent)
+    : QWidget(parent), Study(study), Device(new QComboBox(this)), Radius(new QDoubleSpinBox(this)),
+      Scale(new QDoubleSpinBox(this)), FollowCamera(new QCheckBox(this)),
+      Start(new QPushButton(this)), StopForce(new QPushButton("Stop force  (Esc)", this)),
+      AllowForce(new QPushButton("Allow force again", this)), Safety(MakeText("safety", this)),
+      Felt(MakeText("felt", this)), Advice(MakeText("advice", this))
+{
+  auto* column = new QVBoxLayout(this);
+  auto* form = new QFormLayout;
+  this->MakeSettings(form);
+  this->MakeButtons();
+  column->addLayout(form);
+  column->addWidget(this->Start);
+  column->addWidget(this->StopForce);
+  column->addWidget(this->AllowForce);
+  column->addWidget(this->Safety);
+  column->addWidget(this->Felt);
+  column->addWidget(this->Advice);
+  column->addStretch(1);
+  connect(&study, &StudyController::StateChanged, this, &TouchPanel::ShowState);
+  connect(&study, &StudyController::TouchChanged, this, &TouchPanel::ShowTouch);
+  connect(&study, &StudyController::StepsChanged, this, &TouchPanel::ShowTouch);
+  connect(&study, &StudyController::Touched, this, &TouchPanel::ShowReading);
+  this->ShowState();
+  this->ShowTouch();
+}
+
+void TouchPanel::MakeButtons()
+{
+  this->Start->setObjectName("start-touch");
+  this->StopForce->setObjectName("stop-force");
+  this->AllowForce->setObjectName("allow-force");
+  // The one button that must be found without looking for it.
+  this->StopForce->setMinimumHeight(48);
+  this->StopForce->setStyleSheet(
+      "QPushButton { background: #D55E00; color: white; font-weight: bold; font-size: 15px; }"
+      "QPushButton:disabled { background: gray; }");
+  connect(this->Start, &QPushButton::clicked, this,
+          [this]
+          {
+            if (this->Study.IsTouching() || this->Study.Current().IsOpeningDevice())
+            {
+              this->Study.StopTouch();
+            }
+            else
+            {
+              this->Study.StartTouch();
+            }
+            this->ShowTouch();
+          });
+  connect(this->StopForce, &QPushButton::clicked, &this->Study, &StudyController::SwitchForcesOff);
+  connect(this->AllowForce, &QPushButton::clicked, &this->Study, &StudyController::SwitchForcesOn);
+}
+
+void TouchPanel::MakeSettings(QFormLayout* form)
+{
+  this->Device->setObjectName("device");
+  this->Device->addItems(DeviceNames());
+  this->Device->setEditable(true); // for "name:argument"
+  form->addRow("Device", this->Device);
+  connect(this->Device, &QComboBox::currentTextChanged, this,
+          [this](const QString& name)
+          {
+            StudyState next = this->Study.State();
+            next.Device = name.toStdString();
+            this->Study.Change("Choose the device " + name, next, "device");
+          });
+  this->Radius->setObjectName("tool-radius");
+  this->Radius->setRange(0.0, 100.0);
+  this->Radius->setSingleStep(0.5);
+  this->Radius->setKeyboardTracking(false);
+  form->addRow("Tool radius, mm", this->Radius);
+  connect(this->Radius, qOverload<double>(&QDoubleSpinBox::valueChanged), this,
+          [this](double radius)
+          {
+            StudyState next = this->Study.State();
+            next.Tool.Radius = radius;
+            this->Study.Change(QString("Change the tool's radius to %1 mm").arg(radius), next,
+                               "tool radius");
+          });
+  this->Scale->setObjectName("scale");
+  this->Scale->setRange(0.0, 100.0);
+  this->Scale->setSingleStep(0.1);
+  this->Scale->setKeyboardTracking(false);
+  this->Scale->setSpecialValueText("all is in reach");
+  this->Scale->setToolTip("mm of the scene for one of the hand");
+  form->addRow("Scale", this->Scale);
+  connect(this->Scale, qOverload<double>(&QDoubleSpinBox::valueChanged), this,
+          &TouchPanel::ChangeScale);
+  this->FollowCamera->setText("The device's axes follow the camera");
+  form->addRow(this->FollowCamera);
+  connect(this->FollowCamera, &QCheckBox::clicked, this,
+          [this](bool isOn)
+          {
+            StudyState next = this->Study.State();
+            next.Placement.AxesFollowCamera = isOn;
+            this->Study.Change(isOn ? "Have the axes follow the camera" : "Keep the axes", next);
+          });
+}
+
+void TouchPanel::ChangeScale(double scale)
+{
+  StudyState next = this->Study.State();
+  next.Placement.Scale = scale > 0.0 ? std::optional<double>(scale) : std::nullopt;
+  this->Study.Change(scale > 0.0 ? QString("Change the scale to %1").arg(scale)
+                                 : QString("Have all in reach"),
+                     next, "scale");
+}
+
+void TouchPanel::ShowState()
+{
+  const StudyState& state = this->Study.State();
+  const QSignalBlocker device(this->Device);
+  const QSignalBlocker radius(this->Radius);
+  const QSignalBlocker scale(this->Scale);
+  this->Device->setCurrentText(QString::fromStdString(state.Device));
+  this->Radius->setValue(state.Tool.Radius);
+  this->Scale->setValue(state.Placement.Scale.value_or(0.0));
+  this->FollowCamera->setChecked(state.Placement.AxesFollowCamera);
+}
+
+void TouchPanel::ShowTouch()
+{
+  const bool isTouching = this->Study.IsTouching();
+  const bool isOpening = this->Study.Current().IsOpeningDevice();
+  this->Start->setText(isTouching  ? "Stop touching"
+                       : isOpening ? "Opening the device... (stop)"
+                                   : "Start touching");
+  this->StopForce->setEnabled(isTouching);
+  this->AllowForce->setEnabled(isTouching);
+  this->Device->setEnabled(!isTouching && !isOpening);
+  if (!isTouching)
+  {
+    this->Safety->setText("Nothing is touched: there is no force.");
+    this->Felt->clear();
+    this->Advice->clear();
+  }
+}
+
+QString TouchPanel::Warnings() const
+{
+  QStringList lines;
+  for (const std::string& warning : this->Study.Current().Touch().Warnings())
+  {
+    lines += QString::fromStdString(warning);
+  }
+  const StudyTouchReading& reading = this->Study.Reading();
+  for (const std::string& problem : {reading.DeviceProblem, reading.RecordingProblem})
+  {
+    if (!problem.empty())
+    {
+      lines += QString::fromStdString(problem);
+    }
+  }
+  return lines.join("\n");
+}
+
+void TouchPanel::ShowReading()
+{
+  const StudyTouchReading& reading = this->Study.Reading();
+  this->Safety->setText(QString::fromStdString(reading.Safety));
+  const StudyStructure* touched = FindStructure(this->Study.State(), reading.TouchedLabel);
+  const QString name = touched != nullptr ? QString::fromStdString(touched->Name) : "nothing";
+  this->Felt->setText(QString("Touches %1: %2 N, %3 mm deep")
+                          .arg(name)
+                          .arg(Norm(reading.Newest.ForceWorld), 0, 'f', 2)
+                          .arg(reading.Newest.Depth, 0, 'f', 2));
+  const QString warnings = this->Warnings();
+  if (this->Advice->text() != warnings)
+  {
+    this->Advice->setText(warnings);
+  }
+}
+} // namespace palpate

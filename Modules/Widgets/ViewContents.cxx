@@ -1,0 +1,287 @@
+#include "ViewContents.h"
+
+#include "PlainVector3.h"
+#include "ToolSurface.h"
+#include "TouchStructures.h"
+#include "VoxelValue.h"
+
+#include "vtkImageData.h"
+#include "vtkSubVoxelVolume.h"
+#include "vtkSubVoxelVolumeMapper.h"
+
+#include <algorithm>
+#include <set>
+#include <sstream>
+
+namespace palpate
+{
+namespace
+{
+constexpr const char* ErrorArray = "DistanceToSurface";
+
+// A pipeline notes things on its input, and products are shared with other threads.
+template <typename T>
+vtkSmartPointer<T> OwnView(T* data)
+{
+  auto own = vtkSmartPointer<T>::New();
+  own->ShallowCopy(data);
+  return own;
+}
+
+// What a structure looks like: its model where there is one, else the surface of its mask.
+vtkPolyData* SurfaceOf(const StudyPipeline& pipeline, const StudyStructure& structure)
+{
+  const auto model = pipeline.Newest<FitResult>(StudyStep::Model, structure.Label);
+  const bool wantsModel = structure.Representation == TouchRepresentation::Automatic ||
+                          structure.Representation == TouchRepresentation::Harmonics;
+  if (wantsModel && model != nullptr && model->ModelSurface != nullptr &&
+      model->State == FitResult::Outcome::Fitted)
+  {
+    return model->ModelSurface;
+  }
+  const auto surface = pipeline.Newest<FitSurface>(StudyStep::Surface, structure.Label);
+  const bool wantsSurface = structure.Representation != TouchRepresentation::SubVoxel;
+  return wantsSurface && surface != nullptr ? surface->Found.Surface.Get() : nullptr;
+}
+
+template <typename Shown>
+void KeepOnly(std::map<int, Shown>& shown, const std::set<int>& labels)
+{
+  for (auto one = shown.begin(); one != shown.end();)
+  {
+    one = labels.count(one->first) == 0 ? shown.erase(one) : std::next(one);
+  }
+}
+} // namespace
+
+ViewContents::ViewContents()
+{
+  this->ProbeShown->VisibilityOff();
+}
+
+void ViewContents::Show(const StudyState& state, const StudyPipeline& pipeline)
+{
+  this->ShowImages(pipeline);
+  this->ShowLabels(state);
+  this->ShowSurfaces(state, pipeline);
+  this->ShowLandmarks(state);
+  this->ShowTool(state.Tool);
+  this->ShowView(state.View);
+}
+
+void ViewContents::ShowImages(const StudyPipeline& pipeline)
+{
+  const auto grey = pipeline.Newest<Volume>(StudyStep::Volume);
+  const auto labels = pipeline.Newest<Segmentation>(StudyStep::Segmentation);
+  if (grey == this->Grey && labels == this->Labels)
+  {
+    return;
+  }
+  if (grey != this->Grey || grey == nullptr)
+  {
+    // Without a volume the labels are what there is to look at.
+    vtkImageData* first = labels != nullptr ? labels->Layers.front().Get() : nullptr;
+    vtkImageData* image = grey != nullptr ? grey->Image.Get() : first;
+    this->ImageShown->SetImage(image != nullptr ? OwnView(image).Get() : nullptr);
+    double center[3];
+    if (this->ImageShown->GetCenterWorld(center))
+    {
+      this->CrosshairShown->SetPositionWorld(center);
+    }
+  }
+  if (labels != this->Labels)
+  {
+    this->ImageShown->RemoveAllLabels();
+    this->Structures.clear();
+    for (std::size_t l = 0; labels != nullptr && l < labels->Layers.size(); ++l)
+    {
+      this->ImageShown->AddLabels(OwnView(labels->Layers[l].Get()));
+    }
+  }
+  this->Grey = grey;
+  this->Labels = labels;
+}
+
+void ViewContents::ShowLabels(const StudyState& state)
+{
+  if (this->Labels == nullptr || this->Structures == state.Structures)
+  {
+    return;
+  }
+  this->Structures = state.Structures;
+  for (const Segment& segment : this->Labels->Segments)
+  {
+    const StudyStructure* structure = FindStructure(state, segment.Label);
+    const bool isShown = structure != nullptr && structure->IsVisible;
+    const auto& color = structure != nullptr ? structure->Color : segment.Color;
+    this->ImageShown->SetLabelColor(segment.Layer, segment.Value, color[0], color[1], color[2],
+                                    isShown ? 1.0 : 0.0);
+  }
+}
+
+void ViewContents::ShowSurfaces(const StudyState& state, const StudyPipeline& pipeline)
+{
+  std::set<int> surfaces;
+  std::set<int> fields;
+  for (const StudyStructure& structure : state.Structures)
+  {
+    if (!structure.IsVisible)
+    {
+      continue;
+    }
+    if (vtkPolyData* surface = SurfaceOf(pipeline, structure))
+    {
+      surfaces.insert(structure.Label);
+      this->ShowSurface(structure, surface);
+    }
+    else if (const auto field = pipeline.Newest<ScalarField>(StudyStep::Field, structure.Label))
+    {
+      fields.insert(structure.Label);
+      this->ShowField(structure, field);
+    }
+  }
+  KeepOnly(this->SurfacesShown, surfaces);
+  KeepOnly(this->SurfaceSources, surfaces);
+  KeepOnly(this->FieldsShown, fields);
+  KeepOnly(this->FieldSources, fields);
+}
+
+void ViewContents::ShowSurface(const StudyStructure& structure, vtkPolyData* surface)
+{
+  auto& shown = this->SurfacesShown[structure.Label];
+  if (shown == nullptr)
+  {
+    shown = vtkSmartPointer<vtkSurfaceDisplay>::New();
+    this->SurfaceSources.erase(structure.Label);
+  }
+  if (this->SurfaceSources[structure.Label] != surface)
+  {
+    this->SurfaceSources[structure.Label] = surface;
+    shown->SetSurface(OwnView(surface));
+  }
+  shown->SetColor(structure.Color[0], structure.Color[1], structure.Color[2]);
+  shown->SetColorArray(this->HasErrorColors ? ErrorArray : "");
+}
+
+void ViewContents::ShowField(const StudyStructure& structure,
+                             const std::shared_ptr<const ScalarField>& field)
+{
+  auto& shown = this->FieldsShown[structure.Label];
+  auto& source = this->FieldSources[structure.Label];
+  if (shown == nullptr || source != field)
+  {
+    source = field;
+    vtkNew<vtkSubVoxelVolumeMapper> mapper;
+    mapper->SetField(field);
+    shown = vtkSmartPointer<vtkSubVoxelVolume>::New();
+    shown->SetMapper(mapper);
+  }
+  auto* mapper = vtkSubVoxelVolumeMapper::SafeDownCast(shown->GetMapper());
+  mapper->SetMaterialColor(0, structure.Color[0], structure.Color[1], structure.Color[2]);
+}
+
+void ViewContents::ShowLandmarks(const StudyState& state)
+{
+  if (this->Marks == state.Landmarks && this->Distances == state.Distances)
+  {
+    return;
+  }
+  this->Marks = state.Landmarks;
+  this->Distances = state.Distances;
+  this->LandmarksShown->RemoveAll();
+  for (const StudyLandmark& mark : this->Marks)
+  {
+    this->LandmarksShown->AddLandmark(mark.Name.c_str(), mark.PositionWorld.data());
+  }
+  for (const StudyDistance& distance : this->Distances)
+  {
+    const int from = this->LandmarksShown->AddLandmark("", distance.FromWorld.data());
+    const int to = this->LandmarksShown->AddLandmark("", distance.ToWorld.data());
+    this->LandmarksShown->AddDistance(from, to);
+  }
+}
+
+void ViewContents::ShowTool(const TouchToolSettings& tool)
+{
+  if (!this->Tool || !(*this->Tool == tool))
+  {
+    this->Tool = tool;
+    this->ProbeShown->SetTool(MakeToolSurface(MakeTool(tool)));
+  }
+}
+
+void ViewContents::ShowView(const StudyView& view)
+{
+  if (view.CrosshairWorld)
+  {
+    this->CrosshairShown->SetPositionWorld(view.CrosshairWorld->data());
+  }
+  if (view.Window && view.Level)
+  {
+    this->ImageShown->SetWindowLevel(*view.Window, *view.Level);
+  }
+  this->ImageShown->SetLabelOpacity(view.OverlayOpacity);
+}
+
+StudyView ViewContents::WithViewOf(StudyView view) const
+{
+  if (this->ImageShown->GetImage() != nullptr)
+  {
+    view.CrosshairWorld = Vector3(this->CrosshairShown->GetPositionWorld());
+    view.Window = this->ImageShown->GetWindow();
+    view.Level = this->ImageShown->GetLevel();
+  }
+  view.OverlayOpacity = this->ImageShown->GetLabelOpacity();
+  return view;
+}
+
+void ViewContents::ShowError(bool isShown)
+{
+  this->HasErrorColors = isShown;
+  for (const auto& [label, surface] : this->SurfacesShown)
+  {
+    surface->SetColorArray(isShown ? ErrorArray : "");
+  }
+}
+
+void ViewContents::ShowTouch(const StudyTouchReading& reading, bool isTouching)
+{
+  const TouchState& state = reading.Newest;
+  this->ProbeShown->SetVisibility(isTouching && state.HasSample);
+  if (!isTouching || !state.HasSample)
+  {
+    return;
+  }
+  const PlainVector3& probe = state.ProbeWorld;
+  const PlainVector3& proxy = state.ProxyWorld;
+  const PlainVector3& force = state.ForceWorld;
+  this->ProbeShown->SetProbePosition(probe.X, probe.Y, probe.Z);
+  this->ProbeShown->SetProxyPosition(proxy.X, proxy.Y, proxy.Z);
+  this->ProbeShown->SetForce(force.X, force.Y, force.Z);
+  this->ProbeShown->SetInContact(state.Structure >= 0);
+}
+
+std::string ViewContents::TextAt(const Vector3& pointWorld) const
+{
+  std::ostringstream text;
+  if (this->Grey != nullptr)
+  {
+    if (const auto value = VoxelValueAt(this->Grey->Image, pointWorld))
+    {
+      text << "value " << *value;
+    }
+  }
+  for (std::size_t s = 0; this->Labels != nullptr && s < this->Labels->Segments.size(); ++s)
+  {
+    const Segment& segment = this->Labels->Segments[s];
+    const auto layer = static_cast<std::size_t>(segment.Layer);
+    const auto value = VoxelValueAt(this->Labels->Layers[layer], pointWorld);
+    if (value && *value == segment.Value)
+    {
+      text << (text.str().empty() ? "" : ", ") << "label " << segment.Label
+           << (segment.Name.empty() ? "" : " (" + segment.Name + ")");
+    }
+  }
+  return text.str();
+}
+} // namespace palpate

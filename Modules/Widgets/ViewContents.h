@@ -1,0 +1,86 @@
+#pragma once
+
+#include "StudyPipeline.h"
+#include "StudyState.h"
+#include "StudyTouch.h"
+
+#include "vtkCrosshair.h"
+#include "vtkImageDisplay.h"
+#include "vtkLandmarks.h"
+#include "vtkNew.h"
+#include "vtkPolyData.h"
+#include "vtkProbeRepresentation.h"
+#include "vtkSmartPointer.h"
+#include "vtkSurfaceDisplay.h"
+#include "vtkVolume.h"
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace palpate
+{
+/// What all views of a window show of a study: the shared objects of Interaction, brought to what
+/// the study is and has. Views that show them learn by their events when to draw.
+class ViewContents
+{
+public:
+  ViewContents();
+
+  /// Volume, labels, surfaces and landmarks.
+  void Show(const StudyState& state, const StudyPipeline& pipeline);
+  /// Crosshair, window and opacity, where the view says some.
+  void ShowView(const StudyView& view);
+  /// The tool and what it feels; nothing where nothing is touched.
+  void ShowTouch(const StudyTouchReading& reading, bool isTouching);
+  /// `view` with what the user has made of crosshair, window and opacity.
+  StudyView WithViewOf(StudyView view) const;
+  /// Model surfaces coloured by their distance to the original.
+  void ShowError(bool isShown);
+  bool IsErrorShown() const { return this->HasErrorColors; }
+
+  vtkImageDisplay* Images() const { return this->ImageShown; }
+  vtkCrosshair* Crosshair() const { return this->CrosshairShown; }
+  vtkLandmarks* Landmarks() const { return this->LandmarksShown; }
+  vtkProbeRepresentation* Probe() const { return this->ProbeShown; }
+  /// By the structure's label.
+  const std::map<int, vtkSmartPointer<vtkSurfaceDisplay>>& Surfaces() const
+  {
+    return this->SurfacesShown;
+  }
+  /// Sub-voxel structures, for the view in space.
+  const std::map<int, vtkSmartPointer<vtkVolume>>& Fields() const { return this->FieldsShown; }
+
+  /// The value and the name of the structures at a point (world, mm), as a status line says them.
+  std::string TextAt(const Vector3& pointWorld) const;
+
+private:
+  void ShowImages(const StudyPipeline& pipeline);
+  void ShowLabels(const StudyState& state);
+  void ShowSurfaces(const StudyState& state, const StudyPipeline& pipeline);
+  void ShowSurface(const StudyStructure& structure, vtkPolyData* surface);
+  void ShowField(const StudyStructure& structure, const std::shared_ptr<const ScalarField>& field);
+  void ShowLandmarks(const StudyState& state);
+  void ShowTool(const TouchToolSettings& tool);
+
+  vtkNew<vtkImageDisplay> ImageShown;
+  vtkNew<vtkCrosshair> CrosshairShown;
+  vtkNew<vtkLandmarks> LandmarksShown;
+  vtkNew<vtkProbeRepresentation> ProbeShown;
+  std::map<int, vtkSmartPointer<vtkSurfaceDisplay>> SurfacesShown;
+  std::map<int, vtkSmartPointer<vtkVolume>> FieldsShown;
+
+  // Which products are shown; they are shared and never changed.
+  std::shared_ptr<const Volume> Grey;
+  std::shared_ptr<const Segmentation> Labels;
+  std::vector<StudyStructure> Structures;
+  std::map<int, vtkPolyData*> SurfaceSources;
+  std::map<int, std::shared_ptr<const ScalarField>> FieldSources;
+  std::vector<StudyLandmark> Marks;
+  std::vector<StudyDistance> Distances;
+  std::optional<TouchToolSettings> Tool;
+  bool HasErrorColors = false;
+};
+} // namespace palpate

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <QColor>
+#include <QLabel>
+#include <QSlider>
+#include <QToolButton>
+#include <QWidget>
+
+namespace palpate
+{
+/// The thin bar over a view: its name in its colour, the slice's number of how many, a slider for
+/// it, and a button that maximises.
+class ViewHeader : public QWidget
+{
+  Q_OBJECT
+
+public:
+  ViewHeader(const QString& name, const QColor& color, QWidget* parent);
+
+  /// From 1; no slider where there are none.
+  void ShowSlice(int number, int count);
+
+Q_SIGNALS:
+  void SliceChosen(int number);
+  void MaximizeAsked();
+
+private:
+  QLabel* Number;
+  QSlider* Slider;
+};
+} // namespace palpate

@@ -1,0 +1,125 @@
+#include "ViewMenu.h"
+
+#include <QActionGroup>
+
+namespace palpate
+{
+ViewMenu::ViewMenu(StudyController& study, ViewGrid& views, ViewContents& contents, QWidget* window)
+    : QMenu("&View", window), Study(study), Views(views), Contents(contents)
+{
+  this->AddLayouts();
+  this->AddMouse();
+  this->AddContents();
+  this->AddCameras();
+  connect(&study, &StudyController::StateChanged, this, &ViewMenu::ShowView);
+  connect(&study, &StudyController::ViewChanged, this, &ViewMenu::ShowView);
+  this->ShowView();
+}
+
+void ViewMenu::AddLayouts()
+{
+  constexpr std::array<const char*, 3> Texts{"&Four views", "&3-D with slices beside", "&One view"};
+  auto* group = new QActionGroup(this);
+  for (const ViewLayout layout : AllViewLayouts)
+  {
+    const auto l = static_cast<std::size_t>(layout);
+    this->Layouts[l] = this->addAction(Texts[l]);
+    this->Layouts[l]->setCheckable(true);
+    this->Layouts[l]->setShortcut(QString("Ctrl+%1").arg(l + 1));
+    group->addAction(this->Layouts[l]);
+    connect(this->Layouts[l], &QAction::triggered, this,
+            [this, layout]
+            {
+              this->Views.SetLayout(layout);
+              StudyView view = this->Study.State().View;
+              view.Layout = WordOf(layout);
+              this->Study.ChangeView(view);
+            });
+  }
+  this->addSeparator();
+}
+
+void ViewMenu::AddMouse()
+{
+  QAction* windowLevel = this->addAction("Left drag changes &window and level");
+  windowLevel->setCheckable(true);
+  windowLevel->setShortcut(QString("W"));
+  connect(windowLevel, &QAction::toggled, this,
+          [this](bool isOn)
+          {
+            this->Views.SetLeftButtonMode(isOn ? vtkInteractorStyleSlice::WINDOW_LEVEL
+                                               : vtkInteractorStyleSlice::CROSSHAIR);
+          });
+  this->addAction(
+      "&Reset window and level", this, [this] { this->Contents.Images()->ResetWindowLevel(); },
+      QKeySequence("Shift+W"));
+  this->addAction(
+      "Fit &all views", this, [this] { this->Views.FitAll(); }, QKeySequence("Ctrl+R"));
+  this->addSeparator();
+}
+
+QAction* ViewMenu::AddSwitch(const QString& text, const QKeySequence& key, bool StudyView::*field)
+{
+  QAction* action = this->addAction(text);
+  action->setCheckable(true);
+  action->setShortcut(key);
+  connect(action, &QAction::triggered, this,
+          [this, field](bool isOn)
+          {
+            StudyView view = this->Study.State().View;
+            view.*field = isOn;
+            this->Study.ChangeView(view);
+          });
+  return action;
+}
+
+void ViewMenu::AddContents()
+{
+  this->AlongImage = this->AddSwitch("Slices along the &volume's axes", QKeySequence("Ctrl+M"),
+                                     &StudyView::UsesVolumeAxes);
+  this->FollowProbe = this->AddSwitch("Slices follow the &probe", QKeySequence("Ctrl+F"),
+                                      &StudyView::SlicesFollowProbe);
+  QAction* error = this->addAction("Models coloured by their &error");
+  error->setCheckable(true);
+  error->setShortcut(QString("Ctrl+E"));
+  connect(error, &QAction::toggled, this, [this](bool isOn) { this->Contents.ShowError(isOn); });
+  QAction* slices = this->addAction("Slices in &3-D");
+  slices->setCheckable(true);
+  slices->setShortcut(QString("Ctrl+D"));
+  connect(slices, &QAction::toggled, this->Views.Space(), &SpacePane::ShowSlices);
+  QAction* smooth = this->addAction("&Smooth slices");
+  smooth->setCheckable(true);
+  smooth->setChecked(true);
+  connect(smooth, &QAction::toggled, this,
+          [this](bool isOn) { this->Contents.Images()->SetInterpolate(isOn); });
+  this->addSeparator();
+}
+
+void ViewMenu::AddCameras()
+{
+  constexpr std::array<const char*, 6> Names{"Anterior", "Posterior", "Left",
+                                             "Right",    "Superior",  "Inferior"};
+  QMenu* cameras = this->addMenu("&Look from");
+  for (std::size_t side = 0; side < Names.size(); ++side)
+  {
+    QAction* action = cameras->addAction(Names[side]);
+    action->setShortcut(QString("Alt+%1").arg(Names[side][0]));
+    connect(action, &QAction::triggered, this,
+            [this, side] { this->Views.Space()->LookFrom(static_cast<int>(side)); });
+  }
+}
+
+void ViewMenu::ShowView()
+{
+  const StudyView& view = this->Study.State().View;
+  const ViewLayout layout = LayoutOf(view.Layout);
+  if (this->Views.Layout() != layout)
+  {
+    this->Views.SetLayout(layout);
+  }
+  this->Layouts[static_cast<std::size_t>(layout)]->setChecked(true);
+  this->AlongImage->setChecked(view.UsesVolumeAxes);
+  this->FollowProbe->setChecked(view.SlicesFollowProbe);
+  this->Views.SetAlongImage(view.UsesVolumeAxes);
+}
+} // namespace palpate

@@ -1,0 +1,35 @@
+#pragma once
+
+#include "StudyController.h"
+#include "ViewGrid.h"
+
+#include <QMenu>
+
+namespace palpate
+{
+/// Layouts, what views show, from where one looks, and what the mouse does.
+class ViewMenu : public QMenu
+{
+  Q_OBJECT
+
+public:
+  /// Keeps the addresses.
+  ViewMenu(StudyController& study, ViewGrid& views, ViewContents& contents, QWidget* window);
+
+private:
+  void AddLayouts();
+  void AddCameras();
+  void AddMouse();
+  void AddContents();
+  void ShowView();
+  /// A switch of the view's state.
+  QAction* AddSwitch(const QString& text, const QKeySequence& key, bool StudyView::*field);
+
+  StudyController& Study;
+  ViewGrid& Views;
+  ViewContents& Contents;
+  std::array<QAction*, 3> Layouts{};
+  QAction* AlongImage = nullptr;
+  QAction* FollowProbe = nullptr;
+};
+} // namespace palpate

@@ -1,0 +1,132 @@
+#include "ViewPane.h"
+
+#include "vtkInteractorStyle.h"
+#include "vtkRenderWindow.h"
+#include "vtkRenderWindowInteractor.h"
+
+#include <QMouseEvent>
+#include <QTimer>
+#include <QVBoxLayout>
+
+#include <algorithm>
+
+namespace palpate
+{
+namespace
+{
+void AskForPicture(vtkObject* /*shared*/, unsigned long /*event*/, void* pane, void* /*data*/)
+{
+  static_cast<ViewPane*>(pane)->RequestRender();
+}
+} // namespace
+
+ViewPane::ViewPane(const QString& name, const QColor& color, QWidget* parent)
+    : QWidget(parent), Bar(new ViewHeader(name, color, this)), Picture(new ViewCanvas(this))
+{
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(0);
+  column->addWidget(this->Bar);
+  column->addWidget(this->Picture, 1);
+  this->Picture->renderWindow()->AddRenderer(this->Scene);
+  this->Picture->installEventFilter(this);
+  // Whoever asks the interactor to draw, such as a style at each move of the mouse, waits its turn.
+  this->Listener->SetCallback(AskForPicture);
+  this->Listener->SetClientData(this);
+  this->Picture->interactor()->AddObserver(vtkCommand::RenderEvent, this->Listener);
+  connect(this->Bar, &ViewHeader::MaximizeAsked, this, &ViewPane::MaximizeAsked);
+}
+
+ViewPane::~ViewPane()
+{
+  this->Picture->interactor()->RemoveObserver(this->Listener);
+  for (const auto& shared : this->Followed)
+  {
+    shared->RemoveObserver(this->Listener);
+  }
+}
+
+void ViewPane::SetStyle(vtkInteractorStyle* style)
+{
+  this->Picture->interactor()->SetInteractorStyle(style);
+}
+
+void ViewPane::Follow(vtkObject* shared)
+{
+  shared->AddObserver(vtkCommand::ModifiedEvent, this->Listener);
+  this->Followed.emplace_back(shared);
+  this->RequestRender();
+}
+
+void ViewPane::Unfollow(vtkObject* shared)
+{
+  shared->RemoveObserver(this->Listener);
+  this->Followed.erase(std::remove(this->Followed.begin(), this->Followed.end(), shared),
+                       this->Followed.end());
+  this->RequestRender();
+}
+
+void ViewPane::RequestRender()
+{
+  if (!this->IsDue)
+  {
+    this->IsDue = true;
+    QTimer::singleShot(0, this, &ViewPane::RenderNow);
+  }
+}
+
+void ViewPane::RenderNow()
+{
+  // What cannot be seen is drawn when it is shown.
+  const bool draws = this->IsDue && this->Picture->isVisible() && this->Picture->isValid();
+  this->IsDue = false;
+  if (draws)
+  {
+    this->Picture->renderWindow()->Render();
+    ++this->Drawn;
+    Q_EMIT Rendered();
+  }
+}
+
+bool ViewPane::TakeMouse(QEvent* event)
+{
+  auto* mouse = static_cast<QMouseEvent*>(event);
+  const double ratio = this->Picture->devicePixelRatioF();
+  const double x = ratio * mouse->localPos().x();
+  const double y = ratio * (this->Picture->height() - 1 - mouse->localPos().y());
+  if (event->type() == QEvent::MouseMove)
+  {
+    Q_EMIT PointerMoved(x, y);
+    return false;
+  }
+  if (mouse->button() != Qt::LeftButton)
+  {
+    return false;
+  }
+  if (event->type() == QEvent::MouseButtonDblClick)
+  {
+    Q_EMIT MaximizeAsked();
+    return true;
+  }
+  Q_EMIT Clicked(x, y);
+  return false;
+}
+
+bool ViewPane::eventFilter(QObject* object, QEvent* event)
+{
+  switch (event->type())
+  {
+  case QEvent::MouseMove:
+  case QEvent::MouseButtonPress:
+  case QEvent::MouseButtonDblClick:
+    return this->TakeMouse(event);
+  case QEvent::Show:
+  case QEvent::Resize:
+    this->RequestRender();
+    break;
+  default:
+    break;
+  }
+  return QWidget::eventFilter(object, event);
+}
+} // namespace palpate

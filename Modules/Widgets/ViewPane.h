@@ -1,0 +1,65 @@
+#pragma once
+
+#include "ViewCanvas.h"
+#include "ViewHeader.h"
+
+#include "vtkCallbackCommand.h"
+#include "vtkNew.h"
+#include "vtkRenderer.h"
+
+#include <QWidget>
+
+#include <vector>
+
+class vtkInteractorStyle;
+
+namespace palpate
+{
+/// A view with its header. It draws at most once in a turn of the event loop, however often it is
+/// asked to, and not at all while it cannot be seen.
+class ViewPane : public QWidget
+{
+  Q_OBJECT
+
+public:
+  ViewPane(const QString& name, const QColor& color, QWidget* parent);
+  ~ViewPane() override;
+
+  /// Where the picture is, and the mouse.
+  ViewCanvas* Canvas() const { return this->Picture; }
+  vtkRenderer* Renderer() const { return this->Scene; }
+  /// Draws soon.
+  void RequestRender();
+  /// Draws what is due now.
+  void RenderNow();
+  /// How many pictures were drawn.
+  int RenderCount() const { return this->Drawn; }
+
+  /// Draws whenever the object says that it was modified; observers end with the pane.
+  void Follow(vtkObject* shared);
+  void Unfollow(vtkObject* shared);
+
+Q_SIGNALS:
+  void MaximizeAsked();
+  /// Over the picture, in its pixels from the lower left.
+  void PointerMoved(double x, double y);
+  void Clicked(double x, double y);
+  void Rendered();
+
+protected:
+  ViewHeader* Header() const { return this->Bar; }
+  void SetStyle(vtkInteractorStyle* style);
+  bool eventFilter(QObject* object, QEvent* event) override;
+
+private:
+  bool TakeMouse(QEvent* event);
+
+  ViewHeader* Bar;
+  ViewCanvas* Picture;
+  vtkNew<vtkRenderer> Scene;
+  vtkNew<vtkCallbackCommand> Listener; ///< of what is followed
+  std::vector<vtkSmartPointer<vtkObject>> Followed;
+  bool IsDue = false;
+  int Drawn = 0;
+};
+} // namespace palpate
