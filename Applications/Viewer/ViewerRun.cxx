@@ -60,6 +60,7 @@ void ViewerRun::ChooseDemo()
     structure.IsTouchable = isChosen;
   }
   this->Study.Change("Choose the structures of the demonstration", next);
+  this->Window.Messages()->Clear(); // of the one that is shown unasked
 }
 
 void ViewerRun::TakePicture()

@@ -23,7 +23,21 @@ SpacePane::SpacePane(const ViewContents& contents, QWidget* parent)
   this->Follow(contents.Landmarks());
   this->Follow(contents.Probe());
   this->Style->AddObserver(vtkInteractorStyleMouseHand::HandMovedEvent, this, &SpacePane::TellHand);
-  this->Style->AddObserver(vtkCommand::EndInteractionEvent, this, &SpacePane::CameraTurned);
+  this->Style->AddObserver(vtkCommand::EndInteractionEvent, this, &SpacePane::TakeCamera);
+}
+
+void SpacePane::TakeCamera()
+{
+  this->IsLed = true;
+  Q_EMIT CameraTurned();
+}
+
+void SpacePane::ShowAllUnlessLed()
+{
+  if (!this->IsLed)
+  {
+    this->ShowAll();
+  }
 }
 
 void SpacePane::TellHand()
@@ -59,6 +73,7 @@ void SpacePane::ShowFields(const std::set<vtkProp*>& fields)
     this->Renderer()->AddViewProp(field);
   }
   this->Fields = next;
+  this->ShowAllUnlessLed();
   this->RequestRender();
 }
 
@@ -75,7 +90,7 @@ void SpacePane::LookFrom(int side)
 {
   this->Space->LookFrom(side);
   this->RequestRender();
-  Q_EMIT CameraTurned();
+  this->TakeCamera();
 }
 
 void SpacePane::ShowAll()

@@ -28,6 +28,9 @@ public:
   void ShowSlices(bool areShown);
   void LookFrom(int side);
   void ShowAll();
+  /// The same, unless the user has led the camera since FreeCamera.
+  void ShowAllUnlessLed();
+  void FreeCamera() { this->IsLed = false; }
 
   /// Whether the mouse is the hand, which is at `handWorld` (mm).
   void SetHand(bool isOn, const Vector3& handWorld);
@@ -40,9 +43,11 @@ Q_SIGNALS:
 
 private:
   void TellHand();
+  void TakeCamera();
 
   vtkNew<vtkSpaceView> Space;
   vtkNew<vtkInteractorStyleMouseHand> Style;
   std::set<vtkSmartPointer<vtkProp>> Fields;
+  bool IsLed = false;
 };
 } // namespace palpate

@@ -150,7 +150,7 @@ QVariant StructureTableModel::ValueOf(const StudyStructure& structure, int colum
   switch (column)
   {
   case NameColumn:
-    return QString::fromStdString(structure.Name);
+    return QString::fromStdString(TitleOf(structure));
   case DegreeColumn:
     return structure.Degree;
   case StiffnessColumn:
@@ -198,7 +198,7 @@ bool StructureTableModel::setData(const QModelIndex& index, const QVariant& valu
 {
   StudyState next = this->Study.State();
   StudyStructure& structure = next.Structures.at(static_cast<std::size_t>(index.row()));
-  const QString name = QString::fromStdString(structure.Name);
+  const QString name = QString::fromStdString(TitleOf(structure));
   QString sentence;
   if (role == Qt::CheckStateRole)
   {

@@ -203,7 +203,7 @@ void TouchPanel::ShowReading()
   const StudyTouchReading& reading = this->Study.Reading();
   this->Safety->setText(QString::fromStdString(reading.Safety));
   const StudyStructure* touched = FindStructure(this->Study.State(), reading.TouchedLabel);
-  const QString name = touched != nullptr ? QString::fromStdString(touched->Name) : "nothing";
+  const QString name = touched != nullptr ? QString::fromStdString(TitleOf(*touched)) : "nothing";
   this->Felt->setText(QString("Touches %1: %2 N, %3 mm deep")
                           .arg(name)
                           .arg(Norm(reading.Newest.ForceWorld), 0, 'f', 2)

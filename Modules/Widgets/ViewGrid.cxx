@@ -132,7 +132,7 @@ void ViewGrid::TakeContents()
       }
     }
   }
-  const bool areFirst = this->Surfaces.empty() && !next.empty();
+  const bool areOthers = next != this->Surfaces;
   this->Surfaces = next;
   std::set<vtkProp*> fields;
   for (const auto& [label, field] : this->Contents.Fields())
@@ -140,11 +140,11 @@ void ViewGrid::TakeContents()
     fields.insert(field);
   }
   this->InSpace->ShowFields(fields);
-  if (areFirst)
-  {
-    this->InSpace->ShowAll();
-  }
   this->FitToAnotherImage();
+  if (areOthers)
+  {
+    this->InSpace->ShowAllUnlessLed();
+  }
 }
 
 // A volume elsewhere would not be seen where one looks now.
@@ -154,6 +154,7 @@ void ViewGrid::FitToAnotherImage()
   if (image != this->Image)
   {
     this->Image = image;
+    this->InSpace->FreeCamera();
     this->FitAll();
   }
 }

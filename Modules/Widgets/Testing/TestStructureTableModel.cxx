@@ -41,7 +41,7 @@ TEST_F(StructureTableTest, WhatIsWrittenIsAStepOfTheStudy)
   {
     this->Study->Undo();
   }
-  EXPECT_EQ(this->First().Name, "label 1");
+  EXPECT_EQ(this->First().Name, "");
   EXPECT_EQ(this->First().Stiffness, 0.5);
 }
 
