@@ -24,14 +24,15 @@ ViewerRun::ViewerRun(StudyController& study, MainWindow& window, const ViewerOpt
 
 void ViewerRun::GoOn()
 {
-  if (this->Study.IsBusy())
-  {
-    return;
-  }
-  if (this->Options.ShowsDemo && !this->HasChosen)
+  // Before anything is made of structures that are not wanted.
+  if (this->Options.ShowsDemo && !this->HasChosen && !this->Study.State().Structures.empty())
   {
     this->HasChosen = true;
     this->ChooseDemo();
+    return;
+  }
+  if (this->Study.IsBusy())
+  {
     return;
   }
   if (this->Options.StartsTouch && !this->HasTouched)
