@@ -1,12 +1,8 @@
 #include "CameraAxes.h"
 
 #include "vtkCamera.h"
-#include "vtkMath.h"
-#include "vtkRenderer.h"
 
 #include <Eigen/Geometry>
-#include <algorithm>
-#include <cmath>
 
 namespace palpate
 {
@@ -17,19 +13,5 @@ Matrix3 CameraAxes(vtkCamera* camera)
   Matrix3 axes;
   axes << right, back.cross(right), back;
   return axes;
-}
-
-double MillimetersPerPixel(vtkRenderer* renderer, const Vector3& pointWorld)
-{
-  vtkCamera* camera = renderer->GetActiveCamera();
-  const int height = std::max(1, renderer->GetSize()[1]);
-  if (camera->GetParallelProjection() != 0)
-  {
-    return 2.0 * camera->GetParallelScale() / height;
-  }
-  const double away = (pointWorld - Vector3(camera->GetPosition()))
-                          .dot(Vector3(camera->GetDirectionOfProjection()));
-  const double half = vtkMath::RadiansFromDegrees(0.5 * camera->GetViewAngle());
-  return 2.0 * std::max(away, 0.0) * std::tan(half) / height;
 }
 } // namespace palpate

@@ -33,7 +33,7 @@ vtkStandardNewMacro(vtkInteractorStyleHaptic);
 namespace
 {
 constexpr unsigned long PollInterval = 16; // ms
-constexpr double WheelPixels = 8.0;        // of the hand's way in depth, a notch
+constexpr double Notch = 2.0;              // mm in depth, so that what is away is soon reached
 } // namespace
 
 struct vtkInteractorStyleHaptic::Live
@@ -46,7 +46,6 @@ struct vtkInteractorStyleHaptic::Live
   palpate::TouchWatch Watch;
   palpate::TouchState Newest;
   std::vector<palpate::TouchChange> Changes;
-  palpate::Vector3 Hand = palpate::Vector3::Zero(); ///< where the mouse wants it, world
   palpate::Vector3 Held = palpate::Vector3::Zero(); ///< where the clutch keeps the tool, world
   bool IsClutched = false;
   int Timer = 0;
@@ -59,6 +58,8 @@ vtkInteractorStyleHaptic::vtkInteractorStyleHaptic() : Inner(std::make_unique<Li
 {
   this->SetDeviceName("simulated");
   this->Inner->Probe->VisibilityOff();
+  this->SetNotchMillimeters(Notch);
+  this->AddObserver(HandMovedEvent, this, &vtkInteractorStyleHaptic::TakeHand);
 }
 
 vtkInteractorStyleHaptic::~vtkInteractorStyleHaptic()
@@ -188,7 +189,10 @@ bool vtkInteractorStyleHaptic::StartTouch(std::unique_ptr<palpate::HapticDevice>
   inner.Watch = {};
   inner.Newest = {};
   inner.IsClutched = false;
-  this->PutHand({0.0, 0.0, inner.Device->Capabilities().Workspace.max().z()});
+  const double front = inner.Device->Capabilities().Workspace.max().z();
+  this->SetHandWorld(inner.Frame.ToWorld({0.0, 0.0, front}).data());
+  this->SetHand(dynamic_cast<palpate::SimulatedDevice*>(inner.Device.get()) != nullptr);
+  this->TakeHand();
   inner.Thread =
       std::make_unique<palpate::ServoThread>(*inner.Device, inner.Clock, palpate::ServoSettings());
   bool isStarted = this->Publish();
@@ -217,6 +221,7 @@ bool vtkInteractorStyleHaptic::StartTouch(std::unique_ptr<palpate::HapticDevice>
 void vtkInteractorStyleHaptic::StopTouch()
 {
   Live& inner = *this->Inner;
+  this->HandOff();
   inner.Thread.reset(); // ends with 0 N
   if (inner.Device != nullptr)
   {
@@ -297,9 +302,9 @@ void vtkInteractorStyleHaptic::FollowCamera()
 void vtkInteractorStyleHaptic::MoveFrame(const palpate::WorkspaceFrame& frame)
 {
   Live& inner = *this->Inner;
-  const palpate::Vector3 hand = inner.Frame.ToDevice(inner.Hand);
+  const palpate::Vector3 hand = inner.Frame.ToDevice(palpate::Vector3(this->GetHandWorld()));
   inner.Frame = frame;
-  inner.Hand = frame.ToWorld(hand);
+  this->SetHandWorld(frame.ToWorld(hand).data());
   this->Publish();
 }
 
@@ -409,57 +414,18 @@ void vtkInteractorStyleHaptic::OnTimer()
   }
 }
 
-// Where the mouse wants a computed hand, mm in the device's frame: in front of everything at first.
-bool vtkInteractorStyleHaptic::PutHand(const palpate::Vector3& place)
+// Leads a computed hand to where the mouse wants it, but not beyond what the device reaches.
+void vtkInteractorStyleHaptic::TakeHand()
 {
   Live& inner = *this->Inner;
   auto* simulated = dynamic_cast<palpate::SimulatedDevice*>(inner.Device.get());
-  inner.Hand = inner.Frame.ToWorld(place);
   if (simulated != nullptr)
   {
-    simulated->SetTarget(place);
-  }
-  return simulated != nullptr;
-}
-
-bool vtkInteractorStyleHaptic::MoveHand(double right, double up, double nearer)
-{
-  Live& inner = *this->Inner;
-  if (inner.DrawnIn == nullptr || this->State != VTKIS_NONE)
-  {
-    return false;
-  }
-  const double scale = palpate::MillimetersPerPixel(inner.DrawnIn, inner.Hand);
-  const palpate::Matrix3 axes = palpate::CameraAxes(inner.DrawnIn->GetActiveCamera());
-  const palpate::Vector3 moved = inner.Hand + scale * (axes * palpate::Vector3(right, up, nearer));
-  // Not beyond what the device reaches, or the mouse would have to come all the way back.
-  const Eigen::AlignedBox3d& reach = inner.Device->Capabilities().Workspace;
-  return this->PutHand(inner.Frame.ToDevice(moved).cwiseMax(reach.min()).cwiseMin(reach.max()));
-}
-
-void vtkInteractorStyleHaptic::OnMouseMove()
-{
-  const int* now = this->Interactor->GetEventPosition();
-  const int* last = this->Interactor->GetLastEventPosition();
-  if (!this->MoveHand(now[0] - last[0], now[1] - last[1], 0.0))
-  {
-    this->Superclass::OnMouseMove();
-  }
-}
-
-void vtkInteractorStyleHaptic::OnMouseWheelForward()
-{
-  if (this->Interactor->GetControlKey() != 0 || !this->MoveHand(0.0, 0.0, -WheelPixels))
-  {
-    this->Superclass::OnMouseWheelForward();
-  }
-}
-
-void vtkInteractorStyleHaptic::OnMouseWheelBackward()
-{
-  if (this->Interactor->GetControlKey() != 0 || !this->MoveHand(0.0, 0.0, WheelPixels))
-  {
-    this->Superclass::OnMouseWheelBackward();
+    const Eigen::AlignedBox3d& reach = inner.Device->Capabilities().Workspace;
+    const palpate::Vector3 wanted = inner.Frame.ToDevice(palpate::Vector3(this->GetHandWorld()));
+    const palpate::Vector3 reached = wanted.cwiseMax(reach.min()).cwiseMin(reach.max());
+    this->SetHandWorld(inner.Frame.ToWorld(reached).data());
+    simulated->SetTarget(reached);
   }
 }
 

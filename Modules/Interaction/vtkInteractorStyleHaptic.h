@@ -5,14 +5,14 @@
  * Give it surfaces, set it on an interactor, and start. A servo thread then feels them at the
  * device's rate, whatever the window does; a timer of the interactor fetches what happened, moves
  * the tool that is drawn, and tells it by events. The camera is led as by
- * vtkInteractorStyleTrackballCamera.
+ * vtkInteractorStyleMouseHand.
  *
  * - The device's axes are the camera's: right, up, towards the viewer. When the camera has come to
  *   rest somewhere else, forces fade in anew. Workspace and scene have the same centre at first.
  * - While the clutch button is held nothing is felt, and the tool stays where it is: so the hand
  *   reaches places beyond its workspace.
- * - Without a device of your own the hand is the mouse: without a button pressed it moves the hand
- *   across the view, and the wheel moves it in depth (with Ctrl: zooms).
+ * - The hand of the simulated device is the mouse: it is under the pointer, and the wheel moves it
+ *   in depth. It begins in front of everything.
  * - Esc switches forces off, f on again.
  *
  * Whatever goes wrong ends in 0 N and a FaultEvent; GetStatusText says what to do. Destroying the
@@ -22,9 +22,8 @@
 #define vtkInteractorStyleHaptic_h
 
 #include "PalpateInteractionModule.h" // For export macro
-#include "Vector3.h"                  // For the hand
 #include "vtkCommand.h"               // For the numbers of the events
-#include "vtkInteractorStyleTrackballCamera.h"
+#include "vtkInteractorStyleMouseHand.h"
 #include "vtkSetGet.h" // For the device's name
 
 #include <memory> // For what touches
@@ -40,11 +39,11 @@ struct TouchStructure;
 struct WorkspaceFrame;
 } // namespace palpate
 
-class PALPATEINTERACTION_EXPORT vtkInteractorStyleHaptic : public vtkInteractorStyleTrackballCamera
+class PALPATEINTERACTION_EXPORT vtkInteractorStyleHaptic : public vtkInteractorStyleMouseHand
 {
 public:
   static vtkInteractorStyleHaptic* New();
-  vtkTypeMacro(vtkInteractorStyleHaptic, vtkInteractorStyleTrackballCamera);
+  vtkTypeMacro(vtkInteractorStyleHaptic, vtkInteractorStyleMouseHand);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   enum Events
@@ -129,9 +128,6 @@ public:
   void Poll();
 
   void OnTimer() override;
-  void OnMouseMove() override;
-  void OnMouseWheelForward() override;
-  void OnMouseWheelBackward() override;
   void OnKeyPress() override;
   void OnChar() override;
   void SetInteractor(vtkRenderWindowInteractor* interactor) override;
@@ -150,10 +146,7 @@ private:
   void ShowNewest();
   void TellChanges();
   void HoldClutch(bool isHeld);
-#ifndef __VTK_WRAP__
-  bool PutHand(const palpate::Vector3& place);
-#endif
-  bool MoveHand(double right, double up, double nearer);
+  void TakeHand();
   vtkRenderer* Led();
 
   char* DeviceName = nullptr;

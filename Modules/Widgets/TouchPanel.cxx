@@ -188,11 +188,12 @@ QString TouchPanel::Warnings() const
     lines += QString::fromStdString(warning);
   }
   const StudyTouchReading& reading = this->Study.Reading();
-  for (const std::string& problem : {reading.DeviceProblem, reading.RecordingProblem})
+  for (const std::string& sentence :
+       {reading.Guidance, reading.DeviceProblem, reading.RecordingProblem})
   {
-    if (!problem.empty())
+    if (!sentence.empty())
     {
-      lines += QString::fromStdString(problem);
+      lines += QString::fromStdString(sentence);
     }
   }
   return lines.join("\n");
