@@ -10,7 +10,7 @@
 #include "SteadyClock.h"
 #include "TouchWatch.h"
 #include "TriangleMesh.h"
-#include "WorkspaceFrame.h"
+#include "WorkspaceClutch.h"
 #include "vtkProbeRepresentation.h"
 
 #include "vtkCallbackCommand.h"
@@ -46,8 +46,7 @@ struct vtkInteractorStyleHaptic::Live
   palpate::TouchWatch Watch;
   palpate::TouchState Newest;
   std::vector<palpate::TouchChange> Changes;
-  palpate::Vector3 Held = palpate::Vector3::Zero(); ///< where the clutch keeps the tool, world
-  bool IsClutched = false;
+  palpate::WorkspaceClutch Clutch;
   int Timer = 0;
   vtkNew<vtkProbeRepresentation> Probe;
   palpate::ProbeInSpace Drawn;
@@ -142,7 +141,7 @@ bool vtkInteractorStyleHaptic::Publish()
   auto scene = std::make_shared<palpate::TouchScene>();
   scene->Tool = palpate::ToolShape::Sphere(this->ToolRadius);
   scene->Frame = inner.Frame.ForDevice();
-  if (!inner.IsClutched)
+  if (!inner.Clutch.IsHeld())
   {
     scene->Structures = inner.Structures;
   }
@@ -188,7 +187,7 @@ bool vtkInteractorStyleHaptic::StartTouch(std::unique_ptr<palpate::HapticDevice>
   inner.Frame.Rotation = palpate::CameraAxes(renderer->GetActiveCamera());
   inner.Watch = {};
   inner.Newest = {};
-  inner.IsClutched = false;
+  inner.Clutch = {};
   const double front = inner.Device->Capabilities().Workspace.max().z();
   this->SetHandWorld(inner.Frame.ToWorld({0.0, 0.0, front}).data());
   this->SetHand(dynamic_cast<palpate::SimulatedDevice*>(inner.Device.get()) != nullptr);
@@ -284,7 +283,7 @@ std::string vtkInteractorStyleHaptic::GetStatusText()
 void vtkInteractorStyleHaptic::FollowCamera()
 {
   Live& inner = *this->Inner;
-  if (this->State != VTKIS_NONE || inner.DrawnIn == nullptr || inner.IsClutched)
+  if (this->State != VTKIS_NONE || inner.DrawnIn == nullptr || inner.Clutch.IsHeld())
   {
     return;
   }
@@ -311,28 +310,23 @@ void vtkInteractorStyleHaptic::MoveFrame(const palpate::WorkspaceFrame& frame)
 void vtkInteractorStyleHaptic::HoldClutch(bool isHeld)
 {
   Live& inner = *this->Inner;
-  if (isHeld == inner.IsClutched)
+  if (isHeld && !inner.Clutch.IsHeld())
   {
-    return;
+    inner.Clutch.Hold(inner.Newest.ProbeWorld);
+    this->Publish();
   }
-  inner.IsClutched = isHeld;
-  palpate::WorkspaceFrame moved = inner.Frame;
-  if (isHeld)
+  else if (!isHeld && inner.Clutch.IsHeld())
   {
-    inner.Held = inner.Newest.ProbeWorld;
+    this->MoveFrame(inner.Clutch.Release(inner.Frame, inner.Newest.Sample.Position));
   }
-  else
-  {
-    moved.CenterWorld += inner.Held - moved.ToWorld(inner.Newest.Sample.Position);
-  }
-  this->MoveFrame(moved);
 }
 
 void vtkInteractorStyleHaptic::ShowNewest()
 {
   Live& inner = *this->Inner;
   const palpate::TouchState& now = inner.Newest;
-  const palpate::Vector3 probe = inner.IsClutched ? inner.Held : palpate::Vector3(now.ProbeWorld);
+  const palpate::Vector3 probe =
+      inner.Clutch.IsHeld() ? inner.Clutch.PlaceWorld() : palpate::Vector3(now.ProbeWorld);
   const bool isTouched = now.Structure >= 0;
   const palpate::Vector3 proxy = isTouched ? palpate::Vector3(now.ProxyWorld) : probe;
   inner.Probe->SetProbePosition(probe[0], probe[1], probe[2]);

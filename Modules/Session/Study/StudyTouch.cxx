@@ -43,6 +43,8 @@ Status StudyTouch::Start(std::unique_ptr<HapticDevice> opened, const StudyState&
   this->Felt = {};
   this->Scene.reset();
   this->Automatic.reset();
+  this->Clutch = {};
+  this->Moved.setZero();
   Status status =
       contacts.empty()
           ? Status::Failure("There is nothing to touch yet: make a structure touchable and wait "
@@ -62,12 +64,48 @@ Status StudyTouch::Start(std::unique_ptr<HapticDevice> opened, const StudyState&
 Status StudyTouch::StartServo()
 {
   this->Thread = std::make_unique<ServoThread>(*this->Device, this->Time, this->Settings);
-  Status status = this->Thread->Loop().Publish(this->Scene);
+  this->Watch = {};
+  Status status = this->Send(this->Scene);
   if (status.IsOk())
   {
     status = this->Thread->Start(this->Request);
   }
   return status;
+}
+
+// To the servo; while the clutch is held, without what could be felt.
+Status StudyTouch::Send(std::shared_ptr<const TouchScene> scene)
+{
+  if (this->Clutch.IsHeld())
+  {
+    auto empty = std::make_shared<TouchScene>(*scene);
+    empty->Structures.clear();
+    scene = std::move(empty);
+  }
+  return this->Thread->Loop().Publish(std::move(scene));
+}
+
+void StudyTouch::HoldClutch(bool isHeld, const TouchState& now)
+{
+  if (isHeld == this->Clutch.IsHeld())
+  {
+    return;
+  }
+  if (isHeld)
+  {
+    this->Clutch.Hold(now.ProbeWorld);
+  }
+  else
+  {
+    const WorkspaceFrame moved = this->Clutch.Release(this->Felt.Frame, now.Sample.Position);
+    this->Moved += moved.CenterWorld - this->Felt.Frame.CenterWorld;
+    this->Felt.Frame = moved;
+    auto scene = std::make_shared<TouchScene>(*this->Scene);
+    scene->Frame = moved.ForDevice();
+    this->Scene = std::move(scene);
+  }
+  // The scene was felt before: it is not refused.
+  static_cast<void>(this->Send(this->Scene));
 }
 
 void StudyTouch::Stop()
@@ -106,7 +144,7 @@ WorkspaceFrame StudyTouch::FrameFor(const StudyPlacement& placement, const Touch
   WorkspaceFrame frame;
   frame.Rotation = placement.AxesFollowCamera ? this->CameraAxes : Matrix3(Matrix3::Identity());
   frame.Scale = placement.Scale.value_or(this->Automatic->Scale);
-  frame.CenterWorld = placement.CenterWorld.value_or(this->Automatic->CenterWorld);
+  frame.CenterWorld = placement.CenterWorld.value_or(this->Automatic->CenterWorld) + this->Moved;
   return frame;
 }
 
@@ -129,11 +167,11 @@ Status StudyTouch::Publish(const StudyState& state, const std::vector<StudyConta
     {
       return Status::Success();
     }
-    scene->Frame = DeviceFrame(next.Frame.Rotation, next.Frame.Scale, next.Frame.CenterWorld);
+    scene->Frame = next.Frame.ForDevice();
     Status status = scene->Check();
     if (status.IsOk() && this->IsRunning())
     {
-      status = this->Thread->Loop().Publish(scene);
+      status = this->Send(scene);
     }
     if (status.IsOk())
     {
@@ -177,10 +215,13 @@ bool StudyTouch::MoveHand(const Vector3& targetWorld)
 
 void StudyTouch::TakeTicks()
 {
+  using Kind = TouchChange::Kind;
   Servo& servo = this->Thread->Loop();
+  std::vector<TouchChange> changes;
   for (TouchState state; servo.PopRecorded(state);)
   {
     this->Reading.NewTicks.push_back(state);
+    this->Watch.Take(state, changes);
     if (this->IsRecording())
     {
       const Status status = this->Recorder->Take(state);
@@ -189,6 +230,14 @@ void StudyTouch::TakeTicks()
         this->Reading.RecordingProblem = status.Message();
         this->Recorder.reset();
       }
+    }
+  }
+  for (const TouchChange& change : changes)
+  {
+    const bool isPress = change.What == Kind::ButtonPressed;
+    if ((isPress || change.What == Kind::ButtonReleased) && change.Button == ClutchButton)
+    {
+      this->HoldClutch(isPress, this->Reading.NewTicks.back());
     }
   }
 }
@@ -204,11 +253,19 @@ const StudyTouchReading& StudyTouch::Poll()
   Servo& servo = this->Thread->Loop();
   servo.Reclaim();
   this->Reading.Newest = servo.Latest();
+  this->Reading.IsClutched = this->Clutch.IsHeld();
+  if (this->Reading.IsClutched)
+  {
+    this->Reading.Newest.ProbeWorld = this->Clutch.PlaceWorld();
+    this->Reading.Newest.ProxyWorld = this->Clutch.PlaceWorld();
+  }
   this->Reading.LostTicks = servo.LostTicks();
   const auto touched = static_cast<std::size_t>(this->Reading.Newest.Structure);
   this->Reading.TouchedLabel =
       touched < this->Felt.Structures.size() ? this->Felt.Structures[touched].Label : 0;
-  this->Reading.Safety = SafetyText(this->Reading.Newest);
+  this->Reading.Safety = this->Reading.IsClutched
+                             ? "The clutch is held: nothing is felt, and the tool stays."
+                             : SafetyText(this->Reading.Newest);
   this->Reading.DeviceProblem = this->Device->Problem();
   this->Reading.Guidance = this->Device->Guidance();
   const ServoStatistics& statistics = this->Thread->Statistics();

@@ -8,6 +8,8 @@
 #include "ServoThread.h"
 #include "StudyScene.h"
 #include "StudyState.h"
+#include "TouchWatch.h"
+#include "WorkspaceClutch.h"
 
 #include <cstdint>
 #include <filesystem>
@@ -33,6 +35,7 @@ struct StudyTouchReading
   PeriodStatistics Durations;       ///< ns that ticks took; misses are late ones
   std::uint64_t LostTicks = 0;      ///< that no reading has seen
   std::string RecordingProblem;     ///< why a recording ended by itself; empty without
+  bool IsClutched = false;          ///< the tool is held, and nothing is felt
 };
 
 /// A study while it is touched: a device, a servo on its thread, and the scene that follows what
@@ -65,7 +68,11 @@ public:
   void TurnAxes(const Matrix3& rotation) { this->CameraAxes = rotation; }
   /// Makes all of the scene reachable again at the next Update. By itself the workspace stays where
   /// it was when the touch began, lest the hand jump.
-  void FitWorkspace() { this->Automatic.reset(); }
+  void FitWorkspace()
+  {
+    this->Automatic.reset();
+    this->Moved.setZero();
+  }
   const WorkspaceFrame& Frame() const { return this->Felt.Frame; }
 
   /// 0 N from the next tick on, until SwitchForcesOn; the hand is followed all the same.
@@ -75,6 +82,8 @@ public:
   /// Where the hand of a simulated device wants to be (mm). False for a device with a hand of its
   /// own.
   bool MoveHand(const Vector3& targetWorld);
+  /// The device's button, from 0, that holds the workspace while it is pressed: a Falcon's middle.
+  static constexpr int ClutchButton = 2;
 
   /// For views, some ten times a second or oftener; a recording takes its ticks here.
   const StudyTouchReading& Poll();
@@ -109,6 +118,8 @@ private:
   Status Publish(const StudyState& state, const std::vector<StudyContact>& contacts);
   WorkspaceFrame FrameFor(const StudyPlacement& placement, const TouchScene& scene);
   Status StartServo();
+  Status Send(std::shared_ptr<const TouchScene> scene);
+  void HoldClutch(bool isHeld, const TouchState& now);
   void TakeTicks();
 
   Clock& Time;
@@ -120,6 +131,9 @@ private:
   Feelable Felt;
   Matrix3 CameraAxes = Matrix3::Identity();
   std::optional<WorkspaceFrame> Automatic;
+  TouchWatch Watch;
+  WorkspaceClutch Clutch;
+  Vector3 Moved = Vector3::Zero(); // mm, of the workspace by the clutch
   std::unique_ptr<TouchRecorder> Recorder;
   StudyTouchReading Reading;
   std::vector<std::string> Advice;

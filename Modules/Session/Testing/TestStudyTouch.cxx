@@ -2,6 +2,7 @@
 
 #include "ManualClock.h"
 #include "OpenBuiltInDevice.h"
+#include "PlacedDevice.h"
 #include "SafetyText.h"
 #include "SimulatedDevice.h"
 #include "SteadyClock.h"
@@ -216,6 +217,36 @@ TEST_F(StudyTouchTest, TheWorkspaceLiesWhereThePlacementSays)
   this->State.Placement.AxesFollowCamera = false;
   ASSERT_TRUE(this->Touch.Update(this->State, this->Contacts).IsOk());
   EXPECT_EQ(this->Touch.Frame().Rotation, Matrix3(Matrix3::Identity()));
+}
+
+TEST_F(StudyTouchTest, TheClutchHoldsTheToolAndTheHandGoesOnFromThere)
+{
+  auto owned = std::make_unique<test::PlacedDevice>(this->Time);
+  test::PlacedDevice* device = owned.get();
+  constexpr unsigned Clutch = 1U << StudyTouch::ClutchButton;
+  device->Put({Radius - 2.0, 0.0, 0.0}, 0);
+  ASSERT_TRUE(this->Touch.Start(std::move(owned), this->State, this->Contacts).IsOk());
+  const double scale = this->Touch.Frame().Scale;
+  device->Put({(Radius - 2.0) / scale, 0.0, 0.0}, Clutch);
+  this->WaitUntil([](const StudyTouchReading& now) { return now.IsClutched; });
+  const Vector3 held = this->Touch.Poll().Newest.ProbeWorld;
+  this->WaitUntil([&](const StudyTouchReading&) { return device->Force() == 0.0; });
+  for (double x = (Radius - 2.0) / scale; x > 0.0; x -= 0.25)
+  {
+    device->Put({x, 0.0, 0.0}, Clutch);
+    const std::int64_t put = this->Time.Now();
+    this->WaitUntil([&](const StudyTouchReading& now) { return now.Newest.Tick.Started > put; });
+  }
+  EXPECT_EQ(Vector3(this->Touch.Poll().Newest.ProbeWorld), held);
+  EXPECT_EQ(device->Force(), 0.0);
+  device->Put({0.0, 0.0, 0.0}, 0);
+  this->WaitUntil([](const StudyTouchReading& now) { return !now.IsClutched; });
+  EXPECT_GT(this->AtRest().Newest.Depth, 1.0);
+  EXPECT_LT((Vector3(this->Touch.Poll().Newest.ProbeWorld) - held).norm(), 1e-9);
+  // What changes later keeps the workspace where it was moved to.
+  this->State.Structures[0].Stiffness *= 0.5;
+  ASSERT_TRUE(this->Touch.Update(this->State, this->Contacts).IsOk());
+  EXPECT_LT((this->Touch.Frame().CenterWorld - held).norm(), 1e-9);
 }
 
 TEST_F(StudyTouchTest, ADeviceThatIsUnpluggedIsNamed)
