@@ -110,6 +110,16 @@ void vtkInteractorStyleMouseHand::OnMouseWheelBackward()
   }
 }
 
+// VTK's other letters pick, end programs and change how everything is drawn.
+void vtkInteractorStyleMouseHand::OnChar()
+{
+  const char key = this->Interactor->GetKeyCode();
+  if (key == 'r' || key == 'R')
+  {
+    this->Superclass::OnChar();
+  }
+}
+
 void vtkInteractorStyleMouseHand::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);

@@ -128,6 +128,19 @@ TEST_F(TouchLinkTest, ClosingWhileTouchingTakesForcesAway)
   EXPECT_FALSE(this->Study->IsTouching());
 }
 
+TEST_F(TouchLinkTest, ForcesStayOffWhereTheWindowWasNotClosedAfterAll)
+{
+  this->StartTouch();
+  this->PressByMouse();
+  this->Leaving = FileQuestions::Answer::Cancel;
+  EXPECT_FALSE(this->Window->close());
+  WaitUntil([this]
+            { return this->Study->Reading().Newest.Safety.Fault == SafetyFault::SwitchedOff; });
+  const std::uint64_t tick = this->Study->Reading().Newest.Tick.Number;
+  WaitUntil([&] { return this->Study->Reading().Newest.Tick.Number > tick + 100; });
+  EXPECT_EQ(Norm(this->Study->Reading().Newest.ForceDevice), 0.0);
+}
+
 TEST_F(TouchLinkTest, ATouchOfNothingIsRefusedWithItsSentence)
 {
   this->Button("start-touch")->click();
