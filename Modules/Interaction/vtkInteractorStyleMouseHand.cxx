@@ -2,6 +2,7 @@
 
 #include "vtkCallbackCommand.h"
 #include "vtkCamera.h"
+#include "vtkMath.h"
 #include "vtkObjectFactory.h"
 #include "vtkRenderWindowInteractor.h"
 #include "vtkRenderer.h"
@@ -53,7 +54,15 @@ bool vtkInteractorStyleMouseHand::MoveHandDeeper(double notches)
   {
     return false;
   }
-  const double* sight = this->CurrentRenderer->GetActiveCamera()->GetDirectionOfProjection();
+  vtkCamera* camera = this->CurrentRenderer->GetActiveCamera();
+  double sight[3];
+  camera->GetDirectionOfProjection(sight);
+  if (camera->GetParallelProjection() == 0)
+  {
+    // Through the hand, which stays where it is seen.
+    vtkMath::Subtract(this->HandWorld, camera->GetPosition(), sight);
+    vtkMath::Normalize(sight);
+  }
   double world[3];
   for (int a = 0; a < 3; ++a)
   {
@@ -107,6 +116,16 @@ void vtkInteractorStyleMouseHand::OnMouseWheelBackward()
   if (!this->MoveHandDeeper(-1.0))
   {
     this->Superclass::OnMouseWheelBackward();
+  }
+}
+
+// VTK's other letters pick, end programs and change how everything is drawn.
+void vtkInteractorStyleMouseHand::OnChar()
+{
+  const char key = this->Interactor->GetKeyCode();
+  if (key == 'r' || key == 'R')
+  {
+    this->Superclass::OnChar();
   }
 }
 

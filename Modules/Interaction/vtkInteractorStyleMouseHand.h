@@ -5,7 +5,8 @@
  * While Hand is on, the pointer moves the hand in the plane of the screen that the hand lies in,
  * and the wheel moves it along the line of sight, forwards away from the viewer. The camera keeps
  * what is left: Ctrl with a left drag turns it, Shift with a left drag and a middle drag pan, a
- * right drag and Ctrl with the wheel zoom. Otherwise it is a vtkInteractorStyleTrackballCamera.
+ * right drag and Ctrl with the wheel zoom. Otherwise it is a
+ * vtkInteractorStyleTrackballCamera, of whose letters only r is left (shows everything).
  *
  * It moves nothing itself: whoever observes HandMovedEvent takes GetHandWorld to the device.
  */
@@ -50,6 +51,7 @@ public:
   void OnLeftButtonDown() override;
   void OnMouseWheelForward() override;
   void OnMouseWheelBackward() override;
+  void OnChar() override;
 
 protected:
   vtkInteractorStyleMouseHand() = default;

@@ -96,7 +96,7 @@ void FitPanel::AddOthers(QFormLayout* form)
 
 void FitPanel::AddNumber(QFormLayout* form, const QString& label, const QString& sentence,
                          double low, double high, double step,
-                         std::function<double&(StudyState&)> field)
+                         const std::function<double&(StudyState&)>& field)
 {
   auto* box = new QDoubleSpinBox(this);
   box->setRange(low, high);

@@ -28,7 +28,7 @@ private:
   void AddImportant(QFormLayout* form);
   void AddOthers(QFormLayout* form);
   void AddNumber(QFormLayout* form, const QString& label, const QString& sentence, double low,
-                 double high, double step, std::function<double&(StudyState&)> field);
+                 double high, double step, const std::function<double&(StudyState&)>& field);
   void AddWhole(QFormLayout* form, const QString& label, const QString& sentence, int low, int high,
                 std::function<int(const StudyState&)> get,
                 std::function<void(StudyState&, int)> set);

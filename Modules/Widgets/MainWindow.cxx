@@ -62,6 +62,7 @@ void MainWindow::MakeCentre()
 void MainWindow::MakeMenus()
 {
   this->Files = new FileMenu(this->Study, this->Questions, this);
+  this->Study.AskBeforeLeaving([this] { return this->Files->MayLeave(); });
   connect(this->Files, &FileMenu::ScreenshotAsked, this, &MainWindow::SaveScreenshot);
   this->menuBar()->addMenu(this->Files);
   this->menuBar()->addMenu(new EditMenu(this->Study, this));
@@ -229,7 +230,7 @@ void MainWindow::closeEvent(QCloseEvent* event)
   this->Study.SwitchForcesOff();
   if (!this->Files->MayLeave())
   {
-    this->Study.SwitchForcesOn();
+    // Forces stay off until somebody wants them again: they may have been off before.
     event->ignore();
     return;
   }

@@ -1,7 +1,6 @@
 #include "StudyController.h"
 
 #include "InputError.h"
-#include "StudyFileRole.h"
 #include "StudyScene.h"
 
 #include <array>
@@ -84,19 +83,13 @@ void StudyController::TakeRole()
     return StudyJob::Delivery(
         [this, file, role, goOn]
         {
-          switch (role)
-          {
-          case StudyFileRole::Session:
-            this->OpenSession(file);
-            break;
-          case StudyFileRole::Segmentation:
-            this->OpenSegmentation(file);
-            break;
-          case StudyFileRole::Volume:
-            this->OpenVolume(file);
-            break;
-          }
-          goOn();
+          // Not within the delivery: a question to the user lets events happen.
+          QTimer::singleShot(0, this,
+                             [this, file, role, goOn]
+                             {
+                               this->OpenAs(role, file);
+                               goOn();
+                             });
         });
   };
   job.Fail = [this, goOn](const std::string& sentence)
@@ -105,6 +98,25 @@ void StudyController::TakeRole()
     goOn();
   };
   this->Open.Jobs().Start(std::move(job));
+}
+
+void StudyController::OpenAs(StudyFileRole role, const std::filesystem::path& file)
+{
+  switch (role)
+  {
+  case StudyFileRole::Session:
+    if (!this->MayLeave || this->MayLeave())
+    {
+      this->OpenSession(file);
+    }
+    break;
+  case StudyFileRole::Segmentation:
+    this->OpenSegmentation(file);
+    break;
+  case StudyFileRole::Volume:
+    this->OpenVolume(file);
+    break;
+  }
 }
 
 void StudyController::OpenVolume(const std::filesystem::path& file)

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "Study.h"
+#include "StudyFileRole.h"
 
 #include <QObject>
 #include <QString>
@@ -10,6 +11,7 @@
 #include <functional>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace palpate
@@ -31,6 +33,8 @@ public:
   /// Whether something is to be read, made or opened.
   bool IsBusy() const { return !this->Roles.empty() || this->IsMaking; }
 
+  /// What answers whether the study may be left for another one that is among files. None: yes.
+  void AskBeforeLeaving(std::function<bool()> mayLeave) { this->MayLeave = std::move(mayLeave); }
   void New();
   /// Whatever they are, one after the other; what each is is found out beside the window.
   void OpenFiles(const std::vector<std::filesystem::path>& files);
@@ -83,13 +87,15 @@ private:
   void LookAtSteps();
   void Announce();
   void TakeRole();
+  void OpenAs(StudyFileRole role, const std::filesystem::path& file);
   void Try(const std::function<void()>& act);
 
   Study Open;
   StudyTouchReading Felt;
   QTimer Timer;
   std::vector<std::filesystem::path> Roles; ///< files whose role is to be found out
-  std::set<std::string> Told;               ///< what failed, and was said
+  std::function<bool()> MayLeave;
+  std::set<std::string> Told; ///< what failed, and was said
   std::string ToldOfTouch;
   std::uint64_t Revision = 0;
   int LooksToSteps = 0;

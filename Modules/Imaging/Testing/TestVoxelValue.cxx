@@ -34,7 +34,9 @@ TEST(VoxelValue, IsThatOfTheVoxelThatThePointLiesIn)
   std::uniform_real_distribution<double> within(-0.49, 0.49);
   for (int voxel = 0; voxel < 5 * 6 * 7; ++voxel)
   {
-    const Vector3 index(voxel % 5, voxel / 5 % 6, voxel / 30);
+    const int slice = voxel / 30;
+    const int row = voxel / 5 % 6;
+    const Vector3 index(voxel % 5, row, slice);
     const Vector3 offset(within(random), within(random), within(random));
     const auto value = VoxelValueAt(image, axes.ToWorld(index + offset));
     ASSERT_TRUE(value.has_value());

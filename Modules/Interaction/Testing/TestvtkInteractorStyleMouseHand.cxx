@@ -81,6 +81,18 @@ TEST_F(MouseHandStyleTest, TheWheelMovesItAlongTheLineOfSight)
   EXPECT_EQ(this->Moves, 3);
 }
 
+TEST_F(MouseHandStyleTest, InPerspectiveTheHandStaysUnderThePointer)
+{
+  this->Renderer->GetActiveCamera()->ParallelProjectionOff();
+  this->Renderer->GetActiveCamera()->SetViewAngle(30.0);
+  this->Send(vtkCommand::MouseMoveEvent, 130, 40);
+  const Vector3 before = this->Hand();
+  this->Send(vtkCommand::MouseWheelForwardEvent, 130, 40);
+  const Vector3 eye(0.0, 0.0, 100.0);
+  EXPECT_LT((this->Hand() - eye).normalized().cross((before - eye).normalized()).norm(), 1e-12);
+  EXPECT_NEAR((this->Hand() - before).norm(), this->Style->GetNotchMillimeters(), 1e-9);
+}
+
 TEST_F(MouseHandStyleTest, WithControlTheCameraMovesAndTheHandDoesNot)
 {
   vtkCamera* camera = this->Renderer->GetActiveCamera();

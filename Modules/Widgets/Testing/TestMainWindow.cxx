@@ -130,6 +130,22 @@ TEST_F(MainWindowTest, AStudyReopensAsItWasSaved)
   EXPECT_EQ(this->Window->Views()->Layout(), ViewLayout::Space);
 }
 
+TEST_F(MainWindowTest, AStudyAmongFilesIsNotOpenedOverChangesUnasked)
+{
+  this->OpenPhantom();
+  const auto file = this->Phantom.Folder / "case.palpate.json";
+  ASSERT_TRUE(this->Study->Save(file));
+  this->Window->findChild<QSpinBox*>("Degree of all")->setValue(5);
+  const StudyState changed = this->Study->State();
+  this->Leaving = FileQuestions::Answer::Cancel;
+  this->Study->OpenFiles({file});
+  WaitUntil([this] { return !this->Study->IsBusy(); });
+  EXPECT_EQ(this->Study->State(), changed);
+  this->Leaving = FileQuestions::Answer::Discard;
+  this->Study->OpenFiles({file});
+  WaitUntil([this] { return this->Study->State().Structures.at(0).Degree == 12; });
+}
+
 TEST_F(MainWindowTest, AMissingFileIsAskedFor)
 {
   this->OpenPhantom();
