@@ -19,6 +19,6 @@ struct ViewerOptions
   QString Answer;  ///< what to print instead of opening a window: help or version
 };
 
-/// The first argument is the program.
+/// The first argument is the program. Needs a QCoreApplication, whose name help tells.
 ViewerOptions ParseViewerOptions(const QStringList& arguments);
 } // namespace palpate

@@ -39,16 +39,12 @@ int Run(int argc, char* argv[], const palpate::ViewerOptions& options)
 
 int main(int argc, char* argv[])
 {
-  const QStringList arguments = [&]
+  const palpate::ViewerOptions options = [&]
   {
-    QStringList list;
-    for (int a = 0; a < argc; ++a)
-    {
-      list += QString::fromLocal8Bit(argv[a]);
-    }
-    return list;
+    // An application without windows, since it may turn out that there will be none.
+    const QCoreApplication parsing(argc, argv);
+    return palpate::ParseViewerOptions(QCoreApplication::arguments());
   }();
-  const palpate::ViewerOptions options = palpate::ParseViewerOptions(arguments);
   if (!options.Problem.isEmpty())
   {
     std::cerr << options.Problem.toStdString() << '\n';

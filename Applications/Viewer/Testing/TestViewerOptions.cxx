@@ -1,5 +1,7 @@
 #include "ViewerOptions.h"
 
+#include <QCoreApplication>
+
 #include <gtest/gtest.h>
 
 namespace palpate
@@ -8,6 +10,10 @@ namespace
 {
 ViewerOptions Parse(const QStringList& arguments)
 {
+  char name[] = "palpate-viewer";
+  char* all[] = {name, nullptr};
+  int count = 1;
+  const QCoreApplication application(count, all);
   return ParseViewerOptions(QStringList{"palpate-viewer"} + arguments);
 }
 } // namespace

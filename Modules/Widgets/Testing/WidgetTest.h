@@ -4,6 +4,7 @@
 #include "FileQuestions.h"
 #include "MainWindow.h"
 #include "SteadyClock.h"
+#include "TemporaryFolder.h"
 
 #include <QApplication>
 #include <QMouseEvent>
@@ -38,6 +39,9 @@ private:
   TestApplication()
   {
     QSurfaceFormat::setDefaultFormat(QVTKOpenGLNativeWidget::defaultFormat());
+    // Tests run beside each other: each process has settings of its own.
+    QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope,
+                       QString::fromStdString(this->Settings.Path().string()));
     QApplication::setOrganizationName("Palpate tests");
     QApplication::setApplicationName("WidgetsTests");
     this->Application = std::make_unique<QApplication>(this->Count, this->Arguments);
@@ -55,6 +59,7 @@ private:
     }
   }
 
+  TemporaryFolder Settings;
   DisplayServer Display; // before the application that draws on it
   int Count = 1;
   char Name[13] = "WidgetsTests";
