@@ -43,6 +43,7 @@ Status StudyTouch::Start(std::unique_ptr<HapticDevice> opened, const StudyState&
   this->Felt = {};
   this->Scene.reset();
   this->Automatic.reset();
+  this->Watch = {};
   this->Clutch = {};
   this->Moved.setZero();
   Status status =
@@ -64,7 +65,6 @@ Status StudyTouch::Start(std::unique_ptr<HapticDevice> opened, const StudyState&
 Status StudyTouch::StartServo()
 {
   this->Thread = std::make_unique<ServoThread>(*this->Device, this->Time, this->Settings);
-  this->Watch = {};
   Status status = this->Send(this->Scene);
   if (status.IsOk())
   {

@@ -249,6 +249,20 @@ TEST_F(StudyTouchTest, TheClutchHoldsTheToolAndTheHandGoesOnFromThere)
   EXPECT_LT((this->Touch.Frame().CenterWorld - held).norm(), 1e-9);
 }
 
+// A recording begins the servo anew; what it was told of buttons is still known.
+TEST_F(StudyTouchTest, AClutchThatIsLetGoWhileARecordingBeginsIsLetGo)
+{
+  const test::TemporaryFolder folder;
+  auto owned = std::make_unique<test::PlacedDevice>(this->Time);
+  test::PlacedDevice* device = owned.get();
+  device->Put(Vector3::Zero(), 1U << StudyTouch::ClutchButton);
+  ASSERT_TRUE(this->Touch.Start(std::move(owned), this->State, this->Contacts).IsOk());
+  this->WaitUntil([](const StudyTouchReading& now) { return now.IsClutched; });
+  device->Put(Vector3::Zero(), 0);
+  ASSERT_TRUE(this->Touch.StartRecording(folder / "session.touch").IsOk());
+  EXPECT_FALSE(this->AtRest().IsClutched);
+}
+
 TEST_F(StudyTouchTest, ADeviceThatIsUnpluggedIsNamed)
 {
   auto device = this->OpenDevice(this->Time);
