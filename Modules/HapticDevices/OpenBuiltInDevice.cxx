@@ -4,15 +4,18 @@
 
 namespace palpate
 {
-Status OpenBuiltInDevice(const std::string& name, Clock& clock,
+Status MakeBuiltInDevice(const std::string& name, Clock& clock,
                          std::unique_ptr<HapticDevice>& device)
 {
   DeviceRegistry registry;
-  Status status = RegisterBuiltInDevices(registry);
-  if (status.IsOk())
-  {
-    status = registry.Make(name, clock, device);
-  }
+  const Status status = RegisterBuiltInDevices(registry);
+  return status.IsOk() ? registry.Make(name, clock, device) : status;
+}
+
+Status OpenBuiltInDevice(const std::string& name, Clock& clock,
+                         std::unique_ptr<HapticDevice>& device)
+{
+  const Status status = MakeBuiltInDevice(name, clock, device);
   return status.IsOk() ? device->Open() : status;
 }
 } // namespace palpate

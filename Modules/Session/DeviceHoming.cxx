@@ -1,8 +1,8 @@
 #include "DeviceHoming.h"
 
-#include "BuiltInDevices.h"
 #include "FixedRateLoop.h"
 #include "LatestValue.h"
+#include "OpenBuiltInDevice.h"
 #include "RealtimeThread.h"
 #include "Refusal.h"
 #include "SteadyClock.h"
@@ -139,10 +139,8 @@ HomingReport HomeDevice(const std::string& name, double leastSeconds,
                         const std::function<bool(const HomingView&)>& show)
 {
   SteadyClock clock;
-  DeviceRegistry registry;
-  RequireInput(RegisterBuiltInDevices(registry));
   std::unique_ptr<HapticDevice> device;
-  RequireInput(registry.Make(name, clock, device));
+  RequireInput(MakeBuiltInDevice(name, clock, device));
   const Status status = device->Open();
   if (!status.IsOk())
   {

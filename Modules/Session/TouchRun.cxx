@@ -1,9 +1,9 @@
 #include "TouchRun.h"
 
-#include "BuiltInDevices.h"
 #include "DeviceHoming.h"
 #include "DeviceList.h"
 #include "ManualClock.h"
+#include "OpenBuiltInDevice.h"
 #include "Refusal.h"
 #include "ServoThread.h"
 #include "SimulatedDevice.h"
@@ -46,10 +46,8 @@ std::unique_ptr<HapticDevice> MakeDevice(const std::string& name, Clock& clock,
     settings.Path = std::move(path);
     return std::make_unique<SimulatedDevice>(clock, settings);
   }
-  DeviceRegistry registry;
-  RequireInput(RegisterBuiltInDevices(registry));
   std::unique_ptr<HapticDevice> device;
-  RequireInput(registry.Make(name, clock, device));
+  RequireInput(MakeBuiltInDevice(name, clock, device));
   return device;
 }
 
