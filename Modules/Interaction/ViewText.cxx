@@ -1,6 +1,7 @@
 #include "ViewText.h"
 
 #include "vtkCoordinate.h"
+#include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
 #include "vtkTextActor.h"
 #include "vtkTextProperty.h"
@@ -12,6 +13,13 @@ namespace
 constexpr int LetterSize = 15; // points
 constexpr double Edge = 0.015; // of the view, between letters and edges
 } // namespace
+
+double PointPixels(vtkRenderer* renderer)
+{
+  constexpr double PointsPerInch = 72.0;
+  vtkRenderWindow* window = renderer->GetRenderWindow();
+  return window == nullptr ? 1.0 : window->GetDPI() / PointsPerInch;
+}
 
 vtkSmartPointer<vtkTextActor> MakeViewText(double x, double y, int size)
 {

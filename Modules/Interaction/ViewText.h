@@ -12,6 +12,9 @@ class vtkTextActor;
 
 namespace palpate
 {
+/// How many pixels of a renderer's window are a point; 1 where it has none.
+PALPATEINTERACTION_EXPORT double PointPixels(vtkRenderer* renderer);
+
 /// A white text with a shadow at a place of a view, 0 to 1 from its lower left corner; what is near
 /// an edge is justified to it. Size in points.
 PALPATEINTERACTION_EXPORT vtkSmartPointer<vtkTextActor> MakeViewText(double x, double y, int size);

@@ -9,6 +9,7 @@
 #include "SliceGeometry.h"
 #include "SlicePainter.h"
 #include "SlicePatch.h"
+#include "ViewText.h"
 #include "vtkCrosshair.h"
 #include "vtkImageDisplay.h"
 #include "vtkLandmarks.h"
@@ -20,7 +21,6 @@
 #include "vtkCommand.h"
 #include "vtkImageData.h"
 #include "vtkObjectFactory.h"
-#include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
 
 #include <algorithm>
@@ -216,8 +216,7 @@ SlicePosition vtkSliceView::GetPosition()
     const int* size = state.Renderer->GetSize();
     position.Width = size[0];
     position.Height = size[1];
-    vtkRenderWindow* window = state.Renderer->GetRenderWindow();
-    position.PointPixels = window == nullptr ? 1.0 : window->GetDPI() / 72.0;
+    position.PointPixels = palpate::PointPixels(state.Renderer);
   }
   position.PixelMillimeters = state.Height / std::max(1, position.Height);
   return position;

@@ -2,12 +2,14 @@
 
 #include "AnatomicalView.h"
 #include "AxesMarker.h"
+#include "CameraAxes.h"
 #include "ColorBar.h"
 #include "LandmarksInSpace.h"
 #include "ProbeInSpace.h"
 #include "SliceInSpace.h"
 #include "SurfaceInSpace.h"
 #include "SurfaceMaterial.h"
+#include "ViewText.h"
 #include "vtkCrosshair.h"
 #include "vtkImageDisplay.h"
 #include "vtkLandmarks.h"
@@ -24,7 +26,6 @@
 #include "vtkLookupTable.h"
 #include "vtkMath.h"
 #include "vtkObjectFactory.h"
-#include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
 
 #include <algorithm>
@@ -361,12 +362,9 @@ void vtkSpaceView::UpdateAnnotation()
     state.Bar.Update(nullptr, {});
   }
   state.Axes.SetVisible(this->AnnotationVisibility);
-  vtkCamera* camera = state.Renderer->GetActiveCamera();
-  const Vector3 towards = -Vector3(camera->GetDirectionOfProjection());
-  const Vector3 right = Vector3(camera->GetViewUp()).cross(towards).normalized();
-  vtkRenderWindow* window = state.Renderer->GetRenderWindow();
-  state.Axes.Update({right, towards.cross(right), towards}, state.Renderer->GetSize()[0],
-                    window == nullptr ? 1.0 : window->GetDPI() / 72.0);
+  const palpate::Matrix3 axes = palpate::CameraAxes(state.Renderer->GetActiveCamera());
+  state.Axes.Update({axes.col(0), axes.col(1), axes.col(2)}, state.Renderer->GetSize()[0],
+                    palpate::PointPixels(state.Renderer));
 }
 
 void vtkSpaceView::PrintSelf(ostream& os, vtkIndent indent)
