@@ -1,6 +1,6 @@
 #include "StudyController.h"
 
-#include "InputError.h"
+#include "DicomSeries.h"
 #include "StudyScene.h"
 
 #include <array>
@@ -121,12 +121,65 @@ void StudyController::OpenAs(StudyFileRole role, const std::filesystem::path& fi
 
 void StudyController::OpenVolume(const std::filesystem::path& file)
 {
-  this->Try([&] { this->Open.OpenVolume(file); });
+  std::error_code failure;
+  if (std::filesystem::is_directory(file, failure))
+  {
+    this->OpenFolder(file);
+  }
+  else
+  {
+    this->OpenVolumeNow(file, {});
+  }
+}
+
+void StudyController::OpenVolumeNow(const std::filesystem::path& file, const std::string& series)
+{
+  this->Told.erase(StudyStep::Volume); // who opens a file again wants to be told again
+  this->Try([&] { this->Open.OpenVolume(file, series); });
   Q_EMIT FileOpened(QString::fromStdString(StudyPath(file).string()));
+}
+
+// A folder may have thousands of slices, whose headers are read beside the window.
+void StudyController::OpenFolder(const std::filesystem::path& folder)
+{
+  ++this->Folders;
+  StudyJob job;
+  job.Work = [this, folder](const ProgressFunction&)
+  {
+    QStringList series;
+    for (const DicomSeries& one : FindDicomSeries(folder))
+    {
+      series += QString::fromStdString(one.Summary());
+    }
+    return StudyJob::Delivery(
+        [this, folder, series]
+        {
+          // Not within the delivery: a question to the user lets events happen.
+          QTimer::singleShot(0, this, [this, folder, series] { this->TakeSeries(folder, series); });
+        });
+  };
+  job.Fail = [this](const std::string& sentence)
+  {
+    --this->Folders;
+    this->Report(sentence);
+  };
+  this->Open.Jobs().Start(std::move(job));
+}
+
+void StudyController::TakeSeries(const std::filesystem::path& folder, const QStringList& series)
+{
+  const bool isAsked = series.size() > 1 && this->WhichSeries;
+  const int chosen = isAsked ? this->WhichSeries(series) : 0;
+  --this->Folders;
+  if (chosen >= 0)
+  {
+    this->OpenVolumeNow(folder, isAsked ? std::to_string(chosen + 1) : std::string());
+  }
 }
 
 void StudyController::OpenSegmentation(const std::filesystem::path& file)
 {
+  this->Told.erase(this->Told.upper_bound(StudyStep::Volume), this->Told.end());
   this->Try([&] { this->Open.OpenSegmentation(file); });
   Q_EMIT FileOpened(QString::fromStdString(StudyPath(file).string()));
 }
@@ -300,7 +353,7 @@ void StudyController::LookAtSteps()
     const StudyStepState state = this->Open.Pipeline().StateOf(step);
     isMaking = isMaking || state.Is == StudyStepState::Kind::Running ||
                state.Is == StudyStepState::Kind::NeedsUpdate;
-    if (state.Is == StudyStepState::Kind::Failed && this->Told.insert(state.Sentence).second)
+    if (state.Is == StudyStepState::Kind::Failed && this->Told[step].insert(state.Sentence).second)
     {
       this->Report(state.Sentence);
     }
