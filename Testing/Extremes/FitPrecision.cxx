@@ -53,9 +53,15 @@ template <typename Real>
 using Matrix = Eigen::Matrix<Real, Eigen::Dynamic, Eigen::Dynamic>;
 
 template <typename Real>
+Matrix<Real> Rounded(const Eigen::MatrixXd& system)
+{
+  return system.cast<Real>();
+}
+
+template <typename Real>
 std::vector<double> Orthogonal(const Eigen::MatrixXd& system)
 {
-  const Matrix<Real> given = system.cast<Real>();
+  const auto given = Rounded<Real>(system);
   const Eigen::Index size = given.cols() - 1;
   const Matrix<Real> found = given.leftCols(size).householderQr().solve(given.col(size));
   const Eigen::MatrixXd rounded = found.template cast<double>();
@@ -65,7 +71,7 @@ std::vector<double> Orthogonal(const Eigen::MatrixXd& system)
 template <typename Real>
 std::vector<double> ByNormalEquations(const Eigen::MatrixXd& system)
 {
-  const Matrix<Real> given = system.cast<Real>();
+  const auto given = Rounded<Real>(system);
   const Eigen::Index size = given.cols() - 1;
   const auto design = given.leftCols(size);
   const Eigen::LLT<Matrix<Real>> factor(design.transpose() * design);
@@ -127,7 +133,7 @@ FitPrecision MakeRow(const HardDirections& hard, const SphericalHarmonicModel& o
   return row;
 }
 
-std::string Rounded(double number)
+std::string Written(double number)
 {
   char text[32];
   std::snprintf(text, sizeof(text), "%.1e", number);
@@ -239,10 +245,10 @@ std::string ToMarkdown(const std::vector<FitPrecision>& rows)
   for (const FitPrecision& row : rows)
   {
     text << "| " << row.Directions << " | "
-         << (row.Roughness > 0.0 ? Rounded(row.Roughness) : "none") << " | "
-         << Rounded(row.Condition) << " | " << Rounded(row.FloatNormalEquations) << " | "
-         << Rounded(row.FloatOrthogonal) << " | " << Rounded(row.DoubleNormalEquations) << " | "
-         << Rounded(row.Ours) << " |\n";
+         << (row.Roughness > 0.0 ? Written(row.Roughness) : "none") << " | "
+         << Written(row.Condition) << " | " << Written(row.FloatNormalEquations) << " | "
+         << Written(row.FloatOrthogonal) << " | " << Written(row.DoubleNormalEquations) << " | "
+         << Written(row.Ours) << " |\n";
   }
   return text.str();
 }

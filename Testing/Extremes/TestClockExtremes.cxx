@@ -41,11 +41,10 @@ public:
   }
   double Force() const { return this->Run.Device.Applied[2]; }
 
+  test::ServoRun Run;
   std::int64_t ClockShift = 0;  // ns, of ticks and samples
   std::int64_t SampleShift = 0; // ns, of samples only
   bool IsStopped = false;       // every tick begins when the last one did
-
-  test::ServoRun Run;
 
 private:
   std::uint64_t Ticks = 0;

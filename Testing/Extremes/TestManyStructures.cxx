@@ -78,6 +78,7 @@ TouchScene SceneOf(const std::vector<Vector3>& places)
 TEST(ManyStructures, OneOfAMillionIsFeltLikeTheOnlyOne)
 {
   std::vector<Vector3> places;
+  places.reserve(Side * Side * Side);
   for (int n = 0; n < Side * Side * Side; ++n)
   {
     places.push_back(PlaceOf(n % Side, n / Side % Side, n / Side / Side));
