@@ -45,11 +45,39 @@ constexpr double NoAnswer = 1e9;
 
 struct PlaneErrors
 {
-  WorstCase Hit;    // mm
-  WorstCase Depth;  // mm
-  WorstCase Normal; // rad
+  WorstCase Hit;        // mm
+  WorstCase Depth;      // mm, of a point
+  WorstCase Normal;     // rad
+  WorstCase BallDepth;  // of the finest spacing, of a ball as wide as four of it
+  WorstCase BallNormal; // rad
   int WrongSide = 0;
 };
+
+// Places on the plane, near the middle of the grid.
+std::vector<Vector3> PlacesOn(const ObliquePlane& plane)
+{
+  std::mt19937_64 random(8821);
+  std::uniform_real_distribution<double> aside(-3.0, 3.0);
+  std::vector<Vector3> places;
+  for (int n = 0; n < 200; ++n)
+  {
+    const Vector3 inIndex(aside(random), aside(random), aside(random));
+    const Vector3 near = plane.MiddleWorld + plane.Grid.VectorWorld(inIndex);
+    places.emplace_back(near - plane.Height(near) * plane.Normal);
+  }
+  return places;
+}
+
+// A tool that comes straight down on the plane and half of the finest spacing in.
+Contact Pressed(const ContactModel& contact, const ObliquePlane& plane, double toolRadius,
+                const Vector3& place)
+{
+  const double step = plane.Grid.Spacing().minCoeff();
+  const auto at = [&](double depth) { return At(place + (depth - toolRadius) * plane.Normal); };
+  const auto tracker = test::TrackerOf(contact, ToolShape::Sphere(toolRadius));
+  tracker->Follow(at(-2.0 * step));
+  return tracker->Follow(at(0.5 * step));
+}
 
 PlaneErrors TouchPlane(const ObliquePlane& plane)
 {
@@ -58,24 +86,20 @@ PlaneErrors TouchPlane(const ObliquePlane& plane)
   const FieldSampler sampler(field);
   const auto contact = test::FieldContact(field);
   const double step = plane.Grid.Spacing().minCoeff();
-  std::mt19937_64 random(8821);
-  std::uniform_real_distribution<double> aside(-3.0, 3.0);
   PlaneErrors errors;
-  for (int n = 0; n < 200; ++n)
+  for (const Vector3& place : PlacesOn(plane))
   {
-    const Vector3 inIndex = Vector3(aside(random), aside(random), aside(random));
-    const Vector3 near = plane.MiddleWorld + plane.Grid.VectorWorld(inIndex);
-    const Vector3 foot = near - plane.Height(near) * plane.Normal;
     const FieldHit hit =
-        caster.CastWorld({foot - 2.0 * step * plane.Normal, plane.Normal}, 0.0, 4.0 * step);
+        caster.CastWorld({place - 2.0 * step * plane.Normal, plane.Normal}, 0.0, 4.0 * step);
     errors.Hit.Add(hit.Kind == HitKind::Surface ? plane.Height(hit.Position) : NoAnswer);
-    errors.WrongSide += sampler.IsInsideWorld(0, foot - 1e-6 * step * plane.Normal) ? 1 : 0;
-    errors.WrongSide += sampler.IsInsideWorld(0, foot + 1e-6 * step * plane.Normal) ? 0 : 1;
-    const auto tracker = test::TrackerOf(*contact, ToolShape::Sphere(0.0));
-    tracker->Follow(At(foot - 2.0 * step * plane.Normal));
-    const Contact& felt = tracker->Follow(At(foot + 0.5 * step * plane.Normal));
-    errors.Depth.Add(felt.IsValid ? felt.Depth - 0.5 * step : NoAnswer);
-    errors.Normal.Add((felt.NormalWorld + plane.Normal).norm());
+    errors.WrongSide += sampler.IsInsideWorld(0, place - 1e-6 * step * plane.Normal) ? 1 : 0;
+    errors.WrongSide += sampler.IsInsideWorld(0, place + 1e-6 * step * plane.Normal) ? 0 : 1;
+    const Contact point = Pressed(*contact, plane, 0.0, place);
+    errors.Depth.Add(point.IsValid ? point.Depth - 0.5 * step : NoAnswer);
+    errors.Normal.Add((point.NormalWorld + plane.Normal).norm());
+    const Contact ball = Pressed(*contact, plane, 2.0 * step, place);
+    errors.BallDepth.Add(ball.IsValid ? ball.Depth / step - 0.5 : NoAnswer);
+    errors.BallNormal.Add((ball.NormalWorld + plane.Normal).norm());
   }
   return errors;
 }
@@ -86,6 +110,9 @@ void ExpectExact(const PlaneErrors& errors, double bound)
   EXPECT_LE(errors.Hit.Value(), bound);
   EXPECT_LE(errors.Depth.Value(), bound);
   EXPECT_LE(errors.Normal.Value(), bound);
+  // Its shell is nowhere more than that much lower than the ball.
+  EXPECT_LE(errors.BallDepth.Value(), 0.05);
+  EXPECT_LE(errors.BallNormal.Value(), bound);
   EXPECT_EQ(errors.WrongSide, 0);
 }
 
