@@ -34,6 +34,9 @@ public:
 
   /// Whether the mouse is the hand, which is at `handWorld` (mm).
   void SetHand(bool isOn, const Vector3& handWorld);
+  /// Where the hand is after all (mm).
+  void PlaceHand(const Vector3& handWorld) { this->Style->SetHandWorld(handWorld.data()); }
+  Vector3 HandWorld() const { return Vector3(this->Style->GetHandWorld()); }
   /// Columns: right, up and towards the viewer in the world.
   Matrix3 Axes() const;
 

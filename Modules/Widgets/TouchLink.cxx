@@ -11,7 +11,7 @@ TouchLink::TouchLink(StudyController& study, ViewContents& contents, ViewGrid& v
 {
   connect(&study, &StudyController::TouchChanged, this, &TouchLink::Begin);
   connect(&study, &StudyController::Touched, this, &TouchLink::ShowReading);
-  connect(views.Space(), &SpacePane::HandMoved, &study, &StudyController::MoveHand);
+  connect(views.Space(), &SpacePane::HandMoved, this, &TouchLink::MoveHand);
   connect(views.Space(), &SpacePane::CameraTurned, this, &TouchLink::TellAxes);
   // Before a touch begins the device's axes are those of the camera as it is; later a camera that
   // is still turning would move the scene under the hand.
@@ -29,35 +29,36 @@ TouchLink::TouchLink(StudyController& study, ViewContents& contents, ViewGrid& v
 void TouchLink::TellAxes()
 {
   this->Study.TurnAxes(this->Views.Space()->Axes());
-}
-
-Vector3 TouchLink::FirstHand() const
-{
-  StudyTouch& touch = this->Study.Current().Touch();
-  const WorkspaceFrame& frame = touch.Frame();
-  const double reach = 0.5 * touch.Capabilities().Workspace.sizes().minCoeff();
-  const Vector3 towardsViewer = this->Views.Space()->Axes().col(2);
-  return frame.CenterWorld + frame.Scale * reach * towardsViewer;
+  this->ShowHand();
 }
 
 void TouchLink::Begin()
 {
   const bool isTouching = this->Study.IsTouching();
-  Vector3 hand = Vector3::Zero();
-  bool isSimulated = false;
-  if (isTouching)
-  {
-    hand = this->FirstHand();
-    isSimulated = this->Study.Current().Touch().MoveHand(hand);
-  }
-  this->Views.Space()->SetHand(isSimulated, hand);
+  const bool isSimulated =
+      isTouching && this->Study.Current().Touch().PlaceHand(this->Views.Space()->Axes().col(2));
+  this->Views.Space()->SetHand(isSimulated, this->Study.Current().Touch().HandWorld());
   this->Contents.ShowTouch(this->Study.Reading(), isTouching);
+}
+
+void TouchLink::MoveHand(const Vector3& targetWorld)
+{
+  this->Study.MoveHand(targetWorld);
+  this->ShowHand();
+}
+
+// Beyond the device's reach, and with a workspace that moves, the hand is elsewhere than the
+// pointer led it.
+void TouchLink::ShowHand()
+{
+  this->Views.Space()->PlaceHand(this->Study.Current().Touch().HandWorld());
 }
 
 void TouchLink::ShowReading()
 {
   const StudyTouchReading& reading = this->Study.Reading();
   this->Contents.ShowTouch(reading, true);
+  this->ShowHand();
   if (reading.Newest.HasSample && this->Study.State().View.SlicesFollowProbe)
   {
     const PlainVector3& proxy = reading.Newest.ProxyWorld;

@@ -26,8 +26,8 @@ private:
   void Begin();
   void ShowReading();
   void TellAxes();
-  /// In front of what is touched, as far as the device reaches.
-  Vector3 FirstHand() const;
+  void MoveHand(const Vector3& targetWorld);
+  void ShowHand();
 
   StudyController& Study;
   ViewContents& Contents;

@@ -12,6 +12,7 @@ Study::Study(Clock& clock, const RealtimeRequest& request) : Time(clock), Felt(c
 void Study::Begin(const StudyState& state, const std::filesystem::path& file)
 {
   this->StopTouch();
+  this->CloseReplay();
   this->Steps.Reset(state);
   this->SessionFile = file;
   this->Unread.clear();
@@ -119,6 +120,7 @@ void Study::FollowByTouch()
 void Study::StartTouch()
 {
   this->StopTouch();
+  this->CloseReplay();
   StudyJob job;
   job.IsUrgent = true;
   job.Work = [this, name = this->State().Device, &clock = this->Time](const ProgressFunction&)
@@ -160,6 +162,50 @@ void Study::StopTouch()
   }
   this->Felt.Stop();
   this->Problem.clear();
+}
+
+void Study::OpenReplay(const std::filesystem::path& file)
+{
+  this->CloseReplay();
+  StudyJob job;
+  job.IsUrgent = true;
+  job.Work = [this, file](const ProgressFunction&)
+  {
+    return StudyJob::Delivery(
+        [this, file, recording = ReadReplay(file)]
+        {
+          this->StopTouch();
+          this->Reading.reset();
+          this->Played = std::make_unique<StudyReplay>(file, recording, this->Time);
+        });
+  };
+  job.Fail = [this](const std::string& sentence)
+  {
+    this->Reading.reset();
+    this->Unplayable = sentence;
+  };
+  this->Reading = this->Work.Start(std::move(job));
+}
+
+void Study::CloseReplay()
+{
+  if (this->Reading)
+  {
+    this->Work.Cancel(*this->Reading);
+    this->Reading.reset();
+  }
+  this->Played.reset();
+  this->Unplayable.clear();
+}
+
+const StudyTouchReading& Study::PollReplay()
+{
+  std::vector<int> labels;
+  for (const StudyContact& contact : ContactsOf(this->State(), this->Made))
+  {
+    labels.push_back(contact.Label);
+  }
+  return this->Played->Poll(labels);
 }
 
 std::size_t Study::Deliver()

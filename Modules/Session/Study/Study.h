@@ -4,11 +4,13 @@
 #include "StudyHistory.h"
 #include "StudyJobs.h"
 #include "StudyPipeline.h"
+#include "StudyReplay.h"
 #include "StudyTouch.h"
 
 #include <chrono>
 #include <cstddef>
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <set>
 #include <string>
@@ -63,6 +65,19 @@ public:
   /// Why a touch did not begin, or does not follow what the state has become; empty without.
   const std::string& TouchProblem() const { return this->Problem; }
 
+  /// Reads a recorded touch beside the caller, then shows it. Nobody touches and looks at a
+  /// recording at once: what was going on of either ends, forces first, and StartTouch ends this.
+  void OpenReplay(const std::filesystem::path& file);
+  void CloseReplay();
+  bool IsOpeningReplay() const { return this->Reading.has_value(); }
+  /// Why a recording cannot be replayed; empty without.
+  const std::string& ReplayProblem() const { return this->Unplayable; }
+  /// Null while no recording is open.
+  StudyReplay* Replay() const { return this->Played.get(); }
+  /// What the recording has at its moment. A structure of it is that one of the study's touchable
+  /// ones which has its number.
+  const StudyTouchReading& PollReplay();
+
   /// Takes what was made meanwhile; returns how many pieces.
   std::size_t Deliver();
   /// Forces first, then what is at work. False where something goes on by itself (see StudyJobs):
@@ -84,7 +99,10 @@ private:
   std::filesystem::path SessionFile;
   std::set<std::filesystem::path> Unread; ///< segmentations whose structures are to be taken over
   std::optional<StudyJobs::Id> Opening;
+  std::optional<StudyJobs::Id> Reading;
+  std::unique_ptr<StudyReplay> Played;
   std::string Problem;
+  std::string Unplayable;
 };
 
 /// A state with a structure for each of a segmentation's.

@@ -46,6 +46,7 @@ Status StudyTouch::Start(std::unique_ptr<HapticDevice> opened, const StudyState&
   this->Watch = {};
   this->Clutch = {};
   this->Moved.setZero();
+  this->Hand.setZero();
   Status status =
       contacts.empty()
           ? Status::Failure("There is nothing to touch yet: make a structure touchable and wait "
@@ -205,10 +206,23 @@ void StudyTouch::SwitchForcesOn()
 
 bool StudyTouch::MoveHand(const Vector3& targetWorld)
 {
+  return this->Device != nullptr && this->LeadHand(this->Felt.Frame.NearestInReach(
+                                        targetWorld, this->Capabilities().Workspace));
+}
+
+bool StudyTouch::PlaceHand(const Vector3& towardsViewerWorld)
+{
+  return this->Device != nullptr && this->LeadHand(this->Felt.Frame.FirstHand(
+                                        towardsViewerWorld, this->Capabilities().Workspace));
+}
+
+bool StudyTouch::LeadHand(const Vector3& handDevice)
+{
   auto* simulated = dynamic_cast<SimulatedDevice*>(this->Device.get());
   if (simulated != nullptr)
   {
-    simulated->SetTarget(this->Felt.Frame.ToDevice(targetWorld));
+    this->Hand = handDevice;
+    simulated->SetTarget(handDevice);
   }
   return simulated != nullptr;
 }

@@ -79,9 +79,13 @@ public:
   void SwitchForcesOff();
   void SwitchForcesOn();
 
-  /// Where the hand of a simulated device wants to be (mm). False for a device with a hand of its
-  /// own.
+  /// Where the hand of a simulated device wants to be (mm): there, or as near to it as the device
+  /// reaches. False, and nothing else, for a device with a hand of its own.
   bool MoveHand(const Vector3& targetWorld);
+  /// Begins such a hand before what is felt, as seen by a viewer.
+  bool PlaceHand(const Vector3& towardsViewerWorld);
+  /// Where it wants to be now (mm); with the workspace it moves too.
+  Vector3 HandWorld() const { return this->Felt.Frame.ToWorld(this->Hand); }
   /// The device's button, from 0, that holds the workspace while it is pressed: a Falcon's middle.
   static constexpr int ClutchButton = 2;
 
@@ -121,6 +125,7 @@ private:
   Status Send(std::shared_ptr<const TouchScene> scene);
   void HoldClutch(bool isHeld, const TouchState& now);
   void TakeTicks();
+  bool LeadHand(const Vector3& handDevice);
 
   Clock& Time;
   RealtimeRequest Request;
@@ -134,6 +139,7 @@ private:
   TouchWatch Watch;
   WorkspaceClutch Clutch;
   Vector3 Moved = Vector3::Zero(); // mm, of the workspace by the clutch
+  Vector3 Hand = Vector3::Zero();  // mm, in the device
   std::unique_ptr<TouchRecorder> Recorder;
   StudyTouchReading Reading;
   std::vector<std::string> Advice;

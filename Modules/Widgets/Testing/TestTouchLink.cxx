@@ -134,6 +134,23 @@ TEST_F(TouchLinkTest, WithAModifierTheMouseMovesTheCameraAndNotTheHand)
   EXPECT_EQ(moved, 1);
 }
 
+TEST_F(TouchLinkTest, TheWheelEndsWhereTheDeviceDoes)
+{
+  this->StartTouch();
+  SpacePane* space = this->Window->Views()->Space();
+  const QPointF place = this->PlaceOf(this->BallMiddle);
+  Move(space->Canvas(), place);
+  const double reach = this->Study->Current().Touch().Capabilities().Workspace.max().x();
+  const WorkspaceFrame& frame = this->Study->Current().Touch().Frame();
+  Wheel(space->Canvas(), place, 2000);
+  const Vector3 farthest = space->HandWorld();
+  EXPECT_NEAR(frame.ToDevice(farthest).z(), -reach, 1e-9); // some roundings
+  // So it comes back with the first notch.
+  Wheel(space->Canvas(), place, -1);
+  EXPECT_GT((space->HandWorld() - farthest).norm(), 0.1);
+  EXPECT_LT((space->HandWorld() - this->Study->Current().Touch().HandWorld()).norm(), 1e-12);
+}
+
 TEST_F(TouchLinkTest, SlicesFollowTheProbe)
 {
   this->StartTouch();
