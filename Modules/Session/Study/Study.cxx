@@ -2,6 +2,7 @@
 
 #include "OpenBuiltInDevice.h"
 #include "StudyFile.h"
+#include "TouchExport.h"
 
 #include <utility>
 
@@ -153,6 +154,28 @@ void Study::TakeDevice(std::unique_ptr<HapticDevice> device)
           .Message();
 }
 
+void Study::MoveWorkspace(const Vector3& centerWorld, const std::string& gesture)
+{
+  if (this->Felt.IsRunning())
+  {
+    StudyState next = this->State();
+    next.Placement.CenterWorld = this->Felt.PlacementFor(centerWorld);
+    this->Change("Move the workspace", next, gesture);
+  }
+}
+
+void Study::FitWorkspace()
+{
+  StudyState next = this->State();
+  next.Placement.CenterWorld.reset();
+  next.Placement.Scale.reset();
+  this->Felt.FitWorkspace();
+  if (!this->Change("Fit the workspace", next))
+  {
+    this->FollowByTouch();
+  }
+}
+
 void Study::StopTouch()
 {
   if (this->Opening)
@@ -196,6 +219,24 @@ void Study::CloseReplay()
   }
   this->Played.reset();
   this->Unplayable.clear();
+}
+
+void Study::ExportReplay(const std::filesystem::path& file)
+{
+  if (this->Played == nullptr)
+  {
+    return;
+  }
+  this->Unplayable.clear();
+  StudyJob job;
+  job.IsUrgent = true;
+  job.Work = [file, recording = this->Played->Shared()](const ProgressFunction&)
+  {
+    ExportTouch(*recording, file);
+    return StudyJob::Delivery([] {});
+  };
+  job.Fail = [this](const std::string& sentence) { this->Unplayable = sentence; };
+  this->Work.Start(std::move(job));
 }
 
 const StudyTouchReading& Study::PollReplay()

@@ -61,6 +61,11 @@ public:
   /// Opens the state's device beside the caller, then begins to touch.
   void StartTouch();
   void StopTouch();
+  /// The middle of the workspace to there (mm), while something is touched; of one `gesture` a
+  /// step.
+  void MoveWorkspace(const Vector3& centerWorld, const std::string& gesture);
+  /// All that can be touched is in reach again; a step.
+  void FitWorkspace();
   bool IsOpeningDevice() const { return this->Opening.has_value(); }
   /// Why a touch did not begin, or does not follow what the state has become; empty without.
   const std::string& TouchProblem() const { return this->Problem; }
@@ -73,7 +78,10 @@ public:
   /// Why a recording cannot be replayed; empty without.
   const std::string& ReplayProblem() const { return this->Unplayable; }
   /// Null while no recording is open.
-  StudyReplay* Replay() const { return this->Played.get(); }
+  StudyReplay* Replay() { return this->Played.get(); }
+  const StudyReplay* Replay() const { return this->Played.get(); }
+  /// Writes it beside the caller (see ExportTouch); ReplayProblem says why where it cannot.
+  void ExportReplay(const std::filesystem::path& file);
   /// What the recording has at its moment. A structure of it is that one of the study's touchable
   /// ones which has its number.
   const StudyTouchReading& PollReplay();

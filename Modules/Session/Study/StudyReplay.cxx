@@ -2,6 +2,7 @@
 
 #include "Refusal.h"
 #include "SafetyText.h"
+#include "TouchRecording.h"
 
 #include <algorithm>
 #include <cmath>

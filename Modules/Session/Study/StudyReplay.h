@@ -3,7 +3,6 @@
 #include "Clock.h"
 #include "PalpateSessionModule.h"
 #include "StudyTouch.h"
-#include "TouchRecording.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -13,6 +12,8 @@
 
 namespace palpate
 {
+struct TouchRecording;
+
 /// Reads a recorded touch to be looked at. Throws InputError for what is none, has no ticks, or has
 /// ticks that began before others that came before them.
 PALPATESESSION_EXPORT std::shared_ptr<const TouchRecording>
@@ -35,6 +36,7 @@ public:
 
   const std::filesystem::path& File() const { return this->Path; }
   const TouchRecording& Recording() const { return *this->Recorded; }
+  std::shared_ptr<const TouchRecording> Shared() const { return this->Recorded; }
   double Duration() const; ///< s, from the first tick to the last
   double Position() const; ///< s since the first tick
 

@@ -121,8 +121,10 @@ void StudyTouch::Stop()
     }
     this->Thread.reset();
     const std::string problem = this->Reading.RecordingProblem;
+    const std::uint64_t recorded = this->Reading.RecordedTicks;
     this->Reading = {};
     this->Reading.RecordingProblem = problem;
+    this->Reading.RecordedTicks = recorded;
   }
   if (this->Device != nullptr)
   {
@@ -239,6 +241,7 @@ void StudyTouch::TakeTicks()
     if (this->IsRecording())
     {
       const Status status = this->Recorder->Take(state);
+      ++this->Reading.RecordedTicks;
       if (!status.IsOk())
       {
         this->Reading.RecordingProblem = status.Message();
@@ -304,6 +307,8 @@ Status StudyTouch::StartRecording(const std::filesystem::path& path)
   {
     this->Thread->Stop();
     this->Recorder = std::move(recorder);
+    this->RecordedTo = path;
+    this->Reading.RecordedTicks = 0;
     this->Reading.RecordingProblem.clear();
     status = this->StartServo();
     if (!status.IsOk())

@@ -34,6 +34,7 @@ struct StudyTouchReading
   PeriodStatistics Periods;         ///< ns from tick to tick; misses are those left out
   PeriodStatistics Durations;       ///< ns that ticks took; misses are late ones
   std::uint64_t LostTicks = 0;      ///< that no reading has seen
+  std::uint64_t RecordedTicks = 0;  ///< of the recording that goes on, or went on last
   std::string RecordingProblem;     ///< why a recording ended by itself; empty without
   bool IsClutched = false;          ///< the tool is held, and nothing is felt
 };
@@ -73,6 +74,9 @@ public:
     this->Automatic.reset();
     this->Moved.setZero();
   }
+  /// What StudyPlacement::CenterWorld has to be for the workspace's middle to come to lie there:
+  /// the clutch has moved it besides.
+  Vector3 PlacementFor(const Vector3& centerWorld) const { return centerWorld - this->Moved; }
   const WorkspaceFrame& Frame() const { return this->Felt.Frame; }
 
   /// 0 N from the next tick on, until SwitchForcesOn; the hand is followed all the same.
@@ -93,6 +97,7 @@ public:
   const StudyTouchReading& Poll();
   /// What a person should know before pressing: stiffness that the device may not hold.
   const std::vector<std::string>& Warnings() const { return this->Advice; }
+  double Rate() const { return this->Settings.Rate; } ///< Hz, of the servo
   /// Of the device that runs.
   const DeviceCapabilities& Capabilities() const { return this->Device->Capabilities(); }
 
@@ -100,6 +105,8 @@ public:
   /// first tick: forces fade in.
   Status StartRecording(const std::filesystem::path& path);
   bool IsRecording() const { return this->Recorder != nullptr; }
+  /// Of the recording that goes on, or went on last.
+  const std::filesystem::path& RecordingFile() const { return this->RecordedTo; }
   Status StopRecording();
 
 private:
@@ -141,6 +148,7 @@ private:
   Vector3 Moved = Vector3::Zero(); // mm, of the workspace by the clutch
   Vector3 Hand = Vector3::Zero();  // mm, in the device
   std::unique_ptr<TouchRecorder> Recorder;
+  std::filesystem::path RecordedTo;
   StudyTouchReading Reading;
   std::vector<std::string> Advice;
 };

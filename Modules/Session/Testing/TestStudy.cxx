@@ -218,6 +218,32 @@ TEST_F(StudyTest, ATouchAndAReplayEndEachOther)
   EXPECT_TRUE(this->Open.Touch().IsRunning()) << this->Open.TouchProblem();
 }
 
+TEST_F(StudyTest, AWorkspaceThatIsDraggedIsOneStepAndGoesBack)
+{
+  this->OpenFiles();
+  this->Settle();
+  this->Open.MoveWorkspace(Vector3::Zero(), "drag");
+  EXPECT_FALSE(this->Open.State().Placement.CenterWorld) << "there is none yet";
+  this->Open.StartTouch();
+  this->Settle();
+  ASSERT_TRUE(this->Open.Touch().IsRunning()) << this->Open.TouchProblem();
+  const Vector3 before = this->Open.Touch().Frame().CenterWorld;
+  const Vector3 moved = before + Vector3(3.0, -4.0, 5.0);
+  this->Open.MoveWorkspace(before + Vector3(1.0, 0.0, 0.0), "drag");
+  this->Open.MoveWorkspace(moved, "drag");
+  this->Open.EndGesture();
+  EXPECT_EQ(this->Open.Touch().Frame().CenterWorld, moved);
+  ASSERT_TRUE(this->Open.Undo());
+  EXPECT_EQ(this->Open.Touch().Frame().CenterWorld, before);
+  ASSERT_TRUE(this->Open.Redo());
+  EXPECT_EQ(this->Open.Touch().Frame().CenterWorld, moved);
+  this->Open.FitWorkspace();
+  EXPECT_EQ(this->Open.Touch().Frame().CenterWorld, before);
+  EXPECT_FALSE(this->Open.State().Placement.CenterWorld);
+  ASSERT_TRUE(this->Open.Undo());
+  EXPECT_EQ(this->Open.Touch().Frame().CenterWorld, moved);
+}
+
 TEST_F(StudyTest, ATouchThatCannotBeginSaysWhy)
 {
   this->Open.StartTouch();

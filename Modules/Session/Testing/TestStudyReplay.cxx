@@ -5,6 +5,7 @@
 #include "RandomShapes.h"
 #include "TemporaryFolder.h"
 #include "TouchRecorder.h"
+#include "TouchRecording.h"
 
 #include <gtest/gtest.h>
 #include <limits>

@@ -325,6 +325,8 @@ TEST_F(StudyTouchTest, ARecordingIsFeltAgainToTheLastBit)
   auto recording = std::make_shared<TouchRecording>();
   ASSERT_TRUE(ReadTouchRecording(file.string(), *recording).IsOk());
   EXPECT_GE(recording->Ticks.size(), 150U);
+  EXPECT_EQ(touch.Poll().RecordedTicks, recording->Ticks.size());
+  EXPECT_EQ(touch.RecordingFile(), file);
   WorkspaceFrame frame = touch.Frame();
   const auto scene =
       std::make_shared<const TouchScene>(MakeStudyScene(this->State, this->Contacts, frame));
