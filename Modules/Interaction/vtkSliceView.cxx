@@ -10,11 +10,13 @@
 #include "SlicePainter.h"
 #include "SlicePatch.h"
 #include "ViewText.h"
+#include "WorkspaceLines.h"
 #include "vtkCrosshair.h"
 #include "vtkImageDisplay.h"
 #include "vtkLandmarks.h"
 #include "vtkProbeRepresentation.h"
 #include "vtkSurfaceDisplay.h"
+#include "vtkWorkspaceRepresentation.h"
 
 #include "vtkActor.h"
 #include "vtkCamera.h"
@@ -50,6 +52,7 @@ struct vtkSliceView::State
   vtkSmartPointer<vtkCrosshair> Crosshair;
   vtkSmartPointer<vtkLandmarks> Landmarks;
   vtkSmartPointer<vtkProbeRepresentation> Probe;
+  vtkSmartPointer<vtkWorkspaceRepresentation> Workspace;
 
   bool NeedsFit = true;
   Vector3 Center = Vector3::Zero(); // of the view, world; its height over the plane does not count
@@ -62,6 +65,7 @@ struct vtkSliceView::State
   palpate::SliceContours Contours;
   palpate::LandmarksInSlice Marks;
   palpate::ProbeInSlice Tool;
+  palpate::WorkspaceLines Reach;
   palpate::CrosshairInSlice Pointer;
   palpate::SliceAnnotation Annotation;
 
@@ -72,6 +76,7 @@ struct vtkSliceView::State
     this->Contours.SetRenderer(renderer);
     this->Marks.SetRenderer(renderer);
     this->Tool.AddTo(renderer);
+    this->Reach.AddTo(renderer);
     this->Pointer.AddTo(renderer);
     this->Annotation.AddTo(renderer);
   }
@@ -81,6 +86,7 @@ struct vtkSliceView::State
     this->Contours.SetRenderer(nullptr);
     this->Marks.SetRenderer(nullptr);
     this->Tool.RemoveFrom(renderer);
+    this->Reach.RemoveFrom(renderer);
     this->Pointer.RemoveFrom(renderer);
     this->Annotation.RemoveFrom(renderer);
   }
@@ -162,6 +168,12 @@ void vtkSliceView::SetLandmarks(vtkLandmarks* landmarks)
 void vtkSliceView::SetProbe(vtkProbeRepresentation* probe)
 {
   this->Inner->Probe = probe;
+  this->Modified();
+}
+
+void vtkSliceView::SetWorkspace(vtkWorkspaceRepresentation* workspace)
+{
+  this->Inner->Workspace = workspace;
   this->Modified();
 }
 
@@ -331,6 +343,7 @@ void vtkSliceView::Update()
   state.Contours.Update(position);
   state.Marks.Update(state.Landmarks, position);
   state.Tool.Update(state.Probe, position);
+  state.Reach.Update(state.Workspace, position);
   const auto orientation = static_cast<SliceOrientation>(this->Orientation);
   state.Pointer.Update(state.Crosshair, orientation, position);
   state.Annotation.SetVisible(this->AnnotationVisibility);

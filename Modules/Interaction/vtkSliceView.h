@@ -29,6 +29,7 @@ class vtkLandmarks;
 class vtkProbeRepresentation;
 class vtkRenderer;
 class vtkSurfaceDisplay;
+class vtkWorkspaceRepresentation;
 
 namespace palpate
 {
@@ -63,6 +64,7 @@ public:
   vtkCrosshair* GetCrosshair();
   void SetLandmarks(vtkLandmarks* landmarks);
   void SetProbe(vtkProbeRepresentation* probe);
+  void SetWorkspace(vtkWorkspaceRepresentation* workspace);
   void AddSurface(vtkSurfaceDisplay* surface);
   void RemoveSurface(vtkSurfaceDisplay* surface);
   ///@}

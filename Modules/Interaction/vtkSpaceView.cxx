@@ -10,12 +10,14 @@
 #include "SurfaceInSpace.h"
 #include "SurfaceMaterial.h"
 #include "ViewText.h"
+#include "WorkspaceLines.h"
 #include "vtkCrosshair.h"
 #include "vtkImageDisplay.h"
 #include "vtkLandmarks.h"
 #include "vtkProbeRepresentation.h"
 #include "vtkSubVoxelPicker.h"
 #include "vtkSurfaceDisplay.h"
+#include "vtkWorkspaceRepresentation.h"
 
 #include "vtkActor.h"
 #include "vtkCamera.h"
@@ -51,6 +53,7 @@ struct vtkSpaceView::State
   vtkSmartPointer<vtkCrosshair> Crosshair;
   vtkSmartPointer<vtkLandmarks> Landmarks;
   vtkSmartPointer<vtkProbeRepresentation> Probe;
+  vtkSmartPointer<vtkWorkspaceRepresentation> Workspace;
   vtkSmartPointer<vtkSurfaceDisplay> Picked;
 
   bool NeedsReset = true;
@@ -61,6 +64,7 @@ struct vtkSpaceView::State
   std::array<bool, 3> AreSlicesShown{{true, true, true}};
   palpate::LandmarksInSpace Marks;
   palpate::ProbeInSpace Tool;
+  palpate::WorkspaceLines Reach;
   palpate::AxesMarker Axes;
   palpate::ColorBar Bar;
   vtkNew<vtkLight> Lamp;
@@ -77,6 +81,7 @@ struct vtkSpaceView::State
     }
     this->Marks.SetRenderer(renderer);
     this->Tool.AddTo(renderer);
+    this->Reach.AddTo(renderer);
     this->Axes.AddTo(renderer);
     this->Bar.AddTo(renderer);
     renderer->AddLight(this->Lamp);
@@ -93,6 +98,7 @@ struct vtkSpaceView::State
     }
     this->Marks.SetRenderer(nullptr);
     this->Tool.RemoveFrom(renderer);
+    this->Reach.RemoveFrom(renderer);
     this->Axes.RemoveFrom(renderer);
     this->Bar.RemoveFrom(renderer);
     renderer->RemoveLight(this->Lamp);
@@ -206,6 +212,12 @@ void vtkSpaceView::SetProbe(vtkProbeRepresentation* probe)
   this->Modified();
 }
 
+void vtkSpaceView::SetWorkspace(vtkWorkspaceRepresentation* workspace)
+{
+  this->Inner->Workspace = workspace;
+  this->Modified();
+}
+
 void vtkSpaceView::AddSurface(vtkSurfaceDisplay* surface)
 {
   this->Inner->Surfaces.push_back(std::make_unique<palpate::SurfaceInSpace>(surface));
@@ -255,7 +267,10 @@ void vtkSpaceView::ResetCamera()
     return;
   }
   this->UpdateContents();
+  // A workspace may be much larger than what there is to look at.
+  state.Reach.Drawn().Actor()->UseBoundsOff();
   state.Renderer->ComputeVisiblePropBounds(bounds);
+  state.Reach.Drawn().Actor()->UseBoundsOn();
   if (vtkMath::AreBoundsInitialized(bounds))
   {
     state.Renderer->ResetCamera(bounds);
@@ -323,6 +338,7 @@ void vtkSpaceView::UpdateContents()
   }
   state.Marks.Update(state.Landmarks);
   state.Tool.Update(state.Probe);
+  state.Reach.Update(state.Workspace);
 }
 
 void vtkSpaceView::Update()

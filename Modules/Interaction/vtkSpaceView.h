@@ -25,6 +25,7 @@ class vtkLandmarks;
 class vtkProbeRepresentation;
 class vtkRenderer;
 class vtkSurfaceDisplay;
+class vtkWorkspaceRepresentation;
 
 class PALPATEINTERACTION_EXPORT vtkSpaceView : public vtkObject
 {
@@ -55,6 +56,7 @@ public:
   void SetCrosshair(vtkCrosshair* crosshair);
   void SetLandmarks(vtkLandmarks* landmarks);
   void SetProbe(vtkProbeRepresentation* probe);
+  void SetWorkspace(vtkWorkspaceRepresentation* workspace);
   void AddSurface(vtkSurfaceDisplay* surface);
   void RemoveSurface(vtkSurfaceDisplay* surface);
   ///@}

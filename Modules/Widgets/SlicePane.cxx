@@ -20,6 +20,7 @@ SlicePane::SlicePane(SliceOrientation orientation, const ViewContents& contents,
   this->Slice->SetCrosshair(contents.Crosshair());
   this->Slice->SetLandmarks(contents.Landmarks());
   this->Slice->SetProbe(contents.Probe());
+  this->Slice->SetWorkspace(contents.Workspace());
   this->Slice->SetRenderer(this->Renderer());
   this->Style->AddView(this->Slice);
   this->SetStyle(this->Style);
@@ -27,6 +28,7 @@ SlicePane::SlicePane(SliceOrientation orientation, const ViewContents& contents,
   this->Follow(contents.Crosshair());
   this->Follow(contents.Landmarks());
   this->Follow(contents.Probe());
+  this->Follow(contents.Workspace());
   connect(this, &ViewPane::Rendered, this,
           [this] {
             this->Header()->ShowSlice(this->Slice->GetSliceNumber(),

@@ -15,6 +15,7 @@ SpacePane::SpacePane(const ViewContents& contents, QWidget* parent)
   this->Space->SetCrosshair(contents.Crosshair());
   this->Space->SetLandmarks(contents.Landmarks());
   this->Space->SetProbe(contents.Probe());
+  this->Space->SetWorkspace(contents.Workspace());
   this->Space->SetRenderer(this->Renderer());
   this->ShowSlices(false);
   this->SetStyle(this->Style);
@@ -22,7 +23,10 @@ SpacePane::SpacePane(const ViewContents& contents, QWidget* parent)
   this->Follow(contents.Crosshair());
   this->Follow(contents.Landmarks());
   this->Follow(contents.Probe());
+  this->Follow(contents.Workspace());
   this->Style->AddObserver(vtkInteractorStyleMouseHand::HandMovedEvent, this, &SpacePane::TellHand);
+  this->Style->AddObserver(vtkInteractorStyleMouseHand::DraggedEvent, this, &SpacePane::TellDrag);
+  this->Style->AddObserver(vtkInteractorStyleMouseHand::DragEndEvent, this, &SpacePane::DragEnded);
   this->Style->AddObserver(vtkCommand::EndInteractionEvent, this, &SpacePane::TakeCamera);
 }
 
@@ -43,6 +47,17 @@ void SpacePane::ShowAllUnlessLed()
 void SpacePane::TellHand()
 {
   Q_EMIT HandMoved(Vector3(this->Style->GetHandWorld()));
+}
+
+void SpacePane::TellDrag()
+{
+  Q_EMIT Dragged(Vector3(this->Style->GetDraggedWorld()));
+}
+
+void SpacePane::SetDragging(bool isOn, const Vector3& world)
+{
+  this->Style->SetDraggedWorld(world.data());
+  this->Style->SetDragging(isOn);
 }
 
 void SpacePane::AddSurface(vtkSurfaceDisplay* surface)
