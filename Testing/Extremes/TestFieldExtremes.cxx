@@ -35,7 +35,7 @@ std::vector<T> Step(T below, T above, int first)
   return samples;
 }
 
-// Rays, inside tests and a ball's proxy at the plane k = height, material above it.
+// Rays, inside tests and a point's proxy at the plane k = height, material above it.
 void ExpectPlaneAt(const std::shared_ptr<const ScalarField>& field, double height)
 {
   const RayCaster caster(field);
@@ -60,6 +60,34 @@ void ExpectPlaneAt(const std::shared_ptr<const ScalarField>& field, double heigh
   EXPECT_LE((felt.NormalWorld + Vector3::UnitZ()).norm(), 1e-9);
 }
 
+const FieldGrid Cube = test::PlainGrid({Nodes, Nodes, Nodes});
+
+void ExpectPlaneAt(const FieldSamples& samples, double iso, double height)
+{
+  FieldBuilder builder(Cube);
+  builder.AddMaterial({builder.AddChannel(samples), iso});
+  std::shared_ptr<const ScalarField> field;
+  const Status status = builder.Build(field);
+  ASSERT_TRUE(status.IsOk()) << status.Message();
+  ExpectPlaneAt(field, height);
+}
+
+void ExpectRefusedAsConstant(const FieldSamples& samples, double value)
+{
+  std::ostringstream range;
+  range << "from " << value << " to " << value;
+  for (const FieldSense sense : {FieldSense::AtLeast, FieldSense::AtMost})
+  {
+    for (const double iso : {value, 0.5 * value + 1.0})
+    {
+      FieldBuilder builder(Cube);
+      builder.AddMaterial({builder.AddChannel(samples), iso, sense});
+      const std::string refusal = test::RefusalOf(builder);
+      EXPECT_NE(refusal.find(range.str()), std::string::npos) << refusal;
+    }
+  }
+}
+
 // Of double, what a field takes.
 template <typename T>
 T HighestValue()
@@ -74,49 +102,35 @@ T LowestValue()
 
 TYPED_TEST(EverySampleType, ReachesFromItsLowestToItsHighestValue)
 {
-  const FieldGrid grid = test::PlainGrid({Nodes, Nodes, Nodes});
   const auto samples = Step(LowestValue<TypeParam>(), HighestValue<TypeParam>(), 6);
-  const auto lowest = static_cast<double>(LowestValue<TypeParam>());
-  const auto highest = static_cast<double>(HighestValue<TypeParam>());
-  const double middle = 0.5 * lowest + 0.5 * highest;
-  ExpectPlaneAt(test::MakeField(grid, samples, middle), 5.5);
+  const auto lowest = static_cast<double>(samples.front());
+  const auto highest = static_cast<double>(samples.back());
+  const FieldSamples given = SamplesOfGrid(samples.data(), Cube);
+  ExpectPlaneAt(given, 0.5 * lowest + 0.5 * highest, 5.5);
   // At the type's own limit the iso-value is inside: the surface is where the limit is reached.
-  ExpectPlaneAt(test::MakeField(grid, samples, highest), 6.0);
+  ExpectPlaneAt(given, highest, 6.0);
 }
 
 TYPED_TEST(EverySampleType, AConstantVolumeIsRefusedWithItsValue)
 {
-  const FieldGrid grid = test::PlainGrid({Nodes, Nodes, Nodes});
   for (const TypeParam value : {LowestValue<TypeParam>(), HighestValue<TypeParam>(), TypeParam(7)})
   {
     const std::vector<TypeParam> samples = Step(value, value, 6);
-    const auto number = static_cast<double>(value);
-    for (const FieldSense sense : {FieldSense::AtLeast, FieldSense::AtMost})
-    {
-      for (const double iso : {number, 0.5 * number + 1.0})
-      {
-        FieldBuilder builder(grid);
-        builder.AddMaterial({builder.AddChannel(SamplesOfGrid(samples.data(), grid)), iso, sense});
-        std::ostringstream range;
-        range << "from " << number << " to " << number;
-        EXPECT_NE(test::RefusalOf(builder).find(range.str()), std::string::npos)
-            << test::RefusalOf(builder);
-      }
-    }
+    ExpectRefusedAsConstant(SamplesOfGrid(samples.data(), Cube), static_cast<double>(value));
   }
 }
 
 // The iso-value exactly at a layer of nodes, between other values and as a plateau above it.
 TYPED_TEST(EverySampleType, AnIsoValueExactlyOnVoxelsIsTheSurface)
 {
-  const FieldGrid grid = test::PlainGrid({Nodes, Nodes, Nodes});
   std::vector<TypeParam> ramp;
   for (int k = 0; k < Nodes; ++k)
   {
     ramp.insert(ramp.end(), static_cast<std::size_t>(Nodes * Nodes), static_cast<TypeParam>(3 * k));
   }
-  ExpectPlaneAt(test::MakeField(grid, ramp, 15.0), 5.0);
-  ExpectPlaneAt(test::MakeField(grid, Step(TypeParam(0), TypeParam(15), 5), 15.0), 5.0);
+  ExpectPlaneAt(SamplesOfGrid(ramp.data(), Cube), 15.0, 5.0);
+  const auto plateau = Step(TypeParam(0), TypeParam(15), 5);
+  ExpectPlaneAt(SamplesOfGrid(plateau.data(), Cube), 15.0, 5.0);
 }
 
 // One layer of voxels of value 1 between zeros is as thick as the iso-value makes it.
@@ -124,7 +138,7 @@ std::shared_ptr<const ScalarField> Layer(double iso)
 {
   std::vector<float> samples = Step(0.0F, 0.0F, 0);
   std::fill(samples.begin() + 5 * Nodes * Nodes, samples.begin() + 6 * Nodes * Nodes, 1.0F);
-  return test::MakeField(test::PlainGrid({Nodes, Nodes, Nodes}), samples, iso);
+  return test::MakeField(Cube, samples, iso);
 }
 
 // How far (voxels) a point's proxy comes that is pushed through the layer at 5.
@@ -157,14 +171,13 @@ TEST(FieldExtremes, AWallOfHalfAVoxelIsFeltAndOneWithoutThicknessOnlySeen)
 
 TEST(FieldExtremes, DenormalAndHugeDoublesAreRefused)
 {
-  const FieldGrid grid = test::PlainGrid({Nodes, Nodes, Nodes});
   using Limits = std::numeric_limits<double>;
   for (const auto& [below, above] :
        {std::pair(0.0, Limits::denorm_min()), {0.0, 1e-310}, {Limits::lowest(), Limits::max()}})
   {
     const std::vector<double> samples = Step(below, above, 6);
-    FieldBuilder builder(grid);
-    builder.AddMaterial({builder.AddChannel(SamplesOfGrid(samples.data(), grid)), above});
+    FieldBuilder builder(Cube);
+    builder.AddMaterial({builder.AddChannel(SamplesOfGrid(samples.data(), Cube)), above});
     EXPECT_NE(test::RefusalOf(builder).find("rescale"), std::string::npos);
   }
 }
@@ -172,20 +185,18 @@ TEST(FieldExtremes, DenormalAndHugeDoublesAreRefused)
 // Denormal floats are ordinary doubles.
 TEST(FieldExtremes, DenormalFloatsAreASurfaceLikeAnyOther)
 {
-  const FieldGrid grid = test::PlainGrid({Nodes, Nodes, Nodes});
   const auto samples = Step(0.0F, 2.0F * std::numeric_limits<float>::denorm_min(), 6);
   const double iso = static_cast<double>(std::numeric_limits<float>::denorm_min());
-  ExpectPlaneAt(test::MakeField(grid, samples, iso), 5.5);
+  ExpectPlaneAt(test::MakeField(Cube, samples, iso), 5.5);
 }
 
 TEST(FieldExtremes, TheBSplineTakesWhatItsFloatsHoldAndRefusesMore)
 {
-  const FieldGrid grid = test::PlainGrid({Nodes, Nodes, Nodes});
-  const auto refusal = [&grid](float above)
+  const auto refusal = [](float above)
   {
     const std::vector<float> samples = Step(-above, above, 6);
-    FieldBuilder builder(grid);
-    builder.AddMaterial({builder.AddChannel(SamplesOfGrid(samples.data(), grid)), 0.0});
+    FieldBuilder builder(Cube);
+    builder.AddMaterial({builder.AddChannel(SamplesOfGrid(samples.data(), Cube)), 0.0});
     builder.SetInterpolation(FieldInterpolation::TricubicBSpline);
     return test::RefusalOf(builder);
   };
@@ -194,7 +205,7 @@ TEST(FieldExtremes, TheBSplineTakesWhatItsFloatsHoldAndRefusesMore)
   for (const float size : {1e-29F, 1e35F})
   {
     const std::vector<float> samples = Step(-size, size, 6);
-    const auto field = test::MakeField(grid, samples, 0.0, FieldInterpolation::TricubicBSpline);
+    const auto field = test::MakeField(Cube, samples, 0.0, FieldInterpolation::TricubicBSpline);
     const FieldHit hit = RayCaster(field).CastWorld({{5.3, 4.6, 0.5}, Vector3::UnitZ()}, 0.0, 20.0);
     EXPECT_NEAR(hit.Position[2], 5.5, 1e-5); // coefficients in float, by symmetry half way
   }

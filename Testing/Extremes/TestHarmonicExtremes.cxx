@@ -94,7 +94,8 @@ Errors ErrorsOf(int degree, const PeakedModel& peaked, const std::vector<Vector3
   Errors errors;
   for (const Vector3& u : directions)
   {
-    const Eigen::Matrix<Real, 3, 1> rounded(u.cast<Real>());
+    const Eigen::Matrix<Real, 3, 1> rounded{static_cast<Real>(u[0]), static_cast<Real>(u[1]),
+                                            static_cast<Real>(u[2])};
     const LegendreSum exact(degree, peaked.Peak, rounded.template cast<double>());
     const auto sample = evaluator.Evaluate(rounded);
     errors.Radius.Add((static_cast<double>(sample.Radius) - exact.Value) / scale.Radius);
