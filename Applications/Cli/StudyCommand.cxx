@@ -109,7 +109,7 @@ Line LineOf(const StudyStructure& structure, const StudyPipeline& pipeline)
   if (cost != nullptr && cost->Ticks > 0)
   {
     line.TickMicroseconds = 1e-3 * cost->MedianNanoseconds;
-    line.Says += "; " + TextTable::Fixed(*line.TickMicroseconds, 1) + " us a tick";
+    line.Says += "; " + TextTable::Fixed(*line.TickMicroseconds, 2) + " us a tick";
   }
   return line;
 }

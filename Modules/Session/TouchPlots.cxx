@@ -80,10 +80,9 @@ void WriteTouchPlots(const std::vector<TouchState>& ticks, const std::filesystem
   const TouchTrace trace = TraceOf(ticks);
   std::vector<ChartMark> marks;
   double height = 0.0;
-  for (const SvgChart& chart :
-       {TouchChart(trace, &TouchStretch::Force, "force, N", false),
-        TouchChart(trace, &TouchStretch::Depth, "depth, mm", false),
-        TouchChart(trace, &TouchStretch::Period, "period, \xC2\xB5s", true)})
+  for (const SvgChart& chart : {TouchChart(trace, &TouchStretch::Force, "force, N", false),
+                                TouchChart(trace, &TouchStretch::Depth, "depth, mm", false),
+                                TouchChart(trace, &TouchStretch::Period, "period, us", true)})
   {
     const std::vector<ChartMark> next = Shifted(chart.Marks(), 0.0, height);
     marks.insert(marks.end(), next.begin(), next.end());

@@ -139,7 +139,7 @@ QVariant StructureTableModel::CostOf(const StudyStructure& structure) const
   const auto cost =
       this->Study.Current().Pipeline().Newest<TouchCost>(StudyStep::Cost, structure.Label);
   return cost != nullptr && cost->Ticks > 0
-             ? QString::number(1e-3 * cost->MedianNanoseconds, 'f', 1)
+             ? QString::number(1e-3 * cost->MedianNanoseconds, 'f', 2)
              : QString("\u2013");
 }
 
