@@ -32,6 +32,7 @@ struct vtkSubVoxelVolumeMapper::State
 {
   std::vector<double> IsoValues;
   std::vector<palpate::MaterialLook> Looks;
+  palpate::ContactMark Contact;
   std::shared_ptr<const palpate::ScalarField> Given;
   std::shared_ptr<const palpate::ScalarField> Made;
   vtkTimeStamp SettingsTime; ///< of what the field is made with
@@ -149,6 +150,15 @@ double vtkSubVoxelVolumeMapper::GetMaterialOpacity(int material)
   return this->Inner->Look(material).Opacity;
 }
 
+void vtkSubVoxelVolumeMapper::SetContact(const palpate::ContactMark& contact)
+{
+  if (!(contact == this->Inner->Contact))
+  {
+    this->Inner->Contact = contact;
+    this->Modified();
+  }
+}
+
 bool vtkSubVoxelVolumeMapper::IsOpaque()
 {
   const auto& looks = this->Inner->Looks;
@@ -226,6 +236,7 @@ std::unique_ptr<palpate::FieldRenderer> vtkSubVoxelVolumeMapper::MakeRenderer(vt
   palpate::FieldView view =
       palpate::MakeSceneView(renderer, volume, this, field->Grid(), width, height);
   view.Looks = this->Inner->Looks;
+  view.Contact = this->Inner->Contact;
   if (readsSceneDepths)
   {
     view.SceneDepths = palpate::ReadSceneDepths(renderer, width, height);
