@@ -15,6 +15,7 @@
 #include "vtkTimerLog.h"
 #include "vtkVolume.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 
@@ -26,6 +27,26 @@ namespace
 constexpr int TileSide = 16;
 // Abort is looked for so often, s.
 constexpr double BandTime = 0.1;
+
+// An image without scalars where the field's surfaces are: a camera that shows all of it comes as
+// near to an organ as to its polygons, however large the grid is.
+vtkSmartPointer<vtkImageData> PlaceOf(const palpate::ScalarField& field)
+{
+  Eigen::AlignedBox3i box;
+  for (const std::array<int, 3>& cell : field.SurfaceCells())
+  {
+    const Eigen::Vector3i low(cell[0], cell[1], cell[2]);
+    box.extend(low);
+    box.extend(low + Eigen::Vector3i::Ones());
+  }
+  const auto image = palpate::EmptyImageOf(field.Grid());
+  if (!box.isEmpty())
+  {
+    image->SetExtent(box.min().x(), box.max().x(), box.min().y(), box.max().y(), box.min().z(),
+                     box.max().z());
+  }
+  return image;
+}
 } // namespace
 
 struct vtkSubVoxelVolumeMapper::State
@@ -113,7 +134,7 @@ void vtkSubVoxelVolumeMapper::SetField(std::shared_ptr<const palpate::ScalarFiel
     return;
   }
   // A prop without input is not drawn, nor found by a camera.
-  this->SetInputData(field ? palpate::EmptyImageOf(field->Grid()) : nullptr);
+  this->SetInputData(field ? PlaceOf(*field) : nullptr);
   this->Inner->Given = std::move(field);
   this->Modified();
 }
