@@ -105,6 +105,11 @@ Line LineOf(const StudyStructure& structure, const StudyPipeline& pipeline)
                  TextTable::Fixed(fit->Dice, 4) + ", mean distance to the mask " +
                  TextTable::Fixed(fit->ModelToMask.Mean, 3) + " mm";
   }
+  if (structure.IsVisible && structure.Appearance != StudyAppearance::Automatic)
+  {
+    line.Says +=
+        (line.Says.empty() ? "" : "; ") + std::string("shown as ") + NameOf(structure.Appearance);
+  }
   return line;
 }
 

@@ -37,9 +37,6 @@ public:
   void ShowTouch(const StudyTouchReading& reading, bool isTouching);
   /// `view` with what the user has made of crosshair, window and opacity.
   StudyView WithViewOf(StudyView view) const;
-  /// Model surfaces coloured by their distance to the original.
-  void ShowError(bool isShown);
-  bool IsErrorShown() const { return this->HasErrorColors; }
 
   vtkImageDisplay* Images() const { return this->ImageShown; }
   vtkCrosshair* Crosshair() const { return this->CrosshairShown; }
@@ -81,6 +78,5 @@ private:
   std::vector<StudyLandmark> Marks;
   std::vector<StudyDistance> Distances;
   std::optional<TouchToolSettings> Tool;
-  bool HasErrorColors = false;
 };
 } // namespace palpate
