@@ -39,7 +39,7 @@ vtkSmartPointer<vtkImageData> PlaceOf(const palpate::ScalarField& field)
     box.extend(low);
     box.extend(low + Eigen::Vector3i::Ones());
   }
-  const auto image = palpate::EmptyImageOf(field.Grid());
+  auto image = palpate::EmptyImageOf(field.Grid());
   if (!box.isEmpty())
   {
     image->SetExtent(box.min().x(), box.max().x(), box.min().y(), box.max().y(), box.min().z(),

@@ -42,7 +42,7 @@ QColor ReadableOn(const QColor& ground, const QColor& color)
   const QColor& end = ContrastRatio(ground, white) > ContrastRatio(ground, black) ? white : black;
   for (int step = 0; step < Steps; ++step)
   {
-    const QColor mixed = Mixed(color, end, static_cast<double>(step) / Steps);
+    QColor mixed = Mixed(color, end, static_cast<double>(step) / Steps);
     if (ContrastRatio(ground, mixed) >= LeastTextContrast)
     {
       return mixed;
