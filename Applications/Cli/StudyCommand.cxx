@@ -111,6 +111,11 @@ Line LineOf(const StudyStructure& structure, const StudyPipeline& pipeline)
     line.TickMicroseconds = 1e-3 * cost->MedianNanoseconds;
     line.Says += "; " + TextTable::Fixed(*line.TickMicroseconds, 2) + " us a tick";
   }
+  if (structure.IsVisible && structure.Appearance != StudyAppearance::Automatic)
+  {
+    line.Says +=
+        (line.Says.empty() ? "" : "; ") + std::string("shown as ") + NameOf(structure.Appearance);
+  }
   return line;
 }
 

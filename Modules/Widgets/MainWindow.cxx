@@ -8,7 +8,9 @@
 #include "TouchLink.h"
 #include "TouchPanel.h"
 #include "ViewMenu.h"
+#include "WindowLook.h"
 
+#include <QApplication>
 #include <QCloseEvent>
 #include <QDockWidget>
 #include <QDragEnterEvent>
@@ -32,6 +34,7 @@ constexpr int BottomHeight = 150;
 MainWindow::MainWindow(StudyController& study, FileQuestions questions)
     : Study(study), Questions(std::move(questions))
 {
+  QApplication::setPalette(PaletteOf(ChosenLook()));
   this->setAcceptDrops(true);
   this->setDockOptions(AnimatedDocks | AllowNestedDocks | AllowTabbedDocks);
   this->MakeCentre();

@@ -11,19 +11,9 @@ SpacePane::SpacePane(const ViewContents& contents, QWidget* parent)
     : ViewPane("3-D", QColor(170, 170, 170), parent)
 {
   this->setObjectName("space");
-  this->Space->SetImageDisplay(contents.Images());
-  this->Space->SetCrosshair(contents.Crosshair());
-  this->Space->SetLandmarks(contents.Landmarks());
-  this->Space->SetProbe(contents.Probe());
-  this->Space->SetWorkspace(contents.Workspace());
-  this->Space->SetRenderer(this->Renderer());
+  this->Show(this->Space, contents);
   this->ShowSlices(false);
   this->SetStyle(this->Style);
-  this->Follow(contents.Images());
-  this->Follow(contents.Crosshair());
-  this->Follow(contents.Landmarks());
-  this->Follow(contents.Probe());
-  this->Follow(contents.Workspace());
   this->Style->AddObserver(vtkInteractorStyleMouseHand::HandMovedEvent, this, &SpacePane::TellHand);
   this->Style->AddObserver(vtkInteractorStyleMouseHand::DraggedEvent, this, &SpacePane::TellDrag);
   this->Style->AddObserver(vtkInteractorStyleMouseHand::DragEndEvent, this, &SpacePane::DragEnded);
@@ -60,18 +50,6 @@ void SpacePane::SetDragging(bool isOn, const Vector3& world)
   this->Style->SetDragging(isOn);
 }
 
-void SpacePane::AddSurface(vtkSurfaceDisplay* surface)
-{
-  this->Space->AddSurface(surface);
-  this->Follow(surface);
-}
-
-void SpacePane::RemoveSurface(vtkSurfaceDisplay* surface)
-{
-  this->Space->RemoveSurface(surface);
-  this->Unfollow(surface);
-}
-
 void SpacePane::ShowFields(const std::set<vtkProp*>& fields)
 {
   const std::set<vtkSmartPointer<vtkProp>> next(fields.begin(), fields.end());
@@ -82,10 +60,12 @@ void SpacePane::ShowFields(const std::set<vtkProp*>& fields)
   for (const auto& field : this->Fields)
   {
     this->Renderer()->RemoveViewProp(field);
+    this->Unfollow(field);
   }
   for (vtkProp* field : fields)
   {
     this->Renderer()->AddViewProp(field);
+    this->Follow(field);
   }
   this->Fields = next;
   this->ShowAllUnlessLed();

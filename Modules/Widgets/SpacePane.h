@@ -21,8 +21,6 @@ public:
   SpacePane(const ViewContents& contents, QWidget* parent);
 
   vtkSpaceView* View() const { return this->Space; }
-  void AddSurface(vtkSurfaceDisplay* surface);
-  void RemoveSurface(vtkSurfaceDisplay* surface);
   /// Shows these and no others.
   void ShowFields(const std::set<vtkProp*>& fields);
   void ShowSlices(bool areShown);

@@ -422,6 +422,13 @@ void StudyController::LookAtSteps()
       this->Report(state.Sentence);
     }
   }
+  for (const std::string& advice : this->Open.Pipeline().Advice())
+  {
+    if (this->Told.insert(advice).second)
+    {
+      this->Report(advice);
+    }
+  }
   this->IsMaking = isMaking;
   Q_EMIT StepsChanged();
 }

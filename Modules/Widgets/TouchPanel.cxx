@@ -96,7 +96,9 @@ void TouchPanel::MakeButtons()
   // The one button that must be found without looking for it.
   this->StopForce->setMinimumHeight(48);
   this->StopForce->setStyleSheet(
-      "QPushButton { background: #D55E00; color: white; font-weight: bold; font-size: 15px; }"
+      "QPushButton { background: #B34700; color: white; font-weight: bold; font-size: 15px;"
+      " border: none; border-radius: 4px; }" // with the style's border comes its own gradient
+      "QPushButton:pressed { background: #8A3600; }"
       "QPushButton:disabled { background: gray; }");
   connect(this->Start, &QPushButton::clicked, this,
           [this]

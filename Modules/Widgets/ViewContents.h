@@ -40,9 +40,6 @@ public:
   void ShowWorkspace(const WorkspaceFrame& frame, const Eigen::AlignedBox3d& box, bool isShown);
   /// `view` with what the user has made of crosshair, window and opacity.
   StudyView WithViewOf(StudyView view) const;
-  /// Model surfaces coloured by their distance to the original.
-  void ShowError(bool isShown);
-  bool IsErrorShown() const { return this->HasErrorColors; }
 
   vtkImageDisplay* Images() const { return this->ImageShown; }
   vtkCrosshair* Crosshair() const { return this->CrosshairShown; }
@@ -86,6 +83,5 @@ private:
   std::vector<StudyLandmark> Marks;
   std::vector<StudyDistance> Distances;
   std::optional<TouchToolSettings> Tool;
-  bool HasErrorColors = false;
 };
 } // namespace palpate

@@ -6,6 +6,7 @@
 #include "SceneField.h"
 #include "SteadyClock.h"
 
+#include <algorithm>
 #include <array>
 #include <sstream>
 #include <system_error>
@@ -59,6 +60,14 @@ StudyProduct ReadUnlessCancelled(const Read& read, const ProgressFunction& progr
   return read();
 }
 
+// "prostate: touched by its sub-voxel field, because it is not star-shaped: ..."
+std::string AdviceOf(const StudyStructure& structure, const std::string& instead,
+                     const std::string& reason)
+{
+  const bool isPredicate = reason.rfind("is ", 0) == 0 || reason.rfind("has ", 0) == 0;
+  return TitleOf(structure) + ": " + instead + ", because " + (isPredicate ? "it " : "") + reason;
+}
+
 // The nodes of one structure.
 class StructurePlan
 {
@@ -66,11 +75,28 @@ public:
   StructurePlan(const StudyState& state, const StudyStructure& structure, std::string segmentation,
                 const StudyLookup& lookup, std::vector<StudyNode>& nodes)
       : State(state), Structure(structure), Fit(FitSettingsOf(state, structure)),
-        SegmentationKey(std::move(segmentation)), Lookup(lookup), Nodes(nodes)
+        SegmentationKey(std::move(segmentation)), Lookup(lookup), Nodes(nodes), First(nodes.size())
   {
   }
 
   void Add()
+  {
+    const bool isSeenAsTouched =
+        this->Structure.IsVisible && this->Structure.Appearance == StudyAppearance::Automatic;
+    if (this->Structure.IsTouchable || isSeenAsTouched)
+    {
+      this->AddRepresentation();
+    }
+    if (this->Structure.IsVisible)
+    {
+      this->AddAppearance();
+    }
+  }
+
+private:
+  using Making = decltype(StudyNode::Make);
+
+  void AddRepresentation()
   {
     switch (this->Structure.Representation)
     {
@@ -85,12 +111,39 @@ public:
     }
   }
 
-private:
-  using Making = decltype(StudyNode::Make);
+  // What is to be seen and may not be what is touched.
+  void AddAppearance()
+  {
+    switch (this->Structure.Appearance)
+    {
+    case StudyAppearance::Automatic:
+      break;
+    case StudyAppearance::Model:
+    case StudyAppearance::ErrorMap:
+      this->AddModel();
+      break;
+    case StudyAppearance::Surface:
+      this->AddSurface();
+      break;
+    case StudyAppearance::SubVoxel:
+      this->AddField();
+      break;
+    }
+  }
 
+  // Once, whatever it is wanted for. What is asked for again is asked for by name: then nothing
+  // does its work.
   std::string AddNode(StudyStep step, const std::string& key, const std::string& input, Making make)
   {
-    this->Nodes.push_back({step, this->Structure.Label, key, {input}, std::move(make)});
+    const auto own = this->Nodes.begin() + static_cast<std::ptrdiff_t>(this->First);
+    const auto there = std::find_if(own, this->Nodes.end(),
+                                    [&key](const StudyNode& node) { return node.Key == key; });
+    if (there != this->Nodes.end() && !key.empty())
+    {
+      there->Advice.clear();
+      return key;
+    }
+    this->Nodes.push_back({step, this->Structure.Label, key, {input}, {}, {}, std::move(make)});
     return key;
   }
 
@@ -163,24 +216,52 @@ private:
         });
   }
 
-  // By harmonics, and by the field once any stage of those has failed.
+  // Why a node of this structure has failed; empty where it has not, or not yet.
+  std::string ReasonAt(std::size_t node) const
+  {
+    const StudyProduct* product = this->Lookup(this->Nodes[node].Key);
+    return product != nullptr ? ReasonOf(*product) : std::string();
+  }
+
+  // By harmonics, and by something else once any stage of those has failed.
   void AddAutomatic()
   {
-    const std::size_t first = this->Nodes.size();
     const std::string model = this->AddModel();
-    bool hasFailed = false;
-    for (std::size_t n = first; n < this->Nodes.size(); ++n)
+    const std::size_t last = this->Nodes.size();
+    std::string reason;
+    for (std::size_t n = this->First; n < last && reason.empty(); ++n)
     {
-      const StudyProduct* product = this->Lookup(this->Nodes[n].Key);
-      hasFailed = hasFailed || (product != nullptr && !FailureOf(*product).empty());
+      reason = this->ReasonAt(n);
     }
-    if (hasFailed)
-    {
-      this->AddContact(this->AddField(), this->ContactOfField());
-    }
-    else
+    if (reason.empty())
     {
       this->AddContact(model, this->ContactOfModel(), this->Lookup(model) != nullptr);
+      return;
+    }
+    const bool hasSurface = this->ReasonAt(this->First).empty();
+    const bool isTouched = this->Structure.IsTouchable;
+    std::string instead = "shown by the surface of its mask";
+    std::string replacement = this->Nodes[this->First].Key;
+    if (isTouched || !hasSurface)
+    {
+      replacement = this->AddField();
+      this->AddContact(replacement, this->ContactOfField());
+      instead = isTouched ? "touched by its sub-voxel field" : "shown by its sub-voxel field";
+    }
+    this->Advise(last, AdviceOf(this->Structure, instead, reason), replacement);
+  }
+
+  // Unless what is to do the work of the nodes up to `last` fails too.
+  void Advise(std::size_t last, const std::string& advice, const std::string& replacement)
+  {
+    const StudyProduct* product = this->Lookup(replacement);
+    if (product == nullptr || FailureOf(*product).empty())
+    {
+      for (std::size_t n = this->First; n < last; ++n)
+      {
+        this->Nodes[n].Advice = advice;
+        this->Nodes[n].Replacement = replacement;
+      }
     }
   }
 
@@ -247,6 +328,7 @@ private:
   std::string SegmentationKey;
   const StudyLookup& Lookup;
   std::vector<StudyNode>& Nodes;
+  std::size_t First; ///< of the structure's own nodes
 };
 
 StudyNode VolumeNode(const StudyState& state, const std::string& stamp)
@@ -263,6 +345,8 @@ StudyNode VolumeNode(const StudyState& state, const std::string& stamp)
           KeyOf("volume", state.VolumeFile, stamp, choice.DicomSeries,
                 static_cast<int>(choice.LeftHanded)),
           {},
+          {},
+          {},
           make};
 }
 
@@ -278,6 +362,8 @@ StudyNode SegmentationNode(const StudyState& state, const std::string& stamp)
   return {StudyStep::Segmentation,
           0,
           KeyOf("segmentation", state.SegmentationFile, stamp, static_cast<int>(state.LeftHanded)),
+          {},
+          {},
           {},
           make};
 }

@@ -45,6 +45,10 @@ std::shared_ptr<const T> ProductAs(const StudyProduct* product)
 /// one that later steps can go on from.
 PALPATESESSION_EXPORT std::string FailureOf(const StudyProduct& product);
 
+/// The same without naming the file or the structure: a predicate ("is not star-shaped"), or a
+/// clause.
+PALPATESESSION_EXPORT std::string ReasonOf(const StudyProduct& product);
+
 /// What it occupies beyond the products that it was made from, about.
 PALPATESESSION_EXPORT std::size_t BytesOf(const StudyProduct& product);
 } // namespace palpate
