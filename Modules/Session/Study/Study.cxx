@@ -3,6 +3,7 @@
 #include "OpenBuiltInDevice.h"
 #include "StudyFile.h"
 #include "TouchExport.h"
+#include "TouchRecording.h"
 
 #include <utility>
 
@@ -200,6 +201,10 @@ void Study::OpenReplay(const std::filesystem::path& file)
           this->StopTouch();
           this->Reading.reset();
           this->Played = std::make_unique<StudyReplay>(file, recording, this->Time);
+          if (recording->WasCutOff)
+          {
+            this->Unplayable = file.string() + " ended within a tick, which is left out.";
+          }
         });
   };
   job.Fail = [this](const std::string& sentence)

@@ -76,7 +76,7 @@ public:
   void OpenReplay(const std::filesystem::path& file);
   void CloseReplay();
   bool IsOpeningReplay() const { return this->Reading.has_value(); }
-  /// Why a recording cannot be replayed; empty without.
+  /// Why a recording cannot be replayed or exported, or what of it is missing; empty without.
   const std::string& ReplayProblem() const { return this->Unplayable; }
   /// Null while no recording is open.
   StudyReplay* Replay() { return this->Played.get(); }

@@ -7,6 +7,7 @@
 #include "StudyPhantoms.h"
 #include "StudyScene.h"
 #include "TouchRecorder.h"
+#include "WholeFile.h"
 
 #include <gtest/gtest.h>
 #include <thread>
@@ -212,6 +213,14 @@ TEST_F(StudyTest, ATouchAndAReplayEndEachOther)
   EXPECT_FALSE(this->Open.Touch().IsRunning());
   const int second = ContactsOf(this->Open.State(), this->Open.Pipeline()).at(1).Label;
   EXPECT_EQ(this->Open.PollReplay().TouchedLabel, second);
+  EXPECT_EQ(this->Open.ReplayProblem(), "");
+  // As a program that died would leave it.
+  const std::string bytes = ReadWholeFile(file, 1 << 20);
+  test::WriteAll(this->Phantom.Folder / "cut.part", bytes + bytes.substr(0, 100));
+  this->Open.OpenReplay(this->Phantom.Folder / "cut.part");
+  this->Settle();
+  EXPECT_NE(this->Open.Replay(), nullptr);
+  EXPECT_NE(this->Open.ReplayProblem().find("left out"), std::string::npos);
   this->Open.StartTouch();
   EXPECT_EQ(this->Open.Replay(), nullptr);
   this->Settle();
