@@ -66,6 +66,8 @@ void MainWindow::MakeMenus()
 {
   this->Files = new FileMenu(this->Study, this->Questions, this);
   this->Study.AskBeforeLeaving([this] { return this->Files->MayLeave(); });
+  this->Study.AskForSeries([this](const QStringList& series)
+                           { return this->Questions.Series(this, series); });
   connect(this->Files, &FileMenu::ScreenshotAsked, this, &MainWindow::SaveScreenshot);
   this->menuBar()->addMenu(this->Files);
   this->menuBar()->addMenu(new EditMenu(this->Study, this));

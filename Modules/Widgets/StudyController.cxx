@@ -1,8 +1,9 @@
 #include "StudyController.h"
 
-#include "InputError.h"
+#include "DicomSeries.h"
 #include "StudyScene.h"
 
+#include <algorithm>
 #include <array>
 
 namespace palpate
@@ -121,12 +122,65 @@ void StudyController::OpenAs(StudyFileRole role, const std::filesystem::path& fi
 
 void StudyController::OpenVolume(const std::filesystem::path& file)
 {
-  this->Try([&] { this->Open.OpenVolume(file); });
+  std::error_code failure;
+  if (std::filesystem::is_directory(file, failure))
+  {
+    this->OpenFolder(file);
+  }
+  else
+  {
+    this->OpenVolumeNow(file, {});
+  }
+}
+
+void StudyController::OpenVolumeNow(const std::filesystem::path& file, const std::string& series)
+{
+  this->Told.erase(StudyStep::Volume); // who opens a file again wants to be told again
+  this->Try([&] { this->Open.OpenVolume(file, series); });
   Q_EMIT FileOpened(QString::fromStdString(StudyPath(file).string()));
+}
+
+// A folder may have thousands of slices, whose headers are read beside the window.
+void StudyController::OpenFolder(const std::filesystem::path& folder)
+{
+  ++this->Folders;
+  StudyJob job;
+  job.Work = [this, folder](const ProgressFunction&)
+  {
+    QStringList series;
+    for (const DicomSeries& one : FindDicomSeries(folder))
+    {
+      series += QString::fromStdString(one.Summary());
+    }
+    return StudyJob::Delivery(
+        [this, folder, series]
+        {
+          // Not within the delivery: a question to the user lets events happen.
+          QTimer::singleShot(0, this, [this, folder, series] { this->TakeSeries(folder, series); });
+        });
+  };
+  job.Fail = [this](const std::string& sentence)
+  {
+    --this->Folders;
+    this->Report(sentence);
+  };
+  this->Open.Jobs().Start(std::move(job));
+}
+
+void StudyController::TakeSeries(const std::filesystem::path& folder, const QStringList& series)
+{
+  const bool isAsked = series.size() > 1 && this->WhichSeries;
+  const int chosen = isAsked ? this->WhichSeries(series) : 0;
+  --this->Folders;
+  if (chosen >= 0)
+  {
+    this->OpenVolumeNow(folder, isAsked ? std::to_string(chosen + 1) : std::string());
+  }
 }
 
 void StudyController::OpenSegmentation(const std::filesystem::path& file)
 {
+  this->Told.erase(this->Told.upper_bound(StudyStep::Volume), this->Told.end());
   this->Try([&] { this->Open.OpenSegmentation(file); });
   Q_EMIT FileOpened(QString::fromStdString(StudyPath(file).string()));
 }
@@ -292,6 +346,19 @@ void StudyController::Look()
   this->LookAtTouch();
 }
 
+// Once: what stands in the way of a step stands in that of all later ones. A volume stands alone.
+void StudyController::Tell(StudyStep step, const std::string& sentence)
+{
+  const bool isOfVolume = step == StudyStep::Volume;
+  const auto says = [&](const auto& told)
+  { return (told.first == StudyStep::Volume) == isOfVolume && told.second.count(sentence) > 0; };
+  if (std::none_of(this->Told.begin(), this->Told.end(), says))
+  {
+    this->Told[step].insert(sentence);
+    this->Report(sentence);
+  }
+}
+
 void StudyController::LookAtSteps()
 {
   bool isMaking = this->Open.IsOpeningDevice();
@@ -300,17 +367,14 @@ void StudyController::LookAtSteps()
     const StudyStepState state = this->Open.Pipeline().StateOf(step);
     isMaking = isMaking || state.Is == StudyStepState::Kind::Running ||
                state.Is == StudyStepState::Kind::NeedsUpdate;
-    if (state.Is == StudyStepState::Kind::Failed && this->Told.insert(state.Sentence).second)
+    if (state.Is == StudyStepState::Kind::Failed)
     {
-      this->Report(state.Sentence);
+      this->Tell(step, state.Sentence);
     }
   }
   for (const std::string& advice : this->Open.Pipeline().Advice())
   {
-    if (this->Told.insert(advice).second)
-    {
-      this->Report(advice);
-    }
+    this->Tell(StudyStep::Touch, advice);
   }
   this->IsMaking = isMaking;
   Q_EMIT StepsChanged();

@@ -5,10 +5,12 @@
 
 #include <QObject>
 #include <QString>
+#include <QStringList>
 #include <QTimer>
 
 #include <filesystem>
 #include <functional>
+#include <map>
 #include <set>
 #include <string>
 #include <utility>
@@ -31,13 +33,20 @@ public:
   const StudyTouchReading& Reading() const { return this->Felt; }
   bool IsTouching() { return this->Open.Touch().IsRunning(); }
   /// Whether something is to be read, made or opened.
-  bool IsBusy() const { return !this->Roles.empty() || this->IsMaking; }
+  bool IsBusy() const { return !this->Roles.empty() || this->Folders > 0 || this->IsMaking; }
 
   /// What answers whether the study may be left for another one that is among files. None: yes.
   void AskBeforeLeaving(std::function<bool()> mayLeave) { this->MayLeave = std::move(mayLeave); }
+  /// What answers which of several series is meant, as FileQuestions::Series. None: the reader says
+  /// that there are several.
+  void AskForSeries(std::function<int(const QStringList&)> series)
+  {
+    this->WhichSeries = std::move(series);
+  }
   void New();
   /// Whatever they are, one after the other; what each is is found out beside the window.
   void OpenFiles(const std::vector<std::filesystem::path>& files);
+  /// A file, or a folder of DICOM slices.
   void OpenVolume(const std::filesystem::path& file);
   void OpenSegmentation(const std::filesystem::path& file);
   void OpenSession(const std::filesystem::path& file);
@@ -85,17 +94,23 @@ private:
   void Look();
   void LookAtTouch();
   void LookAtSteps();
+  void Tell(StudyStep step, const std::string& sentence);
   void Announce();
   void TakeRole();
   void OpenAs(StudyFileRole role, const std::filesystem::path& file);
+  void OpenFolder(const std::filesystem::path& folder);
+  void TakeSeries(const std::filesystem::path& folder, const QStringList& series);
+  void OpenVolumeNow(const std::filesystem::path& file, const std::string& series);
   void Try(const std::function<void()>& act);
 
   Study Open;
   StudyTouchReading Felt;
   QTimer Timer;
   std::vector<std::filesystem::path> Roles; ///< files whose role is to be found out
+  int Folders = 0;                          ///< whose series are being looked up
   std::function<bool()> MayLeave;
-  std::set<std::string> Told; ///< what failed, and was said
+  std::function<int(const QStringList&)> WhichSeries;
+  std::map<StudyStep, std::set<std::string>> Told; ///< what failed or was replaced, and was said
   std::string ToldOfTouch;
   std::uint64_t Revision = 0;
   int LooksToSteps = 0;

@@ -34,11 +34,11 @@ void Study::Save(const std::filesystem::path& file)
   this->Steps.MarkSaved();
 }
 
-void Study::OpenVolume(const std::filesystem::path& file)
+void Study::OpenVolume(const std::filesystem::path& file, const std::string& series)
 {
   StudyState next = this->State();
   next.VolumeFile = StudyPath(file);
-  next.DicomSeries.clear();
+  next.DicomSeries = series;
   next.View.CrosshairWorld.reset();
   next.View.Window.reset();
   next.View.Level.reset();

@@ -43,8 +43,9 @@ public:
   /// The session file; empty where it has none yet.
   const std::filesystem::path& File() const { return this->SessionFile; }
 
-  /// Another volume, or another segmentation with its own structures; each a step.
-  void OpenVolume(const std::filesystem::path& file);
+  /// Another volume, or another segmentation with its own structures; each a step. `series` as
+  /// VolumeChoice has it.
+  void OpenVolume(const std::filesystem::path& file, const std::string& series = {});
   void OpenSegmentation(const std::filesystem::path& file);
   /// See Relocate; a step.
   void RelocateFile(const std::filesystem::path& missing, const std::filesystem::path& moved);

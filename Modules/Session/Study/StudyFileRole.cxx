@@ -16,6 +16,11 @@ StudyFileRole RoleOf(const std::filesystem::path& file)
   {
     return StudyFileRole::Session;
   }
+  std::error_code failure;
+  if (std::filesystem::is_directory(file, failure))
+  {
+    return StudyFileRole::Volume; // of DICOM slices; which series, only the user knows
+  }
   return ReadImageContent(file).Labels ? StudyFileRole::Segmentation : StudyFileRole::Volume;
 }
 } // namespace palpate
