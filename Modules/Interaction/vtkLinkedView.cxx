@@ -4,6 +4,7 @@
 #include "vtkImageDisplay.h"
 #include "vtkLandmarks.h"
 #include "vtkProbeRepresentation.h"
+#include "vtkWorkspaceRepresentation.h"
 
 #include "vtkCommand.h"
 #include "vtkRenderer.h"
@@ -17,6 +18,7 @@ struct vtkLinkedView::Shared
   vtkSmartPointer<vtkCrosshair> Crosshair;
   vtkSmartPointer<vtkLandmarks> Landmarks;
   vtkSmartPointer<vtkProbeRepresentation> Probe;
+  vtkSmartPointer<vtkWorkspaceRepresentation> Workspace;
 };
 
 vtkLinkedView::vtkLinkedView() : Given(std::make_unique<Shared>()) {}
@@ -91,6 +93,17 @@ void vtkLinkedView::SetProbe(vtkProbeRepresentation* probe)
 vtkProbeRepresentation* vtkLinkedView::GetProbe()
 {
   return this->Given->Probe;
+}
+
+void vtkLinkedView::SetWorkspace(vtkWorkspaceRepresentation* workspace)
+{
+  this->Given->Workspace = workspace;
+  this->Modified();
+}
+
+vtkWorkspaceRepresentation* vtkLinkedView::GetWorkspace()
+{
+  return this->Given->Workspace;
 }
 
 void vtkLinkedView::Update()

@@ -4,9 +4,9 @@
  *
  * What vtkSliceView and vtkSpaceView have in common. Give a view a renderer of any render window,
  * and what is shown: a volume with labels (vtkImageDisplay), surfaces (vtkSurfaceDisplay),
- * landmarks, a haptic tool, the point through which slices go (vtkCrosshair). All of them may be
- * shared with other views. The view brings itself up to date whenever the renderer draws, and does
- * then only what has to be done anew.
+ * landmarks, a haptic tool and its device's workspace, the point through which slices go
+ * (vtkCrosshair). All of them may be shared with other views. The view brings itself up to date
+ * whenever the renderer draws, and does then only what has to be done anew.
  */
 #ifndef vtkLinkedView_h
 #define vtkLinkedView_h
@@ -22,6 +22,7 @@ class vtkLandmarks;
 class vtkProbeRepresentation;
 class vtkRenderer;
 class vtkSurfaceDisplay;
+class vtkWorkspaceRepresentation;
 
 class PALPATEINTERACTION_EXPORT vtkLinkedView : public vtkObject
 {
@@ -45,6 +46,8 @@ public:
   vtkLandmarks* GetLandmarks();
   void SetProbe(vtkProbeRepresentation* probe);
   vtkProbeRepresentation* GetProbe();
+  void SetWorkspace(vtkWorkspaceRepresentation* workspace);
+  vtkWorkspaceRepresentation* GetWorkspace();
   virtual void AddSurface(vtkSurfaceDisplay* surface) = 0;
   virtual void RemoveSurface(vtkSurfaceDisplay* surface) = 0;
   ///@}

@@ -10,11 +10,13 @@
 #include "SlicePainter.h"
 #include "SlicePatch.h"
 #include "ViewText.h"
+#include "WorkspaceLines.h"
 #include "vtkCrosshair.h"
 #include "vtkImageDisplay.h"
 #include "vtkLandmarks.h"
 #include "vtkProbeRepresentation.h"
 #include "vtkSurfaceDisplay.h"
+#include "vtkWorkspaceRepresentation.h"
 
 #include "vtkActor.h"
 #include "vtkCamera.h"
@@ -54,6 +56,7 @@ struct vtkSliceView::State
   palpate::SliceContours Contours;
   palpate::LandmarksInSlice Marks;
   palpate::ProbeInSlice Tool;
+  palpate::WorkspaceLines Reach;
   palpate::CrosshairInSlice Pointer;
   palpate::SliceAnnotation Annotation;
 
@@ -84,6 +87,7 @@ void vtkSliceView::AddTo(vtkRenderer* renderer)
   state.Contours.SetRenderer(renderer);
   state.Marks.SetRenderer(renderer);
   state.Tool.AddTo(renderer);
+  state.Reach.AddTo(renderer);
   state.Pointer.AddTo(renderer);
   state.Annotation.AddTo(renderer);
 }
@@ -95,6 +99,7 @@ void vtkSliceView::RemoveFrom(vtkRenderer* renderer)
   state.Contours.SetRenderer(nullptr);
   state.Marks.SetRenderer(nullptr);
   state.Tool.RemoveFrom(renderer);
+  state.Reach.RemoveFrom(renderer);
   state.Pointer.RemoveFrom(renderer);
   state.Annotation.RemoveFrom(renderer);
 }
@@ -267,6 +272,7 @@ void vtkSliceView::UpdateFor(vtkRenderer* renderer)
   state.Contours.Update(position);
   state.Marks.Update(this->GetLandmarks(), position);
   state.Tool.Update(this->GetProbe(), position);
+  state.Reach.Update(this->GetWorkspace(), position);
   const auto orientation = static_cast<SliceOrientation>(this->Orientation);
   state.Pointer.Update(this->GetCrosshair(), orientation, position);
   state.Annotation.SetVisible(this->GetAnnotationVisibility());

@@ -12,6 +12,7 @@
 #include "SurfaceInSpace.h"
 #include "SurfaceMaterial.h"
 #include "ViewText.h"
+#include "WorkspaceLines.h"
 #include "vtkCrosshair.h"
 #include "vtkImageDisplay.h"
 #include "vtkLandmarks.h"
@@ -19,6 +20,7 @@
 #include "vtkSubVoxelPicker.h"
 #include "vtkSubVoxelVolumeMapper.h"
 #include "vtkSurfaceDisplay.h"
+#include "vtkWorkspaceRepresentation.h"
 
 #include "vtkActor.h"
 #include "vtkCamera.h"
@@ -108,6 +110,7 @@ struct vtkSpaceView::State
   std::array<bool, 3> AreSlicesShown{{true, true, true}};
   palpate::LandmarksInSpace Marks;
   palpate::ProbeInSpace Tool;
+  palpate::WorkspaceLines Reach;
   palpate::AxesMarker Axes;
   palpate::ArrayScales Scales;
   palpate::ColorBar Bar;
@@ -168,6 +171,7 @@ void vtkSpaceView::AddTo(vtkRenderer* renderer)
   }
   state.Marks.SetRenderer(renderer);
   state.Tool.AddTo(renderer);
+  state.Reach.AddTo(renderer);
   state.Axes.AddTo(renderer);
   state.Bar.AddTo(renderer);
   renderer->AddLight(state.Lamp);
@@ -187,6 +191,7 @@ void vtkSpaceView::RemoveFrom(vtkRenderer* renderer)
   }
   state.Marks.SetRenderer(nullptr);
   state.Tool.RemoveFrom(renderer);
+  state.Reach.RemoveFrom(renderer);
   state.Axes.RemoveFrom(renderer);
   state.Bar.RemoveFrom(renderer);
   renderer->RemoveLight(state.Lamp);
@@ -241,7 +246,11 @@ void vtkSpaceView::ResetCamera()
     return;
   }
   this->UpdateContents();
+  // A workspace may be much larger than what there is to look at.
+  vtkActor* reach = this->Inner->Reach.Drawn().Actor();
+  reach->UseBoundsOff();
   renderer->ComputeVisiblePropBounds(bounds);
+  reach->UseBoundsOn();
   if (vtkMath::AreBoundsInitialized(bounds))
   {
     renderer->ResetCamera(bounds);
@@ -314,6 +323,7 @@ void vtkSpaceView::UpdateContents()
   }
   state.Marks.Update(this->GetLandmarks());
   state.Tool.Update(this->GetProbe());
+  state.Reach.Update(this->GetWorkspace());
 }
 
 void vtkSpaceView::UpdateFor(vtkRenderer* renderer)

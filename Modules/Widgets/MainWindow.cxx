@@ -3,6 +3,7 @@
 #include "HelpMenu.h"
 #include "PipelinePanel.h"
 #include "PlotsPanel.h"
+#include "ReplayBar.h"
 #include "StructuresPanel.h"
 #include "TouchLink.h"
 #include "TouchPanel.h"
@@ -56,6 +57,7 @@ void MainWindow::MakeCentre()
   this->Grid = new ViewGrid(this->Shown, middle);
   this->Area = new MessageArea(middle);
   column->addWidget(this->Grid, 1);
+  column->addWidget(new ReplayBar(this->Study, middle));
   column->addWidget(this->Area);
   this->setCentralWidget(middle);
   this->Point = new QLabel(this);
@@ -72,6 +74,8 @@ void MainWindow::MakeMenus()
   this->menuBar()->addMenu(this->Files);
   this->menuBar()->addMenu(new EditMenu(this->Study, this));
   this->menuBar()->addMenu(new ViewMenu(this->Study, *this->Grid, this->Shown, this));
+  this->Touching = new TouchMenu(this->Study, this->Questions, this);
+  this->menuBar()->addMenu(this->Touching);
   this->Panels = this->menuBar()->addMenu("&Panels");
   this->menuBar()->addMenu(new HelpMenu(this));
 }
@@ -99,8 +103,10 @@ void MainWindow::MakePanels()
   connect(structures, &StructuresPanel::OpacityChosen, this,
           [this](double opacity) { this->Shown.Images()->SetLabelOpacity(opacity); });
   QDockWidget* pipeline = this->AddPanel("Pipeline", scroll, Qt::LeftDockWidgetArea);
-  QDockWidget* touch =
-      this->AddPanel("Touch", new TouchPanel(this->Study, this), Qt::LeftDockWidgetArea);
+  auto* touchPanel = new TouchPanel(this->Study, this);
+  connect(touchPanel, &TouchPanel::RecordAsked, this->Touching, &TouchMenu::ToggleRecording);
+  touchPanel->AddTools({this->Touching->MoveWorkspace(), this->Touching->FitWorkspace()});
+  QDockWidget* touch = this->AddPanel("Touch", touchPanel, Qt::LeftDockWidgetArea);
   QDockWidget* table = this->AddPanel("Structures", structures, Qt::BottomDockWidgetArea);
   QDockWidget* plots =
       this->AddPanel("Plots", new PlotsPanel(this->Study, this), Qt::BottomDockWidgetArea);
@@ -135,7 +141,9 @@ void MainWindow::ConnectViews()
           { this->Shown.Crosshair()->SetPositionWorld(place.data()); });
   this->Shown.Crosshair()->AddObserver(vtkCommand::ModifiedEvent, this, &MainWindow::TakeView);
   this->Shown.Images()->AddObserver(vtkCommand::ModifiedEvent, this, &MainWindow::TakeView);
-  new TouchLink(this->Study, this->Shown, *this->Grid, this);
+  auto* link = new TouchLink(this->Study, this->Shown, *this->Grid, this);
+  connect(this->Touching, &TouchMenu::WorkspaceShown, link, &TouchLink::ShowWorkspace);
+  connect(this->Touching, &TouchMenu::WorkspaceMoved, link, &TouchLink::MoveWorkspace);
 }
 
 void MainWindow::TakeClick(const Vector3& pointWorld)

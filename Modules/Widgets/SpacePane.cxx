@@ -15,6 +15,8 @@ SpacePane::SpacePane(const ViewContents& contents, QWidget* parent)
   this->ShowSlices(false);
   this->SetStyle(this->Style);
   this->Style->AddObserver(vtkInteractorStyleMouseHand::HandMovedEvent, this, &SpacePane::TellHand);
+  this->Style->AddObserver(vtkInteractorStyleMouseHand::DraggedEvent, this, &SpacePane::TellDrag);
+  this->Style->AddObserver(vtkInteractorStyleMouseHand::DragEndEvent, this, &SpacePane::DragEnded);
   this->Style->AddObserver(vtkCommand::EndInteractionEvent, this, &SpacePane::TakeCamera);
 }
 
@@ -35,6 +37,17 @@ void SpacePane::ShowAllUnlessLed()
 void SpacePane::TellHand()
 {
   Q_EMIT HandMoved(Vector3(this->Style->GetHandWorld()));
+}
+
+void SpacePane::TellDrag()
+{
+  Q_EMIT Dragged(Vector3(this->Style->GetDraggedWorld()));
+}
+
+void SpacePane::SetDragging(bool isOn, const Vector3& world)
+{
+  this->Style->SetDraggedWorld(world.data());
+  this->Style->SetDragging(isOn);
 }
 
 void SpacePane::ShowFields(const std::set<vtkProp*>& fields)

@@ -124,7 +124,7 @@ QVariant StructureTableModel::headerData(int section, Qt::Orientation orientatio
       "Stiffness",
       "Coulomb's coefficient up to which the tool sticks",
       "Mean distance of the model from the mask's boundary",
-      "Median time of a servo tick, where this structure alone is touched"};
+      "What it adds to a servo tick while it is touched: measured, median"};
   if (orientation != Qt::Horizontal)
   {
     return {};
@@ -150,13 +150,11 @@ QVariant StructureTableModel::QualityOf(const StudyStructure& structure) const
 
 QVariant StructureTableModel::CostOf(const StudyStructure& structure) const
 {
-  const auto& all = this->Study.State().Structures;
-  const auto touched = std::count_if(all.begin(), all.end(),
-                                     [](const StudyStructure& one) { return one.IsTouchable; });
-  const PeriodStatistics& durations = this->Study.Reading().Durations;
-  const bool isKnown = structure.IsTouchable && touched == 1 && durations.Count() > 0;
-  return isKnown ? QString::number(1e-3 * static_cast<double>(durations.Median()), 'f', 1)
-                 : QString("\u2013");
+  const auto cost =
+      this->Study.Current().Pipeline().Newest<TouchCost>(StudyStep::Cost, structure.Label);
+  return cost != nullptr && cost->Ticks > 0
+             ? QString::number(1e-3 * cost->MedianNanoseconds, 'f', 2)
+             : QString("\u2013");
 }
 
 QVariant StructureTableModel::ValueOf(const StudyStructure& structure, int column) const

@@ -117,6 +117,9 @@ void StudyController::OpenAs(StudyFileRole role, const std::filesystem::path& fi
   case StudyFileRole::Volume:
     this->OpenVolume(file);
     break;
+  case StudyFileRole::Recording:
+    this->OpenReplay(file);
+    break;
   }
 }
 
@@ -293,6 +296,66 @@ void StudyController::MoveHand(const Vector3& targetWorld)
   this->Open.Touch().MoveHand(targetWorld);
 }
 
+void StudyController::MoveWorkspace(const Vector3& centerWorld, const QString& gesture)
+{
+  this->Open.MoveWorkspace(centerWorld, gesture.toStdString());
+  this->Announce();
+}
+
+void StudyController::FitWorkspace()
+{
+  this->Open.FitWorkspace();
+  this->Announce();
+}
+
+void StudyController::StartRecording(const std::filesystem::path& file)
+{
+  const Status status = this->Open.Touch().StartRecording(file);
+  if (!status.IsOk())
+  {
+    this->Report(status.Message());
+  }
+  this->Look();
+}
+
+void StudyController::StopRecording()
+{
+  const Status status = this->Open.Touch().StopRecording();
+  if (!status.IsOk())
+  {
+    this->Report(status.Message());
+  }
+  this->Look();
+}
+
+void StudyController::OpenReplay(const std::filesystem::path& file)
+{
+  this->ToldOfReplay.clear();
+  this->Open.OpenReplay(StudyPath(file));
+  this->Look();
+}
+
+void StudyController::CloseReplay()
+{
+  this->Open.CloseReplay();
+  this->Look();
+}
+
+void StudyController::ExportReplay(const std::filesystem::path& file)
+{
+  this->ToldOfReplay.clear();
+  this->Open.ExportReplay(file);
+}
+
+void StudyController::PlayReplay(bool isPlayed)
+{
+  if (StudyReplay* replay = this->Open.Replay())
+  {
+    isPlayed ? replay->Play() : replay->Pause();
+    Q_EMIT ReplayChanged();
+  }
+}
+
 void StudyController::TurnAxes(const Matrix3& rotation)
 {
   this->Open.Touch().TurnAxes(rotation);
@@ -344,6 +407,7 @@ void StudyController::Look()
     this->LookAtSteps();
   }
   this->LookAtTouch();
+  this->LookAtReplay();
 }
 
 // Once: what stands in the way of a step stands in that of all later ones. A volume stands alone.
@@ -380,17 +444,21 @@ void StudyController::LookAtSteps()
   Q_EMIT StepsChanged();
 }
 
-void StudyController::LookAtTouch()
+void StudyController::Tell(const std::string& problem, std::string& told)
 {
-  const std::string& problem = this->Open.TouchProblem();
-  if (problem != this->ToldOfTouch)
+  if (problem != told)
   {
-    this->ToldOfTouch = problem;
+    told = problem;
     if (!problem.empty())
     {
       this->Report(problem);
     }
   }
+}
+
+void StudyController::LookAtTouch()
+{
+  this->Tell(this->Open.TouchProblem(), this->ToldOfTouch);
   const bool isTouching = this->IsTouching();
   if (isTouching)
   {
@@ -401,6 +469,35 @@ void StudyController::LookAtTouch()
   {
     this->WasTouching = isTouching;
     Q_EMIT TouchChanged();
+  }
+}
+
+void StudyController::LookAtReplay()
+{
+  this->Tell(this->Open.ReplayProblem(), this->ToldOfReplay);
+  StudyReplay* replay = this->Open.Replay();
+  if (this->IsReplaying() != this->WasReplaying)
+  {
+    this->WasReplaying = this->IsReplaying();
+    if (this->WasReplaying)
+    {
+      Q_EMIT FileOpened(QString::fromStdString(replay->File().string()));
+    }
+    Q_EMIT ReplayChanged();
+  }
+  if (replay == nullptr)
+  {
+    return;
+  }
+  const bool wasPlaying = replay->IsPlaying();
+  this->Felt = this->Open.PollReplay();
+  if (wasPlaying || !this->Felt.NewTicks.empty())
+  {
+    Q_EMIT Touched();
+  }
+  if (wasPlaying != replay->IsPlaying())
+  {
+    Q_EMIT ReplayChanged();
   }
 }
 } // namespace palpate

@@ -32,6 +32,9 @@ public:
   const StudyState& State() const { return this->Open.State(); }
   const StudyTouchReading& Reading() const { return this->Felt; }
   bool IsTouching() { return this->Open.Touch().IsRunning(); }
+  bool IsRecording() { return this->Open.Touch().IsRecording(); }
+  /// Whether a recorded touch is looked at; Reading is what it has at its moment.
+  bool IsReplaying() const { return this->Open.Replay() != nullptr; }
   /// Whether something is to be read, made or opened.
   bool IsBusy() const { return !this->Roles.empty() || this->Folders > 0 || this->IsMaking; }
 
@@ -70,6 +73,17 @@ public:
   void SwitchForcesOff();
   void SwitchForcesOn();
   void MoveHand(const Vector3& targetWorld);
+  void MoveWorkspace(const Vector3& centerWorld, const QString& gesture);
+  void FitWorkspace();
+  void StartRecording(const std::filesystem::path& file);
+  void StopRecording();
+
+  /// See Study::OpenReplay.
+  void OpenReplay(const std::filesystem::path& file);
+  void CloseReplay();
+  void ExportReplay(const std::filesystem::path& file);
+  /// Only while it is replaying.
+  void PlayReplay(bool isPlayed);
   /// The device's axes in the world, where they follow the camera.
   void TurnAxes(const Matrix3& rotation);
 
@@ -86,13 +100,16 @@ Q_SIGNALS:
   void ProductsChanged(); ///< something was made
   void StepsChanged();    ///< how steps of the pipeline stand
   void FileOpened(const QString& file);
-  void TouchChanged(); ///< began or ended
-  void Touched();      ///< there is a new reading
+  void TouchChanged();  ///< began or ended
+  void Touched();       ///< there is a new reading
+  void ReplayChanged(); ///< opened or closed, played or paused
   void Problem(const QString& sentence);
 
 private:
   void Look();
   void LookAtTouch();
+  void LookAtReplay();
+  void Tell(const std::string& problem, std::string& told);
   void LookAtSteps();
   void Tell(StudyStep step, const std::string& sentence);
   void Announce();
@@ -112,10 +129,12 @@ private:
   std::function<int(const QStringList&)> WhichSeries;
   std::map<StudyStep, std::set<std::string>> Told; ///< what failed or was replaced, and was said
   std::string ToldOfTouch;
+  std::string ToldOfReplay;
   std::uint64_t Revision = 0;
   int LooksToSteps = 0;
   bool IsMaking = false;
   bool WasTouching = false;
+  bool WasReplaying = false;
   bool IsClosed = false;
   bool IsEnded = false;
 };

@@ -10,6 +10,7 @@
 #include "vtkSubVoxelVolumeMapper.h"
 
 #include <algorithm>
+#include <array>
 #include <set>
 #include <sstream>
 
@@ -281,6 +282,24 @@ void ViewContents::ShowTouch(const StudyTouchReading& reading, bool isTouching)
   this->ProbeShown->SetProxyPosition(proxy.X, proxy.Y, proxy.Z);
   this->ProbeShown->SetForce(force.X, force.Y, force.Z);
   this->ProbeShown->SetInContact(state.Structure >= 0);
+}
+
+void ViewContents::ShowWorkspace(const WorkspaceFrame& frame, const Eigen::AlignedBox3d& box,
+                                 bool isShown)
+{
+  this->WorkspaceShown->SetVisibility(isShown && !box.isEmpty());
+  if (!this->WorkspaceShown->GetVisibility())
+  {
+    return;
+  }
+  std::array<double, 24> corners{};
+  for (int c = 0; c < 8; ++c)
+  {
+    const Vector3 corner =
+        frame.ToWorld(box.corner(static_cast<Eigen::AlignedBox3d::CornerType>(c)));
+    std::copy_n(corner.data(), 3, corners.data() + 3 * c);
+  }
+  this->WorkspaceShown->SetCorners(corners.data());
 }
 
 std::string ViewContents::TextAt(const Vector3& pointWorld) const

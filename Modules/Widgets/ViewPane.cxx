@@ -61,11 +61,13 @@ void ViewPane::Show(vtkLinkedView* view, const ViewContents& contents)
   view->SetCrosshair(contents.Crosshair());
   view->SetLandmarks(contents.Landmarks());
   view->SetProbe(contents.Probe());
+  view->SetWorkspace(contents.Workspace());
   view->SetRenderer(this->Scene);
   this->Follow(contents.Images());
   this->Follow(contents.Crosshair());
   this->Follow(contents.Landmarks());
   this->Follow(contents.Probe());
+  this->Follow(contents.Workspace());
 }
 
 void ViewPane::AddSurface(vtkSurfaceDisplay* surface)

@@ -24,6 +24,7 @@ TEST(CliStudy, MakesWhatASessionWantsAndWhatWasMadeCanBeTouched)
       RunPalpate({"study", "case.palpate.json", "--output", "out", "--json"}, folder.Path());
   ASSERT_EQ(run.Code, 0) << run.Errors;
   EXPECT_NE(run.Output.find("harmonics of degree 4"), std::string::npos) << run.Output;
+  EXPECT_NE(run.Output.find("\"tick_us\":"), std::string::npos) << run.Output;
   EXPECT_TRUE(std::filesystem::exists(folder / "out/a_1_ball/model.json"));
   const CommandRun touch =
       RunPalpate({"touch", "out/scene.json", "--seconds", "0.2"}, folder.Path());

@@ -2,6 +2,7 @@
 
 #include "ImageContent.h"
 #include "StudyFile.h"
+#include "TouchTicksFile.h"
 
 #include <string>
 
@@ -20,6 +21,10 @@ StudyFileRole RoleOf(const std::filesystem::path& file)
   if (std::filesystem::is_directory(file, failure))
   {
     return StudyFileRole::Volume; // of DICOM slices; which series, only the user knows
+  }
+  if (IsTouchRecording(file))
+  {
+    return StudyFileRole::Recording;
   }
   return ReadImageContent(file).Labels ? StudyFileRole::Segmentation : StudyFileRole::Volume;
 }

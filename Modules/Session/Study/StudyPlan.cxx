@@ -4,6 +4,7 @@
 #include "FilterRun.h"
 #include "InputError.h"
 #include "SceneField.h"
+#include "SteadyClock.h"
 
 #include <algorithm>
 #include <array>
@@ -268,9 +269,26 @@ private:
   {
     if (this->Structure.IsTouchable)
     {
-      this->AddNode(StudyStep::Touch, isDecided ? KeyOf(input, "touch") : std::string(), input,
-                    std::move(make));
+      const std::string key =
+          this->AddNode(StudyStep::Touch, isDecided ? KeyOf(input, "touch") : std::string(), input,
+                        std::move(make));
+      this->AddCost(key);
     }
+  }
+
+  void AddCost(const std::string& contact)
+  {
+    const TouchToolSettings& tool = this->State.Tool;
+    const Vector3& axes = tool.SemiAxes;
+    const std::string key = KeyOf(contact, "cost", static_cast<int>(tool.Kind), tool.Radius,
+                                  tool.Length, axes.x(), axes.y(), axes.z(), tool.Points);
+    this->AddNode(StudyStep::Cost, contact.empty() ? std::string() : key, contact,
+                  [tool](const Inputs& inputs, const ProgressFunction& progress)
+                  {
+                    const SteadyClock clock;
+                    return std::make_shared<const TouchCost>(MeasureTouchCost(
+                        *ProductAs<TouchContact>(inputs.data()), tool, clock, progress));
+                  });
   }
 
   Making ContactOfModel() const
@@ -353,8 +371,9 @@ StudyNode SegmentationNode(const StudyState& state, const std::string& stamp)
 
 const char* NameOf(StudyStep step)
 {
-  constexpr std::array<const char*, 8> Names{"volume",  "segmentation", "structures", "surface",
-                                             "samples", "model",        "field",      "touch"};
+  constexpr std::array<const char*, 9> Names{"volume",  "segmentation", "structures",
+                                             "surface", "samples",      "model",
+                                             "field",   "touch",        "cost"};
   return Names.at(static_cast<std::size_t>(step));
 }
 

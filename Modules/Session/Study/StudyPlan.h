@@ -21,7 +21,8 @@ enum class StudyStep
   Samples,
   Model,
   Field, ///< for sub-voxel structures
-  Touch  ///< the contact model
+  Touch, ///< the contact model
+  Cost   ///< what that costs a tick, measured; nothing waits for it
 };
 
 /// "volume", "segmentation", ...

@@ -80,7 +80,8 @@ std::size_t BytesOf(const StudyProduct& product)
           {
             // A tree of boxes over the facets takes about as much as they do.
             return sizeof(*contact) + 2 * BytesOf(contact->Looks.Surface.Get());
-          }},
+          },
+          [](const std::shared_ptr<const TouchCost>& cost) { return sizeof(*cost); }},
       product);
 }
 } // namespace palpate

@@ -5,6 +5,7 @@
 #include "ScalarField.h"
 #include "Segmentation.h"
 #include "TouchContact.h"
+#include "TouchCost.h"
 #include "Volume.h"
 
 #include <cstddef>
@@ -30,7 +31,7 @@ using StudyProduct =
     std::variant<StudyFailure, std::shared_ptr<const Volume>, std::shared_ptr<const Segmentation>,
                  std::shared_ptr<const FitSurface>, std::shared_ptr<const FitSamples>,
                  std::shared_ptr<const FitResult>, std::shared_ptr<const ScalarField>,
-                 std::shared_ptr<const TouchContact>>;
+                 std::shared_ptr<const TouchContact>, std::shared_ptr<const TouchCost>>;
 
 /// The product of a type; empty for another one.
 template <typename T>

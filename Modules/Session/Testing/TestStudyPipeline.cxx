@@ -7,6 +7,7 @@
 #include "StudyPhantoms.h"
 #include "TestData.h"
 
+#include <cmath>
 #include <gtest/gtest.h>
 
 namespace palpate
@@ -246,16 +247,39 @@ TEST_F(StudyPipelineTest, ASettingMakesAgainOnlyWhatDependsOnIt)
   };
   EXPECT_EQ(started(), 0U);
   state.Structures[0].Degree = 6;
-  EXPECT_EQ(started(), 2U); // model, touch
+  EXPECT_EQ(started(), 3U); // model, touch, cost
   state.Fit.GivenCenterWorld = {-14.0, 0.0, 0.0};
-  EXPECT_EQ(started(), 3U);
-  state.Fit.Smoothing = 0.5;
   EXPECT_EQ(started(), 4U);
+  state.Fit.Smoothing = 0.5;
+  EXPECT_EQ(started(), 5U);
   state.Structures[0].Stiffness = 1.0;
   state.Structures[0].Color = {{1.0, 0.0, 0.0}};
-  state.Tool.Radius = 3.0;
   state.View.OverlayOpacity = 0.1;
   EXPECT_EQ(started(), 0U);
+  state.Tool.Radius = 3.0;
+  EXPECT_EQ(started(), 1U); // what a tick costs
+}
+
+TEST_F(StudyPipelineTest, WhatATickCostsIsMeasuredOnceForWhatCanBeTouched)
+{
+  StudyState state = this->Phantom.State();
+  state.Structures.push_back(test::StudyPhantom::Structure(2, TouchRepresentation::Harmonics));
+  this->Make(state);
+  const auto cost = this->Pipeline.Newest<TouchCost>(StudyStep::Cost, 1);
+  ASSERT_NE(cost, nullptr);
+  EXPECT_GT(cost->MedianNanoseconds, 0.0);
+  EXPECT_TRUE(std::isfinite(cost->MedianNanoseconds));
+  EXPECT_EQ(this->Pipeline.Newest<TouchCost>(StudyStep::Cost, 2), nullptr)
+      << "a structure that is refused has none";
+  StudyState other = state;
+  other.Structures[0].Degree = 2;
+  this->Make(other);
+  EXPECT_NE(this->Pipeline.Newest<TouchCost>(StudyStep::Cost, 1), cost);
+  this->Make(state);
+  EXPECT_EQ(this->Pipeline.Newest<TouchCost>(StudyStep::Cost, 1), cost);
+  state.Structures[0].IsTouchable = false;
+  this->Make(state);
+  EXPECT_EQ(this->Pipeline.Newest<TouchCost>(StudyStep::Cost, 1), nullptr);
 }
 
 TEST_F(StudyPipelineTest, AFormerStateIsThereAtOnceAndTheSame)
@@ -378,7 +402,7 @@ TEST_F(StudyPipelineTest, ACacheThatHoldsNothingStillMakesEverything)
   poor.Update(this->Phantom.State());
   test::Settle(this->Jobs);
   EXPECT_EQ(poor.StateOf(StudyStep::Touch).Is, Kind::UpToDate);
-  EXPECT_EQ(poor.StartedCount(), 6U);
+  EXPECT_EQ(poor.StartedCount(), 7U);
 }
 
 // Whatever was changed, undone or cancelled when: once all is delivered, the pipeline holds what a

@@ -57,6 +57,16 @@ TEST_F(StructureTableTest, WhatIsHiddenIsInNoView)
   EXPECT_EQ(this->Window->Contents().Surfaces().count(1), 1U);
 }
 
+TEST_F(StructureTableTest, ATicksCostIsShownForWhatCanBeTouched)
+{
+  this->OpenPhantom();
+  const auto cost = [this](int row)
+  { return this->Table()->index(row, StructureTableModel::CostColumn).data().toString(); };
+  WaitUntil([&] { return cost(0) != QString("\u2013"); });
+  EXPECT_GE(cost(0).toDouble(), 0.0); // in hundredths of a microsecond
+  EXPECT_EQ(cost(2), QString("\u2013")) << "of one voxel, which is refused";
+}
+
 TEST_F(StructureTableTest, AStructureIsDrawnAsWhatItIsShownAs)
 {
   this->OpenPhantom();
