@@ -3,6 +3,7 @@
 #include "DicomSeries.h"
 #include "StudyScene.h"
 
+#include <algorithm>
 #include <array>
 
 namespace palpate
@@ -409,6 +410,19 @@ void StudyController::Look()
   this->LookAtReplay();
 }
 
+// Once: what stands in the way of a step stands in that of all later ones. A volume stands alone.
+void StudyController::Tell(StudyStep step, const std::string& sentence)
+{
+  const bool isOfVolume = step == StudyStep::Volume;
+  const auto says = [&](const auto& told)
+  { return (told.first == StudyStep::Volume) == isOfVolume && told.second.count(sentence) > 0; };
+  if (std::none_of(this->Told.begin(), this->Told.end(), says))
+  {
+    this->Told[step].insert(sentence);
+    this->Report(sentence);
+  }
+}
+
 void StudyController::LookAtSteps()
 {
   bool isMaking = this->Open.IsOpeningDevice();
@@ -417,17 +431,14 @@ void StudyController::LookAtSteps()
     const StudyStepState state = this->Open.Pipeline().StateOf(step);
     isMaking = isMaking || state.Is == StudyStepState::Kind::Running ||
                state.Is == StudyStepState::Kind::NeedsUpdate;
-    if (state.Is == StudyStepState::Kind::Failed && this->Told[step].insert(state.Sentence).second)
+    if (state.Is == StudyStepState::Kind::Failed)
     {
-      this->Report(state.Sentence);
+      this->Tell(step, state.Sentence);
     }
   }
   for (const std::string& advice : this->Open.Pipeline().Advice())
   {
-    if (this->Told.insert(advice).second)
-    {
-      this->Report(advice);
-    }
+    this->Tell(StudyStep::Touch, advice);
   }
   this->IsMaking = isMaking;
   Q_EMIT StepsChanged();

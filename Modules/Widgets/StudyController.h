@@ -111,6 +111,7 @@ private:
   void LookAtReplay();
   void Tell(const std::string& problem, std::string& told);
   void LookAtSteps();
+  void Tell(StudyStep step, const std::string& sentence);
   void Announce();
   void TakeRole();
   void OpenAs(StudyFileRole role, const std::filesystem::path& file);
@@ -126,7 +127,7 @@ private:
   int Folders = 0;                          ///< whose series are being looked up
   std::function<bool()> MayLeave;
   std::function<int(const QStringList&)> WhichSeries;
-  std::map<StudyStep, std::set<std::string>> Told; ///< what failed, and was said
+  std::map<StudyStep, std::set<std::string>> Told; ///< what failed or was replaced, and was said
   std::string ToldOfTouch;
   std::string ToldOfReplay;
   std::uint64_t Revision = 0;

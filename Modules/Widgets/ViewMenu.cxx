@@ -90,7 +90,7 @@ void ViewMenu::AddContents()
   connect(this->ErrorMaps, &QAction::triggered, this, &ViewMenu::ShowErrorMaps);
   QAction* slices = this->addAction("Slices in &3-D");
   slices->setCheckable(true);
-  slices->setShortcut(QString("Ctrl+D"));
+  slices->setShortcut(QString("Shift+D"));
   connect(slices, &QAction::toggled, this->Views.Space(), &SpacePane::ShowSlices);
   QAction* smooth = this->addAction("&Smooth slices");
   smooth->setCheckable(true);

@@ -141,6 +141,13 @@ TEST_F(StructureTableTest, WhatReplacesARefusedModelIsSaidOnceAndIsNoFailure)
   EXPECT_EQ(this->Messages().find(start), this->Messages().rfind(start));
   EXPECT_EQ(this->Study->Current().Pipeline().StateOf(StudyStep::Samples, 2).Is,
             StudyStepState::Kind::Replaced);
+  // By name, it is a failure of three steps, and said once.
+  this->Write(1, StructureTableModel::RepresentationColumn,
+              static_cast<int>(TouchRepresentation::Harmonics));
+  const std::string failure = "label 2 is not star-shaped";
+  WaitUntil([&] { return this->Messages().find(failure) != std::string::npos; });
+  this->Settle();
+  EXPECT_EQ(this->Messages().find(failure), this->Messages().rfind(failure));
 }
 
 TEST_F(StructureTableTest, QualityIsTheModelsAndCannotBeWritten)
