@@ -1,0 +1,41 @@
+#pragma once
+
+#include "Vector3.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace palpate
+{
+/// Boxes within boxes, in one flat list: what lies near a place is found without looking at all.
+/// Immutable. Built once; allocates, and takes some 0.2 us a box times the tree's depth.
+class BoxHierarchy
+{
+public:
+  /// In the order of a walk: a node's first part follows it.
+  struct Node
+  {
+    Eigen::AlignedBox3d Box; ///< holds all below
+    std::int32_t Second = 0; ///< the other part; of a leaf 0
+    std::int32_t First = 0;  ///< of a leaf, its first place in Order()
+    std::int32_t Count = 0;  ///< of a leaf, how many boxes it has; else 0
+  };
+  /// Halving leaves no tree deeper than that.
+  static constexpr int MostPending = 64;
+
+  BoxHierarchy() = default;
+  /// Halves of equal number along the longest side. No number may be NaN.
+  explicit BoxHierarchy(const std::vector<Eigen::AlignedBox3d>& boxes);
+
+  /// The first is the root; empty without boxes.
+  const std::vector<Node>& Nodes() const noexcept { return this->Tree; }
+  /// The numbers of the boxes, leaf by leaf.
+  const std::vector<std::uint32_t>& Order() const noexcept { return this->Numbers; }
+
+private:
+  void Build(const std::vector<Eigen::AlignedBox3d>& boxes, std::size_t begin, std::size_t end);
+
+  std::vector<Node> Tree;
+  std::vector<std::uint32_t> Numbers;
+};
+} // namespace palpate
