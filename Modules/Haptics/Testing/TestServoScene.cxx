@@ -2,6 +2,7 @@
 
 #include "FieldContactCases.h"
 #include "ManyStructures.h"
+#include "MeshCases.h"
 
 #include <gtest/gtest.h>
 
@@ -88,7 +89,7 @@ TouchScene RandomScene(test::Random& random)
   {
     add(test::HarmonicContact(CloseOrgan(random)));
     add(test::FacetContact(test::MeshOf(CloseOrgan(random), 3)));
-    add(test::BlockContact(100.0 * test::RandomDirection(random), 10.0 * part(random)));
+    add(test::FacetBall(100.0 * test::RandomDirection(random), 10.0 * part(random)));
   }
   add(test::FieldContact(
       test::SampledField(test::FineGrid(32), test::SphereField{Vector3::Constant(15.5), 14.0})));
