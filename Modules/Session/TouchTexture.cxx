@@ -2,24 +2,31 @@
 
 #include "FieldOfImage.h"
 #include "FilterRun.h"
+#include "ImageWithin.h"
 #include "Refusal.h"
-#include "Volume.h"
 
 namespace palpate
 {
-std::shared_ptr<const SurfaceTexture> MakeTouchTexture(const std::filesystem::path& image,
+std::shared_ptr<const SurfaceTexture> MakeTouchTexture(const Volume& volume,
                                                        const Eigen::AlignedBox3d& boundsWorld,
-                                                       double amplitude,
+                                                       double reach, double amplitude,
                                                        const ProgressFunction& progress)
 {
-  const Volume volume = ReadVolume(image);
+  const Vector3 margin = Vector3::Constant(reach);
+  const vtkSmartPointer<vtkImageData> image =
+      ImageWithin(volume.Image, {boundsWorld.min() - margin, boundsWorld.max() + margin});
   FieldSamples samples;
-  Status status = SamplesOfImage(volume.Image, samples);
-  const FieldGrid grid = GridOfImage(volume.Image);
+  Status status = SamplesOfImage(image, samples);
+  const FieldGrid grid = GridOfImage(image);
   FieldBuilder builder(grid);
   const int channel = builder.AddChannel(samples);
   // A field keeps the samples near its surfaces; which surface does not matter where all are near.
-  const double* range = volume.Image->GetScalarRange();
+  const double* range = image->GetScalarRange();
+  if (status.IsOk() && range[0] == range[1])
+  {
+    status = Status::Failure("The image is the same everywhere at the structure: there is no "
+                             "texture to feel.");
+  }
   builder.AddMaterial({channel, 0.5 * (range[0] + range[1])});
   const auto& size = grid.Size();
   builder.SetMargin(grid.VectorWorld(Vector3(size[0], size[1], size[2])).norm());
@@ -43,7 +50,7 @@ std::shared_ptr<const SurfaceTexture> MakeTouchTexture(const std::filesystem::pa
   {
     status = SurfaceTexture::Make(field, channel, boundsWorld, amplitude, texture);
   }
-  RequireInput(status, image.string());
+  RequireInput(status, volume.Source.string());
   return texture;
 }
 } // namespace palpate

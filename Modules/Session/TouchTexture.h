@@ -3,15 +3,16 @@
 #include "PalpateSessionModule.h"
 #include "Progress.h"
 #include "SurfaceTexture.h"
+#include "Volume.h"
 
-#include <filesystem>
 #include <memory>
 
 namespace palpate
 {
 /// A texture of at most `amplitude` (N) from an image's intensities round a structure that lies
-/// within `boundsWorld` (mm). Keeps all of the image in memory. Throws InputError, and Cancelled.
+/// within `boundsWorld` (mm), felt by a tool whose surface is up to `reach` (mm) from its origin:
+/// as much of the image is kept in memory as they can meet in. Throws InputError, and Cancelled.
 PALPATESESSION_EXPORT std::shared_ptr<const SurfaceTexture>
-MakeTouchTexture(const std::filesystem::path& image, const Eigen::AlignedBox3d& boundsWorld,
+MakeTouchTexture(const Volume& volume, const Eigen::AlignedBox3d& boundsWorld, double reach,
                  double amplitude, const ProgressFunction& progress);
 } // namespace palpate

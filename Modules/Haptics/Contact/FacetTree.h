@@ -35,6 +35,10 @@ public:
   {
     return this->Boxes.Nodes().front().Box;
   }
+  std::size_t Bytes() const noexcept
+  {
+    return this->Boxes.Bytes() + this->Facets.size() * sizeof(Facet);
+  }
   std::size_t FacetCount() const noexcept { return this->Facets.size(); }
 
   /// The nearest point of the mesh that is not farther than `within`.
