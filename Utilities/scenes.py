@@ -22,14 +22,15 @@ All structures can be touched, and one is: an organ of degree 12, stroked 1.5 mm
 balls of 20 facets on a lattice of 60 mm round it. A tick is all that a servo does, from the device's sample to its force; its time
 is the shortest of {strokes} strokes, so that other programs do not count. *Made in* is what publishing the scene takes, off the servo
 thread; *bytes* are a follower's, its tracker's and the index's, without the models. From 1 to 10,000 structures the median
-grows by {growth:.1f} %. Forces have the bits of asking every structure in every tick (`TestServoScene`).
+grows by {growth:.1f} %, on a clock that tells 10 ns (`touch/structures/10000` of `Utilities/bench.sh` times whole strokes). Forces have the bits of asking every structure in every tick (`TestServoScene`).
 """
 
 SCENES = """## Memory follows what is touched
 
 A scene file with an entry for every structure of one segmentation, of which the first ones are `touched` and the others
-are neither seen nor touched. *Made* is what `palpate scene explain` counts; *process* is by how much it grew while the scene was made. The
-tick is the median over two seconds of touch. Cubes are made of 6³ voxels, sub-voxel; AAL is mricron's atlas.
+are neither seen nor touched. *Made* is what `palpate scene explain` counts; *servo* are
+trackers and index; *process* is by how much it grew while the scene was made. The tick is the
+median over two seconds of touch. Cubes are made of 6³ voxels, sub-voxel; AAL is mricron's atlas.
 """
 
 
@@ -54,10 +55,10 @@ def ticks(entries):
 def scenes(entries):
     rows = [row(e["scene"], f"{e['structures']:,}", e["touched"], e["files_read"],
                 f"{1e3 * e['read_s']:.0f} ms", f"{1e3 * e['make_s']:.0f} ms",
-                f"{e['bytes'] / 1e6:.2f} MB", f"{e['resident_mib']:.1f} MiB",
-                f"{e['tick_us']:.2f} µs") for e in entries]
+                f"{e['bytes'] / 1e3:,.1f} kB", f"{e['servo_bytes'] / 1e3:,.1f} kB",
+                f"{e['resident_mib']:.1f} MiB", f"{e['tick_us']:.2f} µs") for e in entries]
     return table(["scene", "structures", "touched", "files read", "read in", "made in", "made",
-                  "process", "tick, median"], rows)
+                  "servo", "process", "tick, median"], rows)
 
 
 def main():

@@ -93,6 +93,7 @@ std::string TextOf(const SceneAccount& account)
     AddRow(table, name, "touch", structure.Contact);
     AddRow(table, name, "see", structure.Drawing);
   }
+  AddRow(table, "servo", "touch", account.Servo);
   const Totals totals(account);
   const auto sentence =
       [](std::size_t count, std::size_t all, const std::string& what, const SceneItem& item)
@@ -138,6 +139,7 @@ JsonObject AsJson(const SceneAccount& account)
   const Totals totals(account);
   return {{"files", files},
           {"structures", structures},
+          {"servo", AsJson(account.Servo)},
           {"total",
            {{"read", SumAsJson(totals.Read, totals.Reading)},
             {"touch", SumAsJson(totals.Touched, totals.Contacts)},
@@ -167,8 +169,9 @@ int SceneCommand::Run(Console& console)
   const Interruption interruption;
   try
   {
-    const TouchStructures made =
-        MakeTouchStructures(ReadTouchScene(this->Input), !this->IsUnseen, ProgressOn(console));
+    const TouchSettings settings = ReadTouchScene(this->Input);
+    TouchStructures made = MakeTouchStructures(settings, !this->IsUnseen, ProgressOn(console));
+    made.Account.Servo = AccountForServo(made, settings);
     console.EndProgress();
     console.Output()
         << (this->Json

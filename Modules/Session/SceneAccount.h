@@ -37,5 +37,6 @@ struct SceneAccount
 {
   std::vector<SceneFileAccount> Files;
   std::vector<SceneStructureAccount> Structures;
+  SceneItem Servo; ///< trackers, and an index of what is where
 };
 } // namespace palpate

@@ -8,6 +8,7 @@
 #include "Refusal.h"
 #include "SceneField.h"
 #include "SceneFiles.h"
+#include "Servo.h"
 #include "StageClock.h"
 #include "SurfaceFile.h"
 #include "TouchTexture.h"
@@ -15,6 +16,7 @@
 
 #include "vtkNew.h"
 
+#include <memory>
 #include <set>
 #include <utility>
 
@@ -370,6 +372,26 @@ TouchStructures MakeTouchStructures(const TouchSettings& settings, bool isSeen,
   }
   AccountForFiles(settings, files, made.Account);
   return made;
+}
+
+SceneItem AccountForServo(const TouchStructures& made, const TouchSettings& settings)
+{
+  if (made.Touched.empty())
+  {
+    return {{}, 0, 0.0, "nothing of the scene is touched"};
+  }
+  auto scene = std::make_shared<TouchScene>();
+  scene->Tool = MakeTool(settings.Tool);
+  for (const TouchableStructure& structure : made.Touched)
+  {
+    scene->Structures.push_back(structure.Touch);
+  }
+  std::vector<std::pair<std::string, double>> stages;
+  StageClock clock(stages);
+  std::unique_ptr<ServoScene> servo;
+  RequireInput(ServoScene::Make(std::move(scene), ServoSettings().VelocityTimeConstant, servo));
+  clock.EndStage({});
+  return {"trackers and an index", servo->Bytes(), stages.front().second, {}};
 }
 
 ToolShape MakeTool(const TouchToolSettings& settings)

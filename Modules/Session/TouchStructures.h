@@ -38,6 +38,11 @@ PALPATESESSION_EXPORT TouchStructures MakeTouchStructures(const TouchSettings& s
                                                           bool isSeen,
                                                           const ProgressFunction& progress);
 
+/// What a servo makes for the touched structures to follow them by `settings`' tool, made once to
+/// be told of. Throws InputError where they cannot be felt by it.
+PALPATESESSION_EXPORT SceneItem AccountForServo(const TouchStructures& made,
+                                                const TouchSettings& settings);
+
 /// The tool of the settings. Throws InputError for one that is none.
 PALPATESESSION_EXPORT ToolShape MakeTool(const TouchToolSettings& settings);
 } // namespace palpate

@@ -80,8 +80,7 @@ SceneGrowthRow Measure(const std::string& scene, const std::filesystem::path& fi
   malloc_trim(0);
   const double before = ResidentMebibytes();
   TouchStructures made = MakeTouchStructures(settings, false, GoOn);
-  malloc_trim(0);
-  SceneGrowthRow row{scene, count, touched, 0, 0.0, 0.0, 0, ResidentMebibytes() - before, 0.0};
+  SceneGrowthRow row{scene, count, touched, 0, 0.0, 0.0, 0, 0, 0.0, 0.0};
   for (const SceneFileAccount& read : made.Account.Files)
   {
     row.FilesRead += read.Reading.Is.empty() ? 0 : 1;
@@ -92,6 +91,10 @@ SceneGrowthRow Measure(const std::string& scene, const std::filesystem::path& fi
     row.Bytes += structure.Contact.Bytes + structure.Drawing.Bytes;
     row.MakeSeconds += structure.Contact.Seconds + structure.Drawing.Seconds;
   }
+  row.ServoBytes = AccountForServo(made, settings).Bytes;
+  made.Account = {}; // which no touch keeps
+  malloc_trim(0);
+  row.ResidentMebibytes = ResidentMebibytes() - before;
   made = {};
   TouchScript script;
   script.Duration = 2.0;

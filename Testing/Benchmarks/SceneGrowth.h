@@ -26,9 +26,10 @@ struct SceneGrowthRow
   int FilesRead;
   double ReadSeconds;
   double MakeSeconds;
-  std::uintmax_t Bytes;     ///< of what was made
-  double ResidentMebibytes; ///< by which the process grew meanwhile
-  double TickMicroseconds;  ///< median over two seconds of touch
+  std::uintmax_t Bytes;      ///< of what was made
+  std::uintmax_t ServoBytes; ///< of what a servo has for it
+  double ResidentMebibytes;  ///< by which the process grew meanwhile
+  double TickMicroseconds;   ///< median over two seconds of touch
 };
 
 /// Some 20 s. Throw std::runtime_error where a scene cannot be made; the atlas is left out where it

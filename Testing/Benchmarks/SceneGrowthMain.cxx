@@ -32,6 +32,7 @@ nlohmann::json Measured()
                       {"read_s", row.ReadSeconds},
                       {"make_s", row.MakeSeconds},
                       {"bytes", row.Bytes},
+                      {"servo_bytes", row.ServoBytes},
                       {"resident_mib", row.ResidentMebibytes},
                       {"tick_us", row.TickMicroseconds}});
   }

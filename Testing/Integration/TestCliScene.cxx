@@ -50,6 +50,7 @@ TEST(CliScene, ExplainsWhatWasMadeForWhatAndWhatWasNot)
     }
   }
   EXPECT_EQ(said["total"]["touch"]["made"], 2);
+  EXPECT_GT(said["servo"]["bytes"].get<int>(), 1000);
   EXPECT_GT(said["total"]["touch"]["bytes"].get<int>(), 1000);
   const CommandRun unseen =
       RunPalpate({"scene", "explain", "all.scene.json", "--unseen", "--json"}, folder.Path());

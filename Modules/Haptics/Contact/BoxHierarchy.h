@@ -39,7 +39,8 @@ public:
   }
 
 private:
-  void Build(const std::vector<Eigen::AlignedBox3d>& boxes, std::size_t begin, std::size_t end);
+  void Build(const std::vector<Eigen::AlignedBox3d>& boxes, const std::vector<Vector3>& centers,
+             std::size_t begin, std::size_t end);
 
   std::vector<Node> Tree;
   std::vector<std::uint32_t> Numbers;

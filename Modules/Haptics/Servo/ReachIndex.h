@@ -2,6 +2,7 @@
 
 #include "BoxHierarchy.h"
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -20,6 +21,11 @@ public:
   /// Writes the numbers of all boxes that `boxWorld` meets, ascending, to where there is room for
   /// all; borders belong to boxes. Returns how many.
   std::size_t Find(const Eigen::AlignedBox3d& boxWorld, std::uint32_t* found) const noexcept;
+
+  std::size_t Bytes() const noexcept
+  {
+    return this->Hierarchy.Bytes() + this->Entries.size() * sizeof(Entry);
+  }
 
 private:
   struct Entry

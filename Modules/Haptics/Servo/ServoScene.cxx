@@ -36,6 +36,17 @@ Status ServoScene::Make(std::shared_ptr<const TouchScene> scene, double velocity
   return status;
 }
 
+std::size_t ServoScene::Bytes() const noexcept
+{
+  std::size_t bytes =
+      sizeof(*this) + this->Index.Bytes() + this->Near.size() * sizeof(this->Near[0]);
+  for (const StructureFollower& follower : this->Followers)
+  {
+    bytes += follower.Bytes();
+  }
+  return bytes;
+}
+
 void ServoScene::Leave() noexcept
 {
   for (std::size_t i = 0; i < this->NearCount; ++i)

@@ -37,6 +37,8 @@ public:
   void Leave() noexcept;
   /// How many structures the last Follow looked at.
   std::size_t LookedAtCount() const noexcept { return this->NearCount; }
+  /// Of followers, their trackers and the index, without the models.
+  std::size_t Bytes() const noexcept;
   const TouchScene& Scene() const noexcept { return *this->Shared; }
 
 private:

@@ -50,6 +50,9 @@ public:
   /// Forgets where the tool was: the next Follow begins anew.
   void Leave() noexcept;
 
+  /// With its tracker.
+  std::size_t Bytes() const noexcept { return sizeof(*this) + this->Tracker->Bytes(); }
+
   /// Of the last Follow. Invalid where the model gave nothing that can be felt.
   const Contact& Touched() const noexcept { return this->Last; }
 

@@ -177,6 +177,8 @@ TEST(ServoScene, OfTenThousandStructuresATickLooksAtTheFewThatAreNear)
     ASSERT_LE(servo->LookedAtCount(), 8u);
   }
   EXPECT_GT(touches, 900);
+  // What nobody touches costs little too: a tracker of facets, a follower, a place in the index.
+  EXPECT_LT(servo->Bytes(), 10000u * 1000u);
 }
 
 TEST(ServoScene, AStructureThatIsPassedInOneTickIsFeltHoweverMany)
