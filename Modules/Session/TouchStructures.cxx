@@ -114,10 +114,10 @@ private:
     double seconds = this->Elapsed();
     if (this->Need.IsTouched)
     {
-      this->AddTouch(std::move(contact.Model), structure.Touch);
+      const std::size_t bytes = this->AddTouch(std::move(contact.Model), structure.Touch);
       structure.Represented = contact.Represented;
       seconds += this->Elapsed();
-      account.Contact = {contact.Represented, structure.Touch.Model->Bytes(), seconds, {}};
+      account.Contact = {contact.Represented, bytes, seconds, {}};
       structure.Seconds = seconds;
       seconds = 0.0;
     }
@@ -144,18 +144,22 @@ private:
     return this->Stages.back().second;
   }
 
-  void AddTouch(std::shared_ptr<const ContactModel> model, TouchStructure& touch)
+  // What it occupies.
+  std::size_t AddTouch(std::shared_ptr<const ContactModel> model, TouchStructure& touch)
   {
     touch.Model = std::move(model);
     touch.Law = {this->Settings.Stiffness, this->Settings.Damping};
     touch.Friction = this->Settings.Friction;
     touch.Viscosity = this->Settings.Viscosity;
+    TouchTexture texture;
     if (this->Settings.Texture > 0.0)
     {
-      touch.Texture = MakeTouchTexture(*this->Files.VolumeOf(this->Settings.TextureImage),
-                                       touch.Model->BoundsWorld(), this->ToolReach,
-                                       this->Settings.Texture, this->Progress);
+      texture = MakeTouchTexture(*this->Files.VolumeOf(this->Settings.TextureImage),
+                                 touch.Model->BoundsWorld(), this->ToolReach,
+                                 this->Settings.Texture, this->Progress);
     }
+    touch.Texture = std::move(texture.Feel);
+    return touch.Model->Bytes() + texture.Bytes;
   }
 
   // A model becomes the surface that is drawn of it.

@@ -7,10 +7,8 @@
 
 namespace palpate
 {
-std::shared_ptr<const SurfaceTexture> MakeTouchTexture(const Volume& volume,
-                                                       const Eigen::AlignedBox3d& boundsWorld,
-                                                       double reach, double amplitude,
-                                                       const ProgressFunction& progress)
+TouchTexture MakeTouchTexture(const Volume& volume, const Eigen::AlignedBox3d& boundsWorld,
+                              double reach, double amplitude, const ProgressFunction& progress)
 {
   const Vector3 margin = Vector3::Constant(reach);
   const vtkSmartPointer<vtkImageData> image =
@@ -45,12 +43,13 @@ std::shared_ptr<const SurfaceTexture> MakeTouchTexture(const Volume& volume,
   {
     throw Cancelled();
   }
-  std::shared_ptr<const SurfaceTexture> texture;
+  TouchTexture texture;
   if (status.IsOk())
   {
-    status = SurfaceTexture::Make(field, channel, boundsWorld, amplitude, texture);
+    status = SurfaceTexture::Make(field, channel, boundsWorld, amplitude, texture.Feel);
   }
   RequireInput(status, volume.Source.string());
+  texture.Bytes = field->Memory().Bytes;
   return texture;
 }
 } // namespace palpate

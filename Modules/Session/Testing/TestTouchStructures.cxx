@@ -150,6 +150,25 @@ TEST_F(TouchStructuresTest, WhatIsOnlyTouchedHasNoDrawing)
   }
 }
 
+// A ball of 5 mm and a tool of 2 mm in an image of 100 mm: 14³ of 100³ voxels, and some round them.
+TEST_F(TouchStructuresTest, ATextureKeepsOfItsImageWhatTheToolCanReach)
+{
+  test::LabelGrid grid;
+  grid.Size = {{100, 100, 100}};
+  grid.CenterOnOrigin();
+  TouchStructureSettings ball = this->Entry(this->ModelPath, false, true);
+  const std::uintmax_t smooth = this->Make({ball}).Account.Structures[0].Contact.Bytes;
+  ball.Texture = 0.2;
+  ball.TextureImage = this->Folder / "image.nrrd";
+  WriteImage(ball.TextureImage,
+             test::MakeLabelImage(grid, [](double x, double, double) { return x > 0.0; }));
+  const TouchStructures made = this->Make({ball});
+  EXPECT_NE(made.Touched.at(0).Touch.Texture, nullptr);
+  const std::uintmax_t textured = made.Account.Structures[0].Contact.Bytes;
+  EXPECT_GT(textured, smooth + 4 * 14 * 14 * 14);
+  EXPECT_LT(textured, smooth + 4 * 100 * 100 * 100 / 10);
+}
+
 TEST_F(TouchStructuresTest, WhatIsTouchedByVoxelsIsDrawnByTheSameField)
 {
   TouchStructureSettings ball = this->Entry(this->MaskPath, true, true);
