@@ -9,6 +9,7 @@
 #include "MeshCommand.h"
 #include "PhantomCommand.h"
 #include "RenderCommand.h"
+#include "SceneCommand.h"
 #include "StudyCommand.h"
 #include "TouchCommand.h"
 
@@ -25,6 +26,7 @@ std::vector<std::unique_ptr<Command>> MakeCommands()
   commands.push_back(std::make_unique<PhantomCommand>());
   commands.push_back(std::make_unique<RenderCommand>());
   commands.push_back(std::make_unique<TouchCommand>());
+  commands.push_back(std::make_unique<SceneCommand>());
   commands.push_back(std::make_unique<StudyCommand>());
   commands.push_back(std::make_unique<DevicesCommand>());
   commands.push_back(std::make_unique<CompletionCommand>());

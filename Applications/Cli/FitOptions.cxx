@@ -76,7 +76,8 @@ void FitOptions::DeclareSurface(CLI::App& app)
 void FitOptions::DeclareModel(CLI::App& app)
 {
   app.add_option("--degree", this->DegreeWord,
-                 "Degree of the model, or auto: the smallest that meets --tolerance")
+                 "Degree of the model, or auto: the smallest that meets --tolerance, at most what "
+                 "the mask's voxels tell (waves of two voxels)")
       ->type_name("N|auto")
       ->capture_default_str();
   app.add_option("--tolerance", this->Tolerance,

@@ -200,6 +200,7 @@ TouchScript TouchCommand::Script() const
   {
     script.Path = ReadHandPath(this->PathFile);
   }
+  script.IsSeen = this->IsViewed;
   if (!this->Seconds.empty())
   {
     script.Duration = this->Seconds.front();

@@ -4,6 +4,7 @@
 #include "FitStructure.h"
 #include "ModelTable.h"
 #include "StageClock.h"
+#include "SupportedDegree.h"
 #include "VoxelMinimum.h"
 #include "vtkIcosahedronDirections.h"
 #include "vtkRadialSampler.h"
@@ -167,6 +168,20 @@ void TakeFit(vtkSphericalHarmonicFit* fit, FitResult& result)
   result.ModelAreaSquareMillimeters = result.Model.Area();
 }
 
+// Where the search for a degree ended before it met the tolerance.
+void RemarkOnDegree(int supported, FitResult& result)
+{
+  const double tolerance = result.Settings.Tolerance.value_or(result.Rms);
+  if (result.Rms > tolerance)
+  {
+    result.Notes.push_back("degree " + std::to_string(supported) +
+                           " is the highest that the mask's voxels tell (waves of two voxels); it "
+                           "leaves " +
+                           Fixed(result.Rms, 3) + " mm instead of the " + Fixed(tolerance, 3) +
+                           " mm asked for");
+  }
+}
+
 void MeasureQuality(vtkPolyData* surface, vtkPolyData* boundary, FitResult& result,
                     const ProgressFunction& progress)
 {
@@ -252,8 +267,11 @@ void RunModel(vtkPolyData* samples, vtkPolyData* boundary, FitResult& result,
   vtkNew<vtkSphericalHarmonicFit> fit;
   fit->SetInputData(OwnCopy(samples));
   Configure(fit, result.Settings);
+  fit->SetSupportedDegree(
+      SupportedDegree(CubicMillimetersPerMilliliter * result.MaskMilliliters, result.Mask.Get()));
   RunFilter(fit, "fit", 0.0, 0.15, progress);
   TakeFit(fit, result);
+  RemarkOnDegree(fit->GetSupportedDegree(), result);
   clock.EndStage("fit");
   vtkNew<vtkSphericalHarmonicSurface> model;
   model->SetInputConnection(fit->GetOutputPort());

@@ -2,10 +2,12 @@
 
 #include "DecimalText.h"
 #include "Refusal.h"
+#include "ServoScene.h"
 #include "WholeFile.h"
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <random>
 #include <sstream>
 #include <utility>
@@ -44,19 +46,16 @@ public:
   {
   }
 
-  Status MakeTrackers(const TouchScene& scene)
+  // As a servo does, so that it asks only what is near.
+  Status MakeTrackers(TouchScene scene)
   {
-    for (const TouchStructure& structure : scene.Structures)
+    constexpr double AnyTime = 1.0; // of velocities, which nobody asks for
+    for (TouchStructure& structure : scene.Structures)
     {
-      std::unique_ptr<ContactTracker> tracker;
-      Status status = structure.Model->MakeTracker(scene.Tool, {}, tracker);
-      if (!status.IsOk())
-      {
-        return status;
-      }
-      this->Trackers.push_back(std::move(tracker));
+      structure.Friction = {};
     }
-    return Status::Success();
+    return ServoScene::Make(std::make_shared<const TouchScene>(std::move(scene)), AnyTime,
+                            this->Felt);
   }
 
   Vector3 Middle() const { return this->Bounds.center(); }
@@ -93,22 +92,19 @@ public:
 private:
   bool Touches(const Vector3& pointWorld, bool afresh)
   {
-    bool isTouching = false;
-    for (const auto& tracker : this->Trackers)
+    if (afresh)
     {
-      if (afresh)
-      {
-        tracker->Release();
-      }
-      isTouching =
-          tracker->Follow({pointWorld, Eigen::Quaterniond::Identity()}).IsTouching || isTouching;
+      this->Felt->Leave();
     }
-    return isTouching;
+    this->Step.Last.PositionWorld = afresh ? pointWorld : this->Step.Now.PositionWorld;
+    this->Step.Now.PositionWorld = pointWorld;
+    return this->Felt->Follow(this->Step).Structure >= 0;
   }
 
   Eigen::AlignedBox3d Bounds;
   double Reach;
-  std::vector<std::unique_ptr<ContactTracker>> Trackers;
+  std::unique_ptr<ServoScene> Felt;
+  FollowStep Step;
 };
 
 // A way that grows place by place.

@@ -8,6 +8,9 @@
 
 #include "vtkImageData.h"
 
+#include <algorithm>
+#include <array>
+
 namespace palpate
 {
 namespace
@@ -50,6 +53,45 @@ std::shared_ptr<const ScalarField> Build(const FieldBuilder& builder,
 {
   return Build([&](const auto& report, auto& field) { return builder.Build(field, report); },
                DistancesPart, progress);
+}
+
+// Nodes of a grid, from the first to the last.
+struct NodeBox
+{
+  std::array<int, 3> First{};
+  std::array<int, 3> Last{};
+
+  FieldGrid Of(const FieldGrid& whole) const
+  {
+    std::array<int, 3> size{};
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      size[axis] = this->Last[axis] - this->First[axis] + 1;
+    }
+    const Vector3 first(this->First[0], this->First[1], this->First[2]);
+    return {size, whole.PointWorld(first), whole.Spacing(), whole.Direction()};
+  }
+};
+
+// Where distances are known, and so far round it that the border's influence on a B-spline's
+// coefficients, 0.27 to the power of the nodes between, is below its floats' rounding.
+NodeBox BoxOf(const std::vector<LabelField>& distances, const FieldGrid& whole,
+              FieldInterpolation interpolation)
+{
+  const int rim = interpolation == FieldInterpolation::Trilinear ? 0 : 14;
+  NodeBox box{whole.Size(), {-1, -1, -1}};
+  for (const LabelField& distance : distances)
+  {
+    const FieldSamples samples = distance.Samples();
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      const int first = samples.StartIndex[axis] - rim;
+      const int last = samples.StartIndex[axis] + samples.Size[axis] - 1 + rim;
+      box.First[axis] = std::max(0, std::min(box.First[axis], first));
+      box.Last[axis] = std::min(whole.Size()[axis] - 1, std::max(box.Last[axis], last));
+    }
+  }
+  return box;
 }
 
 // The distances of structures, on the grid of the images that `layerOf` gives for their layers.
@@ -124,11 +166,18 @@ std::shared_ptr<const ScalarField> MakeSegmentField(const Segmentation& segmenta
   const auto layerOf = [&](int layer)
   { return segmentation.Layers[static_cast<std::size_t>(layer)]; };
   const std::vector<LabelField> distances = DistancesOf(structures, layerOf, smoothing, progress);
-  FieldBuilder builder(GridOfImage(segmentation.Layers.front()));
+  const FieldGrid whole = GridOfImage(segmentation.Layers.front());
+  const NodeBox box = BoxOf(distances, whole, interpolation);
+  FieldBuilder builder(box.Of(whole));
   builder.SetInterpolation(interpolation);
   for (const LabelField& distance : distances)
   {
-    builder.AddMaterial({builder.AddChannel(distance.Samples()), 0.0, FieldSense::AtLeast});
+    FieldSamples samples = distance.Samples();
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      samples.StartIndex[axis] -= box.First[axis];
+    }
+    builder.AddMaterial({builder.AddChannel(samples), 0.0, FieldSense::AtLeast});
   }
   return Build(builder, progress);
 }

@@ -2,6 +2,7 @@
 
 #include "DeviceHoming.h"
 #include "DeviceList.h"
+#include "InputError.h"
 #include "ManualClock.h"
 #include "OpenBuiltInDevice.h"
 #include "Refusal.h"
@@ -226,7 +227,15 @@ PreparedTouch PrepareTouch(const TouchSettings& settings, const TouchScript& scr
 {
   PreparedTouch touch;
   touch.Settings = settings;
-  touch.Structures = MakeTouchStructures(settings, progress);
+  TouchStructures made = MakeTouchStructures(settings, script.IsSeen, progress);
+  if (made.Touched.empty())
+  {
+    throw InputError(
+        "nothing of the scene is to be touched; leave \"touched\": false out of one of "
+        "its structures");
+  }
+  touch.Structures = std::move(made.Touched);
+  touch.OnlySeen = std::move(made.OnlySeen);
   auto scene = std::make_shared<TouchScene>();
   scene->Tool = MakeTool(settings.Tool);
   for (const TouchableStructure& structure : touch.Structures)

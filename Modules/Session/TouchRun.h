@@ -18,20 +18,23 @@
 
 namespace palpate
 {
-/// How the hand of a simulated device moves, and for how long a scene is touched.
+/// How the hand of a simulated device moves, for how long a scene is touched, and whether somebody
+/// looks.
 struct TouchScript
 {
   HandPath Path;                  ///< empty: a sweep round the scene, to and fro
   double SweepDepth = 3.0;        ///< mm, of the hand's target below the first touch
   double SweepSpeed = 50.0;       ///< mm/s
   std::optional<double> Duration; ///< s; none: as long as the path
+  bool IsSeen = false;            ///< then what the scene has to be seen is made too
 };
 
 /// A scene, a device's place in it, and what a person should know before forces start.
 struct PreparedTouch
 {
   TouchSettings Settings;
-  std::vector<TouchableStructure> Structures;
+  std::vector<TouchableStructure> Structures; ///< to be touched, as in the scene
+  std::vector<TouchableStructure> OnlySeen;
   std::shared_ptr<const TouchScene> Scene;
   HandPath Path;               ///< empty for a device with a hand of its own
   bool IsSweep = false;        ///< then the path is gone to and fro, for as long as it takes

@@ -11,9 +11,9 @@ namespace palpate
 namespace
 {
 constexpr const char* Format = "palpate-scene";
-constexpr std::uintmax_t LargestFile = 1 << 20;
-constexpr double LargestStiffness = 1e4; // N/mm
-constexpr double LargestDamping = 10.0;  // N s/mm
+constexpr std::uintmax_t LargestFile = 1 << 26; // of some hundred thousand structures
+constexpr double LargestStiffness = 1e4;        // N/mm
+constexpr double LargestDamping = 10.0;         // N s/mm
 constexpr double LargestFriction = 10.0;
 constexpr double LargestTexture = 10.0; // N
 constexpr double LargestIso = 1e300;
@@ -54,6 +54,8 @@ TouchStructureSettings ReadStructure(const nlohmann::json& object,
     structure.Iso = 0.0;
     fields.Read("iso", *structure.Iso, -LargestIso, LargestIso);
   }
+  fields.Read("seen", structure.IsSeen);
+  fields.Read("touched", structure.IsTouched);
   fields.ReadChoice("representation", RepresentationWords, structure.Representation);
   fields.Read("degree", structure.Degree, 0, 64);
   fields.ReadChoice("mode", ModeWords, structure.Mode);
@@ -97,6 +99,8 @@ nlohmann::ordered_json AsJson(const TouchStructureSettings& structure,
   {
     object["iso"] = *structure.Iso;
   }
+  object["seen"] = structure.IsSeen;
+  object["touched"] = structure.IsTouched;
   object["representation"] = WordOf(RepresentationWords, structure.Representation);
   object["degree"] = structure.Degree;
   object["mode"] = WordOf(ModeWords, structure.Mode);

@@ -30,6 +30,9 @@ struct TouchStructureSettings
   std::vector<std::string> Labels; ///< of a segmentation, numbers or names; none for all
   std::optional<double> Iso;       ///< of an image: what has at least this value
   TouchRepresentation Representation = TouchRepresentation::Automatic;
+  /// What a scene does not ask for is not made, and a file that nothing else is made of not opened.
+  bool IsSeen = true;    ///< drawn, where anybody looks
+  bool IsTouched = true; ///< felt
 
   int Degree = 12; ///< of the harmonics that a segmentation is fitted with
   HarmonicContactMode Mode = HarmonicContactMode::Nearest;

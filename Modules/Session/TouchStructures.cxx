@@ -4,16 +4,20 @@
 #include "FitStructure.h"
 #include "InputError.h"
 #include "ModelFile.h"
+#include "ModelSurface.h"
 #include "Refusal.h"
 #include "SceneField.h"
+#include "SceneFiles.h"
+#include "Servo.h"
 #include "StageClock.h"
 #include "SurfaceFile.h"
 #include "TouchTexture.h"
-#include "Volume.h"
 #include "vtkSegmentationSurface.h"
 
 #include "vtkNew.h"
 
+#include <memory>
+#include <set>
 #include <utility>
 
 namespace palpate
@@ -22,13 +26,43 @@ namespace
 {
 using Representation = TouchRepresentation;
 
+constexpr const char* NeitherReason = "the scene says that it is neither seen nor touched";
+constexpr const char* UnseenReason = "the scene says that it is not seen";
+constexpr const char* UntouchedReason = "the scene says that it is not touched";
+constexpr const char* NobodyLooks = "nobody looks";
+
+// What an entry of a scene asks for, where somebody looks or not.
+struct Needs
+{
+  Needs(const TouchStructureSettings& settings, bool isSeen)
+      : IsTouched(settings.IsTouched), IsDrawn(settings.IsSeen && isSeen)
+  {
+    const bool isNeither = !settings.IsSeen && !settings.IsTouched;
+    this->WhyNotTouched = isNeither ? NeitherReason : UntouchedReason;
+    this->WhyNotDrawn = isNeither ? NeitherReason : settings.IsSeen ? NobodyLooks : UnseenReason;
+  }
+  bool IsAny() const { return this->IsTouched || this->IsDrawn; }
+
+  bool IsTouched;
+  bool IsDrawn;
+  const char* WhyNotTouched;
+  const char* WhyNotDrawn;
+};
+
+std::size_t BytesOf(vtkPolyData& surface)
+{
+  constexpr std::size_t Kibi = 1024;
+  return Kibi * surface.GetActualMemorySize();
+}
+
 // Fills the structures of one entry of the settings.
 class StructureMaker
 {
 public:
-  StructureMaker(const TouchStructureSettings& settings, const ProgressFunction& progress,
-                 std::vector<TouchableStructure>& made)
-      : Settings(settings), Progress(progress), Made(made)
+  StructureMaker(const TouchStructureSettings& settings, const Needs& needs, double toolReach,
+                 SceneFiles& files, const ProgressFunction& progress, TouchStructures& made)
+      : Settings(settings), Need(needs), ToolReach(toolReach), Files(files), Progress(progress),
+        Made(made)
   {
   }
 
@@ -45,7 +79,9 @@ public:
     }
     else if (IsSurfaceFile(file))
     {
-      this->AddSurface(ReadSurface(file), this->Settings.File.stem().string());
+      const vtkSmartPointer<vtkPolyData> surface = this->Files.SurfaceOf(file);
+      this->Clock.EndStage("reading");
+      this->AddSurface(surface, file.stem().string());
     }
     else
     {
@@ -69,36 +105,98 @@ private:
     }
   }
 
+  // Of a structure without contact, `contact` has only its looks.
   void Add(const std::string& name, TouchContact contact)
   {
     TouchableStructure structure;
-    structure.Looks = std::move(contact.Looks);
     structure.Touch.Name = this->Settings.Name.empty() ? name : this->Settings.Name;
-    structure.Touch.Model = std::move(contact.Model);
-    structure.Touch.Law = {this->Settings.Stiffness, this->Settings.Damping};
-    structure.Touch.Friction = this->Settings.Friction;
-    structure.Touch.Viscosity = this->Settings.Viscosity;
+    SceneStructureAccount account{structure.Touch.Name, this->Settings.File, {}, {}};
+    double seconds = this->Elapsed();
+    if (this->Need.IsTouched)
+    {
+      const std::size_t bytes = this->AddTouch(std::move(contact.Model), structure.Touch);
+      structure.Represented = contact.Represented;
+      seconds += this->Elapsed();
+      account.Contact = {contact.Represented, bytes, seconds, {}};
+      structure.Seconds = seconds;
+      seconds = 0.0;
+    }
+    else
+    {
+      account.Contact.WhyNot = this->Need.WhyNotTouched;
+    }
+    account.Drawing.WhyNot = this->Need.IsDrawn ? "" : this->Need.WhyNotDrawn;
+    if (this->Need.IsDrawn)
+    {
+      account.Drawing = this->Draw(contact.Looks);
+      structure.Looks = std::move(contact.Looks);
+      account.Drawing.Seconds = seconds + this->Elapsed();
+    }
+    this->Made.Account.Structures.push_back(std::move(account));
+    (this->Need.IsTouched ? this->Made.Touched : this->Made.OnlySeen)
+        .push_back(std::move(structure));
+  }
+
+  // Seconds since the last call.
+  double Elapsed()
+  {
+    this->Clock.EndStage({});
+    return this->Stages.back().second;
+  }
+
+  // What it occupies.
+  std::size_t AddTouch(std::shared_ptr<const ContactModel> model, TouchStructure& touch)
+  {
+    touch.Model = std::move(model);
+    touch.Law = {this->Settings.Stiffness, this->Settings.Damping};
+    touch.Friction = this->Settings.Friction;
+    touch.Viscosity = this->Settings.Viscosity;
+    TouchTexture texture;
     if (this->Settings.Texture > 0.0)
     {
-      structure.Touch.Texture =
-          MakeTouchTexture(this->Settings.TextureImage, structure.Touch.Model->BoundsWorld(),
-                           this->Settings.Texture, this->Progress);
+      texture = MakeTouchTexture(*this->Files.VolumeOf(this->Settings.TextureImage),
+                                 touch.Model->BoundsWorld(), this->ToolReach,
+                                 this->Settings.Texture, this->Progress);
     }
-    structure.Represented = std::move(contact.Represented);
-    this->Clock.EndStage(structure.Touch.Name);
-    structure.Seconds = this->Stages.back().second;
-    this->Made.push_back(std::move(structure));
+    touch.Texture = std::move(texture.Feel);
+    return touch.Model->Bytes() + texture.Bytes;
+  }
+
+  // A model becomes the surface that is drawn of it.
+  SceneItem Draw(TouchAppearance& looks) const
+  {
+    if (looks.Field != nullptr)
+    {
+      return this->Need.IsTouched
+                 ? SceneItem{"rays through the field that is felt", 0, 0.0, {}}
+                 : SceneItem{"rays through a field", looks.Field->Memory().Bytes, 0.0, {}};
+    }
+    if (looks.Model != nullptr)
+    {
+      constexpr int Frequency = 20;
+      looks.Surface = DrawModel(*looks.Model, Frequency);
+      looks.Model = nullptr;
+    }
+    return {std::to_string(looks.Surface->GetNumberOfCells()) + " triangles",
+            BytesOf(*looks.Surface),
+            0.0,
+            {}};
   }
 
   void AddHarmonics(const SphericalHarmonicModel& model, const std::string& name)
   {
-    this->Add(name, MakeHarmonicContact(model, this->Settings.Mode, this->Settings.File));
+    TouchContact contact;
+    contact.Looks.Model = std::make_shared<const SphericalHarmonicModel>(model);
+    this->Add(name, this->Need.IsTouched
+                        ? MakeHarmonicContact(model, this->Settings.Mode, this->Settings.File)
+                        : std::move(contact));
   }
 
   void AddModel()
   {
     this->Expect({Representation::Harmonics}, "a model");
-    const ModelDocument document = ReadModel(this->Settings.File);
+    const ModelDocument document = this->Files.ModelOf(this->Settings.File);
+    this->Clock.EndStage("reading");
     const auto* model = std::get_if<SphericalHarmonicModel>(&document.Surface);
     if (model == nullptr)
     {
@@ -111,40 +209,49 @@ private:
   void AddSurface(vtkPolyData* surface, const std::string& name)
   {
     this->Expect({Representation::Facets}, "a surface of triangles");
-    this->Add(name, MakeFacetContact(surface, this->Settings.File));
+    TouchContact contact;
+    contact.Looks.Surface = surface;
+    this->Add(name, this->Need.IsTouched ? MakeFacetContact(surface, this->Settings.File)
+                                         : std::move(contact));
   }
 
   void AddField(const std::shared_ptr<const ScalarField>& field, int material,
                 const std::string& name)
   {
-    this->Add(name,
-              MakeFieldContact(field, material, this->Settings.Interpolation, this->Settings.File));
+    TouchContact contact;
+    contact.Looks.Field = field;
+    this->Add(name, this->Need.IsTouched
+                        ? MakeFieldContact(field, material, this->Settings.Interpolation,
+                                           this->Settings.File)
+                        : std::move(contact));
   }
 
   void AddIsoSurface()
   {
     this->Expect({Representation::SubVoxel}, "an image");
-    const Volume volume = ReadVolume(this->Settings.File);
-    this->AddField(MakeIsoField(volume.Image, {*this->Settings.Iso}, this->Settings.Interpolation,
+    const auto volume = this->Files.VolumeOf(this->Settings.File);
+    this->Clock.EndStage("reading");
+    this->AddField(MakeIsoField(volume->Image, {*this->Settings.Iso}, this->Settings.Interpolation,
                                 this->Progress),
                    0, CaseNameOf(this->Settings.File));
   }
 
   void AddSegmentation()
   {
-    const Segmentation segmentation = ReadSegmentation(this->Settings.File);
-    std::vector<Segment> structures = segmentation.Segments;
+    const auto segmentation = this->Files.SegmentationOf(this->Settings.File);
+    this->Clock.EndStage("reading");
+    std::vector<Segment> structures = segmentation->Segments;
     if (!this->Settings.Labels.empty())
     {
       structures.clear();
       for (const std::string& label : this->Settings.Labels)
       {
-        structures.push_back(segmentation.Find(label));
+        structures.push_back(segmentation->Find(label));
       }
     }
     for (const Segment& structure : structures)
     {
-      this->AddSegment(segmentation, structure);
+      this->AddSegment(*segmentation, structure);
     }
   }
 
@@ -152,7 +259,9 @@ private:
   {
     const std::string name =
         structure.Name.empty() ? "label " + std::to_string(structure.Label) : structure.Name;
-    switch (this->Settings.Representation)
+    const bool isPlain = this->Settings.Representation == Representation::Automatic;
+    switch (isPlain && !this->Need.IsTouched ? Representation::Facets
+                                             : this->Settings.Representation)
     {
     case Representation::Harmonics:
       return this->AddFit(segmentation, structure, name);
@@ -189,25 +298,104 @@ private:
   }
 
   const TouchStructureSettings& Settings;
+  const Needs& Need;
+  double ToolReach; // mm
+  SceneFiles& Files;
   const ProgressFunction& Progress;
-  std::vector<TouchableStructure>& Made;
+  TouchStructures& Made;
   std::vector<std::pair<std::string, double>> Stages;
   StageClock Clock{Stages};
 };
+
+std::vector<std::filesystem::path> FilesOf(const TouchStructureSettings& settings)
+{
+  std::vector<std::filesystem::path> files{settings.File};
+  if (settings.Texture > 0.0)
+  {
+    files.push_back(settings.TextureImage);
+  }
+  return files;
+}
+
+// An entry of which nothing is made.
+void LeaveOut(const TouchStructureSettings& settings, const Needs& needs, SceneAccount& account)
+{
+  const std::string name = settings.Name.empty() ? CaseNameOf(settings.File) : settings.Name;
+  account.Structures.push_back(
+      {name, settings.File, {{}, 0, 0.0, needs.WhyNotTouched}, {{}, 0, 0.0, needs.WhyNotDrawn}});
+}
+
+// The files that were named and not read, each once.
+void AccountForFiles(const TouchSettings& settings, const SceneFiles& files, SceneAccount& account)
+{
+  account.Files = files.Accounts();
+  std::set<std::filesystem::path> known;
+  for (const SceneFileAccount& read : account.Files)
+  {
+    known.insert(read.File);
+  }
+  for (const TouchStructureSettings& structure : settings.Structures)
+  {
+    for (const std::filesystem::path& file : FilesOf(structure))
+    {
+      if (known.insert(file).second)
+      {
+        account.Files.push_back({file, {{}, 0, 0.0, "nothing that is made needs it"}});
+      }
+    }
+  }
+}
 } // namespace
 
-std::vector<TouchableStructure> MakeTouchStructures(const TouchSettings& settings,
-                                                    const ProgressFunction& progress)
+TouchStructures MakeTouchStructures(const TouchSettings& settings, bool isSeen,
+                                    const ProgressFunction& progress)
 {
-  std::vector<TouchableStructure> made;
+  TouchStructures made;
+  SceneFiles files;
+  for (const TouchStructureSettings& structure : settings.Structures)
+  {
+    for (const std::filesystem::path& file : FilesOf(structure))
+    {
+      files.Expect(file);
+    }
+  }
+  const double toolReach = MakeTool(settings.Tool).BoundingRadius();
   const auto count = static_cast<double>(settings.Structures.size());
   for (std::size_t s = 0; s < settings.Structures.size(); ++s)
   {
+    const TouchStructureSettings& structure = settings.Structures[s];
+    const Needs needs(structure, isSeen);
     const auto part = [&, s](double fraction, const std::string& stage)
     { return progress((static_cast<double>(s) + fraction) / count, stage); };
-    StructureMaker(settings.Structures[s], part, made).Run();
+    needs.IsAny() ? StructureMaker(structure, needs, toolReach, files, part, made).Run()
+                  : LeaveOut(structure, needs, made.Account);
+    for (const std::filesystem::path& file : FilesOf(structure))
+    {
+      files.Done(file);
+    }
   }
+  AccountForFiles(settings, files, made.Account);
   return made;
+}
+
+SceneItem AccountForServo(const TouchStructures& made, const TouchSettings& settings)
+{
+  if (made.Touched.empty())
+  {
+    return {{}, 0, 0.0, "nothing of the scene is touched"};
+  }
+  auto scene = std::make_shared<TouchScene>();
+  scene->Tool = MakeTool(settings.Tool);
+  for (const TouchableStructure& structure : made.Touched)
+  {
+    scene->Structures.push_back(structure.Touch);
+  }
+  std::vector<std::pair<std::string, double>> stages;
+  StageClock clock(stages);
+  std::unique_ptr<ServoScene> servo;
+  RequireInput(ServoScene::Make(std::move(scene), ServoSettings().VelocityTimeConstant, servo));
+  clock.EndStage({});
+  return {"trackers and an index", servo->Bytes(), stages.front().second, {}};
 }
 
 ToolShape MakeTool(const TouchToolSettings& settings)

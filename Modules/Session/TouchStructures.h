@@ -2,6 +2,7 @@
 
 #include "PalpateSessionModule.h"
 #include "Progress.h"
+#include "SceneAccount.h"
 #include "TouchContact.h"
 #include "TouchScene.h"
 #include "TouchSettings.h"
@@ -11,20 +12,36 @@
 
 namespace palpate
 {
-/// A structure ready to be touched, and what it took.
+/// A structure ready to be touched and to be drawn, and what it took.
 struct TouchableStructure
 {
-  TouchStructure Touch;
-  TouchAppearance Looks;
+  TouchStructure Touch;    ///< without a model where it is only seen
+  TouchAppearance Looks;   ///< empty where nobody sees it
   std::string Represented; ///< in words, such as "harmonics of degree 12, nearest point"
   double Seconds = 0.0;    ///< to make
   std::vector<std::string> Notes;
 };
 
-/// Reads the files and makes the models, each only as the settings ask. Throws InputError,
-/// FilterError and Cancelled.
-PALPATESESSION_EXPORT std::vector<TouchableStructure>
-MakeTouchStructures(const TouchSettings& settings, const ProgressFunction& progress);
+/// What a scene needs, and an account of it.
+struct TouchStructures
+{
+  std::vector<TouchableStructure> Touched; ///< in the settings' order; some are seen too
+  std::vector<TouchableStructure> OnlySeen;
+  SceneAccount Account;
+};
+
+/// Reads the files and makes the models, each only as the settings ask, and nothing of what they do
+/// not; drawings only where `isSeen`, since somebody looks. What is touched by voxels is drawn by
+/// the field that is felt; a segmentation that is only seen has no field but a surface. Throws
+/// InputError, FilterError and Cancelled.
+PALPATESESSION_EXPORT TouchStructures MakeTouchStructures(const TouchSettings& settings,
+                                                          bool isSeen,
+                                                          const ProgressFunction& progress);
+
+/// What a servo makes for the touched structures to follow them by `settings`' tool, made once to
+/// be told of. Throws InputError where they cannot be felt by it.
+PALPATESESSION_EXPORT SceneItem AccountForServo(const TouchStructures& made,
+                                                const TouchSettings& settings);
 
 /// The tool of the settings. Throws InputError for one that is none.
 PALPATESESSION_EXPORT ToolShape MakeTool(const TouchToolSettings& settings);

@@ -2,24 +2,29 @@
 
 #include "FieldOfImage.h"
 #include "FilterRun.h"
+#include "ImageWithin.h"
 #include "Refusal.h"
-#include "Volume.h"
 
 namespace palpate
 {
-std::shared_ptr<const SurfaceTexture> MakeTouchTexture(const std::filesystem::path& image,
-                                                       const Eigen::AlignedBox3d& boundsWorld,
-                                                       double amplitude,
-                                                       const ProgressFunction& progress)
+TouchTexture MakeTouchTexture(const Volume& volume, const Eigen::AlignedBox3d& boundsWorld,
+                              double reach, double amplitude, const ProgressFunction& progress)
 {
-  const Volume volume = ReadVolume(image);
+  const Vector3 margin = Vector3::Constant(reach);
+  const vtkSmartPointer<vtkImageData> image =
+      ImageWithin(volume.Image, {boundsWorld.min() - margin, boundsWorld.max() + margin});
   FieldSamples samples;
-  Status status = SamplesOfImage(volume.Image, samples);
-  const FieldGrid grid = GridOfImage(volume.Image);
+  Status status = SamplesOfImage(image, samples);
+  const FieldGrid grid = GridOfImage(image);
   FieldBuilder builder(grid);
   const int channel = builder.AddChannel(samples);
   // A field keeps the samples near its surfaces; which surface does not matter where all are near.
-  const double* range = volume.Image->GetScalarRange();
+  const double* range = image->GetScalarRange();
+  if (status.IsOk() && range[0] == range[1])
+  {
+    status = Status::Failure("The image is the same everywhere at the structure: there is no "
+                             "texture to feel.");
+  }
   builder.AddMaterial({channel, 0.5 * (range[0] + range[1])});
   const auto& size = grid.Size();
   builder.SetMargin(grid.VectorWorld(Vector3(size[0], size[1], size[2])).norm());
@@ -38,12 +43,13 @@ std::shared_ptr<const SurfaceTexture> MakeTouchTexture(const std::filesystem::pa
   {
     throw Cancelled();
   }
-  std::shared_ptr<const SurfaceTexture> texture;
+  TouchTexture texture;
   if (status.IsOk())
   {
-    status = SurfaceTexture::Make(field, channel, boundsWorld, amplitude, texture);
+    status = SurfaceTexture::Make(field, channel, boundsWorld, amplitude, texture.Feel);
   }
-  RequireInput(status, image.string());
+  RequireInput(status, volume.Source.string());
+  texture.Bytes = field->Memory().Bytes;
   return texture;
 }
 } // namespace palpate

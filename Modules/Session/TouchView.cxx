@@ -1,7 +1,5 @@
 #include "TouchView.h"
 
-#include "ModelSurface.h"
-
 #include "vtkNew.h"
 #include "vtkPolyData.h"
 #include "vtkSphereSource.h"
@@ -19,9 +17,12 @@ constexpr SceneRenderer::Color ToolColor{{0.15, 0.35, 0.75}};
 
 TouchView::TouchView(const PreparedTouch& touch)
 {
-  for (const TouchableStructure& structure : touch.Structures)
+  for (const auto* structures : {&touch.Structures, &touch.OnlySeen})
   {
-    this->Add(structure.Looks);
+    for (const TouchableStructure& structure : *structures)
+    {
+      this->Add(structure.Looks);
+    }
   }
   this->Middle = this->Renderer.MiddleWorld();
   this->AddTool(touch.Scene->Tool);
@@ -29,7 +30,6 @@ TouchView::TouchView(const PreparedTouch& touch)
 
 void TouchView::Add(const TouchAppearance& looks)
 {
-  constexpr int Frequency = 20;
   if (looks.Field != nullptr)
   {
     this->Renderer.AddField(looks.Field, {StructureColor}, 1.0);
@@ -37,10 +37,6 @@ void TouchView::Add(const TouchAppearance& looks)
   if (looks.Surface != nullptr)
   {
     this->Renderer.AddSurface(looks.Surface, StructureColor, 1.0);
-  }
-  if (looks.Model != nullptr)
-  {
-    this->Renderer.AddSurface(DrawModel(*looks.Model, Frequency), StructureColor, 1.0);
   }
 }
 

@@ -64,8 +64,10 @@ void AddCovariance(const Eigen::MatrixXd& factor, vtkTable* output)
 // first, because the work grows with the degree's fourth power.
 palpate::Status FindDegree(const palpate::RadialSamples& samples,
                            palpate::SphericalHarmonicFitOptions options, double tolerance,
-                           int maximumDegree, int& found)
+                           int maximumDegree, int supportedDegree, int& found)
 {
+  const bool isBounded = supportedDegree <= maximumDegree;
+  maximumDegree = std::min(maximumDegree, supportedDegree);
   options.PenaltyKind = palpate::SphericalHarmonicFitOptions::Penalty::None;
   int tried = std::min(12, maximumDegree);
   while (true)
@@ -82,6 +84,11 @@ palpate::Status FindDegree(const palpate::RadialSamples& samples,
     if (first != result.RmsByDegree.end())
     {
       found = static_cast<int>(first - result.RmsByDegree.begin());
+      return palpate::Status::Success();
+    }
+    if (tried == maximumDegree && isBounded)
+    {
+      found = maximumDegree;
       return palpate::Status::Success();
     }
     if (tried == maximumDegree)
@@ -123,9 +130,10 @@ int vtkSphericalHarmonicFit::RequestData(vtkInformation*, vtkInformationVector**
   options.IsCancelled = [this] { return this->AbortExecute != 0; };
   this->UpdateProgress(0.1);
   palpate::SphericalHarmonicFitResult result;
-  palpate::Status status = this->Tolerance > 0.0 ? FindDegree(samples, options, this->Tolerance,
-                                                              this->MaximumDegree, options.Degree)
-                                                 : palpate::Status::Success();
+  palpate::Status status = this->Tolerance > 0.0
+                               ? FindDegree(samples, options, this->Tolerance, this->MaximumDegree,
+                                            this->SupportedDegree, options.Degree)
+                               : palpate::Status::Success();
   if (status.IsOk() && !this->AbortExecute)
   {
     status = palpate::FitSphericalHarmonics(samples, options, result);
@@ -163,6 +171,7 @@ void vtkSphericalHarmonicFit::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Weighting: " << this->Weighting << "\n";
   os << indent << "Tolerance: " << this->Tolerance << " mm\n";
   os << indent << "MaximumDegree: " << this->MaximumDegree << "\n";
+  os << indent << "SupportedDegree: " << this->SupportedDegree << "\n";
   os << indent << "Penalty: " << this->Penalty << "\n";
   os << indent << "Roughness: " << this->Roughness << "\n";
   os << indent << "MaximumCondition: " << this->MaximumCondition << "\n";

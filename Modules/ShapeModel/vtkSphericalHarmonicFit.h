@@ -54,6 +54,10 @@ public:
   vtkGetMacro(Tolerance, double);
   vtkSetClampMacro(MaximumDegree, int, 0, 1000);
   vtkGetMacro(MaximumDegree, int);
+  /// The highest degree that the samples say anything of. A search that comes to it ends and takes
+  /// it, though the tolerance is not met. Default 1000: no bound.
+  vtkSetClampMacro(SupportedDegree, int, 0, 1000);
+  vtkGetMacro(SupportedDegree, int);
   ///@}
 
   ///@{ Roughness penalty: none (default), of strength Roughness, or chosen by generalised
@@ -100,6 +104,7 @@ private:
   int Weighting = AREA;
   double Tolerance = 0.0;
   int MaximumDegree = 40;
+  int SupportedDegree = 1000;
   int Penalty = NO_PENALTY;
   double Roughness = 0.0;
   double MaximumCondition = 1e4;

@@ -7,6 +7,7 @@
 #include "IcosahedronDirections.h"
 #include "ProceduralFields.h"
 #include "RandomShapes.h"
+#include "StructureScene.h"
 
 #include "vtkCellArray.h"
 #include "vtkGenericCell.h"
@@ -278,6 +279,21 @@ private:
   std::unique_ptr<ContactTracker> Published;
   Proxies Pairs;
 };
+
+// Ticks of a whole servo, among many structures and with one.
+PairedBenchmark StructureBenchmark(int count)
+{
+  const auto many = std::make_shared<StructureScene>(count);
+  const auto one = std::make_shared<StructureScene>(1);
+  const auto disagreement = [many, one]
+  { return many->Forces() == one->Forces() ? "" : "forces differ between the scenes"; };
+  return {"touch/structures/" + std::to_string(count),
+          "one structure (ours)",
+          [many] { many->Stroke(); },
+          [one] { one->Stroke(); },
+          disagreement,
+          StructureScene::Ticks};
+}
 } // namespace
 
 std::vector<PairedBenchmark> TouchBenchmarks()
@@ -311,6 +327,9 @@ std::vector<PairedBenchmark> TouchBenchmarks()
           {"touch/subvoxel/26/radius", "a ball of 0.5 mm instead of one of 4 mm (ours)",
            [field] { field->TouchLarge(); }, [field] { field->TouchSmall(); },
            [field] { return field->RadiiDisagreement(); }, Ticks},
+          StructureBenchmark(10),
+          StructureBenchmark(116),
+          StructureBenchmark(10000),
           {"touch/subvoxel/26", "the published law (ours)", [field] { field->FollowSolved(); },
            [field] { field->FollowPublished(); }, [field] { return field->LawsDisagreement(); },
            Ticks}};

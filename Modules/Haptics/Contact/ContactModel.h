@@ -6,6 +6,7 @@
 #include "ToolShape.h"
 #include "Vector3.h"
 
+#include <cstddef>
 #include <memory>
 
 namespace palpate
@@ -27,6 +28,9 @@ public:
   /// cannot feel. Allocates: never in a tick.
   virtual Status MakeTracker(const ToolShape& tool, const SurfaceFriction& friction,
                              std::unique_ptr<ContactTracker>& tracker) const = 0;
+
+  /// What it occupies with what it shares, without its trackers; 0 where it does not say.
+  virtual std::size_t Bytes() const noexcept { return 0; }
 
 protected:
   ContactModel() = default;

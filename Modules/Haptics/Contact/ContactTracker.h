@@ -3,6 +3,8 @@
 #include "Contact.h"
 #include "ToolPose.h"
 
+#include <cstddef>
+
 namespace palpate
 {
 /// Follows one tool at one structure from tick to tick: remembers the proxy, so that it is coherent
@@ -19,6 +21,8 @@ public:
   virtual const Contact& Follow(const ToolPose& pose) noexcept = 0;
   /// Forgets the proxy: the next tick starts afresh, wherever the tool is by then.
   virtual void Release() noexcept = 0;
+  /// What it occupies beside its model; 0 where it does not say.
+  virtual std::size_t Bytes() const noexcept { return 0; }
 
 protected:
   ContactTracker() = default;

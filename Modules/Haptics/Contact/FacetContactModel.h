@@ -21,6 +21,7 @@ public:
   Eigen::AlignedBox3d BoundsWorld() const noexcept override { return this->Tree->BoundsWorld(); }
   Status MakeTracker(const ToolShape& tool, const SurfaceFriction& friction,
                      std::unique_ptr<ContactTracker>& tracker) const override;
+  std::size_t Bytes() const noexcept override { return this->Tree->Bytes(); }
 
 private:
   explicit FacetContactModel(std::shared_ptr<const FacetTree> tree) : Tree(std::move(tree)) {}

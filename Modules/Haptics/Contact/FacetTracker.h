@@ -23,6 +23,7 @@ public:
 
   const Contact& Follow(const ToolPose& pose) noexcept override;
   void Release() noexcept override { this->IsKnown = false; }
+  std::size_t Bytes() const noexcept override { return sizeof(*this); }
 
 private:
   void Settle(const Vector3& probe) noexcept;

@@ -9,9 +9,7 @@ namespace palpate
 namespace
 {
 constexpr double Infinite = std::numeric_limits<double>::infinity();
-constexpr std::size_t LeafSize = 4;
-// Halving leaves no tree deeper than that.
-constexpr int MostPending = 64;
+constexpr int MostPending = BoxHierarchy::MostPending;
 
 Eigen::AlignedBox3d BoxOf(const Facet& facet)
 {
@@ -84,41 +82,16 @@ Status FacetTree::Make(const std::vector<Vector3>& pointsWorld,
     return Status::Failure("The mesh to be touched has no triangle with an area.");
   }
   const std::shared_ptr<FacetTree> made(new FacetTree);
-  made->Build(facets, 0, facets.size());
-  made->Facets = std::move(facets);
+  std::vector<Eigen::AlignedBox3d> boxes(facets.size());
+  std::transform(facets.begin(), facets.end(), boxes.begin(), BoxOf);
+  made->Boxes = BoxHierarchy(boxes);
+  made->Facets.reserve(facets.size());
+  for (const std::uint32_t number : made->Boxes.Order())
+  {
+    made->Facets.push_back(facets[number]);
+  }
   tree = made;
   return Status::Success();
-}
-
-// Halves of equal number along the longest side.
-void FacetTree::Build(std::vector<Facet>& facets, std::size_t begin, std::size_t end)
-{
-  Node node;
-  Eigen::AlignedBox3d centers;
-  for (std::size_t i = begin; i < end; ++i)
-  {
-    node.Box.extend(BoxOf(facets[i]));
-    centers.extend(BoxOf(facets[i]).center());
-  }
-  const std::size_t number = this->Nodes.size();
-  if (end - begin <= LeafSize)
-  {
-    node.First = static_cast<std::int32_t>(begin);
-    node.Count = static_cast<std::int32_t>(end - begin);
-    this->Nodes.push_back(node);
-    return;
-  }
-  this->Nodes.push_back(node);
-  Eigen::Index axis = 0;
-  centers.sizes().maxCoeff(&axis);
-  const std::size_t middle = begin + (end - begin) / 2;
-  const auto at = [&](std::size_t i) { return facets.begin() + static_cast<std::ptrdiff_t>(i); };
-  std::nth_element(at(begin), at(middle), at(end),
-                   [axis](const Facet& one, const Facet& other)
-                   { return BoxOf(one).center()[axis] < BoxOf(other).center()[axis]; });
-  this->Build(facets, begin, middle);
-  this->Nodes[number].Second = static_cast<std::int32_t>(this->Nodes.size());
-  this->Build(facets, middle, end);
 }
 
 // Both walks keep what is still to be looked at with a bound from below, and drop it if something
@@ -132,7 +105,7 @@ FacetTree::Nearest FacetTree::NearestTo(const Vector3& pointWorld, double within
   };
   Pending pending[MostPending];
   int count = 0;
-  pending[count++] = {0, this->Nodes.front().Box.squaredExteriorDistance(pointWorld)};
+  pending[count++] = {0, this->Boxes.Nodes().front().Box.squaredExteriorDistance(pointWorld)};
   double least = within * within;
   Nearest nearest;
   nearest.Distance = Infinite;
@@ -143,7 +116,7 @@ FacetTree::Nearest FacetTree::NearestTo(const Vector3& pointWorld, double within
     {
       continue;
     }
-    const Node& node = this->Nodes[static_cast<std::size_t>(next.Number)];
+    const BoxHierarchy::Node& node = this->Boxes.Nodes()[static_cast<std::size_t>(next.Number)];
     for (std::int32_t i = node.First; i < node.First + node.Count; ++i)
     {
       const Vector3 point =
@@ -157,8 +130,9 @@ FacetTree::Nearest FacetTree::NearestTo(const Vector3& pointWorld, double within
     }
     if (node.Count == 0)
     {
-      const auto squareOf = [&](std::int32_t number) {
-        return this->Nodes[static_cast<std::size_t>(number)].Box.squaredExteriorDistance(
+      const auto squareOf = [&](std::int32_t number)
+      {
+        return this->Boxes.Nodes()[static_cast<std::size_t>(number)].Box.squaredExteriorDistance(
             pointWorld);
       };
       Pending near{next.Number + 1, squareOf(next.Number + 1)};
@@ -177,7 +151,8 @@ FacetTree::Nearest FacetTree::NearestTo(const Vector3& pointWorld, double within
 // The way begins at the box of the whole mesh: from far away, roots would have too few digits.
 SweepHit FacetTree::Sweep(const SphereMotion& motion) const noexcept
 {
-  const double before = PartToBox(motion, motion.Way.cwiseInverse(), this->Nodes.front().Box, 1.0);
+  const double before =
+      PartToBox(motion, motion.Way.cwiseInverse(), this->Boxes.Nodes().front().Box, 1.0);
   if (!(before <= 1.0))
   {
     return {};
@@ -197,7 +172,10 @@ SweepHit FacetTree::SweepNear(const SphereMotion& motion) const noexcept
   };
   const Vector3 inverse = motion.Way.cwiseInverse();
   const auto partTo = [&](std::int32_t number, double last)
-  { return PartToBox(motion, inverse, this->Nodes[static_cast<std::size_t>(number)].Box, last); };
+  {
+    return PartToBox(motion, inverse, this->Boxes.Nodes()[static_cast<std::size_t>(number)].Box,
+                     last);
+  };
   Pending pending[MostPending];
   int count = 0;
   pending[count++] = {0, partTo(0, 1.0)};
@@ -209,7 +187,7 @@ SweepHit FacetTree::SweepNear(const SphereMotion& motion) const noexcept
     {
       continue;
     }
-    const Node& node = this->Nodes[static_cast<std::size_t>(next.Number)];
+    const BoxHierarchy::Node& node = this->Boxes.Nodes()[static_cast<std::size_t>(next.Number)];
     for (std::int32_t i = node.First; i < node.First + node.Count; ++i)
     {
       SweepSphere(motion, this->Facets[static_cast<std::size_t>(i)], hit);

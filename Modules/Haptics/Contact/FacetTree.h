@@ -1,5 +1,6 @@
 #pragma once
 
+#include "BoxHierarchy.h"
 #include "Status.h"
 #include "TriangleSweep.h"
 #include "Vector3.h"
@@ -30,7 +31,14 @@ public:
                      const std::vector<Triangle>& triangles,
                      std::shared_ptr<const FacetTree>& tree);
 
-  const Eigen::AlignedBox3d& BoundsWorld() const noexcept { return this->Nodes.front().Box; }
+  const Eigen::AlignedBox3d& BoundsWorld() const noexcept
+  {
+    return this->Boxes.Nodes().front().Box;
+  }
+  std::size_t Bytes() const noexcept
+  {
+    return this->Boxes.Bytes() + this->Facets.size() * sizeof(Facet);
+  }
   std::size_t FacetCount() const noexcept { return this->Facets.size(); }
 
   /// The nearest point of the mesh that is not farther than `within`.
@@ -42,20 +50,10 @@ public:
   bool IsInside(const Vector3& pointWorld) const noexcept;
 
 private:
-  // In the order of a walk: a node's first part follows it.
-  struct Node
-  {
-    Eigen::AlignedBox3d Box;
-    std::int32_t Second = 0; // the other part; of a leaf 0
-    std::int32_t First = 0;  // facets of a leaf
-    std::int32_t Count = 0;
-  };
-
   FacetTree() = default;
   SweepHit SweepNear(const SphereMotion& motion) const noexcept;
-  void Build(std::vector<Facet>& facets, std::size_t begin, std::size_t end);
 
-  std::vector<Node> Nodes;
-  std::vector<Facet> Facets;
+  BoxHierarchy Boxes;
+  std::vector<Facet> Facets; // in the order of the boxes
 };
 } // namespace palpate

@@ -42,6 +42,11 @@ Eigen::AlignedBox3d FieldContactModel::BoundsWorld() const noexcept
   return this->Solid->BoundsWorld();
 }
 
+std::size_t FieldContactModel::Bytes() const noexcept
+{
+  return this->Solid->Bytes();
+}
+
 Status FieldContactModel::MakeTracker(const ToolShape& tool, const SurfaceFriction& friction,
                                       std::unique_ptr<ContactTracker>& tracker) const
 {

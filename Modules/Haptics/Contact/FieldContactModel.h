@@ -34,6 +34,7 @@ public:
   Eigen::AlignedBox3d BoundsWorld() const noexcept override;
   Status MakeTracker(const ToolShape& tool, const SurfaceFriction& friction,
                      std::unique_ptr<ContactTracker>& tracker) const override;
+  std::size_t Bytes() const noexcept override;
 
 private:
   FieldContactModel(std::shared_ptr<const FieldSolid> solid, FieldContactMode mode);

@@ -63,6 +63,13 @@ FieldProxyTracker::FieldProxyTracker(std::shared_ptr<const FieldSolid> solid, co
 {
 }
 
+std::size_t FieldProxyTracker::Bytes() const noexcept
+{
+  return sizeof(*this) + this->Shell.Bytes() + (this->Halo ? this->Halo->Bytes() : 0) +
+         this->Feet.size() * sizeof(Foot) + this->HasFoot.size() +
+         this->Planes.size() * sizeof(HalfSpace);
+}
+
 const Contact& FieldProxyTracker::Follow(const ToolPose& pose) noexcept
 {
   if (!pose.IsUsable())

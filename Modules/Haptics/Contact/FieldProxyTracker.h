@@ -33,6 +33,7 @@ public:
 
   const Contact& Follow(const ToolPose& pose) noexcept override;
   void Release() noexcept override { this->Known = State::Nothing; }
+  std::size_t Bytes() const noexcept override;
 
 private:
   enum class State

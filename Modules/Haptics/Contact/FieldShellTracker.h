@@ -24,6 +24,7 @@ public:
 
   const Contact& Follow(const ToolPose& pose) noexcept override;
   void Release() noexcept override { this->HasProxy = false; }
+  std::size_t Bytes() const noexcept override { return sizeof(*this) + this->Shell.Bytes(); }
 
 private:
   Vector3 PushedOut(const Vector3& probe) const noexcept;

@@ -64,8 +64,8 @@ Status FieldSolid::Make(const std::shared_ptr<const ScalarField>& field, int mat
 }
 
 FieldSolid::FieldSolid(const std::shared_ptr<const ScalarField>& field, int material)
-    : Sampler(field), Caster(field), Number(material), Bounds(BoundsOf(*field, material)),
-      Voxel(field->Grid().Spacing().minCoeff())
+    : Sampler(field), Caster(field), Number(material), FieldBytes(field->Memory().Bytes),
+      Bounds(BoundsOf(*field, material)), Voxel(field->Grid().Spacing().minCoeff())
 {
 }
 

@@ -26,6 +26,8 @@ public:
   static Status Make(const std::shared_ptr<const ScalarField>& field, int material,
                      std::shared_ptr<const FieldSolid>& solid);
 
+  /// Of the whole field.
+  std::size_t Bytes() const noexcept { return this->FieldBytes; }
   int Material() const noexcept { return this->Number; }
   const Eigen::AlignedBox3d& BoundsWorld() const noexcept { return this->Bounds; }
   double VoxelSize() const noexcept { return this->Voxel; } ///< the smallest spacing, mm
@@ -56,6 +58,7 @@ private:
   FieldSampler Sampler;
   RayCaster Caster;
   int Number;
+  std::size_t FieldBytes;
   Eigen::AlignedBox3d Bounds;
   double Voxel;
 };

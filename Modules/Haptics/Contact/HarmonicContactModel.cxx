@@ -34,6 +34,11 @@ Eigen::AlignedBox3d HarmonicContactModel::BoundsWorld() const noexcept
   return {center - reach, center + reach};
 }
 
+std::size_t HarmonicContactModel::Bytes() const noexcept
+{
+  return this->Surface->Bytes();
+}
+
 Status HarmonicContactModel::MakeTracker(const ToolShape& tool, const SurfaceFriction& friction,
                                          std::unique_ptr<ContactTracker>& tracker) const
 {

@@ -25,6 +25,7 @@ public:
   Eigen::AlignedBox3d BoundsWorld() const noexcept override;
   Status MakeTracker(const ToolShape& tool, const SurfaceFriction& friction,
                      std::unique_ptr<ContactTracker>& tracker) const override;
+  std::size_t Bytes() const noexcept override;
 
 private:
   HarmonicContactModel(std::shared_ptr<const HarmonicSurface> surface, HarmonicContactMode mode);

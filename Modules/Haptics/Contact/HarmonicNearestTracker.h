@@ -31,6 +31,7 @@ public:
 
   const Contact& Follow(const ToolPose& pose) noexcept override;
   void Release() noexcept override { this->Known = State::Nothing; }
+  std::size_t Bytes() const noexcept override { return sizeof(*this); }
 
 private:
   enum class State

@@ -18,6 +18,7 @@ public:
 
   const Contact& Follow(const ToolPose& pose) noexcept override;
   void Release() noexcept override;
+  std::size_t Bytes() const noexcept override { return sizeof(*this); }
 
 private:
   std::shared_ptr<const HarmonicSurface> Surface;

@@ -3,6 +3,7 @@
 #include "ClosestPointSearch.h"
 #include "Status.h"
 
+#include <cstddef>
 #include <memory>
 
 namespace palpate
@@ -27,6 +28,7 @@ public:
 
   const ClosestPointSearch& Search() const noexcept { return this->Closest; }
   const SphericalHarmonicModel& Model() const noexcept { return this->Closest.Model(); }
+  std::size_t Bytes() const noexcept { return sizeof(*this) + this->Closest.Bytes(); }
   /// No radius is smaller or larger, mm.
   double SmallestRadius() const noexcept { return this->Smallest; }
   double LargestRadius() const noexcept { return this->Largest; }

@@ -20,6 +20,11 @@ public:
   /// False where the tool is turned as before.
   bool Turn(const Eigen::Quaterniond& orientation) noexcept;
 
+  /// On the heap.
+  std::size_t Bytes() const noexcept
+  {
+    return this->Count() * (5 * sizeof(Vector3) + sizeof(unsigned char));
+  }
   std::size_t Count() const noexcept { return this->Offsets.size(); }
   /// From the tool's origin to its points, mm.
   const Vector3& Offset(std::size_t point) const noexcept { return this->Offsets[point]; }

@@ -14,15 +14,21 @@ Status ServoScene::Make(std::shared_ptr<const TouchScene> scene, double velocity
   Status status = scene->Check();
   // Its constructor is private to std::make_unique too.
   std::unique_ptr<ServoScene> next(new ServoScene(std::move(scene)));
-  next->Followers.reserve(next->Shared->Structures.size());
-  for (const TouchStructure& structure : next->Shared->Structures)
+  const std::vector<TouchStructure>& structures = next->Shared->Structures;
+  std::vector<Eigen::AlignedBox3d> reaches;
+  next->Followers.reserve(structures.size());
+  for (const TouchStructure& structure : structures)
   {
-    if (status.IsOk())
+    if (!status.IsOk())
     {
-      status =
-          StructureFollower::Make(structure, *next->Shared, velocityTimeConstant, next->Followers);
+      return status;
     }
+    status =
+        StructureFollower::Make(structure, *next->Shared, velocityTimeConstant, next->Followers);
+    reaches.push_back(StructureFollower::ReachWorld(structure, next->Shared->Tool));
   }
+  next->Index = ReachIndex(reaches);
+  next->Near.resize(structures.size());
   if (status.IsOk())
   {
     made = std::move(next);
@@ -30,26 +36,67 @@ Status ServoScene::Make(std::shared_ptr<const TouchScene> scene, double velocity
   return status;
 }
 
+std::size_t ServoScene::Bytes() const noexcept
+{
+  std::size_t bytes =
+      sizeof(*this) + this->Index.Bytes() + this->Near.size() * sizeof(this->Near[0]);
+  for (const StructureFollower& follower : this->Followers)
+  {
+    bytes += follower.Bytes();
+  }
+  return bytes;
+}
+
 void ServoScene::Leave() noexcept
 {
-  for (StructureFollower& follower : this->Followers)
+  for (std::size_t i = 0; i < this->NearCount; ++i)
   {
-    follower.Leave();
+    this->Followers[this->Near[i]].Leave();
   }
+}
+
+void ServoScene::LookAround(const FollowStep& step) noexcept
+{
+  constexpr double Wider = 8.0;   // ways, on each side
+  constexpr double TooWide = 4.0; // times that, for a hand that has become slower
+  constexpr std::size_t Few = 8;
+  const Eigen::AlignedBox3d way = step.WayWorld();
+  const double margin = Wider * way.sizes().maxCoeff();
+  const bool isTooWide = this->NearCount > Few && this->Margin > TooWide * margin;
+  if (this->LookedAt.contains(way) && !isTooWide)
+  {
+    return;
+  }
+  for (std::size_t i = 0; i < this->NearCount; ++i)
+  {
+    StructureFollower& follower = this->Followers[this->Near[i]];
+    if (!follower.IsInReach(step))
+    {
+      follower.Leave();
+    }
+  }
+  this->Margin = margin;
+  this->LookedAt = {way.min().array() - margin, way.max().array() + margin};
+  this->NearCount = this->Index.Find(this->LookedAt, this->Near.data());
 }
 
 ServoScene::Feeling ServoScene::Follow(const FollowStep& step) noexcept
 {
   Feeling feeling;
   feeling.Deepest.ProxyWorld = step.Now.PositionWorld;
-  for (std::size_t i = 0; i < this->Followers.size(); ++i)
+  if (step.AsksModel)
   {
-    feeling.Force += this->Followers[i].Follow(step);
-    const Contact& contact = this->Followers[i].Touched();
+    this->LookAround(step);
+  }
+  for (std::size_t i = 0; i < this->NearCount; ++i)
+  {
+    StructureFollower& follower = this->Followers[this->Near[i]];
+    feeling.Force += follower.Follow(step);
+    const Contact& contact = follower.Touched();
     feeling.IsValid = feeling.IsValid && contact.IsValid;
     if (contact.IsTouching && (feeling.Structure < 0 || contact.Depth > feeling.Deepest.Depth))
     {
-      feeling.Structure = static_cast<int>(i);
+      feeling.Structure = static_cast<int>(this->Near[i]);
       feeling.Deepest = contact;
     }
   }

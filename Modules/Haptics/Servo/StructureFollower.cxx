@@ -46,15 +46,20 @@ Contact Untouched(const Vector3& probeWorld) noexcept
 StructureFollower::StructureFollower(const TouchStructure& structure, const TouchScene& scene,
                                      double velocityTimeConstant,
                                      std::unique_ptr<ContactTracker> tracker)
-    : Tracker(std::move(tracker)), ReachWorld(structure.Model->BoundsWorld()), Frame(scene.Frame),
-      Law(structure.Law), Texture(structure.Texture), Viscosity(structure.Viscosity),
-      ToolRadiusWorld(LeastRadius(scene.Tool)),
+    : Tracker(std::move(tracker)), Structure(&structure), Frame(&scene.Frame),
+      Reach(ReachWorld(structure, scene.Tool)), ToolRadiusWorld(LeastRadius(scene.Tool)),
       ToolRadiusDevice(scene.Frame.LengthDevice(ToolRadiusWorld * Vector3::UnitX()).norm()),
       OffsetVelocity(velocityTimeConstant)
 {
-  const Vector3 reach = Vector3::Constant(scene.Tool.BoundingRadius());
-  this->ReachWorld.min() -= reach;
-  this->ReachWorld.max() += reach;
+}
+
+Eigen::AlignedBox3d StructureFollower::ReachWorld(const TouchStructure& structure,
+                                                  const ToolShape& tool)
+{
+  Eigen::AlignedBox3d reach = structure.Model->BoundsWorld();
+  reach.min().array() -= tool.BoundingRadius();
+  reach.max().array() += tool.BoundingRadius();
+  return reach;
 }
 
 Status StructureFollower::Make(const TouchStructure& structure, const TouchScene& scene,
@@ -75,9 +80,7 @@ Status StructureFollower::Make(const TouchStructure& structure, const TouchScene
 
 bool StructureFollower::IsInReach(const FollowStep& step) const noexcept
 {
-  const Eigen::AlignedBox3d way(step.Last.PositionWorld.cwiseMin(step.Now.PositionWorld),
-                                step.Last.PositionWorld.cwiseMax(step.Now.PositionWorld));
-  return way.intersects(this->ReachWorld);
+  return step.WayWorld().intersects(this->Reach);
 }
 
 void StructureFollower::Leave() noexcept
@@ -141,24 +144,26 @@ Vector3 StructureFollower::Follow(const FollowStep& step) noexcept
   }
   ContactOffset felt = this->Felt(step);
   const Vector3 proxyWorld = step.Now.PositionWorld + felt.Offset;
-  felt.Offset = this->Frame.LengthDevice(felt.Offset);
-  felt.Normal = this->Frame.TurnedToDevice(felt.Normal);
+  felt.Offset = this->Frame->LengthDevice(felt.Offset);
+  felt.Normal = this->Frame->TurnedToDevice(felt.Normal);
   felt.Velocity = this->OffsetVelocity.Update(felt.Offset, step.Passed);
-  const Vector3 force = ContactForce(this->Law, felt);
+  const Vector3 force = ContactForce(this->Structure->Law, felt);
   return force + this->TextureForce(felt, force, proxyWorld) +
-         VolumeViscosity(this->Viscosity, felt, this->ToolRadiusDevice, step.HandVelocity);
+         VolumeViscosity(this->Structure->Viscosity, felt, this->ToolRadiusDevice,
+                         step.HandVelocity);
 }
 
 // By the image where the tool touches, as a sphere does.
 Vector3 StructureFollower::TextureForce(const ContactOffset& felt, const Vector3& contactForce,
                                         const Vector3& proxyWorld) const noexcept
 {
-  if (this->Texture == nullptr || !felt.IsTouching)
+  if (this->Structure->Texture == nullptr || !felt.IsTouching)
   {
     return Vector3::Zero();
   }
-  const Vector3 outWorld = this->Frame.TurnedToWorld(felt.Normal);
+  const Vector3 outWorld = this->Frame->TurnedToWorld(felt.Normal);
   const double push = contactForce.dot(felt.Normal);
-  return this->Texture->Force(push, proxyWorld - this->ToolRadiusWorld * outWorld) * felt.Normal;
+  return this->Structure->Texture->Force(push, proxyWorld - this->ToolRadiusWorld * outWorld) *
+         felt.Normal;
 }
 } // namespace palpate

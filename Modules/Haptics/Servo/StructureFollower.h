@@ -19,6 +19,13 @@ struct FollowStep
   Vector3 HandVelocity = Vector3::Zero(); ///< mm/s, device's frame
   bool AsksModel = true;                  ///< else what was felt is interpolated
   double ModelPeriod = 0.0; ///< s between ticks of the model; 0 where every tick asks it
+
+  /// Holds the way from Last to Now.
+  Eigen::AlignedBox3d WayWorld() const noexcept
+  {
+    return {this->Last.PositionWorld.cwiseMin(this->Now.PositionWorld),
+            this->Last.PositionWorld.cwiseMax(this->Now.PositionWorld)};
+  }
 };
 
 /// One structure on the servo thread: asks its tracker only where the tool could reach it, and
@@ -26,15 +33,25 @@ struct FollowStep
 class StructureFollower
 {
 public:
-  /// Makes the tracker. `velocityTimeConstant` in s.
+  /// Makes the tracker. Keeps the addresses of both; the structure is one of the scene's.
+  /// `velocityTimeConstant` in s.
   static Status Make(const TouchStructure& structure, const TouchScene& scene,
                      double velocityTimeConstant, std::vector<StructureFollower>& followers);
 
   /// The force (N) in the device's frame.
   Vector3 Follow(const FollowStep& step) noexcept;
 
+  /// Where the tool's origin may touch, mm.
+  static Eigen::AlignedBox3d ReachWorld(const TouchStructure& structure, const ToolShape& tool);
+  /// Whether Follow would ask the tracker now. Where it would not it needs no call, once a call has
+  /// noticed that the tool left.
+  bool IsInReach(const FollowStep& step) const noexcept;
+
   /// Forgets where the tool was: the next Follow begins anew.
   void Leave() noexcept;
+
+  /// With its tracker.
+  std::size_t Bytes() const noexcept { return sizeof(*this) + this->Tracker->Bytes(); }
 
   /// Of the last Follow. Invalid where the model gave nothing that can be felt.
   const Contact& Touched() const noexcept { return this->Last; }
@@ -43,7 +60,6 @@ private:
   StructureFollower(const TouchStructure& structure, const TouchScene& scene,
                     double velocityTimeConstant, std::unique_ptr<ContactTracker> tracker);
 
-  bool IsInReach(const FollowStep& step) const noexcept;
   void Enter(const FollowStep& step) noexcept;
   void AskModel(const FollowStep& step) noexcept;
   ContactOffset Felt(const FollowStep& step) noexcept;
@@ -51,11 +67,9 @@ private:
                        const Vector3& proxyWorld) const noexcept;
 
   std::unique_ptr<ContactTracker> Tracker;
-  Eigen::AlignedBox3d ReachWorld; // where the tool's origin may touch
-  DeviceFrame Frame;
-  ContactLaw Law;
-  std::shared_ptr<const SurfaceTexture> Texture;
-  double Viscosity;        // N s/mm
+  const TouchStructure* Structure;
+  const DeviceFrame* Frame;
+  Eigen::AlignedBox3d Reach;
   double ToolRadiusWorld;  // mm, from the tool's centre to its surface where that is nearest
   double ToolRadiusDevice; // the same in mm of the hand
   VelocityEstimate OffsetVelocity;

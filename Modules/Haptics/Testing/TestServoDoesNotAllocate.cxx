@@ -1,4 +1,5 @@
 #include "AllocationCounter.h"
+#include "ManyStructures.h"
 #include "ServoRun.h"
 #include "TexturedField.h"
 
@@ -49,6 +50,23 @@ TEST(ServoDoesNotAllocate, InAnyTick)
   EXPECT_EQ(AllocationsOfASession(settings), 0u);
   settings.ModelInterval = 3;
   EXPECT_EQ(AllocationsOfASession(settings), 0u);
+}
+
+TEST(ServoDoesNotAllocate, AmongManyStructures)
+{
+  test::ServoRun run(test::ManyStructures(300));
+  test::Random random(7103);
+  Vector3 place = Vector3::Zero();
+  int touches = 0;
+  const std::size_t before = test::AllocationCount();
+  for (int tick = 0; tick < 3000; ++tick)
+  {
+    place += (tick % 100 == 0 ? 3.0 : 0.05) * test::RandomDirection(random) - 0.01 * place;
+    run.TickAt(place);
+    touches += run.Loop.Latest().Structure >= 0 ? 1 : 0;
+  }
+  EXPECT_EQ(test::AllocationCount(), before);
+  EXPECT_GT(touches, 300);
 }
 } // namespace
 } // namespace palpate

@@ -54,10 +54,11 @@ class StructureFollowerTest : public testing::Test
 protected:
   void SetUp() override
   {
-    TouchScene scene;
-    scene.Tool = ToolShape::Sphere(0.0);
-    scene.Structures.push_back({"plate", std::make_shared<PlateModel>(), {1.0, 0.0}, {}});
-    ASSERT_TRUE(StructureFollower::Make(scene.Structures[0], scene, 0.003, this->Followers).IsOk());
+    this->Scene.Tool = ToolShape::Sphere(0.0);
+    this->Scene.Structures.push_back({"plate", std::make_shared<PlateModel>(), {1.0, 0.0}, {}});
+    ASSERT_TRUE(
+        StructureFollower::Make(this->Scene.Structures[0], this->Scene, 0.003, this->Followers)
+            .IsOk());
   }
   Vector3 MoveTo(const Vector3& place)
   {
@@ -69,6 +70,7 @@ protected:
     return this->Followers[0].Follow(step);
   }
 
+  TouchScene Scene;
   std::vector<StructureFollower> Followers;
   Vector3 Place = Vector3(-1.0, 0.0, 0.0);
 };

@@ -4,6 +4,7 @@
 #include "ClosestPointDescent.h"
 #include "SurfacePatchTree.h"
 
+#include <cstddef>
 #include <memory>
 
 namespace palpate
@@ -43,6 +44,12 @@ public:
   explicit ClosestPointSearch(std::shared_ptr<const SphericalHarmonicModel> model);
 
   const SphericalHarmonicModel& Model() const noexcept { return *this->Surface; }
+
+  /// What model and tree occupy.
+  std::size_t Bytes() const noexcept
+  {
+    return this->Surface->Coefficients().size() * sizeof(double) + this->Tree.Bytes();
+  }
 
   /// The nearest point of the whole surface. Where several are equally near, one of them. With
   /// `evaluationLimit` fewer evaluations may be allowed; the result is then still a point of the

@@ -49,6 +49,13 @@ public:
     return this->Caps[static_cast<std::size_t>(node)];
   }
 
+  std::size_t Bytes() const noexcept
+  {
+    return this->Roots.size() * sizeof(SphericalTriangle) +
+           this->Caps.size() * sizeof(SphericalCap) + this->Spheres.size() * sizeof(Sphere) +
+           this->Patches.size() * sizeof(SurfacePatch);
+  }
+
   /// |R| is between these everywhere, mm.
   double LeastRadius() const noexcept { return std::max({0.0, this->Lowest, -this->Highest}); }
   double LargestRadius() const noexcept { return std::max(-this->Lowest, this->Highest); }

@@ -6,10 +6,12 @@
 #include "LabelImages.h"
 #include "ModelTable.h"
 #include "ProstateLikeModel.h"
+#include "SupportedDegree.h"
 #include "TestData.h"
 #include "vtkSphericalHarmonicPhantom.h"
 #include "vtkSphericalHarmonicSurface.h"
 
+#include "vtkImageData.h"
 #include "vtkNew.h"
 #include "vtkTable.h"
 
@@ -183,6 +185,43 @@ TEST(FitStructure, TakesTheSmallestDegreeThatMeetsATolerance)
   ASSERT_EQ(result.State, Outcome::Fitted) << result.Message;
   EXPECT_LE(result.Rms, 0.25);
   EXPECT_GT(result.RmsByDegree[static_cast<std::size_t>(result.Model.Degree()) - 1], 0.25);
+}
+
+// On voxels of 4 mm a body of 25 mm has waves of two voxels at degree 18.
+TEST(FitStructure, ASearchForADegreeEndsWithWhatTheMaskTells)
+{
+  const auto truth = palpate::MakeProstateLikeModel(8, 3, Vector3::Zero());
+  FitSettings settings;
+  settings.Tolerance = 1e-4;
+  settings.MaximumDegree = 40;
+  const Segmentation coarse = SegmentationOf(PhantomMask(truth, 4.0));
+  const FitResult result = Fit(coarse, settings);
+  ASSERT_EQ(result.State, Outcome::Fitted) << result.Message;
+  const int supported = palpate::SupportedDegree(1000.0 * result.MaskMilliliters, result.Mask);
+  EXPECT_EQ(result.Model.Degree(), supported);
+  EXPECT_LT(supported, 40);
+  EXPECT_GT(result.Rms, 1e-4);
+  ASSERT_FALSE(result.Notes.empty());
+  EXPECT_NE(result.Notes.back().find("degree " + std::to_string(supported)), std::string::npos);
+  // What a person sets is another matter, and so is a bound of theirs.
+  settings.MaximumDegree = supported - 4;
+  EXPECT_EQ(Fit(coarse, settings).State, Outcome::Failed);
+  settings.Tolerance.reset();
+  settings.Degree = supported + 3;
+  EXPECT_EQ(Fit(coarse, settings).Model.Degree(), supported + 3);
+}
+
+TEST(FitStructure, WavesOfTheSupportedDegreeAreTwoVoxelsLong)
+{
+  vtkNew<vtkImageData> mask;
+  mask->SetSpacing(0.5, 0.5, 3.0);
+  const double radius = 25.0;
+  const double volume = 4.0 / 3.0 * M_PI * radius * radius * radius;
+  const int degree = palpate::SupportedDegree(volume, mask);
+  EXPECT_EQ(degree, 26);
+  EXPECT_GE(2.0 * M_PI * radius / degree, 6.0);
+  EXPECT_LT(2.0 * M_PI * radius / (degree + 1), 6.0);
+  EXPECT_EQ(palpate::SupportedDegree(0.0, mask), 1);
 }
 
 TEST(FitStructure, ReportsProgressThatNeverFallsAndEndsWhenAskedTo)

@@ -1,7 +1,10 @@
 #include "SceneField.h"
 
+#include "FieldOfImage.h"
 #include "FilterRun.h"
+#include "LabelField.h"
 #include "LabelImages.h"
+#include "RandomShapes.h"
 #include "RayCaster.h"
 
 #include <cstdio>
@@ -75,6 +78,75 @@ TEST_F(SceneFieldWithin, MemoryIsToldBesideThatOfAllNodes)
   double told = 0.0;
   ASSERT_EQ(std::sscanf(text.c_str(), "%*f MB, %lf %% of", &told), 1) << text;
   EXPECT_NEAR(told, percent, 0.06) << "one digit";
+}
+
+// A ball of 6 mm, off the lattice, in a volume of so many nodes along each axis that is round the
+// same place.
+Segmentation BallIn(int nodes)
+{
+  test::LabelGrid grid;
+  grid.Size = {{nodes, nodes, nodes}};
+  grid.CenterOnOrigin();
+  Segmentation ball;
+  ball.Layers = {test::MakeLabelImage(grid, [](double x, double y, double z)
+                                      { return std::hypot(x - 1.3, y + 0.4, z) < 6.0; })};
+  ball.Segments.resize(1);
+  ball.Segments[0].Label = ball.Segments[0].Value = 1;
+  return ball;
+}
+
+std::shared_ptr<const ScalarField> FieldOfBall(int nodes, FieldInterpolation interpolation)
+{
+  const Segmentation ball = BallIn(nodes);
+  return MakeSegmentField(ball, ball.Segments, interpolation, 1.0, GoOn);
+}
+
+TEST(SceneFieldOfSegments, TakesWhatTheStructureTakesHoweverLargeTheImage)
+{
+  for (const auto interpolation :
+       {FieldInterpolation::Trilinear, FieldInterpolation::TricubicBSpline})
+  {
+    const auto field = FieldOfBall(64, interpolation);
+    const auto larger = FieldOfBall(128, interpolation);
+    EXPECT_EQ(field->Memory().Bytes, larger->Memory().Bytes);
+    EXPECT_EQ(field->Grid().Size(), larger->Grid().Size());
+    // Close round the ball the volume's border is the field's.
+    EXPECT_EQ(FieldOfBall(16, interpolation)->Grid().Size(), (std::array<int, 3>{16, 16, 16}));
+  }
+}
+
+// Against a field of the whole volume.
+TEST(SceneFieldOfSegments, ItsSurfaceIsThatOfTheWholeVolume)
+{
+  const Segmentation ball = BallIn(64);
+  LabelField distance;
+  FieldSamples labels;
+  const FieldGrid grid = GridOfImage(ball.Layers[0]);
+  ASSERT_TRUE(SamplesOfImage(ball.Layers[0], labels).IsOk());
+  ASSERT_TRUE(LabelField::Make(labels, grid, 1, 1.0, distance).IsOk());
+  for (const auto interpolation :
+       {FieldInterpolation::Trilinear, FieldInterpolation::TricubicBSpline})
+  {
+    FieldBuilder builder(grid);
+    builder.SetInterpolation(interpolation);
+    builder.AddMaterial({builder.AddChannel(distance.Samples()), 0.0});
+    std::shared_ptr<const ScalarField> whole;
+    ASSERT_TRUE(builder.Build(whole).IsOk());
+    const RayCaster oracle(whole);
+    const RayCaster caster(FieldOfBall(64, interpolation));
+    // Places are computed from another origin, and a B-spline's coefficients are floats of 4 mm.
+    const double tolerance = interpolation == FieldInterpolation::Trilinear ? 1e-9 : 1e-5;
+    test::Random random(4411);
+    for (int sample = 0; sample < 500; ++sample)
+    {
+      const Vector3 from = 25.0 * test::RandomDirection(random);
+      const FieldRay ray{from, (4.0 * test::RandomDirection(random) - from).normalized()};
+      const FieldHit expected = oracle.CastWorld(ray, 0.0, 60.0);
+      const FieldHit hit = caster.CastWorld(ray, 0.0, 60.0);
+      ASSERT_EQ(hit.Kind, expected.Kind);
+      ASSERT_NEAR(hit.T, expected.T, tolerance);
+    }
+  }
 }
 
 TEST_F(SceneFieldWithin, CanBeCancelled)

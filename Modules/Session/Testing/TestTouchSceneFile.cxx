@@ -59,6 +59,8 @@ TEST_F(TouchSceneFile, WhatIsWrittenIsReadBackTheSame)
   mask.Labels = {"1", "tumour, left"};
   mask.Representation = TouchRepresentation::Facets;
   mask.Degree = 20;
+  bone.IsSeen = false;
+  mask.IsTouched = false;
   settings.Structures = {gland, bone, mask};
   settings.Tool.Kind = TouchToolSettings::Shape::Ellipsoid;
   settings.Tool.SemiAxes = Vector3(3.0, 2.0, 1.0);
@@ -81,6 +83,9 @@ TEST_F(TouchSceneFile, WhatIsWrittenIsReadBackTheSame)
   EXPECT_TRUE(back.Structures[0].TextureImage.empty());
   EXPECT_EQ(back.Structures[2].Labels, mask.Labels);
   EXPECT_EQ(back.Structures[2].Degree, 20);
+  EXPECT_TRUE(back.Structures[0].IsSeen && back.Structures[0].IsTouched);
+  EXPECT_TRUE(!back.Structures[1].IsSeen && back.Structures[1].IsTouched);
+  EXPECT_TRUE(back.Structures[2].IsSeen && !back.Structures[2].IsTouched);
   EXPECT_EQ(back.Tool.SemiAxes, settings.Tool.SemiAxes);
   EXPECT_EQ(back.Rate, 2500.0);
   EXPECT_EQ(back.Scale, 0.5);
@@ -96,6 +101,8 @@ TEST_F(TouchSceneFile, WhatIsLeftOutHasItsDefault)
   EXPECT_EQ(settings.Structures[0].Stiffness, usual.Stiffness);
   EXPECT_EQ(settings.Structures[0].Representation, TouchRepresentation::Automatic);
   EXPECT_FALSE(settings.Structures[0].Iso.has_value());
+  EXPECT_TRUE(settings.Structures[0].IsSeen);
+  EXPECT_TRUE(settings.Structures[0].IsTouched);
   EXPECT_EQ(settings.Device, "simulated");
   EXPECT_FALSE(settings.Scale.has_value());
 }
@@ -120,6 +127,8 @@ TEST_F(TouchSceneFile, WhatIsWrongIsRefusedByName)
       {begin + R"(, "iso": null}]})", "iso"},
       {begin + R"(, "representation": "voxels"}]})", "sub-voxel"},
       {begin + R"(, "label": [1]}]})", "label"},
+      {begin + R"(, "seen": 1}]})", "seen"},
+      {begin + R"(, "touched": "no"}]})", "touched"},
       {begin + R"(, "viscosity_ns_per_mm": -1}]})", "viscosity_ns_per_mm"},
       {begin + R"(, "texture_n": 0.1}]})", "texture_image"},
       {begin + R"(, "texture_image": "mr.nrrd"}]})", "texture_n"},

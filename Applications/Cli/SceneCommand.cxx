@@ -1,0 +1,194 @@
+#include "SceneCommand.h"
+
+#include "CommandProgress.h"
+#include "Console.h"
+#include "FilterRun.h"
+#include "InputError.h"
+#include "Interruption.h"
+#include "ScreenText.h"
+#include "TextTable.h"
+#include "TouchSceneFile.h"
+#include "TouchStructures.h"
+
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+#include <ostream>
+
+namespace palpate::cli
+{
+namespace
+{
+using JsonObject = nlohmann::ordered_json;
+
+constexpr double Kilo = 1e3;
+
+std::string KilobytesOf(const SceneItem& item)
+{
+  return TextTable::Fixed(static_cast<double>(item.Bytes) / Kilo, 1) + " kB";
+}
+
+std::string MillisecondsOf(const SceneItem& item)
+{
+  return TextTable::Fixed(Kilo * item.Seconds, 1) + " ms";
+}
+
+void AddRow(TextTable& table, const std::string& name, const std::string& purpose,
+            const SceneItem& item)
+{
+  if (item.Is.empty())
+  {
+    table.AddRow({name, purpose, "", "", "not made: " + item.WhyNot});
+    return;
+  }
+  table.AddRow({name, purpose, KilobytesOf(item), MillisecondsOf(item), item.Is});
+}
+
+// What of a scene was made, together.
+struct Totals
+{
+  std::size_t Read = 0;
+  std::size_t Touched = 0;
+  std::size_t Seen = 0;
+  SceneItem Reading;
+  SceneItem Contacts;
+  SceneItem Drawings;
+
+  explicit Totals(const SceneAccount& account)
+  {
+    for (const SceneFileAccount& file : account.Files)
+    {
+      Add(file.Reading, this->Read, this->Reading);
+    }
+    for (const SceneStructureAccount& structure : account.Structures)
+    {
+      Add(structure.Contact, this->Touched, this->Contacts);
+      Add(structure.Drawing, this->Seen, this->Drawings);
+    }
+  }
+
+private:
+  static void Add(const SceneItem& item, std::size_t& count, SceneItem& sum)
+  {
+    count += item.Is.empty() ? 0 : 1;
+    sum.Bytes += item.Is.empty() ? 0 : item.Bytes;
+    sum.Seconds += item.Seconds;
+  }
+};
+
+std::string TextOf(const SceneAccount& account)
+{
+  TextTable table;
+  table.AlignRight({2, 3});
+  for (const SceneFileAccount& file : account.Files)
+  {
+    const SceneItem& reading = file.Reading;
+    table.AddRow({Printable(file.File.filename().string()), "read",
+                  reading.Is.empty() ? "" : KilobytesOf(reading),
+                  reading.Is.empty() ? "" : MillisecondsOf(reading),
+                  reading.Is.empty() ? "not opened: " + reading.WhyNot : reading.Is});
+  }
+  for (const SceneStructureAccount& structure : account.Structures)
+  {
+    const std::string name = Printable(structure.Name);
+    AddRow(table, name, "touch", structure.Contact);
+    AddRow(table, name, "see", structure.Drawing);
+  }
+  AddRow(table, "servo", "touch", account.Servo);
+  const Totals totals(account);
+  const auto sentence =
+      [](std::size_t count, std::size_t all, const std::string& what, const SceneItem& item)
+  {
+    return std::to_string(count) + " of " + std::to_string(all) + " " + what + ", " +
+           KilobytesOf(item) + ", " + MillisecondsOf(item) + "\n";
+  };
+  const std::size_t structures = account.Structures.size();
+  return table.Text() + sentence(totals.Read, account.Files.size(), "files read", totals.Reading) +
+         sentence(totals.Touched, structures, "structures to be touched", totals.Contacts) +
+         sentence(totals.Seen, structures, "structures to be seen", totals.Drawings);
+}
+
+JsonObject AsJson(const SceneItem& item)
+{
+  if (item.Is.empty())
+  {
+    return {{"made", false}, {"why_not", item.WhyNot}};
+  }
+  return {{"made", true}, {"is", item.Is}, {"bytes", item.Bytes}, {"seconds", item.Seconds}};
+}
+
+JsonObject SumAsJson(std::size_t count, const SceneItem& sum)
+{
+  return {{"made", count}, {"bytes", sum.Bytes}, {"seconds", sum.Seconds}};
+}
+
+JsonObject AsJson(const SceneAccount& account)
+{
+  JsonObject files = JsonObject::array();
+  for (const SceneFileAccount& file : account.Files)
+  {
+    files.push_back({{"file", file.File.string()}, {"read", AsJson(file.Reading)}});
+  }
+  JsonObject structures = JsonObject::array();
+  for (const SceneStructureAccount& structure : account.Structures)
+  {
+    structures.push_back({{"name", structure.Name},
+                          {"file", structure.File.string()},
+                          {"touch", AsJson(structure.Contact)},
+                          {"see", AsJson(structure.Drawing)}});
+  }
+  const Totals totals(account);
+  return {{"files", files},
+          {"structures", structures},
+          {"servo", AsJson(account.Servo)},
+          {"total",
+           {{"read", SumAsJson(totals.Read, totals.Reading)},
+            {"touch", SumAsJson(totals.Touched, totals.Contacts)},
+            {"see", SumAsJson(totals.Seen, totals.Drawings)}}}};
+}
+} // namespace
+
+std::string SceneCommand::Examples() const
+{
+  return "  palpate scene explain knee.scene.json             what is made of it, and why\n"
+         "  palpate scene explain knee.scene.json --unseen    as palpate touch without --view\n"
+         "  palpate scene explain knee.scene.json --json";
+}
+
+void SceneCommand::DeclareOptions(CLI::App& app)
+{
+  app.add_option("ACTION", this->Action, "What to do: explain")
+      ->required()
+      ->check(CLI::IsMember({"explain"}));
+  app.add_option("SCENE", this->Input, "A scene to touch (.scene.json)")->required();
+  app.add_flag("--unseen", this->IsUnseen, "As where nobody looks: no drawings");
+  app.add_flag("--json", this->Json, "One JSON object on standard output");
+}
+
+int SceneCommand::Run(Console& console)
+{
+  const Interruption interruption;
+  try
+  {
+    const TouchSettings settings = ReadTouchScene(this->Input);
+    TouchStructures made = MakeTouchStructures(settings, !this->IsUnseen, ProgressOn(console));
+    made.Account.Servo = AccountForServo(made, settings);
+    console.EndProgress();
+    console.Output()
+        << (this->Json
+                ? AsJson(made.Account).dump(2, ' ', false, JsonObject::error_handler_t::replace) +
+                      "\n"
+                : TextOf(made.Account));
+    return 0;
+  }
+  catch (const FilterError& error)
+  {
+    throw InputError(error.what());
+  }
+  catch (const Cancelled&)
+  {
+    console.EndProgress();
+    console.Error("cancelled");
+    return 1;
+  }
+}
+} // namespace palpate::cli

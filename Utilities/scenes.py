@@ -1,0 +1,79 @@
+#!/usr/bin/python3
+"""Writes Documentation/Scenes.md from what PalpateScenes measured.
+
+    Utilities/scenes.py MEASURED [--page FILE]
+
+MEASURED is build/release/scenes.json (see Utilities/scenes.sh, which calls this).
+"""
+import argparse
+import json
+import pathlib
+
+DOCUMENTATION = pathlib.Path(__file__).resolve().parent.parent / "Documentation"
+
+INTRODUCTION = """# Scenes of many structures
+
+Made by `Utilities/scenes.sh`, on {machine}, with {compiler}. Nothing is built, allocated or evaluated for what a scene
+does not require; this page says so in numbers. `palpate scene explain` says it of any scene.
+
+## A tick does not grow with the scene
+
+All structures can be touched, and one is: an organ of degree 12, stroked 1.5 mm deep at 50 mm/s and 1 kHz. The others are
+balls of 20 facets on a lattice of 60 mm round it. A tick is all that a servo does, from the device's sample to its force; its time
+is the shortest of {strokes} strokes, so that other programs do not count. *Made in* is what publishing the scene takes, off the servo
+thread; *bytes* are a follower's, its tracker's and the index's, without the models. From 1 to 10,000 structures the median
+grows by {growth:.1f} %, on a clock that tells 10 ns (`touch/structures/10000` of `Utilities/bench.sh` times whole strokes). Forces have the bits of asking every structure in every tick (`TestServoScene`).
+"""
+
+SCENES = """## Memory follows what is touched
+
+A scene file with an entry for every structure of one segmentation, of which the first ones are `touched` and the others
+are neither seen nor touched. *Made* is what `palpate scene explain` counts; *servo* are
+trackers and index; *process* is by how much it grew while the scene was made. The tick is the
+median over two seconds of touch. Cubes are made of 6³ voxels, sub-voxel; AAL is mricron's atlas.
+"""
+
+
+def row(*cells):
+    return "| " + " | ".join(map(str, cells)) + " |"
+
+
+def table(head, rows):
+    return "\n".join([row(*head), row(*["---"] * len(head)), *rows]) + "\n"
+
+
+def ticks(entries):
+    first = entries[0]["median_ns"]
+    rows = [row(f"{e['structures']:,}", f"{e['median_ns']:.0f} ns",
+                f"{100 * (e['median_ns'] / first - 1):+.1f} %", f"{e['p999_ns']:.0f} ns",
+                f"{e['max_ns']:.0f} ns", f"{1e3 * e['publish_s']:.1f} ms",
+                f"{e['bytes_each']:,.0f}") for e in entries]
+    return table(["structures", "tick, median", "beside one", "99.9 %", "longest", "made in",
+                  "bytes a structure"], rows)
+
+
+def scenes(entries):
+    rows = [row(e["scene"], f"{e['structures']:,}", e["touched"], e["files_read"],
+                f"{1e3 * e['read_s']:.0f} ms", f"{1e3 * e['make_s']:.0f} ms",
+                f"{e['bytes'] / 1e3:,.1f} kB", f"{e['servo_bytes'] / 1e3:,.1f} kB",
+                f"{e['resident_mib']:.1f} MiB", f"{e['tick_us']:.2f} µs") for e in entries]
+    return table(["scene", "structures", "touched", "files read", "read in", "made in", "made",
+                  "servo", "process", "tick, median"], rows)
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("measured", type=pathlib.Path)
+    parser.add_argument("--page", type=pathlib.Path, default=DOCUMENTATION / "Scenes.md")
+    arguments = parser.parse_args()
+    measured = json.loads(arguments.measured.read_text())
+    medians = {e["structures"]: e["median_ns"] for e in measured["ticks"]}
+    growth = 100 * (medians[10000] / medians[1] - 1)
+    parts = [INTRODUCTION.format(machine=measured["machine"], compiler=measured["compiler"],
+                                 strokes=20, growth=growth),
+             ticks(measured["ticks"]), SCENES, scenes(measured["scenes"])]
+    arguments.page.write_text("\n".join(parts))
+
+
+if __name__ == "__main__":
+    main()

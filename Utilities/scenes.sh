@@ -1,0 +1,9 @@
+#!/bin/sh
+# Measures what scenes of 1 to 100,000 structures take when one is touched (under a minute), and
+# writes Documentation/Scenes.md from this run.
+set -eu
+cd "$(dirname "$0")/.."
+
+Utilities/build.sh
+build/release/bin/PalpateScenes build/release/scenes.json
+exec /usr/bin/python3 Utilities/scenes.py build/release/scenes.json
