@@ -8,6 +8,7 @@
 #include "ModelSurface.h"
 #include "StructureMask.h"
 #include "SurfaceFile.h"
+#include "TouchExport.h"
 #include "TouchTicksFile.h"
 
 #include <CLI/CLI.hpp>
@@ -33,7 +34,8 @@ std::string ConvertCommand::Examples() const
          "  palpate convert surface.vtp surface.stl            surfaces: vtp stl ply obj gltf x3d\n"
          "  palpate convert mask.nii.gz mask.nrrd              images: nii nii.gz nrrd mha\n"
          "  palpate convert mask.seg.nrrd gland.nii.gz --label Prostate\n"
-         "  palpate convert felt/session.touch ticks.csv       a line a tick";
+         "  palpate convert felt/session.touch ticks.csv       a line a tick\n"
+         "  palpate convert felt/session.touch plots.svg       force and depth over time; or png";
 }
 
 void ConvertCommand::DeclareOptions(CLI::App& app)
@@ -80,12 +82,7 @@ int ConvertCommand::Run(Console& console)
 
 void ConvertCommand::ConvertTouch(Console& console) const
 {
-  if (this->Output.extension() != ".csv")
-  {
-    throw InputError(this->Output.string() + " does not end in .csv and " + this->Input.string() +
-                     " is a recorded touch, which is written as CSV only");
-  }
-  if (WriteTouchTicks(this->Input, this->Output))
+  if (ExportTouch(this->Input, this->Output))
   {
     console.Note(this->Input.string() + " ended within a tick, which is left out");
   }

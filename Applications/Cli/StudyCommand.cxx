@@ -13,6 +13,7 @@
 #include <CLI/CLI.hpp>
 #include <array>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <ostream>
 #include <set>
 #include <vector>
@@ -64,22 +65,21 @@ struct Line
   std::string Says;
   std::vector<std::string> Sentences;
   bool IsLost = false;
+  std::optional<double> TickMicroseconds; ///< of the servo, where it was measured
 };
 
 Line LineOf(StudyStep step, const StudyStepState& state)
 {
   const bool isLost = state.Is == Kind::Failed;
-  return {NameOf(step),
-          NameOf(state.Is),
-          {},
-          isLost ? std::vector{state.Sentence} : std::vector<std::string>{},
-          isLost};
+  return {NameOf(step), NameOf(state.Is),
+          {},           isLost ? std::vector{state.Sentence} : std::vector<std::string>{},
+          isLost,       {}};
 }
 
 // What is felt or seen of it is what counts: a model that was refused has a field in its place.
 Line LineOf(const StudyStructure& structure, const StudyPipeline& pipeline)
 {
-  Line line{TitleOf(structure), NameOf(Kind::NotWanted), {}, {}, false};
+  Line line{TitleOf(structure), NameOf(Kind::NotWanted), {}, {}, false, {}};
   std::set<std::string> said;
   for (const StudyStep step : StructureSteps)
   {
@@ -104,6 +104,17 @@ Line LineOf(const StudyStructure& structure, const StudyPipeline& pipeline)
     line.Says += (line.Says.empty() ? "" : "; ") + std::string("Dice ") +
                  TextTable::Fixed(fit->Dice, 4) + ", mean distance to the mask " +
                  TextTable::Fixed(fit->ModelToMask.Mean, 3) + " mm";
+  }
+  const auto cost = pipeline.Newest<TouchCost>(StudyStep::Cost, structure.Label);
+  if (cost != nullptr && cost->Ticks > 0)
+  {
+    line.TickMicroseconds = 1e-3 * cost->MedianNanoseconds;
+    line.Says += "; " + TextTable::Fixed(*line.TickMicroseconds, 2) + " us a tick";
+  }
+  if (structure.IsVisible && structure.Appearance != StudyAppearance::Automatic)
+  {
+    line.Says +=
+        (line.Says.empty() ? "" : "; ") + std::string("shown as ") + NameOf(structure.Appearance);
   }
   return line;
 }
@@ -133,10 +144,14 @@ void Print(const std::vector<Line>& lines, bool asJson, Console& console)
   {
     if (asJson)
     {
-      const JsonObject object{{"name", line.Name},
-                              {"state", line.State},
-                              {"says", line.Says},
-                              {"sentences", line.Sentences}};
+      JsonObject object{{"name", line.Name},
+                        {"state", line.State},
+                        {"says", line.Says},
+                        {"sentences", line.Sentences}};
+      if (line.TickMicroseconds)
+      {
+        object["tick_us"] = *line.TickMicroseconds;
+      }
       console.Output() << object.dump(-1, ' ', false, JsonObject::error_handler_t::replace) << '\n';
     }
     table.AddRow({line.Name, line.State, line.Says});

@@ -4,6 +4,7 @@
 #include "FieldBuild.h"
 
 #include <algorithm>
+#include <cmath>
 #include <new>
 #include <sstream>
 
@@ -42,6 +43,28 @@ std::string Range(const ChannelSurvey& survey)
   text << "its samples run from " << survey.Lowest << " to " << survey.Highest;
   return text.str();
 }
+
+// Slopes are differences over spacings, and their squares are summed. The B-spline's coefficients
+// are floats, up to 27 times the largest sample.
+Status CheckRange(const ChannelSurvey& survey, std::size_t channel,
+                  FieldInterpolation interpolation)
+{
+  const bool isTrilinear = interpolation == FieldInterpolation::Trilinear;
+  const double largest = isTrilinear ? 1e140 : 1e36;
+  const double smallest = isTrilinear ? 1e-140 : 1e-30;
+  const double magnitude = std::max(std::abs(survey.Lowest), std::abs(survey.Highest));
+  const double spread = survey.Highest - survey.Lowest;
+  // Without any difference there is no surface either, which conditions are checked for.
+  if (magnitude <= largest && (spread >= smallest || spread == 0.0))
+  {
+    return Status::Success();
+  }
+  std::ostringstream text;
+  text << "Channel " << channel << " cannot be computed with: " << Range(survey)
+       << ", and what can be has differences from " << smallest << " on and values up to "
+       << largest << "; rescale them.";
+  return Status::Failure(text.str());
+}
 } // namespace
 
 int FieldBuilder::AddChannel(const FieldSamples& samples)
@@ -75,6 +98,11 @@ Status FieldBuilder::SurveyChannels(std::vector<ChannelSurvey>& surveys) const
     if (this->Interpolation == FieldInterpolation::TricubicBSpline)
     {
       surveys[channel].Exact = ScalarType::Float32;
+    }
+    status = CheckRange(surveys[channel], channel, this->Interpolation);
+    if (!status.IsOk())
+    {
+      return status;
     }
   }
   return Status::Success();

@@ -32,9 +32,11 @@ public:
   /// surface's material is made of. 0 by default.
   void SetMargin(double margin) { this->Margin = margin; }
 
-  /// Refuses, with `field` untouched: a grid or samples that are none, an iso-value that not some
-  /// but all or none of the samples reach, a material without a surface, too many materials, too
-  /// little memory, and what the caller cancels.
+  /// Refuses, with `field` untouched: a grid or samples that are none, samples too large or too
+  /// alike to be computed with (beyond 1e140 and 1e-140; for the B-spline, whose coefficients are
+  /// floats, 1e36 and 1e-30), an iso-value that not some but all or none of the samples reach, a
+  /// material without a surface, too many materials, too little memory, and what the caller
+  /// cancels.
   Status Build(std::shared_ptr<const ScalarField>& field, const Progress& progress = {}) const;
 
 private:

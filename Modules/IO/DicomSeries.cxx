@@ -88,9 +88,8 @@ std::string SeriesList(const std::vector<DicomSeries>& all)
   std::string list;
   for (std::size_t i = 0; i < all.size(); ++i)
   {
-    list += (i == 0 ? "" : ", ") + std::to_string(i + 1) + ": '" + all[i].Description + "' " +
-            std::to_string(all[i].Files.size()) + " slices, " + all[i].OrientationName() +
-            ", UID " + all[i].Uid;
+    list += (i == 0 ? "" : ", ") + std::to_string(i + 1) + ": " + all[i].Summary() + ", UID " +
+            all[i].Uid;
   }
   return list;
 }
@@ -112,6 +111,12 @@ std::string DicomSeries::OrientationName() const
   const std::string plane = axis == 0 ? "sagittal" : axis == 1 ? "coronal" : "axial";
   // Within a degree of a patient plane.
   return largest > std::cos(0.0174533) ? plane : "oblique " + plane;
+}
+
+std::string DicomSeries::Summary() const
+{
+  return "'" + this->Description + "' " + std::to_string(this->Files.size()) + " slices, " +
+         this->OrientationName();
 }
 
 std::vector<DicomSeries> FindDicomSeries(const std::filesystem::path& folder)

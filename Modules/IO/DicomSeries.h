@@ -23,6 +23,8 @@ struct DicomSeries
 
   /// "axial", "oblique coronal", ...
   std::string OrientationName() const;
+  /// Description, number of slices and orientation, for lists.
+  std::string Summary() const;
 };
 
 /// All image series of a folder (not of folders in it), by rising series number. Files that are no

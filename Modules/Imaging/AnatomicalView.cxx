@@ -84,4 +84,10 @@ std::string OrientationLetters(const Vector3& directionWorld)
   }
   return letters;
 }
+
+std::array<std::string, 4> EdgeLettersOf(const ViewFrame& frame)
+{
+  return {OrientationLetters(-frame.RightWorld), OrientationLetters(frame.RightWorld),
+          OrientationLetters(frame.UpWorld), OrientationLetters(-frame.UpWorld)};
+}
 } // namespace palpate

@@ -44,4 +44,7 @@ PALPATEIMAGING_EXPORT std::string NameOf(ViewSide side);
 /// Letters of the patient's directions (L, R, P, A, S, I) along a unit vector in LPS, the strongest
 /// first; those are named whose share is at least half of the strongest. "S", or "PL" for oblique.
 PALPATEIMAGING_EXPORT std::string OrientationLetters(const Vector3& directionWorld);
+
+/// Those of a picture's edges: left, right, top, bottom.
+PALPATEIMAGING_EXPORT std::array<std::string, 4> EdgeLettersOf(const ViewFrame& frame);
 } // namespace palpate

@@ -19,9 +19,10 @@ constexpr double Left = 0.02; // all as shares of the view
 constexpr double Bottom = 0.05;
 constexpr double Width = 0.12;
 constexpr double Height = 0.4;
+constexpr double Gap = 0.045; // under the title, for the highest number
 } // namespace
 
-ColorBar::ColorBar() : Title(MakeViewText(Left, Bottom + Height + 0.02, TextSize))
+ColorBar::ColorBar() : Title(MakeViewText(Left, Bottom + Height + Gap, TextSize))
 {
   this->Title->GetTextProperty()->SetVerticalJustificationToBottom();
   this->Bar->SetNumberOfLabels(LabelCount);

@@ -1,10 +1,8 @@
 #include "SurfaceInSpace.h"
 
-#include "ArrayColors.h"
+#include "ContactMark.h"
 #include "SurfaceMaterial.h"
 #include "SurfaceNormals.h"
-#include "Vector3.h"
-#include "vtkProbeRepresentation.h"
 #include "vtkSurfaceDisplay.h"
 
 #include "vtkActor.h"
@@ -25,26 +23,16 @@ namespace palpate
 {
 namespace
 {
-// Positions are the camera's, as those of fragments; nothing is touched where the radius is 0.
+// ContactMark::ShareAt. Positions are the camera's, as those of fragments.
 constexpr const char* ContactShader = R"(//VTK::Color::Impl
   if (contactRadius > 0.0)
   {
-    float contactShare = 1.0 - smoothstep(0.5 * contactRadius, contactRadius,
-      distance(vertexVC.xyz, contactPlace));
+    float contactShare = contactStrength * (1.0 - smoothstep(0.5 * contactRadius, contactRadius,
+      distance(vertexVC.xyz, contactPlace)));
     diffuseColor = mix(diffuseColor, contactDiffuse, contactShare);
     ambientColor = mix(ambientColor, contactAmbient, contactShare);
   }
 )";
-
-// The tool's point that touches: from its middle against the force on the hand.
-Vector3 ContactPlace(vtkProbeRepresentation* probe)
-{
-  vtkMatrix4x4* place = probe->GetProxyMatrix();
-  const Vector3 middle(place->GetElement(0, 3), place->GetElement(1, 3), place->GetElement(2, 3));
-  const Vector3 force(probe->GetForce());
-  return force.norm() > 0.0 ? Vector3(middle - probe->GetToolRadius() * force.normalized())
-                            : middle;
-}
 } // namespace
 
 SurfaceInSpace::SurfaceInSpace(vtkSurfaceDisplay* display) : Shown(display)
@@ -57,7 +45,7 @@ SurfaceInSpace::SurfaceInSpace(vtkSurfaceDisplay* display) : Shown(display)
   property->SetSpecularPower(SurfaceMaterial::SpecularPower);
   this->Surface->GetShaderProperty()->AddFragmentShaderReplacement("//VTK::Color::Impl", true,
                                                                    ContactShader, false);
-  this->UpdateContact(nullptr, nullptr);
+  this->UpdateContact({}, nullptr);
 }
 
 SurfaceInSpace::~SurfaceInSpace() = default;
@@ -67,7 +55,13 @@ void SurfaceInSpace::Update()
   const bool isShown = this->Shown->GetVisibility() && this->Shown->GetSurface() != nullptr;
   this->Surface->SetVisibility(isShown ? 1 : 0);
   const std::uint64_t time = this->Shown->GetMTime();
-  if (!isShown || time == this->Time)
+  if (!isShown)
+  {
+    this->Time = 0;
+    this->Range.reset();
+    return;
+  }
+  if (time == this->Time)
   {
     return;
   }
@@ -84,44 +78,49 @@ void SurfaceInSpace::ColorByArray()
   vtkDataArray* values = this->Mapper->GetInput()->GetPointData()->GetArray(name);
   const bool isColored = values != nullptr && values->GetNumberOfComponents() == 1;
   this->Mapper->SetScalarVisibility(isColored ? 1 : 0);
-  this->Lookup = nullptr;
+  this->Range.reset();
   if (isColored)
   {
-    double range[2];
-    values->GetFiniteRange(range);
-    this->Lookup = MakeArrayColors(range[0], range[1]);
+    std::array<double, 2> range{};
+    values->GetFiniteRange(range.data());
+    this->Range = range;
     this->Mapper->SetScalarModeToUsePointFieldData();
     this->Mapper->SelectColorArray(name);
-    this->Mapper->SetLookupTable(this->Lookup);
     this->Mapper->UseLookupTableScalarRangeOn();
     this->Mapper->InterpolateScalarsBeforeMappingOn();
   }
 }
 
-void SurfaceInSpace::UpdateContact(vtkProbeRepresentation* probe, vtkCamera* camera)
+void SurfaceInSpace::SetColors(vtkLookupTable* colors)
 {
-  const bool isTouched =
-      probe != nullptr && probe->GetVisibility() && probe->GetInContact() && camera != nullptr;
+  if (this->Mapper->GetLookupTable() != colors)
+  {
+    this->Mapper->SetLookupTable(colors);
+  }
+}
+
+void SurfaceInSpace::UpdateContact(const ContactMark& contact, vtkCamera* camera)
+{
+  const bool isSeen = contact.IsSeen() && camera != nullptr;
   float place[3] = {0.0F, 0.0F, 0.0F};
   float diffuse[3] = {0.0F, 0.0F, 0.0F};
   float ambient[3] = {0.0F, 0.0F, 0.0F};
-  if (isTouched)
+  if (isSeen)
   {
-    const Vector3 world = ContactPlace(probe);
+    const Vector3& world = contact.PlaceWorld;
     const double point[4] = {world.x(), world.y(), world.z(), 1.0};
     double seen[4];
     camera->GetViewTransformMatrix()->MultiplyPoint(point, seen);
     for (int part = 0; part < 3; ++part)
     {
-      const double color = probe->GetContactColor()[part];
       place[part] = static_cast<float>(seen[part]);
-      diffuse[part] = static_cast<float>(SurfaceMaterial::Diffuse * color);
-      ambient[part] = static_cast<float>(SurfaceMaterial::Ambient * color);
+      diffuse[part] = static_cast<float>(SurfaceMaterial::Diffuse * contact.Color[part]);
+      ambient[part] = static_cast<float>(SurfaceMaterial::Ambient * contact.Color[part]);
     }
   }
   vtkUniforms* uniforms = this->Surface->GetShaderProperty()->GetFragmentCustomUniforms();
-  uniforms->SetUniformf("contactRadius",
-                        isTouched ? static_cast<float>(probe->GetContactRadius()) : 0.0F);
+  uniforms->SetUniformf("contactRadius", isSeen ? static_cast<float>(contact.Radius) : 0.0F);
+  uniforms->SetUniformf("contactStrength", static_cast<float>(contact.Strength));
   uniforms->SetUniform3f("contactPlace", place);
   uniforms->SetUniform3f("contactDiffuse", diffuse);
   uniforms->SetUniform3f("contactAmbient", ambient);

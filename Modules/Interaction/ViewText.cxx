@@ -85,11 +85,10 @@ void EdgeLetters::SetVisible(bool isVisible)
 
 void EdgeLetters::Update(const ViewFrame& frame)
 {
-  const std::array<Vector3, 4> directions{
-      {-frame.RightWorld, frame.RightWorld, frame.UpWorld, -frame.UpWorld}};
-  for (std::size_t edge = 0; edge < 4; ++edge)
+  const auto texts = EdgeLettersOf(frame);
+  for (std::size_t edge = 0; edge < texts.size(); ++edge)
   {
-    SetViewText(this->Letters[edge], OrientationLetters(directions[edge]));
+    SetViewText(this->Letters[edge], texts[edge]);
   }
 }
 } // namespace palpate

@@ -188,8 +188,10 @@ bool vtkInteractorStyleHaptic::StartTouch(std::unique_ptr<palpate::HapticDevice>
   inner.Watch = {};
   inner.Newest = {};
   inner.Clutch = {};
-  const double front = inner.Device->Capabilities().Workspace.max().z();
-  this->SetHandWorld(inner.Frame.ToWorld({0.0, 0.0, front}).data());
+  const palpate::Vector3 towardsViewer = inner.Frame.Rotation.col(2);
+  const palpate::Vector3 first =
+      inner.Frame.FirstHand(towardsViewer, inner.Device->Capabilities().Workspace);
+  this->SetHandWorld(inner.Frame.ToWorld(first).data());
   this->SetHand(dynamic_cast<palpate::SimulatedDevice*>(inner.Device.get()) != nullptr);
   this->TakeHand();
   inner.Thread =
@@ -415,9 +417,8 @@ void vtkInteractorStyleHaptic::TakeHand()
   auto* simulated = dynamic_cast<palpate::SimulatedDevice*>(inner.Device.get());
   if (simulated != nullptr)
   {
-    const Eigen::AlignedBox3d& reach = inner.Device->Capabilities().Workspace;
-    const palpate::Vector3 wanted = inner.Frame.ToDevice(palpate::Vector3(this->GetHandWorld()));
-    const palpate::Vector3 reached = wanted.cwiseMax(reach.min()).cwiseMin(reach.max());
+    const palpate::Vector3 reached = inner.Frame.NearestInReach(
+        palpate::Vector3(this->GetHandWorld()), inner.Device->Capabilities().Workspace);
     this->SetHandWorld(inner.Frame.ToWorld(reached).data());
     simulated->SetTarget(reached);
   }

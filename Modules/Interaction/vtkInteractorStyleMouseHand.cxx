@@ -12,17 +12,30 @@
 
 vtkStandardNewMacro(vtkInteractorStyleMouseHand);
 
+namespace
+{
+void TakeNumbers(const double from[3], double to[3])
+{
+  if (std::all_of(from, from + 3, [](double value) { return std::isfinite(value); }))
+  {
+    std::copy_n(from, 3, to);
+  }
+}
+} // namespace
+
 void vtkInteractorStyleMouseHand::SetHandWorld(const double position[3])
 {
-  if (std::all_of(position, position + 3, [](double value) { return std::isfinite(value); }))
-  {
-    std::copy_n(position, 3, this->HandWorld);
-  }
+  TakeNumbers(position, this->HandWorld);
+}
+
+void vtkInteractorStyleMouseHand::SetDraggedWorld(const double position[3])
+{
+  TakeNumbers(position, this->DraggedWorld);
 }
 
 bool vtkInteractorStyleMouseHand::IsForCamera()
 {
-  return !this->Hand || this->Interactor->GetControlKey() != 0 ||
+  return (!this->Hand && !this->Dragging) || this->Interactor->GetControlKey() != 0 ||
          this->Interactor->GetShiftKey() != 0;
 }
 
@@ -33,59 +46,111 @@ bool vtkInteractorStyleMouseHand::FindRenderer()
   return this->CurrentRenderer != nullptr;
 }
 
+// In the plane of the screen that a point lies in.
+void vtkInteractorStyleMouseHand::WorldAtPointer(const double depthOf[3], const int pointer[2],
+                                                 double world[3])
+{
+  double display[3];
+  this->ComputeWorldToDisplay(depthOf[0], depthOf[1], depthOf[2], display);
+  double found[4];
+  this->ComputeDisplayToWorld(pointer[0], pointer[1], display[2], found);
+  std::copy_n(found, 3, world);
+}
+
 void vtkInteractorStyleMouseHand::MoveHandToPointer()
 {
   if (!this->FindRenderer())
   {
     return;
   }
-  double display[3];
-  this->ComputeWorldToDisplay(this->HandWorld[0], this->HandWorld[1], this->HandWorld[2], display);
-  const int* position = this->Interactor->GetEventPosition();
-  double world[4];
-  this->ComputeDisplayToWorld(position[0], position[1], display[2], world);
+  double world[3];
+  this->WorldAtPointer(this->HandWorld, this->Interactor->GetEventPosition(), world);
   this->SetHandWorld(world);
   this->InvokeEvent(HandMovedEvent);
 }
 
-bool vtkInteractorStyleMouseHand::MoveHandDeeper(double notches)
+void vtkInteractorStyleMouseHand::DragToPointer()
 {
-  if (this->IsForCamera() || !this->FindRenderer())
+  if (!this->FindRenderer())
   {
-    return false;
+    return;
   }
+  double from[3];
+  double to[3];
+  this->WorldAtPointer(this->DraggedWorld, this->Interactor->GetLastEventPosition(), from);
+  this->WorldAtPointer(this->DraggedWorld, this->Interactor->GetEventPosition(), to);
+  double world[3];
+  for (int a = 0; a < 3; ++a)
+  {
+    world[a] = this->DraggedWorld[a] + to[a] - from[a];
+  }
+  this->SetDraggedWorld(world);
+  this->InvokeEvent(DraggedEvent);
+}
+
+void vtkInteractorStyleMouseHand::Deepen(double notches, double world[3])
+{
   vtkCamera* camera = this->CurrentRenderer->GetActiveCamera();
   double sight[3];
   camera->GetDirectionOfProjection(sight);
   if (camera->GetParallelProjection() == 0)
   {
-    // Through the hand, which stays where it is seen.
-    vtkMath::Subtract(this->HandWorld, camera->GetPosition(), sight);
+    // Through the point, which stays where it is seen.
+    vtkMath::Subtract(world, camera->GetPosition(), sight);
     vtkMath::Normalize(sight);
   }
-  double world[3];
   for (int a = 0; a < 3; ++a)
   {
-    world[a] = this->HandWorld[a] + notches * this->NotchMillimeters * sight[a];
+    world[a] += notches * this->NotchMillimeters * sight[a];
   }
-  this->SetHandWorld(world);
-  this->InvokeEvent(HandMovedEvent);
+}
+
+bool vtkInteractorStyleMouseHand::MoveDeeper(double notches)
+{
+  if (this->IsForCamera() || !this->FindRenderer())
+  {
+    return false;
+  }
+  this->Deepen(notches, this->Dragging ? this->DraggedWorld : this->HandWorld);
+  if (this->Dragging)
+  {
+    this->InvokeEvent(DraggedEvent);
+  }
+  else
+  {
+    this->InvokeEvent(HandMovedEvent);
+  }
   return true;
 }
 
 void vtkInteractorStyleMouseHand::OnMouseMove()
 {
-  if (this->State == VTKIS_NONE && !this->IsForCamera())
+  if (this->IsDragged)
   {
-    this->MoveHandToPointer();
+    this->DragToPointer();
+  }
+  else if (this->State == VTKIS_NONE && this->Dragging)
+  {
     return;
   }
-  this->Superclass::OnMouseMove();
+  else if (this->State == VTKIS_NONE && !this->IsForCamera())
+  {
+    this->MoveHandToPointer();
+  }
+  else
+  {
+    this->Superclass::OnMouseMove();
+  }
 }
 
 void vtkInteractorStyleMouseHand::OnLeftButtonDown()
 {
-  if (!this->Hand)
+  if (this->Dragging && !this->IsForCamera())
+  {
+    this->GrabFocus(this->EventCallbackCommand);
+    this->IsDragged = true;
+  }
+  else if (!this->Hand && !this->Dragging)
   {
     this->Superclass::OnLeftButtonDown();
   }
@@ -103,9 +168,21 @@ void vtkInteractorStyleMouseHand::OnLeftButtonDown()
   }
 }
 
+void vtkInteractorStyleMouseHand::OnLeftButtonUp()
+{
+  if (this->IsDragged)
+  {
+    this->IsDragged = false;
+    this->ReleaseFocus();
+    this->InvokeEvent(DragEndEvent);
+    return;
+  }
+  this->Superclass::OnLeftButtonUp();
+}
+
 void vtkInteractorStyleMouseHand::OnMouseWheelForward()
 {
-  if (!this->MoveHandDeeper(1.0))
+  if (!this->MoveDeeper(1.0))
   {
     this->Superclass::OnMouseWheelForward();
   }
@@ -113,7 +190,7 @@ void vtkInteractorStyleMouseHand::OnMouseWheelForward()
 
 void vtkInteractorStyleMouseHand::OnMouseWheelBackward()
 {
-  if (!this->MoveHandDeeper(-1.0))
+  if (!this->MoveDeeper(-1.0))
   {
     this->Superclass::OnMouseWheelBackward();
   }
@@ -135,5 +212,8 @@ void vtkInteractorStyleMouseHand::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Hand: " << (this->Hand ? "on" : "off") << '\n';
   os << indent << "HandWorld: " << this->HandWorld[0] << ", " << this->HandWorld[1] << ", "
      << this->HandWorld[2] << '\n';
+  os << indent << "Dragging: " << (this->Dragging ? "on" : "off") << '\n';
+  os << indent << "DraggedWorld: " << this->DraggedWorld[0] << ", " << this->DraggedWorld[1] << ", "
+     << this->DraggedWorld[2] << '\n';
   os << indent << "NotchMillimeters: " << this->NotchMillimeters << '\n';
 }

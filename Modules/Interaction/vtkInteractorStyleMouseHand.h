@@ -8,7 +8,11 @@
  * right drag and Ctrl with the wheel zoom. Otherwise it is a
  * vtkInteractorStyleTrackballCamera, of whose letters only r is left (shows everything).
  *
- * It moves nothing itself: whoever observes HandMovedEvent takes GetHandWorld to the device.
+ * While Dragging is on, a left drag moves something else in the same way, such as the device's
+ * workspace, and the wheel moves that; the hand stays.
+ *
+ * It moves nothing itself: whoever observes HandMovedEvent takes GetHandWorld to the device, and
+ * whoever observes DraggedEvent moves what GetDraggedWorld belongs to.
  */
 #ifndef vtkInteractorStyleMouseHand_h
 #define vtkInteractorStyleMouseHand_h
@@ -27,7 +31,10 @@ public:
 
   enum Events
   {
-    HandMovedEvent = vtkCommand::UserEvent + 721
+    HandMovedEvent = vtkCommand::UserEvent + 721,
+    DraggedEvent,
+    /** A drag has ended, with what was moved where it is. */
+    DragEndEvent
   };
 
   ///@{
@@ -42,6 +49,17 @@ public:
   vtkGetVector3Macro(HandWorld, double);
   ///@}
   ///@{
+  /** Whether the mouse moves something else. Off by default. */
+  vtkSetMacro(Dragging, bool);
+  vtkGetMacro(Dragging, bool);
+  vtkBooleanMacro(Dragging, bool);
+  ///@}
+  ///@{
+  /** Where that is: world, mm. What is no number is ignored. */
+  void SetDraggedWorld(const double position[3]);
+  vtkGetVector3Macro(DraggedWorld, double);
+  ///@}
+  ///@{
   /** mm along the line of sight that a notch of the wheel is. Default: 0.5. */
   vtkSetClampMacro(NotchMillimeters, double, 0.001, 100.0);
   vtkGetMacro(NotchMillimeters, double);
@@ -49,6 +67,7 @@ public:
 
   void OnMouseMove() override;
   void OnLeftButtonDown() override;
+  void OnLeftButtonUp() override;
   void OnMouseWheelForward() override;
   void OnMouseWheelBackward() override;
   void OnChar() override;
@@ -63,11 +82,17 @@ private:
 
   bool IsForCamera();
   bool FindRenderer();
+  void WorldAtPointer(const double depthOf[3], const int pointer[2], double world[3]);
+  void Deepen(double notches, double world[3]);
   void MoveHandToPointer();
-  bool MoveHandDeeper(double notches);
+  bool MoveDeeper(double notches);
+  void DragToPointer();
 
   bool Hand = false;
   double HandWorld[3] = {0.0, 0.0, 0.0};
+  bool Dragging = false;
+  bool IsDragged = false; ///< the button is down
+  double DraggedWorld[3] = {0.0, 0.0, 0.0};
   double NotchMillimeters = 0.5;
 };
 

@@ -10,15 +10,16 @@
 #include "SlicePainter.h"
 #include "SlicePatch.h"
 #include "ViewText.h"
+#include "WorkspaceLines.h"
 #include "vtkCrosshair.h"
 #include "vtkImageDisplay.h"
 #include "vtkLandmarks.h"
 #include "vtkProbeRepresentation.h"
 #include "vtkSurfaceDisplay.h"
+#include "vtkWorkspaceRepresentation.h"
 
 #include "vtkActor.h"
 #include "vtkCamera.h"
-#include "vtkCommand.h"
 #include "vtkImageData.h"
 #include "vtkObjectFactory.h"
 #include "vtkRenderer.h"
@@ -44,13 +45,6 @@ constexpr double EmptyHeight = 200.0; // without a volume
 
 struct vtkSliceView::State
 {
-  vtkSmartPointer<vtkRenderer> Renderer;
-  unsigned long Observer = 0;
-  vtkSmartPointer<vtkImageDisplay> Display;
-  vtkSmartPointer<vtkCrosshair> Crosshair;
-  vtkSmartPointer<vtkLandmarks> Landmarks;
-  vtkSmartPointer<vtkProbeRepresentation> Probe;
-
   bool NeedsFit = true;
   Vector3 Center = Vector3::Zero(); // of the view, world; its height over the plane does not count
   double Height = EmptyHeight;      // of the view, mm
@@ -62,35 +56,20 @@ struct vtkSliceView::State
   palpate::SliceContours Contours;
   palpate::LandmarksInSlice Marks;
   palpate::ProbeInSlice Tool;
+  palpate::WorkspaceLines Reach;
   palpate::CrosshairInSlice Pointer;
   palpate::SliceAnnotation Annotation;
 
-  vtkImageData* Image() { return this->Display == nullptr ? nullptr : this->Display->GetImage(); }
-  void AddTo(vtkRenderer* renderer)
+  SliceGeometry Geometry(vtkSliceView* view)
   {
-    renderer->AddViewProp(this->Patch.Actor());
-    this->Contours.SetRenderer(renderer);
-    this->Marks.SetRenderer(renderer);
-    this->Tool.AddTo(renderer);
-    this->Pointer.AddTo(renderer);
-    this->Annotation.AddTo(renderer);
+    vtkImageDisplay* display = view->GetImageDisplay();
+    return {static_cast<SliceOrientation>(view->Orientation), view->GetAlongImage(),
+            display == nullptr ? nullptr : display->GetImage()};
   }
-  void RemoveFrom(vtkRenderer* renderer)
+  Vector3 Focus(vtkSliceView* view) const
   {
-    renderer->RemoveViewProp(this->Patch.Actor());
-    this->Contours.SetRenderer(nullptr);
-    this->Marks.SetRenderer(nullptr);
-    this->Tool.RemoveFrom(renderer);
-    this->Pointer.RemoveFrom(renderer);
-    this->Annotation.RemoveFrom(renderer);
-  }
-  SliceGeometry Geometry(const vtkSliceView* view)
-  {
-    return {static_cast<SliceOrientation>(view->Orientation), view->AlongImage, this->Image()};
-  }
-  Vector3 Focus() const
-  {
-    return this->Crosshair == nullptr ? this->Center : Vector3(this->Crosshair->GetPositionWorld());
+    vtkCrosshair* crosshair = view->GetCrosshair();
+    return crosshair == nullptr ? this->Center : Vector3(crosshair->GetPositionWorld());
   }
 };
 
@@ -101,68 +80,34 @@ vtkSliceView::~vtkSliceView()
   this->SetRenderer(nullptr);
 }
 
-void vtkSliceView::SetRenderer(vtkRenderer* renderer)
+void vtkSliceView::AddTo(vtkRenderer* renderer)
 {
   State& state = *this->Inner;
-  if (state.Renderer == renderer)
-  {
-    return;
-  }
-  if (state.Renderer != nullptr)
-  {
-    state.Renderer->RemoveObserver(state.Observer);
-    state.RemoveFrom(state.Renderer);
-  }
-  state.Renderer = renderer;
-  if (renderer != nullptr)
-  {
-    state.Observer = renderer->AddObserver(vtkCommand::StartEvent, this, &vtkSliceView::Update);
-    state.AddTo(renderer);
-  }
-  this->Modified();
+  renderer->AddViewProp(state.Patch.Actor());
+  state.Contours.SetRenderer(renderer);
+  state.Marks.SetRenderer(renderer);
+  state.Tool.AddTo(renderer);
+  state.Reach.AddTo(renderer);
+  state.Pointer.AddTo(renderer);
+  state.Annotation.AddTo(renderer);
 }
 
-vtkRenderer* vtkSliceView::GetRenderer()
+void vtkSliceView::RemoveFrom(vtkRenderer* renderer)
 {
-  return this->Inner->Renderer;
+  State& state = *this->Inner;
+  renderer->RemoveViewProp(state.Patch.Actor());
+  state.Contours.SetRenderer(nullptr);
+  state.Marks.SetRenderer(nullptr);
+  state.Tool.RemoveFrom(renderer);
+  state.Reach.RemoveFrom(renderer);
+  state.Pointer.RemoveFrom(renderer);
+  state.Annotation.RemoveFrom(renderer);
 }
 
 void vtkSliceView::SetImageDisplay(vtkImageDisplay* display)
 {
-  if (this->Inner->Display != display)
-  {
-    this->Inner->Display = display;
-    this->Inner->NeedsFit = true;
-    this->Modified();
-  }
-}
-
-vtkImageDisplay* vtkSliceView::GetImageDisplay()
-{
-  return this->Inner->Display;
-}
-
-void vtkSliceView::SetCrosshair(vtkCrosshair* crosshair)
-{
-  this->Inner->Crosshair = crosshair;
-  this->Modified();
-}
-
-vtkCrosshair* vtkSliceView::GetCrosshair()
-{
-  return this->Inner->Crosshair;
-}
-
-void vtkSliceView::SetLandmarks(vtkLandmarks* landmarks)
-{
-  this->Inner->Landmarks = landmarks;
-  this->Modified();
-}
-
-void vtkSliceView::SetProbe(vtkProbeRepresentation* probe)
-{
-  this->Inner->Probe = probe;
-  this->Modified();
+  this->Inner->NeedsFit = this->Inner->NeedsFit || display != this->GetImageDisplay();
+  this->Superclass::SetImageDisplay(display);
 }
 
 void vtkSliceView::AddSurface(vtkSurfaceDisplay* surface)
@@ -186,8 +131,9 @@ void vtkSliceView::FitToImage()
 void vtkSliceView::Fit()
 {
   State& state = *this->Inner;
-  vtkImageData* image = state.Image();
-  const int* size = state.Renderer->GetSize();
+  vtkImageDisplay* display = this->GetImageDisplay();
+  vtkImageData* image = display == nullptr ? nullptr : display->GetImage();
+  const int* size = this->GetRenderer()->GetSize();
   if (image == nullptr || size[0] < 1 || size[1] < 1)
   {
     return;
@@ -210,13 +156,13 @@ SlicePosition vtkSliceView::GetPosition()
   SlicePosition position;
   position.Frame = state.Geometry(this).Frame;
   const Vector3& normal = position.Frame.TowardsViewerWorld;
-  position.CenterWorld = state.Center + normal.dot(state.Focus() - state.Center) * normal;
-  if (state.Renderer != nullptr)
+  position.CenterWorld = state.Center + normal.dot(state.Focus(this) - state.Center) * normal;
+  if (vtkRenderer* renderer = this->GetRenderer())
   {
-    const int* size = state.Renderer->GetSize();
+    const int* size = renderer->GetSize();
     position.Width = size[0];
     position.Height = size[1];
-    position.PointPixels = palpate::PointPixels(state.Renderer);
+    position.PointPixels = palpate::PointPixels(renderer);
   }
   position.PixelMillimeters = state.Height / std::max(1, position.Height);
   return position;
@@ -239,8 +185,7 @@ double vtkSliceView::GetPixelMillimeters()
 
 void vtkSliceView::Scroll(int slices)
 {
-  vtkCrosshair* crosshair = this->Inner->Crosshair;
-  if (crosshair != nullptr)
+  if (vtkCrosshair* crosshair = this->GetCrosshair())
   {
     const Vector3 moved =
         this->Inner->Geometry(this).Moved(Vector3(crosshair->GetPositionWorld()), slices);
@@ -251,7 +196,7 @@ void vtkSliceView::Scroll(int slices)
 int vtkSliceView::GetSliceNumber()
 {
   const SliceGeometry geometry = this->Inner->Geometry(this);
-  return geometry.HasNumbers() ? geometry.NumberOf(this->Inner->Focus()) + 1 : 0;
+  return geometry.HasNumbers() ? geometry.NumberOf(this->Inner->Focus(this)) + 1 : 0;
 }
 
 int vtkSliceView::GetNumberOfSlices()
@@ -284,7 +229,7 @@ void vtkSliceView::Pan(double right, double up)
 
 void vtkSliceView::CenterOnCrosshair()
 {
-  this->Inner->Center = this->Inner->Focus();
+  this->Inner->Center = this->Inner->Focus(this);
   this->Modified();
 }
 
@@ -292,9 +237,9 @@ void vtkSliceView::DisplayToWorld(double x, double y, double world[3])
 {
   const SlicePosition position = this->GetPosition();
   int origin[2] = {0, 0};
-  if (this->Inner->Renderer != nullptr)
+  if (vtkRenderer* renderer = this->GetRenderer())
   {
-    std::copy_n(this->Inner->Renderer->GetOrigin(), 2, origin);
+    std::copy_n(renderer->GetOrigin(), 2, origin);
   }
   const Vector3 point = position.ToWorld(x + 0.5 - origin[0], y + 0.5 - origin[1]);
   std::copy_n(point.data(), 3, world);
@@ -302,21 +247,17 @@ void vtkSliceView::DisplayToWorld(double x, double y, double world[3])
 
 void vtkSliceView::MoveCrosshairTo(double x, double y)
 {
-  if (this->Inner->Crosshair != nullptr)
+  if (vtkCrosshair* crosshair = this->GetCrosshair())
   {
     double world[3];
     this->DisplayToWorld(x, y, world);
-    this->Inner->Crosshair->SetPositionWorld(world);
+    crosshair->SetPositionWorld(world);
   }
 }
 
-void vtkSliceView::Update()
+void vtkSliceView::UpdateFor(vtkRenderer* renderer)
 {
   State& state = *this->Inner;
-  if (state.Renderer == nullptr)
-  {
-    return;
-  }
   if (state.NeedsFit)
   {
     this->Fit();
@@ -326,23 +267,24 @@ void vtkSliceView::Update()
   {
     return;
   }
-  this->PlaceCamera(position);
+  this->PlaceCamera(renderer, position);
   this->UpdatePicture(position);
   state.Contours.Update(position);
-  state.Marks.Update(state.Landmarks, position);
-  state.Tool.Update(state.Probe, position);
+  state.Marks.Update(this->GetLandmarks(), position);
+  state.Tool.Update(this->GetProbe(), position);
+  state.Reach.Update(this->GetWorkspace(), position);
   const auto orientation = static_cast<SliceOrientation>(this->Orientation);
-  state.Pointer.Update(state.Crosshair, orientation, position);
-  state.Annotation.SetVisible(this->AnnotationVisibility);
-  if (this->AnnotationVisibility)
+  state.Pointer.Update(this->GetCrosshair(), orientation, position);
+  state.Annotation.SetVisible(this->GetAnnotationVisibility());
+  if (this->GetAnnotationVisibility())
   {
-    state.Annotation.Update(orientation, state.Geometry(this), position, state.Focus());
+    state.Annotation.Update(orientation, state.Geometry(this), position, state.Focus(this));
   }
 }
 
-void vtkSliceView::PlaceCamera(const SlicePosition& position)
+void vtkSliceView::PlaceCamera(vtkRenderer* renderer, const SlicePosition& position)
 {
-  vtkCamera* camera = this->Inner->Renderer->GetActiveCamera();
+  vtkCamera* camera = renderer->GetActiveCamera();
   const Vector3 eye = position.CenterWorld + EyeDistance * position.Frame.TowardsViewerWorld;
   camera->ParallelProjectionOn();
   camera->SetFocalPoint(position.CenterWorld.data());
@@ -355,18 +297,19 @@ void vtkSliceView::PlaceCamera(const SlicePosition& position)
 void vtkSliceView::UpdatePicture(const SlicePosition& position)
 {
   State& state = *this->Inner;
-  state.Patch.Actor()->SetVisibility(state.Display != nullptr ? 1 : 0);
-  if (state.Display == nullptr)
+  vtkImageDisplay* display = this->GetImageDisplay();
+  state.Patch.Actor()->SetVisibility(display != nullptr ? 1 : 0);
+  if (display == nullptr)
   {
     return;
   }
   const palpate::PixelGrid grid = position.Pixels();
-  const vtkMTimeType time = state.Display->GetMTime();
+  const vtkMTimeType time = display->GetMTime();
   if (grid == state.PaintedGrid && time == state.PaintedTime)
   {
     return;
   }
-  palpate::PaintSlice(state.Display->GetContent(), grid, state.Patch.Picture());
+  palpate::PaintSlice(display->GetContent(), grid, state.Patch.Picture());
   state.Patch.Place(grid, palpate::SlicePatch::CornersOf(grid));
   state.PaintedGrid = grid;
   state.PaintedTime = time;
@@ -376,11 +319,8 @@ void vtkSliceView::UpdatePicture(const SlicePosition& position)
 void vtkSliceView::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "Renderer: " << this->Inner->Renderer.Get() << '\n';
   os << indent
      << "Orientation: " << palpate::NameOf(static_cast<SliceOrientation>(this->Orientation))
      << '\n';
-  os << indent << "AlongImage: " << this->AlongImage << '\n';
-  os << indent << "AnnotationVisibility: " << this->AnnotationVisibility << '\n';
   os << indent << "PixelMillimeters: " << this->GetPixelMillimeters() << '\n';
 }

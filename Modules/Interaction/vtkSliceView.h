@@ -2,11 +2,8 @@
  * @class vtkSliceView
  * @brief what a renderer shows of one plane through a volume, linked to other views
  *
- * Give it a renderer of any render window, and what is shown: a volume with labels
- * (vtkImageDisplay), surfaces as contours (vtkSurfaceDisplay), landmarks, a haptic tool. All of
- * them may be shared with other views. The plane passes through a shared vtkCrosshair; hung as
- * radiologists do. The view brings itself up to date whenever the renderer draws, and does then
- * only what has to be done anew.
+ * The plane passes through the shared vtkCrosshair; hung as radiologists do. What is shown, and how
+ * views are linked, is vtkLinkedView's; surfaces are shown as contours.
  *
  * The picture is sampled from the volume at the view's own pixels, in world coordinates: volumes on
  * oblique grids are shown where they are. The camera is the view's: parallel, in front of the
@@ -19,27 +16,20 @@
 #define vtkSliceView_h
 
 #include "PalpateInteractionModule.h" // For export macro
-#include "vtkObject.h"
+#include "vtkLinkedView.h"
 
 #include <memory> // For what is drawn
-
-class vtkCrosshair;
-class vtkImageDisplay;
-class vtkLandmarks;
-class vtkProbeRepresentation;
-class vtkRenderer;
-class vtkSurfaceDisplay;
 
 namespace palpate
 {
 struct SlicePosition;
 } // namespace palpate
 
-class PALPATEINTERACTION_EXPORT vtkSliceView : public vtkObject
+class PALPATEINTERACTION_EXPORT vtkSliceView : public vtkLinkedView
 {
 public:
   static vtkSliceView* New();
-  vtkTypeMacro(vtkSliceView, vtkObject);
+  vtkTypeMacro(vtkSliceView, vtkLinkedView);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   enum Orientations
@@ -49,39 +39,14 @@ public:
     SAGITTAL ///< from the left, the head up
   };
 
-  ///@{
-  /** Where it is drawn. The view takes its things away from the renderer before. */
-  void SetRenderer(vtkRenderer* renderer);
-  vtkRenderer* GetRenderer();
-  ///@}
-
-  ///@{
-  /** What is shown; null shows none. Another image display fits the view to its volume. */
-  void SetImageDisplay(vtkImageDisplay* display);
-  vtkImageDisplay* GetImageDisplay();
-  void SetCrosshair(vtkCrosshair* crosshair);
-  vtkCrosshair* GetCrosshair();
-  void SetLandmarks(vtkLandmarks* landmarks);
-  void SetProbe(vtkProbeRepresentation* probe);
-  void AddSurface(vtkSurfaceDisplay* surface);
-  void RemoveSurface(vtkSurfaceDisplay* surface);
-  ///@}
+  /** Another one fits the view to its volume. */
+  void SetImageDisplay(vtkImageDisplay* display) override;
+  void AddSurface(vtkSurfaceDisplay* surface) override;
+  void RemoveSurface(vtkSurfaceDisplay* surface) override;
 
   ///@{
   vtkSetClampMacro(Orientation, int, AXIAL, SAGITTAL);
   vtkGetMacro(Orientation, int);
-  ///@}
-  ///@{
-  /** Whether planes run along the volume's own axes (the default) or along the body's. */
-  vtkSetMacro(AlongImage, bool);
-  vtkGetMacro(AlongImage, bool);
-  vtkBooleanMacro(AlongImage, bool);
-  ///@}
-  ///@{
-  /** Letters, scale bar and the slice's place. On by default. */
-  vtkSetMacro(AnnotationVisibility, bool);
-  vtkGetMacro(AnnotationVisibility, bool);
-  vtkBooleanMacro(AnnotationVisibility, bool);
   ///@}
 
   /** Shows the whole volume in the middle, when it is drawn next. */
@@ -106,9 +71,6 @@ public:
   /** Moves the crosshair there. */
   void MoveCrosshairTo(double x, double y);
 
-  /** Brings everything up to date; done whenever the renderer draws. */
-  void Update();
-
 #ifndef __VTK_WRAP__
   /** What is shown at the moment. */
   palpate::SlicePosition GetPosition();
@@ -121,17 +83,19 @@ protected:
   vtkSliceView();
   ~vtkSliceView() override;
 
+  void AddTo(vtkRenderer* renderer) override;
+  void RemoveFrom(vtkRenderer* renderer) override;
+  void UpdateFor(vtkRenderer* renderer) override;
+
 private:
   vtkSliceView(const vtkSliceView&) = delete;
   void operator=(const vtkSliceView&) = delete;
 
   void Fit();
-  void PlaceCamera(const palpate::SlicePosition& position);
+  void PlaceCamera(vtkRenderer* renderer, const palpate::SlicePosition& position);
   void UpdatePicture(const palpate::SlicePosition& position);
 
   int Orientation = AXIAL;
-  bool AlongImage = true;
-  bool AnnotationVisibility = true;
 
   struct State;
   std::unique_ptr<State> Inner;

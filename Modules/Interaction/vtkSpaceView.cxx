@@ -1,32 +1,39 @@
 #include "vtkSpaceView.h"
 
 #include "AnatomicalView.h"
+#include "ArrayScales.h"
 #include "AxesMarker.h"
 #include "CameraAxes.h"
 #include "ColorBar.h"
+#include "ContactMark.h"
 #include "LandmarksInSpace.h"
 #include "ProbeInSpace.h"
 #include "SliceInSpace.h"
 #include "SurfaceInSpace.h"
 #include "SurfaceMaterial.h"
 #include "ViewText.h"
+#include "WorkspaceLines.h"
 #include "vtkCrosshair.h"
 #include "vtkImageDisplay.h"
 #include "vtkLandmarks.h"
 #include "vtkProbeRepresentation.h"
 #include "vtkSubVoxelPicker.h"
+#include "vtkSubVoxelVolumeMapper.h"
 #include "vtkSurfaceDisplay.h"
+#include "vtkWorkspaceRepresentation.h"
 
 #include "vtkActor.h"
 #include "vtkCamera.h"
 #include "vtkCellPicker.h"
-#include "vtkCommand.h"
 #include "vtkImageData.h"
 #include "vtkLight.h"
 #include "vtkLookupTable.h"
 #include "vtkMath.h"
+#include "vtkMatrix4x4.h"
 #include "vtkObjectFactory.h"
 #include "vtkRenderer.h"
+#include "vtkVolume.h"
+#include "vtkVolumeCollection.h"
 
 #include <algorithm>
 #include <array>
@@ -41,16 +48,58 @@ namespace
 {
 // VTK leaves room for a ball round everything, of which boxes and organs fill less.
 constexpr double FitCloseness = 1.15;
+
+// Turns the camera round what it looks at.
+void Look(vtkCamera* camera, const palpate::ViewFrame& frame)
+{
+  const Vector3 eye =
+      Vector3(camera->GetFocalPoint()) + camera->GetDistance() * frame.TowardsViewerWorld;
+  camera->SetPosition(eye.data());
+  camera->SetViewUp(frame.UpWorld.data());
+}
+
+// Along the line of sight.
+double DistanceFrom(vtkCamera* camera, const double world[3])
+{
+  return (Vector3(world) - Vector3(camera->GetPosition()))
+      .dot(Vector3(camera->GetDirectionOfProjection()));
+}
+
+// Round the tool's point that touches: from its middle against the force on the hand.
+palpate::ContactMark MarkOf(vtkProbeRepresentation* probe)
+{
+  palpate::ContactMark mark;
+  if (probe == nullptr || !probe->GetVisibility() || !probe->GetInContact())
+  {
+    return mark;
+  }
+  vtkMatrix4x4* place = probe->GetProxyMatrix();
+  const Vector3 middle(place->GetElement(0, 3), place->GetElement(1, 3), place->GetElement(2, 3));
+  const Vector3 force(probe->GetForce());
+  mark.PlaceWorld =
+      force.norm() > 0.0 ? Vector3(middle - probe->GetToolRadius() * force.normalized()) : middle;
+  mark.Radius = probe->GetContactRadius();
+  mark.Color = Vector3(probe->GetContactColor());
+  return mark;
+}
+
+void MarkVolumes(vtkRenderer* renderer, const palpate::ContactMark& contact)
+{
+  vtkVolumeCollection* volumes = renderer->GetVolumes();
+  vtkCollectionSimpleIterator place;
+  volumes->InitTraversal(place);
+  while (vtkVolume* volume = volumes->GetNextVolume(place))
+  {
+    if (auto* mapper = vtkSubVoxelVolumeMapper::SafeDownCast(volume->GetMapper()))
+    {
+      mapper->SetContact(contact);
+    }
+  }
+}
 } // namespace
 
 struct vtkSpaceView::State
 {
-  vtkSmartPointer<vtkRenderer> Renderer;
-  unsigned long Observer = 0;
-  vtkSmartPointer<vtkImageDisplay> Display;
-  vtkSmartPointer<vtkCrosshair> Crosshair;
-  vtkSmartPointer<vtkLandmarks> Landmarks;
-  vtkSmartPointer<vtkProbeRepresentation> Probe;
   vtkSmartPointer<vtkSurfaceDisplay> Picked;
 
   bool NeedsReset = true;
@@ -61,43 +110,13 @@ struct vtkSpaceView::State
   std::array<bool, 3> AreSlicesShown{{true, true, true}};
   palpate::LandmarksInSpace Marks;
   palpate::ProbeInSpace Tool;
+  palpate::WorkspaceLines Reach;
   palpate::AxesMarker Axes;
+  palpate::ArrayScales Scales;
   palpate::ColorBar Bar;
   vtkNew<vtkLight> Lamp;
 
-  void AddTo(vtkRenderer* renderer)
-  {
-    for (const auto& surface : this->Surfaces)
-    {
-      renderer->AddViewProp(surface->Actor());
-    }
-    for (const palpate::SliceInSpace& slice : this->Slices)
-    {
-      slice.AddTo(renderer);
-    }
-    this->Marks.SetRenderer(renderer);
-    this->Tool.AddTo(renderer);
-    this->Axes.AddTo(renderer);
-    this->Bar.AddTo(renderer);
-    renderer->AddLight(this->Lamp);
-  }
-  void RemoveFrom(vtkRenderer* renderer)
-  {
-    for (const auto& surface : this->Surfaces)
-    {
-      renderer->RemoveViewProp(surface->Actor());
-    }
-    for (const palpate::SliceInSpace& slice : this->Slices)
-    {
-      slice.RemoveFrom(renderer);
-    }
-    this->Marks.SetRenderer(nullptr);
-    this->Tool.RemoveFrom(renderer);
-    this->Axes.RemoveFrom(renderer);
-    this->Bar.RemoveFrom(renderer);
-    renderer->RemoveLight(this->Lamp);
-  }
-  bool PickPolygons(double x, double y, double world[3])
+  bool PickPolygons(vtkRenderer* renderer, double x, double y, double world[3])
   {
     vtkNew<vtkCellPicker> picker;
     picker->SetTolerance(0.0);
@@ -110,7 +129,7 @@ struct vtkSpaceView::State
     {
       picker->AddPickList(slice.Actor());
     }
-    if (picker->Pick(x, y, 0.0, this->Renderer) == 0)
+    if (picker->Pick(x, y, 0.0, renderer) == 0)
     {
       return false;
     }
@@ -123,22 +142,6 @@ struct vtkSpaceView::State
       }
     }
     return true;
-  }
-  // Turns the camera round what it looks at.
-  void Look(const palpate::ViewFrame& frame)
-  {
-    vtkCamera* camera = this->Renderer->GetActiveCamera();
-    const Vector3 eye =
-        Vector3(camera->GetFocalPoint()) + camera->GetDistance() * frame.TowardsViewerWorld;
-    camera->SetPosition(eye.data());
-    camera->SetViewUp(frame.UpWorld.data());
-  }
-  // Along the line of sight.
-  double Distance(const double world[3])
-  {
-    vtkCamera* camera = this->Renderer->GetActiveCamera();
-    return (Vector3(world) - Vector3(camera->GetPosition()))
-        .dot(Vector3(camera->GetDirectionOfProjection()));
   }
 };
 
@@ -155,63 +158,51 @@ vtkSpaceView::~vtkSpaceView()
   this->SetRenderer(nullptr);
 }
 
-void vtkSpaceView::SetRenderer(vtkRenderer* renderer)
+void vtkSpaceView::AddTo(vtkRenderer* renderer)
 {
   State& state = *this->Inner;
-  if (state.Renderer == renderer)
+  for (const auto& surface : state.Surfaces)
   {
-    return;
+    renderer->AddViewProp(surface->Actor());
   }
-  if (state.Renderer != nullptr)
+  for (const palpate::SliceInSpace& slice : state.Slices)
   {
-    state.Renderer->RemoveObserver(state.Observer);
-    state.RemoveFrom(state.Renderer);
+    slice.AddTo(renderer);
   }
-  state.Renderer = renderer;
-  if (renderer != nullptr)
+  state.Marks.SetRenderer(renderer);
+  state.Tool.AddTo(renderer);
+  state.Reach.AddTo(renderer);
+  state.Axes.AddTo(renderer);
+  state.Bar.AddTo(renderer);
+  renderer->AddLight(state.Lamp);
+  state.NeedsReset = true;
+}
+
+void vtkSpaceView::RemoveFrom(vtkRenderer* renderer)
+{
+  State& state = *this->Inner;
+  for (const auto& surface : state.Surfaces)
   {
-    state.Observer = renderer->AddObserver(vtkCommand::StartEvent, this, &vtkSpaceView::Update);
-    state.AddTo(renderer);
-    state.NeedsReset = true;
+    renderer->RemoveViewProp(surface->Actor());
   }
-  this->Modified();
-}
-
-vtkRenderer* vtkSpaceView::GetRenderer()
-{
-  return this->Inner->Renderer;
-}
-
-void vtkSpaceView::SetImageDisplay(vtkImageDisplay* display)
-{
-  this->Inner->Display = display;
-  this->Modified();
-}
-
-void vtkSpaceView::SetCrosshair(vtkCrosshair* crosshair)
-{
-  this->Inner->Crosshair = crosshair;
-  this->Modified();
-}
-
-void vtkSpaceView::SetLandmarks(vtkLandmarks* landmarks)
-{
-  this->Inner->Landmarks = landmarks;
-  this->Modified();
-}
-
-void vtkSpaceView::SetProbe(vtkProbeRepresentation* probe)
-{
-  this->Inner->Probe = probe;
-  this->Modified();
+  for (const palpate::SliceInSpace& slice : state.Slices)
+  {
+    slice.RemoveFrom(renderer);
+  }
+  state.Marks.SetRenderer(nullptr);
+  state.Tool.RemoveFrom(renderer);
+  state.Reach.RemoveFrom(renderer);
+  state.Axes.RemoveFrom(renderer);
+  state.Bar.RemoveFrom(renderer);
+  renderer->RemoveLight(state.Lamp);
 }
 
 void vtkSpaceView::AddSurface(vtkSurfaceDisplay* surface)
 {
   this->Inner->Surfaces.push_back(std::make_unique<palpate::SurfaceInSpace>(surface));
-  if (this->Inner->Renderer != nullptr)
+  if (vtkRenderer* renderer = this->GetRenderer())
   {
-    this->Inner->Renderer->AddViewProp(this->Inner->Surfaces.back()->Actor());
+    renderer->AddViewProp(this->Inner->Surfaces.back()->Actor());
   }
   this->Modified();
 }
@@ -224,9 +215,9 @@ void vtkSpaceView::RemoveSurface(vtkSurfaceDisplay* surface)
                    [surface](const auto& shown) { return shown->Display() == surface; });
   if (gone != surfaces.end())
   {
-    if (this->Inner->Renderer != nullptr)
+    if (vtkRenderer* renderer = this->GetRenderer())
     {
-      this->Inner->Renderer->RemoveViewProp((*gone)->Actor());
+      renderer->RemoveViewProp((*gone)->Actor());
     }
     surfaces.erase(gone);
     this->Modified();
@@ -248,48 +239,55 @@ bool vtkSpaceView::GetSliceVisibility(int orientation)
 
 void vtkSpaceView::ResetCamera()
 {
-  State& state = *this->Inner;
+  vtkRenderer* renderer = this->GetRenderer();
   double bounds[6];
-  if (state.Renderer == nullptr)
+  if (renderer == nullptr)
   {
     return;
   }
   this->UpdateContents();
-  state.Renderer->ComputeVisiblePropBounds(bounds);
+  // A workspace may be much larger than what there is to look at.
+  vtkActor* reach = this->Inner->Reach.Drawn().Actor();
+  reach->UseBoundsOff();
+  renderer->ComputeVisiblePropBounds(bounds);
+  reach->UseBoundsOn();
   if (vtkMath::AreBoundsInitialized(bounds))
   {
-    state.Renderer->ResetCamera(bounds);
-    state.Renderer->GetActiveCamera()->Dolly(FitCloseness);
-    state.NeedsReset = false;
+    renderer->ResetCamera(bounds);
+    renderer->GetActiveCamera()->Dolly(FitCloseness);
+    this->Inner->NeedsReset = false;
   }
 }
 
 void vtkSpaceView::LookFrom(int side)
 {
-  if (this->Inner->Renderer == nullptr)
+  vtkRenderer* renderer = this->GetRenderer();
+  if (renderer == nullptr)
   {
     return;
   }
   const palpate::ViewFrame frame = palpate::FrameOf(palpate::AllViewSides[static_cast<std::size_t>(
       vtkMath::ClampValue(side, static_cast<int>(ANTERIOR), static_cast<int>(INFERIOR)))]);
-  this->Inner->Look(frame);
+  Look(renderer->GetActiveCamera(), frame);
   this->ResetCamera();
 }
 
 bool vtkSpaceView::Pick(double x, double y, double world[3])
 {
   State& state = *this->Inner;
+  vtkRenderer* renderer = this->GetRenderer();
   state.Picked = nullptr;
-  if (state.Renderer == nullptr)
+  if (renderer == nullptr)
   {
     return false;
   }
   double polygon[3];
-  const bool hasPolygon = state.PickPolygons(x, y, polygon);
+  const bool hasPolygon = state.PickPolygons(renderer, x, y, polygon);
   vtkNew<vtkSubVoxelPicker> picker;
-  const bool hasVoxels = picker->Pick(x, y, 0.0, state.Renderer) != 0;
-  if (hasVoxels &&
-      (!hasPolygon || state.Distance(picker->GetPickPosition()) < state.Distance(polygon)))
+  const bool hasVoxels = picker->Pick(x, y, 0.0, renderer) != 0;
+  vtkCamera* camera = renderer->GetActiveCamera();
+  if (hasVoxels && (!hasPolygon || DistanceFrom(camera, picker->GetPickPosition()) <
+                                       DistanceFrom(camera, polygon)))
   {
     state.Picked = nullptr;
     picker->GetPickPosition(world);
@@ -314,64 +312,51 @@ void vtkSpaceView::UpdateContents()
   {
     surface->Update();
   }
-  const Vector3 focus = state.Crosshair == nullptr ? Vector3(Vector3::Zero())
-                                                   : Vector3(state.Crosshair->GetPositionWorld());
+  state.Scales.Update(state.Surfaces);
+  vtkCrosshair* crosshair = this->GetCrosshair();
+  const Vector3 focus =
+      crosshair == nullptr ? Vector3(Vector3::Zero()) : Vector3(crosshair->GetPositionWorld());
   for (std::size_t orientation = 0; orientation < 3; ++orientation)
   {
     state.Slices[orientation].SetVisible(state.AreSlicesShown[orientation]);
-    state.Slices[orientation].Update(state.Display, this->AlongImage, focus);
+    state.Slices[orientation].Update(this->GetImageDisplay(), this->GetAlongImage(), focus);
   }
-  state.Marks.Update(state.Landmarks);
-  state.Tool.Update(state.Probe);
+  state.Marks.Update(this->GetLandmarks());
+  state.Tool.Update(this->GetProbe());
+  state.Reach.Update(this->GetWorkspace());
 }
 
-void vtkSpaceView::Update()
+void vtkSpaceView::UpdateFor(vtkRenderer* renderer)
 {
-  State& state = *this->Inner;
-  if (state.Renderer == nullptr)
-  {
-    return;
-  }
   this->UpdateContents();
-  if (state.NeedsReset)
+  if (this->Inner->NeedsReset)
   {
-    state.Look(palpate::ObliqueFrame());
+    Look(renderer->GetActiveCamera(), palpate::ObliqueFrame());
     this->ResetCamera();
   }
-  state.Renderer->ResetCameraClippingRange();
-  for (const auto& surface : state.Surfaces)
+  renderer->ResetCameraClippingRange();
+  const palpate::ContactMark contact = MarkOf(this->GetProbe());
+  for (const auto& surface : this->Inner->Surfaces)
   {
-    surface->UpdateContact(state.Probe, state.Renderer->GetActiveCamera());
+    surface->UpdateContact(contact, renderer->GetActiveCamera());
   }
-  this->UpdateAnnotation();
+  MarkVolumes(renderer, contact);
+  this->UpdateAnnotation(renderer);
 }
 
-void vtkSpaceView::UpdateAnnotation()
+void vtkSpaceView::UpdateAnnotation(vtkRenderer* renderer)
 {
   State& state = *this->Inner;
-  const auto colored =
-      std::find_if(state.Surfaces.begin(), state.Surfaces.end(),
-                   [](const auto& surface)
-                   { return surface->Colors() != nullptr && surface->Display()->GetVisibility(); });
-  if (this->AnnotationVisibility && colored != state.Surfaces.end())
-  {
-    state.Bar.Update((*colored)->Colors(), (*colored)->Display()->GetColorArray());
-  }
-  else
-  {
-    state.Bar.Update(nullptr, {});
-  }
-  state.Axes.SetVisible(this->AnnotationVisibility);
-  const palpate::Matrix3 axes = palpate::CameraAxes(state.Renderer->GetActiveCamera());
-  state.Axes.Update({axes.col(0), axes.col(1), axes.col(2)}, state.Renderer->GetSize()[0],
-                    palpate::PointPixels(state.Renderer));
+  const bool isShown = this->GetAnnotationVisibility();
+  state.Bar.Update(isShown ? state.Scales.FirstColors() : nullptr, state.Scales.FirstArray());
+  state.Axes.SetVisible(isShown);
+  const palpate::Matrix3 axes = palpate::CameraAxes(renderer->GetActiveCamera());
+  state.Axes.Update({axes.col(0), axes.col(1), axes.col(2)}, renderer->GetSize()[0],
+                    palpate::PointPixels(renderer));
 }
 
 void vtkSpaceView::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "Renderer: " << this->Inner->Renderer.Get() << '\n';
   os << indent << "Surfaces: " << this->Inner->Surfaces.size() << '\n';
-  os << indent << "AlongImage: " << this->AlongImage << '\n';
-  os << indent << "AnnotationVisibility: " << this->AnnotationVisibility << '\n';
 }

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <random>
 #include <sstream>
 #include <utility>
 
@@ -106,6 +107,33 @@ private:
   FollowStep Step;
 };
 
+// A way that grows place by place.
+class Walk
+{
+public:
+  Walk(const Vector3& start, double speed) : Places{{0.0, start}}, Speed(speed) {}
+
+  void GoTo(const Vector3& point)
+  {
+    const double way = (point - this->Places.back().PointWorld).norm();
+    // Places that coincide would take no time.
+    this->Places.push_back({this->Places.back().Time + std::max(way / this->Speed, 1e-3), point});
+  }
+  HandPath Path() { return HandPath(std::move(this->Places)); }
+
+private:
+  std::vector<HandPath::Place> Places;
+  double Speed;
+};
+
+Vector3 RandomDirection(std::mt19937_64& random)
+{
+  std::normal_distribution<double> normal;
+  const double x = normal(random);
+  const double y = normal(random);
+  return Vector3(x, y, normal(random)).stableNormalized();
+}
+
 // Turns about the z axis from pole to pole; `part` from 0 to 1.
 Vector3 OnSpiral(double part)
 {
@@ -179,21 +207,48 @@ Status SweepOf(const TouchScene& scene, double depth, double speed, HandPath& pa
     return status;
   }
   const double outside = 1.05 * probe.Extent();
-  std::vector<HandPath::Place> places{{0.0, probe.Middle() + outside * OnSpiral(0.0)}};
-  const auto goTo = [&](const Vector3& point)
-  {
-    const double way = (point - places.back().PointWorld).norm();
-    // Places that coincide would take no time.
-    places.push_back({places.back().Time + std::max(way / speed, 1e-3), point});
-  };
+  Walk walk(probe.Middle() + outside * OnSpiral(0.0), speed);
   for (int knot = 0; knot <= Knots; ++knot)
   {
     const Vector3 direction = OnSpiral(static_cast<double>(knot) / Knots);
     const double touch = probe.FirstTouch(direction);
-    goTo(probe.Middle() + (touch < 0.0 ? outside : std::max(touch - depth, 0.0)) * direction);
+    walk.GoTo(probe.Middle() + (touch < 0.0 ? outside : std::max(touch - depth, 0.0)) * direction);
   }
-  goTo(probe.Middle() + outside * OnSpiral(1.0));
-  path = HandPath(std::move(places));
+  walk.GoTo(probe.Middle() + outside * OnSpiral(1.0));
+  path = walk.Path();
+  return status;
+}
+
+Status PressesOf(const TouchScene& scene, const HandPresses& presses, HandPath& path)
+{
+  SceneProbe probe(scene);
+  Status status = probe.MakeTrackers(scene);
+  if (!status.IsOk())
+  {
+    return status;
+  }
+  std::mt19937_64 random(presses.Seed);
+  const double outside = 1.05 * probe.Extent();
+  Walk walk(probe.Middle() + outside * Vector3::UnitZ(), presses.Speed);
+  for (int n = 0; n < presses.Count; ++n)
+  {
+    const Vector3 direction = RandomDirection(random);
+    const Vector3 aside =
+        presses.Aside * direction.cross(RandomDirection(random)).stableNormalized();
+    const double touch = probe.FirstTouch(direction);
+    if (touch < 0.0)
+    {
+      continue;
+    }
+    const Vector3 deepest = probe.Middle() + std::max(touch - presses.Depth, 0.0) * direction;
+    const Vector3 before = presses.Aside * direction;
+    for (const Vector3& point : {Vector3(deepest + before), deepest, Vector3(deepest + aside),
+                                 Vector3(deepest + aside + before)})
+    {
+      walk.GoTo(point);
+    }
+  }
+  path = walk.Path();
   return status;
 }
 } // namespace palpate

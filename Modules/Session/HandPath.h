@@ -3,6 +3,7 @@
 #include "PalpateSessionModule.h"
 #include "TouchScene.h"
 
+#include <cstdint>
 #include <filesystem>
 #include <vector>
 
@@ -40,4 +41,19 @@ PALPATESESSION_EXPORT HandPath ReadHandPath(const std::filesystem::path& path);
 /// meet nothing lead round the outside. Refuses a scene that cannot be felt.
 PALPATESESSION_EXPORT Status SweepOf(const TouchScene& scene, double depth, double speed,
                                      HandPath& path);
+
+/// How a scene is pressed here and there.
+struct HandPresses
+{
+  int Count = 24;         ///< directions from the scene's middle, chosen by the seed
+  std::uint64_t Seed = 1; ///< equal seeds press the same places
+  double Depth = 2.0;     ///< mm below where the tool first touches
+  double Aside = 5.0;     ///< mm along the surface there, and from outside to there
+  double Speed = 50.0;    ///< mm/s
+};
+
+/// In, along and out again at each of the places; directions that meet nothing are left out.
+/// Refuses a scene that cannot be felt.
+PALPATESESSION_EXPORT Status PressesOf(const TouchScene& scene, const HandPresses& presses,
+                                       HandPath& path);
 } // namespace palpate

@@ -333,11 +333,10 @@ void SceneRenderer::AddLetters()
 
 void SceneRenderer::SetLetters(const ViewFrame& frame)
 {
-  const std::array<Vector3, 4> directions{
-      {-frame.RightWorld, frame.RightWorld, frame.UpWorld, -frame.UpWorld}};
-  for (std::size_t side = 0; side < directions.size(); ++side)
+  const auto texts = EdgeLettersOf(frame);
+  for (std::size_t side = 0; side < texts.size(); ++side)
   {
-    this->Letters[side]->SetInput(OrientationLetters(directions[side]).c_str());
+    this->Letters[side]->SetInput(texts[side].c_str());
   }
 }
 

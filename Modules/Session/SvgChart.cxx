@@ -10,18 +10,14 @@ namespace palpate
 namespace
 {
 // The drawing area inside the picture, in the SVG's own units.
-constexpr double Width = 390.0;
-constexpr double Height = 240.0;
 constexpr double Left = 60.0;
 constexpr double Right = 380.0;
 constexpr double Top = 14.0;
 constexpr double Bottom = 194.0;
 constexpr int TickGoal = 6;
 
-std::string Coordinate(double value)
-{
-  return FixedText(value, 1);
-}
+using Kind = ChartMark::Kind;
+using Side = ChartMark::Side;
 
 // The step 1, 2 or 5 times a power of ten that cuts `span` into about TickGoal parts.
 double NiceStep(double span)
@@ -43,16 +39,14 @@ std::vector<double> LinearTicks(double low, double high)
   return ticks;
 }
 
-std::string LineElement(const std::string& style, double x1, double y1, double x2, double y2)
+ChartMark Line(const std::string& style, double x1, double y1, double x2, double y2)
 {
-  return "<line class=\"" + style + "\" x1=\"" + Coordinate(x1) + "\" y1=\"" + Coordinate(y1) +
-         "\" x2=\"" + Coordinate(x2) + "\" y2=\"" + Coordinate(y2) + "\"/>";
+  return {Kind::Line, style, {{x1, y1}, {x2, y2}}, {}, Side::Start};
 }
 
-std::string TextElement(double x, double y, const std::string& anchor, const std::string& text)
+ChartMark Text(double x, double y, Side anchor, const std::string& text)
 {
-  return "<text x=\"" + Coordinate(x) + "\" y=\"" + Coordinate(y) + "\" text-anchor=\"" + anchor +
-         "\">" + EscapeHtml(text) + "</text>";
+  return {Kind::Text, {}, {{x, y}}, text, anchor};
 }
 } // namespace
 
@@ -138,9 +132,8 @@ SvgChart::Frame SvgChart::MakeFrame(const Points& points) const
   return frame;
 }
 
-std::string SvgChart::Axes(const Frame& frame) const
+void SvgChart::AddAxes(const Frame& frame, std::vector<ChartMark>& marks) const
 {
-  std::string svg;
   if (this->IsLogarithmic)
   {
     const double decades = frame.HighY - frame.LowY;
@@ -149,87 +142,98 @@ std::string SvgChart::Axes(const Frame& frame) const
     for (int tick = 0; tick <= ticks; ++tick)
     {
       const double value = std::pow(10.0, frame.LowY + tick * step);
-      svg += LineElement("grid", Left, frame.Y(value), Right, frame.Y(value));
-      svg += TextElement(Left - 6.0, frame.Y(value) + 4.0, "end", SignificantText(value, 3));
+      marks.push_back(Line("grid", Left, frame.Y(value), Right, frame.Y(value)));
+      marks.push_back(Text(Left - 6.0, frame.Y(value) + 4.0, Side::End, SignificantText(value, 3)));
     }
   }
   else
   {
     for (const double tick : LinearTicks(frame.LowY, frame.HighY))
     {
-      svg += LineElement("grid", Left, frame.Y(tick), Right, frame.Y(tick));
-      svg += TextElement(Left - 6.0, frame.Y(tick) + 4.0, "end", SignificantText(tick, 4));
+      marks.push_back(Line("grid", Left, frame.Y(tick), Right, frame.Y(tick)));
+      marks.push_back(Text(Left - 6.0, frame.Y(tick) + 4.0, Side::End, SignificantText(tick, 4)));
     }
   }
   for (const double tick : LinearTicks(frame.LowX, frame.HighX))
   {
-    svg += LineElement("axis", frame.X(tick), Bottom, frame.X(tick), Bottom + 4.0);
-    svg += TextElement(frame.X(tick), Bottom + 17.0, "middle", SignificantText(tick, 4));
+    marks.push_back(Line("axis", frame.X(tick), Bottom, frame.X(tick), Bottom + 4.0));
+    marks.push_back(Text(frame.X(tick), Bottom + 17.0, Side::Middle, SignificantText(tick, 4)));
   }
-  svg += LineElement("axis", Left, Bottom, Right, Bottom);
-  svg += TextElement(0.5 * (Left + Right), Height - 8.0, "middle", this->HorizontalLabel);
-  const double middle = 0.5 * (Top + Bottom);
-  svg += "<text transform=\"translate(13 " + Coordinate(middle) +
-         ") rotate(-90)\" text-anchor=\"middle\">" + EscapeHtml(this->VerticalLabel) + "</text>";
-  return svg;
+  marks.push_back(Line("axis", Left, Bottom, Right, Bottom));
+  marks.push_back(Text(0.5 * (Left + Right), Height - 8.0, Side::Middle, this->HorizontalLabel));
+  marks.push_back(
+      {Kind::UprightText, {}, {{13.0, 0.5 * (Top + Bottom)}}, this->VerticalLabel, Side::Middle});
 }
 
-std::string SvgChart::Marks(const Frame& frame, const Points& points) const
+void SvgChart::AddData(const Frame& frame, const Points& points,
+                       std::vector<ChartMark>& marks) const
 {
-  std::string svg;
+  const auto say = [](double x, double y)
+  { return SignificantText(x, 4) + ": " + SignificantText(y, 4); };
   if (this->BarWidth > 0.0)
   {
-    const double width = 0.82 * (frame.X(this->BarWidth) - frame.X(0.0));
+    const double half = 0.41 * (frame.X(this->BarWidth) - frame.X(0.0));
     for (const auto& [x, y] : points)
     {
-      const double top = frame.Y(y);
-      svg += "<rect class=\"bar\" x=\"" + Coordinate(frame.X(x) - 0.5 * width) + "\" y=\"" +
-             Coordinate(top) + "\" width=\"" + Coordinate(width) + "\" height=\"" +
-             Coordinate(std::max(0.0, Bottom - top)) + "\"><title>" +
-             EscapeHtml(SignificantText(x, 4) + ": " + SignificantText(y, 4)) + "</title></rect>";
+      marks.push_back({Kind::Bar,
+                       "bar",
+                       {{frame.X(x) - half, frame.Y(y)}, {frame.X(x) + half, Bottom}},
+                       say(x, y),
+                       Side::Start});
     }
-    return svg;
+    return;
   }
   constexpr std::size_t MostMarked = 100; // of more, the marks would hide the line
-  std::string path;
+  ChartMark curve{Kind::Curve, "line", {}, {}, Side::Start};
   for (const auto& [x, y] : points)
   {
-    path += (path.empty() ? "" : " ") + Coordinate(frame.X(x)) + "," + Coordinate(frame.Y(y));
-    if (points.size() > MostMarked)
-    {
-      continue;
-    }
-    svg += "<circle class=\"bar\" r=\"2.6\" cx=\"" + Coordinate(frame.X(x)) + "\" cy=\"" +
-           Coordinate(frame.Y(y)) + "\"><title>" +
-           EscapeHtml(SignificantText(x, 4) + ": " + SignificantText(y, 4)) + "</title></circle>";
+    curve.Points.emplace_back(frame.X(x), frame.Y(y));
   }
-  return "<polyline class=\"line\" points=\"" + path + "\"/>" + svg;
+  marks.push_back(curve);
+  for (std::size_t p = 0; points.size() <= MostMarked && p < points.size(); ++p)
+  {
+    marks.push_back(
+        {Kind::Dot, "bar", {curve.Points[p]}, say(points[p].first, points[p].second), Side::Start});
+  }
 }
 
-std::string SvgChart::Marker(const Frame& frame) const
+void SvgChart::AddMarker(const Frame& frame, std::vector<ChartMark>& marks) const
 {
   if (!this->HasMarker || this->MarkerPlace < frame.LowX || this->MarkerPlace > frame.HighX)
   {
-    return {};
+    return;
   }
   const double x = frame.X(this->MarkerPlace);
   const bool isRight = x > 0.5 * (Left + Right);
-  return LineElement("marker", x, Top, x, Bottom) +
-         TextElement(x + (isRight ? -5.0 : 5.0), Top + 10.0, isRight ? "end" : "start",
-                     this->MarkerText);
+  marks.push_back(Line("marker", x, Top, x, Bottom));
+  marks.push_back(Text(x + (isRight ? -5.0 : 5.0), Top + 10.0, isRight ? Side::End : Side::Start,
+                       this->MarkerText));
+}
+
+std::vector<ChartMark> SvgChart::Marks() const
+{
+  std::vector<ChartMark> marks;
+  const Points points = this->Drawable();
+  if (!points.empty())
+  {
+    const Frame frame = this->MakeFrame(points);
+    this->AddAxes(frame, marks);
+    this->AddData(frame, points, marks);
+    this->AddMarker(frame, marks);
+  }
+  return marks;
 }
 
 std::string SvgChart::Svg() const
 {
-  const Points points = this->Drawable();
-  if (points.empty())
+  const std::vector<ChartMark> marks = this->Marks();
+  if (marks.empty())
   {
     return {};
   }
-  const Frame frame = this->MakeFrame(points);
   return "<svg class=\"chart\" role=\"img\" viewBox=\"0 0 " + FixedText(Width, 0) + " " +
          FixedText(Height, 0) + "\" aria-label=\"" +
          EscapeHtml(this->VerticalLabel + " against " + this->HorizontalLabel) + "\">" +
-         this->Axes(frame) + this->Marks(frame, points) + this->Marker(frame) + "</svg>\n";
+         SvgOf(marks) + "</svg>\n";
 }
 } // namespace palpate

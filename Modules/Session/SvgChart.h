@@ -1,5 +1,6 @@
 #pragma once
 
+#include "ChartMark.h"
 #include "PalpateSessionModule.h"
 
 #include <string>
@@ -14,6 +15,10 @@ namespace palpate
 class PALPATESESSION_EXPORT SvgChart
 {
 public:
+  /// Of the picture, in its own units.
+  static constexpr double Width = 390.0;
+  static constexpr double Height = 240.0;
+
   /// Labels name quantity and unit.
   SvgChart(std::string horizontalLabel, std::string verticalLabel);
 
@@ -26,6 +31,8 @@ public:
   /// A vertical rule with a word beside it.
   void SetMarker(double x, std::string text);
 
+  /// What is to be drawn, in the order of drawing; nothing where there is no point to draw.
+  std::vector<ChartMark> Marks() const;
   /// The whole <svg> element; empty where there is no point to draw.
   std::string Svg() const;
 
@@ -35,9 +42,9 @@ private:
 
   Points Drawable() const;
   Frame MakeFrame(const Points& points) const;
-  std::string Axes(const Frame& frame) const;
-  std::string Marks(const Frame& frame, const Points& points) const;
-  std::string Marker(const Frame& frame) const;
+  void AddAxes(const Frame& frame, std::vector<ChartMark>& marks) const;
+  void AddData(const Frame& frame, const Points& points, std::vector<ChartMark>& marks) const;
+  void AddMarker(const Frame& frame, std::vector<ChartMark>& marks) const;
 
   std::string HorizontalLabel;
   std::string VerticalLabel;

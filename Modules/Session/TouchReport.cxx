@@ -2,7 +2,7 @@
 
 #include "HtmlText.h"
 #include "ReportPage.h"
-#include "SvgChart.h"
+#include "TouchPlots.h"
 #include "TouchSceneFile.h"
 #include "WholeFile.h"
 
@@ -82,46 +82,10 @@ nlohmann::ordered_json SummaryOf(const PreparedTouch& touch, const TouchResult& 
   return summary;
 }
 
-using Quantity = LeastAndMost TouchStretch::*;
-
-// The least and the most in each of some thousand stretches of time, so that a peak of one tick is
-// seen. What is 0, of ticks that nothing is known of, is left out of logarithms.
-std::vector<std::pair<double, double>> Envelope(const std::vector<TouchStretch>& stretches,
-                                                Quantity quantity, bool isLogarithmic)
-{
-  constexpr std::size_t MostPoints = 1000;
-  const std::size_t length = std::max<std::size_t>(1, stretches.size() / MostPoints);
-  std::vector<std::pair<double, double>> points;
-  for (std::size_t first = 0; first < stretches.size(); first += length)
-  {
-    LeastAndMost values = stretches[first].*quantity;
-    for (std::size_t i = first; i < std::min(stretches.size(), first + length); ++i)
-    {
-      values.Join(stretches[i].*quantity);
-    }
-    const auto add = [&](float value)
-    {
-      if (value > 0.0F || !isLogarithmic)
-      {
-        points.emplace_back(stretches[first].Time, static_cast<double>(value));
-      }
-    };
-    add(values.Least);
-    if (values.Most > values.Least)
-    {
-      add(values.Most);
-    }
-  }
-  return points;
-}
-
-std::string Chart(const TouchTrace& trace, Quantity quantity, const std::string& label,
+std::string Chart(const TouchTrace& trace, TouchQuantity quantity, const std::string& label,
                   const std::string& caption, bool isLogarithmic = false)
 {
-  SvgChart chart("time, s", label);
-  chart.SetLogarithmic(isLogarithmic);
-  chart.SetLine(Envelope(trace.Stretches(), quantity, isLogarithmic));
-  return ReportFigure(chart.Svg(), caption);
+  return ReportFigure(TouchChart(trace, quantity, label, isLogarithmic).Svg(), caption);
 }
 
 std::string StructuresTable(const PreparedTouch& touch, const TouchResult& result)

@@ -10,11 +10,6 @@ namespace
 {
 constexpr double Nano = 1e-9;
 constexpr double SettlingTime = 1.0; // s, until all memory is there
-
-LeastAndMost Alone(double value)
-{
-  return {static_cast<float>(value), static_cast<float>(value)};
-}
 } // namespace
 
 TouchResultKeeper::TouchResultKeeper(TouchResult& result, std::size_t structures) : Result(result)
@@ -30,8 +25,8 @@ void TouchResultKeeper::Add(const TouchState& state, float microseconds)
     this->Last = state.Tick.Started;
   }
   const double passed = Nano * static_cast<double>(state.Tick.Started - this->Last);
+  this->Trace(state, microseconds);
   this->Last = state.Tick.Started;
-  this->Trace(state, passed, microseconds);
   if (state.Structure >= 0)
   {
     this->Result.TouchedSeconds[static_cast<std::size_t>(state.Structure)] += passed;
@@ -43,13 +38,9 @@ void TouchResultKeeper::Add(const TouchState& state, float microseconds)
   }
 }
 
-void TouchResultKeeper::Trace(const TouchState& state, double passed, float microseconds)
+void TouchResultKeeper::Trace(const TouchState& state, float microseconds)
 {
-  TouchStretch tick;
-  tick.Time = Nano * static_cast<double>(state.Tick.Started - this->Start);
-  tick.Force = Alone(Vector3(state.ForceDevice).norm());
-  tick.Depth = Alone(state.Structure < 0 ? 0.0 : state.Depth);
-  tick.Period = Alone(1e6 * passed);
+  TouchStretch tick = StretchOf(state, this->Start, this->Last);
   tick.Computation = {microseconds, microseconds};
   this->Result.Trace.Add(tick);
   if (this->Result.MebibytesAtStart == 0.0 && tick.Time >= SettlingTime)

@@ -20,7 +20,7 @@ public:
   void Close();
 
 private:
-  void Trace(const TouchState& state, double passed, float microseconds);
+  void Trace(const TouchState& state, float microseconds);
 
   TouchResult& Result;
   std::int64_t Start = 0; // ns

@@ -1,8 +1,6 @@
 #include "TouchTicksFile.h"
 
 #include "DecimalText.h"
-#include "Refusal.h"
-#include "TouchRecording.h"
 #include "WholeFile.h"
 
 #include <string>
@@ -59,17 +57,14 @@ bool IsTouchRecording(const std::filesystem::path& path)
   return path.extension() == ".touch" || path.extension() == ".part";
 }
 
-bool WriteTouchTicks(const std::filesystem::path& recording, const std::filesystem::path& csv)
+void WriteTouchTicks(const std::vector<TouchState>& ticks, const std::filesystem::path& csv)
 {
-  TouchRecording read;
-  RequireInput(ReadTouchRecording(recording.string(), read));
   std::string text = Columns;
-  const std::int64_t start = read.Ticks.empty() ? 0 : read.Ticks.front().Tick.Scheduled;
-  for (const TouchState& state : read.Ticks)
+  const std::int64_t start = ticks.empty() ? 0 : ticks.front().Tick.Scheduled;
+  for (const TouchState& state : ticks)
   {
     Append(text, state, start);
   }
   WriteWholeFile(csv, text);
-  return read.WasCutOff;
 }
 } // namespace palpate

@@ -1,8 +1,10 @@
 #pragma once
 
 #include "PalpateSessionModule.h"
+#include "TouchState.h"
 
 #include <filesystem>
+#include <vector>
 
 namespace palpate
 {
@@ -10,8 +12,8 @@ namespace palpate
 PALPATESESSION_EXPORT bool IsTouchRecording(const std::filesystem::path& path);
 
 /// Writes every tick of a recorded touch as a line of CSV; the first line names the columns with
-/// their units. Lengths in the device's frame or, where a name says so, in the world. Answers
-/// whether the recording was cut off. Throws InputError.
-PALPATESESSION_EXPORT bool WriteTouchTicks(const std::filesystem::path& recording,
+/// their units. Lengths in the device's frame or, where a name says so, in the world. Throws
+/// InputError.
+PALPATESESSION_EXPORT void WriteTouchTicks(const std::vector<TouchState>& ticks,
                                            const std::filesystem::path& csv);
 } // namespace palpate

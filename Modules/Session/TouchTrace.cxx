@@ -1,5 +1,7 @@
 #include "TouchTrace.h"
 
+#include "Vector3.h"
+
 namespace palpate
 {
 namespace
@@ -11,7 +13,24 @@ void Join(TouchStretch& stretch, const TouchStretch& next)
   stretch.Period.Join(next.Period);
   stretch.Computation.Join(next.Computation);
 }
+
+LeastAndMost Alone(double value)
+{
+  return {static_cast<float>(value), static_cast<float>(value)};
+}
 } // namespace
+
+TouchStretch StretchOf(const TouchState& state, std::int64_t start, std::int64_t last)
+{
+  constexpr double Nano = 1e-9;
+  constexpr double Micro = 1e-3; // of a ns
+  TouchStretch tick;
+  tick.Time = Nano * static_cast<double>(state.Tick.Started - start);
+  tick.Force = Alone(Vector3(state.ForceDevice).norm());
+  tick.Depth = Alone(state.Structure < 0 ? 0.0 : state.Depth);
+  tick.Period = Alone(Micro * static_cast<double>(state.Tick.Started - last));
+  return tick;
+}
 
 void TouchTrace::Add(const TouchStretch& tick)
 {

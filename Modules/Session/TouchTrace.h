@@ -1,6 +1,7 @@
 #pragma once
 
 #include "PalpateSessionModule.h"
+#include "TouchState.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -31,6 +32,11 @@ struct TouchStretch
   LeastAndMost Period;      ///< us, from the tick before
   LeastAndMost Computation; ///< us that ticks took, where time is virtual; else 0
 };
+
+/// A tick alone. `start` and `last` (ns): when the first tick was due, and when the one before this
+/// began.
+PALPATESESSION_EXPORT TouchStretch StretchOf(const TouchState& state, std::int64_t start,
+                                             std::int64_t last);
 
 /// What was felt over time, in memory that does not grow: a stretch holds one tick until there are
 /// MostStretches, then two, and so on, so that no peak of a tick is lost. All ticks are in a

@@ -32,7 +32,8 @@ std::uint8_t Byte(double part) noexcept
 FieldRenderer::FieldRenderer(std::shared_ptr<const ScalarField> field, FieldView view)
     : Caster(std::move(field)), Scene(std::move(view)),
       VectorToScene(Scene.ToScene.topLeftCorner<3, 3>()),
-      NormalToScene(VectorToScene.inverse().transpose()), Shading(Scene.Finish, Scene.Lights)
+      NormalToScene(VectorToScene.inverse().transpose()), Shading(Scene.Finish, Scene.Lights),
+      NeedsPoints(Shading.NeedsPoints() || Scene.Contact.IsSeen())
 {
   const int count = this->Caster.Field().MaterialCount();
   this->Scene.Looks.resize(static_cast<std::size_t>(count));
@@ -103,12 +104,16 @@ Vector3 FieldRenderer::ColorOf(const FieldHit& hit, const Vector3& toEyeScene) c
   const MaterialLook& look = this->Scene.Looks[static_cast<std::size_t>(hit.Material)];
   const Vector3 normal = -(this->NormalToScene * hit.Gradient);
   const double length = normal.norm();
-  const Vector3 point =
-      this->Shading.NeedsPoints()
-          ? Vector3((this->Scene.ToScene * hit.Position.homogeneous()).hnormalized())
-          : Vector3(Vector3::Zero());
-  return this->Shading.ColorAt(
-      point, look.Color, length > 0.0 ? Vector3(1.0 / length * normal) : toEyeScene, toEyeScene);
+  const Vector3 facing = length > 0.0 ? Vector3(1.0 / length * normal) : toEyeScene;
+  if (!this->NeedsPoints)
+  {
+    return this->Shading.ColorAt(Vector3::Zero(), look.Color, facing, toEyeScene);
+  }
+  const Vector3 point = (this->Scene.ToScene * hit.Position.homogeneous()).hnormalized();
+  const ContactMark& contact = this->Scene.Contact;
+  const double share = contact.IsSeen() ? contact.ShareAt(point) : 0.0;
+  const Vector3 color = (1.0 - share) * look.Color + share * contact.Color;
+  return this->Shading.ColorAt(point, color, facing, toEyeScene);
 }
 
 // Up to which t no ray of these pixels meets anything.

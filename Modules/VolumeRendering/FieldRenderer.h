@@ -1,5 +1,6 @@
 #pragma once
 
+#include "ContactMark.h"
 #include "CropRegions.h"
 #include "FieldPicture.h"
 #include "PixelRays.h"
@@ -27,6 +28,7 @@ struct FieldView
   std::vector<MaterialLook> Looks; ///< by material; those that are missing have the default look
   SurfaceFinish Finish;
   std::vector<SurfaceLight> Lights;
+  ContactMark Contact;                                   ///< on whatever material is near it
   Eigen::Matrix4d ToScene = Eigen::Matrix4d::Identity(); ///< from the field's world
   /// Depths, by pixel, of what is drawn already and ends the rays; empty for nothing.
   std::vector<float> SceneDepths;
@@ -71,6 +73,7 @@ private:
   Eigen::Matrix3d VectorToScene;
   Eigen::Matrix3d NormalToScene;
   SurfaceShading Shading;
+  bool NeedsPoints; ///< whether colours depend on where a hit is in the scene
   bool Opaque = true;
 };
 } // namespace palpate

@@ -15,6 +15,7 @@
 #include "vtkTimerLog.h"
 #include "vtkVolume.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 
@@ -26,12 +27,33 @@ namespace
 constexpr int TileSide = 16;
 // Abort is looked for so often, s.
 constexpr double BandTime = 0.1;
+
+// An image without scalars where the field's surfaces are: a camera that shows all of it comes as
+// near to an organ as to its polygons, however large the grid is.
+vtkSmartPointer<vtkImageData> PlaceOf(const palpate::ScalarField& field)
+{
+  Eigen::AlignedBox3i box;
+  for (const std::array<int, 3>& cell : field.SurfaceCells())
+  {
+    const Eigen::Vector3i low(cell[0], cell[1], cell[2]);
+    box.extend(low);
+    box.extend(low + Eigen::Vector3i::Ones());
+  }
+  auto image = palpate::EmptyImageOf(field.Grid());
+  if (!box.isEmpty())
+  {
+    image->SetExtent(box.min().x(), box.max().x(), box.min().y(), box.max().y(), box.min().z(),
+                     box.max().z());
+  }
+  return image;
+}
 } // namespace
 
 struct vtkSubVoxelVolumeMapper::State
 {
   std::vector<double> IsoValues;
   std::vector<palpate::MaterialLook> Looks;
+  palpate::ContactMark Contact;
   std::shared_ptr<const palpate::ScalarField> Given;
   std::shared_ptr<const palpate::ScalarField> Made;
   vtkTimeStamp SettingsTime; ///< of what the field is made with
@@ -112,7 +134,7 @@ void vtkSubVoxelVolumeMapper::SetField(std::shared_ptr<const palpate::ScalarFiel
     return;
   }
   // A prop without input is not drawn, nor found by a camera.
-  this->SetInputData(field ? palpate::EmptyImageOf(field->Grid()) : nullptr);
+  this->SetInputData(field ? PlaceOf(*field) : nullptr);
   this->Inner->Given = std::move(field);
   this->Modified();
 }
@@ -147,6 +169,15 @@ void vtkSubVoxelVolumeMapper::SetMaterialOpacity(int material, double opacity)
 double vtkSubVoxelVolumeMapper::GetMaterialOpacity(int material)
 {
   return this->Inner->Look(material).Opacity;
+}
+
+void vtkSubVoxelVolumeMapper::SetContact(const palpate::ContactMark& contact)
+{
+  if (!(contact == this->Inner->Contact))
+  {
+    this->Inner->Contact = contact;
+    this->Modified();
+  }
 }
 
 bool vtkSubVoxelVolumeMapper::IsOpaque()
@@ -226,6 +257,7 @@ std::unique_ptr<palpate::FieldRenderer> vtkSubVoxelVolumeMapper::MakeRenderer(vt
   palpate::FieldView view =
       palpate::MakeSceneView(renderer, volume, this, field->Grid(), width, height);
   view.Looks = this->Inner->Looks;
+  view.Contact = this->Inner->Contact;
   if (readsSceneDepths)
   {
     view.SceneDepths = palpate::ReadSceneDepths(renderer, width, height);

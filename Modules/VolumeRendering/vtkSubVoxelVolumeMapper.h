@@ -38,6 +38,7 @@ namespace palpate
 {
 class FieldRenderer;
 class ScalarField;
+struct ContactMark;
 struct FieldPicture;
 } // namespace palpate
 
@@ -82,6 +83,10 @@ public:
   void SetMaterialOpacity(int material, double opacity);
   double GetMaterialOpacity(int material);
   ///@}
+#ifndef __VTK_WRAP__
+  /** Where the surface has another colour; see ContactMark. Nowhere by default. */
+  void SetContact(const palpate::ContactMark& contact);
+#endif
   /** Whether no material that is shown is translucent. */
   bool IsOpaque();
 

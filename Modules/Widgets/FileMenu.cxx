@@ -39,6 +39,7 @@ FileMenu::FileMenu(StudyController& study, const FileQuestions& questions, QWidg
       "Open &segmentation...", this,
       [this] { this->Open("Open a segmentation", &StudyController::OpenSegmentation); },
       QKeySequence("Ctrl+Shift+O"));
+  this->addAction("Open &DICOM folder...", this, &FileMenu::OpenFolder, QKeySequence("Ctrl+D"));
   this->addAction(
       "Open s&tudy...", this,
       [this]
@@ -67,6 +68,15 @@ void FileMenu::Open(const QString& title,
   for (const QString& file : this->Questions.ToOpen(this->Window, title, ImageFilter))
   {
     (this->Study.*take)(PathOf(file));
+  }
+}
+
+void FileMenu::OpenFolder()
+{
+  const QString folder = this->Questions.Folder(this->Window, "Open a folder of DICOM slices");
+  if (!folder.isEmpty())
+  {
+    this->Study.OpenVolume(PathOf(folder));
   }
 }
 

@@ -26,6 +26,7 @@ Q_SIGNALS:
 
 private:
   void Open(const QString& title, void (StudyController::*take)(const std::filesystem::path&));
+  void OpenFolder();
   bool Save();
   bool SaveAs();
   void OpenSession(const QString& file);

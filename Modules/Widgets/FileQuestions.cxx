@@ -2,6 +2,7 @@
 
 #include <QFileDialog>
 #include <QFileInfo>
+#include <QInputDialog>
 #include <QMessageBox>
 #include <QPushButton>
 
@@ -25,6 +26,15 @@ QString AskForMissing(QWidget* parent, const StudyMissingFile& missing)
              : QString();
 }
 
+int AskForSeries(QWidget* parent, const QStringList& series)
+{
+  bool isChosen = false;
+  const QString chosen =
+      QInputDialog::getItem(parent, "Several series",
+                            "The folder holds several series. Open:", series, 0, false, &isChosen);
+  return isChosen ? static_cast<int>(series.indexOf(chosen)) : -1;
+}
+
 FileQuestions::Answer AskWhetherToSave(QWidget* parent)
 {
   const auto button =
@@ -44,6 +54,9 @@ FileQuestions AskByDialogs()
   questions.ToSave =
       [](QWidget* parent, const QString& title, const QString& proposal, const QString& filter)
   { return QFileDialog::getSaveFileName(parent, title, proposal, filter); };
+  questions.Folder = [](QWidget* parent, const QString& title)
+  { return QFileDialog::getExistingDirectory(parent, title); };
+  questions.Series = AskForSeries;
   questions.Missing = AskForMissing;
   questions.WhetherToSave = AskWhetherToSave;
   return questions;

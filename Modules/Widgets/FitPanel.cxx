@@ -63,6 +63,12 @@ void FitPanel::AddImportant(QFormLayout* form)
 
 void FitPanel::AddOthers(QFormLayout* form)
 {
+  this->AddChoice(
+      form, "Left-handed files", "Change what is done with left-handed files",
+      {"refuse", "reverse an axis"},
+      [](const StudyState& state) { return static_cast<int>(state.LeftHanded); },
+      [](StudyState& state, int choice)
+      { state.LeftHanded = static_cast<LeftHandedAxes>(choice); });
   this->AddWhole(
       form, "Frequency", "Change the number of directions", 1, 64,
       [](const StudyState& state) { return state.Fit.Frequency; },
@@ -150,6 +156,7 @@ void FitPanel::AddChoice(QFormLayout* form, const QString& label, const QString&
                          std::function<void(StudyState&, int)> set)
 {
   auto* box = new QComboBox(this);
+  box->setObjectName(label);
   box->addItems(choices);
   form->addRow(label, box);
   connect(box, qOverload<int>(&QComboBox::activated), this,

@@ -13,7 +13,8 @@ constexpr const char* MouseText =
     "<p><b>3-D</b>: left drag turns, middle drag pans, right drag or wheel zooms. While something "
     "is "
     "touched the mouse is the hand and the wheel its depth; with Ctrl or Shift it moves the "
-    "camera.</p>"
+    "camera. With Move workspace on, a left drag moves what the device reaches, the wheel moves "
+    "that in depth.</p>"
     "<p><b>Esc</b> stops all force, wherever you are.</p>";
 constexpr const char* AboutText =
     "<p><b>Palpate</b>: spherical-harmonic organ models to see and to touch.</p>"

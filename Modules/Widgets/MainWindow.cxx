@@ -3,11 +3,14 @@
 #include "HelpMenu.h"
 #include "PipelinePanel.h"
 #include "PlotsPanel.h"
+#include "ReplayBar.h"
 #include "StructuresPanel.h"
 #include "TouchLink.h"
 #include "TouchPanel.h"
 #include "ViewMenu.h"
+#include "WindowLook.h"
 
+#include <QApplication>
 #include <QCloseEvent>
 #include <QDockWidget>
 #include <QDragEnterEvent>
@@ -31,6 +34,7 @@ constexpr int BottomHeight = 150;
 MainWindow::MainWindow(StudyController& study, FileQuestions questions)
     : Study(study), Questions(std::move(questions))
 {
+  QApplication::setPalette(PaletteOf(ChosenLook()));
   this->setAcceptDrops(true);
   this->setDockOptions(AnimatedDocks | AllowNestedDocks | AllowTabbedDocks);
   this->MakeCentre();
@@ -53,6 +57,7 @@ void MainWindow::MakeCentre()
   this->Grid = new ViewGrid(this->Shown, middle);
   this->Area = new MessageArea(middle);
   column->addWidget(this->Grid, 1);
+  column->addWidget(new ReplayBar(this->Study, middle));
   column->addWidget(this->Area);
   this->setCentralWidget(middle);
   this->Point = new QLabel(this);
@@ -63,10 +68,14 @@ void MainWindow::MakeMenus()
 {
   this->Files = new FileMenu(this->Study, this->Questions, this);
   this->Study.AskBeforeLeaving([this] { return this->Files->MayLeave(); });
+  this->Study.AskForSeries([this](const QStringList& series)
+                           { return this->Questions.Series(this, series); });
   connect(this->Files, &FileMenu::ScreenshotAsked, this, &MainWindow::SaveScreenshot);
   this->menuBar()->addMenu(this->Files);
   this->menuBar()->addMenu(new EditMenu(this->Study, this));
   this->menuBar()->addMenu(new ViewMenu(this->Study, *this->Grid, this->Shown, this));
+  this->Touching = new TouchMenu(this->Study, this->Questions, this);
+  this->menuBar()->addMenu(this->Touching);
   this->Panels = this->menuBar()->addMenu("&Panels");
   this->menuBar()->addMenu(new HelpMenu(this));
 }
@@ -94,8 +103,10 @@ void MainWindow::MakePanels()
   connect(structures, &StructuresPanel::OpacityChosen, this,
           [this](double opacity) { this->Shown.Images()->SetLabelOpacity(opacity); });
   QDockWidget* pipeline = this->AddPanel("Pipeline", scroll, Qt::LeftDockWidgetArea);
-  QDockWidget* touch =
-      this->AddPanel("Touch", new TouchPanel(this->Study, this), Qt::LeftDockWidgetArea);
+  auto* touchPanel = new TouchPanel(this->Study, this);
+  connect(touchPanel, &TouchPanel::RecordAsked, this->Touching, &TouchMenu::ToggleRecording);
+  touchPanel->AddTools({this->Touching->MoveWorkspace(), this->Touching->FitWorkspace()});
+  QDockWidget* touch = this->AddPanel("Touch", touchPanel, Qt::LeftDockWidgetArea);
   QDockWidget* table = this->AddPanel("Structures", structures, Qt::BottomDockWidgetArea);
   QDockWidget* plots =
       this->AddPanel("Plots", new PlotsPanel(this->Study, this), Qt::BottomDockWidgetArea);
@@ -130,7 +141,9 @@ void MainWindow::ConnectViews()
           { this->Shown.Crosshair()->SetPositionWorld(place.data()); });
   this->Shown.Crosshair()->AddObserver(vtkCommand::ModifiedEvent, this, &MainWindow::TakeView);
   this->Shown.Images()->AddObserver(vtkCommand::ModifiedEvent, this, &MainWindow::TakeView);
-  new TouchLink(this->Study, this->Shown, *this->Grid, this);
+  auto* link = new TouchLink(this->Study, this->Shown, *this->Grid, this);
+  connect(this->Touching, &TouchMenu::WorkspaceShown, link, &TouchLink::ShowWorkspace);
+  connect(this->Touching, &TouchMenu::WorkspaceMoved, link, &TouchLink::MoveWorkspace);
 }
 
 void MainWindow::TakeClick(const Vector3& pointWorld)

@@ -6,6 +6,7 @@
 #include "LandmarksPanel.h"
 #include "MessageArea.h"
 #include "StudyController.h"
+#include "TouchMenu.h"
 #include "ViewContents.h"
 #include "ViewGrid.h"
 
@@ -58,6 +59,7 @@ private:
   MessageArea* Area = nullptr;
   QLabel* Point = nullptr;
   FileMenu* Files = nullptr;
+  TouchMenu* Touching = nullptr;
   LandmarksPanel* Marks = nullptr;
   QMenu* Panels = nullptr;
   bool IsShowing = false; ///< the study's view, so that nobody takes it for the user's

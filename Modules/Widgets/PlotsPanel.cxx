@@ -1,5 +1,7 @@
 #include "PlotsPanel.h"
 
+#include "TouchRecording.h"
+
 #include <QHBoxLayout>
 
 #include <cmath>
@@ -21,31 +23,59 @@ PlotsPanel::PlotsPanel(StudyController& study, QWidget* parent)
     row->addWidget(chart, 1);
   }
   connect(&study, &StudyController::TouchChanged, this, &PlotsPanel::Begin);
+  connect(&study, &StudyController::ReplayChanged, this, &PlotsPanel::BeginReplay);
   connect(&study, &StudyController::Touched, this, &PlotsPanel::TakeTicks);
 }
 
-void PlotsPanel::Begin()
+void PlotsPanel::Clear()
 {
-  if (!this->Study.IsTouching())
-  {
-    return;
-  }
   for (StripChart* chart :
        {this->ForceChart, this->DepthChart, this->DurationChart, this->PeriodChart})
   {
     chart->Clear();
   }
-  const double period = 1.0 / this->Study.State().Rate;
-  this->ForceChart->SetLimit(this->Study.Current().Touch().Capabilities().MaximumForce);
-  this->DurationChart->SetLimit(1e6 * period);
-  this->PeriodChart->SetLimit(1e3 * period);
   this->LastStarted = -1.0;
   this->LastDurations = {};
+}
+
+void PlotsPanel::SetLimits(double force, double rate)
+{
+  this->ForceChart->SetLimit(force);
+  this->DurationChart->SetLimit(1e6 / rate);
+  this->PeriodChart->SetLimit(1e3 / rate);
+}
+
+void PlotsPanel::Begin()
+{
+  if (this->Study.IsTouching())
+  {
+    this->Clear();
+    this->SetLimits(this->Study.Current().Touch().Capabilities().MaximumForce,
+                    this->Study.State().Rate);
+  }
+}
+
+void PlotsPanel::BeginReplay()
+{
+  const StudyReplay* replay = this->Study.Current().Replay();
+  if (replay != nullptr && replay->File() != this->Replayed)
+  {
+    const TouchSession& session = replay->Recording().Session;
+    this->Clear();
+    this->SetLimits(session.Device.MaximumForce, session.Settings.Rate);
+  }
+  this->Replayed = replay != nullptr ? replay->File() : std::filesystem::path();
 }
 
 void PlotsPanel::TakeTicks()
 {
   const StudyTouchReading& reading = this->Study.Reading();
+  const bool isNext =
+      !reading.NewTicks.empty() && reading.NewTicks.front().Tick.Number == this->LastNumber + 1;
+  if (this->Study.IsReplaying() && !reading.NewTicks.empty() && !isNext)
+  {
+    this->Clear(); // it leapt
+  }
   for (const TouchState& tick : reading.NewTicks)
   {
     const double time = 1e-9 * static_cast<double>(tick.Tick.Started);
@@ -57,8 +87,12 @@ void PlotsPanel::TakeTicks()
       this->PeriodChart->Add(time, 1e3 * (time - this->LastStarted));
     }
     this->LastStarted = time;
+    this->LastNumber = tick.Tick.Number;
   }
-  this->AddDuration(reading.Durations);
+  if (this->Study.IsTouching())
+  {
+    this->AddDuration(reading.Durations); // which recordings do not have
+  }
 }
 
 // Ticks are timed in sum: what is shown is the mean since the reading before.

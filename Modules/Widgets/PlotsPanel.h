@@ -22,6 +22,9 @@ public:
 
 private:
   void Begin();
+  void BeginReplay();
+  void Clear();
+  void SetLimits(double force, double rate);
   void TakeTicks();
   void AddDuration(const PeriodStatistics& durations);
 
@@ -30,7 +33,9 @@ private:
   StripChart* DepthChart;
   StripChart* DurationChart;
   StripChart* PeriodChart;
-  double LastStarted = -1.0; ///< s, of the tick before
+  double LastStarted = -1.0;    ///< s, of the tick before
+  std::uint64_t LastNumber = 0; ///< its number
+  std::filesystem::path Replayed;
   struct
   {
     double Count = 0.0;

@@ -16,17 +16,9 @@ SlicePane::SlicePane(SliceOrientation orientation, const ViewContents& contents,
 {
   this->setObjectName(QString(NameOf(orientation)).toLower());
   this->Slice->SetOrientation(static_cast<int>(orientation));
-  this->Slice->SetImageDisplay(contents.Images());
-  this->Slice->SetCrosshair(contents.Crosshair());
-  this->Slice->SetLandmarks(contents.Landmarks());
-  this->Slice->SetProbe(contents.Probe());
-  this->Slice->SetRenderer(this->Renderer());
+  this->Show(this->Slice, contents);
   this->Style->AddView(this->Slice);
   this->SetStyle(this->Style);
-  this->Follow(contents.Images());
-  this->Follow(contents.Crosshair());
-  this->Follow(contents.Landmarks());
-  this->Follow(contents.Probe());
   connect(this, &ViewPane::Rendered, this,
           [this] {
             this->Header()->ShowSlice(this->Slice->GetSliceNumber(),
@@ -44,24 +36,6 @@ Vector3 SlicePane::PointAt(double x, double y) const
   Vector3 point;
   this->Slice->DisplayToWorld(x, y, point.data());
   return point;
-}
-
-void SlicePane::AddSurface(vtkSurfaceDisplay* surface)
-{
-  this->Slice->AddSurface(surface);
-  this->Follow(surface);
-}
-
-void SlicePane::RemoveSurface(vtkSurfaceDisplay* surface)
-{
-  this->Slice->RemoveSurface(surface);
-  this->Unfollow(surface);
-}
-
-void SlicePane::SetAlongImage(bool isAlongImage)
-{
-  this->Slice->SetAlongImage(isAlongImage);
-  this->RequestRender();
 }
 
 void SlicePane::FitToImage()

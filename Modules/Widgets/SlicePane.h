@@ -19,11 +19,8 @@ public:
   SlicePane(SliceOrientation orientation, const ViewContents& contents, QWidget* parent);
 
   vtkSliceView* View() const { return this->Slice; }
-  void AddSurface(vtkSurfaceDisplay* surface);
-  void RemoveSurface(vtkSurfaceDisplay* surface);
   /// See vtkInteractorStyleSlice::LeftButtonModes.
   void SetLeftButtonMode(int mode) { this->Style->SetLeftButtonMode(mode); }
-  void SetAlongImage(bool isAlongImage);
   void FitToImage();
 
 Q_SIGNALS:

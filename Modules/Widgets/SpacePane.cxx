@@ -11,18 +11,12 @@ SpacePane::SpacePane(const ViewContents& contents, QWidget* parent)
     : ViewPane("3-D", QColor(170, 170, 170), parent)
 {
   this->setObjectName("space");
-  this->Space->SetImageDisplay(contents.Images());
-  this->Space->SetCrosshair(contents.Crosshair());
-  this->Space->SetLandmarks(contents.Landmarks());
-  this->Space->SetProbe(contents.Probe());
-  this->Space->SetRenderer(this->Renderer());
+  this->Show(this->Space, contents);
   this->ShowSlices(false);
   this->SetStyle(this->Style);
-  this->Follow(contents.Images());
-  this->Follow(contents.Crosshair());
-  this->Follow(contents.Landmarks());
-  this->Follow(contents.Probe());
   this->Style->AddObserver(vtkInteractorStyleMouseHand::HandMovedEvent, this, &SpacePane::TellHand);
+  this->Style->AddObserver(vtkInteractorStyleMouseHand::DraggedEvent, this, &SpacePane::TellDrag);
+  this->Style->AddObserver(vtkInteractorStyleMouseHand::DragEndEvent, this, &SpacePane::DragEnded);
   this->Style->AddObserver(vtkCommand::EndInteractionEvent, this, &SpacePane::TakeCamera);
 }
 
@@ -45,16 +39,15 @@ void SpacePane::TellHand()
   Q_EMIT HandMoved(Vector3(this->Style->GetHandWorld()));
 }
 
-void SpacePane::AddSurface(vtkSurfaceDisplay* surface)
+void SpacePane::TellDrag()
 {
-  this->Space->AddSurface(surface);
-  this->Follow(surface);
+  Q_EMIT Dragged(Vector3(this->Style->GetDraggedWorld()));
 }
 
-void SpacePane::RemoveSurface(vtkSurfaceDisplay* surface)
+void SpacePane::SetDragging(bool isOn, const Vector3& world)
 {
-  this->Space->RemoveSurface(surface);
-  this->Unfollow(surface);
+  this->Style->SetDraggedWorld(world.data());
+  this->Style->SetDragging(isOn);
 }
 
 void SpacePane::ShowFields(const std::set<vtkProp*>& fields)
@@ -67,10 +60,12 @@ void SpacePane::ShowFields(const std::set<vtkProp*>& fields)
   for (const auto& field : this->Fields)
   {
     this->Renderer()->RemoveViewProp(field);
+    this->Unfollow(field);
   }
   for (vtkProp* field : fields)
   {
     this->Renderer()->AddViewProp(field);
+    this->Follow(field);
   }
   this->Fields = next;
   this->ShowAllUnlessLed();

@@ -21,8 +21,6 @@ public:
   SpacePane(const ViewContents& contents, QWidget* parent);
 
   vtkSpaceView* View() const { return this->Space; }
-  void AddSurface(vtkSurfaceDisplay* surface);
-  void RemoveSurface(vtkSurfaceDisplay* surface);
   /// Shows these and no others.
   void ShowFields(const std::set<vtkProp*>& fields);
   void ShowSlices(bool areShown);
@@ -34,15 +32,23 @@ public:
 
   /// Whether the mouse is the hand, which is at `handWorld` (mm).
   void SetHand(bool isOn, const Vector3& handWorld);
+  /// Where the hand is after all (mm).
+  void PlaceHand(const Vector3& handWorld) { this->Style->SetHandWorld(handWorld.data()); }
+  Vector3 HandWorld() const { return Vector3(this->Style->GetHandWorld()); }
+  /// Whether the mouse drags something that is at `world` (mm), instead.
+  void SetDragging(bool isOn, const Vector3& world);
   /// Columns: right, up and towards the viewer in the world.
   Matrix3 Axes() const;
 
 Q_SIGNALS:
   void HandMoved(const Vector3& targetWorld);
   void CameraTurned();
+  void Dragged(const Vector3& world); ///< it is there now
+  void DragEnded();
 
 private:
   void TellHand();
+  void TellDrag();
   void TakeCamera();
 
   vtkNew<vtkSpaceView> Space;

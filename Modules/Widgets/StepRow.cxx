@@ -1,5 +1,7 @@
 #include "StepRow.h"
 
+#include "TextContrast.h"
+
 #include <QGridLayout>
 #include <QStyle>
 
@@ -17,8 +19,9 @@ struct StepLook
   const char* Color;
   const char* Word;
 };
-constexpr std::array<StepLook, 5> Looks{{{"\u25CB", "gray", "not needed"},
+constexpr std::array<StepLook, 6> Looks{{{"\u25CB", "gray", "not needed"},
                                          {"\u2714", "#009E73", "up to date"},
+                                         {"\u21AA", "#0072B2", "replaced"},
                                          {"\u25CF", "#E69F00", "needs an update"},
                                          {"\u2716", "#D55E00", "failed"},
                                          {"\u25B6", "#56B4E9", "running"}}};
@@ -48,7 +51,11 @@ void StepRow::Show(const StudyStepState& state)
   this->Shown = state.Is;
   const StepLook& look = Looks.at(static_cast<std::size_t>(state.Is));
   const bool isRunning = state.Is == StudyStepState::Kind::Running;
-  this->Sign->setText(QString("<span style='color:%1'>%2</span>").arg(look.Color, look.Sign));
+  this->Sign->setText(look.Sign);
+  QPalette colors = this->State->palette();
+  const QColor ground = colors.color(QPalette::Window);
+  colors.setColor(QPalette::WindowText, ReadableOn(ground, QColor(look.Color)));
+  this->Sign->setPalette(colors);
   this->State->setText(look.Word);
   this->State->setToolTip(QString::fromStdString(state.Sentence));
   this->State->setVisible(!isRunning);

@@ -1,5 +1,7 @@
 #include "StripChart.h"
 
+#include "TextContrast.h"
+
 #include <QPainter>
 
 #include <algorithm>
@@ -102,7 +104,7 @@ void StripChart::DrawCurve(QPainter& painter, const QRectF& frame, double top) c
       lines.emplace_back(x, frame.bottom() - scale * low, x, frame.bottom() - scale * high - 1.0);
     }
   }
-  painter.setPen(this->Color);
+  painter.setPen(ReadableOn(this->palette().color(QPalette::Base), this->Color));
   painter.drawLines(lines.data(), static_cast<int>(lines.size()));
 }
 

@@ -24,6 +24,9 @@ QString Write(StudyStructure& structure, int column, const QVariant& value)
     structure.Color = {{color.redF(), color.greenF(), color.blueF()}};
     return "colour";
   }
+  case StructureTableModel::AppearanceColumn:
+    structure.Appearance = static_cast<StudyAppearance>(value.toInt());
+    return QString("shown as ") + NameOf(structure.Appearance);
   case StructureTableModel::RepresentationColumn:
     structure.Representation = static_cast<TouchRepresentation>(value.toInt());
     return "representation " + StructureTableModel::RepresentationNames().value(value.toInt());
@@ -53,6 +56,16 @@ QString Check(StudyStructure& structure, int column, bool isOn)
   return isOn ? "Make touchable" : "Make untouchable";
 }
 } // namespace
+
+QStringList StructureTableModel::AppearanceNames()
+{
+  QStringList names;
+  for (const StudyAppearance appearance : AllStudyAppearances)
+  {
+    names += NameOf(appearance);
+  }
+  return names;
+}
 
 QStringList StructureTableModel::RepresentationNames()
 {
@@ -97,20 +110,21 @@ int StructureTableModel::columnCount(const QModelIndex& parent) const
 
 QVariant StructureTableModel::headerData(int section, Qt::Orientation orientation, int role) const
 {
-  static const QStringList Titles{"Structure",   "Colour",       "Seen", "Touched",
-                                  "By",          "Degree",       "N/mm", "Friction",
-                                  "Quality, mm", "Tick, \u00B5s"};
+  static const QStringList Titles{"Structure", "Colour",      "Seen",         "Touched",
+                                  "Shown as",  "By",          "Degree",       "N/mm",
+                                  "Friction",  "Quality, mm", "Tick, \u00B5s"};
   static const QStringList Tips{
       "Name",
       "Colour",
       "Whether it is shown",
       "Whether it can be touched",
+      "What is drawn of it; automatic: as what it is touched",
       "By what it is touched; automatic: harmonics, or voxels where those are refused",
       "Of its harmonics",
       "Stiffness",
       "Coulomb's coefficient up to which the tool sticks",
       "Mean distance of the model from the mask's boundary",
-      "Median time of a servo tick, where this structure alone is touched"};
+      "What it adds to a servo tick while it is touched: measured, median"};
   if (orientation != Qt::Horizontal)
   {
     return {};
@@ -136,13 +150,11 @@ QVariant StructureTableModel::QualityOf(const StudyStructure& structure) const
 
 QVariant StructureTableModel::CostOf(const StudyStructure& structure) const
 {
-  const auto& all = this->Study.State().Structures;
-  const auto touched = std::count_if(all.begin(), all.end(),
-                                     [](const StudyStructure& one) { return one.IsTouchable; });
-  const PeriodStatistics& durations = this->Study.Reading().Durations;
-  const bool isKnown = structure.IsTouchable && touched == 1 && durations.Count() > 0;
-  return isKnown ? QString::number(1e-3 * static_cast<double>(durations.Median()), 'f', 1)
-                 : QString("\u2013");
+  const auto cost =
+      this->Study.Current().Pipeline().Newest<TouchCost>(StudyStep::Cost, structure.Label);
+  return cost != nullptr && cost->Ticks > 0
+             ? QString::number(1e-3 * cost->MedianNanoseconds, 'f', 2)
+             : QString("\u2013");
 }
 
 QVariant StructureTableModel::ValueOf(const StudyStructure& structure, int column) const
@@ -174,12 +186,14 @@ QVariant StructureTableModel::data(const QModelIndex& index, int role) const
   switch (role)
   {
   case Qt::DisplayRole:
-    return column == RepresentationColumn
+    return column == AppearanceColumn ? QString(NameOf(structure.Appearance))
+           : column == RepresentationColumn
                ? RepresentationNames().value(static_cast<int>(structure.Representation))
                : this->ValueOf(structure, column);
   case Qt::EditRole:
-    return column == RepresentationColumn ? QVariant(static_cast<int>(structure.Representation))
-                                          : this->ValueOf(structure, column);
+    return column == AppearanceColumn       ? QVariant(static_cast<int>(structure.Appearance))
+           : column == RepresentationColumn ? QVariant(static_cast<int>(structure.Representation))
+                                            : this->ValueOf(structure, column);
   case Qt::DecorationRole:
   case Qt::UserRole:
     return column == ColorColumn ? QVariant(QColor::fromRgbF(structure.Color[0], structure.Color[1],

@@ -18,6 +18,7 @@ public:
     ColorColumn,
     VisibleColumn,
     TouchableColumn,
+    AppearanceColumn,
     RepresentationColumn,
     DegreeColumn,
     StiffnessColumn,
@@ -26,6 +27,8 @@ public:
     CostColumn,
     ColumnCount
   };
+  /// In the order of StudyAppearance.
+  static QStringList AppearanceNames();
   /// In the order of TouchRepresentation.
   static QStringList RepresentationNames();
 

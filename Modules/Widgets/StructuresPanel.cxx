@@ -25,6 +25,9 @@ StructuresPanel::StructuresPanel(StudyController& study, QWidget* parent)
   this->Table->setModel(this->Model);
   this->Table->setObjectName("structures");
   this->Table->setItemDelegateForColumn(
+      StructureTableModel::AppearanceColumn,
+      new ChoiceDelegate(StructureTableModel::AppearanceNames(), this));
+  this->Table->setItemDelegateForColumn(
       StructureTableModel::RepresentationColumn,
       new ChoiceDelegate(StructureTableModel::RepresentationNames(), this));
   this->Table->setSelectionBehavior(QAbstractItemView::SelectRows);

@@ -1,6 +1,6 @@
 #include "StudyController.h"
 
-#include "InputError.h"
+#include "DicomSeries.h"
 #include "StudyScene.h"
 
 #include <array>
@@ -116,17 +116,73 @@ void StudyController::OpenAs(StudyFileRole role, const std::filesystem::path& fi
   case StudyFileRole::Volume:
     this->OpenVolume(file);
     break;
+  case StudyFileRole::Recording:
+    this->OpenReplay(file);
+    break;
   }
 }
 
 void StudyController::OpenVolume(const std::filesystem::path& file)
 {
-  this->Try([&] { this->Open.OpenVolume(file); });
+  std::error_code failure;
+  if (std::filesystem::is_directory(file, failure))
+  {
+    this->OpenFolder(file);
+  }
+  else
+  {
+    this->OpenVolumeNow(file, {});
+  }
+}
+
+void StudyController::OpenVolumeNow(const std::filesystem::path& file, const std::string& series)
+{
+  this->Told.erase(StudyStep::Volume); // who opens a file again wants to be told again
+  this->Try([&] { this->Open.OpenVolume(file, series); });
   Q_EMIT FileOpened(QString::fromStdString(StudyPath(file).string()));
+}
+
+// A folder may have thousands of slices, whose headers are read beside the window.
+void StudyController::OpenFolder(const std::filesystem::path& folder)
+{
+  ++this->Folders;
+  StudyJob job;
+  job.Work = [this, folder](const ProgressFunction&)
+  {
+    QStringList series;
+    for (const DicomSeries& one : FindDicomSeries(folder))
+    {
+      series += QString::fromStdString(one.Summary());
+    }
+    return StudyJob::Delivery(
+        [this, folder, series]
+        {
+          // Not within the delivery: a question to the user lets events happen.
+          QTimer::singleShot(0, this, [this, folder, series] { this->TakeSeries(folder, series); });
+        });
+  };
+  job.Fail = [this](const std::string& sentence)
+  {
+    --this->Folders;
+    this->Report(sentence);
+  };
+  this->Open.Jobs().Start(std::move(job));
+}
+
+void StudyController::TakeSeries(const std::filesystem::path& folder, const QStringList& series)
+{
+  const bool isAsked = series.size() > 1 && this->WhichSeries;
+  const int chosen = isAsked ? this->WhichSeries(series) : 0;
+  --this->Folders;
+  if (chosen >= 0)
+  {
+    this->OpenVolumeNow(folder, isAsked ? std::to_string(chosen + 1) : std::string());
+  }
 }
 
 void StudyController::OpenSegmentation(const std::filesystem::path& file)
 {
+  this->Told.erase(this->Told.upper_bound(StudyStep::Volume), this->Told.end());
   this->Try([&] { this->Open.OpenSegmentation(file); });
   Q_EMIT FileOpened(QString::fromStdString(StudyPath(file).string()));
 }
@@ -239,6 +295,66 @@ void StudyController::MoveHand(const Vector3& targetWorld)
   this->Open.Touch().MoveHand(targetWorld);
 }
 
+void StudyController::MoveWorkspace(const Vector3& centerWorld, const QString& gesture)
+{
+  this->Open.MoveWorkspace(centerWorld, gesture.toStdString());
+  this->Announce();
+}
+
+void StudyController::FitWorkspace()
+{
+  this->Open.FitWorkspace();
+  this->Announce();
+}
+
+void StudyController::StartRecording(const std::filesystem::path& file)
+{
+  const Status status = this->Open.Touch().StartRecording(file);
+  if (!status.IsOk())
+  {
+    this->Report(status.Message());
+  }
+  this->Look();
+}
+
+void StudyController::StopRecording()
+{
+  const Status status = this->Open.Touch().StopRecording();
+  if (!status.IsOk())
+  {
+    this->Report(status.Message());
+  }
+  this->Look();
+}
+
+void StudyController::OpenReplay(const std::filesystem::path& file)
+{
+  this->ToldOfReplay.clear();
+  this->Open.OpenReplay(StudyPath(file));
+  this->Look();
+}
+
+void StudyController::CloseReplay()
+{
+  this->Open.CloseReplay();
+  this->Look();
+}
+
+void StudyController::ExportReplay(const std::filesystem::path& file)
+{
+  this->ToldOfReplay.clear();
+  this->Open.ExportReplay(file);
+}
+
+void StudyController::PlayReplay(bool isPlayed)
+{
+  if (StudyReplay* replay = this->Open.Replay())
+  {
+    isPlayed ? replay->Play() : replay->Pause();
+    Q_EMIT ReplayChanged();
+  }
+}
+
 void StudyController::TurnAxes(const Matrix3& rotation)
 {
   this->Open.Touch().TurnAxes(rotation);
@@ -290,6 +406,7 @@ void StudyController::Look()
     this->LookAtSteps();
   }
   this->LookAtTouch();
+  this->LookAtReplay();
 }
 
 void StudyController::LookAtSteps()
@@ -300,26 +417,37 @@ void StudyController::LookAtSteps()
     const StudyStepState state = this->Open.Pipeline().StateOf(step);
     isMaking = isMaking || state.Is == StudyStepState::Kind::Running ||
                state.Is == StudyStepState::Kind::NeedsUpdate;
-    if (state.Is == StudyStepState::Kind::Failed && this->Told.insert(state.Sentence).second)
+    if (state.Is == StudyStepState::Kind::Failed && this->Told[step].insert(state.Sentence).second)
     {
       this->Report(state.Sentence);
+    }
+  }
+  for (const std::string& advice : this->Open.Pipeline().Advice())
+  {
+    if (this->Told.insert(advice).second)
+    {
+      this->Report(advice);
     }
   }
   this->IsMaking = isMaking;
   Q_EMIT StepsChanged();
 }
 
-void StudyController::LookAtTouch()
+void StudyController::Tell(const std::string& problem, std::string& told)
 {
-  const std::string& problem = this->Open.TouchProblem();
-  if (problem != this->ToldOfTouch)
+  if (problem != told)
   {
-    this->ToldOfTouch = problem;
+    told = problem;
     if (!problem.empty())
     {
       this->Report(problem);
     }
   }
+}
+
+void StudyController::LookAtTouch()
+{
+  this->Tell(this->Open.TouchProblem(), this->ToldOfTouch);
   const bool isTouching = this->IsTouching();
   if (isTouching)
   {
@@ -330,6 +458,35 @@ void StudyController::LookAtTouch()
   {
     this->WasTouching = isTouching;
     Q_EMIT TouchChanged();
+  }
+}
+
+void StudyController::LookAtReplay()
+{
+  this->Tell(this->Open.ReplayProblem(), this->ToldOfReplay);
+  StudyReplay* replay = this->Open.Replay();
+  if (this->IsReplaying() != this->WasReplaying)
+  {
+    this->WasReplaying = this->IsReplaying();
+    if (this->WasReplaying)
+    {
+      Q_EMIT FileOpened(QString::fromStdString(replay->File().string()));
+    }
+    Q_EMIT ReplayChanged();
+  }
+  if (replay == nullptr)
+  {
+    return;
+  }
+  const bool wasPlaying = replay->IsPlaying();
+  this->Felt = this->Open.PollReplay();
+  if (wasPlaying || !this->Felt.NewTicks.empty())
+  {
+    Q_EMIT Touched();
+  }
+  if (wasPlaying != replay->IsPlaying())
+  {
+    Q_EMIT ReplayChanged();
   }
 }
 } // namespace palpate

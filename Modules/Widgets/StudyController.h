@@ -5,10 +5,12 @@
 
 #include <QObject>
 #include <QString>
+#include <QStringList>
 #include <QTimer>
 
 #include <filesystem>
 #include <functional>
+#include <map>
 #include <set>
 #include <string>
 #include <utility>
@@ -30,14 +32,24 @@ public:
   const StudyState& State() const { return this->Open.State(); }
   const StudyTouchReading& Reading() const { return this->Felt; }
   bool IsTouching() { return this->Open.Touch().IsRunning(); }
+  bool IsRecording() { return this->Open.Touch().IsRecording(); }
+  /// Whether a recorded touch is looked at; Reading is what it has at its moment.
+  bool IsReplaying() const { return this->Open.Replay() != nullptr; }
   /// Whether something is to be read, made or opened.
-  bool IsBusy() const { return !this->Roles.empty() || this->IsMaking; }
+  bool IsBusy() const { return !this->Roles.empty() || this->Folders > 0 || this->IsMaking; }
 
   /// What answers whether the study may be left for another one that is among files. None: yes.
   void AskBeforeLeaving(std::function<bool()> mayLeave) { this->MayLeave = std::move(mayLeave); }
+  /// What answers which of several series is meant, as FileQuestions::Series. None: the reader says
+  /// that there are several.
+  void AskForSeries(std::function<int(const QStringList&)> series)
+  {
+    this->WhichSeries = std::move(series);
+  }
   void New();
   /// Whatever they are, one after the other; what each is is found out beside the window.
   void OpenFiles(const std::vector<std::filesystem::path>& files);
+  /// A file, or a folder of DICOM slices.
   void OpenVolume(const std::filesystem::path& file);
   void OpenSegmentation(const std::filesystem::path& file);
   void OpenSession(const std::filesystem::path& file);
@@ -61,6 +73,17 @@ public:
   void SwitchForcesOff();
   void SwitchForcesOn();
   void MoveHand(const Vector3& targetWorld);
+  void MoveWorkspace(const Vector3& centerWorld, const QString& gesture);
+  void FitWorkspace();
+  void StartRecording(const std::filesystem::path& file);
+  void StopRecording();
+
+  /// See Study::OpenReplay.
+  void OpenReplay(const std::filesystem::path& file);
+  void CloseReplay();
+  void ExportReplay(const std::filesystem::path& file);
+  /// Only while it is replaying.
+  void PlayReplay(bool isPlayed);
   /// The device's axes in the world, where they follow the camera.
   void TurnAxes(const Matrix3& rotation);
 
@@ -77,30 +100,40 @@ Q_SIGNALS:
   void ProductsChanged(); ///< something was made
   void StepsChanged();    ///< how steps of the pipeline stand
   void FileOpened(const QString& file);
-  void TouchChanged(); ///< began or ended
-  void Touched();      ///< there is a new reading
+  void TouchChanged();  ///< began or ended
+  void Touched();       ///< there is a new reading
+  void ReplayChanged(); ///< opened or closed, played or paused
   void Problem(const QString& sentence);
 
 private:
   void Look();
   void LookAtTouch();
+  void LookAtReplay();
+  void Tell(const std::string& problem, std::string& told);
   void LookAtSteps();
   void Announce();
   void TakeRole();
   void OpenAs(StudyFileRole role, const std::filesystem::path& file);
+  void OpenFolder(const std::filesystem::path& folder);
+  void TakeSeries(const std::filesystem::path& folder, const QStringList& series);
+  void OpenVolumeNow(const std::filesystem::path& file, const std::string& series);
   void Try(const std::function<void()>& act);
 
   Study Open;
   StudyTouchReading Felt;
   QTimer Timer;
   std::vector<std::filesystem::path> Roles; ///< files whose role is to be found out
+  int Folders = 0;                          ///< whose series are being looked up
   std::function<bool()> MayLeave;
-  std::set<std::string> Told; ///< what failed, and was said
+  std::function<int(const QStringList&)> WhichSeries;
+  std::map<StudyStep, std::set<std::string>> Told; ///< what failed, and was said
   std::string ToldOfTouch;
+  std::string ToldOfReplay;
   std::uint64_t Revision = 0;
   int LooksToSteps = 0;
   bool IsMaking = false;
   bool WasTouching = false;
+  bool WasReplaying = false;
   bool IsClosed = false;
   bool IsEnded = false;
 };

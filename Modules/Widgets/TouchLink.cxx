@@ -10,8 +10,12 @@ TouchLink::TouchLink(StudyController& study, ViewContents& contents, ViewGrid& v
     : QObject(parent), Study(study), Contents(contents), Views(views)
 {
   connect(&study, &StudyController::TouchChanged, this, &TouchLink::Begin);
+  connect(&study, &StudyController::ReplayChanged, this, &TouchLink::ShowProbe);
   connect(&study, &StudyController::Touched, this, &TouchLink::ShowReading);
-  connect(views.Space(), &SpacePane::HandMoved, &study, &StudyController::MoveHand);
+  connect(views.Space(), &SpacePane::HandMoved, this, &TouchLink::MoveHand);
+  connect(views.Space(), &SpacePane::Dragged, this,
+          [this](const Vector3& world) { this->Study.MoveWorkspace(world, "workspace"); });
+  connect(views.Space(), &SpacePane::DragEnded, &study, &StudyController::EndGesture);
   connect(views.Space(), &SpacePane::CameraTurned, this, &TouchLink::TellAxes);
   // Before a touch begins the device's axes are those of the camera as it is; later a camera that
   // is still turning would move the scene under the hand.
@@ -29,35 +33,67 @@ TouchLink::TouchLink(StudyController& study, ViewContents& contents, ViewGrid& v
 void TouchLink::TellAxes()
 {
   this->Study.TurnAxes(this->Views.Space()->Axes());
-}
-
-Vector3 TouchLink::FirstHand() const
-{
-  StudyTouch& touch = this->Study.Current().Touch();
-  const WorkspaceFrame& frame = touch.Frame();
-  const double reach = 0.5 * touch.Capabilities().Workspace.sizes().minCoeff();
-  const Vector3 towardsViewer = this->Views.Space()->Axes().col(2);
-  return frame.CenterWorld + frame.Scale * reach * towardsViewer;
+  this->ShowHand();
 }
 
 void TouchLink::Begin()
 {
   const bool isTouching = this->Study.IsTouching();
-  Vector3 hand = Vector3::Zero();
-  bool isSimulated = false;
-  if (isTouching)
-  {
-    hand = this->FirstHand();
-    isSimulated = this->Study.Current().Touch().MoveHand(hand);
-  }
-  this->Views.Space()->SetHand(isSimulated, hand);
-  this->Contents.ShowTouch(this->Study.Reading(), isTouching);
+  const bool isSimulated =
+      isTouching && this->Study.Current().Touch().PlaceHand(this->Views.Space()->Axes().col(2));
+  this->Views.Space()->SetHand(isSimulated, this->Study.Current().Touch().HandWorld());
+  this->ShowProbe();
+  this->ShowPlace();
+}
+
+// Where the workspace lies, and so what a drag moves.
+void TouchLink::ShowPlace()
+{
+  const StudyTouch& touch = this->Study.Current().Touch();
+  const bool isTouching = this->Study.IsTouching();
+  this->Contents.ShowWorkspace(touch.Frame(),
+                               isTouching ? touch.Capabilities().Workspace : Eigen::AlignedBox3d(),
+                               isTouching && this->IsWorkspaceShown);
+  this->Views.Space()->SetDragging(isTouching && this->IsWorkspaceMoved, touch.Frame().CenterWorld);
+}
+
+void TouchLink::ShowWorkspace(bool isShown)
+{
+  this->IsWorkspaceShown = isShown;
+  this->ShowPlace();
+}
+
+void TouchLink::MoveWorkspace(bool isMoved)
+{
+  this->IsWorkspaceMoved = isMoved;
+  this->ShowPlace();
+}
+
+void TouchLink::ShowProbe()
+{
+  this->Contents.ShowTouch(this->Study.Reading(),
+                           this->Study.IsTouching() || this->Study.IsReplaying());
+}
+
+void TouchLink::MoveHand(const Vector3& targetWorld)
+{
+  this->Study.MoveHand(targetWorld);
+  this->ShowHand();
+}
+
+// Beyond the device's reach, and with a workspace that moves, the hand is elsewhere than the
+// pointer led it.
+void TouchLink::ShowHand()
+{
+  this->Views.Space()->PlaceHand(this->Study.Current().Touch().HandWorld());
 }
 
 void TouchLink::ShowReading()
 {
   const StudyTouchReading& reading = this->Study.Reading();
-  this->Contents.ShowTouch(reading, true);
+  this->ShowProbe();
+  this->ShowHand();
+  this->ShowPlace();
   if (reading.Newest.HasSample && this->Study.State().View.SlicesFollowProbe)
   {
     const PlainVector3& proxy = reading.Newest.ProxyWorld;

@@ -19,18 +19,26 @@ public:
   /// Keeps the addresses.
   TouchLink(StudyController& study, ViewContents& contents, ViewGrid& views, QObject* parent);
 
+  /// The workspace is shown while something is touched, and moved by the mouse.
+  void ShowWorkspace(bool isShown);
+  void MoveWorkspace(bool isMoved);
+
 protected:
   bool eventFilter(QObject* object, QEvent* event) override;
 
 private:
   void Begin();
   void ShowReading();
+  void ShowProbe();
+  void ShowPlace();
   void TellAxes();
-  /// In front of what is touched, as far as the device reaches.
-  Vector3 FirstHand() const;
+  void MoveHand(const Vector3& targetWorld);
+  void ShowHand();
 
   StudyController& Study;
   ViewContents& Contents;
   ViewGrid& Views;
+  bool IsWorkspaceShown = true;
+  bool IsWorkspaceMoved = false;
 };
 } // namespace palpate

@@ -3,7 +3,9 @@
 #include "BuiltInDevices.h"
 
 #include <QFormLayout>
+#include <QHBoxLayout>
 #include <QSignalBlocker>
+#include <QToolButton>
 #include <QVBoxLayout>
 
 #include <cmath>
@@ -42,10 +44,12 @@ QLabel* MakeText(const char* name, QWidget* parent)
 } // namespace
 
 TouchPanel::TouchPanel(StudyController& study, QWidget* parent)
-    : QWidget(parent), Study(study), Device(new QComboBox(this)), Radius(new QDoubleSpinBox(this)),
-      Scale(new QDoubleSpinBox(this)), FollowCamera(new QCheckBox(this)),
-      Start(new QPushButton(this)), StopForce(new QPushButton("Stop force  (Esc)", this)),
-      AllowForce(new QPushButton("Allow force again", this)), Safety(MakeText("safety", this)),
+    : QWidget(parent), Study(study), Tools(new QHBoxLayout), Device(new QComboBox(this)),
+      Radius(new QDoubleSpinBox(this)), Scale(new QDoubleSpinBox(this)),
+      FollowCamera(new QCheckBox(this)), Start(new QPushButton(this)),
+      StopForce(new QPushButton("Stop force  (Esc)", this)),
+      AllowForce(new QPushButton("Allow force again", this)), Record(new QPushButton(this)),
+      Recording(MakeText("recording", this)), Safety(MakeText("safety", this)),
       Felt(MakeText("felt", this)), Advice(MakeText("advice", this))
 {
   auto* column = new QVBoxLayout(this);
@@ -53,9 +57,12 @@ TouchPanel::TouchPanel(StudyController& study, QWidget* parent)
   this->MakeSettings(form);
   this->MakeButtons();
   column->addLayout(form);
+  column->addLayout(this->Tools);
   column->addWidget(this->Start);
   column->addWidget(this->StopForce);
   column->addWidget(this->AllowForce);
+  column->addWidget(this->Record);
+  column->addWidget(this->Recording);
   column->addWidget(this->Safety);
   column->addWidget(this->Felt);
   column->addWidget(this->Advice);
@@ -63,9 +70,21 @@ TouchPanel::TouchPanel(StudyController& study, QWidget* parent)
   connect(&study, &StudyController::StateChanged, this, &TouchPanel::ShowState);
   connect(&study, &StudyController::TouchChanged, this, &TouchPanel::ShowTouch);
   connect(&study, &StudyController::StepsChanged, this, &TouchPanel::ShowTouch);
+  connect(&study, &StudyController::ReplayChanged, this, &TouchPanel::ShowTouch);
   connect(&study, &StudyController::Touched, this, &TouchPanel::ShowReading);
   this->ShowState();
   this->ShowTouch();
+}
+
+void TouchPanel::AddTools(const QList<QAction*>& actions)
+{
+  for (QAction* action : actions)
+  {
+    auto* button = new QToolButton(this);
+    button->setDefaultAction(action);
+    button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+    this->Tools->addWidget(button);
+  }
 }
 
 void TouchPanel::MakeButtons()
@@ -73,10 +92,13 @@ void TouchPanel::MakeButtons()
   this->Start->setObjectName("start-touch");
   this->StopForce->setObjectName("stop-force");
   this->AllowForce->setObjectName("allow-force");
+  this->Record->setObjectName("record");
   // The one button that must be found without looking for it.
   this->StopForce->setMinimumHeight(48);
   this->StopForce->setStyleSheet(
-      "QPushButton { background: #D55E00; color: white; font-weight: bold; font-size: 15px; }"
+      "QPushButton { background: #B34700; color: white; font-weight: bold; font-size: 15px;"
+      " border: none; border-radius: 4px; }" // with the style's border comes its own gradient
+      "QPushButton:pressed { background: #8A3600; }"
       "QPushButton:disabled { background: gray; }");
   connect(this->Start, &QPushButton::clicked, this,
           [this]
@@ -93,6 +115,7 @@ void TouchPanel::MakeButtons()
           });
   connect(this->StopForce, &QPushButton::clicked, &this->Study, &StudyController::SwitchForcesOff);
   connect(this->AllowForce, &QPushButton::clicked, &this->Study, &StudyController::SwitchForcesOn);
+  connect(this->Record, &QPushButton::clicked, this, &TouchPanel::RecordAsked);
 }
 
 void TouchPanel::MakeSettings(QFormLayout* form)
@@ -166,13 +189,17 @@ void TouchPanel::ShowTouch()
 {
   const bool isTouching = this->Study.IsTouching();
   const bool isOpening = this->Study.Current().IsOpeningDevice();
-  this->Start->setText(isTouching  ? "Stop touching"
-                       : isOpening ? "Opening the device... (stop)"
-                                   : "Start touching");
+  const bool isReplaying = this->Study.IsReplaying();
+  this->Start->setText(isTouching    ? "Stop touching"
+                       : isOpening   ? "Opening the device... (stop)"
+                       : isReplaying ? "Close the replay and touch"
+                                     : "Start touching");
   this->StopForce->setEnabled(isTouching);
   this->AllowForce->setEnabled(isTouching);
+  this->Record->setEnabled(isTouching);
   this->Device->setEnabled(!isTouching && !isOpening);
-  if (!isTouching)
+  this->ShowRecording();
+  if (!isTouching && !isReplaying)
   {
     this->Safety->setText("Nothing is touched: there is no force.");
     this->Felt->clear();
@@ -180,9 +207,35 @@ void TouchPanel::ShowTouch()
   }
 }
 
+void TouchPanel::ShowRecording()
+{
+  StudyTouch& touch = this->Study.Current().Touch();
+  const bool isRecording = this->Study.IsRecording();
+  this->Record->setText(isRecording ? "Stop recording" : "Record...");
+  const auto nameOf = [](const std::filesystem::path& file)
+  { return QString::fromStdString(file.filename().string()); };
+  QString text;
+  if (const StudyReplay* replay = this->Study.Current().Replay())
+  {
+    text = "Replays " + nameOf(replay->File()) + ": nothing is felt";
+  }
+  else if (!touch.RecordingFile().empty() && this->Study.IsTouching())
+  {
+    const double seconds = static_cast<double>(this->Study.Reading().RecordedTicks) / touch.Rate();
+    text = QString("%1 %2: %3 s")
+               .arg(isRecording ? "Recording" : "Recorded", nameOf(touch.RecordingFile()))
+               .arg(seconds, 0, 'f', 1);
+  }
+  this->Recording->setText(text);
+}
+
 QString TouchPanel::Warnings() const
 {
   QStringList lines;
+  if (this->Study.IsReplaying())
+  {
+    return {};
+  }
   for (const std::string& warning : this->Study.Current().Touch().Warnings())
   {
     lines += QString::fromStdString(warning);
@@ -202,7 +255,9 @@ QString TouchPanel::Warnings() const
 void TouchPanel::ShowReading()
 {
   const StudyTouchReading& reading = this->Study.Reading();
-  this->Safety->setText(QString::fromStdString(reading.Safety));
+  const QString safety = QString::fromStdString(reading.Safety);
+  this->Safety->setText(this->Study.IsReplaying() ? "Then: " + safety : safety);
+  this->ShowRecording();
   const StudyStructure* touched = FindStructure(this->Study.State(), reading.TouchedLabel);
   const QString name = touched != nullptr ? QString::fromStdString(TitleOf(*touched)) : "nothing";
   this->Felt->setText(QString("Touches %1: %2 N, %3 mm deep")

@@ -10,6 +10,7 @@
 #include <QWidget>
 
 class QFormLayout;
+class QHBoxLayout;
 
 namespace palpate
 {
@@ -23,8 +24,17 @@ public:
   /// Keeps the address.
   explicit TouchPanel(StudyController& study, QWidget* parent = nullptr);
 
+  /// Buttons for what a menu does.
+  void AddTools(const QList<QAction*>& actions);
+
   /// What the safety chain does, in words.
   QString SafetyWords() const { return this->Safety->text(); }
+  /// What is recorded or replayed, in words.
+  QString RecordingWords() const { return this->Recording->text(); }
+
+Q_SIGNALS:
+  /// The user wants a recording to begin, or to end.
+  void RecordAsked();
 
 private:
   void MakeButtons();
@@ -33,9 +43,11 @@ private:
   void ShowTouch();
   void ShowReading();
   void ChangeScale(double scale);
+  void ShowRecording();
   QString Warnings() const;
 
   StudyController& Study;
+  QHBoxLayout* Tools;
   QComboBox* Device;
   QDoubleSpinBox* Radius;
   QDoubleSpinBox* Scale;
@@ -43,6 +55,8 @@ private:
   QPushButton* Start;
   QPushButton* StopForce;
   QPushButton* AllowForce;
+  QPushButton* Record;
+  QLabel* Recording;
   QLabel* Safety;
   QLabel* Felt;
   QLabel* Advice;

@@ -10,6 +10,7 @@
 #include "vtkSubVoxelVolumeMapper.h"
 
 #include <algorithm>
+#include <array>
 #include <set>
 #include <sstream>
 
@@ -28,20 +29,42 @@ vtkSmartPointer<T> OwnView(T* data)
   return own;
 }
 
-// What a structure looks like: its model where there is one, else the surface of its mask.
+// Whether its model is to be seen, where there is one.
+bool WantsModel(const StudyStructure& structure)
+{
+  switch (structure.Appearance)
+  {
+  case StudyAppearance::Model:
+  case StudyAppearance::ErrorMap:
+    return true;
+  case StudyAppearance::Surface:
+  case StudyAppearance::SubVoxel:
+    return false;
+  case StudyAppearance::Automatic:
+    break;
+  }
+  return structure.Representation == TouchRepresentation::Automatic ||
+         structure.Representation == TouchRepresentation::Harmonics;
+}
+
+bool WantsField(const StudyStructure& structure)
+{
+  return structure.Appearance == StudyAppearance::SubVoxel ||
+         (structure.Appearance == StudyAppearance::Automatic &&
+          structure.Representation == TouchRepresentation::SubVoxel);
+}
+
+// What a structure looks like: its model where that is wanted, else the surface of its mask.
 vtkPolyData* SurfaceOf(const StudyPipeline& pipeline, const StudyStructure& structure)
 {
   const auto model = pipeline.Newest<FitResult>(StudyStep::Model, structure.Label);
-  const bool wantsModel = structure.Representation == TouchRepresentation::Automatic ||
-                          structure.Representation == TouchRepresentation::Harmonics;
-  if (wantsModel && model != nullptr && model->ModelSurface != nullptr &&
+  if (WantsModel(structure) && model != nullptr && model->ModelSurface != nullptr &&
       model->State == FitResult::Outcome::Fitted)
   {
     return model->ModelSurface;
   }
   const auto surface = pipeline.Newest<FitSurface>(StudyStep::Surface, structure.Label);
-  const bool wantsSurface = structure.Representation != TouchRepresentation::SubVoxel;
-  return wantsSurface && surface != nullptr ? surface->Found.Surface.Get() : nullptr;
+  return surface != nullptr ? surface->Found.Surface.Get() : nullptr;
 }
 
 template <typename Shown>
@@ -129,15 +152,18 @@ void ViewContents::ShowSurfaces(const StudyState& state, const StudyPipeline& pi
     {
       continue;
     }
-    if (vtkPolyData* surface = SurfaceOf(pipeline, structure))
-    {
-      surfaces.insert(structure.Label);
-      this->ShowSurface(structure, surface);
-    }
-    else if (const auto field = pipeline.Newest<ScalarField>(StudyStep::Field, structure.Label))
+    // What is there is shown until what is wanted is.
+    vtkPolyData* surface = SurfaceOf(pipeline, structure);
+    const auto field = pipeline.Newest<ScalarField>(StudyStep::Field, structure.Label);
+    if (field != nullptr && (surface == nullptr || WantsField(structure)))
     {
       fields.insert(structure.Label);
       this->ShowField(structure, field);
+    }
+    else if (surface != nullptr)
+    {
+      surfaces.insert(structure.Label);
+      this->ShowSurface(structure, surface);
     }
   }
   KeepOnly(this->SurfacesShown, surfaces);
@@ -160,7 +186,7 @@ void ViewContents::ShowSurface(const StudyStructure& structure, vtkPolyData* sur
     shown->SetSurface(OwnView(surface));
   }
   shown->SetColor(structure.Color[0], structure.Color[1], structure.Color[2]);
-  shown->SetColorArray(this->HasErrorColors ? ErrorArray : "");
+  shown->SetColorArray(structure.Appearance == StudyAppearance::ErrorMap ? ErrorArray : "");
 }
 
 void ViewContents::ShowField(const StudyStructure& structure,
@@ -177,7 +203,13 @@ void ViewContents::ShowField(const StudyStructure& structure,
     shown->SetMapper(mapper);
   }
   auto* mapper = vtkSubVoxelVolumeMapper::SafeDownCast(shown->GetMapper());
-  mapper->SetMaterialColor(0, structure.Color[0], structure.Color[1], structure.Color[2]);
+  std::array<double, 3> color{};
+  mapper->GetMaterialColor(0, color.data());
+  if (color != structure.Color)
+  {
+    mapper->SetMaterialColor(0, structure.Color[0], structure.Color[1], structure.Color[2]);
+    shown->Modified(); // what views look at
+  }
 }
 
 void ViewContents::ShowLandmarks(const StudyState& state)
@@ -235,15 +267,6 @@ StudyView ViewContents::WithViewOf(StudyView view) const
   return view;
 }
 
-void ViewContents::ShowError(bool isShown)
-{
-  this->HasErrorColors = isShown;
-  for (const auto& [label, surface] : this->SurfacesShown)
-  {
-    surface->SetColorArray(isShown ? ErrorArray : "");
-  }
-}
-
 void ViewContents::ShowTouch(const StudyTouchReading& reading, bool isTouching)
 {
   const TouchState& state = reading.Newest;
@@ -259,6 +282,24 @@ void ViewContents::ShowTouch(const StudyTouchReading& reading, bool isTouching)
   this->ProbeShown->SetProxyPosition(proxy.X, proxy.Y, proxy.Z);
   this->ProbeShown->SetForce(force.X, force.Y, force.Z);
   this->ProbeShown->SetInContact(state.Structure >= 0);
+}
+
+void ViewContents::ShowWorkspace(const WorkspaceFrame& frame, const Eigen::AlignedBox3d& box,
+                                 bool isShown)
+{
+  this->WorkspaceShown->SetVisibility(isShown && !box.isEmpty());
+  if (!this->WorkspaceShown->GetVisibility())
+  {
+    return;
+  }
+  std::array<double, 24> corners{};
+  for (int c = 0; c < 8; ++c)
+  {
+    const Vector3 corner =
+        frame.ToWorld(box.corner(static_cast<Eigen::AlignedBox3d::CornerType>(c)));
+    std::copy_n(corner.data(), 3, corners.data() + 3 * c);
+  }
+  this->WorkspaceShown->SetCorners(corners.data());
 }
 
 std::string ViewContents::TextAt(const Vector3& pointWorld) const

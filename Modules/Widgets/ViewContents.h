@@ -13,6 +13,7 @@
 #include "vtkSmartPointer.h"
 #include "vtkSurfaceDisplay.h"
 #include "vtkVolume.h"
+#include "vtkWorkspaceRepresentation.h"
 
 #include <map>
 #include <memory>
@@ -35,16 +36,16 @@ public:
   void ShowView(const StudyView& view);
   /// The tool and what it feels; nothing where nothing is touched.
   void ShowTouch(const StudyTouchReading& reading, bool isTouching);
+  /// The device's workspace; nothing where `isShown` is false.
+  void ShowWorkspace(const WorkspaceFrame& frame, const Eigen::AlignedBox3d& box, bool isShown);
   /// `view` with what the user has made of crosshair, window and opacity.
   StudyView WithViewOf(StudyView view) const;
-  /// Model surfaces coloured by their distance to the original.
-  void ShowError(bool isShown);
-  bool IsErrorShown() const { return this->HasErrorColors; }
 
   vtkImageDisplay* Images() const { return this->ImageShown; }
   vtkCrosshair* Crosshair() const { return this->CrosshairShown; }
   vtkLandmarks* Landmarks() const { return this->LandmarksShown; }
   vtkProbeRepresentation* Probe() const { return this->ProbeShown; }
+  vtkWorkspaceRepresentation* Workspace() const { return this->WorkspaceShown; }
   /// By the structure's label.
   const std::map<int, vtkSmartPointer<vtkSurfaceDisplay>>& Surfaces() const
   {
@@ -69,6 +70,7 @@ private:
   vtkNew<vtkCrosshair> CrosshairShown;
   vtkNew<vtkLandmarks> LandmarksShown;
   vtkNew<vtkProbeRepresentation> ProbeShown;
+  vtkNew<vtkWorkspaceRepresentation> WorkspaceShown;
   std::map<int, vtkSmartPointer<vtkSurfaceDisplay>> SurfacesShown;
   std::map<int, vtkSmartPointer<vtkVolume>> FieldsShown;
 
@@ -81,6 +83,5 @@ private:
   std::vector<StudyLandmark> Marks;
   std::vector<StudyDistance> Distances;
   std::optional<TouchToolSettings> Tool;
-  bool HasErrorColors = false;
 };
 } // namespace palpate

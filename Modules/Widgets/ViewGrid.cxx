@@ -114,10 +114,9 @@ void ViewGrid::TakeContents()
     next.insert(surface);
     if (this->Surfaces.count(surface) == 0)
     {
-      this->InSpace->AddSurface(surface);
-      for (SlicePane* slice : this->Slices)
+      for (ViewPane* pane : this->All)
       {
-        slice->AddSurface(surface);
+        pane->AddSurface(surface);
       }
     }
   }
@@ -125,10 +124,9 @@ void ViewGrid::TakeContents()
   {
     if (next.count(surface) == 0)
     {
-      this->InSpace->RemoveSurface(surface);
-      for (SlicePane* slice : this->Slices)
+      for (ViewPane* pane : this->All)
       {
-        slice->RemoveSurface(surface);
+        pane->RemoveSurface(surface);
       }
     }
   }
@@ -161,12 +159,10 @@ void ViewGrid::FitToAnotherImage()
 
 void ViewGrid::SetAlongImage(bool isAlongImage)
 {
-  for (SlicePane* slice : this->Slices)
+  for (ViewPane* pane : this->All)
   {
-    slice->SetAlongImage(isAlongImage);
+    pane->SetAlongImage(isAlongImage);
   }
-  this->InSpace->View()->SetAlongImage(isAlongImage);
-  this->InSpace->RequestRender();
 }
 
 void ViewGrid::SetLeftButtonMode(int mode)

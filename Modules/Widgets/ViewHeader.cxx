@@ -2,7 +2,6 @@
 
 #include <QHBoxLayout>
 #include <QSignalBlocker>
-#include <QStyle>
 
 namespace palpate
 {
@@ -13,7 +12,7 @@ ViewHeader::ViewHeader(const QString& name, const QColor& color, QWidget* parent
   title->setStyleSheet(QString("background: %1; color: black; font-weight: bold; padding: 1px 6px;")
                            .arg(color.name()));
   auto* maximize = new QToolButton(this);
-  maximize->setIcon(this->style()->standardIcon(QStyle::SP_TitleBarMaxButton));
+  maximize->setText("\u25A1"); // an icon would not follow a look
   maximize->setAutoRaise(true);
   maximize->setToolTip("Shows this view alone, and all again (double click)");
   this->Slider->setObjectName("slice");

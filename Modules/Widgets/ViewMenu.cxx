@@ -1,6 +1,10 @@
 #include "ViewMenu.h"
 
+#include "WindowLook.h"
+
 #include <QActionGroup>
+
+#include <algorithm>
 
 namespace palpate
 {
@@ -11,6 +15,7 @@ ViewMenu::ViewMenu(StudyController& study, ViewGrid& views, ViewContents& conten
   this->AddMouse();
   this->AddContents();
   this->AddCameras();
+  this->AddLooks();
   connect(&study, &StudyController::StateChanged, this, &ViewMenu::ShowView);
   connect(&study, &StudyController::ViewChanged, this, &ViewMenu::ShowView);
   this->ShowView();
@@ -79,10 +84,10 @@ void ViewMenu::AddContents()
                                      &StudyView::UsesVolumeAxes);
   this->FollowProbe = this->AddSwitch("Slices follow the &probe", QKeySequence("Ctrl+F"),
                                       &StudyView::SlicesFollowProbe);
-  QAction* error = this->addAction("Models coloured by their &error");
-  error->setCheckable(true);
-  error->setShortcut(QString("Ctrl+E"));
-  connect(error, &QAction::toggled, this, [this](bool isOn) { this->Contents.ShowError(isOn); });
+  this->ErrorMaps = this->addAction("All as &error maps");
+  this->ErrorMaps->setCheckable(true);
+  this->ErrorMaps->setShortcut(QString("Ctrl+E"));
+  connect(this->ErrorMaps, &QAction::triggered, this, &ViewMenu::ShowErrorMaps);
   QAction* slices = this->addAction("Slices in &3-D");
   slices->setCheckable(true);
   slices->setShortcut(QString("Ctrl+D"));
@@ -109,8 +114,53 @@ void ViewMenu::AddCameras()
   }
 }
 
+void ViewMenu::AddLooks()
+{
+  constexpr std::array<const char*, 3> Texts{"As the &system", "&Light", "&Dark"};
+  QMenu* looks = this->addMenu("A&ppearance");
+  auto* group = new QActionGroup(this);
+  for (const WindowLook look : AllWindowLooks)
+  {
+    QAction* action = looks->addAction(Texts[static_cast<std::size_t>(look)]);
+    action->setCheckable(true);
+    action->setChecked(look == ChosenLook());
+    group->addAction(action);
+    connect(action, &QAction::triggered, this, [look] { ChooseLook(look); });
+  }
+}
+
+// All that is seen, in one step, and back as what each was shown before.
+void ViewMenu::ShowErrorMaps(bool areShown)
+{
+  StudyState next = this->Study.State();
+  for (StudyStructure& structure : next.Structures)
+  {
+    const bool isErrorMap = structure.Appearance == StudyAppearance::ErrorMap;
+    if (!structure.IsVisible || isErrorMap == areShown)
+    {
+      continue;
+    }
+    const auto before = this->Before.find(structure.Label);
+    const bool isKnown = before != this->Before.end();
+    const StudyAppearance former = isKnown ? before->second : StudyAppearance::Automatic;
+    if (areShown)
+    {
+      this->Before[structure.Label] = structure.Appearance;
+    }
+    structure.Appearance = areShown ? StudyAppearance::ErrorMap : former;
+  }
+  this->Study.Change(areShown ? "Show all as error maps" : "Show no error maps", next);
+  this->ShowView();
+}
+
 void ViewMenu::ShowView()
 {
+  const auto& all = this->Study.State().Structures;
+  const auto isOther = [](const StudyStructure& structure)
+  { return structure.IsVisible && structure.Appearance != StudyAppearance::ErrorMap; };
+  const auto isSeen = [](const StudyStructure& structure) { return structure.IsVisible; };
+  this->ErrorMaps->setChecked(std::any_of(all.begin(), all.end(), isSeen) &&
+                              std::none_of(all.begin(), all.end(), isOther));
   const StudyView& view = this->Study.State().View;
   const ViewLayout layout = LayoutOf(view.Layout);
   if (this->Views.Layout() != layout)

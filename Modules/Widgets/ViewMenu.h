@@ -5,6 +5,8 @@
 
 #include <QMenu>
 
+#include <map>
+
 namespace palpate
 {
 /// Layouts, what views show, from where one looks, and what the mouse does.
@@ -21,7 +23,9 @@ private:
   void AddCameras();
   void AddMouse();
   void AddContents();
+  void AddLooks();
   void ShowView();
+  void ShowErrorMaps(bool areShown);
   /// A switch of the view's state.
   QAction* AddSwitch(const QString& text, const QKeySequence& key, bool StudyView::*field);
 
@@ -31,5 +35,7 @@ private:
   std::array<QAction*, 3> Layouts{};
   QAction* AlongImage = nullptr;
   QAction* FollowProbe = nullptr;
+  QAction* ErrorMaps = nullptr;
+  std::map<int, StudyAppearance> Before; ///< by label, of what became error maps here
 };
 } // namespace palpate

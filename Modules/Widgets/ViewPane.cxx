@@ -1,6 +1,9 @@
 #include "ViewPane.h"
 
+#include "ViewContents.h"
+
 #include "vtkInteractorStyle.h"
+#include "vtkLinkedView.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderWindowInteractor.h"
 
@@ -49,6 +52,40 @@ ViewPane::~ViewPane()
 void ViewPane::SetStyle(vtkInteractorStyle* style)
 {
   this->Picture->interactor()->SetInteractorStyle(style);
+}
+
+void ViewPane::Show(vtkLinkedView* view, const ViewContents& contents)
+{
+  this->Shown = view;
+  view->SetImageDisplay(contents.Images());
+  view->SetCrosshair(contents.Crosshair());
+  view->SetLandmarks(contents.Landmarks());
+  view->SetProbe(contents.Probe());
+  view->SetWorkspace(contents.Workspace());
+  view->SetRenderer(this->Scene);
+  this->Follow(contents.Images());
+  this->Follow(contents.Crosshair());
+  this->Follow(contents.Landmarks());
+  this->Follow(contents.Probe());
+  this->Follow(contents.Workspace());
+}
+
+void ViewPane::AddSurface(vtkSurfaceDisplay* surface)
+{
+  this->Shown->AddSurface(surface);
+  this->Follow(surface);
+}
+
+void ViewPane::RemoveSurface(vtkSurfaceDisplay* surface)
+{
+  this->Shown->RemoveSurface(surface);
+  this->Unfollow(surface);
+}
+
+void ViewPane::SetAlongImage(bool isAlongImage)
+{
+  this->Shown->SetAlongImage(isAlongImage);
+  this->RequestRender();
 }
 
 void ViewPane::Follow(vtkObject* shared)

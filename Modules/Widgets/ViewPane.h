@@ -12,9 +12,13 @@
 #include <vector>
 
 class vtkInteractorStyle;
+class vtkLinkedView;
+class vtkSurfaceDisplay;
 
 namespace palpate
 {
+class ViewContents;
+
 /// A view with its header. It draws at most once in a turn of the event loop, however often it is
 /// asked to, and not at all while it cannot be seen.
 class ViewPane : public QWidget
@@ -35,6 +39,10 @@ public:
   /// How many pictures were drawn.
   int RenderCount() const { return this->Drawn; }
 
+  void AddSurface(vtkSurfaceDisplay* surface);
+  void RemoveSurface(vtkSurfaceDisplay* surface);
+  void SetAlongImage(bool isAlongImage);
+
   /// Draws whenever the object says that it was modified; observers end with the pane.
   void Follow(vtkObject* shared);
   void Unfollow(vtkObject* shared);
@@ -49,6 +57,8 @@ Q_SIGNALS:
 protected:
   ViewHeader* Header() const { return this->Bar; }
   void SetStyle(vtkInteractorStyle* style);
+  /// What the pane draws, of `contents`, which outlive it.
+  void Show(vtkLinkedView* view, const ViewContents& contents);
   bool eventFilter(QObject* object, QEvent* event) override;
 
 private:
@@ -59,6 +69,7 @@ private:
   vtkNew<vtkRenderer> Scene;
   vtkNew<vtkCallbackCommand> Listener; ///< of what is followed
   std::vector<vtkSmartPointer<vtkObject>> Followed;
+  vtkSmartPointer<vtkLinkedView> Shown;
   bool IsDue = false;
   int Drawn = 0;
 };

@@ -24,6 +24,7 @@ TEST(CliStudy, MakesWhatASessionWantsAndWhatWasMadeCanBeTouched)
       RunPalpate({"study", "case.palpate.json", "--output", "out", "--json"}, folder.Path());
   ASSERT_EQ(run.Code, 0) << run.Errors;
   EXPECT_NE(run.Output.find("harmonics of degree 4"), std::string::npos) << run.Output;
+  EXPECT_NE(run.Output.find("\"tick_us\":"), std::string::npos) << run.Output;
   EXPECT_TRUE(std::filesystem::exists(folder / "out/a_1_ball/model.json"));
   const CommandRun touch =
       RunPalpate({"touch", "out/scene.json", "--seconds", "0.2"}, folder.Path());
@@ -39,6 +40,24 @@ TEST(CliStudy, ASessionOfFilesAloneTakesTheirStructures)
   EXPECT_EQ(run.Code, 0) << run.Errors;
   EXPECT_NE(run.Output.find("label 2 "), std::string::npos) << run.Output;
   EXPECT_EQ(folder.EntryCount(), 2U) << "nothing is written unasked";
+}
+
+// A ball of one radius is not what the mask's steps are: no model is close enough.
+TEST(CliStudy, WhatReplacesARefusedModelIsAdviceAndNoFailure)
+{
+  const TemporaryFolder folder;
+  WriteTwoBalls(folder / "a.nii.gz");
+  WriteAll(folder / "case.palpate.json",
+           "{\"format\": \"palpate-study\", \"fit\": {\"frequency\": 10, \"min_dice\": 1.0}, "
+           "\"segmentation\": \"a.nii.gz\", \"structures\": [{\"label\": 1, \"degree\": 0, "
+           "\"name\": \"ball\", \"shown_as\": \"sub-voxel\"}]}");
+  const CommandRun run = RunPalpate({"study", "case.palpate.json"}, folder.Path());
+  EXPECT_EQ(run.Code, 0) << run.Errors;
+  EXPECT_NE(run.Errors.find("ball: touched by its sub-voxel field, because it is not followed by a "
+                            "model of degree 0"),
+            std::string::npos)
+      << run.Errors;
+  EXPECT_NE(run.Output.find("shown as sub-voxel volume"), std::string::npos) << run.Output;
 }
 
 // The sentence is the one that the file's own command gives.

@@ -53,6 +53,12 @@ TEST(CliTouch, ARecordingBecomesALineATick)
   const std::string last = text.substr(text.rfind('\n', text.size() - 2) + 1);
   EXPECT_EQ(std::count(first.begin(), first.end(), ','), std::count(last.begin(), last.end(), ','));
   EXPECT_EQ(last.rfind("499,", 0), 0U) << last;
+  for (const char* const plots : {"plots.svg", "plots.png"})
+  {
+    const CommandRun drawn = RunPalpate({"convert", "felt/session.touch", plots}, folder.Path());
+    EXPECT_EQ(drawn.Code, 0) << drawn.Errors;
+    EXPECT_FALSE(ReadAll(folder / plots).empty()) << plots;
+  }
   // Cut off, as by a program that died.
   const std::string bytes = ReadAll(folder / "felt/session.touch");
   std::ofstream(folder / "cut.part", std::ios::binary) << bytes.substr(0, bytes.size() - 100);

@@ -35,11 +35,7 @@ public:
     this->AddSlice(vtkSliceView::AXIAL, 0.0, 0.5);
     this->AddSlice(vtkSliceView::CORONAL, 0.0, 0.0);
     this->AddSlice(vtkSliceView::SAGITTAL, 0.5, 0.0);
-    this->Space->SetRenderer(this->AddRenderer(0.5, 0.5));
-    this->Space->SetImageDisplay(this->Images);
-    this->Space->SetCrosshair(this->Crosshair);
-    this->Space->SetLandmarks(this->Landmarks);
-    this->Space->SetProbe(this->Probe);
+    this->Link(this->Space, 0.5, 0.5);
     this->Probe->VisibilityOff();
   }
 
@@ -62,22 +58,22 @@ public:
   vtkNew<vtkSpaceView> Space;
 
 private:
-  vtkRenderer* AddRenderer(double left, double bottom)
+  void Link(vtkLinkedView* view, double left, double bottom)
   {
     vtkNew<vtkRenderer> renderer;
     renderer->SetViewport(left, bottom, left + 0.5, bottom + 0.5);
     this->Window->AddRenderer(renderer);
-    return renderer;
+    view->SetRenderer(renderer);
+    view->SetImageDisplay(this->Images);
+    view->SetCrosshair(this->Crosshair);
+    view->SetLandmarks(this->Landmarks);
+    view->SetProbe(this->Probe);
   }
   void AddSlice(int orientation, double left, double bottom)
   {
     vtkSliceView* slice = this->Slices[static_cast<std::size_t>(orientation)];
     slice->SetOrientation(orientation);
-    slice->SetImageDisplay(this->Images);
-    slice->SetCrosshair(this->Crosshair);
-    slice->SetLandmarks(this->Landmarks);
-    slice->SetProbe(this->Probe);
-    slice->SetRenderer(this->AddRenderer(left, bottom));
+    this->Link(slice, left, bottom);
   }
 };
 } // namespace palpate::test

@@ -54,6 +54,34 @@ TEST(FieldBuilder, RefusesSamplesThatAreNotFinite)
   }
 }
 
+std::string RefusalOfScaledRamp(double scale, double shift, FieldInterpolation interpolation)
+{
+  std::vector<double> ramp = Ramp();
+  for (double& sample : ramp)
+  {
+    sample = sample * scale + shift;
+  }
+  FieldBuilder builder(Cube);
+  builder.AddMaterial({builder.AddChannel(SamplesOfGrid(ramp.data(), Cube)), 2.5 * scale + shift});
+  builder.SetInterpolation(interpolation);
+  return RefusalOf(builder);
+}
+
+TEST(FieldBuilder, RefusesSamplesTooLargeOrTooAlikeToBeComputedWith)
+{
+  const auto trilinear = FieldInterpolation::Trilinear;
+  const auto tricubic = FieldInterpolation::TricubicBSpline;
+  EXPECT_EQ(RefusalOfScaledRamp(1e139, 0.0, trilinear), "");
+  EXPECT_EQ(RefusalOfScaledRamp(1e-139, 0.0, trilinear), "");
+  EXPECT_TRUE(Says(RefusalOfScaledRamp(1e140, 0.0, trilinear), "from 0 to 5e+140"));
+  EXPECT_TRUE(Says(RefusalOfScaledRamp(1e-141, 0.0, trilinear), "from 0 to 5e-141"));
+  EXPECT_TRUE(Says(RefusalOfScaledRamp(-3e307, 1.5e308, trilinear), "rescale them"));
+  EXPECT_EQ(RefusalOfScaledRamp(1e35, 0.0, tricubic), "");
+  EXPECT_EQ(RefusalOfScaledRamp(1e-29, 0.0, tricubic), "");
+  EXPECT_TRUE(Says(RefusalOfScaledRamp(1e36, 0.0, tricubic), "from 0 to 5e+36"));
+  EXPECT_TRUE(Says(RefusalOfScaledRamp(1e-31, 0.0, tricubic), "from 0 to 5e-31"));
+}
+
 TEST(FieldBuilder, RefusesAOneSliceVolume)
 {
   const FieldGrid slice = PlainGrid({6, 6, 1});
@@ -129,7 +157,7 @@ TEST(FieldBuilder, StoresSamplesInTheSmallestTypeThatLosesNothing)
   EXPECT_EQ(StoredAs<std::uint64_t>(0, (1u << 24) + 1), ScalarType::Float64);
   EXPECT_EQ(StoredAs<float>(0.1f, 0.2f), ScalarType::Float32);
   EXPECT_EQ(StoredAs<double>(0.1, 0.2), ScalarType::Float64);
-  EXPECT_EQ(StoredAs<double>(0.0, 1e300), ScalarType::Float64);
+  EXPECT_EQ(StoredAs<double>(0.0, 1e139), ScalarType::Float64);
 }
 
 TEST(FieldBuilder, StoresOnlyBricksNearTheSurface)

@@ -25,6 +25,13 @@ void Watchdog::Reset() noexcept
   this->TicksWithoutSample = 0;
 }
 
+// Too late, or of a clock that stood still or went back: nobody knows how long the force was held.
+bool Watchdog::IsStalled(const TickObservation& now) const noexcept
+{
+  const std::int64_t passed = now.Tick.Started - this->Last.Tick.Started;
+  return passed <= 0 || passed > this->Limits.LongestGap;
+}
+
 bool Watchdog::IsTooFast(const TickObservation& now) const noexcept
 {
   const double passed = 1e-9 * static_cast<double>(now.Sample.Time - this->Last.Sample.Time);
@@ -52,8 +59,10 @@ SafetyFault Watchdog::CheckSample(const TickObservation& now) noexcept
   }
   const bool isNew = !this->HasLast || now.Sample.Sequence != this->Last.Sample.Sequence;
   this->TicksWithoutSample = isNew ? 0 : this->TicksWithoutSample + 1;
-  if (this->TicksWithoutSample >= this->Limits.StaleTicks ||
-      now.Tick.Started - now.Sample.Time > this->Limits.OldestSample)
+  const std::int64_t age = now.Tick.Started - now.Sample.Time;
+  // From the future it would never be old, and allow for any motion since the one before.
+  if (this->TicksWithoutSample >= this->Limits.StaleTicks || age > this->Limits.OldestSample ||
+      age < -this->Limits.OldestSample)
   {
     return SafetyFault::StaleSample;
   }
@@ -69,8 +78,7 @@ SafetyFault Watchdog::Check(const TickObservation& now) noexcept
     return fault;
   }
   fault = this->CheckSample(now);
-  if (fault == SafetyFault::None && this->HasLast &&
-      now.Tick.Started - this->Last.Tick.Started > this->Limits.LongestGap)
+  if (fault == SafetyFault::None && this->HasLast && this->IsStalled(now))
   {
     fault = SafetyFault::StalledTick;
   }

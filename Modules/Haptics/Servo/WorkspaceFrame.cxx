@@ -23,4 +23,30 @@ WorkspaceFrame WorkspaceFrame::Around(const TouchScene& scene, const DeviceCapab
   }
   return frame;
 }
+
+Vector3 WorkspaceFrame::NearestInReach(const Vector3& pointWorld,
+                                       const Eigen::AlignedBox3d& workspace) const
+{
+  const Vector3 wanted = this->ToDevice(pointWorld);
+  return workspace.isEmpty() ? wanted : wanted.cwiseMax(workspace.min()).cwiseMin(workspace.max());
+}
+
+Vector3 WorkspaceFrame::FirstHand(const Vector3& towardsViewerWorld,
+                                  const Eigen::AlignedBox3d& workspace) const
+{
+  if (workspace.isEmpty())
+  {
+    return Vector3::Zero();
+  }
+  const Vector3 middle = this->NearestInReach(this->CenterWorld, workspace);
+  const Vector3 way = this->Rotation.transpose() * towardsViewerWorld.normalized();
+  double reach = workspace.diagonal().norm();
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const double side = way[axis] > 0.0 ? workspace.max()[axis] : workspace.min()[axis];
+    // What runs along a pair of sides meets neither.
+    reach = way[axis] != 0.0 ? std::min(reach, (side - middle[axis]) / way[axis]) : reach;
+  }
+  return middle + reach * way;
+}
 } // namespace palpate

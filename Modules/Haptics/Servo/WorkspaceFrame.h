@@ -26,6 +26,13 @@ struct WorkspaceFrame
   {
     return this->CenterWorld + this->Scale * (this->Rotation * pointDevice);
   }
+  /// The place of the device (mm) within its `workspace` that is nearest to a place in the world:
+  /// where a hand that is led from a screen goes. An empty workspace, which is not known, ends
+  /// nowhere.
+  Vector3 NearestInReach(const Vector3& pointWorld, const Eigen::AlignedBox3d& workspace) const;
+  /// Where such a hand begins (mm, device): before the middle of what is felt, as far towards the
+  /// viewer as the workspace reaches.
+  Vector3 FirstHand(const Vector3& towardsViewerWorld, const Eigen::AlignedBox3d& workspace) const;
   DeviceFrame ForDevice() const { return {this->Rotation, this->Scale, this->CenterWorld}; }
 
   friend bool operator==(const WorkspaceFrame& a, const WorkspaceFrame& b)

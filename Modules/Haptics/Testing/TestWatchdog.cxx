@@ -63,6 +63,17 @@ TEST(Watchdog, ATickThatComesTooLateIsAFault)
   EXPECT_EQ(watched.Dog.Check(watched.Next), SafetyFault::StalledTick);
 }
 
+TEST(Watchdog, ATickThatIsNotAfterTheOneBeforeIsAFault)
+{
+  for (const std::int64_t back : {test::TickPeriod, 3600 * 1000 * test::TickPeriod})
+  {
+    Watched watched;
+    watched.Next.Tick.Started -= back; // stands still; an hour back
+    watched.Next.Sample.Time = watched.Next.Tick.Started;
+    EXPECT_EQ(watched.Dog.Check(watched.Next), SafetyFault::StalledTick) << back;
+  }
+}
+
 TEST(Watchdog, TheSecondTickWithoutANewSampleIsAFault)
 {
   Watched watched;
@@ -78,6 +89,16 @@ TEST(Watchdog, AnOldSampleIsAFaultThoughItIsANewOne)
   Watched watched;
   watched.Next.Sample.Time -= 10'000'001;
   EXPECT_EQ(watched.Dog.Check(watched.Next), SafetyFault::StaleSample);
+}
+
+TEST(Watchdog, ASampleFromTheFutureIsAFault)
+{
+  Watched near;
+  near.Next.Sample.Time += 10'000'000;
+  EXPECT_EQ(near.Dog.Check(near.Next), SafetyFault::None);
+  Watched far;
+  far.Next.Sample.Time += 10'000'001;
+  EXPECT_EQ(far.Dog.Check(far.Next), SafetyFault::StaleSample);
 }
 
 TEST(Watchdog, MotionFasterThanAHandIsAFault)

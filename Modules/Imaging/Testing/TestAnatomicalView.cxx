@@ -40,6 +40,13 @@ TEST(AnatomicalView, PicturesLieAsRadiologistsHangThem)
   EXPECT_EQ(OrientationLetters(FrameOf(ViewSide::Left).UpWorld), "S");
 }
 
+TEST(AnatomicalView, EdgesAreNamedByWhatLiesBeyondThem)
+{
+  using Letters = std::array<std::string, 4>; // left, right, top, bottom
+  EXPECT_EQ(EdgeLettersOf(FrameOf(ViewSide::Inferior)), (Letters{"R", "L", "A", "P"}));
+  EXPECT_EQ(EdgeLettersOf(FrameOf(ViewSide::Left)), (Letters{"A", "P", "S", "I"}));
+}
+
 TEST(AnatomicalView, ObliqueDirectionsAreNamedByTheirStrongestLetterFirst)
 {
   EXPECT_EQ(OrientationLetters(Vector3(0.6, 0.8, 0.0)), "PL");

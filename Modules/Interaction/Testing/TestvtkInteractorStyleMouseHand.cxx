@@ -41,6 +41,8 @@ protected:
     this->Window->Render();
     this->Style->AddObserver(vtkInteractorStyleMouseHand::HandMovedEvent, this,
                              &MouseHandStyleTest::Count);
+    this->Style->AddObserver(vtkInteractorStyleMouseHand::DragEndEvent, this,
+                             &MouseHandStyleTest::Count);
     this->Style->HandOn();
   }
   void Count() { ++this->Moves; }
@@ -91,6 +93,29 @@ TEST_F(MouseHandStyleTest, InPerspectiveTheHandStaysUnderThePointer)
   const Vector3 eye(0.0, 0.0, 100.0);
   EXPECT_LT((this->Hand() - eye).normalized().cross((before - eye).normalized()).norm(), 1e-12);
   EXPECT_NEAR((this->Hand() - before).norm(), this->Style->GetNotchMillimeters(), 1e-9);
+}
+
+TEST_F(MouseHandStyleTest, WhatIsDraggedGoesWithThePointerInItsPlaneAndTheHandStays)
+{
+  const double start[3] = {1.0, 2.0, 20.0};
+  this->Style->SetDraggedWorld(start);
+  this->Style->DraggingOn();
+  this->Send(vtkCommand::MouseMoveEvent, 110, 60);
+  this->Send(vtkCommand::LeftButtonPressEvent, 110, 60);
+  this->Send(vtkCommand::MouseMoveEvent, 120, 50);
+  this->Send(vtkCommand::MouseMoveEvent, 140, 40);
+  EXPECT_EQ(this->Moves, 0);
+  this->Send(vtkCommand::LeftButtonReleaseEvent, 140, 40);
+  EXPECT_EQ(this->Moves, 1);
+  this->Send(vtkCommand::MouseMoveEvent, 20, 20);
+  const Vector3 dragged(this->Style->GetDraggedWorld());
+  // 30 pixels to the right and 20 down, a tenth of a millimetre each; the depth goes through a
+  // normalised coordinate and back.
+  EXPECT_LT((dragged - Vector3(4.0, 0.0, 20.0)).norm(), 1e-9);
+  EXPECT_EQ(this->Hand(), Vector3(Vector3::Zero()));
+  this->Style->SetNotchMillimeters(0.5);
+  this->Send(vtkCommand::MouseWheelForwardEvent, 100, 50);
+  EXPECT_LT((Vector3(this->Style->GetDraggedWorld()) - Vector3(4.0, 0.0, 19.5)).norm(), 1e-9);
 }
 
 TEST_F(MouseHandStyleTest, WithControlTheCameraMovesAndTheHandDoesNot)

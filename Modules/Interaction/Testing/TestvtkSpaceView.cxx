@@ -140,6 +140,34 @@ TEST_F(vtkSpaceViewTest, AnArrayColorsTheSurfaceByItsSign)
   EXPECT_TRUE(IsBlue(PixelAt(this->Draw(), 12.0, 0.0)));
 }
 
+TEST_F(vtkSpaceViewTest, SurfacesOfOneArrayShareItsScale)
+{
+  const auto measured = [](const Vector3& middle, double number)
+  {
+    const auto ball = Ball(middle, 8.0);
+    vtkNew<vtkDoubleArray> distances;
+    distances->SetName("DistanceToSurface");
+    distances->SetNumberOfTuples(ball->GetNumberOfPoints());
+    distances->Fill(number);
+    ball->GetPointData()->AddArray(distances);
+    return ball;
+  };
+  const auto colorfulness = [](const std::uint8_t* pixel) { return pixel[0] - pixel[2]; };
+  this->Surface->SetSurface(measured(Vector3(-10.0, 0.0, 0.0), 0.2));
+  this->Surface->SetColorArray("DistanceToSurface");
+  this->View->AddSurface(this->Surface);
+  EXPECT_TRUE(IsRed(PixelAt(this->Draw(), -10.0, 0.0))) << "alone it fills its scale";
+  vtkNew<vtkSurfaceDisplay> other;
+  other->SetSurface(measured(Vector3(10.0, 0.0, 0.0), 2.0));
+  other->SetColorArray("DistanceToSurface");
+  this->View->AddSurface(other);
+  const Picture picture = this->Draw();
+  EXPECT_TRUE(IsRed(PixelAt(picture, 10.0, 0.0)));
+  EXPECT_LT(colorfulness(PixelAt(picture, -10.0, 0.0)), 40) << "a tenth of the other";
+  other->VisibilityOff();
+  EXPECT_TRUE(IsRed(PixelAt(this->Draw(), -10.0, 0.0)));
+}
+
 TEST_F(vtkSpaceViewTest, LookFromSeesThePatientFromThatSide)
 {
   this->Surface->SetSurface(Ball(Vector3(3.0, 4.0, 5.0), 10.0));
@@ -275,6 +303,39 @@ TEST_F(vtkSpaceViewTest, WhatIsTouchedHasTheContactColor)
   EXPECT_TRUE(IsBlue(PixelAt(picture, 0.0, 0.0)));
   probe->InContactOff();
   EXPECT_TRUE(IsBlue(PixelAt(this->Draw(), 5.0, 1.8)));
+}
+
+TEST_F(vtkSpaceViewTest, ASubVoxelVolumeHasTheContactColorWhereItIsTouched)
+{
+  vtkNew<vtkSubVoxelVolumeMapper> mapper;
+  mapper->SetInputData(palpate::test::RampImage(palpate::test::SkewTurn()));
+  mapper->SetIsoValue(0, 100.0);
+  mapper->SetMaterialColor(0, 0.0, 0.0, 1.0);
+  vtkNew<vtkSubVoxelVolume> volume;
+  volume->SetMapper(mapper);
+  this->Renderer->AddVolume(volume);
+  vtkNew<vtkProbeRepresentation> probe;
+  this->View->SetProbe(probe);
+  probe->SetToolSphere(0.5);
+  probe->SetContactColor(1.0, 0.0, 0.0);
+  probe->SetContactRadius(5.0);
+  Vector3 touched;
+  this->Draw(vtkSpaceView::POSTERIOR);
+  ASSERT_TRUE(this->PickAt(2.0, 3.0, touched));
+  // The tool stands before the surface, which pushes it to the viewer.
+  probe->SetForce(0.0, 1.0, 0.0);
+  probe->SetForceScale(0.0); // no arrow before it
+  probe->SetProxyPosition(touched.x(), touched.y() + 0.5, touched.z());
+  probe->SetProbePosition(touched.x(), touched.y() + 0.5, touched.z());
+  Picture picture = this->Draw(vtkSpaceView::POSTERIOR);
+  EXPECT_TRUE(IsBlue(PixelAt(picture, 2.0, 4.2))) << "without contact";
+  probe->InContactOn();
+  picture = this->Draw(vtkSpaceView::POSTERIOR);
+  EXPECT_TRUE(IsRed(PixelAt(picture, 2.0, 4.2)));
+  EXPECT_TRUE(IsBlue(PixelAt(picture, 2.0, -4.0))) << "7 mm away";
+  probe->InContactOff();
+  picture = this->Draw(vtkSpaceView::POSTERIOR);
+  EXPECT_TRUE(IsBlue(PixelAt(picture, 2.0, 4.2)));
 }
 
 TEST_F(vtkSpaceViewTest, TheToolIsSolidAtTheProxyAndTranslucentAtTheProbe)

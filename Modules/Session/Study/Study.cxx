@@ -2,6 +2,7 @@
 
 #include "OpenBuiltInDevice.h"
 #include "StudyFile.h"
+#include "TouchExport.h"
 
 #include <utility>
 
@@ -12,6 +13,7 @@ Study::Study(Clock& clock, const RealtimeRequest& request) : Time(clock), Felt(c
 void Study::Begin(const StudyState& state, const std::filesystem::path& file)
 {
   this->StopTouch();
+  this->CloseReplay();
   this->Steps.Reset(state);
   this->SessionFile = file;
   this->Unread.clear();
@@ -34,11 +36,11 @@ void Study::Save(const std::filesystem::path& file)
   this->Steps.MarkSaved();
 }
 
-void Study::OpenVolume(const std::filesystem::path& file)
+void Study::OpenVolume(const std::filesystem::path& file, const std::string& series)
 {
   StudyState next = this->State();
   next.VolumeFile = StudyPath(file);
-  next.DicomSeries.clear();
+  next.DicomSeries = series;
   next.View.CrosshairWorld.reset();
   next.View.Window.reset();
   next.View.Level.reset();
@@ -119,6 +121,7 @@ void Study::FollowByTouch()
 void Study::StartTouch()
 {
   this->StopTouch();
+  this->CloseReplay();
   StudyJob job;
   job.IsUrgent = true;
   job.Work = [this, name = this->State().Device, &clock = this->Time](const ProgressFunction&)
@@ -151,6 +154,28 @@ void Study::TakeDevice(std::unique_ptr<HapticDevice> device)
           .Message();
 }
 
+void Study::MoveWorkspace(const Vector3& centerWorld, const std::string& gesture)
+{
+  if (this->Felt.IsRunning())
+  {
+    StudyState next = this->State();
+    next.Placement.CenterWorld = this->Felt.PlacementFor(centerWorld);
+    this->Change("Move the workspace", next, gesture);
+  }
+}
+
+void Study::FitWorkspace()
+{
+  StudyState next = this->State();
+  next.Placement.CenterWorld.reset();
+  next.Placement.Scale.reset();
+  this->Felt.FitWorkspace();
+  if (!this->Change("Fit the workspace", next))
+  {
+    this->FollowByTouch();
+  }
+}
+
 void Study::StopTouch()
 {
   if (this->Opening)
@@ -160,6 +185,68 @@ void Study::StopTouch()
   }
   this->Felt.Stop();
   this->Problem.clear();
+}
+
+void Study::OpenReplay(const std::filesystem::path& file)
+{
+  this->CloseReplay();
+  StudyJob job;
+  job.IsUrgent = true;
+  job.Work = [this, file](const ProgressFunction&)
+  {
+    return StudyJob::Delivery(
+        [this, file, recording = ReadReplay(file)]
+        {
+          this->StopTouch();
+          this->Reading.reset();
+          this->Played = std::make_unique<StudyReplay>(file, recording, this->Time);
+        });
+  };
+  job.Fail = [this](const std::string& sentence)
+  {
+    this->Reading.reset();
+    this->Unplayable = sentence;
+  };
+  this->Reading = this->Work.Start(std::move(job));
+}
+
+void Study::CloseReplay()
+{
+  if (this->Reading)
+  {
+    this->Work.Cancel(*this->Reading);
+    this->Reading.reset();
+  }
+  this->Played.reset();
+  this->Unplayable.clear();
+}
+
+void Study::ExportReplay(const std::filesystem::path& file)
+{
+  if (this->Played == nullptr)
+  {
+    return;
+  }
+  this->Unplayable.clear();
+  StudyJob job;
+  job.IsUrgent = true;
+  job.Work = [file, recording = this->Played->Shared()](const ProgressFunction&)
+  {
+    ExportTouch(*recording, file);
+    return StudyJob::Delivery([] {});
+  };
+  job.Fail = [this](const std::string& sentence) { this->Unplayable = sentence; };
+  this->Work.Start(std::move(job));
+}
+
+const StudyTouchReading& Study::PollReplay()
+{
+  std::vector<int> labels;
+  for (const StudyContact& contact : ContactsOf(this->State(), this->Made))
+  {
+    labels.push_back(contact.Label);
+  }
+  return this->Played->Poll(labels);
 }
 
 std::size_t Study::Deliver()

@@ -4,11 +4,13 @@
 #include "StudyHistory.h"
 #include "StudyJobs.h"
 #include "StudyPipeline.h"
+#include "StudyReplay.h"
 #include "StudyTouch.h"
 
 #include <chrono>
 #include <cstddef>
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <set>
 #include <string>
@@ -43,8 +45,9 @@ public:
   /// The session file; empty where it has none yet.
   const std::filesystem::path& File() const { return this->SessionFile; }
 
-  /// Another volume, or another segmentation with its own structures; each a step.
-  void OpenVolume(const std::filesystem::path& file);
+  /// Another volume, or another segmentation with its own structures; each a step. `series` as
+  /// VolumeChoice has it.
+  void OpenVolume(const std::filesystem::path& file, const std::string& series = {});
   void OpenSegmentation(const std::filesystem::path& file);
   /// See Relocate; a step.
   void RelocateFile(const std::filesystem::path& missing, const std::filesystem::path& moved);
@@ -59,9 +62,30 @@ public:
   /// Opens the state's device beside the caller, then begins to touch.
   void StartTouch();
   void StopTouch();
+  /// The middle of the workspace to there (mm), while something is touched; of one `gesture` a
+  /// step.
+  void MoveWorkspace(const Vector3& centerWorld, const std::string& gesture);
+  /// All that can be touched is in reach again; a step.
+  void FitWorkspace();
   bool IsOpeningDevice() const { return this->Opening.has_value(); }
   /// Why a touch did not begin, or does not follow what the state has become; empty without.
   const std::string& TouchProblem() const { return this->Problem; }
+
+  /// Reads a recorded touch beside the caller, then shows it. Nobody touches and looks at a
+  /// recording at once: what was going on of either ends, forces first, and StartTouch ends this.
+  void OpenReplay(const std::filesystem::path& file);
+  void CloseReplay();
+  bool IsOpeningReplay() const { return this->Reading.has_value(); }
+  /// Why a recording cannot be replayed; empty without.
+  const std::string& ReplayProblem() const { return this->Unplayable; }
+  /// Null while no recording is open.
+  StudyReplay* Replay() { return this->Played.get(); }
+  const StudyReplay* Replay() const { return this->Played.get(); }
+  /// Writes it beside the caller (see ExportTouch); ReplayProblem says why where it cannot.
+  void ExportReplay(const std::filesystem::path& file);
+  /// What the recording has at its moment. A structure of it is that one of the study's touchable
+  /// ones which has its number.
+  const StudyTouchReading& PollReplay();
 
   /// Takes what was made meanwhile; returns how many pieces.
   std::size_t Deliver();
@@ -84,7 +108,10 @@ private:
   std::filesystem::path SessionFile;
   std::set<std::filesystem::path> Unread; ///< segmentations whose structures are to be taken over
   std::optional<StudyJobs::Id> Opening;
+  std::optional<StudyJobs::Id> Reading;
+  std::unique_ptr<StudyReplay> Played;
   std::string Problem;
+  std::string Unplayable;
 };
 
 /// A state with a structure for each of a segmentation's.

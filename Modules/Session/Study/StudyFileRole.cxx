@@ -2,6 +2,7 @@
 
 #include "ImageContent.h"
 #include "StudyFile.h"
+#include "TouchTicksFile.h"
 
 #include <string>
 
@@ -15,6 +16,15 @@ StudyFileRole RoleOf(const std::filesystem::path& file)
       name.compare(name.size() - ending.size(), ending.size(), ending) == 0)
   {
     return StudyFileRole::Session;
+  }
+  std::error_code failure;
+  if (std::filesystem::is_directory(file, failure))
+  {
+    return StudyFileRole::Volume; // of DICOM slices; which series, only the user knows
+  }
+  if (IsTouchRecording(file))
+  {
+    return StudyFileRole::Recording;
   }
   return ReadImageContent(file).Labels ? StudyFileRole::Segmentation : StudyFileRole::Volume;
 }

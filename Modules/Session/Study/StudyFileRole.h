@@ -11,7 +11,8 @@ enum class StudyFileRole
 {
   Session, ///< a study itself
   Segmentation,
-  Volume
+  Volume,
+  Recording ///< a recorded touch
 };
 
 /// By its name, or else by what is in it, as `palpate info` tells it. Reads the whole file. Throws

@@ -22,6 +22,8 @@ constexpr double LargestFriction = 10.0;
 constexpr double LargestIntensity = 1e300;
 
 const std::initializer_list<const char*> LeftHandedWords{"refuse", "reverse"};
+const std::initializer_list<const char*> AppearanceWords{"automatic", "model", "surface",
+                                                         "error-map", "sub-voxel"};
 const std::initializer_list<const char*> AxesWords{"patient", "camera"};
 const std::initializer_list<const char*> SliceAxesWords{"patient", "volume"};
 
@@ -175,6 +177,7 @@ private:
     structure.Color = {{color[0], color[1], color[2]}};
     fields.Read("visible", structure.IsVisible);
     fields.Read("touchable", structure.IsTouchable);
+    fields.ReadChoice("shown_as", AppearanceWords, structure.Appearance);
     fields.ReadChoice("representation", RepresentationWords, structure.Representation);
     fields.Read("degree", structure.Degree, 0, 64);
     fields.Read("stiffness_n_per_mm", structure.Stiffness, 0.0, LargestStiffness);
@@ -253,6 +256,7 @@ OrderedJson AsJson(const StudyStructure& structure)
           {"color", structure.Color},
           {"visible", structure.IsVisible},
           {"touchable", structure.IsTouchable},
+          {"shown_as", WordOf(AppearanceWords, structure.Appearance)},
           {"representation", WordOf(RepresentationWords, structure.Representation)},
           {"degree", structure.Degree},
           {"stiffness_n_per_mm", structure.Stiffness},

@@ -14,6 +14,13 @@ StudyStepState Failed(const std::string& sentence)
   return {StudyStepState::Kind::Failed, 0.0, {}, sentence};
 }
 
+// What has failed, unless something else does its work.
+StudyStepState Lost(const StudyNode& node, const std::string& sentence)
+{
+  return node.Advice.empty() ? Failed(sentence)
+                             : StudyStepState{StudyStepState::Kind::Replaced, 0.0, {}, node.Advice};
+}
+
 StudyStepState Simply(StudyStepState::Kind kind)
 {
   return {kind, 0.0, {}, {}};
@@ -22,8 +29,8 @@ StudyStepState Simply(StudyStepState::Kind kind)
 
 const char* NameOf(StudyStepState::Kind kind)
 {
-  constexpr std::array<const char*, 5> Names{"not wanted", "up to date", "needs an update",
-                                             "failed", "running"};
+  constexpr std::array<const char*, 6> Names{"not wanted",      "up to date", "replaced",
+                                             "needs an update", "failed",     "running"};
   return Names.at(static_cast<std::size_t>(kind));
 }
 
@@ -202,7 +209,7 @@ StudyStepState StudyPipeline::StateOf(const StudyNode& node) const
   if (const StudyProduct* product = this->ProductOf(node.Key))
   {
     const std::string failure = FailureOf(*product);
-    return failure.empty() ? Simply(StudyStepState::Kind::UpToDate) : Failed(failure);
+    return failure.empty() ? Simply(StudyStepState::Kind::UpToDate) : Lost(node, failure);
   }
   const auto run = this->Running.find(node.Key);
   const auto progress =
@@ -212,7 +219,7 @@ StudyStepState StudyPipeline::StateOf(const StudyNode& node) const
     return {StudyStepState::Kind::Running, progress->Fraction, progress->Stage, {}};
   }
   const std::string failure = this->InputFailureOf(node);
-  return failure.empty() ? Simply(StudyStepState::Kind::NeedsUpdate) : Failed(failure);
+  return failure.empty() ? Simply(StudyStepState::Kind::NeedsUpdate) : Lost(node, failure);
 }
 
 StudyStepState StudyPipeline::StateOfStructure(int label) const
@@ -264,6 +271,20 @@ StudyStepState StudyPipeline::StateOf(StudyStep step) const
     worst = one.Is > worst.Is ? one : worst;
   }
   return worst;
+}
+
+std::vector<std::string> StudyPipeline::Advice() const
+{
+  std::vector<std::string> sentences;
+  for (const StudyNode& node : this->Plan)
+  {
+    const bool isTrue = !node.Advice.empty() && this->ProductOf(node.Replacement) != nullptr;
+    if (isTrue && (sentences.empty() || sentences.back() != node.Advice))
+    {
+      sentences.push_back(node.Advice);
+    }
+  }
+  return sentences;
 }
 
 template <typename Do>

@@ -24,6 +24,7 @@ struct StudyStepState
   {
     NotWanted, ///< nothing shown or touched needs it
     UpToDate,
+    Replaced,    ///< it failed, and something else does its work; Sentence says what, and why
     NeedsUpdate, ///< waits for what comes before it, for its turn, or for Resume
     Failed,      ///< Sentence says why
     Running
@@ -31,7 +32,7 @@ struct StudyStepState
   Kind Is = Kind::NotWanted;
   double Fraction = 0.0; ///< while running
   std::string Stage;     ///< while running, in one word
-  std::string Sentence;  ///< why it failed
+  std::string Sentence;  ///< why it failed, or what replaces it
 };
 
 /// "not wanted", "up to date", ...
@@ -58,6 +59,10 @@ public:
   StudyStepState StateOf(StudyStep step, int label) const;
   /// Of all structures together: running where one runs, failed where one failed, and so on.
   StudyStepState StateOf(StudyStep step) const;
+
+  /// A sentence for each structure that is touched or shown by something else than was tried first,
+  /// since that failed. In the order of structures.
+  std::vector<std::string> Advice() const;
 
   /// Stops a step and does not begin it again by itself, until Resume or other settings.
   void Cancel(StudyStep step);

@@ -4,7 +4,9 @@
 #include "FilterRun.h"
 #include "InputError.h"
 #include "SceneField.h"
+#include "SteadyClock.h"
 
+#include <algorithm>
 #include <array>
 #include <sstream>
 #include <system_error>
@@ -58,6 +60,14 @@ StudyProduct ReadUnlessCancelled(const Read& read, const ProgressFunction& progr
   return read();
 }
 
+// "prostate: touched by its sub-voxel field, because it is not star-shaped: ..."
+std::string AdviceOf(const StudyStructure& structure, const std::string& instead,
+                     const std::string& reason)
+{
+  const bool isPredicate = reason.rfind("is ", 0) == 0 || reason.rfind("has ", 0) == 0;
+  return TitleOf(structure) + ": " + instead + ", because " + (isPredicate ? "it " : "") + reason;
+}
+
 // The nodes of one structure.
 class StructurePlan
 {
@@ -65,11 +75,28 @@ public:
   StructurePlan(const StudyState& state, const StudyStructure& structure, std::string segmentation,
                 const StudyLookup& lookup, std::vector<StudyNode>& nodes)
       : State(state), Structure(structure), Fit(FitSettingsOf(state, structure)),
-        SegmentationKey(std::move(segmentation)), Lookup(lookup), Nodes(nodes)
+        SegmentationKey(std::move(segmentation)), Lookup(lookup), Nodes(nodes), First(nodes.size())
   {
   }
 
   void Add()
+  {
+    const bool isSeenAsTouched =
+        this->Structure.IsVisible && this->Structure.Appearance == StudyAppearance::Automatic;
+    if (this->Structure.IsTouchable || isSeenAsTouched)
+    {
+      this->AddRepresentation();
+    }
+    if (this->Structure.IsVisible)
+    {
+      this->AddAppearance();
+    }
+  }
+
+private:
+  using Making = decltype(StudyNode::Make);
+
+  void AddRepresentation()
   {
     switch (this->Structure.Representation)
     {
@@ -84,12 +111,39 @@ public:
     }
   }
 
-private:
-  using Making = decltype(StudyNode::Make);
+  // What is to be seen and may not be what is touched.
+  void AddAppearance()
+  {
+    switch (this->Structure.Appearance)
+    {
+    case StudyAppearance::Automatic:
+      break;
+    case StudyAppearance::Model:
+    case StudyAppearance::ErrorMap:
+      this->AddModel();
+      break;
+    case StudyAppearance::Surface:
+      this->AddSurface();
+      break;
+    case StudyAppearance::SubVoxel:
+      this->AddField();
+      break;
+    }
+  }
 
+  // Once, whatever it is wanted for. What is asked for again is asked for by name: then nothing
+  // does its work.
   std::string AddNode(StudyStep step, const std::string& key, const std::string& input, Making make)
   {
-    this->Nodes.push_back({step, this->Structure.Label, key, {input}, std::move(make)});
+    const auto own = this->Nodes.begin() + static_cast<std::ptrdiff_t>(this->First);
+    const auto there = std::find_if(own, this->Nodes.end(),
+                                    [&key](const StudyNode& node) { return node.Key == key; });
+    if (there != this->Nodes.end() && !key.empty())
+    {
+      there->Advice.clear();
+      return key;
+    }
+    this->Nodes.push_back({step, this->Structure.Label, key, {input}, {}, {}, std::move(make)});
     return key;
   }
 
@@ -162,24 +216,52 @@ private:
         });
   }
 
-  // By harmonics, and by the field once any stage of those has failed.
+  // Why a node of this structure has failed; empty where it has not, or not yet.
+  std::string ReasonAt(std::size_t node) const
+  {
+    const StudyProduct* product = this->Lookup(this->Nodes[node].Key);
+    return product != nullptr ? ReasonOf(*product) : std::string();
+  }
+
+  // By harmonics, and by something else once any stage of those has failed.
   void AddAutomatic()
   {
-    const std::size_t first = this->Nodes.size();
     const std::string model = this->AddModel();
-    bool hasFailed = false;
-    for (std::size_t n = first; n < this->Nodes.size(); ++n)
+    const std::size_t last = this->Nodes.size();
+    std::string reason;
+    for (std::size_t n = this->First; n < last && reason.empty(); ++n)
     {
-      const StudyProduct* product = this->Lookup(this->Nodes[n].Key);
-      hasFailed = hasFailed || (product != nullptr && !FailureOf(*product).empty());
+      reason = this->ReasonAt(n);
     }
-    if (hasFailed)
-    {
-      this->AddContact(this->AddField(), this->ContactOfField());
-    }
-    else
+    if (reason.empty())
     {
       this->AddContact(model, this->ContactOfModel(), this->Lookup(model) != nullptr);
+      return;
+    }
+    const bool hasSurface = this->ReasonAt(this->First).empty();
+    const bool isTouched = this->Structure.IsTouchable;
+    std::string instead = "shown by the surface of its mask";
+    std::string replacement = this->Nodes[this->First].Key;
+    if (isTouched || !hasSurface)
+    {
+      replacement = this->AddField();
+      this->AddContact(replacement, this->ContactOfField());
+      instead = isTouched ? "touched by its sub-voxel field" : "shown by its sub-voxel field";
+    }
+    this->Advise(last, AdviceOf(this->Structure, instead, reason), replacement);
+  }
+
+  // Unless what is to do the work of the nodes up to `last` fails too.
+  void Advise(std::size_t last, const std::string& advice, const std::string& replacement)
+  {
+    const StudyProduct* product = this->Lookup(replacement);
+    if (product == nullptr || FailureOf(*product).empty())
+    {
+      for (std::size_t n = this->First; n < last; ++n)
+      {
+        this->Nodes[n].Advice = advice;
+        this->Nodes[n].Replacement = replacement;
+      }
     }
   }
 
@@ -187,9 +269,26 @@ private:
   {
     if (this->Structure.IsTouchable)
     {
-      this->AddNode(StudyStep::Touch, isDecided ? KeyOf(input, "touch") : std::string(), input,
-                    std::move(make));
+      const std::string key =
+          this->AddNode(StudyStep::Touch, isDecided ? KeyOf(input, "touch") : std::string(), input,
+                        std::move(make));
+      this->AddCost(key);
     }
+  }
+
+  void AddCost(const std::string& contact)
+  {
+    const TouchToolSettings& tool = this->State.Tool;
+    const Vector3& axes = tool.SemiAxes;
+    const std::string key = KeyOf(contact, "cost", static_cast<int>(tool.Kind), tool.Radius,
+                                  tool.Length, axes.x(), axes.y(), axes.z(), tool.Points);
+    this->AddNode(StudyStep::Cost, contact.empty() ? std::string() : key, contact,
+                  [tool](const Inputs& inputs, const ProgressFunction& progress)
+                  {
+                    const SteadyClock clock;
+                    return std::make_shared<const TouchCost>(MeasureTouchCost(
+                        *ProductAs<TouchContact>(inputs.data()), tool, clock, progress));
+                  });
   }
 
   Making ContactOfModel() const
@@ -229,6 +328,7 @@ private:
   std::string SegmentationKey;
   const StudyLookup& Lookup;
   std::vector<StudyNode>& Nodes;
+  std::size_t First; ///< of the structure's own nodes
 };
 
 StudyNode VolumeNode(const StudyState& state, const std::string& stamp)
@@ -244,6 +344,8 @@ StudyNode VolumeNode(const StudyState& state, const std::string& stamp)
           0,
           KeyOf("volume", state.VolumeFile, stamp, choice.DicomSeries,
                 static_cast<int>(choice.LeftHanded)),
+          {},
+          {},
           {},
           make};
 }
@@ -261,14 +363,17 @@ StudyNode SegmentationNode(const StudyState& state, const std::string& stamp)
           0,
           KeyOf("segmentation", state.SegmentationFile, stamp, static_cast<int>(state.LeftHanded)),
           {},
+          {},
+          {},
           make};
 }
 } // namespace
 
 const char* NameOf(StudyStep step)
 {
-  constexpr std::array<const char*, 8> Names{"volume",  "segmentation", "structures", "surface",
-                                             "samples", "model",        "field",      "touch"};
+  constexpr std::array<const char*, 9> Names{"volume",  "segmentation", "structures",
+                                             "surface", "samples",      "model",
+                                             "field",   "touch",        "cost"};
   return Names.at(static_cast<std::size_t>(step));
 }
 

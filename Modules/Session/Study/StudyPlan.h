@@ -21,7 +21,8 @@ enum class StudyStep
   Samples,
   Model,
   Field, ///< for sub-voxel structures
-  Touch  ///< the contact model
+  Touch, ///< the contact model
+  Cost   ///< what that costs a tick, measured; nothing waits for it
 };
 
 /// "volume", "segmentation", ...
@@ -36,6 +37,10 @@ struct StudyNode
   /// not decided yet.
   std::string Key;
   std::vector<std::string> Inputs; ///< keys
+  /// Where something else does its work: a sentence that says what, and why. It has failed then, or
+  /// what it is made from has, and that is no failure of the study's. Empty without.
+  std::string Advice;
+  std::string Replacement; ///< the key of what does its work
   /// Throws what has a sentence for the user, and Cancelled.
   std::function<StudyProduct(const std::vector<StudyProduct>& inputs,
                              const ProgressFunction& progress)>

@@ -22,26 +22,35 @@ std::size_t BytesOf(vtkDataObject* data)
   return data != nullptr ? Kibibyte * data->GetActualMemorySize() : 0;
 }
 
-std::string SentenceOf(const FitResult& result)
+// The structure that stood in the way; null where none did.
+const FitResult* RefusedOf(const StudyProduct& product)
 {
-  return CaseSentence(result.Input, result.Structure, result.Message);
+  return std::visit(Overloaded{[](const std::shared_ptr<const FitSurface>& surface)
+                               { return surface->IsOver ? &surface->Found : nullptr; },
+                               [](const std::shared_ptr<const FitSamples>& samples)
+                               { return samples->IsOver ? &samples->Found : nullptr; },
+                               [](const std::shared_ptr<const FitResult>& fit) {
+                                 return fit->State != FitResult::Outcome::Fitted ? fit.get()
+                                                                                 : nullptr;
+                               },
+                               [](const auto&) -> const FitResult* { return nullptr; }},
+                    product);
 }
 } // namespace
 
 std::string FailureOf(const StudyProduct& product)
 {
-  return std::visit(
-      Overloaded{[](const StudyFailure& failure) { return failure.Sentence; },
-                 [](const std::shared_ptr<const FitSurface>& surface)
-                 { return surface->IsOver ? SentenceOf(surface->Found) : std::string(); },
-                 [](const std::shared_ptr<const FitSamples>& samples)
-                 { return samples->IsOver ? SentenceOf(samples->Found) : std::string(); },
-                 [](const std::shared_ptr<const FitResult>& fit) {
-                   return fit->State != FitResult::Outcome::Fitted ? SentenceOf(*fit)
-                                                                   : std::string();
-                 },
-                 [](const auto&) { return std::string(); }},
-      product);
+  const FitResult* refused = RefusedOf(product);
+  return refused != nullptr ? CaseSentence(refused->Input, refused->Structure, refused->Message)
+                            : ReasonOf(product);
+}
+
+std::string ReasonOf(const StudyProduct& product)
+{
+  const FitResult* refused = RefusedOf(product);
+  const auto* failure = std::get_if<StudyFailure>(&product);
+  const std::string sentence = failure != nullptr ? failure->Sentence : std::string();
+  return refused != nullptr ? refused->Message : sentence;
 }
 
 std::size_t BytesOf(const StudyProduct& product)
@@ -71,7 +80,8 @@ std::size_t BytesOf(const StudyProduct& product)
           {
             // A tree of boxes over the facets takes about as much as they do.
             return sizeof(*contact) + 2 * BytesOf(contact->Looks.Surface.Get());
-          }},
+          },
+          [](const std::shared_ptr<const TouchCost>& cost) { return sizeof(*cost); }},
       product);
 }
 } // namespace palpate

@@ -5,6 +5,7 @@
 #include "ScalarField.h"
 #include "Segmentation.h"
 #include "TouchContact.h"
+#include "TouchCost.h"
 #include "Volume.h"
 
 #include <cstddef>
@@ -30,7 +31,7 @@ using StudyProduct =
     std::variant<StudyFailure, std::shared_ptr<const Volume>, std::shared_ptr<const Segmentation>,
                  std::shared_ptr<const FitSurface>, std::shared_ptr<const FitSamples>,
                  std::shared_ptr<const FitResult>, std::shared_ptr<const ScalarField>,
-                 std::shared_ptr<const TouchContact>>;
+                 std::shared_ptr<const TouchContact>, std::shared_ptr<const TouchCost>>;
 
 /// The product of a type; empty for another one.
 template <typename T>
@@ -43,6 +44,10 @@ std::shared_ptr<const T> ProductAs(const StudyProduct* product)
 /// The sentence of what failed: there is no product, or the structure stood in the way. Empty for
 /// one that later steps can go on from.
 PALPATESESSION_EXPORT std::string FailureOf(const StudyProduct& product);
+
+/// The same without naming the file or the structure: a predicate ("is not star-shaped"), or a
+/// clause.
+PALPATESESSION_EXPORT std::string ReasonOf(const StudyProduct& product);
 
 /// What it occupies beyond the products that it was made from, about.
 PALPATESESSION_EXPORT std::size_t BytesOf(const StudyProduct& product);

@@ -9,8 +9,8 @@ namespace
 {
 auto Fields(const StudyStructure& s)
 {
-  return std::tie(s.Label, s.Name, s.Color, s.IsVisible, s.IsTouchable, s.Representation, s.Degree,
-                  s.Stiffness, s.Friction.Static, s.Friction.Dynamic);
+  return std::tie(s.Label, s.Name, s.Color, s.IsVisible, s.IsTouchable, s.Appearance,
+                  s.Representation, s.Degree, s.Stiffness, s.Friction.Static, s.Friction.Dynamic);
 }
 
 auto Fields(const StudyPlacement& p)
@@ -41,6 +41,13 @@ auto Fields(const StudyState& s)
                   s.Landmarks, s.Distances, s.View);
 }
 } // namespace
+
+const char* NameOf(StudyAppearance appearance)
+{
+  constexpr std::array<const char*, 5> Names{"automatic", "model", "surface", "error map",
+                                             "sub-voxel volume"};
+  return Names.at(static_cast<std::size_t>(appearance));
+}
 
 bool operator==(const StudyStructure& a, const StudyStructure& b)
 {

@@ -13,6 +13,23 @@
 
 namespace palpate
 {
+/// As what a structure is shown. An error map is its model, coloured by the distance from the
+/// surface of its mask.
+enum class StudyAppearance
+{
+  Automatic, ///< as what it is touched
+  Model,
+  Surface, ///< of its mask
+  ErrorMap,
+  SubVoxel ///< volume: the field's own surface, ray by ray
+};
+constexpr std::array<StudyAppearance, 5> AllStudyAppearances{
+    {StudyAppearance::Automatic, StudyAppearance::Model, StudyAppearance::Surface,
+     StudyAppearance::ErrorMap, StudyAppearance::SubVoxel}};
+
+/// "automatic", "model", "surface", "error map", "sub-voxel volume".
+PALPATESESSION_EXPORT const char* NameOf(StudyAppearance appearance);
+
 /// A structure of the segmentation, and how it is to be seen and felt.
 struct StudyStructure
 {
@@ -21,6 +38,7 @@ struct StudyStructure
   std::array<double, 3> Color{{0.9, 0.6, 0.4}}; ///< red, green, blue in 0..1
   bool IsVisible = true;
   bool IsTouchable = true;
+  StudyAppearance Appearance = StudyAppearance::Automatic;
   /// Automatic: by harmonics, and by the sub-voxel field where those are refused.
   TouchRepresentation Representation = TouchRepresentation::Automatic;
   int Degree = 12;        ///< of the harmonics

@@ -46,6 +46,7 @@ Status StudyTouch::Start(std::unique_ptr<HapticDevice> opened, const StudyState&
   this->Watch = {};
   this->Clutch = {};
   this->Moved.setZero();
+  this->Hand.setZero();
   Status status =
       contacts.empty()
           ? Status::Failure("There is nothing to touch yet: make a structure touchable and wait "
@@ -120,8 +121,10 @@ void StudyTouch::Stop()
     }
     this->Thread.reset();
     const std::string problem = this->Reading.RecordingProblem;
+    const std::uint64_t recorded = this->Reading.RecordedTicks;
     this->Reading = {};
     this->Reading.RecordingProblem = problem;
+    this->Reading.RecordedTicks = recorded;
   }
   if (this->Device != nullptr)
   {
@@ -205,10 +208,23 @@ void StudyTouch::SwitchForcesOn()
 
 bool StudyTouch::MoveHand(const Vector3& targetWorld)
 {
+  return this->Device != nullptr && this->LeadHand(this->Felt.Frame.NearestInReach(
+                                        targetWorld, this->Capabilities().Workspace));
+}
+
+bool StudyTouch::PlaceHand(const Vector3& towardsViewerWorld)
+{
+  return this->Device != nullptr && this->LeadHand(this->Felt.Frame.FirstHand(
+                                        towardsViewerWorld, this->Capabilities().Workspace));
+}
+
+bool StudyTouch::LeadHand(const Vector3& handDevice)
+{
   auto* simulated = dynamic_cast<SimulatedDevice*>(this->Device.get());
   if (simulated != nullptr)
   {
-    simulated->SetTarget(this->Felt.Frame.ToDevice(targetWorld));
+    this->Hand = handDevice;
+    simulated->SetTarget(handDevice);
   }
   return simulated != nullptr;
 }
@@ -225,6 +241,7 @@ void StudyTouch::TakeTicks()
     if (this->IsRecording())
     {
       const Status status = this->Recorder->Take(state);
+      ++this->Reading.RecordedTicks;
       if (!status.IsOk())
       {
         this->Reading.RecordingProblem = status.Message();
@@ -290,6 +307,8 @@ Status StudyTouch::StartRecording(const std::filesystem::path& path)
   {
     this->Thread->Stop();
     this->Recorder = std::move(recorder);
+    this->RecordedTo = path;
+    this->Reading.RecordedTicks = 0;
     this->Reading.RecordingProblem.clear();
     status = this->StartServo();
     if (!status.IsOk())

@@ -34,6 +34,7 @@ struct StudyTouchReading
   PeriodStatistics Periods;         ///< ns from tick to tick; misses are those left out
   PeriodStatistics Durations;       ///< ns that ticks took; misses are late ones
   std::uint64_t LostTicks = 0;      ///< that no reading has seen
+  std::uint64_t RecordedTicks = 0;  ///< of the recording that goes on, or went on last
   std::string RecordingProblem;     ///< why a recording ended by itself; empty without
   bool IsClutched = false;          ///< the tool is held, and nothing is felt
 };
@@ -73,15 +74,22 @@ public:
     this->Automatic.reset();
     this->Moved.setZero();
   }
+  /// What StudyPlacement::CenterWorld has to be for the workspace's middle to come to lie there:
+  /// the clutch has moved it besides.
+  Vector3 PlacementFor(const Vector3& centerWorld) const { return centerWorld - this->Moved; }
   const WorkspaceFrame& Frame() const { return this->Felt.Frame; }
 
   /// 0 N from the next tick on, until SwitchForcesOn; the hand is followed all the same.
   void SwitchForcesOff();
   void SwitchForcesOn();
 
-  /// Where the hand of a simulated device wants to be (mm). False for a device with a hand of its
-  /// own.
+  /// Where the hand of a simulated device wants to be (mm): there, or as near to it as the device
+  /// reaches. False, and nothing else, for a device with a hand of its own.
   bool MoveHand(const Vector3& targetWorld);
+  /// Begins such a hand before what is felt, as seen by a viewer.
+  bool PlaceHand(const Vector3& towardsViewerWorld);
+  /// Where it wants to be now (mm); with the workspace it moves too.
+  Vector3 HandWorld() const { return this->Felt.Frame.ToWorld(this->Hand); }
   /// The device's button, from 0, that holds the workspace while it is pressed: a Falcon's middle.
   static constexpr int ClutchButton = 2;
 
@@ -89,6 +97,7 @@ public:
   const StudyTouchReading& Poll();
   /// What a person should know before pressing: stiffness that the device may not hold.
   const std::vector<std::string>& Warnings() const { return this->Advice; }
+  double Rate() const { return this->Settings.Rate; } ///< Hz, of the servo
   /// Of the device that runs.
   const DeviceCapabilities& Capabilities() const { return this->Device->Capabilities(); }
 
@@ -96,6 +105,8 @@ public:
   /// first tick: forces fade in.
   Status StartRecording(const std::filesystem::path& path);
   bool IsRecording() const { return this->Recorder != nullptr; }
+  /// Of the recording that goes on, or went on last.
+  const std::filesystem::path& RecordingFile() const { return this->RecordedTo; }
   Status StopRecording();
 
 private:
@@ -121,6 +132,7 @@ private:
   Status Send(std::shared_ptr<const TouchScene> scene);
   void HoldClutch(bool isHeld, const TouchState& now);
   void TakeTicks();
+  bool LeadHand(const Vector3& handDevice);
 
   Clock& Time;
   RealtimeRequest Request;
@@ -134,7 +146,9 @@ private:
   TouchWatch Watch;
   WorkspaceClutch Clutch;
   Vector3 Moved = Vector3::Zero(); // mm, of the workspace by the clutch
+  Vector3 Hand = Vector3::Zero();  // mm, in the device
   std::unique_ptr<TouchRecorder> Recorder;
+  std::filesystem::path RecordedTo;
   StudyTouchReading Reading;
   std::vector<std::string> Advice;
 };

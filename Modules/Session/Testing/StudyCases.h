@@ -46,6 +46,7 @@ inline StudyStructure RandomStructure(Random& random)
   structure.Color = {{RandomNumber(random, 0.0, 1.0), RandomNumber(random, 0.0, 1.0), 1.0}};
   structure.IsVisible = RandomChoice(random);
   structure.IsTouchable = RandomChoice(random);
+  structure.Appearance = static_cast<StudyAppearance>(RandomWhole(random, 0, 4));
   structure.Representation = static_cast<TouchRepresentation>(RandomWhole(random, 0, 3));
   structure.Degree = RandomWhole(random, 0, 40);
   structure.Stiffness = RandomNumber(random, 0.0, 3.0);

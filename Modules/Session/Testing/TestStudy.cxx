@@ -5,6 +5,8 @@
 #include "StudyCases.h"
 #include "StudyFile.h"
 #include "StudyPhantoms.h"
+#include "StudyScene.h"
+#include "TouchRecorder.h"
 
 #include <gtest/gtest.h>
 #include <thread>
@@ -182,6 +184,64 @@ TEST_F(StudyTest, ATouchFollowsWhatTheStudyBecomes)
   EXPECT_EQ(this->Open.TouchProblem(), "");
   this->Open.StopTouch();
   EXPECT_FALSE(this->Open.Touch().IsRunning());
+}
+
+// Nobody touches and looks at a recording at once.
+TEST_F(StudyTest, ATouchAndAReplayEndEachOther)
+{
+  this->OpenFiles();
+  this->Settle();
+  this->Open.StartTouch();
+  this->Settle();
+  ASSERT_TRUE(this->Open.Touch().IsRunning()) << this->Open.TouchProblem();
+  const auto file = this->Phantom.Folder / "session.touch";
+  TouchState touched;
+  touched.Structure = 1;
+  TouchRecorder recorder;
+  ASSERT_TRUE(recorder.Start(file.string(), {}).IsOk());
+  ASSERT_TRUE(recorder.Take(touched).IsOk());
+  ASSERT_TRUE(recorder.Finish().IsOk());
+  this->Open.OpenReplay(this->Phantom.Folder / "absent.touch");
+  EXPECT_TRUE(this->Open.IsOpeningReplay());
+  this->Settle();
+  EXPECT_NE(this->Open.ReplayProblem().find("absent.touch"), std::string::npos);
+  EXPECT_TRUE(this->Open.Touch().IsRunning()) << "what cannot be read ends nothing";
+  this->Open.OpenReplay(file);
+  this->Settle();
+  ASSERT_NE(this->Open.Replay(), nullptr) << this->Open.ReplayProblem();
+  EXPECT_FALSE(this->Open.Touch().IsRunning());
+  const int second = ContactsOf(this->Open.State(), this->Open.Pipeline()).at(1).Label;
+  EXPECT_EQ(this->Open.PollReplay().TouchedLabel, second);
+  this->Open.StartTouch();
+  EXPECT_EQ(this->Open.Replay(), nullptr);
+  this->Settle();
+  EXPECT_TRUE(this->Open.Touch().IsRunning()) << this->Open.TouchProblem();
+}
+
+TEST_F(StudyTest, AWorkspaceThatIsDraggedIsOneStepAndGoesBack)
+{
+  this->OpenFiles();
+  this->Settle();
+  this->Open.MoveWorkspace(Vector3::Zero(), "drag");
+  EXPECT_FALSE(this->Open.State().Placement.CenterWorld) << "there is none yet";
+  this->Open.StartTouch();
+  this->Settle();
+  ASSERT_TRUE(this->Open.Touch().IsRunning()) << this->Open.TouchProblem();
+  const Vector3 before = this->Open.Touch().Frame().CenterWorld;
+  const Vector3 moved = before + Vector3(3.0, -4.0, 5.0);
+  this->Open.MoveWorkspace(before + Vector3(1.0, 0.0, 0.0), "drag");
+  this->Open.MoveWorkspace(moved, "drag");
+  this->Open.EndGesture();
+  EXPECT_EQ(this->Open.Touch().Frame().CenterWorld, moved);
+  ASSERT_TRUE(this->Open.Undo());
+  EXPECT_EQ(this->Open.Touch().Frame().CenterWorld, before);
+  ASSERT_TRUE(this->Open.Redo());
+  EXPECT_EQ(this->Open.Touch().Frame().CenterWorld, moved);
+  this->Open.FitWorkspace();
+  EXPECT_EQ(this->Open.Touch().Frame().CenterWorld, before);
+  EXPECT_FALSE(this->Open.State().Placement.CenterWorld);
+  ASSERT_TRUE(this->Open.Undo());
+  EXPECT_EQ(this->Open.Touch().Frame().CenterWorld, moved);
 }
 
 TEST_F(StudyTest, ATouchThatCannotBeginSaysWhy)

@@ -101,6 +101,17 @@ TEST_F(StudyFile, AFileThatIsThereStaysWhereItIs)
   EXPECT_EQ(moved.VolumeFile, this->Folder / "new/t2.nii.gz");
 }
 
+TEST(StudyText, AFileOfBeforeAppearancesShowsAsItIsTouched)
+{
+  const StudyState state = StudyFromText(
+      "{\"format\": \"palpate-study\", \"structures\": [{\"label\": 1}, {\"label\": 2, "
+      "\"shown_as\": \"error-map\"}]}",
+      "/", "old");
+  ASSERT_EQ(state.Structures.size(), 2U);
+  EXPECT_EQ(state.Structures[0].Appearance, StudyAppearance::Automatic);
+  EXPECT_EQ(state.Structures[1].Appearance, StudyAppearance::ErrorMap);
+}
+
 TEST_F(StudyFile, WhatWouldNotOpenAgainIsNotWritten)
 {
   test::WriteAll(this->Path, "old");

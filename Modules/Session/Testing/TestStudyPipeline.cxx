@@ -7,6 +7,7 @@
 #include "StudyPhantoms.h"
 #include "TestData.h"
 
+#include <cmath>
 #include <gtest/gtest.h>
 
 namespace palpate
@@ -100,6 +101,55 @@ TEST_F(StudyPipelineTest, MakesOnlyWhatARepresentationNeeds)
   }
 }
 
+TEST_F(StudyPipelineTest, MakesWhatIsShownWhateverItIsTouchedBy)
+{
+  struct Case
+  {
+    StudyAppearance Appearance;
+    bool IsTouchable;
+    Steps Wanted;
+  };
+  const Steps fields{StudyStep::Field, StudyStep::Touch};
+  const std::vector<Case> cases{
+      {StudyAppearance::Automatic, true, fields},
+      {StudyAppearance::SubVoxel, true, fields},
+      {StudyAppearance::Surface, true, {StudyStep::Surface, StudyStep::Field, StudyStep::Touch}},
+      {StudyAppearance::ErrorMap,
+       true,
+       {StudyStep::Surface, StudyStep::Samples, StudyStep::Model, StudyStep::Field,
+        StudyStep::Touch}},
+      {StudyAppearance::Model, false, {StudyStep::Surface, StudyStep::Samples, StudyStep::Model}},
+      {StudyAppearance::Surface, false, {StudyStep::Surface}},
+      {StudyAppearance::SubVoxel, false, {StudyStep::Field}}};
+  for (const Case& one : cases)
+  {
+    StudyState state = this->Phantom.State();
+    state.Structures = {test::StudyPhantom::Structure(1, TouchRepresentation::SubVoxel)};
+    state.Structures[0].Appearance = one.Appearance;
+    state.Structures[0].IsTouchable = one.IsTouchable;
+    this->Make(state);
+    EXPECT_EQ(this->WantedFor(1), one.Wanted) << NameOf(one.Appearance);
+    this->ExpectUpToDate(one.Wanted);
+    state.Structures[0].IsVisible = false;
+    this->Make(state);
+    EXPECT_EQ(this->WantedFor(1), one.IsTouchable ? fields : Steps()) << NameOf(one.Appearance);
+  }
+}
+
+TEST_F(StudyPipelineTest, WhatIsShownAndTouchedByOneThingIsMadeOnce)
+{
+  StudyState state = this->Phantom.State();
+  this->Make(state);
+  const std::uint64_t started = this->Pipeline.StartedCount();
+  for (const StudyAppearance appearance :
+       {StudyAppearance::Model, StudyAppearance::Surface, StudyAppearance::ErrorMap})
+  {
+    state.Structures[0].Appearance = appearance;
+    this->Make(state);
+    EXPECT_EQ(this->Pipeline.StartedCount(), started) << NameOf(appearance);
+  }
+}
+
 TEST_F(StudyPipelineTest, MakesNothingForWhatIsNeitherShownNorTouched)
 {
   StudyState state = this->Phantom.State();
@@ -116,14 +166,56 @@ TEST_F(StudyPipelineTest, AStructureThatHarmonicsRefuseIsTouchedByItsField)
   state.Structures = {test::StudyPhantom::Structure(2, TouchRepresentation::Automatic)};
   this->Make(state);
   const StudyStepState samples = this->Pipeline.StateOf(StudyStep::Samples);
-  EXPECT_EQ(samples.Is, Kind::Failed);
-  EXPECT_NE(samples.Sentence.find("is not star-shaped"), std::string::npos) << samples.Sentence;
+  EXPECT_EQ(samples.Is, Kind::Replaced);
+  EXPECT_EQ(samples.Sentence.rfind(
+                "label 2: touched by its sub-voxel field, because it is not star-shaped: ", 0),
+            0U)
+      << samples.Sentence;
   EXPECT_EQ(this->Pipeline.StateOf(StudyStep::Model).Sentence, samples.Sentence);
-  this->ExpectUpToDate({StudyStep::Field, StudyStep::Touch});
+  EXPECT_EQ(this->Pipeline.Advice(), std::vector<std::string>{samples.Sentence});
+  this->ExpectUpToDate({StudyStep::Surface, StudyStep::Field, StudyStep::Touch});
   // Asked for by name, it is refused and not replaced.
   state.Structures[0].Representation = TouchRepresentation::Harmonics;
   this->Make(state);
-  EXPECT_EQ(this->Pipeline.StateOf(StudyStep::Touch).Sentence, samples.Sentence);
+  const StudyStepState touch = this->Pipeline.StateOf(StudyStep::Touch);
+  EXPECT_EQ(touch.Is, Kind::Failed);
+  EXPECT_NE(touch.Sentence.find("is not star-shaped"), std::string::npos) << touch.Sentence;
+  EXPECT_TRUE(this->Pipeline.Advice().empty());
+}
+
+TEST_F(StudyPipelineTest, AModelThatIsAskedForToBeSeenIsRefusedAndNotReplaced)
+{
+  StudyState state = this->Phantom.State();
+  state.Structures = {test::StudyPhantom::Structure(2, TouchRepresentation::Automatic)};
+  state.Structures[0].Appearance = StudyAppearance::ErrorMap;
+  this->Make(state);
+  EXPECT_EQ(this->Pipeline.StateOf(StudyStep::Model).Is, Kind::Failed);
+  this->ExpectUpToDate({StudyStep::Field, StudyStep::Touch});
+}
+
+TEST_F(StudyPipelineTest, WhatHarmonicsRefuseAndNobodyTouchesIsShownByItsSurface)
+{
+  StudyState state = this->Phantom.State();
+  state.Structures = {test::StudyPhantom::Structure(2, TouchRepresentation::Automatic)};
+  state.Structures[0].IsTouchable = false;
+  this->Make(state);
+  EXPECT_EQ(this->WantedFor(2), (Steps{StudyStep::Surface, StudyStep::Samples, StudyStep::Model}));
+  ASSERT_EQ(this->Pipeline.Advice().size(), 1U);
+  EXPECT_EQ(this->Pipeline.Advice()[0].rfind("label 2: shown by the surface of its mask, ", 0), 0U)
+      << this->Pipeline.Advice()[0];
+}
+
+// Nothing does the work of what no file has.
+TEST_F(StudyPipelineTest, WhatCannotBeReplacedHasFailed)
+{
+  StudyState state = this->Phantom.State();
+  state.Structures = {test::StudyPhantom::Structure(77, TouchRepresentation::Automatic)};
+  this->Make(state);
+  for (const StudyStep step : {StudyStep::Surface, StudyStep::Model, StudyStep::Field})
+  {
+    EXPECT_EQ(this->Pipeline.StateOf(step).Is, Kind::Failed) << NameOf(step);
+  }
+  EXPECT_TRUE(this->Pipeline.Advice().empty());
 }
 
 TEST_F(StudyPipelineTest, OneStructureThatFailsStopsNoOther)
@@ -155,16 +247,39 @@ TEST_F(StudyPipelineTest, ASettingMakesAgainOnlyWhatDependsOnIt)
   };
   EXPECT_EQ(started(), 0U);
   state.Structures[0].Degree = 6;
-  EXPECT_EQ(started(), 2U); // model, touch
+  EXPECT_EQ(started(), 3U); // model, touch, cost
   state.Fit.GivenCenterWorld = {-14.0, 0.0, 0.0};
-  EXPECT_EQ(started(), 3U);
-  state.Fit.Smoothing = 0.5;
   EXPECT_EQ(started(), 4U);
+  state.Fit.Smoothing = 0.5;
+  EXPECT_EQ(started(), 5U);
   state.Structures[0].Stiffness = 1.0;
   state.Structures[0].Color = {{1.0, 0.0, 0.0}};
-  state.Tool.Radius = 3.0;
   state.View.OverlayOpacity = 0.1;
   EXPECT_EQ(started(), 0U);
+  state.Tool.Radius = 3.0;
+  EXPECT_EQ(started(), 1U); // what a tick costs
+}
+
+TEST_F(StudyPipelineTest, WhatATickCostsIsMeasuredOnceForWhatCanBeTouched)
+{
+  StudyState state = this->Phantom.State();
+  state.Structures.push_back(test::StudyPhantom::Structure(2, TouchRepresentation::Harmonics));
+  this->Make(state);
+  const auto cost = this->Pipeline.Newest<TouchCost>(StudyStep::Cost, 1);
+  ASSERT_NE(cost, nullptr);
+  EXPECT_GT(cost->MedianNanoseconds, 0.0);
+  EXPECT_TRUE(std::isfinite(cost->MedianNanoseconds));
+  EXPECT_EQ(this->Pipeline.Newest<TouchCost>(StudyStep::Cost, 2), nullptr)
+      << "a structure that is refused has none";
+  StudyState other = state;
+  other.Structures[0].Degree = 2;
+  this->Make(other);
+  EXPECT_NE(this->Pipeline.Newest<TouchCost>(StudyStep::Cost, 1), cost);
+  this->Make(state);
+  EXPECT_EQ(this->Pipeline.Newest<TouchCost>(StudyStep::Cost, 1), cost);
+  state.Structures[0].IsTouchable = false;
+  this->Make(state);
+  EXPECT_EQ(this->Pipeline.Newest<TouchCost>(StudyStep::Cost, 1), nullptr);
 }
 
 TEST_F(StudyPipelineTest, AFormerStateIsThereAtOnceAndTheSame)
@@ -287,7 +402,7 @@ TEST_F(StudyPipelineTest, ACacheThatHoldsNothingStillMakesEverything)
   poor.Update(this->Phantom.State());
   test::Settle(this->Jobs);
   EXPECT_EQ(poor.StateOf(StudyStep::Touch).Is, Kind::UpToDate);
-  EXPECT_EQ(poor.StartedCount(), 6U);
+  EXPECT_EQ(poor.StartedCount(), 7U);
 }
 
 // Whatever was changed, undone or cancelled when: once all is delivered, the pipeline holds what a
@@ -302,6 +417,7 @@ TEST_F(StudyPipelineTest, RandomChangesUndoneAndCancelledEndAsIfMadeAtOnce)
     next.Structures[0].Degree = test::RandomWhole(random, 1, 3);
     next.Structures[0].IsVisible = test::RandomChoice(random);
     next.Structures[0].IsTouchable = test::RandomChoice(random);
+    next.Structures[0].Appearance = static_cast<StudyAppearance>(test::RandomWhole(random, 0, 4));
     next.Structures[0].Representation =
         static_cast<TouchRepresentation>(test::RandomWhole(random, 0, 3));
     next.Fit.Smoothing = test::RandomChoice(random) ? 0.0 : 1.0;

@@ -219,6 +219,25 @@ TEST_F(StudyTouchTest, TheWorkspaceLiesWhereThePlacementSays)
   EXPECT_EQ(this->Touch.Frame().Rotation, Matrix3(Matrix3::Identity()));
 }
 
+TEST_F(StudyTouchTest, TheHandStaysInTheWorkspace)
+{
+  this->State.Placement.Scale = 2.0;
+  this->State.Placement.CenterWorld = Vector3(5.0, 6.0, 7.0);
+  this->Start();
+  const double reach = this->Touch.Capabilities().Workspace.max().x();
+  ASSERT_TRUE(this->Touch.MoveHand(Vector3(1000.0, 6.0, -1000.0)));
+  const Vector3 corner(5.0 + 2.0 * reach, 6.0, 7.0 - 2.0 * reach);
+  // Some roundings of numbers of some hundred mm.
+  EXPECT_LT((this->Touch.HandWorld() - corner).norm(), 1e-10);
+  EXPECT_LT((Vector3(this->AtRest().Newest.ProbeWorld) - corner).norm(), 2.0 * (0.6 + 0.1));
+  // It goes with a workspace that is moved.
+  this->State.Placement.CenterWorld = Vector3(15.0, 6.0, 7.0);
+  ASSERT_TRUE(this->Touch.Update(this->State, this->Contacts).IsOk());
+  EXPECT_LT((this->Touch.HandWorld() - corner - Vector3(10.0, 0.0, 0.0)).norm(), 1e-10);
+  this->Touch.Stop();
+  EXPECT_FALSE(this->Touch.MoveHand(Vector3::Zero()));
+}
+
 TEST_F(StudyTouchTest, TheClutchHoldsTheToolAndTheHandGoesOnFromThere)
 {
   auto owned = std::make_unique<test::PlacedDevice>(this->Time);
@@ -306,6 +325,8 @@ TEST_F(StudyTouchTest, ARecordingIsFeltAgainToTheLastBit)
   auto recording = std::make_shared<TouchRecording>();
   ASSERT_TRUE(ReadTouchRecording(file.string(), *recording).IsOk());
   EXPECT_GE(recording->Ticks.size(), 150U);
+  EXPECT_EQ(touch.Poll().RecordedTicks, recording->Ticks.size());
+  EXPECT_EQ(touch.RecordingFile(), file);
   WorkspaceFrame frame = touch.Frame();
   const auto scene =
       std::make_shared<const TouchScene>(MakeStudyScene(this->State, this->Contacts, frame));

@@ -1,5 +1,6 @@
 #include "vtkSubVoxelVolumeMapper.h"
 
+#include "ContactMark.h"
 #include "DisplayTest.h"
 #include "FieldRenderer.h"
 #include "vtkSubVoxelPicker.h"
@@ -349,6 +350,57 @@ TEST_F(SubVoxelVolumeMapper, PictureDoesNotDependOnTheThreads)
   EXPECT_EQ(many, this->Mapper->GetPicture()->Colors);
 }
 
+TEST_F(SubVoxelVolumeMapper, AContactColorsWhatIsNearItAndNothingElse)
+{
+  palpate::ContactMark contact;
+  contact.PlaceWorld = Middle + Vector3(0.0, 0.0, Radius); // nearest to the viewer
+  contact.Radius = 3.0;
+  contact.Strength = 0.8;
+  contact.Color = Vector3(0.0, 0.0, 1.0);
+  this->Mapper->SetContact(contact);
+  this->Render();
+  int marked = 0;
+  for (int row = 0; row < Side; ++row)
+  {
+    for (int column = 0; column < Side; ++column)
+    {
+      const double x = (column + 0.5) / 10.0 - 10.0 - Middle[0];
+      const double y = (row + 0.5) / 10.0 - 10.0 - Middle[1];
+      const double flat = x * x + y * y;
+      if (std::sqrt(flat) > Radius - 0.1)
+      {
+        continue; // the outline is another test's
+      }
+      const double height = std::sqrt(Radius * Radius - flat);
+      const Vector3 point = Middle + Vector3(x, y, height);
+      const double share = contact.ShareAt(point);
+      // The surface lies up to 0.02 mm off the ball, which seen along it is more: the share falls
+      // by 0.8 * 1.5 / 1.5 mm at most. And a byte is rounded.
+      const double error = 255.0 * 0.8 * 0.02 * Radius / height + 1.0;
+      EXPECT_NEAR(this->ColorAt(column, row)[0], 255.0 * (1.0 - share), error);
+      EXPECT_NEAR(this->ColorAt(column, row)[2], 255.0 * share, error);
+      marked += share > 0.0 ? 1 : 0;
+    }
+  }
+  EXPECT_GT(marked, 1000);
+  this->Mapper->SetContact({});
+  this->Render();
+  EXPECT_EQ(this->ColorAt(105, 97), Red);
+}
+
+TEST_F(SubVoxelVolumeMapper, AContactIsOfTheSceneWhereverTheVolumeIs)
+{
+  palpate::ContactMark contact;
+  contact.PlaceWorld = Middle + Vector3(3.0, 0.0, Radius);
+  contact.Radius = 2.0;
+  contact.Color = Vector3(0.0, 0.0, 1.0);
+  this->Mapper->SetContact(contact);
+  this->Volume->SetPosition(3.0, 0.0, 0.0);
+  this->Render();
+  EXPECT_EQ(this->ColorAt(135, 97), Blue);
+  EXPECT_EQ(this->ColorAt(105, 97), Red);
+}
+
 TEST_F(SubVoxelVolumeMapper, AnotherIsoValueIsDrawnAtOnce)
 {
   this->Render();
@@ -370,13 +422,18 @@ TEST_F(SubVoxelVolumeMapper, AFieldMadeElsewhereNeedsNoImage)
   this->Volume->SetMapper(other);
   this->Render();
   EXPECT_EQ(this->ColorAt(100, 100), Red);
-  double expected[6];
-  this->Mapper->GetBounds(expected);
+  // The box of the cells that the ball passes through, along the turned grid's axes: it holds the
+  // ball, and of the box round it at most a cell's diagonal (1.1 mm) at each turned corner.
   double bounds[6];
   other->GetBounds(bounds);
-  for (int i = 0; i < 6; ++i)
+  const double turned = (Radius + 1.1) * (std::cos(0.4) + std::sin(0.4));
+  for (int axis = 0; axis < 3; ++axis)
   {
-    EXPECT_NEAR(bounds[i], expected[i], 1e-12);
+    const double largest = axis == 2 ? Radius + 1.1 : turned;
+    EXPECT_LE(bounds[2 * axis], Middle[axis] - Radius + 0.02);
+    EXPECT_GE(bounds[2 * axis], Middle[axis] - largest);
+    EXPECT_GE(bounds[2 * axis + 1], Middle[axis] + Radius - 0.02);
+    EXPECT_LE(bounds[2 * axis + 1], Middle[axis] + largest);
   }
 }
 

@@ -1,5 +1,6 @@
 #include "BaselinePicture.h"
 #include "TestData.h"
+#include "WidgetPicture.h"
 #include "WindowTest.h"
 
 #include <QStyleFactory>
@@ -12,18 +13,6 @@ namespace
 {
 const std::filesystem::path Head = "/usr/share/mricron/templates/ch2.nii.gz";
 const std::filesystem::path Labels = "/usr/share/mricron/templates/aal.nii.gz";
-
-Picture PictureOf(QWidget& widget)
-{
-  const QImage image = widget.grab().toImage().convertToFormat(QImage::Format_RGBA8888);
-  Picture picture(image.width(), image.height());
-  for (int row = 0; row < image.height(); ++row)
-  {
-    std::copy_n(image.constScanLine(row), 4 * static_cast<std::size_t>(image.width()),
-                picture.Pixel(0, row));
-  }
-  return picture;
-}
 
 using WindowPictures = test::WindowTest;
 
@@ -55,7 +44,7 @@ TEST_F(WindowPictures, TheWindowShowsAHeadAndItsModels)
   this->Settle();
   this->Window->Messages()->Clear();
   DrawAll(*this->Window->Views());
-  test::ExpectLikeBaseline(PictureOf(*this->Window),
+  test::ExpectLikeBaseline(test::PictureOf(*this->Window),
                            std::filesystem::path(PALPATE_DOCUMENTATION_IMAGES) / "viewer.png");
 }
 } // namespace

@@ -57,6 +57,92 @@ TEST_F(StructureTableTest, WhatIsHiddenIsInNoView)
   EXPECT_EQ(this->Window->Contents().Surfaces().count(1), 1U);
 }
 
+TEST_F(StructureTableTest, ATicksCostIsShownForWhatCanBeTouched)
+{
+  this->OpenPhantom();
+  const auto cost = [this](int row)
+  { return this->Table()->index(row, StructureTableModel::CostColumn).data().toString(); };
+  WaitUntil([&] { return cost(0) != QString("\u2013"); });
+  EXPECT_GE(cost(0).toDouble(), 0.0); // in hundredths of a microsecond
+  EXPECT_EQ(cost(2), QString("\u2013")) << "of one voxel, which is refused";
+}
+
+TEST_F(StructureTableTest, AStructureIsDrawnAsWhatItIsShownAs)
+{
+  this->OpenPhantom();
+  const ViewContents& shown = this->Window->Contents();
+  const auto& pipeline = this->Study->Current().Pipeline();
+  const auto show = [&](StudyAppearance appearance)
+  {
+    EXPECT_TRUE(
+        this->Write(0, StructureTableModel::AppearanceColumn, static_cast<int>(appearance)));
+    WaitUntil([&] { return !this->Study->IsBusy(); });
+    this->Settle();
+  };
+  const auto model = pipeline.Newest<FitResult>(StudyStep::Model, 1);
+  const auto surface = pipeline.Newest<FitSurface>(StudyStep::Surface, 1);
+  const auto pointsShown = [&] { return shown.Surfaces().at(1)->GetSurface()->GetPoints(); };
+  ASSERT_NE(model->ModelSurface->GetPoints(), surface->Found.Surface->GetPoints());
+  show(StudyAppearance::Surface);
+  EXPECT_EQ(pointsShown(), surface->Found.Surface->GetPoints());
+  show(StudyAppearance::ErrorMap);
+  EXPECT_EQ(pointsShown(), model->ModelSurface->GetPoints());
+  EXPECT_STREQ(shown.Surfaces().at(1)->GetColorArray(), "DistanceToSurface");
+  show(StudyAppearance::Model);
+  EXPECT_EQ(pointsShown(), model->ModelSurface->GetPoints());
+  EXPECT_STREQ(shown.Surfaces().at(1)->GetColorArray(), "");
+  show(StudyAppearance::SubVoxel);
+  WaitUntil([&] { return shown.Fields().count(1) == 1; });
+  EXPECT_EQ(shown.Surfaces().count(1), 0U);
+  EXPECT_EQ(this->Study->Current().History().UndoText(),
+            "Change label 1: shown as sub-voxel volume");
+  DrawAll(*this->Window->Views());
+  SpacePane* space = this->Window->Views()->Space();
+  const int drawn = space->RenderCount();
+  EXPECT_TRUE(this->Write(0, StructureTableModel::ColorColumn, QColor(Qt::blue)));
+  WaitUntil([&] { return space->RenderCount() > drawn; });
+  this->Study->Undo();
+  this->Study->Undo();
+  EXPECT_EQ(shown.Fields().count(1), 0U);
+  EXPECT_EQ(pointsShown(), model->ModelSurface->GetPoints());
+}
+
+TEST_F(StructureTableTest, AllBecomeErrorMapsAndBackInOneStepEach)
+{
+  this->OpenPhantom();
+  this->Write(0, StructureTableModel::AppearanceColumn, static_cast<int>(StudyAppearance::Surface));
+  this->Write(2, StructureTableModel::VisibleColumn, Qt::Unchecked, Qt::CheckStateRole);
+  const StudyState before = this->Study->State();
+  QAction* all = this->Action("All as error maps");
+  EXPECT_FALSE(all->isChecked());
+  all->trigger();
+  EXPECT_TRUE(all->isChecked());
+  const auto appearance = [this](std::size_t s)
+  { return this->Study->State().Structures.at(s).Appearance; };
+  EXPECT_EQ(appearance(0), StudyAppearance::ErrorMap);
+  EXPECT_EQ(appearance(1), StudyAppearance::ErrorMap);
+  EXPECT_EQ(appearance(2), StudyAppearance::Automatic) << "it is not seen";
+  all->trigger();
+  EXPECT_FALSE(all->isChecked());
+  EXPECT_EQ(this->Study->State(), before);
+  this->Study->Undo();
+  EXPECT_TRUE(all->isChecked());
+  this->Study->Undo();
+  EXPECT_EQ(this->Study->State(), before);
+}
+
+// Label 2 is a horseshoe.
+TEST_F(StructureTableTest, WhatReplacesARefusedModelIsSaidOnceAndIsNoFailure)
+{
+  this->OpenPhantom();
+  const std::string start =
+      "label 2: touched by its sub-voxel field, because it is not star-shaped";
+  WaitUntil([&] { return this->Messages().find(start) != std::string::npos; });
+  EXPECT_EQ(this->Messages().find(start), this->Messages().rfind(start));
+  EXPECT_EQ(this->Study->Current().Pipeline().StateOf(StudyStep::Samples, 2).Is,
+            StudyStepState::Kind::Replaced);
+}
+
 TEST_F(StructureTableTest, QualityIsTheModelsAndCannotBeWritten)
 {
   this->OpenPhantom();

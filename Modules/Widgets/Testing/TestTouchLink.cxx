@@ -4,7 +4,10 @@
 
 #include "vtkRenderWindow.h"
 
+#include <QDropEvent>
 #include <QKeyEvent>
+#include <QMimeData>
+#include <QSlider>
 #include <QTableWidget>
 
 #include <cmath>
@@ -134,6 +137,62 @@ TEST_F(TouchLinkTest, WithAModifierTheMouseMovesTheCameraAndNotTheHand)
   EXPECT_EQ(moved, 1);
 }
 
+TEST_F(TouchLinkTest, TheWheelEndsWhereTheDeviceDoes)
+{
+  this->StartTouch();
+  SpacePane* space = this->Window->Views()->Space();
+  const QPointF place = this->PlaceOf(this->BallMiddle);
+  Move(space->Canvas(), place);
+  const double reach = this->Study->Current().Touch().Capabilities().Workspace.max().x();
+  const WorkspaceFrame& frame = this->Study->Current().Touch().Frame();
+  for (int notch = 0; notch < 1000; ++notch)
+  {
+    Wheel(space->Canvas(), place, 1);
+  }
+  const Vector3 farthest = space->HandWorld();
+  EXPECT_NEAR(frame.ToDevice(farthest).z(), -reach, 1e-9); // some roundings
+  // So it comes back with the first notch.
+  Wheel(space->Canvas(), place, -1);
+  EXPECT_GT((space->HandWorld() - farthest).norm(), 0.1);
+  EXPECT_LT((space->HandWorld() - this->Study->Current().Touch().HandWorld()).norm(), 1e-12);
+}
+
+TEST_F(TouchLinkTest, TheWorkspaceIsShownAndDraggedByMouse)
+{
+  vtkWorkspaceRepresentation* shown = this->Window->Contents().Workspace();
+  EXPECT_FALSE(shown->GetVisibility());
+  this->StartTouch();
+  EXPECT_TRUE(shown->GetVisibility());
+  const StudyTouch& touch = this->Study->Current().Touch();
+  const Vector3 before = touch.Frame().CenterWorld;
+  SpacePane* space = this->Window->Views()->Space();
+  QWidget* canvas = space->Canvas();
+  this->Action("Move workspace")->trigger();
+  const Vector3 hand = touch.HandWorld();
+  Move(canvas, {100.0, 100.0});
+  EXPECT_EQ(touch.HandWorld(), hand) << "the mouse is not the hand meanwhile";
+  SendMouse(canvas, QEvent::MouseButtonPress, {100.0, 100.0}, Qt::LeftButton, Qt::LeftButton);
+  SendMouse(canvas, QEvent::MouseMove, {120.0, 100.0}, Qt::NoButton, Qt::LeftButton);
+  SendMouse(canvas, QEvent::MouseMove, {150.0, 100.0}, Qt::NoButton, Qt::LeftButton);
+  SendMouse(canvas, QEvent::MouseButtonRelease, {150.0, 100.0}, Qt::LeftButton, Qt::NoButton);
+  const Vector3 way = touch.Frame().CenterWorld - before;
+  EXPECT_GT(way.norm(), 1.0);
+  // To the right as it is seen: a few roundings through the screen's coordinates.
+  EXPECT_NEAR(way.normalized().dot(space->Axes().col(0)), 1.0, 1e-6);
+  Vector3 corner;
+  shown->GetCorner(0, corner.data());
+  const Vector3 least = touch.Capabilities().Workspace.min();
+  EXPECT_LT((corner - touch.Frame().ToWorld(least)).norm(), 1e-9);
+  Wheel(canvas, {150.0, 100.0}, 1);
+  EXPECT_GT((touch.Frame().CenterWorld - before - way).norm(), 0.1);
+  this->Action("Undo")->trigger();
+  EXPECT_LT((touch.Frame().CenterWorld - before - way).norm(), 1e-9);
+  this->Action("Undo")->trigger();
+  EXPECT_EQ(touch.Frame().CenterWorld, before);
+  this->Action("Show the workspace")->trigger();
+  EXPECT_FALSE(shown->GetVisibility());
+}
+
 TEST_F(TouchLinkTest, SlicesFollowTheProbe)
 {
   this->StartTouch();
@@ -143,6 +202,40 @@ TEST_F(TouchLinkTest, SlicesFollowTheProbe)
   const double* cross = this->Window->Contents().Crosshair()->GetPositionWorld();
   EXPECT_EQ(cross[0], proxy.X);
   EXPECT_EQ(cross[2], proxy.Z);
+}
+
+// Record, drop the file on the window: what was felt is seen again, and nothing is felt meanwhile.
+TEST_F(TouchLinkTest, WhatIsRecordedIsReplayed)
+{
+  this->StartTouch();
+  const auto file = this->Phantom.Folder / "felt.touch";
+  this->SavedTo = QString::fromStdString((this->Phantom.Folder / "felt").string());
+  this->Button("record")->click();
+  ASSERT_TRUE(this->Study->IsRecording()) << this->Messages();
+  this->PressByMouse();
+  auto* panel = this->Window->findChild<TouchPanel*>();
+  EXPECT_TRUE(panel->RecordingWords().startsWith("Recording felt.touch: "))
+      << panel->RecordingWords().toStdString();
+  this->Action("Stop recording")->trigger();
+  EXPECT_FALSE(this->Study->IsRecording());
+  EXPECT_TRUE(panel->RecordingWords().startsWith("Recorded felt.touch: "));
+  ASSERT_TRUE(std::filesystem::exists(file)) << this->Messages();
+  QMimeData mime;
+  mime.setUrls({QUrl::fromLocalFile(QString::fromStdString(file.string()))});
+  QDragEnterEvent enter({300, 300}, Qt::CopyAction, &mime, Qt::LeftButton, Qt::NoModifier);
+  QApplication::sendEvent(this->Window.get(), &enter);
+  QDropEvent drop({300.0, 300.0}, Qt::CopyAction, &mime, Qt::LeftButton, Qt::NoModifier);
+  QApplication::sendEvent(this->Window.get(), &drop);
+  WaitUntil([this] { return this->Study->IsReplaying() || !this->Messages().empty(); });
+  ASSERT_TRUE(this->Study->IsReplaying()) << this->Messages();
+  EXPECT_FALSE(this->Study->IsTouching());
+  auto* slider = this->Window->findChild<QSlider*>("replay-slider");
+  QKeyEvent end(QEvent::KeyPress, Qt::Key_End, Qt::NoModifier);
+  QApplication::sendEvent(slider, &end);
+  WaitUntil([this] { return Norm(this->Study->Reading().Newest.ForceWorld) > 0.1; });
+  EXPECT_EQ(this->Study->Reading().TouchedLabel, 1);
+  EXPECT_TRUE(this->Window->Contents().Probe()->GetInContact());
+  EXPECT_GT(this->Window->findChild<PlotsPanel*>()->Force().Largest(), 0.1);
 }
 
 TEST_F(TouchLinkTest, ClosingWhileTouchingTakesForcesAway)

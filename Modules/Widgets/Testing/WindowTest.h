@@ -29,6 +29,12 @@ protected:
     questions.ToOpen = [this](QWidget*, const QString&, const QString&) { return this->Opened; };
     questions.ToSave = [this](QWidget*, const QString&, const QString&, const QString&)
     { return this->SavedTo; };
+    questions.Folder = [this](QWidget*, const QString&) { return this->Chosen; };
+    questions.Series = [this](QWidget*, const QStringList& series)
+    {
+      this->SeriesOffered = series;
+      return this->Series;
+    };
     questions.Missing = [this](QWidget*, const StudyMissingFile& missing)
     {
       this->AskedFor.push_back(missing);
@@ -103,6 +109,9 @@ protected:
   SteadyClock Time;
   QStringList Opened;
   QString SavedTo;
+  QString Chosen; ///< folder
+  QStringList SeriesOffered;
+  int Series = -1;
   QString Found;
   std::vector<StudyMissingFile> AskedFor;
   FileQuestions::Answer Leaving = FileQuestions::Answer::Discard;

@@ -1,0 +1,191 @@
+#include "BadImageFiles.h"
+#include "MessageOf.h"
+#include "Segmentation.h"
+#include "SyntheticImages.h"
+#include "TemporaryFolder.h"
+#include "Volume.h"
+#include "WindowTest.h"
+
+#include <QComboBox>
+
+#include <functional>
+#include <regex>
+
+namespace palpate
+{
+namespace
+{
+using test::BadFile;
+
+// How much memory is free is another number each time.
+std::string WithoutFreeMemory(const std::string& sentence)
+{
+  return std::regex_replace(sentence, std::regex("[0-9.]+ GB are free"), "GB are free");
+}
+
+// What the command line refuses, opened by the window's dialogs.
+class BadFilesTest : public test::WindowTest
+{
+protected:
+  // What the window says of a file that its dialog gives back.
+  std::string SaidOf(const char* action, const std::filesystem::path& file)
+  {
+    this->Window->Messages()->Clear();
+    this->Opened = QStringList{QString::fromStdString(file.string())};
+    this->Action(action)->trigger();
+    WaitUntil([this] { return !this->Messages().empty(); });
+    return this->Messages();
+  }
+  void ExpectTheReadersSentences(const std::vector<BadFile>& files)
+  {
+    for (const BadFile& bad : files)
+    {
+      const auto file = this->Phantom.Folder / bad.Name;
+      test::WriteAll(file, bad.Bytes);
+      EXPECT_EQ(WithoutFreeMemory(this->SaidOf("Open volume", file)),
+                WithoutFreeMemory(test::MessageOf([&] { ReadVolume(file); })));
+      EXPECT_EQ(WithoutFreeMemory(this->SaidOf("Open segmentation", file)),
+                WithoutFreeMemory(test::MessageOf([&] { ReadSegmentation(file); })));
+      this->Action("New study")->trigger();
+    }
+    this->ExpectTheWindowGoesOn();
+  }
+  void ExpectTheWindowGoesOn()
+  {
+    this->OpenPhantom();
+    EXPECT_EQ(this->Window->Contents().Surfaces().count(1), 1U);
+  }
+  // A DICOM folder of two series, of three and of two slices.
+  std::filesystem::path TwoSeries()
+  {
+    const auto folder = this->Phantom.Folder / "dicom";
+    std::filesystem::create_directory(folder);
+    for (int i = 0; i < 5; ++i)
+    {
+      test::DicomSliceSpec slice;
+      const bool isSecond = i >= 3;
+      slice.SeriesUid = isSecond ? "1.2.4" : "1.2.3";
+      slice.SeriesNumber = isSecond ? 2 : 1;
+      slice.Description = isSecond ? "second" : "first";
+      slice.Value = isSecond ? 20 : 10;
+      slice.PositionWorld = {0.0, 0.0, 3.0 * i};
+      test::WriteDicomSlice(folder / (std::to_string(i) + ".dcm"), slice);
+    }
+    return folder;
+  }
+  void OpenFolder(const std::filesystem::path& folder)
+  {
+    this->Chosen = QString::fromStdString(folder.string());
+    this->Action("Open DICOM folder")->trigger();
+    WaitUntil([this] { return !this->Study->IsBusy(); });
+  }
+};
+
+TEST_F(BadFilesTest, NiftiFilesGetTheCommandLinesSentence)
+{
+  this->ExpectTheReadersSentences(test::BadNiftiFiles());
+}
+
+TEST_F(BadFilesTest, NrrdFilesGetTheCommandLinesSentence)
+{
+  this->ExpectTheReadersSentences(test::BadNrrdFiles());
+}
+
+TEST_F(BadFilesTest, OtherFilesGetTheCommandLinesSentence)
+{
+  this->ExpectTheReadersSentences(test::BadOtherFiles());
+}
+
+TEST_F(BadFilesTest, DamagedCompressedFilesGetTheCommandLinesSentence)
+{
+  this->ExpectTheReadersSentences(test::BadCompressedFiles());
+}
+
+TEST_F(BadFilesTest, MasksWithoutLabelsGetTheCommandLinesSentence)
+{
+  const auto odd = this->Phantom.Folder / "odd.nrrd";
+  test::WriteAll(odd, test::NrrdOfFloats(1.5F));
+  EXPECT_EQ(this->SaidOf("Open segmentation", odd),
+            test::MessageOf([&] { ReadSegmentation(odd); }));
+  const auto empty = this->Phantom.Folder / "empty.nrrd";
+  test::WriteAll(empty,
+                 test::NrrdBytes(test::PlainNrrdLines("unsigned char"), std::string(120, '\0')));
+  EXPECT_EQ(this->SaidOf("Open segmentation", empty),
+            test::MessageOf([&] { ReadSegmentation(empty); }));
+  this->ExpectTheWindowGoesOn();
+}
+
+TEST_F(BadFilesTest, AMissingFileGetsTheCommandLinesSentence)
+{
+  const auto gone = this->Phantom.Folder / "gone.nii.gz";
+  EXPECT_EQ(this->SaidOf("Open volume", gone), test::MessageOf([&] { ReadVolume(gone); }));
+  this->ExpectTheWindowGoesOn();
+}
+
+TEST_F(BadFilesTest, ALeftHandedFileIsReadWhereTheOptionSaysSo)
+{
+  const auto file = this->Phantom.Folder / "mirrored.nrrd";
+  auto lines = test::PlainNrrdLines("unsigned char");
+  lines[4] = "space directions: (2,0,0) (0,-2,0) (0,0,2)";
+  test::WriteAll(file, test::NrrdBytes(lines, std::string(120, '\1')));
+  EXPECT_NE(this->SaidOf("Open volume", file).find("left-handed"), std::string::npos);
+  EXPECT_EQ(this->Window->Contents().Images()->GetImage(), nullptr);
+  auto* choice = this->Window->findChild<QComboBox*>("Left-handed files");
+  choice->setCurrentIndex(1);
+  Q_EMIT choice->activated(1);
+  WaitUntil([this] { return this->Window->Contents().Images()->GetImage() != nullptr; });
+  EXPECT_EQ(this->Study->State().LeftHanded, LeftHandedAxes::Reverse);
+}
+
+TEST_F(BadFilesTest, OfSeveralSeriesTheUserChooses)
+{
+  this->Series = 1;
+  this->OpenFolder(this->TwoSeries());
+  ASSERT_EQ(this->SeriesOffered.size(), 2);
+  EXPECT_TRUE(this->SeriesOffered[1].startsWith("'second' 2 slices"));
+  WaitUntil([this] { return this->Window->Contents().Images()->GetImage() != nullptr; });
+  EXPECT_EQ(this->Study->State().DicomSeries, "2");
+  EXPECT_EQ(this->Window->Contents().Images()->GetImage()->GetDimensions()[2], 2);
+  EXPECT_EQ(this->Messages(), "");
+}
+
+TEST_F(BadFilesTest, AUserWhoThinksBetterOfASeriesOpensNothing)
+{
+  this->Series = -1;
+  this->OpenFolder(this->TwoSeries());
+  EXPECT_EQ(this->SeriesOffered.size(), 2);
+  EXPECT_EQ(this->Study->State(), StudyState());
+}
+
+TEST_F(BadFilesTest, OneSeriesIsOpenedUnasked)
+{
+  const auto folder = this->TwoSeries();
+  std::filesystem::remove(folder / "3.dcm");
+  std::filesystem::remove(folder / "4.dcm");
+  this->OpenFolder(folder);
+  EXPECT_EQ(this->SeriesOffered.size(), 0);
+  WaitUntil([this] { return this->Window->Contents().Images()->GetImage() != nullptr; });
+  EXPECT_EQ(this->Study->State().DicomSeries, "");
+}
+
+TEST_F(BadFilesTest, AFolderWithoutImagesGetsTheCommandLinesSentence)
+{
+  const auto folder = this->Phantom.Folder / "bare";
+  std::filesystem::create_directory(folder);
+  this->OpenFolder(folder);
+  EXPECT_EQ(this->Messages(), test::MessageOf([&] { ReadVolume(folder); }));
+  EXPECT_EQ(this->Study->State(), StudyState());
+}
+
+TEST_F(BadFilesTest, AStudyThatCannotBeWrittenIsSaidAndStaysOpen)
+{
+  this->OpenPhantom();
+  const StudyState before = this->Study->State();
+  this->SavedTo = "/no/such/folder/case.palpate.json";
+  this->Action("Save as")->trigger();
+  EXPECT_NE(this->Messages().find("/no/such/folder"), std::string::npos) << this->Messages();
+  EXPECT_EQ(this->Study->State(), before);
+  EXPECT_TRUE(this->Window->isWindowModified());
+}
+} // namespace
+} // namespace palpate

@@ -1,0 +1,151 @@
+#include "BootStream.h"
+#include "FalconTestBed.h"
+#include "TemporaryFolder.h"
+#include "TouchPanel.h"
+#include "WindowTest.h"
+
+#include <QComboBox>
+#include <QLabel>
+
+#include <cmath>
+
+namespace palpate
+{
+namespace
+{
+using test::FalconTestBed;
+using test::UsbfsFalcon;
+using test::VirtualFalcon;
+
+double Norm(const PlainVector3& vector)
+{
+  return std::hypot(vector.X, vector.Y, vector.Z);
+}
+
+// Pulls the handle out and pushes it in, twice a second.
+Vector3 HomingHand(double seconds)
+{
+  return {0.0, 0.0, 130.0 - 45.0 * std::cos(4.0 * M_PI * seconds)};
+}
+
+// The window with a virtual Falcon on a virtual bus, in real time. Replies take some milliseconds
+// there, so nothing is said about rates.
+class FalconInWindowTest : public test::WindowTest
+{
+protected:
+  void SetUp() override
+  {
+    // Not skipped: a lost wrapper must not look like success.
+    ASSERT_TRUE(FalconTestBed::IsPossible()) << "umockdev is not preloaded: use umockdev-wrapper";
+    test::WindowTest::SetUp();
+    if (IsSkipped())
+    {
+      return;
+    }
+    const std::vector<std::uint8_t> image = test::BootStream();
+    const auto firmware = this->Phantom.Folder / "firmware.bin";
+    test::WriteAll(firmware, {image.begin(), image.end()});
+    this->OpenPhantom();
+    StudyState next = this->Study->State();
+    next.Structures.resize(1); // the ball
+    this->Study->Change("Keep the ball", next);
+    this->Settle();
+    auto* device = this->Window->findChild<QComboBox*>("device");
+    device->setCurrentText("falcon:firmware=" + QString::fromStdString(firmware.string()));
+    this->Window->Messages()->Clear(); // of structures that are no bodies
+  }
+
+  void SetHand(std::function<Vector3(double)> path)
+  {
+    this->Bus.WithFalcon([&](VirtualFalcon& falcon)
+                         { falcon.Mechanism().Settings.Path = std::move(path); });
+  }
+  void StartTouch()
+  {
+    this->SetHand(HomingHand);
+    this->Button("start-touch")->click();
+    WaitUntil([this] { return this->Study->IsTouching() || !this->Messages().empty(); });
+  }
+  // Starts, homes, and presses the ball from the user's side.
+  void TouchTheBall()
+  {
+    this->StartTouch();
+    ASSERT_TRUE(this->Study->IsTouching()) << this->Messages();
+    WaitUntil([this] { return this->Study->Reading().Newest.State == DeviceState::Ready; });
+    const Vector3 ball = this->Study->Current().Touch().Frame().ToDevice({-15.0, 0.0, 0.0});
+    this->SetHand([ball](double) -> Vector3 { return ball + Vector3(0.0, 0.0, MiddleHeight); });
+    this->FeelUntil(
+        [this]
+        {
+          const StudyTouchReading& reading = this->Study->Reading();
+          return reading.TouchedLabel == 1 && Norm(reading.Newest.ForceDevice) > 0.2;
+        });
+  }
+  // Allows forces again after stalls, as a person would.
+  void FeelUntil(const std::function<bool()>& isTrue)
+  {
+    WaitUntil(
+        [&]
+        {
+          if (this->Study->Reading().Newest.Safety.Fault != SafetyFault::None)
+          {
+            this->Study->SwitchForcesOn();
+          }
+          return isTrue();
+        });
+  }
+
+  static constexpr double MiddleHeight = 125.0; // mm, of the workspace over the base
+
+  VirtualFalcon Model;
+  UsbfsFalcon Bus{Model};
+  FalconTestBed Bed;
+};
+
+TEST_F(FalconInWindowTest, WithoutOneTheTouchSaysSoAndTheWindowGoesOn)
+{
+  this->StartTouch();
+  EXPECT_FALSE(this->Study->IsTouching());
+  EXPECT_NE(this->Messages().find("There is no Falcon on USB"), std::string::npos);
+  EXPECT_EQ(this->Button("start-touch")->text(), "Start touching");
+}
+
+TEST_F(FalconInWindowTest, ThePersonIsToldHowToHomeIt)
+{
+  this->Bed.Plug(this->Bus, 2);
+  this->SetHand([](double) -> Vector3 { return {0.0, 0.0, 125.0}; });
+  this->Button("start-touch")->click();
+  auto* advice = this->Window->findChild<QLabel*>("advice");
+  WaitUntil([this, advice] { return !advice->text().isEmpty() || !this->Messages().empty(); });
+  EXPECT_EQ(this->Messages(), "");
+  EXPECT_FALSE(this->Study->Reading().Guidance.empty());
+  EXPECT_TRUE(advice->text().contains(QString::fromStdString(this->Study->Reading().Guidance)));
+}
+
+TEST_F(FalconInWindowTest, UnpluggedInContactForcesEndAndPluggedInAgainItIsFeltAgain)
+{
+  this->Bed.Plug(this->Bus, 2);
+  ASSERT_NO_FATAL_FAILURE(this->TouchTheBall());
+  this->Bed.Unplug(2);
+  auto* advice = this->Window->findChild<QLabel*>("advice");
+  WaitUntil([advice] { return advice->text().contains("unplugged"); });
+  EXPECT_EQ(Norm(this->Study->Reading().Newest.ForceDevice), 0.0);
+  EXPECT_NE(this->Study->Reading().Newest.Safety.Fault, SafetyFault::None);
+  this->Button("start-touch")->click(); // stops
+  EXPECT_FALSE(this->Study->IsTouching());
+  this->Bed.Plug(this->Bus, 2);
+  ASSERT_NO_FATAL_FAILURE(this->TouchTheBall());
+  this->FeelUntil([this] { return this->Window->Contents().Probe()->GetInContact(); });
+}
+
+TEST_F(FalconInWindowTest, ItClosesWhileItIsTouchedAndTheMotorsAreOff)
+{
+  this->Bed.Plug(this->Bus, 2);
+  ASSERT_NO_FATAL_FAILURE(this->TouchTheBall());
+  EXPECT_TRUE(this->Window->close());
+  EXPECT_EQ(this->Bus.WithFalcon([](VirtualFalcon& falcon)
+                                 { return falcon.Mechanism().MotorForce().norm(); }),
+            0.0);
+}
+} // namespace
+} // namespace palpate

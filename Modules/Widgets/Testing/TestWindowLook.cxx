@@ -1,0 +1,119 @@
+#include "WindowLook.h"
+
+#include "TextContrast.h"
+#include "WindowTest.h"
+
+#include <QAbstractButton>
+#include <QComboBox>
+#include <QLabel>
+#include <QTableView>
+
+#include <algorithm>
+#include <unordered_map>
+
+namespace palpate
+{
+namespace
+{
+// What a widget looks like: its ground is what there is most of, its text what differs most from
+// that. Edges of letters are mixed with the ground, their middles are not.
+double DrawnContrast(QWidget& widget)
+{
+  const QImage picture = widget.grab().toImage().convertToFormat(QImage::Format_RGB32);
+  std::unordered_map<QRgb, int> counts;
+  for (int row = 0; row < picture.height(); ++row)
+  {
+    for (int column = 0; column < picture.width(); ++column)
+    {
+      ++counts[picture.pixel(column, row)];
+    }
+  }
+  const auto most =
+      std::max_element(counts.begin(), counts.end(),
+                       [](const auto& a, const auto& b) { return a.second < b.second; });
+  double contrast = 1.0;
+  for (const auto& [color, count] : counts)
+  {
+    contrast = std::max(contrast, ContrastRatio(QColor(most->first), QColor(color)));
+  }
+  return contrast;
+}
+
+class WindowLookTest : public test::WindowTest
+{
+protected:
+  // What shows words and can be used.
+  std::vector<QWidget*> Words() const
+  {
+    std::vector<QWidget*> words;
+    const auto add = [&words](QWidget* widget, const QString& text)
+    {
+      if (widget->isVisible() && widget->isEnabled() && !text.trimmed().isEmpty())
+      {
+        words.push_back(widget);
+      }
+    };
+    for (auto* label : this->Window->findChildren<QLabel*>())
+    {
+      add(label, label->text());
+    }
+    for (auto* button : this->Window->findChildren<QAbstractButton*>())
+    {
+      add(button, button->text());
+    }
+    for (auto* box : this->Window->findChildren<QComboBox*>())
+    {
+      add(box, box->currentText());
+    }
+    for (const char* name : {"structures", "messages"})
+    {
+      add(this->Window->findChild<QWidget*>(name), name);
+    }
+    return words;
+  }
+  QColor Ground() const { return this->Window->palette().color(QPalette::Window); }
+};
+
+TEST_F(WindowLookTest, TextCanBeReadInBothLooks)
+{
+  this->OpenPhantom(); // which has a message, for its horseshoe
+  this->Button("stop-force")->setEnabled(true);
+  WaitUntil([this] { return !this->Messages().empty(); });
+  for (const WindowLook look : {WindowLook::Light, WindowLook::Dark})
+  {
+    this->Action(look == WindowLook::Light ? "Light" : "Dark")->trigger();
+    bool isShown = false; // signs of steps take their colours when steps are looked at
+    const auto shown = QObject::connect(this->Study.get(), &StudyController::StepsChanged,
+                                        [&isShown] { isShown = true; });
+    WaitUntil([&isShown] { return isShown; });
+    QObject::disconnect(shown);
+    EXPECT_EQ(this->Ground().lightness() < 128, look == WindowLook::Dark);
+    const std::vector<QWidget*> words = this->Words();
+    EXPECT_GT(words.size(), 30U);
+    for (QWidget* widget : words)
+    {
+      const auto* label = qobject_cast<QLabel*>(widget);
+      EXPECT_GE(DrawnContrast(*widget), LeastTextContrast)
+          << NameOf(look).toStdString() << ": " << widget->metaObject()->className() << " "
+          << widget->objectName().toStdString() << " "
+          << (label != nullptr ? label->text().toStdString() : "");
+    }
+  }
+}
+
+TEST_F(WindowLookTest, ALookIsKeptForTheNextWindowAndIsNoStep)
+{
+  const QColor system = this->Ground();
+  this->Action("Dark")->trigger();
+  const QColor dark = this->Ground();
+  EXPECT_NE(dark, system);
+  EXPECT_FALSE(this->Study->Current().History().IsChanged());
+  EXPECT_EQ(ChosenLook(), WindowLook::Dark);
+  QApplication::setPalette(QPalette());
+  const MainWindow next(*this->Study);
+  EXPECT_EQ(next.palette().color(QPalette::Window), dark);
+  this->Action("As the system")->trigger();
+  EXPECT_EQ(this->Ground(), system);
+}
+} // namespace
+} // namespace palpate

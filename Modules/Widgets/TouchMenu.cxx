@@ -1,0 +1,123 @@
+#include "TouchMenu.h"
+
+namespace palpate
+{
+namespace
+{
+constexpr const char* RecordingEnding = ".touch";
+constexpr const char* RecordingFilter = "Recorded touches (*.touch *.part)";
+} // namespace
+
+TouchMenu::TouchMenu(StudyController& study, const FileQuestions& questions, QWidget* window)
+    : QMenu("&Touch", window), Study(study), Questions(questions), Window(window)
+{
+  this->Touch = this->addAction("", this, &TouchMenu::ToggleTouch, QKeySequence("Ctrl+T"));
+  // Escape does the first wherever the focus is, and so is no shortcut of a menu.
+  this->StopForce =
+      this->addAction("Stop all &force (Esc)", &study, &StudyController::SwitchForcesOff);
+  this->AllowForce =
+      this->addAction("&Allow force again", &study, &StudyController::SwitchForcesOn);
+  this->AddWorkspace();
+  this->AddRecording();
+  connect(&study, &StudyController::TouchChanged, this, &TouchMenu::ShowTouch);
+  connect(&study, &StudyController::StepsChanged, this, &TouchMenu::ShowTouch);
+  connect(&study, &StudyController::ReplayChanged, this, &TouchMenu::ShowTouch);
+  this->ShowTouch();
+}
+
+void TouchMenu::AddWorkspace()
+{
+  this->addSeparator();
+  QAction* show = this->addAction("Show the &workspace");
+  show->setCheckable(true);
+  show->setChecked(true);
+  connect(show, &QAction::toggled, this, &TouchMenu::WorkspaceShown);
+  this->Move = this->addAction("&Move workspace");
+  this->Move->setCheckable(true);
+  this->Move->setShortcut(QString("M"));
+  this->Move->setToolTip("Drag it over the view in space; the wheel moves it in depth");
+  connect(this->Move, &QAction::toggled, this, &TouchMenu::WorkspaceMoved);
+  this->Fit = this->addAction("F&it workspace", &this->Study, &StudyController::FitWorkspace);
+  this->Fit->setToolTip("All that can be touched is in reach");
+}
+
+void TouchMenu::AddRecording()
+{
+  this->addSeparator();
+  this->Record =
+      this->addAction("", this, &TouchMenu::ToggleRecording, QKeySequence("Ctrl+Shift+R"));
+  this->addAction("&Open a recording...", this, &TouchMenu::OpenRecording,
+                  QKeySequence("Ctrl+Shift+T"));
+  this->Play = this->addAction(
+      "", this, [this] { this->Study.PlayReplay(!this->Study.Current().Replay()->IsPlaying()); },
+      QKeySequence("P"));
+  this->Close = this->addAction("&Close the replay", &this->Study, &StudyController::CloseReplay);
+  this->addSeparator();
+  this->Table =
+      this->addAction("Export every &tick...", this,
+                      [this] { this->Export("Export every tick", "ticks.csv", "Tables (*.csv)"); });
+  this->Plots = this->addAction(
+      "Export p&lots...", this,
+      [this] { this->Export("Export the plots", "plots.svg", "Pictures (*.svg *.png)"); });
+}
+
+void TouchMenu::ToggleTouch()
+{
+  this->Study.IsTouching() ? this->Study.StopTouch() : this->Study.StartTouch();
+}
+
+void TouchMenu::ToggleRecording()
+{
+  if (this->Study.IsRecording())
+  {
+    this->Study.StopRecording();
+    return;
+  }
+  QString file = this->Questions.ToSave(this->Window, "Record the touch",
+                                        QString("session") + RecordingEnding, RecordingFilter);
+  if (!file.isEmpty())
+  {
+    file += file.endsWith(RecordingEnding) ? "" : RecordingEnding;
+    this->Study.StartRecording(file.toStdString());
+  }
+}
+
+void TouchMenu::OpenRecording()
+{
+  const QStringList files =
+      this->Questions.ToOpen(this->Window, "Open a recorded touch", RecordingFilter);
+  if (!files.isEmpty())
+  {
+    this->Study.OpenReplay(files.front().toStdString());
+  }
+}
+
+void TouchMenu::Export(const QString& title, const QString& proposal, const QString& filter)
+{
+  const QString file = this->Questions.ToSave(this->Window, title, proposal, filter);
+  if (!file.isEmpty())
+  {
+    this->Study.ExportReplay(file.toStdString());
+  }
+}
+
+void TouchMenu::ShowTouch()
+{
+  const bool isTouching = this->Study.IsTouching();
+  const StudyReplay* replay = this->Study.Current().Replay();
+  this->Touch->setText(isTouching ? "&Stop touching" : "&Start touching");
+  this->StopForce->setEnabled(isTouching);
+  this->AllowForce->setEnabled(isTouching);
+  this->Record->setText(this->Study.IsRecording() ? "Stop &recording" : "&Record...");
+  for (QAction* action : {this->Record, this->Move, this->Fit})
+  {
+    action->setEnabled(isTouching);
+  }
+  this->Play->setText(replay != nullptr && replay->IsPlaying() ? "&Pause the replay"
+                                                               : "&Play the replay");
+  for (QAction* action : {this->Play, this->Close, this->Table, this->Plots})
+  {
+    action->setEnabled(replay != nullptr);
+  }
+}
+} // namespace palpate

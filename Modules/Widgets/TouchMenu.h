@@ -1,0 +1,51 @@
+#pragma once
+
+#include "FileQuestions.h"
+#include "StudyController.h"
+
+#include <QMenu>
+
+namespace palpate
+{
+/// Touching, recording and replaying.
+class TouchMenu : public QMenu
+{
+  Q_OBJECT
+
+public:
+  /// Keeps the addresses.
+  TouchMenu(StudyController& study, const FileQuestions& questions, QWidget* window);
+
+  /// Asks where to, and begins; or ends the recording that goes on.
+  void ToggleRecording();
+  /// Also for a panel's buttons.
+  QAction* MoveWorkspace() const { return this->Move; }
+  QAction* FitWorkspace() const { return this->Fit; }
+
+Q_SIGNALS:
+  void WorkspaceShown(bool isShown);
+  void WorkspaceMoved(bool isMoved); ///< whether the mouse does
+
+private:
+  void ToggleTouch();
+  void AddWorkspace();
+  void AddRecording();
+  void OpenRecording();
+  void Export(const QString& title, const QString& proposal, const QString& filter);
+  void ShowTouch();
+
+  StudyController& Study;
+  const FileQuestions& Questions;
+  QWidget* Window;
+  QAction* Touch;
+  QAction* StopForce;
+  QAction* AllowForce;
+  QAction* Move;
+  QAction* Fit;
+  QAction* Record;
+  QAction* Play;
+  QAction* Close;
+  QAction* Table;
+  QAction* Plots;
+};
+} // namespace palpate

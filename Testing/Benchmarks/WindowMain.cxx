@@ -1,0 +1,89 @@
+// PalpateWindow FILE [SECONDS]: measures the servo beside what the window does, and how long the
+// window takes to close, and writes them as JSON; see Utilities/window.sh.
+#include "DisplayServer.h"
+#include "MachineName.h"
+#include "WindowMeasures.h"
+
+#include <QApplication>
+#include <QSurfaceFormat>
+
+#include <exception>
+#include <fstream>
+#include <iostream>
+#include <nlohmann/json.hpp>
+
+namespace
+{
+using palpate::bench::WindowClosing;
+using palpate::bench::WindowStretch;
+
+nlohmann::json ToJson(const palpate::PeriodStatistics& statistics)
+{
+  constexpr double Microseconds = 1e-3; // of a nanosecond
+  const auto at = [&](double fraction)
+  { return Microseconds * static_cast<double>(statistics.Quantile(fraction)); };
+  return {{"median", at(0.5)},
+          {"p99", at(0.99)},
+          {"p999", at(0.999)},
+          {"largest", Microseconds * static_cast<double>(statistics.Max())}};
+}
+
+nlohmann::json ToJson(const WindowStretch& stretch)
+{
+  return {{"name", stretch.Name},
+          {"seconds", stretch.Seconds},
+          {"ticks", stretch.Ticks},
+          {"touching", stretch.Touching},
+          {"missed", stretch.Missed},
+          {"faults", stretch.Faults},
+          {"pictures", stretch.Pictures},
+          {"events", stretch.Events},
+          {"period", ToJson(stretch.Periods)},
+          {"tick", ToJson(stretch.Durations)}};
+}
+
+void Measure(const char* file, double seconds)
+{
+  nlohmann::json all{{"machine", palpate::bench::MachineName()}};
+  for (const WindowStretch& stretch : palpate::bench::WindowMeasures(seconds).Stretches())
+  {
+    all["stretches"].push_back(ToJson(stretch));
+  }
+  for (const WindowClosing& closing : palpate::bench::WindowMeasures::Closings())
+  {
+    all["closings"].push_back({{"while", closing.While},
+                               {"milliseconds", closing.Milliseconds},
+                               {"ended", closing.HasEnded}});
+  }
+  std::ofstream out(file);
+  out << all.dump(1) << '\n';
+  if (!out.good())
+  {
+    throw std::runtime_error(std::string(file) + " cannot be written");
+  }
+}
+} // namespace
+
+int main(int argc, char** argv)
+{
+  if (argc < 2)
+  {
+    std::cerr << "usage: PalpateWindow FILE.json [SECONDS]\n";
+    return 2;
+  }
+  try
+  {
+    const palpate::DisplayServer display;
+    QSurfaceFormat::setDefaultFormat(QVTKOpenGLNativeWidget::defaultFormat());
+    QApplication application(argc, argv);
+    QApplication::setApplicationName("PalpateWindow");
+    QApplication::setQuitOnLastWindowClosed(false);
+    Measure(argv[1], argc > 2 ? std::stod(argv[2]) : 20.0);
+    return 0;
+  }
+  catch (const std::exception& error)
+  {
+    std::cerr << error.what() << '\n';
+    return 1;
+  }
+}

@@ -1,0 +1,76 @@
+#pragma once
+
+#include "MainWindow.h"
+#include "PeriodStatistics.h"
+#include "SteadyClock.h"
+#include "TemporaryFolder.h"
+
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace palpate::bench
+{
+/// What the servo and the views did for some seconds, while the window did something.
+struct WindowStretch
+{
+  std::string Name;
+  double Seconds = 0.0;
+  PeriodStatistics Periods;   ///< ns from tick to tick
+  PeriodStatistics Durations; ///< ns that ticks took
+  std::uint64_t Ticks = 0;
+  std::uint64_t Touching = 0; ///< of them, those in contact
+  std::uint64_t Missed = 0;   ///< ticks left out
+  std::uint64_t Faults = 0;   ///< times the safety chain took forces off
+  std::vector<int> Pictures;  ///< of each view: axial, coronal, sagittal, space
+  int Events = 0;             ///< how often the window did what it is named for
+};
+
+/// How long closing took, while something was going on.
+struct WindowClosing
+{
+  std::string While;
+  double Milliseconds = 0.0;
+  bool HasEnded = false; ///< no work was left behind
+};
+
+/// A window of 1280 x 800 on the Colin 27 head, a simulated hand that strokes one of its
+/// structures, in real time. Needs an application and a display.
+class WindowMeasures
+{
+public:
+  /// Each stretch lasts so long. Throws std::runtime_error where the head is not installed.
+  explicit WindowMeasures(double seconds);
+  ~WindowMeasures();
+  WindowMeasures(const WindowMeasures&) = delete;
+  WindowMeasures& operator=(const WindowMeasures&) = delete;
+
+  /// The servo while the window is hidden, draws, is resized, loads a volume, and refits.
+  std::vector<WindowStretch> Stretches();
+  /// Each with a window of its own.
+  static std::vector<WindowClosing> Closings();
+
+private:
+  using Act = std::function<void(WindowStretch&, double seconds)>;
+
+  void Settle();
+  void MakePath();
+  void StartTouch();
+  void TakeTicks();
+  std::filesystem::path NewCopy(int number) const;
+  WindowStretch Measure(const std::string& name, const Act& act);
+
+  double Length;
+  test::TemporaryFolder Copies;
+  SteadyClock Time;
+  std::unique_ptr<StudyController> Study;
+  std::unique_ptr<MainWindow> Window;
+  std::vector<Vector3> Path; ///< mm, a little inside the structure
+  WindowStretch* Taking = nullptr;
+  std::int64_t LastTick = -1; ///< ns
+  bool WasFaulty = false;
+};
+} // namespace palpate::bench

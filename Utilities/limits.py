@@ -1,0 +1,47 @@
+#!/usr/bin/python3
+"""Puts the table that PalpateLimits measured into Documentation/Limits.md.
+
+    Utilities/limits.py [TABLE] [--page FILE]
+
+TABLE is build/release/fit-precision.md (see Utilities/limits.sh, which calls this). Of the page, what
+lies between the two comments is replaced; the rest is written by hand. Every test that the page names
+must be one of Testing/Extremes or of a room, or nothing is written; without TABLE that is all.
+"""
+import argparse
+import pathlib
+import re
+import sys
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent
+BEGIN = "<!-- Utilities/limits.py writes from here -->\n"
+END = "<!-- to here -->\n"
+TEST = re.compile(r"\bTEST(?:_P|_F)?\(\s*(\w+),\s*(\w+)\s*\)|\bTYPED_TEST\(\s*(\w+),\s*(\w+)\s*\)")
+NAMED = re.compile(r"`([A-Z]\w+\.[A-Z]\w+)`")
+
+
+def known_tests():
+    tests = set()
+    for folder in ("Testing", "Modules"):
+        for path in (ROOT / folder).rglob("Test*.cxx"):
+            for first, second, typed, name in TEST.findall(path.read_text()):
+                tests.add(f"{first or typed}.{second or name}")
+    return tests
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("table", type=pathlib.Path, nargs="?")
+    parser.add_argument("--page", type=pathlib.Path, default=ROOT / "Documentation" / "Limits.md")
+    arguments = parser.parse_args()
+    page = arguments.page.read_text()
+    unknown = sorted(set(NAMED.findall(page)) - known_tests())
+    if unknown:
+        sys.exit(f"{arguments.page} names tests that do not exist: {', '.join(unknown)}")
+    before, rest = page.split(BEGIN)
+    after = rest.split(END)[1]
+    if arguments.table is not None:
+        arguments.page.write_text(before + BEGIN + arguments.table.read_text() + END + after)
+
+
+if __name__ == "__main__":
+    main()

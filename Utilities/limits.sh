@@ -1,0 +1,9 @@
+#!/bin/sh
+# Measures what arithmetic does to hard fits (seconds), and writes the table of Documentation/Limits.md
+# from this run.
+set -eu
+cd "$(dirname "$0")/.."
+
+Utilities/build.sh
+build/release/bin/PalpateLimits build/release/fit-precision.md
+exec /usr/bin/python3 Utilities/limits.py build/release/fit-precision.md

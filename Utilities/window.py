@@ -1,0 +1,90 @@
+#!/usr/bin/python3
+"""Writes Documentation/Window.md from what PalpateWindow measured.
+
+    Utilities/window.py MEASURES [--page FILE]
+
+MEASURES is build/release/window.json (see Utilities/window.sh, which calls this).
+"""
+import argparse
+import json
+import pathlib
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent
+
+INTRODUCTION = """# The servo beside the window
+
+Made by `Utilities/window.sh` on {machine}, with software OpenGL and one process for all of it. A window of 1280 x 800 shows
+the Colin 27 head in four views; a simulated hand strokes the left thalamus at 1 kHz (harmonics of degree 12, a ball of
+1 mm), 1.5 mm deep, slices following. *Hidden* is the same touch with nothing to draw: what the servo does by itself.
+Every other line is as long, with the window doing one thing more. Priority: SCHED_FIFO, where the system grants it.
+
+"""
+
+READING = """
+*Period* is from tick to tick, ms; *tick* is what the servo works for, \u00b5s; quantiles are those of a histogram whose classes
+are a sixteenth wide. *Pictures* are those a second of the view that drew least; *times* says how often the window was resized,
+a volume was read, or a model of another degree was made.
+
+## Closing
+
+The window was closed at {moments} moments while it opened the head and its labels, and once while touching. Forces go off
+before anything else. Longest: {longest:.0f} ms ({work}); everything had ended each time: {ended}.
+
+| while | ms |
+| --- | --- |
+"""
+
+
+def row(*cells):
+    return "| " + " | ".join(map(str, cells)) + " |\n"
+
+
+def line_of(stretch):
+    seconds = stretch["seconds"]
+    period = stretch["period"]
+    tick = stretch["tick"]
+    return row(
+        stretch["name"],
+        f"{stretch['ticks'] / seconds:.0f}",
+        f"{100.0 * stretch['touching'] / stretch['ticks']:.0f} %",
+        f"{1e-3 * period['p99']:.2f}",
+        f"{1e-3 * period['p999']:.2f}",
+        f"{1e-3 * period['largest']:.2f}",
+        stretch["missed"],
+        stretch["faults"],
+        f"{tick['median']:.0f}",
+        f"{tick['p999']:.0f}",
+        f"{min(stretch['pictures']) / seconds:.1f}",
+        stretch["events"] or "",
+    )
+
+
+def page_of(measures):
+    page = INTRODUCTION.format(machine=measures["machine"])
+    page += row("the window is", "ticks/s", "in contact", "period 99 %", "99.9 %", "longest", "left out",
+                "faults", "tick", "99.9 %", "pictures/s", "times")
+    page += row(*["---"] * 12)
+    page += "".join(line_of(stretch) for stretch in measures["stretches"])
+    closings = measures["closings"]
+    longest = max(closings, key=lambda closing: closing["milliseconds"])
+    page += READING.format(moments=len(closings) - 1, longest=longest["milliseconds"],
+                           work=longest["while"],
+                           ended="yes" if all(one["ended"] for one in closings) else "no")
+    by_work = {}
+    for closing in closings:
+        by_work.setdefault(closing["while"], []).append(closing["milliseconds"])
+    page += "".join(row(work, ", ".join(f"{value:.0f}" for value in values))
+                    for work, values in by_work.items())
+    return page
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("measures", type=pathlib.Path)
+    parser.add_argument("--page", type=pathlib.Path, default=ROOT / "Documentation" / "Window.md")
+    arguments = parser.parse_args()
+    arguments.page.write_text(page_of(json.loads(arguments.measures.read_text())))
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,9 @@
+#!/bin/sh
+# Measures the servo beside a window that draws, is resized, loads and refits, and how long the
+# window takes to close (two minutes), and writes Documentation/Window.md from this run.
+set -eu
+cd "$(dirname "$0")/.."
+
+Utilities/build.sh
+build/release/bin/PalpateWindow build/release/window.json
+exec /usr/bin/python3 Utilities/window.py build/release/window.json
