@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include <cstring>
+#include <cmath>
 
 namespace palpate
 {
@@ -56,9 +56,12 @@ private:
   std::vector<StructureFollower> Followers;
 };
 
+// NaN is never the same.
 bool AreSameBits(const Vector3& a, const Vector3& b)
 {
-  return std::memcmp(a.data(), b.data(), 3 * sizeof(double)) == 0;
+  const auto isSame = [&](int axis)
+  { return a[axis] == b[axis] && std::signbit(a[axis]) == std::signbit(b[axis]); };
+  return isSame(0) && isSame(1) && isSame(2);
 }
 
 // Organs so close that some lie within others.
