@@ -6,6 +6,7 @@
 #include <QDockWidget>
 #include <QDropEvent>
 #include <QMimeData>
+#include <QSlider>
 #include <QSpinBox>
 #include <QStyleFactory>
 #include <QTableWidget>
@@ -113,13 +114,14 @@ protected:
           const std::uint64_t now = this->Study->Reading().Newest.Tick.Number;
           since = isSteady ? since : now;
           former = this->Force();
-          return now > since + 300;
+          return now > since + 800;
         });
   }
 
   void OpenAndLook();
   void Judge();
   void Touch();
+  void Replay();
   void Keep();
 };
 
@@ -145,9 +147,10 @@ void TutorialTest::Judge()
   degree->setValue(4);
   this->Settle();
   EXPECT_GT(this->Fit().ModelToMask.Mean, fine);
-  this->Action("Models coloured by their error")->trigger();
+  this->Action("All as error maps")->trigger();
+  this->Settle();
   this->ExpectPicture("tutorial-error.png");
-  this->Action("Models coloured by their error")->trigger();
+  this->Action("Undo")->trigger();
   this->Action("Undo")->trigger();
   this->Settle();
   EXPECT_EQ(this->Fit().ModelToMask.Mean, fine);
@@ -165,6 +168,27 @@ void TutorialTest::Touch()
   ASSERT_EQ(this->Study->State().Landmarks.size(), 1U);
   this->Raise("Plots");
   this->ExpectPicture("tutorial-touch.png");
+}
+
+// Records what is felt, and looks at it again.
+void TutorialTest::Replay()
+{
+  const auto file = QString::fromStdString(this->File("prostate/case.touch").string());
+  this->SavedTo = file;
+  this->Button("record")->click();
+  ASSERT_TRUE(this->Study->Current().Touch().IsRecording()) << this->Messages();
+  this->HoldStill();
+  this->Button("record")->click();
+  this->Button("start-touch")->click();
+  EXPECT_FALSE(this->Study->IsTouching());
+  this->Opened = QStringList{file};
+  this->Action("Open a recording")->trigger();
+  WaitUntil([this] { return this->Study->Current().Replay() != nullptr; });
+  auto* slider = this->Window->findChild<QSlider*>("replay-slider");
+  slider->setValue(slider->maximum());
+  WaitUntil([this] { return this->Window->Contents().Probe()->GetInContact(); });
+  this->ExpectPicture("tutorial-replay.png");
+  this->Button("replay-close")->click();
 }
 
 void TutorialTest::Keep()
@@ -189,6 +213,7 @@ TEST_F(TutorialTest, TheTenStepsLeadFromFilesToAFeltProstate)
   ASSERT_NO_FATAL_FAILURE(this->OpenAndLook());
   ASSERT_NO_FATAL_FAILURE(this->Judge());
   ASSERT_NO_FATAL_FAILURE(this->Touch());
+  ASSERT_NO_FATAL_FAILURE(this->Replay());
   ASSERT_NO_FATAL_FAILURE(this->Keep());
 }
 } // namespace

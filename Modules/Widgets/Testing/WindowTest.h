@@ -62,7 +62,8 @@ protected:
   {
     const auto isMade = [this](const StudyStructure& structure)
     {
-      for (const StudyStep step : {StudyStep::Surface, StudyStep::Model, StudyStep::Touch})
+      for (const StudyStep step :
+           {StudyStep::Surface, StudyStep::Model, StudyStep::Touch, StudyStep::Cost})
       {
         const auto kind = this->Study->Current().Pipeline().StateOf(step, structure.Label).Is;
         if (kind == StudyStepState::Kind::Running || kind == StudyStepState::Kind::NeedsUpdate)
