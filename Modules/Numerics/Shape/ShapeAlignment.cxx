@@ -60,7 +60,7 @@ Status AlignShape(const SphericalHarmonicModel& model, AlignmentAxes axes,
                   SphericalHarmonicModel& aligned)
 {
   BodyMoments body;
-  if (const Status status = MeasureBody(model, body); !status.IsOk())
+  if (Status status = MeasureBody(model, body); !status.IsOk())
   {
     return status;
   }
@@ -72,7 +72,7 @@ Status AlignShape(const SphericalHarmonicModel& model, AlignmentAxes axes,
   }
   SphericalHarmonicRotation rotation;
   const Matrix3 turn = SignedAxes(model, body).transpose();
-  if (const Status status = SphericalHarmonicRotation::Make(model.Degree(), turn, rotation);
+  if (Status status = SphericalHarmonicRotation::Make(model.Degree(), turn, rotation);
       !status.IsOk())
   {
     return status;
