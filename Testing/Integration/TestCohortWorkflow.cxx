@@ -31,7 +31,8 @@ protected:
                            this->Folder.Path())
                     .Code,
                 0);
-      manifest += name + "," + name + "/mask.nii.gz,1," + name + "/volume.nii.gz\n";
+      manifest.append(name).append(",").append(name).append("/mask.nii.gz,1,");
+      manifest.append(name).append("/volume.nii.gz\n");
     }
     WriteAll(this->Folder / "bad.nii.gz", "no image");
     WriteAll(this->Folder / "manifest.csv",
