@@ -1,5 +1,6 @@
 #include "CommandRegistry.h"
 
+#include "CohortCommand.h"
 #include "CompletionCommand.h"
 #include "ConvertCommand.h"
 #include "DevicesCommand.h"
@@ -20,6 +21,7 @@ std::vector<std::unique_ptr<Command>> MakeCommands()
   std::vector<std::unique_ptr<Command>> commands;
   commands.push_back(std::make_unique<InfoCommand>());
   commands.push_back(std::make_unique<FitCommand>());
+  commands.push_back(std::make_unique<CohortCommand>());
   commands.push_back(std::make_unique<MeshCommand>());
   commands.push_back(std::make_unique<EvaluateCommand>());
   commands.push_back(std::make_unique<ConvertCommand>());

@@ -1,69 +1,25 @@
 #include "FitCommand.h"
 
+#include "CaseFit.h"
 #include "CaseText.h"
+#include "CohortFit.h"
 #include "Console.h"
 #include "FilterRun.h"
 #include "FitFiles.h"
-#include "FitJson.h"
-#include "FitStructure.h"
 #include "InputError.h"
 #include "Interruption.h"
 #include "OutputFolder.h"
 #include "ProgramVersion.h"
 #include "StageClock.h"
-#include "VolumeCoverage.h"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <iomanip>
-#include <numeric>
-#include <ostream>
-#include <sstream>
 
 namespace palpate::cli
 {
 namespace
 {
 constexpr int Failure = 1;
-
-std::string Line(const FitResult& result)
-{
-  std::ostringstream text;
-  text << CaseTitle(result.Input, result.Structure) << ": ";
-  text << std::fixed << "degree " << result.Model.Degree() << ", Dice " << std::setprecision(4)
-       << result.Dice << ", distance to the mask's boundary mean " << std::setprecision(3)
-       << result.ModelToMask.Mean << " / 95 % " << result.ModelToMask.Percentile95 << " / max "
-       << result.ModelToMask.Maximum << " mm, volume " << std::setprecision(2)
-       << result.ModelMilliliters << " ml (mask " << result.MaskMilliliters << " ml), "
-       << (result.StarShaped ? "star-shaped" : "not quite star-shaped") << " ("
-       << result.HiddenPercent << " % hidden)\n";
-  return text.str();
-}
-
-// Until its model is there, a case fails by what the structure is and what the options ask of it:
-// no such component, too thin for a surface, too few samples for the degree.
-void BlameInput(FitResult& result)
-{
-  const bool isFitReached = std::any_of(result.Seconds.begin(), result.Seconds.end(),
-                                        [](const auto& stage) { return stage.first == "fit"; });
-  if (result.State == FitResult::Outcome::Failed && !isFitReached)
-  {
-    result.State = FitResult::Outcome::BadInput;
-  }
-}
-
-void RemarkOnVolume(const Volume& volume, FitResult& result)
-{
-  if (result.Surface == nullptr || result.Surface->GetNumberOfPoints() == 0)
-  {
-    return;
-  }
-  if (const std::string note = CoverageNote(volume.Image, result.Surface->GetBounds());
-      !note.empty())
-  {
-    result.Notes.push_back(note);
-  }
-}
 } // namespace
 
 std::string FitCommand::Examples() const
@@ -71,13 +27,24 @@ std::string FitCommand::Examples() const
   return "  palpate fit mask.nii.gz --output out               every label, files and report\n"
          "  palpate fit mask.seg.nrrd --label Prostate --volume t2.nrrd --output out\n"
          "  palpate fit mask.nii.gz --degree auto --tolerance 0.3\n"
-         "  palpate fit *.nii.gz --label 1 --json > results.jsonl   numbers for a script";
+         "  palpate fit *.nii.gz --label 1 --json > results.jsonl   numbers for a script\n"
+         "  palpate fit masks --label 1 --output out       every mask of a folder; goes on where "
+         "it\n"
+         "                                                 stopped; then: palpate cohort out";
 }
 
 void FitCommand::DeclareOptions(CLI::App& app)
 {
-  app.add_option("MASK", this->Inputs, "Segmentations: label maps, .seg.nrrd, DICOM-SEG")
-      ->required();
+  app.add_option("MASK", this->Inputs,
+                 "Segmentations: label maps, .seg.nrrd, DICOM-SEG; or folders of them");
+  app.add_option(
+         "--manifest", this->Manifest,
+         "Table of cases, case,mask,label,volume; paths from its folder, or from MASK where "
+         "that is a folder")
+      ->type_name("CSV");
+  app.add_option("--case", this->Cases, "Of a folder or a manifest, only these cases")
+      ->type_name("NAME")
+      ->allow_extra_args(false);
   this->Options.DeclareLabels(app);
   this->Options.DeclareModel(app);
   this->Options.DeclareSurface(app);
@@ -90,10 +57,52 @@ void FitCommand::DeclareOptions(CLI::App& app)
   app.add_flag("--json", this->Json, "One JSON object a case on standard output");
 }
 
+bool FitCommand::IsCohort() const
+{
+  std::error_code ignored;
+  return !this->Manifest.empty() ||
+         std::any_of(this->Inputs.begin(), this->Inputs.end(),
+                     [&](const std::string& input)
+                     { return std::filesystem::is_directory(input, ignored); });
+}
+
+int FitCommand::RunCohort(Console& console) const
+{
+  if (this->OutputFolder.empty())
+  {
+    throw InputError("--output: a folder or a --manifest needs one, where the table is kept");
+  }
+  if (!this->VolumePath.empty())
+  {
+    throw InputError("--volume belongs to one mask; name each case's in the --manifest");
+  }
+  CohortFit fit(this->Settings, this->Options.Labels(), this->Images);
+  fit.SetJson(this->Json);
+  if (this->Manifest.empty())
+  {
+    fit.TakeMasks(this->Inputs);
+  }
+  else
+  {
+    fit.TakeManifest(this->Manifest, this->Inputs);
+  }
+  fit.ChooseCases(this->Cases);
+  return fit.Run(this->OutputFolder, console);
+}
+
 int FitCommand::Run(Console& console)
 {
   const Interruption interruption;
   this->Settings = this->Options.Settings();
+  if (this->IsCohort())
+  {
+    return this->RunCohort(console);
+  }
+  if (this->Inputs.empty() || !this->Cases.empty())
+  {
+    throw InputError(this->Inputs.empty() ? "MASK is required; see palpate fit --help"
+                                          : "--case chooses from a folder or a --manifest");
+  }
   this->Names = CaseNames(this->Inputs);
   this->Tally = {};
   this->Sentences.clear();
@@ -161,7 +170,7 @@ void FitCommand::FitStructures(std::size_t file, const Segmentation& segmentatio
   for (const Segment& structure : choice.Found)
   {
     FitResult result =
-        this->FitCase(segmentation, structure, readSeconds, {done, done + part}, console);
+        FitCase(segmentation, structure, this->Settings, readSeconds, {done, done + part}, console);
     done += part;
     if (volume != nullptr)
     {
@@ -172,25 +181,6 @@ void FitCommand::FitStructures(std::size_t file, const Segmentation& segmentatio
     this->Record(result, folder, folder.empty() ? "" : name + "/report.html",
                  segmentation.Notes.size(), console);
   }
-}
-
-FitResult FitCommand::FitCase(const Segmentation& segmentation, const Segment& structure,
-                              double readSeconds, std::pair<double, double> share,
-                              Console& console) const
-{
-  const std::string title =
-      structure.Name.empty() ? "label " + std::to_string(structure.Label) : structure.Name;
-  FitResult result =
-      FitStructure(segmentation, structure, this->Settings,
-                   [&](double fraction, const std::string& stage)
-                   {
-                     console.Progress(share.first + (share.second - share.first) * fraction,
-                                      title + ": " + stage);
-                     return !Interruption::WasAsked();
-                   });
-  result.Seconds.insert(result.Seconds.begin(), {"read", readSeconds});
-  BlameInput(result);
-  return result;
 }
 
 std::string FitCommand::Write(FitResult& result, const Volume* volume,
@@ -224,23 +214,14 @@ std::string FitCommand::Write(FitResult& result, const Volume* volume,
 void FitCommand::RecordBadInput(const std::string& input, const Segment& structure,
                                 const std::string& message, Console& console)
 {
-  FitResult result;
-  result.Input = input;
-  result.CaseName = CaseNameOf(input);
-  result.Structure = structure;
-  result.Settings = this->Settings;
-  result.State = FitResult::Outcome::BadInput;
-  result.Message = message;
+  FitResult result = UnreadCase(input, structure, message, this->Settings);
   this->Record(result, {}, {}, 0, console);
 }
 
 void FitCommand::Record(FitResult& result, const std::string& folder, const std::string& report,
                         std::size_t fileNotes, Console& console)
 {
-  const double total =
-      std::accumulate(result.Seconds.begin(), result.Seconds.end(), 0.0,
-                      [](double sum, const auto& stage) { return sum + stage.second; });
-  result.Seconds.emplace_back("total", total);
+  AddTotalSeconds(result);
   this->Index.Add(result, report);
   ++this->Tally.Cases;
   if (result.State != FitResult::Outcome::Fitted)
@@ -248,20 +229,7 @@ void FitCommand::Record(FitResult& result, const std::string& folder, const std:
     ++(result.State == FitResult::Outcome::BadInput ? this->Tally.BadInputs : this->Tally.Failures);
     this->Sentences.push_back(CaseSentence(result.Input, result.Structure, result.Message));
   }
-  console.EndProgress();
-  if (this->Json)
-  {
-    console.Output() << FitResultJson(result, folder) << '\n' << std::flush;
-  }
-  else if (result.State == FitResult::Outcome::Fitted)
-  {
-    console.Output() << Line(result) << std::flush;
-  }
-  // What was said of the whole file comes first in a result's notes; it is not said again.
-  for (std::size_t n = fileNotes; n < result.Notes.size(); ++n)
-  {
-    console.Note(CaseTitle(result.Input, result.Structure) + ": " + result.Notes[n]);
-  }
+  TellCase(result, this->Json, folder, fileNotes, console);
 }
 
 bool FitCommand::WriteIndex(Console& console) const

@@ -12,13 +12,12 @@
 #include <filesystem>
 #include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace palpate::cli
 {
 /// `palpate fit MASK...`: a model, its quality and a report for every structure asked for. A case
-/// that fails doesn't stop the others.
+/// that fails doesn't stop the others. Folders and manifests are run by CohortFit.
 class FitCommand : public Command
 {
 public:
@@ -32,14 +31,14 @@ public:
   int Run(Console& console) override;
 
 private:
+  /// A folder or a manifest: cases in a table that a later run goes on with.
+  bool IsCohort() const;
+  int RunCohort(Console& console) const;
   /// Throws nothing for what is wrong with one file.
   void FitFile(std::size_t file, const Volume* volume, Console& console);
   void FitStructures(std::size_t file, const Segmentation& segmentation,
                      const StructureChoice& choice, double readSeconds, const Volume* volume,
                      Console& console);
-  /// One of a file's structures; `share` is the part of the whole run that it is.
-  FitResult FitCase(const Segmentation& segmentation, const Segment& structure, double readSeconds,
-                    std::pair<double, double> share, Console& console) const;
   /// Writes the files of a case. `name` is empty for the only case of a run, whose files lie in the
   /// output folder itself. Answers the folder; empty where nothing was written.
   std::string Write(FitResult& result, const Volume* volume, const std::string& name) const;
@@ -53,6 +52,8 @@ private:
   int Conclude(Console& console) const;
 
   std::vector<std::string> Inputs;
+  std::string Manifest;
+  std::vector<std::string> Cases;
   FitOptions Options;
   std::string VolumePath;
   ImageOptions Images;

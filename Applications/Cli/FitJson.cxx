@@ -1,5 +1,7 @@
 #include "FitJson.h"
 
+#include "CaseText.h"
+
 #include <algorithm>
 #include <nlohmann/json.hpp>
 #include <sys/resource.h>
@@ -73,21 +75,6 @@ bool WasSampled(const FitResult& result)
                      [](const auto& stage) { return stage.first == "samples"; });
 }
 } // namespace
-
-std::string OutcomeWord(FitResult::Outcome outcome)
-{
-  switch (outcome)
-  {
-  case FitResult::Outcome::Fitted:
-    return "fitted";
-  case FitResult::Outcome::Refused:
-    return "refused";
-  case FitResult::Outcome::BadInput:
-    return "bad-input";
-  default:
-    return "failed";
-  }
-}
 
 std::string FitResultJson(const FitResult& result, const std::string& folder)
 {

@@ -6,9 +6,6 @@
 
 namespace palpate::cli
 {
-/// The word for an outcome: fitted, refused, bad-input, failed.
-std::string OutcomeWord(FitResult::Outcome outcome);
-
 /// One result as a JSON object on one line. `folder` is where its files are; empty for none. What
 /// was not reached is null.
 std::string FitResultJson(const FitResult& result, const std::string& folder);

@@ -4,7 +4,6 @@
 #include "CommandProgress.h"
 #include "Console.h"
 #include "FilterRun.h"
-#include "FitJson.h"
 #include "InputError.h"
 #include "Interruption.h"
 #include "OutputFolder.h"

@@ -12,6 +12,21 @@ bool StartsWith(const std::string& text, const std::string& start)
 }
 } // namespace
 
+std::string OutcomeWord(FitResult::Outcome outcome)
+{
+  switch (outcome)
+  {
+  case FitResult::Outcome::Fitted:
+    return "fitted";
+  case FitResult::Outcome::Refused:
+    return "refused";
+  case FitResult::Outcome::BadInput:
+    return "bad-input";
+  default:
+    return "failed";
+  }
+}
+
 std::string CaseTitle(const std::filesystem::path& input, const Segment& structure)
 {
   const std::string title = input.string() + ", label " + std::to_string(structure.Label);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "FitResult.h"
 #include "PalpateSessionModule.h"
 #include "Segmentation.h"
 
@@ -8,6 +9,9 @@
 
 namespace palpate
 {
+/// "fitted", "refused", "bad-input" or "failed": an outcome as JSON and tables say it.
+PALPATESESSION_EXPORT std::string OutcomeWord(FitResult::Outcome outcome);
+
 /// "folder/mask.nii.gz, label 1 (Prostate)": a structure as lines and errors name it.
 PALPATESESSION_EXPORT std::string CaseTitle(const std::filesystem::path& input,
                                             const Segment& structure);

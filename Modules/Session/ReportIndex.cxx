@@ -112,7 +112,7 @@ void ReportIndex::Add(const FitResult& result, const std::filesystem::path& repo
       NumberCell(result.MaskMilliliters > 0.0, result.MaskMilliliters, 2) +
       NumberCell(isFitted, result.ModelMilliliters, 2) +
       NumberCell(isFitted, result.Model.Degree(), 0) +
-      NumberCell(result.Surface != nullptr, result.HiddenPercent, 2) + "</tr>\n";
+      NumberCell(isFitted || result.Surface != nullptr, result.HiddenPercent, 2) + "</tr>\n";
   if (!isFitted)
   {
     this->Messages += "<li><strong>" + EscapeHtml(result.Input.filename().string()) +

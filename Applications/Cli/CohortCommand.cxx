@@ -1,0 +1,98 @@
+#include "CohortCommand.h"
+
+#include "CohortGroup.h"
+#include "Console.h"
+#include "InputError.h"
+#include "OutputFolder.h"
+#include "ProgramVersion.h"
+
+#include <CLI/CLI.hpp>
+#include <iomanip>
+#include <ostream>
+
+namespace palpate::cli
+{
+namespace
+{
+// The tables of all folders, their models' paths as seen from `output`.
+CohortTable Join(const std::vector<std::string>& folders, const std::filesystem::path& output)
+{
+  CohortTable joined;
+  for (const std::string& folder : folders)
+  {
+    const CohortTable table = CohortTable::Read(std::filesystem::path(folder) / "cohort.csv");
+    if (table.Rows().empty())
+    {
+      throw InputError(folder +
+                       " has no cohort.csv with a case; name the folder that `palpate fit` "
+                       "wrote from a folder or a --manifest");
+    }
+    std::vector<CohortRow> rows = table.Rows();
+    for (CohortRow& row : rows)
+    {
+      const std::filesystem::path model =
+          std::filesystem::absolute(folder / row.Model).lexically_normal();
+      const std::filesystem::path base = std::filesystem::absolute(output).lexically_normal();
+      row.Model = row.Model.empty() ? row.Model : model.lexically_relative(base);
+    }
+    joined.Add(rows);
+  }
+  return joined;
+}
+} // namespace
+
+std::string CohortCommand::Examples() const
+{
+  return "  palpate cohort out                      mean, modes and tables of out/cohort.csv\n"
+         "  palpate cohort out --align ellipsoid    in each body's own axes\n"
+         "  palpate cohort a b c --output all       cases that were fitted apart";
+}
+
+void CohortCommand::DeclareOptions(CLI::App& app)
+{
+  app.add_option("OUT", this->Folders, "Folders with a cohort.csv that fit wrote")->required();
+  app.add_option("--output", this->OutputFolder,
+                 "Folder for tables and cohort.html (default: OUT, where it is one)")
+      ->type_name("DIR");
+  app.add_option("--label", this->Label,
+                 "Which structure, by number or name, where there are several")
+      ->type_name("N|NAME");
+  app.add_option("--align", this->Align,
+                 "patient: the patients' own axes; ellipsoid: each body's principal ones")
+      ->check(CLI::IsMember({"patient", "ellipsoid"}))
+      ->capture_default_str();
+}
+
+int CohortCommand::Run(Console& console)
+{
+  if (this->OutputFolder.empty() && this->Folders.size() > 1)
+  {
+    throw InputError("--output: several cohorts need a folder for what they are together");
+  }
+  const std::filesystem::path output =
+      this->OutputFolder.empty() ? this->Folders.front() : this->OutputFolder;
+  const CohortTable table = Join(this->Folders, output);
+  const CohortGroup group =
+      MakeCohortGroup(table, output, this->Label,
+                      this->Align == "patient" ? AlignmentAxes::Patient : AlignmentAxes::Ellipsoid);
+  MakeOutputFolder(output);
+  WriteCohortGroup(group, output, ProgramVersion());
+  if (!this->OutputFolder.empty())
+  {
+    table.Write(output / "cohort.csv");
+  }
+  for (const std::string& note : group.Notes)
+  {
+    console.Note(note);
+  }
+  console.Output() << group.Rows.size() << " cases, degree " << group.Models.front().Degree()
+                   << ", " << group.Modes.Modes.cols() << " modes";
+  if (group.Modes.Modes.cols() > 0)
+  {
+    console.Output() << std::fixed << std::setprecision(1) << "; the first explains "
+                     << 100.0 * group.Modes.Explained[0] << " %";
+  }
+  console.Output() << ": " << (output / "cohort.html").string() << '\n';
+  return 0;
+}
+} // namespace palpate::cli

@@ -1,0 +1,340 @@
+#include "CohortFit.h"
+
+#include "CaseFit.h"
+#include "CaseNames.h"
+#include "CaseTally.h"
+#include "CaseText.h"
+#include "Console.h"
+#include "FilterRun.h"
+#include "FitFiles.h"
+#include "InputError.h"
+#include "Interruption.h"
+#include "OutputFolder.h"
+#include "ProgramVersion.h"
+#include "ReportIndex.h"
+#include "StageClock.h"
+#include "StructureChoice.h"
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+namespace palpate::cli
+{
+namespace
+{
+constexpr int Failure = 1;
+
+std::string StructureFolder(const Segment& structure)
+{
+  const std::string label = std::to_string(structure.Label);
+  return structure.Name.empty() ? label : label + "_" + PlainName(structure.Name);
+}
+
+// A table keeps numbers and sentences; meshes of a whole cohort would fill the memory.
+CohortRow RowOf(const CohortCase& one, FitResult result)
+{
+  result.Mask = nullptr;
+  result.Surface = nullptr;
+  result.ModelSurface = nullptr;
+  return {one.Name, std::move(result), {}, {}};
+}
+} // namespace
+
+CohortFit::CohortFit(const FitSettings& settings, const std::vector<std::string>& labels,
+                     const ImageOptions& images)
+    : Settings(settings), Labels(labels), Images(images)
+{
+}
+
+void CohortFit::TakeMasks(const std::vector<std::string>& inputs)
+{
+  std::vector<std::string> masks;
+  for (const std::string& input : inputs)
+  {
+    std::error_code ignored;
+    if (!std::filesystem::is_directory(input, ignored))
+    {
+      masks.push_back(input);
+      continue;
+    }
+    for (const std::filesystem::path& mask : FindMasks(input))
+    {
+      masks.push_back(mask.string());
+    }
+  }
+  const CaseNames names(masks);
+  for (std::size_t i = 0; i < masks.size(); ++i)
+  {
+    this->Cases.push_back({names.OfInput(i), masks[i], {}, {}});
+  }
+}
+
+void CohortFit::TakeManifest(const std::string& manifest, const std::vector<std::string>& inputs)
+{
+  std::error_code ignored;
+  if (inputs.size() > 1 ||
+      (inputs.size() == 1 && !std::filesystem::is_directory(inputs.front(), ignored)))
+  {
+    throw InputError("--manifest lists the masks; beside it, give at most the one folder from "
+                     "which its paths go");
+  }
+  this->Cases = ReadManifest(manifest, inputs.empty() ? std::string() : inputs.front());
+}
+
+void CohortFit::ChooseCases(const std::vector<std::string>& names)
+{
+  std::vector<CohortCase> chosen;
+  for (const std::string& name : names)
+  {
+    const auto found = std::find_if(this->Cases.begin(), this->Cases.end(),
+                                    [&](const CohortCase& one) { return one.Name == name; });
+    if (found == this->Cases.end())
+    {
+      throw InputError("--case " + name + " is not listed; give the name of one that is");
+    }
+    chosen.push_back(*found);
+  }
+  this->IsPart = !chosen.empty();
+  this->Cases = this->IsPart ? chosen : this->Cases;
+}
+
+int CohortFit::Run(const std::filesystem::path& output, Console& console)
+{
+  this->Output = output;
+  MakeOutputFolder(output);
+  this->ReadEarlierRows();
+  try
+  {
+    this->RunCases(console);
+  }
+  catch (const Cancelled&)
+  {
+    console.EndProgress();
+    console.Error("cancelled; the cases that were finished are kept, and the same command goes on");
+    return Failure;
+  }
+  return this->Conclude(console);
+}
+
+// What is not listed any more leaves the table, unless only a part was asked for.
+void CohortFit::ReadEarlierRows()
+{
+  const CohortTable earlier = CohortTable::Read(this->Output / "cohort.csv");
+  for (const CohortRow& row : earlier.Rows())
+  {
+    std::vector<CohortRow>& rows = this->Rows[row.Case];
+    if (rows.empty() && this->IsPart)
+    {
+      this->Order.push_back(row.Case);
+    }
+    rows.push_back(row);
+  }
+  for (const CohortCase& one : this->Cases)
+  {
+    if (std::find(this->Order.begin(), this->Order.end(), one.Name) == this->Order.end())
+    {
+      this->Order.push_back(one.Name);
+    }
+  }
+}
+
+std::vector<std::string> CohortFit::LabelsOf(const CohortCase& one) const
+{
+  return one.Label.empty() ? this->Labels : std::vector<std::string>{one.Label};
+}
+
+std::string CohortFit::KeyOf(const CohortCase& one) const
+{
+  return CohortKey(one.Mask, one.Volume, this->LabelsOf(one), this->Settings, ProgramVersion());
+}
+
+bool CohortFit::IsDone(const CohortCase& one) const
+{
+  const auto found = this->Rows.find(one.Name);
+  const std::string key = this->KeyOf(one);
+  return found != this->Rows.end() &&
+         std::all_of(found->second.begin(), found->second.end(),
+                     [&](const CohortRow& row)
+                     {
+                       std::error_code ignored;
+                       return row.Key == key && row.Result.State != FitResult::Outcome::Failed &&
+                              (row.Model.empty() ||
+                               std::filesystem::exists(this->Output / row.Model, ignored));
+                     });
+}
+
+void CohortFit::RunCases(Console& console)
+{
+  const double part = 1.0 / static_cast<double>(this->Cases.size());
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < this->Cases.size(); ++i)
+  {
+    if (Interruption::WasAsked())
+    {
+      throw Cancelled();
+    }
+    if (this->IsDone(this->Cases[i]))
+    {
+      ++kept;
+      continue;
+    }
+    // Before the mask is read: what changes meanwhile is done again.
+    const std::string key = this->KeyOf(this->Cases[i]);
+    std::vector<CohortRow> rows =
+        this->FitOne(this->Cases[i], static_cast<double>(i) * part, part, console);
+    std::for_each(rows.begin(), rows.end(), [&](CohortRow& row) { row.Key = key; });
+    this->Rows[this->Cases[i].Name] = std::move(rows);
+    this->Table().Write(this->Output / "cohort.csv");
+  }
+  console.EndProgress();
+  if (kept > 0)
+  {
+    console.Note(std::to_string(kept) + " of " + std::to_string(this->Cases.size()) +
+                 " cases were done before and are kept");
+  }
+}
+
+std::vector<CohortRow> CohortFit::FitOne(const CohortCase& one, double begin, double part,
+                                         Console& console) const
+{
+  std::vector<CohortRow> rows;
+  FitResult lost = UnreadCase(one.Mask.string(), {}, {}, this->Settings);
+  try
+  {
+    this->FitStructures(one, begin, part, rows, console);
+    return rows;
+  }
+  catch (const Cancelled&)
+  {
+    throw;
+  }
+  catch (const InputError& error)
+  {
+    lost.Message = error.what();
+  }
+  catch (const std::exception& error)
+  {
+    lost.State = FitResult::Outcome::Failed;
+    lost.Message = one.Mask.string() + ": " + error.what();
+  }
+  rows.push_back(this->Finish(one, std::move(lost), nullptr, 0, console));
+  return rows;
+}
+
+void CohortFit::FitStructures(const CohortCase& one, double begin, double part,
+                              std::vector<CohortRow>& rows, Console& console) const
+{
+  std::vector<std::pair<std::string, double>> readTime;
+  StageClock clock(readTime);
+  const Segmentation segmentation = ReadSegmentation(one.Mask, this->Images.LeftHanded());
+  std::optional<Volume> volume;
+  if (!one.Volume.empty())
+  {
+    volume = ReadVolume(one.Volume, this->Images.Choice());
+  }
+  clock.EndStage("read");
+  for (const std::string& note : segmentation.Notes)
+  {
+    console.Note(one.Name + ": " + note);
+  }
+  const StructureChoice choice = ChooseStructures(segmentation, this->LabelsOf(one));
+  for (const StructureChoice::Missing& missing : choice.Lost)
+  {
+    rows.push_back(this->Finish(
+        one, UnreadCase(one.Mask.string(), missing.Structure, missing.Message, this->Settings),
+        nullptr, 0, console));
+  }
+  const double share = part / static_cast<double>(choice.Found.size() + 1);
+  for (const Segment& structure : choice.Found)
+  {
+    FitResult result = FitCase(segmentation, structure, this->Settings, readTime.front().second,
+                               {begin, begin + share}, console);
+    begin += share;
+    rows.push_back(this->Finish(one, std::move(result), volume ? &*volume : nullptr,
+                                segmentation.Notes.size(), console));
+  }
+}
+
+CohortRow CohortFit::Finish(const CohortCase& one, FitResult result, const Volume* volume,
+                            std::size_t fileNotes, Console& console) const
+{
+  const std::filesystem::path place =
+      std::filesystem::path(PlainName(one.Name)) / StructureFolder(result.Structure);
+  const std::filesystem::path folder = this->Output / place;
+  if (volume != nullptr)
+  {
+    RemarkOnVolume(*volume, result);
+  }
+  const bool hasFiles = result.State != FitResult::Outcome::BadInput && result.Structure.Label != 0;
+  if (hasFiles)
+  {
+    StageClock clock(result.Seconds);
+    try
+    {
+      WriteFitFiles(result, volume, folder, ProgramVersion());
+    }
+    catch (const InputError& error)
+    {
+      result.State = FitResult::Outcome::Failed;
+      result.Message = error.what();
+    }
+    clock.EndStage("write");
+  }
+  AddTotalSeconds(result);
+  TellCase(result, this->Json, hasFiles ? folder.string() : std::string(), fileNotes, console);
+  CohortRow row = RowOf(one, std::move(result));
+  row.Model = row.Result.State == FitResult::Outcome::Fitted ? place / "model.json" : "";
+  return row;
+}
+
+CohortTable CohortFit::Table() const
+{
+  CohortTable table;
+  for (const std::string& name : this->Order)
+  {
+    if (const auto found = this->Rows.find(name); found != this->Rows.end())
+    {
+      table.Add(found->second);
+    }
+  }
+  return table;
+}
+
+void CohortFit::WriteOverview(const CohortTable& table, Console& console) const
+{
+  ReportIndex index;
+  for (const CohortRow& row : table.Rows())
+  {
+    index.Add(row.Result, row.Model.empty() ? "" : row.Model.parent_path() / "report.html");
+  }
+  index.Write(this->Output / "report.html");
+  console.Note("overview: " + (this->Output / "report.html").string());
+}
+
+int CohortFit::Conclude(Console& console) const
+{
+  const CohortTable table = this->Table();
+  table.Write(this->Output / "cohort.csv");
+  this->WriteOverview(table, console);
+  CaseTally tally;
+  for (const CohortCase& one : this->Cases)
+  {
+    for (const CohortRow& row : this->Rows.at(one.Name))
+    {
+      ++tally.Cases;
+      if (row.Result.State != FitResult::Outcome::Fitted)
+      {
+        ++(row.Result.State == FitResult::Outcome::BadInput ? tally.BadInputs : tally.Failures);
+        console.Error(CaseSentence(row.Result.Input, row.Result.Structure, row.Result.Message));
+      }
+    }
+  }
+  if (tally.Lost() > 0 && tally.Cases > 1)
+  {
+    console.Error(std::to_string(tally.Lost()) + " of " + std::to_string(tally.Cases) +
+                  " cases were not fitted");
+  }
+  return tally.ExitCode();
+}
+} // namespace palpate::cli

@@ -1,0 +1,83 @@
+#include "ShapeAlignment.h"
+
+#include "SphereQuadrature.h"
+#include "SphericalHarmonicMeasures.h"
+#include "SphericalHarmonicRotation.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace palpate
+{
+namespace
+{
+// Third moments along the principal axes over the second ones to the power 3/2. Along an axis a
+// point is r p - q, so the integral over a ray is a polynomial of degree 6 in its radius.
+Vector3 Skewness(const SphericalHarmonicModel& model, const BodyMoments& body)
+{
+  const SphereQuadrature sphere(6 * model.Degree() + 3);
+  const Vector3 q = body.PrincipalAxes.transpose() * (body.CentroidWorld - model.CenterWorld());
+  Vector3 sum = Vector3::Zero();
+  for (std::size_t i = 0; i < sphere.Directions.size(); ++i)
+  {
+    const double r = model.Radius(sphere.Directions[i]);
+    const Vector3 p = body.PrincipalAxes.transpose() * sphere.Directions[i];
+    for (int k = 0; k < 3; ++k)
+    {
+      const double inner = r * (r * (r * p[k] / 6.0 - 0.6 * q[k]) * p[k] + 0.75 * q[k] * q[k]);
+      sum[k] += sphere.Weights[i] * r * r * r * (inner * p[k] - q[k] * q[k] * q[k] / 3.0);
+    }
+  }
+  const Vector3 variance =
+      (body.PrincipalAxes.transpose() * body.SecondMoments * body.PrincipalAxes).diagonal() /
+      body.Volume;
+  return (sum / body.Volume).cwiseQuotient(variance.cwiseMax(1e-300).array().pow(1.5).matrix());
+}
+
+Matrix3 SignedAxes(const SphericalHarmonicModel& model, const BodyMoments& body)
+{
+  const Vector3 skewness = Skewness(model, body);
+  Eigen::Index least = 0;
+  skewness.cwiseAbs().minCoeff(&least);
+  Matrix3 axes = body.PrincipalAxes;
+  for (Eigen::Index k = 0; k < 3; ++k)
+  {
+    if (k != least && skewness[k] < 0.0)
+    {
+      axes.col(k) = -axes.col(k);
+    }
+  }
+  if (axes.determinant() < 0.0)
+  {
+    axes.col(least) = -axes.col(least);
+  }
+  return axes;
+}
+} // namespace
+
+Status AlignShape(const SphericalHarmonicModel& model, AlignmentAxes axes,
+                  SphericalHarmonicModel& aligned)
+{
+  BodyMoments body;
+  if (Status status = MeasureBody(model, body); !status.IsOk())
+  {
+    return status;
+  }
+  const SphericalHarmonicModel centered(model.Degree(), model.Coefficients(), Vector3::Zero());
+  if (axes == AlignmentAxes::Patient)
+  {
+    aligned = centered;
+    return Status::Success();
+  }
+  SphericalHarmonicRotation rotation;
+  const Matrix3 turn = SignedAxes(model, body).transpose();
+  if (Status status = SphericalHarmonicRotation::Make(model.Degree(), turn, rotation);
+      !status.IsOk())
+  {
+    return status;
+  }
+  aligned = rotation.Apply(centered);
+  return Status::Success();
+}
+} // namespace palpate

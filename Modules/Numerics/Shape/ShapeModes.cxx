@@ -1,0 +1,49 @@
+#include "ShapeModes.h"
+
+#include <Eigen/SVD>
+#include <cmath>
+#include <limits>
+
+namespace palpate
+{
+namespace
+{
+// Singular values below this part of the data's size are rounding.
+double RoundingOf(const Eigen::MatrixXd& coefficients)
+{
+  return 8.0 * std::numeric_limits<double>::epsilon() * coefficients.norm();
+}
+} // namespace
+
+Status FindShapeModes(const Eigen::MatrixXd& coefficients, ShapeModes& result)
+{
+  const Eigen::Index cases = coefficients.rows();
+  if (cases < 2)
+  {
+    return Status::Failure("how shapes vary needs two cases or more");
+  }
+  if (!coefficients.allFinite())
+  {
+    return Status::Failure("a coefficient is no finite number");
+  }
+  result.Mean = coefficients.colwise().mean().transpose();
+  const Eigen::MatrixXd centered = coefficients.rowwise() - result.Mean.transpose();
+  const Eigen::BDCSVD<Eigen::MatrixXd> svd(centered, Eigen::ComputeThinU | Eigen::ComputeThinV);
+  const Eigen::VectorXd& values = svd.singularValues();
+  const Eigen::Index count = (values.array() > RoundingOf(coefficients)).count();
+  result.Modes = svd.matrixV().leftCols(count);
+  result.Deviations = values.head(count) / std::sqrt(static_cast<double>(cases - 1));
+  for (Eigen::Index k = 0; k < count; ++k)
+  {
+    Eigen::Index largest = 0;
+    result.Modes.col(k).cwiseAbs().maxCoeff(&largest);
+    if (result.Modes(largest, k) < 0.0)
+    {
+      result.Modes.col(k) = -result.Modes.col(k);
+    }
+  }
+  result.Scores = centered * result.Modes;
+  result.Explained = values.head(count).cwiseAbs2() / values.squaredNorm();
+  return Status::Success();
+}
+} // namespace palpate

@@ -1,0 +1,126 @@
+#include "ShapeAlignment.h"
+
+#include "RandomOrientation.h"
+#include "RandomShapes.h"
+#include "SphericalHarmonicMeasures.h"
+#include "SphericalHarmonicRotation.h"
+#include "WorstCase.h"
+
+#include <gtest/gtest.h>
+#include <limits>
+
+namespace palpate
+{
+namespace
+{
+using test::Random;
+using test::WorstCase;
+
+SphericalHarmonicModel Align(const SphericalHarmonicModel& model, AlignmentAxes axes)
+{
+  SphericalHarmonicModel aligned;
+  const Status status = AlignShape(model, axes, aligned);
+  EXPECT_TRUE(status.IsOk()) << status.Message();
+  return aligned;
+}
+
+SphericalHarmonicModel Turned(const SphericalHarmonicModel& model, const Matrix3& matrix)
+{
+  SphericalHarmonicRotation rotation;
+  EXPECT_TRUE(SphericalHarmonicRotation::Make(model.Degree(), matrix, rotation).IsOk());
+  return rotation.ApplyAbout({5.0, -70.0, 11.0}, model);
+}
+
+TEST(ShapeAlignment, PatientAxesKeepTheCoefficientsAndMoveTheCentreToTheOrigin)
+{
+  Random random(1);
+  const SphericalHarmonicModel model = test::RandomOrgan(random, 7);
+  const SphericalHarmonicModel aligned = Align(model, AlignmentAxes::Patient);
+  EXPECT_EQ(aligned.Coefficients(), model.Coefficients());
+  EXPECT_EQ(aligned.CenterWorld(), Vector3::Zero());
+}
+
+TEST(ShapeAlignment, TurnedCopiesAlignToEachOther)
+{
+  Random random(2);
+  WorstCase worst;
+  for (int trial = 0; trial < 50; ++trial)
+  {
+    const SphericalHarmonicModel model = test::RandomOrgan(random, 2 + trial % 9);
+    const SphericalHarmonicModel aligned = Align(model, AlignmentAxes::Ellipsoid);
+    const SphericalHarmonicModel copy =
+        Align(Turned(model, test::RandomOrientation(random)), AlignmentAxes::Ellipsoid);
+    for (std::size_t k = 0; k < aligned.Coefficients().size(); ++k)
+    {
+      worst.Add(copy.Coefficients()[k] - aligned.Coefficients()[k]);
+    }
+  }
+  // mm; axes err by rounding over the relative distance of second moments, a percent or more here.
+  EXPECT_LE(worst.Value(), 1e-9);
+}
+
+TEST(ShapeAlignment, BodyExtendsMostAlongXAndLeastAlongZ)
+{
+  Random random(3);
+  for (int trial = 0; trial < 20; ++trial)
+  {
+    BodyMoments body;
+    ASSERT_TRUE(
+        MeasureBody(Align(test::RandomOrgan(random, 6), AlignmentAxes::Ellipsoid), body).IsOk());
+    const Matrix3 off = body.SecondMoments / body.SecondMoments.trace();
+    EXPECT_GE(off(0, 0), off(1, 1));
+    EXPECT_GE(off(1, 1), off(2, 2));
+    // Rounding of moments, relative.
+    EXPECT_LE(off.cwiseAbs().sum() - off.trace(), 1e-10);
+  }
+}
+
+// The slow obvious third moment: a sum over thin shells of a grid of voxels.
+double ThirdMoment(const SphericalHarmonicModel& model, int axis)
+{
+  BodyMoments body;
+  EXPECT_TRUE(MeasureBody(model, body).IsOk());
+  double sum = 0.0;
+  constexpr int Half = 40;
+  for (int i = -Half; i <= Half; ++i)
+  {
+    for (int j = -Half; j <= Half; ++j)
+    {
+      for (int k = -Half; k <= Half; ++k)
+      {
+        const Vector3 point(i, j, k);
+        const double length = point.norm();
+        const bool inside = length == 0.0 || length < model.Radius(point / length);
+        sum += inside ? std::pow(point[axis] - body.CentroidWorld[axis], 3) : 0.0;
+      }
+    }
+  }
+  return sum;
+}
+
+TEST(ShapeAlignment, TheTwoMostSkewedAxesPointToTheLongerTail)
+{
+  Random random(4);
+  for (int trial = 0; trial < 5; ++trial)
+  {
+    const SphericalHarmonicModel aligned =
+        Align(test::RandomOrgan(random, 4), AlignmentAxes::Ellipsoid);
+    int positive = 0;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      positive += ThirdMoment(aligned, axis) > 0.0 ? 1 : 0;
+    }
+    EXPECT_GE(positive, 2);
+  }
+}
+
+TEST(ShapeAlignment, WhatEnclosesNothingIsRefused)
+{
+  SphericalHarmonicModel aligned;
+  EXPECT_FALSE(AlignShape(SphericalHarmonicModel(), AlignmentAxes::Patient, aligned).IsOk());
+  const SphericalHarmonicModel broken(0, {std::numeric_limits<double>::quiet_NaN()},
+                                      Vector3::Zero());
+  EXPECT_FALSE(AlignShape(broken, AlignmentAxes::Ellipsoid, aligned).IsOk());
+}
+} // namespace
+} // namespace palpate

@@ -1,0 +1,104 @@
+#include "CohortManifest.h"
+
+#include "CsvText.h"
+#include "FileEnding.h"
+#include "FitFiles.h"
+#include "InputError.h"
+#include "WholeFile.h"
+
+#include <algorithm>
+#include <cctype>
+#include <set>
+#include <system_error>
+
+namespace palpate
+{
+namespace
+{
+constexpr std::uintmax_t LargestManifest = 64U << 20U;
+
+bool IsImage(const std::filesystem::path& file)
+{
+  static const std::set<std::string> Endings{".nii",  ".nii.gz", ".nrrd", ".seg.nrrd",
+                                             ".nhdr", ".mha",    ".mhd",  ".dcm"};
+  std::error_code ignored;
+  return Endings.count(FileEnding(file)) > 0 && std::filesystem::is_regular_file(file, ignored);
+}
+
+std::string Get(const CsvRecord& record, const char* column)
+{
+  const auto found = record.find(column);
+  return found == record.end() ? std::string() : found->second;
+}
+
+std::string FolderName(const std::string& name)
+{
+  std::string plain = PlainName(name);
+  std::transform(plain.begin(), plain.end(), plain.begin(),
+                 [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
+  return plain;
+}
+
+void CheckNames(const std::filesystem::path& file, const std::vector<CohortCase>& cases)
+{
+  std::set<std::string> taken;
+  for (const CohortCase& one : cases)
+  {
+    if (one.Name.empty() || one.Mask.empty())
+    {
+      throw InputError(file.string() + ": a row has no case or no mask; give every row both");
+    }
+    if (FolderName(one.Name).find_first_not_of('.') == std::string::npos ||
+        !taken.insert(FolderName(one.Name)).second)
+    {
+      throw InputError(file.string() + ": case " + one.Name +
+                       " cannot have a folder of its own; give every case a name that differs in "
+                       "its first 48 letters and digits");
+    }
+  }
+}
+} // namespace
+
+std::vector<CohortCase> ReadManifest(const std::filesystem::path& file,
+                                     const std::filesystem::path& base)
+{
+  const std::filesystem::path folder = base.empty() ? file.parent_path() : base;
+  std::vector<CohortCase> cases;
+  for (const CsvRecord& record : ParseCsvRecords(ReadWholeFile(file, LargestManifest)))
+  {
+    const std::string mask = Get(record, "mask");
+    const std::string volume = Get(record, "volume");
+    cases.push_back({Get(record, "case"), mask.empty() ? std::filesystem::path() : folder / mask,
+                     Get(record, "label"),
+                     volume.empty() ? std::filesystem::path() : folder / volume});
+  }
+  if (cases.empty())
+  {
+    throw InputError(file.string() + " lists no case; give a table with the head "
+                                     "case,mask,label,volume and a row a case");
+  }
+  CheckNames(file, cases);
+  return cases;
+}
+
+std::vector<std::filesystem::path> FindMasks(const std::filesystem::path& folder)
+{
+  std::error_code error;
+  std::vector<std::filesystem::path> masks;
+  for (std::filesystem::directory_iterator entry(folder, error), end; !error && entry != end;
+       entry.increment(error))
+  {
+    if (IsImage(entry->path()))
+    {
+      masks.push_back(entry->path());
+    }
+  }
+  if (masks.empty())
+  {
+    throw InputError(folder.string() + " has no segmentation that can be read; give a folder of "
+                                       "NIfTI, NRRD, MetaImage or DICOM files, or a --manifest");
+  }
+  std::sort(masks.begin(), masks.end());
+  return masks;
+}
+} // namespace palpate

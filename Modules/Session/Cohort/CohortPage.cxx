@@ -1,0 +1,227 @@
+#include "CohortPage.h"
+
+#include "AnatomicalView.h"
+#include "DivergingColorMap.h"
+#include "HtmlText.h"
+#include "ModelSurface.h"
+#include "Picture.h"
+#include "ReportPage.h"
+#include "SoftwareRenderer.h"
+#include "SoftwareVersions.h"
+#include "SvgChart.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+namespace palpate
+{
+namespace
+{
+constexpr int Frequency = 24;       // of the drawn surfaces: 5,762 points
+constexpr int ViewSize = 260;       // pixels
+constexpr double FrameShare = 1.05; // of the largest shape's extent
+constexpr std::array<ViewSide, 3> Sides{{ViewSide::Anterior, ViewSide::Right, ViewSide::Superior}};
+
+/// A shape's triangles, and how far each point lies outside the mean (mm).
+struct Drawn
+{
+  vtkSmartPointer<vtkPolyData> Mesh;
+  std::vector<double> Offsets;
+};
+
+Drawn Draw(const SphericalHarmonicModel& shape, const SphericalHarmonicModel& mean)
+{
+  Drawn drawn{DrawModel(shape, Frequency), {}};
+  for (vtkIdType p = 0; p < drawn.Mesh->GetNumberOfPoints(); ++p)
+  {
+    Vector3 point;
+    drawn.Mesh->GetPoint(p, point.data());
+    // The centre is the origin, so a point's own direction is the mean's too.
+    drawn.Offsets.push_back(point.norm() - mean.Radius(point.normalized()));
+  }
+  return drawn;
+}
+
+double LargestExtent(const Drawn& drawn)
+{
+  const double* bounds = drawn.Mesh->GetBounds();
+  return std::abs(*std::max_element(bounds, bounds + 6,
+                                    [](double a, double b) { return std::abs(a) < std::abs(b); }));
+}
+
+/// Draws shapes at one scale, the common centre in the middle.
+class ShapeFigures
+{
+public:
+  ShapeFigures(double halfWidth, double limit) : HalfWidth(halfWidth), Colors(limit) {}
+
+  std::string Figure(const Drawn& drawn, ViewSide side, const std::string& caption) const
+  {
+    SoftwareRenderer renderer(drawn.Mesh);
+    std::vector<SoftwareRenderer::Color> colors;
+    for (const double offset : drawn.Offsets)
+    {
+      colors.push_back(this->Colors.ColorOf(offset));
+    }
+    renderer.SetPointColors(std::move(colors));
+    // The renderer puts the middle of the bounding box in the middle of its own picture.
+    double middle[3];
+    drawn.Mesh->GetCenter(middle);
+    const ViewFrame frame = FrameOf(side);
+    const double half = renderer.HalfWidthMillimeters();
+    const double x = frame.RightWorld.dot(Vector3(middle)) - half;
+    const double y = -frame.UpWorld.dot(Vector3(middle)) - half;
+    const auto text = [](double number) { return SignificantText(number, 6); };
+    const std::string box = text(-this->HalfWidth) + " " + text(-this->HalfWidth) + " " +
+                            text(2.0 * this->HalfWidth) + " " + text(2.0 * this->HalfWidth);
+    return ReportFigure("<svg class=\"view\" role=\"img\" viewBox=\"" + box + "\" aria-label=\"" +
+                            EscapeHtml(caption) + "\"><image x=\"" + text(x) + "\" y=\"" + text(y) +
+                            "\" width=\"" + text(2.0 * half) + "\" height=\"" + text(2.0 * half) +
+                            "\" href=\"" + PngDataUri(renderer.Render(side, ViewSize)) +
+                            "\"/></svg>",
+                        caption);
+  }
+
+private:
+  double HalfWidth;
+  DivergingColorMap Colors;
+};
+
+std::string Explained(const ShapeModes& modes)
+{
+  SvgChart chart("mode", "explained variance, %");
+  std::vector<std::pair<double, double>> bars;
+  for (Eigen::Index k = 0; k < std::min<Eigen::Index>(modes.Explained.size(), 12); ++k)
+  {
+    bars.emplace_back(static_cast<double>(k + 1), 100.0 * modes.Explained[k]);
+  }
+  chart.SetBars(std::move(bars), 0.8);
+  return "<div class=\"charts\">" + ReportFigure(chart.Svg(), "What each mode explains") +
+         "</div>\n";
+}
+
+std::string CaseRows(const CohortGroup& group)
+{
+  std::string rows;
+  const auto cell = [](const std::string& text)
+  { return "<td class=\"number\">" + text + "</td>"; };
+  const Eigen::Index scores = std::min<Eigen::Index>(group.Modes.Modes.cols(), 2);
+  for (std::size_t row = 0; row < group.Rows.size(); ++row)
+  {
+    rows += "<tr><td class=\"text\">" + EscapeHtml(group.Rows[row].Case) + "</td>" +
+            cell(FixedText(group.Bodies[row].Volume / 1000.0, 2)) +
+            cell(FixedText(group.Rows[row].Result.Dice, 4));
+    for (Eigen::Index k = 0; k < 2; ++k)
+    {
+      const bool isKnown = k < scores;
+      rows += cell(isKnown ? FixedText(group.Modes.Scores(static_cast<Eigen::Index>(row), k) /
+                                           group.Modes.Deviations[k],
+                                       2)
+                           : std::string());
+    }
+    rows += "</tr>\n";
+  }
+  return "<div class=\"wide\"><table><thead><tr><th scope=\"col\" class=\"text\">Case</th>"
+         "<th scope=\"col\" class=\"number\">Model, ml</th>"
+         "<th scope=\"col\" class=\"number\">Dice</th>"
+         "<th scope=\"col\" class=\"number\">Mode 1, sd</th>"
+         "<th scope=\"col\" class=\"number\">Mode 2, sd</th></tr></thead><tbody>\n" +
+         rows + "</tbody></table></div>\n";
+}
+
+std::string NoteList(const std::vector<std::string>& notes)
+{
+  std::string items;
+  for (const std::string& note : notes)
+  {
+    items += "<li>" + EscapeHtml(note) + "</li>\n";
+  }
+  return items.empty() ? items : "<ul class=\"notes\">\n" + items + "</ul>\n";
+}
+
+std::string ModeTitle(const ShapeModes& modes, int mode)
+{
+  return "Mode " + std::to_string(mode + 1) + ": " + FixedText(100.0 * modes.Explained[mode], 1) +
+         " % of the variance, standard deviation " +
+         FixedText(modes.Deviations[mode] / std::sqrt(4.0 * M_PI), 2) + " mm (RMS of the radius)";
+}
+
+std::string Footer()
+{
+  std::string versions;
+  for (const auto& [name, version] : SoftwareVersions())
+  {
+    versions.append(versions.empty() ? "" : " \xC2\xB7 ").append(name).append(" ").append(version);
+  }
+  return "<footer>" + EscapeHtml(versions) + "</footer>\n";
+}
+
+// The mean first, then each pictured mode's two shapes.
+std::vector<Drawn> DrawAll(const CohortGroup& group, double deviations)
+{
+  const SphericalHarmonicModel mean = ShapeOf(group, -1, 0.0);
+  std::vector<Drawn> drawn{Draw(mean, mean)};
+  for (int mode = 0; mode < PicturedModes(group); ++mode)
+  {
+    drawn.push_back(Draw(ShapeOf(group, mode, -deviations), mean));
+    drawn.push_back(Draw(ShapeOf(group, mode, deviations), mean));
+  }
+  return drawn;
+}
+} // namespace
+
+int PicturedModes(const CohortGroup& group)
+{
+  return static_cast<int>(std::min<Eigen::Index>(group.Modes.Modes.cols(), MostPicturedModes));
+}
+
+std::string CohortPage(const CohortGroup& group, double deviations)
+{
+  const std::vector<Drawn> drawn = DrawAll(group, deviations);
+  double extent = 0.0;
+  double offset = 1e-3; // below a micrometre only rounding would be coloured
+  for (const Drawn& shape : drawn)
+  {
+    extent = std::max(extent, LargestExtent(shape));
+    for (const double one : shape.Offsets)
+    {
+      offset = std::max(offset, std::abs(one));
+    }
+  }
+  const double limit = DivergingColorMap::RoundLimit(offset);
+  const ShapeFigures figures(FrameShare * extent, limit);
+  const std::string several = SignificantText(deviations, 2) + " sd";
+  std::string meanViews;
+  for (const ViewSide side : Sides)
+  {
+    meanViews += figures.Figure(drawn.front(), side, NameOf(side));
+  }
+  std::string modes = Explained(group.Modes);
+  for (int mode = 0; mode < PicturedModes(group); ++mode)
+  {
+    const auto first = static_cast<std::size_t>(2 * mode + 1);
+    modes += "<h3>" + ModeTitle(group.Modes, mode) + "</h3>\n<div class=\"views\">\n" +
+             figures.Figure(drawn[first], ViewSide::Anterior, "mean \xE2\x88\x92 " + several) +
+             figures.Figure(drawn.front(), ViewSide::Anterior, "mean") +
+             figures.Figure(drawn[first + 1], ViewSide::Anterior, "mean + " + several) + "</div>\n";
+  }
+  const bool isPatient = group.Axes == AlignmentAxes::Patient;
+  return ReportPage(
+      "Palpate cohort",
+      "<header>\n<div class=\"kicker\">Palpate \xC2\xB7 cohort</div>\n<h1>" +
+          std::to_string(group.Rows.size()) + " shapes, degree " +
+          std::to_string(group.Models.front().Degree()) +
+          "</h1>\n<p class=\"soft\">Centres laid on "
+          "each other; axes are " +
+          (isPatient ? "the patients\xE2\x80\x99 own (LPS)"
+                     : "each body\xE2\x80\x99s principal ones, the longest as left, the shortest "
+                       "as up") +
+          ". One scale for all pictures; red lies outside the mean, blue inside, full colour at " +
+          SignificantText(limit, 3) + " mm.</p>\n</header>\n" +
+          ReportSection("Mean shape", "<div class=\"views\">\n" + meanViews + "</div>\n") +
+          ReportSection("Principal modes", modes) + ReportSection("Cases", CaseRows(group)) +
+          ReportSection("Notes", NoteList(group.Notes)) + Footer());
+}
+} // namespace palpate

@@ -1,0 +1,238 @@
+#include "CohortTable.h"
+
+#include "CaseText.h"
+#include "CsvText.h"
+#include "DecimalText.h"
+#include "FitSettingsText.h"
+#include "InputError.h"
+#include "SphericalHarmonicBasis.h"
+#include "WholeFile.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <cstdio>
+#include <limits>
+#include <system_error>
+
+namespace palpate
+{
+namespace
+{
+constexpr std::uintmax_t LargestTable = 1U << 30U;
+constexpr int HighestDegree = 10000; // more is a damaged number
+const std::vector<std::string> Head{
+    "case",        "label",       "structure",   "outcome", "sentence", "degree",
+    "center_x_mm", "center_y_mm", "center_z_mm", "mask_ml", "model_ml", "area_mm2",
+    "mean_mm",     "rms_mm",      "p95_mm",      "max_mm",  "dice",     "hidden_percent",
+    "seconds",     "mask",        "model",       "key"};
+constexpr std::array<FitResult::Outcome, 4> Outcomes{
+    {FitResult::Outcome::Fitted, FitResult::Outcome::Refused, FitResult::Outcome::BadInput,
+     FitResult::Outcome::Failed}};
+
+std::string StampOf(const std::filesystem::path& file)
+{
+  std::error_code error;
+  const auto time = std::filesystem::last_write_time(file, error);
+  if (error)
+  {
+    return "absent";
+  }
+  const auto size = std::filesystem::file_size(file, error);
+  return std::to_string(time.time_since_epoch().count()) + " " + std::to_string(error ? 0 : size);
+}
+
+// FNV-1a: the same on every machine and in every build, which std::hash doesn't promise.
+std::string Digest(const std::string& text)
+{
+  std::uint64_t hash = 0xcbf29ce484222325U;
+  for (const char letter : text)
+  {
+    hash = (hash ^ static_cast<unsigned char>(letter)) * 0x100000001b3U;
+  }
+  std::array<char, 17> digits{};
+  std::snprintf(digits.data(), digits.size(), "%016llx", static_cast<unsigned long long>(hash));
+  return digits.data();
+}
+
+double TotalSeconds(const FitResult& result)
+{
+  return result.Seconds.empty() ? 0.0 : result.Seconds.back().second;
+}
+
+std::vector<std::string> FieldsOf(const CohortRow& row)
+{
+  const FitResult& result = row.Result;
+  const bool fitted = result.State == FitResult::Outcome::Fitted;
+  const auto number = [](bool known, double value) { return known ? ExactText(value) : ""; };
+  const Vector3& center = result.Model.CenterWorld();
+  return {row.Case,
+          result.Structure.Label == 0 ? "" : std::to_string(result.Structure.Label),
+          result.Structure.Name,
+          OutcomeWord(result.State),
+          result.Message,
+          fitted ? std::to_string(result.Model.Degree()) : "",
+          number(fitted, center.x()),
+          number(fitted, center.y()),
+          number(fitted, center.z()),
+          number(result.MaskMilliliters > 0.0, result.MaskMilliliters),
+          number(fitted, result.ModelMilliliters),
+          number(fitted, result.ModelAreaSquareMillimeters),
+          number(fitted, result.ModelToMask.Mean),
+          number(fitted, result.ModelToMask.Rms),
+          number(fitted, result.ModelToMask.Percentile95),
+          number(fitted, result.ModelToMask.Maximum),
+          number(fitted, result.Dice),
+          number(fitted, result.HiddenPercent),
+          number(true, TotalSeconds(result)),
+          result.Input.generic_string(),
+          row.Model.generic_string(),
+          row.Key};
+}
+
+/// Takes one record apart; throws InputError with the file's name.
+class RowReader
+{
+public:
+  RowReader(const CsvRecord& record, const std::filesystem::path& file) : Record(record), File(file)
+  {
+  }
+
+  CohortRow Row() const
+  {
+    CohortRow row;
+    row.Case = this->Text("case");
+    row.Model = this->Text("model");
+    row.Key = this->Text("key");
+    FitResult& result = row.Result;
+    result.Input = this->Text("mask");
+    result.CaseName = row.Case;
+    result.Structure.Label = ParseInteger(this->Text("label")).value_or(0);
+    result.Structure.Name = this->Text("structure");
+    result.State = this->Outcome();
+    result.Message = this->Text("sentence");
+    result.MaskMilliliters = this->Number("mask_ml", false);
+    result.Seconds = {{"total", this->Number("seconds", false)}};
+    if (result.State == FitResult::Outcome::Fitted)
+    {
+      this->TakeQuality(result);
+    }
+    return row;
+  }
+
+private:
+  const std::string& Text(const char* column) const
+  {
+    const auto found = this->Record.find(column);
+    if (found == this->Record.end())
+    {
+      throw InputError(this->File.string() + " is no table of a cohort: it has no column " +
+                       column + "; name the folder that `palpate fit` wrote");
+    }
+    return found->second;
+  }
+  double Number(const char* column, bool isNeeded) const
+  {
+    const auto number = ParseNumber(this->Text(column));
+    if (isNeeded && !number)
+    {
+      throw InputError(this->File.string() + ": " + column + " of case " + this->Text("case") +
+                       " is no number; remove the file and fit again");
+    }
+    return number.value_or(0.0);
+  }
+  FitResult::Outcome Outcome() const
+  {
+    const auto* const found = std::find_if(
+        Outcomes.begin(), Outcomes.end(),
+        [&](FitResult::Outcome outcome) { return OutcomeWord(outcome) == this->Text("outcome"); });
+    if (found == Outcomes.end())
+    {
+      throw InputError(this->File.string() + ": the outcome \"" + this->Text("outcome") +
+                       "\" is none; remove the file and fit again");
+    }
+    return *found;
+  }
+  void TakeQuality(FitResult& result) const
+  {
+    const Vector3 center(this->Number("center_x_mm", true), this->Number("center_y_mm", true),
+                         this->Number("center_z_mm", true));
+    const int degree = std::clamp(ParseInteger(this->Text("degree")).value_or(0), 0, HighestDegree);
+    result.Model = {
+        degree, std::vector<double>(SphericalHarmonicBasis::CoefficientCount(degree), 0.0), center};
+    result.ModelMilliliters = this->Number("model_ml", true);
+    result.ModelAreaSquareMillimeters = this->Number("area_mm2", true);
+    result.ModelToMask = {this->Number("mean_mm", true), this->Number("rms_mm", true),
+                          this->Number("p95_mm", true), this->Number("max_mm", true)};
+    result.Dice = this->Number("dice", true);
+    result.HiddenPercent = this->Number("hidden_percent", true);
+  }
+
+  const CsvRecord& Record;
+  const std::filesystem::path& File;
+};
+} // namespace
+
+std::string CohortKey(const std::filesystem::path& mask, const std::filesystem::path& volume,
+                      const std::vector<std::string>& labels, const FitSettings& settings,
+                      const std::string& program)
+{
+  // Lengths before the words, so that no two lists read alike.
+  std::string text;
+  const auto add = [&](const std::string& word)
+  { text += std::to_string(word.size()) + ":" + word + ";"; };
+  for (const std::filesystem::path& file : {mask, volume})
+  {
+    const bool isNone = file.empty();
+    add(isNone ? "" : std::filesystem::absolute(file).lexically_normal().generic_string());
+    add(isNone ? "" : StampOf(file));
+  }
+  add(std::to_string(labels.size()));
+  std::for_each(labels.begin(), labels.end(), add);
+  for (const auto& [name, value] : DescribeSettings(settings))
+  {
+    add(name);
+    add(value);
+  }
+  add(program);
+  return Digest(text);
+}
+
+CohortTable CohortTable::Read(const std::filesystem::path& file)
+{
+  CohortTable table;
+  std::error_code ignored;
+  if (!std::filesystem::exists(file, ignored))
+  {
+    return table;
+  }
+  for (const CsvRecord& record : ParseCsvRecords(ReadWholeFile(file, LargestTable)))
+  {
+    table.Content.push_back(RowReader(record, file).Row());
+  }
+  return table;
+}
+
+void CohortTable::Write(const std::filesystem::path& file) const
+{
+  std::string text = CsvLine(Head);
+  for (const CohortRow& row : this->Content)
+  {
+    text += CsvLine(FieldsOf(row));
+  }
+  WriteWholeFile(file, text);
+}
+
+std::vector<CohortRow> CohortTable::RowsOf(const std::string& name) const
+{
+  std::vector<CohortRow> rows;
+  std::copy_if(this->Content.begin(), this->Content.end(), std::back_inserter(rows),
+               [&](const CohortRow& row) { return row.Case == name; });
+  return rows;
+}
+
+void CohortTable::Add(const std::vector<CohortRow>& rows)
+{
+  this->Content.insert(this->Content.end(), rows.begin(), rows.end());
+}
+} // namespace palpate

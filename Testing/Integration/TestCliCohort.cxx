@@ -1,0 +1,217 @@
+#include "CohortTable.h"
+#include "CommandRun.h"
+#include "CsvText.h"
+#include "SyntheticFiles.h"
+#include "TemporaryFolder.h"
+
+#include <fstream>
+#include <gtest/gtest.h>
+
+using namespace palpate::test;
+using palpate::CohortRow;
+using palpate::CohortTable;
+using Outcome = palpate::FitResult::Outcome;
+
+namespace
+{
+bool Has(const std::string& text, const std::string& part)
+{
+  return text.find(part) != std::string::npos;
+}
+
+std::vector<CohortRow> RowsIn(const std::filesystem::path& folder)
+{
+  return CohortTable::Read(folder / "cohort.csv").Rows();
+}
+
+const std::vector<std::string> FitMasks{"fit",      "masks", "--label",  "1",
+                                        "--degree", "4",     "--output", "out"};
+
+/// Three masks, of which one is none.
+class CliCohort : public testing::Test
+{
+protected:
+  CliCohort()
+  {
+    std::filesystem::create_directory(this->Folder / "masks");
+    WriteTwoBalls(this->Folder / "masks/a.nii.gz");
+    WriteAll(this->Folder / "masks/b.nii.gz", "no image");
+    WriteTwoBalls(this->Folder / "masks/c.nii.gz");
+    WriteAll(this->Folder / "masks/notes.txt", "not looked at");
+  }
+  CommandRun Fit() const { return RunPalpate(FitMasks, this->Folder.Path()); }
+  CommandRun FitWith(std::vector<std::string> arguments) const
+  {
+    arguments.insert(arguments.begin(), "fit");
+    return RunPalpate(arguments, this->Folder.Path());
+  }
+  /// Sends the signal as soon as there is a table.
+  void FitUntilFirstRow(const std::string& signal) const
+  {
+    std::string command = PALPATE_PROGRAM;
+    for (const std::string& word : FitMasks)
+    {
+      command += " " + word;
+    }
+    const CommandRun run = RunCommand(
+        "sh",
+        {"-c", command +
+                   " & p=$!; while kill -0 $p && ! [ -e out/cohort.csv ]; do :; done; kill -" +
+                   signal + " $p; wait $p; exit 0"},
+        this->Folder.Path());
+    ASSERT_EQ(run.Code, 0);
+  }
+  std::filesystem::file_time_type ModelTime(const std::string& name) const
+  {
+    return std::filesystem::last_write_time(this->Folder.Path() / "out" / name / "1/model.json");
+  }
+
+  TemporaryFolder Folder;
+};
+} // namespace
+
+TEST_F(CliCohort, EveryMaskOfAFolderIsARowAndOneFailureIsNotTheEnd)
+{
+  const CommandRun run = this->Fit();
+  EXPECT_EQ(run.Code, 1);
+  EXPECT_TRUE(Has(run.Errors, "1 of 3 cases were not fitted")) << run.Errors;
+  const auto rows = RowsIn(this->Folder / "out");
+  ASSERT_EQ(rows.size(), 3U);
+  EXPECT_EQ(rows[0].Case, "a");
+  EXPECT_EQ(rows[0].Result.State, Outcome::Fitted);
+  EXPECT_EQ(rows[0].Result.Structure.Label, 1);
+  EXPECT_EQ(rows[0].Result.Model.Degree(), 4);
+  EXPECT_GT(rows[0].Result.Dice, 0.9);
+  EXPECT_EQ(rows[1].Result.State, Outcome::BadInput);
+  EXPECT_TRUE(Has(rows[1].Result.Message, "b.nii.gz")) << rows[1].Result.Message;
+  EXPECT_TRUE(std::filesystem::exists(this->Folder / "out" / rows[2].Model));
+  EXPECT_TRUE(std::filesystem::exists(this->Folder / "out/report.html"));
+}
+
+TEST_F(CliCohort, SecondRunDoesOnlyWhatChanged)
+{
+  this->Fit();
+  const std::string table = ReadAll(this->Folder / "out/cohort.csv");
+  const auto before = this->ModelTime("a");
+  const CommandRun again = this->Fit();
+  EXPECT_EQ(again.Code, 1);
+  EXPECT_TRUE(Has(again.Errors, "3 of 3 cases were done before")) << again.Errors;
+  EXPECT_EQ(again.Output, "");
+  EXPECT_EQ(ReadAll(this->Folder / "out/cohort.csv"), table);
+  // The mask that was none becomes one; a model is lost.
+  WriteTwoBalls(this->Folder / "masks/b.nii.gz");
+  std::filesystem::remove(this->Folder / "out/c/1/model.json");
+  const CommandRun third = this->Fit();
+  EXPECT_EQ(third.Code, 0) << third.Errors;
+  EXPECT_TRUE(Has(third.Errors, "1 of 3 cases were done before")) << third.Errors;
+  EXPECT_EQ(this->ModelTime("a"), before);
+  EXPECT_TRUE(std::filesystem::exists(this->Folder / "out/c/1/model.json"));
+}
+
+TEST_F(CliCohort, OtherSettingsDoEveryCaseAgain)
+{
+  this->Fit();
+  const CommandRun run =
+      this->FitWith({"masks", "--label", "1", "--degree", "3", "--output", "out"});
+  EXPECT_FALSE(Has(run.Errors, "done before")) << run.Errors;
+  EXPECT_EQ(RowsIn(this->Folder / "out")[0].Result.Model.Degree(), 3);
+}
+
+TEST_F(CliCohort, KilledRunKeepsItsRowsAndTheNextOneDoesTheRest)
+{
+  this->FitUntilFirstRow("KILL");
+  const auto rows = RowsIn(this->Folder / "out");
+  ASSERT_GE(rows.size(), 1U);
+  const auto before = this->ModelTime("a");
+  const CommandRun run = this->Fit();
+  EXPECT_TRUE(Has(run.Errors, "cases were done before")) << run.Errors;
+  EXPECT_EQ(RowsIn(this->Folder / "out").size(), 3U);
+  EXPECT_EQ(this->ModelTime("a"), before);
+}
+
+TEST_F(CliCohort, InterruptedRunLeavesWholeRowsAndNothingHalfWritten)
+{
+  this->FitUntilFirstRow("INT");
+  const auto rows = RowsIn(this->Folder / "out");
+  ASSERT_GE(rows.size(), 1U);
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(this->Folder / "out"))
+  {
+    // AtomicFile's temporary names begin with a dot.
+    EXPECT_NE(entry.path().filename().string().front(), '.') << entry.path();
+  }
+}
+
+TEST_F(CliCohort, ManifestNamesCasesMasksLabelsAndVolumes)
+{
+  WriteAll(this->Folder / "masks/list.csv",
+           "label,case,mask,volume\r\n2,\"Smith, J\",a.nii.gz,\r\n1,second,c.nii.gz,c.nii.gz\r\n"
+           "7,third,c.nii.gz,\r\n1,fourth,missing.nii.gz,\r\n");
+  const CommandRun run =
+      this->FitWith({"--manifest", "masks/list.csv", "--degree", "3", "--output", "out"});
+  EXPECT_EQ(run.Code, 1);
+  const auto rows = RowsIn(this->Folder / "out");
+  ASSERT_EQ(rows.size(), 4U);
+  EXPECT_EQ(rows[0].Case, "Smith, J");
+  EXPECT_EQ(rows[0].Result.Structure.Label, 2);
+  EXPECT_EQ(rows[0].Model, "Smith__J/2/model.json");
+  EXPECT_EQ(rows[1].Result.State, Outcome::Fitted);
+  EXPECT_EQ(rows[2].Result.Structure.Label, 7);
+  EXPECT_EQ(rows[2].Result.State, Outcome::BadInput);
+  EXPECT_TRUE(Has(rows[3].Result.Message, "missing.nii.gz")) << rows[3].Result.Message;
+}
+
+TEST_F(CliCohort, ChosenCaseLeavesTheRowsOfOthers)
+{
+  this->Fit();
+  auto arguments = FitMasks;
+  arguments.insert(arguments.end(), {"--case", "c", "--frequency", "12"});
+  const CommandRun run = RunPalpate(arguments, this->Folder.Path());
+  EXPECT_EQ(run.Code, 0) << run.Errors;
+  EXPECT_EQ(RowsIn(this->Folder / "out").size(), 3U);
+}
+
+TEST_F(CliCohort, WithoutLabelsEveryStructureIsARow)
+{
+  const CommandRun run =
+      this->FitWith({"masks", "--case", "a", "--degree", "3", "--output", "out"});
+  EXPECT_EQ(run.Code, 0) << run.Errors;
+  const auto rows = RowsIn(this->Folder / "out");
+  ASSERT_EQ(rows.size(), 2U);
+  EXPECT_EQ(rows[1].Result.Structure.Label, 2);
+}
+
+TEST_F(CliCohort, BadInputGivesOneSentence)
+{
+  std::filesystem::create_directory(this->Folder / "empty");
+  WriteAll(this->Folder / "none.csv", "case,mask\n");
+  WriteAll(this->Folder / "twice.csv", "case,mask\na,x.nii\nA,y.nii\n");
+  WriteAll(this->Folder / "up.csv", "case,mask\n..,x.nii\n");
+  const std::vector<std::pair<std::vector<std::string>, std::string>> cases{
+      {{"masks"}, "--output"},
+      {{"empty", "--output", "out"}, "empty has no segmentation"},
+      {{"--manifest", "none.csv", "--output", "out"}, "lists no case"},
+      {{"--manifest", "twice.csv", "--output", "out"}, "case A"},
+      {{"--manifest", "up.csv", "--output", "out"}, "case .."},
+      {{"--manifest", "missing.csv", "--output", "out"}, "missing.csv"},
+      {{"masks", "--case", "x", "--output", "out"}, "--case x"},
+      {{"masks", "--volume", "masks/a.nii.gz", "--output", "out"}, "--volume"},
+      {{"masks/a.nii.gz", "--case", "a"}, "--case"}};
+  for (const auto& [arguments, part] : cases)
+  {
+    const CommandRun run = this->FitWith(arguments);
+    EXPECT_EQ(run.Code, 2) << part;
+    EXPECT_TRUE(Has(run.Errors, part)) << run.Errors;
+    EXPECT_EQ(std::count(run.Errors.begin(), run.Errors.end(), '\n'), 1) << run.Errors;
+    EXPECT_FALSE(std::filesystem::exists(this->Folder / "out"));
+  }
+}
+
+TEST(CsvText, FieldsComeBackWhateverIsInThem)
+{
+  const std::vector<std::string> fields{"a,b", "say \"yes\"", "two\nlines", "", " blank ", "é"};
+  const std::string line = palpate::CsvLine(fields);
+  EXPECT_EQ(palpate::ParseCsv(line + line),
+            (std::vector<std::vector<std::string>>{fields, fields}));
+  EXPECT_EQ(palpate::ParseCsv("\xEF\xBB\xBFx,y\r\n\r\n1,2"),
+            (std::vector<std::vector<std::string>>{{"x", "y"}, {"1", "2"}}));
+}

@@ -1,0 +1,207 @@
+#include "CohortGroup.h"
+#include "CommandRun.h"
+#include "CsvText.h"
+#include "DecimalText.h"
+#include "InputError.h"
+#include "MarkupCheck.h"
+#include "ModelFile.h"
+#include "RandomOrientation.h"
+#include "RandomShapes.h"
+#include "SphericalHarmonicRotation.h"
+#include "TemporaryFolder.h"
+#include "WorstCase.h"
+
+#include <gtest/gtest.h>
+
+using namespace palpate;
+using palpate::test::Random;
+using palpate::test::TemporaryFolder;
+
+namespace
+{
+/// A table of models in a folder.
+class Cohort
+{
+public:
+  void Add(const std::string& name, const SphericalHarmonicModel& model, int label = 1)
+  {
+    const std::string file = PlainFile(name) + "_" + std::to_string(label) + ".json";
+    WriteModel(this->Folder / file, {model, {}});
+    CohortRow row;
+    row.Case = name;
+    row.Model = file;
+    row.Result.State = FitResult::Outcome::Fitted;
+    row.Result.Structure.Label = label;
+    row.Result.Model = model;
+    row.Result.Dice = 0.97;
+    this->Table.Add({row});
+  }
+  void AddFailure(const std::string& name)
+  {
+    CohortRow row;
+    row.Case = name;
+    row.Result.State = FitResult::Outcome::Refused;
+    row.Result.Message = "is <hidden>";
+    this->Table.Add({row});
+  }
+  CohortGroup Group(AlignmentAxes axes, const std::string& structure = {}) const
+  {
+    return MakeCohortGroup(this->Table, this->Folder.Path(), structure, axes);
+  }
+
+  TemporaryFolder Folder;
+  CohortTable Table;
+
+private:
+  static std::string PlainFile(const std::string& name) { return name.substr(0, 1); }
+};
+
+// A mean and two modes along known coefficients, with scores of mean 0 that do not correlate.
+void AddKnownCases(Cohort& cohort)
+{
+  Random random(21);
+  const SphericalHarmonicModel mean = palpate::test::RandomOrgan(random, 5);
+  const double scores[4][2] = {{2.0, 0.5}, {-2.0, 0.5}, {2.0, -0.5}, {-2.0, -0.5}};
+  const char* const names[4] = {"a", "b, with \"quotes\"", "c", "d"};
+  for (int i = 0; i < 4; ++i)
+  {
+    std::vector<double> coefficients = mean.Coefficients();
+    coefficients[6] += scores[i][0];
+    coefficients[10] += scores[i][1];
+    cohort.Add(names[i], {5, coefficients, Vector3(10.0 * i, 3.0, -4.0)});
+  }
+}
+
+double Field(const CsvRecord& record, const std::string& column)
+{
+  return ParseNumber(record.at(column)).value();
+}
+} // namespace
+
+TEST(CohortGroup, KnownMeanAndModesComeBackFromTheFiles)
+{
+  Cohort cohort;
+  AddKnownCases(cohort);
+  const CohortGroup group = cohort.Group(AlignmentAxes::Patient);
+  WriteCohortGroup(group, cohort.Folder / "out", "test");
+  Random random(21);
+  const SphericalHarmonicModel mean = palpate::test::RandomOrgan(random, 5);
+  const auto read =
+      std::get<SphericalHarmonicModel>(ReadModel(cohort.Folder / "out/mean.json").Surface);
+  palpate::test::WorstCase worst;
+  for (std::size_t k = 0; k < mean.Coefficients().size(); ++k)
+  {
+    worst.Add(read.Coefficients()[k] - mean.Coefficients()[k]);
+  }
+  EXPECT_LE(worst.Value(), 1e-12); // mm; rounding of numbers of some tens
+  const auto variances =
+      ParseCsvRecords(palpate::test::ReadAll(cohort.Folder / "out/variance.csv"));
+  ASSERT_EQ(variances.size(), 2U);
+  EXPECT_NEAR(Field(variances[0], "deviation_mm"), std::sqrt(4.0 * 4.0 / 3.0), 1e-12);
+  EXPECT_NEAR(Field(variances[1], "explained"), 0.25 / 4.25, 1e-12);
+  const auto scores = ParseCsvRecords(palpate::test::ReadAll(cohort.Folder / "out/modes.csv"));
+  ASSERT_EQ(scores.size(), 4U);
+  EXPECT_EQ(scores[1].at("case"), "b, with \"quotes\"");
+  EXPECT_NEAR(Field(scores[1], "mode_1"), -2.0, 1e-12);
+  EXPECT_NEAR(Field(scores[2], "mode_2"), -0.5, 1e-12);
+  const auto plus =
+      std::get<SphericalHarmonicModel>(ReadModel(cohort.Folder / "out/mode_1_plus.json").Surface);
+  EXPECT_NEAR(plus.Coefficients()[6] - mean.Coefficients()[6], 2.0 * std::sqrt(16.0 / 3.0), 1e-12);
+}
+
+TEST(CohortGroup, TablesHaveARowACaseAndTheModelsOwnNumbers)
+{
+  Cohort cohort;
+  AddKnownCases(cohort);
+  const CohortGroup group = cohort.Group(AlignmentAxes::Patient);
+  WriteCohortGroup(group, cohort.Folder / "out", "test");
+  const auto coefficients =
+      ParseCsvRecords(palpate::test::ReadAll(cohort.Folder / "out/coefficients.csv"));
+  ASSERT_EQ(coefficients.size(), 4U);
+  EXPECT_EQ(coefficients[0].size(), 36U + 2U);
+  const SphericalHarmonicModel& last = cohort.Table.Rows()[3].Result.Model;
+  EXPECT_EQ(Field(coefficients[3], "c_0_0"), last.Coefficients()[0]);
+  EXPECT_EQ(Field(coefficients[3], "c_1_-1"), last.Coefficients()[1]);
+  EXPECT_EQ(Field(coefficients[3], "c_5_5"), last.Coefficients()[35]);
+  const auto measures = ParseCsvRecords(palpate::test::ReadAll(cohort.Folder / "out/measures.csv"));
+  EXPECT_NEAR(Field(measures[3], "volume_ml"), last.Volume() / 1000.0, 1e-9);
+  EXPECT_EQ(Field(measures[3], "dice"), 0.97);
+}
+
+TEST(CohortGroup, TurnedAndMovedCopiesAreOneShapeInTheirOwnAxes)
+{
+  Random random(22);
+  const SphericalHarmonicModel model = palpate::test::RandomOrgan(random, 6);
+  Cohort cohort;
+  cohort.Add("0", model);
+  for (int copy = 1; copy < 5; ++copy)
+  {
+    SphericalHarmonicRotation rotation;
+    ASSERT_TRUE(
+        SphericalHarmonicRotation::Make(6, palpate::test::RandomOrientation(random), rotation)
+            .IsOk());
+    cohort.Add(std::to_string(copy), rotation.ApplyAbout({1.0, 20.0, -9.0}, model));
+  }
+  const CohortGroup group = cohort.Group(AlignmentAxes::Ellipsoid);
+  palpate::test::WorstCase worst;
+  for (const SphericalHarmonicModel& aligned : group.Models)
+  {
+    for (std::size_t k = 0; k < aligned.Coefficients().size(); ++k)
+    {
+      worst.Add(aligned.Coefficients()[k] - group.Models.front().Coefficients()[k]);
+    }
+  }
+  EXPECT_LE(worst.Value(), 1e-9); // mm; rounding over the distance of the second moments
+}
+
+TEST(CohortGroup, LowerDegreesAreTakenAsTheHighestWithZeros)
+{
+  Cohort cohort;
+  Random random(23);
+  cohort.Add("a", palpate::test::RandomOrgan(random, 3));
+  cohort.Add("b", palpate::test::RandomOrgan(random, 6));
+  const CohortGroup group = cohort.Group(AlignmentAxes::Patient);
+  EXPECT_EQ(group.Models[0].Coefficients().size(), 49U);
+  EXPECT_EQ(group.Models[0].Coefficients()[48], 0.0);
+  EXPECT_EQ(group.Modes.Modes.cols(), 1);
+}
+
+TEST(CohortGroup, PageNeedsNothingElseAndNamesWhatIsLeftOut)
+{
+  Cohort cohort;
+  AddKnownCases(cohort);
+  cohort.AddFailure("x & y");
+  WriteCohortGroup(cohort.Group(AlignmentAxes::Patient), cohort.Folder / "out", "test");
+  const std::string html = palpate::test::ReadAll(cohort.Folder / "out/cohort.html");
+  EXPECT_EQ(palpate::test::MarkupError(html), "");
+  EXPECT_EQ(html.find("http"), std::string::npos);
+  EXPECT_NE(html.find("4 shapes, degree 5"), std::string::npos);
+  EXPECT_NE(html.find("Mode 2: 5.9 %"), std::string::npos);
+  EXPECT_NE(html.find("x &amp; y has no model and is left out: is &lt;hidden&gt;"),
+            std::string::npos);
+}
+
+TEST(CohortGroup, SeveralStructuresNeedAChoice)
+{
+  Cohort cohort;
+  Random random(24);
+  for (const char* name : {"a", "b", "c"})
+  {
+    cohort.Add(name, palpate::test::RandomOrgan(random, 2), 1);
+    cohort.Add(name, palpate::test::RandomOrgan(random, 2), 2);
+  }
+  EXPECT_THROW(cohort.Group(AlignmentAxes::Patient), InputError);
+  EXPECT_EQ(cohort.Group(AlignmentAxes::Patient, "2").Rows.size(), 3U);
+  EXPECT_THROW(cohort.Group(AlignmentAxes::Patient, "3"), InputError);
+}
+
+TEST(CohortGroup, WhatIsNoCohortIsRefusedInOneSentence)
+{
+  const TemporaryFolder folder;
+  palpate::test::WriteAll(folder / "cohort.csv", "case,mask\na,b\n");
+  const auto run = palpate::test::RunPalpate({"cohort", "."}, folder.Path());
+  EXPECT_EQ(run.Code, 2);
+  EXPECT_NE(run.Errors.find("is no table of a cohort"), std::string::npos) << run.Errors;
+  EXPECT_EQ(palpate::test::RunPalpate({"cohort", "nowhere"}, folder.Path()).Code, 2);
+  EXPECT_EQ(folder.EntryCount(), 1U);
+}
