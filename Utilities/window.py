@@ -15,7 +15,7 @@ INTRODUCTION = """# The servo beside the window
 
 Made by `Utilities/window.sh` on {machine}, with software OpenGL and one process for all of it. A window of 1280 x 800 shows
 the Colin 27 head in four views; a simulated hand strokes the left thalamus at 1 kHz (harmonics of degree 12, a ball of
-1 mm), 1.5 mm deep, slices following. *Hidden* is the same touch with nothing to draw: what the servo does by itself.
+2 mm), 1.5 mm deep, slices following. *Hidden* is the same touch with nothing to draw: what the servo does by itself.
 Every other line is as long, with the window doing one thing more. Priority: SCHED_FIFO, where the system grants it.
 
 """
@@ -23,7 +23,7 @@ Every other line is as long, with the window doing one thing more. Priority: SCH
 READING = """
 *Period* is from tick to tick, ms; *tick* is what the servo works for, \u00b5s; quantiles are those of a histogram whose classes
 are a sixteenth wide. *Pictures* are those a second of the view that drew least; *times* says how often the window was resized,
-a volume was read, or a model of another degree was made.
+a volume was opened (the newest is read, those before it are left), or a model of another degree was made.
 
 ## Closing
 
