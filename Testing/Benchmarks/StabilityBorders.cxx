@@ -1,5 +1,6 @@
 #include "StabilityBorders.h"
 
+#include "BareTrial.h"
 #include "ManualClock.h"
 #include "PressableScenes.h"
 #include "StabilityProbe.h"
@@ -73,21 +74,12 @@ std::vector<Setting> Settings()
 // Nothing of the safety chain helps.
 StabilityTrial BareTrial(const Setting& setting, const Vector3& outward)
 {
-  StabilityTrial trial;
-  trial.Outward = outward;
+  StabilityTrial trial = test::BareTrial(outward, setting.Rate);
   trial.Device.Hand = setting.Pressing.Properties;
   trial.Device.Hand.Damping = setting.MechanismDamping;
   trial.Device.Hand.Friction = setting.Friction;
   trial.Device.Resolution = setting.Count;
-  trial.Device.Rate = setting.Rate;
   trial.Device.Delay = setting.DelayTicks / setting.Rate;
-  trial.Device.MaximumForce = 1000.0;
-  trial.Device.MaximumStiffness = 0.0;
-  trial.Device.MaximumDamping = 0.0;
-  trial.Loop.Rate = setting.Rate;
-  trial.Loop.RampDuration = 0.0;
-  trial.Loop.MaximumSlew = 1e9;
-  trial.Loop.RecordedTicks = 0;
   return trial;
 }
 

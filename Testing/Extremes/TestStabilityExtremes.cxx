@@ -1,4 +1,5 @@
 // Stiffness, rate, delay and encoder counts beyond what holds a wall stable.
+#include "BareTrial.h"
 #include "PressableScenes.h"
 #include "SimulatedTouch.h"
 #include "StabilityProbe.h"
@@ -13,23 +14,6 @@ namespace palpate
 {
 namespace
 {
-// The bounds, and nothing else: no ramp, slew limit or energy observer helps.
-StabilityTrial BareTrial(double rate)
-{
-  StabilityTrial trial;
-  trial.Device.Rate = rate;
-  trial.Device.MaximumStiffness = 0.0;
-  trial.Device.MaximumDamping = 0.0;
-  trial.Device.MaximumForce = 1000.0;
-  trial.Device.Resolution = 0.0;
-  trial.Device.Hand.Friction = 0.0;
-  trial.Loop.Rate = rate;
-  trial.Loop.RampDuration = 0.0;
-  trial.Loop.MaximumSlew = 1e9;
-  trial.Loop.RecordedTicks = 0;
-  return trial;
-}
-
 StabilityObservation PressWall(const StabilityTrial& trial, double stiffness)
 {
   StabilityObservation seen;
@@ -62,7 +46,7 @@ TEST(StabilityExtremes, TheClaimedBorderHoldsFrom125HzTo20KHz)
 {
   for (const double rate : {125.0, 20000.0})
   {
-    ExpectBorder(BareTrial(rate));
+    ExpectBorder(test::BareTrial(Vector3::UnitZ(), rate));
   }
 }
 
@@ -70,7 +54,7 @@ TEST(StabilityExtremes, TheClaimedBorderHoldsForForcesThatComeFiftyMillisecondsL
 {
   for (const double delay : {0.01, 0.05})
   {
-    StabilityTrial trial = BareTrial(1000.0);
+    StabilityTrial trial = test::BareTrial(Vector3::UnitZ(), 1000.0);
     trial.Device.Delay = delay;
     ExpectBorder(trial);
   }
@@ -79,8 +63,9 @@ TEST(StabilityExtremes, TheClaimedBorderHoldsForForcesThatComeFiftyMillisecondsL
 // The watchdog takes periods longer than its 10 ms for a servo that hangs.
 TEST(StabilityExtremes, BelowAHundredHertzThereIsNoForce)
 {
-  EXPECT_EQ(PressWall(BareTrial(100.0), 0.1).Fault, SafetyFault::None);
-  EXPECT_EQ(PressWall(BareTrial(99.0), 0.1).Fault, SafetyFault::StalledTick);
+  EXPECT_EQ(PressWall(test::BareTrial(Vector3::UnitZ(), 100.0), 0.1).Fault, SafetyFault::None);
+  EXPECT_EQ(PressWall(test::BareTrial(Vector3::UnitZ(), 99.0), 0.1).Fault,
+            SafetyFault::StalledTick);
 }
 
 // What a second of pressing a wall did, with the device and the chain as they come.
@@ -162,7 +147,7 @@ TEST(StabilityExtremes, WhatIsLessDeepThanHalfACountIsNotFeltAndMoreIsFeltAsAWho
 
 TEST(StabilityExtremes, CountsCoarserThanTheTouchAreStableUpToTheClaimedBorder)
 {
-  StabilityTrial trial = BareTrial(1000.0);
+  StabilityTrial trial = test::BareTrial(Vector3::UnitZ(), 1000.0);
   trial.Device.Resolution = 1.0;
   trial.Device.Hand.Friction = 0.2;
   trial.Depth = 0.8;                     // mm, less than a count

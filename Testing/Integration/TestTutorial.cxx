@@ -59,15 +59,6 @@ protected:
   {
     return *this->Study->Current().Pipeline().Newest<FitResult>(StudyStep::Model, 1);
   }
-  // Where a point is seen in the view in space, in pixels of Qt.
-  QPointF PlaceOf(const Vector3& world) const
-  {
-    SpacePane* space = this->Window->Views()->Space();
-    space->Renderer()->SetWorldPoint(world.x(), world.y(), world.z(), 1.0);
-    space->Renderer()->WorldToDisplay();
-    const double* display = space->Renderer()->GetDisplayPoint();
-    return {display[0], space->Canvas()->height() - 1 - display[1]};
-  }
   double Force() const
   {
     const PlainVector3& force = this->Study->Reading().Newest.ForceWorld;
@@ -83,12 +74,8 @@ protected:
     WaitUntil(
         [&]
         {
+          this->AllowForcesAfterStalls();
           const TouchState& newest = this->Study->Reading().Newest;
-          const SafetyFault fault = newest.Safety.Fault;
-          if (fault != SafetyFault::None && fault != SafetyFault::SwitchedOff)
-          {
-            this->Study->SwitchForcesOn(); // after a stall, as a person would
-          }
           const bool isFelt = this->Force() > 0.6;
           if (!isFelt && newest.Tick.Number >= last + 20)
           {

@@ -38,15 +38,6 @@ protected:
     WaitUntil([this] { return this->Study->IsTouching() || !this->Messages().empty(); });
     ASSERT_TRUE(this->Study->IsTouching()) << this->Messages();
   }
-  // Where a point is seen in the view in space, in pixels of Qt.
-  QPointF PlaceOf(const Vector3& world) const
-  {
-    SpacePane* space = this->Window->Views()->Space();
-    space->Renderer()->SetWorldPoint(world.x(), world.y(), world.z(), 1.0);
-    space->Renderer()->WorldToDisplay();
-    const double* display = space->Renderer()->GetDisplayPoint();
-    return {display[0], space->Canvas()->height() - 1 - display[1]};
-  }
   // Over the ball's middle, then towards it until it is felt.
   void PressByMouse()
   {
@@ -69,17 +60,6 @@ protected:
           }
           return isFelt;
         });
-  }
-
-  // A servo without urgency stalls on a machine that does other things, and its forces go off as
-  // they should; a person would allow them again.
-  void AllowForcesAfterStalls()
-  {
-    const SafetyFault fault = this->Study->Reading().Newest.Safety.Fault;
-    if (fault != SafetyFault::None && fault != SafetyFault::SwitchedOff)
-    {
-      this->Study->SwitchForcesOn();
-    }
   }
 
   const Vector3 BallMiddle{-15.0, 0.0, 0.0};
