@@ -2,7 +2,7 @@
 
 #include "ImageWriter.h"
 #include "ResidentMemory.h"
-#include "StructureScene.h"
+#include "StructureStroke.h"
 #include "TemporaryFolder.h"
 #include "TouchRun.h"
 
@@ -111,14 +111,14 @@ std::vector<TickGrowthRow> MeasureTickGrowth()
   std::vector<TickGrowthRow> rows;
   for (const int count : {1, 10, AtlasStructures, 10000, 100000})
   {
-    StructureScene scene(count);
+    const std::unique_ptr<ServoStroke> scene = StructureStroke(count);
     std::vector<double> ticks;
     for (int stroke = 0; stroke < Strokes; ++stroke)
     {
-      scene.StrokeTimed(ticks);
+      scene->StrokeTimed(ticks);
     }
     rows.push_back({count, Quantile(ticks, 0.5), Quantile(ticks, Rare), Quantile(ticks, 1.0),
-                    scene.PublishSeconds(), scene.BytesPerStructure()});
+                    scene->PublishSeconds(), scene->BytesPerStructure()});
   }
   return rows;
 }

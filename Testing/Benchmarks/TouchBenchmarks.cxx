@@ -7,7 +7,7 @@
 #include "IcosahedronDirections.h"
 #include "ProceduralFields.h"
 #include "RandomShapes.h"
-#include "StructureScene.h"
+#include "StructureStroke.h"
 
 #include "vtkCellArray.h"
 #include "vtkGenericCell.h"
@@ -283,8 +283,8 @@ private:
 // Ticks of a whole servo, among many structures and with one.
 PairedBenchmark StructureBenchmark(int count)
 {
-  const auto many = std::make_shared<StructureScene>(count);
-  const auto one = std::make_shared<StructureScene>(1);
+  const std::shared_ptr<ServoStroke> many = StructureStroke(count);
+  const std::shared_ptr<ServoStroke> one = StructureStroke(1);
   const auto disagreement = [many, one]
   { return many->Forces() == one->Forces() ? "" : "forces differ between the scenes"; };
   return {"touch/structures/" + std::to_string(count),
@@ -292,7 +292,7 @@ PairedBenchmark StructureBenchmark(int count)
           [many] { many->Stroke(); },
           [one] { one->Stroke(); },
           disagreement,
-          StructureScene::Ticks};
+          StructureTicks};
 }
 } // namespace
 

@@ -12,6 +12,7 @@
 #include "NearestBenchmarks.h"
 #include "PairedBenchmark.h"
 #include "PipelineBenchmarks.h"
+#include "PublishedRates.h"
 #include "RenderBenchmarks.h"
 #include "TouchBenchmarks.h"
 #include "TouchQuality.h"
@@ -72,6 +73,7 @@ std::string PageJson(const std::vector<palpate::bench::Comparison>& comparisons)
        nlohmann::json::parse(palpate::bench::ToJson(palpate::bench::TradeOffRows(comparisons)))},
       {"caps", palpate::bench::ToMarkdown(palpate::bench::MissingCaps(Bodies))},
       {"footprints", palpate::bench::ToMarkdown(palpate::bench::FieldFootprints())},
+      {"published", palpate::bench::ToMarkdown(palpate::bench::ComparePublished())},
       {"touch", palpate::bench::ToMarkdown(palpate::bench::TouchQuality())}};
   return page.dump(2);
 }

@@ -1,0 +1,56 @@
+#include "StructureStroke.h"
+
+#include "HarmonicContactModel.h"
+#include "ManyStructures.h"
+#include "RandomShapes.h"
+
+#include <stdexcept>
+
+namespace palpate::bench
+{
+namespace
+{
+constexpr double Apart = 60.0; // mm
+constexpr double Step = 0.05;  // mm a tick: 50 mm/s at 1 kHz
+constexpr double Depth = 1.5;  // mm
+
+SphericalHarmonicModel OrganAtOrigin()
+{
+  test::Random random(12);
+  const SphericalHarmonicModel organ = test::RandomOrgan(random, 12);
+  return {organ.Degree(), organ.Coefficients(), Vector3::Zero()};
+}
+
+std::vector<Vector3> StrokeOver(const SphericalHarmonicModel& organ, double toolRadius)
+{
+  std::vector<Vector3> path;
+  Vector3 u = Vector3::UnitX();
+  const Eigen::AngleAxisd turn(Step / 20.0, Vector3(0.2, 0.3, 1.0).normalized());
+  while (path.size() < StructureTicks)
+  {
+    path.push_back(organ.PointWorld(u) + (toolRadius - Depth) * organ.Normal(u));
+    u = (turn * u).normalized();
+  }
+  return path;
+}
+
+std::shared_ptr<const TouchScene> SceneOf(int count)
+{
+  auto scene = std::make_shared<TouchScene>(test::ManyStructures(count, Apart));
+  const auto organ = std::make_shared<const SphericalHarmonicModel>(OrganAtOrigin());
+  const Status status = HarmonicContactModel::Make(organ, HarmonicContactMode::Nearest,
+                                                   scene->Structures.front().Model);
+  if (!status.IsOk())
+  {
+    throw std::runtime_error(status.Message());
+  }
+  return scene;
+}
+} // namespace
+
+std::unique_ptr<ServoStroke> StructureStroke(int count)
+{
+  const std::shared_ptr<const TouchScene> scene = SceneOf(count);
+  return std::make_unique<ServoStroke>(scene, StrokeOver(OrganAtOrigin(), scene->Tool.Radius()));
+}
+} // namespace palpate::bench
