@@ -1,0 +1,92 @@
+#include "IsoImageSurface.h"
+
+#include "FilterRun.h"
+#include "IsoSurface.h"
+#include "Refusal.h"
+
+#include "vtkDataArray.h"
+#include "vtkImageData.h"
+#include "vtkMatrix3x3.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+
+#include <algorithm>
+
+namespace palpate
+{
+namespace
+{
+constexpr int Border = 1; // samples beyond the image, all below the value
+
+// The image's samples with a border.
+ScalarGrid GridOf(vtkImageData* image, double isoValue)
+{
+  ScalarGrid grid;
+  const int* extent = image->GetExtent();
+  std::size_t count = 1;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    grid.StartIndex[axis] = extent[2 * axis] - Border;
+    grid.StepIndex[axis] = 1.0;
+    grid.Spacing[axis] = image->GetSpacing()[axis];
+    grid.Size[axis] = extent[2 * axis + 1] - extent[2 * axis] + 1 + 2 * Border;
+    count *= static_cast<std::size_t>(grid.Size[axis]);
+  }
+  vtkDataArray* values = image->GetPointData()->GetScalars();
+  double range[2];
+  values->GetRange(range);
+  // As far below the value as the darkest sample, so that the surface passes half-way at the most.
+  const double below = std::min(range[0], 2.0 * isoValue - range[1]);
+  grid.Values.assign(count, static_cast<float>(below));
+  vtkIdType id = 0;
+  for (int k = Border; k < grid.Size[2] - Border; ++k)
+  {
+    for (int j = Border; j < grid.Size[1] - Border; ++j)
+    {
+      std::size_t place = static_cast<std::size_t>(k) * grid.SliceStride(2) +
+                          static_cast<std::size_t>(j) * grid.SliceStride(1) + Border;
+      for (int i = Border; i < grid.Size[0] - Border; ++i)
+      {
+        grid.Values[place++] = static_cast<float>(values->GetComponent(id++, 0));
+      }
+    }
+  }
+  return grid;
+}
+
+void MoveToWorld(const ScalarGrid& grid, vtkImageData* image, vtkPolyData* surface)
+{
+  vtkPoints* points = surface->GetPoints();
+  for (vtkIdType p = 0; p < points->GetNumberOfPoints(); ++p)
+  {
+    double point[3];
+    points->GetPoint(p, point);
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      point[axis] = grid.StartIndex[axis] + point[axis] / grid.Spacing[axis];
+    }
+    double world[3];
+    image->TransformContinuousIndexToPhysicalPoint(point, world);
+    points->SetPoint(p, world);
+  }
+  if (image->GetDirectionMatrix()->Determinant() < 0.0)
+  {
+    ReverseTriangles(surface);
+  }
+}
+} // namespace
+
+vtkSmartPointer<vtkPolyData> MakeIsoImageSurface(vtkImageData* image, double isoValue)
+{
+  ScalarGrid grid = GridOf(image, isoValue);
+  vtkSmartPointer<vtkPolyData> surface =
+      ExtractIsoSurface(grid, static_cast<float>(isoValue), SurfacePieces::All).Surface;
+  if (surface->GetNumberOfCells() == 0)
+  {
+    throw FilterError("nothing of the image reaches " + NumberText(isoValue) +
+                      "; give a lower value");
+  }
+  MoveToWorld(grid, image, surface);
+  return surface;
+}
+} // namespace palpate

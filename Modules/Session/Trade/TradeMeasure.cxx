@@ -1,0 +1,171 @@
+#include "TradeMeasure.h"
+
+#include "ClosestPointSearch.h"
+#include "FilterRun.h"
+#include "ModelSurface.h"
+#include "Refusal.h"
+#include "Servo.h"
+#include "StructureFollower.h"
+#include "TouchStructures.h"
+#include "TradeErrors.h"
+#include "TriangleMesh.h"
+
+#include <algorithm>
+#include <limits>
+#include <memory>
+
+namespace palpate
+{
+namespace
+{
+constexpr double SecondsPerNanosecond = 1e-9;
+
+// What two glances at a clock take.
+double GlanceOf(const Clock& clock)
+{
+  constexpr int Glances = 1001;
+  std::vector<double> times;
+  for (int glance = 0; glance < Glances; ++glance)
+  {
+    const std::int64_t began = clock.Now();
+    times.push_back(static_cast<double>(clock.Now() - began));
+  }
+  return QuantileOf(times, 0.5);
+}
+
+// A structure alone in a scene that is as large in the hand.
+TouchScene SceneOf(const ContactModel& model, const TradeTouch& touch)
+{
+  TouchScene scene;
+  scene.Tool = MakeTool(touch.Tool);
+  scene.Structures.emplace_back();
+  // Not owned: it outlives the measurement.
+  scene.Structures.front().Model =
+      std::shared_ptr<const ContactModel>(std::shared_ptr<const ContactModel>(), &model);
+  scene.Structures.front().Law.Stiffness = touch.Stiffness;
+  return scene;
+}
+
+// One structure felt along a path, again and again.
+class Rehearsal
+{
+public:
+  Rehearsal(const ContactModel& model, const TradeTouch& touch, const TradePath& path,
+            const Clock& clock)
+      : Touch(touch), Way(path), Time(clock), Scene(SceneOf(model, touch)),
+        Times(path.Ticks.size(), std::numeric_limits<double>::infinity()), Felt(path.Ticks.size())
+  {
+    RequireInput(this->Scene.Check());
+    RequireInput(StructureFollower::Make(this->Scene.Structures.front(), this->Scene,
+                                         ServoSettings().VelocityTimeConstant, this->Followers));
+  }
+
+  void Run(const ProgressFunction& progress)
+  {
+    const std::size_t strokes = this->Way.Strokes.size();
+    for (int run = 0; run < this->Touch.Runs; ++run)
+    {
+      for (std::size_t stroke = 0; stroke < strokes; ++stroke)
+      {
+        const double done = run + static_cast<double>(stroke) / static_cast<double>(strokes);
+        if (!progress(done / this->Touch.Runs, "touch"))
+        {
+          throw Cancelled();
+        }
+        this->RunStroke(this->Way.Strokes[stroke], stroke + 1 < strokes
+                                                       ? this->Way.Strokes[stroke + 1]
+                                                       : this->Way.Ticks.size());
+      }
+    }
+  }
+
+  void Fill(TradeRow& row) const
+  {
+    constexpr double Rare = 0.999;
+    constexpr double Least = 1.0; // ns, below which no clock tells anything
+    const double glance = GlanceOf(this->Time);
+    std::vector<double> times = this->Times;
+    for (double& time : times)
+    {
+      time = std::max(time - glance, Least);
+    }
+    row.TickMean = MeanOf(times);
+    row.TickMedian = QuantileOf(times, 0.5);
+    row.TickRare = QuantileOf(times, Rare);
+    row.TickLongest = QuantileOf(times, 1.0);
+    row.Rate = 1.0 / (SecondsPerNanosecond * row.TickRare);
+    CompareWithTruth(this->Way, this->Felt, this->Touch.Stiffness, row);
+  }
+
+  std::size_t Bytes() const { return this->Followers.front().Bytes(); }
+
+private:
+  void RunStroke(std::size_t first, std::size_t end)
+  {
+    StructureFollower& follower = this->Followers.front();
+    const int interval = std::max(this->Touch.ModelInterval, 1);
+    follower.Leave();
+    FollowStep step;
+    step.Passed = TradePath::Period;
+    step.ModelPeriod = interval > 1 ? interval * TradePath::Period : 0.0;
+    Vector3 asked = this->Way.Ticks[first].ProbeWorld;
+    Vector3 before = asked;
+    for (std::size_t tick = first; tick < end; ++tick)
+    {
+      step.Last.PositionWorld = asked;
+      step.Now.PositionWorld = this->Way.Ticks[tick].ProbeWorld;
+      step.HandVelocity = (step.Now.PositionWorld - before) / TradePath::Period;
+      step.AsksModel = (tick - first) % static_cast<std::size_t>(interval) == 0;
+      const std::int64_t began = this->Time.Now();
+      const Vector3 force = follower.Follow(step);
+      const std::int64_t ended = this->Time.Now();
+      this->Times[tick] = std::min(this->Times[tick], static_cast<double>(ended - began));
+      this->Felt[tick] = {!force.isZero(0.0), force};
+      before = step.Now.PositionWorld;
+      asked = step.AsksModel ? before : asked;
+    }
+  }
+
+  const TradeTouch& Touch;
+  const TradePath& Way;
+  const Clock& Time;
+  TouchScene Scene; // where the followers expect it
+  std::vector<StructureFollower> Followers;
+  std::vector<double> Times; // ns
+  std::vector<FeltTick> Felt;
+};
+} // namespace
+
+void MeasureTouch(const ContactModel& model, const TradeTouch& touch, const TradePath& path,
+                  const Clock& clock, TradeRow& row, const ProgressFunction& progress)
+{
+  Rehearsal rehearsal(model, touch, path, clock);
+  rehearsal.Run(progress);
+  rehearsal.Fill(row);
+  row.Bytes = static_cast<double>(model.Bytes() + rehearsal.Bytes());
+}
+
+void MeasureDrawing(const SphericalHarmonicModel& model, int frequency, const Clock& clock,
+                    TradeRow& row)
+{
+  const std::int64_t began = clock.Now();
+  const vtkSmartPointer<vtkPolyData> drawn = DrawModel(model, frequency);
+  row.BuildSeconds = SecondsPerNanosecond * static_cast<double>(clock.Now() - began);
+  constexpr double Kibi = 1024.0;
+  row.Bytes = Kibi * static_cast<double>(drawn->GetActualMemorySize());
+  const TriangleMesh mesh = TrianglesOf(drawn, {});
+  const ClosestPointSearch search(std::make_shared<const SphericalHarmonicModel>(model));
+  std::vector<double> gaps;
+  for (const auto& [a, b, c] : mesh.Triangles)
+  {
+    const auto corner = [&mesh](int number)
+    { return mesh.PointsWorld[static_cast<std::size_t>(number)]; };
+    // The middle is farthest from a surface that curves the same way all round.
+    const Vector3 middle = (corner(a) + corner(b) + corner(c)) / 3.0;
+    gaps.push_back(std::abs(search.Nearest(middle).SignedDistance));
+  }
+  row.Triangles = static_cast<double>(mesh.Triangles.size());
+  row.DrawMean = MeanOf(gaps);
+  row.DrawMost = QuantileOf(gaps, 1.0);
+}
+} // namespace palpate
