@@ -49,11 +49,20 @@ public:
   /// By the servo: takes the newest object; false where there is none newer.
   bool Refresh() noexcept
   {
+    return this->Refresh([](const T*, T&) noexcept {});
+  }
+
+  /// The same; before the last one goes back, handOver(last, next) takes over what is to go on. The
+  /// last one is empty at the first time.
+  template <typename HandOver>
+  bool Refresh(const HandOver& handOver) noexcept
+  {
     if (this->Pending.load(std::memory_order_relaxed) == nullptr)
     {
       return false;
     }
     T* const next = this->Pending.exchange(nullptr, std::memory_order_acq_rel);
+    handOver(static_cast<const T*>(this->Used), *next);
     if (this->Used != nullptr)
     {
       // Never full: Publish reclaims, and at most two objects are taken between its reclaiming and

@@ -65,6 +65,7 @@ void VisitFlags(State& s, Visitor visit)
   visit(s.Safety.IsDamping);
   visit(s.Safety.IsLimited);
   visit(s.Safety.IsSlewing);
+  visit(s.WasContinued);
 }
 
 std::uint64_t FlagsOf(const TouchState& state) noexcept

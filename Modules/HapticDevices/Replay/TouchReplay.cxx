@@ -52,7 +52,8 @@ Status ReplayTouch(const std::shared_ptr<const TouchRecording>& recording,
     {
       scene = tick.Scene;
       status = scene <= scenes.size()
-                   ? servo.Publish(scenes[scene - 1])
+                   ? servo.Publish(scenes[scene - 1],
+                                   tick.WasContinued ? SceneEntry::Continuing : SceneEntry::Anew)
                    : Status::Failure("The recording takes over more scenes than were given.");
     }
     if (tick.WasRearmed)

@@ -71,7 +71,7 @@ TEST(TouchRecordingFormat, WhatIsNoTickIsRefused)
   TouchState state;
   ASSERT_TRUE(TouchRecordingFormat::Decode(good, state));
   const std::pair<std::size_t, std::uint64_t> bad[] = {
-      {4, 0x200}, {5, 5}, {6, 9}, {15, std::uint64_t{1} << 32}, {30, std::uint64_t{1} << 40}};
+      {4, 0x400}, {5, 5}, {6, 9}, {15, std::uint64_t{1} << 32}, {30, std::uint64_t{1} << 40}};
   for (const auto& [word, value] : bad)
   {
     TouchRecordingFormat::TickRecord words = good;

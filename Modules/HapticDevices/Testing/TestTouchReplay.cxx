@@ -91,6 +91,54 @@ TEST(TouchReplay, ForcesThatWereSwitchedOffAndOnAreSoAgain)
   EXPECT_EQ(comparison.DifferentTicks, 0u);
 }
 
+TEST(TouchReplay, ScenesThatWereContinuedAreContinuedAgain)
+{
+  std::vector<std::shared_ptr<const TouchScene>> scenes;
+  for (const double height : {0.0, 0.7, -0.4, 0.2})
+  {
+    auto scene = std::make_shared<TouchScene>(test::WallScene(height, {0.8, 0.0005}));
+    scene->Structures[0].Id = 1;
+    scenes.push_back(std::move(scene));
+  }
+  SimulatedSettings device;
+  device.Path = test::PressingPath(3.0, 2.0);
+  test::SimulatedTouch touch(*scenes[0], device);
+  auto recording = std::make_shared<TouchRecording>();
+  recording->Session = test::SessionOf(touch.Device, ServoSettings());
+  int continued = 0;
+  for (int n = 0; n < 2000; ++n)
+  {
+    if (n % 500 == 250 && n < 1500)
+    {
+      const SceneEntry entry = n == 750 ? SceneEntry::Anew : SceneEntry::Continuing;
+      ASSERT_TRUE(touch.Loop.Publish(scenes[static_cast<std::size_t>(n) / 500 + 1], entry).IsOk());
+    }
+    recording->Ticks.push_back(touch.Tick());
+    continued += recording->Ticks.back().WasContinued ? 1 : 0;
+  }
+  EXPECT_EQ(continued, 2);
+  const test::TemporaryFolder folder;
+  const std::string path = (folder / "session.touch").string();
+  TouchRecorder recorder;
+  ASSERT_TRUE(recorder.Start(path, recording->Session).IsOk());
+  for (const TouchState& tick : recording->Ticks)
+  {
+    ASSERT_TRUE(recorder.Take(tick).IsOk());
+  }
+  ASSERT_TRUE(recorder.Finish().IsOk());
+  ASSERT_TRUE(ReadTouchRecording(path, *recording).IsOk());
+  ReplayComparison comparison;
+  ASSERT_TRUE(ReplayTouch(recording, scenes, comparison).IsOk());
+  EXPECT_EQ(comparison.DifferentTicks, 0u);
+  for (TouchState& tick : recording->Ticks)
+  {
+    tick.WasContinued = false;
+  }
+  ReplayComparison anew;
+  ASSERT_TRUE(ReplayTouch(recording, scenes, anew).IsOk());
+  EXPECT_GT(anew.DifferentTicks, 100u);
+}
+
 TEST(TouchReplay, WhatAChangeDoesToForcesIsSeen)
 {
   const auto recording = Recorded(4000);

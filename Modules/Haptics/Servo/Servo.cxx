@@ -1,5 +1,7 @@
 #include "Servo.h"
 
+#include "FadingContact.h"
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -32,12 +34,13 @@ Servo::Servo(HapticDevice& device, const ServoSettings& settings)
 {
 }
 
-Status Servo::Publish(std::shared_ptr<const TouchScene> scene)
+Status Servo::Publish(std::shared_ptr<const TouchScene> scene, SceneEntry entry)
 {
   std::unique_ptr<ServoScene> next;
   Status status = ServoScene::Make(std::move(scene), this->Settings.VelocityTimeConstant, next);
   if (status.IsOk())
   {
+    next->SetEntry(entry);
     this->Scenes.Publish(std::move(next));
   }
   return status;
@@ -45,7 +48,7 @@ Status Servo::Publish(std::shared_ptr<const TouchScene> scene)
 
 void Servo::Tick(const TickInfo& tick) noexcept
 {
-  const bool wasRearmed = this->TakeOver();
+  const Change change = this->TakeOver();
   const TickObservation now = this->Observe(tick);
   if (now.State == DeviceState::Ready && now.HasSample)
   {
@@ -54,17 +57,18 @@ void Servo::Tick(const TickInfo& tick) noexcept
   const Vector3 force = this->Safety.Apply(this->InputOf(now));
   TouchState state = this->StateOf(now, force);
   state.WasTaken = this->Send(force);
-  state.WasRearmed = wasRearmed;
+  state.WasRearmed = change.IsRearmed;
+  state.WasContinued = change.IsContinued;
   state.Safety = this->Safety.Report();
   this->Newest.Publish(state);
   this->Recorded.Push(state);
 }
 
-// What other threads wanted since the last tick.
-bool Servo::TakeOver() noexcept
+Servo::Change Servo::TakeOver() noexcept
 {
-  const bool isRearmed = this->RearmWanted.exchange(false, std::memory_order_acq_rel);
-  if (isRearmed)
+  Change change;
+  change.IsRearmed = this->RearmWanted.exchange(false, std::memory_order_acq_rel);
+  if (change.IsRearmed)
   {
     this->Safety.Rearm();
     this->ForgetMotion();
@@ -74,18 +78,47 @@ bool Servo::TakeOver() noexcept
   {
     this->Safety.Fail(SafetyFault::SwitchedOff);
   }
-  if (this->Scenes.Refresh())
+  change.IsContinued = this->TakeOverScene();
+  return change;
+}
+
+// Whether it continues the one before. One that has not begun to do so is not continued yet.
+bool Servo::TakeOverScene() noexcept
+{
+  if (this->CarriesOn)
   {
-    ++this->SceneCount;
+    return false;
+  }
+  bool carriesOn = false;
+  const bool isNew = this->Scenes.Refresh(
+      [&](const ServoScene* last, ServoScene& next)
+      {
+        carriesOn = next.Entry() == SceneEntry::Continuing && last != nullptr && this->HasFelt;
+        if (carriesOn)
+        {
+          next.CarryOn(*last);
+          int& touched = this->Current.Felt.Structure;
+          touched = next.IndexOf(*last, touched);
+        }
+      });
+  if (carriesOn)
+  {
+    this->CarriesOn = true;
+    this->TicksSinceModel = this->Settings.ModelInterval;
+  }
+  else if (isNew)
+  {
     this->Safety.FadeIn();
     this->ForgetMotion();
   }
-  return isRearmed;
+  this->SceneCount += isNew ? 1 : 0;
+  return carriesOn;
 }
 
 void Servo::ForgetMotion() noexcept
 {
   this->HasFelt = false;
+  this->CarriesOn = false;
   this->HandVelocity.Reset();
   if (this->Scenes.Current() != nullptr)
   {
@@ -102,13 +135,16 @@ TickObservation Servo::Observe(const TickInfo& tick) noexcept
   return now;
 }
 
-FollowStep Servo::StepTo(const ToolPose& pose, const Vector3& velocity, double passed) noexcept
+FollowStep Servo::StepTo(const DeviceSample& sample, double passed) noexcept
 {
   FollowStep step;
-  step.Now = pose;
-  step.Last = this->HasFelt ? this->LastAsked : pose;
+  step.Now = this->Current.Pose;
+  step.Last = this->HasFelt ? this->LastAsked : step.Now;
   step.Passed = passed;
-  step.HandVelocity = velocity;
+  step.Hand = sample.Position;
+  step.HandVelocity = this->HandVelocity.Update(step.Hand, passed);
+  step.FadeIn = this->CarriesOn ? std::max(this->Settings.RampDuration, HandoverDuration) : 0.0;
+  this->CarriesOn = false;
   const int interval = std::max(this->Settings.ModelInterval, 1);
   this->TicksSinceModel = this->HasFelt ? this->TicksSinceModel + 1 : interval;
   step.AsksModel = this->TicksSinceModel >= interval;
@@ -116,7 +152,7 @@ FollowStep Servo::StepTo(const ToolPose& pose, const Vector3& velocity, double p
   if (step.AsksModel)
   {
     this->TicksSinceModel = 0;
-    this->LastAsked = pose;
+    this->LastAsked = step.Now;
   }
   return step;
 }
@@ -132,11 +168,11 @@ void Servo::Feel(const TickObservation& now) noexcept
   }
   const double passed =
       this->HasFelt ? 1e-9 * static_cast<double>(now.Sample.Time - this->LastFelt.Time) : 0.0;
-  const Vector3& velocity = this->HandVelocity.Update(now.Sample.Position, passed);
   this->Current.Pose = scene->Scene().Frame.PoseWorld(now.Sample);
-  this->Current.Felt = scene->Follow(this->StepTo(this->Current.Pose, velocity, passed));
+  const FollowStep step = this->StepTo(now.Sample, passed);
+  this->Current.Felt = scene->Follow(step);
   const AmbientForce& ambient = scene->Scene().Ambient;
-  this->Current.AmbientForce = ambient.Constant - ambient.Viscosity * velocity;
+  this->Current.AmbientForce = ambient.Constant - ambient.Viscosity * step.HandVelocity;
   this->LastFelt = now.Sample;
   this->HasFelt = true;
 }

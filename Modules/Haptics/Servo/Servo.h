@@ -39,9 +39,15 @@ public:
   /// they are now: open it before.
   Servo(HapticDevice& device, const ServoSettings& settings);
 
-  /// Makes what the servo needs to feel `scene`, which it then takes over in its next tick, fading
-  /// in. Refuses a scene that cannot be felt; the one before stays.
-  Status Publish(std::shared_ptr<const TouchScene> scene);
+  /// Makes what the servo needs to feel `scene`, which it then takes over in its next tick. Refuses
+  /// a scene that cannot be felt; the one before stays.
+  ///
+  /// Anew it fades in from nothing. Continuing, structures of the same id go on: their proxies stay
+  /// where they are in the world, whatever became of shape, law, tool and frame, and go to the
+  /// probe from there; the force goes from what it was to what it is now within HandoverDuration,
+  /// and what only now is round the tool is felt more and more, as at a start. Where nothing was
+  /// felt yet, nothing can go on.
+  Status Publish(std::shared_ptr<const TouchScene> scene, SceneEntry entry = SceneEntry::Anew);
   /// Destroys scenes that the servo has done with; Publish does it too.
   void Reclaim() noexcept { this->Scenes.Reclaim(); }
 
@@ -67,10 +73,18 @@ private:
     ToolPose Pose;
   };
 
-  bool TakeOver() noexcept;
+  // What other threads wanted since the last tick.
+  struct Change
+  {
+    bool IsRearmed = false;
+    bool IsContinued = false; // the scene, by another one
+  };
+
+  Change TakeOver() noexcept;
+  bool TakeOverScene() noexcept;
   TickObservation Observe(const TickInfo& tick) noexcept;
   void Feel(const TickObservation& now) noexcept;
-  FollowStep StepTo(const ToolPose& pose, const Vector3& velocity, double passed) noexcept;
+  FollowStep StepTo(const DeviceSample& sample, double passed) noexcept;
   void ForgetMotion() noexcept;
   SafetyInput InputOf(const TickObservation& now) const noexcept;
   bool Send(const Vector3& force) noexcept;
@@ -94,5 +108,6 @@ private:
   std::atomic<bool> RearmWanted{false}; // any thread's
   std::atomic<bool> OffWanted{false};   // any thread's
   bool HasFelt = false;
+  bool CarriesOn = false; // the next step is the first of a scene that continues another one
 };
 } // namespace palpate

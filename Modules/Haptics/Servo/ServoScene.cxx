@@ -1,5 +1,6 @@
 #include "ServoScene.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace palpate
@@ -26,7 +27,12 @@ Status ServoScene::Make(std::shared_ptr<const TouchScene> scene, double velocity
     status =
         StructureFollower::Make(structure, *next->Shared, velocityTimeConstant, next->Followers);
     reaches.push_back(StructureFollower::ReachWorld(structure, next->Shared->Tool));
+    if (structure.Id != 0)
+    {
+      next->Ids.emplace_back(structure.Id, static_cast<int>(reaches.size()) - 1);
+    }
   }
+  std::sort(next->Ids.begin(), next->Ids.end());
   next->Index = ReachIndex(reaches);
   next->Near.resize(structures.size());
   if (status.IsOk())
@@ -38,8 +44,9 @@ Status ServoScene::Make(std::shared_ptr<const TouchScene> scene, double velocity
 
 std::size_t ServoScene::Bytes() const noexcept
 {
-  std::size_t bytes =
-      sizeof(*this) + this->Index.Bytes() + this->Near.size() * sizeof(this->Near[0]);
+  std::size_t bytes = sizeof(*this) + this->Index.Bytes() +
+                      this->Near.size() * sizeof(this->Near[0]) +
+                      this->Ids.size() * sizeof(this->Ids[0]);
   for (const StructureFollower& follower : this->Followers)
   {
     bytes += follower.Bytes();
@@ -52,6 +59,61 @@ void ServoScene::Leave() noexcept
   for (std::size_t i = 0; i < this->NearCount; ++i)
   {
     this->Followers[this->Near[i]].Leave();
+  }
+  this->Fading = {};
+}
+
+int ServoScene::Find(int id) const noexcept
+{
+  const auto found = std::lower_bound(this->Ids.begin(), this->Ids.end(), std::make_pair(id, 0));
+  return found != this->Ids.end() && found->first == id ? found->second : -1;
+}
+
+int ServoScene::IndexOf(const ServoScene& other, int structure) const noexcept
+{
+  return structure < 0 ? -1 : this->Find(other.Followers[static_cast<std::size_t>(structure)].Id());
+}
+
+// One for each structure; another one in the place of what has the least left.
+void ServoScene::FadeOut(int structure, const FadingContact& contact) noexcept
+{
+  const auto same = std::find_if(this->Fading.begin(), this->Fading.end(),
+                                 [&](const FadingStructure& one)
+                                 { return structure >= 0 && one.Structure == structure; });
+  if (same != this->Fading.end())
+  {
+    same->Contact = FadingContact::Joined(same->Contact, contact);
+    return;
+  }
+  const auto least = std::min_element(
+      this->Fading.begin(), this->Fading.end(),
+      [](const FadingStructure& one, const FadingStructure& other)
+      { return one.Contact.Force().squaredNorm() < other.Contact.Force().squaredNorm(); });
+  if (contact.Force().squaredNorm() > least->Contact.Force().squaredNorm())
+  {
+    *least = {structure, contact};
+  }
+}
+
+void ServoScene::CarryOn(const ServoScene& before) noexcept
+{
+  for (const FadingStructure& one : before.Fading)
+  {
+    this->FadeOut(this->IndexOf(before, one.Structure), one.Contact);
+  }
+  for (std::size_t i = 0; i < before.NearCount; ++i)
+  {
+    const StructureFollower& last = before.Followers[before.Near[i]];
+    if (!last.IsFollowing())
+    {
+      continue;
+    }
+    const int next = this->Find(last.Id());
+    this->FadeOut(next, last.FadingOut(before.Hand));
+    if (next >= 0)
+    {
+      this->Followers[static_cast<std::size_t>(next)].CarryOn(last);
+    }
   }
 }
 
@@ -100,6 +162,14 @@ ServoScene::Feeling ServoScene::Follow(const FollowStep& step) noexcept
       feeling.Deepest = contact;
     }
   }
+  for (FadingStructure& one : this->Fading)
+  {
+    if (!one.Contact.IsOver())
+    {
+      feeling.Force += one.Contact.Advance(step.Hand, step.Passed);
+    }
+  }
+  this->Hand = step.Hand;
   return feeling;
 }
 } // namespace palpate

@@ -1,9 +1,11 @@
 #pragma once
 
+#include "FadingContact.h"
 #include "ReachIndex.h"
 #include "StructureFollower.h"
 #include "TouchScene.h"
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <utility>
@@ -11,6 +13,13 @@
 
 namespace palpate
 {
+/// How a scene takes the place of the one before.
+enum class SceneEntry
+{
+  Anew,      ///< whatever it is, it fades in from nothing
+  Continuing ///< what has the same id goes on from where it was felt
+};
+
 /// A scene with all that the servo thread needs to feel it. Made by the publishing thread, used by
 /// the servo thread, destroyed by the publishing thread.
 ///
@@ -33,6 +42,11 @@ public:
                      std::unique_ptr<ServoScene>& made);
 
   Feeling Follow(const FollowStep& step) noexcept;
+  /// Before the first Follow, which gets a FadeIn: what the tool is near to in the scene before
+  /// goes on here, where a structure has the same id, and what was felt there fades out.
+  void CarryOn(const ServoScene& before) noexcept;
+  /// The structure here that has the id of one in another scene, -1 for none.
+  int IndexOf(const ServoScene& other, int structure) const noexcept;
   /// Forgets where the tool was.
   void Leave() noexcept;
   /// How many structures the last Follow looked at.
@@ -40,9 +54,19 @@ public:
   /// Of followers, their trackers and the index, without the models.
   std::size_t Bytes() const noexcept;
   const TouchScene& Scene() const noexcept { return *this->Shared; }
+  SceneEntry Entry() const noexcept { return this->EnteredAs; }
+  void SetEntry(SceneEntry entry) noexcept { this->EnteredAs = entry; }
 
 private:
+  struct FadingStructure
+  {
+    int Structure = -1; // that takes its place; -1 for none
+    FadingContact Contact;
+  };
+
   void LookAround(const FollowStep& step) noexcept;
+  void FadeOut(int structure, const FadingContact& contact) noexcept;
+  int Find(int id) const noexcept;
   explicit ServoScene(std::shared_ptr<const TouchScene> scene) : Shared(std::move(scene)) {}
 
   std::shared_ptr<const TouchScene> Shared;
@@ -52,5 +76,9 @@ private:
   double Margin = 0.0;             // mm, of it round the way that it was made for
   std::vector<std::uint32_t> Near; // followers, ascending; has room for all
   std::size_t NearCount = 0;
+  std::vector<std::pair<int, int>> Ids;  // of structures that have one, and which; ascending
+  std::array<FadingStructure, 8> Fading; // more at once than a tool touches
+  Vector3 Hand = Vector3::Zero();        // mm, device's frame, of the last Follow
+  SceneEntry EnteredAs = SceneEntry::Anew;
 };
 } // namespace palpate

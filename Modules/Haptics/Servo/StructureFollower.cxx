@@ -85,19 +85,43 @@ bool StructureFollower::IsInReach(const FollowStep& step) const noexcept
 
 void StructureFollower::Leave() noexcept
 {
-  this->IsFollowing = false;
+  this->Follows = false;
+  this->Before.reset();
+  this->Weight = RampIn(0.0);
+  this->Force.setZero();
   this->OffsetVelocity.Reset();
   this->Interpolation.Reset();
+}
+
+void StructureFollower::CarryOn(const StructureFollower& before) noexcept
+{
+  this->Before = before.Last;
+}
+
+FadingContact StructureFollower::FadingOut(const Vector3& hand) const noexcept
+{
+  return {this->Force, this->NormalDevice, this->Factor * this->Structure->Law.Stiffness, hand};
 }
 
 // A tracker that was left while out of reach begins anew at the place before this tick, which was
 // out of reach too. So it never takes the way round a structure for a way through it.
 void StructureFollower::Enter(const FollowStep& step) noexcept
 {
+  ToolPose from = step.Last;
+  this->Weight = RampIn(step.FadeIn);
+  if (step.FadeIn > 0.0 && this->Before && this->Before->IsValid)
+  {
+    from = {this->Before->ProxyWorld, step.Now.Orientation};
+    this->Weight = this->Before->IsTouching ? RampIn(HandoverDuration) : this->Weight;
+  }
+  else
+  {
+    this->OffsetVelocity.Update(Vector3::Zero(), step.Passed);
+  }
   this->Tracker->Release();
-  this->Tracker->Follow(step.Last);
-  this->OffsetVelocity.Update(Vector3::Zero(), step.Passed);
-  this->IsFollowing = true;
+  this->Tracker->Follow(from);
+  this->Before.reset();
+  this->Follows = true;
 }
 
 void StructureFollower::AskModel(const FollowStep& step) noexcept
@@ -133,11 +157,11 @@ ContactOffset StructureFollower::Felt(const FollowStep& step) noexcept
 
 Vector3 StructureFollower::Follow(const FollowStep& step) noexcept
 {
-  if (step.AsksModel && this->IsInReach(step) != this->IsFollowing)
+  if (step.AsksModel && this->IsInReach(step) != this->Follows)
   {
-    this->IsFollowing ? this->Leave() : this->Enter(step);
+    this->Follows ? this->Leave() : this->Enter(step);
   }
-  if (!this->IsFollowing)
+  if (!this->Follows)
   {
     this->Last = Untouched(step.Now.PositionWorld);
     return Vector3::Zero();
@@ -148,9 +172,12 @@ Vector3 StructureFollower::Follow(const FollowStep& step) noexcept
   felt.Normal = this->Frame->TurnedToDevice(felt.Normal);
   felt.Velocity = this->OffsetVelocity.Update(felt.Offset, step.Passed);
   const Vector3 force = ContactForce(this->Structure->Law, felt);
-  return force + this->TextureForce(felt, force, proxyWorld) +
-         VolumeViscosity(this->Structure->Viscosity, felt, this->ToolRadiusDevice,
-                         step.HandVelocity);
+  this->Factor = this->Weight.Advance(step.Passed);
+  this->NormalDevice = felt.Normal;
+  this->Force = this->Factor * (force + this->TextureForce(felt, force, proxyWorld) +
+                                VolumeViscosity(this->Structure->Viscosity, felt,
+                                                this->ToolRadiusDevice, step.HandVelocity));
+  return this->Force;
 }
 
 // By the image where the tool touches, as a sphere does.

@@ -2,11 +2,14 @@
 
 #include "ContactForce.h"
 #include "ContactTracker.h"
+#include "FadingContact.h"
 #include "ForceInterpolation.h"
+#include "RampIn.h"
 #include "TouchScene.h"
 #include "VelocityEstimate.h"
 
 #include <memory>
+#include <optional>
 
 namespace palpate
 {
@@ -16,9 +19,13 @@ struct FollowStep
   ToolPose Last;                          ///< at the last tick of the model
   ToolPose Now;                           ///< at this tick
   double Passed = 0.0;                    ///< s since the last tick
+  Vector3 Hand = Vector3::Zero();         ///< mm, device's frame
   Vector3 HandVelocity = Vector3::Zero(); ///< mm/s, device's frame
   bool AsksModel = true;                  ///< else what was felt is interpolated
   double ModelPeriod = 0.0; ///< s between ticks of the model; 0 where every tick asks it
+  /// s. In the first step of a scene that continues another one what the tool comes upon may have
+  /// grown round it: that is felt more and more for so long. 0 in all other steps.
+  double FadeIn = 0.0;
 
   /// Holds the way from Last to Now.
   Eigen::AlignedBox3d WayWorld() const noexcept
@@ -50,6 +57,15 @@ public:
   /// Forgets where the tool was: the next Follow begins anew.
   void Leave() noexcept;
 
+  /// Goes on from what followed this structure in the scene before: the next Follow, with a FadeIn,
+  /// begins free of touch at that one's proxy, so that nothing is passed through from there to the
+  /// probe. Where the proxy is inside now, it begins as a tool that is put inside.
+  void CarryOn(const StructureFollower& before) noexcept;
+  /// What was felt last, with the hand at `hand` (mm, device's frame), to be faded out.
+  FadingContact FadingOut(const Vector3& hand) const noexcept;
+  bool IsFollowing() const noexcept { return this->Follows; }
+  int Id() const noexcept { return this->Structure->Id; }
+
   /// With its tracker.
   std::size_t Bytes() const noexcept { return sizeof(*this) + this->Tracker->Bytes(); }
 
@@ -75,6 +91,11 @@ private:
   VelocityEstimate OffsetVelocity;
   ForceInterpolation Interpolation;
   Contact Last;
-  bool IsFollowing = false;
+  bool Follows = false;
+  std::optional<Contact> Before; // that it carries on from
+  RampIn Weight{0.0};            // of its force
+  double Factor = 1.0;           // by the weight, of the last one
+  Vector3 Force = Vector3::Zero();
+  Vector3 NormalDevice = Vector3::UnitZ(); // of it
 };
 } // namespace palpate

@@ -24,6 +24,8 @@ struct TouchStructure
   SurfaceFriction Friction;
   std::shared_ptr<const SurfaceTexture> Texture = nullptr; ///< none: smooth
   double Viscosity = 0.0;                                  ///< N s/mm, of what is inside
+  /// By which it is known again in a scene that continues this one; 0: it is not.
+  int Id = 0;
 };
 
 /// What acts without touch too, in the device's frame.

@@ -26,6 +26,7 @@ struct TouchState
   double Depth = 0.0;          ///< mm, in that one
   std::uint64_t Scene = 0;     ///< counts the scenes taken over; 0 before the first
   bool WasRearmed = false;     ///< a person switched forces on again before this tick
+  bool WasContinued = false;   ///< the scene that was taken over went on from the one before
   SafetyReport Safety;
 };
 } // namespace palpate

@@ -13,7 +13,7 @@ namespace
 {
 static_assert(noexcept(std::declval<Servo&>().Tick(std::declval<const TickInfo&>())));
 
-// In and out of a wall, through a new scene, a fault and its end.
+// In and out of a wall, through a new scene, others that continue it, a fault and its end.
 std::size_t AllocationsOfASession(const ServoSettings& settings)
 {
   TouchScene scene = test::WallScene(0.0, {1.0, 0.01});
@@ -22,6 +22,8 @@ std::size_t AllocationsOfASession(const ServoSettings& settings)
                   .IsOk());
   scene.Structures[0].Viscosity = 0.001;
   test::ServoRun run(scene, settings);
+  TouchScene continued = test::WallScene(0.5, {1.0, 0.0});
+  continued.Structures[0].Id = 1;
   std::size_t publishing = 0;
   const std::size_t before = test::AllocationCount();
   for (int n = 0; n < 2000; ++n)
@@ -30,8 +32,14 @@ std::size_t AllocationsOfASession(const ServoSettings& settings)
     if (n == 500)
     {
       const std::size_t start = test::AllocationCount();
+      EXPECT_TRUE(run.Loop.Publish(std::make_shared<TouchScene>(continued)).IsOk());
+      publishing += test::AllocationCount() - start;
+    }
+    if (n == 700 || n == 1700)
+    {
+      const std::size_t start = test::AllocationCount();
       EXPECT_TRUE(
-          run.Loop.Publish(std::make_shared<TouchScene>(test::WallScene(0.5, {1.0, 0.0}))).IsOk());
+          run.Loop.Publish(std::make_shared<TouchScene>(continued), SceneEntry::Continuing).IsOk());
       publishing += test::AllocationCount() - start;
     }
     if (n == 1000)
@@ -40,7 +48,7 @@ std::size_t AllocationsOfASession(const ServoSettings& settings)
       run.Loop.Rearm();
     }
   }
-  EXPECT_EQ(run.Loop.Latest().Scene, 2u);
+  EXPECT_EQ(run.Loop.Latest().Scene, 4u);
   return test::AllocationCount() - before - publishing;
 }
 

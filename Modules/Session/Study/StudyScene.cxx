@@ -44,6 +44,7 @@ TouchScene MakeStudyScene(const StudyState& state, const std::vector<StudyContac
     const StudyStructure* structure = FindStructure(state, contact.Label);
     TouchStructure touch;
     touch.Name = TitleOf(*structure);
+    touch.Id = contact.Label;
     touch.Model = contact.Contact->Model;
     touch.Law.Stiffness = structure->Stiffness;
     touch.Friction = structure->Friction;

@@ -66,7 +66,7 @@ Status StudyTouch::Start(std::unique_ptr<HapticDevice> opened, const StudyState&
 Status StudyTouch::StartServo()
 {
   this->Thread = std::make_unique<ServoThread>(*this->Device, this->Time, this->Settings);
-  Status status = this->Send(this->Scene);
+  Status status = this->Send(this->Scene, SceneEntry::Anew);
   if (status.IsOk())
   {
     status = this->Thread->Start(this->Request);
@@ -75,7 +75,7 @@ Status StudyTouch::StartServo()
 }
 
 // To the servo; while the clutch is held, without what could be felt.
-Status StudyTouch::Send(std::shared_ptr<const TouchScene> scene)
+Status StudyTouch::Send(std::shared_ptr<const TouchScene> scene, SceneEntry entry)
 {
   if (this->Clutch.IsHeld())
   {
@@ -83,7 +83,7 @@ Status StudyTouch::Send(std::shared_ptr<const TouchScene> scene)
     empty->Structures.clear();
     scene = std::move(empty);
   }
-  return this->Thread->Loop().Publish(std::move(scene));
+  return this->Thread->Loop().Publish(std::move(scene), entry);
 }
 
 void StudyTouch::HoldClutch(bool isHeld, const TouchState& now)
@@ -106,7 +106,7 @@ void StudyTouch::HoldClutch(bool isHeld, const TouchState& now)
     this->Scene = std::move(scene);
   }
   // The scene was felt before: it is not refused.
-  static_cast<void>(this->Send(this->Scene));
+  static_cast<void>(this->Send(this->Scene, SceneEntry::Anew));
 }
 
 void StudyTouch::Stop()
@@ -159,6 +159,7 @@ Status StudyTouch::Publish(const StudyState& state, const std::vector<StudyConta
     auto scene = std::make_shared<TouchScene>(MakeStudyScene(state, touchable, {}));
     Feelable next;
     next.Tool = state.Tool;
+    const SceneEntry entry = this->Automatic ? SceneEntry::Continuing : SceneEntry::Anew;
     next.Frame = this->FrameFor(state.Placement, *scene);
     for (std::size_t s = 0; s < scene->Structures.size(); ++s)
     {
@@ -174,7 +175,7 @@ Status StudyTouch::Publish(const StudyState& state, const std::vector<StudyConta
     Status status = scene->Check();
     if (status.IsOk() && this->IsRunning())
     {
-      status = this->Send(scene);
+      status = this->Send(scene, entry);
     }
     if (status.IsOk())
     {

@@ -61,14 +61,15 @@ public:
   void Stop();
 
   /// Feels `state` from now on; nothing where nothing is different that can be felt. The servo goes
-  /// on, and a new scene fades in. Where it cannot be felt the one before stays. Device and rate
-  /// are taken by the next Start.
+  /// on, and what is touched goes on from how it was felt (SceneEntry::Continuing). Where the state
+  /// cannot be felt the one before stays. Device and rate are taken by the next Start.
   Status Update(const StudyState& state, const std::vector<StudyContact>& contacts);
   /// The device's axes in the world, where the placement wants them to follow the camera: taken by
   /// the next Update.
   void TurnAxes(const Matrix3& rotation) { this->CameraAxes = rotation; }
-  /// Makes all of the scene reachable again at the next Update. By itself the workspace stays where
-  /// it was when the touch began, lest the hand jump.
+  /// Makes all of the scene reachable again at the next Update, which fades in: the hand may be
+  /// anywhere in it. By itself the workspace stays where it was when the touch began, lest the hand
+  /// jump.
   void FitWorkspace()
   {
     this->Automatic.reset();
@@ -129,7 +130,7 @@ private:
   Status Publish(const StudyState& state, const std::vector<StudyContact>& contacts);
   WorkspaceFrame FrameFor(const StudyPlacement& placement, const TouchScene& scene);
   Status StartServo();
-  Status Send(std::shared_ptr<const TouchScene> scene);
+  Status Send(std::shared_ptr<const TouchScene> scene, SceneEntry entry);
   void HoldClutch(bool isHeld, const TouchState& now);
   void TakeTicks();
   bool LeadHand(const Vector3& handDevice);

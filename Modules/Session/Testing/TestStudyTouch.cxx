@@ -83,6 +83,7 @@ protected:
                            { return now.Newest.Tick.Started > end; });
   }
 
+  std::uint64_t Expected = 2; // scene
   ManualClock Time;
   StudyState State = BallState(7);
   std::vector<StudyContact> Contacts{Ball(7, Radius)};
@@ -133,6 +134,41 @@ TEST_F(StudyTouchTest, AModelThatIsFittedAnewIsSwappedIn)
   EXPECT_EQ(this->AtRest().TouchedLabel, 0) << "the hand is outside the smaller ball";
   EXPECT_EQ(this->Touch.Frame().CenterWorld, center) << "the workspace stays where it is";
   EXPECT_EQ(this->Touch.Frame().Scale, scale);
+}
+
+// The device holds still and is pushed by what was felt all the time: nothing fades in anew.
+TEST_F(StudyTouchTest, ForcesGoOnThroughARefitAnotherStiffnessAndADraggedWorkspace)
+{
+  auto owned = std::make_unique<test::PlacedDevice>(this->Time);
+  test::PlacedDevice* device = owned.get();
+  device->Put({Radius - 2.0, 0.0, 0.0}, 0);
+  this->State.Placement.Scale = 1.0;
+  ASSERT_TRUE(this->Touch.Start(std::move(owned), this->State, this->Contacts).IsOk());
+  this->AtRest();
+  ASSERT_NEAR(device->Force(), 1.0, 1e-9);
+  const auto expectNoGap = [&](double end)
+  {
+    ASSERT_TRUE(this->Touch.Update(this->State, this->Contacts).IsOk());
+    const StudyTouchReading& last = this->WaitUntil(
+        [&](const StudyTouchReading& now)
+        {
+          for (const TouchState& tick : now.NewTicks)
+          {
+            EXPECT_GE(Vector3(tick.ForceDevice).norm(), 0.999);
+            EXPECT_FALSE(tick.Safety.IsRamping);
+          }
+          return now.Newest.Scene == this->Expected &&
+                 std::abs(Vector3(now.Newest.ForceDevice).norm() - end) < 1e-9;
+        });
+    EXPECT_EQ(last.TouchedLabel, 7);
+    ++this->Expected;
+  };
+  this->State.Structures[0].Stiffness = 1.0;
+  expectNoGap(2.0);
+  this->Contacts = {Ball(7, Radius + 1.0)};
+  expectNoGap(3.0);
+  this->State.Placement.CenterWorld = Vector3(-0.5, 0.0, 0.0);
+  expectNoGap(3.5);
 }
 
 TEST_F(StudyTouchTest, WhatCannotBeFeltIsNotPublishedAgain)
