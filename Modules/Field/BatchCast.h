@@ -11,7 +11,7 @@ namespace palpate::rays
 {
 /// The first hits of a batch, as many rays at a time as there are lanes: moves them, and looks for
 /// hits in the cells that they arrive at. What is rare is left to RayTraversal.
-template <typename Set>
+template <typename Set, int BrickShift>
 class BatchCast
 {
 public:
@@ -24,8 +24,8 @@ public:
   }
 
 private:
-  using Rays = RayLanes<Set>;
-  using Cells = CellLanes<Set>;
+  using Rays = RayLanes<Set, BrickShift>;
+  using Cells = CellLanes<Set, BrickShift>;
   using Mask = typename Rays::Mask;
   using Vector = typename Rays::Vector;
   static constexpr int Lanes = Rays::Lanes;
@@ -90,7 +90,8 @@ private:
   {
     constexpr int Side = Cells::Side;
     const unsigned char* surface = this->Of.Surfaces + surfaceAt;
-    const unsigned wanted = Rays::template Read<unsigned>(surface + MaterialsAt) & this->Of.Wanted;
+    const unsigned wanted =
+        Rays::template Read<unsigned>(surface + Rays::MaterialsAt) & this->Of.Wanted;
     const int number = __builtin_ctz(wanted);
     const Material& material = this->Of.Materials[number];
     isHard = (wanted & (wanted - 1)) != 0 || !material.IsSimple;
@@ -99,7 +100,9 @@ private:
       return false;
     }
     constexpr unsigned long Bytes[] = {1, 1, 2, 2, 4, 8};
-    const int node = ((bit >> 6) * Side + (bit >> 3 & 7)) * Side + (bit & 7);
+    constexpr int Low = (1 << BrickShift) - 1;
+    const int node =
+        ((bit >> (2 * BrickShift)) * Side + (bit >> BrickShift & Low)) * Side + (bit & Low);
     const unsigned long offset =
         material.Codes[brick] * material.Stride + static_cast<unsigned long>(node);
     candidates.Type = material.Type;
@@ -127,7 +130,7 @@ private:
   {
     Vector corner[3];
     rays.GetCorners(corner);
-    const Mask brick = Rays::EightBricks(this->Of, corner, isCandidate) >> 3;
+    const Mask brick = Rays::CellsTimesBrick(this->Of, corner, isCandidate) >> BrickShift;
     Candidates candidates;
     candidates.Type = -1;
     const void* any = nullptr;

@@ -76,10 +76,10 @@ struct BrickRange
   int Last[3];
 };
 
-int BrickOf(double place, int count) noexcept
+int BrickOf(double place, int cells, int count) noexcept
 {
   return static_cast<int>(
-      std::clamp(std::floor(place / BrickLayout::Cells), 0.0, static_cast<double>(count - 1)));
+      std::clamp(std::floor(place / cells), 0.0, static_cast<double>(count - 1)));
 }
 
 // The bricks that the beam's box reaches into at t; where it is beyond the grid, the nearest ones.
@@ -92,8 +92,8 @@ BrickRange Reached(const FieldBeam& beam, const BrickLayout& layout, double t) n
     const double place = beam.Middle.Origin[axis] + t * beam.Middle.Direction[axis];
     // A little more than StaysUntil allows, so that every range goes on behind the last one.
     const double half = beam.HalfSize[axis] + t * beam.Growth[axis] + 2.0 * Slack;
-    range.First[axis] = BrickOf(place - half, count);
-    range.Last[axis] = BrickOf(place + half, count);
+    range.First[axis] = BrickOf(place - half, layout.Cells, count);
+    range.Last[axis] = BrickOf(place + half, layout.Cells, count);
   }
   return range;
 }
@@ -136,8 +136,8 @@ Box BoxOf(const BrickRange& range, const BrickLayout& layout) noexcept
     const int first = range.First[axis];
     const int end = range.Last[axis] + 1;
     const int count = layout.Bricks[static_cast<std::size_t>(axis)];
-    box.Lower[axis] = first <= 0 ? -Infinite : static_cast<double>(BrickLayout::Cells * first);
-    box.Upper[axis] = end >= count ? Infinite : static_cast<double>(BrickLayout::Cells * end);
+    box.Lower[axis] = first <= 0 ? -Infinite : static_cast<double>(layout.Cells * first);
+    box.Upper[axis] = end >= count ? Infinite : static_cast<double>(layout.Cells * end);
   }
   return box;
 }
@@ -252,7 +252,7 @@ private:
 // have no surface: so until then it is in no material either. Not after t where it may meet one.
 double FreeUntil(const ScalarField& field, const FieldBeam& beam, double t, double tMax) noexcept
 {
-  constexpr int MostSlabs = 3 * BrickLayout::Cells; // then bricks may be empty again
+  const int mostSlabs = 3 * field.Layout().Cells; // then bricks may be empty again
   const SlabMarch march(beam);
   if (!march.IsOnItsWay())
   {
@@ -260,7 +260,7 @@ double FreeUntil(const ScalarField& field, const FieldBeam& beam, double t, doub
   }
   double slab = std::floor(march.BackAt(t));
   double entry = t;
-  for (int n = 0; n < MostSlabs && entry < tMax; ++n, slab += 1.0)
+  for (int n = 0; n < mostSlabs && entry < tMax; ++n, slab += 1.0)
   {
     entry = std::max(t, march.EntersAt(slab));
     CellBox cells;

@@ -1,6 +1,7 @@
 #include "BrickDirectory.h"
 
 #include <algorithm>
+#include <cstddef>
 
 namespace palpate
 {
@@ -62,7 +63,9 @@ private:
 void BrickDirectory::AddSurface(std::size_t brick, const SurfaceBrick& surface)
 {
   this->Entries[brick] = {static_cast<std::uint32_t>(this->Surfaces.size()), 0};
-  this->Surfaces.push_back(surface);
+  this->Surfaces.insert(this->Surfaces.end(), surface.Cells.Words.begin(),
+                        surface.Cells.Words.begin() + static_cast<std::ptrdiff_t>(this->CellWords));
+  this->Surfaces.push_back(std::uint64_t{surface.Inside} << 32 | surface.Materials);
 }
 
 void BrickDirectory::FindLeaps(const BrickLayout& layout)

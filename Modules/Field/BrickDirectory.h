@@ -1,23 +1,40 @@
 #pragma once
 
-#include "BrickLayout.h"
+#include "CellSet.h"
 #include "FieldMaterial.h"
 
-#include <array>
 #include <cstdint>
 #include <vector>
 
 namespace palpate
 {
-/// A set of a brick's cells: bit 8 j + i of word k.
-using CellSet = std::array<std::uint64_t, BrickLayout::Cells>;
-
 /// A brick through which the surface of a material may pass.
 struct SurfaceBrick
 {
-  CellSet Cells{};           ///< through which a surface may pass; through the others none does
+  CellSet Cells;             ///< through which a surface may pass; through the others none does
   MaterialSet Materials = 0; ///< whose surfaces they are
   MaterialSet Inside = 0;    ///< materials that fill the brick
+};
+
+/// The same as it is stored: the words of its set of cells that are used, and then one word more.
+class StoredSurface
+{
+public:
+  StoredSurface(const std::uint64_t* words, std::size_t cellWords) noexcept
+      : Words(words), Sets(words[cellWords])
+  {
+  }
+  bool HasCell(int bit) const noexcept
+  {
+    return (this->Words[static_cast<std::size_t>(bit) >> 6] >> (bit & 63) & 1u) != 0;
+  }
+  std::uint64_t CellWord(std::size_t word) const noexcept { return this->Words[word]; }
+  MaterialSet Materials() const noexcept { return static_cast<MaterialSet>(this->Sets); }
+  MaterialSet Inside() const noexcept { return static_cast<MaterialSet>(this->Sets >> 32); }
+
+private:
+  const std::uint64_t* Words;
+  std::uint64_t Sets;
 };
 
 /// What rays and inside tests ask of a brick before they look at samples.
@@ -26,13 +43,17 @@ class BrickDirectory
 public:
   struct Entry
   {
-    std::uint32_t Word = 0; ///< Leap 0: number of the surface brick; else the materials inside
+    std::uint32_t Word = 0; ///< Leap 0: where the surface brick begins, in words; else the
+                            ///< materials inside
     std::uint32_t Leap = 0; ///< how many bricks away, along the axis where that is most, the next
                             ///< surface brick is; up to 255
   };
 
   BrickDirectory() = default;
-  explicit BrickDirectory(const BrickLayout& layout) : Entries(layout.BrickCount()) {}
+  explicit BrickDirectory(const BrickLayout& layout)
+      : Entries(layout.BrickCount()), CellWords(CellSet::WordsOf(layout.Shift))
+  {
+  }
 
   void SetInside(std::size_t brick, MaterialSet inside) { this->Entries[brick] = {inside, 1}; }
   void AddSurface(std::size_t brick, const SurfaceBrick& surface);
@@ -40,21 +61,25 @@ public:
   void FindLeaps(const BrickLayout& layout);
 
   const Entry& operator[](std::size_t brick) const noexcept { return this->Entries[brick]; }
-  const SurfaceBrick& Surface(const Entry& entry) const noexcept
+  StoredSurface Surface(const Entry& entry) const noexcept
   {
-    return this->Surfaces[entry.Word];
+    return {this->Surfaces.data() + entry.Word, this->CellWords};
   }
   /// For kernels that read many at once.
   const Entry* EntryData() const noexcept { return this->Entries.data(); }
-  const SurfaceBrick* SurfaceData() const noexcept { return this->Surfaces.data(); }
-  std::size_t SurfaceCount() const noexcept { return this->Surfaces.size(); }
+  const std::uint64_t* SurfaceData() const noexcept { return this->Surfaces.data(); }
+  std::size_t SurfaceCount() const noexcept
+  {
+    return this->Surfaces.size() / (this->CellWords + 1);
+  }
   std::size_t Bytes() const noexcept
   {
-    return this->Entries.size() * sizeof(Entry) + this->Surfaces.size() * sizeof(SurfaceBrick);
+    return this->Entries.size() * sizeof(Entry) + this->Surfaces.size() * sizeof(std::uint64_t);
   }
 
 private:
   std::vector<Entry> Entries;
-  std::vector<SurfaceBrick> Surfaces;
+  std::vector<std::uint64_t> Surfaces;
+  std::size_t CellWords = CellSet::WordsOf(3); ///< of one surface brick
 };
 } // namespace palpate

@@ -12,30 +12,54 @@ enum class FieldInterpolation
   TricubicBSpline ///< interpolating cubic B-spline: value, gradient and curvature are continuous
 };
 
-/// How a grid is cut into bricks of 8 x 8 x 8 cells. Cell i lies between the nodes i and i + 1. A
-/// brick has its own copy of every node that its cells need: 9^3 for trilinear interpolation; 11^3
-/// for the cubic B-spline, from one node before its first.
+/// Cells of a brick along an axis; the numbers are their logarithms to base 2.
+enum class BrickSize
+{
+  Cells4 = 2,
+  Cells8 = 3,
+  Cells16 = 4
+};
+constexpr BrickSize BrickSizes[] = {BrickSize::Cells4, BrickSize::Cells8, BrickSize::Cells16};
+constexpr int MostBrickCells = 16;
+
+/// How a field is interpolated, and stored.
+struct FieldForm
+{
+  FieldInterpolation Interpolation;
+  BrickSize Bricks;
+
+  FieldForm(FieldInterpolation interpolation, BrickSize bricks = BrickSize::Cells8)
+      : Interpolation(interpolation), Bricks(bricks)
+  {
+  }
+};
+
+/// How a grid is cut into bricks of 4^3, 8^3 or 16^3 cells. Cell i lies between the nodes i and
+/// i + 1. A brick has its own copy of every node that its cells need: one node more than cells
+/// along an axis for trilinear interpolation; three more for the cubic B-spline, from one node
+/// before its first.
 struct BrickLayout
 {
-  static constexpr int Cells = 8;
-  static constexpr int Shift = 3;
-
   std::array<int, 3> Nodes{};
   std::array<int, 3> Bricks{};
-  int Side = 9;   ///< nodes of a brick along an axis
+  int Shift = 3;
+  int Cells = 8;  ///< of a brick along an axis
   int Window = 2; ///< nodes that a cell needs along an axis
+  int Side = 9;   ///< nodes of a brick along an axis
 
   BrickLayout() = default;
-  BrickLayout(const std::array<int, 3>& nodes, FieldInterpolation interpolation)
-      : Nodes(nodes), Side(interpolation == FieldInterpolation::Trilinear ? 9 : 11),
-        Window(interpolation == FieldInterpolation::Trilinear ? 2 : 4)
+  BrickLayout(const std::array<int, 3>& nodes, FieldInterpolation interpolation,
+              BrickSize size = BrickSize::Cells8)
+      : Nodes(nodes), Shift(static_cast<int>(size)), Cells(1 << Shift),
+        Window(interpolation == FieldInterpolation::Trilinear ? 2 : 4), Side(Cells + Window - 1)
   {
     for (std::size_t axis = 0; axis < 3; ++axis)
     {
-      this->Bricks[axis] = (nodes[axis] - 2) / Cells + 1;
+      this->Bricks[axis] = (nodes[axis] - 2) / this->Cells + 1;
     }
   }
 
+  BrickSize Size() const noexcept { return static_cast<BrickSize>(this->Shift); }
   /// Nodes that a brick has before its first cell.
   int Apron() const noexcept { return this->Window / 2 - 1; }
   std::size_t BrickCount() const noexcept { return this->Number(0, 0, this->Bricks[2]); }
@@ -53,13 +77,13 @@ struct BrickLayout
   /// The brick that a cell lies in.
   std::size_t NumberOfCell(int i, int j, int k) const noexcept
   {
-    return this->Number(i >> Shift, j >> Shift, k >> Shift);
+    return this->Number(i >> this->Shift, j >> this->Shift, k >> this->Shift);
   }
   /// Where the first node that a cell needs stands in its brick's copy.
   int FirstNodeOfCell(int i, int j, int k) const noexcept
   {
-    constexpr int Mask = Cells - 1;
-    return ((k & Mask) * this->Side + (j & Mask)) * this->Side + (i & Mask);
+    const int mask = this->Cells - 1;
+    return ((k & mask) * this->Side + (j & mask)) * this->Side + (i & mask);
   }
 };
 } // namespace palpate

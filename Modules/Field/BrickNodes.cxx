@@ -25,7 +25,7 @@ BrickNodes::BrickNodes(const BrickLayout& layout, const FieldSamples& samples)
 
 void BrickNodes::FillIndices(std::size_t axis, int brick)
 {
-  const int first = brick * BrickLayout::Cells - this->Layout.Apron();
+  const int first = brick * this->Layout.Cells - this->Layout.Apron();
   for (int n = 0; n < this->Layout.Side; ++n)
   {
     const int index =
@@ -41,7 +41,7 @@ bool BrickNodes::IsOutside(int i, int j, int k) const
   const std::array<int, 3> brick{i, j, k};
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
-    const int first = brick[axis] * BrickLayout::Cells - 1;
+    const int first = brick[axis] * this->Layout.Cells - 1;
     const int start = this->Samples.StartIndex[axis];
     if (first + this->Layout.Side < start || first >= start + this->Samples.Size[axis])
     {

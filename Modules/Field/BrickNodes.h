@@ -33,7 +33,8 @@ private:
 
   BrickLayout Layout;
   FieldSamples Samples;
-  std::array<std::array<int, 11>, 3> Indices{}; ///< within the samples' box, -1 outside
+  static constexpr std::size_t LongestSide = MostBrickCells + 3;
+  std::array<std::array<int, LongestSide>, 3> Indices{}; ///< within the samples' box, -1 outside
   std::vector<double> Nodes;
   double Minimum = 0.0;
   double Maximum = 0.0;

@@ -5,7 +5,8 @@
 namespace palpate
 {
 BrickedChannel::BrickedChannel(const BrickLayout& layout, ScalarType stored)
-    : Slots(layout.BrickCount()), Type(stored), BlockNodes(layout.NodesOfBrick()), Stride(0)
+    : Slots(layout.BrickCount()), Type(stored), Side(static_cast<std::size_t>(layout.Side)),
+      BlockNodes(layout.NodesOfBrick()), Stride(0)
 {
   switch (stored)
   {

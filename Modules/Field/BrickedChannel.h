@@ -41,39 +41,43 @@ public:
   std::size_t BlockCount() const noexcept { return this->Count; }
   std::size_t Bytes() const noexcept;
 
-  /// Copies Window^3 nodes of a block of Side^3, from `first` on, i fastest.
-  template <int Window, int Side>
+  /// Copies Window^3 nodes of a block, from `first` on, i fastest.
+  template <int Window>
   void Load(std::uint32_t block, int first, double* nodes) const noexcept
   {
     const std::size_t offset = block * this->Stride + static_cast<std::size_t>(first);
     switch (this->Type)
     {
     case ScalarType::Int8:
-      return LoadFrom<Window, Side>(static_cast<const std::int8_t*>(this->Data) + offset, nodes);
+      return LoadFrom<Window>(static_cast<const std::int8_t*>(this->Data) + offset, this->Side,
+                              nodes);
     case ScalarType::UInt8:
-      return LoadFrom<Window, Side>(static_cast<const std::uint8_t*>(this->Data) + offset, nodes);
+      return LoadFrom<Window>(static_cast<const std::uint8_t*>(this->Data) + offset, this->Side,
+                              nodes);
     case ScalarType::Int16:
-      return LoadFrom<Window, Side>(static_cast<const std::int16_t*>(this->Data) + offset, nodes);
+      return LoadFrom<Window>(static_cast<const std::int16_t*>(this->Data) + offset, this->Side,
+                              nodes);
     case ScalarType::UInt16:
-      return LoadFrom<Window, Side>(static_cast<const std::uint16_t*>(this->Data) + offset, nodes);
+      return LoadFrom<Window>(static_cast<const std::uint16_t*>(this->Data) + offset, this->Side,
+                              nodes);
     case ScalarType::Float32:
-      return LoadFrom<Window, Side>(static_cast<const float*>(this->Data) + offset, nodes);
+      return LoadFrom<Window>(static_cast<const float*>(this->Data) + offset, this->Side, nodes);
     default:
-      return LoadFrom<Window, Side>(static_cast<const double*>(this->Data) + offset, nodes);
+      return LoadFrom<Window>(static_cast<const double*>(this->Data) + offset, this->Side, nodes);
     }
   }
 
 private:
-  template <int Window, int Side, typename T>
-  static void LoadFrom(const T* from, double* nodes) noexcept
+  template <int Window, typename T>
+  static void LoadFrom(const T* from, std::size_t side, double* nodes) noexcept
   {
-    for (int k = 0; k < Window; ++k)
+    for (std::size_t k = 0; k < Window; ++k)
     {
-      for (int j = 0; j < Window; ++j)
+      for (std::size_t j = 0; j < Window; ++j)
       {
-        for (int i = 0; i < Window; ++i)
+        for (std::size_t i = 0; i < Window; ++i)
         {
-          *nodes++ = static_cast<double>(from[(k * Side + j) * Side + i]);
+          *nodes++ = static_cast<double>(from[(k * side + j) * side + i]);
         }
       }
     }
@@ -81,6 +85,7 @@ private:
 
   std::vector<Slot> Slots;
   ScalarType Type;
+  std::size_t Side; ///< nodes of a block along an axis
   std::size_t BlockNodes;
   std::size_t Stride; ///< numbers from block to block
   std::size_t Count = 0;

@@ -6,27 +6,22 @@ namespace palpate
 {
 namespace
 {
-constexpr int Cells = BrickLayout::Cells;
-
-// The cells first..last of a row of a brick, as bits.
-std::uint64_t RowBits(int first, int last) noexcept
+// Bits of the cells first..last of a row, in each of so many rows of a word.
+std::uint64_t RowsBits(int shift, int first, int last, int rows) noexcept
 {
-  return (std::uint64_t{0xFF} >> (Cells - 1 - (last - first))) << first;
-}
-
-// Bit 8 j + i for the cells of both ranges.
-std::uint64_t SliceBits(int firstI, int lastI, int firstJ, int lastJ) noexcept
-{
-  constexpr std::uint64_t EveryRow = 0x0101010101010101;
-  const std::uint64_t rows = EveryRow >> (Cells * (Cells - 1 - (lastJ - firstJ)));
-  return (rows * RowBits(firstI, lastI)) << (Cells * firstJ);
+  constexpr std::uint64_t EveryRow[] = {0x1111111111111111, 0x0101010101010101, 0x0001000100010001};
+  const int cells = 1 << shift;
+  const std::uint64_t row = (((std::uint64_t{1} << cells) - 1) >> (cells - 1 - (last - first)))
+                            << first;
+  return row * (EveryRow[shift - 2] >> (64 - (rows << shift)));
 }
 
 // Whether a brick has nothing in the part of the box that lies in it.
 bool IsFreeBrick(const ScalarField& field, const CellBox& box, const int* brick) noexcept
 {
+  const BrickLayout& layout = field.Layout();
   const BrickDirectory::Entry& entry =
-      field.Directory()[field.Layout().Number(brick[0], brick[1], brick[2])];
+      field.Directory()[layout.Number(brick[0], brick[1], brick[2])];
   if (entry.Leap > 0)
   {
     return entry.Word == 0;
@@ -35,15 +30,22 @@ bool IsFreeBrick(const ScalarField& field, const CellBox& box, const int* brick)
   int last[3];
   for (int axis = 0; axis < 3; ++axis)
   {
-    first[axis] = std::max(box.First[axis] - Cells * brick[axis], 0);
-    last[axis] = std::min(box.Last[axis] - Cells * brick[axis], Cells - 1);
+    const int corner = layout.Cells * brick[axis];
+    first[axis] = std::max(box.First[axis] - corner, 0);
+    last[axis] = std::min(box.Last[axis] - corner, layout.Cells - 1);
   }
-  const CellSet& cells = field.Directory().Surface(entry).Cells;
-  const std::uint64_t slice = SliceBits(first[0], last[0], first[1], last[1]);
+  const StoredSurface surface = field.Directory().Surface(entry);
+  const CellRows rows{layout.Shift};
   bool isFree = true;
-  for (int k = first[2]; k <= last[2]; ++k)
+  for (int j = first[1]; j <= last[1];)
   {
-    isFree = isFree && (cells[static_cast<std::size_t>(k)] & slice) == 0;
+    const int end = std::min(last[1] + 1, (j / rows.InWord() + 1) * rows.InWord());
+    const std::uint64_t bits = RowsBits(layout.Shift, first[0], last[0], end - j);
+    for (int k = first[2]; k <= last[2]; ++k)
+    {
+      isFree = isFree && (surface.CellWord(rows.WordOf(j, k)) & bits << rows.BitInWord(j, k)) == 0;
+    }
+    j = end;
   }
   return isFree;
 }
@@ -62,14 +64,14 @@ bool CellBox::IsIn(const BrickLayout& layout) const noexcept
 
 bool CellBox::IsFree(const ScalarField& field) const noexcept
 {
-  constexpr int Shift = BrickLayout::Shift;
+  const int shift = field.Layout().Shift;
   bool isFree = true;
   int brick[3];
-  for (brick[2] = this->First[2] >> Shift; brick[2] <= this->Last[2] >> Shift; ++brick[2])
+  for (brick[2] = this->First[2] >> shift; brick[2] <= this->Last[2] >> shift; ++brick[2])
   {
-    for (brick[1] = this->First[1] >> Shift; brick[1] <= this->Last[1] >> Shift; ++brick[1])
+    for (brick[1] = this->First[1] >> shift; brick[1] <= this->Last[1] >> shift; ++brick[1])
     {
-      for (brick[0] = this->First[0] >> Shift; brick[0] <= this->Last[0] >> Shift; ++brick[0])
+      for (brick[0] = this->First[0] >> shift; brick[0] <= this->Last[0] >> shift; ++brick[0])
       {
         isFree = isFree && IsFreeBrick(field, *this, brick);
       }

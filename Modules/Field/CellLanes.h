@@ -10,7 +10,7 @@ namespace palpate::rays
 /// Several rays, each in its own trilinear cell: what TrilinearCell, BernsteinCrossings and
 /// HitError do, operation by operation, where the material has one condition and the ray crosses
 /// its boundary once.
-template <typename Set>
+template <typename Set, int BrickShift>
 struct CellLanes : LaneArithmetic<Set>
 {
   using Base = LaneArithmetic<Set>;
@@ -22,7 +22,7 @@ struct CellLanes : LaneArithmetic<Set>
   using typename Base::Integers;
   using typename Base::Mask;
   using typename Base::Vector;
-  static constexpr int Side = 9; // nodes of a brick along an axis
+  static constexpr int Side = (1 << BrickShift) + 1; // nodes of a brick along an axis
   static constexpr double Epsilon = __DBL_EPSILON__;
 
   Vector Nodes[8]; ///< how far the condition holds

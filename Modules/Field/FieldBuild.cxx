@@ -35,14 +35,14 @@ void Widen(const BrickLayout& layout, std::size_t axis, int reach,
 }
 } // namespace
 
-FieldBuild::FieldBuild(const FieldGrid& grid, FieldInterpolation interpolation,
+FieldBuild::FieldBuild(const FieldGrid& grid, const FieldForm& form,
                        const std::vector<FieldMaterial>& materials,
                        const FieldBuilder::Progress& progress)
     : Field(new ScalarField), Report(progress)
 {
   this->Field->NodeGrid = grid;
-  this->Field->Method = interpolation;
-  this->Field->Bricks = BrickLayout(grid.Size(), interpolation);
+  this->Field->Method = form.Interpolation;
+  this->Field->Bricks = BrickLayout(grid.Size(), form.Interpolation, form.Bricks);
   this->Field->BrickEntries = BrickDirectory(this->Field->Bricks);
   this->Field->Materials = materials;
   this->Field->Maps.assign(materials.size(), MaterialMap(this->Field->Bricks.BrickCount()));
@@ -119,7 +119,7 @@ ConditionCells FieldBuild::CellsOf(const FieldCondition& condition) const
   const bool any = isAtLeast ? nodes.Highest() >= condition.Iso : nodes.Lowest() <= condition.Iso;
   if (all == any)
   {
-    return UniformCells(all);
+    return UniformCells(all, this->Field->Bricks);
   }
   ConditionCells cells = ClassifyCells(nodes.Values(), this->Field->Bricks, condition);
   if (this->Field->Method == FieldInterpolation::TricubicBSpline)
@@ -135,10 +135,11 @@ ConditionCells FieldBuild::CellsOf(const FieldMaterial& material) const
   for (int c = 1; c < material.ConditionCount; ++c)
   {
     const ConditionCells more = this->CellsOf(material.Conditions[c]);
-    for (std::size_t word = 0; word < cells.Any.size(); ++word)
+    const std::size_t words = CellSet::WordsOf(this->Field->Bricks.Shift);
+    for (std::size_t word = 0; word < words; ++word)
     {
-      cells.Any[word] &= more.Any[word];
-      cells.All[word] &= more.All[word];
+      cells.Any.Words[word] &= more.Any.Words[word];
+      cells.All.Words[word] &= more.All.Words[word];
     }
   }
   return cells;
@@ -146,17 +147,27 @@ ConditionCells FieldBuild::CellsOf(const FieldMaterial& material) const
 
 CellSet FieldBuild::CellsInGrid(const BrickPlace& brick) const
 {
-  const std::array<int, 3>& nodes = this->Field->Bricks.Nodes;
-  const auto cellsLeft = [](int all, int before)
-  { return std::min(BrickLayout::Cells, all - 1 - BrickLayout::Cells * before); };
-  const std::uint64_t row = (1u << cellsLeft(nodes[0], brick.I)) - 1u;
-  std::uint64_t slice = 0;
-  for (int j = 0; j < cellsLeft(nodes[1], brick.J); ++j)
+  const BrickLayout& layout = this->Field->Bricks;
+  const auto cellsLeft = [&layout](int all, int before)
+  { return std::min(layout.Cells, all - 1 - layout.Cells * before); };
+  const int left[3] = {cellsLeft(layout.Nodes[0], brick.I), cellsLeft(layout.Nodes[1], brick.J),
+                       cellsLeft(layout.Nodes[2], brick.K)};
+  const bool isWhole = left[0] + left[1] + left[2] == 3 * layout.Cells;
+  CellSet cells;
+  cells.Fill(layout.Shift, isWhole);
+  if (isWhole)
   {
-    slice |= row << (BrickLayout::Cells * j);
+    return cells;
   }
-  CellSet cells{};
-  std::fill_n(cells.begin(), cellsLeft(nodes[2], brick.K), slice);
+  const std::uint64_t row = (1u << left[0]) - 1u;
+  const CellRows rows{layout.Shift};
+  for (int k = 0; k < left[2]; ++k)
+  {
+    for (int j = 0; j < left[1]; ++j)
+    {
+      cells.Words[rows.WordOf(j, k)] |= row << rows.BitInWord(j, k);
+    }
+  }
   return cells;
 }
 
@@ -170,6 +181,7 @@ void FieldBuild::Classify(const BrickPlace& brick)
   }
   const CellSet inGrid = this->CellsInGrid(brick);
   SurfaceBrick surface;
+  surface.Cells.Fill(this->Field->Bricks.Shift, false);
   for (int m = 0; m < this->Field->MaterialCount(); ++m)
   {
     this->ClassifyMaterial(m, brick, inGrid, surface);
@@ -191,10 +203,12 @@ void FieldBuild::ClassifyMaterial(int number, const BrickPlace& brick, const Cel
   const FieldMaterial& material = this->Field->Material(number);
   const ConditionCells cells = this->CellsOf(material);
   std::uint64_t some = 0;
-  for (std::size_t word = 0; word < inGrid.size(); ++word)
+  const std::size_t words = CellSet::WordsOf(this->Field->Bricks.Shift);
+  for (std::size_t word = 0; word < words; ++word)
   {
-    const std::uint64_t passed = cells.Any[word] & ~cells.All[word] & inGrid[word];
-    surface.Cells[word] |= passed;
+    const std::uint64_t passed =
+        cells.Any.Words[word] & ~cells.All.Words[word] & inGrid.Words[word];
+    surface.Cells.Words[word] |= passed;
     some |= passed;
   }
   if (some != 0)
@@ -206,7 +220,7 @@ void FieldBuild::ClassifyMaterial(int number, const BrickPlace& brick, const Cel
       this->Sources[channel].IsWanted[brick.Number] = 1;
     }
   }
-  else if ((cells.All[0] & 1u) != 0)
+  else if ((cells.All.Words[0] & 1u) != 0)
   {
     // Neighbouring cells share nodes: without a surface, what holds in one cell holds in all.
     surface.Inside |= OnlyMaterial(number);
@@ -233,7 +247,7 @@ void FieldBuild::WidenWanted(double margin)
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
     const double brickLength =
-        this->Field->NodeGrid.Spacing()[static_cast<int>(axis)] * BrickLayout::Cells;
+        this->Field->NodeGrid.Spacing()[static_cast<int>(axis)] * this->Field->Bricks.Cells;
     const double reach = std::ceil(margin / brickLength);
     for (Source& source : this->Sources)
     {
@@ -272,7 +286,7 @@ void FieldBuild::MapBlocks(const BrickPlace& brick)
   {
     return;
   }
-  const MaterialSet materials = this->Field->BrickEntries.Surface(entry).Materials;
+  const MaterialSet materials = this->Field->BrickEntries.Surface(entry).Materials();
   for (int m = 0; m < this->Field->MaterialCount(); ++m)
   {
     if (Contains(materials, m))

@@ -95,11 +95,11 @@ Status FieldBuilder::SurveyChannels(std::vector<ChannelSurvey>& surveys) const
     {
       return status;
     }
-    if (this->Interpolation == FieldInterpolation::TricubicBSpline)
+    if (this->Form.Interpolation == FieldInterpolation::TricubicBSpline)
     {
       surveys[channel].Exact = ScalarType::Float32;
     }
-    status = CheckRange(surveys[channel], channel, this->Interpolation);
+    status = CheckRange(surveys[channel], channel, this->Form.Interpolation);
     if (!status.IsOk())
     {
       return status;
@@ -175,11 +175,11 @@ Status FieldBuilder::Build(std::shared_ptr<const ScalarField>& field,
     {
       return status;
     }
-    FieldBuild build(this->Grid, this->Interpolation, this->Materials, progress);
+    FieldBuild build(this->Grid, this->Form, this->Materials, progress);
     for (std::size_t channel = 0; channel < surveys.size(); ++channel)
     {
       build.AddChannel(this->Channels[channel], surveys[channel].Exact);
-      if (this->Interpolation == FieldInterpolation::TricubicBSpline)
+      if (this->Form.Interpolation == FieldInterpolation::TricubicBSpline)
       {
         build.UseCoefficients(CoefficientsOf(this->Channels[channel], this->Grid));
       }

@@ -27,7 +27,14 @@ public:
   /// Where both conditions hold: for example an iso-value inside a label.
   int AddMaterial(const FieldCondition& condition, const FieldCondition& limit);
 
-  void SetInterpolation(FieldInterpolation interpolation) { this->Interpolation = interpolation; }
+  void SetForm(const FieldForm& form) { this->Form = form; }
+  void SetInterpolation(FieldInterpolation interpolation)
+  {
+    this->Form.Interpolation = interpolation;
+  }
+  /// Smaller bricks keep less that is far from a surface, and more copies of the nodes between
+  /// them; no answer depends on it. 8 cells by default.
+  void SetBrickSize(BrickSize size) { this->Form.Bricks = size; }
   /// Within this distance (mm) of a surface, FieldSampler has samples of the channels that the
   /// surface's material is made of. 0 by default.
   void SetMargin(double margin) { this->Margin = margin; }
@@ -46,7 +53,7 @@ private:
                         const std::vector<ChannelSurvey>& surveys) const;
 
   FieldGrid Grid;
-  FieldInterpolation Interpolation = FieldInterpolation::Trilinear;
+  FieldForm Form = FieldInterpolation::Trilinear;
   double Margin = 0.0;
   std::vector<FieldSamples> Channels;
   std::vector<FieldMaterial> Materials;

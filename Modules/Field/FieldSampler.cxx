@@ -144,7 +144,8 @@ void RunKernel(const inside::Kernel& kernel, const ScalarField& field, int numbe
   static_assert(sizeof(Vector3) == 3 * sizeof(double));
   const int channel = field.Material(number).Conditions[0].Channel;
   const int type = StoredNumber(field.Channel(channel).StoredType());
-  const auto test = IsTrilinear(field) ? kernel.Trilinear[type] : kernel.Tricubic[type];
+  const inside::Tests& tests = kernel.Bricks[field.Layout().Shift - inside::Kernel::FirstShift];
+  const auto test = IsTrilinear(field) ? tests.Trilinear[type] : tests.Tricubic[type];
   test(material, points->data(), static_cast<long>(count), inside);
 }
 } // namespace

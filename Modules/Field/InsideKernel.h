@@ -28,12 +28,19 @@ constexpr int StoredTypes = 6;
 using Test = void (*)(const Material& material, const double* points, long count,
                       unsigned char* inside);
 
-/// What every instruction set offers, by the number of the stored type. B-spline coefficients are
-/// floating point: the last two.
-struct Kernel
+/// What every instruction set offers for one size of bricks, by the number of the stored type.
+/// B-spline coefficients are floating point: the last two.
+struct Tests
 {
   Test Trilinear[StoredTypes];
   Test Tricubic[StoredTypes];
+};
+
+/// By the size of bricks: 4, 8, 16 cells along an axis.
+struct Kernel
+{
+  static constexpr int FirstShift = 2;
+  Tests Bricks[3];
 };
 
 /// `Set` describes an instruction set: `Vector` and `Integers`, vectors of `Lanes` doubles and ints
@@ -44,10 +51,6 @@ struct Arithmetic
   using Vector = typename Set::Vector;
   using Integers = typename Set::Integers;
   static constexpr int Lanes = Set::Lanes;
-  // Nodes of a brick along an axis.
-  static constexpr int LinearSide = 9;
-  static constexpr int CubicSide = 11;
-
   // Where Lanes points lie.
   struct Places
   {
@@ -85,7 +88,7 @@ struct Arithmetic
     }
   }
 
-  template <int Side>
+  template <int Shift, int Side>
   static inline __attribute__((always_inline)) void Locate(const Material& m, const double* points,
                                                            Places& places)
   {
@@ -105,9 +108,10 @@ struct Arithmetic
       cells[axis] = __builtin_convertvector(isHere ? below : Vector{}, Integers);
       places.U[axis] = index - Widened(cells[axis]);
     }
-    places.Brick =
-        ((cells[2] >> 3) * m.Bricks[1] + (cells[1] >> 3)) * m.Bricks[0] + (cells[0] >> 3);
-    places.FirstNode = ((cells[2] & 7) * Side + (cells[1] & 7)) * Side + (cells[0] & 7);
+    constexpr int Low = (1 << Shift) - 1;
+    places.Brick = ((cells[2] >> Shift) * m.Bricks[1] + (cells[1] >> Shift)) * m.Bricks[0] +
+                   (cells[0] >> Shift);
+    places.FirstNode = ((cells[2] & Low) * Side + (cells[1] & Low)) * Side + (cells[0] & Low);
     for (int lane = 0; lane < Lanes; ++lane)
     {
       places.InGrid[lane] = isIn[lane];
@@ -151,11 +155,10 @@ struct Arithmetic
   }
 
   // The values of Lanes points whose cells' first nodes these are.
-  template <typename T>
+  template <int Side, typename T>
   static inline __attribute__((always_inline)) Vector
   LinearValue(const Material& m, const T* const* nodes, const Vector* u)
   {
-    constexpr int Side = LinearSide;
     Vector rows[4] = {};
     for (int row = 0; row < 4; ++row)
     {
@@ -211,11 +214,10 @@ struct Arithmetic
   };
 
   // The value of one point: along k, then j, then i, as TricubicCell sums.
-  template <typename T>
+  template <int Side, typename T>
   static inline __attribute__((always_inline)) double
   CubicValueOf(const T* nodes, double iso, const double* x, const double* y, const double* z)
   {
-    constexpr int Side = CubicSide;
     Row slice{};
     for (int j = 0; j < 4; ++j)
     {
@@ -229,7 +231,7 @@ struct Arithmetic
     return slice.At(0) * x[0] + slice.At(1) * x[1] + slice.At(2) * x[2] + slice.At(3) * x[3];
   }
 
-  template <typename T>
+  template <int Side, typename T>
   static inline __attribute__((always_inline)) Vector
   CubicValue(const Material& m, const T* const* nodes, const Vector* u)
   {
@@ -251,17 +253,18 @@ struct Arithmetic
           ofLane[axis][function] = weights[axis][function][lane];
         }
       }
-      values[lane] = CubicValueOf(nodes[lane], m.Iso, ofLane[0], ofLane[1], ofLane[2]);
+      values[lane] = CubicValueOf<Side>(nodes[lane], m.Iso, ofLane[0], ofLane[1], ofLane[2]);
     }
     return values;
   }
 
-  template <typename T, bool isCubic>
+  template <typename T, bool isCubic, int Shift>
   static inline __attribute__((always_inline)) void
   TestLanes(const Material& m, const double* points, unsigned char* inside)
   {
+    constexpr int Side = (1 << Shift) + (isCubic ? 3 : 1); // nodes of a brick along an axis
     Places places;
-    Locate<isCubic ? CubicSide : LinearSide>(m, points, places);
+    Locate<Shift, Side>(m, points, places);
     const T* nodes[Lanes];
     unsigned codes[Lanes];
     for (int lane = 0; lane < Lanes; ++lane)
@@ -274,11 +277,11 @@ struct Arithmetic
     Vector value{};
     if constexpr (isCubic)
     {
-      value = CubicValue(m, nodes, places.U);
+      value = CubicValue<Side>(m, nodes, places.U);
     }
     else
     {
-      value = LinearValue(m, nodes, places.U);
+      value = LinearValue<Side>(m, nodes, places.U);
     }
     // Sums and means of negated numbers are the negated ones, bit by bit.
     const auto holds = m.Sign * value >= 0.0;
@@ -290,7 +293,7 @@ struct Arithmetic
     }
   }
 
-  template <typename T, bool isCubic>
+  template <typename T, bool isCubic, int Shift>
   static void AreInside(const Material& material, const double* points, long count,
                         unsigned char* inside)
   {
@@ -298,7 +301,7 @@ struct Arithmetic
     long p = 0;
     for (; p + Lanes <= count; p += Lanes)
     {
-      TestLanes<T, isCubic>(m, points + 3 * p, inside + p);
+      TestLanes<T, isCubic, Shift>(m, points + 3 * p, inside + p);
     }
     if (p < count)
     {
@@ -308,7 +311,7 @@ struct Arithmetic
       {
         rest[n] = points[3 * p + n];
       }
-      TestLanes<T, isCubic>(m, rest, answers);
+      TestLanes<T, isCubic, Shift>(m, rest, answers);
       for (long n = p; n < count; ++n)
       {
         inside[n] = answers[n - p];
@@ -316,13 +319,16 @@ struct Arithmetic
     }
   }
 
-  static constexpr Kernel All()
+  template <int Shift>
+  static constexpr Tests Of()
   {
-    return {{AreInside<signed char, false>, AreInside<unsigned char, false>,
-             AreInside<short, false>, AreInside<unsigned short, false>, AreInside<float, false>,
-             AreInside<double, false>},
-            {nullptr, nullptr, nullptr, nullptr, AreInside<float, true>, AreInside<double, true>}};
+    return {{AreInside<signed char, false, Shift>, AreInside<unsigned char, false, Shift>,
+             AreInside<short, false, Shift>, AreInside<unsigned short, false, Shift>,
+             AreInside<float, false, Shift>, AreInside<double, false, Shift>},
+            {nullptr, nullptr, nullptr, nullptr, AreInside<float, true, Shift>,
+             AreInside<double, true, Shift>}};
   }
+  static constexpr Kernel All() { return {{Of<2>(), Of<3>(), Of<4>()}}; }
 };
 
 /// In InsideKernel.cxx, which is compiled for AVX2.

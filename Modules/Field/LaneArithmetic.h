@@ -57,11 +57,13 @@ struct LaneArithmetic
     constexpr double Shift = 6755399441055744.0; // 1.5 2^52
     return a + Shift - Shift;
   }
-  /// The largest multiple of 8 that is not above a, which is whole.
-  static inline __attribute__((always_inline)) Vector FloorOfEight(const Vector& a)
+  /// The largest multiple of a power of two that is not above a, which is whole.
+  template <int Power>
+  static inline __attribute__((always_inline)) Vector FloorOf(const Vector& a)
   {
-    constexpr double Shift = 8.0 * 6755399441055744.0;
-    return a - 3.5 + Shift - Shift;
+    constexpr double Shift = Power * 6755399441055744.0;
+    constexpr double Half = 0.5 * (Power - 1);
+    return a - Half + Shift - Shift;
   }
   /// Whole numbers from 0 to below 2^52.
   static inline __attribute__((always_inline)) Mask Whole(const Vector& a)

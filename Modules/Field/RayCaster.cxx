@@ -92,12 +92,10 @@ rays::Material DescribeMaterial(const ScalarField& field, int number) noexcept
 void DescribeField(const ScalarField& field, MaterialSet materials, rays::Field& described) noexcept
 {
   static_assert(rays::MostMaterials == MostMaterials && sizeof(BrickDirectory::Entry) == 8);
-  static_assert(sizeof(SurfaceBrick) == rays::SurfaceBytes && offsetof(SurfaceBrick, Cells) == 0 &&
-                offsetof(SurfaceBrick, Materials) == rays::MaterialsAt &&
-                offsetof(SurfaceBrick, Inside) == rays::InsideAt);
-  static const SurfaceBrick None;
+  static const std::uint64_t None[CellSet::MostWords + 1] = {};
   const BrickDirectory& directory = field.Directory();
-  const SurfaceBrick* surfaces = directory.SurfaceCount() > 0 ? directory.SurfaceData() : &None;
+  const std::uint64_t* surfaces = directory.SurfaceCount() > 0 ? directory.SurfaceData() : None;
+  described.BrickShift = field.Layout().Shift;
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
     described.Cells[axis] = field.Layout().Nodes[axis] - 1;

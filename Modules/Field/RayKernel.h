@@ -24,19 +24,16 @@ struct Material
   double Sign; ///< 1: at least, -1: at most
 };
 
-/// A surface brick in bytes (see BrickDirectory): its cells, its materials, what fills it.
-constexpr long SurfaceBytes = 72;
-constexpr long MaterialsAt = 64;
-constexpr long InsideAt = 68;
-
 /// See BrickLayout and BrickDirectory.
 struct Field
 {
+  int BrickShift;      ///< 2, 3 or 4
   int Cells[3];        ///< along i, j, k
   double BrickColumns; ///< bricks along i, j
   double BrickRows;
   const unsigned char* Entries;  ///< eight bytes a brick: the word, then the leap
-  const unsigned char* Surfaces; ///< surface bricks; one at least
+  const unsigned char* Surfaces; ///< where words count from; one surface brick at least: a bit for
+                                 ///< each cell, its materials, what fills it
   long long Wanted;              ///< materials
   Material Materials[MostMaterials];
 };

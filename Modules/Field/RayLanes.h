@@ -11,7 +11,7 @@ namespace palpate::rays
 /// As many rays as a vector has lanes, on their way through a field: what RayTraversal does, with
 /// the same numbers. A lane leaps over bricks without a surface or walks from cell to cell in one
 /// with a surface, until all wait: at a cell through which a surface may pass, or at their end.
-template <typename Set>
+template <typename Set, int BrickShift>
 struct RayLanes : LaneArithmetic<Set>
 {
   using Base = LaneArithmetic<Set>;
@@ -23,7 +23,8 @@ struct RayLanes : LaneArithmetic<Set>
   using Base::Where;
   using typename Base::Mask;
   using typename Base::Vector;
-  static constexpr double BrickCells = 8.0;
+  static constexpr double BrickCells = 1 << BrickShift;
+  static constexpr long MaterialsAt = 1L << (3 * BrickShift - 3); ///< behind the bits of the cells
 
   // What the rays are.
   Vector Origin[3];
@@ -136,8 +137,8 @@ struct RayLanes : LaneArithmetic<Set>
     this->IsMoving[axis] = this->Step[axis] != 0.0;
     this->IsRising[axis] = this->Step[axis] > 0.0;
     this->Ahead[axis] = Where(this->IsRising[axis], All(1.0));
-    this->Stride[axis] =
-        (this->IsRising[axis] & (2LL << (3 * axis))) - (this->IsMoving[axis] & (1LL << (3 * axis)));
+    this->Stride[axis] = (this->IsRising[axis] & (2LL << (BrickShift * axis))) -
+                         (this->IsMoving[axis] & (1LL << (BrickShift * axis)));
   }
 
   // Puts the rays into their first cells: where they enter the grid, or where they are just before
@@ -179,12 +180,13 @@ struct RayLanes : LaneArithmetic<Set>
   {
     for (int axis = 0; axis < 3; ++axis)
     {
-      corner[axis] = Base::FloorOfEight(this->Cell(axis));
+      corner[axis] = Base::template FloorOf<1 << BrickShift>(this->Cell(axis));
     }
   }
-  /// Eight times the number of each lane's brick; of others than those of the mask 0.
+  /// The number of each lane's brick, times the cells of a brick along an axis; of others than
+  /// those of the mask 0.
   static inline __attribute__((always_inline)) Mask
-  EightBricks(const Field& field, const Vector* corner, const Mask& mask)
+  CellsTimesBrick(const Field& field, const Vector* corner, const Mask& mask)
   {
     return Base::Whole((corner[2] * field.BrickRows + corner[1]) * field.BrickColumns + corner[0]) &
            mask;
@@ -209,7 +211,7 @@ struct RayLanes : LaneArithmetic<Set>
   {
     Vector corner[3];
     this->GetCorners(corner);
-    const Mask offset = EightBricks(field, corner, this->IsArrived);
+    const Mask offset = CellsTimesBrick(field, corner, this->IsArrived) * 8 >> BrickShift;
     const auto entry = Base::template Each<Mask>(
         [&](int lane) { return Read<long long>(field.Entries + offset[lane]); });
     Mask leap = entry >> 32;
@@ -256,7 +258,7 @@ struct RayLanes : LaneArithmetic<Set>
                                                    const Mask& entry, const Mask& isAtSurface,
                                                    unsigned* startsInside)
   {
-    const Mask surface = (entry & 0xFFFFFFFFLL & isAtSurface) * SurfaceBytes;
+    const Mask surface = (entry & 0xFFFFFFFFLL & isAtSurface) << 3;
     const auto materials = Base::template Each<Mask>(
         [&](int lane) { return Read<long long>(field.Surfaces + surface[lane] + MaterialsAt); });
     const Mask isWalk = isAtSurface & ((materials & field.Wanted) != 0);
@@ -333,7 +335,7 @@ struct RayLanes : LaneArithmetic<Set>
   static inline __attribute__((always_inline)) Mask
   IsAtSurface(const Field& field, const Mask& surface, const Mask& bit)
   {
-    const Mask at = surface + (bit >> 3 & 56);
+    const Mask at = surface + (bit >> 3 & (MaterialsAt - 8));
     const auto word = Base::template Each<Mask>(
         [&](int lane) { return Read<long long>(field.Surfaces + at[lane]); });
     return -(word >> (bit & 63) & 1);

@@ -152,9 +152,10 @@ private:
     {
       return entry.Word & this->Wanted;
     }
-    const SurfaceBrick& surface = this->Field.Directory().Surface(entry);
-    MaterialSet inside = surface.Inside & this->Wanted;
-    inside |= this->FindHit(surface.Materials & this->Wanted, this->Brick(), this->Segment(), hit);
+    const StoredSurface surface = this->Field.Directory().Surface(entry);
+    MaterialSet inside = surface.Inside() & this->Wanted;
+    inside |=
+        this->FindHit(surface.Materials() & this->Wanted, this->Brick(), this->Segment(), hit);
     this->IsFirstCell = true;
     return inside;
   }
@@ -166,9 +167,9 @@ private:
     double planes[3];
     for (int axis = 0; axis < 3; ++axis)
     {
-      const int brick = this->At[axis] >> BrickLayout::Shift;
+      const int brick = this->At[axis] >> this->Layout.Shift;
       const int ahead = brick + 1 - bricks + this->Path.Rises(axis) * (2 * bricks - 1);
-      planes[axis] = ahead * BrickLayout::Cells;
+      planes[axis] = ahead * this->Layout.Cells;
     }
     const RayPath::Pair xy = this->Path.Crossings(0, RayPath::Pair{planes[0], planes[1]});
     const RayPath::Pair z = this->Path.Crossings(1, RayPath::Pair{planes[2], 0.0});
@@ -183,17 +184,15 @@ private:
   }
 
   // Cell by cell until the ray leaves the brick, is past TMax, or hits.
-  void WalkBrick(const SurfaceBrick& surface, FieldHit& hit) noexcept
+  void WalkBrick(const StoredSurface& surface, FieldHit& hit) noexcept
   {
     const std::size_t brick = this->Brick();
-    const MaterialSet materials = surface.Materials & this->Wanted;
+    const MaterialSet materials = surface.Materials() & this->Wanted;
     const double end = this->EndOfBox(1);
-    BrickWalk walk(this->Path, this->At, end);
+    BrickWalk walk(this->Path, this->At, end, this->Layout.Shift);
     for (;;)
     {
-      const int bit = walk.CellBit();
-      const std::uint64_t word = surface.Cells[static_cast<std::size_t>(bit >> 6)];
-      if ((word >> (bit & 63) & 1u) != 0 && !this->IsFirstCell)
+      if (surface.HasCell(walk.CellBit()) && !this->IsFirstCell)
       {
         walk.GetCell(this->At);
         this->FindHit(materials, brick, {this->Path, this->At, this->T, walk.Exit()}, hit);

@@ -4,19 +4,16 @@ namespace palpate
 {
 namespace
 {
-void AddCells(const CellSet& cells, const std::array<int, 3>& corner,
+void AddCells(const StoredSurface& surface, int shift, const std::array<int, 3>& corner,
               std::vector<std::array<int, 3>>& found)
 {
-  for (int k = 0; k < BrickLayout::Cells; ++k)
+  const int mask = (1 << shift) - 1;
+  for (int cell = 0; cell < 1 << (3 * shift); ++cell)
   {
-    const std::uint64_t layer = cells[static_cast<std::size_t>(k)];
-    for (int cell = 0; cell < BrickLayout::Cells * BrickLayout::Cells; ++cell)
+    if (surface.HasCell(cell))
     {
-      if ((layer >> cell & 1) != 0)
-      {
-        found.push_back({corner[0] + cell % BrickLayout::Cells,
-                         corner[1] + cell / BrickLayout::Cells, corner[2] + k});
-      }
+      found.push_back({corner[0] + (cell & mask), corner[1] + (cell >> shift & mask),
+                       corner[2] + (cell >> (2 * shift))});
     }
   }
 }
@@ -55,8 +52,9 @@ std::vector<std::array<int, 3>> ScalarField::SurfaceCells() const
         const BrickDirectory::Entry& entry = this->BrickEntries[this->Bricks.Number(i, j, k)];
         if (entry.Leap == 0)
         {
-          AddCells(this->BrickEntries.Surface(entry).Cells,
-                   {BrickLayout::Cells * i, BrickLayout::Cells * j, BrickLayout::Cells * k}, cells);
+          const int side = this->Bricks.Cells;
+          AddCells(this->BrickEntries.Surface(entry), this->Bricks.Shift,
+                   {side * i, side * j, side * k}, cells);
         }
       }
     }

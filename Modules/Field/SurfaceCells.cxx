@@ -9,8 +9,7 @@ namespace palpate
 {
 namespace
 {
-constexpr int LongestSide = 11;
-constexpr int Cells = BrickLayout::Cells;
+constexpr int LongestSide = MostBrickCells + 3;
 
 // Bit i of the row: the condition holds at node i.
 unsigned RowBits(const double* row, int side, const FieldCondition& condition)
@@ -25,11 +24,13 @@ unsigned RowBits(const double* row, int side, const FieldCondition& condition)
   return bits;
 }
 
-// Rows of one slice of nodes, joined over the windows of cells along i and j: bit 8 j + i.
+// One slice of nodes, joined over the windows of cells along i and j: the bits that a slice of
+// cells has in a CellSet.
 struct SliceBits
 {
-  std::uint64_t Any = 0;
-  std::uint64_t All = 0;
+  static constexpr int MostWords = MostBrickCells * MostBrickCells / 64;
+  std::uint64_t Any[MostWords] = {};
+  std::uint64_t All[MostWords] = {};
 
   SliceBits() = default;
   SliceBits(const double* slice, const BrickLayout& layout, const FieldCondition& condition)
@@ -47,17 +48,19 @@ struct SliceBits
         all[j] &= bits >> step;
       }
     }
-    for (int j = 0; j < Cells; ++j)
+    const unsigned everyCell = (1u << layout.Cells) - 1u;
+    for (int j = 0; j < layout.Cells; ++j)
     {
       unsigned someRow = 0;
-      unsigned everyRow = 0xFF;
+      unsigned everyRow = everyCell;
       for (int step = 0; step < layout.Window; ++step)
       {
         someRow |= any[j + step];
         everyRow &= all[j + step];
       }
-      this->Any |= static_cast<std::uint64_t>(someRow & 0xFF) << (Cells * j);
-      this->All |= static_cast<std::uint64_t>(everyRow) << (Cells * j);
+      const int bit = j << layout.Shift;
+      this->Any[bit >> 6] |= static_cast<std::uint64_t>(someRow & everyCell) << (bit & 63);
+      this->All[bit >> 6] |= static_cast<std::uint64_t>(everyRow) << (bit & 63);
     }
   }
 };
@@ -122,15 +125,23 @@ ConditionCells ClassifyCells(const double* nodes, const BrickLayout& layout,
   {
     slices[k] = SliceBits(nodes + k * layout.Side * layout.Side, layout, condition);
   }
-  ConditionCells cells = UniformCells(true);
-  for (int k = 0; k < Cells; ++k)
+  ConditionCells cells = UniformCells(false, layout);
+  const int wordsOfSlice = std::max(1, layout.Cells * layout.Cells / 64);
+  const CellRows rows{layout.Shift};
+  for (int k = 0; k < layout.Cells; ++k)
   {
-    const auto word = static_cast<std::size_t>(k);
-    cells.Any[word] = 0;
-    for (int step = 0; step < layout.Window; ++step)
+    for (int n = 0; n < wordsOfSlice; ++n)
     {
-      cells.Any[word] |= slices[k + step].Any;
-      cells.All[word] &= slices[k + step].All;
+      std::uint64_t any = 0;
+      std::uint64_t all = ~std::uint64_t{0};
+      for (int step = 0; step < layout.Window; ++step)
+      {
+        any |= slices[k + step].Any[n];
+        all &= slices[k + step].All[n];
+      }
+      const std::size_t word = rows.WordOf(0, k) + static_cast<std::size_t>(n);
+      cells.Any.Words[word] |= any << rows.BitInWord(0, k);
+      cells.All.Words[word] |= all << rows.BitInWord(0, k);
     }
   }
   return cells;
@@ -139,27 +150,28 @@ ConditionCells ClassifyCells(const double* nodes, const BrickLayout& layout,
 void TightenBSplineCells(const double* nodes, const BrickLayout& layout,
                          const FieldCondition& condition, ConditionCells& cells)
 {
-  for (int cell = 0; cell < Cells * Cells * Cells; ++cell)
+  const int mask = layout.Cells - 1;
+  for (int cell = 0; cell < layout.Cells * layout.Cells * layout.Cells; ++cell)
   {
-    const int k = cell / (Cells * Cells);
-    const auto word = static_cast<std::size_t>(k);
-    const std::uint64_t bit = std::uint64_t{1} << (cell % (Cells * Cells));
-    if ((cells.Any[word] & ~cells.All[word] & bit) == 0)
+    const auto word = static_cast<std::size_t>(cell >> 6);
+    const std::uint64_t bit = std::uint64_t{1} << (cell & 63);
+    if ((cells.Any.Words[word] & ~cells.All.Words[word] & bit) == 0)
     {
       continue;
     }
-    const int first = layout.FirstNodeOfCell(cell % Cells, cell / Cells % Cells, k);
+    const int first = layout.FirstNodeOfCell(cell & mask, cell >> layout.Shift & mask,
+                                             cell >> (2 * layout.Shift));
     const CellRange range(nodes + first, layout.Side, condition);
-    cells.Any[word] &= range.Highest < 0.0 ? ~bit : ~std::uint64_t{0};
-    cells.All[word] |= range.Lowest >= 0.0 ? bit : 0;
+    cells.Any.Words[word] &= range.Highest < 0.0 ? ~bit : ~std::uint64_t{0};
+    cells.All.Words[word] |= range.Lowest >= 0.0 ? bit : 0;
   }
 }
 
-ConditionCells UniformCells(bool holds)
+ConditionCells UniformCells(bool holds, const BrickLayout& layout)
 {
-  ConditionCells cells{};
-  cells.Any.fill(holds ? ~std::uint64_t{0} : 0);
-  cells.All = cells.Any;
+  ConditionCells cells;
+  cells.Any.Fill(layout.Shift, holds);
+  cells.All.Fill(layout.Shift, holds);
   return cells;
 }
 } // namespace palpate

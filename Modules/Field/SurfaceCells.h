@@ -1,6 +1,7 @@
 #pragma once
 
-#include "BrickDirectory.h"
+#include "BrickLayout.h"
+#include "CellSet.h"
 #include "FieldMaterial.h"
 
 namespace palpate
@@ -21,5 +22,5 @@ ConditionCells ClassifyCells(const double* nodes, const BrickLayout& layout,
 void TightenBSplineCells(const double* nodes, const BrickLayout& layout,
                          const FieldCondition& condition, ConditionCells& cells);
 /// What ClassifyCells gives where every node says the same.
-ConditionCells UniformCells(bool holds);
+ConditionCells UniformCells(bool holds, const BrickLayout& layout);
 } // namespace palpate

@@ -11,7 +11,6 @@ namespace palpate
 struct TricubicCell
 {
   static constexpr int Window = 4;
-  static constexpr int Side = 11;
   static constexpr int Degree = 9; ///< of the value along a straight line
   static constexpr int Count = 64;
 
@@ -19,7 +18,7 @@ struct TricubicCell
 
   void Load(const BrickedChannel& channel, std::uint32_t block, int firstNode) noexcept
   {
-    channel.Load<Window, Side>(block, firstNode, this->Nodes);
+    channel.Load<Window>(block, firstNode, this->Nodes);
   }
   /// Makes values of how far the condition holds: negative where it does not.
   void Relate(const FieldCondition& condition) noexcept { condition.Relate(this->Nodes, Count); }

@@ -13,7 +13,6 @@ namespace palpate
 struct TrilinearCell
 {
   static constexpr int Window = 2;
-  static constexpr int Side = 9;
   static constexpr int Degree = 3; ///< of the value along a straight line
   static constexpr int Count = 8;
 
@@ -21,7 +20,7 @@ struct TrilinearCell
 
   void Load(const BrickedChannel& channel, std::uint32_t block, int firstNode) noexcept
   {
-    channel.Load<Window, Side>(block, firstNode, this->Nodes);
+    channel.Load<Window>(block, firstNode, this->Nodes);
   }
   /// Makes values of how far the condition holds: negative where it does not.
   void Relate(const FieldCondition& condition) noexcept { condition.Relate(this->Nodes, Count); }

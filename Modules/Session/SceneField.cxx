@@ -120,18 +120,19 @@ std::vector<LabelField> DistancesOf(const std::vector<Segment>& structures, cons
 
 std::shared_ptr<const ScalarField> MakeIsoField(vtkImageData* image,
                                                 const std::vector<double>& isoValues,
-                                                FieldInterpolation interpolation,
+                                                const FieldForm& form,
                                                 const ProgressFunction& progress)
 {
   return Build([&](const auto& report, auto& field)
-               { return BuildFieldOfImage(image, isoValues, interpolation, report, field); },
+               { return BuildFieldOfImage(image, isoValues, form, report, field); },
                0.0, progress);
 }
 
-std::shared_ptr<const ScalarField>
-MakeIsoFieldWithin(vtkImageData* image, double isoValue, const Segmentation& segmentation,
-                   const std::vector<Segment>& structures, FieldInterpolation interpolation,
-                   double smoothing, const ProgressFunction& progress)
+std::shared_ptr<const ScalarField> MakeIsoFieldWithin(vtkImageData* image, double isoValue,
+                                                      const Segmentation& segmentation,
+                                                      const std::vector<Segment>& structures,
+                                                      const FieldForm& form, double smoothing,
+                                                      const ProgressFunction& progress)
 {
   std::vector<vtkSmartPointer<vtkImageData>> matched(segmentation.Layers.size());
   const auto layerOf = [&](int number)
@@ -147,7 +148,7 @@ MakeIsoFieldWithin(vtkImageData* image, double isoValue, const Segmentation& seg
   FieldSamples samples;
   Require(SamplesOfImage(image, samples), false);
   FieldBuilder builder(GridOfImage(image));
-  builder.SetInterpolation(interpolation);
+  builder.SetForm(form);
   const int channel = builder.AddChannel(samples);
   for (const LabelField& distance : distances)
   {
@@ -159,17 +160,16 @@ MakeIsoFieldWithin(vtkImageData* image, double isoValue, const Segmentation& seg
 
 std::shared_ptr<const ScalarField> MakeSegmentField(const Segmentation& segmentation,
                                                     const std::vector<Segment>& structures,
-                                                    FieldInterpolation interpolation,
-                                                    double smoothing,
+                                                    const FieldForm& form, double smoothing,
                                                     const ProgressFunction& progress)
 {
   const auto layerOf = [&](int layer)
   { return segmentation.Layers[static_cast<std::size_t>(layer)]; };
   const std::vector<LabelField> distances = DistancesOf(structures, layerOf, smoothing, progress);
   const FieldGrid whole = GridOfImage(segmentation.Layers.front());
-  const NodeBox box = BoxOf(distances, whole, interpolation);
+  const NodeBox box = BoxOf(distances, whole, form.Interpolation);
   FieldBuilder builder(box.Of(whole));
-  builder.SetInterpolation(interpolation);
+  builder.SetForm(form);
   for (const LabelField& distance : distances)
   {
     FieldSamples samples = distance.Samples();

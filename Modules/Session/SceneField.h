@@ -16,8 +16,8 @@ namespace palpate
 
 /// One material for each value: what of the image is at least that.
 PALPATESESSION_EXPORT std::shared_ptr<const ScalarField>
-MakeIsoField(vtkImageData* image, const std::vector<double>& isoValues,
-             FieldInterpolation interpolation, const ProgressFunction& progress);
+MakeIsoField(vtkImageData* image, const std::vector<double>& isoValues, const FieldForm& form,
+             const ProgressFunction& progress);
 
 /// What a field occupies, in words: "3.2 MB, 6.1 % of all its nodes as floats".
 PALPATESESSION_EXPORT std::string MemoryText(const ScalarField& field);
@@ -27,14 +27,13 @@ PALPATESESSION_EXPORT std::string MemoryText(const ScalarField& field);
 /// MakeSegmentField. At most MostMaterials structures.
 PALPATESESSION_EXPORT std::shared_ptr<const ScalarField>
 MakeIsoFieldWithin(vtkImageData* image, double isoValue, const Segmentation& segmentation,
-                   const std::vector<Segment>& structures, FieldInterpolation interpolation,
-                   double smoothing, const ProgressFunction& progress);
+                   const std::vector<Segment>& structures, const FieldForm& form, double smoothing,
+                   const ProgressFunction& progress);
 
 /// One material for each structure, in their order, each with a smooth signed distance of its own
 /// (see LabelField, also for `smoothing`). At most MostMaterials structures. Its grid is the part
 /// of the segmentation's that holds them, so that it takes as much however large the image.
 PALPATESESSION_EXPORT std::shared_ptr<const ScalarField>
 MakeSegmentField(const Segmentation& segmentation, const std::vector<Segment>& structures,
-                 FieldInterpolation interpolation, double smoothing,
-                 const ProgressFunction& progress);
+                 const FieldForm& form, double smoothing, const ProgressFunction& progress);
 } // namespace palpate

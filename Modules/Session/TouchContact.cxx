@@ -31,15 +31,16 @@ TouchContact MakeFacetContact(vtkPolyData* surface, const std::filesystem::path&
 }
 
 TouchContact MakeFieldContact(const std::shared_ptr<const ScalarField>& field, int material,
-                              FieldInterpolation interpolation, const std::filesystem::path& file)
+                              const std::filesystem::path& file)
 {
   TouchContact made;
   made.Looks.Field = field;
   RequireInput(FieldContactModel::Make(field, material, FieldContactMode::Proxy, made.Model),
                file.string());
-  const bool isLinear = interpolation == FieldInterpolation::Trilinear;
-  made.Represented = std::string("sub-voxel field, ") + (isLinear ? "trilinear, " : "tricubic, ") +
-                     MemoryText(*field);
+  const bool isLinear = field->Interpolation() == FieldInterpolation::Trilinear;
+  const std::string cells = std::to_string(field->Layout().Cells);
+  made.Represented = std::string("sub-voxel field, ") + (isLinear ? "trilinear" : "tricubic") +
+                     ", bricks of " + cells + "\u00b3 cells, " + MemoryText(*field);
   return made;
 }
 } // namespace palpate

@@ -37,6 +37,6 @@ PALPATESESSION_EXPORT TouchContact MakeHarmonicContact(const SphericalHarmonicMo
 PALPATESESSION_EXPORT TouchContact MakeFacetContact(vtkPolyData* surface,
                                                     const std::filesystem::path& file);
 PALPATESESSION_EXPORT TouchContact MakeFieldContact(const std::shared_ptr<const ScalarField>& field,
-                                                    int material, FieldInterpolation interpolation,
+                                                    int material,
                                                     const std::filesystem::path& file);
 } // namespace palpate

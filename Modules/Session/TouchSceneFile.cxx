@@ -6,6 +6,9 @@
 #include "TouchWords.h"
 #include "WholeFile.h"
 
+#include <algorithm>
+#include <iterator>
+
 namespace palpate
 {
 namespace
@@ -34,6 +37,24 @@ void ReadTexture(JsonFields& fields, const std::filesystem::path& path, std::siz
   structure.TextureImage = image.empty() ? std::filesystem::path() : path.parent_path() / image;
 }
 
+void ReadBricks(JsonFields& fields, const std::filesystem::path& path, std::size_t number,
+                TouchStructureSettings& structure)
+{
+  int cells = 1 << static_cast<int>(structure.Bricks);
+  fields.Read("brick_cells", cells, 4, MostBrickCells);
+  const auto* size =
+      std::find_if(std::begin(BrickSizes), std::end(BrickSizes),
+                   [cells](BrickSize s) { return cells == 1 << static_cast<int>(s); });
+  if (size == std::end(BrickSizes))
+  {
+    Refuse(path,
+           "has bricks of " + std::to_string(cells) + " cells in its structures[" +
+               std::to_string(number) + "]",
+           "give its \"brick_cells\" as 4, 8 or 16");
+  }
+  structure.Bricks = *size;
+}
+
 TouchStructureSettings ReadStructure(const nlohmann::json& object,
                                      const std::filesystem::path& path, std::size_t number)
 {
@@ -60,6 +81,7 @@ TouchStructureSettings ReadStructure(const nlohmann::json& object,
   fields.Read("degree", structure.Degree, 0, 64);
   fields.ReadChoice("mode", ModeWords, structure.Mode);
   fields.ReadChoice("interpolation", InterpolationWords, structure.Interpolation);
+  ReadBricks(fields, path, number, structure);
   fields.Read("smoothing_voxels", structure.Smoothing, 0.0, 8.0);
   fields.Read("stiffness_n_per_mm", structure.Stiffness, 0.0, LargestStiffness);
   fields.Read("damping_ns_per_mm", structure.Damping, 0.0, LargestDamping);
@@ -105,6 +127,7 @@ nlohmann::ordered_json AsJson(const TouchStructureSettings& structure,
   object["degree"] = structure.Degree;
   object["mode"] = WordOf(ModeWords, structure.Mode);
   object["interpolation"] = WordOf(InterpolationWords, structure.Interpolation);
+  object["brick_cells"] = 1 << static_cast<int>(structure.Bricks);
   object["smoothing_voxels"] = structure.Smoothing;
   object["stiffness_n_per_mm"] = structure.Stiffness;
   object["damping_ns_per_mm"] = structure.Damping;

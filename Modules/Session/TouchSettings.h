@@ -37,7 +37,8 @@ struct TouchStructureSettings
   int Degree = 12; ///< of the harmonics that a segmentation is fitted with
   HarmonicContactMode Mode = HarmonicContactMode::Nearest;
   FieldInterpolation Interpolation = FieldInterpolation::Trilinear;
-  double Smoothing = 1.0; ///< of a segmentation's field, in voxels
+  BrickSize Bricks = BrickSize::Cells8; ///< of a field: changes memory and time, and no force
+  double Smoothing = 1.0;               ///< of a segmentation's field, in voxels
 
   double Stiffness = 0.5; ///< N/mm
   double Damping = 0.0;   ///< N s/mm

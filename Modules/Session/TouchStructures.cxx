@@ -8,6 +8,7 @@
 #include "Refusal.h"
 #include "SceneField.h"
 #include "SceneFiles.h"
+#include "SceneIsoSurface.h"
 #include "Servo.h"
 #include "StageClock.h"
 #include "SurfaceFile.h"
@@ -79,6 +80,7 @@ public:
     }
     else if (IsSurfaceFile(file))
     {
+      this->Expect({Representation::Facets}, "a surface of triangles");
       const vtkSmartPointer<vtkPolyData> surface = this->Files.SurfaceOf(file);
       this->Clock.EndStage("reading");
       this->AddSurface(surface, file.stem().string());
@@ -167,9 +169,7 @@ private:
   {
     if (looks.Field != nullptr)
     {
-      return this->Need.IsTouched
-                 ? SceneItem{"rays through the field that is felt", 0, 0.0, {}}
-                 : SceneItem{"rays through a field", looks.Field->Memory().Bytes, 0.0, {}};
+      return {"rays through the field that is felt", 0, 0.0, {}};
     }
     if (looks.Model != nullptr)
     {
@@ -208,22 +208,17 @@ private:
 
   void AddSurface(vtkPolyData* surface, const std::string& name)
   {
-    this->Expect({Representation::Facets}, "a surface of triangles");
     TouchContact contact;
     contact.Looks.Surface = surface;
     this->Add(name, this->Need.IsTouched ? MakeFacetContact(surface, this->Settings.File)
                                          : std::move(contact));
   }
 
-  void AddField(const std::shared_ptr<const ScalarField>& field, int material,
-                const std::string& name)
+  FieldForm Form() const { return {this->Settings.Interpolation, this->Settings.Bricks}; }
+
+  void AddField(const std::shared_ptr<const ScalarField>& field, const std::string& name)
   {
-    TouchContact contact;
-    contact.Looks.Field = field;
-    this->Add(name, this->Need.IsTouched
-                        ? MakeFieldContact(field, material, this->Settings.Interpolation,
-                                           this->Settings.File)
-                        : std::move(contact));
+    this->Add(name, MakeFieldContact(field, 0, this->Settings.File));
   }
 
   void AddIsoSurface()
@@ -231,9 +226,15 @@ private:
     this->Expect({Representation::SubVoxel}, "an image");
     const auto volume = this->Files.VolumeOf(this->Settings.File);
     this->Clock.EndStage("reading");
-    this->AddField(MakeIsoField(volume->Image, {*this->Settings.Iso}, this->Settings.Interpolation,
-                                this->Progress),
-                   0, CaseNameOf(this->Settings.File));
+    const std::string name = CaseNameOf(this->Settings.File);
+    if (!this->Need.IsTouched)
+    {
+      TouchContact looks;
+      looks.Looks.Surface = MakeIsoSurface(volume->Image, *this->Settings.Iso, this->Progress);
+      return this->Add(name, std::move(looks));
+    }
+    this->AddField(MakeIsoField(volume->Image, {*this->Settings.Iso}, this->Form(), this->Progress),
+                   name);
   }
 
   void AddSegmentation()
@@ -259,20 +260,20 @@ private:
   {
     const std::string name =
         structure.Name.empty() ? "label " + std::to_string(structure.Label) : structure.Name;
-    const bool isPlain = this->Settings.Representation == Representation::Automatic;
-    switch (isPlain && !this->Need.IsTouched ? Representation::Facets
-                                             : this->Settings.Representation)
+    if (this->Settings.Representation == Representation::Harmonics)
     {
-    case Representation::Harmonics:
-      return this->AddFit(segmentation, structure, name);
-    case Representation::Facets:
-      return this->AddMesh(segmentation, structure, name);
-    default:
+      this->AddFit(segmentation, structure, name);
+    }
+    else if (this->Settings.Representation == Representation::Facets || !this->Need.IsTouched)
+    {
+      this->AddMesh(segmentation, structure, name);
+    }
+    else
+    {
       // A field holds many, but each is looked for in its own box of bricks.
-      return this->AddField(MakeSegmentField(segmentation, {structure},
-                                             this->Settings.Interpolation, this->Settings.Smoothing,
-                                             this->Progress),
-                            0, name);
+      this->AddField(MakeSegmentField(segmentation, {structure}, this->Form(),
+                                      this->Settings.Smoothing, this->Progress),
+                     name);
     }
   }
 

@@ -32,8 +32,8 @@ struct TouchStructures
 
 /// Reads the files and makes the models, each only as the settings ask, and nothing of what they do
 /// not; drawings only where `isSeen`, since somebody looks. What is touched by voxels is drawn by
-/// the field that is felt; a segmentation that is only seen has no field but a surface. Throws
-/// InputError, FilterError and Cancelled.
+/// the field that is felt; what is only seen has no field but a surface. Throws InputError,
+/// FilterError and Cancelled.
 PALPATESESSION_EXPORT TouchStructures MakeTouchStructures(const TouchSettings& settings,
                                                           bool isSeen,
                                                           const ProgressFunction& progress);

@@ -77,7 +77,7 @@ Status SamplesOfImage(vtkImageData* image, FieldSamples& samples)
 }
 
 Status BuildFieldOfImage(vtkImageData* image, const std::vector<double>& isoValues,
-                         FieldInterpolation interpolation, const FieldBuilder::Progress& progress,
+                         const FieldForm& form, const FieldBuilder::Progress& progress,
                          std::shared_ptr<const ScalarField>& field)
 {
   FieldSamples samples;
@@ -86,7 +86,7 @@ Status BuildFieldOfImage(vtkImageData* image, const std::vector<double>& isoValu
     return status;
   }
   FieldBuilder builder(GridOfImage(image));
-  builder.SetInterpolation(interpolation);
+  builder.SetForm(form);
   const int channel = builder.AddChannel(samples);
   for (const double iso : isoValues)
   {

@@ -26,7 +26,7 @@ PALPATEVOLUMERENDERING_EXPORT Status SamplesOfImage(vtkImageData* image, FieldSa
 /// at least that. Refuses what FieldBuilder refuses, and scalars that are none.
 PALPATEVOLUMERENDERING_EXPORT Status BuildFieldOfImage(vtkImageData* image,
                                                        const std::vector<double>& isoValues,
-                                                       FieldInterpolation interpolation,
+                                                       const FieldForm& form,
                                                        const FieldBuilder::Progress& progress,
                                                        std::shared_ptr<const ScalarField>& field);
 } // namespace palpate

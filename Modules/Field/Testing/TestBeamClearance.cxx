@@ -117,12 +117,16 @@ TEST(BeamClearance, SkipsNoBallOfMany)
   {
     balls.Balls.push_back({Vector3(60.0, 55.0, 65.0) + RandomVector(random, 50.0), 2.5});
   }
-  const auto field = test::MakeField(grid, test::SampleAtIndices(grid.Size(), balls), 0.0);
-  for (int round = 0; round < 10; ++round)
+  const auto samples = test::SampleAtIndices(grid.Size(), balls);
+  for (const BrickSize size : BrickSizes)
   {
-    ExpectSameHits(field, random, skipped);
+    const auto field = test::MakeField(grid, samples, 0.0, FieldInterpolation::Trilinear, size);
+    for (int round = 0; round < 10; ++round)
+    {
+      ExpectSameHits(field, random, skipped);
+    }
   }
-  EXPECT_GT(skipped, 300);
+  EXPECT_GT(skipped, 900);
 }
 
 TEST(BeamClearance, SkipsNoHitOfAnyRayInTheBeam)
@@ -162,12 +166,16 @@ TEST(BeamClearance, SkipsNoSheetBetweenCellsThatAreFree)
     balls.Balls.push_back({Vector3(35.0, 30.0, 41.0) + RandomVector(random, 40.0), 0.9});
   }
   int skipped = 0;
-  const auto field = test::MakeField(grid, test::SampleAtIndices(grid.Size(), balls), 0.0);
-  for (int round = 0; round < 10; ++round)
+  const auto samples = test::SampleAtIndices(grid.Size(), balls);
+  for (const BrickSize size : BrickSizes)
   {
-    ExpectSameHits(field, random, skipped);
+    const auto field = test::MakeField(grid, samples, 0.0, FieldInterpolation::Trilinear, size);
+    for (int round = 0; round < 10; ++round)
+    {
+      ExpectSameHits(field, random, skipped);
+    }
   }
-  EXPECT_GT(skipped, 100);
+  EXPECT_GT(skipped, 300);
 }
 
 // The beam is wider than what is known to be empty round its middle.

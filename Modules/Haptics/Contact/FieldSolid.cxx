@@ -27,9 +27,9 @@ Eigen::AlignedBox3d OccupiedIndex(const ScalarField& field, int material)
       {
         if (field.Map(material)[layout.Number(i, j, k)] != MaterialMap::Absent)
         {
-          const Vector3 first = BrickLayout::Cells * Vector3(i, j, k);
+          const Vector3 first = layout.Cells * Vector3(i, j, k);
           box.extend(first);
-          box.extend(Vector3(first + Vector3::Constant(BrickLayout::Cells)));
+          box.extend(Vector3(first + Vector3::Constant(layout.Cells)));
         }
       }
     }

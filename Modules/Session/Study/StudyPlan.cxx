@@ -318,7 +318,7 @@ private:
                const Inputs& inputs, const ProgressFunction&) -> StudyProduct
     {
       return std::make_shared<const TouchContact>(
-          MakeFieldContact(ProductAs<ScalarField>(inputs.data()), 0, interpolation, file));
+          MakeFieldContact(ProductAs<ScalarField>(inputs.data()), 0, file));
     };
   }
 

@@ -50,6 +50,7 @@ TEST_F(TouchSceneFile, WhatIsWrittenIsReadBackTheSame)
   bone.Representation = TouchRepresentation::SubVoxel;
   bone.Interpolation = FieldInterpolation::TricubicBSpline;
   bone.Smoothing = 2.5;
+  bone.Bricks = BrickSize::Cells16;
   bone.Friction = {0.4, 0.3};
   bone.Viscosity = 0.003;
   bone.Texture = 0.25;
@@ -75,6 +76,7 @@ TEST_F(TouchSceneFile, WhatIsWrittenIsReadBackTheSame)
   EXPECT_EQ(back.Structures[0].File.lexically_normal(), gland.File.lexically_normal());
   EXPECT_EQ(back.Structures[0].Mode, HarmonicContactMode::Radial);
   EXPECT_EQ(back.Structures[1].Iso, -300.5);
+  EXPECT_EQ(back.Structures[1].Bricks, BrickSize::Cells16);
   EXPECT_EQ(back.Structures[1].Friction.Dynamic, 0.3);
   EXPECT_EQ(back.Structures[1].Viscosity, 0.003);
   EXPECT_EQ(back.Structures[1].Texture, 0.25);
@@ -101,6 +103,7 @@ TEST_F(TouchSceneFile, WhatIsLeftOutHasItsDefault)
   EXPECT_EQ(settings.Structures[0].Stiffness, usual.Stiffness);
   EXPECT_EQ(settings.Structures[0].Representation, TouchRepresentation::Automatic);
   EXPECT_FALSE(settings.Structures[0].Iso.has_value());
+  EXPECT_EQ(settings.Structures[0].Bricks, BrickSize::Cells8);
   EXPECT_TRUE(settings.Structures[0].IsSeen);
   EXPECT_TRUE(settings.Structures[0].IsTouched);
   EXPECT_EQ(settings.Device, "simulated");
@@ -125,6 +128,8 @@ TEST_F(TouchSceneFile, WhatIsWrongIsRefusedByName)
       {begin + R"(, "stiffness_n_per_mm": "stiff"}]})", "stiffness_n_per_mm"},
       {begin + R"(, "degree": 2.5}]})", "degree"},
       {begin + R"(, "iso": null}]})", "iso"},
+      {begin + R"(, "brick_cells": 12}]})", "brick_cells"},
+      {begin + R"(, "brick_cells": 32}]})", "brick_cells"},
       {begin + R"(, "representation": "voxels"}]})", "sub-voxel"},
       {begin + R"(, "label": [1]}]})", "label"},
       {begin + R"(, "seen": 1}]})", "seen"},

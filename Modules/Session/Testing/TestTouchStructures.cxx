@@ -115,13 +115,20 @@ TEST_F(TouchStructuresTest, WhatIsOnlySeenHasNeitherFieldNorContact)
 {
   TouchStructureSettings ball = this->Entry(this->MaskPath, true, false);
   ball.Labels = {"3"};
+  TouchStructureSettings bright = this->Entry(this->MaskPath, true, false);
+  bright.Iso = 2.5;
+  std::vector<TouchStructureSettings> entries{bright};
   for (const TouchRepresentation representation :
-       {TouchRepresentation::Automatic, TouchRepresentation::Facets,
-        TouchRepresentation::Harmonics})
+       {TouchRepresentation::Automatic, TouchRepresentation::Facets, TouchRepresentation::Harmonics,
+        TouchRepresentation::SubVoxel})
   {
     ball.Representation = representation;
     ball.Degree = 2;
-    const TouchStructures made = this->Make({ball});
+    entries.push_back(ball);
+  }
+  for (const TouchStructureSettings& entry : entries)
+  {
+    const TouchStructures made = this->Make({entry});
     ASSERT_EQ(made.OnlySeen.size(), 1u);
     EXPECT_EQ(made.OnlySeen[0].Touch.Model, nullptr);
     EXPECT_EQ(made.OnlySeen[0].Looks.Field, nullptr);

@@ -2,11 +2,11 @@
 
 #include "FilterRun.h"
 #include "InputError.h"
-#include "IsoImageSurface.h"
 #include "ModelSurface.h"
 #include "ModelTable.h"
 #include "Refusal.h"
 #include "SceneField.h"
+#include "SceneIsoSurface.h"
 #include "SupportedDegree.h"
 #include "vtkSphericalHarmonicFit.h"
 
@@ -112,7 +112,7 @@ TradeModels::Surface(const ProgressFunction& progress)
     else if (const auto* image = ImageOf(this->Structure))
     {
       const std::int64_t start = this->Time.Now();
-      auto surface = MakeIsoImageSurface(image->Voxels->Image, image->Iso);
+      auto surface = MakeIsoSurface(image->Voxels->Image, image->Iso, progress);
       this->OwnSurface = {std::move(surface), this->SecondsSince(start)};
     }
     else if (const auto* surface = std::get_if<TradeSource::Surface>(&this->Structure.Is))
@@ -268,7 +268,7 @@ TradeModel TradeModels::MakeField(const TradeSetting& setting, const ProgressFun
   TradeModel made;
   const auto& field = Counted(this->Field(setting.Interpolation, progress), made.Seconds);
   const std::int64_t start = this->Time.Now();
-  made.Contact = MakeFieldContact(field, 0, setting.Interpolation, this->Structure.File);
+  made.Contact = MakeFieldContact(field, 0, this->Structure.File);
   made.Seconds += this->SecondsSince(start);
   return made;
 }

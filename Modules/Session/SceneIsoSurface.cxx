@@ -1,4 +1,4 @@
-#include "IsoImageSurface.h"
+#include "SceneIsoSurface.h"
 
 #include "FilterRun.h"
 #include "IsoSurface.h"
@@ -76,15 +76,29 @@ void MoveToWorld(const ScalarGrid& grid, vtkImageData* image, vtkPolyData* surfa
 }
 } // namespace
 
-vtkSmartPointer<vtkPolyData> MakeIsoImageSurface(vtkImageData* image, double isoValue)
+vtkSmartPointer<vtkPolyData> MakeIsoSurface(vtkImageData* image, double isoValue,
+                                            const ProgressFunction& progress)
 {
+  const auto goOn = [&progress](double fraction)
+  {
+    if (!progress(fraction, "surface"))
+    {
+      throw Cancelled();
+    }
+  };
+  goOn(0.0);
   ScalarGrid grid = GridOf(image, isoValue);
+  goOn(0.3);
   vtkSmartPointer<vtkPolyData> surface =
       ExtractIsoSurface(grid, static_cast<float>(isoValue), SurfacePieces::All).Surface;
+  goOn(0.9);
   if (surface->GetNumberOfCells() == 0)
   {
-    throw FilterError("nothing of the image reaches " + NumberText(isoValue) +
-                      "; give a lower value");
+    double range[2] = {};
+    image->GetScalarRange(range);
+    throw FilterError("The iso-value " + NumberText(isoValue) +
+                      " gives no surface: the image's values run from " + NumberText(range[0]) +
+                      " to " + NumberText(range[1]) + ".");
   }
   MoveToWorld(grid, image, surface);
   return surface;

@@ -1,0 +1,113 @@
+#include "SceneIsoSurface.h"
+
+#include "FilterRun.h"
+#include "IsoSurface.h"
+#include "LabelImages.h"
+
+#include "vtkFeatureEdges.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+
+#include <Eigen/Core>
+#include <gtest/gtest.h>
+
+namespace palpate
+{
+namespace
+{
+const Eigen::Vector3d Middle(3.0, -5.0, 8.0);
+constexpr double Radius = 9.0;
+
+bool GoOn(double, const std::string&)
+{
+  return true;
+}
+
+// How far points are from the middle of a ball, on an oblique grid with three different spacings.
+vtkSmartPointer<vtkImageData> DistanceImage(std::mt19937_64& random)
+{
+  test::LabelGrid grid;
+  grid.Size = {{40, 36, 28}};
+  grid.Spacing = {{0.9, 1.0, 1.3}};
+  grid.Direction = test::RandomRotation(random);
+  grid.CenterOnOrigin();
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    grid.Origin[static_cast<std::size_t>(axis)] += Middle[axis];
+  }
+  const auto image =
+      test::MakeLabelImage<float>(grid, [](double, double, double) { return false; });
+  for (vtkIdType voxel = 0; voxel < image->GetNumberOfPoints(); ++voxel)
+  {
+    const Eigen::Vector3d place(image->GetPoint(voxel));
+    image->GetPointData()->GetScalars()->SetTuple1(voxel, Radius - (place - Middle).norm());
+  }
+  return image;
+}
+
+TEST(SceneIsoSurface, LiesInTheWorldWhereTheImagePassesTheValue)
+{
+  std::mt19937_64 random(81);
+  for (int round = 0; round < 5; ++round)
+  {
+    const auto surface = MakeIsoSurface(DistanceImage(random), 2.0, GoOn);
+    ASSERT_GT(surface->GetNumberOfPoints(), 500);
+    for (vtkIdType point = 0; point < surface->GetNumberOfPoints(); ++point)
+    {
+      // Linear between voxels: by less than 1.3^2 / 8 / 7 mm.
+      EXPECT_NEAR((Eigen::Vector3d(surface->GetPoint(point)) - Middle).norm(), Radius - 2.0, 0.04);
+    }
+  }
+}
+
+TEST(SceneIsoSurface, FacesWhereTheImageIsLess)
+{
+  std::mt19937_64 random(82);
+  const double ball = 4.0 / 3.0 * M_PI * std::pow(Radius - 2.0, 3);
+  for (int round = 0; round < 5; ++round)
+  {
+    const auto surface = MakeIsoSurface(DistanceImage(random), 2.0, GoOn);
+    EXPECT_NEAR(MeasureEnclosed(surface).Volume, ball, 0.02 * ball)
+        << "a polyhedron within the ball";
+  }
+}
+
+TEST(SceneIsoSurface, IsClosedWhereTheImageEnds)
+{
+  std::mt19937_64 random(7);
+  const auto image = DistanceImage(random);
+  // All of the image but for corners: a surface that goes on beyond it on every side.
+  const auto surface = MakeIsoSurface(image, -12.0, GoOn);
+  vtkNew<vtkFeatureEdges> edges;
+  edges->SetInputData(surface);
+  edges->FeatureEdgesOff();
+  edges->ManifoldEdgesOff();
+  edges->Update();
+  EXPECT_GT(surface->GetNumberOfCells(), 0);
+  EXPECT_EQ(edges->GetOutput()->GetNumberOfCells(), 0);
+}
+
+TEST(SceneIsoSurface, AValueThatTheImageDoesNotReachIsRefusedInASentence)
+{
+  std::mt19937_64 random(83);
+  try
+  {
+    MakeIsoSurface(DistanceImage(random), 50.0, GoOn);
+    FAIL() << "made of nothing";
+  }
+  catch (const FilterError& error)
+  {
+    EXPECT_NE(std::string(error.what()).find("iso-value 50 gives no surface"), std::string::npos)
+        << error.what();
+  }
+}
+
+TEST(SceneIsoSurface, IsCancelled)
+{
+  std::mt19937_64 random(84);
+  EXPECT_THROW(
+      MakeIsoSurface(DistanceImage(random), 2.0, [](double, const std::string&) { return false; }),
+      Cancelled);
+}
+} // namespace
+} // namespace palpate
