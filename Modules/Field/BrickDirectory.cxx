@@ -45,7 +45,10 @@ private:
       const int dk = sign * (neighbour / 9 - 1);
       if (this->Has(i + di, j + dj, k + dk))
       {
-        leap = std::min(leap, this->Entries[this->Layout.Number(i + di, j + dj, k + dk)].Leap + 1);
+        const std::array<int, 3>& first = this->Layout.FirstBrick;
+        const std::size_t other =
+            this->Layout.Number(first[0] + i + di, first[1] + j + dj, first[2] + k + dk);
+        leap = std::min(leap, this->Entries[other].Leap + 1);
       }
     }
   }
@@ -66,6 +69,14 @@ void BrickDirectory::AddSurface(std::size_t brick, const SurfaceBrick& surface)
   this->Surfaces.insert(this->Surfaces.end(), surface.Cells.Words.begin(),
                         surface.Cells.Words.begin() + static_cast<std::ptrdiff_t>(this->CellWords));
   this->Surfaces.push_back(std::uint64_t{surface.Inside} << 32 | surface.Materials);
+  this->SurfaceWords = this->Surfaces.data();
+  ++this->Count;
+}
+
+void BrickDirectory::SetSurface(std::size_t brick, std::size_t word)
+{
+  this->Entries[brick] = {static_cast<std::uint32_t>(word), 0};
+  ++this->Count;
 }
 
 void BrickDirectory::FindLeaps(const BrickLayout& layout)
@@ -77,6 +88,10 @@ void BrickDirectory::FindLeaps(const BrickLayout& layout)
   ChessboardSweep sweep(layout, this->Entries);
   sweep.Run(true);
   sweep.Run(false);
-  this->Surfaces.shrink_to_fit();
+  if (!this->Surfaces.empty())
+  {
+    this->Surfaces.shrink_to_fit();
+    this->SurfaceWords = this->Surfaces.data();
+  }
 }
 } // namespace palpate

@@ -57,21 +57,27 @@ public:
 
   void SetInside(std::size_t brick, MaterialSet inside) { this->Entries[brick] = {inside, 1}; }
   void AddSurface(std::size_t brick, const SurfaceBrick& surface);
+  /// Instead: stored surfaces that somebody else keeps, and where that of a brick begins, in words.
+  void UseSurfaces(const std::uint64_t* words) { this->SurfaceWords = words; }
+  void SetSurface(std::size_t brick, std::size_t word);
   /// Once every brick is set: finds how far rays may leap.
   void FindLeaps(const BrickLayout& layout);
 
   const Entry& operator[](std::size_t brick) const noexcept { return this->Entries[brick]; }
   StoredSurface Surface(const Entry& entry) const noexcept
   {
-    return {this->Surfaces.data() + entry.Word, this->CellWords};
+    return {this->SurfaceWords + entry.Word, this->CellWords};
   }
   /// For kernels that read many at once.
   const Entry* EntryData() const noexcept { return this->Entries.data(); }
-  const std::uint64_t* SurfaceData() const noexcept { return this->Surfaces.data(); }
-  std::size_t SurfaceCount() const noexcept
+  const std::uint64_t* SurfaceData() const noexcept { return this->SurfaceWords; }
+  std::size_t SurfaceCount() const noexcept { return this->Count; }
+  /// Of one stored surface.
+  std::size_t SurfaceBytes() const noexcept
   {
-    return this->Surfaces.size() / (this->CellWords + 1);
+    return (this->CellWords + 1) * sizeof(std::uint64_t);
   }
+  /// Without what somebody else keeps.
   std::size_t Bytes() const noexcept
   {
     return this->Entries.size() * sizeof(Entry) + this->Surfaces.size() * sizeof(std::uint64_t);
@@ -80,6 +86,8 @@ public:
 private:
   std::vector<Entry> Entries;
   std::vector<std::uint64_t> Surfaces;
+  const std::uint64_t* SurfaceWords = nullptr; ///< of Surfaces, or somebody else's
+  std::size_t Count = 0;
   std::size_t CellWords = CellSet::WordsOf(3); ///< of one surface brick
 };
 } // namespace palpate

@@ -39,6 +39,20 @@ BrickedChannel::BrickedChannel(const BrickLayout& layout, ScalarType stored)
       this->Blocks);
 }
 
+BrickedChannel::BrickedChannel(const BrickLayout& layout, ScalarType stored, const void* blocks,
+                               std::size_t stride)
+    : BrickedChannel(layout, stored)
+{
+  this->Data = blocks;
+  this->Stride = stride;
+}
+
+void BrickedChannel::SetBlock(std::size_t brick, std::uint32_t block)
+{
+  this->Slots[brick].Block = block;
+  ++this->Count;
+}
+
 void BrickedChannel::Reserve(std::size_t blocks)
 {
   std::visit(

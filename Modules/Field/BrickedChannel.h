@@ -25,6 +25,9 @@ public:
 
   /// `stored` is a type of at most 16 bits, Float32 or Float64.
   BrickedChannel(const BrickLayout& layout, ScalarType stored);
+  /// Blocks that somebody else keeps, `stride` numbers from block to block.
+  BrickedChannel(const BrickLayout& layout, ScalarType stored, const void* blocks,
+                 std::size_t stride);
   BrickedChannel(BrickedChannel&&) = default;
   BrickedChannel& operator=(BrickedChannel&&) = default;
 
@@ -32,6 +35,8 @@ public:
   /// Makes room for so many blocks; then each is stored once.
   void Reserve(std::size_t blocks);
   void Store(std::size_t brick, const double* nodes);
+  /// Of somebody else's blocks.
+  void SetBlock(std::size_t brick, std::uint32_t block);
 
   const Slot& SlotOf(std::size_t brick) const noexcept { return this->Slots[brick]; }
   ScalarType StoredType() const noexcept { return this->Type; }
@@ -39,6 +44,13 @@ public:
   const void* BlockData() const noexcept { return this->Data; }
   std::size_t BlockStride() const noexcept { return this->Stride; }
   std::size_t BlockCount() const noexcept { return this->Count; }
+  const std::byte* BlockAt(std::uint32_t block) const noexcept
+  {
+    return static_cast<const std::byte*>(this->Data) + block * this->Stride * BytesOf(this->Type);
+  }
+  /// Of one block's nodes.
+  std::size_t BlockBytes() const noexcept { return this->BlockNodes * BytesOf(this->Type); }
+  /// Without what somebody else keeps.
   std::size_t Bytes() const noexcept;
 
   /// Copies Window^3 nodes of a block, from `first` on, i fastest.

@@ -56,8 +56,9 @@ bool CellBox::IsIn(const BrickLayout& layout) const noexcept
   bool isIn = true;
   for (int axis = 0; axis < 3; ++axis)
   {
-    const int cells = layout.Nodes[static_cast<std::size_t>(axis)] - 1;
-    isIn = isIn && this->First[axis] >= 0 && this->Last[axis] < cells;
+    const auto a = static_cast<std::size_t>(axis);
+    isIn =
+        isIn && this->First[axis] >= layout.FirstCell[a] && this->Last[axis] <= layout.LastCell[a];
   }
   return isIn;
 }

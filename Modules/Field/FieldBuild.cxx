@@ -193,7 +193,7 @@ void FieldBuild::Classify(const BrickPlace& brick)
   }
   else
   {
-    this->Field->BrickEntries.SetInside(brick.Number, surface.Inside);
+    this->Field->SetInside(brick.Number, surface.Inside);
   }
 }
 
@@ -224,7 +224,6 @@ void FieldBuild::ClassifyMaterial(int number, const BrickPlace& brick, const Cel
   {
     // Neighbouring cells share nodes: without a surface, what holds in one cell holds in all.
     surface.Inside |= OnlyMaterial(number);
-    this->Field->Maps[static_cast<std::size_t>(number)].Set(brick.Number, MaterialMap::Filled);
   }
 }
 
@@ -275,27 +274,10 @@ void FieldBuild::StoreWanted(const BrickPlace& brick)
       this->Field->Channels[channel].Store(brick.Number, source.Nodes.Values());
     }
   }
-  this->MapBlocks(brick);
-}
-
-// Of materials that have a surface in the brick.
-void FieldBuild::MapBlocks(const BrickPlace& brick)
-{
-  const BrickDirectory::Entry entry = this->Field->BrickEntries[brick.Number];
-  if (entry.Leap > 0)
+  const BrickDirectory& directory = this->Field->BrickEntries;
+  if (directory[brick.Number].Leap == 0)
   {
-    return;
-  }
-  const MaterialSet materials = this->Field->BrickEntries.Surface(entry).Materials();
-  for (int m = 0; m < this->Field->MaterialCount(); ++m)
-  {
-    if (Contains(materials, m))
-    {
-      const BrickedChannel& channel =
-          this->Field->Channel(this->Field->Material(m).Conditions[0].Channel);
-      this->Field->Maps[static_cast<std::size_t>(m)].Set(brick.Number,
-                                                         channel.SlotOf(brick.Number).Block);
-    }
+    this->Field->MapSurface(brick.Number, directory.Surface(directory[brick.Number]));
   }
 }
 } // namespace palpate

@@ -42,7 +42,6 @@ private:
   Status CheckSurfaces() const;
   void WidenWanted(double margin);
   void StoreWanted(const BrickPlace& brick);
-  void MapBlocks(const BrickPlace& brick);
 
   std::shared_ptr<ScalarField> Field;
   const FieldBuilder::Progress& Report;

@@ -120,9 +120,12 @@ inside::Material DescribeForKernel(const ScalarField& field, int number, const M
       material.ToIndex[3 * axis + column] = toIndex(axis, column);
     }
     material.Origin[axis] = origin[axis];
-    material.Nodes[axis] = field.Layout().Nodes[a];
+    material.Lower[axis] = field.Layout().Lower[a];
+    material.Upper[axis] = field.Layout().Upper[a];
+    material.LastCell[axis] = field.Layout().Nodes[a] - 2;
     material.Bricks[axis] = field.Layout().Bricks[a];
   }
+  material.FirstBrick = static_cast<int>(field.Layout().FirstNumber);
   material.Codes = field.Map(number).Data();
   material.Filled = MaterialMap::Filled;
   material.Blocks = samples.BlockData();

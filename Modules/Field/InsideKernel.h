@@ -11,8 +11,11 @@ struct Material
 {
   double ToIndex[9]; ///< row by row; applied to point - Origin
   double Origin[3];
-  int Nodes[3];
+  double Lower[3]; ///< of indices, that are covered
+  double Upper[3];
+  double LastCell[3]; ///< of the grid
   int Bricks[3];
+  int FirstBrick;        ///< what is taken from numbers of bricks
   const unsigned* Codes; ///< of the map
   unsigned Filled;
   const void* Blocks;
@@ -101,16 +104,17 @@ struct Arithmetic
     {
       const double* row = m.ToIndex + 3 * axis;
       const Vector index = row[0] * offset[0] + row[1] * offset[1] + row[2] * offset[2];
-      const auto isHere = (index >= 0.0) & (index <= static_cast<double>(m.Nodes[axis] - 1));
+      const Vector lower = Vector{} + m.Lower[axis];
+      const auto isHere = (index >= lower) & (index <= m.Upper[axis]);
       isIn &= isHere;
-      const Vector last = Vector{} + static_cast<double>(m.Nodes[axis] - 2);
+      const Vector last = Vector{} + m.LastCell[axis];
       const Vector below = index < last ? index : last;
-      cells[axis] = __builtin_convertvector(isHere ? below : Vector{}, Integers);
+      cells[axis] = __builtin_convertvector(isHere ? below : lower, Integers);
       places.U[axis] = index - Widened(cells[axis]);
     }
     constexpr int Low = (1 << Shift) - 1;
     places.Brick = ((cells[2] >> Shift) * m.Bricks[1] + (cells[1] >> Shift)) * m.Bricks[0] +
-                   (cells[0] >> Shift);
+                   (cells[0] >> Shift) - m.FirstBrick;
     places.FirstNode = ((cells[2] & Low) * Side + (cells[1] & Low)) * Side + (cells[0] & Low);
     for (int lane = 0; lane < Lanes; ++lane)
     {

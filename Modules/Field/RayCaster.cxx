@@ -204,7 +204,7 @@ void RayCaster::CastAllWorld(const FieldRay* raysWorld, const RayInterval* inter
 void RayCaster::CastEach(const FieldRay* raysWorld, const RayInterval* intervals, std::size_t step,
                          std::size_t count, FieldHit* hits, MaterialSet materials) const noexcept
 {
-  if (this->Set == InstructionSet::Avx2)
+  if (this->Set == InstructionSet::Avx2 && this->Data->Layout().IsWhole())
   {
     return this->CastInLanes(raysWorld, intervals, step, count, hits, materials);
   }

@@ -38,7 +38,7 @@ public:
       return hit;
     }
     const MaterialSet inside = this->ExamineStart(hit);
-    if (this->StartsOutside && inside != 0)
+    if (this->StartsOutside && inside != 0 && this->IsGridFace(this->BorderAxis(true), true))
     {
       return this->BorderHit(true, inside);
     }
@@ -76,7 +76,9 @@ private:
         this->WalkBrick(this->Field.Directory().Surface(entry), hit);
       }
     }
-    return hit.Kind == HitKind::Missed && this->T >= this->GridEnd && hit.StartsInside != 0
+    const bool isAtEnd =
+        hit.Kind == HitKind::Missed && this->T >= this->GridEnd && hit.StartsInside != 0;
+    return isAtEnd && this->IsGridFace(this->BorderAxis(false), false)
                ? this->BorderHit(false, hit.StartsInside)
                : hit;
   }
@@ -93,7 +95,9 @@ private:
       entry = std::max(entry, this->Path.EntryAt(axis, this->FirstCell(axis)));
       this->GridEnd = std::min(this->GridEnd, this->Path.ExitAt(axis, this->LastCell(axis)));
       const double at = this->Path.Coordinate(axis, 0.0);
-      isBeside |= this->Path.StepOf(axis) == 0 && !(at >= 0.0 && at <= this->CellCount[axis]);
+      const auto a = static_cast<std::size_t>(axis);
+      isBeside |= this->Path.StepOf(axis) == 0 &&
+                  !(at >= this->Layout.Lower[a] && at <= this->Layout.Upper[a]);
     }
     if (isBeside || entry >= this->GridEnd || this->TMin > this->GridEnd || entry > this->TMax)
     {
@@ -116,11 +120,13 @@ private:
 
   int FirstCell(int axis) const noexcept
   {
-    return this->Path.StepOf(axis) > 0 ? 0 : this->CellCount[axis] - 1;
+    const auto a = static_cast<std::size_t>(axis);
+    return this->Path.StepOf(axis) > 0 ? this->Layout.FirstCell[a] : this->Layout.LastCell[a];
   }
   int LastCell(int axis) const noexcept
   {
-    return this->Path.StepOf(axis) > 0 ? this->CellCount[axis] - 1 : 0;
+    const auto a = static_cast<std::size_t>(axis);
+    return this->Path.StepOf(axis) > 0 ? this->Layout.LastCell[a] : this->Layout.FirstCell[a];
   }
 
   std::size_t Brick() const noexcept
@@ -289,7 +295,15 @@ private:
     return hit;
   }
 
-  // Of the faces of the grid that are crossed now, the lowest axis.
+  // Whether the grid begins or ends where what is covered does, across an axis.
+  bool IsGridFace(int axis, bool isEntering) const noexcept
+  {
+    const bool isLow = (this->Path.StepOf(axis) > 0) == isEntering;
+    return isLow ? this->Layout.FirstCell[static_cast<std::size_t>(axis)] == 0
+                 : this->Layout.IsLastOfGrid(static_cast<std::size_t>(axis));
+  }
+
+  // Of the faces of what is covered that are crossed now, the lowest axis.
   int BorderAxis(bool isEntering) const noexcept
   {
     int axis = 0;

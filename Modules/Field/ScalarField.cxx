@@ -36,18 +36,58 @@ FieldMemory ScalarField::Memory() const noexcept
     memory.StoredBlocks += channel.BlockCount();
     memory.Bytes += channel.Bytes();
   }
+  memory.SharedBytes = this->Held != nullptr ? this->Held->Bytes() : 0;
   return memory;
+}
+
+void ScalarField::SetInside(std::size_t brick, MaterialSet inside)
+{
+  this->BrickEntries.SetInside(brick, inside);
+  for (int m = 0; m < this->MaterialCount(); ++m)
+  {
+    if (Contains(inside, m))
+    {
+      this->Maps[static_cast<std::size_t>(m)].Set(brick, MaterialMap::Filled);
+    }
+  }
+}
+
+void ScalarField::MapSurface(std::size_t brick, const StoredSurface& surface)
+{
+  for (int m = 0; m < this->MaterialCount(); ++m)
+  {
+    MaterialMap& map = this->Maps[static_cast<std::size_t>(m)];
+    if (Contains(surface.Materials(), m))
+    {
+      map.Set(brick, this->Channel(this->Material(m).Conditions[0].Channel).SlotOf(brick).Block);
+    }
+    else if (Contains(surface.Inside(), m))
+    {
+      map.Set(brick, MaterialMap::Filled);
+    }
+  }
+}
+
+bool ScalarField::HasStored(std::size_t brick) const noexcept
+{
+  bool hasStored = this->BrickEntries[brick].Leap == 0;
+  for (const BrickedChannel& channel : this->Channels)
+  {
+    hasStored = hasStored || channel.SlotOf(brick).Block != BrickedChannel::NotStored;
+  }
+  return hasStored;
 }
 
 std::vector<std::array<int, 3>> ScalarField::SurfaceCells() const
 {
   std::vector<std::array<int, 3>> cells;
+  const auto& first = this->Bricks.FirstBrick;
   const auto& count = this->Bricks.Bricks;
-  for (int k = 0; k < count[2]; ++k)
+  for (int k = first[2]; k < first[2] + count[2]; ++k)
   {
-    for (int j = 0; j < count[1]; ++j)
+    for (int j = first[1]; j < first[1] + count[1]; ++j)
     {
-      for (int i = 0; i < count[0]; ++i)
+      for (int i = first[0]; i < first[0] + count[0]; ++i)
       {
         const BrickDirectory::Entry& entry = this->BrickEntries[this->Bricks.Number(i, j, k)];
         if (entry.Leap == 0)

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "BrickDirectory.h"
+#include "BrickPool.h"
 #include "BrickedChannel.h"
 #include "FieldGrid.h"
 #include "FieldMaterial.h"
@@ -8,6 +9,7 @@
 
 #include <array>
 #include <cstddef>
+#include <memory>
 #include <vector>
 
 namespace palpate
@@ -18,12 +20,15 @@ struct FieldMemory
   std::size_t Bricks = 0;        ///< of the grid
   std::size_t SurfaceBricks = 0; ///< through which a surface passes
   std::size_t StoredBlocks = 0;  ///< bricks whose nodes are stored, over all channels
-  std::size_t Bytes = 0;
+  std::size_t Bytes = 0;         ///< of its own
+  std::size_t SharedBytes = 0;   ///< of bricks that other versions of the field may use too
 };
 
 /// One or several channels on one grid, of which only the bricks are stored through which the
-/// surface of a material passes, and a margin around them. Immutable once FieldBuilder has made it,
-/// so any number of threads may query it. FieldSampler and RayCaster ask it for values and hits.
+/// surface of a material passes, and a margin around them. Immutable once FieldBuilder or, of a
+/// part of its bricks, FieldVersions has made it, so any number of threads may query it. Beyond its
+/// part nothing is known: points are outside, rays end. FieldSampler and RayCaster ask it for
+/// values and hits.
 class ScalarField
 {
 public:
@@ -39,6 +44,9 @@ public:
   /// The cells through which surfaces may pass, by their lowest nodes. Allocates: not for a tick.
   std::vector<std::array<int, 3>> SurfaceCells() const;
 
+  /// Whether anything but one value a channel is kept of a brick.
+  bool HasStored(std::size_t brick) const noexcept;
+
   const BrickLayout& Layout() const noexcept { return this->Bricks; }
   const BrickDirectory& Directory() const noexcept { return this->BrickEntries; }
   const MaterialMap& Map(int material) const noexcept
@@ -52,7 +60,13 @@ public:
 
 private:
   friend class FieldBuild;
+  friend class FieldVersions;
   ScalarField() = default;
+
+  /// Of a brick without a surface.
+  void SetInside(std::size_t brick, MaterialSet inside);
+  /// Once its blocks are there: which of them inside tests of its materials look at.
+  void MapSurface(std::size_t brick, const StoredSurface& surface);
 
   FieldGrid NodeGrid;
   FieldInterpolation Method = FieldInterpolation::Trilinear;
@@ -61,5 +75,6 @@ private:
   std::vector<FieldMaterial> Materials;
   std::vector<MaterialMap> Maps;
   std::vector<BrickedChannel> Channels;
+  std::unique_ptr<const BrickHold> Held; ///< records in a pool, which a version shares with others
 };
 } // namespace palpate

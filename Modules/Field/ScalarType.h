@@ -43,6 +43,12 @@ constexpr int StoredNumber(ScalarType type) noexcept
   return type == ScalarType::Float32 ? 4 : type == ScalarType::Float64 ? 5 : static_cast<int>(type);
 }
 
+constexpr std::size_t BytesOf(ScalarType type) noexcept
+{
+  constexpr std::size_t Bytes[] = {1, 1, 2, 2, 4, 4, 8, 8, 4, 8};
+  return Bytes[static_cast<int>(type)];
+}
+
 /// visitor(pointer) with the pointer's true type.
 template <typename Visitor>
 decltype(auto) VisitScalars(const void* samples, ScalarType type, const Visitor& visitor)

@@ -2,8 +2,8 @@
 #include "CellBox.h"
 #include "FieldCases.h"
 #include "FieldSampler.h"
+#include "MaterialVolume.h"
 #include "RandomRays.h"
-#include "RandomVolume.h"
 #include "RayCaster.h"
 #include "SameBits.h"
 
@@ -13,62 +13,13 @@ namespace palpate
 {
 namespace
 {
+using test::MaterialVolume;
+using test::RandomPointNear;
 using test::SameBits;
 
 constexpr FieldInterpolation Methods[] = {FieldInterpolation::Trilinear,
                                           FieldInterpolation::TricubicBSpline};
 constexpr BrickSize OtherSizes[] = {BrickSize::Cells4, BrickSize::Cells16};
-
-// Two channels and three materials, one of them within another.
-class ThreeMaterials
-{
-public:
-  explicit ThreeMaterials(std::mt19937_64& random)
-      : Grid(test::ObliqueGrid({2 + static_cast<int>(random() % 45),
-                                2 + static_cast<int>(random() % 30),
-                                2 + static_cast<int>(random() % 40)},
-                               random)),
-        First(test::RandomVolume::RandomSamples(Grid, random)),
-        Second(test::RandomSteps(Grid, random, 4))
-  {
-  }
-
-  std::shared_ptr<const ScalarField> Make(FieldInterpolation method, BrickSize size,
-                                          double margin = 0.0) const
-  {
-    FieldBuilder builder(this->Grid);
-    const double iso = 0.5 * this->First.back();
-    const int first = builder.AddChannel(SamplesOfGrid(this->First.data(), this->Grid));
-    const int second = builder.AddChannel(SamplesOfGrid(this->Second.data(), this->Grid));
-    builder.AddMaterial({first, iso});
-    builder.AddMaterial({second, 1.0, FieldSense::AtMost});
-    builder.AddMaterial({first, iso}, {second, 1.5});
-    builder.SetInterpolation(method);
-    builder.SetBrickSize(size);
-    builder.SetMargin(margin);
-    std::shared_ptr<const ScalarField> field;
-    const Status status = builder.Build(field);
-    EXPECT_TRUE(status.IsOk()) << status.Message();
-    return field;
-  }
-
-  FieldGrid Grid;
-  std::vector<double> First;
-  std::vector<double> Second;
-};
-
-// In the grid, a little beyond, on its nodes and faces.
-Vector3 RandomPoint(const FieldGrid& grid, std::mt19937_64& random)
-{
-  Vector3 p;
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    const double last = grid.Size()[static_cast<std::size_t>(axis)] - 1;
-    const double any = std::uniform_real_distribution<double>(-0.5, last + 0.5)(random);
-    p[axis] = random() % 2 == 0 ? any : std::round(any);
-  }
-  return p;
-}
 
 void ExpectSameSamples(const ScalarField& field, const FieldGradientSample& a,
                        const FieldGradientSample& b)
@@ -84,16 +35,16 @@ TEST(BrickSize, ChangesNoValueAndNoGradientInAnyBit)
   constexpr double Everywhere = 1e6; // mm, so that all bricks are stored
   for (int round = 0; round < 12; ++round)
   {
-    const ThreeMaterials volume(random);
+    const MaterialVolume volume(random);
     for (const FieldInterpolation method : Methods)
     {
-      const FieldSampler usual(volume.Make(method, BrickSize::Cells8, Everywhere));
+      const FieldSampler usual(volume.Make(method, Everywhere));
       for (const BrickSize size : OtherSizes)
       {
-        const FieldSampler other(volume.Make(method, size, Everywhere));
+        const FieldSampler other(volume.Make({method, size}, Everywhere));
         for (int point = 0; point < 300; ++point)
         {
-          const Vector3 p = RandomPoint(volume.Grid, random);
+          const Vector3 p = RandomPointNear(volume.Grid, random);
           const int channel = point % 2;
           ExpectSameSamples(other.Field(), usual.ValueAndGradientIndex(channel, p),
                             other.ValueAndGradientIndex(channel, p));
@@ -108,18 +59,18 @@ TEST(BrickSize, ChangesNothingOfWhatIsInside)
   std::mt19937_64 random(32);
   for (int round = 0; round < 12; ++round)
   {
-    const ThreeMaterials volume(random);
+    const MaterialVolume volume(random);
     std::vector<Vector3> points;
     for (int point = 0; point < 301; ++point)
     {
-      points.push_back(volume.Grid.PointWorld(RandomPoint(volume.Grid, random)));
+      points.push_back(volume.Grid.PointWorld(RandomPointNear(volume.Grid, random)));
     }
     for (const FieldInterpolation method : Methods)
     {
-      const FieldSampler usual(volume.Make(method, BrickSize::Cells8));
+      const FieldSampler usual(volume.Make(method));
       for (const BrickSize size : OtherSizes)
       {
-        const auto field = volume.Make(method, size);
+        const auto field = volume.Make({method, size});
         for (const InstructionSet set : {InstructionSet::Portable, FastestInstructionSet()})
         {
           const FieldSampler other(field, set);
@@ -143,7 +94,7 @@ TEST(BrickSize, ChangesNoHitInAnyBit)
   std::mt19937_64 random(33);
   for (int round = 0; round < 16; ++round)
   {
-    const ThreeMaterials volume(random);
+    const MaterialVolume volume(random);
     std::vector<FieldRay> rays;
     for (int n = 0; n < 150; ++n)
     {
@@ -152,10 +103,10 @@ TEST(BrickSize, ChangesNoHitInAnyBit)
     }
     for (const FieldInterpolation method : Methods)
     {
-      const RayCaster usual(volume.Make(method, BrickSize::Cells8));
+      const RayCaster usual(volume.Make(method));
       for (const BrickSize size : OtherSizes)
       {
-        const auto field = volume.Make(method, size);
+        const auto field = volume.Make({method, size});
         for (const MaterialSet wanted : {AllMaterials, OnlyMaterial(0), OnlyMaterial(1)})
         {
           std::vector<FieldHit> expected(rays.size());
@@ -180,12 +131,12 @@ TEST(BrickSize, ChangesNotWhichCellsASurfaceMayPass)
   std::mt19937_64 random(34);
   for (int round = 0; round < 10; ++round)
   {
-    const ThreeMaterials volume(random);
+    const MaterialVolume volume(random);
     for (const FieldInterpolation method : Methods)
     {
       const auto sorted = [&](BrickSize size)
       {
-        auto cells = volume.Make(method, size)->SurfaceCells();
+        auto cells = volume.Make({method, size})->SurfaceCells();
         std::sort(cells.begin(), cells.end());
         return cells;
       };
