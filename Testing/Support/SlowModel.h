@@ -27,7 +27,7 @@ public:
                      std::unique_ptr<ContactTracker>& tracker) const override
   {
     std::unique_ptr<ContactTracker> quick;
-    const Status status = this->Quick->MakeTracker(tool, friction, quick);
+    Status status = this->Quick->MakeTracker(tool, friction, quick);
     if (status.IsOk())
     {
       tracker = std::make_unique<Tracker>(std::move(quick), this->Time, this->Cost);
