@@ -13,6 +13,7 @@ TouchContact MakeHarmonicContact(const SphericalHarmonicModel& model, HarmonicCo
 {
   TouchContact made;
   made.Looks.Model = std::make_shared<const SphericalHarmonicModel>(model);
+  made.Mode = mode;
   RequireInput(HarmonicContactModel::Make(made.Looks.Model, mode, made.Model), file.string());
   made.Represented = "harmonics of degree " + std::to_string(model.Degree()) +
                      (mode == HarmonicContactMode::Nearest ? ", nearest point" : ", radial");

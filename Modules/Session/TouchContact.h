@@ -5,12 +5,14 @@
 #include "PalpateSessionModule.h"
 #include "ScalarField.h"
 #include "SphericalHarmonicModel.h"
+#include "TouchScene.h"
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
 
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <vector>
 
 namespace palpate
 {
@@ -28,6 +30,8 @@ struct TouchContact
   std::shared_ptr<const ContactModel> Model;
   TouchAppearance Looks;
   std::string Represented; ///< in words, such as "harmonics of degree 12, nearest point"
+  HarmonicContactMode Mode = HarmonicContactMode::Nearest; ///< of harmonics
+  std::vector<TouchStandIn> Coarser; ///< without those that are the tool's; see AddStandIns
 };
 
 /// The three kinds. `file` is for messages. Throw InputError for what cannot be touched.

@@ -4,6 +4,7 @@
 #include "ReportPage.h"
 #include "TouchPlots.h"
 #include "TouchSceneFile.h"
+#include "TouchStandIns.h"
 #include "WholeFile.h"
 
 #include <algorithm>
@@ -39,6 +40,21 @@ nlohmann::ordered_json StatisticsAsJson(const PeriodStatistics& statistics)
           {"p999_us", Micro * static_cast<double>(statistics.Quantile(Almost))},
           {"max_us", Micro * static_cast<double>(statistics.Max())},
           {"missed", statistics.Misses()}};
+}
+
+// A sentence for each level of stand-ins that was felt.
+std::vector<std::string> DegradedTexts(const PreparedTouch& touch, const TouchResult& result)
+{
+  std::vector<std::string> texts;
+  for (std::size_t n = 0; n < result.LevelSeconds.size(); ++n)
+  {
+    if (result.LevelSeconds[n] > 0.0)
+    {
+      texts.push_back("For " + FixedText(result.LevelSeconds[n], 2) + " s: " +
+                      LevelText(*touch.Scene, static_cast<int>(n) + 1, -1, touch.Settings.Rate));
+    }
+  }
+  return texts;
 }
 
 nlohmann::ordered_json SummaryOf(const PreparedTouch& touch, const TouchResult& result)
@@ -78,6 +94,7 @@ nlohmann::ordered_json SummaryOf(const PreparedTouch& touch, const TouchResult& 
   summary["fault"] = result.Fault == SafetyFault::None ? "" : Describe(result.Fault);
   summary["device_problem"] = result.DeviceProblem;
   summary["warnings"] = touch.Warnings;
+  summary["degraded"] = DegradedTexts(touch, result);
   summary["thread"] = result.ThreadAdvice;
   return summary;
 }
@@ -127,6 +144,10 @@ std::string NumbersTable(const PreparedTouch& touch, const TouchResult& result)
   if (result.Frames.Count() > 0)
   {
     rows.emplace_back("pictures beside it", FixedText(result.FramesPerSecond, 1) + " a second");
+  }
+  for (const std::string& degraded : DegradedTexts(touch, result))
+  {
+    rows.emplace_back("coarser", degraded);
   }
   for (const std::string& warning : touch.Warnings)
   {

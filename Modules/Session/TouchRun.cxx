@@ -13,6 +13,7 @@
 #include "TouchRecorder.h"
 #include "TouchReplay.h"
 #include "TouchResultKeeper.h"
+#include "TouchStandIns.h"
 #include "WorkspaceFrame.h"
 
 #include <algorithm>
@@ -123,6 +124,7 @@ public:
     while (passed < this->Touch.Duration && progress(passed / this->Touch.Duration, "touch"))
     {
       this->Look(thread.Loop(), clock, passed);
+      this->SayLevel(thread.Loop().Latest());
       this->Fetch(thread.Loop());
       passed = Nano * static_cast<double>(clock.Now() - start);
     }
@@ -185,6 +187,19 @@ private:
     this->Result.Frames.Add(clock.Now() - start);
   }
 
+  // Whenever something else is felt, since ticks took too long or have time again.
+  void SayLevel(const TouchState& newest)
+  {
+    if (this->Guide && newest.Level != this->SaidLevel)
+    {
+      const std::string coarser =
+          LevelText(*this->Touch.Scene, newest.Level, newest.Structure, this->Settings.Rate);
+      this->Guide(coarser.empty() ? "Ticks have time again: the models themselves are felt."
+                                  : coarser);
+    }
+    this->SaidLevel = newest.Level;
+  }
+
   void Fetch(Servo& servo, float microseconds = 0.0F)
   {
     TouchState state;
@@ -218,6 +233,7 @@ private:
   TouchResult Result;
   TouchResultKeeper Keeper;
   bool IsRecording;
+  int SaidLevel = 0;
   TouchRecorder Recorder;
 };
 } // namespace

@@ -56,6 +56,7 @@ struct TouchResult
   double MebibytesAtEnd = 0.0;
   std::uint64_t Ticks = 0;
   std::uint64_t LostTicks = 0;        ///< that the trace has not, though they ran
+  std::vector<double> LevelSeconds;   ///< by level of stand-ins, from 1 on, that was felt
   std::vector<double> TouchedSeconds; ///< by structure, the one touched most deeply
   double LeastEnergy = 0.0;           ///< N mm that contacts had taken in, at the lowest
   SafetyFault Fault = SafetyFault::None;
@@ -72,7 +73,8 @@ PALPATESESSION_EXPORT PreparedTouch PrepareTouch(const TouchSettings& settings,
 /// Draws a picture of the newest tick, `time` (s) after the first.
 using TouchViewer = std::function<void(double time, const TouchState& newest)>;
 
-/// Tells the person at the device what to do now, as while it is homed.
+/// Tells the person at the device what to do now, as while it is homed, and what is felt where
+/// ticks take too long.
 using TouchGuide = std::function<void(const std::string& sentence)>;
 
 /// How a scene is touched.

@@ -12,6 +12,7 @@
 #include "Servo.h"
 #include "StageClock.h"
 #include "SurfaceFile.h"
+#include "TouchStandIns.h"
 #include "TouchTexture.h"
 #include "vtkSegmentationSurface.h"
 
@@ -60,10 +61,9 @@ std::size_t BytesOf(vtkPolyData& surface)
 class StructureMaker
 {
 public:
-  StructureMaker(const TouchStructureSettings& settings, const Needs& needs, double toolReach,
+  StructureMaker(const TouchStructureSettings& settings, const Needs& needs, const ToolShape& tool,
                  SceneFiles& files, const ProgressFunction& progress, TouchStructures& made)
-      : Settings(settings), Need(needs), ToolReach(toolReach), Files(files), Progress(progress),
-        Made(made)
+      : Settings(settings), Need(needs), Tool(tool), Files(files), Progress(progress), Made(made)
   {
   }
 
@@ -116,7 +116,8 @@ private:
     double seconds = this->Elapsed();
     if (this->Need.IsTouched)
     {
-      const std::size_t bytes = this->AddTouch(std::move(contact.Model), structure.Touch);
+      AddStandIns(contact, this->Progress);
+      const std::size_t bytes = this->AddTouch(contact, structure.Touch);
       structure.Represented = contact.Represented;
       seconds += this->Elapsed();
       account.Contact = {contact.Represented, bytes, seconds, {}};
@@ -147,9 +148,10 @@ private:
   }
 
   // What it occupies.
-  std::size_t AddTouch(std::shared_ptr<const ContactModel> model, TouchStructure& touch)
+  std::size_t AddTouch(const TouchContact& contact, TouchStructure& touch)
   {
-    touch.Model = std::move(model);
+    touch.Model = contact.Model;
+    touch.Coarser = StandInsFor(contact, this->Tool);
     touch.Law = {this->Settings.Stiffness, this->Settings.Damping};
     touch.Friction = this->Settings.Friction;
     touch.Viscosity = this->Settings.Viscosity;
@@ -157,11 +159,16 @@ private:
     if (this->Settings.Texture > 0.0)
     {
       texture = MakeTouchTexture(*this->Files.VolumeOf(this->Settings.TextureImage),
-                                 touch.Model->BoundsWorld(), this->ToolReach,
+                                 touch.Model->BoundsWorld(), this->Tool.BoundingRadius(),
                                  this->Settings.Texture, this->Progress);
     }
     touch.Texture = std::move(texture.Feel);
-    return touch.Model->Bytes() + texture.Bytes;
+    std::size_t bytes = touch.Model->Bytes() + texture.Bytes;
+    for (const TouchStandIn& coarser : contact.Coarser)
+    {
+      bytes += coarser.Model->Bytes();
+    }
+    return bytes;
   }
 
   // A model becomes the surface that is drawn of it.
@@ -300,7 +307,7 @@ private:
 
   const TouchStructureSettings& Settings;
   const Needs& Need;
-  double ToolReach; // mm
+  const ToolShape& Tool;
   SceneFiles& Files;
   const ProgressFunction& Progress;
   TouchStructures& Made;
@@ -360,7 +367,7 @@ TouchStructures MakeTouchStructures(const TouchSettings& settings, bool isSeen,
       files.Expect(file);
     }
   }
-  const double toolReach = MakeTool(settings.Tool).BoundingRadius();
+  const ToolShape tool = MakeTool(settings.Tool);
   const auto count = static_cast<double>(settings.Structures.size());
   for (std::size_t s = 0; s < settings.Structures.size(); ++s)
   {
@@ -368,7 +375,7 @@ TouchStructures MakeTouchStructures(const TouchSettings& settings, bool isSeen,
     const Needs needs(structure, isSeen);
     const auto part = [&, s](double fraction, const std::string& stage)
     { return progress((static_cast<double>(s) + fraction) / count, stage); };
-    needs.IsAny() ? StructureMaker(structure, needs, toolReach, files, part, made).Run()
+    needs.IsAny() ? StructureMaker(structure, needs, tool, files, part, made).Run()
                   : LeaveOut(structure, needs, made.Account);
     for (const std::filesystem::path& file : FilesOf(structure))
     {

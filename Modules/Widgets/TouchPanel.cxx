@@ -242,7 +242,7 @@ QString TouchPanel::Warnings() const
   }
   const StudyTouchReading& reading = this->Study.Reading();
   for (const std::string& sentence :
-       {reading.Guidance, reading.DeviceProblem, reading.RecordingProblem})
+       {reading.Degraded, reading.Guidance, reading.DeviceProblem, reading.RecordingProblem})
   {
     if (!sentence.empty())
     {

@@ -68,6 +68,9 @@ void VisitFlags(State& s, Visitor visit)
   visit(s.WasContinued);
 }
 
+// The level of stand-ins has 16 bits above the flags.
+constexpr int LevelBit = 48;
+
 std::uint64_t FlagsOf(const TouchState& state) noexcept
 {
   std::uint64_t flags = 0;
@@ -78,11 +81,12 @@ std::uint64_t FlagsOf(const TouchState& state) noexcept
                flags |= flag ? bit : 0;
                bit <<= 1;
              });
-  return flags;
+  return flags | static_cast<std::uint64_t>(static_cast<std::uint16_t>(state.Level)) << LevelBit;
 }
 
 void SetFlags(std::uint64_t flags, TouchState& state) noexcept
 {
+  state.Level = static_cast<std::uint16_t>(flags >> LevelBit);
   VisitFlags(state,
              [&](bool& flag)
              {

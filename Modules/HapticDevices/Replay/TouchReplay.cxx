@@ -67,7 +67,7 @@ Status ReplayTouch(const std::shared_ptr<const TouchRecording>& recording,
     }
     wasOff = isOff;
     clock.WaitUntil(tick.Tick.Started);
-    servo.Tick(tick.Tick);
+    servo.Tick(tick.Tick, tick.Level);
     Compare(tick, servo.Latest(), comparison);
   }
   return status;

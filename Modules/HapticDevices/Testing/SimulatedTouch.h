@@ -27,10 +27,11 @@ public:
   }
 
   /// One tick, as a fixed-rate loop would make it. Returns what it did.
-  const TouchState& Tick()
+  const TouchState& Tick() { return this->TickAtLevel(0); }
+  const TouchState& TickAtLevel(int level)
   {
     this->Time.WaitUntil(this->Schedule.Deadline());
-    this->Loop.Tick(this->Schedule.Begin(this->Time.Now()));
+    this->Loop.Tick(this->Schedule.Begin(this->Time.Now()), level);
     return this->Loop.Latest();
   }
   const TouchState& Tick(int count)

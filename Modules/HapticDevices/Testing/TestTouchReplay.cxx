@@ -91,13 +91,15 @@ TEST(TouchReplay, ForcesThatWereSwitchedOffAndOnAreSoAgain)
   EXPECT_EQ(comparison.DifferentTicks, 0u);
 }
 
-TEST(TouchReplay, ScenesThatWereContinuedAreContinuedAgain)
+TEST(TouchReplay, ScenesThatWereContinuedAndStandInsThatWereFeltAreSoAgain)
 {
   std::vector<std::shared_ptr<const TouchScene>> scenes;
   for (const double height : {0.0, 0.7, -0.4, 0.2})
   {
     auto scene = std::make_shared<TouchScene>(test::WallScene(height, {0.8, 0.0005}));
     scene->Structures[0].Id = 1;
+    scene->Structures[0].Coarser.push_back(
+        {std::make_shared<test::WallModel>(height + 0.3), {}, "rougher"});
     scenes.push_back(std::move(scene));
   }
   SimulatedSettings device;
@@ -113,7 +115,7 @@ TEST(TouchReplay, ScenesThatWereContinuedAreContinuedAgain)
       const SceneEntry entry = n == 750 ? SceneEntry::Anew : SceneEntry::Continuing;
       ASSERT_TRUE(touch.Loop.Publish(scenes[static_cast<std::size_t>(n) / 500 + 1], entry).IsOk());
     }
-    recording->Ticks.push_back(touch.Tick());
+    recording->Ticks.push_back(touch.TickAtLevel(n / 300 % 2));
     continued += recording->Ticks.back().WasContinued ? 1 : 0;
   }
   EXPECT_EQ(continued, 2);
@@ -130,13 +132,19 @@ TEST(TouchReplay, ScenesThatWereContinuedAreContinuedAgain)
   ReplayComparison comparison;
   ASSERT_TRUE(ReplayTouch(recording, scenes, comparison).IsOk());
   EXPECT_EQ(comparison.DifferentTicks, 0u);
-  for (TouchState& tick : recording->Ticks)
+  auto anew = std::make_shared<TouchRecording>(*recording);
+  auto truer = std::make_shared<TouchRecording>(*recording);
+  for (std::size_t n = 0; n < recording->Ticks.size(); ++n)
   {
-    tick.WasContinued = false;
+    anew->Ticks[n].WasContinued = false;
+    truer->Ticks[n].Level = 0;
   }
-  ReplayComparison anew;
-  ASSERT_TRUE(ReplayTouch(recording, scenes, anew).IsOk());
-  EXPECT_GT(anew.DifferentTicks, 100u);
+  for (const auto& other : {anew, truer})
+  {
+    ReplayComparison different;
+    ASSERT_TRUE(ReplayTouch(other, scenes, different).IsOk());
+    EXPECT_GT(different.DifferentTicks, 100u);
+  }
 }
 
 TEST(TouchReplay, WhatAChangeDoesToForcesIsSeen)

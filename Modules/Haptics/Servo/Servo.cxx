@@ -46,9 +46,15 @@ Status Servo::Publish(std::shared_ptr<const TouchScene> scene, SceneEntry entry)
   return status;
 }
 
-void Servo::Tick(const TickInfo& tick) noexcept
+int Servo::MostLevel() noexcept
+{
+  return this->Scenes.Current() != nullptr ? this->Scenes.Current()->MostLevel() : 0;
+}
+
+void Servo::Tick(const TickInfo& tick, int level) noexcept
 {
   const Change change = this->TakeOver();
+  this->Level = std::clamp(level, 0, this->MostLevel());
   const TickObservation now = this->Observe(tick);
   if (now.State == DeviceState::Ready && now.HasSample)
   {
@@ -141,6 +147,7 @@ FollowStep Servo::StepTo(const DeviceSample& sample, double passed) noexcept
   step.Now = this->Current.Pose;
   step.Last = this->HasFelt ? this->LastAsked : step.Now;
   step.Passed = passed;
+  step.Level = this->Level;
   step.Hand = sample.Position;
   step.HandVelocity = this->HandVelocity.Update(step.Hand, passed);
   step.FadeIn = this->CarriesOn ? std::max(this->Settings.RampDuration, HandoverDuration) : 0.0;
@@ -213,6 +220,7 @@ TouchState Servo::StateOf(const TickObservation& now, const Vector3& force) noex
   state.Structure = this->Current.Felt.Structure;
   state.Depth = this->Current.Felt.Deepest.Depth;
   state.Scene = this->SceneCount;
+  state.Level = this->Level;
   return state;
 }
 } // namespace palpate

@@ -27,8 +27,8 @@ struct ServoSettings
 
 /// The way from a device's position to its force, one tick at a time: read, map to the world,
 /// follow every structure in reach, add the forces, pass the safety chain, apply, publish. What a
-/// tick does depends on its TickInfo, the device's samples and the scene alone, so that a recorded
-/// session gives the same forces to the last bit.
+/// tick does depends on its TickInfo, its level, the device's samples and the scene alone, so that
+/// a recorded session gives the same forces to the last bit.
 ///
 /// Publish, Reclaim: one publishing thread. Tick: the servo thread. Latest: one reading thread.
 /// PopRecorded: one recording thread. Rearm, SwitchOff: any.
@@ -56,7 +56,11 @@ public:
   /// 0 N from the next tick on, until Rearm; the tool is followed all the same.
   void SwitchOff() noexcept { this->OffWanted.store(true, std::memory_order_release); }
 
-  void Tick(const TickInfo& tick) noexcept;
+  /// `level` of stand-ins is felt, or the coarsest that there is. It is an input like the tick's
+  /// time, and is recorded with it.
+  void Tick(const TickInfo& tick, int level = 0) noexcept;
+  /// The coarsest level of the scene that is felt, for the servo thread.
+  int MostLevel() noexcept;
 
   const TouchState& Latest() noexcept { return this->Newest.Latest(); }
   /// The oldest tick that was not fetched yet; false where there is none.
@@ -107,6 +111,7 @@ private:
   int TicksSinceModel = 0;
   std::atomic<bool> RearmWanted{false}; // any thread's
   std::atomic<bool> OffWanted{false};   // any thread's
+  int Level = 0;                        // of this tick
   bool HasFelt = false;
   bool CarriesOn = false; // the next step is the first of a scene that continues another one
 };

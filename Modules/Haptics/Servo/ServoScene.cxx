@@ -27,6 +27,7 @@ Status ServoScene::Make(std::shared_ptr<const TouchScene> scene, double velocity
     status =
         StructureFollower::Make(structure, *next->Shared, velocityTimeConstant, next->Followers);
     reaches.push_back(StructureFollower::ReachWorld(structure, next->Shared->Tool));
+    next->Levels = std::max(next->Levels, static_cast<int>(structure.Coarser.size()));
     if (structure.Id != 0)
     {
       next->Ids.emplace_back(structure.Id, static_cast<int>(reaches.size()) - 1);
@@ -142,6 +143,25 @@ void ServoScene::LookAround(const FollowStep& step) noexcept
   this->NearCount = this->Index.Find(this->LookedAt, this->Near.data());
 }
 
+// What is near and is felt by another stand-in now goes on from the one before.
+void ServoScene::UseLevel(const FollowStep& step) noexcept
+{
+  if (step.Level == this->Level)
+  {
+    return;
+  }
+  this->Level = step.Level;
+  for (std::size_t i = 0; i < this->NearCount; ++i)
+  {
+    StructureFollower& follower = this->Followers[this->Near[i]];
+    const FadingContact last = follower.FadingOut(this->Hand);
+    if (follower.UseLevel(step))
+    {
+      this->FadeOut(static_cast<int>(this->Near[i]), last);
+    }
+  }
+}
+
 ServoScene::Feeling ServoScene::Follow(const FollowStep& step) noexcept
 {
   Feeling feeling;
@@ -149,6 +169,7 @@ ServoScene::Feeling ServoScene::Follow(const FollowStep& step) noexcept
   if (step.AsksModel)
   {
     this->LookAround(step);
+    this->UseLevel(step);
   }
   for (std::size_t i = 0; i < this->NearCount; ++i)
   {

@@ -49,6 +49,8 @@ public:
   int IndexOf(const ServoScene& other, int structure) const noexcept;
   /// Forgets where the tool was.
   void Leave() noexcept;
+  /// Of the structure with the most stand-ins.
+  int MostLevel() const noexcept { return this->Levels; }
   /// How many structures the last Follow looked at.
   std::size_t LookedAtCount() const noexcept { return this->NearCount; }
   /// Of followers, their trackers and the index, without the models.
@@ -65,6 +67,7 @@ private:
   };
 
   void LookAround(const FollowStep& step) noexcept;
+  void UseLevel(const FollowStep& step) noexcept;
   void FadeOut(int structure, const FadingContact& contact) noexcept;
   int Find(int id) const noexcept;
   explicit ServoScene(std::shared_ptr<const TouchScene> scene) : Shared(std::move(scene)) {}
@@ -79,6 +82,8 @@ private:
   std::vector<std::pair<int, int>> Ids;  // of structures that have one, and which; ascending
   std::array<FadingStructure, 8> Fading; // more at once than a tool touches
   Vector3 Hand = Vector3::Zero();        // mm, device's frame, of the last Follow
+  int Levels = 0;
+  int Level = 0; // of the last Follow that asked models
   SceneEntry EnteredAs = SceneEntry::Anew;
 };
 } // namespace palpate

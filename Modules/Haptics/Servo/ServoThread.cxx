@@ -28,6 +28,7 @@ Status ServoThread::Start(const RealtimeRequest& request)
   const auto period = static_cast<std::int64_t>(std::llround(1e9 / this->Settings.Rate));
   this->Rate = std::make_unique<FixedRateLoop>(this->Time, period);
   this->Counted = {};
+  this->Budget = TickBudget(period);
   this->Published.Publish(this->Counted);
   return this->Thread.Start(
       request,
@@ -47,14 +48,16 @@ void ServoThread::Stop()
 
 bool ServoThread::Tick(const TickInfo& tick) noexcept
 {
-  this->Touch.Tick(tick);
+  this->Touch.Tick(tick, this->Budget.Level());
   if (tick.Number > 0)
   {
     this->Counted.Periods.Add(tick.Started - this->LastStarted);
   }
   this->LastStarted = tick.Started;
   this->Counted.Periods.AddMisses(tick.SkippedPeriods);
-  this->Counted.Durations.Add(this->Time.Now() - tick.Started);
+  const std::int64_t spent = this->Time.Now() - tick.Started;
+  this->Counted.Durations.Add(spent);
+  this->Budget.Take(tick.Started, spent, this->Touch.MostLevel());
   this->Counted.Durations.AddMisses(tick.IsLate ? 1 : 0);
   if (tick.Number % TicksBetweenStatistics == 0)
   {

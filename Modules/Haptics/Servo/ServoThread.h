@@ -4,6 +4,7 @@
 #include "PeriodStatistics.h"
 #include "RealtimeThread.h"
 #include "Servo.h"
+#include "TickBudget.h"
 
 #include <memory>
 
@@ -16,8 +17,8 @@ struct ServoStatistics
   PeriodStatistics Durations; ///< from a tick's start to its end; misses are late ticks
 };
 
-/// Runs a servo at its rate on a thread of its own. Start, Stop and the destructor are for the
-/// thread that owns it.
+/// Runs a servo at its rate on a thread of its own, with stand-ins while ticks take too long.
+/// Start, Stop and the destructor are for the thread that owns it.
 class ServoThread
 {
 public:
@@ -51,6 +52,7 @@ private:
   // The servo thread's own.
   std::int64_t LastStarted = 0;
   ServoStatistics Counted;
+  TickBudget Budget{0};
   RealtimeThread Thread;
 };
 } // namespace palpate

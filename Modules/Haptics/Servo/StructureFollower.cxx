@@ -45,8 +45,8 @@ Contact Untouched(const Vector3& probeWorld) noexcept
 
 StructureFollower::StructureFollower(const TouchStructure& structure, const TouchScene& scene,
                                      double velocityTimeConstant,
-                                     std::unique_ptr<ContactTracker> tracker)
-    : Tracker(std::move(tracker)), Structure(&structure), Frame(&scene.Frame),
+                                     std::vector<std::unique_ptr<ContactTracker>> trackers)
+    : Trackers(std::move(trackers)), Structure(&structure), Frame(&scene.Frame),
       Reach(ReachWorld(structure, scene.Tool)), ToolRadiusWorld(LeastRadius(scene.Tool)),
       ToolRadiusDevice(scene.Frame.LengthDevice(ToolRadiusWorld * Vector3::UnitX()).norm()),
       OffsetVelocity(velocityTimeConstant)
@@ -57,6 +57,10 @@ Eigen::AlignedBox3d StructureFollower::ReachWorld(const TouchStructure& structur
                                                   const ToolShape& tool)
 {
   Eigen::AlignedBox3d reach = structure.Model->BoundsWorld();
+  for (const TouchStandIn& coarser : structure.Coarser)
+  {
+    reach.extend(coarser.Model->BoundsWorld());
+  }
   reach.min().array() -= tool.BoundingRadius();
   reach.max().array() += tool.BoundingRadius();
   return reach;
@@ -66,16 +70,37 @@ Status StructureFollower::Make(const TouchStructure& structure, const TouchScene
                                double velocityTimeConstant,
                                std::vector<StructureFollower>& followers)
 {
-  std::unique_ptr<ContactTracker> tracker;
-  const Status status = structure.Model->MakeTracker(scene.Tool, structure.Friction, tracker);
-  if (!status.IsOk())
+  std::vector<std::unique_ptr<ContactTracker>> trackers(1 + structure.Coarser.size());
+  for (std::size_t rung = 0; rung < trackers.size(); ++rung)
   {
-    return Status::Failure("The structure " + structure.Name +
-                           " cannot be touched: " + status.Message());
+    const TouchStandIn* coarser = rung > 0 ? &structure.Coarser[rung - 1] : nullptr;
+    const ContactModel& model = coarser != nullptr ? *coarser->Model : *structure.Model;
+    const ToolShape& tool = coarser != nullptr && coarser->Tool ? *coarser->Tool : scene.Tool;
+    const Status status = model.MakeTracker(tool, structure.Friction, trackers[rung]);
+    if (!status.IsOk())
+    {
+      return Status::Failure("The structure " + structure.Name +
+                             " cannot be touched: " + status.Message());
+    }
   }
   followers.push_back(
-      StructureFollower(structure, scene, velocityTimeConstant, std::move(tracker)));
+      StructureFollower(structure, scene, velocityTimeConstant, std::move(trackers)));
   return Status::Success();
+}
+
+std::size_t StructureFollower::Bytes() const noexcept
+{
+  std::size_t bytes = sizeof(*this) + this->Trackers.size() * sizeof(this->Trackers[0]);
+  for (const auto& tracker : this->Trackers)
+  {
+    bytes += tracker->Bytes();
+  }
+  return bytes;
+}
+
+std::size_t StructureFollower::RungOf(int level) const noexcept
+{
+  return std::min(static_cast<std::size_t>(std::max(level, 0)), this->Trackers.size() - 1);
 }
 
 bool StructureFollower::IsInReach(const FollowStep& step) const noexcept
@@ -98,6 +123,21 @@ void StructureFollower::CarryOn(const StructureFollower& before) noexcept
   this->Before = before.Last;
 }
 
+bool StructureFollower::UseLevel(const FollowStep& step) noexcept
+{
+  const std::size_t rung = this->RungOf(step.Level);
+  if (!this->Follows || rung == this->Rung)
+  {
+    return false;
+  }
+  this->Rung = rung;
+  this->Tracker().Release();
+  const Contact& begun = this->Tracker().Follow({this->Last.ProxyWorld, step.Now.Orientation});
+  this->Weight = RampIn(this->Last.IsTouching || begun.IsTouching ? HandoverDuration : 0.0);
+  this->OffsetVelocity.Reset();
+  return true;
+}
+
 FadingContact StructureFollower::FadingOut(const Vector3& hand) const noexcept
 {
   return {this->Force, this->NormalDevice, this->Factor * this->Structure->Law.Stiffness, hand};
@@ -118,15 +158,16 @@ void StructureFollower::Enter(const FollowStep& step) noexcept
   {
     this->OffsetVelocity.Update(Vector3::Zero(), step.Passed);
   }
-  this->Tracker->Release();
-  this->Tracker->Follow(from);
+  this->Rung = this->RungOf(step.Level);
+  this->Tracker().Release();
+  this->Tracker().Follow(from);
   this->Before.reset();
   this->Follows = true;
 }
 
 void StructureFollower::AskModel(const FollowStep& step) noexcept
 {
-  this->Last = this->Tracker->Follow(step.Now);
+  this->Last = this->Tracker().Follow(step.Now);
   this->Last.IsValid = IsSound(this->Last, step.Now.PositionWorld);
   this->Last.IsTouching = this->Last.IsTouching && this->Last.IsValid;
 }

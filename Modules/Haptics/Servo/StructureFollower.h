@@ -26,6 +26,7 @@ struct FollowStep
   /// s. In the first step of a scene that continues another one what the tool comes upon may have
   /// grown round it: that is felt more and more for so long. 0 in all other steps.
   double FadeIn = 0.0;
+  int Level = 0; ///< of stand-ins, where a structure has them
 
   /// Holds the way from Last to Now.
   Eigen::AlignedBox3d WayWorld() const noexcept
@@ -40,7 +41,13 @@ struct FollowStep
 class StructureFollower
 {
 public:
-  /// Makes the tracker. Keeps the addresses of both; the structure is one of the scene's.
+  StructureFollower(StructureFollower&&) = default;
+  StructureFollower& operator=(StructureFollower&&) = delete;
+  StructureFollower(const StructureFollower&) = delete;
+  StructureFollower& operator=(const StructureFollower&) = delete;
+  ~StructureFollower() = default;
+
+  /// Makes the trackers. Keeps the addresses of both; the structure is one of the scene's.
   /// `velocityTimeConstant` in s.
   static Status Make(const TouchStructure& structure, const TouchScene& scene,
                      double velocityTimeConstant, std::vector<StructureFollower>& followers);
@@ -61,20 +68,24 @@ public:
   /// begins free of touch at that one's proxy, so that nothing is passed through from there to the
   /// probe. Where the proxy is inside now, it begins as a tool that is put inside.
   void CarryOn(const StructureFollower& before) noexcept;
+  /// Feels the stand-in of the step's level from now on, going on as CarryOn does. Whether that is
+  /// another one than before; nothing else is left to be faded out where the tool is out of reach.
+  bool UseLevel(const FollowStep& step) noexcept;
   /// What was felt last, with the hand at `hand` (mm, device's frame), to be faded out.
   FadingContact FadingOut(const Vector3& hand) const noexcept;
   bool IsFollowing() const noexcept { return this->Follows; }
   int Id() const noexcept { return this->Structure->Id; }
 
   /// With its tracker.
-  std::size_t Bytes() const noexcept { return sizeof(*this) + this->Tracker->Bytes(); }
+  std::size_t Bytes() const noexcept;
 
   /// Of the last Follow. Invalid where the model gave nothing that can be felt.
   const Contact& Touched() const noexcept { return this->Last; }
 
 private:
   StructureFollower(const TouchStructure& structure, const TouchScene& scene,
-                    double velocityTimeConstant, std::unique_ptr<ContactTracker> tracker);
+                    double velocityTimeConstant,
+                    std::vector<std::unique_ptr<ContactTracker>> trackers);
 
   void Enter(const FollowStep& step) noexcept;
   void AskModel(const FollowStep& step) noexcept;
@@ -82,7 +93,11 @@ private:
   Vector3 TextureForce(const ContactOffset& felt, const Vector3& contactForce,
                        const Vector3& proxyWorld) const noexcept;
 
-  std::unique_ptr<ContactTracker> Tracker;
+  std::size_t RungOf(int level) const noexcept;
+  ContactTracker& Tracker() noexcept { return *this->Trackers[this->Rung]; }
+
+  std::vector<std::unique_ptr<ContactTracker>> Trackers; // of the model and its stand-ins
+  std::size_t Rung = 0;
   const TouchStructure* Structure;
   const DeviceFrame* Frame;
   Eigen::AlignedBox3d Reach;

@@ -27,6 +27,14 @@ Status TouchScene::Check() const
     {
       return Status::Failure("The structure " + structure.Name + " has no model to be touched.");
     }
+    for (const TouchStandIn& coarser : structure.Coarser)
+    {
+      if (coarser.Model == nullptr)
+      {
+        return Status::Failure("A stand-in for the structure " + structure.Name +
+                               " has no model to be touched.");
+      }
+    }
     if (!IsAmount(structure.Law.Stiffness) || !IsAmount(structure.Law.Damping))
     {
       return Status::Failure("Stiffness and damping of the structure " + structure.Name +

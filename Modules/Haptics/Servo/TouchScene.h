@@ -9,11 +9,20 @@
 #include "ToolShape.h"
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace palpate
 {
+/// What is felt in place of a structure's model while ticks take too long: cheaper, less true.
+struct TouchStandIn
+{
+  std::shared_ptr<const ContactModel> Model;
+  std::optional<ToolShape> Tool; ///< in place of the scene's, no larger than that
+  std::string Says;              ///< "degree 6 instead of 12"
+};
+
 /// One thing to be touched.
 struct TouchStructure
 {
@@ -26,6 +35,7 @@ struct TouchStructure
   double Viscosity = 0.0;                                  ///< N s/mm, of what is inside
   /// By which it is known again in a scene that continues this one; 0: it is not.
   int Id = 0;
+  std::vector<TouchStandIn> Coarser = {}; ///< each cheaper than the one before
 };
 
 /// What acts without touch too, in the device's frame.

@@ -27,6 +27,7 @@ struct TouchState
   std::uint64_t Scene = 0;     ///< counts the scenes taken over; 0 before the first
   bool WasRearmed = false;     ///< a person switched forces on again before this tick
   bool WasContinued = false;   ///< the scene that was taken over went on from the one before
+  std::int32_t Level = 0;      ///< of stand-ins, that was felt; 0 are the models themselves
   SafetyReport Safety;
 };
 } // namespace palpate

@@ -60,6 +60,28 @@ TEST(ServoDoesNotAllocate, InAnyTick)
   EXPECT_EQ(AllocationsOfASession(settings), 0u);
 }
 
+TEST(ServoDoesNotAllocate, WhereLevelsChange)
+{
+  TouchScene scene = test::WallScene(0.0, {1.0, 0.01});
+  scene.Structures[0].Coarser.push_back({std::make_shared<test::WallModel>(0.3), {}, "rougher"});
+  test::ScriptedDevice device;
+  Servo loop(device, ServoSettings());
+  ASSERT_TRUE(loop.Publish(std::make_shared<TouchScene>(scene)).IsOk());
+  int changes = 0;
+  const std::size_t before = test::AllocationCount();
+  for (std::uint64_t n = 0; n < 1000; ++n)
+  {
+    const TickObservation tick = test::HealthyTick(n, {0.0, 0.0, -1.0});
+    device.Next.Position = tick.Sample.Position;
+    device.Next.Time = tick.Sample.Time;
+    const int last = loop.Latest().Level;
+    loop.Tick(tick.Tick, n / 70 % 2 == 0 ? 0 : 1);
+    changes += loop.Latest().Level != last ? 1 : 0;
+  }
+  EXPECT_EQ(test::AllocationCount(), before);
+  EXPECT_EQ(changes, 14);
+}
+
 TEST(ServoDoesNotAllocate, AmongManyStructures)
 {
   test::ServoRun run(test::ManyStructures(300));

@@ -5,6 +5,7 @@
 #include "InputError.h"
 #include "SceneField.h"
 #include "SteadyClock.h"
+#include "TouchStandIns.h"
 
 #include <algorithm>
 #include <array>
@@ -58,6 +59,12 @@ StudyProduct ReadUnlessCancelled(const Read& read, const ProgressFunction& progr
     throw Cancelled();
   }
   return read();
+}
+
+StudyProduct WithStandIns(TouchContact contact, const ProgressFunction& progress)
+{
+  AddStandIns(contact, progress);
+  return std::make_shared<const TouchContact>(std::move(contact));
 }
 
 // "prostate: touched by its sub-voxel field, because it is not star-shaped: ..."
@@ -293,22 +300,22 @@ private:
 
   Making ContactOfModel() const
   {
-    return [](const Inputs& inputs, const ProgressFunction&) -> StudyProduct
+    return [](const Inputs& inputs, const ProgressFunction& progress) -> StudyProduct
     {
       const auto fit = ProductAs<FitResult>(inputs.data());
-      return std::make_shared<const TouchContact>(
-          MakeHarmonicContact(fit->Model, HarmonicContactMode::Nearest, fit->Input));
+      return WithStandIns(MakeHarmonicContact(fit->Model, HarmonicContactMode::Nearest, fit->Input),
+                          progress);
     };
   }
 
   Making ContactOfSurface() const
   {
-    return [](const Inputs& inputs, const ProgressFunction&) -> StudyProduct
+    return [](const Inputs& inputs, const ProgressFunction& progress) -> StudyProduct
     {
       const FitResult& found = ProductAs<FitSurface>(inputs.data())->Found;
       auto own = vtkSmartPointer<vtkPolyData>::New();
       own->ShallowCopy(found.Surface);
-      return std::make_shared<const TouchContact>(MakeFacetContact(own, found.Input));
+      return WithStandIns(MakeFacetContact(own, found.Input), progress);
     };
   }
 

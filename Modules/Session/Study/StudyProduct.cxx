@@ -79,7 +79,12 @@ std::size_t BytesOf(const StudyProduct& product)
           [](const std::shared_ptr<const TouchContact>& contact)
           {
             // A tree of boxes over the facets takes about as much as they do.
-            return sizeof(*contact) + 2 * BytesOf(contact->Looks.Surface.Get());
+            std::size_t bytes = sizeof(*contact) + 2 * BytesOf(contact->Looks.Surface.Get());
+            for (const TouchStandIn& coarser : contact->Coarser)
+            {
+              bytes += coarser.Model->Bytes();
+            }
+            return bytes;
           },
           [](const std::shared_ptr<const TouchCost>& cost) { return sizeof(*cost); }},
       product);

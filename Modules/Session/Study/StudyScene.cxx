@@ -1,5 +1,6 @@
 #include "StudyScene.h"
 
+#include "TouchStandIns.h"
 #include "TouchStructures.h"
 
 namespace palpate
@@ -46,6 +47,7 @@ TouchScene MakeStudyScene(const StudyState& state, const std::vector<StudyContac
     touch.Name = TitleOf(*structure);
     touch.Id = contact.Label;
     touch.Model = contact.Contact->Model;
+    touch.Coarser = StandInsFor(*contact.Contact, scene.Tool);
     touch.Law.Stiffness = structure->Stiffness;
     touch.Friction = structure->Friction;
     scene.Structures.push_back(std::move(touch));

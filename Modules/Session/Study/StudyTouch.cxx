@@ -5,6 +5,7 @@
 #include "SimulatedDevice.h"
 #include "StiffnessAdvice.h"
 #include "TouchRecorder.h"
+#include "TouchStandIns.h"
 
 #include <algorithm>
 #include <utility>
@@ -284,6 +285,8 @@ const StudyTouchReading& StudyTouch::Poll()
   this->Reading.Safety = this->Reading.IsClutched
                              ? "The clutch is held: nothing is felt, and the tool stays."
                              : SafetyText(this->Reading.Newest);
+  this->Reading.Degraded = LevelText(*this->Scene, this->Reading.Newest.Level,
+                                     this->Reading.Newest.Structure, this->Settings.Rate);
   this->Reading.DeviceProblem = this->Device->Problem();
   this->Reading.Guidance = this->Device->Guidance();
   const ServoStatistics& statistics = this->Thread->Statistics();

@@ -29,6 +29,7 @@ struct StudyTouchReading
   std::vector<TouchState> NewTicks; ///< since the last reading, oldest first
   int TouchedLabel = 0;             ///< of the structure touched most deeply; 0 without touch
   std::string Safety;               ///< what the safety chain does, in plain words
+  std::string Degraded;             ///< what is felt in place of the models; empty without
   std::string DeviceProblem;        ///< in one sentence; empty without
   std::string Guidance;             ///< what the person should do now; empty where nothing
   PeriodStatistics Periods;         ///< ns from tick to tick; misses are those left out

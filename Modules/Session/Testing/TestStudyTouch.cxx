@@ -5,6 +5,7 @@
 #include "PlacedDevice.h"
 #include "SafetyText.h"
 #include "SimulatedDevice.h"
+#include "SlowModel.h"
 #include "SteadyClock.h"
 #include "StudyPhantoms.h"
 #include "TouchReplay.h"
@@ -169,6 +170,24 @@ TEST_F(StudyTouchTest, ForcesGoOnThroughARefitAnotherStiffnessAndADraggedWorkspa
   expectNoGap(3.0);
   this->State.Placement.CenterWorld = Vector3(-0.5, 0.0, 0.0);
   expectNoGap(3.5);
+}
+
+// The servo's own time passes while a model is asked.
+TEST_F(StudyTouchTest, AModelThatTicksHaveNoTimeForGivesWayAndTheReadingSaysSo)
+{
+  const auto cost = std::make_shared<std::atomic<std::int64_t>>(2'500'000); // ns
+  TouchContact slow = *this->Contacts[0].Contact;
+  slow.Coarser.push_back({slow.Model, {}, "something coarser"});
+  slow.Model = std::make_shared<test::SlowModel>(slow.Model, this->Time, cost);
+  this->Contacts[0].Contact = std::make_shared<const TouchContact>(slow);
+  this->State.Rate = 500.0;
+  this->Start();
+  this->Press(4.0);
+  const StudyTouchReading& coarser =
+      this->WaitUntil([](const StudyTouchReading& now) { return !now.Degraded.empty(); });
+  EXPECT_EQ(coarser.Degraded, "label 7 is felt by something coarser: ticks took longer than 2 ms.");
+  *cost = 0;
+  this->WaitUntil([](const StudyTouchReading& now) { return now.Degraded.empty(); });
 }
 
 TEST_F(StudyTouchTest, WhatCannotBeFeltIsNotPublishedAgain)

@@ -1,5 +1,6 @@
 #include "TradeModels.h"
 
+#include "DecimatedSurface.h"
 #include "FilterRun.h"
 #include "InputError.h"
 #include "ModelSurface.h"
@@ -11,7 +12,6 @@
 #include "vtkSphericalHarmonicFit.h"
 
 #include "vtkNew.h"
-#include "vtkQuadricDecimation.h"
 #include "vtkTable.h"
 
 #include <algorithm>
@@ -38,19 +38,6 @@ const SphericalHarmonicModel* ModelOf(const TradeSource& source)
 {
   const auto* model = std::get_if<TradeSource::Model>(&source.Is);
   return model == nullptr ? nullptr : model->get();
-}
-
-vtkSmartPointer<vtkPolyData> Decimated(vtkPolyData* surface, int facets,
-                                       const ProgressFunction& progress)
-{
-  auto shared = vtkSmartPointer<vtkPolyData>::New();
-  shared->ShallowCopy(surface);
-  vtkNew<vtkQuadricDecimation> decimation;
-  decimation->SetInputData(shared);
-  decimation->VolumePreservationOn();
-  decimation->SetTargetReduction(1.0 - facets / static_cast<double>(surface->GetNumberOfCells()));
-  RunFilter(decimation, "fewer facets", 0.0, 1.0, progress);
-  return decimation->GetOutput();
 }
 
 void RequireFit(const FitResult& found, bool isOver, const TradeSource& source)
@@ -256,7 +243,7 @@ TradeModel TradeModels::MakeFacets(const TradeSetting& setting, const ProgressFu
   }
   else if (setting.Facets > 0 && setting.Facets < surface->GetNumberOfCells())
   {
-    surface = Decimated(surface, setting.Facets, progress);
+    surface = DecimatedSurface(surface, setting.Facets, progress);
   }
   made.Contact = MakeFacetContact(surface, this->Structure.File);
   made.Seconds += this->SecondsSince(start);
