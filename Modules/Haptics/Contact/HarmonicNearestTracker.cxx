@@ -53,7 +53,7 @@ HarmonicNearestTracker::HarmonicNearestTracker(std::shared_ptr<const HarmonicSur
 {
   if (HarmonicWedge::IsNeeded(*this->Surface, toolRadius))
   {
-    this->Wedge.emplace(this->Surface, toolRadius);
+    this->Wedge = std::make_unique<HarmonicWedge>(this->Surface, toolRadius);
   }
 }
 
@@ -69,6 +69,10 @@ const Contact& HarmonicNearestTracker::Follow(const ToolPose& pose) noexcept
   if (this->Wedge && this->Known == State::Touching)
   {
     this->DragWedge(pose.PositionWorld);
+    if (!this->Wedge->IsHeld())
+    {
+      this->LeaveWedge(pose.PositionWorld);
+    }
   }
   this->Report(pose.PositionWorld);
   return this->Felt;
@@ -163,7 +167,7 @@ void HarmonicNearestTracker::Touch(const ClosestPoint& nearest) noexcept
   this->Held = PlaceOf(nearest);
   if (this->Wedge)
   {
-    this->Wedge->Begin(nearest.PointWorld + this->ToolRadius * nearest.Normal);
+    this->Wedge->Begin(nearest);
   }
 }
 
@@ -257,6 +261,16 @@ void HarmonicNearestTracker::DragWedge(const Vector3& probe) noexcept
   {
     this->Wedge->MoveTo(this->Friction.DrawnTo(probe, held, normal));
   }
+}
+
+// A ball that no wall holds is free, and goes to the probe from where it is.
+void HarmonicNearestTracker::LeaveWedge(const Vector3& probe) noexcept
+{
+  this->Known = State::Free;
+  this->ProbeWorld = this->Wedge->CenterWorld();
+  this->ClearCenterWorld = this->ProbeWorld;
+  this->ClearRadius = 0.0;
+  this->Advance(probe);
 }
 
 // Between where the tool was held and the end of its way, the place where it resists again: a root

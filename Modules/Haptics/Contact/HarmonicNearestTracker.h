@@ -6,7 +6,6 @@
 #include "HarmonicWedge.h"
 
 #include <memory>
-#include <optional>
 
 namespace palpate
 {
@@ -31,7 +30,10 @@ public:
 
   const Contact& Follow(const ToolPose& pose) noexcept override;
   void Release() noexcept override { this->Known = State::Nothing; }
-  std::size_t Bytes() const noexcept override { return sizeof(*this); }
+  std::size_t Bytes() const noexcept override
+  {
+    return sizeof(*this) + (this->Wedge ? sizeof(*this->Wedge) : 0);
+  }
 
 private:
   enum class State
@@ -53,6 +55,7 @@ private:
   void Measure(const Vector3& probe) noexcept;
   void Drag(const Vector3& probe) noexcept;
   void DragWedge(const Vector3& probe) noexcept;
+  void LeaveWedge(const Vector3& probe) noexcept;
   HarmonicSurface::Place Slip(const Vector3& probe,
                               const HarmonicSurface::Place& end) const noexcept;
   FrictionCone::Pull PullOf(const Vector3& probe,
@@ -74,7 +77,7 @@ private:
   // Touching: the minimum that is followed, and where friction holds the tool.
   ClosestPoint Closest{};
   HarmonicSurface::Place Held{};
-  std::optional<HarmonicWedge> Wedge; // that holds it instead, where it does not fit everywhere
+  std::unique_ptr<HarmonicWedge> Wedge; // that holds it instead, where it does not fit everywhere
   Contact Felt;
 };
 } // namespace palpate

@@ -1,29 +1,68 @@
 #include "HarmonicWedge.h"
 
-#include "HalfSpaces.h"
 #include "IcosahedronDirections.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace palpate
 {
 namespace
 {
-// Of the smallest radius, so that units do not matter.
+// Of the smallest radius, so that units do not matter: the way between two proofs, where a slide
+// ends, and what a proof leaves open.
 constexpr double RelativeStep = 1.0 / 16.0;
-constexpr double Enough = 1e-4;
+constexpr double RelativeEnd = 6e-6;
+constexpr double RelativeTolerance = 1e-5;
+// Of the ball's radius: nothing is nearer to its centre wherever it goes, also when a tick has no
+// time for the whole proof.
+constexpr double LeastProven = 0.5;
 constexpr int MostSteps = 6;
-// So many find the nearest wall, if not the proof that there is no other.
-constexpr int MostEvaluations = 64;
-constexpr int ProvingEvaluations = 512;
-// Walls are one where the surface between them turns by less (rad), seen from the centre.
-constexpr double Apart = 0.01;
+constexpr int MostProofs = 12;
+constexpr int EvaluationsOfMove = 512;
+
+// A wall's minimum for another query on its normal: it is the same.
+ClosestPoint SeenFrom(const Vector3& queryWorld, const Vector3& modelCenterWorld,
+                      const ClosestPoint& wall) noexcept
+{
+  ClosestPoint seen = wall;
+  seen.SignedDistance = (queryWorld - wall.PointWorld).dot(wall.Normal);
+  seen.Expansion =
+      SquaredDistance(wall.SampleDirection, wall.Sample, queryWorld - modelCenterWorld);
+  return seen;
+}
+// Where two walls hold the ball in a groove, steps from plane to plane overshoot or lag by about
+// the same part each time: Aitken's process takes that part off along the step before (Irons and
+// Tuck, Int. J. Numer. Meth. Eng. 1, 1969).
+class Relaxation
+{
+public:
+  Vector3 Relaxed(const Vector3& step) noexcept
+  {
+    Vector3 relaxed = step;
+    const double square = this->Last.squaredNorm();
+    if (square > 0.0)
+    {
+      const double change = (step - this->Last).dot(this->Last);
+      this->Factor = change < 0.0 ? std::clamp(-this->Factor * square / change, 0.1, 3.0) : 1.0;
+      relaxed += (this->Factor - 1.0) * step.dot(this->Last) / square * this->Last;
+    }
+    this->Last = step;
+    return relaxed;
+  }
+
+private:
+  Vector3 Last = Vector3::Zero();
+  double Factor = 1.0;
+};
 } // namespace
 
 HarmonicWedge::HarmonicWedge(std::shared_ptr<const HarmonicSurface> surface, double radius)
     : Surface(std::move(surface)), Radius(radius),
-      LongestStep(RelativeStep * this->Surface->SmallestRadius())
+      LongestStep(RelativeStep * this->Surface->SmallestRadius()),
+      Proof(this->Surface->Search(), radius,
+            std::min(0.5 * radius, RelativeTolerance * this->Surface->SmallestRadius()))
 {
 }
 
@@ -49,89 +88,207 @@ bool HarmonicWedge::IsNeeded(const HarmonicSurface& surface, double radius)
                      });
 }
 
-void HarmonicWedge::Begin(const Vector3& centerWorld) noexcept
+void HarmonicWedge::Begin(const ClosestPoint& nearest) noexcept
 {
-  this->Center = centerWorld;
-  this->WallCount = 0;
+  this->Center =
+      nearest.PointWorld + std::max(this->Radius, nearest.SignedDistance) * nearest.Normal;
+  this->IsClear = false;
+  this->JointNormal = nearest.Normal;
+  this->Walls[0] = SeenFrom(this->Center, this->Surface->Model().CenterWorld(), nearest);
+  this->WallCount = 1;
 }
 
 void HarmonicWedge::MoveTo(const Vector3& goalWorld) noexcept
 {
-  bool isOnItsWay = true;
-  for (int step = 0; step < MostSteps && isOnItsWay; ++step)
-  {
-    isOnItsWay = this->Step(goalWorld);
-  }
-  // Walls that were met on the last step, or that leave no place between them: out by the shortest
-  // way.
-  bool isOverlapping = true;
-  for (int step = 0; step < MostSteps && isOverlapping; ++step)
-  {
-    isOverlapping = this->Step(this->Center);
-  }
-  this->ReturnToSurface(goalWorld);
+  // Planes at a goal that is far away would be lost in rounding.
+  const double far = 4.0 * (this->Surface->LargestRadius() + this->Radius);
+  const Vector3 way = goalWorld - this->Center;
+  const double length = way.stableNorm();
+  this->Approach(length > far ? Vector3(this->Center + (far / length) * way) : goalWorld);
 }
 
-// Along a wall's plane a fast ball leaves a surface that bends away. Back by the gap it is nearer
-// to no other wall than its radius, since the nearest one was the nearest.
-void HarmonicWedge::ReturnToSurface(const Vector3& goalWorld) noexcept
+void HarmonicWedge::Approach(const Vector3& goalWorld) noexcept
 {
-  const ClosestPoint wall = this->Surface->Search().Nearest(this->Center, ProvingEvaluations);
-  const double gap = wall.SignedDistance - wall.DistanceError - this->Radius;
-  if (gap > 0.0 && this->Center != goalWorld)
+  Vector3 clear = this->Center;
+  for (int proof = 0; proof < MostProofs; ++proof)
   {
-    this->Center -= gap * wall.Normal;
+    // One that overlaps is put out by the shortest way first.
+    const bool isThere = this->Slide(this->IsClear ? goalWorld : Vector3(this->Center), clear);
+    clear = this->IsClear ? clear : this->Center;
+    if (!this->IsClearOfWalls())
+    {
+      continue;
+    }
+    const ClearanceProof::Answer answer =
+        this->Proof.Ask(this->Center, this->Walls.data(), this->WallCount, EvaluationsOfMove);
+    if (answer.State == ClearanceProof::Finding::Nearer)
+    {
+      this->Meet(answer.Minimum);
+      continue;
+    }
+    if (answer.LowerDistance < LeastProven * this->Radius)
+    {
+      break;
+    }
+    clear = this->Center;
+    if (std::exchange(this->IsClear, true) && isThere)
+    {
+      return;
+    }
+  }
+  if (clear != this->Center)
+  {
+    this->GoTo(clear, nullptr);
   }
 }
 
-// Goes on to the place nearest to the goal that the walls' planes allow; false where that is here.
-bool HarmonicWedge::Step(const Vector3& goalWorld) noexcept
+bool HarmonicWedge::IsClearOfWalls() const noexcept
 {
-  this->FollowWalls();
-  std::array<HalfSpace, MostWalls> planes;
+  const double least = this->Radius - RelativeEnd * this->Surface->SmallestRadius();
+  return std::all_of(this->Walls.begin(),
+                     this->Walls.begin() + static_cast<std::ptrdiff_t>(this->WallCount),
+                     [&](const ClosestPoint& wall) { return wall.SignedDistance >= least; });
+}
+
+// Steps towards the place nearest to the goal that the known walls allow, a long step from a clear
+// place at most; whether it was reached.
+bool HarmonicWedge::Slide(const Vector3& goalWorld, const Vector3& clearWorld) noexcept
+{
+  const double end = RelativeEnd * this->Surface->SmallestRadius();
+  Relaxation relaxation;
+  for (int step = 0; step < MostSteps; ++step)
+  {
+    std::array<HalfSpace, MostWalls> planes;
+    for (std::size_t i = 0; i < this->WallCount; ++i)
+    {
+      const ClosestPoint& wall = this->Walls[i];
+      planes[i] = {wall.Normal, wall.Normal.dot(wall.PointWorld) + this->Radius};
+    }
+    const NearestHeld held = NearestInHalfSpaces(goalWorld, planes.data(), this->WallCount);
+    const Vector3 push = held.Point - goalWorld;
+    this->IsKeptBack = push.squaredNorm() > 0.0;
+    if (this->IsKeptBack)
+    {
+      this->JointNormal = push.normalized();
+    }
+    if (held.IsHeld && this->Roll(goalWorld, clearWorld, planes.data(), held.Point))
+    {
+      return true;
+    }
+    const Vector3 way = this->Center + relaxation.Relaxed(held.Point - this->Center) - clearWorld;
+    const double length = way.norm();
+    const Vector3 next = clearWorld + std::min(1.0, this->LongestStep / length) * way;
+    const double left = (next - this->Center).norm();
+    this->GoTo(next, nullptr);
+    if (left <= end && held.IsHeld && length <= this->LongestStep)
+    {
+      return true;
+    }
+    if (left <= end)
+    {
+      break;
+    }
+  }
+  this->ReturnToWall(goalWorld);
+  return false;
+}
+
+// Along a wall's plane a fast ball leaves a surface that bends away: back by the gap, which no
+// other known wall has less of.
+void HarmonicWedge::ReturnToWall(const Vector3& goalWorld) noexcept
+{
+  const ClosestPoint* nearest = nullptr;
   for (std::size_t i = 0; i < this->WallCount; ++i)
   {
     const ClosestPoint& wall = this->Walls[i];
-    planes[i] = {wall.Normal, wall.Normal.dot(wall.PointWorld) + this->Radius};
+    nearest = nearest == nullptr || wall.SignedDistance < nearest->SignedDistance ? &wall : nearest;
   }
-  const NearestHeld held = NearestInHalfSpaces(goalWorld, planes.data(), this->WallCount);
-  const Vector3 push = held.Point - goalWorld;
-  if (push.squaredNorm() > 0.0 && goalWorld != this->Center)
+  if (nearest != nullptr && nearest->SignedDistance > this->Radius &&
+      (goalWorld - this->Center).dot(nearest->Normal) < 0.0)
   {
-    this->JointNormal = push.normalized();
+    this->GoTo(this->Center - (nearest->SignedDistance - this->Radius) * nearest->Normal, nullptr);
   }
-  const Vector3 way = held.Point - this->Center;
-  const double length = way.norm();
-  this->Center += std::min(1.0, this->LongestStep / length) * way;
-  return held.IsHeld && length > Enough * this->LongestStep;
 }
 
-// Walls are kept while they are near, and the nearest point of the whole surface is one.
-void HarmonicWedge::FollowWalls() noexcept
+// Where one plane alone holds the ball, it is one wall alone, and the place is that of the nearest
+// point to the goal, if the other walls allow it.
+bool HarmonicWedge::Roll(const Vector3& goalWorld, const Vector3& clearWorld,
+                         const HalfSpace* planes, const Vector3& heldWorld) noexcept
 {
+  const double rounding = 1e-12 * (this->Surface->LargestRadius() + this->Radius);
+  const auto room = [&](std::size_t i, const Vector3& place)
+  { return planes[i].Normal.dot(place) - planes[i].Offset; };
+  std::size_t touched = 0;
+  std::size_t touchedCount = 0;
+  for (std::size_t i = 0; i < this->WallCount; ++i)
+  {
+    if (room(i, heldWorld) <= rounding)
+    {
+      touched = i;
+      ++touchedCount;
+    }
+  }
+  if (touchedCount != 1)
+  {
+    return false;
+  }
+  const ClosestPoint wall = this->Surface->Search().Track(goalWorld, this->Walls[touched]);
+  const Vector3 place = wall.PointWorld + this->Radius * wall.Normal;
+  bool isAllowed = wall.Converged() && wall.SignedDistance <= this->Radius &&
+                   (place - clearWorld).norm() <= this->LongestStep;
+  for (std::size_t i = 0; i < this->WallCount && isAllowed; ++i)
+  {
+    isAllowed = i == touched || room(i, place) >= 0.0;
+  }
+  if (isAllowed)
+  {
+    std::swap(this->Walls[0], this->Walls[touched]);
+    this->GoTo(place, &wall);
+    this->JointNormal = wall.Normal;
+  }
+  return isAllowed;
+}
+
+// Walls are kept while they are near. The one that is touched, if it is known, is the first.
+void HarmonicWedge::GoTo(const Vector3& placeWorld, const ClosestPoint* touched) noexcept
+{
+  this->Center = placeWorld;
   const auto walls = this->Walls;
   const std::size_t count = std::exchange(this->WallCount, 0);
-  this->Meet(this->Surface->Search().Nearest(this->Center, MostEvaluations));
   for (std::size_t i = 0; i < count; ++i)
   {
-    const ClosestPoint wall = this->Surface->Search().Track(this->Center, walls[i]);
-    if (wall.Converged() && wall.SignedDistance < this->Radius + this->LongestStep)
+    const bool isTouched = i == 0 && touched != nullptr;
+    const ClosestPoint wall =
+        isTouched ? SeenFrom(placeWorld, this->Surface->Model().CenterWorld(), *touched)
+                  : this->Surface->Search().Track(placeWorld, walls[i]);
+    // One that is no strict minimum, as around the axis of a round hollow, is a wall all the same.
+    if (isTouched || wall.SignedDistance < this->Radius + this->LongestStep)
     {
       this->Meet(wall);
     }
   }
 }
 
+// Of too many walls the farthest is given up; where it matters it will be found again.
 void HarmonicWedge::Meet(const ClosestPoint& wall) noexcept
 {
   const auto end = this->Walls.begin() + static_cast<std::ptrdiff_t>(this->WallCount);
+  constexpr double Apart = ClearanceProof::Apart;
   const bool isKnown =
       std::any_of(this->Walls.begin(), end,
                   [&](const ClosestPoint& known)
                   { return (known.Direction - wall.Direction).squaredNorm() < Apart * Apart; });
-  if (!isKnown && this->WallCount < MostWalls)
+  if (isKnown)
+  {
+    return;
+  }
+  if (this->WallCount < MostWalls)
   {
     this->Walls[this->WallCount++] = wall;
+    return;
   }
+  *std::max_element(this->Walls.begin(), end,
+                    [](const ClosestPoint& a, const ClosestPoint& b)
+                    { return a.SignedDistance < b.SignedDistance; }) = wall;
 }
 } // namespace palpate

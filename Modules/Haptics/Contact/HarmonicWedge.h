@@ -1,6 +1,8 @@
 #pragma once
 
+#include "ClearanceProof.h"
 #include "ClosestPoint.h"
+#include "HalfSpaces.h"
 #include "HarmonicSurface.h"
 
 #include <array>
@@ -10,10 +12,10 @@
 namespace palpate
 {
 /// Keeps a ball out of a star-shaped surface that has hollows too narrow for it: brings it to the
-/// place nearest to a goal where no part of the surface is nearer than its radius. Up to four
-/// walls, minima of the distance that are apart, are followed; their tangent planes allow a next
-/// place, where the walls are asked again, and so on. One search of the whole surface a step, so
-/// this is for balls that need it.
+/// place nearest to a goal where no part of the surface is nearer than its radius. Some walls,
+/// minima of the distance that are apart, are followed; their tangent planes allow a next place,
+/// where the walls are asked again, and so on. Where that ends, ClearanceProof tells whether there
+/// is a wall that was not known. The ball goes nowhere that is not proven.
 class HarmonicWedge
 {
 public:
@@ -23,28 +25,39 @@ public:
   /// thousand places with a ball a tenth larger. Takes milliseconds.
   static bool IsNeeded(const HarmonicSurface& surface, double radius);
 
-  /// With the ball free of the surface here.
-  void Begin(const Vector3& centerWorld) noexcept;
+  /// At the surface's nearest point to the ball: where it is if it is free there, else pushed out
+  /// by that wall.
+  void Begin(const ClosestPoint& nearest) noexcept;
   /// Steps on from the last place; the walls' joint normal is then Normal().
   void MoveTo(const Vector3& goalWorld) noexcept;
 
   const Vector3& CenterWorld() const noexcept { return this->Center; }
   const Vector3& Normal() const noexcept { return this->JointNormal; }
+  /// Whether a wall keeps the ball from the goal; one that none does has left the surface.
+  bool IsHeld() const noexcept { return this->IsKeptBack; }
 
 private:
-  static constexpr std::size_t MostWalls = 4;
+  static constexpr std::size_t MostWalls = 6;
+  static_assert(MostWalls <= ClearanceProof::MostKnown, "a proof takes all walls");
 
-  bool Step(const Vector3& goalWorld) noexcept;
-  void ReturnToSurface(const Vector3& goalWorld) noexcept;
-  void FollowWalls() noexcept;
+  void Approach(const Vector3& goalWorld) noexcept;
+  bool Slide(const Vector3& goalWorld, const Vector3& clearWorld) noexcept;
+  bool Roll(const Vector3& goalWorld, const Vector3& clearWorld, const HalfSpace* planes,
+            const Vector3& heldWorld) noexcept;
+  void ReturnToWall(const Vector3& goalWorld) noexcept;
+  void GoTo(const Vector3& placeWorld, const ClosestPoint* touched) noexcept;
   void Meet(const ClosestPoint& wall) noexcept;
+  bool IsClearOfWalls() const noexcept;
 
   std::shared_ptr<const HarmonicSurface> Surface;
   double Radius;
-  double LongestStep; // mm
+  double LongestStep; // mm, between two proofs
+  ClearanceProof Proof;
   Vector3 Center = Vector3::Zero();
+  bool IsClear = false; // proven for the centre
+  bool IsKeptBack = false;
   Vector3 JointNormal = Vector3::UnitZ();
-  std::array<ClosestPoint, MostWalls> Walls{};
+  std::array<ClosestPoint, MostWalls> Walls{}; // of the centre
   std::size_t WallCount = 0;
 };
 } // namespace palpate

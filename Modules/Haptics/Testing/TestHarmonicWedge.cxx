@@ -1,6 +1,7 @@
 #include "ContactCases.h"
 #include "HarmonicWedge.h"
 #include "NearestByBruteForce.h"
+#include "SearchedWedge.h"
 #include "WorstCase.h"
 
 namespace palpate
@@ -87,5 +88,52 @@ TEST(HarmonicWedge, NoPartOfARoughSurfaceIsNearerThanTheBallsRadius)
     EXPECT_LE(overlap.Value(), 0.05);
   }
 }
+
+class HarmonicWedgeOfDegree : public testing::TestWithParam<int>
+{
+};
+
+TEST_P(HarmonicWedgeOfDegree, ComesWhereTheSearchOfTheWholeSurfaceAtEveryStepComes)
+{
+  constexpr double Radius = 6.0;
+  Random random(static_cast<unsigned>(4410 + GetParam()));
+  const SphericalHarmonicModel rough = GetParam() < 20 ? test::RandomRough(random, GetParam(), 20.0)
+                                                       : test::RandomOrgan(random, GetParam());
+  const auto surface = SurfaceOf(rough);
+  HarmonicWedge wedge(surface, Radius);
+  test::SearchedWedge oracle(surface, Radius);
+  test::WanderingDirection wandering(random);
+  WorstCase overlap;
+  int apart = 0;
+  double deeper = 0.0;
+  constexpr int Ticks = 400;
+  for (int tick = 0; tick < Ticks; ++tick)
+  {
+    const Vector3 u = wandering.Turn(0.0025);
+    const double height = Radius - std::min(1.0, 0.05 * tick);
+    const Vector3 probe = rough.PointWorld(u) + height * rough.Normal(u);
+    if (tick == 0)
+    {
+      const ClosestPoint nearest = surface->Search().Nearest(probe);
+      wedge.Begin(nearest);
+      oracle.Begin(nearest.PointWorld + Radius * nearest.Normal);
+    }
+    wedge.MoveTo(probe);
+    oracle.MoveTo(probe);
+    const Vector3& place = wedge.CenterWorld();
+    if (tick >= 20) // both begin overlapping
+    {
+      overlap.Add(std::min(0.0, surface->Search().Nearest(place, 20000).SignedDistance - Radius));
+      // Both end where a step is 1e-5 of the radius; slopes make that more.
+      apart += (place - oracle.CenterWorld()).norm() > 1e-3 ? 1 : 0;
+      deeper += (place - probe).norm() - (oracle.CenterWorld() - probe).norm();
+    }
+  }
+  EXPECT_LE(overlap.Value(), 1.1e-5 * surface->SmallestRadius() + 1e-4); // what a proof leaves open
+  EXPECT_LE(apart, Ticks / 20); // where another way out is found
+  EXPECT_LE(deeper / Ticks, 1e-3);
+}
+
+INSTANTIATE_TEST_SUITE_P(Each, HarmonicWedgeOfDegree, testing::Values(4, 8, 12, 20, 33));
 } // namespace
 } // namespace palpate

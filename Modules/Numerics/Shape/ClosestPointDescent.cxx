@@ -356,17 +356,27 @@ ClosestPointDescent::BasinAround(const Vector3& query, const ClosestPoint& point
   const LocalBounds bounds =
       BoundsAt(point.Sample, distance, this->Derivatives.PointThird, this->Rounding(query));
   const double smallest = bounds.Eigenvalue;
-  // Where angle * Fall(angle) is 1.5 times the eigenvalue; the last step makes it no more.
-  double angle = 1.5 * smallest / bounds.Fall(0.0);
-  for (int i = 0; i < 4; ++i)
-  {
-    angle = std::sqrt(angle * 1.5 * smallest / bounds.Fall(angle));
-  }
-  angle = std::min(angle, 1.5 * smallest / bounds.Fall(angle));
-  // At the distance a from the expansion's minimum, itself s from the sample, f is above that by
-  // smallest a^2 / 2 - Fall (a + s)^3 / 6: positive for a > 10 s, and no less than this before.
   const Vector3 step = distance.NewtonStep();
-  const double length = 11.0 * step.norm();
+  const double away = step.norm();
+  // At the distance a from the expansion's minimum, itself s from the sample, f is above that by
+  // smallest a^2 / 2 - Fall (a + s)^3 / 6: positive from a = 10 s on to where a * Fall is 2.25
+  // times the eigenvalue, and to 2.7 times where that is beyond 30 s; and no less than this before.
+  const auto angleWithin = [&](double part)
+  {
+    // Where angle * Fall(angle) is that part of the eigenvalue; the last step makes it no more.
+    double angle = part * smallest / bounds.Fall(0.0);
+    for (int i = 0; i < 4; ++i)
+    {
+      angle = std::sqrt(angle * part * smallest / bounds.Fall(angle));
+    }
+    return std::min(angle, part * smallest / bounds.Fall(angle));
+  };
+  double angle = angleWithin(2.6);
+  if (angle < 30.0 * away)
+  {
+    angle = angleWithin(1.5);
+  }
+  const double length = 11.0 * away;
   const double least = 0.5 * (distance.Offset.squaredNorm() + distance.Gradient.dot(step)) -
                        length * length * length * bounds.Fall(length) / 6.0;
   return {angle, std::sqrt(std::max(0.0, 2.0 * least)) - this->Rounding(query)};
@@ -379,18 +389,7 @@ double ClosestPointDescent::LowerDistance(const Vector3& query, const Vector3& d
   const SquaredDistance distance(direction, sample, query);
   const LocalBounds bounds =
       BoundsAt(sample, distance, this->Derivatives.PointThird, this->Rounding(query));
-  const double smallest = bounds.Eigenvalue;
-  double change = 0.0; // of the quadratic expansion, at least
-  if (smallest > 0.0)
-  {
-    const Vector3 step = distance.NewtonStep();
-    const double beyond = std::max(0.0, step.norm() - reach);
-    change = 0.5 * (distance.Gradient.dot(step) + smallest * beyond * beyond);
-  }
-  else
-  {
-    change = reach * (0.5 * reach * smallest - bounds.Gradient);
-  }
+  const double change = distance.LeastChange(reach, bounds.Eigenvalue, bounds.Gradient);
   const double least = 0.5 * distance.Offset.squaredNorm() + change -
                        reach * reach * reach * bounds.Fall(reach) / 6.0;
   return std::sqrt(std::max(0.0, 2.0 * least));

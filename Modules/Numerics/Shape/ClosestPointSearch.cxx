@@ -45,8 +45,8 @@ ClosestPoint Unusable(const SphericalHarmonicModel& model)
 } // namespace
 
 ClosestPointSearch::ClosestPointSearch(std::shared_ptr<const SphericalHarmonicModel> model)
-    : Surface(std::move(model)), Descent(*Surface),
-      Tree(*Surface, Descent.Bounds(), LevelsFor(Surface->Degree()))
+    : Surface(std::move(model)), LocalSearch(*Surface),
+      Parts(*Surface, LocalSearch.Bounds(), LevelsFor(Surface->Degree()))
 {
 }
 
@@ -58,7 +58,8 @@ ClosestPoint ClosestPointSearch::Nearest(const Vector3& queryWorld,
   {
     return Unusable(*this->Surface);
   }
-  BranchAndBoundSearch search(*this->Surface, this->Descent, this->Tree, query, evaluationLimit);
+  BranchAndBoundSearch search(*this->Surface, this->LocalSearch, this->Parts, query,
+                              evaluationLimit);
   const ClosestPoint closest = search.Run();
   return closest.State == ClosestPoint::Outcome::BadInput ? Unusable(*this->Surface) : closest;
 }
@@ -71,7 +72,7 @@ ClosestPoint ClosestPointSearch::Track(const Vector3& queryWorld,
   {
     return Unusable(*this->Surface);
   }
-  return this->Descent.Continue(query, previous, TrackingTolerance, TrackingEvaluationLimit);
+  return this->LocalSearch.Continue(query, previous, TrackingTolerance, TrackingEvaluationLimit);
 }
 
 ClosestPoint ClosestPointSearch::Track(const Vector3& queryWorld,

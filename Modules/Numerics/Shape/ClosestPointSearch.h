@@ -44,11 +44,14 @@ public:
   explicit ClosestPointSearch(std::shared_ptr<const SphericalHarmonicModel> model);
 
   const SphericalHarmonicModel& Model() const noexcept { return *this->Surface; }
+  /// What other searches of the same surface share.
+  const ClosestPointDescent& Descent() const noexcept { return this->LocalSearch; }
+  const SurfacePatchTree& Tree() const noexcept { return this->Parts; }
 
   /// What model and tree occupy.
   std::size_t Bytes() const noexcept
   {
-    return this->Surface->Coefficients().size() * sizeof(double) + this->Tree.Bytes();
+    return this->Surface->Coefficients().size() * sizeof(double) + this->Parts.Bytes();
   }
 
   /// The nearest point of the whole surface. Where several are equally near, one of them. With
@@ -76,7 +79,7 @@ public:
 
 private:
   std::shared_ptr<const SphericalHarmonicModel> Surface;
-  ClosestPointDescent Descent;
-  SurfacePatchTree Tree;
+  ClosestPointDescent LocalSearch;
+  SurfacePatchTree Parts;
 };
 } // namespace palpate

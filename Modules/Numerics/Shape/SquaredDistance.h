@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace palpate
 {
@@ -93,6 +94,35 @@ struct SquaredDistance
   {
     const double sum = this->Trace + shift;
     return (1.0 / (this->Determinant + shift * sum)) * (this->Image() - sum * this->Gradient);
+  }
+
+  /// The quadratic expansion changes by no less (mm^2; at most 0) within the angle `reach` > 0
+  /// (rad); `smallest` is the least eigenvalue, `slope` the gradient's length. At a rim it is the
+  /// dual of the problem, which bounds from below with any shift that leaves the Hessian positive
+  /// definite (More and Sorensen, "Computing a trust region step", SIAM J. Sci. Stat. Comput. 4,
+  /// 1983); a few shifts come close.
+  double LeastChange(double reach, double smallest, double slope) const noexcept
+  {
+    if (smallest > 0.0)
+    {
+      const Vector3 step = this->NewtonStep();
+      if (step.squaredNorm() <= reach * reach)
+      {
+        return 0.5 * this->Gradient.dot(step);
+      }
+    }
+    constexpr int Shifts = 3;
+    const double least = 1e-6 * std::abs(this->Trace);
+    double eigenvalue = slope / reach; // the least, with the shift: the step is then no longer
+    double change = -std::numeric_limits<double>::infinity();
+    for (int i = 0; i < Shifts; ++i)
+    {
+      const double shift = std::max(0.0, std::max(eigenvalue, least) - smallest);
+      const Vector3 step = this->ShiftedStep(shift);
+      change = std::max(change, 0.5 * (this->Gradient.dot(step) - shift * reach * reach));
+      eigenvalue = (smallest + shift) * step.norm() / reach;
+    }
+    return change;
   }
 
   Vector3 Offset;     ///< query - point, mm

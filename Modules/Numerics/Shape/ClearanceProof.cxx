@@ -1,0 +1,293 @@
+#include "ClearanceProof.h"
+
+#include "SquaredDistance.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace palpate
+{
+namespace
+{
+constexpr double Infinite = std::numeric_limits<double>::infinity();
+constexpr double MinimumTolerance = 1e-9; // rad
+
+bool IsSame(const ClosestPoint& a, const ClosestPoint& b) noexcept
+{
+  return (a.Direction - b.Direction).squaredNorm() < ClearanceProof::Apart * ClearanceProof::Apart;
+}
+} // namespace
+
+// One question.
+struct ClearanceProof::Task
+{
+  struct Basin
+  {
+    Vector3 Direction;
+    double Angle;
+    double LowerDistance; // infinite around known minima
+  };
+
+  void Add(const ClosestPointDescent::Basin& around, const Vector3& direction,
+           double lowerDistance) noexcept
+  {
+    if (this->BasinCount < this->Basins.size())
+    {
+      constexpr double Widest = 2.0; // rad
+      this->Basins[this->BasinCount++] = {direction, std::min(around.Angle, Widest), lowerDistance};
+    }
+  }
+  // What the basins that cover the cap prove of its distance, mm.
+  double LowerDistance(const SphericalCap& cap) const noexcept
+  {
+    double lower = 0.0;
+    for (std::size_t i = 0; i < this->BasinCount; ++i)
+    {
+      const Basin& basin = this->Basins[i];
+      const double room = basin.Angle - cap.Radius;
+      const double chord = (cap.Center - basin.Direction).norm();
+      // An angle is less than this up to 2.6 rad.
+      if (chord * (1.0 + 0.1 * chord * chord) < room)
+      {
+        lower = std::max(lower, basin.LowerDistance);
+      }
+    }
+    return lower;
+  }
+  // Whether a descent that goes here is likely to end in a minimum that has its basin.
+  bool IsNearBasin(const Vector3& direction, double reach) const noexcept
+  {
+    return std::any_of(this->Basins.begin(),
+                       this->Basins.begin() + static_cast<std::ptrdiff_t>(this->BasinCount),
+                       [&](const Basin& basin)
+                       { return (basin.Direction - direction).norm() < basin.Angle + reach; });
+  }
+  bool IsKnown(const ClosestPoint& minimum) const noexcept
+  {
+    return std::any_of(this->Known, this->Known + this->KnownCount,
+                       [&](const ClosestPoint& known) { return IsSame(known, minimum); });
+  }
+
+  Vector3 Query;
+  const ClosestPoint* Known;
+  std::size_t KnownCount;
+  int EvaluationsLeft;
+  double Rounding; // of distances, mm
+  Answer Result;
+  std::array<Basin, 2 * MostKnown> Basins;
+  std::size_t BasinCount = 0;
+};
+
+ClearanceProof::ClearanceProof(const ClosestPointSearch& search, double distance,
+                               double tolerance) noexcept
+    : Search(&search), Needed(distance - tolerance)
+{
+  this->BeginAfresh();
+}
+
+void ClearanceProof::BeginAfresh() noexcept
+{
+  this->Way = 0.0;
+  this->CellCount = SurfacePatchTree::RootCount;
+  for (std::size_t root = 0; root < this->CellCount; ++root)
+  {
+    this->ClearUntil[root] = -Infinite;
+    this->Cells[root].Node = static_cast<int>(root);
+  }
+}
+
+void ClearanceProof::GoTo(const Vector3& query) noexcept
+{
+  this->Way += (query - this->Query).norm();
+  this->Query = query;
+  // Rounding of the way stays far below any tolerance; and cells that were cut for places left
+  // behind are many.
+  if (!(this->Way < 1e4 * this->Search->Tree().LargestRadius()) ||
+      this->CellCount > CellCapacity * 3 / 4)
+  {
+    this->BeginAfresh();
+  }
+}
+
+ClearanceProof::Answer ClearanceProof::Ask(const Vector3& queryWorld, const ClosestPoint* known,
+                                           std::size_t knownCount, int evaluationLimit) noexcept
+{
+  this->GoTo(queryWorld - this->Search->Model().CenterWorld());
+  const ClosestPointDescent& descent = this->Search->Descent();
+  Task task;
+  task.Known = known;
+  task.KnownCount = std::min(knownCount, MostKnown);
+  task.EvaluationsLeft = evaluationLimit;
+  task.Rounding = descent.Rounding(this->Query);
+  task.Result.State = Finding::Clear;
+  task.Result.LowerDistance = this->Needed;
+  for (std::size_t i = 0; i < task.KnownCount; ++i)
+  {
+    ClosestPointDescent::Basin basin = descent.BasinAround(this->Query, known[i]);
+    basin.Angle = std::max(basin.Angle, Apart);
+    task.Add(basin, known[i].SampleDirection, Infinite);
+  }
+  for (std::size_t i = 0; i < this->CellCount && task.Result.State != Finding::Nearer; ++i)
+  {
+    this->Settle(task, i);
+  }
+  return task.Result;
+}
+
+void ClearanceProof::Settle(Task& task, std::size_t index) noexcept
+{
+  Step step = Step::Again;
+  while (step == Step::Again)
+  {
+    const bool isClear = this->ClearUntil[index] >= this->Way;
+    step = isClear                           ? Step::Settled
+           : this->Cells[index].Node != None ? this->SettleNode(task, index)
+                                             : this->SettleTriangle(task, index);
+  }
+  if (step == Step::Open)
+  {
+    task.Result.State = Finding::Open;
+    const double lower = this->Needed + this->ClearUntil[index] - this->Way;
+    task.Result.LowerDistance = std::clamp(lower, 0.0, task.Result.LowerDistance);
+  }
+}
+
+// Keeps what a bound of the cell's distance proves; whether that suffices here.
+bool ClearanceProof::Clears(double lower, std::size_t index) noexcept
+{
+  double& until = this->ClearUntil[index];
+  until = std::max(until, this->Way + (lower - this->Needed));
+  return until >= this->Way;
+}
+
+ClearanceProof::Step ClearanceProof::SettleNode(Task& task, std::size_t index) noexcept
+{
+  const SurfacePatchTree& tree = this->Search->Tree();
+  const int node = this->Cells[index].Node;
+  const double inBasin = task.LowerDistance(tree.CapOf(node));
+  if (inBasin == Infinite || this->Clears(inBasin, index) ||
+      this->Clears(tree.LowerDistance(node, this->Query) - task.Rounding, index))
+  {
+    return Step::Settled;
+  }
+  return this->CutNode(index);
+}
+
+ClearanceProof::Step ClearanceProof::SettleTriangle(Task& task, std::size_t index) noexcept
+{
+  Cell& cell = this->Cells[index];
+  const double inBasin = task.LowerDistance(cell.Cap);
+  if (inBasin == Infinite || this->Clears(inBasin, index))
+  {
+    return Step::Settled;
+  }
+  if (!cell.IsEvaluated)
+  {
+    if (task.EvaluationsLeft <= 0)
+    {
+      return Step::Open;
+    }
+    --task.EvaluationsLeft;
+    cell.Sample = this->Search->Model().EvaluateSecondOrder(cell.Cap.Center);
+    cell.IsEvaluated = true;
+  }
+  const double lower = this->Search->Descent().LowerDistance(this->Query, cell.Cap.Center,
+                                                             cell.Sample, cell.Cap.Radius);
+  if (this->Clears(lower - task.Rounding, index))
+  {
+    return Step::Settled;
+  }
+  const Step step = this->Descend(task, cell);
+  if (step != Step::Again || this->Clears(task.LowerDistance(cell.Cap), index))
+  {
+    return step == Step::Again ? Step::Settled : step;
+  }
+  return this->CutTriangle(index);
+}
+
+// Looks for a minimum in the cell that is nearer than allowed. One that is not may be what the
+// cell's bound is missing: its basin then covers the cell.
+ClearanceProof::Step ClearanceProof::Descend(Task& task, const Cell& cell) noexcept
+{
+  const SquaredDistance distance(cell.Cap.Center, cell.Sample, this->Query);
+  bool isWorthwhile = distance.Offset.norm() < this->Needed;
+  if (!isWorthwhile && distance.IsConvex())
+  {
+    const Vector3 step = distance.NewtonStep();
+    isWorthwhile = step.norm() <= 2.0 * cell.Cap.Radius &&
+                   !task.IsNearBasin((cell.Cap.Center + step).normalized(), cell.Cap.Radius);
+  }
+  if (!isWorthwhile)
+  {
+    return Step::Again;
+  }
+  if (task.EvaluationsLeft <= 0)
+  {
+    return Step::Open;
+  }
+  const ClosestPointDescent& descent = this->Search->Descent();
+  const ClosestPoint found = descent.Run(this->Query, cell.Cap.Center, cell.Sample,
+                                         MinimumTolerance, task.EvaluationsLeft);
+  task.EvaluationsLeft -= found.Evaluations;
+  if (std::abs(found.SignedDistance) < this->Needed && !task.IsKnown(found))
+  {
+    task.Result.State = Finding::Nearer;
+    task.Result.Minimum = found;
+    return Step::Found;
+  }
+  const ClosestPointDescent::Basin basin = descent.BasinAround(this->Query, found);
+  task.Add(basin, found.SampleDirection, basin.LowerDistance);
+  return Step::Again;
+}
+
+ClearanceProof::Step ClearanceProof::CutNode(std::size_t index) noexcept
+{
+  const SurfacePatchTree& tree = this->Search->Tree();
+  Cell& cell = this->Cells[index];
+  const int node = cell.Node;
+  if (!tree.IsInner(node))
+  {
+    cell.Node = None;
+    cell.IsEvaluated = false;
+    cell.Triangle = tree.Triangle(node);
+    cell.Cap = tree.CapOf(node);
+    return Step::Again;
+  }
+  if (this->CellCount + 3 > CellCapacity)
+  {
+    return Step::Open;
+  }
+  const std::array<std::size_t, 4> places{index, this->CellCount, this->CellCount + 1,
+                                          this->CellCount + 2};
+  for (std::size_t part = 0; part < 4; ++part)
+  {
+    this->Cells[places[part]].Node = SurfacePatchTree::FirstPart(node) + static_cast<int>(part);
+    this->ClearUntil[places[part]] = this->ClearUntil[index];
+  }
+  this->CellCount += 3;
+  return Step::Again;
+}
+
+ClearanceProof::Step ClearanceProof::CutTriangle(std::size_t index) noexcept
+{
+  if (this->CellCount + 3 > CellCapacity)
+  {
+    return Step::Open;
+  }
+  const std::array<SphericalTriangle, 4> parts = this->Cells[index].Triangle.Split();
+  const std::array<std::size_t, 4> places{index, this->CellCount, this->CellCount + 1,
+                                          this->CellCount + 2};
+  for (std::size_t part = 0; part < 4; ++part)
+  {
+    Cell& cell = this->Cells[places[part]];
+    cell.Node = None;
+    cell.IsEvaluated = false;
+    cell.Triangle = parts[part];
+    cell.Cap = parts[part].Cap();
+    this->ClearUntil[places[part]] = this->ClearUntil[index];
+  }
+  this->CellCount += 3;
+  return Step::Again;
+}
+} // namespace palpate

@@ -1,0 +1,164 @@
+#include "ClearanceProof.h"
+
+#include "NearestByBruteForce.h"
+#include "RandomShapes.h"
+
+#include <algorithm>
+#include <gtest/gtest.h>
+#include <memory>
+
+namespace palpate
+{
+namespace
+{
+using test::Random;
+using Finding = ClearanceProof::Finding;
+
+constexpr int Evaluations = 512;
+constexpr int ProvingEvaluations = 20000;
+
+// Glides over a rough body, at a height that changes from within `distance` to beyond.
+class Glide
+{
+public:
+  Glide(const SphericalHarmonicModel& model, Random& random)
+      : Model(model), Source(random), Place(test::RandomDirection(random)),
+        Axis(test::RandomDirection(random))
+  {
+  }
+  Vector3 Next(double height)
+  {
+    this->Axis = (this->Axis + 0.05 * test::RandomDirection(this->Source)).normalized();
+    this->Place = (Eigen::AngleAxisd(0.004, this->Axis) * this->Place).normalized();
+    return this->Model.PointWorld(this->Place) + height * this->Model.Normal(this->Place);
+  }
+
+private:
+  const SphericalHarmonicModel& Model;
+  Random& Source;
+  Vector3 Place;
+  Vector3 Axis;
+};
+
+class ClearanceProofOfDegree : public testing::TestWithParam<int>
+{
+protected:
+  Random Source{static_cast<unsigned>(1600 + GetParam())};
+  const SphericalHarmonicModel Rough = test::RandomRough(Source, GetParam(), 20.0);
+  const ClosestPointSearch Search{std::make_shared<const SphericalHarmonicModel>(Rough)};
+};
+
+TEST_P(ClearanceProofOfDegree, SaysOfEveryPlaceWhatTheWholeSearchSays)
+{
+  constexpr double Distance = 3.0;
+  constexpr double Tolerance = 1e-4;
+  ClearanceProof proof(this->Search, Distance, Tolerance);
+  Glide glide(this->Rough, this->Source);
+  int clear = 0;
+  int nearer = 0;
+  for (int step = 0; step < 400; ++step)
+  {
+    const Vector3 query = glide.Next(Distance + 1.5 * std::sin(0.05 * step));
+    const double nearest = std::abs(this->Search.Nearest(query, ProvingEvaluations).SignedDistance);
+    const ClearanceProof::Answer answer = proof.Ask(query, nullptr, 0, Evaluations);
+    if (answer.State == Finding::Nearer)
+    {
+      ++nearer;
+      const double found = std::abs(answer.Minimum.SignedDistance);
+      ASSERT_LT(found, Distance);
+      ASSERT_NEAR((answer.Minimum.PointWorld - query).norm(), found, 1e-9); // rounding
+    }
+    else
+    {
+      clear += answer.State == Finding::Clear ? 1 : 0;
+      ASSERT_LE(answer.LowerDistance, nearest + 1e-9) << step; // rounding
+      ASSERT_GE(answer.State == Finding::Open ? Distance : nearest, Distance - Tolerance) << step;
+    }
+  }
+  EXPECT_GT(clear, 50);
+  EXPECT_GT(nearer, 50);
+}
+
+TEST_P(ClearanceProofOfDegree, WhatIsKnownIsNoFindingAndHidesNoOther)
+{
+  constexpr double Distance = 4.0;
+  constexpr double Tolerance = 1e-4;
+  ClearanceProof proof(this->Search, Distance, Tolerance);
+  const IcosahedronDirections sphere(40);
+  Glide glide(this->Rough, this->Source);
+  int open = 0;
+  for (int step = 0; step < 200; ++step)
+  {
+    // Where a ball only touches, as it does in use.
+    const ToolContact touch = this->Search.TouchAnywhere(glide.Next(Distance), Distance);
+    const Vector3 query = touch.ToolCenterWorld;
+    std::vector<ClosestPoint> known{this->Search.Nearest(query, ProvingEvaluations)};
+    ClearanceProof::Answer answer = proof.Ask(query, known.data(), known.size(), Evaluations);
+    while (answer.State == Finding::Nearer && known.size() < ClearanceProof::MostKnown)
+    {
+      for (const ClosestPoint& other : known)
+      {
+        ASSERT_GT((other.Direction - answer.Minimum.Direction).norm(), ClearanceProof::Apart);
+      }
+      known.push_back(answer.Minimum);
+      answer = proof.Ask(query, known.data(), known.size(), Evaluations);
+    }
+    open += answer.State == Finding::Clear ? 0 : 1;
+    if (answer.State != Finding::Clear)
+    {
+      continue;
+    }
+    // Whoever walks down from a place that is nearer comes to a known minimum.
+    for (const Vector3& u : sphere.Directions())
+    {
+      if ((this->Rough.PointWorld(u) - query).norm() < Distance - Tolerance)
+      {
+        const ClosestPoint end = this->Search.Descent().Run(
+            query - this->Rough.CenterWorld(), u, this->Rough.EvaluateSecondOrder(u), 1e-9, 200);
+        ASSERT_TRUE(std::any_of(known.begin(), known.end(),
+                                [&](const ClosestPoint& minimum) {
+                                  return (minimum.Direction - end.Direction).norm() <
+                                         ClearanceProof::Apart;
+                                }))
+            << step;
+      }
+    }
+  }
+  EXPECT_LE(open, 50); // of 200: where minima are about to be born
+}
+
+TEST_P(ClearanceProofOfDegree, WithoutEvaluationsItClaimsNoMoreThanIsTrue)
+{
+  constexpr double Distance = 3.0;
+  ClearanceProof proof(this->Search, Distance, 1e-4);
+  Glide glide(this->Rough, this->Source);
+  for (int step = 0; step < 200; ++step)
+  {
+    const Vector3 query = glide.Next(Distance + 0.02 * step);
+    const double nearest = std::abs(this->Search.Nearest(query, ProvingEvaluations).SignedDistance);
+    const ClearanceProof::Answer answer = proof.Ask(query, nullptr, 0, 0);
+    ASSERT_NE(answer.State, Finding::Nearer);
+    ASSERT_LE(answer.LowerDistance, nearest + 1e-9) << step; // rounding
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Each, ClearanceProofOfDegree, testing::Values(4, 8, 12, 20, 33));
+
+TEST(ClearanceProof, AWayOfAnyLengthIsNoWayAround)
+{
+  Random random(1650);
+  const SphericalHarmonicModel rough = test::RandomRough(random, 12, 20.0);
+  const ClosestPointSearch search(std::make_shared<const SphericalHarmonicModel>(rough));
+  ClearanceProof proof(search, 2.0, 1e-4);
+  for (int step = 0; step < 200; ++step)
+  {
+    const bool isFar = step % 2 == 1;
+    const double height = isFar ? std::pow(10.0, 2.0 + 0.4 * step) : 1.0;
+    const Vector3 u = test::RandomDirection(random);
+    const ClearanceProof::Answer answer =
+        proof.Ask(rough.PointWorld(u) + height * rough.Normal(u), nullptr, 0, Evaluations);
+    EXPECT_EQ(answer.State, isFar ? Finding::Clear : Finding::Nearer) << step;
+  }
+}
+} // namespace
+} // namespace palpate
