@@ -13,6 +13,7 @@
 #include "SceneCommand.h"
 #include "StudyCommand.h"
 #include "TouchCommand.h"
+#include "TradeoffCommand.h"
 
 namespace palpate::cli
 {
@@ -29,6 +30,7 @@ std::vector<std::unique_ptr<Command>> MakeCommands()
   commands.push_back(std::make_unique<RenderCommand>());
   commands.push_back(std::make_unique<TouchCommand>());
   commands.push_back(std::make_unique<SceneCommand>());
+  commands.push_back(std::make_unique<TradeoffCommand>());
   commands.push_back(std::make_unique<StudyCommand>());
   commands.push_back(std::make_unique<DevicesCommand>());
   commands.push_back(std::make_unique<CompletionCommand>());

@@ -31,16 +31,6 @@ const std::map<std::string, TouchRepresentation>& Representations()
       {"sub-voxel", TouchRepresentation::SubVoxel}};
   return words;
 }
-
-// A scene is JSON, and so is a model, which says so in its format.
-bool IsScene(const std::filesystem::path& path)
-{
-  const std::string name = path.filename().string();
-  const std::string ending = ".scene.json";
-  return name == "scene.json" ||
-         (name.size() > ending.size() &&
-          name.compare(name.size() - ending.size(), ending.size(), ending) == 0);
-}
 } // namespace
 
 std::string TouchCommand::Examples() const
@@ -150,7 +140,7 @@ void TouchCommand::DeclareOptions(CLI::App& app)
 TouchSettings TouchCommand::Settings() const
 {
   TouchSettings settings;
-  const bool isScene = IsScene(this->Inputs.front());
+  const bool isScene = IsTouchSceneFile(this->Inputs.front());
   if (isScene && this->Inputs.size() > 1)
   {
     throw InputError(this->Inputs.front() + " is a whole scene; list the other files in it");

@@ -80,6 +80,10 @@ svg text { fill: var(--ink); font-size: 12px; }
 .colorbar { max-width: 430px; margin: 14px 0 0; }
 .chart .axis { stroke: var(--soft); } .chart .grid { stroke: var(--rule); }
 .chart .bar { fill: var(--bar); } .chart .line { fill: none; stroke: var(--bar); stroke-width: 1.6; }
+.chart .first { fill: var(--bar); } .chart .second { fill: var(--model); }
+.chart .third { fill: var(--good); } .chart .faint { opacity: .5; }
+.legend .first { border-color: var(--bar); } .legend .second { border-color: var(--model); }
+.legend .third { border-color: var(--good); }
 .chart .marker { stroke: var(--model); stroke-dasharray: 4 3; stroke-width: 1.4; }
 )css";
 

@@ -144,6 +144,15 @@ nlohmann::ordered_json AsJson(const TouchStructureSettings& structure,
 }
 } // namespace
 
+bool IsTouchSceneFile(const std::filesystem::path& path)
+{
+  const std::string name = path.filename().string();
+  const std::string ending = ".scene.json";
+  return name == "scene.json" ||
+         (name.size() > ending.size() &&
+          name.compare(name.size() - ending.size(), ending.size(), ending) == 0);
+}
+
 TouchSettings ReadTouchScene(const std::filesystem::path& path)
 {
   const nlohmann::json root = Parse(path);

@@ -7,6 +7,10 @@
 
 namespace palpate
 {
+/// Whether a file is a scene by its name: scene.json, or one that ends with .scene.json. A model is
+/// JSON too.
+PALPATESESSION_EXPORT bool IsTouchSceneFile(const std::filesystem::path& path);
+
 /// Reads a scene to touch from JSON: "format": "palpate-scene", "structures", "tool", "device",
 /// "rate_hz", "scale"; every number's name ends with its unit. Paths are relative to the file.
 /// Throws InputError.

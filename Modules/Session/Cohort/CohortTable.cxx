@@ -1,6 +1,7 @@
 #include "CohortTable.h"
 
 #include "CaseText.h"
+#include "ContentDigest.h"
 #include "CsvText.h"
 #include "DecimalText.h"
 #include "FitSettingsText.h"
@@ -11,7 +12,6 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
-#include <cstdio>
 #include <limits>
 #include <system_error>
 
@@ -40,19 +40,6 @@ std::string StampOf(const std::filesystem::path& file)
   }
   const auto size = std::filesystem::file_size(file, error);
   return std::to_string(time.time_since_epoch().count()) + " " + std::to_string(error ? 0 : size);
-}
-
-// FNV-1a: the same on every machine and in every build, which std::hash doesn't promise.
-std::string Digest(const std::string& text)
-{
-  std::uint64_t hash = 0xcbf29ce484222325U;
-  for (const char letter : text)
-  {
-    hash = (hash ^ static_cast<unsigned char>(letter)) * 0x100000001b3U;
-  }
-  std::array<char, 17> digits{};
-  std::snprintf(digits.data(), digits.size(), "%016llx", static_cast<unsigned long long>(hash));
-  return digits.data();
 }
 
 double TotalSeconds(const FitResult& result)
@@ -177,10 +164,8 @@ std::string CohortKey(const std::filesystem::path& mask, const std::filesystem::
                       const std::vector<std::string>& labels, const FitSettings& settings,
                       const std::string& program)
 {
-  // Lengths before the words, so that no two lists read alike.
-  std::string text;
-  const auto add = [&](const std::string& word)
-  { text += std::to_string(word.size()) + ":" + word + ";"; };
+  ContentDigest digest;
+  const auto add = [&](const std::string& word) { digest.Add(word); };
   for (const std::filesystem::path& file : {mask, volume})
   {
     const bool isNone = file.empty();
@@ -195,7 +180,7 @@ std::string CohortKey(const std::filesystem::path& mask, const std::filesystem::
     add(value);
   }
   add(program);
-  return Digest(text);
+  return digest.Text();
 }
 
 CohortTable CohortTable::Read(const std::filesystem::path& file)

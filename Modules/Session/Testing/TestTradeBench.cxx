@@ -265,9 +265,9 @@ TEST(TradeErrors, AForceThatIsATenthTooStrongIsThatMuch)
   }
   TradeRow row;
   CompareWithTruth(path, felt, Stiffness, row);
-  // A tenth in parts of 7 %.
-  EXPECT_NEAR(row.NoticeableMean, 0.1 / 0.07, 1e-9);
+  // A tenth in parts of 7 %, where the force is half a newton or more; less below.
   EXPECT_NEAR(row.NoticeableRare, 0.1 / 0.07, 1e-9);
+  EXPECT_LT(row.NoticeableMean, 0.1 / 0.07);
   EXPECT_LT(row.DirectionMost, 1e-5);
   EXPECT_NEAR(row.JumpMean, 1.1 * row.IdealJumpMean, 1e-12);
   EXPECT_NEAR(row.PositionMean * Stiffness, row.ForceMean, 1e-12);

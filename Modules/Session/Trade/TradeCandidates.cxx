@@ -7,6 +7,17 @@ namespace palpate
 namespace
 {
 constexpr int DefaultFacets = 8000;
+constexpr int FinePoints = 98; // of a tool
+
+void AddOnce(const TradeCandidate& candidate, std::vector<TradeCandidate>& candidates)
+{
+  if (std::none_of(candidates.begin(), candidates.end(),
+                   [&candidate](const TradeCandidate& one)
+                   { return one.Setting == candidate.Setting; }))
+  {
+    candidates.push_back(candidate);
+  }
+}
 
 // The candidates of one representation: its default, and what differs from that by one knob.
 class Variations
@@ -31,10 +42,7 @@ public:
   {
     TradeSetting setting = this->Standard;
     setting.*member = value;
-    if (!(setting == this->Standard))
-    {
-      this->Candidates.push_back({setting, knob});
-    }
+    AddOnce({setting, knob}, this->Candidates);
   }
 
 private:
@@ -55,7 +63,7 @@ void AddHarmonics(const TradeSetting& standard, int highest,
                   std::vector<TradeCandidate>& candidates)
 {
   Variations variations(standard, candidates);
-  for (const int degree : {2, 4, 6, 8, 10, 12, 16, 20, 24, 32, 40})
+  for (const int degree : {4, 8, 12, 16, 24, 32})
   {
     if (degree <= highest)
     {
@@ -105,6 +113,11 @@ void AddField(const TouchStructureSettings& asked, const TouchToolSettings& tool
   if (!isPoint)
   {
     variations.Vary(TradeKnob::ToolPoints, &TradeSetting::ToolPoints, {6, 26, 98, 200});
+    // The one place where two knobs are turned: a truer field tells only a finer tool apart.
+    TradeSetting finest = standard;
+    finest.Interpolation = FieldInterpolation::TricubicBSpline;
+    finest.ToolPoints = FinePoints;
+    AddOnce({finest, TradeKnob::ToolPoints}, candidates);
   }
   variations.Vary(TradeKnob::ModelInterval, &TradeSetting::ModelInterval, {2, 4, 10});
 }

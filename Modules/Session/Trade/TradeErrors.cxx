@@ -59,10 +59,9 @@ public:
     const Vector3 error = felt.Force - ideal;
     this->Forces.push_back(error.norm());
     this->AddPosition(error / this->Stiffness, truth);
+    this->Noticeable.push_back(error.norm() / TradeThresholds::JustNoticeable(ideal.norm()));
     if (truth.IsTouching && ideal.norm() >= TradeThresholds::LeastForce)
     {
-      this->Noticeable.push_back(error.norm() /
-                                 (TradeThresholds::JustNoticeableForce * ideal.norm()));
       this->AddDirection(felt, ideal);
     }
   }

@@ -10,12 +10,20 @@ namespace palpate
 /// Thresholds of hands, as the literature has them.
 struct TradeThresholds
 {
-  static constexpr double JustNoticeableForce = 0.07; ///< of the force that is felt
-  static constexpr double NoticeableDegrees = 18.0;   ///< of a force's direction: the keenest
-  static constexpr double CoarseDegrees = 33.0;       ///< the same, for the least attentive
-  /// N. Smaller forces have no direction to speak of, and any error is many times as large.
+  static constexpr double JustNoticeablePart = 0.07; ///< of a force, from WeighedForce on
+  /// N. Below, hands tell differences worse and worse: about 15 to 27 % of it, which is what stays
+  /// of 7 % of this.
+  static constexpr double WeighedForce = 0.5;
+  static constexpr double NoticeableDegrees = 18.0; ///< of a force's direction: the keenest
+  /// N. Smaller forces have no direction to speak of.
   static constexpr double LeastForce = 0.02;
   static constexpr double Seizure = 2.0; ///< mm from the true proxy
+
+  /// The difference (N) that is just noticed in a force (N).
+  static constexpr double JustNoticeable(double force)
+  {
+    return JustNoticeablePart * (force > WeighedForce ? force : WeighedForce);
+  }
 };
 
 /// What one setting costs at one structure and how true it is. Numbers that were not measured are

@@ -1,0 +1,242 @@
+#include "TradeoffCommand.h"
+
+#include "CommandProgress.h"
+#include "Console.h"
+#include "FilterRun.h"
+#include "FiniteNumber.h"
+#include "HtmlText.h"
+#include "InputError.h"
+#include "Interruption.h"
+#include "OutputFolder.h"
+#include "ProgramVersion.h"
+#include "ScreenText.h"
+#include "SteadyClock.h"
+#include "TextTable.h"
+#include "TouchSceneFile.h"
+#include "TradePage.h"
+#include "TradeText.h"
+#include "WholeFile.h"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cmath>
+#include <ostream>
+
+namespace palpate::cli
+{
+namespace
+{
+constexpr int Failure = 1;
+constexpr double Micro = 1e-3; // us per ns
+constexpr double Mega = 1e6;
+
+// Two significant digits, without exponents where the number is no rarity.
+std::string Short(double number)
+{
+  if (!std::isfinite(number))
+  {
+    return {};
+  }
+  return std::abs(number) >= 10.0 ? FixedText(number, 0) : SignificantText(number, 2);
+}
+
+void PrintStructure(const TradeStructureResult& structure, std::ostream& out)
+{
+  TextTable table;
+  table.AlignRight({1, 2, 3, 4, 5, 6, 7});
+  table.AddRow({"", "us a tick", "99.9 %", "mm off", "JND", "degrees", "MB", "made in s"});
+  for (const TradeRow& row : structure.Rows)
+  {
+    const std::string name = Printable(Describe(row.Setting));
+    if (row.State == TradeRow::Outcome::Refused)
+    {
+      table.AddRow({name, "", "", "", "", "", "", ""});
+      continue;
+    }
+    table.AddRow({name, Short(Micro * row.TickMean), Short(Micro * row.TickRare),
+                  Short(row.IsFelt() ? row.PositionRare : row.DrawMost), Short(row.NoticeableRare),
+                  Short(row.DirectionRare), Short(row.Bytes / Mega), Short(row.BuildSeconds)});
+  }
+  out << table.Text();
+  for (const TradeRow& row : structure.Rows)
+  {
+    if (row.State == TradeRow::Outcome::Refused)
+    {
+      out << Printable(Describe(row.Setting)) << ": " << Printable(row.Message) << '\n';
+    }
+  }
+  if (!structure.Rows.empty())
+  {
+    out << "Errors (99 %) are against " << Printable(structure.Rows.front().Truth) << ".\n";
+  }
+  out << Printable(structure.Name) << ": " << structure.Advice.Sentence << ".\n";
+}
+} // namespace
+
+std::string TradeoffCommand::Examples() const
+{
+  return "  palpate tradeoff knee.scene.json --output trade    a table, a page, and what to "
+         "choose\n"
+         "  palpate tradeoff mask.seg.nrrd --label 1 --only degree,interpolation\n"
+         "  palpate tradeoff case1/model.json --require rate=1000,error=0.2\n"
+         "  palpate tradeoff ct.nrrd --iso 300 --tool-radius 1 --seconds 60 --output trade";
+}
+
+void TradeoffCommand::DeclareOptions(CLI::App& app)
+{
+  app.add_option(
+         "SCENE", this->Input,
+         "A scene (.scene.json), or a model, a surface, a segmentation, an image with --iso")
+      ->required();
+  app.add_option("--label", this->Labels,
+                 "Structures of a segmentation by number or name (default: all)")
+      ->type_name("N|NAME")
+      ->delimiter(',')
+      ->allow_extra_args(false);
+  app.add_option("--iso", this->Iso, "The file is an image: touch where it reaches this value")
+      ->expected(1)
+      ->check(FiniteNumber::Any());
+  app.add_option("--tool-radius", this->ToolRadius, "Of the tool, a sphere, in mm, without a scene")
+      ->check(FiniteNumber::Between(0.0, 100.0))
+      ->capture_default_str();
+  app.add_option("--structure", this->Structures, "Of the scene, by name (default: all)")
+      ->type_name("NAME")
+      ->allow_extra_args(false);
+  const std::vector<std::string> knobs(TradeKnobWords.begin() + 1, TradeKnobWords.end());
+  app.add_option("--only", this->Knobs,
+                 "Vary only these knobs; the default of each representation is always measured")
+      ->delimiter(',')
+      ->allow_extra_args(false)
+      ->check(CLI::IsMember(knobs));
+  app.add_option("--seed", this->Seed, "Of the path; equal seeds lead the same way")
+      ->capture_default_str();
+  app.add_option("--seconds", this->Seconds, "Of the path, at least")
+      ->check(FiniteNumber::Between(0.5, 3600.0))
+      ->capture_default_str();
+  app.add_option("--runs", this->Runs, "A tick's time is the least of so many runs of the path")
+      ->check(CLI::Range(1, 1000))
+      ->capture_default_str();
+  app.add_option("--require", this->Required,
+                 "What is needed: rate (Hz), error (mm), force (N), direction (degrees), memory "
+                 "(MB), 99 % of errors; names the cheapest setting that has it")
+      ->type_name("NAME=NUMBER,...");
+  app.add_option("-o,--output", this->OutputFolder,
+                 "Folder for tradeoff.csv, tradeoff.json and tradeoff.html; the next run goes on")
+      ->type_name("DIR");
+  app.add_flag("--json", this->Json, "All numbers as one JSON object on standard output");
+}
+
+TouchSettings TradeoffCommand::Scene() const
+{
+  if (IsTouchSceneFile(this->Input))
+  {
+    if (!this->Labels.empty() || !this->Iso.empty())
+    {
+      throw InputError(this->Input + " is a whole scene, in which labels and values stand; choose "
+                                     "by --structure");
+    }
+    return ReadTouchScene(this->Input);
+  }
+  TouchSettings scene;
+  scene.Tool.Radius = this->ToolRadius;
+  TouchStructureSettings structure;
+  structure.File = this->Input;
+  structure.Labels = this->Labels;
+  if (!this->Iso.empty())
+  {
+    structure.Iso = this->Iso.front();
+  }
+  scene.Structures.push_back(structure);
+  return scene;
+}
+
+TradeRunSettings TradeoffCommand::Settings() const
+{
+  TradeRunSettings settings;
+  if (!this->Required.empty())
+  {
+    settings.Needs = ParseNeeds(this->Required);
+  }
+  settings.Scene = this->Scene();
+  settings.Structures = this->Structures;
+  for (const std::string& word : this->Knobs)
+  {
+    const auto* const found = std::find(TradeKnobWords.begin(), TradeKnobWords.end(), word);
+    settings.Knobs.insert(static_cast<TradeKnob>(found - TradeKnobWords.begin()));
+  }
+  settings.Path.Seed = this->Seed;
+  settings.Path.Seconds = this->Seconds;
+  settings.Runs = this->Runs;
+  settings.Program = ProgramVersion();
+  if (!this->OutputFolder.empty())
+  {
+    settings.Table = this->OutputFolder / "tradeoff.csv";
+  }
+  return settings;
+}
+
+void TradeoffCommand::Write(const TradeResult& result, Console& console) const
+{
+  if (this->Json)
+  {
+    console.Output() << TradeJson(result);
+  }
+  else
+  {
+    for (const TradeStructureResult& structure : result.Structures)
+    {
+      PrintStructure(structure, console.Output());
+    }
+  }
+  if (!this->OutputFolder.empty())
+  {
+    const std::filesystem::path page = this->OutputFolder / "tradeoff.html";
+    WriteWholeFile(this->OutputFolder / "tradeoff.json", TradeJson(result));
+    WriteWholeFile(page, TradePage(result));
+    console.Note(page.string());
+  }
+}
+
+int TradeoffCommand::Measure(Console& console) const
+{
+  const TradeRunSettings settings = this->Settings();
+  if (!this->OutputFolder.empty())
+  {
+    MakeOutputFolder(this->OutputFolder);
+  }
+  const SteadyClock clock;
+  const TradeResult result = RunTrade(settings, clock, ProgressOn(console));
+  console.EndProgress();
+  if (result.Kept > 0)
+  {
+    console.Note(std::to_string(result.Kept) + " settings were measured before and are kept");
+  }
+  this->Write(result, console);
+  const bool isMet =
+      std::all_of(result.Structures.begin(), result.Structures.end(),
+                  [](const TradeStructureResult& structure) { return structure.Advice.IsMet; });
+  return settings.Needs && !isMet ? Failure : 0;
+}
+
+int TradeoffCommand::Run(Console& console)
+{
+  const Interruption interruption;
+  try
+  {
+    return this->Measure(console);
+  }
+  catch (const FilterError& error)
+  {
+    throw InputError(error.what());
+  }
+  catch (const Cancelled&)
+  {
+    console.EndProgress();
+    console.Error(this->OutputFolder.empty()
+                      ? "cancelled; with --output, what is measured is kept"
+                      : "cancelled; the settings that were measured are kept, and the same command "
+                        "goes on");
+    return Failure;
+  }
+}
+} // namespace palpate::cli

@@ -1,0 +1,45 @@
+#pragma once
+
+#include "Command.h"
+#include "TradeRun.h"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace palpate::cli
+{
+/// `palpate tradeoff SCENE|FILE`: what speed costs in truth, setting by setting, on this machine,
+/// and what to choose.
+class TradeoffCommand : public Command
+{
+public:
+  std::string Name() const override { return "tradeoff"; }
+  std::string Summary() const override
+  {
+    return "What speed costs in truth on this machine, and which setting to choose";
+  }
+  std::string Examples() const override;
+  void DeclareOptions(CLI::App& app) override;
+  int Run(Console& console) override;
+
+private:
+  TradeRunSettings Settings() const;
+  TouchSettings Scene() const;
+  int Measure(Console& console) const;
+  void Write(const TradeResult& result, Console& console) const;
+
+  std::string Input;
+  std::vector<std::string> Labels;
+  std::vector<double> Iso; ///< one, or none
+  double ToolRadius = 2.0; ///< mm
+  std::vector<std::string> Structures;
+  std::vector<std::string> Knobs;
+  std::uint64_t Seed = 1;
+  double Seconds = 10.0;
+  int Runs = 5;
+  std::string Required;
+  std::filesystem::path OutputFolder;
+  bool Json = false;
+};
+} // namespace palpate::cli

@@ -1,0 +1,277 @@
+#include "TradePage.h"
+
+#include "HtmlText.h"
+#include "ReportPage.h"
+#include "ScatterChart.h"
+#include "SoftwareVersions.h"
+#include "TradePareto.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace palpate
+{
+namespace
+{
+constexpr double Micro = 1e-3; // us per ns
+constexpr double Mega = 1e6;
+// mm, JND: an error on decades cannot be 0, and below this nobody cares which it is.
+constexpr double LeastDrawn = 1e-6;
+
+// A number as people read it: no exponents where digits do.
+std::string NumberText(double number)
+{
+  if (!std::isfinite(number))
+  {
+    return {};
+  }
+  const double size = std::abs(number);
+  return size >= 100.0 ? FixedText(number, 0) : SignificantText(number, size < 1.0 ? 2 : 3);
+}
+
+// A sentence that begins as one.
+std::string CapitalOf(std::string sentence)
+{
+  if (!sentence.empty() && sentence.front() >= 'a' && sentence.front() <= 'z')
+  {
+    sentence.front() = static_cast<char>(sentence.front() - 'a' + 'A');
+  }
+  return sentence;
+}
+
+std::string StyleOf(TouchRepresentation representation)
+{
+  return representation == TouchRepresentation::Harmonics ? "first"
+         : representation == TouchRepresentation::Facets  ? "second"
+                                                          : "third";
+}
+
+// The rows of a structure that were felt, by rising time; a row's number in the page is its place
+// here, from 1.
+std::vector<const TradeRow*> FeltRows(const TradeStructureResult& structure)
+{
+  std::vector<const TradeRow*> rows;
+  for (const TradeRow& row : structure.Rows)
+  {
+    if (row.IsFelt())
+    {
+      rows.push_back(&row);
+    }
+  }
+  std::stable_sort(rows.begin(), rows.end(),
+                   [](const TradeRow* a, const TradeRow* b) { return a->TickMean < b->TickMean; });
+  return rows;
+}
+
+struct Plot
+{
+  const char* Label;
+  const char* Caption;
+  double TradeRow::*Error;
+  double Threshold; // 0 for none
+  const char* ThresholdText;
+};
+
+const std::array<Plot, 3> Plots{{
+    {"position error (99 %), mm", "How far the tool is felt from where it truly is",
+     &TradeRow::PositionRare, 0.0, ""},
+    {"force error (99 %), JND", "The force, in just noticeable differences of the ideal one",
+     &TradeRow::NoticeableRare, 1.0, "noticeable"},
+    {"direction error (99 %), degrees", "The force\xE2\x80\x99s direction",
+     &TradeRow::DirectionRare, TradeThresholds::NoticeableDegrees, "noticeable"},
+}};
+
+std::vector<std::pair<double, double>> PlacesOf(const std::vector<const TradeRow*>& rows,
+                                                double TradeRow::*error)
+{
+  std::vector<std::pair<double, double>> places;
+  for (const TradeRow* row : rows)
+  {
+    // The least drawn, but not of what is no number.
+    const double value = row->*error;
+    places.emplace_back(Micro * row->TickMean, value < LeastDrawn ? LeastDrawn : value);
+  }
+  return places;
+}
+
+std::string PlotFigure(const std::vector<const TradeRow*>& rows, const Plot& plot)
+{
+  const auto places = PlacesOf(rows, plot.Error);
+  const std::vector<std::size_t> front = ParetoFront(places);
+  std::vector<ScatterChart::Dot> dots;
+  std::vector<std::pair<double, double>> line;
+  for (std::size_t r = 0; r < rows.size(); ++r)
+  {
+    const bool isOnFront = std::find(front.begin(), front.end(), r) != front.end();
+    const auto& [time, error] = places[r];
+    const std::string number = std::to_string(r + 1);
+    dots.push_back({time, error,
+                    StyleOf(rows[r]->Setting.Representation) + (isOnFront ? "" : " faint"),
+                    number + ": " + Describe(rows[r]->Setting) + ", " + NumberText(time) +
+                        " \xC2\xB5s, " + NumberText(error),
+                    isOnFront ? number : std::string()});
+  }
+  for (const std::size_t r : front)
+  {
+    line.push_back(places[r]);
+  }
+  ScatterChart chart("mean time of a tick, \xC2\xB5s", plot.Label);
+  chart.SetDots(std::move(dots));
+  chart.SetFront(std::move(line));
+  if (plot.Threshold > 0.0)
+  {
+    chart.SetThreshold(plot.Threshold, plot.ThresholdText);
+  }
+  return ReportFigure(chart.Svg(), plot.Caption);
+}
+
+std::string Legend()
+{
+  return "<ul class=\"legend\"><li><i class=\"first\"></i>spherical harmonics</li>"
+         "<li><i class=\"second\"></i>facets</li><li><i class=\"third\"></i>sub-voxel field</li>"
+         "<li>numbered: no other setting is both faster and truer; see the table</li></ul>\n";
+}
+
+std::string Cell(const std::string& text)
+{
+  return "<td class=\"number\">" + text + "</td>";
+}
+
+std::string Head(const std::vector<const char*>& columns)
+{
+  std::string head = "<div class=\"wide\"><table><thead><tr>";
+  for (const char* column : columns)
+  {
+    const bool isText = std::string(column) == "Setting";
+    head += std::string("<th scope=\"col\" class=\"") + (isText ? "text" : "number") + "\">" +
+            column + "</th>";
+  }
+  return head + "</tr></thead><tbody>\n";
+}
+
+std::string FeltTable(const std::vector<const TradeRow*>& rows, const TradeRow* chosen)
+{
+  std::string html = Head({"", "Setting", "Mean, \xC2\xB5s", "Median", "99.9 %", "Rate, kHz",
+                           "Position, mm: mean", "99 %", "Force, JND: mean", "99 %",
+                           "Direction, \xC2\xB0: mean", "99 %", "Jump, mN: mean", "Most",
+                           "Ideal\xE2\x80\x99s most", "Seizures", "Made in, s", "Memory, MB"});
+  constexpr double Kilo = 1e3;
+  for (std::size_t r = 0; r < rows.size(); ++r)
+  {
+    const TradeRow& row = *rows[r];
+    const std::string name = EscapeHtml(Describe(row.Setting));
+    html += std::string("<tr>") + Cell(std::to_string(r + 1)) + "<td class=\"text\">" +
+            (&row == chosen ? "<strong class=\"good\">" + name + "</strong>" : name) + "</td>";
+    for (const double number :
+         {Micro * row.TickMean, Micro * row.TickMedian, Micro * row.TickRare, row.Rate / Kilo,
+          row.PositionMean, row.PositionRare, row.NoticeableMean, row.NoticeableRare,
+          row.DirectionMean, row.DirectionRare, Kilo * row.JumpMean, Kilo * row.JumpMost,
+          Kilo * row.IdealJumpMost, row.Seizures, row.BuildSeconds, row.Bytes / Mega})
+    {
+      html += Cell(NumberText(number));
+    }
+    html += "</tr>\n";
+  }
+  return html + "</tbody></table></div>\n";
+}
+
+std::string DrawnTable(const TradeStructureResult& structure)
+{
+  std::string rows;
+  for (const TradeRow& row : structure.Rows)
+  {
+    if (row.State == TradeRow::Outcome::Measured && !row.IsFelt())
+    {
+      rows += "<tr><td class=\"text\">" + EscapeHtml(Describe(row.Setting)) + "</td>";
+      for (const double number :
+           {row.Triangles, row.DrawMean, row.DrawMost, row.BuildSeconds, row.Bytes / Mega})
+      {
+        rows += Cell(NumberText(number));
+      }
+      rows += "</tr>\n";
+    }
+  }
+  return rows.empty() ? rows
+                      : "<h3>Drawn</h3>\n" +
+                            Head({"Setting", "Triangles", "From the model, mm: mean", "Most",
+                                  "Made in, s", "Memory, MB"}) +
+                            rows + "</tbody></table></div>\n";
+}
+
+std::string Refusals(const TradeStructureResult& structure)
+{
+  std::string items;
+  for (const TradeRow& row : structure.Rows)
+  {
+    if (row.State == TradeRow::Outcome::Refused)
+    {
+      items += "<li>" + EscapeHtml(Describe(row.Setting) + ": " + row.Message) + "</li>\n";
+    }
+  }
+  return items.empty() ? items
+                       : "<h3>Not measured</h3>\n<ul class=\"notes\">\n" + items + "</ul>\n";
+}
+
+std::string StructureSection(const TradeStructureResult& structure)
+{
+  const std::vector<const TradeRow*> rows = FeltRows(structure);
+  const TradeAdvice& advice = structure.Advice;
+  const TradeRow* chosen = advice.Row ? &structure.Rows[*advice.Row] : nullptr;
+  std::string plots;
+  for (const Plot& plot : Plots)
+  {
+    plots += PlotFigure(rows, plot);
+  }
+  const std::string truth = structure.Rows.empty() ? std::string() : structure.Rows.front().Truth;
+  return ReportSection(structure.Name,
+                       "<div class=\"verdict " + std::string(advice.IsMet ? "good" : "poor") +
+                           "\"><p>" + EscapeHtml(CapitalOf(advice.Sentence)) +
+                           ".</p></div>\n<p class=\"soft\">Taken for true: " + EscapeHtml(truth) +
+                           ".</p>\n" + Legend() + "<div class=\"charts\">\n" + plots + "</div>\n" +
+                           FeltTable(rows, chosen) + DrawnTable(structure) + Refusals(structure));
+}
+
+std::string HowItWasMeasured(const TradeResult& result)
+{
+  const TradePathSettings& path = result.Settings.Path;
+  return "<p>Strokes of " + NumberText(path.Seconds) + " s together at 1 kHz (seed " +
+         std::to_string(path.Seed) + "), up to " + NumberText(path.MostDepth) +
+         " mm deep, from all sides, made by what is taken for true; the same for every setting. A "
+         "tick\xE2\x80\x99s time is the least of " +
+         std::to_string(result.Settings.Runs) +
+         " runs; the rate is what 99.9 % of ticks leave time for. Errors are those of the shape "
+         "alone, without friction and damping. A just noticeable difference (JND) of force is 7 % "
+         "of it, and below 0.5 N what it is there, since hands tell small forces worse; that of "
+         "its "
+         "direction is 18\xC2\xB0 to 33\xC2\xB0, compared from 0.02 N on. A seizure: the tool "
+         "comes to "
+         "be 2 mm off.</p>\n";
+}
+
+std::string Footer(const TradeResult& result)
+{
+  std::string text = result.Machine;
+  for (const auto& [name, version] : SoftwareVersions())
+  {
+    text.append(" \xC2\xB7 ").append(name).append(" ").append(version);
+  }
+  return "<footer>" + EscapeHtml(text) + "</footer>\n";
+}
+} // namespace
+
+std::string TradePage(const TradeResult& result)
+{
+  std::string sections;
+  for (const TradeStructureResult& structure : result.Structures)
+  {
+    sections += StructureSection(structure);
+  }
+  return ReportPage("Palpate trade-off",
+                    "<header>\n<div class=\"kicker\">Palpate \xC2\xB7 trade-off</div>\n<h1>What "
+                    "speed costs in truth</h1>\n<p class=\"soft\">" +
+                        EscapeHtml(result.Machine) + "</p>\n</header>\n" + sections +
+                        ReportSection("How it was measured", HowItWasMeasured(result)) +
+                        Footer(result));
+}
+} // namespace palpate

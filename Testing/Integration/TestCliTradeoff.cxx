@@ -1,0 +1,132 @@
+#include "CommandRun.h"
+#include "CsvText.h"
+#include "SyntheticFiles.h"
+#include "TemporaryFolder.h"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+using namespace palpate::test;
+
+namespace
+{
+bool Has(const std::string& text, const std::string& part)
+{
+  return text.find(part) != std::string::npos;
+}
+
+/// A model and a mask; short paths, since nobody reads the times.
+class CliTradeoff : public testing::Test
+{
+protected:
+  CliTradeoff()
+  {
+    WriteNearlyASphere(this->Folder / "ball.json");
+    WriteTwoBalls(this->Folder / "a.nii.gz");
+  }
+  CommandRun Run(std::vector<std::string> arguments) const
+  {
+    arguments.insert(arguments.begin(), "tradeoff");
+    arguments.insert(arguments.end(), {"--seconds", "0.5", "--runs", "1"});
+    return RunPalpate(arguments, this->Folder.Path());
+  }
+  std::vector<palpate::CsvRecord> Rows(const std::string& folder) const
+  {
+    return palpate::ParseCsvRecords(ReadAll(this->Folder / (folder + "/tradeoff.csv")));
+  }
+
+  TemporaryFolder Folder;
+};
+} // namespace
+
+TEST_F(CliTradeoff, SaysWhatToChooseAndWritesATableAndAPage)
+{
+  const CommandRun run =
+      this->Run({"a.nii.gz", "--label", "1", "--only", "degree,interpolation", "-o", "out"});
+  ASSERT_EQ(run.Code, 0) << run.Errors;
+  EXPECT_TRUE(Has(run.Output, "label 1: choose ")) << run.Output;
+  EXPECT_TRUE(Has(run.Output, "sub-voxel, tricubic")) << run.Output;
+  EXPECT_GT(this->Rows("out").size(), 4U);
+  EXPECT_TRUE(Has(ReadAll(this->Folder / "out/tradeoff.html"), "</html>"));
+  const auto json = nlohmann::json::parse(ReadAll(this->Folder / "out/tradeoff.json"));
+  EXPECT_EQ(json["format"], "palpate-tradeoff");
+}
+
+TEST_F(CliTradeoff, TheNextRunKeepsWhatIsMeasured)
+{
+  const std::vector<std::string> arguments{"ball.json", "--only", "degree", "-o", "out"};
+  const CommandRun first = this->Run(arguments);
+  ASSERT_EQ(first.Code, 0) << first.Errors;
+  const std::string table = ReadAll(this->Folder / "out/tradeoff.csv");
+  const CommandRun again = this->Run(arguments);
+  EXPECT_EQ(again.Code, 0);
+  EXPECT_TRUE(Has(again.Errors, std::to_string(this->Rows("out").size()) + " settings were"))
+      << again.Errors;
+  EXPECT_EQ(ReadAll(this->Folder / "out/tradeoff.csv"), table);
+  EXPECT_EQ(again.Output, first.Output);
+}
+
+TEST_F(CliTradeoff, AKilledRunGoesOn)
+{
+  const std::string command =
+      std::string(PALPATE_PROGRAM) +
+      " tradeoff ball.json --seconds 0.5 --runs 1 -o out & p=$!; while kill "
+      "-0 $p && ! [ -e out/tradeoff.csv ]; do :; done; kill -9 $p; wait $p; "
+      "exit 0";
+  ASSERT_EQ(RunCommand("sh", {"-c", command}, this->Folder.Path()).Code, 0);
+  const std::size_t rows = this->Rows("out").size();
+  ASSERT_GT(rows, 0U);
+  const CommandRun run = this->Run({"ball.json", "-o", "out"});
+  EXPECT_EQ(run.Code, 0) << run.Errors;
+  EXPECT_TRUE(Has(run.Errors, std::to_string(rows) + " settings were")) << run.Errors;
+}
+
+TEST_F(CliTradeoff, WhatIsRequiredDecidesTheExitCode)
+{
+  const CommandRun met = this->Run({"ball.json", "--only", "degree", "--require", "error=1"});
+  EXPECT_EQ(met.Code, 0) << met.Errors;
+  EXPECT_TRUE(Has(met.Output, "at most 1 mm of position error")) << met.Output;
+  const CommandRun missed =
+      this->Run({"ball.json", "--only", "degree", "--require", "memory=0.00001"});
+  EXPECT_EQ(missed.Code, 1);
+  EXPECT_TRUE(Has(missed.Output, "misses the memory by")) << missed.Output;
+}
+
+TEST_F(CliTradeoff, JsonOnStandardOutputIsAllThereIs)
+{
+  const CommandRun run = this->Run({"ball.json", "--only", "degree", "--json"});
+  ASSERT_EQ(run.Code, 0) << run.Errors;
+  const nlohmann::json said = nlohmann::json::parse(run.Output);
+  EXPECT_EQ(said["structures"].size(), 1U);
+  EXPECT_EQ(said["path"]["seconds"], 0.5);
+}
+
+TEST_F(CliTradeoff, AStructureOfASceneIsChosenByName)
+{
+  WriteAll(this->Folder / "two.scene.json",
+           R"({"format": "palpate-scene", "tool": {"radius_mm": 1}, "structures": [
+               {"file": "ball.json", "name": "ball"},
+               {"file": "a.nii.gz", "label": "2", "name": "pea", "touched": false}]})");
+  const CommandRun run =
+      this->Run({"two.scene.json", "--structure", "ball", "--only", "degree", "--json"});
+  ASSERT_EQ(run.Code, 0) << run.Errors;
+  EXPECT_EQ(nlohmann::json::parse(run.Output)["tool_radius_mm"], 1.0);
+  const CommandRun unknown = this->Run({"two.scene.json", "--structure", "pea"});
+  EXPECT_EQ(unknown.Code, 2);
+  EXPECT_TRUE(Has(unknown.Errors, "name one of ball")) << unknown.Errors;
+}
+
+TEST_F(CliTradeoff, BadInputIsSaidInOneSentence)
+{
+  const std::vector<std::vector<std::string>> bad{
+      {"ball.json", "--require", "speed=3"}, {"ball.json", "--require", "rate=fast"},
+      {"ball.json", "--only", "colour"},     {"missing.json"},
+      {"a.nii.gz", "--label", "9"},          {"a.nii.gz", "--iso", "nan"},
+      {"a.nii.gz", "--structure", "nobody"}, {"ball.json", "--tool-radius", "-1"}};
+  for (const std::vector<std::string>& arguments : bad)
+  {
+    const CommandRun run = this->Run(arguments);
+    EXPECT_EQ(run.Code, 2) << arguments.back() << run.Errors;
+    EXPECT_TRUE(Has(run.Errors, "palpate: ")) << run.Errors;
+  }
+}
