@@ -39,8 +39,9 @@ std::vector<double> Ticks(double low, double high)
 {
   constexpr double Goal = 6.0;
   std::vector<double> ticks;
-  const double step = std::max(1.0, std::ceil((high - low) / Goal));
-  for (double decade = std::floor(low); decade <= high; decade += step)
+  const int step = std::max(1, static_cast<int>(std::ceil((high - low) / Goal)));
+  const int last = static_cast<int>(std::floor(high));
+  for (int decade = static_cast<int>(std::floor(low)); decade <= last; decade += step)
   {
     for (const double part : {1.0, 2.0, 5.0})
     {

@@ -74,6 +74,7 @@ public:
         Keeper(Result, touch.Structures.size()), IsRecording(!settings.Recording.empty())
   {
     this->Settings.Rate = touch.Settings.Rate;
+    this->Settings.ModelInterval = touch.Settings.ModelInterval;
     this->Device = MakeDevice(touch.Settings.Device, clock, this->PathOfDevice());
     Succeed(this->Device->Open());
     if (this->IsRecording)

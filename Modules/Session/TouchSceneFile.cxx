@@ -179,6 +179,7 @@ TouchSettings ReadTouchScene(const std::filesystem::path& path)
   }
   fields.Read("device", settings.Device);
   fields.Read("rate_hz", settings.Rate, 1.0, 1e5);
+  fields.Read("model_interval", settings.ModelInterval, 1, 100);
   if (fields.Has("scale"))
   {
     settings.Scale = 1.0;
@@ -199,6 +200,7 @@ std::string TouchSceneText(const TouchSettings& settings, const std::filesystem:
   root["tool"] = TouchToolJson(settings.Tool);
   root["device"] = settings.Device;
   root["rate_hz"] = settings.Rate;
+  root["model_interval"] = settings.ModelInterval;
   if (settings.Scale)
   {
     root["scale"] = *settings.Scale;

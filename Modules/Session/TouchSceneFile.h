@@ -12,8 +12,8 @@ namespace palpate
 PALPATESESSION_EXPORT bool IsTouchSceneFile(const std::filesystem::path& path);
 
 /// Reads a scene to touch from JSON: "format": "palpate-scene", "structures", "tool", "device",
-/// "rate_hz", "scale"; every number's name ends with its unit. Paths are relative to the file.
-/// Throws InputError.
+/// "rate_hz", "model_interval", "scale"; every number's name ends with its unit. Paths are relative
+/// to the file. Throws InputError.
 PALPATESESSION_EXPORT TouchSettings ReadTouchScene(const std::filesystem::path& path);
 
 /// The same as text, all entries written out, paths relative to the folder.

@@ -76,6 +76,7 @@ struct TouchSettings
   TouchToolSettings Tool;
   std::string Device = "simulated"; ///< as DeviceRegistry::Make takes it
   double Rate = 1000.0;             ///< Hz, of the servo
+  int ModelInterval = 1;            ///< ticks from one question to the models to the next
   /// mm of the scene for one of the device; none: so that the whole scene is in reach.
   std::optional<double> Scale;
 };

@@ -36,7 +36,7 @@ nlohmann::json Measured()
                       {"resident_mib", row.ResidentMebibytes},
                       {"tick_us", row.TickMicroseconds}});
   }
-  return {{"machine", palpate::bench::MachineName()},
+  return {{"machine", palpate::MachineName()},
           {"compiler", std::string("GCC ") + __VERSION__},
           {"ticks", ticks},
           {"scenes", scenes}};

@@ -44,7 +44,7 @@ nlohmann::json ToJson(const WindowStretch& stretch)
 
 void Measure(const char* file, double seconds)
 {
-  nlohmann::json all{{"machine", palpate::bench::MachineName()}};
+  nlohmann::json all{{"machine", palpate::MachineName()}};
   for (const WindowStretch& stretch : palpate::bench::WindowMeasures(seconds).Stretches())
   {
     all["stretches"].push_back(ToJson(stretch));

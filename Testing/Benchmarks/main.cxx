@@ -67,7 +67,7 @@ std::string PageJson(const std::vector<palpate::bench::Comparison>& comparisons)
 {
   constexpr int Bodies = 8;
   const nlohmann::json page = {
-      {"machine", palpate::bench::MachineName()},
+      {"machine", palpate::MachineName()},
       {"compiler", std::string("GCC ") + __VERSION__},
       {"tradeoff",
        nlohmann::json::parse(palpate::bench::ToJson(palpate::bench::TradeOffRows(comparisons)))},

@@ -114,6 +114,22 @@ TEST_F(TouchRun, ASessionIsFeltAgainToTheLastBit)
 }
 
 // The image is brighter where x is larger, and the hand presses there.
+TEST_F(TouchRun, AModelThatIsAskedSeldomIsFeltLaterAndTheSameAtRest)
+{
+  TouchSettings settings = this->SettingsOf(this->ModelPath, TouchRepresentation::Automatic);
+  const auto touch = [&](int interval)
+  {
+    settings.ModelInterval = interval;
+    return RunTouch(PrepareTouch(settings, PressTo(Radius - 2.0), GoOn), {}, GoOn);
+  };
+  const TouchResult always = touch(1);
+  const TouchResult seldom = touch(10);
+  // What is interpolated has faded to the model's own answer by then, in floats.
+  EXPECT_NEAR(LastOf(seldom).Force.Most, LastOf(always).Force.Most, 1e-4);
+  EXPECT_LT(seldom.TouchedSeconds[0], always.TouchedSeconds[0]);
+  EXPECT_GT(seldom.TouchedSeconds[0], always.TouchedSeconds[0] - 0.010) << "less than an interval";
+}
+
 TEST_F(TouchRun, ATextureMakesWhatIsBrightPushMore)
 {
   const auto image = this->Folder / "image.nrrd";

@@ -68,6 +68,7 @@ TEST_F(TouchSceneFile, WhatIsWrittenIsReadBackTheSame)
   settings.Tool.Points = 77;
   settings.Device = "replay:old.touch";
   settings.Rate = 2500.0;
+  settings.ModelInterval = 4;
   settings.Scale = 0.5;
   const std::string text = TouchSceneText(settings, this->Folder.Path());
   const TouchSettings back = this->Read(text);
@@ -90,6 +91,7 @@ TEST_F(TouchSceneFile, WhatIsWrittenIsReadBackTheSame)
   EXPECT_TRUE(back.Structures[2].IsSeen && !back.Structures[2].IsTouched);
   EXPECT_EQ(back.Tool.SemiAxes, settings.Tool.SemiAxes);
   EXPECT_EQ(back.Rate, 2500.0);
+  EXPECT_EQ(back.ModelInterval, 4);
   EXPECT_EQ(back.Scale, 0.5);
 }
 

@@ -105,10 +105,13 @@ void AddField(const TouchStructureSettings& asked, const TouchToolSettings& tool
   TradeSetting standard;
   standard.Representation = TouchRepresentation::SubVoxel;
   standard.Interpolation = asked.Interpolation;
+  standard.Bricks = asked.Bricks;
   standard.ToolPoints = tool.Points;
   Variations variations(standard, candidates);
   variations.Vary(TradeKnob::Interpolation, &TradeSetting::Interpolation,
                   {FieldInterpolation::Trilinear, FieldInterpolation::TricubicBSpline});
+  variations.Vary(TradeKnob::Bricks, &TradeSetting::Bricks,
+                  {BrickSize::Cells4, BrickSize::Cells8, BrickSize::Cells16});
   const bool isPoint = tool.Kind == TouchToolSettings::Shape::Sphere && tool.Radius == 0.0;
   if (!isPoint)
   {

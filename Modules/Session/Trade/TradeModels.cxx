@@ -137,9 +137,10 @@ const TradeModels::Made<FitSamples>& TradeModels::Samples(const ProgressFunction
 }
 
 const TradeModels::Made<std::shared_ptr<const ScalarField>>&
-TradeModels::Field(FieldInterpolation interpolation, const ProgressFunction& progress)
+TradeModels::Field(const TradeSetting& setting, const ProgressFunction& progress)
 {
-  const auto found = this->Fields.find(interpolation);
+  const auto form = std::make_pair(setting.Interpolation, setting.Bricks);
+  const auto found = this->Fields.find(form);
   if (found != this->Fields.end())
   {
     return found->second;
@@ -148,18 +149,20 @@ TradeModels::Field(FieldInterpolation interpolation, const ProgressFunction& pro
   std::shared_ptr<const ScalarField> field;
   if (const auto* mask = MaskOf(this->Structure))
   {
-    field = MakeSegmentField(*mask->Voxels, {mask->Structure}, interpolation,
-                             this->Structure.Smoothing, progress);
+    field =
+        MakeSegmentField(*mask->Voxels, {mask->Structure}, {setting.Interpolation, setting.Bricks},
+                         this->Structure.Smoothing, progress);
   }
   else if (const auto* image = ImageOf(this->Structure))
   {
-    field = MakeIsoField(image->Voxels->Image, {image->Iso}, interpolation, progress);
+    field = MakeIsoField(image->Voxels->Image, {image->Iso},
+                         {setting.Interpolation, setting.Bricks}, progress);
   }
   else
   {
     this->RefuseRepresentation("a sub-voxel field, since it has no voxels");
   }
-  return this->Fields[interpolation] = {std::move(field), this->SecondsSince(start)};
+  return this->Fields[form] = {std::move(field), this->SecondsSince(start)};
 }
 
 SphericalHarmonicModel TradeModels::FittedModel(int degree, double& seconds,
@@ -253,7 +256,7 @@ TradeModel TradeModels::MakeFacets(const TradeSetting& setting, const ProgressFu
 TradeModel TradeModels::MakeField(const TradeSetting& setting, const ProgressFunction& progress)
 {
   TradeModel made;
-  const auto& field = Counted(this->Field(setting.Interpolation, progress), made.Seconds);
+  const auto& field = Counted(this->Field(setting, progress), made.Seconds);
   const std::int64_t start = this->Time.Now();
   made.Contact = MakeFieldContact(field, 0, this->Structure.File);
   made.Seconds += this->SecondsSince(start);

@@ -11,6 +11,7 @@
 #include <functional>
 #include <map>
 #include <optional>
+#include <utility>
 
 namespace palpate
 {
@@ -54,7 +55,7 @@ private:
   const Made<vtkSmartPointer<vtkPolyData>>& Surface(const ProgressFunction& progress);
   const Made<FitSurface>& MaskSurface(const ProgressFunction& progress);
   const Made<FitSamples>& Samples(const ProgressFunction& progress);
-  const Made<std::shared_ptr<const ScalarField>>& Field(FieldInterpolation interpolation,
+  const Made<std::shared_ptr<const ScalarField>>& Field(const TradeSetting& setting,
                                                         const ProgressFunction& progress);
   SphericalHarmonicModel FittedModel(int degree, double& seconds, const ProgressFunction& progress);
   TradeModel MakeHarmonics(const TradeSetting& setting, const ProgressFunction& progress);
@@ -67,6 +68,7 @@ private:
   std::optional<Made<vtkSmartPointer<vtkPolyData>>> OwnSurface;
   std::optional<Made<FitSurface>> OwnMaskSurface;
   std::optional<Made<FitSamples>> OwnSamples;
-  std::map<FieldInterpolation, Made<std::shared_ptr<const ScalarField>>> Fields;
+  std::map<std::pair<FieldInterpolation, BrickSize>, Made<std::shared_ptr<const ScalarField>>>
+      Fields;
 };
 } // namespace palpate

@@ -6,6 +6,11 @@ namespace palpate
 {
 namespace
 {
+int CellsOf(BrickSize size)
+{
+  return 1 << static_cast<int>(size);
+}
+
 std::string IntervalText(int interval)
 {
   return interval > 1 ? ", asked every " + std::to_string(interval) + " ticks" : std::string();
@@ -25,7 +30,10 @@ std::string HarmonicsText(const TradeSetting& setting)
 std::string FieldText(const TradeSetting& setting)
 {
   const bool isLinear = setting.Interpolation == FieldInterpolation::Trilinear;
+  const bool isUsual = setting.Bricks == BrickSize::Cells8;
   return std::string("sub-voxel, ") + (isLinear ? "trilinear, " : "tricubic, ") +
+         (isUsual ? ""
+                  : "bricks of " + std::to_string(CellsOf(setting.Bricks)) + "\u00b3 cells, ") +
          (setting.ToolPoints > 0 ? std::to_string(setting.ToolPoints) : "enough") + " tool points";
 }
 } // namespace
@@ -34,8 +42,8 @@ bool operator==(const TradeSetting& a, const TradeSetting& b)
 {
   const auto fields = [](const TradeSetting& s)
   {
-    return std::tie(s.Representation, s.Degree, s.Mode, s.Facets, s.Interpolation, s.ToolPoints,
-                    s.ModelInterval, s.DrawnFrequency);
+    return std::tie(s.Representation, s.Degree, s.Mode, s.Facets, s.Interpolation, s.Bricks,
+                    s.ToolPoints, s.ModelInterval, s.DrawnFrequency);
   };
   return fields(a) == fields(b);
 }
@@ -74,7 +82,8 @@ std::string KeyOf(const TradeSetting& setting)
   default:
     return std::string("sub-voxel/") +
            (setting.Interpolation == FieldInterpolation::Trilinear ? "linear/" : "cubic/") +
-           std::to_string(setting.ToolPoints) + interval;
+           std::to_string(CellsOf(setting.Bricks)) + "/" + std::to_string(setting.ToolPoints) +
+           interval;
   }
 }
 } // namespace palpate

@@ -17,6 +17,7 @@ struct TradeSetting
   HarmonicContactMode Mode = HarmonicContactMode::Nearest;            ///< of harmonics
   int Facets = 0; ///< about so many; 0: as many as the surface has
   FieldInterpolation Interpolation = FieldInterpolation::Trilinear; ///< of a field
+  BrickSize Bricks = BrickSize::Cells8; ///< of a field: changes memory and time, and no force
   /// Of the tool's shell at a field; 0: as voxels and radius ask for.
   int ToolPoints = 26;
   int ModelInterval = 1; ///< ticks from one question to the model to the next
@@ -40,13 +41,14 @@ enum class TradeKnob
   Mode,
   Facets,
   Interpolation,
+  Bricks,
   ToolPoints,
   ModelInterval,
   Drawing
 };
 
 /// The words of files and options for a TradeKnob, in the order of its enumerators.
-inline constexpr std::array<const char*, 8> TradeKnobWords{{"representation", "degree", "mode",
-                                                            "facets", "interpolation",
+inline constexpr std::array<const char*, 9> TradeKnobWords{{"representation", "degree", "mode",
+                                                            "facets", "interpolation", "bricks",
                                                             "tool-points", "interval", "drawing"}};
 } // namespace palpate

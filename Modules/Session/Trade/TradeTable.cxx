@@ -43,6 +43,15 @@ std::string WordAt(const Words& words, Choice choice)
   return *(std::begin(words) + static_cast<int>(choice));
 }
 
+bool ReadBricks(const std::string& text, BrickSize& size)
+{
+  const auto* const found = std::find_if(
+      std::begin(BrickSizes), std::end(BrickSizes),
+      [&text](BrickSize one) { return text == std::to_string(1 << static_cast<int>(one)); });
+  size = found == std::end(BrickSizes) ? size : *found;
+  return found != std::end(BrickSizes);
+}
+
 template <std::string TradeRow::*Text>
 TextColumn TextOf(const char* name)
 {
@@ -86,6 +95,10 @@ const std::vector<TextColumn>& TextColumns()
        [](const TradeRow& row) { return WordAt(InterpolationWords, row.Setting.Interpolation); },
        [](const std::string& text, TradeRow& row)
        { return ReadWord(InterpolationWords, text, row.Setting.Interpolation); }},
+      {"brick_cells",
+       [](const TradeRow& row)
+       { return std::to_string(1 << static_cast<int>(row.Setting.Bricks)); },
+       [](const std::string& text, TradeRow& row) { return ReadBricks(text, row.Setting.Bricks); }},
       NumberOf<&TradeSetting::ToolPoints>("tool_points"),
       NumberOf<&TradeSetting::ModelInterval>("interval_ticks"),
       NumberOf<&TradeSetting::DrawnFrequency>("drawn_frequency"),
