@@ -1,7 +1,8 @@
 #!/bin/sh
 # Builds and runs the benchmarks whose name contains the argument (all without one); prints each
 # beside its alternative from the same run, and writes build/release/benchmarks.json. Without an
-# argument it also writes Documentation/SpeedAndAccuracy.md and its picture from this run.
+# argument it also measures the sample scenes (Utilities/trade.sh) and writes
+# Documentation/SpeedAndAccuracy.md and its pictures from this run.
 set -eu
 cd "$(dirname "$0")/.."
 benchmarks=build/release/bin/PalpateBenchmarks
@@ -19,5 +20,7 @@ if [ $# -gt 0 ]; then
 fi
 "$benchmarks" --instructions "$counts" --json build/release/benchmarks.json \
   --page-json build/release/page.json
+rm -rf build/release/trade
+Utilities/trade.sh
 exec /usr/bin/python3 Utilities/speed_and_accuracy.py build/release/benchmarks.json \
-  build/release/page.json
+  build/release/page.json build/release/trade

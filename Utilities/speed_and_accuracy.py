@@ -1,10 +1,11 @@
 #!/usr/bin/python3
 """Writes Documentation/SpeedAndAccuracy.md and its picture from what the benchmarks measured.
 
-    Utilities/speed_and_accuracy.py BENCHMARKS PAGE_DATA [--page FILE] [--picture FILE]
+    Utilities/speed_and_accuracy.py BENCHMARKS PAGE_DATA TRADE [--page FILE] [--pictures FOLDER]
 
 BENCHMARKS is build/release/benchmarks.json, PAGE_DATA build/release/page.json; both are written by
-PalpateBenchmarks (see Utilities/bench.sh, which calls this).
+PalpateBenchmarks. TRADE is build/release/trade, which Utilities/trade.sh fills. Utilities/bench.sh
+calls all of them.
 """
 import argparse
 import json
@@ -14,6 +15,8 @@ import matplotlib
 
 matplotlib.use("Agg")
 from matplotlib import pyplot  # noqa: E402
+
+import trade_page  # noqa: E402
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 DOCUMENTATION = ROOT / "Documentation"
@@ -177,19 +180,28 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("benchmarks", type=pathlib.Path)
     parser.add_argument("page_data", type=pathlib.Path)
+    parser.add_argument("trade", type=pathlib.Path)
     parser.add_argument("--page", type=pathlib.Path, default=DOCUMENTATION / "SpeedAndAccuracy.md")
-    parser.add_argument("--picture", type=pathlib.Path,
-                        default=DOCUMENTATION / "Images" / "speed-accuracy.png")
+    parser.add_argument("--pictures", type=pathlib.Path, default=DOCUMENTATION / "Images")
     arguments = parser.parse_args()
     measured = json.loads(arguments.page_data.read_text())
-    draw(measured["tradeoff"], arguments.picture)
-    picture = arguments.picture.relative_to(arguments.page.parent) \
-        if arguments.picture.is_relative_to(arguments.page.parent) else arguments.picture
+    scenes = trade_page.read(arguments.trade)
+    if not scenes:
+        parser.error(f"{arguments.trade} holds no scene; run Utilities/trade.sh")
+    draw(measured["tradeoff"], arguments.pictures / "speed-accuracy.png")
+    trade_page.draw(scenes, arguments.pictures / "trade.png")
+
+    def link(name):
+        file = arguments.pictures / name
+        return file.relative_to(arguments.page.parent) \
+            if file.is_relative_to(arguments.page.parent) else file
+
     pairs = [pair for pair in json.loads(arguments.benchmarks.read_text())
              if not pair["name"].startswith("sh/tradeoff/")]
     parts = [INTRODUCTION.format(machine=measured["machine"], compiler=measured["compiler"]),
              aims(pairs), "## Against others\n", comparisons(pairs),
-             TRADE.format(picture=picture), trade_table(measured["tradeoff"]),
+             trade_page.section(scenes, link("trade.png")),
+             TRADE.format(picture=link("speed-accuracy.png")), trade_table(measured["tradeoff"]),
              PUBLISHED, measured["published"], TOUCH, measured["touch"], CHAI3D, FOOTPRINTS, measured["footprints"], CAPS,
              measured["caps"]]
     arguments.page.write_text("\n".join(parts))
