@@ -33,6 +33,7 @@ struct TouchContact
 /// The three kinds. `file` is for messages. Throw InputError for what cannot be touched.
 PALPATESESSION_EXPORT TouchContact MakeHarmonicContact(const SphericalHarmonicModel& model,
                                                        HarmonicContactMode mode,
+                                                       EvaluationPrecision precision,
                                                        const std::filesystem::path& file);
 PALPATESESSION_EXPORT TouchContact MakeFacetContact(vtkPolyData* surface,
                                                     const std::filesystem::path& file);

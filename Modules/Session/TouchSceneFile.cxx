@@ -59,6 +59,7 @@ TouchStructureSettings ReadStructure(const nlohmann::json& object,
   fields.ReadChoice("representation", RepresentationWords, structure.Representation);
   fields.Read("degree", structure.Degree, 0, 64);
   fields.ReadChoice("mode", ModeWords, structure.Mode);
+  fields.ReadChoice("precision", PrecisionWords, structure.Precision);
   fields.ReadChoice("interpolation", InterpolationWords, structure.Interpolation);
   fields.Read("smoothing_voxels", structure.Smoothing, 0.0, 8.0);
   fields.Read("stiffness_n_per_mm", structure.Stiffness, 0.0, LargestStiffness);
@@ -104,6 +105,7 @@ nlohmann::ordered_json AsJson(const TouchStructureSettings& structure,
   object["representation"] = WordOf(RepresentationWords, structure.Representation);
   object["degree"] = structure.Degree;
   object["mode"] = WordOf(ModeWords, structure.Mode);
+  object["precision"] = WordOf(PrecisionWords, structure.Precision);
   object["interpolation"] = WordOf(InterpolationWords, structure.Interpolation);
   object["smoothing_voxels"] = structure.Smoothing;
   object["stiffness_n_per_mm"] = structure.Stiffness;

@@ -296,8 +296,8 @@ private:
     return [](const Inputs& inputs, const ProgressFunction&) -> StudyProduct
     {
       const auto fit = ProductAs<FitResult>(inputs.data());
-      return std::make_shared<const TouchContact>(
-          MakeHarmonicContact(fit->Model, HarmonicContactMode::Nearest, fit->Input));
+      return std::make_shared<const TouchContact>(MakeHarmonicContact(
+          fit->Model, HarmonicContactMode::Nearest, EvaluationPrecision::Double, fit->Input));
     };
   }
 
