@@ -63,6 +63,9 @@ void TouchCommand::DeclareStructure(CLI::App& app)
   app.add_option("--mode", this->Mode, "Of harmonics: nearest point, or the published radial law")
       ->check(CLI::IsMember({"nearest", "radial"}))
       ->capture_default_str();
+  app.add_option("--precision", this->Precision, "Of the evaluation of harmonics: double, or float")
+      ->check(CLI::IsMember({"double", "float"}))
+      ->capture_default_str();
   app.add_option("--interpolation", this->Interpolation,
                  "Between voxels: linear, or cubic (smoother, slower)")
       ->check(CLI::IsMember({"linear", "cubic"}))
@@ -160,6 +163,8 @@ TouchSettings TouchCommand::Settings() const
       structure.Representation = Representations().at(this->Representation);
       structure.Mode =
           this->Mode == "radial" ? HarmonicContactMode::Radial : HarmonicContactMode::Nearest;
+      structure.Precision =
+          this->Precision == "float" ? EvaluationPrecision::Float : EvaluationPrecision::Double;
       structure.Interpolation = this->Interpolation == "cubic" ? FieldInterpolation::TricubicBSpline
                                                                : FieldInterpolation::Trilinear;
       constexpr double DynamicPart = 0.8;

@@ -38,6 +38,7 @@ private:
   std::vector<double> Iso; ///< none or one
   std::string Representation = "automatic";
   std::string Mode = "nearest";
+  std::string Precision = "double";
   std::string Interpolation = "linear";
   TouchToolSettings Tool;
   std::string Device;

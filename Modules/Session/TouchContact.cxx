@@ -9,14 +9,17 @@
 namespace palpate
 {
 TouchContact MakeHarmonicContact(const SphericalHarmonicModel& model, HarmonicContactMode mode,
-                                 const std::filesystem::path& file)
+                                 EvaluationPrecision precision, const std::filesystem::path& file)
 {
   TouchContact made;
   made.Looks.Model = std::make_shared<const SphericalHarmonicModel>(model);
   made.Mode = mode;
-  RequireInput(HarmonicContactModel::Make(made.Looks.Model, mode, made.Model), file.string());
+  made.Precision = precision;
+  RequireInput(HarmonicContactModel::Make(made.Looks.Model, mode, made.Model, precision),
+               file.string());
   made.Represented = "harmonics of degree " + std::to_string(model.Degree()) +
-                     (mode == HarmonicContactMode::Nearest ? ", nearest point" : ", radial");
+                     (mode == HarmonicContactMode::Nearest ? ", nearest point" : ", radial") +
+                     (precision == EvaluationPrecision::Float ? ", in float" : "");
   return made;
 }
 

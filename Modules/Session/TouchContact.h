@@ -30,13 +30,15 @@ struct TouchContact
   std::shared_ptr<const ContactModel> Model;
   TouchAppearance Looks;
   std::string Represented; ///< in words, such as "harmonics of degree 12, nearest point"
-  HarmonicContactMode Mode = HarmonicContactMode::Nearest; ///< of harmonics
+  HarmonicContactMode Mode = HarmonicContactMode::Nearest;     ///< of harmonics
+  EvaluationPrecision Precision = EvaluationPrecision::Double; ///< the same
   std::vector<TouchStandIn> Coarser; ///< without those that are the tool's; see AddStandIns
 };
 
 /// The three kinds. `file` is for messages. Throw InputError for what cannot be touched.
 PALPATESESSION_EXPORT TouchContact MakeHarmonicContact(const SphericalHarmonicModel& model,
                                                        HarmonicContactMode mode,
+                                                       EvaluationPrecision precision,
                                                        const std::filesystem::path& file);
 PALPATESESSION_EXPORT TouchContact MakeFacetContact(vtkPolyData* surface,
                                                     const std::filesystem::path& file);

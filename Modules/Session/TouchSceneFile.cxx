@@ -80,6 +80,7 @@ TouchStructureSettings ReadStructure(const nlohmann::json& object,
   fields.ReadChoice("representation", RepresentationWords, structure.Representation);
   fields.Read("degree", structure.Degree, 0, 64);
   fields.ReadChoice("mode", ModeWords, structure.Mode);
+  fields.ReadChoice("precision", PrecisionWords, structure.Precision);
   fields.ReadChoice("interpolation", InterpolationWords, structure.Interpolation);
   ReadBricks(fields, path, number, structure);
   fields.Read("smoothing_voxels", structure.Smoothing, 0.0, 8.0);
@@ -126,6 +127,7 @@ nlohmann::ordered_json AsJson(const TouchStructureSettings& structure,
   object["representation"] = WordOf(RepresentationWords, structure.Representation);
   object["degree"] = structure.Degree;
   object["mode"] = WordOf(ModeWords, structure.Mode);
+  object["precision"] = WordOf(PrecisionWords, structure.Precision);
   object["interpolation"] = WordOf(InterpolationWords, structure.Interpolation);
   object["brick_cells"] = 1 << static_cast<int>(structure.Bricks);
   object["smoothing_voxels"] = structure.Smoothing;

@@ -36,6 +36,7 @@ struct TouchStructureSettings
 
   int Degree = 12; ///< of the harmonics that a segmentation is fitted with
   HarmonicContactMode Mode = HarmonicContactMode::Nearest;
+  EvaluationPrecision Precision = EvaluationPrecision::Double; ///< of harmonics
   FieldInterpolation Interpolation = FieldInterpolation::Trilinear;
   BrickSize Bricks = BrickSize::Cells8; ///< of a field: changes memory and time, and no force
   double Smoothing = 1.0;               ///< of a segmentation's field, in voxels

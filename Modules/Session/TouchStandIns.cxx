@@ -29,7 +29,7 @@ void AddDegree(int degree, TouchContact& contact)
   // A surface that is cut may reach its centre; then there is no stand-in.
   const auto cut = std::make_shared<const SphericalHarmonicModel>(model.WithDegree(degree));
   if (degree >= LeastDegree && degree < model.Degree() &&
-      HarmonicContactModel::Make(cut, contact.Mode, coarser.Model).IsOk())
+      HarmonicContactModel::Make(cut, contact.Mode, coarser.Model, contact.Precision).IsOk())
   {
     coarser.Says = InsteadOf("degree " + std::to_string(degree), std::to_string(model.Degree()));
     contact.Coarser.push_back(std::move(coarser));

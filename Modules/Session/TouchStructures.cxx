@@ -195,7 +195,8 @@ private:
     TouchContact contact;
     contact.Looks.Model = std::make_shared<const SphericalHarmonicModel>(model);
     this->Add(name, this->Need.IsTouched
-                        ? MakeHarmonicContact(model, this->Settings.Mode, this->Settings.File)
+                        ? MakeHarmonicContact(model, this->Settings.Mode, this->Settings.Precision,
+                                              this->Settings.File)
                         : std::move(contact));
   }
 

@@ -10,10 +10,11 @@ namespace palpate
 {
 Status HarmonicContactModel::Make(std::shared_ptr<const SphericalHarmonicModel> model,
                                   HarmonicContactMode mode,
-                                  std::shared_ptr<const ContactModel>& contact)
+                                  std::shared_ptr<const ContactModel>& contact,
+                                  EvaluationPrecision precision)
 {
   std::shared_ptr<const HarmonicSurface> surface;
-  Status status = HarmonicSurface::Make(std::move(model), surface);
+  Status status = HarmonicSurface::Make(std::move(model), precision, surface);
   if (status.IsOk())
   {
     contact.reset(new HarmonicContactModel(std::move(surface), mode));

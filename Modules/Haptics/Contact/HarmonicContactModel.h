@@ -18,9 +18,11 @@ enum class HarmonicContactMode
 class HarmonicContactModel final : public ContactModel
 {
 public:
-  /// Refuses what HarmonicSurface refuses.
+  /// Refuses what HarmonicSurface refuses. In float, radius and slopes are rounded to some 1e-6 of
+  /// the radius; positions stay double.
   static Status Make(std::shared_ptr<const SphericalHarmonicModel> model, HarmonicContactMode mode,
-                     std::shared_ptr<const ContactModel>& contact);
+                     std::shared_ptr<const ContactModel>& contact,
+                     EvaluationPrecision precision = EvaluationPrecision::Double);
 
   Eigen::AlignedBox3d BoundsWorld() const noexcept override;
   Status MakeTracker(const ToolShape& tool, const SurfaceFriction& friction,

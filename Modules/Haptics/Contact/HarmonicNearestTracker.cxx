@@ -48,7 +48,8 @@ HarmonicSurface::Place PlaceOf(const ClosestPoint& point) noexcept
 HarmonicNearestTracker::HarmonicNearestTracker(std::shared_ptr<const HarmonicSurface> surface,
                                                double toolRadius, const SurfaceFriction& friction)
     : Surface(std::move(surface)), ToolRadius(toolRadius), Friction(friction),
-      TouchingGap(RelativeGap * this->Surface->SmallestRadius()),
+      TouchingGap(
+          std::max(RelativeGap * this->Surface->SmallestRadius(), 2.0 * this->Surface->Rounding())),
       Stride(RelativeStride * this->Surface->SmallestRadius())
 {
   if (HarmonicWedge::IsNeeded(*this->Surface, toolRadius))
@@ -219,7 +220,8 @@ bool HarmonicNearestTracker::Press(const Vector3& probe, double motion) noexcept
 ClosestPoint HarmonicNearestTracker::Continued(const Vector3& probe) noexcept
 {
   ClosestPoint next = this->Surface->Search().Track(probe, this->Closest);
-  const bool isStationary = next.State == ClosestPoint::Outcome::Stationary;
+  const bool isStationary =
+      next.State == ClosestPoint::Outcome::Stationary && !next.Expansion.IsConvex();
   if (next.SignedDistance < this->ToolRadius && !isStationary)
   {
     return next;

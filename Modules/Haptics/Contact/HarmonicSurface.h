@@ -23,7 +23,9 @@ public:
 
   /// Refuses a model whose numbers are not finite, and one whose radius is not positive everywhere.
   /// Takes some milliseconds, allocates.
+  /// Queries are evaluated in `precision`; what is prepared for them always in double.
   static Status Make(std::shared_ptr<const SphericalHarmonicModel> model,
+                     EvaluationPrecision precision,
                      std::shared_ptr<const HarmonicSurface>& surface);
 
   const ClosestPointSearch& Search() const noexcept { return this->Closest; }
@@ -32,6 +34,11 @@ public:
   /// No radius is smaller or larger, mm.
   double SmallestRadius() const noexcept { return this->Smallest; }
   double LargestRadius() const noexcept { return this->Largest; }
+  /// What rounding may leave of a distance next to the surface, mm.
+  double Rounding() const noexcept
+  {
+    return this->Closest.Descent().Rounding(Vector3::Constant(this->Largest));
+  }
 
   Place PlaceAt(const Vector3& direction) const noexcept;
   /// The same as a closest point to `queryWorld` that was not looked for, where tracking can begin.

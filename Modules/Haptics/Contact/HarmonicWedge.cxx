@@ -61,8 +61,10 @@ private:
 HarmonicWedge::HarmonicWedge(std::shared_ptr<const HarmonicSurface> surface, double radius)
     : Surface(std::move(surface)), Radius(radius),
       LongestStep(RelativeStep * this->Surface->SmallestRadius()),
+      End(std::max(RelativeEnd * this->Surface->SmallestRadius(), 2.0 * this->Surface->Rounding())),
       Proof(this->Surface->Search(), radius,
-            std::min(0.5 * radius, RelativeTolerance * this->Surface->SmallestRadius()))
+            std::min(0.5 * radius,
+                     std::max(RelativeTolerance * this->Surface->SmallestRadius(), 2.0 * End)))
 {
 }
 
@@ -75,6 +77,8 @@ bool HarmonicWedge::IsNeeded(const HarmonicSurface& surface, double radius)
   constexpr double Larger = 1.1;
   constexpr double Rounding = 1e-9;
   const double size = Larger * radius;
+  const double least =
+      (1.0 - Rounding) * size - Rounding * surface.LargestRadius() - 2.0 * surface.Rounding();
   // Some three directions along the finest wave of the surface.
   const IcosahedronDirections sphere(std::max(6, surface.Model().Degree()));
   const auto& directions = sphere.Directions();
@@ -83,8 +87,7 @@ bool HarmonicWedge::IsNeeded(const HarmonicSurface& surface, double radius)
                      {
                        const HarmonicSurface::Place place = surface.PlaceAt(u);
                        const Vector3 center = place.PointWorld + size * place.Normal;
-                       return surface.Search().Nearest(center).SignedDistance <
-                              (1.0 - Rounding) * size - Rounding * surface.LargestRadius();
+                       return surface.Search().Nearest(center).SignedDistance < least;
                      });
 }
 
@@ -144,7 +147,7 @@ void HarmonicWedge::Approach(const Vector3& goalWorld) noexcept
 
 bool HarmonicWedge::IsClearOfWalls() const noexcept
 {
-  const double least = this->Radius - RelativeEnd * this->Surface->SmallestRadius();
+  const double least = this->Radius - this->End;
   return std::all_of(this->Walls.begin(),
                      this->Walls.begin() + static_cast<std::ptrdiff_t>(this->WallCount),
                      [&](const ClosestPoint& wall) { return wall.SignedDistance >= least; });
@@ -154,7 +157,6 @@ bool HarmonicWedge::IsClearOfWalls() const noexcept
 // place at most; whether it was reached.
 bool HarmonicWedge::Slide(const Vector3& goalWorld, const Vector3& clearWorld) noexcept
 {
-  const double end = RelativeEnd * this->Surface->SmallestRadius();
   Relaxation relaxation;
   for (int step = 0; step < MostSteps; ++step)
   {
@@ -180,11 +182,11 @@ bool HarmonicWedge::Slide(const Vector3& goalWorld, const Vector3& clearWorld) n
     const Vector3 next = clearWorld + std::min(1.0, this->LongestStep / length) * way;
     const double left = (next - this->Center).norm();
     this->GoTo(next, nullptr);
-    if (left <= end && held.IsHeld && length <= this->LongestStep)
+    if (left <= this->End && held.IsHeld && length <= this->LongestStep)
     {
       return true;
     }
-    if (left <= end)
+    if (left <= this->End)
     {
       break;
     }

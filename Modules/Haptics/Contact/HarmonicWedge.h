@@ -52,6 +52,7 @@ private:
   std::shared_ptr<const HarmonicSurface> Surface;
   double Radius;
   double LongestStep; // mm, between two proofs
+  double End;         // mm, of a slide
   ClearanceProof Proof;
   Vector3 Center = Vector3::Zero();
   bool IsClear = false; // proven for the centre

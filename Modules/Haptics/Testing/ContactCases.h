@@ -19,10 +19,11 @@ inline std::shared_ptr<const SphericalHarmonicModel> Shared(SphericalHarmonicMod
 
 inline std::shared_ptr<const ContactModel>
 HarmonicContact(const SphericalHarmonicModel& model,
-                HarmonicContactMode mode = HarmonicContactMode::Nearest)
+                HarmonicContactMode mode = HarmonicContactMode::Nearest,
+                EvaluationPrecision precision = EvaluationPrecision::Double)
 {
   std::shared_ptr<const ContactModel> contact;
-  const Status status = HarmonicContactModel::Make(Shared(model), mode, contact);
+  const Status status = HarmonicContactModel::Make(Shared(model), mode, contact, precision);
   EXPECT_TRUE(status.IsOk()) << status.Message();
   return contact;
 }

@@ -1,9 +1,11 @@
 #pragma once
 
+#include "EvaluationPrecision.h"
 #include "SphericalHarmonicEvaluator.h"
 #include "Vector3.h"
 
 #include <cstddef>
+#include <memory>
 #include <vector>
 
 namespace palpate
@@ -13,8 +15,9 @@ namespace palpate
 /// otherwise. Convention of the coefficients: see SphericalHarmonicBasis. The model's axes are the
 /// axes of the frame that the centre is given in (patient LPS, mm).
 ///
-/// What a direction must be and how exact the results are: see SphericalHarmonicEvaluator, whose
-/// double form this is; a float form of the same coefficients can be made beside it.
+/// What a direction must be and how exact the results are: see SphericalHarmonicEvaluator. Results
+/// are double numbers in either precision; in float, directions and all that follows from them are
+/// rounded on the way.
 class SphericalHarmonicModel
 {
 public:
@@ -33,22 +36,39 @@ public:
   int Degree() const noexcept { return this->MaximumDegree; }
   const std::vector<double>& Coefficients() const noexcept { return this->Values; }
   const Vector3& CenterWorld() const noexcept { return this->Center; }
+  EvaluationPrecision Precision() const noexcept
+  {
+    return this->Single == nullptr ? EvaluationPrecision::Double : EvaluationPrecision::Float;
+  }
+  /// The unit of rounding of that precision, relative.
+  double Epsilon() const noexcept;
+  /// The tables that queries read.
+  std::size_t TableBytes() const noexcept
+  {
+    return this->Single == nullptr ? this->Evaluator.TableBytes() : this->Single->TableBytes();
+  }
 
   /// Radius in mm along a unit vector.
   double Radius(const Vector3& direction) const noexcept
   {
-    return this->Evaluator.Radius(direction);
+    return this->Single == nullptr
+               ? this->Evaluator.Radius(direction)
+               : static_cast<double>(this->Single->Radius(direction.cast<float>()));
   }
   Sample Evaluate(const Vector3& direction) const noexcept
   {
-    return this->Evaluator.Evaluate(direction);
+    return this->Single == nullptr ? this->Evaluator.Evaluate(direction)
+                                   : Widened(this->Single->Evaluate(direction.cast<float>()));
   }
   SecondOrderSample EvaluateSecondOrder(const Vector3& direction) const noexcept
   {
-    return this->Evaluator.EvaluateSecondOrder(direction);
+    return this->Single == nullptr
+               ? this->Evaluator.EvaluateSecondOrder(direction)
+               : Widened(this->Single->EvaluateSecondOrder(direction.cast<float>()));
   }
 
-  /// Evaluate for `count` unit vectors; several at once, so a third faster or more.
+  /// Evaluate for `count` unit vectors; several at once, so a third faster or more. In
+  /// double in either precision.
   void EvaluateBatch(const Vector3* directions, std::size_t count, Sample* samples) const noexcept
   {
     this->Evaluator.EvaluateBatch(directions, count, samples);
@@ -78,12 +98,26 @@ public:
   std::vector<double> PowerSpectrum() const;
   /// The same surface with all terms above `degree` left out (or zeros added up to it). Allocates.
   SphericalHarmonicModel WithDegree(int degree) const;
+  /// The same surface, evaluated in this precision. Allocates.
+  SphericalHarmonicModel WithPrecision(EvaluationPrecision precision) const;
 
 private:
   SphericalHarmonicModel(std::vector<double> coefficients, const Vector3& centerWorld, int degree,
                          Formulation formulation);
 
-  SphericalHarmonicEvaluator<double> Evaluator; // first: with the next two, what a tick reads
+  using SingleEvaluator = SphericalHarmonicEvaluator<float>;
+  static Sample Widened(const SingleEvaluator::Sample& sample) noexcept
+  {
+    return {sample.Radius, sample.SurfaceGradient.cast<double>()};
+  }
+  static SecondOrderSample Widened(const SingleEvaluator::SecondOrderSample& sample) noexcept
+  {
+    return {sample.Radius, sample.SurfaceGradient.cast<double>(),
+            sample.SurfaceHessian.cast<double>()};
+  }
+
+  SphericalHarmonicEvaluator<double> Evaluator;  // first: with the next two, what a tick reads
+  std::shared_ptr<const SingleEvaluator> Single; // in float
   Vector3 Center;
   int MaximumDegree;
   std::vector<double> Values;

@@ -228,9 +228,18 @@ bool IsStationary(const ClosestPoint& point, double rounding) noexcept
 } // namespace
 
 ClosestPointDescent::ClosestPointDescent(const SphericalHarmonicModel& model, InstructionSet set)
-    : Model(&model), Derivatives(model), Size(Derivatives.Radius[0] + model.CenterWorld().norm()),
+    : Model(&model), Derivatives(model.WithPrecision(EvaluationPrecision::Double)),
+      Size(Derivatives.Radius[0] + model.CenterWorld().norm()),
       UnitRounding(4.0 * (model.Degree() + 4.0) * std::numeric_limits<double>::epsilon()),
-      LongestStep(2.0 / (model.Degree() + 1.0)), Set(set)
+      // Several times what is measured, as roundings of many terms rarely add up.
+      EvaluationRounding(model.Precision() == EvaluationPrecision::Double
+                             ? 0.0
+                             : (std::sqrt(model.Degree()) + 4.0) * model.Epsilon() *
+                                   Derivatives.Radius[0]),
+      LongestStep(2.0 / (model.Degree() + 1.0)),
+      // What rounding leaves of the gradient over an eigenvalue of usual size, four times.
+      Finest(16.0 * EvaluationRounding / std::max(Derivatives.Radius[0], EvaluationRounding)),
+      Set(set)
 {
 }
 

@@ -56,12 +56,14 @@ public:
                        const SphericalHarmonicModel::SecondOrderSample& sample,
                        double reach) const noexcept;
 
+  /// What tracking cannot get below (rad): of the angle by which a point may be off its minimum.
+  double LeastTolerance() const noexcept { return this->Finest; }
   const RadiusDerivativeBounds& Bounds() const noexcept { return this->Derivatives; }
   /// What rounding may add to a distance (mm): some units in the last place of the numbers
   /// involved.
   double Rounding(const Vector3& query) const noexcept
   {
-    return this->UnitRounding * (query.norm() + this->Size);
+    return this->UnitRounding * (query.norm() + this->Size) + this->EvaluationRounding;
   }
 
 private:
@@ -78,9 +80,11 @@ private:
 
   const SphericalHarmonicModel* Model;
   RadiusDerivativeBounds Derivatives;
-  double Size;         // of the coordinates of surface points, mm
-  double UnitRounding; // relative
-  double LongestStep;  // rad
+  double Size;               // of the coordinates of surface points, mm
+  double UnitRounding;       // relative
+  double EvaluationRounding; // of surface points that are evaluated in float, mm
+  double LongestStep;        // rad
+  double Finest;             // rad
   InstructionSet Set;
 };
 } // namespace palpate

@@ -46,7 +46,8 @@ ClosestPoint Unusable(const SphericalHarmonicModel& model)
 
 ClosestPointSearch::ClosestPointSearch(std::shared_ptr<const SphericalHarmonicModel> model)
     : Surface(std::move(model)), LocalSearch(*Surface),
-      Parts(*Surface, LocalSearch.Bounds(), LevelsFor(Surface->Degree()))
+      Parts(Surface->WithPrecision(EvaluationPrecision::Double), LocalSearch.Bounds(),
+            LevelsFor(Surface->Degree()))
 {
 }
 
@@ -72,7 +73,9 @@ ClosestPoint ClosestPointSearch::Track(const Vector3& queryWorld,
   {
     return Unusable(*this->Surface);
   }
-  return this->LocalSearch.Continue(query, previous, TrackingTolerance, TrackingEvaluationLimit);
+  return this->LocalSearch.Continue(query, previous,
+                                    std::max(TrackingTolerance, this->LocalSearch.LeastTolerance()),
+                                    TrackingEvaluationLimit);
 }
 
 ClosestPoint ClosestPointSearch::Track(const Vector3& queryWorld,

@@ -38,7 +38,7 @@ public:
   /// One servo tick must end: more evaluations than tracking ever needs on a smooth path.
   static constexpr int TrackingEvaluationLimit = 8;
   /// Angle (rad) that a tracked point may be off its minimum; the distance is then off by the
-  /// square of it, far below rounding.
+  /// square of it, far below rounding. Of models in float, it is what their rounding leaves.
   static constexpr double TrackingTolerance = 1e-7;
 
   explicit ClosestPointSearch(std::shared_ptr<const SphericalHarmonicModel> model);

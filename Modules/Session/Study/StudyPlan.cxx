@@ -303,7 +303,8 @@ private:
     return [](const Inputs& inputs, const ProgressFunction& progress) -> StudyProduct
     {
       const auto fit = ProductAs<FitResult>(inputs.data());
-      return WithStandIns(MakeHarmonicContact(fit->Model, HarmonicContactMode::Nearest, fit->Input),
+      return WithStandIns(MakeHarmonicContact(fit->Model, HarmonicContactMode::Nearest,
+                                              EvaluationPrecision::Double, fit->Input),
                           progress);
     };
   }

@@ -29,8 +29,8 @@ RealtimeRequest Ordinary()
 StudyContact Ball(int label, double radius)
 {
   const SphericalHarmonicModel model(0, {radius * std::sqrt(4.0 * M_PI)}, Vector3::Zero());
-  return {label, std::make_shared<const TouchContact>(
-                     MakeHarmonicContact(model, HarmonicContactMode::Nearest, "ball"))};
+  return {label, std::make_shared<const TouchContact>(MakeHarmonicContact(
+                     model, HarmonicContactMode::Nearest, EvaluationPrecision::Double, "ball"))};
 }
 
 StudyState BallState(int label)

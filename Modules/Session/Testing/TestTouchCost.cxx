@@ -17,7 +17,8 @@ constexpr double Radius = 20.0;
 TouchContact Ball()
 {
   const SphericalHarmonicModel model(0, {Radius * std::sqrt(4.0 * M_PI)}, Vector3::Zero());
-  return MakeHarmonicContact(model, HarmonicContactMode::Nearest, "ball");
+  return MakeHarmonicContact(model, HarmonicContactMode::Nearest, EvaluationPrecision::Double,
+                             "ball");
 }
 
 bool GoOn(double /*fraction*/, const std::string& /*stage*/)

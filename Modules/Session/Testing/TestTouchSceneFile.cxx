@@ -42,6 +42,7 @@ TEST_F(TouchSceneFile, WhatIsWrittenIsReadBackTheSame)
   gland.Name = "gland";
   gland.File = this->Folder / "models/gland.json";
   gland.Mode = HarmonicContactMode::Radial;
+  gland.Precision = EvaluationPrecision::Float;
   gland.Stiffness = 1.25;
   gland.Damping = 0.002;
   TouchStructureSettings bone;
@@ -76,6 +77,7 @@ TEST_F(TouchSceneFile, WhatIsWrittenIsReadBackTheSame)
   ASSERT_EQ(back.Structures.size(), 3U);
   EXPECT_EQ(back.Structures[0].File.lexically_normal(), gland.File.lexically_normal());
   EXPECT_EQ(back.Structures[0].Mode, HarmonicContactMode::Radial);
+  EXPECT_EQ(back.Structures[0].Precision, EvaluationPrecision::Float);
   EXPECT_EQ(back.Structures[1].Iso, -300.5);
   EXPECT_EQ(back.Structures[1].Bricks, BrickSize::Cells16);
   EXPECT_EQ(back.Structures[1].Friction.Dynamic, 0.3);

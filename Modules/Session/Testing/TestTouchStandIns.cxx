@@ -21,7 +21,8 @@ TouchContact HarmonicOrgan(int degree)
 {
   test::Random random(3);
   const SphericalHarmonicModel organ = test::RandomOrgan(random, degree);
-  return MakeHarmonicContact(organ, HarmonicContactMode::Nearest, "organ");
+  return MakeHarmonicContact(organ, HarmonicContactMode::Nearest, EvaluationPrecision::Double,
+                             "organ");
 }
 
 TEST(TouchStandIns, HarmonicsAreCutToAHalfAndAQuarterOfTheirDegree)
