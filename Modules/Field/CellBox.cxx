@@ -40,7 +40,7 @@ bool IsFreeBrick(const ScalarField& field, const CellBox& box, const int* brick)
   for (int j = first[1]; j <= last[1];)
   {
     const int end = std::min(last[1] + 1, (j / rows.InWord() + 1) * rows.InWord());
-    const std::uint64_t bits = RowsBits(layout.Shift, first[0], last[0], end - j);
+    const std::uint64_t bits = RowsBits(layout.Shift, first[0], last[0], std::max(end - j, 1));
     for (int k = first[2]; k <= last[2]; ++k)
     {
       isFree = isFree && (surface.CellWord(rows.WordOf(j, k)) & bits << rows.BitInWord(j, k)) == 0;

@@ -31,6 +31,7 @@ public:
   Status MakeVersion(const BrickBox& box, std::shared_ptr<const ScalarField>& version);
 
   const FieldSurvey& Survey() const noexcept { return *this->Known; }
+  const std::shared_ptr<const FieldSurvey>& SharedSurvey() const noexcept { return this->Known; }
   /// Bricks that the pool has room for, and that lie in it.
   std::size_t Room() const noexcept { return this->Pool->Count(); }
   std::size_t ResidentCount() const noexcept { return this->Used; }

@@ -61,6 +61,7 @@ TEST(BrickSize, ChangesNothingOfWhatIsInside)
   {
     const MaterialVolume volume(random);
     std::vector<Vector3> points;
+    points.reserve(301);
     for (int point = 0; point < 301; ++point)
     {
       points.push_back(volume.Grid.PointWorld(RandomPointNear(volume.Grid, random)));

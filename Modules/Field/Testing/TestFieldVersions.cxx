@@ -86,6 +86,7 @@ void ExpectSamePoints(const std::shared_ptr<const ScalarField>& field,
   const FieldSampler expected(field);
   const FieldSampler sampler(version);
   std::vector<Vector3> points;
+  points.reserve(203);
   for (int point = 0; point < 203; ++point)
   {
     points.push_back(RandomPointNear(field->Grid(), random));

@@ -37,6 +37,13 @@ int FieldContactModel::PointCountFor(double radius, double voxelSize) noexcept
   return static_cast<int>(std::clamp(std::ceil(wanted), 1.0 * FewestPoints, 1.0 * MostPoints));
 }
 
+ToolShape FieldContactModel::ShellFor(const ToolShape& tool, double voxelSize)
+{
+  return tool.Points().empty()
+             ? ToolShape::SpherePoints(tool.Radius(), PointCountFor(tool.Radius(), voxelSize))
+             : tool;
+}
+
 Eigen::AlignedBox3d FieldContactModel::BoundsWorld() const noexcept
 {
   return this->Solid->BoundsWorld();
@@ -57,11 +64,7 @@ Status FieldContactModel::MakeTracker(const ToolShape& tool, const SurfaceFricti
       return status;
     }
   }
-  const ToolShape shell =
-      tool.Points().empty()
-          ? ToolShape::SpherePoints(tool.Radius(),
-                                    PointCountFor(tool.Radius(), this->Solid->VoxelSize()))
-          : tool;
+  const ToolShape shell = ShellFor(tool, this->Solid->VoxelSize());
   if (this->Mode == FieldContactMode::Proxy)
   {
     tracker = std::make_unique<FieldProxyTracker>(this->Solid, shell, friction);

@@ -30,6 +30,8 @@ public:
   /// nowhere more than 0.05 voxel lower than its nearest point, and that what is as wide as a voxel
   /// does not slip between them.
   static int PointCountFor(double radius, double voxelSize) noexcept;
+  /// The tool with a shell: its own, or so many points of a sphere.
+  static ToolShape ShellFor(const ToolShape& tool, double voxelSize);
 
   Eigen::AlignedBox3d BoundsWorld() const noexcept override;
   Status MakeTracker(const ToolShape& tool, const SurfaceFriction& friction,

@@ -35,6 +35,22 @@ public:
   void Release() noexcept override { this->Known = State::Nothing; }
   std::size_t Bytes() const noexcept override;
 
+  /// Goes on with another version of the same solid, keeping all that it knows, and gives the one
+  /// before back, to be destroyed elsewhere.
+  void Exchange(std::shared_ptr<const FieldSolid>& solid) noexcept { this->Solid.swap(solid); }
+  const FieldSolid& Followed() const noexcept { return *this->Solid; }
+  /// How far (mm) from the tool's origin Follow asks the field, along any axis.
+  double AskedReach() const noexcept { return this->Asked; }
+  /// The same of a tool with a shell, at a solid with such voxels (mm).
+  static double AskedReachOf(const ToolShape& shell, double voxelSize);
+  /// Whether nothing is known, or nothing touches.
+  bool IsFree() const noexcept { return this->Known != State::Touching; }
+  /// Whether no point of the tool enters the solid on a way of its origin.
+  bool IsWayFree(const Vector3& fromWorld, const Vector3& way) const noexcept
+  {
+    return this->Shell.PartToEntry(*this->Solid, fromWorld, way) == 1.0;
+  }
+
 private:
   enum class State
   {
@@ -74,6 +90,7 @@ private:
   /// Of a sphere, points outside of it, so high that it touches no wall before one of them does.
   std::optional<ToolShell> Halo;
   FrictionCone Friction;
+  double Asked;        // mm; what is asked of the field, from the origin
   double Reach;        // mm; of tool points from the origin
   double SphereRadius; // mm; 0 for other tools and points
 

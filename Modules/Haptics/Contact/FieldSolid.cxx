@@ -39,7 +39,9 @@ Eigen::AlignedBox3d OccupiedIndex(const ScalarField& field, int material)
   return box.intersection(Eigen::AlignedBox3d(Vector3::Zero(), last));
 }
 
-Eigen::AlignedBox3d BoundsOf(const ScalarField& field, int material)
+} // namespace
+
+Eigen::AlignedBox3d FieldSolid::BoundsOf(const ScalarField& field, int material)
 {
   const Eigen::AlignedBox3d index = OccupiedIndex(field, material);
   Eigen::AlignedBox3d world;
@@ -50,23 +52,48 @@ Eigen::AlignedBox3d BoundsOf(const ScalarField& field, int material)
   }
   return world;
 }
-} // namespace
 
 Status FieldSolid::Make(const std::shared_ptr<const ScalarField>& field, int material,
                         std::shared_ptr<const FieldSolid>& solid)
+{
+  const bool isThere = material >= 0 && material < field->MaterialCount();
+  return MakePart(field, material, isThere ? BoundsOf(*field, material) : Eigen::AlignedBox3d(),
+                  solid);
+}
+
+Status FieldSolid::MakePart(const std::shared_ptr<const ScalarField>& field, int material,
+                            const Eigen::AlignedBox3d& boundsWorld,
+                            std::shared_ptr<const FieldSolid>& solid)
 {
   if (material < 0 || material >= field->MaterialCount())
   {
     return Status::Failure("The field has no material " + std::to_string(material) + ".");
   }
-  solid.reset(new FieldSolid(field, material));
+  solid.reset(new FieldSolid(field, material, boundsWorld));
   return Status::Success();
 }
 
-FieldSolid::FieldSolid(const std::shared_ptr<const ScalarField>& field, int material)
+FieldSolid::FieldSolid(const std::shared_ptr<const ScalarField>& field, int material,
+                       const Eigen::AlignedBox3d& boundsWorld)
     : Sampler(field), Caster(field), Number(material), FieldBytes(field->Memory().Bytes),
-      Bounds(BoundsOf(*field, material)), Voxel(field->Grid().Spacing().minCoeff())
+      Bounds(boundsWorld), Voxel(field->Grid().Spacing().minCoeff())
 {
+}
+
+bool FieldSolid::Covers(const Vector3& pointWorld, double reach) const noexcept
+{
+  const ScalarField& field = this->Sampler.Field();
+  const BrickLayout& layout = field.Layout();
+  const Vector3 place = field.Grid().PointIndex(pointWorld);
+  bool isCovered = true;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const auto a = static_cast<std::size_t>(axis);
+    const double voxels = reach / field.Grid().Spacing()[axis];
+    isCovered = isCovered && (layout.FirstCell[a] == 0 || place[axis] - voxels > layout.Lower[a]) &&
+                (layout.IsLastOfGrid(a) || place[axis] + voxels < layout.Upper[a]);
+  }
+  return isCovered;
 }
 
 FieldSolid::Wall FieldSolid::WallNear(const Vector3& pointWorld,

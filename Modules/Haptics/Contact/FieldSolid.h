@@ -25,12 +25,21 @@ public:
   /// Refuses a material that the field does not have.
   static Status Make(const std::shared_ptr<const ScalarField>& field, int material,
                      std::shared_ptr<const FieldSolid>& solid);
+  /// Of the bricks in which a material is, mm.
+  static Eigen::AlignedBox3d BoundsOf(const ScalarField& field, int material);
+  /// Of a version of a field that covers a part of it: a solid with the bounds (mm) of the whole.
+  static Status MakePart(const std::shared_ptr<const ScalarField>& version, int material,
+                         const Eigen::AlignedBox3d& boundsWorld,
+                         std::shared_ptr<const FieldSolid>& solid);
 
   /// Of the whole field.
   std::size_t Bytes() const noexcept { return this->FieldBytes; }
   int Material() const noexcept { return this->Number; }
   const Eigen::AlignedBox3d& BoundsWorld() const noexcept { return this->Bounds; }
   double VoxelSize() const noexcept { return this->Voxel; } ///< the smallest spacing, mm
+  /// Whether everything within `reach` (mm) of a point is known: that the field covers it as far as
+  /// its grid goes.
+  bool Covers(const Vector3& pointWorld, double reach) const noexcept;
 
   /// 1 or 0 for each point.
   void AreInside(const Vector3* pointsWorld, std::size_t count,
@@ -50,7 +59,8 @@ public:
                         double reach) const noexcept;
 
 private:
-  FieldSolid(const std::shared_ptr<const ScalarField>& field, int material);
+  FieldSolid(const std::shared_ptr<const ScalarField>& field, int material,
+             const Eigen::AlignedBox3d& boundsWorld);
   Wall WallBySamples(const Vector3& pointIndex) const noexcept;
   Wall WallByRay(const Vector3& pointWorld, const Vector3& outward) const noexcept;
   void JoinBorder(const Vector3& pointIndex, Wall& wall) const noexcept;

@@ -1,0 +1,110 @@
+#pragma once
+
+#include "FieldSolid.h"
+#include "FieldVersions.h"
+#include "LatestValue.h"
+#include "PlainVector3.h"
+#include "ResidencePlan.h"
+#include "SnapshotSlot.h"
+
+#include <atomic>
+#include <cstdint>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <vector>
+
+namespace palpate
+{
+/// A solid as it goes to a tracker, and comes back.
+struct SolidVersion
+{
+  std::shared_ptr<const FieldSolid> Solid;
+};
+
+/// Between one tracker and who looks after it.
+struct TrackerLink
+{
+  SnapshotSlot<SolidVersion> Versions; ///< to the tracker
+  LatestValue<PlainVector3> ProxyPull; ///< from it: from the probe to the proxy, mm
+};
+
+/// What became of an on-demand field so far.
+struct OnDemandCounts
+{
+  std::uint64_t Versions = 0;
+  std::uint64_t BricksRead = 0;
+  std::size_t BricksResident = 0;
+  std::uint64_t CoarseTicks = 0; ///< that felt the coarse field, since the tool was too fast
+  double KeptSpeed = 0.0;        ///< mm/s at which the tool does not outrun the bricks
+  double Delay = 0.0;            ///< s that a version took at worst lately
+  std::string Problem;           ///< why the last version could not be made; empty if it was
+};
+
+/// One material of a field of which only the bricks round the tool are in memory; a coarse field
+/// beneath is there everywhere. Trackers (see OnDemandContactModel) get each version through a slot
+/// of their own.
+///
+/// Attach: publishing threads. Look: one thread that is not the servo's. Counts: any.
+class OnDemandField
+{
+public:
+  struct Settings
+  {
+    std::size_t PoolBytes = 0;    ///< for bricks
+    double AskedReach = 0.0;      ///< mm; how far from a tool's origin the field is asked
+    double PromisedSpeed = 100.0; ///< mm/s, at least, that the tool may have
+  };
+
+  /// Takes of `whole` what is kept of all bricks; `source` has its records. Refuses what
+  /// FieldSolid, FieldVersions and MakeCoarseField refuse.
+  static Status Make(const ScalarField& whole, int material,
+                     const std::shared_ptr<const FieldSurvey>& survey,
+                     std::unique_ptr<BrickSource> source, const Settings& settings,
+                     std::shared_ptr<OnDemandField>& made);
+
+  /// Whether another version is wanted with the tool's probe there. If so makes it and hands it to
+  /// all trackers; `now()` gives seconds, by the clock of `place`.
+  template <typename Now>
+  void Look(const ToolPlace& place, const Now& now)
+  {
+    if (const std::optional<BrickBox> box = this->Plan.Look(this->WithProxy(place)))
+    {
+      this->Renew(*box) ? this->Plan.Made(now() - place.Time) : this->Plan.Failed();
+      this->Publish();
+    }
+  }
+
+  /// For a tracker, with the newest version in it.
+  std::shared_ptr<TrackerLink> Attach();
+
+  const std::shared_ptr<const FieldSolid>& Coarse() const noexcept { return this->CoarseSolid; }
+  std::shared_ptr<const FieldSolid> Newest() const;
+  const Eigen::AlignedBox3d& BoundsWorld() const noexcept { return this->Bounds; }
+  /// Pool, survey and coarse field.
+  std::size_t Bytes() const noexcept;
+  OnDemandCounts Counts() const;
+  /// By trackers.
+  void CountCoarseTick() noexcept { this->CoarseTicks.fetch_add(1, std::memory_order_relaxed); }
+
+private:
+  OnDemandField(std::unique_ptr<FieldVersions> versions, int material,
+                const ResidenceSettings& settings);
+  ToolPlace WithProxy(ToolPlace place);
+  void Reclaim();
+  bool Renew(const BrickBox& box);
+  void Publish();
+
+  std::unique_ptr<FieldVersions> Versions; // the looking thread's
+  ResidencePlan Plan;                      // the looking thread's
+  int Material;
+  Eigen::AlignedBox3d Bounds;
+  std::shared_ptr<const FieldSolid> CoarseSolid;
+  std::size_t CoarseBytes = 0;
+  std::atomic<std::uint64_t> CoarseTicks{0};
+  mutable std::mutex Shared; // by the looking and the publishing thread: what follows
+  std::vector<std::weak_ptr<TrackerLink>> Links;
+  std::shared_ptr<const FieldSolid> Current;
+  OnDemandCounts Known;
+};
+} // namespace palpate
