@@ -32,7 +32,7 @@ void ShowProgress(const StudyPipeline& pipeline, Console& console)
 {
   for (const StudyStep step :
        {StudyStep::Volume, StudyStep::Segmentation, StudyStep::Surface, StudyStep::Samples,
-        StudyStep::Model, StudyStep::Field, StudyStep::Touch})
+        StudyStep::Model, StudyStep::Field, StudyStep::Touch, StudyStep::Trade})
   {
     const StudyStepState state = pipeline.StateOf(step);
     if (state.Is == Kind::Running)
@@ -66,20 +66,25 @@ struct Line
   std::vector<std::string> Sentences;
   bool IsLost = false;
   std::optional<double> TickMicroseconds; ///< of the servo, where it was measured
+  std::optional<double> ErrorMillimeters; ///< of what is felt, where the dial had it measured
 };
 
 Line LineOf(StudyStep step, const StudyStepState& state)
 {
   const bool isLost = state.Is == Kind::Failed;
-  return {NameOf(step), NameOf(state.Is),
-          {},           isLost ? std::vector{state.Sentence} : std::vector<std::string>{},
-          isLost,       {}};
+  return {NameOf(step),
+          NameOf(state.Is),
+          {},
+          isLost ? std::vector{state.Sentence} : std::vector<std::string>{},
+          isLost,
+          {},
+          {}};
 }
 
 // What is felt or seen of it is what counts: a model that was refused has a field in its place.
-Line LineOf(const StudyStructure& structure, const StudyPipeline& pipeline)
+Line LineOf(const StudyState& state, const StudyStructure& structure, const StudyPipeline& pipeline)
 {
-  Line line{TitleOf(structure), NameOf(Kind::NotWanted), {}, {}, false, {}};
+  Line line{TitleOf(structure), NameOf(Kind::NotWanted), {}, {}, false, {}, {}};
   std::set<std::string> said;
   for (const StudyStep step : StructureSteps)
   {
@@ -111,6 +116,14 @@ Line LineOf(const StudyStructure& structure, const StudyPipeline& pipeline)
     line.TickMicroseconds = 1e-3 * cost->MedianNanoseconds;
     line.Says += "; " + TextTable::Fixed(*line.TickMicroseconds, 2) + " us a tick";
   }
+  const auto trade = pipeline.Newest<StudyTrade>(StudyStep::Trade, structure.Label);
+  const TradeRow* row =
+      trade != nullptr ? RowOf(*trade, FeelOf(state, structure, trade.get()).Rung) : nullptr;
+  if (row != nullptr)
+  {
+    line.ErrorMillimeters = row->SurfaceMean;
+    line.Says += "; " + TextTable::Fixed(*line.ErrorMillimeters, 3) + " mm off expected";
+  }
   if (structure.IsVisible && structure.Appearance != StudyAppearance::Automatic)
   {
     line.Says +=
@@ -132,7 +145,7 @@ std::vector<Line> LinesOf(Study& study)
   }
   for (const StudyStructure& structure : study.State().Structures)
   {
-    lines.push_back(LineOf(structure, study.Pipeline()));
+    lines.push_back(LineOf(study.State(), structure, study.Pipeline()));
   }
   return lines;
 }
@@ -151,6 +164,10 @@ void Print(const std::vector<Line>& lines, bool asJson, Console& console)
       if (line.TickMicroseconds)
       {
         object["tick_us"] = *line.TickMicroseconds;
+      }
+      if (line.ErrorMillimeters)
+      {
+        object["error_mm"] = *line.ErrorMillimeters;
       }
       console.Output() << object.dump(-1, ' ', false, JsonObject::error_handler_t::replace) << '\n';
     }

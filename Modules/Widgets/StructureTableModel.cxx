@@ -119,8 +119,10 @@ QVariant StructureTableModel::headerData(int section, Qt::Orientation orientatio
       "Whether it is shown",
       "Whether it can be touched",
       "What is drawn of it; automatic: as what it is touched",
-      "By what it is touched; automatic: harmonics, or voxels where those are refused",
-      "Of its harmonics",
+      "By what it is touched; automatic: harmonics, or voxels where those are refused. To change "
+      "it "
+      "turns the dial to by hand",
+      "Of its harmonics. To change it turns the dial to by hand",
       "Stiffness",
       "Coulomb's coefficient up to which the tool sticks",
       "Mean distance of the model from the mask's boundary",
@@ -157,6 +159,14 @@ QVariant StructureTableModel::CostOf(const StudyStructure& structure) const
              : QString("\u2013");
 }
 
+// As the dial decides, where it does.
+StudyFeel StructureTableModel::FeltAs(const StudyStructure& structure) const
+{
+  const auto trade =
+      this->Study.Current().Pipeline().Newest<StudyTrade>(StudyStep::Trade, structure.Label);
+  return FeelOf(this->Study.State(), structure, trade.get());
+}
+
 QVariant StructureTableModel::ValueOf(const StudyStructure& structure, int column) const
 {
   switch (column)
@@ -164,7 +174,7 @@ QVariant StructureTableModel::ValueOf(const StudyStructure& structure, int colum
   case NameColumn:
     return QString::fromStdString(TitleOf(structure));
   case DegreeColumn:
-    return structure.Degree;
+    return this->FeltAs(structure).Degree;
   case StiffnessColumn:
     return structure.Stiffness;
   case FrictionColumn:
@@ -186,14 +196,15 @@ QVariant StructureTableModel::data(const QModelIndex& index, int role) const
   switch (role)
   {
   case Qt::DisplayRole:
-    return column == AppearanceColumn ? QString(NameOf(structure.Appearance))
-           : column == RepresentationColumn
-               ? RepresentationNames().value(static_cast<int>(structure.Representation))
-               : this->ValueOf(structure, column);
-  case Qt::EditRole:
-    return column == AppearanceColumn       ? QVariant(static_cast<int>(structure.Appearance))
-           : column == RepresentationColumn ? QVariant(static_cast<int>(structure.Representation))
+    return column == AppearanceColumn       ? QString(NameOf(structure.Appearance))
+           : column == RepresentationColumn ? RepresentationNames().value(static_cast<int>(
+                                                  this->FeltAs(structure).Representation))
                                             : this->ValueOf(structure, column);
+  case Qt::EditRole:
+    return column == AppearanceColumn ? QVariant(static_cast<int>(structure.Appearance))
+           : column == RepresentationColumn
+               ? QVariant(static_cast<int>(this->FeltAs(structure).Representation))
+               : this->ValueOf(structure, column);
   case Qt::DecorationRole:
   case Qt::UserRole:
     return column == ColorColumn ? QVariant(QColor::fromRgbF(structure.Color[0], structure.Color[1],

@@ -5,10 +5,37 @@
 #include "TouchExport.h"
 #include "TouchRecording.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace palpate
 {
+namespace
+{
+// What is felt as by hand, but for what has come or gone.
+bool IsFeltAlike(const StudyState& a, const StudyState& b)
+{
+  const auto isAlike = [&b](const StudyStructure& one)
+  {
+    const StudyStructure* other = FindStructure(b, one.Label);
+    return other == nullptr ||
+           (one.Representation == other->Representation && one.Degree == other->Degree);
+  };
+  return a.Interpolation == b.Interpolation &&
+         std::all_of(a.Structures.begin(), a.Structures.end(), isAlike);
+}
+
+StudyState WithDialOf(const StudyState& before, StudyState next)
+{
+  if (next.Dial == before.Dial && next.SegmentationFile == before.SegmentationFile &&
+      !IsFeltAlike(before, next))
+  {
+    next.Dial = StudyDial::ByHand;
+  }
+  return next;
+}
+} // namespace
+
 Study::Study(Clock& clock, const RealtimeRequest& request) : Time(clock), Felt(clock, request) {}
 
 void Study::Begin(const StudyState& state, const std::filesystem::path& file)
@@ -64,7 +91,7 @@ void Study::RelocateFile(const std::filesystem::path& missing, const std::filesy
 
 bool Study::Change(const std::string& sentence, const StudyState& next, const std::string& gesture)
 {
-  const bool isChanged = this->Steps.Change(sentence, next, gesture);
+  const bool isChanged = this->Steps.Change(sentence, WithDialOf(this->State(), next), gesture);
   if (isChanged)
   {
     this->Follow();

@@ -52,7 +52,8 @@ public:
   /// See Relocate; a step.
   void RelocateFile(const std::filesystem::path& missing, const std::filesystem::path& moved);
 
-  /// See StudyHistory.
+  /// See StudyHistory. Where the representation, the degree or the interpolation of anything
+  /// changes and the dial does not, that is turned to by hand: it would decide them.
   bool Change(const std::string& sentence, const StudyState& next, const std::string& gesture = {});
   void EndGesture() { this->Steps.EndGesture(); }
   void ChangeView(const StudyView& view) { this->Steps.ChangeView(view); }

@@ -77,8 +77,10 @@ TouchSettings SceneOfStudy(const StudyState& state, const StudyPipeline& pipelin
     touch.Name = structure.Name;
     touch.Stiffness = structure.Stiffness;
     touch.Friction = structure.Friction;
-    touch.Degree = structure.Degree;
-    touch.Interpolation = state.Interpolation;
+    const auto trade = pipeline.Newest<StudyTrade>(StudyStep::Trade, contact.Label);
+    const StudyFeel feel = FeelOf(state, structure, trade.get());
+    touch.Degree = feel.Degree;
+    touch.Interpolation = feel.Interpolation;
     touch.Smoothing = state.FieldSmoothing;
     const TouchAppearance& looks = contact.Contact->Looks;
     touch.File = FolderOf(state, structure, folder) / (looks.Model ? "model.json" : "surface.vtp");

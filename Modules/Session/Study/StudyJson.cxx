@@ -24,6 +24,9 @@ constexpr double LargestIntensity = 1e300;
 const std::initializer_list<const char*> LeftHandedWords{"refuse", "reverse"};
 const std::initializer_list<const char*> AppearanceWords{"automatic", "model", "surface",
                                                          "error-map", "sub-voxel"};
+const std::initializer_list<const char*> DialWords{
+    "by-hand",      "automatic",    "harmonics-4",      "harmonics-8",
+    "harmonics-12", "harmonics-16", "sub-voxel-linear", "sub-voxel-cubic"};
 const std::initializer_list<const char*> AxesWords{"patient", "camera"};
 const std::initializer_list<const char*> SliceAxesWords{"patient", "volume"};
 
@@ -99,6 +102,7 @@ public:
     }
     fields.Read("device", state.Device);
     fields.Read("rate_hz", state.Rate, 1.0, 1e5);
+    fields.ReadChoice("dial", DialWords, state.Dial);
     this->ReadPlacement(fields, state.Placement);
     this->ForEach(fields, "landmarks", state.Landmarks, &StudyReader::ReadLandmark);
     this->ForEach(fields, "distances", state.Distances, &StudyReader::ReadDistance);
@@ -335,6 +339,7 @@ OrderedJson AsJson(const StudyState& state, const std::filesystem::path& folder)
   root["tool"] = TouchToolJson(state.Tool);
   root["device"] = state.Device;
   root["rate_hz"] = state.Rate;
+  root["dial"] = WordOf(DialWords, state.Dial);
   root["placement"] = AsJson(state.Placement);
   root["landmarks"] = AsJson(state.Landmarks);
   root["distances"] = AsJson(state.Distances);

@@ -81,9 +81,13 @@ class StructurePlan
 public:
   StructurePlan(const StudyState& state, const StudyStructure& structure, std::string segmentation,
                 const StudyLookup& lookup, std::vector<StudyNode>& nodes)
-      : State(state), Structure(structure), Fit(FitSettingsOf(state, structure)),
+      : State(state), Structure(structure), Fit(state.Fit),
         SegmentationKey(std::move(segmentation)), Lookup(lookup), Nodes(nodes), First(nodes.size())
   {
+    const auto trade =
+        this->IsMeasured() ? ProductAs<StudyTrade>(lookup(this->TradeKey())) : nullptr;
+    this->Feel = FeelOf(state, structure, trade.get());
+    this->Fit.Degree = this->Feel.Degree;
   }
 
   void Add()
@@ -100,12 +104,53 @@ public:
     }
   }
 
+  // What the dial goes by. Nothing else is held up by it.
+  void AddTrade()
+  {
+    if (!this->IsMeasured())
+    {
+      return;
+    }
+    this->AddNode(
+        StudyStep::Trade, this->TradeKey(), this->SegmentationKey,
+        [label = this->Structure.Label, name = TitleOf(this->Structure), tool = this->State.Tool,
+         smoothing = this->State.FieldSmoothing](const Inputs& inputs,
+                                                 const ProgressFunction& progress)
+        {
+          const auto segmentation = ProductAs<Segmentation>(inputs.data());
+          TradeSource source{name, segmentation->Source, {}, smoothing};
+          source.Is = TradeSource::Mask{segmentation, segmentation->Find(std::to_string(label))};
+          const SteadyClock clock;
+          return std::make_shared<const StudyTrade>(
+              MeasureStudyTrade(source, tool, clock, progress));
+        });
+  }
+
 private:
   using Making = decltype(StudyNode::Make);
 
+  bool IsMeasured() const
+  {
+    return this->Structure.IsTouchable && this->State.Dial != StudyDial::ByHand;
+  }
+
+  std::string TradeKey() const
+  {
+    return this->KeyWithTool(
+        KeyOf(this->SegmentationKey, "trade", this->Structure.Label, this->State.FieldSmoothing));
+  }
+
+  std::string KeyWithTool(const std::string& start) const
+  {
+    const TouchToolSettings& tool = this->State.Tool;
+    const Vector3& axes = tool.SemiAxes;
+    return KeyOf(start, static_cast<int>(tool.Kind), tool.Radius, tool.Length, axes.x(), axes.y(),
+                 axes.z(), tool.Points);
+  }
+
   void AddRepresentation()
   {
-    switch (this->Structure.Representation)
+    switch (this->Feel.Representation)
     {
     case TouchRepresentation::Harmonics:
       return this->AddContact(this->AddModel(), this->ContactOfModel());
@@ -203,10 +248,10 @@ private:
   {
     const std::string key =
         KeyOf(this->SegmentationKey, "field", this->Structure.Label,
-              static_cast<int>(this->State.Interpolation), this->State.FieldSmoothing);
+              static_cast<int>(this->Feel.Interpolation), this->State.FieldSmoothing);
     return this->AddNode(
         StudyStep::Field, key, this->SegmentationKey,
-        [label = this->Structure.Label, interpolation = this->State.Interpolation,
+        [label = this->Structure.Label, interpolation = this->Feel.Interpolation,
          smoothing = this->State.FieldSmoothing](const Inputs& inputs,
                                                  const ProgressFunction& progress) -> StudyProduct
         {
@@ -285,12 +330,9 @@ private:
 
   void AddCost(const std::string& contact)
   {
-    const TouchToolSettings& tool = this->State.Tool;
-    const Vector3& axes = tool.SemiAxes;
-    const std::string key = KeyOf(contact, "cost", static_cast<int>(tool.Kind), tool.Radius,
-                                  tool.Length, axes.x(), axes.y(), axes.z(), tool.Points);
+    const std::string key = this->KeyWithTool(KeyOf(contact, "cost"));
     this->AddNode(StudyStep::Cost, contact.empty() ? std::string() : key, contact,
-                  [tool](const Inputs& inputs, const ProgressFunction& progress)
+                  [tool = this->State.Tool](const Inputs& inputs, const ProgressFunction& progress)
                   {
                     const SteadyClock clock;
                     return std::make_shared<const TouchCost>(MeasureTouchCost(
@@ -322,7 +364,7 @@ private:
 
   Making ContactOfField() const
   {
-    return [interpolation = this->State.Interpolation, file = this->State.SegmentationFile](
+    return [interpolation = this->Feel.Interpolation, file = this->State.SegmentationFile](
                const Inputs& inputs, const ProgressFunction&) -> StudyProduct
     {
       return std::make_shared<const TouchContact>(
@@ -333,6 +375,7 @@ private:
   const StudyState& State;
   const StudyStructure& Structure;
   FitSettings Fit;
+  StudyFeel Feel;
   std::string SegmentationKey;
   const StudyLookup& Lookup;
   std::vector<StudyNode>& Nodes;
@@ -379,9 +422,9 @@ StudyNode SegmentationNode(const StudyState& state, const std::string& stamp)
 
 const char* NameOf(StudyStep step)
 {
-  constexpr std::array<const char*, 9> Names{"volume",  "segmentation", "structures",
-                                             "surface", "samples",      "model",
-                                             "field",   "touch",        "cost"};
+  constexpr std::array<const char*, 10> Names{"volume",  "segmentation", "structures", "surface",
+                                              "samples", "model",        "field",      "touch",
+                                              "cost",    "trade"};
   return Names.at(static_cast<std::size_t>(step));
 }
 
@@ -410,6 +453,11 @@ std::vector<StudyNode> PlanStudy(const StudyState& state, const StudyStamps& sta
     {
       StructurePlan(state, structure, segmentation, lookup, nodes).Add();
     }
+  }
+  // Last: what is to be seen and felt comes before what is to be known of it.
+  for (const StudyStructure& structure : state.Structures)
+  {
+    StructurePlan(state, structure, segmentation, lookup, nodes).AddTrade();
   }
   return nodes;
 }

@@ -22,7 +22,8 @@ enum class StudyStep
   Model,
   Field, ///< for sub-voxel structures
   Touch, ///< the contact model
-  Cost   ///< what that costs a tick, measured; nothing waits for it
+  Cost,  ///< what that costs a tick, measured; nothing waits for it
+  Trade ///< what each rung of the dial would cost, and how true it is; an automatic dial goes by it
 };
 
 /// "volume", "segmentation", ...

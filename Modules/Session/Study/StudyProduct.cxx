@@ -86,7 +86,9 @@ std::size_t BytesOf(const StudyProduct& product)
             }
             return bytes;
           },
-          [](const std::shared_ptr<const TouchCost>& cost) { return sizeof(*cost); }},
+          [](const std::shared_ptr<const TouchCost>& cost) { return sizeof(*cost); },
+          [](const std::shared_ptr<const StudyTrade>& trade)
+          { return sizeof(*trade) + trade->Rungs.size() * sizeof(TradeRow); }},
       product);
 }
 } // namespace palpate

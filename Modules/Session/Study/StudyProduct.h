@@ -4,6 +4,7 @@
 #include "PalpateSessionModule.h"
 #include "ScalarField.h"
 #include "Segmentation.h"
+#include "StudyTrade.h"
 #include "TouchContact.h"
 #include "TouchCost.h"
 #include "Volume.h"
@@ -31,7 +32,8 @@ using StudyProduct =
     std::variant<StudyFailure, std::shared_ptr<const Volume>, std::shared_ptr<const Segmentation>,
                  std::shared_ptr<const FitSurface>, std::shared_ptr<const FitSamples>,
                  std::shared_ptr<const FitResult>, std::shared_ptr<const ScalarField>,
-                 std::shared_ptr<const TouchContact>, std::shared_ptr<const TouchCost>>;
+                 std::shared_ptr<const TouchContact>, std::shared_ptr<const TouchCost>,
+                 std::shared_ptr<const StudyTrade>>;
 
 /// The product of a type; empty for another one.
 template <typename T>

@@ -37,8 +37,8 @@ auto Fields(const StudyView& v)
 auto Fields(const StudyState& s)
 {
   return std::tie(s.VolumeFile, s.DicomSeries, s.SegmentationFile, s.LeftHanded, s.Structures,
-                  s.Fit, s.Interpolation, s.FieldSmoothing, s.Tool, s.Device, s.Rate, s.Placement,
-                  s.Landmarks, s.Distances, s.View);
+                  s.Fit, s.Interpolation, s.FieldSmoothing, s.Tool, s.Device, s.Rate, s.Dial,
+                  s.Placement, s.Landmarks, s.Distances, s.View);
 }
 } // namespace
 

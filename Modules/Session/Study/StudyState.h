@@ -3,6 +3,7 @@
 #include "FitSettings.h"
 #include "LeftHandedAxes.h"
 #include "PalpateSessionModule.h"
+#include "StudyDial.h"
 #include "TouchSettings.h"
 
 #include <array>
@@ -100,6 +101,8 @@ struct StudyState
   TouchToolSettings Tool;
   std::string Device = "simulated"; ///< as DeviceRegistry::Make takes it
   double Rate = 1000.0;             ///< Hz, of the servo
+  /// Else how structures are felt is not as they and `Interpolation` say.
+  StudyDial Dial = StudyDial::ByHand;
   StudyPlacement Placement;
 
   std::vector<StudyLandmark> Landmarks;

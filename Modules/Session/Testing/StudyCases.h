@@ -88,6 +88,7 @@ inline void RandomizeTouch(Random& random, StudyState& state)
   state.Tool.Points = RandomWhole(random, 0, 100);
   state.Device = RandomName(random);
   state.Rate = RandomNumber(random, 1.0, 5000.0);
+  state.Dial = static_cast<StudyDial>(RandomWhole(random, 0, 7));
   state.Placement = {};
   if (RandomChoice(random))
   {
