@@ -81,9 +81,31 @@ Line LineOf(StudyStep step, const StudyStepState& state)
           {}};
 }
 
-// What is felt or seen of it is what counts: a model that was refused has a field in its place.
-Line LineOf(const StudyState& state, const StudyStructure& structure, const StudyPipeline& pipeline)
+// What it costs a tick, and how true it is expected to be, as far as that was measured.
+void AddMeasures(const StudyStructure& structure, Study& study, Line& line)
 {
+  const StudyPipeline& pipeline = study.Pipeline();
+  const auto cost = pipeline.Newest<TouchCost>(StudyStep::Cost, structure.Label);
+  if (cost != nullptr && cost->Ticks > 0)
+  {
+    line.TickMicroseconds = 1e-3 * cost->MedianNanoseconds;
+    line.Says += "; " + TextTable::Fixed(*line.TickMicroseconds, 2) + " us a tick";
+  }
+  const auto trade = pipeline.Newest<StudyTrade>(StudyStep::Trade, structure.Label);
+  const TradeRow* row = trade != nullptr
+                            ? RowOf(*trade, FeelOf(study.State(), structure, trade.get()).Rung)
+                            : nullptr;
+  if (row != nullptr)
+  {
+    line.ErrorMillimeters = row->SurfaceMean;
+    line.Says += "; " + TextTable::Fixed(*line.ErrorMillimeters, 3) + " mm off expected";
+  }
+}
+
+// What is felt or seen of it is what counts: a model that was refused has a field in its place.
+Line LineOf(const StudyStructure& structure, Study& study)
+{
+  const StudyPipeline& pipeline = study.Pipeline();
   Line line{TitleOf(structure), NameOf(Kind::NotWanted), {}, {}, false, {}, {}};
   std::set<std::string> said;
   for (const StudyStep step : StructureSteps)
@@ -110,20 +132,7 @@ Line LineOf(const StudyState& state, const StudyStructure& structure, const Stud
                  TextTable::Fixed(fit->Dice, 4) + ", mean distance to the mask " +
                  TextTable::Fixed(fit->ModelToMask.Mean, 3) + " mm";
   }
-  const auto cost = pipeline.Newest<TouchCost>(StudyStep::Cost, structure.Label);
-  if (cost != nullptr && cost->Ticks > 0)
-  {
-    line.TickMicroseconds = 1e-3 * cost->MedianNanoseconds;
-    line.Says += "; " + TextTable::Fixed(*line.TickMicroseconds, 2) + " us a tick";
-  }
-  const auto trade = pipeline.Newest<StudyTrade>(StudyStep::Trade, structure.Label);
-  const TradeRow* row =
-      trade != nullptr ? RowOf(*trade, FeelOf(state, structure, trade.get()).Rung) : nullptr;
-  if (row != nullptr)
-  {
-    line.ErrorMillimeters = row->SurfaceMean;
-    line.Says += "; " + TextTable::Fixed(*line.ErrorMillimeters, 3) + " mm off expected";
-  }
+  AddMeasures(structure, study, line);
   if (structure.IsVisible && structure.Appearance != StudyAppearance::Automatic)
   {
     line.Says +=
@@ -145,7 +154,7 @@ std::vector<Line> LinesOf(Study& study)
   }
   for (const StudyStructure& structure : study.State().Structures)
   {
-    lines.push_back(LineOf(study.State(), structure, study.Pipeline()));
+    lines.push_back(LineOf(structure, study));
   }
   return lines;
 }

@@ -2,14 +2,13 @@
 
 #include <QHBoxLayout>
 #include <QSignalBlocker>
-#include <QVBoxLayout>
 
 namespace palpate
 {
 namespace
 {
 constexpr std::uint64_t TicksALook = 500;
-constexpr int MostLines = 8;
+constexpr int LeastLength = 120; // pixels, of the slider
 
 // In the order of the choices.
 enum Choice
@@ -18,15 +17,6 @@ enum Choice
   Automatic,
   Rungs
 };
-
-QLabel* MakeText(const char* name, QWidget* parent)
-{
-  auto* label = new QLabel(parent);
-  label->setObjectName(name);
-  label->setWordWrap(true);
-  label->setTextInteractionFlags(Qt::TextSelectableByMouse);
-  return label;
-}
 
 // Without drawing anything where nothing is different.
 void SetText(QLabel* label, const QString& text)
@@ -40,19 +30,17 @@ void SetText(QLabel* label, const QString& text)
 
 DialPanel::DialPanel(StudyController& study, QWidget* parent)
     : QWidget(parent), Study(study), Mode(new QComboBox(this)),
-      Rung(new QSlider(Qt::Horizontal, this)), Numbers(MakeText("dial-numbers", this)),
-      Settings(MakeText("dial-settings", this))
+      Rung(new QSlider(Qt::Horizontal, this)), Numbers(new QLabel(this))
 {
-  auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(0, 0, 0, 0);
-  auto* row = new QHBoxLayout;
+  this->Numbers->setObjectName("dial-numbers");
+  this->Numbers->setWordWrap(true);
+  auto* row = new QHBoxLayout(this);
+  row->setContentsMargins(0, 0, 0, 0);
+  row->addWidget(this->Mode);
   row->addWidget(new QLabel("Faster", this));
   row->addWidget(this->Rung, 1);
   row->addWidget(new QLabel("Truer", this));
-  column->addWidget(this->Mode);
-  column->addLayout(row);
-  column->addWidget(this->Numbers);
-  column->addWidget(this->Settings);
+  row->addWidget(this->Numbers, 3);
   this->MakeMode();
   this->MakeSlider();
   connect(&study, &StudyController::StateChanged, this, &DialPanel::Show);
@@ -75,7 +63,7 @@ void DialPanel::MakeMode()
   this->Mode->addItems(
       {"Each structure by hand", "Automatic for each structure", "The dial for all structures"});
   this->Mode->setToolTip("Automatic: the fastest that is as true as the mask's voxels or a hand "
-                         "can tell. Each structure is measured for it, for some seconds, once.");
+                         "can tell. Each structure is measured for it, once.");
   connect(this->Mode, qOverload<int>(&QComboBox::activated), this,
           [this](int choice)
           {
@@ -92,6 +80,7 @@ void DialPanel::MakeSlider()
   this->Rung->setObjectName("dial");
   this->Rung->setRange(0, static_cast<int>(AllStudyRungs.size()) - 1);
   this->Rung->setPageStep(1);
+  this->Rung->setMinimumWidth(LeastLength);
   this->Rung->setTickPosition(QSlider::TicksBelow);
   this->Rung->setTickInterval(1);
   connect(this->Rung, &QSlider::valueChanged, this,
@@ -120,17 +109,13 @@ void DialPanel::Show()
                               : dial == StudyDial::Automatic ? Automatic
                                                              : Rungs);
   this->Lines = DialLinesOf(this->Study.State(), this->Study.Current().Pipeline());
-  QStringList lines;
-  QStringList rungs;
+  QStringList settings;
   for (const StudyDialLine& line : this->Lines)
   {
-    lines += QString::fromStdString(TextOf(line));
-    rungs += QString::fromStdString(line.Title + "\n" + line.Rungs);
+    const std::string rungs = line.Rungs.empty() ? "" : "\n" + line.Rungs;
+    settings += QString::fromStdString(TextOf(line) + rungs);
   }
-  const int more = static_cast<int>(lines.size()) - MostLines;
-  this->Settings->setToolTip(rungs.join("\n\n"));
-  SetText(this->Settings, lines.mid(0, MostLines).join("\n") +
-                              (more > 0 ? QString("\nand %1 more").arg(more) : QString()));
+  this->Numbers->setToolTip(settings.join("\n\n"));
   this->ShowNumbers();
 }
 

@@ -21,7 +21,9 @@ public:
   explicit DialPanel(StudyController& study, QWidget* parent = nullptr);
 
   QString NumbersWords() const { return this->Numbers->text(); }
-  QString SettingsWords() const { return this->Settings->text(); }
+  /// What was chosen for each structure, and what the other rungs would be: a tool tip, since the
+  /// table of structures shows the first too.
+  QString SettingsWords() const { return this->Numbers->toolTip(); }
 
 private:
   void MakeMode();
@@ -35,7 +37,6 @@ private:
   QComboBox* Mode;
   QSlider* Rung;
   QLabel* Numbers;
-  QLabel* Settings;
   std::vector<StudyDialLine> Lines;
   PeriodStatistics Last;     // up to the last look
   double Microseconds = 0.0; // mean of a tick between the last two looks; 0 without

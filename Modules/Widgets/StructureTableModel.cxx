@@ -167,6 +167,21 @@ StudyFeel StructureTableModel::FeltAs(const StudyStructure& structure) const
   return FeelOf(this->Study.State(), structure, trade.get());
 }
 
+// What the dial has chosen, as it came to be.
+QString StructureTableModel::RepresentationOf(const StudyStructure& structure) const
+{
+  const StudyFeel feel = this->FeltAs(structure);
+  const auto contact =
+      this->Study.Current().Pipeline().Newest<TouchContact>(StudyStep::Touch, structure.Label);
+  const bool isReplaced = contact != nullptr && contact->Looks.Field != nullptr;
+  return feel.Rung < 0 ? RepresentationNames().value(static_cast<int>(feel.Representation))
+         : feel.Representation == TouchRepresentation::SubVoxel || isReplaced
+             ? NameOf(feel.Interpolation == FieldInterpolation::Trilinear
+                          ? StudyDial::SubVoxelLinear
+                          : StudyDial::SubVoxelCubic)
+             : QString("harmonics");
+}
+
 QVariant StructureTableModel::ValueOf(const StudyStructure& structure, int column) const
 {
   switch (column)
@@ -197,8 +212,7 @@ QVariant StructureTableModel::data(const QModelIndex& index, int role) const
   {
   case Qt::DisplayRole:
     return column == AppearanceColumn       ? QString(NameOf(structure.Appearance))
-           : column == RepresentationColumn ? RepresentationNames().value(static_cast<int>(
-                                                  this->FeltAs(structure).Representation))
+           : column == RepresentationColumn ? this->RepresentationOf(structure)
                                             : this->ValueOf(structure, column);
   case Qt::EditRole:
     return column == AppearanceColumn ? QVariant(static_cast<int>(structure.Appearance))

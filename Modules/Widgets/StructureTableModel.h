@@ -48,6 +48,7 @@ private:
   QVariant ValueOf(const StudyStructure& structure, int column) const;
   QVariant QualityOf(const StudyStructure& structure) const;
   QVariant CostOf(const StudyStructure& structure) const;
+  QString RepresentationOf(const StudyStructure& structure) const;
   StudyFeel FeltAs(const StudyStructure& structure) const;
 
   StudyController& Study;

@@ -1,6 +1,7 @@
 #include "StructuresPanel.h"
 
 #include "ChoiceDelegate.h"
+#include "DialPanel.h"
 
 #include <QColorDialog>
 #include <QHBoxLayout>
@@ -47,6 +48,7 @@ StructuresPanel::StructuresPanel(StudyController& study, QWidget* parent)
   row->addWidget(this->Opacity, 1);
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(4, 2, 4, 2);
+  column->addWidget(new DialPanel(study, this));
   column->addWidget(this->Table, 1);
   column->addLayout(row);
 }

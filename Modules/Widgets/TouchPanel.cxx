@@ -1,7 +1,6 @@
 #include "TouchPanel.h"
 
 #include "BuiltInDevices.h"
-#include "DialPanel.h"
 
 #include <QFormLayout>
 #include <QHBoxLayout>
@@ -58,7 +57,6 @@ TouchPanel::TouchPanel(StudyController& study, QWidget* parent)
   this->MakeSettings(form);
   this->MakeButtons();
   column->addLayout(form);
-  column->addWidget(new DialPanel(study, this));
   column->addLayout(this->Tools);
   column->addWidget(this->Start);
   column->addWidget(this->StopForce);

@@ -113,7 +113,11 @@ std::string DialNumbersText(const std::vector<StudyDialLine>& lines, double meas
   const std::string measured =
       measuredMicroseconds > 0.0 ? Microseconds(measuredMicroseconds) + " measured" : std::string();
   const std::string both = expected + (expected.empty() || measured.empty() ? "" : ", ") + measured;
+  const auto left =
+      std::count_if(lines.begin(), lines.end(),
+                    [](const StudyDialLine& line) { return line.MeasuringFraction.has_value(); });
   return "Tick: " + (both.empty() ? "not known yet" : both) +
-         ". Error: " + (error ? Millimeters(*error) + " expected" : "not known yet") + ".";
+         ". Error: " + (error ? Millimeters(*error) + " expected" : "not known yet") + "." +
+         (left > 0 ? " Measuring: " + std::to_string(left) + " to go." : "");
 }
 } // namespace palpate

@@ -31,7 +31,8 @@ PALPATESESSION_EXPORT std::vector<StudyDialLine> DialLinesOf(const StudyState& s
 PALPATESESSION_EXPORT std::string TextOf(const StudyDialLine& line);
 
 /// One sentence of numbers for the whole scene: the slowest tick and the largest error that are
-/// expected, beside the tick that is measured now (µs, of all a servo does; 0: nothing is touched).
+/// expected, beside the tick that is measured now (µs, of all a servo does; 0: nothing is touched),
+/// and how many structures are still to be measured.
 PALPATESESSION_EXPORT std::string DialNumbersText(const std::vector<StudyDialLine>& lines,
                                                   double measuredMicroseconds);
 } // namespace palpate

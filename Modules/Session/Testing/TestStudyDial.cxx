@@ -129,6 +129,8 @@ TEST(StudyDial, ItsNumbersAreOneSentence)
   EXPECT_EQ(DialNumbersText({}, 3.0), "Tick: 3 \u00B5s measured. Error: not known yet.");
   one.MeasuringFraction = 0.25;
   EXPECT_EQ(TextOf(one), "liver: harmonics of degree 8, 0.31 \u00B5s, 0.4 mm, measuring (25 %)");
+  EXPECT_EQ(DialNumbersText({one, other}, 0.0),
+            "Tick: 1.2 \u00B5s expected. Error: 0.4 mm expected. Measuring: 1 to go.");
 }
 
 class StudyDialTest : public testing::Test

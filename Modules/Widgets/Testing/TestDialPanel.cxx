@@ -50,6 +50,8 @@ TEST_F(DialPanelTest, TheSliderDecidesWhatIsFeltAndSaysWhatItCosts)
   // The table says the same, and one undo takes both turns back.
   const auto* table = this->Window->findChild<QTableView*>("structures")->model();
   EXPECT_EQ(table->index(0, StructureTableModel::DegreeColumn).data().toInt(), 4);
+  EXPECT_EQ(table->index(0, StructureTableModel::RepresentationColumn).data(), "harmonics");
+  EXPECT_EQ(table->index(1, StructureTableModel::RepresentationColumn).data(), "sub-voxel, linear");
   this->Action("Undo")->trigger();
   EXPECT_EQ(this->Study->State().Dial, StudyDial::ByHand);
   EXPECT_EQ(table->index(0, StructureTableModel::DegreeColumn).data().toInt(), 12);
