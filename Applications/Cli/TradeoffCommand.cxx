@@ -50,7 +50,6 @@ void PrintStructure(const TradeStructureResult& structure, std::ostream& out)
     const std::string name = Printable(Describe(row.Setting));
     if (row.State == TradeRow::Outcome::Refused)
     {
-      table.AddRow({name, "", "", "", "", "", "", ""});
       continue;
     }
     table.AddRow({name, Short(Micro * row.TickMean), Short(Micro * row.TickRare),
@@ -58,12 +57,9 @@ void PrintStructure(const TradeStructureResult& structure, std::ostream& out)
                   Short(row.DirectionRare), Short(row.Bytes / Mega), Short(row.BuildSeconds)});
   }
   out << table.Text();
-  for (const TradeRow& row : structure.Rows)
+  for (const std::string& sentence : RefusalsOf(structure))
   {
-    if (row.State == TradeRow::Outcome::Refused)
-    {
-      out << Printable(Describe(row.Setting)) << ": " << Printable(row.Message) << '\n';
-    }
+    out << Printable(sentence) << '\n';
   }
   if (!structure.Rows.empty())
   {

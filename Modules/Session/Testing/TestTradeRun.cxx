@@ -160,6 +160,23 @@ TEST_F(TradeRunTest, ThePageNeedsNothingElseAndRunsNothing)
   EXPECT_NE(page.find("<svg class=\"chart\""), std::string::npos);
 }
 
+TEST(TradeText, AReasonIsSaidOnceForAllItHoldsFor)
+{
+  TradeStructureResult structure;
+  for (const int degree : {4, 8, 12})
+  {
+    TradeRow row;
+    row.Setting = test::Harmonics(degree);
+    row.State = TradeRow::Outcome::Refused;
+    row.Message = degree < 12 ? "is not star-shaped" : "has too few samples";
+    structure.Rows.push_back(row);
+  }
+  const std::vector<std::string> sentences = RefusalsOf(structure);
+  ASSERT_EQ(sentences.size(), 2U);
+  EXPECT_EQ(sentences[0], "harmonics of degree 4, nearest point and 1 more: is not star-shaped");
+  EXPECT_EQ(sentences[1], "harmonics of degree 12, nearest point: has too few samples");
+}
+
 TEST_F(TradeRunTest, TheJsonHasEveryNumberOfEveryRow)
 {
   const TradeResult result = this->Measure();

@@ -229,26 +229,38 @@ TradeModel TradeModels::MakeHarmonics(const TradeSetting& setting, const Progres
   return made;
 }
 
+const TradeModels::Made<vtkSmartPointer<vtkPolyData>>&
+TradeModels::Facets(int facets, const ProgressFunction& progress)
+{
+  const auto found = this->FewerFacets.find(facets);
+  if (found != this->FewerFacets.end())
+  {
+    return found->second;
+  }
+  if (const SphericalHarmonicModel* known = palpate::ModelOf(this->Structure))
+  {
+    const std::int64_t start = this->Time.Now();
+    const double faces = std::max(facets, FacesOfIcosahedron);
+    auto surface =
+        DrawModel(*known, static_cast<int>(std::lround(std::sqrt(faces / FacesOfIcosahedron))));
+    return this->FewerFacets[facets] = {std::move(surface), this->SecondsSince(start)};
+  }
+  const Made<vtkSmartPointer<vtkPolyData>>& whole = this->Surface(progress);
+  if (facets == 0 || facets >= whole.Content->GetNumberOfCells())
+  {
+    return whole;
+  }
+  const std::int64_t start = this->Time.Now();
+  auto surface = DecimatedSurface(whole.Content, facets, progress);
+  return this->FewerFacets[facets] = {std::move(surface),
+                                      whole.Seconds + this->SecondsSince(start)};
+}
+
 TradeModel TradeModels::MakeFacets(const TradeSetting& setting, const ProgressFunction& progress)
 {
   TradeModel made;
-  const SphericalHarmonicModel* known = palpate::ModelOf(this->Structure);
-  vtkSmartPointer<vtkPolyData> surface;
-  if (known == nullptr)
-  {
-    surface = Counted(this->Surface(progress), made.Seconds);
-  }
+  vtkPolyData* surface = Counted(this->Facets(setting.Facets, progress), made.Seconds);
   const std::int64_t start = this->Time.Now();
-  if (known != nullptr)
-  {
-    const double faces = std::max(setting.Facets, FacesOfIcosahedron);
-    surface =
-        DrawModel(*known, static_cast<int>(std::lround(std::sqrt(faces / FacesOfIcosahedron))));
-  }
-  else if (setting.Facets > 0 && setting.Facets < surface->GetNumberOfCells())
-  {
-    surface = DecimatedSurface(surface, setting.Facets, progress);
-  }
   made.Contact = MakeFacetContact(surface, this->Structure.File);
   made.Seconds += this->SecondsSince(start);
   return made;

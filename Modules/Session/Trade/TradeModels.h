@@ -57,6 +57,8 @@ private:
   const Made<FitSamples>& Samples(const ProgressFunction& progress);
   const Made<std::shared_ptr<const ScalarField>>& Field(const TradeSetting& setting,
                                                         const ProgressFunction& progress);
+  /// The surface with about so many facets, or all for 0.
+  const Made<vtkSmartPointer<vtkPolyData>>& Facets(int facets, const ProgressFunction& progress);
   SphericalHarmonicModel FittedModel(int degree, double& seconds, const ProgressFunction& progress);
   TradeModel MakeHarmonics(const TradeSetting& setting, const ProgressFunction& progress);
   TradeModel MakeFacets(const TradeSetting& setting, const ProgressFunction& progress);
@@ -68,6 +70,7 @@ private:
   std::optional<Made<vtkSmartPointer<vtkPolyData>>> OwnSurface;
   std::optional<Made<FitSurface>> OwnMaskSurface;
   std::optional<Made<FitSamples>> OwnSamples;
+  std::map<int, Made<vtkSmartPointer<vtkPolyData>>> FewerFacets; // by their number
   std::map<std::pair<FieldInterpolation, BrickSize>, Made<std::shared_ptr<const ScalarField>>>
       Fields;
 };

@@ -5,6 +5,7 @@
 #include "ScatterChart.h"
 #include "SoftwareVersions.h"
 #include "TradePareto.h"
+#include "TradeText.h"
 
 #include <algorithm>
 #include <array>
@@ -202,12 +203,9 @@ std::string DrawnTable(const TradeStructureResult& structure)
 std::string Refusals(const TradeStructureResult& structure)
 {
   std::string items;
-  for (const TradeRow& row : structure.Rows)
+  for (const std::string& sentence : RefusalsOf(structure))
   {
-    if (row.State == TradeRow::Outcome::Refused)
-    {
-      items += "<li>" + EscapeHtml(Describe(row.Setting) + ": " + row.Message) + "</li>\n";
-    }
+    items += "<li>" + EscapeHtml(sentence) + "</li>\n";
   }
   return items.empty() ? items
                        : "<h3>Not measured</h3>\n<ul class=\"notes\">\n" + items + "</ul>\n";

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include <cmath>
+#include <map>
 
 namespace palpate
 {
@@ -55,6 +56,28 @@ JsonObject AsJson(const TradeStructureResult& structure)
           {"rows", rows}};
 }
 } // namespace
+
+std::vector<std::string> RefusalsOf(const TradeStructureResult& structure)
+{
+  std::vector<const TradeRow*> firsts; // of each reason
+  std::map<std::string, int> counts;
+  for (const TradeRow& row : structure.Rows)
+  {
+    if (row.State == TradeRow::Outcome::Refused && ++counts[row.Message] == 1)
+    {
+      firsts.push_back(&row);
+    }
+  }
+  std::vector<std::string> sentences;
+  for (const TradeRow* first : firsts)
+  {
+    const int others = counts[first->Message] - 1;
+    sentences.push_back(Describe(first->Setting) +
+                        (others > 0 ? " and " + std::to_string(others) + " more" : std::string()) +
+                        ": " + first->Message);
+  }
+  return sentences;
+}
 
 std::string TradeJson(const TradeResult& result)
 {

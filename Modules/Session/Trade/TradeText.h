@@ -4,9 +4,13 @@
 #include "TradeRun.h"
 
 #include <string>
+#include <vector>
 
 namespace palpate
 {
+/// Why settings were not measured: a sentence for each reason, with how many it holds for.
+PALPATESESSION_EXPORT std::vector<std::string> RefusalsOf(const TradeStructureResult& structure);
+
 /// All of a result as one JSON object: what was measured and how, and a structure's advice and
 /// rows. Numbers that were not measured are null.
 PALPATESESSION_EXPORT std::string TradeJson(const TradeResult& result);
