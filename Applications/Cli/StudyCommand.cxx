@@ -110,15 +110,15 @@ Line LineOf(const StudyStructure& structure, Study& study)
   std::set<std::string> said;
   for (const StudyStep step : StructureSteps)
   {
-    const StudyStepState state = pipeline.StateOf(step, structure.Label);
-    if (state.Is != Kind::NotWanted)
+    const StudyStepState found = pipeline.StateOf(step, structure.Label);
+    if (found.Is != Kind::NotWanted)
     {
-      line.State = NameOf(state.Is);
-      line.IsLost = state.Is == Kind::Failed;
+      line.State = NameOf(found.Is);
+      line.IsLost = found.Is == Kind::Failed;
     }
-    if (!state.Sentence.empty() && said.insert(state.Sentence).second)
+    if (!found.Sentence.empty() && said.insert(found.Sentence).second)
     {
-      line.Sentences.push_back(state.Sentence);
+      line.Sentences.push_back(found.Sentence);
     }
   }
   if (const auto contact = pipeline.Newest<TouchContact>(StudyStep::Touch, structure.Label))

@@ -56,6 +56,7 @@ TradeSetting HarmonicsOf(const TouchStructureSettings& asked, int highest)
   setting.Representation = TouchRepresentation::Harmonics;
   setting.Degree = std::min(asked.Degree, highest);
   setting.Mode = asked.Mode;
+  setting.Precision = asked.Precision;
   return setting;
 }
 
@@ -72,6 +73,8 @@ void AddHarmonics(const TradeSetting& standard, int highest,
   }
   variations.Vary(TradeKnob::Mode, &TradeSetting::Mode,
                   {HarmonicContactMode::Nearest, HarmonicContactMode::Radial});
+  variations.Vary(TradeKnob::Precision, &TradeSetting::Precision,
+                  {EvaluationPrecision::Double, EvaluationPrecision::Float});
   variations.Vary(TradeKnob::ModelInterval, &TradeSetting::ModelInterval, {2, 4, 10});
   variations.Vary(TradeKnob::Drawing, &TradeSetting::DrawnFrequency, {5, 10, 20, 40});
 }

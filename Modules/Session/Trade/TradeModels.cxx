@@ -223,8 +223,7 @@ TradeModel TradeModels::MakeHarmonics(const TradeSetting& setting, const Progres
       known != nullptr ? known->WithDegree(setting.Degree)
                        : this->FittedModel(setting.Degree, made.Seconds, progress);
   const std::int64_t start = this->Time.Now();
-  made.Contact =
-      MakeHarmonicContact(model, setting.Mode, EvaluationPrecision::Double, this->Structure.File);
+  made.Contact = MakeHarmonicContact(model, setting.Mode, setting.Precision, this->Structure.File);
   made.Seconds += this->SecondsSince(start);
   return made;
 }

@@ -24,7 +24,8 @@ std::string HarmonicsText(const TradeSetting& setting)
     const int triangles = 20 * setting.DrawnFrequency * setting.DrawnFrequency;
     return text + ", drawn by " + std::to_string(triangles) + " triangles";
   }
-  return text + (setting.Mode == HarmonicContactMode::Nearest ? ", nearest point" : ", radial");
+  return text + (setting.Mode == HarmonicContactMode::Nearest ? ", nearest point" : ", radial") +
+         (setting.Precision == EvaluationPrecision::Float ? ", in float" : "");
 }
 
 std::string FieldText(const TradeSetting& setting)
@@ -42,8 +43,8 @@ bool operator==(const TradeSetting& a, const TradeSetting& b)
 {
   const auto fields = [](const TradeSetting& s)
   {
-    return std::tie(s.Representation, s.Degree, s.Mode, s.Facets, s.Interpolation, s.Bricks,
-                    s.ToolPoints, s.ModelInterval, s.DrawnFrequency);
+    return std::tie(s.Representation, s.Degree, s.Mode, s.Precision, s.Facets, s.Interpolation,
+                    s.Bricks, s.ToolPoints, s.ModelInterval, s.DrawnFrequency);
   };
   return fields(a) == fields(b);
 }
@@ -75,8 +76,9 @@ std::string KeyOf(const TradeSetting& setting)
     return "harmonics/" + std::to_string(setting.Degree) +
            (setting.DrawnFrequency > 0
                 ? "/drawn/" + std::to_string(setting.DrawnFrequency)
-                : (setting.Mode == HarmonicContactMode::Nearest ? "/nearest" : "/radial") +
-                      interval);
+                : std::string(setting.Mode == HarmonicContactMode::Nearest ? "/nearest"
+                                                                           : "/radial") +
+                      (setting.Precision == EvaluationPrecision::Float ? "/float" : "") + interval);
   case TouchRepresentation::Facets:
     return "facets/" + (setting.Facets > 0 ? std::to_string(setting.Facets) : "all") + interval;
   default:

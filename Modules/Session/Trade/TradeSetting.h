@@ -15,6 +15,7 @@ struct TradeSetting
   TouchRepresentation Representation = TouchRepresentation::SubVoxel; ///< never Automatic
   int Degree = 12;                                                    ///< of harmonics
   HarmonicContactMode Mode = HarmonicContactMode::Nearest;            ///< of harmonics
+  EvaluationPrecision Precision = EvaluationPrecision::Double;        ///< of harmonics
   int Facets = 0; ///< about so many; 0: as many as the surface has
   FieldInterpolation Interpolation = FieldInterpolation::Trilinear; ///< of a field
   BrickSize Bricks = BrickSize::Cells8; ///< of a field: changes memory and time, and no force
@@ -39,6 +40,7 @@ enum class TradeKnob
   Representation, ///< in nothing: it is the default
   Degree,
   Mode,
+  Precision,
   Facets,
   Interpolation,
   Bricks,
@@ -48,7 +50,7 @@ enum class TradeKnob
 };
 
 /// The words of files and options for a TradeKnob, in the order of its enumerators.
-inline constexpr std::array<const char*, 9> TradeKnobWords{{"representation", "degree", "mode",
-                                                            "facets", "interpolation", "bricks",
-                                                            "tool-points", "interval", "drawing"}};
+inline constexpr std::array<const char*, 10> TradeKnobWords{
+    {"representation", "degree", "mode", "precision", "facets", "interpolation", "bricks",
+     "tool-points", "interval", "drawing"}};
 } // namespace palpate

@@ -90,6 +90,10 @@ const std::vector<TextColumn>& TextColumns()
       {"mode", [](const TradeRow& row) { return WordAt(ModeWords, row.Setting.Mode); },
        [](const std::string& text, TradeRow& row)
        { return ReadWord(ModeWords, text, row.Setting.Mode); }},
+      {"precision",
+       [](const TradeRow& row) { return WordAt(PrecisionWords, row.Setting.Precision); },
+       [](const std::string& text, TradeRow& row)
+       { return ReadWord(PrecisionWords, text, row.Setting.Precision); }},
       NumberOf<&TradeSetting::Facets>("facets"),
       {"interpolation",
        [](const TradeRow& row) { return WordAt(InterpolationWords, row.Setting.Interpolation); },
