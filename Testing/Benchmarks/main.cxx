@@ -1,6 +1,7 @@
 // PalpateBenchmarks: times ours beside named alternatives, after checking that both agree.
 #include "BenchmarkDisplay.h"
 #include "BoundsBenchmarks.h"
+#include "BumpyTouchBenchmarks.h"
 #include "ComparisonReport.h"
 #include "EvaluationBenchmarks.h"
 #include "FieldBenchmarks.h"
@@ -38,7 +39,8 @@ std::vector<PairedBenchmark> AllBenchmarks()
                       palpate::bench::BoundsBenchmarks(), palpate::bench::NearestBenchmarks(),
                       palpate::bench::FieldBenchmarks(), palpate::bench::RenderBenchmarks(display),
                       palpate::bench::ViewBenchmarks(display), palpate::bench::TouchBenchmarks(),
-                      palpate::bench::TradeOffBenchmarks(), palpate::bench::PipelineBenchmarks()})
+                      palpate::bench::BumpyTouchBenchmarks(), palpate::bench::TradeOffBenchmarks(),
+                      palpate::bench::PipelineBenchmarks()})
   {
     all.insert(all.end(), group.begin(), group.end());
   }

@@ -19,8 +19,8 @@ constexpr int MostStrides = 32;
 // Of the radius with its derivatives, in searches of the whole surface: of one, and of all in a
 // tick, after which every search gets by with a few. Rough bodies need many.
 constexpr int EvaluationsOfSearch = 256;
-constexpr int EvaluationsOfTick = 1000;
-constexpr int FewEvaluations = 50;
+constexpr int EvaluationsOfTick = 500;
+constexpr int FewEvaluations = 20;
 
 // How far (rad) a proxy may turn about the centre while the probe moves by `motion` times the
 // smallest radius: more than it ever needs to follow a minimum, except close to the medial axis,
@@ -79,10 +79,15 @@ const Contact& HarmonicNearestTracker::Follow(const ToolPose& pose) noexcept
   return this->Felt;
 }
 
+int HarmonicNearestTracker::EvaluationsOfNextSearch() const noexcept
+{
+  return std::clamp(this->EvaluationsLeft, FewEvaluations, EvaluationsOfSearch);
+}
+
 ClosestPoint HarmonicNearestTracker::NearestTo(const Vector3& probe) noexcept
 {
-  ClosestPoint nearest = this->Surface->Search().Nearest(
-      probe, std::clamp(this->EvaluationsLeft, FewEvaluations, EvaluationsOfSearch));
+  const ClosestPoint nearest =
+      this->Surface->Search().Nearest(probe, this->EvaluationsOfNextSearch());
   this->EvaluationsLeft -= nearest.Evaluations;
   return nearest;
 }
@@ -142,7 +147,9 @@ void HarmonicNearestTracker::Measure(const Vector3& probe) noexcept
   this->ClearRadius = centerDistance - largest - this->ToolRadius;
   if (this->ClearRadius <= 0.25 * largest)
   {
-    const ClosestPoint closest = this->NearestTo(probe);
+    const ClosestPoint closest = this->Surface->Search().Clearance(
+        probe, this->ToolRadius, this->EvaluationsOfNextSearch());
+    this->EvaluationsLeft -= closest.Evaluations;
     this->ClearRadius = closest.SignedDistance - closest.DistanceError - this->ToolRadius;
   }
 }

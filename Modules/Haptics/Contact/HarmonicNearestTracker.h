@@ -51,6 +51,7 @@ private:
   void Touch(const ClosestPoint& nearest) noexcept;
   void LetGo(const ClosestPoint& nearest) noexcept;
   ClosestPoint Continued(const Vector3& probe) noexcept;
+  int EvaluationsOfNextSearch() const noexcept;
   ClosestPoint NearestTo(const Vector3& probe) noexcept;
   void Measure(const Vector3& probe) noexcept;
   void Drag(const Vector3& probe) noexcept;

@@ -68,6 +68,15 @@ TEST(TrackersDoNotAllocate, OnSphericalHarmonics)
   }
 }
 
+TEST(TrackersDoNotAllocate, OfABallThatDoesNotFitIntoEveryHollow)
+{
+  test::Random random(7103);
+  const auto model = test::HarmonicContact(test::RandomOrgan(random, 24));
+  const ToolShape ball = ToolShape::Sphere(8.0);
+  EXPECT_GT(test::TrackerOf(*model, ball)->Bytes(), 100000U); // with its proof
+  EXPECT_GT(TouchesWithoutAllocation(*model, ball, {0.3, 0.2}), 300);
+}
+
 TEST(TrackersDoNotAllocate, OnFacets)
 {
   const auto model = test::FacetContact(test::MeshOf(test::Sphere(15.0), 10));

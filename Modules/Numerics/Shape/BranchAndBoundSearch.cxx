@@ -24,8 +24,10 @@ double AngleBetween(const Vector3& a, const Vector3& b)
 BranchAndBoundSearch::BranchAndBoundSearch(const SphericalHarmonicModel& model,
                                            const ClosestPointDescent& descent,
                                            const SurfacePatchTree& tree, const Vector3& query,
-                                           int evaluationLimit) noexcept
+                                           int evaluationLimit, double toolRadius,
+                                           double part) noexcept
     : Model(model), Descent(descent), Tree(tree), Query(query), EvaluationLimit(evaluationLimit),
+      ToolRadius(toolRadius), OpenPart(part),
       Rounding(descent.Rounding(query)), BestDistance(std::numeric_limits<double>::infinity()),
       Proven(BestDistance)
 {

@@ -5,6 +5,7 @@
 #include "SphericalTriangle.h"
 #include "SurfacePatchTree.h"
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 
@@ -15,10 +16,11 @@ namespace palpate
 class BranchAndBoundSearch
 {
 public:
-  /// `query` is relative to the model's centre, mm.
+  /// `query` is relative to the model's centre, mm. Of what the nearest point is farther than
+  /// `toolRadius` (mm), the search may leave `part` in [0, 1) open.
   BranchAndBoundSearch(const SphericalHarmonicModel& model, const ClosestPointDescent& descent,
-                       const SurfacePatchTree& tree, const Vector3& query,
-                       int evaluationLimit) noexcept;
+                       const SurfacePatchTree& tree, const Vector3& query, int evaluationLimit,
+                       double toolRadius = 0.0, double part = 0.0) noexcept;
 
   ClosestPoint Run() noexcept;
 
@@ -60,14 +62,20 @@ private:
   void DescendFromQuery() noexcept;
   // Whether a basin covers the cap, and so proves its lower bound.
   bool IsCovered(const Vector3& center, double reach) noexcept;
-  // Nothing nearer than this is left to find, but for rounding.
-  double Enough() const noexcept { return this->BestDistance - this->Rounding; }
+  // Nothing nearer than this is left to find, but for rounding and what may be left open.
+  double Enough() const noexcept
+  {
+    return this->BestDistance -
+           std::max(this->Rounding, this->OpenPart * (this->BestDistance - this->ToolRadius));
+  }
 
   const SphericalHarmonicModel& Model;
   const ClosestPointDescent& Descent;
   const SurfacePatchTree& Tree;
   const Vector3 Query;
   const int EvaluationLimit;
+  const double ToolRadius; // mm
+  const double OpenPart;
   const double Rounding; // of distances, mm
 
   ClosestPoint Best;

@@ -54,13 +54,25 @@ ClosestPointSearch::ClosestPointSearch(std::shared_ptr<const SphericalHarmonicMo
 ClosestPoint ClosestPointSearch::Nearest(const Vector3& queryWorld,
                                          int evaluationLimit) const noexcept
 {
+  return this->Search(queryWorld, evaluationLimit, 0.0, 0.0);
+}
+
+ClosestPoint ClosestPointSearch::Clearance(const Vector3& queryWorld, double toolRadius,
+                                           int evaluationLimit) const noexcept
+{
+  return this->Search(queryWorld, evaluationLimit, toolRadius, ClearanceLeftOpen);
+}
+
+ClosestPoint ClosestPointSearch::Search(const Vector3& queryWorld, int evaluationLimit,
+                                        double toolRadius, double part) const noexcept
+{
   const Vector3 query = queryWorld - this->Surface->CenterWorld();
   if (!IsUsable(query))
   {
     return Unusable(*this->Surface);
   }
   BranchAndBoundSearch search(*this->Surface, this->LocalSearch, this->Parts, query,
-                              evaluationLimit);
+                              evaluationLimit, toolRadius, part);
   const ClosestPoint closest = search.Run();
   return closest.State == ClosestPoint::Outcome::BadInput ? Unusable(*this->Surface) : closest;
 }

@@ -61,6 +61,12 @@ public:
   ClosestPoint Nearest(const Vector3& queryWorld,
                        int evaluationLimit = DefaultEvaluationLimit) const noexcept;
 
+  /// The same where it only matters how far a tool of this radius (mm) may go: a third of its way
+  /// to the nearest point may stay open, which spares most of the proof far from the surface.
+  ClosestPoint Clearance(const Vector3& queryWorld, double toolRadius,
+                         int evaluationLimit = DefaultEvaluationLimit) const noexcept;
+  static constexpr double ClearanceLeftOpen = 1.0 / 3.0;
+
   /// The minimum of the distance that continues `previous`, the result of the last tick. One
   /// evaluation if the query moved by up to some hundredths of the radius. It follows its own
   /// minimum even if another one becomes nearer, and says so if there is none any more (State):
@@ -78,6 +84,9 @@ public:
   ToolContact TouchAnywhere(const Vector3& toolCenterWorld, double toolRadius) const noexcept;
 
 private:
+  ClosestPoint Search(const Vector3& queryWorld, int evaluationLimit, double toolRadius,
+                      double part) const noexcept;
+
   std::shared_ptr<const SphericalHarmonicModel> Surface;
   ClosestPointDescent LocalSearch;
   SurfacePatchTree Parts;

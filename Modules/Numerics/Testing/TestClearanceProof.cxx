@@ -144,6 +144,31 @@ TEST_P(ClearanceProofOfDegree, WithoutEvaluationsItClaimsNoMoreThanIsTrue)
 
 INSTANTIATE_TEST_SUITE_P(Each, ClearanceProofOfDegree, testing::Values(4, 8, 12, 20, 33));
 
+TEST(ClearanceProof, TheSameQuestionsHaveTheSameAnswers)
+{
+  Random random(1649);
+  const SphericalHarmonicModel rough = test::RandomRough(random, 12, 20.0);
+  const ClosestPointSearch search(std::make_shared<const SphericalHarmonicModel>(rough));
+  ClearanceProof one(search, 3.0, 1e-4);
+  ClearanceProof other(search, 3.0, 1e-4);
+  Glide glide(rough, random);
+  for (int step = 0; step < 500; ++step)
+  {
+    const Vector3 query = glide.Next(3.1);
+    const ClearanceProof::Answer first = one.Ask(query, nullptr, 0, Evaluations);
+    const ClearanceProof::Answer second = other.Ask(query, nullptr, 0, Evaluations);
+    ASSERT_EQ(first.State, second.State);
+    if (first.State == Finding::Nearer)
+    {
+      ASSERT_EQ(first.Minimum.PointWorld, second.Minimum.PointWorld);
+    }
+    else
+    {
+      ASSERT_EQ(first.LowerDistance, second.LowerDistance);
+    }
+  }
+}
+
 TEST(ClearanceProof, AWayOfAnyLengthIsNoWayAround)
 {
   Random random(1650);

@@ -208,6 +208,33 @@ TEST(ClosestPointSearch, ProvesDistancesNearTheSurfaceOfOrgans)
   EXPECT_LE(evaluations, 300 * 12); // 5 on average when this was written
 }
 
+TEST(ClosestPointSearch, AClearanceIsSafeAndLeavesAThirdOfTheWayOpenAtMost)
+{
+  Random random(930);
+  for (const SphericalHarmonicModel& model :
+       {test::RandomOrgan(random, 12), test::RandomRough(random, 12, 20.0)})
+  {
+    const ClosestPointSearch search = SearchOn(model);
+    constexpr double ToolRadius = 2.0;
+    int spared = 0;
+    for (int i = 0; i < 300; ++i)
+    {
+      const Vector3 u = test::RandomDirection(random);
+      const Vector3 query = model.PointWorld(u) + (ToolRadius + 0.02 * i) * model.Normal(u);
+      const ClosestPoint truth = search.Nearest(query, 20000);
+      const ClosestPoint found = search.Clearance(query, ToolRadius, 20000);
+      const double exact = std::abs(truth.SignedDistance);
+      const double proven = std::abs(found.SignedDistance) - found.DistanceError;
+      const double rounding = 1e-9; // mm, far above that of numbers of 100 mm
+      ASSERT_LE(proven, exact + rounding);
+      const double way = std::max(0.0, std::abs(found.SignedDistance) - ToolRadius);
+      ASSERT_LE(found.DistanceError, ClosestPointSearch::ClearanceLeftOpen * way + rounding);
+      spared += found.Evaluations < truth.Evaluations ? 1 : 0;
+    }
+    EXPECT_GT(spared, 100);
+  }
+}
+
 TEST(ClosestPointSearch, OfASurfacePointIsThatPoint)
 {
   Random random(936);

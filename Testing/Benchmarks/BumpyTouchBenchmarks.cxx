@@ -1,0 +1,185 @@
+#include "BumpyTouchBenchmarks.h"
+
+#include "HarmonicContactModel.h"
+#include "HarmonicWedge.h"
+#include "RandomShapes.h"
+#include "SearchedWedge.h"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <optional>
+#include <sstream>
+#include <string>
+
+namespace palpate::bench
+{
+namespace
+{
+constexpr std::size_t Ticks = 500;
+constexpr double Step = 0.05;  // mm a tick: 50 mm/s at 1 kHz
+constexpr double Depth = 1.5;  // mm
+constexpr double Radius = 6.0; // mm, of the ball
+
+// A probe that wanders `depth` below where a tool of this radius touches.
+std::vector<Vector3> PathOn(const SphericalHarmonicModel& organ, double toolRadius)
+{
+  test::Random random(71);
+  std::vector<Vector3> path;
+  Vector3 place = Vector3::UnitX();
+  Vector3 axis = test::RandomDirection(random);
+  while (path.size() < Ticks)
+  {
+    axis = (axis + 0.02 * test::RandomDirection(random)).normalized();
+    place = (Eigen::AngleAxisd(Step / 20.0, axis) * place).normalized();
+    path.push_back(organ.PointWorld(place) + (toolRadius - Depth) * organ.Normal(place));
+  }
+  return path;
+}
+
+std::shared_ptr<const SphericalHarmonicModel> OrganOf(int degree)
+{
+  test::Random random(12);
+  return std::make_shared<const SphericalHarmonicModel>(test::RandomOrgan(random, degree));
+}
+
+// The part of ticks whose places are more than `most` (mm) apart.
+double PartApart(const std::vector<Vector3>& a, const std::vector<Vector3>& b, double most)
+{
+  std::size_t apart = 0;
+  for (std::size_t i = 0; i < a.size(); ++i)
+  {
+    apart += (a[i] - b[i]).norm() <= most ? 0 : 1;
+  }
+  return static_cast<double>(apart) / static_cast<double>(a.size());
+}
+
+std::string Disagreement(const std::vector<Vector3>& a, const std::vector<Vector3>& b)
+{
+  constexpr double MostApart = 0.02; // where one has found another way out
+  const double part = PartApart(a, b, 1e-3);
+  std::ostringstream text;
+  text << 100.0 * part << " % of the places are more than 0.001 mm apart";
+  return part <= MostApart ? std::string() : text.str();
+}
+
+class HollowCase
+{
+public:
+  explicit HollowCase(int degree)
+  {
+    const auto organ = OrganOf(degree);
+    this->Path = PathOn(*organ, Radius);
+    std::shared_ptr<const HarmonicSurface> surface;
+    if (HarmonicSurface::Make(organ, EvaluationPrecision::Double, surface).IsOk())
+    {
+      this->Nearest = surface->Search().Nearest(this->Path.front());
+      this->Proving.emplace(surface, Radius);
+      this->Searching.emplace(surface, Radius);
+    }
+  }
+
+  void Prove()
+  {
+    this->Proving->Begin(this->Nearest);
+    Follow(*this->Proving, this->Ours);
+  }
+  void Search()
+  {
+    this->Searching->Begin(this->Nearest.PointWorld + Radius * this->Nearest.Normal);
+    Follow(*this->Searching, this->Theirs);
+  }
+  std::string Compared() const { return Disagreement(this->Ours, this->Theirs); }
+
+private:
+  template <typename Wedge>
+  void Follow(Wedge& wedge, std::vector<Vector3>& places) const
+  {
+    for (std::size_t i = 0; i < Ticks; ++i)
+    {
+      wedge.MoveTo(this->Path[i]);
+      places[i] = wedge.CenterWorld();
+    }
+  }
+
+  std::vector<Vector3> Path;
+  ClosestPoint Nearest;
+  std::optional<HarmonicWedge> Proving;
+  std::optional<test::SearchedWedge> Searching;
+  std::vector<Vector3> Ours{Ticks};
+  std::vector<Vector3> Theirs{Ticks};
+};
+
+PairedBenchmark HollowBenchmark(int degree)
+{
+  const auto hollows = std::make_shared<HollowCase>(degree);
+  return {"touch/sh/bumpy/degree" + std::to_string(degree),
+          "a search of the whole surface a step (ours)",
+          [hollows] { hollows->Prove(); },
+          [hollows] { hollows->Search(); },
+          [hollows] { return hollows->Compared(); },
+          Ticks};
+}
+
+class PrecisionCase
+{
+public:
+  explicit PrecisionCase(int degree)
+  {
+    const auto organ = OrganOf(degree);
+    this->Path = PathOn(*organ, 0.0);
+    this->InDouble = TrackerOf(organ, EvaluationPrecision::Double);
+    this->InFloat = TrackerOf(organ, EvaluationPrecision::Float);
+  }
+
+  void FollowInFloat() { Follow(*this->InFloat, this->Ours); }
+  void FollowInDouble() { Follow(*this->InDouble, this->Theirs); }
+  std::string Compared() const { return Disagreement(this->Ours, this->Theirs); }
+
+private:
+  static std::unique_ptr<ContactTracker>
+  TrackerOf(const std::shared_ptr<const SphericalHarmonicModel>& organ,
+            EvaluationPrecision precision)
+  {
+    std::shared_ptr<const ContactModel> model;
+    std::unique_ptr<ContactTracker> tracker;
+    return HarmonicContactModel::Make(organ, HarmonicContactMode::Nearest, model, precision)
+                       .IsOk() &&
+                   model->MakeTracker(ToolShape::Sphere(0.0), {}, tracker).IsOk()
+               ? std::move(tracker)
+               : nullptr;
+  }
+
+  void Follow(ContactTracker& tracker, std::vector<Vector3>& places) const
+  {
+    tracker.Release();
+    for (std::size_t i = 0; i < Ticks; ++i)
+    {
+      places[i] = tracker.Follow({this->Path[i], Eigen::Quaterniond::Identity()}).ProxyWorld;
+    }
+  }
+
+  std::vector<Vector3> Path;
+  std::unique_ptr<ContactTracker> InDouble;
+  std::unique_ptr<ContactTracker> InFloat;
+  std::vector<Vector3> Ours{Ticks};
+  std::vector<Vector3> Theirs{Ticks};
+};
+
+PairedBenchmark PrecisionBenchmark(int degree)
+{
+  const auto precisions = std::make_shared<PrecisionCase>(degree);
+  return {"touch/sh/float/degree" + std::to_string(degree),
+          "the same in double (ours)",
+          [precisions] { precisions->FollowInFloat(); },
+          [precisions] { precisions->FollowInDouble(); },
+          [precisions] { return precisions->Compared(); },
+          Ticks};
+}
+} // namespace
+
+std::vector<PairedBenchmark> BumpyTouchBenchmarks()
+{
+  return {HollowBenchmark(12), HollowBenchmark(24), PrecisionBenchmark(12), PrecisionBenchmark(24)};
+}
+} // namespace palpate::bench
