@@ -86,8 +86,7 @@ int HarmonicNearestTracker::EvaluationsOfNextSearch() const noexcept
 
 ClosestPoint HarmonicNearestTracker::NearestTo(const Vector3& probe) noexcept
 {
-  const ClosestPoint nearest =
-      this->Surface->Search().Nearest(probe, this->EvaluationsOfNextSearch());
+  ClosestPoint nearest = this->Surface->Search().Nearest(probe, this->EvaluationsOfNextSearch());
   this->EvaluationsLeft -= nearest.Evaluations;
   return nearest;
 }
@@ -147,8 +146,8 @@ void HarmonicNearestTracker::Measure(const Vector3& probe) noexcept
   this->ClearRadius = centerDistance - largest - this->ToolRadius;
   if (this->ClearRadius <= 0.25 * largest)
   {
-    const ClosestPoint closest = this->Surface->Search().Clearance(
-        probe, this->ToolRadius, this->EvaluationsOfNextSearch());
+    const ClosestPoint closest =
+        this->Surface->Search().Clearance(probe, this->ToolRadius, this->EvaluationsOfNextSearch());
     this->EvaluationsLeft -= closest.Evaluations;
     this->ClearRadius = closest.SignedDistance - closest.DistanceError - this->ToolRadius;
   }

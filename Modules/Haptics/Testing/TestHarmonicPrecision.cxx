@@ -79,7 +79,7 @@ TEST(HarmonicPrecision, InFloatPlacesThatAreSpecialAreOrdinary)
 {
   Random random(4511);
   const SphericalHarmonicModel organ = test::RandomOrgan(random, 12);
-  const Vector3 center = organ.CenterWorld();
+  const Vector3& center = organ.CenterWorld();
   std::vector<Vector3> places{center, center + Vector3::Constant(1e-300),
                               center + Vector3(1e4, 0.0, 0.0), center + Vector3::Constant(1e90)};
   for (const Vector3& u : {Vector3(0, 0, 1), Vector3(0, 0, -1), Vector3(1, 0, 0)})

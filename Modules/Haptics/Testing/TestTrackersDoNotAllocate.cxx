@@ -1,6 +1,7 @@
 #include "AllocationCounter.h"
 #include "FieldContactCases.h"
 #include "MeshCases.h"
+#include "NearestByBruteForce.h"
 #include "OnDemandContactModel.h"
 
 #include <utility>
@@ -71,8 +72,8 @@ TEST(TrackersDoNotAllocate, OnSphericalHarmonics)
 TEST(TrackersDoNotAllocate, OfABallThatDoesNotFitIntoEveryHollow)
 {
   test::Random random(7103);
-  const auto model = test::HarmonicContact(test::RandomOrgan(random, 24));
-  const ToolShape ball = ToolShape::Sphere(8.0);
+  const auto model = test::HarmonicContact(test::RandomRough(random, 12, 15.0));
+  const ToolShape ball = ToolShape::Sphere(4.0);
   EXPECT_GT(test::TrackerOf(*model, ball)->Bytes(), 100000U); // with its proof
   EXPECT_GT(TouchesWithoutAllocation(*model, ball, {0.3, 0.2}), 300);
 }

@@ -27,9 +27,8 @@ BranchAndBoundSearch::BranchAndBoundSearch(const SphericalHarmonicModel& model,
                                            int evaluationLimit, double toolRadius,
                                            double part) noexcept
     : Model(model), Descent(descent), Tree(tree), Query(query), EvaluationLimit(evaluationLimit),
-      ToolRadius(toolRadius), OpenPart(part),
-      Rounding(descent.Rounding(query)), BestDistance(std::numeric_limits<double>::infinity()),
-      Proven(BestDistance)
+      ToolRadius(toolRadius), OpenPart(part), Rounding(descent.Rounding(query)),
+      BestDistance(std::numeric_limits<double>::infinity()), Proven(BestDistance)
 {
   std::iota(this->FreePieces.begin(), this->FreePieces.end(), 0);
 }
