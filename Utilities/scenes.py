@@ -39,7 +39,8 @@ The bone of a CT of 512³ voxels of 0.8 mm, touched and not seen, stroked by a b
 the bricks round the tool are in memory, their records in a file without a name, and a coarse field beneath. *Felt by* is what
 `palpate scene explain` counts; *process* is by how much it grew while the scene was made, which
 itself takes the whole field for a moment. *Different* are ticks that differ in any bit from those of the whole field on the
-same path, and by how much; *coarse* are ticks in which the tool was faster than its bricks.
+same path, and by how much; *coarse* are ticks in which the tool was faster than its bricks; *versions* and *bricks read*
+are what the stroke took.
 """
 
 
@@ -77,9 +78,9 @@ def on_demand(entries):
                 f"{e['make_s']:.1f} s", f"{e['tick_us']:.2f} µs",
                 f"{e['different']:,} of {e['ticks']:,}, {e['largest_n']:.3g} N", f"{e['coarse']:,}",
                 f"{e['versions']:,}" if e["versions"] else "–",
-                f"{e['version_ms']:.2f} ms" if e["versions"] else "–") for e in entries]
+                f"{e['reads']:,}" if e["versions"] else "–") for e in entries]
     return table(["interpolation", "budget", "felt by", "process", "made in", "tick, median",
-                  "different", "coarse", "versions", "one takes"], rows)
+                  "different", "coarse", "versions", "bricks read"], rows)
 
 
 def main():

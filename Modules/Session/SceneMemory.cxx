@@ -9,7 +9,6 @@
 #include "OnDemandContactModel.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace palpate
 {
@@ -75,7 +74,7 @@ void SceneMemory::GivePools() const
   for (const std::shared_ptr<OnDemandField>& field : this->Fields)
   {
     const double all = static_cast<double>(field->LargestPool());
-    const Status status = field->GivePool(static_cast<std::size_t>(std::ceil(part * all)));
+    const Status status = field->GivePool(static_cast<std::size_t>(part * all));
     if (!status.IsOk())
     {
       throw InputError("the scene's fields do not fit into " + Megabytes(*this->Budget) + ": " +

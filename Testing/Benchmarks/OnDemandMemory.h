@@ -22,8 +22,8 @@ struct OnDemandRow
   std::uint64_t DifferentTicks; ///< in any bit, from those of the whole field on the same path
   double LargestDifference;     ///< N
   std::uint64_t CoarseTicks;
-  std::uint64_t Versions;
-  double VersionMilliseconds; ///< to make one, in the mean
+  std::uint64_t Versions; ///< made in that touch
+  std::uint64_t Reads;    ///< bricks that were read for them
 };
 
 /// A minute and 2 GB. Throws std::runtime_error where a scene cannot be made.

@@ -53,7 +53,7 @@ nlohmann::json Measured()
          {"largest_n", row.LargestDifference},
          {"coarse", row.CoarseTicks},
          {"versions", row.Versions},
-         {"version_ms", row.VersionMilliseconds}});
+         {"reads", row.Reads}});
   }
   return {{"machine", palpate::MachineName()},
           {"compiler", std::string("GCC ") + __VERSION__},

@@ -141,12 +141,15 @@ std::shared_ptr<const FieldSolid> OnDemandField::Newest() const
 
 std::size_t OnDemandField::Bytes() const noexcept
 {
-  return this->KeptBytes() + (this->Versions != nullptr ? this->Versions->Bytes() : 0);
+  return this->Versions != nullptr
+             ? sizeof(*this) + this->Survey->Bytes() + this->CoarseBytes + this->Versions->Bytes()
+             : this->KeptBytes();
 }
 
 std::size_t OnDemandField::KeptBytes() const noexcept
 {
-  return sizeof(*this) + this->Survey->Bytes() + this->CoarseBytes;
+  const std::size_t table = this->Survey->RecordCount() * sizeof(std::uint32_t);
+  return sizeof(*this) + this->Survey->Bytes() + this->CoarseBytes + sizeof(FieldVersions) + table;
 }
 
 OnDemandCounts OnDemandField::Counts() const

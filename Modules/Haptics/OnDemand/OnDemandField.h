@@ -90,7 +90,7 @@ public:
   /// A pool for all bricks takes so much.
   std::size_t LargestPool() const noexcept
   {
-    return this->Survey->RecordCount() * this->Survey->Records().Bytes();
+    return this->Survey->RecordCount() * FieldVersions::BytesOfRecord(*this->Survey);
   }
   OnDemandCounts Counts() const;
   /// By trackers.
