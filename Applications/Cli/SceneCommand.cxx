@@ -21,6 +21,7 @@ namespace
 using JsonObject = nlohmann::ordered_json;
 
 constexpr double Kilo = 1e3;
+constexpr double Mega = 1e6;
 
 std::string KilobytesOf(const SceneItem& item)
 {
@@ -102,7 +103,14 @@ std::string TextOf(const SceneAccount& account)
            KilobytesOf(item) + ", " + MillisecondsOf(item) + "\n";
   };
   const std::size_t structures = account.Structures.size();
-  return table.Text() + sentence(totals.Read, account.Files.size(), "files read", totals.Reading) +
+  const std::string budget =
+      account.MemoryBudget > 0
+          ? "Fields that are touched and not drawn share " +
+                TextTable::Fixed(static_cast<double>(account.MemoryBudget) / Mega, 1) +
+                " MB: what does not fit is in memory only round the tool.\n"
+          : "";
+  return table.Text() + budget +
+         sentence(totals.Read, account.Files.size(), "files read", totals.Reading) +
          sentence(totals.Touched, structures, "structures to be touched", totals.Contacts) +
          sentence(totals.Seen, structures, "structures to be seen", totals.Drawings);
 }
@@ -140,6 +148,7 @@ JsonObject AsJson(const SceneAccount& account)
   return {{"files", files},
           {"structures", structures},
           {"servo", AsJson(account.Servo)},
+          {"memory_budget_bytes", account.MemoryBudget},
           {"total",
            {{"read", SumAsJson(totals.Read, totals.Reading)},
             {"touch", SumAsJson(totals.Touched, totals.Contacts)},

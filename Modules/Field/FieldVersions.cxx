@@ -58,11 +58,12 @@ Status FieldVersions::Make(const std::shared_ptr<const FieldSurvey>& survey,
 {
   // Directories count words of the pool in 32 bits.
   constexpr std::size_t MostBytes = sizeof(std::uint64_t) << 32;
-  const std::size_t records = std::min(std::min(bytes, MostBytes) / survey->Records().Bytes(),
-                                       std::max<std::size_t>(survey->RecordCount(), 1));
+  const std::size_t each = BytesOfRecord(*survey);
+  const std::size_t records =
+      std::min(std::min(bytes, MostBytes) / each, std::max<std::size_t>(survey->RecordCount(), 1));
   if (records == 0)
   {
-    return Status::Failure("A brick takes " + std::to_string(survey->Records().Bytes()) +
+    return Status::Failure("A brick takes " + std::to_string(each) +
                            " bytes, and there is room for " + std::to_string(bytes) + ".");
   }
   if (survey->StoredTypes().size() > MostChannels)
@@ -81,9 +82,14 @@ Status FieldVersions::Make(const std::shared_ptr<const FieldSurvey>& survey,
   return Status::Success();
 }
 
+std::size_t FieldVersions::BytesOfRecord(const FieldSurvey& survey) noexcept
+{
+  return survey.Records().Bytes() + sizeof(Place) + sizeof(std::uint32_t);
+}
+
 std::size_t FieldVersions::Bytes() const noexcept
 {
-  return sizeof(*this) + this->Pool->Count() * (this->Pool->RecordBytes() + sizeof(Place)) +
+  return sizeof(*this) + this->Pool->Count() * BytesOfRecord(*this->Known) +
          this->SlotOfRecord.size() * sizeof(std::uint32_t) + this->Source->Bytes();
 }
 

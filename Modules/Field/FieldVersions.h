@@ -20,6 +20,9 @@ namespace palpate
 class FieldVersions
 {
 public:
+  /// That a pool takes for each of its records.
+  static std::size_t BytesOfRecord(const FieldSurvey& survey) noexcept;
+
   /// `bytes` is what the pool may occupy. Refuses so little that it holds no brick, a field of more
   /// than 32 channels, and too little memory.
   static Status Make(const std::shared_ptr<const FieldSurvey>& survey,

@@ -40,9 +40,9 @@ HandPath::Place ParseLine(const std::string& line, const std::filesystem::path& 
 class SceneProbe
 {
 public:
-  explicit SceneProbe(const TouchScene& scene)
+  SceneProbe(const TouchScene& scene, ToolComes comes)
       : Bounds(scene.BoundsWorld()),
-        Reach(0.5 * Bounds.diagonal().norm() + scene.Tool.BoundingRadius())
+        Reach(0.5 * Bounds.diagonal().norm() + scene.Tool.BoundingRadius()), Comes(std::move(comes))
   {
   }
 
@@ -92,6 +92,10 @@ public:
 private:
   bool Touches(const Vector3& pointWorld, bool afresh)
   {
+    if (this->Comes)
+    {
+      this->Comes(pointWorld);
+    }
     if (afresh)
     {
       this->Felt->Leave();
@@ -103,6 +107,7 @@ private:
 
   Eigen::AlignedBox3d Bounds;
   double Reach;
+  ToolComes Comes;
   std::unique_ptr<ServoScene> Felt;
   FollowStep Step;
 };
@@ -197,10 +202,11 @@ HandPath ReadHandPath(const std::filesystem::path& path)
   return HandPath(std::move(places));
 }
 
-Status SweepOf(const TouchScene& scene, double depth, double speed, HandPath& path)
+Status SweepOf(const TouchScene& scene, double depth, double speed, HandPath& path,
+               const ToolComes& comes)
 {
   constexpr int Knots = 400;
-  SceneProbe probe(scene);
+  SceneProbe probe(scene, comes);
   Status status = probe.MakeTrackers(scene);
   if (!status.IsOk())
   {
@@ -221,7 +227,7 @@ Status SweepOf(const TouchScene& scene, double depth, double speed, HandPath& pa
 
 Status PressesOf(const TouchScene& scene, const HandPresses& presses, HandPath& path)
 {
-  SceneProbe probe(scene);
+  SceneProbe probe(scene, {});
   Status status = probe.MakeTrackers(scene);
   if (!status.IsOk())
   {

@@ -37,6 +37,7 @@ struct SceneAccount
 {
   std::vector<SceneFileAccount> Files;
   std::vector<SceneStructureAccount> Structures;
-  SceneItem Servo; ///< trackers, and an index of what is where
+  SceneItem Servo;                 ///< trackers, and an index of what is where
+  std::uintmax_t MemoryBudget = 0; ///< bytes, of fields that are only felt; 0: none
 };
 } // namespace palpate

@@ -2,6 +2,7 @@
 
 #include "ContactModel.h"
 #include "HarmonicContactModel.h"
+#include "OnDemandField.h"
 #include "PalpateSessionModule.h"
 #include "ScalarField.h"
 #include "SphericalHarmonicModel.h"
@@ -32,6 +33,8 @@ struct TouchContact
   std::string Represented; ///< in words, such as "harmonics of degree 12, nearest point"
   HarmonicContactMode Mode = HarmonicContactMode::Nearest;     ///< of harmonics
   EvaluationPrecision Precision = EvaluationPrecision::Double; ///< the same
+  /// What the model feels, where only what is round the tool is in memory.
+  std::shared_ptr<OnDemandField> OnDemand = nullptr;
   std::vector<TouchStandIn> Coarser; ///< without those that are the tool's; see AddStandIns
 };
 

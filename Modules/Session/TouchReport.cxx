@@ -75,6 +75,8 @@ nlohmann::ordered_json SummaryOf(const PreparedTouch& touch, const TouchResult& 
   summary["seconds"] = result.Trace.Duration();
   summary["ticks"] = result.Ticks;
   summary["lost_ticks"] = result.LostTicks;
+  summary["coarse_ticks"] = result.CoarseTicks;
+  summary["missing_bricks"] = result.MissingBricks;
   summary["touching_percent"] = TouchingPercent(result);
   summary["force_max_n"] = result.Trace.Whole().Force.Most;
   summary["depth_max_mm"] = result.Trace.Whole().Depth.Most;

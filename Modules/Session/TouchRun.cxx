@@ -2,6 +2,7 @@
 
 #include "DeviceHoming.h"
 #include "DeviceList.h"
+#include "FieldKeeper.h"
 #include "InputError.h"
 #include "ManualClock.h"
 #include "OpenBuiltInDevice.h"
@@ -65,6 +66,19 @@ double TimeOnPath(const PreparedTouch& touch, double time) noexcept
   return passed <= once ? passed : 2.0 * once - passed;
 }
 
+std::vector<std::shared_ptr<OnDemandField>> FieldsOf(const PreparedTouch& touch)
+{
+  std::vector<std::shared_ptr<OnDemandField>> fields;
+  for (const TouchableStructure& structure : touch.Structures)
+  {
+    if (structure.OnDemand != nullptr)
+    {
+      fields.push_back(structure.OnDemand);
+    }
+  }
+  return fields;
+}
+
 // All of it while a tool touches.
 class LiveTouch
 {
@@ -91,6 +105,7 @@ public:
   {
     Servo servo(*this->Device, this->Settings);
     RequireInput(servo.Publish(this->Touch.Scene));
+    FieldKeeper keeper(FieldsOf(this->Touch), this->Touch.Scene->Probe);
     const SteadyClock watch;
     FixedRateLoop loop(clock, this->Period());
     const auto ticks = static_cast<std::uint64_t>(this->Touch.Duration * this->Settings.Rate);
@@ -104,13 +119,14 @@ public:
           const std::int64_t start = watch.Now();
           servo.Tick(tick);
           const std::int64_t spent = watch.Now() - start;
+          keeper.Look(Nano * static_cast<double>(tick.Started));
           this->Result.Durations.Add(spent);
           this->Fetch(servo, 1e-3F * static_cast<float>(spent));
           const bool goesOn = tick.Number % TicksBetweenReports != 0 ||
                               progress(this->PartAt(tick.Number), "touch");
           return goesOn && tick.Number + 1 < ticks;
         });
-    return this->Finished(servo);
+    return this->Finished(servo, keeper);
   }
 
   TouchResult RunReal(Clock& clock, const ProgressFunction& progress)
@@ -118,6 +134,8 @@ public:
     this->Home(progress);
     ServoThread thread(*this->Device, clock, this->Settings);
     RequireInput(thread.Loop().Publish(this->Touch.Scene));
+    FieldKeeper keeper(FieldsOf(this->Touch), this->Touch.Scene->Probe);
+    keeper.Start(clock);
     RequireInput(thread.Start({}));
     this->Result.ThreadAdvice = thread.Grant().Advice;
     const std::int64_t start = clock.Now();
@@ -131,10 +149,11 @@ public:
     }
     this->Result.FramesPerSecond = static_cast<double>(this->Result.Frames.Count()) / passed;
     thread.Stop();
+    keeper.Stop();
     this->Fetch(thread.Loop());
     this->Result.Durations = thread.Statistics().Durations;
     this->Result.Periods = thread.Statistics().Periods;
-    return this->Finished(thread.Loop());
+    return this->Finished(thread.Loop(), keeper);
   }
 
 private:
@@ -214,8 +233,10 @@ private:
     }
   }
 
-  TouchResult Finished(Servo& servo)
+  TouchResult Finished(Servo& servo, const FieldKeeper& keeper)
   {
+    this->Result.CoarseTicks = keeper.CoarseTicks();
+    this->Result.MissingBricks = keeper.Problem();
     if (this->IsRecording)
     {
       Succeed(this->Recorder.Finish());
@@ -255,6 +276,10 @@ PreparedTouch PrepareTouch(const TouchSettings& settings, const TouchScript& scr
   touch.OnlySeen = std::move(made.OnlySeen);
   auto scene = std::make_shared<TouchScene>();
   scene->Tool = MakeTool(settings.Tool);
+  if (!FieldsOf(touch).empty())
+  {
+    scene->Probe = std::make_shared<LatestValue<PlainVector3>>();
+  }
   for (const TouchableStructure& structure : touch.Structures)
   {
     scene->Structures.push_back(structure.Touch);
@@ -267,7 +292,17 @@ PreparedTouch PrepareTouch(const TouchSettings& settings, const TouchScript& scr
   touch.Path = script.Path;
   if (touch.Path.IsEmpty() && settings.Device == SimulatedName)
   {
-    RequireInput(SweepOf(*scene, script.SweepDepth, script.SweepSpeed, touch.Path));
+    FieldKeeper keeper(FieldsOf(touch), scene->Probe);
+    double time = 0.0; // a tool that is led from place to place has as much as it wants
+    const auto comes = [&](const Vector3& place)
+    {
+      if (scene->Probe != nullptr)
+      {
+        scene->Probe->Publish(place);
+        keeper.Look(time += 1.0);
+      }
+    };
+    RequireInput(SweepOf(*scene, script.SweepDepth, script.SweepSpeed, touch.Path, comes));
     touch.IsSweep = true;
   }
   const double duration = touch.Path.IsEmpty() ? DefaultDuration : touch.Path.Duration();
@@ -295,7 +330,9 @@ TouchComparison CompareTouch(const PreparedTouch& touch, const std::filesystem::
   auto read = std::make_shared<TouchRecording>();
   RequireInput(ReadTouchRecording(recording.string(), *read));
   ReplayComparison comparison;
-  RequireInput(ReplayTouch(std::move(read), {touch.Scene}, comparison));
+  FieldKeeper keeper(FieldsOf(touch), touch.Scene->Probe);
+  RequireInput(ReplayTouch(std::move(read), {touch.Scene}, comparison,
+                           [&keeper](double time) { keeper.Look(time); }));
   return {comparison.Ticks, comparison.DifferentTicks, comparison.LargestDifference};
 }
 } // namespace palpate

@@ -60,8 +60,10 @@ struct TouchResult
   std::vector<double> TouchedSeconds; ///< by structure, the one touched most deeply
   double LeastEnergy = 0.0;           ///< N mm that contacts had taken in, at the lowest
   SafetyFault Fault = SafetyFault::None;
-  std::string DeviceProblem; ///< empty without
-  std::string ThreadAdvice;  ///< why the thread has not what it asked for; empty in virtual time
+  std::uint64_t CoarseTicks = 0; ///< in which the tool was faster than bricks on demand came
+  std::string MissingBricks;     ///< why they did not come at last; empty where they did
+  std::string DeviceProblem;     ///< empty without
+  std::string ThreadAdvice; ///< why the thread has not what it asked for; empty in virtual time
 };
 
 /// Reads and makes everything, so that forces could start. Throws InputError, FilterError,

@@ -182,6 +182,11 @@ TouchSettings ReadTouchScene(const std::filesystem::path& path)
   fields.Read("device", settings.Device);
   fields.Read("rate_hz", settings.Rate, 1.0, 1e5);
   fields.Read("model_interval", settings.ModelInterval, 1, 100);
+  if (fields.Has("memory_mb"))
+  {
+    settings.MemoryMegabytes = 1.0;
+    fields.Read("memory_mb", *settings.MemoryMegabytes, 1e-3, 1e6);
+  }
   if (fields.Has("scale"))
   {
     settings.Scale = 1.0;
@@ -203,6 +208,10 @@ std::string TouchSceneText(const TouchSettings& settings, const std::filesystem:
   root["device"] = settings.Device;
   root["rate_hz"] = settings.Rate;
   root["model_interval"] = settings.ModelInterval;
+  if (settings.MemoryMegabytes)
+  {
+    root["memory_mb"] = *settings.MemoryMegabytes;
+  }
   if (settings.Scale)
   {
     root["scale"] = *settings.Scale;

@@ -75,6 +75,9 @@ struct TouchSettings
 {
   std::vector<TouchStructureSettings> Structures;
   TouchToolSettings Tool;
+  /// MB for the fields of structures that are touched and not drawn: what does not fit is in memory
+  /// only round the tool. None: all of it is.
+  std::optional<double> MemoryMegabytes;
   std::string Device = "simulated"; ///< as DeviceRegistry::Make takes it
   double Rate = 1000.0;             ///< Hz, of the servo
   int ModelInterval = 1;            ///< ticks from one question to the models to the next

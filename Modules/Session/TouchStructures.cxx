@@ -9,6 +9,7 @@
 #include "SceneField.h"
 #include "SceneFiles.h"
 #include "SceneIsoSurface.h"
+#include "SceneMemory.h"
 #include "Servo.h"
 #include "StageClock.h"
 #include "SurfaceFile.h"
@@ -62,8 +63,10 @@ class StructureMaker
 {
 public:
   StructureMaker(const TouchStructureSettings& settings, const Needs& needs, const ToolShape& tool,
-                 SceneFiles& files, const ProgressFunction& progress, TouchStructures& made)
-      : Settings(settings), Need(needs), Tool(tool), Files(files), Progress(progress), Made(made)
+                 SceneFiles& files, SceneMemory& memory, const ProgressFunction& progress,
+                 TouchStructures& made)
+      : Settings(settings), Need(needs), Tool(tool), Files(files), Memory(memory),
+        Progress(progress), Made(made)
   {
   }
 
@@ -119,6 +122,7 @@ private:
       AddStandIns(contact, this->Progress);
       const std::size_t bytes = this->AddTouch(contact, structure.Touch);
       structure.Represented = contact.Represented;
+      structure.OnDemand = contact.OnDemand;
       seconds += this->Elapsed();
       account.Contact = {contact.Represented, bytes, seconds, {}};
       structure.Seconds = seconds;
@@ -226,7 +230,9 @@ private:
 
   void AddField(const std::shared_ptr<const ScalarField>& field, const std::string& name)
   {
-    this->Add(name, MakeFieldContact(field, 0, this->Settings.File));
+    this->Add(name, this->Memory.IsBounded() && !this->Need.IsDrawn
+                        ? this->Memory.Take(field, this->Settings.File)
+                        : MakeFieldContact(field, 0, this->Settings.File));
   }
 
   void AddIsoSurface()
@@ -310,6 +316,7 @@ private:
   const Needs& Need;
   const ToolShape& Tool;
   SceneFiles& Files;
+  SceneMemory& Memory;
   const ProgressFunction& Progress;
   TouchStructures& Made;
   std::vector<std::pair<std::string, double>> Stages;
@@ -369,6 +376,7 @@ TouchStructures MakeTouchStructures(const TouchSettings& settings, bool isSeen,
     }
   }
   const ToolShape tool = MakeTool(settings.Tool);
+  SceneMemory memory(settings.MemoryMegabytes, tool);
   const auto count = static_cast<double>(settings.Structures.size());
   for (std::size_t s = 0; s < settings.Structures.size(); ++s)
   {
@@ -376,7 +384,7 @@ TouchStructures MakeTouchStructures(const TouchSettings& settings, bool isSeen,
     const Needs needs(structure, isSeen);
     const auto part = [&, s](double fraction, const std::string& stage)
     { return progress((static_cast<double>(s) + fraction) / count, stage); };
-    needs.IsAny() ? StructureMaker(structure, needs, tool, files, part, made).Run()
+    needs.IsAny() ? StructureMaker(structure, needs, tool, files, memory, part, made).Run()
                   : LeaveOut(structure, needs, made.Account);
     for (const std::filesystem::path& file : FilesOf(structure))
     {
@@ -384,6 +392,7 @@ TouchStructures MakeTouchStructures(const TouchSettings& settings, bool isSeen,
     }
   }
   AccountForFiles(settings, files, made.Account);
+  memory.Share(made);
   return made;
 }
 

@@ -15,8 +15,9 @@ namespace palpate
 /// A structure ready to be touched and to be drawn, and what it took.
 struct TouchableStructure
 {
-  TouchStructure Touch;    ///< without a model where it is only seen
-  TouchAppearance Looks;   ///< empty where nobody sees it
+  TouchStructure Touch;                    ///< without a model where it is only seen
+  TouchAppearance Looks;                   ///< empty where nobody sees it
+  std::shared_ptr<OnDemandField> OnDemand; ///< what is felt; none where all of it is in memory
   std::string Represented; ///< in words, such as "harmonics of degree 12, nearest point"
   double Seconds = 0.0;    ///< to make
   std::vector<std::string> Notes;

@@ -1,6 +1,7 @@
 // PalpateScenes FILE: measures what scenes of many structures take, and writes it as JSON; see
 // Utilities/scenes.sh.
 #include "MachineName.h"
+#include "OnDemandMemory.h"
 #include "SceneGrowth.h"
 
 #include <exception>
@@ -36,10 +37,29 @@ nlohmann::json Measured()
                       {"resident_mib", row.ResidentMebibytes},
                       {"tick_us", row.TickMicroseconds}});
   }
+  nlohmann::json onDemand;
+  for (const palpate::bench::OnDemandRow& row : palpate::bench::MeasureOnDemand())
+  {
+    const bool isLinear = row.Interpolation == palpate::FieldInterpolation::Trilinear;
+    onDemand.push_back(
+        {{"interpolation", isLinear ? "trilinear" : "tricubic"},
+         {"budget_mb", row.BudgetMegabytes ? nlohmann::json(*row.BudgetMegabytes) : nullptr},
+         {"bytes", row.Bytes},
+         {"resident_mib", row.ResidentMebibytes},
+         {"make_s", row.MakeSeconds},
+         {"tick_us", row.TickMicroseconds},
+         {"ticks", row.Ticks},
+         {"different", row.DifferentTicks},
+         {"largest_n", row.LargestDifference},
+         {"coarse", row.CoarseTicks},
+         {"versions", row.Versions},
+         {"reads", row.Reads}});
+  }
   return {{"machine", palpate::MachineName()},
           {"compiler", std::string("GCC ") + __VERSION__},
           {"ticks", ticks},
-          {"scenes", scenes}};
+          {"scenes", scenes},
+          {"on_demand", onDemand}};
 }
 } // namespace
 

@@ -81,6 +81,34 @@ TEST(CliScene, TouchMakesNoMoreThanTheSceneAsksFor)
   EXPECT_EQ(nlohmann::json::parse(run.Output)["structures"].size(), 2U);
 }
 
+TEST(CliScene, SaysWhatIsInMemoryOnlyRoundTheTool)
+{
+  const TemporaryFolder folder;
+  WriteTwoBalls(folder / "a.nii.gz");
+  const auto write = [&folder](const std::string& megabytes)
+  {
+    WriteAll(folder / "less.scene.json",
+             R"({"format": "palpate-scene", "memory_mb": )" + megabytes + R"(, "structures": [
+                 {"file": "a.nii.gz", "label": "1", "seen": false}]})");
+  };
+  write("0.5");
+  const CommandRun words = RunPalpate({"scene", "explain", "less.scene.json"}, folder.Path());
+  ASSERT_EQ(words.Code, 0) << words.Errors;
+  EXPECT_NE(words.Output.find("on demand: "), std::string::npos) << words.Output;
+  EXPECT_NE(words.Output.find("share 0.5 MB"), std::string::npos) << words.Output;
+  const CommandRun numbers =
+      RunPalpate({"scene", "explain", "less.scene.json", "--json"}, folder.Path());
+  EXPECT_EQ(nlohmann::json::parse(numbers.Output)["memory_budget_bytes"], 500000);
+  const CommandRun touch =
+      RunPalpate({"touch", "less.scene.json", "--seconds", "0.5", "--json"}, folder.Path());
+  ASSERT_EQ(touch.Code, 0) << touch.Errors;
+  EXPECT_EQ(nlohmann::json::parse(touch.Output)["coarse_ticks"], 0);
+  write("0.001");
+  const CommandRun none = RunPalpate({"touch", "less.scene.json"}, folder.Path());
+  EXPECT_EQ(none.Code, 2);
+  EXPECT_NE(none.Errors.find("memory_mb"), std::string::npos) << none.Errors;
+}
+
 TEST(CliScene, WhatIsNoSceneIsRefused)
 {
   const TemporaryFolder folder;

@@ -294,7 +294,7 @@ TEST(FieldVersions, WhatWasNotUsedForLongestMakesRoom)
   const FieldGrid grid = test::PlainGrid({8 * 10 + 1, 9, 9});
   const test::PlaneField plane{{0.0, 0.0, 1.0}, 4.5};
   const auto field = test::MakeField(grid, test::SampleAtIndices(grid.Size(), plane), 0.0);
-  const std::size_t record = RecordLayout(*field).Bytes();
+  const std::size_t record = FieldVersions::BytesOfRecord(FieldSurvey(*field));
   const auto versions = VersionsOf(*field, 4 * record + record / 2);
   ASSERT_EQ(versions->Room(), 4u);
   const auto use = [&](int brick) { Make(*versions, {{brick, 0, 0}, {brick, 0, 0}}); };

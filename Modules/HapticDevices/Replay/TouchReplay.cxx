@@ -33,8 +33,9 @@ void Compare(const TouchState& recorded, const TouchState& recomputed, ReplayCom
 
 Status ReplayTouch(const std::shared_ptr<const TouchRecording>& recording,
                    const std::vector<std::shared_ptr<const TouchScene>>& scenes,
-                   ReplayComparison& comparison)
+                   ReplayComparison& comparison, const std::function<void(double time)>& afterTick)
 {
+  constexpr double Nano = 1e-9;
   if (recording->Ticks.empty())
   {
     return Status::Failure("The recording has no ticks.");
@@ -69,6 +70,10 @@ Status ReplayTouch(const std::shared_ptr<const TouchRecording>& recording,
     clock.WaitUntil(tick.Tick.Started);
     servo.Tick(tick.Tick, tick.Level);
     Compare(tick, servo.Latest(), comparison);
+    if (afterTick)
+    {
+      afterTick(Nano * static_cast<double>(tick.Tick.Started));
+    }
   }
   return status;
 }

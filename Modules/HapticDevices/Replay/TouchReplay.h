@@ -4,6 +4,7 @@
 #include "TouchScene.h"
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -20,8 +21,10 @@ struct ReplayComparison
 
 /// Feels a recorded session again, tick by tick at the recorded times: the same build gives the
 /// same bits, and another one shows what it changed. `scenes` are those that the servo took over,
-/// in their order. Fails where there are fewer, or where one cannot be felt.
+/// in their order. `afterTick` is told each tick's time (s), so that what a worker did beside the
+/// servo can be done again. Fails where there are fewer scenes, or where one cannot be felt.
 Status ReplayTouch(const std::shared_ptr<const TouchRecording>& recording,
                    const std::vector<std::shared_ptr<const TouchScene>>& scenes,
-                   ReplayComparison& comparison);
+                   ReplayComparison& comparison,
+                   const std::function<void(double time)>& afterTick = {});
 } // namespace palpate

@@ -12,24 +12,12 @@ void Hand(TrackerLink& link, const std::shared_ptr<const FieldSolid>& solid)
 {
   link.Versions.Publish(std::make_unique<SolidVersion>(SolidVersion{solid}));
 }
-
-// The one that is felt and the next are in use at once, unless all fits.
-ResidenceSettings PlanOf(const FieldVersions& versions, const OnDemandField::Settings& settings)
-{
-  ResidenceSettings plan;
-  plan.AskedReach = settings.AskedReach;
-  plan.PromisedSpeed = settings.PromisedSpeed;
-  const bool fitsAll = versions.Room() >= versions.Survey().RecordCount();
-  plan.Room = fitsAll ? versions.Room() : versions.Room() / 2;
-  return plan;
-}
 } // namespace
 
-OnDemandField::OnDemandField(std::unique_ptr<FieldVersions> versions, int material,
-                             const ResidenceSettings& settings)
-    : Versions(std::move(versions)),
-      Plan(this->Versions->Survey().Grid(), this->Versions->SharedSurvey(), settings),
-      Material(material)
+OnDemandField::OnDemandField(const std::shared_ptr<const FieldSurvey>& survey,
+                             std::unique_ptr<BrickSource> source, int material,
+                             const Settings& settings)
+    : Survey(survey), Source(std::move(source)), Wanted(settings), Material(material)
 {
 }
 
@@ -40,27 +28,34 @@ Status OnDemandField::Make(const ScalarField& whole, int material,
 {
   std::shared_ptr<const ScalarField> coarse;
   std::shared_ptr<const FieldSolid> coarseSolid;
-  std::unique_ptr<FieldVersions> versions;
   Status status = MakeCoarseField(whole, material, coarse);
   status = status.IsOk() ? FieldSolid::Make(coarse, 0, coarseSolid) : status;
-  status = status.IsOk()
-               ? FieldVersions::Make(survey, std::move(source), settings.PoolBytes, versions)
-               : status;
   if (!status.IsOk())
   {
     return status;
   }
-  const ResidenceSettings plan = PlanOf(*versions, settings);
-  std::shared_ptr<OnDemandField> field(new OnDemandField(std::move(versions), material, plan));
-  field->CoarseSolid = std::move(coarseSolid);
-  field->CoarseBytes = coarse->Memory().Bytes;
-  field->Bounds = FieldSolid::BoundsOf(whole, material);
-  if (!field->Renew({}))
-  {
-    return Status::Failure(field->Known.Problem);
-  }
-  made = std::move(field);
+  made.reset(new OnDemandField(survey, std::move(source), material, settings));
+  made->CoarseSolid = std::move(coarseSolid);
+  made->CoarseBytes = coarse->Memory().Bytes;
+  made->Bounds = FieldSolid::BoundsOf(whole, material);
   return Status::Success();
+}
+
+Status OnDemandField::GivePool(std::size_t bytes)
+{
+  Status status = FieldVersions::Make(this->Survey, std::move(this->Source), bytes, this->Versions);
+  if (!status.IsOk())
+  {
+    return status;
+  }
+  ResidenceSettings plan;
+  plan.AskedReach = this->Wanted.AskedReach;
+  plan.PromisedSpeed = this->Wanted.PromisedSpeed;
+  // The version that is felt and the next one are in use at once, unless all fits.
+  const bool fitsAll = this->Versions->Room() >= this->Survey->RecordCount();
+  plan.Room = fitsAll ? this->Versions->Room() : this->Versions->Room() / 2;
+  this->Plan = std::make_unique<ResidencePlan>(this->Survey->Grid(), this->Survey, plan);
+  return this->Renew({}) ? status : Status::Failure(this->Known.Problem);
 }
 
 bool OnDemandField::Renew(const BrickBox& box)
@@ -115,8 +110,8 @@ void OnDemandField::Reclaim()
 void OnDemandField::Publish()
 {
   const std::lock_guard<std::mutex> lock(this->Shared);
-  this->Known.KeptSpeed = this->Plan.KeptSpeed();
-  this->Known.Delay = this->Plan.Delay();
+  this->Known.KeptSpeed = this->Plan->KeptSpeed();
+  this->Known.Delay = this->Plan->Delay();
   const auto isGone = [](const std::weak_ptr<TrackerLink>& link) { return link.expired(); };
   this->Links.erase(std::remove_if(this->Links.begin(), this->Links.end(), isGone),
                     this->Links.end());
@@ -146,8 +141,15 @@ std::shared_ptr<const FieldSolid> OnDemandField::Newest() const
 
 std::size_t OnDemandField::Bytes() const noexcept
 {
-  return sizeof(*this) + this->Versions->Bytes() + this->Versions->Survey().Bytes() +
-         this->CoarseBytes;
+  return this->Versions != nullptr
+             ? sizeof(*this) + this->Survey->Bytes() + this->CoarseBytes + this->Versions->Bytes()
+             : this->KeptBytes();
+}
+
+std::size_t OnDemandField::KeptBytes() const noexcept
+{
+  const std::size_t table = this->Survey->RecordCount() * sizeof(std::uint32_t);
+  return sizeof(*this) + this->Survey->Bytes() + this->CoarseBytes + sizeof(FieldVersions) + table;
 }
 
 OnDemandCounts OnDemandField::Counts() const

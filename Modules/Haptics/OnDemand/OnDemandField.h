@@ -51,26 +51,28 @@ class OnDemandField
 public:
   struct Settings
   {
-    std::size_t PoolBytes = 0;    ///< for bricks
     double AskedReach = 0.0;      ///< mm; how far from a tool's origin the field is asked
     double PromisedSpeed = 100.0; ///< mm/s, at least, that the tool may have
   };
 
-  /// Takes of `whole` what is kept of all bricks; `source` has its records. Refuses what
-  /// FieldSolid, FieldVersions and MakeCoarseField refuse.
+  /// Takes of `whole` what is kept of all bricks; `source` has its records. Has no room for them
+  /// before GivePool, without which nothing can be felt. Refuses what MakeCoarseField and
+  /// FieldSolid refuse.
   static Status Make(const ScalarField& whole, int material,
                      const std::shared_ptr<const FieldSurvey>& survey,
                      std::unique_ptr<BrickSource> source, const Settings& settings,
                      std::shared_ptr<OnDemandField>& made);
+  /// Once, before any Attach and Look. Refuses what FieldVersions refuses.
+  Status GivePool(std::size_t bytes);
 
   /// Whether another version is wanted with the tool's probe there. If so makes it and hands it to
   /// all trackers; `now()` gives seconds, by the clock of `place`.
   template <typename Now>
   void Look(const ToolPlace& place, const Now& now)
   {
-    if (const std::optional<BrickBox> box = this->Plan.Look(this->WithProxy(place)))
+    if (const std::optional<BrickBox> box = this->Plan->Look(this->WithProxy(place)))
     {
-      this->Renew(*box) ? this->Plan.Made(now() - place.Time) : this->Plan.Failed();
+      this->Renew(*box) ? this->Plan->Made(now() - place.Time) : this->Plan->Failed();
       this->Publish();
     }
   }
@@ -83,20 +85,30 @@ public:
   const Eigen::AlignedBox3d& BoundsWorld() const noexcept { return this->Bounds; }
   /// Pool, survey and coarse field.
   std::size_t Bytes() const noexcept;
+  /// What is there whatever the pool: survey and coarse field.
+  std::size_t KeptBytes() const noexcept;
+  /// A pool for all bricks takes so much.
+  std::size_t LargestPool() const noexcept
+  {
+    return this->Survey->RecordCount() * FieldVersions::BytesOfRecord(*this->Survey);
+  }
   OnDemandCounts Counts() const;
   /// By trackers.
   void CountCoarseTick() noexcept { this->CoarseTicks.fetch_add(1, std::memory_order_relaxed); }
 
 private:
-  OnDemandField(std::unique_ptr<FieldVersions> versions, int material,
-                const ResidenceSettings& settings);
+  OnDemandField(const std::shared_ptr<const FieldSurvey>& survey,
+                std::unique_ptr<BrickSource> source, int material, const Settings& settings);
   ToolPlace WithProxy(ToolPlace place);
   void Reclaim();
   bool Renew(const BrickBox& box);
   void Publish();
 
+  std::shared_ptr<const FieldSurvey> Survey;
+  std::unique_ptr<BrickSource> Source;     // until there is a pool
   std::unique_ptr<FieldVersions> Versions; // the looking thread's
-  ResidencePlan Plan;                      // the looking thread's
+  std::unique_ptr<ResidencePlan> Plan;     // the looking thread's
+  Settings Wanted;
   int Material;
   Eigen::AlignedBox3d Bounds;
   std::shared_ptr<const FieldSolid> CoarseSolid;

@@ -62,12 +62,13 @@ std::optional<BrickBox> ResidencePlan::Look(const ToolPlace& place)
   this->Last = place;
   // Half of the way is gone before another box is wanted, the other half until it is at hand.
   const double way = 2.0 * this->Speed * this->SlowestDelay;
-  const bool isFaster = way > 1.5 * this->Way && std::isfinite(this->Kept);
+  const bool isFaster = way > 1.5 * this->WishedWay && std::isfinite(this->Kept);
   if (this->Middle && this->Middle->WayTo(place) <= 0.5 * this->Way && !isFaster)
   {
     return std::nullopt;
   }
   this->Middle = place;
+  this->WishedWay = way;
   if (this->Survey->RecordCount() <= this->Settings.Room)
   {
     this->Way = this->Kept = std::numeric_limits<double>::infinity();

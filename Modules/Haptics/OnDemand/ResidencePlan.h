@@ -71,6 +71,7 @@ private:
   std::optional<ToolPlace> Last;
   std::optional<ToolPlace> Middle; // of the box that was wanted last
   double Way = 0.0;                // mm that the tool may go from there
+  double WishedWay = 0.0;          // mm that it was to be able to go
   double Speed = 0.0;              // mm/s, of the tool, sinking slowly
   double SlowestDelay;             // s, sinking slowly
   double Kept = 0.0;

@@ -166,6 +166,10 @@ ServoScene::Feeling ServoScene::Follow(const FollowStep& step) noexcept
 {
   Feeling feeling;
   feeling.Deepest.ProxyWorld = step.Now.PositionWorld;
+  if (this->Shared->Probe != nullptr)
+  {
+    this->Shared->Probe->Publish(step.Now.PositionWorld);
+  }
   if (step.AsksModel)
   {
     this->LookAround(step);

@@ -3,6 +3,8 @@
 #include "ContactForce.h"
 #include "ContactModel.h"
 #include "DeviceFrame.h"
+#include "LatestValue.h"
+#include "PlainVector3.h"
 #include "Status.h"
 #include "SurfaceFriction.h"
 #include "SurfaceTexture.h"
@@ -53,6 +55,9 @@ struct TouchScene
   ToolShape Tool = ToolShape::Sphere(1.0);
   DeviceFrame Frame;
   AmbientForce Ambient;
+  /// Where every tick leaves the probe's place (mm, world), for the one thread that gets ready what
+  /// the tool comes to; none: nobody asks.
+  std::shared_ptr<LatestValue<PlainVector3>> Probe = nullptr;
 
   /// Refuses, naming the structure, what could not be felt.
   Status Check() const;

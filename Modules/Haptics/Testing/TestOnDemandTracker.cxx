@@ -31,13 +31,12 @@ public:
     const ToolShape shell = FieldContactModel::ShellFor(tool, voxel);
     OnDemandField::Settings settings;
     settings.AskedReach = FieldProxyTracker::AskedReachOf(shell, voxel);
-    settings.PoolBytes =
-        static_cast<std::size_t>(poolPart * static_cast<double>(this->Survey->RecordCount() *
-                                                                this->Survey->Records().Bytes()));
     const Status status =
         OnDemandField::Make(*this->Whole, 0, this->Survey,
                             std::make_unique<RecordsInMemory>(*this->Whole), settings, this->Field);
     EXPECT_TRUE(status.IsOk()) << status.Message();
+    const auto all = static_cast<double>(this->Field->LargestPool());
+    EXPECT_TRUE(this->Field->GivePool(static_cast<std::size_t>(poolPart * all)).IsOk());
     this->Expected = TrackerOf(*FieldContact(this->Whole), tool, friction);
     this->Tracker = TrackerOf(OnDemandContactModel(this->Field), tool, friction);
   }

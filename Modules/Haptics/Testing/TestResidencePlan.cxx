@@ -143,6 +143,8 @@ TEST_F(ResidencePlanTest, WithLittleRoomItSaysAtWhichSpeedItKeepsUp)
   ASSERT_TRUE(box);
   EXPECT_LE(this->Survey->RecordCount(*box), 100u);
   EXPECT_LT(plan.KeptSpeed(), 100.0);
+  plan.Made(0.01);
+  EXPECT_FALSE(plan.Look({0.01, this->World(80.1, 80.0, 80.0)})) << "again and again the same";
 }
 
 TEST_F(ResidencePlanTest, WhereAllHasRoomAllIsWantedOnce)

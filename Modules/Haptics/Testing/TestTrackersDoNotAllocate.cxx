@@ -110,11 +110,11 @@ TEST(TrackersDoNotAllocate, OnAFieldOnDemand)
   const auto survey = std::make_shared<const FieldSurvey>(*whole);
   OnDemandField::Settings settings;
   settings.AskedReach = 3.0;
-  settings.PoolBytes = survey->RecordCount() * survey->Records().Bytes() * 6 / 10;
   std::shared_ptr<OnDemandField> field;
   const Status status = OnDemandField::Make(
       *whole, 0, survey, std::make_unique<RecordsInMemory>(*whole), settings, field);
   ASSERT_TRUE(status.IsOk()) << status.Message();
+  ASSERT_TRUE(field->GivePool(field->LargestPool() * 6 / 10).IsOk());
   const auto tracker =
       test::TrackerOf(OnDemandContactModel(field), ToolShape::SpherePoints(1.0, 26), {0.3, 0.2});
   std::size_t allocated = 0;

@@ -71,6 +71,7 @@ TEST_F(TouchSceneFile, WhatIsWrittenIsReadBackTheSame)
   settings.Rate = 2500.0;
   settings.ModelInterval = 4;
   settings.Scale = 0.5;
+  settings.MemoryMegabytes = 12.5;
   const std::string text = TouchSceneText(settings, this->Folder.Path());
   const TouchSettings back = this->Read(text);
   EXPECT_EQ(TouchSceneText(back, this->Folder.Path()), text);
@@ -95,6 +96,7 @@ TEST_F(TouchSceneFile, WhatIsWrittenIsReadBackTheSame)
   EXPECT_EQ(back.Rate, 2500.0);
   EXPECT_EQ(back.ModelInterval, 4);
   EXPECT_EQ(back.Scale, 0.5);
+  EXPECT_EQ(back.MemoryMegabytes, 12.5);
 }
 
 TEST_F(TouchSceneFile, WhatIsLeftOutHasItsDefault)
@@ -112,6 +114,7 @@ TEST_F(TouchSceneFile, WhatIsLeftOutHasItsDefault)
   EXPECT_TRUE(settings.Structures[0].IsTouched);
   EXPECT_EQ(settings.Device, "simulated");
   EXPECT_FALSE(settings.Scale.has_value());
+  EXPECT_FALSE(settings.MemoryMegabytes.has_value());
 }
 
 // Each with a word that its refusal has to hold.
@@ -146,6 +149,7 @@ TEST_F(TouchSceneFile, WhatIsWrongIsRefusedByName)
       {begin + R"(}], "device": 4})", "device"},
       {begin + R"(}], "rate_hz": 0})", "rate_hz"},
       {begin + R"(}], "scale": 1e9})", "scale"},
+      {begin + R"(}], "memory_mb": 0})", "memory_mb"},
       {begin + R"(}], "rate": 1000})", "rate_hz"}};
   for (const auto& [text, word] : cases)
   {

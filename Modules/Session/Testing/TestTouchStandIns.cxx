@@ -67,8 +67,7 @@ TEST(TouchStandIns, FacetsBecomeFewer)
 
 TEST(TouchStandIns, AFieldIsFeltByFewerPointsOfASphere)
 {
-  TouchContact contact =
-      MakeFieldContact(test::TexturedField(), 0, FieldInterpolation::Trilinear, "field");
+  TouchContact contact = MakeFieldContact(test::TexturedField(), 0, "field");
   AddStandIns(contact, NeverStops);
   EXPECT_TRUE(contact.Coarser.empty());
   const auto coarser = StandInsFor(contact, ToolShape::SpherePoints(2.0, 100));
