@@ -17,39 +17,66 @@ double Mean(double a, double b, double u)
   return a * (1.0 - u) + b * u;
 }
 
-// Of the way from `a` to `b`, the part on which what runs straight between them is not negative.
-double PositivePart(double a, double b)
+// Of the way from one end to the other, the part on which what runs straight between values is not
+// negative.
+struct Stretch
 {
-  if (a >= 0.0 && b >= 0.0)
+  double From = 0.0;
+  double To = 1.0;
+
+  void Cut(double a, double b)
   {
-    return 1.0;
+    if (a < 0.0 && b < 0.0)
+    {
+      this->To = 0.0;
+    }
+    else if (a < 0.0)
+    {
+      this->From = std::max(this->From, a / (a - b));
+    }
+    else if (b < 0.0)
+    {
+      this->To = std::min(this->To, a / (a - b));
+    }
   }
-  if (a < 0.0 && b < 0.0)
-  {
-    return 0.0;
-  }
-  return std::max(a, b) / (std::max(a, b) - std::min(a, b));
+  double Length() const { return std::max(this->To - this->From, 0.0); }
+};
+
+// Between the corners of one face along k.
+double OnFace(const double* corners, double u, double v)
+{
+  return Mean(Mean(corners[0], corners[1], u), Mean(corners[2], corners[3], u), v);
 }
 } // namespace
 
-double InsidePartOfCell(const std::array<double, 8>& corners) noexcept
+double InsidePartOfCell(const CellCorners* values, std::size_t count) noexcept
 {
-  const auto [least, most] = std::minmax_element(corners.begin(), corners.end());
-  if (*least >= 0.0 || *most < 0.0)
+  bool isAll = true;
+  for (std::size_t n = 0; n < count; ++n)
   {
-    return *least >= 0.0 ? 1.0 : 0.0;
+    const auto [least, most] = std::minmax_element(values[n].begin(), values[n].end());
+    if (*most < 0.0)
+    {
+      return 0.0;
+    }
+    isAll = isAll && *least >= 0.0;
+  }
+  if (isAll)
+  {
+    return 1.0;
   }
   double part = 0.0;
   for (std::size_t i = 0; i < Count; ++i)
   {
-    const double u = Nodes[i];
-    const double near[2] = {Mean(corners[0], corners[1], u), Mean(corners[4], corners[5], u)};
-    const double far[2] = {Mean(corners[2], corners[3], u), Mean(corners[6], corners[7], u)};
     for (std::size_t j = 0; j < Count; ++j)
     {
-      const double v = Nodes[j];
-      part += Weights[i] * Weights[j] *
-              PositivePart(Mean(near[0], far[0], v), Mean(near[1], far[1], v));
+      Stretch inside;
+      for (std::size_t n = 0; n < count; ++n)
+      {
+        const double* corners = values[n].data();
+        inside.Cut(OnFace(corners, Nodes[i], Nodes[j]), OnFace(corners + 4, Nodes[i], Nodes[j]));
+      }
+      part += Weights[i] * Weights[j] * inside.Length();
     }
   }
   return part;

@@ -27,6 +27,11 @@ public:
   /// Holds what the tool passes, mm.
   const Eigen::AlignedBox3d& BoundsWorld() const noexcept { return this->Bounds; }
 
+  bool IsOfSphere() const noexcept { return this->Tool.IsSphere(); }
+  double Radius() const noexcept { return this->Tool.BoundingRadius(); } ///< that holds the tool
+  const Vector3& FromWorld() const noexcept { return this->From; }
+  const Vector3& WayWorld() const noexcept { return this->Way; }
+
 private:
   struct Place
   {

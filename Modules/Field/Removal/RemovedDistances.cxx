@@ -1,7 +1,6 @@
 #include "RemovedDistances.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace palpate
 {
@@ -12,36 +11,6 @@ constexpr int Side = RemovedDistances::Side;
 std::size_t NodeNumber(int i, int j, int k)
 {
   return static_cast<std::size_t>((k * Side + j) * Side + i);
-}
-
-// Blocks that a box meets, in whole blocks along each axis, cut to the grid.
-struct BlockRange
-{
-  std::array<int, 3> First{};
-  std::array<int, 3> Last{};
-};
-
-// Node indices of a box in the world, `around` more on each side.
-BlockRange RangeOf(const FieldGrid& grid, const Eigen::AlignedBox3d& boxWorld, double around)
-{
-  Eigen::AlignedBox3d index;
-  for (int n = 0; n < 8; ++n)
-  {
-    const auto corner = static_cast<Eigen::AlignedBox3d::CornerType>(n);
-    index.extend(grid.PointIndex(boxWorld.corner(corner)));
-  }
-  BlockRange range;
-  for (std::size_t axis = 0; axis < 3; ++axis)
-  {
-    const auto a = static_cast<Eigen::Index>(axis);
-    const double margin = around / grid.Spacing()[a];
-    const double end = grid.Size()[axis] - 1;
-    const double first = std::clamp(std::ceil(index.min()[a] - margin), 0.0, end + 1.0);
-    const double last = std::clamp(std::floor(index.max()[a] + margin), -1.0, end);
-    range.First[axis] = static_cast<int>(first) / Side;
-    range.Last[axis] = first <= last ? static_cast<int>(last) / Side : range.First[axis] - 1;
-  }
-  return range;
 }
 } // namespace
 
@@ -91,9 +60,9 @@ RemovedDistances::Corner RemovedDistances::CornerOf(std::size_t page,
   return corner;
 }
 
-const RemovedDistances::Block* RemovedDistances::Find(const Corner& corner) const noexcept
+RemovedDistances::Block* RemovedDistances::Find(const Corner& corner) const noexcept
 {
-  const Page* page = this->Pages[this->PageNumber(corner)].get();
+  Page* page = this->Pages[this->PageNumber(corner)].get();
   return page != nullptr ? page->Blocks[BlockNumber(corner)].get() : nullptr;
 }
 
@@ -108,83 +77,6 @@ float RemovedDistances::At(int i, int j, int k) const noexcept
   const float* block = this->BlockAt({i, j, k});
   return block != nullptr ? block[NodeNumber(i % Side, j % Side, k % Side)]
                           : static_cast<float>(this->Limit);
-}
-
-// Nothing where the sweep changes nothing there.
-std::shared_ptr<const RemovedDistances::Block>
-RemovedDistances::CutBlock(const Corner& corner, const CutSweep& sweep) const
-{
-  const Block* before = this->Find(corner);
-  const double most = before != nullptr ? before->Most : this->Limit;
-  constexpr double Middle = 0.5 * (Side - 1);
-  const Vector3 first(corner[0], corner[1], corner[2]);
-  const Vector3 half = Middle * this->Frame.Spacing();
-  const Vector3 middle = this->Frame.PointWorld(first + Vector3::Constant(Middle));
-  // A distance changes by no more than the way.
-  if (sweep.Distance(middle) - half.norm() >= most || most <= -this->Limit)
-  {
-    return nullptr;
-  }
-  auto after = std::make_shared<Block>();
-  before != nullptr ? after->Distances = before->Distances
-                    : (after->Distances.fill(static_cast<float>(this->Limit)), after->Distances);
-  bool isChanged = false;
-  for (int k = 0; k < Side; ++k)
-  {
-    for (int j = 0; j < Side; ++j)
-    {
-      for (int i = 0; i < Side; ++i)
-      {
-        const double distance = sweep.Distance(this->Frame.PointWorld(first + Vector3(i, j, k)));
-        float& kept = after->Distances[NodeNumber(i, j, k)];
-        const auto held = static_cast<float>(std::max(distance, -this->Limit));
-        isChanged = isChanged || held < kept;
-        kept = std::min(kept, held);
-      }
-    }
-  }
-  after->Most = *std::max_element(after->Distances.begin(), after->Distances.end());
-  return isChanged ? after : nullptr;
-}
-
-std::shared_ptr<const RemovedDistances>
-RemovedDistances::Cut(const std::shared_ptr<const RemovedDistances>& before, const CutSweep& sweep,
-                      std::vector<Corner>& changed)
-{
-  changed.clear();
-  const BlockRange range = RangeOf(before->Frame, sweep.BoundsWorld(), before->Limit);
-  std::shared_ptr<RemovedDistances> after;
-  std::vector<std::shared_ptr<Page>> pages(before->Pages.size()); // that are new
-  for (int k = range.First[2]; k <= range.Last[2]; ++k)
-  {
-    for (int j = range.First[1]; j <= range.Last[1]; ++j)
-    {
-      for (int i = range.First[0]; i <= range.Last[0]; ++i)
-      {
-        const Corner corner{Side * i, Side * j, Side * k};
-        auto block = before->CutBlock(corner, sweep);
-        if (block == nullptr)
-        {
-          continue;
-        }
-        if (after == nullptr)
-        {
-          after = std::shared_ptr<RemovedDistances>(new RemovedDistances(*before));
-        }
-        const std::size_t number = before->PageNumber(corner);
-        if (pages[number] == nullptr)
-        {
-          const auto& page = before->Pages[number];
-          pages[number] =
-              page != nullptr ? std::make_shared<Page>(*page) : std::make_shared<Page>();
-          after->Pages[number] = pages[number];
-        }
-        pages[number]->Blocks[BlockNumber(corner)] = std::move(block);
-        changed.push_back(corner);
-      }
-    }
-  }
-  return after != nullptr ? after : before;
 }
 
 template <typename Visit>
@@ -216,6 +108,11 @@ std::vector<RemovedDistances::Corner> RemovedDistances::Difference(const Removed
   std::vector<Corner> corners;
   a.ForEachDifference(b, [&](const Corner& corner, const Block*) { corners.push_back(corner); });
   return corners;
+}
+
+std::vector<RemovedDistances::Corner> RemovedDistances::Corners() const
+{
+  return Difference(*this, *None(this->Frame, this->Limit));
 }
 
 std::size_t RemovedDistances::BytesBeside(const RemovedDistances* other) const noexcept

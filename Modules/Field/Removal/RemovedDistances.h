@@ -1,6 +1,5 @@
 #pragma once
 
-#include "CutSweep.h"
 #include "FieldGrid.h"
 
 #include <array>
@@ -15,9 +14,9 @@ namespace palpate
 /// inside, held within a band round the surface of that: what is farther away counts as the band's
 /// end.
 ///
-/// Immutable: a cut gives a new one, which shares with the one before whatever did not change. So
-/// any number of earlier states are kept at the memory of what changed between them, and a state
-/// can be read by any number of threads.
+/// Immutable: RemovalStroke makes the next one, which shares with the one before whatever did not
+/// change. So any number of earlier states are kept at the memory of what changed between them, and
+/// a state can be read by any number of threads.
 class RemovedDistances
 {
 public:
@@ -39,15 +38,12 @@ public:
   /// the grid's border count for nothing.
   const float* BlockAt(const Corner& corner) const noexcept;
 
-  /// With all that `sweep` passes removed too. `changed` gets the corners of the blocks that differ
-  /// from here, in the order of memory. The same object where none does.
-  static std::shared_ptr<const RemovedDistances>
-  Cut(const std::shared_ptr<const RemovedDistances>& before, const CutSweep& sweep,
-      std::vector<Corner>& changed);
-
   /// Corners of the blocks that differ between two of the same grid. Blocks that they share cost
   /// nothing.
   static std::vector<Corner> Difference(const RemovedDistances& a, const RemovedDistances& b);
+
+  /// Of all blocks that are kept, in the order of memory.
+  std::vector<Corner> Corners() const;
 
   /// Of what is not shared with `other`; of everything without.
   std::size_t BytesBeside(const RemovedDistances* other) const noexcept;
@@ -57,25 +53,30 @@ private:
   struct Block
   {
     std::array<float, NodesOfBlock> Distances;
-    float Most; // of them
+    float Most;          // of them
+    std::uint32_t Depth; // of the state that it was made for
   };
   struct Page
   {
-    std::array<std::shared_ptr<const Block>, PageSide * PageSide * PageSide> Blocks;
+    std::array<std::shared_ptr<Block>, PageSide * PageSide * PageSide> Blocks;
+    std::uint32_t Depth = 0;
   };
+  friend class RemovalStroke;
 
   RemovedDistances(const FieldGrid& grid, double band);
-  const Block* Find(const Corner& corner) const noexcept;
+  Block* Find(const Corner& corner) const noexcept;
   std::size_t PageNumber(const Corner& corner) const noexcept;
   static std::size_t BlockNumber(const Corner& corner) noexcept;
   Corner CornerOf(std::size_t page, std::size_t block) const noexcept;
-  std::shared_ptr<const Block> CutBlock(const Corner& corner, const CutSweep& sweep) const;
   template <typename Visit>
   void ForEachDifference(const RemovedDistances& other, const Visit& visit) const;
 
   FieldGrid Frame;
   double Limit;
   std::array<int, 3> PageCounts{};
-  std::vector<std::shared_ptr<const Page>> Pages;
+  /// States made on each other. What belongs to a state that is still in the making has its depth,
+  /// and nobody else has it.
+  std::uint32_t Depth = 0;
+  std::vector<std::shared_ptr<Page>> Pages;
 };
 } // namespace palpate

@@ -1,5 +1,6 @@
 #include "CutSweep.h"
 #include "FieldCases.h"
+#include "RemovalStroke.h"
 #include "RemovedDistances.h"
 
 #include <algorithm>
@@ -29,6 +30,14 @@ protected:
     return {CutTool::Sphere(3.0), CutPose{place(), {}}, CutPose{place(), {}}, 0.25};
   }
 
+  // One cut as a stroke of its own.
+  Removed Cut(const Removed& before, const CutSweep& sweep)
+  {
+    RemovalStroke stroke(before);
+    stroke.Cut(sweep, this->Changed);
+    return stroke.Finish();
+  }
+
   template <typename Visit>
   void ForEachNode(const Visit& visit) const
   {
@@ -46,7 +55,7 @@ protected:
 
   std::mt19937_64 Random{12};
   FieldGrid Grid = test::ObliqueGrid({{70, 54, 20}}, Random);
-  std::vector<RemovedDistances::Corner> Changed;
+  std::vector<NodeBox> Changed;
 };
 
 TEST_F(RemovedDistancesTest, NothingIsRemovedAtFirst)
@@ -57,12 +66,12 @@ TEST_F(RemovedDistancesTest, NothingIsRemovedAtFirst)
 
 TEST_F(RemovedDistancesTest, EveryNodeKeepsTheLeastOfAllSweeps)
 {
-  Removed removed = RemovedDistances::None(this->Grid, Band);
+  RemovalStroke stroke(RemovedDistances::None(this->Grid, Band));
   std::vector<CutSweep> sweeps;
   for (int n = 0; n < 12; ++n)
   {
     sweeps.push_back(this->RandomStroke());
-    removed = RemovedDistances::Cut(removed, sweeps.back(), this->Changed);
+    stroke.Cut(sweeps.back(), this->Changed);
   }
   this->ForEachNode(
       [&](int i, int j, int k)
@@ -72,7 +81,8 @@ TEST_F(RemovedDistancesTest, EveryNodeKeepsTheLeastOfAllSweeps)
         {
           least = std::min(least, sweep.Distance(this->Grid.PointWorld(Vector3(i, j, k))));
         }
-        ASSERT_EQ(removed->At(i, j, k), static_cast<float>(std::max(least, -Band)));
+        // mm; floats of ways of up to 100 mm.
+        ASSERT_NEAR(stroke.Now().At(i, j, k), std::max(least, -Band), 2e-5);
       });
 }
 
@@ -81,11 +91,24 @@ TEST_F(RemovedDistancesTest, TheOrderOfCutsDoesNotMatter)
   const CutSweep one = this->RandomStroke();
   const CutSweep two = this->RandomStroke();
   const Removed none = RemovedDistances::None(this->Grid, Band);
-  const Removed a =
-      RemovedDistances::Cut(RemovedDistances::Cut(none, one, this->Changed), two, this->Changed);
-  const Removed b =
-      RemovedDistances::Cut(RemovedDistances::Cut(none, two, this->Changed), one, this->Changed);
+  const Removed a = this->Cut(this->Cut(none, one), two);
+  const Removed b = this->Cut(this->Cut(none, two), one);
   this->ForEachNode([&](int i, int j, int k) { ASSERT_EQ(a->At(i, j, k), b->At(i, j, k)); });
+}
+
+TEST_F(RemovedDistancesTest, CutsOfOneStrokeAreThoseOfStrokesOfTheirOwn)
+{
+  Removed apart = RemovedDistances::None(this->Grid, Band);
+  RemovalStroke stroke(apart);
+  for (int n = 0; n < 8; ++n)
+  {
+    const CutSweep sweep = this->RandomStroke();
+    stroke.Cut(sweep, this->Changed);
+    apart = this->Cut(apart, sweep);
+  }
+  const Removed together = stroke.Finish();
+  this->ForEachNode([&](int i, int j, int k)
+                    { ASSERT_EQ(together->At(i, j, k), apart->At(i, j, k)); });
 }
 
 TEST_F(RemovedDistancesTest, AStrokeInSmallStepsIsTheStrokeAtOnce)
@@ -94,51 +117,67 @@ TEST_F(RemovedDistancesTest, AStrokeInSmallStepsIsTheStrokeAtOnce)
   const Vector3 to = this->Grid.PointWorld(Vector3(50.0, 30.0, 11.0));
   const auto pose = [&](int tick) { return CutPose{from + tick / 100.0 * (to - from), {}}; };
   const Removed none = RemovedDistances::None(this->Grid, Band);
-  Removed steps = none;
+  RemovalStroke steps(none);
   for (int tick = 0; tick < 100; ++tick)
   {
-    steps = RemovedDistances::Cut(steps, {CutTool::Sphere(3.0), pose(tick), pose(tick + 1), 0.25},
-                                  this->Changed);
+    steps.Cut({CutTool::Sphere(3.0), pose(tick), pose(tick + 1), 0.25}, this->Changed);
   }
-  const Removed once =
-      RemovedDistances::Cut(none, {CutTool::Sphere(3.0), pose(0), pose(100), 0.25}, this->Changed);
-  // mm; floats of some millimetres, and rounding of a way's part.
+  const Removed once = this->Cut(none, {CutTool::Sphere(3.0), pose(0), pose(100), 0.25});
+  // mm; floats of some ten millimetres.
   this->ForEachNode([&](int i, int j, int k)
-                    { ASSERT_NEAR(steps->At(i, j, k), once->At(i, j, k), 1e-6); });
+                    { ASSERT_NEAR(steps.Now().At(i, j, k), once->At(i, j, k), 1e-5); });
 }
 
-TEST_F(RemovedDistancesTest, ChangedBlocksAreThoseThatDiffer)
+TEST_F(RemovedDistancesTest, ALastStepTooShortForAFloatIsNoHarm)
+{
+  const Vector3 from = this->Grid.PointWorld(Vector3(15.0, 20.0, 8.0));
+  const Removed none = RemovedDistances::None(this->Grid, Band);
+  const Removed still = this->Cut(none, {CutTool::Sphere(3.0), {from, {}}, {from, {}}, 0.25});
+  for (const double way : {1e-25, 1e-12, 1e-7})
+  {
+    const CutPose to{from + Vector3::Constant(way), {}};
+    const Removed moved = this->Cut(none, {CutTool::Sphere(3.0), {from, {}}, to, 0.25});
+    // mm; as above.
+    this->ForEachNode([&](int i, int j, int k)
+                      { ASSERT_NEAR(moved->At(i, j, k), still->At(i, j, k), 1e-5); });
+  }
+}
+
+TEST_F(RemovedDistancesTest, WhatChangedIsSaidNodeByNode)
 {
   Removed removed = RemovedDistances::None(this->Grid, Band);
   for (int n = 0; n < 12; ++n)
   {
     const Removed before = removed;
-    removed = RemovedDistances::Cut(before, this->RandomStroke(), this->Changed);
-    std::vector<RemovedDistances::Corner> differing =
-        RemovedDistances::Difference(*before, *removed);
-    std::sort(differing.begin(), differing.end());
-    std::sort(this->Changed.begin(), this->Changed.end());
-    EXPECT_EQ(differing, this->Changed);
+    removed = this->Cut(before, this->RandomStroke());
+    const auto isIn = [&](int i, int j, int k)
+    {
+      return std::any_of(this->Changed.begin(), this->Changed.end(),
+                         [&](const NodeBox& box) {
+                           return !box.CommonWith({{i, j, k}, {i, j, k}}).IsEmpty();
+                         });
+    };
     this->ForEachNode(
         [&](int i, int j, int k)
-        {
-          const RemovedDistances::Corner corner{i / 8 * 8, j / 8 * 8, k / 8 * 8};
-          const bool isIn = std::binary_search(this->Changed.begin(), this->Changed.end(), corner);
-          ASSERT_TRUE(isIn || before->At(i, j, k) == removed->At(i, j, k));
-        });
+        { ASSERT_TRUE(isIn(i, j, k) || before->At(i, j, k) == removed->At(i, j, k)); });
+    std::vector<RemovedDistances::Corner> corners;
+    for (const NodeBox& box : this->Changed)
+    {
+      corners.push_back({box.First[0] / 8 * 8, box.First[1] / 8 * 8, box.First[2] / 8 * 8});
+    }
+    EXPECT_EQ(RemovedDistances::Difference(*before, *removed).size(), corners.size());
   }
 }
 
 TEST_F(RemovedDistancesTest, EarlierStatesStayAsTheyWere)
 {
-  const Removed first = RemovedDistances::Cut(RemovedDistances::None(this->Grid, Band),
-                                              this->RandomStroke(), this->Changed);
+  const Removed first = this->Cut(RemovedDistances::None(this->Grid, Band), this->RandomStroke());
   std::vector<float> kept;
   this->ForEachNode([&](int i, int j, int k) { kept.push_back(first->At(i, j, k)); });
   Removed later = first;
   for (int n = 0; n < 6; ++n)
   {
-    later = RemovedDistances::Cut(later, this->RandomStroke(), this->Changed);
+    later = this->Cut(later, this->RandomStroke());
   }
   std::size_t node = 0;
   this->ForEachNode([&](int i, int j, int k) { ASSERT_EQ(kept[node++], first->At(i, j, k)); });
@@ -147,13 +186,11 @@ TEST_F(RemovedDistancesTest, EarlierStatesStayAsTheyWere)
 TEST_F(RemovedDistancesTest, ACutThatRemovesNothingNewIsTheSameObject)
 {
   const CutSweep stroke = this->RandomStroke();
-  const Removed once =
-      RemovedDistances::Cut(RemovedDistances::None(this->Grid, Band), stroke, this->Changed);
-  EXPECT_EQ(RemovedDistances::Cut(once, stroke, this->Changed), once);
+  const Removed once = this->Cut(RemovedDistances::None(this->Grid, Band), stroke);
+  EXPECT_EQ(this->Cut(once, stroke), once);
   EXPECT_TRUE(this->Changed.empty());
   const CutPose away{this->Grid.PointWorld(Vector3(500.0, 0.0, 0.0)), {}};
-  EXPECT_EQ(RemovedDistances::Cut(once, {CutTool::Sphere(3.0), away, away, 0.25}, this->Changed),
-            once);
+  EXPECT_EQ(this->Cut(once, {CutTool::Sphere(3.0), away, away, 0.25}), once);
 }
 
 TEST_F(RemovedDistancesTest, AStateTakesTheMemoryOfWhatChanged)
@@ -161,9 +198,11 @@ TEST_F(RemovedDistancesTest, AStateTakesTheMemoryOfWhatChanged)
   Removed before = RemovedDistances::None(this->Grid, Band);
   for (int n = 0; n < 6; ++n)
   {
-    const Removed after = RemovedDistances::Cut(before, this->RandomStroke(), this->Changed);
-    // Blocks of 8^3 floats and one number, and at most all pages of pointers (of two here).
-    const std::size_t blocks = this->Changed.size() * (512 + 1) * sizeof(float);
+    const Removed after = this->Cut(before, this->RandomStroke());
+    // Blocks of 8^3 floats and two numbers, and at most all pages of pointers (of two here). Blocks
+    // of which only nodes beyond the grid changed are not in what changed.
+    const std::size_t blocks =
+        RemovedDistances::Difference(*before, *after).size() * (512 + 2) * sizeof(float);
     const std::size_t most = blocks + 2 * 512 * 16 + 1024;
     EXPECT_LE(after->BytesBeside(before.get()), most);
     before = after;
