@@ -14,12 +14,13 @@ constexpr int LongestSide = MostBrickCells + 3;
 // Bit i of the row: the condition holds at node i.
 unsigned RowBits(const double* row, int side, const FieldCondition& condition)
 {
+  const bool isAtLeast = condition.Sense == FieldSense::AtLeast;
+  const double iso = condition.Iso;
   unsigned bits = 0;
-  for (int i = 0; i < side; ++i)
+  for (int i = side - 1; i >= 0; --i)
   {
-    const bool holds =
-        condition.Sense == FieldSense::AtLeast ? row[i] >= condition.Iso : row[i] <= condition.Iso;
-    bits |= static_cast<unsigned>(holds) << i;
+    const bool holds = isAtLeast ? row[i] >= iso : row[i] <= iso;
+    bits = bits << 1 | static_cast<unsigned>(holds);
   }
   return bits;
 }
@@ -29,14 +30,17 @@ unsigned RowBits(const double* row, int side, const FieldCondition& condition)
 struct SliceBits
 {
   static constexpr int MostWords = MostBrickCells * MostBrickCells / 64;
-  std::uint64_t Any[MostWords] = {};
-  std::uint64_t All[MostWords] = {};
+  std::uint64_t Any[MostWords];
+  std::uint64_t All[MostWords];
 
-  SliceBits() = default;
+  SliceBits() = default; // of words that mean nothing
   SliceBits(const double* slice, const BrickLayout& layout, const FieldCondition& condition)
   {
-    unsigned any[LongestSide] = {};
-    unsigned all[LongestSide] = {};
+    unsigned any[LongestSide];
+    unsigned all[LongestSide];
+    const int words = std::max(1, layout.Cells * layout.Cells / 64);
+    std::fill_n(this->Any, words, 0);
+    std::fill_n(this->All, words, 0);
     for (int j = 0; j < layout.Side; ++j)
     {
       const unsigned bits = RowBits(slice + j * layout.Side, layout.Side, condition);

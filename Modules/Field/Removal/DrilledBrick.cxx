@@ -8,7 +8,7 @@ DrilledBrick::DrilledBrick(const ScalarField& field, const RecordLayout& records
                            const DrilledMaterial& drilled)
     : Layout(field.Layout()), Records(records), Drilled(drilled),
       Type(records.Types()[static_cast<std::size_t>(drilled.Condition.Channel)]),
-      Found(Layout.NodesOfBrick()), Nodes(Layout.NodesOfBrick())
+      Found(Layout.NodesOfBrick(), Layout.NodesOfBrick()), Nodes(Layout.NodesOfBrick())
 {
   for (int material = 0; material < field.MaterialCount(); ++material)
   {
@@ -54,7 +54,7 @@ bool DrilledBrick::FindNodesOf(const DistanceBox& distances, const T* original, 
 {
   const int count = this->Box.Last[0] - this->Box.First[0] + 1;
   const NodeCut cut = this->Drilled.Cut;
-  double* found = this->Found.data();
+  T* found = std::get<std::vector<T>>(this->Found).data();
   bool isChanged = false;
   for (int k = this->Box.First[2]; k <= this->Box.Last[2]; ++k)
   {
@@ -69,7 +69,7 @@ bool DrilledBrick::FindNodesOf(const DistanceBox& distances, const T* original, 
       {
         const T value = cut.Apply(before[i], static_cast<T>(distance[i]));
         differing |= static_cast<int>(value != now[i]);
-        found[i] = static_cast<double>(value);
+        found[i] = value;
       }
       isChanged = isChanged || differing != 0;
       found += count;
@@ -90,13 +90,12 @@ template <typename T>
 void DrilledBrick::WriteNodesOf(T* nodes) const
 {
   const int count = this->Box.Last[0] - this->Box.First[0] + 1;
-  const double* found = this->Found.data();
+  const T* found = std::get<std::vector<T>>(this->Found).data();
   for (int k = this->Box.First[2]; k <= this->Box.Last[2]; ++k)
   {
     for (int j = this->Box.First[1]; j <= this->Box.Last[1]; ++j)
     {
-      std::transform(found, found + count, nodes + this->RowOf(j, k),
-                     [](double value) { return static_cast<T>(value); });
+      std::copy_n(found, count, nodes + this->RowOf(j, k));
       found += count;
     }
   }

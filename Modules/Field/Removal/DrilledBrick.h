@@ -7,6 +7,7 @@
 
 #include <array>
 #include <cstddef>
+#include <tuple>
 #include <vector>
 
 namespace palpate
@@ -55,7 +56,7 @@ private:
 
   std::array<int, 3> Brick{};
   NodeBox Box;
-  std::vector<double> Found; // nodes of the box
+  std::tuple<std::vector<float>, std::vector<double>> Found; // nodes of the box, in one type
   std::vector<double> Nodes; // of the brick, one channel
 };
 } // namespace palpate

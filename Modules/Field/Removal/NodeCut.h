@@ -18,7 +18,7 @@ T InterpolatedDistance(T distance, const T (&neighbours)[6]) noexcept
   {
     differences += neighbour;
   }
-  return differences > T(0) ? distance - Part * differences : distance;
+  return distance - Part * (differences > T(0) ? differences : T(0));
 }
 
 /// How a node's value changes where a tool removes what a condition holds inside. Near the tool the
@@ -37,11 +37,13 @@ public:
   template <typename T>
   T Apply(T value, T distance) const noexcept
   {
+    // Every part is computed, so that loops over this go through the lanes of vectors.
     const auto depth = static_cast<T>(this->Depth);
-    const T ramp = distance < -depth
-                       ? static_cast<T>(this->Floor)
-                       : static_cast<T>(this->Iso) + static_cast<T>(this->Rise) * distance;
-    const T cut = this->IsAtLeast ? (ramp < value ? ramp : value) : (ramp > value ? ramp : value);
+    const T line = static_cast<T>(this->Iso) + static_cast<T>(this->Rise) * distance;
+    const T ramp = distance < -depth ? static_cast<T>(this->Floor) : line;
+    const T least = ramp < value ? ramp : value;
+    const T most = ramp < value ? value : ramp;
+    const T cut = this->IsAtLeast ? least : most;
     return distance > depth ? value : cut;
   }
   double DepthWorld() const noexcept { return this->Depth; } ///< mm

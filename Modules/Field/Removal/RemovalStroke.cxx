@@ -24,14 +24,17 @@ public:
   {
     this->First = Vector3(corner[0], corner[1], corner[2]);
   }
-  bool Distances(int j, int k, Row& distances) const
+  unsigned Lower(int j, int k, float least, float* kept) const
   {
+    unsigned lowered = 0;
     for (int i = 0; i < Side; ++i)
     {
       const Vector3 point = this->Grid.PointWorld(this->First + Vector3(i, j, k));
-      distances[static_cast<std::size_t>(i)] = static_cast<float>(this->Sweep.Distance(point));
+      const float distance = std::max(static_cast<float>(this->Sweep.Distance(point)), least);
+      lowered |= static_cast<unsigned>(distance < kept[i]) << i;
+      kept[i] = std::min(kept[i], distance);
     }
-    return true;
+    return lowered;
   }
 
 private:
@@ -50,15 +53,9 @@ public:
   }
 
   void Begin(const RemovedDistances::Corner& corner) { this->Rows.Begin(corner); }
-  // False where nothing is nearer than before.
-  bool Distances(int j, int k, Row& distances) const
+  unsigned Lower(int j, int k, float least, float* kept) const
   {
-    if (this->GoesOn && this->Rows.IsBehind(j, k))
-    {
-      return false;
-    }
-    this->Rows.Distances(j, k, distances);
-    return true;
+    return this->GoesOn && this->Rows.IsBehind(j, k) ? 0 : this->Rows.Lower(j, k, least, kept);
   }
 
 private:
@@ -66,48 +63,19 @@ private:
   bool GoesOn;
 };
 
-// Holds distances within the limit; answers whether any is less than what is kept.
-bool Clip(Row& distances, float limit, const float* kept)
+// The largest of a block's distances, which side by side are looked at as lanes of vectors.
+float MostOf(const RemovalStroke::Nodes& distances)
 {
-  unsigned isAny = 0;
-  for (std::size_t n = 0; n < Side; ++n)
+  Row most;
+  std::copy_n(distances.begin(), Side, most.begin());
+  for (std::size_t row = Side; row < distances.size(); row += Side)
   {
-    const float d = distances[n] > -limit ? distances[n] : -limit;
-    distances[n] = d;
-    isAny |= static_cast<unsigned>(d < kept[n]);
+    for (std::size_t n = 0; n < Side; ++n)
+    {
+      most[n] = most[n] < distances[row + n] ? distances[row + n] : most[n];
+    }
   }
-  return isAny != 0;
-}
-
-struct Stretch
-{
-  int First;
-  int Last;
-};
-
-// From the first to the last of `count` nodes that are nearer than what is kept.
-Stretch LowerNodes(const Row& distances, const float* kept, int count)
-{
-  const auto isLower = [&](int n)
-  { return distances[static_cast<std::size_t>(n)] < kept[static_cast<std::size_t>(n)]; };
-  Stretch lower{0, count - 1};
-  while (lower.First < count && !isLower(lower.First))
-  {
-    ++lower.First;
-  }
-  while (lower.Last > lower.First && !isLower(lower.Last))
-  {
-    --lower.Last;
-  }
-  return lower;
-}
-
-void Lower(const Row& distances, int count, float* kept)
-{
-  for (int n = 0; n < count; ++n)
-  {
-    kept[n] = std::min(kept[n], distances[static_cast<std::size_t>(n)]);
-  }
+  return *std::max_element(most.begin(), most.end());
 }
 
 // Blocks along each axis that a box meets, cut to the grid.
@@ -220,13 +188,15 @@ bool RemovalStroke::MayChange(const Corner& corner, const CutSweep& sweep,
   return sweep.Distance(grid.PointWorld(middle)) - reach < most;
 }
 
+// Lowers a copy, which then is the block if any node of it was lowered.
 template <typename Rows>
 bool RemovalStroke::CutBlock(const Corner& corner, Rows& rows, NodeBox& changed)
 {
-  Block* block = this->Working->Find(corner);
-  const auto limit = static_cast<float>(this->Working->Limit);
-  Row untouched;
-  untouched.fill(limit);
+  const Block* before = this->Working->Find(corner);
+  Nodes distances;
+  before != nullptr ? static_cast<void>(distances = before->Distances)
+                    : this->FillUntouched(corner, distances);
+  const auto least = static_cast<float>(-this->Working->Limit);
   const std::array<int, 3> inGrid = this->NodesInGrid(corner);
   NodeBox box{{Side, Side, Side}, {-1, -1, -1}};
   rows.Begin(corner);
@@ -234,19 +204,11 @@ bool RemovalStroke::CutBlock(const Corner& corner, Rows& rows, NodeBox& changed)
   {
     for (int j = 0; j < inGrid[1]; ++j)
     {
-      const auto row = static_cast<std::size_t>((k * Side + j) * Side);
-      const float* kept = block != nullptr ? &block->Distances[row] : untouched.data();
-      Row distances;
-      if (!rows.Distances(j, k, distances) || !Clip(distances, limit, kept))
+      float* row = &distances[static_cast<std::size_t>((k * Side + j) * Side)];
+      const unsigned lowered = rows.Lower(j, k, least, row);
+      if (lowered != 0)
       {
-        continue;
-      }
-      const Stretch lower = LowerNodes(distances, kept, inGrid[0]);
-      if (lower.First <= lower.Last)
-      {
-        block = box.IsEmpty() ? &this->OwnBlock(corner) : block;
-        Lower(distances, inGrid[0], &block->Distances[row]);
-        box.Extend({{lower.First, j, k}, {lower.Last, j, k}});
+        box.Extend({{__builtin_ctz(lowered), j, k}, {31 - __builtin_clz(lowered), j, k}});
       }
     }
   }
@@ -254,7 +216,9 @@ bool RemovalStroke::CutBlock(const Corner& corner, Rows& rows, NodeBox& changed)
   {
     return false;
   }
-  block->Most = *std::max_element(block->Distances.begin(), block->Distances.end());
+  Block& block = this->OwnBlock(corner);
+  block.Distances = distances;
+  block.Most = MostOf(distances);
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
     changed.First[axis] = corner[axis] + box.First[axis];
@@ -290,30 +254,27 @@ bool RemovalStroke::Set(const Corner& corner, const Nodes& distances)
   }
   Block& block = this->OwnBlock(corner);
   block.Distances = distances;
-  block.Most = *std::max_element(distances.begin(), distances.end());
+  block.Most = MostOf(distances);
   this->IsChanged = true;
   return true;
 }
 
 // Nodes beyond the grid count as gone.
-std::shared_ptr<RemovalStroke::Block> RemovalStroke::FreshBlock(const Corner& corner) const
+void RemovalStroke::FillUntouched(const Corner& corner, Nodes& distances) const
 {
-  auto block = std::make_shared<Block>();
   const auto limit = static_cast<float>(this->Working->Limit);
-  block->Distances.fill(-limit);
+  distances.fill(-limit);
   const std::array<int, 3> inGrid = this->NodesInGrid(corner);
   for (int k = 0; k < inGrid[2]; ++k)
   {
     for (int j = 0; j < inGrid[1]; ++j)
     {
-      std::fill_n(&block->Distances[static_cast<std::size_t>((k * Side + j) * Side)], inGrid[0],
-                  limit);
+      std::fill_n(&distances[static_cast<std::size_t>((k * Side + j) * Side)], inGrid[0], limit);
     }
   }
-  return block;
 }
 
-// To be written: of this stroke alone.
+// Of this stroke alone, to be filled.
 RemovalStroke::Block& RemovalStroke::OwnBlock(const Corner& corner)
 {
   RemovedDistances& state = *this->Working;
@@ -325,15 +286,11 @@ RemovalStroke::Block& RemovalStroke::OwnBlock(const Corner& corner)
     page->Depth = state.Depth;
   }
   std::shared_ptr<Block>& block = page->Blocks[RemovedDistances::BlockNumber(corner)];
-  if (block == nullptr)
+  if (block == nullptr || block->Depth != state.Depth)
   {
-    block = this->FreshBlock(corner);
+    block = std::make_shared<Block>();
+    block->Depth = state.Depth;
   }
-  else if (block->Depth != state.Depth)
-  {
-    block = std::make_shared<Block>(*block);
-  }
-  block->Depth = state.Depth;
   return *block;
 }
 } // namespace palpate

@@ -38,7 +38,6 @@ private:
   using Corner = RemovedDistances::Corner;
 
   bool MayChange(const Corner& corner, const CutSweep& sweep, const Block* block) const noexcept;
-  using Row = std::array<float, RemovedDistances::Side>;
   // The ball that was cut with last, and where it ended.
   struct Ball
   {
@@ -47,7 +46,7 @@ private:
   };
 
   std::array<int, 3> NodesInGrid(const Corner& corner) const noexcept;
-  std::shared_ptr<Block> FreshBlock(const Corner& corner) const;
+  void FillUntouched(const Corner& corner, Nodes& distances) const;
   template <typename Rows>
   void CutWith(Rows& rows, const CutSweep& sweep, std::vector<NodeBox>& changed);
   template <typename Rows>

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cmath>
+#include <cstring>
 
 namespace palpate
 {
@@ -13,7 +14,6 @@ class SphereRows
 {
 public:
   static constexpr int Count = 8; ///< nodes of a row
-  using Row = std::array<float, Count>;
 
   SphereRows(const FieldGrid& grid, const Vector3& from, const Vector3& way, double radius)
       : Grid(grid), From(from), Way(way.cast<float>()), Radius(static_cast<float>(radius))
@@ -43,26 +43,49 @@ public:
     const float part = this->PartAt(j, k);
     return part <= 0.0f && part + static_cast<float>(Count - 1) * this->Parts[0] <= 0.0f;
   }
-  void Distances(int j, int k, Row& distances) const noexcept
+  /// Lowers `kept`, the distances of row (j, k) held above `least`, to the ball's; answers which of
+  /// them were lowered, bit n node n.
+  unsigned Lower(int j, int k, float least, float* kept) const noexcept
   {
     const Eigen::Vector3f first = this->Offset + static_cast<float>(j) * this->Steps[1] +
                                   static_cast<float>(k) * this->Steps[2];
     const Eigen::Vector3f& step = this->Steps[0];
-    const float part = this->PartAt(j, k);
-    for (int n = 0; n < Count; ++n)
+    const Lanes none = {0.0f, 0.0f, 0.0f, 0.0f};
+    Lanes at = {0.0f, 1.0f, 2.0f, 3.0f};
+    unsigned lowered = 0;
+    for (int half = 0; half < Count / LaneCount; ++half, at += LaneCount, kept += LaneCount)
     {
-      const auto at = static_cast<float>(n);
-      const float along = part + at * this->Parts[0];
-      const float positive = along > 0.0f ? along : 0.0f;
-      const float t = positive < 1.0f ? positive : 1.0f;
-      const float x = first[0] + at * step[0] - t * this->Way[0];
-      const float y = first[1] + at * step[1] - t * this->Way[1];
-      const float z = first[2] + at * step[2] - t * this->Way[2];
-      distances[static_cast<std::size_t>(n)] = std::sqrt(x * x + y * y + z * z) - this->Radius;
+      Lanes t = this->PartAt(j, k) + at * this->Parts[0];
+      t = t > none ? t : none;
+      t = t < none + 1.0f ? t : none + 1.0f;
+      const Lanes x = first[0] + at * step[0] - t * this->Way[0];
+      const Lanes y = first[1] + at * step[1] - t * this->Way[1];
+      const Lanes z = first[2] + at * step[2] - t * this->Way[2];
+      const Lanes square = x * x + y * y + z * z;
+      Lanes distance = {std::sqrt(square[0]), std::sqrt(square[1]), std::sqrt(square[2]),
+                        std::sqrt(square[3])};
+      distance -= this->Radius;
+      distance = distance > none + least ? distance : none + least;
+      Lanes before;
+      std::memcpy(&before, kept, sizeof(before));
+      const auto isLower = distance < before;
+      const Lanes after = isLower ? distance : before;
+      std::memcpy(kept, &after, sizeof(after));
+      lowered |= BitsOf(isLower) << (LaneCount * half);
     }
+    return lowered;
   }
 
 private:
+  static constexpr int LaneCount = 4;
+  using Lanes = float __attribute__((vector_size(LaneCount * sizeof(float))));
+
+  template <typename Mask>
+  static unsigned BitsOf(const Mask& mask) noexcept
+  {
+    const Mask bits = mask & Mask{1, 2, 4, 8};
+    return static_cast<unsigned>(bits[0] | bits[1] | bits[2] | bits[3]);
+  }
   float PartAt(int j, int k) const noexcept
   {
     return this->Part + static_cast<float>(j) * this->Parts[1] +
