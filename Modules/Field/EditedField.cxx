@@ -10,8 +10,8 @@ namespace palpate
 namespace
 {
 constexpr std::uint32_t None = BrickedChannel::NotStored;
-// Records for each brick: the beginning's, today's, and as many again for versions in use.
-constexpr std::size_t RoomForEach = 3;
+// Records for each brick: the beginning's, today's, and those that versions in use still have.
+constexpr std::size_t RoomForEach = 4;
 
 // visit(i, j, k) for the bricks that are `ring` away from one, along the axis where that is most.
 template <typename Visit>
@@ -53,6 +53,7 @@ public:
   Shelf(const ScalarField& whole, const std::vector<ScalarType>& types, std::size_t stored);
 
   void PutRecord(const std::array<int, 3>& brick, std::uint32_t slot);
+  std::uint32_t FreeSlot();
   std::uint32_t SlotToWrite(std::size_t brick);
   void Release(std::uint32_t slot);
 
@@ -156,6 +157,30 @@ void EditedField::Shelf::Release(std::uint32_t slot)
   }
 }
 
+// None where all records are in use. Versions that nobody uses hold some until they are brought up to
+// date.
+std::uint32_t EditedField::Shelf::FreeSlot()
+{
+  if (this->UsedSlots < this->Memory.Count() && this->FreeSlots.empty())
+  {
+    return static_cast<std::uint32_t>(this->UsedSlots++);
+  }
+  for (std::size_t n = 0; n < this->Editions.size() && this->FreeSlots.empty(); ++n)
+  {
+    if (!this->Editions[n]->IsInUse.load(std::memory_order_acquire))
+    {
+      this->CatchUp(*this->Editions[n]);
+    }
+  }
+  if (this->FreeSlots.empty())
+  {
+    return None;
+  }
+  const std::uint32_t free = this->FreeSlots.back();
+  this->FreeSlots.pop_back();
+  return free;
+}
+
 // Where nobody else has it, the record that is there, to be changed in place.
 std::uint32_t EditedField::Shelf::SlotToWrite(std::size_t brick)
 {
@@ -164,17 +189,8 @@ std::uint32_t EditedField::Shelf::SlotToWrite(std::size_t brick)
   {
     return slot;
   }
-  std::uint32_t free = None;
-  if (!this->FreeSlots.empty())
-  {
-    free = this->FreeSlots.back();
-    this->FreeSlots.pop_back();
-  }
-  else if (this->UsedSlots < this->Memory.Count())
-  {
-    free = static_cast<std::uint32_t>(this->UsedSlots++);
-  }
-  else
+  const std::uint32_t free = this->FreeSlot();
+  if (free == None)
   {
     return None;
   }

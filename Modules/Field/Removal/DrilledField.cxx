@@ -1,5 +1,6 @@
 #include "DrilledField.h"
 
+#include "CutSlope.h"
 #include "DrilledSamples.h"
 
 #include <algorithm>
@@ -92,44 +93,6 @@ std::vector<ScalarType> TypesToKeep(const ScalarField& field, int channel)
   return types;
 }
 
-// How far the condition holds at nodes where it does, in the middle of all; of some nodes of every
-// brick.
-double TypicalDepth(const ScalarField& field, const FieldCondition& condition)
-{
-  constexpr std::size_t Step = 31;
-  const BrickedChannel& channel = field.Channel(condition.Channel);
-  const std::size_t nodes = field.Layout().NodesOfBrick();
-  std::vector<double> depths;
-  for (std::size_t brick = 0; brick < field.Layout().BrickCount(); ++brick)
-  {
-    const std::uint32_t block = channel.SlotOf(brick).Block;
-    if (block == BrickedChannel::NotStored)
-    {
-      continue;
-    }
-    VisitScalars(channel.BlockAt(block), channel.StoredType(),
-                 [&](const auto* values)
-                 {
-                   for (std::size_t n = 0; n < nodes; n += Step)
-                   {
-                     auto depth = static_cast<double>(values[n]);
-                     condition.Relate(&depth, 1);
-                     if (depth > 0.0)
-                     {
-                       depths.push_back(depth);
-                     }
-                   }
-                 });
-  }
-  if (depths.empty())
-  {
-    return 1.0;
-  }
-  const auto middle = depths.begin() + static_cast<std::ptrdiff_t>(depths.size() / 2);
-  std::nth_element(depths.begin(), middle, depths.end());
-  return *middle;
-}
-
 bool IsFinite(const CutPose& pose)
 {
   return pose.PositionWorld.allFinite() && pose.Orientation.coeffs().allFinite();
@@ -161,7 +124,7 @@ Status DrilledField::Make(const ScalarField& field, int material,
     const double diagonal = field.Grid().Spacing().norm();
     constexpr double Rounding = 1.0 + 1e-5; // of distances as floats
     const double band = Rounding * (diagonal + field.Grid().Spacing().maxCoeff());
-    const NodeCut cut(condition, TypicalDepth(field, condition) / diagonal, diagonal);
+    const NodeCut cut(condition, SlopeOfCuts(field, condition), diagonal);
     std::unique_ptr<EditedField> edited;
     Status status = EditedField::Make(field, TypesToKeep(field, condition.Channel), edited);
     if (status.IsOk())

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "CellVolume.h"
 #include "DrilledField.h"
 #include "FieldCases.h"
 

@@ -42,6 +42,34 @@ TEST(CellVolume, CellsWithoutSurfaceAreWholeOrEmpty)
   EXPECT_EQ(InsidePartOfCell({{-0.5, -1, -2, -3, -4, -5, -6, -7}}), 0.0);
 }
 
+TEST(CellVolume, OfTwoValuesCountsWhereBothAreNotNegative)
+{
+  std::mt19937_64 random(4);
+  std::uniform_real_distribution<double> value(-1.0, 1.0);
+  for (int trial = 0; trial < 60; ++trial)
+  {
+    CellCorners two[2];
+    for (std::size_t n = 0; n < 8; ++n)
+    {
+      two[0][n] = value(random) + 0.3;
+      two[1][n] = value(random) + 0.3;
+    }
+    constexpr int Points = 40;
+    int inside = 0;
+    for (int n = 0; n < Points * Points * Points; ++n)
+    {
+      const double u = (n % Points + 0.5) / Points;
+      const double v = (n / Points % Points + 0.5) / Points;
+      const double w = (n / Points / Points + 0.5) / Points;
+      inside += ValueAt(two[0], u, v, w) >= 0 && ValueAt(two[1], u, v, w) >= 0;
+    }
+    // As a single surface that bends much, and creases where two meet.
+    EXPECT_NEAR(InsidePartOfCell(two, 2), inside / std::pow(Points, 3), 0.05);
+    EXPECT_LE(InsidePartOfCell(two, 2), InsidePartOfCell(two[0]));
+    EXPECT_EQ(InsidePartOfCell(two, 1), InsidePartOfCell(two[0]));
+  }
+}
+
 TEST(CellVolume, SlabsAlongEveryAxisAreExact)
 {
   for (int axis = 0; axis < 3; ++axis)
