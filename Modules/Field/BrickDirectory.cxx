@@ -68,15 +68,21 @@ void BrickDirectory::AddSurface(std::size_t brick, const SurfaceBrick& surface)
   this->Entries[brick] = {static_cast<std::uint32_t>(this->Surfaces.size()), 0};
   this->Surfaces.insert(this->Surfaces.end(), surface.Cells.Words.begin(),
                         surface.Cells.Words.begin() + static_cast<std::ptrdiff_t>(this->CellWords));
-  this->Surfaces.push_back(std::uint64_t{surface.Inside} << 32 | surface.Materials);
+  this->Surfaces.push_back(surface.Sets());
   this->SurfaceWords = this->Surfaces.data();
   ++this->Count;
 }
 
+void BrickDirectory::SetInside(std::size_t brick, MaterialSet inside)
+{
+  this->Count -= this->Entries[brick].HasSurface() ? 1 : 0;
+  this->Entries[brick] = {inside, 1};
+}
+
 void BrickDirectory::SetSurface(std::size_t brick, std::size_t word)
 {
+  this->Count += this->Entries[brick].HasSurface() ? 0 : 1;
   this->Entries[brick] = {static_cast<std::uint32_t>(word), 0};
-  ++this->Count;
 }
 
 void BrickDirectory::FindLeaps(const BrickLayout& layout)

@@ -14,6 +14,12 @@ struct SurfaceBrick
   CellSet Cells;             ///< through which a surface may pass; through the others none does
   MaterialSet Materials = 0; ///< whose surfaces they are
   MaterialSet Inside = 0;    ///< materials that fill the brick
+
+  /// Both as one word, as they are stored.
+  std::uint64_t Sets() const noexcept
+  {
+    return std::uint64_t{this->Inside} << 32 | this->Materials;
+  }
 };
 
 /// The same as it is stored: the words of its set of cells that are used, and then one word more.
@@ -47,21 +53,25 @@ public:
                             ///< materials inside
     std::uint32_t Leap = 0; ///< how many bricks away, along the axis where that is most, the next
                             ///< surface brick is; up to 255
+
+    bool HasSurface() const noexcept { return this->Leap == 0; }
   };
 
   BrickDirectory() = default;
   explicit BrickDirectory(const BrickLayout& layout)
-      : Entries(layout.BrickCount()), CellWords(CellSet::WordsOf(layout.Shift))
+      : Entries(layout.BrickCount(), Entry{0, 1}), CellWords(CellSet::WordsOf(layout.Shift))
   {
   }
 
-  void SetInside(std::size_t brick, MaterialSet inside) { this->Entries[brick] = {inside, 1}; }
+  void SetInside(std::size_t brick, MaterialSet inside);
   void AddSurface(std::size_t brick, const SurfaceBrick& surface);
   /// Instead: stored surfaces that somebody else keeps, and where that of a brick begins, in words.
   void UseSurfaces(const std::uint64_t* words) { this->SurfaceWords = words; }
   void SetSurface(std::size_t brick, std::size_t word);
   /// Once every brick is set: finds how far rays may leap.
   void FindLeaps(const BrickLayout& layout);
+  /// Of a brick without a surface, no farther than the next surface brick is.
+  void SetLeap(std::size_t brick, std::uint32_t leap) { this->Entries[brick].Leap = leap; }
 
   const Entry& operator[](std::size_t brick) const noexcept { return this->Entries[brick]; }
   StoredSurface Surface(const Entry& entry) const noexcept

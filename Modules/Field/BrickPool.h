@@ -1,6 +1,6 @@
 #pragma once
 
-#include "CacheLineVector.h"
+#include "BrickMemory.h"
 
 #include <atomic>
 #include <cstddef>
@@ -17,17 +17,14 @@ class BrickPool
 {
 public:
   BrickPool(std::size_t records, std::size_t recordBytes)
-      : Stride(recordBytes), Bytes(records * recordBytes), Holds(records)
+      : Memory(records, recordBytes), Holds(records)
   {
   }
 
   std::size_t Count() const noexcept { return this->Holds.size(); }
-  std::byte* Record(std::uint32_t slot) noexcept
-  {
-    return this->Bytes.data() + slot * this->Stride;
-  }
-  const std::byte* Data() const noexcept { return this->Bytes.data(); }
-  std::size_t RecordBytes() const noexcept { return this->Stride; }
+  std::byte* Record(std::uint32_t slot) noexcept { return this->Memory.Record(slot); }
+  const std::byte* Data() const noexcept { return this->Memory.Data(); }
+  std::size_t RecordBytes() const noexcept { return this->Memory.RecordBytes(); }
   bool IsHeld(std::uint32_t slot) const noexcept
   {
     return this->Holds[slot].load(std::memory_order_acquire) != 0;
@@ -36,8 +33,7 @@ public:
 private:
   friend class BrickHold;
 
-  std::size_t Stride;
-  CacheLineVector<std::byte> Bytes;
+  BrickMemory Memory;
   std::vector<std::atomic<std::uint32_t>> Holds;
 };
 

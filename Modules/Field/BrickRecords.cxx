@@ -29,9 +29,41 @@ Header HeaderOf(const std::byte* record) noexcept
   std::memcpy(&header, record, sizeof(header));
   return header;
 }
+
+// A block's nodes in another type.
+void Convert(const BrickedChannel& channel, std::uint32_t block, std::size_t nodes, ScalarType type,
+             std::byte* target)
+{
+  const auto to = [&](const auto* from)
+  {
+    VisitScalars(target, type,
+                 [&](const auto* typed)
+                 {
+                   using T = std::decay_t<decltype(*typed)>;
+                   std::transform(from, from + nodes, reinterpret_cast<T*>(target),
+                                  [](auto value) { return static_cast<T>(value); });
+                 });
+  };
+  VisitScalars(channel.BlockAt(block), channel.StoredType(), to);
+}
+
+std::vector<ScalarType> TypesOf(const ScalarField& field)
+{
+  std::vector<ScalarType> types;
+  for (int channel = 0; channel < field.ChannelCount(); ++channel)
+  {
+    types.push_back(field.Channel(channel).StoredType());
+  }
+  return types;
+}
 } // namespace
 
-RecordLayout::RecordLayout(const ScalarField& field)
+RecordLayout::RecordLayout(const ScalarField& field) : RecordLayout(field.Layout(), TypesOf(field))
+{
+}
+
+RecordLayout::RecordLayout(const BrickLayout& bricks, const std::vector<ScalarType>& types)
+    : CellWords(CellSet::WordsOf(bricks.Shift)), ChannelTypes(types)
 {
   const auto add = [this](std::size_t bytes)
   {
@@ -40,10 +72,10 @@ RecordLayout::RecordLayout(const ScalarField& field)
     return at;
   };
   add(Line);
-  add(field.Directory().SurfaceBytes());
-  for (int channel = 0; channel < field.ChannelCount(); ++channel)
+  add((this->CellWords + 1) * sizeof(std::uint64_t));
+  for (const ScalarType type : types)
   {
-    this->Channels.push_back(add(field.Channel(channel).BlockBytes()));
+    this->Channels.push_back(add(bricks.NodesOfBrick() * BytesOf(type)));
   }
 }
 
@@ -67,7 +99,8 @@ void RecordLayout::Write(const ScalarField& field, std::size_t brick,
     if (block != BrickedChannel::NotStored)
     {
       header.Parts |= ChannelBit(c);
-      std::memcpy(record + this->ChannelAt(c), channel.BlockAt(block), channel.BlockBytes());
+      Convert(channel, block, field.Layout().NodesOfBrick(),
+              this->ChannelTypes[static_cast<std::size_t>(c)], record + this->ChannelAt(c));
     }
   }
   std::memcpy(record, &header, sizeof(header));
@@ -78,14 +111,41 @@ bool RecordLayout::HasSurface(const std::byte* record) const noexcept
   return (HeaderOf(record).Parts & SurfaceBit) != 0;
 }
 
+StoredSurface RecordLayout::SurfaceOf(const std::byte* record) const noexcept
+{
+  return {reinterpret_cast<const std::uint64_t*>(record + this->SurfaceAt()), this->CellWords};
+}
+
+MaterialSet RecordLayout::MaterialsOf(const std::byte* record) const noexcept
+{
+  return this->HasSurface(record) ? this->SurfaceOf(record).Materials() : 0;
+}
+
 MaterialSet RecordLayout::InsideOf(const std::byte* record) const noexcept
 {
-  return HeaderOf(record).Inside;
+  return this->HasSurface(record) ? this->SurfaceOf(record).Inside() : HeaderOf(record).Inside;
 }
 
 bool RecordLayout::HasChannel(const std::byte* record, int channel) const noexcept
 {
   return (HeaderOf(record).Parts & ChannelBit(channel)) != 0;
+}
+
+void RecordLayout::SetSurface(const SurfaceBrick& surface, std::byte* record) const noexcept
+{
+  Header header = HeaderOf(record);
+  const bool hasSurface = surface.Materials != 0;
+  header.Parts = hasSurface ? header.Parts | SurfaceBit : header.Parts & ~SurfaceBit;
+  header.Inside = hasSurface ? 0 : surface.Inside;
+  std::memcpy(record, &header, sizeof(header));
+  if (hasSurface)
+  {
+    std::array<std::uint64_t, CellSet::MostWords + 1> words{};
+    std::copy_n(surface.Cells.Words.begin(), this->CellWords, words.begin());
+    words[this->CellWords] = surface.Sets();
+    std::memcpy(record + this->SurfaceAt(), words.data(),
+                (this->CellWords + 1) * sizeof(std::uint64_t));
+  }
 }
 
 RecordsInMemory::RecordsInMemory(const ScalarField& field) : RecordBytes(0)

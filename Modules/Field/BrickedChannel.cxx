@@ -49,8 +49,10 @@ BrickedChannel::BrickedChannel(const BrickLayout& layout, ScalarType stored, con
 
 void BrickedChannel::SetBlock(std::size_t brick, std::uint32_t block)
 {
-  this->Slots[brick].Block = block;
-  ++this->Count;
+  std::uint32_t& held = this->Slots[brick].Block;
+  this->Count += block == NotStored ? 0 : 1;
+  this->Count -= held == NotStored ? 0 : 1;
+  held = block;
 }
 
 void BrickedChannel::Reserve(std::size_t blocks)

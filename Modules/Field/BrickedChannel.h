@@ -35,7 +35,7 @@ public:
   /// Makes room for so many blocks; then each is stored once.
   void Reserve(std::size_t blocks);
   void Store(std::size_t brick, const double* nodes);
-  /// Of somebody else's blocks.
+  /// Of somebody else's blocks; NotStored for none.
   void SetBlock(std::size_t brick, std::uint32_t block);
 
   const Slot& SlotOf(std::size_t brick) const noexcept { return this->Slots[brick]; }

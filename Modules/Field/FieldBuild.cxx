@@ -64,8 +64,9 @@ void FieldBuild::UseCoefficients(std::vector<float>&& coefficients)
                             SamplesOfGrid(source.Coefficients.data(), this->Field->NodeGrid));
 }
 
-Status FieldBuild::Run(double margin, std::shared_ptr<const ScalarField>& field)
+Status FieldBuild::Run(double margin, MaterialSet kept, std::shared_ptr<const ScalarField>& field)
 {
+  this->Kept = kept;
   Status cancelled = Status::Failure("Building the field was cancelled.");
   if (!this->ForEachBrick(0.0, [this](const BrickPlace& brick) { this->Classify(brick); }))
   {
@@ -134,39 +135,7 @@ ConditionCells FieldBuild::CellsOf(const FieldMaterial& material) const
   ConditionCells cells = this->CellsOf(material.Conditions[0]);
   for (int c = 1; c < material.ConditionCount; ++c)
   {
-    const ConditionCells more = this->CellsOf(material.Conditions[c]);
-    const std::size_t words = CellSet::WordsOf(this->Field->Bricks.Shift);
-    for (std::size_t word = 0; word < words; ++word)
-    {
-      cells.Any.Words[word] &= more.Any.Words[word];
-      cells.All.Words[word] &= more.All.Words[word];
-    }
-  }
-  return cells;
-}
-
-CellSet FieldBuild::CellsInGrid(const BrickPlace& brick) const
-{
-  const BrickLayout& layout = this->Field->Bricks;
-  const auto cellsLeft = [&layout](int all, int before)
-  { return std::min(layout.Cells, all - 1 - layout.Cells * before); };
-  const int left[3] = {cellsLeft(layout.Nodes[0], brick.I), cellsLeft(layout.Nodes[1], brick.J),
-                       cellsLeft(layout.Nodes[2], brick.K)};
-  const bool isWhole = left[0] + left[1] + left[2] == 3 * layout.Cells;
-  CellSet cells;
-  cells.Fill(layout.Shift, isWhole);
-  if (isWhole)
-  {
-    return cells;
-  }
-  const std::uint64_t row = (1u << left[0]) - 1u;
-  const CellRows rows{layout.Shift};
-  for (int k = 0; k < left[2]; ++k)
-  {
-    for (int j = 0; j < left[1]; ++j)
-    {
-      cells.Words[rows.WordOf(j, k)] |= row << rows.BitInWord(j, k);
-    }
+    cells.Restrict(this->CellsOf(material.Conditions[c]), this->Field->Bricks);
   }
   return cells;
 }
@@ -179,12 +148,17 @@ void FieldBuild::Classify(const BrickPlace& brick)
     nodes.Gather(brick.I, brick.J, brick.K);
     this->Field->Channels[channel].SetConstant(brick.Number, nodes.Middle());
   }
-  const CellSet inGrid = this->CellsInGrid(brick);
+  const CellSet inGrid = CellsInGrid(this->Field->Bricks, {brick.I, brick.J, brick.K});
   SurfaceBrick surface;
   surface.Cells.Fill(this->Field->Bricks.Shift, false);
   for (int m = 0; m < this->Field->MaterialCount(); ++m)
   {
-    this->ClassifyMaterial(m, brick, inGrid, surface);
+    const FieldMaterial& material = this->Field->Material(m);
+    AddMaterial(m, this->CellsOf(material), inGrid, this->Field->Bricks, surface);
+    if (Contains(surface.Materials | (surface.Inside & this->Kept), m))
+    {
+      this->Want(material, brick.Number);
+    }
   }
   this->WithSurface |= surface.Materials;
   if (surface.Materials != 0)
@@ -197,33 +171,12 @@ void FieldBuild::Classify(const BrickPlace& brick)
   }
 }
 
-void FieldBuild::ClassifyMaterial(int number, const BrickPlace& brick, const CellSet& inGrid,
-                                  SurfaceBrick& surface)
+void FieldBuild::Want(const FieldMaterial& material, std::size_t brick)
 {
-  const FieldMaterial& material = this->Field->Material(number);
-  const ConditionCells cells = this->CellsOf(material);
-  std::uint64_t some = 0;
-  const std::size_t words = CellSet::WordsOf(this->Field->Bricks.Shift);
-  for (std::size_t word = 0; word < words; ++word)
+  for (int c = 0; c < material.ConditionCount; ++c)
   {
-    const std::uint64_t passed =
-        cells.Any.Words[word] & ~cells.All.Words[word] & inGrid.Words[word];
-    surface.Cells.Words[word] |= passed;
-    some |= passed;
-  }
-  if (some != 0)
-  {
-    surface.Materials |= OnlyMaterial(number);
-    for (int c = 0; c < material.ConditionCount; ++c)
-    {
-      const auto channel = static_cast<std::size_t>(material.Conditions[c].Channel);
-      this->Sources[channel].IsWanted[brick.Number] = 1;
-    }
-  }
-  else if ((cells.All.Words[0] & 1u) != 0)
-  {
-    // Neighbouring cells share nodes: without a surface, what holds in one cell holds in all.
-    surface.Inside |= OnlyMaterial(number);
+    const auto channel = static_cast<std::size_t>(material.Conditions[c].Channel);
+    this->Sources[channel].IsWanted[brick] = 1;
   }
 }
 

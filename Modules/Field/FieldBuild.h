@@ -16,7 +16,8 @@ public:
   void AddChannel(const FieldSamples& samples, ScalarType stored);
   /// What the last channel's nodes are instead of its samples.
   void UseCoefficients(std::vector<float>&& coefficients);
-  Status Run(double margin, std::shared_ptr<const ScalarField>& field);
+  /// Bricks that the materials of `kept` fill are stored too.
+  Status Run(double margin, MaterialSet kept, std::shared_ptr<const ScalarField>& field);
 
 private:
   struct Source
@@ -34,11 +35,9 @@ private:
   template <typename Function>
   bool ForEachBrick(double progressBefore, const Function& function);
   void Classify(const BrickPlace& brick);
-  void ClassifyMaterial(int number, const BrickPlace& brick, const CellSet& inGrid,
-                        SurfaceBrick& surface);
   ConditionCells CellsOf(const FieldCondition& condition) const;
   ConditionCells CellsOf(const FieldMaterial& material) const;
-  CellSet CellsInGrid(const BrickPlace& brick) const;
+  void Want(const FieldMaterial& material, std::size_t brick);
   Status CheckSurfaces() const;
   void WidenWanted(double margin);
   void StoreWanted(const BrickPlace& brick);
@@ -47,5 +46,6 @@ private:
   const FieldBuilder::Progress& Report;
   std::vector<Source> Sources;
   MaterialSet WithSurface = 0;
+  MaterialSet Kept = 0;
 };
 } // namespace palpate

@@ -184,7 +184,7 @@ Status FieldBuilder::Build(std::shared_ptr<const ScalarField>& field,
         build.UseCoefficients(CoefficientsOf(this->Channels[channel], this->Grid));
       }
     }
-    return build.Run(this->Margin, field);
+    return build.Run(this->Margin, this->Kept, field);
   }
   catch (const std::bad_alloc&)
   {

@@ -38,6 +38,10 @@ public:
   /// Within this distance (mm) of a surface, FieldSampler has samples of the channels that the
   /// surface's material is made of. 0 by default.
   void SetMargin(double margin) { this->Margin = margin; }
+  /// Stores the bricks that a material fills too, with all channels that it is made of: what is to
+  /// be drilled has to be known inside. Without, they take a number each; with, what their nodes
+  /// take (of 8 cells, 729 numbers).
+  void KeepInside(int material) { this->Kept |= OnlyMaterial(material); }
 
   /// Refuses, with `field` untouched: a grid or samples that are none, samples too large or too
   /// alike to be computed with (beyond 1e140 and 1e-140; for the B-spline, whose coefficients are
@@ -55,6 +59,7 @@ private:
   FieldGrid Grid;
   FieldForm Form = FieldInterpolation::Trilinear;
   double Margin = 0.0;
+  MaterialSet Kept = 0;
   std::vector<FieldSamples> Channels;
   std::vector<FieldMaterial> Materials;
 };

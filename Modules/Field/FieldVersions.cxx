@@ -221,15 +221,7 @@ void FieldVersions::Fill(const BrickBox& box, ScalarField& field) const
   field.Method = known.Interpolation();
   field.Bricks = known.Layout().Part(box);
   field.Materials = known.Materials();
-  field.Maps.assign(field.Materials.size(), MaterialMap(field.Bricks.BrickCount()));
-  field.BrickEntries = BrickDirectory(field.Bricks);
-  field.BrickEntries.UseSurfaces(reinterpret_cast<const std::uint64_t*>(this->Pool->Data()));
-  for (std::size_t c = 0; c < known.StoredTypes().size(); ++c)
-  {
-    const ScalarType type = known.StoredTypes()[c];
-    const std::byte* blocks = this->Pool->Data() + records.ChannelAt(static_cast<int>(c));
-    field.Channels.emplace_back(field.Bricks, type, blocks, records.Bytes() / BytesOf(type));
-  }
+  field.UseRecords(records, this->Pool->Data());
   std::size_t part = 0;
   ForEachBrick(known.Layout(), box,
                [&](std::size_t brick)
@@ -242,7 +234,8 @@ void FieldVersions::Fill(const BrickBox& box, ScalarField& field) const
                  const std::uint32_t record = known.RecordOf(brick);
                  if (record != None)
                  {
-                   this->FillFromRecord(part, this->SlotOfRecord[record], field);
+                   const std::uint32_t slot = this->SlotOfRecord[record];
+                   field.PlaceRecord(part, slot, records, this->Pool->Record(slot));
                  }
                  else
                  {
@@ -251,27 +244,5 @@ void FieldVersions::Fill(const BrickBox& box, ScalarField& field) const
                  ++part;
                });
   field.BrickEntries.FindLeaps(field.Bricks);
-}
-
-void FieldVersions::FillFromRecord(std::size_t brick, std::uint32_t slot, ScalarField& field) const
-{
-  const RecordLayout& layout = this->Known->Records();
-  const std::byte* record = this->Pool->Record(slot);
-  for (int c = 0; c < field.ChannelCount(); ++c)
-  {
-    if (layout.HasChannel(record, c))
-    {
-      field.Channels[static_cast<std::size_t>(c)].SetBlock(brick, slot);
-    }
-  }
-  if (!layout.HasSurface(record))
-  {
-    field.SetInside(brick, layout.InsideOf(record));
-    return;
-  }
-  const std::size_t at = slot * layout.Bytes() + layout.SurfaceAt();
-  field.BrickEntries.SetSurface(brick, at / sizeof(std::uint64_t));
-  const StoredSurface surface = field.Directory().Surface(field.Directory()[brick]);
-  field.MapSurface(brick, surface);
 }
 } // namespace palpate

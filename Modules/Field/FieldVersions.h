@@ -58,7 +58,6 @@ private:
   Status ReadInto(std::uint32_t slot, std::uint32_t record);
   std::vector<std::uint32_t> SlotsFor(std::size_t count) const;
   void Fill(const BrickBox& box, ScalarField& field) const;
-  void FillFromRecord(std::size_t brick, std::uint32_t slot, ScalarField& field) const;
 
   std::shared_ptr<const FieldSurvey> Known;
   std::unique_ptr<BrickSource> Source;

@@ -1,5 +1,7 @@
 #include "ScalarField.h"
 
+#include "BrickRecords.h"
+
 namespace palpate
 {
 namespace
@@ -45,10 +47,8 @@ void ScalarField::SetInside(std::size_t brick, MaterialSet inside)
   this->BrickEntries.SetInside(brick, inside);
   for (int m = 0; m < this->MaterialCount(); ++m)
   {
-    if (Contains(inside, m))
-    {
-      this->Maps[static_cast<std::size_t>(m)].Set(brick, MaterialMap::Filled);
-    }
+    this->Maps[static_cast<std::size_t>(m)].Set(brick, Contains(inside, m) ? MaterialMap::Filled
+                                                                           : MaterialMap::Absent);
   }
 }
 
@@ -56,16 +56,55 @@ void ScalarField::MapSurface(std::size_t brick, const StoredSurface& surface)
 {
   for (int m = 0; m < this->MaterialCount(); ++m)
   {
-    MaterialMap& map = this->Maps[static_cast<std::size_t>(m)];
-    if (Contains(surface.Materials(), m))
-    {
-      map.Set(brick, this->Channel(this->Material(m).Conditions[0].Channel).SlotOf(brick).Block);
-    }
-    else if (Contains(surface.Inside(), m))
-    {
-      map.Set(brick, MaterialMap::Filled);
-    }
+    const int channel = this->Material(m).Conditions[0].Channel;
+    const std::uint32_t elsewhere =
+        Contains(surface.Inside(), m) ? MaterialMap::Filled : MaterialMap::Absent;
+    this->Maps[static_cast<std::size_t>(m)].Set(
+        brick,
+        Contains(surface.Materials(), m) ? this->Channel(channel).SlotOf(brick).Block : elsewhere);
   }
+}
+
+ScalarField ScalarField::WithoutBricks() const
+{
+  ScalarField field;
+  field.NodeGrid = this->NodeGrid;
+  field.Method = this->Method;
+  field.Bricks = this->Bricks;
+  field.Materials = this->Materials;
+  return field;
+}
+
+void ScalarField::UseRecords(const RecordLayout& layout, const std::byte* records)
+{
+  this->BrickEntries = BrickDirectory(this->Bricks);
+  this->BrickEntries.UseSurfaces(reinterpret_cast<const std::uint64_t*>(records));
+  this->Maps.assign(this->Materials.size(), MaterialMap(this->Bricks.BrickCount()));
+  this->Channels.clear();
+  for (std::size_t c = 0; c < layout.Types().size(); ++c)
+  {
+    const ScalarType type = layout.Types()[c];
+    this->Channels.emplace_back(this->Bricks, type, records + layout.ChannelAt(static_cast<int>(c)),
+                                layout.Bytes() / BytesOf(type));
+  }
+}
+
+void ScalarField::PlaceRecord(std::size_t brick, std::uint32_t slot, const RecordLayout& layout,
+                              const std::byte* record)
+{
+  for (int c = 0; c < this->ChannelCount(); ++c)
+  {
+    this->Channels[static_cast<std::size_t>(c)].SetBlock(
+        brick, layout.HasChannel(record, c) ? slot : BrickedChannel::NotStored);
+  }
+  if (!layout.HasSurface(record))
+  {
+    this->SetInside(brick, layout.InsideOf(record));
+    return;
+  }
+  const std::size_t at = slot * layout.Bytes() + layout.SurfaceAt();
+  this->BrickEntries.SetSurface(brick, at / sizeof(std::uint64_t));
+  this->MapSurface(brick, this->BrickEntries.Surface(this->BrickEntries[brick]));
 }
 
 bool ScalarField::HasStored(std::size_t brick) const noexcept

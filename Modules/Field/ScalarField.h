@@ -14,6 +14,8 @@
 
 namespace palpate
 {
+class RecordLayout;
+
 /// What a field occupies.
 struct FieldMemory
 {
@@ -61,12 +63,21 @@ public:
 private:
   friend class FieldBuild;
   friend class FieldVersions;
+  friend class EditedField;
   ScalarField() = default;
 
   /// Of a brick without a surface.
   void SetInside(std::size_t brick, MaterialSet inside);
   /// Once its blocks are there: which of them inside tests of its materials look at.
   void MapSurface(std::size_t brick, const StoredSurface& surface);
+  /// Grid, layout and materials alone.
+  ScalarField WithoutBricks() const;
+  /// Instead of blocks and surfaces of its own: records that somebody else keeps. Layout and
+  /// materials are there.
+  void UseRecords(const RecordLayout& layout, const std::byte* records);
+  /// A brick's record, in slot `slot` of them.
+  void PlaceRecord(std::size_t brick, std::uint32_t slot, const RecordLayout& layout,
+                   const std::byte* record);
 
   FieldGrid NodeGrid;
   FieldInterpolation Method = FieldInterpolation::Trilinear;

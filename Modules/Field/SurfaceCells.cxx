@@ -14,12 +14,13 @@ constexpr int LongestSide = MostBrickCells + 3;
 // Bit i of the row: the condition holds at node i.
 unsigned RowBits(const double* row, int side, const FieldCondition& condition)
 {
+  const bool isAtLeast = condition.Sense == FieldSense::AtLeast;
+  const double iso = condition.Iso;
   unsigned bits = 0;
-  for (int i = 0; i < side; ++i)
+  for (int i = side - 1; i >= 0; --i)
   {
-    const bool holds =
-        condition.Sense == FieldSense::AtLeast ? row[i] >= condition.Iso : row[i] <= condition.Iso;
-    bits |= static_cast<unsigned>(holds) << i;
+    const bool holds = isAtLeast ? row[i] >= iso : row[i] <= iso;
+    bits = bits << 1 | static_cast<unsigned>(holds);
   }
   return bits;
 }
@@ -29,14 +30,17 @@ unsigned RowBits(const double* row, int side, const FieldCondition& condition)
 struct SliceBits
 {
   static constexpr int MostWords = MostBrickCells * MostBrickCells / 64;
-  std::uint64_t Any[MostWords] = {};
-  std::uint64_t All[MostWords] = {};
+  std::uint64_t Any[MostWords];
+  std::uint64_t All[MostWords];
 
-  SliceBits() = default;
+  SliceBits() = default; // of words that mean nothing
   SliceBits(const double* slice, const BrickLayout& layout, const FieldCondition& condition)
   {
-    unsigned any[LongestSide] = {};
-    unsigned all[LongestSide] = {};
+    unsigned any[LongestSide];
+    unsigned all[LongestSide];
+    const int words = std::max(1, layout.Cells * layout.Cells / 64);
+    std::fill_n(this->Any, words, 0);
+    std::fill_n(this->All, words, 0);
     for (int j = 0; j < layout.Side; ++j)
     {
       const unsigned bits = RowBits(slice + j * layout.Side, layout.Side, condition);
@@ -172,6 +176,60 @@ ConditionCells UniformCells(bool holds, const BrickLayout& layout)
   ConditionCells cells;
   cells.Any.Fill(layout.Shift, holds);
   cells.All.Fill(layout.Shift, holds);
+  return cells;
+}
+
+void ConditionCells::Restrict(const ConditionCells& more, const BrickLayout& layout)
+{
+  const std::size_t words = CellSet::WordsOf(layout.Shift);
+  for (std::size_t word = 0; word < words; ++word)
+  {
+    this->Any.Words[word] &= more.Any.Words[word];
+    this->All.Words[word] &= more.All.Words[word];
+  }
+}
+
+void AddMaterial(int material, const ConditionCells& cells, const CellSet& inGrid,
+                 const BrickLayout& layout, SurfaceBrick& brick)
+{
+  std::uint64_t some = 0;
+  const std::size_t words = CellSet::WordsOf(layout.Shift);
+  for (std::size_t word = 0; word < words; ++word)
+  {
+    const std::uint64_t passed =
+        cells.Any.Words[word] & ~cells.All.Words[word] & inGrid.Words[word];
+    brick.Cells.Words[word] |= passed;
+    some |= passed;
+  }
+  // Neighbouring cells share nodes: without a surface, what holds in one cell holds in all.
+  const bool isInside = some == 0 && (cells.All.Words[0] & 1u) != 0;
+  brick.Materials |= some != 0 ? OnlyMaterial(material) : 0;
+  brick.Inside |= isInside ? OnlyMaterial(material) : 0;
+}
+
+CellSet CellsInGrid(const BrickLayout& layout, const std::array<int, 3>& brick)
+{
+  std::array<int, 3> left{};
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    left[axis] = std::min(layout.Cells, layout.Nodes[axis] - 1 - layout.Cells * brick[axis]);
+  }
+  const bool isWhole = left[0] + left[1] + left[2] == 3 * layout.Cells;
+  CellSet cells;
+  cells.Fill(layout.Shift, isWhole);
+  if (isWhole)
+  {
+    return cells;
+  }
+  const std::uint64_t row = (1u << left[0]) - 1u;
+  const CellRows rows{layout.Shift};
+  for (int k = 0; k < left[2]; ++k)
+  {
+    for (int j = 0; j < left[1]; ++j)
+    {
+      cells.Words[rows.WordOf(j, k)] |= row << rows.BitInWord(j, k);
+    }
+  }
   return cells;
 }
 } // namespace palpate

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "BrickDirectory.h"
 #include "BrickLayout.h"
 #include "CellSet.h"
 #include "FieldMaterial.h"
@@ -12,6 +13,9 @@ struct ConditionCells
 {
   CellSet Any; ///< it holds at a node at least; elsewhere it holds at no point
   CellSet All; ///< it holds at every node, and so at every point
+
+  /// To where another condition holds too.
+  void Restrict(const ConditionCells& more, const BrickLayout& layout);
 };
 
 /// For the nodes of one brick, i fastest.
@@ -23,4 +27,10 @@ void TightenBSplineCells(const double* nodes, const BrickLayout& layout,
                          const FieldCondition& condition, ConditionCells& cells);
 /// What ClassifyCells gives where every node says the same.
 ConditionCells UniformCells(bool holds, const BrickLayout& layout);
+/// Adds a material, by the cells of all its conditions together, to what is known of a brick: to
+/// its surfaces, or to what fills it.
+void AddMaterial(int material, const ConditionCells& cells, const CellSet& inGrid,
+                 const BrickLayout& layout, SurfaceBrick& brick);
+/// The cells of a brick that lie in the grid; `brick` counts along i, j, k.
+CellSet CellsInGrid(const BrickLayout& layout, const std::array<int, 3>& brick);
 } // namespace palpate

@@ -255,5 +255,29 @@ TEST(FieldBuilder, SurfaceCellsAreThoseWithCornersOnBothSides)
   }
   EXPECT_EQ(found, expected);
 }
+TEST(FieldBuilder, KeepsWhatIsInsideOnRequestWithTheSameAnswers)
+{
+  const FieldGrid grid = PlainGrid({66, 20, 18});
+  const auto samples = test::SampleAtIndices(grid.Size(), test::PlaneField{{0.5, 0.1, 0.0}, 12.2});
+  FieldBuilder builder(grid);
+  const int material =
+      builder.AddMaterial({builder.AddChannel(SamplesOfGrid(samples.data(), grid)), 0.0});
+  std::shared_ptr<const ScalarField> plain;
+  std::shared_ptr<const ScalarField> kept;
+  ASSERT_TRUE(builder.Build(plain).IsOk());
+  builder.KeepInside(material);
+  ASSERT_TRUE(builder.Build(kept).IsOk());
+  std::size_t filled = 0;
+  for (std::size_t brick = 0; brick < plain->Layout().BrickCount(); ++brick)
+  {
+    const bool isFilled = plain->Map(0)[brick] == MaterialMap::Filled;
+    filled += isFilled ? 1 : 0;
+    const bool isStored = kept->Channel(0).SlotOf(brick).Block != BrickedChannel::NotStored;
+    EXPECT_EQ(isStored, isFilled || plain->Directory()[brick].HasSurface());
+  }
+  EXPECT_GT(filled, std::size_t{5});
+  EXPECT_EQ(kept->Memory().StoredBlocks, plain->Memory().StoredBlocks + filled);
+  EXPECT_EQ(kept->SurfaceCells(), plain->SurfaceCells());
+}
 } // namespace
 } // namespace palpate

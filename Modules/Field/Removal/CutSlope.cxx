@@ -1,0 +1,78 @@
+#include "CutSlope.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+namespace palpate
+{
+namespace
+{
+// Infinite where there is none.
+double Median(std::vector<double>& values)
+{
+  if (values.empty())
+  {
+    return std::numeric_limits<double>::infinity();
+  }
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+// What some cells of a brick have to say.
+struct CellFacts
+{
+  std::vector<double> Slopes; // a mm, in the middle of cells near whose middle the surface passes
+  std::vector<double> Depths; // how far the condition holds, where it does
+
+  void Add(const double (&corners)[8], const FieldGrid& grid)
+  {
+    Vector3 gradient = Vector3::Zero();
+    double mean = 0.0;
+    for (int n = 0; n < 8; ++n)
+    {
+      const Vector3 side(n & 1, n >> 1 & 1, n >> 2);
+      gradient += 0.25 * corners[n] * (2.0 * side - Vector3::Ones());
+      mean += 0.125 * corners[n];
+    }
+    if (corners[0] > 0.0)
+    {
+      this->Depths.push_back(corners[0]);
+    }
+    const double slope = grid.GradientWorld(gradient).norm();
+    if (std::abs(mean) < 0.5 * slope * grid.Spacing().minCoeff())
+    {
+      this->Slopes.push_back(slope);
+    }
+  }
+};
+} // namespace
+
+double SlopeOfCuts(const ScalarField& field, const FieldCondition& condition)
+{
+  constexpr int Step = 7; // from cell to cell that is asked
+  const BrickedChannel& channel = field.Channel(condition.Channel);
+  const BrickLayout& layout = field.Layout();
+  const int mask = layout.Cells - 1;
+  CellFacts facts;
+  for (std::size_t brick = 0; brick < layout.BrickCount(); ++brick)
+  {
+    const std::uint32_t block = channel.SlotOf(brick).Block;
+    for (int cell = 0; block != BrickedChannel::NotStored && cell < 1 << (3 * layout.Shift);
+         cell += Step)
+    {
+      const int node = layout.FirstNodeOfCell(cell & mask, cell >> layout.Shift & mask,
+                                              cell >> (2 * layout.Shift));
+      double corners[8];
+      channel.Load<2>(block, node, corners);
+      condition.Relate(corners, 8);
+      facts.Add(corners, field.Grid());
+    }
+  }
+  const double steepest = Median(facts.Depths) / field.Grid().Spacing().norm();
+  const double slope = std::min(Median(facts.Slopes), steepest);
+  return std::isfinite(slope) ? slope : 1.0;
+}
+} // namespace palpate

@@ -1,0 +1,458 @@
+#include "DrilledField.h"
+
+#include "CutSlope.h"
+#include "DrilledSamples.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <new>
+#include <optional>
+#include <string>
+
+namespace palpate
+{
+namespace
+{
+constexpr std::uint32_t NotWaiting = ~std::uint32_t{0};
+constexpr std::size_t DefaultHistoryBytes = std::size_t{256} << 20;
+
+Status NoMemory()
+{
+  return Status::Failure("There is not enough memory to drill.");
+}
+
+bool IsChannelOf(const FieldMaterial& material, int channel)
+{
+  bool isOf = false;
+  for (int c = 0; c < material.ConditionCount; ++c)
+  {
+    isOf = isOf || material.Conditions[c].Channel == channel;
+  }
+  return isOf;
+}
+
+// The first of a material's conditions whose channel is its alone.
+std::optional<FieldCondition> OwnCondition(const ScalarField& field, int material)
+{
+  for (int c = 0; c < field.Material(material).ConditionCount; ++c)
+  {
+    const FieldCondition& condition = field.Material(material).Conditions[c];
+    bool isOwn = true;
+    for (int other = 0; other < field.MaterialCount(); ++other)
+    {
+      isOwn =
+          isOwn && (other == material || !IsChannelOf(field.Material(other), condition.Channel));
+    }
+    if (isOwn)
+    {
+      return condition;
+    }
+  }
+  return std::nullopt;
+}
+
+Status CheckField(const ScalarField& field, int material)
+{
+  if (material < 0 || material >= field.MaterialCount())
+  {
+    return Status::Failure("The field has no material " + std::to_string(material) + ".");
+  }
+  if (field.Interpolation() != FieldInterpolation::Trilinear || !field.Layout().IsWhole())
+  {
+    return Status::Failure("Only a whole field that is interpolated linearly can be drilled.");
+  }
+  if (!OwnCondition(field, material))
+  {
+    return Status::Failure("Material " + std::to_string(material) +
+                           " cannot be drilled: other materials are made of its samples too, and "
+                           "would be removed with it.");
+  }
+  const int channel = OwnCondition(field, material)->Channel;
+  for (std::size_t brick = 0; brick < field.Layout().BrickCount(); ++brick)
+  {
+    if (field.Map(material)[brick] == MaterialMap::Filled &&
+        field.Channel(channel).SlotOf(brick).Block == BrickedChannel::NotStored)
+    {
+      return Status::Failure("The field keeps no samples inside material " +
+                             std::to_string(material) + ", so it cannot be drilled.");
+    }
+  }
+  return Status::Success();
+}
+
+// So that surfaces lie between voxels also where samples were whole numbers.
+std::vector<ScalarType> TypesToKeep(const ScalarField& field, int channel)
+{
+  std::vector<ScalarType> types;
+  for (int c = 0; c < field.ChannelCount(); ++c)
+  {
+    const ScalarType type = field.Channel(c).StoredType();
+    types.push_back(c == channel && type != ScalarType::Float64 ? ScalarType::Float32 : type);
+  }
+  return types;
+}
+
+bool IsFinite(const CutPose& pose)
+{
+  return pose.PositionWorld.allFinite() && pose.Orientation.coeffs().allFinite();
+}
+} // namespace
+
+DrilledField::DrilledField(std::unique_ptr<EditedField> field, const DrilledMaterial& drilled,
+                           double band)
+    : Field(std::move(field)), Drilled(drilled), Brick(Field->Newest(), Field->Records(), drilled),
+      Volume(*Field, drilled.Material),
+      Stroke(RemovedDistances::None(Field->Newest().Grid(), band)),
+      PlaceOf(Field->Newest().Layout().BrickCount(), NotWaiting), History{Stroke.Before()},
+      MostHistoryBytes(DefaultHistoryBytes)
+{
+}
+
+// The ramp is as long as a cell's diagonal, so that it goes through all corners of every cell that
+// a cut passes; a voxel farther out distances are kept, because values ask neighbours for theirs.
+Status DrilledField::Make(const ScalarField& field, int material,
+                          std::unique_ptr<DrilledField>& drilled)
+{
+  if (Status status = CheckField(field, material); !status.IsOk())
+  {
+    return status;
+  }
+  try
+  {
+    const FieldCondition condition = *OwnCondition(field, material);
+    const double diagonal = field.Grid().Spacing().norm();
+    constexpr double Rounding = 1.0 + 1e-5; // of distances as floats
+    const double band = Rounding * (diagonal + field.Grid().Spacing().maxCoeff());
+    const NodeCut cut(condition, SlopeOfCuts(field, condition), diagonal);
+    std::unique_ptr<EditedField> edited;
+    Status status = EditedField::Make(field, TypesToKeep(field, condition.Channel), edited);
+    if (status.IsOk())
+    {
+      drilled.reset(new DrilledField(std::move(edited), {material, condition, cut}, band));
+    }
+    return status;
+  }
+  catch (const std::bad_alloc&)
+  {
+    return NoMemory();
+  }
+}
+
+Status DrilledField::Cut(const CutTool& tool, const CutPose& from, const CutPose& to)
+{
+  if (!IsFinite(from) || !IsFinite(to))
+  {
+    return Status::Failure("A cutting tool's pose is not finite.");
+  }
+  if (Status status = tool.Check(); !status.IsOk())
+  {
+    return status;
+  }
+  constexpr double StepInVoxels = 0.25; // of a tool that is no sphere
+  const double step = StepInVoxels * this->Now().Grid().Spacing().minCoeff();
+  try
+  {
+    this->Stroke.Cut(CutSweep(tool, from, to, step), this->Changed);
+    for (const NodeBox& box : this->Changed)
+    {
+      this->MarkNodes(box);
+    }
+  }
+  catch (const std::bad_alloc&)
+  {
+    return NoMemory();
+  }
+  return Status::Success();
+}
+
+// Values ask neighbours too, and bricks have copies of each other's border nodes.
+void DrilledField::MarkNodes(const NodeBox& changed)
+{
+  const BrickLayout& layout = this->Field->Newest().Layout();
+  NodeBox nodes = changed;
+  std::array<int, 3> first{};
+  std::array<int, 3> last{};
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    nodes.First[axis] = std::max(changed.First[axis] - 1, 0);
+    nodes.Last[axis] = std::min(changed.Last[axis] + 1, layout.Nodes[axis] - 1);
+    first[axis] = std::max(nodes.First[axis] - 1, 0) / layout.Cells;
+    last[axis] = std::min(nodes.Last[axis] / layout.Cells, layout.Bricks[axis] - 1);
+  }
+  for (int k = first[2]; k <= last[2]; ++k)
+  {
+    for (int j = first[1]; j <= last[1]; ++j)
+    {
+      for (int i = first[0]; i <= last[0]; ++i)
+      {
+        this->MarkBrick({i, j, k}, nodes);
+      }
+    }
+  }
+}
+
+void DrilledField::MarkBrick(const std::array<int, 3>& brick, const NodeBox& changed)
+{
+  const std::size_t number = this->Field->Newest().Layout().Number(brick[0], brick[1], brick[2]);
+  const std::byte* original = this->Field->OriginalOf(number);
+  if (original == nullptr || !this->Field->Records().HasChannel(original, this->Channel()))
+  {
+    return;
+  }
+  const NodeBox nodes = this->Brick.NodesOf(brick).CommonWith(changed);
+  std::uint32_t& place = this->PlaceOf[number];
+  if (place == NotWaiting)
+  {
+    this->Waiting.push_back({brick, nodes});
+    place = static_cast<std::uint32_t>(this->Waiting.size() - 1);
+  }
+  else
+  {
+    this->Waiting[place].Nodes.Extend(nodes);
+  }
+}
+
+Status DrilledField::BringUpToDate()
+{
+  while (!this->Waiting.empty())
+  {
+    const std::size_t first = this->GatherLast();
+    while (this->Waiting.size() > first)
+    {
+      const Pending& pending = this->Waiting.back();
+      const std::size_t number = this->Field->Newest().Layout().Number(
+          pending.Brick[0], pending.Brick[1], pending.Brick[2]);
+      if (!this->UpdateBrick(pending, number))
+      {
+        return Status::Failure("Too many versions of the drilled field are in use.");
+      }
+      this->PlaceOf[number] = NotWaiting;
+      this->Waiting.pop_back();
+    }
+  }
+  this->IsUndone = false;
+  return Status::Success();
+}
+
+// Distances for the last bricks that wait, as many as lie side by side; answers the first of them.
+std::size_t DrilledField::GatherLast()
+{
+  constexpr std::size_t MostNodes = 40 * 40 * 40; // that stay in a core's own cache
+  std::size_t first = this->Waiting.size() - 1;
+  NodeBox box = this->Waiting[first].Nodes;
+  while (first > 0)
+  {
+    NodeBox wider = box;
+    wider.Extend(this->Waiting[first - 1].Nodes);
+    if (wider.Count() > MostNodes)
+    {
+      break;
+    }
+    box = wider;
+    --first;
+  }
+  this->Distances.Gather(this->Now(), box);
+  return first;
+}
+
+// False where there is no room.
+bool DrilledField::UpdateBrick(const Pending& pending, std::size_t number)
+{
+  const std::array<int, 3>& brick = pending.Brick;
+  if (this->IsUndone && this->IsUntouched(brick))
+  {
+    this->Field->Restore(brick);
+    this->Volume.Forget(number);
+    return true;
+  }
+  if (!this->Brick.FindNodes(brick, pending.Nodes, this->Distances, this->Field->OriginalOf(number),
+                             this->Field->RecordOf(number)))
+  {
+    return true;
+  }
+  std::byte* record = this->Field->Copy(number);
+  if (record == nullptr)
+  {
+    return false;
+  }
+  this->Brick.Write(record);
+  this->Field->Put(brick);
+  this->Volume.Forget(number);
+  return true;
+}
+
+// Whether nothing is removed near any node of a brick.
+bool DrilledField::IsUntouched(const std::array<int, 3>& brick) const noexcept
+{
+  constexpr int Side = RemovedDistances::Side;
+  const NodeBox nodes = this->Brick.NodesOf(brick);
+  NodeBox blocks;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    const int end = this->Now().Grid().Size()[axis] - 1;
+    blocks.First[axis] = std::max(nodes.First[axis] - 1, 0) / Side;
+    blocks.Last[axis] = std::min(nodes.Last[axis] + 1, end) / Side;
+  }
+  bool isUntouched = true;
+  for (int k = blocks.First[2]; k <= blocks.Last[2]; ++k)
+  {
+    for (int j = blocks.First[1]; j <= blocks.Last[1]; ++j)
+    {
+      for (int i = blocks.First[0]; i <= blocks.Last[0]; ++i)
+      {
+        isUntouched = isUntouched && this->Now().BlockAt({Side * i, Side * j, Side * k}) == nullptr;
+      }
+    }
+  }
+  return isUntouched;
+}
+
+Status DrilledField::MakeVersion(std::shared_ptr<const ScalarField>& version)
+{
+  try
+  {
+    Status status = this->BringUpToDate();
+    return status.IsOk() ? this->Field->MakeVersion(version) : status;
+  }
+  catch (const std::bad_alloc&)
+  {
+    return NoMemory();
+  }
+}
+
+double DrilledField::RemovedVolume()
+{
+  static_cast<void>(this->BringUpToDate());
+  return this->Volume.Removed(*this->Field);
+}
+
+void DrilledField::EndStroke()
+{
+  if (!this->Stroke.IsEmpty())
+  {
+    this->Push(this->Stroke.Finish());
+  }
+}
+
+void DrilledField::Push(const std::shared_ptr<const RemovedDistances>& state)
+{
+  this->History.resize(this->Place + 1);
+  this->History.push_back(state);
+  ++this->Place;
+  this->ForgetOldest();
+}
+
+void DrilledField::ForgetOldest()
+{
+  std::size_t forgotten = 0;
+  std::size_t bytes = this->HistoryBytes();
+  while (bytes > this->MostHistoryBytes && forgotten < this->Place)
+  {
+    const auto& oldest = this->History[forgotten];
+    bytes -= std::min(bytes, oldest->BytesBeside(this->History[forgotten + 1].get()));
+    ++forgotten;
+  }
+  this->History.erase(this->History.begin(),
+                      this->History.begin() + static_cast<std::ptrdiff_t>(forgotten));
+  this->Place -= forgotten;
+}
+
+void DrilledField::SetHistoryBytes(std::size_t bytes)
+{
+  this->MostHistoryBytes = bytes;
+  this->ForgetOldest();
+}
+
+std::size_t DrilledField::HistoryBytes() const noexcept
+{
+  std::size_t bytes = 0;
+  for (std::size_t n = 0; n + 1 < this->History.size(); ++n)
+  {
+    bytes += this->History[n]->BytesBeside(this->History[n + 1].get());
+  }
+  return bytes;
+}
+
+std::size_t DrilledField::Bytes() const noexcept
+{
+  return this->Field->Bytes() + this->HistoryBytes() + this->Now().BytesBeside(nullptr) +
+         this->PlaceOf.size() * sizeof(std::uint32_t);
+}
+
+void DrilledField::GoTo(const std::shared_ptr<const RemovedDistances>& state)
+{
+  constexpr int Side = RemovedDistances::Side;
+  for (const RemovedDistances::Corner& corner : RemovedDistances::Difference(this->Now(), *state))
+  {
+    NodeBox box;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      const int end = state->Grid().Size()[axis] - 1;
+      box.First[axis] = corner[axis];
+      box.Last[axis] = std::min(corner[axis] + Side - 1, end);
+    }
+    this->MarkNodes(box);
+  }
+  this->Stroke = RemovalStroke(state);
+  this->IsUndone = true;
+}
+
+void DrilledField::Undo()
+{
+  this->EndStroke();
+  if (this->Place > 0)
+  {
+    this->GoTo(this->History[--this->Place]);
+  }
+}
+
+void DrilledField::Redo()
+{
+  this->EndStroke();
+  if (this->Place + 1 < this->History.size())
+  {
+    this->GoTo(this->History[++this->Place]);
+  }
+}
+
+void DrilledField::Reset()
+{
+  this->EndStroke();
+  const auto none = RemovedDistances::None(this->Now().Grid(), this->Now().Band());
+  if (!this->Now().Corners().empty())
+  {
+    this->GoTo(none);
+    this->Push(none);
+  }
+}
+
+std::shared_ptr<const RemovedDistances> DrilledField::Removed()
+{
+  this->EndStroke();
+  return this->Stroke.Before();
+}
+
+Status DrilledField::Restore(const std::shared_ptr<const RemovedDistances>& removed)
+{
+  const FieldGrid& grid = this->Now().Grid();
+  const FieldGrid& other = removed->Grid();
+  if (removed->Band() != this->Now().Band() || other.Size() != grid.Size() ||
+      other.OriginWorld() != grid.OriginWorld() || other.Spacing() != grid.Spacing() ||
+      other.Direction() != grid.Direction())
+  {
+    return Status::Failure("What was removed belongs to another volume.");
+  }
+  this->EndStroke();
+  this->GoTo(removed);
+  this->Push(removed);
+  return Status::Success();
+}
+
+void DrilledField::WriteSamples(const FieldSamples& original, void* drilled) const
+{
+  const auto channel = static_cast<std::size_t>(this->Channel());
+  WriteDrilledSamples(this->Now(), this->Law(), this->Field->Records().Types()[channel], original,
+                      drilled);
+}
+} // namespace palpate

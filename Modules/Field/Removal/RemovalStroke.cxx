@@ -1,0 +1,296 @@
+#include "RemovalStroke.h"
+
+#include "SphereRows.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace palpate
+{
+namespace
+{
+constexpr int Side = RemovedDistances::Side;
+
+using Row = std::array<float, Side>;
+
+// Rows of a block as a tool's sweep has them: of any tool, and of a ball.
+class AnyRows
+{
+public:
+  AnyRows(const CutSweep& sweep, const FieldGrid& grid) : Sweep(sweep), Grid(grid) {}
+
+  void Begin(const RemovedDistances::Corner& corner)
+  {
+    this->First = Vector3(corner[0], corner[1], corner[2]);
+  }
+  unsigned Lower(int j, int k, float least, float* kept) const
+  {
+    unsigned lowered = 0;
+    for (int i = 0; i < Side; ++i)
+    {
+      const Vector3 point = this->Grid.PointWorld(this->First + Vector3(i, j, k));
+      const float distance = std::max(static_cast<float>(this->Sweep.Distance(point)), least);
+      lowered |= static_cast<unsigned>(distance < kept[i]) << i;
+      kept[i] = std::min(kept[i], distance);
+    }
+    return lowered;
+  }
+
+private:
+  const CutSweep& Sweep;
+  const FieldGrid& Grid;
+  Vector3 First = Vector3::Zero();
+};
+
+class BallRows
+{
+public:
+  BallRows(const CutSweep& sweep, const FieldGrid& grid, bool goesOn)
+      : Rows(grid, sweep.FromWorld(), sweep.WayWorld(), sweep.Radius()), GoesOn(goesOn)
+  {
+    static_assert(SphereRows::Count == Side);
+  }
+
+  void Begin(const RemovedDistances::Corner& corner) { this->Rows.Begin(corner); }
+  unsigned Lower(int j, int k, float least, float* kept) const
+  {
+    return this->GoesOn && this->Rows.IsBehind(j, k) ? 0 : this->Rows.Lower(j, k, least, kept);
+  }
+
+private:
+  SphereRows Rows;
+  bool GoesOn;
+};
+
+// The largest of a block's distances, which side by side are looked at as lanes of vectors.
+float MostOf(const RemovalStroke::Nodes& distances)
+{
+  Row most;
+  std::copy_n(distances.begin(), Side, most.begin());
+  for (std::size_t row = Side; row < distances.size(); row += Side)
+  {
+    for (std::size_t n = 0; n < Side; ++n)
+    {
+      most[n] = most[n] < distances[row + n] ? distances[row + n] : most[n];
+    }
+  }
+  return *std::max_element(most.begin(), most.end());
+}
+
+// Blocks along each axis that a box meets, cut to the grid.
+struct BlockRange
+{
+  std::array<int, 3> First{};
+  std::array<int, 3> Last{};
+};
+
+// Node indices of a box in the world, `around` more on each side.
+BlockRange RangeOf(const FieldGrid& grid, const Eigen::AlignedBox3d& boxWorld, double around)
+{
+  Eigen::AlignedBox3d index;
+  for (int n = 0; n < 8; ++n)
+  {
+    const auto corner = static_cast<Eigen::AlignedBox3d::CornerType>(n);
+    index.extend(grid.PointIndex(boxWorld.corner(corner)));
+  }
+  BlockRange range;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    const auto a = static_cast<Eigen::Index>(axis);
+    const double margin = around / grid.Spacing()[a];
+    const double end = grid.Size()[axis] - 1;
+    const double first = std::clamp(std::ceil(index.min()[a] - margin), 0.0, end + 1.0);
+    const double last = std::clamp(std::floor(index.max()[a] + margin), -1.0, end);
+    range.First[axis] = static_cast<int>(first) / Side;
+    range.Last[axis] = first <= last ? static_cast<int>(last) / Side : range.First[axis] - 1;
+  }
+  return range;
+}
+} // namespace
+
+RemovalStroke::RemovalStroke(std::shared_ptr<const RemovedDistances> before)
+    : Start(std::move(before))
+{
+  this->Begin();
+}
+
+void RemovalStroke::Begin()
+{
+  this->Working = std::shared_ptr<RemovedDistances>(new RemovedDistances(*this->Start));
+  this->Working->Depth = this->Start->Depth + 1;
+  this->IsChanged = false;
+}
+
+std::shared_ptr<const RemovedDistances> RemovalStroke::Finish()
+{
+  if (this->IsChanged)
+  {
+    this->Start = std::move(this->Working);
+    this->Begin();
+  }
+  return this->Start;
+}
+
+void RemovalStroke::Cut(const CutSweep& sweep, std::vector<NodeBox>& changed)
+{
+  changed.clear();
+  if (!sweep.IsOfSphere())
+  {
+    AnyRows rows(sweep, this->Working->Frame);
+    return this->CutWith(rows, sweep, changed);
+  }
+  // What lies behind a way that goes on is no nearer to it than to where it begins.
+  const bool goesOn =
+      this->Last.Radius == sweep.Radius() && this->Last.EndWorld == sweep.FromWorld();
+  BallRows rows(sweep, this->Working->Frame, goesOn);
+  this->CutWith(rows, sweep, changed);
+  this->Last = {sweep.Radius(), sweep.FromWorld() + sweep.WayWorld()};
+}
+
+template <typename Rows>
+void RemovalStroke::CutWith(Rows& rows, const CutSweep& sweep, std::vector<NodeBox>& changed)
+{
+  const BlockRange range = RangeOf(this->Working->Frame, sweep.BoundsWorld(), this->Working->Limit);
+  for (int k = range.First[2]; k <= range.Last[2]; ++k)
+  {
+    for (int j = range.First[1]; j <= range.Last[1]; ++j)
+    {
+      for (int i = range.First[0]; i <= range.Last[0]; ++i)
+      {
+        const Corner corner{Side * i, Side * j, Side * k};
+        NodeBox box;
+        if (this->MayChange(corner, sweep, this->Working->Find(corner)) &&
+            this->CutBlock(corner, rows, box))
+        {
+          changed.push_back(box);
+          this->IsChanged = true;
+        }
+      }
+    }
+  }
+}
+
+// A distance changes by no more than the way.
+bool RemovalStroke::MayChange(const Corner& corner, const CutSweep& sweep,
+                              const Block* block) const noexcept
+{
+  const double limit = this->Working->Limit;
+  const double most = block != nullptr ? block->Most : limit;
+  if (most <= -limit)
+  {
+    return false;
+  }
+  constexpr double Half = 0.5 * (Side - 1);
+  const FieldGrid& grid = this->Working->Frame;
+  const Vector3 middle = Vector3(corner[0], corner[1], corner[2]) + Vector3::Constant(Half);
+  const double reach = Half * grid.Spacing().norm();
+  return sweep.Distance(grid.PointWorld(middle)) - reach < most;
+}
+
+// Lowers a copy, which then is the block if any node of it was lowered.
+template <typename Rows>
+bool RemovalStroke::CutBlock(const Corner& corner, Rows& rows, NodeBox& changed)
+{
+  const Block* before = this->Working->Find(corner);
+  Nodes distances;
+  before != nullptr ? static_cast<void>(distances = before->Distances)
+                    : this->FillUntouched(corner, distances);
+  const auto least = static_cast<float>(-this->Working->Limit);
+  const std::array<int, 3> inGrid = this->NodesInGrid(corner);
+  NodeBox box{{Side, Side, Side}, {-1, -1, -1}};
+  rows.Begin(corner);
+  for (int k = 0; k < inGrid[2]; ++k)
+  {
+    for (int j = 0; j < inGrid[1]; ++j)
+    {
+      float* row = &distances[static_cast<std::size_t>((k * Side + j) * Side)];
+      const unsigned lowered = rows.Lower(j, k, least, row);
+      if (lowered != 0)
+      {
+        box.Extend({{__builtin_ctz(lowered), j, k}, {31 - __builtin_clz(lowered), j, k}});
+      }
+    }
+  }
+  if (box.IsEmpty())
+  {
+    return false;
+  }
+  Block& block = this->OwnBlock(corner);
+  block.Distances = distances;
+  block.Most = MostOf(distances);
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    changed.First[axis] = corner[axis] + box.First[axis];
+    changed.Last[axis] = corner[axis] + box.Last[axis];
+  }
+  return true;
+}
+
+// Of a block, along each axis.
+std::array<int, 3> RemovalStroke::NodesInGrid(const Corner& corner) const noexcept
+{
+  std::array<int, 3> nodes{};
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    nodes[axis] = std::min(Side, this->Working->Frame.Size()[axis] - corner[axis]);
+  }
+  return nodes;
+}
+
+bool RemovalStroke::Set(const Corner& corner, const Nodes& distances)
+{
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    if (corner[axis] < 0 || corner[axis] >= this->Working->Frame.Size()[axis] ||
+        corner[axis] % Side != 0)
+    {
+      return false;
+    }
+  }
+  if (this->Working->Find(corner) != nullptr)
+  {
+    return false;
+  }
+  Block& block = this->OwnBlock(corner);
+  block.Distances = distances;
+  block.Most = MostOf(distances);
+  this->IsChanged = true;
+  return true;
+}
+
+// Nodes beyond the grid count as gone.
+void RemovalStroke::FillUntouched(const Corner& corner, Nodes& distances) const
+{
+  const auto limit = static_cast<float>(this->Working->Limit);
+  distances.fill(-limit);
+  const std::array<int, 3> inGrid = this->NodesInGrid(corner);
+  for (int k = 0; k < inGrid[2]; ++k)
+  {
+    for (int j = 0; j < inGrid[1]; ++j)
+    {
+      std::fill_n(&distances[static_cast<std::size_t>((k * Side + j) * Side)], inGrid[0], limit);
+    }
+  }
+}
+
+// Of this stroke alone, to be filled.
+RemovalStroke::Block& RemovalStroke::OwnBlock(const Corner& corner)
+{
+  RemovedDistances& state = *this->Working;
+  std::shared_ptr<RemovedDistances::Page>& page = state.Pages[state.PageNumber(corner)];
+  if (page == nullptr || page->Depth != state.Depth)
+  {
+    page = page != nullptr ? std::make_shared<RemovedDistances::Page>(*page)
+                           : std::make_shared<RemovedDistances::Page>();
+    page->Depth = state.Depth;
+  }
+  std::shared_ptr<Block>& block = page->Blocks[RemovedDistances::BlockNumber(corner)];
+  if (block == nullptr || block->Depth != state.Depth)
+  {
+    block = std::make_shared<Block>();
+    block->Depth = state.Depth;
+  }
+  return *block;
+}
+} // namespace palpate

@@ -1,0 +1,139 @@
+#include "RemovedDistances.h"
+
+#include <algorithm>
+
+namespace palpate
+{
+namespace
+{
+constexpr int Side = RemovedDistances::Side;
+
+std::size_t NodeNumber(int i, int j, int k)
+{
+  return static_cast<std::size_t>((k * Side + j) * Side + i);
+}
+} // namespace
+
+RemovedDistances::RemovedDistances(const FieldGrid& grid, double band) : Frame(grid), Limit(band)
+{
+  std::size_t count = 1;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    this->PageCounts[axis] = (grid.Size()[axis] - 1) / (Side * PageSide) + 1;
+    count *= static_cast<std::size_t>(this->PageCounts[axis]);
+  }
+  this->Pages.resize(count);
+}
+
+std::shared_ptr<const RemovedDistances> RemovedDistances::None(const FieldGrid& grid, double band)
+{
+  return std::shared_ptr<const RemovedDistances>(new RemovedDistances(grid, band));
+}
+
+std::size_t RemovedDistances::PageNumber(const Corner& corner) const noexcept
+{
+  constexpr int Nodes = Side * PageSide;
+  const int page =
+      (corner[2] / Nodes * this->PageCounts[1] + corner[1] / Nodes) * this->PageCounts[0] +
+      corner[0] / Nodes;
+  return static_cast<std::size_t>(page);
+}
+
+std::size_t RemovedDistances::BlockNumber(const Corner& corner) noexcept
+{
+  const auto place = [](int node) { return node / Side % PageSide; };
+  return static_cast<std::size_t>((place(corner[2]) * PageSide + place(corner[1])) * PageSide +
+                                  place(corner[0]));
+}
+
+RemovedDistances::Corner RemovedDistances::CornerOf(std::size_t page,
+                                                    std::size_t block) const noexcept
+{
+  Corner corner{};
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    const auto pages = static_cast<std::size_t>(this->PageCounts[axis]);
+    corner[axis] = Side * static_cast<int>(page % pages * PageSide + block % std::size_t{PageSide});
+    page /= pages;
+    block /= PageSide;
+  }
+  return corner;
+}
+
+RemovedDistances::Block* RemovedDistances::Find(const Corner& corner) const noexcept
+{
+  Page* page = this->Pages[this->PageNumber(corner)].get();
+  return page != nullptr ? page->Blocks[BlockNumber(corner)].get() : nullptr;
+}
+
+const float* RemovedDistances::BlockAt(const Corner& corner) const noexcept
+{
+  const Block* block = this->Find(corner);
+  return block != nullptr ? block->Distances.data() : nullptr;
+}
+
+float RemovedDistances::At(int i, int j, int k) const noexcept
+{
+  const float* block = this->BlockAt({i, j, k});
+  return block != nullptr ? block[NodeNumber(i % Side, j % Side, k % Side)]
+                          : static_cast<float>(this->Limit);
+}
+
+template <typename Visit>
+void RemovedDistances::ForEachDifference(const RemovedDistances& other, const Visit& visit) const
+{
+  for (std::size_t p = 0; p < this->Pages.size(); ++p)
+  {
+    const Page* mine = this->Pages[p].get();
+    const Page* theirs = other.Pages[p].get();
+    if (mine == theirs)
+    {
+      continue;
+    }
+    for (std::size_t b = 0; b < std::tuple_size_v<decltype(Page::Blocks)>; ++b)
+    {
+      const Block* one = mine != nullptr ? mine->Blocks[b].get() : nullptr;
+      const Block* two = theirs != nullptr ? theirs->Blocks[b].get() : nullptr;
+      if (one != two)
+      {
+        visit(this->CornerOf(p, b), one);
+      }
+    }
+  }
+}
+
+std::vector<RemovedDistances::Corner> RemovedDistances::Difference(const RemovedDistances& a,
+                                                                   const RemovedDistances& b)
+{
+  std::vector<Corner> corners;
+  a.ForEachDifference(b, [&](const Corner& corner, const Block*) { corners.push_back(corner); });
+  return corners;
+}
+
+std::vector<RemovedDistances::Corner> RemovedDistances::Corners() const
+{
+  return Difference(*this, *None(this->Frame, this->Limit));
+}
+
+std::size_t RemovedDistances::BytesBeside(const RemovedDistances* other) const noexcept
+{
+  std::size_t bytes = sizeof(*this) + this->Pages.size() * sizeof(this->Pages[0]);
+  for (std::size_t p = 0; p < this->Pages.size(); ++p)
+  {
+    const Page* page = this->Pages[p].get();
+    const Page* theirs = other != nullptr ? other->Pages[p].get() : nullptr;
+    if (page == nullptr || page == theirs)
+    {
+      continue;
+    }
+    bytes += sizeof(Page);
+    for (std::size_t b = 0; b < page->Blocks.size(); ++b)
+    {
+      const Block* block = page->Blocks[b].get();
+      const bool isShared = theirs != nullptr && theirs->Blocks[b].get() == block;
+      bytes += block != nullptr && !isShared ? sizeof(Block) : 0;
+    }
+  }
+  return bytes;
+}
+} // namespace palpate
