@@ -73,7 +73,7 @@ def scenes(entries):
 
 def on_demand(entries):
     rows = [row(e["interpolation"],
-                "all" if e["budget_mb"] is None else f"{e['budget_mb']:.0f} MB",
+                "all" if e["budget_mb"] is None else f"{e['budget_mb']:.1f} MB",
                 f"{e['bytes'] / 1e6:.1f} MB", f"{e['resident_mib']:.0f} MiB",
                 f"{e['make_s']:.1f} s", f"{e['tick_us']:.2f} µs",
                 f"{e['different']:,} of {e['ticks']:,}, {e['largest_n']:.3g} N", f"{e['coarse']:,}",
