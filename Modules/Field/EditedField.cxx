@@ -157,8 +157,8 @@ void EditedField::Shelf::Release(std::uint32_t slot)
   }
 }
 
-// None where all records are in use. Versions that nobody uses hold some until they are brought up to
-// date.
+// None where all records are in use. Versions that nobody uses hold some until they are brought up
+// to date.
 std::uint32_t EditedField::Shelf::FreeSlot()
 {
   if (this->UsedSlots < this->Memory.Count() && this->FreeSlots.empty())

@@ -57,6 +57,6 @@ private:
   std::array<int, 3> Brick{};
   NodeBox Box;
   std::tuple<std::vector<float>, std::vector<double>> Found; // nodes of the box, in one type
-  std::vector<double> Nodes; // of the brick, one channel
+  std::vector<double> Nodes;                                 // of the brick, one channel
 };
 } // namespace palpate

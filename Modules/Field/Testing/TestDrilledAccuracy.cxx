@@ -74,10 +74,10 @@ TEST(DrilledAccuracy, AStrokeTickByTickRemovesACapsuleWithinOneInAHundred)
   }
 }
 
-// At the blurred edge, of the bone's ball and the tool's what they have in common. The bone's radius
-// is what removing all of it says: interpolated, its edge lies a little farther out than it was. The
-// rim of what is drilled is sharp and loses what a straight line between nodes cuts off, of second
-// order too.
+// At the blurred edge, of the bone's ball and the tool's what they have in common. The bone's
+// radius is what removing all of it says: interpolated, its edge lies a little farther out than it
+// was. The rim of what is drilled is sharp and loses what a straight line between nodes cuts off,
+// of second order too.
 TEST(DrilledAccuracy, AtTheBonesEdgeWhatIsInTheBoneCounts)
 {
   std::mt19937_64 random(53);

@@ -327,8 +327,7 @@ TEST_F(DrilledFieldTest, TheRemovedVolumeIsWhatAllCellsHaveLostTogether)
       CellCorners corners{};
       for (int n = 0; n < 8; ++n)
       {
-        const int node =
-            ((k + (n >> 2)) * size[1] + j + (n >> 1 & 1)) * size[0] + i + (n & 1);
+        const int node = ((k + (n >> 2)) * size[1] + j + (n >> 1 & 1)) * size[0] + i + (n & 1);
         corners[static_cast<std::size_t>(n)] =
             static_cast<double>(samples[static_cast<std::size_t>(node)]) - ScannedBone::Iso;
       }
@@ -473,7 +472,8 @@ TEST_F(DrilledFieldTest, RefusesPosesAndStatesThatAreNone)
 
 TEST_F(DrilledFieldTest, TheIntersectionWithALimitIsWhatVolumesCount)
 {
-  // Bone where a plane's side holds too: half the ball, and half of what is drilled round its middle.
+  // Bone where a plane's side holds too: half the ball, and half of what is drilled round its
+  // middle.
   std::vector<float> side;
   for (std::size_t n = 0; n < this->Bone.Bone.size(); ++n)
   {

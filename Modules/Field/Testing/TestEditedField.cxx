@@ -157,7 +157,8 @@ TEST_F(EditedFieldTest, ASurfaceThatAppearsFarFromAllOthersIsHit)
   const RayCaster caster(version);
   for (int n = 0; n < 300; ++n)
   {
-    const Vector3 from = Vector3::Constant(2.0) + 100.0 * test::RandomOrientation(this->Random).col(0).cwiseAbs();
+    const Vector3 from =
+        Vector3::Constant(2.0) + 100.0 * test::RandomOrientation(this->Random).col(0).cwiseAbs();
     const FieldHit hit = caster.CastIndex({from, middle - from}, 0.0, 1.0);
     const double distance = (middle - from).norm();
     if (distance > 6.0)

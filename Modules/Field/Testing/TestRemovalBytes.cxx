@@ -44,9 +44,7 @@ TEST_F(RemovalBytesTest, BringAllDistancesBack)
   {
     const Vector3 p = test::NodeIndex(this->Grid.Size(), n);
     const auto at = [&p](const Removed& removed)
-    {
-      return removed->At(static_cast<int>(p[0]), static_cast<int>(p[1]), static_cast<int>(p[2]));
-    };
+    { return removed->At(static_cast<int>(p[0]), static_cast<int>(p[1]), static_cast<int>(p[2])); };
     ASSERT_EQ(at(back), at(some));
   }
 }
