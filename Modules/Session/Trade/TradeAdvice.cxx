@@ -216,6 +216,13 @@ TradeAdvice AdviseByThresholds(const std::vector<TradeRow>& rows, const Places& 
 
 TradeNeeds ParseNeeds(const std::string& text)
 {
+  const auto require = [&text](bool isRight, const std::string& fact)
+  {
+    if (!isRight)
+    {
+      throw InputError("--require " + text + ": " + fact);
+    }
+  };
   TradeNeeds needs;
   std::istringstream stream(text);
   for (std::string part; std::getline(stream, part, ',');)
@@ -224,30 +231,16 @@ TradeNeeds ParseNeeds(const std::string& text)
     const std::string word = part.substr(0, sign);
     const auto* const bound = std::find_if(Bounds.begin(), Bounds.end(),
                                            [&word](const Bound& one) { return word == one.Word; });
-    if (bound == Bounds.end())
-    {
-      throw InputError("--require " + text + ": \"" + word +
-                       "\" is nothing that can be required; "
-                       "name " +
-                       Words());
-    }
+    require(bound != Bounds.end(),
+            "\"" + word + "\" is nothing that can be required; name any of " + Words());
     const auto number =
         sign == std::string::npos ? std::nullopt : ParseNumber(part.substr(sign + 1));
-    if (!number || !(*number > 0.0))
-    {
-      throw InputError("--require " + text + ": " + word +
-                       " has no positive number; write for instance " + word + "=1");
-    }
-    if (needs.*bound->Wanted)
-    {
-      throw InputError("--require " + text + " names " + word + " twice; name it once");
-    }
+    require(number && *number > 0.0,
+            word + " has no positive number; write for instance rate=1000");
+    require(!(needs.*bound->Wanted), word + " is named twice; name it once");
     needs.*bound->Wanted = number;
   }
-  if (text.empty() || text.back() == ',')
-  {
-    throw InputError("--require " + text + " ends with nothing; name any of " + Words());
-  }
+  require(!text.empty() && text.back() != ',', "it ends with nothing; name any of " + Words());
   return needs;
 }
 

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 
 namespace palpate
 {
@@ -113,10 +114,8 @@ std::string PlotFigure(const std::vector<const TradeRow*>& rows, const Plot& plo
                         " \xC2\xB5s, " + NumberText(error),
                     isOnFront ? number : std::string()});
   }
-  for (const std::size_t r : front)
-  {
-    line.push_back(places[r]);
-  }
+  std::transform(front.begin(), front.end(), std::back_inserter(line),
+                 [&places](std::size_t r) { return places[r]; });
   ScatterChart chart("mean time of a tick, \xC2\xB5s", plot.Label);
   chart.SetDots(std::move(dots));
   chart.SetFront(std::move(line));

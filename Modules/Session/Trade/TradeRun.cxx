@@ -35,25 +35,33 @@ std::string BaseKey(const TradeStructure& structure, const TradeRunSettings& set
   return digest.Text();
 }
 
+std::string NamesOf(const std::vector<TradeStructure>& structures)
+{
+  std::string names;
+  for (const TradeStructure& structure : structures)
+  {
+    names += (names.empty() ? "" : ", ") + structure.Source.Name;
+  }
+  return names;
+}
+
 // Only the structures that were asked for by name.
 void Choose(const std::vector<std::string>& names, std::vector<TradeStructure>& structures)
 {
   const auto isNamed = [&names](const TradeStructure& structure)
   { return std::find(names.begin(), names.end(), structure.Source.Name) != names.end(); };
-  for (const std::string& name : names)
+  const auto unknown = std::find_if(names.begin(), names.end(),
+                                    [&structures](const std::string& name)
+                                    {
+                                      return std::none_of(structures.begin(), structures.end(),
+                                                          [&name](const TradeStructure& structure) {
+                                                            return structure.Source.Name == name;
+                                                          });
+                                    });
+  if (unknown != names.end())
   {
-    if (std::none_of(structures.begin(), structures.end(),
-                     [&name](const TradeStructure& structure)
-                     { return structure.Source.Name == name; }))
-    {
-      std::string known;
-      for (const TradeStructure& structure : structures)
-      {
-        known += (known.empty() ? "" : ", ") + structure.Source.Name;
-      }
-      throw InputError("--structure " + name + " is not touched in the scene; name one of " +
-                       known);
-    }
+    throw InputError("--structure " + *unknown + " is not touched in the scene; name one of " +
+                     NamesOf(structures));
   }
   if (!names.empty())
   {
