@@ -112,14 +112,16 @@ void HarmonicWedge::MoveTo(const Vector3& goalWorld) noexcept
 
 void HarmonicWedge::Approach(const Vector3& goalWorld) noexcept
 {
-  Vector3 clear = this->Center;
+  Leash leash{this->Center, this->LongestStep};
   for (int proof = 0; proof < MostProofs; ++proof)
   {
     // One that overlaps is put out by the shortest way first.
-    const bool isThere = this->Slide(this->IsClear ? goalWorld : Vector3(this->Center), clear);
-    clear = this->IsClear ? clear : this->Center;
+    const Vector3 goal = this->IsClear ? this->NextGoal(goalWorld, leash) : this->Center;
+    const bool isThere = this->Slide(goal, leash) && goal == goalWorld;
+    leash.ClearWorld = this->IsClear ? leash.ClearWorld : this->Center;
     if (!this->IsClearOfWalls())
     {
+      this->Shorten(leash);
       continue;
     }
     const ClearanceProof::Answer answer =
@@ -133,15 +135,53 @@ void HarmonicWedge::Approach(const Vector3& goalWorld) noexcept
     {
       break;
     }
-    clear = this->Center;
+    leash = {this->Center, std::min(2.0 * leash.Length, this->LongestStep)};
     if (std::exchange(this->IsClear, true) && isThere)
     {
       return;
     }
   }
-  if (clear != this->Center)
+  if (leash.ClearWorld != this->Center)
   {
-    this->GoTo(clear, nullptr);
+    this->GoTo(leash.ClearWorld, nullptr);
+  }
+}
+
+// The goal, or one on the way to it whose held place is in reach: a place that is cut off a longer
+// way lies in or off walls that bend.
+Vector3 HarmonicWedge::NextGoal(const Vector3& goalWorld, const Leash& leash) const noexcept
+{
+  const Vector3 held = NearestInHalfSpaces(goalWorld, this->Planes().data(), this->WallCount).Point;
+  const Vector3 along = held - leash.ClearWorld;
+  const Vector3 inward = goalWorld - held;
+  const double half = 0.5 * leash.Length;
+  if (along.norm() <= leash.Length)
+  {
+    return goalWorld;
+  }
+  return leash.ClearWorld + half / along.norm() * along +
+         std::min(1.0, half / inward.norm()) * inward;
+}
+
+std::array<HalfSpace, HarmonicWedge::MostWalls> HarmonicWedge::Planes() const noexcept
+{
+  std::array<HalfSpace, MostWalls> planes;
+  for (std::size_t i = 0; i < this->WallCount; ++i)
+  {
+    const ClosestPoint& wall = this->Walls[i];
+    planes[i] = {wall.Normal, wall.Normal.dot(wall.PointWorld) + this->Radius};
+  }
+  return planes;
+}
+
+// What the walls' planes do not say of a long step they say of a short one.
+void HarmonicWedge::Shorten(Leash& leash) noexcept
+{
+  constexpr double Shorter = 0.5;
+  if (this->IsClear)
+  {
+    leash.Length *= Shorter;
+    this->GoTo(leash.ClearWorld, nullptr);
   }
 }
 
@@ -155,17 +195,12 @@ bool HarmonicWedge::IsClearOfWalls() const noexcept
 
 // Steps towards the place nearest to the goal that the known walls allow, a long step from a clear
 // place at most; whether it was reached.
-bool HarmonicWedge::Slide(const Vector3& goalWorld, const Vector3& clearWorld) noexcept
+bool HarmonicWedge::Slide(const Vector3& goalWorld, const Leash& leash) noexcept
 {
   Relaxation relaxation;
   for (int step = 0; step < MostSteps; ++step)
   {
-    std::array<HalfSpace, MostWalls> planes;
-    for (std::size_t i = 0; i < this->WallCount; ++i)
-    {
-      const ClosestPoint& wall = this->Walls[i];
-      planes[i] = {wall.Normal, wall.Normal.dot(wall.PointWorld) + this->Radius};
-    }
+    const std::array<HalfSpace, MostWalls> planes = this->Planes();
     const NearestHeld held = NearestInHalfSpaces(goalWorld, planes.data(), this->WallCount);
     const Vector3 push = held.Point - goalWorld;
     this->IsKeptBack = push.squaredNorm() > 0.0;
@@ -173,16 +208,17 @@ bool HarmonicWedge::Slide(const Vector3& goalWorld, const Vector3& clearWorld) n
     {
       this->JointNormal = push.normalized();
     }
-    if (held.IsHeld && this->Roll(goalWorld, clearWorld, planes.data(), held.Point))
+    if (held.IsHeld && this->Roll(goalWorld, leash, planes.data(), held.Point))
     {
       return true;
     }
-    const Vector3 way = this->Center + relaxation.Relaxed(held.Point - this->Center) - clearWorld;
+    const Vector3 way =
+        this->Center + relaxation.Relaxed(held.Point - this->Center) - leash.ClearWorld;
     const double length = way.norm();
-    const Vector3 next = clearWorld + std::min(1.0, this->LongestStep / length) * way;
+    const Vector3 next = leash.ClearWorld + std::min(1.0, leash.Length / length) * way;
     const double left = (next - this->Center).norm();
     this->GoTo(next, nullptr);
-    if (left <= this->End && held.IsHeld && length <= this->LongestStep)
+    if (left <= this->End && held.IsHeld && length <= leash.Length)
     {
       return true;
     }
@@ -214,8 +250,8 @@ void HarmonicWedge::ReturnToWall(const Vector3& goalWorld) noexcept
 
 // Where one plane alone holds the ball, it is one wall alone, and the place is that of the nearest
 // point to the goal, if the other walls allow it.
-bool HarmonicWedge::Roll(const Vector3& goalWorld, const Vector3& clearWorld,
-                         const HalfSpace* planes, const Vector3& heldWorld) noexcept
+bool HarmonicWedge::Roll(const Vector3& goalWorld, const Leash& leash, const HalfSpace* planes,
+                         const Vector3& heldWorld) noexcept
 {
   const double rounding = 1e-12 * (this->Surface->LargestRadius() + this->Radius);
   const auto room = [&](std::size_t i, const Vector3& place)
@@ -237,7 +273,7 @@ bool HarmonicWedge::Roll(const Vector3& goalWorld, const Vector3& clearWorld,
   const ClosestPoint wall = this->Surface->Search().Track(goalWorld, this->Walls[touched]);
   const Vector3 place = wall.PointWorld + this->Radius * wall.Normal;
   bool isAllowed = wall.Converged() && wall.SignedDistance <= this->Radius &&
-                   (place - clearWorld).norm() <= this->LongestStep;
+                   (place - leash.ClearWorld).norm() <= leash.Length;
   for (std::size_t i = 0; i < this->WallCount && isAllowed; ++i)
   {
     isAllowed = i == touched || room(i, place) >= 0.0;

@@ -40,9 +40,19 @@ private:
   static constexpr std::size_t MostWalls = 6;
   static_assert(MostWalls <= ClearanceProof::MostKnown, "a proof takes all walls");
 
+  // How far (mm) the next step may lead from a proven place.
+  struct Leash
+  {
+    Vector3 ClearWorld;
+    double Length;
+  };
+
   void Approach(const Vector3& goalWorld) noexcept;
-  bool Slide(const Vector3& goalWorld, const Vector3& clearWorld) noexcept;
-  bool Roll(const Vector3& goalWorld, const Vector3& clearWorld, const HalfSpace* planes,
+  void Shorten(Leash& leash) noexcept;
+  Vector3 NextGoal(const Vector3& goalWorld, const Leash& leash) const noexcept;
+  std::array<HalfSpace, MostWalls> Planes() const noexcept;
+  bool Slide(const Vector3& goalWorld, const Leash& leash) noexcept;
+  bool Roll(const Vector3& goalWorld, const Leash& leash, const HalfSpace* planes,
             const Vector3& heldWorld) noexcept;
   void ReturnToWall(const Vector3& goalWorld) noexcept;
   void GoTo(const Vector3& placeWorld, const ClosestPoint* touched) noexcept;

@@ -90,6 +90,45 @@ TEST(HarmonicWedge, NoPartOfARoughSurfaceIsNearerThanTheBallsRadius)
   }
 }
 
+// A hand at 0.2 to 2 m/s, beside the same way in steps that are twenty times as short.
+TEST(HarmonicWedge, AFastHandIsFollowedNotLeftBehind)
+{
+  constexpr double Radius = 4.0;
+  constexpr int Finer = 20;
+  Random random(4402);
+  for (const double step : {0.01, 0.035, 0.1}) // rad: 0.2, 0.7 and 2 mm a tick
+  {
+    const SphericalHarmonicModel rough = test::RandomRough(random, 12, 20.0);
+    const auto model = HarmonicContact(rough);
+    const auto fast = TrackerOf(*model, ToolShape::Sphere(Radius));
+    const auto slow = TrackerOf(*model, ToolShape::Sphere(Radius));
+    test::WanderingDirection wandering(random);
+    Vector3 last = 2.0 * rough.PointWorld(wandering.Turn(0.0)) - rough.CenterWorld();
+    fast->Follow(At(last));
+    slow->Follow(At(last));
+    for (int tick = 0; tick < 200; ++tick)
+    {
+      const Vector3 u = wandering.Turn(step);
+      const Vector3 probe = rough.PointWorld(u) + (Radius - 1.5) * rough.Normal(u);
+      Contact fine;
+      for (int part = 1; part <= Finer; ++part)
+      {
+        fine = slow->Follow(At(last + part * (probe - last) / Finer));
+      }
+      const Contact& coarse = fast->Follow(At(probe));
+      ASSERT_TRUE(coarse.IsValid);
+      // Long steps may end in another of the places where a ball can rest, which is no farther than
+      // a hollow is wide; one that is left behind falls back by a step a tick.
+      if (tick >= 10)
+      {
+        EXPECT_LE((coarse.ProxyWorld - probe).norm(), (fine.ProxyWorld - probe).norm() + Radius)
+            << step << ' ' << tick;
+      }
+      last = probe;
+    }
+  }
+}
+
 class HarmonicWedgeOfDegree : public testing::TestWithParam<int>
 {
 };
