@@ -39,6 +39,7 @@ protected:
     std::mt19937_64 random(7);
     const RayCaster caster(field);
     std::vector<FieldHit> hits;
+    hits.reserve(static_cast<std::size_t>(count));
     for (int n = 0; n < count; ++n)
     {
       hits.push_back(caster.CastIndex(test::RandomRay(this->Bone.Grid, random), 0.0, 1e3));
@@ -195,6 +196,7 @@ TEST_F(EditedFieldTest, NoVersionIsSeenTornByOtherThreads)
   std::atomic<int> wrong{0};
   std::atomic<int> seen{0};
   std::vector<std::thread> readers;
+  readers.reserve(slots.size());
   for (Slot& slot : slots)
   {
     readers.emplace_back(

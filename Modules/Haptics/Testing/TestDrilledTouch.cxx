@@ -51,8 +51,9 @@ TEST(DrilledTouch, ASmallerBallFeelsTheCanalsRadiusWithinATenthOfAVoxel)
   constexpr double Ball = 1.0;
   const Vector3 middle = bone.Middle + Vector3(0.0, 0.13, -0.21);
   CutCanal(*drilled, Canal, middle);
-  for (double angle = 0.0; angle < 6.2; angle += 0.3)
+  for (int n = 0; n < 21; ++n)
   {
+    const double angle = 0.3 * n;
     const auto tracker = TrackerOf(*drilled, Ball);
     const Vector3 out(0.0, std::cos(angle), std::sin(angle));
     Vector3 proxy;
