@@ -50,6 +50,7 @@ void Convert(const BrickedChannel& channel, std::uint32_t block, std::size_t nod
 std::vector<ScalarType> TypesOf(const ScalarField& field)
 {
   std::vector<ScalarType> types;
+  types.reserve(static_cast<std::size_t>(field.ChannelCount()));
   for (int channel = 0; channel < field.ChannelCount(); ++channel)
   {
     types.push_back(field.Channel(channel).StoredType());

@@ -54,6 +54,11 @@ private:
   std::size_t At = 0;
 };
 
+Status Broken()
+{
+  return Status::Failure("The bytes are no state of what was removed.");
+}
+
 // What has to be the same for distances to mean the same.
 std::vector<double> FrameOf(const RemovedDistances& removed)
 {
@@ -95,11 +100,10 @@ std::vector<std::byte> BytesOf(const RemovedDistances& removed)
 Status RemovedFromBytes(const std::vector<std::byte>& bytes, const RemovedDistances& like,
                         std::shared_ptr<const RemovedDistances>& removed)
 {
-  const Status broken = Status::Failure("The bytes are no state of what was removed.");
   Reader reader(bytes);
   if (reader.Take<std::uint32_t>() != Mark)
   {
-    return broken;
+    return Broken();
   }
   bool isSame = true;
   for (const double number : FrameOf(like))
@@ -110,7 +114,7 @@ Status RemovedFromBytes(const std::vector<std::byte>& bytes, const RemovedDistan
   {
     return reader.IsGood ? Status::Failure("What was removed belongs to another volume, or to "
                                            "another material of it.")
-                         : broken;
+                         : Broken();
   }
   const auto limit = static_cast<float>(like.Band());
   const auto isDistance = [limit](float d) { return d >= -limit && d <= limit; };
@@ -135,12 +139,12 @@ Status RemovedFromBytes(const std::vector<std::byte>& bytes, const RemovedDistan
     if (!reader.IsGood || !std::all_of(nodes.begin(), nodes.end(), isDistance) ||
         !stroke.Set(corner, nodes))
     {
-      return broken;
+      return Broken();
     }
   }
   if (!reader.HasAllTaken())
   {
-    return broken;
+    return Broken();
   }
   removed = stroke.Finish();
   return Status::Success();

@@ -292,8 +292,10 @@ TEST_F(DrilledFieldTest, AHistoryOfLittleMemoryForgetsTheOldestStrokes)
 
 TEST_F(DrilledFieldTest, TheRemovedVolumeDoesNotDependOnTheOrderNorOnWhenItIsAsked)
 {
+  constexpr int Ways = 8;
   std::vector<std::pair<Vector3, Vector3>> ways;
-  for (int n = 0; n < 8; ++n)
+  ways.reserve(Ways);
+  for (int n = 0; n < Ways; ++n)
   {
     ways.emplace_back(this->RandomPoint(), this->RandomPoint());
   }
