@@ -108,6 +108,7 @@ def table(structure):
 def section(found, picture):
     parts = [TEXT.format(picture=picture)]
     for name, structure in found.items():
-        parts.append(f"### {SCENES[name]}\n\n{structure['advice']['sentence']}\n\n"
+        sentence = structure["advice"]["sentence"]
+        parts.append(f"### {SCENES[name]}\n\n{sentence[0].upper() + sentence[1:]}\n\n"
                      f"Taken for true: {structure['truth']}.\n\n{table(structure)}")
     return "\n".join(parts)
