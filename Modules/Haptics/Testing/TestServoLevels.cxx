@@ -1,6 +1,7 @@
 #include "ServoRun.h"
 #include "ServoThread.h"
 #include "SlowModel.h"
+#include "TimedDevice.h"
 
 #include <gtest/gtest.h>
 
@@ -106,35 +107,6 @@ TEST(ServoLevels, AStandInThatCannotBeFeltIsRefused)
             "A stand-in for the structure wall has no model to be touched.");
 }
 
-// A device that rests 1 mm below the wall and gives a sample a tick.
-class RestingDevice final : public HapticDevice
-{
-public:
-  explicit RestingDevice(const Clock& clock) : Time(clock)
-  {
-    this->Abilities.MaximumForce = 8.0;
-    this->Abilities.Rate = 1000.0;
-  }
-  const DeviceCapabilities& Capabilities() const noexcept override { return this->Abilities; }
-  DeviceState State() const noexcept override { return DeviceState::Ready; }
-  std::string Problem() const override { return ""; }
-  Status Open() override { return Status::Success(); }
-  void Close() noexcept override {}
-  bool Read(DeviceSample& sample) noexcept override
-  {
-    sample.Position.Z = -1.0;
-    sample.Sequence = ++this->Reads;
-    sample.Time = this->Time.Now();
-    return true;
-  }
-  bool Apply(const Vector3&) noexcept override { return true; }
-
-private:
-  const Clock& Time;
-  DeviceCapabilities Abilities;
-  std::uint64_t Reads = 0;
-};
-
 TEST(ServoLevels, ALoopThatRunsOutOfTimeKeepsItsRateByAStandInAndComesBack)
 {
   ManualClock clock;
@@ -147,7 +119,7 @@ TEST(ServoLevels, ALoopThatRunsOutOfTimeKeepsItsRateByAStandInAndComesBack)
       {std::make_shared<test::SlowModel>(std::make_shared<test::WallModel>(0.4), clock, quick),
        {},
        "rougher"});
-  RestingDevice device(clock);
+  test::TimedDevice device(clock);
   ServoSettings settings;
   settings.RecordedTicks = 100'000;
   ServoThread servo(device, clock, settings);

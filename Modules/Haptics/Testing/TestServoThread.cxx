@@ -1,6 +1,7 @@
 #include "ServoThread.h"
 
 #include "ManualClock.h"
+#include "TimedDevice.h"
 #include "TouchDoubles.h"
 
 #include <gtest/gtest.h>
@@ -11,40 +12,7 @@ namespace palpate
 {
 namespace
 {
-// A device above a wall whose samples are as new as the clock's time.
-class TimedDevice final : public HapticDevice
-{
-public:
-  explicit TimedDevice(const Clock& clock) : Time(clock)
-  {
-    this->Abilities.MaximumForce = 8.0;
-    this->Abilities.Rate = 1000.0;
-  }
-  const DeviceCapabilities& Capabilities() const noexcept override { return this->Abilities; }
-  DeviceState State() const noexcept override { return DeviceState::Ready; }
-  std::string Problem() const override { return ""; }
-  Status Open() override { return Status::Success(); }
-  void Close() noexcept override {}
-  bool Read(DeviceSample& sample) noexcept override
-  {
-    sample.Position.Z = -1.0;
-    sample.Sequence = ++this->Reads;
-    sample.Time = this->Time.Now();
-    return true;
-  }
-  bool Apply(const Vector3& force) noexcept override
-  {
-    this->Applied = force;
-    return true;
-  }
-
-  Vector3 Applied = Vector3::Zero();
-
-private:
-  const Clock& Time;
-  DeviceCapabilities Abilities;
-  std::uint64_t Reads = 0;
-};
+using test::TimedDevice;
 
 // These loops run as fast as they can: with real-time priority nothing else would.
 RealtimeRequest Ordinary()
