@@ -332,7 +332,7 @@ TouchComparison CompareTouch(const PreparedTouch& touch, const std::filesystem::
   ReplayComparison comparison;
   FieldKeeper keeper(FieldsOf(touch), touch.Scene->Probe);
   RequireInput(ReplayTouch(std::move(read), {touch.Scene}, comparison,
-                           [&keeper](double time) { keeper.Look(time); }));
+                           {{}, [&keeper](double time) { keeper.Look(time); }}));
   return {comparison.Ticks, comparison.DifferentTicks, comparison.LargestDifference};
 }
 } // namespace palpate

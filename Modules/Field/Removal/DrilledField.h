@@ -48,6 +48,7 @@ public:
   {
     return this->Stroke.IsEmpty() && this->Place + 1 < this->History.size();
   }
+  bool HasOpenStroke() const noexcept { return !this->Stroke.IsEmpty(); }
   /// Each ends a stroke that is not ended, and does nothing where nothing can be undone or redone.
   void Undo();
   void Redo();

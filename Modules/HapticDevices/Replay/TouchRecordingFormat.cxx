@@ -66,6 +66,7 @@ void VisitFlags(State& s, Visitor visit)
   visit(s.Safety.IsLimited);
   visit(s.Safety.IsSlewing);
   visit(s.WasContinued);
+  visit(s.IsDrilling);
 }
 
 // The level of stand-ins has 16 bits above the flags.
@@ -129,6 +130,9 @@ void VisitTick(Words& words, State& s, Flags& flags)
   words.Small(s.Structure);
   words.Field(s.Depth);
   words.Field(s.Scene);
+  words.Small(s.Command);
+  words.Field(s.DrillVersion);
+  words.Field(s.DrillOrders);
 }
 
 template <typename Words, typename Session>
@@ -182,7 +186,7 @@ bool TouchRecordingFormat::Decode(const TickRecord& record, TouchState& state) n
   VisitTick(words, state, flags);
   SetFlags(flags, state);
   return words.AllFitted() && flags == FlagsOf(state) && state.State <= DeviceState::Error &&
-         state.State >= DeviceState::Closed && state.Safety.Fault >= SafetyFault::None &&
-         state.Safety.Fault <= SafetyFault::SwitchedOff;
+         state.State >= DeviceState::Closed && state.Command <= DrillCommand::Reset &&
+         state.Safety.Fault >= SafetyFault::None && state.Safety.Fault <= SafetyFault::SwitchedOff;
 }
 } // namespace palpate

@@ -29,11 +29,21 @@ void Compare(const TouchState& recorded, const TouchState& recomputed, ReplayCom
     comparison.LargestDifference = difference;
   }
 }
+
+// The servo itself gives the command that taking up the pedal is.
+void LeadDrill(Servo& servo, const TouchState& tick, bool wasDrilling)
+{
+  servo.RunDrill(tick.IsDrilling);
+  if (tick.Command != DrillCommand::None && (tick.IsDrilling || !wasDrilling))
+  {
+    servo.Command(tick.Command);
+  }
+}
 } // namespace
 
 Status ReplayTouch(const std::shared_ptr<const TouchRecording>& recording,
                    const std::vector<std::shared_ptr<const TouchScene>>& scenes,
-                   ReplayComparison& comparison, const std::function<void(double time)>& afterTick)
+                   ReplayComparison& comparison, const ReplayWorkers& workers)
 {
   constexpr double Nano = 1e-9;
   if (recording->Ticks.empty())
@@ -46,6 +56,7 @@ Status ReplayTouch(const std::shared_ptr<const TouchRecording>& recording,
   Servo servo(device, recording->Session.Settings);
   std::uint64_t scene = 0;
   bool wasOff = false;
+  bool isDrilling = false;
   for (std::size_t i = 0; i < recording->Ticks.size() && status.IsOk(); ++i)
   {
     const TouchState& tick = recording->Ticks[i];
@@ -61,6 +72,12 @@ Status ReplayTouch(const std::shared_ptr<const TouchRecording>& recording,
     {
       servo.Rearm();
     }
+    LeadDrill(servo, tick, isDrilling);
+    isDrilling = tick.IsDrilling;
+    if (workers.BeforeTick)
+    {
+      workers.BeforeTick(tick);
+    }
     const bool isOff = tick.Safety.Fault == SafetyFault::SwitchedOff;
     if (isOff && (!wasOff || tick.WasRearmed))
     {
@@ -70,9 +87,9 @@ Status ReplayTouch(const std::shared_ptr<const TouchRecording>& recording,
     clock.WaitUntil(tick.Tick.Started);
     servo.Tick(tick.Tick, tick.Level);
     Compare(tick, servo.Latest(), comparison);
-    if (afterTick)
+    if (workers.AfterTick)
     {
-      afterTick(Nano * static_cast<double>(tick.Tick.Started));
+      workers.AfterTick(Nano * static_cast<double>(tick.Tick.Started));
     }
   }
   return status;

@@ -133,7 +133,7 @@ TEST_F(TouchRecordingFile, OfAnotherFormatOrVersionIsRefused)
 {
   this->Bytes[24] = '2';
   EXPECT_EQ(this->ReadBytes().Message(),
-            this->Path + " is no recorded touch session of version 1.");
+            this->Path + " is no recorded touch session of version 2.");
   this->Bytes = "";
   EXPECT_FALSE(this->ReadBytes().IsOk());
   EXPECT_EQ(ReadTouchRecording(this->Path + "x", this->Recording).Message(),

@@ -30,7 +30,8 @@ SafetySettings SafetyOf(const DeviceCapabilities& device, const ServoSettings& s
 
 Servo::Servo(HapticDevice& device, const ServoSettings& settings)
     : Recorded(settings.RecordedTicks), Device(device), Settings(settings),
-      HandVelocity(settings.VelocityTimeConstant), Safety(SafetyOf(device.Capabilities(), settings))
+      HandVelocity(settings.VelocityTimeConstant), MostForce(device.Capabilities().MaximumForce),
+      Safety(SafetyOf(device.Capabilities(), settings))
 {
 }
 
@@ -56,15 +57,19 @@ void Servo::Tick(const TickInfo& tick, int level) noexcept
   const Change change = this->TakeOver();
   this->Level = std::clamp(level, 0, this->MostLevel());
   const TickObservation now = this->Observe(tick);
+  this->TickTime = 1e-9 * static_cast<double>(tick.Started);
   if (now.State == DeviceState::Ready && now.HasSample)
   {
     this->Feel(now);
   }
   const Vector3 force = this->Safety.Apply(this->InputOf(now));
+  const bool isTaken = this->Send(force);
+  this->OrderCuts();
   TouchState state = this->StateOf(now, force);
-  state.WasTaken = this->Send(force);
+  state.WasTaken = isTaken;
   state.WasRearmed = change.IsRearmed;
   state.WasContinued = change.IsContinued;
+  state.Command = change.Command;
   state.Safety = this->Safety.Report();
   this->Newest.Publish(state);
   this->Recorded.Push(state);
@@ -85,7 +90,48 @@ Servo::Change Servo::TakeOver() noexcept
     this->Safety.Fail(SafetyFault::SwitchedOff);
   }
   change.IsContinued = this->TakeOverScene();
+  const bool wasDrilling = this->IsDrilling;
+  this->IsDrilling = this->Pedal.load(std::memory_order_acquire);
+  change.Command = this->TakeCommand(wasDrilling && !this->IsDrilling);
   return change;
+}
+
+// A stroke ends with the pedal; what else is wanted waits for the next tick then.
+DrillCommand Servo::TakeCommand(bool endsStroke) noexcept
+{
+  ServoScene* const scene = this->Scenes.Current();
+  DrillLink* const link = scene != nullptr ? scene->Scene().Drill.Link.get() : nullptr;
+  CutOrder order;
+  order.Command = endsStroke ? DrillCommand::EndStroke : DrillCommand::None;
+  if ((!endsStroke && !this->Commands.Pop(order.Command)) || link == nullptr)
+  {
+    return DrillCommand::None;
+  }
+  scene->LiftDrill();
+  order.Number = this->OrderCount;
+  if (!link->Orders.Push(order))
+  {
+    return DrillCommand::None;
+  }
+  ++this->OrderCount;
+  return order.Command;
+}
+
+// After a fault there are none, until the pedal is pressed again.
+void Servo::OrderCuts() noexcept
+{
+  ServoScene* const scene = this->Scenes.Current();
+  if (scene == nullptr)
+  {
+    return;
+  }
+  if (this->Safety.Report().Fault == SafetyFault::None)
+  {
+    scene->OrderCuts(this->OrderCount);
+    return;
+  }
+  scene->LiftDrill();
+  this->Pedal.store(false, std::memory_order_release);
 }
 
 // Whether it continues the one before. One that has not begun to do so is not continued yet.
@@ -148,6 +194,9 @@ FollowStep Servo::StepTo(const DeviceSample& sample, double passed) noexcept
   step.Last = this->HasFelt ? this->LastAsked : step.Now;
   step.Passed = passed;
   step.Level = this->Level;
+  step.IsDrilling = this->IsDrilling;
+  step.Time = this->TickTime;
+  step.MostPush = this->MostForce;
   step.Hand = sample.Position;
   step.HandVelocity = this->HandVelocity.Update(step.Hand, passed);
   step.FadeIn = this->CarriesOn ? std::max(this->Settings.RampDuration, HandoverDuration) : 0.0;
@@ -221,6 +270,9 @@ TouchState Servo::StateOf(const TickObservation& now, const Vector3& force) noex
   state.Depth = this->Current.Felt.Deepest.Depth;
   state.Scene = this->SceneCount;
   state.Level = this->Level;
+  state.IsDrilling = this->IsDrilling;
+  state.DrillVersion = scene != nullptr ? scene->VersionNumber() : 0;
+  state.DrillOrders = this->OrderCount;
   return state;
 }
 } // namespace palpate

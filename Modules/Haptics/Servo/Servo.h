@@ -30,8 +30,8 @@ struct ServoSettings
 /// tick does depends on its TickInfo, its level, the device's samples and the scene alone, so that
 /// a recorded session gives the same forces to the last bit.
 ///
-/// Publish, Reclaim: one publishing thread. Tick: the servo thread. Latest: one reading thread.
-/// PopRecorded: one recording thread. Rearm, SwitchOff: any.
+/// Publish, Reclaim, Command: one publishing thread. Tick: the servo thread. Latest: one reading
+/// thread. PopRecorded: one recording thread. Rearm, SwitchOff, RunDrill: any.
 class Servo
 {
 public:
@@ -55,6 +55,13 @@ public:
   void Rearm() noexcept { this->RearmWanted.store(true, std::memory_order_release); }
   /// 0 N from the next tick on, until Rearm; the tool is followed all the same.
   void SwitchOff() noexcept { this->OffWanted.store(true, std::memory_order_release); }
+
+  /// The drill's pedal: while it is down what is touched and has wear gives way. A fault takes it
+  /// up.
+  void RunDrill(bool runs) noexcept { this->Pedal.store(runs, std::memory_order_release); }
+  /// For who edits what is drilled (TouchDrill::Link); each of the next ticks takes one. False
+  /// where so many wait that this one is lost.
+  bool Command(DrillCommand command) noexcept { return this->Commands.Push(command); }
 
   /// `level` of stand-ins is felt, or the coarsest that there is. It is an input like the tick's
   /// time, and is recorded with it.
@@ -82,10 +89,13 @@ private:
   {
     bool IsRearmed = false;
     bool IsContinued = false; // the scene, by another one
+    DrillCommand Command = DrillCommand::None;
   };
 
   Change TakeOver() noexcept;
   bool TakeOverScene() noexcept;
+  DrillCommand TakeCommand(bool endsStroke) noexcept;
+  void OrderCuts() noexcept;
   TickObservation Observe(const TickInfo& tick) noexcept;
   void Feel(const TickObservation& now) noexcept;
   FollowStep StepTo(const DeviceSample& sample, double passed) noexcept;
@@ -98,6 +108,7 @@ private:
   RingBuffer<TouchState> Recorded;
   SnapshotSlot<ServoScene> Scenes;
   LatestValue<TouchState> Newest;
+  RingBuffer<DrillCommand> Commands{16};
 
   // The servo thread's own.
   ToolPose LastAsked; // at the last question to the models
@@ -107,11 +118,16 @@ private:
   ServoSettings Settings;
   VelocityEstimate HandVelocity; // mm/s, device's frame
   DeviceSample LastFelt;
+  double MostForce; // N, of the device
   SafetyChain Safety;
   int TicksSinceModel = 0;
   std::atomic<bool> RearmWanted{false}; // any thread's
   std::atomic<bool> OffWanted{false};   // any thread's
+  std::atomic<bool> Pedal{false};       // any thread's
   int Level = 0;                        // of this tick
+  bool IsDrilling = false;              // in this tick
+  double TickTime = 0.0;                // s, of this tick
+  std::uint64_t OrderCount = 0;         // that were given so far
   bool HasFelt = false;
   bool CarriesOn = false; // the next step is the first of a scene that continues another one
 };

@@ -32,6 +32,10 @@ Status ServoScene::Make(std::shared_ptr<const TouchScene> scene, double velocity
     {
       next->Ids.emplace_back(structure.Id, static_cast<int>(reaches.size()) - 1);
     }
+    if (structure.Site >= 0)
+    {
+      next->Drilled.push_back(static_cast<std::uint32_t>(reaches.size() - 1));
+    }
   }
   std::sort(next->Ids.begin(), next->Ids.end());
   next->Index = ReachIndex(reaches);
@@ -45,9 +49,9 @@ Status ServoScene::Make(std::shared_ptr<const TouchScene> scene, double velocity
 
 std::size_t ServoScene::Bytes() const noexcept
 {
-  std::size_t bytes = sizeof(*this) + this->Index.Bytes() +
-                      this->Near.size() * sizeof(this->Near[0]) +
-                      this->Ids.size() * sizeof(this->Ids[0]);
+  std::size_t bytes =
+      sizeof(*this) + this->Index.Bytes() + this->Near.size() * sizeof(this->Near[0]) +
+      this->Ids.size() * sizeof(this->Ids[0]) + this->Drilled.size() * sizeof(this->Drilled[0]);
   for (const StructureFollower& follower : this->Followers)
   {
     bytes += follower.Bytes();
@@ -162,6 +166,74 @@ void ServoScene::UseLevel(const FollowStep& step) noexcept
   }
 }
 
+// Those that are newer, or that this scene has not felt yet.
+void ServoScene::TakeVersions() noexcept
+{
+  DrillLink* const link = this->Shared->Drill.Link.get();
+  if (link == nullptr || (!link->Versions.Refresh() && this->Versions != nullptr))
+  {
+    return;
+  }
+  const DrillVersions* const newest = link->Versions.Current();
+  if (newest == nullptr)
+  {
+    return;
+  }
+  for (const std::uint32_t drilled : this->Drilled)
+  {
+    StructureFollower& follower = this->Followers[drilled];
+    const auto site = static_cast<std::size_t>(follower.Site());
+    if (site < newest->Solids.size())
+    {
+      follower.UseSolid(*newest->Solids[site], newest->Number);
+    }
+  }
+  this->HasGrown = this->HasGrown || (this->Versions != nullptr && newest->GrownAt > this->Version);
+  this->Versions = newest;
+  this->Version = newest->Number;
+}
+
+void ServoScene::BeginAgain(const FollowStep& step) noexcept
+{
+  if (!this->HasGrown)
+  {
+    return;
+  }
+  this->HasGrown = false;
+  for (const std::uint32_t drilled : this->Drilled)
+  {
+    StructureFollower& follower = this->Followers[drilled];
+    const FadingContact last = follower.FadingOut(this->Hand);
+    if (follower.BeginAgain(step))
+    {
+      this->FadeOut(static_cast<int>(drilled), last);
+    }
+  }
+}
+
+void ServoScene::OrderCuts(std::uint64_t& number) noexcept
+{
+  for (const std::uint32_t drilled : this->Drilled)
+  {
+    StructureFollower& follower = this->Followers[drilled];
+    CutOrder order;
+    order.Number = number;
+    if (follower.NextCut(order) && this->Shared->Drill.Link->Orders.Push(order))
+    {
+      follower.CutOrdered(order);
+      ++number;
+    }
+  }
+}
+
+void ServoScene::LiftDrill() noexcept
+{
+  for (const std::uint32_t drilled : this->Drilled)
+  {
+    this->Followers[drilled].LiftDrill();
+  }
+}
+
 ServoScene::Feeling ServoScene::Follow(const FollowStep& step) noexcept
 {
   Feeling feeling;
@@ -172,8 +244,10 @@ ServoScene::Feeling ServoScene::Follow(const FollowStep& step) noexcept
   }
   if (step.AsksModel)
   {
+    this->TakeVersions();
     this->LookAround(step);
     this->UseLevel(step);
+    this->BeginAgain(step);
   }
   for (std::size_t i = 0; i < this->NearCount; ++i)
   {

@@ -47,6 +47,12 @@ public:
   void CarryOn(const ServoScene& before) noexcept;
   /// The structure here that has the id of one in another scene, -1 for none.
   int IndexOf(const ServoScene& other, int structure) const noexcept;
+  /// Of the versions that are felt.
+  std::uint64_t VersionNumber() const noexcept { return this->Version; }
+  /// Hands out the cuts of this tick, numbered from `number` on, which then is the next one's.
+  void OrderCuts(std::uint64_t& number) noexcept;
+  /// Nothing is cut before the tool touches again.
+  void LiftDrill() noexcept;
   /// Forgets where the tool was.
   void Leave() noexcept;
   /// Of the structure with the most stand-ins.
@@ -68,6 +74,8 @@ private:
 
   void LookAround(const FollowStep& step) noexcept;
   void UseLevel(const FollowStep& step) noexcept;
+  void TakeVersions() noexcept;
+  void BeginAgain(const FollowStep& step) noexcept;
   void FadeOut(int structure, const FadingContact& contact) noexcept;
   int Find(int id) const noexcept;
   explicit ServoScene(std::shared_ptr<const TouchScene> scene) : Shared(std::move(scene)) {}
@@ -79,9 +87,13 @@ private:
   double Margin = 0.0;             // mm, of it round the way that it was made for
   std::vector<std::uint32_t> Near; // followers, ascending; has room for all
   std::size_t NearCount = 0;
-  std::vector<std::pair<int, int>> Ids;  // of structures that have one, and which; ascending
-  std::array<FadingStructure, 8> Fading; // more at once than a tool touches
-  Vector3 Hand = Vector3::Zero();        // mm, device's frame, of the last Follow
+  std::vector<std::pair<int, int>> Ids;    // of structures that have one, and which; ascending
+  std::array<FadingStructure, 8> Fading;   // more at once than a tool touches
+  Vector3 Hand = Vector3::Zero();          // mm, device's frame, of the last Follow
+  std::vector<std::uint32_t> Drilled;      // followers
+  const DrillVersions* Versions = nullptr; // that are felt; the link's
+  std::uint64_t Version = 0;               // their number
+  bool HasGrown = false;                   // since the last Follow that asked models
   int Levels = 0;
   int Level = 0; // of the last Follow that asked models
   SceneEntry EnteredAs = SceneEntry::Anew;

@@ -34,6 +34,11 @@ double LeastRadius(const ToolShape& tool)
   return least;
 }
 
+// s, in which what has grown round a tool comes to be felt in full.
+constexpr double GrowthDuration = 0.3;
+// s; no tick feeds a drill for longer.
+constexpr double LongestFeed = 0.01;
+
 Contact Untouched(const Vector3& probeWorld) noexcept
 {
   Contact contact;
@@ -46,11 +51,16 @@ Contact Untouched(const Vector3& probeWorld) noexcept
 StructureFollower::StructureFollower(const TouchStructure& structure, const TouchScene& scene,
                                      double velocityTimeConstant,
                                      std::vector<std::unique_ptr<ContactTracker>> trackers)
-    : Trackers(std::move(trackers)), Structure(&structure), Frame(&scene.Frame),
+    : Trackers(std::move(trackers)), Structure(&structure), Frame(&scene.Frame), Tool(&scene.Drill),
       Reach(ReachWorld(structure, scene.Tool)), ToolRadiusWorld(LeastRadius(scene.Tool)),
       ToolRadiusDevice(scene.Frame.LengthDevice(ToolRadiusWorld * Vector3::UnitX()).norm()),
       OffsetVelocity(velocityTimeConstant)
 {
+  if (structure.Site >= 0)
+  {
+    this->Drilled = dynamic_cast<FieldProxyTracker*>(this->Trackers.front().get());
+    this->Feed = std::make_unique<DrillFeed>();
+  }
 }
 
 Eigen::AlignedBox3d StructureFollower::ReachWorld(const TouchStructure& structure,
@@ -83,6 +93,11 @@ Status StructureFollower::Make(const TouchStructure& structure, const TouchScene
                              " cannot be touched: " + status.Message());
     }
   }
+  if (structure.Site >= 0 && dynamic_cast<FieldProxyTracker*>(trackers.front().get()) == nullptr)
+  {
+    return Status::Failure("The structure " + structure.Name +
+                           " cannot be drilled, since it is not felt by a field's proxy.");
+  }
   followers.push_back(
       StructureFollower(structure, scene, velocityTimeConstant, std::move(trackers)));
   return Status::Success();
@@ -90,7 +105,8 @@ Status StructureFollower::Make(const TouchStructure& structure, const TouchScene
 
 std::size_t StructureFollower::Bytes() const noexcept
 {
-  std::size_t bytes = sizeof(*this) + this->Trackers.size() * sizeof(this->Trackers[0]);
+  std::size_t bytes = sizeof(*this) + this->Trackers.size() * sizeof(this->Trackers[0]) +
+                      (this->Feed != nullptr ? sizeof(DrillFeed) : 0);
   for (const auto& tracker : this->Trackers)
   {
     bytes += tracker->Bytes();
@@ -116,11 +132,53 @@ void StructureFollower::Leave() noexcept
   this->Force.setZero();
   this->OffsetVelocity.Reset();
   this->Interpolation.Reset();
+  if (this->Feed != nullptr)
+  {
+    this->Feed->Lift();
+  }
 }
 
 void StructureFollower::CarryOn(const StructureFollower& before) noexcept
 {
   this->Before = before.Last;
+  if (this->Feed != nullptr && before.Feed != nullptr)
+  {
+    *this->Feed = *before.Feed;
+  }
+}
+
+void StructureFollower::GoOnFrom(const Vector3& proxyWorld, const FollowStep& step,
+                                 double fadeIn) noexcept
+{
+  this->Tracker().Release();
+  const Contact& begun = this->Tracker().Follow({proxyWorld, step.Now.Orientation});
+  this->Weight = RampIn(this->Last.IsTouching || begun.IsTouching ? fadeIn : 0.0);
+  this->OffsetVelocity.Reset();
+}
+
+// What is exchanged owns nothing: who gives solids keeps them.
+void StructureFollower::UseSolid(const FieldSolid& solid, std::uint64_t version) noexcept
+{
+  std::shared_ptr<const FieldSolid> next(std::shared_ptr<const FieldSolid>(), &solid);
+  this->Drilled->Exchange(next);
+  this->Feed->Arrive(version);
+}
+
+bool StructureFollower::BeginAgain(const FollowStep& step) noexcept
+{
+  if (this->Follows)
+  {
+    this->Feed->Lift();
+    this->GoOnFrom(this->Last.ProxyWorld, step, GrowthDuration);
+  }
+  return this->Follows;
+}
+
+bool StructureFollower::NextCut(CutOrder& order) noexcept
+{
+  order.Site = this->Structure->Site;
+  order.Tool = this->Tool->Tool;
+  return this->Feed != nullptr && this->Feed->NextCut(this->Tool->Motion.Radius, order);
 }
 
 bool StructureFollower::UseLevel(const FollowStep& step) noexcept
@@ -131,10 +189,7 @@ bool StructureFollower::UseLevel(const FollowStep& step) noexcept
     return false;
   }
   this->Rung = rung;
-  this->Tracker().Release();
-  const Contact& begun = this->Tracker().Follow({this->Last.ProxyWorld, step.Now.Orientation});
-  this->Weight = RampIn(this->Last.IsTouching || begun.IsTouching ? HandoverDuration : 0.0);
-  this->OffsetVelocity.Reset();
+  this->GoOnFrom(this->Last.ProxyWorld, step, HandoverDuration);
   return true;
 }
 
@@ -208,6 +263,11 @@ Vector3 StructureFollower::Follow(const FollowStep& step) noexcept
     return Vector3::Zero();
   }
   ContactOffset felt = this->Felt(step);
+  if (this->Feed != nullptr)
+  {
+    felt.Offset = this->Feed->Remaining(felt.Offset);
+  }
+  const Vector3 remaining = felt.Offset;
   const Vector3 proxyWorld = step.Now.PositionWorld + felt.Offset;
   felt.Offset = this->Frame->LengthDevice(felt.Offset);
   felt.Normal = this->Frame->TurnedToDevice(felt.Normal);
@@ -218,7 +278,30 @@ Vector3 StructureFollower::Follow(const FollowStep& step) noexcept
   this->Force = this->Factor * (force + this->TextureForce(felt, force, proxyWorld) +
                                 VolumeViscosity(this->Structure->Viscosity, felt,
                                                 this->ToolRadiusDevice, step.HandVelocity));
+  if (this->Feed != nullptr)
+  {
+    this->Force += this->Drill(step, felt, remaining, this->Factor * force.dot(felt.Normal));
+  }
   return this->Force;
+}
+
+// Feeds the tool towards the probe, and what is felt of that beside the contact.
+Vector3 StructureFollower::Drill(const FollowStep& step, const ContactOffset& felt,
+                                 const Vector3& remainingWorld, double push) noexcept
+{
+  const DrillLaw& law = this->Structure->Drill;
+  const DrillMotion& motion = this->Tool->Motion;
+  if (!step.IsDrilling || !felt.IsTouching || !(law.Wear > 0.0))
+  {
+    this->Feed->Lift();
+    return Vector3::Zero();
+  }
+  const double pushed = std::clamp(push, 0.0, step.MostPush);
+  const double passed = std::clamp(step.Passed, 0.0, LongestFeed);
+  const double went =
+      this->Feed->Advance(step.Now, remainingWorld, FeedRate(law, motion, pushed) * passed);
+  return DrillForce(law, motion, pushed, felt.Normal, step.HandVelocity,
+                    passed > 0.0 ? went / passed : 0.0, step.Time);
 }
 
 // By the image where the tool touches, as a sphere does.

@@ -2,7 +2,9 @@
 
 #include "ContactForce.h"
 #include "ContactTracker.h"
+#include "DrillFeed.h"
 #include "FadingContact.h"
+#include "FieldProxyTracker.h"
 #include "ForceInterpolation.h"
 #include "RampIn.h"
 #include "TouchScene.h"
@@ -27,6 +29,9 @@ struct FollowStep
   /// grown round it: that is felt more and more for so long. 0 in all other steps.
   double FadeIn = 0.0;
   int Level = 0; ///< of stand-ins, where a structure has them
+  bool IsDrilling = false;
+  double Time = 0.0;     ///< s, of the tick; vibrations go by it
+  double MostPush = 0.0; ///< N, that the device gives: no more drives a drill
 
   /// Holds the way from Last to Now.
   Eigen::AlignedBox3d WayWorld() const noexcept
@@ -71,6 +76,18 @@ public:
   /// Feels the stand-in of the step's level from now on, going on as CarryOn does. Whether that is
   /// another one than before; nothing else is left to be faded out where the tool is out of reach.
   bool UseLevel(const FollowStep& step) noexcept;
+  /// Feels that version of the field which it is drilled in from now on. The solid has to live
+  /// until the next one is given.
+  void UseSolid(const FieldSolid& solid, std::uint64_t version) noexcept;
+  /// Goes on from where it was, but what has grown round the tool is felt more and more. Whether
+  /// anything was felt.
+  bool BeginAgain(const FollowStep& step) noexcept;
+  /// The next cut into it. False where there is none in this tick.
+  bool NextCut(CutOrder& order) noexcept;
+  void CutOrdered(const CutOrder& order) noexcept { this->Feed->Ordered(order); }
+  void LiftDrill() noexcept { this->Feed->Lift(); }
+  /// The field of the scene's that it is felt by; -1 for none.
+  int Site() const noexcept { return this->Structure->Site; }
   /// What was felt last, with the hand at `hand` (mm, device's frame), to be faded out.
   FadingContact FadingOut(const Vector3& hand) const noexcept;
   bool IsFollowing() const noexcept { return this->Follows; }
@@ -89,6 +106,9 @@ private:
 
   void Enter(const FollowStep& step) noexcept;
   void AskModel(const FollowStep& step) noexcept;
+  void GoOnFrom(const Vector3& proxyWorld, const FollowStep& step, double fadeIn) noexcept;
+  Vector3 Drill(const FollowStep& step, const ContactOffset& felt, const Vector3& remainingWorld,
+                double push) noexcept;
   ContactOffset Felt(const FollowStep& step) noexcept;
   Vector3 TextureForce(const ContactOffset& felt, const Vector3& contactForce,
                        const Vector3& proxyWorld) const noexcept;
@@ -98,8 +118,11 @@ private:
 
   std::vector<std::unique_ptr<ContactTracker>> Trackers; // of the model and its stand-ins
   std::size_t Rung = 0;
+  FieldProxyTracker* Drilled = nullptr; // the tracker, where versions follow each other
+  std::unique_ptr<DrillFeed> Feed;      // there too
   const TouchStructure* Structure;
   const DeviceFrame* Frame;
+  const TouchDrill* Tool;
   Eigen::AlignedBox3d Reach;
   double ToolRadiusWorld;  // mm, from the tool's centre to its surface where that is nearest
   double ToolRadiusDevice; // the same in mm of the hand

@@ -10,6 +10,26 @@ bool IsAmount(double number)
 {
   return number >= 0.0 && std::isfinite(number);
 }
+Status CheckDrill(const TouchStructure& structure, const TouchDrill& drill)
+{
+  if (structure.Site >= 0 && drill.Link == nullptr)
+  {
+    return Status::Failure("The structure " + structure.Name +
+                           " is to be drilled, but the scene has no drill.");
+  }
+  if (structure.Site >= 0 && !structure.Coarser.empty())
+  {
+    return Status::Failure("The structure " + structure.Name +
+                           " is to be drilled, which stand-ins for it would not show.");
+  }
+  const DrillLaw& law = structure.Drill;
+  if (!IsAmount(law.Wear) || !IsAmount(law.Drag) || !IsAmount(law.Vibration) || law.Vibration > 1.0)
+  {
+    return Status::Failure("Wear and drag of the structure " + structure.Name +
+                           " must be finite and not negative, and its vibration 0 to 1.");
+  }
+  return Status::Success();
+}
 } // namespace
 
 Status TouchScene::Check() const
@@ -45,6 +65,17 @@ Status TouchScene::Check() const
       return Status::Failure("The viscosity of the structure " + structure.Name +
                              " must be finite and not negative.");
     }
+    const Status drill = CheckDrill(structure, this->Drill);
+    if (!drill.IsOk())
+    {
+      return drill;
+    }
+  }
+  const DrillMotion& motion = this->Drill.Motion;
+  if (!IsAmount(motion.Radius) || !IsAmount(motion.Turns) || !IsAmount(motion.VibrationFrequency))
+  {
+    return Status::Failure("A drill's radius, turns and vibration must be finite and not "
+                           "negative.");
   }
   if (!this->Ambient.Constant.allFinite() || !IsAmount(this->Ambient.Viscosity))
   {

@@ -3,6 +3,8 @@
 #include "ContactForce.h"
 #include "ContactModel.h"
 #include "DeviceFrame.h"
+#include "DrillForce.h"
+#include "DrillLink.h"
 #include "LatestValue.h"
 #include "PlainVector3.h"
 #include "Status.h"
@@ -38,6 +40,8 @@ struct TouchStructure
   /// By which it is known again in a scene that continues this one; 0: it is not.
   int Id = 0;
   std::vector<TouchStandIn> Coarser = {}; ///< each cheaper than the one before
+  DrillLaw Drill = {};                    ///< how it gives way, while the scene's drill runs
+  int Site = -1; ///< of DrillVersions, which it is felt by; -1: it is not drilled
 };
 
 /// What acts without touch too, in the device's frame.
@@ -45,6 +49,14 @@ struct AmbientForce
 {
   Vector3 Constant = Vector3::Zero(); ///< N, for instance against the mechanism's weight
   double Viscosity = 0.0;             ///< N s/mm
+};
+
+/// The tool as a drill.
+struct TouchDrill
+{
+  std::shared_ptr<DrillLink> Link; ///< none: nothing is drilled
+  DrillMotion Motion;
+  int Tool = 0; ///< of the editor's, of the same shape as the scene's
 };
 
 /// Everything that a hand is to feel, as it is handed to the servo. Not to be changed after that:
@@ -55,6 +67,7 @@ struct TouchScene
   ToolShape Tool = ToolShape::Sphere(1.0);
   DeviceFrame Frame;
   AmbientForce Ambient;
+  TouchDrill Drill;
   /// Where every tick leaves the probe's place (mm, world), for the one thread that gets ready what
   /// the tool comes to; none: nobody asks.
   std::shared_ptr<LatestValue<PlainVector3>> Probe = nullptr;

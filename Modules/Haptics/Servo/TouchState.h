@@ -2,6 +2,7 @@
 
 #include "DeviceSample.h"
 #include "DeviceState.h"
+#include "DrillCommand.h"
 #include "LoopSchedule.h"
 #include "SafetyReport.h"
 
@@ -28,6 +29,10 @@ struct TouchState
   bool WasRearmed = false;     ///< a person switched forces on again before this tick
   bool WasContinued = false;   ///< the scene that was taken over went on from the one before
   std::int32_t Level = 0;      ///< of stand-ins, that was felt; 0 are the models themselves
+  bool IsDrilling = false;     ///< the drill was to run
+  DrillCommand Command = DrillCommand::None; ///< that was taken before this tick
+  std::uint64_t DrillVersion = 0;            ///< DrillVersions::Number of what was felt
+  std::uint64_t DrillOrders = 0;             ///< given so far, with those of this tick
   SafetyReport Safety;
 };
 } // namespace palpate
