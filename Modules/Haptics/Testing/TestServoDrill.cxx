@@ -1,0 +1,310 @@
+#include "DrillCases.h"
+#include "ServoRun.h"
+
+#include <atomic>
+#include <thread>
+
+namespace palpate
+{
+namespace
+{
+using test::DrilledBlock;
+
+constexpr double Depth = 3.0; // mm that a hand presses below where it touches
+const Vector3 Pressed(0.1, -0.2, DrilledBlock::Top + DrilledBlock::Radius - Depth);
+// N; a tracker ends within a fiftieth of a voxel of the surface, a cut one within a tenth.
+constexpr double Close = DrilledBlock::Stiffness * 0.1 * DrilledBlock::Spacing;
+
+TEST(ServoDrill, APressedDrillSinksByPushAndSpeed)
+{
+  for (const int late : {1, 3, 10})
+  {
+    DrilledBlock block;
+    test::ServoRun run(block.Scene());
+    const double first = run.RestAt(Pressed).norm();
+    EXPECT_NEAR(first, DrilledBlock::Stiffness * Depth, Close);
+    run.Loop.RunDrill(true);
+    double wanted = first;
+    for (int n = 0; n < 600; ++n)
+    {
+      const double force = run.TickAt(Pressed).norm();
+      ASSERT_NEAR(force, wanted, Close) << "tick " << n << ", versions every " << late;
+      wanted *= 1.0 - 1e-3 * DrilledBlock::FeedConstant();
+      if (n % late == 0)
+      {
+        block.Editor->Take();
+      }
+    }
+    EXPECT_LT(wanted, 0.2 * first);
+    EXPECT_TRUE(run.Loop.Latest().IsDrilling);
+    EXPECT_GT(run.Loop.Latest().DrillVersion, 100u);
+  }
+}
+
+// Each version shows at once what many ticks have cut, and is felt as if it were nothing.
+TEST(ServoDrill, WhatIsFeltGoesOnEvenlyThoughVersionsComeInSteps)
+{
+  DrilledBlock block;
+  test::ServoRun run(block.Scene());
+  Vector3 last = run.RestAt(Pressed);
+  run.Loop.RunDrill(true);
+  const double sinking = 1e-3 * DrilledBlock::FeedConstant() * last.norm();
+  for (int n = 0; n < 300; ++n)
+  {
+    const Vector3 force = run.TickAt(Pressed);
+    // A version's surface lies within a twentieth of a voxel of the cut.
+    ASSERT_LE((force - last).norm(), sinking + 0.5 * Close) << n;
+    last = force;
+    if (n % 20 == 19)
+    {
+      block.Editor->Take();
+    }
+  }
+}
+
+TEST(ServoDrill, WhatIsRemovedIsWhatTheToolPassed)
+{
+  DrilledBlock block;
+  test::ServoRun run(block.Scene());
+  run.RestAt(Pressed);
+  run.Loop.RunDrill(true);
+  for (int n = 0; n < 3000; ++n)
+  {
+    run.TickAt(Pressed);
+    block.Editor->Take();
+  }
+  run.Loop.RunDrill(false);
+  EXPECT_LT(run.TickAt(Pressed).norm(), Close);
+  block.Editor->Take();
+  // A hemisphere and a cylinder above it.
+  constexpr double R = DrilledBlock::Radius;
+  const double wanted = M_PI * R * R * (2.0 / 3.0 * R + (Depth - R));
+  EXPECT_NEAR(block.Editor->RemovedVolumes()[0], wanted, 0.02 * wanted); // its rim is a sharp edge
+}
+
+TEST(ServoDrill, NothingIsCutWithoutPedalOrWearOrTouch)
+{
+  const struct
+  {
+    bool isDown;
+    double wear;
+    Vector3 place;
+  } cases[] = {{false, 0.5, Pressed}, {true, 0.0, Pressed}, {true, 0.5, {0.0, 0.0, 9.0}}};
+  for (const auto& one : cases)
+  {
+    DrilledBlock block;
+    test::ServoRun run(block.Scene(one.wear));
+    run.Loop.RunDrill(one.isDown);
+    run.RestAt(one.place);
+    EXPECT_FALSE(block.Editor->Take());
+    EXPECT_EQ(run.Loop.Latest().DrillOrders, 0u);
+    EXPECT_EQ(block.Editor->RemovedVolumes()[0], 0.0);
+  }
+}
+
+TEST(ServoDrill, AnEditorThatHangsStopsTheDrillAndNotTheHand)
+{
+  DrilledBlock block;
+  test::ServoRun run(block.Scene());
+  run.RestAt(Pressed);
+  run.Loop.RunDrill(true);
+  const Vector3 stalled = run.RestAt(Pressed);
+  EXPECT_EQ(run.Loop.Latest().DrillOrders, DrillFeed::MostWaiting);
+  EXPECT_EQ(run.RestAt(Pressed), stalled);
+  EXPECT_GT(stalled.norm(), 0.2);
+  block.Editor->Take();
+  EXPECT_LT(run.RestAt(Pressed).norm(), stalled.norm());
+}
+
+TEST(ServoDrill, AFaultEndsForceAndCutsAtOnceAndTakesUpThePedal)
+{
+  DrilledBlock block;
+  test::ServoRun run(block.Scene());
+  run.RestAt(Pressed);
+  run.Loop.RunDrill(true);
+  run.RestAt(Pressed);
+  const std::uint64_t orders = run.Loop.Latest().DrillOrders;
+  EXPECT_EQ(run.TickAt({test::NotANumber, 0.0, 0.0}), Vector3::Zero());
+  EXPECT_EQ(run.Loop.Latest().DrillOrders, orders);
+  for (int n = 0; n < 100; ++n)
+  {
+    ASSERT_EQ(run.TickAt(Pressed), Vector3::Zero());
+    block.Editor->Take();
+  }
+  EXPECT_FALSE(run.Loop.Latest().IsDrilling);
+  run.Loop.Rearm();
+  run.RestAt(Pressed);
+  EXPECT_EQ(run.Loop.Latest().DrillOrders, orders + 1); // the stroke's end
+}
+
+TEST(ServoDrill, ForcesStayWithinTheDevicesLimitWhateverTheLaw)
+{
+  DrilledBlock block;
+  TouchScene scene = block.Scene(50.0);
+  scene.Structures[0].Law = {4.0, 0.02};
+  scene.Structures[0].Drill.Drag = 100.0;
+  scene.Structures[0].Drill.Vibration = 1.0;
+  test::ServoRun run(scene);
+  run.Loop.RunDrill(true);
+  test::Random random(99);
+  std::uniform_real_distribution<double> part(-1.0, 1.0);
+  Vector3 place(0.0, 0.0, 9.0);
+  double most = 0.0;
+  for (int n = 0; n < 4000; ++n)
+  {
+    const Vector3 target(6.0 * part(random), 6.0 * part(random), 4.0 + 6.0 * part(random));
+    place += 0.02 * (target - place);
+    const Vector3 force = run.TickAt(place);
+    ASSERT_TRUE(force.allFinite());
+    ASSERT_LE(force.norm(), run.Device.Abilities.MaximumForce * (1.0 + 1e-12));
+    most = std::max(most, force.norm());
+    block.Editor->Take();
+  }
+  EXPECT_GT(most, 1.0);
+  EXPECT_GT(block.Editor->RemovedVolumes()[0], 10.0);
+}
+
+TEST(ServoDrill, WhatGrowsBackRoundTheToolIsFeltMoreAndMore)
+{
+  DrilledBlock block;
+  test::ServoRun run(block.Scene());
+  const Vector3 first = run.RestAt(Pressed);
+  run.Loop.RunDrill(true);
+  for (int n = 0; n < 3000; ++n)
+  {
+    run.TickAt(Pressed);
+    block.Editor->Take();
+  }
+  run.Loop.RunDrill(false);
+  Vector3 last = run.TickAt(Pressed);
+  ASSERT_TRUE(run.Loop.Command(DrillCommand::Undo));
+  constexpr double TicksOfGrowth = 300.0;
+  double most = 0.0;
+  for (int n = 0; n < 600; ++n)
+  {
+    const Vector3 force = run.TickAt(Pressed);
+    ASSERT_LE((force - last).norm(), 1.05 * first.norm() / TicksOfGrowth + 1e-3) << n;
+    ASSERT_FALSE(run.Loop.Latest().Safety.IsRamping);
+    last = force;
+    most = std::max(most, force.norm());
+    block.Editor->Take();
+  }
+  EXPECT_NEAR((last - first).norm(), 0.0, Close);
+  EXPECT_EQ(block.Editor->RemovedVolumes()[0], 0.0);
+}
+
+TEST(ServoDrill, AContinuingSceneGoesOnDrilling)
+{
+  DrilledBlock block;
+  test::ServoRun run(block.Scene());
+  run.RestAt(Pressed);
+  run.Loop.RunDrill(true);
+  Vector3 last = run.TickAt(Pressed);
+  for (int n = 0; n < 200; ++n)
+  {
+    if (n == 100)
+    {
+      const auto next = std::make_shared<TouchScene>(block.Scene());
+      ASSERT_TRUE(run.Loop.Publish(next, SceneEntry::Continuing).IsOk());
+    }
+    const Vector3 force = run.TickAt(Pressed);
+    ASSERT_LE((force - last).norm(), 0.02) << n;
+    last = force;
+    if (n % 7 == 0)
+    {
+      block.Editor->Take();
+    }
+  }
+  EXPECT_GT(run.Loop.Latest().DrillOrders, 40u);
+}
+
+TEST(ServoDrill, CommandsAreTakenOneATickAndAPedalThatIsLetGoEndsAStroke)
+{
+  DrilledBlock block;
+  test::ServoRun run(block.Scene());
+  run.Loop.RunDrill(true);
+  run.TickAt(Pressed);
+  run.Loop.RunDrill(false);
+  run.Loop.Command(DrillCommand::Undo);
+  run.Loop.Command(DrillCommand::Redo);
+  for (const DrillCommand wanted :
+       {DrillCommand::EndStroke, DrillCommand::Undo, DrillCommand::Redo, DrillCommand::None})
+  {
+    run.TickAt(Pressed);
+    EXPECT_EQ(run.Loop.Latest().Command, wanted);
+  }
+}
+
+TEST(ServoDrill, WhatCannotBeDrilledIsRefused)
+{
+  DrilledBlock block;
+  const auto isRefused = [](const TouchScene& scene)
+  {
+    std::unique_ptr<ServoScene> made;
+    return !ServoScene::Make(std::make_shared<TouchScene>(scene), 0.003, made).IsOk();
+  };
+  EXPECT_FALSE(isRefused(block.Scene()));
+  TouchScene scene = block.Scene();
+  scene.Drill.Link = nullptr;
+  EXPECT_TRUE(isRefused(scene));
+  scene = block.Scene(-1.0);
+  EXPECT_TRUE(isRefused(scene));
+  scene = block.Scene(test::NotANumber);
+  EXPECT_TRUE(isRefused(scene));
+  scene = block.Scene();
+  scene.Drill.Motion.Turns = test::Infinite;
+  EXPECT_TRUE(isRefused(scene));
+  scene = block.Scene();
+  scene.Structures[0].Coarser.push_back({scene.Structures[0].Model, {}, "the same"});
+  EXPECT_TRUE(isRefused(scene));
+  scene = block.Scene();
+  scene.Tool = ToolShape::Sphere(0.0);
+  scene.Structures[0].Model = std::make_shared<test::WallModel>(0.0);
+  EXPECT_TRUE(isRefused(scene));
+}
+
+// A servo that ticks as fast as it can, an editor on a thread, and one that looks: what is there in
+// the end follows from the orders alone.
+TEST(ServoDrill, EditorAndServoNeitherWaitNorTear)
+{
+  DrilledBlock block;
+  test::ServoRun run(block.Scene());
+  run.RestAt(Pressed);
+  run.Loop.RunDrill(true);
+  std::atomic<bool> isOver{false};
+  std::thread editor(
+      [&]
+      {
+        while (!isOver)
+        {
+          block.Editor->Take();
+        }
+      });
+  std::thread viewer(
+      [&]
+      {
+        while (!isOver)
+        {
+          const DrillReading reading = block.Editor->Newest();
+          std::shared_ptr<const FieldSolid> solid;
+          ASSERT_TRUE(FieldSolid::Make(reading.Fields[0], 0, solid).IsOk());
+          unsigned char inside = 0;
+          const Vector3 below(0.0, 0.0, 0.0);
+          solid->AreInside(&below, 1, &inside);
+          ASSERT_EQ(inside, 1);
+        }
+      });
+  for (int n = 0; n < 2000; ++n)
+  {
+    const double angle = 0.01 * n;
+    run.TickAt(Pressed + 2.0 * Vector3(std::cos(angle) - 1.0, std::sin(angle), 0.0));
+  }
+  isOver = true;
+  editor.join();
+  viewer.join();
+  block.Editor->Take();
+  EXPECT_EQ(block.Editor->Newest().Number, run.Loop.Latest().DrillOrders);
+  EXPECT_GT(block.Editor->RemovedVolumes()[0], 1.0);
+}
+} // namespace
+} // namespace palpate
