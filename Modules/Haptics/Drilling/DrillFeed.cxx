@@ -1,6 +1,7 @@
 #include "DrillFeed.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace palpate
 {
@@ -21,10 +22,10 @@ void DrillFeed::Arrive(std::uint64_t number) noexcept
   }
 }
 
-// Summed anew, so that nothing is left of what has arrived.
-double DrillFeed::Ahead() const noexcept
+// What no version shows yet; summed anew, so that nothing is left of what has arrived.
+double DrillFeed::MostAhead() const noexcept
 {
-  double ahead = this->Unordered;
+  double ahead = this->Play + this->Unordered;
   for (std::size_t i = 0; i < this->Count; ++i)
   {
     ahead += this->Waiting[(this->First + i) % MostWaiting].Way;
@@ -32,39 +33,67 @@ double DrillFeed::Ahead() const noexcept
   return ahead;
 }
 
-Vector3 DrillFeed::Remaining(const Vector3& offset) const noexcept
+Vector3 DrillFeed::Meet(const ToolPose& probe, const Vector3& offset, bool cuts) noexcept
 {
+  constexpr double KeptInTick = 0.95; // of the play, once nothing is cut
   const double length = offset.norm();
-  const double ahead = this->Ahead();
-  return ahead < length ? Vector3((1.0 - ahead / length) * offset) : Vector3::Zero();
+  const Vector3 proxy = probe.PositionWorld + offset;
+  this->Play = cuts ? this->Clearance : KeptInTick * this->Play;
+  double ahead = -this->Play;
+  if (this->IsTouching && length > 0.0)
+  {
+    const Vector3 out = offset / length;
+    const Vector3 way = this->Tool - proxy;
+    ahead = -way.dot(out);
+    const double below = std::max(ahead + this->Clearance, 0.0);
+    ahead -= (way + ahead * out).norm() * std::sqrt(2.0 * below / this->Radius);
+    ahead = std::clamp(ahead, -this->Play, std::min(this->MostAhead(), length));
+  }
+  this->IsTouching = true;
+  this->Probe = probe;
+  this->Remaining = length > 0.0 ? Vector3((1.0 - ahead / length) * offset) : Vector3::Zero();
+  this->Tool = probe.PositionWorld + this->Remaining;
+  return this->Remaining;
 }
 
-double DrillFeed::Advance(const ToolPose& probe, const Vector3& remaining, double way) noexcept
+double DrillFeed::Advance(double way) noexcept
 {
-  const double length = remaining.norm();
+  const double length = this->Remaining.norm();
   const double went = this->Count < MostWaiting ? std::clamp(way, 0.0, length) : 0.0;
   if (!this->IsCutting)
   {
     this->IsCutting = true;
     this->TicksSinceCut = 0;
-    this->LastCut = Plain(probe.PositionWorld + remaining, probe.Orientation);
+    this->LastCut = Plain(this->Tool, this->Probe.Orientation);
   }
-  const double part = length > 0.0 ? 1.0 - went / length : 0.0;
-  this->Tool = Plain(probe.PositionWorld + part * remaining, probe.Orientation);
+  this->Tool -= (length > 0.0 ? went / length : 0.0) * this->Remaining;
   this->Unordered += went;
   return went;
 }
 
-bool DrillFeed::NextCut(double apart, CutOrder& order) noexcept
+void DrillFeed::Rest() noexcept
+{
+  this->IsCutting = false;
+  this->Unordered = 0.0;
+}
+
+void DrillFeed::Leave() noexcept
+{
+  this->Rest();
+  this->Play = 0.0;
+  this->IsTouching = false;
+}
+
+bool DrillFeed::NextCut(CutOrder& order) noexcept
 {
   if (!this->IsCutting || ++this->TicksSinceCut < TicksOfCut || this->Count == MostWaiting ||
       !(this->Unordered > 0.0))
   {
     return false;
   }
-  const Vector3 way = Vector3(this->Tool.PositionWorld) - Vector3(this->LastCut.PositionWorld);
-  order.From = way.norm() <= apart ? this->LastCut : this->Tool;
-  order.To = this->Tool;
+  order.To = Plain(this->Tool, this->Probe.Orientation);
+  const bool isNear = (this->Tool - Vector3(this->LastCut.PositionWorld)).norm() <= this->Radius;
+  order.From = isNear ? this->LastCut : order.To;
   return true;
 }
 

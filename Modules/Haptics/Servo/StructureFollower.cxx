@@ -34,8 +34,6 @@ double LeastRadius(const ToolShape& tool)
   return least;
 }
 
-// s, in which what has grown round a tool comes to be felt in full.
-constexpr double GrowthDuration = 0.3;
 // s; no tick feeds a drill for longer.
 constexpr double LongestFeed = 0.01;
 
@@ -59,7 +57,7 @@ StructureFollower::StructureFollower(const TouchStructure& structure, const Touc
   if (structure.Site >= 0)
   {
     this->Drilled = dynamic_cast<FieldProxyTracker*>(this->Trackers.front().get());
-    this->Feed = std::make_unique<DrillFeed>();
+    this->Feed = std::make_unique<DrillFeed>(scene.Drill.Motion.Radius, scene.Drill.Clearance);
   }
 }
 
@@ -127,6 +125,7 @@ bool StructureFollower::IsInReach(const FollowStep& step) const noexcept
 void StructureFollower::Leave() noexcept
 {
   this->Follows = false;
+  this->IsBuried = false;
   this->Before.reset();
   this->Weight = RampIn(0.0);
   this->Force.setZero();
@@ -134,7 +133,7 @@ void StructureFollower::Leave() noexcept
   this->Interpolation.Reset();
   if (this->Feed != nullptr)
   {
-    this->Feed->Lift();
+    this->Feed->Leave();
   }
 }
 
@@ -147,13 +146,12 @@ void StructureFollower::CarryOn(const StructureFollower& before) noexcept
   }
 }
 
-void StructureFollower::GoOnFrom(const Vector3& proxyWorld, const FollowStep& step,
-                                 double fadeIn) noexcept
+const Contact& StructureFollower::BeginAt(const Vector3& placeWorld,
+                                          const FollowStep& step) noexcept
 {
-  this->Tracker().Release();
-  const Contact& begun = this->Tracker().Follow({proxyWorld, step.Now.Orientation});
-  this->Weight = RampIn(this->Last.IsTouching || begun.IsTouching ? fadeIn : 0.0);
   this->OffsetVelocity.Reset();
+  this->Tracker().Release();
+  return this->Tracker().Follow({placeWorld, step.Now.Orientation});
 }
 
 // What is exchanged owns nothing: who gives solids keeps them.
@@ -168,17 +166,29 @@ bool StructureFollower::BeginAgain(const FollowStep& step) noexcept
 {
   if (this->Follows)
   {
-    this->Feed->Lift();
-    this->GoOnFrom(this->Last.ProxyWorld, step, GrowthDuration);
+    this->Feed->Leave();
+    const Contact& begun = this->BeginAt(this->Last.ProxyWorld, step);
+    // A proxy on the surface may begin a little inside.
+    constexpr double DeepInVoxels = 0.5;
+    this->IsBuried =
+        begun.IsTouching && !(begun.Depth < DeepInVoxels * this->Drilled->Followed().VoxelSize());
+    this->Weight = RampIn(this->Last.IsTouching ? HandoverDuration : 0.0);
   }
   return this->Follows;
+}
+
+void StructureFollower::Unbury(const FollowStep& step) noexcept
+{
+  const Contact& begun = this->BeginAt(step.Now.PositionWorld, step);
+  this->IsBuried = begun.IsTouching || !begun.IsValid;
+  this->Interpolation.Reset();
 }
 
 bool StructureFollower::NextCut(CutOrder& order) noexcept
 {
   order.Site = this->Structure->Site;
   order.Tool = this->Tool->Tool;
-  return this->Feed != nullptr && this->Feed->NextCut(this->Tool->Motion.Radius, order);
+  return this->Feed->NextCut(order);
 }
 
 bool StructureFollower::UseLevel(const FollowStep& step) noexcept
@@ -189,7 +199,8 @@ bool StructureFollower::UseLevel(const FollowStep& step) noexcept
     return false;
   }
   this->Rung = rung;
-  this->GoOnFrom(this->Last.ProxyWorld, step, HandoverDuration);
+  const Contact& begun = this->BeginAt(this->Last.ProxyWorld, step);
+  this->Weight = RampIn(this->Last.IsTouching || begun.IsTouching ? HandoverDuration : 0.0);
   return true;
 }
 
@@ -257,17 +268,21 @@ Vector3 StructureFollower::Follow(const FollowStep& step) noexcept
   {
     this->Follows ? this->Leave() : this->Enter(step);
   }
-  if (!this->Follows)
+  if (this->Follows && this->IsBuried && step.AsksModel)
+  {
+    this->Unbury(step);
+  }
+  if (!this->Follows || this->IsBuried)
   {
     this->Last = Untouched(step.Now.PositionWorld);
+    this->Force.setZero();
     return Vector3::Zero();
   }
   ContactOffset felt = this->Felt(step);
-  if (this->Feed != nullptr)
+  if (this->Feed != nullptr && felt.IsTouching)
   {
-    felt.Offset = this->Feed->Remaining(felt.Offset);
+    felt.Offset = this->Feed->Meet(step.Now, felt.Offset, this->IsCut(step));
   }
-  const Vector3 remaining = felt.Offset;
   const Vector3 proxyWorld = step.Now.PositionWorld + felt.Offset;
   felt.Offset = this->Frame->LengthDevice(felt.Offset);
   felt.Normal = this->Frame->TurnedToDevice(felt.Normal);
@@ -280,26 +295,25 @@ Vector3 StructureFollower::Follow(const FollowStep& step) noexcept
                                                 this->ToolRadiusDevice, step.HandVelocity));
   if (this->Feed != nullptr)
   {
-    this->Force += this->Drill(step, felt, remaining, this->Factor * force.dot(felt.Normal));
+    this->Force += this->Drill(step, felt, this->Factor * force.dot(felt.Normal));
   }
   return this->Force;
 }
 
 // Feeds the tool towards the probe, and what is felt of that beside the contact.
 Vector3 StructureFollower::Drill(const FollowStep& step, const ContactOffset& felt,
-                                 const Vector3& remainingWorld, double push) noexcept
+                                 double push) noexcept
 {
   const DrillLaw& law = this->Structure->Drill;
   const DrillMotion& motion = this->Tool->Motion;
-  if (!step.IsDrilling || !felt.IsTouching || !(law.Wear > 0.0))
+  if (!this->IsCut(step) || !felt.IsTouching)
   {
-    this->Feed->Lift();
+    felt.IsTouching ? this->Feed->Rest() : this->Feed->Leave();
     return Vector3::Zero();
   }
   const double pushed = std::clamp(push, 0.0, step.MostPush);
   const double passed = std::clamp(step.Passed, 0.0, LongestFeed);
-  const double went =
-      this->Feed->Advance(step.Now, remainingWorld, FeedRate(law, motion, pushed) * passed);
+  const double went = this->Feed->Advance(FeedRate(law, motion, pushed) * passed);
   return DrillForce(law, motion, pushed, felt.Normal, step.HandVelocity,
                     passed > 0.0 ? went / passed : 0.0, step.Time);
 }

@@ -79,13 +79,13 @@ public:
   /// Feels that version of the field which it is drilled in from now on. The solid has to live
   /// until the next one is given.
   void UseSolid(const FieldSolid& solid, std::uint64_t version) noexcept;
-  /// Goes on from where it was, but what has grown round the tool is felt more and more. Whether
-  /// anything was felt.
+  /// There may be more of it now. Where the tool is inside, nothing is felt of it until the tool
+  /// has left: nobody is shoved out of what grew back round the hand. Whether anything was felt.
   bool BeginAgain(const FollowStep& step) noexcept;
   /// The next cut into it. False where there is none in this tick.
   bool NextCut(CutOrder& order) noexcept;
   void CutOrdered(const CutOrder& order) noexcept { this->Feed->Ordered(order); }
-  void LiftDrill() noexcept { this->Feed->Lift(); }
+  void LiftDrill() noexcept { this->Feed->Rest(); }
   /// The field of the scene's that it is felt by; -1 for none.
   int Site() const noexcept { return this->Structure->Site; }
   /// What was felt last, with the hand at `hand` (mm, device's frame), to be faded out.
@@ -106,9 +106,13 @@ private:
 
   void Enter(const FollowStep& step) noexcept;
   void AskModel(const FollowStep& step) noexcept;
-  void GoOnFrom(const Vector3& proxyWorld, const FollowStep& step, double fadeIn) noexcept;
-  Vector3 Drill(const FollowStep& step, const ContactOffset& felt, const Vector3& remainingWorld,
-                double push) noexcept;
+  const Contact& BeginAt(const Vector3& placeWorld, const FollowStep& step) noexcept;
+  void Unbury(const FollowStep& step) noexcept;
+  bool IsCut(const FollowStep& step) const noexcept
+  {
+    return step.IsDrilling && this->Structure->Drill.Wear > 0.0;
+  }
+  Vector3 Drill(const FollowStep& step, const ContactOffset& felt, double push) noexcept;
   ContactOffset Felt(const FollowStep& step) noexcept;
   Vector3 TextureForce(const ContactOffset& felt, const Vector3& contactForce,
                        const Vector3& proxyWorld) const noexcept;
@@ -130,6 +134,7 @@ private:
   ForceInterpolation Interpolation;
   Contact Last;
   bool Follows = false;
+  bool IsBuried = false;         // in what grew back round the tool
   std::optional<Contact> Before; // that it carries on from
   RampIn Weight{0.0};            // of its force
   double Factor = 1.0;           // by the weight, of the last one

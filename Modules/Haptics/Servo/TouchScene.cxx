@@ -72,10 +72,12 @@ Status TouchScene::Check() const
     }
   }
   const DrillMotion& motion = this->Drill.Motion;
-  if (!IsAmount(motion.Radius) || !IsAmount(motion.Turns) || !IsAmount(motion.VibrationFrequency))
+  if (!IsAmount(this->Drill.Clearance) || !IsAmount(motion.Radius) || !IsAmount(motion.Turns) ||
+      !IsAmount(motion.VibrationFrequency))
   {
-    return Status::Failure("A drill's radius, turns and vibration must be finite and not "
-                           "negative.");
+    return Status::Failure(
+        "A drill's radius, clearance, turns and vibration must be finite and not "
+        "negative.");
   }
   if (!this->Ambient.Constant.allFinite() || !IsAmount(this->Ambient.Viscosity))
   {

@@ -56,7 +56,10 @@ struct TouchDrill
 {
   std::shared_ptr<DrillLink> Link; ///< none: nothing is drilled
   DrillMotion Motion;
-  int Tool = 0; ///< of the editor's, of the same shape as the scene's
+  int Tool = 0; ///< of the editor's
+  /// mm that the scene's tool, which touches, is smaller than that one, which cuts: a tenth of a
+  /// voxel, lest the tool wedge in its own hole.
+  double Clearance = 0.0;
 };
 
 /// Everything that a hand is to feel, as it is handed to the servo. Not to be changed after that:

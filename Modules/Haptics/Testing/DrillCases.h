@@ -18,6 +18,7 @@ public:
   static constexpr double Spacing = 0.5; // mm
   static constexpr double Top = 6.0;     // mm
   static constexpr double Radius = 2.0;  // mm, of the tool
+  static constexpr double Clearance = 0.1 * Spacing;
   static constexpr double Stiffness = 0.5;
 
   DrilledBlock() : Field(BlockField())
@@ -36,13 +37,14 @@ public:
   TouchScene Scene(double wear = 0.5) const
   {
     TouchScene scene;
-    scene.Tool = ToolShape::Sphere(Radius);
+    scene.Tool = ToolShape::Sphere(Radius - Clearance);
     scene.Structures.push_back({"bone", FieldContact(this->Field), {Stiffness, 0.0}, {}});
     scene.Structures[0].Id = 1;
     scene.Structures[0].Site = 0;
     scene.Structures[0].Drill.Wear = wear;
     scene.Drill.Link = this->Editor->Link();
     scene.Drill.Motion.Radius = Radius;
+    scene.Drill.Clearance = Clearance;
     scene.Drill.Motion.Turns = 1000.0;
     return scene;
   }

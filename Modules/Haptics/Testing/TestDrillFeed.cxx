@@ -8,11 +8,18 @@ namespace palpate
 {
 namespace
 {
-const Vector3 Down(0.0, 0.0, 3.0); // from a probe 3 mm below its proxy
+constexpr double Radius = 2.0;
+const Vector3 Up(0.0, 0.0, 3.0); // from a probe 3 mm below its proxy
 
 ToolPose At(const Vector3& place)
 {
   return {place, Eigen::Quaterniond::Identity()};
+}
+
+// What is left of the way to the probe.
+double Left(DrillFeed& feed, bool cuts = true)
+{
+  return feed.Meet(At(Vector3::Zero()), Up, cuts).norm();
 }
 
 // Feeds by `way` in so many ticks, each order numbered on from `number`.
@@ -21,9 +28,10 @@ int Feed(DrillFeed& feed, int ticks, double way, std::uint64_t& number)
   int orders = 0;
   for (int n = 0; n < ticks; ++n)
   {
-    feed.Advance(At(Vector3::Zero()), feed.Remaining(Down), way);
+    Left(feed);
+    feed.Advance(way);
     CutOrder order;
-    if (feed.NextCut(2.0, order))
+    if (feed.NextCut(order))
     {
       order.Number = number++;
       feed.Ordered(order);
@@ -33,45 +41,95 @@ int Feed(DrillFeed& feed, int ticks, double way, std::uint64_t& number)
   return orders;
 }
 
-TEST(DrillFeed, IsAheadByWhatWasFedUntilAVersionShowsIt)
+TEST(DrillFeed, IsAheadByWhatWasFedAndNoVersionShows)
 {
-  DrillFeed feed;
+  DrillFeed feed(Radius, 0.0);
   std::uint64_t number = 5;
   EXPECT_EQ(Feed(feed, 8, 0.01, number), 2);
-  EXPECT_NEAR(feed.Ahead(), 0.08, 1e-15);
-  EXPECT_NEAR((feed.Remaining(Down) - Vector3(0.0, 0.0, 2.92)).norm(), 0.0, 1e-14);
+  EXPECT_NEAR(Left(feed), 2.92, 1e-14);
   feed.Arrive(5);
-  EXPECT_NEAR(feed.Ahead(), 0.08, 1e-15);
-  feed.Arrive(6);
-  EXPECT_NEAR(feed.Ahead(), 0.04, 1e-15);
+  EXPECT_NEAR(Left(feed), 2.92, 1e-14);
+  feed.Arrive(6); // which its proxy does not show
+  EXPECT_NEAR(Left(feed), 2.96, 1e-14);
   feed.Arrive(7);
-  EXPECT_EQ(feed.Ahead(), 0.0);
+  EXPECT_NEAR(Left(feed), 3.0, 1e-14);
+}
+
+TEST(DrillFeed, StaysWhereItIsWhenAVersionShowsWhatItCut)
+{
+  DrillFeed feed(Radius, 0.0);
+  std::uint64_t number = 0;
+  Feed(feed, 8, 0.01, number);
+  feed.Arrive(2);
+  const Vector3 lower(0.0, 0.0, 2.92);
+  EXPECT_NEAR((feed.Meet(At(Vector3::Zero()), lower, true) - lower).norm(), 0.0, 1e-14);
+}
+
+TEST(DrillFeed, BeginsAboveTheProxyByTheClearanceAndEndsAsFarBelow)
+{
+  constexpr double Clearance = 0.05;
+  DrillFeed feed(Radius, Clearance);
+  EXPECT_NEAR(Left(feed), 3.0 + Clearance, 1e-14);
+  std::uint64_t number = 0;
+  Feed(feed, 400, 0.01, number);
+  feed.Arrive(number);
+  feed.Rest();
+  EXPECT_NEAR(Left(feed), 3.0 - Clearance, 1e-14);
+  // What it is off the proxy goes away while nothing is cut.
+  double last = Left(feed, false);
+  for (int n = 0; n < 400; ++n)
+  {
+    const double left = Left(feed, false);
+    ASSERT_GE(left, last);
+    ASSERT_LE(left - last, 0.06 * Clearance);
+    last = left;
+  }
+  EXPECT_NEAR(last, 3.0, 1e-9);
 }
 
 TEST(DrillFeed, GoesNoFartherThanTheProbe)
 {
-  DrillFeed feed;
+  DrillFeed feed(Radius, 0.0);
   std::uint64_t number = 0;
   Feed(feed, 40, 0.5, number);
-  EXPECT_NEAR(feed.Ahead(), 3.0, 1e-12);
-  EXPECT_NEAR(feed.Remaining(Down).norm(), 0.0, 1e-12);
-  EXPECT_NEAR(feed.Advance(At(Vector3::Zero()), feed.Remaining(Down), 0.5), 0.0, 1e-12);
+  EXPECT_NEAR(Left(feed), 0.0, 1e-12);
+  EXPECT_NEAR(feed.Advance(0.5), 0.0, 1e-12);
+}
+
+// The differential equation of the class's comment: the depth at which the rim takes back what is
+// fed is R / 2 (feed / speed)^2.
+TEST(DrillFeed, AToolThatMovesAlongIsAsDeepAsItsFeedAndSpeedAllow)
+{
+  for (const double feedOfWay : {0.05, 0.1, 0.2})
+  {
+    DrillFeed feed(Radius, 0.0);
+    constexpr double Way = 0.001; // mm a tick
+    for (int n = 0; n < 20000; ++n)
+    {
+      feed.Meet(At({Way * n, 0.0, 0.0}), Up, true);
+      feed.Advance(feedOfWay * Way);
+    }
+    const double depth = 3.0 - feed.Meet(At({Way * 20000, 0.0, 0.0}), Up, true).norm();
+    const double wanted = 0.5 * Radius * feedOfWay * feedOfWay;
+    EXPECT_NEAR(depth, wanted, 0.1 * wanted); // steps of 0.001 mm
+  }
 }
 
 TEST(DrillFeed, ACutBeginsWhereTheLastOneEnded)
 {
-  DrillFeed feed;
+  DrillFeed feed(Radius, 0.0);
   Vector3 last(0.0, 0.0, 3.0); // the proxy, where it begins
   for (std::uint64_t n = 0; n < 100; ++n)
   {
-    feed.Advance(At({0.01 * static_cast<double>(n), 0.0, 0.0}), feed.Remaining(Down), 0.02);
+    feed.Meet(At({0.001 * static_cast<double>(n), 0.0, 0.0}), Up, true);
+    feed.Advance(0.02);
     CutOrder order;
-    ASSERT_EQ(feed.NextCut(2.0, order), n % DrillFeed::TicksOfCut == 3);
+    ASSERT_EQ(feed.NextCut(order), n % DrillFeed::TicksOfCut == 3);
     if (n % DrillFeed::TicksOfCut == 3)
     {
       EXPECT_EQ(Vector3(order.From.PositionWorld), last);
+      EXPECT_LT(order.To.PositionWorld.Z, last[2]);
       last = order.To.PositionWorld;
-      EXPECT_NEAR(last[2], 3.0 - 0.02 * static_cast<double>(n + 1), 1e-12);
       order.Number = n;
       feed.Ordered(order);
     }
@@ -80,12 +138,13 @@ TEST(DrillFeed, ACutBeginsWhereTheLastOneEnded)
 
 TEST(DrillFeed, AToolThatCameFromFarCutsOnlyWhereItIs)
 {
-  DrillFeed feed;
+  DrillFeed feed(Radius, 0.0);
   CutOrder order;
   for (int n = 0; n < DrillFeed::TicksOfCut; ++n)
   {
-    feed.Advance(At({1.0 * n, 0.0, 0.0}), feed.Remaining(Down), 0.02);
-    feed.NextCut(2.0, order);
+    feed.Meet(At({1.0 * n, 0.0, 0.0}), Up, true);
+    feed.Advance(0.02);
+    feed.NextCut(order);
   }
   EXPECT_EQ(Vector3(order.From.PositionWorld), Vector3(order.To.PositionWorld));
   EXPECT_EQ(order.To.PositionWorld.X, 3.0);
@@ -93,25 +152,25 @@ TEST(DrillFeed, AToolThatCameFromFarCutsOnlyWhereItIs)
 
 TEST(DrillFeed, WaitsWhereTooManyCutsAreNotInAVersion)
 {
-  DrillFeed feed;
+  DrillFeed feed(Radius, 0.0);
   std::uint64_t number = 0;
   EXPECT_EQ(Feed(feed, 2000, 0.001, number), static_cast<int>(DrillFeed::MostWaiting));
-  const double ahead = feed.Ahead();
+  const double left = Left(feed);
   EXPECT_EQ(Feed(feed, 2000, 0.001, number), 0);
-  EXPECT_EQ(feed.Ahead(), ahead);
+  EXPECT_NEAR(Left(feed), left, 1e-12);
   feed.Arrive(10);
   EXPECT_EQ(Feed(feed, 2000, 0.001, number), 10);
 }
 
-TEST(DrillFeed, WhatIsNotOrderedIsForgottenWhereTheToolIsLifted)
+TEST(DrillFeed, WhatIsNotOrderedIsForgottenWhereTheToolRests)
 {
-  DrillFeed feed;
+  DrillFeed feed(Radius, 0.0);
   std::uint64_t number = 0;
   Feed(feed, 6, 0.01, number);
-  feed.Lift();
-  EXPECT_NEAR(feed.Ahead(), 0.04, 1e-15);
+  feed.Rest();
+  EXPECT_NEAR(Left(feed), 2.96, 1e-14);
   CutOrder order;
-  EXPECT_FALSE(feed.NextCut(2.0, order));
+  EXPECT_FALSE(feed.NextCut(order));
 }
 } // namespace
 } // namespace palpate
