@@ -29,9 +29,11 @@ struct FieldForm
 {
   FieldInterpolation Interpolation;
   BrickSize Bricks;
+  bool KeepsInside; ///< of all materials, as FieldBuilder::KeepInside: they can be drilled
 
-  FieldForm(FieldInterpolation interpolation, BrickSize bricks = BrickSize::Cells8)
-      : Interpolation(interpolation), Bricks(bricks)
+  FieldForm(FieldInterpolation interpolation, BrickSize bricks = BrickSize::Cells8,
+            bool keepsInside = false)
+      : Interpolation(interpolation), Bricks(bricks), KeepsInside(keepsInside)
   {
   }
 };

@@ -184,7 +184,13 @@ Status FieldBuilder::Build(std::shared_ptr<const ScalarField>& field,
         build.UseCoefficients(CoefficientsOf(this->Channels[channel], this->Grid));
       }
     }
-    return build.Run(this->Margin, this->Kept, field);
+    const auto materials = static_cast<int>(this->Materials.size());
+    MaterialSet kept = this->Kept;
+    for (int material = 0; this->Form.KeepsInside && material < materials; ++material)
+    {
+      kept |= OnlyMaterial(material);
+    }
+    return build.Run(this->Margin, kept, field);
   }
   catch (const std::bad_alloc&)
   {

@@ -2,6 +2,7 @@
 
 #include "DeviceHoming.h"
 #include "DeviceList.h"
+#include "DrillKeeper.h"
 #include "FieldKeeper.h"
 #include "InputError.h"
 #include "ManualClock.h"
@@ -85,7 +86,8 @@ class LiveTouch
 public:
   LiveTouch(const PreparedTouch& touch, Clock& clock, const TouchRunSettings& settings)
       : Touch(touch), View(settings.View), Guide(settings.Guide),
-        Keeper(Result, touch.Structures.size()), IsRecording(!settings.Recording.empty())
+        Keeper(Result, touch.Structures.size()), Watch(touch.Drill),
+        IsRecording(!settings.Recording.empty())
   {
     this->Settings.Rate = touch.Settings.Rate;
     this->Settings.ModelInterval = touch.Settings.ModelInterval;
@@ -116,10 +118,14 @@ public:
           // A computed hand moves when it is read; that is no part of the tick's own time.
           DeviceSample ahead;
           this->Device->Read(ahead);
+          const double time = this->Touch.Duration * this->PartAt(tick.Number);
+          this->Act(servo, time);
           const std::int64_t start = watch.Now();
           servo.Tick(tick);
           const std::int64_t spent = watch.Now() - start;
           keeper.Look(Nano * static_cast<double>(tick.Started));
+          this->TakeOrders();
+          this->LookOut(time, servo.Latest());
           this->Result.Durations.Add(spent);
           this->Fetch(servo, 1e-3F * static_cast<float>(spent));
           const bool goesOn = tick.Number % TicksBetweenReports != 0 ||
@@ -136,13 +142,17 @@ public:
     RequireInput(thread.Loop().Publish(this->Touch.Scene));
     FieldKeeper keeper(FieldsOf(this->Touch), this->Touch.Scene->Probe);
     keeper.Start(clock);
+    DrillKeeper drill(this->Touch.Drill);
+    drill.Start();
     RequireInput(thread.Start({}));
     this->Result.ThreadAdvice = thread.Grant().Advice;
     const std::int64_t start = clock.Now();
     double passed = 0.0;
     while (passed < this->Touch.Duration && progress(passed / this->Touch.Duration, "touch"))
     {
+      this->Act(thread.Loop(), passed);
       this->Look(thread.Loop(), clock, passed);
+      this->LookOut(passed, thread.Loop().Latest());
       this->SayLevel(thread.Loop().Latest());
       this->Fetch(thread.Loop());
       passed = Nano * static_cast<double>(clock.Now() - start);
@@ -150,6 +160,7 @@ public:
     this->Result.FramesPerSecond = static_cast<double>(this->Result.Frames.Count()) / passed;
     thread.Stop();
     keeper.Stop();
+    drill.Stop();
     this->Fetch(thread.Loop());
     this->Result.Durations = thread.Statistics().Durations;
     this->Result.Periods = thread.Statistics().Periods;
@@ -164,6 +175,43 @@ private:
   double PartAt(std::uint64_t tick) const
   {
     return static_cast<double>(tick) / (this->Touch.Duration * this->Settings.Rate);
+  }
+
+  // What the person who drills does until a time, s.
+  void Act(Servo& servo, double time)
+  {
+    const std::vector<DrillAction>& actions = this->Touch.Actions;
+    for (; this->Done < actions.size() && actions[this->Done].Time <= time; ++this->Done)
+    {
+      const DrillAction::Kind kind = actions[this->Done].Do;
+      if (kind == DrillAction::Kind::Start || kind == DrillAction::Kind::Stop)
+      {
+        servo.RunDrill(kind == DrillAction::Kind::Start);
+      }
+      else
+      {
+        servo.Command(CommandOf(kind));
+      }
+    }
+  }
+
+  void TakeOrders()
+  {
+    if (this->Touch.Drill != nullptr)
+    {
+      this->Touch.Drill->Editor().Take();
+    }
+  }
+
+  void LookOut(double time, const TouchState& state)
+  {
+    for (const std::string& sentence : this->Watch.Look(time, state))
+    {
+      if (this->Guide)
+      {
+        this->Guide(sentence);
+      }
+    }
   }
 
   std::function<Vector3(double)> PathOfDevice() const
@@ -241,6 +289,13 @@ private:
     {
       Succeed(this->Recorder.Finish());
     }
+    if (this->Touch.Drill != nullptr)
+    {
+      this->Result.RemovedVolumes = this->Touch.Drill->Editor().RemovedVolumes();
+      this->Result.DrillProblem = this->Touch.Drill->Editor().Newest().Problem;
+      this->Result.DrillOrders = servo.Latest().DrillOrders;
+      this->Result.Approaches = this->Watch.Approaches();
+    }
     this->Result.LostTicks = servo.LostTicks();
     this->Result.DeviceProblem = this->Device->Problem();
     this->Keeper.Close();
@@ -254,6 +309,8 @@ private:
   std::unique_ptr<HapticDevice> Device;
   TouchResult Result;
   TouchResultKeeper Keeper;
+  DrillWatch Watch;
+  std::size_t Done = 0; // actions
   bool IsRecording;
   int SaidLevel = 0;
   TouchRecorder Recorder;
@@ -272,6 +329,13 @@ PreparedTouch PrepareTouch(const TouchSettings& settings, const TouchScript& scr
         "nothing of the scene is to be touched; leave \"touched\": false out of one of "
         "its structures");
   }
+  touch.Drill = DrillBench::Make(settings, made, progress);
+  if (touch.Drill == nullptr && !script.Actions.empty())
+  {
+    throw InputError(
+        "nothing of the scene is to be drilled; give one of its structures a \"drill\"");
+  }
+  touch.Actions = script.Actions;
   touch.Structures = std::move(made.Touched);
   touch.OnlySeen = std::move(made.OnlySeen);
   auto scene = std::make_shared<TouchScene>();
@@ -283,6 +347,10 @@ PreparedTouch PrepareTouch(const TouchSettings& settings, const TouchScript& scr
   for (const TouchableStructure& structure : touch.Structures)
   {
     scene->Structures.push_back(structure.Touch);
+  }
+  if (touch.Drill != nullptr)
+  {
+    touch.Drill->PutInto(*scene);
   }
   ManualClock clock;
   const DeviceCapabilities device = MakeDevice(settings.Device, clock, {})->Capabilities();
@@ -331,8 +399,18 @@ TouchComparison CompareTouch(const PreparedTouch& touch, const std::filesystem::
   RequireInput(ReadTouchRecording(recording.string(), *read));
   ReplayComparison comparison;
   FieldKeeper keeper(FieldsOf(touch), touch.Scene->Probe);
-  RequireInput(ReplayTouch(std::move(read), {touch.Scene}, comparison,
-                           {{}, [&keeper](double time) { keeper.Look(time); }}));
+  ReplayWorkers workers;
+  workers.AfterTick = [&keeper](double time) { keeper.Look(time); };
+  if (touch.Drill != nullptr)
+  {
+    workers.BeforeTick = [&touch](const TouchState& tick)
+    { touch.Drill->Editor().Take(tick.DrillVersion); };
+  }
+  RequireInput(ReplayTouch(std::move(read), {touch.Scene}, comparison, workers));
+  if (touch.Drill != nullptr)
+  {
+    touch.Drill->Editor().Take();
+  }
   return {comparison.Ticks, comparison.DifferentTicks, comparison.LargestDifference};
 }
 } // namespace palpate

@@ -1,5 +1,8 @@
 #pragma once
 
+#include "DrillBench.h"
+#include "DrillScript.h"
+#include "DrillWatch.h"
 #include "HandPath.h"
 #include "PalpateSessionModule.h"
 #include "PeriodStatistics.h"
@@ -22,11 +25,12 @@ namespace palpate
 /// looks.
 struct TouchScript
 {
-  HandPath Path;                  ///< empty: a sweep round the scene, to and fro
-  double SweepDepth = 3.0;        ///< mm, of the hand's target below the first touch
-  double SweepSpeed = 50.0;       ///< mm/s
-  std::optional<double> Duration; ///< s; none: as long as the path
-  bool IsSeen = false;            ///< then what the scene has to be seen is made too
+  HandPath Path;                    ///< empty: a sweep round the scene, to and fro
+  double SweepDepth = 3.0;          ///< mm, of the hand's target below the first touch
+  double SweepSpeed = 50.0;         ///< mm/s
+  std::optional<double> Duration;   ///< s; none: as long as the path
+  std::vector<DrillAction> Actions; ///< of who drills, in the order of time
+  bool IsSeen = false;              ///< then what the scene has to be seen is made too
 };
 
 /// A scene, a device's place in it, and what a person should know before forces start.
@@ -36,11 +40,13 @@ struct PreparedTouch
   std::vector<TouchableStructure> Structures; ///< to be touched, as in the scene
   std::vector<TouchableStructure> OnlySeen;
   std::shared_ptr<const TouchScene> Scene;
-  HandPath Path;               ///< empty for a device with a hand of its own
-  bool IsSweep = false;        ///< then the path is gone to and fro, for as long as it takes
-  double Duration = 0.0;       ///< s
-  bool IsRealTimeOnly = false; ///< the device is plugged in and has no other time
-  double Scale = 1.0;          ///< mm of the scene for one of the device
+  std::shared_ptr<DrillBench> Drill; ///< none: nothing is drilled
+  std::vector<DrillAction> Actions;  ///< of who drills
+  HandPath Path;                     ///< empty for a device with a hand of its own
+  bool IsSweep = false;              ///< then the path is gone to and fro, for as long as it takes
+  double Duration = 0.0;             ///< s
+  bool IsRealTimeOnly = false;       ///< the device is plugged in and has no other time
+  double Scale = 1.0;                ///< mm of the scene for one of the device
   std::vector<std::string> Warnings;
 };
 
@@ -60,9 +66,13 @@ struct TouchResult
   std::vector<double> TouchedSeconds; ///< by structure, the one touched most deeply
   double LeastEnergy = 0.0;           ///< N mm that contacts had taken in, at the lowest
   SafetyFault Fault = SafetyFault::None;
-  std::uint64_t CoarseTicks = 0; ///< in which the tool was faster than bricks on demand came
-  std::string MissingBricks;     ///< why they did not come at last; empty where they did
-  std::string DeviceProblem;     ///< empty without
+  std::uint64_t CoarseTicks = 0;      ///< in which the tool was faster than bricks on demand came
+  std::string MissingBricks;          ///< why they did not come at last; empty where they did
+  std::vector<double> RemovedVolumes; ///< mm^3, of each of the bench's sites
+  std::uint64_t DrillOrders = 0;      ///< cuts and commands
+  std::vector<DrillApproach> Approaches; ///< to what is forbidden
+  std::string DrillProblem;              ///< why not all was removed; empty without
+  std::string DeviceProblem;             ///< empty without
   std::string ThreadAdvice; ///< why the thread has not what it asked for; empty in virtual time
 };
 
@@ -104,7 +114,8 @@ struct TouchComparison
   double LargestDifference = 0.0;   ///< N, of the forces
 };
 
-/// Feels a recorded session again. Throws InputError where it is none.
+/// Feels a recorded session again, and drills again what it drilled. Throws InputError where it is
+/// none.
 PALPATESESSION_EXPORT TouchComparison CompareTouch(const PreparedTouch& touch,
                                                    const std::filesystem::path& recording);
 } // namespace palpate

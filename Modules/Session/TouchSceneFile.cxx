@@ -20,8 +20,18 @@ constexpr double LargestDamping = 10.0;         // N s/mm
 constexpr double LargestFriction = 10.0;
 constexpr double LargestTexture = 10.0; // N
 constexpr double LargestIso = 1e300;
+constexpr double LargestWear = 100.0;      // mm for each N and m
+constexpr double LargestDrag = 10.0;       // s/mm
+constexpr double LargestAlarm = 1e3;       // mm
+constexpr double LargestTurns = 1e4;       // a second
+constexpr double LargestVibration = 500.0; // Hz
 
 const std::initializer_list<const char*> ModeWords{"nearest", "radial"};
+
+std::string Ordinal(std::size_t number)
+{
+  return "structures[" + std::to_string(number) + "]";
+}
 
 void ReadTexture(JsonFields& fields, const std::filesystem::path& path, std::size_t number,
                  TouchStructureSettings& structure)
@@ -31,7 +41,7 @@ void ReadTexture(JsonFields& fields, const std::filesystem::path& path, std::siz
   fields.Read("texture_image", image);
   if ((structure.Texture > 0.0) != !image.empty())
   {
-    Refuse(path, "says only half of the texture of its structures[" + std::to_string(number) + "]",
+    Refuse(path, "says only half of the texture of its " + Ordinal(number),
            "give both \"texture_n\", its largest force, and \"texture_image\", a file");
   }
   structure.TextureImage = image.empty() ? std::filesystem::path() : path.parent_path() / image;
@@ -47,12 +57,59 @@ void ReadBricks(JsonFields& fields, const std::filesystem::path& path, std::size
                    [cells](BrickSize s) { return cells == 1 << static_cast<int>(s); });
   if (size == std::end(BrickSizes))
   {
-    Refuse(path,
-           "has bricks of " + std::to_string(cells) + " cells in its structures[" +
-               std::to_string(number) + "]",
+    Refuse(path, "has bricks of " + std::to_string(cells) + " cells in its " + Ordinal(number),
            "give its \"brick_cells\" as 4, 8 or 16");
   }
   structure.Bricks = *size;
+}
+
+// What can be drilled is a whole sub-voxel field, interpolated linearly.
+void CheckDrilled(const TouchStructureSettings& structure, const std::filesystem::path& path,
+                  std::size_t number)
+{
+  const std::string place = Ordinal(number);
+  if (structure.IsForbidden)
+  {
+    Refuse(path, "says that its " + place + " is both drilled and forbidden",
+           "leave one of \"drill\" and \"forbidden\" out");
+  }
+  if (!structure.IsTouched)
+  {
+    Refuse(path, "says that its " + place + " is drilled and not touched",
+           "leave \"touched\": false out");
+  }
+  const TouchRepresentation kind = structure.Representation;
+  if ((kind != TouchRepresentation::Automatic && kind != TouchRepresentation::SubVoxel) ||
+      structure.Interpolation != FieldInterpolation::Trilinear)
+  {
+    Refuse(path, "wants its " + place + " drilled, which only a linear sub-voxel field can be",
+           "leave \"representation\" and \"interpolation\" out there");
+  }
+}
+
+void ReadDrill(const nlohmann::json& object, JsonFields& fields, const std::filesystem::path& path,
+               std::size_t number, TouchStructureSettings& structure)
+{
+  if (fields.Has("drill"))
+  {
+    DrillLaw& law = structure.Drill;
+    JsonFields drill(object["drill"], path, Ordinal(number) + ".drill");
+    drill.Read("wear_mm_per_nm", law.Wear, 0.0, LargestWear);
+    drill.Read("drag_s_per_mm", law.Drag, 0.0, LargestDrag);
+    drill.Read("vibration", law.Vibration, 0.0, 1.0);
+    drill.RefuseOthers();
+  }
+  fields.Read("forbidden", structure.IsForbidden);
+  if (fields.Has("alarm_mm") && !structure.IsForbidden)
+  {
+    Refuse(path, "has an alarm for its " + Ordinal(number) + ", which is not forbidden",
+           "add \"forbidden\": true there");
+  }
+  fields.Read("alarm_mm", structure.AlarmDistance, 0.0, LargestAlarm);
+  if (structure.IsDrilled())
+  {
+    CheckDrilled(structure, path, number);
+  }
 }
 
 TouchStructureSettings ReadStructure(const nlohmann::json& object,
@@ -90,6 +147,7 @@ TouchStructureSettings ReadStructure(const nlohmann::json& object,
   fields.Read("dynamic_friction", structure.Friction.Dynamic, 0.0, LargestFriction);
   fields.Read("viscosity_ns_per_mm", structure.Viscosity, 0.0, LargestDamping);
   ReadTexture(fields, path, number, structure);
+  ReadDrill(object, fields, path, number, structure);
   fields.RefuseOthers();
   return structure;
 }
@@ -142,6 +200,17 @@ nlohmann::ordered_json AsJson(const TouchStructureSettings& structure,
     object["texture_image"] =
         std::filesystem::proximate(structure.TextureImage, folder).generic_string();
   }
+  if (structure.IsDrilled())
+  {
+    object["drill"] = {{"wear_mm_per_nm", structure.Drill.Wear},
+                       {"drag_s_per_mm", structure.Drill.Drag},
+                       {"vibration", structure.Drill.Vibration}};
+  }
+  if (structure.IsForbidden)
+  {
+    object["forbidden"] = true;
+    object["alarm_mm"] = structure.AlarmDistance;
+  }
   return object;
 }
 } // namespace
@@ -179,6 +248,13 @@ TouchSettings ReadTouchScene(const std::filesystem::path& path)
   {
     settings.Tool = ReadTouchTool(root["tool"], path);
   }
+  if (fields.Has("drill"))
+  {
+    JsonFields drill(root["drill"], path, "drill");
+    drill.Read("turns_per_s", settings.Drill.Turns, 0.0, LargestTurns);
+    drill.Read("vibration_hz", settings.Drill.VibrationFrequency, 0.0, LargestVibration);
+    drill.RefuseOthers();
+  }
   fields.Read("device", settings.Device);
   fields.Read("rate_hz", settings.Rate, 1.0, 1e5);
   fields.Read("model_interval", settings.ModelInterval, 1, 100);
@@ -204,7 +280,9 @@ std::string TouchSceneText(const TouchSettings& settings, const std::filesystem:
   {
     root["structures"].push_back(AsJson(structure, folder));
   }
-  root["tool"] = TouchToolJson(settings.Tool);
+  root["tool"] = TouchToolJson(settings.Tool, folder);
+  root["drill"] = {{"turns_per_s", settings.Drill.Turns},
+                   {"vibration_hz", settings.Drill.VibrationFrequency}};
   root["device"] = settings.Device;
   root["rate_hz"] = settings.Rate;
   root["model_interval"] = settings.ModelInterval;

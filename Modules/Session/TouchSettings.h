@@ -1,5 +1,6 @@
 #pragma once
 
+#include "DrillForce.h"
 #include "FieldBuilder.h"
 #include "HarmonicContactModel.h"
 #include "SurfaceFriction.h"
@@ -47,6 +48,19 @@ struct TouchStructureSettings
   double Viscosity = 0.0;             ///< N s/mm, while the tool's centre is inside
   double Texture = 0.0;               ///< N, at most, by the intensities of `TextureImage`
   std::filesystem::path TextureImage; ///< empty without texture
+
+  DrillLaw Drill;             ///< how it gives way to the tool as a drill; without wear it does not
+  bool IsForbidden = false;   ///< no drill removes any of it, whatever else it is part of
+  double AlarmDistance = 2.0; ///< mm from the tool to what is forbidden
+
+  bool IsDrilled() const noexcept { return this->Drill.Wear > 0.0; }
+};
+
+/// How a scene's tool runs as a drill.
+struct TouchDrillSettings
+{
+  double Turns = 1000.0;             ///< a second
+  double VibrationFrequency = 120.0; ///< Hz
 };
 
 struct TouchToolSettings
@@ -55,19 +69,22 @@ struct TouchToolSettings
   {
     Sphere,
     Capsule,
-    Ellipsoid
+    Ellipsoid,
+    Cylinder,
+    Surface
   };
   Shape Kind = Shape::Sphere;
-  double Radius = 2.0;                       ///< mm; of sphere and capsule
-  double Length = 10.0;                      ///< mm, between the ends of a capsule's axis
+  double Radius = 2.0;                       ///< mm; of sphere, capsule and cylinder
+  double Length = 10.0;                      ///< mm, of a capsule's axis, and of a cylinder
   Vector3 SemiAxes = Vector3(4.0, 2.0, 2.0); ///< mm, of an ellipsoid
+  std::filesystem::path File;                ///< of a closed surface, mm in the tool's frame
   int Points = 26;                           ///< of the shell that touches fields
 };
 
 inline bool operator==(const TouchToolSettings& a, const TouchToolSettings& b)
 {
   return a.Kind == b.Kind && a.Radius == b.Radius && a.Length == b.Length &&
-         a.SemiAxes == b.SemiAxes && a.Points == b.Points;
+         a.SemiAxes == b.SemiAxes && a.File == b.File && a.Points == b.Points;
 }
 
 /// What is touched, with what, and by which device.
@@ -75,6 +92,7 @@ struct TouchSettings
 {
   std::vector<TouchStructureSettings> Structures;
   TouchToolSettings Tool;
+  TouchDrillSettings Drill;
   /// MB for the fields of structures that are touched and not drawn: what does not fit is in memory
   /// only round the tool. None: all of it is.
   std::optional<double> MemoryMegabytes;

@@ -13,6 +13,7 @@
 #include "Servo.h"
 #include "StageClock.h"
 #include "SurfaceFile.h"
+#include "SurfaceTool.h"
 #include "TouchStandIns.h"
 #include "TouchTexture.h"
 #include "vtkSegmentationSurface.h"
@@ -38,16 +39,18 @@ constexpr const char* NobodyLooks = "nobody looks";
 struct Needs
 {
   Needs(const TouchStructureSettings& settings, bool isSeen)
-      : IsTouched(settings.IsTouched), IsDrawn(settings.IsSeen && isSeen)
+      : IsTouched(settings.IsTouched), IsDrawn(settings.IsSeen && isSeen),
+        IsForbidden(settings.IsForbidden)
   {
     const bool isNeither = !settings.IsSeen && !settings.IsTouched;
     this->WhyNotTouched = isNeither ? NeitherReason : UntouchedReason;
     this->WhyNotDrawn = isNeither ? NeitherReason : settings.IsSeen ? NobodyLooks : UnseenReason;
   }
-  bool IsAny() const { return this->IsTouched || this->IsDrawn; }
+  bool IsAny() const { return this->IsTouched || this->IsDrawn || this->IsForbidden; }
 
   bool IsTouched;
   bool IsDrawn;
+  bool IsForbidden;
   const char* WhyNotTouched;
   const char* WhyNotDrawn;
 };
@@ -86,6 +89,10 @@ public:
       this->Expect({Representation::Facets}, "a surface of triangles");
       const vtkSmartPointer<vtkPolyData> surface = this->Files.SurfaceOf(file);
       this->Clock.EndStage("reading");
+      if (this->Settings.IsForbidden)
+      {
+        this->Forbid(file.stem().string(), surface);
+      }
       this->AddSurface(surface, file.stem().string());
     }
     else
@@ -119,7 +126,14 @@ private:
     double seconds = this->Elapsed();
     if (this->Need.IsTouched)
     {
-      AddStandIns(contact, this->Progress);
+      if (this->Settings.IsDrilled())
+      {
+        structure.Drilled = this->FieldToDrill(contact);
+      }
+      else
+      {
+        AddStandIns(contact, this->Progress);
+      }
       const std::size_t bytes = this->AddTouch(contact, structure.Touch);
       structure.Represented = contact.Represented;
       structure.OnDemand = contact.OnDemand;
@@ -140,8 +154,11 @@ private:
       account.Drawing.Seconds = seconds + this->Elapsed();
     }
     this->Made.Account.Structures.push_back(std::move(account));
-    (this->Need.IsTouched ? this->Made.Touched : this->Made.OnlySeen)
-        .push_back(std::move(structure));
+    if (this->Need.IsTouched || this->Need.IsDrawn)
+    {
+      (this->Need.IsTouched ? this->Made.Touched : this->Made.OnlySeen)
+          .push_back(std::move(structure));
+    }
   }
 
   // Seconds since the last call.
@@ -155,7 +172,9 @@ private:
   std::size_t AddTouch(const TouchContact& contact, TouchStructure& touch)
   {
     touch.Model = contact.Model;
-    touch.Coarser = StandInsFor(contact, this->Tool);
+    touch.Coarser =
+        this->Settings.IsDrilled() ? std::vector<TouchStandIn>() : StandInsFor(contact, this->Tool);
+    touch.Drill = this->Settings.Drill;
     touch.Law = {this->Settings.Stiffness, this->Settings.Damping};
     touch.Friction = this->Settings.Friction;
     touch.Viscosity = this->Settings.Viscosity;
@@ -173,6 +192,23 @@ private:
       bytes += coarser.Model->Bytes();
     }
     return bytes;
+  }
+
+  std::shared_ptr<const ScalarField> FieldToDrill(const TouchContact& contact) const
+  {
+    if (contact.Looks.Field == nullptr)
+    {
+      Refuse(this->Settings.File, "cannot be drilled, since it is no image and no segmentation",
+             "leave \"drill\" out, or name the voxels that it was made of");
+    }
+    return contact.Looks.Field;
+  }
+
+  // What no drill may remove.
+  void Forbid(const std::string& name, vtkPolyData* surface)
+  {
+    this->Made.Forbidden.emplace_back(this->Settings.Name.empty() ? name : this->Settings.Name,
+                                      surface, this->Settings.AlarmDistance);
   }
 
   // A model becomes the surface that is drawn of it.
@@ -215,7 +251,13 @@ private:
       Refuse(this->Settings.File, "is a parametric surface, which has no radius to touch",
              "write it as a surface (palpate convert) and touch that");
     }
-    this->AddHarmonics(*model, this->Settings.File.stem().string());
+    const std::string name = this->Settings.File.stem().string();
+    if (this->Settings.IsForbidden)
+    {
+      constexpr int Frequency = 40;
+      this->Forbid(name, DrawModel(*model, Frequency));
+    }
+    this->AddHarmonics(*model, name);
   }
 
   void AddSurface(vtkPolyData* surface, const std::string& name)
@@ -226,11 +268,15 @@ private:
                                          : std::move(contact));
   }
 
-  FieldForm Form() const { return {this->Settings.Interpolation, this->Settings.Bricks}; }
+  FieldForm Form() const
+  {
+    return {this->Settings.Interpolation, this->Settings.Bricks, this->Settings.IsDrilled()};
+  }
 
   void AddField(const std::shared_ptr<const ScalarField>& field, const std::string& name)
   {
-    this->Add(name, this->Memory.IsBounded() && !this->Need.IsDrawn
+    const bool isWhole = this->Need.IsDrawn || this->Settings.IsDrilled();
+    this->Add(name, this->Memory.IsBounded() && !isWhole
                         ? this->Memory.Take(field, this->Settings.File)
                         : MakeFieldContact(field, 0, this->Settings.File));
   }
@@ -241,10 +287,19 @@ private:
     const auto volume = this->Files.VolumeOf(this->Settings.File);
     this->Clock.EndStage("reading");
     const std::string name = CaseNameOf(this->Settings.File);
+    vtkSmartPointer<vtkPolyData> surface;
+    if (!this->Need.IsTouched || this->Settings.IsForbidden)
+    {
+      surface = MakeIsoSurface(volume->Image, *this->Settings.Iso, this->Progress);
+    }
+    if (this->Settings.IsForbidden)
+    {
+      this->Forbid(name, surface);
+    }
     if (!this->Need.IsTouched)
     {
       TouchContact looks;
-      looks.Looks.Surface = MakeIsoSurface(volume->Image, *this->Settings.Iso, this->Progress);
+      looks.Looks.Surface = surface;
       return this->Add(name, std::move(looks));
     }
     this->AddField(MakeIsoField(volume->Image, {*this->Settings.Iso}, this->Form(), this->Progress),
@@ -274,13 +329,17 @@ private:
   {
     const std::string name =
         structure.Name.empty() ? "label " + std::to_string(structure.Label) : structure.Name;
+    if (this->Settings.IsForbidden)
+    {
+      this->Forbid(name, this->SurfaceOf(segmentation, structure));
+    }
     if (this->Settings.Representation == Representation::Harmonics)
     {
       this->AddFit(segmentation, structure, name);
     }
     else if (this->Settings.Representation == Representation::Facets || !this->Need.IsTouched)
     {
-      this->AddMesh(segmentation, structure, name);
+      this->AddSurface(this->SurfaceOf(segmentation, structure), name);
     }
     else
     {
@@ -303,13 +362,13 @@ private:
     this->AddHarmonics(fit.Model, name);
   }
 
-  void AddMesh(const Segmentation& segmentation, const Segment& structure, const std::string& name)
+  vtkSmartPointer<vtkPolyData> SurfaceOf(const Segmentation& segmentation, const Segment& structure)
   {
     vtkNew<vtkSegmentationSurface> surface;
     surface->SetInputData(segmentation.Layers[static_cast<std::size_t>(structure.Layer)]);
     surface->SetLabel(structure.Value);
     RunFilter(surface, "surface", 0.0, 1.0, this->Progress);
-    this->AddSurface(surface->GetOutput(), name);
+    return surface->GetOutput();
   }
 
   const TouchStructureSettings& Settings;
@@ -429,6 +488,14 @@ ToolShape MakeTool(const TouchToolSettings& settings)
   else if (settings.Kind == TouchToolSettings::Shape::Ellipsoid)
   {
     tool = ToolShape::Ellipsoid(settings.SemiAxes, points);
+  }
+  else if (settings.Kind == TouchToolSettings::Shape::Cylinder)
+  {
+    tool = ToolShape::Cylinder(settings.Radius, settings.Length, points);
+  }
+  else if (settings.Kind == TouchToolSettings::Shape::Surface)
+  {
+    tool = MakeSurfaceTool(settings.File, points);
   }
   else if (settings.Points > 0)
   {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "ForbiddenStructure.h"
 #include "PalpateSessionModule.h"
 #include "Progress.h"
 #include "SceneAccount.h"
@@ -15,9 +16,10 @@ namespace palpate
 /// A structure ready to be touched and to be drawn, and what it took.
 struct TouchableStructure
 {
-  TouchStructure Touch;                    ///< without a model where it is only seen
-  TouchAppearance Looks;                   ///< empty where nobody sees it
-  std::shared_ptr<OnDemandField> OnDemand; ///< what is felt; none where all of it is in memory
+  TouchStructure Touch;                       ///< without a model where it is only seen
+  TouchAppearance Looks;                      ///< empty where nobody sees it
+  std::shared_ptr<OnDemandField> OnDemand;    ///< what is felt; none where all of it is in memory
+  std::shared_ptr<const ScalarField> Drilled; ///< what is to be drilled, as it is before; else none
   std::string Represented; ///< in words, such as "harmonics of degree 12, nearest point"
   double Seconds = 0.0;    ///< to make
   std::vector<std::string> Notes;
@@ -28,6 +30,7 @@ struct TouchStructures
 {
   std::vector<TouchableStructure> Touched; ///< in the settings' order; some are seen too
   std::vector<TouchableStructure> OnlySeen;
+  std::vector<ForbiddenStructure> Forbidden; ///< touched, seen, or neither
   SceneAccount Account;
 };
 

@@ -1,6 +1,7 @@
 #include "TouchToolJson.h"
 
 #include "JsonFields.h"
+#include "Refusal.h"
 
 namespace palpate
 {
@@ -8,7 +9,8 @@ namespace
 {
 constexpr double LargestLength = 1e4; // mm
 
-const std::initializer_list<const char*> ShapeWords{"sphere", "capsule", "ellipsoid"};
+const std::initializer_list<const char*> ShapeWords{"sphere", "capsule", "ellipsoid", "cylinder",
+                                                    "surface"};
 } // namespace
 
 TouchToolSettings ReadTouchTool(const nlohmann::json& object, const std::filesystem::path& file)
@@ -19,17 +21,32 @@ TouchToolSettings ReadTouchTool(const nlohmann::json& object, const std::filesys
   fields.Read("radius_mm", tool.Radius, 0.0, LargestLength);
   fields.Read("length_mm", tool.Length, 0.0, LargestLength);
   fields.Read("semi_axes_mm", tool.SemiAxes, 0.0, LargestLength);
+  std::string surface;
+  fields.Read("file", surface);
+  if (surface.empty() == (tool.Kind == TouchToolSettings::Shape::Surface))
+  {
+    Refuse(file, "has a tool whose shape and file do not belong together",
+           "give a tool of the shape \"surface\" a \"file\", and no other");
+  }
+  tool.File = surface.empty() ? std::filesystem::path() : file.parent_path() / surface;
   fields.Read("points", tool.Points, 0, ToolShape::MaximumCount);
   fields.RefuseOthers();
   return tool;
 }
 
-nlohmann::ordered_json TouchToolJson(const TouchToolSettings& tool)
+nlohmann::ordered_json TouchToolJson(const TouchToolSettings& tool,
+                                     const std::filesystem::path& folder)
 {
-  return {{"shape", WordOf(ShapeWords, tool.Kind)},
-          {"radius_mm", tool.Radius},
-          {"length_mm", tool.Length},
-          {"semi_axes_mm", {tool.SemiAxes[0], tool.SemiAxes[1], tool.SemiAxes[2]}},
-          {"points", tool.Points}};
+  nlohmann::ordered_json object{
+      {"shape", WordOf(ShapeWords, tool.Kind)},
+      {"radius_mm", tool.Radius},
+      {"length_mm", tool.Length},
+      {"semi_axes_mm", {tool.SemiAxes[0], tool.SemiAxes[1], tool.SemiAxes[2]}},
+      {"points", tool.Points}};
+  if (!tool.File.empty())
+  {
+    object["file"] = std::filesystem::proximate(tool.File, folder).generic_string();
+  }
+  return object;
 }
 } // namespace palpate

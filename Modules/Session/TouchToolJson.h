@@ -8,8 +8,9 @@
 namespace palpate
 {
 /// The entry "tool" of scenes and sessions: "shape", "radius_mm", "length_mm", "semi_axes_mm",
-/// "points". `file` is for messages. Throws InputError.
+/// "points", "file" (from the folder of the file). `file` is for messages. Throws InputError.
 PALPATESESSION_EXPORT TouchToolSettings ReadTouchTool(const nlohmann::json& object,
                                                       const std::filesystem::path& file);
-PALPATESESSION_EXPORT nlohmann::ordered_json TouchToolJson(const TouchToolSettings& tool);
+PALPATESESSION_EXPORT nlohmann::ordered_json TouchToolJson(const TouchToolSettings& tool,
+                                                           const std::filesystem::path& folder);
 } // namespace palpate

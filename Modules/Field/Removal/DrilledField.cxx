@@ -394,7 +394,7 @@ void DrilledField::GoTo(const std::shared_ptr<const RemovedDistances>& state)
     }
     this->MarkNodes(box);
   }
-  this->Stroke = RemovalStroke(state);
+  this->Stroke = RemovalStroke(state, this->Forbidden);
   this->IsUndone = true;
 }
 
@@ -435,17 +435,34 @@ std::shared_ptr<const RemovedDistances> DrilledField::Removed()
 
 Status DrilledField::Restore(const std::shared_ptr<const RemovedDistances>& removed)
 {
-  const FieldGrid& grid = this->Now().Grid();
-  const FieldGrid& other = removed->Grid();
-  if (removed->Band() != this->Now().Band() || other.Size() != grid.Size() ||
-      other.OriginWorld() != grid.OriginWorld() || other.Spacing() != grid.Spacing() ||
-      other.Direction() != grid.Direction())
+  if (!this->IsOfGrid(*removed))
   {
     return Status::Failure("What was removed belongs to another volume.");
   }
   this->EndStroke();
-  this->GoTo(removed);
-  this->Push(removed);
+  const auto state =
+      this->Forbidden != nullptr ? RemovalStroke::Without(this->Forbidden, removed) : removed;
+  this->GoTo(state);
+  this->Push(state);
+  return Status::Success();
+}
+
+bool DrilledField::IsOfGrid(const RemovedDistances& other) const
+{
+  const FieldGrid& grid = this->Now().Grid();
+  return other.Band() == this->Now().Band() && other.Grid().Size() == grid.Size() &&
+         other.Grid().OriginWorld() == grid.OriginWorld() &&
+         other.Grid().Spacing() == grid.Spacing() && other.Grid().Direction() == grid.Direction();
+}
+
+Status DrilledField::Protect(const std::shared_ptr<const RemovedDistances>& forbidden)
+{
+  if (!this->IsOfGrid(*forbidden) || this->CanUndo() || this->CanRedo())
+  {
+    return Status::Failure("What is forbidden belongs to another volume, or comes too late.");
+  }
+  this->Forbidden = forbidden;
+  this->Stroke = RemovalStroke(this->Stroke.Before(), forbidden);
   return Status::Success();
 }
 

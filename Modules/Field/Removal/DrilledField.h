@@ -34,6 +34,10 @@ public:
   static Status Make(const ScalarField& field, int material,
                      std::unique_ptr<DrilledField>& drilled);
 
+  /// Before anything is cut: what `forbidden` has as removed, of the same grid and band as Now(),
+  /// is never removed. Samples there that lie deeper than a cell's diagonal keep their bits.
+  Status Protect(const std::shared_ptr<const RemovedDistances>& forbidden);
+
   /// Removes what the tool passes. Refuses poses that are not finite, and too little memory, with
   /// that part removed which there was memory for.
   Status Cut(const CutTool& tool, const CutPose& from, const CutPose& to);
@@ -63,7 +67,8 @@ public:
 
   /// What is removed, to be kept (RemovalBytes); ends a stroke that is not ended.
   std::shared_ptr<const RemovedDistances> Removed();
-  /// Instead: what was kept earlier of a field of the same samples; a step that can be undone.
+  /// Instead: what was kept earlier of a field of the same samples, but for what is forbidden; a
+  /// step that can be undone.
   /// Refuses another grid or band.
   Status Restore(const std::shared_ptr<const RemovedDistances>& removed);
 
@@ -96,6 +101,7 @@ private:
   std::size_t GatherLast();
   bool UpdateBrick(const Pending& pending, std::size_t number);
   bool IsUntouched(const std::array<int, 3>& brick) const noexcept;
+  bool IsOfGrid(const RemovedDistances& other) const;
   void GoTo(const std::shared_ptr<const RemovedDistances>& state);
   void Push(const std::shared_ptr<const RemovedDistances>& state);
   void ForgetOldest();
@@ -106,6 +112,7 @@ private:
   DistanceBox Distances;
   DrilledVolume Volume;
   RemovalStroke Stroke;
+  std::shared_ptr<const RemovedDistances> Forbidden; // none: all may be removed
 
   std::vector<NodeBox> Changed; // of the last cut
   std::vector<Pending> Waiting;

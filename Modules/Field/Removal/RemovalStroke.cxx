@@ -63,6 +63,22 @@ private:
   bool GoesOn;
 };
 
+// Lowers what is not forbidden: there the depth within what is forbidden is the distance.
+template <typename Rows>
+unsigned LowerBeside(const float* forbidden, const Rows& rows, int j, int k, float least,
+                     float* kept)
+{
+  Row before;
+  std::copy_n(kept, Side, before.begin());
+  unsigned lowered = rows.Lower(j, k, least, kept);
+  for (std::size_t i = 0; lowered != 0 && i < before.size(); ++i)
+  {
+    kept[i] = std::min(std::max(kept[i], -forbidden[i]), before[i]);
+    lowered &= kept[i] < before[i] ? ~0U : ~(1U << i);
+  }
+  return lowered;
+}
+
 // The largest of a block's distances, which side by side are looked at as lanes of vectors.
 float MostOf(const RemovalStroke::Nodes& distances)
 {
@@ -109,8 +125,9 @@ BlockRange RangeOf(const FieldGrid& grid, const Eigen::AlignedBox3d& boxWorld, d
 }
 } // namespace
 
-RemovalStroke::RemovalStroke(std::shared_ptr<const RemovedDistances> before)
-    : Start(std::move(before))
+RemovalStroke::RemovalStroke(std::shared_ptr<const RemovedDistances> before,
+                             std::shared_ptr<const RemovedDistances> forbidden)
+    : Start(std::move(before)), Forbidden(std::move(forbidden))
 {
   this->Begin();
 }
@@ -199,13 +216,17 @@ bool RemovalStroke::CutBlock(const Corner& corner, Rows& rows, NodeBox& changed)
   const auto least = static_cast<float>(-this->Working->Limit);
   const std::array<int, 3> inGrid = this->NodesInGrid(corner);
   NodeBox box{{Side, Side, Side}, {-1, -1, -1}};
+  const float* forbidden = this->Forbidden != nullptr ? this->Forbidden->BlockAt(corner) : nullptr;
   rows.Begin(corner);
   for (int k = 0; k < inGrid[2]; ++k)
   {
     for (int j = 0; j < inGrid[1]; ++j)
     {
-      float* row = &distances[static_cast<std::size_t>((k * Side + j) * Side)];
-      const unsigned lowered = rows.Lower(j, k, least, row);
+      const auto first = static_cast<std::size_t>((k * Side + j) * Side);
+      float* row = &distances[first];
+      const unsigned lowered = forbidden == nullptr
+                                   ? rows.Lower(j, k, least, row)
+                                   : LowerBeside(forbidden + first, rows, j, k, least, row);
       if (lowered != 0)
       {
         box.Extend({{__builtin_ctz(lowered), j, k}, {31 - __builtin_clz(lowered), j, k}});
@@ -257,6 +278,27 @@ bool RemovalStroke::Set(const Corner& corner, const Nodes& distances)
   block.Most = MostOf(distances);
   this->IsChanged = true;
   return true;
+}
+
+std::shared_ptr<const RemovedDistances>
+RemovalStroke::Without(const std::shared_ptr<const RemovedDistances>& forbidden,
+                       const std::shared_ptr<const RemovedDistances>& removed)
+{
+  RemovalStroke without(RemovedDistances::None(removed->Grid(), removed->Band()));
+  bool isDifferent = false;
+  for (const Corner& corner : removed->Corners())
+  {
+    Nodes distances;
+    std::copy_n(removed->BlockAt(corner), distances.size(), distances.begin());
+    const float* beside = forbidden->BlockAt(corner);
+    for (std::size_t n = 0; beside != nullptr && n < distances.size(); ++n)
+    {
+      isDifferent = isDifferent || distances[n] < -beside[n];
+      distances[n] = std::max(distances[n], -beside[n]);
+    }
+    without.Set(corner, distances);
+  }
+  return isDifferent ? without.Finish() : removed;
 }
 
 // Nodes beyond the grid count as gone.

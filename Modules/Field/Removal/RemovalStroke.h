@@ -17,7 +17,10 @@ class RemovalStroke
 public:
   using Nodes = std::array<float, RemovedDistances::NodesOfBlock>;
 
-  explicit RemovalStroke(std::shared_ptr<const RemovedDistances> before);
+  /// `forbidden` is of the same grid and band: what it has as removed no cut removes. None: all may
+  /// be.
+  explicit RemovalStroke(std::shared_ptr<const RemovedDistances> before,
+                         std::shared_ptr<const RemovedDistances> forbidden = nullptr);
 
   /// Removes all that `sweep` passes. `changed` gets boxes that hold the nodes of the grid whose
   /// distance is another one now, one for each block, in the order of memory.
@@ -32,6 +35,11 @@ public:
   /// What has become of the state before, which is the same object where nothing has changed. From
   /// there the next stroke begins.
   std::shared_ptr<const RemovedDistances> Finish();
+
+  /// `removed` without what is forbidden; the same object where that is all of it.
+  static std::shared_ptr<const RemovedDistances>
+  Without(const std::shared_ptr<const RemovedDistances>& forbidden,
+          const std::shared_ptr<const RemovedDistances>& removed);
 
 private:
   using Block = RemovedDistances::Block;
@@ -55,6 +63,7 @@ private:
   void Begin();
 
   std::shared_ptr<const RemovedDistances> Start;
+  std::shared_ptr<const RemovedDistances> Forbidden;
   std::shared_ptr<RemovedDistances> Working;
   bool IsChanged = false;
   Ball Last;

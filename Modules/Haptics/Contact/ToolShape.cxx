@@ -127,6 +127,34 @@ ToolShape ToolShape::Capsule(double radius, double length, int count)
   return tool;
 }
 
+// Each point stands for the same area: of the lower end, the side and the upper end in turn. The
+// sides' first and last points lie on the rims.
+ToolShape ToolShape::Cylinder(double radius, double length, int count)
+{
+  ToolShape tool;
+  tool.HasShell = true;
+  tool.Extent = ExtentOf({radius, length}, std::hypot(radius, 0.5 * length));
+  const double end = radius > 0.0 ? 0.5 * radius / (radius + length) : 0.0; // of the whole area
+  for (int n = 0; IsCount(count) && n < count; ++n)
+  {
+    const SpiralPoint place(n, count);
+    const double part = 0.5 * (place.Height + 1.0);
+    const double beyond = std::max(end - part, part - (1.0 - end)); // of the area, from a rim
+    const double up = part < 0.5 ? -1.0 : 1.0;
+    if (beyond > 0.0)
+    {
+      const double across = radius * std::sqrt(1.0 - beyond / end);
+      tool.AddPoint(across * place.Around + up * 0.5 * length * Vector3::UnitZ(),
+                    -up * Vector3::UnitZ());
+      continue;
+    }
+    const double step = (1.0 - 2.0 * end) * count > 1.0 ? 1.0 / ((1.0 - 2.0 * end) * count) : 0.0;
+    const double along = std::clamp((part - 0.5) / (1.0 - 2.0 * end) * (1.0 + step), -0.5, 0.5);
+    tool.AddPoint(radius * place.Around + along * length * Vector3::UnitZ(), -place.Around);
+  }
+  return tool;
+}
+
 ToolShape ToolShape::Ellipsoid(const Vector3& semiAxes, int count)
 {
   ToolShape tool;

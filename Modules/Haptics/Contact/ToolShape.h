@@ -24,6 +24,8 @@ public:
   static ToolShape SpherePoints(double radius, int count);
   /// Along z, `length` from the centre of one end's sphere to that of the other.
   static ToolShape Capsule(double radius, double length, int count);
+  /// Along z, its middle at the origin, with flat ends.
+  static ToolShape Cylinder(double radius, double length, int count);
   /// `semiAxes` along x, y, z.
   static ToolShape Ellipsoid(const Vector3& semiAxes, int count);
   /// Points of any closed surface and their inward normals, made unit vectors here.

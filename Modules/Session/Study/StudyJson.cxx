@@ -336,7 +336,7 @@ OrderedJson AsJson(const StudyState& state, const std::filesystem::path& folder)
   root["fit"] = FitSettingsJson(state.Fit);
   root["field"] = {{"interpolation", WordOf(InterpolationWords, state.Interpolation)},
                    {"smoothing_voxels", state.FieldSmoothing}};
-  root["tool"] = TouchToolJson(state.Tool);
+  root["tool"] = TouchToolJson(state.Tool, folder);
   root["device"] = state.Device;
   root["rate_hz"] = state.Rate;
   root["dial"] = WordOf(DialWords, state.Dial);

@@ -1,0 +1,77 @@
+#include "DrillBench.h"
+
+#include "DrillTool.h"
+#include "Refusal.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace palpate
+{
+std::shared_ptr<DrillBench> DrillBench::Make(const TouchSettings& settings, TouchStructures& made,
+                                             const ProgressFunction& progress)
+{
+  std::shared_ptr<DrillBench> bench(new DrillBench);
+  bench->Guarded = std::move(made.Forbidden);
+  std::vector<std::unique_ptr<DrilledField>> fields;
+  double voxel = std::numeric_limits<double>::max();
+  for (const TouchableStructure& structure : made.Touched)
+  {
+    bench->SiteOf.push_back(structure.Drilled != nullptr ? static_cast<int>(fields.size()) : -1);
+    if (structure.Drilled != nullptr)
+    {
+      bench->Add(structure, progress, fields);
+      voxel = std::min(voxel, structure.Drilled->Grid().Spacing().minCoeff());
+    }
+  }
+  if (fields.empty())
+  {
+    return nullptr;
+  }
+  RequireInput(DrillEditor::Make(std::move(fields), bench->Edits), "the scene cannot be drilled");
+  constexpr double ClearanceInVoxels = 0.1;
+  const CutTool tool = MakeCutTool(settings.Tool);
+  RequireInput(bench->Edits->AddTool(tool, bench->Drill.Tool), "the tool cannot drill");
+  bench->Cutter = MakeTool(settings.Tool);
+  bench->Drill.Link = bench->Edits->Link();
+  bench->Drill.Clearance = ClearanceInVoxels * voxel;
+  bench->Drill.Motion = {DrillRadius(settings.Tool, tool), settings.Drill.Turns,
+                         settings.Drill.VibrationFrequency};
+  return bench;
+}
+
+void DrillBench::Add(const TouchableStructure& structure, const ProgressFunction& progress,
+                     std::vector<std::unique_ptr<DrilledField>>& fields)
+{
+  std::unique_ptr<DrilledField> field;
+  const std::string& name = structure.Touch.Name;
+  RequireInput(DrilledField::Make(*structure.Drilled, 0, field), name + " cannot be drilled");
+  if (!this->Guarded.empty())
+  {
+    RequireInput(field->Protect(ProtectionOf(this->Guarded, field->Now(), progress)),
+                 name + " cannot be drilled");
+  }
+  fields.push_back(std::move(field));
+  this->Drilled.push_back({name, structure.Drilled});
+}
+
+void DrillBench::PutInto(TouchScene& scene) const
+{
+  scene.Drill = this->Drill;
+  scene.Tool = MakeClearTool(scene.Tool, this->Drill.Clearance);
+  for (std::size_t s = 0; s < scene.Structures.size(); ++s)
+  {
+    scene.Structures[s].Site = this->SiteOf[s];
+  }
+}
+
+std::vector<double> DrillBench::Distances(const ToolPose& pose) const
+{
+  std::vector<double> distances;
+  for (const ForbiddenStructure& structure : this->Guarded)
+  {
+    distances.push_back(structure.Distance(this->Cutter, pose));
+  }
+  return distances;
+}
+} // namespace palpate

@@ -1,0 +1,75 @@
+#include "DrillScript.h"
+
+#include "JsonFields.h"
+#include "Refusal.h"
+#include "WholeFile.h"
+
+namespace palpate
+{
+namespace
+{
+constexpr const char* Format = "palpate-drill";
+constexpr std::uintmax_t LargestFile = 1 << 24;
+constexpr double LongestTime = 36000.0; // s
+const std::initializer_list<const char*> Words{"start", "stop", "end-stroke",
+                                               "undo",  "redo", "reset"};
+} // namespace
+
+std::vector<DrillAction> ReadDrillScript(const std::filesystem::path& path)
+{
+  const nlohmann::json root =
+      nlohmann::json::parse(ReadWholeFile(path, LargestFile), nullptr, false);
+  if (root.is_discarded())
+  {
+    Refuse(path, "is no JSON", "write it as Documentation/HowTo/Drill.md shows");
+  }
+  JsonFields fields(root, path, "script");
+  std::string format;
+  fields.Read("format", format);
+  if (format != Format)
+  {
+    Refuse(path, "does not say that it is a script of drilling",
+           "begin it with \"format\": \"" + std::string(Format) + "\"");
+  }
+  if (!fields.Has("actions") || !root["actions"].is_array() || root["actions"].empty())
+  {
+    Refuse(path, "has no actions",
+           "list its \"actions\": [ { \"time_s\": 0, \"do\": \"start\" } ]");
+  }
+  fields.RefuseOthers();
+  std::vector<DrillAction> actions;
+  for (const nlohmann::json& object : root["actions"])
+  {
+    const std::string place = "actions[" + std::to_string(actions.size()) + "]";
+    JsonFields entry(object, path, place);
+    DrillAction action;
+    entry.Read("time_s", action.Time, 0.0, LongestTime);
+    entry.ReadChoice("do", Words, action.Do);
+    if (!entry.Has("do") || (!actions.empty() && action.Time < actions.back().Time))
+    {
+      Refuse(path, "has an " + place + " that says nothing, or comes after a later one",
+             "give each its \"do\", in the order of \"time_s\"");
+    }
+    entry.RefuseOthers();
+    actions.push_back(action);
+  }
+  return actions;
+}
+
+DrillCommand CommandOf(DrillAction::Kind kind)
+{
+  switch (kind)
+  {
+  case DrillAction::Kind::EndStroke:
+    return DrillCommand::EndStroke;
+  case DrillAction::Kind::Undo:
+    return DrillCommand::Undo;
+  case DrillAction::Kind::Redo:
+    return DrillCommand::Redo;
+  case DrillAction::Kind::Reset:
+    return DrillCommand::Reset;
+  default:
+    return DrillCommand::None;
+  }
+}
+} // namespace palpate

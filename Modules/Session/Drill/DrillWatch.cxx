@@ -1,0 +1,57 @@
+#include "DrillWatch.h"
+
+#include "HtmlText.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace palpate
+{
+DrillWatch::DrillWatch(std::shared_ptr<DrillBench> bench) : Bench(std::move(bench))
+{
+  if (this->Bench == nullptr)
+  {
+    return;
+  }
+  for (const ForbiddenStructure& structure : this->Bench->Forbidden())
+  {
+    DrillApproach approach;
+    approach.Name = structure.Name();
+    approach.AlarmDistance = structure.AlarmDistance();
+    this->Known.push_back(std::move(approach));
+  }
+}
+
+std::vector<std::string> DrillWatch::Look(double time, const TouchState& state)
+{
+  std::vector<std::string> said;
+  if (this->Known.empty() || !state.HasSample)
+  {
+    return said;
+  }
+  const std::array<double, 4>& q = state.Sample.Orientation;
+  const ToolPose pose{state.ProxyWorld, Eigen::Quaterniond(q[3], q[0], q[1], q[2])};
+  const std::vector<double> distances = this->Bench->Distances(pose);
+  for (std::size_t n = 0; n < this->Known.size(); ++n)
+  {
+    DrillApproach& one = this->Known[n];
+    const bool wasAlarmed = one.IsAlarmed;
+    one.AlarmSeconds += wasAlarmed ? time - this->Last : 0.0;
+    one.Distance = distances[n];
+    one.IsAlarmed = distances[n] < one.AlarmDistance;
+    if (!this->HasLooked || distances[n] < one.Least)
+    {
+      one.Least = distances[n];
+      one.LeastTime = time;
+    }
+    if (one.IsAlarmed && !wasAlarmed)
+    {
+      said.push_back("The drill is " + FixedText(distances[n], 1) + " mm from " + one.Name +
+                     ", nearer than " + FixedText(one.AlarmDistance, 1) + " mm.");
+    }
+  }
+  this->Last = time;
+  this->HasLooked = true;
+  return said;
+}
+} // namespace palpate

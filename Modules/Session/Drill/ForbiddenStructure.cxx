@@ -1,0 +1,160 @@
+#include "ForbiddenStructure.h"
+
+#include "FilterRun.h"
+#include "RemovalStroke.h"
+
+#include "vtkImplicitPolyDataDistance.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace palpate
+{
+namespace
+{
+constexpr int Side = RemovedDistances::Side;
+using Corner = RemovedDistances::Corner;
+
+// Index coordinates of what lies within `around` (mm) of a structure, cut to the grid.
+std::pair<Corner, Corner> NodesRound(const ForbiddenStructure& structure, const FieldGrid& grid,
+                                     double around)
+{
+  std::array<double, 6> bounds{};
+  structure.Surface()->GetBounds(bounds.data());
+  const Vector3 margin = Vector3::Constant(around);
+  const Eigen::AlignedBox3d box(Vector3(Vector3(bounds[0], bounds[2], bounds[4]) - margin),
+                                Vector3(Vector3(bounds[1], bounds[3], bounds[5]) + margin));
+  Eigen::AlignedBox3d index;
+  for (int n = 0; n < 8; ++n)
+  {
+    index.extend(grid.PointIndex(box.corner(static_cast<Eigen::AlignedBox3d::CornerType>(n))));
+  }
+  std::pair<Corner, Corner> nodes;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    const auto a = static_cast<Eigen::Index>(axis);
+    const double end = grid.Size()[axis] - 1;
+    nodes.first[axis] = static_cast<int>(std::clamp(std::floor(index.min()[a]), 0.0, end));
+    nodes.second[axis] = static_cast<int>(std::clamp(std::ceil(index.max()[a]), 0.0, end));
+  }
+  return nodes;
+}
+
+// Blocks of what is forbidden; only those near its surface are looked at node by node.
+class ProtectionMaker
+{
+public:
+  ProtectionMaker(const std::vector<ForbiddenStructure>& structures, const RemovedDistances& like)
+      : Structures(structures), Grid(like.Grid()), Band(like.Band()),
+        Made(RemovedDistances::None(like.Grid(), like.Band()))
+  {
+  }
+
+  void MakeRound(const ForbiddenStructure& structure, const ProgressFunction& progress)
+  {
+    const auto [first, last] = NodesRound(structure, this->Grid, this->Band);
+    const int begin = first[2] / Side * Side;
+    for (int k = begin; k <= last[2]; k += Side)
+    {
+      if (!progress(static_cast<double>(k - begin) / (last[2] - begin + 1), "protection"))
+      {
+        throw Cancelled();
+      }
+      for (int j = first[1] / Side * Side; j <= last[1]; j += Side)
+      {
+        for (int i = first[0] / Side * Side; i <= last[0]; i += Side)
+        {
+          this->MakeBlock({i, j, k});
+        }
+      }
+    }
+  }
+  std::shared_ptr<const RemovedDistances> Finish() { return this->Made.Finish(); }
+
+private:
+  double DistanceAt(const Vector3& pointWorld) const
+  {
+    double least = std::numeric_limits<double>::max();
+    for (const ForbiddenStructure& structure : this->Structures)
+    {
+      least = std::min(least, structure.Distance(pointWorld));
+    }
+    return least;
+  }
+
+  // No more than twice: another structure may be near too.
+  void MakeBlock(const Corner& corner)
+  {
+    const Vector3 first(corner[0], corner[1], corner[2]);
+    const double reach = 0.5 * (Side - 1) * this->Grid.Spacing().norm();
+    const double middle =
+        this->DistanceAt(this->Grid.PointWorld(first + Vector3::Constant(0.5 * (Side - 1))));
+    if (middle - reach >= this->Band)
+    {
+      return;
+    }
+    RemovalStroke::Nodes distances;
+    const bool isDeep = middle + reach <= -this->Band;
+    for (std::size_t n = 0; n < distances.size(); ++n)
+    {
+      const auto number = static_cast<int>(n);
+      const Vector3 node(number % Side, number / Side % Side, number / (Side * Side));
+      const double distance =
+          isDeep ? -this->Band : this->DistanceAt(this->Grid.PointWorld(first + node));
+      distances[n] = static_cast<float>(std::clamp(distance, -this->Band, this->Band));
+    }
+    this->Made.Set(corner, distances);
+  }
+
+  const std::vector<ForbiddenStructure>& Structures;
+  const FieldGrid& Grid;
+  double Band; // mm
+  RemovalStroke Made;
+};
+} // namespace
+
+ForbiddenStructure::ForbiddenStructure(std::string name, vtkPolyData* surface, double alarm)
+    : Title(std::move(name)), Alarm(alarm), Triangles(surface),
+      Query(vtkSmartPointer<vtkImplicitPolyDataDistance>::New())
+{
+  this->Query->SetInput(surface);
+}
+
+ForbiddenStructure::ForbiddenStructure(ForbiddenStructure&&) noexcept = default;
+ForbiddenStructure& ForbiddenStructure::operator=(ForbiddenStructure&&) noexcept = default;
+ForbiddenStructure::~ForbiddenStructure() = default;
+
+double ForbiddenStructure::Distance(const Vector3& pointWorld) const
+{
+  return this->Query->EvaluateFunction(pointWorld[0], pointWorld[1], pointWorld[2]);
+}
+
+double ForbiddenStructure::Distance(const ToolShape& tool, const ToolPose& pose) const
+{
+  if (tool.IsSphere())
+  {
+    return this->Distance(pose.PositionWorld) - tool.Radius();
+  }
+  double least = std::numeric_limits<double>::max();
+  for (const Vector3& point : tool.Points())
+  {
+    least = std::min(least, this->Distance(pose.PositionWorld + pose.Orientation * point));
+  }
+  return least;
+}
+
+std::shared_ptr<const RemovedDistances>
+ProtectionOf(const std::vector<ForbiddenStructure>& structures, const RemovedDistances& like,
+             const ProgressFunction& progress)
+{
+  ProtectionMaker maker(structures, like);
+  for (const ForbiddenStructure& structure : structures)
+  {
+    maker.MakeRound(structure, progress);
+  }
+  return maker.Finish();
+}
+} // namespace palpate

@@ -1,0 +1,51 @@
+#pragma once
+
+#include "PalpateSessionModule.h"
+#include "Progress.h"
+#include "RemovedDistances.h"
+#include "ToolPose.h"
+#include "ToolShape.h"
+#include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+class vtkImplicitPolyDataDistance;
+
+namespace palpate
+{
+/// What no drill may remove: a closed surface (world mm, patient LPS), and from which distance on
+/// one has to be warned.
+class PALPATESESSION_EXPORT ForbiddenStructure
+{
+public:
+  /// `alarm` in mm.
+  ForbiddenStructure(std::string name, vtkPolyData* surface, double alarm);
+  ForbiddenStructure(ForbiddenStructure&&) noexcept;
+  ForbiddenStructure& operator=(ForbiddenStructure&&) noexcept;
+  ~ForbiddenStructure();
+
+  const std::string& Name() const { return this->Title; }
+  double AlarmDistance() const { return this->Alarm; }
+  vtkPolyData* Surface() const { return this->Triangles; }
+
+  /// mm from a point to the surface, negative inside. For one thread at a time.
+  double Distance(const Vector3& pointWorld) const;
+  /// The same from the nearest point of a tool.
+  double Distance(const ToolShape& tool, const ToolPose& pose) const;
+
+private:
+  std::string Title;
+  double Alarm;
+  vtkSmartPointer<vtkPolyData> Triangles;
+  vtkSmartPointer<vtkImplicitPolyDataDistance> Query;
+};
+
+/// What structures forbid on the grid of a field, as if it were removed: see
+/// DrilledField::Protect. Throws Cancelled.
+PALPATESESSION_EXPORT std::shared_ptr<const RemovedDistances>
+ProtectionOf(const std::vector<ForbiddenStructure>& structures, const RemovedDistances& like,
+             const ProgressFunction& progress);
+} // namespace palpate
