@@ -3,6 +3,7 @@
 #include "CommandProgress.h"
 #include "Console.h"
 #include "DeviceOption.h"
+#include "DrillReport.h"
 #include "FilterRun.h"
 #include "FiniteNumber.h"
 #include "InputError.h"
@@ -38,6 +39,7 @@ std::string TouchCommand::Examples() const
   return "  palpate touch case1/model.json                   a sweep round a fitted model\n"
          "  palpate touch mask.seg.nrrd --label 1 --tool-radius 3 --output felt\n"
          "  palpate touch ct.nrrd --iso 300 --stiffness 1 --rate 2000\n"
+         "  palpate touch ct.nrrd --iso 300 --wear 0.05 --drill strokes.json --output drilled\n"
          "  palpate touch knee.scene.json --path hand.csv --real-time --output felt\n"
          "  palpate touch felt/scene.json --replay felt/session.touch";
 }
@@ -83,6 +85,11 @@ void TouchCommand::DeclareStructure(CLI::App& app)
                  "Coulomb's coefficient, up to which the tool sticks; it slips with 0.8 of that")
       ->check(FiniteNumber::Between(0.0, 10.0))
       ->capture_default_str();
+  app.add_option("--wear", this->Structure.Drill.Wear,
+                 "Of sub-voxel structures under the drill: mm for each N of push and m of rubbing "
+                 "(0: it takes nothing away)")
+      ->check(FiniteNumber::Between(0.0, 100.0))
+      ->capture_default_str();
   app.add_option("--tool-radius", this->Tool.Radius, "Of the tool, a sphere, in mm (0: a point)")
       ->check(FiniteNumber::Between(0.0, 100.0))
       ->capture_default_str();
@@ -114,6 +121,10 @@ void TouchCommand::DeclareRun(CLI::App& app)
   app.add_option("--speed", this->Sweep.SweepSpeed, "Of the sweep, mm/s")
       ->check(FiniteNumber::Between(0.1, 1e5))
       ->capture_default_str();
+  app.add_option("--drill", this->DrillScript,
+                 "What a hand that drills does with pedal and buttons, as JSON (see "
+                 "Documentation/HowTo/Drill.md)")
+      ->type_name("FILE");
   app.add_option("--seconds", this->Seconds, "How long (default: as long as the path)")
       ->expected(1)
       ->check(FiniteNumber::Between(0.001, 36000.0));
@@ -195,6 +206,10 @@ TouchScript TouchCommand::Script() const
   {
     script.Path = ReadHandPath(this->PathFile);
   }
+  if (!this->DrillScript.empty())
+  {
+    script.Actions = ReadDrillScript(this->DrillScript);
+  }
   script.IsSeen = this->IsViewed;
   if (!this->Seconds.empty())
   {
@@ -224,6 +239,10 @@ void TouchCommand::PrintSummary(const PreparedTouch& touch, const TouchResult& r
       << result.Trace.Whole().Depth.Most << " mm deep; a tick takes "
       << Micro * static_cast<double>(result.Durations.Median()) << " us, 99.9 % at most "
       << Micro * static_cast<double>(result.Durations.Quantile(Almost)) << " us\n";
+  for (const std::string& line : DrillLines(touch, result))
+  {
+    out << line << '\n';
+  }
   if (result.Frames.Count() > 0)
   {
     out << result.FramesPerSecond << " pictures a second beside " << result.Periods.Misses()

@@ -46,6 +46,7 @@ private:
   double Rate = 0.0;         ///< Hz; 0: the scene's
   std::vector<double> Scale; ///< none or one
   std::string PathFile;
+  std::string DrillScript;
   TouchScript Sweep;
   std::vector<double> Seconds; ///< none or one
   bool IsRealTime = false;

@@ -1,5 +1,6 @@
 #include "TouchReport.h"
 
+#include "DrillReport.h"
 #include "HtmlText.h"
 #include "ReportPage.h"
 #include "TouchPlots.h"
@@ -98,6 +99,10 @@ nlohmann::ordered_json SummaryOf(const PreparedTouch& touch, const TouchResult& 
   summary["warnings"] = touch.Warnings;
   summary["degraded"] = DegradedTexts(touch, result);
   summary["thread"] = result.ThreadAdvice;
+  if (touch.Drill != nullptr)
+  {
+    summary["drilled"] = DrillSummary(touch, result);
+  }
   return summary;
 }
 
@@ -193,6 +198,7 @@ std::string PageOf(const PreparedTouch& touch, const TouchResult& result)
 {
   return ReportPage("Touch \xE2\x80\x93 Palpate",
                     Header(touch) + ReportSection("Over time", Charts(result.Trace)) +
+                        (touch.Drill != nullptr ? DrillSection(touch, result) : "") +
                         ReportSection("All numbers", "<div class=\"tables\">\n" +
                                                          StructuresTable(touch, result) +
                                                          NumbersTable(touch, result) + "</div>\n") +

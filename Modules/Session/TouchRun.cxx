@@ -126,6 +126,7 @@ public:
           keeper.Look(Nano * static_cast<double>(tick.Started));
           this->TakeOrders();
           this->LookOut(time, servo.Latest());
+          this->NoteRemoval(time);
           this->Result.Durations.Add(spent);
           this->Fetch(servo, 1e-3F * static_cast<float>(spent));
           const bool goesOn = tick.Number % TicksBetweenReports != 0 ||
@@ -153,6 +154,7 @@ public:
       this->Act(thread.Loop(), passed);
       this->Look(thread.Loop(), clock, passed);
       this->LookOut(passed, thread.Loop().Latest());
+      this->NoteRemoval(passed);
       this->SayLevel(thread.Loop().Latest());
       this->Fetch(thread.Loop());
       passed = Nano * static_cast<double>(clock.Now() - start);
@@ -200,6 +202,17 @@ private:
     if (this->Touch.Drill != nullptr)
     {
       this->Touch.Drill->Editor().Take();
+    }
+  }
+
+  void NoteRemoval(double time)
+  {
+    constexpr double Moments = 400.0;
+    const double period = this->Touch.Duration / Moments;
+    if (this->Touch.Drill != nullptr &&
+        (this->Result.Removal.empty() || time >= this->Result.Removal.back().Time + period))
+    {
+      this->Result.Removal.push_back({time, this->Touch.Drill->Editor().RemovedVolumes()});
     }
   }
 

@@ -50,6 +50,13 @@ struct PreparedTouch
   std::vector<std::string> Warnings;
 };
 
+/// What was gone at a time.
+struct DrillMoment
+{
+  double Time = 0.0;           ///< s
+  std::vector<double> Volumes; ///< mm^3, of each of the bench's sites
+};
+
 struct TouchResult
 {
   TouchTrace Trace;
@@ -69,6 +76,7 @@ struct TouchResult
   std::uint64_t CoarseTicks = 0;      ///< in which the tool was faster than bricks on demand came
   std::string MissingBricks;          ///< why they did not come at last; empty where they did
   std::vector<double> RemovedVolumes; ///< mm^3, of each of the bench's sites
+  std::vector<DrillMoment> Removal;   ///< over time, some hundred moments
   std::uint64_t DrillOrders = 0;      ///< cuts and commands
   std::vector<DrillApproach> Approaches; ///< to what is forbidden
   std::string DrillProblem;              ///< why not all was removed; empty without
