@@ -3,12 +3,18 @@
 #include "CommandProgress.h"
 #include "Console.h"
 #include "DeviceOption.h"
+#include "DrillExport.h"
 #include "DrillReport.h"
+#include "DrillState.h"
 #include "FilterRun.h"
 #include "FiniteNumber.h"
+#include "FitFiles.h"
+#include "FitStructure.h"
+#include "ImageWriter.h"
 #include "InputError.h"
 #include "Interruption.h"
 #include "OutputFolder.h"
+#include "SurfaceFile.h"
 #include "TouchReport.h"
 #include "TouchSceneFile.h"
 #include "TouchView.h"
@@ -31,6 +37,16 @@ const std::map<std::string, TouchRepresentation>& Representations()
       {"facets", TouchRepresentation::Facets},
       {"sub-voxel", TouchRepresentation::SubVoxel}};
   return words;
+}
+
+// "left.nii.gz", 2, "bone" is "left-2-bone.nii.gz".
+std::filesystem::path WithNumberAndName(const std::filesystem::path& path, std::size_t number,
+                                        const std::string& name)
+{
+  const std::string stem = CaseNameOf(path);
+  const std::string ending = path.filename().string().substr(stem.size());
+  return path.parent_path() /
+         (stem + "-" + std::to_string(number) + "-" + PlainName(name) + ending);
 }
 } // namespace
 
@@ -125,6 +141,14 @@ void TouchCommand::DeclareRun(CLI::App& app)
                  "What a hand that drills does with pedal and buttons, as JSON (see "
                  "Documentation/HowTo/Drill.md)")
       ->type_name("FILE");
+  app.add_option("--drill-state", this->DrillStateFile,
+                 "Begin with what was drilled earlier (drill.state of an output folder)")
+      ->type_name("FILE");
+  app.add_option("--drilled", this->DrilledFiles,
+                 "Where to write what is left: a volume (.nrrd, .nii.gz, .mha) or a surface (.stl, "
+                 ".vtp, .ply, .obj); of several structures the names are added")
+      ->type_name("FILE")
+      ->allow_extra_args(false);
   app.add_option("--seconds", this->Seconds, "How long (default: as long as the path)")
       ->expected(1)
       ->check(FiniteNumber::Between(0.001, 36000.0));
@@ -260,7 +284,56 @@ int TouchCommand::Replay(const PreparedTouch& touch, Console& console) const
   const TouchComparison comparison = CompareTouch(touch, this->ReplayFile);
   console.Output() << comparison.DifferentTicks << " of " << comparison.Ticks
                    << " ticks differ, forces by at most " << comparison.LargestDifference << " N\n";
+  if (!this->OutputFolder.empty() && touch.Drill != nullptr)
+  {
+    MakeOutputFolder(this->OutputFolder);
+  }
+  this->WriteDrilled(touch, console);
   return comparison.DifferentTicks == 0 ? 0 : 1;
+}
+
+void TouchCommand::CheckDrilled(const PreparedTouch& touch) const
+{
+  if (touch.Drill == nullptr && (!this->DrilledFiles.empty() || !this->DrillStateFile.empty()))
+  {
+    throw InputError(
+        "nothing of the scene is to be drilled; give one of its structures a \"drill\" "
+        "or use --wear");
+  }
+  for (const std::string& file : this->DrilledFiles)
+  {
+    if (!IsWritableImage(file) && !IsSurfaceFile(file))
+    {
+      throw InputError(file + " has an ending that neither volumes nor surfaces have; use .nrrd, "
+                              ".nii.gz, .stl or .vtp");
+    }
+  }
+}
+
+void TouchCommand::WriteDrilled(const PreparedTouch& touch, Console& console) const
+{
+  if (touch.Drill == nullptr)
+  {
+    return;
+  }
+  if (!this->OutputFolder.empty())
+  {
+    WriteDrillState(this->OutputFolder / "drill.state", *touch.Drill);
+  }
+  const std::vector<DrillSite>& sites = touch.Drill->Sites();
+  for (const std::filesystem::path file : this->DrilledFiles)
+  {
+    for (std::size_t site = 0; site < sites.size(); ++site)
+    {
+      const std::filesystem::path path =
+          sites.size() > 1 ? WithNumberAndName(file, site + 1, sites[site].Name) : file;
+      const int number = static_cast<int>(site);
+      IsWritableImage(path)
+          ? WriteImage(path, DrilledImage(*touch.Drill, number, ProgressOn(console)))
+          : WriteSurface(path, DrilledSurface(*touch.Drill, number, ProgressOn(console)));
+      console.EndProgress();
+    }
+  }
 }
 
 int TouchCommand::Touch(const PreparedTouch& touch, Console& console) const
@@ -286,6 +359,7 @@ int TouchCommand::Touch(const PreparedTouch& touch, Console& console) const
   {
     WriteTouchFiles(this->OutputFolder, touch, result);
   }
+  this->WriteDrilled(touch, console);
   this->PrintSummary(touch, result, console);
   if (!result.ThreadAdvice.empty())
   {
@@ -314,6 +388,11 @@ int TouchCommand::Run(Console& console)
     for (const std::string& warning : touch.Warnings)
     {
       console.Note(warning);
+    }
+    this->CheckDrilled(touch);
+    if (!this->DrillStateFile.empty())
+    {
+      ReadDrillState(this->DrillStateFile, *touch.Drill);
     }
     return this->ReplayFile.empty() ? this->Touch(touch, console) : this->Replay(touch, console);
   }

@@ -30,6 +30,8 @@ private:
   TouchScript Script() const;
   int Touch(const PreparedTouch& touch, Console& console) const;
   int Replay(const PreparedTouch& touch, Console& console) const;
+  void CheckDrilled(const PreparedTouch& touch) const;
+  void WriteDrilled(const PreparedTouch& touch, Console& console) const;
   void PrintSummary(const PreparedTouch& touch, const TouchResult& result, Console& console) const;
 
   std::vector<std::string> Inputs;
@@ -47,6 +49,8 @@ private:
   std::vector<double> Scale; ///< none or one
   std::string PathFile;
   std::string DrillScript;
+  std::string DrillStateFile;
+  std::vector<std::string> DrilledFiles;
   TouchScript Sweep;
   std::vector<double> Seconds; ///< none or one
   bool IsRealTime = false;

@@ -128,7 +128,8 @@ private:
     {
       if (this->Settings.IsDrilled())
       {
-        structure.Drilled = this->FieldToDrill(contact);
+        structure.Drilled = this->Source;
+        structure.Drilled.Field = this->FieldToDrill(contact);
       }
       else
       {
@@ -302,6 +303,7 @@ private:
       looks.Looks.Surface = surface;
       return this->Add(name, std::move(looks));
     }
+    this->Source.Image = this->Settings.IsDrilled() ? volume->Image : nullptr;
     this->AddField(MakeIsoField(volume->Image, {*this->Settings.Iso}, this->Form(), this->Progress),
                    name);
   }
@@ -343,6 +345,11 @@ private:
     }
     else
     {
+      if (this->Settings.IsDrilled())
+      {
+        this->Source.Image = segmentation.Layers[static_cast<std::size_t>(structure.Layer)];
+        this->Source.Label = structure.Value;
+      }
       // A field holds many, but each is looked for in its own box of bricks.
       this->AddField(MakeSegmentField(segmentation, {structure}, this->Form(),
                                       this->Settings.Smoothing, this->Progress),
@@ -378,6 +385,7 @@ private:
   SceneMemory& Memory;
   const ProgressFunction& Progress;
   TouchStructures& Made;
+  DrillSource Source; // of what is added next, where it is drilled
   std::vector<std::pair<std::string, double>> Stages;
   StageClock Clock{Stages};
 };

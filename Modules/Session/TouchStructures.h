@@ -7,19 +7,31 @@
 #include "TouchContact.h"
 #include "TouchScene.h"
 #include "TouchSettings.h"
+#include "vtkImageData.h"
+#include "vtkSmartPointer.h"
 
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace palpate
 {
+/// What a structure that is drilled is made from: what of an image is at least a value, or a label
+/// of a label map.
+struct DrillSource
+{
+  std::shared_ptr<const ScalarField> Field;
+  vtkSmartPointer<vtkImageData> Image;
+  std::optional<int> Label; ///< none: an image
+};
+
 /// A structure ready to be touched and to be drawn, and what it took.
 struct TouchableStructure
 {
-  TouchStructure Touch;                       ///< without a model where it is only seen
-  TouchAppearance Looks;                      ///< empty where nobody sees it
-  std::shared_ptr<OnDemandField> OnDemand;    ///< what is felt; none where all of it is in memory
-  std::shared_ptr<const ScalarField> Drilled; ///< what is to be drilled, as it is before; else none
+  TouchStructure Touch;                    ///< without a model where it is only seen
+  TouchAppearance Looks;                   ///< empty where nobody sees it
+  std::shared_ptr<OnDemandField> OnDemand; ///< what is felt; none where all of it is in memory
+  DrillSource Drilled;     ///< what is to be drilled, as it is before; without a field: nothing
   std::string Represented; ///< in words, such as "harmonics of degree 12, nearest point"
   double Seconds = 0.0;    ///< to make
   std::vector<std::string> Notes;

@@ -80,6 +80,8 @@ public:
 
   int Material() const noexcept { return this->Drilled.Material; }
   int Channel() const noexcept { return this->Drilled.Condition.Channel; }
+  /// What of the channel is the material.
+  const FieldCondition& Condition() const noexcept { return this->Drilled.Condition; }
   const NodeCut& Law() const noexcept { return this->Drilled.Cut; }
   const RemovedDistances& Now() const noexcept { return this->Stroke.Now(); }
   std::size_t HistoryBytes() const noexcept;

@@ -280,6 +280,12 @@ Status DrillEditor::Restore(const std::vector<State>& removed)
   return this->HandOver();
 }
 
+void DrillEditor::WriteSamples(int site, const FieldSamples& original, void* drilled) const
+{
+  const Lock lock(this->Editing);
+  this->Site(site).WriteSamples(original, drilled);
+}
+
 std::size_t DrillEditor::Bytes() const
 {
   const Lock lock(this->Editing);

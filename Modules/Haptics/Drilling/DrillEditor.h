@@ -59,6 +59,9 @@ public:
   /// what is of other volumes.
   Status Restore(const std::vector<std::shared_ptr<const RemovedDistances>>& removed);
 
+  /// DrilledField::WriteSamples of a site.
+  void WriteSamples(int site, const FieldSamples& original, void* drilled) const;
+
   int SiteCount() const noexcept { return static_cast<int>(this->Fields.size()); }
   /// What does not change of a site: its law of cuts, its material, its channel.
   const DrilledField& Site(int site) const { return *this->Fields[static_cast<std::size_t>(site)]; }

@@ -17,11 +17,12 @@ std::shared_ptr<DrillBench> DrillBench::Make(const TouchSettings& settings, Touc
   double voxel = std::numeric_limits<double>::max();
   for (const TouchableStructure& structure : made.Touched)
   {
-    bench->SiteOf.push_back(structure.Drilled != nullptr ? static_cast<int>(fields.size()) : -1);
-    if (structure.Drilled != nullptr)
+    bench->SiteOf.push_back(structure.Drilled.Field != nullptr ? static_cast<int>(fields.size())
+                                                               : -1);
+    if (structure.Drilled.Field != nullptr)
     {
       bench->Add(structure, progress, fields);
-      voxel = std::min(voxel, structure.Drilled->Grid().Spacing().minCoeff());
+      voxel = std::min(voxel, structure.Drilled.Field->Grid().Spacing().minCoeff());
     }
   }
   if (fields.empty())
@@ -45,7 +46,7 @@ void DrillBench::Add(const TouchableStructure& structure, const ProgressFunction
 {
   std::unique_ptr<DrilledField> field;
   const std::string& name = structure.Touch.Name;
-  RequireInput(DrilledField::Make(*structure.Drilled, 0, field), name + " cannot be drilled");
+  RequireInput(DrilledField::Make(*structure.Drilled.Field, 0, field), name + " cannot be drilled");
   if (!this->Guarded.empty())
   {
     RequireInput(field->Protect(ProtectionOf(this->Guarded, field->Now(), progress)),

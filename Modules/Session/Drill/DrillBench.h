@@ -17,7 +17,7 @@ namespace palpate
 struct DrillSite
 {
   std::string Name;
-  std::shared_ptr<const ScalarField> Original;
+  DrillSource Source;
 };
 
 /// All that a scene needs to be drilled, but the servo: who edits the fields, what is forbidden,

@@ -1,0 +1,137 @@
+#include "DrillExport.h"
+
+#include "FieldNodes.h"
+#include "FieldOfImage.h"
+#include "FilterRun.h"
+#include "SceneIsoSurface.h"
+
+#include "vtkDataArray.h"
+#include "vtkFloatArray.h"
+#include "vtkMatrix3x3.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+
+#include <algorithm>
+#include <vector>
+
+namespace palpate
+{
+namespace
+{
+const DrillSite& SiteOf(const DrillBench& bench, int site)
+{
+  return bench.Sites()[static_cast<std::size_t>(site)];
+}
+
+vtkSmartPointer<vtkImageData> CopyOf(vtkImageData* image)
+{
+  auto copy = vtkSmartPointer<vtkImageData>::New();
+  copy->DeepCopy(image);
+  return copy;
+}
+
+// Takes the label from the voxels of a row whose centres are not in the solid any more.
+void ClearRow(const FieldSolid& solid, const std::vector<Vector3>& centersWorld, double label,
+              vtkDataArray& labels, vtkIdType first)
+{
+  std::vector<unsigned char> inside(centersWorld.size());
+  solid.AreInside(centersWorld.data(), centersWorld.size(), inside.data());
+  for (std::size_t i = 0; i < inside.size(); ++i)
+  {
+    const auto voxel = first + static_cast<vtkIdType>(i);
+    if (inside[i] == 0 && labels.GetComponent(voxel, 0) == label)
+    {
+      labels.SetComponent(voxel, 0, 0.0);
+    }
+  }
+}
+
+void ClearLabels(const FieldSolid& now, int label, vtkImageData* image,
+                 const ProgressFunction& progress)
+{
+  const FieldGrid grid = GridOfImage(image);
+  const std::array<int, 3>& size = grid.Size();
+  std::vector<Vector3> centers(static_cast<std::size_t>(size[0]));
+  vtkIdType first = 0;
+  for (int k = 0; k < size[2]; ++k)
+  {
+    if (!progress(static_cast<double>(k) / size[2], "drilled labels"))
+    {
+      throw Cancelled();
+    }
+    for (int j = 0; j < size[1]; ++j)
+    {
+      for (int i = 0; i < size[0]; ++i)
+      {
+        centers[static_cast<std::size_t>(i)] = grid.PointWorld(Vector3(i, j, k));
+      }
+      ClearRow(now, centers, label, *image->GetPointData()->GetScalars(), first);
+      first += size[0];
+    }
+  }
+}
+
+void Require(const Status& status)
+{
+  if (!status.IsOk())
+  {
+    throw FilterError(status.Message());
+  }
+}
+
+// The nodes of a field as an image.
+vtkSmartPointer<vtkImageData> ImageOf(const FieldGrid& grid, const std::vector<float>& nodes)
+{
+  auto image = vtkSmartPointer<vtkImageData>::New();
+  image->SetDimensions(grid.Size().data());
+  image->SetSpacing(grid.Spacing().data());
+  image->SetOrigin(grid.OriginWorld().data());
+  for (int row = 0; row < 3; ++row)
+  {
+    for (int column = 0; column < 3; ++column)
+    {
+      image->GetDirectionMatrix()->SetElement(row, column, grid.Direction()(row, column));
+    }
+  }
+  image->SetDirectionMatrix(image->GetDirectionMatrix());
+  vtkNew<vtkFloatArray> values;
+  values->SetNumberOfTuples(static_cast<vtkIdType>(nodes.size()));
+  std::copy(nodes.begin(), nodes.end(), values->GetPointer(0));
+  image->GetPointData()->SetScalars(values);
+  return image;
+}
+} // namespace
+
+vtkSmartPointer<vtkImageData> DrilledImage(const DrillBench& bench, int site,
+                                           const ProgressFunction& progress)
+{
+  const DrillSource& source = SiteOf(bench, site).Source;
+  if (!progress(0.0, "drilled image"))
+  {
+    throw Cancelled();
+  }
+  vtkSmartPointer<vtkImageData> image = CopyOf(source.Image);
+  if (source.Label)
+  {
+    std::shared_ptr<const FieldSolid> now;
+    const DrillReading reading = bench.Editor().Newest();
+    Require(FieldSolid::Make(reading.Fields[static_cast<std::size_t>(site)],
+                             bench.Editor().Site(site).Material(), now));
+    ClearLabels(*now, *source.Label, image, progress);
+    return image;
+  }
+  FieldSamples samples;
+  Require(SamplesOfImage(source.Image, samples));
+  bench.Editor().WriteSamples(site, samples, image->GetScalarPointer());
+  return image;
+}
+
+vtkSmartPointer<vtkPolyData> DrilledSurface(const DrillBench& bench, int site,
+                                            const ProgressFunction& progress)
+{
+  const DrilledField& drilled = bench.Editor().Site(site);
+  const auto now = bench.Editor().Newest().Fields[static_cast<std::size_t>(site)];
+  const std::vector<float> nodes = NodesOf(*now, drilled.Channel());
+  return MakeIsoSurface(ImageOf(now->Grid(), nodes), drilled.Condition().Iso, progress);
+}
+} // namespace palpate
