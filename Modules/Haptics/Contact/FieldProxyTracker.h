@@ -45,6 +45,12 @@ public:
   static double AskedReachOf(const ToolShape& shell, double voxelSize);
   /// Whether nothing is known, or nothing touches.
   bool IsFree() const noexcept { return this->Known != State::Touching; }
+  /// Whether no point of the tool is inside the solid at a pose. Only while nothing is followed.
+  bool IsFreeAt(const ToolPose& pose) noexcept
+  {
+    this->Shell.Turn(pose.Orientation);
+    return this->Shell.CountInside(*this->Solid, pose.PositionWorld) == 0;
+  }
   /// Whether no point of the tool enters the solid on a way of its origin.
   bool IsWayFree(const Vector3& fromWorld, const Vector3& way) const noexcept
   {

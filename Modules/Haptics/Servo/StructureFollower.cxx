@@ -167,11 +167,17 @@ bool StructureFollower::BeginAgain(const FollowStep& step) noexcept
   if (this->Follows)
   {
     this->Feed->Leave();
-    const Contact& begun = this->BeginAt(this->Last.ProxyWorld, step);
-    // A proxy on the surface may begin a little inside.
-    constexpr double DeepInVoxels = 0.5;
-    this->IsBuried =
-        begun.IsTouching && !(begun.Depth < DeepInVoxels * this->Drilled->Followed().VoxelSize());
+    // A proxy on the surface may be a little inside.
+    constexpr double OutInVoxels = 0.5;
+    const double out =
+        this->Last.IsTouching ? OutInVoxels * this->Drilled->Followed().VoxelSize() : 0.0;
+    const Vector3 place = this->Last.ProxyWorld + out * this->Last.NormalWorld;
+    this->Tracker().Release();
+    this->IsBuried = !this->Drilled->IsFreeAt({place, step.Now.Orientation});
+    if (!this->IsBuried)
+    {
+      this->BeginAt(place, step);
+    }
     this->Weight = RampIn(this->Last.IsTouching ? HandoverDuration : 0.0);
   }
   return this->Follows;
@@ -179,8 +185,11 @@ bool StructureFollower::BeginAgain(const FollowStep& step) noexcept
 
 void StructureFollower::Unbury(const FollowStep& step) noexcept
 {
-  const Contact& begun = this->BeginAt(step.Now.PositionWorld, step);
-  this->IsBuried = begun.IsTouching || !begun.IsValid;
+  this->IsBuried = !this->Drilled->IsFreeAt(step.Now);
+  if (!this->IsBuried)
+  {
+    this->BeginAt(step.Now.PositionWorld, step);
+  }
   this->Interpolation.Reset();
 }
 

@@ -30,23 +30,32 @@ vtkSmartPointer<vtkImageData> CopyOf(vtkImageData* image)
   return copy;
 }
 
-// Takes the label from the voxels of a row whose centres are not in the solid any more.
-void ClearRow(const FieldSolid& solid, const std::vector<Vector3>& centersWorld, double label,
+// A structure before it was drilled and now.
+struct BeforeAndNow
+{
+  std::shared_ptr<const FieldSolid> Before;
+  std::shared_ptr<const FieldSolid> Now;
+};
+
+// Takes the label from the voxels of a row whose centres were in the solid and are not any more.
+void ClearRow(const BeforeAndNow& solids, const std::vector<Vector3>& centersWorld, double label,
               vtkDataArray& labels, vtkIdType first)
 {
-  std::vector<unsigned char> inside(centersWorld.size());
-  solid.AreInside(centersWorld.data(), centersWorld.size(), inside.data());
-  for (std::size_t i = 0; i < inside.size(); ++i)
+  std::vector<unsigned char> before(centersWorld.size());
+  std::vector<unsigned char> now(centersWorld.size());
+  solids.Before->AreInside(centersWorld.data(), centersWorld.size(), before.data());
+  solids.Now->AreInside(centersWorld.data(), centersWorld.size(), now.data());
+  for (std::size_t i = 0; i < now.size(); ++i)
   {
     const auto voxel = first + static_cast<vtkIdType>(i);
-    if (inside[i] == 0 && labels.GetComponent(voxel, 0) == label)
+    if (before[i] != 0 && now[i] == 0 && labels.GetComponent(voxel, 0) == label)
     {
       labels.SetComponent(voxel, 0, 0.0);
     }
   }
 }
 
-void ClearLabels(const FieldSolid& now, int label, vtkImageData* image,
+void ClearLabels(const BeforeAndNow& solids, int label, vtkImageData* image,
                  const ProgressFunction& progress)
 {
   const FieldGrid grid = GridOfImage(image);
@@ -65,7 +74,7 @@ void ClearLabels(const FieldSolid& now, int label, vtkImageData* image,
       {
         centers[static_cast<std::size_t>(i)] = grid.PointWorld(Vector3(i, j, k));
       }
-      ClearRow(now, centers, label, *image->GetPointData()->GetScalars(), first);
+      ClearRow(solids, centers, label, *image->GetPointData()->GetScalars(), first);
       first += size[0];
     }
   }
@@ -113,11 +122,12 @@ vtkSmartPointer<vtkImageData> DrilledImage(const DrillBench& bench, int site,
   vtkSmartPointer<vtkImageData> image = CopyOf(source.Image);
   if (source.Label)
   {
-    std::shared_ptr<const FieldSolid> now;
+    BeforeAndNow solids;
+    const int material = bench.Editor().Site(site).Material();
     const DrillReading reading = bench.Editor().Newest();
-    Require(FieldSolid::Make(reading.Fields[static_cast<std::size_t>(site)],
-                             bench.Editor().Site(site).Material(), now));
-    ClearLabels(*now, *source.Label, image, progress);
+    Require(FieldSolid::Make(source.Field, material, solids.Before));
+    Require(FieldSolid::Make(reading.Fields[static_cast<std::size_t>(site)], material, solids.Now));
+    ClearLabels(solids, *source.Label, image, progress);
     return image;
   }
   FieldSamples samples;
