@@ -35,6 +35,7 @@ struct TouchContact
   EvaluationPrecision Precision = EvaluationPrecision::Double; ///< the same
   /// What the model feels, where only what is round the tool is in memory.
   std::shared_ptr<OnDemandField> OnDemand = nullptr;
+  bool IsDrillable = false;          ///< of a field: it keeps its inside
   std::vector<TouchStandIn> Coarser; ///< without those that are the tool's; see AddStandIns
 };
 

@@ -1,5 +1,6 @@
 #include "TouchSceneFile.h"
 
+#include "DrillLimits.h"
 #include "JsonFields.h"
 #include "Refusal.h"
 #include "TouchToolJson.h"
@@ -20,11 +21,6 @@ constexpr double LargestDamping = 10.0;         // N s/mm
 constexpr double LargestFriction = 10.0;
 constexpr double LargestTexture = 10.0; // N
 constexpr double LargestIso = 1e300;
-constexpr double LargestWear = 100.0;      // mm for each N and m
-constexpr double LargestDrag = 10.0;       // s/mm
-constexpr double LargestAlarm = 1e3;       // mm
-constexpr double LargestTurns = 1e4;       // a second
-constexpr double LargestVibration = 500.0; // Hz
 
 const std::initializer_list<const char*> ModeWords{"nearest", "radial"};
 
@@ -94,8 +90,8 @@ void ReadDrill(const nlohmann::json& object, JsonFields& fields, const std::file
   {
     DrillLaw& law = structure.Drill;
     JsonFields drill(object["drill"], path, Ordinal(number) + ".drill");
-    drill.Read("wear_mm_per_nm", law.Wear, 0.0, LargestWear);
-    drill.Read("drag_s_per_mm", law.Drag, 0.0, LargestDrag);
+    drill.Read("wear_mm_per_nm", law.Wear, 0.0, DrillLimits::Wear);
+    drill.Read("drag_s_per_mm", law.Drag, 0.0, DrillLimits::Drag);
     drill.Read("vibration", law.Vibration, 0.0, 1.0);
     drill.RefuseOthers();
   }
@@ -105,7 +101,7 @@ void ReadDrill(const nlohmann::json& object, JsonFields& fields, const std::file
     Refuse(path, "has an alarm for its " + Ordinal(number) + ", which is not forbidden",
            "add \"forbidden\": true there");
   }
-  fields.Read("alarm_mm", structure.AlarmDistance, 0.0, LargestAlarm);
+  fields.Read("alarm_mm", structure.AlarmDistance, 0.0, DrillLimits::Alarm);
   if (structure.IsDrilled())
   {
     CheckDrilled(structure, path, number);
@@ -251,8 +247,8 @@ TouchSettings ReadTouchScene(const std::filesystem::path& path)
   if (fields.Has("drill"))
   {
     JsonFields drill(root["drill"], path, "drill");
-    drill.Read("turns_per_s", settings.Drill.Turns, 0.0, LargestTurns);
-    drill.Read("vibration_hz", settings.Drill.VibrationFrequency, 0.0, LargestVibration);
+    drill.Read("turns_per_s", settings.Drill.Turns, 0.0, DrillLimits::Turns);
+    drill.Read("vibration_hz", settings.Drill.VibrationFrequency, 0.0, DrillLimits::Vibration);
     drill.RefuseOthers();
   }
   fields.Read("device", settings.Device);

@@ -1,5 +1,6 @@
 #include "DrillEditor.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace palpate
@@ -76,6 +77,16 @@ bool DrillEditor::Take(std::uint64_t until)
     this->Known.Problem = status.IsOk() ? this->CutProblem : status.Message();
   }
   return isDifferent;
+}
+
+void DrillEditor::ForNextServo()
+{
+  this->Take();
+  const Lock lock(this->Editing);
+  this->EndStroke();
+  this->Done = 0;
+  this->GrownAt = 0;
+  this->IsHandedOver = this->HandOver().IsOk();
 }
 
 bool DrillEditor::NextOrder(std::uint64_t until)
@@ -284,6 +295,44 @@ void DrillEditor::WriteSamples(int site, const FieldSamples& original, void* dri
 {
   const Lock lock(this->Editing);
   this->Site(site).WriteSamples(original, drilled);
+}
+
+DrillEditor::RemovedPart DrillEditor::CopyRemoved(int site) const
+{
+  const Lock lock(this->Editing);
+  const RemovedDistances& now = this->Site(site).Now();
+  RemovedDistances::Corner first = now.Grid().Size();
+  RemovedDistances::Corner last{-1, -1, -1};
+  for (const RemovedDistances::Corner& corner : now.Corners())
+  {
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      const int end = std::min(corner[axis] + RemovedDistances::Side, now.Grid().Size()[axis] - 1);
+      first[axis] = std::min(first[axis], std::max(corner[axis] - 1, 0));
+      last[axis] = std::max(last[axis], end);
+    }
+  }
+  RemovedPart part;
+  if (last[0] < 0)
+  {
+    return part;
+  }
+  const Vector3 origin(first[0], first[1], first[2]);
+  part.Grid =
+      FieldGrid({last[0] - first[0] + 1, last[1] - first[1] + 1, last[2] - first[2] + 1},
+                now.Grid().PointWorld(origin), now.Grid().Spacing(), now.Grid().Direction());
+  part.Distances.reserve(part.Grid.NodeCount());
+  for (int k = first[2]; k <= last[2]; ++k)
+  {
+    for (int j = first[1]; j <= last[1]; ++j)
+    {
+      for (int i = first[0]; i <= last[0]; ++i)
+      {
+        part.Distances.push_back(now.At(i, j, k));
+      }
+    }
+  }
+  return part;
 }
 
 std::size_t DrillEditor::Bytes() const

@@ -48,6 +48,9 @@ public:
   /// Whether anything is different since the last call.
   bool Take(std::uint64_t until = std::numeric_limits<std::uint64_t>::max());
 
+  /// Another servo begins, which numbers its orders from 0: those of the last one are done.
+  void ForNextServo();
+
   DrillReading Newest() const;
   /// mm^3 that are gone, of each site.
   std::vector<double> RemovedVolumes();
@@ -65,6 +68,15 @@ public:
   int SiteCount() const noexcept { return static_cast<int>(this->Fields.size()); }
   /// What does not change of a site: its law of cuts, its material, its channel.
   const DrilledField& Site(int site) const { return *this->Fields[static_cast<std::size_t>(site)]; }
+  /// What is removed at a site now, without ending a stroke: signed distances (mm, negative where
+  /// it is gone) at nodes of a part of the grid that holds all of it, i fastest; none where nothing
+  /// is.
+  struct RemovedPart
+  {
+    FieldGrid Grid;
+    std::vector<float> Distances;
+  };
+  RemovedPart CopyRemoved(int site) const;
   /// Of all fields.
   std::size_t Bytes() const;
 

@@ -31,14 +31,18 @@ std::shared_ptr<DrillBench> DrillBench::Make(const TouchSettings& settings, Touc
   }
   RequireInput(DrillEditor::Make(std::move(fields), bench->Edits), "the scene cannot be drilled");
   constexpr double ClearanceInVoxels = 0.1;
-  const CutTool tool = MakeCutTool(settings.Tool);
-  RequireInput(bench->Edits->AddTool(tool, bench->Drill.Tool), "the tool cannot drill");
-  bench->Cutter = MakeTool(settings.Tool);
   bench->Drill.Link = bench->Edits->Link();
   bench->Drill.Clearance = ClearanceInVoxels * voxel;
-  bench->Drill.Motion = {DrillRadius(settings.Tool, tool), settings.Drill.Turns,
-                         settings.Drill.VibrationFrequency};
+  bench->UseTool(settings.Tool, settings.Drill);
   return bench;
+}
+
+void DrillBench::UseTool(const TouchToolSettings& tool, const TouchDrillSettings& drill)
+{
+  const CutTool cutting = MakeCutTool(tool);
+  RequireInput(this->Edits->AddTool(cutting, this->Drill.Tool), "the tool cannot drill");
+  this->Cutter = MakeTool(tool);
+  this->Drill.Motion = {DrillRadius(tool, cutting), drill.Turns, drill.VibrationFrequency};
 }
 
 void DrillBench::Add(const TouchableStructure& structure, const ProgressFunction& progress,
@@ -56,13 +60,13 @@ void DrillBench::Add(const TouchableStructure& structure, const ProgressFunction
   this->Drilled.push_back({name, structure.Drilled});
 }
 
-void DrillBench::PutInto(TouchScene& scene) const
+void DrillBench::PutInto(TouchScene& scene, const std::vector<int>& sites) const
 {
   scene.Drill = this->Drill;
   scene.Tool = MakeClearTool(scene.Tool, this->Drill.Clearance);
   for (std::size_t s = 0; s < scene.Structures.size(); ++s)
   {
-    scene.Structures[s].Site = this->SiteOf[s];
+    scene.Structures[s].Site = sites[s];
   }
 }
 

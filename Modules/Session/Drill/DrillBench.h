@@ -31,7 +31,11 @@ public:
                                           const ProgressFunction& progress);
 
   /// Lets `scene`, which has the structures that the bench was made of, in their order, be drilled.
-  void PutInto(TouchScene& scene) const;
+  void PutInto(TouchScene& scene) const { this->PutInto(scene, this->SiteOf); }
+  /// The same of a scene with other structures: the site of each, -1 where it is not drilled.
+  void PutInto(TouchScene& scene, const std::vector<int>& sites) const;
+  /// Drills by another tool from the next scene on. Throws InputError for one that cannot.
+  void UseTool(const TouchToolSettings& tool, const TouchDrillSettings& drill);
 
   DrillEditor& Editor() const { return *this->Edits; }
   const std::vector<DrillSite>& Sites() const { return this->Drilled; }

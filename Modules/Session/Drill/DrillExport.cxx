@@ -144,4 +144,20 @@ vtkSmartPointer<vtkPolyData> DrilledSurface(const DrillBench& bench, int site,
   const std::vector<float> nodes = NodesOf(*now, drilled.Channel());
   return MakeIsoSurface(ImageOf(now->Grid(), nodes), drilled.Condition().Iso, progress);
 }
+
+vtkSmartPointer<vtkPolyData> RemovedSurface(const DrillBench& bench, int site)
+{
+  DrillEditor::RemovedPart part = bench.Editor().CopyRemoved(site);
+  if (std::none_of(part.Distances.begin(), part.Distances.end(),
+                   [](float distance) { return distance < 0.0F; }))
+  {
+    return vtkSmartPointer<vtkPolyData>::New();
+  }
+  for (float& distance : part.Distances)
+  {
+    distance = -distance;
+  }
+  const auto goOn = [](double, const std::string&) { return true; };
+  return MakeIsoSurface(ImageOf(part.Grid, part.Distances), 0.0, goOn);
+}
 } // namespace palpate

@@ -21,4 +21,8 @@ PALPATESESSION_EXPORT vtkSmartPointer<vtkImageData> DrilledImage(const DrillBenc
 /// The closed surface, as the hand feels it, in world mm (patient LPS).
 PALPATESESSION_EXPORT vtkSmartPointer<vtkPolyData> DrilledSurface(const DrillBench& bench, int site,
                                                                   const ProgressFunction& progress);
+
+/// The closed surface of what is gone, in world mm; empty where nothing is. Takes milliseconds.
+PALPATESESSION_EXPORT vtkSmartPointer<vtkPolyData> RemovedSurface(const DrillBench& bench,
+                                                                  int site);
 } // namespace palpate

@@ -141,6 +141,7 @@ void Study::FollowByTouch()
 {
   if (this->Felt.IsRunning())
   {
+    this->Felt.Forbid(ForbiddenOf(this->State(), this->Made));
     this->Problem =
         this->Felt.Update(this->State(), ContactsOf(this->State(), this->Made)).Message();
   }
@@ -177,6 +178,7 @@ void Study::StartTouch()
 
 void Study::TakeDevice(std::unique_ptr<HapticDevice> device)
 {
+  this->Felt.Forbid(ForbiddenOf(this->State(), this->Made));
   this->Problem =
       this->Felt.Start(std::move(device), this->State(), ContactsOf(this->State(), this->Made))
           .Message();

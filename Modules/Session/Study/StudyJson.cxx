@@ -1,5 +1,6 @@
 #include "StudyJson.h"
 
+#include "DrillLimits.h"
 #include "JsonFields.h"
 #include "Refusal.h"
 #include "StudyFitJson.h"
@@ -103,6 +104,7 @@ public:
     fields.Read("device", state.Device);
     fields.Read("rate_hz", state.Rate, 1.0, 1e5);
     fields.ReadChoice("dial", DialWords, state.Dial);
+    this->ReadDrill(fields, state.Drill);
     this->ReadPlacement(fields, state.Placement);
     this->ForEach(fields, "landmarks", state.Landmarks, &StudyReader::ReadLandmark);
     this->ForEach(fields, "distances", state.Distances, &StudyReader::ReadDistance);
@@ -187,6 +189,11 @@ private:
     fields.Read("stiffness_n_per_mm", structure.Stiffness, 0.0, LargestStiffness);
     fields.Read("static_friction", structure.Friction.Static, 0.0, LargestFriction);
     fields.Read("dynamic_friction", structure.Friction.Dynamic, 0.0, LargestFriction);
+    fields.Read("drill_wear_mm_per_nm", structure.Drill.Wear, 0.0, DrillLimits::Wear);
+    fields.Read("drill_drag_s_per_mm", structure.Drill.Drag, 0.0, DrillLimits::Drag);
+    fields.Read("drill_vibration", structure.Drill.Vibration, 0.0, 1.0);
+    fields.Read("forbidden", structure.IsForbidden);
+    fields.Read("alarm_mm", structure.AlarmDistance, 0.0, DrillLimits::Alarm);
     return structure;
   }
 
@@ -215,6 +222,17 @@ private:
       field.ReadChoice("interpolation", InterpolationWords, state.Interpolation);
       field.Read("smoothing_voxels", state.FieldSmoothing, 0.0, 8.0);
       field.RefuseOthers();
+    }
+  }
+
+  void ReadDrill(JsonFields& fields, TouchDrillSettings& drill) const
+  {
+    if (fields.Has("drill"))
+    {
+      JsonFields entry(this->Root["drill"], this->File, "drill");
+      entry.Read("turns_per_s", drill.Turns, 0.0, DrillLimits::Turns);
+      entry.Read("vibration_hz", drill.VibrationFrequency, 0.0, DrillLimits::Vibration);
+      entry.RefuseOthers();
     }
   }
 
@@ -265,7 +283,12 @@ OrderedJson AsJson(const StudyStructure& structure)
           {"degree", structure.Degree},
           {"stiffness_n_per_mm", structure.Stiffness},
           {"static_friction", structure.Friction.Static},
-          {"dynamic_friction", structure.Friction.Dynamic}};
+          {"dynamic_friction", structure.Friction.Dynamic},
+          {"drill_wear_mm_per_nm", structure.Drill.Wear},
+          {"drill_drag_s_per_mm", structure.Drill.Drag},
+          {"drill_vibration", structure.Drill.Vibration},
+          {"forbidden", structure.IsForbidden},
+          {"alarm_mm", structure.AlarmDistance}};
 }
 
 OrderedJson AsJson(const StudyLandmark& landmark)
@@ -337,6 +360,8 @@ OrderedJson AsJson(const StudyState& state, const std::filesystem::path& folder)
   root["field"] = {{"interpolation", WordOf(InterpolationWords, state.Interpolation)},
                    {"smoothing_voxels", state.FieldSmoothing}};
   root["tool"] = TouchToolJson(state.Tool, folder);
+  root["drill"] = {{"turns_per_s", state.Drill.Turns},
+                   {"vibration_hz", state.Drill.VibrationFrequency}};
   root["device"] = state.Device;
   root["rate_hz"] = state.Rate;
   root["dial"] = WordOf(DialWords, state.Dial);

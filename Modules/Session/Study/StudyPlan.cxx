@@ -87,6 +87,11 @@ public:
     const auto trade =
         this->IsMeasured() ? ProductAs<StudyTrade>(lookup(this->TradeKey())) : nullptr;
     this->Feel = FeelOf(state, structure, trade.get());
+    if (structure.IsDrilled())
+    {
+      this->Feel.Representation = TouchRepresentation::SubVoxel;
+      this->Feel.Interpolation = FieldInterpolation::Trilinear;
+    }
     this->Fit.Degree = this->Feel.Degree;
   }
 
@@ -101,6 +106,10 @@ public:
     if (this->Structure.IsVisible)
     {
       this->AddAppearance();
+    }
+    if (this->Structure.IsForbidden)
+    {
+      this->AddSurface();
     }
   }
 
@@ -248,10 +257,12 @@ private:
   {
     const std::string key =
         KeyOf(this->SegmentationKey, "field", this->Structure.Label,
-              static_cast<int>(this->Feel.Interpolation), this->State.FieldSmoothing);
+              static_cast<int>(this->Feel.Interpolation), this->State.FieldSmoothing,
+              this->Structure.IsDrilled() ? "inside" : "");
     return this->AddNode(
         StudyStep::Field, key, this->SegmentationKey,
-        [label = this->Structure.Label, interpolation = this->Feel.Interpolation,
+        [label = this->Structure.Label,
+         form = FieldForm(this->Feel.Interpolation, BrickSize::Cells8, this->Structure.IsDrilled()),
          smoothing = this->State.FieldSmoothing](const Inputs& inputs,
                                                  const ProgressFunction& progress) -> StudyProduct
         {
@@ -259,7 +270,7 @@ private:
           const Segment& segment = segmentation->Find(std::to_string(label));
           try
           {
-            return MakeSegmentField(*segmentation, {segment}, interpolation, smoothing, progress);
+            return MakeSegmentField(*segmentation, {segment}, form, smoothing, progress);
           }
           catch (const FilterError& error)
           {
@@ -364,11 +375,12 @@ private:
 
   Making ContactOfField() const
   {
-    return [interpolation = this->Feel.Interpolation, file = this->State.SegmentationFile](
+    return [isDrilled = this->Structure.IsDrilled(), file = this->State.SegmentationFile](
                const Inputs& inputs, const ProgressFunction&) -> StudyProduct
     {
-      return std::make_shared<const TouchContact>(
-          MakeFieldContact(ProductAs<ScalarField>(inputs.data()), 0, file));
+      TouchContact contact = MakeFieldContact(ProductAs<ScalarField>(inputs.data()), 0, file);
+      contact.IsDrillable = isDrilled;
+      return std::make_shared<const TouchContact>(std::move(contact));
     };
   }
 

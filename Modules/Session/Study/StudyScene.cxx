@@ -5,6 +5,26 @@
 
 namespace palpate
 {
+namespace
+{
+// A contact that was made before a structure was to be drilled shows another field, or none.
+DrillSource SourceOf(const StudyStructure& structure, const TouchContact& contact,
+                     const StudyPipeline& pipeline)
+{
+  const auto segmentation = pipeline.Newest<Segmentation>(StudyStep::Segmentation);
+  DrillSource source;
+  if (structure.IsDrilled() && segmentation != nullptr && contact.Looks.Field != nullptr &&
+      contact.IsDrillable)
+  {
+    const Segment& segment = segmentation->Find(std::to_string(structure.Label));
+    source.Field = contact.Looks.Field;
+    source.Image = segmentation->Layers[static_cast<std::size_t>(segment.Layer)];
+    source.Label = segment.Value;
+  }
+  return source;
+}
+} // namespace
+
 std::vector<StudyContact> ContactsOf(const StudyState& state, const StudyPipeline& pipeline)
 {
   std::vector<StudyContact> contacts;
@@ -13,7 +33,7 @@ std::vector<StudyContact> ContactsOf(const StudyState& state, const StudyPipelin
     auto contact = pipeline.Newest<TouchContact>(StudyStep::Touch, structure.Label);
     if (contact != nullptr)
     {
-      contacts.push_back({structure.Label, std::move(contact)});
+      contacts.push_back({structure.Label, contact, SourceOf(structure, *contact, pipeline)});
     }
   }
   return TouchableOf(state, contacts);
@@ -47,7 +67,11 @@ TouchScene MakeStudyScene(const StudyState& state, const std::vector<StudyContac
     touch.Name = TitleOf(*structure);
     touch.Id = contact.Label;
     touch.Model = contact.Contact->Model;
-    touch.Coarser = StandInsFor(*contact.Contact, scene.Tool);
+    if (contact.Drilled.Field == nullptr)
+    {
+      touch.Coarser = StandInsFor(*contact.Contact, scene.Tool);
+    }
+    touch.Drill = structure->Drill;
     touch.Law.Stiffness = structure->Stiffness;
     touch.Friction = structure->Friction;
     scene.Structures.push_back(std::move(touch));

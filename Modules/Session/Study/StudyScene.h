@@ -4,6 +4,7 @@
 #include "StudyPipeline.h"
 #include "StudyState.h"
 #include "TouchScene.h"
+#include "TouchStructures.h"
 #include "WorkspaceFrame.h"
 
 #include <memory>
@@ -16,6 +17,7 @@ struct StudyContact
 {
   int Label = 0;
   std::shared_ptr<const TouchContact> Contact;
+  DrillSource Drilled = {}; ///< without a field: it is not drilled, or cannot be yet
 };
 
 /// Those of the state's touchable structures whose newest model is there.

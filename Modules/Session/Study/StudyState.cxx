@@ -10,7 +10,8 @@ namespace
 auto Fields(const StudyStructure& s)
 {
   return std::tie(s.Label, s.Name, s.Color, s.IsVisible, s.IsTouchable, s.Appearance,
-                  s.Representation, s.Degree, s.Stiffness, s.Friction.Static, s.Friction.Dynamic);
+                  s.Representation, s.Degree, s.Stiffness, s.Friction.Static, s.Friction.Dynamic,
+                  s.Drill.Wear, s.Drill.Drag, s.Drill.Vibration, s.IsForbidden, s.AlarmDistance);
 }
 
 auto Fields(const StudyPlacement& p)
@@ -37,8 +38,9 @@ auto Fields(const StudyView& v)
 auto Fields(const StudyState& s)
 {
   return std::tie(s.VolumeFile, s.DicomSeries, s.SegmentationFile, s.LeftHanded, s.Structures,
-                  s.Fit, s.Interpolation, s.FieldSmoothing, s.Tool, s.Device, s.Rate, s.Dial,
-                  s.Placement, s.Landmarks, s.Distances, s.View);
+                  s.Fit, s.Interpolation, s.FieldSmoothing, s.Tool, s.Drill.Turns,
+                  s.Drill.VibrationFrequency, s.Device, s.Rate, s.Dial, s.Placement, s.Landmarks,
+                  s.Distances, s.View);
 }
 } // namespace
 

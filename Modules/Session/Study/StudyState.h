@@ -45,6 +45,15 @@ struct StudyStructure
   int Degree = 12;        ///< of the harmonics
   double Stiffness = 0.5; ///< N/mm
   SurfaceFriction Friction;
+  DrillLaw Drill;             ///< how it gives way to the drill; without wear it does not
+  bool IsForbidden = false;   ///< no drill removes any of it
+  double AlarmDistance = 2.0; ///< mm from the drill to it, where it is forbidden
+
+  /// Then it is touched by its sub-voxel field, whatever else is chosen.
+  bool IsDrilled() const noexcept
+  {
+    return this->IsTouchable && !this->IsForbidden && this->Drill.Wear > 0.0;
+  }
 };
 
 /// Where the device's workspace lies in the patient.
@@ -99,6 +108,7 @@ struct StudyState
   double FieldSmoothing = 1.0;                                      ///< of them, in voxels
 
   TouchToolSettings Tool;
+  TouchDrillSettings Drill;         ///< how the tool runs where something is drilled
   std::string Device = "simulated"; ///< as DeviceRegistry::Make takes it
   double Rate = 1000.0;             ///< Hz, of the servo
   /// Else how structures are felt is not as they and `Interpolation` say.

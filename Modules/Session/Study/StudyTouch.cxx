@@ -27,9 +27,10 @@ bool StudyTouch::IsSame(const Feelable& a, const Feelable& b)
   {
     return one.Label == other.Label && one.Contact == other.Contact &&
            one.Stiffness == other.Stiffness && one.Friction.Static == other.Friction.Static &&
-           one.Friction.Dynamic == other.Friction.Dynamic;
+           one.Friction.Dynamic == other.Friction.Dynamic && one.Drill.Wear == other.Drill.Wear &&
+           one.Drill.Drag == other.Drill.Drag && one.Drill.Vibration == other.Drill.Vibration;
   };
-  return a.Tool == b.Tool && a.Frame == b.Frame &&
+  return a.Tool == b.Tool && a.Frame == b.Frame && a.DrillRevision == b.DrillRevision &&
          std::equal(a.Structures.begin(), a.Structures.end(), b.Structures.begin(),
                     b.Structures.end(), isSameOne);
 }
@@ -67,6 +68,7 @@ Status StudyTouch::Start(std::unique_ptr<HapticDevice> opened, const StudyState&
 Status StudyTouch::StartServo()
 {
   this->Thread = std::make_unique<ServoThread>(*this->Device, this->Time, this->Settings);
+  this->Drilled.Start();
   Status status = this->Send(this->Scene, SceneEntry::Anew);
   if (status.IsOk())
   {
@@ -115,6 +117,7 @@ void StudyTouch::Stop()
   if (this->Thread != nullptr)
   {
     this->Thread->Stop();
+    this->Drilled.Stop();
     if (this->IsRecording())
     {
       const Status status = this->StopRecording();
@@ -158,15 +161,18 @@ Status StudyTouch::Publish(const StudyState& state, const std::vector<StudyConta
   {
     const std::vector<StudyContact> touchable = TouchableOf(state, contacts);
     auto scene = std::make_shared<TouchScene>(MakeStudyScene(state, touchable, {}));
+    this->Drilled.Follow(state, touchable, this->Forbidden);
+    this->Drilled.PutInto(*scene);
     Feelable next;
     next.Tool = state.Tool;
+    next.DrillRevision = this->Drilled.Revision();
     const SceneEntry entry = this->Automatic ? SceneEntry::Continuing : SceneEntry::Anew;
     next.Frame = this->FrameFor(state.Placement, *scene);
     for (std::size_t s = 0; s < scene->Structures.size(); ++s)
     {
       const TouchStructure& one = scene->Structures[s];
       next.Structures.push_back(
-          {touchable[s].Label, touchable[s].Contact, one.Law.Stiffness, one.Friction});
+          {touchable[s].Label, touchable[s].Contact, one.Law.Stiffness, one.Friction, one.Drill});
     }
     if (this->Scene != nullptr && IsSame(next, this->Felt))
     {
@@ -186,9 +192,25 @@ Status StudyTouch::Publish(const StudyState& state, const std::vector<StudyConta
     }
     return status;
   }
-  catch (const InputError& error)
+  catch (const std::runtime_error& error)
   {
     return Status::Failure(error.what());
+  }
+}
+
+void StudyTouch::RunDrill(bool runs)
+{
+  if (this->IsRunning())
+  {
+    this->Thread->Loop().RunDrill(runs);
+  }
+}
+
+void StudyTouch::Command(DrillCommand command)
+{
+  if (this->IsRunning())
+  {
+    static_cast<void>(this->Thread->Loop().Command(command));
   }
 }
 
@@ -289,6 +311,8 @@ const StudyTouchReading& StudyTouch::Poll()
                                      this->Reading.Newest.Structure, this->Settings.Rate);
   this->Reading.DeviceProblem = this->Device->Problem();
   this->Reading.Guidance = this->Device->Guidance();
+  this->Reading.Drill =
+      this->Drilled.Read(1e-9 * static_cast<double>(this->Time.Now()), this->Reading.Newest);
   const ServoStatistics& statistics = this->Thread->Statistics();
   this->Reading.Periods = statistics.Periods;
   this->Reading.Durations = statistics.Durations;

@@ -6,6 +6,7 @@
 #include "PeriodStatistics.h"
 #include "RealtimeThread.h"
 #include "ServoThread.h"
+#include "StudyDrill.h"
 #include "StudyScene.h"
 #include "StudyState.h"
 #include "TouchWatch.h"
@@ -38,6 +39,7 @@ struct StudyTouchReading
   std::uint64_t RecordedTicks = 0;  ///< of the recording that goes on, or went on last
   std::string RecordingProblem;     ///< why a recording ended by itself; empty without
   bool IsClutched = false;          ///< the tool is held, and nothing is felt
+  StudyDrillReading Drill;          ///< empty where nothing is drilled
 };
 
 /// A study while it is touched: a device, a servo on its thread, and the scene that follows what
@@ -95,6 +97,14 @@ public:
   /// The device's button, from 0, that holds the workspace while it is pressed: a Falcon's middle.
   static constexpr int ClutchButton = 2;
 
+  /// What no drill may remove from the next Start or Update on.
+  void Forbid(std::vector<StudyForbidden> forbidden) { this->Forbidden = std::move(forbidden); }
+  /// What is drilled; it stays when a touch ends.
+  StudyDrill& Drill() { return this->Drilled; }
+  /// The drill's pedal, and commands to who drills, while something is touched.
+  void RunDrill(bool runs);
+  void Command(DrillCommand command);
+
   /// For views, some ten times a second or oftener; a recording takes its ticks here.
   const StudyTouchReading& Poll();
   /// What a person should know before pressing: stiffness that the device may not hold.
@@ -121,8 +131,10 @@ private:
       std::shared_ptr<const TouchContact> Contact;
       double Stiffness;
       SurfaceFriction Friction;
+      DrillLaw Drill;
     };
     std::vector<One> Structures;
+    std::uint64_t DrillRevision = 0;
     TouchToolSettings Tool;
     WorkspaceFrame Frame;
   };
@@ -142,6 +154,8 @@ private:
   std::unique_ptr<HapticDevice> Device; // before the thread that uses it
   std::unique_ptr<ServoThread> Thread;
   std::shared_ptr<const TouchScene> Scene;
+  StudyDrill Drilled;
+  std::vector<StudyForbidden> Forbidden;
   Feelable Felt;
   Matrix3 CameraAxes = Matrix3::Identity();
   std::optional<WorkspaceFrame> Automatic;

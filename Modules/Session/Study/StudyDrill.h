@@ -1,0 +1,110 @@
+#pragma once
+
+#include "DrillKeeper.h"
+#include "DrillWatch.h"
+#include "PalpateSessionModule.h"
+#include "StudyPipeline.h"
+#include "StudyScene.h"
+#include "StudyState.h"
+
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace palpate
+{
+/// How a structure stands that is drilled.
+struct StudyDrilled
+{
+  int Label = 0;
+  std::string Name;
+  double RemovedVolume = 0.0;               ///< mm^3
+  std::shared_ptr<const ScalarField> Field; ///< as it is now
+  vtkSmartPointer<vtkPolyData> Cut;         ///< the surface of what is gone; world mm
+};
+
+/// What is drilled in a study now.
+struct StudyDrillReading
+{
+  std::vector<StudyDrilled> Drilled;
+  std::vector<DrillApproach> Approaches; ///< to what is forbidden
+  bool CanUndo = false;
+  bool CanRedo = false;
+  std::string Problem; ///< in one sentence; empty without
+};
+
+/// What no drill may remove, as a state and its products have it.
+struct StudyForbidden
+{
+  int Label = 0;
+  std::string Name;
+  vtkSmartPointer<vtkPolyData> Surface;
+  double AlarmDistance = 0.0; ///< mm
+};
+PALPATESESSION_EXPORT std::vector<StudyForbidden> ForbiddenOf(const StudyState& state,
+                                                              const StudyPipeline& pipeline);
+
+/// What is drilled in a study: it stays while touches come and go, and is begun anew where the
+/// drilled structures become others. For the thread that owns it.
+class PALPATESESSION_EXPORT StudyDrill
+{
+public:
+  StudyDrill() = default;
+  StudyDrill(const StudyDrill&) = delete;
+  StudyDrill& operator=(const StudyDrill&) = delete;
+  ~StudyDrill() { this->Stop(); }
+
+  /// What follows is for these. Takes the time of copying the drilled fields where they are others,
+  /// and of finding what is forbidden in them. What was drilled before in the same fields stays.
+  void Follow(const StudyState& state, const std::vector<StudyContact>& contacts,
+              const std::vector<StudyForbidden>& forbidden);
+  /// Lets a scene with a structure for each of the last Follow's contacts be drilled.
+  void PutInto(TouchScene& scene) const;
+  /// Another one where a scene has to be published again.
+  std::uint64_t Revision() const { return this->Changes; }
+
+  /// Has the orders of a servo done that begins now, until Stop.
+  void Start();
+  void Stop();
+
+  /// For views: what became of it, and how near the tool is. `time` in s.
+  StudyDrillReading Read(double time, const TouchState& newest);
+
+  bool IsEmpty() const { return this->Bench == nullptr; }
+  /// See WriteDrillState and ReadDrillState; throw InputError. To be opened while nothing is
+  /// touched.
+  void Save(const std::filesystem::path& path) const;
+  void Open(const std::filesystem::path& path);
+  /// Writes what is left of a structure as a volume or as a surface, by the ending. Throws
+  /// InputError.
+  void Export(int label, const std::filesystem::path& path, const ProgressFunction& progress) const;
+
+private:
+  struct Part
+  {
+    int Label;
+    DrillSource Source;
+  };
+  bool IsSameAs(const std::vector<Part>& drilled,
+                const std::vector<StudyForbidden>& forbidden) const;
+  void Renew(const StudyState& state, const std::vector<Part>& drilled,
+             const std::vector<StudyForbidden>& forbidden);
+  void ReadCuts();
+  int SiteOf(int label) const;
+
+  std::shared_ptr<DrillBench> Bench;
+  std::unique_ptr<DrillKeeper> Keeper;
+  std::unique_ptr<DrillWatch> Watch;
+  std::vector<Part> Drilled;
+  std::vector<StudyForbidden> Forbidden;
+  std::vector<int> SiteOfContact; // -1: it is not drilled
+  TouchToolSettings Tool;
+  TouchDrillSettings Motion;
+  std::uint64_t Changes = 0;
+  std::uint64_t SeenNumber = ~std::uint64_t{0}; // of what the reading has
+  double CutTime = -1.0;                        // s, of the last look at cuts
+  StudyDrillReading Known;
+};
+} // namespace palpate
