@@ -1,5 +1,6 @@
 #include "MainWindow.h"
 
+#include "DrillPanel.h"
 #include "HelpMenu.h"
 #include "PipelinePanel.h"
 #include "PlotsPanel.h"
@@ -114,6 +115,10 @@ void MainWindow::MakePanels()
   this->setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
   this->tabifyDockWidget(table, plots);
   this->tabifyDockWidget(plots, marks);
+  QDockWidget* drill = this->AddPanel(
+      "Drilling", new DrillPanel(this->Study, this->Questions, this), Qt::BottomDockWidgetArea);
+  this->tabifyDockWidget(marks, drill);
+  drill->hide(); // until somebody drills
   table->raise();
   this->resizeDocks({pipeline, touch}, {LeftWidth, LeftWidth}, Qt::Horizontal);
   this->resizeDocks({table}, {BottomHeight}, Qt::Vertical);

@@ -308,6 +308,18 @@ void StudyController::FitWorkspace()
   this->Announce();
 }
 
+void StudyController::OpenDrilled(const std::filesystem::path& file)
+{
+  const bool wasTouching = this->IsTouching();
+  this->Open.StopTouch();
+  this->Open.Touch().Drill().Open(file);
+  if (wasTouching)
+  {
+    this->Open.StartTouch();
+  }
+  this->Announce();
+}
+
 void StudyController::StartRecording(const std::filesystem::path& file)
 {
   const Status status = this->Open.Touch().StartRecording(file);

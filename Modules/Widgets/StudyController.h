@@ -75,6 +75,8 @@ public:
   void MoveHand(const Vector3& targetWorld);
   void MoveWorkspace(const Vector3& centerWorld, const QString& gesture);
   void FitWorkspace();
+  /// What was drilled earlier, while nothing is touched. Throws InputError.
+  void OpenDrilled(const std::filesystem::path& file);
   void StartRecording(const std::filesystem::path& file);
   void StopRecording();
 

@@ -2,6 +2,7 @@
 
 #include <QApplication>
 #include <QKeyEvent>
+#include <QLineEdit>
 
 namespace palpate
 {
@@ -91,6 +92,10 @@ void TouchLink::ShowHand()
 void TouchLink::ShowReading()
 {
   const StudyTouchReading& reading = this->Study.Reading();
+  if (this->Contents.ShowDrilled(reading.Drill))
+  {
+    this->Views.TakeContents();
+  }
   this->ShowProbe();
   this->ShowHand();
   this->ShowPlace();
@@ -101,11 +106,22 @@ void TouchLink::ShowReading()
   }
 }
 
-bool TouchLink::eventFilter(QObject* /*object*/, QEvent* event)
+bool TouchLink::eventFilter(QObject* object, QEvent* event)
 {
-  if (event->type() == QEvent::KeyPress && static_cast<QKeyEvent*>(event)->key() == Qt::Key_Escape)
+  const bool isPress = event->type() == QEvent::KeyPress;
+  if (!isPress && event->type() != QEvent::KeyRelease)
+  {
+    return false;
+  }
+  const auto* key = static_cast<QKeyEvent*>(event);
+  if (isPress && key->key() == Qt::Key_Escape)
   {
     this->Study.SwitchForcesOff();
+  }
+  if (key->key() == Qt::Key_D && key->modifiers() == Qt::NoModifier && !key->isAutoRepeat() &&
+      qobject_cast<QLineEdit*>(object) == nullptr)
+  {
+    this->Study.Current().Touch().RunDrill(isPress);
   }
   return false;
 }

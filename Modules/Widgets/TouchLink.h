@@ -10,7 +10,7 @@ namespace palpate
 {
 /// Joins a study's touch with the views: they show what is felt, the mouse over the view in space
 /// is the hand of a simulated device, the device's axes follow the camera, slices follow the probe,
-/// and Escape stops all force wherever the user is.
+/// Escape stops all force wherever the user is, and the key D is the drill's pedal.
 class TouchLink : public QObject
 {
   Q_OBJECT

@@ -50,6 +50,7 @@ bool WantsModel(const StudyStructure& structure)
 bool WantsField(const StudyStructure& structure)
 {
   return structure.Appearance == StudyAppearance::SubVoxel ||
+         (structure.Appearance == StudyAppearance::Automatic && structure.IsDrilled()) ||
          (structure.Appearance == StudyAppearance::Automatic &&
           structure.Representation == TouchRepresentation::SubVoxel);
 }
@@ -159,6 +160,7 @@ void ViewContents::ShowSurfaces(const StudyState& state, const StudyPipeline& pi
     {
       fields.insert(structure.Label);
       this->ShowField(structure, field);
+      this->ShowNewest(structure.Label);
     }
     else if (surface != nullptr)
     {
@@ -210,6 +212,55 @@ void ViewContents::ShowField(const StudyStructure& structure,
     mapper->SetMaterialColor(0, structure.Color[0], structure.Color[1], structure.Color[2]);
     shown->Modified(); // what views look at
   }
+}
+
+// A drilled structure's newest version in place of the field that it was.
+void ViewContents::ShowNewest(int label)
+{
+  const auto newest = this->DrilledFields.find(label);
+  const auto shown = this->FieldsShown.find(label);
+  if (newest == this->DrilledFields.end() || shown == this->FieldsShown.end())
+  {
+    return;
+  }
+  auto* mapper = vtkSubVoxelVolumeMapper::SafeDownCast(shown->second->GetMapper());
+  if (mapper->GetField() != newest->second)
+  {
+    mapper->SetField(newest->second);
+    shown->second->Modified(); // what views look at
+  }
+}
+
+bool ViewContents::ShowDrilled(const StudyDrillReading& reading)
+{
+  bool areOthers = false;
+  std::set<int> labels;
+  this->DrilledFields.clear();
+  for (const StudyDrilled& one : reading.Drilled)
+  {
+    this->DrilledFields[one.Label] = one.Field;
+    this->ShowNewest(one.Label);
+    if (one.Cut == nullptr || one.Cut->GetNumberOfCells() == 0)
+    {
+      continue;
+    }
+    labels.insert(one.Label);
+    auto& cut = this->CutsShown[one.Label];
+    if (cut == nullptr)
+    {
+      cut = vtkSmartPointer<vtkSurfaceDisplay>::New();
+      cut->SetOpacity(0.0); // in space the hole itself is seen
+      cut->SetColor(1.0, 0.55, 0.0);
+      areOthers = true;
+    }
+    if (cut->GetSurface() != one.Cut)
+    {
+      cut->SetSurface(one.Cut);
+    }
+  }
+  areOthers = areOthers || labels.size() != this->CutsShown.size();
+  KeepOnly(this->CutsShown, labels);
+  return areOthers;
 }
 
 void ViewContents::ShowLandmarks(const StudyState& state)

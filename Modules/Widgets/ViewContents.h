@@ -36,6 +36,9 @@ public:
   void ShowView(const StudyView& view);
   /// The tool and what it feels; nothing where nothing is touched.
   void ShowTouch(const StudyTouchReading& reading, bool isTouching);
+  /// What of the structures is drilled, and the outlines of cuts. Whether other things are shown
+  /// now than before.
+  bool ShowDrilled(const StudyDrillReading& reading);
   /// The device's workspace; nothing where `isShown` is false.
   void ShowWorkspace(const WorkspaceFrame& frame, const Eigen::AlignedBox3d& box, bool isShown);
   /// `view` with what the user has made of crosshair, window and opacity.
@@ -51,6 +54,8 @@ public:
   {
     return this->SurfacesShown;
   }
+  /// What is gone of drilled structures, as outlines in slices; by the structure's label.
+  const std::map<int, vtkSmartPointer<vtkSurfaceDisplay>>& Cuts() const { return this->CutsShown; }
   /// Sub-voxel structures, for the view in space.
   const std::map<int, vtkSmartPointer<vtkVolume>>& Fields() const { return this->FieldsShown; }
 
@@ -63,6 +68,7 @@ private:
   void ShowSurfaces(const StudyState& state, const StudyPipeline& pipeline);
   void ShowSurface(const StudyStructure& structure, vtkPolyData* surface);
   void ShowField(const StudyStructure& structure, const std::shared_ptr<const ScalarField>& field);
+  void ShowNewest(int label);
   void ShowLandmarks(const StudyState& state);
   void ShowTool(const TouchToolSettings& tool);
 
@@ -72,6 +78,7 @@ private:
   vtkNew<vtkProbeRepresentation> ProbeShown;
   vtkNew<vtkWorkspaceRepresentation> WorkspaceShown;
   std::map<int, vtkSmartPointer<vtkSurfaceDisplay>> SurfacesShown;
+  std::map<int, vtkSmartPointer<vtkSurfaceDisplay>> CutsShown;
   std::map<int, vtkSmartPointer<vtkVolume>> FieldsShown;
 
   // Which products are shown; they are shared and never changed.
@@ -80,6 +87,7 @@ private:
   std::vector<StudyStructure> Structures;
   std::map<int, vtkPolyData*> SurfaceSources;
   std::map<int, std::shared_ptr<const ScalarField>> FieldSources;
+  std::map<int, std::shared_ptr<const ScalarField>> DrilledFields;
   std::vector<StudyLandmark> Marks;
   std::vector<StudyDistance> Distances;
   std::optional<TouchToolSettings> Tool;

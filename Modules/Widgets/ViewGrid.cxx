@@ -109,9 +109,15 @@ void ViewGrid::Arrange()
 void ViewGrid::TakeContents()
 {
   std::set<vtkSmartPointer<vtkSurfaceDisplay>> next;
-  for (const auto& [label, surface] : this->Contents.Surfaces())
+  for (const auto* shown : {&this->Contents.Surfaces(), &this->Contents.Cuts()})
   {
-    next.insert(surface);
+    for (const auto& [label, surface] : *shown)
+    {
+      next.insert(surface);
+    }
+  }
+  for (const auto& surface : next)
+  {
     if (this->Surfaces.count(surface) == 0)
     {
       for (ViewPane* pane : this->All)

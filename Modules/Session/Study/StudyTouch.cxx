@@ -280,6 +280,10 @@ void StudyTouch::TakeTicks()
     {
       this->HoldClutch(isPress, this->Reading.NewTicks.back());
     }
+    if ((isPress || change.What == Kind::ButtonReleased) && change.Button == DrillButton)
+    {
+      this->RunDrill(isPress);
+    }
   }
 }
 

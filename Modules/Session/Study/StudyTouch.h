@@ -96,6 +96,8 @@ public:
   Vector3 HandWorld() const { return this->Felt.Frame.ToWorld(this->Hand); }
   /// The device's button, from 0, that holds the workspace while it is pressed: a Falcon's middle.
   static constexpr int ClutchButton = 2;
+  /// The button that is the drill's pedal.
+  static constexpr int DrillButton = 0;
 
   /// What no drill may remove from the next Start or Update on.
   void Forbid(std::vector<StudyForbidden> forbidden) { this->Forbidden = std::move(forbidden); }

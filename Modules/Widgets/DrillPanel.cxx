@@ -1,0 +1,341 @@
+#include "DrillPanel.h"
+
+#include "DrillLimits.h"
+#include "TextContrast.h"
+
+#include <QComboBox>
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QSignalBlocker>
+#include <QVBoxLayout>
+
+#include <array>
+
+namespace palpate
+{
+namespace
+{
+// What a structure may be to the drill. Wear and feel are plausible, not measured.
+struct DrillRole
+{
+  const char* Name;
+  DrillLaw Law;
+  bool IsForbidden;
+};
+const std::array<DrillRole, 4> Roles{{{"Not drilled", {0.0, 0.0, 0.0}, false},
+                                      {"Cortical bone", {0.05, 0.002, 0.25}, false},
+                                      {"Soft tissue", {0.5, 0.001, 0.05}, false},
+                                      {"Forbidden", {0.0, 0.0, 0.0}, true}}};
+
+enum Column
+{
+  NameColumn,
+  RoleColumn,
+  AlarmColumn,
+  StandColumn,
+  Columns
+};
+
+int RoleOf(const StudyStructure& structure)
+{
+  if (structure.IsForbidden)
+  {
+    return 3;
+  }
+  const double wear = structure.Drill.Wear;
+  return wear > 0.0 ? (wear > Roles[1].Law.Wear ? 2 : 1) : 0;
+}
+
+QDoubleSpinBox* MakeSpin(QWidget* parent, const QString& name, double least, double most,
+                         double step, const QString& unit)
+{
+  auto* spin = new QDoubleSpinBox(parent);
+  spin->setObjectName(name);
+  spin->setRange(least, most);
+  spin->setSingleStep(step);
+  spin->setSuffix(unit);
+  spin->setKeyboardTracking(false);
+  return spin;
+}
+
+// Without drawing anything where nothing is different.
+void SetText(QTableWidgetItem* item, const QString& text)
+{
+  if (item->text() != text)
+  {
+    item->setText(text);
+  }
+}
+} // namespace
+
+DrillPanel::DrillPanel(StudyController& study, const FileQuestions& questions, QWidget* parent)
+    : QWidget(parent), Study(study), Questions(questions), Table(new QTableWidget(this)),
+      Alarm(new QLabel(this))
+{
+  auto* column = new QVBoxLayout(this);
+  auto* burr = new QWidget(this);
+  auto* buttons = new QWidget(this);
+  this->MakeBurr(burr);
+  this->MakeButtons(buttons);
+  this->MakeTable();
+  this->Alarm->setObjectName("drill-alarm");
+  this->Alarm->setWordWrap(true);
+  column->addWidget(burr);
+  column->addWidget(this->Table, 1);
+  column->addWidget(this->Alarm);
+  column->addWidget(buttons);
+  connect(&study, &StudyController::StateChanged, this, &DrillPanel::ShowState);
+  connect(&study, &StudyController::Touched, this, &DrillPanel::ShowReading);
+  connect(&study, &StudyController::TouchChanged, this, &DrillPanel::ShowReading);
+  this->ShowState();
+  this->ShowReading();
+}
+
+void DrillPanel::MakeBurr(QWidget* row)
+{
+  auto* line = new QHBoxLayout(row);
+  line->setContentsMargins(0, 0, 0, 0);
+  this->Pedal = new QPushButton("Drill (hold D)", row);
+  this->Pedal->setObjectName("drill-pedal");
+  this->Pedal->setToolTip("While it is held, what is touched and can be drilled gives way. The key "
+                          "D and the device's first button do the same.");
+  connect(this->Pedal, &QPushButton::pressed, this, [this] { this->Press(true); });
+  connect(this->Pedal, &QPushButton::released, this, [this] { this->Press(false); });
+  this->Radius = MakeSpin(row, "burr-radius", 0.2, 20.0, 0.1, " mm");
+  this->Turns = MakeSpin(row, "burr-turns", 0.0, DrillLimits::Turns, 100.0, " /s");
+  this->Turns->setDecimals(0);
+  connect(this->Radius, qOverload<double>(&QDoubleSpinBox::valueChanged), this,
+          [this](double radius)
+          {
+            StudyState next = this->Study.State();
+            next.Tool.Radius = radius;
+            this->Study.Change("Change the burr's radius", next, "burr");
+          });
+  connect(this->Turns, qOverload<double>(&QDoubleSpinBox::valueChanged), this,
+          [this](double turns)
+          {
+            StudyState next = this->Study.State();
+            next.Drill.Turns = turns;
+            this->Study.Change("Change the drill's speed", next, "turns");
+          });
+  line->addWidget(this->Pedal);
+  line->addWidget(new QLabel("Burr radius", row));
+  line->addWidget(this->Radius);
+  line->addWidget(new QLabel("Turns", row));
+  line->addWidget(this->Turns);
+  line->addStretch(1);
+}
+
+QPushButton* DrillPanel::AddButton(QWidget* row, const QString& text, const QString& name,
+                                   const std::function<void()>& act)
+{
+  auto* button = new QPushButton(text, row);
+  button->setObjectName(name);
+  connect(button, &QPushButton::clicked, this, act);
+  row->layout()->addWidget(button);
+  return button;
+}
+
+void DrillPanel::MakeButtons(QWidget* row)
+{
+  (new QHBoxLayout(row))->setContentsMargins(0, 0, 0, 0);
+  const auto command = [this](DrillCommand wanted)
+  { return [this, wanted] { this->Study.Current().Touch().Command(wanted); }; };
+  this->Undo = this->AddButton(row, "Undo stroke", "drill-undo", command(DrillCommand::Undo));
+  this->Redo = this->AddButton(row, "Redo stroke", "drill-redo", command(DrillCommand::Redo));
+  this->AddButton(row, "Reset", "drill-reset", command(DrillCommand::Reset));
+  this->AddButton(row, "Save...", "drill-save", [this] { this->Save(); });
+  this->AddButton(row, "Open...", "drill-open", [this] { this->Open(); });
+  this->AddButton(row, "Export...", "drill-export", [this] { this->Export(); });
+}
+
+void DrillPanel::MakeTable()
+{
+  this->Table->setObjectName("drill-structures");
+  this->Table->setColumnCount(Columns);
+  this->Table->setHorizontalHeaderLabels({"Structure", "To the drill", "Alarm", "Now"});
+  this->Table->verticalHeader()->hide();
+  this->Table->horizontalHeader()->setSectionResizeMode(StandColumn, QHeaderView::Stretch);
+  this->Table->setEditTriggers(QAbstractItemView::NoEditTriggers);
+  this->Table->setSelectionBehavior(QAbstractItemView::SelectRows);
+}
+
+void DrillPanel::ChangeStructure(int label, const QString& sentence,
+                                 const std::function<void(StudyStructure&)>& change)
+{
+  StudyState next = this->Study.State();
+  for (StudyStructure& structure : next.Structures)
+  {
+    if (structure.Label == label)
+    {
+      change(structure);
+    }
+  }
+  this->Study.Change(sentence, next);
+}
+
+void DrillPanel::ShowRow(int row, const StudyStructure& structure)
+{
+  const QString title = QString::fromStdString(TitleOf(structure));
+  auto* name = new QTableWidgetItem(title);
+  name->setData(Qt::UserRole, structure.Label);
+  this->Table->setItem(row, NameColumn, name);
+  this->Table->setItem(row, StandColumn, new QTableWidgetItem);
+  auto* role = new QComboBox(this->Table);
+  for (const DrillRole& one : Roles)
+  {
+    role->addItem(one.Name);
+  }
+  role->setCurrentIndex(RoleOf(structure));
+  auto* alarm = MakeSpin(this->Table, "alarm", 0.0, DrillLimits::Alarm, 0.5, " mm");
+  alarm->setValue(structure.AlarmDistance);
+  alarm->setEnabled(structure.IsForbidden);
+  const int label = structure.Label;
+  connect(role, qOverload<int>(&QComboBox::activated), this,
+          [this, label, title](int chosen)
+          {
+            const DrillRole& to = Roles.at(static_cast<std::size_t>(chosen));
+            this->ChangeStructure(label, title + " is to the drill: " + to.Name,
+                                  [&to](StudyStructure& one)
+                                  {
+                                    one.Drill = to.Law;
+                                    one.IsForbidden = to.IsForbidden;
+                                  });
+          });
+  connect(alarm, qOverload<double>(&QDoubleSpinBox::valueChanged), this,
+          [this, label, title](double distance)
+          {
+            this->ChangeStructure(label, "Change the alarm distance of " + title,
+                                  [distance](StudyStructure& one)
+                                  { one.AlarmDistance = distance; });
+          });
+  this->Table->setCellWidget(row, RoleColumn, role);
+  this->Table->setCellWidget(row, AlarmColumn, alarm);
+}
+
+void DrillPanel::ShowState()
+{
+  const StudyState& state = this->Study.State();
+  {
+    const QSignalBlocker quietRadius(this->Radius);
+    const QSignalBlocker quietTurns(this->Turns);
+    this->Radius->setValue(state.Tool.Radius);
+    this->Turns->setValue(state.Drill.Turns);
+  }
+  this->Table->setRowCount(static_cast<int>(state.Structures.size()));
+  for (int row = 0; row < this->Table->rowCount(); ++row)
+  {
+    this->ShowRow(row, state.Structures[static_cast<std::size_t>(row)]);
+  }
+  this->ShowReading();
+}
+
+void DrillPanel::ShowReading()
+{
+  const StudyDrillReading reading =
+      this->Study.IsTouching() ? this->Study.Reading().Drill : StudyDrillReading();
+  this->Pedal->setEnabled(!reading.Drilled.empty());
+  this->Undo->setEnabled(reading.CanUndo);
+  this->Redo->setEnabled(reading.CanRedo);
+  for (int row = 0; row < this->Table->rowCount(); ++row)
+  {
+    const QTableWidgetItem* name = this->Table->item(row, NameColumn);
+    QString text;
+    for (const StudyDrilled& one : reading.Drilled)
+    {
+      if (one.Label == name->data(Qt::UserRole).toInt())
+      {
+        text = QString::number(one.RemovedVolume, 'f', 1) + " mm\u00b3 removed";
+      }
+    }
+    for (const DrillApproach& one : reading.Approaches)
+    {
+      if (QString::fromStdString(one.Name) == name->text())
+      {
+        text = QString::number(one.Distance, 'f', 1) + " mm away, at the nearest " +
+               QString::number(one.Least, 'f', 1) + " mm";
+      }
+    }
+    SetText(this->Table->item(row, StandColumn), text);
+  }
+  this->ShowAlarm(reading);
+}
+
+void DrillPanel::ShowAlarm(const StudyDrillReading& reading)
+{
+  QString text = QString::fromStdString(reading.Problem);
+  for (const DrillApproach& one : reading.Approaches)
+  {
+    if (one.IsAlarmed)
+    {
+      text = QString("The drill is %1 mm from %2.")
+                 .arg(QString::number(one.Distance, 'f', 1), QString::fromStdString(one.Name));
+    }
+  }
+  if (text != this->Alarm->text())
+  {
+    QPalette colors = this->Alarm->palette();
+    colors.setColor(QPalette::WindowText,
+                    ReadableOn(colors.color(QPalette::Window), QColor("#d32f2f")));
+    this->Alarm->setPalette(colors);
+    this->Alarm->setText(text);
+  }
+}
+
+void DrillPanel::Press(bool isDown)
+{
+  this->Study.Current().Touch().RunDrill(isDown);
+}
+
+void DrillPanel::Try(const std::function<void()>& act)
+{
+  try
+  {
+    act();
+  }
+  catch (const std::exception& error)
+  {
+    this->Study.Report(error.what());
+  }
+}
+
+void DrillPanel::Save()
+{
+  const QString file = this->Questions.ToSave(this, "Save what was drilled", "drill.state",
+                                              "Drilled states (*.state)");
+  if (!file.isEmpty())
+  {
+    this->Try([&] { this->Study.Current().Touch().Drill().Save(file.toStdString()); });
+  }
+}
+
+void DrillPanel::Open()
+{
+  const QStringList files =
+      this->Questions.ToOpen(this, "Open what was drilled", "Drilled states (*.state)");
+  if (!files.isEmpty())
+  {
+    this->Try([&] { this->Study.OpenDrilled(files.front().toStdString()); });
+  }
+}
+
+void DrillPanel::Export()
+{
+  const int row = this->Table->currentRow();
+  const auto& drilled = this->Study.Reading().Drill.Drilled;
+  int label = drilled.empty() ? 0 : drilled.front().Label;
+  label = row >= 0 ? this->Table->item(row, NameColumn)->data(Qt::UserRole).toInt() : label;
+  const QString file =
+      this->Questions.ToSave(this, "Export what is left", "drilled.stl",
+                             "Surfaces and label maps (*.stl *.vtp *.ply *.obj *.nrrd *.nii.gz)");
+  if (!file.isEmpty())
+  {
+    this->Try(
+        [&]
+        {
+          this->Study.Current().Touch().Drill().Export(
+              label, file.toStdString(), [](double, const std::string&) { return true; });
+        });
+  }
+}
+} // namespace palpate
