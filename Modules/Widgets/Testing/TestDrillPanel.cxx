@@ -1,0 +1,178 @@
+#include "DrillPanel.h"
+#include "WindowTest.h"
+
+#include "vtkSubVoxelVolumeMapper.h"
+
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QKeyEvent>
+#include <QTableWidget>
+
+namespace palpate
+{
+namespace
+{
+class DrillPanelTest : public test::WindowTest
+{
+protected:
+  QTableWidget* Table() const { return this->Window->findChild<QTableWidget*>("drill-structures"); }
+  DrillPanel* Panel() const { return this->Window->findChild<DrillPanel*>(); }
+  void Choose(int row, int role)
+  {
+    auto* choice = qobject_cast<QComboBox*>(this->Table()->cellWidget(row, 1));
+    choice->setCurrentIndex(role);
+    Q_EMIT choice->activated(role);
+  }
+  // The ball alone, as soft tissue, begun to be touched.
+  void StartDrilling()
+  {
+    this->OpenPhantom();
+    StudyState next = this->Study->State();
+    next.Structures.resize(1);
+    next.Structures[0].Drill.Wear = 2.0;
+    next.Tool.Radius = 3.0;
+    this->Study->Change("Drill the ball", next);
+    this->Settle();
+    this->StartTouch();
+  }
+  void StartTouch()
+  {
+    DrawAll(*this->Window->Views());
+    this->Window->Messages()->Clear(); // of structures that are no bodies
+    this->Button("start-touch")->click();
+    WaitUntil([this] { return this->Study->IsTouching() || !this->Messages().empty(); });
+    ASSERT_TRUE(this->Study->IsTouching()) << this->Messages();
+  }
+  double Removed() const
+  {
+    const auto& drilled = this->Study->Reading().Drill.Drilled;
+    return drilled.empty() ? -1.0 : drilled[0].RemovedVolume;
+  }
+  void Key(QEvent::Type type, int key)
+  {
+    QKeyEvent event(type, key, Qt::NoModifier);
+    QApplication::sendEvent(this->Window->Views(), &event);
+  }
+  // Presses the hand into the ball with the pedal down until so much is gone.
+  void Drill(double volume)
+  {
+    const Vector3 hand = this->Study->Current().Touch().HandWorld();
+    const Vector3 inward = (this->BallMiddle - hand).normalized();
+    double way = 0.0;
+    this->Key(QEvent::KeyPress, Qt::Key_D);
+    std::uint64_t last = 0;
+    WaitUntil(
+        [&]
+        {
+          this->AllowForcesAfterStalls();
+          const TouchState& newest = this->Study->Reading().Newest;
+          if (!newest.IsDrilling)
+          {
+            this->Study->Current().Touch().RunDrill(true); // a stall takes it up
+          }
+          if (newest.Tick.Number >= last + 20 && way < (this->BallMiddle - hand).norm())
+          {
+            last = newest.Tick.Number;
+            way += 0.5;
+            this->Study->MoveHand(hand + way * inward);
+          }
+          return this->Removed() > volume;
+        });
+    this->Key(QEvent::KeyRelease, Qt::Key_D);
+    WaitUntil([this] { return !this->Study->Reading().Newest.IsDrilling; });
+  }
+  std::shared_ptr<const ScalarField> Shown() const
+  {
+    const auto& fields = this->Window->Contents().Fields();
+    const auto one = fields.find(1);
+    return one == fields.end()
+               ? nullptr
+               : vtkSubVoxelVolumeMapper::SafeDownCast(one->second->GetMapper())->GetField();
+  }
+
+  const Vector3 BallMiddle{-15.0, 0.0, 0.0};
+};
+
+TEST_F(DrillPanelTest, RolesAreStepsOfTheStudyAndComeBackWithASession)
+{
+  this->OpenPhantom();
+  this->Choose(0, 1);
+  EXPECT_TRUE(this->Study->State().Structures[0].IsDrilled());
+  this->Choose(1, 3);
+  EXPECT_TRUE(this->Study->State().Structures[1].IsForbidden);
+  auto* alarm = qobject_cast<QDoubleSpinBox*>(this->Table()->cellWidget(1, 2));
+  ASSERT_TRUE(alarm->isEnabled());
+  alarm->setValue(4.5);
+  EXPECT_EQ(this->Study->State().Structures[1].AlarmDistance, 4.5);
+  this->Window->findChild<QDoubleSpinBox*>("burr-radius")->setValue(2.5);
+  EXPECT_EQ(this->Study->State().Tool.Radius, 2.5);
+  this->Window->findChild<QDoubleSpinBox*>("burr-turns")->setValue(800.0);
+  EXPECT_EQ(this->Study->State().Drill.Turns, 800.0);
+  const StudyState before = this->Study->State();
+  const std::filesystem::path file = this->Phantom.Folder / "drilled.palpate.json";
+  ASSERT_TRUE(this->Study->Save(file)) << this->Messages();
+  this->Study->New();
+  this->Study->OpenSession(file);
+  EXPECT_EQ(this->Study->State(), before);
+  this->Action("Undo");
+}
+
+TEST_F(DrillPanelTest, WhatIsDrilledIsSeenAtOnceAndUndone)
+{
+  this->StartDrilling();
+  EXPECT_EQ(this->Removed(), 0.0);
+  const auto undrilled = this->Shown();
+  ASSERT_NE(undrilled, nullptr);
+  this->Drill(20.0);
+  EXPECT_NE(this->Shown(), undrilled);
+  EXPECT_EQ(this->Shown(), this->Study->Reading().Drill.Drilled[0].Field);
+  EXPECT_TRUE(this->Table()->item(0, 3)->text().contains("removed"));
+  WaitUntil([this] { return this->Window->Contents().Cuts().size() == 1; });
+  DrawAll(*this->Window->Views());
+  EXPECT_GT(this->Window->Contents().Cuts().at(1)->GetSurface()->GetNumberOfCells(), 50);
+  ASSERT_TRUE(this->Button("drill-undo")->isEnabled());
+  this->Button("drill-undo")->click();
+  WaitUntil([this] { return this->Removed() == 0.0; });
+  WaitUntil([this] { return this->Button("drill-redo")->isEnabled(); });
+  this->Button("drill-redo")->click();
+  WaitUntil([this] { return this->Removed() > 20.0; });
+}
+
+TEST_F(DrillPanelTest, WhatWasDrilledOutlivesTouchesAndIsSavedOpenedAndExported)
+{
+  this->StartDrilling();
+  this->Drill(10.0);
+  this->Study->StopTouch();
+  const std::filesystem::path state = this->Phantom.Folder / "drill.state";
+  this->SavedTo = QString::fromStdString(state.string());
+  this->Button("drill-save")->click();
+  EXPECT_TRUE(std::filesystem::exists(state)) << this->Messages();
+  const std::filesystem::path surface = this->Phantom.Folder / "left.stl";
+  this->SavedTo = QString::fromStdString(surface.string());
+  this->Button("drill-export")->click();
+  EXPECT_TRUE(std::filesystem::exists(surface)) << this->Messages();
+  this->StartTouch();
+  WaitUntil([this] { return this->Removed() > 10.0; });
+  const double before = this->Removed();
+  this->Button("drill-reset")->click();
+  WaitUntil([this] { return this->Removed() == 0.0; });
+  this->Opened = QStringList(QString::fromStdString(state.string()));
+  this->Button("drill-open")->click();
+  WaitUntil([&] { return this->Removed() == before || !this->Messages().empty(); });
+  EXPECT_EQ(this->Messages(), "");
+}
+
+TEST_F(DrillPanelTest, WhatIsForbiddenRaisesAnAlarm)
+{
+  this->OpenPhantom();
+  StudyState next = this->Study->State();
+  next.Structures.resize(1);
+  next.Structures[0].IsForbidden = true;
+  next.Structures[0].AlarmDistance = 1000.0;
+  this->Study->Change("Forbid the ball", next);
+  this->Settle();
+  // Nothing is drilled then, so nobody has to be warned.
+  EXPECT_EQ(this->Panel()->AlarmWords(), "");
+}
+} // namespace
+} // namespace palpate
