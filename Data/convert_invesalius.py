@@ -41,6 +41,23 @@ def reverse_rows(voxels, shape):
     return b"".join(turned)
 
 
+def write_nrrd(path, voxels, size, spacing, origin):
+    """Voxels (int16, little-endian) of a grid along the patient's axes, LPS; mm."""
+    directions = " ".join(
+        "(" + ",".join(str(step) if axis == number else "0" for axis in range(3)) + ")"
+        for number, step in enumerate(spacing)
+    )
+    header = (
+        "NRRD0004\ntype: int16\ndimension: 3\nspace: left-posterior-superior\n"
+        f"sizes: {size[0]} {size[1]} {size[2]}\nspace directions: {directions}\n"
+        "kinds: domain domain domain\nendian: little\nencoding: gzip\n"
+        f"space origin: ({','.join(str(place) for place in origin)})\n\n"
+    )
+    with open(path, "wb") as file:
+        file.write(header.encode("ascii"))
+        file.write(gzip.compress(voxels, 6, mtime=0))
+
+
 def main(arguments):
     if len(arguments) != 2:
         sys.exit(__doc__)
@@ -49,18 +66,7 @@ def main(arguments):
         shape, spacing, voxels = read_project(source)
     except (OSError, KeyError, ValueError, tarfile.TarError, plistlib.InvalidFileException) as error:
         sys.exit(f"{source} is no project of InVesalius that can be converted: {error}")
-    directions = " ".join(
-        "(" + ",".join(str(step) if axis == number else "0" for axis in range(3)) + ")"
-        for number, step in enumerate(spacing)
-    )
-    header = (
-        "NRRD0004\ntype: int16\ndimension: 3\nspace: left-posterior-superior\n"
-        f"sizes: {shape[2]} {shape[1]} {shape[0]}\nspace directions: {directions}\n"
-        "kinds: domain domain domain\nendian: little\nencoding: gzip\nspace origin: (0,0,0)\n\n"
-    )
-    with open(target, "wb") as file:
-        file.write(header.encode("ascii"))
-        file.write(gzip.compress(reverse_rows(voxels, shape), 6, mtime=0))
+    write_nrrd(target, reverse_rows(voxels, shape), shape[::-1], spacing, (0, 0, 0))
 
 
 if __name__ == "__main__":
