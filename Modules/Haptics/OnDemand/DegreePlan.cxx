@@ -24,15 +24,16 @@ Ordered Sorted(const std::vector<DegreeCandidate>& candidates, double stay,
 }
 } // namespace
 
-DegreeChoice ChooseDegrees(const std::vector<DegreeCandidate>& candidates, double way,
-                           std::size_t room, const std::function<double(std::size_t)>& height)
+DegreeChoice ChooseDegrees(const std::vector<DegreeCandidate>& candidates,
+                           const DegreeBounds& bounds,
+                           const std::function<double(std::size_t)>& height)
 {
   std::vector<std::size_t> wanted;
   std::vector<std::size_t> farther; // and at hand
   std::size_t bytes = 0;
   for (std::size_t one = 0; one < candidates.size(); ++one)
   {
-    if (candidates[one].Away <= way)
+    if (candidates[one].Away <= bounds.Way)
     {
       wanted.push_back(one);
       bytes += candidates[one].Bytes;
@@ -43,17 +44,16 @@ DegreeChoice ChooseDegrees(const std::vector<DegreeCandidate>& candidates, doubl
     }
   }
   DegreeChoice choice;
-  choice.Missing = bytes > room ? bytes - room : 0;
   const auto away = [&candidates](std::size_t one) { return candidates[one].Away; };
-  std::size_t left = room;
+  std::size_t left = bounds.Room;
   const auto fits = [&](std::size_t one)
   {
     const bool isIn = candidates[one].Bytes <= left;
     left -= isIn ? candidates[one].Bytes : 0;
     return isIn;
   };
-  const Ordered near = choice.Missing > 0 ? Sorted(candidates, 0.5 * way, wanted, height)
-                                          : Sorted(candidates, 0.0, wanted, away);
+  const Ordered near = bytes > bounds.Room ? Sorted(candidates, bounds.Stay, wanted, height)
+                                           : Sorted(candidates, 0.0, wanted, away);
   const Ordered far = Sorted(candidates, 0.0, farther, away);
   for (const auto& [distance, one] : near)
   {

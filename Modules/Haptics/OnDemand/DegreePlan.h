@@ -19,14 +19,20 @@ struct DegreeChoice
 {
   std::vector<std::size_t> Drop;  ///< farthest first
   std::vector<std::size_t> Bring; ///< nearest first
-  std::size_t Missing = 0;        ///< bytes by which those that are within the way do not fit
 };
 
-/// Which structures are to be at hand where the tool may come as far as `way` (mm) until they are:
-/// all within it, if `room` (bytes) is enough. What is farther stays as long as there is room, the
-/// farthest goes first. Where those within the way do not fit, the lowest by `height(candidate)`
-/// (mm, how far the tool is from its surface) are taken; what is at hand stays unless another one
-/// is nearer by half of the way.
-DegreeChoice ChooseDegrees(const std::vector<DegreeCandidate>& candidates, double way,
-                           std::size_t room, const std::function<double(std::size_t)>& height);
+/// How far the tool may come until what is wanted is at hand, and what may be at hand at once.
+struct DegreeBounds
+{
+  double Way = 0.0;     ///< mm
+  double Stay = 0.0;    ///< mm by which another structure has to be nearer than one that is at hand
+  std::size_t Room = 0; ///< bytes
+};
+
+/// Which structures are to be at hand: all within the way, if there is room enough. What is farther
+/// stays as long as there is room, the farthest goes first. Where those within the way do not fit,
+/// the lowest by `height(candidate)` (mm, how far the tool is from its surface) are taken.
+DegreeChoice ChooseDegrees(const std::vector<DegreeCandidate>& candidates,
+                           const DegreeBounds& bounds,
+                           const std::function<double(std::size_t)>& height);
 } // namespace palpate

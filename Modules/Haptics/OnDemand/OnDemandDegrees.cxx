@@ -6,6 +6,17 @@
 
 namespace palpate
 {
+namespace
+{
+std::string ShortOf(std::size_t bytes)
+{
+  constexpr std::size_t Kilo = 1000;
+  return bytes == 0 ? ""
+                    : "What is near the tool takes " + std::to_string(bytes / Kilo + 1) +
+                          " kB more than its harmonics may.";
+}
+} // namespace
+
 OnDemandDegrees::OnDemandDegrees(std::vector<std::shared_ptr<OnDemandHarmonics>> structures,
                                  const Settings& settings)
     : All(std::move(structures)), Wanted(settings),
@@ -29,7 +40,7 @@ void OnDemandDegrees::Begin()
   const std::size_t bytes = this->BytesAtHand();
   const std::lock_guard<std::mutex> lock(this->Shared);
   this->Known = {};
-  this->Known.Bytes = this->Known.MostBytes = bytes;
+  this->Known.MostBytes = bytes;
 }
 
 double OnDemandDegrees::SlowestMaking() const noexcept
@@ -98,18 +109,10 @@ bool OnDemandDegrees::Bring(std::size_t one, std::string& problem)
   return true;
 }
 
-void OnDemandDegrees::Note(const std::string& problem)
+void OnDemandDegrees::NoteProblem(const std::string& problem)
 {
-  const std::size_t bytes = this->BytesAtHand();
   const std::lock_guard<std::mutex> lock(this->Shared);
-  this->Known.Bytes = bytes;
   this->Known.Problem = problem;
-}
-
-void OnDemandDegrees::NoteDelay()
-{
-  const std::lock_guard<std::mutex> lock(this->Shared);
-  this->Known.Delay = this->Ahead.Delay();
 }
 
 std::uint64_t OnDemandDegrees::CoarseTicks() const noexcept
@@ -137,21 +140,21 @@ bool OnDemandDegrees::Renew(const ToolPlace& place)
   this->Ahead.Look(place);
   if (this->AllAreAtHand(place.ProbeWorld))
   {
+    this->NoteProblem({});
     return false;
   }
   std::vector<DegreeCandidate> candidates;
+  std::size_t promised = 0; // bytes of what a tool as fast as promised may come to
   for (std::size_t one = 0; one < this->All.size(); ++one)
   {
     candidates.push_back({this->AwayFrom(one, place.ProbeWorld), this->All[one]->BytesAtHand(),
                           this->All[one]->IsAtHand()});
+    promised += candidates.back().Away <= this->FirstWay ? candidates.back().Bytes : 0;
   }
   const DegreeChoice choice =
-      ChooseDegrees(candidates, this->Ahead.Length(), this->Wanted.Room,
+      ChooseDegrees(candidates, {this->Ahead.Length(), 0.5 * this->FirstWay, this->Wanted.Room},
                     [&](std::size_t one) { return this->All[one]->HeightOver(place.ProbeWorld); });
-  std::string problem = choice.Missing > 0
-                            ? "What is near the tool takes " + std::to_string(choice.Missing) +
-                                  " bytes more than its harmonics may."
-                            : "";
+  std::string problem = ShortOf(promised > this->Wanted.Room ? promised - this->Wanted.Room : 0);
   for (const std::size_t one : choice.Drop)
   {
     this->Drop(one);
@@ -172,7 +175,7 @@ bool OnDemandDegrees::Renew(const ToolPlace& place)
   {
     isBrought = this->Bring(one, problem) || isBrought;
   }
-  this->Note(problem);
+  this->NoteProblem(problem);
   return isBrought;
 }
 } // namespace palpate

@@ -16,9 +16,7 @@ struct DegreeCounts
 {
   std::uint64_t Brought = 0;
   std::uint64_t Dropped = 0;
-  std::size_t Bytes = 0;     ///< at hand now, without what is always kept
-  std::size_t MostBytes = 0; ///< at hand at once since the last Begin
-  double Delay = 0.0;        ///< s that bringing took at worst lately
+  std::size_t MostBytes = 0; ///< at hand at once since the last Begin, without what is kept
   std::string Problem;       ///< why what is near is not at hand; empty where it is
 };
 
@@ -51,7 +49,6 @@ public:
     if (this->Renew(place))
     {
       this->Ahead.Made(now() - place.Time);
-      this->NoteDelay();
     }
   }
 
@@ -73,8 +70,7 @@ private:
   std::size_t BytesAtHand() const;
   void Drop(std::size_t one);
   bool Bring(std::size_t one, std::string& problem);
-  void Note(const std::string& problem);
-  void NoteDelay();
+  void NoteProblem(const std::string& problem);
 
   std::vector<std::shared_ptr<OnDemandHarmonics>> All;
   Settings Wanted;

@@ -101,9 +101,7 @@ Status OnDemandHarmonics::Attach(std::size_t rung, const ToolShape& tool,
                                  const SurfaceFriction& friction,
                                  std::shared_ptr<TrackerSlot>& slot)
 {
-  // Refuses what the model would, which may not be there.
-  std::unique_ptr<ContactTracker> trial;
-  Status status = this->CoarseBody->MakeTracker(tool, friction, trial);
+  Status status = HarmonicContactModel::Check(this->Wanted.Mode, tool, friction);
   if (!status.IsOk())
   {
     return status;
