@@ -97,11 +97,10 @@ def degrees(entries):
     rows = [row("all" if e["budget_mb"] is None else f"{e['budget_mb']:.0f} MB",
                 f"{e['kept'] / 1e6:.1f} MB",
                 "–" if e["budget_mb"] is None else f"{e['most'] / 1e6:.1f} MB",
-                f"{e['resident_mib']:.0f} MiB", f"{e['make_s']:.1f} s", f"{e['tick_us']:.2f} µs",
+                f"{e['resident_mib']:.0f} MiB",
                 f"{e['different']:,} of {e['ticks']:,}", f"{e['coarse']:,}",
                 "–" if e["budget_mb"] is None else f"{e['brought']:,}") for e in entries]
-    return table(["budget", "kept", "most at hand", "process", "made in", "tick, median",
-                  "different", "coarse", "brought"], rows)
+    return table(["budget", "kept", "most at hand", "process", "different", "coarse", "brought"], rows)
 
 
 def main():

@@ -8,7 +8,6 @@
 #include "TemporaryFolder.h"
 #include "TouchRun.h"
 
-#include <chrono>
 #include <malloc.h>
 
 namespace palpate::bench
@@ -73,14 +72,11 @@ DegreeRow Measure(TouchSettings settings, std::optional<double> megabytes,
   TouchScript script;
   script.SweepSpeed = 90.0;
   script.Duration = 20.0;
-  const auto start = std::chrono::steady_clock::now();
   const PreparedTouch touch = PrepareTouch(settings, script, GoOn);
-  row.MakeSeconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   TouchRunSettings run;
   run.Recording = megabytes ? std::filesystem::path() : recording;
   const TouchResult result = RunTouch(touch, run, GoOn);
   row.ResidentMebibytes = ResidentMebibytes() - before;
-  row.TickMicroseconds = 1e-3 * static_cast<double>(result.Durations.Median());
   row.CoarseTicks = result.CoarseTicks;
   if (touch.Degrees != nullptr)
   {

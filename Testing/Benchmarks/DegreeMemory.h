@@ -14,9 +14,7 @@ struct DegreeRow
   std::optional<double> BudgetMegabytes;
   std::uintmax_t KeptBytes; ///< of models, coarse bodies and their trackers
   std::uintmax_t MostBytes; ///< of models and their trackers beside that, at most at once
-  double MakeSeconds;       ///< from model files to a scene
   double ResidentMebibytes; ///< by which the process grew for scene and stroke
-  double TickMicroseconds;  ///< median
   std::uint64_t Ticks;
   std::uint64_t DifferentTicks; ///< in any bit, from those of all in memory on the same path
   std::uint64_t CoarseTicks;
