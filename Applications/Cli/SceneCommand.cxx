@@ -28,6 +28,11 @@ std::string KilobytesOf(const SceneItem& item)
   return TextTable::Fixed(static_cast<double>(item.Bytes) / Kilo, 1) + " kB";
 }
 
+std::string MegabytesOf(std::uintmax_t bytes)
+{
+  return TextTable::Fixed(static_cast<double>(bytes) / Mega, 1) + " MB";
+}
+
 std::string MillisecondsOf(const SceneItem& item)
 {
   return TextTable::Fixed(Kilo * item.Seconds, 1) + " ms";
@@ -105,11 +110,14 @@ std::string TextOf(const SceneAccount& account)
   const std::size_t structures = account.Structures.size();
   const std::string budget =
       account.MemoryBudget > 0
-          ? "Fields that are touched and not drawn share " +
-                TextTable::Fixed(static_cast<double>(account.MemoryBudget) / Mega, 1) +
-                " MB: what does not fit is in memory only round the tool.\n"
+          ? "Harmonics, and fields that are not drawn, share " + MegabytesOf(account.MemoryBudget) +
+                " to be touched: what does not fit is in memory only round the tool.\n"
           : "";
-  return table.Text() + budget +
+  const std::string near = account.HarmonicsRoom > 0
+                               ? "Harmonics that are near it may take " +
+                                     MegabytesOf(account.HarmonicsRoom) + " of that at once.\n"
+                               : "";
+  return table.Text() + budget + near +
          sentence(totals.Read, account.Files.size(), "files read", totals.Reading) +
          sentence(totals.Touched, structures, "structures to be touched", totals.Contacts) +
          sentence(totals.Seen, structures, "structures to be seen", totals.Drawings);
@@ -149,6 +157,7 @@ JsonObject AsJson(const SceneAccount& account)
           {"structures", structures},
           {"servo", AsJson(account.Servo)},
           {"memory_budget_bytes", account.MemoryBudget},
+          {"harmonics_room_bytes", account.HarmonicsRoom},
           {"total",
            {{"read", SumAsJson(totals.Read, totals.Reading)},
             {"touch", SumAsJson(totals.Touched, totals.Contacts)},

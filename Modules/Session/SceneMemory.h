@@ -11,8 +11,15 @@
 
 namespace palpate
 {
-/// A scene's fields within a budget: of those that are touched and not drawn, only what is round
-/// the tool stays in memory.
+/// How harmonics are felt.
+struct HarmonicForm
+{
+  HarmonicContactMode Mode = HarmonicContactMode::Nearest;
+  EvaluationPrecision Precision = EvaluationPrecision::Double;
+};
+
+/// What a scene is felt by within a budget: of fields that are touched and not drawn only the
+/// bricks round the tool stay in memory, of harmonics the models near it.
 class SceneMemory
 {
 public:
@@ -24,17 +31,25 @@ public:
   /// why. Throws InputError and FilterError.
   TouchContact Take(const std::shared_ptr<const ScalarField>& field,
                     const std::filesystem::path& file);
-  /// Once all are there: gives each as much of what the budget leaves as it is large, and says so
-  /// in the account. Throws InputError where the budget is too small.
+  /// The same of harmonics, drawn or not.
+  TouchContact Take(const SphericalHarmonicModel& model, const HarmonicForm& form,
+                    const std::filesystem::path& file);
+  /// Once all are there: gives each kind as much of what the budget leaves as it is large, and says
+  /// so in the account. Throws InputError where the budget is too small.
   void Share(TouchStructures& made) const;
 
 private:
-  void GivePools() const;
+  std::size_t RoomOfHarmonics() const;
+  void GivePools(std::size_t bytes) const;
+  void SayWhatIsInMemory(TouchStructures& made) const;
 
   std::optional<std::size_t> Budget; // bytes
   ToolShape Tool;
   std::vector<std::shared_ptr<OnDemandField>> Fields;
-  std::size_t Kept = 0;  // bytes of what is there for all bricks
-  std::size_t Pools = 0; // bytes of all bricks
+  std::vector<std::shared_ptr<OnDemandHarmonics>> Harmonics;
+  std::size_t Kept = 0;    // bytes of what is there for all bricks and degrees
+  std::size_t Pools = 0;   // bytes of all bricks
+  std::size_t AtHand = 0;  // bytes of all harmonics at once
+  std::size_t Largest = 0; // of one of them
 };
 } // namespace palpate

@@ -8,6 +8,14 @@
 
 namespace palpate
 {
+std::string HarmonicText(const SphericalHarmonicModel& model, HarmonicContactMode mode,
+                         EvaluationPrecision precision)
+{
+  return "harmonics of degree " + std::to_string(model.Degree()) +
+         (mode == HarmonicContactMode::Nearest ? ", nearest point" : ", radial") +
+         (precision == EvaluationPrecision::Float ? ", in float" : "");
+}
+
 TouchContact MakeHarmonicContact(const SphericalHarmonicModel& model, HarmonicContactMode mode,
                                  EvaluationPrecision precision, const std::filesystem::path& file)
 {
@@ -17,9 +25,7 @@ TouchContact MakeHarmonicContact(const SphericalHarmonicModel& model, HarmonicCo
   made.Precision = precision;
   RequireInput(HarmonicContactModel::Make(made.Looks.Model, mode, made.Model, precision),
                file.string());
-  made.Represented = "harmonics of degree " + std::to_string(model.Degree()) +
-                     (mode == HarmonicContactMode::Nearest ? ", nearest point" : ", radial") +
-                     (precision == EvaluationPrecision::Float ? ", in float" : "");
+  made.Represented = HarmonicText(model, mode, precision);
   return made;
 }
 

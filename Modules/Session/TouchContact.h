@@ -3,6 +3,7 @@
 #include "ContactModel.h"
 #include "HarmonicContactModel.h"
 #include "OnDemandField.h"
+#include "OnDemandHarmonics.h"
 #include "PalpateSessionModule.h"
 #include "ScalarField.h"
 #include "SphericalHarmonicModel.h"
@@ -35,9 +36,17 @@ struct TouchContact
   EvaluationPrecision Precision = EvaluationPrecision::Double; ///< the same
   /// What the model feels, where only what is round the tool is in memory.
   std::shared_ptr<OnDemandField> OnDemand = nullptr;
-  bool IsDrillable = false;          ///< of a field: it keeps its inside
+  bool IsDrillable = false; ///< of a field: it keeps its inside
+  /// The same where the model and its stand-ins are there only near the tool; then what is beneath.
+  std::shared_ptr<OnDemandHarmonics> Harmonics = nullptr;
+  std::shared_ptr<const ContactModel> Beneath = nullptr;
   std::vector<TouchStandIn> Coarser; ///< without those that are the tool's; see AddStandIns
 };
+
+/// Harmonics in words.
+PALPATESESSION_EXPORT std::string HarmonicText(const SphericalHarmonicModel& model,
+                                               HarmonicContactMode mode,
+                                               EvaluationPrecision precision);
 
 /// The three kinds. `file` is for messages. Throw InputError for what cannot be touched.
 PALPATESESSION_EXPORT TouchContact MakeHarmonicContact(const SphericalHarmonicModel& model,

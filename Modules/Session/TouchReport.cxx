@@ -77,7 +77,7 @@ nlohmann::ordered_json SummaryOf(const PreparedTouch& touch, const TouchResult& 
   summary["ticks"] = result.Ticks;
   summary["lost_ticks"] = result.LostTicks;
   summary["coarse_ticks"] = result.CoarseTicks;
-  summary["missing_bricks"] = result.MissingBricks;
+  summary["missing_parts"] = result.MissingParts;
   summary["touching_percent"] = TouchingPercent(result);
   summary["force_max_n"] = result.Trace.Whole().Force.Most;
   summary["depth_max_mm"] = result.Trace.Whole().Depth.Most;

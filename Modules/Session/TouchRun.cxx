@@ -3,11 +3,11 @@
 #include "DeviceHoming.h"
 #include "DeviceList.h"
 #include "DrillKeeper.h"
-#include "FieldKeeper.h"
 #include "InputError.h"
 #include "ManualClock.h"
 #include "OpenBuiltInDevice.h"
 #include "Refusal.h"
+#include "SceneKeeper.h"
 #include "ServoThread.h"
 #include "SimulatedDevice.h"
 #include "SteadyClock.h"
@@ -67,17 +67,17 @@ double TimeOnPath(const PreparedTouch& touch, double time) noexcept
   return passed <= once ? passed : 2.0 * once - passed;
 }
 
-std::vector<std::shared_ptr<OnDemandField>> FieldsOf(const PreparedTouch& touch)
+OnDemandParts PartsOf(const PreparedTouch& touch)
 {
-  std::vector<std::shared_ptr<OnDemandField>> fields;
+  OnDemandParts parts{{}, touch.Degrees};
   for (const TouchableStructure& structure : touch.Structures)
   {
     if (structure.OnDemand != nullptr)
     {
-      fields.push_back(structure.OnDemand);
+      parts.Fields.push_back(structure.OnDemand);
     }
   }
-  return fields;
+  return parts;
 }
 
 // All of it while a tool touches.
@@ -107,7 +107,8 @@ public:
   {
     Servo servo(*this->Device, this->Settings);
     RequireInput(servo.Publish(this->Touch.Scene));
-    FieldKeeper keeper(FieldsOf(this->Touch), this->Touch.Scene->Probe);
+    SceneKeeper keeper(PartsOf(this->Touch), this->Touch.Scene->Probe);
+    this->LookAhead(keeper);
     const SteadyClock watch;
     FixedRateLoop loop(clock, this->Period());
     const auto ticks = static_cast<std::uint64_t>(this->Touch.Duration * this->Settings.Rate);
@@ -141,7 +142,8 @@ public:
     this->Home(progress);
     ServoThread thread(*this->Device, clock, this->Settings);
     RequireInput(thread.Loop().Publish(this->Touch.Scene));
-    FieldKeeper keeper(FieldsOf(this->Touch), this->Touch.Scene->Probe);
+    SceneKeeper keeper(PartsOf(this->Touch), this->Touch.Scene->Probe);
+    this->LookAhead(keeper);
     keeper.Start(clock);
     DrillKeeper drill(this->Touch.Drill);
     drill.Start();
@@ -227,6 +229,15 @@ private:
     }
   }
 
+  // Where the first tick is known to be.
+  void LookAhead(SceneKeeper& keeper) const
+  {
+    if (!this->Touch.Path.IsEmpty())
+    {
+      keeper.LookAt(this->Touch.Path.At(0.0), 0.0);
+    }
+  }
+
   std::function<Vector3(double)> PathOfDevice() const
   {
     const PreparedTouch& touch = this->Touch;
@@ -294,10 +305,10 @@ private:
     }
   }
 
-  TouchResult Finished(Servo& servo, const FieldKeeper& keeper)
+  TouchResult Finished(Servo& servo, const SceneKeeper& keeper)
   {
     this->Result.CoarseTicks = keeper.CoarseTicks();
-    this->Result.MissingBricks = keeper.Problem();
+    this->Result.MissingParts = keeper.Problem();
     if (this->IsRecording)
     {
       Succeed(this->Recorder.Finish());
@@ -351,9 +362,10 @@ PreparedTouch PrepareTouch(const TouchSettings& settings, const TouchScript& scr
   touch.Actions = script.Actions;
   touch.Structures = std::move(made.Touched);
   touch.OnlySeen = std::move(made.OnlySeen);
+  touch.Degrees = std::move(made.Degrees);
   auto scene = std::make_shared<TouchScene>();
   scene->Tool = MakeTool(settings.Tool);
-  if (!FieldsOf(touch).empty())
+  if (!PartsOf(touch).IsEmpty())
   {
     scene->Probe = std::make_shared<LatestValue<PlainVector3>>();
   }
@@ -373,7 +385,7 @@ PreparedTouch PrepareTouch(const TouchSettings& settings, const TouchScript& scr
   touch.Path = script.Path;
   if (touch.Path.IsEmpty() && settings.Device == SimulatedName)
   {
-    FieldKeeper keeper(FieldsOf(touch), scene->Probe);
+    SceneKeeper keeper(PartsOf(touch), scene->Probe);
     double time = 0.0; // a tool that is led from place to place has as much as it wants
     const auto comes = [&](const Vector3& place)
     {
@@ -411,7 +423,11 @@ TouchComparison CompareTouch(const PreparedTouch& touch, const std::filesystem::
   auto read = std::make_shared<TouchRecording>();
   RequireInput(ReadTouchRecording(recording.string(), *read));
   ReplayComparison comparison;
-  FieldKeeper keeper(FieldsOf(touch), touch.Scene->Probe);
+  SceneKeeper keeper(PartsOf(touch), touch.Scene->Probe);
+  if (!read->Ticks.empty())
+  {
+    keeper.LookAt(read->Ticks.front().ProbeWorld, 0.0);
+  }
   ReplayWorkers workers;
   workers.AfterTick = [&keeper](double time) { keeper.Look(time); };
   if (touch.Drill != nullptr)

@@ -39,6 +39,7 @@ struct PreparedTouch
   TouchSettings Settings;
   std::vector<TouchableStructure> Structures; ///< to be touched, as in the scene
   std::vector<TouchableStructure> OnlySeen;
+  std::shared_ptr<OnDemandDegrees> Degrees; ///< that harmonics come and go by; none: they stay
   std::shared_ptr<const TouchScene> Scene;
   std::shared_ptr<DrillBench> Drill; ///< none: nothing is drilled
   std::vector<DrillAction> Actions;  ///< of who drills
@@ -73,8 +74,8 @@ struct TouchResult
   std::vector<double> TouchedSeconds; ///< by structure, the one touched most deeply
   double LeastEnergy = 0.0;           ///< N mm that contacts had taken in, at the lowest
   SafetyFault Fault = SafetyFault::None;
-  std::uint64_t CoarseTicks = 0;      ///< in which the tool was faster than bricks on demand came
-  std::string MissingBricks;          ///< why they did not come at last; empty where they did
+  std::uint64_t CoarseTicks = 0;      ///< in which the tool was faster than what is on demand came
+  std::string MissingParts;           ///< why it did not come at last; empty where it did
   std::vector<double> RemovedVolumes; ///< mm^3, of each of the bench's sites
   std::vector<DrillMoment> Removal;   ///< over time, some hundred moments
   std::uint64_t DrillOrders = 0;      ///< cuts and commands

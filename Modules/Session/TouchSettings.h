@@ -93,8 +93,8 @@ struct TouchSettings
   std::vector<TouchStructureSettings> Structures;
   TouchToolSettings Tool;
   TouchDrillSettings Drill;
-  /// MB for the fields of structures that are touched and not drawn: what does not fit is in memory
-  /// only round the tool. None: all of it is.
+  /// MB for what is touched by harmonics, and by fields that are not drawn: what does not fit is in
+  /// memory only where the tool is near. None: all of it is.
   std::optional<double> MemoryMegabytes;
   std::string Device = "simulated"; ///< as DeviceRegistry::Make takes it
   double Rate = 1000.0;             ///< Hz, of the servo

@@ -6,6 +6,7 @@
 #include "FilterRun.h"
 #include "HtmlText.h"
 #include "InputError.h"
+#include "OnDemandHarmonicModel.h"
 
 #include <algorithm>
 
@@ -22,16 +23,20 @@ std::string InsteadOf(const std::string& less, const std::string& more)
   return less + " instead of " + more;
 }
 
+std::string DegreeInsteadOf(int less, int more)
+{
+  return InsteadOf("degree " + std::to_string(less), std::to_string(more));
+}
+
 void AddDegree(int degree, TouchContact& contact)
 {
   const SphericalHarmonicModel& model = *contact.Looks.Model;
   TouchStandIn coarser;
   // A surface that is cut may reach its centre; then there is no stand-in.
   const auto cut = std::make_shared<const SphericalHarmonicModel>(model.WithDegree(degree));
-  if (degree >= LeastDegree && degree < model.Degree() &&
-      HarmonicContactModel::Make(cut, contact.Mode, coarser.Model, contact.Precision).IsOk())
+  if (HarmonicContactModel::Make(cut, contact.Mode, coarser.Model, contact.Precision).IsOk())
   {
-    coarser.Says = InsteadOf("degree " + std::to_string(degree), std::to_string(model.Degree()));
+    coarser.Says = DegreeInsteadOf(degree, model.Degree());
     contact.Coarser.push_back(std::move(coarser));
   }
 }
@@ -68,12 +73,43 @@ std::size_t PointsOf(const ToolShape& tool, const ScalarField& field)
 }
 } // namespace
 
+std::vector<int> StandInDegrees(int degree)
+{
+  std::vector<int> degrees;
+  for (const int lower : {degree / 2, degree / 4})
+  {
+    if (lower >= LeastDegree && lower < degree)
+    {
+      degrees.push_back(lower);
+    }
+  }
+  return degrees;
+}
+
+std::vector<TouchStandIn> StandInsOnDemand(const std::shared_ptr<OnDemandHarmonics>& harmonics)
+{
+  std::vector<TouchStandIn> coarser;
+  for (std::size_t rung = 1; rung < harmonics->RungCount(); ++rung)
+  {
+    coarser.push_back({std::make_shared<const OnDemandHarmonicModel>(harmonics, rung),
+                       {},
+                       DegreeInsteadOf(harmonics->DegreeOf(rung), harmonics->DegreeOf(0))});
+  }
+  return coarser;
+}
+
 void AddStandIns(TouchContact& contact, const ProgressFunction& progress)
 {
+  if (contact.Harmonics != nullptr)
+  {
+    return; // it brought its own
+  }
   if (contact.Looks.Model != nullptr)
   {
-    AddDegree(contact.Looks.Model->Degree() / 2, contact);
-    AddDegree(contact.Looks.Model->Degree() / 4, contact);
+    for (const int degree : StandInDegrees(contact.Looks.Model->Degree()))
+    {
+      AddDegree(degree, contact);
+    }
   }
   else if (contact.Looks.Surface != nullptr)
   {

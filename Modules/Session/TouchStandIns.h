@@ -15,6 +15,13 @@ namespace palpate
 /// What is too simple for that stays alone. Throws Cancelled.
 PALPATESESSION_EXPORT void AddStandIns(TouchContact& contact, const ProgressFunction& progress);
 
+/// The degrees that a model of this one is felt by then, falling.
+PALPATESESSION_EXPORT std::vector<int> StandInDegrees(int degree);
+
+/// Those of harmonics that are on demand.
+PALPATESESSION_EXPORT std::vector<TouchStandIn>
+StandInsOnDemand(const std::shared_ptr<OnDemandHarmonics>& harmonics);
+
 /// All that a contact is felt by then with a tool: at a field, a sphere of 26 points and of 6.
 PALPATESESSION_EXPORT std::vector<TouchStandIn> StandInsFor(const TouchContact& contact,
                                                             const ToolShape& tool);

@@ -138,6 +138,7 @@ private:
       const std::size_t bytes = this->AddTouch(contact, structure.Touch);
       structure.Represented = contact.Represented;
       structure.OnDemand = contact.OnDemand;
+      structure.Harmonics = contact.Harmonics;
       seconds += this->Elapsed();
       account.Contact = {contact.Represented, bytes, seconds, {}};
       structure.Seconds = seconds;
@@ -176,6 +177,7 @@ private:
     touch.Coarser =
         this->Settings.IsDrilled() ? std::vector<TouchStandIn>() : StandInsFor(contact, this->Tool);
     touch.Drill = this->Settings.Drill;
+    touch.Beneath = contact.Beneath;
     touch.Law = {this->Settings.Stiffness, this->Settings.Damping};
     touch.Friction = this->Settings.Friction;
     touch.Viscosity = this->Settings.Viscosity;
@@ -235,10 +237,14 @@ private:
   {
     TouchContact contact;
     contact.Looks.Model = std::make_shared<const SphericalHarmonicModel>(model);
-    this->Add(name, this->Need.IsTouched
-                        ? MakeHarmonicContact(model, this->Settings.Mode, this->Settings.Precision,
-                                              this->Settings.File)
-                        : std::move(contact));
+    if (this->Need.IsTouched)
+    {
+      const HarmonicForm form{this->Settings.Mode, this->Settings.Precision};
+      contact = this->Memory.IsBounded()
+                    ? this->Memory.Take(model, form, this->Settings.File)
+                    : MakeHarmonicContact(model, form.Mode, form.Precision, this->Settings.File);
+    }
+    this->Add(name, std::move(contact));
   }
 
   void AddModel()

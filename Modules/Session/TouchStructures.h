@@ -1,6 +1,7 @@
 #pragma once
 
 #include "ForbiddenStructure.h"
+#include "OnDemandDegrees.h"
 #include "PalpateSessionModule.h"
 #include "Progress.h"
 #include "SceneAccount.h"
@@ -28,9 +29,10 @@ struct DrillSource
 /// A structure ready to be touched and to be drawn, and what it took.
 struct TouchableStructure
 {
-  TouchStructure Touch;                    ///< without a model where it is only seen
-  TouchAppearance Looks;                   ///< empty where nobody sees it
-  std::shared_ptr<OnDemandField> OnDemand; ///< what is felt; none where all of it is in memory
+  TouchStructure Touch;                         ///< without a model where it is only seen
+  TouchAppearance Looks;                        ///< empty where nobody sees it
+  std::shared_ptr<OnDemandField> OnDemand;      ///< what is felt; none where all of it is in memory
+  std::shared_ptr<OnDemandHarmonics> Harmonics; ///< the same of a model
   DrillSource Drilled;     ///< what is to be drilled, as it is before; without a field: nothing
   std::string Represented; ///< in words, such as "harmonics of degree 12, nearest point"
   double Seconds = 0.0;    ///< to make
@@ -43,6 +45,7 @@ struct TouchStructures
   std::vector<TouchableStructure> Touched; ///< in the settings' order; some are seen too
   std::vector<TouchableStructure> OnlySeen;
   std::vector<ForbiddenStructure> Forbidden; ///< touched, seen, or neither
+  std::shared_ptr<OnDemandDegrees> Degrees;  ///< that harmonics come and go by; none: they stay
   SceneAccount Account;
 };
 

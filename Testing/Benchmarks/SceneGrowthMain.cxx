@@ -1,5 +1,6 @@
 // PalpateScenes FILE: measures what scenes of many structures take, and writes it as JSON; see
 // Utilities/scenes.sh.
+#include "DegreeMemory.h"
 #include "MachineName.h"
 #include "OnDemandMemory.h"
 #include "SceneGrowth.h"
@@ -55,11 +56,26 @@ nlohmann::json Measured()
          {"versions", row.Versions},
          {"reads", row.Reads}});
   }
+  nlohmann::json degrees;
+  for (const palpate::bench::DegreeRow& row : palpate::bench::MeasureDegrees())
+  {
+    degrees.push_back(
+        {{"structures", row.Structures},
+         {"budget_mb", row.BudgetMegabytes ? nlohmann::json(*row.BudgetMegabytes) : nullptr},
+         {"kept", row.KeptBytes},
+         {"most", row.MostBytes},
+         {"resident_mib", row.ResidentMebibytes},
+         {"ticks", row.Ticks},
+         {"different", row.DifferentTicks},
+         {"coarse", row.CoarseTicks},
+         {"brought", row.Brought}});
+  }
   return {{"machine", palpate::MachineName()},
           {"compiler", std::string("GCC ") + __VERSION__},
           {"ticks", ticks},
           {"scenes", scenes},
-          {"on_demand", onDemand}};
+          {"on_demand", onDemand},
+          {"degrees", degrees}};
 }
 } // namespace
 

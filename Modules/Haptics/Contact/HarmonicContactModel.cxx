@@ -40,8 +40,8 @@ std::size_t HarmonicContactModel::Bytes() const noexcept
   return this->Surface->Bytes();
 }
 
-Status HarmonicContactModel::MakeTracker(const ToolShape& tool, const SurfaceFriction& friction,
-                                         std::unique_ptr<ContactTracker>& tracker) const
+Status HarmonicContactModel::Check(HarmonicContactMode mode, const ToolShape& tool,
+                                   const SurfaceFriction& friction)
 {
   for (Status status : {tool.Check(), FrictionCone::Check(friction)})
   {
@@ -54,16 +54,23 @@ Status HarmonicContactModel::MakeTracker(const ToolShape& tool, const SurfaceFri
   {
     return Status::Failure("Surfaces of spherical harmonics are felt by spheres and points only.");
   }
-  if (this->Mode == HarmonicContactMode::Nearest)
+  return mode == HarmonicContactMode::Radial && friction.Static > 0.0
+             ? Status::Failure("The radial law has no friction.")
+             : Status::Success();
+}
+
+Status HarmonicContactModel::MakeTracker(const ToolShape& tool, const SurfaceFriction& friction,
+                                         std::unique_ptr<ContactTracker>& tracker) const
+{
+  Status status = Check(this->Mode, tool, friction);
+  if (status.IsOk() && this->Mode == HarmonicContactMode::Nearest)
   {
     tracker = std::make_unique<HarmonicNearestTracker>(this->Surface, tool.Radius(), friction);
-    return Status::Success();
   }
-  if (friction.Static > 0.0)
+  else if (status.IsOk())
   {
-    return Status::Failure("The radial law has no friction.");
+    tracker = std::make_unique<HarmonicRadialTracker>(this->Surface, tool.Radius());
   }
-  tracker = std::make_unique<HarmonicRadialTracker>(this->Surface, tool.Radius());
-  return Status::Success();
+  return status;
 }
 } // namespace palpate

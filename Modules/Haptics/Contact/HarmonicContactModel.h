@@ -24,6 +24,10 @@ public:
                      std::shared_ptr<const ContactModel>& contact,
                      EvaluationPrecision precision = EvaluationPrecision::Double);
 
+  /// Refuses what MakeTracker refuses, of any model.
+  static Status Check(HarmonicContactMode mode, const ToolShape& tool,
+                      const SurfaceFriction& friction);
+
   Eigen::AlignedBox3d BoundsWorld() const noexcept override;
   Status MakeTracker(const ToolShape& tool, const SurfaceFriction& friction,
                      std::unique_ptr<ContactTracker>& tracker) const override;

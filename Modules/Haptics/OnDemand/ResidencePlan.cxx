@@ -6,21 +6,11 @@
 
 namespace palpate
 {
-namespace
-{
-// What was fast or slow is forgotten by this part with each look or version.
-constexpr double Forgotten = 0.02;
-
-double Forget(double before, double now) noexcept
-{
-  return std::max(now, (1.0 - Forgotten) * before);
-}
-} // namespace
-
 ResidencePlan::ResidencePlan(const FieldGrid& grid,
                              const std::shared_ptr<const FieldSurvey>& survey,
                              const ResidenceSettings& settings)
-    : Grid(grid), Survey(survey), Settings(settings), SlowestDelay(settings.LeastDelay)
+    : Grid(grid), Survey(survey), Settings(settings),
+      Ahead(settings.PromisedSpeed, settings.LeastDelay)
 {
 }
 
@@ -55,13 +45,8 @@ std::optional<BrickBox> ResidencePlan::Look(const ToolPlace& place)
   {
     return std::nullopt;
   }
-  const double passed = this->Last ? place.Time - this->Last->Time : 0.0;
-  const double speed =
-      passed > 0.0 ? (place.ProbeWorld - this->Last->ProbeWorld).norm() / passed : 0.0;
-  this->Speed = std::max(this->Settings.PromisedSpeed, Forget(this->Speed, speed));
-  this->Last = place;
-  // Half of the way is gone before another box is wanted, the other half until it is at hand.
-  const double way = 2.0 * this->Speed * this->SlowestDelay;
+  this->Ahead.Look(place);
+  const double way = this->Ahead.Length();
   const bool isFaster = way > 1.5 * this->WishedWay && std::isfinite(this->Kept);
   if (this->Middle && this->Middle->WayTo(place) <= 0.5 * this->Way && !isFaster)
   {
@@ -85,12 +70,7 @@ std::optional<BrickBox> ResidencePlan::Look(const ToolPlace& place)
     this->Way *= Shorter;
     box = this->BoxRound(place, this->Way);
   }
-  this->Kept = 0.5 * this->Way / this->SlowestDelay;
+  this->Kept = 0.5 * this->Way / this->Ahead.Delay();
   return box;
-}
-
-void ResidencePlan::Made(double delay)
-{
-  this->SlowestDelay = std::max(this->Settings.LeastDelay, Forget(this->SlowestDelay, delay));
 }
 } // namespace palpate

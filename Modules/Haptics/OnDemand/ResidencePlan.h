@@ -2,9 +2,8 @@
 
 #include "FieldGrid.h"
 #include "FieldSurvey.h"
-#include "Vector3.h"
+#include "WayAhead.h"
 
-#include <algorithm>
 #include <cstddef>
 #include <memory>
 #include <optional>
@@ -20,27 +19,6 @@ struct ResidenceSettings
   std::size_t Room = 0;         ///< bricks that one version may have
 };
 
-/// Where a tool is and when.
-struct ToolPlace
-{
-  double Time = 0.0; ///< s
-  Vector3 ProbeWorld = Vector3::Zero();
-  Vector3 ProxyWorld = Vector3::Zero(); ///< the probe itself where nothing is touched
-
-  ToolPlace() = default;
-  ToolPlace(double time, const Vector3& probeWorld)
-      : Time(time), ProbeWorld(probeWorld), ProxyWorld(probeWorld)
-  {
-  }
-  bool IsFinite() const { return this->ProbeWorld.allFinite() && this->ProxyWorld.allFinite(); }
-  /// How far probe or proxy went.
-  double WayTo(const ToolPlace& other) const
-  {
-    return std::max((other.ProbeWorld - this->ProbeWorld).norm(),
-                    (other.ProxyWorld - this->ProxyWorld).norm());
-  }
-};
-
 /// Decides from a tool's places which bricks of a field are to be at hand: those that probe and
 /// proxy can reach within the time that a version takes to be made, at its speed. Another box is
 /// wanted once the tool has left the middle half of the way that it may go. Knows no clock, thread
@@ -54,13 +32,13 @@ public:
   /// The next look at the tool. A box where another one is wanted than that of the last Made.
   std::optional<BrickBox> Look(const ToolPlace& place);
   /// The last box that was wanted is at hand, so long (s) after the look that wanted it.
-  void Made(double delay);
+  void Made(double delay) noexcept { this->Ahead.Made(delay); }
   /// It could not be made: the next look wants one again.
   void Failed() { this->Middle.reset(); }
 
   /// How fast (mm/s) the tool may be without leaving what is at hand; infinite where all of it is.
   double KeptSpeed() const noexcept { return this->Kept; }
-  double Delay() const noexcept { return this->SlowestDelay; }
+  double Delay() const noexcept { return this->Ahead.Delay(); }
 
 private:
   BrickBox BoxRound(const ToolPlace& place, double way) const;
@@ -68,12 +46,10 @@ private:
   FieldGrid Grid;
   std::shared_ptr<const FieldSurvey> Survey;
   ResidenceSettings Settings;
-  std::optional<ToolPlace> Last;
+  WayAhead Ahead;
   std::optional<ToolPlace> Middle; // of the box that was wanted last
   double Way = 0.0;                // mm that the tool may go from there
   double WishedWay = 0.0;          // mm that it was to be able to go
-  double Speed = 0.0;              // mm/s, of the tool, sinking slowly
-  double SlowestDelay;             // s, sinking slowly
   double Kept = 0.0;
 };
 } // namespace palpate

@@ -27,6 +27,7 @@ Status ServoScene::Make(std::shared_ptr<const TouchScene> scene, double velocity
     status =
         StructureFollower::Make(structure, *next->Shared, velocityTimeConstant, next->Followers);
     reaches.push_back(StructureFollower::ReachWorld(structure, next->Shared->Tool));
+    next->IsOnDemand = next->IsOnDemand || structure.Beneath != nullptr;
     next->Levels = std::max(next->Levels, static_cast<int>(structure.Coarser.size()));
     if (structure.Id != 0)
     {
@@ -147,10 +148,11 @@ void ServoScene::LookAround(const FollowStep& step) noexcept
   this->NearCount = this->Index.Find(this->LookedAt, this->Near.data());
 }
 
-// What is near and is felt by another stand-in now goes on from the one before.
+// What is near and is felt by another stand-in now, also since one has come to be at hand, goes on
+// from the one before.
 void ServoScene::UseLevel(const FollowStep& step) noexcept
 {
-  if (step.Level == this->Level)
+  if (step.Level == this->Level && !this->IsOnDemand)
   {
     return;
   }

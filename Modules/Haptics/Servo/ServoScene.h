@@ -94,6 +94,7 @@ private:
   const DrillVersions* Versions = nullptr; // that are felt; the link's
   std::uint64_t Version = 0;               // their number
   bool HasGrown = false;                   // since the last Follow that asked models
+  bool IsOnDemand = false;                 // something may not be at hand
   int Levels = 0;
   int Level = 0; // of the last Follow that asked models
   SceneEntry EnteredAs = SceneEntry::Anew;

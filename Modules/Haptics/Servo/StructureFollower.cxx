@@ -96,9 +96,18 @@ Status StructureFollower::Make(const TouchStructure& structure, const TouchScene
     return Status::Failure("The structure " + structure.Name +
                            " cannot be drilled, since it is not felt by a field's proxy.");
   }
-  followers.push_back(
-      StructureFollower(structure, scene, velocityTimeConstant, std::move(trackers)));
-  return Status::Success();
+  Status status = Status::Success();
+  if (structure.Beneath != nullptr)
+  {
+    trackers.emplace_back();
+    status = structure.Beneath->MakeTracker(scene.Tool, structure.Friction, trackers.back());
+  }
+  if (status.IsOk())
+  {
+    followers.push_back(
+        StructureFollower(structure, scene, velocityTimeConstant, std::move(trackers)));
+  }
+  return status;
 }
 
 std::size_t StructureFollower::Bytes() const noexcept
@@ -112,9 +121,13 @@ std::size_t StructureFollower::Bytes() const noexcept
   return bytes;
 }
 
-std::size_t StructureFollower::RungOf(int level) const noexcept
+// What a level asks for, or what lies beneath where that is not at hand.
+std::size_t StructureFollower::RungOf(int level) noexcept
 {
-  return std::min(static_cast<std::size_t>(std::max(level, 0)), this->Trackers.size() - 1);
+  const std::size_t most = this->Structure->Coarser.size();
+  const std::size_t rung = std::min(static_cast<std::size_t>(std::max(level, 0)), most);
+  const bool isThere = !this->HasBeneath() || this->Trackers[rung]->IsAtHand();
+  return isThere ? rung : most + 1;
 }
 
 bool StructureFollower::IsInReach(const FollowStep& step) const noexcept
@@ -124,6 +137,7 @@ bool StructureFollower::IsInReach(const FollowStep& step) const noexcept
 
 void StructureFollower::Leave() noexcept
 {
+  this->Tracker().Rest();
   this->Follows = false;
   this->IsBuried = false;
   this->Before.reset();
@@ -202,11 +216,12 @@ bool StructureFollower::NextCut(CutOrder& order) noexcept
 
 bool StructureFollower::UseLevel(const FollowStep& step) noexcept
 {
-  const std::size_t rung = this->RungOf(step.Level);
-  if (!this->Follows || rung == this->Rung)
+  const std::size_t rung = this->Follows ? this->RungOf(step.Level) : this->Rung;
+  if (rung == this->Rung)
   {
     return false;
   }
+  this->Tracker().Rest();
   this->Rung = rung;
   const Contact& begun = this->BeginAt(this->Last.ProxyWorld, step);
   this->Weight = RampIn(this->Last.IsTouching || begun.IsTouching ? HandoverDuration : 0.0);
@@ -234,6 +249,11 @@ void StructureFollower::Enter(const FollowStep& step) noexcept
     this->OffsetVelocity.Update(Vector3::Zero(), step.Passed);
   }
   this->Rung = this->RungOf(step.Level);
+  if (this->HasBeneath() && this->Rung > this->Structure->Coarser.size())
+  {
+    // It reaches farther than what it holds, so the tool may be in it.
+    this->Weight = RampIn(HandoverDuration);
+  }
   this->Tracker().Release();
   this->Tracker().Follow(from);
   this->Before.reset();

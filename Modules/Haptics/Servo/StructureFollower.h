@@ -73,8 +73,9 @@ public:
   /// begins free of touch at that one's proxy, so that nothing is passed through from there to the
   /// probe. Where the proxy is inside now, it begins as a tool that is put inside.
   void CarryOn(const StructureFollower& before) noexcept;
-  /// Feels the stand-in of the step's level from now on, going on as CarryOn does. Whether that is
-  /// another one than before; nothing else is left to be faded out where the tool is out of reach.
+  /// Feels the stand-in of the step's level from now on, or what lies beneath where it is not at
+  /// hand, going on as CarryOn does. Whether that is another one than before; nothing else is left
+  /// to be faded out where the tool is out of reach.
   bool UseLevel(const FollowStep& step) noexcept;
   /// Feels that version of the field which it is drilled in from now on. The solid has to live
   /// until the next one is given.
@@ -88,6 +89,8 @@ public:
   void LiftDrill() noexcept { this->Feed->Rest(); }
   /// The field of the scene's that it is felt by; -1 for none.
   int Site() const noexcept { return this->Structure->Site; }
+  /// Whether what UseLevel feels may change with the same level.
+  bool HasBeneath() const noexcept { return this->Structure->Beneath != nullptr; }
   /// What was felt last, with the hand at `hand` (mm, device's frame), to be faded out.
   FadingContact FadingOut(const Vector3& hand) const noexcept;
   bool IsFollowing() const noexcept { return this->Follows; }
@@ -117,10 +120,11 @@ private:
   Vector3 TextureForce(const ContactOffset& felt, const Vector3& contactForce,
                        const Vector3& proxyWorld) const noexcept;
 
-  std::size_t RungOf(int level) const noexcept;
+  std::size_t RungOf(int level) noexcept;
   ContactTracker& Tracker() noexcept { return *this->Trackers[this->Rung]; }
 
-  std::vector<std::unique_ptr<ContactTracker>> Trackers; // of the model and its stand-ins
+  // Of the model, its stand-ins and what lies beneath.
+  std::vector<std::unique_ptr<ContactTracker>> Trackers;
   std::size_t Rung = 0;
   FieldProxyTracker* Drilled = nullptr; // the tracker, where versions follow each other
   std::unique_ptr<DrillFeed> Feed;      // there too

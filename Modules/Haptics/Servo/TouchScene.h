@@ -42,6 +42,8 @@ struct TouchStructure
   std::vector<TouchStandIn> Coarser = {}; ///< each cheaper than the one before
   DrillLaw Drill = {};                    ///< how it gives way, while the scene's drill runs
   int Site = -1; ///< of DrillVersions, which it is felt by; -1: it is not drilled
+  /// Felt where those above are not at hand, and holds all of them; none: they always are.
+  std::shared_ptr<const ContactModel> Beneath = nullptr;
 };
 
 /// What acts without touch too, in the device's frame.

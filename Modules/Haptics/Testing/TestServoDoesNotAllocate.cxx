@@ -1,5 +1,6 @@
 #include "AllocationCounter.h"
 #include "ManyStructures.h"
+#include "OnDemandHarmonicCases.h"
 #include "ServoRun.h"
 #include "TexturedField.h"
 
@@ -80,6 +81,32 @@ TEST(ServoDoesNotAllocate, WhereLevelsChange)
   }
   EXPECT_EQ(test::AllocationCount(), before);
   EXPECT_EQ(changes, 14);
+}
+
+// Models come and go, at hand in time and after the tool.
+TEST(ServoDoesNotAllocate, WhereHarmonicsAreOnDemand)
+{
+  OnDemandHarmonics::Settings settings;
+  settings.Tool = ToolShape::Sphere(2.0);
+  settings.StandIns = {6};
+  test::HarmonicCrowd crowd(settings, 0.3);
+  test::ServoRun run(crowd.OnDemand);
+  test::CrowdHand hand(400.0, 7104);
+  std::size_t allocated = 0;
+  for (int tick = 0; tick < 6000; ++tick)
+  {
+    const Vector3& place = hand.Next();
+    const std::size_t before = test::AllocationCount();
+    run.TickAt(place);
+    allocated += test::AllocationCount() - before;
+    if (tick % 100 == 0)
+    {
+      crowd.Look(tick, place);
+    }
+  }
+  EXPECT_EQ(allocated, 0u);
+  EXPECT_GT(crowd.Degrees->CoarseTicks(), 100u);
+  EXPECT_GT(crowd.Degrees->Counts().Dropped, 5u);
 }
 
 TEST(ServoDoesNotAllocate, AmongManyStructures)

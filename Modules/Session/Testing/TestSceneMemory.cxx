@@ -1,7 +1,7 @@
-#include "FieldKeeper.h"
 #include "ImageWriter.h"
 #include "InputError.h"
 #include "LabelImages.h"
+#include "SceneKeeper.h"
 #include "SteadyClock.h"
 #include "TemporaryFolder.h"
 #include "TouchRun.h"
@@ -86,7 +86,7 @@ TEST_F(SceneMemoryTest, WhatIsFeltOnDemandHasTheBitsOfWhatIsInMemory)
     EXPECT_LE(less.Structures[0].Touch.Model->Bytes(), 1e6 * budget);
     const TouchResult felt = RunTouch(less, {true, this->Folder / "less.touch", {}, {}}, GoOn);
     EXPECT_EQ(felt.CoarseTicks, 0u);
-    EXPECT_EQ(felt.MissingBricks, "");
+    EXPECT_EQ(felt.MissingParts, "");
     EXPECT_EQ(CompareTouch(less, file).DifferentTicks, 0u);
     EXPECT_EQ(CompareTouch(whole, this->Folder / "less.touch").DifferentTicks, 0u);
     const OnDemandCounts counts = less.Structures[0].OnDemand->Counts();
@@ -143,7 +143,7 @@ TEST_F(SceneMemoryTest, AKeeperFollowsTheProbeOnItsOwnThread)
   const std::shared_ptr<OnDemandField> field = made.Touched.at(0).OnDemand;
   const auto probe = std::make_shared<LatestValue<PlainVector3>>();
   const SteadyClock clock;
-  FieldKeeper keeper({field}, probe);
+  SceneKeeper keeper({{field}, nullptr}, probe);
   keeper.Start(clock);
   for (const double x : {-20.0, 20.0, -20.0})
   {
