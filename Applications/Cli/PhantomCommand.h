@@ -2,18 +2,23 @@
 
 #include "Command.h"
 #include "SphericalHarmonicModel.h"
+#include "Vector3.h"
 
 #include <cstdint>
 #include <filesystem>
 #include <string>
 #include <vector>
 
+namespace CLI
+{
+class Option;
+}
 class vtkSphericalHarmonicPhantom;
 
 namespace palpate::cli
 {
 /// `palpate phantom`: an MR-like volume, a mask and the true coefficients of a body, so that the
-/// truth is known on any machine.
+/// truth is known on any machine. Or a block of bone to be drilled.
 class PhantomCommand : public Command
 {
 public:
@@ -27,6 +32,12 @@ public:
   int Run(Console& console) override;
 
 private:
+  /// What the block has not.
+  std::vector<CLI::Option*> DeclareBody(CLI::App& app);
+  int MakeBody(Console& console) const;
+  int MakeDrillBlock(Console& console) const;
+  Matrix3 Direction() const;
+  Vector3 SpacingOr(const Vector3& usual) const; // mm
   void PrepareGrid(vtkSphericalHarmonicPhantom& phantom, const SphericalHarmonicModel& model) const;
   void PrepareAppearance(vtkSphericalHarmonicPhantom& phantom) const;
   SphericalHarmonicModel TrueModel() const;
@@ -35,8 +46,9 @@ private:
   std::string OutputFolder;
   std::string ModelPath;
   std::string Format = "nii.gz";
-  std::vector<double> Spacing{0.5, 0.5, 3.0}; ///< mm
-  std::vector<int> Size;                      ///< voxels; empty for as many as the body needs
+  bool IsDrillBlock = false;
+  std::vector<double> Spacing; ///< mm; empty for what is usual
+  std::vector<int> Size;       ///< voxels; empty for as many as the body needs
   double ObliqueDegrees = 0.0;
   double Noise = 10.0;
   double Bias = 0.15;

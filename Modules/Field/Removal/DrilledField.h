@@ -35,7 +35,8 @@ public:
                      std::unique_ptr<DrilledField>& drilled);
 
   /// Before anything is cut: what `forbidden` has as removed, of the same grid and band as Now(),
-  /// is never removed. Samples there that lie deeper than a cell's diagonal keep their bits.
+  /// is never removed. Samples in it by more than a cell's diagonal and half a side keep their
+  /// bits.
   Status Protect(const std::shared_ptr<const RemovedDistances>& forbidden);
 
   /// Removes what the tool passes. Refuses poses that are not finite, and too little memory, with

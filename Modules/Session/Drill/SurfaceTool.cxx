@@ -4,6 +4,7 @@
 #include "SampledTool.h"
 #include "SurfaceFile.h"
 
+#include "vtkCleanPolyData.h"
 #include "vtkFeatureEdges.h"
 #include "vtkImplicitPolyDataDistance.h"
 #include "vtkNew.h"
@@ -20,7 +21,12 @@ namespace
 {
 vtkSmartPointer<vtkPolyData> ReadClosedSurface(const std::filesystem::path& file)
 {
-  vtkSmartPointer<vtkPolyData> surface = ReadSurface(file);
+  // Files whose triangles have points of their own, as for shading, are closed where these agree.
+  vtkNew<vtkCleanPolyData> joined;
+  joined->SetInputData(ReadSurface(file));
+  joined->SetTolerance(0.0);
+  joined->Update();
+  vtkPolyData* surface = joined->GetOutput();
   vtkNew<vtkFeatureEdges> edges;
   edges->SetInputData(surface);
   edges->BoundaryEdgesOn();

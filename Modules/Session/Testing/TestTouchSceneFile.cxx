@@ -112,9 +112,45 @@ TEST_F(TouchSceneFile, WhatIsLeftOutHasItsDefault)
   EXPECT_EQ(settings.Structures[0].Bricks, BrickSize::Cells8);
   EXPECT_TRUE(settings.Structures[0].IsSeen);
   EXPECT_TRUE(settings.Structures[0].IsTouched);
+  EXPECT_FALSE(settings.Structures[0].IsDrilled());
+  EXPECT_FALSE(settings.Structures[0].IsForbidden);
   EXPECT_EQ(settings.Device, "simulated");
   EXPECT_FALSE(settings.Scale.has_value());
   EXPECT_FALSE(settings.MemoryMegabytes.has_value());
+}
+
+TEST_F(TouchSceneFile, HowItIsDrilledIsReadBackTheSame)
+{
+  TouchSettings settings;
+  TouchStructureSettings bone;
+  bone.File = this->Folder / "ct.nrrd";
+  bone.Iso = 300.0;
+  bone.Drill.Wear = 0.125;
+  bone.Drill.Drag = 0.003;
+  bone.Drill.Vibration = 0.25;
+  TouchStructureSettings nerve;
+  nerve.File = this->Folder / "nerve.nrrd";
+  nerve.IsForbidden = true;
+  nerve.AlarmDistance = 1.5;
+  settings.Structures = {bone, nerve};
+  settings.Drill.Turns = 700.0;
+  settings.Drill.VibrationFrequency = 90.0;
+  settings.Tool.Kind = TouchToolSettings::Shape::Surface;
+  settings.Tool.File = this->Folder / "tools/burr.stl";
+  const std::string text = TouchSceneText(settings, this->Folder.Path());
+  const TouchSettings back = this->Read(text);
+  EXPECT_EQ(TouchSceneText(back, this->Folder.Path()), text);
+  ASSERT_EQ(back.Structures.size(), 2U);
+  EXPECT_EQ(back.Structures[0].Drill.Wear, 0.125);
+  EXPECT_EQ(back.Structures[0].Drill.Drag, 0.003);
+  EXPECT_EQ(back.Structures[0].Drill.Vibration, 0.25);
+  EXPECT_TRUE(back.Structures[0].IsDrilled() && !back.Structures[0].IsForbidden);
+  EXPECT_TRUE(!back.Structures[1].IsDrilled() && back.Structures[1].IsForbidden);
+  EXPECT_EQ(back.Structures[1].AlarmDistance, 1.5);
+  EXPECT_EQ(back.Drill.Turns, 700.0);
+  EXPECT_EQ(back.Drill.VibrationFrequency, 90.0);
+  EXPECT_EQ(back.Tool.Kind, TouchToolSettings::Shape::Surface);
+  EXPECT_EQ(back.Tool.File.lexically_normal(), settings.Tool.File.lexically_normal());
 }
 
 // Each with a word that its refusal has to hold.
@@ -146,6 +182,23 @@ TEST_F(TouchSceneFile, WhatIsWrongIsRefusedByName)
       {begin + R"(, "texture_image": "mr.nrrd"}]})", "texture_n"},
       {begin + R"(}], "tool": {"semi_axes_mm": [1, 2]}})", "semi_axes_mm"},
       {begin + R"(}], "tool": {"points": 100000}})", "points"},
+      {begin + R"(}], "tool": {"shape": "cone"}})", "cylinder"},
+      {begin + R"(}], "tool": {"shape": "surface"}})", "file"},
+      {begin + R"(}], "tool": {"shape": "sphere", "file": "burr.stl"}})", "file"},
+      {begin + R"(, "drill": 0.1}]})", "structures[0].drill"},
+      {begin + R"(, "drill": {"wear": 0.1}}]})", "wear_mm_per_nm"},
+      {begin + R"(, "drill": {"wear_mm_per_nm": -0.1}}]})", "wear_mm_per_nm"},
+      {begin + R"(, "drill": {"wear_mm_per_nm": 0.1, "vibration": 2}}]})", "vibration"},
+      {begin + R"(, "drill": {"wear_mm_per_nm": 0.1}, "forbidden": true}]})", "forbidden"},
+      {begin + R"(, "drill": {"wear_mm_per_nm": 0.1}, "touched": false}]})", "touched"},
+      {begin + R"(, "drill": {"wear_mm_per_nm": 0.1}, "representation": "facets"}]})", "sub-voxel"},
+      {begin + R"(, "drill": {"wear_mm_per_nm": 0.1}, "interpolation": "cubic"}]})",
+       "interpolation"},
+      {begin + R"(, "alarm_mm": 1}]})", "forbidden"},
+      {begin + R"(, "forbidden": true, "alarm_mm": -1}]})", "alarm_mm"},
+      {begin + R"(}], "drill": {"turns_per_s": -1}})", "turns_per_s"},
+      {begin + R"(}], "drill": {"vibration_hz": 1000}})", "vibration_hz"},
+      {begin + R"(}], "drill": {"rpm": 1000}})", "turns_per_s"},
       {begin + R"(}], "device": 4})", "device"},
       {begin + R"(}], "rate_hz": 0})", "rate_hz"},
       {begin + R"(}], "scale": 1e9})", "scale"},

@@ -1,0 +1,196 @@
+#include "ForbiddenStructure.h"
+
+#include "DrillBenchCases.h"
+#include "DrillWatch.h"
+#include "FilterRun.h"
+#include "RandomOrientation.h"
+#include "RandomShapes.h"
+
+#include "vtkNew.h"
+#include "vtkSphereSource.h"
+
+namespace palpate
+{
+namespace
+{
+constexpr double Radius = 3.0; // mm
+const Vector3 Middle(1.0, -2.0, 4.0);
+// A ball's fine triangles lie within it by this.
+constexpr double Coarse = 0.01;
+
+ForbiddenStructure Ball(const Vector3& middle = Middle)
+{
+  vtkNew<vtkSphereSource> source;
+  source->SetRadius(Radius);
+  source->SetCenter(middle[0], middle[1], middle[2]);
+  source->SetThetaResolution(80);
+  source->SetPhiResolution(80);
+  source->Update();
+  return {"ball", source->GetOutput(), 1.5};
+}
+
+TEST(ForbiddenStructureTest, IsItsSurfaceFromAPointNegativeInside)
+{
+  test::Random random(81);
+  const ForbiddenStructure ball = Ball();
+  std::uniform_real_distribution<double> far(0.2, 15.0);
+  for (int trial = 0; trial < 2000; ++trial)
+  {
+    const double from = far(random);
+    EXPECT_NEAR(ball.Distance(Middle + from * test::RandomDirection(random)), from - Radius,
+                Coarse);
+  }
+}
+
+TEST(ForbiddenStructureTest, IsNearestToTheNearestPointOfATool)
+{
+  test::Random random(82);
+  const ForbiddenStructure ball = Ball();
+  const ToolShape tool = ToolShape::Capsule(1.0, 6.0, 2000);
+  for (int trial = 0; trial < 20; ++trial)
+  {
+    const Vector3 out = test::RandomDirection(random);
+    const ToolPose pose{Middle + 10.0 * out,
+                        Eigen::Quaterniond::FromTwoVectors(Vector3::UnitZ(), out)};
+    // With its end towards the ball; its 2000 points are 0.2 mm apart.
+    EXPECT_NEAR(ball.Distance(tool, pose), 10.0 - 4.0 - Radius, 0.02);
+    EXPECT_NEAR(ball.Distance(ToolShape::Sphere(1.25), pose), 10.0 - 1.25 - Radius, Coarse);
+  }
+}
+
+TEST(ForbiddenStructureTest, ItsProtectionIsItsDistanceWithinTheBand)
+{
+  std::mt19937_64 random(83);
+  constexpr double Band = 0.9;
+  const FieldGrid grid({42, 38, 30}, {-6.0, -9.0, -1.0}, {0.4, 0.35, 0.5},
+                       test::RandomOrientation(random));
+  const auto none = RemovedDistances::None(grid, Band);
+  // Two that overlap, in the grid's middle.
+  const Vector3 middle = grid.PointWorld({20.0, 18.0, 15.0});
+  const Vector3 beside = middle + Vector3(1.5, 1.0, -0.5);
+  std::vector<ForbiddenStructure> structures;
+  structures.push_back(Ball(middle));
+  structures.push_back(Ball(beside));
+  const auto made = ProtectionOf(structures, *none, test::GoOn);
+  EXPECT_EQ(made->Band(), Band);
+  int near = 0;
+  for (int k = 0; k < 30; ++k)
+  {
+    for (int j = 0; j < 38; ++j)
+    {
+      for (int i = 0; i < 42; ++i)
+      {
+        const Vector3 p = grid.PointWorld(Vector3(i, j, k));
+        const double distance = std::min((p - middle).norm(), (p - beside).norm()) - Radius;
+        ASSERT_NEAR(made->At(i, j, k), std::clamp(distance, -Band, Band), Coarse);
+        near += std::abs(distance) < Band ? 1 : 0;
+      }
+    }
+  }
+  EXPECT_GT(near, 1000);
+}
+
+TEST(ForbiddenStructureTest, FarFromTheGridItProtectsNothing)
+{
+  const FieldGrid grid({20, 20, 20}, Vector3::Zero(), Vector3::Ones(), Matrix3::Identity());
+  const auto none = RemovedDistances::None(grid, 2.0);
+  std::vector<ForbiddenStructure> structures;
+  structures.push_back(Ball(Vector3(200.0, 0.0, 0.0)));
+  EXPECT_TRUE(ProtectionOf(structures, *none, test::GoOn)->Corners().empty());
+}
+
+TEST(ForbiddenStructureTest, ItsProtectionIsCancelled)
+{
+  const FieldGrid grid({20, 20, 20}, Middle - Vector3::Constant(10.0), Vector3::Ones(),
+                       Matrix3::Identity());
+  std::vector<ForbiddenStructure> structures;
+  structures.push_back(Ball());
+  EXPECT_THROW(ProtectionOf(structures, *RemovedDistances::None(grid, 2.0),
+                            [](double, const std::string&) { return false; }),
+               Cancelled);
+}
+
+TEST(ForbiddenStructureTest, OfAnotherGridThanTheBoneItStandsWhenAllIsDrilled)
+{
+  const test::BoneFiles files;
+  const auto bench = test::BenchOf(files.SceneWithNerve());
+  ASSERT_EQ(bench->Forbidden().size(), 1U);
+  test::BenchCuts cuts(bench);
+  constexpr int Ways = 12;
+  for (int a = 0; a < Ways; ++a)
+  {
+    for (int b = 0; b < Ways; ++b)
+    {
+      const Vector3 from(-9.0, 1.5 * a - 9.0, 1.5 * b - 9.0);
+      cuts.Cut(from, from + Vector3(18.0, 0.0, 0.0));
+    }
+  }
+  // Of the cylinder beside the middle what lies in the bone's ball, summed over its sections.
+  double left = 0.0;
+  constexpr int Steps = 400;
+  constexpr double Step = 2.0 * test::BoneFiles::NerveRadius / Steps;
+  for (int a = 0; a < Steps; ++a)
+  {
+    for (int b = 0; b < Steps; ++b)
+    {
+      const double x = (a + 0.5) * Step - test::BoneFiles::NerveRadius;
+      const double y = (b + 0.5) * Step - test::BoneFiles::NerveRadius;
+      const double beside = std::hypot(x + 3.0, y);
+      if (std::hypot(x, y) < test::BoneFiles::NerveRadius)
+      {
+        left += 2.0 * std::sqrt(std::pow(test::BoneFiles::BoneRadius, 2) - beside * beside) * Step *
+                Step;
+      }
+    }
+  }
+  const double ball = 4.0 / 3.0 * M_PI * std::pow(test::BoneFiles::BoneRadius, 3);
+  // The nerve's smooth surface, of voxels of a third of its radius, is not the cylinder's.
+  EXPECT_NEAR(ball - bench->Editor().RemovedVolumes()[0], left, 0.1 * left);
+}
+
+// A tick at a place, mm of the world.
+TouchState At(const Vector3& place)
+{
+  TouchState state;
+  state.HasSample = true;
+  state.ProxyWorld = place;
+  state.Sample.Orientation = {0.0, 0.0, 0.0, 1.0};
+  return state;
+}
+
+// The burr's radius is 2 mm, the nerve's axis 3 mm beside the origin, its radius 1.5 mm.
+TEST(DrillWatchTest, SaysOnceForEachTimeThatAnAlarmBegins)
+{
+  const test::BoneFiles files;
+  DrillWatch watch(test::BenchOf(files.SceneWithNerve()));
+  const auto beside = [](double distance)
+  { return At(Vector3(3.0 - 1.5 - 2.0 - distance, 0.0, 0.0)); };
+  EXPECT_TRUE(watch.Look(0.0, beside(4.0)).empty());
+  EXPECT_TRUE(watch.Look(1.0, beside(1.6)).empty());
+  const std::vector<std::string> said = watch.Look(2.0, beside(0.8));
+  ASSERT_EQ(said.size(), 1U);
+  EXPECT_NE(said[0].find("nerve"), std::string::npos);
+  EXPECT_TRUE(watch.Look(3.0, beside(0.5)).empty()) << "it goes on";
+  EXPECT_TRUE(watch.Look(4.5, beside(3.0)).empty());
+  EXPECT_EQ(watch.Look(6.0, beside(0.9)).size(), 1U);
+  const DrillApproach& approach = watch.Approaches().at(0);
+  EXPECT_EQ(approach.Name, "nerve");
+  EXPECT_TRUE(approach.IsAlarmed);
+  // Its surface follows voxels of 0.5 mm.
+  EXPECT_NEAR(approach.Least, 0.5, 0.2);
+  EXPECT_EQ(approach.LeastTime, 3.0);
+  EXPECT_EQ(approach.AlarmSeconds, 2.5);
+  EXPECT_EQ(approach.AlarmDistance, 1.25);
+}
+
+TEST(DrillWatchTest, WithoutASampleOrABenchSaysNothing)
+{
+  const test::BoneFiles files;
+  DrillWatch watch(test::BenchOf(files.SceneWithNerve()));
+  EXPECT_TRUE(watch.Look(0.0, TouchState()).empty());
+  DrillWatch none(nullptr);
+  EXPECT_TRUE(none.Look(0.0, At(Vector3::Zero())).empty());
+  EXPECT_TRUE(none.Approaches().empty());
+}
+} // namespace
+} // namespace palpate
