@@ -48,6 +48,7 @@ AIMS = {
     "render/subvoxel/512": 1e9 / 30,
     "touch/sh/degree12": 250,
     "touch/subvoxel/26": 4e3,
+    "drill/tick/3mm": 50e3,
 }
 TRADE = """## What each nanosecond buys
 

@@ -137,8 +137,8 @@ void SceneRenderer::MoveSurface(std::size_t surface, const Vector3& wayWorld)
   this->Surfaces[surface].Actor->SetPosition(wayWorld[0], wayWorld[1], wayWorld[2]);
 }
 
-void SceneRenderer::AddField(const std::shared_ptr<const ScalarField>& field,
-                             const std::vector<Color>& colors, double opacity)
+std::size_t SceneRenderer::AddField(const std::shared_ptr<const ScalarField>& field,
+                                    const std::vector<Color>& colors, double opacity)
 {
   vtkNew<vtkSubVoxelVolumeMapper> mapper;
   mapper->SetField(field);
@@ -162,6 +162,16 @@ void SceneRenderer::AddField(const std::shared_ptr<const ScalarField>& field,
   {
     this->Outline.push_back(
         field->Grid().PointWorld(Vector3(cell[0] + 0.5, cell[1] + 0.5, cell[2] + 0.5)));
+  }
+  this->Fields.emplace_back(mapper);
+  return this->Fields.size() - 1;
+}
+
+void SceneRenderer::ChangeField(std::size_t number, const std::shared_ptr<const ScalarField>& field)
+{
+  if (this->Fields[number]->GetField() != field)
+  {
+    this->Fields[number]->SetField(field);
   }
 }
 

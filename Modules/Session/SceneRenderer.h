@@ -19,6 +19,7 @@ class vtkProp;
 class vtkRenderer;
 class vtkRenderWindow;
 class vtkScalarsToColors;
+class vtkSubVoxelVolumeMapper;
 class vtkTextActor;
 class vtkUnsignedCharArray;
 
@@ -50,9 +51,11 @@ public:
   /// Draws it so far (mm) from where it was added; the picture's frame is made for that place.
   void MoveSurface(std::size_t surface, const Vector3& wayWorld);
   /// The surfaces of a field's materials, sub-voxel: by the ray caster that haptic queries use.
-  /// Colours by material.
-  void AddField(const std::shared_ptr<const ScalarField>& field, const std::vector<Color>& colors,
-                double opacity);
+  /// Colours by material. The field's number, from 0, to change it by.
+  std::size_t AddField(const std::shared_ptr<const ScalarField>& field,
+                       const std::vector<Color>& colors, double opacity);
+  /// Another version of a field, with the same materials, in its place.
+  void ChangeField(std::size_t number, const std::shared_ptr<const ScalarField>& field);
   /// The slice of a volume (with its direction matrix) through a point, along the image's axis
   /// that is nearest to the body's.
   void AddSlice(vtkImageData* volume, Plane plane, const Vector3& throughWorld);
@@ -91,6 +94,7 @@ private:
   vtkSmartPointer<vtkRenderer> Renderer;
   vtkSmartPointer<vtkRenderWindow> Window;
   std::vector<Surface> Surfaces;
+  std::vector<vtkSmartPointer<vtkSubVoxelVolumeMapper>> Fields;
   std::vector<Vector3> Outline;                         ///< what has to be in the picture, mm
   std::vector<vtkSmartPointer<vtkProp>> Annotations;    ///< of the picture drawn last
   std::array<vtkSmartPointer<vtkTextActor>, 4> Letters; ///< left, right, top, bottom

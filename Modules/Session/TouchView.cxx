@@ -15,24 +15,29 @@ constexpr SceneRenderer::Color StructureColor{{0.85, 0.72, 0.55}};
 constexpr SceneRenderer::Color ToolColor{{0.15, 0.35, 0.75}};
 } // namespace
 
-TouchView::TouchView(const PreparedTouch& touch)
+TouchView::TouchView(const PreparedTouch& touch) : Drill(touch.Drill)
 {
   for (const auto* structures : {&touch.Structures, &touch.OnlySeen})
   {
     for (const TouchableStructure& structure : *structures)
     {
-      this->Add(structure.Looks);
+      this->Add(structure);
     }
   }
   this->Middle = this->Renderer.MiddleWorld();
   this->AddTool(touch.Scene->Tool);
 }
 
-void TouchView::Add(const TouchAppearance& looks)
+void TouchView::Add(const TouchableStructure& structure)
 {
+  const TouchAppearance& looks = structure.Looks;
   if (looks.Field != nullptr)
   {
-    this->Renderer.AddField(looks.Field, {StructureColor}, 1.0);
+    const std::size_t number = this->Renderer.AddField(looks.Field, {StructureColor}, 1.0);
+    if (structure.Drilled.Field != nullptr)
+    {
+      this->DrilledFields.push_back(number);
+    }
   }
   if (looks.Surface != nullptr)
   {
@@ -54,6 +59,14 @@ void TouchView::AddTool(const ToolShape& tool)
 const Picture& TouchView::Draw(double time, const Vector3& proxyWorld)
 {
   constexpr double Turning = M_PI / 6.0; // rad/s
+  if (this->Drill != nullptr)
+  {
+    const DrillReading newest = this->Drill->Editor().Newest();
+    for (std::size_t site = 0; site < this->DrilledFields.size(); ++site)
+    {
+      this->Renderer.ChangeField(this->DrilledFields[site], newest.Fields[site]);
+    }
+  }
   const double angle = Turning * time;
   const Vector3 up = Vector3::UnitZ();
   const Vector3 right(std::cos(angle), std::sin(angle), 0.0);

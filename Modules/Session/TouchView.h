@@ -8,7 +8,7 @@
 namespace palpate
 {
 /// What a touch looks like while it goes on, off screen: the structures as they are touched,
-/// turning round the patient's long axis, and the tool at its proxy.
+/// turning round the patient's long axis, drilled as they are just then, and the tool at its proxy.
 class PALPATESESSION_EXPORT TouchView
 {
 public:
@@ -23,13 +23,15 @@ public:
   const Picture& Draw(double time, const Vector3& proxyWorld);
 
 private:
-  void Add(const TouchAppearance& looks);
+  void Add(const TouchableStructure& structure);
   void AddTool(const ToolShape& tool);
 
   DisplayServer Display; // before any window
   SceneRenderer Renderer;
   Picture Drawn{Width, Height};
   std::size_t Tool = 0; // its surface
+  std::shared_ptr<DrillBench> Drill;
+  std::vector<std::size_t> DrilledFields; // their numbers, by the bench's sites
   Vector3 Middle = Vector3::Zero();
 };
 } // namespace palpate

@@ -3,6 +3,7 @@
 #include "BoundsBenchmarks.h"
 #include "BumpyTouchBenchmarks.h"
 #include "ComparisonReport.h"
+#include "DrillBenchmarks.h"
 #include "EvaluationBenchmarks.h"
 #include "FieldBenchmarks.h"
 #include "FieldFootprint.h"
@@ -39,8 +40,8 @@ std::vector<PairedBenchmark> AllBenchmarks()
                       palpate::bench::BoundsBenchmarks(), palpate::bench::NearestBenchmarks(),
                       palpate::bench::FieldBenchmarks(), palpate::bench::RenderBenchmarks(display),
                       palpate::bench::ViewBenchmarks(display), palpate::bench::TouchBenchmarks(),
-                      palpate::bench::BumpyTouchBenchmarks(), palpate::bench::TradeOffBenchmarks(),
-                      palpate::bench::PipelineBenchmarks()})
+                      palpate::bench::BumpyTouchBenchmarks(), palpate::bench::DrillBenchmarks(),
+                      palpate::bench::TradeOffBenchmarks(), palpate::bench::PipelineBenchmarks()})
   {
     all.insert(all.end(), group.begin(), group.end());
   }

@@ -36,9 +36,10 @@ std::string DigestOf(std::string_view bytes)
   return digest.Text();
 }
 
-// Of voxels and grid; a label's number too.
-std::string DigestOf(const DrillSource& source)
+// Of voxels, grid and what of the voxels it is.
+std::string DigestOf(const DrillBench& bench, std::size_t site)
 {
+  const DrillSource& source = bench.Sites()[site].Source;
   const FieldGrid& grid = source.Field->Grid();
   vtkDataArray& voxels = *source.Image->GetPointData()->GetScalars();
   const auto count = static_cast<std::size_t>(voxels.GetNumberOfTuples());
@@ -49,6 +50,7 @@ std::string DigestOf(const DrillSource& source)
   digest.Add(AsBytes(grid.OriginWorld().data(), 3));
   digest.Add(AsBytes(grid.Spacing().data(), 3));
   digest.Add(std::to_string(source.Label.value_or(-1)));
+  digest.Add(NumberText(bench.Editor().Site(static_cast<int>(site)).Condition().Iso));
   return digest.Text();
 }
 
@@ -85,7 +87,7 @@ std::shared_ptr<const RemovedDistances> StateOf(const nlohmann::json& entry, std
   fields.Read("digest", digest);
   fields.RefuseOthers();
   const DrillSite& here = bench.Sites()[site];
-  if (source != DigestOf(here.Source))
+  if (source != DigestOf(bench, site))
   {
     Refuse(path, "was drilled into other voxels than those of " + here.Name,
            "open the scene that it was drilled in");
@@ -119,7 +121,7 @@ void WriteDrillState(const std::filesystem::path& path, const DrillBench& bench)
     const std::vector<std::byte> bytes = BytesOf(*removed[site]);
     const std::string_view part = AsBytes(bytes.data(), bytes.size());
     header.push_back({{"name", bench.Sites()[site].Name},
-                      {"source", DigestOf(bench.Sites()[site].Source)},
+                      {"source", DigestOf(bench, site)},
                       {"bytes", std::to_string(part.size())},
                       {"digest", DigestOf(part)}});
     parts += part;

@@ -1,6 +1,7 @@
 #include "TouchView.h"
 
 #include "DisplayTest.h"
+#include "DrillBlock.h"
 #include "SyntheticFit.h"
 
 #include <gtest/gtest.h>
@@ -48,6 +49,30 @@ TEST_F(TouchViewTest, DrawsTheToolWhereItsProxyIs)
   EXPECT_GT(ToolPixels(before), 100);
   EXPECT_EQ(ToolPixels(behind), 0); // hidden
   EXPECT_GT(ToolPixels(turned), 100);
+}
+
+TEST_F(TouchViewTest, ShowsWhatIsDrilledAsItIsThen)
+{
+  const test::DrillBlock block;
+  // From the front, where it is looked at from.
+  TouchScript script;
+  script.Path = HandPath({{0.0, {0.0, -12.0, 0.0}},
+                          {0.5, {0.0, -9.0, 0.0}},
+                          {2.5, {0.0, -4.0, 0.0}},
+                          {3.0, {0.0, -12.0, 0.0}}});
+  script.Actions = {{0.2, DrillAction::Kind::Start}, {2.7, DrillAction::Kind::Stop}};
+  script.IsSeen = true;
+  const PreparedTouch touch = test::Prepare(block.Settings(), script);
+  TouchView view(touch);
+  const Vector3 away(0.0, 0.0, 500.0); // the tool
+  const Picture before = view.Draw(0.0, away);
+  ASSERT_GT(RunTouch(touch, {}, test::NeverCancels).RemovedVolumes[0], 10.0);
+  EXPECT_NE(view.Draw(0.0, away).Rgba, before.Rgba);
+  // And again what it was.
+  const Status status = touch.Drill->Editor().Restore({RemovedDistances::None(
+      touch.Drill->Editor().Site(0).Now().Grid(), touch.Drill->Editor().Site(0).Now().Band())});
+  EXPECT_TRUE(status.IsOk()) << status.Message();
+  EXPECT_EQ(view.Draw(0.0, away).Rgba, before.Rgba);
 }
 } // namespace
 } // namespace palpate
