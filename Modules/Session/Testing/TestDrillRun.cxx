@@ -120,6 +120,44 @@ TEST(DrillRun, UndoOfEverythingIsTheUndrilledBone)
   EXPECT_EQ(StateOf(touch), before);
 }
 
+// A stroke every five seconds, each tenth undone.
+TEST(DrillRun, TenMinutesOfStrokesTakeBoundedMemory)
+{
+  const DrillBlock block;
+  std::vector<HandPath::Place> places{{0.0, {0.0, 0.0, 8.0}}};
+  TouchScript script;
+  for (int stroke = 0; stroke < 120; ++stroke)
+  {
+    const double start = 5.0 * stroke;
+    const Vector3 middle(4.0 * std::cos(0.7 * stroke), 4.0 * std::sin(1.1 * stroke), 0.0);
+    const double depth = 4.6 - 0.05 * stroke;
+    places.push_back({start + 0.5, middle + 8.0 * Vector3::UnitZ()});
+    for (int n = 0; n < 20; ++n)
+    {
+      const Vector3 round(1.5 * std::cos(0.6 * n), 1.5 * std::sin(0.6 * n), depth);
+      places.push_back({start + 1.0 + 0.15 * n, middle + round});
+    }
+    places.push_back({start + 4.5, middle + 8.0 * Vector3::UnitZ()});
+    script.Actions.push_back({start + 0.6, DrillAction::Kind::Start});
+    script.Actions.push_back({start + 4.4, DrillAction::Kind::Stop});
+    if (stroke % 10 == 9)
+    {
+      script.Actions.push_back({start + 4.6, DrillAction::Kind::Undo});
+    }
+  }
+  places.push_back({600.0, {0.0, 0.0, 8.0}});
+  script.Path = HandPath(std::move(places));
+  const PreparedTouch touch = test::Prepare(block.Settings(), script);
+  const TouchResult result = Drilled(touch);
+  EXPECT_EQ(result.Ticks, 600000u);
+  EXPECT_EQ(result.Fault, SafetyFault::None);
+  EXPECT_GT(result.DrillOrders, 10000u);
+  EXPECT_GT(result.RemovedVolumes[0], 50.0);
+  // Strokes that can be undone keep what they changed: some hundred blocks of 2 kB each.
+  EXPECT_LT(result.MebibytesAtEnd - result.MebibytesAtStart, 40.0);
+  EXPECT_LT(touch.Drill->Editor().Bytes(), std::size_t{40} << 20);
+}
+
 TEST(DrillRun, EveryToolDrills)
 {
   const DrillBlock block;
