@@ -174,7 +174,7 @@ void DrillPanel::ChangeStructure(int label, const QString& sentence,
   this->Study.Change(sentence, next);
 }
 
-void DrillPanel::ShowRow(int row, const StudyStructure& structure)
+void DrillPanel::MakeRow(int row, const StudyStructure& structure)
 {
   const QString title = QString::fromStdString(TitleOf(structure));
   auto* name = new QTableWidgetItem(title);
@@ -186,10 +186,7 @@ void DrillPanel::ShowRow(int row, const StudyStructure& structure)
   {
     role->addItem(one.Name);
   }
-  role->setCurrentIndex(RoleOf(structure));
   auto* alarm = MakeSpin(this->Table, "alarm", 0.0, DrillLimits::Alarm, 0.5, " mm");
-  alarm->setValue(structure.AlarmDistance);
-  alarm->setEnabled(structure.IsForbidden);
   const int label = structure.Label;
   connect(role, qOverload<int>(&QComboBox::activated), this,
           [this, label, title](int chosen)
@@ -213,6 +210,28 @@ void DrillPanel::ShowRow(int row, const StudyStructure& structure)
   this->Table->setCellWidget(row, AlarmColumn, alarm);
 }
 
+void DrillPanel::ShowRow(int row, const StudyStructure& structure)
+{
+  SetText(this->Table->item(row, NameColumn), QString::fromStdString(TitleOf(structure)));
+  auto* role = qobject_cast<QComboBox*>(this->Table->cellWidget(row, RoleColumn));
+  auto* alarm = qobject_cast<QDoubleSpinBox*>(this->Table->cellWidget(row, AlarmColumn));
+  const QSignalBlocker quiet(alarm);
+  role->setCurrentIndex(RoleOf(structure));
+  alarm->setValue(structure.AlarmDistance);
+  alarm->setEnabled(structure.IsForbidden);
+}
+
+bool DrillPanel::HasRowsOf(const StudyState& state) const
+{
+  bool hasAll = this->Table->rowCount() == static_cast<int>(state.Structures.size());
+  for (int row = 0; hasAll && row < this->Table->rowCount(); ++row)
+  {
+    hasAll = this->Table->item(row, NameColumn)->data(Qt::UserRole).toInt() ==
+             state.Structures[static_cast<std::size_t>(row)].Label;
+  }
+  return hasAll;
+}
+
 void DrillPanel::ShowState()
 {
   const StudyState& state = this->Study.State();
@@ -222,7 +241,15 @@ void DrillPanel::ShowState()
     this->Radius->setValue(state.Tool.Radius);
     this->Turns->setValue(state.Drill.Turns);
   }
-  this->Table->setRowCount(static_cast<int>(state.Structures.size()));
+  if (!this->HasRowsOf(state))
+  {
+    this->Table->setRowCount(0);
+    this->Table->setRowCount(static_cast<int>(state.Structures.size()));
+    for (int row = 0; row < this->Table->rowCount(); ++row)
+    {
+      this->MakeRow(row, state.Structures[static_cast<std::size_t>(row)]);
+    }
+  }
   for (int row = 0; row < this->Table->rowCount(); ++row)
   {
     this->ShowRow(row, state.Structures[static_cast<std::size_t>(row)]);

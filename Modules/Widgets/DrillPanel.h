@@ -33,7 +33,9 @@ private:
   QPushButton* AddButton(QWidget* row, const QString& text, const QString& name,
                          const std::function<void()>& act);
   void ShowState();
+  void MakeRow(int row, const StudyStructure& structure);
   void ShowRow(int row, const StudyStructure& structure);
+  bool HasRowsOf(const StudyState& state) const;
   void ShowReading();
   void ShowAlarm(const StudyDrillReading& reading);
   void ChangeStructure(int label, const QString& sentence,

@@ -1,6 +1,7 @@
 #include "ViewContents.h"
 
 #include "PlainVector3.h"
+#include "SurfaceMaterial.h"
 #include "ToolSurface.h"
 #include "TouchStructures.h"
 #include "VoxelValue.h"
@@ -8,6 +9,7 @@
 #include "vtkImageData.h"
 #include "vtkSubVoxelVolume.h"
 #include "vtkSubVoxelVolumeMapper.h"
+#include "vtkVolumeProperty.h"
 
 #include <algorithm>
 #include <array>
@@ -203,6 +205,12 @@ void ViewContents::ShowField(const StudyStructure& structure,
     mapper->SetField(field);
     shown = vtkSmartPointer<vtkSubVoxelVolume>::New();
     shown->SetMapper(mapper);
+    vtkVolumeProperty* property = shown->GetProperty();
+    property->ShadeOn(); // as surfaces are
+    property->SetAmbient(SurfaceMaterial::Ambient);
+    property->SetDiffuse(SurfaceMaterial::Diffuse);
+    property->SetSpecular(SurfaceMaterial::Specular);
+    property->SetSpecularPower(SurfaceMaterial::SpecularPower);
   }
   auto* mapper = vtkSubVoxelVolumeMapper::SafeDownCast(shown->GetMapper());
   std::array<double, 3> color{};
