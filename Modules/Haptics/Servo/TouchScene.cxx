@@ -65,7 +65,7 @@ Status TouchScene::Check() const
       return Status::Failure("The viscosity of the structure " + structure.Name +
                              " must be finite and not negative.");
     }
-    const Status drill = CheckDrill(structure, this->Drill);
+    Status drill = CheckDrill(structure, this->Drill);
     if (!drill.IsOk())
     {
       return drill;

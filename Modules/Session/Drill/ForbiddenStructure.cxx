@@ -101,7 +101,8 @@ private:
     for (std::size_t n = 0; n < distances.size(); ++n)
     {
       const auto number = static_cast<int>(n);
-      const Vector3 node(number % Side, number / Side % Side, number / (Side * Side));
+      const int layer = number / (Side * Side);
+      const Vector3 node(number % Side, number / Side % Side, layer);
       const double distance =
           isDeep ? -this->Band : this->DistanceAt(this->Grid.PointWorld(first + node));
       distances[n] = static_cast<float>(std::clamp(distance, -this->Band, this->Band));

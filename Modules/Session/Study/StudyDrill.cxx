@@ -138,6 +138,7 @@ void StudyDrill::Start()
   if (this->Bench != nullptr)
   {
     this->Bench->Editor().ForNextServo();
+    this->SeenNumber = ~std::uint64_t{0}; // numbers begin again
   }
   this->Keeper = std::make_unique<DrillKeeper>(this->Bench);
   this->Keeper->Start();

@@ -143,6 +143,15 @@ TEST_F(DrillPanelTest, WhatWasDrilledOutlivesTouchesAndIsSavedOpenedAndExported)
   this->StartDrilling();
   this->Drill(10.0);
   this->Study->StopTouch();
+  // With what was ordered last, which no reading of the window may have seen.
+  constexpr double Later = 1e9; // s
+  const double before = this->Study->Current()
+                            .Touch()
+                            .Drill()
+                            .Read(Later, this->Study->Reading().Newest)
+                            .Drilled[0]
+                            .RemovedVolume;
+  ASSERT_GT(before, 10.0);
   const std::filesystem::path state = this->Phantom.Folder / "drill.state";
   this->SavedTo = QString::fromStdString(state.string());
   this->Button("drill-save")->click();
@@ -152,8 +161,7 @@ TEST_F(DrillPanelTest, WhatWasDrilledOutlivesTouchesAndIsSavedOpenedAndExported)
   this->Button("drill-export")->click();
   EXPECT_TRUE(std::filesystem::exists(surface)) << this->Messages();
   this->StartTouch();
-  WaitUntil([this] { return this->Removed() > 10.0; });
-  const double before = this->Removed();
+  WaitUntil([&] { return this->Removed() == before; });
   this->Button("drill-reset")->click();
   WaitUntil([this] { return this->Removed() == 0.0; });
   this->Opened = QStringList(QString::fromStdString(state.string()));
