@@ -26,6 +26,17 @@ Vector3 Press(test::ServoRun& run)
   return run.RestAt(Pressed);
 }
 
+// With versions at every tick.
+void DrillFor(int ticks, test::ServoRun& run, DrilledBlock& block)
+{
+  run.Loop.RunDrill(true);
+  for (int n = 0; n < ticks; ++n)
+  {
+    run.TickAt(Pressed);
+    block.Editor->Take();
+  }
+}
+
 TEST(ServoDrill, APressedDrillSinksByPushAndSpeed)
 {
   for (const int late : {1, 3, 10})
@@ -78,12 +89,7 @@ TEST(ServoDrill, WhatIsRemovedIsWhatTheToolPassed)
   DrilledBlock block;
   test::ServoRun run(block.Scene());
   Press(run);
-  run.Loop.RunDrill(true);
-  for (int n = 0; n < 3000; ++n)
-  {
-    run.TickAt(Pressed);
-    block.Editor->Take();
-  }
+  DrillFor(3000, run, block);
   run.Loop.RunDrill(false);
   EXPECT_LT(run.TickAt(Pressed).norm(), Close);
   block.Editor->Take();
@@ -212,12 +218,7 @@ TEST(ServoDrill, NobodyIsShovedOutOfWhatGrowsBackRoundTheHand)
   DrilledBlock block;
   test::ServoRun run(block.Scene());
   const Vector3 first = Press(run);
-  run.Loop.RunDrill(true);
-  for (int n = 0; n < 700; ++n)
-  {
-    run.TickAt(Pressed);
-    block.Editor->Take();
-  }
+  DrillFor(700, run, block);
   run.Loop.RunDrill(false);
   Vector3 last = run.TickAt(Pressed);
   EXPECT_GT(last.norm(), 0.1);
@@ -245,12 +246,7 @@ TEST(ServoDrill, WhatGrowsBackElsewhereIsFeltOnWithoutAStep)
   DrilledBlock block;
   test::ServoRun run(block.Scene());
   Press(run);
-  run.Loop.RunDrill(true);
-  for (int n = 0; n < 700; ++n)
-  {
-    run.TickAt(Pressed);
-    block.Editor->Take();
-  }
+  DrillFor(700, run, block);
   run.Loop.RunDrill(false);
   const Vector3 beside = Pressed + 6.0 * Vector3::UnitX();
   for (double way = 0.0; way < 1.0; way += 0.01)
