@@ -371,10 +371,10 @@ void UsbfsFalcon::TakeAway(UsbfsFile& file, Unplugging how)
   }
 }
 
-void UsbfsFalcon::Unplug(Unplugging how)
+void UsbfsFalcon::Unplug(Unplugging how, VirtualFalcon::Supply supply)
 {
   const std::lock_guard<std::mutex> lock(this->Access);
-  this->Falcon.Unplug(Now());
+  this->Falcon.Unplug(Now(), supply);
   for (UsbfsFile& file : this->Files)
   {
     this->TakeAway(file, how);

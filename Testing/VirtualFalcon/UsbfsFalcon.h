@@ -78,7 +78,8 @@ public:
   /// Every other request; `argument` is its structure.
   int Answer(UsbfsFile& file, unsigned long request, void* argument);
 
-  void Unplug(Unplugging how = Unplugging::AbortsReads);
+  void Unplug(Unplugging how = Unplugging::AbortsReads,
+              VirtualFalcon::Supply supply = VirtualFalcon::Supply::Lost);
   void Plug();
   /// Writes wait, as where a device takes no data, until this is called with false.
   void HoldWrites(bool hold);

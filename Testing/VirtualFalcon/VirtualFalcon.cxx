@@ -92,13 +92,17 @@ std::int64_t VirtualFalcon::NextDue(std::int64_t now)
                        : Never;
 }
 
-void VirtualFalcon::Unplug(std::int64_t now)
+void VirtualFalcon::Unplug(std::int64_t now, Supply supply)
 {
   this->Plugged = false;
   this->Serial = {};
-  this->Brain.PowerOff();
   this->Body.AdvanceTo(now);
-  this->Body.ForgetHome();
+  if (supply == Supply::Lost)
+  {
+    this->Brain.PowerOff();
+    this->Body.SetMotors({});
+    this->Body.ForgetHome();
+  }
 }
 
 void VirtualFalcon::Plug(std::int64_t now)

@@ -45,8 +45,16 @@ public:
   /// Ask BulkIn again then; there may still be none. Never where it is unplugged.
   std::int64_t NextDue(std::int64_t now);
 
-  void Unplug(std::int64_t now);
-  /// With fresh firmware memory: the Falcon loses it with its power. Nothing where it is plugged.
+  /// Whether the board keeps its own supply when the USB cable comes out. With it the firmware runs
+  /// on and holds the last torque, which is the worst case; without, firmware, home and torque are
+  /// lost.
+  enum class Supply
+  {
+    Lost,
+    Kept
+  };
+  void Unplug(std::int64_t now, Supply supply = Supply::Lost);
+  /// Nothing where it is plugged in.
   void Plug(std::int64_t now);
   /// As if another program had loaded the firmware.
   void StartLoaded() { this->Brain.StartLoaded(); }

@@ -10,11 +10,10 @@ namespace
 {
 constexpr double GreetingBaud = 9600.0;
 constexpr double RunBaud = 1.5e6;
-constexpr std::int64_t ReadyDelay = 1'000'000;   // ns, from greeted to CTS
-constexpr std::int64_t StartDelay = 5'000'000;   // ns, from the last byte to running
-constexpr std::int64_t AnswerDelay = 20'000;     // ns, of a packet
-constexpr std::int64_t TorqueLapse = 20'000'000; // ns; the real one was never measured
-constexpr std::uint64_t HeadWords = 11;          // key, eight reserved, entry of two
+constexpr std::int64_t ReadyDelay = 1'000'000; // ns, from greeted to CTS
+constexpr std::int64_t StartDelay = 5'000'000; // ns, from the last byte to running
+constexpr std::int64_t AnswerDelay = 20'000;   // ns, of a packet
+constexpr std::uint64_t HeadWords = 11;        // key, eight reserved, entry of two
 constexpr std::size_t PacketBytes = 16;
 
 std::int16_t Decoded(const std::vector<std::uint8_t>& frame, std::size_t first)
@@ -50,6 +49,7 @@ void VirtualFalconBoard::PowerOff()
     off.ResetCount = this->ResetCount + 1;
     off.PacketCount = this->PacketCount;
     off.Dtr = this->Dtr;
+    off.Orders = std::move(this->Orders);
     return off;
   }();
 }
@@ -255,7 +255,9 @@ void VirtualFalconBoard::Obey(VirtualFtdiChip& chip, VirtualMechanism& mechanism
   this->Asked = this->Frame[13] - 0x41U;
   mechanism.SetMotors(this->Commanded);
   mechanism.SetHoming((this->Asked & 1U) != 0);
-  this->Lapse = this->Time + TorqueLapse;
+  this->Orders.push_back({this->Time, this->Commanded});
+  this->Lapse = faults.TorqueLapse == VirtualFtdiChip::Never ? VirtualFtdiChip::Never
+                                                             : this->Time + faults.TorqueLapse;
 
   std::vector<std::uint8_t> reply{'<'};
   for (const std::int16_t count : mechanism.Counters())

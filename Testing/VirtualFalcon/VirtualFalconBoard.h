@@ -25,6 +25,14 @@ public:
     Running
   };
 
+  /// A good packet: when it was whole (ns), and what it asked the motors for.
+  struct Order
+  {
+    std::int64_t Time;
+    std::array<std::int16_t, 3> Motors;
+    bool HasTorque() const { return this->Motors != std::array<std::int16_t, 3>{}; }
+  };
+
   void SetDataTerminalReady(bool level, std::int64_t now, VirtualFtdiChip& chip);
   /// Takes a byte off the wire and may answer.
   void Receive(const VirtualFtdiChip::WireByte& byte, VirtualFtdiChip& chip,
@@ -45,6 +53,8 @@ public:
   const std::vector<std::uint8_t>& Image() const { return this->Loaded; }
   /// What the last good packet asked for.
   const std::array<std::int16_t, 3>& Motors() const { return this->Commanded; }
+  /// Every good packet since the board was made, whatever became of its power.
+  const std::vector<Order>& Received() const { return this->Orders; }
   unsigned Flags() const { return this->Asked; }
   std::uint64_t Packets() const { return this->PacketCount; }       ///< good ones
   std::uint64_t BadPackets() const { return this->BadPacketCount; } ///< since power-up
@@ -77,6 +87,7 @@ private:
   std::uint64_t WordsLeft = 0; // of the part of the image that is being read
   int Part = 0;                // 0 head, 1 size of a block, 2 its address, 3 its words
   std::array<std::int16_t, 3> Commanded{};
+  std::vector<Order> Orders;
   unsigned Asked = 0;
   std::uint64_t PacketCount = 0;
   std::uint64_t BadPacketCount = 0;

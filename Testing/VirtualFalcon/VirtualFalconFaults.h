@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <vector>
 
 namespace palpate::test
@@ -31,10 +32,13 @@ struct VirtualFalconFaults
 {
   /// Changes an answer in any way: empties it (lost), shortens, corrupts, doubles or delays it.
   std::function<void(VirtualFalconAnswer&)> Spoil;
-  bool HasSupply = true;           ///< without, the chip is on the bus and the board is mute
-  bool RaisesClearToSend = true;   ///< the loader says that it is ready
-  bool StartsFirmware = true;      ///< what was loaded runs
-  double FastestUpload = 1e9;      ///< Bd, above which the loader does not find the rate
+  bool HasSupply = true;         ///< without, the chip is on the bus and the board is mute
+  bool RaisesClearToSend = true; ///< the loader says that it is ready
+  bool StartsFirmware = true;    ///< what was loaded runs
+  double FastestUpload = 1e9;    ///< Bd, above which the loader does not find the rate
+  /// ns without a packet until the board lets go of its motors. Whether the real one does was never
+  /// measured, so by default it holds the last torque for ever.
+  std::int64_t TorqueLapse = std::numeric_limits<std::int64_t>::max();
   int StalledRequest = -1;         ///< bRequest that the chip refuses
   std::uint64_t UnplugAtReply = 0; ///< the running firmware's answer at which the cable comes out,
                                    ///< counted from 1; 0 is never

@@ -4,6 +4,11 @@
 
 namespace palpate::test
 {
+namespace
+{
+constexpr std::size_t Capacity = 512; // bytes, of the queue
+} // namespace
+
 Status VirtualFalconLink::Open()
 {
   if (this->OpenFailures > 0)
@@ -21,6 +26,8 @@ Status VirtualFalconLink::Open()
   }
   this->Waiting.clear();
   this->Waiting.reserve(1U << 16U);
+  this->Queue.clear();
+  this->Stop.clear();
   this->Packets = {};
   this->Gone = false;
   this->IsOpen = true;
@@ -48,16 +55,39 @@ Status VirtualFalconLink::Control(FtdiRequest request)
 
 bool VirtualFalconLink::Send(const std::uint8_t* bytes, std::size_t count) noexcept
 {
-  if (!this->IsOpen || this->Gone || this->IsFull)
+  const std::size_t capacity = this->Stop.empty() ? Capacity : ArmedCapacity;
+  if (!this->IsOpen || this->Gone || this->Queue.size() + count > capacity)
   {
     return false;
   }
-  this->Gone = !this->Device.BulkOut(bytes, count, this->Time.Now());
+  this->Queue.insert(this->Queue.end(), bytes, bytes + count);
+  this->Flush();
   return !this->Gone;
+}
+
+void VirtualFalconLink::ArmStop(const std::uint8_t* bytes, std::size_t count) noexcept
+{
+  this->Stop.assign(bytes, bytes + count);
+}
+
+bool VirtualFalconLink::SendStop() noexcept
+{
+  this->Queue.clear();
+  return !this->Stop.empty() && this->Send(this->Stop.data(), this->Stop.size());
+}
+
+void VirtualFalconLink::Flush() noexcept
+{
+  if (!this->HoldsWrites && !this->Queue.empty())
+  {
+    this->Gone = !this->Device.BulkOut(this->Queue.data(), this->Queue.size(), this->Time.Now());
+    this->Queue.clear();
+  }
 }
 
 void VirtualFalconLink::Fetch() noexcept
 {
+  this->Flush();
   std::uint8_t packet[VirtualFalcon::PacketSize];
   while (const std::size_t size = this->Device.BulkIn(packet, this->Time.Now()))
   {

@@ -22,22 +22,27 @@ public:
   bool Send(const std::uint8_t* bytes, std::size_t count) noexcept override;
   std::size_t Receive(std::uint8_t* bytes, std::size_t capacity) noexcept override;
   bool ClearToSend() const noexcept override { return this->Packets.ClearToSend(); }
+  void ArmStop(const std::uint8_t* bytes, std::size_t count) noexcept override;
+  bool SendStop() noexcept override;
   bool IsGone() const noexcept override { return this->Gone; }
 
   /// Another program has the device: Open fails.
   bool IsBusy = false;
-  /// Send takes nothing, as where a real link's queue is full.
-  bool IsFull = false;
+  /// The device takes nothing: what is sent waits in the queue, until that is full.
+  bool HoldsWrites = false;
   /// Open fails this many times more.
   int OpenFailures = 0;
 
 private:
   void Fetch() noexcept;
+  void Flush() noexcept;
 
   VirtualFalcon& Device;
   const Clock& Time;
   FtdiPackets Packets;
   std::vector<std::uint8_t> Waiting; // received, not yet taken
+  std::vector<std::uint8_t> Queue;   // sent, held back
+  std::vector<std::uint8_t> Stop;    // what ArmStop said
   bool IsOpen = false;
   bool Gone = false;
 };

@@ -39,13 +39,14 @@ double MaximumForceOf(const FalconKinematics& kinematics, double countsPerNewton
 
 // Stiffness and damping are what programs for the Falcon found stable; damping and friction of the
 // mechanism were never published.
-DeviceCapabilities CapabilitiesOf(const FalconKinematics& kinematics, double scale)
+DeviceCapabilities CapabilitiesOf(const FalconKinematics& kinematics,
+                                  const FalconCalibration& calibration)
 {
   DeviceCapabilities c;
   c.Name = "Novint Falcon";
   const Vector3 corner = Vector3::Constant(WorkspaceRadius);
   c.Workspace = {-corner, corner};
-  c.MaximumForce = MaximumForceOf(kinematics, scale);
+  c.MaximumForce = MaximumForceOf(kinematics, calibration.CountsPerNewtonMillimeter);
   c.MaximumStiffness = 1.0;
   c.MaximumDamping = 0.02;
   c.Resolution = 0.045;
@@ -53,6 +54,7 @@ DeviceCapabilities CapabilitiesOf(const FalconKinematics& kinematics, double sca
   c.Rate = 1000.0;
   // The chip's timer runs beside the servo's, and a reply that is given up takes as long.
   c.LongestGap = 1e-9 * static_cast<double>(FalconExchange::ReplyDeadline);
+  c.GravityCompensation = Vector3(0.0, Gravity * calibration.CarriedMass, 0.0);
   return c;
 }
 } // namespace
@@ -60,8 +62,7 @@ DeviceCapabilities CapabilitiesOf(const FalconKinematics& kinematics, double sca
 FalconDevice::FalconDevice(Clock& clock, std::unique_ptr<FalconLink> link, FalconSettings settings)
     : Time(clock), Link(std::move(link)), Settings(std::move(settings)),
       Kinematics(this->Settings.Calibration.Geometry),
-      Abilities(
-          CapabilitiesOf(this->Kinematics, this->Settings.Calibration.CountsPerNewtonMillimeter)),
+      Abilities(CapabilitiesOf(this->Kinematics, this->Settings.Calibration)),
       Boot(*this->Link, clock), Exchange(*this->Link)
 {
 }
@@ -152,6 +153,10 @@ Status FalconDevice::Open()
     this->Life = DeviceState::Closed;
     return status;
   }
+  FalconRequest stop;
+  stop.IsHoming = true;
+  const FalconPacket packet = Encoded(stop);
+  this->Link->ArmStop(packet.data(), packet.size());
   this->Forget();
   this->Life = DeviceState::Homing;
   return status;
@@ -163,10 +168,7 @@ void FalconDevice::Close() noexcept
   {
     return;
   }
-  FalconRequest request;
-  request.IsHoming = true;
-  const FalconPacket packet = Encoded(request);
-  for (int n = 0; n < Farewells && this->Link->Send(packet.data(), packet.size()); ++n)
+  for (int n = 0; n < Farewells && this->Link->SendStop(); ++n)
   {
     this->Time.WaitUntil(this->Time.Now() + FarewellInterval);
   }
@@ -177,9 +179,8 @@ void FalconDevice::Close() noexcept
 
 bool FalconDevice::Fail(Fault fault) noexcept
 {
-  // Should it still hear, it shall not push. Past the exchange, which may be waiting for replies.
-  const FalconPacket packet = Encoded(FalconRequest());
-  static_cast<void>(this->Link->Send(packet.data(), packet.size()));
+  // Should it still hear, it shall not push.
+  static_cast<void>(this->Link->SendStop());
   this->Failure = fault;
   this->Life = DeviceState::Error;
   return false;
@@ -243,16 +244,15 @@ bool FalconDevice::Read(DeviceSample& sample) noexcept
 
 FalconNumbers FalconDevice::MotorsFor(const Vector3& force, std::int64_t now) const noexcept
 {
-  const Vector3 weight(0.0, Gravity * this->Settings.Calibration.CarriedMass, 0.0);
   Vector3 torques;
   const bool isKnown = this->State() == DeviceState::Ready && this->HasPosition &&
                        now - this->Measured <= OldestPosition &&
-                       this->Kinematics.TorquesFor(force + weight, this->Grip, torques);
+                       this->Kinematics.TorquesFor(force, this->Grip, torques);
   return isKnown ? MotorValuesFor(torques, this->Settings.Calibration.CountsPerNewtonMillimeter)
                  : FalconNumbers{};
 }
 
-bool FalconDevice::SendMotors(const FalconNumbers& motors) noexcept
+FalconDelivery FalconDevice::SendMotors(const FalconNumbers& motors) noexcept
 {
   // Without the flag the bits that say whether it is homed mean nothing.
   const FalconLight light =
@@ -266,6 +266,8 @@ bool FalconDevice::Apply(const Vector3& force) noexcept
   {
     return false;
   }
-  return this->SendMotors(this->MotorsFor(force, this->Time.Now())) || this->Fail(Fault::Unplugged);
+  const FalconDelivery delivery = this->SendMotors(this->MotorsFor(force, this->Time.Now()));
+  return delivery == FalconDelivery::Gone ? this->Fail(Fault::Unplugged)
+                                          : delivery == FalconDelivery::Sent;
 }
 } // namespace palpate

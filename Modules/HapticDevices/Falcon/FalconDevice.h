@@ -30,7 +30,12 @@ struct FalconSettings
 /// After power-up its encoders have no zero: it is in Homing, with a red light, until the person
 /// has pulled the handle fully out and pushed it in; then the light is green. There is no force
 /// before, nor while the newest position is older than 20 ms, nor where the counts have no
-/// position. The firmware lets a torque lapse when it hears nothing.
+/// position. Whether the firmware lets a torque lapse when it hears nothing is not known, so
+/// nothing here relies on it.
+///
+/// Apply returns false without an error where replies are owed or the link takes nothing just now:
+/// the torque before goes on then, at most for LongestGap, after which the servo faults. A force of
+/// 0 N overtakes both.
 class FalconDevice final : public HapticDevice
 {
 public:
@@ -65,7 +70,7 @@ private:
   void Forget() noexcept;
   void Measure(const FalconReply& reply, std::int64_t now) noexcept;
   FalconNumbers MotorsFor(const Vector3& force, std::int64_t now) const noexcept;
-  bool SendMotors(const FalconNumbers& motors) noexcept;
+  FalconDelivery SendMotors(const FalconNumbers& motors) noexcept;
 
   Clock& Time;
   std::unique_ptr<FalconLink> Link;

@@ -20,6 +20,7 @@ void FalconExchange::Restart(std::int64_t now) noexcept
   this->Sent = now;
   this->Replied = now;
   this->IsAsking = false;
+  this->HasTorque = false;
 }
 
 std::int64_t FalconExchange::Silence(std::int64_t now) const noexcept
@@ -40,26 +41,37 @@ void FalconExchange::GiveUpReplies(std::int64_t now) noexcept
   }
 }
 
-bool FalconExchange::Send(const FalconRequest& request, std::int64_t now) noexcept
+bool FalconExchange::HandToLink(const FalconRequest& request, bool mustStop) noexcept
 {
-  this->GiveUpReplies(now);
-  if (this->Owed >= MostOwed)
+  if (mustStop && this->Link->SendStop())
   {
     return true;
   }
+  const FalconPacket packet = Encoded(request);
+  return this->Link->Send(packet.data(), packet.size());
+}
+
+FalconDelivery FalconExchange::Send(const FalconRequest& request, std::int64_t now) noexcept
+{
+  this->GiveUpReplies(now);
+  const bool hasTorque = request.Motors != FalconNumbers{};
+  const bool mustStop = this->HasTorque && !hasTorque;
+  if (this->Owed >= MostOwed && !mustStop)
+  {
+    return FalconDelivery::Held;
+  }
   this->AskedSince = this->IsAsking ? this->AskedSince : now;
   this->IsAsking = true;
-  const FalconPacket packet = Encoded(request);
-  if (!this->Link->Send(packet.data(), packet.size()))
+  this->Sent = now;
+  if (!this->HandToLink(request, mustStop))
   {
     // A full queue is a device that does not listen just now; for how long, Silence says.
-    this->Sent = now;
-    return !this->Link->IsGone();
+    return this->Link->IsGone() ? FalconDelivery::Gone : FalconDelivery::Held;
   }
   ++this->Counts.Requests;
   ++this->Owed;
-  this->Sent = now;
-  return true;
+  this->HasTorque = hasTorque;
+  return FalconDelivery::Sent;
 }
 
 bool FalconExchange::Accept(const FalconReply& reply, std::int64_t now) noexcept

@@ -20,10 +20,19 @@ struct FalconStatistics
   std::uint64_t SkippedBytes = 0; ///< that belonged to no reply
 };
 
+/// What became of a request.
+enum class FalconDelivery
+{
+  Sent, ///< handed to the link
+  Held, ///< not sent: too many replies are owed, or the link's queue is full
+  Gone  ///< not sent: the device is gone
+};
+
 /// The conversation with the running firmware: one request, one reply, at whatever rate the caller
 /// keeps. A reply is on the wire a quarter of a millisecond after its request, but the chip holds
 /// it for up to its timer of 1 ms; so requests go on while a few replies are owed, and stop for
-/// ReplyDeadline where more are missing.
+/// ReplyDeadline where more are missing. A request that takes the torque off the motors never waits
+/// for replies, and overtakes what the link has queued (FalconLink::SendStop).
 ///
 /// All on one thread. Nothing waits or allocates.
 class FalconExchange
@@ -35,9 +44,7 @@ public:
   /// Keeps the link's address.
   explicit FalconExchange(FalconLink& link) noexcept : Link(&link) {}
 
-  /// Sends a request, unless too many replies are owed or the link's queue is full. False where the
-  /// device is gone.
-  bool Send(const FalconRequest& request, std::int64_t now) noexcept;
+  FalconDelivery Send(const FalconRequest& request, std::int64_t now) noexcept;
   /// Takes what has come. True where there is a reply to be believed; it is the newest one.
   bool Receive(std::int64_t now, FalconReply& reply) noexcept;
 
@@ -54,13 +61,15 @@ public:
 private:
   void GiveUpReplies(std::int64_t now) noexcept;
   bool Accept(const FalconReply& reply, std::int64_t now) noexcept;
+  bool HandToLink(const FalconRequest& request, bool mustStop) noexcept;
 
   FalconLink* Link;
   FalconReplyParser Parser;
   EncoderScreen Screen;
   FalconStatistics Counts;
   int Owed = 0;
-  std::int64_t Sent = 0; // ns, the newest request
+  bool HasTorque = false; // the newest request that was sent had one
+  std::int64_t Sent = 0;  // ns, the newest request
   std::int64_t Replied = 0;
   bool IsAsking = false;       // requests were sent since the newest reply
   std::int64_t AskedSince = 0; // ns, the first of them

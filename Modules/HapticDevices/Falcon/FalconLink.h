@@ -35,9 +35,25 @@ public:
   virtual Status Control(FtdiRequest request) = 0;
 
   /// Queues bytes and returns at once, without allocating; all are taken, or none. False where the
-  /// device is gone, the link closed or its queue full; it takes at least 512 bytes at a time when
-  /// it is empty.
+  /// device is gone, the link closed or its queue full. An empty queue takes 512 bytes; while a
+  /// stop is armed only ArmedCapacity, so that few old torques can wait in it.
   virtual bool Send(const std::uint8_t* bytes, std::size_t count) noexcept = 0;
+
+  /// Says which bytes stop the motors (StopCapacity at most; none disarms). From then on a link
+  /// that has a thread of its own sends them by itself, up to StopRepeats times, where something
+  /// was sent and then nothing for SilenceLimit: a servo that hangs must not leave its last torque
+  /// on the motors. Owner's thread, while no servo runs; a link that is opened is not armed.
+  virtual void ArmStop(const std::uint8_t* bytes, std::size_t count) noexcept = 0;
+  /// Sends the armed bytes before anything else: what is queued and has not gone out is dropped,
+  /// and while the device takes nothing they stay first in line. Neither waits nor allocates. False
+  /// where nothing is armed or the device is gone.
+  virtual bool SendStop() noexcept = 0;
+
+  static constexpr std::size_t StopCapacity = 16;          // bytes
+  static constexpr std::size_t ArmedCapacity = 64;         // bytes, four packets
+  static constexpr std::int64_t SilenceLimit = 20'000'000; // ns
+  static constexpr int StopRepeats = 5;
+
   /// Takes what the board sent and has not been taken, in order and without the chip's status
   /// bytes; returns how many bytes, 0 where there are none. Never waits or allocates.
   virtual std::size_t Receive(std::uint8_t* bytes, std::size_t capacity) noexcept = 0;

@@ -19,7 +19,7 @@ bool IsHomed(FalconLink& link, Clock& clock)
   request.IsHoming = true;
   request.Light = FalconLight::Red;
   FalconReply reply;
-  for (int n = 0; n < Rounds && exchange.Send(request, clock.Now()); ++n)
+  for (int n = 0; n < Rounds && exchange.Send(request, clock.Now()) != FalconDelivery::Gone; ++n)
   {
     clock.WaitUntil(clock.Now() + Round);
     static_cast<void>(exchange.Receive(clock.Now(), reply));

@@ -69,6 +69,19 @@ bool LibusbFalconLink::Send(const std::uint8_t* bytes, std::size_t count) noexce
   return this->Traffic != nullptr && this->Traffic->Send(bytes, count);
 }
 
+void LibusbFalconLink::ArmStop(const std::uint8_t* bytes, std::size_t count) noexcept
+{
+  if (this->Traffic != nullptr)
+  {
+    this->Traffic->ArmStop(bytes, count);
+  }
+}
+
+bool LibusbFalconLink::SendStop() noexcept
+{
+  return this->Traffic != nullptr && this->Traffic->SendStop();
+}
+
 std::size_t LibusbFalconLink::Receive(std::uint8_t* bytes, std::size_t capacity) noexcept
 {
   return this->Traffic != nullptr ? this->Traffic->Receive(bytes, capacity) : 0;

@@ -28,6 +28,8 @@ public:
   void Close() noexcept override;
   Status Control(FtdiRequest request) override;
   bool Send(const std::uint8_t* bytes, std::size_t count) noexcept override;
+  void ArmStop(const std::uint8_t* bytes, std::size_t count) noexcept override;
+  bool SendStop() noexcept override;
   std::size_t Receive(std::uint8_t* bytes, std::size_t capacity) noexcept override;
   bool ClearToSend() const noexcept override;
   bool IsGone() const noexcept override;

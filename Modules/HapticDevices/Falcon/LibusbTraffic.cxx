@@ -13,12 +13,13 @@ using std::chrono::steady_clock;
 
 constexpr unsigned char EndpointIn = 0x81;
 constexpr unsigned char EndpointOut = 0x02;
-// Of torques that the device does not take, no more than these (32 packets) come late.
 constexpr std::size_t SendCapacity = 512;     // bytes
 constexpr std::size_t ReceiveCapacity = 8192; // bytes, 50 ms at the highest rate
-constexpr unsigned Deadline = 1000;           // ms, of a write and of a control request
+constexpr unsigned Deadline = 1000;           // ms, of a write, a stop and a control request
 constexpr int ReadFailureLimit = 32;          // errors on a cable come in bursts
 constexpr auto Nap = 100ms;                   // of the thread, where nothing wakes it
+constexpr auto OvertakingTime = 1ms;          // for writes before a stop to go out
+constexpr auto SilenceTime = std::chrono::nanoseconds(FalconLink::SilenceLimit);
 constexpr auto FlushTime = 250ms;
 constexpr auto CancelTime = 1s;
 constexpr const char* Unplugged = "The Falcon was unplugged: plug it in and open it again.";
@@ -57,6 +58,7 @@ bool LibusbTraffic::Prepare()
 {
   constexpr unsigned Never = 0;
   return this->Prepare(this->ControlTransfer, 0, OnControl, Deadline) &&
+         this->Prepare(this->StopTransfer, EndpointOut, OnStop, Never) &&
          std::all_of(this->Reads.begin(), this->Reads.end(),
                      [this](Transfer& read)
                      { return this->Prepare(read, EndpointIn, OnRead, Never); }) &&
@@ -85,7 +87,9 @@ void LibusbTraffic::Stop() noexcept
 
 bool LibusbTraffic::Send(const std::uint8_t* bytes, std::size_t count) noexcept
 {
-  if (this->IsGone() || this->Unsent.load(std::memory_order_acquire) + count > SendCapacity)
+  const bool isArmed = this->IsArmed.load(std::memory_order_relaxed);
+  const std::size_t capacity = isArmed ? FalconLink::ArmedCapacity : SendCapacity;
+  if (this->IsGone() || this->Unsent.load(std::memory_order_acquire) + count > capacity)
   {
     return false;
   }
@@ -94,6 +98,25 @@ bool LibusbTraffic::Send(const std::uint8_t* bytes, std::size_t count) noexcept
   {
     this->Outgoing.Push(bytes[n]);
   }
+  this->Events.Wake();
+  return true;
+}
+
+void LibusbTraffic::ArmStop(const std::uint8_t* bytes, std::size_t count) noexcept
+{
+  this->IsArmed.store(false, std::memory_order_release);
+  this->StopCount = std::min(count, this->StopBytes.size());
+  std::copy_n(bytes, this->StopCount, this->StopBytes.begin());
+  this->IsArmed.store(this->StopCount > 0, std::memory_order_release);
+}
+
+bool LibusbTraffic::SendStop() noexcept
+{
+  if (this->IsGone() || !this->IsArmed.load(std::memory_order_acquire))
+  {
+    return false;
+  }
+  this->MotorStopWanted.store(true, std::memory_order_release);
   this->Events.Wake();
   return true;
 }
@@ -167,15 +190,19 @@ void LibusbTraffic::Run() noexcept
   }
   while (!this->StopWanted.load(std::memory_order_acquire))
   {
+    this->StartStop();
     this->StartWrites();
     this->StartControl();
-    this->Step(steady_clock::now() + Nap);
+    this->Step(this->NextWake(steady_clock::now()));
   }
   const auto flushed = steady_clock::now() + FlushTime;
-  while (!this->IsGone() && this->Unsent.load() > 0 && steady_clock::now() < flushed)
+  this->StartStop();
+  while ((this->StopTransfer.IsInFlight || (!this->IsGone() && this->Unsent.load() > 0)) &&
+         steady_clock::now() < flushed)
   {
+    this->StartStop();
     this->StartWrites();
-    this->Step(flushed);
+    this->Step(std::min(flushed, this->NextWake(steady_clock::now())));
   }
   this->CancelAll();
   const auto cancelled = steady_clock::now() + CancelTime;
@@ -202,18 +229,88 @@ void LibusbTraffic::Submit(Transfer& transfer) noexcept
   }
 }
 
+void LibusbTraffic::DropQueue() noexcept
+{
+  std::uint8_t old = 0;
+  while (this->Outgoing.Pop(old))
+  {
+    this->Unsent.fetch_sub(1, std::memory_order_acq_rel);
+  }
+}
+
+// Only where it had something to say, so that a device that nobody moves is left alone.
+bool LibusbTraffic::IsServoSilent(LibusbPoll::TimePoint now) const noexcept
+{
+  return this->IsArmed.load(std::memory_order_acquire) && this->StopsLeft > 0 &&
+         now - std::max(this->LastSent, this->OvertakingSince) >= SilenceTime;
+}
+
+LibusbPoll::TimePoint LibusbTraffic::NextWake(LibusbPoll::TimePoint now) const noexcept
+{
+  LibusbPoll::TimePoint wake = now + Nap;
+  if (this->StopTransfer.IsInFlight)
+  {
+    const LibusbPoll::TimePoint overtaken = this->OvertakingSince + OvertakingTime;
+    wake = overtaken > now ? std::min(wake, overtaken) : wake;
+  }
+  if (this->StopsLeft > 0 && this->IsArmed.load(std::memory_order_acquire))
+  {
+    wake = std::min(wake, std::max(this->LastSent, this->OvertakingSince) + SilenceTime);
+  }
+  return wake;
+}
+
+void LibusbTraffic::SubmitStop(LibusbPoll::TimePoint now) noexcept
+{
+  if (!this->StopTransfer.IsInFlight)
+  {
+    this->OvertakingSince = now;
+    std::copy_n(this->StopBytes.begin(), this->StopCount, this->StopTransfer.Bytes.begin());
+    this->StopTransfer.Call->length = static_cast<int>(this->StopCount);
+    this->Submit(this->StopTransfer);
+  }
+}
+
+void LibusbTraffic::StartStop() noexcept
+{
+  const LibusbPoll::TimePoint now = steady_clock::now();
+  if (this->MotorStopWanted.exchange(false, std::memory_order_acq_rel))
+  {
+    this->DropQueue();
+    this->SubmitStop(now);
+  }
+  else if (this->IsServoSilent(now))
+  {
+    --this->StopsLeft;
+    this->SubmitStop(now);
+  }
+  if (this->StopTransfer.IsInFlight && now - this->OvertakingSince >= OvertakingTime)
+  {
+    std::for_each(this->Writes.begin(), this->Writes.end(), Cancel);
+  }
+  if (this->StopTransfer.IsInFlight && !this->IsGone() &&
+      now - this->OvertakingSince >= std::chrono::milliseconds(Deadline))
+  {
+    this->GiveUp(TakesNothing);
+  }
+}
+
 void LibusbTraffic::StartWrites() noexcept
 {
+
   for (Transfer& write : this->Writes)
   {
     std::size_t count = 0;
-    while (!write.IsInFlight && !this->IsGone() && count < Transfer::Size &&
-           this->Outgoing.Pop(write.Bytes[count]))
+    // What comes after a stop waits for it, in the queue.
+    const bool isFree = !write.IsInFlight && !this->StopTransfer.IsInFlight && !this->IsGone();
+    while (isFree && count < Transfer::Size && this->Outgoing.Pop(write.Bytes[count]))
     {
       ++count;
     }
     if (count > 0)
     {
+      this->LastSent = steady_clock::now();
+      this->StopsLeft = FalconLink::StopRepeats;
       write.Call->length = static_cast<int>(count);
       this->Submit(write);
     }
@@ -303,8 +400,10 @@ void LibusbTraffic::FinishControl(libusb_transfer_status outcome) noexcept
   this->ControlChanged.notify_all();
 }
 
+// What still hears is told to let go.
 void LibusbTraffic::GiveUp(const char* reason) noexcept
 {
+  this->MotorStopWanted.store(this->IsArmed.load() && reason != Unplugged);
   {
     const std::lock_guard<std::mutex> lock(this->ControlAccess);
     this->GoneBecause = this->IsGone() ? this->GoneBecause : reason;
@@ -313,19 +412,21 @@ void LibusbTraffic::GiveUp(const char* reason) noexcept
   this->ControlChanged.notify_all();
 }
 
+void LibusbTraffic::Cancel(const Transfer& transfer) noexcept
+{
+  if (transfer.IsInFlight)
+  {
+    // What has ended meanwhile is called back anyhow.
+    static_cast<void>(libusb_cancel_transfer(transfer.Call.get()));
+  }
+}
+
 void LibusbTraffic::CancelAll() noexcept
 {
-  const auto cancel = [](const Transfer& transfer)
-  {
-    if (transfer.IsInFlight)
-    {
-      // What has ended meanwhile is called back anyhow.
-      static_cast<void>(libusb_cancel_transfer(transfer.Call.get()));
-    }
-  };
-  std::for_each(this->Reads.begin(), this->Reads.end(), cancel);
-  std::for_each(this->Writes.begin(), this->Writes.end(), cancel);
-  cancel(this->ControlTransfer);
+  std::for_each(this->Reads.begin(), this->Reads.end(), Cancel);
+  std::for_each(this->Writes.begin(), this->Writes.end(), Cancel);
+  Cancel(this->ControlTransfer);
+  Cancel(this->StopTransfer);
 }
 
 bool LibusbTraffic::HasInFlight() const noexcept
@@ -333,7 +434,7 @@ bool LibusbTraffic::HasInFlight() const noexcept
   const auto isInFlight = [](const Transfer& transfer) { return transfer.IsInFlight; };
   return std::any_of(this->Reads.begin(), this->Reads.end(), isInFlight) ||
          std::any_of(this->Writes.begin(), this->Writes.end(), isInFlight) ||
-         isInFlight(this->ControlTransfer);
+         isInFlight(this->ControlTransfer) || isInFlight(this->StopTransfer);
 }
 
 void LibusbTraffic::OnRead(libusb_transfer* call) noexcept
@@ -348,6 +449,16 @@ void LibusbTraffic::OnWrite(libusb_transfer* call) noexcept
   auto* const write = static_cast<Transfer*>(call->user_data);
   write->IsInFlight = false;
   write->Owner->FinishWrite(*write);
+}
+
+void LibusbTraffic::OnStop(libusb_transfer* call) noexcept
+{
+  auto* const stop = static_cast<Transfer*>(call->user_data);
+  stop->IsInFlight = false;
+  if (call->status != LIBUSB_TRANSFER_COMPLETED && call->status != LIBUSB_TRANSFER_CANCELLED)
+  {
+    stop->Owner->GiveUp(Unplugged);
+  }
 }
 
 void LibusbTraffic::OnControl(libusb_transfer* call) noexcept

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "FalconLink.h"
 #include "FtdiPackets.h"
 #include "FtdiRequest.h"
 #include "LibusbPoll.h"
@@ -23,6 +24,10 @@ namespace palpate
 /// have rings, and the thread sleeps in poll until the device or a sender wakes it. Several reads
 /// are always in flight, so that no packet is missed while one is taken apart.
 ///
+/// A stop (FalconLink::ArmStop) has a transfer of its own without a deadline. Writes that are in
+/// flight before it and have not gone out within a millisecond are cancelled, so that it is first
+/// when the device takes data again.
+///
 /// For the two threads of FalconLink.
 class LibusbTraffic
 {
@@ -41,6 +46,8 @@ public:
   /// As FalconLink's. A control request begins once all that was sent before has gone out.
   Status Control(FtdiRequest request);
   bool Send(const std::uint8_t* bytes, std::size_t count) noexcept;
+  void ArmStop(const std::uint8_t* bytes, std::size_t count) noexcept;
+  bool SendStop() noexcept;
   std::size_t Receive(std::uint8_t* bytes, std::size_t capacity) noexcept;
   bool ClearToSend() const noexcept { return this->Clear.load(std::memory_order_acquire); }
   bool IsGone() const noexcept { return this->Gone.load(std::memory_order_acquire); }
@@ -73,17 +80,24 @@ private:
   void Step(LibusbPoll::TimePoint until) noexcept;
   void Submit(Transfer& transfer) noexcept;
   void StartWrites() noexcept;
+  void StartStop() noexcept;
+  void SubmitStop(LibusbPoll::TimePoint now) noexcept;
+  void DropQueue() noexcept;
+  bool IsServoSilent(LibusbPoll::TimePoint now) const noexcept;
+  LibusbPoll::TimePoint NextWake(LibusbPoll::TimePoint now) const noexcept;
   bool TakeControl() noexcept;
   void StartControl() noexcept;
   void FinishRead(Transfer& read) noexcept;
   void FinishWrite(Transfer& write) noexcept;
   void FinishControl(libusb_transfer_status outcome) noexcept;
   void GiveUp(const char* reason) noexcept;
+  static void Cancel(const Transfer& transfer) noexcept;
   void CancelAll() noexcept;
   bool HasInFlight() const noexcept;
   Status ControlAnswer(std::uint8_t request) const;
   static void LIBUSB_CALL OnRead(libusb_transfer* call) noexcept;
   static void LIBUSB_CALL OnWrite(libusb_transfer* call) noexcept;
+  static void LIBUSB_CALL OnStop(libusb_transfer* call) noexcept;
   static void LIBUSB_CALL OnControl(libusb_transfer* call) noexcept;
 
   libusb_device_handle* Handle;
@@ -93,6 +107,10 @@ private:
   std::atomic<bool> StopWanted{false};
   std::atomic<bool> Gone{false};
   std::atomic<bool> Clear{false};
+  std::atomic<bool> IsArmed{false};         // StopBytes are set
+  std::atomic<bool> MotorStopWanted{false}; // by a sender
+  std::array<std::uint8_t, FalconLink::StopCapacity> StopBytes{};
+  std::size_t StopCount = 0;
 
   RingBuffer<std::uint8_t> Outgoing;
   RingBuffer<std::uint8_t> Incoming;
@@ -109,6 +127,10 @@ private:
   std::array<Transfer, 4> Reads;
   std::array<Transfer, 4> Writes;
   Transfer ControlTransfer;
+  Transfer StopTransfer;
+  LibusbPoll::TimePoint LastSent;        // when something was taken from the queue
+  LibusbPoll::TimePoint OvertakingSince; // when StopTransfer was submitted
+  int StopsLeft = 0;                     // that silence may still cause
   FtdiPackets Packets;
   int FailedReads = 0; // one after the other
 };

@@ -14,8 +14,8 @@ namespace palpate
 struct TouchSession
 {
   ServoSettings Settings;
-  /// Those that forces depend on: MaximumForce, MaximumDamping, Damping, Friction, and
-  /// LeastRate, which is its Rate where it was read from a file.
+  /// Those that forces depend on: MaximumForce, MaximumDamping, Damping, Friction,
+  /// GravityCompensation, and LeastRate, which is its Rate where it was read from a file.
   DeviceCapabilities Device;
 };
 

@@ -148,6 +148,7 @@ void VisitSession(Words& words, Session& s)
   words.Field(s.Device.Damping);
   words.Field(s.Device.Friction);
   words.Field(s.Device.Rate);
+  VisitVector(words, s.Device.GravityCompensation);
 }
 } // namespace
 

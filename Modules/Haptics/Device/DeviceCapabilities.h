@@ -1,5 +1,6 @@
 #pragma once
 
+#include "PlainVector3.h"
 #include "Vector3.h"
 
 #include <algorithm>
@@ -24,6 +25,10 @@ struct DeviceCapabilities
   /// s, from one new sample to the next while all is well, as on a bus that others use too; 0: a
   /// period.
   double LongestGap = 0.0;
+
+  /// N, device's frame: what carries the weight of its handle. The servo adds it to the forces of
+  /// the scene, so that it passes the safety chain like them.
+  PlainVector3 GravityCompensation;
 
   /// Hz, that new samples keep in any case.
   double LeastRate() const noexcept

@@ -47,8 +47,9 @@ public:
   /// The newest sample; the same as before where there is no newer one. False where the device
   /// failed. Never waits for longer than a fraction of its own period.
   virtual bool Read(DeviceSample& sample) noexcept = 0;
-  /// The force (N, in the device's frame) from now until the next call. False where the device
-  /// failed.
+  /// The force (N, in the device's frame) from now until the next call that returns true. False
+  /// where nothing was sent: the device failed, which State says, or its connection takes nothing
+  /// just now. The servo faults where that lasts for longer than LongestGap.
   virtual bool Apply(const Vector3& force) noexcept = 0;
 };
 } // namespace palpate

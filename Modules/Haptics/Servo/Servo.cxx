@@ -10,6 +10,15 @@ namespace palpate
 {
 namespace
 {
+// Ticks from one new sample to the next while all is well: a device that is slower than the servo
+// repeats its samples, and one that is as fast may now and then.
+int TicksPerSample(const DeviceCapabilities& device, const ServoSettings& settings)
+{
+  const double least = device.LeastRate();
+  const double ticks = least > 0.0 ? std::ceil(settings.Rate / least) : 1.0;
+  return static_cast<int>(std::clamp(ticks, 1.0, 1000.0));
+}
+
 SafetySettings SafetyOf(const DeviceCapabilities& device, const ServoSettings& settings)
 {
   SafetySettings safety;
@@ -19,11 +28,7 @@ SafetySettings SafetyOf(const DeviceCapabilities& device, const ServoSettings& s
   safety.DeviceFriction = device.Friction;
   safety.RampDuration = settings.RampDuration;
   safety.MaximumSlew = settings.MaximumSlew;
-  // A device that is slower than the servo repeats its samples, and one that is as fast may now
-  // and then.
-  const double least = device.LeastRate();
-  const double repeats = least > 0.0 ? std::ceil(settings.Rate / least) : 1.0;
-  safety.Limits.StaleTicks = 1 + static_cast<int>(std::clamp(repeats, 1.0, 1000.0));
+  safety.Limits.StaleTicks = 1 + TicksPerSample(device, settings);
   return safety;
 }
 } // namespace
@@ -31,7 +36,9 @@ SafetySettings SafetyOf(const DeviceCapabilities& device, const ServoSettings& s
 Servo::Servo(HapticDevice& device, const ServoSettings& settings)
     : Recorded(settings.RecordedTicks), Device(device), Settings(settings),
       HandVelocity(settings.VelocityTimeConstant), MostForce(device.Capabilities().MaximumForce),
-      Safety(SafetyOf(device.Capabilities(), settings))
+      Safety(SafetyOf(device.Capabilities(), settings)),
+      Carrying(device.Capabilities().GravityCompensation),
+      MostUntaken(TicksPerSample(device.Capabilities(), settings) - 1)
 {
 }
 
@@ -240,14 +247,16 @@ SafetyInput Servo::InputOf(const TickObservation& now) const noexcept
   input.SceneFault = this->Current.Felt.IsValid ? SafetyFault::None : SafetyFault::InvalidContact;
   input.IsTouching = this->Current.Felt.Structure >= 0;
   input.ContactForce = this->Current.Felt.Force;
-  input.AmbientForce = this->Current.AmbientForce;
+  input.AmbientForce = this->Current.AmbientForce + this->Carrying;
   return input;
 }
 
 bool Servo::Send(const Vector3& force) noexcept
 {
   const bool isTaken = this->Device.Apply(force);
-  if (!isTaken && this->Device.State() == DeviceState::Ready)
+  const bool isReady = this->Device.State() == DeviceState::Ready;
+  this->UntakenTicks = isReady && !isTaken ? this->UntakenTicks + 1 : 0;
+  if (this->UntakenTicks > this->MostUntaken)
   {
     this->Safety.Fail(SafetyFault::DeviceFailed);
   }

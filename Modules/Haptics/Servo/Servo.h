@@ -120,6 +120,9 @@ private:
   DeviceSample LastFelt;
   double MostForce; // N, of the device
   SafetyChain Safety;
+  Vector3 Carrying;     // N, of the device's gravity compensation
+  int MostUntaken;      // ticks in a row whose force the device may leave
+  int UntakenTicks = 0; // in a row, of a device that is Ready
   int TicksSinceModel = 0;
   std::atomic<bool> RearmWanted{false}; // any thread's
   std::atomic<bool> OffWanted{false};   // any thread's

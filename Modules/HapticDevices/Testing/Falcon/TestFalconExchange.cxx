@@ -37,7 +37,8 @@ protected:
   {
     this->Time.Advance(Period);
     const bool isNew = this->Wire.Receive(this->Time.Now(), this->Reply);
-    EXPECT_TRUE(this->Wire.Send({{}, true, FalconLight::None}, this->Time.Now()));
+    EXPECT_NE(this->Wire.Send({{}, true, FalconLight::None}, this->Time.Now()),
+              FalconDelivery::Gone);
     if (isNew)
     {
       ++this->Believed;
@@ -181,10 +182,10 @@ TEST_F(FalconExchangeTest, AMuteDeviceIsAskedAgainAndHeardWhenItComesBack)
 TEST_F(FalconExchangeTest, AFullQueueIsSilenceAndNotTheEnd)
 {
   this->Run(10);
-  this->Cable.IsFull = true;
+  this->Cable.HoldsWrites = true;
   this->Run(50);
   EXPECT_GT(this->Wire.Silence(this->Time.Now()), 40 * Period);
-  this->Cable.IsFull = false;
+  this->Cable.HoldsWrites = false;
   this->Run(20);
   EXPECT_TRUE(this->Tick());
   EXPECT_LT(this->Wire.Silence(this->Time.Now()), 2 * Period);
@@ -194,7 +195,7 @@ TEST_F(FalconExchangeTest, NothingCanBeSentToADeviceThatIsGone)
 {
   this->Run(10);
   this->Falcon.Unplug(this->Time.Now());
-  EXPECT_FALSE(this->Wire.Send({}, this->Time.Now()));
+  EXPECT_EQ(this->Wire.Send({}, this->Time.Now()), FalconDelivery::Gone);
 }
 } // namespace
 } // namespace palpate

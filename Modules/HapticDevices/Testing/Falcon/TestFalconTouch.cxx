@@ -1,97 +1,31 @@
-// The whole way: servo, driver, wire, board, motors, mechanism and a hand that gives way.
-#include "FalconDevice.h"
-
-#include "LoopSchedule.h"
-#include "ManualClock.h"
-#include "Servo.h"
-#include "TouchDoubles.h"
-#include "VirtualFalconLink.h"
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
+#include "FalconRig.h"
 
 namespace palpate
 {
 namespace
 {
-constexpr std::int64_t Period = 1'000'000; // ns
-constexpr double WallHeight = -10.0;       // mm, device's frame
-
-// A Falcon whose firmware runs; its hand homes it, and then goes where it is told.
-class FalconTouchTest : public testing::Test
+class FalconTouchTest : public testing::Test, protected test::FalconRig
 {
-protected:
-  FalconTouchTest()
-  {
-    test::VirtualMechanismSettings& hand = this->Falcon.Mechanism().Settings;
-    hand.CountsPerNewtonMillimeter = 6.6;
-    hand.Path = [this](double t) -> Vector3
-    {
-      return this->IsHoming ? Vector3(0.0, 0.0, 130.0 - 45.0 * std::cos(4.0 * M_PI * t))
-                            : this->Target;
-    };
-    this->Falcon.StartLoaded();
-    EXPECT_TRUE(this->Device.Open().IsOk());
-    DeviceSample sample;
-    for (int n = 0; n < 5000 && this->Device.State() != DeviceState::Ready; ++n)
-    {
-      this->Time.Advance(Period);
-      EXPECT_TRUE(this->Device.Read(sample) && this->Device.Apply(Vector3::Zero()));
-    }
-    this->IsHoming = false;
-  }
-
-  // Feels a wall below, which the hand presses to `depth` (mm) if nothing stopped it.
-  void Touch(Servo& servo, double depth)
-  {
-    LoopSchedule schedule(this->Time.Now(), Period);
-    const auto scene = std::make_shared<TouchScene>(test::WallScene(WallHeight, {1.0, 0.001}));
-    ASSERT_TRUE(servo.Publish(scene).IsOk());
-    for (int n = 0; n < 3000; ++n)
-    {
-      // A second free, a second down, a second there.
-      const double part = std::clamp(1e-3 * n - 1.0, 0.0, 1.0);
-      this->Target[2] = 125.0 + part * (WallHeight - depth);
-      this->Tick(servo, schedule);
-    }
-    for (int n = 0; n < 500; ++n)
-    {
-      const double height = this->Tick(servo, schedule).Sample.Position.Z;
-      this->Lowest = std::min(this->Lowest, height);
-      this->Highest = std::max(this->Highest, height);
-    }
-    this->Schedule = schedule;
-  }
-
-  TouchState Tick(Servo& servo, LoopSchedule& schedule)
-  {
-    this->Time.WaitUntil(schedule.Deadline());
-    servo.Tick(schedule.Begin(this->Time.Now()));
-    return servo.Latest();
-  }
-
-  ManualClock Time{1'000'000'000};
-  test::VirtualFalcon Falcon;
-  FalconDevice Device{Time, std::make_unique<test::VirtualFalconLink>(Falcon, Time), {}};
-  LoopSchedule Schedule{0, Period};
-  bool IsHoming = true;
-  Vector3 Target{0.0, 0.0, 125.0};
-  double Lowest = 1e9;
-  double Highest = -1e9;
 };
 
 TEST_F(FalconTouchTest, AWallIsFeltWithItsStiffnessAndStandsStill)
 {
   Servo servo(this->Device, ServoSettings());
-  this->Touch(servo, 3.0);
+  this->Press(servo, 3.0);
+  double lowest = 1e9;
+  double highest = -1e9;
+  for (int n = 0; n < 500; ++n)
+  {
+    const double height = this->Tick(servo).Sample.Position.Z;
+    lowest = std::min(lowest, height);
+    highest = std::max(highest, height);
+  }
   EXPECT_EQ(servo.Latest().Safety.Fault, SafetyFault::None);
   // The wall of 1 N/mm and the hand of 0.5 N/mm share 3 mm: 1 mm and 1 N. Friction of 0.2 N may
   // hold 0.13 mm beside it, and counts are 0.04 mm.
   EXPECT_NEAR(this->Falcon.Mechanism().MotorForce()[2], 1.0, 0.18);
-  EXPECT_NEAR(this->Lowest, WallHeight - 1.0, 0.18);
-  EXPECT_LT(this->Highest - this->Lowest, 0.1) << "it does not hum";
+  EXPECT_NEAR(lowest, WallHeight - 1.0, 0.18);
+  EXPECT_LT(highest - lowest, 0.1) << "it does not hum";
 }
 
 // The chip holds what came until its latency timer of 1 ms says so.
@@ -101,7 +35,7 @@ TEST_F(FalconTouchTest, ForTenMinutesAtAKilohertzItIsHeardInEveryPeriodButFew)
   Servo servo(this->Device, ServoSettings());
   const auto scene = std::make_shared<TouchScene>(test::WallScene(WallHeight, {1.0, 0.001}));
   ASSERT_TRUE(servo.Publish(scene).IsOk());
-  LoopSchedule schedule(this->Time.Now(), Period);
+  this->Schedule = LoopSchedule(this->Time.Now(), Period);
   std::uint64_t last = 0;
   int heard = 0;
   int silence = 0;
@@ -111,7 +45,7 @@ TEST_F(FalconTouchTest, ForTenMinutesAtAKilohertzItIsHeardInEveryPeriodButFew)
   {
     // Twice in three seconds 3 mm into the wall and as far out of it.
     this->Target[2] = 125.0 + WallHeight + 3.0 * std::cos(2e-3 * M_PI / 1.5 * n);
-    const TouchState state = this->Tick(servo, schedule);
+    const TouchState state = this->Tick(servo);
     ASSERT_EQ(state.Safety.Fault, SafetyFault::None) << Describe(state.Safety.Fault) << " at " << n;
     const bool isNew = state.Sample.Sequence != last;
     last = state.Sample.Sequence;
@@ -134,27 +68,73 @@ TEST_F(FalconTouchTest, ForTenMinutesAtAKilohertzItIsHeardInEveryPeriodButFew)
 TEST_F(FalconTouchTest, UnpluggedInContactTheServoSaysSoWithinTwoTicks)
 {
   Servo servo(this->Device, ServoSettings());
-  this->Touch(servo, 6.0);
+  this->Press(servo, 6.0);
   ASSERT_GT(servo.Latest().ForceDevice.Z, 1.0);
   this->Falcon.Unplug(this->Time.Now());
-  this->Tick(servo, this->Schedule);
-  const TouchState state = this->Tick(servo, this->Schedule);
+  this->Tick(servo);
+  const TouchState state = this->Tick(servo);
   EXPECT_EQ(Vector3(state.ForceDevice), Vector3::Zero());
   EXPECT_EQ(state.Safety.Fault, SafetyFault::DeviceFailed);
   EXPECT_EQ(state.State, DeviceState::Error);
 }
 
-TEST_F(FalconTouchTest, MuteInContactThereIsNoForceBeforeTheDriverGivesUp)
+// 0.1 kg of handle more than the motors would carry otherwise.
+class CarryingFalconTouchTest : public testing::Test, protected test::FalconRig
+{
+protected:
+  CarryingFalconTouchTest() : FalconRig(Carrying()) {}
+  static FalconSettings Carrying()
+  {
+    FalconSettings settings;
+    settings.Calibration.CarriedMass = Mass;
+    return settings;
+  }
+  static constexpr double Mass = 0.1;           // kg
+  static constexpr double Weight = 9.81 * Mass; // N
+};
+
+TEST_F(CarryingFalconTouchTest, TheHandleIsCarriedAfterARampAndItIsRecorded)
 {
   Servo servo(this->Device, ServoSettings());
-  this->Touch(servo, 6.0);
-  this->Falcon.Faults.Spoil = [](test::VirtualFalconAnswer& answer) { answer.Bytes.clear(); };
-  for (int n = 0; n < 50; ++n)
+  this->Schedule = LoopSchedule(this->Time.Now(), Period);
+  double before = 0.0;
+  double largestStep = 0.0;
+  for (int n = 0; n < 1000; ++n)
   {
-    this->Tick(servo, this->Schedule);
+    const double force = this->Tick(servo).ForceDevice.Y;
+    largestStep = std::max(largestStep, force - before);
+    before = force;
   }
-  EXPECT_NE(servo.Latest().Safety.Fault, SafetyFault::None);
-  EXPECT_EQ(this->Falcon.Mechanism().MotorForce(), Vector3::Zero());
+  EXPECT_NEAR(before, Weight, 1e-12);
+  // A ramp of 0.3 s at 1 kHz, a tenth more for ticks whose period is not exact.
+  EXPECT_LT(largestStep, 1.1 * Weight / 300.0);
+  // Half a motor value of 160 a newton and leg.
+  EXPECT_NEAR(this->Falcon.Mechanism().MotorForce()[1], Weight, 0.01);
+}
+
+TEST_F(CarryingFalconTouchTest, NothingIsCarriedAfterAFault)
+{
+  Servo servo(this->Device, ServoSettings());
+  this->Press(servo, 3.0);
+  ASSERT_GT(this->Tick(servo).ForceDevice.Y, 0.9 * Weight);
+  servo.SwitchOff();
+  for (int n = 0; n < 100; ++n)
+  {
+    const TouchState state = this->Tick(servo);
+    ASSERT_EQ(Vector3(state.ForceDevice), Vector3::Zero());
+    ASSERT_TRUE(n < 2 || !this->HasTorque()) << n;
+  }
+}
+
+TEST_F(CarryingFalconTouchTest, WeightAndContactTogetherKeepTheLargestForce)
+{
+  Servo servo(this->Device, ServoSettings());
+  // Far into a wall of 1 N/mm: more than the motors give.
+  this->Press(servo, 60.0);
+  const TouchState state = this->Tick(servo);
+  ASSERT_EQ(state.Safety.Fault, SafetyFault::None) << Describe(state.Safety.Fault);
+  EXPECT_TRUE(state.Safety.IsLimited);
+  EXPECT_LE(Vector3(state.ForceDevice).norm(), this->Device.Capabilities().MaximumForce);
 }
 } // namespace
 } // namespace palpate
