@@ -6,7 +6,9 @@
 #include "Unprivileged.h"
 
 #include <atomic>
+#include <chrono>
 #include <cmath>
+#include <csignal>
 #include <cstdlib>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -43,6 +45,11 @@ protected:
   CommandRun Run(const std::vector<std::string>& arguments)
   {
     return RunPalpate(arguments, this->Folder.Path());
+  }
+
+  CommandRun RunShell(const std::string& text)
+  {
+    return RunCommand("sh", {"-c", text}, this->Folder.Path());
   }
 
   // What `palpate devices --json` says of devices whose names begin so.
@@ -180,6 +187,45 @@ TEST_F(CliFalcon, AMaskIsTouchedWithIt)
       << run.Errors;
   const nlohmann::json summary = nlohmann::json::parse(run.Output);
   EXPECT_GT(summary["ticks"].get<int>(), 200);
+}
+
+// The motors carry half a kilogram, so that there is a torque whatever is touched; the virtual
+// board holds it for ever.
+TEST_F(CliFalcon, KilledItLeavesNoTorqueOnTheMotors)
+{
+  this->Bed.Plug(this->Bus, 2);
+  WriteTwoBalls(this->Folder / "a.nii.gz");
+  WriteAll(this->Folder / "calibration.txt", "palpate-falcon-calibration 1\ncarried-mass 0.5\n");
+  const auto hasTorque = [this]
+  {
+    return this->Bus.WithFalcon(
+        [](VirtualFalcon& falcon) {
+          return !falcon.Board().Received().empty() && falcon.Board().Received().back().HasTorque();
+        });
+  };
+  std::atomic<bool> isOver{false};
+  std::thread command(
+      [&]
+      {
+        this->RunShell("echo $$ > pid; exec '" PALPATE_PROGRAM
+                       "' touch a.nii.gz --label 1 --device "
+                       "falcon:calibration=calibration.txt --firmware firmware.bin --seconds 60");
+        isOver = true;
+      });
+  while (!isOver && !hasTorque())
+  {
+    std::this_thread::yield();
+  }
+  const bool wasPushing = hasTorque();
+  kill(std::stoi(ReadAll(this->Folder / "pid")), SIGKILL);
+  command.join();
+  EXPECT_TRUE(wasPushing);
+  const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(20);
+  while (hasTorque() && std::chrono::steady_clock::now() < end)
+  {
+    std::this_thread::yield();
+  }
+  EXPECT_FALSE(hasTorque());
 }
 
 TEST_F(CliFalcon, UnpluggedWhileItIsHomedItSaysSo)

@@ -86,10 +86,10 @@ void FalconTestBed::Plug(UsbfsFalcon& falcon, int port)
   }
 }
 
-void FalconTestBed::Unplug(int port)
+void FalconTestBed::Unplug(int port, VirtualFalcon::Supply supply)
 {
   const auto found = this->Falcons.find(port);
-  found->second.Falcon->Unplug();
+  found->second.Falcon->Unplug(UsbfsFalcon::Unplugging::AbortsReads, supply);
   umockdev_testbed_uevent(this->Bed.get(), ("/sys" + SysfsPath(port)).c_str(), "remove");
   umockdev_testbed_remove_device(this->Bed.get(), ("/sys" + SysfsPath(port)).c_str());
   found->second.Node->Remove();

@@ -28,7 +28,7 @@ public:
   /// Plugs it in at a port (1..9) of bus 1, so its bus path is "1-<port>". Keeps the address, which
   /// must outlive the bed.
   void Plug(UsbfsFalcon& falcon, int port);
-  void Unplug(int port);
+  void Unplug(int port, VirtualFalcon::Supply supply = VirtualFalcon::Supply::Lost);
   /// Takes away everybody's right to open it, or gives it back.
   void Forbid(int port, bool forbid);
   /// Who has the interface, as sysfs shows it: a driver, or "usbfs" for a program.

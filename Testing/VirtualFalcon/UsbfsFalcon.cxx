@@ -424,6 +424,19 @@ std::size_t UsbfsFalcon::WaitingCount()
   return count;
 }
 
+std::size_t UsbfsFalcon::WaitingWrites()
+{
+  const std::lock_guard<std::mutex> lock(this->Access);
+  std::size_t count = 0;
+  for (const UsbfsFile& file : this->Files)
+  {
+    count += static_cast<std::size_t>(std::count_if(file.Waiting.begin(), file.Waiting.end(),
+                                                    [](const UsbfsRequest& request)
+                                                    { return !request.IsRead(); }));
+  }
+  return count;
+}
+
 std::size_t UsbfsFalcon::FileCount()
 {
   const std::lock_guard<std::mutex> lock(this->Access);

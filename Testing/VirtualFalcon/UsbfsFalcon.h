@@ -91,6 +91,7 @@ public:
   void BindDriver(const std::string& name);
   /// Requests that were submitted and neither finished nor discarded.
   std::size_t WaitingCount();
+  std::size_t WaitingWrites();
   std::size_t FileCount();
 
   /// Calls `use(VirtualFalcon&)` while nobody else uses the model.

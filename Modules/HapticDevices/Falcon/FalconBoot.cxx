@@ -24,7 +24,6 @@ constexpr int RoundsAfter = 15;
 constexpr std::size_t Portion = 62;
 constexpr unsigned UploadDivisor = 21; // 142,857 Bd, as the maker's own software
 constexpr unsigned SlowDivisor = 52;   // 57,692 Bd
-constexpr unsigned RunDivisor = 2;     // 1.5 MBd
 constexpr unsigned GreetingDivisor = 312;
 constexpr unsigned GreetingEighths = 4; // 9600 Bd
 constexpr int FastInARow = 2;           // attempts before a slow one
@@ -188,9 +187,12 @@ Status FalconBoot::Upload(const FalconFirmware& firmware)
 
 Status FalconBoot::SwitchToRunning()
 {
-  return this->Command({FtdiRequest::LatencyTimer(1), FtdiRequest::Baud(RunDivisor),
-                        FtdiRequest::EightDataBits(), FtdiRequest::NoFlowControl(),
-                        FtdiRequest::PurgeOut(), FtdiRequest::PurgeIn()});
+  Status status = Status::Success();
+  for (const FtdiRequest& request : RunMode())
+  {
+    status = status.IsOk() ? this->Command({request}) : status;
+  }
+  return status;
 }
 
 // There is no question that only tells whether firmware is there: a request without torque has to

@@ -5,6 +5,7 @@
 #include "FalconLink.h"
 #include "Status.h"
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <initializer_list>
@@ -42,6 +43,13 @@ class FalconBoot
 {
 public:
   static constexpr int MostAttempts = 10;
+  /// What the serial chip has to be told before the running firmware is talked to: the timer, 1.5
+  /// MBd, eight bits, no flow control, nothing left in its queues.
+  static constexpr std::array<FtdiRequest, 6> RunMode() noexcept
+  {
+    return {FtdiRequest::LatencyTimer(1), FtdiRequest::Baud(2),    FtdiRequest::EightDataBits(),
+            FtdiRequest::NoFlowControl(), FtdiRequest::PurgeOut(), FtdiRequest::PurgeIn()};
+  }
 
   FalconBoot(FalconLink& link, Clock& clock) noexcept : Link(link), Time(clock) {}
 

@@ -108,11 +108,12 @@ std::string FalconDevice::Guidance() const
 std::string FalconDevice::ConnectionReport() const
 {
   const FalconStatistics& s = this->Exchange.Statistics();
+  const std::string caution = this->Link->Caution();
   const auto count = [](std::uint64_t number, const char* what)
   { return std::to_string(number) + " " + what; };
   return count(s.Requests, "requests, ") + count(s.Replies, "replies, ") + count(s.Lost, "lost, ") +
          count(s.Unasked, "not asked for, ") + count(s.Implausible, "not believed; ") +
-         count(s.SkippedBytes, "bytes belonged to none");
+         count(s.SkippedBytes, "bytes belonged to none") + (caution.empty() ? "" : "; " + caution);
 }
 
 bool FalconDevice::IsInUse() const noexcept

@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <string>
 
 namespace palpate
 {
@@ -63,5 +64,7 @@ public:
   /// The device was unplugged or fails for good since it was opened; it has to be closed and opened
   /// again.
   virtual bool IsGone() const noexcept = 0;
+  /// What the person at the device should know about this connection; mostly empty. Owner's thread.
+  virtual std::string Caution() const { return ""; }
 };
 } // namespace palpate

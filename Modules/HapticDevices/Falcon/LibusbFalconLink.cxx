@@ -27,11 +27,17 @@ Status LibusbFalconLink::Open()
   {
     return Status::Failure("The link to the Falcon is open already.");
   }
+  this->Guard.Dismiss();
   Status status = this->OpenHandle();
   if (status.IsOk())
   {
-    this->Traffic = std::make_unique<LibusbTraffic>(this->Context.get(), this->Handle.get());
+    this->Traffic = std::make_unique<LibusbTraffic>(this->Context.get(), this->Handle.get(),
+                                                    [this] { this->Guard.Call(); });
     status = this->Traffic->Start();
+  }
+  if (status.IsOk() && this->Source == nullptr)
+  {
+    this->Guard.Start(BusPathOf(*this->Handle));
   }
   if (!status.IsOk())
   {
@@ -42,6 +48,7 @@ Status LibusbFalconLink::Open()
 
 void LibusbFalconLink::Close() noexcept
 {
+  const bool isGone = this->IsGone();
   // Transfers that were not given back within their time are safe to release once the handle, and
   // with it the kernel's side of them, is closed.
   if (this->Traffic != nullptr)
@@ -56,6 +63,19 @@ void LibusbFalconLink::Close() noexcept
     close(this->Descriptor);
     this->Descriptor = -1;
   }
+  if (!isGone)
+  {
+    this->Guard.Dismiss();
+  }
+}
+
+std::string LibusbFalconLink::Caution() const
+{
+  return this->Traffic == nullptr || this->Guard.IsRunning() || this->Source != nullptr
+             ? ""
+             : "palpate-falcon-guard was not found, so nothing takes the force away if this "
+               "program "
+               "is killed";
 }
 
 Status LibusbFalconLink::Control(FtdiRequest request)

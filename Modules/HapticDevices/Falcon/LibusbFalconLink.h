@@ -1,5 +1,6 @@
 #pragma once
 
+#include "FalconGuard.h"
 #include "FalconLink.h"
 #include "LibusbFalcons.h"
 #include "LibusbTraffic.h"
@@ -11,7 +12,8 @@
 namespace palpate
 {
 /// The cable to a real Falcon, by libusb. Each Open begins from nothing, so a device that was
-/// unplugged and is back can be opened again by the same object.
+/// unplugged and is back can be opened again by the same object. A FalconGuard is beside it while
+/// it is open, but not where a descriptor was given.
 class LibusbFalconLink final : public FalconLink
 {
 public:
@@ -33,10 +35,12 @@ public:
   std::size_t Receive(std::uint8_t* bytes, std::size_t capacity) noexcept override;
   bool ClearToSend() const noexcept override;
   bool IsGone() const noexcept override;
+  std::string Caution() const override;
 
 private:
   Status OpenHandle();
 
+  FalconGuard Guard;
   std::string Which;
   DescriptorSource Source;
   int Descriptor = -1;

@@ -234,6 +234,11 @@ Status OpenFalcon(libusb_context& context, const std::string& which, LibusbHandl
   return handle != nullptr ? Status::Success() : std::move(first);
 }
 
+std::string BusPathOf(libusb_device_handle& handle)
+{
+  return BusPathOf(libusb_get_device(&handle));
+}
+
 Status OpenFalcon(libusb_context& context, int descriptor, LibusbHandle& handle)
 {
   libusb_device_handle* opened = nullptr;

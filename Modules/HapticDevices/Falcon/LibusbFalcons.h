@@ -34,4 +34,6 @@ Status ListFalcons(libusb_context& context, std::vector<FalconListing>& listings
 Status OpenFalcon(libusb_context& context, const std::string& which, LibusbHandle& handle);
 /// The same from a descriptor of an open usbfs node, which has to stay open as long as the handle.
 Status OpenFalcon(libusb_context& context, int descriptor, LibusbHandle& handle);
+/// Where on USB an open Falcon is, as ListFalcons says it.
+std::string BusPathOf(libusb_device_handle& handle);
 } // namespace palpate

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <string>
+#include <utility>
 
 namespace palpate
 {
@@ -35,9 +36,10 @@ bool IsPurgeIn(const FtdiRequest& request)
 }
 } // namespace
 
-LibusbTraffic::LibusbTraffic(libusb_context* context, libusb_device_handle* handle)
-    : Handle(handle), Context(context), Events(context), Outgoing(SendCapacity),
-      Incoming(ReceiveCapacity)
+LibusbTraffic::LibusbTraffic(libusb_context* context, libusb_device_handle* handle,
+                             std::function<void()> onUnplugged)
+    : Handle(handle), Context(context), Events(context), OnUnplugged(std::move(onUnplugged)),
+      Outgoing(SendCapacity), Incoming(ReceiveCapacity)
 {
 }
 
@@ -404,12 +406,18 @@ void LibusbTraffic::FinishControl(libusb_transfer_status outcome) noexcept
 void LibusbTraffic::GiveUp(const char* reason) noexcept
 {
   this->MotorStopWanted.store(this->IsArmed.load() && reason != Unplugged);
+  bool isFirst = false;
   {
     const std::lock_guard<std::mutex> lock(this->ControlAccess);
-    this->GoneBecause = this->IsGone() ? this->GoneBecause : reason;
+    isFirst = !this->IsGone();
+    this->GoneBecause = isFirst ? reason : this->GoneBecause;
     this->Gone.store(true, std::memory_order_release);
   }
   this->ControlChanged.notify_all();
+  if (isFirst && reason == Unplugged && this->OnUnplugged != nullptr)
+  {
+    this->OnUnplugged();
+  }
 }
 
 void LibusbTraffic::Cancel(const Transfer& transfer) noexcept

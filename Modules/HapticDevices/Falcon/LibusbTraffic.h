@@ -13,6 +13,7 @@
 #include <condition_variable>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <libusb.h>
 #include <memory>
 #include <mutex>
@@ -32,8 +33,10 @@ namespace palpate
 class LibusbTraffic
 {
 public:
-  /// Keeps both, which must outlive it.
-  LibusbTraffic(libusb_context* context, libusb_device_handle* handle);
+  /// Keeps both, which must outlive it. `onUnplugged` is called by the thread, once, where the
+  /// device has left the bus.
+  LibusbTraffic(libusb_context* context, libusb_device_handle* handle,
+                std::function<void()> onUnplugged = nullptr);
   LibusbTraffic(const LibusbTraffic&) = delete;
   LibusbTraffic& operator=(const LibusbTraffic&) = delete;
   ~LibusbTraffic() { this->Stop(); }
@@ -103,6 +106,7 @@ private:
   libusb_device_handle* Handle;
   libusb_context* Context;
   LibusbPoll Events;
+  std::function<void()> OnUnplugged;
   RealtimeThread Thread;
   std::atomic<bool> StopWanted{false};
   std::atomic<bool> Gone{false};

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <string>
+#include <sys/types.h>
+
+namespace palpate
+{
+/// A small process beside this one that tells a Falcon's board 0 N where this process cannot: when
+/// it ends without a word (a crash, SIGKILL), and when the device left the bus and comes back while
+/// the board kept its supply. It has its own session, so no signal of a terminal reaches it, and
+/// holds nothing of the device until then. The program is palpate-falcon-guard, looked for beside
+/// the running program and then on the PATH.
+///
+/// Start, Dismiss, destruction: the owner's thread. Call: any.
+class FalconGuard
+{
+public:
+  FalconGuard() = default;
+  FalconGuard(const FalconGuard&) = delete;
+  FalconGuard& operator=(const FalconGuard&) = delete;
+  /// Dismisses it, unless it was called: then it finishes by itself.
+  ~FalconGuard();
+
+  /// Watches over the Falcon at this bus path ("1-2.3"). False where the program is not found; then
+  /// nothing is watched.
+  bool Start(const std::string& busPath);
+  bool IsRunning() const noexcept { return this->Socket >= 0; }
+  /// The device left the bus: stop it when it is back. Neither waits nor allocates.
+  void Call() noexcept;
+  /// Ends it. Returns once it holds nothing of the device, within a second.
+  void Dismiss() noexcept;
+
+  /// What is said to the process, and what its input's end means: this process is gone.
+  static constexpr char Stop = 's';
+  static constexpr char Quit = 'q';
+
+private:
+  void Say(char word) const noexcept;
+
+  int Socket = -1;
+  pid_t Process = -1;
+  bool WasCalled = false;
+};
+} // namespace palpate
