@@ -82,6 +82,8 @@ protected:
   FalconTestBed Bed;
 };
 
+using CliFalconEnds = CliFalcon;
+
 TEST_F(CliFalcon, WithoutOneTheListSaysSo)
 {
   const std::vector<nlohmann::json> falcons = this->Listed("falcon");
@@ -191,7 +193,7 @@ TEST_F(CliFalcon, AMaskIsTouchedWithIt)
 
 // The motors carry half a kilogram, so that there is a torque whatever is touched; the virtual
 // board holds it for ever.
-TEST_F(CliFalcon, KilledItLeavesNoTorqueOnTheMotors)
+TEST_F(CliFalconEnds, KilledItLeavesNoTorqueOnTheMotors)
 {
   this->Bed.Plug(this->Bus, 2);
   WriteTwoBalls(this->Folder / "a.nii.gz");
@@ -217,15 +219,19 @@ TEST_F(CliFalcon, KilledItLeavesNoTorqueOnTheMotors)
     std::this_thread::yield();
   }
   const bool wasPushing = hasTorque();
+  const auto start = std::chrono::steady_clock::now();
   kill(std::stoi(ReadAll(this->Folder / "pid")), SIGKILL);
-  command.join();
-  EXPECT_TRUE(wasPushing);
-  const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(20);
-  while (hasTorque() && std::chrono::steady_clock::now() < end)
+  while (hasTorque() && std::chrono::steady_clock::now() < start + std::chrono::seconds(20))
   {
     std::this_thread::yield();
   }
+  const std::chrono::duration<double, std::milli> passed = std::chrono::steady_clock::now() - start;
+  command.join();
+  EXPECT_TRUE(wasPushing);
   EXPECT_FALSE(hasTorque());
+  RecordProperty("front", "virtual bus");
+  RecordProperty("fault", "SIGKILL");
+  RecordProperty("milliseconds", std::to_string(passed.count()));
 }
 
 TEST_F(CliFalcon, UnpluggedWhileItIsHomedItSaysSo)

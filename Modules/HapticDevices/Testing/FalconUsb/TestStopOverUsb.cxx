@@ -6,6 +6,8 @@
 #include "TouchDoubles.h"
 
 #include <algorithm>
+#include <functional>
+#include <string>
 
 namespace palpate
 {
@@ -65,7 +67,7 @@ TEST_F(StopOverUsb, ZeroOvertakesWhatIsQueued)
   const std::int64_t start = this->Time.Now();
   const std::size_t before = this->ReceivedCount();
   static_cast<void>(this->Device->Apply(Vector3::Zero()));
-  this->ExpectStop("switched off", start);
+  this->ExpectStop("ZeroForce", start);
   // What an armed link holds at most.
   EXPECT_LE(this->TorquesSince(before), 4U);
 }
@@ -84,7 +86,7 @@ TEST_F(StopOverUsb, ZeroGoesOutThoughRepliesAreOwed)
       this->Push));
   const std::int64_t start = this->Time.Now();
   EXPECT_TRUE(this->Device->Apply(Vector3::Zero()));
-  this->ExpectStop("switched off while replies are owed", start);
+  this->ExpectStop("SwitchedOffWhileRepliesAreOwed", start);
 }
 
 TEST_F(StopOverUsb, ZeroIsFirstWhereAFullQueueMovesAgain)
@@ -97,14 +99,14 @@ TEST_F(StopOverUsb, ZeroIsFirstWhereAFullQueueMovesAgain)
   EXPECT_TRUE(Eventually([this] { return this->Bus.WaitingWrites() == 1; }));
   const std::int64_t start = this->Time.Now();
   this->Bus.HoldWrites(false);
-  this->ExpectStop("full queue, from when it moves again", start);
+  this->ExpectStop("FullQueueFromWhenItMovesAgain", start);
   EXPECT_EQ(this->TorquesSince(before), 0U);
 }
 
 TEST_F(StopOverUsb, AServoThatHangsLosesItsTorque)
 {
   const std::int64_t start = this->Time.Now();
-  this->ExpectStop("servo hangs", start);
+  this->ExpectStop("ServoHangs", start);
   EXPECT_GE(this->Time.Now() - start, FalconLink::SilenceLimit - 2'000'000);
 }
 
@@ -124,7 +126,7 @@ TEST_F(StopOverUsb, WhereOnlyErrorsComeItStops)
   this->Bus.FailReads(1'000'000);
   EXPECT_TRUE(
       this->TickUntil([this] { return this->Device->State() == DeviceState::Error; }, this->Push));
-  this->ExpectStop("only errors come", start);
+  this->ExpectStop("OnlyErrorsCome", start);
 }
 
 TEST_F(StopOverUsb, ADeviceThatTakesNothingFailsAndStopsOnceItTakesAgain)
@@ -135,7 +137,7 @@ TEST_F(StopOverUsb, ADeviceThatTakesNothingFailsAndStopsOnceItTakesAgain)
   const std::size_t before = this->ReceivedCount();
   const std::int64_t start = this->Time.Now();
   this->Bus.HoldWrites(false);
-  this->ExpectStop("takes nothing until the driver gives up, from when it does again", start);
+  this->ExpectStop("TakesNothingFromWhenItDoesAgain", start);
   EXPECT_EQ(this->TorquesSince(before), 0U);
 }
 
@@ -143,7 +145,7 @@ TEST_F(StopOverUsb, ClosingStops)
 {
   const std::int64_t start = this->Time.Now();
   this->Device->Close();
-  this->ExpectStop("closed", start);
+  this->ExpectStop("Closed", start);
 }
 
 TEST_F(StopOverUsb, AHubThatResetsLeavesTheTorqueUntilTheDeviceIsOpenedAgain)
@@ -164,13 +166,49 @@ TEST_F(StopOverUsb, AHubThatResetsLeavesTheTorqueUntilTheDeviceIsOpenedAgain)
   }
 }
 
-TEST_F(StopOverUsb, ATouchThatIsSwitchedOffEndsInZeroAtTheBoard)
+struct TouchStop
 {
-  Servo servo(*this->Device, ServoSettings());
-  // All of the workspace is inside of this wall.
-  ASSERT_TRUE(
-      servo.Publish(std::make_shared<TouchScene>(test::WallScene(40.0, {0.2, 0.0}))).IsOk());
-  const auto run = [&](const auto& condition)
+  std::string Name;
+  std::function<void(VirtualFalcon&, Servo&, test::WallControl&)> Break;
+};
+
+void PrintTo(const TouchStop& c, std::ostream* stream)
+{
+  *stream << c.Name;
+}
+
+void Delay(VirtualFalcon& falcon, std::int64_t time)
+{
+  falcon.Faults.Spoil = [time](VirtualFalconAnswer& answer) { answer.Delay += time; };
+}
+
+const TouchStop TouchStops[] = {
+    {"SwitchedOff", [](VirtualFalcon&, Servo& servo, test::WallControl&) { servo.SwitchOff(); }},
+    {"RepliesStop", [](VirtualFalcon& falcon, Servo&, test::WallControl&)
+     { falcon.Faults.Spoil = [](VirtualFalconAnswer& answer) { answer.Bytes.clear(); }; }},
+    {"RepliesStall",
+     [](VirtualFalcon& falcon, Servo&, test::WallControl&) { Delay(falcon, 1'000'000'000); }},
+    {"RepliesComeLate",
+     [](VirtualFalcon& falcon, Servo&, test::WallControl&) { Delay(falcon, 15'000'000); }},
+    {"InvalidContact", [](VirtualFalcon&, Servo&, test::WallControl& wall)
+     { wall.Fault = test::WallFault::Invalid; }},
+    {"ForceIsNaN", [](VirtualFalcon&, Servo&, test::WallControl& wall)
+     { wall.Fault = test::WallFault::NaNNormal; }},
+    {"HomeIsLost",
+     [](VirtualFalcon& falcon, Servo&, test::WallControl&)
+     {
+       falcon.Mechanism().Settings.CounterErrors = {};
+       falcon.Mechanism().ForgetHome();
+     }},
+};
+
+// A servo of its own, which presses a wall that fills the workspace.
+class TouchStopOverUsb : public StopOverUsb, public testing::WithParamInterface<TouchStop>
+{
+protected:
+  // Ticks until something holds. A tick or a sample that was late is another program's doing.
+  template <typename Condition>
+  bool Run(Servo& servo, const Condition& condition, bool rearms)
   {
     bool holds = false;
     FixedRateLoop(this->Time, 1'000'000)
@@ -178,22 +216,48 @@ TEST_F(StopOverUsb, ATouchThatIsSwitchedOffEndsInZeroAtTheBoard)
             [&](const TickInfo& tick)
             {
               servo.Tick(tick);
-              if (servo.Latest().Safety.Fault == SafetyFault::StalledTick ||
-                  servo.Latest().Safety.Fault == SafetyFault::StaleSample)
+              if (rearms && servo.Latest().Safety.Fault != SafetyFault::None)
               {
-                servo.Rearm(); // another program's doing
+                servo.Rearm();
               }
               holds = condition();
               return !holds && tick.Number < 10'000;
             });
     return holds;
-  };
-  ASSERT_TRUE(run([this, &servo] { return servo.Latest().Safety.IsArmed && this->HasTorque(); }));
+  }
+};
+
+TEST_P(TouchStopOverUsb, EndsInZeroAtTheBoardForGood)
+{
+  const auto wall = std::make_shared<test::WallControl>();
+  Servo servo(*this->Device, ServoSettings());
+  ASSERT_TRUE(
+      servo.Publish(std::make_shared<TouchScene>(test::WallScene(90.0, {0.1, 0.0}, wall))).IsOk());
+  ASSERT_TRUE(this->Run(
+      servo,
+      [&]
+      {
+        return servo.Latest().Safety.Fault == SafetyFault::None &&
+               servo.Latest().ForceDevice.Z > 2.0 && this->HasTorque();
+      },
+      true));
   const std::int64_t start = this->Time.Now();
-  servo.SwitchOff();
-  EXPECT_TRUE(run([this] { return !this->HasTorqueNow(); }));
-  EXPECT_EQ(servo.Latest().Safety.Fault, SafetyFault::SwitchedOff);
-  this->ExpectStop("switched off in a touch", start);
+  this->Bus.WithFalcon([&](VirtualFalcon& falcon) { GetParam().Break(falcon, servo, *wall); });
+  EXPECT_TRUE(this->Run(
+      servo, [&] { return servo.Latest().Safety.Fault != SafetyFault::None; }, false));
+  const std::int64_t fault = this->Time.Now();
+  EXPECT_TRUE(this->Run(
+      servo, [this] { return !this->HasTorqueNow(); }, false));
+  this->RecordProperty("milliseconds_from_fault",
+                       std::to_string(1e-6 * static_cast<double>(this->Time.Now() - fault)));
+  this->ExpectStop(GetParam().Name.c_str(), start);
+  const std::size_t stopped = this->ReceivedCount();
+  EXPECT_TRUE(this->Run(
+      servo, [&, n = 0]() mutable { return ++n == 300; }, false));
+  EXPECT_EQ(this->TorquesSince(stopped), 0U);
 }
+
+INSTANTIATE_TEST_SUITE_P(All, TouchStopOverUsb, testing::ValuesIn(TouchStops),
+                         [](const auto& chosen) { return chosen.param.Name; });
 } // namespace
 } // namespace palpate
