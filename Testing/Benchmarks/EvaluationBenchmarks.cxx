@@ -184,41 +184,19 @@ PairedBenchmark PairWithSharp()
           static_cast<double>(Rings) * Columns};
 }
 
-// The naive sum: one call of the standard library for each degree and order.
-double StandardRadius(int degree, const std::vector<double>& coefficients, const Vector3& direction)
-{
-  const double theta = std::acos(direction.z());
-  const double phi = std::atan2(direction.y(), direction.x());
-  double radius = 0.0;
-  for (int l = 0; l <= degree; ++l)
-  {
-    for (int m = 0; m <= l; ++m)
-    {
-      const double phase = m % 2 == 0 ? 1.0 : -1.0; // Condon and Shortley's, taken out again
-      const double p =
-          phase * std::sph_legendre(static_cast<unsigned>(l), static_cast<unsigned>(m), theta);
-      const double c = coefficients[SphericalHarmonicBasis::Index(l, m)];
-      const double s = coefficients[SphericalHarmonicBasis::Index(l, -m)];
-      radius +=
-          m == 0 ? c * p : std::sqrt(2.0) * p * (c * std::cos(m * phi) + s * std::sin(m * phi));
-    }
-  }
-  return radius;
-}
-
-PairedBenchmark PairWithStandardLibrary()
+PairedBenchmark PairValuesWithGsl()
 {
   constexpr int Degree = 12;
   struct Case
   {
-    std::vector<double> Coefficients = OrganCoefficients(Degree);
-    Evaluator Ours{Degree, Coefficients};
+    Evaluator Ours{Degree, OrganCoefficients(Degree)};
+    GslHarmonics Theirs{Degree, OrganCoefficients(Degree)};
     std::vector<Vector3> Directions = ShuffledDirections();
     Results Found{Directions.size()};
   };
   const auto c = std::make_shared<Case>();
   return {"sh/value/degree12/independent",
-          "std::sph_legendre and sums",
+          "GSL, legendre_array and sums",
           [c]
           {
             OneByOne(c->Directions, c->Found.Ours,
@@ -230,7 +208,7 @@ PairedBenchmark PairWithStandardLibrary()
           {
             OneByOne(c->Directions, c->Found.Theirs,
                      [&](const Vector3& u) {
-                       return Sample{StandardRadius(Degree, c->Coefficients, u), Vector3::Zero()};
+                       return Sample{c->Theirs.Radius(u), Vector3::Zero()};
                      });
           },
           [c] { return c->Found.Disagreement(1e-6); },
@@ -304,7 +282,7 @@ std::vector<PairedBenchmark> EvaluationBenchmarks()
                       InstructionSet::Portable),
           PairWithGsl("sh/gradient/degree12/recurrence", 12, false, Formulation::Recurrence),
           PairWithGsl("sh/gradient/degree40/independent", 40, false),
-          PairWithStandardLibrary(),
+          PairValuesWithGsl(),
           PairWithDifferences()};
 }
 } // namespace palpate::bench

@@ -149,8 +149,8 @@ class FieldCase
 {
 public:
   FieldCase()
-      : Skull(Nodes), Itk(Skull.Grid, Skull.Samples), PointsWorld(PointsOfATool(Skull)),
-        Ours(PointsWorld.size()), Theirs(PointsWorld.size())
+      : Skull(Nodes), Itk(MakeItkInterpolators(Skull.Grid, Skull.Samples)),
+        PointsWorld(PointsOfATool(Skull)), Ours(PointsWorld.size()), Theirs(PointsWorld.size())
   {
     MakeImage(this->Skull, this->Image);
     this->Implicit->SetVolume(this->Image);
@@ -178,8 +178,8 @@ public:
   void AreInsideByItk(FieldInterpolation interpolation)
   {
     interpolation == FieldInterpolation::Trilinear
-        ? this->Itk.AreInsideLinear(SkullPhantom::BoneIso, this->PointsWorld, this->Theirs)
-        : this->Itk.AreInsideBSpline(SkullPhantom::BoneIso, this->PointsWorld, this->Theirs);
+        ? this->Itk->AreInsideLinear(SkullPhantom::BoneIso, this->PointsWorld, this->Theirs)
+        : this->Itk->AreInsideBSpline(SkullPhantom::BoneIso, this->PointsWorld, this->Theirs);
   }
   // Points whose value is the iso-value to rounding may differ; the cubic's is kept in float.
   std::string InsideDisagreement() const
@@ -244,7 +244,7 @@ private:
   }
 
   SkullPhantom Skull;
-  ItkInterpolators Itk;
+  std::unique_ptr<ItkInterpolators> Itk;
   std::vector<Vector3> PointsWorld;
   FieldSampler LinearSampler{Skull.MakeField(FieldInterpolation::Trilinear)};
   FieldSampler CubicSampler{Skull.MakeField(FieldInterpolation::TricubicBSpline)};

@@ -1,5 +1,6 @@
 #include "FitBenchmarks.h"
 
+#include "EigenPeers.h"
 #include "FixedDirectionFit.h"
 #include "HuberWeights.h"
 #include "IcosahedronDirections.h"
@@ -9,7 +10,6 @@
 #include "SphericalHarmonicFit.h"
 
 #include <Eigen/Cholesky>
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <memory>
@@ -69,15 +69,14 @@ public:
                                  static_cast<Eigen::Index>(this->Result.Coefficients.size()));
   }
 
-  void SolveByFactorisation()
+  using Method = void (EigenPeers::*)(const double* design, std::ptrdiff_t rows,
+                                      std::ptrdiff_t columns, const double* right,
+                                      double* solution) const;
+  void Solve(const EigenPeers& peers, Method method)
   {
-    this->Solution =
-        Eigen::ColPivHouseholderQR<Matrix>(this->WeightedDesign).solve(this->WeightedRadii);
-  }
-
-  void SolveByNormalEquations()
-  {
-    this->Solution = NormalEquations(this->WeightedDesign, this->WeightedRadii);
+    this->Solution.resize(this->Design.cols());
+    (peers.*method)(this->WeightedDesign.data(), this->Design.rows(), this->Design.cols(),
+                    this->WeightedRadii.data(), this->Solution.data());
   }
 
   // Reweighted least squares with the same weights and the same end.
@@ -124,9 +123,10 @@ public:
 protected:
   static Vector NormalEquations(const Matrix& design, const Vector& right)
   {
-    Matrix gram = Matrix::Zero(design.cols(), design.cols());
-    gram.selfadjointView<Eigen::Lower>().rankUpdate(design.transpose());
-    return Eigen::LLT<Eigen::Ref<Matrix>>(gram).solve(design.transpose() * right);
+    Vector solution(design.cols());
+    FastestEigenPeers().NormalEquations(design.data(), design.rows(), design.cols(), right.data(),
+                                        solution.data());
+    return solution;
   }
 
   RadialSamples Samples;
@@ -163,7 +163,13 @@ public:
       this->Outcome = Status::Failure("the refit refused the radii");
     }
   }
-  void Multiply() { this->Solution.noalias() = this->PseudoInverse * this->Radii; }
+  void Multiply()
+  {
+    this->Solution.resize(this->PseudoInverse.rows());
+    FastestEigenPeers().Multiply(this->PseudoInverse.data(), this->PseudoInverse.rows(),
+                                 this->PseudoInverse.cols(), this->Radii.data(),
+                                 this->Solution.data());
+  }
 
 private:
   FixedDirectionFit Fixed;
@@ -178,7 +184,8 @@ public:
   IncrementalCase() : Incremental(Degree)
   {
     this->Outcome = this->Incremental.Start(this->Samples, 0.0, this->Samples.Radii.size() + 1);
-    this->Factor.compute(this->WeightedDesign.transpose() * this->WeightedDesign);
+    this->Factor =
+        Eigen::LLT<Matrix>(this->WeightedDesign.transpose() * this->WeightedDesign).matrixL();
     this->Right = this->WeightedDesign.transpose() * this->WeightedRadii;
     SphericalHarmonicBasis(Degree).Evaluate(this->Direction, this->Ours.data());
     this->Harmonics = this->Ours;
@@ -200,16 +207,20 @@ public:
     const double weight = this->Incremental.Scale() * 1e-3;
     for (const double sign : {1.0, -1.0})
     {
-      this->Factor.rankUpdate(this->Harmonics, sign * weight);
+      const EigenPeers& peers = FastestEigenPeers();
+      peers.RankUpdate(this->Factor.data(), this->Factor.rows(), this->Harmonics.data(),
+                       sign * weight);
       this->Right += sign * weight * 25.0 * this->Harmonics;
-      this->Solution = this->Factor.solve(this->Right);
+      this->Solution.resize(this->Right.size());
+      peers.SolveByFactor(this->Factor.data(), this->Factor.rows(), this->Right.data(),
+                          this->Solution.data());
     }
   }
 
 private:
   const Vector3 Direction = Vector3(1.0, 2.0, 3.0).normalized();
   IncrementalFit Incremental;
-  Eigen::LLT<Matrix> Factor;
+  Matrix Factor; // L
   Vector Right;
   Vector Harmonics;
 };
@@ -221,16 +232,22 @@ std::vector<PairedBenchmark> FitBenchmarks()
   const auto robust = std::make_shared<FitCase>(true);
   const auto refit = std::make_shared<RefitCase>();
   const auto change = std::make_shared<IncrementalCase>();
-  const std::string normal = "Eigen normal equations, matrix given";
-  const std::string pivoted = "Eigen ColPivHouseholderQR, matrix given";
+  // Eigen is given the matrix; ours makes it.
+  const auto solve = [fit](const EigenPeers& (*peers)(), FitCase::Method method)
+  { return [fit, peers, method] { fit->Solve(peers(), method); }; };
+  const auto orthogonal = [fit] { fit->Fit(Options::Method::Orthogonal); };
   const auto moments = [fit] { fit->Fit(Options::Method::Moments); };
   // A condition below 2 and thousands of roundings; many changes for the incremental fit; the
   // robust ones stop within a ten-thousandth of the noise.
   const auto agree = [fit] { return fit->Disagreement(1e-12); };
-  return {{"sh/fit/4002x169", normal, moments, [fit] { fit->SolveByNormalEquations(); }, agree},
-          {"sh/fit/4002x169/qr", pivoted, moments, [fit] { fit->SolveByFactorisation(); }, agree},
-          {"sh/fit/orthogonal/4002x169", pivoted, [fit] { fit->Fit(Options::Method::Orthogonal); },
-           [fit] { fit->SolveByFactorisation(); }, agree},
+  return {{"sh/fit/orthogonal/4002x169", "Eigen HouseholderQR, matrix given", orthogonal,
+           solve(FastestEigenPeers, &EigenPeers::Householder), agree},
+          {"sh/fit/orthogonal/4002x169/pivoted", "Eigen ColPivHouseholderQR, matrix given",
+           orthogonal, solve(FastestEigenPeers, &EigenPeers::PivotedHouseholder), agree},
+          {"sh/fit/4002x169", "Eigen normal equations, matrix given", moments,
+           solve(FastestEigenPeers, &EigenPeers::NormalEquations), agree},
+          {"sh/fit/4002x169/sse2", "Eigen normal equations for SSE2, matrix given", moments,
+           solve(PortableEigenPeers, &EigenPeers::NormalEquations), agree},
           {"sh/fit/robust/4002x169", "the same weights with Eigen normal equations",
            [robust] { robust->Fit(Options::Method::Moments, Options::Robust::Huber); },
            [robust] { robust->SolveRobustly(); }, [robust] { return robust->Disagreement(1e-6); }},

@@ -55,4 +55,34 @@ SphericalHarmonicModel::Sample GslHarmonics::Evaluate(const Vector3& direction)
   const Vector3 phi(-sineStep, cosineStep, 0.0);
   return {radius, alongTheta * theta + alongPhi / sine * phi};
 }
+
+double GslHarmonics::Radius(const Vector3& direction)
+{
+  constexpr double WithoutPhase = 1.0;
+  gsl_sf_legendre_array_e(GSL_SF_LEGENDRE_SPHARM, static_cast<std::size_t>(this->Degree),
+                          direction.z(), WithoutPhase, this->Values.data());
+  const double sine = std::hypot(direction.x(), direction.y()); // of the polar angle
+  const double cosineStep = direction.x() / sine;
+  const double sineStep = direction.y() / sine;
+  double cosine = std::sqrt(2.0); // sqrt(2) cos(m phi)
+  double sineOfOrder = 0.0;
+  double radius = 0.0;
+  for (int m = 0; m <= this->Degree; ++m)
+  {
+    double even[2] = {0.0, 0.0}; // sums of the cosine and sine coefficients times P
+    for (int l = m; l <= this->Degree; ++l)
+    {
+      const double p = this->Values[gsl_sf_legendre_array_index(static_cast<std::size_t>(l),
+                                                                static_cast<std::size_t>(m))];
+      even[0] += p * this->Coefficients[SphericalHarmonicBasis::Index(l, m)];
+      even[1] += m == 0 ? 0.0 : p * this->Coefficients[SphericalHarmonicBasis::Index(l, -m)];
+    }
+    const double scale = m == 0 ? 1.0 / std::sqrt(2.0) : 1.0;
+    radius += scale * (even[0] * cosine + even[1] * sineOfOrder);
+    const double next = cosine * cosineStep - sineOfOrder * sineStep;
+    sineOfOrder = cosine * sineStep + sineOfOrder * cosineStep;
+    cosine = next;
+  }
+  return radius;
+}
 } // namespace palpate::bench

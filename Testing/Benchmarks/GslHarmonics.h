@@ -15,6 +15,7 @@ public:
   GslHarmonics(int degree, std::vector<double> coefficients);
 
   SphericalHarmonicModel::Sample Evaluate(const Vector3& direction);
+  double Radius(const Vector3& direction);
 
 private:
   int Degree;

@@ -1,4 +1,4 @@
-#include "ItkInterpolators.h"
+#include "PeerLibraries.h"
 
 #include <algorithm>
 #include <itkBSplineInterpolateImageFunction.h>
@@ -48,37 +48,40 @@ void AreInside(const Interpolator& interpolator, double iso,
     inside[p] = interpolator->IsInsideBuffer(point) && interpolator->Evaluate(point) >= iso ? 1 : 0;
   }
 }
-} // namespace
-
-struct ItkInterpolators::Parts
+class Interpolators final : public ItkInterpolators
 {
+public:
+  Interpolators(const FieldGrid& grid, const std::vector<std::int16_t>& samples)
+      : Volume(MakeImage(grid, samples))
+  {
+    this->Linear->SetInputImage(this->Volume);
+    this->BSpline->SetSplineOrder(3);
+    this->BSpline->SetInputImage(this->Volume);
+  }
+
+  void AreInsideLinear(double iso, const std::vector<Vector3>& pointsWorld,
+                       std::vector<unsigned char>& inside) const override
+  {
+    AreInside(this->Linear, iso, pointsWorld, inside);
+  }
+  void AreInsideBSpline(double iso, const std::vector<Vector3>& pointsWorld,
+                        std::vector<unsigned char>& inside) const override
+  {
+    AreInside(this->BSpline, iso, pointsWorld, inside);
+  }
+
+private:
   Image::Pointer Volume;
   itk::LinearInterpolateImageFunction<Image, double>::Pointer Linear =
       itk::LinearInterpolateImageFunction<Image, double>::New();
   itk::BSplineInterpolateImageFunction<Image, double, double>::Pointer BSpline =
       itk::BSplineInterpolateImageFunction<Image, double, double>::New();
 };
+} // namespace
 
-ItkInterpolators::ItkInterpolators(const FieldGrid& grid, const std::vector<std::int16_t>& samples)
-    : P(new Parts)
+std::unique_ptr<ItkInterpolators> PALPATE_ITK_PEERS(const FieldGrid& grid,
+                                                    const std::vector<std::int16_t>& samples)
 {
-  this->P->Volume = MakeImage(grid, samples);
-  this->P->Linear->SetInputImage(this->P->Volume);
-  this->P->BSpline->SetSplineOrder(3);
-  this->P->BSpline->SetInputImage(this->P->Volume);
-}
-
-ItkInterpolators::~ItkInterpolators() = default;
-
-void ItkInterpolators::AreInsideLinear(double iso, const std::vector<Vector3>& pointsWorld,
-                                       std::vector<unsigned char>& inside) const
-{
-  AreInside(this->P->Linear, iso, pointsWorld, inside);
-}
-
-void ItkInterpolators::AreInsideBSpline(double iso, const std::vector<Vector3>& pointsWorld,
-                                        std::vector<unsigned char>& inside) const
-{
-  AreInside(this->P->BSpline, iso, pointsWorld, inside);
+  return std::make_unique<Interpolators>(grid, samples);
 }
 } // namespace palpate::bench

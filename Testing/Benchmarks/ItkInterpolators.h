@@ -12,18 +12,14 @@ namespace palpate::bench
 class ItkInterpolators
 {
 public:
-  ItkInterpolators(const FieldGrid& grid, const std::vector<std::int16_t>& samples);
-  ~ItkInterpolators();
-  ItkInterpolators(const ItkInterpolators&) = delete;
-  ItkInterpolators& operator=(const ItkInterpolators&) = delete;
-
-  void AreInsideLinear(double iso, const std::vector<Vector3>& pointsWorld,
-                       std::vector<unsigned char>& inside) const;
-  void AreInsideBSpline(double iso, const std::vector<Vector3>& pointsWorld,
-                        std::vector<unsigned char>& inside) const;
-
-private:
-  struct Parts;
-  std::unique_ptr<Parts> P;
+  virtual ~ItkInterpolators() = default;
+  virtual void AreInsideLinear(double iso, const std::vector<Vector3>& pointsWorld,
+                               std::vector<unsigned char>& inside) const = 0;
+  virtual void AreInsideBSpline(double iso, const std::vector<Vector3>& pointsWorld,
+                                std::vector<unsigned char>& inside) const = 0;
 };
+
+/// Their templates compiled for the fastest instruction set that this processor has.
+std::unique_ptr<ItkInterpolators> MakeItkInterpolators(const FieldGrid& grid,
+                                                       const std::vector<std::int16_t>& samples);
 } // namespace palpate::bench

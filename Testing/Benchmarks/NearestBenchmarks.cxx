@@ -118,6 +118,22 @@ public:
       this->Theirs[i] = std::sqrt(square);
     }
   }
+  // VTK's way to begin near: no farther than the last point found is.
+  void LocateFromLast()
+  {
+    Vector3 last = Vector3(this->Start.PointWorld);
+    for (std::size_t i = 0; i < this->Path.size(); ++i)
+    {
+      Vector3 query = this->Path[i];
+      const double radius = (query - last).norm() * (1.0 + 1e-9) + 0.1; // facets lie beside it
+      vtkIdType triangle = 0;
+      int part = 0;
+      double square = 0.0;
+      this->Locator->FindClosestPointWithinRadius(query.data(), radius, last.data(), this->Cell,
+                                                  triangle, part, square);
+      this->Theirs[i] = std::sqrt(square);
+    }
+  }
   void FindNearest()
   {
     for (std::size_t i = 0; i < this->Path.size(); ++i)
@@ -218,8 +234,9 @@ std::vector<PairedBenchmark> NearestBenchmarks()
   const auto nearest = std::make_shared<NearestCase>();
   const auto curvature = std::make_shared<CurvatureCase>();
   const auto agree = [nearest] { return nearest->Disagreement(); };
-  return {{"sh/nearest/degree12/warm", "vtkStaticCellLocator, 8,000 triangles",
-           [nearest] { nearest->Track(); }, [nearest] { nearest->Locate(); }, agree, Ticks},
+  return {{"sh/nearest/degree12/warm",
+           "vtkStaticCellLocator within the last distance, 8,000 triangles",
+           [nearest] { nearest->Track(); }, [nearest] { nearest->LocateFromLast(); }, agree, Ticks},
           {"sh/nearest/degree12/cold", "vtkImplicitPolyDataDistance, 8,000 triangles",
            [nearest] { nearest->FindNearest(); }, [nearest] { nearest->FindSignedDistance(); },
            agree, Ticks},

@@ -10,7 +10,6 @@
 #include "vtkFlyingEdges3D.h"
 #include "vtkImageData.h"
 #include "vtkNew.h"
-#include "vtkOpenGLGPUVolumeRayCastMapper.h"
 #include "vtkPiecewiseFunction.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkRenderWindow.h"
@@ -147,14 +146,6 @@ vtkSmartPointer<vtkProp> FixedPointProp(vtkImageData* body)
   return StockVolume(mapper, body);
 }
 
-vtkSmartPointer<vtkProp> GpuProp(vtkImageData* body)
-{
-  vtkNew<vtkOpenGLGPUVolumeRayCastMapper> mapper;
-  mapper->AutoAdjustSampleDistancesOff();
-  mapper->SetSampleDistance(1.0F);
-  return StockVolume(mapper, body);
-}
-
 using MakeProp = std::function<vtkSmartPointer<vtkProp>(vtkImageData*)>;
 
 // Made when it is first run: bodies and windows are many megabytes.
@@ -230,8 +221,6 @@ std::vector<PairedBenchmark> RenderBenchmarks(const std::shared_ptr<DisplayServe
   const std::string fixedPoint = "vtkFixedPointVolumeRayCastMapper, shaded, a sample a voxel";
   return {Pair(display, "render/subvoxel/512", polygons, 512, PolygonProp),
           Pair(display, "render/subvoxel/512/fixedpoint", fixedPoint, 512, FixedPointProp),
-          Pair(display, "render/subvoxel/512/gpu", "vtkGPUVolumeRayCastMapper, software OpenGL",
-               512, GpuProp),
           Pair(display, "render/subvoxel/1024", polygons, 1024, PolygonProp),
           Pair(display, "render/subvoxel/1024/fixedpoint", fixedPoint, 1024, FixedPointProp)};
 }

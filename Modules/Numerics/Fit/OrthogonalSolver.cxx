@@ -1,8 +1,8 @@
 #include "OrthogonalSolver.h"
 
+#include "HouseholderReduction.h"
 #include "SphericalHarmonicBasis.h"
 
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 
@@ -26,10 +26,11 @@ bool OrthogonalSolver::Reduce(const SampleView& samples)
   }
   this->Design = values.transpose();
   const Vector scales = Eigen::Map<const Vector>(samples.Weights, rows).cwiseSqrt();
-  const Eigen::HouseholderQR<Matrix> qr(scales.asDiagonal() * this->Design);
-  const Vector right = scales.cwiseProduct(Eigen::Map<const Vector>(samples.Values, rows));
-  const Vector rotated = qr.householderQ().adjoint() * right;
-  this->Upper = qr.matrixQR().topRows(columns).triangularView<Eigen::Upper>();
+  Matrix weighted = scales.asDiagonal() * this->Design;
+  Vector rotated = scales.cwiseProduct(Eigen::Map<const Vector>(samples.Values, rows));
+  householder::ReductionFor(FastestInstructionSet())(weighted.data(), rows, columns,
+                                                     rotated.data());
+  this->Upper = weighted.topRows(columns).triangularView<Eigen::Upper>();
   std::copy_n(rotated.begin(), columns, this->Projected.begin());
   this->UnreachableSquares = rotated.tail(rows - columns).squaredNorm();
   this->Reduced.SetFactor(this->Upper);
@@ -56,12 +57,13 @@ bool OrthogonalSolver::FactoriseSystem(double strength)
       stacked(size + i, i) = std::sqrt(strength * Roughness(l));
     }
   }
-  const Eigen::HouseholderQR<Matrix> qr(stacked);
   Vector stackedRight = Vector::Zero(2 * size);
   stackedRight.head(size) = right;
-  this->Rotated = Vector(qr.householderQ().adjoint() * stackedRight).head(size);
+  householder::ReductionFor(FastestInstructionSet())(stacked.data(), 2 * size, size,
+                                                     stackedRight.data());
+  this->Rotated = stackedRight.head(size);
   this->Penalised = PackedTriangle(static_cast<int>(size));
-  this->Penalised.SetFactor(qr.matrixQR().topRows(size));
+  this->Penalised.SetFactor(stacked.topRows(size));
   return true;
 }
 
