@@ -12,6 +12,8 @@
 #include <cstdlib>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
+#include <sys/prctl.h>
+#include <sys/wait.h>
 #include <thread>
 
 namespace palpate::test
@@ -195,6 +197,7 @@ TEST_F(CliFalcon, AMaskIsTouchedWithIt)
 // board holds it for ever.
 TEST_F(CliFalconEnds, KilledItLeavesNoTorqueOnTheMotors)
 {
+  prctl(PR_SET_CHILD_SUBREAPER, 1); // the guard loses its parent, and becomes this process's child
   this->Bed.Plug(this->Bus, 2);
   WriteTwoBalls(this->Folder / "a.nii.gz");
   WriteAll(this->Folder / "calibration.txt", "palpate-falcon-calibration 1\ncarried-mass 0.5\n");
@@ -216,19 +219,23 @@ TEST_F(CliFalconEnds, KilledItLeavesNoTorqueOnTheMotors)
       });
   while (!isOver && !hasTorque())
   {
-    std::this_thread::yield();
+    std::this_thread::sleep_for(std::chrono::milliseconds(1)); // lets the model go on
   }
   const bool wasPushing = hasTorque();
   const auto start = std::chrono::steady_clock::now();
   kill(std::stoi(ReadAll(this->Folder / "pid")), SIGKILL);
+  command.join();
+  this->Bus.ReleaseClaims(); // umockdev does not say that a client has ended
   while (hasTorque() && std::chrono::steady_clock::now() < start + std::chrono::seconds(20))
   {
-    std::this_thread::yield();
+    std::this_thread::sleep_for(std::chrono::milliseconds(1)); // lets the model go on
   }
   const std::chrono::duration<double, std::milli> passed = std::chrono::steady_clock::now() - start;
-  command.join();
   EXPECT_TRUE(wasPushing);
   EXPECT_FALSE(hasTorque());
+  int status = 1;
+  EXPECT_GT(waitpid(-1, &status, 0), 0) << "the guard ends once it has done its work";
+  EXPECT_EQ(status, 0);
   RecordProperty("front", "virtual bus");
   RecordProperty("fault", "SIGKILL");
   RecordProperty("milliseconds", std::to_string(passed.count()));

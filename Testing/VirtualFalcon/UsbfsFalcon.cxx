@@ -413,6 +413,19 @@ void UsbfsFalcon::BindDriver(const std::string& name)
   this->Driver = name;
 }
 
+void UsbfsFalcon::ReleaseClaims()
+{
+  const std::lock_guard<std::mutex> lock(this->Access);
+  for (UsbfsFile& file : this->Files)
+  {
+    if (file.HasClaim)
+    {
+      file.HasClaim = false;
+      file.Waiting.clear();
+    }
+  }
+}
+
 std::size_t UsbfsFalcon::WaitingCount()
 {
   const std::lock_guard<std::mutex> lock(this->Access);

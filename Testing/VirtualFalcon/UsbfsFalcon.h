@@ -89,6 +89,9 @@ public:
   void KeepDiscarded(bool keep);
   /// A driver of the kernel has the interface; it lets go when it is told to.
   void BindDriver(const std::string& name);
+  /// As the kernel does for a process that was killed: what it had claimed is free again, and what
+  /// it had submitted is gone. A front that does not notice the end of its clients calls this.
+  void ReleaseClaims();
   /// Requests that were submitted and neither finished nor discarded.
   std::size_t WaitingCount();
   std::size_t WaitingWrites();
