@@ -308,6 +308,40 @@ TEST(Servo, ANewSceneFadesIn)
   EXPECT_EQ(run.Loop.Latest().Scene, 2u);
 }
 
+TEST(Servo, ANewSceneKnowsNothingOfTheWayToIt)
+{
+  test::ServoRun run(WallScene(0.0, {1.0, 0.0}));
+  run.RestAt({0.0, 0.0, -1.0});
+  // The hand stays in the device, and comes to be 99 mm over the wall.
+  CountedWall wall;
+  wall.Scene.Frame = DeviceFrame(Matrix3::Identity(), 1.0, {0.0, 0.0, 100.0});
+  ASSERT_TRUE(run.Loop.Publish(std::make_shared<TouchScene>(wall.Scene)).IsOk());
+  run.TickAt({0.0, 0.0, -1.0});
+  EXPECT_EQ(wall.Control->Questions, 0);
+}
+
+TEST(Servo, WhatAContactTookInEndsWithIt)
+{
+  test::ServoRun run(WallScene(0.0, {1.0, 0.0}));
+  run.RestAt({0.0, 0.0, -0.5});
+  run.TickAt({0.0, 0.0, -1.5});
+  run.TickAt({0.0, 0.0, -1.0});
+  EXPECT_NEAR(run.Loop.Latest().Safety.Energy, 0.5 - 0.75, 1e-12);
+  run.RestAt({0.0, 0.0, 1.0});
+  EXPECT_EQ(run.Loop.Latest().Safety.Energy, 0.0);
+}
+
+TEST(Servo, OneContactOfManyThatIsNoneIsAFault)
+{
+  CountedWall first;
+  first.Scene.Structures.push_back(WallScene(-0.5, {1.0, 0.0}).Structures[0]);
+  test::ServoRun run(first.Scene);
+  ASSERT_GT(run.RestAt({0.0, 0.0, -1.0})[2], 0.9);
+  first.Control->Fault = test::WallFault::Invalid;
+  run.TickAt({0.0, 0.0, -1.0});
+  EXPECT_EQ(run.Loop.Latest().Safety.Fault, SafetyFault::InvalidContact);
+}
+
 TEST(Servo, DampingIsFeltGoingInAndNeverPullsComingOut)
 {
   test::ServoRun run(WallScene(0.0, {0.5, 0.02}));

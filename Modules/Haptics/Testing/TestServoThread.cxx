@@ -109,6 +109,8 @@ TEST(ServoThread, StartsAgainAfterAStop)
       std::this_thread::yield();
     }
     servo.Stop();
+    // Counted since Start: the first tick has no period before it.
+    EXPECT_EQ(servo.Statistics().Durations.Count(), servo.Statistics().Periods.Count() + 1);
   }
 }
 

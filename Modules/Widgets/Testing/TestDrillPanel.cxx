@@ -63,15 +63,10 @@ protected:
     double way = 0.0;
     this->Key(QEvent::KeyPress, Qt::Key_D);
     std::uint64_t last = 0;
-    WaitUntil(
+    this->FeelUntil(
         [&]
         {
-          this->AllowForcesAfterStalls();
           const TouchState& newest = this->Study->Reading().Newest;
-          if (!newest.IsDrilling)
-          {
-            this->Study->Current().Touch().RunDrill(true); // a stall takes it up
-          }
           if (newest.Tick.Number >= last + 20 && way < (this->BallMiddle - hand).norm())
           {
             last = newest.Tick.Number;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "PacedClock.h"
 #include "StudyPhantoms.h"
 #include "WidgetTest.h"
 
@@ -24,7 +25,7 @@ protected:
     QSettings().clear();
     RealtimeRequest ordinary;
     ordinary.Priority = 0;
-    this->Study = std::make_unique<StudyController>(this->Time, ordinary);
+    this->Study = std::make_unique<StudyController>(*this->Time, ordinary);
     FileQuestions questions;
     questions.ToOpen = [this](QWidget*, const QString&, const QString&) { return this->Opened; };
     questions.ToSave = [this](QWidget*, const QString&, const QString&, const QString&)
@@ -97,15 +98,18 @@ protected:
     const double* display = space->Renderer()->GetDisplayPoint();
     return {display[0], space->Canvas()->height() - 1 - display[1]};
   }
-  /// A servo without urgency stalls on a machine that does other things, and its forces go off as
-  /// they should; a person would allow them again.
-  void AllowForcesAfterStalls()
+  /// WaitUntil, while forces stay as they are: by a PacedClock nothing is late, so each fault but
+  /// being switched off ends the wait and fails.
+  void FeelUntil(const std::function<bool()>& isTrue)
   {
-    const SafetyFault fault = this->Study->Reading().Newest.Safety.Fault;
-    if (fault != SafetyFault::None && fault != SafetyFault::SwitchedOff)
-    {
-      this->Study->SwitchForcesOn();
-    }
+    WaitUntil(
+        [&]
+        {
+          const SafetyFault fault = this->Study->Reading().Newest.Safety.Fault;
+          const bool isFelt = fault == SafetyFault::None || fault == SafetyFault::SwitchedOff;
+          EXPECT_TRUE(isFelt) << Describe(fault);
+          return !isFelt || isTrue();
+        });
   }
   QAction* Action(const QString& start) const
   {
@@ -126,7 +130,7 @@ protected:
   std::string Messages() const { return this->Window->Messages()->Text().toStdString(); }
 
   StudyPhantom Phantom;
-  SteadyClock Time;
+  std::unique_ptr<Clock> Time = std::make_unique<PacedClock>();
   QStringList Opened;
   QString SavedTo;
   QString Chosen; ///< folder
