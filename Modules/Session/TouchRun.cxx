@@ -414,7 +414,8 @@ TouchResult RunTouch(const PreparedTouch& touch, const TouchRunSettings& setting
     ManualClock clock;
     return LiveTouch(touch, clock, settings).RunVirtual(clock, progress);
   }
-  SteadyClock clock;
+  SteadyClock machine;
+  Clock& clock = settings.Time != nullptr ? *settings.Time : machine;
   return LiveTouch(touch, clock, settings).RunReal(clock, progress);
 }
 

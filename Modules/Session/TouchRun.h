@@ -1,5 +1,6 @@
 #pragma once
 
+#include "Clock.h"
 #include "DrillBench.h"
 #include "DrillScript.h"
 #include "DrillWatch.h"
@@ -106,6 +107,7 @@ struct TouchRunSettings
   std::filesystem::path Recording; ///< of the session; empty for none
   TouchViewer View;                ///< drawn again and again beside the servo; not in virtual time
   TouchGuide Guide;                ///< none: nobody is told
+  Clock* Time = nullptr;           ///< of a touch that is not virtual; none: the machine's
 };
 
 /// Touches, for `touch.Duration` from when the device is homed. Ends early, with what there is

@@ -3,8 +3,10 @@
 #include "FalconTestBed.h"
 #include "SyntheticFiles.h"
 #include "TemporaryFolder.h"
+#include "TouchRecording.h"
 #include "Unprivileged.h"
 
+#include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <cmath>
@@ -28,6 +30,51 @@ VirtualMechanismSettings PullingHand()
   settings.Path = [](double t)
   { return Vector3(0.0, 0.0, 130.0 - 45.0 * std::cos(4.0 * M_PI * t)); };
   return settings;
+}
+
+// The number of the first recorded tick with a fault, or of all ticks.
+std::size_t FirstFault(const TouchRecording& recorded)
+{
+  const auto failed =
+      std::find_if(recorded.Ticks.begin(), recorded.Ticks.end(),
+                   [](const TouchState& tick) { return tick.Safety.Fault != SafetyFault::None; });
+  return static_cast<std::size_t>(failed - recorded.Ticks.begin());
+}
+
+// Whether forces were on while the device was ready, and 0 N from the fault on.
+bool IsFeltUntil(const TouchRecording& recorded, std::size_t failed)
+{
+  bool isFelt = true;
+  for (std::size_t n = 0; n < recorded.Ticks.size(); ++n)
+  {
+    const TouchState& tick = recorded.Ticks[n];
+    const bool isOn = n < failed && tick.State == DeviceState::Ready;
+    isFelt = isFelt && tick.Safety.IsArmed == isOn &&
+             (isOn || Vector3(tick.ForceDevice) == Vector3::Zero());
+  }
+  return isFelt;
+}
+
+// Whether what was recorded shows the delay that the fault of this tick claims: on a busy machine
+// replies and ticks are really late, and then forces have to go off.
+bool IsTrueDelay(const TouchRecording& recorded, std::size_t failed)
+{
+  constexpr std::int64_t Limit = 10'000'000; // ns, of samples and ticks
+  const std::vector<TouchState>& ticks = recorded.Ticks;
+  const TouchState& tick = ticks[failed];
+  if (tick.Safety.Fault == SafetyFault::StalledTick)
+  {
+    return failed > 0 && tick.Tick.Started - ticks[failed - 1].Tick.Started > Limit;
+  }
+  std::size_t first = failed; // that saw this sample
+  while (first > 0 && ticks[first - 1].Sample.Sequence == tick.Sample.Sequence)
+  {
+    --first;
+  }
+  const double silent = static_cast<double>(failed - first) / recorded.Session.Settings.Rate;
+  return tick.Safety.Fault == SafetyFault::StaleSample &&
+         (tick.Tick.Started - tick.Sample.Time > Limit ||
+          silent > 1.0 / recorded.Session.Device.LeastRate());
 }
 
 // The program, unchanged, with virtual Falcons on a virtual bus. Replies take some milliseconds
@@ -183,14 +230,28 @@ TEST_F(CliFalcon, AMaskIsTouchedWithIt)
   WriteTwoBalls(this->Folder / "a.nii.gz");
   const CommandRun run =
       this->Run({"touch", "a.nii.gz", "--label", "1", "--device", "falcon:device=VF000001",
-                 "--firmware", "firmware.bin", "--seconds", "2", "--json"});
+                 "--firmware", "firmware.bin", "--seconds", "2", "--output", "felt", "--json"});
   EXPECT_TRUE(this->IsLoaded());
-  // Replies here may take longer than the watchdog lets them, on a busy machine.
-  EXPECT_TRUE(run.Code == 0 ||
-              run.Errors.find("The device sends no new positions") != std::string::npos)
-      << run.Errors;
+  TouchRecording recorded;
+  const Status status =
+      ReadTouchRecording((this->Folder / "felt/session.touch").string(), recorded);
+  ASSERT_TRUE(status.IsOk()) << status.Message() << run.Errors;
   const nlohmann::json summary = nlohmann::json::parse(run.Output);
-  EXPECT_GT(summary["ticks"].get<int>(), 200);
+  EXPECT_EQ(summary["ticks"].get<std::size_t>(), recorded.Ticks.size());
+  const std::size_t failed = FirstFault(recorded);
+  // In contact, ready and in time: until the end, or until the machine or the bus was too slow.
+  EXPECT_TRUE(IsFeltUntil(recorded, failed));
+  if (failed == recorded.Ticks.size())
+  {
+    EXPECT_EQ(run.Code, 0) << run.Errors;
+    EXPECT_EQ(summary["fault"], "");
+    EXPECT_GT(summary["force_max_n"].get<double>(), 0.5);
+    return;
+  }
+  const SafetyFault fault = recorded.Ticks[failed].Safety.Fault;
+  EXPECT_EQ(run.Code, 1) << run.Errors;
+  EXPECT_EQ(summary["fault"], Describe(fault));
+  EXPECT_TRUE(IsTrueDelay(recorded, failed)) << Describe(fault);
 }
 
 // The motors carry half a kilogram, so that there is a torque whatever is touched; the virtual

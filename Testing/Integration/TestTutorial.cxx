@@ -71,10 +71,9 @@ protected:
     const QPointF place = this->PlaceOf(this->Fit().Model.CenterWorld());
     Move(canvas, place);
     std::uint64_t last = 0;
-    WaitUntil(
+    this->FeelUntil(
         [&]
         {
-          this->AllowForcesAfterStalls();
           const TouchState& newest = this->Study->Reading().Newest;
           const bool isFelt = this->Force() > 0.6;
           if (!isFelt && newest.Tick.Number >= last + 20)
@@ -93,7 +92,7 @@ protected:
     const Vector3 place = gland.CenterWorld() + (gland.Radius(toEye) - 1.4) * toEye;
     std::uint64_t since = 0;
     double former = 0.0;
-    WaitUntil(
+    this->FeelUntil(
         [&]
         {
           this->Study->MoveHand(place);

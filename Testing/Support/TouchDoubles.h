@@ -130,6 +130,8 @@ public:
     this->Abilities.Rate = 1000.0;
   }
 
+  explicit ScriptedDevice(const DeviceCapabilities& abilities) : Abilities(abilities) {}
+
   const DeviceCapabilities& Capabilities() const noexcept override { return this->Abilities; }
   DeviceState State() const noexcept override { return this->Life; }
   std::string Problem() const override { return ""; }
@@ -143,14 +145,15 @@ public:
   }
   bool Apply(const Vector3& force) noexcept override
   {
-    this->Applied = force;
-    return true;
+    this->Applied = this->RefusesForce ? this->Applied : force;
+    return !this->RefusesForce;
   }
 
   DeviceCapabilities Abilities;
   DeviceState Life = DeviceState::Ready;
   DeviceSample Next;
   bool RepeatsSample = false;
+  bool RefusesForce = false;
   Vector3 Applied = Vector3::Zero();
 };
 } // namespace palpate::test

@@ -12,8 +12,9 @@ namespace palpate::test
 class ServoRun
 {
 public:
-  explicit ServoRun(const TouchScene& scene, const ServoSettings& settings = ServoSettings())
-      : Loop(this->Device, settings)
+  explicit ServoRun(const TouchScene& scene, const ServoSettings& settings = ServoSettings(),
+                    const DeviceCapabilities& device = ScriptedDevice().Abilities)
+      : Device(device), Loop(this->Device, settings)
   {
     const Status status = this->Loop.Publish(std::make_shared<TouchScene>(scene));
     EXPECT_TRUE(status.IsOk()) << status.Message();

@@ -59,6 +59,13 @@ TEST(EnergyObserver, DampingNeverPullsAndNeverExceedsItsLimit)
   }
 }
 
+TEST(EnergyObserver, WithoutAContactsForceThereIsNoDamping)
+{
+  EnergyObserver observer(0.02);
+  observer.Account(Vector3::UnitX(), Vector3::UnitX());
+  EXPECT_EQ(observer.Damping(Vector3::Zero(), {100.0, 0.0, 0.0}, 0.001), Vector3::Zero());
+}
+
 TEST(EnergyObserver, WhatIsNoNumberSpoilsNothing)
 {
   test::Random random(34);

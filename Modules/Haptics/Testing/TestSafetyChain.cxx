@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <set>
 #include <string>
 
 namespace palpate
@@ -54,6 +55,8 @@ TEST(SafetyChain, AnyInputGivesAFiniteForceWithinTheLimits)
   std::uniform_int_distribution<int> chance(0, 99);
   SafetyChain chain(Settings());
   Vector3 last = Vector3::Zero();
+  std::int64_t lastStarted = 0;
+  bool wasArmed = false;
   int forces = 0;
   for (std::uint64_t n = 0; n < 200'000; ++n)
   {
@@ -74,11 +77,16 @@ TEST(SafetyChain, AnyInputGivesAFiniteForceWithinTheLimits)
     {
       ASSERT_EQ(out, Vector3::Zero());
       chain.Rearm();
+      wasArmed = false;
     }
     else
     {
-      // 2000 N/s; hostile times stay below the 10 ms at which a gap becomes a fault.
-      ASSERT_LE((out - last).norm(), 20.0 + 1e-12);
+      const std::int64_t started = input.Observed.Tick.Started;
+      const double passed = wasArmed ? 1e-9 * static_cast<double>(started - lastStarted) : 0.0;
+      // 2000 N/s; forces of 8 N are rounded.
+      ASSERT_LE((out - last).norm(), 2000.0 * passed + 1e-12);
+      lastStarted = started;
+      wasArmed = true;
       forces += out.isZero(0.0) ? 0 : 1;
     }
     last = out;
@@ -116,6 +124,145 @@ TEST(SafetyChain, NamesTheFirstFault)
   EXPECT_EQ(chain.Apply(input), Vector3::Zero());
   chain.Fail(SafetyFault::DeviceFailed);
   EXPECT_EQ(chain.Report().Fault, SafetyFault::InvalidContact);
+}
+
+TEST(SafetyChain, ForceReversesNoFasterThanTheSlewRate)
+{
+  SafetySettings settings = Settings();
+  settings.RampDuration = 0.0;
+  settings.MaximumSlew = 500.0; // 0.5 N in a tick
+  SafetyChain chain(settings);
+  static_cast<void>(chain.Apply(Pushing(0, {0.0, 0.0, 8.0})));
+  for (std::uint64_t n = 1; n < 48; ++n)
+  {
+    const bool isUp = n <= 16;
+    const Vector3 out = chain.Apply(Pushing(n, {0.0, 0.0, isUp ? 8.0 : -8.0}));
+    const double expected = 0.5 * static_cast<double>(n) - (isUp ? 0.0 : 1.0 * (n - 16));
+    EXPECT_NEAR(out[2], expected, 1e-12); // roundings of 8 N
+  }
+  EXPECT_TRUE(chain.Report().IsSlewing);
+  EXPECT_EQ(chain.Apply(Pushing(49, {0.0, 0.0, -8.0}))[2], -8.0);
+  EXPECT_FALSE(chain.Report().IsSlewing);
+}
+
+TEST(SafetyChain, AForceThatWasLimitedFallsAtOnce)
+{
+  SafetyChain chain = Running(100, {0.0, 0.0, 1000.0});
+  EXPECT_EQ(chain.Apply(Pushing(100, {0.0, 0.0, 1000.0})).norm(), 8.0 * (1.0 - 1e-15));
+  EXPECT_TRUE(chain.Report().IsLimited);
+  // 2 N in a tick: nothing of what was cut is left to be slewed.
+  EXPECT_NEAR(chain.Apply(Pushing(101, Vector3::Zero()))[2], 6.0, 1e-12);
+  EXPECT_FALSE(chain.Report().IsLimited);
+}
+
+TEST(SafetyChain, AnAmbientForceThatIsNoNumberIsAFault)
+{
+  for (const double bad : {test::NotANumber, test::Infinite, 2e6})
+  {
+    SafetyChain chain = Running(30, Vector3::UnitX());
+    SafetyInput input = Pushing(30, Vector3::UnitX());
+    input.AmbientForce[1] = bad;
+    EXPECT_EQ(chain.Apply(input), Vector3::Zero());
+    EXPECT_EQ(chain.Report().Fault, SafetyFault::NonFiniteForce) << bad;
+  }
+}
+
+TEST(SafetyChain, AmbientForcesFadeInToo)
+{
+  SafetyChain chain(Settings());
+  for (std::uint64_t n = 0; n <= 10; ++n)
+  {
+    SafetyInput input;
+    input.Observed = test::HealthyTick(n);
+    input.AmbientForce = Vector3::UnitY();
+    // 10 ticks of ramp; a sum of ten roundings.
+    EXPECT_NEAR(chain.Apply(input)[1], 0.1 * static_cast<double>(n), 1e-12);
+  }
+}
+
+TEST(SafetyChain, CreditsWhatTheMechanismTookUp)
+{
+  SafetySettings settings = Settings();
+  settings.LargestDamping = 0.0; // observed only
+  settings.DeviceDamping = 0.003;
+  settings.DeviceFriction = 0.2;
+  SafetyChain chain(settings);
+  double before = 0.0;
+  double after = 0.0;
+  for (std::uint64_t n = 0; n < 200; ++n)
+  {
+    SafetyInput input = Pushing(n, Vector3::UnitZ());
+    input.Observed.Sample.Position = Vector3(0.0, 0.0, 0.05 * static_cast<double>(n));
+    static_cast<void>(chain.Apply(input));
+    before = after;
+    after = chain.Report().Energy;
+  }
+  // At 50 mm/s, in 1 ms: 1 N gave out 0.05 N mm; 0.003 N s/mm and 0.2 N took up the rest. The
+  // velocity's filter has settled after 200 ticks of a time constant of 3.
+  EXPECT_NEAR(after - before, -0.05 + (0.003 * 50.0 + 0.2) * 0.05, 1e-9);
+}
+
+TEST(SafetyChain, AContactsBooksEndWithItsLastForce)
+{
+  SafetyChain chain(Settings());
+  const auto touch = [&chain](std::uint64_t n, double z, double push)
+  {
+    SafetyInput input = Pushing(n, {0.0, 0.0, push});
+    input.IsTouching = push > 0.0;
+    input.Observed.Sample.Position = Vector3(0.0, 0.0, z);
+    static_cast<void>(chain.Apply(input));
+    return chain.Report().Energy;
+  };
+  for (std::uint64_t n = 0; n < 20; ++n)
+  {
+    touch(n, 0.0, 3.0);
+  }
+  // In by 0.1 mm against 3 N; then out, while the force of the tick before is still held, and the
+  // slew limit lets go of 2 N in a tick.
+  EXPECT_NEAR(touch(20, -0.1, 3.0), 0.3, 1e-12);
+  EXPECT_NEAR(touch(21, 0.0, 0.0), 0.0, 1e-12);
+  EXPECT_NEAR(touch(22, 0.1, 0.0), -0.1, 1e-12);
+  EXPECT_EQ(touch(23, 0.1, 0.0), 0.0);
+}
+
+TEST(SafetyChain, NothingOfTheTimeBeforeAFaultIsLeftAfterRearm)
+{
+  SafetySettings settings = Settings();
+  settings.RampDuration = 0.0;
+  SafetyChain chain(settings);
+  for (std::uint64_t n = 0; n < 20; ++n)
+  {
+    static_cast<void>(chain.Apply(Pushing(n, {0.0, 0.0, 6.0})));
+  }
+  chain.Fail(SafetyFault::SwitchedOff);
+  std::uint64_t n = 20;
+  for (; n < 1020; ++n)
+  {
+    ASSERT_EQ(chain.Apply(Pushing(n, {0.0, 0.0, 6.0})), Vector3::Zero());
+  }
+  chain.Rearm();
+  // The second that passed is none in which the force could have changed.
+  SafetyInput elsewhere = Pushing(n, {0.0, 0.0, 6.0});
+  elsewhere.Observed.Sample.Position = Vector3(0.0, 0.0, 30.0);
+  EXPECT_EQ(chain.Apply(elsewhere), Vector3::Zero());
+  EXPECT_EQ(chain.Report().Energy, 0.0);
+  elsewhere.Observed.Tick.Started += test::TickPeriod;
+  elsewhere.Observed.Sample.Time += test::TickPeriod;
+  ++elsewhere.Observed.Sample.Sequence;
+  EXPECT_NEAR(chain.Apply(elsewhere)[2], 2.0, 1e-12);
+}
+
+TEST(SafetyChain, EnergyBeforeAFaultIsNoneAfterIt)
+{
+  SafetyChain chain = Running(30, {0.0, 0.0, 2.0});
+  SafetyInput input = Pushing(30, {0.0, 0.0, 2.0});
+  input.Observed.Sample.Position = Vector3(0.0, 0.0, -0.5); // 1 N mm taken in
+  static_cast<void>(chain.Apply(input));
+  EXPECT_NEAR(chain.Report().Energy, 1.0, 1e-12);
+  chain.Fail(SafetyFault::SwitchedOff);
+  chain.Rearm();
+  static_cast<void>(chain.Apply(Pushing(31, {0.0, 0.0, 2.0})));
+  EXPECT_EQ(chain.Report().Energy, 0.0);
 }
 
 TEST(SafetyChain, GivesNothingBeforeTheDeviceIsReady)
@@ -158,13 +305,15 @@ TEST(SafetyChain, AmbientForcesAreNoContactsEnergy)
 
 TEST(SafetyChain, EveryFaultHasItsOwnSentence)
 {
-  std::vector<std::string> sentences;
-  for (int fault = 0; fault <= static_cast<int>(SafetyFault::InvalidContact); ++fault)
+  // What is no fault comes after the last of them; a new one has to be counted here too.
+  constexpr int count = static_cast<int>(SafetyFault::SwitchedOff) + 1;
+  std::set<std::string> sentences{Describe(static_cast<SafetyFault>(count))};
+  EXPECT_EQ(*sentences.begin(), "An unknown fault.");
+  for (int fault = 0; fault < count; ++fault)
   {
     const std::string text = Describe(static_cast<SafetyFault>(fault));
     EXPECT_EQ(text.back(), '.');
-    EXPECT_EQ(std::count(sentences.begin(), sentences.end(), text), 0);
-    sentences.push_back(text);
+    EXPECT_TRUE(sentences.insert(text).second) << text;
   }
 }
 } // namespace

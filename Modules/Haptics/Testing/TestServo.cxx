@@ -135,6 +135,148 @@ TEST(Servo, ADeviceMayBeSilentForAsLongAsItSaysAndNoLonger)
   }
 }
 
+TEST(Servo, ForcesEndAtTheDevicesOwnLimit)
+{
+  DeviceCapabilities device = test::ScriptedDevice().Abilities;
+  device.MaximumForce = 2.5;
+  test::ServoRun run(WallScene(0.0, {1.0, 0.0}), {}, device);
+  EXPECT_NEAR(run.RestAt({0.0, 0.0, -2.4})[2], 2.4, 1e-12);
+  const Vector3 force = run.RestAt({0.0, 0.0, -6.0});
+  EXPECT_LE(force.norm(), 2.5);
+  EXPECT_NEAR(force[2], 2.5, 1e-12);
+  device.MaximumForce = 0.0;
+  test::ServoRun unknown(WallScene(0.0, {1.0, 0.0}), {}, device);
+  EXPECT_EQ(unknown.RestAt({0.0, 0.0, -1.0}), Vector3::Zero());
+}
+
+TEST(Servo, TheEnergyObserverDampsAsMuchAsTheDeviceBears)
+{
+  DeviceCapabilities device = test::ScriptedDevice().Abilities;
+  device.MaximumDamping = 0.01;
+  test::ServoRun run(WallScene(0.0, {1.0, 0.0}), {}, device);
+  run.RestAt({0.0, 0.0, -2.0});
+  // Out at 50 mm/s: 2 N gave out 0.1 N mm, which would take 0.04 N s/mm.
+  EXPECT_NEAR(run.TickAt({0.0, 0.0, -1.95})[2], 1.95 - 0.01 * 50.0, 1e-9);
+  EXPECT_TRUE(run.Loop.Latest().Safety.IsDamping);
+}
+
+TEST(Servo, TheMechanismsDampingAndFrictionAreCredited)
+{
+  DeviceCapabilities device = test::ScriptedDevice().Abilities;
+  device.Damping = 0.003;
+  device.Friction = 0.2;
+  test::ServoRun run(WallScene(0.0, {0.0, 0.0}), {}, device);
+  double before = 0.0;
+  for (int n = 0; n < 200; ++n)
+  {
+    before = run.Loop.Latest().Safety.Energy;
+    run.TickAt({0.0, 0.0, -0.05 * n});
+  }
+  // At 50 mm/s, in 1 ms, by a filter that has settled.
+  EXPECT_NEAR(run.Loop.Latest().Safety.Energy - before, (0.003 * 50.0 + 0.2) * 0.05, 1e-9);
+}
+
+TEST(Servo, RampAndSlewAreThoseOfTheSettings)
+{
+  ServoSettings settings;
+  settings.RampDuration = 0.1;
+  settings.MaximumSlew = 10.0;
+  test::ServoRun run(WallScene(0.0, {1.0, 0.0}), settings);
+  for (int n = 0; n <= 100; ++n)
+  {
+    // 3 N within 0.1 s would be 30 N/s.
+    EXPECT_NEAR(run.TickAt({0.0, 0.0, -3.0})[2], 0.01 * n, 1e-12);
+    EXPECT_EQ(run.Loop.Latest().Safety.IsRamping, n < 100);
+  }
+}
+
+TEST(Servo, OfRearmAndSwitchOffAtOnceTheSafeOneHolds)
+{
+  test::ServoRun run(WallScene(0.0, {1.0, 0.0}));
+  for (const bool rearmsFirst : {true, false})
+  {
+    run.Loop.Rearm();
+    ASSERT_GT(run.RestAt({0.0, 0.0, -1.0})[2], 0.9);
+    rearmsFirst ? run.Loop.Rearm() : run.Loop.SwitchOff();
+    rearmsFirst ? run.Loop.SwitchOff() : run.Loop.Rearm();
+    for (int n = 0; n < 10; ++n)
+    {
+      EXPECT_EQ(run.TickAt({0.0, 0.0, -1.0}), Vector3::Zero());
+      EXPECT_EQ(run.Loop.Latest().Safety.Fault, SafetyFault::SwitchedOff);
+    }
+  }
+}
+
+TEST(Servo, RearmForgetsWhereTheHandWas)
+{
+  CountedWall wall;
+  wall.Scene.Structures[0].Id = 1;
+  test::ServoRun run(wall.Scene);
+  run.RestAt({0.0, 0.0, -1.0});
+  const int questions = wall.Control->Questions;
+  run.Loop.Rearm();
+  // So the scene has nothing to go on from, and the wall is met anew: from where and where.
+  ASSERT_TRUE(
+      run.Loop.Publish(std::make_shared<TouchScene>(wall.Scene), SceneEntry::Continuing).IsOk());
+  run.TickAt({0.0, 0.0, -1.0});
+  EXPECT_FALSE(run.Loop.Latest().WasContinued);
+  EXPECT_EQ(wall.Control->Questions, questions + 2);
+  run.Loop.Rearm();
+  run.TickAt({0.0, 0.0, -1.0});
+  EXPECT_EQ(wall.Control->Questions, questions + 4);
+}
+
+TEST(Servo, NoModelIsAskedBeforeTheDeviceIsReady)
+{
+  CountedWall wall;
+  test::ServoRun run(wall.Scene);
+  run.Device.Life = DeviceState::Homing;
+  run.RestAt({0.0, 0.0, -1.0});
+  EXPECT_EQ(wall.Control->Questions, 0);
+  run.Device.Life = DeviceState::Ready;
+  run.TickAt({0.0, 0.0, -1.0});
+  EXPECT_EQ(wall.Control->Questions, 2);
+}
+
+TEST(Servo, NoModelIsAskedAboutAPlaceThatIsNoNumber)
+{
+  CountedWall wall;
+  test::ServoRun run(wall.Scene);
+  run.RestAt({0.0, 0.0, -1.0});
+  const int questions = wall.Control->Questions;
+  EXPECT_EQ(run.TickAt({0.0, test::NotANumber, -1.0}), Vector3::Zero());
+  EXPECT_EQ(wall.Control->Questions, questions);
+  EXPECT_EQ(run.Loop.Latest().Safety.Fault, SafetyFault::NonFinitePosition);
+}
+
+TEST(Servo, AForceThatTheDeviceRefusesIsAFault)
+{
+  test::ServoRun run(WallScene(0.0, {1.0, 0.0}));
+  run.RestAt({0.0, 0.0, -1.0});
+  run.Device.RefusesForce = true;
+  run.TickAt({0.0, 0.0, -1.0});
+  EXPECT_FALSE(run.Loop.Latest().WasTaken);
+  EXPECT_EQ(run.Loop.Latest().Safety.Fault, SafetyFault::DeviceFailed);
+  run.Device.RefusesForce = false;
+  EXPECT_EQ(run.TickAt({0.0, 0.0, -1.0}), Vector3::Zero());
+  EXPECT_TRUE(run.Loop.Latest().WasTaken);
+}
+
+TEST(Servo, AContactThatIsNoneIsAFault)
+{
+  using test::WallFault;
+  for (const WallFault fault : {WallFault::Invalid, WallFault::NaNProxy, WallFault::InfiniteProxy,
+                                WallFault::HugeDepth, WallFault::NaNNormal, WallFault::NoNormal})
+  {
+    CountedWall wall;
+    test::ServoRun run(wall.Scene);
+    ASSERT_GT(run.RestAt({0.0, 0.0, -1.0})[2], 0.9);
+    wall.Control->Fault = fault;
+    EXPECT_EQ(run.TickAt({0.0, 0.0, -1.0}), Vector3::Zero());
+    EXPECT_EQ(run.Loop.Latest().Safety.Fault, SafetyFault::InvalidContact);
+  }
+}
+
 TEST(Servo, WithoutASceneThereIsNoForce)
 {
   test::ScriptedDevice device;
@@ -164,6 +306,40 @@ TEST(Servo, ANewSceneFadesIn)
   }
   EXPECT_NEAR(last, 4.0, 1e-12);
   EXPECT_EQ(run.Loop.Latest().Scene, 2u);
+}
+
+TEST(Servo, ANewSceneKnowsNothingOfTheWayToIt)
+{
+  test::ServoRun run(WallScene(0.0, {1.0, 0.0}));
+  run.RestAt({0.0, 0.0, -1.0});
+  // The hand stays in the device, and comes to be 99 mm over the wall.
+  CountedWall wall;
+  wall.Scene.Frame = DeviceFrame(Matrix3::Identity(), 1.0, {0.0, 0.0, 100.0});
+  ASSERT_TRUE(run.Loop.Publish(std::make_shared<TouchScene>(wall.Scene)).IsOk());
+  run.TickAt({0.0, 0.0, -1.0});
+  EXPECT_EQ(wall.Control->Questions, 0);
+}
+
+TEST(Servo, WhatAContactTookInEndsWithIt)
+{
+  test::ServoRun run(WallScene(0.0, {1.0, 0.0}));
+  run.RestAt({0.0, 0.0, -0.5});
+  run.TickAt({0.0, 0.0, -1.5});
+  run.TickAt({0.0, 0.0, -1.0});
+  EXPECT_NEAR(run.Loop.Latest().Safety.Energy, 0.5 - 0.75, 1e-12);
+  run.RestAt({0.0, 0.0, 1.0});
+  EXPECT_EQ(run.Loop.Latest().Safety.Energy, 0.0);
+}
+
+TEST(Servo, OneContactOfManyThatIsNoneIsAFault)
+{
+  CountedWall first;
+  first.Scene.Structures.push_back(WallScene(-0.5, {1.0, 0.0}).Structures[0]);
+  test::ServoRun run(first.Scene);
+  ASSERT_GT(run.RestAt({0.0, 0.0, -1.0})[2], 0.9);
+  first.Control->Fault = test::WallFault::Invalid;
+  run.TickAt({0.0, 0.0, -1.0});
+  EXPECT_EQ(run.Loop.Latest().Safety.Fault, SafetyFault::InvalidContact);
 }
 
 TEST(Servo, DampingIsFeltGoingInAndNeverPullsComingOut)

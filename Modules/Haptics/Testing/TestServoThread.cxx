@@ -1,6 +1,7 @@
 #include "ServoThread.h"
 
 #include "ManualClock.h"
+#include "SlowModel.h"
 #include "TimedDevice.h"
 #include "TouchDoubles.h"
 
@@ -68,6 +69,33 @@ TEST(ServoThread, KeepsItsRateAndCountsIt)
   EXPECT_EQ(servo.Statistics().Periods.Misses(), 0u);
 }
 
+TEST(ServoThread, CountsPeriodsThatWereSkippedAndTicksThatWereLate)
+{
+  ManualClock clock;
+  TimedDevice device(clock);
+  ServoThread servo(device, clock, ServoSettings());
+  TouchScene scene = test::WallScene(0.0, {0.5, 0.0});
+  const auto cost = std::make_shared<std::atomic<std::int64_t>>(2'500'000);
+  scene.Structures[0].Model =
+      std::make_shared<test::SlowModel>(scene.Structures[0].Model, clock, cost);
+  ASSERT_TRUE(servo.Loop().Publish(std::make_shared<TouchScene>(scene)).IsOk());
+  ASSERT_TRUE(servo.Start(Ordinary()).IsOk());
+  while (servo.Statistics().Periods.Count() < 200)
+  {
+    std::this_thread::yield();
+  }
+  servo.Stop();
+  const ServoStatistics& counted = servo.Statistics();
+  const std::uint64_t ticks = counted.Periods.Count();
+  // The first tick asks the model twice, each other one once: 2.5 periods.
+  EXPECT_EQ(counted.Periods.Min(), 2'500'000);
+  EXPECT_EQ(counted.Periods.Max(), 5'000'000);
+  EXPECT_EQ(counted.Periods.Misses() + ticks, 5 * (ticks + 1) / 2);
+  EXPECT_EQ(counted.Durations.Count(), ticks + 1);
+  EXPECT_EQ(counted.Durations.Min(), 2'500'000);
+  EXPECT_EQ(counted.Durations.Misses(), ticks);
+}
+
 TEST(ServoThread, StartsAgainAfterAStop)
 {
   ManualClock clock;
@@ -81,6 +109,8 @@ TEST(ServoThread, StartsAgainAfterAStop)
       std::this_thread::yield();
     }
     servo.Stop();
+    // Counted since Start: the first tick has no period before it.
+    EXPECT_EQ(servo.Statistics().Durations.Count(), servo.Statistics().Periods.Count() + 1);
   }
 }
 

@@ -51,6 +51,17 @@ TEST(SlewLimit, StaysWithinWhatBothEndsAreWithin)
   }
 }
 
+TEST(SlewLimit, WhatIsNoNumberIsZero)
+{
+  for (const double bad : {test::NotANumber, test::Infinite})
+  {
+    SlewLimit slew(1000.0);
+    slew.Reset({2.0, 0.0, 0.0});
+    EXPECT_NEAR((slew.Apply({0.0, bad, 0.0}, 0.001) - Vector3::UnitX()).norm(), 0.0, 1e-12);
+    EXPECT_EQ(slew.Apply({0.0, bad, 0.0}, 0.002), Vector3::Zero());
+  }
+}
+
 TEST(SlewLimit, NothingChangesWithoutTimeOrRate)
 {
   SlewLimit slew(1000.0);

@@ -35,6 +35,22 @@ TEST(Watchdog, ADeviceThatFailsOrLeavesReadyIsAFaultAtOnce)
   EXPECT_EQ(watched.Dog.Check(watched.Next), SafetyFault::DeviceFailed);
 }
 
+TEST(Watchdog, ADeviceThatFailedBeforeItWasReadyIsAFault)
+{
+  Watchdog dog{WatchdogLimits()};
+  TickObservation tick = test::HealthyTick(0);
+  tick.State = DeviceState::Error;
+  EXPECT_EQ(dog.Check(tick), SafetyFault::DeviceFailed);
+}
+
+TEST(Watchdog, AfterAResetADeviceMayGetReadyAgain)
+{
+  Watched watched;
+  watched.Dog.Reset();
+  watched.Next.State = DeviceState::Homing;
+  EXPECT_EQ(watched.Dog.Check(watched.Next), SafetyFault::None);
+}
+
 TEST(Watchdog, ADeviceThatIsNotYetReadyIsNoFault)
 {
   Watchdog dog{WatchdogLimits()};
@@ -63,6 +79,18 @@ TEST(Watchdog, ATickThatComesTooLateIsAFault)
   EXPECT_EQ(watched.Dog.Check(watched.Next), SafetyFault::StalledTick);
 }
 
+TEST(Watchdog, AGapMayBeAsLongAsItsLimit)
+{
+  for (const std::int64_t beyond : {0, 1})
+  {
+    Watched watched;
+    watched.Next.Tick.Started += WatchdogLimits().LongestGap - test::TickPeriod + beyond;
+    watched.Next.Sample.Time = watched.Next.Tick.Started;
+    EXPECT_EQ(watched.Dog.Check(watched.Next),
+              beyond > 0 ? SafetyFault::StalledTick : SafetyFault::None);
+  }
+}
+
 TEST(Watchdog, ATickThatIsNotAfterTheOneBeforeIsAFault)
 {
   for (const std::int64_t back : {test::TickPeriod, 3600 * 1000 * test::TickPeriod})
@@ -86,9 +114,12 @@ TEST(Watchdog, TheSecondTickWithoutANewSampleIsAFault)
 
 TEST(Watchdog, AnOldSampleIsAFaultThoughItIsANewOne)
 {
-  Watched watched;
-  watched.Next.Sample.Time -= 10'000'001;
-  EXPECT_EQ(watched.Dog.Check(watched.Next), SafetyFault::StaleSample);
+  Watched old;
+  old.Next.Sample.Time -= 10'000'000;
+  EXPECT_EQ(old.Dog.Check(old.Next), SafetyFault::None);
+  Watched older;
+  older.Next.Sample.Time -= 10'000'001;
+  EXPECT_EQ(older.Dog.Check(older.Next), SafetyFault::StaleSample);
 }
 
 TEST(Watchdog, ASampleFromTheFutureIsAFault)
@@ -109,6 +140,18 @@ TEST(Watchdog, MotionFasterThanAHandIsAFault)
   Watched fast;
   fast.Next.Sample.Position = Vector3(5.01, 0.0, 0.0);
   EXPECT_EQ(fast.Dog.Check(fast.Next), SafetyFault::ImplausibleMotion);
+}
+
+TEST(Watchdog, SamplesOfOneTimeAllowForAMotionOfSomeCounts)
+{
+  for (const double moved : {0.49, 0.51}) // mm; 5 m/s for 0.1 ms are 0.5 mm
+  {
+    Watched watched;
+    watched.Next.Sample.Time = test::HealthyTick(9).Sample.Time;
+    watched.Next.Sample.Position = Vector3(0.0, moved, 0.0);
+    EXPECT_EQ(watched.Dog.Check(watched.Next),
+              moved < 0.5 ? SafetyFault::None : SafetyFault::ImplausibleMotion);
+  }
 }
 
 TEST(Watchdog, AnyNumberOfASampleThatIsNoneIsAFault)

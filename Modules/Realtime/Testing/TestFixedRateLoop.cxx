@@ -62,6 +62,34 @@ TEST(FixedRateLoop, AStopBeforeTheFirstTickPreventsIt)
       });
 }
 
+TEST(FixedRateLoop, AStopWhileItWaitsPreventsTheNextTick)
+{
+  // What happens in a wait.
+  class StoppingClock final : public Clock
+  {
+  public:
+    std::int64_t Now() const noexcept override { return this->Time; }
+    void WaitUntil(std::int64_t time) noexcept override
+    {
+      this->Time = time;
+      if (time >= 3 * Period)
+      {
+        this->Loop->Stop();
+      }
+    }
+    FixedRateLoop* Loop = nullptr;
+
+  private:
+    std::int64_t Time = 0;
+  };
+  StoppingClock clock;
+  FixedRateLoop loop(clock, Period);
+  clock.Loop = &loop;
+  int ticks = 0;
+  loop.Run([&ticks](const TickInfo&) { return ++ticks < 10; });
+  EXPECT_EQ(ticks, 3); // at 0, 1 and 2 periods
+}
+
 TEST(FixedRateLoop, AnotherThreadStopsIt)
 {
   ManualClock clock;

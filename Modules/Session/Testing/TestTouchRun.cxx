@@ -5,6 +5,7 @@
 #include "InputError.h"
 #include "LabelImages.h"
 #include "ModelFile.h"
+#include "PacedClock.h"
 #include "TemporaryFolder.h"
 #include "TouchReport.h"
 #include "WholeFile.h"
@@ -13,6 +14,7 @@
 #include <cmath>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
+#include <thread>
 
 namespace palpate
 {
@@ -201,21 +203,37 @@ TEST_F(TouchRun, CanBeEndedEarly)
   EXPECT_LT(result.Ticks, 2000U);
 }
 
-// Runs for as long as it says, at a rate that a busy machine keeps too.
+// On a thread, for as long as it says: by a clock that waits for a busy machine, no tick is late.
 TEST_F(TouchRun, RunsInRealTimeOnAThread)
 {
   TouchSettings settings = this->SettingsOf(this->ModelPath, TouchRepresentation::Automatic);
   settings.Rate = 200.0;
   TouchScript script = PressTo(10.0);
-  script.Duration = 0.2;
+  script.Duration = 1.5;
   const PreparedTouch touch = PrepareTouch(settings, script, GoOn);
+  test::PacedClock clock;
   std::uint64_t pictures = 0;
   TouchRunSettings run;
   run.IsVirtual = false;
-  run.View = [&pictures](double, const TouchState&) { ++pictures; };
+  run.Time = &clock;
+  run.View = [&pictures](double, const TouchState&)
+  {
+    ++pictures;
+    std::this_thread::yield();
+  };
   const TouchResult result = RunTouch(touch, run, GoOn);
-  EXPECT_GT(result.Ticks, 0U);
+  EXPECT_EQ(result.Fault, SafetyFault::None);
+  // Ticks at 0, 5, ... 1495 ms, and those until it was seen that the time was over.
+  EXPECT_GE(result.Ticks, 300U);
+  EXPECT_EQ(result.LostTicks, 0U);
   EXPECT_EQ(result.Trace.Stretches().size(), result.Ticks);
+  for (std::size_t n = 1; n < result.Trace.Stretches().size(); ++n)
+  {
+    ASSERT_EQ(result.Trace.Stretches()[n].Period.Least, 5000.0F); // us
+  }
+  EXPECT_EQ(result.Periods.Misses(), 0U);
+  EXPECT_EQ(result.Durations.Misses(), 0U);
+  EXPECT_GT(result.TouchedSeconds[0], 0.5);
   EXPECT_EQ(result.Trace.Whole().Computation.Most, 0.0F);
   EXPECT_EQ(result.Frames.Count(), pictures);
   EXPECT_GT(result.FramesPerSecond, 0.0);

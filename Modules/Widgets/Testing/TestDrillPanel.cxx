@@ -8,6 +8,8 @@
 #include <QKeyEvent>
 #include <QTableWidget>
 
+#include <cmath>
+
 namespace palpate
 {
 namespace
@@ -61,15 +63,10 @@ protected:
     double way = 0.0;
     this->Key(QEvent::KeyPress, Qt::Key_D);
     std::uint64_t last = 0;
-    WaitUntil(
+    this->FeelUntil(
         [&]
         {
-          this->AllowForcesAfterStalls();
           const TouchState& newest = this->Study->Reading().Newest;
-          if (!newest.IsDrilling)
-          {
-            this->Study->Current().Touch().RunDrill(true); // a stall takes it up
-          }
           if (newest.Tick.Number >= last + 20 && way < (this->BallMiddle - hand).norm())
           {
             last = newest.Tick.Number;
@@ -174,13 +171,29 @@ TEST_F(DrillPanelTest, WhatIsForbiddenRaisesAnAlarm)
 {
   this->OpenPhantom();
   StudyState next = this->Study->State();
-  next.Structures.resize(1);
-  next.Structures[0].IsForbidden = true;
-  next.Structures[0].AlarmDistance = 1000.0;
-  this->Study->Change("Forbid the ball", next);
+  next.Structures.resize(2);
+  next.Structures[0].Drill.Wear = 2.0;
+  next.Structures[1].IsForbidden = true;
+  next.Structures[1].AlarmDistance = 1000.0; // wherever the drill is
+  next.Tool.Radius = 3.0;
+  this->Study->Change("Forbid the horseshoe", next);
   this->Settle();
-  // Nothing is drilled then, so nobody has to be warned.
-  EXPECT_EQ(this->Panel()->AlarmWords(), "");
+  this->StartTouch();
+  WaitUntil([this] { return !this->Panel()->AlarmWords().isEmpty(); });
+  const auto& approaches = this->Study->Reading().Drill.Approaches;
+  ASSERT_EQ(approaches.size(), 1U);
+  const double distance = approaches[0].Distance;
+  const Vector3 drill = this->Study->Reading().Newest.ProxyWorld;
+  // The phantom's ring has a radius of 9 mm about x = 14 and a thickness of 3 mm, up to a voxel.
+  const double ring = std::hypot(std::hypot(drill[0] - 14.0, drill[1]) - 9.0, drill[2]) - 3.0;
+  EXPECT_NEAR(distance, ring - 3.0, 1.0);
+  const std::string words = this->Panel()->AlarmWords().toStdString();
+  EXPECT_NE(words.find(TitleOf(next.Structures[1])), std::string::npos) << words;
+  const std::string number = QString::number(distance, 'f', 1).toStdString();
+  EXPECT_NE(words.find(number + " mm"), std::string::npos) << words;
+  next.Structures[1].AlarmDistance = 0.5 * distance;
+  this->Study->Change("Forbid less", next);
+  WaitUntil([this] { return this->Panel()->AlarmWords().isEmpty(); });
 }
 } // namespace
 } // namespace palpate

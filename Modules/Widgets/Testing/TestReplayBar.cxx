@@ -20,6 +20,8 @@ constexpr std::size_t Count = 12000; // ticks, a millisecond apart
 class ReplayBarTest : public test::WindowTest
 {
 protected:
+  // Replays go by themselves; nobody waits for their time.
+  ReplayBarTest() { this->Time = std::make_unique<SteadyClock>(); }
   std::filesystem::path Write()
   {
     const auto file = this->Phantom.Folder / "recorded.touch";

@@ -46,10 +46,9 @@ protected:
     Move(canvas, place);
     // A notch in 20 ticks: the hand follows slowly, and one that hurries comes out behind the ball.
     std::uint64_t last = 0;
-    WaitUntil(
+    this->FeelUntil(
         [&]
         {
-          this->AllowForcesAfterStalls();
           const TouchState& newest = this->Study->Reading().Newest;
           const bool isFelt =
               this->Study->Reading().TouchedLabel == 1 && Norm(newest.ForceWorld) > 0.5;
@@ -87,12 +86,7 @@ TEST_F(TouchLinkTest, EscapeStopsAllForceAndOneAllowsItAgain)
             { return this->Study->Reading().Newest.Safety.Fault == SafetyFault::SwitchedOff; });
   EXPECT_EQ(Norm(this->Study->Reading().Newest.ForceDevice), 0.0);
   this->Button("allow-force")->click();
-  WaitUntil(
-      [this]
-      {
-        this->AllowForcesAfterStalls();
-        return Norm(this->Study->Reading().Newest.ForceDevice) > 0.05;
-      });
+  this->FeelUntil([this] { return Norm(this->Study->Reading().Newest.ForceDevice) > 0.05; });
 }
 
 TEST_F(TouchLinkTest, WithAModifierTheMouseMovesTheCameraAndNotTheHand)

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "PacedClock.h"
 #include "StudyPhantoms.h"
 #include "WidgetTest.h"
 
@@ -7,6 +8,7 @@
 #include <QPushButton>
 
 #include <memory>
+#include <stdexcept>
 
 namespace palpate::test
 {
@@ -24,7 +26,7 @@ protected:
     QSettings().clear();
     RealtimeRequest ordinary;
     ordinary.Priority = 0;
-    this->Study = std::make_unique<StudyController>(this->Time, ordinary);
+    this->Study = std::make_unique<StudyController>(*this->Time, ordinary);
     FileQuestions questions;
     questions.ToOpen = [this](QWidget*, const QString&, const QString&) { return this->Opened; };
     questions.ToSave = [this](QWidget*, const QString&, const QString&, const QString&)
@@ -97,15 +99,20 @@ protected:
     const double* display = space->Renderer()->GetDisplayPoint();
     return {display[0], space->Canvas()->height() - 1 - display[1]};
   }
-  /// A servo without urgency stalls on a machine that does other things, and its forces go off as
-  /// they should; a person would allow them again.
-  void AllowForcesAfterStalls()
+  /// WaitUntil, while forces stay as they are: by a PacedClock nothing is late, so each fault but
+  /// being switched off ends the test.
+  void FeelUntil(const std::function<bool()>& isTrue)
   {
-    const SafetyFault fault = this->Study->Reading().Newest.Safety.Fault;
-    if (fault != SafetyFault::None && fault != SafetyFault::SwitchedOff)
-    {
-      this->Study->SwitchForcesOn();
-    }
+    WaitUntil(
+        [&]
+        {
+          const SafetyFault fault = this->Study->Reading().Newest.Safety.Fault;
+          if (fault != SafetyFault::None && fault != SafetyFault::SwitchedOff)
+          {
+            throw std::runtime_error(Describe(fault));
+          }
+          return isTrue();
+        });
   }
   QAction* Action(const QString& start) const
   {
@@ -126,7 +133,7 @@ protected:
   std::string Messages() const { return this->Window->Messages()->Text().toStdString(); }
 
   StudyPhantom Phantom;
-  SteadyClock Time;
+  std::unique_ptr<Clock> Time = std::make_unique<PacedClock>();
   QStringList Opened;
   QString SavedTo;
   QString Chosen; ///< folder

@@ -1,0 +1,53 @@
+"""Mutants change the line that they name, and what is out of date is found."""
+
+import pathlib
+import sys
+import tempfile
+import unittest
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "Utilities"))
+import mutants
+
+SOURCE = "int F()\n{\n  int a = 1;\n  Use(a,\n      a);\n  Use(b);\n  Use(b);\n}\n"
+
+
+def mutant(old, new="", **more):
+    return {"file": "F.cxx", "old": old, "new": new, "breaks": "F", **more}
+
+
+class Mutants(unittest.TestCase):
+    def test_replaces_the_line(self):
+        self.assertEqual(
+            mutants.mutated(SOURCE, mutant("int a = 1;", "int a = 2;")),
+            SOURCE.replace("  int a = 1;", "int a = 2;"),
+        )
+
+    def test_deletes_the_line(self):
+        self.assertNotIn("int a", mutants.mutated(SOURCE, mutant("int a = 1;")))
+
+    def test_knows_a_line_that_was_broken(self):
+        self.assertIn("}", mutants.mutated(SOURCE, mutant("Use(a, a);")))
+        self.assertNotIn("Use(a", mutants.mutated(SOURCE, mutant("Use(a, a);")))
+
+    def test_needs_exactly_one_place(self):
+        for old in ["int c = 1;", "int a", "Use(b);"]:
+            with self.assertRaises(ValueError):
+                mutants.mutated(SOURCE, mutant(old))
+
+    def test_finds_all_that_is_out_of_date(self):
+        with tempfile.TemporaryDirectory() as folder:
+            (pathlib.Path(folder) / "F.cxx").write_text(SOURCE)
+            table = {
+                "group": [{"files": "F", "tests": []}],
+                "mutant": [
+                    mutant("int a = 1;"),
+                    mutant("int a = 1;"),
+                    mutant("int c = 1;"),
+                    mutant("int a = 1;", "int a = 2;", file="G.cxx"),
+                ],
+            }
+            self.assertEqual(len(mutants.problems_of(table, pathlib.Path(folder))), 3)
+
+
+if __name__ == "__main__":
+    unittest.main()

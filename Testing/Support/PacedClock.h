@@ -1,0 +1,29 @@
+#pragma once
+
+#include "Clock.h"
+
+#include <atomic>
+#include <chrono>
+#include <thread>
+
+namespace palpate::test
+{
+/// Time that passes only while somebody waits, and then no faster than real time. A busy machine
+/// makes such a loop slow and never late, so every fault of its servo is one.
+class PacedClock final : public Clock
+{
+public:
+  std::int64_t Now() const noexcept override { return this->Time.load(std::memory_order_acquire); }
+  void WaitUntil(std::int64_t time) noexcept override
+  {
+    std::this_thread::sleep_for(std::chrono::nanoseconds(time - this->Now()));
+    std::int64_t now = this->Now();
+    while (now < time && !this->Time.compare_exchange_weak(now, time))
+    {
+    }
+  }
+
+private:
+  std::atomic<std::int64_t> Time{0}; // ns
+};
+} // namespace palpate::test

@@ -1,0 +1,225 @@
+"""Breaks one line at a time of what keeps the hand safe, and sees whether a test notices.
+
+Testing/Mutants/mutants.toml says which lines. They are changed in a copy of the sources, below
+build/mutants, which is built and tested there; the working tree is only read.
+"""
+
+import argparse
+import os
+import pathlib
+import re
+import subprocess
+import sys
+import time
+import tomllib
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent
+TABLE = ROOT / "Testing/Mutants/mutants.toml"
+PAGE = ROOT / "Documentation/Mutants.md"
+WORK = ROOT / "build/mutants"
+LIMIT = 120  # s, for a program that a mutant keeps from ending
+
+INTRODUCTION = """# Mutants
+
+Each row is one line that was broken on purpose, and the first test that noticed. A test that cannot fail kills
+nothing; a mutant that survives is a test that is missing. Written by `Utilities/mutants.sh` from
+[`Testing/Mutants/mutants.toml`](../Testing/Mutants/mutants.toml); the test `Structure.Mutants` keeps that table true
+to the sources.
+"""
+
+
+def lines_of(text):
+    """The lines of a table's entry, without indentation."""
+    return [line.strip() for line in text.strip("\n").split("\n") if line.strip()]
+
+
+def mutated(text, mutant):
+    """The text of the file with the mutant in it. Raises ValueError where it does not apply."""
+    source = text.split("\n")
+    wanted = lines_of(mutant["old"])
+    # A line that clang-format broke is still the same.
+    for length in range(len(wanted), len(wanted) + 3):
+        found = [
+            n
+            for n in range(len(source) - length + 1)
+            if " ".join(line.strip() for line in source[n : n + length]) == " ".join(wanted)
+        ]
+        if found:
+            break
+    if len(found) != 1:
+        raise ValueError(
+            f"{mutant['file']} has the line of a mutant {len(found)} times: {wanted[-1]}"
+        )
+    place = found[0]
+    return "\n".join(source[:place] + lines_of(mutant["new"]) + source[place + length :])
+
+
+def problems_of(table, root):
+    """What is wrong with the table: mutants that do not apply or say nothing."""
+    problems = []
+    seen = set()
+    for mutant in table["mutant"]:
+        try:
+            if not mutant["breaks"] or not group_of(table, mutant):
+                raise ValueError(f"{mutant['file']} has a mutant without a reason or a group")
+            key = (mutant["file"], mutant["old"], mutant["new"])
+            if key in seen or mutant["old"] == mutant["new"]:
+                raise ValueError(f"{mutant['file']} has a mutant twice: {mutant['breaks']}")
+            seen.add(key)
+            mutated((root / mutant["file"]).read_text(), mutant)
+        except (OSError, ValueError) as error:
+            problems.append(str(error))
+    return problems
+
+
+def group_of(table, mutant):
+    """What is built and run for a mutant."""
+    return next((g for g in table["group"] if mutant["file"].startswith(g["files"])), None)
+
+
+class Copy:
+    """The sources and their build."""
+
+    def __init__(self):
+        self.sources = WORK / "sources"
+        self.build = WORK / "build"
+        # Compilers' caches then know files of another checkout.
+        os.environ.setdefault("CCACHE_BASEDIR", str(self.sources))
+
+    def refresh(self):
+        """As the working tree is now; what is the same keeps its time, and is not built again."""
+        names = subprocess.run(
+            ["git", "ls-files", "-z", "--cached", "--others", "--exclude-standard"],
+            cwd=ROOT, check=True, capture_output=True, text=True,
+        ).stdout.split("\0")
+        for name in filter(None, names):
+            source, target = ROOT / name, self.sources / name
+            if source.is_file():
+                content = source.read_bytes()
+                if not target.is_file() or target.read_bytes() != content:
+                    target.parent.mkdir(parents=True, exist_ok=True)
+                    target.write_bytes(content)
+
+    def configure(self):
+        subprocess.run(
+            ["cmake", "-S", self.sources, "-B", self.build, "-G", "Ninja", "--log-level=NOTICE",
+             "-DCMAKE_BUILD_TYPE=Release", "-DCMAKE_CXX_FLAGS_RELEASE=-O1 -DNDEBUG",
+             "-DCMAKE_LINK_DEPENDS_NO_SHARED=ON", "-DPALPATE_BUILD_VIEWER=OFF",
+             "-DPALPATE_WRAP_PYTHON=OFF", "-DPALPATE_BUILD_BENCHMARKS=OFF"],
+            check=True,
+        )
+
+    def make(self, programs):
+        """Whether the programs can be built."""
+        done = subprocess.run(
+            ["cmake", "--build", self.build, "--parallel", "2", "--target", *programs],
+            capture_output=True, text=True,
+        )
+        if done.returncode != 0:
+            print(done.stdout[-2000:], file=sys.stderr)
+        return done.returncode == 0
+
+    def first_failure(self, tests):
+        """The first test that fails; None where none does."""
+        for program, chosen in tests:
+            try:
+                done = subprocess.run(
+                    [self.build / "bin" / program, f"--gtest_filter={chosen}", "--gtest_fail_fast"],
+                    capture_output=True, text=True, errors="replace", timeout=LIMIT,
+                )
+                code, said, how = done.returncode, done.stdout, ""
+            except subprocess.TimeoutExpired as late:
+                code, said, how = 1, (late.stdout or b"").decode(errors="replace"), " (never ends)"
+            if code != 0:
+                failed = re.search(r"^\[  FAILED  \] (\S+?)(?:,| \()", said, re.M)
+                begun = re.findall(r"^\[ RUN      \] (\S+)", said, re.M)
+                name = failed.group(1) if failed else (begun or ["?"])[-1]
+                return name + ("" if failed else how or " (crashes)")
+        return None
+
+
+def try_mutant(copy, table, mutant):
+    """Which test kills it; None where it survives. The copy is as before afterwards."""
+    path = copy.sources / mutant["file"]
+    before = path.read_text()
+    tests = group_of(table, mutant)["tests"]
+    path.write_text(mutated(before, mutant))
+    try:
+        if not copy.make([program for program, _ in tests]):
+            raise SystemExit(f"A mutant of {mutant['file']} does not compile: {mutant['breaks']}")
+        return copy.first_failure(tests)
+    finally:
+        path.write_text(before)
+
+
+def code_of(text):
+    """Code for a cell of a table."""
+    return "`" + " ".join(lines_of(text)).replace("|", "\\|") + "`" if text.strip() else "(nothing)"
+
+
+def page_of(table, killers):
+    """The page, of mutants and what killed each."""
+    page = [INTRODUCTION]
+    survivors = [m for m in table["mutant"] if not m.get("equivalent") and not killers[id(m)]]
+    harmless = [m for m in table["mutant"] if m.get("equivalent")]
+    killed = len(killers) - len(survivors)
+    page.append(
+        f"{killed} of {len(killers)} mutants are killed; {len(harmless)} more are listed with the reason why none "
+        "needs to be.\n"
+    )
+    file = None
+    for mutant in table["mutant"]:
+        if mutant["file"] != file:
+            file = mutant["file"]
+            page.append(f"\n## {pathlib.Path(file).name}\n")
+            page.append("| it breaks | line | mutant | killed by |\n| --- | --- | --- | --- |")
+        fate = mutant.get("equivalent")
+        fate = f"not run: {fate}" if fate else killers[id(mutant)] or "**survives**"
+        page.append(
+            f"| {mutant['breaks']} | {code_of(mutant['old'])} | {code_of(mutant['new'])} | {fate} |"
+        )
+    return "\n".join(page).replace("\n\n\n", "\n\n") + "\n"
+
+
+def run(table, part):
+    """All mutants whose file's path holds `part`; the survivors."""
+    chosen = [m for m in table["mutant"] if part in m["file"] and not m.get("equivalent")]
+    copy = Copy()
+    copy.refresh()
+    copy.configure()
+    for group in table["group"]:
+        if any(group_of(table, mutant) is group for mutant in chosen):
+            if not copy.make([program for program, _ in group["tests"]]):
+                raise SystemExit("The sources themselves do not build.")
+            failure = copy.first_failure(group["tests"])
+            if failure:
+                raise SystemExit(f"{failure} fails without any mutant.")
+    killers = {}
+    for mutant in chosen:
+        start = time.monotonic()
+        killers[id(mutant)] = killer = try_mutant(copy, table, mutant)
+        spent = time.monotonic() - start
+        print(f"{killer or 'SURVIVES':<70} {mutant['breaks']} ({spent:.0f} s)", flush=True)
+    if len(chosen) == sum(1 for m in table["mutant"] if not m.get("equivalent")):
+        PAGE.write_text(page_of(table, killers))
+    return [mutant for mutant in chosen if not killers[id(mutant)]]
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
+    parser.add_argument("part", nargs="?", default="", help="only files whose path holds this")
+    parser.add_argument("--check", action="store_true", help="only whether every mutant applies")
+    arguments = parser.parse_args()
+    table = tomllib.loads(TABLE.read_text())
+    problems = problems_of(table, ROOT)
+    if problems:
+        raise SystemExit("\n".join(problems) + f"\nBring {TABLE.relative_to(ROOT)} up to date.")
+    if arguments.check:
+        return
+    survivors = run(table, arguments.part)
+    if survivors:
+        raise SystemExit(f"{len(survivors)} mutants survive: write the tests that are missing.")
+
+
+if __name__ == "__main__":
+    main()
