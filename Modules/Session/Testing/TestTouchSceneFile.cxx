@@ -159,6 +159,7 @@ TEST_F(TouchSceneFile, WhatIsWrongIsRefusedByName)
   const std::string begin = R"({"format": "palpate-scene", "structures": [{"file": "a.json")";
   const std::vector<std::pair<std::string, std::string>> cases{
       {"no JSON", "JSON"},
+      {std::string(1000000, '['), "64 deep"},
       {"[]", "object"},
       {"{}", "format"},
       {R"({"format": "palpate-model"})", "format"},
