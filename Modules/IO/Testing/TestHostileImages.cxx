@@ -166,31 +166,3 @@ TEST_F(HostileImages, RefusesVoxelsThatSoFewBytesCannotHold)
     EXPECT_TRUE(Contains(this->NrrdRefusal(lines), "is truncated")) << encoding;
   }
 }
-
-TEST_F(HostileImages, HeaderLinesWithoutAnEndAreNotKept)
-{
-  const std::string letters(std::size_t{64} << 20, 'x');
-  WriteAll(this->Folder / "a.mha", "ObjectType = " + letters);
-  WriteAll(this->Folder / "a.nrrd", "NRRD0005\ntype: " + letters);
-  const AddressSpaceLimit limit(rlim_t{32} << 20);
-  EXPECT_TRUE(Contains(MessageOf([&] { ReadVolume(this->Folder / "a.mha"); }), "header"));
-  EXPECT_TRUE(Contains(MessageOf([&] { ReadVolume(this->Folder / "a.nrrd"); }), "header"));
-}
-
-TEST_F(HostileImages, LongMetaImageLinesAreReadOrRefused)
-{
-  for (const std::size_t letters : {200U, 600U, 1500U, 4000U})
-  {
-    const std::string word(letters, 'x');
-    for (const std::string& line :
-         {word + " = 1\n", "Comment = " + word + "\n", "AnatomicalOrientation = " + word + "\n",
-          "Name = " + word + "\n", "TransformType = " + word + "\n"})
-    {
-      const std::string bytes =
-          MetaImageBytes("MET_UCHAR", std::string(120, '\1'),
-                         "TransformMatrix = 1 0 0 0 1 0 0 0 1\nElementSpacing = 2 2 2\n" + line);
-      const std::string said = this->Refusal("a.mha", bytes);
-      EXPECT_TRUE(said == "no error" || Contains(said, "a.mha is no MetaImage")) << said;
-    }
-  }
-}
