@@ -10,6 +10,8 @@
 #include <array>
 #include <cstring>
 #include <filesystem>
+#include <set>
+#include <string>
 #include <system_error>
 
 namespace palpate
@@ -34,6 +36,30 @@ double Count(vtkXMLDataElement* element, const char* attribute, double fallback)
   return element->GetScalarAttribute(attribute, count) != 0 && count >= 0.0 ? count : -1.0;
 }
 
+// The reader takes it for granted that an array is of numbers, or of texts where it may be, and
+// that none in a group has the name of another.
+bool AreArraysSound(vtkXMLDataElement* group)
+{
+  static const std::set<std::string> Numbers{"Int8",   "UInt8", "Int16",  "UInt16",  "Int32",
+                                             "UInt32", "Int64", "UInt64", "Float32", "Float64"};
+  std::set<std::string> names;
+  for (int i = 0; i < group->GetNumberOfNestedElements(); ++i)
+  {
+    vtkXMLDataElement* array = group->GetNestedElement(i);
+    const char* type = array->GetAttribute("type");
+    const char* name = array->GetAttribute("Name");
+    const bool isNumbers = std::strcmp(array->GetName(), "DataArray") == 0 && type != nullptr &&
+                           Numbers.count(type) > 0;
+    const bool isTexts = std::strcmp(array->GetName(), "Array") == 0 && type != nullptr &&
+                         std::strcmp(type, "String") == 0 && name != nullptr;
+    if ((!isNumbers && !isTexts) || !names.insert(name == nullptr ? "" : name).second)
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
 // Bytes of the arrays below an element, if each has `tuples` or what it states; negative for counts
 // that are none. In double, which no claim overflows.
 double ClaimedBytes(vtkXMLDataElement* element, double tuples)
@@ -51,11 +77,24 @@ double ClaimedBytes(vtkXMLDataElement* element, double tuples)
     {
       return -1.0;
     }
-    const bool isArray = std::strcmp(nested->GetName(), "DataArray") == 0;
+    const std::string name = nested->GetName();
+    const bool isArray = name == "DataArray" || name == "Array";
     sum += (isArray ? std::max(own, tuples) * components * LargestValue : 0.0) +
            length * LargestValue + below;
   }
   return sum;
+}
+
+bool AreGroupsSound(vtkXMLDataElement* piece)
+{
+  for (int i = 0; i < piece->GetNumberOfNestedElements(); ++i)
+  {
+    if (!AreArraysSound(piece->GetNestedElement(i)))
+    {
+      return false;
+    }
+  }
+  return true;
 }
 
 double ClaimedBytesOfPiece(vtkXMLDataElement* piece)
@@ -106,8 +145,12 @@ int BoundedPolyDataReader::ReadPrimaryElement(vtkXMLDataElement* primary)
   for (int i = 0; i < primary->GetNumberOfNestedElements(); ++i)
   {
     vtkXMLDataElement* nested = primary->GetNestedElement(i);
-    const double bytes = std::strcmp(nested->GetName(), "Piece") == 0 ? ClaimedBytesOfPiece(nested)
-                                                                      : ClaimedBytes(nested, 0.0);
+    const bool isPiece = std::strcmp(nested->GetName(), "Piece") == 0;
+    if (!(isPiece ? AreGroupsSound(nested) : AreArraysSound(nested)))
+    {
+      return this->Fail("an array of it is of a type that is not read, or has another's name");
+    }
+    const double bytes = isPiece ? ClaimedBytesOfPiece(nested) : ClaimedBytes(nested, 0.0);
     sum += bytes;
     if (bytes < 0.0 || !(sum <= MostBytesFromByte * static_cast<double>(this->FileBytes)))
     {

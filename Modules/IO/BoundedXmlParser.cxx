@@ -97,9 +97,11 @@ bool BoundedXmlParser::HasSoundBlocks(vtkXMLDataElement* array, std::uint64_t fi
       return false;
     }
   }
-  return this->NumberOfBlocks == 0 ||
-         (this->BlockUncompressedSize > 0 &&
-          this->PartialLastBlockUncompressedSize <= this->BlockUncompressedSize &&
-          this->BlockUncompressedSize <= SmallBlock + MostBytesFromByte * fileBytes);
+  // A size of a last block counts even if there is no block.
+  return this->NumberOfBlocks == 0
+             ? this->PartialLastBlockUncompressedSize == 0
+             : this->BlockUncompressedSize > 0 &&
+                   this->PartialLastBlockUncompressedSize <= this->BlockUncompressedSize &&
+                   this->BlockUncompressedSize <= SmallBlock + MostBytesFromByte * fileBytes;
 }
 } // namespace palpate

@@ -174,6 +174,17 @@ TEST(HostileSurfaces, VtpArraysHaveRoomForTheirValues)
   EXPECT_TRUE(Contains(VtpRefusal(spec), "a.vtp "));
 }
 
+TEST(HostileSurfaces, VtpArraysAreNumbersWithNamesOfTheirOwn)
+{
+  VtpSpec spec;
+  spec.PointData = "<DataArray type=\"String\" Name=\"a\" format=\"ascii\">1 2 3</DataArray>";
+  EXPECT_TRUE(Contains(VtpRefusal(spec), "of a type that is not read"));
+  spec.PointData = "<DataArray type=\"Int8\" Name=\"a\" format=\"ascii\">1 2 3</DataArray>";
+  EXPECT_EQ(VtpRefusal(spec), "no error");
+  spec.PointData += spec.PointData;
+  EXPECT_TRUE(Contains(VtpRefusal(spec), "has another's name"));
+}
+
 TEST(HostileSurfaces, VtpElementsAreNotNestedDeeply)
 {
   constexpr int Levels = 300000;
@@ -193,6 +204,7 @@ TEST(HostileSurfaces, VtpBlocksAreThoseOfItsBytes)
 {
   const std::vector<std::string> headers{
       Word(1) + Word(0) + Word(0) + Word(64),                   // blocks of nothing
+      Word(0) + Word(32768) + Word(36),                         // a last one of none
       Word(0xFFFFFFFF) + Word(32768) + Word(0),                 // more blocks than bytes
       Word(1) + Word(0xFFFFFFF0) + Word(0) + Word(64),          // gigabytes from 64 bytes
       Word(2) + Word(4) + Word(4000000000) + Word(8) + Word(8), // a last one that is larger
