@@ -137,6 +137,32 @@ TEST_F(HostileImages, RefusesMoreKeyValuePairsThanCanBeSearched)
   EXPECT_TRUE(Contains(this->NrrdRefusal(lines), "more than 20000 key/value pairs"));
 }
 
+TEST_F(HostileImages, LongFilesNextToALabelMapAreNotRead)
+{
+  WriteAll(this->Folder / "a.nii", NiftiBytes({}, std::string(120, '\1')));
+  // Lists of one line that would fill the memory.
+  for (const char* name : {"a.nii.txt", "a.nii.lut"})
+  {
+    WriteAll(this->Folder / name, "");
+    std::filesystem::resize_file(this->Folder / name, Gigabytes);
+  }
+  const AddressSpaceLimit limit(SomeMemory);
+  const Segmentation segmentation = ReadSegmentation(this->Folder / "a.nii");
+  ASSERT_FALSE(segmentation.Notes.empty());
+  EXPECT_TRUE(Contains(segmentation.Notes.back(), "is no list of label names"));
+}
+
+TEST_F(HostileImages, RefusesMoreLayersThanAnySegmentationHas)
+{
+  const std::string bytes =
+      NrrdBytes({"type: unsigned char", "dimension: 4", "sizes: 100000 2 2 2",
+                 "kinds: list domain domain domain", "encoding: raw", "Segment0_Name:=a"},
+                std::string(800000, '\1'));
+  WriteAll(this->Folder / "a.seg.nrrd", bytes);
+  EXPECT_TRUE(Contains(MessageOf([&] { ReadSegmentation(this->Folder / "a.seg.nrrd"); }),
+                       "has 100000 layers of segments"));
+}
+
 TEST_F(HostileImages, RefusesGigabytesBehindTheVoxels)
 {
   const std::string nifti = GzippedWithZerosBehind(NiftiBytes({}, std::string(120, '\1')));
