@@ -17,6 +17,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <set>
 #include <utility>
 
 namespace palpate::cli
@@ -37,7 +38,13 @@ CohortRow RowOf(const CohortCase& one, FitResult result)
   result.Mask = nullptr;
   result.Surface = nullptr;
   result.ModelSurface = nullptr;
-  return {one.Name, std::move(result), {}, {}};
+  CohortRow row;
+  row.Case = one.Name;
+  row.Degree = result.Model.Degree();
+  row.CenterWorld = result.Model.CenterWorld();
+  result.Model = {};
+  row.Result = std::move(result);
+  return row;
 }
 } // namespace
 
@@ -130,9 +137,10 @@ void CohortFit::ReadEarlierRows()
     }
     rows.push_back(row);
   }
+  std::set<std::string> listed(this->Order.begin(), this->Order.end());
   for (const CohortCase& one : this->Cases)
   {
-    if (std::find(this->Order.begin(), this->Order.end(), one.Name) == this->Order.end())
+    if (listed.insert(one.Name).second)
     {
       this->Order.push_back(one.Name);
     }
@@ -306,7 +314,8 @@ void CohortFit::WriteOverview(const CohortTable& table, Console& console) const
   ReportIndex index;
   for (const CohortRow& row : table.Rows())
   {
-    index.Add(row.Result, row.Model.empty() ? "" : row.Model.parent_path() / "report.html");
+    index.Add(row.Result, row.Degree,
+              row.Model.empty() ? "" : row.Model.parent_path() / "report.html");
   }
   index.Write(this->Output / "report.html");
   console.Note("overview: " + (this->Output / "report.html").string());

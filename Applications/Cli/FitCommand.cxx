@@ -222,7 +222,7 @@ void FitCommand::Record(FitResult& result, const std::string& folder, const std:
                         std::size_t fileNotes, Console& console)
 {
   AddTotalSeconds(result);
-  this->Index.Add(result, report);
+  this->Index.Add(result, result.Model.Degree(), report);
   ++this->Tally.Cases;
   if (result.State != FitResult::Outcome::Fitted)
   {

@@ -1,5 +1,7 @@
 #include "DicomDataset.h"
 
+#include "BoundedDicomStream.h"
+#include "MemoryCheck.h"
 #include "Refusal.h"
 
 #include <Eigen/Geometry>
@@ -30,8 +32,24 @@ DicomDataset::DicomDataset(const std::filesystem::path& file, Extent extent)
     : Format(std::make_unique<DcmFileFormat>())
 {
   const DcmTagKey stop = extent == Extent::All ? DCM_UndefinedTagKey : DCM_PixelData;
-  const OFCondition status = this->Format->loadFileUntilTag(
-      file.c_str(), EXS_Unknown, EGL_noChange, DCM_MaxReadLength, ERM_autoDetect, stop);
+  // What is parsed is kept next to the bytes that it was parsed from.
+  const std::uint64_t available = AvailableMemoryBytes();
+  BoundedDicomStream stream(file, available / 2);
+  this->Format->transferInit();
+  const OFCondition status =
+      this->Format->readUntilTag(stream, EXS_Unknown, EGL_noChange, DCM_MaxReadLength, stop);
+  this->Format->transferEnd();
+  if (stream.IsTooDeep())
+  {
+    Refuse(file, "nests sequences in sequences too deeply to be read",
+           "export it again without its private attributes");
+  }
+  if (stream.IsTooLong())
+  {
+    Refuse(file,
+           "inflates to more than " + NumberText(static_cast<double>(available) / 2e9) + " GB",
+           "export it again, or use a larger machine");
+  }
   if (status.bad() || this->Format->getDataset()->card() == 0)
   {
     Refuse(file, "is no DICOM file or is truncated or damaged", "copy or export it again");
@@ -56,10 +74,25 @@ std::string DicomDataset::TransferSyntax() const
              : DcmXfer(this->Format->getDataset()->getOriginalXfer()).getXferID();
 }
 
-DcmItem* DicomItem(DcmItem& item, const DcmTagKey& sequence, unsigned long index)
+std::vector<DcmItem*> DicomItems(DcmItem& item, const DcmTagKey& sequence)
+{
+  std::vector<DcmItem*> items;
+  DcmSequenceOfItems* found = nullptr;
+  if (item.findAndGetSequence(sequence, found).good())
+  {
+    // Not by their numbers, for each of which DCMTK counts from the first.
+    for (DcmObject* next = nullptr; (next = found->nextInContainer(next)) != nullptr;)
+    {
+      items.push_back(static_cast<DcmItem*>(next));
+    }
+  }
+  return items;
+}
+
+DcmItem* DicomItem(DcmItem& item, const DcmTagKey& sequence)
 {
   DcmItem* found = nullptr;
-  const auto status = item.findAndGetSequenceItem(sequence, found, static_cast<long>(index));
+  const auto status = item.findAndGetSequenceItem(sequence, found);
   return status.good() ? found : nullptr;
 }
 
@@ -80,6 +113,14 @@ double DicomNumber(DcmItem& item, const DcmTagKey& tag, double fallback, unsigne
   OFBool good = OFFalse;
   const double number = OFStandard::atof(text.c_str(), &good);
   return good && std::isfinite(number) ? number : fallback;
+}
+
+int DicomInteger(DcmItem& item, const DcmTagKey& tag, int fallback)
+{
+  const double number = DicomNumber(item, tag, fallback);
+  const bool isInt = std::floor(number) == number && number >= std::numeric_limits<int>::min() &&
+                     number <= std::numeric_limits<int>::max();
+  return isInt ? static_cast<int>(number) : fallback;
 }
 
 const std::uint8_t* DicomPixelBytes(DcmItem& item, std::size_t& count)

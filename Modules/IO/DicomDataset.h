@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <vector>
 
 class DcmFileFormat;
 class DcmItem;
@@ -28,7 +29,8 @@ public:
     UpToPixels,
     All
   };
-  /// Throws InputError where DCMTK cannot parse the file.
+  /// Throws InputError if DCMTK cannot parse the file, if it nests sequences too deeply or if it
+  /// inflates to more than fits into memory.
   DicomDataset(const std::filesystem::path& file, Extent extent);
   DicomDataset(const DicomDataset&) = delete;
   DicomDataset& operator=(const DicomDataset&) = delete;
@@ -45,14 +47,17 @@ private:
   std::unique_ptr<DcmFileFormat> Format;
 };
 
-/// Item `index` of a sequence, null where it is absent.
-PALPATEIO_EXPORT DcmItem* DicomItem(DcmItem& item, const DcmTagKey& sequence,
-                                    unsigned long index = 0);
+/// All items of a sequence, in the file's order; none where it is absent.
+PALPATEIO_EXPORT std::vector<DcmItem*> DicomItems(DcmItem& item, const DcmTagKey& sequence);
+/// The first item of a sequence, null where it is absent.
+PALPATEIO_EXPORT DcmItem* DicomItem(DcmItem& item, const DcmTagKey& sequence);
 /// Empty where absent.
 PALPATEIO_EXPORT std::string DicomText(DcmItem& item, const DcmTagKey& tag);
 /// `fallback` where absent.
 PALPATEIO_EXPORT double DicomNumber(DcmItem& item, const DcmTagKey& tag, double fallback,
                                     unsigned long index = 0);
+/// `fallback` where absent, not whole or outside of int.
+PALPATEIO_EXPORT int DicomInteger(DcmItem& item, const DcmTagKey& tag, int fallback);
 /// The pixels as they lie in memory (little-endian, as the host's), null where there are none or
 /// they are compressed. They stay in the data set.
 PALPATEIO_EXPORT const std::uint8_t* DicomPixelBytes(DcmItem& item, std::size_t& count);

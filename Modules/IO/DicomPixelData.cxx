@@ -13,27 +13,42 @@
 #include "dcmtk/config/osconfig.h"
 
 #include "dcmtk/dcmdata/dcdeftag.h"
+#include <algorithm>
 #include <string>
 
 namespace palpate
 {
 namespace
 {
-int HeaderNumber(const DicomDataset& dataset, const DcmTagKey& tag, int fallback)
+// Empty frames are compressed to a thousandth and less, but no real file is to a ten-thousandth.
+constexpr double MostBytesFromAnything = 64e6;
+constexpr double MostBytesFromByte = 16384.0;
+
+// A header and a stream of some bytes must not take gigabytes and the time to fill them.
+void CheckRatio(const std::filesystem::path& file, double pixelBytes, std::size_t streamBytes)
 {
-  return static_cast<int>(DicomNumber(dataset.Root(), tag, fallback));
+  const double most =
+      std::max(MostBytesFromAnything, MostBytesFromByte * static_cast<double>(streamBytes));
+  if (!(pixelBytes <= most))
+  {
+    Refuse(file,
+           "is damaged: its header promises " + NumberText(pixelBytes / 1e9) +
+               " GB of pixels, and there are " + std::to_string(streamBytes) + " compressed bytes",
+           "copy or export it again");
+  }
 }
 
 CompressedFrame FrameForm(const DicomDataset& dataset)
 {
+  DcmItem& root = dataset.Root();
   CompressedFrame frame;
-  frame.Columns = HeaderNumber(dataset, DCM_Columns, 0);
-  frame.Rows = HeaderNumber(dataset, DCM_Rows, 0);
-  const int bitsAllocated = HeaderNumber(dataset, DCM_BitsAllocated, 0);
+  frame.Columns = DicomInteger(root, DCM_Columns, 0);
+  frame.Rows = DicomInteger(root, DCM_Rows, 0);
+  const int bitsAllocated = DicomInteger(root, DCM_BitsAllocated, 0);
   frame.BytesPerPixel = bitsAllocated / 8;
-  frame.BitsStored = HeaderNumber(dataset, DCM_BitsStored, bitsAllocated);
-  frame.HighBit = HeaderNumber(dataset, DCM_HighBit, frame.BitsStored - 1);
-  frame.IsSigned = HeaderNumber(dataset, DCM_PixelRepresentation, 0) == 1;
+  frame.BitsStored = std::max(0, DicomInteger(root, DCM_BitsStored, bitsAllocated));
+  frame.HighBit = DicomInteger(root, DCM_HighBit, frame.BitsStored - 1);
+  frame.IsSigned = DicomInteger(root, DCM_PixelRepresentation, 0) == 1;
   return frame;
 }
 
@@ -99,8 +114,9 @@ void DicomPixelData::Decode(const std::filesystem::path& file, const DicomDatase
            "copy or export it again");
   }
   const std::size_t frameBytes = frame.PixelCount() * static_cast<std::size_t>(frame.BytesPerPixel);
-  CheckMemory(file, static_cast<double>(frameBytes) * static_cast<double>(frameCount),
-              AvailableMemoryBytes());
+  const double allBytes = static_cast<double>(frameBytes) * static_cast<double>(frameCount);
+  CheckRatio(file, allBytes, frames.ByteCount());
+  CheckMemory(file, allBytes, AvailableMemoryBytes());
   this->Count = frameBytes * frameCount;
   this->Decoded.resize(this->Count);
   const PixelCoding coding = PixelCodingOf(dataset.TransferSyntax());

@@ -8,6 +8,7 @@
 #include "dcmtk/config/osconfig.h"
 
 #include "dcmtk/dcmdata/dcdeftag.h"
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -102,9 +103,9 @@ DicomPixelFormat ReadPixelFormat(const DicomDataset& dataset)
 {
   DcmItem& root = dataset.Root();
   DicomPixelFormat format;
-  format.BitsAllocated = static_cast<int>(DicomNumber(root, DCM_BitsAllocated, 0.0));
-  format.BitsStored = static_cast<int>(DicomNumber(root, DCM_BitsStored, format.BitsAllocated));
-  format.HighBit = static_cast<int>(DicomNumber(root, DCM_HighBit, format.BitsStored - 1));
+  format.BitsAllocated = DicomInteger(root, DCM_BitsAllocated, 0);
+  format.BitsStored = std::max(0, DicomInteger(root, DCM_BitsStored, format.BitsAllocated));
+  format.HighBit = DicomInteger(root, DCM_HighBit, format.BitsStored - 1);
   format.IsSigned = DicomNumber(root, DCM_PixelRepresentation, 0.0) == 1.0;
   format.IsGrey = DicomNumber(root, DCM_SamplesPerPixel, 1.0) == 1.0 &&
                   DicomText(root, DCM_PhotometricInterpretation) != "PALETTE COLOR";

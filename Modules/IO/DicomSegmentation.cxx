@@ -26,15 +26,10 @@ constexpr const char* LabelMapClass = "1.2.840.10008.5.1.4.1.1.66.7";
 std::vector<Segment> DescribedSegments(const DicomDataset& dataset)
 {
   std::vector<Segment> segments;
-  for (unsigned long i = 0;; ++i)
+  for (DcmItem* item : DicomItems(dataset.Root(), DCM_SegmentSequence))
   {
-    DcmItem* item = DicomItem(dataset.Root(), DCM_SegmentSequence, i);
-    if (!item)
-    {
-      return segments;
-    }
     Segment segment;
-    segment.Label = static_cast<int>(DicomNumber(*item, DCM_SegmentNumber, 0.0));
+    segment.Label = DicomInteger(*item, DCM_SegmentNumber, 0);
     segment.Value = segment.Label;
     segment.Name = DicomText(*item, DCM_SegmentLabel);
     segment.Color = DefaultSegmentColor(segment.Label);
@@ -55,6 +50,7 @@ std::vector<Segment> DescribedSegments(const DicomDataset& dataset)
       segments.push_back(segment);
     }
   }
+  return segments;
 }
 
 // The smallest pixel value that counts as inside.
@@ -70,11 +66,21 @@ int Threshold(const std::filesystem::path& file, const DicomDataset& dataset,
     Refuse(file, "is a DICOM segmentation of the kind '" + kind + "', which is not read",
            "convert it to the kind BINARY");
   }
+  // Of 16 bits at most.
   const int largest =
-      static_cast<int>(DicomNumber(dataset.Root(), DCM_MaximumFractionalValue, 255.0));
+      std::clamp(DicomInteger(dataset.Root(), DCM_MaximumFractionalValue, 255), 1, 65535);
   notes.emplace_back("The segmentation is fractional; pixels of at least half its maximum (" +
                      std::to_string(largest) + ") were taken as inside.");
   return std::max(1, (largest + 1) / 2);
+}
+
+// Slices without a frame are not in the file, but take room: as much as a whole body of 2,048
+// slices of 512 x 512 voxels, or in proportion to the pixels that are there.
+double MostBytes(const DicomSegmentationFrames& frames)
+{
+  constexpr double OfAnyFile = 512.0 * 512.0 * 2048.0;
+  constexpr double OfPixel = 256.0;
+  return std::max(OfAnyFile, OfPixel * static_cast<double>(frames.PixelCount()));
 }
 
 // BINARY and FRACTIONAL: every frame belongs to one segment.
@@ -90,14 +96,16 @@ void ReadSeparateSegments(const std::filesystem::path& file, const DicomSegmenta
   {
     Refuse(file, "has a frame that names no segment", "export the segmentation again");
   }
-  SegmentLayers layers(file, frames.Grid(), runsOfSegment.rbegin()->first);
+  SegmentLayers layers(file, frames.Grid(), runsOfSegment.rbegin()->first, MostBytes(frames));
+  std::map<int, int> layerOfSegment;
   for (const auto& [number, runs] : runsOfSegment)
   {
-    const int layer = layers.Add(number, runs);
-    for (Segment& segment : segmentation.Segments)
-    {
-      segment.Layer = segment.Label == number ? layer : segment.Layer;
-    }
+    layerOfSegment[number] = layers.Add(number, runs);
+  }
+  for (Segment& segment : segmentation.Segments)
+  {
+    const auto layer = layerOfSegment.find(segment.Label);
+    segment.Layer = layer == layerOfSegment.end() ? segment.Layer : layer->second;
   }
   segmentation.Layers = layers.Images();
 }
@@ -111,7 +119,8 @@ void ReadLabelFrames(const std::filesystem::path& file, const DicomSegmentationF
   {
     frames.AppendRunsByValue(frame, runsOfValue);
   }
-  SegmentLayers layers(file, frames.Grid(), runsOfValue.empty() ? 1 : runsOfValue.rbegin()->first);
+  SegmentLayers layers(file, frames.Grid(), runsOfValue.empty() ? 1 : runsOfValue.rbegin()->first,
+                       MostBytes(frames));
   for (const auto& [value, runs] : runsOfValue)
   {
     if (layers.Add(value, runs) > 0)

@@ -50,41 +50,76 @@ std::optional<double> StatedStep(const FunctionalGroups& groups)
 int SegmentNumberOf(const FunctionalGroups& groups)
 {
   DcmItem* identification = groups.Find(DCM_SegmentIdentificationSequence);
-  return identification
-             ? static_cast<int>(DicomNumber(*identification, DCM_ReferencedSegmentNumber, 0.0))
-             : 0;
+  return identification ? DicomInteger(*identification, DCM_ReferencedSegmentNumber, 0) : 0;
 }
 
-// Frames of a damaged header are not counted by the million.
-constexpr double MostFrames = 1e6;
+constexpr int MostPixelsAlong = 65535; // as Columns and Rows are stored
 } // namespace
 
 DicomSegmentationFrames::DicomSegmentationFrames(const std::filesystem::path& file,
                                                  const DicomDataset& dataset)
 {
-  this->ReadPlanes(file, dataset);
+  // The pixels first: they bound what the header may promise.
   this->ReadPixels(file, dataset);
+  this->ReadPlanes(file, dataset);
+}
+
+void DicomSegmentationFrames::ReadPixels(const std::filesystem::path& file,
+                                         const DicomDataset& dataset)
+{
+  DcmItem& root = dataset.Root();
+  const int frames = DicomInteger(root, DCM_NumberOfFrames, 0);
+  const int columns = DicomInteger(root, DCM_Columns, 0);
+  const int rows = DicomInteger(root, DCM_Rows, 0);
+  if (frames < 1 || columns < 1 || rows < 1 || columns > MostPixelsAlong || rows > MostPixelsAlong)
+  {
+    Refuse(file, "has no frames", "export the segmentation again");
+  }
+  this->Form.Columns = columns;
+  this->Form.Rows = rows;
+  this->FrameCount = static_cast<std::size_t>(frames);
+  this->PixelsPerFrame = static_cast<std::int64_t>(columns) * rows;
+  this->BitsPerPixel = DicomInteger(root, DCM_BitsAllocated, 0);
+  if ((this->BitsPerPixel != 1 && this->BitsPerPixel != 8 && this->BitsPerPixel != 16) ||
+      DicomNumber(root, DCM_SamplesPerPixel, 1.0) != 1.0)
+  {
+    Refuse(file, "has pixels of a form that no segmentation has", "export the segmentation again");
+  }
+  if (this->BitsPerPixel == 1 && PixelCodingOf(dataset.TransferSyntax()) != PixelCoding::Native)
+  {
+    Refuse(file, "has compressed pixels of one bit, which are not read",
+           "export the segmentation again uncompressed or with eight bits a pixel");
+  }
+  this->PixelData.emplace(file, dataset, this->FrameCount);
+  this->Pixels = this->PixelData->Bytes();
+  const double needed = static_cast<double>(this->PixelsPerFrame) *
+                        static_cast<double>(this->FrameCount) * this->BitsPerPixel / 8.0;
+  if (!this->Pixels || static_cast<double>(this->PixelData->ByteCount()) < needed)
+  {
+    Refuse(file, "is truncated: it has fewer pixels than its header promises",
+           "copy or export it again");
+  }
 }
 
 void DicomSegmentationFrames::ReadPlanes(const std::filesystem::path& file,
                                          const DicomDataset& dataset)
 {
   DcmItem& root = dataset.Root();
-  const double frames = DicomNumber(root, DCM_NumberOfFrames, 0.0);
-  SlicePlane plane;
-  plane.Columns = static_cast<int>(DicomNumber(root, DCM_Columns, 0.0));
-  plane.Rows = static_cast<int>(DicomNumber(root, DCM_Rows, 0.0));
-  if (!(frames >= 1.0 && frames <= MostFrames) || plane.Columns < 1 || plane.Rows < 1)
+  const std::vector<DcmItem*> own = DicomItems(root, DCM_PerFrameFunctionalGroupsSequence);
+  if (own.size() < this->FrameCount && this->FrameCount > 1)
   {
-    Refuse(file, "has no frames", "export the segmentation again");
+    Refuse(file,
+           "describes " + std::to_string(own.size()) + " of its " +
+               std::to_string(this->FrameCount) + " frames",
+           "export the segmentation again with plane positions");
   }
-  this->PixelsPerFrame = plane.Columns * plane.Rows;
   FunctionalGroups groups{nullptr, DicomItem(root, DCM_SharedFunctionalGroupsSequence)};
+  SlicePlane plane = this->Form;
   SliceStackRules rules;
   rules.Sparse = true;
-  for (unsigned long i = 0; i < static_cast<unsigned long>(frames); ++i)
+  for (std::size_t i = 0; i < this->FrameCount; ++i)
   {
-    groups.Own = DicomItem(root, DCM_PerFrameFunctionalGroupsSequence, i);
+    groups.Own = i < own.size() ? own[i] : nullptr;
     if (!ReadPlane(groups, plane))
     {
       Refuse(file, "does not say where frame " + std::to_string(i + 1) + " lies in the patient",
@@ -97,33 +132,7 @@ void DicomSegmentationFrames::ReadPlanes(const std::filesystem::path& file,
   this->Stack = StackSlices(file, this->Planes, rules);
 }
 
-void DicomSegmentationFrames::ReadPixels(const std::filesystem::path& file,
-                                         const DicomDataset& dataset)
-{
-  DcmItem& root = dataset.Root();
-  this->BitsPerPixel = static_cast<int>(DicomNumber(root, DCM_BitsAllocated, 0.0));
-  if ((this->BitsPerPixel != 1 && this->BitsPerPixel != 8 && this->BitsPerPixel != 16) ||
-      DicomNumber(root, DCM_SamplesPerPixel, 1.0) != 1.0)
-  {
-    Refuse(file, "has pixels of a form that no segmentation has", "export the segmentation again");
-  }
-  if (this->BitsPerPixel == 1 && PixelCodingOf(dataset.TransferSyntax()) != PixelCoding::Native)
-  {
-    Refuse(file, "has compressed pixels of one bit, which are not read",
-           "export the segmentation again uncompressed or with eight bits a pixel");
-  }
-  this->PixelData.emplace(file, dataset, this->Planes.size());
-  this->Pixels = this->PixelData->Bytes();
-  const double needed = static_cast<double>(this->PixelsPerFrame) *
-                        static_cast<double>(this->Planes.size()) * this->BitsPerPixel / 8.0;
-  if (!this->Pixels || static_cast<double>(this->PixelData->ByteCount()) < needed)
-  {
-    Refuse(file, "is truncated: it has fewer pixels than its header promises",
-           "copy or export it again");
-  }
-}
-
-int DicomSegmentationFrames::Value(std::size_t frame, int pixel) const
+int DicomSegmentationFrames::Value(std::size_t frame, std::int64_t pixel) const
 {
   const std::size_t place =
       frame * static_cast<std::size_t>(this->PixelsPerFrame) + static_cast<std::size_t>(pixel);
@@ -139,7 +148,7 @@ int DicomSegmentationFrames::Value(std::size_t frame, int pixel) const
   }
 }
 
-int DicomSegmentationFrames::SkipZeros(std::size_t frame, int pixel) const
+std::int64_t DicomSegmentationFrames::SkipZeros(std::size_t frame, std::int64_t pixel) const
 {
   const std::size_t first = frame * static_cast<std::size_t>(this->PixelsPerFrame);
   while (pixel < this->PixelsPerFrame && this->Value(frame, pixel) == 0)
@@ -157,9 +166,9 @@ void DicomSegmentationFrames::AppendRuns(std::size_t frame, int threshold,
                                          std::vector<VoxelRun>& runs) const
 {
   const std::int64_t first = this->FirstVoxel(frame);
-  for (int start = this->SkipZeros(frame, 0); start < this->PixelsPerFrame;)
+  for (std::int64_t start = this->SkipZeros(frame, 0); start < this->PixelsPerFrame;)
   {
-    int end = start;
+    std::int64_t end = start;
     while (end < this->PixelsPerFrame && this->Value(frame, end) >= threshold)
     {
       ++end;
@@ -176,10 +185,10 @@ void DicomSegmentationFrames::AppendRunsByValue(std::size_t frame,
                                                 std::map<int, std::vector<VoxelRun>>& runs) const
 {
   const std::int64_t first = this->FirstVoxel(frame);
-  for (int start = this->SkipZeros(frame, 0); start < this->PixelsPerFrame;)
+  for (std::int64_t start = this->SkipZeros(frame, 0); start < this->PixelsPerFrame;)
   {
     const int value = this->Value(frame, start);
-    int end = start + 1;
+    std::int64_t end = start + 1;
     while (end < this->PixelsPerFrame && this->Value(frame, end) == value)
     {
       ++end;

@@ -19,7 +19,9 @@ namespace palpate
 class PALPATEIO_EXPORT DicomSegmentationFrames
 {
 public:
-  /// Throws InputError for planes that are no stack and for fewer pixels than the header promises.
+  /// Throws InputError for planes that are no stack, for fewer pixels than the header promises and
+  /// for frames without an item of their own. Time and memory are bounded by the pixels and items
+  /// that the file has.
   /// `dataset` must outlive the object.
   DicomSegmentationFrames(const std::filesystem::path& file, const DicomDataset& dataset);
   DicomSegmentationFrames(const DicomSegmentationFrames&) = delete;
@@ -28,6 +30,11 @@ public:
   /// Right-handed by construction: its third axis is the cross product of the others.
   const ImageGrid& Grid() const { return this->Stack.Grid; }
   std::size_t Count() const { return this->Planes.size(); }
+  /// Of all frames; the file has them.
+  std::int64_t PixelCount() const
+  {
+    return static_cast<std::int64_t>(this->Planes.size()) * this->PixelsPerFrame;
+  }
   int SegmentNumber(std::size_t frame) const { return this->SegmentNumbers[frame]; }
   /// Appends the runs of a frame's pixels that are at least `threshold` (> 0), as voxels of the
   /// grid.
@@ -36,20 +43,22 @@ public:
   void AppendRunsByValue(std::size_t frame, std::map<int, std::vector<VoxelRun>>& runs) const;
 
 private:
-  int Value(std::size_t frame, int pixel) const;
+  int Value(std::size_t frame, std::int64_t pixel) const;
   // The first pixel from `pixel` on that is not 0, or the pixel count.
-  int SkipZeros(std::size_t frame, int pixel) const;
+  std::int64_t SkipZeros(std::size_t frame, std::int64_t pixel) const;
   std::int64_t FirstVoxel(std::size_t frame) const
   {
     return static_cast<std::int64_t>(this->Stack.SliceOfPlane[frame]) * this->PixelsPerFrame;
   }
-  void ReadPlanes(const std::filesystem::path& file, const DicomDataset& dataset);
   void ReadPixels(const std::filesystem::path& file, const DicomDataset& dataset);
+  void ReadPlanes(const std::filesystem::path& file, const DicomDataset& dataset);
 
   std::vector<SlicePlane> Planes;
   std::vector<int> SegmentNumbers;
   SliceStack Stack;
-  int PixelsPerFrame = 0;
+  SlicePlane Form; // columns and rows of every frame
+  std::size_t FrameCount = 0;
+  std::int64_t PixelsPerFrame = 0;
   int BitsPerPixel = 1;
   std::optional<DicomPixelData> PixelData;
   const std::uint8_t* Pixels = nullptr; // in PixelData

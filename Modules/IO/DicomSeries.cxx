@@ -31,8 +31,8 @@ std::optional<SliceHeader> ReadSliceHeader(const std::filesystem::path& file)
   const DicomDataset dataset(file, DicomDataset::Extent::UpToPixels);
   DcmItem& root = dataset.Root();
   SliceHeader header;
-  header.Plane.Columns = static_cast<int>(DicomNumber(root, DCM_Columns, 0.0));
-  header.Plane.Rows = static_cast<int>(DicomNumber(root, DCM_Rows, 0.0));
+  header.Plane.Columns = DicomInteger(root, DCM_Columns, 0);
+  header.Plane.Rows = DicomInteger(root, DCM_Rows, 0);
   if (header.Plane.Columns < 1 || header.Plane.Rows < 1 ||
       DicomNumber(root, DCM_NumberOfFrames, 1.0) != 1.0 || !ReadPlanePosition(root, header.Plane) ||
       !ReadPlaneOrientation(root, header.Plane) || !ReadPixelSpacing(root, header.Plane))
@@ -42,7 +42,7 @@ std::optional<SliceHeader> ReadSliceHeader(const std::filesystem::path& file)
   header.Format = ReadPixelFormat(dataset);
   header.Uid = DicomText(root, DCM_SeriesInstanceUID);
   header.Description = DicomText(root, DCM_SeriesDescription);
-  header.Number = static_cast<int>(DicomNumber(root, DCM_SeriesNumber, 0.0));
+  header.Number = DicomInteger(root, DCM_SeriesNumber, 0);
   return header;
 }
 

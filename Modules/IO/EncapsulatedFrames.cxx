@@ -95,10 +95,11 @@ bool EncapsulatedFrames::CollectFragments(DcmItem& root)
   {
     return false;
   }
-  for (unsigned long i = 1; i < sequence->card(); ++i)
+  // Not by their numbers, for each of which DCMTK counts from the first.
+  for (DcmObject* next = this->OffsetTable; (next = sequence->nextInContainer(next)) != nullptr;)
   {
-    DcmPixelItem* item = nullptr;
-    if (sequence->getItem(item, i).bad())
+    auto* item = dynamic_cast<DcmPixelItem*>(next);
+    if (item == nullptr)
     {
       return false;
     }
@@ -142,6 +143,16 @@ void EncapsulatedFrames::DivideByMarks(std::size_t frameCount)
     first.push_back(this->Fragments.size());
     this->FirstFragments = first;
   }
+}
+
+std::size_t EncapsulatedFrames::ByteCount() const
+{
+  std::size_t bytes = 0;
+  for (DcmPixelItem* fragment : this->Fragments)
+  {
+    bytes += fragment->getLength();
+  }
+  return bytes;
 }
 
 std::vector<std::uint8_t> EncapsulatedFrames::Frame(std::size_t frame) const

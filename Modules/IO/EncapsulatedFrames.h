@@ -22,6 +22,8 @@ public:
 
   /// False where it cannot be told which fragments belong to which frame.
   bool AreFound() const { return !this->FirstFragments.empty(); }
+  /// Of all fragments.
+  std::size_t ByteCount() const;
   /// The bytes of a frame, with any padding after its end. Fewer or none where they cannot be read.
   std::vector<std::uint8_t> Frame(std::size_t frame) const;
 

@@ -12,6 +12,7 @@ namespace palpate
 namespace
 {
 constexpr unsigned int BufferBytes = 1U << 17;
+constexpr std::size_t MostBytesBehind = std::size_t{1} << 20;
 } // namespace
 
 GzipFile::GzipFile(const std::filesystem::path& file)
@@ -77,8 +78,17 @@ void GzipFile::ReadToEnd()
     return;
   }
   std::vector<char> rest(BufferBytes);
-  while (this->ReadSome(rest.data(), rest.size()) > 0)
+  int got = 0;
+  std::size_t bytes = 0;
+  while ((got = this->ReadSome(rest.data(), rest.size())) > 0)
   {
+    bytes += static_cast<std::size_t>(got);
+    if (bytes > MostBytesBehind)
+    {
+      Refuse(this->File,
+             "is damaged: its compressed data go on for more than a megabyte behind its voxels",
+             "copy or export it again");
+    }
   }
 }
 } // namespace palpate

@@ -22,8 +22,9 @@ public:
   void Read(void* buffer, std::size_t bytes);
   /// Passes over bytes, as Read does.
   void Skip(std::size_t bytes);
-  /// Decodes what is left of a compressed file. Throws InputError where its end is missing or its
-  /// checksum does not fit. What follows in a plain file is left alone.
+  /// Decodes what is left of a compressed file. Throws InputError where its end is missing, its
+  /// checksum does not fit or more than a megabyte is left. What follows in a plain file is left
+  /// alone.
   void ReadToEnd();
 
 private:

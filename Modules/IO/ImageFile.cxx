@@ -5,6 +5,7 @@
 #include "MetaImageHeader.h"
 #include "NiftiVoxels.h"
 #include "NrrdHeader.h"
+#include "NrrdLimits.h"
 #include "Refusal.h"
 
 #include <algorithm>
@@ -25,6 +26,7 @@ ImageFile::ImageFile(const std::filesystem::path& file, FileKind kind) : File(fi
   }
   if (kind == FileKind::Nrrd)
   {
+    CheckNrrdLimits(file);
     CheckNrrdHeader(file);
   }
   this->OpenReader();
@@ -103,12 +105,21 @@ void ImageFile::TakeGrid()
   }
 }
 
+double ImageFile::DataBytes() const
+{
+  return static_cast<double>(this->FileGrid.VoxelCount()) * this->Components() *
+         vtkDataArray::GetDataTypeSize(this->ScalarType());
+}
+
 vtkSmartPointer<vtkDataArray> ImageFile::NewArray() const
 {
   auto array =
       vtkSmartPointer<vtkDataArray>::Take(vtkDataArray::CreateDataArray(this->ScalarType()));
-  const double bytes = static_cast<double>(this->FileGrid.VoxelCount()) * this->Components() *
-                       array->GetDataTypeSize();
+  const double bytes = this->DataBytes();
+  if (this->Kind == FileKind::Nrrd)
+  {
+    CheckNrrdLength(this->File, bytes);
+  }
   CheckMemory(this->File, bytes, AvailableMemoryBytes());
   array->SetNumberOfComponents(this->Components());
   array->SetNumberOfTuples(this->FileGrid.VoxelCount());
@@ -124,7 +135,7 @@ void ImageFile::ReadInto(void* buffer)
   }
   if (this->Kind == FileKind::Nrrd)
   {
-    CheckNrrdData(this->File);
+    CheckNrrdData(this->File, static_cast<std::uint64_t>(this->DataBytes()));
   }
   try
   {

@@ -53,6 +53,8 @@ private:
   void OpenReader();
   void CheckHeader() const;
   void TakeGrid();
+  // Of all voxels. A double, since a header may promise anything.
+  double DataBytes() const;
 
   std::filesystem::path File;
   FileKind Kind;

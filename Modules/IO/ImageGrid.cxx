@@ -26,6 +26,12 @@ void CheckSize(const std::filesystem::path& file, const ImageGrid& grid)
              "give a volume of at least two slices");
     }
   }
+  // Counts of voxels and bytes stay exact numbers.
+  constexpr double MostVoxels = 1e15;
+  if (!(static_cast<double>(grid.Size[0]) * grid.Size[1] * grid.Size[2] <= MostVoxels))
+  {
+    Refuse(file, "has a damaged header (" + size + " voxels)", "copy or export it again");
+  }
 }
 
 void CheckSpacing(const std::filesystem::path& file, const ImageGrid& grid)

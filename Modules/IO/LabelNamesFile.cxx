@@ -1,9 +1,11 @@
 #include "LabelNamesFile.h"
 
+#include <cstdint>
 #include <fstream>
 #include <map>
 #include <optional>
 #include <sstream>
+#include <system_error>
 #include <vector>
 
 namespace palpate
@@ -20,10 +22,25 @@ std::filesystem::path Beside(std::filesystem::path image, const char* ending)
   return image;
 }
 
-// Empty where the file is absent or any line of it has another form.
+constexpr std::uintmax_t LargestNames = 1U << 20;
+
+// Bytes of a regular file, 0 of anything else.
+std::uintmax_t SizeOf(const std::filesystem::path& file)
+{
+  std::error_code failure;
+  const bool isFile = std::filesystem::is_regular_file(file, failure);
+  const std::uintmax_t bytes = isFile ? std::filesystem::file_size(file, failure) : 0;
+  return failure ? 0 : bytes;
+}
+
+// Empty where the file is absent, large for such a list, or any line of it has another form.
 std::optional<std::map<int, std::string>> ReadNames(const std::filesystem::path& file)
 {
   std::map<int, std::string> names;
+  if (SizeOf(file) == 0 || SizeOf(file) > LargestNames)
+  {
+    return std::nullopt;
+  }
   std::ifstream stream(file);
   std::string line;
   while (std::getline(stream, line))
@@ -47,9 +64,9 @@ std::optional<std::map<int, std::string>> ReadNames(const std::filesystem::path&
 void ApplyColors(const std::filesystem::path& file, Segmentation& segmentation)
 {
   constexpr std::size_t Entries = 256;
-  std::ifstream stream(file, std::ios::binary);
-  const std::vector<char> bytes{std::istreambuf_iterator<char>(stream), {}};
-  if (bytes.size() != 3 * Entries)
+  std::vector<char> bytes(3 * Entries);
+  if (SizeOf(file) != bytes.size() ||
+      !std::ifstream(file, std::ios::binary).read(bytes.data(), 3 * Entries))
   {
     return;
   }

@@ -3,6 +3,7 @@
 #include "Refusal.h"
 #include "ZlibCheck.h"
 
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <fstream>
@@ -36,9 +37,10 @@ Header ReadHeader(const std::filesystem::path& file)
 {
   Header header;
   std::ifstream stream(file, std::ios::binary);
-  std::string line;
-  while (std::getline(stream, line) && line.size() < LongestLine)
+  std::array<char, LongestLine> letters{};
+  while (stream.getline(letters.data(), letters.size()))
   {
+    const std::string line(letters.data());
     const auto equals = line.find('=');
     if (equals == std::string::npos)
     {
@@ -152,9 +154,10 @@ void CheckCompressedData(const std::filesystem::path& data, const Header& header
     Refuse(data, "is compressed and has no CompressedDataSize in its header",
            "write it again, for example without compression");
   }
-  const auto bytes = static_cast<double>(
-      CheckedInflatedBytes(data, static_cast<std::uint64_t>(start),
-                           isStated ? static_cast<std::uint64_t>(stated[0]) : UINT64_MAX));
+  CheckInflatedSize(data, static_cast<double>(std::filesystem::file_size(data)) - start, dataBytes);
+  const auto bytes = static_cast<double>(CheckedInflatedBytes(
+      data, static_cast<std::uint64_t>(start), static_cast<std::uint64_t>(dataBytes),
+      isStated ? static_cast<std::uint64_t>(stated[0]) : UINT64_MAX));
   if (bytes != dataBytes)
   {
     Refuse(data,

@@ -1,5 +1,6 @@
 #include "ModelJson.h"
 
+#include "JsonText.h"
 #include "ModelConvention.h"
 #include "Refusal.h"
 #include "SphericalHarmonicBasis.h"
@@ -273,15 +274,7 @@ std::string ModelToJson(const ModelDocument& document, const std::string& fileNa
 
 ModelDocument ModelFromJson(const std::string& text, const std::string& fileName)
 {
-  Json root;
-  try
-  {
-    root = Json::parse(text);
-  }
-  catch (const nlohmann::json::exception&)
-  {
-    Refuse(fileName, "is no whole JSON text, perhaps cut short", "write it again with palpate");
-  }
+  const Json root = ParseOrderedJson(text, fileName, "write it again with palpate");
   return Reader(root, fileName).Document();
 }
 } // namespace palpate

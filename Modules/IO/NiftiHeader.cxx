@@ -1,6 +1,7 @@
 #include "NiftiHeader.h"
 
 #include "Refusal.h"
+#include "ZlibCheck.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -181,6 +182,10 @@ void CheckLength(const std::filesystem::path& file, bool isCompressed, const Nif
                                                       static_cast<std::size_t>(header.Size[2]) *
                                                       BytesPerVoxel(header.Type);
   const std::uintmax_t length = std::filesystem::file_size(file);
+  if (isCompressed)
+  {
+    CheckInflatedSize(file, static_cast<double>(length), static_cast<double>(needed));
+  }
   if (!isCompressed && length < needed)
   {
     Refuse(file,

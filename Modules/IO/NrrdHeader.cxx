@@ -74,7 +74,33 @@ void CheckNrrdHeader(const std::filesystem::path& file)
   }
 }
 
-void CheckNrrdData(const std::filesystem::path& file)
+void CheckNrrdLength(const std::filesystem::path& file, double dataBytes)
+{
+  const Header header = ReadHeader(file);
+  const std::string encoding = Field(header, "encoding", "encoding");
+  const std::filesystem::path data = DataFile(file, header);
+  if (data.empty())
+  {
+    return;
+  }
+  const double start = data == file ? static_cast<double>(header.Bytes) : 0.0;
+  const double length = static_cast<double>(std::filesystem::file_size(data)) - start;
+  if (encoding == "gzip" || encoding == "gz")
+  {
+    return CheckInflatedSize(file, length, dataBytes);
+  }
+  // Raw; in hexadecimal they need more. Text has at least two letters for up to eight bytes.
+  const bool isText = encoding == "text" || encoding == "txt" || encoding == "ascii";
+  if (length < (isText ? dataBytes / 4.0 - 1.0 : dataBytes))
+  {
+    Refuse(file,
+           "is truncated: its header promises " + NumberText(dataBytes) +
+               " bytes of voxels and there are " + NumberText(length),
+           "copy or export it again");
+  }
+}
+
+void CheckNrrdData(const std::filesystem::path& file, std::uint64_t dataBytes)
 {
   const Header header = ReadHeader(file);
   const std::string encoding = Field(header, "encoding", "encoding");
@@ -83,7 +109,7 @@ void CheckNrrdData(const std::filesystem::path& file)
   const std::filesystem::path data = DataFile(file, header);
   if ((encoding == "gzip" || encoding == "gz") && !skips && !data.empty())
   {
-    CheckedInflatedBytes(data, data == file ? header.Bytes : 0);
+    CheckedInflatedBytes(data, data == file ? header.Bytes : 0, dataBytes);
   }
 }
 } // namespace palpate

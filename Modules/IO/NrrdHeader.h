@@ -2,6 +2,7 @@
 
 #include "PalpateIOModule.h"
 
+#include <cstdint>
 #include <filesystem>
 
 namespace palpate
@@ -12,8 +13,13 @@ namespace palpate
 /// Source: teem, Definition of NRRD File Format, https://teem.sourceforge.net/nrrd/format.html.
 PALPATEIO_EXPORT void CheckNrrdHeader(const std::filesystem::path& file);
 
-/// Decodes the gzip data of an NRRD file once; throws InputError where they end early or fail their
-/// checksum, which the library looks at only where the length fits. Other encodings, skipped lines
-/// or bytes and several data files are left to the library.
-PALPATEIO_EXPORT void CheckNrrdData(const std::filesystem::path& file);
+/// Throws InputError if the data of an NRRD file are shorter than the `dataBytes` of its voxels, as
+/// far as their encoding says so.
+PALPATEIO_EXPORT void CheckNrrdLength(const std::filesystem::path& file, double dataBytes);
+
+/// Decodes the gzip data of an NRRD file once; throws InputError where they end early, fail their
+/// checksum, which the library looks at only where the length fits, or go on far behind the
+/// `dataBytes` of its voxels. Other encodings, skipped lines or bytes and several data files are
+/// left to the library.
+PALPATEIO_EXPORT void CheckNrrdData(const std::filesystem::path& file, std::uint64_t dataBytes);
 } // namespace palpate

@@ -160,6 +160,11 @@ private:
     {
       this->Refuse("an element of its header has no count");
     }
+    const auto isSame = [&](const Element& other) { return other.Name == element.Name; };
+    if (std::any_of(this->Elements.begin(), this->Elements.end(), isSame))
+    {
+      this->Refuse("an element of its header is there twice");
+    }
     this->Elements.push_back(std::move(element));
   }
 
@@ -326,7 +331,8 @@ private:
 
   static unsigned char AsByte(double value)
   {
-    return static_cast<unsigned char>(std::clamp(value, 0.0, 255.0));
+    // NaN, which binary files may hold, is 0.
+    return static_cast<unsigned char>(value > 0.0 ? std::min(value, 255.0) : 0.0);
   }
 
   // Moves three columns out as vectors; none where one of them is missing.

@@ -24,6 +24,11 @@ bool IsPresent(const LayerCounts& counts, const Segment& segment)
 
 void AddUndescribed(const LayerCounts& counts, std::vector<Segment>& segments)
 {
+  std::set<std::pair<int, int>> described;
+  for (const Segment& segment : segments)
+  {
+    described.emplace(segment.Layer, segment.Value);
+  }
   for (std::size_t layer = 0; layer < counts.size(); ++layer)
   {
     for (const auto& [value, voxels] : counts[layer])
@@ -33,11 +38,7 @@ void AddUndescribed(const LayerCounts& counts, std::vector<Segment>& segments)
       segment.Value = value;
       segment.Layer = static_cast<int>(layer);
       segment.Color = DefaultSegmentColor(value);
-      const bool described =
-          std::any_of(segments.begin(), segments.end(),
-                      [&](const Segment& other)
-                      { return other.Value == segment.Value && other.Layer == segment.Layer; });
-      if (!described)
+      if (described.count({segment.Layer, segment.Value}) == 0)
       {
         segments.push_back(segment);
       }

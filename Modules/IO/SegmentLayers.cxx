@@ -2,6 +2,7 @@
 
 #include "LabelValues.h"
 #include "MemoryCheck.h"
+#include "Refusal.h"
 
 #include "vtkSetGet.h"
 
@@ -11,6 +12,8 @@ namespace palpate
 {
 namespace
 {
+constexpr std::size_t MostLayers = 1024;
+
 template <typename T>
 bool IsFree(const T* layer, const std::vector<VoxelRun>& runs)
 {
@@ -46,8 +49,8 @@ bool TryFill(vtkDataArray* layer, const std::vector<VoxelRun>& runs, int label)
 } // namespace
 
 SegmentLayers::SegmentLayers(const std::filesystem::path& file, const ImageGrid& grid,
-                             int largestLabel)
-    : File(file), Grid(grid), Type(LabelType(largestLabel))
+                             int largestLabel, double mostBytes)
+    : File(file), Grid(grid), Type(LabelType(largestLabel)), MostBytes(mostBytes)
 {
   this->AddLayer();
 }
@@ -55,8 +58,17 @@ SegmentLayers::SegmentLayers(const std::filesystem::path& file, const ImageGrid&
 void SegmentLayers::AddLayer()
 {
   auto layer = vtkSmartPointer<vtkDataArray>::Take(vtkDataArray::CreateDataArray(this->Type));
-  CheckMemory(this->File, static_cast<double>(this->Grid.VoxelCount()) * layer->GetDataTypeSize(),
-              AvailableMemoryBytes());
+  const double bytes = static_cast<double>(this->Grid.VoxelCount()) * layer->GetDataTypeSize();
+  const double layers = static_cast<double>(this->Layers.size() + 1);
+  if (layers > MostLayers || !(layers * bytes <= this->MostBytes))
+  {
+    Refuse(this->File,
+           "has " + NumberText(layers) + " overlapping layers of " +
+               std::to_string(this->Grid.Size[0]) + " x " + std::to_string(this->Grid.Size[1]) +
+               " x " + std::to_string(this->Grid.Size[2]) + " voxels, most of them without data",
+           "export fewer segments at a time");
+  }
+  CheckMemory(this->File, bytes, AvailableMemoryBytes());
   layer->SetNumberOfTuples(this->Grid.VoxelCount());
   layer->Fill(0.0);
   this->Layers.push_back(layer);

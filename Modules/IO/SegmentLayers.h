@@ -21,11 +21,13 @@ struct VoxelRun
 class PALPATEIO_EXPORT SegmentLayers
 {
 public:
-  /// `largestLabel` decides the layers' scalar type. `file` is for messages.
-  SegmentLayers(const std::filesystem::path& file, const ImageGrid& grid, int largestLabel);
+  /// `largestLabel` decides the layers' scalar type. `file` is for messages. Throws InputError if
+  /// the first layer has more than `mostBytes` bytes or does not fit into memory.
+  SegmentLayers(const std::filesystem::path& file, const ImageGrid& grid, int largestLabel,
+                double mostBytes);
 
-  /// Adds the voxels of a segment; returns its layer. Throws InputError where a further layer does
-  /// not fit into memory.
+  /// Adds the voxels of a segment; returns its layer. Throws InputError if it needs a further layer
+  /// and all of them together exceed `mostBytes`, do not fit into memory, or are more than 1,024.
   int Add(int label, const std::vector<VoxelRun>& runs);
   /// The layers as images; at least one.
   std::vector<vtkSmartPointer<vtkImageData>> Images() const;
@@ -36,6 +38,7 @@ private:
   std::filesystem::path File;
   ImageGrid Grid;
   int Type;
+  double MostBytes;
   std::vector<vtkSmartPointer<vtkDataArray>> Layers;
 };
 } // namespace palpate

@@ -38,6 +38,12 @@ Segmentation ReadSlicerSegmentation(const std::filesystem::path& path, ImageFile
                                     const std::vector<Segment>& described,
                                     LeftHandedAxes leftHanded)
 {
+  constexpr int MostLayers = 1024; // each is an image of its own
+  if (file.Components() > MostLayers)
+  {
+    Refuse(path, "has " + std::to_string(file.Components()) + " layers of segments",
+           "export fewer segments at a time");
+  }
   Segmentation segmentation;
   segmentation.Source = path;
   segmentation.Segments = described;

@@ -15,8 +15,12 @@ namespace
 // often rounded to a hundredth of a millimetre.
 constexpr double EvenTolerance = 0.02;
 
+// More than any scan has, and few enough for an index.
+constexpr double MostSlices = 65536.0;
+
 // Distances along the normal from the first plane given, mm.
-std::vector<double> Heights(const std::vector<SlicePlane>& planes)
+std::vector<double> Heights(const std::filesystem::path& file,
+                            const std::vector<SlicePlane>& planes)
 {
   const Vector3 normal = planes.front().NormalWorld();
   std::vector<double> heights;
@@ -24,6 +28,10 @@ std::vector<double> Heights(const std::vector<SlicePlane>& planes)
   for (const SlicePlane& plane : planes)
   {
     heights.push_back(normal.dot(plane.PositionWorld - planes.front().PositionWorld));
+    if (!std::isfinite(heights.back()))
+    {
+      Refuse(file, "has a slice at an infinite distance", "export it again");
+    }
   }
   return heights;
 }
@@ -153,7 +161,7 @@ bool SlicePlane::IsParallelTo(const SlicePlane& other) const
 SliceStack StackSlices(const std::filesystem::path& file, const std::vector<SlicePlane>& planes,
                        const SliceStackRules& rules)
 {
-  const std::vector<double> heights = Heights(planes);
+  const std::vector<double> heights = Heights(file, planes);
   const std::vector<double> distinct = DistinctHeights(heights);
   CheckParallel(file, planes, heights);
   if (!rules.Sparse && planes.size() < 2)
@@ -162,6 +170,12 @@ SliceStack StackSlices(const std::filesystem::path& file, const std::vector<Slic
   }
   const double step = rules.Sparse ? SparseStep(file, distinct, rules.StatedStep)
                                    : DenseStep(file, distinct, planes.size());
+  const double slicesApart = (distinct.back() - distinct.front()) / step;
+  if (distinct.size() > 1 && !(slicesApart < MostSlices))
+  {
+    Refuse(file, "has slices that are " + NumberText(slicesApart) + " slice distances apart",
+           "export it again, or correct its slice positions");
+  }
   SliceStack stack;
   for (const double height : heights)
   {

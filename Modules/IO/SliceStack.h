@@ -42,8 +42,8 @@ struct SliceStackRules
 };
 
 /// Orders parallel planes along their normal. Throws InputError for an uneven distance of slices
-/// (2 % of it), planes that drift sideways by more than a tenth of a pixel (a sheared volume), and,
-/// unless sparse, for several planes in one place.
+/// (2 % of it), more than 65,536 slices, planes that drift sideways by more than a tenth of a pixel
+/// (a sheared volume), and, unless sparse, for several planes in one place.
 PALPATEIO_EXPORT SliceStack StackSlices(const std::filesystem::path& file,
                                         const std::vector<SlicePlane>& planes,
                                         const SliceStackRules& rules);

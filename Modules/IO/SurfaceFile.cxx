@@ -1,9 +1,12 @@
 #include "SurfaceFile.h"
 
 #include "AlgorithmErrors.h"
+#include "BoundedPolyDataReader.h"
 #include "FileEnding.h"
+#include "InputError.h"
 #include "MeshFormats.h"
 #include "MeshGltf.h"
+#include "ObjReader.h"
 #include "PlyReader.h"
 #include "QuietStandardStreams.h"
 #include "Refusal.h"
@@ -11,10 +14,8 @@
 #include "WholeFile.h"
 #include "vtkFieldData.h"
 #include "vtkNew.h"
-#include "vtkOBJReader.h"
 #include "vtkSTLReader.h"
 #include "vtkStringArray.h"
-#include "vtkXMLPolyDataReader.h"
 #include "vtkXMLPolyDataWriter.h"
 
 #include <algorithm>
@@ -99,9 +100,8 @@ void CheckStlIsWhole(const std::filesystem::path& path)
 }
 
 template <typename Reader>
-vtkSmartPointer<vtkPolyData> ReadWith(const std::filesystem::path& path)
+vtkSmartPointer<vtkPolyData> ReadWith(Reader* reader, const std::filesystem::path& path)
 {
-  vtkNew<Reader> reader;
   const AlgorithmErrors errors(reader);
   reader->SetFileName(path.c_str());
   {
@@ -116,17 +116,39 @@ vtkSmartPointer<vtkPolyData> ReadWith(const std::filesystem::path& path)
   return reader->GetOutput();
 }
 
+vtkSmartPointer<vtkPolyData> ReadVtp(const std::filesystem::path& path)
+{
+  vtkNew<BoundedPolyDataReader> reader;
+  vtkSmartPointer<vtkPolyData> surface;
+  try
+  {
+    surface = ReadWith(reader.Get(), path);
+  }
+  catch (const InputError&)
+  {
+    if (reader->Problem().empty())
+    {
+      throw;
+    }
+  }
+  if (!reader->Problem().empty())
+  {
+    Refuse(path, "cannot be read as a surface: " + reader->Problem(), "write the file again");
+  }
+  return surface;
+}
+
 vtkSmartPointer<vtkPolyData> ReadByEnding(const std::filesystem::path& path)
 {
   const std::string ending = FileEnding(path);
   if (ending == ".vtp")
   {
-    return ReadWith<vtkXMLPolyDataReader>(path);
+    return ReadVtp(path);
   }
   if (ending == ".stl")
   {
     CheckStlIsWhole(path);
-    return ReadWith<vtkSTLReader>(path);
+    return ReadWith(vtkNew<vtkSTLReader>().Get(), path);
   }
   if (ending == ".ply")
   {
@@ -134,7 +156,7 @@ vtkSmartPointer<vtkPolyData> ReadByEnding(const std::filesystem::path& path)
   }
   if (ending == ".obj")
   {
-    return ReadWith<vtkOBJReader>(path);
+    return SurfaceFromObj(ReadWholeFile(path, MaximumBytes), path.string());
   }
   Refuse(path, "does not end as a surface that can be read", "use .vtp, .stl, .ply or .obj");
 }

@@ -79,6 +79,41 @@ std::vector<std::array<int, 3>> TriangleIndices(vtkPolyData* surface)
   }
   return result;
 }
+
+// What VTK's filters and our writers use without a look.
+void CheckIndices(vtkPolyData* surface, const std::filesystem::path& file)
+{
+  const vtkIdType points = surface->GetNumberOfPoints();
+  if (points > std::numeric_limits<int>::max())
+  {
+    Refuse(file, "has more points than surface formats can number", "use a coarser surface");
+  }
+  for (vtkCellArray* cells :
+       {surface->GetVerts(), surface->GetLines(), surface->GetPolys(), surface->GetStrips()})
+  {
+    bool isSound = cells->IsValid();
+    vtkDataArray* corners = cells->GetConnectivityArray();
+    for (vtkIdType i = 0; isSound && i < corners->GetNumberOfTuples(); ++i)
+    {
+      const auto corner = static_cast<vtkIdType>(corners->GetComponent(i, 0));
+      isSound = corner >= 0 && corner < points;
+    }
+    if (!isSound)
+    {
+      Refuse(file, "has a cell that names a point that does not exist", "write the surface again");
+    }
+  }
+  vtkPointData* data = surface->GetPointData();
+  for (int a = 0; a < data->GetNumberOfArrays(); ++a)
+  {
+    if (data->GetAbstractArray(a)->GetNumberOfTuples() != points)
+    {
+      Refuse(file, "has an array that has another number of values than points",
+             "write the surface again");
+    }
+  }
+}
+
 void AddColorsAndValues(const TriangleMesh& mesh, vtkPointData* data)
 {
   for (const TriangleMesh::PointValues& values : mesh.Values)
@@ -107,6 +142,7 @@ void AddColorsAndValues(const TriangleMesh& mesh, vtkPointData* data)
 
 TriangleMesh TrianglesOf(vtkPolyData* surface, const std::filesystem::path& file)
 {
+  CheckIndices(surface, file);
   vtkNew<vtkTriangleFilter> cut;
   cut->PassVertsOff();
   cut->PassLinesOff();
@@ -116,10 +152,6 @@ TriangleMesh TrianglesOf(vtkPolyData* surface, const std::filesystem::path& file
   if (triangles->GetNumberOfPolys() == 0)
   {
     Refuse(file, "holds no triangle", "give a closed surface");
-  }
-  if (triangles->GetNumberOfPoints() > std::numeric_limits<int>::max())
-  {
-    Refuse(file, "has more points than surface formats can number", "use a coarser surface");
   }
   TriangleMesh mesh;
   mesh.PointsWorld = Vectors(triangles->GetPoints()->GetData());

@@ -13,9 +13,13 @@ namespace palpate
 namespace
 {
 constexpr std::size_t BufferBytes = std::size_t{1} << 17;
+constexpr std::uint64_t MostBytesBehind = std::uint64_t{1} << 20;
+constexpr double MostBytesFromByte = 1032.0; // of the deflate format
 
-// Decodes what the stream has as input. Returns zlib's state; counts the bytes.
-int InflateInput(z_stream& stream, std::vector<unsigned char>& room, std::uint64_t& bytes)
+// Decodes what the stream has as input, until there are more than the most bytes. Returns zlib's
+// state; counts the bytes.
+int InflateInput(z_stream& stream, std::vector<unsigned char>& room, std::uint64_t most,
+                 std::uint64_t& bytes)
 {
   int state = Z_OK;
   do
@@ -24,15 +28,16 @@ int InflateInput(z_stream& stream, std::vector<unsigned char>& room, std::uint64
     stream.avail_out = static_cast<uInt>(room.size());
     state = inflate(&stream, Z_NO_FLUSH);
     bytes += room.size() - stream.avail_out;
-  } while (state == Z_OK && stream.avail_out == 0);
+  } while (state == Z_OK && stream.avail_out == 0 && bytes <= most);
   // No progress without more input is no error.
   return state == Z_BUF_ERROR ? Z_OK : state;
 }
 } // namespace
 
 std::uint64_t CheckedInflatedBytes(const std::filesystem::path& file, std::uint64_t start,
-                                   std::uint64_t mostBytes)
+                                   std::uint64_t dataBytes, std::uint64_t mostBytes)
 {
+  const std::uint64_t mostDecoded = dataBytes + std::min(MostBytesBehind, UINT64_MAX - dataBytes);
   std::ifstream input(file, std::ios::binary);
   input.seekg(static_cast<std::streamoff>(start));
   z_stream stream{};
@@ -53,7 +58,13 @@ std::uint64_t CheckedInflatedBytes(const std::filesystem::path& file, std::uint6
     {
       Refuse(file, "is truncated: its compressed data end early", "copy or export it again");
     }
-    state = InflateInput(stream, room, bytes);
+    state = InflateInput(stream, room, mostDecoded, bytes);
+    if (bytes > mostDecoded)
+    {
+      Refuse(file,
+             "is damaged: its compressed data go on for more than a megabyte behind its voxels",
+             "copy or export it again");
+    }
   }
   if (state != Z_STREAM_END)
   {
@@ -61,5 +72,17 @@ std::uint64_t CheckedInflatedBytes(const std::filesystem::path& file, std::uint6
            "copy or export it again");
   }
   return bytes;
+}
+
+void CheckInflatedSize(const std::filesystem::path& file, double packedBytes, double dataBytes)
+{
+  if (!(dataBytes <= MostBytesFromByte * packedBytes))
+  {
+    Refuse(file,
+           "is truncated: its header promises " + NumberText(dataBytes) +
+               " bytes of voxels, and its " + NumberText(packedBytes) +
+               " compressed bytes cannot hold them",
+           "copy or export it again");
+  }
 }
 } // namespace palpate

@@ -91,7 +91,7 @@ std::string ReasonText(const FitResult& result)
 }
 } // namespace
 
-void ReportIndex::Add(const FitResult& result, const std::filesystem::path& report)
+void ReportIndex::Add(const FitResult& result, int degree, const std::filesystem::path& report)
 {
   const bool isFitted = result.State == FitResult::Outcome::Fitted;
   ++this->CaseCount;
@@ -110,8 +110,7 @@ void ReportIndex::Add(const FitResult& result, const std::filesystem::path& repo
       NumberCell(isFitted, result.ModelToMask.Percentile95, 3) +
       NumberCell(isFitted, result.ModelToMask.Maximum, 3) +
       NumberCell(result.MaskMilliliters > 0.0, result.MaskMilliliters, 2) +
-      NumberCell(isFitted, result.ModelMilliliters, 2) +
-      NumberCell(isFitted, result.Model.Degree(), 0) +
+      NumberCell(isFitted, result.ModelMilliliters, 2) + NumberCell(isFitted, degree, 0) +
       NumberCell(isFitted || result.Surface != nullptr, result.HiddenPercent, 2) + "</tr>\n";
   if (!isFitted)
   {

@@ -14,8 +14,9 @@ namespace palpate
 class PALPATESESSION_EXPORT ReportIndex
 {
 public:
-  /// `report` is the case's own page, relative to the folder of the index; empty for none.
-  void Add(const FitResult& result, const std::filesystem::path& report);
+  /// `degree` is the model's (a cohort's rows keep no models); `report` is the case's own page,
+  /// relative to the folder of the index; empty for none.
+  void Add(const FitResult& result, int degree, const std::filesystem::path& report);
 
   /// Throws InputError where the file cannot be written.
   void Write(const std::filesystem::path& html) const;

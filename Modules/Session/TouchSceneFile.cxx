@@ -2,10 +2,10 @@
 
 #include "DrillLimits.h"
 #include "JsonFields.h"
+#include "JsonText.h"
 #include "Refusal.h"
 #include "TouchToolJson.h"
 #include "TouchWords.h"
-#include "WholeFile.h"
 
 #include <algorithm>
 #include <iterator>
@@ -148,17 +148,6 @@ TouchStructureSettings ReadStructure(const nlohmann::json& object,
   return structure;
 }
 
-nlohmann::json Parse(const std::filesystem::path& path)
-{
-  const std::string text = ReadWholeFile(path, LargestFile);
-  nlohmann::json root = nlohmann::json::parse(text, nullptr, false);
-  if (root.is_discarded())
-  {
-    Refuse(path, "is no JSON", "write a scene as Documentation/HowTo/Touch.md shows");
-  }
-  return root;
-}
-
 nlohmann::ordered_json AsJson(const TouchStructureSettings& structure,
                               const std::filesystem::path& folder)
 {
@@ -222,7 +211,8 @@ bool IsTouchSceneFile(const std::filesystem::path& path)
 
 TouchSettings ReadTouchScene(const std::filesystem::path& path)
 {
-  const nlohmann::json root = Parse(path);
+  const nlohmann::json root =
+      ReadJson(path, LargestFile, "write a scene as Documentation/HowTo/Touch.md shows");
   JsonFields fields(root, path, "scene");
   std::string format;
   fields.Read("format", format);

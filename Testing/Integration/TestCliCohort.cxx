@@ -80,7 +80,7 @@ TEST_F(CliCohort, EveryMaskOfAFolderIsARowAndOneFailureIsNotTheEnd)
   EXPECT_EQ(rows[0].Case, "a");
   EXPECT_EQ(rows[0].Result.State, Outcome::Fitted);
   EXPECT_EQ(rows[0].Result.Structure.Label, 1);
-  EXPECT_EQ(rows[0].Result.Model.Degree(), 4);
+  EXPECT_EQ(rows[0].Degree, 4);
   EXPECT_GT(rows[0].Result.Dice, 0.9);
   EXPECT_EQ(rows[1].Result.State, Outcome::BadInput);
   EXPECT_TRUE(Has(rows[1].Result.Message, "b.nii.gz")) << rows[1].Result.Message;
@@ -114,7 +114,7 @@ TEST_F(CliCohort, OtherSettingsDoEveryCaseAgain)
   const CommandRun run =
       this->FitWith({"masks", "--label", "1", "--degree", "3", "--output", "out"});
   EXPECT_FALSE(Has(run.Errors, "done before")) << run.Errors;
-  EXPECT_EQ(RowsIn(this->Folder / "out")[0].Result.Model.Degree(), 3);
+  EXPECT_EQ(RowsIn(this->Folder / "out")[0].Degree, 3);
 }
 
 TEST_F(CliCohort, KilledRunKeepsItsRowsAndTheNextOneDoesTheRest)

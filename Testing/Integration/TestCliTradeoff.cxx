@@ -1,5 +1,5 @@
 #include "CommandRun.h"
-#include "CsvText.h"
+#include "CsvRecords.h"
 #include "SyntheticFiles.h"
 #include "TemporaryFolder.h"
 
@@ -32,7 +32,7 @@ protected:
   }
   std::vector<palpate::CsvRecord> Rows(const std::string& folder) const
   {
-    return palpate::ParseCsvRecords(ReadAll(this->Folder / (folder + "/tradeoff.csv")));
+    return palpate::test::CsvRecordsIn(ReadAll(this->Folder / (folder + "/tradeoff.csv")));
   }
 
   TemporaryFolder Folder;

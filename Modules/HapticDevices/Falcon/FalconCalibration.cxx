@@ -167,7 +167,14 @@ Status ReadCalibration(const std::string& path, FalconCalibration& calibration)
   {
     return Status::Failure(path + ", the Falcon's calibration, cannot be opened.");
   }
-  const std::string text{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+  constexpr std::size_t LargestSize = 1U << 16;
+  std::string text(LargestSize + 1, '\0');
+  stream.read(text.data(), static_cast<std::streamsize>(text.size()));
+  text.resize(static_cast<std::size_t>(stream.gcount()));
+  if (text.size() > LargestSize)
+  {
+    return Status::Failure(path + " is not a Falcon's calibration: it is too long.");
+  }
   return ParseCalibration(text, path, calibration);
 }
 } // namespace palpate

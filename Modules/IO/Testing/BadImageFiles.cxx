@@ -182,7 +182,7 @@ std::vector<BadFile> BadNiftiFiles()
       {"inf.nii", NiftiWith(16, INFINITY), "1 voxels that are NaN or infinite"},
       {"nan64.nii.gz", Gzipped(NiftiWith(64, std::nan(""))), "1 voxels that are NaN or infinite"},
       {"huge.nii", NiftiBytes(huge, std::string(100, '\1')), "is truncated"},
-      {"huge.nii.gz", Gzipped(NiftiBytes(huge, std::string(100, '\1'))), "GB of memory"},
+      {"huge.nii.gz", Gzipped(NiftiBytes(huge, std::string(100, '\1'))), "cannot hold them"},
   };
 }
 

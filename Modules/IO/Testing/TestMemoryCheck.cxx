@@ -1,24 +1,11 @@
 #include "MemoryCheck.h"
 #include "MessageOf.h"
-#include "TemporaryFolder.h"
 
 #include <gtest/gtest.h>
 #include <limits>
 
 using namespace palpate;
 using namespace palpate::test;
-
-TEST(MemoryCheck, AvailableMemoryIsReadFromMeminfo)
-{
-  const TemporaryFolder folder;
-  WriteAll(folder / "meminfo", "MemTotal:  900 kB\nMemFree:   100 kB\nMemAvailable:   300 kB\n");
-  EXPECT_EQ(AvailableMemoryBytes(folder / "meminfo"), 300u * 1024u);
-}
-
-TEST(MemoryCheck, WithoutMeminfoNothingIsRefused)
-{
-  EXPECT_EQ(AvailableMemoryBytes("/no/such/meminfo"), std::numeric_limits<std::uint64_t>::max());
-}
 
 TEST(MemoryCheck, DataCountTwice)
 {

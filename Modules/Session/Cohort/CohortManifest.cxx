@@ -27,8 +27,8 @@ bool IsImage(const std::filesystem::path& file)
 
 std::string Get(const CsvRecord& record, const char* column)
 {
-  const auto found = record.find(column);
-  return found == record.end() ? std::string() : found->second;
+  const std::string* found = record.Find(column);
+  return found == nullptr ? std::string() : *found;
 }
 
 std::string FolderName(const std::string& name)
@@ -39,15 +39,20 @@ std::string FolderName(const std::string& name)
   return plain;
 }
 
+// At once, before more rows like it fill the memory.
+void CheckRow(const std::filesystem::path& file, const CohortCase& one)
+{
+  if (one.Name.empty() || one.Mask.empty())
+  {
+    throw InputError(file.string() + ": a row has no case or no mask; give every row both");
+  }
+}
+
 void CheckNames(const std::filesystem::path& file, const std::vector<CohortCase>& cases)
 {
   std::set<std::string> taken;
   for (const CohortCase& one : cases)
   {
-    if (one.Name.empty() || one.Mask.empty())
-    {
-      throw InputError(file.string() + ": a row has no case or no mask; give every row both");
-    }
     if (FolderName(one.Name).find_first_not_of('.') == std::string::npos ||
         !taken.insert(FolderName(one.Name)).second)
     {
@@ -64,14 +69,16 @@ std::vector<CohortCase> ReadManifest(const std::filesystem::path& file,
 {
   const std::filesystem::path folder = base.empty() ? file.parent_path() : base;
   std::vector<CohortCase> cases;
-  for (const CsvRecord& record : ParseCsvRecords(ReadWholeFile(file, LargestManifest)))
+  const auto take = [&](const CsvRecord& record)
   {
     const std::string mask = Get(record, "mask");
     const std::string volume = Get(record, "volume");
     cases.push_back({Get(record, "case"), mask.empty() ? std::filesystem::path() : folder / mask,
                      Get(record, "label"),
                      volume.empty() ? std::filesystem::path() : folder / volume});
-  }
+    CheckRow(file, cases.back());
+  };
+  ForEachCsvRecord(ReadWholeFile(file, LargestManifest), take);
   if (cases.empty())
   {
     throw InputError(file.string() + " lists no case; give a table with the head "

@@ -6,7 +6,7 @@
 #include "DecimalText.h"
 #include "FitSettingsText.h"
 #include "InputError.h"
-#include "SphericalHarmonicBasis.h"
+#include "ModelConvention.h"
 #include "WholeFile.h"
 
 #include <algorithm>
@@ -19,8 +19,7 @@ namespace palpate
 {
 namespace
 {
-constexpr std::uintmax_t LargestTable = 1U << 30U;
-constexpr int HighestDegree = 10000; // more is a damaged number
+constexpr std::uintmax_t LargestTable = 1U << 26U; // of some hundred thousand structures
 const std::vector<std::string> Head{
     "case",        "label",       "structure",   "outcome", "sentence", "degree",
     "center_x_mm", "center_y_mm", "center_z_mm", "mask_ml", "model_ml", "area_mm2",
@@ -52,13 +51,13 @@ std::vector<std::string> FieldsOf(const CohortRow& row)
   const FitResult& result = row.Result;
   const bool fitted = result.State == FitResult::Outcome::Fitted;
   const auto number = [](bool known, double value) { return known ? ExactText(value) : ""; };
-  const Vector3& center = result.Model.CenterWorld();
+  const Vector3& center = row.CenterWorld;
   return {row.Case,
           result.Structure.Label == 0 ? "" : std::to_string(result.Structure.Label),
           result.Structure.Name,
           OutcomeWord(result.State),
           result.Message,
-          fitted ? std::to_string(result.Model.Degree()) : "",
+          fitted ? std::to_string(row.Degree) : "",
           number(fitted, center.x()),
           number(fitted, center.y()),
           number(fitted, center.z()),
@@ -102,6 +101,10 @@ public:
     result.Seconds = {{"total", this->Number("seconds", false)}};
     if (result.State == FitResult::Outcome::Fitted)
     {
+      row.Degree = this->Degree();
+      row.CenterWorld =
+          Vector3(this->Number("center_x_mm", true), this->Number("center_y_mm", true),
+                  this->Number("center_z_mm", true));
       this->TakeQuality(result);
     }
     return row;
@@ -110,13 +113,13 @@ public:
 private:
   const std::string& Text(const char* column) const
   {
-    const auto found = this->Record.find(column);
-    if (found == this->Record.end())
+    const std::string* found = this->Record.Find(column);
+    if (found == nullptr)
     {
       throw InputError(this->File.string() + " is no table of a cohort: it has no column " +
                        column + "; name the folder that `palpate fit` wrote");
     }
-    return found->second;
+    return *found;
   }
   double Number(const char* column, bool isNeeded) const
   {
@@ -140,13 +143,20 @@ private:
     }
     return *found;
   }
+  int Degree() const
+  {
+    const auto degree = ParseInteger(this->Text("degree"));
+    if (!degree || *degree < 0 || *degree > ModelConvention::MaximumDegree)
+    {
+      throw InputError(this->File.string() + ": degree of case " + this->Text("case") +
+                       " is no whole number from 0 to " +
+                       std::to_string(ModelConvention::MaximumDegree) +
+                       "; remove the file and fit again");
+    }
+    return *degree;
+  }
   void TakeQuality(FitResult& result) const
   {
-    const Vector3 center(this->Number("center_x_mm", true), this->Number("center_y_mm", true),
-                         this->Number("center_z_mm", true));
-    const int degree = std::clamp(ParseInteger(this->Text("degree")).value_or(0), 0, HighestDegree);
-    result.Model = {
-        degree, std::vector<double>(SphericalHarmonicBasis::CoefficientCount(degree), 0.0), center};
     result.ModelMilliliters = this->Number("model_ml", true);
     result.ModelAreaSquareMillimeters = this->Number("area_mm2", true);
     result.ModelToMask = {this->Number("mean_mm", true), this->Number("rms_mm", true),
@@ -191,10 +201,8 @@ CohortTable CohortTable::Read(const std::filesystem::path& file)
   {
     return table;
   }
-  for (const CsvRecord& record : ParseCsvRecords(ReadWholeFile(file, LargestTable)))
-  {
-    table.Content.push_back(RowReader(record, file).Row());
-  }
+  ForEachCsvRecord(ReadWholeFile(file, LargestTable), [&](const CsvRecord& record)
+                   { table.Content.push_back(RowReader(record, file).Row()); });
   return table;
 }
 

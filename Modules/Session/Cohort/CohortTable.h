@@ -13,11 +13,13 @@ namespace palpate
 struct CohortRow
 {
   std::string Case;
-  /// What of a fit the table holds: structure, outcome, sentence, degree and centre of the model
-  /// (not its coefficients, which are 0), volumes, distances to the mask, Dice, "total" seconds.
+  /// What of a fit the table holds: structure, outcome, sentence, volumes, distances to the mask,
+  /// Dice, "total" seconds.
   FitResult Result;
-  std::filesystem::path Model; ///< relative to the table's folder; empty for none
-  std::string Key;             ///< of what it was made from, see CohortKey
+  int Degree = 0;                        ///< of the model, whose coefficients are in its file
+  Vector3 CenterWorld = Vector3::Zero(); ///< of the model, mm
+  std::filesystem::path Model;           ///< relative to the table's folder; empty for none
+  std::string Key;                       ///< of what it was made from, see CohortKey
 };
 
 /// Says all that a case's result follows from: its mask's and its volume's path, size and time, the

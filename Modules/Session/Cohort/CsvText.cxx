@@ -11,8 +11,13 @@ constexpr std::string_view ByteOrderMark = "\xEF\xBB\xBF";
 class CsvReader
 {
 public:
-  std::vector<std::vector<std::string>> Read(std::string_view text)
+  using TakeRow = std::function<void(std::vector<std::string>)>;
+  explicit CsvReader(TakeRow take) : Give(std::move(take)) {}
+
+  void Read(std::string_view text)
   {
+    const bool isMarked = text.substr(0, ByteOrderMark.size()) == ByteOrderMark;
+    text.remove_prefix(isMarked ? ByteOrderMark.size() : 0);
     for (std::size_t i = 0; i < text.size(); ++i)
     {
       const bool isDoubled = this->Quoted && text[i] == '"' && text.substr(i + 1, 1) == "\"";
@@ -20,7 +25,6 @@ public:
       this->Take(text[i], isDoubled);
     }
     this->EndRow();
-    return std::move(this->Rows);
   }
 
 private:
@@ -53,12 +57,12 @@ private:
     this->EndField();
     if (this->Row.size() > 1 || !this->Row.front().empty())
     {
-      this->Rows.push_back(std::move(this->Row));
+      this->Give(std::move(this->Row));
     }
     this->Row.clear();
   }
 
-  std::vector<std::vector<std::string>> Rows;
+  TakeRow Give;
   std::vector<std::string> Row;
   std::string Field;
   bool Quoted = false;
@@ -67,8 +71,9 @@ private:
 
 std::vector<std::vector<std::string>> ParseCsv(std::string_view text)
 {
-  const bool isMarked = text.substr(0, ByteOrderMark.size()) == ByteOrderMark;
-  return CsvReader().Read(text.substr(isMarked ? ByteOrderMark.size() : 0));
+  std::vector<std::vector<std::string>> rows;
+  CsvReader([&](std::vector<std::string> row) { rows.push_back(std::move(row)); }).Read(text);
+  return rows;
 }
 
 std::string CsvLine(const std::vector<std::string>& fields)
@@ -92,19 +97,33 @@ std::string CsvLine(const std::vector<std::string>& fields)
   return line + "\n";
 }
 
-std::vector<CsvRecord> ParseCsvRecords(std::string_view text)
+const std::string* CsvRecord::Find(const std::string& column) const
 {
-  const auto rows = ParseCsv(text);
-  std::vector<CsvRecord> records;
-  for (std::size_t r = 1; r < rows.size(); ++r)
+  static const std::string Empty;
+  const auto found = this->Head->find(column);
+  if (found == this->Head->end())
   {
-    CsvRecord record;
-    for (std::size_t column = 0; column < rows.front().size(); ++column)
-    {
-      record[rows.front()[column]] = column < rows[r].size() ? rows[r][column] : std::string();
-    }
-    records.push_back(std::move(record));
+    return nullptr;
   }
-  return records;
+  return found->second < this->Fields.size() ? &this->Fields[found->second] : &Empty;
+}
+
+void ForEachCsvRecord(std::string_view text, const std::function<void(const CsvRecord&)>& take)
+{
+  std::shared_ptr<const CsvRecord::Columns> head;
+  const auto takeRow = [&](std::vector<std::string> row)
+  {
+    if (head)
+    {
+      return take(CsvRecord(head, std::move(row)));
+    }
+    auto columns = std::make_shared<CsvRecord::Columns>();
+    for (std::size_t column = 0; column < row.size(); ++column)
+    {
+      (*columns)[row[column]] = column;
+    }
+    head = std::move(columns);
+  };
+  CsvReader(takeRow).Read(text);
 }
 } // namespace palpate

@@ -2,9 +2,13 @@
 
 #include "PalpateSessionModule.h"
 
+#include <cstddef>
+#include <functional>
 #include <map>
+#include <memory>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace palpate
@@ -16,9 +20,26 @@ PALPATESESSION_EXPORT std::vector<std::vector<std::string>> ParseCsv(std::string
 /// One row with its line break; fields are quoted where they need it.
 PALPATESESSION_EXPORT std::string CsvLine(const std::vector<std::string>& fields);
 
-/// A row by the names of the head's columns; where it has fewer fields, the others are empty.
-using CsvRecord = std::map<std::string, std::string>;
+/// A row by the names of the head's columns.
+class PALPATESESSION_EXPORT CsvRecord
+{
+public:
+  using Columns = std::map<std::string, std::size_t>;
+  CsvRecord(std::shared_ptr<const Columns> head, std::vector<std::string> fields)
+      : Head(std::move(head)), Fields(std::move(fields))
+  {
+  }
 
-/// The rows below the head, which is the first.
-PALPATESESSION_EXPORT std::vector<CsvRecord> ParseCsvRecords(std::string_view text);
+  /// Null if the head has no such column; empty if the row has fewer fields.
+  const std::string* Find(const std::string& column) const;
+
+private:
+  std::shared_ptr<const Columns> Head;
+  std::vector<std::string> Fields;
+};
+
+/// Calls `take` with each row below the head, which is the first. Keeps one row at a time: a text
+/// of commas would take many times its size.
+PALPATESESSION_EXPORT void ForEachCsvRecord(std::string_view text,
+                                            const std::function<void(const CsvRecord&)>& take);
 } // namespace palpate

@@ -1,8 +1,8 @@
 #include "DrillScript.h"
 
 #include "JsonFields.h"
+#include "JsonText.h"
 #include "Refusal.h"
-#include "WholeFile.h"
 
 namespace palpate
 {
@@ -18,11 +18,7 @@ const std::initializer_list<const char*> Words{"start", "stop", "end-stroke",
 std::vector<DrillAction> ReadDrillScript(const std::filesystem::path& path)
 {
   const nlohmann::json root =
-      nlohmann::json::parse(ReadWholeFile(path, LargestFile), nullptr, false);
-  if (root.is_discarded())
-  {
-    Refuse(path, "is no JSON", "write it as Documentation/HowTo/Drill.md shows");
-  }
+      ReadJson(path, LargestFile, "write it as Documentation/HowTo/Drill.md shows");
   JsonFields fields(root, path, "script");
   std::string format;
   fields.Read("format", format);

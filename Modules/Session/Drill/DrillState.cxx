@@ -3,6 +3,7 @@
 #include "ContentDigest.h"
 #include "InputError.h"
 #include "JsonFields.h"
+#include "JsonText.h"
 #include "Refusal.h"
 #include "RemovalBytes.h"
 #include "WholeFile.h"
@@ -21,6 +22,8 @@ namespace palpate
 namespace
 {
 constexpr std::string_view Magic = "palpate-drill-state 1\n";
+constexpr const char* WayOut =
+    "take one that was written by palpate touch or saved from the window";
 constexpr std::uintmax_t LargestFile = std::uintmax_t{1} << 33;
 
 template <typename T>
@@ -56,8 +59,7 @@ std::string DigestOf(const DrillBench& bench, std::size_t site)
 
 [[noreturn]] void RefuseDamaged(const std::filesystem::path& path)
 {
-  Refuse(path, "is damaged, or no state of something drilled",
-         "take one that was written by palpate touch or saved from the window");
+  Refuse(path, "is damaged, or no state of something drilled", WayOut);
 }
 
 // The next part of a file's bytes.
@@ -138,9 +140,8 @@ void ReadDrillState(const std::filesystem::path& path, const DrillBench& bench)
   {
     RefuseDamaged(path);
   }
-  const nlohmann::json header =
-      nlohmann::json::parse(file.begin() + static_cast<std::ptrdiff_t>(Magic.size()),
-                            file.begin() + static_cast<std::ptrdiff_t>(end), nullptr, false);
+  const std::string_view line(file.data() + Magic.size(), end - Magic.size());
+  const nlohmann::json header = ParseJson(line, path, WayOut);
   if (!header.is_array())
   {
     RefuseDamaged(path);

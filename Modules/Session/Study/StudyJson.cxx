@@ -2,6 +2,7 @@
 
 #include "DrillLimits.h"
 #include "JsonFields.h"
+#include "JsonText.h"
 #include "Refusal.h"
 #include "StudyFitJson.h"
 #include "TouchToolJson.h"
@@ -371,17 +372,6 @@ OrderedJson AsJson(const StudyState& state, const std::filesystem::path& folder)
   root["view"] = AsJson(state.View);
   return root;
 }
-
-// "line 3, column 14" of a byte, both from 1.
-std::string PlaceText(const std::string& text, std::size_t byte)
-{
-  const std::size_t end = std::min(byte > 0 ? byte - 1 : 0, text.size());
-  const auto stop = text.begin() + static_cast<std::ptrdiff_t>(end);
-  const auto line = 1 + std::count(text.begin(), stop, '\n');
-  const std::size_t before = end > 0 ? text.rfind('\n', end - 1) : std::string::npos;
-  const std::size_t column = end - (before == std::string::npos ? 0 : before + 1) + 1;
-  return "line " + std::to_string(line) + ", column " + std::to_string(column);
-}
 } // namespace
 
 std::string StudyText(const StudyState& state, const std::filesystem::path& folder,
@@ -401,21 +391,7 @@ std::string StudyText(const StudyState& state, const std::filesystem::path& fold
 StudyState StudyFromText(const std::string& text, const std::filesystem::path& folder,
                          const std::filesystem::path& file)
 {
-  nlohmann::json root;
-  try
-  {
-    root = nlohmann::json::parse(text);
-  }
-  catch (const nlohmann::json::parse_error& error)
-  {
-    Refuse(file, "is no JSON from " + PlaceText(text, error.byte) + " on",
-           "mend it there, or open another session");
-  }
-  catch (const nlohmann::json::out_of_range&)
-  {
-    Refuse(file, "cannot be read: it holds a number that is too large for any computer",
-           "mend that, or open another session");
-  }
+  const nlohmann::json root = ParseJson(text, file, "mend it there, or open another session");
   return StudyReader(root, folder, file).Read();
 }
 } // namespace palpate

@@ -26,9 +26,9 @@ TEST(ReportIndex, LinksEveryCaseAndCountsTheFittedOnes)
   refused.Structure.Name = "<Zone> & \"more\"";
   refused.Message = "is not star-shaped: <why>";
   palpate::ReportIndex index;
-  index.Add(fit.Result, "case 1%/report.html");
-  index.Add(refused, "case_2/report.html");
-  index.Add(refused, "");
+  index.Add(fit.Result, fit.Result.Model.Degree(), "case 1%/report.html");
+  index.Add(refused, 0, "case_2/report.html");
+  index.Add(refused, 0, "");
   const std::string html = Page(index);
   EXPECT_EQ(palpate::test::MarkupError(html), "");
   EXPECT_NE(html.find("3 cases, 1 fitted"), std::string::npos);
@@ -47,7 +47,7 @@ TEST(ReportIndex, AFileWithoutStructuresHasItsReason)
   unread.State = FitResult::Outcome::BadInput;
   unread.Message = "folder/bad.nii.gz is empty; copy or export it again.";
   palpate::ReportIndex index;
-  index.Add(unread, "");
+  index.Add(unread, 0, "");
   const std::string html = Page(index);
   EXPECT_EQ(palpate::test::MarkupError(html), "");
   EXPECT_NE(html.find("1 cases, 0 fitted"), std::string::npos);

@@ -175,6 +175,8 @@ TEST_F(TouchSceneFile, WhatIsWrongIsRefusedByName)
       {begin + R"(, "brick_cells": 32}]})", "brick_cells"},
       {begin + R"(, "representation": "voxels"}]})", "sub-voxel"},
       {begin + R"(, "label": [1]}]})", "label"},
+      {begin + R"(, "label": )" + std::string(1000000, '[') + std::string(1000000, ']') + "}]}",
+       "nested more than 64 deep"},
       {begin + R"(, "seen": 1}]})", "seen"},
       {begin + R"(, "touched": "no"}]})", "touched"},
       {begin + R"(, "viscosity_ns_per_mm": -1}]})", "viscosity_ns_per_mm"},

@@ -16,7 +16,7 @@ namespace palpate
 {
 namespace
 {
-constexpr std::uintmax_t LargestTable = 1U << 28U;
+constexpr std::uintmax_t LargestTable = 1U << 26U;
 
 const std::array<const char*, 2> OutcomeWords{{"measured", "refused"}};
 const std::array<const char*, 2> ModeWords{{"nearest", "radial"}};
@@ -119,13 +119,13 @@ const std::vector<TextColumn>& TextColumns()
 const std::string& FieldOf(const CsvRecord& record, const char* column,
                            const std::filesystem::path& file)
 {
-  const auto found = record.find(column);
-  if (found == record.end())
+  const std::string* found = record.Find(column);
+  if (found == nullptr)
   {
     throw InputError(file.string() + " is no table of a trade-off: it has no column " + column +
                      "; name another folder, or remove the file");
   }
-  return found->second;
+  return *found;
 }
 
 [[noreturn]] void RefuseField(const std::filesystem::path& file, const char* column,
@@ -200,10 +200,8 @@ TradeTable TradeTable::Read(const std::filesystem::path& file)
   std::error_code ignored;
   if (std::filesystem::exists(file, ignored))
   {
-    for (const CsvRecord& record : ParseCsvRecords(ReadWholeFile(file, LargestTable)))
-    {
-      table.Content.push_back(RowOf(record, file));
-    }
+    ForEachCsvRecord(ReadWholeFile(file, LargestTable), [&](const CsvRecord& record)
+                     { table.Content.push_back(RowOf(record, file)); });
   }
   return table;
 }

@@ -78,6 +78,9 @@ TEST(FalconCalibration, EachFaultHasItsSentence)
   EXPECT_EQ(FaultOf(Head + "carried-mass 90\n"),
             "file cannot be used: The mass that a Falcon carries must be from 0 to below 1 kg.");
   FalconCalibration calibration;
+  // A file without an end.
+  EXPECT_EQ(ReadCalibration("/dev/zero", calibration).Message(),
+            "/dev/zero is not a Falcon's calibration: it is too long.");
   EXPECT_EQ(ReadCalibration("/no/such", calibration).Message(),
             "/no/such, the Falcon's calibration, cannot be opened.");
 }

@@ -1,0 +1,87 @@
+#include "AvailableMemory.h"
+
+#include <algorithm>
+#include <fstream>
+#include <limits>
+#include <optional>
+#include <sstream>
+#include <string>
+
+namespace palpate
+{
+namespace
+{
+constexpr std::uint64_t Unlimited = std::numeric_limits<std::uint64_t>::max();
+
+// Names of a memory group's files in a version of control groups.
+struct GroupFiles
+{
+  const char* Limit;
+  const char* Usage;
+  const char* DroppableKey; // in memory.stat
+};
+constexpr GroupFiles Version1{"memory.limit_in_bytes", "memory.usage_in_bytes",
+                              "total_inactive_file"};
+constexpr GroupFiles Version2{"memory.max", "memory.current", "inactive_file"};
+
+// The number after a key, or the first number of a file where the key is empty. Nothing for "max".
+std::optional<std::uint64_t> NumberIn(const std::filesystem::path& file, const std::string& key)
+{
+  std::ifstream stream(file);
+  std::uint64_t number = 0;
+  std::string word;
+  while (!key.empty() && word != key && stream >> word)
+  {
+  }
+  return stream >> number ? std::optional<std::uint64_t>(number) : std::nullopt;
+}
+
+std::uint64_t LeftInGroup(const std::filesystem::path& folder, const GroupFiles& files)
+{
+  const auto limit = NumberIn(folder / files.Limit, {});
+  const auto usage = NumberIn(folder / files.Usage, {});
+  if (!limit || !usage)
+  {
+    return Unlimited;
+  }
+  const std::uint64_t droppable = NumberIn(folder / "memory.stat", files.DroppableKey).value_or(0);
+  const std::uint64_t used = *usage - std::min(droppable, *usage);
+  return *limit - std::min(used, *limit);
+}
+
+// Of a group and all that it lies in. In a container the path may be the host's, of which only the
+// last folders or none are mounted there.
+std::uint64_t LeftUpwards(const std::filesystem::path& root, std::filesystem::path group,
+                          const GroupFiles& files)
+{
+  std::uint64_t left = LeftInGroup(root, files);
+  for (group = group.relative_path(); !group.empty(); group = group.parent_path())
+  {
+    left = std::min(left, LeftInGroup(root / group, files));
+  }
+  return left;
+}
+} // namespace
+
+std::uint64_t AvailableMemoryBytes(const MemorySources& sources)
+{
+  const auto kibibytes = NumberIn(sources.Machine, "MemAvailable:");
+  std::uint64_t left = kibibytes ? *kibibytes * 1024 : Unlimited;
+  std::ifstream groups(sources.Groups);
+  // number:controllers:path
+  for (std::string number, controllers, path; std::getline(groups, number, ':') &&
+                                              std::getline(groups, controllers, ':') &&
+                                              std::getline(groups, path);)
+  {
+    if (controllers.empty())
+    {
+      left = std::min(left, LeftUpwards(sources.GroupRoot, path, Version2));
+    }
+    else if (("," + controllers + ",").find(",memory,") != std::string::npos)
+    {
+      left = std::min(left, LeftUpwards(sources.GroupRoot / "memory", path, Version1));
+    }
+  }
+  return left;
+}
+} // namespace palpate

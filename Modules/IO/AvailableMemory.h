@@ -1,0 +1,23 @@
+#pragma once
+
+#include "PalpateIOModule.h"
+
+#include <cstdint>
+#include <filesystem>
+
+namespace palpate
+{
+/// The files in which Linux says how much memory is left.
+struct MemorySources
+{
+  std::filesystem::path Machine = "/proc/meminfo";
+  std::filesystem::path Groups = "/proc/self/cgroup"; ///< control groups of this process
+  std::filesystem::path GroupRoot = "/sys/fs/cgroup"; ///< where their file system is mounted
+};
+
+/// Bytes that this process can still take without swapping: MemAvailable of the machine, or less
+/// where a control group of the process, as a container's, has a lower limit. Pages of files that
+/// the kernel can drop count as free. The largest number where nothing can be read (then nothing is
+/// refused). Source: Linux, Documentation/admin-guide/cgroup-v2.rst and cgroup-v1/memory.rst.
+PALPATEIO_EXPORT std::uint64_t AvailableMemoryBytes(const MemorySources& sources = {});
+} // namespace palpate

@@ -1,0 +1,123 @@
+#include "JsonText.h"
+
+#include "MemoryCheck.h"
+#include "Refusal.h"
+#include "WholeFile.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace palpate
+{
+namespace
+{
+constexpr std::size_t MostDepth = 64;
+constexpr std::size_t MostOrderedKeys = 10000;
+constexpr double BytesOfValue = 64.0; // of a small list, with what the allocator adds
+
+// What of a text decides how much it takes to parse it.
+struct JsonExtent
+{
+  std::size_t Depth = 0;
+  std::size_t Keys = 0;
+  std::size_t Values = 0;
+};
+
+// Exact for valid JSON. The parser stops at the first fault of another text, up to which this is
+// exact too.
+JsonExtent ExtentOf(std::string_view text)
+{
+  JsonExtent extent;
+  std::size_t depth = 0;
+  bool isInString = false;
+  for (std::size_t i = 0; i < text.size(); ++i)
+  {
+    const char letter = text[i];
+    if (isInString && letter == '\\')
+    {
+      ++i;
+    }
+    else if (letter == '"')
+    {
+      isInString = !isInString;
+    }
+    else if (isInString)
+    {
+      continue;
+    }
+    else if (letter == '[' || letter == '{')
+    {
+      extent.Depth = std::max(extent.Depth, ++depth);
+      ++extent.Values;
+    }
+    else if (letter == ']' || letter == '}')
+    {
+      depth -= depth > 0 ? 1 : 0;
+    }
+    extent.Keys += !isInString && letter == ':' ? 1 : 0;
+    extent.Values += !isInString && letter == ',' ? 1 : 0;
+  }
+  return extent;
+}
+
+// "line 3, column 14" of a byte, both from 1.
+std::string PlaceText(std::string_view text, std::size_t byte)
+{
+  const std::size_t end = std::min(byte > 0 ? byte - 1 : 0, text.size());
+  const auto stop = text.begin() + static_cast<std::ptrdiff_t>(end);
+  const auto line = 1 + std::count(text.begin(), stop, '\n');
+  const std::size_t before = end > 0 ? text.rfind('\n', end - 1) : std::string_view::npos;
+  const std::size_t column = end - (before == std::string_view::npos ? 0 : before + 1) + 1;
+  return "line " + std::to_string(line) + ", column " + std::to_string(column);
+}
+
+template <typename Json>
+Json Parse(std::string_view text, const std::filesystem::path& file, const std::string& wayOut,
+           std::size_t mostKeys)
+{
+  const JsonExtent extent = ExtentOf(text);
+  if (extent.Depth > MostDepth)
+  {
+    Refuse(file,
+           "cannot be read: its JSON is nested more than " + std::to_string(MostDepth) + " deep",
+           wayOut);
+  }
+  if (extent.Keys > mostKeys)
+  {
+    Refuse(file, "cannot be read: its JSON has more than " + std::to_string(mostKeys) + " keys",
+           wayOut);
+  }
+  CheckMemory(file, BytesOfValue * static_cast<double>(extent.Values), AvailableMemoryBytes());
+  try
+  {
+    return Json::parse(text);
+  }
+  catch (const nlohmann::json::parse_error& error)
+  {
+    Refuse(file, "is no JSON from " + PlaceText(text, error.byte) + " on", wayOut);
+  }
+  catch (const nlohmann::json::out_of_range&)
+  {
+    Refuse(file, "cannot be read: it holds a number that is too large for any computer", wayOut);
+  }
+}
+} // namespace
+
+nlohmann::json ParseJson(std::string_view text, const std::filesystem::path& file,
+                         const std::string& wayOut)
+{
+  return Parse<nlohmann::json>(text, file, wayOut, std::numeric_limits<std::size_t>::max());
+}
+
+nlohmann::ordered_json ParseOrderedJson(std::string_view text, const std::filesystem::path& file,
+                                        const std::string& wayOut)
+{
+  return Parse<nlohmann::ordered_json>(text, file, wayOut, MostOrderedKeys);
+}
+
+nlohmann::json ReadJson(const std::filesystem::path& file, std::uintmax_t maximumBytes,
+                        const std::string& wayOut)
+{
+  return ParseJson(ReadWholeFile(file, maximumBytes), file, wayOut);
+}
+} // namespace palpate

@@ -1,0 +1,29 @@
+#pragma once
+
+#include "PalpateIOModule.h"
+
+#include <cstdint>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <string_view>
+
+namespace palpate
+{
+/// The one place that parses JSON from files. Throws InputError, naming `file` and ending with
+/// `wayOut`, if the text is not JSON (with line and column), if it nests lists and objects more
+/// than 64 deep, which would overflow the stack of whatever walks through it, if a number is too
+/// large, or if its values would not fit into memory.
+PALPATEIO_EXPORT nlohmann::json ParseJson(std::string_view text, const std::filesystem::path& file,
+                                          const std::string& wayOut);
+
+/// The same with keys in the file's order. Refuses more than 10,000 keys: an ordered object is
+/// searched from its start for each of them.
+PALPATEIO_EXPORT nlohmann::ordered_json ParseOrderedJson(std::string_view text,
+                                                         const std::filesystem::path& file,
+                                                         const std::string& wayOut);
+
+/// Parses a whole file of at most `maximumBytes`.
+PALPATEIO_EXPORT nlohmann::json ReadJson(const std::filesystem::path& file,
+                                         std::uintmax_t maximumBytes, const std::string& wayOut);
+} // namespace palpate

@@ -1,0 +1,211 @@
+#include "NrrdLimits.h"
+
+#include "DecimalText.h"
+#include "Refusal.h"
+
+#include <algorithm>
+#include <cctype>
+#include <fstream>
+#include <sstream>
+#include <string>
+#include <system_error>
+
+namespace palpate
+{
+namespace
+{
+constexpr std::size_t LongestField = 512;
+constexpr std::size_t LongestPath = 512;
+constexpr std::size_t LongestLine = std::size_t{1} << 20; // of key/value pairs and comments
+constexpr std::size_t MostPairs = 20000;
+constexpr int MostDimensions = 10;
+
+// Reads on to a line's end; false at the file's. Keeps no more than the longest line.
+bool NextLine(std::istream& stream, std::string& line)
+{
+  line.clear();
+  for (int letter = stream.get(); letter != std::char_traits<char>::eof(); letter = stream.get())
+  {
+    if (letter == '\n')
+    {
+      return true;
+    }
+    if (line.size() <= LongestLine)
+    {
+      line += static_cast<char>(letter);
+    }
+  }
+  return !line.empty();
+}
+
+// Lower case without blanks: the library takes both.
+std::string FieldName(const std::string& text)
+{
+  std::string name;
+  for (const char letter : text)
+  {
+    if (letter != ' ' && letter != '\t')
+    {
+      name += static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
+    }
+  }
+  return name;
+}
+
+/// Goes through a header line by line.
+class HeaderCheck
+{
+public:
+  explicit HeaderCheck(const std::filesystem::path& file) : File(file) {}
+
+  void Run()
+  {
+    if (this->File.string().size() > LongestPath)
+    {
+      Refuse(this->File, "has a path of more than " + std::to_string(LongestPath) + " letters",
+             "move it");
+    }
+    std::ifstream stream(this->File, std::ios::binary);
+    for (std::string line; NextLine(stream, line) && !line.empty() && line != "\r";)
+    {
+      this->TakeLine(line);
+      if (this->IsList)
+      {
+        return this->CheckList(stream);
+      }
+    }
+  }
+
+private:
+  void TakeLine(const std::string& line)
+  {
+    if (line.size() > LongestLine)
+    {
+      this->RefuseLine(line);
+    }
+    if (line[0] == '#')
+    {
+      return;
+    }
+    // As the library: a field where ": " comes first and what stands before is one, else a pair.
+    const std::size_t pair = line.find(":=");
+    const std::size_t field = line.find(": ");
+    if (pair < field && pair < LongestField)
+    {
+      return this->CountPair();
+    }
+    if (line.size() > LongestField)
+    {
+      this->RefuseLine(line);
+    }
+    if (field != std::string::npos)
+    {
+      this->TakeField(FieldName(line.substr(0, field)), line.substr(field + 2));
+    }
+  }
+
+  void TakeField(const std::string& name, const std::string& value)
+  {
+    const std::size_t first = std::min(value.find_first_not_of(" \t"), value.size());
+    const std::string text = value.substr(first, value.find_last_not_of(" \t\r") + 1 - first);
+    if (name == "dimension")
+    {
+      const auto count = ParseInteger(text);
+      if (!count || *count < 1 || *count > MostDimensions)
+      {
+        Refuse(this->File, "has " + text + " dimensions",
+               "extract one three-dimensional volume of it");
+      }
+    }
+    if (name == "sizes")
+    {
+      this->CheckSizes(text);
+    }
+    if (name == "datafile")
+    {
+      this->TakeDataFile(text);
+    }
+  }
+
+  // The readers behind this keep sizes, and values per voxel, as int.
+  void CheckSizes(const std::string& text) const
+  {
+    std::istringstream words(text);
+    for (std::string word; words >> word;)
+    {
+      if (const auto size = ParseInteger(word); !size || *size < 1)
+      {
+        Refuse(this->File, "has a damaged header (sizes: " + text + ")", "copy or export it again");
+      }
+    }
+  }
+
+  void TakeDataFile(const std::string& name)
+  {
+    this->IsList = name.rfind("LIST", 0) == 0;
+    if (name.find('%') != std::string::npos)
+    {
+      Refuse(this->File, "names its data files by a pattern", "write it with one data file");
+    }
+    if (!this->IsList)
+    {
+      this->CheckDataFile(name);
+    }
+  }
+
+  // A name that is absent has a message of its own.
+  void CheckDataFile(const std::string& name) const
+  {
+    std::error_code failure;
+    const std::filesystem::path data = this->File.parent_path() / name;
+    if (name == "-" || (std::filesystem::exists(data, failure) &&
+                        !std::filesystem::is_regular_file(data, failure)))
+    {
+      Refuse(this->File, "names a data file " + name + " that is no regular file",
+             "write it with its data");
+    }
+  }
+
+  void CheckList(std::istream& stream) const
+  {
+    for (std::string line; NextLine(stream, line);)
+    {
+      if (line.size() > LongestField)
+      {
+        this->RefuseLine(line);
+      }
+      const std::size_t end = line.find_last_not_of(" \t\r");
+      this->CheckDataFile(line.substr(0, end == std::string::npos ? 0 : end + 1));
+    }
+  }
+
+  void CountPair()
+  {
+    if (++this->Pairs > MostPairs)
+    {
+      Refuse(this->File,
+             "has more than " + std::to_string(MostPairs) + " key/value pairs in its header",
+             "export fewer segments at a time");
+    }
+  }
+
+  [[noreturn]] void RefuseLine(const std::string& line) const
+  {
+    Refuse(this->File,
+           "is no NRRD image or its header is damaged: a line of it has " +
+               std::to_string(line.size()) + (line.size() > LongestLine ? " and more" : "") +
+               " letters",
+           "copy or export it again");
+  }
+
+  const std::filesystem::path& File;
+  std::size_t Pairs = 0;
+  bool IsList = false;
+};
+} // namespace
+
+void CheckNrrdLimits(const std::filesystem::path& file)
+{
+  HeaderCheck(file).Run();
+}
+} // namespace palpate

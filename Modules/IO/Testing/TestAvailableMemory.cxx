@@ -1,0 +1,109 @@
+#include "AvailableMemory.h"
+#include "TemporaryFolder.h"
+
+#include <gtest/gtest.h>
+#include <limits>
+
+using namespace palpate;
+using namespace palpate::test;
+
+namespace
+{
+constexpr std::uint64_t Kibibyte = 1024;
+
+// A machine with 300 kB left, and groups as a test writes them.
+class AvailableMemory : public testing::Test
+{
+protected:
+  AvailableMemory()
+  {
+    this->Write("meminfo", "MemTotal:  900 kB\nMemFree:   100 kB\nMemAvailable:   300 kB\n");
+  }
+  void Write(const std::string& name, const std::string& text) const
+  {
+    const auto file = this->Folder / name;
+    std::filesystem::create_directories(file.parent_path());
+    WriteAll(file, text);
+  }
+  std::uint64_t Left() const
+  {
+    return AvailableMemoryBytes(
+        {this->Folder / "meminfo", this->Folder / "cgroup", this->Folder / "groups"});
+  }
+
+private:
+  TemporaryFolder Folder;
+};
+} // namespace
+
+TEST_F(AvailableMemory, IsTheMachinesWithoutGroups)
+{
+  EXPECT_EQ(this->Left(), 300 * Kibibyte);
+}
+
+TEST_F(AvailableMemory, NothingIsRefusedWhereNothingCanBeRead)
+{
+  EXPECT_EQ(AvailableMemoryBytes({"/no/such/meminfo", "/no/such/cgroup", "/no/such/folder"}),
+            std::numeric_limits<std::uint64_t>::max());
+}
+
+TEST_F(AvailableMemory, IsTheGroupsRestInVersion2)
+{
+  this->Write("cgroup", "0::/user/program\n");
+  this->Write("groups/user/program/memory.max", "204800\n");
+  this->Write("groups/user/program/memory.current", "102400\n");
+  EXPECT_EQ(this->Left(), 100 * Kibibyte);
+}
+
+TEST_F(AvailableMemory, IsTheSmallestRestOfTheGroupsAbove)
+{
+  this->Write("cgroup", "0::/user/program\n");
+  this->Write("groups/user/program/memory.max", "max\n");
+  this->Write("groups/user/program/memory.current", "102400\n");
+  this->Write("groups/user/memory.max", "112640\n");
+  this->Write("groups/user/memory.current", "102400\n");
+  EXPECT_EQ(this->Left(), 10 * Kibibyte);
+}
+
+TEST_F(AvailableMemory, IsTheContainersWhereTheGroupsPathIsTheHosts)
+{
+  this->Write("cgroup", "0::/docker/0123456789\n");
+  this->Write("groups/memory.max", "204800\n");
+  this->Write("groups/memory.current", "153600\n");
+  EXPECT_EQ(this->Left(), 50 * Kibibyte);
+}
+
+TEST_F(AvailableMemory, IsTheGroupsRestInVersion1)
+{
+  this->Write("cgroup", "5:cpu,cpuacct:/a\n4:memory:/a/b\n0::/\n");
+  this->Write("groups/memory/memory.limit_in_bytes", "9223372036854771712\n");
+  this->Write("groups/memory/memory.usage_in_bytes", "500000\n");
+  this->Write("groups/memory/a/b/memory.limit_in_bytes", "204800\n");
+  this->Write("groups/memory/a/b/memory.usage_in_bytes", "184320\n");
+  EXPECT_EQ(this->Left(), 20 * Kibibyte);
+}
+
+TEST_F(AvailableMemory, CachedFilesCountAsFree)
+{
+  this->Write("cgroup", "0::/a\n");
+  this->Write("groups/a/memory.max", "204800\n");
+  this->Write("groups/a/memory.current", "194560\n");
+  this->Write("groups/a/memory.stat", "anon 1024\nfile 92160\ninactive_file 81920\n");
+  EXPECT_EQ(this->Left(), 90 * Kibibyte);
+}
+
+TEST_F(AvailableMemory, IsNoneInAFullGroup)
+{
+  this->Write("cgroup", "0::/a\n");
+  this->Write("groups/a/memory.max", "204800\n");
+  this->Write("groups/a/memory.current", "204900\n");
+  EXPECT_EQ(this->Left(), 0U);
+}
+
+TEST_F(AvailableMemory, IsTheMachinesWhereTheGroupHasMore)
+{
+  this->Write("cgroup", "0::/a\n");
+  this->Write("groups/a/memory.max", "204800000\n");
+  this->Write("groups/a/memory.current", "0\n");
+  EXPECT_EQ(this->Left(), 300 * Kibibyte);
+}

@@ -1,0 +1,194 @@
+#include "AddressSpaceLimit.h"
+#include "BadImageFiles.h"
+#include "MessageOf.h"
+#include "Segmentation.h"
+#include "SyntheticImages.h"
+#include "TemporaryFolder.h"
+#include "Volume.h"
+
+#include <cstring>
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+
+using namespace palpate;
+using namespace palpate::test;
+
+// Memory and time are bounded by what an image file is, not by what it claims.
+namespace
+{
+constexpr rlim_t SomeMemory = rlim_t{1} << 30; // what reading a file of some bytes may take at most
+constexpr std::size_t Gigabytes = std::size_t{3} << 30;
+
+class HostileImages : public testing::Test
+{
+protected:
+  std::string Refusal(const std::string& name, const std::string& bytes) const
+  {
+    WriteAll(this->Folder / name, bytes);
+    const AddressSpaceLimit limit(SomeMemory);
+    return MessageOf([&] { ReadVolume(this->Folder / name); });
+  }
+  std::string NrrdRefusal(std::vector<std::string> lines) const
+  {
+    return this->Refusal("a.nrrd", NrrdBytes(lines, std::string(120, '\1')));
+  }
+  // The plain header with a line more.
+  std::string NrrdRefusalWith(const std::string& line) const
+  {
+    std::vector<std::string> lines = PlainNrrdLines("unsigned char");
+    lines.push_back(line);
+    return this->NrrdRefusal(lines);
+  }
+
+  TemporaryFolder Folder;
+};
+
+// Gzip data that begin with these bytes and go on with as many zeros; some megabytes.
+std::string GzippedWithZerosBehind(const std::string& bytes)
+{
+  // Gzip members follow each other, so the zeros are packed once for each 64 MB.
+  const std::string zeros = Gzipped(std::string(std::size_t{64} << 20, '\0'));
+  std::string packed = Gzipped(bytes);
+  for (std::size_t behind = 0; behind < Gigabytes; behind += std::size_t{64} << 20)
+  {
+    packed += zeros;
+  }
+  return packed;
+}
+} // namespace
+
+TEST_F(HostileImages, RefusesNrrdFieldsThatOverflowTheLibrarysMessages)
+{
+  for (const std::size_t letters : {1000U, 5000U, 100000U, 2000000U})
+  {
+    const std::string word(letters, 'x');
+    for (const char* field : {"type: ", "encoding: ", "endian: ", "space: ", "space directions: (",
+                              "kinds: ", "centers: ", "no such field: ", "byte skip: ", ""})
+    {
+      EXPECT_TRUE(Contains(this->NrrdRefusalWith(field + word), "a line of it has"))
+          << field << letters;
+    }
+  }
+}
+
+TEST_F(HostileImages, ReadsLongKeyValuePairsAndComments)
+{
+  EXPECT_EQ(this->NrrdRefusalWith("note:=" + std::string(100000, 'x') + ": y"), "no error");
+  EXPECT_EQ(this->NrrdRefusalWith("# " + std::string(100000, 'x')), "no error");
+}
+
+TEST_F(HostileImages, RefusesNrrdSizesThatOverflow)
+{
+  for (const char* sizes : {"4294967297 5 6", "4 5 -6", "4 5 18446744073709551615", "4 5 0"})
+  {
+    std::vector<std::string> lines = PlainNrrdLines("unsigned char");
+    lines[3] = std::string("sizes: ") + sizes;
+    EXPECT_TRUE(Contains(this->NrrdRefusal(lines), "damaged header")) << sizes;
+  }
+  std::vector<std::string> lines = PlainNrrdLines("unsigned char");
+  lines[3] = "sizes: 2147483647 2147483647 2147483647";
+  EXPECT_TRUE(Contains(this->NrrdRefusal(lines), "header"));
+}
+
+TEST_F(HostileImages, RefusesNrrdAxesThatTheLibraryHasNoRoomFor)
+{
+  std::string sizes = "sizes:";
+  for (int axis = 0; axis < 17; ++axis)
+  {
+    sizes += " 2";
+  }
+  EXPECT_TRUE(
+      Contains(this->NrrdRefusal({"type: unsigned char", "dimension: 16", sizes, "encoding: raw"}),
+               "has 16 dimensions"));
+}
+
+TEST_F(HostileImages, RefusesNrrdDataFilesByAPattern)
+{
+  for (const char* pattern : {"%s 1 2 1", "%n%n 1 2 1", "%999999999d 1 2 1", "a%03d.raw 1 9 1"})
+  {
+    EXPECT_TRUE(Contains(this->NrrdRefusalWith(std::string("data file: ") + pattern),
+                         "names its data files by a pattern"));
+  }
+}
+
+TEST_F(HostileImages, RefusesNrrdDataFilesThatAreNoFiles)
+{
+  mkfifo((this->Folder / "pipe").c_str(), 0600);
+  for (const char* name : {"pipe", "-", ".", "/dev/zero"})
+  {
+    EXPECT_TRUE(Contains(this->NrrdRefusalWith(std::string("data file: ") + name),
+                         "that is no regular file"))
+        << name;
+  }
+  std::vector<std::string> lines = PlainNrrdLines("unsigned char");
+  lines.emplace_back("data file: LIST\npipe");
+  EXPECT_TRUE(Contains(this->NrrdRefusal(lines), "that is no regular file"));
+  lines.back() = "data file: LIST\n" + std::string(3000, 'x');
+  EXPECT_TRUE(Contains(this->NrrdRefusal(lines), "a line of it has 3000 letters"));
+}
+
+TEST_F(HostileImages, RefusesMoreKeyValuePairsThanCanBeSearched)
+{
+  std::vector<std::string> lines = PlainNrrdLines("unsigned char");
+  for (int pair = 0; pair < 200000; ++pair)
+  {
+    lines.push_back("k" + std::to_string(pair) + ":=v");
+  }
+  EXPECT_TRUE(Contains(this->NrrdRefusal(lines), "more than 20000 key/value pairs"));
+}
+
+TEST_F(HostileImages, LongFilesNextToALabelMapAreNotRead)
+{
+  WriteAll(this->Folder / "a.nii", NiftiBytes({}, std::string(120, '\1')));
+  // Lists of one line that would fill the memory.
+  for (const char* name : {"a.nii.txt", "a.nii.lut"})
+  {
+    WriteAll(this->Folder / name, "");
+    std::filesystem::resize_file(this->Folder / name, Gigabytes);
+  }
+  const AddressSpaceLimit limit(SomeMemory);
+  const Segmentation segmentation = ReadSegmentation(this->Folder / "a.nii");
+  ASSERT_FALSE(segmentation.Notes.empty());
+  EXPECT_TRUE(Contains(segmentation.Notes.back(), "is no list of label names"));
+}
+
+TEST_F(HostileImages, RefusesMoreLayersThanAnySegmentationHas)
+{
+  const std::string bytes =
+      NrrdBytes({"type: unsigned char", "dimension: 4", "sizes: 100000 2 2 2",
+                 "kinds: list domain domain domain", "encoding: raw", "Segment0_Name:=a"},
+                std::string(800000, '\1'));
+  WriteAll(this->Folder / "a.seg.nrrd", bytes);
+  EXPECT_TRUE(Contains(MessageOf([&] { ReadSegmentation(this->Folder / "a.seg.nrrd"); }),
+                       "has 100000 layers of segments"));
+}
+
+TEST_F(HostileImages, RefusesGigabytesBehindTheVoxels)
+{
+  const std::string nifti = GzippedWithZerosBehind(NiftiBytes({}, std::string(120, '\1')));
+  EXPECT_TRUE(Contains(this->Refusal("a.nii.gz", nifti), "go on for more than a megabyte"));
+  std::vector<std::string> lines = PlainNrrdLines("unsigned char");
+  lines[7] = "encoding: gzip";
+  // One member, which is what this library decodes.
+  const std::string packed = Gzipped(std::string(std::size_t{64} << 20, '\1'));
+  EXPECT_TRUE(Contains(this->Refusal("a.nrrd", NrrdBytes(lines, packed)),
+                       "go on for more than a megabyte"));
+  EXPECT_TRUE(Contains(
+      this->Refusal("a.mha", LargeMetaImage(Deflated(std::string(std::size_t{64} << 20, '\1')))),
+      "go on for more than a megabyte"));
+}
+
+TEST_F(HostileImages, RefusesVoxelsThatSoFewBytesCannotHold)
+{
+  NiftiSpec spec;
+  spec.Dimensions = {3, 2000, 2000, 2000, 1, 1, 1, 1};
+  EXPECT_TRUE(
+      Contains(this->Refusal("a.nii.gz", Gzipped(NiftiBytes(spec, "few"))), "is truncated"));
+  for (const char* encoding : {"raw", "gzip", "hex", "ascii"})
+  {
+    std::vector<std::string> lines = PlainNrrdLines("unsigned char");
+    lines[3] = "sizes: 2000 2000 2000";
+    lines[7] = std::string("encoding: ") + encoding;
+    EXPECT_TRUE(Contains(this->NrrdRefusal(lines), "is truncated")) << encoding;
+  }
+}
