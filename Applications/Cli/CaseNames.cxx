@@ -1,23 +1,15 @@
 #include "CaseNames.h"
 
-#include "FitFiles.h"
 #include "FitStructure.h"
+#include "OutputNames.h"
 
 #include <algorithm>
-#include <cctype>
 #include <map>
 
 namespace palpate::cli
 {
 namespace
 {
-std::string SmallLetters(std::string name)
-{
-  std::transform(name.begin(), name.end(), name.begin(),
-                 [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
-  return name;
-}
-
 // Whole, so that `.` and `folder/` have a name too.
 std::filesystem::path WholePath(const std::string& input)
 {
@@ -28,9 +20,10 @@ std::filesystem::path WholePath(const std::string& input)
 std::string Unique(const std::string& name, std::set<std::string>& taken)
 {
   std::string unique = name;
-  for (int number = 2; !taken.insert(SmallLetters(unique)).second; ++number)
+  for (int number = 2; !taken.insert(FoldedName(unique)).second; ++number)
   {
-    unique = name + "-" + std::to_string(number);
+    const std::string end = "-" + std::to_string(number);
+    unique = name.substr(0, std::max(name.size(), LongestPlainName) - end.size()) + end;
   }
   return unique;
 }
@@ -42,7 +35,7 @@ CaseNames::CaseNames(const std::vector<std::string>& inputs)
   for (const std::string& input : inputs)
   {
     this->Inputs.push_back(PlainName(CaseNameOf(WholePath(input))));
-    ++counts[SmallLetters(this->Inputs.back())];
+    ++counts[FoldedName(this->Inputs.back())];
   }
   std::set<std::string> taken;
   for (const auto& [name, count] : counts)
@@ -53,7 +46,7 @@ CaseNames::CaseNames(const std::vector<std::string>& inputs)
   for (std::size_t i = 0; i < inputs.size(); ++i)
   {
     std::string& name = this->Inputs[i];
-    if (counts[SmallLetters(name)] > 1)
+    if (counts[FoldedName(name)] > 1)
     {
       std::string withFolder = WholePath(inputs[i]).parent_path().filename().string();
       withFolder.append("_").append(name);

@@ -3,8 +3,8 @@
 #include "CohortGroup.h"
 #include "Console.h"
 #include "InputError.h"
-#include "OutputFolder.h"
 #include "ProgramVersion.h"
+#include "ScreenText.h"
 
 #include <CLI/CLI.hpp>
 #include <iomanip>
@@ -75,7 +75,6 @@ int CohortCommand::Run(Console& console)
   const CohortGroup group =
       MakeCohortGroup(table, output, this->Label,
                       this->Align == "patient" ? AlignmentAxes::Patient : AlignmentAxes::Ellipsoid);
-  MakeOutputFolder(output);
   WriteCohortGroup(group, output, ProgramVersion());
   if (!this->OutputFolder.empty())
   {
@@ -92,7 +91,7 @@ int CohortCommand::Run(Console& console)
     console.Output() << std::fixed << std::setprecision(1) << "; the first explains "
                      << 100.0 * group.Modes.Explained[0] << " %";
   }
-  console.Output() << ": " << (output / "cohort.html").string() << '\n';
+  console.Output() << ": " << Printable((output / "cohort.html").string()) << '\n';
   return 0;
 }
 } // namespace palpate::cli

@@ -10,6 +10,7 @@
 #include "InputError.h"
 #include "Interruption.h"
 #include "OutputFolder.h"
+#include "OutputNames.h"
 #include "ProgramVersion.h"
 #include "ReportIndex.h"
 #include "StageClock.h"
@@ -25,12 +26,6 @@ namespace palpate::cli
 namespace
 {
 constexpr int Failure = 1;
-
-std::string StructureFolder(const Segment& structure)
-{
-  const std::string label = std::to_string(structure.Label);
-  return structure.Name.empty() ? label : label + "_" + PlainName(structure.Name);
-}
 
 // A table keeps numbers and sentences; meshes of a whole cohort would fill the memory.
 CohortRow RowOf(const CohortCase& one, FitResult result)
@@ -268,13 +263,13 @@ CohortRow CohortFit::Finish(const CohortCase& one, FitResult result, const Volum
                             std::size_t fileNotes, Console& console) const
 {
   const std::filesystem::path place =
-      std::filesystem::path(PlainName(one.Name)) / StructureFolder(result.Structure);
+      std::filesystem::path(PlainName(one.Name)) / StructureFolderName(result.Structure);
   const std::filesystem::path folder = this->Output / place;
   if (volume != nullptr)
   {
     RemarkOnVolume(*volume, result);
   }
-  const bool hasFiles = result.State != FitResult::Outcome::BadInput && result.Structure.Label != 0;
+  bool hasFiles = result.State != FitResult::Outcome::BadInput && result.Structure.Label != 0;
   if (hasFiles)
   {
     StageClock clock(result.Seconds);
@@ -286,6 +281,7 @@ CohortRow CohortFit::Finish(const CohortCase& one, FitResult result, const Volum
     {
       result.State = FitResult::Outcome::Failed;
       result.Message = error.what();
+      hasFiles = false;
     }
     clock.EndStage("write");
   }

@@ -29,19 +29,6 @@ std::string MinutesAndSeconds(double seconds)
   std::snprintf(text, sizeof text, "%ld:%02ld", whole / 60, whole % 60);
   return text;
 }
-
-// Sentences hold names from files; line breaks may be meant.
-std::string Safe(const std::string& sentence)
-{
-  std::string safe;
-  std::size_t start = 0;
-  for (std::size_t end = sentence.find('\n'); end != std::string::npos;
-       start = end + 1, end = sentence.find('\n', start))
-  {
-    safe += Printable(sentence.substr(start, end - start)) + '\n';
-  }
-  return safe + Printable(sentence.substr(start));
-}
 } // namespace
 
 Console::Console(std::ostream& output, std::ostream& errors, bool errorsAreTerminal)
@@ -55,7 +42,7 @@ void Console::Note(const std::string& sentence)
   if (!this->Quiet)
   {
     this->Wipe();
-    this->Errors << Safe(sentence) << '\n' << std::flush;
+    this->Errors << Printable(sentence) << '\n' << std::flush;
   }
 }
 
@@ -64,7 +51,7 @@ void Console::Error(const std::string& sentence)
   this->Wipe();
   // What is on its way to the output stream comes first, as the user expects to read it.
   this->Out << std::flush;
-  this->Errors << "palpate: " << Safe(sentence) << '\n' << std::flush;
+  this->Errors << "palpate: " << Printable(sentence) << '\n' << std::flush;
 }
 
 bool Console::IsTimeToDraw()

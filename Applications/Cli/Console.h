@@ -18,9 +18,9 @@ public:
 
   /// Results: what a script reads.
   std::ostream& Output() { return this->Out; }
-  /// A remark; one line on the error stream.
+  /// A remark; one line on the error stream, whatever names from files are in it.
   void Note(const std::string& sentence);
-  /// An error; one line "palpate: sentence" on the error stream.
+  /// An error; one line "palpate: sentence" on the error stream, likewise.
   void Error(const std::string& sentence);
   /// Draws `stage` with a bar and the time left; fraction in 0..1. Cheap enough to call often.
   void Progress(double fraction, const std::string& stage);

@@ -41,7 +41,7 @@ nlohmann::ordered_json AsJson(const DeviceReport& report)
 
 void Print(const DeviceReport& report, std::ostream& out)
 {
-  out << report.Name << ": " << report.Description << '\n';
+  out << Printable(report.Name + ": " + report.Description) << '\n';
   if (!report.IsThere)
   {
     out << "  " << Printable(report.Says) << '\n';
@@ -49,7 +49,7 @@ void Print(const DeviceReport& report, std::ostream& out)
   }
   const DeviceCapabilities& device = report.Capabilities;
   const Vector3 size = device.Workspace.sizes();
-  out << "  " << device.Name << ", " << report.Says << "; " << device.DegreesOfFreedom
+  out << "  " << Printable(device.Name + ", " + report.Says) << "; " << device.DegreesOfFreedom
       << " degrees of freedom, " << size[0] << " x " << size[1] << " x " << size[2] << " mm\n"
       << "  at most " << device.MaximumForce << " N and " << device.MaximumStiffness
       << " N/mm; positions to " << device.Resolution << " mm, " << device.Rate << " Hz\n";

@@ -237,8 +237,7 @@ bool FitCommand::WriteIndex(Console& console) const
   const std::filesystem::path folder = this->OutputFolder;
   try
   {
-    RemoveEarlierFit(folder);
-    this->Index.Write(folder / "report.html");
+    WriteFitOverview(this->Index, folder);
   }
   catch (const InputError& error)
   {

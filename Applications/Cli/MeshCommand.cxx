@@ -7,6 +7,7 @@
 #include "InputError.h"
 #include "Interruption.h"
 #include "OutputFolder.h"
+#include "ScreenText.h"
 #include "SurfaceFile.h"
 #include "TextTable.h"
 #include "VoxelMinimum.h"
@@ -233,7 +234,7 @@ void MeshCommand::RecordWritten(const Case& one, vtkSegmentationSurface* surface
                    << " ml (mask "
                    << TextTable::Fixed(surface->GetMaskVolume() / CubicMillimetersPerMilliliter, 3)
                    << " ml)" << (surface->GetTouchesBorder() ? ", closed at the border" : "")
-                   << ", in " << one.Output.string() << '\n';
+                   << ", in " << Printable(one.Output.string()) << '\n';
 }
 
 void MeshCommand::RecordLost(const std::filesystem::path& input, const Segment& structure,

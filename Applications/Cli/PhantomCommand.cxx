@@ -15,6 +15,7 @@
 #include "ProgramVersion.h"
 #include "ProstateLikeModel.h"
 
+#include "ScreenText.h"
 #include "vtkNew.h"
 #include "vtkSphericalHarmonicPhantom.h"
 
@@ -210,10 +211,10 @@ int PhantomCommand::MakeDrillBlock(Console& console) const
   const DrillPhantom phantom = MakeDrillPhantom(this->SpacingOr(Vector3::Constant(0.3)),
                                                 this->Direction(), ProgressOn(console));
   console.EndProgress();
-  MakeOutputFolder(this->OutputFolder);
-  WriteDrillPhantom(phantom, this->OutputFolder, this->Format);
+  WriteOutputSet(this->OutputFolder, [&](const std::filesystem::path& stage)
+                 { WriteDrillPhantom(phantom, stage, this->Format); });
   const int* size = phantom.Ct->GetDimensions();
-  const std::string folder = this->OutputFolder + "/";
+  const std::string folder = Printable(this->OutputFolder) + "/";
   console.Output() << folder << "volume." << this->Format << ": " << size[0] << " x " << size[1]
                    << " x " << size[2] << " voxels\n"
                    << "drill it: palpate touch " << folder << "block.scene.json --path " << folder
@@ -229,22 +230,25 @@ int PhantomCommand::MakeBody(Console& console) const
   this->PrepareGrid(*phantom, model);
   this->PrepareAppearance(*phantom);
   const std::filesystem::path folder = this->OutputFolder;
-  MakeOutputFolder(folder);
   RunFilter(phantom, "making the phantom", 0.0, 1.0, ProgressOn(console));
   console.EndProgress();
 
-  const std::filesystem::path volume = folder / ("volume." + this->Format);
-  const std::filesystem::path mask = folder / ("mask." + this->Format);
-  const std::filesystem::path truth = folder / "truth.json";
-  WriteImage(volume, phantom->GetOutput(0));
-  WriteImage(mask, phantom->GetOutput(1));
-  this->WriteTruth(model, truth);
+  const std::string volume = "volume." + this->Format;
+  const std::string mask = "mask." + this->Format;
+  const std::string truth = "truth.json";
+  WriteOutputSet(folder,
+                 [&](const std::filesystem::path& stage)
+                 {
+                   WriteImage(stage / volume, phantom->GetOutput(0));
+                   WriteImage(stage / mask, phantom->GetOutput(1));
+                   this->WriteTruth(model, stage / truth);
+                 });
   const int* size = phantom->GetDimensions();
-  console.Output() << volume.string() << ": " << size[0] << " x " << size[1] << " x " << size[2]
-                   << " voxels\n"
-                   << std::fixed << std::setprecision(3) << mask.string() << ": "
-                   << MaskMilliliters(phantom->GetOutput(1)) << " ml\n"
-                   << truth.string() << ": degree " << model.Degree() << ", "
+  console.Output() << Printable((folder / volume).string()) << ": " << size[0] << " x " << size[1]
+                   << " x " << size[2] << " voxels\n"
+                   << std::fixed << std::setprecision(3) << Printable((folder / mask).string())
+                   << ": " << MaskMilliliters(phantom->GetOutput(1)) << " ml\n"
+                   << Printable((folder / truth).string()) << ": degree " << model.Degree() << ", "
                    << model.Volume() / 1000.0 << " ml\n";
   return 0;
 }

@@ -10,6 +10,7 @@
 #include "ModelFile.h"
 #include "ModelSurface.h"
 #include "SceneField.h"
+#include "ScreenText.h"
 #include "StructureChoice.h"
 #include "SurfaceFile.h"
 #include "Volume.h"
@@ -404,7 +405,8 @@ int RenderCommand::Run(Console& console)
   const auto side = Sides().find(this->View);
   const ViewFrame frame = side == Sides().end() ? ObliqueFrame() : FrameOf(side->second);
   WriteWholeFile(this->Output, EncodePng(scene.Render(frame, width, height)));
-  console.Output() << this->Output.string() << ": " << width << " x " << height << " pixels\n";
+  console.Output() << Printable(this->Output.string()) << ": " << width << " x " << height
+                   << " pixels\n";
   return 0;
 }
 } // namespace palpate::cli

@@ -1,5 +1,7 @@
 #include "TextTable.h"
 
+#include "ScreenText.h"
+
 #include <algorithm>
 #include <iomanip>
 #include <sstream>
@@ -29,6 +31,12 @@ std::vector<std::size_t> ColumnWidths(const std::vector<std::vector<std::string>
   return widths;
 }
 } // namespace
+
+void TextTable::AddRow(std::vector<std::string> row)
+{
+  std::transform(row.begin(), row.end(), row.begin(), Printable);
+  this->Rows.push_back(std::move(row));
+}
 
 std::string TextTable::Text() const
 {

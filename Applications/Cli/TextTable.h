@@ -11,7 +11,8 @@ namespace palpate::cli
 class TextTable
 {
 public:
-  void AddRow(std::vector<std::string> row) { this->Rows.push_back(std::move(row)); }
+  /// Names from files are made printable, so that a row stays a line.
+  void AddRow(std::vector<std::string> row);
   /// Columns (from 0) of numbers; the others are aligned left.
   void AlignRight(std::set<std::size_t> columns) { this->RightColumns = std::move(columns); }
   /// The table, a line a row, without blanks at the ends of lines.

@@ -8,12 +8,13 @@
 #include "DrillState.h"
 #include "FilterRun.h"
 #include "FiniteNumber.h"
-#include "FitFiles.h"
 #include "FitStructure.h"
 #include "ImageWriter.h"
 #include "InputError.h"
 #include "Interruption.h"
 #include "OutputFolder.h"
+#include "OutputNames.h"
+#include "ScreenText.h"
 #include "SurfaceFile.h"
 #include "TouchReport.h"
 #include "TouchSceneFile.h"
@@ -255,7 +256,7 @@ void TouchCommand::PrintSummary(const PreparedTouch& touch, const TouchResult& r
   std::ostream& out = console.Output();
   for (std::size_t s = 0; s < touch.Structures.size(); ++s)
   {
-    out << touch.Structures[s].Touch.Name << ": " << touch.Structures[s].Represented
+    out << Printable(touch.Structures[s].Touch.Name + ": " + touch.Structures[s].Represented)
         << ", touched for " << std::fixed << std::setprecision(2) << result.TouchedSeconds[s]
         << " s\n";
   }
@@ -265,7 +266,7 @@ void TouchCommand::PrintSummary(const PreparedTouch& touch, const TouchResult& r
       << Micro * static_cast<double>(result.Durations.Quantile(Almost)) << " us\n";
   for (const std::string& line : DrillLines(touch, result))
   {
-    out << line << '\n';
+    out << Printable(line) << '\n';
   }
   if (result.Frames.Count() > 0)
   {
@@ -275,7 +276,7 @@ void TouchCommand::PrintSummary(const PreparedTouch& touch, const TouchResult& r
   }
   if (!this->OutputFolder.empty())
   {
-    out << (this->OutputFolder / "report.html").string() << '\n';
+    out << Printable((this->OutputFolder / "report.html").string()) << '\n';
   }
 }
 
@@ -365,13 +366,17 @@ int TouchCommand::Touch(const PreparedTouch& touch, Console& console) const
   {
     console.Note(result.ThreadAdvice);
   }
+  if (!result.RecordingProblem.empty())
+  {
+    console.Error(result.RecordingProblem);
+  }
   if (result.Fault != SafetyFault::None)
   {
     console.Error(std::string("forces went off: ") + Describe(result.Fault) +
                   (result.DeviceProblem.empty() ? "" : " " + result.DeviceProblem));
     return 1;
   }
-  return 0;
+  return result.RecordingProblem.empty() ? 0 : 1;
 }
 
 int TouchCommand::Run(Console& console)

@@ -186,10 +186,13 @@ void TradeoffCommand::Write(const TradeResult& result, Console& console) const
   }
   if (!this->OutputFolder.empty())
   {
-    const std::filesystem::path page = this->OutputFolder / "tradeoff.html";
-    WriteWholeFile(this->OutputFolder / "tradeoff.json", TradeJson(result));
-    WriteWholeFile(page, TradePage(result));
-    console.Note(page.string());
+    WriteOutputSet(this->OutputFolder,
+                   [&result](const std::filesystem::path& stage)
+                   {
+                     WriteWholeFile(stage / "tradeoff.json", TradeJson(result));
+                     WriteWholeFile(stage / "tradeoff.html", TradePage(result));
+                   });
+    console.Note((this->OutputFolder / "tradeoff.html").string());
   }
 }
 

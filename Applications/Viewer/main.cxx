@@ -1,4 +1,5 @@
 #include "DisplayServer.h"
+#include "ScreenText.h"
 #include "SteadyClock.h"
 #include "ViewerOptions.h"
 #include "ViewerRun.h"
@@ -47,7 +48,7 @@ int main(int argc, char* argv[])
   }();
   if (!options.Problem.isEmpty())
   {
-    std::cerr << options.Problem.toStdString() << '\n';
+    std::cerr << palpate::Printable(options.Problem.toStdString()) << '\n';
     return 2;
   }
   if (!options.Answer.isEmpty())
@@ -73,7 +74,7 @@ int main(int argc, char* argv[])
   }
   catch (const std::runtime_error& error)
   {
-    std::cerr << error.what() << '\n';
+    std::cerr << palpate::Printable(error.what()) << '\n';
     return 1;
   }
 }

@@ -1,5 +1,6 @@
 #include "ModelCsv.h"
 
+#include "CsvCell.h"
 #include "DecimalText.h"
 #include "ModelConvention.h"
 #include "Refusal.h"
@@ -40,11 +41,25 @@ std::string OnOneLine(std::string text)
   return text;
 }
 
+// A spreadsheet takes a comment apart at commas, and what comes then for cells.
+std::string AfterEachComma(const std::string& text, std::string (*change)(const std::string&))
+{
+  std::size_t end = std::min(text.find_first_of(",;\t"), text.size());
+  std::string changed = text.substr(0, end);
+  while (end < text.size())
+  {
+    const std::size_t start = end + 1;
+    end = std::min(text.find_first_of(",;\t", start), text.size());
+    changed += text[start - 1] + change(text.substr(start, end - start));
+  }
+  return changed;
+}
+
 void AddComment(std::string& text, const std::string& name, const std::string& value)
 {
   if (!value.empty())
   {
-    text += "# " + OnOneLine(name) + ": " + OnOneLine(value) + "\n";
+    text += AfterEachComma("# " + OnOneLine(name) + ": " + OnOneLine(value), InertCell) + "\n";
   }
 }
 
@@ -142,8 +157,8 @@ private:
     {
       return;
     }
-    const std::string name = line.substr(2, colon - 2);
-    const std::string value = line.substr(colon + 2);
+    const std::string name = AfterEachComma(line.substr(2, colon - 2), TextOfCell);
+    const std::string value = AfterEachComma(line.substr(colon + 2), TextOfCell);
     if (name.rfind(SettingPrefix, 0) == 0)
     {
       this->Provenance.Settings.emplace_back(name.substr(SettingPrefix.size()), value);

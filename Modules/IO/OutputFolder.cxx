@@ -1,8 +1,13 @@
 #include "OutputFolder.h"
 
+#include "AtomicFile.h"
+#include "InputError.h"
 #include "Refusal.h"
 
-#include <string>
+#include <algorithm>
+#include <cerrno>
+#include <cstdlib>
+#include <list>
 #include <system_error>
 #include <unistd.h>
 
@@ -28,6 +33,134 @@ std::filesystem::path ExistingPart(std::filesystem::path path)
     path = path.parent_path();
   }
   return path.empty() ? std::filesystem::path(".") : path;
+}
+
+/// Makes a folder, and those above it that are missing; they are removed with the object where
+/// they are still empty.
+class NewFolder
+{
+public:
+  explicit NewFolder(const std::filesystem::path& folder)
+  {
+    std::error_code ignored;
+    for (std::filesystem::path path = folder;
+         !path.empty() && !std::filesystem::exists(path, ignored); path = path.parent_path())
+    {
+      this->Made.push_back(path);
+    }
+    try
+    {
+      MakeOutputFolder(folder);
+    }
+    catch (...)
+    {
+      this->RemoveEmpty();
+      throw;
+    }
+  }
+  NewFolder(const NewFolder&) = delete;
+  NewFolder& operator=(const NewFolder&) = delete;
+  ~NewFolder() { this->RemoveEmpty(); }
+
+private:
+  void RemoveEmpty() noexcept
+  {
+    for (const std::filesystem::path& path : this->Made)
+    {
+      rmdir(path.c_str());
+    }
+  }
+
+  std::vector<std::filesystem::path> Made; // innermost first
+};
+
+/// A folder of a free name within another one, removed with all that is in it.
+class StagingFolder
+{
+public:
+  explicit StagingFolder(const std::filesystem::path& parent)
+  {
+    std::string pattern = (parent / ".palpate-XXXXXX").string();
+    if (mkdtemp(pattern.data()) == nullptr)
+    {
+      RefuseFolder(parent, std::generic_category().message(errno));
+    }
+    this->Folder = pattern;
+  }
+  StagingFolder(const StagingFolder&) = delete;
+  StagingFolder& operator=(const StagingFolder&) = delete;
+  ~StagingFolder()
+  {
+    std::error_code ignored;
+    std::filesystem::remove_all(this->Folder, ignored);
+  }
+
+  const std::filesystem::path& Path() const { return this->Folder; }
+  std::vector<std::string> Names() const
+  {
+    std::vector<std::string> names;
+    for (const auto& entry : std::filesystem::directory_iterator(this->Folder))
+    {
+      names.push_back(entry.path().filename().string());
+    }
+    std::sort(names.begin(), names.end());
+    return names;
+  }
+
+private:
+  std::filesystem::path Folder;
+};
+
+// Everything that can be refused is, before the first file gets its name.
+void Move(const std::vector<std::string>& names, const std::filesystem::path& from,
+          const std::filesystem::path& to)
+{
+  std::list<AtomicFile> files;
+  for (const std::string& name : names)
+  {
+    const AtomicFile& file = files.emplace_back(to / name);
+    std::error_code error;
+    std::filesystem::rename(from / name, file.TemporaryPath(), error);
+    if (error) // behind a link, on another disk
+    {
+      std::filesystem::copy_file(from / name, file.TemporaryPath(),
+                                 std::filesystem::copy_options::overwrite_existing, error);
+    }
+    if (error)
+    {
+      Refuse(to / name, "cannot be written: " + error.message(),
+             "make room or choose another output");
+    }
+  }
+  for (AtomicFile& file : files)
+  {
+    file.Commit();
+  }
+}
+
+void RemoveFile(const std::filesystem::path& file)
+{
+  std::error_code error;
+  if (std::filesystem::is_directory(file, error))
+  {
+    return; // none of ours
+  }
+  std::filesystem::remove(file, error);
+  if (error)
+  {
+    throw InputError(file.string() + " of an earlier run cannot be removed (" + error.message() +
+                     "); choose another folder with --output");
+  }
+}
+
+std::string Replaced(std::string text, const std::string& what, const std::string& with)
+{
+  for (std::size_t at = text.find(what); at != std::string::npos;
+       at = text.find(what, at + with.size()))
+  {
+    text.replace(at, what.size(), with);
+  }
+  return text;
 }
 } // namespace
 
@@ -56,6 +189,31 @@ void MakeOutputFolder(const std::filesystem::path& folder)
   if (!std::filesystem::is_directory(folder, error))
   {
     RefuseFolder(folder, "a file has that name");
+  }
+}
+
+void WriteOutputSet(const std::filesystem::path& folder,
+                    const std::function<void(const std::filesystem::path& folder)>& write,
+                    const std::vector<std::string>& obsolete)
+{
+  const NewFolder made(folder);
+  const StagingFolder stage(folder);
+  try
+  {
+    write(stage.Path());
+  }
+  catch (const InputError& error)
+  {
+    throw InputError(Replaced(error.what(), stage.Path().string(), folder.string()));
+  }
+  const std::vector<std::string> names = stage.Names();
+  Move(names, stage.Path(), folder);
+  for (const std::string& name : obsolete)
+  {
+    if (!std::binary_search(names.begin(), names.end(), name))
+    {
+      RemoveFile(folder / name);
+    }
   }
 }
 } // namespace palpate

@@ -1,5 +1,8 @@
 #include "ScreenText.h"
 
+#include <array>
+#include <cstdint>
+
 namespace palpate
 {
 namespace
@@ -9,16 +12,49 @@ unsigned char ByteAt(const std::string& text, std::size_t i)
   return i < text.size() ? static_cast<unsigned char>(text[i]) : 0;
 }
 
-// The count of bytes of a control character that starts here: ASCII's one, or U+0080 to U+009F.
-std::size_t ControlBytes(const std::string& text, std::size_t i)
+struct Character
 {
-  const unsigned char byte = ByteAt(text, i);
-  const unsigned char next = ByteAt(text, i + 1);
-  if (byte == 0xC2 && next >= 0x80 && next < 0xA0)
+  std::size_t Bytes = 1;
+  std::uint32_t CodePoint = 0;
+  bool IsUtf8 = false;
+};
+
+// The character that starts at a byte; a byte alone where it starts none (RFC 3629).
+Character CharacterAt(const std::string& text, std::size_t i)
+{
+  const unsigned char first = ByteAt(text, i);
+  if (first < 0x80)
   {
-    return 2;
+    return {1, first, true};
   }
-  return byte < 0x20 || byte == 0x7F ? 1 : 0;
+  const std::size_t bytes = first >= 0xF0 ? 4 : first >= 0xE0 ? 3 : 2;
+  std::uint32_t codePoint = first & (0x7FU >> bytes);
+  bool isUtf8 = first >= 0xC2 && first <= 0xF4;
+  for (std::size_t next = 1; next < bytes; ++next)
+  {
+    const unsigned char byte = ByteAt(text, i + next);
+    isUtf8 = isUtf8 && (byte & 0xC0U) == 0x80;
+    codePoint = codePoint << 6U | (byte & 0x3FU);
+  }
+  constexpr std::array<std::uint32_t, 5> Least{{0, 0, 0x80, 0x800, 0x10000}};
+  const bool isSurrogate = codePoint >= 0xD800 && codePoint < 0xE000;
+  isUtf8 = isUtf8 && codePoint >= Least[bytes] && codePoint < 0x110000 && !isSurrogate;
+  return isUtf8 ? Character{bytes, codePoint, true} : Character();
+}
+
+// Controls, line breaks, and what is invisible or turns the order of letters: a name must neither
+// leave its line nor look like another one.
+bool IsShown(const Character& character)
+{
+  const std::uint32_t c = character.CodePoint;
+  const auto isIn = [c](std::uint32_t first, std::uint32_t last)
+  { return c >= first && c <= last; };
+  const bool isControl = c < 0x20 || isIn(0x7F, 0x9F) || isIn(0x2028, 0x2029);
+  const bool isInvisible =
+      c == 0xAD || c == 0x200B || c == 0xFEFF || isIn(0x2060, 0x2064) || isIn(0xE0000, 0xE007F);
+  const bool isDirection =
+      c == 0x61C || isIn(0x200E, 0x200F) || isIn(0x202A, 0x202E) || isIn(0x2066, 0x206F);
+  return character.IsUtf8 && !isControl && !isInvisible && !isDirection;
 }
 } // namespace
 
@@ -28,13 +64,15 @@ std::string Printable(const std::string& text)
   std::string printable;
   for (std::size_t i = 0; i < text.size();)
   {
-    const std::size_t control = ControlBytes(text, i);
-    if (control == 0)
+    const Character character = CharacterAt(text, i);
+    const std::size_t end = i + character.Bytes;
+    if (IsShown(character))
     {
-      printable += text[i++];
+      printable.append(text, i, character.Bytes);
+      i = end;
       continue;
     }
-    for (const std::size_t end = i + control; i < end; ++i)
+    for (; i < end; ++i)
     {
       printable +=
           std::string("\\x") + Digits[ByteAt(text, i) >> 4U] + Digits[ByteAt(text, i) & 15U];

@@ -7,7 +7,9 @@
 
 namespace palpate
 {
-/// Text from a file as a terminal may show it: control characters as \x1b, line breaks too.
+/// Text that holds names from files as a terminal or a window may show it, on one line: as \x1b,
+/// byte by byte, what controls a terminal, breaks lines, is invisible, changes the direction of
+/// writing, or is no UTF-8.
 PALPATESESSION_EXPORT std::string Printable(const std::string& text);
 
 /// The first characters (UTF-8) of a text, the last of them an ellipsis where it is longer.

@@ -2,6 +2,7 @@
 
 #include "DrillReport.h"
 #include "HtmlText.h"
+#include "OutputFolder.h"
 #include "ReportPage.h"
 #include "TouchPlots.h"
 #include "TouchSceneFile.h"
@@ -232,11 +233,15 @@ std::string TouchSummaryText(const PreparedTouch& touch, const TouchResult& resu
 void WriteTouchFiles(const std::filesystem::path& folder, const PreparedTouch& touch,
                      const TouchResult& result)
 {
-  WriteWholeFile(folder / "summary.json", TouchSummaryText(touch, result));
   TouchSettings settings = touch.Settings;
   settings.Scale = touch.Scale; // so that the same file means the same touch
-  WriteWholeFile(folder / "scene.json", TouchSceneText(settings, folder));
-  WriteWholeFile(folder / "trace.csv", TraceAsCsv(result.Trace));
-  WriteWholeFile(folder / "report.html", PageOf(touch, result));
+  WriteOutputSet(folder,
+                 [&](const std::filesystem::path& stage)
+                 {
+                   WriteWholeFile(stage / "summary.json", TouchSummaryText(touch, result));
+                   WriteWholeFile(stage / "scene.json", TouchSceneText(settings, folder));
+                   WriteWholeFile(stage / "trace.csv", TraceAsCsv(result.Trace));
+                   WriteWholeFile(stage / "report.html", PageOf(touch, result));
+                 });
 }
 } // namespace palpate

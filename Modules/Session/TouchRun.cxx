@@ -19,6 +19,7 @@
 #include "WorkspaceFrame.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <stdexcept>
 #include <thread>
@@ -80,6 +81,17 @@ OnDemandParts PartsOf(const PreparedTouch& touch)
   return parts;
 }
 
+// Virtual time waits for a slow disk.
+BackgroundWriter::Limits RecordingLimits(bool isVirtual)
+{
+  BackgroundWriter::Limits limits;
+  if (isVirtual)
+  {
+    limits.Patience = limits.EndPatience = std::chrono::minutes(1);
+  }
+  return limits;
+}
+
 // All of it while a tool touches.
 class LiveTouch
 {
@@ -87,7 +99,8 @@ public:
   LiveTouch(const PreparedTouch& touch, Clock& clock, const TouchRunSettings& settings)
       : Touch(touch), View(settings.View), Guide(settings.Guide),
         Keeper(Result, touch.Structures.size()), Watch(touch.Drill),
-        IsRecording(!settings.Recording.empty())
+        IsRecording(!settings.Recording.empty()),
+        Recorder(RecordingLimits(settings.IsVirtual && !touch.IsRealTimeOnly))
   {
     this->Settings.Rate = touch.Settings.Rate;
     this->Settings.ModelInterval = touch.Settings.ModelInterval;
@@ -95,8 +108,8 @@ public:
     Succeed(this->Device->Open());
     if (this->IsRecording)
     {
-      Succeed(this->Recorder.Start(settings.Recording.string(),
-                                   {this->Settings, this->Device->Capabilities()}));
+      RequireInput(this->Recorder.Start(settings.Recording.string(),
+                                        {this->Settings, this->Device->Capabilities()}));
     }
   }
   ~LiveTouch() { this->Device->Close(); }
@@ -300,7 +313,21 @@ private:
       this->Keeper.Add(state, microseconds);
       if (this->IsRecording)
       {
-        Succeed(this->Recorder.Take(state));
+        this->NoteRecording(this->Recorder.Take(state));
+      }
+    }
+  }
+
+  // What cannot be recorded is touched all the same.
+  void NoteRecording(const Status& status)
+  {
+    if (!status.IsOk())
+    {
+      this->IsRecording = false;
+      this->Result.RecordingProblem = status.Message();
+      if (this->Guide)
+      {
+        this->Guide(status.Message());
       }
     }
   }
@@ -311,7 +338,7 @@ private:
     this->Result.MissingParts = keeper.Problem();
     if (this->IsRecording)
     {
-      Succeed(this->Recorder.Finish());
+      this->NoteRecording(this->Recorder.Finish());
     }
     if (this->Touch.Drill != nullptr)
     {

@@ -83,6 +83,7 @@ struct TouchResult
   std::vector<DrillApproach> Approaches; ///< to what is forbidden
   std::string DrillProblem;              ///< why not all was removed; empty without
   std::string DeviceProblem;             ///< empty without
+  std::string RecordingProblem;          ///< why not all was recorded, and what is; empty without
   std::string ThreadAdvice; ///< why the thread has not what it asked for; empty in virtual time
 };
 
@@ -111,8 +112,10 @@ struct TouchRunSettings
 };
 
 /// Touches, for `touch.Duration` from when the device is homed. Ends early, with what there is
-/// until then, where `progress` answers false. Throws std::runtime_error where the device does not
-/// open or the recording cannot be written. The memory it takes does not depend on the duration.
+/// until then, where `progress` answers false. A recording that ends before the touch, since a disk
+/// is full or stalls, does not end the touch. Throws std::runtime_error where the device does not
+/// open, and InputError where the recording cannot begin. The memory it takes does not depend on
+/// the duration.
 PALPATESESSION_EXPORT TouchResult RunTouch(const PreparedTouch& touch,
                                            const TouchRunSettings& settings,
                                            const ProgressFunction& progress);

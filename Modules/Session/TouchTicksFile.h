@@ -8,7 +8,7 @@
 
 namespace palpate
 {
-/// Whether the ending is that of a recorded touch: .touch, or .part where a program died.
+/// Whether the ending is that of a recorded touch: .touch, or .part where it was not finished.
 PALPATESESSION_EXPORT bool IsTouchRecording(const std::filesystem::path& path);
 
 /// Writes every tick of a recorded touch as a line of CSV; the first line names the columns with

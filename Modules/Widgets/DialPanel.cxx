@@ -1,5 +1,7 @@
 #include "DialPanel.h"
 
+#include "ScreenString.h"
+
 #include <QHBoxLayout>
 #include <QSignalBlocker>
 
@@ -34,6 +36,7 @@ DialPanel::DialPanel(StudyController& study, QWidget* parent)
 {
   this->Numbers->setObjectName("dial-numbers");
   this->Numbers->setWordWrap(true);
+  this->Numbers->setTextFormat(Qt::PlainText);
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(0, 0, 0, 0);
   row->addWidget(this->Mode);
@@ -113,9 +116,9 @@ void DialPanel::Show()
   for (const StudyDialLine& line : this->Lines)
   {
     const std::string rungs = line.Rungs.empty() ? "" : "\n" + line.Rungs;
-    settings += QString::fromStdString(TextOf(line) + rungs);
+    settings += ScreenString(TextOf(line)) + QString::fromStdString(rungs);
   }
-  this->Numbers->setToolTip(settings.join("\n\n"));
+  this->Numbers->setToolTip(PlainToolTip(settings.join("\n\n")));
   this->ShowNumbers();
 }
 

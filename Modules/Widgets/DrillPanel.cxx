@@ -1,6 +1,7 @@
 #include "DrillPanel.h"
 
 #include "DrillLimits.h"
+#include "ScreenString.h"
 #include "TextContrast.h"
 
 #include <QComboBox>
@@ -72,6 +73,7 @@ DrillPanel::DrillPanel(StudyController& study, const FileQuestions& questions, Q
     : QWidget(parent), Study(study), Questions(questions), Table(new QTableWidget(this)),
       Alarm(new QLabel(this))
 {
+  this->Alarm->setTextFormat(Qt::PlainText);
   auto* column = new QVBoxLayout(this);
   auto* burr = new QWidget(this);
   auto* buttons = new QWidget(this);
@@ -176,7 +178,7 @@ void DrillPanel::ChangeStructure(int label, const QString& sentence,
 
 void DrillPanel::MakeRow(int row, const StudyStructure& structure)
 {
-  const QString title = QString::fromStdString(TitleOf(structure));
+  const QString title = ScreenString(TitleOf(structure));
   auto* name = new QTableWidgetItem(title);
   name->setData(Qt::UserRole, structure.Label);
   this->Table->setItem(row, NameColumn, name);
@@ -212,7 +214,7 @@ void DrillPanel::MakeRow(int row, const StudyStructure& structure)
 
 void DrillPanel::ShowRow(int row, const StudyStructure& structure)
 {
-  SetText(this->Table->item(row, NameColumn), QString::fromStdString(TitleOf(structure)));
+  SetText(this->Table->item(row, NameColumn), ScreenString(TitleOf(structure)));
   auto* role = qobject_cast<QComboBox*>(this->Table->cellWidget(row, RoleColumn));
   auto* alarm = qobject_cast<QDoubleSpinBox*>(this->Table->cellWidget(row, AlarmColumn));
   const QSignalBlocker quiet(alarm);
@@ -277,7 +279,7 @@ void DrillPanel::ShowReading()
     }
     for (const DrillApproach& one : reading.Approaches)
     {
-      if (QString::fromStdString(one.Name) == name->text())
+      if (ScreenString(one.Name) == name->text())
       {
         text = QString::number(one.Distance, 'f', 1) + " mm away, at the nearest " +
                QString::number(one.Least, 'f', 1) + " mm";
@@ -290,13 +292,13 @@ void DrillPanel::ShowReading()
 
 void DrillPanel::ShowAlarm(const StudyDrillReading& reading)
 {
-  QString text = QString::fromStdString(reading.Problem);
+  QString text = ScreenString(reading.Problem);
   for (const DrillApproach& one : reading.Approaches)
   {
     if (one.IsAlarmed)
     {
       text = QString("The drill is %1 mm from %2.")
-                 .arg(QString::number(one.Distance, 'f', 1), QString::fromStdString(one.Name));
+                 .arg(QString::number(one.Distance, 'f', 1), ScreenString(one.Name));
     }
   }
   if (text != this->Alarm->text())

@@ -1,5 +1,7 @@
 #include "EditMenu.h"
 
+#include "ScreenString.h"
+
 namespace palpate
 {
 namespace
@@ -7,7 +9,7 @@ namespace
 void Name(QAction* action, const QString& verb, const std::string& step)
 {
   action->setEnabled(!step.empty());
-  action->setText(step.empty() ? verb : verb + ": " + QString::fromStdString(step));
+  action->setText(step.empty() ? verb : verb + ": " + MenuString(ScreenString(step)));
 }
 } // namespace
 

@@ -1,5 +1,7 @@
 #include "FileMenu.h"
 
+#include "ScreenString.h"
+
 #include <QFileInfo>
 #include <QSettings>
 
@@ -156,8 +158,8 @@ void FileMenu::ListRecent()
   for (const QString& file : QSettings().value(RecentKey).toStringList())
   {
     const QFileInfo information(file);
-    QAction* action =
-        this->Recent->addAction(information.fileName() + "  -  " + information.path());
+    const QString text = information.fileName() + "  -  " + information.path();
+    QAction* action = this->Recent->addAction(MenuString(ScreenString(text.toStdString())));
     connect(action, &QAction::triggered, this,
             [this, file]
             {

@@ -1,5 +1,7 @@
 #include "FileQuestions.h"
 
+#include "ScreenString.h"
+
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QInputDialog>
@@ -16,8 +18,9 @@ QString AskForMissing(QWidget* parent, const StudyMissingFile& missing)
   const QString name = QFileInfo(path).fileName();
   QMessageBox box(QMessageBox::Question, "A file is missing",
                   QString("The study's %1, %2, is not where it was. Where is it now?")
-                      .arg(QString::fromStdString(missing.Role), path),
+                      .arg(ScreenString(missing.Role), ScreenString(missing.Path.string())),
                   QMessageBox::NoButton, parent);
+  box.setTextFormat(Qt::PlainText);
   const QAbstractButton* find = box.addButton("Find it...", QMessageBox::AcceptRole);
   box.addButton("Go on without it", QMessageBox::RejectRole);
   box.exec();

@@ -5,6 +5,7 @@
 #include "PipelinePanel.h"
 #include "PlotsPanel.h"
 #include "ReplayBar.h"
+#include "ScreenString.h"
 #include "StructuresPanel.h"
 #include "TouchLink.h"
 #include "TouchPanel.h"
@@ -62,6 +63,7 @@ void MainWindow::MakeCentre()
   column->addWidget(this->Area);
   this->setCentralWidget(middle);
   this->Point = new QLabel(this);
+  this->Point->setTextFormat(Qt::PlainText);
   this->statusBar()->addWidget(this->Point, 1);
 }
 
@@ -173,7 +175,7 @@ void MainWindow::ShowTitle()
 {
   const std::filesystem::path& file = this->Study.Current().File();
   const QString name =
-      file.empty() ? "New study" : QString::fromStdString(file.filename().string());
+      file.empty() ? "New study" : TitleString(ScreenString(file.filename().string()));
   this->setWindowTitle(name + "[*] - Palpate");
   this->setWindowModified(this->Study.Current().History().IsChanged());
 }
@@ -204,7 +206,7 @@ void MainWindow::ShowPoint(const Vector3& pointWorld)
                             .arg(pointWorld.y(), 0, 'f', 1)
                             .arg(pointWorld.z(), 0, 'f', 1);
   const std::string text = this->Shown.TextAt(pointWorld);
-  this->Point->setText(text.empty() ? place : place + "   " + QString::fromStdString(text));
+  this->Point->setText(text.empty() ? place : place + "   " + ScreenString(text));
 }
 
 bool MainWindow::SaveScreenshot(const QString& file)

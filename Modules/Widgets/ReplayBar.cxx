@@ -1,5 +1,7 @@
 #include "ReplayBar.h"
 
+#include "ScreenString.h"
+
 #include <QHBoxLayout>
 #include <QSignalBlocker>
 
@@ -30,6 +32,7 @@ ReplayBar::ReplayBar(StudyController& study, QWidget* parent)
       Slider(new QSlider(Qt::Horizontal, this)), Moment(new QLabel(this)),
       Speed(new QComboBox(this))
 {
+  this->Name->setTextFormat(Qt::PlainText);
   this->Play->setObjectName("replay-play");
   this->Slider->setObjectName("replay-slider");
   this->Moment->setObjectName("replay-time");
@@ -90,7 +93,7 @@ void ReplayBar::ShowReplay()
   {
     return;
   }
-  this->Name->setText(QString::fromStdString(replay->File().filename().string()));
+  this->Name->setText(ScreenString(replay->File().filename().string()));
   this->Play->setText(replay->IsPlaying() ? "Pause" : "Play");
   {
     const QSignalBlocker blocker(this->Slider);

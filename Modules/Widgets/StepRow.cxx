@@ -1,5 +1,6 @@
 #include "StepRow.h"
 
+#include "ScreenString.h"
 #include "TextContrast.h"
 
 #include <QGridLayout>
@@ -57,10 +58,10 @@ void StepRow::Show(const StudyStepState& state)
   colors.setColor(QPalette::WindowText, ReadableOn(ground, QColor(look.Color)));
   this->Sign->setPalette(colors);
   this->State->setText(look.Word);
-  this->State->setToolTip(QString::fromStdString(state.Sentence));
+  this->State->setToolTip(PlainToolTip(ScreenString(state.Sentence)));
   this->State->setVisible(!isRunning);
   this->Progress->setVisible(isRunning);
-  this->Progress->setToolTip(QString::fromStdString(state.Stage));
+  this->Progress->setToolTip(PlainToolTip(ScreenString(state.Stage)));
   this->Progress->setValue(static_cast<int>(std::lround(100.0 * state.Fraction)));
   this->Button->setText(isRunning ? "Cancel" : "Again");
   this->Button->setVisible(isRunning || state.Is == StudyStepState::Kind::Failed ||

@@ -1,5 +1,7 @@
 #include "StructureTableModel.h"
 
+#include "ScreenString.h"
+
 #include <QColor>
 
 #include <algorithm>
@@ -187,7 +189,7 @@ QVariant StructureTableModel::ValueOf(const StudyStructure& structure, int colum
   switch (column)
   {
   case NameColumn:
-    return QString::fromStdString(TitleOf(structure));
+    return ScreenString(TitleOf(structure));
   case DegreeColumn:
     return this->FeltAs(structure).Degree;
   case StiffnessColumn:

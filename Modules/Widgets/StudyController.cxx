@@ -1,6 +1,7 @@
 #include "StudyController.h"
 
 #include "DicomSeries.h"
+#include "ScreenString.h"
 #include "StudyScene.h"
 
 #include <algorithm>
@@ -153,7 +154,7 @@ void StudyController::OpenFolder(const std::filesystem::path& folder)
     QStringList series;
     for (const DicomSeries& one : FindDicomSeries(folder))
     {
-      series += QString::fromStdString(one.Summary());
+      series += ScreenString(one.Summary());
     }
     return StudyJob::Delivery(
         [this, folder, series]
@@ -384,7 +385,7 @@ void StudyController::TurnAxes(const Matrix3& rotation)
 
 void StudyController::Report(const std::string& sentence)
 {
-  Q_EMIT Problem(QString::fromStdString(sentence));
+  Q_EMIT Problem(ScreenString(sentence));
 }
 
 bool StudyController::Close()

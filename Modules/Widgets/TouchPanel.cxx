@@ -1,6 +1,7 @@
 #include "TouchPanel.h"
 
 #include "BuiltInDevices.h"
+#include "ScreenString.h"
 
 #include <QFormLayout>
 #include <QHBoxLayout>
@@ -38,6 +39,7 @@ QLabel* MakeText(const char* name, QWidget* parent)
   auto* label = new QLabel(parent);
   label->setObjectName(name);
   label->setWordWrap(true);
+  label->setTextFormat(Qt::PlainText);
   label->setTextInteractionFlags(Qt::TextSelectableByMouse);
   return label;
 }
@@ -213,7 +215,7 @@ void TouchPanel::ShowRecording()
   const bool isRecording = this->Study.IsRecording();
   this->Record->setText(isRecording ? "Stop recording" : "Record...");
   const auto nameOf = [](const std::filesystem::path& file)
-  { return QString::fromStdString(file.filename().string()); };
+  { return ScreenString(file.filename().string()); };
   QString text;
   if (const StudyReplay* replay = this->Study.Current().Replay())
   {
@@ -238,7 +240,7 @@ QString TouchPanel::Warnings() const
   }
   for (const std::string& warning : this->Study.Current().Touch().Warnings())
   {
-    lines += QString::fromStdString(warning);
+    lines += ScreenString(warning);
   }
   const StudyTouchReading& reading = this->Study.Reading();
   for (const std::string& sentence :
@@ -246,7 +248,7 @@ QString TouchPanel::Warnings() const
   {
     if (!sentence.empty())
     {
-      lines += QString::fromStdString(sentence);
+      lines += ScreenString(sentence);
     }
   }
   return lines.join("\n");
@@ -255,11 +257,11 @@ QString TouchPanel::Warnings() const
 void TouchPanel::ShowReading()
 {
   const StudyTouchReading& reading = this->Study.Reading();
-  const QString safety = QString::fromStdString(reading.Safety);
+  const QString safety = ScreenString(reading.Safety);
   this->Safety->setText(this->Study.IsReplaying() ? "Then: " + safety : safety);
   this->ShowRecording();
   const StudyStructure* touched = FindStructure(this->Study.State(), reading.TouchedLabel);
-  const QString name = touched != nullptr ? QString::fromStdString(TitleOf(*touched)) : "nothing";
+  const QString name = touched != nullptr ? ScreenString(TitleOf(*touched)) : "nothing";
   this->Felt->setText(QString("Touches %1: %2 N, %3 mm deep")
                           .arg(name)
                           .arg(Norm(reading.Newest.ForceWorld), 0, 'f', 2)

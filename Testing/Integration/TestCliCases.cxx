@@ -372,6 +372,38 @@ TEST(CliCases, ANameThatTwoStructuresHaveIsRefused)
   EXPECT_EQ(Lines(comma.Output)[0].at("name"), "Left, lobe");
 }
 
+TEST(CliCases, MessagesAboutNamesWithLineBreaksAreOneLineAndJsonIsExact)
+{
+  const TemporaryFolder folder;
+  const std::string name = "two\nlines\u202e.nii.gz";
+  WriteAll(folder / name, "no image");
+  const CommandRun info = RunPalpate({"info", name, "--json"}, folder.Path());
+  EXPECT_EQ(std::count(info.Errors.begin(), info.Errors.end(), '\n'), 1) << info.Errors;
+  EXPECT_TRUE(Has(info.Errors, "two\\x0alines\\xe2\\x80\\xae.nii.gz")) << info.Errors;
+  EXPECT_EQ(Lines(info.Output).at(0).at("input"), name);
+  WriteBoxes(folder / "a\nb.nii.gz", {1});
+  const CommandRun mesh =
+      RunPalpate({"mesh", "a\nb.nii.gz", "--output", "c\nd.vtp"}, folder.Path());
+  EXPECT_EQ(mesh.Code, 0) << mesh.Errors;
+  EXPECT_EQ(std::count(mesh.Output.begin(), mesh.Output.end(), '\n'), 1) << mesh.Output;
+}
+
+TEST(CliCases, AFitThatFailsAtWritingLeavesNothing)
+{
+  const TemporaryFolder folder;
+  WriteBoxes(folder / "a.nii.gz", {1});
+  std::string command = std::string("ulimit -f 4; trap '' XFSZ; exec '") + PALPATE_PROGRAM + "'";
+  for (const std::string& word : FitWords({"a.nii.gz", "--output", "new/o"}))
+  {
+    command += " " + word;
+  }
+  const CommandRun run = RunCommand("sh", {"-c", command}, folder.Path());
+  EXPECT_NE(run.Code, 0);
+  EXPECT_TRUE(Has(run.Errors, "new/o/") && Has(run.Errors, "cannot be written")) << run.Errors;
+  EXPECT_FALSE(Has(run.Errors, ".palpate-")) << run.Errors;
+  EXPECT_EQ(folder.EntryCount(), 1U) << "the mask alone";
+}
+
 TEST(CliCases, NamesCannotSteerTheTerminal)
 {
   const TemporaryFolder folder;

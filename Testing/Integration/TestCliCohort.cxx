@@ -215,3 +215,73 @@ TEST(CsvText, FieldsComeBackWhateverIsInThem)
   EXPECT_EQ(palpate::ParseCsv("\xEF\xBB\xBFx,y\r\n\r\n1,2"),
             (std::vector<std::vector<std::string>>{{"x", "y"}, {"1", "2"}}));
 }
+
+TEST(CsvText, NoFieldIsAFormulaAlsoWhereSemicolonsSeparate)
+{
+  const std::vector<std::string> fields{"=1+1", "-1.5", "@a", "a;=1", "'=x", "+x,y"};
+  const std::string line = palpate::CsvLine(fields);
+  EXPECT_EQ(line, "'=1+1,-1.5,'@a,\"a;=1\",''=x,\"'+x,y\"\n");
+  EXPECT_EQ(palpate::ParseCsv(line), (std::vector<std::vector<std::string>>{fields}));
+}
+
+TEST_F(CliCohort, NamesThatLookLikeFormulasComeBackAndAreNoneInTheTable)
+{
+  WriteAll(this->Folder / "masks/list.csv", "case,mask,label\n=1+1,a.nii.gz,1\n@SUM,c.nii.gz,1\n");
+  const CommandRun run =
+      this->FitWith({"--manifest", "masks/list.csv", "--degree", "3", "--output", "out"});
+  EXPECT_EQ(run.Code, 0) << run.Errors;
+  const auto rows = RowsIn(this->Folder / "out");
+  ASSERT_EQ(rows.size(), 2U);
+  EXPECT_EQ(rows[0].Case, "=1+1");
+  EXPECT_EQ(rows[1].Case, "@SUM");
+  const std::string table = ReadAll(this->Folder / "out/cohort.csv");
+  EXPECT_TRUE(Has(table, "\n'=1+1,")) << table;
+  EXPECT_TRUE(Has(table, "\n'@SUM,")) << table;
+}
+
+TEST_F(CliCohort, MaskNamedLikeTheFolderAboveWritesInsideTheOutputFolder)
+{
+  std::filesystem::create_directories(this->Folder / "h/in");
+  WriteTwoBalls(this->Folder / "h/in/...nii.gz");
+  WriteTwoBalls(this->Folder / "h/in/cohort.csv.nii.gz");
+  const CommandRun run =
+      this->FitWith({"h/in", "--label", "1", "--degree", "3", "--output", "h/out"});
+  EXPECT_EQ(run.Code, 0) << run.Errors;
+  EXPECT_FALSE(std::filesystem::exists(this->Folder / "h/1"));
+  const auto rows = RowsIn(this->Folder / "h/out");
+  ASSERT_EQ(rows.size(), 2U);
+  EXPECT_EQ(rows[0].Model, "__/1/model.json");
+  EXPECT_EQ(rows[1].Model, "cohort_csv/1/model.json");
+  EXPECT_TRUE(std::filesystem::exists(this->Folder / "h/out/__/1/model.json"));
+}
+
+TEST_F(CliCohort, LongNamesThatAreEqualAtFirstHaveFoldersOfTheirOwn)
+{
+  const std::string stem(60, 'x');
+  std::filesystem::create_directory(this->Folder / "long");
+  WriteTwoBalls(this->Folder / ("long/" + stem + "1.nii.gz"));
+  WriteTwoBalls(this->Folder / ("long/" + stem + "2.nii.gz"));
+  const CommandRun run =
+      this->FitWith({"long", "--label", "1", "--degree", "3", "--output", "out"});
+  EXPECT_EQ(run.Code, 0) << run.Errors;
+  const auto rows = RowsIn(this->Folder / "out");
+  ASSERT_EQ(rows.size(), 2U);
+  EXPECT_NE(rows[0].Model, rows[1].Model);
+}
+
+TEST_F(CliCohort, CaseThatCannotBeWrittenKeepsItsEarlierResult)
+{
+  const std::vector<std::string> words{"masks", "--case", "a", "--label", "1", "--output", "out"};
+  auto first = words;
+  first.insert(first.end(), {"--degree", "3"});
+  ASSERT_EQ(this->FitWith(first).Code, 0);
+  const std::string model = ReadAll(this->Folder / "out/a/1/model.json");
+  std::filesystem::remove(this->Folder / "out/a/1/report.html");
+  std::filesystem::create_directory(this->Folder / "out/a/1/report.html");
+  auto second = words;
+  second.insert(second.end(), {"--degree", "4"});
+  const CommandRun run = this->FitWith(second);
+  EXPECT_EQ(run.Code, 1);
+  EXPECT_EQ(ReadAll(this->Folder / "out/a/1/model.json"), model);
+  EXPECT_EQ(RowsIn(this->Folder / "out")[0].Result.State, Outcome::Failed);
+}

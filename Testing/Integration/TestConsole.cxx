@@ -103,3 +103,14 @@ TEST(Console, RemarkWipesTheProgressLineFirst)
   console.Note("remark");
   EXPECT_NE(err.str().find("\r\x1b[Kremark\n"), std::string::npos);
 }
+
+TEST(Console, NamesWithLineBreaksStayOnOneLine)
+{
+  std::ostringstream out;
+  std::ostringstream err;
+  Console console(out, err, false);
+  console.Error("bad\nname.nii is empty; write it again.");
+  console.Note("turned \u202eround");
+  EXPECT_EQ(err.str(), "palpate: bad\\x0aname.nii is empty; write it again.\n"
+                       "turned \\xe2\\x80\\xaeround\n");
+}

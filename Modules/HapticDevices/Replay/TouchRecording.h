@@ -27,7 +27,7 @@ struct TouchRecording
   bool WasCutOff = false; ///< the file ended within a tick, which is left out
 };
 
-/// Reads a file that a TouchRecorder wrote, or what a program that died has left of one (its name
-/// ends with .part). Refuses, with `recording` untouched, what is none and what lacks ticks.
+/// Reads a file that a TouchRecorder wrote, or the part of one that was not finished (its name ends
+/// with .part). Refuses, with `recording` untouched, what is none and what lacks ticks.
 Status ReadTouchRecording(const std::string& path, TouchRecording& recording);
 } // namespace palpate

@@ -114,23 +114,6 @@ TEST_F(TouchRecordingFile, ThatIsCutOffAnywhereKeepsItsWholeTicks)
   }
 }
 
-// As if the program had died: the file under its temporary name is read while it is written.
-TEST(TouchRecorder, WhatWasFlushedOutlivesTheProgram)
-{
-  const test::TemporaryFolder folder;
-  const std::string path = (folder / "session").string();
-  TouchRecorder recorder;
-  ASSERT_TRUE(recorder.Start(path, TouchSession()).IsOk());
-  TouchState state;
-  for (state.Tick.Number = 0; state.Tick.Number < 1000; ++state.Tick.Number)
-  {
-    ASSERT_TRUE(recorder.Take(state).IsOk());
-  }
-  TouchRecording left;
-  ASSERT_TRUE(ReadTouchRecording(path + ".part", left).IsOk());
-  EXPECT_GE(left.Ticks.size(), 768U);
-}
-
 TEST_F(TouchRecordingFile, OfAnotherFormatOrVersionIsRefused)
 {
   this->Bytes[24] = '1';
@@ -150,38 +133,5 @@ TEST_F(TouchRecordingFile, ThatLacksATickIsRefused)
   EXPECT_TRUE(this->Recording.Ticks.empty());
 }
 
-TEST(TouchRecorder, LeavesNothingUnfinishedBehind)
-{
-  const test::TemporaryFolder folder;
-  {
-    TouchRecorder recorder;
-    ASSERT_TRUE(recorder.Start((folder / "session").string(), TouchSession()).IsOk());
-    EXPECT_FALSE(recorder.Start((folder / "other").string(), TouchSession()).IsOk());
-    EXPECT_EQ(folder.EntryCount(), 1u);
-  }
-  EXPECT_EQ(folder.EntryCount(), 0u);
-}
-
-TEST(TouchRecorder, SaysWhenItLostTicks)
-{
-  const test::TemporaryFolder folder;
-  ServoSettings settings;
-  settings.RecordedTicks = 10;
-  test::SimulatedTouch touch(test::WallScene(0.0, {1.0, 0.0}), SimulatedSettings(), settings);
-  TouchRecorder recorder;
-  ASSERT_TRUE(recorder.Start((folder / "session").string(), test::SessionOf(touch.Device, settings))
-                  .IsOk());
-  touch.Tick(15);
-  EXPECT_TRUE(recorder.Drain(touch.Loop).IsOk());
-  touch.Tick();
-  EXPECT_FALSE(recorder.Drain(touch.Loop).IsOk());
-}
-
-TEST(TouchRecorder, SaysWhereItCannotWrite)
-{
-  TouchRecorder recorder;
-  EXPECT_FALSE(recorder.Start("/nowhere/session", TouchSession()).IsOk());
-  EXPECT_FALSE(recorder.Finish().IsOk());
-}
 } // namespace
 } // namespace palpate

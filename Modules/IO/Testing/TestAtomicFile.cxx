@@ -5,6 +5,9 @@
 
 #include <gtest/gtest.h>
 #include <sys/stat.h>
+#include <sys/syscall.h>
+#include <unistd.h>
+#include <vector>
 
 using palpate::AtomicFile;
 using palpate::InputError;
@@ -27,7 +30,18 @@ std::string MessageOf(const std::filesystem::path& path)
   }
   return "no error";
 }
+
+// What this program asked to be on the disk, in order.
+std::vector<std::filesystem::path> Synced;
 } // namespace
+
+// Takes the place of the C library's in this program.
+extern "C" __attribute__((visibility("default"))) int fsync(int file)
+{
+  std::error_code ignored;
+  Synced.push_back(std::filesystem::read_symlink("/proc/self/fd/" + std::to_string(file), ignored));
+  return static_cast<int>(syscall(SYS_fsync, file));
+}
 
 TEST(AtomicFile, CommittedFileHasItsNameAndNothingElseIsLeft)
 {
@@ -166,4 +180,16 @@ TEST(AtomicFile, UnwritableFolderIsRefused)
   EXPECT_TRUE(HoldsUnprivileged(
       [&] { return MessageOf(folder / "a").find("cannot be written") != std::string::npos; }));
   chmod(folder.Path().c_str(), 0700);
+}
+
+TEST(AtomicFile, ReachesTheDiskBeforeItsNameDoes)
+{
+  const TemporaryFolder folder;
+  AtomicFile file(folder / "a");
+  WriteAll(file.TemporaryPath(), "new");
+  const std::filesystem::path temporary = std::filesystem::canonical(file.TemporaryPath());
+  Synced.clear();
+  file.Commit();
+  const std::vector<std::filesystem::path> expected{temporary, temporary.parent_path()};
+  EXPECT_EQ(Synced, expected) << "the file under its temporary name, then the folder";
 }

@@ -80,6 +80,15 @@ TEST(ModelCsv, ProvenanceComesBackOnOneLineEach)
   EXPECT_EQ(back.Settings, provenance.Settings);
 }
 
+TEST(ModelCsv, CommentsHoldNoFormulaBehindTheirCommas)
+{
+  std::mt19937_64 random(4);
+  const ModelProvenance provenance{"p", "a,=cmd|' /C calc'!A0;+1+1,-2,'@x", {}, {}, {}};
+  const std::string text = ModelToCsv({RandomModel(random, 1), provenance}, "f");
+  EXPECT_NE(text.find("# input: a,'=cmd|' /C calc'!A0;'+1+1,-2,''@x\n"), std::string::npos) << text;
+  EXPECT_EQ(ModelFromCsv(text, "f").Provenance.Input, provenance.Input);
+}
+
 TEST(ModelCsv, RowsMayComeInAnyOrderAndWithOtherLineEnds)
 {
   std::mt19937_64 random(5);

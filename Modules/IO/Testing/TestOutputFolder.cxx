@@ -1,7 +1,9 @@
+#include "FileSizeLimit.h"
 #include "InputError.h"
 #include "OutputFolder.h"
 #include "TemporaryFolder.h"
 #include "Unprivileged.h"
+#include "WholeFile.h"
 
 #include <gtest/gtest.h>
 #include <sys/stat.h>
@@ -9,7 +11,11 @@
 using palpate::CheckOutputFolder;
 using palpate::InputError;
 using palpate::MakeOutputFolder;
+using palpate::WriteOutputSet;
+using palpate::WriteWholeFile;
+using palpate::test::FileSizeLimit;
 using palpate::test::HoldsUnprivileged;
+using palpate::test::ReadAll;
 using palpate::test::TemporaryFolder;
 using palpate::test::WriteAll;
 
@@ -27,6 +33,14 @@ std::string MessageOf(void (*ask)(const std::filesystem::path&), const std::file
   }
   return {};
 }
+
+// Two files, of which the second is too large for the limit below.
+void WriteSmallAndLarge(const std::filesystem::path& folder)
+{
+  WriteWholeFile(folder / "a.txt", "new a");
+  WriteWholeFile(folder / "b.txt", std::string(4096, 'b'));
+}
+constexpr rlim_t TooSmall = 1024;
 } // namespace
 
 TEST(OutputFolder, CheckingMakesNothing)
@@ -73,4 +87,77 @@ TEST(OutputFolder, AFolderThatForbidsWritingIsRefused)
 TEST(OutputFolder, RelativeNamesStartAtTheWorkingFolder)
 {
   EXPECT_EQ(MessageOf(CheckOutputFolder, "no-such-folder-yet"), "");
+}
+
+TEST(OutputSet, FilesReplaceThoseOfTheirNamesAndNothingElse)
+{
+  const TemporaryFolder folder;
+  WriteAll(folder / "a.txt", "old a");
+  WriteAll(folder / "c.txt", "old c");
+  WriteAll(folder / "mine.txt", "mine");
+  WriteOutputSet(folder.Path(), WriteSmallAndLarge, {"a.txt", "c.txt", "never.txt"});
+  EXPECT_EQ(ReadAll(folder / "a.txt"), "new a");
+  EXPECT_EQ(ReadAll(folder / "b.txt").size(), 4096U);
+  EXPECT_EQ(ReadAll(folder / "mine.txt"), "mine");
+  EXPECT_EQ(folder.EntryCount(), 3U) << "c.txt is obsolete, and nothing temporary is left";
+}
+
+TEST(OutputSet, FailureLeavesAnEarlierResultWhole)
+{
+  const TemporaryFolder folder;
+  WriteAll(folder / "a.txt", "old a");
+  WriteAll(folder / "c.txt", "old c");
+  {
+    const FileSizeLimit full(TooSmall);
+    EXPECT_THROW(WriteOutputSet(folder.Path(), WriteSmallAndLarge, {"c.txt"}), InputError);
+  }
+  EXPECT_EQ(ReadAll(folder / "a.txt"), "old a");
+  EXPECT_EQ(ReadAll(folder / "c.txt"), "old c");
+  EXPECT_EQ(folder.EntryCount(), 2U);
+}
+
+TEST(OutputSet, FailureLeavesNoFolderThatWasNotThere)
+{
+  const TemporaryFolder folder;
+  const FileSizeLimit full(TooSmall);
+  EXPECT_THROW(WriteOutputSet(folder / "new/deep", WriteSmallAndLarge), InputError);
+  EXPECT_EQ(folder.EntryCount(), 0U);
+}
+
+TEST(OutputSet, OneFileThatCannotBeReplacedKeepsAllAsTheyWere)
+{
+  const TemporaryFolder folder;
+  WriteAll(folder / "a.txt", "old a");
+  std::filesystem::create_directory(folder / "b.txt");
+  EXPECT_THROW(WriteOutputSet(folder.Path(), WriteSmallAndLarge), InputError);
+  EXPECT_EQ(ReadAll(folder / "a.txt"), "old a");
+  EXPECT_EQ(folder.EntryCount(), 2U);
+}
+
+TEST(OutputSet, MessagesNameTheFileThatWasAskedFor)
+{
+  const TemporaryFolder folder;
+  const FileSizeLimit full(TooSmall);
+  try
+  {
+    WriteOutputSet(folder / "out", WriteSmallAndLarge);
+    FAIL();
+  }
+  catch (const InputError& error)
+  {
+    EXPECT_EQ(std::string(error.what()).find((folder / "out/b.txt").string() + " cannot"), 0U)
+        << error.what();
+  }
+}
+
+TEST(OutputSet, SymbolicLinkStaysALink)
+{
+  const TemporaryFolder folder;
+  std::filesystem::create_directory(folder / "elsewhere");
+  WriteAll(folder / "elsewhere/target", "old");
+  std::filesystem::create_directory(folder / "out");
+  std::filesystem::create_symlink("../elsewhere/target", folder / "out/a.txt");
+  WriteOutputSet(folder / "out", WriteSmallAndLarge);
+  EXPECT_TRUE(std::filesystem::is_symlink(folder / "out/a.txt"));
+  EXPECT_EQ(ReadAll(folder / "elsewhere/target"), "new a");
 }

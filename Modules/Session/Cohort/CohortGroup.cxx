@@ -13,7 +13,6 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
-#include <system_error>
 
 namespace palpate
 {
@@ -215,6 +214,26 @@ void WriteShape(const CohortGroup& group, int mode, double deviations,
       {"align", group.Axes == AlignmentAxes::Patient ? "patient" : "ellipsoid"}};
   WriteModel(file, document);
 }
+
+void WriteGroupFiles(const CohortGroup& group, const std::filesystem::path& folder,
+                     const std::string& program)
+{
+  WriteWholeFile(folder / "coefficients.csv",
+                 CaseTable(group, CoefficientColumns(group.Models.front().Degree()),
+                           CoefficientsOf(group.Models)));
+  WriteWholeFile(folder / "modes.csv", CaseTable(group, ModeColumns(group), group.Modes.Scores));
+  WriteWholeFile(folder / "variance.csv", VarianceTable(group.Modes));
+  WriteWholeFile(folder / "measures.csv", MeasureTable(group));
+  WriteShape(group, -1, 0.0, folder / "mean.json", program);
+  WriteSurface(folder / "mean.vtp", DrawModel(ShapeOf(group, -1, 0.0), SurfaceFrequency));
+  for (int mode = 0; mode < PicturedModes(group); ++mode)
+  {
+    const std::string name = "mode_" + std::to_string(mode + 1);
+    WriteShape(group, mode, -DrawnDeviations, folder / (name + "_minus.json"), program);
+    WriteShape(group, mode, DrawnDeviations, folder / (name + "_plus.json"), program);
+  }
+  WriteWholeFile(folder / "cohort.html", CohortPage(group, DrawnDeviations));
+}
 } // namespace
 
 CohortGroup MakeCohortGroup(const CohortTable& table, const std::filesystem::path& folder,
@@ -258,28 +277,14 @@ SphericalHarmonicModel ShapeOf(const CohortGroup& group, int mode, double deviat
 void WriteCohortGroup(const CohortGroup& group, const std::filesystem::path& folder,
                       const std::string& program)
 {
-  MakeOutputFolder(folder);
-  WriteWholeFile(folder / "coefficients.csv",
-                 CaseTable(group, CoefficientColumns(group.Models.front().Degree()),
-                           CoefficientsOf(group.Models)));
-  WriteWholeFile(folder / "modes.csv", CaseTable(group, ModeColumns(group), group.Modes.Scores));
-  WriteWholeFile(folder / "variance.csv", VarianceTable(group.Modes));
-  WriteWholeFile(folder / "measures.csv", MeasureTable(group));
-  WriteShape(group, -1, 0.0, folder / "mean.json", program);
-  WriteSurface(folder / "mean.vtp", DrawModel(ShapeOf(group, -1, 0.0), SurfaceFrequency));
-  for (int mode = 0; mode < PicturedModes(group); ++mode)
-  {
-    const std::string name = "mode_" + std::to_string(mode + 1);
-    WriteShape(group, mode, -DrawnDeviations, folder / (name + "_minus.json"), program);
-    WriteShape(group, mode, DrawnDeviations, folder / (name + "_plus.json"), program);
-  }
+  std::vector<std::string> obsolete;
   for (int mode = PicturedModes(group); mode < MostPicturedModes; ++mode)
   {
-    std::error_code ignored; // of an earlier group; what cannot be removed is no result of this one
     const std::string name = "mode_" + std::to_string(mode + 1);
-    std::filesystem::remove(folder / (name + "_minus.json"), ignored);
-    std::filesystem::remove(folder / (name + "_plus.json"), ignored);
+    obsolete.insert(obsolete.end(), {name + "_minus.json", name + "_plus.json"});
   }
-  WriteWholeFile(folder / "cohort.html", CohortPage(group, DrawnDeviations));
+  WriteOutputSet(
+      folder, [&](const std::filesystem::path& stage) { WriteGroupFiles(group, stage, program); },
+      obsolete);
 }
 } // namespace palpate

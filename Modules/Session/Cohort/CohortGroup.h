@@ -37,8 +37,8 @@ PALPATESESSION_EXPORT SphericalHarmonicModel ShapeOf(const CohortGroup& group, i
 
 /// Writes coefficients.csv (a row a case, columns c_l_m, mm), modes.csv (scores, mm), variance.csv
 /// (a row a mode), measures.csv, mean.json, mean.vtp, mode_K_minus.json and mode_K_plus.json (the
-/// mean and two standard deviations, for the first five modes) and cohort.html into the folder.
-/// Throws InputError.
+/// mean and two standard deviations, for the first five modes) and cohort.html into the folder,
+/// all of them or none. Throws InputError.
 PALPATESESSION_EXPORT void WriteCohortGroup(const CohortGroup& group,
                                             const std::filesystem::path& folder,
                                             const std::string& program);

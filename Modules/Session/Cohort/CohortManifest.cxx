@@ -2,12 +2,11 @@
 
 #include "CsvText.h"
 #include "FileEnding.h"
-#include "FitFiles.h"
 #include "InputError.h"
+#include "OutputNames.h"
 #include "WholeFile.h"
 
 #include <algorithm>
-#include <cctype>
 #include <set>
 #include <system_error>
 
@@ -31,14 +30,6 @@ std::string Get(const CsvRecord& record, const char* column)
   return found == nullptr ? std::string() : *found;
 }
 
-std::string FolderName(const std::string& name)
-{
-  std::string plain = PlainName(name);
-  std::transform(plain.begin(), plain.end(), plain.begin(),
-                 [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
-  return plain;
-}
-
 // At once, before more rows like it fill the memory.
 void CheckRow(const std::filesystem::path& file, const CohortCase& one)
 {
@@ -53,8 +44,8 @@ void CheckNames(const std::filesystem::path& file, const std::vector<CohortCase>
   std::set<std::string> taken;
   for (const CohortCase& one : cases)
   {
-    if (FolderName(one.Name).find_first_not_of('.') == std::string::npos ||
-        !taken.insert(FolderName(one.Name)).second)
+    if (one.Name.find_first_not_of('.') == std::string::npos ||
+        !taken.insert(FoldedName(PlainName(one.Name))).second)
     {
       throw InputError(file.string() + ": case " + one.Name +
                        " cannot have a folder of its own; give every case a name that differs in "

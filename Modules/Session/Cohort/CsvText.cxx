@@ -1,6 +1,6 @@
 #include "CsvText.h"
 
-#include <algorithm>
+#include "CsvCell.h"
 
 namespace palpate
 {
@@ -49,7 +49,7 @@ private:
   }
   void EndField()
   {
-    this->Row.push_back(std::move(this->Field));
+    this->Row.push_back(TextOfCell(this->Field));
     this->Field.clear();
   }
   void EndRow()
@@ -79,10 +79,11 @@ std::vector<std::vector<std::string>> ParseCsv(std::string_view text)
 std::string CsvLine(const std::vector<std::string>& fields)
 {
   std::string line;
-  for (const std::string& field : fields)
+  for (const std::string& text : fields)
   {
-    line += &field == &fields.front() ? "" : ",";
-    if (field.find_first_of(",\"\r\n") == std::string::npos)
+    const std::string field = InertCell(text);
+    line += &text == &fields.front() ? "" : ",";
+    if (field.find_first_of(",;\t\"\r\n") == std::string::npos)
     {
       line += field;
       continue;

@@ -3,6 +3,7 @@
 #include "FitFiles.h"
 #include "FitStructure.h"
 #include "OutputFolder.h"
+#include "OutputNames.h"
 #include "StudyMarkups.h"
 #include "StudyScene.h"
 #include "SurfaceFile.h"
@@ -34,8 +35,8 @@ void WriteStructure(const StudyStructure& structure, const StudyPipeline& pipeli
   }
   else if (surface != nullptr && !surface->IsOver)
   {
-    MakeOutputFolder(folder);
-    WriteSurface(folder / "surface.vtp", surface->Found.Surface);
+    WriteOutputSet(folder, [&surface](const std::filesystem::path& stage)
+                   { WriteSurface(stage / "surface.vtp", surface->Found.Surface); });
   }
 }
 } // namespace
@@ -49,17 +50,19 @@ void WriteStudyFiles(const StudyState& state, const StudyPipeline& pipeline,
     WriteStructure(structure, pipeline, FolderOf(state, structure, folder), program);
   }
   const TouchSettings scene = SceneOfStudy(state, pipeline, folder);
-  if (!scene.Structures.empty())
-  {
-    WriteWholeFile(folder / "scene.json", TouchSceneText(scene, folder));
-  }
-  if (!state.Landmarks.empty() || !state.Distances.empty())
-  {
-    for (const char* name : {"markups.mrk.json", "markups.csv"})
-    {
-      WriteMarkups(folder / name, state.Landmarks, state.Distances);
-    }
-  }
+  WriteOutputSet(folder,
+                 [&](const std::filesystem::path& stage)
+                 {
+                   if (!scene.Structures.empty())
+                   {
+                     WriteWholeFile(stage / "scene.json", TouchSceneText(scene, folder));
+                   }
+                   if (!state.Landmarks.empty() || !state.Distances.empty())
+                   {
+                     WriteMarkups(stage / "markups.mrk.json", state.Landmarks, state.Distances);
+                     WriteMarkups(stage / "markups.csv", state.Landmarks, state.Distances);
+                   }
+                 });
 }
 
 TouchSettings SceneOfStudy(const StudyState& state, const StudyPipeline& pipeline,

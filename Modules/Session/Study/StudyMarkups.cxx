@@ -1,5 +1,6 @@
 #include "StudyMarkups.h"
 
+#include "CsvText.h"
 #include "DecimalText.h"
 #include "Refusal.h"
 #include "WholeFile.h"
@@ -78,34 +79,24 @@ std::string SlicerText(const std::filesystem::path& path,
   }
 }
 
-// RFC 4180.
-std::string Quoted(const std::string& text)
-{
-  std::string quoted = "\"";
-  for (const char letter : text)
-  {
-    quoted += letter == '"' ? "\"\"" : std::string(1, letter);
-  }
-  return quoted + '"';
-}
-
-std::string NumbersOf(const Vector3& place)
-{
-  return ',' + ExactText(place[0]) + ',' + ExactText(place[1]) + ',' + ExactText(place[2]);
-}
-
-std::string CsvText(const std::vector<StudyLandmark>& landmarks,
+std::string TableOf(const std::vector<StudyLandmark>& landmarks,
                     const std::vector<StudyDistance>& distances)
 {
-  std::string text = "kind,name,x_mm,y_mm,z_mm,to_x_mm,to_y_mm,to_z_mm,length_mm\n";
+  std::string text = CsvLine(
+      {"kind", "name", "x_mm", "y_mm", "z_mm", "to_x_mm", "to_y_mm", "to_z_mm", "length_mm"});
   for (const StudyLandmark& landmark : landmarks)
   {
-    text += "landmark," + Quoted(landmark.Name) + NumbersOf(landmark.PositionWorld) + ",,,,\n";
+    const Vector3& at = landmark.PositionWorld;
+    text += CsvLine({"landmark", landmark.Name, ExactText(at[0]), ExactText(at[1]),
+                     ExactText(at[2]), "", "", "", ""});
   }
   for (const StudyDistance& distance : distances)
   {
-    text += "distance," + Quoted(distance.Name) + NumbersOf(distance.FromWorld) +
-            NumbersOf(distance.ToWorld) + ',' + ExactText(distance.Length()) + '\n';
+    const Vector3& from = distance.FromWorld;
+    const Vector3& to = distance.ToWorld;
+    text += CsvLine({"distance", distance.Name, ExactText(from[0]), ExactText(from[1]),
+                     ExactText(from[2]), ExactText(to[0]), ExactText(to[1]), ExactText(to[2]),
+                     ExactText(distance.Length())});
   }
   return text;
 }
@@ -126,7 +117,7 @@ void WriteMarkups(const std::filesystem::path& path, const std::vector<StudyLand
   }
   else if (EndsWith(name, ".csv"))
   {
-    WriteWholeFile(path, CsvText(landmarks, distances));
+    WriteWholeFile(path, TableOf(landmarks, distances));
   }
   else
   {

@@ -38,15 +38,15 @@ TEST(StudyMarkups, SlicerGetsPointsAndLinesInLps)
   EXPECT_EQ(markups[1]["measurements"][0]["value"].get<double>(), 5.0);
 }
 
-TEST(StudyMarkups, TheTableHasALineEachWithNamesQuoted)
+TEST(StudyMarkups, TheTableHasALineEachWithNamesQuotedWhereNeeded)
 {
   const test::TemporaryFolder folder;
   WriteMarkups(folder / "a.csv", Landmarks, Distances);
   EXPECT_EQ(test::ReadAll(folder / "a.csv"),
             "kind,name,x_mm,y_mm,z_mm,to_x_mm,to_y_mm,to_z_mm,length_mm\n"
-            "landmark,\"apex\",0.1,-20.5,0.3333333333333333,,,,\n"
+            "landmark,apex,0.1,-20.5,0.3333333333333333,,,,\n"
             "landmark,\"base, \"\"left\"\"\",1,2,3,,,,\n"
-            "distance,\"width\",1,2,3,1,5,7,5\n");
+            "distance,width,1,2,3,1,5,7,5\n");
 }
 
 TEST(StudyMarkups, NothingAndOtherEndingsAreRefusedAndLeaveNothing)

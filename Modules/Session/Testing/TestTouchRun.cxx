@@ -1,6 +1,7 @@
 #include "TouchRun.h"
 
 #include "DeviceList.h"
+#include "FileSizeLimit.h"
 #include "ImageWriter.h"
 #include "InputError.h"
 #include "LabelImages.h"
@@ -97,6 +98,27 @@ TEST_F(TouchRun, EveryRepresentationOfABallGivesTheSameForce)
         << touch.Structures[0].Represented;
     EXPECT_GT(result.TouchedSeconds[0], 1.0);
   }
+}
+
+TEST_F(TouchRun, FullDiskEndsTheRecordingAndNotTheTouch)
+{
+  const TouchSettings settings = this->SettingsOf(this->ModelPath, TouchRepresentation::Automatic);
+  const PreparedTouch touch = PrepareTouch(settings, PressTo(10.0), GoOn);
+  const auto file = this->Folder / "session.touch";
+  std::string told;
+  TouchRunSettings run;
+  run.Recording = file;
+  run.Guide = [&told](const std::string& sentence) { told = sentence; };
+  TouchResult result;
+  {
+    const test::FileSizeLimit full(300'000); // within tick 1041
+    result = RunTouch(touch, run, GoOn);
+  }
+  EXPECT_EQ(result.Ticks, 2000U);
+  EXPECT_NE(result.RecordingProblem.find("1.041 s"), std::string::npos) << result.RecordingProblem;
+  EXPECT_EQ(told, result.RecordingProblem);
+  EXPECT_FALSE(std::filesystem::exists(file));
+  EXPECT_EQ(this->Folder.EntryCount(), 3U) << "model, mask, and what was recorded";
 }
 
 TEST_F(TouchRun, ASessionIsFeltAgainToTheLastBit)

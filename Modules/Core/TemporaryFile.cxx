@@ -1,0 +1,139 @@
+#include "TemporaryFile.h"
+
+#include <cerrno>
+#include <fcntl.h>
+#include <random>
+#include <sys/stat.h>
+#include <system_error>
+#include <unistd.h>
+
+namespace palpate
+{
+namespace
+{
+constexpr int MaximumTries = 1000;
+
+std::string SystemMessage(int error)
+{
+  return std::generic_category().message(error);
+}
+
+std::filesystem::path FolderOf(const std::filesystem::path& file)
+{
+  return file.has_parent_path() ? file.parent_path() : std::filesystem::path(".");
+}
+
+// What stands in the way of writing, or nothing.
+std::string Obstacle(const std::filesystem::path& target)
+{
+  std::error_code ignored;
+  const std::filesystem::file_status status = std::filesystem::status(target, ignored);
+  if (!target.has_filename())
+  {
+    return "it names no file";
+  }
+  if (std::filesystem::is_directory(status))
+  {
+    return "it is a folder";
+  }
+  if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status))
+  {
+    return "it is no regular file";
+  }
+  if (std::filesystem::exists(status) && access(target.c_str(), W_OK) != 0)
+  {
+    return "the existing file is write-protected";
+  }
+  if (!std::filesystem::is_directory(FolderOf(target), ignored))
+  {
+    return "there is no folder " + FolderOf(target).string();
+  }
+  return {};
+}
+
+// Waits until what was written under a name is on the disk. By the name, since writers of images
+// may have replaced the file that was opened. Where the file system cannot (EINVAL) or the umask
+// forbids to open the file for it, what is there is as good as it gets.
+bool Sync(const std::filesystem::path& path, int kind)
+{
+  const int file = open(path.c_str(), O_RDONLY | O_CLOEXEC | kind);
+  const bool isSynced = file >= 0 && fsync(file) == 0;
+  const int error = errno;
+  if (file >= 0)
+  {
+    close(file);
+  }
+  errno = error;
+  return isSynced || error == EINVAL || error == EACCES;
+}
+} // namespace
+
+TemporaryFile::~TemporaryFile()
+{
+  this->Close();
+  if (!this->Temporary.empty())
+  {
+    unlink(this->Temporary.c_str());
+  }
+}
+
+void TemporaryFile::Close() noexcept
+{
+  if (this->File >= 0)
+  {
+    close(this->File);
+    this->File = -1;
+  }
+}
+
+void TemporaryFile::Keep() noexcept
+{
+  this->Close();
+  this->Temporary.clear();
+}
+
+Status TemporaryFile::Create(const std::filesystem::path& target, const std::string& prefix,
+                             const std::string& suffix)
+{
+  std::error_code ignored;
+  this->Final = std::filesystem::is_symlink(target, ignored)
+                    ? std::filesystem::weakly_canonical(target, ignored)
+                    : target;
+  if (const std::string obstacle = Obstacle(this->Final); !obstacle.empty())
+  {
+    return Status::Failure(obstacle);
+  }
+  for (int tries = 0; tries < MaximumTries; ++tries)
+  {
+    const std::string name = prefix + std::to_string(std::random_device()()) + suffix;
+    const std::filesystem::path path = FolderOf(this->Final) / name;
+    this->File = open(path.c_str(), O_RDWR | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666);
+    if (this->File >= 0)
+    {
+      this->Temporary = path;
+      return Status::Success();
+    }
+    if (errno != EEXIST)
+    {
+      return Status::Failure(SystemMessage(errno));
+    }
+  }
+  return Status::Failure("its folder is full of temporary files");
+}
+
+Status TemporaryFile::Publish()
+{
+  struct stat old = {};
+  const bool isReplaced = stat(this->Final.c_str(), &old) == 0;
+  if (!Sync(this->Temporary, O_NOFOLLOW) ||
+      (isReplaced && chmod(this->Temporary.c_str(), old.st_mode & 07777) != 0) ||
+      std::rename(this->Temporary.c_str(), this->Final.c_str()) != 0)
+  {
+    return Status::Failure(SystemMessage(errno));
+  }
+  this->Keep();
+  // The file has its name whatever follows. A folder that may not be read cannot be synchronised.
+  static_cast<void>(Sync(FolderOf(this->Final), O_DIRECTORY));
+  return Status::Success();
+}
+} // namespace palpate
