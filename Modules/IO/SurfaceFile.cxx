@@ -2,6 +2,7 @@
 
 #include "AlgorithmErrors.h"
 #include "FileEnding.h"
+#include "ForeignFile.h"
 #include "MeshFormats.h"
 #include "MeshGltf.h"
 #include "PlyReader.h"
@@ -136,7 +137,7 @@ vtkSmartPointer<vtkPolyData> ReadByEnding(const std::filesystem::path& path)
   {
     return ReadWith<vtkOBJReader>(path);
   }
-  Refuse(path, "does not end as a surface that can be read", "use .vtp, .stl, .ply or .obj");
+  RefuseContent(path, "does not end as a surface that can be read", "use .vtp, .stl, .ply or .obj");
 }
 } // namespace
 
