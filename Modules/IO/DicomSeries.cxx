@@ -2,6 +2,7 @@
 
 #include "DicomDataset.h"
 #include "FileKind.h"
+#include "ForeignDicom.h"
 #include "InputError.h"
 #include "Refusal.h"
 
@@ -132,6 +133,7 @@ std::vector<DicomSeries> FindDicomSeries(const std::filesystem::path& folder)
   }
   if (all.empty())
   {
+    RefuseForeignDicomIn(folder);
     Refuse(folder,
            files.empty() ? "holds no DICOM file"
                          : "holds no DICOM slice with a position in the patient",

@@ -1,6 +1,7 @@
 #include "FileKind.h"
 
 #include "FileEnding.h"
+#include "ForeignFile.h"
 #include "Refusal.h"
 
 #include <fstream>
@@ -59,8 +60,8 @@ FileKind DetectFileKind(const std::filesystem::path& file)
   {
     return FileKind::MetaImage;
   }
-  Refuse(file, "is in no known image format",
-         "give NIfTI (.nii, .nii.gz), NRRD (.nrrd, .nhdr), MetaImage (.mha, .mhd) or DICOM");
+  RefuseContent(file, "is in no known image format",
+                "give NIfTI (.nii, .nii.gz), NRRD (.nrrd, .nhdr), MetaImage (.mha, .mhd) or DICOM");
 }
 
 const char* FileKindName(FileKind kind)

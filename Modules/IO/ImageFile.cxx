@@ -1,5 +1,6 @@
 #include "ImageFile.h"
 
+#include "ForeignFile.h"
 #include "ItkImageReader.h"
 #include "MemoryCheck.h"
 #include "MetaImageHeader.h"
@@ -59,9 +60,10 @@ void ImageFile::OpenReader()
   }
   catch (const std::exception&)
   {
-    Refuse(this->File,
-           std::string("is no ") + FileKindName(this->Kind) + " image or its header is damaged",
-           "copy or export it again");
+    RefuseContent(this->File,
+                  std::string("is no ") + FileKindName(this->Kind) +
+                      " image or its header is damaged",
+                  "copy or export it again");
   }
 }
 

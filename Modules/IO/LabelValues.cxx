@@ -1,5 +1,7 @@
 #include "LabelValues.h"
 
+#include "DecimalText.h"
+#include "LimitText.h"
 #include "MemoryCheck.h"
 #include "Refusal.h"
 
@@ -30,7 +32,8 @@ int LargestLabel(const std::filesystem::path& file, const T* values, vtkIdType c
       if (!(std::floor(value) == value) || std::isinf(value))
       {
         Refuse(file,
-               "is no label map: it holds the value " + NumberText(static_cast<double>(value)),
+               // In the precision that it has: 0.9999999 is not written as 1.
+               "is no label map: it holds the value " + ExactText(value),
                "give whole numbers, one for each structure");
       }
     }
@@ -46,10 +49,11 @@ int LargestLabel(const std::filesystem::path& file, const T* values, vtkIdType c
     }
     largest = std::max(largest, value);
   }
-  if (static_cast<long double>(largest) > std::numeric_limits<int>::max())
+  constexpr int most = std::numeric_limits<int>::max();
+  if (static_cast<long double>(largest) > most)
   {
-    Refuse(file, "holds the label " + NumberText(static_cast<double>(largest)),
-           "give labels up to " + std::to_string(std::numeric_limits<int>::max()));
+    Refuse(file, "holds the label " + TextAgainstLimit(static_cast<double>(largest), most, 0),
+           "give labels up to " + std::to_string(most));
   }
   return static_cast<int>(largest);
 }

@@ -1,5 +1,6 @@
 #include "MetaImageHeader.h"
 
+#include "ForeignFile.h"
 #include "Refusal.h"
 #include "ZlibCheck.h"
 
@@ -54,8 +55,8 @@ Header ReadHeader(const std::filesystem::path& file)
       return header;
     }
   }
-  Refuse(file, "is no MetaImage file or ends or is damaged within its header",
-         "copy or export it again");
+  RefuseContent(file, "is no MetaImage file or ends or is damaged within its header",
+                "copy or export it again");
 }
 
 std::vector<double> Numbers(const Header& header, const std::string& key)

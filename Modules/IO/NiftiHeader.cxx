@@ -1,5 +1,6 @@
 #include "NiftiHeader.h"
 
+#include "ForeignFile.h"
 #include "Refusal.h"
 #include "ZlibCheck.h"
 
@@ -30,7 +31,7 @@ public:
     this->Compressed = stream && gzdirect(stream.get()) == 0;
     if (got < static_cast<int>(HeaderBytes))
     {
-      Refuse(file, "ends or is damaged within its header", "copy or export it again");
+      RefuseContent(file, "ends or is damaged within its header", "copy or export it again");
     }
     this->Swap = this->At<std::int32_t>(0) != static_cast<int>(HeaderBytes);
   }
@@ -74,7 +75,7 @@ void CheckMark(const std::filesystem::path& file, const HeaderReader& header)
   }
   if (size != static_cast<int>(HeaderBytes) || header.Mark() != "n+1")
   {
-    Refuse(file, "is no NIfTI-1 file or its header is damaged", "copy or export it again");
+    RefuseContent(file, "is no NIfTI-1 file or its header is damaged", "copy or export it again");
   }
 }
 

@@ -2,6 +2,7 @@
 
 #include "DicomSegmentation.h"
 #include "FileKind.h"
+#include "ForeignDicom.h"
 #include "ImageFile.h"
 #include "LabelMap.h"
 #include "LabelValues.h"
@@ -73,6 +74,10 @@ std::filesystem::path FindDicomSegmentation(const std::filesystem::path& folder)
       found.push_back(entry.path());
     }
   }
+  if (found.empty())
+  {
+    RefuseForeignDicomIn(folder);
+  }
   if (found.size() != 1)
   {
     Refuse(folder,
@@ -95,6 +100,7 @@ Segmentation ReadSegmentation(const std::filesystem::path& path, LeftHandedAxes 
   {
     if (!IsDicomSegmentation(path))
     {
+      RefuseForeignDicom(path);
       Refuse(path, "is a DICOM file but no segmentation",
              "name a DICOM segmentation object or a label map");
     }

@@ -4,6 +4,7 @@
 #include "BoundedPolyDataReader.h"
 #include "FileEnding.h"
 #include "InputError.h"
+#include "ForeignFile.h"
 #include "MeshFormats.h"
 #include "MeshGltf.h"
 #include "ObjReader.h"
@@ -158,7 +159,7 @@ vtkSmartPointer<vtkPolyData> ReadByEnding(const std::filesystem::path& path)
   {
     return SurfaceFromObj(ReadWholeFile(path, MaximumBytes), path.string());
   }
-  Refuse(path, "does not end as a surface that can be read", "use .vtp, .stl, .ply or .obj");
+  RefuseContent(path, "does not end as a surface that can be read", "use .vtp, .stl, .ply or .obj");
 }
 } // namespace
 

@@ -3,6 +3,7 @@
 #include "DicomSegmentation.h"
 #include "DicomVolume.h"
 #include "FileKind.h"
+#include "ForeignDicom.h"
 #include "ImageFile.h"
 #include "Refusal.h"
 #include "RightHandedAxes.h"
@@ -47,6 +48,7 @@ Volume ReadDicom(const std::filesystem::path& path, const VolumeChoice& choice)
   {
     Refuse(path, "is a DICOM segmentation", "read it as a segmentation, or name an image series");
   }
+  RefuseForeignDicom(path);
   const auto folder = path.has_parent_path() ? path.parent_path() : std::filesystem::path(".");
   const std::vector<DicomSeries> all = FindDicomSeries(folder);
   return ReadDicomVolume(SeriesOfFile(path, all), path);

@@ -41,7 +41,8 @@ std::string CaseSentence(const std::filesystem::path& input, const Segment& stru
   {
     return message;
   }
-  const bool isPredicate = StartsWith(message, "is ") || StartsWith(message, "has ");
+  const bool isPredicate =
+      StartsWith(message, "is ") || StartsWith(message, "has ") || StartsWith(message, "needs ");
   return CaseTitle(input, structure) + (isPredicate ? " " : ": ") + message;
 }
 } // namespace palpate

@@ -1,7 +1,11 @@
 #include "FitStages.h"
 
 #include "FilterRun.h"
+#include "FitHints.h"
 #include "FitStructure.h"
+#include "HtmlText.h"
+#include "LimitText.h"
+#include "ModelPlausibility.h"
 #include "ModelTable.h"
 #include "StageClock.h"
 #include "SupportedDegree.h"
@@ -16,10 +20,7 @@
 #include "vtkNew.h"
 #include "vtkTable.h"
 
-#include <algorithm>
-#include <cmath>
-#include <iomanip>
-#include <sstream>
+#include <new>
 
 namespace palpate
 {
@@ -49,6 +50,19 @@ void RunStage(const Stage& stage, FitResult& result)
     result.State = FitResult::Outcome::Failed;
     result.Message = error.what();
   }
+  catch (const std::bad_alloc&)
+  {
+    // Of this structure alone: others may be smaller.
+    result.State = FitResult::Outcome::Failed;
+    result.Message = "needs more memory than there is; try a smaller image or a lower --degree or "
+                     "--frequency";
+  }
+}
+
+void Refuse(const std::string& reason, const std::string& hint, FitResult& result)
+{
+  result.State = FitResult::Outcome::Refused;
+  result.Message = reason + "; " + hint;
 }
 
 void Configure(vtkSegmentationSurface* surface, vtkImageData* layer, int value,
@@ -105,13 +119,6 @@ void TakeSurface(vtkSegmentationSurface* surface, FitResult& result)
   result.Surface = surface->GetOutput();
 }
 
-std::string Fixed(double value, int digits)
-{
-  std::ostringstream text;
-  text << std::fixed << std::setprecision(digits) << value;
-  return text.str();
-}
-
 std::string Counted(long count, const char* one, const char* several)
 {
   return std::to_string(count) + " " + (count == 1 ? one : several);
@@ -130,12 +137,12 @@ void RemarkOnStructure(bool usedDistanceInstead, FitResult& result)
     result.Notes.push_back("the label has " + std::to_string(result.ComponentMilliliters.size()) +
                            " connected components; number " +
                            std::to_string(result.Settings.Component) + " (" +
-                           Fixed(result.MaskMilliliters, 2) + " ml) was taken");
+                           FixedText(result.MaskMilliliters, 2) + " ml) was taken");
   }
   if (result.CavityCount > 0)
   {
     result.Notes.push_back(Counted(result.CavityCount, "cavity", "cavities") + " of " +
-                           Fixed(result.CavityMilliliters, 3) + " ml in all filled");
+                           FixedText(result.CavityMilliliters, 3) + " ml in all filled");
   }
   if (usedDistanceInstead)
   {
@@ -177,8 +184,8 @@ void RemarkOnDegree(int supported, FitResult& result)
     result.Notes.push_back("degree " + std::to_string(supported) +
                            " is the highest that the mask's voxels tell (waves of two voxels); it "
                            "leaves " +
-                           Fixed(result.Rms, 3) + " mm instead of the " + Fixed(tolerance, 3) +
-                           " mm asked for");
+                           TextAgainstLimit(result.Rms, tolerance, 3) + " mm instead of the " +
+                           TextAgainstLimit(tolerance, tolerance, 3) + " mm asked for");
   }
 }
 
@@ -218,7 +225,6 @@ void RunSurface(FitSurface& made, const ProgressFunction& progress)
   }
   RunFilter(surface, "surface", 0.0, 0.8, progress);
   TakeSurface(surface, result);
-  RemarkOnStructure(surface->GetUsedDistanceInstead(), result);
   clock.EndStage("surface");
   result.Message = TooFewVoxels(surface->GetMaskVolume(), result.Mask);
   if (!result.Message.empty())
@@ -226,6 +232,8 @@ void RunSurface(FitSurface& made, const ProgressFunction& progress)
     result.State = FitResult::Outcome::BadInput;
     return;
   }
+  // Only of a structure that is modelled: what is too small needs one sentence.
+  RemarkOnStructure(surface->GetUsedDistanceInstead(), result);
   vtkNew<vtkSegmentationSurface> boundary;
   Configure(boundary, layer, result.Structure.Value, result.Settings);
   boundary->SetMethodToPlain();
@@ -250,12 +258,12 @@ void RunSamples(FitSamples& made, const ProgressFunction& progress)
   clock.EndStage("samples");
   if (result.HiddenPercent > result.Settings.MaximumHiddenPercent)
   {
-    result.State = FitResult::Outcome::Refused;
-    result.Message = "is not star-shaped: the centre does not see " +
-                     Fixed(result.HiddenPercent, 1) + " % of its surface (limit " +
-                     Fixed(result.Settings.MaximumHiddenPercent, 1) +
-                     " %), so one radius a direction cannot describe it; try the most visible "
-                     "centre, or raise the limit to see what is lost";
+    const double limit = result.Settings.MaximumHiddenPercent;
+    Refuse("is not star-shaped: the centre does not see " +
+               TextAgainstLimit(result.HiddenPercent, limit, 1) + " % of its surface (limit " +
+               TextAgainstLimit(limit, limit, 1) +
+               " %), so one radius a direction cannot describe it",
+           HintForHidden(result.Settings), result);
   }
 }
 
@@ -269,7 +277,14 @@ void RunModel(vtkPolyData* samples, vtkPolyData* boundary, FitResult& result,
   Configure(fit, result.Settings);
   fit->SetSupportedDegree(
       SupportedDegree(CubicMillimetersPerMilliliter * result.MaskMilliliters, result.Mask.Get()));
-  RunFilter(fit, "fit", 0.0, 0.15, progress);
+  try
+  {
+    RunFilter(fit, "fit", 0.0, 0.15, progress);
+  }
+  catch (const FilterError& error)
+  {
+    throw FilterError(std::string(error.what()) + " " + OptionsOfFit(result.Settings));
+  }
   TakeFit(fit, result);
   RemarkOnDegree(fit->GetSupportedDegree(), result);
   clock.EndStage("fit");
@@ -280,17 +295,22 @@ void RunModel(vtkPolyData* samples, vtkPolyData* boundary, FitResult& result,
   RunFilter(model, "model", 0.15, 0.3, progress);
   result.ModelSurface = model->GetOutput();
   clock.EndStage("model");
+  if (const std::string reason = WhyImplausible(result); !reason.empty())
+  {
+    Refuse(reason, HintForImplausible(result.Settings), result);
+    result.ModelSurface = nullptr; // nothing to show: it reaches far beyond the image
+    return;
+  }
   MeasureQuality(surface, OwnCopy(boundary), result, progress);
   clock.EndStage("quality");
-  if (result.Dice < result.Settings.MinimumDice)
+  const double limit = result.Settings.MinimumDice;
+  if (!(result.Dice >= limit))
   {
-    result.State = FitResult::Outcome::Refused;
-    result.Message = "is not followed by a model of degree " +
-                     std::to_string(result.Model.Degree()) + ": Dice " + Fixed(result.Dice, 2) +
-                     ", " + Fixed(result.ModelMilliliters, 2) + " ml for a mask of " +
-                     Fixed(result.MaskMilliliters, 2) +
-                     " ml; try another degree, more directions or the most visible centre, or "
-                     "lower the limit on Dice to see it";
+    Refuse("is not followed by a model of degree " + std::to_string(result.Model.Degree()) +
+               ": Dice " + TextAgainstLimit(result.Dice, limit, 2) + " (limit " +
+               TextAgainstLimit(limit, limit, 2) + "), " + FixedText(result.ModelMilliliters, 2) +
+               " ml for a mask of " + FixedText(result.MaskMilliliters, 2) + " ml",
+           HintForMisfit(result.Settings), result);
     return;
   }
   result.State = FitResult::Outcome::Fitted;

@@ -3,6 +3,8 @@
 #include "Refusal.h"
 
 #include <cmath>
+#include <cstdint>
+#include <limits>
 
 namespace palpate
 {
@@ -111,11 +113,13 @@ void JsonFields::Read(const char* key, std::vector<std::string>& values)
   values.clear();
   for (const nlohmann::json& word : list)
   {
-    if (!word.is_string())
+    const bool isLabel = word.is_number_unsigned() && word.get<std::uint64_t>() >= 1 &&
+                         word.get<std::uint64_t>() <= std::numeric_limits<int>::max();
+    if (!word.is_string() && !isLabel)
     {
-      this->RefuseEntry(key, "a text, or a list of texts");
+      this->RefuseEntry(key, "a label's number from 1, a structure's name, or a list of these");
     }
-    values.push_back(word.get<std::string>());
+    values.push_back(isLabel ? std::to_string(word.get<int>()) : word.get<std::string>());
   }
 }
 

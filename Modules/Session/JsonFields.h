@@ -25,7 +25,7 @@ public:
   void Read(const char* key, int& value, int least, int most);
   void Read(const char* key, bool& value);
   void Read(const char* key, std::string& value);
-  /// A text or a list of texts.
+  /// Structures: a label's number from 1, a name, or a list of these; numbers become their text.
   void Read(const char* key, std::vector<std::string>& values);
   void Read(const char* key, Vector3& value, double least, double most);
   /// One of these words; `value` becomes its place among them.

@@ -21,6 +21,6 @@ std::string TooFewVoxels(double cubicMillimeters, vtkImageData* mask)
     return {};
   }
   return "has only " + std::to_string(voxels) + (voxels == 1 ? " voxel" : " voxels") +
-         ", too few to have a shape; choose another label or component";
+         ", too few to have a shape; choose another --label or --component";
 }
 } // namespace palpate

@@ -1,8 +1,10 @@
 #include "MaskOverlap.h"
 
 #include "vtkDataArray.h"
+#include "vtkDoubleArray.h"
 #include "vtkImageData.h"
 #include "vtkImageStencilData.h"
+#include "vtkMassProperties.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
@@ -41,7 +43,8 @@ struct VoxelCounts
   long long Both = 0;
 };
 
-// The image's extent, grown to where the surface reaches.
+// The image's extent, grown to where the surface reaches, but on no side by more than the image's
+// own size: the voxels of the surface are a list of rows, and its bounds are any numbers.
 std::array<int, 6> ExtentOf(vtkImageData* image, vtkPolyData* indexSurface)
 {
   std::array<int, 6> extent{};
@@ -50,11 +53,41 @@ std::array<int, 6> ExtentOf(vtkImageData* image, vtkPolyData* indexSurface)
   indexSurface->GetBounds(bounds);
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
-    extent[2 * axis] = std::min(extent[2 * axis], static_cast<int>(std::floor(bounds[2 * axis])));
+    const double first = extent[2 * axis];
+    const double last = extent[2 * axis + 1];
+    const double most = last - first + 1.0;
+    extent[2 * axis] =
+        static_cast<int>(std::clamp(std::floor(bounds[2 * axis]), first - most, first));
     extent[2 * axis + 1] =
-        std::max(extent[2 * axis + 1], static_cast<int>(std::ceil(bounds[2 * axis + 1])));
+        static_cast<int>(std::clamp(std::ceil(bounds[2 * axis + 1]), last, last + most));
   }
   return extent;
+}
+
+bool IsWithin(vtkPolyData* indexSurface, const std::array<int, 6>& extent)
+{
+  double bounds[6];
+  indexSurface->GetBounds(bounds);
+  return bounds[0] >= extent[0] && bounds[1] <= extent[1] && bounds[2] >= extent[2] &&
+         bounds[3] <= extent[3] && bounds[4] >= extent[4] && bounds[5] <= extent[5];
+}
+
+// The count of voxels that a closed surface encloses, by its volume in index space.
+long long EnclosedVoxels(vtkPolyData* indexSurface)
+{
+  vtkNew<vtkMassProperties> measure;
+  measure->SetInputData(indexSurface);
+  const double volume = std::abs(measure->GetVolume());
+  constexpr double Most = 1e18;
+  return std::llround(std::min(volume, Most));
+}
+
+bool IsFinite(vtkPolyData* indexSurface)
+{
+  const auto* points =
+      vtkDoubleArray::SafeDownCast(indexSurface->GetPoints()->GetData())->GetPointer(0);
+  return std::all_of(points, points + 3 * indexSurface->GetNumberOfPoints(),
+                     [](double coordinate) { return std::isfinite(coordinate); });
 }
 
 template <typename T>
@@ -94,6 +127,10 @@ double DiceOfSurfaceAndMask(vtkPolyData* surface, vtkImageData* mask, int label)
 {
   vtkNew<vtkPolyData> indexSurface;
   CopyToIndexSpace(surface, mask, indexSurface);
+  if (!IsFinite(indexSurface))
+  {
+    return 0.0;
+  }
   int imageExtent[6];
   mask->GetExtent(imageExtent);
   std::array<int, 6> extent = ExtentOf(mask, indexSurface);
@@ -111,6 +148,10 @@ double DiceOfSurfaceAndMask(vtkPolyData* surface, vtkImageData* mask, int label)
                                           imageExtent, extent, voxelize->GetOutput(), label));
   default:
     break;
+  }
+  if (!IsWithin(indexSurface, extent))
+  {
+    counts.Surface = std::max(counts.Surface, EnclosedVoxels(indexSurface));
   }
   const long long sum = counts.Mask + counts.Surface;
   return sum > 0 ? 2.0 * static_cast<double>(counts.Both) / static_cast<double>(sum) : 0.0;

@@ -1,5 +1,6 @@
 #include "vtkSphericalHarmonicFit.h"
 
+#include "LimitText.h"
 #include "ModelTable.h"
 #include "SphericalHarmonicBasis.h"
 #include "SphericalHarmonicFit.h"
@@ -15,7 +16,7 @@
 #include "vtkTable.h"
 
 #include <algorithm>
-#include <sstream>
+#include <string>
 #include <utility>
 
 vtkStandardNewMacro(vtkSphericalHarmonicFit);
@@ -93,12 +94,12 @@ palpate::Status FindDegree(const palpate::RadialSamples& samples,
     }
     if (tried == maximumDegree)
     {
-      std::ostringstream text;
-      text.precision(3);
-      text << "no degree up to " << maximumDegree << " meets the tolerance of " << tolerance
-           << " mm; degree " << maximumDegree << " leaves " << result.RmsByDegree.back()
-           << " mm; allow a larger tolerance or degree";
-      return palpate::Status::Failure(text.str());
+      const std::string highest = std::to_string(maximumDegree);
+      return palpate::Status::Failure(
+          "no degree up to " + highest + " meets the tolerance of " +
+          palpate::SignificantAgainstLimit(tolerance, tolerance, 3) + " mm; degree " + highest +
+          " leaves " + palpate::SignificantAgainstLimit(result.RmsByDegree.back(), tolerance, 3) +
+          " mm; allow a larger tolerance or degree");
     }
     tried = std::min(maximumDegree, tried * 3 / 2);
   }

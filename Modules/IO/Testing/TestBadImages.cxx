@@ -131,6 +131,11 @@ TEST(BadImages, LabelsThatAreNotWholeAreRefused)
   EXPECT_TRUE(Contains(SegmentationRefusal(NrrdOfFloats(1.5F)), "it holds the value 1.5"));
 }
 
+TEST(BadImages, LabelsThatAreAlmostWholeAreNotWrittenAsWhole)
+{
+  EXPECT_TRUE(Contains(SegmentationRefusal(NrrdOfFloats(0.9999999F)), "the value 0.9999999;"));
+}
+
 TEST(BadImages, NegativeLabelsAreRefused)
 {
   std::vector<short> values(120, 1);
@@ -145,7 +150,7 @@ TEST(BadImages, LabelsBeyondIntAreRefused)
   values[5] = 3000000000U;
   EXPECT_TRUE(
       Contains(SegmentationRefusal(NrrdBytes(PlainNrrdLines("unsigned int"), BytesOf(values))),
-               "holds the label 3e+09"));
+               "holds the label 3000000000"));
 }
 
 TEST(BadImages, EmptyMaskIsRefused)

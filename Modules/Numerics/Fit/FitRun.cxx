@@ -3,11 +3,12 @@
 #include "ConditionEstimate.h"
 #include "CrossValidation.h"
 #include "HuberWeights.h"
+#include "LimitText.h"
 
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <sstream>
+#include <string>
 
 namespace palpate
 {
@@ -17,12 +18,12 @@ namespace
 {
 Status IllPosed(double condition, const Options& options)
 {
-  std::ostringstream text;
-  text.precision(3);
-  text << "the directions leave degree " << options.Degree << " undetermined (condition "
-       << condition << ", limit " << options.MaximumCondition
-       << "); add a roughness penalty or take a lower degree";
-  return Status::Failure(text.str());
+  const double limit = options.MaximumCondition;
+  return Status::Failure("the directions leave degree " + std::to_string(options.Degree) +
+                         " undetermined (condition " +
+                         SignificantAgainstLimit(condition, limit, 3) + ", limit " +
+                         SignificantAgainstLimit(limit, limit, 3) +
+                         "); add a roughness penalty or take a lower degree");
 }
 
 // Root mean square over the sphere of the difference of two radius functions.

@@ -1,6 +1,6 @@
 #include "DrillWatch.h"
 
-#include "HtmlText.h"
+#include "LimitText.h"
 
 #include <algorithm>
 #include <utility>
@@ -46,8 +46,9 @@ std::vector<std::string> DrillWatch::Look(double time, const TouchState& state)
     }
     if (one.IsAlarmed && !wasAlarmed)
     {
-      said.push_back("The drill is " + FixedText(distances[n], 1) + " mm from " + one.Name +
-                     ", nearer than " + FixedText(one.AlarmDistance, 1) + " mm.");
+      const double alarm = one.AlarmDistance;
+      said.push_back("The drill is " + TextAgainstLimit(distances[n], alarm, 1) + " mm from " +
+                     one.Name + ", nearer than " + TextAgainstLimit(alarm, alarm, 1) + " mm.");
     }
   }
   this->Last = time;

@@ -18,6 +18,7 @@
 #include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
+#include <new>
 
 namespace
 {
@@ -142,6 +143,98 @@ TEST(FitStructure, RefusesAModelThatDoesNotFollowTheMask)
       << result.Message;
   settings.MinimumDice = 0.0;
   EXPECT_EQ(Fit(segmentation, settings).State, Outcome::Fitted);
+}
+
+// A bowl, from whose hollow a third of all directions meets nothing: cross-validation then lets the
+// model go anywhere there.
+vtkSmartPointer<vtkImageData> Bowl()
+{
+  palpate::test::LabelGrid grid;
+  grid.Size = {50, 50, 50};
+  grid.CenterOnOrigin();
+  return palpate::test::MakeLabelImage(grid,
+                                       [](double x, double y, double z)
+                                       {
+                                         const double radius = std::hypot(x, y, z);
+                                         return radius > 17.0 && radius < 20.0 && z > 4.0;
+                                       });
+}
+
+FitSettings AcceptingAll()
+{
+  FitSettings settings;
+  settings.PenaltyKind = FitSettings::Penalty::Automatic;
+  settings.MaximumHiddenPercent = 100.0;
+  settings.MinimumDice = 0.0;
+  return settings;
+}
+
+TEST(FitStructure, RefusesAModelThatReachesFarBeyondItsStructure)
+{
+  const FitResult result = Fit(SegmentationOf(Bowl()), AcceptingAll());
+  EXPECT_EQ(result.State, Outcome::Refused);
+  EXPECT_NE(result.Message.find("the model's radius runs from "), std::string::npos)
+      << result.Message;
+  EXPECT_NE(result.Message.find(" --center visible"), std::string::npos) << result.Message;
+  EXPECT_EQ(result.ModelSurface, nullptr);
+}
+
+TEST(FitStructure, HintsAtNoCentreThatWasUsed)
+{
+  FitSettings settings;
+  settings.Center = FitSettings::CenterChoice::MostVisible;
+  settings.MaximumHiddenPercent = 1.0;
+  const FitResult result = Fit(SegmentationOf(Bowl()), settings);
+  EXPECT_EQ(result.State, Outcome::Refused);
+  EXPECT_EQ(result.Message.find("visible"), std::string::npos) << result.Message;
+  EXPECT_NE(result.Message.find("--max-hidden"), std::string::npos) << result.Message;
+}
+
+// A limit that is missed by less than what is written of it.
+TEST(FitStructure, NeverWritesAMissAsIfItWereNone)
+{
+  const auto truth = palpate::MakeProstateLikeModel(6, 9, Vector3::Zero());
+  const Segmentation segmentation = SegmentationOf(PhantomMask(truth, 1.0));
+  FitSettings settings;
+  settings.MinimumDice = Fit(segmentation).Dice + 1e-6;
+  const FitResult result = Fit(segmentation, settings);
+  ASSERT_EQ(result.State, Outcome::Refused);
+  const std::string mark = "Dice ";
+  const double told = std::stod(result.Message.substr(result.Message.find(mark) + mark.size()));
+  EXPECT_LT(told, settings.MinimumDice) << result.Message;
+}
+
+TEST(FitStructure, CallsWantOfMemoryAFailureOfTheStructure)
+{
+  const auto truth = palpate::MakeProstateLikeModel(6, 9, Vector3::Zero());
+  const Segmentation segmentation = SegmentationOf(PhantomMask(truth, 2.0));
+  for (const char* stage : {"surface", "samples", "fit", "model", "quality"})
+  {
+    const FitResult result = palpate::FitStructure(segmentation, segmentation.Segments.front(), {},
+                                                   [&](double, const std::string& running) -> bool
+                                                   {
+                                                     if (running == stage)
+                                                     {
+                                                       throw std::bad_alloc();
+                                                     }
+                                                     return true;
+                                                   });
+    EXPECT_EQ(result.State, Outcome::Failed) << stage;
+    EXPECT_NE(result.Message.find("memory"), std::string::npos) << result.Message;
+  }
+}
+
+TEST(FitStructure, SaysOneThingOfASingleVoxelAtTheBorder)
+{
+  palpate::test::LabelGrid grid;
+  grid.Size = {5, 5, 5};
+  const auto dots =
+      palpate::test::MakeLabelImage(grid, [](double x, double y, double z)
+                                    { return x == 0.0 && (y == 0.0 || y == 4.0) && z == 0.0; });
+  const FitResult result = Fit(SegmentationOf(dots));
+  EXPECT_EQ(result.State, Outcome::BadInput);
+  EXPECT_NE(result.Message.find("only 1 voxel"), std::string::npos) << result.Message;
+  EXPECT_TRUE(result.Notes.empty()) << result.Notes.front();
 }
 
 TEST(FitStructure, CallsASingleVoxelBadInput)

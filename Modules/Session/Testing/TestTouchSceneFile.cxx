@@ -35,6 +35,23 @@ protected:
   test::TemporaryFolder Folder;
 };
 
+TEST_F(TouchSceneFile, LabelsAreNumbersOrNames)
+{
+  const auto labels = [this](const std::string& label)
+  {
+    return this
+        ->Read(R"({"format": "palpate-scene", "structures": [{"file": "a.nrrd", "label": )" +
+               label + "}]}")
+        .Structures.front()
+        .Labels;
+  };
+  using Words = std::vector<std::string>;
+  EXPECT_EQ(labels("1"), Words{"1"});
+  EXPECT_EQ(labels("\"1\""), Words{"1"});
+  EXPECT_EQ(labels("\"tumour\""), Words{"tumour"});
+  EXPECT_EQ(labels("[2, \"tumour\", \"3\"]"), (Words{"2", "tumour", "3"}));
+}
+
 TEST_F(TouchSceneFile, WhatIsWrittenIsReadBackTheSame)
 {
   TouchSettings settings;
@@ -174,9 +191,13 @@ TEST_F(TouchSceneFile, WhatIsWrongIsRefusedByName)
       {begin + R"(, "brick_cells": 12}]})", "brick_cells"},
       {begin + R"(, "brick_cells": 32}]})", "brick_cells"},
       {begin + R"(, "representation": "voxels"}]})", "sub-voxel"},
-      {begin + R"(, "label": [1]}]})", "label"},
       {begin + R"(, "label": )" + std::string(1000000, '[') + std::string(1000000, ']') + "}]}",
        "nested more than 64 deep"},
+      {begin + R"(, "label": [1.5]}]})", "label"},
+      {begin + R"(, "label": 0}]})", "a label's number from 1"},
+      {begin + R"(, "label": -1}]})", "label"},
+      {begin + R"(, "label": 3000000000}]})", "label"},
+      {begin + R"(, "label": true}]})", "label"},
       {begin + R"(, "seen": 1}]})", "seen"},
       {begin + R"(, "touched": "no"}]})", "touched"},
       {begin + R"(, "viscosity_ns_per_mm": -1}]})", "viscosity_ns_per_mm"},

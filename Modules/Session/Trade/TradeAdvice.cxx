@@ -3,6 +3,7 @@
 #include "DecimalText.h"
 #include "HtmlText.h"
 #include "InputError.h"
+#include "LimitText.h"
 
 #include <algorithm>
 #include <array>
@@ -96,7 +97,8 @@ std::string MissesOf(const TradeRow& row, const TradeNeeds& needs)
       const double wanted = *(needs.*bound.Wanted);
       text += (text.empty() ? "misses the " : " and the ") + std::string(bound.Name) + " by " +
               SignificantText(std::abs(value - wanted), 2) + bound.Unit + " (" +
-              SignificantText(value, 3) + " instead of " + SignificantText(wanted, 3) + ")";
+              SignificantAgainstLimit(value, wanted, 3) + " instead of " +
+              SignificantAgainstLimit(wanted, wanted, 3) + ")";
     }
   }
   return text;
@@ -109,8 +111,9 @@ std::string Wanted(const TradeNeeds& needs)
   {
     if (needs.*bound.Wanted)
     {
+      const double wanted = *(needs.*bound.Wanted);
       text += (text.empty() ? "" : ", ") + std::string(bound.IsLeast ? "at least " : "at most ") +
-              SignificantText(*(needs.*bound.Wanted), 4) + bound.Unit + " of " + bound.Name;
+              SignificantAgainstLimit(wanted, wanted, 4) + bound.Unit + " of " + bound.Name;
     }
   }
   return text;
