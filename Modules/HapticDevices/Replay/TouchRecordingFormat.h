@@ -13,10 +13,10 @@ namespace palpate
 /// what is read is what was written to the last bit.
 namespace TouchRecordingFormat
 {
-inline constexpr char Magic[] = "palpate-touch-recording 2\n";
+inline constexpr char Magic[] = "palpate-touch-recording 3\n";
 inline constexpr std::size_t MagicSize = sizeof(Magic) - 1;
 inline constexpr std::size_t SessionWords = 10;
-inline constexpr std::size_t TickWords = 36;
+inline constexpr std::size_t TickWords = 37;
 
 using SessionRecord = std::array<std::uint64_t, SessionWords>;
 using TickRecord = std::array<std::uint64_t, TickWords>;

@@ -42,6 +42,7 @@ Status StudyTouch::Start(std::unique_ptr<HapticDevice> opened, const StudyState&
   this->Device = std::move(opened);
   this->Settings = {};
   this->Settings.Rate = state.Rate;
+  this->Settings.PedalButtons = 1U << DrillButton;
   this->Felt = {};
   this->Scene.reset();
   this->Automatic.reset();
@@ -279,10 +280,6 @@ void StudyTouch::TakeTicks()
     if ((isPress || change.What == Kind::ButtonReleased) && change.Button == ClutchButton)
     {
       this->HoldClutch(isPress, this->Reading.NewTicks.back());
-    }
-    if ((isPress || change.What == Kind::ButtonReleased) && change.Button == DrillButton)
-    {
-      this->RunDrill(isPress);
     }
   }
 }

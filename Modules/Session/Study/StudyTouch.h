@@ -96,7 +96,7 @@ public:
   Vector3 HandWorld() const { return this->Felt.Frame.ToWorld(this->Hand); }
   /// The device's button, from 0, that holds the workspace while it is pressed: a Falcon's middle.
   static constexpr int ClutchButton = 2;
-  /// The button that is the drill's pedal.
+  /// The button that is the drill's pedal; the servo itself reads it.
   static constexpr int DrillButton = 0;
 
   /// What no drill may remove from the next Start or Update on.
