@@ -1,4 +1,5 @@
 #include "DisplayServer.h"
+#include "Interruption.h"
 #include "SteadyClock.h"
 #include "ViewerOptions.h"
 #include "ViewerRun.h"
@@ -6,6 +7,7 @@
 #include <QApplication>
 #include <QSurfaceFormat>
 
+#include <csignal>
 #include <cstdlib>
 #include <iostream>
 #include <memory>
@@ -69,6 +71,9 @@ int main(int argc, char* argv[])
                    "--screenshot\n";
       return 1;
     }
+    // A terminal that no longer shows a window's remarks is no reason to close it.
+    std::signal(SIGPIPE, SIG_IGN);
+    const palpate::Interruption interruption;
     return Run(argc, argv, options);
   }
   catch (const std::runtime_error& error)

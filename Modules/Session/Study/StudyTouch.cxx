@@ -40,6 +40,7 @@ Status StudyTouch::Start(std::unique_ptr<HapticDevice> opened, const StudyState&
 {
   this->Stop();
   this->Device = std::move(opened);
+  this->End = std::make_unique<EndBeforeExit>([this] { this->Stop(); });
   this->Settings = {};
   this->Settings.Rate = state.Rate;
   this->Settings.PedalButtons = 1U << DrillButton;
@@ -135,6 +136,7 @@ void StudyTouch::Stop()
   {
     this->Device->Close();
     this->Device.reset();
+    this->End.reset();
   }
 }
 

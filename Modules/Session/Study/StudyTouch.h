@@ -1,6 +1,7 @@
 #pragma once
 
 #include "Clock.h"
+#include "EndBeforeExit.h"
 #include "HapticDevice.h"
 #include "PalpateSessionModule.h"
 #include "PeriodStatistics.h"
@@ -154,6 +155,7 @@ private:
   RealtimeRequest Request;
   ServoSettings Settings;
   std::unique_ptr<HapticDevice> Device; // before the thread that uses it
+  std::unique_ptr<EndBeforeExit> End;   // while there is a device
   std::unique_ptr<ServoThread> Thread;
   std::shared_ptr<const TouchScene> Scene;
   StudyDrill Drilled;
