@@ -1,7 +1,9 @@
 #include "CommandLine.h"
 
 #include "Console.h"
+#include "FilterRun.h"
 #include "InputError.h"
+#include "Interruption.h"
 #include "ProgramVersion.h"
 
 #include <CLI/CLI.hpp>
@@ -108,7 +110,13 @@ int CommandLine::RunParsed(Console& console)
                                     [&](const auto& c) { return c->Name() == name; });
   try
   {
-    return (*command)->Run(console);
+    const int code = (*command)->Run(console);
+    return Interruption::WasAsked() ? Interruption::ExitCode() : code;
+  }
+  catch (const Cancelled&)
+  {
+    console.Error("cancelled");
+    return Interruption::ExitCode();
   }
   catch (const InputError& error)
   {

@@ -16,7 +16,8 @@ namespace palpate::cli
 class Console;
 
 /// The whole command line: its commands, their options, and how a failure becomes an exit code and
-/// a sentence. 0 is success, 1 a failure, 2 bad input or a bad command line.
+/// a sentence. 0 is success, 1 a failure, 2 bad input or a bad command line; of a command that was
+/// interrupted Interruption::ExitCode.
 class CommandLine
 {
 public:

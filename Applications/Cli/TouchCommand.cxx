@@ -322,6 +322,12 @@ void TouchCommand::WriteDrilled(const PreparedTouch& touch, Console& console) co
     WriteDrillState(this->OutputFolder / "drill.state", *touch.Drill);
   }
   const std::vector<DrillSite>& sites = touch.Drill->Sites();
+  // What was drilled until an interruption is written too.
+  const ProgressFunction progress = [&console](double fraction, const std::string& stage)
+  {
+    console.Progress(fraction, stage);
+    return true;
+  };
   for (const std::filesystem::path file : this->DrilledFiles)
   {
     for (std::size_t site = 0; site < sites.size(); ++site)
@@ -329,9 +335,8 @@ void TouchCommand::WriteDrilled(const PreparedTouch& touch, Console& console) co
       const std::filesystem::path path =
           sites.size() > 1 ? WithNumberAndName(file, site + 1, sites[site].Name) : file;
       const int number = static_cast<int>(site);
-      IsWritableImage(path)
-          ? WriteImage(path, DrilledImage(*touch.Drill, number, ProgressOn(console)))
-          : WriteSurface(path, DrilledSurface(*touch.Drill, number, ProgressOn(console)));
+      IsWritableImage(path) ? WriteImage(path, DrilledImage(*touch.Drill, number, progress))
+                            : WriteSurface(path, DrilledSurface(*touch.Drill, number, progress));
       console.EndProgress();
     }
   }

@@ -1,14 +1,16 @@
 #include "ViewerRun.h"
 
+#include "Interruption.h"
+
 #include <QApplication>
-#include <QTimer>
 
 namespace palpate
 {
 namespace
 {
 constexpr int PictureDelay = 500; // ms: what was made last is drawn, a hand has come to rest
-}
+constexpr int LookInterval = 50;  // ms
+} // namespace
 
 ViewerRun::ViewerRun(StudyController& study, MainWindow& window, const ViewerOptions& options)
     : Study(study), Window(window), Options(options)
@@ -19,7 +21,20 @@ ViewerRun::ViewerRun(StudyController& study, MainWindow& window, const ViewerOpt
     files.emplace_back(file.toStdString());
   }
   connect(&study, &StudyController::StepsChanged, this, &ViewerRun::GoOn);
+  connect(&this->Looks, &QTimer::timeout, this, &ViewerRun::EndIfAsked);
+  this->Looks.start(LookInterval);
   study.OpenFiles(files);
+}
+
+// Timers go on while a dialog waits for an answer; exit ends its loop too.
+void ViewerRun::EndIfAsked()
+{
+  if (Interruption::WasAsked())
+  {
+    this->Looks.stop();
+    this->Study.Close();
+    QApplication::exit(Interruption::ExitCode());
+  }
 }
 
 void ViewerRun::GoOn()

@@ -1,4 +1,5 @@
 #include "DisplayServer.h"
+#include "Interruption.h"
 #include "ScreenText.h"
 #include "SteadyClock.h"
 #include "ViewerOptions.h"
@@ -7,6 +8,7 @@
 #include <QApplication>
 #include <QSurfaceFormat>
 
+#include <csignal>
 #include <cstdlib>
 #include <iostream>
 #include <memory>
@@ -70,6 +72,9 @@ int main(int argc, char* argv[])
                    "--screenshot\n";
       return 1;
     }
+    // A terminal that no longer shows a window's remarks is no reason to close it.
+    std::signal(SIGPIPE, SIG_IGN);
+    const palpate::Interruption interruption;
     return Run(argc, argv, options);
   }
   catch (const std::runtime_error& error)

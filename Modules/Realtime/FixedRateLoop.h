@@ -23,7 +23,13 @@ public:
     while (!this->IsStopped())
     {
       this->Time.WaitUntil(schedule.Deadline());
-      if (this->IsStopped() || !tick(schedule.Begin(this->Time.Now())))
+      if (this->IsStopped())
+      {
+        return;
+      }
+      TickInfo info = schedule.Begin(this->Time.Now());
+      info.BootTime = this->Time.BootTime();
+      if (!tick(info))
       {
         return;
       }

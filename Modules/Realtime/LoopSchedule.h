@@ -10,6 +10,7 @@ struct TickInfo
   std::uint64_t Number = 0;         ///< counts the ticks that ran, from 0
   std::int64_t Scheduled = 0;       ///< when it should have started
   std::int64_t Started = 0;         ///< when it did
+  std::int64_t BootTime = 0;        ///< when it did, by a clock that counts suspended time
   std::uint64_t SkippedPeriods = 0; ///< deadlines between the last tick and this one without a tick
   bool IsLate = false;              ///< started more than a tenth of a period after its deadline
 };

@@ -14,4 +14,9 @@ void ManualClock::Advance(std::int64_t duration) noexcept
 {
   this->Time.fetch_add(duration, std::memory_order_acq_rel);
 }
+
+void ManualClock::Suspend(std::int64_t duration) noexcept
+{
+  this->Suspended.fetch_add(duration, std::memory_order_acq_rel);
+}
 } // namespace palpate

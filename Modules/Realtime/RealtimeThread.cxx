@@ -1,5 +1,7 @@
 #include "RealtimeThread.h"
 
+#include "RealtimeLimit.h"
+
 #include <future>
 #include <system_error>
 #include <utility>
@@ -19,10 +21,16 @@ std::string Reason(int error)
 
 void AskForPriority(int priority, RealtimeGrant& grant)
 {
+  // First, so that there is no moment without it.
+  RealtimeLimit limit;
   sched_param parameters{};
   parameters.sched_priority = priority;
   const int error = pthread_setschedparam(pthread_self(), SCHED_FIFO, &parameters);
   grant.HasPriority = error == 0;
+  if (grant.HasPriority)
+  {
+    limit.Keep();
+  }
   if (error != 0)
   {
     grant.Advice += "Real-time priority " + std::to_string(priority) + " was refused (" +

@@ -24,7 +24,7 @@ struct RealtimeGrant
 };
 
 /// A thread that asks for real-time scheduling and says what it was given; without the privilege it
-/// runs as any other.
+/// runs as any other. One that stops sleeping loses the priority again (RealtimeLimit).
 class RealtimeThread
 {
 public:

@@ -8,13 +8,27 @@ namespace palpate
 namespace
 {
 constexpr std::int64_t Second = 1'000'000'000; // ns
+
+std::int64_t Read(clockid_t clock) noexcept
+{
+  timespec now{};
+  clock_gettime(clock, &now);
+  return std::int64_t{now.tv_sec} * Second + now.tv_nsec;
 }
+} // namespace
 
 std::int64_t SteadyClock::Now() const noexcept
 {
-  timespec now{};
-  clock_gettime(CLOCK_MONOTONIC, &now);
-  return std::int64_t{now.tv_sec} * Second + now.tv_nsec;
+  return Read(CLOCK_MONOTONIC);
+}
+
+std::int64_t SteadyClock::BootTime() const noexcept
+{
+#ifdef CLOCK_BOOTTIME
+  return Read(CLOCK_BOOTTIME);
+#else
+  return Read(CLOCK_MONOTONIC);
+#endif
 }
 
 void SteadyClock::WaitUntil(std::int64_t time) noexcept

@@ -13,6 +13,8 @@ public:
   explicit SteadyClock(std::int64_t spin = 0) noexcept : Spin(spin) {}
 
   std::int64_t Now() const noexcept override;
+  /// CLOCK_BOOTTIME, where the system has it.
+  std::int64_t BootTime() const noexcept override;
   void WaitUntil(std::int64_t time) noexcept override;
 
 private:

@@ -23,6 +23,7 @@ constexpr int StartTimeoutMilliseconds = 20000;
 [[noreturn]] void BecomeServer(const char* displayDescriptor)
 {
   prctl(PR_SET_PDEATHSIG, SIGTERM);
+  setsid(); // a terminal's Ctrl-C is not for the server, which ends with this process
   const int nothing = open("/dev/null", O_RDWR);
   dup2(nothing, STDIN_FILENO);
   dup2(nothing, STDOUT_FILENO);

@@ -3,6 +3,7 @@
 #include "DeviceHoming.h"
 #include "DeviceList.h"
 #include "DrillKeeper.h"
+#include "EndBeforeExit.h"
 #include "InputError.h"
 #include "ManualClock.h"
 #include "OpenBuiltInDevice.h"
@@ -112,7 +113,11 @@ public:
                                         {this->Settings, this->Device->Capabilities()}));
     }
   }
-  ~LiveTouch() { this->Device->Close(); }
+  ~LiveTouch()
+  {
+    this->Thread.reset();
+    this->Device->Close();
+  }
   LiveTouch(const LiveTouch&) = delete;
   LiveTouch& operator=(const LiveTouch&) = delete;
 
@@ -153,7 +158,8 @@ public:
   TouchResult RunReal(Clock& clock, const ProgressFunction& progress)
   {
     this->Home(progress);
-    ServoThread thread(*this->Device, clock, this->Settings);
+    this->Thread = std::make_unique<ServoThread>(*this->Device, clock, this->Settings);
+    ServoThread& thread = *this->Thread;
     RequireInput(thread.Loop().Publish(this->Touch.Scene));
     SceneKeeper keeper(PartsOf(this->Touch), this->Touch.Scene->Probe);
     this->LookAhead(keeper);
@@ -185,6 +191,29 @@ public:
   }
 
 private:
+  // Where the process ends within RunReal: no force, and a recording that is whole.
+  void EndNow() noexcept
+  {
+    if (this->Thread == nullptr || !this->Thread->IsRunning())
+    {
+      return; // nothing pushes
+    }
+    this->Thread->Stop();
+    this->Device->Close();
+    try
+    {
+      this->Fetch(this->Thread->Loop());
+      if (this->IsRecording)
+      {
+        Succeed(this->Recorder.Finish());
+      }
+    }
+    catch (const std::exception&)
+    {
+      // What was recorded so far stays under its temporary name.
+    }
+  }
+
   std::int64_t Period() const
   {
     return static_cast<std::int64_t>(std::llround(1.0 / (Nano * this->Settings.Rate)));
@@ -365,6 +394,8 @@ private:
   bool IsRecording;
   int SaidLevel = 0;
   TouchRecorder Recorder;
+  std::unique_ptr<ServoThread> Thread; // in real time
+  EndBeforeExit End{[this] { this->EndNow(); }};
 };
 } // namespace
 

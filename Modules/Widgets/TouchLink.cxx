@@ -108,21 +108,43 @@ void TouchLink::ShowReading()
 
 bool TouchLink::eventFilter(QObject* object, QEvent* event)
 {
-  const bool isPress = event->type() == QEvent::KeyPress;
-  if (!isPress && event->type() != QEvent::KeyRelease)
+  switch (event->type())
   {
-    return false;
+  case QEvent::KeyPress:
+    this->PressKey(static_cast<const QKeyEvent&>(*event), object);
+    break;
+  case QEvent::KeyRelease:
+    this->ReleaseKey(static_cast<const QKeyEvent&>(*event));
+    break;
+  case QEvent::WindowDeactivate:
+    // Where the key is let go now, nobody here is told.
+    this->Study.Current().Touch().RunDrill(false);
+    break;
+  default:
+    break;
   }
-  const auto* key = static_cast<QKeyEvent*>(event);
-  if (isPress && key->key() == Qt::Key_Escape)
+  return false;
+}
+
+void TouchLink::PressKey(const QKeyEvent& key, const QObject* receiver)
+{
+  if (key.key() == Qt::Key_Escape)
   {
     this->Study.SwitchForcesOff();
   }
-  if (key->key() == Qt::Key_D && key->modifiers() == Qt::NoModifier && !key->isAutoRepeat() &&
-      qobject_cast<QLineEdit*>(object) == nullptr)
+  if (key.key() == Qt::Key_D && key.modifiers() == Qt::NoModifier && !key.isAutoRepeat() &&
+      qobject_cast<const QLineEdit*>(receiver) == nullptr)
   {
-    this->Study.Current().Touch().RunDrill(isPress);
+    this->Study.Current().Touch().RunDrill(true);
   }
-  return false;
+}
+
+// Whatever else is pressed by then, and wherever the cursor is.
+void TouchLink::ReleaseKey(const QKeyEvent& key)
+{
+  if (key.key() == Qt::Key_D && !key.isAutoRepeat())
+  {
+    this->Study.Current().Touch().RunDrill(false);
+  }
 }
 } // namespace palpate

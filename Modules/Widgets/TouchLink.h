@@ -6,11 +6,14 @@
 
 #include <QObject>
 
+class QKeyEvent;
+
 namespace palpate
 {
 /// Joins a study's touch with the views: they show what is felt, the mouse over the view in space
 /// is the hand of a simulated device, the device's axes follow the camera, slices follow the probe,
-/// Escape stops all force wherever the user is, and the key D is the drill's pedal.
+/// Escape stops all force wherever the user is, and the key D is the drill's pedal, which comes up
+/// too where another window becomes the active one.
 class TouchLink : public QObject
 {
   Q_OBJECT
@@ -27,6 +30,8 @@ protected:
   bool eventFilter(QObject* object, QEvent* event) override;
 
 private:
+  void PressKey(const QKeyEvent& key, const QObject* receiver);
+  void ReleaseKey(const QKeyEvent& key);
   void Begin();
   void ShowReading();
   void ShowProbe();

@@ -1,6 +1,6 @@
 #include "CohortTable.h"
-#include "CommandRun.h"
 #include "CsvText.h"
+#include "StartedCommand.h"
 #include "SyntheticFiles.h"
 #include "TemporaryFolder.h"
 
@@ -46,20 +46,12 @@ protected:
     return RunPalpate(arguments, this->Folder.Path());
   }
   /// Sends the signal as soon as there is a table.
-  void FitUntilFirstRow(const std::string& signal) const
+  CommandRun FitUntilFirstRow(int signal) const
   {
-    std::string command = PALPATE_PROGRAM;
-    for (const std::string& word : FitMasks)
-    {
-      command += " " + word;
-    }
-    const CommandRun run = RunCommand(
-        "sh",
-        {"-c", command +
-                   " & p=$!; while kill -0 $p && ! [ -e out/cohort.csv ]; do :; done; kill -" +
-                   signal + " $p; wait $p; exit 0"},
-        this->Folder.Path());
-    ASSERT_EQ(run.Code, 0);
+    StartedCommand command(PALPATE_PROGRAM, FitMasks, this->Folder.Path());
+    EXPECT_TRUE(IsSoon([&] { return std::filesystem::exists(this->Folder / "out/cohort.csv"); }));
+    command.Send(signal);
+    return command.Finish();
   }
   std::filesystem::file_time_type ModelTime(const std::string& name) const
   {
@@ -119,7 +111,7 @@ TEST_F(CliCohort, OtherSettingsDoEveryCaseAgain)
 
 TEST_F(CliCohort, KilledRunKeepsItsRowsAndTheNextOneDoesTheRest)
 {
-  this->FitUntilFirstRow("KILL");
+  this->FitUntilFirstRow(SIGKILL);
   const auto rows = RowsIn(this->Folder / "out");
   ASSERT_GE(rows.size(), 1U);
   const auto before = this->ModelTime("a");
@@ -131,7 +123,7 @@ TEST_F(CliCohort, KilledRunKeepsItsRowsAndTheNextOneDoesTheRest)
 
 TEST_F(CliCohort, InterruptedRunLeavesWholeRowsAndNothingHalfWritten)
 {
-  this->FitUntilFirstRow("INT");
+  EXPECT_EQ(this->FitUntilFirstRow(SIGINT).Code, 130);
   const auto rows = RowsIn(this->Folder / "out");
   ASSERT_GE(rows.size(), 1U);
   for (const auto& entry : std::filesystem::recursive_directory_iterator(this->Folder / "out"))

@@ -1,6 +1,6 @@
 #include "BootStream.h"
-#include "CommandRun.h"
 #include "FalconTestBed.h"
+#include "StartedCommand.h"
 #include "SyntheticFiles.h"
 #include "TemporaryFolder.h"
 #include "TouchRecording.h"
@@ -300,6 +300,40 @@ TEST_F(CliFalconEnds, KilledItLeavesNoTorqueOnTheMotors)
   RecordProperty("front", "virtual bus");
   RecordProperty("fault", "SIGKILL");
   RecordProperty("milliseconds", std::to_string(passed.count()));
+}
+
+// Sends what ends a touch while the motors push, once the program has written that it touches.
+TEST_F(CliFalcon, WhateverEndsATouchTheLastPacketHasNoTorque)
+{
+  this->Bed.Plug(this->Bus, 2);
+  WriteTwoBalls(this->Folder / "a.nii.gz");
+  const std::vector<std::string> words{"touch",       "a.nii.gz",
+                                       "--label",     "1",
+                                       "--device",    "falcon:device=VF000001",
+                                       "--firmware",  "firmware.bin",
+                                       "--seconds",   "600",
+                                       "--output",    "felt",
+                                       "--stiffness", "2"};
+  const auto motors = [this]
+  { return this->Bus.WithFalcon([](VirtualFalcon& falcon) { return falcon.Board().Motors(); }); };
+  constexpr std::array<std::int16_t, 3> Zero{};
+  for (const std::vector<int>& signals :
+       {std::vector<int>{SIGTERM}, {SIGHUP}, {SIGINT}, {SIGINT, SIGINT}})
+  {
+    StartedCommand command(PALPATE_PROGRAM, words, this->Folder.Path());
+    ASSERT_TRUE(IsSoon([&] { return motors() != Zero || command.HasEnded(); }));
+    for (const int signal : signals)
+    {
+      command.Send(signal);
+      ASSERT_TRUE(IsSoon([&] { return command.HasTakenSignals() || command.HasEnded(); }));
+    }
+    const CommandRun run = command.Finish();
+    EXPECT_EQ(run.Code, 128 + signals[0]) << run.Errors;
+    EXPECT_EQ(motors(), Zero) << signals[0];
+    EXPECT_TRUE(std::filesystem::exists(this->Folder / "felt/session.touch"));
+    EXPECT_TRUE(std::filesystem::exists(this->Folder / "felt/report.html"));
+    std::filesystem::remove_all(this->Folder / "felt");
+  }
 }
 
 TEST_F(CliFalcon, UnpluggedWhileItIsHomedItSaysSo)

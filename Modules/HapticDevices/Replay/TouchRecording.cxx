@@ -63,7 +63,7 @@ Status ReadTouchRecording(const std::string& path, TouchRecording& recording)
   TouchRecording read;
   if (magic != Magic || !ReadWords(file, session) || !Decode(session, read.Session))
   {
-    return Status::Failure(path + " is no recorded touch session of version 2.");
+    return Status::Failure(path + " is no recorded touch session of version 3.");
   }
   Status status = ReadTicks(path, file, read.Ticks);
   if (status.IsOk())

@@ -110,6 +110,7 @@ void VisitTick(Words& words, State& s, Flags& flags)
   words.Field(s.Tick.Number);
   words.Field(s.Tick.Scheduled);
   words.Field(s.Tick.Started);
+  words.Field(s.Tick.BootTime);
   words.Field(s.Tick.SkippedPeriods);
   words.Field(flags);
   words.Small(s.State);
@@ -188,6 +189,6 @@ bool TouchRecordingFormat::Decode(const TickRecord& record, TouchState& state) n
   SetFlags(flags, state);
   return words.AllFitted() && flags == FlagsOf(state) && state.State <= DeviceState::Error &&
          state.State >= DeviceState::Closed && state.Command <= DrillCommand::Reset &&
-         state.Safety.Fault >= SafetyFault::None && state.Safety.Fault <= SafetyFault::SwitchedOff;
+         state.Safety.Fault >= SafetyFault::None && state.Safety.Fault <= SafetyFault::Suspended;
 }
 } // namespace palpate

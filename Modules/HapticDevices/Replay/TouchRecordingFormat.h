@@ -16,7 +16,7 @@ namespace TouchRecordingFormat
 inline constexpr char Magic[] = "palpate-touch-recording 3\n";
 inline constexpr std::size_t MagicSize = sizeof(Magic) - 1;
 inline constexpr std::size_t SessionWords = 13;
-inline constexpr std::size_t TickWords = 36;
+inline constexpr std::size_t TickWords = 37;
 
 using SessionRecord = std::array<std::uint64_t, SessionWords>;
 using TickRecord = std::array<std::uint64_t, TickWords>;

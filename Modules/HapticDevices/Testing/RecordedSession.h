@@ -37,6 +37,10 @@ inline void RecordSession(const std::string& path, int ticks,
     {
       touch.Time.Advance(3'300'000);
     }
+    if (n == ticks / 3)
+    {
+      touch.Time.Suspend(7'000'000); // too short to be a fault
+    }
     if (n == ticks / 2)
     {
       touch.Device.Inject(SimulatedFault::NonFinitePosition);

@@ -31,7 +31,9 @@ public:
   const TouchState& TickAtLevel(int level)
   {
     this->Time.WaitUntil(this->Schedule.Deadline());
-    this->Loop.Tick(this->Schedule.Begin(this->Time.Now()), level);
+    TickInfo tick = this->Schedule.Begin(this->Time.Now());
+    tick.BootTime = this->Time.BootTime();
+    this->Loop.Tick(tick, level);
     return this->Loop.Latest();
   }
   const TouchState& Tick(int count)

@@ -69,6 +69,8 @@ std::vector<FaultCase> AllFaults()
            [](Rig& rig) { EXPECT_TRUE(rig.Touch.Device.Open().IsOk()); }},
           {"StalledTick", SafetyFault::StalledTick,
            [](Rig& rig) { rig.Touch.Time.Advance(15'000'000); }, [](Rig&) {}},
+          {"Suspended", SafetyFault::Suspended,
+           [](Rig& rig) { rig.Touch.Time.Suspend(3'600'000'000'000); }, [](Rig&) {}},
           {"SwitchedOff", SafetyFault::SwitchedOff, [](Rig& rig) { rig.Touch.Loop.SwitchOff(); },
            [](Rig&) {}},
           OfScene("InvalidContact", test::WallFault::Invalid),
@@ -127,7 +129,7 @@ std::vector<FaultCase> LastingFaults()
   for (const FaultCase& c : AllFaults())
   {
     if (c.Expected != SafetyFault::StalledTick && c.Expected != SafetyFault::ImplausibleMotion &&
-        c.Expected != SafetyFault::SwitchedOff)
+        c.Expected != SafetyFault::Suspended && c.Expected != SafetyFault::SwitchedOff)
     {
       lasting.push_back(c);
     }

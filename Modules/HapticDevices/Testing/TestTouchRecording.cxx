@@ -44,12 +44,12 @@ TEST(TouchRecordingFormat, AnyTickComesBackToTheSameBits)
     {
       word = random();
     }
-    words[4] &= 0x7ff;       // eleven flags
-    words[5] %= 5;           // states
-    words[6] %= 8;           // faults
-    words[15] &= 0xffffffff; // buttons
-    words[30] %= 1'000'000;  // structure
-    words[33] %= 5;          // commands
+    words[5] &= 0x7ff;       // eleven flags
+    words[6] %= 5;           // states
+    words[7] %= 10;          // faults
+    words[16] &= 0xffffffff; // buttons
+    words[31] %= 1'000'000;  // structure
+    words[34] %= 5;          // commands
     TouchState state;
     ASSERT_TRUE(TouchRecordingFormat::Decode(words, state));
     ASSERT_EQ(TouchRecordingFormat::Encode(state), words);
@@ -72,8 +72,8 @@ TEST(TouchRecordingFormat, WhatIsNoTickIsRefused)
   TouchState state;
   ASSERT_TRUE(TouchRecordingFormat::Decode(good, state));
   const std::pair<std::size_t, std::uint64_t> bad[] = {
-      {4, 0x800}, {5, 5}, {6, 9}, {15, std::uint64_t{1} << 32}, {30, std::uint64_t{1} << 40},
-      {33, 5}};
+      {5, 0x800}, {6, 5}, {7, 10}, {16, std::uint64_t{1} << 32}, {31, std::uint64_t{1} << 40},
+      {34, 5}};
   for (const auto& [word, value] : bad)
   {
     TouchRecordingFormat::TickRecord words = good;
@@ -116,9 +116,12 @@ TEST_F(TouchRecordingFile, ThatIsCutOffAnywhereKeepsItsWholeTicks)
 
 TEST_F(TouchRecordingFile, OfAnotherFormatOrVersionIsRefused)
 {
-  this->Bytes[24] = '1';
-  EXPECT_EQ(this->ReadBytes().Message(),
-            this->Path + " is no recorded touch session of version 2.");
+  for (const char version : {'1', '2', '4'})
+  {
+    this->Bytes[24] = version;
+    EXPECT_EQ(this->ReadBytes().Message(),
+              this->Path + " is no recorded touch session of version 3.");
+  }
   this->Bytes = "";
   EXPECT_FALSE(this->ReadBytes().IsOk());
   EXPECT_EQ(ReadTouchRecording(this->Path + "x", this->Recording).Message(),

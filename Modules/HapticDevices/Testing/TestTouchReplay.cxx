@@ -91,6 +91,68 @@ TEST(TouchReplay, ForcesThatWereSwitchedOffAndOnAreSoAgain)
   EXPECT_EQ(comparison.DifferentTicks, 0u);
 }
 
+TEST(TouchReplay, SuspensionIsAFaultAgain)
+{
+  SimulatedSettings device;
+  device.Path = test::PressingPath(3.0, 2.0);
+  test::SimulatedTouch touch(*test::RecordedScenes()[0], device);
+  auto recording = std::make_shared<TouchRecording>();
+  recording->Session = test::SessionOf(touch.Device, ServoSettings());
+  for (int n = 0; n < 900; ++n)
+  {
+    if (n == 400)
+    {
+      touch.Time.Suspend(3'600'000'000'000);
+    }
+    if (n == 500)
+    {
+      touch.Loop.Rearm();
+    }
+    recording->Ticks.push_back(touch.Tick());
+    ASSERT_EQ(recording->Ticks.back().Safety.Fault,
+              n >= 400 && n < 500 ? SafetyFault::Suspended : SafetyFault::None);
+  }
+  ReplayComparison comparison;
+  ASSERT_TRUE(ReplayTouch(recording, test::RecordedScenes(), comparison).IsOk());
+  EXPECT_EQ(comparison.DifferentTicks, 0u);
+}
+
+TEST(TouchReplay, WhatTheDevicesButtonDrilledIsDrilledAgain)
+{
+  test::ScriptedDevice device;
+  ServoSettings settings;
+  settings.PedalButtons = 1;
+  Servo servo(device, settings);
+  const auto scene = test::RecordedScenes()[0];
+  ASSERT_TRUE(servo.Publish(scene).IsOk());
+  auto recording = std::make_shared<TouchRecording>();
+  recording->Session = test::SessionOf(device, settings);
+  int drilling = 0;
+  LoopSchedule schedule(0, 1'000'000);
+  for (int n = 0; n < 900; ++n)
+  {
+    const TickInfo tick = schedule.Begin(schedule.Deadline());
+    device.Next.Time = tick.Started;
+    device.Next.Buttons = n / 100 % 2 == 0 ? 1 : 0;
+    if (n == 250)
+    {
+      servo.SwitchOff();
+    }
+    if (n == 350)
+    {
+      servo.Rearm();
+    }
+    servo.Tick(tick);
+    recording->Ticks.push_back(servo.Latest());
+    drilling += servo.Latest().IsDrilling ? 1 : 0;
+  }
+  // Not at first, when it is held from the start, and up to the fault in the third hundred.
+  EXPECT_EQ(drilling, 51 + 300);
+  ReplayComparison comparison;
+  ASSERT_TRUE(ReplayTouch(recording, {scene}, comparison).IsOk());
+  EXPECT_EQ(comparison.DifferentTicks, 0u);
+}
+
 TEST(TouchReplay, ScenesThatWereContinuedAndStandInsThatWereFeltAreSoAgain)
 {
   std::vector<std::shared_ptr<const TouchScene>> scenes;

@@ -63,8 +63,13 @@ void SafetyChain::Fail(SafetyFault fault) noexcept
 void SafetyChain::Rearm() noexcept
 {
   this->LastReport = {};
-  this->Dog.Reset();
   this->Guard.Reset();
+  this->Resume();
+}
+
+void SafetyChain::Resume() noexcept
+{
+  this->Dog.Reset();
   this->Zero();
 }
 

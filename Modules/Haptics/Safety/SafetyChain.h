@@ -48,6 +48,8 @@ public:
   void Fail(SafetyFault fault) noexcept;
   /// Forgets a fault and begins anew, fading in.
   void Rearm() noexcept;
+  /// After a pause between two ticks: forgets motion and fades in. A fault stays.
+  void Resume() noexcept;
   /// Fades in anew, since the scene is another one.
   void FadeIn() noexcept;
 

@@ -29,6 +29,8 @@ const char* Describe(SafetyFault fault) noexcept
            "again.";
   case SafetyFault::SwitchedOff:
     return "Forces were switched off: switch them on again when nothing is in the way.";
+  case SafetyFault::Suspended:
+    return "The machine was suspended: hold the handle, then switch forces on again.";
   }
   return "An unknown fault.";
 }

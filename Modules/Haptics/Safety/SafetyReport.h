@@ -13,7 +13,8 @@ enum class SafetyFault
   NonFinitePosition,
   NonFiniteForce,
   InvalidContact,
-  SwitchedOff ///< by a person
+  SwitchedOff, ///< by a person
+  Suspended    ///< the machine slept between two ticks
 };
 
 /// What a safety chain did in the last tick.

@@ -26,10 +26,17 @@ void Watchdog::Reset() noexcept
 }
 
 // Too late, or of a clock that stood still or went back: nobody knows how long the force was held.
-bool Watchdog::IsStalled(const TickObservation& now) const noexcept
+SafetyFault Watchdog::CheckTime(const TickInfo& now) const noexcept
 {
-  const std::int64_t passed = now.Tick.Started - this->Last.Tick.Started;
-  return passed <= 0 || passed > this->Limits.LongestGap;
+  const std::int64_t passed = now.Started - this->Last.Tick.Started;
+  const std::int64_t passedSinceBoot = now.BootTime - this->Last.Tick.BootTime;
+  const std::int64_t longest = this->Limits.LongestGap;
+  if (passedSinceBoot > longest && passed < passedSinceBoot - longest)
+  {
+    return SafetyFault::Suspended;
+  }
+  const bool isStalled = passed <= 0 || std::max(passed, passedSinceBoot) > longest;
+  return isStalled ? SafetyFault::StalledTick : SafetyFault::None;
 }
 
 bool Watchdog::IsTooFast(const TickObservation& now) const noexcept
@@ -77,10 +84,12 @@ SafetyFault Watchdog::Check(const TickObservation& now) noexcept
   {
     return fault;
   }
+  const SafetyFault late = this->HasLast ? this->CheckTime(now.Tick) : SafetyFault::None;
   fault = this->CheckSample(now);
-  if (fault == SafetyFault::None && this->HasLast && this->IsStalled(now))
+  // Samples are old after a suspension too, but that is not their device's failure.
+  if (fault == SafetyFault::None || late == SafetyFault::Suspended)
   {
-    fault = SafetyFault::StalledTick;
+    fault = late;
   }
   this->Last = now;
   this->HasLast = true;

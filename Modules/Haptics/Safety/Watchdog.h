@@ -9,7 +9,8 @@ namespace palpate
 {
 struct WatchdogLimits
 {
-  std::int64_t LongestGap = 10'000'000;   ///< ns from one tick to the next, which is more than 0
+  /// ns from one tick to the next, which is more than 0; also the most that is suspended between.
+  std::int64_t LongestGap = 10'000'000;
   std::int64_t OldestSample = 10'000'000; ///< ns from its measurement to the tick, or after it
   int StaleTicks = 2;                     ///< as many ticks in a row without a new sample
   double FastestMotion = 5000.0;          ///< mm/s; hands on a device stay below 2000
@@ -38,7 +39,7 @@ public:
 private:
   SafetyFault CheckDevice(const TickObservation& now) noexcept;
   SafetyFault CheckSample(const TickObservation& now) noexcept;
-  bool IsStalled(const TickObservation& now) const noexcept;
+  SafetyFault CheckTime(const TickInfo& now) const noexcept;
   bool IsTooFast(const TickObservation& now) const noexcept;
 
   WatchdogLimits Limits;

@@ -61,9 +61,9 @@ int Servo::MostLevel() noexcept
 
 void Servo::Tick(const TickInfo& tick, int level) noexcept
 {
-  const Change change = this->TakeOver();
-  this->Level = std::clamp(level, 0, this->MostLevel());
   const TickObservation now = this->Observe(tick);
+  const Change change = this->TakeOver(now);
+  this->Level = std::clamp(level, 0, this->MostLevel());
   this->TickTime = 1e-9 * static_cast<double>(tick.Started);
   if (now.State == DeviceState::Ready && now.HasSample)
   {
@@ -82,7 +82,14 @@ void Servo::Tick(const TickInfo& tick, int level) noexcept
   this->Recorded.Push(state);
 }
 
-Servo::Change Servo::TakeOver() noexcept
+void Servo::Resume() noexcept
+{
+  this->Safety.Resume();
+  this->ForgetMotion();
+  this->ReleasePedal();
+}
+
+Servo::Change Servo::TakeOver(const TickObservation& now) noexcept
 {
   Change change;
   change.IsRearmed = this->RearmWanted.exchange(false, std::memory_order_acq_rel);
@@ -98,9 +105,27 @@ Servo::Change Servo::TakeOver() noexcept
   }
   change.IsContinued = this->TakeOverScene();
   const bool wasDrilling = this->IsDrilling;
-  this->IsDrilling = this->Pedal.load(std::memory_order_acquire);
+  this->IsDrilling = this->IsPedalDown(now);
   change.Command = this->TakeCommand(wasDrilling && !this->IsDrilling);
   return change;
+}
+
+// Before a device is ready its buttons mean nothing.
+bool Servo::IsPedalDown(const TickObservation& now) noexcept
+{
+  const bool isKnown = now.State == DeviceState::Ready && now.HasSample;
+  const bool isDown = !isKnown || (now.Sample.Buttons & this->Settings.PedalButtons) != 0;
+  this->IsButtonPedal = isKnown && isDown && (this->IsButtonPedal || !this->WasButtonDown);
+  this->WasButtonDown = isDown;
+  return this->IsButtonPedal || this->Pedal.load(std::memory_order_acquire);
+}
+
+// Both pedals have to be pressed again.
+void Servo::ReleasePedal() noexcept
+{
+  this->IsButtonPedal = false;
+  this->WasButtonDown = true;
+  this->Pedal.store(false, std::memory_order_release);
 }
 
 // A stroke ends with the pedal; what else is wanted waits for the next tick then.
@@ -127,18 +152,16 @@ DrillCommand Servo::TakeCommand(bool endsStroke) noexcept
 // After a fault there are none, until the pedal is pressed again.
 void Servo::OrderCuts() noexcept
 {
+  const bool isAllowed = this->Safety.Report().Fault == SafetyFault::None;
+  if (!isAllowed)
+  {
+    this->ReleasePedal();
+  }
   ServoScene* const scene = this->Scenes.Current();
-  if (scene == nullptr)
+  if (scene != nullptr)
   {
-    return;
+    isAllowed ? scene->OrderCuts(this->OrderCount) : scene->LiftDrill();
   }
-  if (this->Safety.Report().Fault == SafetyFault::None)
-  {
-    scene->OrderCuts(this->OrderCount);
-    return;
-  }
-  scene->LiftDrill();
-  this->Pedal.store(false, std::memory_order_release);
 }
 
 // Whether it continues the one before. One that has not begun to do so is not continued yet.

@@ -21,6 +21,8 @@ struct ServoSettings
   double VelocityTimeConstant = 0.003; ///< s
   double RampDuration = 0.3;           ///< s
   double MaximumSlew = 2000.0;         ///< N/s
+  /// Buttons of the device that are the drill's pedal, a bit each as in DeviceSample; 0: none.
+  std::uint32_t PedalButtons = 0;
   /// Ticks kept for a recording until somebody fetches them; 0 keeps one.
   std::size_t RecordedTicks = 4096;
 };
@@ -31,7 +33,8 @@ struct ServoSettings
 /// a recorded session gives the same forces to the last bit.
 ///
 /// Publish, Reclaim, Command: one publishing thread. Tick: the servo thread. Latest: one reading
-/// thread. PopRecorded: one recording thread. Rearm, SwitchOff, RunDrill: any.
+/// thread. PopRecorded: one recording thread. Rearm, SwitchOff, RunDrill: any. Resume: while no
+/// thread ticks.
 class Servo
 {
 public:
@@ -57,12 +60,16 @@ public:
   void SwitchOff() noexcept { this->OffWanted.store(true, std::memory_order_release); }
 
   /// The drill's pedal: while it is down what is touched and has wear gives way. A fault takes it
-  /// up.
+  /// up. The device's PedalButtons are a second one, read in the tick itself; one that is down at
+  /// the first tick or during a fault counts only once it was released.
   void RunDrill(bool runs) noexcept { this->Pedal.store(runs, std::memory_order_release); }
   /// For who edits what is drilled (TouchDrill::Link); each of the next ticks takes one. False
   /// where so many wait that this one is lost.
   bool Command(DrillCommand command) noexcept { return this->Commands.Push(command); }
 
+  /// Before ticks go on after a pause of any length: motion is forgotten, the pedal is up, and
+  /// forces fade in from 0 N. A fault stays.
+  void Resume() noexcept;
   /// `level` of stand-ins is felt, or the coarsest that there is. It is an input like the tick's
   /// time, and is recorded with it.
   void Tick(const TickInfo& tick, int level = 0) noexcept;
@@ -92,9 +99,11 @@ private:
     DrillCommand Command = DrillCommand::None;
   };
 
-  Change TakeOver() noexcept;
+  Change TakeOver(const TickObservation& now) noexcept;
   bool TakeOverScene() noexcept;
   DrillCommand TakeCommand(bool endsStroke) noexcept;
+  bool IsPedalDown(const TickObservation& now) noexcept;
+  void ReleasePedal() noexcept;
   void OrderCuts() noexcept;
   TickObservation Observe(const TickInfo& tick) noexcept;
   void Feel(const TickObservation& now) noexcept;
@@ -129,6 +138,8 @@ private:
   std::atomic<bool> Pedal{false};       // any thread's
   int Level = 0;                        // of this tick
   bool IsDrilling = false;              // in this tick
+  bool IsButtonPedal = false;           // a pedal button was pressed and runs the drill
+  bool WasButtonDown = true;            // in the last tick
   double TickTime = 0.0;                // s, of this tick
   std::uint64_t OrderCount = 0;         // that were given so far
   bool HasFelt = false;

@@ -30,6 +30,7 @@ Status ServoThread::Start(const RealtimeRequest& request)
   this->Counted = {};
   this->Budget = TickBudget(period);
   this->Published.Publish(this->Counted);
+  this->Touch.Resume();
   return this->Thread.Start(
       request,
       [this] { this->Rate->Run([this](const TickInfo& tick) { return this->Tick(tick); }); });

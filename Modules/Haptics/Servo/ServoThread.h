@@ -28,6 +28,7 @@ public:
   ServoThread(const ServoThread&) = delete;
   ServoThread& operator=(const ServoThread&) = delete;
 
+  /// Also after a Stop, however long ago: forces fade in, and a fault from before stays.
   Status Start(const RealtimeRequest& request);
   /// Returns after the last tick, with 0 N applied. Nothing where it does not run.
   void Stop();

@@ -186,6 +186,85 @@ TEST(ServoDrill, AFaultEndsForceAndCutsAtOnceAndTakesUpThePedal)
   EXPECT_EQ(run.Loop.Latest().DrillOrders, orders + 1); // the stroke's end
 }
 
+constexpr std::uint32_t Button = 2; // the device's second
+
+ServoSettings WithButton()
+{
+  ServoSettings settings;
+  settings.PedalButtons = Button;
+  return settings;
+}
+
+TEST(ServoDrill, TheDevicesButtonDrillsInTheTickThatReadsIt)
+{
+  DrilledBlock block;
+  test::ServoRun run(block.Scene(), WithButton());
+  Press(run);
+  for (const std::uint32_t buttons : {Button, 5U, Button | 1U, 0U})
+  {
+    run.Device.Next.Buttons = buttons;
+    run.TickAt(Pressed);
+    EXPECT_EQ(run.Loop.Latest().IsDrilling, (buttons & Button) != 0) << buttons;
+  }
+  EXPECT_EQ(run.Loop.Latest().Command, DrillCommand::EndStroke);
+}
+
+TEST(ServoDrill, ButtonAndPedalEachSuffice)
+{
+  DrilledBlock block;
+  test::ServoRun run(block.Scene(), WithButton());
+  Press(run);
+  run.Device.Next.Buttons = Button;
+  run.Loop.RunDrill(true);
+  run.TickAt(Pressed);
+  run.Device.Next.Buttons = 0;
+  run.TickAt(Pressed);
+  EXPECT_TRUE(run.Loop.Latest().IsDrilling);
+  run.Device.Next.Buttons = Button;
+  run.Loop.RunDrill(false);
+  run.TickAt(Pressed);
+  EXPECT_TRUE(run.Loop.Latest().IsDrilling);
+  run.Device.Next.Buttons = 0;
+  run.TickAt(Pressed);
+  EXPECT_FALSE(run.Loop.Latest().IsDrilling);
+}
+
+TEST(ServoDrill, AButtonThatIsHeldAtTheStartOrThroughAFaultHasToBeReleasedFirst)
+{
+  DrilledBlock block;
+  test::ServoRun run(block.Scene(), WithButton());
+  run.Device.Next.Buttons = Button;
+  Press(run);
+  EXPECT_FALSE(run.Loop.Latest().IsDrilling);
+  const auto pressAgain = [&run]
+  {
+    run.Device.Next.Buttons = 0;
+    run.TickAt(Pressed);
+    run.Device.Next.Buttons = Button;
+    run.TickAt(Pressed);
+  };
+  pressAgain();
+  EXPECT_TRUE(run.Loop.Latest().IsDrilling);
+  run.Loop.SwitchOff();
+  run.RestAt(Pressed);
+  EXPECT_FALSE(run.Loop.Latest().IsDrilling);
+  run.Loop.Rearm();
+  run.RestAt(Pressed);
+  EXPECT_FALSE(run.Loop.Latest().IsDrilling);
+  pressAgain();
+  EXPECT_TRUE(run.Loop.Latest().IsDrilling);
+}
+
+TEST(ServoDrill, WithoutPedalButtonsNoButtonDrills)
+{
+  DrilledBlock block;
+  test::ServoRun run(block.Scene());
+  Press(run);
+  run.Device.Next.Buttons = ~0U;
+  run.TickAt(Pressed);
+  EXPECT_FALSE(run.Loop.Latest().IsDrilling);
+}
+
 TEST(ServoDrill, ForcesStayWithinTheDevicesLimitWhateverTheLaw)
 {
   DrilledBlock block;

@@ -7,7 +7,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <thread>
+#include <vector>
 
 namespace palpate
 {
@@ -96,21 +98,65 @@ TEST(ServoThread, CountsPeriodsThatWereSkippedAndTicksThatWereLate)
   EXPECT_EQ(counted.Durations.Misses(), ticks);
 }
 
-TEST(ServoThread, StartsAgainAfterAStop)
+// Starts it, and stops it after some hundred ticks at least. The first of them; the ring keeps
+// those of a start.
+std::vector<TouchState> FirstTicks(ServoThread& servo)
+{
+  constexpr std::uint64_t Enough = 400;
+  for (TouchState old; servo.Loop().PopRecorded(old);)
+  {
+  }
+  EXPECT_TRUE(servo.Start(Ordinary()).IsOk());
+  while (servo.Statistics().Periods.Count() < Enough)
+  {
+    std::this_thread::yield();
+  }
+  servo.Stop();
+  std::vector<TouchState> ticks(Enough);
+  for (TouchState& tick : ticks)
+  {
+    EXPECT_TRUE(servo.Loop().PopRecorded(tick));
+  }
+  return ticks;
+}
+
+TEST(ServoThread, FadesInWithoutAFaultAfterAPauseOfAnyLength)
 {
   ManualClock clock;
   TimedDevice device(clock);
   ServoThread servo(device, clock, ServoSettings());
+  const auto scene = std::make_shared<const TouchScene>(test::WallScene(0.0, {1.0, 0.0}));
+  ASSERT_TRUE(servo.Loop().Publish(scene).IsOk());
   for (int n = 0; n < 3; ++n)
   {
-    ASSERT_TRUE(servo.Start(Ordinary()).IsOk());
-    while (servo.Statistics().Periods.Count() == 0)
-    {
-      std::this_thread::yield();
-    }
-    servo.Stop();
+    const std::vector<TouchState> ticks = FirstTicks(servo);
     // Counted since Start: the first tick has no period before it.
     EXPECT_EQ(servo.Statistics().Durations.Count(), servo.Statistics().Periods.Count() + 1);
+    EXPECT_EQ(Vector3(ticks[0].ForceDevice), Vector3::Zero()) << n;
+    for (const TouchState& tick : ticks)
+    {
+      ASSERT_EQ(tick.Safety.Fault, SafetyFault::None) << n << ": " << Describe(tick.Safety.Fault);
+      // N; the ramp to 1 N takes 300 ticks
+      const double most = std::min(1.0, static_cast<double>(tick.Tick.Number) / 300.0);
+      ASSERT_NEAR(tick.ForceDevice.Z, most, 1e-9) << n << ": " << tick.Tick.Number;
+    }
+    clock.Advance(3'600'000'000'000);
+    clock.Suspend(3'600'000'000'000);
+  }
+}
+
+TEST(ServoThread, APauseMendsNoFaultAndReleasesThePedal)
+{
+  ManualClock clock;
+  TimedDevice device(clock);
+  ServoThread servo(device, clock, ServoSettings());
+  servo.Loop().SwitchOff();
+  FirstTicks(servo);
+  servo.Loop().RunDrill(true);
+  for (const TouchState& tick : FirstTicks(servo))
+  {
+    ASSERT_EQ(tick.Safety.Fault, SafetyFault::SwitchedOff);
+    ASSERT_FALSE(tick.IsDrilling);
   }
 }
 

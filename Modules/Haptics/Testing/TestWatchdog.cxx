@@ -91,6 +91,41 @@ TEST(Watchdog, AGapMayBeAsLongAsItsLimit)
   }
 }
 
+// Its samples are old too, and its device may have slept: what happened is still one thing.
+TEST(Watchdog, ASuspensionBetweenTwoTicksIsAFaultOfItsOwn)
+{
+  for (const std::int64_t passed : {test::TickPeriod, 3600 * 1000 * test::TickPeriod})
+  {
+    Watched watched;
+    watched.Next.Tick.Started += passed - test::TickPeriod;
+    watched.Next.Tick.BootTime = watched.Next.Tick.Started + 10'000'001;
+    EXPECT_EQ(watched.Dog.Check(watched.Next), SafetyFault::Suspended) << passed;
+  }
+  Watched brief;
+  brief.Next.Tick.BootTime = 10'000'000;
+  EXPECT_EQ(brief.Dog.Check(brief.Next), SafetyFault::None);
+}
+
+TEST(Watchdog, AGapThatIsTooLongOnlyWithSuspendedTimeIsAStall)
+{
+  Watched watched;
+  watched.Next.Tick.Started += 5'000'000;
+  watched.Next.Sample.Time = watched.Next.Tick.Started;
+  watched.Next.Tick.BootTime = 10'000'001;
+  EXPECT_EQ(watched.Dog.Check(watched.Next), SafetyFault::StalledTick);
+}
+
+TEST(Watchdog, NoTimeOverflows)
+{
+  for (const std::int64_t boot : {INT64_MAX, INT64_MAX / 2})
+  {
+    Watched watched;
+    watched.Next.Tick.Started = INT64_MIN / 2;
+    watched.Next.Tick.BootTime = boot;
+    EXPECT_EQ(watched.Dog.Check(watched.Next), SafetyFault::Suspended);
+  }
+}
+
 TEST(Watchdog, ATickThatIsNotAfterTheOneBeforeIsAFault)
 {
   for (const std::int64_t back : {test::TickPeriod, 3600 * 1000 * test::TickPeriod})

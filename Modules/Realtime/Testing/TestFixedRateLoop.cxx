@@ -49,6 +49,24 @@ TEST(FixedRateLoop, MissedPeriodsAreSkippedAndTheGridIsKept)
   EXPECT_EQ(ticks[3].SkippedPeriods, 0u);
 }
 
+TEST(FixedRateLoop, TicksSayTheTimeThatCountsSuspension)
+{
+  ManualClock clock;
+  FixedRateLoop loop(clock, Period);
+  std::vector<TickInfo> ticks;
+  loop.Run(
+      [&](const TickInfo& tick)
+      {
+        ticks.push_back(tick);
+        clock.Suspend(7 * Period);
+        return ticks.size() < 2;
+      });
+  EXPECT_EQ(ticks[0].BootTime, 0);
+  EXPECT_EQ(ticks[1].Started, Period);
+  EXPECT_EQ(ticks[1].BootTime, 8 * Period);
+  EXPECT_EQ(ticks[1].SkippedPeriods, 0u);
+}
+
 TEST(FixedRateLoop, AStopBeforeTheFirstTickPreventsIt)
 {
   ManualClock clock;

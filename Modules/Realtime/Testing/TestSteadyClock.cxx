@@ -28,6 +28,31 @@ TEST(SteadyClock, DoesNotWaitForThePast)
   clock.WaitUntil(clock.Now() - 1);
 }
 
+// Of two readings of one clock with another one between them, the second is not before the first.
+TEST(SteadyClock, BootTimeGoesOnLikeNowAndIsNeverBehindIt)
+{
+  const SteadyClock clock;
+  const std::int64_t before = clock.Now();
+  const std::int64_t first = clock.BootTime();
+  EXPECT_GE(first, before);
+  const std::int64_t second = clock.BootTime();
+  EXPECT_GE(second, first);
+  SteadyClock waiting;
+  waiting.WaitUntil(waiting.Now() + 2'000'000);
+  EXPECT_GE(clock.BootTime() - second, 2'000'000);
+}
+
+TEST(ManualClock, OnlyBootTimeKnowsOfSuspension)
+{
+  ManualClock clock(5);
+  EXPECT_EQ(clock.BootTime(), 5);
+  clock.Suspend(1000);
+  EXPECT_EQ(clock.Now(), 5);
+  EXPECT_EQ(clock.BootTime(), 1005);
+  clock.Advance(2);
+  EXPECT_EQ(clock.BootTime(), 1007);
+}
+
 TEST(ManualClock, MovesOnlyAsToldAndNeverBack)
 {
   ManualClock clock(5);

@@ -40,8 +40,10 @@ Status StudyTouch::Start(std::unique_ptr<HapticDevice> opened, const StudyState&
 {
   this->Stop();
   this->Device = std::move(opened);
+  this->End = std::make_unique<EndBeforeExit>([this] { this->Stop(); });
   this->Settings = {};
   this->Settings.Rate = state.Rate;
+  this->Settings.PedalButtons = 1U << DrillButton;
   this->Felt = {};
   this->Scene.reset();
   this->Automatic.reset();
@@ -134,6 +136,7 @@ void StudyTouch::Stop()
   {
     this->Device->Close();
     this->Device.reset();
+    this->End.reset();
   }
 }
 
@@ -279,10 +282,6 @@ void StudyTouch::TakeTicks()
     if ((isPress || change.What == Kind::ButtonReleased) && change.Button == ClutchButton)
     {
       this->HoldClutch(isPress, this->Reading.NewTicks.back());
-    }
-    if ((isPress || change.What == Kind::ButtonReleased) && change.Button == DrillButton)
-    {
-      this->RunDrill(isPress);
     }
   }
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "Clock.h"
+#include "EndBeforeExit.h"
 #include "HapticDevice.h"
 #include "PalpateSessionModule.h"
 #include "PeriodStatistics.h"
@@ -96,7 +97,7 @@ public:
   Vector3 HandWorld() const { return this->Felt.Frame.ToWorld(this->Hand); }
   /// The device's button, from 0, that holds the workspace while it is pressed: a Falcon's middle.
   static constexpr int ClutchButton = 2;
-  /// The button that is the drill's pedal.
+  /// The button that is the drill's pedal; the servo itself reads it.
   static constexpr int DrillButton = 0;
 
   /// What no drill may remove from the next Start or Update on.
@@ -154,6 +155,7 @@ private:
   RealtimeRequest Request;
   ServoSettings Settings;
   std::unique_ptr<HapticDevice> Device; // before the thread that uses it
+  std::unique_ptr<EndBeforeExit> End;   // while there is a device
   std::unique_ptr<ServoThread> Thread;
   std::shared_ptr<const TouchScene> Scene;
   StudyDrill Drilled;

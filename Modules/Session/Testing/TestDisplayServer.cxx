@@ -1,6 +1,7 @@
 #include "DisplayServer.h"
 
 #include <cerrno>
+#include <csignal>
 #include <cstdlib>
 #include <gtest/gtest.h>
 #include <stdexcept>
@@ -88,6 +89,26 @@ TEST(DisplayServer, WithoutADisplayAPrivateServerIsStartedAndEnded)
   }
   EXPECT_EQ(std::getenv("DISPLAY"), nullptr);
   EXPECT_TRUE(HasNoChild());
+}
+
+// What a terminal sends is sent to a whole group.
+TEST(DisplayServer, CtrlCOfATerminalDoesNotReachAPrivateServer)
+{
+  const Variable none("DISPLAY", nullptr);
+  const pid_t child = fork();
+  if (child == 0)
+  {
+    setpgid(0, 0);
+    const DisplayServer server;
+    std::signal(SIGINT, SIG_IGN);
+    kill(0, SIGINT);
+    kill(0, SIGINT);
+    _exit(server.IsPrivate() && DisplayServer::CanReachDisplay() ? 0 : 1);
+  }
+  int status = 0;
+  ASSERT_EQ(waitpid(child, &status, 0), child);
+  EXPECT_TRUE(WIFEXITED(status));
+  EXPECT_EQ(WEXITSTATUS(status), 0);
 }
 
 TEST(DisplayServer, ADisplayThatDoesNotAnswerIsReplacedAndRestored)

@@ -323,6 +323,29 @@ TEST_F(StudyTouchTest, TheClutchHoldsTheToolAndTheHandGoesOnFromThere)
   EXPECT_LT((this->Touch.Frame().CenterWorld - held).norm(), 1e-9);
 }
 
+// However rarely somebody looks.
+TEST_F(StudyTouchTest, TheDevicesButtonDrillsInTheTickThatReadsIt)
+{
+  constexpr unsigned Button = 1U << StudyTouch::DrillButton;
+  auto owned = std::make_unique<test::PlacedDevice>(this->Time);
+  test::PlacedDevice* device = owned.get();
+  device->Put(Vector3::Zero(), 0);
+  ASSERT_TRUE(this->Touch.Start(std::move(owned), this->State, this->Contacts).IsOk());
+  for (const unsigned buttons : {0U, Button, 0U})
+  {
+    device->Put(Vector3::Zero(), buttons);
+    bool isSeen = false;
+    while (!isSeen)
+    {
+      for (const TouchState& tick : this->Touch.Poll().NewTicks)
+      {
+        ASSERT_EQ(tick.IsDrilling, tick.Sample.Buttons == Button) << tick.Tick.Number;
+        isSeen = isSeen || tick.Sample.Buttons == buttons;
+      }
+    }
+  }
+}
+
 // A recording begins the servo anew; what it was told of buttons is still known.
 TEST_F(StudyTouchTest, AClutchThatIsLetGoWhileARecordingBeginsIsLetGo)
 {

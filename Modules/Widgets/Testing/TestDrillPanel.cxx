@@ -6,6 +6,7 @@
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QKeyEvent>
+#include <QLineEdit>
 #include <QTableWidget>
 
 #include <cmath>
@@ -54,6 +55,22 @@ protected:
   {
     QKeyEvent event(type, key, Qt::NoModifier);
     QApplication::sendEvent(this->Window->Views(), &event);
+  }
+  // Until the servo has seen the key; a stall takes the pedal up.
+  void HoldPedal()
+  {
+    this->Key(QEvent::KeyPress, Qt::Key_D);
+    WaitUntil(
+        [this]
+        {
+          this->AllowForcesAfterStalls();
+          const TouchState& newest = this->Study->Reading().Newest;
+          if (!newest.IsDrilling && newest.Safety.Fault != SafetyFault::None)
+          {
+            this->Key(QEvent::KeyPress, Qt::Key_D);
+          }
+          return newest.IsDrilling;
+        });
   }
   // Presses the hand into the ball with the pedal down until so much is gone.
   void Drill(double volume)
@@ -112,6 +129,33 @@ TEST_F(DrillPanelTest, RolesAreStepsOfTheStudyAndComeBackWithASession)
   this->Study->OpenSession(file);
   EXPECT_EQ(this->Study->State(), before);
   this->Action("Undo");
+}
+
+TEST_F(DrillPanelTest, ThePedalIsReleasedWhenAnotherWindowBecomesActive)
+{
+  this->StartDrilling();
+  QApplication::setActiveWindow(this->Window.get());
+  this->HoldPedal();
+  QWidget other;
+  other.show();
+  QApplication::setActiveWindow(&other);
+  WaitUntil([this] { return !this->Study->Reading().Newest.IsDrilling; });
+}
+
+TEST_F(DrillPanelTest, LettingGoOfTheKeyReleasesThePedalWhateverElseIsPressed)
+{
+  this->StartDrilling();
+  const QKeyEvent withShift(QEvent::KeyRelease, Qt::Key_D, Qt::ShiftModifier);
+  const QKeyEvent inText(QEvent::KeyRelease, Qt::Key_D, Qt::NoModifier);
+  QLineEdit text;
+  const std::pair<QObject*, QKeyEvent> ways[] = {{this->Window->Views(), withShift},
+                                                 {&text, inText}};
+  for (auto [receiver, event] : ways)
+  {
+    this->HoldPedal();
+    QApplication::sendEvent(receiver, &event);
+    WaitUntil([this] { return !this->Study->Reading().Newest.IsDrilling; });
+  }
 }
 
 TEST_F(DrillPanelTest, WhatIsDrilledIsSeenAtOnceAndUndone)

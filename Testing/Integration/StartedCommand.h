@@ -1,0 +1,63 @@
+#pragma once
+
+#include "CommandRun.h"
+#include "TemporaryFolder.h"
+
+#include <chrono>
+#include <functional>
+#include <sys/types.h>
+#include <thread>
+
+namespace palpate::test
+{
+/// Whether something came true before a deadline, which only a test that fails reaches.
+inline bool IsSoon(const std::function<bool()>& isTrue)
+{
+  constexpr auto LongEnough = std::chrono::seconds(60);
+  const auto end = std::chrono::steady_clock::now() + LongEnough;
+  while (!isTrue())
+  {
+    if (std::chrono::steady_clock::now() > end)
+    {
+      return false;
+    }
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  }
+  return true;
+}
+
+/// A program while it runs, in a process group of its own as a shell's job: without a terminal,
+/// without a display, and with no signal ignored.
+class StartedCommand
+{
+public:
+  enum class Errors
+  {
+    Kept,
+    ReadByNobody ///< a pipe whose reader has gone
+  };
+
+  StartedCommand(const std::string& program, const std::vector<std::string>& arguments,
+                 const std::filesystem::path& folder, Errors errors = Errors::Kept);
+  /// Kills what still runs.
+  ~StartedCommand();
+  StartedCommand(const StartedCommand&) = delete;
+  StartedCommand& operator=(const StartedCommand&) = delete;
+
+  pid_t Process() const { return this->Child; }
+  /// Sends a signal to the program and all that it started and kept in its group, as a terminal
+  /// does.
+  void Send(int signal) const;
+  /// Whether no signal that was sent is still on its way to the program.
+  bool HasTakenSignals() const;
+  bool HasEnded();
+  /// Waits for its end.
+  CommandRun Finish();
+
+private:
+  TemporaryFolder Streams;
+  pid_t Child = 0;
+  bool IsOver = false;
+  int Outcome = 0; // of waitpid
+};
+} // namespace palpate::test

@@ -1,0 +1,190 @@
+#include "DrillBlock.h"
+#include "StartedCommand.h"
+#include "SyntheticFiles.h"
+
+#include <csignal>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <set>
+
+using namespace palpate::test;
+
+namespace
+{
+// Touches in real time, for much longer than a test waits, that are ended by signals.
+class CliEnds : public testing::Test
+{
+protected:
+  CliEnds() { WriteTwoBalls(this->Folder / "a.nii.gz"); }
+
+  std::vector<std::string> Touch(const std::vector<std::string>& more = {}) const
+  {
+    std::vector<std::string> words{"touch",       "a.nii.gz",  "--label",     "1",
+                                   "--real-time", "--seconds", "600",         "--json",
+                                   "--output",    "felt",      "--stiffness", "100"};
+    words.insert(words.end(), more.begin(), more.end());
+    return words;
+  }
+  // Slowly, since a picture may take seconds on a busy machine, and ticks are fetched in between.
+  std::vector<std::string> TouchWithView() const
+  {
+    return this->Touch({"--view", "--rate", "100"});
+  }
+  // Whether so many bytes of a recording were written: the servo runs.
+  bool IsRecorded(std::uintmax_t bytes) const
+  {
+    std::error_code none;
+    for (const auto& entry : std::filesystem::directory_iterator(this->Folder / "felt", none))
+    {
+      const std::uintmax_t size = entry.file_size(none);
+      if (!none && size > bytes)
+      {
+        return true;
+      }
+    }
+    return false;
+  }
+  std::set<std::string> FilesThatAreLeft() const
+  {
+    std::set<std::string> names;
+    for (const auto& entry : std::filesystem::directory_iterator(this->Folder / "felt"))
+    {
+      names.insert(entry.path().filename().string());
+    }
+    return names;
+  }
+  // All that a touch that ends by itself leaves, whole, and nothing temporary.
+  void ExpectWholeFiles() const
+  {
+    EXPECT_EQ(this->FilesThatAreLeft(),
+              (std::set<std::string>{"report.html", "scene.json", "session.touch", "summary.json",
+                                     "trace.csv"}));
+    EXPECT_GT(nlohmann::json::parse(ReadAll(this->Folder / "felt/summary.json"))["ticks"], 0);
+    const CommandRun again = RunPalpate(
+        {"touch", "felt/scene.json", "--replay", "felt/session.touch"}, this->Folder.Path());
+    EXPECT_EQ(again.Code, 0) << again.Output << again.Errors;
+    EXPECT_EQ(again.Output.rfind("0 of ", 0), 0U) << again.Output;
+  }
+  static constexpr std::uintmax_t SomeTicks = 100'000; // bytes
+
+  TemporaryFolder Folder;
+};
+
+TEST_F(CliEnds, EachSignalEndsATouchWithWholeFilesAndItsCode)
+{
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP})
+  {
+    StartedCommand command(PALPATE_PROGRAM, this->Touch(), this->Folder.Path());
+    ASSERT_TRUE(IsSoon([this] { return this->IsRecorded(SomeTicks); }));
+    command.Send(signal);
+    const CommandRun run = command.Finish();
+    EXPECT_EQ(run.Code, 128 + signal) << run.Errors;
+    this->ExpectWholeFiles();
+    std::filesystem::remove_all(this->Folder / "felt");
+  }
+}
+
+TEST_F(CliEnds, ASecondCtrlCChangesNothing)
+{
+  StartedCommand command(PALPATE_PROGRAM, this->Touch(), this->Folder.Path());
+  ASSERT_TRUE(IsSoon([this] { return this->IsRecorded(SomeTicks); }));
+  for (int n = 0; n < 2; ++n)
+  {
+    command.Send(SIGINT);
+    ASSERT_TRUE(IsSoon([&] { return command.HasTakenSignals(); }));
+  }
+  const CommandRun run = command.Finish();
+  EXPECT_EQ(run.Code, 130) << run.Errors;
+  this->ExpectWholeFiles();
+}
+
+// The advice about a stiffness of 100 N/mm is the first that nobody reads.
+TEST_F(CliEnds, ErrorsThatNobodyReadsEndATouchWithWholeFiles)
+{
+  StartedCommand command(PALPATE_PROGRAM, this->Touch(), this->Folder.Path(),
+                         StartedCommand::Errors::ReadByNobody);
+  const CommandRun run = command.Finish();
+  EXPECT_EQ(run.Code, 128 + SIGPIPE);
+  this->ExpectWholeFiles();
+}
+
+TEST_F(CliEnds, SignalsThatAreToBeIgnoredStayIgnored)
+{
+  std::vector<std::string> words{PALPATE_PROGRAM};
+  for (const std::string& word : this->Touch())
+  {
+    words.push_back(word);
+  }
+  StartedCommand command("nohup", words, this->Folder.Path());
+  ASSERT_TRUE(IsSoon([this] { return this->IsRecorded(SomeTicks); }));
+  command.Send(SIGHUP);
+  ASSERT_TRUE(IsSoon([this] { return this->IsRecorded(4 * SomeTicks); }));
+  command.Send(SIGTERM);
+  EXPECT_EQ(command.Finish().Code, 128 + SIGTERM);
+  this->ExpectWholeFiles();
+}
+
+TEST_F(CliEnds, WhatWasDrilledUntilASignalIsWritten)
+{
+  const DrillBlock block;
+  std::ofstream(this->Folder / "pedal.json") << R"({"format": "palpate-drill",
+    "actions": [{"time_s": 0.0, "do": "start"}]})";
+  StartedCommand command(PALPATE_PROGRAM,
+                         {"touch", block.Scan.string(), "--iso", "750", "--wear", "0.5",
+                          "--tool-radius", "1.6", "--drill", "pedal.json", "--real-time",
+                          "--seconds", "600", "--output", "felt", "--drilled", "left.nrrd"},
+                         this->Folder.Path());
+  ASSERT_TRUE(IsSoon([this] { return this->IsRecorded(SomeTicks); }));
+  command.Send(SIGINT);
+  const CommandRun run = command.Finish();
+  EXPECT_EQ(run.Code, 130) << run.Errors;
+  EXPECT_TRUE(std::filesystem::exists(this->Folder / "left.nrrd")) << run.Errors;
+  EXPECT_EQ(this->FilesThatAreLeft().count("drill.state"), 1U);
+  EXPECT_EQ(run.Errors.find("before anything was touched"), std::string::npos) << run.Errors;
+}
+
+// The process that `parent` started and that has this name; 0 without.
+pid_t ChildOf(pid_t parent, const std::string& name)
+{
+  for (const auto& entry : std::filesystem::directory_iterator("/proc"))
+  {
+    std::ifstream stat(entry.path() / "stat");
+    pid_t process = 0;
+    pid_t its = 0;
+    std::string program;
+    char state = 0;
+    if (stat >> process >> program >> state >> its && its == parent && program == "(" + name + ")")
+    {
+      return process;
+    }
+  }
+  return 0;
+}
+
+// As a terminal sends it: to all that the program started in its group.
+TEST_F(CliEnds, CtrlCWithViewEndsAsWithoutIt)
+{
+  StartedCommand command(PALPATE_PROGRAM, this->TouchWithView(), this->Folder.Path());
+  ASSERT_TRUE(IsSoon([this] { return this->IsRecorded(SomeTicks); }));
+  ASSERT_GT(ChildOf(command.Process(), "Xvfb"), 0);
+  command.Send(SIGINT);
+  const CommandRun run = command.Finish();
+  EXPECT_EQ(run.Code, 130) << run.Errors;
+  this->ExpectWholeFiles();
+}
+
+// Xlib calls exit() then.
+TEST_F(CliEnds, AnXServerThatEndsWithViewLeavesAWholeRecording)
+{
+  StartedCommand command(PALPATE_PROGRAM, this->TouchWithView(), this->Folder.Path());
+  ASSERT_TRUE(IsSoon([this] { return this->IsRecorded(SomeTicks); }));
+  const pid_t server = ChildOf(command.Process(), "Xvfb");
+  ASSERT_GT(server, 0);
+  kill(server, SIGKILL);
+  const CommandRun run = command.Finish();
+  EXPECT_EQ(run.Code, 1) << run.Errors;
+  EXPECT_EQ(this->FilesThatAreLeft(), std::set<std::string>{"session.touch"});
+  EXPECT_EQ(RunPalpate({"convert", "felt/session.touch", "ticks.csv"}, this->Folder.Path()).Code,
+            0);
+}
+} // namespace
