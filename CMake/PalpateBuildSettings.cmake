@@ -30,7 +30,10 @@ endif()
 # is loaded. Nobody reads errno after a root, and nobody puts functions of their own in place of a
 # library's: both would keep the compiler from inlining. Neither changes a result.
 function(palpate_compile_settings target)
-  target_link_options(${target} PRIVATE -Wl,--no-undefined)
+  # Clang links its sanitizers into programs alone, and libraries lack them until then.
+  if(NOT (PALPATE_SANITIZERS AND CMAKE_CXX_COMPILER_ID STREQUAL "Clang"))
+    target_link_options(${target} PRIVATE -Wl,--no-undefined)
+  endif()
   target_compile_options(${target} PRIVATE -fno-math-errno -fno-semantic-interposition -Wall -Wextra -Wshadow -Wnon-virtual-dtor
     -Woverloaded-virtual -Wno-unused-parameter
     $<$<BOOL:${PALPATE_WARNINGS_AS_ERRORS}>:-Werror>)

@@ -1,0 +1,15 @@
+#pragma once
+
+#include "Mutation.h"
+
+namespace palpate::test
+{
+/// Changes values by their representation, tags, representations, lengths, sequences and nesting
+/// of a DICOM file.
+void MutateDicom(std::string& bytes, Random& random);
+
+/// Changes what stands in the compressed frames of a DICOM file: segments, lengths and parameters
+/// of JPEG, JPEG-LS and JPEG 2000 streams, offsets of run-length coded ones. Lengths of the file
+/// around them stay true.
+void MutateFrames(std::string& bytes, Random& random);
+} // namespace palpate::test

@@ -1,0 +1,9 @@
+#pragma once
+
+#include "FuzzTarget.h"
+
+namespace palpate::test
+{
+/// NIfTI, NRRD, 3D Slicer's segmentations, MetaImage, and MRIcron's names and colours.
+std::vector<FuzzTarget> ImageTargets();
+} // namespace palpate::test

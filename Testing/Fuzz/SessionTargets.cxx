@@ -1,0 +1,256 @@
+#include "SessionTargets.h"
+
+#include "BinaryFields.h"
+#include "CohortManifest.h"
+#include "CohortTable.h"
+#include "DrillBenchCases.h"
+#include "DrillScript.h"
+#include "DrillState.h"
+#include "HandPath.h"
+#include "JsonMutator.h"
+#include "Refusal.h"
+#include "StudyCases.h"
+#include "StudyFile.h"
+#include "StudyJson.h"
+#include "TextMutator.h"
+#include "TouchSceneFile.h"
+#include "TradeTable.h"
+
+namespace palpate::test
+{
+namespace
+{
+constexpr const char* DrillHeadEnd = "]\n";
+
+std::vector<std::string> SceneSeeds()
+{
+  TouchSettings settings;
+  TouchStructureSettings gland;
+  gland.Name = "gland";
+  gland.File = "/a/gland.json";
+  TouchStructureSettings bone;
+  bone.File = "/a/ct.nrrd";
+  bone.Iso = -300.5;
+  bone.Drill.Wear = 0.1;
+  TouchStructureSettings mask;
+  mask.File = "/a/mask.nii.gz";
+  mask.Labels = {"1", "tumour"};
+  mask.IsForbidden = true;
+  settings.Structures = {gland, bone, mask};
+  settings.Scale = 0.5;
+  settings.MemoryMegabytes = 12.5;
+  return {TouchSceneText(settings, "/a")};
+}
+
+std::vector<std::string> StudySeeds()
+{
+  Random random(3);
+  std::vector<std::string> seeds;
+  for (int i = 0; i < 3; ++i)
+  {
+    seeds.push_back(StudyText(RandomStudy(random), "/a", "/a/a.palpate.json"));
+  }
+  return seeds;
+}
+
+std::string ScriptSeed()
+{
+  return R"({"format": "palpate-drill", "actions": [
+{"time_s": 0.5, "do": "start"},
+{"time_s": 1.5, "do": "end-stroke"},
+{"time_s": 2, "do": "undo"},
+{"time_s": 3, "do": "stop"}]})";
+}
+
+std::string HandPathSeed()
+{
+  return "time_s,x_mm,y_mm,z_mm\n0,1,2,3\n0.5,1.25,-2,3e-1\n1,0,0,0\n";
+}
+
+std::string ManifestSeed()
+{
+  return "case,mask,label,volume\none,masks/1.nii.gz,1,\"volumes/t2, left.nrrd\"\n"
+         "two,masks/2.seg.nrrd,\"a \"\"b\"\"\",\n";
+}
+
+std::string CohortTableSeed()
+{
+  CohortRow fitted;
+  fitted.Case = "one";
+  fitted.Model = "one/model.json";
+  fitted.Key = "0123456789abcdef";
+  fitted.Result.State = FitResult::Outcome::Fitted;
+  fitted.Result.Structure.Label = 1;
+  fitted.Result.Model = {4, std::vector<double>(25, 0.0), Vector3(1, 2, 3)};
+  CohortRow refused = fitted;
+  refused.Result.State = FitResult::Outcome::Refused;
+  refused.Result.Message = "hides 12 %, of its surface";
+  return WrittenBytes("cohort.csv",
+                      [&](const std::filesystem::path& file)
+                      {
+                        CohortTable table;
+                        table.Add({fitted, refused});
+                        table.Write(file);
+                      });
+}
+
+std::string TradeTableSeed()
+{
+  TradeRow row;
+  row.Structure = "left, \"lower\" pole";
+  row.Key = "0123456789abcdef/facets/2000/4";
+  for (const TradeColumn& column : TradeColumns())
+  {
+    row.*column.Number = 0.125;
+  }
+  return WrittenBytes("tradeoff.csv",
+                      [&](const std::filesystem::path& file)
+                      {
+                        TradeTable table;
+                        table.Add(row);
+                        table.Write(file);
+                      });
+}
+
+// A piece of bone that is drilled, with the same voxels each time.
+struct DrilledBone
+{
+  BoneFiles Files;
+  std::shared_ptr<DrillBench> Bench = BenchOf(Files.Scene());
+
+  void Drill() const { BenchCuts(this->Bench).Cut(Vector3(7.0, 0.0, 0.0), Vector3(7.0, 1.0, 0.0)); }
+};
+
+std::string DrillStateSeed()
+{
+  const DrilledBone bone;
+  bone.Drill();
+  return WrittenBytes("a.drill", [&](const std::filesystem::path& file)
+                      { WriteDrillState(file, *bone.Bench); });
+}
+
+std::string RemovalSeed()
+{
+  const DrilledBone bone;
+  bone.Drill();
+  const std::vector<std::byte> bytes = StateOf(*bone.Bench);
+  return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
+}
+
+InputReader DrillStateReader()
+{
+  const auto bone = std::make_shared<DrilledBone>();
+  return FileReader("a.drill", [bone](const std::filesystem::path& file)
+                    { ReadDrillState(file, *bone->Bench); });
+}
+
+// The part of a drill state that its digest keeps other mutations from.
+InputReader RemovalReader()
+{
+  const auto bone = std::make_shared<DrilledBone>();
+  return [bone](const std::string& bytes)
+  {
+    const auto* first = reinterpret_cast<const std::byte*>(bytes.data());
+    std::shared_ptr<const RemovedDistances> removed;
+    RequireInput(RemovedFromBytes({first, first + bytes.size()},
+                                  bone->Bench->Editor().Site(0).Now(), removed));
+  };
+}
+
+// Mark, frame of 16 numbers, number of blocks; then blocks of a corner, a kind and distances.
+Mutator RemovalMutator()
+{
+  constexpr std::size_t Frame = 4 + 8 * 16;
+  std::vector<BinaryField> fields = FieldsFrom(Frame - 8, 3, 8);
+  for (const auto& more : {FieldsFrom(0, 1, 4), FieldsFrom(4, 16, 8, BinaryField::Type::Real),
+                           FieldsFrom(Frame, 20, 4), FieldsFrom(Frame + 8, 20, 4),
+                           FieldsFrom(Frame + 8, 40, 4, BinaryField::Type::Real)})
+  {
+    fields.insert(fields.end(), more.begin(), more.end());
+  }
+  return OneOf({FieldMutator(fields), MutateBytes});
+}
+
+FuzzTarget FileTarget(const std::string& name, const std::string& fileName,
+                      std::vector<std::string> seeds, const Mutator& mutate,
+                      void (*read)(const std::filesystem::path&))
+{
+  return {name, fileName, [all = std::move(seeds)] { return all; },
+          OneOf({mutate, mutate, mutate, MutateBytes}),
+          [fileName, read] { return FileReader(fileName, read); }};
+}
+
+FuzzTarget WithSeed(const std::string& name, const std::string& fileName, std::string (*seed)(),
+                    const Mutator& mutate, InputReader (*makeReader)())
+{
+  return {name, fileName, [seed] { return std::vector<std::string>{seed()}; }, mutate, makeReader};
+}
+
+std::vector<FuzzTarget> JsonTargets()
+{
+  const Mutator scene =
+      JsonMutator({"structures", "tool",      "device",    "name",          "file",
+                   "label",      "iso",       "seen",      "touched",       "representation",
+                   "degree",     "mode",      "precision", "interpolation", "brick_cells",
+                   "drill",      "forbidden", "alarm_mm",  "texture_n",     "texture_image",
+                   "memory_mb",  "scale",     "sphere",    "capsule",       "ellipsoid",
+                   "cylinder",   "surface",   "points",    "radius_mm",     "semi_axes_mm"});
+  const Mutator study = JsonMutator(
+      {"structures", "fit",         "tool",      "landmarks",    "distances", "view",
+       "placement",  "field",       "drill",     "crosshair_mm", "window",    "level",
+       "center_mm",  "position_mm", "version",   "color",        "volume",    "segmentation",
+       "harmonics",  "facets",      "sub-voxel", "automatic",    "camera",    "patient"});
+  const Mutator script =
+      JsonMutator({"start", "stop", "end-stroke", "undo", "redo", "reset", "time_s", "do"});
+  return {FileTarget("scene", "a.scene.json", SceneSeeds(), scene,
+                     [](const std::filesystem::path& file)
+                     { TouchSceneText(ReadTouchScene(file), file.parent_path()); }),
+          FileTarget("study", "a.palpate.json", StudySeeds(), study,
+                     [](const std::filesystem::path& file)
+                     { StudyText(ReadStudy(file), file.parent_path(), file); }),
+          FileTarget("drill-script", "a.json", {ScriptSeed()}, script,
+                     [](const std::filesystem::path& file) { ReadDrillScript(file); })};
+}
+
+std::vector<FuzzTarget> TableTargets()
+{
+  const Mutator table = TextMutator(
+      {{"case", "mask", "label", "volume", "outcome", "fitted", "refused", "bad input", "failed",
+        "degree", "10000", "key", "model", "representation", "facets", "harmonics"},
+       {{"\"", "\""}},
+       ""});
+  return {FileTarget("hand-path", "a.csv", {HandPathSeed()}, table,
+                     [](const std::filesystem::path& file) { ReadHandPath(file).At(0.3); }),
+          FileTarget("cohort-manifest", "a.csv", {ManifestSeed()}, table,
+                     [](const std::filesystem::path& file) { ReadManifest(file); }),
+          WithSeed("cohort-table", "cohort.csv", CohortTableSeed, OneOf({table, MutateBytes}),
+                   []
+                   {
+                     return FileReader("cohort.csv", [](const std::filesystem::path& file)
+                                       { CohortTable::Read(file); });
+                   }),
+          WithSeed("trade-table", "tradeoff.csv", TradeTableSeed, OneOf({table, MutateBytes}),
+                   []
+                   {
+                     return FileReader("tradeoff.csv", [](const std::filesystem::path& file)
+                                       { TradeTable::Read(file); });
+                   })};
+}
+} // namespace
+
+std::vector<FuzzTarget> SessionTargets()
+{
+  std::vector<FuzzTarget> targets = JsonTargets();
+  for (FuzzTarget& target : TableTargets())
+  {
+    targets.push_back(std::move(target));
+  }
+  const Mutator head =
+      TextMutator({{"name", "source", "bytes", "digest"}, {{"[", "]"}}, DrillHeadEnd});
+  targets.push_back(WithSeed("drill-state", "a.drill", DrillStateSeed,
+                             OneOf({head, head, MutateBytes}), DrillStateReader));
+  targets.push_back(
+      WithSeed("drill-removal", "a.bin", RemovalSeed, RemovalMutator(), RemovalReader));
+  return targets;
+}
+} // namespace palpate::test

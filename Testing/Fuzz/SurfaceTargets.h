@@ -1,0 +1,9 @@
+#pragma once
+
+#include "FuzzTarget.h"
+
+namespace palpate::test
+{
+/// Surfaces (VTP, STL, PLY, OBJ) and models (JSON, CSV, SPHARM-PDM).
+std::vector<FuzzTarget> SurfaceTargets();
+} // namespace palpate::test

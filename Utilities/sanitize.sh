@@ -1,0 +1,37 @@
+#!/bin/sh
+# Builds and runs a part of the tests under the sanitizers, each preset in its own build tree:
+# kernels, readers and servo under AddressSanitizer and UndefinedBehaviorSanitizer, what is exchanged
+# between threads under ThreadSanitizer. The whole of it, for a slow evening:
+#   cmake --preset asan-ubsan && cmake --build --preset asan-ubsan && ctest --preset asan-ubsan
+set -eu
+cd "$(dirname "$0")/.."
+
+# under PRESET PROGRAM[:TESTS]…: TESTS is how the names of tests begin. Each is run apart, so that one
+# that selects no test fails instead of hiding behind the others.
+under() {
+  preset=$1
+  shift
+  echo "== $preset: build into build/$preset"
+  cmake --preset "$preset" --log-level=NOTICE
+  # shellcheck disable=SC2046 # a list of targets
+  cmake --build --preset "$preset" --parallel "$(nproc)" \
+    --target $(printf '%s\n' "$@" | sed 's/:.*//' | sort -u)
+  for part in "$@"; do
+    echo "== $preset: $part"
+    code=0
+    ctest --preset "$preset" --no-tests=error \
+      -R "^${part%%:*}\\.$(printf '%s' "$part" | sed -n 's/^[^:]*://p')" || code=$?
+    [ "$code" -eq 0 ] || failed="$failed $preset:$part"
+  done
+}
+
+failed=
+under asan-ubsan NumericsTests FieldTests HapticsTests ServoTests IOTests FuzzTests
+cmake --build --preset asan-ubsan --parallel "$(nproc)" --target PalpateFuzz
+under tsan RealtimeTests ServoTests \
+  FieldTests:FieldThreads FieldTests:EditedField FieldTests:FieldVersions \
+  HapticsTests:OnDemand HapticsTests:ServoDrill HapticsTests:ServoHandover HapticsTests:DrillEditor
+if [ -n "$failed" ]; then
+  echo "Failed:$failed" >&2
+  exit 1
+fi
