@@ -25,14 +25,15 @@ namespace
 using Kind = StudyStepState::Kind;
 using JsonObject = nlohmann::ordered_json;
 
-constexpr std::array<StudyStep, 5> StructureSteps{
-    StudyStep::Surface, StudyStep::Samples, StudyStep::Model, StudyStep::Field, StudyStep::Touch};
+constexpr std::array<StudyStep, 6> StructureSteps{StudyStep::Surface, StudyStep::Samples,
+                                                  StudyStep::Model,   StudyStep::Field,
+                                                  StudyStep::Touch,   StudyStep::Protection};
 
 void ShowProgress(const StudyPipeline& pipeline, Console& console)
 {
-  for (const StudyStep step :
-       {StudyStep::Volume, StudyStep::Segmentation, StudyStep::Surface, StudyStep::Samples,
-        StudyStep::Model, StudyStep::Field, StudyStep::Touch, StudyStep::Trade})
+  for (const StudyStep step : {StudyStep::Volume, StudyStep::Segmentation, StudyStep::Surface,
+                               StudyStep::Samples, StudyStep::Model, StudyStep::Field,
+                               StudyStep::Protection, StudyStep::Touch, StudyStep::Trade})
   {
     const StudyStepState state = pipeline.StateOf(step);
     if (state.Is == Kind::Running)
@@ -144,7 +145,7 @@ Line LineOf(const StudyStructure& structure, Study& study)
 std::vector<Line> LinesOf(Study& study)
 {
   std::vector<Line> lines;
-  for (const StudyStep step : {StudyStep::Volume, StudyStep::Segmentation})
+  for (const StudyStep step : {StudyStep::Volume, StudyStep::Segmentation, StudyStep::Tool})
   {
     const StudyStepState state = study.Pipeline().StateOf(step);
     if (state.Is != Kind::NotWanted)

@@ -13,6 +13,7 @@
 #include "SimulatedDevice.h"
 #include "SteadyClock.h"
 #include "StiffnessAdvice.h"
+#include "SurfaceTool.h"
 #include "TouchRecorder.h"
 #include "TouchReplay.h"
 #include "TouchResultKeeper.h"
@@ -399,11 +400,19 @@ private:
 };
 } // namespace
 
-PreparedTouch PrepareTouch(const TouchSettings& settings, const TouchScript& script,
+PreparedTouch PrepareTouch(const TouchSettings& asked, const TouchScript& script,
                            const ProgressFunction& progress)
 {
   PreparedTouch touch;
-  touch.Settings = settings;
+  touch.Settings = asked;
+  const TouchSettings& settings = touch.Settings;
+  if (settings.Tool.Kind == TouchToolSettings::Shape::Surface)
+  {
+    const auto& structures = settings.Structures;
+    const bool cuts = std::any_of(structures.begin(), structures.end(),
+                                  [](const TouchStructureSettings& s) { return s.IsDrilled(); });
+    touch.Settings.Tool.Surface = SurfaceOf(settings.Tool, cuts);
+  }
   TouchStructures made = MakeTouchStructures(settings, script.IsSeen, progress);
   if (made.Touched.empty())
   {

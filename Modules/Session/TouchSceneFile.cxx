@@ -102,7 +102,7 @@ void ReadDrill(const nlohmann::json& object, JsonFields& fields, const std::file
            "add \"forbidden\": true there");
   }
   fields.Read("alarm_mm", structure.AlarmDistance, 0.0, DrillLimits::Alarm);
-  if (structure.IsDrilled())
+  if (structure.Drill.Wear > 0.0)
   {
     CheckDrilled(structure, path, number);
   }
@@ -185,7 +185,7 @@ nlohmann::ordered_json AsJson(const TouchStructureSettings& structure,
     object["texture_image"] =
         std::filesystem::proximate(structure.TextureImage, folder).generic_string();
   }
-  if (structure.IsDrilled())
+  if (structure.Drill.Wear > 0.0)
   {
     object["drill"] = {{"wear_mm_per_nm", structure.Drill.Wear},
                        {"drag_s_per_mm", structure.Drill.Drag},

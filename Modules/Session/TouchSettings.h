@@ -7,12 +7,15 @@
 #include "ToolShape.h"
 
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 namespace palpate
 {
+class SurfaceTool;
+
 /// By what a structure is touched.
 enum class TouchRepresentation
 {
@@ -21,6 +24,12 @@ enum class TouchRepresentation
   Facets,
   SubVoxel
 };
+
+/// Whether a drill removes anything of a structure.
+inline bool GivesWayToDrill(bool isTouched, bool isForbidden, const DrillLaw& law) noexcept
+{
+  return isTouched && !isForbidden && law.Wear > 0.0;
+}
 
 /// One file's share in a scene to touch. Every structure that the file and the labels name becomes
 /// one of its own.
@@ -53,7 +62,10 @@ struct TouchStructureSettings
   bool IsForbidden = false;   ///< no drill removes any of it, whatever else it is part of
   double AlarmDistance = 2.0; ///< mm from the tool to what is forbidden
 
-  bool IsDrilled() const noexcept { return this->Drill.Wear > 0.0; }
+  bool IsDrilled() const noexcept
+  {
+    return GivesWayToDrill(this->IsTouched, this->IsForbidden, this->Drill);
+  }
 };
 
 /// How a scene's tool runs as a drill.
@@ -79,12 +91,15 @@ struct TouchToolSettings
   Vector3 SemiAxes = Vector3(4.0, 2.0, 2.0); ///< mm, of an ellipsoid
   std::filesystem::path File;                ///< of a closed surface, mm in the tool's frame
   int Points = 26;                           ///< of the shell that touches fields
+  /// What File holds, once it was read (see SurfaceOf); none: whoever needs the tool reads File.
+  std::shared_ptr<const SurfaceTool> Surface = nullptr;
 };
 
 inline bool operator==(const TouchToolSettings& a, const TouchToolSettings& b)
 {
   return a.Kind == b.Kind && a.Radius == b.Radius && a.Length == b.Length &&
-         a.SemiAxes == b.SemiAxes && a.File == b.File && a.Points == b.Points;
+         a.SemiAxes == b.SemiAxes && a.File == b.File && a.Points == b.Points &&
+         a.Surface == b.Surface;
 }
 
 /// What is touched, with what, and by which device.

@@ -339,7 +339,7 @@ private:
         structure.Name.empty() ? "label " + std::to_string(structure.Label) : structure.Name;
     if (this->Settings.IsForbidden)
     {
-      this->Forbid(name, this->SurfaceOf(segmentation, structure));
+      this->Forbid(name, MakeForbiddenSurface(segmentation, structure, this->Progress));
     }
     if (this->Settings.Representation == Representation::Harmonics)
     {
@@ -491,9 +491,7 @@ SceneItem AccountForServo(const TouchStructures& made, const TouchSettings& sett
 
 ToolShape MakeTool(const TouchToolSettings& settings)
 {
-  // Enough for the surfaces of organs; a sphere's own number follows from the voxels it touches.
-  constexpr int ShellPoints = 200;
-  const int points = settings.Points > 0 ? settings.Points : ShellPoints;
+  const int points = ShellPointsOf(settings);
   ToolShape tool = ToolShape::Sphere(settings.Radius);
   if (settings.Kind == TouchToolSettings::Shape::Capsule)
   {
@@ -509,7 +507,7 @@ ToolShape MakeTool(const TouchToolSettings& settings)
   }
   else if (settings.Kind == TouchToolSettings::Shape::Surface)
   {
-    tool = MakeSurfaceTool(settings.File, points);
+    tool = SurfaceOf(settings, false)->Touching(points);
   }
   else if (settings.Points > 0)
   {

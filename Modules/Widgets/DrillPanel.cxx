@@ -10,6 +10,7 @@
 #include <QSignalBlocker>
 #include <QVBoxLayout>
 
+#include <algorithm>
 #include <array>
 
 namespace palpate
@@ -67,6 +68,19 @@ void SetText(QTableWidgetItem* item, const QString& text)
     item->setText(text);
   }
 }
+// How near the drill is to a structure, or how its protection stands.
+QString TextOf(const StudyForbidden& forbidden, const StudyDrillReading& reading)
+{
+  for (const DrillApproach& one : reading.Approaches)
+  {
+    if (forbidden.IsReady() && one.Name == forbidden.Name)
+    {
+      return QString::number(one.Distance, 'f', 1) + " mm away, at the nearest " +
+             QString::number(one.Least, 'f', 1) + " mm";
+    }
+  }
+  return QString::fromStdString(ProtectionText(forbidden));
+}
 } // namespace
 
 DrillPanel::DrillPanel(StudyController& study, const FileQuestions& questions, QWidget* parent)
@@ -87,6 +101,7 @@ DrillPanel::DrillPanel(StudyController& study, const FileQuestions& questions, Q
   column->addWidget(this->Alarm);
   column->addWidget(buttons);
   connect(&study, &StudyController::StateChanged, this, &DrillPanel::ShowState);
+  connect(&study, &StudyController::StepsChanged, this, &DrillPanel::ShowReading);
   connect(&study, &StudyController::Touched, this, &DrillPanel::ShowReading);
   connect(&study, &StudyController::TouchChanged, this, &DrillPanel::ShowReading);
   this->ShowState();
@@ -263,42 +278,49 @@ void DrillPanel::ShowReading()
 {
   const StudyDrillReading reading =
       this->Study.IsTouching() ? this->Study.Reading().Drill : StudyDrillReading();
-  this->Pedal->setEnabled(!reading.Drilled.empty());
+  const std::vector<StudyForbidden> forbidden =
+      ForbiddenOf(this->Study.State(), this->Study.Current().Pipeline());
+  this->Pedal->setEnabled(!reading.Drilled.empty() && reading.Hold.empty());
   this->Undo->setEnabled(reading.CanUndo);
   this->Redo->setEnabled(reading.CanRedo);
   for (int row = 0; row < this->Table->rowCount(); ++row)
   {
     const QTableWidgetItem* name = this->Table->item(row, NameColumn);
+    const int label = name->data(Qt::UserRole).toInt();
     QString text;
     for (const StudyDrilled& one : reading.Drilled)
     {
-      if (one.Label == name->data(Qt::UserRole).toInt())
+      if (one.Label == label)
       {
         text = QString::number(one.RemovedVolume, 'f', 1) + " mm\u00b3 removed";
       }
     }
-    for (const DrillApproach& one : reading.Approaches)
+    for (const StudyForbidden& one : forbidden)
     {
-      if (ScreenString(one.Name) == name->text())
+      if (one.Label == label)
       {
-        text = QString::number(one.Distance, 'f', 1) + " mm away, at the nearest " +
-               QString::number(one.Least, 'f', 1) + " mm";
+        text = TextOf(one, reading);
       }
     }
     SetText(this->Table->item(row, StandColumn), text);
+    this->Table->item(row, StandColumn)->setToolTip(text);
   }
-  this->ShowAlarm(reading);
+  this->ShowAlarm(reading, forbidden);
 }
 
-void DrillPanel::ShowAlarm(const StudyDrillReading& reading)
+void DrillPanel::ShowAlarm(const StudyDrillReading& reading,
+                           const std::vector<StudyForbidden>& forbidden)
 {
   QString text = ScreenString(reading.Problem);
+  const QString hold = ScreenString(this->HoldText(reading, forbidden));
+  text = hold.isEmpty() ? text : hold;
   for (const DrillApproach& one : reading.Approaches)
   {
     if (one.IsAlarmed)
     {
       text = QString("The drill is %1 mm from %2.")
-                 .arg(QString::number(one.Distance, 'f', 1), ScreenString(one.Name));
+                 .arg(QString::number(one.Distance, 'f', 1), ScreenString(one.Name)) +
+             (hold.isEmpty() ? hold : " " + hold);
     }
   }
   if (text != this->Alarm->text())
@@ -309,6 +331,23 @@ void DrillPanel::ShowAlarm(const StudyDrillReading& reading)
     this->Alarm->setPalette(colors);
     this->Alarm->setText(text);
   }
+}
+
+// While nothing is touched, whatever would keep the pedal from cutting then.
+std::string DrillPanel::HoldText(const StudyDrillReading& reading,
+                                 std::vector<StudyForbidden> forbidden) const
+{
+  const auto& structures = this->Study.State().Structures;
+  const bool isDrilled = std::any_of(structures.begin(), structures.end(),
+                                     [](const StudyStructure& one) { return one.IsDrilled(); });
+  if (!reading.Drilled.empty() || !isDrilled)
+  {
+    return reading.Hold;
+  }
+  forbidden.erase(std::remove_if(forbidden.begin(), forbidden.end(),
+                                 [](const StudyForbidden& one) { return one.IsReady(); }),
+                  forbidden.end());
+  return DrillHoldText(forbidden);
 }
 
 void DrillPanel::Press(bool isDown)

@@ -10,6 +10,8 @@
 #include <QWidget>
 
 #include <functional>
+#include <string>
+#include <vector>
 
 namespace palpate
 {
@@ -23,7 +25,7 @@ public:
   /// Keeps the addresses.
   DrillPanel(StudyController& study, const FileQuestions& questions, QWidget* parent = nullptr);
 
-  /// What the drill is near to, as the panel says it.
+  /// What the drill is near to, and why it cuts nothing, as the panel says it.
   QString AlarmWords() const { return this->Alarm->text(); }
 
 private:
@@ -37,7 +39,9 @@ private:
   void ShowRow(int row, const StudyStructure& structure);
   bool HasRowsOf(const StudyState& state) const;
   void ShowReading();
-  void ShowAlarm(const StudyDrillReading& reading);
+  void ShowAlarm(const StudyDrillReading& reading, const std::vector<StudyForbidden>& forbidden);
+  std::string HoldText(const StudyDrillReading& reading,
+                       std::vector<StudyForbidden> forbidden) const;
   void ChangeStructure(int label, const QString& sentence,
                        const std::function<void(StudyStructure&)>& change);
   void Press(bool isDown);

@@ -13,9 +13,10 @@ namespace
 {
 constexpr int LookMilliseconds = 16; // a picture's time at 60 Hz
 constexpr int LooksAStep = 6;
-constexpr std::array<StudyStep, 8> AllSteps{
+constexpr std::array<StudyStep, 10> AllSteps{
     {StudyStep::Volume, StudyStep::Segmentation, StudyStep::Structures, StudyStep::Surface,
-     StudyStep::Samples, StudyStep::Model, StudyStep::Field, StudyStep::Touch}};
+     StudyStep::Samples, StudyStep::Model, StudyStep::Field, StudyStep::Protection,
+     StudyStep::Touch, StudyStep::Tool}};
 } // namespace
 
 StudyController::StudyController(Clock& clock, const RealtimeRequest& request)
@@ -255,7 +256,7 @@ void StudyController::Redo()
 
 void StudyController::CancelStep(StudyStep step)
 {
-  this->Open.Pipeline().Cancel(step);
+  this->Open.CancelStep(step);
   this->LooksToSteps = 0;
   this->Look();
 }
@@ -263,8 +264,7 @@ void StudyController::CancelStep(StudyStep step)
 void StudyController::ResumeStep(StudyStep step)
 {
   this->Told.clear();
-  this->Open.Pipeline().Resume(step);
-  this->Open.Pipeline().Retry(step);
+  this->Open.ResumeStep(step);
   this->LooksToSteps = 0;
   this->Look();
 }
@@ -371,16 +371,7 @@ void StudyController::PlayReplay(bool isPlayed)
 
 void StudyController::TurnAxes(const Matrix3& rotation)
 {
-  this->Open.Touch().TurnAxes(rotation);
-  if (this->IsTouching())
-  {
-    const Status status =
-        this->Open.Touch().Update(this->State(), ContactsOf(this->State(), this->Open.Pipeline()));
-    if (!status.IsOk())
-    {
-      this->Report(status.Message());
-    }
-  }
+  this->Open.TurnAxes(rotation);
 }
 
 void StudyController::Report(const std::string& sentence)
@@ -444,17 +435,32 @@ void StudyController::LookAtSteps()
     const StudyStepState state = this->Open.Pipeline().StateOf(step);
     isMaking = isMaking || state.Is == StudyStepState::Kind::Running ||
                state.Is == StudyStepState::Kind::NeedsUpdate;
-    if (state.Is == StudyStepState::Kind::Failed)
+    if (state.Is == StudyStepState::Kind::Failed && step != StudyStep::Protection)
     {
       this->Tell(step, state.Sentence);
     }
   }
+  this->LookAtProtection();
   for (const std::string& advice : this->Open.Pipeline().Advice())
   {
     this->Tell(StudyStep::Touch, advice);
   }
   this->IsMaking = isMaking;
   Q_EMIT StepsChanged();
+}
+
+// What cannot be protected is said at once, with what follows for the drill.
+void StudyController::LookAtProtection()
+{
+  std::vector<StudyForbidden> failed = ForbiddenOf(this->State(), this->Open.Pipeline());
+  failed.erase(std::remove_if(failed.begin(), failed.end(),
+                              [](const StudyForbidden& one)
+                              { return one.State.Is != StudyStepState::Kind::Failed; }),
+               failed.end());
+  if (!failed.empty())
+  {
+    this->Tell(StudyStep::Protection, DrillHoldText(failed));
+  }
 }
 
 void StudyController::Tell(const std::string& problem, std::string& told)
@@ -476,6 +482,10 @@ void StudyController::LookAtTouch()
   if (isTouching)
   {
     this->Felt = this->Open.Touch().Poll();
+    if (this->Felt.Newest.IsDrilling && !this->Felt.Drill.Hold.empty())
+    {
+      this->Tell(StudyStep::Protection, this->Felt.Drill.Hold); // whatever pedal is pressed
+    }
     Q_EMIT Touched();
   }
   if (isTouching != this->WasTouching)

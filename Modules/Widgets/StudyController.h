@@ -113,6 +113,7 @@ private:
   void LookAtReplay();
   void Tell(const std::string& problem, std::string& told);
   void LookAtSteps();
+  void LookAtProtection();
   void Tell(StudyStep step, const std::string& sentence);
   void Announce();
   void TakeRole();

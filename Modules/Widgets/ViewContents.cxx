@@ -91,7 +91,9 @@ void ViewContents::Show(const StudyState& state, const StudyPipeline& pipeline)
   this->ShowLabels(state);
   this->ShowSurfaces(state, pipeline);
   this->ShowLandmarks(state);
-  this->ShowTool(state.Tool);
+  TouchToolSettings tool = state.Tool;
+  tool.Surface = pipeline.Newest<SurfaceTool>(StudyStep::Tool);
+  this->ShowTool(tool);
   this->ShowView(state.View);
 }
 
@@ -294,7 +296,9 @@ void ViewContents::ShowLandmarks(const StudyState& state)
 
 void ViewContents::ShowTool(const TouchToolSettings& tool)
 {
-  if (!this->Tool || !(*this->Tool == tool))
+  // Until a surface is read, the tool before is shown.
+  const bool isThere = tool.Kind != TouchToolSettings::Shape::Surface || tool.Surface != nullptr;
+  if (isThere && (!this->Tool || !(*this->Tool == tool)))
   {
     this->Tool = tool;
     this->ProbeShown->SetTool(MakeToolSurface(MakeTool(tool)));

@@ -111,6 +111,12 @@ DrilledField::DrilledField(std::unique_ptr<EditedField> field, const DrilledMate
 
 // The ramp is as long as a cell's diagonal, so that it goes through all corners of every cell that
 // a cut passes; a voxel farther out distances are kept, because values ask neighbours for theirs.
+double DrilledField::BandOf(const FieldGrid& grid)
+{
+  constexpr double Rounding = 1.0 + 1e-5; // of distances as floats
+  return Rounding * (grid.Spacing().norm() + grid.Spacing().maxCoeff());
+}
+
 Status DrilledField::Make(const ScalarField& field, int material,
                           std::unique_ptr<DrilledField>& drilled)
 {
@@ -122,14 +128,13 @@ Status DrilledField::Make(const ScalarField& field, int material,
   {
     const FieldCondition condition = *OwnCondition(field, material);
     const double diagonal = field.Grid().Spacing().norm();
-    constexpr double Rounding = 1.0 + 1e-5; // of distances as floats
-    const double band = Rounding * (diagonal + field.Grid().Spacing().maxCoeff());
     const NodeCut cut(condition, SlopeOfCuts(field, condition), diagonal);
     std::unique_ptr<EditedField> edited;
     Status status = EditedField::Make(field, TypesToKeep(field, condition.Channel), edited);
     if (status.IsOk())
     {
-      drilled.reset(new DrilledField(std::move(edited), {material, condition, cut}, band));
+      drilled.reset(
+          new DrilledField(std::move(edited), {material, condition, cut}, BandOf(field.Grid())));
     }
     return status;
   }
@@ -435,7 +440,7 @@ std::shared_ptr<const RemovedDistances> DrilledField::Removed()
 
 Status DrilledField::Restore(const std::shared_ptr<const RemovedDistances>& removed)
 {
-  if (!this->IsOfGrid(*removed))
+  if (!removed->IsLike(this->Now()))
   {
     return Status::Failure("What was removed belongs to another volume.");
   }
@@ -447,17 +452,9 @@ Status DrilledField::Restore(const std::shared_ptr<const RemovedDistances>& remo
   return Status::Success();
 }
 
-bool DrilledField::IsOfGrid(const RemovedDistances& other) const
-{
-  const FieldGrid& grid = this->Now().Grid();
-  return other.Band() == this->Now().Band() && other.Grid().Size() == grid.Size() &&
-         other.Grid().OriginWorld() == grid.OriginWorld() &&
-         other.Grid().Spacing() == grid.Spacing() && other.Grid().Direction() == grid.Direction();
-}
-
 Status DrilledField::Protect(const std::shared_ptr<const RemovedDistances>& forbidden)
 {
-  if (!this->IsOfGrid(*forbidden) || this->CanUndo() || this->CanRedo())
+  if (!forbidden->IsLike(this->Now()) || this->CanUndo() || this->CanRedo())
   {
     return Status::Failure("What is forbidden belongs to another volume, or comes too late.");
   }

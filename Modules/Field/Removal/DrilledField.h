@@ -34,6 +34,9 @@ public:
   static Status Make(const ScalarField& field, int material,
                      std::unique_ptr<DrilledField>& drilled);
 
+  /// The band (mm) of the distances that a drilled field on `grid` keeps.
+  static double BandOf(const FieldGrid& grid);
+
   /// Before anything is cut: what `forbidden` has as removed, of the same grid and band as Now(),
   /// is never removed. Samples in it by more than a cell's diagonal and half a side keep their
   /// bits.
@@ -104,7 +107,6 @@ private:
   std::size_t GatherLast();
   bool UpdateBrick(const Pending& pending, std::size_t number);
   bool IsUntouched(const std::array<int, 3>& brick) const noexcept;
-  bool IsOfGrid(const RemovedDistances& other) const;
   void GoTo(const std::shared_ptr<const RemovedDistances>& state);
   void Push(const std::shared_ptr<const RemovedDistances>& state);
   void ForgetOldest();

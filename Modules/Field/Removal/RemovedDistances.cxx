@@ -30,6 +30,14 @@ std::shared_ptr<const RemovedDistances> RemovedDistances::None(const FieldGrid& 
   return std::shared_ptr<const RemovedDistances>(new RemovedDistances(grid, band));
 }
 
+bool RemovedDistances::IsLike(const RemovedDistances& other) const noexcept
+{
+  const FieldGrid& grid = other.Frame;
+  return this->Limit == other.Limit && this->Frame.Size() == grid.Size() &&
+         this->Frame.OriginWorld() == grid.OriginWorld() &&
+         this->Frame.Spacing() == grid.Spacing() && this->Frame.Direction() == grid.Direction();
+}
+
 std::size_t RemovedDistances::PageNumber(const Corner& corner) const noexcept
 {
   constexpr int Nodes = Side * PageSide;

@@ -31,6 +31,8 @@ public:
 
   const FieldGrid& Grid() const noexcept { return this->Frame; }
   double Band() const noexcept { return this->Limit; }
+  /// Whether both are of the same grid and band, to the last bit.
+  bool IsLike(const RemovedDistances& other) const noexcept;
 
   /// Of a node of the grid.
   float At(int i, int j, int k) const noexcept;

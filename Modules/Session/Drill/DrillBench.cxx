@@ -11,8 +11,22 @@ namespace palpate
 std::shared_ptr<DrillBench> DrillBench::Make(const TouchSettings& settings, TouchStructures& made,
                                              const ProgressFunction& progress)
 {
+  const auto protect = [&](const RemovedDistances& like) -> std::shared_ptr<const RemovedDistances>
+  {
+    std::vector<std::shared_ptr<const RemovedDistances>> parts;
+    for (const ForbiddenStructure& structure : made.Forbidden)
+    {
+      parts.push_back(ProtectionOf(structure, like, progress));
+    }
+    return parts.empty() ? nullptr : JoinProtections(parts);
+  };
+  return Make(settings, made, Protect(protect));
+}
+
+std::shared_ptr<DrillBench> DrillBench::Make(const TouchSettings& settings, TouchStructures& made,
+                                             const Protect& protect)
+{
   std::shared_ptr<DrillBench> bench(new DrillBench);
-  bench->Guarded = std::move(made.Forbidden);
   std::vector<std::unique_ptr<DrilledField>> fields;
   double voxel = std::numeric_limits<double>::max();
   for (const TouchableStructure& structure : made.Touched)
@@ -21,10 +35,11 @@ std::shared_ptr<DrillBench> DrillBench::Make(const TouchSettings& settings, Touc
                                                                : -1);
     if (structure.Drilled.Field != nullptr)
     {
-      bench->Add(structure, progress, fields);
+      bench->Add(structure, protect, fields);
       voxel = std::min(voxel, structure.Drilled.Field->Grid().Spacing().minCoeff());
     }
   }
+  bench->Guarded = std::move(made.Forbidden);
   if (fields.empty())
   {
     return nullptr;
@@ -45,16 +60,15 @@ void DrillBench::UseTool(const TouchToolSettings& tool, const TouchDrillSettings
   this->Drill.Motion = {DrillRadius(tool, cutting), drill.Turns, drill.VibrationFrequency};
 }
 
-void DrillBench::Add(const TouchableStructure& structure, const ProgressFunction& progress,
+void DrillBench::Add(const TouchableStructure& structure, const Protect& protect,
                      std::vector<std::unique_ptr<DrilledField>>& fields)
 {
   std::unique_ptr<DrilledField> field;
   const std::string& name = structure.Touch.Name;
   RequireInput(DrilledField::Make(*structure.Drilled.Field, 0, field), name + " cannot be drilled");
-  if (!this->Guarded.empty())
+  if (const auto forbidden = protect(field->Now()))
   {
-    RequireInput(field->Protect(ProtectionOf(this->Guarded, field->Now(), progress)),
-                 name + " cannot be drilled");
+    RequireInput(field->Protect(forbidden), name + " cannot be drilled");
   }
   fields.push_back(std::move(field));
   this->Drilled.push_back({name, structure.Drilled});

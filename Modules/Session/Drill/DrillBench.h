@@ -7,6 +7,7 @@
 #include "TouchSettings.h"
 #include "TouchStructures.h"
 
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -29,6 +30,12 @@ public:
   /// nothing where nothing is drilled. Throws InputError, FilterError and Cancelled.
   static std::shared_ptr<DrillBench> Make(const TouchSettings& settings, TouchStructures& made,
                                           const ProgressFunction& progress);
+  /// The same with protections that are there already: `protect` gives what no drill may remove on
+  /// the grid of `like`, or nothing where all may be.
+  using Protect =
+      std::function<std::shared_ptr<const RemovedDistances>(const RemovedDistances& like)>;
+  static std::shared_ptr<DrillBench> Make(const TouchSettings& settings, TouchStructures& made,
+                                          const Protect& protect);
 
   /// Lets `scene`, which has the structures that the bench was made of, in their order, be drilled.
   void PutInto(TouchScene& scene) const { this->PutInto(scene, this->SiteOf); }
@@ -45,7 +52,7 @@ public:
 
 private:
   DrillBench() = default;
-  void Add(const TouchableStructure& structure, const ProgressFunction& progress,
+  void Add(const TouchableStructure& structure, const Protect& protect,
            std::vector<std::unique_ptr<DrilledField>>& fields);
 
   std::vector<DrillSite> Drilled;

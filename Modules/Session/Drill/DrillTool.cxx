@@ -45,7 +45,7 @@ CutTool MakeCutTool(const TouchToolSettings& settings)
   CutTool tool = CutTool::Sphere(settings.Radius);
   if (settings.Kind == TouchToolSettings::Shape::Surface)
   {
-    tool = MakeSurfaceCutTool(settings.File);
+    tool = SurfaceOf(settings, true)->Cutting();
   }
   else if (settings.Kind == TouchToolSettings::Shape::Ellipsoid)
   {

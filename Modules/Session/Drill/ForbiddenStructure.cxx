@@ -2,8 +2,11 @@
 
 #include "FilterRun.h"
 #include "RemovalStroke.h"
+#include "vtkSegmentationSurface.h"
 
+#include "vtkImageData.h"
 #include "vtkImplicitPolyDataDistance.h"
+#include "vtkNew.h"
 
 #include <algorithm>
 #include <array>
@@ -47,15 +50,15 @@ std::pair<Corner, Corner> NodesRound(const ForbiddenStructure& structure, const 
 class ProtectionMaker
 {
 public:
-  ProtectionMaker(const std::vector<ForbiddenStructure>& structures, const RemovedDistances& like)
-      : Structures(structures), Grid(like.Grid()), Band(like.Band()),
+  ProtectionMaker(const ForbiddenStructure& structure, const RemovedDistances& like)
+      : Structure(structure), Grid(like.Grid()), Band(like.Band()),
         Made(RemovedDistances::None(like.Grid(), like.Band()))
   {
   }
 
-  void MakeRound(const ForbiddenStructure& structure, const ProgressFunction& progress)
+  std::shared_ptr<const RemovedDistances> Make(const ProgressFunction& progress)
   {
-    const auto [first, last] = NodesRound(structure, this->Grid, this->Band);
+    const auto [first, last] = NodesRound(this->Structure, this->Grid, this->Band);
     const int begin = first[2] / Side * Side;
     for (int k = begin; k <= last[2]; k += Side)
     {
@@ -71,27 +74,16 @@ public:
         }
       }
     }
+    return this->Made.Finish();
   }
-  std::shared_ptr<const RemovedDistances> Finish() { return this->Made.Finish(); }
 
 private:
-  double DistanceAt(const Vector3& pointWorld) const
-  {
-    double least = std::numeric_limits<double>::max();
-    for (const ForbiddenStructure& structure : this->Structures)
-    {
-      least = std::min(least, structure.Distance(pointWorld));
-    }
-    return least;
-  }
-
-  // No more than twice: another structure may be near too.
   void MakeBlock(const Corner& corner)
   {
     const Vector3 first(corner[0], corner[1], corner[2]);
     const double reach = 0.5 * (Side - 1) * this->Grid.Spacing().norm();
-    const double middle =
-        this->DistanceAt(this->Grid.PointWorld(first + Vector3::Constant(0.5 * (Side - 1))));
+    const double middle = this->Structure.Distance(
+        this->Grid.PointWorld(first + Vector3::Constant(0.5 * (Side - 1))));
     if (middle - reach >= this->Band)
     {
       return;
@@ -104,13 +96,13 @@ private:
       const int layer = number / (Side * Side);
       const Vector3 node(number % Side, number / Side % Side, layer);
       const double distance =
-          isDeep ? -this->Band : this->DistanceAt(this->Grid.PointWorld(first + node));
+          isDeep ? -this->Band : this->Structure.Distance(this->Grid.PointWorld(first + node));
       distances[n] = static_cast<float>(std::clamp(distance, -this->Band, this->Band));
     }
     this->Made.Set(corner, distances);
   }
 
-  const std::vector<ForbiddenStructure>& Structures;
+  const ForbiddenStructure& Structure;
   const FieldGrid& Grid;
   double Band; // mm
   RemovalStroke Made;
@@ -122,6 +114,12 @@ ForbiddenStructure::ForbiddenStructure(std::string name, vtkPolyData* surface, d
       Query(vtkSmartPointer<vtkImplicitPolyDataDistance>::New())
 {
   this->Query->SetInput(surface);
+}
+
+ForbiddenStructure::ForbiddenStructure(const ForbiddenStructure& like, std::string name,
+                                       double alarm)
+    : Title(std::move(name)), Alarm(alarm), Triangles(like.Triangles), Query(like.Query)
+{
 }
 
 ForbiddenStructure::ForbiddenStructure(ForbiddenStructure&&) noexcept = default;
@@ -147,15 +145,53 @@ double ForbiddenStructure::Distance(const ToolShape& tool, const ToolPose& pose)
   return least;
 }
 
-std::shared_ptr<const RemovedDistances>
-ProtectionOf(const std::vector<ForbiddenStructure>& structures, const RemovedDistances& like,
-             const ProgressFunction& progress)
+vtkSmartPointer<vtkPolyData> MakeForbiddenSurface(const Segmentation& segmentation,
+                                                  const Segment& segment,
+                                                  const ProgressFunction& progress)
 {
-  ProtectionMaker maker(structures, like);
-  for (const ForbiddenStructure& structure : structures)
+  // A pipeline notes things on its input, which other threads may be reading.
+  vtkNew<vtkImageData> layer;
+  layer->ShallowCopy(segmentation.Layers[static_cast<std::size_t>(segment.Layer)]);
+  vtkNew<vtkSegmentationSurface> surface;
+  surface->SetInputData(layer);
+  surface->SetLabel(segment.Value);
+  surface->SetComponent(0);
+  RunFilter(surface, "surface", 0.0, 1.0, progress);
+  return surface->GetOutput();
+}
+
+std::shared_ptr<const RemovedDistances> ProtectionOf(const ForbiddenStructure& structure,
+                                                     const RemovedDistances& like,
+                                                     const ProgressFunction& progress)
+{
+  return ProtectionMaker(structure, like).Make(progress);
+}
+
+std::shared_ptr<const RemovedDistances>
+JoinProtections(const std::vector<std::shared_ptr<const RemovedDistances>>& parts)
+{
+  if (parts.size() == 1)
   {
-    maker.MakeRound(structure, progress);
+    return parts.front();
   }
-  return maker.Finish();
+  RemovalStroke joined(RemovedDistances::None(parts.front()->Grid(), parts.front()->Band()));
+  for (const auto& part : parts)
+  {
+    for (const Corner& corner : part->Corners())
+    {
+      RemovalStroke::Nodes nodes;
+      nodes.fill(static_cast<float>(part->Band()));
+      for (const auto& other : parts)
+      {
+        const float* block = other->BlockAt(corner);
+        for (std::size_t n = 0; block != nullptr && n < nodes.size(); ++n)
+        {
+          nodes[n] = std::min(nodes[n], block[n]);
+        }
+      }
+      joined.Set(corner, nodes); // no more than once: another part may have the block too
+    }
+  }
+  return joined.Finish();
 }
 } // namespace palpate

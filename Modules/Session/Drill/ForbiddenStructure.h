@@ -3,6 +3,7 @@
 #include "PalpateSessionModule.h"
 #include "Progress.h"
 #include "RemovedDistances.h"
+#include "Segmentation.h"
 #include "ToolPose.h"
 #include "ToolShape.h"
 #include "vtkPolyData.h"
@@ -23,6 +24,9 @@ class PALPATESESSION_EXPORT ForbiddenStructure
 public:
   /// `alarm` in mm.
   ForbiddenStructure(std::string name, vtkPolyData* surface, double alarm);
+  /// Under another name and alarm distance. Shares the search structure, which takes long to build
+  /// for a large surface: both are for the same thread.
+  ForbiddenStructure(const ForbiddenStructure& like, std::string name, double alarm);
   ForbiddenStructure(ForbiddenStructure&&) noexcept;
   ForbiddenStructure& operator=(ForbiddenStructure&&) noexcept;
   ~ForbiddenStructure();
@@ -43,9 +47,20 @@ private:
   vtkSmartPointer<vtkImplicitPolyDataDistance> Query;
 };
 
-/// What structures forbid on the grid of a field, as if it were removed: see
+/// The surface of a segment that no drill may remove: all its connected components, by the default
+/// settings of vtkSegmentationSurface, whatever a fit of the segment uses. Throws FilterError and
+/// Cancelled.
+PALPATESESSION_EXPORT vtkSmartPointer<vtkPolyData>
+MakeForbiddenSurface(const Segmentation& segmentation, const Segment& segment,
+                     const ProgressFunction& progress);
+
+/// What a structure forbids on the grid of a field, as if it were removed: see
 /// DrilledField::Protect. Throws Cancelled.
 PALPATESESSION_EXPORT std::shared_ptr<const RemovedDistances>
-ProtectionOf(const std::vector<ForbiddenStructure>& structures, const RemovedDistances& like,
+ProtectionOf(const ForbiddenStructure& structure, const RemovedDistances& like,
              const ProgressFunction& progress);
+
+/// What any of `parts` forbids. All are of one grid; at least one.
+PALPATESESSION_EXPORT std::shared_ptr<const RemovedDistances>
+JoinProtections(const std::vector<std::shared_ptr<const RemovedDistances>>& parts);
 } // namespace palpate

@@ -11,6 +11,8 @@
 #include "vtkPointData.h"
 #include "vtkPolyDataNormals.h"
 
+#include <algorithm>
+#include <array>
 #include <limits>
 #include <utility>
 #include <vector>
@@ -53,8 +55,8 @@ Vector3 PointOf(vtkPolyData& surface, vtkIdType number)
   return point;
 }
 
-// Each the farthest from all before it.
-std::vector<vtkIdType> FarPoints(vtkPolyData& surface, int count)
+// Each the farthest from all before it: of more points the first ones are the same.
+std::vector<vtkIdType> FarPointsOf(vtkPolyData& surface, int count)
 {
   const vtkIdType all = surface.GetNumberOfPoints();
   std::vector<double> squared(static_cast<std::size_t>(all), std::numeric_limits<double>::max());
@@ -73,37 +75,92 @@ std::vector<vtkIdType> FarPoints(vtkPolyData& surface, int count)
   }
   return chosen;
 }
+
+Eigen::AlignedBox3d BoxOf(vtkPolyData& surface)
+{
+  std::array<double, 6> bounds{};
+  surface.GetBounds(bounds.data());
+  return {Vector3(bounds[0], bounds[2], bounds[4]), Vector3(bounds[1], bounds[3], bounds[5])};
+}
 } // namespace
 
-ToolShape MakeSurfaceTool(const std::filesystem::path& file, int count)
+SurfaceTool::SurfaceTool(std::filesystem::path file, vtkSmartPointer<vtkPolyData> surface)
+    : Source(std::move(file)), Surface(std::move(surface))
 {
-  const vtkSmartPointer<vtkPolyData> surface = ReadClosedSurface(file);
+}
+
+std::shared_ptr<const SurfaceTool> SurfaceTool::Read(const std::filesystem::path& file, int points,
+                                                     bool cuts)
+{
+  std::shared_ptr<SurfaceTool> tool(new SurfaceTool(file, ReadClosedSurface(file)));
+  tool->Surface->ComputeBounds();
+  tool->FarPoints = FarPointsOf(*tool->Surface, points);
+  if (cuts && BoxOf(*tool->Surface).sizes().minCoeff() > 0.0)
+  {
+    tool->Cut = tool->SampleCut();
+  }
+  return tool;
+}
+
+ToolShape SurfaceTool::Touching(int count) const
+{
+  const vtkIdType most = std::min<vtkIdType>(count, this->Surface->GetNumberOfPoints());
+  std::vector<vtkIdType> numbers = this->FarPoints;
+  if (static_cast<vtkIdType>(numbers.size()) < most)
+  {
+    numbers = FarPointsOf(*this->Surface, count);
+  }
+  numbers.resize(static_cast<std::size_t>(most));
   std::vector<Vector3> points;
   std::vector<Vector3> normals;
-  for (const vtkIdType number : FarPoints(*surface, count))
+  for (const vtkIdType number : numbers)
   {
     Vector3 outward;
-    surface->GetPointData()->GetNormals()->GetTuple(number, outward.data());
-    points.push_back(PointOf(*surface, number));
+    this->Surface->GetPointData()->GetNormals()->GetTuple(number, outward.data());
+    points.push_back(PointOf(*this->Surface, number));
     normals.push_back(-outward);
   }
   return ToolShape::FromSurfacePoints(std::move(points), std::move(normals));
 }
 
-CutTool MakeSurfaceCutTool(const std::filesystem::path& file)
+CutTool SurfaceTool::Cutting() const
 {
-  const vtkSmartPointer<vtkPolyData> surface = ReadClosedSurface(file);
-  vtkNew<vtkImplicitPolyDataDistance> distance;
-  distance->SetInput(surface);
-  std::array<double, 6> bounds{};
-  surface->GetBounds(bounds.data());
-  const Eigen::AlignedBox3d box(Vector3(bounds[0], bounds[2], bounds[4]),
-                                Vector3(bounds[1], bounds[3], bounds[5]));
-  if (!(box.sizes().minCoeff() > 0.0))
+  if (!(BoxOf(*this->Surface).sizes().minCoeff() > 0.0))
   {
-    Refuse(file, "cannot be a drill, since it has no inside", "give a surface round some volume");
+    Refuse(this->Source, "cannot be a drill, since it has no inside",
+           "give a surface round some volume");
   }
-  return SampledTool(box, [&distance](Vector3 point)
+  return this->Cut ? *this->Cut : this->SampleCut();
+}
+
+CutTool SurfaceTool::SampleCut() const
+{
+  // A search structure notes things on its input, which other threads may be reading.
+  vtkNew<vtkPolyData> own;
+  own->DeepCopy(this->Surface);
+  vtkNew<vtkImplicitPolyDataDistance> distance;
+  distance->SetInput(own);
+  return SampledTool(BoxOf(*this->Surface), [&distance](Vector3 point)
                      { return distance->EvaluateFunction(point.data()); });
+}
+
+std::size_t SurfaceTool::Bytes() const
+{
+  constexpr std::size_t Kibibyte = 1024;
+  return Kibibyte * this->Surface->GetActualMemorySize();
+}
+
+int ShellPointsOf(const TouchToolSettings& settings)
+{
+  // Enough for the surfaces of organs; a sphere's own number follows from the voxels it touches.
+  constexpr int ShellPoints = 200;
+  return settings.Points > 0 ? settings.Points : ShellPoints;
+}
+
+std::shared_ptr<const SurfaceTool> SurfaceOf(const TouchToolSettings& settings, bool cuts)
+{
+  return settings.Surface != nullptr
+             ? settings.Surface
+             : SurfaceTool::Read(settings.File, ShellPointsOf(settings), cuts);
 }
 } // namespace palpate

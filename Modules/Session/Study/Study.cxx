@@ -143,8 +143,44 @@ void Study::FollowByTouch()
   {
     this->Felt.Forbid(ForbiddenOf(this->State(), this->Made));
     this->Problem =
-        this->Felt.Update(this->State(), ContactsOf(this->State(), this->Made)).Message();
+        this->Felt.Update(this->WithTool(), ContactsOf(this->State(), this->Made)).Message();
   }
+}
+
+// The state as it is felt: a tool's surface is the one that was read for it. While that is being
+// read, or where it cannot be, the tool before is felt.
+StudyState Study::WithTool()
+{
+  StudyState state = this->State();
+  if (state.Tool.Kind == TouchToolSettings::Shape::Surface)
+  {
+    state.Tool.Surface = this->Made.Newest<SurfaceTool>(StudyStep::Tool);
+    if (state.Tool.Surface == nullptr)
+    {
+      state.Tool = this->ReadTool;
+    }
+  }
+  this->ReadTool = state.Tool;
+  return state;
+}
+
+void Study::TurnAxes(const Matrix3& rotation)
+{
+  this->Felt.TurnAxes(rotation);
+  this->FollowByTouch();
+}
+
+void Study::CancelStep(StudyStep step)
+{
+  this->Made.Cancel(step);
+  this->FollowByTouch();
+}
+
+void Study::ResumeStep(StudyStep step)
+{
+  this->Made.Resume(step);
+  this->Made.Retry(step);
+  this->FollowByTouch();
 }
 
 void Study::StartTouch()
@@ -178,9 +214,20 @@ void Study::StartTouch()
 
 void Study::TakeDevice(std::unique_ptr<HapticDevice> device)
 {
+  const StudyStepState tool = this->Made.StateOf(StudyStep::Tool);
+  const bool isMissing = this->State().Tool.Kind == TouchToolSettings::Shape::Surface &&
+                         this->Made.Newest<SurfaceTool>(StudyStep::Tool) == nullptr;
+  if (isMissing)
+  {
+    device->Close();
+    this->Problem = tool.Is == StudyStepState::Kind::Failed
+                        ? tool.Sentence
+                        : "The tool's file is still being read: start the touch once it is.";
+    return;
+  }
   this->Felt.Forbid(ForbiddenOf(this->State(), this->Made));
   this->Problem =
-      this->Felt.Start(std::move(device), this->State(), ContactsOf(this->State(), this->Made))
+      this->Felt.Start(std::move(device), this->WithTool(), ContactsOf(this->State(), this->Made))
           .Message();
 }
 

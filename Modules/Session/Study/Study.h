@@ -60,6 +60,11 @@ public:
   bool Undo();
   bool Redo();
 
+  /// See StudyPipeline; what is touched follows.
+  void CancelStep(StudyStep step);
+  /// Resumes what was cancelled, and tries again what failed.
+  void ResumeStep(StudyStep step);
+
   /// Opens the state's device beside the caller, then begins to touch.
   void StartTouch();
   void StopTouch();
@@ -68,6 +73,8 @@ public:
   void MoveWorkspace(const Vector3& centerWorld, const std::string& gesture);
   /// All that can be touched is in reach again; a step.
   void FitWorkspace();
+  /// The device's axes in the world, where the placement wants them to follow the camera.
+  void TurnAxes(const Matrix3& rotation);
   bool IsOpeningDevice() const { return this->Opening.has_value(); }
   /// Why a touch did not begin, or does not follow what the state has become; empty without.
   const std::string& TouchProblem() const { return this->Problem; }
@@ -100,6 +107,7 @@ private:
   void AdoptStructures();
   void FollowByTouch();
   void TakeDevice(std::unique_ptr<HapticDevice> device);
+  StudyState WithTool();
 
   Clock& Time;
   StudyHistory Steps;
@@ -111,6 +119,7 @@ private:
   std::optional<StudyJobs::Id> Opening;
   std::optional<StudyJobs::Id> Reading;
   std::unique_ptr<StudyReplay> Played;
+  TouchToolSettings ReadTool; ///< the last one that could be felt, with its surface
   std::string Problem;
   std::string Unplayable;
 };

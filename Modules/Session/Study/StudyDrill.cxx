@@ -2,55 +2,75 @@
 
 #include "DrillExport.h"
 #include "DrillState.h"
-#include "FilterRun.h"
+#include "DrilledField.h"
 #include "ImageWriter.h"
 #include "InputError.h"
 #include "SurfaceFile.h"
 
 #include <algorithm>
+#include <iterator>
+#include <utility>
 
 namespace palpate
 {
 namespace
 {
-bool GoOn(double, const std::string&)
+// Those that do not keep the drill out of all drilled fields now.
+std::vector<StudyForbidden> UnreadyOf(const std::vector<StudyForbidden>& forbidden,
+                                      const std::vector<DrillSource>& drilled)
 {
-  return true;
+  const auto isReady = [&drilled](const StudyForbidden& one)
+  {
+    const auto isKeptOut = [&one](const DrillSource& source)
+    {
+      const FieldGrid& grid = source.Field->Grid();
+      const auto like = RemovedDistances::None(grid, DrilledField::BandOf(grid));
+      return one.Protection->On(*like) != nullptr;
+    };
+    return one.IsReady() && std::all_of(drilled.begin(), drilled.end(), isKeptOut);
+  };
+  std::vector<StudyForbidden> unready;
+  std::copy_if(forbidden.begin(), forbidden.end(), std::back_inserter(unready),
+               [&](const StudyForbidden& one) { return !isReady(one); });
+  return unready;
 }
 } // namespace
 
-std::vector<StudyForbidden> ForbiddenOf(const StudyState& state, const StudyPipeline& pipeline)
+bool StudyDrill::AreDrilled(const std::vector<Part>& drilled) const
 {
-  std::vector<StudyForbidden> forbidden;
-  for (const StudyStructure& structure : state.Structures)
-  {
-    const auto surface = pipeline.Newest<FitSurface>(StudyStep::Surface, structure.Label);
-    if (structure.IsForbidden && surface != nullptr && surface->Found.Surface != nullptr)
-    {
-      forbidden.push_back(
-          {structure.Label, TitleOf(structure), surface->Found.Surface, structure.AlarmDistance});
-    }
-  }
-  return forbidden;
+  return std::equal(drilled.begin(), drilled.end(), this->Drilled.begin(), this->Drilled.end(),
+                    [](const Part& a, const Part& b)
+                    { return a.Label == b.Label && a.Source.Field == b.Source.Field; });
 }
 
-bool StudyDrill::IsSameAs(const std::vector<Part>& drilled,
-                          const std::vector<StudyForbidden>& forbidden) const
+bool StudyDrill::AreForbidden(const std::vector<StudyForbidden>& forbidden) const
 {
-  const auto isSamePart = [](const Part& a, const Part& b)
-  { return a.Label == b.Label && a.Source.Field == b.Source.Field; };
-  const auto isSameForbidden = [](const StudyForbidden& a, const StudyForbidden& b)
-  { return a.Label == b.Label && a.Surface == b.Surface && a.AlarmDistance == b.AlarmDistance; };
-  return std::equal(drilled.begin(), drilled.end(), this->Drilled.begin(), this->Drilled.end(),
-                    isSamePart) &&
-         std::equal(forbidden.begin(), forbidden.end(), this->Forbidden.begin(),
-                    this->Forbidden.end(), isSameForbidden);
+  return std::equal(forbidden.begin(), forbidden.end(), this->Forbidden.begin(),
+                    this->Forbidden.end(),
+                    [](const StudyForbidden& a, const StudyForbidden& b)
+                    {
+                      return a.Label == b.Label && a.Protection == b.Protection &&
+                             a.AlarmDistance == b.AlarmDistance;
+                    });
+}
+
+bool StudyDrill::Protects(const std::vector<StudyForbidden>& forbidden) const
+{
+  const auto isProtected = [this](const StudyForbidden& one)
+  {
+    return one.IsReady() &&
+           std::any_of(this->Forbidden.begin(), this->Forbidden.end(),
+                       [&one](const StudyForbidden& known)
+                       { return known.Label == one.Label && known.Protection == one.Protection; });
+  };
+  return this->Drilled.empty() || std::all_of(forbidden.begin(), forbidden.end(), isProtected);
 }
 
 void StudyDrill::Follow(const StudyState& state, const std::vector<StudyContact>& contacts,
                         const std::vector<StudyForbidden>& forbidden)
 {
   std::vector<Part> drilled;
+  std::vector<DrillSource> sources;
   this->SiteOfContact.clear();
   for (const StudyContact& contact : contacts)
   {
@@ -59,9 +79,13 @@ void StudyDrill::Follow(const StudyState& state, const std::vector<StudyContact>
     if (isDrilled)
     {
       drilled.push_back({contact.Label, contact.Drilled});
+      sources.push_back(contact.Drilled);
     }
   }
-  if (!this->IsSameAs(drilled, forbidden))
+  const std::vector<StudyForbidden> unready = UnreadyOf(forbidden, sources);
+  this->HoldText = drilled.empty() ? std::string() : DrillHoldText(unready);
+  // While something is not ready, what keeps the drill out so far is kept.
+  if (!this->AreDrilled(drilled) || (unready.empty() && !this->AreForbidden(forbidden)))
   {
     this->Renew(state, drilled, forbidden);
   }
@@ -79,8 +103,6 @@ void StudyDrill::Follow(const StudyState& state, const std::vector<StudyContact>
 void StudyDrill::Renew(const StudyState& state, const std::vector<Part>& drilled,
                        const std::vector<StudyForbidden>& forbidden)
 {
-  const bool isRunning = this->Keeper != nullptr;
-  this->Stop();
   TouchStructures made;
   for (const Part& part : drilled)
   {
@@ -89,32 +111,40 @@ void StudyDrill::Renew(const StudyState& state, const std::vector<Part>& drilled
     structure.Drilled = part.Source;
     made.Touched.push_back(std::move(structure));
   }
-  for (const StudyForbidden& one : forbidden)
+  std::vector<StudyForbidden> ready;
+  std::copy_if(forbidden.begin(), forbidden.end(), std::back_inserter(ready),
+               [](const StudyForbidden& one) { return one.IsReady(); });
+  for (const StudyForbidden& one : ready)
   {
-    made.Forbidden.emplace_back(one.Name, one.Surface, one.AlarmDistance);
+    made.Forbidden.emplace_back(*one.Protection->Structure, one.Name, one.AlarmDistance);
   }
+  const auto protect =
+      [&ready](const RemovedDistances& like) -> std::shared_ptr<const RemovedDistances>
+  {
+    std::vector<std::shared_ptr<const RemovedDistances>> parts;
+    for (const StudyForbidden& one : ready)
+    {
+      if (auto part = one.Protection->On(like))
+      {
+        parts.push_back(std::move(part));
+      }
+    }
+    return parts.empty() ? nullptr : JoinProtections(parts);
+  };
   TouchSettings settings;
   settings.Tool = state.Tool;
   settings.Drill = state.Drill;
-  const std::shared_ptr<DrillBench> before = this->Bench;
-  const std::vector<Part> drilledBefore = this->Drilled;
-  this->Bench = DrillBench::Make(settings, made, GoOn);
+  // Where this throws, all is as it was.
+  const auto next = DrillBench::Make(settings, made, DrillBench::Protect(protect));
+  const bool isRunning = this->Keeper != nullptr;
+  this->Stop();
+  const std::shared_ptr<DrillBench> before = std::exchange(this->Bench, next);
+  const std::vector<Part> drilledBefore = std::exchange(this->Drilled, drilled);
+  this->Forbidden = ready;
   if (before != nullptr && this->Bench != nullptr)
   {
-    std::vector<std::shared_ptr<const RemovedDistances>> kept = this->Bench->Editor().Removed();
-    const auto removed = before->Editor().Removed();
-    for (std::size_t n = 0; n < drilled.size(); ++n)
-    {
-      for (std::size_t last = 0; last < drilledBefore.size(); ++last)
-      {
-        const bool isSame = drilled[n].Source.Field == drilledBefore[last].Source.Field;
-        kept[n] = isSame ? removed[last] : kept[n];
-      }
-    }
-    static_cast<void>(this->Bench->Editor().Restore(kept)); // of the same fields
+    this->KeepWhatIsGone(*before, drilledBefore);
   }
-  this->Drilled = drilled;
-  this->Forbidden = forbidden;
   this->Watch = std::make_unique<DrillWatch>(this->Bench);
   this->Known = {};
   this->SeenNumber = ~std::uint64_t{0};
@@ -125,11 +155,32 @@ void StudyDrill::Renew(const StudyState& state, const std::vector<Part>& drilled
   }
 }
 
+void StudyDrill::KeepWhatIsGone(const DrillBench& before, const std::vector<Part>& drilledBefore)
+{
+  std::vector<std::shared_ptr<const RemovedDistances>> kept = this->Bench->Editor().Removed();
+  const auto removed = before.Editor().Removed();
+  for (std::size_t n = 0; n < this->Drilled.size(); ++n)
+  {
+    for (std::size_t last = 0; last < drilledBefore.size(); ++last)
+    {
+      const bool isSame = this->Drilled[n].Source.Field == drilledBefore[last].Source.Field;
+      kept[n] = isSame ? removed[last] : kept[n];
+    }
+  }
+  static_cast<void>(this->Bench->Editor().Restore(kept)); // of the same fields
+}
+
 void StudyDrill::PutInto(TouchScene& scene) const
 {
   if (this->Bench != nullptr)
   {
     this->Bench->PutInto(scene, this->SiteOfContact);
+  }
+  for (TouchStructure& structure : scene.Structures)
+  {
+    // Without wear a drill cuts nothing, however its pedal is pressed. What is gone already is
+    // felt.
+    structure.Drill = this->HoldText.empty() ? structure.Drill : DrillLaw();
   }
 }
 
@@ -167,6 +218,7 @@ StudyDrillReading StudyDrill::Read(double time, const TouchState& newest)
   {
     return {};
   }
+  this->Known.Hold = this->HoldText;
   constexpr double CutPeriod = 0.1; // s
   const DrillReading reading = this->Bench->Editor().Newest();
   this->Known.Drilled.resize(reading.Fields.size());

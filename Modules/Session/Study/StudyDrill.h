@@ -3,7 +3,7 @@
 #include "DrillKeeper.h"
 #include "DrillWatch.h"
 #include "PalpateSessionModule.h"
-#include "StudyPipeline.h"
+#include "StudyForbidden.h"
 #include "StudyScene.h"
 #include "StudyState.h"
 
@@ -33,21 +33,12 @@ struct StudyDrillReading
   bool CanUndo = false;
   bool CanRedo = false;
   std::string Problem; ///< in one sentence; empty without
+  std::string Hold;    ///< why the pedal cuts nothing now, and the way out; empty where it cuts
 };
 
-/// What no drill may remove, as a state and its products have it.
-struct StudyForbidden
-{
-  int Label = 0;
-  std::string Name;
-  vtkSmartPointer<vtkPolyData> Surface;
-  double AlarmDistance = 0.0; ///< mm
-};
-PALPATESESSION_EXPORT std::vector<StudyForbidden> ForbiddenOf(const StudyState& state,
-                                                              const StudyPipeline& pipeline);
-
-/// What is drilled in a study: it stays while touches come and go, and is begun anew where the
-/// drilled structures become others. For the thread that owns it.
+/// What is drilled in a study: it stays while touches come and go, and begins again where the
+/// drilled structures become others. Nothing can be cut while a forbidden structure's protection is
+/// not ready (see Hold). For the thread that owns it.
 class PALPATESESSION_EXPORT StudyDrill
 {
 public:
@@ -56,12 +47,16 @@ public:
   StudyDrill& operator=(const StudyDrill&) = delete;
   ~StudyDrill() { this->Stop(); }
 
-  /// What follows is for these. Takes the time of copying the drilled fields where they are others,
-  /// and of finding what is forbidden in them. What was drilled before in the same fields stays.
+  /// What follows is for these. Takes the time of copying the drilled fields where they are others
+  /// or are protected otherwise. What was drilled before in the same fields stays.
   void Follow(const StudyState& state, const std::vector<StudyContact>& contacts,
               const std::vector<StudyForbidden>& forbidden);
+  /// Whether the last Follow keeps the drill out of all of these.
+  bool Protects(const std::vector<StudyForbidden>& forbidden) const;
   /// Lets a scene with a structure for each of the last Follow's contacts be drilled.
   void PutInto(TouchScene& scene) const;
+  /// Why the scenes of now let nothing be cut, and the way out; empty where they do.
+  const std::string& Hold() const { return this->HoldText; }
   /// Another one where a scene has to be published again.
   std::uint64_t Revision() const { return this->Changes; }
 
@@ -87,10 +82,11 @@ private:
     int Label;
     DrillSource Source;
   };
-  bool IsSameAs(const std::vector<Part>& drilled,
-                const std::vector<StudyForbidden>& forbidden) const;
+  bool AreDrilled(const std::vector<Part>& drilled) const;
+  bool AreForbidden(const std::vector<StudyForbidden>& forbidden) const;
   void Renew(const StudyState& state, const std::vector<Part>& drilled,
              const std::vector<StudyForbidden>& forbidden);
+  void KeepWhatIsGone(const DrillBench& before, const std::vector<Part>& drilledBefore);
   void ReadCuts();
   int SiteOf(int label) const;
 
@@ -98,7 +94,8 @@ private:
   std::unique_ptr<DrillKeeper> Keeper;
   std::unique_ptr<DrillWatch> Watch;
   std::vector<Part> Drilled;
-  std::vector<StudyForbidden> Forbidden;
+  std::vector<StudyForbidden> Forbidden; // with their protections
+  std::string HoldText;
   std::vector<int> SiteOfContact; // -1: it is not drilled
   TouchToolSettings Tool;
   TouchDrillSettings Motion;

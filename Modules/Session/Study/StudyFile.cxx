@@ -41,7 +41,8 @@ std::vector<StudyMissingFile> MissingFiles(const StudyState& state)
 {
   std::vector<StudyMissingFile> missing;
   for (const StudyMissingFile& file : {StudyMissingFile{"volume", state.VolumeFile},
-                                       StudyMissingFile{"segmentation", state.SegmentationFile}})
+                                       StudyMissingFile{"segmentation", state.SegmentationFile},
+                                       StudyMissingFile{"tool", state.Tool.File}})
   {
     if (!file.Path.empty() && !IsThere(file.Path))
     {
@@ -56,7 +57,8 @@ StudyState Relocate(const StudyState& state, const std::filesystem::path& missin
 {
   const std::filesystem::path newPlace = StudyPath(moved);
   StudyState relocated = state;
-  for (std::filesystem::path* file : {&relocated.VolumeFile, &relocated.SegmentationFile})
+  for (std::filesystem::path* file :
+       {&relocated.VolumeFile, &relocated.SegmentationFile, &relocated.Tool.File})
   {
     if (file->empty())
     {

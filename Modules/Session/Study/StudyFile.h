@@ -15,7 +15,7 @@ constexpr const char* StudyEnding = ".palpate.json";
 /// A file that a state names and that is not there.
 struct StudyMissingFile
 {
-  std::string Role; ///< "volume" or "segmentation"
+  std::string Role; ///< "volume", "segmentation" or "tool"
   std::filesystem::path Path;
 };
 

@@ -65,6 +65,23 @@ void WriteStudyFiles(const StudyState& state, const StudyPipeline& pipeline,
                  });
 }
 
+namespace
+{
+// By its mask, as the study protects it, whatever it is touched by.
+TouchStructureSettings ForbiddenEntry(const StudyState& state, const StudyStructure& structure)
+{
+  TouchStructureSettings forbidden;
+  forbidden.Name = structure.Name;
+  forbidden.File = state.SegmentationFile;
+  forbidden.Labels = {std::to_string(structure.Label)};
+  forbidden.IsSeen = false;
+  forbidden.IsTouched = false;
+  forbidden.IsForbidden = true;
+  forbidden.AlarmDistance = structure.AlarmDistance;
+  return forbidden;
+}
+} // namespace
+
 TouchSettings SceneOfStudy(const StudyState& state, const StudyPipeline& pipeline,
                            const std::filesystem::path& folder)
 {
@@ -93,7 +110,20 @@ TouchSettings SceneOfStudy(const StudyState& state, const StudyPipeline& pipelin
       touch.Labels = {std::to_string(structure.Label)};
       touch.Representation = TouchRepresentation::SubVoxel;
     }
+    if (structure.IsDrilled())
+    {
+      touch.Drill = structure.Drill;
+      touch.Interpolation = FieldInterpolation::Trilinear;
+    }
     scene.Structures.push_back(std::move(touch));
+  }
+  scene.Drill = state.Drill;
+  for (const StudyStructure& structure : state.Structures)
+  {
+    if (structure.IsForbidden)
+    {
+      scene.Structures.push_back(ForbiddenEntry(state, structure));
+    }
   }
   return scene;
 }

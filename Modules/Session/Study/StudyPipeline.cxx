@@ -50,10 +50,13 @@ void StudyPipeline::Update(const StudyState& state)
 {
   const bool isOtherVolume = state.VolumeFile != this->State.VolumeFile;
   const bool isOtherSegmentation = state.SegmentationFile != this->State.SegmentationFile;
+  const bool isOtherTool = state.Tool.File != this->State.Tool.File;
   for (auto shown = this->Shown.begin(); shown != this->Shown.end();)
   {
-    const bool isOfVolume = shown->first.first == StudyStep::Volume;
-    const bool isStale = isOfVolume ? isOtherVolume : isOtherSegmentation;
+    const StudyStep step = shown->first.first;
+    const bool isStale = step == StudyStep::Volume ? isOtherVolume
+                         : step == StudyStep::Tool ? isOtherTool
+                                                   : isOtherSegmentation;
     this->ShownCount += isStale ? 1 : 0;
     shown = isStale ? this->Shown.erase(shown) : std::next(shown);
   }
@@ -198,10 +201,27 @@ std::string StudyPipeline::InputFailureOf(const StudyNode& node) const
     if (isInput)
     {
       const StudyProduct* product = this->ProductOf(before.Key);
-      return product != nullptr ? FailureOf(*product) : this->InputFailureOf(before);
+      const std::string failure =
+          product != nullptr ? FailureOf(*product) : this->InputFailureOf(before);
+      if (!failure.empty())
+      {
+        return failure;
+      }
     }
   }
   return {};
+}
+
+bool StudyPipeline::IsCancelled(const StudyNode& node) const
+{
+  const auto isOfCancelled = [&](const StudyNode& before)
+  {
+    const bool isInput = !before.Key.empty() && std::find(node.Inputs.begin(), node.Inputs.end(),
+                                                          before.Key) != node.Inputs.end();
+    return isInput && this->IsCancelled(before);
+  };
+  return this->Held.count(node.Key) > 0 ||
+         std::any_of(this->Plan.begin(), this->Plan.end(), isOfCancelled);
 }
 
 StudyStepState StudyPipeline::StateOf(const StudyNode& node) const
@@ -219,7 +239,13 @@ StudyStepState StudyPipeline::StateOf(const StudyNode& node) const
     return {StudyStepState::Kind::Running, progress->Fraction, progress->Stage, {}};
   }
   const std::string failure = this->InputFailureOf(node);
-  return failure.empty() ? Simply(StudyStepState::Kind::NeedsUpdate) : Lost(node, failure);
+  if (!failure.empty())
+  {
+    return Lost(node, failure);
+  }
+  StudyStepState waiting = Simply(StudyStepState::Kind::NeedsUpdate);
+  waiting.IsCancelled = this->IsCancelled(node);
+  return waiting;
 }
 
 StudyStepState StudyPipeline::StateOfStructure(int label) const
@@ -260,7 +286,7 @@ StudyStepState StudyPipeline::StateOf(StudyStep step, int label) const
 
 StudyStepState StudyPipeline::StateOf(StudyStep step) const
 {
-  if (step == StudyStep::Volume || step == StudyStep::Segmentation)
+  if (step == StudyStep::Volume || step == StudyStep::Segmentation || step == StudyStep::Tool)
   {
     return this->StateOf(step, 0);
   }

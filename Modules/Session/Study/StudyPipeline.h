@@ -33,6 +33,8 @@ struct StudyStepState
   double Fraction = 0.0; ///< while running
   std::string Stage;     ///< while running, in one word
   std::string Sentence;  ///< why it failed, or what replaces it
+  /// It needs an update that does not come by itself, since it or what it waits for was cancelled.
+  bool IsCancelled = false;
 };
 
 /// "not wanted", "up to date", ...
@@ -96,6 +98,7 @@ private:
   StudyStepState StateOf(const StudyNode& node) const;
   StudyStepState StateOfStructure(int label) const;
   std::string InputFailureOf(const StudyNode& node) const;
+  bool IsCancelled(const StudyNode& node) const;
   template <typename Do>
   void ForEachNode(StudyStep step, const Do& act);
 

@@ -10,7 +10,6 @@
 #include <algorithm>
 #include <array>
 #include <sstream>
-#include <system_error>
 
 namespace palpate
 {
@@ -38,18 +37,6 @@ std::string CenterKey(const FitSettings& fit)
   return KeyOf("at", center[0], center[1], center[2]);
 }
 
-std::string StampOf(const std::filesystem::path& file)
-{
-  std::error_code error;
-  const auto time = std::filesystem::last_write_time(file, error);
-  if (error)
-  {
-    return "absent";
-  }
-  const auto size = std::filesystem::file_size(file, error); // a folder has none
-  return KeyOf("there", time.time_since_epoch().count(), error ? 0 : size);
-}
-
 // Reading cannot be told to stop; what is read is not wanted then.
 template <typename Read>
 StudyProduct ReadUnlessCancelled(const Read& read, const ProgressFunction& progress)
@@ -67,6 +54,13 @@ StudyProduct WithStandIns(TouchContact contact, const ProgressFunction& progress
   return std::make_shared<const TouchContact>(std::move(contact));
 }
 
+// The tool that a product is made with: its surface is the second input, where it has one.
+TouchToolSettings ToolWith(const Inputs& inputs, TouchToolSettings settings)
+{
+  settings.Surface = inputs.size() > 1 ? ProductAs<SurfaceTool>(&inputs[1]) : nullptr;
+  return settings;
+}
+
 // "prostate: touched by its sub-voxel field, because it is not star-shaped: ..."
 std::string AdviceOf(const StudyStructure& structure, const std::string& instead,
                      const std::string& reason)
@@ -79,10 +73,12 @@ std::string AdviceOf(const StudyStructure& structure, const std::string& instead
 class StructurePlan
 {
 public:
+  // `tool` is the key of the tool's surface, empty where that is not from a file.
   StructurePlan(const StudyState& state, const StudyStructure& structure, std::string segmentation,
-                const StudyLookup& lookup, std::vector<StudyNode>& nodes)
+                std::string tool, const StudyLookup& lookup, std::vector<StudyNode>& nodes)
       : State(state), Structure(structure), Fit(state.Fit),
-        SegmentationKey(std::move(segmentation)), Lookup(lookup), Nodes(nodes), First(nodes.size())
+        SegmentationKey(std::move(segmentation)), ToolKey(std::move(tool)), Lookup(lookup),
+        Nodes(nodes), First(nodes.size())
   {
     const auto trade =
         this->IsMeasured() ? ProductAs<StudyTrade>(lookup(this->TradeKey())) : nullptr;
@@ -107,10 +103,13 @@ public:
     {
       this->AddAppearance();
     }
-    if (this->Structure.IsForbidden)
-    {
-      this->AddSurface();
-    }
+  }
+
+  std::string FieldKey() const
+  {
+    return KeyOf(this->SegmentationKey, "field", this->Structure.Label,
+                 static_cast<int>(this->Feel.Interpolation), this->State.FieldSmoothing,
+                 this->Structure.IsDrilled() ? "inside" : "");
   }
 
   // What the dial goes by. Nothing else is held up by it.
@@ -120,19 +119,24 @@ public:
     {
       return;
     }
-    this->AddNode(
-        StudyStep::Trade, this->TradeKey(), this->SegmentationKey,
-        [label = this->Structure.Label, name = TitleOf(this->Structure), tool = this->State.Tool,
-         smoothing = this->State.FieldSmoothing](const Inputs& inputs,
-                                                 const ProgressFunction& progress)
-        {
-          const auto segmentation = ProductAs<Segmentation>(inputs.data());
-          TradeSource source{name, segmentation->Source, {}, smoothing};
-          source.Is = TradeSource::Mask{segmentation, segmentation->Find(std::to_string(label))};
-          const SteadyClock clock;
-          return std::make_shared<const StudyTrade>(
-              MeasureStudyTrade(source, tool, clock, progress));
-        });
+    this->AddNode(StudyStep::Trade, this->TradeKey(), this->WithToolKey(this->SegmentationKey),
+                  [label = this->Structure.Label, settings = this->State.Tool,
+                   smoothing = this->State.FieldSmoothing](const Inputs& inputs,
+                                                           const ProgressFunction& progress)
+                  {
+                    const auto segmentation = ProductAs<Segmentation>(inputs.data());
+                    const Segment& segment = segmentation->Find(std::to_string(label));
+                    // Not by the state's name, which the key has not.
+                    TradeSource source{segment.Name.empty() ? "label " + std::to_string(label)
+                                                            : segment.Name,
+                                       segmentation->Source,
+                                       {},
+                                       smoothing};
+                    source.Is = TradeSource::Mask{segmentation, segment};
+                    const SteadyClock clock;
+                    return std::make_shared<const StudyTrade>(
+                        MeasureStudyTrade(source, ToolWith(inputs, settings), clock, progress));
+                  });
   }
 
 private:
@@ -154,7 +158,14 @@ private:
     const TouchToolSettings& tool = this->State.Tool;
     const Vector3& axes = tool.SemiAxes;
     return KeyOf(start, static_cast<int>(tool.Kind), tool.Radius, tool.Length, axes.x(), axes.y(),
-                 axes.z(), tool.Points);
+                 axes.z(), tool.Points, this->ToolKey);
+  }
+
+  // Inputs of what is made with the tool.
+  std::vector<std::string> WithToolKey(const std::string& input) const
+  {
+    return this->ToolKey.empty() ? std::vector<std::string>{input}
+                                 : std::vector<std::string>{input, this->ToolKey};
   }
 
   void AddRepresentation()
@@ -196,6 +207,11 @@ private:
   // does its work.
   std::string AddNode(StudyStep step, const std::string& key, const std::string& input, Making make)
   {
+    return this->AddNode(step, key, std::vector<std::string>{input}, std::move(make));
+  }
+  std::string AddNode(StudyStep step, const std::string& key, std::vector<std::string> inputs,
+                      Making make)
+  {
     const auto own = this->Nodes.begin() + static_cast<std::ptrdiff_t>(this->First);
     const auto there = std::find_if(own, this->Nodes.end(),
                                     [&key](const StudyNode& node) { return node.Key == key; });
@@ -204,7 +220,8 @@ private:
       there->Advice.clear();
       return key;
     }
-    this->Nodes.push_back({step, this->Structure.Label, key, {input}, {}, {}, std::move(make)});
+    this->Nodes.push_back(
+        {step, this->Structure.Label, key, std::move(inputs), {}, {}, std::move(make)});
     return key;
   }
 
@@ -255,12 +272,8 @@ private:
 
   std::string AddField()
   {
-    const std::string key =
-        KeyOf(this->SegmentationKey, "field", this->Structure.Label,
-              static_cast<int>(this->Feel.Interpolation), this->State.FieldSmoothing,
-              this->Structure.IsDrilled() ? "inside" : "");
     return this->AddNode(
-        StudyStep::Field, key, this->SegmentationKey,
+        StudyStep::Field, this->FieldKey(), this->SegmentationKey,
         [label = this->Structure.Label,
          form = FieldForm(this->Feel.Interpolation, BrickSize::Cells8, this->Structure.IsDrilled()),
          smoothing = this->State.FieldSmoothing](const Inputs& inputs,
@@ -342,13 +355,15 @@ private:
   void AddCost(const std::string& contact)
   {
     const std::string key = this->KeyWithTool(KeyOf(contact, "cost"));
-    this->AddNode(StudyStep::Cost, contact.empty() ? std::string() : key, contact,
-                  [tool = this->State.Tool](const Inputs& inputs, const ProgressFunction& progress)
-                  {
-                    const SteadyClock clock;
-                    return std::make_shared<const TouchCost>(MeasureTouchCost(
-                        *ProductAs<TouchContact>(inputs.data()), tool, clock, progress));
-                  });
+    this->AddNode(
+        StudyStep::Cost, contact.empty() ? std::string() : key, this->WithToolKey(contact),
+        [settings = this->State.Tool](const Inputs& inputs, const ProgressFunction& progress)
+        {
+          const SteadyClock clock;
+          return std::make_shared<const TouchCost>(
+              MeasureTouchCost(*ProductAs<TouchContact>(inputs.data()), ToolWith(inputs, settings),
+                               clock, progress));
+        });
   }
 
   Making ContactOfModel() const
@@ -389,6 +404,7 @@ private:
   FitSettings Fit;
   StudyFeel Feel;
   std::string SegmentationKey;
+  std::string ToolKey;
   const StudyLookup& Lookup;
   std::vector<StudyNode>& Nodes;
   std::size_t First; ///< of the structure's own nodes
@@ -430,19 +446,62 @@ StudyNode SegmentationNode(const StudyState& state, const std::string& stamp)
           {},
           make};
 }
+
+// Empty, with no node, where the tool's shape is not from a file.
+std::string AddTool(const StudyState& state, const std::string& stamp,
+                    std::vector<StudyNode>& nodes)
+{
+  if (state.Tool.Kind != TouchToolSettings::Shape::Surface)
+  {
+    return {};
+  }
+  const bool cuts = std::any_of(state.Structures.begin(), state.Structures.end(),
+                                [](const StudyStructure& one) { return one.IsDrilled(); });
+  const int points = ShellPointsOf(state.Tool);
+  const std::string key = KeyOf("tool", state.Tool.File, stamp, points, cuts);
+  const auto make =
+      [file = state.Tool.File, points, cuts](const Inputs&, const ProgressFunction& progress)
+  { return ReadUnlessCancelled([&] { return SurfaceTool::Read(file, points, cuts); }, progress); };
+  nodes.push_back({StudyStep::Tool, 0, key, {}, {}, {}, make});
+  return key;
+}
+
+// Of a forbidden structure from the drill, in the fields of these keys: those that cannot be made
+// are not drilled.
+StudyNode ProtectionNode(const StudyStructure& structure, const std::string& segmentation,
+                         const std::vector<std::string>& fields, const StudyLookup& lookup)
+{
+  std::vector<std::string> inputs{segmentation};
+  std::string key = KeyOf(segmentation, "protection", structure.Label);
+  for (const std::string& field : fields)
+  {
+    const StudyProduct* product = lookup(field);
+    if (product == nullptr || FailureOf(*product).empty())
+    {
+      inputs.push_back(field);
+      key = KeyOf(key, field);
+    }
+  }
+  const auto make = [label = structure.Label](const Inputs& made, const ProgressFunction& progress)
+  {
+    std::vector<std::shared_ptr<const ScalarField>> drilled;
+    for (std::size_t n = 1; n < made.size(); ++n)
+    {
+      drilled.push_back(ProductAs<ScalarField>(&made[n]));
+    }
+    return std::make_shared<const StudyProtection>(
+        MakeStudyProtection(*ProductAs<Segmentation>(made.data()), label, drilled, progress));
+  };
+  return {StudyStep::Protection, structure.Label, key, std::move(inputs), {}, {}, make};
+}
 } // namespace
 
 const char* NameOf(StudyStep step)
 {
-  constexpr std::array<const char*, 10> Names{"volume",  "segmentation", "structures", "surface",
-                                              "samples", "model",        "field",      "touch",
-                                              "cost",    "trade"};
+  constexpr std::array<const char*, 12> Names{"volume",  "segmentation", "structures", "surface",
+                                              "samples", "model",        "field",      "protection",
+                                              "touch",   "cost",         "trade",      "tool"};
   return Names.at(static_cast<std::size_t>(step));
-}
-
-StudyStamps StampFiles(const StudyState& state)
-{
-  return {StampOf(state.VolumeFile), StampOf(state.SegmentationFile)};
 }
 
 std::vector<StudyNode> PlanStudy(const StudyState& state, const StudyStamps& stamps,
@@ -453,23 +512,37 @@ std::vector<StudyNode> PlanStudy(const StudyState& state, const StudyStamps& sta
   {
     nodes.push_back(VolumeNode(state, stamps.Volume));
   }
+  const std::string tool = AddTool(state, stamps.Tool, nodes);
   if (state.SegmentationFile.empty())
   {
     return nodes;
   }
   nodes.push_back(SegmentationNode(state, stamps.Segmentation));
   const std::string segmentation = nodes.back().Key;
+  std::vector<std::string> drilled;
   for (const StudyStructure& structure : state.Structures)
   {
     if (structure.IsVisible || structure.IsTouchable)
     {
-      StructurePlan(state, structure, segmentation, lookup, nodes).Add();
+      StructurePlan plan(state, structure, segmentation, tool, lookup, nodes);
+      plan.Add();
+      if (structure.IsDrilled())
+      {
+        drilled.push_back(plan.FieldKey());
+      }
+    }
+  }
+  for (const StudyStructure& structure : state.Structures)
+  {
+    if (structure.IsForbidden)
+    {
+      nodes.push_back(ProtectionNode(structure, segmentation, drilled, lookup));
     }
   }
   // Last: what is to be seen and felt comes before what is to be known of it.
   for (const StudyStructure& structure : state.Structures)
   {
-    StructurePlan(state, structure, segmentation, lookup, nodes).AddTrade();
+    StructurePlan(state, structure, segmentation, tool, lookup, nodes).AddTrade();
   }
   return nodes;
 }

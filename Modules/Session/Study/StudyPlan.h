@@ -3,6 +3,7 @@
 #include "PalpateSessionModule.h"
 #include "Progress.h"
 #include "StudyProduct.h"
+#include "StudyStamps.h"
 #include "StudyState.h"
 
 #include <functional>
@@ -11,7 +12,8 @@
 
 namespace palpate
 {
-/// From files to touch. Volume and segmentation are of the whole study, the others of a structure.
+/// From files to touch. Volume, segmentation and tool are of the whole study, the others of a
+/// structure.
 enum class StudyStep
 {
   Volume,
@@ -20,10 +22,13 @@ enum class StudyStep
   Surface,
   Samples,
   Model,
-  Field, ///< for sub-voxel structures
-  Touch, ///< the contact model
-  Cost,  ///< what that costs a tick, measured; nothing waits for it
-  Trade ///< what each rung of the dial would cost, and how true it is; an automatic dial goes by it
+  Field,      ///< for sub-voxel structures
+  Protection, ///< of a forbidden structure from the drill; nothing is drilled before it
+  Touch,      ///< the contact model
+  Cost,       ///< what that costs a tick, measured; nothing waits for it
+  Trade, ///< what each rung of the dial would cost, and how true it is; an automatic dial goes by
+         ///< it
+  Tool   ///< one that is a surface from a file
 };
 
 /// "volume", "segmentation", ...
@@ -51,16 +56,9 @@ struct StudyNode
 /// The product of a key that is there already, or nothing.
 using StudyLookup = std::function<const StudyProduct*(const std::string& key)>;
 
-/// How the files of a state are now: another text where one was written anew.
-struct StudyStamps
-{
-  std::string Volume;
-  std::string Segmentation;
-};
-PALPATESESSION_EXPORT StudyStamps StampFiles(const StudyState& state);
-
 /// All that a state wants to be made, inputs before what is made from them: only what its
-/// representations need of structures that are shown or touched.
+/// representations need of structures that are shown or touched, and the protection of all that are
+/// forbidden.
 PALPATESESSION_EXPORT std::vector<StudyNode>
 PlanStudy(const StudyState& state, const StudyStamps& stamps, const StudyLookup& lookup);
 } // namespace palpate

@@ -88,7 +88,10 @@ std::size_t BytesOf(const StudyProduct& product)
           },
           [](const std::shared_ptr<const TouchCost>& cost) { return sizeof(*cost); },
           [](const std::shared_ptr<const StudyTrade>& trade)
-          { return sizeof(*trade) + trade->Rungs.size() * sizeof(TradeRow); }},
+          { return sizeof(*trade) + trade->Rungs.size() * sizeof(TradeRow); },
+          [](const std::shared_ptr<const StudyProtection>& protection)
+          { return protection->Bytes(); },
+          [](const std::shared_ptr<const SurfaceTool>& tool) { return tool->Bytes(); }},
       product);
 }
 } // namespace palpate

@@ -4,7 +4,9 @@
 #include "PalpateSessionModule.h"
 #include "ScalarField.h"
 #include "Segmentation.h"
+#include "StudyProtection.h"
 #include "StudyTrade.h"
+#include "SurfaceTool.h"
 #include "TouchContact.h"
 #include "TouchCost.h"
 #include "Volume.h"
@@ -33,7 +35,8 @@ using StudyProduct =
                  std::shared_ptr<const FitSurface>, std::shared_ptr<const FitSamples>,
                  std::shared_ptr<const FitResult>, std::shared_ptr<const ScalarField>,
                  std::shared_ptr<const TouchContact>, std::shared_ptr<const TouchCost>,
-                 std::shared_ptr<const StudyTrade>>;
+                 std::shared_ptr<const StudyTrade>, std::shared_ptr<const StudyProtection>,
+                 std::shared_ptr<const SurfaceTool>>;
 
 /// The product of a type; empty for another one.
 template <typename T>

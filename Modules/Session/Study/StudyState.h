@@ -52,7 +52,7 @@ struct StudyStructure
   /// Then it is touched by its sub-voxel field, whatever else is chosen.
   bool IsDrilled() const noexcept
   {
-    return this->IsTouchable && !this->IsForbidden && this->Drill.Wear > 0.0;
+    return GivesWayToDrill(this->IsTouchable, this->IsForbidden, this->Drill);
   }
 };
 

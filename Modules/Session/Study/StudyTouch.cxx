@@ -160,12 +160,42 @@ WorkspaceFrame StudyTouch::FrameFor(const StudyPlacement& placement, const Touch
 
 Status StudyTouch::Publish(const StudyState& state, const std::vector<StudyContact>& contacts)
 {
+  Status status = this->PublishAll(state, contacts);
+  if (!status.IsOk() && this->IsRunning() && !this->Drilled.Protects(this->Forbidden))
+  {
+    this->HoldDrill();
+  }
+  return status;
+}
+
+// What was felt before goes on, and nothing of it is cut: that scene does not protect all.
+void StudyTouch::HoldDrill()
+{
+  auto held = std::make_shared<TouchScene>(*this->Scene);
+  for (std::size_t s = 0; s < held->Structures.size(); ++s)
+  {
+    held->Structures[s].Drill = {};
+    this->Felt.Structures[s].Drill = {};
+  }
+  this->RunDrill(false);
+  this->Scene = std::move(held);
+  // The scene was felt before: it is not refused.
+  static_cast<void>(this->Send(this->Scene, SceneEntry::Continuing));
+}
+
+Status StudyTouch::PublishAll(const StudyState& state, const std::vector<StudyContact>& contacts)
+{
   try
   {
     const std::vector<StudyContact> touchable = TouchableOf(state, contacts);
     auto scene = std::make_shared<TouchScene>(MakeStudyScene(state, touchable, {}));
+    const bool wasHeld = !this->Drilled.Hold().empty();
     this->Drilled.Follow(state, touchable, this->Forbidden);
     this->Drilled.PutInto(*scene);
+    if (wasHeld != !this->Drilled.Hold().empty())
+    {
+      this->RunDrill(false); // a pedal that was held meanwhile must not begin to cut by itself
+    }
     Feelable next;
     next.Tool = state.Tool;
     next.DrillRevision = this->Drilled.Revision();

@@ -144,6 +144,8 @@ private:
   static bool IsSame(const Feelable& a, const Feelable& b);
 
   Status Publish(const StudyState& state, const std::vector<StudyContact>& contacts);
+  Status PublishAll(const StudyState& state, const std::vector<StudyContact>& contacts);
+  void HoldDrill();
   WorkspaceFrame FrameFor(const StudyPlacement& placement, const TouchScene& scene);
   Status StartServo();
   Status Send(std::shared_ptr<const TouchScene> scene, SceneEntry entry);

@@ -68,10 +68,8 @@ TEST(ForbiddenStructureTest, ItsProtectionIsItsDistanceWithinTheBand)
   // Two that overlap, in the grid's middle.
   const Vector3 middle = grid.PointWorld({20.0, 18.0, 15.0});
   const Vector3 beside = middle + Vector3(1.5, 1.0, -0.5);
-  std::vector<ForbiddenStructure> structures;
-  structures.push_back(Ball(middle));
-  structures.push_back(Ball(beside));
-  const auto made = ProtectionOf(structures, *none, test::GoOn);
+  const auto made = JoinProtections({ProtectionOf(Ball(middle), *none, test::GoOn),
+                                     ProtectionOf(Ball(beside), *none, test::GoOn)});
   EXPECT_EQ(made->Band(), Band);
   int near = 0;
   for (int k = 0; k < 30; ++k)
@@ -94,20 +92,42 @@ TEST(ForbiddenStructureTest, FarFromTheGridItProtectsNothing)
 {
   const FieldGrid grid({20, 20, 20}, Vector3::Zero(), Vector3::Ones(), Matrix3::Identity());
   const auto none = RemovedDistances::None(grid, 2.0);
-  std::vector<ForbiddenStructure> structures;
-  structures.push_back(Ball(Vector3(200.0, 0.0, 0.0)));
-  EXPECT_TRUE(ProtectionOf(structures, *none, test::GoOn)->Corners().empty());
+  const ForbiddenStructure far = Ball(Vector3(200.0, 0.0, 0.0));
+  EXPECT_TRUE(ProtectionOf(far, *none, test::GoOn)->Corners().empty());
 }
 
 TEST(ForbiddenStructureTest, ItsProtectionIsCancelled)
 {
   const FieldGrid grid({20, 20, 20}, Middle - Vector3::Constant(10.0), Vector3::Ones(),
                        Matrix3::Identity());
-  std::vector<ForbiddenStructure> structures;
-  structures.push_back(Ball());
-  EXPECT_THROW(ProtectionOf(structures, *RemovedDistances::None(grid, 2.0),
+  EXPECT_THROW(ProtectionOf(Ball(), *RemovedDistances::None(grid, 2.0),
                             [](double, const std::string&) { return false; }),
                Cancelled);
+}
+
+// A nerve that a mask has in pieces is one structure.
+TEST(ForbiddenStructureTest, AllPiecesOfAMaskAreForbidden)
+{
+  const Vector3 large(-6.0, 0.0, 0.0);
+  const Vector3 small(7.0, 1.0, -1.0);
+  test::LabelGrid grid;
+  grid.CenterOnOrigin();
+  Segmentation segmentation;
+  segmentation.Layers = {test::MakeLabelImage(grid,
+                                              [&](double x, double y, double z)
+                                              {
+                                                const Vector3 point(x, y, z);
+                                                return (point - large).norm() < 5.0 ||
+                                                       (point - small).norm() < 3.0;
+                                              })};
+  Segment segment;
+  segment.Value = 1;
+  segmentation.Segments = {segment};
+  const ForbiddenStructure made("nerve", MakeForbiddenSurface(segmentation, segment, test::GoOn),
+                                1.0);
+  constexpr double PartOfVoxel = 0.5; // of 1 mm
+  EXPECT_NEAR(made.Distance(large), -5.0, PartOfVoxel);
+  EXPECT_NEAR(made.Distance(small), -3.0, PartOfVoxel);
 }
 
 TEST(ForbiddenStructureTest, OfAnotherGridThanTheBoneItStandsWhenAllIsDrilled)

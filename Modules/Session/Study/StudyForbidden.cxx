@@ -1,0 +1,89 @@
+#include "StudyForbidden.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace palpate
+{
+namespace
+{
+using Kind = StudyStepState::Kind;
+
+// "Pallidum_L", "Pallidum_L and Caudate_L", "Pallidum_L, Caudate_L and 3 more".
+std::string NamesOf(const std::vector<StudyForbidden>& forbidden)
+{
+  constexpr std::size_t Most = 2;
+  const std::size_t count = forbidden.size();
+  std::string text = forbidden.front().Name;
+  if (count > Most)
+  {
+    return text + ", " + forbidden[1].Name + " and " + std::to_string(count - Most) + " more";
+  }
+  return count == Most ? text + " and " + forbidden[1].Name : text;
+}
+} // namespace
+
+std::vector<StudyForbidden> ForbiddenOf(const StudyState& state, const StudyPipeline& pipeline)
+{
+  std::vector<StudyForbidden> forbidden;
+  for (const StudyStructure& structure : state.Structures)
+  {
+    if (structure.IsForbidden)
+    {
+      StudyForbidden one{structure.Label, TitleOf(structure), structure.AlarmDistance,
+                         pipeline.StateOf(StudyStep::Protection, structure.Label)};
+      // A newest product may be of what the state was before.
+      if (one.State.Is == Kind::UpToDate)
+      {
+        one.Protection = pipeline.Newest<StudyProtection>(StudyStep::Protection, structure.Label);
+      }
+      forbidden.push_back(std::move(one));
+    }
+  }
+  return forbidden;
+}
+
+std::string DrillHoldText(const std::vector<StudyForbidden>& unready)
+{
+  if (unready.empty())
+  {
+    return {};
+  }
+  const auto failed =
+      std::find_if(unready.begin(), unready.end(),
+                   [](const StudyForbidden& one) { return one.State.Is == Kind::Failed; });
+  if (failed != unready.end())
+  {
+    return "Drilling is off, because " + failed->Name +
+           " cannot be protected: " + failed->State.Sentence +
+           ". Give it another drill role, or mend this and press \"Again\" beside \"protection\".";
+  }
+  const auto cancelled =
+      std::find_if(unready.begin(), unready.end(),
+                   [](const StudyForbidden& one) { return one.State.IsCancelled; });
+  if (cancelled != unready.end())
+  {
+    return "Drilling is off, because the protection of " + cancelled->Name +
+           " was cancelled. Press \"Again\" in the pipeline, or give it another drill role.";
+  }
+  return "Drilling waits for the protection of " + NamesOf(unready) + ".";
+}
+
+std::string ProtectionText(const StudyForbidden& forbidden)
+{
+  switch (forbidden.State.Is)
+  {
+  case Kind::UpToDate:
+  case Kind::Replaced:
+    return "Protected";
+  case Kind::Running:
+    return "Protection: " + std::to_string(std::lround(100.0 * forbidden.State.Fraction)) + " %";
+  case Kind::Failed:
+    return "Not protected: " + forbidden.State.Sentence;
+  case Kind::NeedsUpdate:
+  case Kind::NotWanted:
+    break;
+  }
+  return forbidden.State.IsCancelled ? "Protection cancelled" : "Protection waits";
+}
+} // namespace palpate

@@ -1,0 +1,316 @@
+#include "StudyForbidden.h"
+
+#include "DrillBenchCases.h"
+#include "DrillState.h"
+#include "ForbiddenPhantom.h"
+#include "ManualClock.h"
+#include "RandomShapes.h"
+#include "Study.h"
+#include "StudyFiles.h"
+#include "WholeFile.h"
+
+#include <gtest/gtest.h>
+#include <thread>
+
+namespace palpate
+{
+namespace
+{
+using test::ForbiddenPhantom;
+using Kind = StudyStepState::Kind;
+
+// The servo runs as fast as it can, in virtual time: with real-time priority nothing else would.
+RealtimeRequest Ordinary()
+{
+  RealtimeRequest request;
+  request.Priority = 0;
+  return request;
+}
+
+class StudyForbiddenTest : public testing::Test
+{
+protected:
+  void SetUp() override
+  {
+    this->Open.OpenSegmentation(this->Phantom.File);
+    this->Settle();
+    ASSERT_EQ(this->Open.State().Structures.size(), 12U);
+  }
+  void Settle()
+  {
+    while (this->Open.Jobs().WaitForResult())
+    {
+      this->Open.Deliver();
+    }
+  }
+  void Change(const StudyState& next) { this->Open.Change("step", next); }
+  void StartTouch()
+  {
+    this->Open.StartTouch();
+    this->Settle();
+    ASSERT_TRUE(this->Open.Touch().IsRunning()) << this->Open.TouchProblem();
+  }
+  // Bone that is drilled, with nothing forbidden, while it is touched.
+  void StartDrilling()
+  {
+    this->Change(ForbiddenPhantom::Drilled(this->Open.State()));
+    this->Settle();
+    this->StartTouch();
+  }
+  template <typename Condition>
+  const StudyTouchReading& WaitUntil(const Condition& holds)
+  {
+    while (!holds(this->Open.Touch().Poll()))
+    {
+      std::this_thread::yield();
+    }
+    return this->Open.Touch().Poll();
+  }
+  void PlaceOutside()
+  {
+    constexpr double Outside = ForbiddenPhantom::BoneRadius + 4.0; // the burr's radius is 3 mm
+    this->Open.Touch().MoveHand(Vector3(Outside + 1.0, 0.0, 0.0));
+    this->WaitUntil([&](const StudyTouchReading& now)
+                    { return now.Newest.ProbeWorld.X > Outside; });
+  }
+  // From outside along x to a place before the bone's centre, with the pedal down; what is read
+  // after that much of the servo's time (s).
+  const StudyTouchReading& PressWithPedal(double x, double seconds)
+  {
+    this->PlaceOutside();
+    this->Open.Touch().MoveHand(Vector3(x, 0.0, 0.0));
+    this->Open.Touch().RunDrill(true);
+    const std::int64_t end = this->Time.Now() + static_cast<std::int64_t>(1e9 * seconds);
+    return this->WaitUntil([&](const StudyTouchReading& now)
+                           { return now.Newest.Tick.Started > end; });
+  }
+  double Removed() { return this->Open.Touch().Poll().Drill.Drilled.at(0).RemovedVolume; }
+  std::string Hold() { return this->Open.Touch().Poll().Drill.Hold; }
+  StudyStepState Protection(int label = ForbiddenPhantom::Nerve)
+  {
+    return this->Open.Pipeline().StateOf(StudyStep::Protection, label);
+  }
+
+  ForbiddenPhantom Phantom;
+  ManualClock Time;
+  Study Open{this->Time, Ordinary()};
+};
+
+TEST_F(StudyForbiddenTest, IsProtectedThoughNeitherVisibleNorTouchable)
+{
+  const StudyStructure& nerve = this->Open.State().Structures.back();
+  ASSERT_EQ(nerve.Label, ForbiddenPhantom::Nerve);
+  ASSERT_FALSE(nerve.IsVisible || nerve.IsTouchable);
+  this->Change(ForbiddenPhantom::Forbidden(ForbiddenPhantom::Drilled(this->Open.State())));
+  this->Settle();
+  EXPECT_EQ(this->Protection().Is, Kind::UpToDate) << this->Protection().Sentence;
+  this->StartTouch();
+  this->PressWithPedal(0.0, 8.0);
+  const StudyDrillReading& drill =
+      this->WaitUntil(
+              [](const StudyTouchReading& now)
+              { return !now.Drill.Approaches.empty() && now.Drill.Approaches[0].IsAlarmed; })
+          .Drill;
+  EXPECT_EQ(drill.Approaches[0].Name, "label 12");
+  EXPECT_EQ(drill.Hold, "");
+  // The burr came to the nerve and cut nothing of it; its surface is right to a fraction of a
+  // voxel of 1 mm.
+  this->WaitUntil([](const StudyTouchReading& now) { return now.Drill.Approaches[0].Least < 0.0; });
+  this->Open.Touch().RunDrill(false);
+  const vtkSmartPointer<vtkPolyData> cut =
+      this->WaitUntil([](const StudyTouchReading& now) { return !now.Newest.IsDrilling; })
+          .Drill.Drilled.at(0)
+          .Cut;
+  ASSERT_GT(cut->GetNumberOfPoints(), 100);
+  double nearest = ForbiddenPhantom::BoneRadius;
+  for (vtkIdType n = 0; n < cut->GetNumberOfPoints(); ++n)
+  {
+    nearest = std::min(nearest, Vector3(cut->GetPoint(n)).norm());
+  }
+  EXPECT_GT(nearest, ForbiddenPhantom::NerveRadius - 0.6);
+}
+
+TEST_F(StudyForbiddenTest, NothingIsCutBeforeTheProtectionIsReady)
+{
+  this->StartDrilling();
+  ASSERT_EQ(this->Hold(), "");
+  // What the worker makes of it comes with Settle alone.
+  this->Change(ForbiddenPhantom::Forbidden(this->Open.State()));
+  EXPECT_EQ(this->Hold(), "Drilling waits for the protection of label 12.");
+  const StudyTouchReading& held = this->PressWithPedal(6.0, 2.0);
+  EXPECT_TRUE(held.Newest.IsDrilling);
+  EXPECT_GT(held.Newest.Depth, 0.5) << "it is touched";
+  EXPECT_EQ(held.Newest.DrillOrders, 0U);
+  EXPECT_EQ(this->Removed(), 0.0);
+  this->Settle();
+  EXPECT_EQ(this->Hold(), "");
+  // The pedal that was down all the time does not begin to cut by itself.
+  EXPECT_FALSE(this->WaitUntil([](const StudyTouchReading& now) { return !now.Newest.IsDrilling; })
+                   .Newest.IsDrilling);
+  EXPECT_EQ(this->Removed(), 0.0);
+  this->Open.Touch().RunDrill(true);
+  this->WaitUntil([this](const StudyTouchReading&) { return this->Removed() > 1.0; });
+}
+
+TEST_F(StudyForbiddenTest, WhatWasDrilledBeforeStaysWhileAProtectionIsMade)
+{
+  this->StartDrilling();
+  this->PlaceOutside();
+  this->Open.Touch().MoveHand(Vector3(6.0, 0.0, 0.0));
+  this->Open.Touch().RunDrill(true);
+  this->WaitUntil([this](const StudyTouchReading&) { return this->Removed() > 20.0; });
+  this->Change(ForbiddenPhantom::Forbidden(this->Open.State()));
+  EXPECT_GT(this->Removed(), 19.0);
+  this->Settle();
+  EXPECT_GT(this->Removed(), 19.0);
+}
+
+TEST_F(StudyForbiddenTest, AFailedProtectionTurnsTheDrillOffAndSaysWhy)
+{
+  this->StartDrilling();
+  StudyState next = this->Open.State();
+  next.Structures.push_back(
+      test::StudyPhantom::Structure(77, TouchRepresentation::Automatic)); // of no voxel
+  next.Structures.back().Name = "Pallidum_L";
+  next.Structures.back().IsTouchable = false;
+  next.Structures.back().IsVisible = false;
+  next.Structures.back().IsForbidden = true;
+  this->Change(next);
+  this->Settle();
+  EXPECT_EQ(this->Protection(77).Is, Kind::Failed);
+  const std::string hold = this->Hold();
+  EXPECT_EQ(hold.rfind("Drilling is off, because Pallidum_L cannot be protected: ", 0), 0U) << hold;
+  EXPECT_NE(hold.find("77"), std::string::npos) << hold;
+  EXPECT_NE(hold.find("another drill role"), std::string::npos) << hold;
+  EXPECT_EQ(this->PressWithPedal(6.0, 2.0).Newest.DrillOrders, 0U);
+  next.Structures.back().IsForbidden = false;
+  this->Change(next);
+  EXPECT_EQ(this->Hold(), "");
+}
+
+TEST_F(StudyForbiddenTest, ACancelledProtectionTurnsTheDrillOffUntilItIsResumed)
+{
+  this->StartDrilling();
+  this->Change(ForbiddenPhantom::Forbidden(this->Open.State()));
+  this->Open.CancelStep(StudyStep::Protection);
+  this->Settle();
+  EXPECT_TRUE(this->Protection().IsCancelled);
+  EXPECT_NE(this->Hold().find("the protection of label 12 was cancelled"), std::string::npos)
+      << this->Hold();
+  EXPECT_EQ(this->PressWithPedal(6.0, 2.0).Newest.DrillOrders, 0U);
+  this->Open.ResumeStep(StudyStep::Protection);
+  EXPECT_EQ(this->Hold(), "Drilling waits for the protection of label 12.");
+  this->Settle();
+  EXPECT_EQ(this->Hold(), "");
+}
+
+// The scene of before goes on where another cannot be felt; it does not protect what is forbidden.
+TEST_F(StudyForbiddenTest, NothingIsCutWhereTheProtectedSceneCannotBeFelt)
+{
+  this->StartDrilling();
+  StudyState next = ForbiddenPhantom::Forbidden(this->Open.State());
+  next.Tool.Radius = -1.0;
+  this->Change(next);
+  EXPECT_NE(this->Open.TouchProblem(), "");
+  EXPECT_EQ(this->PressWithPedal(6.0, 2.0).Newest.DrillOrders, 0U);
+  next.Tool.Radius = 3.0;
+  this->Change(next);
+  this->Settle();
+  this->Open.Touch().RunDrill(true);
+  this->WaitUntil([this](const StudyTouchReading&) { return this->Removed() > 1.0; });
+}
+
+TEST_F(StudyForbiddenTest, ItsRowSaysHowTheProtectionStands)
+{
+  const auto row = [this]
+  { return ProtectionText(ForbiddenOf(this->Open.State(), this->Open.Pipeline()).at(0)); };
+  this->Change(ForbiddenPhantom::Forbidden(ForbiddenPhantom::Drilled(this->Open.State())));
+  EXPECT_EQ(row(), "Protection waits");
+  this->Open.CancelStep(StudyStep::Protection);
+  EXPECT_EQ(row(), "Protection cancelled");
+  this->Open.ResumeStep(StudyStep::Protection);
+  this->Settle();
+  EXPECT_EQ(row(), "Protected");
+}
+
+TEST(DrillHoldText, NamesTwoAndCountsTheOthers)
+{
+  const auto waiting = [](const std::string& name) {
+    return StudyForbidden{1, name, 2.0, {Kind::Running, 0.5, {}, {}}};
+  };
+  EXPECT_EQ(DrillHoldText({}), "");
+  EXPECT_EQ(DrillHoldText({waiting("a"), waiting("b")}),
+            "Drilling waits for the protection of a and b.");
+  EXPECT_EQ(DrillHoldText({waiting("a"), waiting("b"), waiting("c"), waiting("d")}),
+            "Drilling waits for the protection of a, b and 2 more.");
+}
+
+// From somewhere in the bone to somewhere else.
+std::vector<std::pair<Vector3, Vector3>> RandomSweeps()
+{
+  constexpr int Count = 40;
+  test::Random random(17);
+  std::vector<std::pair<Vector3, Vector3>> sweeps;
+  for (int n = 0; n < Count; ++n)
+  {
+    const Vector3 from = 9.0 * test::RandomDirection(random);
+    sweeps.emplace_back(from, 9.0 * test::RandomDirection(random));
+  }
+  return sweeps;
+}
+
+TEST_F(StudyForbiddenTest, TheCommandLineProtectsTheSame)
+{
+  const StudyState state =
+      ForbiddenPhantom::Forbidden(ForbiddenPhantom::Drilled(this->Open.State()));
+  this->Change(state);
+  this->Settle();
+  const StudyPipeline& pipeline = this->Open.Pipeline();
+  const auto contacts = ContactsOf(state, pipeline);
+  StudyDrill drill;
+  drill.Follow(state, contacts, ForbiddenOf(state, pipeline));
+  TouchScene scene = MakeStudyScene(state, contacts, {});
+  drill.PutInto(scene);
+  drill.Start();
+  CutOrder order;
+  order.Site = 0;
+  for (const auto& [from, to] : RandomSweeps())
+  {
+    order.From.PositionWorld = from;
+    order.To.PositionWorld = to;
+    ASSERT_TRUE(scene.Drill.Link->Orders.Push(order));
+    ++order.Number;
+  }
+  drill.Stop();
+  drill.Save(this->Phantom.Folder / "window.state");
+
+  const TouchSettings settings = SceneOfStudy(state, pipeline, this->Phantom.Folder.Path());
+  const auto bench = test::BenchOf(settings);
+  ASSERT_EQ(bench->Forbidden().size(), 1U);
+  EXPECT_EQ(bench->Forbidden()[0].AlarmDistance(), state.Structures.back().AlarmDistance);
+  test::BenchCuts cuts(bench);
+  for (const auto& [from, to] : RandomSweeps())
+  {
+    cuts.Cut(from, to);
+  }
+  WriteDrillState(this->Phantom.Folder / "command.state", *bench);
+  constexpr std::uintmax_t Largest = 1 << 28;
+  EXPECT_EQ(ReadWholeFile(this->Phantom.Folder / "window.state", Largest),
+            ReadWholeFile(this->Phantom.Folder / "command.state", Largest));
+}
+
+TEST(IsDrilled, IsTheSameInAStudyAndInAScene)
+{
+  for (int bits = 0; bits < 8; ++bits)
+  {
+    StudyStructure study;
+    TouchStructureSettings scene;
+    study.IsTouchable = scene.IsTouched = (bits & 1) != 0;
+    study.IsForbidden = scene.IsForbidden = (bits & 2) != 0;
+    study.Drill.Wear = scene.Drill.Wear = (bits & 4) != 0 ? 0.1 : 0.0;
+    EXPECT_EQ(study.IsDrilled(), bits == 5) << bits;
+    EXPECT_EQ(scene.IsDrilled(), bits == 5) << bits;
+  }
+}
+} // namespace
+} // namespace palpate

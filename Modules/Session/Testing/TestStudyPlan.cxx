@@ -1,0 +1,280 @@
+#include "StudyPlan.h"
+
+#include "StudyPhantoms.h"
+
+#include <functional>
+#include <gtest/gtest.h>
+#include <map>
+#include <set>
+
+namespace palpate
+{
+namespace
+{
+using Place = std::pair<StudyStep, int>;
+using Places = std::set<Place>;
+using Step = StudyStep;
+
+// Structures that are felt in each way, one that is drilled and one that is forbidden.
+enum Label
+{
+  Whole = 0,
+  Harmonics = 1,
+  Facets = 2,
+  Field = 3,
+  Bone = 4,
+  Nerve = 5
+};
+
+struct Inputs
+{
+  StudyState State;
+  StudyStamps Stamps{"v", "s", "t"};
+};
+
+Inputs Base()
+{
+  Inputs base;
+  base.State.VolumeFile = "/volume.nii.gz";
+  base.State.SegmentationFile = "/mask.nii.gz";
+  const auto add = [&](int label, TouchRepresentation representation) -> StudyStructure&
+  {
+    base.State.Structures.push_back(test::StudyPhantom::Structure(label, representation));
+    return base.State.Structures.back();
+  };
+  add(Harmonics, TouchRepresentation::Harmonics);
+  add(Facets, TouchRepresentation::Facets);
+  add(Field, TouchRepresentation::SubVoxel);
+  add(Bone, TouchRepresentation::SubVoxel).Drill.Wear = 0.1;
+  StudyStructure& nerve = add(Nerve, TouchRepresentation::Automatic);
+  nerve.IsVisible = false;
+  nerve.IsTouchable = false;
+  nerve.IsForbidden = true;
+  base.State.Tool.Kind = TouchToolSettings::Shape::Surface;
+  base.State.Tool.File = "/tool.stl";
+  return base;
+}
+
+std::map<Place, std::string> KeysOf(const Inputs& inputs)
+{
+  const StudyLookup nothing = [](const std::string&) { return nullptr; };
+  std::map<Place, std::string> keys;
+  for (const StudyNode& node : PlanStudy(inputs.State, inputs.Stamps, nothing))
+  {
+    keys[{node.Step, node.Label}] = node.Key;
+  }
+  return keys;
+}
+
+Places Without(Places all, const Places& some)
+{
+  for (const Place& one : some)
+  {
+    all.erase(one);
+  }
+  return all;
+}
+
+Places And(Places some, const Places& others)
+{
+  some.insert(others.begin(), others.end());
+  return some;
+}
+
+struct Change
+{
+  const char* Name;
+  std::function<void(Inputs&)> Do;
+  Places Changed; ///< the products that depend on it
+};
+
+void ExpectChanges(const Inputs& base, const std::vector<Change>& changes)
+{
+  const std::map<Place, std::string> before = KeysOf(base);
+  for (const Change& change : changes)
+  {
+    Inputs next = base;
+    change.Do(next);
+    const std::map<Place, std::string> after = KeysOf(next);
+    ASSERT_EQ(after.size(), before.size()) << change.Name;
+    for (const auto& [place, key] : before)
+    {
+      EXPECT_EQ(after.at(place) != key, change.Changed.count(place) > 0)
+          << change.Name << ": " << NameOf(place.first) << " of " << place.second;
+    }
+  }
+}
+
+Places AllPlaces(const Inputs& inputs)
+{
+  Places places;
+  for (const auto& [place, key] : KeysOf(inputs))
+  {
+    places.insert(place);
+  }
+  return places;
+}
+
+const Places ModelPlaces{
+    {Step::Model, Harmonics}, {Step::Touch, Harmonics}, {Step::Cost, Harmonics}};
+const Places SamplePlaces = And(ModelPlaces, {{Step::Samples, Harmonics}});
+const Places SurfacePlaces = And(SamplePlaces, {{Step::Surface, Harmonics},
+                                                {Step::Surface, Facets},
+                                                {Step::Touch, Facets},
+                                                {Step::Cost, Facets}});
+const Places FieldPlaces{{Step::Field, Field}, {Step::Touch, Field}, {Step::Cost, Field}};
+const Places BonePlaces{
+    {Step::Field, Bone}, {Step::Touch, Bone}, {Step::Cost, Bone}, {Step::Protection, Nerve}};
+const Places CostPlaces{
+    {Step::Cost, Harmonics}, {Step::Cost, Facets}, {Step::Cost, Field}, {Step::Cost, Bone}};
+const Places ToolPlaces = And(CostPlaces, {{Step::Tool, Whole}});
+
+TEST(StudyPlan, AnInputOfAProductIsInItsKey)
+{
+  const Inputs base = Base();
+  const Places ofMask = Without(AllPlaces(base), {{Step::Volume, Whole}, {Step::Tool, Whole}});
+  const auto fit = [](auto member, auto value)
+  { return [=](Inputs& inputs) { inputs.State.Fit.*member = value; }; };
+  const auto tool = [](auto member, auto value)
+  { return [=](Inputs& inputs) { inputs.State.Tool.*member = value; }; };
+  const auto first = [](auto member, auto value)
+  { return [=](Inputs& inputs) { inputs.State.Structures[0].*member = value; }; };
+  ExpectChanges(
+      base,
+      {{"volume", [](Inputs& i) { i.State.VolumeFile = "/b.nii"; }, {{Step::Volume, Whole}}},
+       {"volume's content", [](Inputs& i) { i.Stamps.Volume = "w"; }, {{Step::Volume, Whole}}},
+       {"series", [](Inputs& i) { i.State.DicomSeries = "2"; }, {{Step::Volume, Whole}}},
+       {"axes",
+        [](Inputs& i)
+        {
+          i.State.LeftHanded = i.State.LeftHanded == LeftHandedAxes::Refuse
+                                   ? LeftHandedAxes::Reverse
+                                   : LeftHandedAxes::Refuse;
+        },
+        And(ofMask, {{Step::Volume, Whole}})},
+       {"mask", [](Inputs& i) { i.State.SegmentationFile = "/b.nii"; }, ofMask},
+       {"mask's content", [](Inputs& i) { i.Stamps.Segmentation = "r"; }, ofMask},
+       {"method", fit(&FitSettings::Method, FitSettings::SurfaceMethod::Plain), SurfacePlaces},
+       {"smoothing", fit(&FitSettings::Smoothing, 0.25), SurfacePlaces},
+       {"component", fit(&FitSettings::Component, 2), SurfacePlaces},
+       {"frequency", fit(&FitSettings::Frequency, 11), SamplePlaces},
+       {"centre", fit(&FitSettings::Center, FitSettings::CenterChoice::MostVisible), SamplePlaces},
+       {"given centre", fit(&FitSettings::GivenCenterWorld, std::array<double, 3>{{1.0, 2.0, 3.0}}),
+        SamplePlaces},
+       {"hidden", fit(&FitSettings::MaximumHiddenPercent, 50.0), SamplePlaces},
+       {"degree", first(&StudyStructure::Degree, 9), ModelPlaces},
+       {"tolerance", fit(&FitSettings::Tolerance, 0.5), ModelPlaces},
+       {"highest degree", fit(&FitSettings::MaximumDegree, 7), ModelPlaces},
+       {"weight", fit(&FitSettings::Weight, FitSettings::SampleWeight::Uniform), ModelPlaces},
+       {"penalty", fit(&FitSettings::PenaltyKind, FitSettings::Penalty::Given), ModelPlaces},
+       {"roughness", fit(&FitSettings::Roughness, 1e-3), ModelPlaces},
+       {"Dice", fit(&FitSettings::MinimumDice, 0.5), ModelPlaces},
+       {"interpolation",
+        [](Inputs& i) { i.State.Interpolation = FieldInterpolation::TricubicBSpline; },
+        FieldPlaces},
+       {"field's smoothing", [](Inputs& i) { i.State.FieldSmoothing = 0.5; },
+        And(FieldPlaces, BonePlaces)},
+       {"tool's shape", tool(&TouchToolSettings::Radius, 1.5), CostPlaces},
+       {"tool's length", tool(&TouchToolSettings::Length, 1.5), CostPlaces},
+       {"tool's axes", tool(&TouchToolSettings::SemiAxes, Vector3(1.0, 2.0, 3.0)), CostPlaces},
+       {"tool's points", tool(&TouchToolSettings::Points, 60), ToolPlaces},
+       {"tool's file", tool(&TouchToolSettings::File, std::filesystem::path("/b.stl")), ToolPlaces},
+       {"tool's content", [](Inputs& i) { i.Stamps.Tool = "u"; }, ToolPlaces}});
+}
+
+TEST(StudyPlan, WhatAStepOfTheDialIsMeasuredWithIsInItsKey)
+{
+  Inputs base = Base();
+  base.State.Dial = StudyDial::SubVoxelLinear;
+  const auto trades = [](const Places& places)
+  {
+    return And(places, {{Step::Trade, Harmonics},
+                        {Step::Trade, Facets},
+                        {Step::Trade, Field},
+                        {Step::Trade, Bone}});
+  };
+  const Places fields = And(And(FieldPlaces, BonePlaces), {{Step::Field, Harmonics},
+                                                           {Step::Touch, Harmonics},
+                                                           {Step::Cost, Harmonics},
+                                                           {Step::Field, Facets},
+                                                           {Step::Touch, Facets},
+                                                           {Step::Cost, Facets}});
+  ExpectChanges(
+      base, {{"field's smoothing", [](Inputs& i) { i.State.FieldSmoothing = 0.5; }, trades(fields)},
+             {"tool's radius", [](Inputs& i) { i.State.Tool.Radius = 9.0; }, trades(CostPlaces)},
+             {"tool's file", [](Inputs& i) { i.State.Tool.File = "/b.stl"; }, trades(ToolPlaces)},
+             {"tool's content", [](Inputs& i) { i.Stamps.Tool = "u"; }, trades(ToolPlaces)},
+             {"name", [](Inputs& i) { i.State.Structures[0].Name = "other"; }, {}}});
+}
+
+// What is only looked at or felt otherwise makes nothing again.
+TEST(StudyPlan, WhatNoProductDependsOnIsInNoKey)
+{
+  const auto each = [](const std::function<void(StudyStructure&)>& change)
+  {
+    return [change](Inputs& inputs)
+    {
+      for (StudyStructure& one : inputs.State.Structures)
+      {
+        change(one);
+      }
+    };
+  };
+  ExpectChanges(Base(), {{"stiffness", each([](StudyStructure& s) { s.Stiffness = 1.25; }), {}},
+                         {"friction",
+                          each(
+                              [](StudyStructure& s) {
+                                s.Friction = {0.4, 0.3};
+                              }),
+                          {}},
+                         {"name", each([](StudyStructure& s) { s.Name = "other"; }), {}},
+                         {"colour",
+                          each(
+                              [](StudyStructure& s) {
+                                s.Color = {{0.0, 0.0, 1.0}};
+                              }),
+                          {}},
+                         {"alarm", each([](StudyStructure& s) { s.AlarmDistance = 7.0; }), {}},
+                         {"drag", each([](StudyStructure& s) { s.Drill.Drag = 0.01; }), {}},
+                         {"turns", [](Inputs& i) { i.State.Drill.Turns = 5.0; }, {}},
+                         {"view", [](Inputs& i) { i.State.View.OverlayOpacity = 0.125; }, {}},
+                         {"device", [](Inputs& i) { i.State.Device = "falcon"; }, {}},
+                         {"placement", [](Inputs& i) { i.State.Placement.Scale = 2.0; }, {}}});
+}
+
+TEST(StudyPlan, AForbiddenStructureIsProtectedWhateverIsShown)
+{
+  for (int bits = 0; bits < 4; ++bits)
+  {
+    Inputs inputs = Base();
+    inputs.State.Structures.back().IsVisible = (bits & 1) != 0;
+    inputs.State.Structures.back().IsTouchable = (bits & 2) != 0;
+    EXPECT_EQ(KeysOf(inputs).count({Step::Protection, Nerve}), 1U) << bits;
+  }
+}
+
+// Names of labels and detached data are read with the file that names them.
+TEST(StudyStamps, FilesThatAreReadWithAnotherAreStamped)
+{
+  const test::TemporaryFolder folder;
+  const std::vector<std::pair<const char*, const char*>> cases{{"aal.nii.gz", "aal.nii.txt"},
+                                                               {"aal.nii.gz", "aal.nii.lut"},
+                                                               {"mask.mhd", "mask.raw"},
+                                                               {"mask.mhd", "mask.zraw"},
+                                                               {"mask.nhdr", "mask.raw.gz"}};
+  for (const auto& [file, companion] : cases)
+  {
+    StudyState state;
+    state.SegmentationFile = folder / file;
+    state.VolumeFile = folder / file;
+    test::WriteAll(folder / file, "header");
+    const StudyStamps before = StampFiles(state);
+    test::WriteAll(folder / companion, "data");
+    const StudyStamps after = StampFiles(state);
+    EXPECT_NE(after.Segmentation, before.Segmentation) << companion;
+    EXPECT_NE(after.Volume, before.Volume) << companion;
+    std::filesystem::remove(folder / companion);
+  }
+}
+} // namespace
+} // namespace palpate

@@ -1,0 +1,147 @@
+#include "DrillPanel.h"
+#include "ForbiddenPhantom.h"
+#include "WindowTest.h"
+
+#include <QComboBox>
+#include <QKeyEvent>
+#include <QTableWidget>
+
+#include <future>
+
+namespace palpate
+{
+namespace
+{
+using test::ForbiddenPhantom;
+
+// Twelve labels in the window, of which the first alone is visible and touchable.
+class DrillPanelForbiddenTest : public test::WindowTest
+{
+protected:
+  static constexpr int BoneRow = 0;
+  static constexpr int NerveRow = 11;
+  enum Role
+  {
+    SoftTissue = 2,
+    Forbidden = 3
+  };
+
+  QTableWidget* Table() const { return this->Window->findChild<QTableWidget*>("drill-structures"); }
+  std::string Words() const
+  {
+    return this->Window->findChild<DrillPanel*>()->AlarmWords().toStdString();
+  }
+  std::string StatusOf(int row) const { return this->Table()->item(row, 3)->text().toStdString(); }
+  void Choose(int row, int role)
+  {
+    auto* choice = qobject_cast<QComboBox*>(this->Table()->cellWidget(row, 1));
+    choice->setCurrentIndex(role);
+    Q_EMIT choice->activated(role);
+  }
+  void PressAndRelease()
+  {
+    QKeyEvent press(QEvent::KeyPress, Qt::Key_D, Qt::NoModifier);
+    QApplication::sendEvent(this->Window->Views(), &press);
+    WaitUntil(
+        [this]
+        {
+          this->AllowForcesAfterStalls(); // which take the pedal up
+          const bool isDrilling = this->Study->Reading().Newest.IsDrilling;
+          if (!isDrilling)
+          {
+            this->Study->Current().Touch().RunDrill(true);
+          }
+          return isDrilling;
+        });
+    QKeyEvent release(QEvent::KeyRelease, Qt::Key_D, Qt::NoModifier);
+    QApplication::sendEvent(this->Window->Views(), &release);
+    WaitUntil([this] { return !this->Study->Reading().Newest.IsDrilling; });
+  }
+  void StartDrilling()
+  {
+    this->Study->OpenSegmentation(this->Labels.File);
+    WaitUntil([this] { return this->Study->State().Structures.size() == 12; });
+    this->Settle();
+    this->Choose(BoneRow, SoftTissue);
+    this->Settle();
+    this->Button("start-touch")->click();
+    WaitUntil([this] { return !this->Study->Reading().Drill.Drilled.empty(); });
+  }
+  // The study's only worker does nothing until Release.
+  void HoldWorker()
+  {
+    StudyJob job;
+    job.IsUrgent = true;
+    job.Work = [wait = this->Released.get_future().share()](const ProgressFunction&)
+    {
+      wait.wait();
+      return StudyJob::Delivery([] {});
+    };
+    this->Study->Current().Jobs().Start(std::move(job));
+  }
+  void Release() { this->Released.set_value(); }
+
+  ForbiddenPhantom Labels;
+  std::promise<void> Released;
+};
+
+TEST_F(DrillPanelForbiddenTest, SaysOnceThatDrillingWaitsForAProtection)
+{
+  this->StartDrilling();
+  EXPECT_EQ(this->Words(), "");
+  EXPECT_TRUE(this->Button("drill-pedal")->isEnabled());
+  this->HoldWorker();
+  this->Window->Messages()->Clear();
+  this->Choose(NerveRow, Forbidden);
+  const std::string waits = "Drilling waits for the protection of label 12.";
+  EXPECT_EQ(this->Words(), waits);
+  EXPECT_EQ(this->StatusOf(NerveRow), "Protection waits");
+  EXPECT_FALSE(this->Button("drill-pedal")->isEnabled());
+  EXPECT_EQ(this->Messages(), "");
+  this->PressAndRelease();
+  this->PressAndRelease();
+  const std::string said = this->Messages();
+  const std::size_t first = said.find(waits);
+  ASSERT_NE(first, std::string::npos) << said;
+  EXPECT_EQ(said.find(waits, first + 1), std::string::npos) << said;
+  EXPECT_EQ(this->Study->Reading().Newest.DrillOrders, 0U);
+  this->Release();
+  WaitUntil([this] { return this->Button("drill-pedal")->isEnabled(); });
+  EXPECT_EQ(this->Words().find("waits"), std::string::npos) << this->Words();
+  EXPECT_NE(this->StatusOf(NerveRow).find("mm away"), std::string::npos)
+      << this->StatusOf(NerveRow);
+}
+
+TEST_F(DrillPanelForbiddenTest, SaysHowAProtectionStandsBeforeATouch)
+{
+  this->Study->OpenSegmentation(this->Labels.File);
+  WaitUntil([this] { return this->Study->State().Structures.size() == 12; });
+  this->Settle();
+  this->Choose(BoneRow, SoftTissue);
+  this->Choose(NerveRow, Forbidden);
+  WaitUntil([this] { return this->StatusOf(NerveRow) == "Protected"; });
+  EXPECT_EQ(this->Words(), "");
+}
+
+TEST_F(DrillPanelForbiddenTest, SaysOnceWhatCannotBeProtectedAndTheWayOut)
+{
+  this->StartDrilling();
+  this->Window->Messages()->Clear();
+  StudyState next = this->Study->State();
+  next.Structures.push_back(test::StudyPhantom::Structure(77, TouchRepresentation::Automatic));
+  next.Structures.back().Name = "Pallidum_L"; // of no voxel
+  next.Structures.back().IsVisible = false;
+  next.Structures.back().IsTouchable = false;
+  next.Structures.back().IsForbidden = true;
+  this->Study->Change("Forbid what is not there", next);
+  const std::string start = "Drilling is off, because Pallidum_L cannot be protected: ";
+  WaitUntil([&] { return this->Messages().find(start) != std::string::npos; });
+  EXPECT_EQ(this->Words().rfind(start, 0), 0U) << this->Words();
+  EXPECT_EQ(this->StatusOf(12).rfind("Not protected: ", 0), 0U) << this->StatusOf(12);
+  this->PressAndRelease();
+  const std::string said = this->Messages();
+  EXPECT_EQ(said.find(start), said.rfind(start)) << said;
+  EXPECT_EQ(this->Study->Reading().Newest.DrillOrders, 0U);
+}
+} // namespace
+} // namespace palpate
