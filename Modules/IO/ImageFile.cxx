@@ -5,6 +5,7 @@
 #include "MetaImageHeader.h"
 #include "NiftiVoxels.h"
 #include "NrrdHeader.h"
+#include "NrrdSpace.h"
 #include "Refusal.h"
 
 #include <algorithm>
@@ -19,17 +20,13 @@ ImageFile::ImageFile(const std::filesystem::path& file, FileKind kind) : File(fi
     this->OpenNifti();
     return;
   }
-  if (kind == FileKind::MetaImage)
-  {
-    CheckMetaImageHeader(file);
-  }
   if (kind == FileKind::Nrrd)
   {
-    CheckNrrdHeader(file);
+    this->OpenNrrd();
+    return;
   }
+  this->HeaderNotes = CheckMetaImageHeader(file);
   this->OpenReader();
-  this->CheckHeader();
-  this->TakeGrid();
   CheckGrid(file, this->FileGrid);
 }
 
@@ -48,6 +45,16 @@ void ImageFile::OpenNifti()
   this->HeaderNotes = OrientationNotes(header.Orientation, this->FileGrid);
 }
 
+void ImageFile::OpenNrrd()
+{
+  CheckNrrdHeader(this->File);
+  const NrrdSpace space(this->File, ReadNrrdFields(this->File));
+  this->OpenReader();
+  space.PlaceGrid(this->FileGrid);
+  CheckGrid(this->File, this->FileGrid);
+  this->HeaderNotes = space.Notes();
+}
+
 void ImageFile::OpenReader()
 {
   try
@@ -61,6 +68,8 @@ void ImageFile::OpenReader()
            std::string("is no ") + FileKindName(this->Kind) + " image or its header is damaged",
            "copy or export it again");
   }
+  this->CheckHeader();
+  this->TakeGrid();
 }
 
 void ImageFile::CheckHeader() const

@@ -7,6 +7,7 @@
 #include "PlyReader.h"
 #include "QuietStandardStreams.h"
 #include "Refusal.h"
+#include "SurfaceSpace.h"
 #include "TriangleMesh.h"
 #include "WholeFile.h"
 #include "vtkFieldData.h"
@@ -20,6 +21,9 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <fstream>
+#include <sstream>
+#include <utility>
 
 namespace palpate
 {
@@ -79,8 +83,8 @@ std::string SurfaceToVtp(vtkPolyData* surface, const std::filesystem::path& path
 }
 
 // VTK's reader takes an STL file that is cut short without a word. A binary one says how many
-// triangles it has; a text one says where it ends.
-void CheckStlIsWhole(const std::filesystem::path& path)
+// triangles it has; a text one says where it ends. Returns its comment.
+std::string CheckedStlComment(const std::filesystem::path& path)
 {
   const std::string bytes = ReadWholeFile(path, MaximumBytes);
   constexpr std::size_t header = 80;
@@ -96,6 +100,29 @@ void CheckStlIsWhole(const std::filesystem::path& path)
   {
     Refuse(path, "is no whole STL file, perhaps cut short", "write the file again");
   }
+  return bytes.substr(0, wholeBinary ? header : bytes.find('\n'));
+}
+
+// The comments before the first vertex, in as much of the file as comments take.
+std::string ObjComments(const std::filesystem::path& path)
+{
+  constexpr std::size_t most = 1U << 16;
+  std::string head(most, '\0');
+  std::ifstream stream(path, std::ios::binary);
+  stream.read(head.data(), static_cast<std::streamsize>(most));
+  std::istringstream lines(head.substr(0, static_cast<std::size_t>(stream.gcount())));
+  std::string comments;
+  for (std::string line; std::getline(lines, line) && line.rfind("v ", 0) != 0;)
+  {
+    comments += line.rfind('#', 0) == 0 ? line + '\n' : std::string();
+  }
+  return comments;
+}
+
+vtkSmartPointer<vtkPolyData> TurnedToLps(SurfaceSpace space, vtkSmartPointer<vtkPolyData> surface)
+{
+  TurnToLps(space, surface);
+  return surface;
 }
 
 template <typename Reader>
@@ -121,20 +148,24 @@ vtkSmartPointer<vtkPolyData> ReadByEnding(const std::filesystem::path& path)
   const std::string ending = FileEnding(path);
   if (ending == ".vtp")
   {
-    return ReadWith<vtkXMLPolyDataReader>(path);
+    const vtkSmartPointer<vtkPolyData> surface = ReadWith<vtkXMLPolyDataReader>(path);
+    return TurnedToLps(TakeSpaceOfFields(path, surface), surface);
   }
   if (ending == ".stl")
   {
-    CheckStlIsWhole(path);
-    return ReadWith<vtkSTLReader>(path);
+    const SurfaceSpace space = SpaceOfComments(path, CheckedStlComment(path));
+    return TurnedToLps(space, ReadWith<vtkSTLReader>(path));
   }
   if (ending == ".ply")
   {
-    return PolyDataOf(MeshFromPly(ReadWholeFile(path, MaximumBytes), path.string()));
+    const std::string bytes = ReadWholeFile(path, MaximumBytes);
+    const std::string header = bytes.substr(0, bytes.find("end_header"));
+    return TurnedToLps(SpaceOfComments(path, header),
+                       PolyDataOf(MeshFromPly(bytes, path.string())));
   }
   if (ending == ".obj")
   {
-    return ReadWith<vtkOBJReader>(path);
+    return TurnedToLps(SpaceOfComments(path, ObjComments(path)), ReadWith<vtkOBJReader>(path));
   }
   Refuse(path, "does not end as a surface that can be read", "use .vtp, .stl, .ply or .obj");
 }
