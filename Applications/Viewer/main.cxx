@@ -1,9 +1,9 @@
+#include "Application.h"
 #include "DisplayServer.h"
 #include "SteadyClock.h"
 #include "ViewerOptions.h"
 #include "ViewerRun.h"
 
-#include <QApplication>
 #include <QSurfaceFormat>
 
 #include <cstdlib>
@@ -20,7 +20,7 @@ int Run(int argc, char* argv[], const palpate::ViewerOptions& options)
   QApplication::setAttribute(Qt::AA_UseHighDpiPixmaps);
   QApplication::setApplicationName("palpate-viewer");
   QApplication::setOrganizationName("Palpate");
-  QApplication application(argc, argv);
+  const palpate::Application application(argc, argv);
   palpate::SteadyClock clock;
   palpate::StudyController study(clock);
   palpate::MainWindow window(study);

@@ -1,5 +1,6 @@
 #include "MetaImageHeader.h"
 
+#include "CNumericLocale.h"
 #include "Refusal.h"
 #include "ZlibCheck.h"
 
@@ -210,6 +211,7 @@ std::vector<std::string> OrientationNotes(const Header& header)
 
 std::vector<std::string> CheckMetaImageHeader(const std::filesystem::path& file)
 {
+  CNumericLocale::RequireOfStreams(file);
   const Header header = ReadHeader(file);
   const std::vector<double> sizes = CheckDimensions(file, header);
   CheckSpacings(file, header);

@@ -1,6 +1,7 @@
 #include "SurfaceFile.h"
 
 #include "AlgorithmErrors.h"
+#include "CNumericLocale.h"
 #include "FileEnding.h"
 #include "MeshFormats.h"
 #include "MeshGltf.h"
@@ -134,6 +135,7 @@ vtkSmartPointer<vtkPolyData> ReadWith(const std::filesystem::path& path)
   {
     // The readers' helper objects print, where no observer reaches.
     const QuietStandardStreams quiet;
+    const CNumericLocale numbers;
     reader->Update();
   }
   if (errors.Raised())
@@ -148,6 +150,7 @@ vtkSmartPointer<vtkPolyData> ReadByEnding(const std::filesystem::path& path)
   const std::string ending = FileEnding(path);
   if (ending == ".vtp")
   {
+    CNumericLocale::RequireOfStreams(path);
     const vtkSmartPointer<vtkPolyData> surface = ReadWith<vtkXMLPolyDataReader>(path);
     return TurnedToLps(TakeSpaceOfFields(path, surface), surface);
   }

@@ -19,6 +19,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iomanip>
+#include <locale>
 #include <sstream>
 
 namespace palpate
@@ -108,6 +109,7 @@ void TakeSurface(vtkSegmentationSurface* surface, FitResult& result)
 std::string Fixed(double value, int digits)
 {
   std::ostringstream text;
+  text.imbue(std::locale::classic());
   text << std::fixed << std::setprecision(digits) << value;
   return text.str();
 }
