@@ -15,13 +15,13 @@ void ImageOptions::Declare(CLI::App& app, const std::string& seriesOf)
 
 void ImageOptions::DeclareAxes(CLI::App& app)
 {
-  app.add_flag("--reverse-left-handed", this->ReverseLeftHanded,
-               "Read files with left-handed directions (usual from FSL and dcm2niix) by reversing "
-               "one index axis; voxels keep their places in the patient");
+  app.add_flag("--refuse-left-handed", this->RefuseLeftHanded,
+               "Refuse files with left-handed directions, which FSL and dcm2niix write; by default "
+               "one index axis is reversed, and voxels keep their places in the patient");
 }
 
 LeftHandedAxes ImageOptions::LeftHanded() const
 {
-  return this->ReverseLeftHanded ? LeftHandedAxes::Reverse : LeftHandedAxes::Refuse;
+  return this->RefuseLeftHanded ? LeftHandedAxes::Refuse : LeftHandedAxes::Reverse;
 }
 } // namespace palpate::cli

@@ -16,9 +16,9 @@ namespace palpate::cli
 class ImageOptions
 {
 public:
-  /// Adds --series, with what it chooses from, and --reverse-left-handed.
+  /// Adds --series, with what it chooses from, and --refuse-left-handed.
   void Declare(CLI::App& app, const std::string& seriesOf);
-  /// Adds --reverse-left-handed alone, where no DICOM series is read.
+  /// Adds --refuse-left-handed alone, where no DICOM series is read.
   void DeclareAxes(CLI::App& app);
 
   LeftHandedAxes LeftHanded() const;
@@ -26,6 +26,6 @@ public:
 
 private:
   std::string Series;
-  bool ReverseLeftHanded = false;
+  bool RefuseLeftHanded = false;
 };
 } // namespace palpate::cli

@@ -1,3 +1,4 @@
+#include "Application.h"
 #include "DisplayServer.h"
 #include "Interruption.h"
 #include "ScreenText.h"
@@ -5,7 +6,6 @@
 #include "ViewerOptions.h"
 #include "ViewerRun.h"
 
-#include <QApplication>
 #include <QSurfaceFormat>
 
 #include <csignal>
@@ -23,7 +23,7 @@ int Run(int argc, char* argv[], const palpate::ViewerOptions& options)
   QApplication::setAttribute(Qt::AA_UseHighDpiPixmaps);
   QApplication::setApplicationName("palpate-viewer");
   QApplication::setOrganizationName("Palpate");
-  QApplication application(argc, argv);
+  const palpate::Application application(argc, argv);
   palpate::SteadyClock clock;
   palpate::StudyController study(clock);
   palpate::MainWindow window(study);

@@ -7,6 +7,7 @@
 #include "NiftiVoxels.h"
 #include "NrrdHeader.h"
 #include "NrrdLimits.h"
+#include "NrrdSpace.h"
 #include "Refusal.h"
 
 #include <algorithm>
@@ -21,18 +22,14 @@ ImageFile::ImageFile(const std::filesystem::path& file, FileKind kind) : File(fi
     this->OpenNifti();
     return;
   }
-  if (kind == FileKind::MetaImage)
-  {
-    CheckMetaImageHeader(file);
-  }
   if (kind == FileKind::Nrrd)
   {
     CheckNrrdLimits(file);
-    CheckNrrdHeader(file);
+    this->OpenNrrd();
+    return;
   }
+  this->HeaderNotes = CheckMetaImageHeader(file);
   this->OpenReader();
-  this->CheckHeader();
-  this->TakeGrid();
   CheckGrid(file, this->FileGrid);
 }
 
@@ -51,6 +48,16 @@ void ImageFile::OpenNifti()
   this->HeaderNotes = OrientationNotes(header.Orientation, this->FileGrid);
 }
 
+void ImageFile::OpenNrrd()
+{
+  CheckNrrdHeader(this->File);
+  const NrrdSpace space(this->File, ReadNrrdFields(this->File));
+  this->OpenReader();
+  space.PlaceGrid(this->FileGrid);
+  CheckGrid(this->File, this->FileGrid);
+  this->HeaderNotes = space.Notes();
+}
+
 void ImageFile::OpenReader()
 {
   try
@@ -65,6 +72,8 @@ void ImageFile::OpenReader()
                       " image or its header is damaged",
                   "copy or export it again");
   }
+  this->CheckHeader();
+  this->TakeGrid();
 }
 
 void ImageFile::CheckHeader() const

@@ -50,6 +50,7 @@ public:
 
 private:
   void OpenNifti();
+  void OpenNrrd();
   void OpenReader();
   void CheckHeader() const;
   void TakeGrid();

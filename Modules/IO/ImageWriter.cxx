@@ -1,6 +1,7 @@
 #include "ImageWriter.h"
 
 #include "AtomicFile.h"
+#include "CNumericLocale.h"
 #include "FileEnding.h"
 #include "ImageReadBack.h"
 #include "MemoryCheck.h"
@@ -158,6 +159,10 @@ void WriteImage(const std::filesystem::path& path, vtkImageData* image)
   }
   const vtkSmartPointer<vtkDataArray> voxels = Narrowed(path, image->GetPointData()->GetScalars());
   CheckWritable(path, voxels);
+  if (ending == ".mha")
+  {
+    CNumericLocale::RequireOfStreams(path);
+  }
   AtomicFile file(path);
   io->SetFileName(file.TemporaryPath().string());
   io->SetNumberOfDimensions(3);
@@ -170,6 +175,7 @@ void WriteImage(const std::filesystem::path& path, vtkImageData* image)
   try
   {
     const QuietStandardStreams quiet;
+    const CNumericLocale numbers;
     // ITK's writers of NRRD and MetaImage do not notice a full disk, so the file is read again.
     io->Write(voxels->GetVoidPointer(0));
     complete = HoldsVoxels(file.TemporaryPath(), voxels);

@@ -1,5 +1,6 @@
 #include "ItkImageReader.h"
 
+#include "CNumericLocale.h"
 #include "QuietStandardStreams.h"
 
 #include "itkMetaDataObject.h"
@@ -62,6 +63,7 @@ ItkImageReader::ItkImageReader(const std::filesystem::path& file, FileKind kind)
     : Itk(std::make_unique<Implementation>())
 {
   const QuietStandardStreams quiet;
+  const CNumericLocale numbers;
   this->Itk->Io = NewImageIo(kind);
   this->Itk->Io->SetFileName(file.string());
   if (!this->Itk->Io->CanReadFile(file.c_str()))
@@ -101,6 +103,7 @@ ItkImageHeader ItkImageReader::Header() const
 void ItkImageReader::ReadInto(void* buffer)
 {
   const QuietStandardStreams quiet;
+  const CNumericLocale numbers;
   itk::ImageIOBase& io = *this->Itk->Io;
   const unsigned int dimensions = io.GetNumberOfDimensions();
   itk::ImageIORegion region(dimensions);

@@ -1,5 +1,6 @@
 #include "MetaImageHeader.h"
 
+#include "CNumericLocale.h"
 #include "ForeignFile.h"
 #include "Refusal.h"
 #include "ZlibCheck.h"
@@ -199,10 +200,22 @@ void CheckLength(const std::filesystem::path& file, const Header& header, double
            "copy or export it again");
   }
 }
+std::vector<std::string> OrientationNotes(const Header& header)
+{
+  for (const char* key : {"TransformMatrix", "Rotation", "Orientation"})
+  {
+    if (header.Entries.count(key) > 0)
+    {
+      return {};
+    }
+  }
+  return {"The file gives no TransformMatrix; its index axes were taken as L, P, S."};
+}
 } // namespace
 
-void CheckMetaImageHeader(const std::filesystem::path& file)
+std::vector<std::string> CheckMetaImageHeader(const std::filesystem::path& file)
 {
+  CNumericLocale::RequireOfStreams(file);
   const Header header = ReadHeader(file);
   const std::vector<double> sizes = CheckDimensions(file, header);
   CheckSpacings(file, header);
@@ -213,5 +226,6 @@ void CheckMetaImageHeader(const std::filesystem::path& file)
            "give one grey value or label per voxel");
   }
   CheckLength(file, header, sizes[0] * sizes[1] * sizes[2] * BytesOfType(file, header));
+  return OrientationNotes(header);
 }
 } // namespace palpate

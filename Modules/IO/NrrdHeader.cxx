@@ -3,6 +3,7 @@
 #include "Refusal.h"
 #include "ZlibCheck.h"
 
+#include <cctype>
 #include <cstdint>
 #include <fstream>
 #include <map>
@@ -22,6 +23,20 @@ struct Header
   std::uint64_t Bytes = 0; // where the data of an attached header start
 };
 
+// Field names are the same in either case, and some are known with and without blanks.
+std::string Normalised(const std::string& name)
+{
+  std::string normalised;
+  for (const char letter : name)
+  {
+    if (letter != ' ')
+    {
+      normalised += static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
+    }
+  }
+  return normalised;
+}
+
 Header ReadHeader(const std::filesystem::path& file)
 {
   Header header;
@@ -31,30 +46,26 @@ Header ReadHeader(const std::filesystem::path& file)
   {
     const std::string key = line.substr(0, line.find(':'));
     const auto first = line.find_first_not_of(" \t\r", key.size() + 1);
-    if (first != std::string::npos)
+    if (first != std::string::npos && line[0] != '#' && line[key.size() + 1] != '=')
     {
-      header.Fields[key] = line.substr(first, line.find_last_not_of(" \t\r") + 1 - first);
+      header.Fields[Normalised(key)] =
+          line.substr(first, line.find_last_not_of(" \t\r") + 1 - first);
     }
   }
   header.Bytes = stream ? static_cast<std::uint64_t>(stream.tellg()) : 0;
   return header;
 }
 
-std::string Field(const Header& header, const std::string& key, const std::string& otherKey)
+std::string Field(const Header& header, const std::string& key)
 {
   const auto found = header.Fields.find(key);
-  const auto other = header.Fields.find(otherKey);
-  if (found != header.Fields.end())
-  {
-    return found->second;
-  }
-  return other == header.Fields.end() ? std::string() : other->second;
+  return found == header.Fields.end() ? std::string() : found->second;
 }
 
 // Where the data lie: the file itself or one beside it; empty for several files.
 std::filesystem::path DataFile(const std::filesystem::path& file, const Header& header)
 {
-  const std::string name = Field(header, "data file", "datafile");
+  const std::string name = Field(header, "datafile");
   const bool areSeveral = name.rfind("LIST", 0) == 0 || name.find('%') != std::string::npos;
   if (areSeveral)
   {
@@ -63,6 +74,11 @@ std::filesystem::path DataFile(const std::filesystem::path& file, const Header& 
   return name.empty() ? file : file.parent_path() / name;
 }
 } // namespace
+
+std::map<std::string, std::string> ReadNrrdFields(const std::filesystem::path& file)
+{
+  return ReadHeader(file).Fields;
+}
 
 void CheckNrrdHeader(const std::filesystem::path& file)
 {
@@ -103,9 +119,8 @@ void CheckNrrdLength(const std::filesystem::path& file, double dataBytes)
 void CheckNrrdData(const std::filesystem::path& file, std::uint64_t dataBytes)
 {
   const Header header = ReadHeader(file);
-  const std::string encoding = Field(header, "encoding", "encoding");
-  const bool skips = !Field(header, "line skip", "lineskip").empty() ||
-                     !Field(header, "byte skip", "byteskip").empty();
+  const std::string encoding = Field(header, "encoding");
+  const bool skips = !Field(header, "lineskip").empty() || !Field(header, "byteskip").empty();
   const std::filesystem::path data = DataFile(file, header);
   if ((encoding == "gzip" || encoding == "gz") && !skips && !data.empty())
   {

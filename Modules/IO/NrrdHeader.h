@@ -4,9 +4,17 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <map>
+#include <string>
 
 namespace palpate
 {
+/// The fields of an NRRD header by name: lower case without blanks ("spacedirections"), since the
+/// format takes "Space Directions" and "spacedirections" as the same. Key/value pairs and comments
+/// are left out. Never throws: a file that cannot be read has no fields.
+PALPATEIO_EXPORT std::map<std::string, std::string>
+ReadNrrdFields(const std::filesystem::path& file);
+
 /// Looks at the header of an NRRD file before its library does, which does not say that the data
 /// file of a detached header (.nhdr) is missing. Throws InputError for that; whatever else may be
 /// wrong is left to the library.

@@ -2,6 +2,7 @@
 
 #include "InputError.h"
 
+#include <locale>
 #include <sstream>
 
 namespace palpate
@@ -22,6 +23,7 @@ void RequireInput(const Status& status, const std::string& about)
 std::string NumberText(double value)
 {
   std::ostringstream text;
+  text.imbue(std::locale::classic());
   text << value;
   return text.str();
 }

@@ -67,9 +67,8 @@ std::string MakeRightHanded(const std::filesystem::path& file, LeftHandedAxes ha
   }
   if (handling == LeftHandedAxes::Refuse)
   {
-    Refuse(file, "has left-handed directions, which mirror the patient if the header is wrong",
-           "if they are right (as from FSL or dcm2niix), read it with one index axis reversed "
-           "(--reverse-left-handed)");
+    Refuse(file, "has left-handed directions",
+           "allow them (without --refuse-left-handed an axis is reversed), or correct its header");
   }
   const int axis = AxisToReverse(grid.Direction);
   ReverseAxis(grid, axis, voxels);

@@ -48,6 +48,7 @@ Segmentation ReadSlicerSegmentation(const std::filesystem::path& path, ImageFile
   Segmentation segmentation;
   segmentation.Source = path;
   segmentation.Segments = described;
+  segmentation.Notes = file.Notes();
   const vtkSmartPointer<vtkDataArray> voxels = file.NewArray();
   file.ReadInto(voxels->GetVoidPointer(0));
   ImageGrid grid = file.Grid();

@@ -41,5 +41,5 @@ struct Segmentation
 /// object. A file of names beside a label map (such as mricron's `aal.nii.txt` beside `aal.nii.gz`)
 /// is used. Throws InputError, also where no voxel is labelled.
 PALPATEIO_EXPORT Segmentation ReadSegmentation(const std::filesystem::path& path,
-                                               LeftHandedAxes leftHanded = LeftHandedAxes::Refuse);
+                                               LeftHandedAxes leftHanded = LeftHandedAxes::Reverse);
 } // namespace palpate

@@ -3,6 +3,7 @@
 #include "SegmentColor.h"
 
 #include <algorithm>
+#include <locale>
 #include <sstream>
 
 namespace palpate
@@ -27,6 +28,7 @@ int NumberOf(const Entries& entries, const std::string& key, int fallback)
 std::array<double, 3> ColorOf(const Entries& entries, const std::string& key, int label)
 {
   std::istringstream text(TextOf(entries, key));
+  text.imbue(std::locale::classic());
   std::array<double, 3> color{};
   if (!(text >> color[0] >> color[1] >> color[2]))
   {

@@ -2,15 +2,17 @@
 
 #include "AlgorithmErrors.h"
 #include "BoundedPolyDataReader.h"
+#include "CNumericLocale.h"
 #include "FileEnding.h"
-#include "InputError.h"
 #include "ForeignFile.h"
+#include "InputError.h"
 #include "MeshFormats.h"
 #include "MeshGltf.h"
 #include "ObjReader.h"
 #include "PlyReader.h"
 #include "QuietStandardStreams.h"
 #include "Refusal.h"
+#include "SurfaceSpace.h"
 #include "TriangleMesh.h"
 #include "WholeFile.h"
 #include "vtkFieldData.h"
@@ -22,6 +24,9 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <fstream>
+#include <sstream>
+#include <utility>
 
 namespace palpate
 {
@@ -81,8 +86,8 @@ std::string SurfaceToVtp(vtkPolyData* surface, const std::filesystem::path& path
 }
 
 // VTK's reader takes an STL file that is cut short without a word. A binary one says how many
-// triangles it has; a text one says where it ends.
-void CheckStlIsWhole(const std::filesystem::path& path)
+// triangles it has; a text one says where it ends. Returns its comment.
+std::string CheckedStlComment(const std::filesystem::path& path)
 {
   const std::string bytes = ReadWholeFile(path, MaximumBytes);
   constexpr std::size_t header = 80;
@@ -98,6 +103,25 @@ void CheckStlIsWhole(const std::filesystem::path& path)
   {
     Refuse(path, "is no whole STL file, perhaps cut short", "write the file again");
   }
+  return bytes.substr(0, wholeBinary ? header : bytes.find('\n'));
+}
+
+// The comments before the first vertex.
+std::string ObjComments(const std::string& text)
+{
+  std::istringstream lines(text);
+  std::string comments;
+  for (std::string line; std::getline(lines, line) && line.rfind("v ", 0) != 0;)
+  {
+    comments += line.rfind('#', 0) == 0 ? line + '\n' : std::string();
+  }
+  return comments;
+}
+
+vtkSmartPointer<vtkPolyData> TurnedToLps(SurfaceSpace space, vtkSmartPointer<vtkPolyData> surface)
+{
+  TurnToLps(space, surface);
+  return surface;
 }
 
 template <typename Reader>
@@ -108,6 +132,7 @@ vtkSmartPointer<vtkPolyData> ReadWith(Reader* reader, const std::filesystem::pat
   {
     // The readers' helper objects print, where no observer reaches.
     const QuietStandardStreams quiet;
+    const CNumericLocale numbers;
     reader->Update();
   }
   if (errors.Raised())
@@ -144,20 +169,27 @@ vtkSmartPointer<vtkPolyData> ReadByEnding(const std::filesystem::path& path)
   const std::string ending = FileEnding(path);
   if (ending == ".vtp")
   {
-    return ReadVtp(path);
+    CNumericLocale::RequireOfStreams(path);
+    const vtkSmartPointer<vtkPolyData> surface = ReadVtp(path);
+    return TurnedToLps(TakeSpaceOfFields(path, surface), surface);
   }
   if (ending == ".stl")
   {
-    CheckStlIsWhole(path);
-    return ReadWith(vtkNew<vtkSTLReader>().Get(), path);
+    const SurfaceSpace space = SpaceOfComments(path, CheckedStlComment(path));
+    return TurnedToLps(space, ReadWith(vtkNew<vtkSTLReader>().Get(), path));
   }
   if (ending == ".ply")
   {
-    return PolyDataOf(MeshFromPly(ReadWholeFile(path, MaximumBytes), path.string()));
+    const std::string bytes = ReadWholeFile(path, MaximumBytes);
+    const std::string header = bytes.substr(0, bytes.find("end_header"));
+    return TurnedToLps(SpaceOfComments(path, header),
+                       PolyDataOf(MeshFromPly(bytes, path.string())));
   }
   if (ending == ".obj")
   {
-    return SurfaceFromObj(ReadWholeFile(path, MaximumBytes), path.string());
+    const std::string text = ReadWholeFile(path, MaximumBytes);
+    return TurnedToLps(SpaceOfComments(path, ObjComments(text)),
+                       SurfaceFromObj(text, path.string()));
   }
   RefuseContent(path, "does not end as a surface that can be read", "use .vtp, .stl, .ply or .obj");
 }

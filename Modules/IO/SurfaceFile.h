@@ -20,9 +20,9 @@ PALPATEIO_EXPORT bool IsSurfaceFile(const std::filesystem::path& path);
 /// Needs no display. Throws InputError, also for a surface without triangles.
 PALPATEIO_EXPORT void WriteSurface(const std::filesystem::path& path, vtkPolyData* surface);
 
-/// Reads .vtp, .stl, .ply or .obj as patient LPS in mm; whatever the file says about its frame is
-/// not looked at. STL has no common points, so equal ones are merged and a closed surface is closed
-/// again. PLY comes back with normals, colours and point arrays (see MeshFromPly), OBJ in single
-/// precision with its normals. Throws InputError.
+/// Reads .vtp, .stl, .ply or .obj into patient LPS in mm. A file that says SPACE=RAS as 3D Slicer
+/// does is turned; one that says nothing is LPS (see SurfaceSpace). STL has no common points, so
+/// equal ones are merged and a closed surface is closed again. PLY comes back with normals, colours
+/// and point arrays (see MeshFromPly), OBJ in single precision with its normals. Throws InputError.
 PALPATEIO_EXPORT vtkSmartPointer<vtkPolyData> ReadSurface(const std::filesystem::path& path);
 } // namespace palpate

@@ -27,7 +27,7 @@ struct VolumeChoice
   /// Series instance UID, or its number in the list that the error message gives (from 1); empty
   /// where there is only one.
   std::string DicomSeries;
-  LeftHandedAxes LeftHanded = LeftHandedAxes::Refuse;
+  LeftHandedAxes LeftHanded = LeftHandedAxes::Reverse;
 };
 
 /// Reads NIfTI, NRRD, MetaImage, or a DICOM series given by its folder or by one of its files.

@@ -51,8 +51,8 @@ int vtkOrientedVolumeReader::RequestInformation(vtkInformation*, vtkInformationV
       this->State->Volume =
           palpate::ReadVolume(this->FileName ? this->FileName : "",
                               {this->Series ? this->Series : "",
-                               this->ReverseLeftHanded ? palpate::LeftHandedAxes::Reverse
-                                                       : palpate::LeftHandedAxes::Refuse});
+                               this->RefuseLeftHanded ? palpate::LeftHandedAxes::Refuse
+                                                      : palpate::LeftHandedAxes::Reverse});
     }
     catch (const std::exception& error)
     {
@@ -78,6 +78,6 @@ void vtkOrientedVolumeReader::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "FileName: " << (this->FileName ? this->FileName : "(none)") << '\n';
   os << indent << "Series: " << (this->Series ? this->Series : "(none)") << '\n';
-  os << indent << "ReverseLeftHanded: " << this->ReverseLeftHanded << '\n';
+  os << indent << "RefuseLeftHanded: " << this->RefuseLeftHanded << '\n';
   os << indent << "Notes: " << this->GetNumberOfNotes() << '\n';
 }

@@ -17,7 +17,7 @@ struct vtkSegmentationReader::ReadState
 {
   palpate::Segmentation Segmentation;
   std::optional<std::string> FileName; ///< of the file that was read
-  bool ReverseLeftHanded = false;      ///< when it was read
+  bool RefuseLeftHanded = false;       ///< when it was read
 
   const palpate::Segment* Find(int index) const
   {
@@ -95,7 +95,7 @@ const char* vtkSegmentationReader::GetNote(int index)
 bool vtkSegmentationReader::ReadFile()
 {
   const std::string name = this->FileName ? this->FileName : "";
-  if (this->State->FileName == name && this->State->ReverseLeftHanded == this->ReverseLeftHanded)
+  if (this->State->FileName == name && this->State->RefuseLeftHanded == this->RefuseLeftHanded)
   {
     return true;
   }
@@ -103,8 +103,8 @@ bool vtkSegmentationReader::ReadFile()
   try
   {
     this->State->Segmentation =
-        palpate::ReadSegmentation(name, this->ReverseLeftHanded ? palpate::LeftHandedAxes::Reverse
-                                                                : palpate::LeftHandedAxes::Refuse);
+        palpate::ReadSegmentation(name, this->RefuseLeftHanded ? palpate::LeftHandedAxes::Refuse
+                                                               : palpate::LeftHandedAxes::Reverse);
   }
   catch (const std::exception& error)
   {
@@ -112,7 +112,7 @@ bool vtkSegmentationReader::ReadFile()
     return false;
   }
   this->State->FileName = name;
-  this->State->ReverseLeftHanded = this->ReverseLeftHanded;
+  this->State->RefuseLeftHanded = this->RefuseLeftHanded;
   return true;
 }
 
@@ -147,7 +147,7 @@ void vtkSegmentationReader::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "FileName: " << (this->FileName ? this->FileName : "(none)") << '\n';
-  os << indent << "ReverseLeftHanded: " << this->ReverseLeftHanded << '\n';
+  os << indent << "RefuseLeftHanded: " << this->RefuseLeftHanded << '\n';
   os << indent << "Layer: " << this->Layer << '\n';
   os << indent << "Layers: " << this->GetNumberOfLayers() << '\n';
   os << indent << "Segments: " << this->GetNumberOfSegments() << '\n';

@@ -51,12 +51,12 @@ public:
 
   ///@{
   /**
-   * Read a file with left-handed directions by reversing one index axis; every voxel keeps its
-   * place. Off by default: such a file is an error, as its header may mirror the patient.
+   * Refuse a file with left-handed directions. Off by default: such a file is read with one index
+   * axis reversed, every voxel keeps its place, and a note says so.
    */
-  vtkSetMacro(ReverseLeftHanded, bool);
-  vtkGetMacro(ReverseLeftHanded, bool);
-  vtkBooleanMacro(ReverseLeftHanded, bool);
+  vtkSetMacro(RefuseLeftHanded, bool);
+  vtkGetMacro(RefuseLeftHanded, bool);
+  vtkBooleanMacro(RefuseLeftHanded, bool);
   ///@}
 
   ///@{
@@ -81,7 +81,7 @@ private:
   bool ReadFile();
 
   char* FileName = nullptr;
-  bool ReverseLeftHanded = false;
+  bool RefuseLeftHanded = false;
   int Layer = 0;
   struct ReadState;
   std::unique_ptr<ReadState> State;

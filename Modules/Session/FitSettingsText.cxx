@@ -1,5 +1,6 @@
 #include "FitSettingsText.h"
 
+#include <locale>
 #include <sstream>
 
 namespace palpate
@@ -9,6 +10,7 @@ namespace
 std::string Text(double value)
 {
   std::ostringstream text;
+  text.imbue(std::locale::classic());
   text << value;
   return text.str();
 }

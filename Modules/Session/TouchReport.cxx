@@ -11,8 +11,8 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <cmath>
-#include <cstdio>
 #include <nlohmann/json.hpp>
 
 namespace palpate
@@ -210,15 +210,22 @@ std::string TraceAsCsv(const TouchTrace& trace)
 {
   std::string text = "time_s,force_least_n,force_most_n,depth_least_mm,depth_most_mm,"
                      "period_most_us,computed_most_us\n";
-  std::array<char, 160> line{};
+  const auto append = [&text](double value, std::chars_format format, int digits, char after)
+  {
+    std::array<char, 64> cell{};
+    const auto end = std::to_chars(cell.data(), cell.data() + cell.size(), value, format, digits);
+    text.append(cell.data(), end.ptr);
+    text += after;
+  };
   for (const TouchStretch& s : trace.Stretches())
   {
-    const auto number = [](float value) { return static_cast<double>(value); };
-    const int length =
-        std::snprintf(line.data(), line.size(), "%.6f,%.6g,%.6g,%.6g,%.6g,%.5g,%.4g\n", s.Time,
-                      number(s.Force.Least), number(s.Force.Most), number(s.Depth.Least),
-                      number(s.Depth.Most), number(s.Period.Most), number(s.Computation.Most));
-    text.append(line.data(), static_cast<std::size_t>(length));
+    append(s.Time, std::chars_format::fixed, 6, ',');
+    for (const float value : {s.Force.Least, s.Force.Most, s.Depth.Least, s.Depth.Most})
+    {
+      append(static_cast<double>(value), std::chars_format::general, 6, ',');
+    }
+    append(static_cast<double>(s.Period.Most), std::chars_format::general, 5, ',');
+    append(static_cast<double>(s.Computation.Most), std::chars_format::general, 4, '\n');
   }
   return text;
 }

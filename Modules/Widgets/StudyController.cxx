@@ -402,6 +402,7 @@ void StudyController::Look()
   if (this->Revision != this->Open.Pipeline().Revision())
   {
     this->Revision = this->Open.Pipeline().Revision();
+    this->LookAtNotes();
     Q_EMIT ProductsChanged();
   }
   // How far steps have come is read by eye.
@@ -425,6 +426,26 @@ void StudyController::Tell(StudyStep step, const std::string& sentence)
     this->Told[step].insert(sentence);
     this->Report(sentence);
   }
+}
+
+// What had to be assumed of an image, or was done to it, when it was read; once.
+void StudyController::LookAtNotes()
+{
+  const auto tell = [this](StudyStep step, const auto& image, auto& noted)
+  {
+    if (image != nullptr && image != noted.lock())
+    {
+      noted = image;
+      for (const std::string& note : image->Notes)
+      {
+        this->Tell(step, image->Source.filename().string() + ": " + note);
+      }
+    }
+  };
+  const StudyPipeline& pipeline = this->Open.Pipeline();
+  tell(StudyStep::Volume, pipeline.Newest<Volume>(StudyStep::Volume), this->NotedVolume);
+  tell(StudyStep::Segmentation, pipeline.Newest<Segmentation>(StudyStep::Segmentation),
+       this->NotedLabels);
 }
 
 void StudyController::LookAtSteps()

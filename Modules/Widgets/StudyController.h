@@ -11,6 +11,7 @@
 #include <filesystem>
 #include <functional>
 #include <map>
+#include <memory>
 #include <set>
 #include <string>
 #include <utility>
@@ -112,6 +113,7 @@ private:
   void LookAtTouch();
   void LookAtReplay();
   void Tell(const std::string& problem, std::string& told);
+  void LookAtNotes();
   void LookAtSteps();
   void LookAtProtection();
   void Tell(StudyStep step, const std::string& sentence);
@@ -131,6 +133,8 @@ private:
   std::function<bool()> MayLeave;
   std::function<int(const QStringList&)> WhichSeries;
   std::map<StudyStep, std::set<std::string>> Told; ///< what failed or was replaced, and was said
+  std::weak_ptr<const Volume> NotedVolume;         ///< whose notes were told
+  std::weak_ptr<const Segmentation> NotedLabels;
   std::string ToldOfTouch;
   std::string ToldOfReplay;
   std::uint64_t Revision = 0;

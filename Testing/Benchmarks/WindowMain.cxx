@@ -1,10 +1,10 @@
 // PalpateWindow FILE [SECONDS]: measures the servo beside what the window does, and how long the
 // window takes to close, and writes them as JSON; see Utilities/window.sh.
+#include "Application.h"
 #include "DisplayServer.h"
 #include "MachineName.h"
 #include "WindowMeasures.h"
 
-#include <QApplication>
 #include <QSurfaceFormat>
 
 #include <exception>
@@ -75,7 +75,7 @@ int main(int argc, char** argv)
   {
     const palpate::DisplayServer display;
     QSurfaceFormat::setDefaultFormat(QVTKOpenGLNativeWidget::defaultFormat());
-    QApplication application(argc, argv);
+    const palpate::Application application(argc, argv);
     QApplication::setApplicationName("PalpateWindow");
     QApplication::setQuitOnLastWindowClosed(false);
     Measure(argv[1], argc > 2 ? std::stod(argv[2]) : 20.0);

@@ -121,7 +121,7 @@ TEST(CliCases, NamesThatOnlyTogetherCollideAreNumbered)
   EXPECT_EQ(Lines(run.Output).at(1).at("folder"), "o/a_1_2-2");
 }
 
-TEST(CliCases, LeftHandedFilesAreReadWhereAskedByEveryCommand)
+TEST(CliCases, LeftHandedFilesAreReadByEveryCommandUnlessRefused)
 {
   const TemporaryFolder folder;
   WriteTwoBalls(folder / "plain.nrrd");
@@ -141,17 +141,20 @@ TEST(CliCases, LeftHandedFilesAreReadWhereAskedByEveryCommand)
   };
   for (std::vector<std::string> command : commands)
   {
+    command.emplace_back("--refuse-left-handed");
     const CommandRun refused = RunPalpate(command, folder.Path());
     EXPECT_EQ(refused.Code, 2) << command[0];
     EXPECT_TRUE(Has(refused.Errors, "m.nrrd has left-handed directions")) << refused.Errors;
-    EXPECT_TRUE(Has(refused.Errors, "(--reverse-left-handed)")) << refused.Errors;
+    EXPECT_TRUE(Has(refused.Errors, "without --refuse-left-handed")) << refused.Errors;
     EXPECT_EQ(folder.EntryCount(), 2u) << command[0];
   }
-  for (std::vector<std::string> command : commands)
+  for (const std::vector<std::string>& command : commands)
   {
-    command.emplace_back("--reverse-left-handed");
     const CommandRun read = RunPalpate(command, folder.Path());
     EXPECT_EQ(read.Code, 0) << command[0] << ": " << read.Errors;
+    EXPECT_TRUE(Has(read.Output + read.Errors, "The axes were left-handed") ||
+                Has(ReadAll(folder / "report/report.html"), "The axes were left-handed"))
+        << command[0] << ": " << read.Output << read.Errors;
   }
 }
 

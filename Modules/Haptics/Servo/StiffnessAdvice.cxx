@@ -1,7 +1,7 @@
 #include "StiffnessAdvice.h"
 
 #include <algorithm>
-#include <cstdio>
+#include <charconv>
 #include <limits>
 
 namespace palpate
@@ -11,8 +11,8 @@ namespace
 std::string Rounded(double number)
 {
   char text[32];
-  std::snprintf(text, sizeof(text), "%.3g", number);
-  return text;
+  const auto end = std::to_chars(text, text + sizeof(text), number, std::chars_format::general, 3);
+  return {text, end.ptr};
 }
 
 void Lower(StableStiffness& stable, double bound, const char* reason) noexcept

@@ -66,8 +66,7 @@ TEST(ImageContent, AtlasesAreLabelsAndHeadsAreVolumes)
   for (const char* name : {"aal", "brodmann", "AICHAmc", "jhu189", "natbrainlab",
                            "inia19-NeuroMaps", "JHU-WhiteMatter-labels-2mm"})
   {
-    const Volume volume =
-        ReadVolume(Templates / (std::string(name) + ".nii.gz"), {{}, LeftHandedAxes::Reverse});
+    const Volume volume = ReadVolume(Templates / (std::string(name) + ".nii.gz"));
     EXPECT_EQ(WhyNoLabelMap(volume), "") << name;
   }
   for (const char* name : {"ch2", "ch2bet", "ch2better", "inia19-t1-brain"})

@@ -56,7 +56,7 @@ std::vector<std::string> SlicerLines(int layers, const std::vector<std::string>&
 }
 
 Segmentation ReadSlicer(const std::vector<std::string>& lines, const std::string& voxels,
-                        LeftHandedAxes leftHanded = LeftHandedAxes::Refuse)
+                        LeftHandedAxes leftHanded = LeftHandedAxes::Reverse)
 {
   const TemporaryFolder folder;
   WriteAll(folder / "a.seg.nrrd", NrrdBytes(lines, voxels));
@@ -185,8 +185,8 @@ TEST(Segmentation, LeftHandedSlicerLayersKeepTheirPlaces)
   std::string voxels(240, '\0');
   voxels[0] = 1;
   voxels[2 * 119 + 1] = 1;
-  EXPECT_THROW(ReadSlicer(lines, voxels), InputError);
-  const Segmentation segmentation = ReadSlicer(lines, voxels, LeftHandedAxes::Reverse);
+  EXPECT_THROW(ReadSlicer(lines, voxels, LeftHandedAxes::Refuse), InputError);
+  const Segmentation segmentation = ReadSlicer(lines, voxels);
   // The slices are reversed: voxel 0 of slice 0 is now in slice 5, the last one in slice 0.
   EXPECT_EQ(ValueOf(segmentation, 0, 100), 1);
   EXPECT_EQ(ValueOf(segmentation, 1, 19), 1);

@@ -287,7 +287,7 @@ TEST(Volume, EveryVoxelKeepsItsPlaceWhateverTheHandedness)
     const Vector3 spacing(0.5, 1.25, 3.0);
     const Vector3 origin = 100.0 * RandomDirection(random);
     WriteAll(folder / "a.nrrd", NrrdWithAxes(axes * spacing.asDiagonal(), origin, BytesOf(values)));
-    const Volume volume = ReadVolume(folder / "a.nrrd", {{}, LeftHandedAxes::Reverse});
+    const Volume volume = ReadVolume(folder / "a.nrrd");
     EXPECT_GT(GridOf(volume.Image).Direction.determinant(), 0.999);
     EXPECT_EQ(volume.Notes.size(), leftHanded ? 1u : 0u);
     for (int voxel = 0; voxel < 120; ++voxel)
@@ -301,12 +301,12 @@ TEST(Volume, EveryVoxelKeepsItsPlaceWhateverTheHandedness)
   }
 }
 
-TEST(Volume, LeftHandedFileIsTurnedTowardsLpsWhereAsked)
+TEST(Volume, LeftHandedFileIsTurnedTowardsLps)
 {
   const TemporaryFolder folder;
   const Eigen::Matrix3d axes = Vector3(2, -2, 2).asDiagonal();
   WriteAll(folder / "a.nrrd", NrrdWithAxes(axes, {0, 0, 0}, std::string(120, '\0')));
-  const Volume volume = ReadVolume(folder / "a.nrrd", {{}, LeftHandedAxes::Reverse});
+  const Volume volume = ReadVolume(folder / "a.nrrd");
   EXPECT_TRUE(GridOf(volume.Image).Direction.isIdentity(1e-15));
   EXPECT_EQ(GridOf(volume.Image).OriginWorld, Vector3(0, -8, 0));
 }

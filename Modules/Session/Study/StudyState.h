@@ -100,7 +100,7 @@ struct StudyState
   std::filesystem::path VolumeFile; ///< or the folder of a DICOM series
   std::string DicomSeries;          ///< see VolumeChoice
   std::filesystem::path SegmentationFile;
-  LeftHandedAxes LeftHanded = LeftHandedAxes::Refuse; ///< of both files
+  LeftHandedAxes LeftHanded = LeftHandedAxes::Reverse; ///< of both files
 
   std::vector<StudyStructure> Structures;
   FitSettings Fit; ///< of all structures, but for the degree, which is that of new ones

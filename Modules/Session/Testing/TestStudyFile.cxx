@@ -1,5 +1,6 @@
 #include "StudyFile.h"
 
+#include "CommaLocale.h"
 #include "InputError.h"
 #include "StudyCases.h"
 #include "StudyJson.h"
@@ -44,6 +45,21 @@ TEST_F(StudyFile, EveryStateComesBackEqual)
     ASSERT_EQ(ReadStudy(this->Path), state) << test::ReadAll(this->Path);
   }
   EXPECT_EQ(this->Folder.EntryCount(), 1U) << "no temporary file is left";
+}
+
+TEST_F(StudyFile, IsTheSameUnderADecimalComma)
+{
+  test::Random random(12);
+  for (int trial = 0; trial < 50; ++trial)
+  {
+    const StudyState state = test::RandomStudy(random);
+    WriteStudy(this->Path, state);
+    const std::string expected = test::ReadAll(this->Path);
+    const test::CommaLocale comma(test::CommaLocale::Scope::Streams);
+    ASSERT_EQ(ReadStudy(this->Path), state) << expected;
+    WriteStudy(this->Path, state);
+    ASSERT_EQ(test::ReadAll(this->Path), expected);
+  }
 }
 
 TEST_F(StudyFile, TheFolderMayMoveWithItsFiles)

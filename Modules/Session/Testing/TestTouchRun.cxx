@@ -1,5 +1,6 @@
 #include "TouchRun.h"
 
+#include "CommaLocale.h"
 #include "DeviceList.h"
 #include "FileSizeLimit.h"
 #include "ImageWriter.h"
@@ -9,6 +10,7 @@
 #include "PacedClock.h"
 #include "TemporaryFolder.h"
 #include "TouchReport.h"
+#include "TouchSceneFile.h"
 #include "WholeFile.h"
 
 #include <algorithm>
@@ -276,6 +278,24 @@ TEST_F(TouchRun, WhatCannotBeTouchedIsRefused)
   settings = this->SettingsOf(this->ModelPath, TouchRepresentation::Automatic);
   settings.Tool.Kind = TouchToolSettings::Shape::Capsule;
   EXPECT_THROW(PrepareTouch(settings, {}, GoOn), InputError) << "harmonics are felt by spheres";
+}
+
+TEST_F(TouchRun, FilesAreTheSameUnderADecimalComma)
+{
+  const TouchSettings settings = this->SettingsOf(this->ModelPath, TouchRepresentation::Automatic);
+  const PreparedTouch touch = PrepareTouch(settings, PressTo(10.0), GoOn);
+  const TouchResult result = RunTouch(touch, {}, GoOn);
+  const test::TemporaryFolder expected;
+  WriteTouchFiles(expected.Path(), touch, result);
+  const test::CommaLocale comma(test::CommaLocale::Scope::Streams);
+  const test::TemporaryFolder written;
+  WriteTouchFiles(written.Path(), touch, result);
+  for (const char* name : {"trace.csv", "scene.json", "summary.json", "report.html"})
+  {
+    EXPECT_EQ(test::ReadAll(written / name), test::ReadAll(expected / name)) << name;
+  }
+  const TouchSettings read = ReadTouchScene(written / "scene.json");
+  EXPECT_EQ(read.Structures.front().Stiffness, settings.Structures.front().Stiffness);
 }
 
 TEST_F(TouchRun, FilesSayWhatWasFelt)

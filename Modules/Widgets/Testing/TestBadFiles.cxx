@@ -127,19 +127,26 @@ TEST_F(BadFilesTest, AMissingFileGetsTheCommandLinesSentence)
   this->ExpectTheWindowGoesOn();
 }
 
-TEST_F(BadFilesTest, ALeftHandedFileIsReadWhereTheOptionSaysSo)
+TEST_F(BadFilesTest, LeftHandedFileIsReadUnlessRefused)
 {
   const auto file = this->Phantom.Folder / "mirrored.nrrd";
   auto lines = test::PlainNrrdLines("unsigned char");
   lines[4] = "space directions: (2,0,0) (0,-2,0) (0,0,2)";
   test::WriteAll(file, test::NrrdBytes(lines, std::string(120, '\1')));
+  auto* choice = this->Window->findChild<QComboBox*>("Left-handed files");
+  choice->setCurrentIndex(0);
+  Q_EMIT choice->activated(0);
+  EXPECT_EQ(this->Study->State().LeftHanded, LeftHandedAxes::Refuse);
   EXPECT_NE(this->SaidOf("Open volume", file).find("left-handed"), std::string::npos);
   EXPECT_EQ(this->Window->Contents().Images()->GetImage(), nullptr);
-  auto* choice = this->Window->findChild<QComboBox*>("Left-handed files");
   choice->setCurrentIndex(1);
   Q_EMIT choice->activated(1);
   WaitUntil([this] { return this->Window->Contents().Images()->GetImage() != nullptr; });
   EXPECT_EQ(this->Study->State().LeftHanded, LeftHandedAxes::Reverse);
+  EXPECT_NE(this->Messages().find("mirrored.nrrd: The axes were left-handed: index axis 2 was "
+                                  "reversed"),
+            std::string::npos)
+      << this->Messages();
 }
 
 TEST_F(BadFilesTest, OfSeveralSeriesTheUserChooses)

@@ -1,12 +1,12 @@
 #pragma once
 
+#include "Application.h"
 #include "DisplayServer.h"
 #include "FileQuestions.h"
 #include "MainWindow.h"
 #include "SteadyClock.h"
 #include "TemporaryFolder.h"
 
-#include <QApplication>
 #include <QMouseEvent>
 #include <QSettings>
 #include <QSurfaceFormat>
@@ -26,8 +26,8 @@ public:
   /// Null where there is no display and none can be started; Reason says why.
   static TestApplication* Get()
   {
-    static const std::unique_ptr<TestApplication> One = Make();
-    return One.get();
+    static const std::unique_ptr<TestApplication> Only = Make();
+    return Only.get();
   }
   static std::string& Reason()
   {
@@ -44,7 +44,7 @@ private:
                        QString::fromStdString(this->Settings.Path().string()));
     QApplication::setOrganizationName("Palpate tests");
     QApplication::setApplicationName("WidgetsTests");
-    this->Application = std::make_unique<QApplication>(this->Count, this->Arguments);
+    this->One = std::make_unique<Application>(this->Count, this->Arguments);
   }
   static std::unique_ptr<TestApplication> Make()
   {
@@ -64,7 +64,7 @@ private:
   int Count = 1;
   char Name[13] = "WidgetsTests";
   char* Arguments[2] = {Name, nullptr};
-  std::unique_ptr<QApplication> Application;
+  std::unique_ptr<Application> One;
 };
 
 /// Tests that send real events to widgets; skipped, saying so, where there is no display.

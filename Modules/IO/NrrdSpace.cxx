@@ -1,0 +1,184 @@
+#include "NrrdSpace.h"
+
+#include "DecimalText.h"
+#include "Refusal.h"
+
+#include <algorithm>
+#include <cctype>
+#include <optional>
+#include <string_view>
+
+namespace palpate
+{
+namespace
+{
+constexpr const char* WayOut = "write it again with space left-posterior-superior";
+
+// Names are the same in either case, with blanks, with hyphens or with neither.
+std::string Normalised(const std::string& name)
+{
+  std::string normalised;
+  for (const char letter : name)
+  {
+    if (letter != ' ' && letter != '-')
+    {
+      normalised += static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
+    }
+  }
+  return normalised;
+}
+
+bool IsOneOf(const std::string& name, std::initializer_list<const char*> names)
+{
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+// "(1,0,0)", with blanks between its numbers or without.
+std::optional<Vector3> ParseVector(std::string_view text)
+{
+  if (text.size() < 2 || text.front() != '(' || text.back() != ')')
+  {
+    return std::nullopt;
+  }
+  text = text.substr(1, text.size() - 2);
+  Vector3 vector;
+  for (int i = 0; i < 3; ++i)
+  {
+    const std::size_t comma = text.find(',');
+    const std::optional<double> number = ParseNumber(text.substr(0, comma));
+    if (!number || (comma == std::string_view::npos) != (i == 2))
+    {
+      return std::nullopt;
+    }
+    vector[i] = *number;
+    text.remove_prefix(i == 2 ? text.size() : comma + 1);
+  }
+  return vector;
+}
+
+// Vectors of the axes that have one ("none" stands for another); nothing where one is damaged.
+std::optional<std::vector<Vector3>> ParseDirections(std::string_view text)
+{
+  std::vector<Vector3> directions;
+  while (true)
+  {
+    text.remove_prefix(std::min(text.find_first_not_of(" \t"), text.size()));
+    if (text.empty())
+    {
+      return directions;
+    }
+    const std::size_t length =
+        text.front() == '(' ? text.find(')') + 1 : text.find_first_of(" \t(");
+    const std::string_view word = text.substr(0, length);
+    const std::optional<Vector3> direction = ParseVector(word);
+    if (!direction && word != "none")
+    {
+      return std::nullopt;
+    }
+    if (direction)
+    {
+      directions.push_back(*direction);
+    }
+    text.remove_prefix(word.size());
+  }
+}
+
+std::string FieldOf(const std::map<std::string, std::string>& fields, const std::string& key)
+{
+  const auto found = fields.find(key);
+  return found == fields.end() ? std::string() : found->second;
+}
+} // namespace
+
+NrrdSpace::NrrdSpace(const std::filesystem::path& file,
+                     const std::map<std::string, std::string>& fields)
+    : Name(FieldOf(fields, "space"))
+{
+  const std::string dimension = FieldOf(fields, "spacedimension");
+  if (!dimension.empty() && ParseInteger(dimension) != 3)
+  {
+    Refuse(file, "has a space of dimension " + dimension, "extract one three-dimensional volume");
+  }
+  if (!this->Name.empty())
+  {
+    this->TakeName(file);
+  }
+  const auto directions = ParseDirections(FieldOf(fields, "spacedirections"));
+  if (!directions || (!directions->empty() && directions->size() != 3))
+  {
+    Refuse(file, "has space directions that are not three vectors of three finite numbers",
+           "correct its header or export it again");
+  }
+  this->Steps = *directions;
+  const std::string origin = FieldOf(fields, "spaceorigin");
+  const std::optional<Vector3> first = origin.empty() ? Vector3::Zero() : ParseVector(origin);
+  if (!first)
+  {
+    Refuse(file, "has a space origin that is not three finite numbers",
+           "correct its header or export it again");
+  }
+  this->First = *first;
+}
+
+void NrrdSpace::TakeName(const std::filesystem::path& file)
+{
+  const std::string space = Normalised(this->Name);
+  if (IsOneOf(space, {"leftposteriorsuperior", "lps"}))
+  {
+    this->IsAnatomical = true;
+  }
+  else if (IsOneOf(space, {"rightanteriorsuperior", "ras"}))
+  {
+    this->IsAnatomical = true;
+    this->Signs = {-1.0, -1.0, 1.0};
+  }
+  else if (IsOneOf(space, {"leftanteriorsuperior", "las"}))
+  {
+    this->IsAnatomical = true;
+    this->Signs = {1.0, -1.0, 1.0};
+  }
+  else if (space == "3dlefthanded")
+  {
+    Refuse(file, "has the left-handed space " + this->Name + ", which the patient is not in",
+           WayOut);
+  }
+  else if (!IsOneOf(space, {"scannerxyz", "3drighthanded"}))
+  {
+    Refuse(file, "has the space " + this->Name + ", which is not three-dimensional or not known",
+           WayOut);
+  }
+}
+
+Vector3 NrrdSpace::ToLps(const Vector3& vector) const
+{
+  // A sum with 0 makes +0 of -0.
+  return (this->Signs.cwiseProduct(vector).array() + 0.0).matrix();
+}
+
+void NrrdSpace::PlaceGrid(ImageGrid& grid) const
+{
+  for (int axis = 0; axis < static_cast<int>(this->Steps.size()); ++axis)
+  {
+    const Vector3 step = this->ToLps(this->Steps[static_cast<std::size_t>(axis)]);
+    grid.Spacing[axis] = step.norm();
+    grid.Direction.col(axis) = step.norm() > 0.0 ? Vector3(step / step.norm()) : step;
+    grid.OriginWorld = this->ToLps(this->First);
+  }
+}
+
+std::vector<std::string> NrrdSpace::Notes() const
+{
+  if (this->Steps.empty())
+  {
+    return {"The file gives no space directions; its index axes were taken as L, P, S."};
+  }
+  if (this->IsAnatomical)
+  {
+    return {};
+  }
+  return {this->Name.empty()
+              ? "The file names no space; its space directions were taken as L, P, S."
+              : "The file's space, " + this->Name +
+                    ", does not say how it lies in the patient; it was taken as L, P, S."};
+}
+} // namespace palpate

@@ -1,0 +1,62 @@
+#include "CommaLocale.h"
+#include "FractionalImages.h"
+#include "ImageGrid.h"
+#include "Volume.h"
+#include "WindowTest.h"
+
+#include <clocale>
+
+namespace palpate
+{
+namespace
+{
+// A window of a user whose decimals have a comma. The environment is made before the application,
+// of which a program has one: so this is a program of its own.
+class ApplicationTest : public test::WindowTest
+{
+protected:
+  void SetUp() override
+  {
+    static const test::CommaEnvironment environment;
+    WindowTest::SetUp();
+  }
+
+  ImageGrid GridOfOpened(const std::filesystem::path& file)
+  {
+    this->Study->New();
+    this->Study->OpenVolume(file);
+    WaitUntil([this] { return this->OpenedVolume() != nullptr || !this->Messages().empty(); });
+    return this->OpenedVolume() != nullptr ? GridOf(this->OpenedVolume()->Image) : ImageGrid();
+  }
+
+private:
+  std::shared_ptr<const Volume> OpenedVolume() const
+  {
+    return this->Study->Current().Pipeline().Newest<Volume>(StudyStep::Volume);
+  }
+};
+
+TEST_F(ApplicationTest, KeepsNumbersOfTheCLocale)
+{
+  EXPECT_STREQ(std::setlocale(LC_NUMERIC, nullptr), "C");
+  EXPECT_STREQ(std::setlocale(LC_CTYPE, nullptr), test::CommaLocaleName())
+      << "the user's elsewhere";
+}
+
+TEST_F(ApplicationTest, ReadsFractionsOfMillimetres)
+{
+  const test::TemporaryFolder folder;
+  test::WriteFractionalImages(folder.Path());
+  for (const char* name : {"a.nii", "a.seg.nrrd", "a.mha"})
+  {
+    const ImageGrid grid = this->GridOfOpened(folder / name);
+    EXPECT_EQ(grid.Spacing, test::FractionalSpacing()) << name;
+    EXPECT_EQ(grid.OriginWorld, test::FractionalOrigin()) << name;
+  }
+  const ImageGrid dicom = this->GridOfOpened(folder / "dicom/0.dcm");
+  EXPECT_EQ(dicom.Spacing, Vector3(2.0, 1.5, 3.25));
+  EXPECT_EQ(dicom.OriginWorld, test::FractionalOrigin());
+  EXPECT_EQ(this->Messages(), "");
+}
+} // namespace
+} // namespace palpate

@@ -1,0 +1,75 @@
+#include "CommaLocale.h"
+#include "CommandRun.h"
+#include "FractionalImages.h"
+#include "SyntheticFiles.h"
+#include "TemporaryFolder.h"
+
+#include <gtest/gtest.h>
+
+using namespace palpate::test;
+
+namespace
+{
+using Words = std::vector<std::string>;
+
+// All files of a folder by their names relative to it.
+std::map<std::string, std::string> FilesOf(const std::filesystem::path& folder)
+{
+  std::map<std::string, std::string> files;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(folder))
+  {
+    // A report holds how long things took.
+    if (entry.is_regular_file() && entry.path().filename() != "report.html")
+    {
+      files[entry.path().lexically_relative(folder).string()] = ReadAll(entry.path());
+    }
+  }
+  return files;
+}
+
+// What a command says and writes, in a folder with images, a mask and a manifest of it.
+std::map<std::string, std::string> ResultsOf(const Words& words)
+{
+  const TemporaryFolder folder;
+  WriteFractionalImages(folder.Path());
+  WriteTwoBalls(folder / "balls.nrrd");
+  WriteAll(folder / "cases.csv", "case,mask,label\nfirst,balls.nrrd,1\n");
+  const CommandRun run = RunPalpate(words, folder.Path());
+  EXPECT_EQ(run.Code, 0) << words[0] << ": " << run.Errors;
+  std::map<std::string, std::string> results = FilesOf(folder.Path());
+  results["standard output"] = run.Output;
+  results["standard error"] = run.Errors;
+  return results;
+}
+} // namespace
+
+TEST(CliLocale, NothingDependsOnADecimalComma)
+{
+  const Words fit{"--degree", "4", "--frequency", "8", "--smoothing", "0.5"};
+  std::vector<Words> commands{{"fit", "balls.nrrd", "--label", "1", "--output", "o"},
+                              {"fit", "--manifest", "cases.csv", "--output", "o"}};
+  for (Words& command : commands)
+  {
+    command.insert(command.end(), fit.begin(), fit.end());
+  }
+  for (const char* file : {"a.nii", "a.seg.nrrd", "a.mha", "dicom", "seg.dcm"})
+  {
+    commands.push_back({"info", file, "--json"});
+  }
+  commands.push_back({"convert", "a.nii", "converted.mha"});
+  commands.push_back({"convert", "a.mha", "converted.nrrd"});
+  commands.push_back({"mesh", "balls.nrrd", "--label", "1", "--output", "mesh.obj"});
+  for (const Words& command : commands)
+  {
+    const auto expected = ResultsOf(command);
+    const CommaEnvironment comma;
+    const auto results = ResultsOf(command);
+    EXPECT_EQ(results.size(), expected.size());
+    for (const auto& [name, bytes] : expected)
+    {
+      const auto found = results.find(name);
+      ASSERT_NE(found, results.end()) << name;
+      EXPECT_TRUE(found->second == bytes) << command[0] << ' ' << command[1] << ": " << name;
+    }
+  }
+}
