@@ -20,6 +20,8 @@ namespace
 {
 // No line of a real header is longer; a binary file has no line ends.
 constexpr std::size_t LongestLine = 4096;
+// The library copies keys into 255 bytes; those of the format have some twenty letters.
+constexpr std::size_t LongestKey = 100;
 
 struct Header
 {
@@ -44,7 +46,7 @@ Header ReadHeader(const std::filesystem::path& file)
   {
     const std::string line(letters.data());
     const auto equals = line.find('=');
-    if (equals == std::string::npos)
+    if (equals == std::string::npos || equals > LongestKey)
     {
       break;
     }

@@ -97,8 +97,11 @@ std::string CheckedStlComment(const std::filesystem::path& path)
     triangles = triangles << 8 | static_cast<unsigned char>(bytes[header + i]);
   }
   const bool wholeBinary = bytes.size() >= header + 4 + 50 * std::max<std::uint64_t>(triangles, 1);
+  // VTK takes a file with any other letters for a binary one, and believes its count.
+  const bool isAscii = std::all_of(bytes.begin(), bytes.end(),
+                                   [](char c) { return static_cast<unsigned char>(c) < 128; });
   const bool wholeText =
-      bytes.rfind("solid", 0) == 0 && bytes.find("endsolid") != std::string::npos;
+      isAscii && bytes.rfind("solid", 0) == 0 && bytes.find("endsolid") != std::string::npos;
   if (!wholeBinary && !wholeText)
   {
     Refuse(path, "is no whole STL file, perhaps cut short", "write the file again");

@@ -101,7 +101,7 @@ TEST(CohortGroup, KnownMeanAndModesComeBackFromTheFiles)
   EXPECT_NEAR(Field(variances[1], "explained"), 0.25 / 4.25, 1e-12);
   const auto scores = CsvRecordsIn(palpate::test::ReadAll(cohort.Folder / "out/modes.csv"));
   ASSERT_EQ(scores.size(), 4U);
-  EXPECT_EQ(scores[1].at("case"), "b, with \"quotes\"");
+  EXPECT_EQ(*scores[1].Find("case"), "b, with \"quotes\"");
   EXPECT_NEAR(Field(scores[1], "mode_1"), -2.0, 1e-12);
   EXPECT_NEAR(Field(scores[2], "mode_2"), -0.5, 1e-12);
   const auto plus =

@@ -137,6 +137,21 @@ TEST_F(HostileImages, RefusesMoreKeyValuePairsThanCanBeSearched)
   EXPECT_TRUE(Contains(this->NrrdRefusal(lines), "more than 20000 key/value pairs"));
 }
 
+TEST_F(HostileImages, RefusesMetaImageKeysThatOverflowTheLibrarysNames)
+{
+  for (const std::size_t letters : {100U, 300U, 3000U})
+  {
+    for (const std::string& key : {"ElementType" + std::string(letters, 'E'),
+                                   std::string(letters, 'x'), std::string(letters, ' ') + "x"})
+    {
+      const std::string bytes = MetaImageBytes(
+          "MET_UCHAR", std::string(120, '\1'),
+          "TransformMatrix = 1 0 0 0 1 0 0 0 1\nElementSpacing = 2 2 2\n" + key + " = MET_UCHAR\n");
+      EXPECT_TRUE(Contains(this->Refusal("a.mha", bytes), "is no MetaImage file")) << key;
+    }
+  }
+}
+
 TEST_F(HostileImages, LongFilesNextToALabelMapAreNotRead)
 {
   WriteAll(this->Folder / "a.nii", NiftiBytes({}, std::string(120, '\1')));

@@ -233,6 +233,15 @@ TEST(HostileSurfaces, WritersTakeNoIndexThatDoesNotExist)
   }
 }
 
+TEST(HostileSurfaces, StlTextThatVtkTakesForBinaryIsRefused)
+{
+  // The letters from 80 on are a count of triangles.
+  std::string text = "solid a\nendsolid a\n" + std::string(100, '\xEC');
+  EXPECT_TRUE(Contains(Refusal("a.stl", text), "is no whole STL file"));
+  text[19] = '\n';
+  EXPECT_TRUE(Contains(Refusal("a.stl", text), "is no whole STL file"));
+}
+
 TEST(HostileSurfaces, PlyElementsThatRepeatAreRefused)
 {
   const std::string point = "property float x\nproperty float y\nproperty float z\n"
