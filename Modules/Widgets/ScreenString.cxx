@@ -13,7 +13,7 @@ QString ScreenString(const std::string& text)
 
 QString PlainToolTip(const QString& text)
 {
-  return text.isEmpty() ? text : Qt::convertFromPlainText(text);
+  return text.isEmpty() ? text : Qt::convertFromPlainText(text, Qt::WhiteSpaceNormal);
 }
 
 QString MenuString(const QString& text)
