@@ -44,18 +44,21 @@ void BlameInput(FitResult& result)
 }
 } // namespace
 
+std::string ShortTitle(const Segment& structure)
+{
+  return structure.Name.empty() ? "label " + std::to_string(structure.Label) : structure.Name;
+}
+
 FitResult FitCase(const Segmentation& segmentation, const Segment& structure,
-                  const FitSettings& settings, double readSeconds, std::pair<double, double> share,
+                  const FitSettings& settings, double readSeconds, const CaseShare& share,
                   Console& console)
 {
-  const std::string title =
-      structure.Name.empty() ? "label " + std::to_string(structure.Label) : structure.Name;
   FitResult result =
       FitStructure(segmentation, structure, settings,
                    [&](double fraction, const std::string& stage)
                    {
-                     console.Progress(share.first + (share.second - share.first) * fraction,
-                                      title + ": " + stage);
+                     console.Progress(share.From + (share.To - share.From) * fraction,
+                                      share.Title + ": " + stage);
                      return !Interruption::WasAsked();
                    });
   result.Seconds.insert(result.Seconds.begin(), {"read", readSeconds});

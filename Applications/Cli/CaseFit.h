@@ -3,17 +3,26 @@
 #include "FitResult.h"
 
 #include <string>
-#include <utility>
 
 namespace palpate::cli
 {
 class Console;
 
-/// One structure of a segmentation, with progress and Ctrl-C; `share` is the part of the whole run
-/// that it is. What a structure is, and what the options ask of it, counts as bad input. Throws
-/// Cancelled.
+/// What the progress shows while a case is fitted.
+struct CaseShare
+{
+  double From = 0.0; ///< the part of the whole run that the case is
+  double To = 1.0;
+  std::string Title; ///< "case 3 of 28: 10015"
+};
+
+/// How progress names a structure: its name, or "label 1".
+std::string ShortTitle(const Segment& structure);
+
+/// One structure of a segmentation, with progress and Ctrl-C. What a structure is, and what the
+/// options ask of it, counts as bad input. Throws Cancelled.
 FitResult FitCase(const Segmentation& segmentation, const Segment& structure,
-                  const FitSettings& settings, double readSeconds, std::pair<double, double> share,
+                  const FitSettings& settings, double readSeconds, const CaseShare& share,
                   Console& console);
 
 /// A case of which nothing is known but why it could not be begun.

@@ -4,6 +4,7 @@
 #include "CaseNames.h"
 #include "CaseTally.h"
 #include "CaseText.h"
+#include "CommandProgress.h"
 #include "Console.h"
 #include "FilterRun.h"
 #include "FitFiles.h"
@@ -17,6 +18,7 @@
 #include "StructureChoice.h"
 
 #include <algorithm>
+#include <new>
 #include <optional>
 #include <set>
 #include <utility>
@@ -184,8 +186,9 @@ void CohortFit::RunCases(Console& console)
     }
     // Before the mask is read: what changes meanwhile is done again.
     const std::string key = this->KeyOf(this->Cases[i]);
-    std::vector<CohortRow> rows =
-        this->FitOne(this->Cases[i], static_cast<double>(i) * part, part, console);
+    const CaseShare share{static_cast<double>(i) * part, static_cast<double>(i + 1) * part,
+                          CountedCase(i + 1, this->Cases.size(), this->Cases[i].Name)};
+    std::vector<CohortRow> rows = this->FitOne(this->Cases[i], share, console);
     std::for_each(rows.begin(), rows.end(), [&](CohortRow& row) { row.Key = key; });
     this->Rows[this->Cases[i].Name] = std::move(rows);
     this->Table().Write(this->Output / "cohort.csv");
@@ -198,14 +201,14 @@ void CohortFit::RunCases(Console& console)
   }
 }
 
-std::vector<CohortRow> CohortFit::FitOne(const CohortCase& one, double begin, double part,
+std::vector<CohortRow> CohortFit::FitOne(const CohortCase& one, const CaseShare& share,
                                          Console& console) const
 {
   std::vector<CohortRow> rows;
   FitResult lost = UnreadCase(one.Mask.string(), {}, {}, this->Settings);
   try
   {
-    this->FitStructures(one, begin, part, rows, console);
+    this->FitStructures(one, share, rows, console);
     return rows;
   }
   catch (const Cancelled&)
@@ -216,6 +219,11 @@ std::vector<CohortRow> CohortFit::FitOne(const CohortCase& one, double begin, do
   {
     lost.Message = error.what();
   }
+  catch (const std::bad_alloc&)
+  {
+    lost.State = FitResult::Outcome::Failed;
+    lost.Message = one.Mask.string() + " needs more memory than there is; try a smaller image.";
+  }
   catch (const std::exception& error)
   {
     lost.State = FitResult::Outcome::Failed;
@@ -225,7 +233,7 @@ std::vector<CohortRow> CohortFit::FitOne(const CohortCase& one, double begin, do
   return rows;
 }
 
-void CohortFit::FitStructures(const CohortCase& one, double begin, double part,
+void CohortFit::FitStructures(const CohortCase& one, const CaseShare& share,
                               std::vector<CohortRow>& rows, Console& console) const
 {
   std::vector<std::pair<std::string, double>> readTime;
@@ -248,12 +256,15 @@ void CohortFit::FitStructures(const CohortCase& one, double begin, double part,
         one, UnreadCase(one.Mask.string(), missing.Structure, missing.Message, this->Settings),
         nullptr, 0, console));
   }
-  const double share = part / static_cast<double>(choice.Found.size() + 1);
+  const double part = (share.To - share.From) / static_cast<double>(choice.Found.size() + 1);
+  CaseShare mine = share;
   for (const Segment& structure : choice.Found)
   {
-    FitResult result = FitCase(segmentation, structure, this->Settings, readTime.front().second,
-                               {begin, begin + share}, console);
-    begin += share;
+    mine.To = mine.From + part;
+    mine.Title = share.Title + (choice.Found.size() > 1 ? ", " + ShortTitle(structure) : "");
+    FitResult result =
+        FitCase(segmentation, structure, this->Settings, readTime.front().second, mine, console);
+    mine.From = mine.To;
     rows.push_back(this->Finish(one, std::move(result), volume ? &*volume : nullptr,
                                 segmentation.Notes.size(), console));
   }

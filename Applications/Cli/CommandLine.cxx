@@ -4,10 +4,12 @@
 #include "FilterRun.h"
 #include "InputError.h"
 #include "Interruption.h"
+#include "NearestWord.h"
 #include "ProgramVersion.h"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cctype>
 #include <new>
 #include <ostream>
 
@@ -37,6 +39,37 @@ std::string AsClause(std::string message)
     message.pop_back();
   }
   return message;
+}
+// "--degre" of "--degre=5"; empty for what is no option, such as a negative number.
+std::string OptionOf(const std::string& word)
+{
+  const bool isOption =
+      word.size() > 1 && word[0] == '-' && (word[1] == '-' || std::isalpha(word[1]) != 0);
+  return isOption ? word.substr(0, word.find('=')) : std::string();
+}
+
+std::vector<std::string> OptionsOf(const std::vector<const CLI::App*>& apps)
+{
+  std::vector<std::string> names;
+  for (const CLI::App* app : apps)
+  {
+    for (const CLI::Option* option : app->get_options())
+    {
+      for (const std::string& name : option->get_lnames())
+      {
+        names.push_back("--" + name);
+      }
+    }
+  }
+  return names;
+}
+
+std::string UnknownWord(const std::string& kind, const std::string& word,
+                        const std::vector<std::string>& known)
+{
+  const std::string nearest = NearestWord(word, known);
+  return "there is no " + kind + " '" + word + "'" +
+         (nearest.empty() ? "" : ", perhaps '" + nearest + "'");
 }
 } // namespace
 
@@ -98,9 +131,37 @@ int CommandLine::Parse(std::vector<std::string> arguments, Console& console)
     const auto chosen = this->App->get_subcommands();
     const std::string subject =
         chosen.empty() ? "palpate" : "palpate " + chosen.front()->get_name();
-    console.Error(AsClause(error.what()) + "; see " + subject + " --help");
+    const std::string unknown = this->WhatIsUnknown();
+    console.Error((unknown.empty() ? AsClause(error.what()) : unknown) + "; see " + subject +
+                  " --help");
     return BadInput;
   }
+}
+
+// What is mistyped explains what is missing: an option --ouput leaves the required one out.
+std::string CommandLine::WhatIsUnknown() const
+{
+  const auto chosen = this->App->get_subcommands();
+  std::vector<const CLI::App*> apps{this->App.get()};
+  apps.insert(apps.end(), chosen.begin(), chosen.end());
+  const std::vector<std::string> words = this->App->remaining(true);
+  for (const std::string& word : words)
+  {
+    if (const std::string option = OptionOf(word); !option.empty())
+    {
+      return UnknownWord("option", option, OptionsOf(apps));
+    }
+  }
+  if (!chosen.empty() || words.empty())
+  {
+    return {};
+  }
+  std::vector<std::string> names;
+  for (const auto& command : this->Commands)
+  {
+    names.push_back(command->Name());
+  }
+  return UnknownWord("command", words.front(), names);
 }
 
 int CommandLine::RunParsed(Console& console)
@@ -125,7 +186,8 @@ int CommandLine::RunParsed(Console& console)
   }
   catch (const std::bad_alloc&)
   {
-    console.Error("not enough memory for this; try a smaller image, degree or frequency");
+    console.Error("not enough memory for this; try a smaller image, or lower --degree or "
+                  "--frequency where the command has them");
     return Failure;
   }
   catch (const std::exception& error)

@@ -30,6 +30,9 @@ public:
 private:
   int Parse(std::vector<std::string> arguments, Console& console);
   int RunParsed(Console& console);
+  /// The first word of those parsed that is no option or no command, with the nearest that is;
+  /// empty where all are known.
+  std::string WhatIsUnknown() const;
 
   std::vector<std::unique_ptr<Command>> Commands;
   std::unique_ptr<CLI::App> App;

@@ -13,4 +13,11 @@ ProgressFunction ProgressOn(Console& console)
     return !Interruption::WasAsked();
   };
 }
+
+std::string CountedCase(std::size_t number, std::size_t count, const std::string& title)
+{
+  return count > 1
+             ? "case " + std::to_string(number) + " of " + std::to_string(count) + ": " + title
+             : title;
+}
 } // namespace palpate::cli

@@ -5,6 +5,7 @@
 #include "DeviceList.h"
 #include "DeviceOption.h"
 #include "Interruption.h"
+#include "JsonSchema.h"
 #include "ScreenText.h"
 
 #include <CLI/CLI.hpp>
@@ -20,7 +21,8 @@ namespace
 {
 nlohmann::ordered_json AsJson(const DeviceReport& report)
 {
-  nlohmann::ordered_json object{{"name", report.Name},
+  nlohmann::ordered_json object{{JsonSchemaKey, JsonSchemaVersion},
+                                {"name", report.Name},
                                 {"description", report.Description},
                                 {"there", report.IsThere},
                                 {"says", report.Says}};
@@ -69,7 +71,8 @@ double SamplesPerSecond(const HomingReport& report)
 nlohmann::ordered_json AsJson(const HomingReport& report)
 {
   constexpr double Almost = 0.99;
-  return {{"state", NameOf(report.State)},
+  return {{JsonSchemaKey, JsonSchemaVersion},
+          {"state", NameOf(report.State)},
           {"problem", report.Problem},
           {"seconds", report.Seconds},
           {"homed_after_s", report.HomedAfter},

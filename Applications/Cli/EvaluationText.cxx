@@ -1,6 +1,7 @@
 #include "EvaluationText.h"
 
 #include "DecimalText.h"
+#include "JsonSchema.h"
 #include "Refusal.h"
 #include "TextTable.h"
 #include "VectorText.h"
@@ -113,6 +114,7 @@ std::string EvaluationAsText(const ModelEvaluation& evaluation)
 std::string EvaluationAsJson(const ModelEvaluation& evaluation)
 {
   Json result;
+  result[JsonSchemaKey] = JsonSchemaVersion;
   result["model"] = evaluation.File;
   result["surface"] = evaluation.StarShaped ? "star-shaped" : "parametric";
   result["degree"] = evaluation.Degree;

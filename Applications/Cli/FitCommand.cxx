@@ -3,6 +3,7 @@
 #include "CaseFit.h"
 #include "CaseText.h"
 #include "CohortFit.h"
+#include "CommandProgress.h"
 #include "Console.h"
 #include "FilterRun.h"
 #include "FitFiles.h"
@@ -14,6 +15,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <new>
 
 namespace palpate::cli
 {
@@ -147,6 +149,12 @@ void FitCommand::FitFile(std::size_t file, const Volume* volume, Console& consol
     this->RecordBadInput(input, {}, error.what(), console);
     return;
   }
+  catch (const std::bad_alloc&)
+  {
+    this->RecordBadInput(input, {},
+                         input + " needs more memory than there is; crop or resample it.", console);
+    return;
+  }
   clock.EndStage("read");
   for (const std::string& note : segmentation.Notes)
   {
@@ -160,6 +168,12 @@ void FitCommand::FitFile(std::size_t file, const Volume* volume, Console& consol
   this->FitStructures(file, segmentation, choice, readTime.front().second, volume, console);
 }
 
+std::string FitCommand::FileTitle(std::size_t file) const
+{
+  return "file " + std::to_string(file + 1) + " of " + std::to_string(this->Inputs.size()) + ": " +
+         std::filesystem::path(this->Inputs[file]).filename().string();
+}
+
 void FitCommand::FitStructures(std::size_t file, const Segmentation& segmentation,
                                const StructureChoice& choice, double readSeconds,
                                const Volume* volume, Console& console)
@@ -167,10 +181,14 @@ void FitCommand::FitStructures(std::size_t file, const Segmentation& segmentatio
   const bool single = this->Inputs.size() == 1 && choice.Found.size() == 1 && choice.Lost.empty();
   const double part = 1.0 / static_cast<double>(this->Inputs.size() * choice.Found.size());
   double done = static_cast<double>(file) / static_cast<double>(this->Inputs.size());
+  std::size_t number = 0;
   for (const Segment& structure : choice.Found)
   {
+    const std::string inFile = CountedCase(++number, choice.Found.size(), ShortTitle(structure));
+    const CaseShare share{done, done + part,
+                          this->Inputs.size() > 1 ? this->FileTitle(file) + ", " + inFile : inFile};
     FitResult result =
-        FitCase(segmentation, structure, this->Settings, readSeconds, {done, done + part}, console);
+        FitCase(segmentation, structure, this->Settings, readSeconds, share, console);
     done += part;
     if (volume != nullptr)
     {

@@ -1,6 +1,7 @@
 #include "FitJson.h"
 
 #include "CaseText.h"
+#include "JsonSchema.h"
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
@@ -81,6 +82,7 @@ std::string FitResultJson(const FitResult& result, const std::string& folder)
   const bool fitted = result.State == FitResult::Outcome::Fitted;
   const bool measured = !result.ComponentMilliliters.empty();
   Json json;
+  json[JsonSchemaKey] = JsonSchemaVersion;
   json["input"] = result.Input.string();
   // Background is no structure: a file that cannot be read, or a name that it does not have.
   json["label"] = result.Structure.Label == 0 ? Json() : Json(result.Structure.Label);

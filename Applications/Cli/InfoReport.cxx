@@ -1,10 +1,13 @@
 #include "InfoReport.h"
 
+#include "DecimalText.h"
+#include "JsonSchema.h"
 #include "ScreenText.h"
 #include "TextTable.h"
 
 #include "vtkMatrix3x3.h"
 
+#include <cmath>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
@@ -46,6 +49,20 @@ std::string AxisText(vtkImageData* image, int axis)
   return "(" + Joined(column, 3, ", ") + ")";
 }
 
+// Integers as such, others in the precision of the file: 0.9999999 is not shown as 1.
+std::string ValueText(vtkImageData* image, double value)
+{
+  switch (image->GetScalarType())
+  {
+  case VTK_FLOAT:
+    return ExactText(static_cast<float>(value));
+  case VTK_DOUBLE:
+    return ExactText(value);
+  default:
+    return std::to_string(std::llround(value));
+  }
+}
+
 TextTable GeometryTable(const ImageContent& content)
 {
   vtkImageData* image = ImageOf(content);
@@ -61,8 +78,8 @@ TextTable GeometryTable(const ImageContent& content)
   table.AddRow({"  origin", "(" + Joined(image->GetOrigin(), 3, ", ") + ") mm, patient LPS"});
   table.AddRow({"  axes", AxisText(image, 0) + " " + AxisText(image, 1) + " " + AxisText(image, 2) +
                               " in patient LPS"});
-  table.AddRow(
-      {"  values", std::string(image->GetScalarTypeAsString()) + ", " + Joined(range, 2, " to ")});
+  table.AddRow({"  values", std::string(image->GetScalarTypeAsString()) + ", " +
+                                ValueText(image, range[0]) + " to " + ValueText(image, range[1])});
   return table;
 }
 
@@ -149,7 +166,8 @@ std::string InfoReport::Json() const
 {
   vtkImageData* image = ImageOf(this->Content);
   const double* range = image->GetScalarRange();
-  json object{{"input", this->Input},
+  json object{{JsonSchemaKey, JsonSchemaVersion},
+              {"input", this->Input},
               {"status", "ok"},
               {"kind", this->Content.Kind},
               {"kind_reason", this->Content.KindReason},
@@ -171,6 +189,9 @@ std::string InfoReport::Json() const
 
 std::string InfoReport::FailureJson(const std::string& input, const std::string& sentence)
 {
-  return OneLine({{"input", input}, {"status", "bad-input"}, {"message", sentence}});
+  return OneLine({{JsonSchemaKey, JsonSchemaVersion},
+                  {"input", input},
+                  {"status", "bad-input"},
+                  {"message", sentence}});
 }
 } // namespace palpate::cli

@@ -6,6 +6,7 @@
 #include "FilterRun.h"
 #include "InputError.h"
 #include "Interruption.h"
+#include "JsonSchema.h"
 #include "OutputFolder.h"
 #include "ScreenText.h"
 #include "SurfaceFile.h"
@@ -15,6 +16,7 @@
 #include "vtkSegmentationSurface.h"
 
 #include <CLI/CLI.hpp>
+#include <new>
 #include <nlohmann/json.hpp>
 #include <ostream>
 
@@ -150,6 +152,7 @@ void MeshCommand::MeshFile(std::size_t file, Console& console)
   }
   const double part = 1.0 / static_cast<double>(this->Inputs.size() * choice.Found.size());
   double done = static_cast<double>(file) / static_cast<double>(this->Inputs.size());
+  std::size_t number = 0;
   for (const Segment& structure : choice.Found)
   {
     Case one{input,
@@ -158,7 +161,8 @@ void MeshCommand::MeshFile(std::size_t file, Console& console)
              this->Output,
              this->Inputs.size() == 1 && choice.Found.size() == 1 && choice.Lost.empty(),
              done,
-             done + part};
+             done + part,
+             CountedCase(++number, choice.Found.size(), CaseTitle(input, structure))};
     if (!this->OutputIsFile())
     {
       one.Output /= this->Names.Take(file, structure) + ".vtp";
@@ -187,6 +191,11 @@ void MeshCommand::MeshCase(const Case& one, Console& console)
   {
     this->RecordLost(one.Input, one.Structure, blame, error.what(), console);
   }
+  catch (const std::bad_alloc&)
+  {
+    this->RecordLost(one.Input, one.Structure, FitResult::Outcome::Failed,
+                     "needs more memory than there is; crop or resample the image", console);
+  }
 }
 
 vtkSmartPointer<vtkSegmentationSurface> MeshCommand::SurfaceOf(const Case& one,
@@ -198,7 +207,7 @@ vtkSmartPointer<vtkSegmentationSurface> MeshCommand::SurfaceOf(const Case& one,
   Configure(surface, this->Settings);
   try
   {
-    RunFilter(surface, CaseTitle(one.Input, one.Structure), one.From, one.To, ProgressOn(console));
+    RunFilter(surface, one.Title, one.From, one.To, ProgressOn(console));
   }
   catch (const FilterError& error)
   {
@@ -218,7 +227,8 @@ void MeshCommand::RecordWritten(const Case& one, vtkSegmentationSurface* surface
   console.EndProgress();
   if (this->Json)
   {
-    JsonObject result{{"input", one.Input.string()},
+    JsonObject result{{JsonSchemaKey, JsonSchemaVersion},
+                      {"input", one.Input.string()},
                       {"label", one.Structure.Label},
                       {"name", one.Structure.Name}};
     result["status"] = "written";
@@ -247,7 +257,7 @@ void MeshCommand::RecordLost(const std::filesystem::path& input, const Segment& 
   console.Error(sentence);
   if (this->Json)
   {
-    JsonObject result{{"input", input.string()}};
+    JsonObject result{{JsonSchemaKey, JsonSchemaVersion}, {"input", input.string()}};
     result["label"] = structure.Label == 0 ? JsonObject() : JsonObject(structure.Label);
     result["name"] = structure.Name;
     result["status"] = OutcomeWord(state);

@@ -35,8 +35,9 @@ private:
     Segment Structure;
     vtkSmartPointer<vtkImageData> Layer;
     std::filesystem::path Output;
-    bool IsOnly;     ///< of this run
-    double From, To; ///< the part of the whole run that it is
+    bool IsOnly;       ///< of this run
+    double From, To;   ///< the part of the whole run that it is
+    std::string Title; ///< of its progress
   };
 
   /// Reads a file and chooses its structures; throws InputError.

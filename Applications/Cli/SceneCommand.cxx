@@ -5,6 +5,7 @@
 #include "FilterRun.h"
 #include "InputError.h"
 #include "Interruption.h"
+#include "JsonSchema.h"
 #include "ScreenText.h"
 #include "TextTable.h"
 #include "TouchSceneFile.h"
@@ -153,7 +154,8 @@ JsonObject AsJson(const SceneAccount& account)
                           {"see", AsJson(structure.Drawing)}});
   }
   const Totals totals(account);
-  return {{"files", files},
+  return {{JsonSchemaKey, JsonSchemaVersion},
+          {"files", files},
           {"structures", structures},
           {"servo", AsJson(account.Servo)},
           {"memory_budget_bytes", account.MemoryBudget},

@@ -4,6 +4,7 @@
 #include "Console.h"
 #include "FilterRun.h"
 #include "Interruption.h"
+#include "JsonSchema.h"
 #include "OutputFolder.h"
 #include "ProgramVersion.h"
 #include "SteadyClock.h"
@@ -167,7 +168,8 @@ void Print(const std::vector<Line>& lines, bool asJson, Console& console)
   {
     if (asJson)
     {
-      JsonObject object{{"name", line.Name},
+      JsonObject object{{JsonSchemaKey, JsonSchemaVersion},
+                        {"name", line.Name},
                         {"state", line.State},
                         {"says", line.Says},
                         {"sentences", line.Sentences}};

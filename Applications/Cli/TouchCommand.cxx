@@ -12,6 +12,7 @@
 #include "ImageWriter.h"
 #include "InputError.h"
 #include "Interruption.h"
+#include "JsonSchema.h"
 #include "OutputFolder.h"
 #include "OutputNames.h"
 #include "ScreenText.h"
@@ -24,6 +25,7 @@
 #include <iomanip>
 #include <map>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <ostream>
 
 namespace palpate::cli
@@ -283,8 +285,20 @@ void TouchCommand::PrintSummary(const PreparedTouch& touch, const TouchResult& r
 int TouchCommand::Replay(const PreparedTouch& touch, Console& console) const
 {
   const TouchComparison comparison = CompareTouch(touch, this->ReplayFile);
-  console.Output() << comparison.DifferentTicks << " of " << comparison.Ticks
-                   << " ticks differ, forces by at most " << comparison.LargestDifference << " N\n";
+  if (this->Json)
+  {
+    const nlohmann::ordered_json object{{JsonSchemaKey, JsonSchemaVersion},
+                                        {"ticks", comparison.Ticks},
+                                        {"different_ticks", comparison.DifferentTicks},
+                                        {"force_difference_max_n", comparison.LargestDifference}};
+    console.Output() << object.dump() << '\n';
+  }
+  else
+  {
+    console.Output() << comparison.DifferentTicks << " of " << comparison.Ticks
+                     << " ticks differ, forces by at most " << comparison.LargestDifference
+                     << " N\n";
+  }
   if (!this->OutputFolder.empty() && touch.Drill != nullptr)
   {
     MakeOutputFolder(this->OutputFolder);

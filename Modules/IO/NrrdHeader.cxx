@@ -93,7 +93,7 @@ void CheckNrrdHeader(const std::filesystem::path& file)
 void CheckNrrdLength(const std::filesystem::path& file, double dataBytes)
 {
   const Header header = ReadHeader(file);
-  const std::string encoding = Field(header, "encoding", "encoding");
+  const std::string encoding = Field(header, "encoding");
   const std::filesystem::path data = DataFile(file, header);
   if (data.empty())
   {

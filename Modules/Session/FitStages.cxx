@@ -301,6 +301,10 @@ void RunModel(vtkPolyData* samples, vtkPolyData* boundary, FitResult& result,
     result.ModelSurface = nullptr; // nothing to show: it reaches far beyond the image
     return;
   }
+  if (const std::string remark = RemarkOnNegativeRadius(result); !remark.empty())
+  {
+    result.Notes.push_back(remark);
+  }
   MeasureQuality(surface, OwnCopy(boundary), result, progress);
   clock.EndStage("quality");
   const double limit = result.Settings.MinimumDice;

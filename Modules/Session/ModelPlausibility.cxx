@@ -6,14 +6,26 @@
 #include "vtkPointData.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace palpate
 {
 namespace
 {
-// Ringing of a model that follows its structure stays within some tenths of the farthest radius.
+// Times the farthest distance. An atlas's 110 structures at degree 12, hidden as much as they may
+// be, stay between -0.74 and 1.03; models that run away come to 10 and more.
 constexpr double FarthestReach = 2.0;
+constexpr double FarthestBelow = -1.0;
+
+using Range = std::array<double, 2>;
+
+Range RadiusOf(const FitResult& result)
+{
+  Range range{};
+  result.ModelSurface->GetPointData()->GetArray("Radius")->GetRange(range.data());
+  return range;
+}
 
 // The distance (mm) of the structure's farthest point from the model's centre.
 double FarthestDistance(vtkPolyData* surface, const Vector3& centerWorld)
@@ -31,11 +43,11 @@ double FarthestDistance(vtkPolyData* surface, const Vector3& centerWorld)
 
 std::string WhyImplausible(const FitResult& result)
 {
-  double radius[2];
-  result.ModelSurface->GetPointData()->GetArray("Radius")->GetRange(radius);
+  const Range radius = RadiusOf(result);
   const double farthest = FarthestDistance(result.Surface, result.Model.CenterWorld());
-  const double reach = std::max(std::abs(radius[0]), std::abs(radius[1]));
-  const bool isWithinReach = reach <= FarthestReach * farthest; // false for NaN
+  // False for NaN.
+  const bool isWithinReach =
+      radius[0] >= FarthestBelow * farthest && radius[1] <= FarthestReach * farthest;
   const bool isSolid = result.ModelMilliliters > 0.0 && std::isfinite(result.ModelMilliliters);
   if (isWithinReach && isSolid)
   {
@@ -47,5 +59,14 @@ std::string WhyImplausible(const FitResult& result)
          SignificantText(farthest, 3) + " mm of the centre, and it encloses " +
          SignificantText(result.ModelMilliliters, 6) + " ml instead of " +
          SignificantText(result.MaskMilliliters, 3) + " ml";
+}
+
+std::string RemarkOnNegativeRadius(const FitResult& result)
+{
+  const double lowest = RadiusOf(result)[0];
+  return lowest < 0.0
+             ? "the model's radius is negative in some directions (down to " +
+                   SignificantText(lowest, 2) + " mm): its surface passes through the centre there"
+             : std::string();
 }
 } // namespace palpate

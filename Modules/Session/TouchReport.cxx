@@ -2,6 +2,7 @@
 
 #include "DrillReport.h"
 #include "HtmlText.h"
+#include "JsonSchema.h"
 #include "OutputFolder.h"
 #include "ReportPage.h"
 #include "TouchPlots.h"
@@ -62,6 +63,7 @@ std::vector<std::string> DegradedTexts(const PreparedTouch& touch, const TouchRe
 nlohmann::ordered_json SummaryOf(const PreparedTouch& touch, const TouchResult& result)
 {
   nlohmann::ordered_json summary;
+  summary[JsonSchemaKey] = JsonSchemaVersion;
   for (std::size_t s = 0; s < touch.Structures.size(); ++s)
   {
     const TouchableStructure& structure = touch.Structures[s];

@@ -179,6 +179,25 @@ TEST(FitStructure, RefusesAModelThatReachesFarBeyondItsStructure)
   EXPECT_EQ(result.ModelSurface, nullptr);
 }
 
+// A low degree rings round the radius of nearly zero that a centre close to the surface gives.
+TEST(FitStructure, RemarksOnANegativeRadiusOfAModelThatFollows)
+{
+  palpate::test::LabelGrid grid;
+  grid.Size = {50, 50, 50};
+  grid.CenterOnOrigin();
+  const auto ball = palpate::test::MakeLabelImage(grid, [](double x, double y, double z)
+                                                  { return std::hypot(x, y, z) < 20.0; });
+  FitSettings settings;
+  settings.GivenCenterWorld = {19.0, 0.0, 0.0};
+  settings.Degree = 5;
+  const FitResult result = Fit(SegmentationOf(ball), settings);
+  ASSERT_EQ(result.State, Outcome::Fitted) << result.Message;
+  ASSERT_EQ(result.Notes.size(), 1U);
+  EXPECT_NE(result.Notes[0].find("radius is negative"), std::string::npos) << result.Notes[0];
+  settings.GivenCenterWorld.reset();
+  EXPECT_TRUE(Fit(SegmentationOf(ball), settings).Notes.empty());
+}
+
 TEST(FitStructure, HintsAtNoCentreThatWasUsed)
 {
   FitSettings settings;

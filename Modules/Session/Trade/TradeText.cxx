@@ -1,11 +1,11 @@
 #include "TradeText.h"
 
+#include "JsonSchema.h"
 #include "TouchWords.h"
-
-#include <nlohmann/json.hpp>
 
 #include <cmath>
 #include <map>
+#include <nlohmann/json.hpp>
 
 namespace palpate
 {
@@ -87,7 +87,8 @@ std::string TradeJson(const TradeResult& result)
     structures.push_back(AsJson(structure));
   }
   const TradeRunSettings& settings = result.Settings;
-  const JsonObject json{{"format", "palpate-tradeoff"},
+  const JsonObject json{{JsonSchemaKey, JsonSchemaVersion},
+                        {"format", "palpate-tradeoff"},
                         {"program", settings.Program},
                         {"machine", result.Machine},
                         {"servo_rate_hz", settings.Scene.Rate},

@@ -1,0 +1,172 @@
+// What the program says to a slip of the fingers, to structures that cannot be modelled, and
+// while it works.
+#include "CommandLine.h"
+#include "CommandRegistry.h"
+#include "CommandRun.h"
+#include "Console.h"
+#include "ImageWriter.h"
+#include "JsonLines.h"
+#include "LabelImages.h"
+#include "NearestWord.h"
+#include "SyntheticFiles.h"
+#include "TemporaryFolder.h"
+
+#include <algorithm>
+#include <cmath>
+#include <gtest/gtest.h>
+
+using namespace palpate::test;
+
+namespace
+{
+bool Has(const std::string& text, const std::string& part)
+{
+  return text.find(part) != std::string::npos;
+}
+
+// What a command line is answered with, which is a bad one.
+std::string Refusal(const std::vector<std::string>& words)
+{
+  const TemporaryFolder folder;
+  const CommandRun run = RunPalpate(words, folder.Path());
+  EXPECT_EQ(run.Code, 2) << run.Errors;
+  EXPECT_EQ(std::count(run.Errors.begin(), run.Errors.end(), '\n'), 1) << run.Errors;
+  return run.Errors;
+}
+
+// A bowl of label 1, from whose hollow a third of all directions meets nothing, and a ball of
+// label 2.
+void WriteBowlAndBall(const std::filesystem::path& path)
+{
+  LabelGrid grid;
+  grid.Size = {50, 50, 70};
+  grid.CenterOnOrigin();
+  const auto image = MakeLabelImage(grid,
+                                    [](double x, double y, double z)
+                                    {
+                                      const double radius = std::hypot(x, y, z - 10.0);
+                                      return radius > 17.0 && radius < 20.0 && z > 14.0;
+                                    });
+  auto* voxels = static_cast<unsigned char*>(image->GetScalarPointer());
+  for (vtkIdType i = 0; i < image->GetNumberOfPoints(); ++i)
+  {
+    double point[3];
+    image->GetPoint(i, point);
+    voxels[i] = std::hypot(point[0], point[1], point[2] + 20.0) < 10.0 ? 2 : voxels[i];
+  }
+  palpate::WriteImage(path, image);
+}
+
+// The standard error stream of a run on a terminal.
+std::string OnTerminal(const std::vector<std::string>& words)
+{
+  std::ostringstream out;
+  std::ostringstream err;
+  palpate::cli::Console console(out, err, true);
+  EXPECT_EQ(palpate::cli::CommandLine(palpate::cli::MakeCommands()).Run(words, console), 0)
+      << err.str();
+  return err.str();
+}
+} // namespace
+
+TEST(CliMessages, AnUnknownCommandIsNamed)
+{
+  EXPECT_EQ(Refusal({"nonsense"}), "palpate: there is no command 'nonsense'; see palpate --help\n");
+  EXPECT_EQ(Refusal({"fti", "a.nii.gz"}),
+            "palpate: there is no command 'fti', perhaps 'fit'; see palpate --help\n");
+  EXPECT_TRUE(Has(Refusal({"--quiet", "nonsense", "a"}), "'nonsense'"));
+}
+
+TEST(CliMessages, AnUnknownOptionIsNamedWithTheNearest)
+{
+  EXPECT_EQ(Refusal({"fit", "a.nii.gz", "--degre", "5"}),
+            "palpate: there is no option '--degre', perhaps '--degree'; see palpate fit --help\n");
+  EXPECT_TRUE(Has(Refusal({"fit", "a.nii.gz", "--degre=5"}), "perhaps '--degree'"));
+  EXPECT_TRUE(Has(Refusal({"fit", "a.nii.gz", "--xyzzy"}), "no option '--xyzzy'; see"));
+  EXPECT_TRUE(Has(Refusal({"--quite", "info", "a"}), "perhaps '--quiet'"));
+}
+
+// The required option is missing since it is misspelt.
+TEST(CliMessages, AMisspeltOptionIsToldBeforeWhatIsMissing)
+{
+  EXPECT_TRUE(Has(Refusal({"mesh", "a.nii.gz", "--ouput", "b.stl"}), "perhaps '--output'"));
+}
+
+TEST(CliMessages, TheNearestWordIsAFewLettersAway)
+{
+  const std::vector<std::string> words{"fit", "info", "--degree", "--max-degree"};
+  EXPECT_EQ(palpate::cli::NearestWord("ifno", words), "info");
+  EXPECT_EQ(palpate::cli::NearestWord("--degrees", words), "--degree");
+  EXPECT_EQ(palpate::cli::NearestWord("--maxdegree", words), "--max-degree");
+  EXPECT_EQ(palpate::cli::NearestWord("render", words), "");
+  EXPECT_EQ(palpate::cli::NearestWord("", words), "");
+  EXPECT_EQ(palpate::cli::NearestWord(std::string(10000, 'x'), words), "");
+}
+
+TEST(CliMessages, AModelThatRunsAwayIsRefusedAndTheOthersGoOn)
+{
+  const TemporaryFolder folder;
+  WriteBowlAndBall(folder / "a.nii.gz");
+  const CommandRun run = RunPalpate({"fit", "a.nii.gz", "--max-hidden", "100", "--min-dice", "0",
+                                     "--penalty", "auto", "--degree", "12", "--json"},
+                                    folder.Path());
+  EXPECT_EQ(run.Code, 1) << run.Errors;
+  const auto cases = Lines(run.Output);
+  ASSERT_EQ(cases.size(), 2U);
+  EXPECT_EQ(cases[0].at("status"), "refused");
+  EXPECT_TRUE(Has(cases[0].at("message"), "the model's radius runs from ")) << cases[0];
+  EXPECT_EQ(cases[1].at("status"), "fitted") << cases[1];
+}
+
+TEST(CliMessages, OneVoxelIsOneLine)
+{
+  const TemporaryFolder folder;
+  LabelGrid grid;
+  grid.Size = {5, 5, 5};
+  const auto dots = MakeLabelImage(grid, [](double x, double y, double z)
+                                   { return x == 0.0 && (y == 0.0 || y == 4.0) && z == 0.0; });
+  palpate::WriteImage(folder / "a.nrrd", dots);
+  for (const std::vector<std::string>& words : std::vector<std::vector<std::string>>{
+           {"fit", "a.nrrd", "--output", "out"}, {"mesh", "a.nrrd", "--output", "a.stl"}})
+  {
+    const CommandRun run = RunPalpate(words, folder.Path());
+    EXPECT_EQ(run.Code, 2);
+    EXPECT_EQ(std::count(run.Errors.begin(), run.Errors.end(), '\n'), 1) << run.Errors;
+    EXPECT_TRUE(Has(run.Errors, "has only 1 voxel")) << run.Errors;
+  }
+}
+
+TEST(CliMessages, ProgressNamesTheCaseAndHowManyThereAre)
+{
+  const TemporaryFolder folder;
+  WriteTwoBalls(folder / "a.nii.gz");
+  const std::string file = (folder / "a.nii.gz").string();
+  const std::string fit = OnTerminal({"fit", file, "--degree", "2"});
+  EXPECT_TRUE(Has(fit, "case 1 of 2: label 1: surface")) << fit;
+  EXPECT_TRUE(Has(fit, "case 2 of 2: label 2: surface")) << fit;
+  const std::string mesh = OnTerminal({"mesh", file, "--output", (folder / "out").string()});
+  EXPECT_TRUE(Has(mesh, "case 2 of 2: ")) << mesh;
+}
+
+TEST(CliMessages, ProgressOfACohortNamesTheCaseAndHowManyThereAre)
+{
+  const TemporaryFolder folder;
+  std::filesystem::create_directory(folder / "masks");
+  for (const char* name : {"10014.nii.gz", "10015.nii.gz", "10016.nii.gz"})
+  {
+    WriteTwoBalls(folder / "masks" / name);
+  }
+  const std::string cohort = OnTerminal({"fit", (folder / "masks").string(), "--label", "1",
+                                         "--degree", "2", "--output", (folder / "out").string()});
+  EXPECT_TRUE(Has(cohort, "case 2 of 3: 10015: surface")) << cohort;
+}
+
+TEST(CliMessages, ProgressOfSeveralFilesNamesTheFile)
+{
+  const TemporaryFolder folder;
+  WriteTwoBalls(folder / "a.nii.gz");
+  WriteTwoBalls(folder / "b.nii.gz");
+  const std::string fit = OnTerminal(
+      {"fit", (folder / "a.nii.gz").string(), (folder / "b.nii.gz").string(), "--degree", "2"});
+  EXPECT_TRUE(Has(fit, "file 2 of 2: b.nii.gz, case 1 of 2: label 1: surface")) << fit;
+}

@@ -1,0 +1,272 @@
+// Documentation/JsonOutput.md against what every command prints with --json.
+#include "CommandRun.h"
+#include "InputError.h"
+#include "JsonPaths.h"
+#include "SyntheticFiles.h"
+#include "TemporaryFolder.h"
+#include "TouchReport.h"
+#include "TradeText.h"
+
+#include <algorithm>
+#include <fstream>
+#include <gtest/gtest.h>
+#include <map>
+#include <utility>
+#include <vector>
+
+using namespace palpate::test;
+
+namespace
+{
+using Json = nlohmann::json;
+
+// A command's table: key and unit of each row.
+using Table = std::map<std::string, std::string>;
+
+std::string Between(const std::string& text, const std::string& begin, const std::string& end)
+{
+  const std::size_t first = text.find(begin);
+  if (first == std::string::npos)
+  {
+    return {};
+  }
+  const std::size_t start = first + begin.size();
+  return text.substr(start, text.find(end, start) - start);
+}
+
+std::map<std::string, Table> DocumentedTables()
+{
+  std::map<std::string, Table> tables;
+  std::ifstream page(PALPATE_DOCUMENTATION "/JsonOutput.md");
+  std::string command;
+  for (std::string line; std::getline(page, line);)
+  {
+    if (line.rfind("## ", 0) == 0)
+    {
+      command = Between(line, "`palpate ", "`");
+    }
+    else if (line.rfind("| `", 0) == 0)
+    {
+      const std::string key = Between(line, "| `", "` | ");
+      EXPECT_TRUE(tables[command].emplace(key, Between(line, "` | ", " |")).second)
+          << command << " has two rows for " << key;
+    }
+  }
+  return tables;
+}
+
+// An empty list is in order where a list of anything is documented.
+bool IsDocumented(const std::string& path, const Table& table)
+{
+  const auto next = table.lower_bound(path);
+  const bool isList = path.size() > 2 && path.compare(path.size() - 2, 2, "[]") == 0;
+  return next != table.end() &&
+         (next->first == path || (isList && next->first.rfind(path, 0) == 0));
+}
+
+class JsonOutput : public testing::Test
+{
+protected:
+  JsonOutput()
+  {
+    WriteTwoBalls(this->Folder / "a.nii.gz");
+    WriteNearlyASphere(this->Folder / "ball.json");
+    WriteAll(this->Folder / "bad.nii.gz", "no image");
+  }
+
+  void Run(const std::vector<std::string>& arguments)
+  {
+    const CommandRun run = RunPalpate(arguments, this->Folder.Path());
+    ASSERT_FALSE(run.Output.empty()) << run.Errors;
+    this->Take(run.Output);
+  }
+
+  // One object, or one a line.
+  void Take(const std::string& text)
+  {
+    const Json whole = Json::parse(text, nullptr, false);
+    if (!whole.is_discarded())
+    {
+      return this->Add(whole);
+    }
+    std::istringstream lines(text);
+    for (std::string line; std::getline(lines, line);)
+    {
+      this->Add(Json::parse(line));
+    }
+  }
+
+  void ExpectDocumented(const std::string& command)
+  {
+    const std::map<std::string, Table> tables = DocumentedTables();
+    ASSERT_EQ(tables.count(command), 1U) << command;
+    const Table& table = tables.at(command);
+    for (const std::string& path : this->Paths)
+    {
+      EXPECT_TRUE(IsDocumented(path, table))
+          << command << " prints " << path << ", not on the page";
+    }
+    for (const auto& [key, unit] : table)
+    {
+      EXPECT_EQ(this->Paths.count(key), 1U) << command << " never printed " << key;
+    }
+  }
+
+  TemporaryFolder Folder;
+
+private:
+  void Add(const Json& object)
+  {
+    EXPECT_EQ(object.value("schema_version", 0), 1) << object;
+    AddJsonPaths(object, "", this->Paths);
+  }
+
+  std::set<std::string> Paths;
+};
+} // namespace
+
+TEST_F(JsonOutput, FitIsDocumented)
+{
+  // Refused for its degree, not read, fitted with files.
+  this->Run({"fit", "a.nii.gz", "--degree", "0", "--min-dice", "1", "--json"});
+  this->Run({"fit", "bad.nii.gz", "--json"});
+  this->Run({"fit", "a.nii.gz", "--degree", "4", "--output", "out", "--json"});
+  this->ExpectDocumented("fit");
+}
+
+TEST_F(JsonOutput, InfoIsDocumented)
+{
+  this->Run({"info", "a.nii.gz", "bad.nii.gz", "--json"});
+  this->ExpectDocumented("info");
+}
+
+TEST_F(JsonOutput, MeshIsDocumented)
+{
+  this->Run({"mesh", "a.nii.gz", "--label", "1,7", "--output", "out", "--json"});
+  this->ExpectDocumented("mesh");
+}
+
+TEST_F(JsonOutput, EvaluateIsDocumented)
+{
+  this->Run({"evaluate", "ball.json", "--direction", "1,0,0", "--point", "1,2,3", "--json"});
+  ASSERT_EQ(RunPalpate({"convert", "ball.json", "ball.coef"}, this->Folder.Path()).Code, 0);
+  this->Run({"evaluate", "ball.coef", "--json"});
+  this->ExpectDocumented("evaluate");
+}
+
+TEST_F(JsonOutput, StudyIsDocumented)
+{
+  WriteAll(this->Folder / "case.palpate.json",
+           R"({"format": "palpate-study", "fit": {"frequency": 10}, "dial": "automatic",
+               "segmentation": "a.nii.gz", "structures": [{"label": 1, "degree": 4}]})");
+  this->Run({"study", "case.palpate.json", "--json"});
+  this->ExpectDocumented("study");
+}
+
+TEST_F(JsonOutput, SceneIsDocumented)
+{
+  WriteAll(this->Folder / "a.scene.json",
+           R"({"format": "palpate-scene", "structures": [{"file": "ball.json"},
+               {"file": "a.nii.gz", "label": 1, "seen": false, "touched": false}]})");
+  this->Run({"scene", "explain", "a.scene.json", "--json"});
+  // With nothing to be touched there is no servo's scene, with nobody looking no drawing.
+  WriteAll(
+      this->Folder / "seen.scene.json",
+      R"({"format": "palpate-scene", "structures": [{"file": "ball.json", "touched": false}]})");
+  this->Run({"scene", "explain", "seen.scene.json", "--json"});
+  this->ExpectDocumented("scene");
+}
+
+TEST_F(JsonOutput, TouchIsDocumented)
+{
+  const std::vector<std::string> drill{
+      "touch",   "block/block.scene.json", "--path",   "block/hand.csv",
+      "--drill", "block/strokes.json",     "--output", "felt",
+      "--json"};
+  ASSERT_EQ(RunPalpate({"phantom", "--drill-block", "--output", "block"}, this->Folder.Path()).Code,
+            0);
+  this->Run(drill);
+  this->Run({"touch", "felt/scene.json", "--replay", "felt/session.touch", "--json"});
+  // A view and real time, which a machine without a display has not.
+  palpate::TouchResult viewed;
+  viewed.Frames.Add(1000);
+  viewed.Periods.Add(1000);
+  this->Take(palpate::TouchSummaryText({}, viewed));
+  this->ExpectDocumented("touch");
+}
+
+TEST_F(JsonOutput, TradeoffIsDocumented)
+{
+  this->Run(
+      {"tradeoff", "ball.json", "--only", "degree", "--seconds", "0.5", "--runs", "1", "--json"});
+  palpate::TradeResult result;
+  palpate::TradeRow refused;
+  refused.State = palpate::TradeRow::Outcome::Refused;
+  result.Structures.push_back({"gland", {refused}, {}});
+  this->Take(palpate::TradeJson(result));
+  this->ExpectDocumented("tradeoff");
+}
+
+TEST_F(JsonOutput, DevicesAreDocumented)
+{
+  this->Run({"devices", "--json"});
+  this->Run({"devices", "--home", "--device", "simulated", "--json"});
+  this->ExpectDocumented("devices");
+}
+
+TEST(JsonPage, HasATableForEveryCommandThatHasJson)
+{
+  const TemporaryFolder folder;
+  const CommandRun help = RunPalpate({"--help"}, folder.Path());
+  const std::map<std::string, Table> tables = DocumentedTables();
+  std::istringstream lines(help.Output.substr(help.Output.find("Subcommands:")));
+  std::size_t found = 0;
+  for (std::string line; std::getline(lines, line);)
+  {
+    const std::string command = Between(line, "  ", " ");
+    if (command.empty() || line.rfind("  ", 0) != 0 || line[2] == ' ' || command == "palpate")
+    {
+      continue;
+    }
+    const std::string options = RunPalpate({command, "--help"}, folder.Path()).Output;
+    const bool hasJson = options.find("  --json") != std::string::npos;
+    EXPECT_EQ(tables.count(command), hasJson ? 1U : 0U) << command;
+    found += hasJson ? 1 : 0;
+  }
+  EXPECT_EQ(found, tables.size());
+}
+
+// The end of a key tells its unit, and the page says the same.
+TEST(JsonPage, NamesTheUnitsThatKeysEndIn)
+{
+  const std::vector<std::pair<std::string, std::string>> units{
+      {"_n_per_mm", "N/mm"}, {"_mm_per_rad", "mm/rad"},
+      {"_n_mm", "N mm"},     {"_mm2", "mm\u00b2"},
+      {"mm3", "mm\u00b3"},   {"_mm", "mm"},
+      {"_ml", "ml"},         {"_percent", "%"},
+      {"seconds", "s"},      {"_s", "s"},
+      {"_us", "\u00b5s"},    {"_ms", "ms"},
+      {"_ns", "ns"},         {"_hz", "Hz"},
+      {"_n", "N"},           {"_mib", "MiB"},
+      {"bytes", "bytes"},    {"_degrees", "degrees"},
+      {"_jnd", "JND"}};
+  for (const auto& [command, table] : DocumentedTables())
+  {
+    for (const auto& [key, unit] : table)
+    {
+      EXPECT_FALSE(unit.empty()) << command << ": " << key;
+      const std::string name = key.substr(0, key.find_last_not_of("[]") + 1);
+      const auto ending = std::find_if(units.begin(), units.end(),
+                                       [&name = name](const auto& one)
+                                       {
+                                         return name.size() >= one.first.size() &&
+                                                name.compare(name.size() - one.first.size(),
+                                                             one.first.size(), one.first) == 0;
+                                       });
+      if (ending != units.end())
+      {
+        EXPECT_EQ(unit, ending->second) << command << ": " << key;
+      }
+    }
+  }
+}
