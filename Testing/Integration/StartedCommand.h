@@ -11,10 +11,10 @@
 namespace palpate::test
 {
 /// Whether something came true before a deadline, which only a test that fails reaches.
-inline bool IsSoon(const std::function<bool()>& isTrue)
+inline bool IsSoon(const std::function<bool()>& isTrue,
+                   std::chrono::seconds longEnough = std::chrono::seconds(60))
 {
-  constexpr auto LongEnough = std::chrono::seconds(60);
-  const auto end = std::chrono::steady_clock::now() + LongEnough;
+  const auto end = std::chrono::steady_clock::now() + longEnough;
   while (!isTrue())
   {
     if (std::chrono::steady_clock::now() > end)

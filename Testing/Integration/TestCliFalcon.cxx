@@ -7,12 +7,14 @@
 #include "Unprivileged.h"
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <chrono>
 #include <cmath>
 #include <csignal>
 #include <cstdlib>
 #include <gtest/gtest.h>
+#include <memory>
 #include <nlohmann/json.hpp>
 #include <sys/prctl.h>
 #include <sys/wait.h>
@@ -302,7 +304,8 @@ TEST_F(CliFalconEnds, KilledItLeavesNoTorqueOnTheMotors)
   RecordProperty("milliseconds", std::to_string(passed.count()));
 }
 
-// Sends what ends a touch while the motors push, once the program has written that it touches.
+// While the motors push. On a busy machine replies may take longer than the watchdog lets them
+// before they do; then the touch is begun again.
 TEST_F(CliFalcon, WhateverEndsATouchTheLastPacketHasNoTorque)
 {
   this->Bed.Plug(this->Bus, 2);
@@ -314,22 +317,37 @@ TEST_F(CliFalcon, WhateverEndsATouchTheLastPacketHasNoTorque)
                                        "--seconds",   "600",
                                        "--output",    "felt",
                                        "--stiffness", "2"};
-  const auto motors = [this]
-  { return this->Bus.WithFalcon([](VirtualFalcon& falcon) { return falcon.Board().Motors(); }); };
-  constexpr std::array<std::int16_t, 3> Zero{};
+  const auto isPushing = [this]
+  {
+    constexpr std::array<std::int16_t, 3> Zero{};
+    return this->Bus.WithFalcon([](VirtualFalcon& falcon) { return falcon.Board().Motors(); }) !=
+           Zero;
+  };
   for (const std::vector<int>& signals :
        {std::vector<int>{SIGTERM}, {SIGHUP}, {SIGINT}, {SIGINT, SIGINT}})
   {
-    StartedCommand command(PALPATE_PROGRAM, words, this->Folder.Path());
-    ASSERT_TRUE(IsSoon([&] { return motors() != Zero || command.HasEnded(); }));
+    std::unique_ptr<StartedCommand> command;
+    bool hasPushed = false;
+    for (int tries = 0; tries < 10 && !hasPushed; ++tries)
+    {
+      if (command != nullptr)
+      {
+        command->Send(SIGTERM);
+        EXPECT_EQ(command->Finish().Code, 128 + SIGTERM);
+      }
+      command = std::make_unique<StartedCommand>(PALPATE_PROGRAM, words, this->Folder.Path());
+      hasPushed =
+          IsSoon([&] { return isPushing() || command->HasEnded(); }, std::chrono::seconds(4));
+    }
+    ASSERT_TRUE(hasPushed);
     for (const int signal : signals)
     {
-      command.Send(signal);
-      ASSERT_TRUE(IsSoon([&] { return command.HasTakenSignals() || command.HasEnded(); }));
+      command->Send(signal);
+      ASSERT_TRUE(IsSoon([&] { return command->HasTakenSignals() || command->HasEnded(); }));
     }
-    const CommandRun run = command.Finish();
+    const CommandRun run = command->Finish();
     EXPECT_EQ(run.Code, 128 + signals[0]) << run.Errors;
-    EXPECT_EQ(motors(), Zero) << signals[0];
+    EXPECT_FALSE(isPushing()) << signals[0];
     EXPECT_TRUE(std::filesystem::exists(this->Folder / "felt/session.touch"));
     EXPECT_TRUE(std::filesystem::exists(this->Folder / "felt/report.html"));
     std::filesystem::remove_all(this->Folder / "felt");
