@@ -98,11 +98,6 @@ protected:
     return RunPalpate(arguments, this->Folder.Path());
   }
 
-  CommandRun RunShell(const std::string& text)
-  {
-    return RunCommand("sh", {"-c", text}, this->Folder.Path());
-  }
-
   // What `palpate devices --json` says of devices whose names begin so.
   std::vector<nlohmann::json> Listed(const std::string& name)
   {
@@ -271,31 +266,18 @@ TEST_F(CliFalconEnds, KilledItLeavesNoTorqueOnTheMotors)
           return !falcon.Board().Received().empty() && falcon.Board().Received().back().HasTorque();
         });
   };
-  std::atomic<bool> isOver{false};
-  std::thread command(
-      [&]
-      {
-        this->RunShell("echo $$ > pid; exec '" PALPATE_PROGRAM
-                       "' touch a.nii.gz --label 1 --device "
-                       "falcon:calibration=calibration.txt --firmware firmware.bin --seconds 60");
-        isOver = true;
-      });
-  while (!isOver && !hasTorque())
-  {
-    std::this_thread::sleep_for(std::chrono::milliseconds(1)); // lets the model go on
-  }
-  const bool wasPushing = hasTorque();
+  StartedCommand command(PALPATE_PROGRAM,
+                         {"touch", "a.nii.gz", "--label", "1", "--device",
+                          "falcon:calibration=calibration.txt", "--firmware", "firmware.bin",
+                          "--seconds", "600"},
+                         this->Folder.Path());
+  EXPECT_TRUE(IsSoon(hasTorque));
   const auto start = std::chrono::steady_clock::now();
-  kill(std::stoi(ReadAll(this->Folder / "pid")), SIGKILL);
-  command.join();
+  command.Send(SIGKILL);
+  command.Finish();
   this->Bus.ReleaseClaims(); // umockdev does not say that a client has ended
-  while (hasTorque() && std::chrono::steady_clock::now() < start + std::chrono::seconds(20))
-  {
-    std::this_thread::sleep_for(std::chrono::milliseconds(1)); // lets the model go on
-  }
+  EXPECT_TRUE(IsSoon([&] { return !hasTorque(); }));
   const std::chrono::duration<double, std::milli> passed = std::chrono::steady_clock::now() - start;
-  EXPECT_TRUE(wasPushing);
-  EXPECT_FALSE(hasTorque());
   int status = 1;
   EXPECT_GT(waitpid(-1, &status, 0), 0) << "the guard ends once it has done its work";
   EXPECT_EQ(status, 0);
