@@ -208,7 +208,7 @@ class TouchStopOverUsb : public StopOverUsb, public testing::WithParamInterface<
 protected:
   // Ticks until something holds. A tick or a sample that was late is another program's doing.
   template <typename Condition>
-  bool Run(Servo& servo, const Condition& condition, bool rearms)
+  bool Run(Servo& servo, Condition condition, bool rearms)
   {
     bool holds = false;
     FixedRateLoop(this->Time, 1'000'000)
