@@ -8,8 +8,8 @@
 
 namespace palpate::test
 {
-/// Time that passes only while somebody waits, and then no faster than real time. A busy machine
-/// makes such a loop slow and never late, so every fault of its servo is one.
+/// Time that passes only while a thread waits for it, and no faster than real time. On a busy
+/// machine a loop becomes slow but never late, so stalls and stale samples are never the machine's.
 class PacedClock final : public Clock
 {
 public:

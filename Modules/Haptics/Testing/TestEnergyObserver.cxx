@@ -59,7 +59,7 @@ TEST(EnergyObserver, DampingNeverPullsAndNeverExceedsItsLimit)
   }
 }
 
-TEST(EnergyObserver, WithoutAContactsForceThereIsNoDamping)
+TEST(EnergyObserver, NoDampingWithoutContactForce)
 {
   EnergyObserver observer(0.02);
   observer.Account(Vector3::UnitX(), Vector3::UnitX());

@@ -145,7 +145,7 @@ TEST(SafetyChain, ForceReversesNoFasterThanTheSlewRate)
   EXPECT_FALSE(chain.Report().IsSlewing);
 }
 
-TEST(SafetyChain, AForceThatWasLimitedFallsAtOnce)
+TEST(SafetyChain, LimitedForceFallsAtTheSlewRate)
 {
   SafetyChain chain = Running(100, {0.0, 0.0, 1000.0});
   EXPECT_EQ(chain.Apply(Pushing(100, {0.0, 0.0, 1000.0})).norm(), 8.0 * (1.0 - 1e-15));
@@ -155,7 +155,7 @@ TEST(SafetyChain, AForceThatWasLimitedFallsAtOnce)
   EXPECT_FALSE(chain.Report().IsLimited);
 }
 
-TEST(SafetyChain, AnAmbientForceThatIsNoNumberIsAFault)
+TEST(SafetyChain, NonFiniteAmbientForceIsAFault)
 {
   for (const double bad : {test::NotANumber, test::Infinite, 2e6})
   {
@@ -167,7 +167,7 @@ TEST(SafetyChain, AnAmbientForceThatIsNoNumberIsAFault)
   }
 }
 
-TEST(SafetyChain, AmbientForcesFadeInToo)
+TEST(SafetyChain, AmbientForcesFadeIn)
 {
   SafetyChain chain(Settings());
   for (std::uint64_t n = 0; n <= 10; ++n)
@@ -180,7 +180,7 @@ TEST(SafetyChain, AmbientForcesFadeInToo)
   }
 }
 
-TEST(SafetyChain, CreditsWhatTheMechanismTookUp)
+TEST(SafetyChain, CreditsMechanismDampingAndFriction)
 {
   SafetySettings settings = Settings();
   settings.LargestDamping = 0.0; // observed only
@@ -202,7 +202,7 @@ TEST(SafetyChain, CreditsWhatTheMechanismTookUp)
   EXPECT_NEAR(after - before, -0.05 + (0.003 * 50.0 + 0.2) * 0.05, 1e-9);
 }
 
-TEST(SafetyChain, AContactsBooksEndWithItsLastForce)
+TEST(SafetyChain, CountsEnergyUntilTheLastForceOfAContact)
 {
   SafetyChain chain(Settings());
   const auto touch = [&chain](std::uint64_t n, double z, double push)
@@ -225,7 +225,7 @@ TEST(SafetyChain, AContactsBooksEndWithItsLastForce)
   EXPECT_EQ(touch(23, 0.1, 0.0), 0.0);
 }
 
-TEST(SafetyChain, NothingOfTheTimeBeforeAFaultIsLeftAfterRearm)
+TEST(SafetyChain, RearmForgetsTheLastTick)
 {
   SafetySettings settings = Settings();
   settings.RampDuration = 0.0;
@@ -252,7 +252,7 @@ TEST(SafetyChain, NothingOfTheTimeBeforeAFaultIsLeftAfterRearm)
   EXPECT_NEAR(chain.Apply(elsewhere)[2], 2.0, 1e-12);
 }
 
-TEST(SafetyChain, EnergyBeforeAFaultIsNoneAfterIt)
+TEST(SafetyChain, RearmForgetsContactEnergy)
 {
   SafetyChain chain = Running(30, {0.0, 0.0, 2.0});
   SafetyInput input = Pushing(30, {0.0, 0.0, 2.0});
@@ -261,7 +261,11 @@ TEST(SafetyChain, EnergyBeforeAFaultIsNoneAfterIt)
   EXPECT_NEAR(chain.Report().Energy, 1.0, 1e-12);
   chain.Fail(SafetyFault::SwitchedOff);
   chain.Rearm();
-  static_cast<void>(chain.Apply(Pushing(31, {0.0, 0.0, 2.0})));
+  input.Observed.Tick = test::HealthyTick(31).Tick;
+  input.Observed.Sample.Time = input.Observed.Tick.Started;
+  ++input.Observed.Sample.Sequence;
+  EXPECT_EQ(chain.Apply(input), Vector3::Zero());
+  EXPECT_TRUE(chain.Report().IsRamping);
   EXPECT_EQ(chain.Report().Energy, 0.0);
 }
 

@@ -135,7 +135,7 @@ TEST(Servo, ADeviceMayBeSilentForAsLongAsItSaysAndNoLonger)
   }
 }
 
-TEST(Servo, ForcesEndAtTheDevicesOwnLimit)
+TEST(Servo, ForceIsLimitedByTheDevice)
 {
   DeviceCapabilities device = test::ScriptedDevice().Abilities;
   device.MaximumForce = 2.5;
@@ -149,7 +149,7 @@ TEST(Servo, ForcesEndAtTheDevicesOwnLimit)
   EXPECT_EQ(unknown.RestAt({0.0, 0.0, -1.0}), Vector3::Zero());
 }
 
-TEST(Servo, TheEnergyObserverDampsAsMuchAsTheDeviceBears)
+TEST(Servo, DampingIsLimitedByTheDevice)
 {
   DeviceCapabilities device = test::ScriptedDevice().Abilities;
   device.MaximumDamping = 0.01;
@@ -160,7 +160,7 @@ TEST(Servo, TheEnergyObserverDampsAsMuchAsTheDeviceBears)
   EXPECT_TRUE(run.Loop.Latest().Safety.IsDamping);
 }
 
-TEST(Servo, TheMechanismsDampingAndFrictionAreCredited)
+TEST(Servo, CreditsDampingAndFrictionOfTheDevice)
 {
   DeviceCapabilities device = test::ScriptedDevice().Abilities;
   device.Damping = 0.003;
@@ -176,7 +176,7 @@ TEST(Servo, TheMechanismsDampingAndFrictionAreCredited)
   EXPECT_NEAR(run.Loop.Latest().Safety.Energy - before, (0.003 * 50.0 + 0.2) * 0.05, 1e-9);
 }
 
-TEST(Servo, RampAndSlewAreThoseOfTheSettings)
+TEST(Servo, UsesRampAndSlewRateOfTheSettings)
 {
   ServoSettings settings;
   settings.RampDuration = 0.1;
@@ -190,7 +190,7 @@ TEST(Servo, RampAndSlewAreThoseOfTheSettings)
   }
 }
 
-TEST(Servo, OfRearmAndSwitchOffAtOnceTheSafeOneHolds)
+TEST(Servo, SwitchOffWinsOverRearm)
 {
   test::ServoRun run(WallScene(0.0, {1.0, 0.0}));
   for (const bool rearmsFirst : {true, false})
@@ -207,7 +207,7 @@ TEST(Servo, OfRearmAndSwitchOffAtOnceTheSafeOneHolds)
   }
 }
 
-TEST(Servo, RearmForgetsWhereTheHandWas)
+TEST(Servo, RearmBeginsContactsAgain)
 {
   CountedWall wall;
   wall.Scene.Structures[0].Id = 1;
@@ -226,7 +226,7 @@ TEST(Servo, RearmForgetsWhereTheHandWas)
   EXPECT_EQ(wall.Control->Questions, questions + 4);
 }
 
-TEST(Servo, NoModelIsAskedBeforeTheDeviceIsReady)
+TEST(Servo, ModelsAreNotAskedBeforeTheDeviceIsReady)
 {
   CountedWall wall;
   test::ServoRun run(wall.Scene);
@@ -238,7 +238,7 @@ TEST(Servo, NoModelIsAskedBeforeTheDeviceIsReady)
   EXPECT_EQ(wall.Control->Questions, 2);
 }
 
-TEST(Servo, NoModelIsAskedAboutAPlaceThatIsNoNumber)
+TEST(Servo, ModelsAreNotAskedAboutNonFinitePositions)
 {
   CountedWall wall;
   test::ServoRun run(wall.Scene);
@@ -249,7 +249,7 @@ TEST(Servo, NoModelIsAskedAboutAPlaceThatIsNoNumber)
   EXPECT_EQ(run.Loop.Latest().Safety.Fault, SafetyFault::NonFinitePosition);
 }
 
-TEST(Servo, AForceThatTheDeviceRefusesIsAFault)
+TEST(Servo, RefusedForceIsAFault)
 {
   test::ServoRun run(WallScene(0.0, {1.0, 0.0}));
   run.RestAt({0.0, 0.0, -1.0});
@@ -262,7 +262,7 @@ TEST(Servo, AForceThatTheDeviceRefusesIsAFault)
   EXPECT_TRUE(run.Loop.Latest().WasTaken);
 }
 
-TEST(Servo, AContactThatIsNoneIsAFault)
+TEST(Servo, InvalidContactIsAFault)
 {
   using test::WallFault;
   for (const WallFault fault : {WallFault::Invalid, WallFault::NaNProxy, WallFault::InfiniteProxy,
@@ -308,7 +308,7 @@ TEST(Servo, ANewSceneFadesIn)
   EXPECT_EQ(run.Loop.Latest().Scene, 2u);
 }
 
-TEST(Servo, ANewSceneKnowsNothingOfTheWayToIt)
+TEST(Servo, NewSceneIgnoresTheMotionBefore)
 {
   test::ServoRun run(WallScene(0.0, {1.0, 0.0}));
   run.RestAt({0.0, 0.0, -1.0});
@@ -320,7 +320,7 @@ TEST(Servo, ANewSceneKnowsNothingOfTheWayToIt)
   EXPECT_EQ(wall.Control->Questions, 0);
 }
 
-TEST(Servo, WhatAContactTookInEndsWithIt)
+TEST(Servo, EnergyEndsWithTheContact)
 {
   test::ServoRun run(WallScene(0.0, {1.0, 0.0}));
   run.RestAt({0.0, 0.0, -0.5});
@@ -331,7 +331,7 @@ TEST(Servo, WhatAContactTookInEndsWithIt)
   EXPECT_EQ(run.Loop.Latest().Safety.Energy, 0.0);
 }
 
-TEST(Servo, OneContactOfManyThatIsNoneIsAFault)
+TEST(Servo, OneInvalidContactOfManyIsAFault)
 {
   CountedWall first;
   first.Scene.Structures.push_back(WallScene(-0.5, {1.0, 0.0}).Structures[0]);

@@ -71,7 +71,7 @@ TEST(ServoThread, KeepsItsRateAndCountsIt)
   EXPECT_EQ(servo.Statistics().Periods.Misses(), 0u);
 }
 
-TEST(ServoThread, CountsPeriodsThatWereSkippedAndTicksThatWereLate)
+TEST(ServoThread, CountsSkippedPeriodsAndLateTicks)
 {
   ManualClock clock;
   TimedDevice device(clock);

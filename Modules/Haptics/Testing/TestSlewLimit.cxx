@@ -51,7 +51,19 @@ TEST(SlewLimit, StaysWithinWhatBothEndsAreWithin)
   }
 }
 
-TEST(SlewLimit, WhatIsNoNumberIsZero)
+TEST(SlewLimit, AllowedChangeGivesTheForceToTheLastBit)
+{
+  test::Random random(23);
+  SlewLimit slew(1e5);
+  for (int n = 0; n < 1000; ++n)
+  {
+    const Vector3 wanted = (1.0 + 0.01 * n) * test::RandomDirection(random); // 24 N apart at most
+    EXPECT_EQ(slew.Apply(wanted, 0.001), wanted);
+    EXPECT_FALSE(slew.IsSlewing());
+  }
+}
+
+TEST(SlewLimit, NonFiniteForceCountsAsZero)
 {
   for (const double bad : {test::NotANumber, test::Infinite})
   {

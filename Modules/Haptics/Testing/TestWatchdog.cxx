@@ -35,7 +35,7 @@ TEST(Watchdog, ADeviceThatFailsOrLeavesReadyIsAFaultAtOnce)
   EXPECT_EQ(watched.Dog.Check(watched.Next), SafetyFault::DeviceFailed);
 }
 
-TEST(Watchdog, ADeviceThatFailedBeforeItWasReadyIsAFault)
+TEST(Watchdog, FailureBeforeReadyIsAFault)
 {
   Watchdog dog{WatchdogLimits()};
   TickObservation tick = test::HealthyTick(0);
@@ -43,7 +43,7 @@ TEST(Watchdog, ADeviceThatFailedBeforeItWasReadyIsAFault)
   EXPECT_EQ(dog.Check(tick), SafetyFault::DeviceFailed);
 }
 
-TEST(Watchdog, AfterAResetADeviceMayGetReadyAgain)
+TEST(Watchdog, ResetAllowsHomingAgain)
 {
   Watched watched;
   watched.Dog.Reset();
@@ -79,7 +79,7 @@ TEST(Watchdog, ATickThatComesTooLateIsAFault)
   EXPECT_EQ(watched.Dog.Check(watched.Next), SafetyFault::StalledTick);
 }
 
-TEST(Watchdog, AGapMayBeAsLongAsItsLimit)
+TEST(Watchdog, AcceptsTheLongestGap)
 {
   for (const std::int64_t beyond : {0, 1})
   {
@@ -177,7 +177,7 @@ TEST(Watchdog, MotionFasterThanAHandIsAFault)
   EXPECT_EQ(fast.Dog.Check(fast.Next), SafetyFault::ImplausibleMotion);
 }
 
-TEST(Watchdog, SamplesOfOneTimeAllowForAMotionOfSomeCounts)
+TEST(Watchdog, SamplesOfEqualTimeMayDifferByAFewCounts)
 {
   for (const double moved : {0.49, 0.51}) // mm; 5 m/s for 0.1 ms are 0.5 mm
   {

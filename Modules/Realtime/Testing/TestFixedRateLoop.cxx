@@ -80,7 +80,7 @@ TEST(FixedRateLoop, AStopBeforeTheFirstTickPreventsIt)
       });
 }
 
-TEST(FixedRateLoop, AStopWhileItWaitsPreventsTheNextTick)
+TEST(FixedRateLoop, StopDuringWaitPreventsTheNextTick)
 {
   // What happens in a wait.
   class StoppingClock final : public Clock

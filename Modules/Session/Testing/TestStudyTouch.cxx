@@ -2,11 +2,11 @@
 
 #include "ManualClock.h"
 #include "OpenBuiltInDevice.h"
+#include "PacedClock.h"
 #include "PlacedDevice.h"
 #include "SafetyText.h"
 #include "SimulatedDevice.h"
 #include "SlowModel.h"
-#include "SteadyClock.h"
 #include "StudyPhantoms.h"
 #include "TouchReplay.h"
 
@@ -383,23 +383,24 @@ TEST_F(StudyTouchTest, AnUnknownDeviceIsNamedInTheSentence)
   EXPECT_NE(status.Message().find("simulated"), std::string::npos) << status.Message();
 }
 
-// In real time, since the ring of a servo that runs as fast as it can overflows.
+// No faster than real time: the ring of a servo that runs as fast as it can overflows.
 TEST_F(StudyTouchTest, ARecordingIsFeltAgainToTheLastBit)
 {
   const test::TemporaryFolder folder;
-  SteadyClock clock;
+  test::PacedClock clock;
   StudyTouch touch(clock, Ordinary());
   ASSERT_TRUE(touch.Start(this->OpenDevice(clock), this->State, this->Contacts).IsOk());
   const auto file = folder / "session.touch";
   ASSERT_TRUE(touch.StartRecording(file).IsOk());
   EXPECT_FALSE(touch.StartRecording(file).IsOk());
   touch.MoveHand(Vector3(Radius - 4.0, 0.0, 0.0));
-  while (touch.Poll().Newest.Tick.Number < 150)
+  while (touch.Poll().Newest.Tick.Number < 150 || touch.Poll().TouchedLabel != 7)
   {
     std::this_thread::yield();
   }
   touch.Stop();
   EXPECT_EQ(touch.Poll().RecordingProblem, "");
+  EXPECT_EQ(touch.Poll().Newest.Safety.Fault, SafetyFault::None);
   auto recording = std::make_shared<TouchRecording>();
   ASSERT_TRUE(ReadTouchRecording(file.string(), *recording).IsOk());
   EXPECT_GE(recording->Ticks.size(), 150U);

@@ -99,8 +99,8 @@ protected:
     const double* display = space->Renderer()->GetDisplayPoint();
     return {display[0], space->Canvas()->height() - 1 - display[1]};
   }
-  /// WaitUntil, while forces stay as they are: by a PacedClock nothing is late, so each fault but
-  /// being switched off ends the test.
+  /// WaitUntil, with forces on or switched off. Any other fault ends the test: with a PacedClock it
+  /// cannot be the machine's.
   void FeelUntil(const std::function<bool()>& isTrue)
   {
     WaitUntil(
