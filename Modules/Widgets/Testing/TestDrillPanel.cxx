@@ -56,21 +56,11 @@ protected:
     QKeyEvent event(type, key, Qt::NoModifier);
     QApplication::sendEvent(this->Window->Views(), &event);
   }
-  // Until the servo has seen the key; a stall takes the pedal up.
+  // Until the servo has seen the key.
   void HoldPedal()
   {
     this->Key(QEvent::KeyPress, Qt::Key_D);
-    WaitUntil(
-        [this]
-        {
-          this->AllowForcesAfterStalls();
-          const TouchState& newest = this->Study->Reading().Newest;
-          if (!newest.IsDrilling && newest.Safety.Fault != SafetyFault::None)
-          {
-            this->Key(QEvent::KeyPress, Qt::Key_D);
-          }
-          return newest.IsDrilling;
-        });
+    this->FeelUntil([this] { return this->Study->Reading().Newest.IsDrilling; });
   }
   // Presses the hand into the ball with the pedal down until so much is gone.
   void Drill(double volume)

@@ -42,17 +42,7 @@ protected:
   {
     QKeyEvent press(QEvent::KeyPress, Qt::Key_D, Qt::NoModifier);
     QApplication::sendEvent(this->Window->Views(), &press);
-    WaitUntil(
-        [this]
-        {
-          this->AllowForcesAfterStalls(); // which take the pedal up
-          const bool isDrilling = this->Study->Reading().Newest.IsDrilling;
-          if (!isDrilling)
-          {
-            this->Study->Current().Touch().RunDrill(true);
-          }
-          return isDrilling;
-        });
+    this->FeelUntil([this] { return this->Study->Reading().Newest.IsDrilling; });
     QKeyEvent release(QEvent::KeyRelease, Qt::Key_D, Qt::NoModifier);
     QApplication::sendEvent(this->Window->Views(), &release);
     WaitUntil([this] { return !this->Study->Reading().Newest.IsDrilling; });
