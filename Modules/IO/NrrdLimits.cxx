@@ -111,7 +111,11 @@ private:
     if (name == "dimension")
     {
       const auto count = ParseInteger(text);
-      if (!count || *count < 1 || *count > MostDimensions)
+      if (!count)
+      {
+        Refuse(this->File, "is no NRRD image or its header is damaged", "copy or export it again");
+      }
+      if (*count < 1 || *count > MostDimensions)
       {
         Refuse(this->File, "has " + text + " dimensions",
                "extract one three-dimensional volume of it");

@@ -152,7 +152,8 @@ TEST(SurfaceSpace, NormalsTurnWithTheirPoints)
   for (const char* name : {"a.ply", "a.obj"})
   {
     WriteStating(folder / name, "RAS");
-    vtkDataArray* normals = ReadSurface(folder / name)->GetPointData()->GetNormals();
+    const vtkSmartPointer<vtkPolyData> surface = ReadSurface(folder / name);
+    vtkDataArray* normals = surface->GetPointData()->GetNormals();
     ASSERT_NE(normals, nullptr) << name;
     EXPECT_EQ(Vector3(normals->GetTuple3(0)), Vector3(-0.5, 0.25, 1.0)) << name;
   }

@@ -113,11 +113,11 @@ TEST_F(TouchRun, FullDiskEndsTheRecordingAndNotTheTouch)
   run.Guide = [&told](const std::string& sentence) { told = sentence; };
   TouchResult result;
   {
-    const test::FileSizeLimit full(300'000); // within tick 1041
+    const test::FileSizeLimit full(300'000); // within tick 1013
     result = RunTouch(touch, run, GoOn);
   }
   EXPECT_EQ(result.Ticks, 2000U);
-  EXPECT_NE(result.RecordingProblem.find("1.041 s"), std::string::npos) << result.RecordingProblem;
+  EXPECT_NE(result.RecordingProblem.find("1.013 s"), std::string::npos) << result.RecordingProblem;
   EXPECT_EQ(told, result.RecordingProblem);
   EXPECT_FALSE(std::filesystem::exists(file));
   EXPECT_EQ(this->Folder.EntryCount(), 3U) << "model, mask, and what was recorded";
