@@ -30,16 +30,16 @@ constexpr std::array<StepLook, 6> Looks{{{"\u25CB", "gray", "not needed"},
 
 StepRow::StepRow(StudyStep step, QGridLayout* table, int row, QWidget* parent)
     : QObject(parent), Step(step), Sign(new QLabel(parent)), State(new QLabel(parent)),
-      Progress(new QProgressBar(parent)), Button(new QPushButton(parent))
+      Progress(new QProgressBar(parent)), Button(new QPushButton(parent)),
+      Name(new QLabel(NameOf(step), parent))
 {
-  auto* name = new QLabel(NameOf(step), parent);
   this->State->setObjectName(QString("state-") + NameOf(step));
   this->Button->setObjectName(QString("act-") + NameOf(step));
   this->Progress->setTextVisible(false);
-  this->Progress->setMaximumHeight(name->fontMetrics().height());
+  this->Progress->setMaximumHeight(this->Name->fontMetrics().height());
   this->Button->setFlat(true);
   table->addWidget(this->Sign, row, 0);
-  table->addWidget(name, row, 1);
+  table->addWidget(this->Name, row, 1);
   table->addWidget(this->State, row, 2);
   table->addWidget(this->Progress, row, 2);
   table->addWidget(this->Button, row, 3);
@@ -59,7 +59,12 @@ void StepRow::Show(const StudyStepState& state)
   this->Sign->setPalette(colors);
   this->State->setText(look.Word);
   this->State->setToolTip(PlainToolTip(ScreenString(state.Sentence)));
-  this->State->setVisible(!isRunning);
+  // Without a structure that must not be drilled there is nothing to protect.
+  const bool isShown =
+      this->Step != StudyStep::Protection || state.Is != StudyStepState::Kind::NotWanted;
+  this->Sign->setVisible(isShown);
+  this->Name->setVisible(isShown);
+  this->State->setVisible(isShown && !isRunning);
   this->Progress->setVisible(isRunning);
   this->Progress->setToolTip(PlainToolTip(ScreenString(state.Stage)));
   this->Progress->setValue(static_cast<int>(std::lround(100.0 * state.Fraction)));

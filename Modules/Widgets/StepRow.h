@@ -35,6 +35,7 @@ private:
   QLabel* State;
   QProgressBar* Progress;
   QPushButton* Button;
+  QLabel* Name;
   StudyStepState::Kind Shown = StudyStepState::Kind::NotWanted;
 };
 } // namespace palpate

@@ -11,7 +11,7 @@ for object in "$@"; do
     *) continue ;;
   esac
   found=$((found + 1))
-  shared=$(nm --defined-only --demangle "$object" | grep -E ' [WVu] ' | grep -v Avx2 || true)
+  shared=$(nm --defined-only --demangle "$object" | grep -E ' [WVu] ' | grep -v -e Avx2 -e ' DW.ref' || true)
   if [ -n "$shared" ]; then
     echo "$object shares functions with objects for older processors:" >&2
     echo "$shared" >&2

@@ -1,8 +1,12 @@
 #include "HouseholderReduction.h"
 
+#include "HouseholderReductionAvx2.h"
+
 #include <Eigen/QR>
 
 namespace palpate::householder
+{
+namespace
 {
 void ReducePortably(double* matrix, std::ptrdiff_t rows, std::ptrdiff_t columns, double* right)
 {

@@ -15,7 +15,4 @@ using Reduction = void (*)(double* matrix, std::ptrdiff_t rows, std::ptrdiff_t c
 
 /// For an instruction set that this processor has. Results differ by roundings.
 Reduction ReductionFor(InstructionSet set) noexcept;
-
-void ReducePortably(double* matrix, std::ptrdiff_t rows, std::ptrdiff_t columns, double* right);
-void ReduceByAvx2(double* matrix, std::ptrdiff_t rows, std::ptrdiff_t columns, double* right);
 } // namespace palpate::householder

@@ -3,7 +3,7 @@
 // code for older processors; a test looks at this object's symbols (Structure.Avx2Symbols).
 #define Eigen EigenForAvx2
 
-#include "HouseholderReduction.h"
+#include "HouseholderReductionAvx2.h"
 
 #include <Eigen/QR>
 
