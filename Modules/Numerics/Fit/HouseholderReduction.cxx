@@ -16,6 +16,7 @@ void ReducePortably(double* matrix, std::ptrdiff_t rows, std::ptrdiff_t columns,
   Eigen::Map<Eigen::Matrix<double, Eigen::Dynamic, 1>>(right, rows)
       .applyOnTheLeft(qr.householderQ().adjoint());
 }
+} // namespace
 
 Reduction ReductionFor(InstructionSet set) noexcept
 {
