@@ -266,15 +266,27 @@ TEST_F(CliFalconEnds, KilledItLeavesNoTorqueOnTheMotors)
           return !falcon.Board().Received().empty() && falcon.Board().Received().back().HasTorque();
         });
   };
-  StartedCommand command(PALPATE_PROGRAM,
-                         {"touch", "a.nii.gz", "--label", "1", "--device",
-                          "falcon:calibration=calibration.txt", "--firmware", "firmware.bin",
-                          "--seconds", "600"},
-                         this->Folder.Path());
-  EXPECT_TRUE(IsSoon(hasTorque));
+  // Where replies come too late before the motors push, the touch is begun again.
+  std::unique_ptr<StartedCommand> command;
+  for (int tries = 0; tries < 10 && !hasTorque(); ++tries)
+  {
+    if (command != nullptr)
+    {
+      command->Send(SIGTERM);
+      command->Finish();
+    }
+    command = std::make_unique<StartedCommand>(
+        PALPATE_PROGRAM,
+        std::vector<std::string>{"touch", "a.nii.gz", "--label", "1", "--device",
+                                 "falcon:calibration=calibration.txt", "--firmware", "firmware.bin",
+                                 "--seconds", "600"},
+        this->Folder.Path());
+    static_cast<void>(IsSoon(hasTorque, std::chrono::seconds(4)));
+  }
+  ASSERT_TRUE(hasTorque());
   const auto start = std::chrono::steady_clock::now();
-  command.Send(SIGKILL);
-  command.Finish();
+  command->Send(SIGKILL);
+  command->Finish();
   this->Bus.ReleaseClaims(); // umockdev does not say that a client has ended
   EXPECT_TRUE(IsSoon([&] { return !hasTorque(); }));
   const std::chrono::duration<double, std::milli> passed = std::chrono::steady_clock::now() - start;

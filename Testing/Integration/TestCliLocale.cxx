@@ -14,7 +14,7 @@ namespace
 {
 using Words = std::vector<std::string>;
 
-// A cohort's table without how long each case took: the number in its column "seconds".
+// A cohort's table up to its column "seconds": how long a case took, and then where its files are.
 std::string WithoutSeconds(const std::string& table)
 {
   std::istringstream lines(table);
@@ -22,15 +22,15 @@ std::string WithoutSeconds(const std::string& table)
   std::getline(lines, line);
   const std::string before = line.substr(0, line.find("seconds"));
   const auto column = std::count(before.begin(), before.end(), ',');
-  std::string kept = line;
+  std::string kept = before;
   while (std::getline(lines, line))
   {
-    std::size_t start = 0;
+    std::size_t end = 0;
     for (std::ptrdiff_t n = 0; n < column; ++n)
     {
-      start = line.find(',', start) + 1;
+      end = line.find(',', end) + 1;
     }
-    kept += '\n' + line.erase(start, line.find(',', start) - start);
+    kept += '\n' + line.substr(0, end);
   }
   return kept;
 }

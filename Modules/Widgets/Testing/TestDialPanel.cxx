@@ -13,6 +13,9 @@ namespace
 class DialPanelTest : public test::WindowTest
 {
 protected:
+  // What ticks cost is measured in real time.
+  DialPanelTest() { this->Time = std::make_unique<SteadyClock>(); }
+
   QSlider* Slider() const { return this->Window->findChild<QSlider*>("dial"); }
   QComboBox* Mode() const { return this->Window->findChild<QComboBox*>("dial-mode"); }
   DialPanel* Panel() const { return this->Window->findChild<DialPanel*>(); }
