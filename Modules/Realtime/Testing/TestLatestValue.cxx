@@ -40,6 +40,21 @@ TEST(LatestValue, IsTheNewestAndStays)
   }
 }
 
+TEST(LatestValue, StaysTheSameUntilItIsAskedForAgain)
+{
+  LatestValue<int> value;
+  for (int i = 1; i < 10; ++i)
+  {
+    value.Publish(i);
+    const int& latest = value.Latest();
+    for (int later = 100; later < 105; ++later)
+    {
+      value.Publish(later);
+      EXPECT_EQ(latest, i);
+    }
+  }
+}
+
 TEST(LatestValue, IsNeverTornAndNeverOlderThanBefore)
 {
   constexpr std::uint64_t last = 50'000;

@@ -83,6 +83,14 @@ TEST(PeriodStatistics, ExtremeDurationsHaveAClass)
   EXPECT_EQ(statistics.Quantile(1.0), INT64_MAX);
 }
 
+TEST(PeriodStatistics, QuantilesStayBetweenTheExtremes)
+{
+  // 100 to 103 ns share a class.
+  const PeriodStatistics one = StatisticsOf({101});
+  EXPECT_EQ(one.Median(), 101);
+  EXPECT_EQ(StatisticsOf({101, 102}).Quantile(1.0), 102);
+}
+
 TEST(PeriodStatistics, EmptyOnesAnswerZero)
 {
   const PeriodStatistics statistics;

@@ -71,6 +71,22 @@ TEST(SnapshotSlot, TheServoDestroysNothingAndReclaimDoes)
   EXPECT_EQ(ledger.Alive, 1);
 }
 
+TEST(SnapshotSlot, PublishDestroysWhatTheServoGaveBack)
+{
+  Snapshot::Ledger ledger;
+  {
+    SnapshotSlot<Snapshot> slot;
+    for (int i = 0; i < 20; ++i)
+    {
+      slot.Publish(std::make_unique<Snapshot>(ledger, i));
+      slot.Refresh();
+      // The one in use, and the one before.
+      EXPECT_LE(ledger.Alive, 2);
+    }
+  }
+  EXPECT_EQ(ledger.Alive, 0);
+}
+
 TEST(SnapshotSlot, ItsEndDestroysAll)
 {
   Snapshot::Ledger ledger;

@@ -9,7 +9,9 @@ namespace
 {
 TEST(SteadyClock, WaitsEndAtTheirTimeOrLater)
 {
-  for (const std::int64_t spin : {std::int64_t{0}, std::int64_t{50'000}})
+  // Asleep, partly, and spinning all the time.
+  for (const std::int64_t spin :
+       {std::int64_t{0}, std::int64_t{50'000}, std::int64_t{1'000'000'000}})
   {
     SteadyClock clock(spin);
     for (int i = 0; i < 20; ++i)
