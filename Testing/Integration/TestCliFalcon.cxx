@@ -268,7 +268,7 @@ TEST_F(CliFalconEnds, KilledItLeavesNoTorqueOnTheMotors)
   };
   // Where replies come too late before the motors push, the touch is begun again.
   std::unique_ptr<StartedCommand> command;
-  for (int tries = 0; tries < 10 && !hasTorque(); ++tries)
+  for (int tries = 0; tries < 15 && !hasTorque(); ++tries)
   {
     if (command != nullptr)
     {
@@ -281,7 +281,7 @@ TEST_F(CliFalconEnds, KilledItLeavesNoTorqueOnTheMotors)
                                  "falcon:calibration=calibration.txt", "--firmware", "firmware.bin",
                                  "--seconds", "600"},
         this->Folder.Path());
-    static_cast<void>(IsSoon(hasTorque, std::chrono::seconds(4)));
+    static_cast<void>(IsSoon(hasTorque, std::chrono::seconds(2)));
   }
   ASSERT_TRUE(hasTorque());
   const auto start = std::chrono::steady_clock::now();
