@@ -4,8 +4,9 @@
 #include "SyntheticFiles.h"
 #include "TemporaryFolder.h"
 
-#include <algorithm>
 #include <gtest/gtest.h>
+#include <map>
+#include <set>
 #include <sstream>
 
 using namespace palpate::test;
@@ -14,25 +15,26 @@ namespace
 {
 using Words = std::vector<std::string>;
 
-// A cohort's table up to its column "seconds": how long a case took, and then where its files are.
-std::string WithoutSeconds(const std::string& table)
+// The cells of a cohort's table but those that say how long a case took and in which folder.
+std::string ComparableCells(const std::string& table)
 {
+  std::string cells;
   std::istringstream lines(table);
-  std::string line;
-  std::getline(lines, line);
-  const std::string before = line.substr(0, line.find("seconds"));
-  const auto column = std::count(before.begin(), before.end(), ',');
-  std::string kept = before;
-  while (std::getline(lines, line))
+  std::set<std::size_t> others;
+  for (std::string line; std::getline(lines, line);)
   {
-    std::size_t end = 0;
-    for (std::ptrdiff_t n = 0; n < column; ++n)
+    std::istringstream words(line);
+    std::string cell;
+    for (std::size_t column = 0; std::getline(words, cell, ','); ++column)
     {
-      end = line.find(',', end) + 1;
+      if (cell == "seconds" || cell == "key")
+      {
+        others.insert(column);
+      }
+      cells += others.count(column) > 0 ? "," : cell + ',';
     }
-    kept += '\n' + line.substr(0, end);
   }
-  return kept;
+  return cells;
 }
 
 // All files of a folder by their names relative to it.
@@ -44,10 +46,7 @@ std::map<std::string, std::string> FilesOf(const std::filesystem::path& folder)
     // A report holds how long things took.
     if (entry.is_regular_file() && entry.path().filename() != "report.html")
     {
-      const std::string bytes = ReadAll(entry.path());
-      const bool isTable = entry.path().filename() == "cohort.csv";
-      files[entry.path().lexically_relative(folder).string()] =
-          isTable ? WithoutSeconds(bytes) : bytes;
+      files[entry.path().lexically_relative(folder).string()] = ReadAll(entry.path());
     }
   }
   return files;
@@ -63,6 +62,10 @@ std::map<std::string, std::string> ResultsOf(const Words& words)
   const CommandRun run = RunPalpate(words, folder.Path());
   EXPECT_EQ(run.Code, 0) << words[0] << ": " << run.Errors;
   std::map<std::string, std::string> results = FilesOf(folder.Path());
+  if (results.count("o/cohort.csv") > 0)
+  {
+    results["o/cohort.csv"] = ComparableCells(results["o/cohort.csv"]);
+  }
   results["standard output"] = run.Output;
   results["standard error"] = run.Errors;
   return results;

@@ -26,6 +26,14 @@ std::string FractionalNrrd()
   return NrrdBytes(lines, Voxels());
 }
 
+// Without directions, so that its library's numbers are taken.
+std::string FractionalSpacings()
+{
+  return NrrdBytes({"type: unsigned char", "dimension: 3", "sizes: 4 5 6",
+                    "spacings: 1.5 0.75 3.25", "encoding: raw"},
+                   Voxels());
+}
+
 std::string FractionalNifti()
 {
   NiftiSpec spec;
@@ -79,6 +87,7 @@ void WriteFractionalImages(const std::filesystem::path& folder)
 {
   WriteAll(folder / "a.nii", FractionalNifti());
   WriteAll(folder / "a.seg.nrrd", FractionalNrrd());
+  WriteAll(folder / "b.nrrd", FractionalSpacings());
   WriteAll(folder / "a.mha", FractionalMetaImage());
   WriteFractionalDicom(folder / "dicom");
   WriteFractionalDicomSegmentation(folder / "seg.dcm");

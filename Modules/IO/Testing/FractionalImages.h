@@ -18,7 +18,7 @@ inline Vector3 FractionalSpacing()
 }
 
 /// Writes an image of each format into a folder, with numbers that nobody gets right who takes a
-/// decimal point for the end of a number: a.nii, a.seg.nrrd (with a colour), a.mha, a DICOM series
-/// in the folder dicom, and the DICOM segmentation seg.dcm.
+/// decimal point for the end of a number: a.nii, a.seg.nrrd (with a colour), b.nrrd (spacings and
+/// no place), a.mha, a DICOM series in the folder dicom, and the DICOM segmentation seg.dcm.
 void WriteFractionalImages(const std::filesystem::path& folder);
 } // namespace palpate::test

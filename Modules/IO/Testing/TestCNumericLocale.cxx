@@ -122,7 +122,7 @@ std::map<std::string, std::string> ReadAllOf(const TemporaryFolder& folder,
     bits["a.vtp"] = BitsOf(ReadSurface(folder / "a.vtp"));
     bits["text.vtp"] = BitsOf(ReadSurface(folder / "text.vtp"));
   }
-  for (const char* name : {"a.nii", "a.seg.nrrd", "dicom", "seg.dcm"})
+  for (const char* name : {"a.nii", "a.seg.nrrd", "b.nrrd", "dicom", "seg.dcm"})
   {
     bits[name] = BitsOf(ReadImageContent(folder / name));
   }

@@ -24,6 +24,7 @@ protected:
   ImageGrid GridOfOpened(const std::filesystem::path& file)
   {
     this->Study->New();
+    this->Window->Messages()->Clear();
     this->Study->OpenVolume(file);
     WaitUntil([this] { return this->OpenedVolume() != nullptr || !this->Messages().empty(); });
     return this->OpenedVolume() != nullptr ? GridOf(this->OpenedVolume()->Image) : ImageGrid();
@@ -53,10 +54,10 @@ TEST_F(ApplicationTest, ReadsFractionsOfMillimetres)
     EXPECT_EQ(grid.Spacing, test::FractionalSpacing()) << name;
     EXPECT_EQ(grid.OriginWorld, test::FractionalOrigin()) << name;
   }
+  EXPECT_EQ(this->GridOfOpened(folder / "b.nrrd").Spacing, test::FractionalSpacing());
   const ImageGrid dicom = this->GridOfOpened(folder / "dicom/0.dcm");
   EXPECT_EQ(dicom.Spacing, Vector3(2.0, 1.5, 3.25));
   EXPECT_EQ(dicom.OriginWorld, test::FractionalOrigin());
-  EXPECT_EQ(this->Messages(), "");
 }
 } // namespace
 } // namespace palpate
