@@ -103,7 +103,7 @@ TEST_F(StudyForbiddenTest, IsProtectedThoughNeitherVisibleNorTouchable)
   ASSERT_FALSE(nerve.IsVisible || nerve.IsTouchable);
   this->Change(ForbiddenPhantom::Forbidden(ForbiddenPhantom::Drilled(this->Open.State())));
   this->Settle();
-  EXPECT_EQ(this->Protection().Is, Kind::UpToDate) << this->Protection().Sentence;
+  ASSERT_EQ(this->Protection().Is, Kind::UpToDate) << this->Protection().Sentence;
   this->StartTouch();
   this->PressWithPedal(0.0, 8.0);
   const StudyDrillReading& drill =
@@ -136,7 +136,7 @@ TEST_F(StudyForbiddenTest, NothingIsCutBeforeTheProtectionIsReady)
   ASSERT_EQ(this->Hold(), "");
   // What the worker makes of it comes with Settle alone.
   this->Change(ForbiddenPhantom::Forbidden(this->Open.State()));
-  EXPECT_EQ(this->Hold(), "Drilling waits for the protection of label 12.");
+  ASSERT_EQ(this->Hold(), "Drilling waits for the protection of label 12.");
   const StudyTouchReading& held = this->PressWithPedal(6.0, 2.0);
   EXPECT_TRUE(held.Newest.IsDrilling);
   EXPECT_GT(held.Newest.Depth, 0.5) << "it is touched";

@@ -59,11 +59,13 @@ protected:
     StudyState next = this->Open.State();
     next.Structures.at(0).Stiffness = stiffness;
     this->Open.Change("Change the stiffness", next);
+    EXPECT_EQ(this->Open.TouchProblem(), "");
   }
   std::uint64_t Scene() { return this->Open.Touch().Poll().Newest.Scene; }
+  // Until the servo feels it; at once where it was not published.
   void WaitForScene(std::uint64_t scene)
   {
-    while (this->Scene() < scene)
+    while (this->Scene() < scene && this->Open.TouchProblem().empty())
     {
       std::this_thread::yield();
     }
@@ -97,7 +99,6 @@ TEST_F(StudyToolTest, IsReadOnceAndFeltAfterItsFileIsGone)
   EXPECT_EQ(this->Open.Pipeline().StateOf(StudyStep::Tool).Is, StudyStepState::Kind::Failed);
   this->ChangeStiffness(2.0);
   this->WaitForScene(4);
-  EXPECT_EQ(this->Open.TouchProblem(), "");
 }
 
 TEST_F(StudyToolTest, AFileThatIsWrittenAgainIsAnotherTool)
