@@ -23,11 +23,11 @@ struct BinaryField
   Type Kind = Type::Integer;
 };
 
-/// `count` fields, one behind the other.
+/// `count` adjacent fields.
 std::vector<BinaryField> FieldsFrom(std::size_t offset, std::size_t count, std::size_t bytes,
                                     BinaryField::Type kind = BinaryField::Type::Integer);
 
-/// Puts an odd number into a field (see OddInteger and OddReal). Nothing where the field lies
+/// Overwrites a field with a boundary value (see OddInteger and OddReal). Ignored if the field lies
 /// beyond the end.
 void ChangeField(std::string& bytes, const BinaryField& field, ByteOrder order, Random& random);
 

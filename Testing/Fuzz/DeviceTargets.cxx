@@ -58,7 +58,7 @@ Mutator RecordingMutator()
   return OneOf({FieldMutator(words), FieldMutator(words), MutateBytes});
 }
 
-// As a chip sends them: packets of 64 bytes with two of status in front.
+// As sent by an FTDI chip: packets of 64 bytes that begin with two bytes of status.
 std::string ReplySeed()
 {
   std::string stream;
@@ -74,7 +74,7 @@ std::string ReplySeed()
   return bytes;
 }
 
-// Transfers of 512 bytes, as USB brings them.
+// Processes USB transfers of 512 bytes.
 void ReadReplies(const std::string& bytes)
 {
   constexpr std::size_t Transfer = 512;
@@ -86,7 +86,7 @@ void ReadReplies(const std::string& bytes)
   for (std::size_t place = 0; place < bytes.size(); place += Transfer)
   {
     const std::size_t count = std::min(Transfer, bytes.size() - place);
-    // Of this size exactly, so that AddressSanitizer sees the byte behind it.
+    // Exactly this size, so that AddressSanitizer detects access to the next byte.
     std::vector<std::uint8_t> transfer(count);
     std::memcpy(transfer.data(), bytes.data() + place, count);
     const std::size_t length = packets.Strip(transfer.data(), count, transfer.data());
@@ -121,7 +121,7 @@ FuzzTarget StatusTarget(const std::string& name, const std::string& fileName, st
 
 std::vector<FuzzTarget> DeviceTargets()
 {
-  // Key, reserved words, entry, and where the blocks of the seed begin.
+  // Key, reserved words, entry address, and the headers of the first two blocks of the seed.
   std::vector<BinaryField> words = FieldsFrom(0, 16, 2);
   for (const std::size_t block : {std::size_t{22}, std::size_t{22 + 6 + 134}})
   {

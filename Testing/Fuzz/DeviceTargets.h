@@ -4,6 +4,6 @@
 
 namespace palpate::test
 {
-/// Recordings of touch, and what a Falcon sends or is given: replies, firmware, calibration.
+/// Touch recordings; Falcon replies, firmware and calibration.
 std::vector<FuzzTarget> DeviceTargets();
 } // namespace palpate::test

@@ -47,10 +47,10 @@ class Walk
 public:
   explicit Walk(const std::string& bytes) : Bytes(bytes) {}
 
-  // From `place` to `end`, or to a delimiter; where it ended.
+  // Parses elements from `place` to `end` or to a delimiter; returns where it stopped.
   std::size_t Level(std::size_t place, std::size_t end, int parent, int depth)
   {
-    constexpr int Deepest = 20; // of what is changed; files may go deeper
+    constexpr int Deepest = 20; // level that is parsed; files may nest deeper
     while (place + 8 <= end && depth < Deepest)
     {
       DicomElement element;
@@ -142,7 +142,7 @@ void ReplaceInValue(std::string& bytes, const std::vector<DicomElement>& element
                     std::size_t element, std::size_t first, std::size_t count,
                     const std::string& by)
 {
-  // Lengths stand in front of what they are about, so their places are still right.
+  // Length fields precede the values, so their offsets are still valid.
   Grow(bytes, elements, static_cast<int>(element), count, by.size());
   bytes.replace(elements[element].Value + first, count, by);
 }

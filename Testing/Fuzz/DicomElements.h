@@ -7,35 +7,34 @@
 
 namespace palpate::test
 {
-/// Where a data element, or an item, lies in the bytes of a DICOM file of explicit little-endian
-/// elements (PS3.5, 7.1).
+/// Position of a data element or item in a DICOM file in explicit VR little endian (PS3.5, 7.1).
 struct DicomElement
 {
   static constexpr std::uint32_t Item = 0xFFFEE000;
   static constexpr std::uint32_t PixelData = 0x7FE00010;
 
-  std::uint32_t Tag = 0; ///< group in the upper half
+  std::uint32_t Tag = 0; ///< group in the upper 16 bits
   std::string Vr;        ///< empty for an item
-  std::size_t First = 0; ///< of its tag
+  std::size_t First = 0; ///< offset of its tag
   std::size_t LengthPlace = 0;
   std::size_t LengthBytes = 4; ///< 2 or 4
-  std::size_t Value = 0;       ///< where its value begins
-  std::size_t Count = 0;       ///< bytes of the value, without a delimiter
-  std::size_t End = 0;         ///< behind its delimiter
+  std::size_t Value = 0;       ///< offset of its value
+  std::size_t Count = 0;       ///< length of the value in bytes, without a delimiter
+  std::size_t End = 0;         ///< offset after its delimiter
   bool HasUndefinedLength = false;
-  int Parent = -1; ///< the sequence or item that it lies in; -1: none
+  int Parent = -1; ///< index of the enclosing sequence or item; -1: none
 };
 
-/// Of a file with a preamble, outer elements before inner ones. What cannot be followed is left
-/// out.
+/// All elements of a file with a preamble, parents before children. Stops at what it cannot parse.
 std::vector<DicomElement> DicomElementsOf(const std::string& bytes);
 
-/// Replaces bytes within an element's value; the lengths that are stated of it, and of all that it
-/// lies in, stay true. The other elements' places do not.
+/// Replaces bytes of an element's value and updates the length fields of the element and its
+/// parents. `elements` is out of date afterwards.
 void ReplaceInValue(std::string& bytes, const std::vector<DicomElement>& elements,
                     std::size_t element, std::size_t first, std::size_t count,
                     const std::string& by);
-/// Replaces all of an element, or puts something in front of it where `count` is 0.
+/// Replaces the first `count` bytes of an element, from its tag on; inserts before it if `count` is
+/// 0. Updates the length fields of its parents.
 void ReplaceElement(std::string& bytes, const std::vector<DicomElement>& elements,
                     std::size_t element, std::size_t count, const std::string& by);
 } // namespace palpate::test

@@ -36,7 +36,7 @@ std::string OddNumbers(const std::string& present, Random& random)
   std::string numbers = OddNumberText(random);
   if (present.find('\\') != std::string::npos && Below(random, 4) != 0)
   {
-    // One of several.
+    // Replace one of several.
     const std::size_t place = Below(random, present.size());
     const std::size_t first = present.rfind('\\', place) + 1;
     const std::size_t end = std::min(present.find('\\', first), present.size());
@@ -65,7 +65,7 @@ std::string OddWord(Random& random)
   return Choose(Words, random);
 }
 
-// The number of bytes of a binary representation; 0 for text.
+// Bytes of one value of a binary representation; 0 for text.
 std::size_t WordSize(const std::string& vr)
 {
   static const std::map<std::string, std::size_t> Sizes{
@@ -188,7 +188,7 @@ private:
     const std::string other = this->TextOf(Choose(this->Found, this->Numbers));
     ReplaceElement(this->Bytes, this->Found, this->Index, here.End - here.First, other);
   }
-  // Into sequences of undefined length, one in another.
+  // Wraps the element in nested sequences of undefined length.
   void Nest()
   {
     const DicomElement& here = this->Here();
@@ -208,7 +208,7 @@ private:
   std::size_t Index;
 };
 
-// Places of the marks of a JPEG, JPEG-LS or JPEG 2000 stream.
+// Offsets of the markers of a JPEG, JPEG-LS or JPEG 2000 stream.
 std::vector<std::size_t> MarksOf(const std::string& stream)
 {
   std::vector<std::size_t> marks;
@@ -234,7 +234,7 @@ void MutateSegments(std::string& stream, Random& random)
   case 0: // the length
     ChangeField(stream, {first + 2, 2}, ByteOrder::Big, random);
     break;
-  case 1: // the mark
+  case 1: // the marker
     stream[first + 1] = stream[Choose(marks, random) + 1];
     break;
   case 2:
@@ -265,7 +265,7 @@ void MutateStream(std::string& stream, Random& random)
   }
   else
   {
-    // The number of segments of run-length coding and their offsets.
+    // Run-length coding: number of segments and their offsets.
     static constexpr std::size_t Header = 16;
     ChangeField(stream, {4 * Below(random, Header)}, ByteOrder::Little, random);
   }

@@ -8,8 +8,8 @@ namespace palpate::test
 /// of a DICOM file.
 void MutateDicom(std::string& bytes, Random& random);
 
-/// Changes what stands in the compressed frames of a DICOM file: segments, lengths and parameters
-/// of JPEG, JPEG-LS and JPEG 2000 streams, offsets of run-length coded ones. Lengths of the file
-/// around them stay true.
+/// Changes the compressed frames of a DICOM file: segments, lengths and parameters of JPEG, JPEG-LS
+/// and JPEG 2000 streams, offsets of run-length coded ones. The length fields around them are
+/// updated.
 void MutateFrames(std::string& bytes, Random& random);
 } // namespace palpate::test

@@ -9,7 +9,7 @@ namespace palpate::test
 {
 namespace
 {
-// What a codec takes.
+// A pixel format that the codec supports.
 struct CompressedSlice
 {
   Codec Coding;

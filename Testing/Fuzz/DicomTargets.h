@@ -4,6 +4,6 @@
 
 namespace palpate::test
 {
-/// DICOM slices, series and segmentations, with pixels as they are and in every compression.
+/// DICOM slices, series and segmentations, uncompressed and in every supported compression.
 std::vector<FuzzTarget> DicomTargets();
 } // namespace palpate::test

@@ -6,7 +6,7 @@
 #include <limits>
 #include <map>
 
-// The driver of every target: see README.md here.
+// Driver for all targets, see README.md in this folder.
 namespace
 {
 using namespace palpate;
@@ -23,7 +23,7 @@ struct Options
   bool Lists = false;
 };
 
-// One file, in this process, for a debugger.
+// Reads one file in this process, for use with a debugger.
 int Replay(const FuzzTarget& target, const std::string& file)
 {
   try
@@ -45,7 +45,7 @@ void Save(const FuzzTarget& target, const FuzzFailure& failure, const Options& o
                         std::to_string(failure.Number) + "-" + target.FileName);
   std::filesystem::create_directories(options.Output);
   WriteAll(file, failure.Bytes);
-  // Where the sanitizers were told to write into the same folder.
+  // Present if the sanitizers write their reports into the same folder.
   const auto report = options.Output / ("report." + std::to_string(failure.Process));
   std::error_code none;
   std::filesystem::rename(report, file.string() + ".txt", none);
@@ -63,7 +63,7 @@ FuzzAccount RunTarget(const FuzzTarget& target, const Options& options, std::siz
               static_cast<unsigned long long>(account.Refused), account.Failures.size(),
               1e3 * account.LongestSeconds, 1e-6 * static_cast<double>(account.LargestBytes));
   std::fflush(stdout);
-  // Of one kind, the first three.
+  // Keep the first three of each kind.
   std::map<std::string, int> kinds;
   for (const FuzzFailure& failure : account.Failures)
   {
@@ -86,7 +86,7 @@ int RunAll(const Options& options)
   {
     targets.push_back(&FuzzTargets()[i]);
   }
-  // Of the readers' files, whatever becomes of the processes that read them.
+  // Removes the readers' files even if their processes crash.
   const TemporaryFolder scratch;
   setenv("TMPDIR", scratch.Path().c_str(), 1);
   std::printf("%-30s %10s %10s %10s %8s %9s %8s\n", "reader", "inputs", "read", "refused",

@@ -17,10 +17,10 @@
 
 namespace palpate::test
 {
-/// What a child has told so far, in memory that it shares with its parent.
+/// Progress of a child, in memory shared with its parent.
 struct FuzzRun::Progress
 {
-  std::uint64_t Number = 0; ///< of the input that is read, or of the next one
+  std::uint64_t Number = 0; ///< current or next input
   std::uint64_t Read = 0;
   std::uint64_t Refused = 0;
   double LongestSeconds = 0.0;
@@ -32,10 +32,10 @@ struct FuzzRun::Progress
 
 namespace
 {
-// Exit codes of a child that has said what is wrong: with an input, with all of them.
+// Exit codes of a child that reports a problem: with one input, or before the first.
 constexpr int ToldProblem = 77;
 constexpr int CannotBegin = 78;
-constexpr std::uint64_t InputsOfChild = 2000; // leaks of libraries end with it
+constexpr std::uint64_t InputsOfChild = 2000; // limits the effect of leaks in libraries
 
 double ProcessorSeconds()
 {
@@ -46,7 +46,7 @@ double ProcessorSeconds()
   return seconds(usage.ru_utime) + seconds(usage.ru_stime);
 }
 
-// Of the resident memory, since ForgetPeak or, where the system does not know that, the beginning.
+// Peak of resident memory since ForgetPeak, or since the start if the system does not support it.
 std::uint64_t PeakBytes()
 {
   rusage usage{};
@@ -59,7 +59,7 @@ void ForgetPeak()
   std::ofstream("/proc/self/clear_refs") << "5";
 }
 
-// Of /proc/self/statm: all addresses, and those that memory lies behind.
+// Address space and resident memory, from /proc/self/statm.
 struct ProcessSize
 {
   std::uint64_t Addresses = 0;
@@ -82,7 +82,7 @@ void LimitSoftly(int resource, rlim_t most)
   setrlimit(static_cast<__rlimit_resource>(resource), &limit);
 }
 
-// Ends the process with SIGPROF after so much processor time; 0 takes the limit away.
+// Ends the process with SIGPROF after this much processor time; 0 removes the limit.
 void LimitTime(double seconds)
 {
   itimerval timer{};
@@ -92,7 +92,7 @@ void LimitTime(double seconds)
   setitimer(ITIMER_PROF, &timer, nullptr);
 }
 
-// Shadow memory has more addresses than any limit.
+// Not under sanitizers, whose shadow memory needs more address space than any limit.
 void LimitAddresses()
 {
   if (InputLimits::MemoryFactor == 1)
@@ -136,7 +136,7 @@ std::string FuzzRun::Input(std::uint64_t number) const
   {
     return this->Seeds[number];
   }
-  // The name spreads the targets of a seed; FNV-1a is the same on every machine.
+  // Targets get different random numbers for the same seed; FNV-1a is the same on every machine.
   std::uint64_t mixed = 0xCBF29CE484222325;
   for (const char sign : this->Target.Name)
   {
@@ -201,7 +201,7 @@ void FuzzRun::ReadInChild(Progress& progress, std::uint64_t end, Clock::time_poi
   try
   {
     const InputReader read = this->Target.MakeReader();
-    // What is loaded and mapped once belongs to no input.
+    // Loads and maps what the first use of a library needs, which counts for no input.
     for (const std::string& seed : this->Seeds)
     {
       read(seed);
@@ -221,7 +221,7 @@ void FuzzRun::ReadInChild(Progress& progress, std::uint64_t end, Clock::time_poi
 
 FuzzAccount FuzzRun::Run(std::uint64_t inputs, std::chrono::duration<double> time)
 {
-  // Centuries would overflow the clock.
+  // A longer duration could overflow the clock.
   const auto until = Clock::now() + std::chrono::duration_cast<Clock::duration>(
                                         std::min(time, std::chrono::duration<double>(1e9)));
   void* shared =

@@ -13,16 +13,16 @@ struct FuzzFailure
   std::uint64_t Number = 0;
   std::string What;
   std::string Bytes;
-  pid_t Process = 0; ///< that read it; names a sanitizer's report
+  pid_t Process = 0; ///< of the child that failed; part of the name of a sanitizer's report
 };
 
-/// What became of a target's inputs.
+/// Results of a run.
 struct FuzzAccount
 {
   std::uint64_t Read = 0;
   std::uint64_t Refused = 0;
-  double LongestSeconds = 0.0;    ///< of processor time, for one input
-  std::uint64_t LargestBytes = 0; ///< of memory, for one input
+  double LongestSeconds = 0.0;    ///< processor time of the slowest input
+  std::uint64_t LargestBytes = 0; ///< memory of the largest input
   std::vector<FuzzFailure> Failures;
 
   std::uint64_t Inputs() const { return this->Read + this->Refused + this->Failures.size(); }
@@ -33,16 +33,16 @@ struct FuzzAccount
 class FuzzRun
 {
 public:
-  /// After so many failures a run ends.
+  /// A run stops after this many failures.
   static constexpr std::size_t MostFailures = 20;
 
   FuzzRun(const FuzzTarget& target, std::uint64_t seed);
 
-  /// The first are the target's seeds, which must be read; each other is a seed with a few
-  /// mutations, and follows from target, seed and number alone.
+  /// The first inputs are the target's unchanged seeds, which must be read. Every other is a
+  /// mutated seed that depends only on the target's name, `seed` and `number`.
   std::string Input(std::uint64_t number) const;
 
-  /// Reads `inputs` of them, or as many as `time` allows.
+  /// Reads `inputs` inputs, or as many as `time` allows.
   FuzzAccount Run(std::uint64_t inputs, std::chrono::duration<double> time);
 
 private:

@@ -7,31 +7,32 @@
 
 namespace palpate::test
 {
-/// Reads an input as the program does. Throws InputError for a refusal; anything else that leaves
-/// it is a defect.
+/// Reads an input as the program does. Throws InputError if it refuses; any other exception is a
+/// defect.
 using InputReader = std::function<void(const std::string& bytes)>;
 
-/// A reader that is fuzzed: what it reads, and how that is changed.
+/// A reader to fuzz: its seeds, its mutations, and how to call it.
 struct FuzzTarget
 {
-  std::string Name;     ///< of the format
-  std::string FileName; ///< as the reader sees an input, where it reads files
-  std::function<std::vector<std::string>()> MakeSeeds; ///< good inputs, all of which are read
+  std::string Name;     ///< name of the format, unique
+  std::string FileName; ///< file name of an input, with the ending that the reader expects
+  std::function<std::vector<std::string>()> MakeSeeds; ///< valid inputs
   Mutator Mutate;
-  std::function<InputReader()> MakeReader; ///< with files of its own
+  std::function<InputReader()> MakeReader; ///< each reader has its own folder
 };
 
-/// Every target, by module: a row a reader.
+/// All targets.
 const std::vector<FuzzTarget>& FuzzTargets();
-/// Throws std::invalid_argument, with all names, for an unknown one.
+/// Throws std::invalid_argument that lists all names if `name` is unknown.
 const FuzzTarget& FindFuzzTarget(const std::string& name);
 
-/// A reader of one file in a folder of its own, which may hold other files.
+/// A reader that writes each input to `fileName` in its own folder and passes that to `read`.
+/// `prepare` may add other files to the folder.
 InputReader
 FileReader(const std::string& fileName, std::function<void(const std::filesystem::path& file)> read,
            const std::function<void(const std::filesystem::path& folder)>& prepare = {});
 
-/// What `write` leaves in the file that it is given.
+/// The bytes of the file that `write` writes.
 std::string WrittenBytes(const std::string& fileName,
                          const std::function<void(const std::filesystem::path& file)>& write);
 } // namespace palpate::test

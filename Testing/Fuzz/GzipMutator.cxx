@@ -10,7 +10,7 @@ namespace palpate::test
 {
 namespace
 {
-constexpr std::size_t LargestContent = 1U << 20U; // of what is changed again
+constexpr std::size_t LargestContent = 1U << 20U; // to mutate
 constexpr std::size_t TrailerSize = 8;
 
 std::string Unpacked(const std::string& packed)

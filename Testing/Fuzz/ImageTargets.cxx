@@ -38,13 +38,13 @@ std::vector<std::string> CompressedNiftiSeeds()
   return seeds;
 }
 
-// Of nifti1.h.
+// Offsets from nifti1.h.
 Mutator NiftiMutator()
 {
   using Type = BinaryField::Type;
   std::vector<BinaryField> fields{{0, 4},
                                   {39, 1},
-                                  {108, 4, Type::Real}, // where the voxels begin
+                                  {108, 4, Type::Real}, // offset of the voxels
                                   {112, 4, Type::Real},
                                   {116, 4, Type::Real},
                                   {120, 2},
@@ -186,7 +186,7 @@ Mutator MetaImageMutator()
   return OneOf({text, text, text, MutateBytes});
 }
 
-// Headers with their voxels in a file beside them.
+// Headers whose voxels are in another file.
 std::string NrrdHeaderSeed()
 {
   std::vector<std::string> lines = PlainNrrdLines("unsigned char");
@@ -218,7 +218,7 @@ std::string ColorTable()
   return bytes;
 }
 
-// What lies beside a label map.
+// Reads a label map together with the mutated file that describes it.
 InputReader BesideLabelMap(const std::string& name)
 {
   return FileReader(

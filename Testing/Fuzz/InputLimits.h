@@ -3,11 +3,11 @@
 #include <cstddef>
 #include <cstdint>
 
-/// What reading one input may take, by the size of the input and not by what it claims.
+/// Limits of memory and time for one input. They depend on its size, not on what its header claims.
 namespace palpate::test::InputLimits
 {
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-/// The sanitizers' own checks, shadow and quarantine.
+/// Overhead of the sanitizers: checks, shadow memory, quarantine.
 constexpr double TimeFactor = 10.0;
 constexpr std::uint64_t MemoryFactor = 4;
 #else
@@ -15,20 +15,19 @@ constexpr double TimeFactor = 1.0;
 constexpr std::uint64_t MemoryFactor = 1;
 #endif
 
-/// Longer ones are cut. Enough for nesting that overflows a stack of 8 MB.
+/// Longer inputs are truncated. Enough for nesting that overflows a stack of 8 MB.
 constexpr std::size_t LargestInput = std::size_t{256} << 10;
-/// What libraries load and map when they are first used, and the frames and tables of formats that
-/// are larger than a header says, up to what any desktop has to spare.
+/// Buffers and tables of the libraries that do not depend on the input; any desktop has that much.
 constexpr std::uint64_t FixedBytes = std::uint64_t{64} << 20;
-/// Deflate packs at most 1,032 bytes into one.
+/// Deflate compresses by at most 1,032:1.
 constexpr std::uint64_t BytesPerByte = 1100;
-/// Threads' stacks and arenas reserve addresses that they never use, so addresses are limited only
-/// as far as a machine needs it.
+/// Address space, which only protects the machine: stacks and arenas of threads reserve addresses
+/// that they never use.
 constexpr std::uint64_t Addresses = std::uint64_t{2} << 30;
-/// Of processor time, for every 64 kB that have begun.
+/// Processor time for each part of the input, complete or not.
 constexpr double SecondsPerPart = 1.0;
 constexpr std::size_t Part = std::size_t{64} << 10;
-/// Of a wait that takes no processor time.
+/// Wall-clock limit, for waits that take no processor time.
 constexpr unsigned HangSeconds = 60;
 
 constexpr double Seconds(std::size_t inputSize)

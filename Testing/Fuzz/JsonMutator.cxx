@@ -12,10 +12,10 @@ namespace
 {
 using Json = nlohmann::ordered_json;
 
-// Takes the place of what is too deep for the library's own recursion.
+// Placeholder for text that is too deeply nested for the library's recursive functions.
 constexpr const char* DeepMark = "@deep@";
 
-// The library's copies and texts, and what is done here, recurse.
+// Copying and writing JSON in the library, and Collect below, are recursive.
 bool IsShallow(const std::string& text)
 {
   constexpr int Deepest = 200;
@@ -93,7 +93,7 @@ Json OddValue(const Json& present, const std::vector<Json*>& nodes,
   }
 }
 
-// Adds or takes away an entry.
+// Adds or removes an entry.
 void ChangeEntries(Json& node, const std::vector<std::string>& words, Random& random)
 {
   if (node.is_array() && !node.empty())
@@ -138,7 +138,7 @@ void ChangeTree(Json& root, const std::vector<std::string>& words, Random& rando
     ChangeEntries(node, words, random);
     return;
   }
-  // Made before the old value goes, of which it may be a copy.
+  // A separate variable, because it may be a copy of a part of the node.
   Json odd = OddValue(node, nodes, words, random);
   node = std::move(odd);
 }

@@ -4,8 +4,8 @@
 
 namespace palpate::test
 {
-/// Changes the values, keys, lists and nesting of a JSON text, and then often its tokens and lines
-/// (repeated keys among them). `words` are keys and values that the format knows. Text that is no
-/// JSON is changed as text alone.
+/// Changes values, keys, lists and nesting of a JSON text, and sometimes its tokens and lines
+/// (which gives repeated keys). `words` are keys and values of the format. Malformed JSON is
+/// mutated as plain text.
 Mutator JsonMutator(std::vector<std::string> words);
 } // namespace palpate::test

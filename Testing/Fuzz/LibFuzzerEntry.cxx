@@ -7,8 +7,8 @@
 #include <cstring>
 #include <iostream>
 
-// libFuzzer's entry points: the target that PALPATE_FUZZ_TARGET names, with its own mutations
-// besides libFuzzer's.
+// Entry points for libFuzzer. The environment variable PALPATE_FUZZ_TARGET names the target, whose
+// mutations are used in addition to libFuzzer's.
 extern "C"
 {
   std::size_t LLVMFuzzerMutate(std::uint8_t* data, std::size_t size, std::size_t largest);
@@ -40,7 +40,7 @@ std::string Mutated(const std::uint8_t* data, std::size_t size, Random& random)
 {
   static const std::vector<std::string> seeds = Target().MakeSeeds();
   std::string bytes(reinterpret_cast<const char*>(data), size);
-  // libFuzzer begins with nothing, or with one line break.
+  // libFuzzer starts with an empty input or a single line break.
   if (size < 2 || Below(random, 64) == 0)
   {
     bytes = Choose(seeds, random);

@@ -7,9 +7,8 @@
 #include <string>
 #include <vector>
 
-/// Mutations that know formats: they change fields, lengths, indices and nesting, so that inputs
-/// get past a reader's first checks. Each result follows from the bytes and the random numbers
-/// alone.
+/// Structure-aware mutations: they change fields, lengths, indices and nesting, so that inputs get
+/// past a reader's first checks. Results depend only on the bytes and the random numbers.
 namespace palpate::test
 {
 using Random = std::mt19937_64;
@@ -26,20 +25,20 @@ const auto& Choose(const List& list, Random& random)
   return list[Below(random, std::size(list))];
 }
 
-/// One of several, chosen each time.
+/// Applies one of several mutators, chosen at random.
 Mutator OneOf(std::vector<Mutator> mutators);
 
-/// Changes only what lies behind a mark, or everything where the mark is missing.
+/// Applies a mutator to the bytes after a mark, or to all if the mark is missing.
 Mutator Behind(std::string mark, Mutator mutator);
 
-/// Whatever the format: flips bytes, cuts the end, repeats, moves or removes a part, adds bytes.
+/// For any format: flips bytes, truncates, repeats, copies or removes a part, appends bytes.
 void MutateBytes(std::string& bytes, Random& random);
 
-/// A whole number that readers stumble over: 0, -1, the ends of every width, products that overflow
-/// 32 and 64 bits, or a neighbour, double or negative of the present one. To be cut to its width.
+/// A boundary value: 0, -1, the limits of every width, factors whose products overflow 32 or 64
+/// bits, or the present value plus or minus 1, doubled or negated. The caller truncates it.
 std::uint64_t OddInteger(std::uint64_t present, Random& random);
-/// A number of the same kind for floating-point fields.
+/// The same for floating-point fields: signed zeros, infinities, NaN, subnormal and huge numbers.
 double OddReal(double present, Random& random);
-/// A number as text: the same, and spellings that parsers disagree about.
+/// A boundary value as text, or a spelling that parsers disagree about.
 std::string OddNumberText(Random& random);
 } // namespace palpate::test

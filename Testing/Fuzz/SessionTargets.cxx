@@ -112,7 +112,7 @@ std::string TradeTableSeed()
                       });
 }
 
-// A piece of bone that is drilled, with the same voxels each time.
+// Drilled bone; the voxels are always the same, so that drill states fit.
 struct DrilledBone
 {
   BoneFiles Files;
@@ -144,7 +144,7 @@ InputReader DrillStateReader()
                     { ReadDrillState(file, *bone->Bench); });
 }
 
-// The part of a drill state that its digest keeps other mutations from.
+// The part of a drill state that mutations of whole files do not reach, because of its digest.
 InputReader RemovalReader()
 {
   const auto bone = std::make_shared<DrilledBone>();
@@ -157,7 +157,7 @@ InputReader RemovalReader()
   };
 }
 
-// Mark, frame of 16 numbers, number of blocks; then blocks of a corner, a kind and distances.
+// Magic number, 16 numbers of the frame, number of blocks; each block: corner, kind, distances.
 Mutator RemovalMutator()
 {
   constexpr std::size_t Frame = 4 + 8 * 16;

@@ -166,7 +166,7 @@ Mutator ObjMutator()
   return OneOf({text, text, text, MutateBytes});
 }
 
-// What is read is written again, which looks at every index.
+// Surfaces that are read are also written, which uses every index.
 InputReader SurfaceReader(const std::string& fileName)
 {
   return FileReader(fileName,

@@ -14,7 +14,7 @@ namespace
 {
 constexpr std::chrono::seconds LongEnough(600);
 
-// Inputs are texts of one digit behind another.
+// Inputs are sequences of digits.
 FuzzTarget Digits(InputReader read)
 {
   return {"digits", "a.txt",
@@ -31,7 +31,7 @@ bool EndsWithSeven(const std::string& bytes)
   return bytes.back() == '7';
 }
 
-// Inputs that end with 7 are failures, and no others; `sevens` of them are among the inputs.
+// Runs until `sevens` inputs end with 7 and expects exactly these to fail.
 void ExpectSevensFail(const FuzzTarget& target, std::size_t sevens, const std::string& what)
 {
   FuzzRun run(target, 5);
@@ -44,7 +44,7 @@ void ExpectSevensFail(const FuzzTarget& target, std::size_t sevens, const std::s
       expected.insert(inputs);
     }
   }
-  ++inputs; // it goes on after the last one
+  ++inputs; // the run continues after the last failure
   const FuzzAccount account = run.Run(inputs, LongEnough);
   EXPECT_EQ(account.Inputs(), inputs);
   std::set<std::uint64_t> found;
@@ -69,7 +69,7 @@ TEST(FuzzRun, CountsWhatIsReadAndRefused)
       });
   FuzzRun run(target, 5);
   std::uint64_t refused = 0;
-  constexpr std::uint64_t Inputs = 5000; // of more than one child
+  constexpr std::uint64_t Inputs = 5000; // more than one child reads
   for (std::uint64_t n = 0; n < Inputs; ++n)
   {
     refused += EndsWithSeven(run.Input(n)) ? 1 : 0;

@@ -80,7 +80,7 @@ TEST(TextMutator, LeavesTheBytesBehindTheHead)
   ForEachMutated("sizes: 1 2\ntype: short" + bytes, TextMutator({{}, {}, "\n\n"}),
                  [&](const std::string& text)
                  {
-                   // The head's own end may be changed, what follows not.
+                   // The end mark belongs to the head.
                    const std::string rest = bytes.substr(2);
                    EXPECT_NE(text.find(rest), std::string::npos);
                  });

@@ -90,7 +90,7 @@ void Replace(std::string& text, const Token& token, const std::string& by)
   text.replace(token.First, token.Count, by);
 }
 
-// Lengths around the buffers of fixed size that parsers have.
+// Lengths near the sizes of fixed buffers in parsers.
 std::size_t OddLength(Random& random)
 {
   static constexpr std::size_t Odd[] = {1, 63, 64, 255, 256, 1000, 1024, 4096, 30000};

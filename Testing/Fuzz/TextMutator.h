@@ -4,14 +4,14 @@
 
 namespace palpate::test
 {
-/// What a text format is made of, beside numbers and lines.
+/// Elements of a text format in addition to numbers and lines.
 struct TextGrammar
 {
-  /// Keys and values that the format knows; they take each other's places.
+  /// Keys and values of the format, used as replacements.
   std::vector<std::string> Words;
-  /// What opens and closes a level that can be nested.
+  /// Opening and closing text of a nesting level.
   std::vector<std::pair<std::string, std::string>> Brackets;
-  /// Ends the text of a file that goes on with bytes; empty: all of it is text.
+  /// Last bytes of the text header of a binary file; empty: the whole file is text.
   std::string HeadEnd;
 };
 
@@ -21,6 +21,6 @@ Mutator TextMutator(TextGrammar grammar);
 /// `depth` times `open`, then `inner`, then as often `close`.
 std::string Nested(std::size_t depth, const std::string& open, const std::string& inner,
                    const std::string& close);
-/// A depth of nesting from one to more than a stack of 8 MB holds.
+/// A nesting depth from 1 to 100,000, which overflows a stack of 8 MB if each level recurses.
 std::size_t OddDepth(Random& random);
 } // namespace palpate::test
