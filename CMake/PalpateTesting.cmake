@@ -29,7 +29,7 @@ function(palpate_add_gtest name)
   elseif(arg_ON_VIRTUAL_BUS)
     # In real time, with several processes for every byte: one after the other. AddressSanitizer
     # would be the first library, and GLib keeps much to its end.
-    gtest_discover_tests(${discover} PROPERTIES TIMEOUT 60 RUN_SERIAL TRUE ENVIRONMENT
+    gtest_discover_tests(${discover} PROPERTIES TIMEOUT 240 RUN_SERIAL TRUE ENVIRONMENT
       "LD_PRELOAD=libumockdev-preload.so.0;ASAN_OPTIONS=verify_asan_link_order=0:detect_leaks=0")
   else()
     gtest_discover_tests(${discover} PROPERTIES TIMEOUT 300)
