@@ -3,53 +3,35 @@
 #include "Refusal.h"
 #include "ZlibCheck.h"
 
+#include <algorithm>
 #include <cctype>
 #include <cstdint>
 #include <fstream>
 #include <map>
 #include <string>
 #include <system_error>
+#include <utility>
 
 namespace palpate
 {
 namespace
 {
-// No line of a real header is longer; binary data have no line ends.
-constexpr std::size_t LongestLine = 1U << 20;
-
 struct Header
 {
   std::map<std::string, std::string> Fields;
   std::uint64_t Bytes = 0; // where the data of an attached header start
 };
 
-// Field names are the same in either case, and some are known with and without blanks.
-std::string Normalised(const std::string& name)
-{
-  std::string normalised;
-  for (const char letter : name)
-  {
-    if (letter != ' ')
-    {
-      normalised += static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
-    }
-  }
-  return normalised;
-}
-
 Header ReadHeader(const std::filesystem::path& file)
 {
   Header header;
   std::ifstream stream(file, std::ios::binary);
-  std::string line;
-  while (std::getline(stream, line) && !line.empty() && line != "\r" && line.size() < LongestLine)
+  for (std::string line; NextNrrdLine(stream, line) && !line.empty() && line != "\r" &&
+                         line.size() < LongestNrrdLine;)
   {
-    const std::string key = line.substr(0, line.find(':'));
-    const auto first = line.find_first_not_of(" \t\r", key.size() + 1);
-    if (first != std::string::npos && line[0] != '#' && line[key.size() + 1] != '=')
+    if (std::optional<NrrdField> field = ParseNrrdField(line))
     {
-      header.Fields[Normalised(key)] =
-          line.substr(first, line.find_last_not_of(" \t\r") + 1 - first);
+      header.Fields[field->Name] = std::move(field->Value);
     }
   }
   header.Bytes = stream ? static_cast<std::uint64_t>(stream.tellg()) : 0;
@@ -74,6 +56,44 @@ std::filesystem::path DataFile(const std::filesystem::path& file, const Header& 
   return name.empty() ? file : file.parent_path() / name;
 }
 } // namespace
+
+bool NextNrrdLine(std::istream& stream, std::string& line)
+{
+  line.clear();
+  for (int letter = stream.get(); letter != std::char_traits<char>::eof(); letter = stream.get())
+  {
+    if (letter == '\n')
+    {
+      return true;
+    }
+    if (line.size() <= LongestNrrdLine)
+    {
+      line += static_cast<char>(letter);
+    }
+  }
+  return !line.empty();
+}
+
+// As the library: a field where ": " comes before ":=".
+std::optional<NrrdField> ParseNrrdField(const std::string& line)
+{
+  const std::size_t end = line.find(": ");
+  if (end == std::string::npos || line[0] == '#' || line.find(":=") < end)
+  {
+    return std::nullopt;
+  }
+  NrrdField field;
+  for (const char letter : line.substr(0, end))
+  {
+    if (letter != ' ' && letter != '\t')
+    {
+      field.Name += static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
+    }
+  }
+  const std::size_t first = std::min(line.find_first_not_of(" \t", end + 1), line.size());
+  field.Value = line.substr(first, std::max(line.find_last_not_of(" \t\r") + 1, first) - first);
+  return field;
+}
 
 std::map<std::string, std::string> ReadNrrdFields(const std::filesystem::path& file)
 {

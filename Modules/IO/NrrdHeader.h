@@ -4,14 +4,30 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <istream>
 #include <map>
+#include <optional>
 #include <string>
 
 namespace palpate
 {
-/// The fields of an NRRD header by name: lower case without blanks ("spacedirections"), since the
-/// format takes "Space Directions" and "spacedirections" as the same. Key/value pairs and comments
-/// are left out. Never throws: a file that cannot be read has no fields.
+/// A field of an NRRD header.
+struct NrrdField
+{
+  std::string Name;  ///< lower case without blanks, since the format takes "Space Directions" and
+                     ///< "spacedirections" as the same
+  std::string Value; ///< without blanks around
+};
+
+/// The field that a line of a header is; nothing for comments, key/value pairs and other lines.
+PALPATEIO_EXPORT std::optional<NrrdField> ParseNrrdField(const std::string& line);
+
+/// Reads the next line of a header, without its end; false where there is none. Keeps no more
+/// than one letter beyond LongestNrrdLine, so that a longer one can be told.
+constexpr std::size_t LongestNrrdLine = std::size_t{1} << 20;
+PALPATEIO_EXPORT bool NextNrrdLine(std::istream& stream, std::string& line);
+
+/// The fields of an NRRD header by name. Never throws: a file that cannot be read has no fields.
 PALPATEIO_EXPORT std::map<std::string, std::string>
 ReadNrrdFields(const std::filesystem::path& file);
 

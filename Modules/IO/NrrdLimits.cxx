@@ -1,11 +1,11 @@
 #include "NrrdLimits.h"
 
 #include "DecimalText.h"
+#include "NrrdHeader.h"
 #include "Refusal.h"
 
-#include <algorithm>
-#include <cctype>
 #include <fstream>
+#include <optional>
 #include <sstream>
 #include <string>
 #include <system_error>
@@ -16,41 +16,8 @@ namespace
 {
 constexpr std::size_t LongestField = 512;
 constexpr std::size_t LongestPath = 512;
-constexpr std::size_t LongestLine = std::size_t{1} << 20; // of key/value pairs and comments
 constexpr std::size_t MostPairs = 20000;
 constexpr int MostDimensions = 10;
-
-// Reads on to a line's end; false at the file's. Keeps no more than the longest line.
-bool NextLine(std::istream& stream, std::string& line)
-{
-  line.clear();
-  for (int letter = stream.get(); letter != std::char_traits<char>::eof(); letter = stream.get())
-  {
-    if (letter == '\n')
-    {
-      return true;
-    }
-    if (line.size() <= LongestLine)
-    {
-      line += static_cast<char>(letter);
-    }
-  }
-  return !line.empty();
-}
-
-// Lower case without blanks: the library takes both.
-std::string FieldName(const std::string& text)
-{
-  std::string name;
-  for (const char letter : text)
-  {
-    if (letter != ' ' && letter != '\t')
-    {
-      name += static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
-    }
-  }
-  return name;
-}
 
 /// Goes through a header line by line.
 class HeaderCheck
@@ -66,7 +33,7 @@ public:
              "move it");
     }
     std::ifstream stream(this->File, std::ios::binary);
-    for (std::string line; NextLine(stream, line) && !line.empty() && line != "\r";)
+    for (std::string line; NextNrrdLine(stream, line) && !line.empty() && line != "\r";)
     {
       this->TakeLine(line);
       if (this->IsList)
@@ -79,7 +46,7 @@ public:
 private:
   void TakeLine(const std::string& line)
   {
-    if (line.size() > LongestLine)
+    if (line.size() > LongestNrrdLine)
     {
       this->RefuseLine(line);
     }
@@ -87,10 +54,9 @@ private:
     {
       return;
     }
-    // As the library: a field where ": " comes first and what stands before is one, else a pair.
+    // What stands before ":=" may be a field's name with ": " to the library, where it is long.
     const std::size_t pair = line.find(":=");
-    const std::size_t field = line.find(": ");
-    if (pair < field && pair < LongestField)
+    if (pair < line.find(": ") && pair < LongestField)
     {
       return this->CountPair();
     }
@@ -98,16 +64,14 @@ private:
     {
       this->RefuseLine(line);
     }
-    if (field != std::string::npos)
+    if (const std::optional<NrrdField> field = ParseNrrdField(line))
     {
-      this->TakeField(FieldName(line.substr(0, field)), line.substr(field + 2));
+      this->TakeField(field->Name, field->Value);
     }
   }
 
-  void TakeField(const std::string& name, const std::string& value)
+  void TakeField(const std::string& name, const std::string& text)
   {
-    const std::size_t first = std::min(value.find_first_not_of(" \t"), value.size());
-    const std::string text = value.substr(first, value.find_last_not_of(" \t\r") + 1 - first);
     if (name == "dimension")
     {
       const auto count = ParseInteger(text);
@@ -172,7 +136,7 @@ private:
 
   void CheckList(std::istream& stream) const
   {
-    for (std::string line; NextLine(stream, line);)
+    for (std::string line; NextNrrdLine(stream, line);)
     {
       if (line.size() > LongestField)
       {
@@ -197,7 +161,7 @@ private:
   {
     Refuse(this->File,
            "is no NRRD image or its header is damaged: a line of it has " +
-               std::to_string(line.size()) + (line.size() > LongestLine ? " and more" : "") +
+               std::to_string(line.size()) + (line.size() > LongestNrrdLine ? " and more" : "") +
                " letters",
            "copy or export it again");
   }

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cctype>
 #include <optional>
+#include <sstream>
 #include <string_view>
 
 namespace palpate
@@ -56,10 +57,11 @@ std::optional<Vector3> ParseVector(std::string_view text)
   return vector;
 }
 
-// Vectors of the axes that have one ("none" stands for another); nothing where one is damaged.
-std::optional<std::vector<Vector3>> ParseDirections(std::string_view text)
+// One for each axis, nothing for one that has none; no list where one is damaged.
+using AxisDirections = std::vector<std::optional<Vector3>>;
+std::optional<AxisDirections> ParseDirections(std::string_view text)
 {
-  std::vector<Vector3> directions;
+  AxisDirections directions;
   while (true)
   {
     text.remove_prefix(std::min(text.find_first_not_of(" \t"), text.size()));
@@ -75,12 +77,23 @@ std::optional<std::vector<Vector3>> ParseDirections(std::string_view text)
     {
       return std::nullopt;
     }
-    if (direction)
-    {
-      directions.push_back(*direction);
-    }
+    directions.push_back(direction);
     text.remove_prefix(word.size());
   }
+}
+
+// Whether all axes with a direction are of a kind that can have one: the library takes vectors,
+// colours and the like for components of a voxel.
+bool AreDomains(const AxisDirections& directions, const std::string& kinds)
+{
+  std::istringstream words(kinds);
+  std::string kind;
+  return std::all_of(directions.begin(), directions.end(),
+                     [&](const std::optional<Vector3>& direction)
+                     {
+                       return !(words >> kind) || !direction ||
+                              IsOneOf(Normalised(kind), {"domain", "space", "time", "none", "???"});
+                     });
 }
 
 std::string FieldOf(const std::map<std::string, std::string>& fields, const std::string& key)
@@ -104,12 +117,23 @@ NrrdSpace::NrrdSpace(const std::filesystem::path& file,
     this->TakeName(file);
   }
   const auto directions = ParseDirections(FieldOf(fields, "spacedirections"));
-  if (!directions || (!directions->empty() && directions->size() != 3))
+  for (const std::optional<Vector3>& direction : directions.value_or(AxisDirections()))
+  {
+    if (direction)
+    {
+      this->Steps.push_back(*direction);
+    }
+  }
+  if (!directions || (!this->Steps.empty() && this->Steps.size() != 3))
   {
     Refuse(file, "has space directions that are not three vectors of three finite numbers",
            "correct its header or export it again");
   }
-  this->Steps = *directions;
+  if (!AreDomains(*directions, FieldOf(fields, "kinds")))
+  {
+    Refuse(file, "has a space direction for an axis whose kind is no place",
+           "correct its header or export it again");
+  }
   const std::string origin = FieldOf(fields, "spaceorigin");
   const std::optional<Vector3> first = origin.empty() ? Vector3::Zero() : ParseVector(origin);
   if (!first)

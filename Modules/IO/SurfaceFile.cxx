@@ -20,6 +20,7 @@
 #include "vtkSTLReader.h"
 #include "vtkStringArray.h"
 #include "vtkXMLPolyDataWriter.h"
+#include "vtksys/SystemTools.hxx"
 
 #include <algorithm>
 #include <array>
@@ -85,8 +86,9 @@ std::string SurfaceToVtp(vtkPolyData* surface, const std::filesystem::path& path
   return writer->GetOutputString();
 }
 
-// VTK's reader takes an STL file that is cut short without a word. A binary one says how many
-// triangles it has; a text one says where it ends. Returns its comment.
+// VTK's reader takes an STL file that is cut short without a word, and believes the count of what
+// it takes for a binary one, by its share of letters that are none in ASCII. A binary one says how
+// many triangles it has; a text one says where it ends. Returns its comment.
 std::string CheckedStlComment(const std::filesystem::path& path)
 {
   const std::string bytes = ReadWholeFile(path, MaximumBytes);
@@ -96,17 +98,16 @@ std::string CheckedStlComment(const std::filesystem::path& path)
   {
     triangles = triangles << 8 | static_cast<unsigned char>(bytes[header + i]);
   }
-  const bool wholeBinary = bytes.size() >= header + 4 + 50 * std::max<std::uint64_t>(triangles, 1);
-  // VTK takes a file with any other letters for a binary one, and believes its count.
-  const bool isAscii = std::all_of(bytes.begin(), bytes.end(),
-                                   [](char c) { return static_cast<unsigned char>(c) < 128; });
-  const bool wholeText =
-      isAscii && bytes.rfind("solid", 0) == 0 && bytes.find("endsolid") != std::string::npos;
-  if (!wholeBinary && !wholeText)
+  const bool isText =
+      vtksys::SystemTools::DetectFileType(path.c_str()) == vtksys::SystemTools::FileTypeText;
+  const bool isWhole =
+      isText ? bytes.rfind("solid", 0) == 0 && bytes.find("endsolid") != std::string::npos
+             : bytes.size() >= header + 4 + 50 * std::max<std::uint64_t>(triangles, 1);
+  if (!isWhole)
   {
     Refuse(path, "is no whole STL file, perhaps cut short", "write the file again");
   }
-  return bytes.substr(0, wholeBinary ? header : bytes.find('\n'));
+  return bytes.substr(0, isText ? bytes.find('\n') : header);
 }
 
 // The comments before the first vertex.

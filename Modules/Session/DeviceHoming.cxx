@@ -66,7 +66,9 @@ private:
   {
     ++this->TickCount;
     DeviceSample sample;
-    const bool goesOn = this->Device.Read(sample) && this->Device.Apply(Vector3::Zero());
+    const bool goesOn = this->Device.Read(sample);
+    // There is no force that must be taken in this very tick.
+    static_cast<void>(this->Device.Apply(Vector3::Zero()));
     if (goesOn && sample.Sequence != this->View.Sample.Sequence)
     {
       if (this->View.Samples > 0)

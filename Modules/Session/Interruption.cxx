@@ -29,6 +29,14 @@ extern "C" void Ask(int signal)
     _exit(CodeOfSignals + signal);
   }
 }
+
+extern "C" void StopUnlessForced(int)
+{
+  if (!EndBeforeExit::IsInForce())
+  {
+    kill(getpid(), SIGSTOP);
+  }
+}
 } // namespace
 
 Interruption::Interruption()
@@ -46,6 +54,12 @@ Interruption::Interruption()
       sigaction(Signals[s], &action, nullptr);
     }
   }
+  sigaction(SIGTSTP, nullptr, &this->FormerStop);
+  if (this->FormerStop.sa_handler != SIG_IGN)
+  {
+    action.sa_handler = StopUnlessForced;
+    sigaction(SIGTSTP, &action, nullptr);
+  }
 }
 
 Interruption::~Interruption()
@@ -54,6 +68,7 @@ Interruption::~Interruption()
   {
     sigaction(Signals[s], &this->Former[s], nullptr);
   }
+  sigaction(SIGTSTP, &this->FormerStop, nullptr);
 }
 
 bool Interruption::WasAsked() noexcept

@@ -15,6 +15,9 @@ namespace palpate
 /// The second request changes nothing. The third ends the program at once, for users of what takes
 /// too long to end, but not while an EndBeforeExit is in force. Signals that the program's parent
 /// wants ignored (nohup) stay ignored.
+///
+/// Ctrl-Z (SIGTSTP) stops the program as ever, but not while an EndBeforeExit is in force: a
+/// stopped program would leave its last force on the device.
 class PALPATESESSION_EXPORT Interruption
 {
 public:
@@ -33,5 +36,6 @@ public:
 private:
   static constexpr std::array<int, 4> Signals{SIGINT, SIGTERM, SIGHUP, SIGPIPE};
   std::array<struct sigaction, Signals.size()> Former{};
+  struct sigaction FormerStop = {};
 };
 } // namespace palpate

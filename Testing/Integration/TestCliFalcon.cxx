@@ -68,6 +68,10 @@ bool IsTrueDelay(const TouchRecording& recorded, std::size_t failed)
   {
     return failed > 0 && tick.Tick.Started - ticks[failed - 1].Tick.Started > Limit;
   }
+  if (tick.Safety.Fault == SafetyFault::UntakenForce)
+  {
+    return !tick.WasTaken;
+  }
   std::size_t first = failed; // that saw this sample
   while (first > 0 && ticks[first - 1].Sample.Sequence == tick.Sample.Sequence)
   {
@@ -127,8 +131,6 @@ protected:
   UsbfsFalcon Bus{Model};
   FalconTestBed Bed;
 };
-
-using CliFalconEnds = CliFalcon;
 
 TEST_F(CliFalcon, WithoutOneTheListSaysSo)
 {
@@ -251,101 +253,120 @@ TEST_F(CliFalcon, AMaskIsTouchedWithIt)
   EXPECT_TRUE(IsTrueDelay(recorded, failed)) << Describe(fault);
 }
 
-// The motors carry half a kilogram, so that there is a torque whatever is touched; the virtual
-// board holds it for ever.
-TEST_F(CliFalconEnds, KilledItLeavesNoTorqueOnTheMotors)
+// Ends of the program while the motors push: they carry half a kilogram, so that there is a torque
+// whatever is touched, and the virtual board holds it for ever.
+class CliFalconEnds : public CliFalcon
 {
-  prctl(PR_SET_CHILD_SUBREAPER, 1); // the guard loses its parent, and becomes this process's child
-  this->Bed.Plug(this->Bus, 2);
-  WriteTwoBalls(this->Folder / "a.nii.gz");
-  WriteAll(this->Folder / "calibration.txt", "palpate-falcon-calibration 1\ncarried-mass 0.5\n");
-  const auto hasTorque = [this]
+protected:
+  // A touch whose torque has reached the board. Where replies come too late before that, as on a
+  // busy machine, it is begun again.
+  std::unique_ptr<StartedCommand> Pushing()
   {
-    return this->Bus.WithFalcon(
-        [](VirtualFalcon& falcon) {
-          return !falcon.Board().Received().empty() && falcon.Board().Received().back().HasTorque();
-        });
-  };
-  // Where replies come too late before the motors push, the touch is begun again.
-  std::unique_ptr<StartedCommand> command;
-  for (int tries = 0; tries < 15 && !hasTorque(); ++tries)
-  {
-    if (command != nullptr)
-    {
-      command->Send(SIGTERM);
-      command->Finish();
-    }
-    command = std::make_unique<StartedCommand>(
-        PALPATE_PROGRAM,
-        std::vector<std::string>{"touch", "a.nii.gz", "--label", "1", "--device",
-                                 "falcon:calibration=calibration.txt", "--firmware", "firmware.bin",
-                                 "--seconds", "600"},
-        this->Folder.Path());
-    static_cast<void>(IsSoon(hasTorque, std::chrono::seconds(2)));
-  }
-  ASSERT_TRUE(hasTorque());
-  const auto start = std::chrono::steady_clock::now();
-  command->Send(SIGKILL);
-  command->Finish();
-  this->Bus.ReleaseClaims(); // umockdev does not say that a client has ended
-  EXPECT_TRUE(IsSoon([&] { return !hasTorque(); }));
-  const std::chrono::duration<double, std::milli> passed = std::chrono::steady_clock::now() - start;
-  int status = 1;
-  EXPECT_GT(waitpid(-1, &status, 0), 0) << "the guard ends once it has done its work";
-  EXPECT_EQ(status, 0);
-  RecordProperty("front", "virtual bus");
-  RecordProperty("fault", "SIGKILL");
-  RecordProperty("milliseconds", std::to_string(passed.count()));
-}
-
-// While the motors push. On a busy machine replies may take longer than the watchdog lets them
-// before they do; then the touch is begun again.
-TEST_F(CliFalcon, WhateverEndsATouchTheLastPacketHasNoTorque)
-{
-  this->Bed.Plug(this->Bus, 2);
-  WriteTwoBalls(this->Folder / "a.nii.gz");
-  const std::vector<std::string> words{"touch",       "a.nii.gz",
-                                       "--label",     "1",
-                                       "--device",    "falcon:device=VF000001",
-                                       "--firmware",  "firmware.bin",
-                                       "--seconds",   "600",
-                                       "--output",    "felt",
-                                       "--stiffness", "2"};
-  const auto isPushing = [this]
-  {
-    constexpr std::array<std::int16_t, 3> Zero{};
-    return this->Bus.WithFalcon([](VirtualFalcon& falcon) { return falcon.Board().Motors(); }) !=
-           Zero;
-  };
-  for (const std::vector<int>& signals :
-       {std::vector<int>{SIGTERM}, {SIGHUP}, {SIGINT}, {SIGINT, SIGINT}})
-  {
+    this->Bed.Plug(this->Bus, 2);
+    WriteTwoBalls(this->Folder / "a.nii.gz");
+    WriteAll(this->Folder / "calibration.txt", "palpate-falcon-calibration 1\ncarried-mass 0.5\n");
     std::unique_ptr<StartedCommand> command;
-    bool hasPushed = false;
-    for (int tries = 0; tries < 10 && !hasPushed; ++tries)
+    for (int tries = 0; tries < 15 && !this->HasTorque(); ++tries)
     {
       if (command != nullptr)
       {
         command->Send(SIGTERM);
         EXPECT_EQ(command->Finish().Code, 128 + SIGTERM);
       }
-      command = std::make_unique<StartedCommand>(PALPATE_PROGRAM, words, this->Folder.Path());
-      hasPushed =
-          IsSoon([&] { return isPushing() || command->HasEnded(); }, std::chrono::seconds(4));
+      command = std::make_unique<StartedCommand>(
+          PALPATE_PROGRAM,
+          std::vector<std::string>{"touch", "a.nii.gz", "--label", "1", "--device",
+                                   "falcon:calibration=calibration.txt", "--firmware",
+                                   "firmware.bin", "--seconds", "600", "--output", "felt"},
+          this->Folder.Path());
+      static_cast<void>(IsSoon([&] { return this->HasTorque() || command->HasEnded(); },
+                               std::chrono::seconds(4)));
     }
-    ASSERT_TRUE(hasPushed);
-    for (const int signal : signals)
-    {
-      command->Send(signal);
-      ASSERT_TRUE(IsSoon([&] { return command->HasTakenSignals() || command->HasEnded(); }));
-    }
-    const CommandRun run = command->Finish();
-    EXPECT_EQ(run.Code, 128 + signals[0]) << run.Errors;
-    EXPECT_FALSE(isPushing()) << signals[0];
-    EXPECT_TRUE(std::filesystem::exists(this->Folder / "felt/session.touch"));
-    EXPECT_TRUE(std::filesystem::exists(this->Folder / "felt/report.html"));
-    std::filesystem::remove_all(this->Folder / "felt");
+    EXPECT_TRUE(this->HasTorque());
+    return command;
   }
+
+  std::vector<VirtualFalconBoard::Order> Received()
+  {
+    return this->Bus.WithFalcon([](VirtualFalcon& falcon) { return falcon.Board().Received(); });
+  }
+  bool HasTorque()
+  {
+    const std::vector<VirtualFalconBoard::Order> orders = this->Received();
+    return !orders.empty() && orders.back().HasTorque();
+  }
+
+  // For Documentation/Safety.md: the time until 0 N that no torque followed.
+  void Record(const std::string& fault, std::chrono::steady_clock::time_point start)
+  {
+    const std::vector<VirtualFalconBoard::Order> orders = this->Received();
+    const auto last = std::find_if(orders.rbegin(), orders.rend(),
+                                   [](const auto& order) { return order.HasTorque(); });
+    ASSERT_NE(last, orders.rbegin());
+    const double passed =
+        1e-6 * static_cast<double>((last - 1)->Time - start.time_since_epoch().count());
+    RecordProperty("front", "virtual bus");
+    RecordProperty("fault", fault);
+    RecordProperty("milliseconds", std::to_string(passed));
+  }
+};
+
+TEST_F(CliFalconEnds, KilledItLeavesNoTorqueOnTheMotors)
+{
+  prctl(PR_SET_CHILD_SUBREAPER, 1); // the guard loses its parent, and becomes this process's child
+  const std::unique_ptr<StartedCommand> command = this->Pushing();
+  const auto start = std::chrono::steady_clock::now();
+  command->Send(SIGKILL);
+  command->Finish();
+  this->Bus.ReleaseClaims(); // umockdev does not say that a client has ended
+  EXPECT_TRUE(IsSoon([this] { return !this->HasTorque(); }));
+  int status = 1;
+  EXPECT_GT(waitpid(-1, &status, 0), 0) << "the guard ends once it has done its work";
+  EXPECT_EQ(status, 0);
+  this->Record("SIGKILL", start);
+}
+
+struct EndingSignals
+{
+  const char* Name;
+  std::vector<int> All;
+};
+
+class CliFalconEndsBy : public CliFalconEnds, public testing::WithParamInterface<EndingSignals>
+{
+};
+
+TEST_P(CliFalconEndsBy, TheLastPacketHasNoTorqueAndTheFilesAreWhole)
+{
+  const std::unique_ptr<StartedCommand> command = this->Pushing();
+  const auto start = std::chrono::steady_clock::now();
+  for (const int signal : this->GetParam().All)
+  {
+    command->Send(signal);
+    ASSERT_TRUE(IsSoon([&] { return command->HasTakenSignals() || command->HasEnded(); }));
+  }
+  const CommandRun run = command->Finish();
+  EXPECT_EQ(run.Code, 128 + this->GetParam().All.front()) << run.Errors;
+  EXPECT_FALSE(this->HasTorque());
+  EXPECT_TRUE(std::filesystem::exists(this->Folder / "felt/session.touch"));
+  EXPECT_TRUE(std::filesystem::exists(this->Folder / "felt/report.html"));
+  this->Record(this->GetParam().Name, start);
+}
+
+INSTANTIATE_TEST_SUITE_P(Signals, CliFalconEndsBy,
+                         testing::Values(EndingSignals{"SIGTERM", {SIGTERM}},
+                                         EndingSignals{"SIGHUP", {SIGHUP}},
+                                         EndingSignals{"SIGINT", {SIGINT}},
+                                         EndingSignals{"SIGINT twice", {SIGINT, SIGINT}}));
+
+TEST_F(CliFalconEnds, CtrlZDoesNotStopItWhileItMayPush)
+{
+  const std::unique_ptr<StartedCommand> command = this->Pushing();
+  command->Send(SIGTSTP);
+  ASSERT_TRUE(IsSoon([&] { return command->HasTakenSignals(); })) << "it is stopped";
+  command->Send(SIGTERM);
+  EXPECT_EQ(command->Finish().Code, 128 + SIGTERM);
+  EXPECT_FALSE(this->HasTorque());
 }
 
 TEST_F(CliFalcon, UnpluggedWhileItIsHomedItSaysSo)
@@ -369,6 +390,7 @@ TEST_F(CliFalcon, UnpluggedWhileItIsHomedItSaysSo)
   EXPECT_EQ(run.Code, 1);
   EXPECT_NE(run.Errors.find("unplugged"), std::string::npos) << run.Errors;
 }
+
 TEST(FalconUdevRule, IsInstalledOnRequest)
 {
   const TemporaryFolder folder;

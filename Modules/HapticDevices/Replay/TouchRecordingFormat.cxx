@@ -189,6 +189,6 @@ bool TouchRecordingFormat::Decode(const TickRecord& record, TouchState& state) n
   SetFlags(flags, state);
   return words.AllFitted() && flags == FlagsOf(state) && state.State <= DeviceState::Error &&
          state.State >= DeviceState::Closed && state.Command <= DrillCommand::Reset &&
-         state.Safety.Fault >= SafetyFault::None && state.Safety.Fault <= SafetyFault::Suspended;
+         state.Safety.Fault >= SafetyFault::None && state.Safety.Fault <= SafetyFault::UntakenForce;
 }
 } // namespace palpate

@@ -63,7 +63,7 @@ std::vector<FaultCase> AllFaults()
           OfDevice("LateSamples", SimulatedFault::LateSamples, SafetyFault::StaleSample),
           OfDevice("MirroredPosition", SimulatedFault::MirroredPosition,
                    SafetyFault::ImplausibleMotion),
-          OfDevice("RefusedForce", SimulatedFault::RefusedForce, SafetyFault::DeviceFailed),
+          OfDevice("RefusedForce", SimulatedFault::RefusedForce, SafetyFault::UntakenForce),
           OfDevice("Unplugged", SimulatedFault::Unplugged, SafetyFault::DeviceFailed),
           {"Closed", SafetyFault::DeviceFailed, [](Rig& rig) { rig.Touch.Device.Close(); },
            [](Rig& rig) { EXPECT_TRUE(rig.Touch.Device.Open().IsOk()); }},

@@ -57,7 +57,7 @@ TEST(TouchReplay, ADeviceThatFailedFailsAgain)
       touch.Device.Inject(n < 300 ? SimulatedFault::None : fault);
       recording->Ticks.push_back(touch.Tick());
     }
-    ASSERT_EQ(recording->Ticks.back().Safety.Fault, SafetyFault::DeviceFailed);
+    ASSERT_NE(recording->Ticks.back().Safety.Fault, SafetyFault::None);
     ReplayComparison comparison;
     ASSERT_TRUE(ReplayTouch(recording, test::RecordedScenes(), comparison).IsOk());
     EXPECT_EQ(comparison.DifferentTicks, 0u);

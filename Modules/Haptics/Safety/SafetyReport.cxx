@@ -31,6 +31,9 @@ const char* Describe(SafetyFault fault) noexcept
     return "Forces were switched off: switch them on again when nothing is in the way.";
   case SafetyFault::Suspended:
     return "The machine was suspended: hold the handle, then switch forces on again.";
+  case SafetyFault::UntakenForce:
+    return "The device's connection takes no forces: close other programs or try another USB "
+           "socket, then switch forces on again.";
   }
   return "An unknown fault.";
 }

@@ -14,7 +14,8 @@ enum class SafetyFault
   NonFiniteForce,
   InvalidContact,
   SwitchedOff, ///< by a person
-  Suspended    ///< the machine slept between two ticks
+  Suspended,   ///< the machine slept between two ticks
+  UntakenForce ///< the device is there, and its connection took no force for too long
 };
 
 /// What a safety chain did in the last tick.

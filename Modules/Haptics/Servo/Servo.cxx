@@ -281,7 +281,7 @@ bool Servo::Send(const Vector3& force) noexcept
   this->UntakenTicks = isReady && !isTaken ? this->UntakenTicks + 1 : 0;
   if (this->UntakenTicks > this->MostUntaken)
   {
-    this->Safety.Fail(SafetyFault::DeviceFailed);
+    this->Safety.Fail(SafetyFault::UntakenForce);
   }
   return isTaken;
 }

@@ -310,7 +310,7 @@ TEST(SafetyChain, AmbientForcesAreNoContactsEnergy)
 TEST(SafetyChain, EveryFaultHasItsOwnSentence)
 {
   // What is no fault comes after the last of them; a new one has to be counted here too.
-  constexpr int count = static_cast<int>(SafetyFault::Suspended) + 1;
+  constexpr int count = static_cast<int>(SafetyFault::UntakenForce) + 1;
   std::set<std::string> sentences{Describe(static_cast<SafetyFault>(count))};
   EXPECT_EQ(*sentences.begin(), "An unknown fault.");
   for (int fault = 0; fault < count; ++fault)

@@ -256,7 +256,7 @@ TEST(Servo, RefusedForceIsAFault)
   run.Device.RefusesForce = true;
   run.TickAt({0.0, 0.0, -1.0});
   EXPECT_FALSE(run.Loop.Latest().WasTaken);
-  EXPECT_EQ(run.Loop.Latest().Safety.Fault, SafetyFault::DeviceFailed);
+  EXPECT_EQ(run.Loop.Latest().Safety.Fault, SafetyFault::UntakenForce);
   run.Device.RefusesForce = false;
   EXPECT_EQ(run.TickAt({0.0, 0.0, -1.0}), Vector3::Zero());
   EXPECT_TRUE(run.Loop.Latest().WasTaken);

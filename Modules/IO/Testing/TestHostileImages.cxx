@@ -102,6 +102,20 @@ TEST_F(HostileImages, RefusesNrrdAxesThatTheLibraryHasNoRoomFor)
                "has 16 dimensions"));
 }
 
+// The library takes such an axis for components, and has room for the other two only.
+TEST_F(HostileImages, RefusesNrrdDirectionsOfComponents)
+{
+  const std::vector<std::string> lines{
+      "type: unsigned char", "dimension: 3",  "space: left-posterior-superior",
+      "sizes: 3 4 5",        "encoding: raw", "space directions: (1,0,0) (0,1,0) (0,0,1)"};
+  for (const char* kinds : {"vector domain domain", "space RGB-color space", "space space List"})
+  {
+    std::vector<std::string> withKinds = lines;
+    withKinds.push_back(std::string("kinds: ") + kinds);
+    EXPECT_TRUE(Contains(this->NrrdRefusal(withKinds), "whose kind is no place")) << kinds;
+  }
+}
+
 TEST_F(HostileImages, RefusesNrrdDataFilesByAPattern)
 {
   for (const char* pattern : {"%s 1 2 1", "%n%n 1 2 1", "%999999999d 1 2 1", "a%03d.raw 1 9 1"})

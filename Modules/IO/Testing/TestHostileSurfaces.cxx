@@ -240,6 +240,8 @@ TEST(HostileSurfaces, StlTextThatVtkTakesForBinaryIsRefused)
   EXPECT_TRUE(Contains(Refusal("a.stl", text), "is no whole STL file"));
   text[19] = '\n';
   EXPECT_TRUE(Contains(Refusal("a.stl", text), "is no whole STL file"));
+  EXPECT_TRUE(Contains(Refusal("a.stl", "solid a\nendsolid a\n" + std::string(100, '\x01')),
+                       "is no whole STL file"));
 }
 
 TEST(HostileSurfaces, PlyElementsThatRepeatAreRefused)

@@ -73,6 +73,16 @@ TEST_F(DeviceHomingTest, ADeviceThatFailsEndsItWithItsSentence)
   EXPECT_EQ(report.Problem, "The simulated device was unplugged.");
 }
 
+TEST_F(DeviceHomingTest, IsHomedThoughItsConnectionTakesNoForce)
+{
+  ASSERT_NO_FATAL_FAILURE(this->OpenHoming(0.1));
+  this->Device->Inject(SimulatedFault::RefusedForce);
+  constexpr double LongEnough = 30.0; // s
+  const HomingReport report = HomeDevice(
+      *this->Device, 0.0, [](const HomingView& view) { return view.Seconds < LongEnough; });
+  EXPECT_EQ(report.State, DeviceState::Ready);
+}
+
 TEST_F(DeviceHomingTest, AKindThatIsNotKnownIsBadInput)
 {
   EXPECT_THROW(HomeDevice("phantom", 0.0, [](const HomingView&) { return true; }), InputError);

@@ -6,6 +6,8 @@
 #include <csignal>
 #include <cstdlib>
 #include <gtest/gtest.h>
+#include <memory>
+#include <sys/wait.h>
 #include <unistd.h>
 
 namespace palpate
@@ -74,6 +76,30 @@ TEST(InterruptionDeathTest, NoNumberOfSignalsEndsItWhileADevicePushes)
         std::exit(Interruption::ExitCode());
       },
       testing::ExitedWithCode(130), "0 N");
+}
+
+TEST(Interruption, CtrlZStopsTheProgramUnlessADevicePushes)
+{
+  for (const bool pushes : {false, true})
+  {
+    const pid_t child = fork();
+    if (child == 0)
+    {
+      const Interruption interruption;
+      const auto end = pushes ? std::make_unique<EndBeforeExit>([] {}) : nullptr;
+      std::raise(SIGTSTP);
+      _exit(7);
+    }
+    int status = 0;
+    ASSERT_EQ(waitpid(child, &status, WUNTRACED), child);
+    EXPECT_EQ(WIFSTOPPED(status), !pushes);
+    if (WIFSTOPPED(status))
+    {
+      kill(child, SIGCONT);
+      ASSERT_EQ(waitpid(child, &status, 0), child);
+    }
+    EXPECT_EQ(WEXITSTATUS(status), 7);
+  }
 }
 
 TEST(InterruptionDeathTest, AfterItSignalsDoWhatTheyDidBefore)
