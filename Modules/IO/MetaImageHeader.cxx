@@ -22,6 +22,8 @@ namespace
 constexpr std::size_t LongestLine = 4096;
 // The library copies keys into 255 bytes; those of the format have some twenty letters.
 constexpr std::size_t LongestKey = 100;
+// So it does with words; numbers it parses.
+constexpr std::size_t LongestWord = 254;
 
 struct Header
 {
@@ -51,7 +53,12 @@ Header ReadHeader(const std::filesystem::path& file)
       break;
     }
     const std::string key = Trimmed(line.substr(0, equals));
-    header.Entries[key] = Trimmed(line.substr(equals + 1));
+    const std::string value = Trimmed(line.substr(equals + 1));
+    if (value.size() > LongestWord && value.find_first_not_of("0123456789+-.eE \t") != value.npos)
+    {
+      break;
+    }
+    header.Entries[key] = value;
     if (key == "ElementDataFile")
     {
       header.Bytes = static_cast<double>(stream.tellg());

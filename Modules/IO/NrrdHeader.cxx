@@ -26,8 +26,8 @@ Header ReadHeader(const std::filesystem::path& file)
 {
   Header header;
   std::ifstream stream(file, std::ios::binary);
-  for (std::string line; NextNrrdLine(stream, line) && !line.empty() && line != "\r" &&
-                         line.size() < LongestNrrdLine;)
+  for (std::string line;
+       NextNrrdLine(stream, line) && !line.empty() && line.size() < LongestNrrdLine;)
   {
     if (std::optional<NrrdField> field = ParseNrrdField(line))
     {
@@ -62,7 +62,12 @@ bool NextNrrdLine(std::istream& stream, std::string& line)
   line.clear();
   for (int letter = stream.get(); letter != std::char_traits<char>::eof(); letter = stream.get())
   {
-    if (letter == '\n')
+    // To the library a carriage return ends a line too.
+    if (letter == '\r' && stream.peek() == '\n')
+    {
+      stream.ignore();
+    }
+    if (letter == '\n' || letter == '\r')
     {
       return true;
     }
@@ -91,7 +96,7 @@ std::optional<NrrdField> ParseNrrdField(const std::string& line)
     }
   }
   const std::size_t first = std::min(line.find_first_not_of(" \t", end + 1), line.size());
-  field.Value = line.substr(first, std::max(line.find_last_not_of(" \t\r") + 1, first) - first);
+  field.Value = line.substr(first, std::max(line.find_last_not_of(" \t") + 1, first) - first);
   return field;
 }
 

@@ -33,7 +33,7 @@ public:
              "move it");
     }
     std::ifstream stream(this->File, std::ios::binary);
-    for (std::string line; NextNrrdLine(stream, line) && !line.empty() && line != "\r";)
+    for (std::string line; NextNrrdLine(stream, line) && !line.empty();)
     {
       this->TakeLine(line);
       if (this->IsList)
@@ -142,7 +142,7 @@ private:
       {
         this->RefuseLine(line);
       }
-      const std::size_t end = line.find_last_not_of(" \t\r");
+      const std::size_t end = line.find_last_not_of(" \t");
       this->CheckDataFile(line.substr(0, end == std::string::npos ? 0 : end + 1));
     }
   }

@@ -1,5 +1,6 @@
 #include "UmockdevNode.h"
 
+#include <cerrno>
 #include <cstddef>
 #include <fcntl.h>
 #include <filesystem>
@@ -12,6 +13,7 @@ namespace palpate::test
 {
 namespace
 {
+// Nothing where the program has ended meanwhile.
 ObjectPointer<UMockdevIoctlData> Resolve(UMockdevIoctlData* data, std::size_t offset,
                                          std::size_t size)
 {
@@ -36,8 +38,9 @@ void* AddressIn(const UMockdevIoctlData* argument)
 UmockdevNode::UmockdevNode(UMockdevTestbed* bed, UsbfsFalcon& falcon, std::string path)
     : Bed(bed), Falcon(falcon), Path(std::move(path)), Handler(umockdev_ioctl_base_new())
 {
-  g_signal_connect(this->Handler.get(), "handle-ioctl", G_CALLBACK(OnRequest), this);
-  g_signal_connect(this->Handler.get(), "client-vanished", G_CALLBACK(OnVanished), this);
+  this->Self->Node = this;
+  this->Connect("handle-ioctl", G_CALLBACK(OnRequest));
+  this->Connect("client-vanished", G_CALLBACK(OnVanished));
   const std::unique_ptr<gchar, decltype(&g_free)> root(umockdev_testbed_get_root_dir(bed), g_free);
   this->Pipe = root.get() + this->Path;
   std::filesystem::create_directories(std::filesystem::path(this->Pipe).parent_path());
@@ -50,6 +53,15 @@ UmockdevNode::UmockdevNode(UMockdevTestbed* bed, UsbfsFalcon& falcon, std::strin
   this->Descriptor = open(this->Pipe.c_str(), O_RDWR | O_NONBLOCK | O_CLOEXEC);
   fcntl(this->Descriptor, F_SETPIPE_SZ, 1); // rounded up to a page, which is one slot
   static_cast<void>(!write(this->Descriptor, "", 1));
+}
+
+// GLib frees the handler's own share of the handle once no handler runs any more.
+void UmockdevNode::Connect(const char* signal, GCallback handler)
+{
+  g_signal_connect_data(
+      this->Handler.get(), signal, handler, new std::shared_ptr<Handle>(this->Self),
+      [](gpointer share, GClosure*) { delete static_cast<std::shared_ptr<Handle>*>(share); },
+      GConnectFlags(0));
 }
 
 void UmockdevNode::Remove()
@@ -65,7 +77,8 @@ void UmockdevNode::Remove()
 UmockdevNode::~UmockdevNode()
 {
   this->Remove();
-  g_signal_handlers_disconnect_by_data(this->Handler.get(), this);
+  const std::lock_guard<std::mutex> lock(this->Self->Access);
+  this->Self->Node = nullptr;
   for (auto& [id, client] : this->Clients)
   {
     this->Falcon.CloseFile(client.File);
@@ -101,9 +114,15 @@ UmockdevNode::Client& UmockdevNode::ClientOf(UMockdevIoctlClient* id)
   return client;
 }
 
-void UmockdevNode::OnVanished(UMockdevIoctlBase*, UMockdevIoctlClient* id, gpointer node)
+void UmockdevNode::OnVanished(UMockdevIoctlBase*, UMockdevIoctlClient* id, gpointer handle)
 {
-  auto* const self = static_cast<UmockdevNode*>(node);
+  const std::shared_ptr<Handle> share = *static_cast<std::shared_ptr<Handle>*>(handle);
+  const std::lock_guard<std::mutex> lock(share->Access);
+  UmockdevNode* const self = share->Node;
+  if (self == nullptr)
+  {
+    return;
+  }
   const auto found = self->Clients.find(id);
   if (found != self->Clients.end())
   {
@@ -113,13 +132,14 @@ void UmockdevNode::OnVanished(UMockdevIoctlBase*, UMockdevIoctlClient* id, gpoin
   }
 }
 
-gboolean UmockdevNode::OnRequest(UMockdevIoctlBase*, UMockdevIoctlClient* id, gpointer node)
+gboolean UmockdevNode::OnRequest(UMockdevIoctlBase*, UMockdevIoctlClient* id, gpointer handle)
 {
-  auto* const self = static_cast<UmockdevNode*>(node);
-  Client& client = self->ClientOf(id);
-  const int answer = client.File != nullptr
-                         ? self->Answer(client, umockdev_ioctl_client_get_request(id),
-                                        umockdev_ioctl_client_get_arg(id))
+  const std::shared_ptr<Handle> share = *static_cast<std::shared_ptr<Handle>*>(handle);
+  const std::lock_guard<std::mutex> lock(share->Access);
+  Client* const client = share->Node != nullptr ? &share->Node->ClientOf(id) : nullptr;
+  const int answer = client != nullptr && client->File != nullptr
+                         ? share->Node->Answer(*client, umockdev_ioctl_client_get_request(id),
+                                               umockdev_ioctl_client_get_arg(id))
                          : -ENODEV;
   umockdev_ioctl_client_complete(id, answer < 0 ? -1 : answer, answer < 0 ? -answer : 0);
   return TRUE;
@@ -139,6 +159,10 @@ int UmockdevNode::Answer(Client& client, unsigned long request, UMockdevIoctlDat
     break;
   }
   const auto structure = Resolve(argument, 0, _IOC_SIZE(request));
+  if (structure == nullptr && _IOC_SIZE(request) > 0)
+  {
+    return -EFAULT;
+  }
   ObjectPointer<UMockdevIoctlData> inner;
   if (request == USBDEVFS_CONTROL)
   {
@@ -154,8 +178,16 @@ int UmockdevNode::Submit(Client& client, UMockdevIoctlData* argument)
   Submitted submitted;
   submitted.Urb = Resolve(argument, 0, sizeof(usbdevfs_urb));
   auto* const urb = As<usbdevfs_urb>(submitted.Urb);
+  if (urb == nullptr)
+  {
+    return -EFAULT;
+  }
   submitted.Buffer = Resolve(submitted.Urb.get(), offsetof(usbdevfs_urb, buffer),
                              static_cast<std::size_t>(urb->buffer_length));
+  if (submitted.Buffer == nullptr && urb->buffer_length > 0)
+  {
+    return -EFAULT;
+  }
   // Kept first: it may be finished at once.
   client.Urbs[address] = std::move(submitted);
   const int answer = this->Falcon.Submit(*client.File, *urb, address);
@@ -176,8 +208,11 @@ int UmockdevNode::Reap(Client& client, UMockdevIoctlData* argument)
   }
   const auto found = client.Urbs.find(address);
   const auto place = Resolve(argument, 0, sizeof(void*));
-  umockdev_ioctl_data_set_ptr(place.get(), 0, found->second.Urb.get());
+  if (place != nullptr)
+  {
+    umockdev_ioctl_data_set_ptr(place.get(), 0, found->second.Urb.get());
+  }
   client.Urbs.erase(found);
-  return 0;
+  return place != nullptr ? 0 : -EFAULT;
 }
 } // namespace palpate::test

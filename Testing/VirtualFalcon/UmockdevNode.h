@@ -4,6 +4,7 @@
 
 #include <map>
 #include <memory>
+#include <mutex>
 #include <string>
 #include <umockdev.h>
 
@@ -47,8 +48,16 @@ private:
     std::map<void*, Submitted> Urbs; // by their address in the program
   };
 
-  static gboolean OnRequest(UMockdevIoctlBase* base, UMockdevIoctlClient* client, gpointer node);
-  static void OnVanished(UMockdevIoctlBase* base, UMockdevIoctlClient* client, gpointer node);
+  // How umockdev's thread finds the node: it may be in a handler while the node ends.
+  struct Handle
+  {
+    std::mutex Access;
+    UmockdevNode* Node = nullptr; // while there is one
+  };
+
+  static gboolean OnRequest(UMockdevIoctlBase* base, UMockdevIoctlClient* client, gpointer handle);
+  static void OnVanished(UMockdevIoctlBase* base, UMockdevIoctlClient* client, gpointer handle);
+  void Connect(const char* signal, GCallback handler);
   int Answer(Client& client, unsigned long request, UMockdevIoctlData* argument);
   int Submit(Client& client, UMockdevIoctlData* argument);
   int Reap(Client& client, UMockdevIoctlData* argument);
@@ -63,6 +72,7 @@ private:
   int WithWork = 0; // clients that have something to reap
   bool IsRemoved = false;
   ObjectPointer<UMockdevIoctlBase> Handler;
-  std::map<UMockdevIoctlClient*, Client> Clients; // of umockdev's thread
+  std::map<UMockdevIoctlClient*, Client> Clients; // under the handle's mutex
+  std::shared_ptr<Handle> Self = std::make_shared<Handle>();
 };
 } // namespace palpate::test

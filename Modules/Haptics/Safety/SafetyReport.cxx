@@ -32,8 +32,8 @@ const char* Describe(SafetyFault fault) noexcept
   case SafetyFault::Suspended:
     return "The machine was suspended: hold the handle, then switch forces on again.";
   case SafetyFault::UntakenForce:
-    return "The device's connection takes no forces: close other programs or try another USB "
-           "socket, then switch forces on again.";
+    return "The device does not accept forces: close other programs or try another USB port, then "
+           "switch forces on again.";
   }
   return "An unknown fault.";
 }

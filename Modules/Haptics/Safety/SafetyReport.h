@@ -15,7 +15,7 @@ enum class SafetyFault
   InvalidContact,
   SwitchedOff, ///< by a person
   Suspended,   ///< the machine slept between two ticks
-  UntakenForce ///< the device is there, and its connection took no force for too long
+  UntakenForce ///< the device is present but accepted no force for too long
 };
 
 /// What a safety chain did in the last tick.

@@ -16,7 +16,7 @@ int TicksPerSample(const DeviceCapabilities& device, const ServoSettings& settin
 {
   const double least = device.LeastRate();
   const double ticks = least > 0.0 ? std::ceil(settings.Rate / least) : 1.0;
-  return static_cast<int>(std::clamp(ticks, 1.0, 1000.0));
+  return ticks >= 1.0 ? static_cast<int>(std::min(ticks, 1000.0)) : 1; // a rate may be NaN here
 }
 
 SafetySettings SafetyOf(const DeviceCapabilities& device, const ServoSettings& settings)

@@ -77,6 +77,13 @@ TEST_F(HostileImages, ReadsLongKeyValuePairsAndComments)
   EXPECT_EQ(this->NrrdRefusalWith("# " + std::string(100000, 'x')), "no error");
 }
 
+// The library ends a line there too, and takes the rest for a field.
+TEST_F(HostileImages, RefusesLongNrrdLinesBehindACarriageReturn)
+{
+  EXPECT_TRUE(Contains(this->NrrdRefusalWith("note:=a\r" + std::string(2000, 'x')),
+                       "a line of it has 2000 letters"));
+}
+
 TEST_F(HostileImages, RefusesNrrdSizesThatOverflow)
 {
   for (const char* sizes : {"4294967297 5 6", "4 5 -6", "4 5 18446744073709551615", "4 5 0"})
@@ -163,6 +170,18 @@ TEST_F(HostileImages, RefusesMetaImageKeysThatOverflowTheLibrarysNames)
           "TransformMatrix = 1 0 0 0 1 0 0 0 1\nElementSpacing = 2 2 2\n" + key + " = MET_UCHAR\n");
       EXPECT_TRUE(Contains(this->Refusal("a.mha", bytes), "is no MetaImage file")) << key;
     }
+  }
+}
+
+TEST_F(HostileImages, RefusesMetaImageWordsThatOverflowTheLibrarysValues)
+{
+  for (const char* key : {"ObjectType", "ObjectSubType", "Name", "Comment", "TransformType"})
+  {
+    const std::string bytes =
+        MetaImageBytes("MET_UCHAR", std::string(120, '\1'),
+                       "TransformMatrix = 1 0 0 0 1 0 0 0 1\nElementSpacing = 2 2 2\n" +
+                           std::string(key) + " = " + std::string(260, 'I') + "\n");
+    EXPECT_TRUE(Contains(this->Refusal("a.mha", bytes), "is no MetaImage file")) << key;
   }
 }
 
