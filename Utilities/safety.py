@@ -24,7 +24,9 @@ def tests_of(path):
 
 
 def words(name):
-    """'SwitchedOffWhileOwed' -> 'switched off while owed'; acronyms stay."""
+    """'SwitchedOffWhileOwed' -> 'switched off while owed'; acronyms and sentences stay."""
+    if " " in name and not name.startswith("SIG"):
+        return name[0].lower() + name[1:]
     parts = re.findall(r"SIG[A-Z]+|NaN|[A-Z][a-z]*|[a-z]+|\d+", name)
     return " ".join(p if p.isupper() and len(p) > 1 or p == "NaN" else p.lower() for p in parts)
 

@@ -10,6 +10,8 @@ out=build/release/safety
 mkdir -p "$out"
 "$bin/FalconTests" --gtest_brief=1 --gtest_filter='*FalconStop*' --gtest_output="json:$out/virtual-time.json"
 "$bin/FalconUsbTests" --gtest_brief=1 --gtest_filter='*StopOverUsb*' --gtest_output="json:$out/libusb.json"
+umockdev-wrapper "$bin/FalconBusTests" --gtest_brief=1 --gtest_filter='FalconGuardOfLink*' \
+  --gtest_output="json:$out/guard.json"
 umockdev-wrapper "$bin/CliFalconTests" --gtest_brief=1 --gtest_filter='*CliFalconEnds*' \
   --gtest_output="json:$out/virtual-bus.json"
 exec /usr/bin/python3 Utilities/safety.py "$out"/*.json

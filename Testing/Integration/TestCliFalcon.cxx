@@ -16,7 +16,6 @@
 #include <gtest/gtest.h>
 #include <memory>
 #include <nlohmann/json.hpp>
-#include <sys/prctl.h>
 #include <sys/wait.h>
 #include <thread>
 
@@ -126,6 +125,37 @@ protected:
                                 { return falcon.Board().Image() == BootStream(); });
   }
 
+  // A touch of two seconds, without a fault or with one that the delays of this machine explain.
+  void TouchOnce(bool& isFelt)
+  {
+    std::filesystem::remove_all(this->Folder / "felt");
+    const CommandRun run =
+        this->Run({"touch", "a.nii.gz", "--label", "1", "--device", "falcon:device=VF000001",
+                   "--firmware", "firmware.bin", "--seconds", "2", "--output", "felt", "--json"});
+    EXPECT_TRUE(this->IsLoaded());
+    TouchRecording recorded;
+    const Status status =
+        ReadTouchRecording((this->Folder / "felt/session.touch").string(), recorded);
+    ASSERT_TRUE(status.IsOk()) << status.Message() << run.Errors;
+    const nlohmann::json summary = nlohmann::json::parse(run.Output);
+    EXPECT_EQ(summary["ticks"].get<std::size_t>(), recorded.Ticks.size());
+    const std::size_t failed = FirstFault(recorded);
+    // In contact, ready and in time: until the end, or until the machine or the bus was too slow.
+    EXPECT_TRUE(IsFeltUntil(recorded, failed));
+    if (failed == recorded.Ticks.size())
+    {
+      EXPECT_EQ(run.Code, 0) << run.Errors;
+      EXPECT_EQ(summary["fault"], "");
+      EXPECT_GT(summary["force_max_n"].get<double>(), 0.5);
+      isFelt = true;
+      return;
+    }
+    const SafetyFault fault = recorded.Ticks[failed].Safety.Fault;
+    EXPECT_EQ(run.Code, 1) << run.Errors;
+    EXPECT_EQ(summary["fault"], Describe(fault));
+    EXPECT_TRUE(IsTrueDelay(recorded, failed)) << Describe(fault);
+  }
+
   TemporaryFolder Folder;
   VirtualFalcon Model{PullingHand()};
   UsbfsFalcon Bus{Model};
@@ -223,36 +253,19 @@ TEST_F(CliFalcon, WithoutFirmwareOrWithAFileThatIsNoneItSaysWhatToDo)
       << other.Errors;
 }
 
+// On a busy machine replies come too late for a touch now and then; then it is begun again, and
+// must have ended with the fault that says so.
 TEST_F(CliFalcon, AMaskIsTouchedWithIt)
 {
   this->Bed.Plug(this->Bus, 2);
   WriteTwoBalls(this->Folder / "a.nii.gz");
-  const CommandRun run =
-      this->Run({"touch", "a.nii.gz", "--label", "1", "--device", "falcon:device=VF000001",
-                 "--firmware", "firmware.bin", "--seconds", "2", "--output", "felt", "--json"});
-  EXPECT_TRUE(this->IsLoaded());
-  TouchRecording recorded;
-  const Status status =
-      ReadTouchRecording((this->Folder / "felt/session.touch").string(), recorded);
-  ASSERT_TRUE(status.IsOk()) << status.Message() << run.Errors;
-  const nlohmann::json summary = nlohmann::json::parse(run.Output);
-  EXPECT_EQ(summary["ticks"].get<std::size_t>(), recorded.Ticks.size());
-  const std::size_t failed = FirstFault(recorded);
-  // In contact, ready and in time: until the end, or until the machine or the bus was too slow.
-  EXPECT_TRUE(IsFeltUntil(recorded, failed));
-  if (failed == recorded.Ticks.size())
+  bool isFelt = false;
+  for (int tries = 0; tries < 15 && !isFelt; ++tries)
   {
-    EXPECT_EQ(run.Code, 0) << run.Errors;
-    EXPECT_EQ(summary["fault"], "");
-    EXPECT_GT(summary["force_max_n"].get<double>(), 0.5);
-    return;
+    ASSERT_NO_FATAL_FAILURE(this->TouchOnce(isFelt));
   }
-  const SafetyFault fault = recorded.Ticks[failed].Safety.Fault;
-  EXPECT_EQ(run.Code, 1) << run.Errors;
-  EXPECT_EQ(summary["fault"], Describe(fault));
-  EXPECT_TRUE(IsTrueDelay(recorded, failed)) << Describe(fault);
+  EXPECT_TRUE(isFelt);
 }
-
 // Ends of the program while the motors push: they carry half a kilogram, so that there is a torque
 // whatever is touched, and the virtual board holds it for ever.
 class CliFalconEnds : public CliFalcon
@@ -313,7 +326,6 @@ protected:
 
 TEST_F(CliFalconEnds, KilledItLeavesNoTorqueOnTheMotors)
 {
-  prctl(PR_SET_CHILD_SUBREAPER, 1); // the guard loses its parent, and becomes this process's child
   const std::unique_ptr<StartedCommand> command = this->Pushing();
   const auto start = std::chrono::steady_clock::now();
   command->Send(SIGKILL);

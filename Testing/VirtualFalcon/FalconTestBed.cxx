@@ -1,9 +1,15 @@
 #include "FalconTestBed.h"
 
+#include <csignal>
+#include <filesystem>
+#include <fstream>
 #include <iomanip>
 #include <sstream>
 #include <stdexcept>
+#include <sys/prctl.h>
 #include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
 #include <utility>
 
 namespace palpate::test
@@ -53,6 +59,27 @@ std::string DeviceText(const FalconDescriptors& descriptors, int port)
        << "H: descriptors=" << Hexadecimal(descriptors) << "\n\n";
   return text.str();
 }
+
+// The processes that FalconGuard started and nobody waits for any more: they became this process's
+// children, and would hold the bed's folder for as long as a cable may be out.
+std::vector<pid_t> OrphanedGuards()
+{
+  std::vector<pid_t> guards;
+  for (const auto& entry : std::filesystem::directory_iterator("/proc"))
+  {
+    std::ifstream file(entry.path() / "stat");
+    pid_t process = 0;
+    pid_t parent = 0;
+    std::string name;
+    std::string state;
+    file >> process >> name >> state >> parent;
+    if (parent == getpid() && name.rfind("(palpate-falcon-", 0) == 0)
+    {
+      guards.push_back(process);
+    }
+  }
+  return guards;
+}
 } // namespace
 
 bool FalconTestBed::IsPossible()
@@ -60,13 +87,21 @@ bool FalconTestBed::IsPossible()
   return umockdev_in_mock_environment() != 0;
 }
 
-FalconTestBed::FalconTestBed() : Bed(umockdev_testbed_new()) {}
+FalconTestBed::FalconTestBed() : Bed(umockdev_testbed_new())
+{
+  prctl(PR_SET_CHILD_SUBREAPER, 1);
+}
 
 FalconTestBed::~FalconTestBed()
 {
   while (!this->Falcons.empty())
   {
     this->Unplug(this->Falcons.begin()->first);
+  }
+  for (const pid_t guard : OrphanedGuards())
+  {
+    kill(guard, SIGKILL);
+    waitpid(guard, nullptr, 0);
   }
 }
 

@@ -20,6 +20,7 @@ public:
   /// Whether this process has the library preloaded.
   static bool IsPossible();
 
+  /// Orphans become this process's children from now on.
   FalconTestBed();
   ~FalconTestBed();
   FalconTestBed(const FalconTestBed&) = delete;

@@ -310,6 +310,12 @@ void UsbfsFalcon::TakeWrites(UsbfsFile& file, std::int64_t now)
   for (auto write = next(); write != file.Waiting.end(); write = next())
   {
     const auto count = static_cast<std::size_t>(write->Urb->buffer_length);
+    if (this->WriteFailures > 0)
+    {
+      --this->WriteFailures;
+      Finish(file, write, -EPROTO);
+      continue;
+    }
     write->Length = write->Urb->buffer_length;
     this->Falcon.BulkOut(static_cast<const std::uint8_t*>(write->Urb->buffer), count, now);
     Finish(file, write, 0);
@@ -398,6 +404,13 @@ void UsbfsFalcon::FailReads(int count)
 {
   const std::lock_guard<std::mutex> lock(this->Access);
   this->ReadFailures = count;
+  this->Changed.notify_all();
+}
+
+void UsbfsFalcon::FailWrites(int count)
+{
+  const std::lock_guard<std::mutex> lock(this->Access);
+  this->WriteFailures = count;
   this->Changed.notify_all();
 }
 

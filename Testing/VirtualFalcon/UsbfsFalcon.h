@@ -85,6 +85,8 @@ public:
   void HoldWrites(bool hold);
   /// So many reads fail, one after the other, as on a bad cable.
   void FailReads(int count);
+  /// The same of writes; what they carry does not reach the device.
+  void FailWrites(int count);
   /// What is discarded is not given back, as by a kernel that hangs.
   void KeepDiscarded(bool keep);
   /// A driver of the kernel has the interface; it lets go when it is told to.
@@ -126,6 +128,7 @@ private:
   bool HoldsWrites = false;
   bool KeepsDiscarded = false;
   int ReadFailures = 0; // still to come
+  int WriteFailures = 0;
   bool IsEnding = false;
   std::thread Server;
 };

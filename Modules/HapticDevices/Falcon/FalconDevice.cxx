@@ -132,6 +132,7 @@ void FalconDevice::Forget() noexcept
   this->Last.Time = this->Time.Now();
   this->Grip = this->Kinematics.Middle();
   this->HasPosition = false;
+  this->HasLapsed = false;
   this->Measured = this->Time.Now();
   this->Exchange.Restart(this->Time.Now());
 }
@@ -243,14 +244,16 @@ bool FalconDevice::Read(DeviceSample& sample) noexcept
   return this->IsInUse();
 }
 
-FalconNumbers FalconDevice::MotorsFor(const Vector3& force, std::int64_t now) const noexcept
+bool FalconDevice::MotorsFor(const Vector3& force, std::int64_t now,
+                             FalconNumbers& motors) const noexcept
 {
   Vector3 torques;
   const bool isKnown = this->State() == DeviceState::Ready && this->HasPosition &&
                        now - this->Measured <= OldestPosition &&
                        this->Kinematics.TorquesFor(force, this->Grip, torques);
-  return isKnown ? MotorValuesFor(torques, this->Settings.Calibration.CountsPerNewtonMillimeter)
-                 : FalconNumbers{};
+  motors = isKnown ? MotorValuesFor(torques, this->Settings.Calibration.CountsPerNewtonMillimeter)
+                   : FalconNumbers{};
+  return isKnown;
 }
 
 FalconDelivery FalconDevice::SendMotors(const FalconNumbers& motors) noexcept
@@ -267,8 +270,14 @@ bool FalconDevice::Apply(const Vector3& force) noexcept
   {
     return false;
   }
-  const FalconDelivery delivery = this->SendMotors(this->MotorsFor(force, this->Time.Now()));
+  FalconNumbers motors{};
+  const bool isRendered = this->MotorsFor(force, this->Time.Now(), motors);
+  const bool isFelt = this->State() == DeviceState::Ready && !force.isZero(0.0);
+  // A force that went off without a position must not come back in one step: it is refused until
+  // 0 N was asked for, and so faded in anew.
+  this->HasLapsed = isFelt && (this->HasLapsed || !isRendered);
+  const FalconDelivery delivery = this->SendMotors(this->HasLapsed ? FalconNumbers{} : motors);
   return delivery == FalconDelivery::Gone ? this->Fail(Fault::Unplugged)
-                                          : delivery == FalconDelivery::Sent;
+                                          : delivery == FalconDelivery::Sent && !this->HasLapsed;
 }
 } // namespace palpate

@@ -69,7 +69,8 @@ private:
   bool IsInUse() const noexcept;
   void Forget() noexcept;
   void Measure(const FalconReply& reply, std::int64_t now) noexcept;
-  FalconNumbers MotorsFor(const Vector3& force, std::int64_t now) const noexcept;
+  // False, and no torques, where the position is not known.
+  bool MotorsFor(const Vector3& force, std::int64_t now, FalconNumbers& motors) const noexcept;
   FalconDelivery SendMotors(const FalconNumbers& motors) noexcept;
 
   Clock& Time;
@@ -88,6 +89,7 @@ private:
   DeviceSample Last;
   Vector3 Grip = Vector3::Zero(); // mm, from the base
   bool HasPosition = false;       // the newest counts have one
+  bool HasLapsed = false;         // a force was not rendered, and none asked for since
   std::int64_t Measured = 0;      // ns, when they came
   unsigned Pressed = 0;           // buttons as they were last, believed or not
 };

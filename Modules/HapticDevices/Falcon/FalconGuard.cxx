@@ -62,7 +62,7 @@ public:
 
 FalconGuard::~FalconGuard()
 {
-  if (this->WasCalled)
+  if (this->HasCalled)
   {
     close(this->Socket);
     return;
@@ -91,7 +91,7 @@ bool FalconGuard::Start(const std::string& busPath)
     return false;
   }
   this->Socket = sockets[0];
-  this->WasCalled = false;
+  this->HasCalled = false;
   return true;
 }
 
@@ -105,7 +105,7 @@ void FalconGuard::Call() noexcept
 {
   if (this->IsRunning())
   {
-    this->WasCalled = true;
+    this->HasCalled = true;
     this->Say(Stop);
   }
 }
@@ -119,7 +119,7 @@ void FalconGuard::Dismiss() noexcept
   this->Say(Quit);
   close(this->Socket);
   this->Socket = -1;
-  this->WasCalled = false;
+  this->HasCalled = false;
   int status = 0;
   while (waitpid(this->Process, &status, 0) < 0 && errno == EINTR)
   {

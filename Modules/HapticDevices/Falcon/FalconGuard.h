@@ -1,5 +1,6 @@
 #pragma once
 
+#include <atomic>
 #include <string>
 #include <sys/types.h>
 
@@ -25,8 +26,11 @@ public:
   /// nothing is watched.
   bool Start(const std::string& busPath);
   bool IsRunning() const noexcept { return this->Socket >= 0; }
-  /// The device left the bus: stop it when it is back. Neither waits nor allocates.
+  /// Stop it as soon as it can be claimed: it left the bus, or was closed before it took 0 N.
+  /// Neither waits nor allocates.
   void Call() noexcept;
+  /// Whether Call was the last that was said to it.
+  bool WasCalled() const noexcept { return this->HasCalled.load(); }
   /// Ends it. Returns once it holds nothing of the device, within a second.
   void Dismiss() noexcept;
 
@@ -39,6 +43,6 @@ private:
 
   int Socket = -1;
   pid_t Process = -1;
-  bool WasCalled = false;
+  std::atomic<bool> HasCalled{false};
 };
 } // namespace palpate

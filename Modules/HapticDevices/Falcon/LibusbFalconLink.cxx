@@ -27,34 +27,38 @@ Status LibusbFalconLink::Open()
   {
     return Status::Failure("The link to the Falcon is open already.");
   }
+  // It may hold the device, and is needed again where nothing else can stop the motors.
+  const bool isOwed = this->Guard.WasCalled();
   this->Guard.Dismiss();
   Status status = this->OpenHandle();
+  if (status.IsOk() && this->Source == nullptr)
+  {
+    this->BusPath = BusPathOf(*this->Handle);
+    this->Guard.Start(this->BusPath);
+  }
   if (status.IsOk())
   {
     this->Traffic = std::make_unique<LibusbTraffic>(this->Context.get(), this->Handle.get(),
                                                     [this] { this->Guard.Call(); });
     status = this->Traffic->Start();
   }
-  if (status.IsOk() && this->Source == nullptr)
-  {
-    this->Guard.Start(BusPathOf(*this->Handle));
-  }
   if (!status.IsOk())
   {
     this->Close();
+    if (isOwed && this->Guard.Start(this->BusPath))
+    {
+      this->Guard.Call();
+    }
   }
   return status;
 }
 
 void LibusbFalconLink::Close() noexcept
 {
-  const bool isGone = this->IsGone();
+  const bool wasOpen = this->Traffic != nullptr;
+  const bool mayPush = wasOpen && (!this->Traffic->Stop() || this->Traffic->IsGone());
   // Transfers that were not given back within their time are safe to release once the handle, and
   // with it the kernel's side of them, is closed.
-  if (this->Traffic != nullptr)
-  {
-    this->Traffic->Stop();
-  }
   this->Handle.reset();
   this->Traffic.reset();
   this->Context.reset();
@@ -63,7 +67,11 @@ void LibusbFalconLink::Close() noexcept
     close(this->Descriptor);
     this->Descriptor = -1;
   }
-  if (!isGone)
+  if (mayPush)
+  {
+    this->Guard.Call();
+  }
+  else if (wasOpen)
   {
     this->Guard.Dismiss();
   }

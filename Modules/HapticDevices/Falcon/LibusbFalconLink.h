@@ -41,6 +41,7 @@ private:
   Status OpenHandle();
 
   FalconGuard Guard;
+  std::string BusPath; // that it was started for last
   std::string Which;
   DescriptorSource Source;
   int Descriptor = -1;

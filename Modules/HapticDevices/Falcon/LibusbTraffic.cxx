@@ -23,9 +23,12 @@ constexpr auto OvertakingTime = 1ms;          // for writes before a stop to go 
 constexpr auto SilenceTime = std::chrono::nanoseconds(FalconLink::SilenceLimit);
 constexpr auto FlushTime = 250ms;
 constexpr auto CancelTime = 1s;
+constexpr auto StopPause = 5ms; // before a stop that failed is sent again
 constexpr const char* Unplugged = "The Falcon was unplugged: plug it in and open it again.";
 constexpr const char* TakesNothing =
     "The Falcon takes no data: unplug it, plug it in and open it again.";
+constexpr const char* WriteFails =
+    "Writing to the Falcon fails: try another cable or another USB socket.";
 constexpr const char* OnlyErrors =
     "Nothing but errors comes from the Falcon: try another cable or another USB socket.";
 
@@ -80,11 +83,12 @@ Status LibusbTraffic::Start()
   return this->Thread.Start({}, [this] { this->Run(); });
 }
 
-void LibusbTraffic::Stop() noexcept
+bool LibusbTraffic::Stop() noexcept
 {
   this->StopWanted.store(true, std::memory_order_release);
   this->Events.Wake();
   this->Thread.Join();
+  return this->IsFlushed;
 }
 
 bool LibusbTraffic::Send(const std::uint8_t* bytes, std::size_t count) noexcept
@@ -198,20 +202,25 @@ void LibusbTraffic::Run() noexcept
     this->Step(this->NextWake(steady_clock::now()));
   }
   const auto flushed = steady_clock::now() + FlushTime;
-  this->StartStop();
-  while ((this->StopTransfer.IsInFlight || (!this->IsGone() && this->Unsent.load() > 0)) &&
-         steady_clock::now() < flushed)
+  while (this->HasUnsent() && steady_clock::now() < flushed)
   {
     this->StartStop();
     this->StartWrites();
     this->Step(std::min(flushed, this->NextWake(steady_clock::now())));
   }
+  this->IsFlushed = !this->HasUnsent();
   this->CancelAll();
   const auto cancelled = steady_clock::now() + CancelTime;
   while (this->HasInFlight() && steady_clock::now() < cancelled)
   {
     this->Step(cancelled);
   }
+}
+
+bool LibusbTraffic::HasUnsent() const noexcept
+{
+  return this->StopTransfer.IsInFlight || this->MotorStopWanted.load() ||
+         (!this->IsGone() && this->Unsent.load() > 0);
 }
 
 // Waits for something to happen, until then at most, and has libusb call back for what has ended.
@@ -224,10 +233,12 @@ void LibusbTraffic::Step(LibusbPoll::TimePoint until) noexcept
 
 void LibusbTraffic::Submit(Transfer& transfer) noexcept
 {
-  transfer.IsInFlight = libusb_submit_transfer(transfer.Call.get()) == LIBUSB_SUCCESS;
+  const int answer = libusb_submit_transfer(transfer.Call.get());
+  transfer.IsInFlight = answer == LIBUSB_SUCCESS;
   if (!transfer.IsInFlight)
   {
-    this->GiveUp(Unplugged);
+    this->StopNotBefore = steady_clock::now() + StopPause;
+    this->GiveUp(answer == LIBUSB_ERROR_NO_DEVICE ? Unplugged : WriteFails);
   }
 }
 
@@ -276,7 +287,8 @@ void LibusbTraffic::SubmitStop(LibusbPoll::TimePoint now) noexcept
 void LibusbTraffic::StartStop() noexcept
 {
   const LibusbPoll::TimePoint now = steady_clock::now();
-  if (this->MotorStopWanted.exchange(false, std::memory_order_acq_rel))
+  if (now >= this->StopNotBefore &&
+      this->MotorStopWanted.exchange(false, std::memory_order_acq_rel))
   {
     this->DropQueue();
     this->SubmitStop(now);
@@ -388,7 +400,22 @@ void LibusbTraffic::FinishWrite(Transfer& write) noexcept
       call.status == LIBUSB_TRANSFER_COMPLETED && call.actual_length == call.length;
   if (!isWhole && call.status != LIBUSB_TRANSFER_CANCELLED)
   {
-    this->GiveUp(call.status == LIBUSB_TRANSFER_TIMED_OUT ? TakesNothing : Unplugged);
+    this->GiveUp(call.status == LIBUSB_TRANSFER_TIMED_OUT   ? TakesNothing
+                 : call.status == LIBUSB_TRANSFER_NO_DEVICE ? Unplugged
+                                                            : WriteFails);
+  }
+}
+
+void LibusbTraffic::FinishStop(libusb_transfer_status outcome) noexcept
+{
+  if (outcome == LIBUSB_TRANSFER_NO_DEVICE)
+  {
+    this->GiveUp(Unplugged);
+  }
+  else if (outcome != LIBUSB_TRANSFER_COMPLETED && outcome != LIBUSB_TRANSFER_CANCELLED)
+  {
+    this->StopNotBefore = steady_clock::now() + StopPause;
+    this->GiveUp(WriteFails); // which sends it again
   }
 }
 
@@ -414,7 +441,8 @@ void LibusbTraffic::GiveUp(const char* reason) noexcept
     this->Gone.store(true, std::memory_order_release);
   }
   this->ControlChanged.notify_all();
-  if (isFirst && reason == Unplugged && this->OnUnplugged != nullptr)
+  const bool leaves = reason == Unplugged && !std::exchange(this->HasLeft, true);
+  if (leaves && this->OnUnplugged != nullptr)
   {
     this->OnUnplugged();
   }
@@ -463,10 +491,7 @@ void LibusbTraffic::OnStop(libusb_transfer* call) noexcept
 {
   auto* const stop = static_cast<Transfer*>(call->user_data);
   stop->IsInFlight = false;
-  if (call->status != LIBUSB_TRANSFER_COMPLETED && call->status != LIBUSB_TRANSFER_CANCELLED)
-  {
-    stop->Owner->GiveUp(Unplugged);
-  }
+  stop->Owner->FinishStop(call->status);
 }
 
 void LibusbTraffic::OnControl(libusb_transfer* call) noexcept

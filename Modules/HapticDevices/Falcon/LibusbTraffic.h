@@ -43,8 +43,8 @@ public:
 
   Status Start();
   /// Lets what was sent go out, for at most 0.25 s, and takes back what is in flight, for at most a
-  /// second. Nothing where it does not run.
-  void Stop() noexcept;
+  /// second. True where all that was sent, a stop too, has gone out. Nothing where it does not run.
+  bool Stop() noexcept;
 
   /// As FalconLink's. A control request begins once all that was sent before has gone out.
   Status Control(FtdiRequest request);
@@ -92,6 +92,8 @@ private:
   void StartControl() noexcept;
   void FinishRead(Transfer& read) noexcept;
   void FinishWrite(Transfer& write) noexcept;
+  void FinishStop(libusb_transfer_status outcome) noexcept;
+  bool HasUnsent() const noexcept;
   void FinishControl(libusb_transfer_status outcome) noexcept;
   void GiveUp(const char* reason) noexcept;
   static void Cancel(const Transfer& transfer) noexcept;
@@ -112,7 +114,7 @@ private:
   std::atomic<bool> Gone{false};
   std::atomic<bool> Clear{false};
   std::atomic<bool> IsArmed{false};         // StopBytes are set
-  std::atomic<bool> MotorStopWanted{false}; // by a sender
+  std::atomic<bool> MotorStopWanted{false}; // by a sender, or after a failure
   std::array<std::uint8_t, FalconLink::StopCapacity> StopBytes{};
   std::size_t StopCount = 0;
 
@@ -134,6 +136,9 @@ private:
   Transfer StopTransfer;
   LibusbPoll::TimePoint LastSent;        // when something was taken from the queue
   LibusbPoll::TimePoint OvertakingSince; // when StopTransfer was submitted
+  LibusbPoll::TimePoint StopNotBefore;   // after one that failed
+  bool HasLeft = false;                  // the bus; said to OnUnplugged
+  bool IsFlushed = true;                 // at the thread's end
   int StopsLeft = 0;                     // that silence may still cause
   FtdiPackets Packets;
   int FailedReads = 0; // one after the other

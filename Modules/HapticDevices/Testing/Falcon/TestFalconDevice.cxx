@@ -352,7 +352,7 @@ TEST_F(FalconDeviceTest, FaultsOfTheWireNeverMoveThePosition)
   EXPECT_GT(statistics.SkippedBytes, 1000U);
 }
 
-TEST_F(FalconDeviceTest, CountsWithoutAPositionGiveNoForceAndNoSample)
+TEST_F(FalconDeviceTest, CountsWithoutAPositionGiveNoForceUntilZeroWasAskedFor)
 {
   this->OpenAndHome();
   ASSERT_TRUE(this->Tick({0.0, 0.0, 5.0}));
@@ -377,8 +377,12 @@ TEST_F(FalconDeviceTest, CountsWithoutAPositionGiveNoForceAndNoSample)
   }
   this->Falcon.Faults.Spoil = nullptr;
   this->GoTo({5.0, 0.0, 0.0}, {0.0, 0.0, 5.0});
-  EXPECT_FALSE(this->MotorsAreOff());
   EXPECT_NEAR(this->Sample.Position.X, 5.0, 0.06);
+  EXPECT_TRUE(this->MotorsAreOff());
+  EXPECT_FALSE(this->Device->Apply({0.0, 0.0, 5.0}));
+  ASSERT_TRUE(this->Tick(Vector3::Zero()));
+  this->GoTo({5.0, 0.0, 0.0}, {0.0, 0.0, 5.0});
+  EXPECT_FALSE(this->MotorsAreOff());
 }
 
 TEST_F(FalconDeviceTest, AForceThatIsNoNumberIsNone)

@@ -7,7 +7,8 @@
 #include "LibusbFalconLink.h"
 #include "ShimmedFalcon.h"
 
-#include <sys/prctl.h>
+#include <chrono>
+#include <memory>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -63,7 +64,6 @@ protected:
 
 TEST_F(FalconGuardTest, StopsTheMotorsWhenItsProcessEndsWithoutAWord)
 {
-  prctl(PR_SET_CHILD_SUBREAPER, 1); // who loses its parent becomes a child of this process
   const pid_t child = fork();
   if (child == 0)
   {
@@ -99,6 +99,80 @@ TEST_F(FalconGuardTest, LeavesADeviceAloneThatWasClosed)
   guard.Dismiss(); // returns once the process has ended
   EXPECT_TRUE(this->HasTorque());
   EXPECT_EQ(this->Model.Board().Received().size(), before);
+}
+
+// A link that is open, armed, and has pushed.
+class FalconGuardOfLink : public FalconGuardTest
+{
+protected:
+  void SetUp() override
+  {
+    ASSERT_NO_FATAL_FAILURE(this->FalconGuardTest::SetUp());
+    this->Link = std::make_unique<LibusbFalconLink>(this->BusPath);
+    ASSERT_TRUE(this->Link->Open().IsOk());
+    const FalconPacket stop = Encoded(FalconRequest());
+    this->Link->ArmStop(stop.data(), stop.size());
+    // Without a word after it, the silence would stop the motors.
+    this->Bus.HoldWrites(true);
+    ASSERT_TRUE(this->HasTorque());
+  }
+  void PullTheCable()
+  {
+    this->Bed.Unplug(Port, VirtualFalcon::Supply::Kept);
+    ASSERT_TRUE(Eventually([this] { return this->Link->IsGone(); }));
+  }
+  void ExpectStop(const char* fault)
+  {
+    EXPECT_TRUE(this->HasTorque());
+    const auto start = std::chrono::steady_clock::now();
+    this->Bus.HoldWrites(false);
+    EXPECT_TRUE(Eventually([this] { return !this->HasTorque(); }));
+    const std::chrono::duration<double, std::milli> passed =
+        std::chrono::steady_clock::now() - start;
+    RecordProperty("front", "virtual bus");
+    RecordProperty("fault", fault);
+    RecordProperty("milliseconds", std::to_string(passed.count()));
+    // The guard must have ended before the test bed does.
+    this->Link.reset();
+    while (waitpid(-1, nullptr, 0) > 0)
+    {
+    }
+  }
+
+  std::unique_ptr<LibusbFalconLink> Link;
+};
+
+TEST_F(FalconGuardOfLink, StopsADeviceThatIsBackAfterItsLinkHasEnded)
+{
+  ASSERT_NO_FATAL_FAILURE(this->PullTheCable());
+  this->Link.reset();
+  this->Bed.Plug(this->Bus, Port);
+  this->ExpectStop("Closed without a cable, from its return");
+}
+
+TEST_F(FalconGuardOfLink, StopsADeviceThatTookNothingWhenItsLinkEnded)
+{
+  ASSERT_TRUE(this->Link->SendStop());
+  this->Link.reset();
+  this->ExpectStop("Closed with a full queue, from when it moves again");
+}
+
+TEST_F(FalconGuardOfLink, StopsADeviceWhoseErrorsCameBeforeItLeftTheBus)
+{
+  this->Bus.FailReads(40);
+  ASSERT_TRUE(Eventually([this] { return this->Link->IsGone(); }));
+  ASSERT_NO_FATAL_FAILURE(this->PullTheCable());
+  this->Bed.Plug(this->Bus, Port);
+  this->ExpectStop("Hub reset after errors, from its return");
+}
+
+TEST_F(FalconGuardOfLink, StopsADeviceThatCouldNotBeOpenedMeanwhile)
+{
+  ASSERT_NO_FATAL_FAILURE(this->PullTheCable());
+  this->Link->Close();
+  EXPECT_FALSE(this->Link->Open().IsOk());
+  this->Bed.Plug(this->Bus, Port);
+  this->ExpectStop("Opened in vain without a cable, from its return");
 }
 
 TEST_F(FalconGuardTest, LetsADeviceBeOpenedAgainWhileItIsCalled)

@@ -57,6 +57,10 @@ protected:
     this->RecordProperty("front", "libusb");
     this->RecordProperty("fault", fault);
     this->RecordProperty("milliseconds", std::to_string(1e-6 * double(this->Time.Now() - since)));
+    // Nor does anything that was queued come after it.
+    const std::size_t stopped = this->ReceivedCount();
+    this->Time.WaitUntil(this->Time.Now() + 5 * FalconLink::SilenceLimit);
+    EXPECT_EQ(this->TorquesSince(stopped), 0U);
   }
 
   const Vector3 Push{0.0, 0.0, 3.0};
@@ -127,6 +131,21 @@ TEST_F(StopOverUsb, WhereOnlyErrorsComeItStops)
   EXPECT_TRUE(
       this->TickUntil([this] { return this->Device->State() == DeviceState::Error; }, this->Push));
   this->ExpectStop("OnlyErrorsCome", start);
+}
+
+TEST_F(StopOverUsb, WhereWritesFailItStopsOnceTheyDoNot)
+{
+  for (const int failures : {1, 6})
+  {
+    const std::int64_t start = this->Time.Now();
+    this->Bus.FailWrites(failures);
+    EXPECT_TRUE(this->TickUntil([this] { return this->Device->State() == DeviceState::Error; },
+                                this->Push));
+    this->ExpectStop("WritesFail", start);
+    this->Device->Close();
+    ASSERT_NO_FATAL_FAILURE(this->OpenAndHome());
+    ASSERT_TRUE(this->TickUntil([this] { return this->HasTorque(); }, this->Push));
+  }
 }
 
 TEST_F(StopOverUsb, ADeviceThatTakesNothingFailsAndStopsOnceItTakesAgain)
