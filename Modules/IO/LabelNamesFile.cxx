@@ -88,7 +88,8 @@ void ApplyLabelNames(Segmentation& segmentation)
 {
   const std::filesystem::path namesFile = Beside(segmentation.Source, ".txt");
   ApplyColors(Beside(segmentation.Source, ".lut"), segmentation);
-  if (!std::filesystem::exists(namesFile))
+  std::error_code isNoFile; // such as a name that is too long with its ending
+  if (!std::filesystem::exists(namesFile, isNoFile))
   {
     return;
   }

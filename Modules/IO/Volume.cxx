@@ -39,7 +39,8 @@ Volume ReadImageFile(const std::filesystem::path& path, FileKind kind, LeftHande
 
 Volume ReadDicom(const std::filesystem::path& path, const VolumeChoice& choice)
 {
-  if (std::filesystem::is_directory(path))
+  std::error_code isNoFolder;
+  if (std::filesystem::is_directory(path, isNoFolder))
   {
     const std::vector<DicomSeries> all = FindDicomSeries(path);
     return ReadDicomVolume(ChooseSeries(path, all, choice), path);

@@ -156,7 +156,7 @@ nlohmann::ordered_json AsJson(const TouchStructureSettings& structure,
   {
     object["name"] = structure.Name;
   }
-  object["file"] = std::filesystem::proximate(structure.File, folder).generic_string();
+  object["file"] = RelativeFile(structure.File, folder);
   if (!structure.Labels.empty())
   {
     object["label"] = structure.Labels;
@@ -182,8 +182,7 @@ nlohmann::ordered_json AsJson(const TouchStructureSettings& structure,
   if (structure.Texture > 0.0)
   {
     object["texture_n"] = structure.Texture;
-    object["texture_image"] =
-        std::filesystem::proximate(structure.TextureImage, folder).generic_string();
+    object["texture_image"] = RelativeFile(structure.TextureImage, folder);
   }
   if (structure.Drill.Wear > 0.0)
   {

@@ -3,6 +3,8 @@
 #include "JsonFields.h"
 #include "Refusal.h"
 
+#include <system_error>
+
 namespace palpate
 {
 namespace
@@ -34,6 +36,13 @@ TouchToolSettings ReadTouchTool(const nlohmann::json& object, const std::filesys
   return tool;
 }
 
+std::string RelativeFile(const std::filesystem::path& file, const std::filesystem::path& folder)
+{
+  std::error_code failure;
+  const std::filesystem::path relative = std::filesystem::proximate(file, folder, failure);
+  return (failure ? file.lexically_proximate(folder) : relative).generic_string();
+}
+
 nlohmann::ordered_json TouchToolJson(const TouchToolSettings& tool,
                                      const std::filesystem::path& folder)
 {
@@ -45,7 +54,7 @@ nlohmann::ordered_json TouchToolJson(const TouchToolSettings& tool,
       {"points", tool.Points}};
   if (!tool.File.empty())
   {
-    object["file"] = std::filesystem::proximate(tool.File, folder).generic_string();
+    object["file"] = RelativeFile(tool.File, folder);
   }
   return object;
 }

@@ -3,7 +3,9 @@
 #include "PalpateSessionModule.h"
 #include "TouchSettings.h"
 
+#include <filesystem>
 #include <nlohmann/json.hpp>
+#include <string>
 
 namespace palpate
 {
@@ -11,6 +13,10 @@ namespace palpate
 /// "points", "file" (from the folder of the file). `file` is for messages. Throws InputError.
 PALPATESESSION_EXPORT TouchToolSettings ReadTouchTool(const nlohmann::json& object,
                                                       const std::filesystem::path& file);
+/// How a scene or session in `folder` names a file: relative to it, and as it is where that cannot
+/// be found out.
+PALPATESESSION_EXPORT std::string RelativeFile(const std::filesystem::path& file,
+                                               const std::filesystem::path& folder);
 PALPATESESSION_EXPORT nlohmann::ordered_json TouchToolJson(const TouchToolSettings& tool,
                                                            const std::filesystem::path& folder);
 } // namespace palpate

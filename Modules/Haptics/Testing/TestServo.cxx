@@ -262,6 +262,33 @@ TEST(Servo, RefusedForceIsAFault)
   EXPECT_TRUE(run.Loop.Latest().WasTaken);
 }
 
+TEST(Servo, ForcesMayBeRefusedForTheDevicesLongestGap)
+{
+  DeviceCapabilities device = test::ScriptedDevice().Abilities;
+  device.LongestGap = 0.008; // s, eight ticks
+  test::ServoRun run(WallScene(0.0, {1.0, 0.0}), ServoSettings(), device);
+  run.RestAt({0.0, 0.0, -1.0});
+  run.Device.RefusesForce = true;
+  for (int tick = 1; tick <= 8; ++tick)
+  {
+    run.TickAt({0.0, 0.0, -1.0});
+    EXPECT_EQ(run.Loop.Latest().Safety.Fault,
+              tick < 8 ? SafetyFault::None : SafetyFault::UntakenForce)
+        << tick;
+  }
+}
+
+TEST(Servo, GravityCompensationPassesTheSafetyChain)
+{
+  DeviceCapabilities device = test::ScriptedDevice().Abilities;
+  device.GravityCompensation = Vector3(0.0, 2.0, 0.0);
+  test::ServoRun run(WallScene(0.0, {1.0, 0.0}), ServoSettings(), device);
+  EXPECT_LT(run.TickAt({0.0, 0.0, 1.0}).norm(), 0.1) << "it fades in";
+  EXPECT_EQ(run.RestAt({0.0, 0.0, 1.0}), Vector3(0.0, 2.0, 0.0));
+  run.Loop.SwitchOff();
+  EXPECT_EQ(run.TickAt({0.0, 0.0, 1.0}), Vector3::Zero());
+}
+
 TEST(Servo, InvalidContactIsAFault)
 {
   using test::WallFault;

@@ -116,6 +116,14 @@ TEST_F(TouchSceneFile, WhatIsWrittenIsReadBackTheSame)
   EXPECT_EQ(back.MemoryMegabytes, 12.5);
 }
 
+TEST_F(TouchSceneFile, NamesOfAnyLengthAreWritten)
+{
+  const std::string name(5000, 'a');
+  const TouchSettings settings =
+      this->Read(R"({"format": "palpate-scene", "structures": [{"file": ")" + name + R"("}]})");
+  EXPECT_NE(TouchSceneText(settings, this->Folder.Path()).find(name), std::string::npos);
+}
+
 TEST_F(TouchSceneFile, WhatIsLeftOutHasItsDefault)
 {
   const TouchSettings settings =
