@@ -371,6 +371,54 @@ INSTANTIATE_TEST_SUITE_P(Signals, CliFalconEndsBy,
                                          EndingSignals{"SIGINT", {SIGINT}},
                                          EndingSignals{"SIGINT twice", {SIGINT, SIGINT}}));
 
+struct WireFault
+{
+  const char* Name; // as in the tests over libusb
+  void (*Break)(VirtualFalcon&);
+};
+
+class CliFalconEndsWithout : public CliFalconEnds, public testing::WithParamInterface<WireFault>
+{
+};
+
+TEST_P(CliFalconEndsWithout, TheBoardIsToldZero)
+{
+  const std::unique_ptr<StartedCommand> command = this->Pushing();
+  const auto start = std::chrono::steady_clock::now();
+  this->Bus.WithFalcon(this->GetParam().Break);
+  EXPECT_TRUE(IsSoon([this] { return !this->HasTorque(); }));
+  this->Record(this->GetParam().Name, start);
+  command->Send(SIGTERM);
+  command->Finish();
+  EXPECT_FALSE(this->HasTorque());
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Replies, CliFalconEndsWithout,
+    testing::Values(
+        WireFault{"RepliesStop", [](VirtualFalcon& falcon)
+                  { falcon.Faults.Spoil = [](VirtualFalconAnswer& a) { a.Bytes.clear(); }; }},
+        WireFault{"RepliesStall",
+                  [](VirtualFalcon& falcon) {
+                    falcon.Faults.Spoil = [](VirtualFalconAnswer& a) { a.Delay += 1'000'000'000; };
+                  }},
+        WireFault{"RepliesComeLate", [](VirtualFalcon& falcon) {
+                    falcon.Faults.Spoil = [](VirtualFalconAnswer& a) { a.Delay += 15'000'000; };
+                  }}));
+
+TEST_F(CliFalconEnds, AHubThatResetsLeavesNoTorqueOnceTheDeviceIsBack)
+{
+  const std::unique_ptr<StartedCommand> command = this->Pushing();
+  this->Bed.Unplug(2, VirtualFalcon::Supply::Kept);
+  EXPECT_TRUE(this->HasTorque());
+  const auto start = std::chrono::steady_clock::now();
+  this->Bed.Plug(this->Bus, 2);
+  EXPECT_TRUE(IsSoon([this] { return !this->HasTorque(); }));
+  this->Record("Hub reset, from the device's return", start);
+  command->Send(SIGTERM);
+  command->Finish();
+}
+
 TEST_F(CliFalconEnds, CtrlZDoesNotStopItWhileItMayPush)
 {
   const std::unique_ptr<StartedCommand> command = this->Pushing();
