@@ -145,6 +145,7 @@ protected:
 TEST_F(FalconGuardOfLink, StopsADeviceThatIsBackAfterItsLinkHasEnded)
 {
   ASSERT_NO_FATAL_FAILURE(this->PullTheCable());
+  this->Link->Close(); // as its device does before it ends
   this->Link.reset();
   this->Bed.Plug(this->Bus, Port);
   this->ExpectStop("Closed without a cable, from its return");
