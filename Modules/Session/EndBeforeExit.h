@@ -7,8 +7,9 @@
 namespace palpate
 {
 /// What has to be done before the process ends, whoever ends it: while one exists, a call of
-/// exit(), as of an X library whose server has gone, first calls its function, and no repeated
-/// Interruption ends the process at once. For a device that pushes a hand: 0 N, then closed.
+/// exit(), as of an X library whose server has gone, first calls its function, and a repeated
+/// Interruption ends the process at once only where it is repeated often. For a device that pushes
+/// a hand: 0 N, then closed.
 ///
 /// For the thread that calls main.
 class PALPATESESSION_EXPORT EndBeforeExit

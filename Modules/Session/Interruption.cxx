@@ -1,5 +1,6 @@
 #include "Interruption.h"
 
+#include "EmergencyStop.h"
 #include "EndBeforeExit.h"
 
 #include <atomic>
@@ -17,24 +18,40 @@ std::atomic<int> Requests{0};
 static_assert(std::atomic<int>::is_always_lock_free);
 
 constexpr int CodeOfSignals = 128;
+constexpr int RequestsForNoForce = 2;
 constexpr int MostRequests = 3;
+constexpr int MostWhileForced = 5;
 
 extern "C" void Ask(int signal)
 {
   int none = 0;
   FirstSignal.compare_exchange_strong(none, signal);
   // Every further write to a closed pipe sends one, which is nobody's wish.
-  if (signal != SIGPIPE && ++Requests >= MostRequests && !EndBeforeExit::IsInForce())
+  if (signal == SIGPIPE)
+  {
+    return;
+  }
+  const int requests = ++Requests;
+  if (requests >= RequestsForNoForce)
+  {
+    EmergencyStop::Order();
+  }
+  if (requests >= (EndBeforeExit::IsInForce() ? MostWhileForced : MostRequests))
   {
     _exit(CodeOfSignals + signal);
   }
 }
 
-extern "C" void StopUnlessForced(int)
+extern "C" void StopUnlessForced(int signal)
 {
   if (!EndBeforeExit::IsInForce())
   {
     kill(getpid(), SIGSTOP);
+  }
+  else if (signal != SIGTSTP)
+  {
+    // Otherwise the same call would be tried, and would send it, again and again.
+    std::signal(signal, SIG_IGN);
   }
 }
 } // namespace
@@ -43,6 +60,7 @@ Interruption::Interruption()
 {
   FirstSignal = 0;
   Requests = 0;
+  EmergencyStop::Forget();
   struct sigaction action = {};
   action.sa_handler = Ask;
   action.sa_flags = SA_RESTART;
@@ -54,11 +72,14 @@ Interruption::Interruption()
       sigaction(Signals[s], &action, nullptr);
     }
   }
-  sigaction(SIGTSTP, nullptr, &this->FormerStop);
-  if (this->FormerStop.sa_handler != SIG_IGN)
+  action.sa_handler = StopUnlessForced;
+  for (std::size_t s = 0; s < Stops.size(); ++s)
   {
-    action.sa_handler = StopUnlessForced;
-    sigaction(SIGTSTP, &action, nullptr);
+    sigaction(Stops[s], nullptr, &this->FormerStops[s]);
+    if (this->FormerStops[s].sa_handler != SIG_IGN)
+    {
+      sigaction(Stops[s], &action, nullptr);
+    }
   }
 }
 
@@ -68,7 +89,11 @@ Interruption::~Interruption()
   {
     sigaction(Signals[s], &this->Former[s], nullptr);
   }
-  sigaction(SIGTSTP, &this->FormerStop, nullptr);
+  for (std::size_t s = 0; s < Stops.size(); ++s)
+  {
+    sigaction(Stops[s], &this->FormerStops[s], nullptr);
+  }
+  EmergencyStop::Forget();
 }
 
 bool Interruption::WasAsked() noexcept

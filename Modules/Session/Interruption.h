@@ -12,12 +12,15 @@ namespace palpate
 /// themselves: WasAsked becomes true, and whoever works ends by itself, with 0 N on a device that
 /// is then closed, and with files that are whole.
 ///
-/// The second request changes nothing. The third ends the program at once, for users of what takes
-/// too long to end, but not while an EndBeforeExit is in force. Signals that the program's parent
-/// wants ignored (nohup) stay ignored.
+/// From the second request on there are no forces (EmergencyStop), even where who works hangs. The
+/// third ends the program at once, for users of what takes too long to end; while an EndBeforeExit
+/// is in force it takes the fifth, after which a device's guard process sends 0 N. A SIGPIPE counts
+/// for none of this. Signals that the program's parent wants ignored (nohup) stay ignored.
 ///
-/// Ctrl-Z (SIGTSTP) stops the program as ever, but not while an EndBeforeExit is in force: a
-/// stopped program would leave its last force on the device.
+/// Ctrl-Z (SIGTSTP), and reading from or writing to a terminal in the background (SIGTTIN,
+/// SIGTTOU), stop the program as ever, but not while an EndBeforeExit is in force: a stopped
+/// program would leave its last force on the device. What is written then is written, and reading
+/// fails.
 class PALPATESESSION_EXPORT Interruption
 {
 public:
@@ -36,6 +39,7 @@ public:
 private:
   static constexpr std::array<int, 4> Signals{SIGINT, SIGTERM, SIGHUP, SIGPIPE};
   std::array<struct sigaction, Signals.size()> Former{};
-  struct sigaction FormerStop = {};
+  static constexpr std::array<int, 3> Stops{SIGTSTP, SIGTTIN, SIGTTOU};
+  std::array<struct sigaction, Stops.size()> FormerStops{};
 };
 } // namespace palpate

@@ -1,11 +1,29 @@
 #include "TouchLink.h"
 
+#include <QAbstractSpinBox>
 #include <QApplication>
+#include <QComboBox>
 #include <QKeyEvent>
 #include <QLineEdit>
+#include <QPlainTextEdit>
+#include <QTextEdit>
 
 namespace palpate
 {
+namespace
+{
+// Whether keys are text for it.
+bool TakesText(const QWidget* widget)
+{
+  const auto* choice = qobject_cast<const QComboBox*>(widget);
+  return (choice != nullptr && choice->isEditable()) ||
+         qobject_cast<const QLineEdit*>(widget) != nullptr ||
+         qobject_cast<const QAbstractSpinBox*>(widget) != nullptr ||
+         qobject_cast<const QTextEdit*>(widget) != nullptr ||
+         qobject_cast<const QPlainTextEdit*>(widget) != nullptr;
+}
+} // namespace
+
 TouchLink::TouchLink(StudyController& study, ViewContents& contents, ViewGrid& views,
                      QObject* parent)
     : QObject(parent), Study(study), Contents(contents), Views(views)
@@ -126,6 +144,7 @@ bool TouchLink::eventFilter(QObject* object, QEvent* event)
   return false;
 }
 
+// A window that has a key passes it on to the widget with the focus, and it comes here again.
 void TouchLink::PressKey(const QKeyEvent& key, const QObject* receiver)
 {
   if (key.key() == Qt::Key_Escape)
@@ -133,7 +152,7 @@ void TouchLink::PressKey(const QKeyEvent& key, const QObject* receiver)
     this->Study.SwitchForcesOff();
   }
   if (key.key() == Qt::Key_D && key.modifiers() == Qt::NoModifier && !key.isAutoRepeat() &&
-      qobject_cast<const QLineEdit*>(receiver) == nullptr)
+      !receiver->isWindowType() && !TakesText(QApplication::focusWidget()))
   {
     this->Study.Current().Touch().RunDrill(true);
   }

@@ -84,7 +84,7 @@ TEST_F(CliEnds, EachSignalEndsATouchWithWholeFilesAndItsCode)
   }
 }
 
-TEST_F(CliEnds, ASecondCtrlCChangesNothing)
+TEST_F(CliEnds, ASecondCtrlCTakesTheForceAwayAndLeavesWholeFiles)
 {
   StartedCommand command(PALPATE_PROGRAM, this->Touch(), this->Folder.Path());
   ASSERT_TRUE(IsSoon([this] { return this->IsRecorded(SomeTicks); }));
@@ -171,6 +171,24 @@ TEST_F(CliEnds, CtrlCWithViewEndsAsWithoutIt)
   const CommandRun run = command.Finish();
   EXPECT_EQ(run.Code, 130) << run.Errors;
   this->ExpectWholeFiles();
+}
+
+// The command waits for it for ever, and cannot end by itself.
+TEST_F(CliEnds, ADisplayThatHangsWithViewIsLeftByTheFifthSignal)
+{
+  StartedCommand command(PALPATE_PROGRAM, this->TouchWithView(), this->Folder.Path());
+  ASSERT_TRUE(IsSoon([this] { return this->IsRecorded(SomeTicks); }));
+  const pid_t server = ChildOf(command.Process(), "Xvfb");
+  ASSERT_GT(server, 0);
+  kill(server, SIGSTOP);
+  for (int n = 0; n < 5 && !command.HasEnded(); ++n)
+  {
+    command.Send(SIGTERM);
+    ASSERT_TRUE(IsSoon([&] { return command.HasTakenSignals(); }));
+  }
+  EXPECT_TRUE(IsSoon([&] { return command.HasEnded(); }));
+  kill(server, SIGKILL);
+  EXPECT_EQ(command.Finish().Code, 128 + SIGTERM);
 }
 
 // Xlib calls exit() then.

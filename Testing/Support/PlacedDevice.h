@@ -10,7 +10,7 @@ namespace palpate::test
 {
 /// A device, open from the start, that is where another thread puts it, and says what force it was
 /// given last.
-class PlacedDevice final : public HapticDevice
+class PlacedDevice : public HapticDevice
 {
 public:
   explicit PlacedDevice(Clock& clock) : Time(clock)

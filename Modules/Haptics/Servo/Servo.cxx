@@ -104,6 +104,11 @@ Servo::Change Servo::TakeOver(const TickObservation& now) noexcept
     this->Safety.Fail(SafetyFault::SwitchedOff);
   }
   change.IsContinued = this->TakeOverScene();
+  // After the scene: what was ordered before it was published holds for it.
+  if (this->LiftWanted.exchange(false, std::memory_order_acq_rel))
+  {
+    this->ReleaseButton();
+  }
   const bool wasDrilling = this->IsDrilling;
   this->IsDrilling = this->IsPedalDown(now);
   change.Command = this->TakeCommand(wasDrilling && !this->IsDrilling);
@@ -120,11 +125,17 @@ bool Servo::IsPedalDown(const TickObservation& now) noexcept
   return this->IsButtonPedal || this->Pedal.load(std::memory_order_acquire);
 }
 
-// Both pedals have to be pressed again.
-void Servo::ReleasePedal() noexcept
+// It has to be pressed again.
+void Servo::ReleaseButton() noexcept
 {
   this->IsButtonPedal = false;
   this->WasButtonDown = true;
+}
+
+// Both pedals have to be pressed again.
+void Servo::ReleasePedal() noexcept
+{
+  this->ReleaseButton();
   this->Pedal.store(false, std::memory_order_release);
 }
 

@@ -33,8 +33,8 @@ struct ServoSettings
 /// a recorded session gives the same forces to the last bit.
 ///
 /// Publish, Reclaim, Command: one publishing thread. Tick: the servo thread. Latest: one reading
-/// thread. PopRecorded: one recording thread. Rearm, SwitchOff, RunDrill: any. Resume: while no
-/// thread ticks.
+/// thread. PopRecorded: one recording thread. Rearm, SwitchOff, RunDrill, LiftPedals: any. Resume:
+/// while no thread ticks.
 class Servo
 {
 public:
@@ -63,6 +63,13 @@ public:
   /// up. The device's PedalButtons are a second one, read in the tick itself; one that is down at
   /// the first tick or during a fault counts only once it was released.
   void RunDrill(bool runs) noexcept { this->Pedal.store(runs, std::memory_order_release); }
+  /// Takes up both pedals: one that is held has to be pressed again. Before a Publish, nothing of
+  /// that scene is cut by a pedal that was held already.
+  void LiftPedals() noexcept
+  {
+    this->Pedal.store(false, std::memory_order_release);
+    this->LiftWanted.store(true, std::memory_order_release);
+  }
   /// For who edits what is drilled (TouchDrill::Link); each of the next ticks takes one. False
   /// where so many wait that this one is lost.
   bool Command(DrillCommand command) noexcept { return this->Commands.Push(command); }
@@ -103,6 +110,7 @@ private:
   bool TakeOverScene() noexcept;
   DrillCommand TakeCommand(bool endsStroke) noexcept;
   bool IsPedalDown(const TickObservation& now) noexcept;
+  void ReleaseButton() noexcept;
   void ReleasePedal() noexcept;
   void OrderCuts() noexcept;
   TickObservation Observe(const TickInfo& tick) noexcept;
@@ -135,6 +143,7 @@ private:
   int TicksSinceModel = 0;
   std::atomic<bool> RearmWanted{false}; // any thread's
   std::atomic<bool> OffWanted{false};   // any thread's
+  std::atomic<bool> LiftWanted{false};  // any thread's, of the button
   std::atomic<bool> Pedal{false};       // any thread's
   int Level = 0;                        // of this tick
   bool IsDrilling = false;              // in this tick

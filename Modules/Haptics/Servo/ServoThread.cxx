@@ -1,5 +1,7 @@
 #include "ServoThread.h"
 
+#include "EmergencyStop.h"
+
 #include <cmath>
 
 namespace palpate
@@ -49,6 +51,10 @@ void ServoThread::Stop()
 
 bool ServoThread::Tick(const TickInfo& tick) noexcept
 {
+  if (EmergencyStop::IsOrdered())
+  {
+    this->Touch.SwitchOff();
+  }
   this->Touch.Tick(tick, this->Budget.Level());
   if (tick.Number > 0)
   {

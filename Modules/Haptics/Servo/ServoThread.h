@@ -17,7 +17,8 @@ struct ServoStatistics
   PeriodStatistics Durations; ///< from a tick's start to its end; misses are late ticks
 };
 
-/// Runs a servo at its rate on a thread of its own, with stand-ins while ticks take too long.
+/// Runs a servo at its rate on a thread of its own, with stand-ins while ticks take too long, and
+/// without forces while an EmergencyStop is ordered.
 /// Start, Stop and the destructor are for the thread that owns it.
 class ServoThread
 {

@@ -255,6 +255,40 @@ TEST(ServoDrill, AButtonThatIsHeldAtTheStartOrThroughAFaultHasToBeReleasedFirst)
   EXPECT_TRUE(run.Loop.Latest().IsDrilling);
 }
 
+TEST(ServoDrill, PedalsThatAreLiftedHaveToBePressedAgain)
+{
+  DrilledBlock block;
+  test::ServoRun run(block.Scene(), WithButton());
+  Press(run);
+  run.Device.Next.Buttons = Button;
+  run.Loop.RunDrill(true);
+  run.TickAt(Pressed);
+  ASSERT_TRUE(run.Loop.Latest().IsDrilling);
+  run.Loop.LiftPedals();
+  for (int n = 0; n < 10; ++n)
+  {
+    run.TickAt(Pressed);
+    ASSERT_FALSE(run.Loop.Latest().IsDrilling) << n;
+  }
+  run.Device.Next.Buttons = 0;
+  run.TickAt(Pressed);
+  run.Device.Next.Buttons = Button;
+  run.TickAt(Pressed);
+  EXPECT_TRUE(run.Loop.Latest().IsDrilling);
+}
+
+// Both within a tick.
+TEST(ServoDrill, APedalThatIsPressedAfterTheLiftDrills)
+{
+  DrilledBlock block;
+  test::ServoRun run(block.Scene());
+  Press(run);
+  run.Loop.LiftPedals();
+  run.Loop.RunDrill(true);
+  run.TickAt(Pressed);
+  EXPECT_TRUE(run.Loop.Latest().IsDrilling);
+}
+
 TEST(ServoDrill, WithoutPedalButtonsNoButtonDrills)
 {
   DrilledBlock block;

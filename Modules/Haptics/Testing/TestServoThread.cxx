@@ -1,5 +1,6 @@
 #include "ServoThread.h"
 
+#include "EmergencyStop.h"
 #include "ManualClock.h"
 #include "SlowModel.h"
 #include "TimedDevice.h"
@@ -158,6 +159,29 @@ TEST(ServoThread, APauseMendsNoFaultAndReleasesThePedal)
     ASSERT_EQ(tick.Safety.Fault, SafetyFault::SwitchedOff);
     ASSERT_FALSE(tick.IsDrilling);
   }
+}
+
+TEST(ServoThread, AnEmergencyStopSwitchesForcesOffAndNobodyOnAgain)
+{
+  ManualClock clock;
+  TimedDevice device(clock);
+  ServoThread servo(device, clock, ServoSettings());
+  EmergencyStop::Order();
+  const std::vector<TouchState> first = FirstTicks(servo);
+  servo.Loop().Rearm();
+  const std::vector<TouchState> rearmed = FirstTicks(servo);
+  EmergencyStop::Forget();
+  const std::vector<TouchState> later = FirstTicks(servo);
+  EXPECT_TRUE(rearmed[0].WasRearmed);
+  for (const auto& ticks : {first, rearmed, later})
+  {
+    for (const TouchState& tick : ticks)
+    {
+      ASSERT_EQ(tick.Safety.Fault, SafetyFault::SwitchedOff) << tick.Tick.Number;
+    }
+  }
+  servo.Loop().Rearm();
+  EXPECT_EQ(FirstTicks(servo)[0].Safety.Fault, SafetyFault::None);
 }
 
 TEST(ServoThread, RefusesARateThatIsNone)

@@ -177,7 +177,7 @@ void StudyTouch::HoldDrill()
     held->Structures[s].Drill = {};
     this->Felt.Structures[s].Drill = {};
   }
-  this->RunDrill(false);
+  this->Thread->Loop().LiftPedals();
   this->Scene = std::move(held);
   // The scene was felt before: it is not refused.
   static_cast<void>(this->Send(this->Scene, SceneEntry::Continuing));
@@ -192,9 +192,10 @@ Status StudyTouch::PublishAll(const StudyState& state, const std::vector<StudyCo
     const bool wasHeld = !this->Drilled.Hold().empty();
     this->Drilled.Follow(state, touchable, this->Forbidden);
     this->Drilled.PutInto(*scene);
-    if (wasHeld != !this->Drilled.Hold().empty())
+    if (this->IsRunning() && wasHeld != !this->Drilled.Hold().empty())
     {
-      this->RunDrill(false); // a pedal that was held meanwhile must not begin to cut by itself
+      // A pedal that was held meanwhile must not begin to cut by itself.
+      this->Thread->Loop().LiftPedals();
     }
     Feelable next;
     next.Tool = state.Tool;

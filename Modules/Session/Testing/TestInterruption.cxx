@@ -1,13 +1,17 @@
 #include "Interruption.h"
 
+#include "EmergencyStop.h"
 #include "EndBeforeExit.h"
 
 #include <array>
+#include <cerrno>
 #include <csignal>
 #include <cstdlib>
+#include <fcntl.h>
 #include <gtest/gtest.h>
 #include <memory>
 #include <sys/wait.h>
+#include <termios.h>
 #include <unistd.h>
 
 namespace palpate
@@ -33,6 +37,23 @@ TEST(Interruption, TheFirstSignalCounts)
   std::raise(SIGTERM);
   std::raise(SIGINT);
   EXPECT_EQ(Interruption::ExitCode(), 143);
+}
+
+TEST(Interruption, FromTheSecondRequestOnThereAreNoForces)
+{
+  {
+    const Interruption interruption;
+    std::raise(SIGPIPE);
+    std::raise(SIGTERM);
+    EXPECT_FALSE(EmergencyStop::IsOrdered());
+    std::raise(SIGINT);
+    EXPECT_TRUE(EmergencyStop::IsOrdered());
+    const Interruption another;
+    EXPECT_FALSE(EmergencyStop::IsOrdered());
+    std::raise(SIGTERM);
+    std::raise(SIGHUP);
+  }
+  EXPECT_FALSE(EmergencyStop::IsOrdered());
 }
 
 TEST(Interruption, WritingToAPipeThatNobodyReadsAsksHoweverOften)
@@ -63,13 +84,13 @@ TEST(InterruptionDeathTest, TheThirdSignalEndsTheProgram)
       testing::ExitedWithCode(130), "still here");
 }
 
-TEST(InterruptionDeathTest, NoNumberOfSignalsEndsItWhileADevicePushes)
+TEST(InterruptionDeathTest, FourSignalsDoNotEndItWhileADevicePushes)
 {
   EXPECT_EXIT(
       {
         const Interruption interruption;
         const EndBeforeExit end([] { std::fputs("0 N", stderr); });
-        for (int n = 0; n < 10; ++n)
+        for (int n = 0; n < 4; ++n)
         {
           std::raise(SIGINT);
         }
@@ -78,7 +99,28 @@ TEST(InterruptionDeathTest, NoNumberOfSignalsEndsItWhileADevicePushes)
       testing::ExitedWithCode(130), "0 N");
 }
 
-TEST(Interruption, CtrlZStopsTheProgramUnlessADevicePushes)
+// Where the thread that would end it hangs.
+TEST(InterruptionDeathTest, TheFifthSignalEndsItEvenWhileADevicePushes)
+{
+  EXPECT_EXIT(
+      {
+        const Interruption interruption;
+        const EndBeforeExit end([] { std::fputs("0 N", stderr); });
+        for (int n = 0; n < 5; ++n)
+        {
+          std::fprintf(stderr, "%d", n);
+          std::raise(n == 4 ? SIGTERM : SIGINT);
+        }
+        std::exit(Interruption::ExitCode());
+      },
+      testing::ExitedWithCode(143), "^01234$");
+}
+
+class InterruptionByTerminal : public testing::TestWithParam<int>
+{
+};
+
+TEST_P(InterruptionByTerminal, StopsTheProgramUnlessADevicePushes)
 {
   for (const bool pushes : {false, true})
   {
@@ -87,7 +129,7 @@ TEST(Interruption, CtrlZStopsTheProgramUnlessADevicePushes)
     {
       const Interruption interruption;
       const auto end = pushes ? std::make_unique<EndBeforeExit>([] {}) : nullptr;
-      std::raise(SIGTSTP);
+      std::raise(GetParam());
       _exit(7);
     }
     int status = 0;
@@ -100,6 +142,62 @@ TEST(Interruption, CtrlZStopsTheProgramUnlessADevicePushes)
     }
     EXPECT_EQ(WEXITSTATUS(status), 7);
   }
+}
+
+INSTANTIATE_TEST_SUITE_P(All, InterruptionByTerminal, testing::Values(SIGTSTP, SIGTTIN, SIGTTOU),
+                         [](const auto& chosen)
+                         { return std::string("Signal") + std::to_string(chosen.param); });
+
+// What a program returns that runs in the background of a terminal where it may not write, while a
+// device pushes.
+template <typename Program>
+int InBackground(const Program& runs)
+{
+  const int master = posix_openpt(O_RDWR | O_NOCTTY);
+  EXPECT_EQ(grantpt(master), 0);
+  EXPECT_EQ(unlockpt(master), 0);
+  const pid_t shell = fork();
+  if (shell == 0)
+  {
+    setsid();
+    const int terminal = open(ptsname(master), O_RDWR); // from now on its own
+    termios settings = {};
+    tcgetattr(terminal, &settings);
+    settings.c_lflag |= TOSTOP;
+    tcsetattr(terminal, TCSANOW, &settings);
+    const pid_t job = fork();
+    if (job == 0)
+    {
+      setpgid(0, 0);
+      alarm(60); // nobody else ends one that tries for ever
+      const Interruption interruption;
+      const EndBeforeExit end([] {});
+      _exit(runs(terminal));
+    }
+    int status = 0;
+    waitpid(job, &status, 0);
+    _exit(WIFEXITED(status) ? WEXITSTATUS(status) : 1);
+  }
+  int status = 0;
+  EXPECT_EQ(waitpid(shell, &status, 0), shell);
+  close(master);
+  return WEXITSTATUS(status);
+}
+
+TEST(Interruption, WhatIsWrittenInTheBackgroundIsWrittenWhileADevicePushes)
+{
+  EXPECT_EQ(InBackground([](int terminal) { return write(terminal, "x", 1) == 1 ? 7 : 1; }), 7);
+}
+
+TEST(Interruption, ReadingInTheBackgroundFailsWhileADevicePushes)
+{
+  EXPECT_EQ(InBackground(
+                [](int terminal)
+                {
+                  char letter = 0;
+                  return read(terminal, &letter, 1) == -1 && errno == EIO ? 7 : 1;
+                }),
+            7);
 }
 
 TEST(InterruptionDeathTest, AfterItSignalsDoWhatTheyDidBefore)

@@ -4,6 +4,7 @@
 #include "DrillState.h"
 #include "ForbiddenPhantom.h"
 #include "ManualClock.h"
+#include "PlacedDevice.h"
 #include "RandomShapes.h"
 #include "Study.h"
 #include "StudyFiles.h"
@@ -80,6 +81,11 @@ protected:
     this->PlaceOutside();
     this->Open.Touch().MoveHand(Vector3(x, 0.0, 0.0));
     this->Open.Touch().RunDrill(true);
+    return this->Pass(seconds);
+  }
+  // What is read after that much of the servo's time (s).
+  const StudyTouchReading& Pass(double seconds)
+  {
     const std::int64_t end = this->Time.Now() + static_cast<std::int64_t>(1e9 * seconds);
     return this->WaitUntil([&](const StudyTouchReading& now)
                            { return now.Newest.Tick.Started > end; });
@@ -149,6 +155,38 @@ TEST_F(StudyForbiddenTest, NothingIsCutBeforeTheProtectionIsReady)
                    .Newest.IsDrilling);
   EXPECT_EQ(this->Removed(), 0.0);
   this->Open.Touch().RunDrill(true);
+  this->WaitUntil([this](const StudyTouchReading&) { return this->Removed() > 1.0; });
+}
+
+TEST_F(StudyForbiddenTest, AButtonThatWasHeldMeanwhileDoesNotBeginToCutByItself)
+{
+  constexpr unsigned Button = 1U << StudyTouch::DrillButton;
+  this->Change(ForbiddenPhantom::Drilled(this->Open.State()));
+  this->Settle();
+  auto owned = std::make_unique<test::PlacedDevice>(this->Time);
+  test::PlacedDevice* device = owned.get();
+  const StudyState& state = this->Open.State();
+  ASSERT_TRUE(this->Open.Touch()
+                  .Start(std::move(owned), state, ContactsOf(state, this->Open.Pipeline()))
+                  .IsOk());
+  // What the worker makes of it comes with Settle alone.
+  this->Change(ForbiddenPhantom::Forbidden(this->Open.State()));
+  ASSERT_NE(this->Hold(), "");
+  const Vector3 pressed = this->Open.Touch().Frame().ToDevice({6.0, 0.0, 0.0});
+  for (double way = 0.0; way < 1.0; way += 0.01)
+  {
+    device->Put(way * pressed, 0);
+    this->Pass(0.001);
+  }
+  device->Put(pressed, Button);
+  this->WaitUntil([](const StudyTouchReading& now) { return now.Newest.IsDrilling; });
+  this->Settle();
+  ASSERT_EQ(this->Hold(), "");
+  this->Pass(1.0);
+  EXPECT_EQ(this->Removed(), 0.0);
+  device->Put(pressed, 0);
+  this->Pass(0.01);
+  device->Put(pressed, Button);
   this->WaitUntil([this](const StudyTouchReading&) { return this->Removed() > 1.0; });
 }
 

@@ -1,5 +1,6 @@
 #include "StudyTouch.h"
 
+#include "Interruption.h"
 #include "ManualClock.h"
 #include "OpenBuiltInDevice.h"
 #include "PacedClock.h"
@@ -10,6 +11,8 @@
 #include "StudyPhantoms.h"
 #include "TouchReplay.h"
 
+#include <cstdio>
+#include <cstdlib>
 #include <gtest/gtest.h>
 #include <thread>
 
@@ -213,6 +216,59 @@ TEST_F(StudyTouchTest, ForcesThatAreSwitchedOffStayOffUntilTheyAreSwitchedOn)
   this->Touch.SwitchForcesOn();
   this->Press(4.0);
   EXPECT_GT(this->AtRest().Newest.ForceWorld.X, 0.5);
+}
+
+// Nobody looks after the touch meanwhile, as where a window hangs.
+TEST_F(StudyTouchTest, TheSecondRequestToEndTakesTheForceAway)
+{
+  const Interruption interruption;
+  auto owned = std::make_unique<test::PlacedDevice>(this->Time);
+  test::PlacedDevice* device = owned.get();
+  device->Put({Radius - 2.0, 0.0, 0.0}, 0);
+  this->State.Placement.Scale = 1.0;
+  ASSERT_TRUE(this->Touch.Start(std::move(owned), this->State, this->Contacts).IsOk());
+  this->AtRest();
+  std::raise(SIGTERM);
+  this->AtRest();
+  ASSERT_NEAR(device->Force(), 1.0, 1e-9);
+  std::raise(SIGTERM);
+  const std::int64_t end = this->Time.Now() + 1'000'000'000;
+  while (this->Time.Now() < end)
+  {
+    std::this_thread::yield();
+  }
+  EXPECT_EQ(device->Force(), 0.0);
+  EXPECT_EQ(this->AtRest().Newest.Safety.Fault, SafetyFault::SwitchedOff);
+}
+
+// Says what it was given last before it is closed.
+class SayingDevice final : public test::PlacedDevice
+{
+public:
+  using PlacedDevice::PlacedDevice;
+  void Close() noexcept override
+  {
+    std::fprintf(stderr, "closed with %g N", this->Force());
+    PlacedDevice::Close();
+  }
+};
+
+using StudyTouchDeathTest = StudyTouchTest;
+
+// As an X library does whose server has gone.
+TEST_F(StudyTouchDeathTest, WhoeverEndsTheProgramTheDeviceIsClosedWithoutForce)
+{
+  EXPECT_EXIT(
+      {
+        auto device = std::make_unique<SayingDevice>(this->Time);
+        device->Put({Radius - 2.0, 0.0, 0.0}, 0);
+        this->State.Placement.Scale = 1.0;
+        static_cast<void>(this->Touch.Start(std::move(device), this->State, this->Contacts));
+        const Vector3 force = this->AtRest().Newest.ForceDevice;
+        std::fprintf(stderr, "pushed with %g N, ", force.norm());
+        std::exit(3);
+      },
+      testing::ExitedWithCode(3), "^pushed with 1 N, closed with 0 N$");
 }
 
 TEST_F(StudyTouchTest, AStructureThatIsNoLongerTouchableLetsTheHandIn)

@@ -7,7 +7,10 @@
 #include <QComboBox>
 #include <QLabel>
 
+#include <chrono>
 #include <cmath>
+#include <stdexcept>
+#include <string>
 
 namespace palpate
 {
@@ -83,16 +86,22 @@ protected:
         });
   }
   // Allows forces again as a person would, where the machine or the virtual bus were late, which
-  // in real time they may be; nothing else may go wrong.
+  // in real time they may be; nothing else may go wrong. Throws where it never becomes true.
   void FeelDespiteDelaysUntil(const std::function<bool()>& isTrue)
   {
+    const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(100);
     WaitUntil(
         [&]
         {
           const SafetyFault fault = this->Study->Reading().Newest.Safety.Fault;
-          if (fault == SafetyFault::StalledTick || fault == SafetyFault::StaleSample)
+          if (fault == SafetyFault::StalledTick || fault == SafetyFault::StaleSample ||
+              fault == SafetyFault::UntakenForce)
           {
             this->Study->SwitchForcesOn();
+          }
+          if (std::chrono::steady_clock::now() > end)
+          {
+            throw std::runtime_error(std::string("Not felt in time: ") + Describe(fault));
           }
           return isTrue();
         });

@@ -4,11 +4,17 @@
 
 #include "vtkRenderWindow.h"
 
+#include <QComboBox>
+#include <QDoubleSpinBox>
 #include <QDropEvent>
 #include <QKeyEvent>
+#include <QLineEdit>
 #include <QMimeData>
+#include <QPlainTextEdit>
 #include <QSlider>
 #include <QTableWidget>
+#include <QTextEdit>
+#include <QWindow>
 
 #include <cmath>
 
@@ -61,6 +67,31 @@ protected:
         });
   }
 
+  // As the window system does: to the window, which passes it on to the widget with the focus.
+  void SendKey(QEvent::Type type, Qt::Key key, const QString& text)
+  {
+    QKeyEvent event(type, key, Qt::NoModifier, text);
+    QApplication::sendEvent(this->Window->windowHandle(), &event);
+  }
+  // Whether D is the drill's pedal while a widget has the focus.
+  bool IsPedalWith(QWidget* focused)
+  {
+    focused->show();
+    focused->setFocus();
+    EXPECT_EQ(this->Window->focusWidget(), focused);
+    this->SendKey(QEvent::KeyPress, Qt::Key_D, "d");
+    const bool isDown = this->AfterSomeTicks().IsDrilling;
+    this->SendKey(QEvent::KeyRelease, Qt::Key_D, "d");
+    EXPECT_FALSE(this->AfterSomeTicks().IsDrilling);
+    return isDown;
+  }
+  const TouchState& AfterSomeTicks()
+  {
+    const std::uint64_t now = this->Study->Reading().Newest.Tick.Number;
+    this->FeelUntil([&] { return this->Study->Reading().Newest.Tick.Number > now + 50; });
+    return this->Study->Reading().Newest;
+  }
+
   const Vector3 BallMiddle{-15.0, 0.0, 0.0};
 };
 
@@ -87,6 +118,24 @@ TEST_F(TouchLinkTest, EscapeStopsAllForceAndOneAllowsItAgain)
   EXPECT_EQ(Norm(this->Study->Reading().Newest.ForceDevice), 0.0);
   this->Button("allow-force")->click();
   this->FeelUntil([this] { return Norm(this->Study->Reading().Newest.ForceDevice) > 0.05; });
+}
+
+TEST_F(TouchLinkTest, TheKeyDIsTheDrillsPedalWhereNoTextIsTyped)
+{
+  this->StartTouch();
+  this->Window->activateWindow();
+  WaitUntil([this] { return this->Window->isActiveWindow(); });
+  EXPECT_TRUE(this->IsPedalWith(this->Window->Views()->Space()->Canvas()));
+  auto* line = new QLineEdit(this->Window.get());
+  EXPECT_FALSE(this->IsPedalWith(line));
+  EXPECT_EQ(line->text(), "d");
+  EXPECT_FALSE(this->IsPedalWith(new QDoubleSpinBox(this->Window.get())));
+  EXPECT_FALSE(this->IsPedalWith(new QTextEdit(this->Window.get())));
+  EXPECT_FALSE(this->IsPedalWith(new QPlainTextEdit(this->Window.get())));
+  auto* choice = new QComboBox(this->Window.get());
+  EXPECT_TRUE(this->IsPedalWith(choice));
+  choice->setEditable(true);
+  EXPECT_FALSE(this->IsPedalWith(choice));
 }
 
 TEST_F(TouchLinkTest, WithAModifierTheMouseMovesTheCameraAndNotTheHand)
