@@ -28,9 +28,7 @@ ImageFile::ImageFile(const std::filesystem::path& file, FileKind kind) : File(fi
     this->OpenNrrd();
     return;
   }
-  this->HeaderNotes = CheckMetaImageHeader(file);
-  this->OpenReader();
-  CheckGrid(file, this->FileGrid);
+  this->OpenMetaImage();
 }
 
 ImageFile::~ImageFile() = default;
@@ -56,6 +54,23 @@ void ImageFile::OpenNrrd()
   space.PlaceGrid(this->FileGrid);
   CheckGrid(this->File, this->FileGrid);
   this->HeaderNotes = space.Notes();
+}
+
+void ImageFile::OpenMetaImage()
+{
+  const MetaImageFacts facts = CheckMetaImageHeader(this->File);
+  this->OpenReader();
+  // What was checked must be what is read.
+  const bool isSame =
+      std::equal(facts.Size.begin(), facts.Size.end(), this->FileGrid.Size.begin()) &&
+      this->Components() == 1 &&
+      vtkDataArray::GetDataTypeSize(this->ScalarType()) == facts.VoxelBytes;
+  if (!isSame)
+  {
+    Refuse(this->File, "has a header that can be read in two ways", "copy or export it again");
+  }
+  CheckGrid(this->File, this->FileGrid);
+  this->HeaderNotes = facts.Notes;
 }
 
 void ImageFile::OpenReader()

@@ -51,6 +51,7 @@ public:
 private:
   void OpenNifti();
   void OpenNrrd();
+  void OpenMetaImage();
   void OpenReader();
   void CheckHeader() const;
   void TakeGrid();

@@ -13,6 +13,9 @@ namespace palpate
 {
 namespace
 {
+// Of all structures whose runs are collected in one pass, some 100 MB. A larger one comes alone.
+constexpr std::size_t MostRunsTogether = std::size_t{1} << 22;
+
 // A layer's voxels behind one interface for the three types that layers have.
 template <typename T>
 struct LayerView
@@ -46,9 +49,9 @@ void Extend(LabelStatistics& statistics, int first, int end, int y, int z)
   statistics.Voxels += end - first;
 }
 
-// Voxel counts and boxes of the segments in a layer, by their values.
-template <typename T>
-void FindBoxes(const LayerView<T>& view, const std::map<int, LabelStatistics*>& byValue)
+// The runs of equal values other than 0, row by row.
+template <typename T, typename Visit>
+void ForEachRun(const LayerView<T>& view, const Visit& visit)
 {
   for (int z = 0; z < view.Size[2]; ++z)
   {
@@ -62,48 +65,14 @@ void FindBoxes(const LayerView<T>& view, const std::map<int, LabelStatistics*>& 
         {
           ++end;
         }
-        const auto segment =
-            row[first] == 0 ? byValue.end() : byValue.find(static_cast<int>(row[first]));
-        if (segment != byValue.end())
+        if (row[first] != 0)
         {
-          Extend(*segment->second, first, end, y, z);
+          visit(static_cast<int>(row[first]), RowRun{first, end}, y, z);
         }
         first = end;
       }
     }
   }
-}
-
-// The runs inside the box of the voxels that have the value, or of those that have not.
-template <typename T>
-RunSet CollectRuns(const LayerView<T>& view, const std::array<int, 6>& box, int value, bool inside)
-{
-  RunSet set;
-  set.RowsPerSlice = box[3] - box[2] + 1;
-  set.Slices = box[5] - box[4] + 1;
-  set.RowStarts.push_back(0);
-  for (int z = box[4]; z <= box[5]; ++z)
-  {
-    for (int y = box[2]; y <= box[3]; ++y)
-    {
-      const T* row = view.Row(y, z);
-      for (int x = box[0]; x <= box[1];)
-      {
-        const int first = x;
-        const bool isInside = static_cast<int>(row[x]) == value;
-        while (x <= box[1] && (static_cast<int>(row[x]) == value) == isInside)
-        {
-          ++x;
-        }
-        if (isInside == inside)
-        {
-          set.Runs.push_back({first, x});
-        }
-      }
-      set.RowStarts.push_back(set.Runs.size());
-    }
-  }
-  return set;
 }
 
 std::vector<vtkIdType> ComponentSizes(const RunSet& set, const std::vector<int>& components)
@@ -113,28 +82,61 @@ std::vector<vtkIdType> ComponentSizes(const RunSet& set, const std::vector<int>&
   {
     const auto component = static_cast<std::size_t>(components[run]);
     sizes.resize(std::max(sizes.size(), component + 1), 0);
-    sizes[component] += set.Runs[run].End - set.Runs[run].First;
+    sizes[component] += set.Runs()[run].End - set.Runs()[run].First;
   }
   return sizes;
 }
 
-// Components of the voxels that are not the structure's and reach no face of its box: from a face
-// of the box the way out is free.
-std::vector<vtkIdType> CavitySizes(const RunSet& set, const std::array<int, 6>& box)
+// What lies between the runs of each row. Outside of a row's first and last run the way out of the
+// image is free of the structure.
+RunSet GapsOf(const RunSet& set)
 {
-  const std::vector<int> components = LabelRunComponents(set, Neighborhood::FacesEdgesCorners);
-  std::vector<vtkIdType> sizes = ComponentSizes(set, components);
-  const std::size_t rows = set.RowStarts.size() - 1;
-  for (std::size_t row = 0; row < rows; ++row)
+  RunSet gaps;
+  for (std::size_t row = 0; row < set.Rows().size(); ++row)
   {
-    const auto y = static_cast<int>(row) % set.RowsPerSlice;
-    const auto z = static_cast<int>(row) / set.RowsPerSlice;
-    const bool outerRow = y == 0 || y == set.RowsPerSlice - 1 || z == 0 || z == set.Slices - 1;
-    for (std::size_t run = set.RowStarts[row]; run < set.RowStarts[row + 1]; ++run)
+    for (std::size_t run = set.Rows()[row].Start + 1; run < set.RowEnd(row); ++run)
     {
-      if (outerRow || set.Runs[run].First == box[0] || set.Runs[run].End == box[1] + 1)
+      gaps.Add({set.Runs()[run - 1].End, set.Runs()[run].First}, set.Rows()[row].Y,
+               set.Rows()[row].Z);
+    }
+  }
+  return gaps;
+}
+
+// Sets the sizes of components of gaps to zero that meet what is outside of the row that lies so
+// far from theirs.
+void RemoveOpen(const RunSet& set, const RunSet& gaps, const std::vector<int>& components, int dy,
+                int dz, std::vector<vtkIdType>& sizes)
+{
+  RowCursor cursor(set);
+  for (std::size_t row = 0; row < gaps.Rows().size(); ++row)
+  {
+    const std::size_t other = cursor.Find(gaps.Rows()[row].Y + dy, gaps.Rows()[row].Z + dz);
+    const bool isFree = other == set.Rows().size();
+    for (std::size_t gap = gaps.Rows()[row].Start; gap < gaps.RowEnd(row); ++gap)
+    {
+      if (isFree || gaps.Runs()[gap].First <= set.Runs()[set.Rows()[other].Start].First ||
+          gaps.Runs()[gap].End >= set.Runs()[set.RowEnd(other) - 1].End)
       {
-        sizes[static_cast<std::size_t>(components[run])] = 0;
+        sizes[static_cast<std::size_t>(components[gap])] = 0;
+      }
+    }
+  }
+}
+
+// Components of the voxels that are not the structure's and from which there is no way out.
+std::vector<vtkIdType> CavitySizes(const RunSet& set)
+{
+  const RunSet gaps = GapsOf(set);
+  const std::vector<int> components = LabelRunComponents(gaps, Neighborhood::FacesEdgesCorners);
+  std::vector<vtkIdType> sizes = ComponentSizes(gaps, components);
+  for (int dz = -1; dz <= 1; ++dz)
+  {
+    for (int dy = -1; dy <= 1; ++dy)
+    {
+      if (dy != 0 || dz != 0)
+      {
+        RemoveOpen(set, gaps, components, dy, dz, sizes);
       }
     }
   }
@@ -142,41 +144,99 @@ std::vector<vtkIdType> CavitySizes(const RunSet& set, const std::array<int, 6>& 
   return sizes;
 }
 
-template <typename T>
-void MeasureInBox(const LayerView<T>& view, int value, LabelStatistics& statistics)
+void MeasureRuns(const RunSet& set, const std::array<int, 3>& size, LabelStatistics& statistics)
 {
-  const auto& box = statistics.BoundsIndex;
   for (std::size_t face = 0; face < 6; ++face)
   {
-    const int end = face % 2 == 0 ? 0 : view.Size[face / 2] - 1;
-    statistics.TouchesFace[face] = box[face] == end;
+    const int end = face % 2 == 0 ? 0 : size[face / 2] - 1;
+    statistics.TouchesFace[face] = statistics.BoundsIndex[face] == end;
   }
-  const RunSet inside = CollectRuns(view, box, value, true);
-  statistics.ComponentVoxels =
-      ComponentSizes(inside, LabelRunComponents(inside, Neighborhood::Faces));
-  statistics.CavityVoxels = CavitySizes(CollectRuns(view, box, value, false), box);
+  statistics.ComponentVoxels = ComponentSizes(set, LabelRunComponents(set, Neighborhood::Faces));
+  statistics.CavityVoxels = CavitySizes(set);
   std::sort(statistics.ComponentVoxels.begin(), statistics.ComponentVoxels.end(), std::greater<>());
   std::sort(statistics.CavityVoxels.begin(), statistics.CavityVoxels.end(), std::greater<>());
 }
 
+struct Structure
+{
+  LabelStatistics* Statistics = nullptr;
+  std::size_t RunCount = 0;
+  bool IsCollected = false;
+  RunSet Runs;
+};
+
+using Structures = std::map<int, Structure>;
+
+// Voxel counts, boxes and numbers of runs.
 template <typename T>
-void MeasureLayer(vtkImageData* layer, const std::map<int, LabelStatistics*>& byValue)
+void CountRuns(const LayerView<T>& view, Structures& structures)
+{
+  ForEachRun(view,
+             [&](int value, const RowRun& run, int y, int z)
+             {
+               const auto found = structures.find(value);
+               if (found != structures.end())
+               {
+                 Extend(*found->second.Statistics, run.First, run.End, y, z);
+                 ++found->second.RunCount;
+               }
+             });
+}
+
+template <typename T>
+void CollectRuns(const LayerView<T>& view, Structures& structures)
+{
+  ForEachRun(view,
+             [&](int value, const RowRun& run, int y, int z)
+             {
+               const auto found = structures.find(value);
+               if (found != structures.end() && found->second.IsCollected)
+               {
+                 found->second.Runs.Add(run, y, z);
+               }
+             });
+}
+
+// Takes structures from `next` on while their runs are few enough to keep together. Returns the
+// first that is not taken.
+Structures::iterator TakeTogether(Structures& structures, Structures::iterator next)
+{
+  std::size_t runs = 0;
+  do
+  {
+    runs += next->second.RunCount;
+    next->second.IsCollected = true;
+    ++next;
+  } while (next != structures.end() && runs + next->second.RunCount <= MostRunsTogether);
+  return next;
+}
+
+template <typename T>
+void MeasureLayer(vtkImageData* layer, Structures& structures)
 {
   const LayerView<T> view(layer);
-  FindBoxes(view, byValue);
+  CountRuns(view, structures);
   const double* spacing = layer->GetSpacing();
   const double voxelMilliliters = spacing[0] * spacing[1] * spacing[2] / 1000.0;
-  for (const auto& [value, statistics] : byValue)
+  for (auto next = structures.begin(); next != structures.end();)
   {
-    if (statistics->Voxels == 0)
+    const auto first = next;
+    next = TakeTogether(structures, next);
+    CollectRuns(view, structures);
+    for (auto each = first; each != next; ++each)
     {
-      continue;
-    }
-    MeasureInBox(view, value, *statistics);
-    statistics->Milliliters = voxelMilliliters * static_cast<double>(statistics->Voxels);
-    for (const vtkIdType voxels : statistics->CavityVoxels)
-    {
-      statistics->CavityMilliliters += voxelMilliliters * static_cast<double>(voxels);
+      auto& [statistics, runCount, isCollected, runs] = each->second;
+      if (runCount > 0)
+      {
+        MeasureRuns(runs, view.Size, *statistics);
+      }
+      statistics->Milliliters = voxelMilliliters * static_cast<double>(statistics->Voxels);
+      for (const vtkIdType voxels : statistics->CavityVoxels)
+      {
+        statistics->CavityMilliliters += voxelMilliliters * static_cast<double>(voxels);
+      }
+      runs = {};
+      isCollected = false;
     }
   }
 }
@@ -204,25 +264,25 @@ std::vector<LabelStatistics> MeasureLabels(const Segmentation& segmentation)
   std::vector<LabelStatistics> all(segmentation.Segments.size());
   for (std::size_t layer = 0; layer < segmentation.Layers.size(); ++layer)
   {
-    std::map<int, LabelStatistics*> byValue;
+    Structures structures;
     for (std::size_t i = 0; i < all.size(); ++i)
     {
       if (segmentation.Segments[i].Layer == static_cast<int>(layer))
       {
-        byValue.emplace(segmentation.Segments[i].Value, &all[i]);
+        structures.emplace(segmentation.Segments[i].Value, Structure{&all[i], 0, false, {}});
       }
     }
     vtkImageData* image = segmentation.Layers[layer];
     switch (image->GetScalarType())
     {
     case VTK_UNSIGNED_CHAR:
-      MeasureLayer<unsigned char>(image, byValue);
+      MeasureLayer<unsigned char>(image, structures);
       break;
     case VTK_UNSIGNED_SHORT:
-      MeasureLayer<unsigned short>(image, byValue);
+      MeasureLayer<unsigned short>(image, structures);
       break;
     default:
-      MeasureLayer<int>(image, byValue);
+      MeasureLayer<int>(image, structures);
     }
   }
   return all;

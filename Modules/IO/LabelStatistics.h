@@ -32,7 +32,8 @@ struct LabelStatistics
   PALPATEIO_EXPORT std::string FacesText() const;
 };
 
-/// The statistics of every segment, in the order of `segmentation.Segments`. One pass over each
-/// layer finds the structures' boxes; the rest works inside those.
+/// The statistics of every segment, in the order of `segmentation.Segments`. A pass over each layer
+/// counts, one more for every four million runs of voxels collects these, and the rest works on
+/// them, so that time does not grow with the number of structures.
 PALPATEIO_EXPORT std::vector<LabelStatistics> MeasureLabels(const Segmentation& segmentation);
 } // namespace palpate

@@ -1,16 +1,16 @@
 #include "MetaImageHeader.h"
 
 #include "CNumericLocale.h"
-#include "ForeignFile.h"
+#include "MetaImageFields.h"
 #include "Refusal.h"
 #include "ZlibCheck.h"
 
-#include <array>
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <fstream>
+#include <limits>
 #include <map>
-#include <sstream>
 #include <string>
 #include <vector>
 
@@ -18,77 +18,27 @@ namespace palpate
 {
 namespace
 {
-// No line of a real header is longer; a binary file has no line ends.
-constexpr std::size_t LongestLine = 4096;
-// The library copies keys into 255 bytes; those of the format have some twenty letters.
-constexpr std::size_t LongestKey = 100;
-// So it does with words; numbers it parses.
-constexpr std::size_t LongestWord = 254;
-
-struct Header
+// What the library reads of the data.
+struct ElementType
 {
-  std::map<std::string, std::string> Entries;
-  double Bytes = 0.0; // where the data of a LOCAL file start
+  double Bytes;
+  double Lowest;
+  double Highest;
 };
 
-std::string Trimmed(const std::string& text)
+template <typename T>
+constexpr ElementType ElementTypeOf()
 {
-  const auto first = text.find_first_not_of(" \t\r");
-  return first == std::string::npos
-             ? std::string()
-             : text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
-}
-
-Header ReadHeader(const std::filesystem::path& file)
-{
-  Header header;
-  std::ifstream stream(file, std::ios::binary);
-  std::array<char, LongestLine> letters{};
-  while (stream.getline(letters.data(), letters.size()))
-  {
-    const std::string line(letters.data());
-    const auto equals = line.find('=');
-    if (equals == std::string::npos || equals > LongestKey)
-    {
-      break;
-    }
-    const std::string key = Trimmed(line.substr(0, equals));
-    const std::string value = Trimmed(line.substr(equals + 1));
-    if (value.size() > LongestWord && value.find_first_not_of("0123456789+-.eE \t") != value.npos)
-    {
-      break;
-    }
-    header.Entries[key] = value;
-    if (key == "ElementDataFile")
-    {
-      header.Bytes = static_cast<double>(stream.tellg());
-      return header;
-    }
-  }
-  RefuseContent(file, "is no MetaImage file or ends or is damaged within its header",
-                "copy or export it again");
-}
-
-std::vector<double> Numbers(const Header& header, const std::string& key)
-{
-  std::vector<double> numbers;
-  const auto entry = header.Entries.find(key);
-  if (entry != header.Entries.end())
-  {
-    std::istringstream text(entry->second);
-    for (double number = 0.0; text >> number;)
-    {
-      numbers.push_back(number);
-    }
-  }
-  return numbers;
+  return {sizeof(T), static_cast<double>(std::numeric_limits<T>::lowest()),
+          static_cast<double>(std::numeric_limits<T>::max())};
 }
 
 // The sizes of three axes.
-std::vector<double> CheckDimensions(const std::filesystem::path& file, const Header& header)
+std::vector<double> CheckDimensions(const std::filesystem::path& file,
+                                    const MetaImageFields& header)
 {
-  const std::vector<double> count = Numbers(header, "NDims");
-  std::vector<double> sizes = Numbers(header, "DimSize");
+  const std::vector<double> count = header.Numbers("NDims");
+  std::vector<double> sizes = header.Numbers("DimSize");
   if (count.size() != 1 || count[0] < 1 || count[0] > 10 || sizes.size() != std::size_t(count[0]))
   {
     Refuse(file, "has a damaged header (NDims, DimSize)", "copy or export it again");
@@ -115,11 +65,11 @@ std::vector<double> CheckDimensions(const std::filesystem::path& file, const Hea
   return sizes;
 }
 
-void CheckSpacings(const std::filesystem::path& file, const Header& header)
+void CheckSpacings(const std::filesystem::path& file, const MetaImageFields& header)
 {
   for (const char* key : {"ElementSpacing", "ElementSize"})
   {
-    for (const double spacing : Numbers(header, key))
+    for (const double spacing : header.Numbers(key))
     {
       if (!(std::isfinite(spacing) && spacing > 0.0))
       {
@@ -130,48 +80,113 @@ void CheckSpacings(const std::filesystem::path& file, const Header& header)
   }
 }
 
-double BytesOfType(const std::filesystem::path& file, const Header& header)
+ElementType TypeOf(const std::filesystem::path& file, const MetaImageFields& header)
 {
-  static const std::map<std::string, double> sizes{
-      {"MET_CHAR", 1},      {"MET_UCHAR", 1},      {"MET_SHORT", 2}, {"MET_USHORT", 2},
-      {"MET_INT", 4},       {"MET_UINT", 4},       {"MET_LONG", 4},  {"MET_ULONG", 4},
-      {"MET_LONG_LONG", 8}, {"MET_ULONG_LONG", 8}, {"MET_FLOAT", 4}, {"MET_DOUBLE", 8}};
-  const auto type = header.Entries.find("ElementType");
-  const auto size = type == header.Entries.end() ? sizes.end() : sizes.find(type->second);
-  if (size == sizes.end())
+  static const std::map<std::string, ElementType> types{
+      {"MET_CHAR", ElementTypeOf<std::int8_t>()},
+      {"MET_UCHAR", ElementTypeOf<std::uint8_t>()},
+      {"MET_SHORT", ElementTypeOf<std::int16_t>()},
+      {"MET_USHORT", ElementTypeOf<std::uint16_t>()},
+      {"MET_INT", ElementTypeOf<std::int32_t>()},
+      {"MET_UINT", ElementTypeOf<std::uint32_t>()},
+      {"MET_LONG", ElementTypeOf<std::int32_t>()},
+      {"MET_ULONG", ElementTypeOf<std::uint32_t>()},
+      {"MET_LONG_LONG", ElementTypeOf<std::int64_t>()},
+      {"MET_ULONG_LONG", ElementTypeOf<std::uint64_t>()},
+      {"MET_FLOAT", ElementTypeOf<float>()},
+      {"MET_DOUBLE", ElementTypeOf<double>()}};
+  const auto type = types.find(header.Text("ElementType"));
+  if (type == types.end())
   {
     Refuse(file, "has no scalar ElementType in its header",
            "give one grey value or label per voxel");
   }
-  return size->second;
+  return type->second;
 }
 
-bool IsCompressed(const Header& header)
+// Where the data are, as the library finds them.
+struct DataPlace
 {
-  const auto entry = header.Entries.find("CompressedData");
-  const std::string value = entry == header.Entries.end() ? std::string() : entry->second;
-  return !value.empty() && (value[0] == 'T' || value[0] == 't' || value[0] == '1');
+  std::filesystem::path File;
+  bool IsLocal = false;
+  double Length = 0.0;
+};
+
+DataPlace FindData(const std::filesystem::path& file, const MetaImageFields& header)
+{
+  const std::string name = header.Text("ElementDataFile");
+  DataPlace place;
+  place.IsLocal = name == "LOCAL" || name == "Local" || name == "local";
+  if (name.empty() || name.rfind("LIST", 0) == 0 || name.find('%') != std::string::npos)
+  {
+    Refuse(file, "keeps its slices in several files", "write it as one file");
+  }
+  const std::string own = file.string();
+  const bool isPath = name[0] == '/' || name[0] == '~';
+  place.File = place.IsLocal ? own
+               : isPath      ? name
+                             : own.substr(0, own.find_last_of("/\\") + 1) + name;
+  std::error_code failure;
+  place.Length = static_cast<double>(std::filesystem::file_size(place.File, failure));
+  if (failure)
+  {
+    Refuse(file, "lacks its data file " + place.File.string(), "put it beside the header");
+  }
+  return place;
+}
+
+// Where the data start in their file. The library skips HeaderSize bytes; at -1 it takes the file's
+// last ones.
+double DataStart(const std::filesystem::path& file, const MetaImageFields& header,
+                 const DataPlace& place, double dataBytes)
+{
+  const double own = place.IsLocal ? static_cast<double>(header.Bytes) : 0.0;
+  const std::vector<double> stated = header.Numbers("HeaderSize");
+  const double skipped = stated.empty() ? 0.0 : stated[0];
+  const bool isPlain = !header.IsTrue("CompressedData", false) && header.IsTrue("BinaryData", true);
+  if (skipped == 0.0)
+  {
+    return own;
+  }
+  if (skipped == -1.0 && isPlain)
+  {
+    return std::max(own, place.Length - dataBytes);
+  }
+  if (!isPlain || !(skipped >= std::max(own, 1.0) && skipped <= std::numeric_limits<int>::max()) ||
+      skipped != std::floor(skipped))
+  {
+    Refuse(file, "has a damaged header (HeaderSize)", "copy or export it again");
+  }
+  return skipped;
 }
 
 // Of data in the header's own file the library must be told the length: else it decodes from the
 // file's first byte.
-void CheckCompressedData(const std::filesystem::path& data, const Header& header, double start,
+void CheckCompressedData(const DataPlace& place, const MetaImageFields& header, double start,
                          double dataBytes)
 {
-  const std::vector<double> stated = Numbers(header, "CompressedDataSize");
-  const bool isStated = stated.size() == 1 && stated[0] >= 1.0 && stated[0] <= 1e15;
-  if (!isStated && start > 0.0)
+  const std::vector<double> stated = header.Numbers("CompressedDataSize");
+  const bool isStated = !stated.empty() && stated[0] != 0.0;
+  if (!isStated && place.IsLocal)
   {
-    Refuse(data, "is compressed and has no CompressedDataSize in its header",
+    Refuse(place.File, "is compressed and has no CompressedDataSize in its header",
            "write it again, for example without compression");
   }
-  CheckInflatedSize(data, static_cast<double>(std::filesystem::file_size(data)) - start, dataBytes);
+  const double available = place.Length - start;
+  CheckInflatedSize(place.File, available, dataBytes);
+  if (isStated && !(stated[0] >= 1.0 && stated[0] <= available))
+  {
+    Refuse(place.File,
+           "is truncated: its header promises a CompressedDataSize of " + NumberText(stated[0]) +
+               " bytes and there are " + NumberText(available),
+           "copy or export it again");
+  }
   const auto bytes = static_cast<double>(CheckedInflatedBytes(
-      data, static_cast<std::uint64_t>(start), static_cast<std::uint64_t>(dataBytes),
+      place.File, static_cast<std::uint64_t>(start), static_cast<std::uint64_t>(dataBytes),
       isStated ? static_cast<std::uint64_t>(stated[0]) : UINT64_MAX));
   if (bytes != dataBytes)
   {
-    Refuse(data,
+    Refuse(place.File,
            std::string(bytes < dataBytes ? "is truncated" : "is damaged") +
                ": its header promises " + std::to_string(std::llround(dataBytes)) +
                " bytes of voxels and its compressed data hold " +
@@ -180,27 +195,47 @@ void CheckCompressedData(const std::filesystem::path& data, const Header& header
   }
 }
 
-void CheckLength(const std::filesystem::path& file, const Header& header, double dataBytes)
+// Reads the numbers as the library does, which goes on without a word where they end.
+void CheckTextData(const std::filesystem::path& file, const MetaImageFields& header,
+                   const DataPlace& place, double start, double voxels)
 {
-  const std::string name = header.Entries.at("ElementDataFile");
-  const bool isLocal = name == "LOCAL" || name == "Local" || name == "local";
-  const std::filesystem::path data = isLocal ? file : file.parent_path() / name;
-  if (name.empty() || name.rfind("LIST", 0) == 0 || name.find('%') != std::string::npos)
+  const ElementType type = TypeOf(file, header);
+  std::ifstream stream(place.File, std::ios::binary);
+  stream.seekg(static_cast<std::streamoff>(start));
+  double count = 0.0;
+  for (double number = 0.0; count < voxels && stream >> number; ++count)
   {
-    Refuse(file, "keeps its slices in several files", "write it as one file");
+    if (!(number >= type.Lowest && number <= type.Highest))
+    {
+      Refuse(file,
+             "has a voxel of " + NumberText(number) + ", which is no " + header.Text("ElementType"),
+             "correct the ElementType in its header");
+    }
+    stream.get();
   }
-  std::error_code failure;
-  const auto length = std::filesystem::file_size(data, failure);
-  if (failure)
+  if (count < voxels)
   {
-    Refuse(file, "lacks its data file " + data.string(), "put it beside the header");
+    Refuse(file,
+           "is truncated: its header promises " + std::to_string(std::llround(voxels)) +
+               " voxels and there are " + std::to_string(std::llround(count)),
+           "copy or export it again");
   }
-  const double start = isLocal ? header.Bytes : 0.0;
-  const double available = static_cast<double>(length) - start;
-  if (IsCompressed(header))
+}
+
+void CheckData(const std::filesystem::path& file, const MetaImageFields& header, double voxels)
+{
+  const DataPlace place = FindData(file, header);
+  const double dataBytes = voxels * TypeOf(file, header).Bytes;
+  const double start = DataStart(file, header, place, dataBytes);
+  if (!header.IsTrue("BinaryData", true))
   {
-    return CheckCompressedData(data, header, start, dataBytes);
+    return CheckTextData(file, header, place, start, voxels);
   }
+  if (header.IsTrue("CompressedData", false))
+  {
+    return CheckCompressedData(place, header, start, dataBytes);
+  }
+  const double available = std::max(0.0, place.Length - start);
   if (available < dataBytes)
   {
     Refuse(file,
@@ -209,7 +244,8 @@ void CheckLength(const std::filesystem::path& file, const Header& header, double
            "copy or export it again");
   }
 }
-std::vector<std::string> OrientationNotes(const Header& header)
+
+std::vector<std::string> OrientationNotes(const MetaImageFields& header)
 {
   for (const char* key : {"TransformMatrix", "Rotation", "Orientation"})
   {
@@ -222,19 +258,22 @@ std::vector<std::string> OrientationNotes(const Header& header)
 }
 } // namespace
 
-std::vector<std::string> CheckMetaImageHeader(const std::filesystem::path& file)
+MetaImageFacts CheckMetaImageHeader(const std::filesystem::path& file)
 {
   CNumericLocale::RequireOfStreams(file);
-  const Header header = ReadHeader(file);
-  const std::vector<double> sizes = CheckDimensions(file, header);
+  const MetaImageFields header = ReadMetaImageFields(file);
+  MetaImageFacts facts;
+  facts.Size = CheckDimensions(file, header);
+  facts.VoxelBytes = TypeOf(file, header).Bytes;
   CheckSpacings(file, header);
-  const std::vector<double> channels = Numbers(header, "ElementNumberOfChannels");
+  const std::vector<double> channels = header.Numbers("ElementNumberOfChannels");
   if (!channels.empty() && channels[0] != 1.0)
   {
     Refuse(file, "has " + NumberText(channels[0]) + " values per voxel",
            "give one grey value or label per voxel");
   }
-  CheckLength(file, header, sizes[0] * sizes[1] * sizes[2] * BytesOfType(file, header));
-  return OrientationNotes(header);
+  CheckData(file, header, facts.Size[0] * facts.Size[1] * facts.Size[2]);
+  facts.Notes = OrientationNotes(header);
+  return facts;
 }
 } // namespace palpate

@@ -50,6 +50,10 @@ private:
     {
       this->RefuseLine(line);
     }
+    if (line.find('\0') != std::string::npos)
+    {
+      Refuse(this->File, "has a line in its header with a zero in it", "copy or export it again");
+    }
     if (line[0] == '#')
     {
       return;

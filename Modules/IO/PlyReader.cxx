@@ -56,6 +56,9 @@ const std::map<std::string, NumberType>& NumberTypes()
   return types;
 }
 
+// Each is compared with all before it; real files have a handful.
+constexpr std::size_t MostElements = 256;
+
 /// Takes a file apart from its start to its end.
 class Reader
 {
@@ -159,6 +162,10 @@ private:
     if (!(words >> element.Name >> element.Count))
     {
       this->Refuse("an element of its header has no count");
+    }
+    if (this->Elements.size() == MostElements)
+    {
+      this->Refuse("it has more than " + std::to_string(MostElements) + " elements");
     }
     const auto isSame = [&](const Element& other) { return other.Name == element.Name; };
     if (std::any_of(this->Elements.begin(), this->Elements.end(), isSame))

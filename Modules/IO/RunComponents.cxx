@@ -1,6 +1,7 @@
 #include "RunComponents.h"
 
 #include <numeric>
+#include <tuple>
 
 namespace palpate
 {
@@ -39,12 +40,12 @@ private:
 // Joins the runs of two rows that overlap when each is widened by `reach` in all.
 void JoinRows(const RunSet& set, std::size_t rowA, std::size_t rowB, int reach, DisjointSets& sets)
 {
-  std::size_t a = set.RowStarts[rowA];
-  std::size_t b = set.RowStarts[rowB];
-  while (a < set.RowStarts[rowA + 1] && b < set.RowStarts[rowB + 1])
+  std::size_t a = set.Rows()[rowA].Start;
+  std::size_t b = set.Rows()[rowB].Start;
+  while (a < set.RowEnd(rowA) && b < set.RowEnd(rowB))
   {
-    const RowRun& runA = set.Runs[a];
-    const RowRun& runB = set.Runs[b];
+    const RowRun& runA = set.Runs()[a];
+    const RowRun& runB = set.Runs()[b];
     if (runA.First < runB.End + reach && runB.First < runA.End + reach)
     {
       sets.Join(a, b);
@@ -52,34 +53,55 @@ void JoinRows(const RunSet& set, std::size_t rowA, std::size_t rowB, int reach, 
     (runA.End < runB.End ? a : b) += 1;
   }
 }
+
+// Joins each row with the one that lies so far before it.
+void JoinWithRows(const RunSet& set, int dy, int dz, int reach, DisjointSets& sets)
+{
+  RowCursor cursor(set);
+  for (std::size_t row = 0; row < set.Rows().size(); ++row)
+  {
+    const std::size_t other = cursor.Find(set.Rows()[row].Y + dy, set.Rows()[row].Z + dz);
+    if (other < set.Rows().size())
+    {
+      JoinRows(set, row, other, reach, sets);
+    }
+  }
+}
 } // namespace
+
+void RunSet::Add(const RowRun& run, int y, int z)
+{
+  if (this->AllRows.empty() || this->AllRows.back().Y != y || this->AllRows.back().Z != z)
+  {
+    this->AllRows.push_back({y, z, this->AllRuns.size()});
+  }
+  this->AllRuns.push_back(run);
+}
+
+std::size_t RowCursor::Find(int y, int z)
+{
+  const std::vector<RunSet::Row>& rows = this->Set->Rows();
+  while (this->Place < rows.size() &&
+         std::tie(rows[this->Place].Z, rows[this->Place].Y) < std::tie(z, y))
+  {
+    ++this->Place;
+  }
+  const bool isThere =
+      this->Place < rows.size() && rows[this->Place].Y == y && rows[this->Place].Z == z;
+  return isThere ? this->Place : rows.size();
+}
 
 std::vector<int> LabelRunComponents(const RunSet& set, Neighborhood neighborhood)
 {
-  DisjointSets sets(set.Runs.size());
+  DisjointSets sets(set.Runs().size());
   const bool all = neighborhood == Neighborhood::FacesEdgesCorners;
   const int reach = all ? 1 : 0;
-  for (int z = 0; z < set.Slices; ++z)
+  JoinWithRows(set, -1, 0, reach, sets);
+  for (int dy = -reach; dy <= reach; ++dy)
   {
-    for (int y = 0; y < set.RowsPerSlice; ++y)
-    {
-      const auto row = static_cast<std::size_t>(z) * static_cast<std::size_t>(set.RowsPerSlice) +
-                       static_cast<std::size_t>(y);
-      if (y > 0)
-      {
-        JoinRows(set, row, row - 1, reach, sets);
-      }
-      for (int dy = all ? -1 : 0; z > 0 && dy <= (all ? 1 : 0); ++dy)
-      {
-        if (y + dy >= 0 && y + dy < set.RowsPerSlice)
-        {
-          const auto below = static_cast<std::ptrdiff_t>(row) - set.RowsPerSlice + dy;
-          JoinRows(set, row, static_cast<std::size_t>(below), reach, sets);
-        }
-      }
-    }
+    JoinWithRows(set, dy, -1, reach, sets);
   }
-  std::vector<int> components(set.Runs.size());
+  std::vector<int> components(set.Runs().size());
   int next = 0;
   for (std::size_t run = 0; run < components.size(); ++run)
   {

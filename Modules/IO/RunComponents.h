@@ -21,14 +21,44 @@ struct RowRun
   int End;
 };
 
-/// A set of voxels, row by row. Row y + z * RowsPerSlice keeps the runs RowStarts[row] up to
-/// RowStarts[row + 1], in rising order and not touching each other.
-struct RunSet
+/// A set of voxels, row by row; only rows that have some.
+class PALPATEIO_EXPORT RunSet
 {
-  int RowsPerSlice = 0;
-  int Slices = 0;
-  std::vector<RowRun> Runs;
-  std::vector<std::size_t> RowStarts;
+public:
+  struct Row
+  {
+    int Y;
+    int Z;
+    std::size_t Start; ///< its first run
+  };
+
+  /// Runs are added in rising order of z, y and x, and do not touch each other.
+  void Add(const RowRun& run, int y, int z);
+
+  const std::vector<RowRun>& Runs() const { return this->AllRuns; }
+  const std::vector<Row>& Rows() const { return this->AllRows; }
+  /// Behind the last run of a row.
+  std::size_t RowEnd(std::size_t row) const
+  {
+    return row + 1 < this->AllRows.size() ? this->AllRows[row + 1].Start : this->AllRuns.size();
+  }
+
+private:
+  std::vector<RowRun> AllRuns;
+  std::vector<Row> AllRows;
+};
+
+/// Finds rows of a set that are asked for in rising order of z and y: in all, one pass.
+class PALPATEIO_EXPORT RowCursor
+{
+public:
+  explicit RowCursor(const RunSet& set) : Set(&set) {}
+  /// The index of a row, or the number of rows where the set has none there.
+  std::size_t Find(int y, int z);
+
+private:
+  const RunSet* Set;
+  std::size_t Place = 0;
 };
 
 /// The component of each run, from 0, numbered by their first runs. Union-find over runs of

@@ -6,6 +6,8 @@
 #include "TemporaryFolder.h"
 #include "Volume.h"
 
+#include "vtkMatrix3x3.h"
+
 #include <cstring>
 #include <gtest/gtest.h>
 #include <sys/stat.h>
@@ -82,6 +84,45 @@ TEST_F(HostileImages, RefusesLongNrrdLinesBehindACarriageReturn)
 {
   EXPECT_TRUE(Contains(this->NrrdRefusalWith("note:=a\r" + std::string(2000, 'x')),
                        "a line of it has 2000 letters"));
+}
+
+TEST_F(HostileImages, RefusesNrrdAxesBehindACarriageReturn)
+{
+  EXPECT_TRUE(
+      Contains(this->NrrdRefusal({"type: unsigned char", "encoding: raw",
+                                  "note:=a\rdimension: 16\rsizes: 1 1 1 1 1 1 1 1 1 1 1 1 1 "
+                                  "4 5 6"}),
+               "has 16 dimensions"));
+}
+
+TEST_F(HostileImages, RefusesNrrdDataFilesBehindACarriageReturn)
+{
+  mkfifo((this->Folder / "pipe").c_str(), 0600);
+  for (const char* name : {"pipe", "-"})
+  {
+    EXPECT_TRUE(Contains(this->NrrdRefusalWith(std::string("note:=a\rdata file: ") + name),
+                         "that is no regular file"))
+        << name;
+  }
+}
+
+TEST_F(HostileImages, FollowsNrrdSpacesBehindACarriageReturn)
+{
+  std::vector<std::string> lines = PlainNrrdLines("unsigned char");
+  lines[2] = "note:=a\rspace: right-anterior-superior";
+  WriteAll(this->Folder / "a.nrrd", NrrdBytes(lines, std::string(120, '\1')));
+  const Volume volume = ReadVolume(this->Folder / "a.nrrd");
+  // To the right and to the front are the negative directions of LPS.
+  EXPECT_EQ(volume.Image->GetOrigin()[0], -10.0);
+  EXPECT_EQ(volume.Image->GetOrigin()[1], -20.0);
+  EXPECT_EQ(volume.Image->GetDirectionMatrix()->GetElement(0, 0), -1.0);
+}
+
+// To the library a line ends at a zero.
+TEST_F(HostileImages, RefusesNrrdLinesWithZeros)
+{
+  WriteAll(this->Folder / "-", std::string(120, '\1'));
+  EXPECT_TRUE(Contains(this->NrrdRefusalWith(std::string("data file: -\0", 13)), "a zero in it"));
 }
 
 TEST_F(HostileImages, RefusesNrrdSizesThatOverflow)
@@ -181,7 +222,8 @@ TEST_F(HostileImages, RefusesMetaImageWordsThatOverflowTheLibrarysValues)
         MetaImageBytes("MET_UCHAR", std::string(120, '\1'),
                        "TransformMatrix = 1 0 0 0 1 0 0 0 1\nElementSpacing = 2 2 2\n" +
                            std::string(key) + " = " + std::string(260, 'I') + "\n");
-    EXPECT_TRUE(Contains(this->Refusal("a.mha", bytes), "is no MetaImage file")) << key;
+    EXPECT_TRUE(Contains(this->Refusal("a.mha", bytes), std::string("has 260 letters of ") + key))
+        << key;
   }
 }
 

@@ -255,3 +255,13 @@ TEST(HostileSurfaces, PlyElementsThatRepeatAreRefused)
                                             "1 0 0 1\n0 1 0 1\n3 0 1 2\n"),
                        "is there twice"));
 }
+
+TEST(HostileSurfaces, PlyElementsAreFew)
+{
+  std::string header = "ply\nformat ascii 1.0\n";
+  for (int element = 0; element < 257; ++element)
+  {
+    header += "element e" + std::to_string(element) + " 0\n";
+  }
+  EXPECT_TRUE(Contains(Refusal("a.ply", header + "end_header\n"), "more than 256 elements"));
+}

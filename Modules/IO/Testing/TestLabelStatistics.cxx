@@ -7,8 +7,10 @@
 
 #include "vtkPointData.h"
 #include "vtkUnsignedCharArray.h"
+#include "vtkUnsignedShortArray.h"
 
 #include <algorithm>
+#include <ctime>
 #include <functional>
 #include <gtest/gtest.h>
 
@@ -138,6 +140,57 @@ TEST(LabelStatistics, RandomVolumesMatchFloodFill)
     {
       ExpectMatchesFloodFill(labels, segmentation.Segments[i], all[i]);
     }
+  }
+}
+
+namespace
+{
+// Labels from 1 on that follow each other along the first axis, so that each spans the volume.
+Segmentation InterleavedLabels(int labels)
+{
+  const vtkIdType voxels = 64 * 64 * 64;
+  auto array = vtkSmartPointer<vtkUnsignedShortArray>::New();
+  array->SetNumberOfTuples(voxels);
+  for (vtkIdType i = 0; i < voxels; ++i)
+  {
+    array->SetValue(i, static_cast<unsigned short>(i % labels + 1));
+  }
+  ImageGrid grid;
+  grid.Size = {64, 64, 64};
+  Segmentation segmentation;
+  segmentation.Layers.push_back(MakeImage(grid, array));
+  CompleteSegments(segmentation);
+  return segmentation;
+}
+
+// Of processor time.
+double SecondsToMeasure(const Segmentation& segmentation)
+{
+  const std::clock_t start = std::clock();
+  MeasureLabels(segmentation);
+  return static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
+}
+} // namespace
+
+TEST(LabelStatistics, TimeDoesNotGrowWithTheNumberOfLabels)
+{
+  // As many runs of each; with a search through each label's box, a hundred times the time.
+  const double few = SecondsToMeasure(InterleavedLabels(40));
+  EXPECT_LT(SecondsToMeasure(InterleavedLabels(4000)), 10.0 * few + 0.05);
+}
+
+TEST(LabelStatistics, ManyLabelsThatSpanTheVolumeAreCounted)
+{
+  const std::vector<LabelStatistics> all = MeasureLabels(InterleavedLabels(4000));
+  ASSERT_EQ(all.size(), 4000U);
+  const vtkIdType voxels = 64 * 64 * 64;
+  for (std::size_t i = 0; i < all.size(); ++i)
+  {
+    const vtkIdType expected = voxels / 4000 + (static_cast<vtkIdType>(i) < voxels % 4000 ? 1 : 0);
+    EXPECT_EQ(all[i].Voxels, expected);
+    EXPECT_EQ(all[i].ComponentVoxels,
+              std::vector<vtkIdType>(static_cast<std::size_t>(expected), 1));
+    EXPECT_TRUE(all[i].CavityVoxels.empty());
   }
 }
 
