@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <string_view>
 
 namespace palpate
 {
@@ -12,6 +13,18 @@ namespace
 // A thread has some megabytes, and what the parser made is looked through and freed by recursion
 // too. Real files nest ten sequences; this is enough for some hundred.
 constexpr std::uintptr_t MostStackBytes = std::uintptr_t{1} << 18;
+
+constexpr std::size_t TagBytes = 4;
+
+// Whether a tag is an item's or ends one or a sequence, in either byte order. There may be any
+// number of these.
+bool IsItem(std::string_view tag)
+{
+  using std::string_view_literals::operator""sv;
+  return tag == "\xFE\xFF\x00\xE0"sv || tag == "\xFE\xFF\x0D\xE0"sv ||
+         tag == "\xFE\xFF\xDD\xE0"sv || tag == "\xFF\xFE\xE0\x00"sv ||
+         tag == "\xFF\xFE\xE0\x0D"sv || tag == "\xFF\xFE\xE0\xDD"sv;
+}
 
 // Not inlined, so that the frame is that of a caller's callee.
 [[gnu::noinline]] std::uintptr_t StackPlace()
@@ -42,10 +55,7 @@ OFBool BoundedDicomStream::eos()
 
 offile_off_t BoundedDicomStream::read(void* buffer, offile_off_t count)
 {
-  const std::uintptr_t place = StackPlace();
-  const std::uintptr_t depth =
-      std::max(place, this->StackStart) - std::min(place, this->StackStart);
-  this->TooDeep = this->TooDeep || depth > MostStackBytes;
+  this->TooDeep = this->TooDeep || this->Depth() > MostStackBytes;
   if (this->IsStopped())
   {
     return 0;
@@ -55,6 +65,47 @@ offile_off_t BoundedDicomStream::read(void* buffer, offile_off_t count)
   const offile_off_t got = DcmInputFileStream::read(buffer, std::min(count, most));
   this->BytesLeft -= static_cast<std::uint64_t>(std::max<offile_off_t>(got, 0));
   this->TooLong = this->BytesLeft == 0;
+  if (this->IsAtTag && got > 0)
+  {
+    this->TakeTag(static_cast<const char*>(buffer), static_cast<std::size_t>(got));
+  }
   return got;
+}
+
+void BoundedDicomStream::mark()
+{
+  DcmInputFileStream::mark();
+  const std::uintptr_t depth = this->Depth();
+  // What was deeper has been read.
+  while (!this->Levels.empty() && this->Levels.back().Depth > depth)
+  {
+    this->Levels.pop_back();
+  }
+  if (this->Levels.empty() || this->Levels.back().Depth < depth)
+  {
+    this->Levels.push_back({depth, 0});
+  }
+  this->Tag.clear();
+  this->IsAtTag = true;
+}
+
+void BoundedDicomStream::TakeTag(const char* bytes, std::size_t count)
+{
+  this->Tag.append(bytes, std::min(count, TagBytes - this->Tag.size()));
+  if (this->Tag.size() < TagBytes)
+  {
+    return;
+  }
+  this->IsAtTag = false;
+  if (!IsItem(this->Tag))
+  {
+    this->TooWide = this->TooWide || ++this->Levels.back().Elements > MostElements;
+  }
+}
+
+std::uintptr_t BoundedDicomStream::Depth() const
+{
+  const std::uintptr_t place = StackPlace();
+  return std::max(place, this->StackStart) - std::min(place, this->StackStart);
 }
 } // namespace palpate

@@ -44,6 +44,13 @@ DicomDataset::DicomDataset(const std::filesystem::path& file, Extent extent)
     Refuse(file, "nests sequences in sequences too deeply to be read",
            "export it again without its private attributes");
   }
+  if (stream.IsTooWide())
+  {
+    Refuse(file,
+           "has more than " + std::to_string(BoundedDicomStream::MostElements) +
+               " attributes in a data set or an item",
+           "export it again without its private attributes");
+  }
   if (stream.IsTooLong())
   {
     Refuse(file,

@@ -129,6 +129,68 @@ TEST(HostileDicom, ReadsSequencesNestedFarDeeperThanRealOnes)
   EXPECT_EQ(Refusal(ClaimedSegmentationBytes(claim)), "no error");
 }
 
+namespace
+{
+// Elements whose tags fall, with something between them.
+std::string FallingElements(int count, const std::string& vr, const std::string& value)
+{
+  std::string bytes = DicomShort(0x0028, 0x0002, 1);
+  for (int i = count; i > 0; --i)
+  {
+    bytes += DicomElement(static_cast<std::uint16_t>(0x3000 + 2 * (i >> 12)),
+                          static_cast<std::uint16_t>(2 * (i & 0xFFF)), vr, value);
+    if (vr == "SQ")
+    {
+      bytes += DicomSequence(0x0008, static_cast<std::uint16_t>(i), {std::string()});
+    }
+  }
+  return DicomFile(bytes);
+}
+
+// Creators of private elements and as many private elements, in each of the groups.
+std::string PrivateElements(int groups)
+{
+  std::string bytes;
+  for (int group = 0; group < groups; ++group)
+  {
+    const auto number = static_cast<std::uint16_t>(0x0009 + 2 * group);
+    std::string elements;
+    for (int block = 0x10; block < 0xD8; ++block)
+    {
+      bytes += DicomElement(number, static_cast<std::uint16_t>(block), "LO", "c");
+      elements += DicomElement(number, static_cast<std::uint16_t>(256 * block + 1), "LO", "x");
+    }
+    bytes += elements;
+  }
+  return bytes;
+}
+} // namespace
+
+// The parser looks through those before for each.
+TEST(HostileDicom, RefusesMoreElementsThanAnyItemHas)
+{
+  const std::string message = "has more than 5000 attributes";
+  EXPECT_TRUE(Contains(Refusal(FallingElements(20000, "LO", "x")), message));
+  EXPECT_TRUE(Contains(Refusal(DicomFile(PrivateElements(40))), message));
+  EXPECT_TRUE(
+      Contains(Refusal(DicomFile(DicomSequence(0x0008, 0x1140, {PrivateElements(40)}))), message));
+}
+
+// Whatever the parser went through in between.
+TEST(HostileDicom, CountsElementsBetweenSequences)
+{
+  EXPECT_TRUE(Contains(Refusal(FallingElements(20000, "SQ", "")), "has more than 5000 attributes"));
+}
+
+TEST(HostileDicom, ReadsManyElementsInManyItems)
+{
+  ClaimedSegmentation claim;
+  const std::vector<std::string> items(20, PrivateElements(10));
+  claim.MoreElements = DicomSequence(
+      0x0062, 0x0002, {DicomShort(0x0062, 0x0004, 1) + DicomSequence(0x0062, 0x0008, items)});
+  EXPECT_EQ(Refusal(ClaimedSegmentationBytes(claim)), "no error");
+}
+
 TEST(HostileDicom, RefusesGigabytesOfPixelsFromFewCompressedBytes)
 {
   // A frame of 65,535 x 65,535 pixels in a stream of some bytes.
