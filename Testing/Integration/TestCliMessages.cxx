@@ -85,6 +85,12 @@ TEST(CliMessages, AnUnknownOptionIsNamedWithTheNearest)
   EXPECT_TRUE(Has(Refusal({"fit", "a.nii.gz", "--xyzzy"}), "no option '--xyzzy'; see"));
   EXPECT_TRUE(Has(Refusal({"--quite", "info", "a"}), "perhaps '--quiet'"));
 }
+TEST(CliMessages, ThereIsNoHelpOnAnUnknownCommand)
+{
+  EXPECT_EQ(Refusal({"nonsense", "--help"}),
+            "palpate: there is no command 'nonsense'; see palpate --help\n");
+}
+
 
 // The required option is missing since it is misspelt.
 TEST(CliMessages, AMisspeltOptionIsToldBeforeWhatIsMissing)
