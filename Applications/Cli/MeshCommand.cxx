@@ -141,6 +141,13 @@ void MeshCommand::MeshFile(std::size_t file, Console& console)
     this->RecordLost(input, {}, FitResult::Outcome::BadInput, error.what(), console);
     return;
   }
+  catch (const std::bad_alloc&)
+  {
+    this->RecordLost(input, {}, FitResult::Outcome::Failed,
+                     input.string() + " needs more memory than there is; crop or resample it.",
+                     console);
+    return;
+  }
   for (const std::string& note : segmentation.Notes)
   {
     console.Note(input.string() + ": " + note);
