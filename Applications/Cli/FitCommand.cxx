@@ -217,11 +217,8 @@ std::string FitCommand::Write(FitResult& result, const Volume* volume,
   }
   catch (const InputError& error)
   {
-    if (name.empty())
-    {
-      throw;
-    }
-    result.State = FitResult::Outcome::Failed;
+    // An output that is refused stops the only case as a bad command line does.
+    result.State = name.empty() ? FitResult::Outcome::BadInput : FitResult::Outcome::Failed;
     result.Message = error.what();
     return {};
   }

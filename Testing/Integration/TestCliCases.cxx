@@ -494,3 +494,39 @@ TEST(CliCases, ALinkToItselfInAFolderDoesNotStopTheOthers)
   const CommandRun info = RunPalpate({"info", "s"}, folder.Path());
   EXPECT_TRUE(Has(info.Errors, "s holds no DICOM file")) << info.Errors;
 }
+
+TEST(CliCases, AFileThatGrowsBeyondALimitIsAMessage)
+{
+  const TemporaryFolder folder;
+  WriteBoxes(folder / "a.nii.gz", {1});
+  const CommandRun run =
+      RunLimited("-f 4", FitWords({"a.nii.gz", "--output", "new"}), folder.Path());
+  EXPECT_EQ(run.Code, 2) << run.Errors;
+  EXPECT_TRUE(Has(run.Errors, "cannot be written")) << run.Errors;
+  EXPECT_EQ(folder.EntryCount(), 1U) << "the mask alone";
+}
+
+TEST(CliCases, AFitThatCannotBeWrittenIsALineOfJson)
+{
+  const TemporaryFolder folder;
+  WriteBoxes(folder / "a.nii.gz", {1});
+  const CommandRun run =
+      RunLimited("-f 4; trap '' XFSZ", FitWords({"a.nii.gz", "--output", "new"}), folder.Path());
+  EXPECT_EQ(run.Code, 2) << run.Errors;
+  const std::vector<Json> results = Lines(run.Output);
+  ASSERT_EQ(results.size(), 1U) << run.Output;
+  EXPECT_EQ(results[0].at("status"), "bad-input");
+  EXPECT_TRUE(Has(results[0].at("message"), "cannot be written")) << results[0];
+}
+
+TEST(CliCases, ATouchThatCannotBeWrittenIsSummedUp)
+{
+  const TemporaryFolder folder;
+  WriteBoxes(folder / "a.nii.gz", {1});
+  const CommandRun run = RunLimited(
+      "-f 4; trap '' XFSZ", {"touch", "a.nii.gz", "--seconds", "0.2", "--output", "felt", "--json"},
+      folder.Path());
+  EXPECT_NE(run.Code, 0);
+  EXPECT_TRUE(Has(run.Errors, "cannot be written")) << run.Errors;
+  EXPECT_GT(Json::parse(run.Output).at("ticks"), 0);
+}
