@@ -1,5 +1,6 @@
 #include "MeshCommand.h"
 
+#include "CaseFit.h"
 #include "CaseText.h"
 #include "CommandProgress.h"
 #include "Console.h"
@@ -162,6 +163,8 @@ void MeshCommand::MeshFile(std::size_t file, Console& console)
   std::size_t number = 0;
   for (const Segment& structure : choice.Found)
   {
+    const std::string title =
+        this->Inputs.size() > 1 ? ShortTitle(structure) : CaseTitle(input, structure);
     Case one{input,
              structure,
              segmentation.Layers[static_cast<std::size_t>(structure.Layer)],
@@ -169,7 +172,7 @@ void MeshCommand::MeshFile(std::size_t file, Console& console)
              this->Inputs.size() == 1 && choice.Found.size() == 1 && choice.Lost.empty(),
              done,
              done + part,
-             CountedCase(++number, choice.Found.size(), CaseTitle(input, structure))};
+             OfFile(file + 1, this->Inputs, CountedCase(++number, choice.Found.size(), title))};
     if (!this->OutputIsFile())
     {
       one.Output /= this->Names.Take(file, structure) + ".vtp";

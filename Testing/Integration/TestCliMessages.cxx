@@ -176,3 +176,25 @@ TEST(CliMessages, ProgressOfSeveralFilesNamesTheFile)
       {"fit", (folder / "a.nii.gz").string(), (folder / "b.nii.gz").string(), "--degree", "2"});
   EXPECT_TRUE(Has(fit, "file 2 of 2: b.nii.gz, case 1 of 2: label 1: surface")) << fit;
 }
+
+TEST(CliMessages, ProgressOfSeveralMeshedFilesNamesTheFile)
+{
+  const TemporaryFolder folder;
+  WriteTwoBalls(folder / "a.nii.gz");
+  WriteTwoBalls(folder / "b.nii.gz");
+  const std::string mesh =
+      OnTerminal({"mesh", (folder / "a.nii.gz").string(), (folder / "b.nii.gz").string(), "--label",
+                  "1", "--output", (folder / "out").string()});
+  EXPECT_TRUE(Has(mesh, "file 2 of 2: b.nii.gz, label 1")) << mesh;
+}
+
+TEST(CliMessages, ProgressOfAStudyNamesTheStructureAndHowManyThereAre)
+{
+  const TemporaryFolder folder;
+  WriteTwoBalls(folder / "a.nii.gz");
+  WriteAll(folder / "a.palpate.json",
+           "{\"format\": \"palpate-study\", \"segmentation\": \"a.nii.gz\", \"structures\": "
+           "[{\"label\": 1, \"name\": \"ball\"}, {\"label\": 2}]}");
+  const std::string study = OnTerminal({"study", (folder / "a.palpate.json").string()});
+  EXPECT_TRUE(Has(study, "case 1 of 2: ball: ") || Has(study, "case 2 of 2: label 2: ")) << study;
+}
