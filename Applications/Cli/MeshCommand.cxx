@@ -5,6 +5,7 @@
 #include "CommandProgress.h"
 #include "Console.h"
 #include "FilterRun.h"
+#include "FitHints.h"
 #include "InputError.h"
 #include "Interruption.h"
 #include "JsonSchema.h"
@@ -226,7 +227,7 @@ vtkSmartPointer<vtkSegmentationSurface> MeshCommand::SurfaceOf(const Case& one,
   }
   if (const std::string reason = TooFewVoxels(surface->GetMaskVolume(), one.Layer); !reason.empty())
   {
-    throw InputError(reason);
+    throw InputError(WithHint(reason, HintForTooFewVoxels()));
   }
   return surface;
 }
