@@ -2,6 +2,7 @@
 
 #include "CaseText.h"
 #include "Console.h"
+#include "FitHints.h"
 #include "FitJson.h"
 #include "FitStructure.h"
 #include "Interruption.h"
@@ -61,6 +62,7 @@ FitResult FitCase(const Segmentation& segmentation, const Segment& structure,
                                       share.Title + ": " + stage);
                      return !Interruption::WasAsked();
                    });
+  result.Message = WithHint(result.Message, result.OptionHint);
   result.Seconds.insert(result.Seconds.begin(), {"read", readSeconds});
   BlameInput(result);
   return result;

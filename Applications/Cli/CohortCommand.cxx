@@ -2,7 +2,9 @@
 
 #include "CohortGroup.h"
 #include "Console.h"
+#include "FilterRun.h"
 #include "InputError.h"
+#include "Interruption.h"
 #include "ProgramVersion.h"
 #include "ScreenText.h"
 
@@ -65,6 +67,7 @@ void CohortCommand::DeclareOptions(CLI::App& app)
 
 int CohortCommand::Run(Console& console)
 {
+  const Interruption interruption;
   if (this->OutputFolder.empty() && this->Folders.size() > 1)
   {
     throw InputError("--output: several cohorts need a folder for what they are together");
@@ -75,6 +78,10 @@ int CohortCommand::Run(Console& console)
   const CohortGroup group =
       MakeCohortGroup(table, output, this->Label,
                       this->Align == "patient" ? AlignmentAxes::Patient : AlignmentAxes::Ellipsoid);
+  if (Interruption::WasAsked())
+  {
+    throw Cancelled();
+  }
   WriteCohortGroup(group, output, ProgramVersion());
   if (!this->OutputFolder.empty())
   {

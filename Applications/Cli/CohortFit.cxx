@@ -8,6 +8,7 @@
 #include "Console.h"
 #include "FilterRun.h"
 #include "FitFiles.h"
+#include "FolderLock.h"
 #include "InputError.h"
 #include "Interruption.h"
 #include "OutputFolder.h"
@@ -28,6 +29,8 @@ namespace palpate::cli
 namespace
 {
 constexpr int Failure = 1;
+// Held for as long as a table is read, changed and written.
+constexpr const char* TableLock = ".palpate-cohort.lock";
 
 // A table keeps numbers and sentences; meshes of a whole cohort would fill the memory.
 CohortRow RowOf(const CohortCase& one, FitResult result)
@@ -88,6 +91,10 @@ void CohortFit::TakeManifest(const std::string& manifest, const std::vector<std:
 
 void CohortFit::ChooseCases(const std::vector<std::string>& names)
 {
+  for (const CohortCase& one : this->Cases)
+  {
+    this->Listed.push_back(one.Name);
+  }
   std::vector<CohortCase> chosen;
   for (const std::string& name : names)
   {
@@ -107,7 +114,14 @@ int CohortFit::Run(const std::filesystem::path& output, Console& console)
 {
   this->Output = output;
   MakeOutputFolder(output);
-  this->ReadEarlierRows();
+  FolderLock atWork(output, ".palpate-cohort-runs.lock");
+  {
+    FolderLock table(output, TableLock);
+    table.WaitAlone();
+    const bool isAlone = atWork.TryAlone();
+    atWork.Share();
+    this->ReadEarlierRows(isAlone);
+  }
   try
   {
     this->RunCases(console);
@@ -121,27 +135,50 @@ int CohortFit::Run(const std::filesystem::path& output, Console& console)
   return this->Conclude(console);
 }
 
-// What is not listed any more leaves the table, unless only a part was asked for.
-void CohortFit::ReadEarlierRows()
+void CohortFit::TakeRowsOfOthers()
 {
-  const CohortTable earlier = CohortTable::Read(this->Output / "cohort.csv");
-  for (const CohortRow& row : earlier.Rows())
+  const CohortTable table = CohortTable::Read(this->Output / "cohort.csv");
+  std::map<std::string, std::vector<CohortRow>> rows;
+  for (const std::string& name : this->Mine)
   {
-    std::vector<CohortRow>& rows = this->Rows[row.Case];
-    if (rows.empty() && this->IsPart)
+    rows[name] = this->Rows[name];
+  }
+  this->Order = this->Listed;
+  std::set<std::string> known(this->Order.begin(), this->Order.end());
+  for (const CohortRow& row : table.Rows())
+  {
+    if (this->Mine.count(row.Case) == 0)
+    {
+      rows[row.Case].push_back(row);
+    }
+    if (known.insert(row.Case).second)
     {
       this->Order.push_back(row.Case);
     }
-    rows.push_back(row);
   }
-  std::set<std::string> listed(this->Order.begin(), this->Order.end());
-  for (const CohortCase& one : this->Cases)
+  this->Rows = std::move(rows);
+}
+
+// What is not listed any more leaves the table, unless only a part was asked for, or it may be
+// listed by a run that is at work.
+void CohortFit::ReadEarlierRows(bool isAlone)
+{
+  this->TakeRowsOfOthers();
+  if (this->IsPart || !isAlone || this->Order.size() == this->Listed.size())
   {
-    if (listed.insert(one.Name).second)
-    {
-      this->Order.push_back(one.Name);
-    }
+    return;
   }
+  this->Order = this->Listed;
+  this->Table().Write(this->Output / "cohort.csv");
+  this->TakeRowsOfOthers();
+}
+
+void CohortFit::WriteTable()
+{
+  FolderLock lock(this->Output, TableLock);
+  lock.WaitAlone();
+  this->TakeRowsOfOthers();
+  this->Table().Write(this->Output / "cohort.csv");
 }
 
 std::vector<std::string> CohortFit::LabelsOf(const CohortCase& one) const
@@ -182,6 +219,7 @@ void CohortFit::RunCases(Console& console)
     if (this->IsDone(this->Cases[i]))
     {
       ++kept;
+      this->Mine.insert(this->Cases[i].Name);
       continue;
     }
     // Before the mask is read: what changes meanwhile is done again.
@@ -191,7 +229,8 @@ void CohortFit::RunCases(Console& console)
     std::vector<CohortRow> rows = this->FitOne(this->Cases[i], share, console);
     std::for_each(rows.begin(), rows.end(), [&](CohortRow& row) { row.Key = key; });
     this->Rows[this->Cases[i].Name] = std::move(rows);
-    this->Table().Write(this->Output / "cohort.csv");
+    this->Mine.insert(this->Cases[i].Name);
+    this->WriteTable();
   }
   console.EndProgress();
   if (kept > 0)
@@ -328,11 +367,16 @@ void CohortFit::WriteOverview(const CohortTable& table, Console& console) const
   console.Note("overview: " + (this->Output / "report.html").string());
 }
 
-int CohortFit::Conclude(Console& console) const
+int CohortFit::Conclude(Console& console)
 {
-  const CohortTable table = this->Table();
-  table.Write(this->Output / "cohort.csv");
-  this->WriteOverview(table, console);
+  {
+    FolderLock lock(this->Output, TableLock);
+    lock.WaitAlone();
+    this->TakeRowsOfOthers();
+    const CohortTable table = this->Table();
+    table.Write(this->Output / "cohort.csv");
+    this->WriteOverview(table, console);
+  }
   CaseTally tally;
   for (const CohortCase& one : this->Cases)
   {

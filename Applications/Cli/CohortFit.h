@@ -6,6 +6,7 @@
 
 #include <filesystem>
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -17,7 +18,7 @@ struct CaseShare;
 /// Fits the cases of a folder or a manifest, each into a folder `CASE/LABEL_NAME`, and keeps
 /// `cohort.csv`, which is replaced whole after every case: a run that is killed loses the case at
 /// work, and the next one does only what is missing, what failed, and what was made from another
-/// mask or by other settings.
+/// mask or by other settings. Runs into one folder at the same time keep each other's rows.
 class CohortFit
 {
 public:
@@ -38,7 +39,10 @@ public:
   int Run(const std::filesystem::path& output, Console& console);
 
 private:
-  void ReadEarlierRows();
+  /// Of what other runs have written, and of what this one has not done.
+  void TakeRowsOfOthers();
+  void ReadEarlierRows(bool isAlone);
+  void WriteTable();
   std::vector<std::string> LabelsOf(const CohortCase& one) const;
   std::string KeyOf(const CohortCase& one) const;
   bool IsDone(const CohortCase& one) const;
@@ -53,7 +57,7 @@ private:
                    std::size_t fileNotes, Console& console) const;
   CohortTable Table() const;
   void WriteOverview(const CohortTable& table, Console& console) const;
-  int Conclude(Console& console) const;
+  int Conclude(Console& console);
 
   FitSettings Settings;
   std::vector<std::string> Labels;
@@ -61,8 +65,10 @@ private:
   bool Json = false;
   std::filesystem::path Output;
   std::vector<CohortCase> Cases;
-  bool IsPart = false;            ///< of what is listed, only some
-  std::vector<std::string> Order; ///< of the table
+  bool IsPart = false;             ///< of what is listed, only some
+  std::vector<std::string> Listed; ///< the cases' names, of a part those of the whole
+  std::vector<std::string> Order;  ///< of the table
+  std::set<std::string> Mine;      ///< the cases that this run did or kept
   std::map<std::string, std::vector<CohortRow>> Rows;
 };
 } // namespace palpate::cli

@@ -124,14 +124,16 @@ int CommandLine::Parse(std::vector<std::string> arguments, Console& console)
   }
   catch (const CLI::ParseError& error)
   {
-    if (error.get_exit_code() == static_cast<int>(CLI::ExitCodes::Success))
+    const auto chosen = this->App->get_subcommands();
+    const std::string unknown = this->WhatIsUnknown();
+    const bool isAsked = error.get_exit_code() == static_cast<int>(CLI::ExitCodes::Success);
+    // Help on a command that there is not would be on another one.
+    if (isAsked && (unknown.empty() || !chosen.empty()))
     {
       return this->App->exit(error, console.Output(), console.Output());
     }
-    const auto chosen = this->App->get_subcommands();
     const std::string subject =
         chosen.empty() ? "palpate" : "palpate " + chosen.front()->get_name();
-    const std::string unknown = this->WhatIsUnknown();
     console.Error((unknown.empty() ? AsClause(error.what()) : unknown) + "; see " + subject +
                   " --help");
     return BadInput;

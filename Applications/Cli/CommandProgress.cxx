@@ -3,6 +3,8 @@
 #include "Console.h"
 #include "Interruption.h"
 
+#include <filesystem>
+
 namespace palpate::cli
 {
 ProgressFunction ProgressOn(Console& console)
@@ -18,6 +20,15 @@ std::string CountedCase(std::size_t number, std::size_t count, const std::string
 {
   return count > 1
              ? "case " + std::to_string(number) + " of " + std::to_string(count) + ": " + title
+             : title;
+}
+
+std::string OfFile(std::size_t number, const std::vector<std::string>& files,
+                   const std::string& title)
+{
+  return files.size() > 1
+             ? "file " + std::to_string(number) + " of " + std::to_string(files.size()) + ": " +
+                   std::filesystem::path(files[number - 1]).filename().string() + ", " + title
              : title;
 }
 } // namespace palpate::cli

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <string>
+#include <vector>
 
 namespace palpate::cli
 {
@@ -15,4 +16,8 @@ ProgressFunction ProgressOn(Console& console);
 
 /// "case 3 of 28: title", or the title alone where there is one case. `number` counts from 1.
 std::string CountedCase(std::size_t number, std::size_t count, const std::string& title);
+
+/// "file 2 of 20: a.nii.gz, title", or the title alone where there is one file.
+std::string OfFile(std::size_t number, const std::vector<std::string>& files,
+                   const std::string& title);
 } // namespace palpate::cli

@@ -1,9 +1,11 @@
 #include "ConvertCommand.h"
 
 #include "Console.h"
+#include "FilterRun.h"
 #include "ImageContent.h"
 #include "ImageWriter.h"
 #include "InputError.h"
+#include "Interruption.h"
 #include "ModelFile.h"
 #include "ModelSurface.h"
 #include "StructureMask.h"
@@ -22,6 +24,15 @@ void PassOn(const std::vector<std::string>& notes, Console& console)
   for (const std::string& note : notes)
   {
     console.Note(note);
+  }
+}
+
+// Asked before what is written, which is then written whole.
+void RequireGoingOn()
+{
+  if (Interruption::WasAsked())
+  {
+    throw Cancelled();
   }
 }
 } // namespace
@@ -55,6 +66,7 @@ void ConvertCommand::DeclareOptions(CLI::App& app)
 
 int ConvertCommand::Run(Console& console)
 {
+  const Interruption interruption;
   if (IsModelFile(this->Input))
   {
     this->ConvertModel(console);
@@ -67,7 +79,9 @@ int ConvertCommand::Run(Console& console)
                        " is one; use .vtp, .stl, .ply, .obj, .gltf, .glb or .x3d, or palpate fit "
                        "on its mask for a model.");
     }
-    WriteSurface(this->Output, ReadSurface(this->Input));
+    const auto surface = ReadSurface(this->Input);
+    RequireGoingOn();
+    WriteSurface(this->Output, surface);
   }
   else if (IsTouchRecording(this->Input))
   {
@@ -91,6 +105,7 @@ void ConvertCommand::ConvertTouch(Console& console) const
 void ConvertCommand::ConvertModel(Console& console) const
 {
   const ModelDocument document = ReadModel(this->Input);
+  RequireGoingOn();
   if (IsSurfaceFile(this->Output))
   {
     WriteSurface(this->Output, DrawModel(document.Surface, this->Frequency));
@@ -125,10 +140,12 @@ void ConvertCommand::ConvertImage(Console& console) const
   {
     const Segmentation segmentation = ReadSegmentation(this->Input, this->Images.LeftHanded());
     PassOn(segmentation.Notes, console);
+    RequireGoingOn();
     WriteImage(this->Output, MaskOf(segmentation, segmentation.Find(this->Label)));
     return;
   }
   const ImageContent content = ReadImageContent(this->Input, this->Images.Choice());
+  RequireGoingOn();
   if (content.Image)
   {
     PassOn(content.Image->Notes, console);

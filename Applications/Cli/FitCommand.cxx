@@ -168,12 +168,6 @@ void FitCommand::FitFile(std::size_t file, const Volume* volume, Console& consol
   this->FitStructures(file, segmentation, choice, readTime.front().second, volume, console);
 }
 
-std::string FitCommand::FileTitle(std::size_t file) const
-{
-  return "file " + std::to_string(file + 1) + " of " + std::to_string(this->Inputs.size()) + ": " +
-         std::filesystem::path(this->Inputs[file]).filename().string();
-}
-
 void FitCommand::FitStructures(std::size_t file, const Segmentation& segmentation,
                                const StructureChoice& choice, double readSeconds,
                                const Volume* volume, Console& console)
@@ -185,8 +179,7 @@ void FitCommand::FitStructures(std::size_t file, const Segmentation& segmentatio
   for (const Segment& structure : choice.Found)
   {
     const std::string inFile = CountedCase(++number, choice.Found.size(), ShortTitle(structure));
-    const CaseShare share{done, done + part,
-                          this->Inputs.size() > 1 ? this->FileTitle(file) + ", " + inFile : inFile};
+    const CaseShare share{done, done + part, OfFile(file + 1, this->Inputs, inFile)};
     FitResult result =
         FitCase(segmentation, structure, this->Settings, readSeconds, share, console);
     done += part;
@@ -217,11 +210,8 @@ std::string FitCommand::Write(FitResult& result, const Volume* volume,
   }
   catch (const InputError& error)
   {
-    if (name.empty())
-    {
-      throw;
-    }
-    result.State = FitResult::Outcome::Failed;
+    // An output that is refused stops the only case as a bad command line does.
+    result.State = name.empty() ? FitResult::Outcome::BadInput : FitResult::Outcome::Failed;
     result.Message = error.what();
     return {};
   }

@@ -37,7 +37,6 @@ private:
   /// Throws nothing for what is wrong with one file.
   void FitFile(std::size_t file, const Volume* volume, Console& console);
   /// "file 2 of 5: b.nii.gz".
-  std::string FileTitle(std::size_t file) const;
   void FitStructures(std::size_t file, const Segmentation& segmentation,
                      const StructureChoice& choice, double readSeconds, const Volume* volume,
                      Console& console);

@@ -8,6 +8,7 @@
 #include "LabelStatistics.h"
 
 #include <CLI/CLI.hpp>
+#include <new>
 #include <ostream>
 
 namespace palpate::cli
@@ -40,6 +41,16 @@ void InfoCommand::Describe(const std::string& input, Console& console) const
   console.Output() << (this->Json ? report.Json() + '\n' : report.Text());
 }
 
+void InfoCommand::RecordLost(const std::string& input, const std::string& status,
+                             const std::string& sentence, Console& console) const
+{
+  console.Error(sentence);
+  if (this->Json)
+  {
+    console.Output() << InfoReport::FailureJson(input, status, sentence) << '\n';
+  }
+}
+
 int InfoCommand::Run(Console& console)
 {
   CaseTally tally;
@@ -53,11 +64,13 @@ int InfoCommand::Run(Console& console)
     catch (const InputError& error)
     {
       ++tally.BadInputs;
-      console.Error(error.what());
-      if (this->Json)
-      {
-        console.Output() << InfoReport::FailureJson(input, error.what()) << '\n';
-      }
+      this->RecordLost(input, "bad-input", error.what(), console);
+    }
+    catch (const std::bad_alloc&)
+    {
+      ++tally.Failures;
+      this->RecordLost(input, "failed",
+                       input + " needs more memory than there is; crop or resample it.", console);
     }
   }
   return tally.ExitCode();

@@ -21,6 +21,8 @@ public:
 
 private:
   void Describe(const std::string& input, Console& console) const;
+  void RecordLost(const std::string& input, const std::string& status, const std::string& sentence,
+                  Console& console) const;
 
   std::vector<std::string> Inputs;
   ImageOptions Images;

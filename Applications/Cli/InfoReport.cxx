@@ -187,11 +187,12 @@ std::string InfoReport::Json() const
   return OneLine(object);
 }
 
-std::string InfoReport::FailureJson(const std::string& input, const std::string& sentence)
+std::string InfoReport::FailureJson(const std::string& input, const std::string& status,
+                                    const std::string& sentence)
 {
   return OneLine({{JsonSchemaKey, JsonSchemaVersion},
                   {"input", input},
-                  {"status", "bad-input"},
+                  {"status", status},
                   {"message", sentence}});
 }
 } // namespace palpate::cli

@@ -19,7 +19,8 @@ struct InfoReport
   std::string Text() const;
   /// One JSON object on one line.
   std::string Json() const;
-  /// The object of a file that could not be read.
-  static std::string FailureJson(const std::string& input, const std::string& sentence);
+  /// The object of a file that could not be read: `status` is bad-input or failed.
+  static std::string FailureJson(const std::string& input, const std::string& status,
+                                 const std::string& sentence);
 };
 } // namespace palpate::cli

@@ -1,9 +1,11 @@
 #include "MeshCommand.h"
 
+#include "CaseFit.h"
 #include "CaseText.h"
 #include "CommandProgress.h"
 #include "Console.h"
 #include "FilterRun.h"
+#include "FitHints.h"
 #include "InputError.h"
 #include "Interruption.h"
 #include "JsonSchema.h"
@@ -141,6 +143,13 @@ void MeshCommand::MeshFile(std::size_t file, Console& console)
     this->RecordLost(input, {}, FitResult::Outcome::BadInput, error.what(), console);
     return;
   }
+  catch (const std::bad_alloc&)
+  {
+    this->RecordLost(input, {}, FitResult::Outcome::Failed,
+                     input.string() + " needs more memory than there is; crop or resample it.",
+                     console);
+    return;
+  }
   for (const std::string& note : segmentation.Notes)
   {
     console.Note(input.string() + ": " + note);
@@ -155,6 +164,8 @@ void MeshCommand::MeshFile(std::size_t file, Console& console)
   std::size_t number = 0;
   for (const Segment& structure : choice.Found)
   {
+    const std::string title =
+        this->Inputs.size() > 1 ? ShortTitle(structure) : CaseTitle(input, structure);
     Case one{input,
              structure,
              segmentation.Layers[static_cast<std::size_t>(structure.Layer)],
@@ -162,7 +173,7 @@ void MeshCommand::MeshFile(std::size_t file, Console& console)
              this->Inputs.size() == 1 && choice.Found.size() == 1 && choice.Lost.empty(),
              done,
              done + part,
-             CountedCase(++number, choice.Found.size(), CaseTitle(input, structure))};
+             OfFile(file + 1, this->Inputs, CountedCase(++number, choice.Found.size(), title))};
     if (!this->OutputIsFile())
     {
       one.Output /= this->Names.Take(file, structure) + ".vtp";
@@ -216,7 +227,7 @@ vtkSmartPointer<vtkSegmentationSurface> MeshCommand::SurfaceOf(const Case& one,
   }
   if (const std::string reason = TooFewVoxels(surface->GetMaskVolume(), one.Layer); !reason.empty())
   {
-    throw InputError(reason);
+    throw InputError(WithHint(reason, HintForTooFewVoxels()));
   }
   return surface;
 }

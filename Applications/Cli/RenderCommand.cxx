@@ -146,7 +146,9 @@ std::shared_ptr<const ScalarField> Field(const std::filesystem::path& file, Cons
   }
   catch (const FilterError& error)
   {
-    throw InputError(file.string() + ": " + error.what());
+    const std::string sentence = error.what();
+    const bool namesFile = sentence.rfind(file.string(), 0) == 0;
+    throw InputError(namesFile ? sentence : file.string() + ": " + sentence);
   }
 }
 } // namespace

@@ -1,6 +1,7 @@
 #include "StudyCommand.h"
 
 #include "CaseTally.h"
+#include "CommandProgress.h"
 #include "Console.h"
 #include "FilterRun.h"
 #include "Interruption.h"
@@ -30,16 +31,39 @@ constexpr std::array<StudyStep, 6> StructureSteps{StudyStep::Surface, StudyStep:
                                                   StudyStep::Model,   StudyStep::Field,
                                                   StudyStep::Touch,   StudyStep::Protection};
 
-void ShowProgress(const StudyPipeline& pipeline, Console& console)
+bool ShowStep(const StudyStepState& state, const std::string& title, Console& console)
 {
-  for (const StudyStep step : {StudyStep::Volume, StudyStep::Segmentation, StudyStep::Surface,
-                               StudyStep::Samples, StudyStep::Model, StudyStep::Field,
-                               StudyStep::Protection, StudyStep::Touch, StudyStep::Trade})
+  if (state.Is == Kind::Running)
   {
-    const StudyStepState state = pipeline.StateOf(step);
-    if (state.Is == Kind::Running)
+    console.Progress(state.Fraction, title);
+  }
+  return state.Is == Kind::Running;
+}
+
+// Of the first that runs: a file, or a structure and how many there are.
+void ShowProgress(Study& study, Console& console)
+{
+  const StudyPipeline& pipeline = study.Pipeline();
+  for (const StudyStep step : {StudyStep::Volume, StudyStep::Segmentation})
+  {
+    if (ShowStep(pipeline.StateOf(step), NameOf(step), console))
     {
-      return console.Progress(state.Fraction, NameOf(step));
+      return;
+    }
+  }
+  const std::vector<StudyStructure>& structures = study.State().Structures;
+  for (const StudyStep step :
+       {StudyStep::Surface, StudyStep::Samples, StudyStep::Model, StudyStep::Field,
+        StudyStep::Protection, StudyStep::Touch, StudyStep::Cost, StudyStep::Trade})
+  {
+    for (std::size_t s = 0; s < structures.size(); ++s)
+    {
+      const std::string title = CountedCase(s + 1, structures.size(), TitleOf(structures[s]));
+      if (ShowStep(pipeline.StateOf(step, structures[s].Label), title + ": " + NameOf(step),
+                   console))
+      {
+        return;
+      }
     }
   }
 }
@@ -55,7 +79,7 @@ void MakeAll(Study& study, Console& console)
     }
     study.Jobs().WaitForResult(Glance);
     study.Deliver();
-    ShowProgress(study.Pipeline(), console);
+    ShowProgress(study, console);
   }
 }
 

@@ -22,6 +22,7 @@
 #include "TouchView.h"
 
 #include <CLI/CLI.hpp>
+#include <functional>
 #include <iomanip>
 #include <map>
 #include <memory>
@@ -32,6 +33,24 @@ namespace palpate::cli
 {
 namespace
 {
+constexpr int NotWritten = 2; // as every output that is refused
+
+// Says why not.
+bool IsWritten(const std::function<void()>& write, Console& console)
+{
+  try
+  {
+    write();
+    return true;
+  }
+  catch (const InputError& error)
+  {
+    console.EndProgress();
+    console.Error(error.what());
+    return false;
+  }
+}
+
 const std::map<std::string, TouchRepresentation>& Representations()
 {
   static const std::map<std::string, TouchRepresentation> words{
@@ -303,7 +322,10 @@ int TouchCommand::Replay(const PreparedTouch& touch, Console& console) const
   {
     MakeOutputFolder(this->OutputFolder);
   }
-  this->WriteDrilled(touch, console);
+  if (!this->WriteDrilled(touch, console))
+  {
+    return NotWritten;
+  }
   return comparison.DifferentTicks == 0 ? 0 : 1;
 }
 
@@ -325,16 +347,16 @@ void TouchCommand::CheckDrilled(const PreparedTouch& touch) const
   }
 }
 
-void TouchCommand::WriteDrilled(const PreparedTouch& touch, Console& console) const
+bool TouchCommand::WriteDrilled(const PreparedTouch& touch, Console& console) const
 {
   if (touch.Drill == nullptr)
   {
-    return;
+    return true;
   }
-  if (!this->OutputFolder.empty())
-  {
-    WriteDrillState(this->OutputFolder / "drill.state", *touch.Drill);
-  }
+  bool isWhole =
+      this->OutputFolder.empty() ||
+      IsWritten([&] { WriteDrillState(this->OutputFolder / "drill.state", *touch.Drill); },
+                console);
   const std::vector<DrillSite>& sites = touch.Drill->Sites();
   // What was drilled until an interruption is written too.
   const ProgressFunction progress = [&console](double fraction, const std::string& stage)
@@ -349,11 +371,16 @@ void TouchCommand::WriteDrilled(const PreparedTouch& touch, Console& console) co
       const std::filesystem::path path =
           sites.size() > 1 ? WithNumberAndName(file, site + 1, sites[site].Name) : file;
       const int number = static_cast<int>(site);
-      IsWritableImage(path) ? WriteImage(path, DrilledImage(*touch.Drill, number, progress))
-                            : WriteSurface(path, DrilledSurface(*touch.Drill, number, progress));
+      const auto write = [&]
+      {
+        IsWritableImage(path) ? WriteImage(path, DrilledImage(*touch.Drill, number, progress))
+                              : WriteSurface(path, DrilledSurface(*touch.Drill, number, progress));
+      };
+      isWhole = IsWritten(write, console) && isWhole;
       console.EndProgress();
     }
   }
+  return isWhole;
 }
 
 int TouchCommand::Touch(const PreparedTouch& touch, Console& console) const
@@ -375,11 +402,10 @@ int TouchCommand::Touch(const PreparedTouch& touch, Console& console) const
   }
   const TouchResult result = RunTouch(touch, settings, ProgressOn(console));
   console.EndProgress();
-  if (!this->OutputFolder.empty())
-  {
-    WriteTouchFiles(this->OutputFolder, touch, result);
-  }
-  this->WriteDrilled(touch, console);
+  // What cannot be written takes nothing else with it.
+  bool isWhole = this->OutputFolder.empty() ||
+                 IsWritten([&] { WriteTouchFiles(this->OutputFolder, touch, result); }, console);
+  isWhole = this->WriteDrilled(touch, console) && isWhole;
   this->PrintSummary(touch, result, console);
   if (!result.ThreadAdvice.empty())
   {
@@ -394,6 +420,10 @@ int TouchCommand::Touch(const PreparedTouch& touch, Console& console) const
     console.Error(std::string("forces went off: ") + Describe(result.Fault) +
                   (result.DeviceProblem.empty() ? "" : " " + result.DeviceProblem));
     return 1;
+  }
+  if (!isWhole)
+  {
+    return NotWritten;
   }
   return result.RecordingProblem.empty() ? 0 : 1;
 }

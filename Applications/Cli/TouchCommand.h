@@ -31,7 +31,8 @@ private:
   int Touch(const PreparedTouch& touch, Console& console) const;
   int Replay(const PreparedTouch& touch, Console& console) const;
   void CheckDrilled(const PreparedTouch& touch) const;
-  void WriteDrilled(const PreparedTouch& touch, Console& console) const;
+  /// Whether all of it could be written; says what could not.
+  bool WriteDrilled(const PreparedTouch& touch, Console& console) const;
   void PrintSummary(const PreparedTouch& touch, const TouchResult& result, Console& console) const;
 
   std::vector<std::string> Inputs;

@@ -2,11 +2,15 @@
 #include "CommandRegistry.h"
 #include "Console.h"
 
+#include <csignal>
 #include <iostream>
 #include <unistd.h>
 
 int main(int argc, char* argv[])
 {
+  // A file that grows beyond a limit fails as on a full disk: by a sentence, and whole or not at
+  // all.
+  std::signal(SIGXFSZ, SIG_IGN);
   palpate::cli::Console console(std::cout, std::cerr, isatty(STDERR_FILENO) == 1);
   palpate::cli::CommandLine line(palpate::cli::MakeCommands());
   return line.Run(std::vector<std::string>(argv + 1, argv + argc), console);

@@ -74,6 +74,8 @@ int main(int argc, char* argv[])
     }
     // A terminal that no longer shows a window's remarks is no reason to close it.
     std::signal(SIGPIPE, SIG_IGN);
+    // A file that grows beyond a limit is a message, as on a full disk.
+    std::signal(SIGXFSZ, SIG_IGN);
     const palpate::Interruption interruption;
     return Run(argc, argv, options);
   }

@@ -47,25 +47,6 @@ std::optional<SliceHeader> ReadSliceHeader(const std::filesystem::path& file)
   return header;
 }
 
-std::vector<std::filesystem::path> DicomFiles(const std::filesystem::path& folder)
-{
-  std::vector<std::filesystem::path> files;
-  std::error_code failure;
-  for (const auto& entry : std::filesystem::directory_iterator(folder, failure))
-  {
-    if (entry.is_regular_file(failure) && HasDicomMark(entry.path()))
-    {
-      files.push_back(entry.path());
-    }
-  }
-  if (failure)
-  {
-    Refuse(folder, "cannot be opened", "check its permissions");
-  }
-  std::sort(files.begin(), files.end());
-  return files;
-}
-
 void AddSlice(const SliceHeader& header, const std::filesystem::path& file,
               std::vector<DicomSeries>& all)
 {
@@ -123,7 +104,7 @@ std::string DicomSeries::Summary() const
 std::vector<DicomSeries> FindDicomSeries(const std::filesystem::path& folder)
 {
   std::vector<DicomSeries> all;
-  const std::vector<std::filesystem::path> files = DicomFiles(folder);
+  const std::vector<std::filesystem::path> files = DicomFilesIn(folder);
   for (const auto& file : files)
   {
     if (const std::optional<SliceHeader> header = ReadSliceHeader(file))

@@ -3,6 +3,7 @@
 #include "PalpateIOModule.h"
 
 #include <filesystem>
+#include <vector>
 
 namespace palpate
 {
@@ -24,4 +25,9 @@ PALPATEIO_EXPORT const char* FileKindName(FileKind kind);
 
 /// True where byte 128 starts the DICM mark.
 PALPATEIO_EXPORT bool HasDicomMark(const std::filesystem::path& file);
+
+/// The files of a folder that have the mark, sorted; what cannot be looked at, such as a link to
+/// itself, is passed over. Throws InputError where the folder cannot be opened.
+PALPATEIO_EXPORT std::vector<std::filesystem::path>
+DicomFilesIn(const std::filesystem::path& folder);
 } // namespace palpate

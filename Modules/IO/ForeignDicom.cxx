@@ -97,17 +97,7 @@ void RefuseForeignDicom(const std::filesystem::path& file)
 
 void RefuseForeignDicomIn(const std::filesystem::path& folder)
 {
-  std::vector<std::filesystem::path> files;
-  std::error_code failure;
-  for (const auto& entry : std::filesystem::directory_iterator(folder, failure))
-  {
-    if (entry.is_regular_file(failure) && HasDicomMark(entry.path()))
-    {
-      files.push_back(entry.path());
-    }
-  }
-  std::sort(files.begin(), files.end());
-  for (const auto& file : files)
+  for (const std::filesystem::path& file : DicomFilesIn(folder))
   {
     std::optional<ForeignFile> foreign;
     try

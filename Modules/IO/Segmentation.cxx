@@ -68,11 +68,11 @@ Segmentation ReadSlicerSegmentation(const std::filesystem::path& path, ImageFile
 std::filesystem::path FindDicomSegmentation(const std::filesystem::path& folder)
 {
   std::vector<std::filesystem::path> found;
-  for (const auto& entry : std::filesystem::directory_iterator(folder))
+  for (const std::filesystem::path& file : DicomFilesIn(folder))
   {
-    if (entry.is_regular_file() && HasDicomMark(entry.path()) && IsDicomSegmentation(entry.path()))
+    if (IsDicomSegmentation(file))
     {
-      found.push_back(entry.path());
+      found.push_back(file);
     }
   }
   if (found.empty())

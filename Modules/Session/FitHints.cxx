@@ -27,6 +27,16 @@ std::string AnyOf(const std::vector<std::string>& choices)
   return text;
 }
 
+std::vector<std::string> WindowChoices(const FitSettings& settings)
+{
+  std::vector<std::string> choices{"another degree", "a higher Frequency"};
+  if (!UsesMostVisible(settings))
+  {
+    choices.emplace_back("the most visible Centre");
+  }
+  return choices;
+}
+
 std::vector<std::string> Choices(const FitSettings& settings)
 {
   std::vector<std::string> choices{DegreeOption(settings), "a higher --frequency"};
@@ -63,5 +73,35 @@ std::string OptionsOfFit(const FitSettings& settings)
 {
   return settings.Tolerance ? "(--tolerance, --max-degree, --frequency)"
                             : "(--degree, --frequency, --penalty)";
+}
+
+std::string HintForTooFewVoxels()
+{
+  return "choose another --label or --component";
+}
+
+std::string WindowHintForHidden(const FitSettings& settings)
+{
+  const std::string raise = "raise Most hidden to see what is lost";
+  return UsesMostVisible(settings) ? raise : "try the most visible Centre, or " + raise;
+}
+
+std::string WindowHintForMisfit(const FitSettings& settings)
+{
+  return "try " + AnyOf(WindowChoices(settings)) + ", or lower Least Dice to see it";
+}
+
+std::string WindowHintForImplausible(const FitSettings& settings)
+{
+  return "try " + AnyOf(WindowChoices(settings));
+}
+
+std::string WithHint(const std::string& reason, const std::string& hint)
+{
+  if (hint.empty())
+  {
+    return reason;
+  }
+  return reason + (hint.front() == '(' ? " " : "; ") + hint;
 }
 } // namespace palpate

@@ -7,7 +7,7 @@
 
 namespace palpate
 {
-/// What to try where a structure is refused or fails, by the command line's options; nothing that
+/// What to try where a structure is refused or fails, by the options of `palpate fit`; nothing that
 /// the settings already are.
 
 /// Where the centre does not see enough of the surface.
@@ -18,4 +18,14 @@ PALPATESESSION_EXPORT std::string HintForMisfit(const FitSettings& settings);
 PALPATESESSION_EXPORT std::string HintForImplausible(const FitSettings& settings);
 /// The options that decide whether samples determine a model, between brackets.
 PALPATESESSION_EXPORT std::string OptionsOfFit(const FitSettings& settings);
+/// Where a structure has too few voxels; `palpate mesh` has these options too.
+PALPATESESSION_EXPORT std::string HintForTooFewVoxels();
+
+/// The same by the controls of the window, and what a session file says of them.
+PALPATESESSION_EXPORT std::string WindowHintForHidden(const FitSettings& settings);
+PALPATESESSION_EXPORT std::string WindowHintForMisfit(const FitSettings& settings);
+PALPATESESSION_EXPORT std::string WindowHintForImplausible(const FitSettings& settings);
+
+/// A reason and what to try, as one sentence; the reason alone for an empty hint.
+PALPATESESSION_EXPORT std::string WithHint(const std::string& reason, const std::string& hint);
 } // namespace palpate

@@ -42,6 +42,9 @@ struct FitResult
 
   Outcome State = Outcome::Failed;
   std::string Message; ///< one sentence; empty when fitted without remarks
+  /// What to try, for those who can: see WithHint. Empty where there is nothing.
+  std::string OptionHint; ///< by the options of `palpate fit`
+  std::string WindowHint; ///< by the controls of the window
   std::vector<std::string> Notes;
 
   // The mask.

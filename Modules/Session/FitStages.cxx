@@ -54,15 +54,19 @@ void RunStage(const Stage& stage, FitResult& result)
   {
     // Of this structure alone: others may be smaller.
     result.State = FitResult::Outcome::Failed;
-    result.Message = "needs more memory than there is; try a smaller image or a lower --degree or "
-                     "--frequency";
+    result.Message = "needs more memory than there is";
+    result.OptionHint = "try a smaller image or a lower --degree or --frequency";
+    result.WindowHint = "try a smaller image, a lower degree or a lower Frequency";
   }
 }
 
-void Refuse(const std::string& reason, const std::string& hint, FitResult& result)
+void Refuse(const std::string& reason, const std::string& optionHint, const std::string& windowHint,
+            FitResult& result)
 {
   result.State = FitResult::Outcome::Refused;
-  result.Message = reason + "; " + hint;
+  result.Message = reason;
+  result.OptionHint = optionHint;
+  result.WindowHint = windowHint;
 }
 
 void Configure(vtkSegmentationSurface* surface, vtkImageData* layer, int value,
@@ -230,6 +234,8 @@ void RunSurface(FitSurface& made, const ProgressFunction& progress)
   if (!result.Message.empty())
   {
     result.State = FitResult::Outcome::BadInput;
+    result.OptionHint = HintForTooFewVoxels();
+    result.WindowHint = ChooseAnother;
     return;
   }
   // Only of a structure that is modelled: what is too small needs one sentence.
@@ -263,7 +269,7 @@ void RunSamples(FitSamples& made, const ProgressFunction& progress)
                TextAgainstLimit(result.HiddenPercent, limit, 1) + " % of its surface (limit " +
                TextAgainstLimit(limit, limit, 1) +
                " %), so one radius a direction cannot describe it",
-           HintForHidden(result.Settings), result);
+           HintForHidden(result.Settings), WindowHintForHidden(result.Settings), result);
   }
 }
 
@@ -281,9 +287,10 @@ void RunModel(vtkPolyData* samples, vtkPolyData* boundary, FitResult& result,
   {
     RunFilter(fit, "fit", 0.0, 0.15, progress);
   }
-  catch (const FilterError& error)
+  catch (const FilterError&)
   {
-    throw FilterError(std::string(error.what()) + " " + OptionsOfFit(result.Settings));
+    result.OptionHint = OptionsOfFit(result.Settings);
+    throw;
   }
   TakeFit(fit, result);
   RemarkOnDegree(fit->GetSupportedDegree(), result);
@@ -297,7 +304,8 @@ void RunModel(vtkPolyData* samples, vtkPolyData* boundary, FitResult& result,
   clock.EndStage("model");
   if (const std::string reason = WhyImplausible(result); !reason.empty())
   {
-    Refuse(reason, HintForImplausible(result.Settings), result);
+    Refuse(reason, HintForImplausible(result.Settings), WindowHintForImplausible(result.Settings),
+           result);
     result.ModelSurface = nullptr; // nothing to show: it reaches far beyond the image
     return;
   }
@@ -314,7 +322,7 @@ void RunModel(vtkPolyData* samples, vtkPolyData* boundary, FitResult& result,
                ": Dice " + TextAgainstLimit(result.Dice, limit, 2) + " (limit " +
                TextAgainstLimit(limit, limit, 2) + "), " + FixedText(result.ModelMilliliters, 2) +
                " ml for a mask of " + FixedText(result.MaskMilliliters, 2) + " ml",
-           HintForMisfit(result.Settings), result);
+           HintForMisfit(result.Settings), WindowHintForMisfit(result.Settings), result);
     return;
   }
   result.State = FitResult::Outcome::Fitted;

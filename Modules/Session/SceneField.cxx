@@ -1,10 +1,13 @@
 #include "SceneField.h"
 
+#include "CaseText.h"
 #include "FieldOfImage.h"
 #include "FilterRun.h"
+#include "FitHints.h"
 #include "HtmlText.h"
 #include "LabelField.h"
 #include "LabelsOnGrid.h"
+#include "VoxelMinimum.h"
 
 #include "vtkImageData.h"
 
@@ -26,6 +29,27 @@ void Require(const Status& status, bool wasCancelled)
   {
     throw FilterError(status.Message());
   }
+}
+
+// Throws a sentence about a structure, unless the reason is empty.
+void Require(const Segmentation& segmentation, const Segment& structure, const std::string& reason,
+             const std::string& hint)
+{
+  if (!reason.empty())
+  {
+    throw FilterError(WithHint(CaseSentence(segmentation.Source, structure, reason), hint));
+  }
+}
+
+// What is thinner than the smoothing may be gone.
+std::string WhyVanished(const LabelField& distance, double smoothing)
+{
+  const FieldSamples samples = distance.Samples();
+  const auto* first = static_cast<const float*>(samples.Data);
+  const bool isThere =
+      std::any_of(first, first + samples.Count(), [](float value) { return value > 0.0f; });
+  return isThere ? std::string()
+                 : "has no voxel left by a smoothing of " + FixedText(smoothing, 1) + " voxels";
 }
 
 // Distances to labels take most of the time.
@@ -163,9 +187,18 @@ std::shared_ptr<const ScalarField> MakeSegmentField(const Segmentation& segmenta
                                                     const FieldForm& form, double smoothing,
                                                     const ProgressFunction& progress)
 {
+  for (const Segment& structure : structures)
+  {
+    Require(segmentation, structure, TooFewVoxels(segmentation, structure), ChooseAnother);
+  }
   const auto layerOf = [&](int layer)
   { return segmentation.Layers[static_cast<std::size_t>(layer)]; };
   const std::vector<LabelField> distances = DistancesOf(structures, layerOf, smoothing, progress);
+  for (std::size_t s = 0; s < structures.size(); ++s)
+  {
+    Require(segmentation, structures[s], WhyVanished(distances[s], smoothing),
+            "smooth it less, or choose another structure");
+  }
   const FieldGrid whole = GridOfImage(segmentation.Layers.front());
   const NodeBox box = BoxOf(distances, whole, form.Interpolation);
   FieldBuilder builder(box.Of(whole));

@@ -31,7 +31,8 @@ MakeIsoFieldWithin(vtkImageData* image, double isoValue, const Segmentation& seg
                    const ProgressFunction& progress);
 
 /// One material for each structure, in their order, each with a smooth signed distance of its own
-/// (see LabelField, also for `smoothing`). At most MostMaterials structures. Its grid is the part
+/// (see LabelField, also for `smoothing`). At most MostMaterials structures, none of which has too
+/// few voxels: else the sentence names the file and the structure. Its grid is the part
 /// of the segmentation's that holds them, so that it takes as much however large the image.
 PALPATESESSION_EXPORT std::shared_ptr<const ScalarField>
 MakeSegmentField(const Segmentation& segmentation, const std::vector<Segment>& structures,

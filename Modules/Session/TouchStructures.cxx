@@ -1,6 +1,8 @@
 #include "TouchStructures.h"
 
+#include "CaseText.h"
 #include "FilterRun.h"
+#include "FitHints.h"
 #include "FitStructure.h"
 #include "InputError.h"
 #include "ModelFile.h"
@@ -16,6 +18,7 @@
 #include "SurfaceTool.h"
 #include "TouchStandIns.h"
 #include "TouchTexture.h"
+#include "VoxelMinimum.h"
 #include "vtkSegmentationSurface.h"
 
 #include "vtkNew.h"
@@ -55,6 +58,20 @@ struct Needs
   const char* WhyNotDrawn;
 };
 
+std::string NameOf(const Segment& structure)
+{
+  return structure.Name.empty() ? "label " + std::to_string(structure.Label) : structure.Name;
+}
+
+// "file 2 of 3: title", or the title alone where there is one.
+std::string Counted(const char* kind, std::size_t index, std::size_t count,
+                    const std::string& title)
+{
+  return count > 1 ? kind + (" " + std::to_string(index + 1)) + " of " + std::to_string(count) +
+                         ": " + title
+                   : title;
+}
+
 std::size_t BytesOf(vtkPolyData& surface)
 {
   constexpr std::size_t Kibi = 1024;
@@ -66,10 +83,10 @@ class StructureMaker
 {
 public:
   StructureMaker(const TouchStructureSettings& settings, const Needs& needs, const ToolShape& tool,
-                 SceneFiles& files, SceneMemory& memory, const ProgressFunction& progress,
+                 SceneFiles& files, SceneMemory& memory, ProgressFunction progress,
                  TouchStructures& made)
       : Settings(settings), Need(needs), Tool(tool), Files(files), Memory(memory),
-        Progress(progress), Made(made)
+        Progress(std::move(progress)), Made(made)
   {
   }
 
@@ -327,16 +344,25 @@ private:
         structures.push_back(segmentation->Find(label));
       }
     }
-    for (const Segment& structure : structures)
+    const auto count = static_cast<double>(structures.size());
+    const ProgressFunction whole = std::move(this->Progress);
+    for (std::size_t s = 0; s < structures.size(); ++s)
     {
-      this->AddSegment(*segmentation, structure);
+      const std::string title = Counted("structure", s, structures.size(), NameOf(structures[s]));
+      this->Progress = [&](double fraction, const std::string& stage)
+      { return whole((static_cast<double>(s) + fraction) / count, title + ": " + stage); };
+      this->AddSegment(*segmentation, structures[s]);
     }
+    this->Progress = whole;
   }
 
   void AddSegment(const Segmentation& segmentation, const Segment& structure)
   {
-    const std::string name =
-        structure.Name.empty() ? "label " + std::to_string(structure.Label) : structure.Name;
+    const std::string name = NameOf(structure);
+    if (this->Need.IsTouched || this->Settings.IsForbidden)
+    {
+      this->RequireVoxels(segmentation, structure);
+    }
     if (this->Settings.IsForbidden)
     {
       this->Forbid(name, MakeForbiddenSurface(segmentation, structure, this->Progress));
@@ -363,6 +389,15 @@ private:
     }
   }
 
+  void RequireVoxels(const Segmentation& segmentation, const Segment& structure) const
+  {
+    if (const std::string reason = TooFewVoxels(segmentation, structure); !reason.empty())
+    {
+      throw InputError(
+          WithHint(CaseSentence(this->Settings.File, structure, reason), ChooseAnother));
+    }
+  }
+
   void AddFit(const Segmentation& segmentation, const Segment& structure, const std::string& name)
   {
     FitSettings settings;
@@ -370,7 +405,12 @@ private:
     const FitResult fit = FitStructure(segmentation, structure, settings, this->Progress);
     if (fit.State != FitResult::Outcome::Fitted)
     {
-      throw InputError(this->Settings.File.string() + ", " + name + ": " + fit.Message);
+      // Touching has none of the options that a fit has.
+      const bool isRefused = fit.State == FitResult::Outcome::Refused;
+      throw InputError(WithHint(
+          CaseSentence(this->Settings.File, structure, fit.Message),
+          isRefused ? "fit it with palpate fit and touch the model, or leave the representation out"
+                    : "leave the representation out"));
     }
     this->AddHarmonics(fit.Model, name);
   }
@@ -389,7 +429,7 @@ private:
   const ToolShape& Tool;
   SceneFiles& Files;
   SceneMemory& Memory;
-  const ProgressFunction& Progress;
+  ProgressFunction Progress;
   TouchStructures& Made;
   DrillSource Source; // of what is added next, where it is drilled
   std::vector<std::pair<std::string, double>> Stages;
@@ -455,8 +495,12 @@ TouchStructures MakeTouchStructures(const TouchSettings& settings, bool isSeen,
   {
     const TouchStructureSettings& structure = settings.Structures[s];
     const Needs needs(structure, isSeen);
+    const std::string base = structure.File.filename().string();
+    const std::string title =
+        Counted("file", s, settings.Structures.size(),
+                structure.Name.empty() ? base : base + " (" + structure.Name + ")");
     const auto part = [&, s](double fraction, const std::string& stage)
-    { return progress((static_cast<double>(s) + fraction) / count, stage); };
+    { return progress((static_cast<double>(s) + fraction) / count, title + ", " + stage); };
     needs.IsAny() ? StructureMaker(structure, needs, tool, files, memory, part, made).Run()
                   : LeaveOut(structure, needs, made.Account);
     for (const std::filesystem::path& file : FilesOf(structure))

@@ -95,6 +95,16 @@ bool StartedCommand::HasTakenSignals() const
   return true;
 }
 
+bool StartedCommand::IsStopped() const
+{
+  std::ifstream status("/proc/" + std::to_string(this->Child) + "/status");
+  std::string word;
+  while (status >> word && word != "State:")
+  {
+  }
+  return status >> word && word == "T";
+}
+
 bool StartedCommand::HasEnded()
 {
   this->IsOver = this->IsOver || waitpid(this->Child, &this->Outcome, WNOHANG) == this->Child;

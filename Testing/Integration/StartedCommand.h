@@ -50,6 +50,8 @@ public:
   void Send(int signal) const;
   /// Whether no signal that was sent is still on its way to the program.
   bool HasTakenSignals() const;
+  /// Whether it is stopped (SIGSTOP).
+  bool IsStopped() const;
   bool HasEnded();
   /// Waits for its end.
   CommandRun Finish();

@@ -7,6 +7,8 @@
 #include "vtkNew.h"
 
 #include <algorithm>
+#include <cstdint>
+#include <cstring>
 #include <gtest/gtest.h>
 #include <set>
 #include <sstream>
@@ -67,6 +69,39 @@ void WriteNamed(const std::filesystem::path& path, const std::vector<std::string
     }
   }
   WriteAll(path, header.str() + "\n" + voxels);
+}
+
+// A NIfTI file of a thousand million voxels, none of which takes room on the disk.
+void WriteHuge(const std::filesystem::path& path)
+{
+  std::string header(352, '\0');
+  const auto put = [&header](std::size_t offset, auto value)
+  { std::memcpy(header.data() + offset, &value, sizeof value); };
+  put(0, std::int32_t{348});
+  put(40, std::int16_t{3});
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    put(42 + 2 * axis, std::int16_t{1000});
+    put(80 + 4 * axis, 1.0f);
+  }
+  put(70, std::int16_t{2});
+  put(72, std::int16_t{8});
+  put(108, 352.0f);
+  header.replace(344, 3, "n+1");
+  WriteAll(path, header);
+  std::filesystem::resize_file(path, 352 + std::uintmax_t{1000000000});
+}
+
+// A run under limits of the shell, such as "-f 20".
+CommandRun RunLimited(const std::string& limit, const std::vector<std::string>& words,
+                      const std::filesystem::path& folder)
+{
+  std::string command = "ulimit " + limit + "; exec '" + PALPATE_PROGRAM + "'";
+  for (const std::string& word : words)
+  {
+    command += " " + word;
+  }
+  return RunCommand("sh", {"-c", command}, folder);
 }
 
 std::vector<std::string> FitWords(std::vector<std::string> more)
@@ -419,4 +454,79 @@ TEST(CliCases, NamesCannotSteerTheTerminal)
   EXPECT_FALSE(Has(info.Output, "END"));
   const CommandRun fit = RunPalpate({"fit", "a.seg.nrrd", "--label", "gone"}, folder.Path());
   EXPECT_FALSE(Has(fit.Errors, "\x1b")) << fit.Errors;
+}
+
+// Sanitizers need more address space than any limit.
+#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+TEST(CliCases, AFileThatNeedsTooMuchMemoryDoesNotStopTheOthers)
+{
+  const TemporaryFolder folder;
+  WriteHuge(folder / "huge.nii");
+  WriteBoxes(folder / "a.nii.gz", {1});
+  for (const std::vector<std::string>& words : std::vector<std::vector<std::string>>{
+           {"info", "huge.nii", "a.nii.gz", "--json"},
+           {"mesh", "huge.nii", "a.nii.gz", "--output", "out", "--json"}})
+  {
+    const CommandRun run = RunLimited("-v 1000000", words, folder.Path());
+    EXPECT_EQ(run.Code, 1) << run.Errors;
+    const std::vector<Json> results = Lines(run.Output);
+    ASSERT_EQ(results.size(), 2U) << words.front() << run.Errors;
+    EXPECT_EQ(results[0].at("status"), "failed");
+    EXPECT_TRUE(Has(results[0].at("message"), "huge.nii needs more memory than there is"))
+        << results[0];
+    EXPECT_EQ(results[1].at("input"), "a.nii.gz");
+  }
+}
+#endif
+
+TEST(CliCases, ALinkToItselfInAFolderDoesNotStopTheOthers)
+{
+  const TemporaryFolder folder;
+  std::filesystem::create_directory(folder / "s");
+  std::filesystem::create_symlink("loop", folder / "s/loop");
+  WriteBoxes(folder / "a.nii.gz", {1});
+  const CommandRun mesh =
+      RunPalpate({"mesh", "s", "a.nii.gz", "--output", "out", "--json"}, folder.Path());
+  EXPECT_EQ(mesh.Code, 1);
+  const std::vector<Json> results = Lines(mesh.Output);
+  ASSERT_EQ(results.size(), 2U) << mesh.Errors;
+  EXPECT_EQ(results[1].at("status"), "written");
+  const CommandRun info = RunPalpate({"info", "s"}, folder.Path());
+  EXPECT_TRUE(Has(info.Errors, "s holds no DICOM file")) << info.Errors;
+}
+
+TEST(CliCases, AFileThatGrowsBeyondALimitIsAMessage)
+{
+  const TemporaryFolder folder;
+  WriteBoxes(folder / "a.nii.gz", {1});
+  const CommandRun run =
+      RunLimited("-f 4", FitWords({"a.nii.gz", "--output", "new"}), folder.Path());
+  EXPECT_EQ(run.Code, 2) << run.Errors;
+  EXPECT_TRUE(Has(run.Errors, "cannot be written")) << run.Errors;
+  EXPECT_EQ(folder.EntryCount(), 1U) << "the mask alone";
+}
+
+TEST(CliCases, AFitThatCannotBeWrittenIsALineOfJson)
+{
+  const TemporaryFolder folder;
+  WriteBoxes(folder / "a.nii.gz", {1});
+  const CommandRun run =
+      RunLimited("-f 4; trap '' XFSZ", FitWords({"a.nii.gz", "--output", "new"}), folder.Path());
+  EXPECT_EQ(run.Code, 2) << run.Errors;
+  const std::vector<Json> results = Lines(run.Output);
+  ASSERT_EQ(results.size(), 1U) << run.Output;
+  EXPECT_EQ(results[0].at("status"), "bad-input");
+  EXPECT_TRUE(Has(results[0].at("message"), "cannot be written")) << results[0];
+}
+
+TEST(CliCases, ATouchThatCannotBeWrittenIsSummedUp)
+{
+  const TemporaryFolder folder;
+  WriteBoxes(folder / "a.nii.gz", {1});
+  const CommandRun run = RunLimited(
+      "-f 4; trap '' XFSZ", {"touch", "a.nii.gz", "--seconds", "0.2", "--output", "felt", "--json"},
+      folder.Path());
+  EXPECT_NE(run.Code, 0);
+  EXPECT_TRUE(Has(run.Errors, "cannot be written")) << run.Errors;
+  EXPECT_GT(Json::parse(run.Output).at("ticks"), 0);
 }

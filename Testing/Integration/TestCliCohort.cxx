@@ -6,6 +6,7 @@
 
 #include <fstream>
 #include <gtest/gtest.h>
+#include <memory>
 
 using namespace palpate::test;
 using palpate::CohortRow;
@@ -160,6 +161,76 @@ TEST_F(CliCohort, ChosenCaseLeavesTheRowsOfOthers)
   const CommandRun run = RunPalpate(arguments, this->Folder.Path());
   EXPECT_EQ(run.Code, 0) << run.Errors;
   EXPECT_EQ(RowsIn(this->Folder / "out").size(), 3U);
+}
+
+// One case a job of a cluster.
+TEST_F(CliCohort, RunsOfOneCaseEachKeepEachOthersRows)
+{
+  std::string list = "case,mask,label\n";
+  std::vector<std::string> names;
+  for (int i = 0; i < 6; ++i)
+  {
+    names.push_back("p" + std::to_string(i));
+    list += names.back() + ",a.nii.gz,1\n";
+  }
+  WriteAll(this->Folder / "masks/list.csv", list);
+  std::vector<std::unique_ptr<StartedCommand>> jobs;
+  for (const std::string& name : names)
+  {
+    const std::vector<std::string> words{"fit",      "--manifest", "masks/list.csv", "--case", name,
+                                         "--degree", "3",          "--output",       "out"};
+    jobs.push_back(std::make_unique<StartedCommand>(PALPATE_PROGRAM, words, this->Folder.Path()));
+  }
+  for (const auto& job : jobs)
+  {
+    const CommandRun run = job->Finish();
+    EXPECT_EQ(run.Code, 0) << run.Errors;
+  }
+  std::vector<std::string> found;
+  for (const CohortRow& row : RowsIn(this->Folder / "out"))
+  {
+    found.push_back(row.Case);
+  }
+  EXPECT_EQ(found, names);
+  EXPECT_FALSE(std::filesystem::exists(this->Folder / "out/.palpate-cohort.lock"));
+  EXPECT_FALSE(std::filesystem::exists(this->Folder / "out/.palpate-cohort-runs.lock"));
+}
+
+TEST_F(CliCohort, RunsOfSeveralFoldersAtTheSameTimeKeepEachOthersRows)
+{
+  std::filesystem::create_directory(this->Folder / "others");
+  WriteTwoBalls(this->Folder / "others/x.nii.gz");
+  StartedCommand slow(PALPATE_PROGRAM, FitMasks, this->Folder.Path());
+  const auto hasLock = [this]
+  { return std::filesystem::exists(this->Folder / "out/.palpate-cohort.lock"); };
+  EXPECT_TRUE(IsSoon([&] { return std::filesystem::exists(this->Folder / "out/cohort.csv"); }));
+  // Between two cases, not while it keeps others from the table.
+  EXPECT_TRUE(IsSoon(
+      [&]
+      {
+        slow.Send(SIGSTOP);
+        EXPECT_TRUE(IsSoon([&] { return slow.IsStopped(); }));
+        if (hasLock())
+        {
+          slow.Send(SIGCONT);
+          return false;
+        }
+        return true;
+      }));
+  const CommandRun other =
+      this->FitWith({"others", "--label", "1", "--degree", "4", "--output", "out"});
+  EXPECT_EQ(other.Code, 0) << other.Errors;
+  slow.Send(SIGCONT);
+  EXPECT_EQ(slow.Finish().Code, 1);
+  EXPECT_EQ(RowsIn(this->Folder / "out").size(), 4U);
+}
+
+TEST_F(CliCohort, ACaseThatIsNotListedAnyMoreLeavesTheTable)
+{
+  this->Fit();
+  std::filesystem::remove(this->Folder / "masks/b.nii.gz");
+  this->Fit();
+  EXPECT_EQ(RowsIn(this->Folder / "out").size(), 2U);
 }
 
 TEST_F(CliCohort, WithoutLabelsEveryStructureIsARow)

@@ -2,9 +2,11 @@
 #include "StartedCommand.h"
 #include "SyntheticFiles.h"
 
+#include <algorithm>
 #include <csignal>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <random>
 #include <set>
 
 using namespace palpate::test;
@@ -206,3 +208,23 @@ TEST_F(CliEnds, AnXServerThatEndsWithViewLeavesAWholeRecording)
             0);
 }
 } // namespace
+
+// Compressing takes so long that the signal comes while the file is written.
+TEST_F(CliEnds, CtrlCInAConversionLeavesNothingHalfWritten)
+{
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(256, 256, 200);
+  image->AllocateScalars(VTK_UNSIGNED_SHORT, 1);
+  auto* voxels = static_cast<unsigned short*>(image->GetScalarPointer());
+  std::minstd_rand random;
+  std::generate_n(voxels, image->GetNumberOfPoints(),
+                  [&random] { return static_cast<unsigned short>(random() % 1024); });
+  palpate::WriteImage(this->Folder / "noise.nrrd", image);
+  std::filesystem::create_directory(this->Folder / "felt");
+  StartedCommand command(PALPATE_PROGRAM, {"convert", "noise.nrrd", "felt/noise.nii.gz"},
+                         this->Folder.Path());
+  ASSERT_TRUE(IsSoon([this] { return !this->FilesThatAreLeft().empty(); }));
+  command.Send(SIGINT);
+  EXPECT_EQ(command.Finish().Code, 130);
+  EXPECT_EQ(this->FilesThatAreLeft(), (std::set<std::string>{"noise.nii.gz"}));
+}

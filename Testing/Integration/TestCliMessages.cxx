@@ -57,6 +57,14 @@ void WriteBowlAndBall(const std::filesystem::path& path)
   palpate::WriteImage(path, image);
 }
 
+void WriteDot(const std::filesystem::path& path)
+{
+  LabelGrid grid;
+  grid.Size = {5, 5, 5};
+  palpate::WriteImage(path, MakeLabelImage(grid, [](double x, double y, double z)
+                                           { return x == 2.0 && y == 2.0 && z == 2.0; }));
+}
+
 // The standard error stream of a run on a terminal.
 std::string OnTerminal(const std::vector<std::string>& words)
 {
@@ -75,6 +83,12 @@ TEST(CliMessages, AnUnknownCommandIsNamed)
   EXPECT_EQ(Refusal({"fti", "a.nii.gz"}),
             "palpate: there is no command 'fti', perhaps 'fit'; see palpate --help\n");
   EXPECT_TRUE(Has(Refusal({"--quiet", "nonsense", "a"}), "'nonsense'"));
+}
+
+TEST(CliMessages, ThereIsNoHelpOnAnUnknownCommand)
+{
+  EXPECT_EQ(Refusal({"nonsense", "--help"}),
+            "palpate: there is no command 'nonsense'; see palpate --help\n");
 }
 
 TEST(CliMessages, AnUnknownOptionIsNamedWithTheNearest)
@@ -136,6 +150,67 @@ TEST(CliMessages, OneVoxelIsOneLine)
   }
 }
 
+// Each command by the options that it has.
+TEST(CliMessages, OneVoxelIsOneLineOfEveryCommandThatMakesAField)
+{
+  const TemporaryFolder folder;
+  WriteDot(folder / "a.nrrd");
+  WriteAll(folder / "a.scene.json", "{\"format\": \"palpate-scene\", \"structures\": "
+                                    "[{\"file\": \"a.nrrd\", \"label\": 1}]}");
+  WriteAll(folder / "a.palpate.json",
+           "{\"format\": \"palpate-study\", \"segmentation\": \"a.nrrd\", \"structures\": "
+           "[{\"label\": 1, \"degree\": 4}]}");
+  for (const std::vector<std::string>& words : std::vector<std::vector<std::string>>{
+           {"touch", "a.nrrd"},
+           {"touch", "a.nrrd", "--representation", "facets"},
+           {"touch", "a.nrrd", "--representation", "harmonics"},
+           {"scene", "explain", "a.scene.json"},
+           {"render", "a.nrrd", "--sub-voxel", "--output", "a.png"},
+           {"tradeoff", "a.nrrd"},
+           {"study", "a.palpate.json"}})
+  {
+    const CommandRun run = RunPalpate(words, folder.Path());
+    EXPECT_NE(run.Code, 0) << words.front();
+    EXPECT_EQ(std::count(run.Errors.begin(), run.Errors.end(), '\n'), 1) << run.Errors;
+    EXPECT_TRUE(Has(run.Errors, "a.nrrd, label 1 has only 1 voxel")) << run.Errors;
+    EXPECT_TRUE(Has(run.Errors, "; choose another structure")) << run.Errors;
+    EXPECT_FALSE(Has(run.Errors, " --")) << run.Errors;
+  }
+}
+
+TEST(CliMessages, AStructureThatSmoothingTakesAwayIsNamed)
+{
+  const TemporaryFolder folder;
+  LabelGrid grid;
+  grid.Size = {20, 20, 20};
+  const auto thread =
+      MakeLabelImage(grid, [](double, double y, double z) { return y == 10.0 && z == 10.0; });
+  palpate::WriteImage(folder / "a.nrrd", thread);
+  const std::string errors = RunPalpate({"touch", "a.nrrd"}, folder.Path()).Errors;
+  EXPECT_TRUE(Has(errors, "a.nrrd, label 1 has no voxel left by a smoothing of")) << errors;
+}
+
+TEST(CliMessages, ARefusedFitIsToldByTheOptionsOfTheCommand)
+{
+  const TemporaryFolder folder;
+  WriteBowlAndBall(folder / "a.nii.gz");
+  const std::string fit = RunPalpate({"fit", "a.nii.gz", "--label", "1"}, folder.Path()).Errors;
+  EXPECT_TRUE(Has(fit, "try --center visible, or raise --max-hidden")) << fit;
+  WriteAll(folder / "a.palpate.json",
+           "{\"format\": \"palpate-study\", \"segmentation\": \"a.nii.gz\", \"structures\": "
+           "[{\"label\": 1}]}");
+  for (const std::vector<std::string>& words :
+       std::vector<std::vector<std::string>>{{"touch", "a.nii.gz", "--representation", "harmonics"},
+                                             {"study", "a.palpate.json"},
+                                             {"tradeoff", "a.nii.gz", "--label", "1", "--only",
+                                              "degree", "--seconds", "0.5", "--runs", "1"}})
+  {
+    const CommandRun run = RunPalpate(words, folder.Path());
+    EXPECT_TRUE(Has(run.Errors + run.Output, "is not star-shaped")) << run.Errors << run.Output;
+    EXPECT_FALSE(Has(run.Errors + run.Output, "--")) << run.Errors << run.Output;
+  }
+}
+
 TEST(CliMessages, ProgressNamesTheCaseAndHowManyThereAre)
 {
   const TemporaryFolder folder;
@@ -169,4 +244,35 @@ TEST(CliMessages, ProgressOfSeveralFilesNamesTheFile)
   const std::string fit = OnTerminal(
       {"fit", (folder / "a.nii.gz").string(), (folder / "b.nii.gz").string(), "--degree", "2"});
   EXPECT_TRUE(Has(fit, "file 2 of 2: b.nii.gz, case 1 of 2: label 1: surface")) << fit;
+}
+
+TEST(CliMessages, ProgressOfSeveralMeshedFilesNamesTheFile)
+{
+  const TemporaryFolder folder;
+  WriteTwoBalls(folder / "a.nii.gz");
+  WriteTwoBalls(folder / "b.nii.gz");
+  const std::string mesh =
+      OnTerminal({"mesh", (folder / "a.nii.gz").string(), (folder / "b.nii.gz").string(), "--label",
+                  "1", "--output", (folder / "out").string()});
+  EXPECT_TRUE(Has(mesh, "file 2 of 2: b.nii.gz, label 1")) << mesh;
+}
+
+TEST(CliMessages, ProgressOfAStudyNamesTheStructureAndHowManyThereAre)
+{
+  const TemporaryFolder folder;
+  WriteTwoBalls(folder / "a.nii.gz");
+  WriteAll(folder / "a.palpate.json",
+           "{\"format\": \"palpate-study\", \"segmentation\": \"a.nii.gz\", \"structures\": "
+           "[{\"label\": 1, \"name\": \"ball\"}, {\"label\": 2}]}");
+  const std::string study = OnTerminal({"study", (folder / "a.palpate.json").string()});
+  EXPECT_TRUE(Has(study, "case 1 of 2: ball: ") || Has(study, "case 2 of 2: label 2: ")) << study;
+}
+
+TEST(CliMessages, ProgressOfATouchNamesTheStructureAndHowManyThereAre)
+{
+  const TemporaryFolder folder;
+  WriteTwoBalls(folder / "a.nii.gz");
+  const std::string touch = OnTerminal(
+      {"touch", (folder / "a.nii.gz").string(), "--representation", "facets", "--seconds", "0.1"});
+  EXPECT_TRUE(Has(touch, "a.nii.gz, structure 1 of 2: label 1: surface")) << touch;
 }

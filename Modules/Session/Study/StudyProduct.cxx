@@ -1,6 +1,7 @@
 #include "StudyProduct.h"
 
 #include "CaseText.h"
+#include "FitHints.h"
 
 #include "vtkImageData.h"
 
@@ -41,7 +42,7 @@ const FitResult* RefusedOf(const StudyProduct& product)
 std::string FailureOf(const StudyProduct& product)
 {
   const FitResult* refused = RefusedOf(product);
-  return refused != nullptr ? CaseSentence(refused->Input, refused->Structure, refused->Message)
+  return refused != nullptr ? CaseSentence(refused->Input, refused->Structure, ReasonOf(product))
                             : ReasonOf(product);
 }
 
@@ -50,7 +51,7 @@ std::string ReasonOf(const StudyProduct& product)
   const FitResult* refused = RefusedOf(product);
   const auto* failure = std::get_if<StudyFailure>(&product);
   const std::string sentence = failure != nullptr ? failure->Sentence : std::string();
-  return refused != nullptr ? refused->Message : sentence;
+  return refused != nullptr ? WithHint(refused->Message, refused->WindowHint) : sentence;
 }
 
 std::size_t BytesOf(const StudyProduct& product)

@@ -175,7 +175,7 @@ TEST(FitStructure, RefusesAModelThatReachesFarBeyondItsStructure)
   EXPECT_EQ(result.State, Outcome::Refused);
   EXPECT_NE(result.Message.find("the model's radius runs from "), std::string::npos)
       << result.Message;
-  EXPECT_NE(result.Message.find(" --center visible"), std::string::npos) << result.Message;
+  EXPECT_NE(result.OptionHint.find(" --center visible"), std::string::npos) << result.OptionHint;
   EXPECT_EQ(result.ModelSurface, nullptr);
 }
 
@@ -205,8 +205,29 @@ TEST(FitStructure, HintsAtNoCentreThatWasUsed)
   settings.MaximumHiddenPercent = 1.0;
   const FitResult result = Fit(SegmentationOf(Bowl()), settings);
   EXPECT_EQ(result.State, Outcome::Refused);
-  EXPECT_EQ(result.Message.find("visible"), std::string::npos) << result.Message;
-  EXPECT_NE(result.Message.find("--max-hidden"), std::string::npos) << result.Message;
+  EXPECT_EQ(result.OptionHint.find("visible"), std::string::npos) << result.OptionHint;
+  EXPECT_NE(result.OptionHint.find("--max-hidden"), std::string::npos) << result.OptionHint;
+}
+
+// Others than `palpate fit` read it too.
+TEST(FitStructure, NamesNoOptionInAReason)
+{
+  FitSettings hidden;
+  hidden.MaximumHiddenPercent = 1.0;
+  FitSettings strict;
+  strict.MinimumDice = 1.0;
+  strict.MaximumHiddenPercent = 100.0;
+  FitSettings undetermined;
+  undetermined.MaximumHiddenPercent = 100.0;
+  undetermined.Frequency = 2;
+  for (const FitSettings& settings : {hidden, strict, AcceptingAll(), undetermined})
+  {
+    const FitResult result = Fit(SegmentationOf(Bowl()), settings);
+    EXPECT_NE(result.State, Outcome::Fitted);
+    EXPECT_EQ(result.Message.find("--"), std::string::npos) << result.Message;
+    EXPECT_NE(result.OptionHint.find("--"), std::string::npos) << result.Message;
+    EXPECT_EQ(result.WindowHint.find("--"), std::string::npos) << result.WindowHint;
+  }
 }
 
 // A limit that is missed by less than what is written of it.

@@ -1,7 +1,9 @@
 #include "TradeModels.h"
 
+#include "CaseText.h"
 #include "DecimatedSurface.h"
 #include "FilterRun.h"
+#include "FitHints.h"
 #include "InputError.h"
 #include "ModelSurface.h"
 #include "ModelTable.h"
@@ -9,6 +11,7 @@
 #include "SceneField.h"
 #include "SceneIsoSurface.h"
 #include "SupportedDegree.h"
+#include "VoxelMinimum.h"
 #include "vtkSphericalHarmonicFit.h"
 
 #include "vtkNew.h"
@@ -42,6 +45,11 @@ const SphericalHarmonicModel* ModelOf(const TradeSource& source)
 
 void RequireFit(const FitResult& found, bool isOver, const TradeSource& source)
 {
+  if (isOver && found.State == FitResult::Outcome::BadInput)
+  {
+    throw InputError(
+        WithHint(CaseSentence(found.Input, found.Structure, found.Message), ChooseAnother));
+  }
   if (isOver)
   {
     throw InputError(source.Name + " " + found.Message);
