@@ -1,9 +1,9 @@
 """Checks the repository's structure against rooms.json.
 
 Rooms may include only the rooms and packages that the table names, and only rooms of a lower level;
-their vtk.module files may name no other rooms; every source has its header, every module its page,
-no file is too long, no work is left behind in comments. Prints one line a violation; exit code 1
-where there is any.
+each of these permissions is used; Documentation/Architecture.md lists the same; vtk.module files name
+no other rooms; every source has its header, every module its page, no file is too long, no work is
+left behind in comments. Prints one line a violation; exit code 1 where there is any.
 """
 
 import argparse
@@ -19,6 +19,14 @@ LEFT_BEHIND = re.compile(r"\b(TO" r"DO|FIX" r"ME|XX" r"X)\b")
 SOURCE_ENDINGS = {".h", ".cxx", ".cmake", ".py", ".sh", ".txt", ".module", ".in"}
 # Not headers of the project or of a package: C and C++ standard library, POSIX.
 SYSTEM_HEADER = re.compile(r"^([a-z_0-9]+|(sys/)?[a-z_0-9]+\.h)$")
+PAGE_ROW = re.compile(
+    r"^\| (\S+) \| `((?:Modules|Applications)/\w+)` \| (.*?) \| (.*?) \| (.*?) \|$", re.MULTILINE
+)
+
+
+def names_in(cell):
+    """The names of a cell of the table; a dash for none."""
+    return set() if cell == "–" else set(cell.split(", "))
 
 
 class Checker:
@@ -29,6 +37,7 @@ class Checker:
         self.names = {pathlib.PurePath(path).name: path for path in self.rooms}
         self.violations = []
         self.headers = {}
+        self.used = {path: set() for path in self.rooms}  # rooms and packages that it includes
 
     def report(self, path, fact):
         self.violations.append(f"{path.relative_to(self.root)}: {fact}")
@@ -39,6 +48,8 @@ class Checker:
         for path in self.rooms:
             self.check_room(self.root / path)
         self.check_modules_are_in_the_table()
+        self.check_permissions_are_used()
+        self.check_page()
         self.check_every_source()
         return self.violations
 
@@ -81,6 +92,7 @@ class Checker:
         allowed = self.rooms[str(room.relative_to(self.root))]
         for header in INCLUDE.findall(source.read_text()):
             owner = self.headers.get(header)
+            self.used[str(room.relative_to(self.root))].add(owner or self.package_of(header))
             if owner is not None:
                 if owner != room.name and owner not in allowed["rooms"]:
                     self.report(source, f"includes {header} of room {owner}, which it may not use")
@@ -113,6 +125,7 @@ class Checker:
         if "VTK" not in allowed["externals"]:
             self.report(module, "a room without VTK has no vtk.module")
         for used in re.findall(r"Palpate::(\w+)", text):
+            self.used[str(room.relative_to(self.root))].add(used)
             if used != room.name and used not in allowed["rooms"]:
                 self.report(module, f"names room {used}, which it may not use")
 
@@ -120,6 +133,31 @@ class Checker:
         for folder in sorted((self.root / "Modules").iterdir()):
             if folder.is_dir() and f"Modules/{folder.name}" not in self.rooms:
                 self.report(folder, "is not in Testing/Structure/rooms.json")
+
+    def check_permissions_are_used(self):
+        for path, room in self.rooms.items():
+            for permission in [*room["rooms"], *room["externals"]]:
+                if (self.root / path).is_dir() and permission not in self.used[path]:
+                    self.report(self.root / path, f"may use {permission}, and does not")
+
+    def check_page(self):
+        """The table of Architecture.md: level, room, what it does, rooms, packages."""
+        page = self.root / "Documentation/Architecture.md"
+        listed = []
+        for level, path, _, rooms, packages in PAGE_ROW.findall(page.read_text()):
+            room = self.rooms.get(path)
+            listed.append(path)
+            if room is None:
+                self.report(page, f"lists {path}, which is not in Testing/Structure/rooms.json")
+                continue
+            wanted = {"level": str(room["level"]), "rooms": set(room["rooms"]), "packages": set(room["externals"])}
+            given = {"level": level, "rooms": names_in(rooms), "packages": names_in(packages)}
+            for what in wanted:
+                if wanted[what] != given[what]:
+                    self.report(page, f"has other {what} for {path} than Testing/Structure/rooms.json")
+        for path in self.rooms:
+            if listed.count(path) != 1:
+                self.report(page, f"lists {path} {listed.count(path)} times")
 
     def check_every_source(self):
         limit = self.table["largest_file_lines"]

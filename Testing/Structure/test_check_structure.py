@@ -16,7 +16,13 @@ TABLE = {
     "sources": ["Modules"],
     "largest_file_lines": 20,
 }
+PAGE = (
+    "| level | room | what it does | may use | packages |\n"
+    "| 0 | `Modules/Low` | vectors | – | Eigen |\n"
+    "| 1 | `Modules/High` | things | Low | VTK |\n"
+)
 CLEAN = {
+    "Documentation/Architecture.md": PAGE,
     "Modules/Low/README.md": "",
     "Modules/Low/Vector.h": "#include <Eigen/Core>\n#include <vector>\n#include <sys/stat.h>\n",
     "Modules/Low/Vector.cxx": '#include "Vector.h"\n',
@@ -54,6 +60,23 @@ class CheckStructure(unittest.TestCase):
 
     def test_forbidden_room(self):
         self.assert_one("of room High", **{"Modules/Low/Extra.h": "#include <vtkThing.h>\n"})
+
+    def test_permission_that_is_not_used(self):
+        table = json.loads(json.dumps(TABLE))
+        table["rooms"]["Modules/High"]["externals"].append("Qt")
+        page = PAGE.replace("Low | VTK", "Low | VTK, Qt")
+        self.assert_one("may use Qt, and does not", table=table, **{"Documentation/Architecture.md": page})
+
+    def test_page_that_differs(self):
+        for old, new, fact in (
+            ("| 0 |", "| 1 |", "other level for Modules/Low"),
+            ("things | Low", "things | –", "other rooms for Modules/High"),
+            ("| Low | VTK", "| Low | VTK, Qt", "other packages for Modules/High"),
+            ("| 0 | `Modules/Low` | vectors | – | Eigen |\n", "", "lists Modules/Low 0 times"),
+            ("| 0 |", "| 0 | `Modules/Low` | vectors | – | Eigen |\n| 0 |", "lists Modules/Low 2 times"),
+        ):
+            with self.subTest(fact):
+                self.assert_one(fact, **{"Documentation/Architecture.md": PAGE.replace(old, new)})
 
     def test_forbidden_export_header(self):
         self.assert_one("PalpateHighModule.h", **{"Modules/Low/Extra.h": '#include "PalpateHighModule.h"\n'})
