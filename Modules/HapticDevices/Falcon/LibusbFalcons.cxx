@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <filesystem>
+#include <thread>
 #include <utility>
 
 namespace palpate
@@ -124,11 +126,20 @@ std::string SerialOf(libusb_device_handle* handle)
   return {text.begin(), text.begin() + std::max(length, 0)};
 }
 
+// A FalconGuard of a device that was closed without 0 N holds it for a moment.
 Status Claim(libusb_device_handle* handle, const std::string& busPath)
 {
+  constexpr auto Patience = std::chrono::milliseconds(500);
+  constexpr auto Nap = std::chrono::milliseconds(20);
   // Where the platform cannot detach drivers, none has to be.
   static_cast<void>(libusb_set_auto_detach_kernel_driver(handle, 1));
-  const int error = libusb_claim_interface(handle, Interface);
+  int error = libusb_claim_interface(handle, Interface);
+  const auto end = std::chrono::steady_clock::now() + Patience;
+  while (error == LIBUSB_ERROR_BUSY && std::chrono::steady_clock::now() < end)
+  {
+    std::this_thread::sleep_for(Nap);
+    error = libusb_claim_interface(handle, Interface);
+  }
   return error == LIBUSB_SUCCESS ? Status::Success() : Status::Failure(Sentence(error, busPath));
 }
 

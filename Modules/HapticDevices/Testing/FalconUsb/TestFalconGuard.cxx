@@ -151,6 +151,20 @@ TEST_F(FalconGuardOfLink, StopsADeviceThatIsBackAfterItsLinkHasEnded)
   this->ExpectStop("Closed without a cable, from its return");
 }
 
+TEST_F(FalconGuardOfLink, LetsAnotherLinkOpenTheDeviceThatIsBack)
+{
+  this->Bus.HoldWrites(false);
+  for (int n = 0; n < 5; ++n)
+  {
+    ASSERT_NO_FATAL_FAILURE(this->PullTheCable());
+    this->Link->Close();
+    this->Link = std::make_unique<LibusbFalconLink>(this->BusPath);
+    this->Bed.Plug(this->Bus, Port);
+    const Status status = this->Link->Open();
+    EXPECT_TRUE(status.IsOk()) << status.Message();
+  }
+}
+
 TEST_F(FalconGuardOfLink, StopsADeviceThatTookNothingWhenItsLinkEnded)
 {
   ASSERT_TRUE(this->Link->SendStop());
