@@ -95,7 +95,7 @@ protected:
         {
           const SafetyFault fault = this->Study->Reading().Newest.Safety.Fault;
           if (fault == SafetyFault::StalledTick || fault == SafetyFault::StaleSample ||
-              fault == SafetyFault::UntakenForce)
+              fault == SafetyFault::UntakenForce || fault == SafetyFault::ImplausibleMotion)
           {
             this->Study->SwitchForcesOn();
           }
