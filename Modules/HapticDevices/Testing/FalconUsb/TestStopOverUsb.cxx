@@ -97,6 +97,9 @@ TEST_F(StopOverUsb, ZeroIsFirstWhereAFullQueueMovesAgain)
 {
   this->Bus.HoldWrites(true);
   EXPECT_TRUE(this->TickUntil([this] { return !this->Device->Apply(this->Push); }, this->Push));
+  // The bytes in the chip's buffer can't be taken back: 2 ms empty it ten times over.
+  this->Time.WaitUntil(this->Time.Now() + 2'000'000);
+  EXPECT_TRUE(this->HasTorqueNow());
   const std::size_t before = this->ReceivedCount();
   static_cast<void>(this->Device->Apply(Vector3::Zero()));
   // The writes before it are taken back; the stop alone waits.
