@@ -294,7 +294,9 @@ private:
 
   FieldForm Form() const
   {
-    return {this->Settings.Interpolation, this->Settings.Bricks, this->Settings.IsDrilled()};
+    const bool isDrilled = this->Settings.IsDrilled();
+    return {isDrilled ? FieldInterpolation::Trilinear : this->Settings.Interpolation,
+            this->Settings.Bricks, isDrilled};
   }
 
   void AddField(const std::shared_ptr<const ScalarField>& field, const std::string& name)
@@ -367,11 +369,14 @@ private:
     {
       this->Forbid(name, MakeForbiddenSurface(segmentation, structure, this->Progress));
     }
-    if (this->Settings.Representation == Representation::Harmonics)
+    // Voxels are drilled by their field, whatever else is chosen.
+    const Representation asked =
+        this->Settings.IsDrilled() ? Representation::SubVoxel : this->Settings.Representation;
+    if (asked == Representation::Harmonics)
     {
       this->AddFit(segmentation, structure, name);
     }
-    else if (this->Settings.Representation == Representation::Facets || !this->Need.IsTouched)
+    else if (asked == Representation::Facets || !this->Need.IsTouched)
     {
       this->AddSurface(this->SurfaceOf(segmentation, structure), name);
     }

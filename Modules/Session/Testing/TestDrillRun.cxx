@@ -190,9 +190,15 @@ TEST(DrillRun, WhatCannotBeDrilledIsRefusedInASentence)
   settings = block.Settings();
   settings.Tool.Radius = 0.0;
   EXPECT_EQ(Refusal(settings), "a point cannot drill; give the tool a radius above 0");
-  settings = block.Settings();
+}
+
+TEST(DrillRun, DrillsALinearFieldWhateverTheInterpolation)
+{
+  const DrillBlock block;
+  TouchSettings settings = block.Settings();
   settings.Structures[0].Interpolation = FieldInterpolation::TricubicBSpline;
-  EXPECT_NE(Refusal(settings), "");
+  const PreparedTouch touch = test::Prepare(settings, DrillBlock::CanalAt(4.0));
+  EXPECT_EQ(touch.Structures[0].Drilled.Field->Interpolation(), FieldInterpolation::Trilinear);
 }
 
 TEST(DrillRun, TheSummarySaysWhatIsGoneAndWhatWasNear)
