@@ -1,0 +1,60 @@
+// Files of version 0.1.0, made by that program: they open, and what was recorded is felt again.
+#include "CommandRun.h"
+
+#include "ModelFile.h"
+#include "StudyFile.h"
+
+#include <gtest/gtest.h>
+
+namespace palpate
+{
+namespace
+{
+const std::filesystem::path Folder = PALPATE_VERSION_010;
+
+TEST(Version010, RecordingReplaysBitForBit)
+{
+  const test::CommandRun run =
+      test::RunPalpate({"touch", "scene.json", "--replay", "touch.touch"}, Folder);
+  EXPECT_EQ(run.Code, 0) << run.Errors;
+  EXPECT_NE(run.Output.find("0 of 600 ticks differ"), std::string::npos) << run.Output;
+}
+
+TEST(Version010, SceneWithEveryKeyIsTouched)
+{
+  const test::CommandRun run =
+      test::RunPalpate({"touch", "keys.scene.json", "--seconds", "0.05", "--json"}, Folder);
+  EXPECT_EQ(run.Code, 0) << run.Errors;
+}
+
+TEST(Version010, ModelOpens)
+{
+  const ModelDocument document = ReadModel(Folder / "model.json");
+  const auto& model = std::get<SphericalHarmonicModel>(document.Surface);
+  EXPECT_EQ(model.Degree(), 6);
+  EXPECT_EQ(model.Coefficients()[0], 76.62410670927625);
+}
+
+TEST(Version010, SessionOpens)
+{
+  const StudyState state = ReadStudy(Folder / "session.palpate.json");
+  EXPECT_TRUE(std::filesystem::exists(state.VolumeFile));
+  EXPECT_TRUE(std::filesystem::exists(state.SegmentationFile));
+  ASSERT_EQ(state.Structures.size(), 1U);
+  const StudyStructure& gland = state.Structures.front();
+  EXPECT_EQ(gland.Name, "gland");
+  EXPECT_EQ(gland.Appearance, StudyAppearance::ErrorMap);
+  EXPECT_EQ(gland.Degree, 6);
+  EXPECT_EQ(gland.Stiffness, 0.7);
+  EXPECT_EQ(gland.Friction.Static, 0.4);
+  EXPECT_EQ(gland.Drill.Wear, 0.1);
+  EXPECT_EQ(state.Fit.Frequency, 10);
+  EXPECT_EQ(state.Tool.Radius, 1.25);
+  EXPECT_EQ(state.Rate, 2000.0);
+  EXPECT_EQ(state.Placement.CenterWorld, Vector3(1.0, 2.0, 3.0));
+  EXPECT_EQ(state.Landmarks.at(0).PositionWorld, Vector3(1.5, -2.25, 3.125));
+  EXPECT_EQ(state.Distances.at(0).Length(), 5.0);
+  EXPECT_EQ(state.View.Window, 200.0);
+}
+} // namespace
+} // namespace palpate
