@@ -6,7 +6,7 @@
 
 namespace palpate
 {
-/// Allocates on cache lines, so that vectors of any width load without crossing one.
+/// Allocator aligned to cache lines, so that vector loads of any width stay within one line.
 template <typename T>
 struct CacheLineAllocator
 {
@@ -27,7 +27,7 @@ struct CacheLineAllocator
   friend bool operator!=(const CacheLineAllocator&, const CacheLineAllocator&) { return false; }
 };
 
-/// Numbers in one piece that begins a cache line, as kernels want them.
+/// Contiguous numbers that start on a cache line, as the kernels require.
 template <typename T>
 using CacheLineVector = std::vector<T, CacheLineAllocator<T>>;
 } // namespace palpate

@@ -10,9 +10,9 @@ enum class InstructionSet
   Avx2      ///< x86-64 with AVX2 and FMA
 };
 
-/// The fastest one that this processor has; asked of the processor once.
+/// The fastest set that this processor supports; detected once.
 InstructionSet FastestInstructionSet() noexcept;
-/// Every one that this processor has, for tests and benchmarks; Portable comes first.
+/// Every set that this processor supports, Portable first; for tests and benchmarks.
 std::vector<InstructionSet> RunnableInstructionSets();
 /// "portable", "avx2".
 const char* NameOf(InstructionSet set) noexcept;

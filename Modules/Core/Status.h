@@ -5,8 +5,8 @@
 
 namespace palpate
 {
-/// What a kernel that can refuse its input answers: success, or one sentence that says why not.
-/// Level 0 throws nothing; callers turn the sentence into their own kind of error.
+/// Result of a kernel that can refuse its input: success, or a one-sentence error message.
+/// Level 0 does not throw; callers turn the message into their own kind of error.
 class [[nodiscard]] Status
 {
 public:

@@ -23,14 +23,14 @@ std::filesystem::path FolderOf(const std::filesystem::path& file)
   return file.has_parent_path() ? file.parent_path() : std::filesystem::path(".");
 }
 
-// What stands in the way of writing, or nothing.
+// The reason why the target cannot be written, or an empty text.
 std::string Obstacle(const std::filesystem::path& target)
 {
   std::error_code ignored;
   const std::filesystem::file_status status = std::filesystem::status(target, ignored);
   if (!target.has_filename())
   {
-    return "it names no file";
+    return "it has no file name";
   }
   if (std::filesystem::is_directory(status))
   {
@@ -38,7 +38,7 @@ std::string Obstacle(const std::filesystem::path& target)
   }
   if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status))
   {
-    return "it is no regular file";
+    return "it is not a regular file";
   }
   if (std::filesystem::exists(status) && access(target.c_str(), W_OK) != 0)
   {
@@ -51,9 +51,9 @@ std::string Obstacle(const std::filesystem::path& target)
   return {};
 }
 
-// Waits until what was written under a name is on the disk. By the name, since writers of images
-// may have replaced the file that was opened. Where the file system cannot (EINVAL) or the umask
-// forbids to open the file for it, what is there is as good as it gets.
+// Waits until the data of a file or folder is on the disk. Opens it by name, since image writers
+// may have replaced the file that was opened first. Does nothing where the file system does not
+// support it (EINVAL) or the umask forbids opening the file.
 bool Sync(const std::filesystem::path& path, int kind)
 {
   const int file = open(path.c_str(), O_RDONLY | O_CLOEXEC | kind);
@@ -132,7 +132,7 @@ Status TemporaryFile::Publish()
     return Status::Failure(SystemMessage(errno));
   }
   this->Keep();
-  // The file has its name whatever follows. A folder that may not be read cannot be synchronised.
+  // The rename has succeeded, whatever follows. An unreadable folder cannot be synchronised.
   static_cast<void>(Sync(FolderOf(this->Final), O_DIRECTORY));
   return Status::Success();
 }

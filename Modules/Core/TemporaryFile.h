@@ -7,9 +7,9 @@
 
 namespace palpate
 {
-/// A new file in the folder of the file that it is going to replace. Nobody else has it: its name
-/// was free, is random and is no link. It becomes the target at once or not at all, and is removed
-/// with the object unless it was published or kept. A link as target is followed.
+/// A new file in the folder of the file that it will replace. Its name is random, was free, and is
+/// not a link, so no other process uses it. It replaces the target atomically, and is removed with
+/// the object unless it was published or kept. A link as target is followed.
 class TemporaryFile
 {
 public:
@@ -18,8 +18,8 @@ public:
   TemporaryFile& operator=(const TemporaryFile&) = delete;
   ~TemporaryFile();
 
-  /// Creates the empty file, named `prefix`, a number, `suffix`. Failures say why `target` cannot
-  /// be written, as a clause without its name: no such folder, no permission, no regular file.
+  /// Creates the empty file, named `prefix`, a number, `suffix`. Error messages are clauses without
+  /// the file's name that say why `target` cannot be written: no folder, no permission, not a file.
   Status Create(const std::filesystem::path& target, const std::string& prefix,
                 const std::string& suffix);
   /// Open for writing; -1 while there is no file.
@@ -27,8 +27,8 @@ public:
   const std::filesystem::path& Path() const noexcept { return this->Temporary; }
   const std::filesystem::path& Target() const noexcept { return this->Final; }
 
-  /// Gives the file the target's name, and its permissions where there is one. When this returns,
-  /// file and name have reached the disk. Failures are clauses, and leave the file as it is.
+  /// Renames the file to the target, with the target's permissions if it exists. On return, file
+  /// and name are on the disk. Error messages are clauses; on failure the file stays as it is.
   Status Publish();
   /// Leaves the file under its temporary name.
   void Keep() noexcept;
@@ -37,7 +37,7 @@ private:
   void Close() noexcept;
 
   std::filesystem::path Final;
-  std::filesystem::path Temporary; ///< empty: nothing is to be removed
+  std::filesystem::path Temporary; ///< empty: nothing to remove
   int File = -1;
 };
 } // namespace palpate

@@ -1,12 +1,12 @@
 #pragma once
 
-// Geometry and not only Core: without it a cross product compiles and is missing at link time.
+// Geometry and not only Core: without it a cross product compiles but does not link.
 #include <Eigen/Geometry>
 
 namespace palpate
 {
-/// A point or a vector; the name of each variable says in which frame and unit.
+/// A point or a vector; the variable's name states frame and unit.
 using Vector3 = Eigen::Vector3d;
-/// A 3 x 3 matrix; the same holds.
+/// A 3 x 3 matrix; the variable's name states frame and unit.
 using Matrix3 = Eigen::Matrix3d;
 } // namespace palpate

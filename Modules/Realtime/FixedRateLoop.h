@@ -7,15 +7,16 @@
 
 namespace palpate
 {
-/// Calls something once a period, by LoopSchedule's rules, until it or somebody else says stop.
+/// Calls a function once per period, by LoopSchedule's rules, until it returns false or Stop is
+/// called.
 class FixedRateLoop
 {
 public:
   /// Keeps the address of the clock, which must outlive it; `period` > 0 (ns).
   FixedRateLoop(Clock& clock, std::int64_t period) noexcept : Time(clock), Period(period) {}
 
-  /// Calls `tick(const TickInfo&)`, which must not throw, until it returns false or Stop was called
-  /// (before Run counts too). Only one Run at a time.
+  /// Calls `tick(const TickInfo&)`, which must not throw, until it returns false or Stop is called
+  /// (also before Run). Only one Run at a time.
   template <typename Tick>
   void Run(Tick&& tick)
   {
@@ -36,7 +37,7 @@ public:
     }
   }
 
-  /// The tick that is running is the last one. From any thread.
+  /// No tick starts after the running one. Any thread.
   void Stop() noexcept { this->StopWanted.store(true, std::memory_order_release); }
 
 private:

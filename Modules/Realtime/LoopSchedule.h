@@ -4,7 +4,7 @@
 
 namespace palpate
 {
-/// What one tick of a loop is told about its own time; ns of the loop's clock.
+/// Timing of one tick of a loop, in ns of the loop's clock.
 struct TickInfo
 {
   std::uint64_t Number = 0;         ///< counts the ticks that ran, from 0
@@ -15,18 +15,18 @@ struct TickInfo
   bool IsLate = false;              ///< started more than a tenth of a period after its deadline
 };
 
-/// The deadlines of a loop at a fixed rate: multiples of the period after its start, whatever ticks
-/// really take. A tick whose deadline has just passed runs at once; deadlines that a whole period
-/// or more has passed since are skipped, so that a loop that was held up does not hurry after them.
+/// The deadlines of a loop at a fixed rate: multiples of the period after its start, however long
+/// ticks take. A tick whose deadline has just passed runs at once; deadlines that a whole period or
+/// more has passed since are skipped, so that a delayed loop does not try to catch up.
 class LoopSchedule
 {
 public:
   /// The first tick is due at `start`; `period` > 0. ns.
   LoopSchedule(std::int64_t start, std::int64_t period) noexcept;
 
-  /// When the next tick is due.
+  /// Start time of the next tick.
   std::int64_t Deadline() const noexcept { return this->Next; }
-  /// The tick that starts at `now`, which is not before the deadline.
+  /// Starts the tick at `now`, which must not be before the deadline.
   TickInfo Begin(std::int64_t now) noexcept;
 
 private:

@@ -6,9 +6,9 @@
 
 namespace palpate
 {
-/// Virtual time, which passes only where it is told to: waiting sets the clock to the end of the
-/// wait and returns at once. For tests and for simulations that run as fast as they can. Other
-/// threads may read it; one at a time may move it.
+/// Virtual time that passes only on request: waiting sets the clock to the end of the wait and
+/// returns at once. For tests, and simulations that run as fast as possible. Other threads may read
+/// it; only one at a time may advance it.
 class ManualClock final : public Clock
 {
 public:
@@ -20,9 +20,9 @@ public:
     return this->Now() + this->Suspended.load(std::memory_order_acquire);
   }
   void WaitUntil(std::int64_t time) noexcept override;
-  /// `duration` >= 0 (ns) passes.
+  /// Advances the time by `duration` >= 0 (ns).
   void Advance(std::int64_t duration) noexcept;
-  /// The machine is suspended for `duration` >= 0 (ns), of which Now() does not know.
+  /// Suspends the machine for `duration` >= 0 (ns), which Now() does not count.
   void Suspend(std::int64_t duration) noexcept;
 
 private:

@@ -6,32 +6,32 @@
 
 namespace palpate
 {
-/// How long something took, many times: a histogram of fixed size with sixteen classes an octave,
-/// so that adding costs the same for ever and allocates nothing. A copy is a snapshot; snapshots of
-/// several stretches or threads merge into what one would have counted.
+/// Statistics of durations: a histogram of fixed size with sixteen bins per octave, so that adding
+/// takes constant time and does not allocate. A copy is a snapshot; snapshots of several intervals
+/// or threads merge into the same result as a single count.
 class PeriodStatistics
 {
 public:
   /// One duration, ns; a negative one counts as 0.
   void Add(std::int64_t duration) noexcept;
-  /// Deadlines that were not kept.
+  /// Adds missed deadlines.
   void AddMisses(std::uint64_t count) noexcept { this->MissCount += count; }
   void Merge(const PeriodStatistics& other) noexcept;
 
   std::uint64_t Count() const noexcept { return this->Total; }
   std::uint64_t Misses() const noexcept { return this->MissCount; }
-  /// ns; 0 where nothing was added.
+  /// ns; 0 if empty.
   std::int64_t Min() const noexcept { return this->Total > 0 ? this->Least : 0; }
   std::int64_t Max() const noexcept { return this->Largest; }
   double Mean() const noexcept;
-  /// The duration (ns) that the share `fraction` in [0, 1] of all did not exceed: never less than
-  /// the exact one, and at most a sixteenth more. 0 where nothing was added.
+  /// The duration (ns) that a share `fraction` in [0, 1] of all durations did not exceed: never
+  /// less than the exact quantile, and at most a sixteenth more. 0 if empty.
   std::int64_t Quantile(double fraction) const noexcept;
   std::int64_t Median() const noexcept { return this->Quantile(0.5); }
 
 private:
   static constexpr int ClassBits = 4;
-  // Durations below 16 ns have a class each, then come 59 octaves.
+  // Durations below 16 ns have a bin each, followed by 59 octaves.
   static constexpr std::size_t ClassCount = std::size_t{60} << ClassBits;
 
   static std::size_t ClassOf(std::int64_t duration) noexcept;

@@ -15,8 +15,8 @@ namespace palpate
 #ifdef RLIMIT_RTTIME
 namespace
 {
-// The kernel sends the signal to the thread that reached the limit, which 0 is here. The C
-// library's functions for this may not be called in a handler.
+// The kernel sends the signal to the thread that reached the limit, which 0 denotes here. The C
+// library's wrappers must not be called in a signal handler.
 extern "C" void Demote(int)
 {
   const int error = errno;

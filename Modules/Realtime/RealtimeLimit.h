@@ -6,27 +6,27 @@
 
 namespace palpate
 {
-/// Keeps a real-time thread that never sleeps from holding a core for ever: sets the process's soft
-/// RLIMIT_RTTIME, and a handler of SIGXCPU by which a thread that reaches it goes on with ordinary
-/// scheduling. By default the signal would end the process, with whatever force is on the motors.
+/// Stops a real-time thread that never sleeps from occupying a core for ever: sets the process's
+/// soft RLIMIT_RTTIME, and a handler of SIGXCPU that returns a thread that reaches it to ordinary
+/// scheduling. By default the signal would end the process, leaving the motors at the last force.
 ///
-/// A lower limit, and a handler that the program has already, stay. Where the system has no such
-/// limit this does nothing.
+/// A lower existing limit and an existing handler are kept. Does nothing where the system has no
+/// such limit.
 class RealtimeLimit
 {
 public:
-  /// us that a thread may run under SCHED_FIFO without sleeping. The value of rtkit, twenty times
-  /// the gap between ticks at which forces are off anyway.
+  /// Longest time (us) that a thread may run under SCHED_FIFO without sleeping. rtkit's value,
+  /// twenty times the gap between ticks at which forces are switched off anyway.
   static constexpr std::uint64_t LongestRun = 200'000;
 
-  /// Sets both.
+  /// Sets the limit and the handler.
   RealtimeLimit() noexcept;
   RealtimeLimit(const RealtimeLimit&) = delete;
   RealtimeLimit& operator=(const RealtimeLimit&) = delete;
-  /// Puts back what was there before, unless Keep was called.
+  /// Restores the former limit and handler, unless Keep was called.
   ~RealtimeLimit();
 
-  /// Real-time priority was granted: the limit stays for the process.
+  /// Keeps the limit for the process; call it when real-time priority was granted.
   void Keep() noexcept { this->IsKept = true; }
 
 private:

@@ -21,7 +21,7 @@ std::string Reason(int error)
 
 void AskForPriority(int priority, RealtimeGrant& grant)
 {
-  // First, so that there is no moment without it.
+  // Set before the priority, so that there is never a priority without a limit.
   RealtimeLimit limit;
   sched_param parameters{};
   parameters.sched_priority = priority;
@@ -42,7 +42,7 @@ void AskForPriority(int priority, RealtimeGrant& grant)
 
 void AskForLockedMemory(RealtimeGrant& grant)
 {
-  // Not what comes later: under a limit, that would make ordinary allocations fail.
+  // Not MCL_FUTURE: under a limit, it would make ordinary allocations fail.
   grant.HasLockedMemory = mlockall(MCL_CURRENT) == 0;
   if (!grant.HasLockedMemory)
   {
@@ -71,7 +71,7 @@ Status RealtimeThread::Start(const RealtimeRequest& request, std::function<void(
 {
   if (this->Thread.joinable())
   {
-    return Status::Failure("A real-time thread was to be started that is running already.");
+    return Status::Failure("The real-time thread is already running.");
   }
   std::promise<RealtimeGrant> granted;
   std::future<RealtimeGrant> grant = granted.get_future();
@@ -86,7 +86,8 @@ Status RealtimeThread::Start(const RealtimeRequest& request, std::function<void(
   }
   catch (const std::system_error& error)
   {
-    return Status::Failure("The system gives no thread (" + std::string(error.what()) + ").");
+    return Status::Failure("The system cannot create a thread (" + std::string(error.what()) +
+                           ").");
   }
   this->Given = grant.get();
   return Status::Success();

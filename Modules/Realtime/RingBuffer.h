@@ -9,7 +9,7 @@
 namespace palpate
 {
 /// Hands every value from one thread to one other, in order, as long as the reader keeps up.
-/// Neither ever waits; what finds the buffer full is dropped and counted.
+/// Neither ever waits; values that find the buffer full are dropped and counted.
 template <typename T>
 class RingBuffer
 {
@@ -21,7 +21,7 @@ public:
 
   std::size_t Capacity() const noexcept { return this->Slots.size(); }
 
-  /// By the writing thread; false where the value was dropped.
+  /// Writing thread only; returns false if the value was dropped.
   bool Push(const T& value) noexcept
   {
     const std::uint64_t written = this->Written.load(std::memory_order_relaxed);
@@ -35,7 +35,7 @@ public:
     return true;
   }
 
-  /// By the reading thread: the oldest value; false where there is none.
+  /// Reading thread only: takes the oldest value; returns false if empty.
   bool Pop(T& value) noexcept
   {
     const std::uint64_t read = this->Read.load(std::memory_order_relaxed);
@@ -48,11 +48,11 @@ public:
     return true;
   }
 
-  /// How many values were dropped so far.
+  /// Number of values dropped so far.
   std::uint64_t Dropped() const noexcept { return this->DropCount.load(std::memory_order_relaxed); }
 
 private:
-  // Two lines, so that the two threads do not slow each other down: the writer's and the reader's.
+  // Separate cache lines for writer and reader, so that the threads do not slow each other down.
   alignas(64) std::atomic<std::uint64_t> Written{0};
   std::atomic<std::uint64_t> DropCount{0};
   std::vector<T> Slots;

@@ -9,8 +9,9 @@
 namespace palpate
 {
 /// Hands whole objects from a publishing thread to the servo thread. The servo takes the newest
-/// without lock, allocation or destruction; what it no longer uses goes back and is destroyed by
-/// the publisher. Both threads must have stopped using it before it is destroyed itself.
+/// without locking, allocating or destroying; objects that it no longer uses go back and are
+/// destroyed by the publisher. Both threads must have stopped using the slot before it is
+/// destroyed.
 template <typename T>
 class SnapshotSlot
 {
@@ -25,7 +26,7 @@ public:
     delete this->Used;
   }
 
-  /// By the publisher: the servo has it from its next Refresh on. One that it never took is
+  /// Publisher only: the servo gets the object at its next Refresh. An object that it never took is
   /// destroyed here. An empty pointer is ignored.
   void Publish(std::unique_ptr<T> next)
   {
@@ -36,7 +37,7 @@ public:
     }
   }
 
-  /// By the publisher: destroys what the servo has given back; Publish does it too.
+  /// Publisher only: destroys the objects that the servo has returned; Publish does so too.
   void Reclaim() noexcept
   {
     T* retired = nullptr;
@@ -46,14 +47,14 @@ public:
     }
   }
 
-  /// By the servo: takes the newest object; false where there is none newer.
+  /// Servo only: takes the newest object; returns false if there is no newer one.
   bool Refresh() noexcept
   {
     return this->Refresh([](const T*, T&) noexcept {});
   }
 
-  /// The same; before the last one goes back, handOver(last, next) takes over what is to go on. The
-  /// last one is empty at the first time.
+  /// The same; before the former object is returned, handOver(former, next) carries its state over.
+  /// `former` is null the first time.
   template <typename HandOver>
   bool Refresh(const HandOver& handOver) noexcept
   {
@@ -66,19 +67,19 @@ public:
     if (this->Used != nullptr)
     {
       // Never full: Publish reclaims, and at most two objects are taken between its reclaiming and
-      // the end of its next one.
+      // the end of the next Publish.
       this->Retired.Push(this->Used);
     }
     this->Used = next;
     return true;
   }
 
-  /// By the servo: what the last Refresh that found something took; empty before.
+  /// Servo only: the object taken last; null before the first.
   T* Current() noexcept { return this->Used; }
 
 private:
   std::atomic<T*> Pending{nullptr};
-  T* Used = nullptr; // the servo's
+  T* Used = nullptr; // servo thread
   RingBuffer<T*> Retired{4};
 };
 } // namespace palpate

@@ -12,7 +12,7 @@ namespace
 {
 constexpr std::int64_t Period = 1'000'000; // ns
 
-TEST(FixedRateLoop, TicksAreOnePeriodApartHoweverLongTheyTake)
+TEST(FixedRateLoop, TicksStayOnePeriodApart)
 {
   ManualClock clock(77);
   FixedRateLoop loop(clock, Period);
@@ -29,7 +29,7 @@ TEST(FixedRateLoop, TicksAreOnePeriodApartHoweverLongTheyTake)
   EXPECT_EQ(starts, expected);
 }
 
-TEST(FixedRateLoop, MissedPeriodsAreSkippedAndTheGridIsKept)
+TEST(FixedRateLoop, SkipsMissedPeriodsAndKeepsGrid)
 {
   ManualClock clock;
   FixedRateLoop loop(clock, Period);
@@ -49,7 +49,7 @@ TEST(FixedRateLoop, MissedPeriodsAreSkippedAndTheGridIsKept)
   EXPECT_EQ(ticks[3].SkippedPeriods, 0u);
 }
 
-TEST(FixedRateLoop, TicksSayTheTimeThatCountsSuspension)
+TEST(FixedRateLoop, TicksReportBootTime)
 {
   ManualClock clock;
   FixedRateLoop loop(clock, Period);
@@ -67,7 +67,7 @@ TEST(FixedRateLoop, TicksSayTheTimeThatCountsSuspension)
   EXPECT_EQ(ticks[1].SkippedPeriods, 0u);
 }
 
-TEST(FixedRateLoop, AStopBeforeTheFirstTickPreventsIt)
+TEST(FixedRateLoop, StopBeforeRunPreventsTicks)
 {
   ManualClock clock;
   FixedRateLoop loop(clock, Period);
@@ -82,7 +82,7 @@ TEST(FixedRateLoop, AStopBeforeTheFirstTickPreventsIt)
 
 TEST(FixedRateLoop, StopDuringWaitPreventsTheNextTick)
 {
-  // What happens in a wait.
+  // Calls Stop during a wait.
   class StoppingClock final : public Clock
   {
   public:
@@ -108,7 +108,7 @@ TEST(FixedRateLoop, StopDuringWaitPreventsTheNextTick)
   EXPECT_EQ(ticks, 3); // at 0, 1 and 2 periods
 }
 
-TEST(FixedRateLoop, AnotherThreadStopsIt)
+TEST(FixedRateLoop, StopsFromAnotherThread)
 {
   ManualClock clock;
   FixedRateLoop loop(clock, Period);

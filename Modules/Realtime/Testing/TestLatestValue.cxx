@@ -22,13 +22,13 @@ struct Numbers
   }
 };
 
-TEST(LatestValue, IsTheFirstValueUntilOneIsPublished)
+TEST(LatestValue, ReturnsInitialValueUntilPublish)
 {
   LatestValue<int> value(7);
   EXPECT_EQ(value.Latest(), 7);
 }
 
-TEST(LatestValue, IsTheNewestAndStays)
+TEST(LatestValue, ReturnsNewestRepeatedly)
 {
   LatestValue<int> value;
   for (int i = 1; i < 10; ++i)
@@ -40,7 +40,7 @@ TEST(LatestValue, IsTheNewestAndStays)
   }
 }
 
-TEST(LatestValue, StaysTheSameUntilItIsAskedForAgain)
+TEST(LatestValue, ReferenceStaysValidUntilNextRead)
 {
   LatestValue<int> value;
   for (int i = 1; i < 10; ++i)
@@ -55,7 +55,7 @@ TEST(LatestValue, StaysTheSameUntilItIsAskedForAgain)
   }
 }
 
-TEST(LatestValue, IsNeverTornAndNeverOlderThanBefore)
+TEST(LatestValue, NeverTornAndNeverGoesBack)
 {
   constexpr std::uint64_t last = 50'000;
   LatestValue<Numbers> value;

@@ -8,7 +8,7 @@ namespace palpate
 {
 namespace
 {
-TEST(LoopSchedule, EveryDeadlineIsTickedOrSkippedExactlyOnce)
+TEST(LoopSchedule, TicksOrSkipsEveryDeadlineOnce)
 {
   std::mt19937_64 random(7);
   constexpr std::int64_t period = 1000;
@@ -30,7 +30,7 @@ TEST(LoopSchedule, EveryDeadlineIsTickedOrSkippedExactlyOnce)
   }
 }
 
-TEST(LoopSchedule, ATickIsLateFromATenthOfAPeriodOn)
+TEST(LoopSchedule, LateBeyondATenthOfAPeriod)
 {
   LoopSchedule schedule(0, 1000);
   EXPECT_FALSE(schedule.Begin(100).IsLate);
@@ -38,7 +38,7 @@ TEST(LoopSchedule, ATickIsLateFromATenthOfAPeriodOn)
   EXPECT_FALSE(schedule.Begin(2000).IsLate);
 }
 
-TEST(LoopSchedule, ATickThatOverranLittleIsFollowedAtOnce)
+TEST(LoopSchedule, SmallOverrunIsFollowedAtOnce)
 {
   LoopSchedule schedule(0, 1000);
   static_cast<void>(schedule.Begin(0));

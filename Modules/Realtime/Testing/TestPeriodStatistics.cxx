@@ -29,7 +29,7 @@ PeriodStatistics StatisticsOf(const std::vector<std::int64_t>& durations)
   return statistics;
 }
 
-TEST(PeriodStatistics, QuantilesAreTheSortedOnesUpToASixteenthMore)
+TEST(PeriodStatistics, QuantilesAreAtMostASixteenthTooLarge)
 {
   std::vector<std::int64_t> durations = RandomDurations(10'000, 3);
   const PeriodStatistics statistics = StatisticsOf(durations);
@@ -54,7 +54,7 @@ TEST(PeriodStatistics, CountExtremesAndMeanAreExact)
   EXPECT_EQ(statistics.Mean(), std::accumulate(durations.begin(), durations.end(), 0.0) / 1000.0);
 }
 
-TEST(PeriodStatistics, MergedSnapshotsAreWhatOneWouldHaveCounted)
+TEST(PeriodStatistics, MergeEqualsSingleCount)
 {
   const std::vector<std::int64_t> durations = RandomDurations(2000, 5);
   PeriodStatistics first = StatisticsOf({durations.begin(), durations.begin() + 700});
@@ -75,7 +75,7 @@ TEST(PeriodStatistics, MergedSnapshotsAreWhatOneWouldHaveCounted)
   }
 }
 
-TEST(PeriodStatistics, ExtremeDurationsHaveAClass)
+TEST(PeriodStatistics, CountsExtremeDurations)
 {
   PeriodStatistics statistics = StatisticsOf({-5, 0, 15, 16, 17, INT64_MAX});
   EXPECT_EQ(statistics.Min(), 0);
@@ -83,7 +83,7 @@ TEST(PeriodStatistics, ExtremeDurationsHaveAClass)
   EXPECT_EQ(statistics.Quantile(1.0), INT64_MAX);
 }
 
-TEST(PeriodStatistics, QuantilesStayBetweenTheExtremes)
+TEST(PeriodStatistics, QuantilesLieWithinExtremes)
 {
   // 100 to 103 ns share a class.
   const PeriodStatistics one = StatisticsOf({101});
@@ -91,7 +91,7 @@ TEST(PeriodStatistics, QuantilesStayBetweenTheExtremes)
   EXPECT_EQ(StatisticsOf({101, 102}).Quantile(1.0), 102);
 }
 
-TEST(PeriodStatistics, EmptyOnesAnswerZero)
+TEST(PeriodStatistics, EmptyReturnsZero)
 {
   const PeriodStatistics statistics;
   EXPECT_EQ(statistics.Min(), 0);

@@ -13,7 +13,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-// What the limit changes belongs to the process, so each test has one of its own.
+// The limit is a property of the process, so each test runs in a child process.
 namespace palpate
 {
 namespace
@@ -31,7 +31,7 @@ bool IsDefault(int signal)
   return sigaction(signal, nullptr, &action) == 0 && action.sa_handler == SIG_DFL;
 }
 
-// The exit code of `body` in a child; -1 where a signal ended it.
+// Exit code of `body` in a child process; -1 if a signal ended it.
 template <typename Body>
 int InChild(Body body)
 {
@@ -45,7 +45,7 @@ int InChild(Body body)
   return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
 }
 
-TEST(RealtimeLimit, HoldsExactlyWhereThePriorityIsGranted)
+TEST(RealtimeLimit, SetOnlyWithGrantedPriority)
 {
   EXPECT_EQ(InChild(
                 []
@@ -90,7 +90,7 @@ TEST(RealtimeLimit, RefusedPriorityChangesNothing)
             0);
 }
 
-TEST(RealtimeLimit, ALowerOneStays)
+TEST(RealtimeLimit, KeepsLowerLimit)
 {
   EXPECT_EQ(InChild(
                 []
@@ -105,7 +105,7 @@ TEST(RealtimeLimit, ALowerOneStays)
             0);
 }
 
-TEST(RealtimeLimit, HandlersOfTheProgramStay)
+TEST(RealtimeLimit, KeepsExistingHandler)
 {
   EXPECT_EQ(InChild(
                 []
@@ -120,9 +120,10 @@ TEST(RealtimeLimit, HandlersOfTheProgramStay)
             0);
 }
 
-// Where no priority is granted it never was real-time; both end as an ordinary thread. Without the
-// limit it would spin until the deadline, without the handler the signal would end the process.
-TEST(RealtimeLimit, AThreadThatNeverSleepsLosesItsPriorityAndTheProcessGoesOn)
+// Where no priority is granted the thread never was real-time; either way it ends as an ordinary
+// one. Without the limit it would spin until the deadline, without the handler SIGXCPU would end
+// the process.
+TEST(RealtimeLimit, SpinningThreadLosesOnlyItsPriority)
 {
   EXPECT_EQ(InChild(
                 []
@@ -140,7 +141,8 @@ TEST(RealtimeLimit, AThreadThatNeverSleepsLosesItsPriorityAndTheProcessGoesOn)
                                        std::chrono::steady_clock::now() + std::chrono::seconds(10);
                                    do
                                    {
-                                     policy = sched_getscheduler(0); // pthread's own is remembered
+                                     policy =
+                                         sched_getscheduler(0); // pthread returns a cached value
                                    } while (policy != SCHED_OTHER &&
                                             std::chrono::steady_clock::now() < end);
                                  })

@@ -10,7 +10,7 @@ namespace palpate
 {
 namespace
 {
-TEST(RealtimeThread, SaysTruthfullyWhetherThePriorityWasGranted)
+TEST(RealtimeThread, ReportsGrantedPriority)
 {
   int policy = -1;
   sched_param parameters{};
@@ -25,7 +25,7 @@ TEST(RealtimeThread, SaysTruthfullyWhetherThePriorityWasGranted)
   EXPECT_EQ(thread.Grant().HasPriority, thread.Grant().Advice.empty());
 }
 
-TEST(RealtimeThread, RunsWithoutAPriorityThatDoesNotExistAndSaysWhy)
+TEST(RealtimeThread, RunsAndExplainsInvalidPriority)
 {
   std::atomic<bool> hasRun{false};
   RealtimeThread thread;
@@ -38,7 +38,7 @@ TEST(RealtimeThread, RunsWithoutAPriorityThatDoesNotExistAndSaysWhy)
   EXPECT_NE(thread.Grant().Advice.find("1000 was refused"), std::string::npos);
 }
 
-TEST(RealtimeThread, AsksForNothingThatIsNotWanted)
+TEST(RealtimeThread, RequestsNothingUnasked)
 {
   RealtimeThread thread;
   RealtimeRequest request;
@@ -59,7 +59,7 @@ TEST(RealtimeThread, LockedMemoryIsGrantedOrExplained)
   EXPECT_EQ(thread.Grant().HasLockedMemory, thread.Grant().Advice.empty());
 }
 
-TEST(RealtimeThread, OneThatRunsIsNotStartedAgainUntilItWasJoined)
+TEST(RealtimeThread, RejectsStartUntilJoined)
 {
   std::atomic<bool> isStopped{false};
   RealtimeThread thread;
@@ -81,7 +81,7 @@ TEST(RealtimeThread, OneThatRunsIsNotStartedAgainUntilItWasJoined)
   EXPECT_TRUE(thread.Start(request, [] {}).IsOk());
 }
 
-TEST(RealtimeThread, ItsEndWaitsForTheBody)
+TEST(RealtimeThread, DestructorWaitsForBody)
 {
   std::atomic<int> steps{0};
   {

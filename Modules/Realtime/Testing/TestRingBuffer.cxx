@@ -8,7 +8,7 @@ namespace palpate
 {
 namespace
 {
-TEST(RingBuffer, KeepsOrderAndCountsWhatItDropped)
+TEST(RingBuffer, KeepsOrderAndCountsDrops)
 {
   RingBuffer<int> buffer(3);
   int value = 0;
@@ -29,14 +29,14 @@ TEST(RingBuffer, KeepsOrderAndCountsWhatItDropped)
   EXPECT_EQ(buffer.Dropped(), 10u);
 }
 
-TEST(RingBuffer, HoldsAtLeastOne)
+TEST(RingBuffer, HasCapacityOfAtLeastOne)
 {
   RingBuffer<int> buffer(0);
   EXPECT_EQ(buffer.Capacity(), 1u);
   EXPECT_TRUE(buffer.Push(1));
 }
 
-TEST(RingBuffer, EveryValueArrivesOnceOrIsCountedAsDropped)
+TEST(RingBuffer, DeliversOrCountsEveryValueOnce)
 {
   constexpr int count = 100'000;
   RingBuffer<int> buffer(64);
@@ -55,7 +55,7 @@ TEST(RingBuffer, EveryValueArrivesOnceOrIsCountedAsDropped)
   bool isOrdered = true;
   for (bool wasDone = false; !wasDone;)
   {
-    // Asked first: what was written before the end is then popped below.
+    // Read before popping: values pushed before the end are then popped below.
     wasDone = isDone.load(std::memory_order_acquire);
     for (int value = 0; buffer.Pop(value); ++received)
     {

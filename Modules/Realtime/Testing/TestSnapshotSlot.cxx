@@ -8,7 +8,7 @@ namespace palpate
 {
 namespace
 {
-// Notes who destroys it and how many there are.
+// Records which thread destroys it and how many exist.
 struct Snapshot
 {
   struct Ledger
@@ -32,7 +32,7 @@ struct Snapshot
   int Value;
 };
 
-TEST(SnapshotSlot, TheServoKeepsWhatItHasUntilThereIsANewerOne)
+TEST(SnapshotSlot, ServoKeepsCurrentUntilNewer)
 {
   Snapshot::Ledger ledger;
   SnapshotSlot<Snapshot> slot;
@@ -47,7 +47,7 @@ TEST(SnapshotSlot, TheServoKeepsWhatItHasUntilThereIsANewerOne)
   EXPECT_EQ(slot.Current()->Value, 1);
 }
 
-TEST(SnapshotSlot, WhatWasNeverTakenIsDestroyedByTheNextPublish)
+TEST(SnapshotSlot, PublishDestroysUntakenObject)
 {
   Snapshot::Ledger ledger;
   SnapshotSlot<Snapshot> slot;
@@ -58,7 +58,7 @@ TEST(SnapshotSlot, WhatWasNeverTakenIsDestroyedByTheNextPublish)
   EXPECT_EQ(slot.Current()->Value, 2);
 }
 
-TEST(SnapshotSlot, TheServoDestroysNothingAndReclaimDoes)
+TEST(SnapshotSlot, OnlyReclaimDestroys)
 {
   Snapshot::Ledger ledger;
   SnapshotSlot<Snapshot> slot;
@@ -71,7 +71,7 @@ TEST(SnapshotSlot, TheServoDestroysNothingAndReclaimDoes)
   EXPECT_EQ(ledger.Alive, 1);
 }
 
-TEST(SnapshotSlot, PublishDestroysWhatTheServoGaveBack)
+TEST(SnapshotSlot, PublishDestroysReturnedObjects)
 {
   Snapshot::Ledger ledger;
   {
@@ -80,14 +80,14 @@ TEST(SnapshotSlot, PublishDestroysWhatTheServoGaveBack)
     {
       slot.Publish(std::make_unique<Snapshot>(ledger, i));
       slot.Refresh();
-      // The one in use, and the one before.
+      // The one in use, and the previous one.
       EXPECT_LE(ledger.Alive, 2);
     }
   }
   EXPECT_EQ(ledger.Alive, 0);
 }
 
-TEST(SnapshotSlot, ItsEndDestroysAll)
+TEST(SnapshotSlot, DestructorDestroysAll)
 {
   Snapshot::Ledger ledger;
   {
@@ -102,7 +102,7 @@ TEST(SnapshotSlot, ItsEndDestroysAll)
   EXPECT_EQ(ledger.Alive, 0);
 }
 
-TEST(SnapshotSlot, AllAreDestroyedByThePublisherWhileTheServoRuns)
+TEST(SnapshotSlot, PublisherDestroysAllDuringServo)
 {
   constexpr int last = 20'000;
   Snapshot::Ledger ledger;
@@ -112,7 +112,7 @@ TEST(SnapshotSlot, AllAreDestroyedByThePublisherWhileTheServoRuns)
     std::thread servo(
         [&]
         {
-          // A destroyed snapshot, or one that was skipped back to, would show as a smaller value.
+          // A destroyed snapshot, or an older one, would show as a smaller value.
           for (int seen = 0; seen < last;)
           {
             slot.Refresh();

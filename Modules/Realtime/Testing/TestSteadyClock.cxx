@@ -7,9 +7,9 @@ namespace palpate
 {
 namespace
 {
-TEST(SteadyClock, WaitsEndAtTheirTimeOrLater)
+TEST(SteadyClock, WaitsEndNoEarlierThanRequested)
 {
-  // Asleep, partly, and spinning all the time.
+  // Sleeping, partly spinning, and spinning only.
   for (const std::int64_t spin :
        {std::int64_t{0}, std::int64_t{50'000}, std::int64_t{1'000'000'000}})
   {
@@ -23,15 +23,16 @@ TEST(SteadyClock, WaitsEndAtTheirTimeOrLater)
   }
 }
 
-TEST(SteadyClock, DoesNotWaitForThePast)
+TEST(SteadyClock, PastTimesReturnAtOnce)
 {
   SteadyClock clock(1'000);
   clock.WaitUntil(INT64_MIN / 2);
   clock.WaitUntil(clock.Now() - 1);
 }
 
-// Of two readings of one clock with another one between them, the second is not before the first.
-TEST(SteadyClock, BootTimeGoesOnLikeNowAndIsNeverBehindIt)
+// The second of two readings of one clock with another reading between them is not before the
+// first.
+TEST(SteadyClock, BootTimeIsNeverBehindNow)
 {
   const SteadyClock clock;
   const std::int64_t before = clock.Now();
@@ -44,7 +45,7 @@ TEST(SteadyClock, BootTimeGoesOnLikeNowAndIsNeverBehindIt)
   EXPECT_GE(clock.BootTime() - second, 2'000'000);
 }
 
-TEST(ManualClock, OnlyBootTimeKnowsOfSuspension)
+TEST(ManualClock, OnlyBootTimeCountsSuspension)
 {
   ManualClock clock(5);
   EXPECT_EQ(clock.BootTime(), 5);
@@ -55,7 +56,7 @@ TEST(ManualClock, OnlyBootTimeKnowsOfSuspension)
   EXPECT_EQ(clock.BootTime(), 1007);
 }
 
-TEST(ManualClock, MovesOnlyAsToldAndNeverBack)
+TEST(ManualClock, MovesOnlyForwardOnRequest)
 {
   ManualClock clock(5);
   clock.WaitUntil(9);
