@@ -12,7 +12,7 @@ constexpr std::size_t FaceCount = 6;
 // The largest angle between a cube face's axis and a direction that belongs to the face.
 const double CornerCosine = 1.0 / std::sqrt(3.0);
 
-// Face 2a looks along +axis a, face 2a + 1 along -axis a.
+// Face 2a is on the +a axis, face 2a + 1 on the -a axis.
 Vector3 FaceAxis(std::size_t face)
 {
   Vector3 axis = Vector3::Zero();
@@ -46,7 +46,7 @@ int CellAlong(double coordinate, int cells)
   return std::clamp(static_cast<int>(0.5 * (coordinate + 1.0) * cells), 0, cells - 1);
 }
 
-// d . (p x q), with the cross product's operands in one order for both triangles of an edge.
+// d . (p x q), with the operands in the same order for both triangles of an edge.
 double EdgeSide(const Vector3& d, const Vector3& p, const Vector3& q, bool inOrder)
 {
   return inOrder ? d.dot(p.cross(q)) : -d.dot(q.cross(p));
@@ -57,7 +57,7 @@ DirectionCaster::DirectionCaster(const std::vector<Vector3>& directions)
     : CellsPerSide(std::max(
           1, static_cast<int>(std::sqrt(static_cast<double>(directions.size()) / FaceCount))))
 {
-  // Far above rounding (1e-16), far below any figure of a result.
+  // Far above rounding (1e-16), far below the accuracy of any result.
   const Vector3 turn = 1e-11 * Vector3(0.577, 0.211, 0.789);
   this->Directions.reserve(directions.size());
   for (const Vector3& direction : directions)
@@ -117,7 +117,7 @@ void DirectionCaster::VisitFace(std::size_t face, const std::array<Vector3, 3>& 
       low[1] = std::min(low[1], point.V);
       high[1] = std::max(high[1], point.V);
     }
-    // The turn of the directions may carry one just over a bound.
+    // The rotation of the directions may move one just over a bound.
     if (low[0] > 1.0 + 1e-9 || low[1] > 1.0 + 1e-9 || high[0] < -1.0 - 1e-9 ||
         high[1] < -1.0 - 1e-9)
     {
@@ -170,7 +170,7 @@ void DirectionCaster::ForEachCrossing(const IndexedMesh& mesh, const Vector3& ce
         }
       }
     };
-    // A triangle whose directions all lie further from a face's axis than the face's corners do
+    // A triangle whose directions all lie further from a face's axis than the face's corners
     // cannot meet the face.
     const Vector3 axis = (p[0].normalized() + p[1].normalized() + p[2].normalized()).normalized();
     double cosine = 1.0;

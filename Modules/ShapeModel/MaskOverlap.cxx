@@ -18,7 +18,7 @@ namespace palpate
 {
 namespace
 {
-// The surface in continuous image indices: the stencil filter knows no direction.
+// The surface in continuous image indices: the stencil filter ignores the direction matrix.
 void CopyToIndexSpace(vtkPolyData* surface, vtkImageData* image, vtkPolyData* result)
 {
   vtkNew<vtkPoints> points;
@@ -43,8 +43,9 @@ struct VoxelCounts
   long long Both = 0;
 };
 
-// The image's extent, grown to where the surface reaches, but on no side by more than the image's
-// own size: the voxels of the surface are a list of rows, and its bounds are any numbers.
+// The image's extent, extended to the surface, but on no side by more than the image's own size:
+// the stencil stores the surface's voxels as a list of rows, and its bounds may be arbitrary
+// numbers.
 std::array<int, 6> ExtentOf(vtkImageData* image, vtkPolyData* indexSurface)
 {
   std::array<int, 6> extent{};
@@ -72,7 +73,7 @@ bool IsWithin(vtkPolyData* indexSurface, const std::array<int, 6>& extent)
          bounds[3] <= extent[3] && bounds[4] >= extent[4] && bounds[5] <= extent[5];
 }
 
-// The count of voxels that a closed surface encloses, by its volume in index space.
+// Number of voxels that a closed surface encloses, from its volume in index space.
 long long EnclosedVoxels(vtkPolyData* indexSurface)
 {
   vtkNew<vtkMassProperties> measure;

@@ -7,6 +7,6 @@ class vtkPolyData;
 
 namespace palpate
 {
-/// The triangles of a surface as arrays. Cells other than triangles are left out.
+/// The triangles of a surface as arrays. Other cells are ignored.
 PALPATESHAPEMODEL_EXPORT IndexedMesh ToIndexedMesh(vtkPolyData* surface);
 } // namespace palpate

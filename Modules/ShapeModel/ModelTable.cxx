@@ -55,7 +55,7 @@ bool FromTable(vtkTable* table, SphericalHarmonicModel& model)
   {
     return false;
   }
-  // A table may hold every coefficient of its highest degree or fewer, never more.
+  // A table may omit coefficients up to its highest degree, but not hold more.
   const auto degree = static_cast<int>(degrees->GetRange()[1]);
   if (degree < 0 || degree > 10000)
   {

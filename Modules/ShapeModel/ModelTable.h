@@ -7,12 +7,12 @@ class vtkTable;
 
 namespace palpate
 {
-/// A model as it travels through a VTK pipeline: a table with one row a coefficient (columns
-/// "Degree", "Order", "Coefficient", the last in mm) and the centre (world mm) in the field data
-/// array "Center". The convention is that of SphericalHarmonicBasis.
+/// A model as VTK data: a table with one row per coefficient (columns "Degree", "Order",
+/// "Coefficient", the last in mm) and the centre (world mm) in the field data array "Center". The
+/// convention is that of SphericalHarmonicBasis.
 PALPATESHAPEMODEL_EXPORT void ToTable(const SphericalHarmonicModel& model, vtkTable* table);
 
-/// Reads such a table; rows may come in any order, missing ones are zero. False if the table is
-/// none.
+/// Reads such a table; rows may come in any order, missing ones are zero. Returns false if the
+/// table does not hold a model.
 PALPATESHAPEMODEL_EXPORT bool FromTable(vtkTable* table, SphericalHarmonicModel& model);
 } // namespace palpate

@@ -11,13 +11,13 @@ namespace palpate
 {
 namespace
 {
-// Streams of the phantom's seed; rows have their own from FirstRowStream on.
+// Random streams of the phantom's seed; each row has its own, starting at FirstRowStream.
 constexpr std::uint64_t BiasStream = 0;
 constexpr std::uint64_t FirstRowStream = 1;
 
 // With |Y_l|^2 = sum over m of Y_lm^2 = (2l + 1) / (4 pi) everywhere, the degree l part of R is at
 // most sqrt(power_l (2l + 1) / (4 pi)) by Cauchy and Schwarz; its gradient's component along any
-// tangent at most that times sqrt(l (l + 1) / 2).
+// tangent is at most that times sqrt(l (l + 1) / 2).
 struct Bounds
 {
   double Deviation = 0.0; // of R from its mean, mm

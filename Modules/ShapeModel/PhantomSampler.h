@@ -25,7 +25,7 @@ struct PhantomGrid
   }
 };
 
-/// How a phantom looks. Intensities are in the image's own arbitrary unit, lengths in mm.
+/// Appearance of a phantom. Intensities are in the image's own arbitrary unit, lengths in mm.
 struct PhantomAppearance
 {
   enum class Noise
@@ -40,30 +40,30 @@ struct PhantomAppearance
   double InnerZone = 140.0;
   double CapsuleThickness = 1.0;  ///< mm, measured inwards along the radius
   double InnerZoneFraction = 0.6; ///< of the body's radius; 0 for none
-  int Subdivision = 4;            ///< a voxel is averaged over this many points along each axis
+  int Subdivision = 4;            ///< sample points per voxel along each axis
   double BiasAmplitude = 0.0;     ///< the bias field lies within 1 +- this; in [0, 1)
-  double NoiseDeviation = 0.0;    ///< of the noise before a magnitude is taken
+  double NoiseDeviation = 0.0;    ///< standard deviation of the noise, before taking the magnitude
   Noise NoiseKind = Noise::Rician;
   std::uint64_t Seed = 1; ///< of noise and bias field
 };
 
-/// Fills the rows of a phantom's mask and MR-like volume. Every row can be made alone, in any order
-/// and by any thread, with the same result.
+/// Fills the rows of a phantom's mask and MR-like volume. Rows can be filled independently, in any
+/// order and by any thread, with the same result.
 ///
 /// The mask holds the voxels whose centre lies inside the model. The intensity is the mean over
 /// Subdivision^3 points of background, capsule, inner zone or body, times the bias field, with
-/// noise. Voxels that one tissue fills are not subdivided: a bound on the gradient of
-/// |x| - R(x / |x|), from the addition theorem of the harmonics, proves which those are.
+/// noise. Voxels of a single tissue are not subdivided: a bound on the gradient of
+/// |x| - R(x / |x|), from the addition theorem of the harmonics, identifies them.
 class PALPATESHAPEMODEL_EXPORT PhantomSampler
 {
 public:
   PhantomSampler(const SphericalHarmonicModel& model, const PhantomGrid& grid,
                  const PhantomAppearance& appearance);
 
-  /// Row (j, k) of the grid: Size[0] values each; null where one of the two is not wanted.
+  /// Row (j, k) of the grid: Size[0] values each; pass null for an array that is not needed.
   void SampleRow(int j, int k, float* intensities, unsigned char* mask) const;
 
-  /// The factor that the bias field multiplies voxel `index` with.
+  /// Bias field factor at voxel `index`.
   double BiasAt(const Vector3& index) const;
 
   /// An upper bound of the model's radius (mm), from its power spectrum.
@@ -74,7 +74,7 @@ private:
   /// Intensity without bias and noise of the voxel whose centre is at `offset` from the model's.
   double VoxelMean(const Vector3& offset, double distance, double radius) const;
   double SubdividedMean(const Vector3& offset) const;
-  /// How far |x| - s R can be from its value at `distance` anywhere in a voxel centred there.
+  /// Largest change of |x| - s R from its value at `distance` anywhere in a voxel centred there.
   double VariationWithin(double distance) const;
   void AddNoise(int j, int k, float* intensities) const;
 

@@ -51,7 +51,7 @@ SphericalHarmonicModel MakeProstateLikeModel(int degree, std::uint64_t seed,
   std::vector<double> coefficients = ProjectSmoothBody(degree);
   for (int l = 2; l <= std::min(degree, HighestBumpDegree); ++l)
   {
-    // One stream a degree, so that a body of lower degree has the same bumps up to there.
+    // One stream per degree, so that a body of lower degree has the same bumps up to there.
     SeededNoise noise(seed, static_cast<std::uint64_t>(l));
     const double deviation = std::pow(2.0 / l, 2);
     for (int m = -l; m <= l; ++m)

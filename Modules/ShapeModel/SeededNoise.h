@@ -7,13 +7,13 @@
 
 namespace palpate
 {
-/// Independent standard normal numbers, the same on every machine for the same seed and stream.
+/// Independent standard normal numbers, identical on every machine for the same seed and stream.
 /// (std::normal_distribution may differ between standard libraries; the Box-Muller transform of
 /// std::mt19937_64 does not.)
 class PALPATESHAPEMODEL_EXPORT SeededNoise
 {
 public:
-  /// Different streams of one seed are independent, so that rows of an image can be made in any
+  /// Different streams of one seed are independent, so that rows of an image can be filled in any
   /// order by any thread.
   SeededNoise(std::uint64_t seed, std::uint64_t stream);
 

@@ -29,7 +29,7 @@ std::vector<Facet> Facets(const IndexedMesh& mesh)
   return facets;
 }
 
-// Doubled area of the facets that turn their back to the centre. Every n-th facet is taken.
+// Doubled area of the facets that face away from the centre. Every n-th facet is used.
 double AreaFacingAway(const std::vector<Facet>& facets, const Vector3& center, std::size_t stride)
 {
   double area = 0.0;
@@ -43,7 +43,7 @@ double AreaFacingAway(const std::vector<Facet>& facets, const Vector3& center, s
   return area;
 }
 
-// Around `start`, by steps along the axes that halve whenever none of them helps.
+// From `start`, by steps along the axes that are halved when none of them improves the cost.
 template <typename Cost>
 Vector3 CompassSearch(const Vector3& start, double step, double smallestStep, const Cost& cost)
 {
@@ -81,7 +81,7 @@ Vector3 VolumeCentroid(const IndexedMesh& mesh)
   }
   const Vector3 origin = mesh.Points.front();
   Vector3 moment = Vector3::Zero();
-  double volume = 0.0; // six times
+  double volume = 0.0; // six times the volume
   for (const std::array<int, 3>& t : mesh.Triangles)
   {
     const Vector3 a = mesh.Points[static_cast<std::size_t>(t[0])] - origin;

@@ -6,7 +6,7 @@
 
 namespace palpate
 {
-/// How much of a closed surface a point inside it sees.
+/// Visibility of a closed surface from a point inside it.
 struct StarShapeVerdict
 {
   bool IsStarShaped = false;
@@ -16,16 +16,16 @@ struct StarShapeVerdict
 /// Centroid of the volume that a closed mesh encloses.
 PALPATESHAPEMODEL_EXPORT Vector3 VolumeCentroid(const IndexedMesh& mesh);
 
-/// Judges each triangle by its centroid: seen if it faces the centre from outside (its outward
-/// normal points away from the centre) and no other triangle lies before it. A closed surface of
-/// which every triangle faces so is star-shaped. Less than 0.01 % of hidden area passes as
-/// star-shaped: that is what rounding leaves of a flat face seen edge-on.
+/// Judges each triangle by its centroid: visible if its outward normal points away from the centre
+/// and no other triangle lies before it. A closed surface is star-shaped if all its triangles are
+/// visible. Up to 0.01 % of hidden area is accepted as star-shaped, since rounding causes as much
+/// on a flat face seen edge-on.
 PALPATESHAPEMODEL_EXPORT StarShapeVerdict JudgeStarShape(const IndexedMesh& mesh,
                                                          const Vector3& center);
 
-/// The point from which most of the surface is seen: the best of a grid over the bounding box and
-/// the volume centroid by the area that faces it, refined by a compass search on the area that is
-/// seen (JudgeStarShape), down to a hundredth of the box. A heuristic: the function has several
+/// The point from which most of the surface is visible: the best of a grid over the bounding box
+/// and the volume centroid by the area that faces it, refined by a compass search on the visible
+/// area (JudgeStarShape), down to a hundredth of the box. A heuristic: the function has several
 /// maxima for branched shapes.
 PALPATESHAPEMODEL_EXPORT Vector3 MostVisibleCenter(const IndexedMesh& mesh);
 } // namespace palpate

@@ -5,8 +5,8 @@
 #include "vtkPolyDataAlgorithm.h"
 
 /// Source of the unit directions of a subdivided icosahedron: 10 f^2 + 2 points on the unit sphere,
-/// 20 f^2 triangles, outward. Point array "SolidAngle" (sr) holds the part of the sphere that each
-/// direction stands for. See palpate::IcosahedronDirections.
+/// 20 f^2 outward triangles. Point array "SolidAngle" (sr) holds the part of the sphere that each
+/// direction represents. See palpate::IcosahedronDirections.
 class PALPATESHAPEMODEL_EXPORT vtkIcosahedronDirections : public vtkPolyDataAlgorithm
 {
 public:
@@ -14,8 +14,8 @@ public:
   vtkTypeMacro(vtkIcosahedronDirections, vtkPolyDataAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  ///@{ Into how many parts each edge of the icosahedron is cut; 1 to 1000, default 20 (4,002
-  /// directions, 8,000 triangles).
+  ///@{ Number of parts into which each edge of the icosahedron is divided; 1 to 1000, default 20
+  /// (4,002 directions, 8,000 triangles).
   vtkSetClampMacro(Frequency, int, 1, 1000);
   vtkGetMacro(Frequency, int);
   ///@}

@@ -48,8 +48,8 @@ Vector3 ChooseCenter(const palpate::IndexedMesh& mesh, int mode, const double* g
   }
 }
 
-// Cosine of the angle between a ray and a triangle's normal. Never quite zero: a sample on a
-// surface seen edge-on still says where the surface is.
+// Cosine of the angle between a ray and a triangle's normal. Never zero, since a sample on a
+// surface seen edge-on still locates the surface.
 double Incidence(const palpate::IndexedMesh& mesh, int triangle, const Vector3& direction)
 {
   const std::array<int, 3>& ids = mesh.Triangles[static_cast<std::size_t>(triangle)];
@@ -59,7 +59,7 @@ double Incidence(const palpate::IndexedMesh& mesh, int triangle, const Vector3& 
   return std::max(0.05, std::abs(normal.normalized().dot(direction)));
 }
 
-// The output arrays of the samples, one entry a direction.
+// The output arrays of the samples, one entry per direction.
 struct SampleArrays
 {
   explicit SampleArrays(vtkIdType count)
@@ -109,7 +109,7 @@ int vtkRadialSampler::RequestData(vtkInformation*, vtkInformationVector** inputs
   vtkPolyData* directionInput = vtkPolyData::GetData(inputs[1]);
   if (mesh.Triangles.empty() || directionInput->GetNumberOfPoints() == 0)
   {
-    vtkErrorMacro("there is no surface, or there are no directions, to sample");
+    vtkErrorMacro("the sampler needs a surface and directions; one of them is empty");
     return 0;
   }
   const Vector3 center = ChooseCenter(mesh, this->CenterMode, this->Center);

@@ -4,17 +4,17 @@
 #include "PalpateShapeModelModule.h"
 #include "vtkPolyDataAlgorithm.h"
 
-/// Measures how far a closed surface lies from a centre along given directions, and judges whether
-/// that describes the surface: whether it is star-shaped as seen from there.
+/// Measures the distance of a closed surface from a centre along given directions, and decides
+/// whether the surface is star-shaped as seen from there.
 ///
 /// Port 0: the closed, outward-facing triangle surface (world mm). Port 1: the directions, points
 /// of unit length, with an optional array "SolidAngle" (see vtkIcosahedronDirections). Output: the
 /// directions' cells with points moved onto the surface, and the point arrays "Direction",
-/// "Radius" (mm), "Crossings" (how often the ray meets the surface), "Valid" (1 where it does),
-/// "SolidAngle" (sr) and "AreaWeight" (mm^2: the solid angle times the squared radius and the
+/// "Radius" (mm), "Crossings" (intersections of the ray with the surface), "Valid" (1 if there is
+/// one), "SolidAngle" (sr) and "AreaWeight" (mm^2: the solid angle times the squared radius and the
 /// cosine between ray and surface normal; a squared radial error with this weight is the squared
 /// distance along the normal, integrated over the surface); the centre (world mm) is the field data
-/// array "Center". Where a ray meets nothing the radius is 0. Raises an error and produces no
+/// array "Center". The radius of a ray without intersections is 0. Raises an error and produces no
 /// output if the surface is empty.
 class PALPATESHAPEMODEL_EXPORT vtkRadialSampler : public vtkPolyDataAlgorithm
 {
@@ -30,26 +30,26 @@ public:
     MOST_VISIBLE ///< the point from which most of the surface is seen
   };
 
-  ///@{ Where the directions start; default CENTROID.
+  ///@{ Origin of the directions; default CENTROID.
   vtkSetClampMacro(CenterMode, int, CENTROID, MOST_VISIBLE);
   vtkGetMacro(CenterMode, int);
   ///@}
 
-  ///@{ World mm; set it for GIVEN, read it after an update.
+  ///@{ World mm; an input for GIVEN, otherwise a result of the update.
   vtkSetVector3Macro(Center, double);
   vtkGetVector3Macro(Center, double);
   ///@}
 
-  ///@{ Which crossing gives the radius where there are several: the outermost (default) keeps the
-  /// silhouette, the innermost what the centre sees.
+  ///@{ The crossing that gives the radius if there are several: the outermost (default) keeps the
+  /// silhouette, the innermost the part that the centre sees.
   vtkSetMacro(UseOutermost, bool);
   vtkGetMacro(UseOutermost, bool);
   vtkBooleanMacro(UseOutermost, bool);
   ///@}
 
-  ///@{ The verdict of the last update. Hidden: part of the surface's area that the centre does not
-  /// see; multiple and missed: parts of the sphere of directions with more than one crossing, and
-  /// with none.
+  ///@{ Result of the last update. Hidden: share of the surface's area that the centre does not see;
+  /// multiple and missed: shares of the sphere of directions with more than one crossing, and with
+  /// none.
   vtkGetMacro(StarShaped, bool);
   vtkGetMacro(HiddenPercent, double);
   vtkGetMacro(MultiplePercent, double);

@@ -119,8 +119,9 @@ int vtkSphericalHarmonicFit::RequestData(vtkInformation*, vtkInformationVector**
   palpate::RadialSamples samples;
   if (!CollectSamples(input, this->Weighting, samples))
   {
-    vtkErrorMacro("the input has no samples: arrays Direction and Radius and the field Center are "
-                  "needed, as vtkRadialSampler writes them");
+    vtkErrorMacro(
+        "the input has no samples: it needs the arrays Direction and Radius and the field "
+        "Center, as vtkRadialSampler writes them");
     return 0;
   }
   palpate::SphericalHarmonicFitOptions options;

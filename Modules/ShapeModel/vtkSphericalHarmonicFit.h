@@ -11,9 +11,8 @@
 /// Input: samples as vtkRadialSampler writes them (arrays "Direction", "Radius" in mm, "Valid", and
 /// "AreaWeight" or "SolidAngle" as weights, field data "Center"). Output: the model as a table (see
 /// palpate::ToTable), with the field data array "CovarianceFactor": a square matrix F, row by row,
-/// F F^T being the covariance of the coefficients (mm^2). The arithmetic, the penalty and the
-/// refusals are those of palpate::FitSphericalHarmonics; a refusal is raised as an error, and there
-/// is no output.
+/// where F F^T is the covariance of the coefficients (mm^2). Arithmetic, penalty and refusals are
+/// those of palpate::FitSphericalHarmonics; a refusal raises an error and produces no output.
 class PALPATESHAPEMODEL_EXPORT vtkSphericalHarmonicFit : public vtkTableAlgorithm
 {
 public:
@@ -40,22 +39,22 @@ public:
   vtkGetMacro(Degree, int);
   ///@}
 
-  ///@{ How much a sample counts: by the surface's area (array "AreaWeight", default), so that the
-  /// distance along the normal is what is made small; by the solid angle (array "SolidAngle"), so
-  /// that the radial distance is; or all the same.
+  ///@{ Weight of a sample: the surface's area (array "AreaWeight", default), which minimises the
+  /// distance along the normal; the solid angle (array "SolidAngle"), which minimises the radial
+  /// distance; or uniform.
   vtkSetClampMacro(Weighting, int, AREA, UNIFORM);
   vtkGetMacro(Weighting, int);
   ///@}
 
-  ///@{ If positive: take the smallest degree, up to MaximumDegree, whose root mean square residual
-  /// (mm) is at most this, and set Degree to it. Without such a degree the update is an error.
+  ///@{ If positive: finds the smallest degree, up to MaximumDegree, whose root mean square residual
+  /// (mm) is at most this, and sets Degree to it. If there is none, the update raises an error.
   /// Default 0: the degree is given.
   vtkSetClampMacro(Tolerance, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(Tolerance, double);
   vtkSetClampMacro(MaximumDegree, int, 0, 1000);
   vtkGetMacro(MaximumDegree, int);
-  /// The highest degree that the samples say anything of. A search that comes to it ends and takes
-  /// it, though the tolerance is not met. Default 1000: no bound.
+  /// The highest degree that the samples can determine. A search that reaches it ends there, even
+  /// if the tolerance is not met. Default 1000: no bound.
   vtkSetClampMacro(SupportedDegree, int, 0, 1000);
   vtkGetMacro(SupportedDegree, int);
   ///@}
@@ -68,12 +67,12 @@ public:
   vtkGetMacro(Roughness, double);
   ///@}
 
-  ///@{ Largest condition number that is accepted without a penalty; default 1e4.
+  ///@{ Largest condition number accepted without a penalty; default 1e4.
   vtkSetMacro(MaximumCondition, double);
   vtkGetMacro(MaximumCondition, double);
   ///@}
 
-  ///@{ What the last update found; lengths are mm.
+  ///@{ Results of the last update; lengths in mm.
   vtkGetMacro(FittedDegree, int);
   vtkGetMacro(Condition, double);
   vtkGetMacro(UsedRoughness, double);

@@ -53,10 +53,10 @@ palpate::PhantomGrid vtkSphericalHarmonicPhantom::GetGrid() const
 void vtkSphericalHarmonicPhantom::CenterGridOn(double x, double y, double z)
 {
   const palpate::PhantomGrid grid = this->GetGrid();
-  const palpate::Vector3 middle(0.5 * (grid.Size[0] - 1), 0.5 * (grid.Size[1] - 1),
-                                0.5 * (grid.Size[2] - 1));
+  const palpate::Vector3 centerIndex(0.5 * (grid.Size[0] - 1), 0.5 * (grid.Size[1] - 1),
+                                     0.5 * (grid.Size[2] - 1));
   const palpate::Vector3 origin =
-      palpate::Vector3(x, y, z) - (grid.PointWorld(middle) - grid.OriginWorld);
+      palpate::Vector3(x, y, z) - (grid.PointWorld(centerIndex) - grid.OriginWorld);
   this->SetOriginWorld(origin.x(), origin.y(), origin.z());
 }
 
@@ -83,9 +83,10 @@ palpate::SphericalHarmonicModel vtkSphericalHarmonicPhantom::GetModel() const
     return this->Model;
   }
   const palpate::PhantomGrid grid = this->GetGrid();
-  const palpate::Vector3 middle(0.5 * (grid.Size[0] - 1), 0.5 * (grid.Size[1] - 1),
-                                0.5 * (grid.Size[2] - 1));
-  return palpate::MakeProstateLikeModel(this->Degree, this->ShapeSeed, grid.PointWorld(middle));
+  const palpate::Vector3 centerIndex(0.5 * (grid.Size[0] - 1), 0.5 * (grid.Size[1] - 1),
+                                     0.5 * (grid.Size[2] - 1));
+  return palpate::MakeProstateLikeModel(this->Degree, this->ShapeSeed,
+                                        grid.PointWorld(centerIndex));
 }
 
 void vtkSphericalHarmonicPhantom::SetAppearance(const palpate::PhantomAppearance& appearance)
@@ -122,7 +123,7 @@ bool vtkSphericalHarmonicPhantom::SettingsAreUsable()
 {
   const palpate::PhantomGrid grid = this->GetGrid();
   const palpate::PhantomAppearance& look = this->Appearance;
-  // Written so that a NaN fails.
+  // Written so that NaN fails.
   if (!(grid.Spacing.minCoeff() > 0.0) || !grid.Spacing.allFinite() ||
       *std::min_element(grid.Size.begin(), grid.Size.end()) < 1 || !grid.OriginWorld.allFinite())
   {
@@ -139,8 +140,9 @@ bool vtkSphericalHarmonicPhantom::SettingsAreUsable()
       !(look.InnerZoneFraction >= 0.0 && look.InnerZoneFraction <= 1.0) ||
       !(look.CapsuleThickness >= 0.0) || look.Subdivision < 1)
   {
-    vtkErrorMacro("The phantom's noise and capsule must not be negative, its bias lies in [0, 1), "
-                  "its inner zone in [0, 1], and its subdivision is at least 1.");
+    vtkErrorMacro(
+        "The phantom's noise and capsule must not be negative, its bias must be in [0, 1), "
+        "its inner zone in [0, 1], and its subdivision at least 1.");
     return false;
   }
   return true;
@@ -186,7 +188,7 @@ int vtkSphericalHarmonicPhantom::RequestData(vtkInformation*, vtkInformationVect
   auto* labels = static_cast<unsigned char*>(images[1]->GetScalarPointer());
   const vtkIdType rowLength = this->Dimensions[0];
   const vtkIdType rowsPerSlice = this->Dimensions[1];
-  // Slab by slab, so that progress is told and an abort heard in the calling thread.
+  // Slab by slab, so that the calling thread can report progress and check for an abort.
   for (int k = 0; k < this->Dimensions[2] && !this->AbortExecute; ++k)
   {
     vtkSMPTools::For(0, rowsPerSlice,

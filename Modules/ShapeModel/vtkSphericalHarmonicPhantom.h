@@ -7,11 +7,11 @@
 #include "vtkImageAlgorithm.h"
 
 /// Source of an MR-like volume (port 0, float) and the mask (port 1, unsigned char, 1 inside) of a
-/// body whose spherical-harmonic coefficients are known, on any grid, also an oblique one. The
-/// outputs carry the grid's direction matrix; frame patient LPS, lengths mm. What is drawn is told
-/// in PhantomSampler; the body is the given model, or a prostate-like one of the given degree and
-/// seed around the centre of the grid (MakeProstateLikeModel). The result does not depend on the
-/// number of threads. Error event, and no output, where a setting makes no image.
+/// body whose spherical-harmonic coefficients are known, on any grid, including oblique ones. The
+/// outputs carry the grid's direction matrix; frame patient LPS, lengths mm. PhantomSampler
+/// documents the intensities; the body is the given model, or a prostate-like one of the given
+/// degree and seed at the centre of the grid (MakeProstateLikeModel). The result does not depend on
+/// the number of threads. Raises an error and produces no output if the settings are invalid.
 class PALPATESHAPEMODEL_EXPORT vtkSphericalHarmonicPhantom : public vtkImageAlgorithm
 {
 public:
@@ -32,12 +32,12 @@ public:
   vtkGetVectorMacro(DirectionMatrix, double, 9);
   ///@}
 
-  /// Moves the grid so that its middle is at this point (mm, LPS), with the present dimensions,
+  /// Moves the grid so that its centre is at this point (mm, LPS), with the current dimensions,
   /// spacing and direction.
   void CenterGridOn(double x, double y, double z);
 
   ///@{
-  /// Degree and seed of the prostate-like body that is made where no model was given.
+  /// Degree and seed of the prostate-like body that is used if no model is given.
   vtkSetClampMacro(Degree, int, 0, 200);
   vtkGetMacro(Degree, int);
   vtkSetMacro(ShapeSeed, unsigned int);
@@ -46,9 +46,9 @@ public:
 
   /// The body to draw, with its own centre (mm, LPS).
   void SetModel(const palpate::SphericalHarmonicModel& model);
-  /// Back to the prostate-like body.
+  /// Returns to the prostate-like body.
   void ClearModel();
-  /// The body that is drawn: the truth that a fit should find.
+  /// The body: the ground truth for a fit.
   palpate::SphericalHarmonicModel GetModel() const;
 
   ///@{
@@ -58,7 +58,7 @@ public:
   ///@}
 
   ///@{
-  /// The part of the appearance that is reachable from Python: standard deviation of the Rician
+  /// The settings of the appearance that are available in Python: standard deviation of the Rician
   /// noise, amplitude of the bias field, and their seed.
   void SetNoiseDeviation(double deviation);
   void SetBiasAmplitude(double amplitude);

@@ -66,7 +66,7 @@ void AddGeometry(const palpate::SphericalHarmonicModel& model,
   output->GetPointData()->SetNormals(normals);
 }
 
-// sqrt(y^T F F^T y) at each direction; blocks of directions, so that it is one matrix product.
+// sqrt(y^T F F^T y) at each direction, in blocks, so that it is one matrix product per block.
 void AddDeviation(vtkDataArray* factorArray, int degree, const std::vector<Vector3>& directions,
                   vtkPolyData* output)
 {
@@ -144,8 +144,8 @@ int vtkSphericalHarmonicSurface::RequestData(vtkInformation*, vtkInformationVect
   palpate::SphericalHarmonicModel model;
   if (!palpate::FromTable(table, model))
   {
-    vtkErrorMacro("the input is no spherical-harmonic model: columns Degree, Order and Coefficient "
-                  "and the field Center are needed");
+    vtkErrorMacro("the input is not a spherical-harmonic model: it needs the columns Degree, Order "
+                  "and Coefficient and the field Center");
     return 0;
   }
   const palpate::IcosahedronDirections sphere(this->Frequency);

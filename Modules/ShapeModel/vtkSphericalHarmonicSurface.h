@@ -9,15 +9,15 @@ namespace palpate
 class SphericalHarmonicModel;
 }
 
-/// Draws a spherical-harmonic model: one vertex for each direction of a subdivided icosahedron,
-/// with the model's analytic outward normals.
+/// Tessellates a spherical-harmonic model: one vertex for each direction of a subdivided
+/// icosahedron, with the model's analytic outward normals.
 ///
 /// Port 0: the model as a table (see palpate::ToTable). Port 1, optional: the original closed
-/// surface. Output: triangles in world mm, point array "Radius" (mm); with a "CovarianceFactor" in
-/// the table also "RadiusDeviation" (mm, one standard deviation of the fitted radius); with an
-/// original also "DistanceToSurface" (mm to its nearest point, positive where the model lies
-/// outside it) and "Residual" (mm, the original's outermost radius minus the model's; NaN along
-/// directions that miss the original).
+/// surface. Output: triangles in world mm, point array "Radius" (mm); if the table has a
+/// "CovarianceFactor" also "RadiusDeviation" (mm, one standard deviation of the fitted radius);
+/// with an original also "DistanceToSurface" (mm to its nearest point, positive where the model
+/// lies outside it) and "Residual" (mm, the original's outermost radius minus the model's; NaN
+/// along directions that miss the original).
 class PALPATESHAPEMODEL_EXPORT vtkSphericalHarmonicSurface : public vtkPolyDataAlgorithm
 {
 public:
@@ -25,7 +25,7 @@ public:
   vtkTypeMacro(vtkSphericalHarmonicSurface, vtkPolyDataAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  ///@{ Into how many parts each edge of the icosahedron is cut; default 20.
+  ///@{ Number of parts into which each edge of the icosahedron is divided; default 20.
   vtkSetClampMacro(Frequency, int, 1, 1000);
   vtkGetMacro(Frequency, int);
   ///@}

@@ -29,7 +29,7 @@ struct WeightedDistance
   double Weight;
 };
 
-// Appends one direction's distances with weights that add up to one half.
+// Appends the distances of one direction with weights that sum to one half.
 void Append(const std::vector<double>& distances, const std::vector<double>& areas,
             std::vector<WeightedDistance>& all)
 {
@@ -40,7 +40,7 @@ void Append(const std::vector<double>& distances, const std::vector<double>& are
   }
 }
 
-// The distance below which a part of the weight lies; the weights add up to 1.
+// Weighted percentile of sorted distances, `part` in [0, 1]; the weights sum to 1.
 double Percentile(const std::vector<WeightedDistance>& sorted, double part)
 {
   double weight = 0.0;

@@ -6,18 +6,17 @@
 
 class vtkImageData;
 
-/// Measures how well one closed surface agrees with another, and with a mask.
+/// Measures the agreement of one closed surface with another, and with a mask.
 ///
 /// Port 0: the surface under test. Port 1: the reference surface. Port 2, optional: a label map for
 /// the Dice coefficient. All in world mm; the label map's direction matrix is honoured. Output: the
 /// surface under test with the point array "Distance" (mm, unsigned, to the reference).
 ///
 /// The distances are symmetric: from every vertex of either surface to the nearest point of the
-/// other, each vertex weighted by the area round it, and either direction counting one half (so
-/// that a rough surface does not count more for having more area). Mean, root mean square and
-/// percentile are of both directions together; the maximum is the Hausdorff distance of the
-/// vertices. Dice is taken on the label map's own grid: a voxel belongs to the surface if its
-/// centre lies inside.
+/// other, each vertex weighted by the area around it, and each direction by one half (so that a
+/// rough surface does not weigh more for its larger area). Mean, root mean square and percentile
+/// are of both directions together; the maximum is the Hausdorff distance of the vertices. Dice is
+/// computed on the label map's own grid: a voxel belongs to the surface if its centre lies inside.
 class PALPATESHAPEMODEL_EXPORT vtkSurfaceQuality : public vtkPolyDataAlgorithm
 {
 public:
@@ -25,7 +24,7 @@ public:
   vtkTypeMacro(vtkSurfaceQuality, vtkPolyDataAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  ///@{ The inputs besides the surface under test.
+  ///@{ The other inputs.
   void SetReferenceConnection(vtkAlgorithmOutput* output) { this->SetInputConnection(1, output); }
   void SetReferenceData(vtkPolyData* surface);
   void SetMaskConnection(vtkAlgorithmOutput* output) { this->SetInputConnection(2, output); }
@@ -38,7 +37,7 @@ public:
   ///@}
 
   ///@{ Results of the last update: distances in mm, volumes in mm^3, areas in mm^2. Differences are
-  /// of the surface under test less the reference. Dice is 0..1, and -1 without a mask.
+  /// the surface under test minus the reference. Dice is 0..1, and -1 without a mask.
   vtkGetMacro(MeanDistance, double);
   vtkGetMacro(RmsDistance, double);
   vtkGetMacro(Percentile95Distance, double);

@@ -17,8 +17,8 @@ namespace palpate
 {
 namespace
 {
-// A sample that equals the level would put several vertices on one spot; a millionth of the
-// field's range away it cannot be told apart by anyone else.
+// A sample equal to the level would produce several vertices at one point; moving it by a millionth
+// of the field's range changes nothing measurable.
 void MoveOffLevel(ScalarGrid& grid, float level)
 {
   const auto [low, high] = std::minmax_element(grid.Values.begin(), grid.Values.end());
@@ -66,7 +66,7 @@ IsoSurface ChoosePieces(vtkPolyData* surface, SurfacePieces pieces)
   return {connectivity->GetOutput(), connectivity->GetNumberOfExtractedRegions(), 0.0};
 }
 
-// Drops points that no triangle uses and turns triangles outwards.
+// Removes unused points and orients triangles outwards.
 vtkSmartPointer<vtkPolyData> Compact(vtkPolyData* surface)
 {
   std::vector<vtkIdType> renumbered(static_cast<std::size_t>(surface->GetNumberOfPoints()), -1);
@@ -108,7 +108,7 @@ EnclosedMeasure MeasureEnclosed(vtkPolyData* surface)
   Eigen::Vector3d origin = Eigen::Vector3d::Zero();
   if (surface->GetNumberOfPoints() > 0)
   {
-    surface->GetPoint(0, origin.data()); // near the surface: less cancellation
+    surface->GetPoint(0, origin.data()); // close to the surface: less cancellation
   }
   for (cells->GoToFirstCell(); !cells->IsDoneWithTraversal(); cells->GoToNextCell())
   {
@@ -159,7 +159,7 @@ IsoSurface ExtractIsoSurfaceOfVolume(ScalarGrid& grid, double volume, SurfacePie
   IsoSurface result;
   double lastLevel = 0.0;
   double lastExcess = 0.0;
-  // Secants kept inside the bracket; the first step guesses the field's slope at the surface.
+  // Secant steps kept inside the bracket; the first step guesses the field's slope at the surface.
   for (int step = 0; step < 12; ++step)
   {
     result = ExtractIsoSurface(grid, static_cast<float>(level), pieces);

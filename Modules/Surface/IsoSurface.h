@@ -17,7 +17,7 @@ struct EnclosedMeasure
 
 PALPATESURFACE_EXPORT EnclosedMeasure MeasureEnclosed(vtkPolyData* surface);
 
-/// Turns every triangle over.
+/// Reverses the orientation of every triangle.
 PALPATESURFACE_EXPORT void ReverseTriangles(vtkPolyData* surface);
 
 enum class SurfacePieces
@@ -29,18 +29,18 @@ enum class SurfacePieces
 struct IsoSurface
 {
   vtkSmartPointer<vtkPolyData> Surface; ///< outward-facing triangles
-  int PieceCount = 0;                   ///< connected pieces before a choice among them
+  int PieceCount = 0;                   ///< connected pieces before one was selected
   double Level = 0.0;
 };
 
 /// The surface where `grid` passes `level`; points in mm along the grid's axes, from its first
-/// sample. Closed as long as the grid's outermost samples lie below the level. Samples that equal
-/// the level are moved off it.
+/// sample. Closed if the grid's outermost samples lie below the level. Samples equal to the level
+/// are moved off it.
 PALPATESURFACE_EXPORT IsoSurface ExtractIsoSurface(ScalarGrid& grid, float level,
                                                    SurfacePieces pieces);
 
 /// The same at a level near zero at which the surface encloses `volume` (mm^3) to a part in a
-/// thousand, as long as the field's levels reach that far.
+/// thousand, if the field's range allows it.
 PALPATESURFACE_EXPORT IsoSurface ExtractIsoSurfaceOfVolume(ScalarGrid& grid, double volume,
                                                            SurfacePieces pieces);
 } // namespace palpate

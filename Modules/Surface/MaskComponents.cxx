@@ -33,7 +33,7 @@ std::vector<std::array<int, 3>> Steps(Neighbours kind)
   return steps;
 }
 
-// Gives every voxel that has `value` the number of its region, from 1 on, in `regions`, and
+// Writes the number of its region, from 1, to `regions` for every voxel that has `value`, and
 // returns the regions' sizes.
 std::vector<long long> LabelRegions(const VoxelMask& mask, unsigned char value, Neighbours kind,
                                     std::vector<int>& regions)
@@ -120,7 +120,7 @@ MaskCavities FillCavities(VoxelMask& mask)
   std::vector<int> regions;
   const std::vector<long long> sizes =
       LabelRegions(mask, 0, Neighbours::FacesEdgesCorners, regions);
-  // The scan starts at the empty rim, so region 1 is the outside.
+  // The scan starts at the empty border, so region 1 is the outside.
   MaskCavities cavities;
   cavities.Count = static_cast<int>(sizes.size()) - 1;
   cavities.Voxels = std::accumulate(sizes.begin() + 1, sizes.end(), 0LL);

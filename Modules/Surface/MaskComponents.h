@@ -7,14 +7,14 @@
 
 namespace palpate
 {
-/// Connected components of a mask: voxels that share a face belong together, which is how a
-/// surface drawn around them hangs together too.
+/// Connected components of a mask: voxels that share a face are connected, as are the surfaces
+/// around them.
 class PALPATESURFACE_EXPORT MaskComponents
 {
 public:
   explicit MaskComponents(const VoxelMask& mask);
 
-  /// Voxels of each component, falling.
+  /// Voxels of each component, in descending order.
   const std::vector<long long>& VoxelCounts() const noexcept { return this->Counts; }
 
   /// Keeps the component of this rank (0 is the largest) in `mask` and clears the others.
@@ -26,13 +26,13 @@ private:
 };
 
 /// Empty regions that a mask encloses: outside voxels that no path over faces, edges or corners of
-/// outside voxels joins to the rim of the box (which must be empty).
+/// outside voxels connects to the border of the box (which must be empty).
 struct MaskCavities
 {
   int Count = 0;
   long long Voxels = 0;
 };
 
-/// Fills the cavities of `mask` and says what it filled.
+/// Fills the cavities of `mask` and reports them.
 PALPATESURFACE_EXPORT MaskCavities FillCavities(VoxelMask& mask);
 } // namespace palpate

@@ -6,7 +6,7 @@
 
 namespace palpate
 {
-/// Samples of a scalar field on a regular grid that lies parallel to an image's axes.
+/// Samples of a scalar field on a regular grid parallel to an image's axes.
 struct ScalarGrid
 {
   std::array<double, 3> StartIndex{}; ///< continuous image index of the first sample

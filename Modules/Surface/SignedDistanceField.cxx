@@ -16,7 +16,7 @@ namespace palpate
 namespace
 {
 constexpr int MaximumRefinement = 16;
-constexpr double MaximumSamples = 6e7; // 240 MB of float: beyond it slices are refined less
+constexpr double MaximumSamples = 6e7; // 240 MB of float: beyond, slices are refined less
 
 // Distances run between voxel centres; the boundary lies half a step from the last one.
 std::vector<float> SignedDistance(const VoxelMask& mask, DistanceDomain domain, double halfStep)
@@ -42,7 +42,7 @@ ScalarGrid GridOf(const VoxelMask& mask)
   return grid;
 }
 
-// The mask with its axes turned so that the coarsest is the third.
+// The mask with its axes permuted so that the coarsest is the third.
 struct TurnedMask
 {
   VoxelMask Mask;
@@ -82,7 +82,7 @@ TurnedMask TurnCoarsestLast(const VoxelMask& mask)
   return turned;
 }
 
-// Puts a grid over a turned mask back onto the original's axes.
+// Permutes a grid over a turned mask back to the original's axes.
 ScalarGrid TurnBack(const ScalarGrid& turned, const std::array<std::size_t, 3>& axes)
 {
   ScalarGrid grid;
@@ -112,11 +112,12 @@ ScalarGrid TurnBack(const ScalarGrid& turned, const std::array<std::size_t, 3>& 
   return grid;
 }
 
-// Interpolates the slices of a signed in-plane distance along the third axis. The distance is cut
-// off at one slice step: outlines that lie closer than that from slice to slice are joined by a
-// slanting wall; where they lie further apart, or a slice is empty, the shape ends half way between
-// the slices with a rounded rim, as the mask itself says. So the surface never crosses a line
-// between voxel centres of one kind, and stays within half a step of the mask's own half level.
+// Interpolates the slices of a signed in-plane distance along the third axis. The distance is
+// clamped to one slice step: outlines that lie closer than that from slice to slice are joined by
+// an oblique wall; where they lie further apart, or a slice is empty, the shape ends half way
+// between the slices with a rounded edge, as in the mask itself. So the surface never crosses a
+// line between voxel centres of one kind, and stays within half a step of the mask's own half
+// level.
 class SliceInterpolator
 {
 public:
@@ -204,8 +205,8 @@ ScalarGrid HalfLevel(const VoxelMask& mask)
   return grid;
 }
 
-// From a distance to how much of a voxel lies inside, less one half: unlike a distance, it can be
-// blurred without far-off parts of the shape pulling at the surface.
+// Converts a distance to the occupancy of a voxel minus one half: unlike a distance, it can be
+// blurred without distant parts of the shape displacing the surface.
 void ToOccupancy(ScalarGrid& grid, double width)
 {
   const auto scale = static_cast<float>(1.0 / width);

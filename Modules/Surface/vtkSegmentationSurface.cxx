@@ -22,7 +22,7 @@ vtkStandardNewMacro(vtkSegmentationSurface);
 
 namespace
 {
-// Wide enough for the blur of the field to find no edge; outermost samples stay outside.
+// Wide enough for the blur not to reach the border; the outermost samples stay outside.
 int RimFor(double smoothing)
 {
   return 2 + static_cast<int>(std::ceil(1.5 * smoothing));
@@ -174,7 +174,7 @@ bool vtkSegmentationSurface::BuildSurface(const palpate::VoxelMask& mask, vtkIma
   const palpate::FieldMethod method =
       this->Method == PLAIN ? palpate::FieldMethod::Plain : palpate::SuitableMethod(mask);
   extract(method);
-  // A level far from the middle means that the interpolation tore a thin, slanting shape apart.
+  // A level far from zero means that the interpolation tore a thin, oblique shape apart.
   this->UsedDistanceInstead =
       method == palpate::FieldMethod::ShapeInterpolation && std::abs(surface.Level) > 0.25;
   if (this->UsedDistanceInstead)

@@ -13,17 +13,17 @@ namespace palpate
 struct VoxelMask;
 }
 
-/// Turns one label of a label map into a closed, oriented, two-manifold triangle surface.
+/// Extracts one label of a label map as a closed, oriented, two-manifold triangle surface.
 ///
 /// Input: vtkImageData with one-component integer scalars; origin, spacing (mm) and direction
 /// matrix are honoured. Output: triangles, points in world mm (double), outward orientation. A mask
 /// that touches the image's border is closed there, about half a voxel outside the last voxel
-/// centres; GetTouchesBorder says so. Cavities are filled. Raises an error and produces no output
-/// if no voxel has the label, or the component does not exist.
+/// centres, and GetTouchesBorder returns true. Cavities are filled. Raises an error and produces no
+/// output if no voxel has the label, or the component does not exist.
 ///
-/// SHAPE_INTERPOLATION takes the mask's steps between thick slices for what they are, an effect of
-/// the sampling (see palpate::BuildField), and encloses the mask's volume to a part in a thousand.
-/// PLAIN is the half level of the mask itself, for comparison.
+/// SHAPE_INTERPOLATION treats the mask's steps between thick slices as a sampling artefact (see
+/// palpate::BuildField), and encloses the mask's volume to a part in a thousand. PLAIN is the half
+/// level of the mask itself, for comparison.
 class PALPATESURFACE_EXPORT vtkSegmentationSurface : public vtkPolyDataAlgorithm
 {
 public:
@@ -56,14 +56,14 @@ public:
   vtkGetMacro(Smoothing, double);
   ///@}
 
-  ///@{ Which connected component (voxels that share faces), by falling size, from 1. 0 keeps all.
-  /// Default 1.
+  ///@{ Rank of the connected component (voxels that share faces) by size, from 1 for the largest. 0
+  /// keeps all. Default 1.
   vtkSetClampMacro(Component, int, 0, VTK_INT_MAX);
   vtkGetMacro(Component, int);
   ///@}
 
-  ///@{ What the last update found. Volumes in mm^3. MaskVolume counts the voxels of the chosen
-  /// component, SurfaceVolume is what the output encloses (with cavities).
+  ///@{ Results of the last update. Volumes in mm^3. MaskVolume counts the voxels of the chosen
+  /// component, SurfaceVolume is the volume that the output encloses (with cavities).
   vtkGetMacro(TouchesBorder, bool);
   vtkGetMacro(MaskVolume, double);
   vtkGetMacro(SurfaceVolume, double);
@@ -76,8 +76,8 @@ public:
   }
   ///@}
 
-  ///@{ True if slices overlap too little for the shape to be interpolated between them, so that
-  /// distance in space was used instead.
+  ///@{ True if slices overlap too little for shape interpolation, so that the three-dimensional
+  /// distance was used instead.
   vtkGetMacro(UsedDistanceInstead, bool);
   ///@}
 

@@ -6,21 +6,21 @@
 
 namespace palpate
 {
-/// A place of the scene round which surfaces have another colour, such as where a tool touches.
+/// A place in the scene around which surfaces are coloured differently, such as a tool's contact.
 struct ContactMark
 {
   Vector3 PlaceWorld = Vector3::Zero(); ///< mm, in the scene
   double Radius = 0.0;                  ///< mm; 0 marks nothing
-  double Strength = 1.0;                ///< of the colour where it is strongest, 0..1
+  double Strength = 1.0;                ///< maximum share of the colour, 0..1
   Vector3 Color = Vector3::Zero();      ///< 0..1
 
   bool IsSeen() const noexcept { return this->Radius > 0.0 && this->Strength > 0.0; }
-  /// How much of the colour a point of a surface has, 0..1: Strength up to half the radius, then
-  /// smoothly less up to the radius.
+  /// Share of the colour at a surface point, 0..1: Strength up to half the radius, then decreasing
+  /// smoothly to 0 at the radius.
   double ShareAt(const Vector3& pointWorld) const noexcept
   {
-    const double way = (pointWorld - this->PlaceWorld).norm() / this->Radius;
-    const double outer = std::clamp(2.0 * way - 1.0, 0.0, 1.0);
+    const double distance = (pointWorld - this->PlaceWorld).norm() / this->Radius;
+    const double outer = std::clamp(2.0 * distance - 1.0, 0.0, 1.0);
     return this->Strength * (1.0 - outer * outer * (3.0 - 2.0 * outer));
   }
 };

@@ -19,8 +19,8 @@ public:
 
   bool ShowsAll() const noexcept { return this->Flags == All; }
   bool Shows(const Vector3& pointIndex) const noexcept;
-  /// Where only the middle region is shown: its six sides in the world, which spare the rays what
-  /// lies outside. Nothing otherwise.
+  /// The six sides of the central region in the world, so that rays skip the outside, if only that
+  /// region is shown. Empty otherwise.
   std::vector<HalfSpace> Sides(const FieldGrid& grid) const;
 
 private:

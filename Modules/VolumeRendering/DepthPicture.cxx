@@ -13,8 +13,8 @@ namespace palpate
 {
 namespace
 {
-// Where nothing was hit, nothing is drawn; depths are those of the pixel itself, as depths between
-// two surfaces belong to neither.
+// Pixels without a hit are discarded; depths are not interpolated, since a depth between two
+// surfaces belongs to neither.
 const char* const FragmentShader = R"(//VTK::System::Dec
 //VTK::Output::Dec
 in vec2 texCoord;
@@ -40,7 +40,7 @@ void DepthPicture::Load(vtkOpenGLRenderWindow* window, const FieldPicture& pictu
 {
   const auto width = static_cast<unsigned int>(picture.Width);
   const auto height = static_cast<unsigned int>(picture.Height);
-  // The textures' functions want pointers that they could write to, and do not.
+  // vtkTextureObject takes non-const pointers, but does not write to them.
   this->Colors->SetContext(window);
   this->Colors->SetMagnificationFilter(vtkTextureObject::Nearest);
   this->Colors->SetMinificationFilter(vtkTextureObject::Nearest);

@@ -15,9 +15,9 @@ class vtkWindow;
 
 namespace palpate
 {
-/// Draws a picture with depths over a renderer's viewport, exactly pixel on pixel where it has the
-/// viewport's size, so that it hides and is hidden by what else is drawn. OpenGL; belongs to one
-/// window at a time.
+/// Draws an image with depths over a renderer's viewport, pixel by pixel if it has the viewport's
+/// size, so that it hides other props and is hidden by them. OpenGL; belongs to one window at a
+/// time.
 class PALPATEVOLUMERENDERING_EXPORT DepthPicture
 {
 public:
@@ -26,7 +26,7 @@ public:
   DepthPicture& operator=(const DepthPicture&) = delete;
   ~DepthPicture();
 
-  /// `writesDepths`: also what is drawn later is hidden by it.
+  /// `writesDepths`: also hides props that are drawn later.
   void Draw(vtkRenderer* renderer, const FieldPicture& picture, bool writesDepths);
   void ReleaseGraphicsResources(vtkWindow* window);
 

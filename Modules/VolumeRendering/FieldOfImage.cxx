@@ -68,7 +68,7 @@ Status SamplesOfImage(vtkImageData* image, FieldSamples& samples)
   const std::optional<ScalarType> type = TypeOf(scalars);
   if (!type || !scalars->HasStandardMemoryLayout())
   {
-    return Status::Failure("The image's scalars are of no type that a field is made from.");
+    return Status::Failure("The image has an unsupported scalar type.");
   }
   std::array<int, 3> size{};
   image->GetDimensions(size.data());

@@ -9,14 +9,14 @@
 
 namespace palpate
 {
-/// What a renderer made of a field: rows from the bottom up.
+/// A rendered image of a field: rows from the bottom up.
 struct FieldPicture
 {
   int Width = 0;
   int Height = 0;
-  std::vector<std::uint8_t> Colors; ///< red, green, blue, opacity; colours times opacity
-  std::vector<float> Depths;        ///< of the nearest surface, 1 where there is none
-  std::vector<FieldHit> Hits;       ///< the nearest surface, world; empty unless asked for
+  std::vector<std::uint8_t> Colors; ///< RGBA, premultiplied by the opacity
+  std::vector<float> Depths;        ///< of the nearest surface, 1 if there is none
+  std::vector<FieldHit> Hits;       ///< the nearest surface, world; empty unless requested
 
   void Resize(int width, int height, bool keepsHits)
   {
@@ -27,7 +27,7 @@ struct FieldPicture
     this->Depths.resize(count);
     this->Hits.resize(keepsHits ? count : 0);
   }
-  /// No surface at these pixels, of the columns and rows before the second ones.
+  /// Removes surfaces from pixels column0 <= column < column1 and row0 <= row < row1.
   void Clear(int column0, int column1, int row0, int row1) noexcept
   {
     for (int row = row0; row < row1; ++row)
@@ -42,7 +42,7 @@ struct FieldPicture
       }
     }
   }
-  /// Nothing is seen at this pixel; what its ray met stays.
+  /// Clears colour and depth of a pixel; its hit is kept.
   void Clear(std::size_t pixel) noexcept
   {
     std::fill_n(this->Colors.begin() + static_cast<std::ptrdiff_t>(4 * pixel), 4, 0);

@@ -14,7 +14,7 @@ namespace
 constexpr int BeamSide = 4; // pixels
 constexpr int BeamPixels = BeamSide * BeamSide;
 
-// The pixels of a beam, square by square: rays that are cast together shall be neighbours.
+// The pixels of a beam in square blocks, since rays that are cast together should be neighbours.
 struct Place
 {
   int Column, Row;
@@ -59,7 +59,7 @@ RayInterval FieldRenderer::ShownInterval(const FieldRay& ray) const noexcept
   return this->Scene.Kept.empty() ? RayInterval() : ClippedInterval(ray, this->Scene.Kept, {});
 }
 
-// What of a pixel's ray is asked for, behind `from`.
+// The interval of a pixel's ray to search, starting at `from`.
 RayInterval FieldRenderer::IntervalOf(const FieldRay& ray, std::size_t pixel,
                                       double from) const noexcept
 {
@@ -80,7 +80,7 @@ FieldHit FieldRenderer::NextHit(const FieldRay& ray, RayInterval interval) const
   return hit;
 }
 
-// Where a crop hides the hit, the first one behind it that none hides.
+// Replaces a hit hidden by cropping by the next visible one.
 void FieldRenderer::PassHidden(const FieldRay& ray, RayInterval interval,
                                FieldHit& hit) const noexcept
 {
@@ -116,7 +116,7 @@ Vector3 FieldRenderer::ColorOf(const FieldHit& hit, const Vector3& toEyeScene) c
   return this->Shading.ColorAt(point, color, facing, toEyeScene);
 }
 
-// Up to which t no ray of these pixels meets anything.
+// The parameter t up to which no ray of these pixels hits anything.
 double FieldRenderer::ClearBeam(int column0, int column1, int row0, int row1,
                                 double from) const noexcept
 {
@@ -132,7 +132,7 @@ double FieldRenderer::ClearBeam(int column0, int column1, int row0, int row1,
   return ClearUntil(this->Caster.Field(), BeamOf(corners), from, 1.0);
 }
 
-// From the first hit on that is shown; what is behind it is cast ray by ray.
+// Blends from the first visible hit; surfaces behind it are cast ray by ray.
 void FieldRenderer::DrawPixel(const FieldRay& ray, RayInterval interval, FieldHit& hit,
                               std::size_t pixel, FieldPicture& picture) const noexcept
 {
@@ -146,10 +146,10 @@ void FieldRenderer::DrawPixel(const FieldRay& ray, RayInterval interval, FieldHi
   }
   picture.Depths[pixel] = static_cast<float>(this->Scene.Rays.Depth(hit.Position));
   Vector3 color = Vector3::Zero();
-  double open = 1.0; // how much of what lies behind is seen
+  double open = 1.0; // transmittance so far
   const Vector3 fromEye = this->VectorToScene * ray.Direction;
   const Vector3 toEye = -1.0 / fromEye.norm() * fromEye;
-  // Below half a step of the picture nothing behind is seen.
+  // Below half a colour step nothing behind is visible.
   constexpr double LeastOpen = 0.5 / 255.0;
   while (hit.Material >= 0)
   {
@@ -215,7 +215,7 @@ void FieldRenderer::DrawBeam(int column0, int column1, int row0, int row1, doubl
 void FieldRenderer::DrawTile(int column0, int column1, int row0, int row1,
                              FieldPicture& picture) const noexcept
 {
-  // What is empty before all of them, the rays skip together.
+  // All rays skip the common empty space together.
   const double clear = this->ClearBeam(column0, column1, row0, row1, 0.0);
   if (clear >= 1.0)
   {

@@ -11,42 +11,42 @@
 
 namespace palpate
 {
-/// How the surface of one material is drawn.
+/// Appearance of the surface of one material.
 struct MaterialLook
 {
   Vector3 Color = Vector3(0.9, 0.85, 0.75); ///< 0..1
   double Opacity = 1.0;                     ///< 0..1; 0 hides the material
 };
 
-/// Everything that a picture of a field depends on. The field's own world (patient LPS, mm) may lie
+/// All parameters of an image of a field. The field's own world (patient LPS, mm) may be placed
 /// elsewhere in the scene: rays, clips and crops are in the former, lights in the latter.
 struct FieldView
 {
   PixelRays Rays; ///< in the field's world
   std::vector<HalfSpace> Kept;
   CropRegions Crop;
-  std::vector<MaterialLook> Looks; ///< by material; those that are missing have the default look
+  std::vector<MaterialLook> Looks; ///< by material; missing ones have the default appearance
   SurfaceFinish Finish;
   std::vector<SurfaceLight> Lights;
-  ContactMark Contact;                                   ///< on whatever material is near it
+  ContactMark Contact;                                   ///< on any material near it
   Eigen::Matrix4d ToScene = Eigen::Matrix4d::Identity(); ///< from the field's world
-  /// Depths, by pixel, of what is drawn already and ends the rays; empty for nothing.
+  /// Depths, by pixel, of props already drawn, which end the rays; empty if there are none.
   std::vector<float> SceneDepths;
 };
 
-/// Draws a field by the first hits of its rays: the hits are RayCaster's, so what is seen is what
-/// is felt. Const; tiles may be drawn by any number of threads at once.
+/// Draws a field by the first hits of its rays: the hits are RayCaster's, so the image shows the
+/// surface that haptic queries touch. Const; any number of threads may draw tiles at once.
 class PALPATEVOLUMERENDERING_EXPORT FieldRenderer
 {
 public:
   FieldRenderer(std::shared_ptr<const ScalarField> field, FieldView view);
 
   const FieldView& View() const noexcept { return this->Scene; }
-  /// Whether no pixel shows more than its nearest surface.
+  /// Whether every pixel shows only its nearest surface.
   bool IsOpaque() const noexcept { return this->Opaque; }
 
-  /// The nearest surface that is shown on the ray of a place of the picture, in pixels (see
-  /// PixelRays); missed where there is none.
+  /// The nearest visible surface on the ray through a point of the image, in pixels (see
+  /// PixelRays); a miss if there is none.
   FieldHit FirstHitAt(double x, double y) const noexcept;
   /// Fills the pixels of `picture` (of the view's size) with column0 <= column < column1 and
   /// row0 <= row < row1.
@@ -73,7 +73,7 @@ private:
   Eigen::Matrix3d VectorToScene;
   Eigen::Matrix3d NormalToScene;
   SurfaceShading Shading;
-  bool NeedsPoints; ///< whether colours depend on where a hit is in the scene
+  bool NeedsPoints; ///< whether colours depend on the position of a hit in the scene
   bool Opaque = true;
 };
 } // namespace palpate

@@ -21,7 +21,7 @@ FieldRay PixelRays::At(double x, double y) const noexcept
 
 double PixelRays::Depth(const Vector3& pointWorld) const noexcept
 {
-  // The two coordinates that a depth needs.
+  // The z and w coordinates, which determine the depth.
   const auto coordinate = [&](Eigen::Index row)
   {
     return this->ToClip(row, 0) * pointWorld[0] + this->ToClip(row, 1) * pointWorld[1] +

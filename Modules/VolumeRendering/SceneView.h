@@ -8,15 +8,15 @@ class vtkVolumeMapper;
 
 namespace palpate
 {
-/// What a renderer's camera, lights and viewport, a volume's place and property, and a mapper's
-/// clipping and cropping make of a picture of `width` x `height` pixels over the whole viewport. No
-/// looks and no scene depths. Cropping planes are in the image's own axes, mm: origin + spacing
-/// times index, without the direction.
+/// The view of a renderer's camera and lights, a volume's matrix and property, and a mapper's
+/// clipping and cropping, for an image of `width` x `height` pixels over the whole viewport,
+/// without appearances and scene depths. Cropping planes are in the image's own axes, mm: origin +
+/// spacing times index, without the direction.
 PALPATEVOLUMERENDERING_EXPORT FieldView MakeSceneView(vtkRenderer* renderer, vtkVolume* volume,
                                                       vtkVolumeMapper* mapper,
                                                       const FieldGrid& grid, int width, int height);
 
-/// What the depth buffer has over a renderer's viewport, for a picture of `width` x `height`
+/// The depth buffer over a renderer's viewport, resampled for an image of `width` x `height`
 /// pixels.
 PALPATEVOLUMERENDERING_EXPORT std::vector<float> ReadSceneDepths(vtkRenderer* renderer, int width,
                                                                  int height);

@@ -7,7 +7,7 @@
 
 namespace palpate
 {
-/// A light of the scene, world.
+/// A light of the scene, in world coordinates.
 struct SurfaceLight
 {
   bool IsPositional = false;
@@ -16,7 +16,7 @@ struct SurfaceLight
   Vector3 Specular = Vector3::Ones();
 };
 
-/// How surfaces answer to light: the coefficients of vtkVolumeProperty.
+/// Reflection coefficients of a surface, as in vtkVolumeProperty.
 struct SurfaceFinish
 {
   bool IsShaded = true;
@@ -26,19 +26,19 @@ struct SurfaceFinish
   double SpecularPower = 10.0;
 };
 
-/// The colours of a surface's points by Phong's reflection model, both of its sides alike. Asked
-/// for every pixel, so what does not depend on the pixel is found out before.
+/// Colours of surface points by Phong's reflection model, two-sided. Evaluated for every pixel, so
+/// everything that does not depend on the pixel is precomputed.
 /// Source: Phong, "Illumination for computer generated pictures", Comm. ACM 18 (1975).
 class PALPATEVOLUMERENDERING_EXPORT SurfaceShading
 {
 public:
   SurfaceShading(const SurfaceFinish& finish, const std::vector<SurfaceLight>& lights);
 
-  /// Whether colours depend on where a point lies, and not only on its normal.
+  /// Whether colours depend on the position of a point, and not only on its normal.
   bool NeedsPoints() const noexcept { return this->HasPlaces; }
 
-  /// Of a point (world, mm); `color` is the surface's own, 0..1, `normal` and `toEye` are unit
-  /// vectors.
+  /// Colour of a point (world, mm); `color` is the surface's own, 0..1, `normal` and `toEye` are
+  /// unit vectors.
   Vector3 ColorAt(const Vector3& point, const Vector3& color, const Vector3& normal,
                   const Vector3& toEye) const noexcept
   {
@@ -46,7 +46,7 @@ public:
     {
       return color;
     }
-    // The side that is seen is the one that is lit.
+    // Lights the side that faces the viewer.
     const Vector3 facing = normal.dot(toEye) < 0.0 ? Vector3(-normal) : normal;
     Vector3 sum = this->Finish.Ambient * color;
     for (const SurfaceLight& light : this->Lights)
@@ -68,7 +68,7 @@ public:
   }
 
 private:
-  // The specular power of a number in 0..1; whole powers, which are usual, without logarithms.
+  // Specular power of a number in 0..1; integer powers, the usual case, avoid logarithms.
   double Power(double base) const noexcept
   {
     if (!this->IsWholePower)
@@ -86,7 +86,7 @@ private:
   double BrokenPower(double base) const noexcept;
 
   SurfaceFinish Finish;
-  std::vector<SurfaceLight> Lights; ///< times what the finish makes of them
+  std::vector<SurfaceLight> Lights; ///< premultiplied by the finish
   bool HasPlaces;
   bool IsWholePower;
   unsigned int WholePower = 0;

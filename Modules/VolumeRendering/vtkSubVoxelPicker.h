@@ -2,8 +2,9 @@
  * @class vtkSubVoxelPicker
  * @brief picks the surface that a vtkSubVoxelVolumeMapper draws, to a fraction of a voxel
  *
- * Pick casts the same ray as the picture, and so gives the very point that is seen. Volumes with
- * other mappers, and actors, are passed over. Of several volumes the nearest to the camera counts.
+ * Pick casts the same ray as the mapper, and so returns the very point that is visible. Volumes
+ * with other mappers, and actors, are ignored. Of several volumes the nearest to the camera is
+ * picked.
  */
 #ifndef vtkSubVoxelPicker_h
 #define vtkSubVoxelPicker_h
@@ -20,18 +21,18 @@ public:
 
   using Superclass::Pick;
   /**
-   * Picks at a place of the window (pixels; z is not used). Returns 1 if a surface was hit. The
+   * Picks at a position of the window (pixels; z is not used). Returns 1 if a surface was hit; the
    * point is then the PickPosition (mm, world).
    */
   int Pick(double x, double y, double z, vtkRenderer* renderer) override;
 
   ///@{
-  /** Of the last pick: the material, -1 where nothing was hit, and the outward unit normal. */
+  /** Result of the last pick: the material, -1 if nothing was hit, and the outward unit normal. */
   vtkGetMacro(Material, int);
   vtkGetVector3Macro(Normal, double);
   ///@}
   ///@{
-  /** How far (mm) rounding may have put the point from the field's own surface, along the ray. */
+  /** Bound (mm) on the rounding error of the point along the ray. */
   vtkGetMacro(Error, double);
   ///@}
 

@@ -1,11 +1,11 @@
 /**
  * @class vtkSubVoxelVolume
- * @brief a volume whose opaque surfaces are drawn with the other opaque things
+ * @brief a volume whose opaque surfaces are drawn with the opaque actors
  *
  * VTK draws volumes after translucent polygons, and so over those that lie in front of them. This
  * one, if its mapper is a vtkSubVoxelVolumeMapper without translucent materials, is drawn with the
- * opaque actors: translucent polygons are then blended over it where they lie in front. Otherwise
- * it is a vtkVolume.
+ * opaque actors, so that translucent polygons in front are blended over it. Otherwise it behaves
+ * like a vtkVolume.
  */
 #ifndef vtkSubVoxelVolume_h
 #define vtkSubVoxelVolume_h

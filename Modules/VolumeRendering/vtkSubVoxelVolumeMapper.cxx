@@ -23,13 +23,13 @@ vtkStandardNewMacro(vtkSubVoxelVolumeMapper);
 
 namespace
 {
-// Rays of a tile meet the same bricks.
+// Rays of a tile visit the same bricks.
 constexpr int TileSide = 16;
-// Abort is looked for so often, s.
+// Interval of abort checks, s.
 constexpr double BandTime = 0.1;
 
-// An image without scalars where the field's surfaces are: a camera that shows all of it comes as
-// near to an organ as to its polygons, however large the grid is.
+// An image without scalars that bounds the field's surfaces, so that a camera reset frames an organ
+// as closely as its polygons, however large the grid is.
 vtkSmartPointer<vtkImageData> PlaceOf(const palpate::ScalarField& field)
 {
   Eigen::AlignedBox3i box;
@@ -56,7 +56,7 @@ struct vtkSubVoxelVolumeMapper::State
   palpate::ContactMark Contact;
   std::shared_ptr<const palpate::ScalarField> Given;
   std::shared_ptr<const palpate::ScalarField> Made;
-  vtkTimeStamp SettingsTime; ///< of what the field is made with
+  vtkTimeStamp SettingsTime; ///< of the settings that the field is built from
   vtkTimeStamp MadeTime;
   palpate::DepthPicture Drawing;
   double SecondsPerRay = 0.0; ///< of the last frame
@@ -133,7 +133,7 @@ void vtkSubVoxelVolumeMapper::SetField(std::shared_ptr<const palpate::ScalarFiel
   {
     return;
   }
-  // A prop without input is not drawn, nor found by a camera.
+  // A prop without input is neither drawn nor included in a camera reset.
   this->SetInputData(field ? PlaceOf(*field) : nullptr);
   this->Inner->Given = std::move(field);
   this->Modified();
@@ -202,7 +202,7 @@ bool vtkSubVoxelVolumeMapper::UpdateField(vtkRenderWindow* window)
   auto* image = vtkImageData::SafeDownCast(this->GetInput());
   if (image == nullptr)
   {
-    vtkErrorMacro("There is no image to draw; give one, or a field.");
+    vtkErrorMacro("There is nothing to draw; set an input image or a field.");
     return false;
   }
   const vtkMTimeType wanted = std::max(image->GetMTime(), inner.SettingsTime.GetMTime());
@@ -227,7 +227,7 @@ bool vtkSubVoxelVolumeMapper::UpdateField(vtkRenderWindow* window)
       palpate::BuildFieldOfImage(image, inner.IsoValues, interpolation, progress, inner.Made);
   if (isAborted)
   {
-    return false; // and begun anew when it is asked for again
+    return false; // restarted at the next request
   }
   inner.MadeTime.Modified();
   if (!status.IsOk())

@@ -2,26 +2,25 @@
  * @class vtkSubVoxelVolumeMapper
  * @brief draws the surfaces of a field exactly where a haptic tool would touch them
  *
- * For each pixel the first surface on its ray is found by palpate::RayCaster, which is what haptic
- * queries use too, and shaded by the analytic gradient. There is one material for each iso-value of
- * the input image (one component, any numeric type; origin, spacing in mm and direction are
- * honoured): what has at least that value. Or a field that was built elsewhere, with any materials,
- * is given by SetField, and no input is needed.
+ * For each pixel palpate::RayCaster, which haptic queries use too, finds the first surface on its
+ * ray, which is shaded by the analytic gradient. Each iso-value of the input image (one component,
+ * any numeric type; origin, spacing in mm and direction are honoured) defines one material, which
+ * includes all higher values. Alternatively SetField sets an existing field with any materials, and
+ * no input is needed.
  *
  * Colour and opacity belong to the material; shading (on or off, ambient, diffuse, specular and its
  * power) is the vtkVolumeProperty's, whose transfer functions are not used. Translucent surfaces
- * are blended from front to back. Clipping planes (world) and cropping regions hollow the surfaces
- * out; cropping planes are in the image's own axes, origin + spacing times index in mm.
+ * are blended from front to back. Clipping planes (world) and cropping regions cut the surfaces
+ * open; cropping planes are in the image's own axes, origin + spacing times index in mm.
  *
- * The picture has depths: what lies in front of a surface hides it, and the surface hides what lies
- * behind. Over translucent polygons see vtkSubVoxelVolume. Rays are cast by vtkSMPTools; the
- * picture does not depend on the number of threads. Where a frame would take longer than the
- * renderer allows, as while the camera moves, fewer rays are cast, and all of them once it rests.
- * Raises VolumeMapperRender events; looks for an abort between bands of rows. While the field is
- * made it raises progress events, and the window's abort and AbortExecute end that; what was begun
- * is begun anew when the field is asked for again.
+ * The image has depths, so the surface and other props hide each other correctly. For translucent
+ * polygons see vtkSubVoxelVolume. Rays are cast by vtkSMPTools; the image does not depend on the
+ * number of threads. If a frame would take longer than the renderer allows, as while the camera
+ * moves, fewer rays are cast, and all of them at rest. Raises VolumeMapperRender events; checks for
+ * an abort between bands of rows. While the field is built it raises progress events, and the
+ * window's abort or AbortExecute cancels that; the build restarts when the field is next requested.
  *
- * Errors: an image that FieldBuilder refuses raises an ErrorEvent with its sentence, and nothing is
+ * Errors: an image that FieldBuilder refuses raises an ErrorEvent with its message, and nothing is
  * drawn.
  */
 #ifndef vtkSubVoxelVolumeMapper_h
@@ -30,7 +29,7 @@
 #include "PalpateVolumeRenderingModule.h" // For export macro
 #include "vtkVolumeMapper.h"
 
-#include <memory> // For the field that is shared
+#include <memory> // For std::shared_ptr
 
 class vtkRenderWindow;
 
@@ -51,12 +50,12 @@ public:
 
   enum InterpolationTypes
   {
-    TRILINEAR, ///< the faster one
+    TRILINEAR, ///< faster
     TRICUBIC   ///< B-spline: normals without creases
   };
 
   ///@{
-  /** The iso-values of the input image, one material each. None by default. */
+  /** The iso-values of the input image, one material each. Default: none. */
   void SetNumberOfIsoValues(int count);
   int GetNumberOfIsoValues();
   void SetIsoValue(int material, double value);
@@ -64,37 +63,37 @@ public:
   ///@}
 
   ///@{
-  /** How values between the nodes of the input image are found. Default: TRILINEAR. */
+  /** Interpolation between the nodes of the input image. Default: TRILINEAR. */
   void SetInterpolation(int interpolation);
   vtkGetMacro(Interpolation, int);
   ///@}
 
 #ifndef __VTK_WRAP__
-  /** A field made elsewhere, which is drawn instead of the input; null to draw the input again. */
+  /** Draws an existing field instead of the input; null returns to the input. */
   void SetField(std::shared_ptr<const palpate::ScalarField> field);
-  /** The field that is drawn, made if need be; null where it cannot be made. */
+  /** The field that is drawn, built if necessary; null if it cannot be built. */
   std::shared_ptr<const palpate::ScalarField> GetField();
 #endif
 
   ///@{
-  /** Red, green, blue and opacity of a material, 0 to 1. Opacity 0 hides it; default is 1. */
+  /** Red, green, blue and opacity of a material, 0 to 1. Opacity 0 hides it; default 1. */
   void SetMaterialColor(int material, double red, double green, double blue);
   void GetMaterialColor(int material, double color[3]);
   void SetMaterialOpacity(int material, double opacity);
   double GetMaterialOpacity(int material);
   ///@}
 #ifndef __VTK_WRAP__
-  /** Where the surface has another colour; see ContactMark. Nowhere by default. */
+  /** Where the surface is coloured differently; see ContactMark. Default: nowhere. */
   void SetContact(const palpate::ContactMark& contact);
 #endif
-  /** Whether no material that is shown is translucent. */
+  /** Whether no visible material is translucent. */
   bool IsOpaque();
 
   ///@{
   /**
    * Whether rays may be fewer than pixels so that a frame takes no longer than the renderer allows.
-   * On by default. ImageSampleDistance is the distance of rays in pixels where this is off, and
-   * says what the last frame had where it is on; MaximumImageSampleDistance bounds it.
+   * On by default. ImageSampleDistance is the distance of rays in pixels if this is off, and
+   * reports that of the last frame if it is on; MaximumImageSampleDistance bounds it.
    */
   vtkSetMacro(AutoAdjustSampleDistances, bool);
   vtkGetMacro(AutoAdjustSampleDistances, bool);
@@ -106,14 +105,14 @@ public:
   ///@}
 
   ///@{
-  /** Whether the picture of the last frame keeps each pixel's hit. Off by default. */
+  /** Whether the last frame's image keeps each pixel's hit. Off by default. */
   vtkSetMacro(KeepHits, bool);
   vtkGetMacro(KeepHits, bool);
   vtkBooleanMacro(KeepHits, bool);
   ///@}
 #ifndef __VTK_WRAP__
   ///@{
-  /** The last frame: what was drawn, and by which rays. Null before the first. */
+  /** The last frame: the image, and its rays. Null before the first. */
   const palpate::FieldPicture* GetPicture() const
   {
     return this->Picture.get();
@@ -124,7 +123,7 @@ public:
   }
   ///@}
 
-  /** A point of the surface as it is seen at a place of the window; world of the scene, mm. */
+  /** A visible surface point at a position of the window; world of the scene, mm. */
   struct SurfacePoint
   {
     double Position[3];
@@ -133,7 +132,7 @@ public:
     double Depth;     ///< 0 at the near plane, 1 at the far plane
     int Material;
   };
-  /** The surface on the ray of the window's pixel (x, y); false where there is none. */
+  /** The surface on the ray of the window's pixel (x, y); returns false if there is none. */
   bool PickSurface(vtkRenderer* renderer, vtkVolume* volume, double x, double y,
                    SurfacePoint& point);
 #endif
@@ -149,7 +148,7 @@ private:
   vtkSubVoxelVolumeMapper(const vtkSubVoxelVolumeMapper&) = delete;
   void operator=(const vtkSubVoxelVolumeMapper&) = delete;
 
-  /** `window`, if any, can abort it. */
+  /** `window`, if not null, can abort it. */
   bool UpdateField(vtkRenderWindow* window);
   double ChooseSampleDistance(vtkVolume* volume, double pixels);
   std::unique_ptr<palpate::FieldRenderer> MakeRenderer(vtkRenderer* renderer, vtkVolume* volume,

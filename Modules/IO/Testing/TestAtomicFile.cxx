@@ -165,12 +165,12 @@ TEST(AtomicFile, FolderInPlaceOfTheFileIsRefused)
 
 TEST(AtomicFile, DeviceIsRefused)
 {
-  EXPECT_NE(MessageOf("/dev/null").find("no regular file"), std::string::npos);
+  EXPECT_NE(MessageOf("/dev/null").find("not a regular file"), std::string::npos);
 }
 
 TEST(AtomicFile, EmptyNameIsRefused)
 {
-  EXPECT_NE(MessageOf("").find("names no file"), std::string::npos);
+  EXPECT_NE(MessageOf("").find("has no file name"), std::string::npos);
 }
 
 TEST(AtomicFile, UnwritableFolderIsRefused)

@@ -13,7 +13,7 @@ using palpate::DirectionCaster;
 using palpate::IndexedMesh;
 using palpate::Vector3;
 
-IndexedMesh Ball(double radius, const Vector3& center, int frequency)
+IndexedMesh Sphere(double radius, const Vector3& center, int frequency)
 {
   return palpate::ToIndexedMesh(palpate::test::MakeBall(radius, center, frequency));
 }
@@ -41,7 +41,7 @@ std::vector<double> CrossingsByElimination(const IndexedMesh& mesh, const Vector
   return distances;
 }
 
-// A star-shaped body with deep dents, so that rays from off the centre cross it several times.
+// A star-shaped body with deep dents, so that rays from off-centre cross it several times.
 IndexedMesh DentedBody(palpate::test::Random& random, int frequency)
 {
   const Vector3 axis = palpate::test::RandomDirection(random);
@@ -67,16 +67,16 @@ TEST(DirectionCaster, AgreesWithEliminationFromInsideAndOutside)
       ASSERT_EQ(found[i].size(), expected.size()) << "round " << round << ", ray " << i;
       for (std::size_t k = 0; k < expected.size(); ++k)
       {
-        // Rays are turned by 1e-11; a grazing crossing moves by a good multiple of that.
+        // Rays are rotated by 1e-11; a grazing crossing moves by a large multiple of that.
         ASSERT_NEAR(found[i][k].Distance, expected[k], 1e-7);
       }
     }
   }
 }
 
-TEST(DirectionCaster, RaysThroughTheVerticesOfAClosedMeshCrossItOnce)
+TEST(DirectionCaster, RaysThroughVerticesCrossOnce)
 {
-  const IndexedMesh mesh = Ball(5.0, Vector3::Zero(), 12);
+  const IndexedMesh mesh = Sphere(5.0, Vector3::Zero(), 12);
   std::vector<Vector3> directions;
   for (const auto& t : mesh.Triangles)
   {
@@ -91,7 +91,7 @@ TEST(DirectionCaster, RaysThroughTheVerticesOfAClosedMeshCrossItOnce)
   }
 }
 
-TEST(DirectionCaster, CrossesAClosedMeshAnEvenNumberOfTimesFromOutside)
+TEST(DirectionCaster, CrossesClosedMeshEvenlyFromOutside)
 {
   palpate::test::Random random(3);
   const IndexedMesh mesh = DentedBody(random, 10);
@@ -102,9 +102,9 @@ TEST(DirectionCaster, CrossesAClosedMeshAnEvenNumberOfTimesFromOutside)
   }
 }
 
-TEST(DirectionCaster, TrianglesThatFillHalfTheSkyAreFound)
+TEST(DirectionCaster, FindsTrianglesThatFillHalfTheSphere)
 {
-  IndexedMesh mesh; // a large tetrahedron round the centre
+  IndexedMesh mesh; // a large tetrahedron around the centre
   mesh.Points = {{100, 100, 100}, {100, -100, -100}, {-100, 100, -100}, {-100, -100, 100}};
   mesh.Triangles = {{0, 1, 2}, {0, 3, 1}, {0, 2, 3}, {1, 3, 2}};
   const auto directions = palpate::IcosahedronDirections(20).Directions();
@@ -114,10 +114,10 @@ TEST(DirectionCaster, TrianglesThatFillHalfTheSkyAreFound)
   }
 }
 
-TEST(DirectionCaster, CountsWhatLiesNearerAndNotTheTriangleItself)
+TEST(DirectionCaster, CountsNearerTrianglesExceptTheOwn)
 {
-  // Two balls in a row, seen from the origin.
-  IndexedMesh mesh = Ball(1.0, Vector3(5.0, 0.0, 0.0), 6);
+  // Two spheres in a row, seen from the origin.
+  IndexedMesh mesh = Sphere(1.0, Vector3(5.0, 0.0, 0.0), 6);
   const auto own = static_cast<int>(mesh.Triangles.size());
   mesh.Points.insert(mesh.Points.end(), {{20, -1, -1}, {20, 1, -1}, {20, 0, 1}});
   const auto last = static_cast<int>(mesh.Points.size());

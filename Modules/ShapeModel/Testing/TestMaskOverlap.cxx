@@ -14,7 +14,7 @@ using palpate::test::MakeBall;
 
 constexpr double VoxelCount = 8000.0;
 
-// A block of 20 voxels (1 mm) a side, all of the label, round the origin.
+// A block of 20 x 20 x 20 labelled voxels (1 mm), centred at the origin.
 vtkSmartPointer<vtkImageData> Block()
 {
   palpate::test::LabelGrid grid;
@@ -23,7 +23,7 @@ vtkSmartPointer<vtkImageData> Block()
   return palpate::test::MakeLabelImage(grid, [](double, double, double) { return true; });
 }
 
-double DiceOfBall(double radius)
+double DiceOfSphere(double radius)
 {
   return palpate::DiceOfSurfaceAndMask(MakeBall(radius, Vector3::Zero(), 40), Block(), 1);
 }
@@ -31,32 +31,32 @@ double DiceOfBall(double radius)
 TEST(MaskOverlap, CountsVoxelsBeyondTheBorder)
 {
   const double volume = 4.0 / 3.0 * M_PI * std::pow(25.0, 3);
-  // Facets of frequency 40 and the voxels of the rim: a thousandth of the volume.
-  EXPECT_NEAR(DiceOfBall(25.0), 2.0 * VoxelCount / (VoxelCount + volume), 1e-3);
+  // Facets of frequency 40 and the boundary voxels: a thousandth of the volume.
+  EXPECT_NEAR(DiceOfSphere(25.0), 2.0 * VoxelCount / (VoxelCount + volume), 1e-3);
 }
 
-TEST(MaskOverlap, CountsTheVolumeOfASurfaceFarBeyondTheBorder)
+TEST(MaskOverlap, CountsVolumeFarBeyondTheBorder)
 {
   const double volume = 4.0 / 3.0 * M_PI * std::pow(200.0, 3);
   const double dice = 2.0 * VoxelCount / (VoxelCount + volume);
-  EXPECT_NEAR(DiceOfBall(200.0), dice, 2e-3 * dice);
+  EXPECT_NEAR(DiceOfSphere(200.0), dice, 2e-3 * dice);
 }
 
-// A list of its rows would take terabytes, and its bounds are beyond int.
-TEST(MaskOverlap, TakesNoMemoryForTheBoundsOfAModel)
+// A list of its rows would take terabytes, and its bounds exceed int.
+TEST(MaskOverlap, MemoryIsIndependentOfSurfaceBounds)
 {
   double dice = -1.0;
-  ASSERT_NO_THROW(dice = DiceOfBall(1e7));
+  ASSERT_NO_THROW(dice = DiceOfSphere(1e7));
   EXPECT_GE(dice, 0.0);
   EXPECT_LT(dice, 1e-12);
-  ASSERT_NO_THROW(dice = DiceOfBall(1e12));
+  ASSERT_NO_THROW(dice = DiceOfSphere(1e12));
   EXPECT_LT(dice, 1e-12);
 }
 
-TEST(MaskOverlap, IsZeroForASurfaceThatIsNotFinite)
+TEST(MaskOverlap, IsZeroForNonFiniteSurface)
 {
-  const auto ball = MakeBall(8.0, Vector3::Zero());
-  ball->GetPoints()->SetPoint(3, std::numeric_limits<double>::quiet_NaN(), 0.0, 0.0);
-  EXPECT_EQ(palpate::DiceOfSurfaceAndMask(ball, Block(), 1), 0.0);
+  const auto sphere = MakeBall(8.0, Vector3::Zero());
+  sphere->GetPoints()->SetPoint(3, std::numeric_limits<double>::quiet_NaN(), 0.0, 0.0);
+  EXPECT_EQ(palpate::DiceOfSurfaceAndMask(sphere, Block(), 1), 0.0);
 }
 } // namespace

@@ -13,7 +13,7 @@ namespace
 {
 using palpate::SphericalHarmonicModel;
 
-TEST(ModelTable, ComesBackToTheBit)
+TEST(ModelTable, RoundTripsBitForBit)
 {
   palpate::test::Random random(5);
   const SphericalHarmonicModel model(7, palpate::test::RandomCoefficients(random, 7),
@@ -27,7 +27,7 @@ TEST(ModelTable, ComesBackToTheBit)
   EXPECT_EQ(back.CenterWorld(), model.CenterWorld());
 }
 
-TEST(ModelTable, OtherTablesAreRefused)
+TEST(ModelTable, RejectsOtherTables)
 {
   SphericalHarmonicModel model;
   vtkNew<vtkTable> table;

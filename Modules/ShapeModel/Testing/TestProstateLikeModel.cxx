@@ -8,7 +8,7 @@
 using palpate::MakeProstateLikeModel;
 using palpate::Vector3;
 
-TEST(ProstateLikeModel, BodiesOfManySeedsHaveTheSizeOfAProstateAndAreStarShaped)
+TEST(ProstateLikeModel, HasProstateSizeAndIsStarShaped)
 {
   const palpate::IcosahedronDirections directions(8);
   for (std::uint64_t seed = 0; seed < 50; ++seed)
@@ -23,24 +23,24 @@ TEST(ProstateLikeModel, BodiesOfManySeedsHaveTheSizeOfAProstateAndAreStarShaped)
   }
 }
 
-TEST(ProstateLikeModel, LowDegreesDoNotDependOnTheHighestOne)
+TEST(ProstateLikeModel, LowDegreesAreIndependentOfHighest)
 {
   const auto low = MakeProstateLikeModel(5, 9, Vector3::Zero());
   const auto high = MakeProstateLikeModel(12, 9, Vector3::Zero());
   for (std::size_t c = 0; c < low.Coefficients().size(); ++c)
   {
-    // Both projections are exact up to what is aliased from beyond degree 40: nanometres.
+    // Both projections are exact up to aliasing from beyond degree 40: nanometres.
     EXPECT_NEAR(low.Coefficients()[c], high.Coefficients()[c], 1e-6);
   }
 }
 
-TEST(ProstateLikeModel, SeedsDiffer)
+TEST(ProstateLikeModel, SeedsGiveDifferentBodies)
 {
   EXPECT_NE(MakeProstateLikeModel(8, 1, Vector3::Zero()).Coefficients(),
             MakeProstateLikeModel(8, 2, Vector3::Zero()).Coefficients());
 }
 
-TEST(ProstateLikeModel, TheBackIsFlatterThanTheFront)
+TEST(ProstateLikeModel, BackIsFlatterThanFront)
 {
   const auto model = MakeProstateLikeModel(12, 4, Vector3::Zero());
   EXPECT_LT(model.Radius(Vector3::UnitY()), model.Radius(-Vector3::UnitY()));

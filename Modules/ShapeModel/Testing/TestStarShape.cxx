@@ -12,7 +12,7 @@ using palpate::IndexedMesh;
 using palpate::Vector3;
 
 // An L of square cross-section: arms of 30 mm along x and y, 10 mm thick, as its outline in x and y
-// pushed along z.
+// extruded along z.
 IndexedMesh LShape()
 {
   const double outline[6][2] = {{0, 0}, {30, 0}, {30, 10}, {10, 10}, {10, 30}, {0, 30}};
@@ -24,7 +24,7 @@ IndexedMesh LShape()
       mesh.Points.emplace_back(corner[0], corner[1], z);
     }
   }
-  // The top, seen from above, as a fan round the inner corner; the bottom the other way round.
+  // The top, seen from above, as a fan around the inner corner; the bottom in reverse order.
   for (const auto& t : {std::array<int, 3>{3, 4, 5}, std::array<int, 3>{3, 5, 0},
                         std::array<int, 3>{3, 0, 1}, std::array<int, 3>{3, 1, 2}})
   {
@@ -40,38 +40,38 @@ IndexedMesh LShape()
   return mesh;
 }
 
-TEST(StarShape, ABallIsStarShapedFromEveryPointInside)
+TEST(StarShape, SphereIsStarShapedFromInside)
 {
-  const IndexedMesh ball = palpate::ToIndexedMesh(palpate::test::MakeBall(10.0, {1, 2, 3}, 16));
+  const IndexedMesh sphere = palpate::ToIndexedMesh(palpate::test::MakeBall(10.0, {1, 2, 3}, 16));
   for (const Vector3& center : {Vector3(1, 2, 3), Vector3(8, 2, 3), Vector3(1, 2, -6)})
   {
-    const palpate::StarShapeVerdict verdict = palpate::JudgeStarShape(ball, center);
+    const palpate::StarShapeVerdict verdict = palpate::JudgeStarShape(sphere, center);
     EXPECT_TRUE(verdict.IsStarShaped);
     EXPECT_DOUBLE_EQ(verdict.HiddenPercent, 0.0);
   }
 }
 
-TEST(StarShape, FromOutsideABallHidesTheFarSide)
+TEST(StarShape, SphereHidesFarSideFromOutside)
 {
-  const IndexedMesh ball = palpate::ToIndexedMesh(palpate::test::MakeBall(10.0, {0, 0, 0}, 30));
-  // Seen from 20 mm, faces that look at the centre count as hidden (they face away from inside):
-  // the near cap, (1 - 10 / 20) / 2 of the area; of the rest, all lies behind that cap.
-  const palpate::StarShapeVerdict verdict = palpate::JudgeStarShape(ball, Vector3(20, 0, 0));
+  const IndexedMesh sphere = palpate::ToIndexedMesh(palpate::test::MakeBall(10.0, {0, 0, 0}, 30));
+  // Seen from 20 mm, faces that face the centre count as hidden (they face away from inside): the
+  // near cap, (1 - 10 / 20) / 2 of the area; the rest all lies behind that cap.
+  const palpate::StarShapeVerdict verdict = palpate::JudgeStarShape(sphere, Vector3(20, 0, 0));
   EXPECT_FALSE(verdict.IsStarShaped);
   EXPECT_NEAR(verdict.HiddenPercent, 100.0, 0.5); // triangles on the rim
 }
 
-TEST(StarShape, AnLIsSeenWholeOnlyFromItsCorner)
+TEST(StarShape, LShapeIsVisibleOnlyFromItsCorner)
 {
   const IndexedMesh shape = LShape();
   EXPECT_TRUE(palpate::JudgeStarShape(shape, Vector3(5, 5, 5)).IsStarShaped);
-  // From far out in one arm, the other arm's inner wall (one of 28 squares) faces away.
+  // From the end of one arm, the other arm's inner wall (one of 28 squares) faces away.
   const palpate::StarShapeVerdict verdict = palpate::JudgeStarShape(shape, Vector3(25, 5, 5));
   EXPECT_FALSE(verdict.IsStarShaped);
   EXPECT_GT(verdict.HiddenPercent, 10.0);
 }
 
-TEST(StarShape, TheMostVisibleCentreOfAnLIsInItsCorner)
+TEST(StarShape, MostVisibleCentreOfLShapeIsItsCorner)
 {
   const IndexedMesh shape = LShape();
   const Vector3 centroid = palpate::VolumeCentroid(shape);
@@ -81,9 +81,10 @@ TEST(StarShape, TheMostVisibleCentreOfAnLIsInItsCorner)
   EXPECT_TRUE(palpate::JudgeStarShape(shape, center).IsStarShaped) << center.transpose();
 }
 
-TEST(StarShape, TheCentroidOfABallIsItsCentre)
+TEST(StarShape, CentroidOfSphereIsItsCentre)
 {
-  const IndexedMesh ball = palpate::ToIndexedMesh(palpate::test::MakeBall(10.0, {100, -50, 7}, 10));
-  EXPECT_LT((palpate::VolumeCentroid(ball) - Vector3(100, -50, 7)).norm(), 1e-10);
+  const IndexedMesh sphere =
+      palpate::ToIndexedMesh(palpate::test::MakeBall(10.0, {100, -50, 7}, 10));
+  EXPECT_LT((palpate::VolumeCentroid(sphere) - Vector3(100, -50, 7)).norm(), 1e-10);
 }
 } // namespace

@@ -36,7 +36,7 @@ double SumOf(vtkRadialSampler* sampler, const char* array)
   return sum;
 }
 
-TEST(IcosahedronDirectionsSource, HasThePublishedCounts)
+TEST(IcosahedronDirectionsSource, HasPublishedCounts)
 {
   vtkNew<vtkIcosahedronDirections> directions;
   directions->Update();
@@ -44,7 +44,7 @@ TEST(IcosahedronDirectionsSource, HasThePublishedCounts)
   EXPECT_EQ(directions->GetOutput()->GetNumberOfPolys(), 8000);
 }
 
-TEST(RadialSampler, ABallGivesItsRadiusInEveryDirection)
+TEST(RadialSampler, MeasuresRadiusOfSphere)
 {
   auto sampler = Sample(palpate::test::MakeBall(12.0, {3, -4, 50}, 40));
   sampler->Update();
@@ -55,12 +55,12 @@ TEST(RadialSampler, ABallGivesItsRadiusInEveryDirection)
   vtkDataArray* radii = sampler->GetOutput()->GetPointData()->GetArray("Radius");
   double range[2];
   radii->GetRange(range);
-  // Facets of side h = 0.35 mm lie up to h^2 / (6 r) inside the ball.
+  // Facets of side h = 0.35 mm lie up to h^2 / (6 r) inside the sphere.
   EXPECT_GT(range[0], 12.0 - 0.003);
   EXPECT_LE(range[1], 12.0 + 1e-9);
 }
 
-TEST(RadialSampler, SolidAnglesAndAreasAddUpToTheBall)
+TEST(RadialSampler, SolidAnglesAndAreasSumToSphere)
 {
   auto sampler = Sample(palpate::test::MakeBall(12.0, {0, 0, 0}, 40));
   sampler->Update();
@@ -68,7 +68,7 @@ TEST(RadialSampler, SolidAnglesAndAreasAddUpToTheBall)
   EXPECT_NEAR(SumOf(sampler, "AreaWeight"), 4.0 * M_PI * 144.0, 1e-3 * 1810.0);
 }
 
-TEST(RadialSampler, PointsLieOnTheSurfaceAlongTheirDirection)
+TEST(RadialSampler, PointsLieOnSurfaceAlongDirection)
 {
   auto sampler = Sample(palpate::test::MakeBall(12.0, {3, -4, 50}));
   sampler->SetCenterMode(vtkRadialSampler::GIVEN);
@@ -87,22 +87,22 @@ TEST(RadialSampler, PointsLieOnTheSurfaceAlongTheirDirection)
   }
 }
 
-TEST(RadialSampler, FromOutsideMostDirectionsMissAndTheOthersCrossTwice)
+TEST(RadialSampler, OutsideCentreMissesOrCrossesTwice)
 {
   auto sampler = Sample(palpate::test::MakeBall(10.0, {0, 0, 0}));
   sampler->SetCenterMode(vtkRadialSampler::GIVEN);
   sampler->SetCenter(20.0, 0.0, 0.0);
   sampler->Update();
   EXPECT_FALSE(sampler->GetStarShaped());
-  // The ball fills a cone of half angle asin(10 / 20): (1 - cos 30 deg) / 2 of the sphere.
+  // The sphere fills a cone of half angle asin(10 / 20): (1 - cos 30 deg) / 2 of all directions.
   const double cone = 50.0 * (1.0 - std::cos(M_PI / 6.0));
   EXPECT_NEAR(sampler->GetMultiplePercent(), cone, 0.2); // 4,002 directions resolve 0.1 %
   EXPECT_NEAR(sampler->GetMissedPercent(), 100.0 - cone, 0.2);
-  // Directions are a tenth denser here than there, and some on the rim fall either way.
+  // The density of directions varies by a tenth, and some on the boundary fall either way.
   EXPECT_NEAR(SumOf(sampler, "Valid"), 4002.0 * cone / 100.0, 0.1 * 268.0);
 }
 
-TEST(RadialSampler, OutermostAndInnermostDifferOnlyWhereARayCrossesTwice)
+TEST(RadialSampler, OutermostAndInnermostDifferOnMultiples)
 {
   auto sampler = Sample(palpate::test::MakeBall(10.0, {0, 0, 0}));
   sampler->SetCenterMode(vtkRadialSampler::GIVEN);
@@ -114,12 +114,12 @@ TEST(RadialSampler, OutermostAndInnermostDifferOnlyWhereARayCrossesTwice)
   EXPECT_GT(outermost, 1.2 * SumOf(sampler, "Radius"));
 }
 
-TEST(RadialSampler, RaisesAnErrorWithoutASurface)
+TEST(RadialSampler, RaisesErrorWithoutSurface)
 {
   vtkNew<vtkPolyData> nothing;
   auto sampler = Sample(nothing);
   const palpate::test::ErrorLog errors(sampler);
   sampler->Update();
-  EXPECT_TRUE(errors.Contains("no surface"));
+  EXPECT_TRUE(errors.Contains("needs a surface"));
 }
 } // namespace

@@ -30,7 +30,7 @@ SphericalHarmonicModel RandomModel(int degree)
   return {degree, coefficients, Vector3(10.0, -20.0, 30.0)};
 }
 
-// Samples of a model without noise, as vtkRadialSampler would write them.
+// Noise-free samples of a model, as vtkRadialSampler would write them.
 vtkSmartPointer<vtkPolyData> SamplesOf(const SphericalHarmonicModel& model, int frequency)
 {
   auto samples = palpate::test::MakeBody(frequency, [&model](const Vector3& u)
@@ -63,7 +63,7 @@ vtkSmartPointer<vtkSphericalHarmonicFit> Fit(vtkPolyData* samples)
   return fit;
 }
 
-TEST(SphericalHarmonicFitFilter, FindsTheCoefficientsOfNoiseFreeSamples)
+TEST(SphericalHarmonicFitFilter, RecoversModelFromNoiseFreeSamples)
 {
   const SphericalHarmonicModel truth = RandomModel(12);
   auto fit = Fit(SamplesOf(truth, 20));
@@ -79,7 +79,7 @@ TEST(SphericalHarmonicFitFilter, FindsTheCoefficientsOfNoiseFreeSamples)
   EXPECT_LT(error.Value(), 1e-10 * truth.Coefficients()[0]);
 }
 
-TEST(SphericalHarmonicFitFilter, TakesTheSmallestDegreeThatMeetsTheTolerance)
+TEST(SphericalHarmonicFitFilter, FindsSmallestDegreeWithinTolerance)
 {
   const SphericalHarmonicModel truth = RandomModel(15);
   auto fit = Fit(SamplesOf(truth, 20));
@@ -93,7 +93,7 @@ TEST(SphericalHarmonicFitFilter, TakesTheSmallestDegreeThatMeetsTheTolerance)
   EXPECT_GT(fit->GetRmsOfDegree(degree - 1), 0.1);
 }
 
-TEST(SphericalHarmonicFitFilter, RaisesAnErrorIfNoDegreeMeetsTheTolerance)
+TEST(SphericalHarmonicFitFilter, RaisesErrorIfNoDegreeMeetsTolerance)
 {
   auto fit = Fit(SamplesOf(RandomModel(15), 20));
   fit->SetTolerance(1e-9);
@@ -104,7 +104,7 @@ TEST(SphericalHarmonicFitFilter, RaisesAnErrorIfNoDegreeMeetsTheTolerance)
   EXPECT_EQ(fit->GetOutput()->GetNumberOfRows(), 0);
 }
 
-TEST(SphericalHarmonicFitFilter, RaisesAnErrorForFewerSamplesThanCoefficients)
+TEST(SphericalHarmonicFitFilter, RaisesErrorForTooFewSamples)
 {
   auto fit = Fit(SamplesOf(RandomModel(2), 3)); // 92 samples
   const palpate::test::ErrorLog errors(fit);
@@ -112,7 +112,7 @@ TEST(SphericalHarmonicFitFilter, RaisesAnErrorForFewerSamplesThanCoefficients)
   EXPECT_TRUE(errors.Contains("92 samples cannot determine the 169 coefficients"));
 }
 
-TEST(SphericalHarmonicFitFilter, RaisesAnErrorForAnInputWithoutSamples)
+TEST(SphericalHarmonicFitFilter, RaisesErrorForInputWithoutSamples)
 {
   auto fit = Fit(palpate::test::MakeBall(1.0, {0, 0, 0}));
   const palpate::test::ErrorLog errors(fit);
@@ -120,7 +120,7 @@ TEST(SphericalHarmonicFitFilter, RaisesAnErrorForAnInputWithoutSamples)
   EXPECT_TRUE(errors.Contains("has no samples"));
 }
 
-TEST(SphericalHarmonicSurface, HasTheModelsPointsAndNormals)
+TEST(SphericalHarmonicSurface, HasPointsAndNormalsOfModel)
 {
   const SphericalHarmonicModel model = RandomModel(8);
   vtkNew<vtkTable> table;
@@ -142,7 +142,7 @@ TEST(SphericalHarmonicSurface, HasTheModelsPointsAndNormals)
   }
 }
 
-TEST(SphericalHarmonicSurface, DistancesToTheOriginalCarryTheSideAsSign)
+TEST(SphericalHarmonicSurface, DistancesToOriginalAreSigned)
 {
   const SphericalHarmonicModel model(0, {20.0 * std::sqrt(4.0 * M_PI)}, Vector3(1, 2, 3));
   vtkNew<vtkTable> table;
@@ -157,14 +157,14 @@ TEST(SphericalHarmonicSurface, DistancesToTheOriginalCarryTheSideAsSign)
     double residuals[2];
     surface->GetOutput()->GetPointData()->GetArray("DistanceToSurface")->GetRange(distances);
     surface->GetOutput()->GetPointData()->GetArray("Residual")->GetRange(residuals);
-    // The original's facets lie up to 0.004 mm inside its ball.
+    // The original's facets lie up to 0.004 mm inside its sphere.
     EXPECT_NEAR(distances[0], 20.0 - radius, 0.005);
     EXPECT_NEAR(distances[1], 20.0 - radius, 0.005);
     EXPECT_NEAR(residuals[0], radius - 20.0, 0.005);
   }
 }
 
-TEST(SphericalHarmonicSurface, ShowsHowUncertainTheFittedRadiusIs)
+TEST(SphericalHarmonicSurface, ReportsRadiusDeviation)
 {
   palpate::test::Random random(17);
   std::normal_distribution<double> noise(0.0, 0.3);
@@ -181,13 +181,13 @@ TEST(SphericalHarmonicSurface, ShowsHowUncertainTheFittedRadiusIs)
   double range[2];
   surface->GetOutput()->GetPointData()->GetArray("RadiusDeviation")->GetRange(range);
   // 169 coefficients from 4,002 even samples: 0.3 sqrt(169 / 4002) = 0.062 mm on average; even
-  // weights on an icosahedron keep it within a few percent of that everywhere, and the estimate of
-  // the noise errs by 1 / sqrt(2 * 3833) = 1.1 %.
+  // weights on an icosahedron keep it within a few percent of that everywhere, and the noise
+  // estimate has an error of 1 / sqrt(2 * 3833) = 1.1 %.
   EXPECT_NEAR(range[0], 0.0616, 0.01);
   EXPECT_NEAR(range[1], 0.0616, 0.01);
 }
 
-TEST(SphericalHarmonicSurface, RaisesAnErrorForATableThatIsNoModel)
+TEST(SphericalHarmonicSurface, RaisesErrorForTableWithoutModel)
 {
   vtkNew<vtkTable> table;
   vtkNew<vtkSphericalHarmonicSurface> surface;

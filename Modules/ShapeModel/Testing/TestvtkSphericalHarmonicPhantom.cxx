@@ -29,7 +29,7 @@ palpate::SphericalHarmonicModel TestModel(std::uint64_t seed = 3)
   return palpate::MakeProstateLikeModel(8, seed, TestCenter);
 }
 
-// A cube-voxel grid of about 64 mm a side around the test model, turned about a skew axis.
+// A grid of cubic voxels, about 64 mm wide, around the test model, rotated about an oblique axis.
 void PrepareOblique(vtkSphericalHarmonicPhantom& phantom, double spacing, double degrees)
 {
   const Eigen::Matrix<double, 3, 3, Eigen::RowMajor> direction =
@@ -88,14 +88,14 @@ Vector3 Centroid(const palpate::SphericalHarmonicModel& model)
 }
 
 // Standard deviation (mm^3) of a volume counted by points h apart: about Area / h^2 cells are cut,
-// each with an error of h^3 / sqrt(12) if the cuts are spread evenly.
+// each with an error of h^3 / sqrt(12) if the cuts are evenly distributed.
 double CountingDeviation(double areaSquareMillimeters, double spacing)
 {
   return spacing * spacing * std::sqrt(areaSquareMillimeters / 12.0);
 }
 } // namespace
 
-TEST(SphericalHarmonicPhantom, MaskVolumeConvergesToTheModelsVolume)
+TEST(SphericalHarmonicPhantom, MaskVolumeConvergesToModelVolume)
 {
   const palpate::SphericalHarmonicModel model = TestModel();
   for (const double spacing : {4.0, 2.0, 1.0, 0.5})
@@ -112,7 +112,7 @@ TEST(SphericalHarmonicPhantom, MaskVolumeConvergesToTheModelsVolume)
   }
 }
 
-TEST(SphericalHarmonicPhantom, MaskHoldsTheVoxelsWhoseCentreIsInside)
+TEST(SphericalHarmonicPhantom, MaskHoldsVoxelsWithCentreInside)
 {
   const palpate::SphericalHarmonicModel model = TestModel();
   vtkNew<vtkSphericalHarmonicPhantom> phantom;
@@ -124,7 +124,7 @@ TEST(SphericalHarmonicPhantom, MaskHoldsTheVoxelsWhoseCentreIsInside)
     const Vector3 offset =
         VoxelWorld(phantom->GetOutput(1), static_cast<vtkIdType>(v)) - model.CenterWorld();
     const double depth = model.Radius(offset.normalized()) - offset.norm();
-    // Nearer to the surface than 1e-9 mm, rounding may decide.
+    // Closer to the surface than 1e-9 mm, rounding may decide.
     if (std::abs(depth) > 1e-9)
     {
       ASSERT_EQ(mask[v] == 1, depth > 0.0) << "voxel " << v;
@@ -132,7 +132,7 @@ TEST(SphericalHarmonicPhantom, MaskHoldsTheVoxelsWhoseCentreIsInside)
   }
 }
 
-TEST(SphericalHarmonicPhantom, MaskIsWhereTheCentreSaysOnObliqueGrids)
+TEST(SphericalHarmonicPhantom, MaskIsAtModelCentreOnObliqueGrids)
 {
   for (const double degrees : {0.0, 17.0, 90.0, 133.0})
   {
@@ -151,13 +151,13 @@ TEST(SphericalHarmonicPhantom, MaskIsWhereTheCentreSaysOnObliqueGrids)
         count += 1.0;
       }
     }
-    // Counting errors sit at most 30 mm from the centre: 30 * deviation / volume is 0.02 mm, and
-    // five of those are allowed.
+    // Counting errors lie at most 30 mm from the centre: 30 * deviation / volume is 0.02 mm; five
+    // of those are allowed.
     EXPECT_LT((sum / count - Centroid(model)).norm(), 0.1) << degrees << " degrees";
   }
 }
 
-TEST(SphericalHarmonicPhantom, PartialVolumesSumToTheModelsVolume)
+TEST(SphericalHarmonicPhantom, PartialVolumesSumToModelVolume)
 {
   const palpate::SphericalHarmonicModel model = TestModel();
   vtkNew<vtkSphericalHarmonicPhantom> phantom;
@@ -172,13 +172,13 @@ TEST(SphericalHarmonicPhantom, PartialVolumesSumToTheModelsVolume)
     ASSERT_LE(fraction, 1.0F);
     sum += fraction;
   }
-  // A 2 mm voxel is averaged over points 0.5 mm apart: five deviations of counting by those.
+  // A 2 mm voxel is averaged over points 0.5 mm apart: five standard deviations of that count.
   EXPECT_NEAR(sum * 8.0, model.Volume(), 5.0 * CountingDeviation(model.Area(), 0.5));
 }
 
 TEST(SphericalHarmonicPhantom, SkippingPureVoxelsChangesNothing)
 {
-  // The slow oracle: every voxel subdivided, on an anisotropic grid with strong bumps.
+  // Slow reference: every voxel subdivided, on an anisotropic grid with strong bumps.
   palpate::SphericalHarmonicModel model = palpate::MakeProstateLikeModel(8, 11, TestCenter);
   vtkNew<vtkSphericalHarmonicPhantom> phantom;
   phantom->SetModel(model);
@@ -212,12 +212,12 @@ TEST(SphericalHarmonicPhantom, SkippingPureVoxelsChangesNothing)
              : distance <= look.InnerZoneFraction * radius ? look.InnerZone
                                                            : look.Body;
     }
-    // Rounding only: a float of 220 carries 1.5e-5.
+    // Rounding only: a float near 220 has a resolution of 1.5e-5.
     ASSERT_NEAR(fast[v], sum / 27.0, 2e-5) << "voxel " << v;
   }
 }
 
-TEST(SphericalHarmonicPhantom, IntensityIsExactAwayFromBoundariesWithoutNoise)
+TEST(SphericalHarmonicPhantom, IntensityIsExactAwayFromBoundaries)
 {
   const palpate::SphericalHarmonicModel model = TestModel();
   const palpate::PhantomAppearance look;
@@ -233,7 +233,7 @@ TEST(SphericalHarmonicPhantom, IntensityIsExactAwayFromBoundariesWithoutNoise)
     const Vector3 offset =
         VoxelWorld(phantom->GetOutput(0), static_cast<vtkIdType>(v)) - model.CenterWorld();
     const double radius = model.Radius(offset.normalized());
-    // 2 mm along the radius is more than half a voxel's diagonal from any boundary.
+    // 2 mm along the radius is more than half a voxel diagonal from any boundary.
     if (offset.norm() < look.InnerZoneFraction * radius - 2.0)
     {
       ASSERT_EQ(values[v], static_cast<float>(look.InnerZone));
@@ -254,7 +254,7 @@ TEST(SphericalHarmonicPhantom, IntensityIsExactAwayFromBoundariesWithoutNoise)
   EXPECT_GT(std::min({innerCount, bodyCount, backgroundCount}), 1000);
 }
 
-TEST(SphericalHarmonicPhantom, TheSameSeedGivesTheSameBitsWithAnyNumberOfThreads)
+TEST(SphericalHarmonicPhantom, BitsAreIndependentOfThreads)
 {
   const auto make = [](unsigned int seed, const char* backend, int threads)
   {
@@ -274,7 +274,7 @@ TEST(SphericalHarmonicPhantom, TheSameSeedGivesTheSameBitsWithAnyNumberOfThreads
   EXPECT_NE(make(8, "Sequential", 1), reference);
 }
 
-TEST(SphericalHarmonicPhantom, RicianNoiseOfAnEmptyBackgroundHasTheMeanOfRayleigh)
+TEST(SphericalHarmonicPhantom, RicianBackgroundHasRayleighMean)
 {
   constexpr double Deviation = 10.0;
   vtkNew<vtkSphericalHarmonicPhantom> phantom;
@@ -302,7 +302,7 @@ TEST(SphericalHarmonicPhantom, RicianNoiseOfAnEmptyBackgroundHasTheMeanOfRayleig
               5.0 * 0.655 * Deviation / std::sqrt(count));
 }
 
-TEST(SphericalHarmonicPhantom, GaussianNoiseHasTheGivenDeviation)
+TEST(SphericalHarmonicPhantom, GaussianNoiseHasGivenDeviation)
 {
   constexpr double Deviation = 12.0;
   vtkNew<vtkSphericalHarmonicPhantom> phantom;
@@ -328,7 +328,7 @@ TEST(SphericalHarmonicPhantom, GaussianNoiseHasTheGivenDeviation)
   EXPECT_NEAR(std::sqrt(squares / count), Deviation, 5.0 * Deviation / std::sqrt(2.0 * count));
 }
 
-TEST(SphericalHarmonicPhantom, NoiseOfNeighbouringVoxelsIsUncorrelated)
+TEST(SphericalHarmonicPhantom, NoiseIsUncorrelatedBetweenVoxels)
 {
   vtkNew<vtkSphericalHarmonicPhantom> phantom;
   PrepareOblique(*phantom, 2.0, 0.0);
@@ -353,7 +353,7 @@ TEST(SphericalHarmonicPhantom, NoiseOfNeighbouringVoxelsIsUncorrelated)
   }
 }
 
-TEST(SphericalHarmonicPhantom, BiasFieldStaysWithinItsAmplitudeAndIsNotFlat)
+TEST(SphericalHarmonicPhantom, BiasFieldVariesWithinAmplitude)
 {
   constexpr double Amplitude = 0.4;
   vtkNew<vtkSphericalHarmonicPhantom> phantom;
@@ -374,7 +374,7 @@ TEST(SphericalHarmonicPhantom, BiasFieldStaysWithinItsAmplitudeAndIsNotFlat)
   EXPECT_GT(largest - smallest, 0.5 * Amplitude);
 }
 
-TEST(SphericalHarmonicPhantom, OutputsCarryTheDirectionMatrix)
+TEST(SphericalHarmonicPhantom, OutputsCarryDirectionMatrix)
 {
   vtkNew<vtkSphericalHarmonicPhantom> phantom;
   PrepareOblique(*phantom, 4.0, 25.0);
@@ -389,7 +389,7 @@ TEST(SphericalHarmonicPhantom, OutputsCarryTheDirectionMatrix)
   }
 }
 
-TEST(SphericalHarmonicPhantom, UnusableSettingsRaiseAnError)
+TEST(SphericalHarmonicPhantom, RaisesErrorForInvalidSettings)
 {
   const auto message = [](const auto& spoil)
   {

@@ -23,20 +23,20 @@ vtkSmartPointer<vtkSurfaceQuality> Compare(vtkPolyData* tested, vtkPolyData* ref
   return quality;
 }
 
-// How far facets of frequency 40 lie inside a ball of 20 mm: h^2 / (6 r), h = 0.6 mm.
+// Depth of facets of frequency 40 inside a sphere of 20 mm: h^2 / (6 r), h = 0.6 mm.
 constexpr double FacetError = 0.004;
 
-TEST(SurfaceQuality, EqualSurfacesDifferByNothing)
+TEST(SurfaceQuality, EqualSurfacesHaveZeroDistance)
 {
-  const auto ball = MakeBall(20.0, {1, 2, 3});
-  auto quality = Compare(ball, ball);
+  const auto sphere = MakeBall(20.0, {1, 2, 3});
+  auto quality = Compare(sphere, sphere);
   quality->Update();
   EXPECT_NEAR(quality->GetMaximumDistance(), 0.0, 1e-9);
   EXPECT_NEAR(quality->GetVolumeDifference(), 0.0, 1e-9);
   EXPECT_NEAR(quality->GetAreaDifference(), 0.0, 1e-9);
 }
 
-TEST(SurfaceQuality, ConcentricBallsAreAsFarApartAsTheirRadii)
+TEST(SurfaceQuality, ConcentricSpheresDifferByTheirRadii)
 {
   auto quality = Compare(MakeBall(21.0, {0, 0, 0}, 40), MakeBall(20.0, {0, 0, 0}, 40));
   quality->Update();
@@ -48,9 +48,9 @@ TEST(SurfaceQuality, ConcentricBallsAreAsFarApartAsTheirRadii)
   EXPECT_NEAR(quality->GetAreaDifference(), 4.0 * M_PI * (441.0 - 400.0), 0.5);
 }
 
-TEST(SurfaceQuality, ShiftedBallsFollowTheCosine)
+TEST(SurfaceQuality, ShiftedSpheresFollowCosine)
 {
-  // A shift d moves a ball's surface by about d cos along the normal: mean d / 2, mean square
+  // A shift d moves a sphere's surface by about d cos along the normal: mean d / 2, mean square
   // d^2 / 3, maximum d; 95 % of a sphere's area lies within |cos| <= 0.95. Corrections are of
   // second order, d^2 / r = 0.0125 mm.
   auto quality = Compare(MakeBall(20.0, {0.5, 0, 0}, 40), MakeBall(20.0, {0, 0, 0}, 40));
@@ -61,13 +61,13 @@ TEST(SurfaceQuality, ShiftedBallsFollowTheCosine)
   EXPECT_NEAR(quality->GetMaximumDistance(), 0.5, 0.015);
 }
 
-TEST(SurfaceQuality, ComesOutTheSameWithTheSurfacesExchanged)
+TEST(SurfaceQuality, IsSymmetric)
 {
-  const auto ball = MakeBall(20.0, {0, 0, 0}, 10);
+  const auto sphere = MakeBall(20.0, {0, 0, 0}, 10);
   const auto egg = palpate::test::MakeBody(25, [](const Vector3& u)
                                            { return Vector3(22 * u.x(), 19 * u.y(), 25 * u.z()); });
-  auto there = Compare(ball, egg);
-  auto back = Compare(egg, ball);
+  auto there = Compare(sphere, egg);
+  auto back = Compare(egg, sphere);
   there->Update();
   back->Update();
   EXPECT_DOUBLE_EQ(there->GetMeanDistance(), back->GetMeanDistance());
@@ -76,9 +76,9 @@ TEST(SurfaceQuality, ComesOutTheSameWithTheSurfacesExchanged)
   EXPECT_NEAR(there->GetVolumeDifference(), -back->GetVolumeDifference(), 1e-9);
 }
 
-TEST(SurfaceQuality, AThornOnTheReferenceIsFound)
+TEST(SurfaceQuality, FindsThornOnReference)
 {
-  // One direction alone would miss it: the tested ball is near the thorned one everywhere.
+  // One direction alone would miss it: the tested sphere is close to the other body everywhere.
   const auto thorned = palpate::test::MakeBody(
       20, [](const Vector3& u) -> Vector3 { return (u.z() > 0.9995 ? 30.0 : 20.0) * u; });
   auto quality = Compare(MakeBall(20.0, {0, 0, 0}, 20), thorned);
@@ -86,7 +86,7 @@ TEST(SurfaceQuality, AThornOnTheReferenceIsFound)
   EXPECT_NEAR(quality->GetMaximumDistance(), 10.0, 0.1);
 }
 
-TEST(SurfaceQuality, DiceOfShiftedBallsIsTheLenss)
+TEST(SurfaceQuality, DiceOfShiftedSpheresIsThatOfLens)
 {
   std::mt19937_64 random(21);
   palpate::test::LabelGrid grid;
@@ -97,18 +97,18 @@ TEST(SurfaceQuality, DiceOfShiftedBallsIsTheLenss)
   const auto mask = palpate::test::MakeLabelImage<int>(
       grid, [](double x, double y, double z) { return x * x + y * y + z * z < 400.0; }, 4);
   const double shift = 3.0;
-  const auto ball = MakeBall(20.0, {shift, 0, 0}, 40);
-  auto quality = Compare(ball, ball);
+  const auto sphere = MakeBall(20.0, {shift, 0, 0}, 40);
+  auto quality = Compare(sphere, sphere);
   quality->SetMaskData(mask);
   quality->SetLabel(4);
   quality->Update();
-  // Two balls of radius r, d apart, share pi (4 r + d) (2 r - d)^2 / 12.
+  // Two spheres of radius r, d apart, share pi (4 r + d) (2 r - d)^2 / 12.
   const double lens = M_PI * (80.0 + shift) * std::pow(40.0 - shift, 2) / 12.0;
-  // 270,000 voxels, of which some thousands on the rim fall either way: about 1e-4.
+  // 270,000 voxels, of which some thousands on the boundary fall either way: about 1e-4.
   EXPECT_NEAR(quality->GetDice(), lens / (4.0 / 3.0 * M_PI * 8000.0), 1e-3);
 }
 
-TEST(SurfaceQuality, DiceCountsExactlyTheVoxelsWhoseCentresAreInside)
+TEST(SurfaceQuality, DiceCountsVoxelsWithCentreInside)
 {
   palpate::test::LabelGrid grid;
   grid.Size = {30, 30, 30};
@@ -118,14 +118,14 @@ TEST(SurfaceQuality, DiceCountsExactlyTheVoxelsWhoseCentresAreInside)
   const double radius = std::sqrt(101.3);
   const auto mask = palpate::test::MakeLabelImage(
       grid, [=](double x, double y, double z) { return x * x + y * y + z * z < radius * radius; });
-  const auto ball = MakeBall(radius, {0, 0, 0}, 150); // facets within 0.2 micrometres
-  auto quality = Compare(ball, ball);
+  const auto sphere = MakeBall(radius, {0, 0, 0}, 150); // facets within 0.2 micrometres
+  auto quality = Compare(sphere, sphere);
   quality->SetMaskData(mask);
   quality->Update();
   EXPECT_DOUBLE_EQ(quality->GetDice(), 1.0);
 }
 
-TEST(SurfaceQuality, DiceCountsWhatReachesBeyondTheGrid)
+TEST(SurfaceQuality, DiceCountsBeyondTheGrid)
 {
   palpate::test::LabelGrid grid;
   grid.Size = {50, 50, 25};
@@ -133,24 +133,24 @@ TEST(SurfaceQuality, DiceCountsWhatReachesBeyondTheGrid)
   grid.Origin[2] = 0.5; // the upper half only
   const auto half = palpate::test::MakeLabelImage(grid, [](double x, double y, double z)
                                                   { return x * x + y * y + z * z < 400.0; });
-  const auto ball = MakeBall(20.0, {0, 0, 0}, 40);
-  auto quality = Compare(ball, ball);
+  const auto sphere = MakeBall(20.0, {0, 0, 0}, 40);
+  auto quality = Compare(sphere, sphere);
   quality->SetMaskData(half);
   quality->Update();
-  // The mask is half of the ball: 2 * 1 / (1 + 2). Voxels on the rim fall either way.
+  // The mask is half of the sphere: 2 * 1 / (1 + 2). Boundary voxels fall either way.
   EXPECT_NEAR(quality->GetDice(), 2.0 / 3.0, 2e-3);
 }
 
-TEST(SurfaceQuality, WithoutAMaskThereIsNoDice)
+TEST(SurfaceQuality, DiceNeedsMask)
 {
-  const auto ball = MakeBall(20.0, {0, 0, 0}, 5);
-  auto quality = Compare(ball, ball);
+  const auto sphere = MakeBall(20.0, {0, 0, 0}, 5);
+  auto quality = Compare(sphere, sphere);
   quality->Update();
   EXPECT_DOUBLE_EQ(quality->GetDice(), -1.0);
   EXPECT_NE(quality->GetOutput()->GetPointData()->GetArray("Distance"), nullptr);
 }
 
-TEST(SurfaceQuality, RaisesAnErrorWithoutTriangles)
+TEST(SurfaceQuality, RaisesErrorWithoutTriangles)
 {
   vtkNew<vtkPolyData> nothing;
   auto quality = Compare(nothing, MakeBall(1.0, {0, 0, 0}));

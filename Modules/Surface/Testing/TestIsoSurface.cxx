@@ -7,8 +7,8 @@
 
 namespace
 {
-// Radius less the distance from the grid's middle, mm; steps of 0.5 mm.
-palpate::ScalarGrid BallField(double radius)
+// Radius minus the distance from the grid's centre, mm; steps of 0.5 mm.
+palpate::ScalarGrid SphereField(double radius)
 {
   palpate::ScalarGrid grid;
   grid.Size = {41, 41, 41};
@@ -29,40 +29,40 @@ palpate::ScalarGrid BallField(double radius)
   return grid;
 }
 
-TEST(IsoSurface, ABallHasItsVolumeAndArea)
+TEST(IsoSurface, SphereHasItsVolumeAndArea)
 {
-  palpate::ScalarGrid grid = BallField(7.0);
+  palpate::ScalarGrid grid = SphereField(7.0);
   const auto surface =
       palpate::ExtractIsoSurface(grid, 0.0f, palpate::SurfacePieces::Largest).Surface;
   const palpate::EnclosedMeasure measure = palpate::MeasureEnclosed(surface);
-  // Flat triangles of side h cut off about h^2 / (8 r^2) of the radius: 0.06 %, three times that
+  // Flat triangles of side h cut off about h^2 / (8 r^2) of the radius: 0.06 %, three times as much
   // of the volume.
   EXPECT_NEAR(measure.Volume, 4.0 / 3.0 * M_PI * 343.0, 4e-3 * 1437.0);
   EXPECT_NEAR(measure.Area, 4.0 * M_PI * 49.0, 4e-3 * 616.0);
 }
 
-TEST(IsoSurface, SamplesThatEqualTheLevelLeaveAManifold)
+TEST(IsoSurface, SamplesOnTheLevelYieldManifold)
 {
-  // Radius 7 mm is 14 steps: the poles, and many Pythagorean points, lie on the level exactly.
-  palpate::ScalarGrid grid = BallField(7.0);
+  // Radius 7 mm is 14 steps: the poles, and many Pythagorean points, lie exactly on the level.
+  palpate::ScalarGrid grid = SphereField(7.0);
   const auto surface =
       palpate::ExtractIsoSurface(grid, 0.0f, palpate::SurfacePieces::Largest).Surface;
   EXPECT_EQ(palpate::test::TopologyFault(surface), "");
 }
 
-TEST(IsoSurface, FindsTheLevelOfAGivenVolume)
+TEST(IsoSurface, FindsLevelOfGivenVolume)
 {
-  palpate::ScalarGrid grid = BallField(7.0);
+  palpate::ScalarGrid grid = SphereField(7.0);
   const double wanted = 4.0 / 3.0 * M_PI * 512.0; // of radius 8
   const palpate::IsoSurface found =
       palpate::ExtractIsoSurfaceOfVolume(grid, wanted, palpate::SurfacePieces::Largest);
   EXPECT_NEAR(palpate::MeasureEnclosed(found.Surface).Volume, wanted, 1e-3 * wanted);
-  EXPECT_NEAR(found.Level, -1.0, 0.02); // the distance by which the ball has to grow
+  EXPECT_NEAR(found.Level, -1.0, 0.02); // the distance by which the sphere has to grow
 }
 
-TEST(IsoSurface, TheLargestPieceIsChosenAndAllAreCounted)
+TEST(IsoSurface, KeepsLargestPieceAndCountsAll)
 {
-  palpate::ScalarGrid grid = BallField(5.0);
+  palpate::ScalarGrid grid = SphereField(5.0);
   grid.Values[0] = 1.0f; // a corner sticks out: a second, open piece
   grid.Values[2 + 41 * (2 + 41 * 2)] = 1.0f;
   const palpate::IsoSurface largest =
@@ -74,9 +74,9 @@ TEST(IsoSurface, TheLargestPieceIsChosenAndAllAreCounted)
   EXPECT_GT(all.Surface->GetNumberOfPolys(), largest.Surface->GetNumberOfPolys());
 }
 
-TEST(IsoSurface, ReversingTurnsTheVolumeNegative)
+TEST(IsoSurface, ReversingNegatesVolume)
 {
-  palpate::ScalarGrid grid = BallField(5.0);
+  palpate::ScalarGrid grid = SphereField(5.0);
   const auto surface =
       palpate::ExtractIsoSurface(grid, 0.0f, palpate::SurfacePieces::Largest).Surface;
   const double volume = palpate::MeasureEnclosed(surface).Volume;

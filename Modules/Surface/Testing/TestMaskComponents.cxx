@@ -27,7 +27,7 @@ void FillBox(palpate::VoxelMask& mask, int from, int to)
   }
 }
 
-TEST(MaskComponents, AreListedByFallingSize)
+TEST(MaskComponents, AreSortedByDescendingSize)
 {
   palpate::VoxelMask mask = EmptyMask(12);
   mask.Inside[mask.Offset(1, 1, 1)] = 1;
@@ -37,7 +37,7 @@ TEST(MaskComponents, AreListedByFallingSize)
   EXPECT_EQ(palpate::MaskComponents(mask).VoxelCounts(), (std::vector<long long>{64, 2, 1}));
 }
 
-TEST(MaskComponents, VoxelsThatShareOnlyAnEdgeAreApart)
+TEST(MaskComponents, SharedEdgeDoesNotConnect)
 {
   palpate::VoxelMask mask = EmptyMask(4);
   mask.Inside[mask.Offset(1, 1, 1)] = 1;
@@ -45,7 +45,7 @@ TEST(MaskComponents, VoxelsThatShareOnlyAnEdgeAreApart)
   EXPECT_EQ(palpate::MaskComponents(mask).VoxelCounts().size(), 2U);
 }
 
-TEST(MaskComponents, KeepLeavesTheOneAskedFor)
+TEST(MaskComponents, KeepLeavesRequestedComponent)
 {
   palpate::VoxelMask mask = EmptyMask(12);
   FillBox(mask, 5, 8);
@@ -55,7 +55,7 @@ TEST(MaskComponents, KeepLeavesTheOneAskedFor)
   EXPECT_EQ(mask.Inside[mask.Offset(1, 1, 1)], 1);
 }
 
-TEST(FillCavities, FillsAndCountsWhatIsEnclosed)
+TEST(FillCavities, FillsAndCountsEnclosedRegions)
 {
   palpate::VoxelMask mask = EmptyMask(12);
   FillBox(mask, 2, 9);
@@ -68,7 +68,7 @@ TEST(FillCavities, FillsAndCountsWhatIsEnclosed)
   EXPECT_EQ(mask.Count(), 512);
 }
 
-TEST(FillCavities, LeavesAPitThatOpensAlongADiagonal)
+TEST(FillCavities, LeavesPitWithDiagonalOpening)
 {
   palpate::VoxelMask mask = EmptyMask(8);
   FillBox(mask, 2, 5);

@@ -27,7 +27,7 @@ palpate::VoxelMask BoxMask(std::array<int, 3> filled, std::array<double, 3> spac
   return mask;
 }
 
-TEST(SignedDistanceField, ThickSlicesAreInterpolatedAndCubesAreNot)
+TEST(SignedDistanceField, InterpolatesThickSlicesOnly)
 {
   EXPECT_EQ(palpate::SuitableMethod(BoxMask({4, 4, 4}, {0.5, 0.5, 3.0})),
             palpate::FieldMethod::ShapeInterpolation);
@@ -40,7 +40,7 @@ TEST(SignedDistanceField, ThickSlicesAreInterpolatedAndCubesAreNot)
             palpate::FieldMethod::Distance);
 }
 
-TEST(SignedDistanceField, KeepsTheSideOfEveryVoxelCentreWithoutSmoothing)
+TEST(SignedDistanceField, KeepsSideOfVoxelCentresUnsmoothed)
 {
   for (const std::array<double, 3>& spacing :
        {std::array<double, 3>{0.5, 0.5, 3.0}, std::array<double, 3>{1.0, 4.0, 1.0},
@@ -74,7 +74,7 @@ TEST(SignedDistanceField, KeepsTheSideOfEveryVoxelCentreWithoutSmoothing)
   }
 }
 
-TEST(SignedDistanceField, RefinesOnlyTheCoarsestAxisToTheInPlaneStep)
+TEST(SignedDistanceField, RefinesOnlyCoarsestAxis)
 {
   const palpate::ScalarGrid grid = palpate::BuildField(
       BoxMask({4, 4, 3}, {3.0, 0.5, 0.5}), palpate::FieldMethod::ShapeInterpolation, 0.0);

@@ -17,7 +17,7 @@ namespace
 using palpate::test::LabelGrid;
 using palpate::test::MakeLabelImage;
 
-// Semi-axes 12, 10 and 9 mm round the origin.
+// Semi-axes 12, 10 and 9 mm, centred at the origin.
 bool InEllipsoid(double x, double y, double z)
 {
   return x * x / 144.0 + y * y / 100.0 + z * z / 81.0 < 1.0;
@@ -68,7 +68,7 @@ double DistanceToPoints(const double p[3], vtkPolyData* surface)
   return std::sqrt(nearest);
 }
 
-TEST(SegmentationSurface, IsAClosedOrientedManifoldForRandomBlobsOnAnyGrid)
+TEST(SegmentationSurface, IsClosedOrientedManifoldForRandomBlobs)
 {
   std::mt19937_64 random(20260101);
   std::uniform_real_distribution<double> uniform(-1.0, 1.0);
@@ -110,17 +110,17 @@ TEST(SegmentationSurface, IsAClosedOrientedManifoldForRandomBlobsOnAnyGrid)
   }
 }
 
-TEST(SegmentationSurface, KeepsTheMasksVolume)
+TEST(SegmentationSurface, KeepsMaskVolume)
 {
   auto filter = Filter(MakeLabelImage(ClinicalGrid(), InEllipsoid));
   filter->Update();
-  // The promise is 2 %; the level is chosen to a part in a thousand.
+  // 2 % is documented; the level is found to a part in a thousand.
   EXPECT_NEAR(filter->GetSurfaceVolume(), filter->GetMaskVolume(), 1e-3 * filter->GetMaskVolume());
   EXPECT_NEAR(palpate::MeasureEnclosed(filter->GetOutput()).Volume, filter->GetSurfaceVolume(),
               1e-6 * filter->GetSurfaceVolume());
 }
 
-TEST(SegmentationSurface, StaysWithinHalfAVoxelDiagonalOfTheMasksBoundary)
+TEST(SegmentationSurface, StaysWithinHalfVoxelDiagonalOfMask)
 {
   const auto image = MakeLabelImage(ClinicalGrid(), InEllipsoid);
   auto shape = Filter(image);
@@ -129,8 +129,8 @@ TEST(SegmentationSurface, StaysWithinHalfAVoxelDiagonalOfTheMasksBoundary)
   shape->Update();
   plain->Update();
   const double halfDiagonal = 0.5 * std::sqrt(0.5 * 0.5 * 2 + 9.0);
-  // Vertices of the half level lie at most half an in-plane diagonal apart: a bound on what the
-  // distance to points overestimates.
+  // Vertices of the half level lie at most half an in-plane diagonal apart, which bounds the error
+  // of measuring to points.
   const double vertexGap = 0.25 * std::sqrt(2.0);
   for (vtkIdType id = 0; id < shape->GetOutput()->GetNumberOfPoints(); id += 7)
   {
@@ -139,7 +139,7 @@ TEST(SegmentationSurface, StaysWithinHalfAVoxelDiagonalOfTheMasksBoundary)
   }
 }
 
-TEST(SegmentationSurface, ShapeInterpolationComesTwiceAsCloseToTheBodyAsTheMask)
+TEST(SegmentationSurface, ShapeInterpolationHalvesErrorOfMask)
 {
   const auto image = MakeLabelImage(ClinicalGrid(), InEllipsoid);
   auto shape = Filter(image);
@@ -151,7 +151,7 @@ TEST(SegmentationSurface, ShapeInterpolationComesTwiceAsCloseToTheBodyAsTheMask)
             0.5 * RmsEllipsoidDistance(plain->GetOutput()));
 }
 
-TEST(SegmentationSurface, GetsCloserToTheBodyAsVoxelsShrink)
+TEST(SegmentationSurface, ConvergesAsVoxelsShrink)
 {
   double last = 1e300;
   for (const double step : {2.0, 1.0, 0.5})
@@ -164,12 +164,12 @@ TEST(SegmentationSurface, GetsCloserToTheBodyAsVoxelsShrink)
     auto filter = Filter(MakeLabelImage(grid, InEllipsoid));
     filter->Update();
     const double error = RmsEllipsoidDistance(filter->GetOutput());
-    EXPECT_LT(error, 0.6 * last); // at least first order; a binary mask knows no more
+    EXPECT_LT(error, 0.6 * last); // at least first order, the best that a binary mask allows
     last = error;
   }
 }
 
-TEST(SegmentationSurface, ScalesWithTheVoxels)
+TEST(SegmentationSurface, ScalesWithVoxelSize)
 {
   for (const std::array<double, 3>& shape :
        {std::array<double, 3>{1.0, 1.0, 1.0}, std::array<double, 3>{0.5, 0.5, 3.0},
@@ -198,7 +198,7 @@ TEST(SegmentationSurface, ScalesWithTheVoxels)
   }
 }
 
-TEST(SegmentationSurface, PlainPutsEveryVertexHalfWayBetweenVoxelCentres)
+TEST(SegmentationSurface, PlainVerticesLieMidwayBetweenVoxels)
 {
   LabelGrid grid;
   grid.Size = {28, 24, 22};
@@ -223,7 +223,7 @@ TEST(SegmentationSurface, PlainPutsEveryVertexHalfWayBetweenVoxelCentres)
   }
 }
 
-TEST(SegmentationSurface, HonoursTheDirectionMatrix)
+TEST(SegmentationSurface, HonoursDirectionMatrix)
 {
   std::mt19937_64 random(7);
   LabelGrid grid = ClinicalGrid();
@@ -232,7 +232,7 @@ TEST(SegmentationSurface, HonoursTheDirectionMatrix)
   const auto rows = palpate::test::RandomRotation(random);
   grid.Direction = rows;
   grid.CenterOnOrigin();
-  // The body turns with the grid: the same voxels, so the same surface, turned.
+  // The body turns with the grid: the same voxels, so the same surface, rotated.
   auto turned = Filter(MakeLabelImage(grid,
                                       [&rows](double x, double y, double z)
                                       {
@@ -255,7 +255,7 @@ TEST(SegmentationSurface, HonoursTheDirectionMatrix)
   }
 }
 
-TEST(SegmentationSurface, FacesOutwardsOnALeftHandedGrid)
+TEST(SegmentationSurface, FacesOutwardsOnLeftHandedGrid)
 {
   LabelGrid grid = ClinicalGrid();
   grid.Direction[0] = -1.0;
@@ -266,24 +266,24 @@ TEST(SegmentationSurface, FacesOutwardsOnALeftHandedGrid)
   EXPECT_EQ(palpate::test::TopologyFault(filter->GetOutput()), "");
 }
 
-TEST(SegmentationSurface, CutsAndFlagsWhatTouchesTheBorder)
+TEST(SegmentationSurface, ClosesAndFlagsMaskAtBorder)
 {
   LabelGrid grid = ClinicalGrid();
-  grid.Origin[2] = 0.0; // the grid starts in the body's middle
+  grid.Origin[2] = 0.0; // the grid starts at the body's centre
   auto filter = Filter(MakeLabelImage(grid, InEllipsoid));
   filter->Update();
   EXPECT_TRUE(filter->GetTouchesBorder());
   EXPECT_EQ(palpate::test::TopologyFault(filter->GetOutput()), "");
   double bounds[6];
   filter->GetOutput()->GetBounds(bounds);
-  // Half a slice beyond the last voxel centre, and what the volume lost to the rounded rim.
+  // Half a slice beyond the last voxel centre, plus the volume lost to the rounded edge.
   EXPECT_NEAR(bounds[4], -1.5, 0.5);
   auto whole = Filter(MakeLabelImage(ClinicalGrid(), InEllipsoid));
   whole->Update();
   EXPECT_FALSE(whole->GetTouchesBorder());
 }
 
-TEST(SegmentationSurface, TakesTheLargestComponentUnlessAskedForAnother)
+TEST(SegmentationSurface, UsesLargestComponentByDefault)
 {
   LabelGrid grid;
   grid.Size = {40, 20, 20};
@@ -312,7 +312,7 @@ TEST(SegmentationSurface, TakesTheLargestComponentUnlessAskedForAnother)
                    filter->GetComponentVolume(0) + filter->GetComponentVolume(1));
 }
 
-TEST(SegmentationSurface, FillsCavitiesAndSaysSo)
+TEST(SegmentationSurface, FillsAndReportsCavities)
 {
   LabelGrid grid;
   grid.Size = {24, 24, 24};
@@ -325,18 +325,18 @@ TEST(SegmentationSurface, FillsCavitiesAndSaysSo)
                                       }));
   filter->Update();
   EXPECT_EQ(filter->GetCavityCount(), 1);
-  EXPECT_GT(filter->GetCavityVolume(), 80.0); // a ball of radius 3 has 113 mm^3
+  EXPECT_GT(filter->GetCavityVolume(), 80.0); // a sphere of radius 3 has 113 mm^3
   EXPECT_NEAR(filter->GetSurfaceVolume(), filter->GetMaskVolume() + filter->GetCavityVolume(),
               1e-3 * filter->GetMaskVolume());
 }
 
-TEST(SegmentationSurface, KeepsAThinRodThatSlantsAcrossThickSlices)
+TEST(SegmentationSurface, KeepsThinRodObliqueToThickSlices)
 {
   LabelGrid grid;
   grid.Size = {60, 20, 10};
   grid.Spacing = {0.5, 0.5, 4.0};
-  // A rod of radius 1.2 mm that moves 2.6 mm a slice: discs of neighbouring slices touch at the
-  // rim only.
+  // A rod of radius 1.2 mm that moves 2.6 mm per slice: discs of neighbouring slices only touch at
+  // their edges.
   auto filter = Filter(MakeLabelImage(
       grid, [](double x, double y, double z)
       { return z > 2.0 && z < 34.0 && std::hypot(x - 2.0 - 0.6 * z, y - 5.0) < 1.4; }));
@@ -345,7 +345,7 @@ TEST(SegmentationSurface, KeepsAThinRodThatSlantsAcrossThickSlices)
   EXPECT_EQ(palpate::test::TopologyFault(filter->GetOutput()), "");
 }
 
-TEST(SegmentationSurface, RaisesAnErrorAndGivesNothingForALabelThatIsNotThere)
+TEST(SegmentationSurface, RaisesErrorForMissingLabel)
 {
   auto filter = Filter(MakeLabelImage(ClinicalGrid(), InEllipsoid));
   filter->SetLabel(3);
@@ -355,7 +355,7 @@ TEST(SegmentationSurface, RaisesAnErrorAndGivesNothingForALabelThatIsNotThere)
   EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), 0);
 }
 
-TEST(SegmentationSurface, RaisesAnErrorForAComponentThatIsNotThere)
+TEST(SegmentationSurface, RaisesErrorForMissingComponent)
 {
   auto filter = Filter(MakeLabelImage(ClinicalGrid(), InEllipsoid));
   filter->SetComponent(2);
@@ -364,7 +364,7 @@ TEST(SegmentationSurface, RaisesAnErrorForAComponentThatIsNotThere)
   EXPECT_TRUE(errors.Contains("there is no component 2"));
 }
 
-TEST(SegmentationSurface, SmoothingIsClampedAndNeverNan)
+TEST(SegmentationSurface, ClampsSmoothingAndRejectsNan)
 {
   vtkNew<vtkSegmentationSurface> filter;
   filter->SetSmoothing(-1.0);
@@ -375,7 +375,7 @@ TEST(SegmentationSurface, SmoothingIsClampedAndNeverNan)
   EXPECT_EQ(filter->GetSmoothing(), 0.0);
 }
 
-TEST(SegmentationSurface, StopsWhenAskedTo)
+TEST(SegmentationSurface, StopsOnAbort)
 {
   auto filter = Filter(MakeLabelImage(ClinicalGrid(), InEllipsoid));
   vtkNew<vtkCallbackCommand> abort;

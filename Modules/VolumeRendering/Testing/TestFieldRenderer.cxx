@@ -20,7 +20,7 @@ FieldGrid Grid()
           Matrix3::Identity()};
 }
 
-// Distance from the middle, mm.
+// Distance from the grid's centre, mm.
 std::vector<double> Distances()
 {
   test::SphereField sphere;
@@ -34,8 +34,8 @@ std::vector<double> Distances()
   return samples;
 }
 
-// Balls round the middle, one in the other: material 0 is the outer one.
-std::shared_ptr<const ScalarField> Balls(const std::vector<double>& radii)
+// Concentric spheres: material 0 is the outermost.
+std::shared_ptr<const ScalarField> Spheres(const std::vector<double>& radii)
 {
   const std::vector<double> samples = Distances();
   FieldBuilder builder(Grid());
@@ -50,7 +50,7 @@ std::shared_ptr<const ScalarField> Balls(const std::vector<double>& radii)
   return field;
 }
 
-// Seen along -z in parallel: x and y from -10 to 10 mm, z from 20 (near) to -20 (far).
+// Parallel view along -z: x and y from -10 to 10 mm, z from 20 (near) to -20 (far).
 FieldView ViewAlongZ(int side)
 {
   Eigen::Matrix4d toClip = Eigen::Matrix4d::Identity();
@@ -79,9 +79,9 @@ std::array<int, 4> ColorAt(const FieldPicture& picture, int column, int row)
   return {bytes[0], bytes[1], bytes[2], bytes[3]};
 }
 
-TEST(FieldRenderer, EveryPixelShowsTheHitThatACasterGivesForItsRay)
+TEST(FieldRenderer, PixelsShowHitsOfRayCaster)
 {
-  const auto field = Balls({6.0});
+  const auto field = Spheres({6.0});
   const RayCaster caster(field);
   const FieldRenderer renderer(field, ViewAlongZ(64));
   const FieldPicture picture = Draw(renderer);
@@ -100,60 +100,60 @@ TEST(FieldRenderer, EveryPixelShowsTheHitThatACasterGivesForItsRay)
       hits += seen.Material == 0 ? 1 : 0;
     }
   }
-  // The disc of 6 mm in 20 mm squared, by its pixels' centres; the rim is some 60 pixels long.
+  // The disc of 6 mm in 20 mm squared, by its pixels' centres; its outline is some 60 pixels long.
   EXPECT_NEAR(hits, M_PI * 36.0 / 400.0 * 64 * 64, 30.0);
 }
 
-TEST(FieldRenderer, DepthsAreThoseOfTheHits)
+TEST(FieldRenderer, DepthsMatchHits)
 {
-  const FieldPicture picture = Draw(FieldRenderer(Balls({6.0}), ViewAlongZ(65)));
-  // The middle ray meets the sphere at z = 6: (20 - 6) / 40. The node there lies on the sphere.
+  const FieldPicture picture = Draw(FieldRenderer(Spheres({6.0}), ViewAlongZ(65)));
+  // The central ray meets the sphere at z = 6: (20 - 6) / 40. That node lies on the sphere.
   EXPECT_NEAR(picture.Depths[picture.Pixel(32, 32)], 14.0 / 40.0, 1e-6);
   EXPECT_EQ(picture.Depths[picture.Pixel(0, 0)], 1.0F);
   EXPECT_EQ(ColorAt(picture, 0, 0), (std::array<int, 4>{0, 0, 0, 0}));
 }
 
-TEST(FieldRenderer, NestedTranslucentSurfacesAreBlendedFrontToBack)
+TEST(FieldRenderer, BlendsTranslucentSurfacesFrontToBack)
 {
   FieldView view = ViewAlongZ(65);
   view.Looks = {{{1.0, 0.0, 0.0}, 0.25}, {{0.0, 1.0, 0.0}, 1.0}};
-  const FieldPicture picture = Draw(FieldRenderer(Balls({6.0, 3.0}), view));
-  // One crossing of red lies before green, which is opaque.
+  const FieldPicture picture = Draw(FieldRenderer(Spheres({6.0, 3.0}), view));
+  // One crossing of red lies in front of green, which is opaque.
   EXPECT_EQ(ColorAt(picture, 32, 32), (std::array<int, 4>{64, 191, 0, 255}));
-  // Beside green the ray enters and leaves red: 1/4 + 3/4 * 1/4.
+  // Next to green the ray enters and leaves red: 1/4 + 3/4 * 1/4.
   EXPECT_EQ(ColorAt(picture, 32 + 14, 32), (std::array<int, 4>{112, 0, 0, 112}));
 }
 
-TEST(FieldRenderer, AMaterialOfNoOpacityIsNotThere)
+TEST(FieldRenderer, ZeroOpacityHidesMaterial)
 {
   FieldView view = ViewAlongZ(65);
   view.Looks = {{{1.0, 0.0, 0.0}, 0.0}, {{0.0, 1.0, 0.0}, 1.0}};
-  const FieldRenderer renderer(Balls({6.0, 3.0}), view);
+  const FieldRenderer renderer(Spheres({6.0, 3.0}), view);
   const FieldPicture picture = Draw(renderer);
   EXPECT_TRUE(renderer.IsOpaque());
   EXPECT_EQ(ColorAt(picture, 32, 32), (std::array<int, 4>{0, 255, 0, 255}));
   EXPECT_EQ(ColorAt(picture, 32 + 14, 32)[3], 0);
 }
 
-TEST(FieldRenderer, AClippingPlaneOpensTheSurfaceAndShowsItsBack)
+TEST(FieldRenderer, ClippingPlaneShowsBackOfSurface)
 {
   FieldView view = ViewAlongZ(65);
   view.Kept = {{-Vector3::UnitZ(), 0.0}}; // z <= 0
-  const FieldPicture picture = Draw(FieldRenderer(Balls({6.0}), view));
+  const FieldPicture picture = Draw(FieldRenderer(Spheres({6.0}), view));
   const FieldHit& hit = picture.Hits[picture.Pixel(32, 32)];
   EXPECT_NEAR(hit.Position[2], -6.0, 1e-9);
   EXPECT_FALSE(hit.IsEntering);
 }
 
-TEST(FieldRenderer, CroppingToTheMiddleIsTheSameByItsSidesAndByItsRegions)
+TEST(FieldRenderer, CropBySidesEqualsCropByRegions)
 {
-  const auto field = Balls({6.0, 3.0});
+  const auto field = Spheres({6.0, 3.0});
   // -3.3 to 2.2 mm along x, all along y, -5.3 to 4.9 along z.
   const std::array<double, 6> planes{9.4, 20.4, -1.0, 40.0, 5.4, 25.8};
   FieldView bySides = ViewAlongZ(80);
   bySides.Crop = CropRegions(planes, 1 << 13);
   FieldView byRegions = ViewAlongZ(80);
-  // The same and a corner where nothing is.
+  // The same plus an empty corner region.
   byRegions.Crop = CropRegions(planes, 1 << 13 | 1);
   const FieldPicture a = Draw(FieldRenderer(field, bySides));
   const FieldPicture b = Draw(FieldRenderer(field, byRegions));
@@ -167,7 +167,7 @@ TEST(FieldRenderer, CroppingToTheMiddleIsTheSameByItsSidesAndByItsRegions)
   EXPECT_GT(shown, 500);
 }
 
-TEST(FieldRenderer, CropRegionsFollowVtksNumbers)
+TEST(FieldRenderer, CropRegionsUseVtkNumbering)
 {
   const std::array<double, 6> planes{1.0, 2.0, 1.0, 2.0, 1.0, 2.0};
   for (int region = 0; region < 27; ++region)
@@ -183,21 +183,21 @@ TEST(FieldRenderer, CropRegionsFollowVtksNumbers)
   }
 }
 
-TEST(FieldRenderer, WhatIsDrawnAlreadyEndsTheRays)
+TEST(FieldRenderer, SceneDepthsEndRays)
 {
   FieldView view = ViewAlongZ(65);
   view.Looks = {{{1.0, 0.0, 0.0}, 0.5}};
-  // Between the front at depth 0.35 and the back at 0.65; and before both.
+  // Between the front at depth 0.35 and the back at 0.65; then in front of both.
   view.SceneDepths.assign(65 * 65, 0.5F);
   view.SceneDepths[32 * 65 + 33] = 0.3F;
-  const FieldPicture picture = Draw(FieldRenderer(Balls({6.0}), view));
+  const FieldPicture picture = Draw(FieldRenderer(Spheres({6.0}), view));
   EXPECT_EQ(ColorAt(picture, 32, 32), (std::array<int, 4>{128, 0, 0, 128}));
   EXPECT_EQ(ColorAt(picture, 33, 32), (std::array<int, 4>{0, 0, 0, 0}));
 }
 
-TEST(FieldRenderer, TilesMakeTheWholePicture)
+TEST(FieldRenderer, TilesMatchWholeImage)
 {
-  const FieldRenderer renderer(Balls({6.0}), ViewAlongZ(50));
+  const FieldRenderer renderer(Spheres({6.0}), ViewAlongZ(50));
   const FieldPicture whole = Draw(renderer);
   FieldPicture tiled;
   tiled.Resize(50, 50, true);
@@ -212,16 +212,16 @@ TEST(FieldRenderer, TilesMakeTheWholePicture)
   EXPECT_EQ(whole.Depths, tiled.Depths);
 }
 
-TEST(FieldRenderer, APlaceInTheSceneMovesTheLightNotTheShape)
+TEST(FieldRenderer, ScenePlacementAffectsOnlyShading)
 {
   FieldView view = ViewAlongZ(65);
   view.Finish = {true, 0.0, 1.0, 0.0, 1.0};
   view.Lights = {{false, Vector3::UnitX(), Vector3::Ones(), Vector3::Ones()}};
   view.Looks = {{Vector3::Ones(), 1.0}};
-  // Turned so that the field's +z is the scene's +x: the side that faces the viewer is lit fully.
+  // Rotated so that the field's +z is the scene's +x: the side facing the viewer is fully lit.
   view.ToScene.topLeftCorner<3, 3>() =
       Eigen::AngleAxisd(M_PI / 2.0, Vector3::UnitY()).toRotationMatrix();
-  const FieldPicture picture = Draw(FieldRenderer(Balls({6.0}), view));
+  const FieldPicture picture = Draw(FieldRenderer(Spheres({6.0}), view));
   EXPECT_EQ(ColorAt(picture, 32, 32), (std::array<int, 4>{255, 255, 255, 255}));
 }
 } // namespace

@@ -17,7 +17,7 @@ Eigen::Matrix4d MatrixOf(vtkCamera* camera, double aspect)
       camera->GetCompositeProjectionTransformMatrix(aspect, 0.0, 1.0)->GetData());
 }
 
-// Oblique, in perspective and parallel.
+// Oblique view, perspective or parallel.
 PixelRays SomeRays(bool isParallel)
 {
   vtkNew<vtkCamera> camera;
@@ -30,7 +30,7 @@ PixelRays SomeRays(bool isParallel)
   return {MatrixOf(camera, 4.0 / 3.0), 400, 300};
 }
 
-TEST(PixelRays, RunFromTheNearToTheFarPlane)
+TEST(PixelRays, RunFromNearToFarPlane)
 {
   for (const bool isParallel : {false, true})
   {
@@ -41,14 +41,14 @@ TEST(PixelRays, RunFromTheNearToTheFarPlane)
     for (int i = 0; i < 200; ++i)
     {
       const FieldRay ray = rays.At(place(random), place(random));
-      // Some roundings of depths, which are below 1.
+      // A few rounding errors of depths, which are below 1.
       EXPECT_NEAR(rays.Depth(ray.Origin), 0.0, 1e-12);
       EXPECT_NEAR(rays.Depth(ray.Origin + ray.Direction), 1.0, 1e-12);
     }
   }
 }
 
-TEST(PixelRays, OfThePicturesMiddlePointsToTheFocus)
+TEST(PixelRays, CentralRayPointsToFocus)
 {
   for (const bool isParallel : {false, true})
   {
@@ -59,7 +59,7 @@ TEST(PixelRays, OfThePicturesMiddlePointsToTheFocus)
   }
 }
 
-TEST(PixelRays, OfAPixelPassesThroughItsCentre)
+TEST(PixelRays, RayPassesThroughPixelCentre)
 {
   const PixelRays rays = SomeRays(false);
   const FieldRay pixel = rays.OfPixel(17, 33);
@@ -68,7 +68,7 @@ TEST(PixelRays, OfAPixelPassesThroughItsCentre)
   EXPECT_EQ(pixel.Direction, place.Direction);
 }
 
-TEST(PixelRays, ParameterAtDepthIsTheInverseOfDepth)
+TEST(PixelRays, ParameterAtDepthInvertsDepth)
 {
   for (const bool isParallel : {false, true})
   {
@@ -77,13 +77,13 @@ TEST(PixelRays, ParameterAtDepthIsTheInverseOfDepth)
     for (const double t : {0.0, 0.1, 0.5, 0.9, 1.0})
     {
       const double depth = rays.Depth(ray.Origin + t * ray.Direction);
-      // The quotient of far and near plane, 4, times roundings.
+      // The ratio of far to near plane, 4, times rounding errors.
       EXPECT_NEAR(rays.ParameterAtDepth(ray, depth), t, 1e-13);
     }
   }
 }
 
-TEST(PixelRays, AreNotUsableWithoutPixelsOrInverse)
+TEST(PixelRays, AreUnusableWithoutPixelsOrInverse)
 {
   EXPECT_FALSE(PixelRays().IsUsable());
   EXPECT_FALSE(PixelRays(Eigen::Matrix4d::Identity(), 0, 10).IsUsable());

@@ -34,9 +34,9 @@ using palpate::Vector3;
 constexpr int Side = 200; // pixels
 constexpr double Radius = 6.0;
 
-// The distance (mm) from the point (0.5, -0.3, 0.2) up to which a voxel is, less 10, on a turned
-// grid that reaches 8 mm round it: a ball of 6 mm is what has at least -6 when negated.
-vtkSmartPointer<vtkImageData> BallImage()
+// Minus the distance (mm) from the point (0.5, -0.3, 0.2) on a rotated grid that extends 8 mm
+// around it: a sphere of 6 mm at the iso-value -6.
+vtkSmartPointer<vtkImageData> SphereImage()
 {
   auto image = vtkSmartPointer<vtkImageData>::New();
   image->SetDimensions(33, 33, 21);
@@ -45,8 +45,8 @@ vtkSmartPointer<vtkImageData> BallImage()
   const double s = std::sin(0.4);
   image->SetDirectionMatrix(c, -s, 0.0, s, c, 0.0, 0.0, 0.0, 1.0);
   const Eigen::Matrix3d axes = Eigen::AngleAxisd(0.4, Vector3::UnitZ()).toRotationMatrix();
-  const Vector3 middle(0.5, -0.3, 0.2);
-  const Vector3 origin = middle - axes * Vector3(8.0, 8.0, 8.0);
+  const Vector3 center(0.5, -0.3, 0.2);
+  const Vector3 origin = center - axes * Vector3(8.0, 8.0, 8.0);
   image->SetOrigin(origin.data());
   image->AllocateScalars(VTK_FLOAT, 1);
   auto* values = static_cast<float*>(image->GetScalarPointer());
@@ -54,14 +54,14 @@ vtkSmartPointer<vtkImageData> BallImage()
   {
     Vector3 point;
     image->GetPoint(i, point.data());
-    values[i] = static_cast<float>(-(point - middle).norm());
+    values[i] = static_cast<float>(-(point - center).norm());
   }
   return image;
 }
 
-const Vector3 Middle(0.5, -0.3, 0.2);
+const Vector3 Center(0.5, -0.3, 0.2);
 
-// A ball, drawn off screen along -z in parallel, 20 mm across the picture.
+// A sphere, rendered off screen along -z in parallel projection, 20 mm across the image.
 class SubVoxelVolumeMapper : public palpate::test::DisplayTest
 {
 protected:
@@ -84,7 +84,7 @@ protected:
     camera->ParallelProjectionOn();
     camera->SetParallelScale(10.0);
     camera->SetClippingRange(5.0, 55.0);
-    this->Mapper->SetInputData(BallImage());
+    this->Mapper->SetInputData(SphereImage());
     this->Mapper->SetIsoValue(0, -Radius);
     this->Mapper->SetMaterialColor(0, 1.0, 0.0, 0.0);
     this->Volume->SetMapper(this->Mapper);
@@ -104,7 +104,7 @@ protected:
             static_cast<int>(this->Pixels->GetTypedComponent(pixel, 1)),
             static_cast<int>(this->Pixels->GetTypedComponent(pixel, 2))};
   }
-  // A polygon ball of 2 mm; its centre in mm.
+  // A polygonal sphere of 2 mm; its centre in mm.
   vtkActor* AddPolygons(double x, double y, double z)
   {
     vtkNew<vtkSphereSource> sphere;
@@ -140,7 +140,7 @@ constexpr std::array<int, 3> Blue{{0, 0, 255}};
 constexpr std::array<int, 3> Black{{0, 0, 0}};
 } // namespace
 
-TEST_F(SubVoxelVolumeMapper, DrawsTheBallWhereItIs)
+TEST_F(SubVoxelVolumeMapper, DrawsSphereAtItsPosition)
 {
   this->Render();
   int red = 0;
@@ -148,11 +148,11 @@ TEST_F(SubVoxelVolumeMapper, DrawsTheBallWhereItIs)
   {
     for (int column = 0; column < Side; ++column)
     {
-      const double x = (column + 0.5) / 10.0 - 10.0 - Middle[0];
-      const double y = (row + 0.5) / 10.0 - 10.0 - Middle[1];
+      const double x = (column + 0.5) / 10.0 - 10.0 - Center[0];
+      const double y = (row + 0.5) / 10.0 - 10.0 - Center[1];
       const double distance = std::hypot(x, y);
-      // Trilinear interpolation of a distance errs by spacing^2 / 8 R times 3 at most: 0.02 mm; and
-      // half a pixel.
+      // Trilinear interpolation of a distance has an error of at most spacing^2 / 8 R times 3,
+      // 0.02 mm, plus half a pixel.
       if (std::abs(distance - Radius) > 0.07)
       {
         ASSERT_EQ(this->ColorAt(column, row), distance < Radius ? Red : Black)
@@ -164,10 +164,10 @@ TEST_F(SubVoxelVolumeMapper, DrawsTheBallWhereItIs)
   EXPECT_NEAR(red, M_PI * Radius * Radius * 100.0, 150.0);
 }
 
-TEST_F(SubVoxelVolumeMapper, HidesAndIsHiddenByPolygons)
+TEST_F(SubVoxelVolumeMapper, OccludesAndIsOccludedByPolygons)
 {
   this->AddPolygons(-2.0, 0.0, 8.0); // in front
-  this->AddPolygons(5.0, 0.0, -7.0); // behind, and looking out at the side
+  this->AddPolygons(5.0, 0.0, -7.0); // behind, partly visible at the side
   for (const bool isSubVoxelVolume : {false, true})
   {
     if (isSubVoxelVolume)
@@ -181,19 +181,19 @@ TEST_F(SubVoxelVolumeMapper, HidesAndIsHiddenByPolygons)
   }
 }
 
-TEST_F(SubVoxelVolumeMapper, PolygonsCutIntoTheSurfaceAtTheRightDepth)
+TEST_F(SubVoxelVolumeMapper, IntersectsPolygonsAtCorrectDepth)
 {
-  // Half of the polygon ball sticks out of the side that faces the viewer, at z = 6.2.
-  this->AddPolygons(Middle[0], Middle[1], Middle[2] + Radius);
+  // Half of the polygonal sphere protrudes from the side that faces the viewer, at z = 6.2.
+  this->AddPolygons(Center[0], Center[1], Center[2] + Radius);
   this->Render();
-  // The balls meet where the distance from the axis is r^2 = 2^2 - h^2 with h = 2^2 / 12.
+  // The spheres intersect where the distance from the axis is r^2 = 2^2 - h^2 with h = 2^2 / 12.
   const double rim = std::sqrt(4.0 - 1.0 / 9.0);
   const int row = 97; // y = -0.25
-  EXPECT_EQ(this->ColorAt(static_cast<int>(100 + 10 * (Middle[0] + rim - 0.15)), row), Blue);
-  EXPECT_EQ(this->ColorAt(static_cast<int>(100 + 10 * (Middle[0] + rim + 0.15)), row), Red);
+  EXPECT_EQ(this->ColorAt(static_cast<int>(100 + 10 * (Center[0] + rim - 0.15)), row), Blue);
+  EXPECT_EQ(this->ColorAt(static_cast<int>(100 + 10 * (Center[0] + rim + 0.15)), row), Red);
 }
 
-TEST_F(SubVoxelVolumeMapper, TranslucentPolygonsInFrontAreBlendedOverASubVoxelVolume)
+TEST_F(SubVoxelVolumeMapper, BlendsTranslucentPolygonsInFront)
 {
   this->UseSubVoxelVolume();
   this->AddPolygons(0.0, 0.0, 9.0)->GetProperty()->SetOpacity(0.5);
@@ -207,7 +207,7 @@ TEST_F(SubVoxelVolumeMapper, TranslucentPolygonsInFrontAreBlendedOverASubVoxelVo
 TEST_F(SubVoxelVolumeMapper, TranslucentMaterialsEndAtPolygonsInside)
 {
   this->Mapper->SetMaterialOpacity(0, 0.5);
-  this->AddPolygons(Middle[0], Middle[1], Middle[2]);
+  this->AddPolygons(Center[0], Center[1], Center[2]);
   for (const bool isSubVoxelVolume : {false, true})
   {
     if (isSubVoxelVolume)
@@ -222,7 +222,7 @@ TEST_F(SubVoxelVolumeMapper, TranslucentMaterialsEndAtPolygonsInside)
   }
 }
 
-TEST_F(SubVoxelVolumeMapper, DepthBufferHasTheSurface)
+TEST_F(SubVoxelVolumeMapper, WritesDepthBuffer)
 {
   this->Mapper->KeepHitsOn();
   this->Render();
@@ -232,12 +232,12 @@ TEST_F(SubVoxelVolumeMapper, DepthBufferHasTheSurface)
   {
     const palpate::FieldHit& hit = picture.Hits[picture.Pixel(column, 90)];
     ASSERT_EQ(hit.Material, 0);
-    // Depths are floats, and the buffer has 24 bits at least.
+    // Depths are floats, and the buffer has at least 24 bits.
     EXPECT_NEAR(this->Window->GetZbufferDataAtPoint(column, 90), rays.Depth(hit.Position), 2e-7);
   }
 }
 
-TEST_F(SubVoxelVolumeMapper, EveryPixelsHitIsTheHapticQuerysBitByBit)
+TEST_F(SubVoxelVolumeMapper, HitsEqualHapticQueriesBitForBit)
 {
   this->Mapper->KeepHitsOn();
   this->Renderer->GetActiveCamera()->ParallelProjectionOff();
@@ -265,7 +265,7 @@ TEST_F(SubVoxelVolumeMapper, EveryPixelsHitIsTheHapticQuerysBitByBit)
   EXPECT_GT(hits, 2000);
 }
 
-TEST_F(SubVoxelVolumeMapper, ThePickerFindsThePointThatIsSeen)
+TEST_F(SubVoxelVolumeMapper, PickerFindsVisiblePoint)
 {
   this->Mapper->KeepHitsOn();
   this->Render();
@@ -276,47 +276,47 @@ TEST_F(SubVoxelVolumeMapper, ThePickerFindsThePointThatIsSeen)
   EXPECT_EQ(Vector3(picker->GetPickPosition()), seen.Position);
   EXPECT_EQ(picker->GetMaterial(), 0);
   EXPECT_EQ(picker->GetViewProp(), this->Volume.Get());
-  const Vector3 outwards = (seen.Position - Middle).normalized();
-  // The gradient of trilinear interpolation errs by spacing / 2R.
+  const Vector3 outwards = (seen.Position - Center).normalized();
+  // The gradient of trilinear interpolation has an error of spacing / 2R.
   EXPECT_LT((Vector3(picker->GetNormal()) - outwards).norm(), 0.1);
   EXPECT_EQ(picker->Pick(2.0, 2.0, 0.0, this->Renderer), 0);
   EXPECT_EQ(picker->GetMaterial(), -1);
 }
 
-TEST_F(SubVoxelVolumeMapper, AMovedVolumeIsPickedWhereItIsDrawn)
+TEST_F(SubVoxelVolumeMapper, PicksMovedVolumeWhereDrawn)
 {
   this->Volume->SetPosition(3.0, -1.0, 2.0);
   this->Volume->SetScale(0.5, 0.5, 0.5);
   this->Render();
-  const Vector3 middle = Vector3(3.0, -1.0, 2.0) + 0.5 * Middle;
-  EXPECT_EQ(this->ColorAt(static_cast<int>(100 + 10 * (middle[0] + 2.8)), 87), Red);
-  EXPECT_EQ(this->ColorAt(static_cast<int>(100 + 10 * (middle[0] + 3.2)), 87), Black);
+  const Vector3 center = Vector3(3.0, -1.0, 2.0) + 0.5 * Center;
+  EXPECT_EQ(this->ColorAt(static_cast<int>(100 + 10 * (center[0] + 2.8)), 87), Red);
+  EXPECT_EQ(this->ColorAt(static_cast<int>(100 + 10 * (center[0] + 3.2)), 87), Black);
   vtkNew<vtkSubVoxelPicker> picker;
   ASSERT_EQ(picker->Pick(130.0, 90.0, 0.0, this->Renderer), 1);
-  EXPECT_NEAR((Vector3(picker->GetPickPosition()) - middle).norm(), 3.0, 0.02);
+  EXPECT_NEAR((Vector3(picker->GetPickPosition()) - center).norm(), 3.0, 0.02);
 }
 
-TEST_F(SubVoxelVolumeMapper, DrawsAndIsPickedInItsViewport)
+TEST_F(SubVoxelVolumeMapper, DrawsAndPicksInViewport)
 {
   this->Renderer->SetViewport(0.5, 0.25, 1.0, 1.0);          // 100 x 150 pixels from (100, 50)
-  this->Renderer->GetActiveCamera()->SetParallelScale(10.0); // 7.5 pixels a mm
+  this->Renderer->GetActiveCamera()->SetParallelScale(10.0); // 7.5 pixels per mm
   for (const double opacity : {1.0, 0.5})
   {
     this->Mapper->SetMaterialOpacity(0, opacity);
     this->Render();
-    const int x = static_cast<int>(150.0 + 7.5 * Middle[0]);
-    const int y = static_cast<int>(125.0 + 7.5 * Middle[1]);
+    const int x = static_cast<int>(150.0 + 7.5 * Center[0]);
+    const int y = static_cast<int>(125.0 + 7.5 * Center[1]);
     EXPECT_GT(this->ColorAt(x, y)[0], 180);
     EXPECT_EQ(this->ColorAt(x, y + 48), Black);
     EXPECT_EQ(this->ColorAt(x - 60, y), Black);
     vtkNew<vtkSubVoxelPicker> picker;
     ASSERT_EQ(picker->Pick(x, y, 0.0, this->Renderer), 1);
-    // The pixel's centre is within one pixel of the axis through the middle.
-    EXPECT_LT((Vector3(picker->GetPickPosition()) - Middle).head<2>().norm(), 0.2);
+    // The pixel's centre is within one pixel of the axis through the centre.
+    EXPECT_LT((Vector3(picker->GetPickPosition()) - Center).head<2>().norm(), 0.2);
   }
 }
 
-TEST_F(SubVoxelVolumeMapper, ClippingPlanesAreOfTheWorld)
+TEST_F(SubVoxelVolumeMapper, ClippingPlanesAreInWorldCoordinates)
 {
   vtkNew<vtkPlane> plane;
   plane->SetOrigin(1.0, 0.0, 0.0);
@@ -327,9 +327,9 @@ TEST_F(SubVoxelVolumeMapper, ClippingPlanesAreOfTheWorld)
   EXPECT_EQ(this->ColorAt(111, 100), Black);
 }
 
-TEST_F(SubVoxelVolumeMapper, CastsFewerRaysWhereTimeIsShortAndAllOfThemAtRest)
+TEST_F(SubVoxelVolumeMapper, CastsFewerRaysIfTimeIsShort)
 {
-  this->Render(); // to know how long a ray takes
+  this->Render(); // to measure the time of a ray
   EXPECT_EQ(this->Mapper->GetImageSampleDistance(), 1.0);
   this->Window->SetDesiredUpdateRate(1e5);
   this->Render();
@@ -341,7 +341,7 @@ TEST_F(SubVoxelVolumeMapper, CastsFewerRaysWhereTimeIsShortAndAllOfThemAtRest)
   EXPECT_EQ(this->Mapper->GetPicture()->Width, Side);
 }
 
-TEST_F(SubVoxelVolumeMapper, PictureDoesNotDependOnTheThreads)
+TEST_F(SubVoxelVolumeMapper, ImageIsIndependentOfThreads)
 {
   this->Volume->GetProperty()->ShadeOn();
   this->Render();
@@ -350,10 +350,10 @@ TEST_F(SubVoxelVolumeMapper, PictureDoesNotDependOnTheThreads)
   EXPECT_EQ(many, this->Mapper->GetPicture()->Colors);
 }
 
-TEST_F(SubVoxelVolumeMapper, AContactColorsWhatIsNearItAndNothingElse)
+TEST_F(SubVoxelVolumeMapper, ContactColoursOnlyItsNeighbourhood)
 {
   palpate::ContactMark contact;
-  contact.PlaceWorld = Middle + Vector3(0.0, 0.0, Radius); // nearest to the viewer
+  contact.PlaceWorld = Center + Vector3(0.0, 0.0, Radius); // closest to the viewer
   contact.Radius = 3.0;
   contact.Strength = 0.8;
   contact.Color = Vector3(0.0, 0.0, 1.0);
@@ -364,18 +364,18 @@ TEST_F(SubVoxelVolumeMapper, AContactColorsWhatIsNearItAndNothingElse)
   {
     for (int column = 0; column < Side; ++column)
     {
-      const double x = (column + 0.5) / 10.0 - 10.0 - Middle[0];
-      const double y = (row + 0.5) / 10.0 - 10.0 - Middle[1];
+      const double x = (column + 0.5) / 10.0 - 10.0 - Center[0];
+      const double y = (row + 0.5) / 10.0 - 10.0 - Center[1];
       const double flat = x * x + y * y;
       if (std::sqrt(flat) > Radius - 0.1)
       {
-        continue; // the outline is another test's
+        continue; // the outline is covered by another test
       }
       const double height = std::sqrt(Radius * Radius - flat);
-      const Vector3 point = Middle + Vector3(x, y, height);
+      const Vector3 point = Center + Vector3(x, y, height);
       const double share = contact.ShareAt(point);
-      // The surface lies up to 0.02 mm off the ball, which seen along it is more: the share falls
-      // by 0.8 * 1.5 / 1.5 mm at most. And a byte is rounded.
+      // The surface lies up to 0.02 mm off the sphere, more along an oblique view: the share falls
+      // by 0.8 * 1.5 / 1.5 mm at most. Colours are rounded to bytes.
       const double error = 255.0 * 0.8 * 0.02 * Radius / height + 1.0;
       EXPECT_NEAR(this->ColorAt(column, row)[0], 255.0 * (1.0 - share), error);
       EXPECT_NEAR(this->ColorAt(column, row)[2], 255.0 * share, error);
@@ -388,10 +388,10 @@ TEST_F(SubVoxelVolumeMapper, AContactColorsWhatIsNearItAndNothingElse)
   EXPECT_EQ(this->ColorAt(105, 97), Red);
 }
 
-TEST_F(SubVoxelVolumeMapper, AContactIsOfTheSceneWhereverTheVolumeIs)
+TEST_F(SubVoxelVolumeMapper, ContactIsInSceneCoordinates)
 {
   palpate::ContactMark contact;
-  contact.PlaceWorld = Middle + Vector3(3.0, 0.0, Radius);
+  contact.PlaceWorld = Center + Vector3(3.0, 0.0, Radius);
   contact.Radius = 2.0;
   contact.Color = Vector3(0.0, 0.0, 1.0);
   this->Mapper->SetContact(contact);
@@ -401,7 +401,7 @@ TEST_F(SubVoxelVolumeMapper, AContactIsOfTheSceneWhereverTheVolumeIs)
   EXPECT_EQ(this->ColorAt(105, 97), Red);
 }
 
-TEST_F(SubVoxelVolumeMapper, AnotherIsoValueIsDrawnAtOnce)
+TEST_F(SubVoxelVolumeMapper, RedrawsAfterIsoValueChange)
 {
   this->Render();
   EXPECT_EQ(this->ColorAt(150, 97), Red);
@@ -413,7 +413,7 @@ TEST_F(SubVoxelVolumeMapper, AnotherIsoValueIsDrawnAtOnce)
             palpate::FieldInterpolation::TricubicBSpline);
 }
 
-TEST_F(SubVoxelVolumeMapper, AFieldMadeElsewhereNeedsNoImage)
+TEST_F(SubVoxelVolumeMapper, DrawsGivenFieldWithoutImage)
 {
   const auto field = this->Mapper->GetField();
   vtkNew<vtkSubVoxelVolumeMapper> other;
@@ -422,22 +422,22 @@ TEST_F(SubVoxelVolumeMapper, AFieldMadeElsewhereNeedsNoImage)
   this->Volume->SetMapper(other);
   this->Render();
   EXPECT_EQ(this->ColorAt(100, 100), Red);
-  // The box of the cells that the ball passes through, along the turned grid's axes: it holds the
-  // ball, and of the box round it at most a cell's diagonal (1.1 mm) at each turned corner.
+  // The box of the cells that the sphere passes through, along the rotated grid's axes: it holds
+  // the sphere, and exceeds the box around it by at most a cell's diagonal (1.1 mm) at each corner.
   double bounds[6];
   other->GetBounds(bounds);
   const double turned = (Radius + 1.1) * (std::cos(0.4) + std::sin(0.4));
   for (int axis = 0; axis < 3; ++axis)
   {
     const double largest = axis == 2 ? Radius + 1.1 : turned;
-    EXPECT_LE(bounds[2 * axis], Middle[axis] - Radius + 0.02);
-    EXPECT_GE(bounds[2 * axis], Middle[axis] - largest);
-    EXPECT_GE(bounds[2 * axis + 1], Middle[axis] + Radius - 0.02);
-    EXPECT_LE(bounds[2 * axis + 1], Middle[axis] + largest);
+    EXPECT_LE(bounds[2 * axis], Center[axis] - Radius + 0.02);
+    EXPECT_GE(bounds[2 * axis], Center[axis] - largest);
+    EXPECT_GE(bounds[2 * axis + 1], Center[axis] + Radius - 0.02);
+    EXPECT_LE(bounds[2 * axis + 1], Center[axis] + largest);
   }
 }
 
-TEST_F(SubVoxelVolumeMapper, AnIsoValueThatNothingHasIsAnErrorAndNothingIsDrawn)
+TEST_F(SubVoxelVolumeMapper, EmptyIsoValueRaisesErrorAndDrawsNothing)
 {
   vtkNew<vtkTest::ErrorObserver> errors;
   this->Mapper->AddObserver(vtkCommand::ErrorEvent, errors);
@@ -447,7 +447,7 @@ TEST_F(SubVoxelVolumeMapper, AnIsoValueThatNothingHasIsAnErrorAndNothingIsDrawn)
   EXPECT_EQ(this->ColorAt(100, 100), Black);
 }
 
-// What aborts a window's frames while it is observed.
+// Aborts a window's frames while it is observing.
 vtkSmartPointer<vtkCommand> AbortingCommand()
 {
   auto abort = vtkSmartPointer<vtkCallbackCommand>::New();
@@ -456,7 +456,7 @@ vtkSmartPointer<vtkCommand> AbortingCommand()
   return abort;
 }
 
-TEST_F(SubVoxelVolumeMapper, AnAbortedFrameDrawsNothing)
+TEST_F(SubVoxelVolumeMapper, AbortedFrameDrawsNothing)
 {
   ASSERT_NE(this->Mapper->GetField(), nullptr);
   this->Window->AddObserver(vtkCommand::AbortCheckEvent, AbortingCommand());
@@ -464,21 +464,21 @@ TEST_F(SubVoxelVolumeMapper, AnAbortedFrameDrawsNothing)
   EXPECT_EQ(this->ColorAt(100, 100), Black);
 }
 
-TEST_F(SubVoxelVolumeMapper, AFrameThatIsAbortedWhileTheFieldIsMadeLeavesThatToTheNextOne)
+TEST_F(SubVoxelVolumeMapper, AbortedFrameDefersFieldBuild)
 {
   vtkNew<vtkTest::ErrorObserver> errors;
   this->Mapper->AddObserver(vtkCommand::ErrorEvent, errors);
   const unsigned long tag =
       this->Window->AddObserver(vtkCommand::AbortCheckEvent, AbortingCommand());
   this->Render();
-  EXPECT_EQ(this->Mapper->GetPicture()->Width, 0) << "it was made all the same";
+  EXPECT_EQ(this->Mapper->GetPicture()->Width, 0) << "the image was made despite the abort";
   this->Window->RemoveObserver(tag);
   this->Render();
   EXPECT_NE(this->ColorAt(100, 100), Black);
   EXPECT_FALSE(errors->GetError()) << errors->GetErrorMessage();
 }
 
-TEST_F(SubVoxelVolumeMapper, AFieldWhoseMakingIsAbortedIsMadeWhenItIsAskedForAgain)
+TEST_F(SubVoxelVolumeMapper, RestartsAbortedFieldBuild)
 {
   vtkNew<vtkCallbackCommand> abort;
   abort->SetCallback([](vtkObject* mapper, unsigned long, void*, void*)
