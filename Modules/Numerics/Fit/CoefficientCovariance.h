@@ -7,14 +7,14 @@
 
 namespace palpate
 {
-/// Covariance of fitted coefficients, kept as triangles and worked out where it is asked for. With
+/// Covariance of fitted coefficients, stored as triangles and evaluated on demand. With
 /// A^T A = L L^T from the samples and A^T A + penalty = S S^T, it is variance (S S^T)^-1 L L^T
-/// (S S^T)^-1, without a penalty variance (L L^T)^-1. Errors of the samples are taken as
-/// independent, with a variance inverse to the weight. A penalty's bias is not part of it.
+/// (S S^T)^-1, without a penalty variance (L L^T)^-1. Sample errors are assumed independent, with a
+/// variance inverse to the weight. The bias of a penalty is not included.
 class CoefficientCovariance
 {
 public:
-  /// Of no coefficients.
+  /// No coefficients.
   CoefficientCovariance() = default;
   /// Without a penalty.
   CoefficientCovariance(const PackedTriangle& samples, double variance)
@@ -29,14 +29,14 @@ public:
 
   void SetVariance(double variance) noexcept { this->Variance = variance; }
   int Size() const noexcept { return this->Samples.Size(); }
-  /// Standard deviation (mm) of the fitted radius where the harmonics have these values (Size() of
-  /// them). Allocates; two triangular solves at most.
+  /// Standard deviation (mm) of the fitted radius at a direction with these harmonic values (Size()
+  /// of them). Allocates; at most two triangular solves.
   double RadiusDeviation(const double* basisValues) const;
   /// Standard deviation (mm) of one coefficient.
   double CoefficientDeviation(std::size_t index) const;
-  /// F with covariance F F^T (mm^2).
+  /// F such that F F^T is the covariance (mm^2).
   Eigen::MatrixXd Factor() const;
-  /// Trace of the influence matrix: coefficients that the samples determine.
+  /// Trace of the influence matrix: the number of coefficients that the samples determine.
   double DegreesOfFreedom() const;
   /// Sum of the variances of all coefficients (mm^2): 4 pi times the mean variance of the radius.
   double Trace() const;
@@ -45,7 +45,7 @@ private:
   double Deviation(CacheLineVector<double> combination) const;
 
   PackedTriangle Samples;
-  PackedTriangle System; // of size 0 without a penalty
+  PackedTriangle System; // empty without a penalty
   double Variance = 0.0;
 };
 } // namespace palpate

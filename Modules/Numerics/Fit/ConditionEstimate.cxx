@@ -12,7 +12,7 @@ namespace
 {
 constexpr int MostSteps = 16;
 
-// A fixed start without symmetry, so that it is orthogonal to no eigenvector in practice.
+// A fixed asymmetric start vector, in practice orthogonal to no eigenvector.
 CacheLineVector<double> Start(const PackedTriangle& factor)
 {
   CacheLineVector<double> v = factor.MakeVector();
@@ -25,24 +25,24 @@ CacheLineVector<double> Start(const PackedTriangle& factor)
   return v;
 }
 
-double LargestRitzValue(const std::vector<double>& diagonal, const std::vector<double>& beside)
+double LargestRitzValue(const std::vector<double>& diagonal, const std::vector<double>& offDiagonal)
 {
   const auto size = static_cast<Eigen::Index>(diagonal.size());
   Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver;
   solver.computeFromTridiagonal(Eigen::Map<const Eigen::VectorXd>(diagonal.data(), size),
-                                Eigen::Map<const Eigen::VectorXd>(beside.data(), size - 1),
+                                Eigen::Map<const Eigen::VectorXd>(offDiagonal.data(), size - 1),
                                 Eigen::EigenvaluesOnly);
   return solver.eigenvalues()[size - 1];
 }
 
-// Largest eigenvalue of the symmetric map that `apply` does in place. Vectors are kept orthogonal
-// to all before, since few are.
+// Largest eigenvalue of the symmetric map that `apply` applies in place. Each vector is
+// orthogonalised against all previous ones, which are few.
 template <typename Apply>
 double LargestEigenvalue(const PackedTriangle& factor, const Apply& apply)
 {
   std::vector<CacheLineVector<double>> basis{Start(factor)};
   std::vector<double> diagonal;
-  std::vector<double> beside;
+  std::vector<double> offDiagonal;
   double value = 0.0;
   const int steps = std::min(MostSteps, factor.Size());
   for (int step = 0; step < steps; ++step)
@@ -66,13 +66,13 @@ double LargestEigenvalue(const PackedTriangle& factor, const Apply& apply)
       return std::numeric_limits<double>::infinity();
     }
     const double before = value;
-    value = LargestRitzValue(diagonal, beside);
+    value = LargestRitzValue(diagonal, offDiagonal);
     if ((step > 2 && value - before <= 1e-3 * value) || norm <= 1e-12 * value)
     {
       break;
     }
     w /= norm;
-    beside.push_back(norm);
+    offDiagonal.push_back(norm);
     basis.push_back(std::move(next));
   }
   return value;

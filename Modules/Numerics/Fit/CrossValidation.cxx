@@ -17,8 +17,8 @@ CrossValidation::CrossValidation(const LeastSquaresSolver& solver, double sample
     scales.segment(static_cast<Index>(l) * l - 1, 2 * l + 1)
         .setConstant(1.0 / std::sqrt(LeastSquaresSolver::Roughness(l)));
   }
-  // The first column of the triangle is its first row's head, so projecting the constant out of the
-  // others drops the first row.
+  // The first column of the triangle is nonzero only in its first row, so projecting the constant
+  // out of the other columns drops the first row.
   const Eigen::BDCSVD<Eigen::MatrixXd> svd(
       triangle.bottomRightCorner(size - 1, size - 1) * scales.asDiagonal(), Eigen::ComputeThinU);
   this->Values = svd.singularValues();

@@ -33,7 +33,7 @@ SphericalCap FindGap(const std::vector<Vector3>& directions, const std::vector<d
   return LargestEmptyCap(used, 0.25 * spacing);
 }
 
-// Normal equations by moments; where those are singular to rounding, the orthogonal factorisation.
+// Normal equations by moments or, if those are numerically singular, an orthogonal factorisation.
 std::unique_ptr<LeastSquaresSolver> ReduceAnyhow(const SampleView& view, int degree,
                                                  double strength)
 {
@@ -48,8 +48,8 @@ std::unique_ptr<LeastSquaresSolver> ReduceAnyhow(const SampleView& view, int deg
   return solver;
 }
 
-// The largest noise gain over the sphere: on a grid a third of the shortest wavelength wide, from
-// the middle of the gap, and then uphill.
+// The largest noise gain over the sphere: from a grid of a third of the shortest wavelength and the
+// centre of the gap, followed by uphill steps.
 class GainSearch
 {
 public:
@@ -82,14 +82,14 @@ public:
     double step = 0.5 / frequency;
     for (int halving = 0; halving < Halvings; ++halving, step *= 0.5)
     {
-      const Vector3 middle = this->Direction;
-      const Vector3 side = middle.unitOrthogonal();
-      const Vector3 other = middle.cross(side);
+      const Vector3 center = this->Direction;
+      const Vector3 side = center.unitOrthogonal();
+      const Vector3 other = center.cross(side);
       for (int k = 0; k < 6; ++k)
       {
         const double angle = k * M_PI / 3.0;
         this->Try(
-            (middle + step * (std::cos(angle) * side + std::sin(angle) * other)).normalized());
+            (center + step * (std::cos(angle) * side + std::sin(angle) * other)).normalized());
       }
     }
   }

@@ -26,7 +26,7 @@ Status IllPosed(double condition, const Options& options)
                          "); add a roughness penalty or take a lower degree");
 }
 
-// Root mean square over the sphere of the difference of two radius functions.
+// Root mean square difference over the sphere of two radius functions.
 double RmsDifference(const CacheLineVector<double>& a, const CacheLineVector<double>& b)
 {
   double squares = 0.0;
@@ -119,7 +119,7 @@ CoefficientCovariance FitRun::Covariance() const
              : CoefficientCovariance(this->Solver.Triangle(), 1.0);
 }
 
-// What both kinds of fit have; returns the weighted sum of squared residuals.
+// Results common to plain and robust fits; returns the weighted sum of squared residuals.
 double FitRun::FinishCommon(const std::vector<double>& weights,
                             SphericalHarmonicFitResult& result) const
 {
@@ -144,7 +144,7 @@ Status FitRun::Finish(SphericalHarmonicFitResult& result)
   const double squares = this->FinishCommon(this->Weights, result);
   result.Covariance = this->Covariance();
   result.DegreesOfFreedom = result.Covariance.DegreesOfFreedom();
-  // In rows scaled by the roots of the weights, the noise of a sample of mean weight is
+  // In rows scaled by the square roots of the weights, the noise of a sample of mean weight is
   // sigma sqrt(4 pi / n).
   const double free = this->Count - result.DegreesOfFreedom;
   const double variance = free > 0.0 ? squares / free : 0.0;
@@ -157,7 +157,7 @@ Status FitRun::Finish(SphericalHarmonicFitResult& result)
   return Status::Success();
 }
 
-// A leading block of the triangle solves the problem of the leading columns.
+// The leading block of the triangle solves the problem of the leading columns.
 void FitRun::FindRmsByDegree(SphericalHarmonicFitResult& result) const
 {
   const CacheLineVector<double>& projection = this->Solver.Projection();
@@ -174,7 +174,7 @@ void FitRun::FindRmsByDegree(SphericalHarmonicFitResult& result) const
   }
 }
 
-// The factors of the last solution, a new one, and so on.
+// Iteratively reweighted least squares, starting from the last solution.
 Status FitRun::FinishRobust(SphericalHarmonicFitResult& result)
 {
   constexpr int MostSteps = 50;
@@ -215,7 +215,7 @@ Status FitRun::FinishHuber(const HuberWeights& huber, const std::vector<double>&
   result.RobustFactors = huber.Factors();
   result.DownWeighted = huber.DownWeighted();
   result.NoiseDeviation = huber.Scale();
-  // The covariance is that of the whole set of samples times a factor.
+  // The covariance is that of the full set of samples times a factor.
   this->IsAble = this->Solver.Reduce(this->View(this->Weights)) &&
                  this->Solver.FactoriseSystem(this->Strength);
   if (!this->IsAble)

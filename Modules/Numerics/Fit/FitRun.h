@@ -12,8 +12,8 @@ namespace palpate
 class HuberWeights;
 
 /// The steps of FitSphericalHarmonics with one solver: condition, strength of the penalty,
-/// solution, robust repetitions, and what the result says about them. Refers to what it is made
-/// from.
+/// solution, robust iterations, and the statistics of the result. Keeps references to its
+/// arguments.
 class FitRun
 {
 public:
@@ -22,7 +22,7 @@ public:
          LeastSquaresSolver& solver);
 
   Status Run(SphericalHarmonicFitResult& result);
-  /// After Run: false where the solver gave up, so that another one may do better.
+  /// After Run: false if the solver gave up, so that another one may succeed.
   bool Able() const { return this->IsAble; }
 
 private:
@@ -43,7 +43,7 @@ private:
   const SphericalHarmonicFitOptions& Settings;
   LeastSquaresSolver& Solver;
   std::vector<double> Weights; // normalised
-  double Count;                // of samples with a weight
+  double Count;                // of samples with positive weight
   double Strength = 0.0;
   bool IsAble = true;
 };

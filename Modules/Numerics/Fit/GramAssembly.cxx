@@ -48,7 +48,7 @@ void GramAssembly::FindNodeWeights(const MomentTables& tables, const double* sum
   }
 }
 
-// Row of the node weights of one order: real (part 0) or imaginary part.
+// Row of node weights of one order: real (part 0) or imaginary part.
 const double* GramAssembly::NodeWeights(const MomentTables& tables, int order, int parity,
                                         int part) const noexcept
 {

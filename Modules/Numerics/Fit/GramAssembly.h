@@ -6,20 +6,20 @@
 
 namespace palpate
 {
-/// Makes the Gram matrix sum_i w_i Y_j(u_i) Y_k(u_i), j, k < (L + 1)^2, from the moments of the
+/// Assembles the Gram matrix sum_i w_i Y_j(u_i) Y_k(u_i), j, k < (L + 1)^2, from the moments of the
 /// samples up to degree 2 L. With w = x + iy and s^2 = 1 - z^2, for orders m <= m',
 ///   2 Re w^m Re w^m' = Re w^(m+m') + s^(2m) Re w^(m'-m), and so on for the other three products,
 /// so every entry is a sum of order m' + m and one of order m' - m, of polynomials in z that the
-/// 2 L + 1 nodes of MomentTables integrate exactly. Polynomials are even or odd, so half the nodes
-/// do. About 13 products an entry at degree 12, where forming the matrix from 4,002 samples takes
-/// 4,002.
+/// 2 L + 1 nodes of MomentTables integrate exactly. The polynomials are even or odd, so half the
+/// nodes suffice. About 13 products per entry at degree 12; forming the matrix from 4,002 samples
+/// takes 4,002.
 class GramAssembly
 {
 public:
   GramAssembly(const MomentTables& tables, const moments::Kernel& kernel);
 
   /// `sums` are the moments (pairs, up to degree 2 L); the matrix is multiplied by `scale`.
-  /// Allocates nothing.
+  /// Does not allocate.
   void Assemble(const MomentTables& tables, const double* sums, double scale,
                 PackedTriangle& gram) noexcept;
 

@@ -6,13 +6,13 @@
 
 namespace palpate::householder
 {
-/// Reduces a matrix of rows x columns, rows >= columns, column by column, to its upper triangle R
-/// by Householder's reflections; what is below the diagonal is overwritten. `right` (rows numbers)
-/// becomes Q^T right. Throws std::bad_alloc where there is no memory for a block of columns.
+/// Reduces a matrix of rows x columns, rows >= columns, column by column to its upper triangle R by
+/// Householder reflections; entries below the diagonal are overwritten. `right` (rows numbers)
+/// becomes Q^T right. Throws std::bad_alloc if there is no memory for a block of columns.
 /// Source: Golub and Van Loan, Matrix Computations, 4th ed., 5.2.2.
 using Reduction = void (*)(double* matrix, std::ptrdiff_t rows, std::ptrdiff_t columns,
                            double* right);
 
-/// For an instruction set that this processor has. Results differ by roundings.
+/// For an instruction set that this processor supports. Results differ by rounding.
 Reduction ReductionFor(InstructionSet set) noexcept;
 } // namespace palpate::householder

@@ -1,6 +1,6 @@
-// The same as HouseholderReduction.cxx, compiled for AVX2 and FMA (see CMakeLists.txt). Eigen's
-// templates have another name here, so that no function that is compiled for AVX2 is linked into
-// code for older processors; a test looks at this object's symbols (Structure.Avx2Symbols).
+// HouseholderReduction.cxx compiled for AVX2 and FMA (see CMakeLists.txt). Eigen's namespace is
+// renamed here, so that no function compiled for AVX2 is linked into code for older processors; a
+// test checks this object's symbols (Structure.Avx2Symbols).
 #define Eigen EigenForAvx2
 
 #include "HouseholderReductionAvx2.h"

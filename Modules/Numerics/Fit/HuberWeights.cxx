@@ -21,7 +21,7 @@ HuberWeights::HuberWeights(const std::vector<double>& weights)
 
 void HuberWeights::Rescale(const std::vector<double>& residuals, double fitted, double smallest)
 {
-  // Median of |normal| is this much of its deviation.
+  // Median of |x| over the standard deviation of a normal variable x.
   constexpr double MedianOfNormal = 0.6744897501960817;
   this->Work.clear();
   for (std::size_t i = 0; i < residuals.size(); ++i)
@@ -31,10 +31,10 @@ void HuberWeights::Rescale(const std::vector<double>& residuals, double fitted, 
       this->Work.push_back(std::abs(this->Standardised(residuals[i], i)));
     }
   }
-  const auto middle = this->Work.begin() + static_cast<std::ptrdiff_t>(this->Work.size() / 2);
-  std::nth_element(this->Work.begin(), middle, this->Work.end());
+  const auto median = this->Work.begin() + static_cast<std::ptrdiff_t>(this->Work.size() / 2);
+  std::nth_element(this->Work.begin(), median, this->Work.end());
   const double free = std::max(1.0, this->Count - fitted);
-  this->Deviation = std::max(smallest, *middle / MedianOfNormal * std::sqrt(this->Count / free));
+  this->Deviation = std::max(smallest, *median / MedianOfNormal * std::sqrt(this->Count / free));
 }
 
 void HuberWeights::Update(const std::vector<double>& residuals)

@@ -8,34 +8,33 @@
 namespace palpate
 {
 /// Minimises sum_i w_i (r_i - R(u_i))^2 + strength sum_lm (l (l+1))^2 c_lm^2 over the coefficients
-/// of a degree. The weights of the samples are expected to sum up to about 4 pi. One class forms
-/// the normal equations from moments (MomentSolver), one factorises the samples themselves
-/// (OrthogonalSolver).
+/// of a degree. The sample weights should sum to about 4 pi. MomentSolver forms the normal
+/// equations from moments; OrthogonalSolver factorises the samples themselves.
 class LeastSquaresSolver
 {
 public:
   virtual ~LeastSquaresSolver() = default;
 
   int Degree() const noexcept { return this->MaximumDegree; }
-  /// What the penalty multiplies c_lm^2 with: (l (l+1))^2.
+  /// Factor of c_lm^2 in the penalty: (l (l+1))^2.
   static double Roughness(int degree) noexcept
   {
     const double l = degree;
     return l * l * (l + 1.0) * (l + 1.0);
   }
 
-  /// Takes samples, which must outlive the calls of Solve, and reduces them to Triangle(). False
-  /// where this class cannot.
+  /// Reduces the samples, which must outlive the calls of Solve, to Triangle(). Returns false if
+  /// this solver cannot.
   virtual bool Reduce(const SampleView& samples) = 0;
-  /// Finds Coefficients() and Residuals(). False where this class cannot do it accurately. With a
-  /// strength of 0, Reduce must have found a Triangle() of full rank.
+  /// Computes Coefficients() and Residuals(). Returns false if this solver cannot do so accurately.
+  /// With a strength of 0, Reduce must have found a Triangle() of full rank.
   virtual bool Solve(double strength) = 0;
-  /// Makes System() for a strength without solving. False as for Solve.
+  /// Computes System() for a strength without solving. Returns false as Solve does.
   virtual bool FactoriseSystem(double strength) = 0;
 
-  /// Makes Projection() and Unreachable(). False as for Solve.
+  /// Computes Projection() and Unreachable(). Returns false as Solve does.
   virtual bool Project() = 0;
-  /// The largest condition number of the weighted samples that this class is accurate at.
+  /// The largest condition number of the weighted samples for which this solver is accurate.
   virtual double HighestCondition() const noexcept = 0;
 
   /// L with L L^T = A^T A for the matrix A of weighted samples.
@@ -47,13 +46,13 @@ public:
   }
   /// (degree + 1)^2 coefficients, padded.
   const CacheLineVector<double>& Coefficients() const noexcept { return this->Solution; }
-  /// Sample minus model, one a sample.
+  /// Sample minus model, one per sample.
   const std::vector<double>& Residuals() const noexcept { return this->Left; }
 
-  /// L^-1 A^T b, padded: coordinates of the weighted radii b in an orthonormal basis of what A
-  /// reaches. Its first (l + 1)^2 entries belong to degree l.
+  /// L^-1 A^T b, padded: coordinates of the weighted radii b in an orthonormal basis of the range
+  /// of A. Its first (l + 1)^2 entries belong to degree l.
   const CacheLineVector<double>& Projection() const noexcept { return this->Projected; }
-  /// Sum of squares of what no coefficients reach: the residual of the fit without penalty.
+  /// Squared norm of the part of b outside the range of A: the residual of the unpenalised fit.
   double Unreachable() const noexcept { return this->UnreachableSquares; }
 
 protected:

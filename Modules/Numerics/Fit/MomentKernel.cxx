@@ -1,5 +1,5 @@
-// The arithmetic for AVX2 and FMA: this file alone is compiled for them (see CMakeLists.txt), so it
-// must include nothing else. The portable arithmetic is made in MomentKernelChoice.cxx.
+// Compiled for AVX2 and FMA (see CMakeLists.txt), so this file must not include anything else. The
+// portable kernel is instantiated in MomentKernelChoice.cxx.
 #include "MomentKernel.h"
 
 namespace palpate::moments

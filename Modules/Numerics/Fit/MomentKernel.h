@@ -1,15 +1,15 @@
 #pragma once
 
-// The arithmetic of SampleMoments and ResidualMoments. This header is compiled once for each
-// instruction set, with different options, so it must not contain or include anything that another
-// file could also instantiate; see Quartet.h.
+// Kernels of SampleMoments and ResidualMoments. This header is compiled once per instruction set,
+// with different options, so it must not contain or include anything that another file could also
+// instantiate; see Quartet.h.
 
 namespace palpate::moments
 {
-/// Samples are handled in chunks of this many, in a buffer that stays in the first-level cache.
-/// Sums over a chunk are added to the total at its end, which also keeps rounding small.
+/// Samples are processed in chunks of this size, in a buffer that fits the L1 cache. Sums over a
+/// chunk are added to the total at its end, which also reduces rounding.
 constexpr int ChunkPoints = 32;
-/// So many consecutive orders share one family of polynomials in z, see MomentTables.
+/// Number of consecutive orders that share one family of polynomials in z, see MomentTables.
 constexpr int OrdersPerFamily = 4;
 
 /// Recurrence of the families: p_k = 2 z p_(k-1) - Factors[family * Stride + k] p_(k-2), p_0 = 1.
@@ -30,7 +30,7 @@ struct Points
 
 // The functions below are static, so that each file has its own copies.
 
-/// Where moment (order, column = 0) of moments up to `degree` stands; a moment is a pair.
+/// Index of moment (order, column = 0) of moments up to `degree`; a moment is a pair.
 static constexpr int MomentStart(int degree, int order)
 {
   return order * (degree + 1) - order * (order - 1) / 2;
@@ -39,7 +39,7 @@ static constexpr int MomentCount(int degree)
 {
   return MomentStart(degree, degree + 1);
 }
-/// Doubles that a pass over samples needs as scratch, aligned to a cache line.
+/// Doubles of scratch memory for a pass over samples, aligned to a cache line.
 static constexpr long ScratchSize(int degree, int rightDegree)
 {
   long columns = 0;
@@ -52,7 +52,7 @@ static constexpr long ScratchSize(int degree, int rightDegree)
   return inChunk * ChunkPoints;
 }
 
-/// What every instruction set offers. Sums are kept one a lane (`laneSums`: 2 Lanes doubles a
+/// Functions of one instruction set. Sums are kept per lane (`laneSums`: 2 Lanes doubles per
 /// moment) until the end of a pass.
 struct Kernel
 {
@@ -63,7 +63,7 @@ struct Kernel
                      const Points& points, double* scratch, double* gram, double* right);
   /// Residuals, value - sum_mk (cosine p_k Re (x+iy)^m + sine p_k Im (x+iy)^m), and adds their
   /// moments, with the weights, to `right`. `coefficients` are pairs in the order of the moments;
-  /// null stands for zeros. `residuals` may be null.
+  /// null means zeros. `residuals` may be null.
   void (*Residuals)(const Recurrence& recurrence, int degree, const Points& points,
                     const double* coefficients, double* scratch, double* residuals, double* right);
   /// sum_k left[i][k] weights[c][k] right[k][j] for four sets of weights c: `left` has `rows` rows
@@ -81,9 +81,9 @@ struct Arithmetic
   using Vector = typename Set::Vector;
   static constexpr int LaneCount = Set::Lanes;
   static constexpr int Vectors = ChunkPoints / LaneCount; // in a chunk
-  static constexpr int Group = 4;                         // handled side by side to hide latency
+  static constexpr int Group = 4;                         // interleaved to hide latency
 
-  // One chunk of samples, coordinate by coordinate, and the rest of the scratch memory.
+  // One chunk of samples as structure of arrays, and the rest of the scratch memory.
   struct Chunk
   {
     Vector* X;
@@ -92,7 +92,7 @@ struct Arithmetic
     Vector* Weight;
     Vector* Value;
     Vector* Powers;   // real and imaginary part of (x+iy)^m, Vectors each
-    Vector* Weighted; // the same times what the right-hand side is made of
+    Vector* Weighted; // the same times the factor of the right-hand side
     Vector* Columns;
 
     Chunk(double* scratch, int degree, int rightDegree)
@@ -114,7 +114,7 @@ struct Arithmetic
       this->Columns = at;
     }
 
-    // Copies up to ChunkPoints samples from `first` on; samples of weight zero fill the rest.
+    // Copies up to ChunkPoints samples starting at `first`, padded with samples of weight zero.
     void Load(const Points& points, long first)
     {
       auto* x = reinterpret_cast<double*>(this->X);
@@ -136,8 +136,8 @@ struct Arithmetic
       this->Normalise();
     }
 
-    // Unit vectors that were rounded, perhaps to float, stand for the exact ones. One step of
-    // Newton's method for 1 / |u|, whose error is the square of what the rounding left.
+    // Unit vectors that were rounded, perhaps to float, are normalised. One step of Newton's method
+    // for 1 / |u|, whose error is the square of the rounding error.
     void Normalise()
     {
       for (int v = 0; v < Vectors; ++v)
@@ -248,7 +248,7 @@ struct Arithmetic
     }
   }
 
-  // The tiles of one order: as few as fit the registers, of nearly equal width.
+  // The tiles of one order: as few as fit the registers, of about equal width.
   static void AddOrder(const Vector* powers, int count, const Vector* columns, Vector* sums)
   {
     constexpr int Widest = 6;
@@ -313,7 +313,7 @@ struct Arithmetic
     }
   }
 
-  // Subtracts one order's part of the model from the values.
+  // Subtracts the contribution of one order of the model from the values.
   static void SubtractOrder(const Vector* powers, int count, const Vector* columns,
                             const double* coefficients, Vector* values)
   {
@@ -451,7 +451,7 @@ struct Arithmetic
   }
 };
 
-/// For any machine: two lanes are SSE2 on x86-64 and NEON on arm64.
+/// Portable: two lanes are SSE2 on x86-64 and NEON on arm64.
 extern const Kernel Portable;
 /// For x86-64 with AVX2 and FMA.
 extern const Kernel Avx2;

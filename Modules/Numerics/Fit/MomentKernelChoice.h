@@ -5,6 +5,6 @@
 
 namespace palpate::moments
 {
-/// The arithmetic for an instruction set that this processor has.
+/// The kernel for an instruction set that this processor supports.
 const Kernel& KernelFor(InstructionSet set) noexcept;
 } // namespace palpate::moments

@@ -10,10 +10,10 @@ namespace palpate
 {
 namespace
 {
-// Corrections below this part of the coefficients are left out of the residuals: rounding of the
-// radii does as much.
+// Corrections below this fraction of the coefficients are omitted from the residuals: rounding of
+// the radii has the same effect.
 constexpr double Negligible = 1e-14;
-// A correction that is no longer shrinking must be this small, or refinement has failed.
+// If a correction that no longer shrinks is larger than this, refinement has failed.
 constexpr double Converged = 1e-9;
 constexpr int MostSteps = 8;
 
@@ -121,10 +121,10 @@ bool MomentSolver::Refine(double strength)
   return last <= Converged * NormOf(this->Solution);
 }
 
-// One step; returns the size of the correction. The residuals are those before it.
+// One refinement step; returns the size of the correction. The residuals are those before it.
 double MomentSolver::Correct(double strength)
 {
-  // An earlier fit that overflowed may have left its mark in the padding.
+  // An earlier fit that overflowed may have left non-finite values in the padding.
   std::fill(this->Correction.begin(), this->Correction.end(), 0.0);
   this->Residual.Find(this->Samples, this->Solution.data(), this->Left.data(),
                       this->Correction.data());

@@ -9,17 +9,17 @@
 
 namespace palpate
 {
-/// Constants that lead from moments of a sample set to the normal equations of a fit.
+/// Constants that convert moments of a sample set to the normal equations of a fit.
 ///
 /// A moment of order m and column k is sum_i w_i (x_i + i y_i)^m p_k(z_i). Four consecutive orders
-/// share the polynomials p_k, those of the first of them: p_k is Q_(m0+k)m0 of
-/// SphericalHarmonicRecurrence, scaled so that its leading coefficient is 2^k. So a moment costs a
-/// point two products once the p_k are there (26 of 49 columns at degree 12), and yet p_k is nearly
-/// orthogonal for the weight s^(2m), s^2 = 1 - z^2, at every degree; one family for all orders
-/// would lose the digits that s^(-2m) has near the poles.
+/// share the polynomials p_k of the first of them: p_k is Q_(m0+k)m0 of
+/// SphericalHarmonicRecurrence, scaled so that its leading coefficient is 2^k. So a moment takes
+/// two products per point once the p_k are known (26 of 49 columns at degree 12), and yet p_k is
+/// nearly orthogonal for the weight s^(2m), s^2 = 1 - z^2, at every degree; one family for all
+/// orders would lose the digits that s^(-2m) has near the poles.
 ///
 /// The harmonics of order m are combinations of p_0 .. p_(L-m) (ToHarmonics, FromHarmonics). Sums
-/// of products of two harmonics up to degree L need the moments m + k <= 2L only; node weights turn
+/// of products of two harmonics up to degree L need only the moments m + k <= 2L; node weights turn
 /// those into sums over the 2L + 1 Gauss-Legendre nodes (see GramAssembly), exactly.
 class MomentTables
 {
@@ -42,10 +42,10 @@ public:
   int Nodes() const noexcept { return this->MaximumDegree + 1; }
   /// Nodes() rounded up to the lanes: the length of rows of node values.
   int NodeStride() const noexcept { return this->Stride; }
-  /// What a moment adds to the measure at each node, over s^m0: sum_mk moment_mk NodeValues(m, k)
-  /// s^(m0 - m) is s^-m times the measure of order m.
+  /// Contribution of a moment to the measure at each node, over s^m0: sum_mk moment_mk
+  /// NodeValues(m, k) s^(m0 - m) is s^-m times the measure of order m.
   const double* NodeValues(int order, int column) const noexcept;
-  /// s^(m0 - m) for m - m0 = 0 .. OrdersPerFamily - 1, one number a node.
+  /// s^(m0 - m) for m - m0 = 0 .. OrdersPerFamily - 1, one number per node.
   const double* InversePowers(int orderInFamily) const noexcept
   {
     return this->Powers.data() + orderInFamily * this->Stride;
@@ -54,7 +54,7 @@ public:
   /// Q_lm(z) s^m of one order, for degrees l = m + parity, m + parity + 2, ...
   struct Block
   {
-    int Rows;             ///< how many degrees
+    int Rows;             ///< number of degrees
     int Columns;          ///< Rows rounded up to the lanes
     const double* ByRow;  ///< [Rows][NodeStride()]
     const double* ByNode; ///< [Nodes()][Columns]

@@ -37,7 +37,7 @@ bool OrthogonalSolver::Reduce(const SampleView& samples)
   return true;
 }
 
-// The penalty's rows below the triangle, and one more factorisation.
+// Factorises again with the penalty's rows below the triangle.
 bool OrthogonalSolver::FactoriseSystem(double strength)
 {
   this->IsPenalised = strength > 0.0;

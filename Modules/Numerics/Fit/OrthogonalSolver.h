@@ -8,8 +8,8 @@
 namespace palpate
 {
 /// Least squares by a Householder factorisation of the matrix of all weighted samples: accurate at
-/// every condition number, and the oracle of the faster MomentSolver. Keeps that matrix: samples x
-/// coefficients x 24 bytes while it runs, 2 samples coefficients^2 operations.
+/// every condition number, and the reference for the faster MomentSolver. Stores that matrix:
+/// samples x coefficients x 24 bytes while it runs, 2 samples coefficients^2 operations.
 class OrthogonalSolver : public LeastSquaresSolver
 {
 public:
@@ -26,7 +26,7 @@ public:
   }
 
 private:
-  Eigen::MatrixXd Design;  // without weights
+  Eigen::MatrixXd Design;  // unweighted
   Eigen::MatrixXd Upper;   // R
   Eigen::VectorXd Rotated; // first entries of Q^T b, of the penalised system
 };

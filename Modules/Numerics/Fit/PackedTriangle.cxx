@@ -42,7 +42,7 @@ void PackedTriangle::Clear() noexcept
 
 bool PackedTriangle::Factorise() noexcept
 {
-  // What rounding alone leaves of a pivot that should be zero.
+  // Rounding error of a pivot that should be zero.
   const double smallest = 4.0 * this->Rows * std::numeric_limits<double>::epsilon();
   return this->Arithmetic->Factorise(this->Values.data(), this->Strips, smallest,
                                      this->Reciprocals.data());

@@ -11,7 +11,7 @@ namespace palpate
 {
 /// The lower triangle of a square matrix: of a symmetric one, or of its Cholesky factor. Stored in
 /// strips of a few rows (see triangle::Kernel), half the memory of the square, so that a matrix of
-/// 169 rows stays in the second-level cache.
+/// 169 rows fits the L2 cache.
 ///
 /// Vectors handed to the members have PaddedSize() entries on a cache line
 /// (CacheLineVector<double>); those past Size() are zero and stay so. Members that are const and
@@ -30,7 +30,7 @@ public:
     return CacheLineVector<double>(static_cast<std::size_t>(this->PaddedSize()), 0.0);
   }
 
-  /// Where entry (row, column), column <= row, stands in Data(): RowStart(row) + column * Lanes().
+  /// Index of entry (row, column), column <= row, in Data(): RowStart(row) + column * Lanes().
   std::size_t RowStart(int row) const noexcept
   {
     return this->RowStarts[static_cast<std::size_t>(row)];
@@ -40,12 +40,12 @@ public:
   double& At(int row, int column) noexcept { return this->Values[this->IndexOf(row, column)]; }
   double At(int row, int column) const noexcept { return this->Values[this->IndexOf(row, column)]; }
 
-  /// Zeros everywhere, ones on the diagonal past the last row.
+  /// Sets all entries to zero, and the diagonal past the last row to one.
   void Clear() noexcept;
-  /// Replaces a symmetric positive definite matrix S by L with L L^T = S. False, with undefined
-  /// contents, where a pivot falls to the rounding of its column or a number is not finite.
+  /// Replaces a symmetric positive definite matrix S by L with L L^T = S. Returns false, with
+  /// undefined contents, if a pivot is below the rounding of its column or a number is not finite.
   bool Factorise() noexcept;
-  /// Takes L = R^T from the upper triangle of `upper`, whose diagonal has no zero.
+  /// Copies L = R^T from the upper triangle of `upper`, whose diagonal must have no zero.
   void SetFactor(const Eigen::MatrixXd& upper);
   /// R = L^T.
   Eigen::MatrixXd UpperFactor() const;

@@ -80,7 +80,7 @@ Status FitSphericalHarmonics(const RadialSamples& samples,
   }
   if (workspace.Degree() != options.Degree)
   {
-    return Status::Failure("the workspace of the fit is of another degree");
+    return Status::Failure("the workspace of the fit has a different degree");
   }
   return FitByMoments(samples, options, workspace, result);
 }

@@ -22,30 +22,30 @@ struct SphericalHarmonicFitOptions
   };
   enum class Method
   {
-    Automatic, ///< moments, and the orthogonal factorisation where those cannot do it
+    Automatic, ///< moments, or the orthogonal factorisation where those fail
     Moments,   ///< MomentSolver only; fails where the condition is above 1e6
     Orthogonal ///< OrthogonalSolver only
   };
   enum class Robust
   {
     None,
-    Huber ///< samples with large residuals count less, see HuberWeights
+    Huber ///< reduces the weight of samples with large residuals, see HuberWeights
   };
 
   int Degree = 12;
   Penalty PenaltyKind = Penalty::None;
-  /// Strength of the penalty, see FitSphericalHarmonics. Used with Penalty::Given.
+  /// Strength of the penalty for Penalty::Given, see FitSphericalHarmonics.
   double Roughness = 0.0;
   /// Without a penalty, a weighted design matrix with a larger condition number is refused: noise
   /// would be amplified by up to that factor where directions are missing.
   double MaximumCondition = 1e4;
   Method MethodKind = Method::Automatic;
   Robust RobustKind = Robust::None;
-  /// Asked now and then during long fits; true ends the fit with a failure.
+  /// Polled during long fits; true ends the fit with a failure.
   std::function<bool()> IsCancelled;
 };
 
-/// What a fit found. Lengths are mm.
+/// Result of a fit. Lengths are mm.
 struct SphericalHarmonicFitResult
 {
   std::vector<double> Coefficients; ///< (degree + 1)^2, convention of SphericalHarmonicBasis
@@ -58,14 +58,14 @@ struct SphericalHarmonicFitResult
   /// Estimated standard deviation of a sample of mean weight; the scale of HuberWeights if robust.
   double NoiseDeviation = 0.0;
   /// Entry l: weighted root mean square residual of the unpenalised fit of degree l, from the same
-  /// factorisation. Empty with a penalty and of a robust fit.
+  /// factorisation. Empty with a penalty and for a robust fit.
   std::vector<double> RmsByDegree;
-  /// Of a robust fit, what each sample's weight was multiplied by, in (0, 1]; else empty.
+  /// Robust fit: the factor in (0, 1] of each sample's weight; otherwise empty.
   std::vector<double> RobustFactors;
-  std::size_t DownWeighted = 0; ///< how many of them are below 1
-  /// Automatic is never the answer.
+  std::size_t DownWeighted = 0; ///< number of factors below 1
+  /// The method that was used; never Automatic.
   SphericalHarmonicFitOptions::Method UsedMethod = SphericalHarmonicFitOptions::Method::Orthogonal;
-  /// Deviations of the radius and of each coefficient.
+  /// Gives the standard deviations of the radius and of each coefficient.
   CoefficientCovariance Covariance;
 };
 
@@ -76,18 +76,18 @@ struct SphericalHarmonicFitResult
 /// condition of 1e6, else by a Householder factorisation (OrthogonalSolver); both agree to the
 /// rounding of the radii times the condition. Generalised cross-validation: see CrossValidation.
 ///
-/// A robust fit repeats with new weights until the radius changes by less than a ten-thousandth of
-/// the noise (rms), 50 times at most; after ten the scale and the strength are kept, so that each
-/// further step lowers one convex function.
+/// A robust fit iterates with new weights until the radius changes by less than a ten-thousandth of
+/// the noise (rms), at most 50 times; after ten iterations the scale and the strength are fixed, so
+/// that each further step lowers one convex function.
 ///
-/// Fails, with a sentence, on fewer samples than coefficients, samples that are not finite,
+/// Fails, with a one-sentence message, for fewer samples than coefficients, non-finite samples,
 /// weights that are negative or all zero, and a condition above the limit without a penalty.
 Status FitSphericalHarmonics(const RadialSamples& samples,
                              const SphericalHarmonicFitOptions& options,
                              SphericalHarmonicFitResult& result);
 
 /// The same with memory and tables of earlier fits, which saves a sixth of the time at degree 12.
-/// `workspace` must have the degree of the options; one for each thread.
+/// `workspace` must have the degree of the options; use one per thread.
 Status FitSphericalHarmonics(const RadialSamples& samples,
                              const SphericalHarmonicFitOptions& options, MomentSolver& workspace,
                              SphericalHarmonicFitResult& result);

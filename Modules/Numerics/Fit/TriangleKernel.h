@@ -1,19 +1,19 @@
 #pragma once
 
-// The arithmetic of PackedTriangle. This header is compiled once for each instruction set, with
-// different options, so it must not contain or include anything that another file could also
-// instantiate; see Quartet.h.
+// Kernels of PackedTriangle. This header is compiled once per instruction set, with different
+// options, so it must not contain or include anything that another file could also instantiate; see
+// Quartet.h.
 
 namespace palpate::triangle
 {
-/// What every instruction set offers for lower triangles L in strips of `Lanes` rows: strip s holds
-/// the columns 0 .. Lanes (s + 1) - 1, each as `Lanes` consecutive numbers, and strips follow one
-/// another. Vectors have Lanes numbers for each strip and are aligned to a cache line.
+/// Functions of one instruction set for lower triangles L in strips of `Lanes` rows: strip s holds
+/// the columns 0 .. Lanes (s + 1) - 1, each as `Lanes` consecutive numbers, and strips are
+/// contiguous. Vectors have Lanes numbers per strip and are aligned to a cache line.
 struct Kernel
 {
   int Lanes;
-  /// Cholesky factorisation in place; `reciprocals` gets one over the diagonal. False where a pivot
-  /// is not above `smallest` times what stood on the diagonal.
+  /// Cholesky factorisation in place; `reciprocals` receives the inverse of the diagonal. Returns
+  /// false if a pivot is not above `smallest` times the former diagonal entry.
   bool (*Factorise)(double* strips, int count, double smallest, double* reciprocals);
   /// x := L^-1 x and x := L^-T x.
   void (*SolveLower)(const double* strips, int count, const double* reciprocals, double* x);
@@ -53,7 +53,8 @@ struct Arithmetic
     return sum;
   }
 
-  // Some strips, in the columns of strip `block`, less the product of what stands left of them.
+  // Subtracts from some strips, in the columns of strip `block`, the product of the part to the
+  // left.
   template <int Strips>
   static inline __attribute__((always_inline)) void Update(double* strips, int first, int block,
                                                            Vector (&sums)[Strips][W])
@@ -186,7 +187,8 @@ struct Arithmetic
     return sum;
   }
 
-  // sum_s of the strips from `first` on, in the columns of `block`, times x: one number a column.
+  // sum_s of the strips starting at `first`, in the columns of `block`, times x: one number per
+  // column.
   static inline __attribute__((always_inline)) Vector
   ColumnProduct(const double* strips, int first, int count, int block, const Vector* x)
   {
@@ -221,7 +223,7 @@ struct Arithmetic
       for (int c = 0; c < W; ++c)
       {
         const double value = rest[c] * reciprocals[s * W + c];
-        rest -= value * row[s * W + c]; // zeros above the diagonal leave earlier lanes alone
+        rest -= value * row[s * W + c]; // zeros above the diagonal leave earlier lanes unchanged
         rest[c] = value;
       }
       vectors[s] = rest;
@@ -290,7 +292,7 @@ struct Arithmetic
   }
 };
 
-/// For any machine: two lanes are SSE2 on x86-64 and NEON on arm64.
+/// Portable: two lanes are SSE2 on x86-64 and NEON on arm64.
 extern const Kernel Portable;
 /// For x86-64 with AVX2 and FMA.
 extern const Kernel Avx2;

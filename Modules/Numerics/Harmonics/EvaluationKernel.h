@@ -2,13 +2,14 @@
 
 namespace palpate
 {
-/// How a table of one model is evaluated: by one formulation, with one instruction set. The table's
-/// layout belongs to the formulation (PolynomialTable, RecurrenceTable) and is the same for every
-/// instruction set. Directions are x, y, z. What is written for each:
+/// Evaluation of the table of one model: by one formulation, with one instruction set. The table's
+/// layout depends on the formulation (PolynomialTable, RecurrenceTable) and is the same for every
+/// instruction set. Directions are x, y, z. Output for each:
 ///   values     R,
 ///   gradients  R and the gradient on the unit sphere (3),
 ///   Hessians   R, the gradient (3) and the surface Hessian (9, symmetric).
-/// A direction counts as exactly normalised if its squared length is 1 to a rounding; where it
+/// A direction is taken as normalised if its squared length is 1 up to rounding; if it differs
+/// from 1 by more than 1e-3, the result is NaN.
 /// differs from 1 by more than 1e-3, not-a-number is written.
 template <typename Real>
 struct EvaluationKernel
@@ -26,14 +27,14 @@ struct EvaluationKernel
   Batch Hessians;
 };
 
-/// Up to this degree a model may be evaluated by polynomials: at 17 they leave 1e-14.
+/// Highest degree that may be evaluated by polynomials: at 17 their error reaches 1e-14.
 constexpr int HighestPolynomialDegree = 16;
 
-/// Everything that one instruction set offers for one precision.
+/// All kernels of one instruction set and precision.
 template <typename Real>
 struct EvaluationKernels
 {
-  /// For tables of degree 0, 2, 4 and so on; half of the degrees is half of the code.
+  /// For tables of degree 0, 2, 4 and so on, which halves the code.
   EvaluationKernel<Real> Polynomial[HighestPolynomialDegree / 2 + 1];
   /// For tables of any degree.
   EvaluationKernel<Real> Recurrence;

@@ -5,7 +5,7 @@
 
 namespace palpate
 {
-/// The kernels for an instruction set that this processor has.
+/// The kernels for an instruction set that this processor supports.
 template <typename Real>
 const EvaluationKernels<Real>& KernelsFor(InstructionSet set) noexcept;
 template <>

@@ -1,8 +1,9 @@
-// This file alone is compiled for AVX2 and FMA (see CMakeLists.txt), so it must include nothing
-// that another file includes; see Quartet.h.
+// Compiled for AVX2 and FMA (see CMakeLists.txt), so this file must not include anything that
+// another file includes; see Quartet.h.
 #include "EvaluationKernelsAvx2.h"
 
-// Registers are scarce here: GCC does better if it orders the instructions before it assigns them.
+// Registers are scarce: GCC does better if it schedules the instructions before register
+// allocation.
 #if defined(__GNUC__) && !defined(__clang__)
 #pragma GCC optimize("schedule-insns", "sched-pressure")
 #endif
@@ -25,8 +26,8 @@ struct Avx2DoubleSet
   static constexpr int ScaleBits = 256;
   static constexpr double ScaleUp = 0x1p256;
 
-  // The empty statement hides that all lanes are equal: GCC would calculate with one and spread the
-  // results, which takes longer.
+  // The empty asm statement hides that all lanes are equal: GCC would compute with one and
+  // broadcast the results, which is slower.
   static PALPATE_INLINE Vector Spread(double value)
   {
     Vector result = value - Vector{};

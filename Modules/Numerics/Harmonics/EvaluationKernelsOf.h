@@ -5,7 +5,7 @@
 #include "PolynomialPoint.h"
 #include "RecurrencePoint.h"
 
-// The rule of Quartet.h holds here too.
+// The rule of Quartet.h applies here too.
 
 namespace palpate::evaluation
 {
@@ -21,7 +21,7 @@ constexpr EvaluationKernel<typename Set::Real> PolynomialKernel()
           PolynomialBatch<Set, 2>::Evaluate};
 }
 
-/// All that there is for one instruction set and precision.
+/// All kernels of one instruction set and precision.
 template <typename Set>
 constexpr EvaluationKernels<typename Set::Real> KernelsOf()
 {

@@ -1,6 +1,7 @@
 #include "EvaluationKernelsPortable.h"
 
-// Registers are scarce here: GCC does better if it orders the instructions before it assigns them.
+// Registers are scarce: GCC does better if it schedules the instructions before register
+// allocation.
 #if defined(__GNUC__) && !defined(__clang__)
 #pragma GCC optimize("schedule-insns", "sched-pressure")
 #endif

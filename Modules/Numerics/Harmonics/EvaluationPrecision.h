@@ -2,10 +2,10 @@
 
 namespace palpate
 {
-/// In what numbers the sum over the harmonics is computed.
+/// Precision in which the sum over the harmonics is computed.
 enum class EvaluationPrecision
 {
   Double,
-  Float ///< half the memory and some two thirds of the time, for errors of some 1e-5 mm on organs
+  Float ///< half the memory and about two thirds of the time; errors of about 1e-5 mm on organs
 };
 } // namespace palpate

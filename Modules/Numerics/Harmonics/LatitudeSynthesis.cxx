@@ -58,7 +58,7 @@ const std::vector<SphericalHarmonicModel::Sample>& LatitudeSynthesis::Evaluate(d
 
 // At longitude 0 the harmonics are those of the cosines, B_m, and by the angle from +z
 //   B_m' = (Ladder_(m-1) B_(m-1) - Ladder_m B_(m+1)) / 2,
-// where B_0 counts sqrt(2) times in B_1' and B_0' = -Ladder_0 B_1 / sqrt(2): the usual relation of
+// where B_0 has a factor sqrt(2) in B_1' and B_0' = -Ladder_0 B_1 / sqrt(2): the relation of
 // the associated Legendre functions, normalised.
 void LatitudeSynthesis::SumDegrees(double z, double s)
 {
@@ -101,7 +101,7 @@ void LatitudeSynthesis::AddOrder(int order, const OrderSums& sums) noexcept
   }
 }
 
-// From order m to m + 1.
+// Advances from order m to m + 1.
 void LatitudeSynthesis::Turn() noexcept
 {
   for (std::size_t j = 0; j < this->Samples.size(); ++j)

@@ -10,9 +10,9 @@
 namespace palpate
 {
 /// Evaluates a model along circles of latitude, at equal steps of longitude. All directions of a
-/// circle share the harmonics at longitude 0, so the sums over degrees are made once for each order
-/// and circle and only the sum over orders is left for a point: some L operations where a single
-/// direction takes L^2. For quadratures and grids.
+/// circle share the harmonics at longitude 0, so the sums over degrees are computed once per order
+/// and circle, and each point takes only the sum over orders: some L operations instead of L^2 for
+/// a single direction. For quadratures and grids.
 class LatitudeSynthesis
 {
 public:
@@ -21,12 +21,12 @@ public:
 
   /// (s cos a, s sin a, z) with s = sqrt(1 - z^2) and a = 2 pi j / longitudeCount.
   Vector3 Direction(double z, std::size_t j) const noexcept;
-  /// Samples at Direction(z, j) for every j; valid until the next call. -1 < z < 1: the poles
-  /// themselves are no circles, and their gradients come out NaN.
+  /// Samples at Direction(z, j) for every j; valid until the next call. -1 < z < 1: gradients at
+  /// the poles are NaN.
   const std::vector<SphericalHarmonicModel::Sample>& Evaluate(double z);
 
 private:
-  // What multiplies the cosine and the sine of an order's longitude, on one circle.
+  // Factors of the cosine and the sine of an order's longitude, on one circle.
   struct OrderSums
   {
     double Cosine = 0.0; // of the radius
@@ -42,7 +42,7 @@ private:
   SphericalHarmonicBasis Basis;
   std::vector<double> Coefficients;
   std::vector<double> Ladder; // sqrt((l - m) (l + m + 1)), m = 0..l, degree by degree
-  // On the circle at hand:
+  // On the current circle:
   std::vector<double> Harmonics; // at longitude 0
   std::vector<OrderSums> Sums;
   // By longitude: the constant cos a and sin a, the running cos m a and sin m a, and the results.

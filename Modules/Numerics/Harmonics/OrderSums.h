@@ -2,11 +2,11 @@
 
 #include "Quartet.h"
 
-// What both formulations share at one direction (the rule of Quartet.h holds here too). With
-// w = x + iy a radius function is R = Re sum_m conj(D_m(z)) w^m, and its derivatives in space
-// follow from those of D_m in z and of w^m. Orders come in blocks of four. What differs from lane
-// to lane in the powers of w is applied once, at the end (LanePowers); a block only brings the
-// power of w^4 that it has beyond the lowest block.
+// Shared by both formulations at one direction (the rule of Quartet.h applies here too). With
+// w = x + iy a radius function is R = Re sum_m conj(D_m(z)) w^m, and its spatial derivatives follow
+// from those of D_m in z and of w^m. Orders are grouped in blocks of four. The lane-dependent part
+// of the powers of w is applied once, at the end (LanePowers); a block only adds the power of w^4
+// by which it exceeds the lowest block.
 
 namespace palpate::evaluation
 {
@@ -22,7 +22,7 @@ PALPATE_INLINE ComplexQuartet<Set> FirstPowers(const Quartet<Set>& x, const Quar
 }
 
 /// w^m, w^(m-1) and w^(m-2) for the lanes of the lowest block. A lane whose power would be negative
-/// has the power of the next block instead; it counts nothing in the lowest one.
+/// holds the power of the next block instead; its terms in the lowest block are zero.
 template <typename Set>
 struct LanePowers
 {
@@ -32,8 +32,8 @@ struct LanePowers
   ComplexQuartet<Set> FirstTimesW;
 };
 
-/// D_m and its derivatives in z for the orders of a block. What is kept as the second derivative
-/// may be any fixed multiple of it.
+/// D_m and its derivatives in z for the orders of a block. The second derivative may be scaled by
+/// any fixed factor.
 template <typename Complex>
 struct OrderTerms
 {
@@ -42,7 +42,7 @@ struct OrderTerms
   Complex Curvature;
 };
 
-/// Sums over the blocks of what R and its derivatives are made of.
+/// Sums over the blocks of the terms of R and its derivatives.
 template <typename Set, int Derivatives>
 struct OrderSums
 {
@@ -51,7 +51,7 @@ struct OrderSums
   using Complexes = ComplexQuartet<Set>;
 
   OrderSums() = default;
-  /// The lowest block.
+  /// Starts with the lowest block.
   PALPATE_INLINE OrderSums(const Terms& terms, const Numbers& orders)
   {
     this->Value = terms.Value;
@@ -67,7 +67,7 @@ struct OrderSums
       this->Curvature = terms.Curvature;
     }
   }
-  /// Another block, with its powers of w^4: one for each of LanePowers.
+  /// Adds a block, with its powers of w^4: one for each of LanePowers.
   PALPATE_INLINE OrderSums(const Terms& terms, const Numbers& orders, const Complexes& value,
                            const Complexes& first, const Complexes& second)
   {
@@ -117,7 +117,8 @@ struct UnitVector
   Quartet<Set> Z;
 };
 
-/// What terms outside the blocks add to R, dR/dz and d2R/dz2, spread over the lanes in any way.
+/// Contributions of terms outside the blocks to R, dR/dz and d2R/dz2, distributed over the lanes in
+/// any way.
 template <typename Set>
 struct ZonalTerms
 {
@@ -134,7 +135,7 @@ PALPATE_INLINE typename Set::Real FinishValue(const OrderSums<Set, 0>& sums,
   return AddTerms(zonal.Value, sums.Value, powers.Value).Sum();
 }
 
-/// Writes R and the part of its gradient that is tangent at u.
+/// Writes R and the tangential part of its gradient at u.
 template <typename Set>
 PALPATE_INLINE void FinishGradient(const OrderSums<Set, 1>& sums, const LanePowers<Set>& powers,
                                    const ZonalTerms<Set>& zonal, const UnitVector<Set>& u,

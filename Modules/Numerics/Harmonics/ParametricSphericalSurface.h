@@ -18,7 +18,7 @@ public:
   /// SphericalHarmonicBasis).
   ParametricSphericalSurface(int degree, const std::array<std::vector<double>, 3>& coefficients);
 
-  /// The star-shaped surface centre + R(u) u as a parametric one: exact, since each coordinate of
+  /// The star-shaped surface centre + R(u) u in parametric form: exact, since each coordinate of
   /// R(u) u is a sum of harmonics one degree higher.
   static ParametricSphericalSurface FromModel(const SphericalHarmonicModel& model);
 
@@ -31,14 +31,14 @@ public:
 
   /// The surface point (mm) of a unit parameter vector.
   Vector3 Point(const Vector3& parameter) const noexcept;
-  /// Unit normal: the cross product of two tangents, oriented as the parameter sphere is. Zero
-  /// where the surface has no tangent plane.
+  /// Unit normal: the cross product of two tangents, oriented like the parameter sphere. Zero where
+  /// the surface has no tangent plane.
   Vector3 Normal(const Vector3& parameter) const noexcept;
 
-  /// Enclosed volume (mm^3), negative where the surface is parametrised inside out: a third of the
-  /// integral of X . (dX x dX), a polynomial that the quadrature is exact for. Allocates.
+  /// Enclosed volume (mm^3), negative if the surface is parametrised inside out: a third of the
+  /// integral of X . (dX x dX), a polynomial that the quadrature integrates exactly. Allocates.
   double Volume() const;
-  /// Surface area (mm^2), by quadrature of degree 4L + 16: the integrand is no polynomial.
+  /// Surface area (mm^2), by quadrature of degree 4L + 16, since the integrand is not a polynomial.
   /// Allocates.
   double Area() const;
 
@@ -46,7 +46,7 @@ private:
   // Cross product of the tangents along two orthonormal directions of the parameter sphere.
   Vector3 AreaVector(const Vector3& parameter) const noexcept;
 
-  // Each coordinate is a function on the sphere; the model class already evaluates those.
+  // Each coordinate is a function on the sphere, which the model class evaluates.
   std::array<SphericalHarmonicModel, 3> Coordinates;
 };
 } // namespace palpate

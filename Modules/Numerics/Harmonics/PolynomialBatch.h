@@ -4,8 +4,8 @@
 #include "PolynomialTerms.h"
 #include "SurfaceHessian.h"
 
-// Several directions at once by the polynomials of a PolynomialTable, one direction a lane (the
-// rule of Quartet.h holds here too).
+// Several directions at once by the polynomials of a PolynomialTable, one direction per lane (the
+// rule of Quartet.h applies here too).
 
 namespace palpate::evaluation
 {
@@ -40,7 +40,7 @@ PALPATE_INLINE ComplexLanes<Set> operator*(const typename Set::PointVector& a,
 }
 
 /// Horner's rule in w, from the highest order down, for D_m and for its derivatives in z: the sums
-/// and their derivatives in w. As in OrderSums all are complex conjugates.
+/// and their derivatives in w. As in OrderSums all values are complex conjugates.
 template <typename Set, int Derivatives>
 struct NestedOrders
 {
@@ -122,9 +122,9 @@ struct PolynomialBatch
   using Sums = NestedOrders<Set, Derivatives>;
   static constexpr int SampleSize = Derivatives == 0 ? 1 : (Derivatives == 1 ? 4 : 13);
 
-  // All orders from degree - Above down to 1. How many coefficients an order has depends on `Above`
-  // alone, so one piece of code, unrolled, serves every degree. Orders share a block of the table
-  // with lower ones that have more coefficients; theirs are the last.
+  // All orders from degree - Above down to 1. The number of coefficients of an order depends only
+  // on `Above`, so one piece of code, unrolled, serves every degree. Orders share a block of the
+  // table with lower ones that have more coefficients; theirs come last.
   template <int Above>
   static PALPATE_INLINE void AddOrders(const Real* table, int degree, const LaneDirections<Set>& d,
                                        Sums& sums)
@@ -136,7 +136,7 @@ struct PolynomialBatch
         using Order = PolynomialOrder<Complex, Vector, Above, Derivatives>;
         const int before = (degree - Above - 1) / 4; // blocks
         const int lane = (degree - Above - 1) % 4;
-        const int highest = Above + lane; // what is above the first order of the block
+        const int highest = Above + lane; // distance of the block's first order from the degree
         const Real* block =
             table + 4 * (degree / 4 + 1) + 8 * before * (degree - 2 * (before - 1)) + lane;
         const int evens = highest / 2 + 1;
@@ -226,8 +226,8 @@ struct PolynomialBatch
   static void Evaluate(const Real* table, int degree, const Real* directions, long count,
                        Real* samples) noexcept
   {
-    // The last ones in a group of their own, filled up with the last direction: so a result never
-    // depends on how many directions came with it.
+    // The last directions form their own group, padded with the last one, so that a result does not
+    // depend on the number of directions.
     Real lastDirections[3 * Set::Points];
     Real lastSamples[SampleSize * Set::Points];
     for (long at = 0; at < count; at += Set::Points)

@@ -3,14 +3,15 @@
 #include "PolynomialTerms.h"
 #include "SurfaceHessian.h"
 
-// One direction by the polynomials of a PolynomialTable (the rule of Quartet.h holds here too). The
-// degree is known to the compiler: every loop is unrolled, and no term that is always zero is left.
+// One direction by the polynomials of a PolynomialTable (the rule of Quartet.h applies here too).
+// The degree is a template argument: every loop is unrolled, and terms that are always zero are
+// omitted.
 
 namespace palpate::evaluation
 {
-/// A unit vector and what the polynomials depend on. The function is that of the exactly normalised
-/// direction: n = |u|^2 differs from 1 by roundings, and 1/n = 2 - n, 1/|u| = (3 - n) / 2 up to
-/// (n - 1)^2.
+/// A unit vector and the arguments of the polynomials. The function is evaluated for the exactly
+/// normalised direction: n = |u|^2 differs from 1 by rounding, and 1/n = 2 - n, 1/|u| = (3 - n) / 2
+/// up to (n - 1)^2.
 template <typename Set>
 struct PolynomialDirection
 {
@@ -68,8 +69,8 @@ struct PolynomialPoint
                                                                                    d.Unit.Z);
   }
 
-  // Blocks from the highest one down to that of order 5: the highest have the shortest polynomials,
-  // and nothing long is left to do once the last is known.
+  // Blocks from the highest down to that of order 5: the highest have the shortest polynomials, so
+  // no long chain remains once the last one is known.
   template <int First, int Derivatives>
   static PALPATE_INLINE OrderSums<Set, Derivatives>
   UpperBlock(const Real* table, const Direction& d, const Complexes* fourthPowers)
@@ -124,7 +125,7 @@ struct PolynomialPoint
     }
   }
 
-  // Order 0, as four polynomials in t^2: E = E0(t^2) + t E1(t^2), and O alike.
+  // Order 0, as four polynomials in t^2: E = E0(t^2) + t E1(t^2), and O likewise.
   template <int Derivatives>
   static PALPATE_INLINE ZonalTerms<Set> Zonal(const Real* table, const Direction& d)
   {

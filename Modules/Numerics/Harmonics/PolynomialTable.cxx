@@ -11,7 +11,7 @@ namespace
 {
 using Long = long double;
 
-// E + z O with coefficients of rising powers of t.
+// E + z O with coefficients of increasing powers of t.
 struct ParityPolynomial
 {
   std::vector<Long> Even;

@@ -2,8 +2,8 @@
 
 #include "OrderSums.h"
 
-// How one order, or one block of orders, is evaluated by its polynomials (the rule of Quartet.h
-// holds here too). `Numbers` are the lanes, `Complex` two of them with Load for coefficients.
+// Evaluation of one order, or one block of orders, by polynomials (the rule of Quartet.h applies
+// here too). `Numbers` are the lanes, `Complex` two of them with Load for coefficients.
 
 namespace palpate::evaluation
 {
@@ -36,7 +36,7 @@ struct HornerPolynomial
       this->template Step<Power + 1>(table + 8, t);
     }
   }
-  // The first step only starts a polynomial.
+  // The first step only initialises a polynomial.
   template <bool Started>
   static PALPATE_INLINE void Raise(Complex& polynomial, const Numbers& t, const Complex& next)
   {
@@ -64,7 +64,7 @@ struct PolynomialOrder
   using Even = HornerPolynomial<Complex, Numbers, EvenCount, Derivatives>;
   using Odd = HornerPolynomial<Complex, Numbers, OddCount, Derivatives>;
 
-  /// `even` and `odd` are where the coefficients start.
+  /// `even` and `odd` point to the first coefficients.
   template <typename Real>
   static PALPATE_INLINE OrderTerms<Complex> Terms(const Real* even, const Real* odd,
                                                   const Numbers& t, const Numbers& z)
@@ -84,7 +84,7 @@ struct PolynomialOrder
     return terms;
   }
 
-  // E + z O, without O where there is none.
+  // E + z O, without O if it does not exist.
   template <bool WithOdd>
   static PALPATE_INLINE Complex Both(const Complex& even, const Complex& odd, const Numbers& z)
   {

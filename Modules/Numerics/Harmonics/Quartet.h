@@ -1,28 +1,28 @@
 #pragma once
 
-// Four numbers, one for each of four consecutive orders. This header and those that say the same
-// are compiled once for each instruction set, with different options, so they must not contain or
+// Four numbers, one for each of four consecutive orders. This header and those that refer to its
+// rule are compiled once per instruction set, with different options, so they must not contain or
 // include anything that another file could also instantiate: the linker would keep one copy,
-// perhaps the one for the wrong machine. That is why everything in them is templated on the
-// instruction set, and nothing else is included.
+// perhaps the one for the wrong processor. So everything in them is templated on the instruction
+// set, and nothing else is included.
 //
 // `Set` describes an instruction set and a precision: `Real`; `Vector`, a vector of `Lanes` of them
 // (the vector extension of GCC and Clang; Lanes divides 4); `PointVector` of `Points`, for several
-// directions at once; and Spread, which makes a Vector of equal lanes.
+// directions at once; and Spread, which broadcasts a number to a Vector.
 
 #define PALPATE_INLINE inline __attribute__((always_inline))
 
 namespace palpate::evaluation
 {
-/// Directions are unit vectors to a rounding, perhaps of float; the square of the length of
-/// anything else differs from 1 by more than this.
+/// Directions are unit vectors up to rounding, perhaps to float; any other vector's squared length
+/// differs from 1 by more than this.
 template <typename Real>
 struct UnitLength
 {
   static constexpr Real Tolerance = Real(1e-3);
 };
 
-/// `values`, or not-a-number in the lanes where |excess| is above the tolerance.
+/// `values`, or NaN in the lanes where |excess| is above the tolerance.
 template <typename Real, typename Vector>
 PALPATE_INLINE Vector NanUnlessUnit(const Vector& values, const Vector& excess)
 {
@@ -30,7 +30,7 @@ PALPATE_INLINE Vector NanUnlessUnit(const Vector& values, const Vector& excess)
   const Vector limit = Vector{} + UnitLength<Real>::Tolerance * UnitLength<Real>::Tolerance;
   const auto far = limit < squares;
   using Bits = decltype(far);
-  return (Vector)((Bits)values | far); // all bits set is not-a-number
+  return (Vector)((Bits)values | far); // all bits set is NaN
 }
 
 template <typename Set>
@@ -96,7 +96,7 @@ struct Quartet
     }
   }
 
-  /// These numbers, or not-a-number where `excess` says that a direction is no unit vector.
+  /// These numbers, or NaN where `excess` shows that a direction is not a unit vector.
   PALPATE_INLINE Quartet UnlessFar(const Quartet& excess) const
   {
     Quartet result;
@@ -143,7 +143,7 @@ PALPATE_INLINE Quartet<Set> operator*(const Quartet<Set>& a, const Quartet<Set>&
   return result;
 }
 
-/// b0 a0 a1 a2 of `a` with `first` in front: one order further.
+/// b0 a0 a1 a2 of `a` with `first` prepended: one order further.
 template <typename Set>
 PALPATE_INLINE Quartet<Set> Shifted(const Quartet<Set>& first, const Quartet<Set>& a)
 {
@@ -231,7 +231,7 @@ PALPATE_INLINE Quartet<Set> Halves(const Quartet<Set>& a, const Quartet<Set>& b)
   }
 }
 
-/// The sums of a, of b, of c and of d: one transposition instead of four sums.
+/// The sums of a, of b, of c and of d, by one transposition instead of four reductions.
 template <typename Set>
 PALPATE_INLINE Quartet<Set> Sums(const Quartet<Set>& a, const Quartet<Set>& b,
                                  const Quartet<Set>& c, const Quartet<Set>& d)
@@ -257,7 +257,7 @@ PALPATE_INLINE Quartet<Set> Sums(const Quartet<Set>& a, const Quartet<Set>& b,
   }
 }
 
-/// Four complex numbers. Copied part by part, or GCC would copy it through memory.
+/// Four complex numbers. Copied part by part, since GCC would otherwise copy through memory.
 template <typename Set>
 struct ComplexQuartet
 {

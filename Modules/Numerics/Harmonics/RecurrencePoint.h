@@ -2,13 +2,13 @@
 
 #include "SurfaceHessian.h"
 
-// One direction by the normalised recurrence, from a RecurrenceTable (the rule of Quartet.h holds
+// One direction by the normalised recurrence, from a RecurrenceTable (the rule of Quartet.h applies
 // here too).
 
 namespace palpate::evaluation
 {
-/// The exactly normalised direction, and its distance from the equator's pole: d = 1 - |z|, from x
-/// and y, because near a pole the rounding of z itself is what spoils high degrees.
+/// The exactly normalised direction, and its distance from the nearer pole: d = 1 - |z|, from x and
+/// y, since near a pole the rounding of z itself would dominate the error at high degrees.
 template <typename Set>
 struct RecurrenceDirection
 {
@@ -47,8 +47,8 @@ struct RecurrenceDirection
   bool IsUnit;
 };
 
-/// Q of four orders, or a derivative of it in z (the k-th divided by k!), on its way through the
-/// degrees; and the sums of c Q and s Q so far.
+/// State of the recurrence over the degrees of four orders: Q, or a derivative of it in z (the k-th
+/// divided by k!), and the sums of c Q and s Q so far.
 template <typename Set>
 struct ColumnLevel
 {
@@ -75,7 +75,7 @@ struct ColumnLevel
       this->Value = this->Difference + by.Ratio * this->Value;
     }
   }
-  /// `lower` is what the product rule adds to a derivative: the slope times the one below.
+  /// `lower` is the derivative's extra term by the product rule: the slope times the level below.
   template <bool South>
   PALPATE_INLINE void Advance(const Constants& by, const Numbers& lower)
   {
@@ -120,9 +120,9 @@ struct ColumnLevel
   Numbers Sines{};
 };
 
-/// Four orders through all their degrees. Q at degree l is r Q + D with the difference D to the
-/// value that the pole would have, D = g D - a d Q in terms of degree l - 1; in the south the sign
-/// of every other degree changes. Near a pole D is small, and its roundings with it.
+/// Four orders through all their degrees. Q at degree l is r Q + D with the difference D from the
+/// value at the pole, D = g D - a d Q in terms of degree l - 1; in the south the sign of every
+/// other degree changes. Near a pole D is small, and so is its rounding.
 template <typename Set, int Derivatives, bool South>
 struct Column
 {
@@ -166,7 +166,7 @@ struct Column
       this->Advance();
     }
   }
-  /// Two columns side by side, since a step of one waits for its last.
+  /// Interleaves two columns, since each step of one depends on its last.
   PALPATE_INLINE void RunWith(Column& other, int degrees)
   {
     for (int i = 0; i < degrees; ++i)
@@ -176,11 +176,10 @@ struct Column
     }
   }
 
-  /// Runs while the numbers stand for 2^(-scale ScaleBits) times themselves, and lowers the scale
-  /// as they grow.
+  /// Runs while the numbers are scaled by 2^(scale ScaleBits), and lowers the scale as they grow.
   PALPATE_INLINE void RunScaled(int degrees, int& scale)
   {
-    constexpr int Stride = 8; // numbers grow by less than 2^11 a degree up to degree 10^6
+    constexpr int Stride = 8; // numbers grow by less than 2^11 per degree up to degree 10^6
     while (scale > 0 && degrees > 0)
     {
       const int count = degrees < Stride ? degrees : Stride;
@@ -215,8 +214,8 @@ struct Column
   Numbers Depth;
 };
 
-/// The powers of w^4 of a block and of the one before, times 2^(Scale ScaleBits) so that no power
-/// that can still count is lost below the smallest number.
+/// The powers of w^4 of a block and of the previous one, times 2^(Scale ScaleBits) so that no power
+/// that can still contribute underflows.
 template <typename Set>
 struct ScaledPower
 {
@@ -265,13 +264,13 @@ struct RecurrencePoint
     return powers;
   }
 
-  // A column of Q grows by less than 2^degree: with this scale nothing counts any more.
+  // A column of Q grows by less than 2^degree: with this scale nothing contributes any more.
   static PALPATE_INLINE bool IsLost(const ScaledPower<Set>& power, int degree)
   {
     return (power.Scale - 1) * Set::ScaleBits > degree;
   }
 
-  // Adds a block; its terms stand for 2^(-scale ScaleBits) times themselves.
+  // Adds a block; its terms are scaled by 2^(scale ScaleBits).
   template <int Derivatives>
   static PALPATE_INLINE void Add(const OrderTerms<Complexes>& terms, int first, int scale,
                                  const ScaledPower<Set>& power, OrderSums<Set, Derivatives>& sums)
@@ -284,7 +283,7 @@ struct RecurrencePoint
     sums.Add({terms, orders, value, WithFirstLane(before, value), Halves(before, value)});
   }
 
-  // Two blocks from order `first` on, or what there is of them. Returns where the next ones start.
+  // Adds up to two blocks starting at order `first`. Returns the start of the next ones.
   template <int Derivatives, bool South>
   static PALPATE_INLINE const Real* AddPair(const Real* table, int degree, int first,
                                             const Direction& d, const ScaledPower<Set>& power,

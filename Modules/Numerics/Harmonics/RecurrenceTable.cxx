@@ -9,7 +9,7 @@ namespace palpate
 {
 namespace
 {
-// What one order puts into one row.
+// The entries of one order in one row.
 struct Entry
 {
   SphericalHarmonicRecurrence::Term Term{0.0, 0.0, 0.0};

@@ -6,12 +6,12 @@ namespace palpate
 {
 namespace
 {
-// Columns of high order start far below the smallest number near the poles and grow back: what is
-// carried is 2^(256 scale) times as large.
+// Columns of high order start far below the smallest number near the poles and grow back, so they
+// are scaled by 2^(256 scale).
 constexpr int ScaleBits = 256;
 constexpr double ScaleUp = 0x1p256;
 
-// (x + iy)^m, and what it is scaled by.
+// (x + iy)^m, and its scale.
 struct Power
 {
   void Advance(double x, double y)
@@ -32,7 +32,7 @@ struct Power
   int Scale = 0;
 };
 
-// Q of one order on its way through the degrees; see SphericalHarmonicRecurrence.
+// State of the recurrence over the degrees of one order; see SphericalHarmonicRecurrence.
 struct Column
 {
   void Advance(const SphericalHarmonicRecurrence::Term& term, double depth)
@@ -85,11 +85,11 @@ void SphericalHarmonicBasis::Evaluate(const Vector3& direction, double* values) 
   const double square = direction.x() * direction.x() + direction.y() * direction.y();
   const double squares = square + direction.z() * direction.z();
   const double length = std::sqrt(squares);
-  // 1 - |z| of the exactly normalised direction; z itself would be rounded.
+  // 1 - |z| of the exactly normalised direction, without the rounding of z.
   const double depth = square / (squares + std::abs(direction.z()) * length);
   const double pole = direction.z() < 0.0 ? -1.0 : 1.0;
   Power power;
-  power.Real = length / length; // 1, or not-a-number for what is no direction
+  power.Real = length / length; // 1, or NaN for an invalid direction
   for (int m = 0; m <= this->Degree(); ++m)
   {
     StoreOrder(this->Recurrence, m, power, depth, pole, values);

@@ -31,9 +31,9 @@ public:
     return static_cast<std::size_t>(degree * (degree + 1) + order);
   }
 
-  /// Writes Size() values for `direction`, normalised exactly (not-a-number if it is zero). Good to
-  /// 1e-14 of the largest harmonic at degree 12 and to 1e-12 at degree 1000, at and near the poles
-  /// too. Allocates nothing; const and thread-safe.
+  /// Writes Size() values for `direction`, normalised exactly (NaN if it is zero). Accurate to
+  /// 1e-14 of the largest harmonic at degree 12 and to 1e-12 at degree 1000, including the poles.
+  /// Does not allocate; const and thread-safe.
   void Evaluate(const Vector3& direction, double* values) const noexcept;
 
 private:

@@ -10,28 +10,26 @@
 
 namespace palpate
 {
-/// How the sum over the harmonics is computed.
+/// Formulation of the sum over the harmonics.
 enum class EvaluationFormulation
 {
   Automatic, ///< polynomials up to HighestPolynomialDegree, the recurrence above
-  Recurrence ///< the recurrence, which is good at every degree, at every degree
+  Recurrence ///< the recurrence, which is accurate at every degree
 };
 
-/// Evaluates R(u) = sum c_lm Y_lm(u) and its derivatives on the unit sphere: the immutable tables
-/// of one set of coefficients. Convention of the coefficients: see SphericalHarmonicBasis. Every
-/// query is const, thread-safe and free of allocation; the same query gives the same bits on every
-/// thread.
+/// Evaluates R(u) = sum c_lm Y_lm(u) and its derivatives on the unit sphere, by immutable tables of
+/// one set of coefficients. Convention of the coefficients: see SphericalHarmonicBasis. Every query
+/// is const, thread-safe and allocation-free; the same query gives the same bits on every thread.
 ///
-/// `Real` is double or float; coefficients are double in any case, lengths are whatever unit they
-/// have (mm in Palpate), angles rad. With |c|^2 = sum c_lm^2 and the scale |c| (L + 1) / sqrt(4 pi)
-/// of the addition theorem for degree L, the error of R is at most 1e-14 of the scale in double and
-/// 4e-6 in float up to degree 16, at and near the poles too; that of the gradient the same times
-/// sqrt(L (L + 1) / 2), that of the Hessian the same times L (L + 1). By the recurrence in double
-/// it is at most 1e-12 up to degree 1000.
+/// `Real` is double or float; coefficients are double in either case, lengths are in any unit (mm
+/// in Palpate), angles rad. With |c|^2 = sum c_lm^2 and the scale |c| (L + 1) / sqrt(4 pi) of the
+/// addition theorem for degree L, the error of R is at most 1e-14 of the scale in double and 4e-6
+/// in float up to degree 16, including the poles; that of the gradient the same times sqrt(L (L +
+/// 1) / 2), that of the Hessian the same times L (L + 1). By the recurrence in double it is at most
+/// 1e-12 up to degree 1000.
 ///
-/// Directions are unit vectors up to a rounding (of float, say); R is that of the exactly
-/// normalised direction. If | |u|^2 - 1 | > 1e-3, or a coordinate is not a number, all results are
-/// not-a-number.
+/// Directions are unit vectors up to rounding (of float, say); R is evaluated for the exactly
+/// normalised direction. If | |u|^2 - 1 | > 1e-3, or a coordinate is NaN, all results are NaN.
 template <typename Real>
 class SphericalHarmonicEvaluator
 {
@@ -54,7 +52,7 @@ public:
     Matrix SurfaceHessian;
   };
 
-  /// `coefficients` has (degree + 1)^2 entries, degree >= 0; the processor must have `set`.
+  /// `coefficients` has (degree + 1)^2 entries, degree >= 0; the processor must support `set`.
   SphericalHarmonicEvaluator(int degree, const std::vector<double>& coefficients,
                              EvaluationFormulation formulation = EvaluationFormulation::Automatic,
                              InstructionSet set = FastestInstructionSet());
@@ -78,8 +76,8 @@ public:
     return sample;
   }
 
-  /// The same for `count` unit vectors. With polynomials several are handled at once; results then
-  /// differ from single calls by roundings, but never with `count` or the place in the batch.
+  /// The same for `count` unit vectors, with polynomials several at once; results then differ from
+  /// single calls by rounding, but do not depend on `count` or the position in the batch.
   void RadiusBatch(const Vector* directions, std::size_t count, Real* radii) const noexcept
   {
     this->Kernel.Values(this->Table.data(), this->TableDegree, directions->data(),
@@ -103,7 +101,7 @@ public:
 private:
   CacheLineVector<Real> Table;
   int TableDegree;
-  EvaluationKernel<Real> Kernel; // a copy, beside the table's address
+  EvaluationKernel<Real> Kernel; // a copy, next to the table's address
 };
 
 extern template class SphericalHarmonicEvaluator<double>;

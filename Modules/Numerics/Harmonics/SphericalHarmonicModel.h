@@ -11,13 +11,12 @@
 namespace palpate
 {
 /// A star-shaped surface: around a centre, the radius R(u) = sum c_lm Y_lm(u) (mm) along each unit
-/// direction u. Immutable; every query is const, thread-safe and free of allocation unless it says
-/// otherwise. Convention of the coefficients: see SphericalHarmonicBasis. The model's axes are the
-/// axes of the frame that the centre is given in (patient LPS, mm).
+/// direction u. Immutable; every query is const, thread-safe and allocation-free unless stated
+/// otherwise. Convention of the coefficients: see SphericalHarmonicBasis. The model's axes are
+/// those of the frame of its centre (patient LPS, mm).
 ///
-/// What a direction must be and how exact the results are: see SphericalHarmonicEvaluator. Results
-/// are double numbers in either precision; in float, directions and all that follows from them are
-/// rounded on the way.
+/// Requirements on directions and accuracy: see SphericalHarmonicEvaluator. Results are double in
+/// either precision; in float, directions and intermediate results are rounded.
 class SphericalHarmonicModel
 {
 public:
@@ -40,7 +39,7 @@ public:
   {
     return this->Single == nullptr ? EvaluationPrecision::Double : EvaluationPrecision::Float;
   }
-  /// The unit of rounding of that precision, relative.
+  /// Relative rounding unit of the precision.
   double Epsilon() const noexcept;
   /// The tables that queries read.
   std::size_t TableBytes() const noexcept
@@ -67,13 +66,13 @@ public:
                : Widened(this->Single->EvaluateSecondOrder(direction.cast<float>()));
   }
 
-  /// Evaluate for `count` unit vectors; several at once, so a third faster or more. In
-  /// double in either precision.
+  /// Evaluates `count` unit vectors, several at once, which is at least a third faster. In double
+  /// in either precision.
   void EvaluateBatch(const Vector3* directions, std::size_t count, Sample* samples) const noexcept
   {
     this->Evaluator.EvaluateBatch(directions, count, samples);
   }
-  /// The same with second derivatives, and for radii alone.
+  /// The same with second derivatives, and for radii only.
   void EvaluateSecondOrderBatch(const Vector3* directions, std::size_t count,
                                 SecondOrderSample* samples) const noexcept
   {
@@ -91,12 +90,12 @@ public:
 
   /// Enclosed volume (mm^3), exact up to rounding: VolumeOf. Allocates.
   double Volume() const;
-  /// Surface area (mm^2) to 1e-9 relative where R > 0: AreaOf, which gives its error too.
+  /// Surface area (mm^2) to 1e-9 relative where R > 0, by AreaOf, which also returns its error.
   /// Allocates.
   double Area() const;
   /// Sum of squared coefficients (mm^2) of each degree 0..L. Allocates.
   std::vector<double> PowerSpectrum() const;
-  /// The same surface with all terms above `degree` left out (or zeros added up to it). Allocates.
+  /// The same surface truncated to `degree` (or padded with zeros up to it). Allocates.
   SphericalHarmonicModel WithDegree(int degree) const;
   /// The same surface, evaluated in this precision. Allocates.
   SphericalHarmonicModel WithPrecision(EvaluationPrecision precision) const;
@@ -116,7 +115,7 @@ private:
             sample.SurfaceHessian.cast<double>()};
   }
 
-  SphericalHarmonicEvaluator<double> Evaluator;  // first: with the next two, what a tick reads
+  SphericalHarmonicEvaluator<double> Evaluator;  // first: with the next two, the data of a tick
   std::shared_ptr<const SingleEvaluator> Single; // in float
   Vector3 Center;
   int MaximumDegree;

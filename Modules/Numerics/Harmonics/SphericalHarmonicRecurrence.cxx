@@ -6,7 +6,7 @@ namespace palpate
 {
 SphericalHarmonicRecurrence::SphericalHarmonicRecurrence(int degree) : MaximumDegree(degree)
 {
-  // In long double, so that every constant is rounded once.
+  // In long double, so that every constant is rounded only once.
   long double diagonal = 1.0L / std::sqrt(16.0L * std::atan(1.0L)); // 1 / sqrt(4 pi)
   this->Diagonals.push_back(static_cast<double>(diagonal));
   for (int m = 1; m <= degree; ++m)

@@ -11,15 +11,15 @@ namespace palpate
 /// over the sphere and without the Condon-Shortley phase, the polynomials Q obey
 ///   Q_00 = 1 / sqrt(4 pi),  Q_mm = Q_(m-1)(m-1) sqrt((2m+1) / (2m)),  times sqrt(2) at m = 1,
 ///   Q_lm = a z Q_(l-1)m - a b Q_(l-2)m,  a = sqrt((4 l^2 - 1) / (l^2 - m^2)).
-/// Near the poles that loses l^2 roundings, and the rounding of z spoils it before. So it is used
-/// for the differences D_lm = Q_lm - r Q_(l-1)m to the values that the pole would have, with the
+/// Near the poles that loses l^2 rounding errors, and the rounding of z even more. So it is applied
+/// to the differences D_lm = Q_lm - r Q_(l-1)m from the values at the pole, with the
 /// distance d = 1 - z = (x^2 + y^2) / (1 + z):
 ///   D_lm = g D_(l-1)m - a d Q_(l-1)m,  Q_lm = r Q_(l-1)m + D_lm,
 ///   r = a (l + m) / (2 l - 1),  g = a (l - 1 - m) / (2 l - 1).
-/// In the south the same holds for -z, and Q_lm changes its sign where l - m is odd. No angle
-/// appears, so the poles are ordinary points. Terms are stored order by order: all degrees of m =
-/// 0, then of m = 1, and so on. Sources: Holmes and Featherstone, J. Geodesy 76 (2002), with sin^m
-/// divided out; the differences as Reinsch proposed them: Deuflhard, Computing 17 (1976).
+/// In the south the same holds for -z, and Q_lm changes its sign if l - m is odd. No angle appears,
+/// so the poles are ordinary points. Terms are stored order by order: all degrees of m = 0, then of
+/// m = 1, and so on. Sources: Holmes and Featherstone, J. Geodesy 76 (2002), with sin^m divided
+/// out; the differences as proposed by Reinsch: Deuflhard, Computing 17 (1976).
 class SphericalHarmonicRecurrence
 {
 public:
@@ -39,7 +39,7 @@ public:
   {
     return this->Diagonals[static_cast<std::size_t>(order)];
   }
-  /// Terms of order m from degree m + 1 to the last, in that order.
+  /// Terms of order m from degree m + 1 to the highest, in that order.
   const Term* Column(int order) const noexcept
   {
     const auto m = static_cast<std::ptrdiff_t>(order);

@@ -2,11 +2,11 @@
 
 #include "OrderSums.h"
 
-// The rule of Quartet.h holds here too.
+// The rule of Quartet.h applies here too.
 
 namespace palpate::evaluation
 {
-/// Derivatives in space of an extension of R whose w^m are harmonic in the plane: d2/dy2 is minus
+/// Spatial derivatives of an extension of R whose w^m are harmonic in the plane: d2/dy2 is minus
 /// d2/dx2.
 template <typename Set, typename Number>
 struct SpaceDerivatives
@@ -21,7 +21,7 @@ struct SpaceDerivatives
   Number ZZ;
 };
 
-/// R's gradient on the unit sphere and the lower triangle of its Hessian there.
+/// Gradient of R on the unit sphere and the lower triangle of its Hessian.
 template <typename Set, typename Number>
 struct SurfaceDerivatives
 {
@@ -36,8 +36,9 @@ struct SurfaceDerivatives
   Number ZZ;
 };
 
-/// The gradient's tangent part and the surface Hessian, T H T - (g . u) T with T = I - u u^T. With
-/// q = H u - (u . H u + g . u) / 2 u the latter is H - u q^T - q u^T - (g . u) I.
+/// The tangential part of the gradient and the surface Hessian, T H T - (g . u) T with
+/// T = I - u u^T. With q = H u - (u . H u + g . u) / 2 u the latter is H - u q^T - q u^T - (g . u)
+/// I.
 template <typename Set, typename Number>
 PALPATE_INLINE SurfaceDerivatives<Set, Number>
 ToSurface(const SpaceDerivatives<Set, Number>& d, const Number& x, const Number& y, const Number& z)
@@ -61,7 +62,7 @@ ToSurface(const SpaceDerivatives<Set, Number>& d, const Number& x, const Number&
           d.ZZ - radial - (z + z) * qz};
 }
 
-/// Writes 13 numbers: R, gradient and all nine of the Hessian.
+/// Writes 13 numbers: R, the gradient and all nine entries of the Hessian.
 template <typename Set>
 PALPATE_INLINE void WriteSecondOrder(typename Set::Real value,
                                      const SurfaceDerivatives<Set, typename Set::Real>& d,
@@ -82,8 +83,8 @@ PALPATE_INLINE void WriteSecondOrder(typename Set::Real value,
   sample[12] = d.ZZ;
 }
 
-/// Writes R, its gradient and its Hessian on the unit sphere. `curvatureScale` times what the
-/// blocks and the zonal terms hold is the second derivative in z.
+/// Writes R, its gradient and its Hessian on the unit sphere. The second derivative in z is
+/// `curvatureScale` times the value in the blocks and the zonal terms.
 template <typename Set>
 PALPATE_INLINE void FinishHessian(const OrderSums<Set, 2>& sums, const LanePowers<Set>& powers,
                                   const ZonalTerms<Set>& zonal, const UnitVector<Set>& u,

@@ -12,7 +12,7 @@ namespace palpate
 {
 namespace
 {
-// Angle between two unit vectors, rounded up a little.
+// Angle between two unit vectors, rounded up slightly.
 double AngleBetween(const Vector3& a, const Vector3& b)
 {
   const double chord = (a - b).norm();
@@ -101,7 +101,7 @@ void BranchAndBoundSearch::Descend(const Vector3& direction,
   }
 }
 
-// The point in the query's direction is often a good start: what comes later then only proves it.
+// The point in the query's direction is often a good start, so that the rest only has to prove it.
 void BranchAndBoundSearch::DescendFromQuery() noexcept
 {
   const double distance = this->Query.norm();

@@ -11,13 +11,13 @@
 
 namespace palpate
 {
-/// One search of ClosestPointSearch for the nearest point of the whole surface; see there. Lives on
-/// the stack for one query, allocates nothing and ends after a fixed number of evaluations.
+/// One search of ClosestPointSearch for the closest point of the whole surface; see there. Lives on
+/// the stack for one query, does not allocate and ends after a fixed number of evaluations.
 class BranchAndBoundSearch
 {
 public:
-  /// `query` is relative to the model's centre, mm. Of what the nearest point is farther than
-  /// `toolRadius` (mm), the search may leave `part` in [0, 1) open.
+  /// `query` is relative to the model's centre, mm. Of the part of the distance beyond `toolRadius`
+  /// (mm), the search may leave the fraction `part` in [0, 1) unproven.
   BranchAndBoundSearch(const SphericalHarmonicModel& model, const ClosestPointDescent& descent,
                        const SurfacePatchTree& tree, const Vector3& query, int evaluationLimit,
                        double toolRadius = 0.0, double part = 0.0) noexcept;
@@ -25,8 +25,8 @@ public:
   ClosestPoint Run() noexcept;
 
 private:
-  // A part of the surface, by its lower bound of the distance: a node of the tree, or, with
-  // numbers from the tree's end on, a piece of a finest node.
+  // A part of the surface with the lower bound of its distance: a node of the tree or, with indices
+  // beyond the tree's end, a piece of a finest node.
   struct Part
   {
     double Bound; // mm
@@ -53,16 +53,16 @@ private:
   void Push(double bound, int index) noexcept;
   Part Pop() noexcept;
   void PushParts(int node) noexcept;
-  // Looks for a minimum near the piece's centre, and cuts what that does not settle.
+  // Looks for a minimum near the piece's centre, and splits the piece if that does not settle it.
   void Examine(double bound, const Piece& piece) noexcept;
   void Cut(double bound, const Piece& piece) noexcept;
   void Visit(const Part& part) noexcept;
   void Descend(const Vector3& direction,
                const SphericalHarmonicModel::SecondOrderSample& sample) noexcept;
   void DescendFromQuery() noexcept;
-  // Whether a basin covers the cap, and so proves its lower bound.
+  // Whether a basin covers the cap, which proves its lower bound.
   bool IsCovered(const Vector3& center, double reach) noexcept;
-  // Nothing nearer than this is left to find, but for rounding and what may be left open.
+  // Distance at which the search can stop, given rounding and the part that may stay unproven.
   double Enough() const noexcept
   {
     return this->BestDistance -
@@ -80,9 +80,9 @@ private:
 
   ClosestPoint Best;
   double BestDistance; // mm
-  double Proven;       // no point outside the queue is nearer, mm
+  double Proven;       // no point outside the queue is closer, mm
   int Evaluations = 0;
-  std::array<Part, PartCapacity> Queue; // a heap, least bound first
+  std::array<Part, PartCapacity> Queue; // a heap, smallest bound first
   std::size_t PartCount = 0;
   std::array<Piece, PieceCapacity> Pieces;
   std::array<int, PieceCapacity> FreePieces;

@@ -19,7 +19,7 @@ bool IsSame(const ClosestPoint& a, const ClosestPoint& b) noexcept
 }
 } // namespace
 
-// One question.
+// One query.
 struct ClearanceProof::Task
 {
   struct Basin
@@ -38,24 +38,24 @@ struct ClearanceProof::Task
       this->Basins[this->BasinCount++] = {direction, std::min(around.Angle, Widest), lowerDistance};
     }
   }
-  // What the basins that cover the cap prove of its distance, mm.
+  // Lower bound of the cap's distance by the basins that cover it, mm.
   double LowerDistance(const SphericalCap& cap) const noexcept
   {
     double lower = 0.0;
     for (std::size_t i = 0; i < this->BasinCount; ++i)
     {
       const Basin& basin = this->Basins[i];
-      const double room = basin.Angle - cap.Radius;
+      const double margin = basin.Angle - cap.Radius;
       const double chord = (cap.Center - basin.Direction).norm();
       // An angle is less than this up to 2.6 rad.
-      if (chord * (1.0 + 0.1 * chord * chord) < room)
+      if (chord * (1.0 + 0.1 * chord * chord) < margin)
       {
         lower = std::max(lower, basin.LowerDistance);
       }
     }
     return lower;
   }
-  // Whether a descent that goes here is likely to end in a minimum that has its basin.
+  // Whether a descent from here probably ends in a known minimum.
   bool IsNearBasin(const Vector3& direction, double reach) const noexcept
   {
     return std::any_of(this->Basins.begin(),
@@ -88,7 +88,7 @@ ClearanceProof::ClearanceProof(const ClosestPointSearch& search, double distance
 
 void ClearanceProof::BeginAfresh() noexcept
 {
-  this->Way = 0.0;
+  this->PathLength = 0.0;
   this->CellCount = SurfacePatchTree::RootCount;
   for (std::size_t root = 0; root < this->CellCount; ++root)
   {
@@ -99,11 +99,11 @@ void ClearanceProof::BeginAfresh() noexcept
 
 void ClearanceProof::GoTo(const Vector3& query) noexcept
 {
-  this->Way += (query - this->Query).norm();
+  this->PathLength += (query - this->Query).norm();
   this->Query = query;
-  // Rounding of the way stays far below any tolerance; and cells that were cut for places left
-  // behind are many.
-  if (!(this->Way < 1e4 * this->Search->Tree().LargestRadius()) ||
+  // Keeps the rounding of the path length far below any tolerance, and drops the many cells that
+  // were split for places left behind.
+  if (!(this->PathLength < 1e4 * this->Search->Tree().LargestRadius()) ||
       this->CellCount > CellCapacity * 3 / 4)
   {
     this->BeginAfresh();
@@ -140,7 +140,7 @@ void ClearanceProof::Settle(Task& task, std::size_t index) noexcept
   Step step = Step::Again;
   while (step == Step::Again)
   {
-    const bool isClear = this->ClearUntil[index] >= this->Way;
+    const bool isClear = this->ClearUntil[index] >= this->PathLength;
     step = isClear                           ? Step::Settled
            : this->Cells[index].Node != None ? this->SettleNode(task, index)
                                              : this->SettleTriangle(task, index);
@@ -148,17 +148,17 @@ void ClearanceProof::Settle(Task& task, std::size_t index) noexcept
   if (step == Step::Open)
   {
     task.Result.State = Finding::Open;
-    const double lower = this->Needed + this->ClearUntil[index] - this->Way;
+    const double lower = this->Needed + this->ClearUntil[index] - this->PathLength;
     task.Result.LowerDistance = std::clamp(lower, 0.0, task.Result.LowerDistance);
   }
 }
 
-// Keeps what a bound of the cell's distance proves; whether that suffices here.
+// Stores the bound of the cell's distance; returns whether it suffices here.
 bool ClearanceProof::Clears(double lower, std::size_t index) noexcept
 {
   double& until = this->ClearUntil[index];
-  until = std::max(until, this->Way + (lower - this->Needed));
-  return until >= this->Way;
+  until = std::max(until, this->PathLength + (lower - this->Needed));
+  return until >= this->PathLength;
 }
 
 ClearanceProof::Step ClearanceProof::SettleNode(Task& task, std::size_t index) noexcept
@@ -206,8 +206,8 @@ ClearanceProof::Step ClearanceProof::SettleTriangle(Task& task, std::size_t inde
   return this->CutTriangle(index);
 }
 
-// Looks for a minimum in the cell that is nearer than allowed. One that is not may be what the
-// cell's bound is missing: its basin then covers the cell.
+// Looks for a minimum in the cell that is closer than allowed. If it finds one that is farther,
+// that one's basin may supply the missing bound of the cell.
 ClearanceProof::Step ClearanceProof::Descend(Task& task, const Cell& cell) noexcept
 {
   const SquaredDistance distance(cell.Cap.Center, cell.Sample, this->Query);

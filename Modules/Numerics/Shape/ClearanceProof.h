@@ -9,48 +9,48 @@
 
 namespace palpate
 {
-/// Proves from step to step that no part of a surface is nearer to a moving place than a distance,
-/// but for minima that are known, or finds the part that is.
+/// Proves from step to step that no part of a surface other than known minima is closer to a moving
+/// point than a given distance, or finds the part that is.
 ///
-/// The directions are cut into cells as ClosestPointSearch cuts them. What bounds a cell's distance
-/// from below holds, less the way since, wherever the place goes: a cell is looked at again only
-/// when the way has used up its clearance, and stays cut as fine as was needed. So a step asks few
-/// cells, those next to the known minima, and evaluates the model only where it comes to new ones.
-/// Memory is fixed; queries allocate nothing. They keep what they learn, so a proof is for one
-/// thread.
+/// The directions are split into cells as in ClosestPointSearch. A lower bound of a cell's
+/// distance, minus the path length since, holds wherever the point moves: a cell is visited again
+/// only when the path has used up its clearance, and stays as finely split as was needed. So a step
+/// visits few cells, those next to the known minima, and evaluates the model only where it reaches
+/// new ones. Memory is fixed; queries do not allocate. They cache their results, so a proof is for
+/// one thread.
 class ClearanceProof
 {
 public:
   enum class Finding
   {
-    Clear,  ///< nothing but the known minima is nearer, up to the tolerance
-    Nearer, ///< a minimum that was not known is
-    Open    ///< the evaluations allowed did not suffice
+    Clear,  ///< nothing but the known minima is closer, up to the tolerance
+    Nearer, ///< an unknown minimum is closer
+    Open    ///< the evaluation limit was reached
   };
   struct Answer
   {
     Finding State;
-    double LowerDistance; ///< but for the known minima no point is nearer, mm; of Clear and Open
+    double LowerDistance; ///< no point except known minima is closer, mm; for Clear and Open
     ClosestPoint Minimum; ///< of Nearer
   };
 
-  /// Minima are one where their directions differ by less (rad).
+  /// Minima whose directions differ by less (rad) count as one.
   static constexpr double Apart = 0.003;
 
   /// `distance` > `tolerance` > 0, mm. Keeps the address of the search, which must outlive it.
   ClearanceProof(const ClosestPointSearch& search, double distance, double tolerance) noexcept;
 
-  /// `known` are minima of the distance to `queryWorld` (mm; no farther than 1e100), tracked there,
-  /// at most MostKnown. The model is evaluated `evaluationLimit` times or little more.
+  /// `known` are minima of the distance to `queryWorld` (mm; at most 1e100), tracked there, at most
+  /// MostKnown. Evaluates the model about `evaluationLimit` times at most.
   Answer Ask(const Vector3& queryWorld, const ClosestPoint* known, std::size_t knownCount,
              int evaluationLimit) noexcept;
   static constexpr std::size_t MostKnown = 8;
 
 private:
-  // A node of the tree, or a triangle of its own.
+  // A node of the tree, or a separate triangle.
   struct Cell
   {
-    int Node; // of triangles None
+    int Node; // None for triangles
     bool IsEvaluated;
     SphericalTriangle Triangle;
     SphericalCap Cap;
@@ -60,7 +60,7 @@ private:
   enum class Step
   {
     Settled,
-    Again, // other cells are in its place
+    Again, // the cell was replaced by others
     Found, // a minimum
     Open
   };
@@ -80,8 +80,8 @@ private:
   const ClosestPointSearch* Search;
   double Needed; // mm
   Vector3 Query = Vector3::Zero();
-  double Way = 0.0; // mm that the query has gone since the cells were begun
-  // No point of a cell is nearer than this plus what is needed, less the way.
+  double PathLength = 0.0; // path length of the query since the cells were created, mm
+  // No point of a cell is closer than this plus Needed, minus the path length.
   std::array<double, CellCapacity> ClearUntil;
   std::array<Cell, CellCapacity> Cells;
   std::size_t CellCount = 0;

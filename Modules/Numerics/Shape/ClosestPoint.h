@@ -6,32 +6,32 @@
 
 namespace palpate
 {
-/// The point of a model's surface nearest to a query, and how well it is known.
+/// The point of a model's surface closest to a query, with its error bounds.
 struct ClosestPoint
 {
   enum class Outcome
   {
     Minimum,    ///< a strict minimum of the distance, within PositionError
-    Stationary, ///< no strict minimum: a saddle, or points equally near all around, as in the
+    Stationary, ///< not a strict minimum: a saddle, or points equally close all around, as in the
                 ///< centre of a sphere
-    Limit,      ///< the evaluations allowed did not suffice
-    BadInput    ///< the query or the surface is not finite; the numbers mean nothing
+    Limit,      ///< the evaluation limit was reached
+    BadInput    ///< the query or the surface is not finite; the other members are meaningless
   };
 
   Vector3 Direction;     ///< unit vector from the model's centre
   Vector3 PointWorld;    ///< centre + R u, mm
-  Vector3 Normal;        ///< outward unit normal there; the direction where the surface has none
+  Vector3 Normal;        ///< outward unit normal there; the direction if the surface has none
   double SignedDistance; ///< from the point to the query, mm; negative inside
-  /// The distance is at most this much (mm) longer than the minimum: of the whole surface if a
-  /// global search made this, else of the minimum that was tracked (infinite if there is none).
+  /// The distance is at most this much (mm) longer than the minimum: of the whole surface for a
+  /// global search, else of the tracked minimum (infinite if there is none).
   double DistanceError;
-  /// How far (mm) the exact minimum may be from PointWorld; infinite if that is not known.
+  /// Largest distance (mm) of the exact minimum from PointWorld; infinite if unknown.
   double PositionError;
   int Evaluations = 0; ///< of the radius with its first two derivatives
   Outcome State = Outcome::BadInput;
 
-  /// The surface as it was last evaluated, very close to Direction, and the distance expanded
-  /// there: where tracking goes on, which spares it one evaluation.
+  /// The last evaluated sample, very close to Direction, and the expansion of the distance there:
+  /// tracking continues from it, which saves one evaluation.
   Vector3 SampleDirection;
   SphericalHarmonicModel::SecondOrderSample Sample;
   SquaredDistance Expansion;

@@ -12,8 +12,8 @@ namespace
 {
 constexpr double Infinite = std::numeric_limits<double>::infinity();
 
-// The end of a step from a unit vector along a tangent. Short steps, and that is every step of a
-// servo tick, need neither root nor division.
+// Moves a unit vector along a tangent. Short steps, such as every step of a servo tick, need
+// neither square root nor division.
 Vector3 Moved(const Vector3& direction, const Vector3& step) noexcept
 {
   const Vector3 end = direction + step;
@@ -24,7 +24,7 @@ Vector3 Moved(const Vector3& direction, const Vector3& step) noexcept
   return scale * end;
 }
 
-// What is known of f and of the surface at a sample.
+// Local bounds on f and on the surface at a sample.
 struct LocalBounds
 {
   double First;      // |x'|, mm/rad
@@ -42,7 +42,7 @@ struct LocalBounds
     const double first = this->First + angle * second;
     return 3.0 * first * second + (this->Distance + angle * first) * this->Third;
   }
-  // f is above its quadratic expansion less angle^3 / 6 times this. With e the quadratic expansion
+  // f is above its quadratic expansion minus angle^3 / 6 times this. With e the quadratic expansion
   // of x - q, f = |e|^2 / 2 + e.r + |r|^2 / 2 with |r| <= angle^3 |x'''| / 6, and the first term
   // has only x'.x'' at third order and a square at fourth.
   double Fall(double angle) const noexcept
@@ -54,14 +54,14 @@ struct LocalBounds
 
 struct Remainder
 {
-  double Angle; // the minimum is within this of the end, rad; infinite if not known
+  double Angle; // the minimum is within this of the end, rad; infinite if unknown
   double Drop;  // |x - q|^2 is at most this much above its minimum there, mm^2
 };
 
 LocalBounds BoundsAt(const SphericalHarmonicModel::SecondOrderSample& sample,
                      const SquaredDistance& distance, double third, double rounding) noexcept
 {
-  // Roots are slow, and two take no longer than one.
+  // Square roots are slow, and two take no longer than one.
   using Pair = Eigen::Array2d;
   const double slope = sample.SurfaceGradient.squaredNorm();
   const Pair sizes =
@@ -74,7 +74,7 @@ LocalBounds BoundsAt(const SphericalHarmonicModel::SecondOrderSample& sample,
           sizes[1] * rounding};
 }
 
-// What is known after a last step of Newton's over the angle `step`.
+// Bounds after a last Newton step over the angle `step`.
 Remainder After(double step, const LocalBounds& bounds) noexcept
 {
   // The third covariant derivative is symmetric up to the curvature of the sphere times the
@@ -84,13 +84,13 @@ Remainder After(double step, const LocalBounds& bounds) noexcept
   const double left = bounds.Noise + (step > 0.0 ? 0.5 * step * step * third : bounds.Gradient);
   const double quotient = left / eigenvalue;
   const double angle = 4.0 * quotient;
-  // Almost always the angle is much less than the step, and the bound at hand will do.
+  // Almost always the angle is much less than the step, and the existing bound suffices.
   const double thirdThere = angle <= step ? third : bounds.ThirdOfF(step + angle);
   const bool isKnown = eigenvalue > 0.0 && angle * thirdThere <= 1.5 * eigenvalue;
   return {isKnown ? angle : Infinite, 2.0 * left * quotient};
 }
 
-// Fills in the point at the end of a last, short step.
+// Computes the point at the end of a last, short step.
 void Finish(const Vector3& query, const Vector3& centerWorld, const Vector3& step, double rounding,
             const LocalBounds& bounds, const Remainder& remainder, ClosestPoint& point) noexcept
 {
@@ -125,15 +125,15 @@ void Finish(const Vector3& query, const Vector3& centerWorld, const Vector3& ste
   }
 }
 
-// The angle left at the minimum is at least the left side over the smallest eigenvalue, and that is
-// at most half the trace.
+// The remaining angle to the minimum is at least the left side over the smallest eigenvalue, which
+// is at most half the trace.
 bool IsShort(double squaredStep, double tolerance, const SquaredDistance& distance,
              double radius) noexcept
 {
   return 6.0 * squaredStep * radius * radius <= 0.5 * tolerance * distance.Trace;
 }
 
-// Far below any eigenvalue that matters; keeps steps finite.
+// Far below any relevant eigenvalue; keeps steps finite.
 double LeastEigenvalue(const SquaredDistance& distance, double radius, double rounding) noexcept
 {
   return 1e-9 * (std::abs(distance.Trace) + radius * radius) + rounding * rounding;
@@ -145,8 +145,8 @@ bool IsWellConditioned(const SquaredDistance& distance, double least) noexcept
   return distance.IsConvex() && distance.Determinant >= least * distance.Trace;
 }
 
-// Goes to the end of a step if the distance falls enough on the way; `point` is then there. Else it
-// is in disorder.
+// Moves to the end of a step if the distance decreases enough; `point` is then there. Otherwise its
+// contents are undefined.
 bool TryStep(const SphericalHarmonicModel& model, const Vector3& query, const Vector3& from,
              const SquaredDistance& here, const Vector3& step, double rounding,
              ClosestPoint& point) noexcept
@@ -158,11 +158,11 @@ bool TryStep(const SphericalHarmonicModel& model, const Vector3& query, const Ve
   const Vector3& offset = point.Expansion.Offset;
   const double change = 0.5 * (offset - here.Offset).dot(offset + here.Offset);
   const double enough = 1e-4 * here.Gradient.dot(step);
-  // The last term is what rounding leaves of the change.
+  // The last term allows for rounding of the change.
   return change <= enough || change <= enough + here.Offset.norm() * rounding;
 }
 
-// One step down of at most `longest` rad, Newton's if it can be; false if none was found.
+// One descent step of at most `longest` rad, Newton's if possible; false if none was found.
 bool Advance(const SphericalHarmonicModel& model, double longest, const Vector3& query,
              const Vector3& newton, double rounding, int evaluationLimit,
              ClosestPoint& point) noexcept
@@ -209,7 +209,7 @@ bool EndWithin(double angle, const Vector3& query, const Vector3& centerWorld, c
   return true;
 }
 
-// Gives up where the point is, or where rounding lets no gradient be told from zero.
+// Stops at the current point, or where the gradient cannot be distinguished from rounding.
 void Stop(const Vector3& query, const Vector3& centerWorld, double third, double rounding,
           bool isStationary, ClosestPoint& point) noexcept
 {
@@ -231,13 +231,13 @@ ClosestPointDescent::ClosestPointDescent(const SphericalHarmonicModel& model, In
     : Model(&model), Derivatives(model.WithPrecision(EvaluationPrecision::Double)),
       Size(Derivatives.Radius[0] + model.CenterWorld().norm()),
       UnitRounding(4.0 * (model.Degree() + 4.0) * std::numeric_limits<double>::epsilon()),
-      // Several times what is measured, as roundings of many terms rarely add up.
+      // Several times the measured error, since the errors of many terms rarely add up.
       EvaluationRounding(model.Precision() == EvaluationPrecision::Double
                              ? 0.0
                              : (std::sqrt(model.Degree()) + 4.0) * model.Epsilon() *
                                    Derivatives.Radius[0]),
       LongestStep(2.0 / (model.Degree() + 1.0)),
-      // What rounding leaves of the gradient over an eigenvalue of usual size, four times.
+      // Rounding of the gradient over an eigenvalue of usual size, times four.
       Finest(16.0 * EvaluationRounding / std::max(Derivatives.Radius[0], EvaluationRounding)),
       Set(set)
 {
@@ -263,9 +263,9 @@ ClosestPoint ClosestPointDescent::Continue(const Vector3& query, const ClosestPo
              : this->ContinuePortably(query, previous, tolerance, evaluationLimit);
 }
 
-// A servo tick in one piece, so that what its steps hand on stays in registers: once for any
-// machine and once for AVX2. Nothing that another file might share is compiled for AVX2, as all of
-// it is inlined here.
+// A servo tick in one function, so that intermediate results stay in registers: compiled portably
+// and for AVX2. No function that another file might share is compiled for AVX2, since everything is
+// inlined here.
 [[gnu::flatten]] ClosestPoint
 ClosestPointDescent::ContinuePortably(const Vector3& query, const ClosestPoint& previous,
                                       double tolerance, int evaluationLimit) const noexcept
@@ -298,8 +298,8 @@ ClosestPoint ClosestPointDescent::Follow(const Vector3& query, const ClosestPoin
   return point;
 }
 
-// The curvature of the tick before foresees this tick's step nearly as well as its own would, for a
-// fraction of the work; what it misses, the last step mends. False where the step was not taken.
+// The curvature of the last tick predicts this tick's step nearly as well as its own, at a fraction
+// of the cost; the last step corrects the error. Returns false if the step was not taken.
 bool ClosestPointDescent::Foresee(const Vector3& query, const ClosestPoint& previous,
                                   double tolerance, double rounding,
                                   ClosestPoint& point) const noexcept
@@ -372,7 +372,8 @@ ClosestPointDescent::BasinAround(const Vector3& query, const ClosestPoint& point
   // times the eigenvalue, and to 2.7 times where that is beyond 30 s; and no less than this before.
   const auto angleWithin = [&](double part)
   {
-    // Where angle * Fall(angle) is that part of the eigenvalue; the last step makes it no more.
+    // Where angle * Fall(angle) is that fraction of the eigenvalue; the last step ensures at most
+    // that.
     double angle = part * smallest / bounds.Fall(0.0);
     for (int i = 0; i < 4; ++i)
     {

@@ -6,60 +6,59 @@
 
 namespace palpate
 {
-/// Walks down the distance from a query to the nearest point close by, on the servo thread too:
-/// const, without allocation, with a fixed number of evaluations at most.
+/// Descends from a start direction to the closest point nearby, also on the servo thread: const,
+/// allocation-free, with a fixed maximum number of evaluations.
 ///
-/// Newton's method on the unit sphere for |x(u) - q|^2 / 2, safeguarded: where the Hessian is not
-/// positive it is shifted until it is, steps are limited, and a step is taken only if the distance
-/// falls (Absil, Mahony and Sepulchre, Optimization Algorithms on Matrix Manifolds, 2008, ch. 6).
-/// The last step needs no evaluation: once it is short, radius and gradient at its end follow from
-/// their expansion at its start.
+/// Newton's method on the unit sphere for |x(u) - q|^2 / 2, safeguarded: an indefinite Hessian is
+/// shifted until it is positive definite, steps are limited, and a step is taken only if the
+/// distance decreases (Absil, Mahony and Sepulchre, Optimization Algorithms on Matrix Manifolds,
+/// 2008, ch. 6). The last step needs no evaluation: once it is short, radius and gradient at its
+/// end follow from their expansion at its start.
 ///
-/// How well the end is known follows from what is known there and from a bound of the third
-/// derivative along great circles, |f'''| <= M = 3 |x'| |x''| + |x - q| |x'''|. With lambda the
-/// smallest eigenvalue of the Hessian and G the gradient that may be left, f rises along every
-/// great circle by at least -G s + lambda s^2 / 4 up to the angle 1.5 lambda / M. So the minimum is
+/// The error bounds follow from the values at the end and from a bound of the third derivative
+/// along great circles, |f'''| <= M = 3 |x'| |x''| + |x - q| |x'''|. With lambda the smallest
+/// eigenvalue of the Hessian and G a bound of the remaining gradient, f rises along every great
+/// circle by at least -G s + lambda s^2 / 4 up to the angle 1.5 lambda / M. So the minimum is
 /// within the angle 4 G / lambda, and f is at most G^2 / lambda above it.
 class ClosestPointDescent
 {
 public:
-  /// `Angle` (rad) around a closest point's SampleDirection within which no point of the surface
-  /// is nearer than `LowerDistance` (mm); 0 where nothing is known.
+  /// `Angle` (rad) around a closest point's SampleDirection within which no point of the surface is
+  /// closer than `LowerDistance` (mm); 0 if unknown.
   struct Basin
   {
     double Angle = 0.0;
     double LowerDistance = 0.0;
   };
 
-  /// Keeps the address of the model, which must outlive it. The processor must have `set`, by which
-  /// Continue's results differ by roundings.
+  /// Keeps the address of the model, which must outlive it. The processor must support `set`, with
+  /// which results of Continue differ by rounding.
   explicit ClosestPointDescent(const SphericalHarmonicModel& model,
                                InstructionSet set = FastestInstructionSet());
 
-  /// From the sample at `direction` to the minimum. `query` is relative to the model's centre (mm),
-  /// `tolerance` the angle (rad) that the minimum may be off, `evaluationLimit` >= 0.
+  /// Descends from the sample at `direction` to the minimum. `query` is relative to the model's
+  /// centre (mm), `tolerance` the allowed error of the angle (rad), `evaluationLimit` >= 0.
   ClosestPoint Run(const Vector3& query, const Vector3& direction,
                    const SphericalHarmonicModel::SecondOrderSample& sample, double tolerance,
                    int evaluationLimit) const noexcept;
 
-  /// The same from what was found for the query of the tick before, which is near;
-  /// `evaluationLimit` >= 1.
+  /// The same from the result of the last tick, for a nearby query; `evaluationLimit` >= 1.
   ClosestPoint Continue(const Vector3& query, const ClosestPoint& previous, double tolerance,
                         int evaluationLimit) const noexcept;
 
-  /// Around a point that Run found from the same query.
+  /// Basin of a point that Run found for the same query.
   Basin BasinAround(const Vector3& query, const ClosestPoint& point) const noexcept;
 
-  /// No point of the surface over the cap of the angle `reach` (rad) around `direction` is nearer
-  /// to the query than this (mm), by the expansion at its centre.
+  /// Lower bound of the distance (mm) from the query to the surface over the cap of the angle
+  /// `reach` (rad) around `direction`, by the expansion at its centre.
   double LowerDistance(const Vector3& query, const Vector3& direction,
                        const SphericalHarmonicModel::SecondOrderSample& sample,
                        double reach) const noexcept;
 
-  /// What tracking cannot get below (rad): of the angle by which a point may be off its minimum.
+  /// Smallest angle error (rad) of a minimum that tracking can reach.
   double LeastTolerance() const noexcept { return this->Finest; }
   const RadiusDerivativeBounds& Bounds() const noexcept { return this->Derivatives; }
-  /// What rounding may add to a distance (mm): some units in the last place of the numbers
+  /// Bound of the rounding error of a distance (mm): some units in the last place of the numbers
   /// involved.
   double Rounding(const Vector3& query) const noexcept
   {

@@ -10,7 +10,7 @@ namespace palpate
 {
 namespace
 {
-// Parts about as wide as the finest detail that the degree can show.
+// Parts about as wide as the finest detail that the degree can represent.
 int LevelsFor(int degree)
 {
   constexpr int Most = 5;
@@ -22,7 +22,7 @@ int LevelsFor(int degree)
   return levels;
 }
 
-// Squares of what is larger would overflow.
+// Squares of larger values would overflow.
 bool IsUsable(const Vector3& query)
 {
   return query.lpNorm<Eigen::Infinity>() <= 1e100;
@@ -110,7 +110,7 @@ ToolContact ClosestPointSearch::Touch(const ClosestPoint& closest, double toolRa
 ToolContact ClosestPointSearch::TouchAnywhere(const Vector3& toolCenterWorld,
                                               double toolRadius) const noexcept
 {
-  // In a hollow too narrow for the tool the walls push it out by turns.
+  // In a hollow narrower than the tool the opposite walls push it out alternately.
   constexpr int MostPushes = 64;
   ToolContact contact = Touch(this->Nearest(toolCenterWorld), toolRadius);
   for (int push = 0; push < MostPushes; ++push)

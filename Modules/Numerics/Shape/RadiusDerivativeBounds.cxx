@@ -10,8 +10,8 @@ namespace palpate
 {
 namespace
 {
-// The largest angle (rad) from any direction to the nearest of these: none is farther from a
-// triangle's corners than its centre's reach.
+// The largest angle (rad) from any direction to the closest of these: at most the distance of a
+// triangle's corners from its centre.
 double Gap(const IcosahedronDirections& sphere)
 {
   double gap = 0.0;
@@ -53,7 +53,7 @@ RadiusDerivativeBounds::RadiusDerivativeBounds(const SphericalHarmonicModel& mod
   // With e the arc's direction: (R e)''' = (R''' - 3 R') e + (3 R'' - R) e'.
   const double along =
       std::hypot(this->Radius[3] + 3.0 * this->Radius[1], 3.0 * this->Radius[2] + this->Radius[0]);
-  // A symmetric form is largest with three equal arguments; what is not symmetric in the covariant
+  // A symmetric form is largest with three equal arguments; the asymmetric part of the covariant
   // derivative is the curvature of the sphere, 1, times x'.
   this->PointThird = along + std::hypot(this->Radius[1], this->Radius[0]);
 }

@@ -7,7 +7,7 @@
 namespace palpate
 {
 /// Bounds that hold at every direction u and along every great circle through it, with derivatives
-/// in the arc's angle: of the radius R, and of the surface point x = R u.
+/// by the arc's angle: of the radius R, and of the surface point x = R u.
 ///
 /// Along a great circle a radius of degree L is a trigonometric polynomial of degree L. If its
 /// largest size is M, an angle s away it is still at least M cos(L s) (M. Riesz 1914), and its

@@ -58,7 +58,7 @@ public:
   }
 
 private:
-  // No value anywhere is larger.
+  // Upper bound of the values everywhere.
   double Bound() const
   {
     return this->Cells.empty() ? this->Found : std::max(this->Found, this->Cells.top().Upper);
@@ -90,7 +90,7 @@ private:
 RadiusRange FindRadiusRange(const SphericalHarmonicModel& model, double tolerance)
 {
   const SphericalHarmonicSpectrum spectrum(model);
-  // Less than the error of evaluation cannot be reached.
+  // No tolerance below the error of evaluation can be reached.
   const double reachable = std::max(4.0 * spectrum.EvaluationError(), tolerance);
   if (!std::isfinite(spectrum.EvaluationError()))
   {

@@ -5,7 +5,7 @@
 namespace palpate
 {
 /// The smallest and the largest radius of a model (mm), enclosed from both sides: the smallest is
-/// from Lower to LowestFound, the largest from HighestFound to Upper. Certified, rounding included.
+/// in [Lower, LowestFound], the largest in [HighestFound, Upper]. Certified, including rounding.
 struct RadiusRange
 {
   double Lower;
@@ -15,9 +15,9 @@ struct RadiusRange
 };
 
 /// Searches the whole sphere by branch and bound: triangles of great circles are split, the most
-/// promising first, until what they may still hide is less than `tolerance` (mm). Some thousands of
-/// evaluations for an organ of degree 12 and 1e-3 mm; after a million it returns what is certain by
-/// then (a ring or a field of equal extremes takes many). Allocates: for preparation, not for the
-/// servo thread. Coefficients that are not finite give NaN.
+/// promising first, until the remaining uncertainty is less than `tolerance` (mm). Some thousands
+/// of evaluations for an organ of degree 12 and 1e-3 mm; after a million it returns the bounds
+/// reached so far (a ring or a field of equal extremes takes many). Allocates: for preparation, not
+/// for the servo thread. Non-finite coefficients give NaN.
 RadiusRange FindRadiusRange(const SphericalHarmonicModel& model, double tolerance);
 } // namespace palpate

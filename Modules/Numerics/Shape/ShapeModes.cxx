@@ -8,7 +8,7 @@ namespace palpate
 {
 namespace
 {
-// Singular values below this part of the data's size are rounding.
+// Singular values below this fraction of the data's norm are rounding.
 double RoundingOf(const Eigen::MatrixXd& coefficients)
 {
   return 8.0 * std::numeric_limits<double>::epsilon() * coefficients.norm();
@@ -20,11 +20,11 @@ Status FindShapeModes(const Eigen::MatrixXd& coefficients, ShapeModes& result)
   const Eigen::Index cases = coefficients.rows();
   if (cases < 2)
   {
-    return Status::Failure("how shapes vary needs two cases or more");
+    return Status::Failure("the variation of shapes needs at least two cases");
   }
   if (!coefficients.allFinite())
   {
-    return Status::Failure("a coefficient is no finite number");
+    return Status::Failure("a coefficient is not finite");
   }
   result.Mean = coefficients.colwise().mean().transpose();
   const Eigen::MatrixXd centered = coefficients.rowwise() - result.Mean.transpose();

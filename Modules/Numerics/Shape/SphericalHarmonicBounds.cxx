@@ -15,7 +15,7 @@ constexpr double Infinity = std::numeric_limits<double>::infinity();
 
 void Join(RadiusInterval& interval, const RadiusInterval& other)
 {
-  // Comparisons so that NaN is taken over: it must not look like a bound.
+  // Comparisons such that NaN propagates: it must not look like a bound.
   interval.Lower = other.Lower >= interval.Lower ? interval.Lower : other.Lower;
   interval.Upper = other.Upper <= interval.Upper ? interval.Upper : other.Upper;
 }
@@ -37,8 +37,8 @@ void AddCenters(const SphericalTriangle& triangle, int refinement, std::vector<V
 }
 } // namespace
 
-// A cone and how caps lie to it, by chords: those are accurate for small angles, where cosines are
-// not, and need no inverse functions.
+// A cone and the position of caps relative to it, by chords: those are accurate for small angles,
+// where cosines are not, and need no inverse functions.
 struct SphericalHarmonicBounds::Cone
 {
   Vector3 Axis;
@@ -58,14 +58,14 @@ struct SphericalHarmonicBounds::Cone
   {
     return (this->Axis - Vector3(node.Center[0], node.Center[1], node.Center[2])).squaredNorm();
   }
-  // Certainly no direction in common; false with NaN.
+  // Certainly disjoint; false with NaN.
   bool Misses(const Node& node, double squaredChord) const
   {
     const double sine = this->HalfSine * node.HalfCosine + this->HalfCosine * node.HalfSine;
     const double cosine = this->HalfCosine * node.HalfCosine - this->HalfSine * node.HalfSine;
     return cosine > 0.0 && squaredChord > 4.0 * sine * sine;
   }
-  // The whole cap lies in the cone; false with NaN.
+  // The whole cap lies inside the cone; false with NaN.
   bool Holds(const Node& node, double squaredChord) const
   {
     const double sine = this->HalfSine * node.HalfCosine - this->HalfCosine * node.HalfSine;

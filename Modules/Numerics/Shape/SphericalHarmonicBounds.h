@@ -11,14 +11,14 @@
 namespace palpate
 {
 /// Certified bounds of a model's radius and of its slope over cones of directions: for broad phases
-/// and step limits. Made once for a model; queries are const, thread-safe and free of allocation.
+/// and step limits. Built once per model; queries are const, thread-safe and allocation-free.
 ///
-/// The sphere is cut into the icosahedron's faces, these into four again and again, `Depth` times.
-/// Each triangle keeps an enclosing cap and an interval that holds every radius in it. A query
-/// walks down where a cap crosses the cone's rim, joins the intervals of the caps inside or at the
-/// rim, and cuts the result with what Taylor's formula says from one evaluation at the axis. Bounds
-/// are never too narrow, rounding included; they are too wide by what the radius changes over a
-/// smallest triangle at the rim, and by the slack of the intervals.
+/// The sphere is split into the icosahedron's faces, and these recursively into four, `Depth`
+/// times. Each triangle stores an enclosing cap and an interval that holds every radius in it. A
+/// query descends where a cap crosses the cone's boundary, unites the intervals of the caps inside
+/// or at the boundary, and intersects the result with Taylor's formula from one evaluation at the
+/// axis. Bounds are never too narrow, including rounding; they are too wide by the change of the
+/// radius over a smallest triangle at the boundary, and by the slack of the intervals.
 class SphericalHarmonicBounds
 {
 public:
@@ -27,7 +27,7 @@ public:
     /// Smallest triangles: 20 * 4^Depth of them, some 37 / 2^Depth degrees from centre to corner;
     /// 48 bytes each, and a third more for the larger ones.
     int Depth = 3;
-    /// Each smallest triangle's interval comes from 4^Refinement parts: the slack falls as
+    /// Each smallest triangle's interval is computed from 4^Refinement parts: the slack falls as
     /// 4^-(Depth + Refinement). Building takes 20 * 4^(Depth + Refinement) evaluations.
     int Refinement = 2;
   };
@@ -42,27 +42,28 @@ public:
   const SphericalHarmonicModel& Model() const noexcept { return this->Surface; }
   const SphericalHarmonicSpectrum& Spectrum() const noexcept { return this->Powers; }
 
-  /// Over all directions. A narrower interval: FindRadiusRange.
+  /// Over all directions. FindRadiusRange gives a narrower interval.
   const RadiusInterval& Radius() const noexcept { return this->Whole; }
-  /// Over all directions: no surface gradient is longer (mm/rad).
+  /// Upper bound of the surface gradient over all directions (mm/rad).
   double Slope() const noexcept { return this->WholeSlope; }
 
   /// Encloses every radius (mm) within `halfAngle` (rad) of the unit vector `axis`. Up to a
-  /// smallest triangle's size it takes one evaluation, above also a walk of some nanoseconds a
-  /// triangle at the rim. Angles below 0 count as 0, above pi and NaN as the whole sphere.
+  /// smallest triangle's size it takes one evaluation, above also a traversal of some nanoseconds
+  /// per triangle at the boundary. Negative angles count as 0, above pi and NaN as the whole
+  /// sphere.
   RadiusInterval RadiusInCone(const Vector3& axis, double halfAngle) const noexcept;
-  /// No surface gradient in that cone is longer (mm/rad).
+  /// Upper bound of the surface gradient in that cone (mm/rad).
   double SlopeInCone(const Vector3& axis, double halfAngle) const noexcept;
 
 private:
-  // Triangles in the order of a walk: each is followed by its parts. Geometry is in float; the
-  // radius of a cap has room for that.
+  // Triangles in depth-first order: each is followed by its parts. Geometry is in float; the
+  // radius of a cap includes its rounding.
   struct Node
   {
     float Center[3];
     float HalfSine; // of half the cap's radius
     float HalfCosine;
-    std::int32_t Next; // the first node that is no part of this one
+    std::int32_t Next; // the first node that is not part of this one
     RadiusInterval Interval;
     double Slope;
   };
@@ -78,6 +79,6 @@ private:
   std::vector<Node> Nodes;
   RadiusInterval Whole{};
   double WholeSlope = 0.0;
-  double WalkFrom = 0.0; // rad; Taylor's formula is as good for narrower cones
+  double WalkFrom = 0.0; // rad; Taylor's formula is at least as good for narrower cones
 };
 } // namespace palpate

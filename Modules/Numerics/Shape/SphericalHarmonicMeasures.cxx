@@ -47,7 +47,7 @@ double AreaByQuadrature(const SphericalHarmonicModel& model, int degree)
   return sum;
 }
 
-// Integrals of x^0, x and x x^T over the body, x seen from the model's centre.
+// Integrals of x^0, x and x x^T over the body, with x relative to the model's centre.
 struct CentralMoments
 {
   double Volume = 0.0;
@@ -82,7 +82,7 @@ void SetPrincipalAxes(BodyMoments& moments)
   moments.PrincipalAxes.col(2) = moments.PrincipalAxes.col(0).cross(moments.PrincipalAxes.col(1));
   for (int k = 0; k < 3; ++k)
   {
-    // A flat body's smallest moment may come out below zero by rounding.
+    // A flat body's smallest moment may be slightly negative by rounding.
     const double moment = std::max(solver.eigenvalues()[2 - k], 0.0);
     moments.SemiAxes[k] = std::sqrt(5.0 * moment / moments.Volume);
   }
@@ -119,7 +119,7 @@ Status MeasureBody(const SphericalHarmonicModel& model, BodyMoments& moments)
   const CentralMoments central(model);
   if (!(central.Volume > 0.0) || !std::isfinite(central.Second.sum()))
   {
-    return Status::Failure("the model encloses no positive, finite volume: it has no centroid");
+    return Status::Failure("the model encloses no positive, finite volume, so it has no centroid");
   }
   const Vector3 centroid = central.First / central.Volume;
   moments.Volume = central.Volume;

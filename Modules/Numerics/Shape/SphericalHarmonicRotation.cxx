@@ -13,11 +13,11 @@ namespace
 using Real = long double;
 using RealMatrix = Eigen::Matrix<Real, Eigen::Dynamic, Eigen::Dynamic>;
 
-// Entries of a rotation matrix come from files and from float arithmetic.
+// Rotation matrices may be rounded by files or float arithmetic.
 constexpr double MatrixTolerance = 1e-6;
 
 // d^l_mk(pi/2), m and k from 0 to l, from those of degree l - 1 (Trapani and Navaza 2006): the
-// highest row from the degree below, the others downwards, which is the stable way.
+// highest row from the degree below, the others downwards, which is the stable order.
 RealMatrix NextWigner(int l, const RealMatrix& lower)
 {
   RealMatrix d = RealMatrix::Zero(l + 1, l + 1);
@@ -41,7 +41,7 @@ RealMatrix NextWigner(int l, const RealMatrix& lower)
   return d;
 }
 
-// Wigner's d in the real basis, with the signs that the exchange of y and z gives it.
+// Wigner's d in the real basis, with the signs that result from exchanging y and z.
 Eigen::MatrixXd ExchangeOf(const RealMatrix& wigner)
 {
   const auto last = static_cast<int>(wigner.rows()) - 1;
@@ -112,7 +112,7 @@ SphericalHarmonicRotation::SphericalHarmonicRotation(int degree, const Eigen::Ma
       Eigen::Quaternion<Real>(Eigen::Matrix<Real, 3, 3>(rotation.cast<Real>())).normalized();
   this->Rotation = q.toRotationMatrix().cast<double>();
   // Half the sum and half the difference of alpha and gamma. Where one of them is undefined (beta
-  // 0 or pi), any value of it is right.
+  // 0 or pi), any value is correct.
   const Real halfSum = std::atan2(q.z(), q.w());
   const Real halfDifference = std::atan2(-q.x(), q.y());
   const Real beta = 2 * std::atan2(std::hypot(q.x(), q.y()), std::hypot(q.z(), q.w()));
@@ -133,7 +133,7 @@ Status SphericalHarmonicRotation::Make(int degree, const Eigen::Matrix3d& rotati
 {
   if (degree < 0)
   {
-    return Status::Failure("a rotation of coefficients needs a degree of 0 or more");
+    return Status::Failure("a rotation of coefficients needs a degree of at least 0");
   }
   if (!IsRotation(rotation))
   {
@@ -155,7 +155,7 @@ SphericalHarmonicRotation::Turn SphericalHarmonicRotation::MakeTurn(int degree, 
   return turn;
 }
 
-// The function turned by the angle about z: cos m (phi - angle), sin m (phi - angle).
+// Rotates the function by the angle about z: cos m (phi - angle), sin m (phi - angle).
 void SphericalHarmonicRotation::Rotate(const Turn& turn, int degree, Orders& orders)
 {
   for (std::size_t m = 0; m <= static_cast<std::size_t>(degree); ++m)

@@ -9,30 +9,30 @@
 
 namespace palpate
 {
-/// A rotation Q of the frame's space as it acts on coefficients: the rotated function takes at Q u
-/// the value that the old one took at u. Degrees do not mix: one orthogonal block each.
+/// The action of a rotation Q on coefficients: the rotated function has at Q u the value that the
+/// original one has at u. Degrees do not mix: one orthogonal block each.
 ///
-/// Every block is Z(alpha) J Z(-beta) J Z(gamma), where the Z turn about the polar axis, mixing
+/// Every block is Z(alpha) J Z(-beta) J Z(gamma), where the Z rotate about the polar axis, mixing
 /// only the cosine and sine of one order, and J is the constant matrix that exchanges y and z
-/// (Pinchon and Hoggan, J. Phys. A 40, 2007). J comes from Wigner's d at a right angle by the
+/// (Pinchon and Hoggan, J. Phys. A 40, 2007). J follows from Wigner's d at a right angle by the
 /// recurrence of Trapani and Navaza (Acta Cryst. A62, 2006) in long double, so that errors do not
 /// grow with the degree beyond those of the angles: blocks are orthogonal to 1e-13 up to degree 200
-/// at least. The angles are taken from the quaternion, which knows no gimbal lock.
+/// at least. The angles are computed from the quaternion, which avoids gimbal lock.
 class SphericalHarmonicRotation
 {
 public:
   /// The identity of degree 0.
   SphericalHarmonicRotation();
 
-  /// `rotation` maps old directions to new ones; it may be off by rounding of its entries (up to
-  /// 1e-6) and is replaced by the rotation of its normalised quaternion. Fails on a negative degree
-  /// and on a matrix that is no rotation: not finite, not orthogonal, or a reflection. Time and
+  /// `rotation` maps old directions to new ones; its entries may be off by rounding (up to 1e-6)
+  /// and it is replaced by the rotation of its normalised quaternion. Fails for a negative degree
+  /// and for a matrix that is not a rotation: not finite, not orthogonal, or a reflection. Time and
   /// memory grow as degree^3 / 3 numbers: 7 KB at degree 12, 21 MB at degree 200.
   static Status Make(int degree, const Eigen::Matrix3d& rotation,
                      SphericalHarmonicRotation& result);
 
   int Degree() const noexcept { return this->MaximumDegree; }
-  /// What directions are multiplied with.
+  /// The matrix that rotates directions.
   const Eigen::Matrix3d& Matrix() const noexcept { return this->Rotation; }
 
   /// Rotates (Degree() + 1)^2 coefficients in the convention of SphericalHarmonicBasis. Both may be
@@ -41,10 +41,10 @@ public:
   /// The matrix of one degree, 2l+1 rows and columns, orders -l..l. Allocates.
   Eigen::MatrixXd Block(int degree) const;
 
-  /// The surface turned about its own centre, as a model of degree Degree(): terms of the old one
-  /// above that are left out. Allocates.
+  /// The surface rotated about its own centre, as a model of degree Degree(): higher terms are
+  /// omitted. Allocates.
   SphericalHarmonicModel Apply(const SphericalHarmonicModel& model) const;
-  /// The same, turned about a point of the world (mm): the centre moves too.
+  /// The same, rotated about a point of the world (mm): the centre moves too.
   SphericalHarmonicModel ApplyAbout(const Vector3& pivotWorld,
                                     const SphericalHarmonicModel& model) const;
 
@@ -55,7 +55,7 @@ private:
     std::vector<double> Cosines;
     std::vector<double> Sines;
   };
-  // Coefficients of one degree with cosines and sines apart, m = 0..l.
+  // Coefficients of one degree as separate cosines and sines, m = 0..l.
   struct Orders;
 
   SphericalHarmonicRotation(int degree, const Eigen::Matrix3d& rotation);
@@ -69,8 +69,8 @@ private:
   Turn First;  // gamma
   Turn Middle; // -beta
   Turn Last;   // alpha
-  // J of each degree: entry (m, k) couples order k to order m. Which of cosine and sine it couples
-  // follows from parity, see Exchange.
+  // J of each degree: entry (m, k) couples order k to order m. Parity determines whether it couples
+  // cosines or sines, see Exchange.
   std::vector<Eigen::MatrixXd> Exchanges;
 };
 } // namespace palpate

@@ -10,11 +10,11 @@ namespace palpate
 {
 namespace
 {
-// What tests against 50 digits hold the evaluation to at every degree, in units of the largest
-// value that coefficients of this length allow.
+// Bound of the evaluation error at every degree, verified against 50 digits, in units of the
+// largest value that coefficients of this length allow.
 constexpr double EvaluationTolerance = 1e-12;
 
-// Largest magnitude, or NaN where any entry is not finite.
+// Largest magnitude, or NaN if any entry is not finite.
 double LargestOf(const std::vector<double>& values)
 {
   double largest = 0.0;
@@ -81,12 +81,12 @@ SphericalHarmonicSpectrum::SphericalHarmonicSpectrum(const SphericalHarmonicMode
 RadiusInterval SphericalHarmonicSpectrum::RadiusAround(const SphericalHarmonicModel::Sample& sample,
                                                        double angle) const noexcept
 {
-  // Taylor's formula along the great circle to any direction in reach.
+  // Taylor's formula along the great circle to any direction within the angle.
   const double slope = sample.SurfaceGradient.norm() + this->SlopeError;
   const double reach =
       std::min(slope * angle + 0.5 * this->LargestBend * angle * angle, this->LargestSlope * angle);
   const double relief = this->Relief() + this->RadiusError;
-  // In this order NaN stays NaN.
+  // Arguments ordered so that NaN propagates.
   return {std::max(sample.Radius - reach - this->RadiusError, this->Mean - relief),
           std::min(sample.Radius + reach + this->RadiusError, this->Mean + relief)};
 }

@@ -13,17 +13,17 @@ struct RadiusInterval
   double Upper;
 };
 
-/// What the power of each degree alone guarantees about a radius function: certified bounds, never
-/// too small, rounding included.
+/// Certified bounds of a radius function from the power of each degree alone: never too small,
+/// including rounding.
 ///
-/// Along a unit tangent, sum over m of the squares of Y_lm, of its slope and of its second
+/// Along a unit tangent, the sums over m of the squares of Y_lm, of its slope and of its second
 /// derivative on the great circle are (2l+1) / (4 pi) times 1, k / 2 and k (3k - 2) / 8 with
 /// k = l (l+1) (addition theorem; the Taylor series of P_l(cos s)). By Cauchy and Schwarz a degree
 /// of power p contributes at most the root of p times that, and some function of the same spectrum
 /// attains all of it at one point: no bound from the spectrum is sharper.
 ///
-/// Queries are const, free of allocation and cost a few operations. Coefficients that are not
-/// finite make every bound NaN.
+/// Queries are const, allocation-free and take a few operations. Non-finite coefficients make every
+/// bound NaN.
 class SphericalHarmonicSpectrum
 {
 public:
@@ -32,15 +32,15 @@ public:
   int Degree() const noexcept { return static_cast<int>(this->Tails.size()) - 1; }
   /// Mean of the radius over all directions (mm).
   double MeanRadius() const noexcept { return this->Mean; }
-  /// No radius differs from the mean by more (mm).
+  /// Largest deviation of a radius from the mean (mm).
   double Relief() const noexcept { return this->Tails.front().Maximum; }
-  /// A Lipschitz constant of the radius: no surface gradient is longer (mm/rad).
+  /// A Lipschitz constant of the radius: bounds every surface gradient (mm/rad).
   double Slope() const noexcept { return this->LargestSlope; }
-  /// No second derivative along a great circle, so no eigenvalue of the Hessian, is larger in
-  /// magnitude (mm/rad^2).
+  /// Bounds the magnitude of every second derivative along a great circle, and so of every
+  /// eigenvalue of the Hessian (mm/rad^2).
   double SecondDerivative() const noexcept { return this->LargestBend; }
 
-  /// What is lost where all terms above a degree are left out (mm).
+  /// Error of omitting all terms above a degree (mm).
   struct TruncationError
   {
     double Rms;     ///< root mean square over all directions: exact up to rounding (Parseval)
@@ -52,13 +52,13 @@ public:
     return this->Tails[static_cast<std::size_t>(degree)];
   }
 
-  /// Encloses the radius within `angle` (rad) of the direction that `sample` was evaluated at, the
-  /// error of evaluation included.
+  /// Encloses the radius within `angle` (rad) of the direction at which `sample` was evaluated,
+  /// including the error of evaluation.
   RadiusInterval RadiusAround(const SphericalHarmonicModel::Sample& sample,
                               double angle) const noexcept;
-  /// No surface gradient within `angle` (rad) of that direction is longer (mm/rad).
+  /// Bounds the surface gradient within `angle` (rad) of that direction (mm/rad).
   double SlopeAround(const SphericalHarmonicModel::Sample& sample, double angle) const noexcept;
-  /// What an evaluated radius may be wrong by (mm).
+  /// Error bound of an evaluated radius (mm).
   double EvaluationError() const noexcept { return this->RadiusError; }
 
 private:

@@ -10,8 +10,8 @@
 namespace palpate
 {
 /// f(u) = |x(u) - q|^2 / 2 (mm^2) as a function of the direction u, to second order at one
-/// direction: what a search for the nearest point minimises on the unit sphere. Points are relative
-/// to the model's centre. With a = u.(q - x) and d the rest of q - x, which is tangent to the
+/// direction: the objective of the closest-point search on the unit sphere. Points are relative to
+/// the model's centre. With a = u.(q - x) and d the rest of q - x, which is tangent to the
 /// sphere,
 ///   grad f = -a g - R d,
 ///   Hess f = R^2 I + g g' - a H - g d' - d g' + R a I,
@@ -23,7 +23,7 @@ struct SquaredDistance
   SquaredDistance(const Vector3& direction, const SphericalHarmonicModel::SecondOrderSample& sample,
                   const Vector3& query) noexcept
   {
-    // Sums are grouped so that few operations wait for others: a servo tick is one chain of them.
+    // Sums are grouped to shorten the dependency chain of a servo tick.
     const auto [along, across] = this->Aim(direction, sample, query);
     const double radius = sample.Radius;
     const Vector3& u = direction;
@@ -32,7 +32,7 @@ struct SquaredDistance
     const double round = radius * (radius + along);
     // g g' - g d' - d g' = (g - d) (g - d)' - d d'
     const Vector3 sum = g - across;
-    // Pairs of entries, xx with yy and xz with yz: processors have room for two.
+    // Pairs of entries, xx with yy and xz with yz, for two-lane vectors.
     using Pair = Eigen::Array2d;
     const Pair sumXy(sum[0], sum[1]);
     const Pair acrossXy(across[0], across[1]);
@@ -55,8 +55,8 @@ struct SquaredDistance
                         (sumOfTwo * this->Zz - (this->Xz * this->Xz + this->Yz * this->Yz));
   }
 
-  /// Goes over to another query from the same direction. The Hessian stays as it was; it changes in
-  /// proportion to the query.
+  /// Changes the query at the same direction. The Hessian is not updated; its error is proportional
+  /// to the change.
   void MoveQuery(const Vector3& direction, const SphericalHarmonicModel::SecondOrderSample& sample,
                  const Vector3& query) noexcept
   {
@@ -71,10 +71,10 @@ struct SquaredDistance
     const double half = 0.5 * this->Trace;
     return std::max(0.0, half * half - this->Determinant);
   }
-  /// In the tangent plane, mm^2/rad^2, by the root of SquaredSpread.
+  /// In the tangent plane, mm^2/rad^2; `spread` is the square root of SquaredSpread.
   double SmallestEigenvalue(double spread) const noexcept
   {
-    // The larger root in magnitude first: the other then keeps its digits.
+    // The root of larger magnitude first, so that the other keeps its digits.
     const double half = 0.5 * this->Trace;
     return half > 0.0 ? this->Determinant / (half + spread) : half - spread;
   }
@@ -83,7 +83,7 @@ struct SquaredDistance
     return this->SmallestEigenvalue(std::sqrt(this->SquaredSpread()));
   }
 
-  /// Newton's step (rad, tangent to the sphere); the determinant must not be zero.
+  /// The Newton step (rad, tangent to the sphere); the determinant must not be zero.
   Vector3 NewtonStep() const noexcept
   {
     return (1.0 / this->Determinant) * (this->Image() - this->Trace * this->Gradient);
@@ -96,11 +96,11 @@ struct SquaredDistance
     return (1.0 / (this->Determinant + shift * sum)) * (this->Image() - sum * this->Gradient);
   }
 
-  /// The quadratic expansion changes by no less (mm^2; at most 0) within the angle `reach` > 0
-  /// (rad); `smallest` is the least eigenvalue, `slope` the gradient's length. At a rim it is the
-  /// dual of the problem, which bounds from below with any shift that leaves the Hessian positive
-  /// definite (More and Sorensen, "Computing a trust region step", SIAM J. Sci. Stat. Comput. 4,
-  /// 1983); a few shifts come close.
+  /// Lower bound (mm^2; at most 0) of the change of the quadratic expansion within the angle
+  /// `reach` > 0 (rad); `smallest` is the smallest eigenvalue, `slope` the gradient's length. At
+  /// the boundary it is the dual of the problem, which is a lower bound for any shift that leaves
+  /// the Hessian positive definite (More and Sorensen, "Computing a trust region step", SIAM J.
+  /// Sci. Stat. Comput. 4, 1983); a few shifts come close.
   double LeastChange(double reach, double smallest, double slope) const noexcept
   {
     if (smallest > 0.0)
@@ -113,7 +113,7 @@ struct SquaredDistance
     }
     constexpr int Shifts = 3;
     const double least = 1e-6 * std::abs(this->Trace);
-    double eigenvalue = slope / reach; // the least, with the shift: the step is then no longer
+    double eigenvalue = slope / reach; // the smallest, with the shift: the step is then no longer
     double change = -std::numeric_limits<double>::infinity();
     for (int i = 0; i < Shifts; ++i)
     {
@@ -131,7 +131,7 @@ struct SquaredDistance
   double Determinant = 0.0;
 
 private:
-  // Of the gradient by the Hessian.
+  // The Hessian applied to the gradient.
   Vector3 Image() const noexcept
   {
     const Vector3& g = this->Gradient;
@@ -146,7 +146,7 @@ private:
     Vector3 Across;
   };
 
-  // Everything but the Hessian; returns the parts of q - x.
+  // Computes everything but the Hessian; returns the parts of q - x.
   Parts Aim(const Vector3& u, const SphericalHarmonicModel::SecondOrderSample& sample,
             const Vector3& query) noexcept
   {

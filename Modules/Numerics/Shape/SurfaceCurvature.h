@@ -7,23 +7,23 @@
 
 namespace palpate
 {
-/// How a star-shaped surface x(u) = centre + R(u) u bends at one point. A curvature is positive
-/// where the surface bends away from the outward normal (R u - grad R): a sphere of radius a has
-/// mean curvature 1/a.
+/// Curvature of a star-shaped surface x(u) = centre + R(u) u at one point. It is positive where the
+/// surface bends away from the outward normal (R u - grad R): a sphere of radius a has mean
+/// curvature 1/a.
 struct SurfaceCurvature
 {
   double Mean;                     ///< half the sum of the principal curvatures, 1/mm
   double Gaussian;                 ///< their product, 1/mm^2
   std::array<double, 2> Principal; ///< the larger first, 1/mm
   /// Unit tangents of the surface in the model's axes, perpendicular to each other, in the order
-  /// of Principal. At an umbilic point, where every direction is principal, some such pair.
+  /// of Principal. At an umbilic point, where every direction is principal, any such pair.
   std::array<Vector3, 2> Directions;
 };
 
 /// Curvature where the unit vector `direction` meets the surface, from the radius and its first two
-/// derivatives there (SphericalHarmonicModel::EvaluateSecondOrder). Where R < 0 it is that of the
-/// surface through centre + R u, still with the normal pointing away from the centre. Where R = 0
-/// the surface has no tangent plane, and every number is NaN.
+/// derivatives there (SphericalHarmonicModel::EvaluateSecondOrder). If R < 0 it is that of the
+/// surface through centre + R u, still with the normal pointing away from the centre. If R = 0 the
+/// surface has no tangent plane, and all results are NaN.
 ///
 /// With g and H the surface gradient and Hessian of R, and t a tangent of the unit sphere, the
 /// fundamental forms are

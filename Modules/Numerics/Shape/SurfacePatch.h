@@ -8,9 +8,9 @@
 
 namespace palpate
 {
-/// A cylinder that surely contains the part of a model's surface over a cap of directions. It lies
-/// along the normal, and its height shrinks with the square of the cap, so that it tells which
-/// parts may hold the nearest point. Points are relative to the model's centre, mm.
+/// A cylinder guaranteed to contain the part of a model's surface over a cap of directions. It lies
+/// along the normal, and its height shrinks with the square of the cap, so it gives a tight lower
+/// bound of the distance. Points are relative to the model's centre, mm.
 ///
 /// Along each great circle x(s) = x + s x' + s^2 x'' / 2 up to s^3 |x'''| / 6, x' is tangent, and
 /// the normal part of x'' is the second fundamental form.
@@ -22,20 +22,20 @@ struct SurfacePatch
   SurfacePatch(const Vector3& direction, const SphericalHarmonicModel::SecondOrderSample& sample,
                double reach, double pointThird) noexcept;
 
-  /// No point of the patch is nearer to the query than this (mm), up to rounding.
+  /// Lower bound (mm) of the distance from the query to the patch, up to rounding.
   double LowerDistance(const Vector3& query) const noexcept
   {
     const Vector3 offset = query - this->Point;
     const double height = offset.dot(this->Normal);
     const double square = std::max(0.0, offset.squaredNorm() - height * height);
     const double above = std::max({0.0, height - this->High, this->Low - height});
-    const double beside = std::max(0.0, std::sqrt(square) - this->Radius);
-    return std::sqrt(above * above + beside * beside);
+    const double lateral = std::max(0.0, std::sqrt(square) - this->Radius);
+    return std::sqrt(above * above + lateral * lateral);
   }
 
   Vector3 Point;
   Vector3 Normal;
-  double Low; ///< least and greatest height over Point along Normal, mm
+  double Low; ///< smallest and largest height over Point along Normal, mm
   double High;
   double Radius; ///< mm
 };

@@ -79,7 +79,7 @@ SurfacePatchTree::Sphere SurfacePatchTree::BuildPatch(const SphericalHarmonicMod
 
 SphericalTriangle SurfacePatchTree::Triangle(int node) const noexcept
 {
-  // The way up, then down again.
+  // The path up, then down again.
   std::array<int, 16> path{};
   std::size_t depth = 0;
   while (node >= RootCount)

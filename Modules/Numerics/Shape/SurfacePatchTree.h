@@ -11,26 +11,26 @@
 namespace palpate
 {
 /// A hierarchy of volumes around the parts of a model's surface: the triangles of an icosahedron,
-/// each cut into four a number of times. The finest have a SurfacePatch each, the others a sphere
+/// each split into four a number of times. The finest have a SurfacePatch each, the others a sphere
 /// around their four parts. Nodes are numbered level by level; points are relative to the model's
-/// centre, mm. Immutable; its queries are const, thread-safe and free of allocation.
+/// centre, mm. Immutable; its queries are const, thread-safe and allocation-free.
 class SurfacePatchTree
 {
 public:
-  /// `levels` >= 0 is how often the 20 triangles are cut. Evaluates the model in 20 * 4^levels
-  /// directions.
+  /// `levels` >= 0 is the number of times the 20 triangles are split. Evaluates the model in
+  /// 20 * 4^levels directions.
   SurfacePatchTree(const SphericalHarmonicModel& model, const RadiusDerivativeBounds& bounds,
                    int levels);
 
   static constexpr int RootCount = 20;
-  /// All nodes but the finest, and all nodes.
+  /// Number of nodes except the finest, and of all nodes.
   int InnerCount() const noexcept { return static_cast<int>(this->Spheres.size()); }
   int NodeCount() const noexcept { return InnerCount() + static_cast<int>(this->Patches.size()); }
   bool IsInner(int node) const noexcept { return node < this->InnerCount(); }
   /// The first of the four parts of an inner node; the others follow.
   static constexpr int FirstPart(int node) noexcept { return RootCount + 4 * node; }
 
-  /// No point of the node's surface is nearer to the query than this (mm), up to rounding.
+  /// Lower bound (mm) of the distance from the query to the node's surface, up to rounding.
   double LowerDistance(int node, const Vector3& query) const noexcept
   {
     if (!this->IsInner(node))
@@ -41,9 +41,9 @@ public:
     const Sphere& sphere = this->Spheres[static_cast<std::size_t>(node)];
     return std::max(0.0, (query - sphere.Center).norm() - sphere.Radius);
   }
-  /// The directions that a node stands for.
+  /// The directions of a node.
   SphericalTriangle Triangle(int node) const noexcept;
-  /// A cap of directions around them.
+  /// A cap that encloses them.
   const SphericalCap& CapOf(int node) const noexcept
   {
     return this->Caps[static_cast<std::size_t>(node)];
@@ -56,7 +56,7 @@ public:
            this->Patches.size() * sizeof(SurfacePatch);
   }
 
-  /// |R| is between these everywhere, mm.
+  /// Bounds of |R| over all directions, mm.
   double LeastRadius() const noexcept { return std::max({0.0, this->Lowest, -this->Highest}); }
   double LargestRadius() const noexcept { return std::max(-this->Lowest, this->Highest); }
 

@@ -29,7 +29,7 @@ std::array<Vector3, CornerCount> Corners()
            {-1, -g, 0}}};
 }
 
-// The 20 triples of mutually adjacent corners (distance 2), turned to face outwards.
+// The 20 triples of mutually adjacent corners (distance 2), oriented outwards.
 std::vector<std::array<int, 3>> CornerFaces(const std::array<Vector3, CornerCount>& corners)
 {
   const auto adjacent = [&corners](int a, int b)
@@ -52,7 +52,7 @@ std::vector<std::array<int, 3>> CornerFaces(const std::array<Vector3, CornerCoun
   return faces;
 }
 
-// Gives every grid point of every face one index, shared by the faces that share it.
+// Assigns one index to every grid point, shared by adjacent faces.
 class GridIndex
 {
 public:
@@ -134,7 +134,7 @@ IcosahedronDirections::IcosahedronDirections(int frequency) : Parts(std::max(1, 
   GridIndex grid(this->Parts, this->Points);
   for (const std::array<int, 3>& face : CornerFaces(corners))
   {
-    // Rows of the face's grid; the row above is kept so that interior points are made once.
+    // Rows of the face's grid; the row above is kept so that interior points are created once.
     std::vector<int> previous;
     for (int j = 0; j <= this->Parts; ++j)
     {

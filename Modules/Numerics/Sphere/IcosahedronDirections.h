@@ -7,8 +7,8 @@
 
 namespace palpate
 {
-/// The directions of an icosahedron whose edges are cut into `frequency` parts and whose points
-/// are pushed out to the unit sphere: 10 f^2 + 2 directions, 20 f^2 triangles (f = 20: 4,002 and
+/// The directions of an icosahedron whose edges are divided into `frequency` parts and whose points
+/// are projected to the unit sphere: 10 f^2 + 2 directions, 20 f^2 triangles (f = 20: 4,002 and
 /// 8,000). The icosahedron's corners are the cyclic permutations of (0, +-1, +-golden ratio), so
 /// the set is symmetric under a change of sign of any coordinate.
 class IcosahedronDirections
@@ -28,8 +28,8 @@ public:
   const std::vector<Vector3>& Directions() const noexcept { return this->Points; }
   /// Indices into Directions(), counter-clockwise seen from outside.
   const std::vector<std::array<int, 3>>& Triangles() const noexcept { return this->Faces; }
-  /// Solid angle (sr) that each direction stands for: a third of its spherical triangles' areas;
-  /// the sum is 4 pi.
+  /// Solid angle (sr) of each direction: a third of the areas of its spherical triangles; the sum
+  /// is 4 pi.
   std::vector<double> SolidAngles() const;
 
 private:

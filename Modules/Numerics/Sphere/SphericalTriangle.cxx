@@ -28,7 +28,7 @@ SphericalCap SphericalTriangle::Cap() const noexcept
   {
     chord = std::max(chord, (corner - center).norm());
   }
-  // A cap smaller than a hemisphere is convex: with the corners it holds the triangle.
+  // A cap smaller than a hemisphere is convex: it contains the triangle if it contains the corners.
   return {center, 2.0 * std::asin(0.5 * chord) * (1.0 + 1e-12) + 1e-14};
 }
 

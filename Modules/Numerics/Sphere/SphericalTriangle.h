@@ -7,7 +7,7 @@
 
 namespace palpate
 {
-/// All directions within an angle of one.
+/// All directions within an angle of a centre.
 struct SphericalCap
 {
   Vector3 Center; ///< unit vector
@@ -15,8 +15,7 @@ struct SphericalCap
 };
 
 /// A triangle of great circles, smaller than a hemisphere: the cell of searches over the sphere.
-/// Splitting keeps what the cells cover together, since neighbours round their shared corners
-/// alike.
+/// Splitting leaves no gaps between neighbours, since they compute shared corners identically.
 struct SphericalTriangle
 {
   std::array<Vector3, 3> Corners; ///< unit vectors
@@ -24,9 +23,9 @@ struct SphericalTriangle
   /// The 20 faces of the icosahedron: they cover the sphere.
   static std::vector<SphericalTriangle> Icosahedron();
 
-  /// A cap that holds the triangle with some 1e-12 to spare, rounding included.
+  /// A cap that contains the triangle with a margin of some 1e-12, including rounding.
   SphericalCap Cap() const noexcept;
-  /// Four triangles over the corners and the middles of the sides.
+  /// Four triangles from the corners and the midpoints of the sides.
   std::array<SphericalTriangle, 4> Split() const noexcept;
 };
 } // namespace palpate

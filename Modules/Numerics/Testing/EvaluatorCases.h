@@ -8,8 +8,8 @@
 
 namespace palpate::test
 {
-/// White coefficients of a degree, so that every term counts; and directions everywhere, at both
-/// poles and close to them.
+/// White coefficients of a degree, so that every term contributes; and directions everywhere, at
+/// and near both poles.
 struct EvaluatorCase
 {
   explicit EvaluatorCase(int degree) : Degree(degree)
@@ -55,7 +55,7 @@ private:
   }
 };
 
-/// One way to evaluate, for messages and loops.
+/// One configuration of the evaluator, for messages and loops.
 struct EvaluatorKind
 {
   EvaluationFormulation Formulation;

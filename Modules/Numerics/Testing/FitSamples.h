@@ -30,7 +30,7 @@ inline void AddNoise(Random& random, double deviation, RadialSamples& samples)
   }
 }
 
-/// Leaves out the directions within `angle` rad of the +z axis.
+/// Removes the directions within `angle` rad of the +z axis.
 inline RadialSamples WithoutCap(const RadialSamples& samples, double angle)
 {
   RadialSamples kept;
@@ -46,7 +46,8 @@ inline RadialSamples WithoutCap(const RadialSamples& samples, double angle)
   return kept;
 }
 
-/// Takes the weight of every `step`-th sample and makes its radius absurd; returns the others.
+/// Sets the weight of every `step`-th sample to zero and its radius to an absurd value; returns the
+/// others.
 inline RadialSamples SilenceEvery(std::size_t step, RadialSamples& samples)
 {
   RadialSamples kept;

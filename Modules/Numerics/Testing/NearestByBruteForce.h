@@ -10,8 +10,8 @@
 
 namespace palpate::test
 {
-/// Distances to a model's surface the slow, obvious way: the nearest of 10^5 surface points, and
-/// from there downhill by trying directions around the best one in ever smaller steps.
+/// Slow reference for distances to a model's surface: the closest of 10^5 surface points, followed
+/// by a descent that tries directions around the best one in ever smaller steps.
 class NearestByBruteForce
 {
 public:
@@ -80,7 +80,7 @@ private:
   std::vector<Vector3> Points;
 };
 
-/// A rough body: power falling slowly, and radii down to 30 % of the mean. `size` is the mean
+/// A rough body: slowly decreasing power, and radii down to 30 % of the mean. `size` is the mean
 /// radius in mm.
 inline SphericalHarmonicModel RandomRough(Random& random, int degree, double size)
 {

@@ -11,8 +11,8 @@
 
 namespace palpate::test
 {
-/// The model of a given degree nearest to a radius function (mm): coefficients by quadrature fine
-/// enough for what the degree leaves out.
+/// The model of a given degree closest to a radius function (mm): coefficients by quadrature fine
+/// enough for the terms that the degree omits.
 inline SphericalHarmonicModel Project(int degree,
                                       const std::function<double(const Vector3&)>& radius,
                                       const Vector3& centerWorld = Vector3::Zero())
@@ -40,7 +40,7 @@ inline SphericalHarmonicModel Ellipsoid(const Vector3& axes, const Matrix3& rota
                  { return 1.0 / (rotation.transpose() * u).cwiseQuotient(axes).norm(); });
 }
 
-/// A sphere whose middle is `offset` from the model's centre; exact for offset zero.
+/// A sphere whose centre is `offset` from the model's centre; exact for offset zero.
 inline SphericalHarmonicModel OffCenterSphere(double radius, const Vector3& offset, int degree)
 {
   return Project(degree,

@@ -17,7 +17,7 @@ using Finding = ClearanceProof::Finding;
 constexpr int Evaluations = 512;
 constexpr int ProvingEvaluations = 20000;
 
-// Glides over a rough body, at a height that changes from within `distance` to beyond.
+// Moves over a rough body, at a height that varies from within `distance` to beyond.
 class Glide
 {
 public:
@@ -48,7 +48,7 @@ protected:
   const ClosestPointSearch Search{std::make_shared<const SphericalHarmonicModel>(Rough)};
 };
 
-TEST_P(ClearanceProofOfDegree, SaysOfEveryPlaceWhatTheWholeSearchSays)
+TEST_P(ClearanceProofOfDegree, AgreesWithGlobalSearch)
 {
   constexpr double Distance = 3.0;
   constexpr double Tolerance = 1e-4;
@@ -79,7 +79,7 @@ TEST_P(ClearanceProofOfDegree, SaysOfEveryPlaceWhatTheWholeSearchSays)
   EXPECT_GT(nearer, 50);
 }
 
-TEST_P(ClearanceProofOfDegree, WhatIsKnownIsNoFindingAndHidesNoOther)
+TEST_P(ClearanceProofOfDegree, KnownMinimaHideNoOthers)
 {
   constexpr double Distance = 4.0;
   constexpr double Tolerance = 1e-4;
@@ -89,7 +89,7 @@ TEST_P(ClearanceProofOfDegree, WhatIsKnownIsNoFindingAndHidesNoOther)
   int open = 0;
   for (int step = 0; step < 200; ++step)
   {
-    // Where a ball only touches, as it does in use.
+    // Where the tool just touches, as it does in use.
     const ToolContact touch = this->Search.TouchAnywhere(glide.Next(Distance), Distance);
     const Vector3 query = touch.ToolCenterWorld;
     std::vector<ClosestPoint> known{this->Search.Nearest(query, ProvingEvaluations)};
@@ -108,7 +108,7 @@ TEST_P(ClearanceProofOfDegree, WhatIsKnownIsNoFindingAndHidesNoOther)
     {
       continue;
     }
-    // Whoever walks down from a place that is nearer comes to a known minimum.
+    // Descents from closer places must end in a known minimum.
     for (const Vector3& u : sphere.Directions())
     {
       if ((this->Rough.PointWorld(u) - query).norm() < Distance - Tolerance)
@@ -124,10 +124,10 @@ TEST_P(ClearanceProofOfDegree, WhatIsKnownIsNoFindingAndHidesNoOther)
       }
     }
   }
-  EXPECT_LE(open, 50); // of 200: where minima are about to be born
+  EXPECT_LE(open, 50); // of 200: where minima are about to appear
 }
 
-TEST_P(ClearanceProofOfDegree, WithoutEvaluationsItClaimsNoMoreThanIsTrue)
+TEST_P(ClearanceProofOfDegree, BoundsHoldWithoutEvaluations)
 {
   constexpr double Distance = 3.0;
   ClearanceProof proof(this->Search, Distance, 1e-4);
@@ -144,7 +144,7 @@ TEST_P(ClearanceProofOfDegree, WithoutEvaluationsItClaimsNoMoreThanIsTrue)
 
 INSTANTIATE_TEST_SUITE_P(Each, ClearanceProofOfDegree, testing::Values(4, 8, 12, 20, 33));
 
-TEST(ClearanceProof, TheSameQuestionsHaveTheSameAnswers)
+TEST(ClearanceProof, IsDeterministic)
 {
   Random random(1649);
   const SphericalHarmonicModel rough = test::RandomRough(random, 12, 20.0);
@@ -169,7 +169,7 @@ TEST(ClearanceProof, TheSameQuestionsHaveTheSameAnswers)
   }
 }
 
-TEST(ClearanceProof, AWayOfAnyLengthIsNoWayAround)
+TEST(ClearanceProof, LongPathsKeepBoundsValid)
 {
   Random random(1650);
   const SphericalHarmonicModel rough = test::RandomRough(random, 12, 20.0);

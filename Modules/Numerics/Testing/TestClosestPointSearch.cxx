@@ -24,7 +24,7 @@ double MeanRadius(const SphericalHarmonicModel& model)
 }
 
 // Queries inside, outside, close to the surface, far away, and on the medial axis: a query on the
-// way inwards from a surface point, where that point stops being the nearest one.
+// line inwards from a surface point, where that point stops being the closest one.
 std::vector<Vector3> Queries(Random& random, const ClosestPointSearch& search, int count)
 {
   const SphericalHarmonicModel& model = search.Model();
@@ -64,7 +64,7 @@ void ExpectConsistent(const SphericalHarmonicModel& model, const Vector3& query,
   EXPECT_NEAR(std::abs(found.SignedDistance), (query - found.PointWorld).norm(), 1e-14 * scale);
 }
 
-TEST(ClosestPointSearch, OnASphereIsExactForAnyQueryAndSize)
+TEST(ClosestPointSearch, IsExactOnSpheresOfAnySize)
 {
   Random random(931);
   for (const double radius : {1e-3, 20.0, 1e4})
@@ -86,7 +86,7 @@ TEST(ClosestPointSearch, OnASphereIsExactForAnyQueryAndSize)
   }
 }
 
-TEST(ClosestPointSearch, InTheCenterOfASphereEveryDirectionIsNearest)
+TEST(ClosestPointSearch, AcceptsAnyDirectionAtSphereCentre)
 {
   const ClosestPointSearch search = SearchOn(test::Sphere(5.0));
   const ClosestPoint found = search.Nearest(Vector3::Zero());
@@ -116,7 +116,7 @@ double EllipsoidDistance(const Vector3& axes, const Vector3& p)
   return (p - x).norm();
 }
 
-TEST(ClosestPointSearch, OnAnEllipsoidAgreesWithItsEquation)
+TEST(ClosestPointSearch, AgreesWithEquationOfEllipsoid)
 {
   Random random(932);
   const Vector3 axes(20.0, 24.0, 28.0);
@@ -127,13 +127,13 @@ TEST(ClosestPointSearch, OnAnEllipsoidAgreesWithItsEquation)
         std::uniform_real_distribution<double>(0.2, 60.0)(random) * test::RandomDirection(random);
     const double inside = query.cwiseQuotient(axes).norm() < 1.0 ? -1.0 : 1.0;
     const ClosestPoint found = search.Nearest(query);
-    // The series of degree 40 misses the ellipsoid by some 1e-10 mm.
+    // The series of degree 40 differs from the ellipsoid by some 1e-10 mm.
     EXPECT_NEAR(found.SignedDistance, inside * EllipsoidDistance(axes, query), 1e-9);
   }
   EXPECT_NEAR(search.Nearest(Vector3::Zero()).SignedDistance, -20.0, 1e-9);
 }
 
-TEST(ClosestPointSearch, IsNotFartherThanBruteForceAndItsErrorIsTrue)
+TEST(ClosestPointSearch, MatchesBruteForceWithinReportedError)
 {
   Random random(933);
   const std::vector<SphericalHarmonicModel> models{
@@ -155,14 +155,14 @@ TEST(ClosestPointSearch, IsNotFartherThanBruteForceAndItsErrorIsTrue)
       const double rounding = 1e-14 * (radius + distance + model.CenterWorld().norm());
       EXPECT_LE(distance, expected + rounding) << model.Degree() << " radius " << radius;
       EXPECT_GE(expected, distance - found.DistanceError);
-      // Where many parts are almost equally near the proof may stay open, by a part that the
-      // limit of evaluations decides.
+      // Where many parts are almost equally close the proof may stay incomplete, by an amount that
+      // the limit of evaluations determines.
       EXPECT_LE(found.DistanceError, 0.1 * radius);
     }
   }
 }
 
-TEST(ClosestPointSearch, FewEvaluationsWidenTheErrorButNeverMakeItUntrue)
+TEST(ClosestPointSearch, ErrorBoundHoldsForFewEvaluations)
 {
   Random random(934);
   for (int sample = 0; sample < 4; ++sample)
@@ -208,7 +208,7 @@ TEST(ClosestPointSearch, ProvesDistancesNearTheSurfaceOfOrgans)
   EXPECT_LE(evaluations, 300 * 12); // 5 on average when this was written
 }
 
-TEST(ClosestPointSearch, AClearanceIsSafeAndLeavesAThirdOfTheWayOpenAtMost)
+TEST(ClosestPointSearch, ClearanceIsSafeAndProvesTwoThirds)
 {
   Random random(930);
   int spared = 0;
@@ -235,7 +235,7 @@ TEST(ClosestPointSearch, AClearanceIsSafeAndLeavesAThirdOfTheWayOpenAtMost)
   EXPECT_GT(spared, 1000);
 }
 
-TEST(ClosestPointSearch, OfASurfacePointIsThatPoint)
+TEST(ClosestPointSearch, ReturnsQueriesOnTheSurface)
 {
   Random random(936);
   for (const bool rough : {false, true})
@@ -277,7 +277,7 @@ TEST(ClosestPointSearch, SignedDistanceIsOneLipschitz)
   }
 }
 
-TEST(ClosestPointSearch, GradientOfTheSignedDistanceIsTheNormal)
+TEST(ClosestPointSearch, GradientOfSignedDistanceIsNormal)
 {
   Random random(938);
   const ClosestPointSearch search = SearchOn(test::RandomOrgan(random, 8));
@@ -293,13 +293,14 @@ TEST(ClosestPointSearch, GradientOfTheSignedDistanceIsTheNormal)
       const double slope = (search.Nearest(query + step).SignedDistance -
                             search.Nearest(query - step).SignedDistance) /
                            (2.0 * H);
-      // The difference errs by H^2 times squared curvatures of up to 1 / mm, and by 1e-13 / H.
+      // The difference has an error of H^2 times squared curvatures of up to 1 / mm, plus 1e-13 /
+      // H.
       EXPECT_NEAR(slope, normal[axis], 1e-6);
     }
   }
 }
 
-TEST(ClosestPointSearch, FindsTheSurfaceAlsoWhereTheRadiusIsNegative)
+TEST(ClosestPointSearch, SupportsNegativeRadii)
 {
   Random random(939);
   std::vector<double> coefficients = test::RandomCoefficients(random, 6, 0.5);
@@ -311,7 +312,7 @@ TEST(ClosestPointSearch, FindsTheSurfaceAlsoWhereTheRadiusIsNegative)
     const Vector3 query =
         model.CenterWorld() +
         std::uniform_real_distribution<double>(0.0, 8.0)(random) * test::RandomDirection(random);
-    // Many sheets cross near the centre; they need more evaluations than a body does.
+    // Many sheets intersect near the centre; they need more evaluations than a body does.
     const ClosestPoint found = search.Nearest(query, 4000);
     const double distance = std::abs(found.SignedDistance);
     EXPECT_LE(distance, oracle.Distance(query) + 1e-13); // rounding
@@ -319,7 +320,7 @@ TEST(ClosestPointSearch, FindsTheSurfaceAlsoWhereTheRadiusIsNegative)
   }
 }
 
-TEST(ClosestPointSearch, OfTheModelThatIsAPointIsThatPoint)
+TEST(ClosestPointSearch, SupportsModelOfRadiusZero)
 {
   const ClosestPointSearch search = SearchOn(SphericalHarmonicModel());
   const ClosestPoint found = search.Nearest({3.0, 0.0, 4.0});
@@ -328,7 +329,7 @@ TEST(ClosestPointSearch, OfTheModelThatIsAPointIsThatPoint)
   EXPECT_TRUE(search.Nearest(Vector3::Zero()).Normal.allFinite());
 }
 
-TEST(ClosestPointSearch, RefusesNumbersThatAreNotFinite)
+TEST(ClosestPointSearch, RejectsNonFiniteInput)
 {
   Random random(940);
   const ClosestPointSearch search = SearchOn(test::RandomOrgan(random, 5));

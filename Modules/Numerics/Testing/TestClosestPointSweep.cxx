@@ -16,7 +16,7 @@ namespace
 {
 using test::Random;
 
-// Points of a surface, close enough to each other that a wrong side of the body shows.
+// Points of a surface, dense enough to detect a point on the wrong side of the body.
 class SurfacePoints
 {
 public:
@@ -45,7 +45,7 @@ enum class Place
   Inside,
   Outside,
   Center, ///< within a thousandth of the radius
-  Focal   ///< where the surface's tightest bend has its centre: an end of the medial axis
+  Focal   ///< the centre of the surface's strongest curvature: an end of the medial axis
 };
 
 Vector3 QueryAt(Place place, const SphericalHarmonicModel& model, Random& random)
@@ -74,7 +74,7 @@ class ClosestPointSweep : public testing::TestWithParam<Place>
 {
 };
 
-TEST_P(ClosestPointSweep, NoPointOfTheSurfaceIsNearer)
+TEST_P(ClosestPointSweep, NoSurfacePointIsCloser)
 {
   Random random(960 + static_cast<unsigned>(GetParam()));
   for (const SphericalHarmonicModel& model :

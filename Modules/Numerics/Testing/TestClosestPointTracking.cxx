@@ -19,7 +19,7 @@ ClosestPointSearch SearchOn(const SphericalHarmonicModel& model)
   return ClosestPointSearch(std::make_shared<const SphericalHarmonicModel>(model));
 }
 
-// A smooth path that stays between 95 % and 110 % of the radius, `step` mm a tick.
+// A smooth path that stays between 95 % and 110 % of the radius, `step` mm per tick.
 class Path
 {
 public:
@@ -49,7 +49,7 @@ private:
   Vector3 Query;
 };
 
-TEST(ClosestPointTracking, EqualsTheGlobalSearchAlongSmoothPaths)
+TEST(ClosestPointTracking, EqualsGlobalSearchOnSmoothPaths)
 {
   Random random(951);
   for (int sample = 0; sample < 3; ++sample)
@@ -65,13 +65,13 @@ TEST(ClosestPointTracking, EqualsTheGlobalSearchAlongSmoothPaths)
         tracked = search.Track(query, tracked);
         const ClosestPoint nearest = search.Nearest(query);
         ASSERT_TRUE(tracked.Converged()) << tick;
-        // What both say of themselves.
+        // The error bounds that both report.
         EXPECT_NEAR(tracked.SignedDistance, nearest.SignedDistance,
                     tracked.DistanceError + nearest.DistanceError);
         EXPECT_LE((tracked.PointWorld - nearest.PointWorld).norm(),
                   tracked.PositionError + nearest.PositionError);
-        // The tolerance in mm. The distance errs by its square, and by what the expansion of the
-        // last step leaves: |x'''| = 500 mm times the cube of at most 1e-4.
+        // The tolerance in mm. The error of the distance is its square, plus that of the expansion
+        // of the last step: |x'''| = 500 mm times the cube of at most 1e-4.
         EXPECT_LE(tracked.PositionError, 5e-6);
         EXPECT_LE(tracked.DistanceError, 1e-8);
         EXPECT_NEAR(tracked.SignedDistance, nearest.SignedDistance, 1e-10);
@@ -80,7 +80,7 @@ TEST(ClosestPointTracking, EqualsTheGlobalSearchAlongSmoothPaths)
   }
 }
 
-TEST(ClosestPointTracking, NeedsOneEvaluationATickOnServoPaths)
+TEST(ClosestPointTracking, NeedsOneEvaluationPerTickOnServoPaths)
 {
   Random random(952);
   const ClosestPointSearch search = SearchOn(test::RandomOrgan(random, 12));
@@ -99,7 +99,7 @@ TEST(ClosestPointTracking, NeedsOneEvaluationATickOnServoPaths)
   }
 }
 
-TEST(ClosestPointTracking, FollowsItsMinimumOnRoughBodiesAndTheGlobalOneIsNeverFarther)
+TEST(ClosestPointTracking, FollowsLocalMinimumOnRoughBodies)
 {
   Random random(953);
   const ClosestPointSearch search = SearchOn(test::RandomRough(random, 12, 20.0));
@@ -121,7 +121,7 @@ TEST(ClosestPointTracking, FollowsItsMinimumOnRoughBodiesAndTheGlobalOneIsNeverF
     }
     else if (std::abs(tracked.SignedDistance) - std::abs(nearest.SignedDistance) > 1e-9)
     {
-      // Only because another point became nearer: they are well apart.
+      // Only because another point became closer: they are well apart.
       EXPECT_GT((tracked.PointWorld - nearest.PointWorld).norm(), 0.1);
       ++apart;
       tracked = nearest;
@@ -135,7 +135,7 @@ TEST(ClosestPointTracking, FollowsItsMinimumOnRoughBodiesAndTheGlobalOneIsNeverF
   EXPECT_LE(apart + lost, Ticks / 10);
 }
 
-TEST(ClosestPointTracking, FromAnyDirectionEndsSoonAndNotFartherThanItStarted)
+TEST(ClosestPointTracking, DescendsFromAnyDirection)
 {
   Random random(954);
   const ClosestPointSearch search = SearchOn(test::RandomRough(random, 12, 20.0));
@@ -156,32 +156,32 @@ TEST(ClosestPointTracking, FromAnyDirectionEndsSoonAndNotFartherThanItStarted)
   EXPECT_GT(converged, 1000);
 }
 
-TEST(ClosestPointTracking, ErrorBoundsHoldAgainstASphereSeenFromASide)
+TEST(ClosestPointTracking, ErrorBoundsHoldForOffCentreSphere)
 {
   Random random(955);
-  const Vector3 middle(3.0, -2.0, 1.0);
-  const ClosestPointSearch search = SearchOn(test::OffCenterSphere(10.0, middle, 32));
+  const Vector3 center(3.0, -2.0, 1.0);
+  const ClosestPointSearch search = SearchOn(test::OffCenterSphere(10.0, center, 32));
   for (int i = 0; i < 1000; ++i)
   {
     const Vector3 normal = test::RandomDirection(random);
     const double height = std::uniform_real_distribution<double>(-5.0, 20.0)(random);
-    const Vector3 query = middle + (10.0 + height) * normal;
-    // Start as far off as a servo tick, and as a jump.
+    const Vector3 query = center + (10.0 + height) * normal;
+    // Start as far off as in a servo tick, and as after a jump.
     const double off = std::pow(10.0, std::uniform_real_distribution<double>(-6, -0.5)(random));
     const Vector3 start =
-        (middle + 10.0 * (normal + off * test::RandomDirection(random)).normalized()).normalized();
+        (center + 10.0 * (normal + off * test::RandomDirection(random)).normalized()).normalized();
     const ClosestPoint found = search.Track(query, start);
     ASSERT_TRUE(found.Converged());
-    // The series of degree 32 is the sphere but for rounding, which tilts it by 1e-13 rad or so; at
-    // a height of 20 mm the nearest point moves by as many times that.
+    // The series of degree 32 is the sphere except for rounding, which tilts it by about 1e-13 rad;
+    // at a height of 20 mm the closest point moves by as many times that.
     const double series = 5e-12;
-    const Vector3 exact = middle + 10.0 * normal;
+    const Vector3 exact = center + 10.0 * normal;
     EXPECT_LE((found.PointWorld - exact).norm(), found.PositionError + series);
     EXPECT_NEAR(found.SignedDistance, height, found.DistanceError + series);
   }
 }
 
-TEST(ClosestPointTracking, ErrorBoundsHoldAgainstATighterSolve)
+TEST(ClosestPointTracking, ErrorBoundsHoldAgainstTighterSolve)
 {
   Random random(956);
   for (const double size : {1e-3, 20.0, 1e4})
@@ -210,7 +210,7 @@ TEST(ClosestPointTracking, ErrorBoundsHoldAgainstATighterSolve)
   }
 }
 
-TEST(ClosestPointTracking, EveryInstructionSetFollowsTheSamePoint)
+TEST(ClosestPointTracking, InstructionSetsTrackTheSamePoint)
 {
   Random random(958);
   const SphericalHarmonicModel model = test::RandomOrgan(random, 12);
@@ -236,8 +236,8 @@ TEST(ClosestPointTracking, EveryInstructionSetFollowsTheSamePoint)
   }
 }
 
-// What the last tick left may be of another place or no number at all: it only foresees the step.
-TEST(ClosestPointTracking, AWrongCurvatureCostsEvaluationsOnly)
+// The last tick's curvature may belong to another place or be NaN: it only predicts the step.
+TEST(ClosestPointTracking, WrongCurvatureCostsOnlyEvaluations)
 {
   Random random(959);
   const SphericalHarmonicModel model = test::RandomOrgan(random, 12);
@@ -266,7 +266,7 @@ TEST(ClosestPointTracking, AWrongCurvatureCostsEvaluationsOnly)
   }
 }
 
-TEST(ClosestPointTracking, NoPointInABasinIsNearer)
+TEST(ClosestPointTracking, NoPointInBasinIsCloser)
 {
   Random random(957);
   const SphericalHarmonicModel model = test::RandomRough(random, 8, 20.0);
@@ -302,16 +302,16 @@ TEST(ClosestPointTracking, NoPointInABasinIsNearer)
   EXPECT_GT(basins, 200);
 }
 
-TEST(ClosestPointTracking, SaysSoOppositeOfTheNearestPoint)
+TEST(ClosestPointTracking, ReportsStationaryOppositeClosestPoint)
 {
   const ClosestPointSearch search = SearchOn(test::Sphere(10.0));
   const ClosestPoint found = search.Track({20.0, 0.0, 0.0}, Vector3(-1.0, 0.0, 0.0));
   EXPECT_EQ(found.State, Outcome::Stationary); // the farthest point
   EXPECT_FALSE(found.Converged());
   EXPECT_EQ(found.DistanceError, INFINITY);
-  // A little beside it the way down is found.
-  const Vector3 beside = Vector3(-1.0, 1e-6, 0.0).normalized();
-  ClosestPoint next = search.Track({20.0, 0.0, 0.0}, beside);
+  // Slightly off that direction the descent succeeds.
+  const Vector3 nearby = Vector3(-1.0, 1e-6, 0.0).normalized();
+  ClosestPoint next = search.Track({20.0, 0.0, 0.0}, nearby);
   for (int tick = 0; tick < 3 && !next.Converged(); ++tick)
   {
     next = search.Track({20.0, 0.0, 0.0}, next);
@@ -320,14 +320,14 @@ TEST(ClosestPointTracking, SaysSoOppositeOfTheNearestPoint)
   EXPECT_NEAR(next.SignedDistance, 10.0, 1e-14);
 }
 
-TEST(ClosestPointTracking, FromADirectionThatIsNotANumberIsBadInput)
+TEST(ClosestPointTracking, RejectsNanDirection)
 {
   const ClosestPointSearch search = SearchOn(test::Sphere(10.0));
   const ClosestPoint found = search.Track({20.0, 0.0, 0.0}, Vector3(NAN, 0.0, 1.0));
   EXPECT_EQ(found.State, Outcome::BadInput);
 }
 
-TEST(ToolContact, OfASphericalToolIsItsRadiusNearer)
+TEST(ToolContact, SphericalToolIsCloserByItsRadius)
 {
   const Vector3 center(1.0, 2.0, 3.0);
   const ClosestPointSearch search = SearchOn(test::Sphere(10.0, center));
@@ -347,9 +347,9 @@ TEST(ToolContact, OfASphericalToolIsItsRadiusNearer)
   }
 }
 
-TEST(ToolContact, IsPushedOutOfHollowsTooNarrowForIt)
+TEST(ToolContact, ToolIsPushedOutOfNarrowHollows)
 {
-  // Two lobes with a waist, whose hollow is narrower than the tool.
+  // Two lobes with a waist that is narrower than the tool.
   const SphericalHarmonicModel model =
       test::Project(8, [](const Vector3& u) { return 10.0 * (0.4 + u.z() * u.z()); });
   const ClosestPointSearch search = SearchOn(model);
@@ -365,12 +365,12 @@ TEST(ToolContact, IsPushedOutOfHollowsTooNarrowForIt)
     const ToolContact local = ClosestPointSearch::Touch(search.Nearest(query), ToolRadius);
     const ToolContact contact = search.TouchAnywhere(query, ToolRadius);
     const double left = search.Nearest(contact.ToolCenterWorld).SignedDistance - ToolRadius;
-    // What the pushes stop at.
+    // The termination tolerance of the pushes.
     EXPECT_GE(left, -1e-6) << i;
     EXPECT_NEAR(contact.Overlap, std::max(0.0, -left), 1e-12);
     corrected += (local.ToolCenterWorld - contact.ToolCenterWorld).norm() > 1e-3 ? 1 : 0;
   }
-  EXPECT_GT(corrected, 3); // the case happens
+  EXPECT_GT(corrected, 3); // the case occurs
 }
 } // namespace
 } // namespace palpate

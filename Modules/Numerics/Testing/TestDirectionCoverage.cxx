@@ -56,7 +56,7 @@ double Distance(const std::vector<Vector3>& directions, const Vector3& point)
   return nearest;
 }
 
-TEST(LargestEmptyCap, IsEmptyAndNoneOfManyPointsHasALargerOne)
+TEST(LargestEmptyCap, IsEmptyAndLargest)
 {
   const IcosahedronDirections grid(40);
   for (unsigned seed = 1600; seed < 1606; ++seed)
@@ -75,7 +75,7 @@ TEST(LargestEmptyCap, IsEmptyAndNoneOfManyPointsHasALargerOne)
   }
 }
 
-TEST(LargestEmptyCap, OfFewDirectionsIsKnown)
+TEST(LargestEmptyCap, MatchesKnownCapsOfFewDirections)
 {
   EXPECT_EQ(LargestEmptyCap({}, 1e-2).Radius, M_PI);
   const SphericalCap one = LargestEmptyCap({Vector3(0, 0, 1)}, 1e-3);
@@ -83,13 +83,13 @@ TEST(LargestEmptyCap, OfFewDirectionsIsKnown)
   EXPECT_LE(Angle(one.Center, {0, 0, -1}), 1e-3);
   const SphericalCap two = LargestEmptyCap({Vector3(0, 0, 1), Vector3(0, 0, -1)}, 1e-3);
   EXPECT_NEAR(two.Radius, M_PI / 2, 1e-3);
-  // Corners of an octahedron: the middle of a face.
+  // Corners of an octahedron: the centre of a face.
   const SphericalCap six =
       LargestEmptyCap({{0, 0, 1}, {0, 0, -1}, {0, 1, 0}, {0, -1, 0}, {1, 0, 0}, {-1, 0, 0}}, 1e-3);
   EXPECT_NEAR(six.Radius, std::acos(1.0 / std::sqrt(3.0)), 1e-3);
 }
 
-TEST(DirectionCoverage, FindsMissingCapsToTheSpacingOfTheDirections)
+TEST(DirectionCoverage, FindsMissingCapsToDirectionSpacing)
 {
   Random random(1610);
   const IcosahedronDirections sphere(20);
@@ -104,7 +104,7 @@ TEST(DirectionCoverage, FindsMissingCapsToTheSpacingOfTheDirections)
   }
 }
 
-TEST(DirectionCoverage, IgnoresDirectionsOfWeightZero)
+TEST(DirectionCoverage, IgnoresZeroWeightDirections)
 {
   const IcosahedronDirections sphere(12);
   std::vector<double> weights(sphere.Directions().size(), 1.0);
@@ -118,7 +118,7 @@ TEST(DirectionCoverage, IgnoresDirectionsOfWeightZero)
   EXPECT_LE(Angle(coverage.LargestGap.Center, {1, 0, 0}), std::sqrt(4.0 * M_PI / 1442.0));
 }
 
-TEST(DirectionCoverage, NoiseGainIsTheDeviationOfTheRadiusOverThatOfASample)
+TEST(DirectionCoverage, NoiseGainIsRelativeRadiusDeviation)
 {
   Random random(1620);
   const SphericalHarmonicModel truth = test::RandomOrgan(random, 8);
@@ -148,7 +148,7 @@ TEST(DirectionCoverage, NoiseGainIsTheDeviationOfTheRadiusOverThatOfASample)
       largest = std::max(largest, gain);
       squares += angles[i] * gain * gain / (4.0 * M_PI);
     }
-    // The search climbs to within a few thousandths of a radian of the top.
+    // The search ends within a few thousandths of a radian of the maximum.
     EXPECT_NEAR(coverage.NoiseGainMaximum / largest, 1.0, 0.01) << strength;
     // The quadrature of the test.
     EXPECT_NEAR(coverage.NoiseGainRms / std::sqrt(squares), 1.0, 1e-3) << strength;
@@ -160,7 +160,7 @@ TEST(DirectionCoverage, NoiseGainIsTheDeviationOfTheRadiusOverThatOfASample)
   }
 }
 
-TEST(DirectionCoverage, OfAFullSphereIsGood)
+TEST(DirectionCoverage, FullSphereIsGood)
 {
   const DirectionCoverage coverage = Assess(IcosahedronDirections(20).Directions(), 12);
   EXPECT_EQ(coverage.Outcome, Verdict::Good) << coverage.Sentence;
@@ -169,16 +169,16 @@ TEST(DirectionCoverage, OfAFullSphereIsGood)
   EXPECT_LE(coverage.LargestGap.Radius, 3.0 * Deg);
 }
 
-TEST(DirectionCoverage, OfTooFewDirectionsHasTooMuchNoise)
+TEST(DirectionCoverage, TooFewDirectionsHaveTooMuchNoise)
 {
-  // 252 directions for 225 coefficients: no gap is wide, and yet the noise grows.
+  // 252 directions for 225 coefficients: no gap is wide, but the noise grows.
   const DirectionCoverage coverage = Assess(IcosahedronDirections(5).Directions(), 14);
   EXPECT_LT(coverage.LargestGap.Radius, DirectionCoverage::WidestGap(14));
   EXPECT_GT(coverage.NoiseGainMaximum, 1.0);
   EXPECT_NE(coverage.Outcome, Verdict::Good) << coverage.Sentence;
 }
 
-TEST(DirectionCoverage, OfOneDirectionRepeatedIsUndetermined)
+TEST(DirectionCoverage, RepeatedDirectionIsUndetermined)
 {
   const std::vector<Vector3> directions(50, Vector3(0, 0, 1));
   const DirectionCoverage coverage = Assess(directions, 4);
@@ -188,7 +188,7 @@ TEST(DirectionCoverage, OfOneDirectionRepeatedIsUndetermined)
   EXPECT_EQ(Assess(directions, 4, 1e-3).Outcome, Verdict::Gaps);
 }
 
-TEST(DirectionCoverage, RefusesWhatAFitRefuses)
+TEST(DirectionCoverage, RejectsWhatFitRejects)
 {
   DirectionCoverage coverage;
   const std::vector<Vector3> directions = IcosahedronDirections(3).Directions();
@@ -226,7 +226,7 @@ protected:
   }
 };
 
-TEST_F(MissingCaps, PenaltiesNeverWorsenTheWorstErrorByMuch)
+TEST_F(MissingCaps, PenaltiesHardlyIncreaseWorstError)
 {
   for (int cap = 0; cap <= 60; cap += 10)
   {
@@ -234,7 +234,7 @@ TEST_F(MissingCaps, PenaltiesNeverWorsenTheWorstErrorByMuch)
     for (const char* penalty : {"cross-validation", "1e-3"})
     {
       const bench::MissingCapRow& row = Row(cap, penalty);
-      // The fixed strength smooths these bodies by up to 0.3 mm more than noise of 0.3 mm does.
+      // The fixed strength smooths these bodies by up to 0.3 mm more than noise of 0.3 mm requires.
       EXPECT_LE(std::max(row.ErrorInside, row.ErrorOutside),
                 std::max(none.ErrorInside, none.ErrorOutside) + 0.3)
           << cap << penalty;
@@ -243,7 +243,7 @@ TEST_F(MissingCaps, PenaltiesNeverWorsenTheWorstErrorByMuch)
   }
 }
 
-TEST_F(MissingCaps, PenaltiesKeepTheErrorInsideBelowTwoMillimetres)
+TEST_F(MissingCaps, PenaltiesBoundErrorInside)
 {
   for (int cap = 10; cap <= 60; cap += 10)
   {
@@ -253,7 +253,7 @@ TEST_F(MissingCaps, PenaltiesKeepTheErrorInsideBelowTwoMillimetres)
   EXPECT_GE(Row(60, "none").ErrorInside, 100.0); // where no penalty helps
 }
 
-TEST_F(MissingCaps, TheVerdictWarnsFromTheCapOnWhereErrorsGrow)
+TEST_F(MissingCaps, VerdictWarnsWhereErrorsGrow)
 {
   for (const bench::MissingCapRow& row : Rows())
   {
@@ -265,7 +265,7 @@ TEST_F(MissingCaps, TheVerdictWarnsFromTheCapOnWhereErrorsGrow)
   EXPECT_EQ(Row(60, "none").Verdict, Verdict::Undetermined);
 }
 
-TEST_F(MissingCaps, AreATableOfOneLineARow)
+TEST_F(MissingCaps, TableHasOneLinePerRow)
 {
   const std::string table = bench::ToMarkdown(Rows());
   EXPECT_EQ(static_cast<std::size_t>(std::count(table.begin(), table.end(), '\n')),

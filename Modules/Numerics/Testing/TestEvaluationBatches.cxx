@@ -14,8 +14,8 @@ using test::EvaluatorCase;
 using test::EvaluatorKind;
 using test::WorstCase;
 
-// The three batches of one evaluator, each as one row of numbers a direction, with one row more
-// that no batch may touch.
+// The three batches of one evaluator, each with one row of numbers per direction, plus a guard row
+// that no batch may write.
 template <typename Real>
 struct Batches
 {
@@ -86,7 +86,7 @@ TYPED_TEST(EvaluationBatches, AgreeWithSingleCalls)
         gradient.Add((batches.SecondOrders[i].SurfaceGradient - single.SurfaceGradient).norm());
         hessian.Add((batches.SecondOrders[i].SurfaceHessian - single.SurfaceHessian).norm());
       }
-      // Twice what is promised for each, as both may err; at degree 21 the promise is weaker.
+      // Twice the documented error, as both may be off; at degree 21 the bound is weaker.
       const double bound = (sizeof(Real) == sizeof(double) ? 2e-14 : 8e-6) * (degree > 16 ? 2 : 1);
       EXPECT_LE(radius.Value(), bound * c.Scale()) << kind.Name() << " degree " << degree;
       EXPECT_LE(gradient.Value(), bound * c.GradientScale()) << kind.Name() << ' ' << degree;
@@ -95,7 +95,7 @@ TYPED_TEST(EvaluationBatches, AgreeWithSingleCalls)
   }
 }
 
-TYPED_TEST(EvaluationBatches, DependNeitherOnTheCountNorOnThePlace)
+TYPED_TEST(EvaluationBatches, AreIndependentOfCountAndPosition)
 {
   using Real = TypeParam;
   const EvaluatorCase c(12);
@@ -124,7 +124,7 @@ TYPED_TEST(EvaluationBatches, DependNeitherOnTheCountNorOnThePlace)
   }
 }
 
-TYPED_TEST(EvaluationBatches, OneWrongDirectionSpoilsItsOwnResultOnly)
+TYPED_TEST(EvaluationBatches, InvalidDirectionAffectsOnlyItsResult)
 {
   using Real = TypeParam;
   using Vector = Eigen::Matrix<Real, 3, 1>;

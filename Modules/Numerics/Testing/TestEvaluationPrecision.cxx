@@ -17,7 +17,7 @@ class EvaluationPrecisionOfDegree : public testing::TestWithParam<int>
 {
 };
 
-TEST_P(EvaluationPrecisionOfDegree, InFloatRadiiAreWithinTheRoundingThatBoundsCountWith)
+TEST_P(EvaluationPrecisionOfDegree, FloatRadiiAreWithinAssumedRounding)
 {
   Random random(static_cast<unsigned>(1700 + GetParam()));
   for (int body = 0; body < 5; ++body)
@@ -37,7 +37,7 @@ TEST_P(EvaluationPrecisionOfDegree, InFloatRadiiAreWithinTheRoundingThatBoundsCo
   }
 }
 
-TEST_P(EvaluationPrecisionOfDegree, InFloatTheNearestPointIsAsNearAsItSays)
+TEST_P(EvaluationPrecisionOfDegree, FloatClosestPointIsWithinItsError)
 {
   Random random(static_cast<unsigned>(1750 + GetParam()));
   const auto exact =
@@ -51,7 +51,7 @@ TEST_P(EvaluationPrecisionOfDegree, InFloatTheNearestPointIsAsNearAsItSays)
     const Vector3 query = exact->PointWorld(u) + 3.0 * test::RandomDirection(random);
     const ClosestPoint truth = inDouble.Nearest(query, 20000);
     const ClosestPoint found = inFloat.Nearest(query);
-    // The point that was found is evaluated in float, so its distance may be too short as well.
+    // The found point is evaluated in float, so its distance may be too small as well.
     const double rounding = inFloat.Descent().Rounding(query - exact->CenterWorld());
     const double excess = std::abs(found.SignedDistance) - std::abs(truth.SignedDistance);
     ASSERT_LE(excess, found.DistanceError + rounding);
@@ -61,7 +61,7 @@ TEST_P(EvaluationPrecisionOfDegree, InFloatTheNearestPointIsAsNearAsItSays)
 
 INSTANTIATE_TEST_SUITE_P(Each, EvaluationPrecisionOfDegree, testing::Values(4, 12, 16, 20, 33));
 
-TEST(EvaluationPrecision, BackInDoubleAModelIsWhatItWas)
+TEST(EvaluationPrecision, ReturnToDoubleRestoresModel)
 {
   Random random(1790);
   const SphericalHarmonicModel exact = test::RandomOrgan(random, 12);

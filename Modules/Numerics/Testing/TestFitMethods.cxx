@@ -41,7 +41,7 @@ RadialSamples NoisyCap(unsigned seed, int degree, double capDegrees)
   return capDegrees > 0.0 ? test::WithoutCap(samples, capDegrees * M_PI / 180.0) : samples;
 }
 
-TEST(FitMethods, GiveTheSameResult)
+TEST(FitMethods, Agree)
 {
   for (const int degree : {0, 1, 3, 6, 12, 20})
   {
@@ -53,7 +53,7 @@ TEST(FitMethods, GiveTheSameResult)
       const SphericalHarmonicFitResult slow = Fit(samples, WithMethod(degree, Method::Orthogonal));
       EXPECT_EQ(fast.UsedMethod, Method::Moments);
       EXPECT_EQ(slow.UsedMethod, Method::Orthogonal);
-      // Radii of 20 mm and their rounding, times a condition of up to 200 at degree 20.
+      // Rounding of radii of 20 mm, times a condition of up to 200 at degree 20.
       const double tolerance = 1e-13 * slow.Condition * test::Norm(slow.Coefficients);
       EXPECT_LE(test::Distance(fast.Coefficients, slow.Coefficients), tolerance) << degree;
       EXPECT_LE(test::Distance(fast.Residuals, slow.Residuals), 1e-11) << degree;
@@ -69,7 +69,7 @@ TEST(FitMethods, GiveTheSameResult)
   }
 }
 
-TEST(FitMethods, GiveTheSameResultWithAPenalty)
+TEST(FitMethods, AgreeWithPenalty)
 {
   for (const double cap : {0.0, 45.0})
   {
@@ -94,7 +94,7 @@ TEST(FitMethods, GiveTheSameResultWithAPenalty)
   }
 }
 
-TEST(FitMethods, ChooseTheSameStrengthByCrossValidation)
+TEST(FitMethods, ChooseSameStrengthByCrossValidation)
 {
   const RadialSamples samples = NoisyCap(1110, 12, 45.0);
   Options options = WithMethod(12, Method::Moments);
@@ -105,7 +105,7 @@ TEST(FitMethods, ChooseTheSameStrengthByCrossValidation)
   EXPECT_NEAR(fast.Roughness / Fit(samples, options).Roughness, 1.0, 2e-3);
 }
 
-TEST(FitMethods, RefinementBringsMomentsToTheAccuracyOfTheOrthogonalFactorisation)
+TEST(FitMethods, RefinedMomentsAreAsAccurateAsOrthogonal)
 {
   Random random(1120);
   const SphericalHarmonicModel truth = test::RandomOrgan(random, 12);
@@ -116,7 +116,7 @@ TEST(FitMethods, RefinementBringsMomentsToTheAccuracyOfTheOrthogonalFactorisatio
     const RadialSamples samples = test::WithoutCap(sphere, cap * M_PI / 180.0);
     const SphericalHarmonicFitResult fit = Fit(samples, WithMethod(12, Method::Moments));
     // The requirement at a condition of 1e5: the radii's own rounding, 1e-16, times the condition,
-    // spread over all samples.
+    // distributed over all samples.
     EXPECT_LE(test::Distance(fit.Coefficients, truth.Coefficients()),
               1e-12 * test::Norm(truth.Coefficients()))
         << cap;
@@ -124,7 +124,7 @@ TEST(FitMethods, RefinementBringsMomentsToTheAccuracyOfTheOrthogonalFactorisatio
   }
 }
 
-TEST(FitMethods, AutomaticGoesOverToTheOrthogonalFactorisationAboveTheLimit)
+TEST(FitMethods, AutomaticUsesOrthogonalAboveLimit)
 {
   Random random(1130);
   const SphericalHarmonicModel truth = test::RandomOrgan(random, 12);
@@ -145,7 +145,7 @@ TEST(FitMethods, AutomaticGoesOverToTheOrthogonalFactorisationAboveTheLimit)
   }
 }
 
-TEST(FitMethods, MomentsAloneAreRefusedAboveTheLimit)
+TEST(FitMethods, MomentsFailAboveLimit)
 {
   Random random(1130);
   const RadialSamples samples =
@@ -155,7 +155,7 @@ TEST(FitMethods, MomentsAloneAreRefusedAboveTheLimit)
   EXPECT_NE(status.Message().find("method of moments"), std::string::npos) << status.Message();
 }
 
-TEST(FitMethods, AutomaticFitsAPenalisedProblemWithoutEnoughDirections)
+TEST(FitMethods, AutomaticFitsUnderdeterminedPenalisedProblem)
 {
   // All on one half: singular to rounding without the penalty.
   Random random(1140);
@@ -172,7 +172,7 @@ TEST(FitMethods, AutomaticFitsAPenalisedProblemWithoutEnoughDirections)
   }
 }
 
-TEST(FitMethods, AWorkspaceGivesTheSameBitsAgainAndAgain)
+TEST(FitMethods, WorkspaceReproducesBits)
 {
   MomentSolver workspace(8);
   const Options options = WithMethod(8, Method::Automatic);
@@ -187,11 +187,11 @@ TEST(FitMethods, AWorkspaceGivesTheSameBitsAgainAndAgain)
   EXPECT_NE(FitSphericalHarmonics(NoisyCap(1, 8, 0.0), WithMethod(7, Method::Automatic), workspace,
                                   result)
                 .Message()
-                .find("another degree"),
+                .find("different degree"),
             std::string::npos);
 }
 
-TEST(FitMethods, AWorkspaceIsWellAgainAfterAFitThatOverflowed)
+TEST(FitMethods, WorkspaceRecoversFromOverflow)
 {
   MomentSolver workspace(8);
   const Options options = WithMethod(8, Method::Moments);
@@ -204,7 +204,7 @@ TEST(FitMethods, AWorkspaceIsWellAgainAfterAFitThatOverflowed)
   EXPECT_EQ(result.Coefficients, Fit(good, options).Coefficients);
 }
 
-TEST(FitMethods, WeightsOfAnySizeGiveTheSameFit)
+TEST(FitMethods, FitIsIndependentOfWeightScale)
 {
   RadialSamples samples = NoisyCap(1160, 6, 0.0);
   const SphericalHarmonicFitResult fit = Fit(samples, WithMethod(6, Method::Automatic));
@@ -221,7 +221,7 @@ TEST(FitMethods, WeightsOfAnySizeGiveTheSameFit)
   }
 }
 
-TEST(FitMethods, DirectionsOfSinglePrecisionAreGoodEnough)
+TEST(FitMethods, AcceptsSinglePrecisionDirections)
 {
   RadialSamples samples = NoisyCap(1170, 12, 30.0);
   for (Vector3& direction : samples.Directions)
@@ -234,7 +234,7 @@ TEST(FitMethods, DirectionsOfSinglePrecisionAreGoodEnough)
             1e-11 * test::Norm(slow.Coefficients));
 }
 
-TEST(FitMethods, AllRadiiZeroGiveZeroCoefficients)
+TEST(FitMethods, ZeroRadiiGiveZeroCoefficients)
 {
   RadialSamples samples = NoisyCap(1180, 4, 0.0);
   samples.Radii.assign(samples.Radii.size(), 0.0);

@@ -9,7 +9,7 @@ namespace palpate
 {
 namespace
 {
-TEST(GaussLegendre, IntegratesMonomialsUpToTwiceTheNodesExactly)
+TEST(GaussLegendre, IsExactUpToTwiceTheNodes)
 {
   for (int n = 1; n <= 100; ++n)
   {
@@ -24,13 +24,13 @@ TEST(GaussLegendre, IntegratesMonomialsUpToTwiceTheNodesExactly)
       }
       worst.Add(sum - (k % 2 == 0 ? 2.0 / (k + 1) : 0.0));
     }
-    // Total weight 2; the rounding of a node is multiplied by k, but the k-th power then weighs
-    // only about 1 / k: some tens of roundings.
+    // Total weight 2; the rounding of a node is multiplied by k, but the k-th power then
+    // contributes only about 1 / k: some tens of rounding errors.
     EXPECT_LE(worst.Value(), 5e-15) << n;
   }
 }
 
-TEST(GaussLegendre, MissesTheFirstPowerBeyondItsDegree)
+TEST(GaussLegendre, IsInexactBeyondItsDegree)
 {
   for (int n = 1; n <= 6; ++n)
   {
@@ -44,7 +44,7 @@ TEST(GaussLegendre, MissesTheFirstPowerBeyondItsDegree)
   }
 }
 
-TEST(GaussLegendre, KnowsTheRuleWithThreeNodes)
+TEST(GaussLegendre, MatchesRuleOfThreeNodes)
 {
   const GaussLegendre rule(3);
   const double tolerance = 2.3e-16; // one rounding
@@ -56,7 +56,7 @@ TEST(GaussLegendre, KnowsTheRuleWithThreeNodes)
   EXPECT_NEAR(rule.Weights[2], 5.0 / 9.0, tolerance);
 }
 
-TEST(GaussLegendre, HasAscendingNodesInsideTheIntervalAndPositiveWeights)
+TEST(GaussLegendre, HasSortedNodesAndPositiveWeights)
 {
   for (int n = 1; n <= 300; n += 13)
   {

@@ -22,8 +22,8 @@ class HouseholderReduction : public testing::TestWithParam<InstructionSet>
 {
 };
 
-// R^T R = A^T A and R x = Q^T b give the least squares' solution, whatever the signs of R's rows.
-TEST_P(HouseholderReduction, KeepsTheGramMatrixAndTheSolution)
+// R^T R = A^T A and R x = Q^T b give the least-squares solution, whatever the signs of R's rows.
+TEST_P(HouseholderReduction, KeepsGramMatrixAndSolution)
 {
   const auto reduce = householder::ReductionFor(GetParam());
   for (const auto& [rows, columns] :

@@ -30,7 +30,7 @@ std::array<long long, 3> Rounded(const Vector3& v)
   return {std::llround(v.x() * 1e9), std::llround(v.y() * 1e9), std::llround(v.z() * 1e9)};
 }
 
-TEST_P(IcosahedronDirectionsOfFrequency, HasTheExactCounts)
+TEST_P(IcosahedronDirectionsOfFrequency, HasExactCounts)
 {
   const int f = GetParam();
   EXPECT_EQ(this->Sphere.Frequency(), f);
@@ -40,7 +40,7 @@ TEST_P(IcosahedronDirectionsOfFrequency, HasTheExactCounts)
   EXPECT_EQ(IcosahedronDirections::TriangleCount(f), 20LL * f * f);
 }
 
-TEST_P(IcosahedronDirectionsOfFrequency, HasUnitDirectionsWithoutDuplicates)
+TEST_P(IcosahedronDirectionsOfFrequency, HasDistinctUnitDirections)
 {
   std::set<std::array<long long, 3>> seen;
   for (const Vector3& u : this->Sphere.Directions())
@@ -50,7 +50,7 @@ TEST_P(IcosahedronDirectionsOfFrequency, HasUnitDirectionsWithoutDuplicates)
   }
 }
 
-TEST_P(IcosahedronDirectionsOfFrequency, IsAClosedSphereWithConsistentWinding)
+TEST_P(IcosahedronDirectionsOfFrequency, IsClosedWithConsistentWinding)
 {
   std::map<std::pair<int, int>, int> halfEdges;
   for (const auto& face : this->Sphere.Triangles())
@@ -77,13 +77,13 @@ TEST_P(IcosahedronDirectionsOfFrequency, FacesOutwards)
   {
     const Vector3 normal = (this->Corner(face, 1) - this->Corner(face, 0))
                                .cross(this->Corner(face, 2) - this->Corner(face, 0));
-    const Vector3 middle = this->Corner(face, 0) + this->Corner(face, 1) + this->Corner(face, 2);
+    const Vector3 center = this->Corner(face, 0) + this->Corner(face, 1) + this->Corner(face, 2);
     // Within 20 degrees even for the twenty large faces (where it is exact by symmetry).
-    EXPECT_GT(normal.normalized().dot(middle.normalized()), 0.94);
+    EXPECT_GT(normal.normalized().dot(center.normalized()), 0.94);
   }
 }
 
-TEST_P(IcosahedronDirectionsOfFrequency, HasSolidAnglesThatCoverTheSphere)
+TEST_P(IcosahedronDirectionsOfFrequency, SolidAnglesCoverSphere)
 {
   const std::vector<double> angles = this->Sphere.SolidAngles();
   ASSERT_EQ(angles.size(), this->Sphere.Directions().size());
@@ -92,13 +92,13 @@ TEST_P(IcosahedronDirectionsOfFrequency, HasSolidAnglesThatCoverTheSphere)
   EXPECT_NEAR(std::accumulate(angles.begin(), angles.end(), 0.0), 4 * M_PI, 1e-11);
   for (const double angle : angles)
   {
-    // Pushing out makes triangles near the corners smaller; the ratio to the mean stays bounded.
+    // Projection to the sphere makes triangles near the corners smaller, by a bounded ratio.
     EXPECT_GT(angle, 0.4 * mean);
     EXPECT_LT(angle, 1.6 * mean);
   }
 }
 
-TEST_P(IcosahedronDirectionsOfFrequency, IsSymmetricUnderSignsAndCyclicPermutations)
+TEST_P(IcosahedronDirectionsOfFrequency, IsSymmetricUnderSignsAndRotations)
 {
   std::set<std::array<long long, 3>> all;
   for (const Vector3& u : this->Sphere.Directions())
@@ -107,7 +107,7 @@ TEST_P(IcosahedronDirectionsOfFrequency, IsSymmetricUnderSignsAndCyclicPermutati
   }
   const auto contains = [&all](const Vector3& u)
   {
-    // The neighbour on the rounding grid may be meant.
+    // The neighbour on the rounding grid may be the right one.
     for (int shift = 0; shift < 27; ++shift)
     {
       const std::array<long long, 3> r = Rounded(u);
@@ -129,20 +129,20 @@ TEST_P(IcosahedronDirectionsOfFrequency, IsSymmetricUnderSignsAndCyclicPermutati
 
 INSTANTIATE_TEST_SUITE_P(From1To30, IcosahedronDirectionsOfFrequency, testing::Range(1, 31));
 
-TEST(IcosahedronDirections, AtFrequency20AreThe4002DirectionsOfThePaper)
+TEST(IcosahedronDirections, Frequency20Has4002Directions)
 {
   const IcosahedronDirections sphere(20);
   EXPECT_EQ(sphere.Directions().size(), 4002U);
   EXPECT_EQ(sphere.Triangles().size(), 8000U);
 }
 
-TEST(IcosahedronDirections, BelowFrequency1AreTheIcosahedron)
+TEST(IcosahedronDirections, InvalidFrequencyGivesIcosahedron)
 {
   EXPECT_EQ(IcosahedronDirections(0).Directions().size(), 12U);
   EXPECT_EQ(IcosahedronDirections(-3).Frequency(), 1);
 }
 
-TEST(IcosahedronDirections, OfTheIcosahedronHaveEqualSolidAngles)
+TEST(IcosahedronDirections, IcosahedronHasEqualSolidAngles)
 {
   for (const double angle : IcosahedronDirections(1).SolidAngles())
   {
@@ -150,7 +150,7 @@ TEST(IcosahedronDirections, OfTheIcosahedronHaveEqualSolidAngles)
   }
 }
 
-TEST(IcosahedronDirections, GrowBySharedPointsWhenTheFrequencyDoubles)
+TEST(IcosahedronDirections, DoubledFrequencyKeepsDirections)
 {
   // Every second point of the finer grid is a point of the coarser one: the set grows by nesting.
   const IcosahedronDirections coarse(4);

@@ -37,14 +37,14 @@ TEST(LatitudeSynthesis, EqualsSingleEvaluations)
                                        Vector3::Zero());
     for (const double z : {-0.9, -0.3, 0.0, 0.5, 0.99})
     {
-      // Values of about L, gradients of about L^2; angles add up L roundings.
+      // Values of about L, gradients of about L^2; angles accumulate L rounding errors.
       EXPECT_LE(Difference(model, 2 * degree + 1, z), 1e-15 * std::pow(degree + 3.0, 2.5))
           << degree << ' ' << z;
     }
   }
 }
 
-TEST(LatitudeSynthesis, IsRightOnTheSmallestCirclesAboutThePoles)
+TEST(LatitudeSynthesis, IsAccurateOnSmallCirclesAboutPoles)
 {
   test::Random random(452);
   const SphericalHarmonicModel model(12, test::RandomCoefficients(random, 12), Vector3::Zero());
@@ -54,7 +54,7 @@ TEST(LatitudeSynthesis, IsRightOnTheSmallestCirclesAboutThePoles)
   }
 }
 
-TEST(LatitudeSynthesis, DirectionsAreUnitVectorsAtEqualSteps)
+TEST(LatitudeSynthesis, HasEquallySpacedUnitDirections)
 {
   const LatitudeSynthesis circle(SphericalHarmonicModel(), 8);
   for (std::size_t j = 0; j < 8; ++j)
@@ -68,7 +68,7 @@ TEST(LatitudeSynthesis, DirectionsAreUnitVectorsAtEqualSteps)
   }
 }
 
-TEST(LatitudeSynthesis, StartsAnewOnEveryCircle)
+TEST(LatitudeSynthesis, CirclesAreIndependent)
 {
   test::Random random(453);
   const SphericalHarmonicModel model = test::RandomOrgan(random, 9);
@@ -83,14 +83,14 @@ TEST(LatitudeSynthesis, StartsAnewOnEveryCircle)
   }
 }
 
-TEST(LatitudeSynthesis, NeitherOverflowsNorLosesDigitsAtDegree1000)
+TEST(LatitudeSynthesis, IsAccurateAtDegree1000)
 {
   test::Random random(454);
   const SphericalHarmonicModel model(1000, test::RandomCoefficients(random, 1000, 1.0),
                                      Vector3::Zero());
   for (const double z : {0.999, 0.1})
   {
-    // Radii of about 3, gradients of about 1000; both sides sum 500,000 terms, each on its way.
+    // Radii of about 3, gradients of about 1000; both sides sum 500,000 terms in their own order.
     EXPECT_LE(Difference(model, 11, z), 1e-9) << z;
   }
 }

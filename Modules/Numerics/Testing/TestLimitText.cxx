@@ -9,13 +9,13 @@ namespace
 using palpate::SignificantAgainstLimit;
 using palpate::TextAgainstLimit;
 
-TEST(LimitText, KeepsTheDecimalsAskedForWhereTheyTellTheSide)
+TEST(LimitText, KeepsRequestedDecimalsIfSufficient)
 {
   EXPECT_EQ(TextAgainstLimit(0.7, 0.75, 2), "0.70");
   EXPECT_EQ(TextAgainstLimit(12.345, 10.0, 1), "12.3");
 }
 
-TEST(LimitText, AddsDigitsUntilAMissShows)
+TEST(LimitText, AddsDigitsUntilDifferenceShows)
 {
   EXPECT_EQ(TextAgainstLimit(0.98499, 0.985, 3), "0.98499");
   EXPECT_EQ(TextAgainstLimit(0.9999999, 1.0, 2), "0.9999999");
@@ -23,7 +23,7 @@ TEST(LimitText, AddsDigitsUntilAMissShows)
   EXPECT_EQ(TextAgainstLimit(-0.0004, 0.0, 2), "-0.0004");
 }
 
-TEST(LimitText, CountsSignificantDigitsToo)
+TEST(LimitText, SupportsSignificantDigits)
 {
   EXPECT_EQ(SignificantAgainstLimit(0.61234, 0.5, 3), "0.612");
   EXPECT_EQ(SignificantAgainstLimit(0.50004, 0.5, 3), "0.50004");
@@ -31,14 +31,14 @@ TEST(LimitText, CountsSignificantDigitsToo)
   EXPECT_EQ(SignificantAgainstLimit(1e8, 1e8, 3), "1e+08");
 }
 
-TEST(LimitText, WritesALimitAgainstItselfExactly)
+TEST(LimitText, WritesEqualValueExactly)
 {
   EXPECT_EQ(TextAgainstLimit(0.985, 0.985, 1), "0.985");
   EXPECT_EQ(TextAgainstLimit(10.0, 10.0, 1), "10.0");
   EXPECT_EQ(std::stod(TextAgainstLimit(1.0 / 3.0, 1.0 / 3.0, 2)), 1.0 / 3.0);
 }
 
-TEST(LimitText, TellsNeighbouringDoublesApart)
+TEST(LimitText, DistinguishesNeighbouringDoubles)
 {
   for (const double limit : {1e-30, 0.1, 1.0, 1e22})
   {
@@ -48,7 +48,7 @@ TEST(LimitText, TellsNeighbouringDoublesApart)
   }
 }
 
-TEST(LimitText, TakesNumbersThatAreNotFiniteAndTheLargest)
+TEST(LimitText, SupportsNonFiniteAndLargestNumbers)
 {
   EXPECT_EQ(TextAgainstLimit(std::numeric_limits<double>::infinity(), 1.0, 2), "inf");
   EXPECT_EQ(TextAgainstLimit(std::nan(""), 1.0, 2), "nan");

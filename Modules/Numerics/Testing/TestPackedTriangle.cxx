@@ -73,7 +73,7 @@ double Error(const CacheLineVector<double>& found, const Vector& expected)
   return std::isnan(error) ? std::numeric_limits<double>::infinity() : error;
 }
 
-TEST(PackedTriangle, FactorisesAsEigenDoes)
+TEST(PackedTriangle, FactorisesLikeEigen)
 {
   for (const InstructionSet set : RunnableInstructionSets())
   {
@@ -141,7 +141,7 @@ TEST(PackedTriangle, ChangesAndMultipliesSymmetricMatrices)
   }
 }
 
-TEST(PackedTriangle, RefusesWhatIsNotPositiveDefinite)
+TEST(PackedTriangle, RejectsIndefiniteMatrix)
 {
   for (const InstructionSet set : RunnableInstructionSets())
   {
@@ -161,7 +161,7 @@ TEST(PackedTriangle, RefusesWhatIsNotPositiveDefinite)
   }
 }
 
-TEST(PackedTriangle, TakesATriangleWithNegativeDiagonal)
+TEST(PackedTriangle, SupportsNegativeDiagonal)
 {
   const Matrix matrix = RandomSymmetric(13);
   Matrix upper = matrix.llt().matrixU();
@@ -176,7 +176,7 @@ TEST(PackedTriangle, TakesATriangleWithNegativeDiagonal)
 }
 
 // Singular values fall evenly in their logarithm, or all but one are one.
-TEST(ConditionEstimate, IsGoodToAFactorOfTwoForEverySpectrum)
+TEST(ConditionEstimate, IsWithinFactorOfTwo)
 {
   for (const int size : {1, 2, 9, 81, 169})
   {
@@ -204,7 +204,7 @@ TEST(ConditionEstimate, IsGoodToAFactorOfTwoForEverySpectrum)
   }
 }
 
-TEST(ConditionEstimate, IsInfiniteForASingularTriangleAndForNaN)
+TEST(ConditionEstimate, IsInfiniteForSingularAndNan)
 {
   Matrix upper = RandomSymmetric(9).llt().matrixU();
   PackedTriangle packed(9);

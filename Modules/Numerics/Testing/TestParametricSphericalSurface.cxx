@@ -23,7 +23,7 @@ ParametricSphericalSurface Ellipsoid(const Vector3& axes)
            std::vector<double>{0.0, 0.0, scale * axes.z(), 0.0}}};
 }
 
-TEST(ParametricSphericalSurface, FromAModelGoesThroughTheSamePoints)
+TEST(ParametricSphericalSurface, HasPointsOfModel)
 {
   Random random(401);
   for (const int degree : {0, 1, 5, 12, 20})
@@ -39,7 +39,7 @@ TEST(ParametricSphericalSurface, FromAModelGoesThroughTheSamePoints)
   }
 }
 
-TEST(ParametricSphericalSurface, FromAModelHasTheSameNormals)
+TEST(ParametricSphericalSurface, HasNormalsOfModel)
 {
   Random random(402);
   const SphericalHarmonicModel model = test::RandomOrgan(random, 12);
@@ -48,12 +48,12 @@ TEST(ParametricSphericalSurface, FromAModelHasTheSameNormals)
   directions.insert(directions.end(), {{0, 0, 1}, {0, 0, -1}, {1, 0, 0}, {0, -1, 0}});
   for (const Vector3& u : directions)
   {
-    // Slopes lose a factor of the degree (13) against points: 13 * 1e-13 / 20 mm.
+    // Normals lose a factor of the degree (13) against points: 13 * 1e-13 / 20 mm.
     EXPECT_LE((surface.Normal(u) - model.Normal(u)).norm(), 1e-12);
   }
 }
 
-TEST(ParametricSphericalSurface, OfAnEllipsoidHasItsPointsAndNormals)
+TEST(ParametricSphericalSurface, EllipsoidHasItsPointsAndNormals)
 {
   Random random(403);
   const Vector3 axes(3.0, 5.0, 8.0);
@@ -66,14 +66,14 @@ TEST(ParametricSphericalSurface, OfAnEllipsoidHasItsPointsAndNormals)
   }
 }
 
-TEST(ParametricSphericalSurface, MirroredHasInwardNormals)
+TEST(ParametricSphericalSurface, MirroredSurfaceHasInwardNormals)
 {
   const ParametricSphericalSurface surface = Ellipsoid({-2.0, 2.0, 2.0});
   const Vector3 u = Vector3(1.0, 2.0, 2.0) / 3.0;
   EXPECT_LT(surface.Normal(u).dot(surface.Point(u)), -1.9);
 }
 
-TEST(ParametricSphericalSurface, VolumeIsExactAndSignedByOrientation)
+TEST(ParametricSphericalSurface, VolumeIsExactAndSigned)
 {
   const double exact = 4.0 / 3.0 * M_PI * 3.0 * 5.0 * 8.0;
   EXPECT_NEAR(Ellipsoid({3.0, 5.0, 8.0}).Volume(), exact, 1e-12 * exact);
@@ -84,7 +84,7 @@ TEST(ParametricSphericalSurface, VolumeIsExactAndSignedByOrientation)
               1e-10 * model.Volume()); // cancellation: the body lies away from the origin
 }
 
-TEST(ParametricSphericalSurface, AreaIsThatOfKnownBodies)
+TEST(ParametricSphericalSurface, AreaMatchesKnownBodies)
 {
   EXPECT_NEAR(Ellipsoid({5.0, 5.0, 5.0}).Area(), 100.0 * M_PI, 1e-10);
   // Prolate spheroid, semi-axes a = 3, c = 5: 2 pi a^2 (1 + c / (a e) asin e), e^2 = 1 - a^2 / c^2.
@@ -93,7 +93,7 @@ TEST(ParametricSphericalSurface, AreaIsThatOfKnownBodies)
   EXPECT_NEAR(Ellipsoid({3.0, 3.0, 5.0}).Area(), exact, 1e-4 * exact);
 }
 
-TEST(ParametricSphericalSurface, WithoutATangentPlaneHasTheZeroNormal)
+TEST(ParametricSphericalSurface, NormalIsZeroWithoutTangentPlane)
 {
   const ParametricSphericalSurface point(
       0, {std::vector<double>{1.0}, std::vector<double>{2.0}, std::vector<double>{3.0}});

@@ -19,7 +19,7 @@ using test::AllocationCount;
 using test::EvaluatorCase;
 using test::EvaluatorKind;
 
-TEST(QueriesDoNotAllocate, TheCounterCounts)
+TEST(QueriesDoNotAllocate, CounterCounts)
 {
   const std::size_t before = AllocationCount();
   const std::vector<double> numbers(3, 1.0);
@@ -28,7 +28,7 @@ TEST(QueriesDoNotAllocate, TheCounterCounts)
   EXPECT_EQ(AllocationCount(), before + 2);
 }
 
-TEST(QueriesDoNotAllocate, OfEvaluators)
+TEST(QueriesDoNotAllocate, Evaluator)
 {
   for (const int degree : {0, 12, 16, 40})
   {
@@ -56,7 +56,7 @@ TEST(QueriesDoNotAllocate, OfEvaluators)
   }
 }
 
-TEST(QueriesDoNotAllocate, OfTheBasis)
+TEST(QueriesDoNotAllocate, Basis)
 {
   const SphericalHarmonicBasis basis(40);
   std::vector<double> values(basis.Size());
@@ -65,7 +65,7 @@ TEST(QueriesDoNotAllocate, OfTheBasis)
   EXPECT_EQ(AllocationCount(), before);
 }
 
-TEST(QueriesDoNotAllocate, OfTheNearestPoint)
+TEST(QueriesDoNotAllocate, ClosestPoint)
 {
   test::Random random(1301);
   const auto model = std::make_shared<const SphericalHarmonicModel>(test::RandomOrgan(random, 12));
@@ -80,7 +80,7 @@ TEST(QueriesDoNotAllocate, OfTheNearestPoint)
   EXPECT_TRUE(contact.Normal.allFinite());
 }
 
-TEST(QueriesDoNotAllocate, OfBoundsOverCones)
+TEST(QueriesDoNotAllocate, BoundsOverCones)
 {
   test::Random random(1302);
   const SphericalHarmonicBounds bounds(test::RandomOrgan(random, 12));

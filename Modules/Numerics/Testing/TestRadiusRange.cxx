@@ -13,14 +13,14 @@ namespace
 {
 using test::Random;
 
-// The error that every radius is allowed, see SphericalHarmonicSpectrum.
+// Allowed error of an evaluated radius, see SphericalHarmonicSpectrum.
 double Rounding(const SphericalHarmonicModel& model)
 {
   return 2.0 * SphericalHarmonicSpectrum(model).EvaluationError();
 }
 } // namespace
 
-TEST(RadiusRange, EnclosesEverySampleWithinTheTolerance)
+TEST(RadiusRange, EnclosesSamplesWithinTolerance)
 {
   Random random(421);
   const IcosahedronDirections directions(20);
@@ -44,7 +44,7 @@ TEST(RadiusRange, EnclosesEverySampleWithinTheTolerance)
   }
 }
 
-TEST(RadiusRange, OfALinearFunctionIsItsMeanPlusAndMinusItsLength)
+TEST(RadiusRange, MatchesLinearFunction)
 {
   Random random(422);
   for (int sample = 0; sample < 20; ++sample)
@@ -61,7 +61,7 @@ TEST(RadiusRange, OfALinearFunctionIsItsMeanPlusAndMinusItsLength)
   }
 }
 
-TEST(RadiusRange, FindsExtremesAtThePolesAndAllAroundTheEquator)
+TEST(RadiusRange, FindsExtremesAtPolesAndEquator)
 {
   // 3 z^2 - 1 from 2 at the poles to -1 on the whole equator.
   std::vector<double> c(9, 0.0);
@@ -73,7 +73,7 @@ TEST(RadiusRange, FindsExtremesAtThePolesAndAllAroundTheEquator)
   EXPECT_LE(range.Lower, -1.0 + 1e-11);
 }
 
-TEST(RadiusRange, OfASphereIsItsRadius)
+TEST(RadiusRange, IsRadiusOfSphere)
 {
   const double radius = 7.0;
   const RadiusRange range =
@@ -85,17 +85,17 @@ TEST(RadiusRange, OfASphereIsItsRadius)
   EXPECT_GE(range.Upper, radius);
 }
 
-TEST(RadiusRange, EndsWithWhatIsCertainWhereTheToleranceIsOutOfReach)
+TEST(RadiusRange, BoundsHoldIfToleranceIsUnreachable)
 {
   // A ring of equal minima: a tolerance of 1e-10 would need millions of triangles.
   std::vector<double> c(9, 0.0);
   c[6] = std::sqrt(16 * M_PI / 5);
   const RadiusRange range = FindRadiusRange({2, c, Vector3::Zero()}, 1e-10);
   EXPECT_LE(range.Lower, -1.0 + 1e-11);
-  EXPECT_GE(range.Lower, -1.0 - 1e-6); // what half a million triangles leave at most
+  EXPECT_GE(range.Lower, -1.0 - 1e-6); // the accuracy that half a million triangles reach
 }
 
-TEST(RadiusRange, IsNaNForCoefficientsThatAreNotFinite)
+TEST(RadiusRange, IsNanForNonFiniteCoefficients)
 {
   for (const double bad : {std::nan(""), std::numeric_limits<double>::infinity()})
   {
@@ -105,7 +105,7 @@ TEST(RadiusRange, IsNaNForCoefficientsThatAreNotFinite)
   }
 }
 
-TEST(RadiusRange, ScalesWithTheModel)
+TEST(RadiusRange, ScalesWithModel)
 {
   Random random(423);
   const std::vector<double> c = test::RandomCoefficients(random, 4);

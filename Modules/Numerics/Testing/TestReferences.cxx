@@ -32,7 +32,7 @@ Vector3 Direction(const SphericalHarmonicReference& reference)
   return {reference.Direction[0], reference.Direction[1], reference.Direction[2]};
 }
 
-// Compares with every reference of a degree and kind; `make` gives the function that belongs to
+// Compares with every reference of a degree and kind; `make` returns the function for given
 // coefficients.
 Errors Compare(int degree, ReferenceKind kind,
                const std::function<Evaluation(const std::vector<double>&)>& make)
@@ -72,7 +72,7 @@ auto ByModel(int degree, SphericalHarmonicModel::Formulation formulation)
   };
 }
 
-// The radius alone goes another way through the kernels.
+// Radius-only evaluation uses other kernels.
 auto ByRadius(int degree, SphericalHarmonicModel::Formulation formulation)
 {
   return [=](const std::vector<double>& coefficients) -> Evaluation
@@ -107,7 +107,7 @@ auto ByFloat(int degree, EvaluationFormulation formulation)
   };
 }
 
-// As a full group of lanes, with other directions beside it.
+// As a full group of lanes, with other directions next to it.
 auto ByBatch(int degree)
 {
   return [degree](const std::vector<double>& coefficients) -> Evaluation
@@ -143,7 +143,7 @@ const char* Name(ReferenceKind kind)
   return "";
 }
 
-// The bounds are Palpate's promise, not a fit to what was measured.
+// The bounds are Palpate's documented accuracy, not fitted to measurements.
 constexpr double LowDegreeBound = 1e-14;
 constexpr double HighDegreeBound = 1e-12;
 
@@ -154,7 +154,7 @@ void ExpectWithin(double bound, const Errors& errors, int degree, ReferenceKind 
   EXPECT_LE(errors.Gradient.Value(), bound) << "degree " << degree << ", " << Name(kind);
 }
 
-// Radii, with gradients and alone, in all places.
+// Radii, with and without gradients, in all places.
 void ExpectTrue(double bound, int degree, SphericalHarmonicModel::Formulation formulation)
 {
   for (const ReferenceKind kind : UnitKinds)
@@ -176,12 +176,12 @@ void ExpectTrueUpToDegree16(SphericalHarmonicModel::Formulation formulation)
 }
 } // namespace
 
-TEST(References, PolynomialsAreTrueTo14DigitsUpToDegree16)
+TEST(References, PolynomialsHave14DigitsUpToDegree16)
 {
   ExpectTrueUpToDegree16(SphericalHarmonicModel::Formulation::Automatic);
 }
 
-TEST(References, EveryKernelAndBatchesAreTrueTo14DigitsAtDegree12)
+TEST(References, AllKernelsHave14DigitsAtDegree12)
 {
   for (const ReferenceKind kind : UnitKinds)
   {
@@ -194,12 +194,12 @@ TEST(References, EveryKernelAndBatchesAreTrueTo14DigitsAtDegree12)
   }
 }
 
-TEST(References, RecurrenceIsTrueTo14DigitsUpToDegree16)
+TEST(References, RecurrenceHas14DigitsUpToDegree16)
 {
   ExpectTrueUpToDegree16(SphericalHarmonicModel::Formulation::Recurrence);
 }
 
-TEST(References, RecurrenceIsTrueTo12DigitsUpToDegree1000)
+TEST(References, RecurrenceHas12DigitsUpToDegree1000)
 {
   for (const int degree : {40, 100, 300, 1000})
   {
@@ -207,7 +207,7 @@ TEST(References, RecurrenceIsTrueTo12DigitsUpToDegree1000)
   }
 }
 
-TEST(References, BasisIsTrueTo14DigitsUpToDegree16And12DigitsUpToDegree1000)
+TEST(References, BasisHas14DigitsAnd12AtDegree1000)
 {
   for (const int degree : {0, 1, 2, 12, 16, 40, 100, 300, 1000})
   {
@@ -218,7 +218,7 @@ TEST(References, BasisIsTrueTo14DigitsUpToDegree16And12DigitsUpToDegree1000)
       {
         std::vector<double> values(basis.Size());
         basis.Evaluate(direction, values.data());
-        // In long double: the rounding of this sum is not the basis's.
+        // In long double, so that the rounding of this sum does not count.
         const long double sum =
             std::inner_product(values.begin(), values.end(), coefficients.begin(), 0.0L);
         return Sample{static_cast<double>(sum), Vector3::Zero()};
@@ -233,7 +233,7 @@ TEST(References, BasisIsTrueTo14DigitsUpToDegree16And12DigitsUpToDegree1000)
   }
 }
 
-TEST(References, FloatDirectionsAreAsGoodOnceNormalised)
+TEST(References, AcceptsRoundedDirections)
 {
   const auto normalised = [](const std::vector<double>& coefficients) -> Evaluation
   {
@@ -244,9 +244,9 @@ TEST(References, FloatDirectionsAreAsGoodOnceNormalised)
                ReferenceKind::Float);
 }
 
-TEST(References, SinglePrecisionIsTrueTo5DigitsUpToDegree16)
+TEST(References, FloatHas5DigitsUpToDegree16)
 {
-  // Roundings of float, 6e-8, which some tens of terms and the polynomials' growth gather.
+  // Rounding of float, 6e-8, accumulated over some tens of terms and the polynomials' growth.
   constexpr double FloatBound = 4e-6;
   for (const auto formulation :
        {EvaluationFormulation::Automatic, EvaluationFormulation::Recurrence})
@@ -256,7 +256,7 @@ TEST(References, SinglePrecisionIsTrueTo5DigitsUpToDegree16)
   }
 }
 
-TEST(References, SecondDerivativesAreTrueTo14DigitsUpToDegree16And11DigitsUpToDegree1000)
+TEST(References, HessianHas14DigitsAnd11AtDegree1000)
 {
   std::optional<SphericalHarmonicModel> model;
   std::optional<std::uint64_t> seed;
@@ -279,7 +279,7 @@ TEST(References, SecondDerivativesAreTrueTo14DigitsUpToDegree16And11DigitsUpToDe
   }
 }
 
-TEST(References, HessiansOfTheTableAreTangent)
+TEST(References, TabulatedHessiansAreTangent)
 {
   for (const SphericalHarmonicReference& reference : test::SphericalHarmonicReferences)
   {

@@ -33,7 +33,7 @@ SphericalHarmonicFitResult Fit(const RadialSamples& samples, const Options& opti
   return result;
 }
 
-// Adds 5 to 15 mm outwards to a part of the samples.
+// Adds 5 to 15 mm outwards to a fraction of the samples.
 void AddOutliers(Random& random, double part, RadialSamples& samples)
 {
   std::uniform_real_distribution<double> uniform(0.0, 1.0);
@@ -46,7 +46,7 @@ void AddOutliers(Random& random, double part, RadialSamples& samples)
   }
 }
 
-TEST(RobustFit, StaysNearTheTruthWhereLeastSquaresDoesNot)
+TEST(RobustFit, IsAccurateDespiteOutliers)
 {
   for (const double part : {0.05, 0.1, 0.2})
   {
@@ -61,8 +61,8 @@ TEST(RobustFit, StaysNearTheTruthWhereLeastSquaresDoesNot)
     const SphericalHarmonicFitResult plain = Fit(samples, options);
     const double robustError = test::Distance(robust.Coefficients, truth.Coefficients());
     const double plainError = test::Distance(plain.Coefficients, truth.Coefficients());
-    // Outliers on one side move the middle of the rest by about part / (1 - part) times 1.345
-    // deviations of it, that is 0.05 to 0.2 mm here; least squares moves by their mean, 10 mm part.
+    // Outliers on one side shift the centre of the rest by about part / (1 - part) times 1.345
+    // deviations, that is 0.05 to 0.2 mm here; least squares shifts by their mean, 10 mm part.
     EXPECT_LE(robustError, std::sqrt(4.0 * M_PI) * Noise * (0.3 + 4.0 * part)) << part;
     EXPECT_GE(plainError, 4.0 * robustError) << part;
     EXPECT_NEAR(robust.NoiseDeviation, Noise, Noise * (0.05 + 2.5 * part)) << part;
@@ -70,7 +70,7 @@ TEST(RobustFit, StaysNearTheTruthWhereLeastSquaresDoesNot)
   }
 }
 
-TEST(RobustFit, NamesTheOutliers)
+TEST(RobustFit, IdentifiesOutliers)
 {
   Random random(1210);
   RadialSamples samples = test::SamplesOf(test::RandomOrgan(random, 6), 10);
@@ -99,7 +99,7 @@ TEST(RobustFit, NamesTheOutliers)
   EXPECT_EQ(fit.DownWeighted, below);
 }
 
-TEST(RobustFit, FactorsAreThoseOfTheResiduals)
+TEST(RobustFit, FactorsFollowFromResiduals)
 {
   Random random(1220);
   RadialSamples samples = test::SamplesOf(test::RandomOrgan(random, 4), 8);
@@ -115,7 +115,7 @@ TEST(RobustFit, FactorsAreThoseOfTheResiduals)
   }
 }
 
-TEST(RobustFit, WithoutOutliersLosesLittleEfficiency)
+TEST(RobustFit, LosesLittleEfficiencyWithoutOutliers)
 {
   double robust = 0.0;
   double plain = 0.0;
@@ -130,11 +130,11 @@ TEST(RobustFit, WithoutOutliersLosesLittleEfficiency)
     options.RobustKind = Options::Robust::None;
     plain += std::pow(test::Distance(Fit(samples, options).Coefficients, truth.Coefficients()), 2);
   }
-  // Huber's 95 % for normal errors; 60 fits of 49 coefficients know the ratio to 2 % or so.
+  // Huber's 95 % for normal errors; 60 fits of 49 coefficients determine the ratio to about 2 %.
   EXPECT_NEAR(plain / robust, 0.95, 0.04);
 }
 
-TEST(RobustFit, DeviationsCoverTheSpreadDespiteOutliers)
+TEST(RobustFit, DeviationsCoverSpreadDespiteOutliers)
 {
   Random random(1300);
   const SphericalHarmonicModel truth = test::RandomOrgan(random, 4);
@@ -163,11 +163,11 @@ TEST(RobustFit, DeviationsCoverTheSpreadDespiteOutliers)
     spread += (squares[k] - sum[k] * sum[k]) / predicted[k] / 25.0;
   }
   // A mean of 25 variances of 200 fits is known to sqrt(2 / 5000) = 2 %; the asymptotic formula
-  // holds to some percent for 362 samples and 25 coefficients.
+  // holds to a few percent for 362 samples and 25 coefficients.
   EXPECT_NEAR(spread, 1.0, 0.15);
 }
 
-TEST(RobustFit, WorksWithPenaltiesAndTheOrthogonalMethod)
+TEST(RobustFit, SupportsPenaltiesAndOrthogonalMethod)
 {
   Random random(1310);
   const SphericalHarmonicModel truth = test::RandomOrgan(random, 6);
@@ -192,7 +192,7 @@ TEST(RobustFit, WorksWithPenaltiesAndTheOrthogonalMethod)
   }
 }
 
-TEST(RobustFit, EndsForExactSamplesAndForHopelessOnes)
+TEST(RobustFit, EndsForExactAndDegenerateSamples)
 {
   Random random(1320);
   const SphericalHarmonicModel truth = test::RandomOrgan(random, 4);
@@ -206,7 +206,7 @@ TEST(RobustFit, EndsForExactSamplesAndForHopelessOnes)
     some.Radii[i] += 10.0;
   }
   EXPECT_LE(test::Distance(Fit(some, Huber(4)).Coefficients, truth.Coefficients()), 0.5);
-  // No middle at all: two crowds, and radii of 1e-150 and 1e100.
+  // No centre at all: two clusters, and radii of 1e-150 and 1e100.
   RadialSamples two = exact;
   for (std::size_t i = 0; i < two.Radii.size(); i += 2)
   {
@@ -221,7 +221,7 @@ TEST(RobustFit, EndsForExactSamplesAndForHopelessOnes)
   EXPECT_EQ(test::Norm(Fit(zero, Huber(4)).Coefficients), 0.0);
 }
 
-TEST(RobustFit, SamplesOfWeightZeroCountNowhere)
+TEST(RobustFit, IgnoresZeroWeightSamples)
 {
   Random random(1330);
   RadialSamples samples = test::SamplesOf(test::RandomOrgan(random, 4), 8);

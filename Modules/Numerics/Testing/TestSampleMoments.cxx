@@ -1,4 +1,4 @@
-// Moments of samples, the Gram matrix made from them, and residuals with their moments, against
+// Moments of samples, the Gram matrix computed from them, and residuals with their moments, against
 // dense sums over the samples, for every instruction set.
 #include "GramAssembly.h"
 #include "MomentKernelChoice.h"
@@ -21,10 +21,10 @@ namespace
 using test::Random;
 using test::WorstCase;
 
-// Directions everywhere, at both poles and close to them; uneven weights, some zero.
+// Directions everywhere, at and near both poles; uneven weights, some zero.
 struct Case
 {
-  explicit Case(int degree, int count = 403) // no multiple of a chunk
+  explicit Case(int degree, int count = 403) // not a multiple of the chunk size
       : Degree(degree)
   {
     Random random(static_cast<unsigned>(800 + degree));
@@ -109,7 +109,7 @@ double SizeOf(const Case& c)
   return c.WeightSum * (c.Degree + 1) * (c.Degree + 1) / (4.0 * M_PI);
 }
 
-TEST(SampleMoments, MakeTheGramMatrixOfTheDenseProductAtEveryDegree)
+TEST(SampleMoments, GramMatrixEqualsDenseProduct)
 {
   for (const InstructionSet set : RunnableInstructionSets())
   {
@@ -142,7 +142,7 @@ TEST(SampleMoments, MakeTheGramMatrixOfTheDenseProductAtEveryDegree)
   }
 }
 
-TEST(SampleMoments, StayAccurateAtDegree64)
+TEST(SampleMoments, AreAccurateAtDegree64)
 {
   const Case c(64, 700);
   const moments::Kernel& kernel = moments::KernelFor(FastestInstructionSet());
@@ -167,7 +167,7 @@ TEST(SampleMoments, StayAccurateAtDegree64)
   EXPECT_LE(worst.Value(), 64 * 20 * std::numeric_limits<double>::epsilon() * SizeOf(c));
 }
 
-// The stated bound between any two orders of the samples or divisions into parts.
+// The documented bound between any two orders of the samples or partitions.
 double Bound(const Case& c)
 {
   return (static_cast<double>(c.Radii.size()) / 32.0 + 12.0 * c.Degree + 40.0) *
@@ -184,7 +184,7 @@ double LargestDifference(const SampleMoments& a, const SampleMoments& b, int deg
   return worst.Value();
 }
 
-TEST(SampleMoments, DependOnTheOrderOfTheSamplesOnlyWithinTheStatedBound)
+TEST(SampleMoments, SampleOrderMattersOnlyWithinBound)
 {
   Random random(840);
   for (const int degree : {3, 12})
@@ -213,7 +213,7 @@ TEST(SampleMoments, DependOnTheOrderOfTheSamplesOnlyWithinTheStatedBound)
   }
 }
 
-TEST(SampleMoments, MergedPartsAreTheWholeWithinTheStatedBound)
+TEST(SampleMoments, MergedPartsEqualWholeWithinBound)
 {
   constexpr int Degree = 12;
   const Case c(Degree, 4000);
@@ -234,7 +234,7 @@ TEST(SampleMoments, MergedPartsAreTheWholeWithinTheStatedBound)
   }
 }
 
-TEST(SampleMoments, TheBoundTellsAMissingSampleOfTinyWeight)
+TEST(SampleMoments, BoundDetectsMissingSample)
 {
   constexpr int Degree = 12;
   Case c(Degree, 4000);
@@ -248,7 +248,7 @@ TEST(SampleMoments, TheBoundTellsAMissingSampleOfTinyWeight)
   EXPECT_GT(LargestDifference(whole, changed, Degree), Bound(c));
 }
 
-TEST(SampleMoments, PassNaNOn)
+TEST(SampleMoments, PropagateNan)
 {
   Case c(3);
   c.Weights[5] = std::nan("");
@@ -259,7 +259,7 @@ TEST(SampleMoments, PassNaNOn)
   EXPECT_TRUE(std::isnan(moments.Weights()[0]));
 }
 
-TEST(ResidualMoments, AreThoseOfEvaluatingTheModelForEveryCount)
+TEST(ResidualMoments, MatchModelEvaluation)
 {
   for (const InstructionSet set : RunnableInstructionSets())
   {
@@ -297,7 +297,7 @@ TEST(ResidualMoments, AreThoseOfEvaluatingTheModelForEveryCount)
   }
 }
 
-TEST(ResidualMoments, WithoutAModelAreTheRightSideOfTheNormalEquations)
+TEST(ResidualMoments, GiveRightHandSideWithoutModel)
 {
   for (const InstructionSet set : RunnableInstructionSets())
   {
@@ -312,7 +312,7 @@ TEST(ResidualMoments, WithoutAModelAreTheRightSideOfTheNormalEquations)
     moments.RightSide(right.data());
     for (std::size_t i = 0; i < 169; ++i)
     {
-      // The order of products differs: roundings of sums of this size.
+      // The order of products differs: rounding errors of sums of this size.
       EXPECT_NEAR(sums[i], right[i], 1e-14 * SizeOf(c) * 10.0) << NameOf(set);
     }
   }

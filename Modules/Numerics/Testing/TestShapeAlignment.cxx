@@ -31,7 +31,7 @@ SphericalHarmonicModel Turned(const SphericalHarmonicModel& model, const Matrix3
   return rotation.ApplyAbout({5.0, -70.0, 11.0}, model);
 }
 
-TEST(ShapeAlignment, PatientAxesKeepTheCoefficientsAndMoveTheCentreToTheOrigin)
+TEST(ShapeAlignment, PatientAxesOnlyMoveTheCentre)
 {
   Random random(1);
   const SphericalHarmonicModel model = test::RandomOrgan(random, 7);
@@ -40,7 +40,7 @@ TEST(ShapeAlignment, PatientAxesKeepTheCoefficientsAndMoveTheCentreToTheOrigin)
   EXPECT_EQ(aligned.CenterWorld(), Vector3::Zero());
 }
 
-TEST(ShapeAlignment, TurnedCopiesAlignToEachOther)
+TEST(ShapeAlignment, RotatedCopiesAlign)
 {
   Random random(2);
   WorstCase worst;
@@ -55,11 +55,11 @@ TEST(ShapeAlignment, TurnedCopiesAlignToEachOther)
       worst.Add(copy.Coefficients()[k] - aligned.Coefficients()[k]);
     }
   }
-  // mm; axes err by rounding over the relative distance of second moments, a percent or more here.
+  // mm; axes are off by rounding over the relative difference of second moments, at least 1 % here.
   EXPECT_LE(worst.Value(), 1e-9);
 }
 
-TEST(ShapeAlignment, BodyExtendsMostAlongXAndLeastAlongZ)
+TEST(ShapeAlignment, ExtendsMostAlongXAndLeastAlongZ)
 {
   Random random(3);
   for (int trial = 0; trial < 20; ++trial)
@@ -75,7 +75,7 @@ TEST(ShapeAlignment, BodyExtendsMostAlongXAndLeastAlongZ)
   }
 }
 
-// The slow obvious third moment: a sum over thin shells of a grid of voxels.
+// Slow reference for the third moment: a sum over thin shells of a grid of voxels.
 double ThirdMoment(const SphericalHarmonicModel& model, int axis)
 {
   BodyMoments body;
@@ -98,7 +98,7 @@ double ThirdMoment(const SphericalHarmonicModel& model, int axis)
   return sum;
 }
 
-TEST(ShapeAlignment, TheTwoMostSkewedAxesPointToTheLongerTail)
+TEST(ShapeAlignment, MostSkewedAxesPointToLongerTail)
 {
   Random random(4);
   for (int trial = 0; trial < 5; ++trial)
@@ -114,7 +114,7 @@ TEST(ShapeAlignment, TheTwoMostSkewedAxesPointToTheLongerTail)
   }
 }
 
-TEST(ShapeAlignment, WhatEnclosesNothingIsRefused)
+TEST(ShapeAlignment, RejectsModelWithoutVolume)
 {
   SphericalHarmonicModel aligned;
   EXPECT_FALSE(AlignShape(SphericalHarmonicModel(), AlignmentAxes::Patient, aligned).IsOk());

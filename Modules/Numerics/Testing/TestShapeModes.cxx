@@ -18,7 +18,7 @@ Eigen::VectorXd RandomVector(Random& random, int degree)
   return Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()));
 }
 
-TEST(ShapeModes, KnownMeanAndTwoModesComeBack)
+TEST(ShapeModes, RecoversKnownMeanAndModes)
 {
   Random random(11);
   const Eigen::VectorXd mean = 30.0 * RandomVector(random, 6);
@@ -48,7 +48,7 @@ TEST(ShapeModes, KnownMeanAndTwoModesComeBack)
   EXPECT_LE((modes.Scores.col(0) - sign * scores.col(0)).norm(), 1e-11);
 }
 
-TEST(ShapeModes, MeanAndScoresGiveEveryCaseBack)
+TEST(ShapeModes, MeanAndScoresReproduceCases)
 {
   Random random(12);
   Eigen::MatrixXd cases(9, 49);
@@ -68,7 +68,7 @@ TEST(ShapeModes, MeanAndScoresGiveEveryCaseBack)
   }
 }
 
-TEST(ShapeModes, CasesThatAreAlikeHaveNoMode)
+TEST(ShapeModes, EqualCasesHaveNoModes)
 {
   Random random(13);
   const Eigen::VectorXd one = 100.0 * RandomVector(random, 5);
@@ -77,7 +77,7 @@ TEST(ShapeModes, CasesThatAreAlikeHaveNoMode)
   EXPECT_EQ(modes.Modes.cols(), 0);
 }
 
-TEST(ShapeModes, TooFewOrBrokenCasesAreRefused)
+TEST(ShapeModes, RejectsTooFewOrNonFiniteCases)
 {
   ShapeModes modes;
   EXPECT_FALSE(FindShapeModes(Eigen::MatrixXd::Ones(1, 4), modes).IsOk());

@@ -30,7 +30,7 @@ double Integrate(const SphereQuadrature& sphere, int a, int b, int c)
   return sum;
 }
 
-TEST(SphereQuadrature, IntegratesEveryMonomialOfItsDegreeExactly)
+TEST(SphereQuadrature, IsExactForMonomialsOfItsDegree)
 {
   for (const int degree : {0, 1, 2, 3, 4, 7, 8, 12, 21})
   {
@@ -51,9 +51,9 @@ TEST(SphereQuadrature, IntegratesEveryMonomialOfItsDegreeExactly)
   }
 }
 
-TEST(SphereQuadrature, MissesAMonomialBeyondItsDegree)
+TEST(SphereQuadrature, IsInexactBeyondItsDegree)
 {
-  // Equal steps in longitude cannot tell x^(n) from its alias once n steps go round.
+  // Equal steps in longitude cannot distinguish x^(n) from its alias after n steps.
   EXPECT_GT(std::abs(Integrate(SphereQuadrature(5), 6, 0, 0) - ExactMonomial(6, 0, 0)), 1e-3);
 }
 

@@ -47,7 +47,7 @@ std::array<double, 16> ExplicitUpToDegree3(const Vector3& u)
           0.25 * std::sqrt(35 / (2 * pi)) * x * (x * x - 3 * y * y)};
 }
 
-TEST(SphericalHarmonicBasis, HasOneEntryForEachDegreeAndOrder)
+TEST(SphericalHarmonicBasis, HasOneEntryPerDegreeAndOrder)
 {
   std::size_t next = 0;
   for (int l = 0; l <= 64; ++l)
@@ -61,7 +61,7 @@ TEST(SphericalHarmonicBasis, HasOneEntryForEachDegreeAndOrder)
   }
 }
 
-TEST(SphericalHarmonicBasis, EqualsTheExplicitFormulasUpToDegree3)
+TEST(SphericalHarmonicBasis, EqualsExplicitFormulasUpToDegree3)
 {
   Random random(101);
   const SphericalHarmonicBasis basis(3);
@@ -79,7 +79,7 @@ TEST(SphericalHarmonicBasis, EqualsTheExplicitFormulasUpToDegree3)
   EXPECT_LE(worst.Value(), 5e-15);
 }
 
-TEST(SphericalHarmonicBasis, EqualsTheTextbookSumUpToDegree64)
+TEST(SphericalHarmonicBasis, EqualsTextbookSumUpToDegree64)
 {
   Random random(102);
   const SphericalHarmonicBasis basis(64);
@@ -103,7 +103,7 @@ TEST(SphericalHarmonicBasis, EqualsTheTextbookSumUpToDegree64)
       }
     }
   }
-  // The promise of 1e-14 of the largest harmonic, sqrt((2l+1) / 4 pi) = 3.2.
+  // The documented 1e-14 of the largest harmonic, sqrt((2l+1) / 4 pi) = 3.2.
   EXPECT_LE(worst.Value(), 3.2e-14);
 }
 
@@ -130,7 +130,7 @@ TEST(SphericalHarmonicBasis, IsOrthonormal)
   EXPECT_LE(worst.Value(), 1e-13);
 }
 
-TEST(SphericalHarmonicBasis, ObeysTheAdditionTheorem)
+TEST(SphericalHarmonicBasis, ObeysAdditionTheorem)
 {
   Random random(103);
   constexpr int Degree = 64;
@@ -159,7 +159,7 @@ TEST(SphericalHarmonicBasis, ObeysTheAdditionTheorem)
   EXPECT_LE(worst.Value(), 1e-12);
 }
 
-TEST(SphericalHarmonicBasis, IsFiniteAndRightAtThePoles)
+TEST(SphericalHarmonicBasis, IsAccurateAtPoles)
 {
   const SphericalHarmonicBasis basis(64);
   for (const double pole : {1.0, -1.0})
@@ -170,14 +170,14 @@ TEST(SphericalHarmonicBasis, IsFiniteAndRightAtThePoles)
       for (int m = -l; m <= l; ++m)
       {
         const double exact = m == 0 ? std::pow(pole, l) * std::sqrt((2 * l + 1) / (4 * M_PI)) : 0.0;
-        // One rounding a step of the recurrence.
+        // One rounding error per step of the recurrence.
         EXPECT_NEAR(values[SphericalHarmonicBasis::Index(l, m)], exact, 64 * 3.2 * 2.3e-16);
       }
     }
   }
 }
 
-TEST(SphericalHarmonicBasis, IsContinuousTowardsThePoles)
+TEST(SphericalHarmonicBasis, IsContinuousTowardsPoles)
 {
   const SphericalHarmonicBasis basis(64);
   const std::vector<double> pole = Evaluate(basis, {0.0, 0.0, 1.0});
@@ -194,7 +194,7 @@ TEST(SphericalHarmonicBasis, IsContinuousTowardsThePoles)
   }
 }
 
-TEST(SphericalHarmonicBasis, IsThatOfTheNormalisedDirection)
+TEST(SphericalHarmonicBasis, NormalisesDirections)
 {
   Random random(106);
   const SphericalHarmonicBasis basis(40);
@@ -203,7 +203,7 @@ TEST(SphericalHarmonicBasis, IsThatOfTheNormalisedDirection)
   const std::vector<double> longer = Evaluate(basis, 1024.0 * u);
   for (std::size_t k = 0; k < unit.size(); ++k)
   {
-    EXPECT_EQ(unit[k], longer[k]); // a power of two rounds nothing
+    EXPECT_EQ(unit[k], longer[k]); // scaling by a power of two is exact
   }
   for (const double value : Evaluate(basis, Vector3::Zero()))
   {
@@ -211,7 +211,7 @@ TEST(SphericalHarmonicBasis, IsThatOfTheNormalisedDirection)
   }
 }
 
-TEST(SphericalHarmonicBasis, HasTheParityOfItsDegree)
+TEST(SphericalHarmonicBasis, HasParityOfDegree)
 {
   Random random(104);
   const SphericalHarmonicBasis basis(32);
@@ -228,7 +228,7 @@ TEST(SphericalHarmonicBasis, HasTheParityOfItsDegree)
   }
 }
 
-TEST(SphericalHarmonicBasis, LowerDegreesDoNotDependOnTheHighest)
+TEST(SphericalHarmonicBasis, LowerDegreesAreIndependentOfHighest)
 {
   Random random(105);
   const Vector3 u = test::RandomDirection(random);

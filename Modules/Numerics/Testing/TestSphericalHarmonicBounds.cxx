@@ -22,7 +22,7 @@ SphericalHarmonicBounds MakeBounds(const SphericalHarmonicModel& model, int dept
   return {model, options};
 }
 
-// A direction in the cone, often on its rim.
+// A direction in the cone, often on its boundary.
 Vector3 RandomInCone(Random& random, const Vector3& axis, double halfAngle)
 {
   std::uniform_real_distribution<double> part(0.0, 1.5);
@@ -31,8 +31,8 @@ Vector3 RandomInCone(Random& random, const Vector3& axis, double halfAngle)
   return (std::cos(angle) * axis + std::sin(angle) * tangent).normalized();
 }
 
-// What the model does over a cone, seen along many directions: the slow obvious bounds, from
-// inside.
+// Slow reference: the range of radius and slope over a cone, sampled along many directions, which
+// is too narrow.
 struct Seen
 {
   RadiusInterval Radius{std::numeric_limits<double>::infinity(),
@@ -55,7 +55,7 @@ struct Seen
 const std::vector<double> Angles = {0.0, 1e-9, 1e-3, 0.05, 0.2, 0.6, 1.5, 2.5, M_PI};
 } // namespace
 
-TEST(SphericalHarmonicBounds, EncloseEveryRadiusAndSlopeInACone)
+TEST(SphericalHarmonicBounds, EncloseRadiiAndSlopesInCone)
 {
   Random random(431);
   for (const int degree : {0, 1, 4, 12, 30})
@@ -82,7 +82,7 @@ TEST(SphericalHarmonicBounds, EncloseEveryRadiusAndSlopeInACone)
   }
 }
 
-TEST(SphericalHarmonicBounds, EncloseAConeAboutEveryCornerAndMiddleOfTheTriangles)
+TEST(SphericalHarmonicBounds, EncloseConesAtCornersAndEdges)
 {
   Random random(432);
   const SphericalHarmonicModel model = test::RandomOrgan(random, 12);
@@ -98,14 +98,14 @@ TEST(SphericalHarmonicBounds, EncloseAConeAboutEveryCornerAndMiddleOfTheTriangle
   }
 }
 
-TEST(SphericalHarmonicBounds, AreReachedWithinASmallestTriangleOfTheRim)
+TEST(SphericalHarmonicBounds, AreTightToSmallestTriangle)
 {
   Random random(433);
   const SphericalHarmonicModel model = test::RandomOrgan(random, 12);
   const SphericalHarmonicBounds bounds(model);
   const IcosahedronDirections directions(40); // no direction is further than 0.02 rad from one
-  // Default options: caps reach 37 / 8 degrees and up to a fifth more, so a triangle at the rim
-  // reaches twice that beyond it; parts of triangles are a quarter of the size.
+  // Default options: caps reach 37 / 8 degrees and up to a fifth more, so a triangle at the
+  // boundary reaches twice that beyond it; parts of triangles are a quarter of the size.
   const double reach = 0.2;
   const double part = 0.025;
   const double bend = bounds.Spectrum().SecondDerivative();
@@ -125,7 +125,7 @@ TEST(SphericalHarmonicBounds, AreReachedWithinASmallestTriangleOfTheRim)
           slope = std::max(slope, sample.SurfaceGradient.norm());
         }
       }
-      // Taylor's formula over a part, slopes between the directions included.
+      // Taylor's formula over a part, including slopes between the directions.
       const double slack = slope * part + 1.5 * bend * part * part;
       const RadiusInterval radius = bounds.RadiusInCone(axis, angle);
       EXPECT_GE(radius.Lower, seen.Lower - slack) << angle;
@@ -135,7 +135,7 @@ TEST(SphericalHarmonicBounds, AreReachedWithinASmallestTriangleOfTheRim)
   }
 }
 
-TEST(SphericalHarmonicBounds, OfANarrowConeAreThoseOfItsAxis)
+TEST(SphericalHarmonicBounds, NarrowConeHasBoundsOfAxis)
 {
   Random random(434);
   const SphericalHarmonicModel model = test::RandomOrgan(random, 12);
@@ -143,12 +143,12 @@ TEST(SphericalHarmonicBounds, OfANarrowConeAreThoseOfItsAxis)
   for (const Vector3& axis : test::RandomDirections(random, 20))
   {
     const RadiusInterval radius = bounds.RadiusInCone(axis, 0.0);
-    // The room for rounded geometry, 1e-6 rad, times slopes of up to 20 mm/rad, on both sides.
+    // The margin for rounded geometry, 1e-6 rad, times slopes of up to 20 mm/rad, on both sides.
     EXPECT_LE(radius.Upper - radius.Lower, 4e-5);
   }
 }
 
-TEST(SphericalHarmonicBounds, DepthAndRefinementNarrowTheWholeSphere)
+TEST(SphericalHarmonicBounds, DepthAndRefinementTightenBounds)
 {
   Random random(435);
   const SphericalHarmonicModel model = test::RandomOrgan(random, 12);
@@ -164,7 +164,7 @@ TEST(SphericalHarmonicBounds, DepthAndRefinementNarrowTheWholeSphere)
   }
 }
 
-TEST(SphericalHarmonicBounds, OfAHalfAngleOfPiAreThoseOfTheSphere)
+TEST(SphericalHarmonicBounds, HalfAnglePiIsWholeSphere)
 {
   Random random(436);
   const SphericalHarmonicBounds bounds(test::RandomOrgan(random, 9));
@@ -178,7 +178,7 @@ TEST(SphericalHarmonicBounds, OfAHalfAngleOfPiAreThoseOfTheSphere)
   }
 }
 
-TEST(SphericalHarmonicBounds, OfANegativeHalfAngleAreThoseOfTheAxis)
+TEST(SphericalHarmonicBounds, NegativeHalfAngleIsAxis)
 {
   Random random(437);
   const SphericalHarmonicBounds bounds(test::RandomOrgan(random, 9));
@@ -187,7 +187,7 @@ TEST(SphericalHarmonicBounds, OfANegativeHalfAngleAreThoseOfTheAxis)
   EXPECT_EQ(bounds.SlopeInCone(axis, -1.0), bounds.SlopeInCone(axis, 0.0));
 }
 
-TEST(SphericalHarmonicBounds, OfAnAxisThatIsNoDirectionAreThoseOfTheSphere)
+TEST(SphericalHarmonicBounds, InvalidAxisIsWholeSphere)
 {
   Random random(438);
   const SphericalHarmonicBounds bounds(test::RandomOrgan(random, 5));
@@ -200,7 +200,7 @@ TEST(SphericalHarmonicBounds, OfAnAxisThatIsNoDirectionAreThoseOfTheSphere)
   }
 }
 
-TEST(SphericalHarmonicBounds, OfCoefficientsThatAreNotFiniteAreNaN)
+TEST(SphericalHarmonicBounds, AreNanForNonFiniteCoefficients)
 {
   const SphericalHarmonicModel model(1, {20.0, std::nan(""), 1.0, 1.0}, Vector3::Zero());
   const SphericalHarmonicBounds bounds = MakeBounds(model, 1, 0);
@@ -215,11 +215,11 @@ TEST(SphericalHarmonicBounds, OfCoefficientsThatAreNotFiniteAreNaN)
   }
 }
 
-TEST(SphericalHarmonicBounds, OfASphereAreItsRadiusAndNoSlope)
+TEST(SphericalHarmonicBounds, SphereHasItsRadiusAndNoSlope)
 {
   const SphericalHarmonicBounds bounds({0, {5.0 * std::sqrt(4 * M_PI)}, Vector3::Zero()});
   const RadiusInterval radius = bounds.RadiusInCone({0, 1, 0}, 0.4);
-  EXPECT_NEAR(radius.Lower, 5.0, 1e-10); // 1e-12 of the radius is allowed to evaluation
+  EXPECT_NEAR(radius.Lower, 5.0, 1e-10); // evaluation is accurate to 1e-12 of the radius
   EXPECT_NEAR(radius.Upper, 5.0, 1e-10);
   EXPECT_EQ(bounds.SlopeInCone({0, 1, 0}, 0.4), 0.0);
 }

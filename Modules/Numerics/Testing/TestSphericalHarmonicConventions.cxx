@@ -34,7 +34,7 @@ double SpharmPdmSum(const std::vector<double>& rows, const Vector3& u)
   return static_cast<double>(sum);
 }
 
-TEST(SphericalHarmonicConventions, ComplexCoefficientsOfXAndYAreThoseOfTheTextbooks)
+TEST(SphericalHarmonicConventions, ComplexCoefficientsOfXAndYAreKnown)
 {
   const double root = 1.0 / std::sqrt(2.0);
   const auto ofX = ToComplex({0.0, 0.0, 0.0, 1.0});
@@ -48,7 +48,7 @@ TEST(SphericalHarmonicConventions, ComplexCoefficientsOfXAndYAreThoseOfTheTextbo
   EXPECT_EQ(ToComplex({0.0, 0.0, 1.0, 0.0})[1], std::complex<double>(1.0, 0.0));
 }
 
-TEST(SphericalHarmonicConventions, ComplexCoefficientsAreIntegralsAgainstTheComplexHarmonics)
+TEST(SphericalHarmonicConventions, ComplexCoefficientsAreProjections)
 {
   Random random(301);
   const SphericalHarmonicModel model = test::RandomOrgan(random, Degree);
@@ -74,7 +74,7 @@ TEST(SphericalHarmonicConventions, ComplexCoefficientsAreIntegralsAgainstTheComp
   EXPECT_EQ(next, complex.size());
 }
 
-TEST(SphericalHarmonicConventions, ComplexRoundTripLosesNothingButRounding)
+TEST(SphericalHarmonicConventions, ComplexRoundTripIsExactToRounding)
 {
   Random random(302);
   const std::vector<double> c = test::RandomCoefficients(random, Degree);
@@ -86,13 +86,13 @@ TEST(SphericalHarmonicConventions, ComplexRoundTripLosesNothingButRounding)
   }
 }
 
-TEST(SphericalHarmonicConventions, IncompleteComplexDegreesAreFilledWithZeros)
+TEST(SphericalHarmonicConventions, PadsIncompleteComplexDegrees)
 {
   const std::vector<double> c = FromComplex({{1.0, 0.0}, {2.0, 0.0}});
   EXPECT_EQ(c, (std::vector<double>{1.0, 0.0, 2.0, 0.0}));
 }
 
-TEST(SphericalHarmonicConventions, SpharmPdmRowsEvaluateToTheSameFunction)
+TEST(SphericalHarmonicConventions, SpharmPdmRowsGiveSameFunction)
 {
   Random random(303);
   const std::vector<double> rows = test::RandomCoefficients(random, Degree);
@@ -111,7 +111,7 @@ TEST(SphericalHarmonicConventions, SpharmPdmRowsEvaluateToTheSameFunction)
   }
 }
 
-TEST(SphericalHarmonicConventions, SpharmPdmRowsOfASphereAreKnown)
+TEST(SphericalHarmonicConventions, SpharmPdmRowsOfSphereAreKnown)
 {
   // x = u: only first-order terms. Row 1 is z, row 2 the cosine part, row 3 the sine part.
   const double ours = std::sqrt(4 * M_PI / 3);
@@ -128,7 +128,7 @@ TEST(SphericalHarmonicConventions, SpharmPdmRowsOfASphereAreKnown)
   }
 }
 
-TEST(SphericalHarmonicConventions, SpharmPdmRoundTripLosesNothingButRounding)
+TEST(SphericalHarmonicConventions, SpharmPdmRoundTripIsExactToRounding)
 {
   Random random(304);
   const std::vector<double> c = test::RandomCoefficients(random, 20);
@@ -140,7 +140,7 @@ TEST(SphericalHarmonicConventions, SpharmPdmRoundTripLosesNothingButRounding)
   }
 }
 
-TEST(SphericalHarmonicConventions, DegreeIsKnownFromTheCountOrRefused)
+TEST(SphericalHarmonicConventions, FindsDegreeOfCount)
 {
   for (int degree = 0; degree <= 100; ++degree)
   {

@@ -39,7 +39,7 @@ long double TextbookRadius(const EvaluatorCase& c, const Vector3& u)
   return sum;
 }
 
-TEST(SphericalHarmonicEvaluator, EveryKindEqualsTheTextbookSum)
+TEST(SphericalHarmonicEvaluator, AllKindsEqualTextbookSum)
 {
   for (const int degree : {0, 1, 2, 3, 4, 5, 7, 8, 9, 12, 13, 15, 16, 17, 30})
   {
@@ -60,13 +60,13 @@ TEST(SphericalHarmonicEvaluator, EveryKindEqualsTheTextbookSum)
         worst.Add(static_cast<double>(evaluator.Evaluate(u).Radius - exact[i]));
         worst.Add(static_cast<double>(evaluator.EvaluateSecondOrder(u).Radius - exact[i]));
       }
-      // The promise; found are 2e-15 at degree 16.
+      // The documented bound; measured 2e-15 at degree 16.
       EXPECT_LE(worst.Value(), 1e-14 * c.Scale()) << kind.Name() << " degree " << degree;
     }
   }
 }
 
-TEST(SphericalHarmonicEvaluator, GradientIsTheDifferenceOfTheTextbookSum)
+TEST(SphericalHarmonicEvaluator, GradientMatchesFiniteDifference)
 {
   for (const int degree : {1, 6, 16})
   {
@@ -85,12 +85,12 @@ TEST(SphericalHarmonicEvaluator, GradientIsTheDifferenceOfTheTextbookSum)
                 static_cast<double>(difference));
     }
     // The formula's error is H^4 / 30 times a fifth derivative, 16^4 = 7e4 times the gradient's
-    // size; the directions' rounding, 1e-16 / H, is less.
+    // size; the directions' rounding, 1e-16 / H, is smaller.
     EXPECT_LE(worst.Value(), 3e-9 * c.GradientScale()) << degree;
   }
 }
 
-TEST(SphericalHarmonicEvaluator, DerivativesOfEveryKindAgree)
+TEST(SphericalHarmonicEvaluator, DerivativesOfAllKindsAgree)
 {
   for (int degree = 0; degree <= 18; ++degree)
   {
@@ -110,14 +110,14 @@ TEST(SphericalHarmonicEvaluator, DerivativesOfEveryKindAgree)
         gradient.Add((found.SurfaceGradient - exact.SurfaceGradient).norm());
         hessian.Add((found.SurfaceHessian - exact.SurfaceHessian).norm());
       }
-      // Twice the promise, as both sides may err.
+      // Twice the documented bound, as both sides may be off.
       EXPECT_LE(gradient.Value(), 2e-14 * c.GradientScale()) << kind.Name() << ' ' << degree;
       EXPECT_LE(hessian.Value(), 2e-14 * c.HessianScale()) << kind.Name() << ' ' << degree;
     }
   }
 }
 
-TEST(SphericalHarmonicEvaluator, GradientIsTangentAndHessianSymmetricAndTangent)
+TEST(SphericalHarmonicEvaluator, GradientAndHessianAreTangent)
 {
   const EvaluatorCase c(12);
   for (const EvaluatorKind& kind : AllEvaluatorKinds())
@@ -135,7 +135,7 @@ TEST(SphericalHarmonicEvaluator, GradientIsTangentAndHessianSymmetricAndTangent)
   }
 }
 
-TEST(SphericalHarmonicEvaluator, TraceOfTheHessianIsTheLaplacian)
+TEST(SphericalHarmonicEvaluator, TraceOfHessianIsLaplacian)
 {
   const EvaluatorCase c(12);
   EvaluatorCase laplacian = c;
@@ -159,7 +159,7 @@ TEST(SphericalHarmonicEvaluator, TraceOfTheHessianIsTheLaplacian)
   }
 }
 
-// Relative to the scales; both sides may err.
+// Relative to the scales; both sides may be off.
 template <typename Real>
 void ExpectFloatAgrees(const EvaluatorCase& c, const EvaluatorKind& kind, double bound)
 {
@@ -184,23 +184,23 @@ void ExpectFloatAgrees(const EvaluatorCase& c, const EvaluatorKind& kind, double
   EXPECT_LE(hessian.Value(), bound * c.HessianScale()) << kind.Name() << " degree " << c.Degree;
 }
 
-TEST(SphericalHarmonicEvaluator, FloatsAgreeWithinTheirBoundUpToDegree100)
+TEST(SphericalHarmonicEvaluator, FloatAgreesWithinBoundUpToDegree100)
 {
   for (const int degree : {0, 1, 3, 8, 12, 16, 40, 100})
   {
     const EvaluatorCase c(degree);
     for (const EvaluatorKind& kind : AllEvaluatorKinds())
     {
-      // The promise: 4e-6, 34 roundings of float; near the poles derivatives of high degree lose
-      // more.
+      // The documented 4e-6, 34 rounding errors of float; near the poles derivatives of high degree
+      // are less accurate.
       ExpectFloatAgrees<float>(c, kind, degree <= 16 ? 4e-6 : 2e-5);
     }
   }
 }
 
-TEST(SphericalHarmonicEvaluator, HighDegreesAreFiniteEverywhereAndAgree)
+TEST(SphericalHarmonicEvaluator, HighDegreesAreFiniteAndAgree)
 {
-  // 300 and 1000 pass the range of float and of double in powers of sin theta.
+  // 300 and 1000 exceed the range of float and of double in powers of sin theta.
   for (const int degree : {300, 1000})
   {
     const EvaluatorCase c(degree);
@@ -217,13 +217,13 @@ TEST(SphericalHarmonicEvaluator, HighDegreesAreFiniteEverywhereAndAgree)
       const long double exact =
           std::inner_product(values.begin(), values.end(), c.Coefficients.begin(), 0.0L);
       const Doubles::Sample sample = fastest.Evaluate(u);
-      // The promise is 1e-12 against 50 digits; two sums in double, each good to that.
+      // The documented 1e-12 against 50 digits; two sums in double, each accurate to that.
       EXPECT_NEAR(sample.Radius, static_cast<double>(exact), 2e-12 * c.Scale());
       EXPECT_NEAR(portable.Radius(u), static_cast<double>(exact), 2e-12 * c.Scale());
       EXPECT_LE((sample.SurfaceGradient - portable.Evaluate(u).SurfaceGradient).norm(),
                 2e-12 * c.GradientScale());
       EXPECT_TRUE(fastest.EvaluateSecondOrder(u).SurfaceHessian.allFinite());
-      // Directions rounded to float move by 6e-8, which the slope makes 2e-5 and more.
+      // Directions rounded to float move by 6e-8, which the slope amplifies to 2e-5 and more.
       const Eigen::Vector3f rounded = u.cast<float>();
       const Doubles::Sample there = fastest.Evaluate(rounded.cast<double>());
       EXPECT_NEAR(floats.Radius(rounded), there.Radius, 1e-5 * c.Scale());
@@ -235,7 +235,7 @@ TEST(SphericalHarmonicEvaluator, HighDegreesAreFiniteEverywhereAndAgree)
   }
 }
 
-TEST(SphericalHarmonicEvaluator, OneHugeHarmonicDoesNotOverflow)
+TEST(SphericalHarmonicEvaluator, HugeHarmonicDoesNotOverflow)
 {
   // The column of order 150 starts near a pole at 1e-300 and grows back.
   constexpr int Degree = 400;
@@ -254,7 +254,7 @@ TEST(SphericalHarmonicEvaluator, OneHugeHarmonicDoesNotOverflow)
   }
 }
 
-TEST(SphericalHarmonicEvaluator, WhatIsNoUnitVectorGivesNotANumber)
+TEST(SphericalHarmonicEvaluator, InvalidDirectionGivesNan)
 {
   const double nan = std::nan("");
   const std::vector<Vector3> wrong{
@@ -280,7 +280,7 @@ TEST(SphericalHarmonicEvaluator, WhatIsNoUnitVectorGivesNotANumber)
   }
 }
 
-TEST(SphericalHarmonicEvaluator, ALengthThatIsOffByRoundingsChangesNothing)
+TEST(SphericalHarmonicEvaluator, RoundedLengthChangesNothing)
 {
   for (const int degree : {1, 12, 16, 30})
   {
@@ -294,7 +294,7 @@ TEST(SphericalHarmonicEvaluator, ALengthThatIsOffByRoundingsChangesNothing)
         {
           const auto s = evaluator.EvaluateSecondOrder(u);
           const auto off = evaluator.EvaluateSecondOrder((1.0 + longer) * u);
-          // Besides the promise for both, the rounding of each coordinate turns the direction.
+          // In addition to the error of both, the rounding of each coordinate turns the direction.
           EXPECT_NEAR(off.Radius, s.Radius, 3e-14 * c.Scale() + 2e-16 * c.GradientScale());
           EXPECT_LE((off.SurfaceGradient - s.SurfaceGradient).norm(),
                     3e-14 * c.GradientScale() + 2e-16 * c.HessianScale());
@@ -304,7 +304,7 @@ TEST(SphericalHarmonicEvaluator, ALengthThatIsOffByRoundingsChangesNothing)
   }
 }
 
-TEST(SphericalHarmonicEvaluator, ThreadsThatShareItGetTheSameBits)
+TEST(SphericalHarmonicEvaluator, ThreadsGetSameBits)
 {
   const EvaluatorCase c(12);
   const Doubles evaluator(12, c.Coefficients);
@@ -340,7 +340,7 @@ TEST(SphericalHarmonicEvaluator, ThreadsThatShareItGetTheSameBits)
   }
 }
 
-TEST(SphericalHarmonicEvaluator, TheTableOfDegree12FitsInFourKilobytes)
+TEST(SphericalHarmonicEvaluator, TableOfDegree12FitsInFourKilobytes)
 {
   const std::vector<double> coefficients(169, 1.0);
   EXPECT_LE(Doubles(12, coefficients).TableBytes(), 4096U);

@@ -32,7 +32,7 @@ Options OfDegree(int degree)
   return options;
 }
 
-// Why the fit was refused; empty where it was not.
+// The error message if the fit was refused; empty otherwise.
 std::string Refusal(const RadialSamples& samples, const Options& options)
 {
   SphericalHarmonicFitResult result;
@@ -62,7 +62,7 @@ TEST(SphericalHarmonicFit, RecoversEveryModelUpToDegree24FromExactSamples)
     Random random(500U + static_cast<unsigned>(degree));
     const SphericalHarmonicModel model = test::RandomOrgan(random, degree);
     const SphericalHarmonicFitResult fit = Fit(test::SamplesOf(model, 10), OfDegree(degree));
-    // The requirement; the rounding of samples alone would leave about 1e-14 times the condition.
+    // The requirement; the rounding of samples alone would give about 1e-14 times the condition.
     EXPECT_LE(test::Distance(fit.Coefficients, model.Coefficients()),
               1e-10 * test::Norm(model.Coefficients()))
         << degree;
@@ -70,7 +70,7 @@ TEST(SphericalHarmonicFit, RecoversEveryModelUpToDegree24FromExactSamples)
   }
 }
 
-TEST(SphericalHarmonicFit, RecoversAModelOfDegree64FromExactSamples)
+TEST(SphericalHarmonicFit, RecoversModelOfDegree64FromExactSamples)
 {
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
   GTEST_SKIP() << "minutes under a sanitizer; the lower degrees run the same code";
@@ -82,7 +82,7 @@ TEST(SphericalHarmonicFit, RecoversAModelOfDegree64FromExactSamples)
             1e-10 * test::Norm(model.Coefficients())); // the requirement
 }
 
-TEST(SphericalHarmonicFit, ResidualsAreSampleMinusModelAndTheirWeightedMeanSquareIsTheRms)
+TEST(SphericalHarmonicFit, ResidualsAreSampleMinusModelWithGivenRms)
 {
   Random random(502);
   RadialSamples samples = test::SamplesOf(test::RandomOrgan(random, 10), 8);
@@ -98,10 +98,10 @@ TEST(SphericalHarmonicFit, ResidualsAreSampleMinusModelAndTheirWeightedMeanSquar
   }
   const double total = std::accumulate(samples.Weights.begin(), samples.Weights.end(), 0.0);
   EXPECT_NEAR(fit.Rms / std::sqrt(squares / total), 1.0, 1e-12);
-  EXPECT_GT(fit.Rms, 1e-3); // the truncated terms are there
+  EXPECT_GT(fit.Rms, 1e-3); // the truncated terms remain
 }
 
-TEST(SphericalHarmonicFit, ResidualsAreOrthogonalToTheBasis)
+TEST(SphericalHarmonicFit, ResidualsAreOrthogonalToBasis)
 {
   Random random(503);
   RadialSamples samples = test::SamplesOf(test::RandomOrgan(random, 6), 8);
@@ -131,7 +131,7 @@ TEST(SphericalHarmonicFit, OnlyRatiosOfWeightsMatter)
   EXPECT_NEAR(fit.NoiseDeviation, scaled.NoiseDeviation, 1e-13);
 }
 
-TEST(SphericalHarmonicFit, ASampleOfWeightTwoCountsAsTwoSamples)
+TEST(SphericalHarmonicFit, WeightTwoEqualsTwoSamples)
 {
   Random random(505);
   RadialSamples once = test::SamplesOf(test::RandomOrgan(random, 6), 5);
@@ -150,7 +150,7 @@ TEST(SphericalHarmonicFit, ASampleOfWeightTwoCountsAsTwoSamples)
       1e-12); // rounding of 70 mm
 }
 
-TEST(SphericalHarmonicFit, ASampleOfWeightZeroHasNoInfluence)
+TEST(SphericalHarmonicFit, IgnoresZeroWeightSamples)
 {
   Random random(506);
   RadialSamples samples = test::SamplesOf(test::RandomOrgan(random, 6), 8);
@@ -170,7 +170,7 @@ TEST(SphericalHarmonicFit, ASampleOfWeightZeroHasNoInfluence)
   }
 }
 
-TEST(SphericalHarmonicFit, RmsByDegreeIsTheRmsOfRefittingAtEachDegree)
+TEST(SphericalHarmonicFit, RmsByDegreeMatchesRefits)
 {
   Random random(507);
   RadialSamples samples = test::SamplesOf(test::RandomOrgan(random, 14), 8);
@@ -184,7 +184,7 @@ TEST(SphericalHarmonicFit, RmsByDegreeIsTheRmsOfRefittingAtEachDegree)
   }
 }
 
-TEST(SphericalHarmonicFit, ConditionIsTheRatioOfTheExtremeSingularValues)
+TEST(SphericalHarmonicFit, ConditionIsRatioOfSingularValues)
 {
   Random random(508);
   const RadialSamples sphere = test::SamplesOf(test::RandomOrgan(random, 3), 10);
@@ -205,7 +205,7 @@ TEST(SphericalHarmonicFit, ConditionIsTheRatioOfTheExtremeSingularValues)
   }
 }
 
-TEST(SphericalHarmonicFit, RotatedSamplesHaveTheSamePowerSpectrum)
+TEST(SphericalHarmonicFit, RotatedSamplesHaveSamePowerSpectrum)
 {
   Random random(509);
   const SphericalHarmonicModel model = test::RandomOrgan(random, 8);
@@ -225,17 +225,17 @@ TEST(SphericalHarmonicFit, RotatedSamplesHaveTheSamePowerSpectrum)
   }
 }
 
-TEST(SphericalHarmonicFit, RefusesFewerSamplesThanCoefficients)
+TEST(SphericalHarmonicFit, RejectsFewerSamplesThanCoefficients)
 {
   Random random(510);
   const RadialSamples samples = test::SamplesOf(test::RandomOrgan(random, 3), 3); // 92 samples
   EXPECT_EQ(Refusal(samples, OfDegree(8)), "");                                   // 81
-  const std::string sentence = Refusal(samples, OfDegree(9));                     // 100
-  EXPECT_NE(sentence.find("92 samples"), std::string::npos) << sentence;
-  EXPECT_NE(sentence.find("100 coefficients"), std::string::npos) << sentence;
+  const std::string message = Refusal(samples, OfDegree(9));                      // 100
+  EXPECT_NE(message.find("92 samples"), std::string::npos) << message;
+  EXPECT_NE(message.find("100 coefficients"), std::string::npos) << message;
 }
 
-TEST(SphericalHarmonicFit, RefusesFewerWeightedSamplesThanCoefficients)
+TEST(SphericalHarmonicFit, RejectsFewerWeightedSamplesThanCoefficients)
 {
   Random random(511);
   RadialSamples samples = test::SamplesOf(test::RandomOrgan(random, 3), 3);
@@ -245,7 +245,7 @@ TEST(SphericalHarmonicFit, RefusesFewerWeightedSamplesThanCoefficients)
   EXPECT_NE(Refusal(samples, OfDegree(0)).find("0 samples"), std::string::npos);
 }
 
-TEST(SphericalHarmonicFit, RefusesNumbersThatAreNotFinite)
+TEST(SphericalHarmonicFit, RejectsNonFiniteNumbers)
 {
   Random random(512);
   const RadialSamples good = test::SamplesOf(test::RandomOrgan(random, 3), 4);
@@ -263,7 +263,7 @@ TEST(SphericalHarmonicFit, RefusesNumbersThatAreNotFinite)
   }
 }
 
-TEST(SphericalHarmonicFit, RefusesNegativeWeightsDegreesAndUnequalCounts)
+TEST(SphericalHarmonicFit, RejectsInvalidWeightsDegreesAndCounts)
 {
   Random random(513);
   const RadialSamples good = test::SamplesOf(test::RandomOrgan(random, 3), 4);
@@ -280,21 +280,21 @@ TEST(SphericalHarmonicFit, RefusesNegativeWeightsDegreesAndUnequalCounts)
   EXPECT_NE(Refusal({}, OfDegree(0)), "");
 }
 
-TEST(SphericalHarmonicFit, RefusesDirectionsThatLeaveOutACap)
+TEST(SphericalHarmonicFit, RejectsMissingCap)
 {
   Random random(514);
   const RadialSamples samples =
       test::WithoutCap(test::SamplesOf(test::RandomOrgan(random, 3), 20), M_PI / 3);
-  const std::string sentence = Refusal(samples, OfDegree(12));
-  EXPECT_NE(sentence.find("condition"), std::string::npos) << sentence;
-  EXPECT_NE(sentence.find("penalty"), std::string::npos) << sentence;
+  const std::string message = Refusal(samples, OfDegree(12));
+  EXPECT_NE(message.find("condition"), std::string::npos) << message;
+  EXPECT_NE(message.find("penalty"), std::string::npos) << message;
   Options penalised = OfDegree(12);
   penalised.PenaltyKind = Options::Penalty::Given;
   penalised.Roughness = 1e-6;
   EXPECT_EQ(Refusal(samples, penalised), "");
 }
 
-TEST(SphericalHarmonicFit, RefusesOneDirectionRepeated)
+TEST(SphericalHarmonicFit, RejectsRepeatedDirection)
 {
   RadialSamples samples;
   samples.Directions.assign(100, Vector3(0.0, 0.0, 1.0));
@@ -303,7 +303,7 @@ TEST(SphericalHarmonicFit, RefusesOneDirectionRepeated)
   EXPECT_NE(Refusal(samples, OfDegree(2)).find("condition"), std::string::npos);
 }
 
-TEST(SphericalHarmonicFit, EndsWithAFailureWhenCancelled)
+TEST(SphericalHarmonicFit, FailsWhenCancelled)
 {
   Random random(515);
   const RadialSamples samples = test::SamplesOf(test::RandomOrgan(random, 3), 4);
@@ -315,8 +315,8 @@ TEST(SphericalHarmonicFit, EndsWithAFailureWhenCancelled)
       options.PenaltyKind = kind;
       int asked = 0;
       options.IsCancelled = [&asked, allowed] { return asked++ >= allowed; };
-      const std::string sentence = Refusal(samples, options);
-      EXPECT_EQ(sentence, asked > allowed ? "cancelled" : "");
+      const std::string message = Refusal(samples, options);
+      EXPECT_EQ(message, asked > allowed ? "cancelled" : "");
       EXPECT_GT(asked, 0);
     }
   }

@@ -77,7 +77,7 @@ BodyMoments OfMesh(const SphericalHarmonicModel& model, int frequency)
 }
 } // namespace
 
-TEST(SphericalHarmonicMeasures, SphereHasItsClosedForms)
+TEST(SphericalHarmonicMeasures, SphereMatchesClosedForms)
 {
   const double r = 7.0;
   const SphericalHarmonicModel sphere(0, {r * std::sqrt(4 * M_PI)}, Center);
@@ -93,7 +93,7 @@ TEST(SphericalHarmonicMeasures, SphereHasItsClosedForms)
   EXPECT_LE((moments.SemiAxes - Vector3::Constant(r)).norm(), 1e-13);
 }
 
-TEST(SphericalHarmonicMeasures, LinearRadiusHasItsClosedForms)
+TEST(SphericalHarmonicMeasures, LinearRadiusMatchesClosedForms)
 {
   // R = r + a.u: integrals of (a.u)^2 and u u^T (a.u)^2 by hand.
   Random random(441);
@@ -111,7 +111,7 @@ TEST(SphericalHarmonicMeasures, LinearRadiusHasItsClosedForms)
   EXPECT_LE((moments.CentroidWorld - Center - first / volume).norm(), 1e-13);
 }
 
-TEST(SphericalHarmonicMeasures, EllipsoidConvergesToItsClosedForms)
+TEST(SphericalHarmonicMeasures, EllipsoidConvergesToClosedForms)
 {
   const Vector3 axes(28.0, 24.0, 20.0);
   const double volume = 4 * M_PI / 3 * axes.prod();
@@ -129,7 +129,7 @@ TEST(SphericalHarmonicMeasures, EllipsoidConvergesToItsClosedForms)
     momentError = axesError;
   }
   const BodyMoments moments = Measure(Ellipsoid(axes, 48));
-  // What is left out at degree 48 is below the rounding of 2,401 coefficients.
+  // Terms above degree 48 are below the rounding of 2,401 coefficients.
   EXPECT_NEAR(moments.Volume / volume, 1.0, 1e-12);
   EXPECT_LE((moments.CentroidWorld - Center).norm(), 1e-12);
   EXPECT_LE((moments.SemiAxes - axes).norm(), 1e-11);
@@ -138,7 +138,7 @@ TEST(SphericalHarmonicMeasures, EllipsoidConvergesToItsClosedForms)
   EXPECT_LE((moments.PrincipalAxes - Eigen::Matrix3d::Identity()).norm(), 1e-10);
 }
 
-TEST(SphericalHarmonicMeasures, ProlateSpheroidHasItsArea)
+TEST(SphericalHarmonicMeasures, ProlateSpheroidMatchesClosedForm)
 {
   const double a = 20.0;
   const double c = 26.0;
@@ -149,7 +149,7 @@ TEST(SphericalHarmonicMeasures, ProlateSpheroidHasItsArea)
   EXPECT_LE(area.ErrorEstimate, 1e-9 * exact); // the default tolerance
 }
 
-TEST(SphericalHarmonicMeasures, ShiftedSphereConvergesToItsClosedForms)
+TEST(SphericalHarmonicMeasures, ShiftedSphereConvergesToClosedForms)
 {
   const double r = 15.0;
   const Vector3 shift(6.0, 8.0, -3.0);
@@ -163,7 +163,7 @@ TEST(SphericalHarmonicMeasures, ShiftedSphereConvergesToItsClosedForms)
   }
   const SphericalHarmonicModel sphere = ShiftedSphere(r, shift, 40);
   const BodyMoments moments = Measure(sphere);
-  // As for the ellipsoid; the series falls by 2.5 a degree.
+  // As for the ellipsoid; the series falls by 2.5 per degree.
   EXPECT_NEAR(moments.Volume / (4 * M_PI / 3 * r * r * r), 1.0, 1e-12);
   EXPECT_LE((moments.CentroidWorld - Center - shift).norm(), 1e-12 * r);
   const double second = 4 * M_PI / 15 * std::pow(r, 5);
@@ -171,7 +171,7 @@ TEST(SphericalHarmonicMeasures, ShiftedSphereConvergesToItsClosedForms)
   EXPECT_NEAR(AreaOf(sphere).Value / (4 * M_PI * r * r), 1.0, 1e-12);
 }
 
-TEST(SphericalHarmonicMeasures, AreThoseOfTheMeshInTheLimit)
+TEST(SphericalHarmonicMeasures, MatchLimitOfMesh)
 {
   Random random(442);
   const SphericalHarmonicModel model = test::RandomOrgan(random, 6);
@@ -187,7 +187,7 @@ TEST(SphericalHarmonicMeasures, AreThoseOfTheMeshInTheLimit)
             2e-5);
 }
 
-TEST(SphericalHarmonicMeasures, MomentsAreThoseOfAFinerQuadrature)
+TEST(SphericalHarmonicMeasures, MomentsMatchFinerQuadrature)
 {
   Random random(443);
   for (const int degree : {1, 5, 12, 20})
@@ -216,7 +216,7 @@ TEST(SphericalHarmonicMeasures, MomentsAreThoseOfAFinerQuadrature)
   }
 }
 
-TEST(SphericalHarmonicMeasures, TurnWithTheBody)
+TEST(SphericalHarmonicMeasures, RotateWithBody)
 {
   Random random(444);
   for (int sample = 0; sample < 5; ++sample)
@@ -229,18 +229,18 @@ TEST(SphericalHarmonicMeasures, TurnWithTheBody)
     const Vector3 pivot = 50.0 * test::RandomDirection(random);
     const BodyMoments before = Measure(model);
     const BodyMoments after = Measure(rotation.ApplyAbout(pivot, model));
-    // Exact quadratures of two placements: thousands of roundings.
+    // Exact quadratures of two orientations: thousands of rounding errors.
     EXPECT_NEAR(after.Volume / before.Volume, 1.0, 1e-13);
     EXPECT_LE((after.CentroidWorld - pivot - q * (before.CentroidWorld - pivot)).norm(), 1e-12);
     EXPECT_LE(LargestRelative(after.SecondMoments, q * before.SecondMoments * q.transpose()),
               1e-13);
     EXPECT_LE((after.SemiAxes - before.SemiAxes).norm(), 1e-11);
-    // The area's quadrature is good to its tolerance.
+    // The area's quadrature is accurate to its tolerance.
     EXPECT_NEAR(rotation.Apply(model).Area() / model.Area(), 1.0, 1e-9);
   }
 }
 
-TEST(SphericalHarmonicMeasures, GrowWithTheBody)
+TEST(SphericalHarmonicMeasures, ScaleWithBody)
 {
   Random random(445);
   const SphericalHarmonicModel model = test::RandomOrgan(random, 7);
@@ -250,7 +250,7 @@ TEST(SphericalHarmonicMeasures, GrowWithTheBody)
     c *= 2.0;
   }
   const SphericalHarmonicModel large(7, doubled, model.CenterWorld());
-  // A power of two changes no digit.
+  // Scaling by a power of two is exact.
   EXPECT_EQ(VolumeOf(large), 8.0 * VolumeOf(model));
   EXPECT_EQ(AreaOf(large).Value, 4.0 * AreaOf(model).Value);
   EXPECT_LE(LargestRelative(Measure(large).SecondMoments, 32.0 * Measure(model).SecondMoments),
@@ -279,7 +279,7 @@ TEST(SphericalHarmonicMeasures, PrincipalAxesDiagonaliseAndAreRightHanded)
   }
 }
 
-TEST(SphericalHarmonicMeasures, AreaIsWithinItsErrorEstimate)
+TEST(SphericalHarmonicMeasures, AreaIsWithinErrorEstimate)
 {
   Random random(447);
   const auto areaAtDegree = [](const SphericalHarmonicModel& model, int degree)
@@ -311,7 +311,7 @@ TEST(SphericalHarmonicMeasures, AreaIsWithinItsErrorEstimate)
   EXPECT_GT(area.ErrorEstimate, 1e-9 * area.Value) << "the tolerance must not look reached";
 }
 
-TEST(SphericalHarmonicMeasures, VolumeCountsNegativeRadiiNegative)
+TEST(SphericalHarmonicMeasures, VolumeIsNegativeForNegativeRadii)
 {
   const SphericalHarmonicModel inverted(0, {-3.0}, Center);
   const SphericalHarmonicModel upright(0, {3.0}, Center);
@@ -321,7 +321,7 @@ TEST(SphericalHarmonicMeasures, VolumeCountsNegativeRadiiNegative)
   EXPECT_EQ(AreaOf(SphericalHarmonicModel()).Value, 0.0);
 }
 
-TEST(SphericalHarmonicMeasures, RefuseABodyWithoutVolume)
+TEST(SphericalHarmonicMeasures, RejectBodyWithoutVolume)
 {
   BodyMoments moments{};
   EXPECT_FALSE(MeasureBody(SphericalHarmonicModel(), moments).IsOk());

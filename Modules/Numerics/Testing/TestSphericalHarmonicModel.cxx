@@ -16,7 +16,7 @@ namespace
 {
 using test::Random;
 
-TEST(SphericalHarmonicModel, RadiusIsTheSumOverTheBasis)
+TEST(SphericalHarmonicModel, RadiusIsSumOverBasis)
 {
   Random random(201);
   for (const int degree : {0, 1, 2, 3, 5, 12, 33, 64})
@@ -43,7 +43,7 @@ TEST(SphericalHarmonicModel, MissingCoefficientsCountAsZero)
   EXPECT_EQ(model.Coefficients(), expected);
 }
 
-TEST(SphericalHarmonicModel, PointLiesAtItsRadiusFromTheCenter)
+TEST(SphericalHarmonicModel, PointLiesAtRadiusFromCenter)
 {
   Random random(202);
   const SphericalHarmonicModel model = test::RandomOrgan(random, 8);
@@ -54,7 +54,7 @@ TEST(SphericalHarmonicModel, PointLiesAtItsRadiusFromTheCenter)
   }
 }
 
-TEST(SphericalHarmonicModel, GradientOfALinearFunctionIsItsTangentPart)
+TEST(SphericalHarmonicModel, GradientOfLinearFunctionIsTangentPart)
 {
   Random random(203);
   const Vector3 a(1.5, -2.0, 0.75);
@@ -70,7 +70,7 @@ TEST(SphericalHarmonicModel, GradientOfALinearFunctionIsItsTangentPart)
   }
 }
 
-TEST(SphericalHarmonicModel, GradientIsTangentAndAgreesWithDifferences)
+TEST(SphericalHarmonicModel, GradientMatchesFiniteDifference)
 {
   Random random(204);
   for (const int degree : {1, 2, 4, 9, 16})
@@ -82,7 +82,7 @@ TEST(SphericalHarmonicModel, GradientIsTangentAndAgreesWithDifferences)
     for (const Vector3& u : directions)
     {
       const Vector3 gradient = model.Evaluate(u).SurfaceGradient;
-      // Projection leaves a rounding of the full gradient, whose size is at most about 300.
+      // Projection leaves the rounding of the full gradient, whose size is at most about 300.
       EXPECT_NEAR(gradient.dot(u), 0.0, 1e-12);
       const Vector3 tangent = u.unitOrthogonal();
       for (const Vector3& along : {tangent, Vector3(u.cross(tangent))})
@@ -99,7 +99,7 @@ TEST(SphericalHarmonicModel, GradientIsTangentAndAgreesWithDifferences)
   }
 }
 
-TEST(SphericalHarmonicModel, TraceOfTheHessianIsTheEigenvalueOfEachDegree)
+TEST(SphericalHarmonicModel, TraceOfHessianIsEigenvalueOfDegree)
 {
   Random random(207);
   for (const int degree : {0, 1, 2, 7, 12, 30})
@@ -126,7 +126,7 @@ TEST(SphericalHarmonicModel, TraceOfTheHessianIsTheEigenvalueOfEachDegree)
   }
 }
 
-TEST(SphericalHarmonicModel, HessianIsTheSecondDifferenceAlongGreatCircles)
+TEST(SphericalHarmonicModel, HessianMatchesSecondDifference)
 {
   Random random(208);
   const SphericalHarmonicModel model(12, test::RandomCoefficients(random, 12), Vector3::Zero());
@@ -143,7 +143,7 @@ TEST(SphericalHarmonicModel, HessianIsTheSecondDifferenceAlongGreatCircles)
   }
 }
 
-TEST(SphericalHarmonicModel, NormalIsPerpendicularToTheSurfaceAndPointsOut)
+TEST(SphericalHarmonicModel, NormalIsPerpendicularAndOutward)
 {
   Random random(205);
   const SphericalHarmonicModel model = test::RandomOrgan(random, 10);
@@ -165,7 +165,7 @@ TEST(SphericalHarmonicModel, NormalIsPerpendicularToTheSurfaceAndPointsOut)
   }
 }
 
-TEST(SphericalHarmonicModel, SphereHasItsVolumeAreaAndNormals)
+TEST(SphericalHarmonicModel, SphereMatchesClosedForms)
 {
   const SphericalHarmonicModel sphere = test::Sphere(7.0);
   // Relative: some roundings.
@@ -175,7 +175,7 @@ TEST(SphericalHarmonicModel, SphereHasItsVolumeAreaAndNormals)
   EXPECT_LE((sphere.Normal(u) - u).norm(), 1e-15);
 }
 
-TEST(SphericalHarmonicModel, EllipsoidHasItsVolumeAndArea)
+TEST(SphericalHarmonicModel, EllipsoidMatchesClosedForms)
 {
   const Vector3 axes(20.0, 24.0, 28.0);
   // Coefficients fall by about a factor of 4 every two degrees; at 48 the rest is below rounding
@@ -190,7 +190,7 @@ TEST(SphericalHarmonicModel, EllipsoidHasItsVolumeAndArea)
   EXPECT_NEAR(test::Ellipsoid({a, a, c}, Matrix3::Identity(), 48).Area() / prolate, 1.0, 1e-12);
 }
 
-TEST(SphericalHarmonicModel, VolumeIsThatOfItsMeshInTheLimit)
+TEST(SphericalHarmonicModel, VolumeMatchesLimitOfMesh)
 {
   Random random(206);
   const SphericalHarmonicModel model = test::RandomOrgan(random, 6);
@@ -230,12 +230,12 @@ TEST(SphericalHarmonicModel, VolumeAndAreaAreConverged)
       area += fine.Weights[i] * s.Radius * std::hypot(s.Radius, s.SurfaceGradient.norm());
     }
     EXPECT_NEAR(model.Volume() / volume, 1.0, 1e-13); // exact: thousands of roundings
-    // The area's integrand is no polynomial; its quadrature converges geometrically.
+    // The area's integrand is not a polynomial; its quadrature converges geometrically.
     EXPECT_NEAR(model.Area() / area, 1.0, 1e-8);
   }
 }
 
-TEST(SphericalHarmonicModel, PowerSpectrumSumsToTheIntegralOfTheSquaredRadius)
+TEST(SphericalHarmonicModel, PowerSpectrumSumsToSquaredRadius)
 {
   Random random(208);
   const SphericalHarmonicModel model = test::RandomOrgan(random, 14);
@@ -252,7 +252,7 @@ TEST(SphericalHarmonicModel, PowerSpectrumSumsToTheIntegralOfTheSquaredRadius)
   EXPECT_NEAR(std::accumulate(power.begin(), power.end(), 0.0) / integral, 1.0, 1e-13);
 }
 
-TEST(SphericalHarmonicModel, WithDegreeCutsOrPadsAndKeepsTheCenter)
+TEST(SphericalHarmonicModel, WithDegreeTruncatesOrPads)
 {
   Random random(209);
   const SphericalHarmonicModel model = test::RandomOrgan(random, 6);
@@ -262,14 +262,14 @@ TEST(SphericalHarmonicModel, WithDegreeCutsOrPadsAndKeepsTheCenter)
   EXPECT_EQ(lower.Degree(), 3);
   EXPECT_EQ(lower.CenterWorld(), model.CenterWorld());
   const Vector3 u = test::RandomDirection(random);
-  EXPECT_EQ(higher.Radius(u), model.Radius(u)); // adding zeros changes no bit
+  EXPECT_EQ(higher.Radius(u), model.Radius(u)); // adding zeros is exact
   const std::vector<double> expected(model.Coefficients().begin(),
                                      model.Coefficients().begin() + 16);
   EXPECT_EQ(lower.Coefficients(), expected);
   EXPECT_EQ(higher.WithDegree(6).Coefficients(), model.Coefficients());
 }
 
-TEST(SphericalHarmonicModel, DefaultIsThePointAtTheOrigin)
+TEST(SphericalHarmonicModel, DefaultIsPointAtOrigin)
 {
   const SphericalHarmonicModel model;
   EXPECT_EQ(model.Degree(), 0);

@@ -53,7 +53,7 @@ RadialSamples NoisySamples(Random& random, const SphericalHarmonicModel& truth, 
   return samples;
 }
 
-// What the penalised fit minimises, in the words of its documentation.
+// The documented objective of the penalised fit.
 double Objective(const RadialSamples& samples, int degree, double roughness,
                  const std::vector<double>& coefficients)
 {
@@ -73,7 +73,7 @@ double Objective(const RadialSamples& samples, int degree, double roughness,
   return 4 * M_PI * squares / total + roughness * penalty;
 }
 
-TEST(SphericalHarmonicPenalty, SolutionIsTheMinimumOfTheDocumentedObjective)
+TEST(SphericalHarmonicPenalty, SolutionMinimisesDocumentedObjective)
 {
   Random random(601);
   const SphericalHarmonicModel truth = test::RandomOrgan(random, 8);
@@ -96,7 +96,7 @@ TEST(SphericalHarmonicPenalty, SolutionIsTheMinimumOfTheDocumentedObjective)
   }
 }
 
-TEST(SphericalHarmonicPenalty, VanishingStrengthGivesTheUnpenalisedFit)
+TEST(SphericalHarmonicPenalty, VanishingStrengthGivesPlainFit)
 {
   Random random(602);
   const RadialSamples samples = NoisySamples(random, test::RandomOrgan(random, 8), 0.5);
@@ -113,7 +113,7 @@ TEST(SphericalHarmonicPenalty, VanishingStrengthGivesTheUnpenalisedFit)
   EXPECT_LE((weakFactor * weakFactor.transpose() - covariance).norm(), 1e-9 * covariance.norm());
 }
 
-TEST(SphericalHarmonicPenalty, UnlimitedStrengthGivesTheSphereOfTheMeanRadius)
+TEST(SphericalHarmonicPenalty, HugeStrengthGivesSphereOfMeanRadius)
 {
   Random random(603);
   const RadialSamples samples = NoisySamples(random, test::RandomOrgan(random, 8), 0.5);
@@ -131,7 +131,7 @@ TEST(SphericalHarmonicPenalty, UnlimitedStrengthGivesTheSphereOfTheMeanRadius)
   EXPECT_NEAR(strong.DegreesOfFreedom, 1.0, 1e-12);
 }
 
-TEST(SphericalHarmonicPenalty, StrongerPenaltiesAreSmootherAndFitWorse)
+TEST(SphericalHarmonicPenalty, StrongerPenaltiesAreSmootherButLessClose)
 {
   Random random(604);
   const RadialSamples samples = NoisySamples(random, test::RandomOrgan(random, 8), 0.5);
@@ -150,7 +150,7 @@ TEST(SphericalHarmonicPenalty, StrongerPenaltiesAreSmootherAndFitWorse)
   }
 }
 
-TEST(SphericalHarmonicPenalty, CrossValidationComesCloseToTheBestStrength)
+TEST(SphericalHarmonicPenalty, CrossValidationIsNearBestStrength)
 {
   for (unsigned seed = 610; seed < 615; ++seed)
   {
@@ -176,7 +176,7 @@ TEST(SphericalHarmonicPenalty, CrossValidationComesCloseToTheBestStrength)
   }
 }
 
-TEST(SphericalHarmonicPenalty, CrossValidationLeavesExactSamplesAlmostAlone)
+TEST(SphericalHarmonicPenalty, CrossValidationHardlySmoothsExactSamples)
 {
   Random random(621);
   const SphericalHarmonicModel truth = test::RandomOrgan(random, 8);
@@ -186,7 +186,7 @@ TEST(SphericalHarmonicPenalty, CrossValidationLeavesExactSamplesAlmostAlone)
             1e-6 * test::Norm(truth.Coefficients()));
 }
 
-TEST(SphericalHarmonicPenalty, FillsACapThatTheDirectionsLeaveOut)
+TEST(SphericalHarmonicPenalty, FillsMissingCap)
 {
   Random random(622);
   const SphericalHarmonicModel truth = test::RandomOrgan(random, 4);
@@ -194,11 +194,11 @@ TEST(SphericalHarmonicPenalty, FillsACapThatTheDirectionsLeaveOut)
   test::AddNoise(random, 0.05, samples);
   const SphericalHarmonicFitResult fit = Fit(samples, CrossValidated(12));
   const SphericalHarmonicModel model(12, fit.Coefficients, Vector3::Zero());
-  // In the middle of the gap, 45 degrees from any sample, the radius of 20 mm stays sane.
+  // In the centre of the gap, 45 degrees from any sample, the radius of 20 mm stays plausible.
   EXPECT_NEAR(model.Radius({0, 0, 1}), truth.Radius({0, 0, 1}), 4.0);
 }
 
-TEST(SphericalHarmonicPenalty, IsRefusedWhereItIsNotPositive)
+TEST(SphericalHarmonicPenalty, RejectsNonPositiveStrength)
 {
   Random random(623);
   const RadialSamples samples = test::SamplesOf(test::RandomOrgan(random, 3), 4);
@@ -210,7 +210,7 @@ TEST(SphericalHarmonicPenalty, IsRefusedWhereItIsNotPositive)
   }
 }
 
-TEST(SphericalHarmonicPenalty, OfDegreeZeroIsTheMean)
+TEST(SphericalHarmonicPenalty, DegreeZeroGivesMean)
 {
   RadialSamples samples = test::SamplesOf(SphericalHarmonicModel(), 2);
   samples.Radii.assign(samples.Radii.size(), 3.0);
@@ -239,8 +239,8 @@ TEST(SphericalHarmonicFitCovariance, NoiseDeviationIsUnbiased)
   EXPECT_NEAR(variance / (Noise * Noise), 1.0, 0.028);
 }
 
-// Largest and smallest ratio of the radius's spread over many noisy repetitions to what the fit of
-// one predicts, over some directions.
+// Smallest and largest ratio of the radius's spread over many noisy repetitions to the spread that
+// one fit predicts, over some directions.
 std::pair<double, double> SpreadOverPrediction(const Options& options, double noise, int trials)
 {
   Random random(631);
@@ -260,7 +260,7 @@ std::pair<double, double> SpreadOverPrediction(const Options& options, double no
     RadialSamples samples = exact;
     for (std::size_t i = 0; i < samples.Radii.size(); ++i)
     {
-      // The weights are right where a sample's variance is inverse to its weight.
+      // The weights are correct if a sample's variance is inverse to its weight.
       std::normal_distribution<double> normal(0.0,
                                               noise * std::sqrt(meanWeight / exact.Weights[i]));
       samples.Radii[i] += normal(random);
@@ -290,22 +290,22 @@ std::pair<double, double> SpreadOverPrediction(const Options& options, double no
 constexpr int Repetitions = 400;
 constexpr double SpreadTolerance = 0.14;
 
-TEST(SphericalHarmonicFitCovariance, RadiusDeviationIsTheSpreadOverRepetitions)
+TEST(SphericalHarmonicFitCovariance, RadiusDeviationMatchesSpread)
 {
   const auto [smallest, largest] = SpreadOverPrediction(Unpenalised(6), 0.3, Repetitions);
   EXPECT_GT(smallest, 1.0 - SpreadTolerance);
   EXPECT_LT(largest, 1.0 + SpreadTolerance);
 }
 
-TEST(SphericalHarmonicFitCovariance, RadiusDeviationIsTheSpreadAlsoWithAPenalty)
+TEST(SphericalHarmonicFitCovariance, RadiusDeviationMatchesSpreadWithPenalty)
 {
   const auto [smallest, largest] = SpreadOverPrediction(WithRoughness(6, 1e-4), 0.3, Repetitions);
   EXPECT_GT(smallest, 1.0 - SpreadTolerance);
   EXPECT_LT(largest, 1.0 + SpreadTolerance);
 }
 
-// How often the truth is within two deviations of a coefficient, over many noisy repetitions.
-TEST(SphericalHarmonicFitCovariance, TwoCoefficientDeviationsCoverTheTruth)
+// Frequency with which the truth is within two deviations of a coefficient, over many repetitions.
+TEST(SphericalHarmonicFitCovariance, TwoDeviationsCoverTruth)
 {
   Random random(640);
   const SphericalHarmonicModel truth = test::RandomOrgan(random, 6);
@@ -329,7 +329,7 @@ TEST(SphericalHarmonicFitCovariance, TwoCoefficientDeviationsCoverTheTruth)
   EXPECT_NEAR(covered / (49.0 * Trials), 0.9536, 0.016);
 }
 
-TEST(SphericalHarmonicFitCovariance, DeviationsAreThoseOfTheFactor)
+TEST(SphericalHarmonicFitCovariance, DeviationsFollowFromFactor)
 {
   Random random(641);
   const RadialSamples samples =

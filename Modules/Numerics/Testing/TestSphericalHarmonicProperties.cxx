@@ -1,4 +1,4 @@
-// Theorems about the harmonics as a whole, at degrees where an oracle for each would take too long.
+// Theorems about the harmonics as a whole, at degrees where a reference for each would be too slow.
 #include "RandomShapes.h"
 #include "SphereQuadrature.h"
 #include "SphericalHarmonicBasis.h"
@@ -37,7 +37,7 @@ Eigen::VectorXd Project(int degree, const std::vector<double>& c)
 }
 } // namespace
 
-TEST(SphericalHarmonicProperties, ProjectionReturnsTheCoefficientsUpToDegree100)
+TEST(SphericalHarmonicProperties, ProjectionReturnsCoefficientsUpToDegree100)
 {
   Random random(501);
   for (const int degree : {10, 33, 64, 100})
@@ -49,13 +49,13 @@ TEST(SphericalHarmonicProperties, ProjectionReturnsTheCoefficientsUpToDegree100)
     {
       worst.Add(d);
     }
-    // Each entry of the Gram matrix is good to some 1e-14, and (L+1)^2 of them count with
+    // Each entry of the Gram matrix is accurate to some 1e-14, and (L+1)^2 of them contribute with
     // coefficients of random sign: L + 1 times that.
     EXPECT_LE(worst.Value(), 1e-14 * (degree + 1)) << degree;
   }
 }
 
-TEST(SphericalHarmonicProperties, IntegralOfTheSquareIsTheSumOfSquares)
+TEST(SphericalHarmonicProperties, ObeysParseval)
 {
   Random random(502);
   for (const int degree : {16, 17, 64, 100})
@@ -73,7 +73,7 @@ TEST(SphericalHarmonicProperties, IntegralOfTheSquareIsTheSumOfSquares)
   }
 }
 
-TEST(SphericalHarmonicProperties, SquaresOfADegreeShareOutEvenlyUpToDegree300)
+TEST(SphericalHarmonicProperties, SquaresOfDegreeSumEvenlyUpToDegree300)
 {
   Random random(503);
   constexpr int Degree = 300;
@@ -99,7 +99,7 @@ TEST(SphericalHarmonicProperties, SquaresOfADegreeShareOutEvenlyUpToDegree300)
   EXPECT_LE(worst.Value(), 1e-12);
 }
 
-TEST(SphericalHarmonicProperties, SquaredSlopesOfADegreeShareOutEvenly)
+TEST(SphericalHarmonicProperties, SquaredSlopesOfDegreeSumEvenly)
 {
   // Sum over m of the products of gradients: l (l+1) (2l+1) / (8 pi) times the tangent projection.
   Random random(504);

@@ -29,7 +29,7 @@ Eigen::Matrix3d Turn(double angle, const Vector3& axis)
   return Eigen::AngleAxisd(angle, axis.normalized()).toRotationMatrix();
 }
 
-// Rotations where angles of Euler's kind are undefined or ill defined, and some that are not.
+// Rotations where Euler angles are undefined or ill conditioned, and some ordinary ones.
 std::vector<Eigen::Matrix3d> RemarkableRotations()
 {
   return {
@@ -74,7 +74,7 @@ double LargestEntry(const Eigen::MatrixXd& matrix)
   return worst.Value();
 }
 
-// The slow obvious matrix: the integral of Y_lm(u) Y_lk(Q^-1 u), exact by quadrature.
+// Slow reference for the matrix: the integral of Y_lm(u) Y_lk(Q^-1 u), exact by quadrature.
 Eigen::MatrixXd ProjectedBlock(int degree, const Eigen::Matrix3d& matrix)
 {
   const int size = 2 * degree + 1;
@@ -95,7 +95,7 @@ Eigen::MatrixXd ProjectedBlock(int degree, const Eigen::Matrix3d& matrix)
 }
 } // namespace
 
-TEST(SphericalHarmonicRotation, BlocksAreThoseOfProjection)
+TEST(SphericalHarmonicRotation, BlocksMatchProjection)
 {
   Random random(301);
   std::vector<Eigen::Matrix3d> matrices = RemarkableRotations();
@@ -106,14 +106,14 @@ TEST(SphericalHarmonicRotation, BlocksAreThoseOfProjection)
     const SphericalHarmonicRotation rotation = Rotation(13, matrix);
     for (const int degree : {0, 1, 2, 3, 4, 7, 12, 13})
     {
-      // The sum of some 400 weighted products of total size 1, each good to 1e-14.
+      // The sum of some 400 weighted products of total size 1, each accurate to 1e-14.
       EXPECT_LE(LargestEntry(rotation.Block(degree) - ProjectedBlock(degree, matrix)), 3e-14)
           << degree;
     }
   }
 }
 
-TEST(SphericalHarmonicRotation, BlockOfDegree1IsTheMatrixItself)
+TEST(SphericalHarmonicRotation, BlockOfDegree1IsMatrix)
 {
   Random random(302);
   for (int sample = 0; sample < 20; ++sample)
@@ -130,7 +130,7 @@ TEST(SphericalHarmonicRotation, BlockOfDegree1IsTheMatrixItself)
   }
 }
 
-TEST(SphericalHarmonicRotation, RotatedFunctionHasTheOldValueAtTheRotatedDirection)
+TEST(SphericalHarmonicRotation, RotatesFunctionWithDirections)
 {
   Random random(303);
   for (const int degree : {1, 5, 12, 40, 100})
@@ -142,7 +142,8 @@ TEST(SphericalHarmonicRotation, RotatedFunctionHasTheOldValueAtTheRotatedDirecti
                                          Vector3::Zero());
     for (const Vector3& u : test::RandomDirections(random, 20))
     {
-      // Values are about 0.3 (L + 1); turning u rounds it, which moves them by about L roundings.
+      // Values are about 0.3 (L + 1); rotating u rounds it, which changes them by about L
+      // roundings.
       EXPECT_NEAR(rotated.Radius((matrix * u).normalized()), old.Radius(u),
                   1e-15 * (degree + 1) * (degree + 1) + 1e-14)
           << degree;
@@ -164,7 +165,7 @@ TEST(SphericalHarmonicRotation, BlocksAreOrthogonalTo13DigitsUpToDegree200)
   }
 }
 
-TEST(SphericalHarmonicRotation, CompositionIsTheProductOfTheMatrices)
+TEST(SphericalHarmonicRotation, CompositionIsMatrixProduct)
 {
   Random random(305);
   for (const int degree : {2, 12, 60, 100, 200})
@@ -176,12 +177,12 @@ TEST(SphericalHarmonicRotation, CompositionIsTheProductOfTheMatrices)
     const std::vector<double> oneByOne =
         Apply(Rotation(degree, second), Apply(Rotation(degree, first), c));
     // The product of the matrices is rounded to about 2e-16 rad, by which a function of degree L
-    // turns L times as far; coefficients are about 1 and at most 5.
+    // changes L times as much; coefficients are about 1 and at most 5.
     EXPECT_LE(LargestDifference(together, oneByOne), 2e-15 * (degree + 5)) << degree;
   }
 }
 
-TEST(SphericalHarmonicRotation, CompositionHoldsWhereEulerAnglesAreUndefined)
+TEST(SphericalHarmonicRotation, CompositionHoldsAtGimbalLock)
 {
   Random random(306);
   const std::vector<double> c = test::RandomCoefficients(random, 20);
@@ -197,7 +198,7 @@ TEST(SphericalHarmonicRotation, CompositionHoldsWhereEulerAnglesAreUndefined)
   }
 }
 
-TEST(SphericalHarmonicRotation, InverseIsTheTranspose)
+TEST(SphericalHarmonicRotation, InverseIsTranspose)
 {
   Random random(307);
   const Eigen::Matrix3d matrix = RandomRotation(random);
@@ -222,7 +223,7 @@ TEST(SphericalHarmonicRotation, IdentityChangesNothing)
   EXPECT_EQ(Apply(SphericalHarmonicRotation(), {3.0}), std::vector<double>{3.0});
 }
 
-TEST(SphericalHarmonicRotation, KeepsThePowerOfEveryDegree)
+TEST(SphericalHarmonicRotation, KeepsPowerOfDegrees)
 {
   Random random(309);
   for (int sample = 0; sample < 10; ++sample)
@@ -248,7 +249,7 @@ TEST(SphericalHarmonicRotation, WorksInPlace)
   EXPECT_EQ(c, expected);
 }
 
-TEST(SphericalHarmonicRotation, TurnsAModelAboutItsCenterAndAboutAPoint)
+TEST(SphericalHarmonicRotation, RotatesModelAboutCentreAndPoint)
 {
   Random random(311);
   const SphericalHarmonicModel model = test::RandomOrgan(random, 10);
@@ -267,7 +268,7 @@ TEST(SphericalHarmonicRotation, TurnsAModelAboutItsCenterAndAboutAPoint)
   }
 }
 
-TEST(SphericalHarmonicRotation, LeavesOutWhatIsAboveItsDegree)
+TEST(SphericalHarmonicRotation, TruncatesHigherDegrees)
 {
   Random random(312);
   const SphericalHarmonicModel model = test::RandomOrgan(random, 8);
@@ -278,7 +279,7 @@ TEST(SphericalHarmonicRotation, LeavesOutWhatIsAboveItsDegree)
   EXPECT_EQ(high.WithDegree(8).WithDegree(11).Coefficients(), high.Coefficients());
 }
 
-TEST(SphericalHarmonicRotation, RefusesWhatIsNoRotation)
+TEST(SphericalHarmonicRotation, RejectsInvalidMatrix)
 {
   SphericalHarmonicRotation rotation;
   const auto refuses = [&rotation](int degree, const Eigen::Matrix3d& matrix)
@@ -297,16 +298,16 @@ TEST(SphericalHarmonicRotation, RefusesWhatIsNoRotation)
     matrix(1, 2) = bad;
     EXPECT_TRUE(refuses(3, matrix));
   }
-  EXPECT_EQ(rotation.Degree(), 0) << "a refusal leaves the result alone";
+  EXPECT_EQ(rotation.Degree(), 0) << "a failure must leave the result unchanged";
 }
 
-TEST(SphericalHarmonicRotation, TakesAMatrixOfRoundedEntriesAsARotation)
+TEST(SphericalHarmonicRotation, AcceptsRoundedMatrix)
 {
   Random random(313);
   const Eigen::Matrix3d rounded = RandomRotation(random).cast<float>().cast<double>();
   const SphericalHarmonicRotation rotation = Rotation(6, rounded);
   const Eigen::MatrixXd block = rotation.Block(6);
-  // Orthogonal to double, although the entries are good to float only.
+  // Orthogonal to double precision, although the entries are accurate to float only.
   EXPECT_LE(LargestEntry(block.transpose() * block - Eigen::MatrixXd::Identity(13, 13)), 1e-14);
   EXPECT_LE(LargestEntry(rotation.Matrix() - rounded), 1e-6);
 }

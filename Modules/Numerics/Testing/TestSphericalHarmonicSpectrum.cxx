@@ -18,7 +18,7 @@ using Sample = SphericalHarmonicModel::Sample;
 
 const Vector3 Pole(0.0, 0.0, 1.0);
 
-// A model whose only coefficients are those of one or more orders, given by degree.
+// A model with coefficients of one or more orders only, given by degree.
 template <typename Fill>
 SphericalHarmonicModel Aligned(int degree, Fill fill)
 {
@@ -48,7 +48,7 @@ double Bend(const SphericalHarmonicModel& model, const Vector3& u, const Vector3
 }
 } // namespace
 
-TEST(SphericalHarmonicSpectrum, BoundsHoldForEveryDirection)
+TEST(SphericalHarmonicSpectrum, BoundsHoldEverywhere)
 {
   Random random(401);
   for (const int degree : {0, 1, 2, 7, 12, 30})
@@ -70,7 +70,7 @@ TEST(SphericalHarmonicSpectrum, BoundsHoldForEveryDirection)
   }
 }
 
-TEST(SphericalHarmonicSpectrum, ReliefIsReachedWhereAllDegreesAddUp)
+TEST(SphericalHarmonicSpectrum, ReliefIsSharp)
 {
   // At the pole only order 0 is not zero.
   const SphericalHarmonicModel model = Aligned(14, [](int l, double* c) { c[0] = 1.0 / l; });
@@ -78,7 +78,7 @@ TEST(SphericalHarmonicSpectrum, ReliefIsReachedWhereAllDegreesAddUp)
   EXPECT_NEAR(model.Radius(Pole) / spectrum.Relief(), 1.0, 1e-13); // rounding
 }
 
-TEST(SphericalHarmonicSpectrum, SlopeIsReachedWhereAllDegreesAddUp)
+TEST(SphericalHarmonicSpectrum, SlopeIsSharp)
 {
   // At the pole only order 1 has a slope along x.
   const SphericalHarmonicModel model = Aligned(14, [](int l, double* c) { c[1] = 1.0 / l; });
@@ -86,7 +86,7 @@ TEST(SphericalHarmonicSpectrum, SlopeIsReachedWhereAllDegreesAddUp)
   EXPECT_NEAR(model.Evaluate(Pole).SurfaceGradient.x() / spectrum.Slope(), 1.0, 1e-13);
 }
 
-TEST(SphericalHarmonicSpectrum, SecondDerivativeIsReachedWhereAllDegreesAddUp)
+TEST(SphericalHarmonicSpectrum, SecondDerivativeIsSharp)
 {
   // At the pole orders 0 and 2 bend along x, by -k / 2 and sqrt(k (k - 2) / 8).
   const SphericalHarmonicModel model = Aligned(14,
@@ -104,7 +104,7 @@ TEST(SphericalHarmonicSpectrum, SecondDerivativeIsReachedWhereAllDegreesAddUp)
   EXPECT_NEAR(Bend(model, Pole, Vector3::UnitX()) / spectrum.SecondDerivative(), 1.0, 1e-7);
 }
 
-TEST(SphericalHarmonicSpectrum, TruncationErrorIsTheNormOfWhatIsLeftOut)
+TEST(SphericalHarmonicSpectrum, TruncationErrorIsNormOfOmittedTerms)
 {
   Random random(402);
   const SphericalHarmonicModel model = test::RandomOrgan(random, 10);
@@ -127,14 +127,14 @@ TEST(SphericalHarmonicSpectrum, TruncationErrorIsTheNormOfWhatIsLeftOut)
   EXPECT_EQ(spectrum.Truncation(0).Maximum, spectrum.Relief());
 }
 
-TEST(SphericalHarmonicSpectrum, LargestTruncationErrorIsReachedWhereAllDegreesAddUp)
+TEST(SphericalHarmonicSpectrum, TruncationBoundIsSharp)
 {
   const SphericalHarmonicModel model = Aligned(14, [](int l, double* c) { c[0] = 1.0 / l; });
   const double lost = model.Radius(Pole) - model.WithDegree(9).Radius(Pole);
   EXPECT_NEAR(lost / SphericalHarmonicSpectrum(model).Truncation(9).Maximum, 1.0, 1e-13);
 }
 
-TEST(SphericalHarmonicSpectrum, EnclosesRadiiAndSlopesAroundADirection)
+TEST(SphericalHarmonicSpectrum, EnclosesRadiiAndSlopesAroundDirection)
 {
   Random random(403);
   std::uniform_real_distribution<double> part(0.0, 1.0);
@@ -162,7 +162,7 @@ TEST(SphericalHarmonicSpectrum, EnclosesRadiiAndSlopesAroundADirection)
   }
 }
 
-TEST(SphericalHarmonicSpectrum, IsTightAroundADirection)
+TEST(SphericalHarmonicSpectrum, IsTightAroundDirection)
 {
   Random random(404);
   const SphericalHarmonicModel model = test::RandomOrgan(random, 12);
@@ -173,13 +173,14 @@ TEST(SphericalHarmonicSpectrum, IsTightAroundADirection)
     constexpr double Angle = 1e-4;
     const RadiusInterval radius = spectrum.RadiusAround(sample, Angle);
     const double slope = sample.SurfaceGradient.norm();
-    // First order is exact; the rest is the second derivative's bound and the evaluation's error.
+    // First order is exact; the rest is the bound of the second derivative and the evaluation
+    // error.
     const double rest = spectrum.SecondDerivative() * Angle * Angle + 1e-8;
     EXPECT_LE(radius.Upper - radius.Lower, 2.0 * slope * Angle + rest);
   }
 }
 
-TEST(SphericalHarmonicSpectrum, BoundsScaleWithTheModelFarBeyondTheRangeOfSquares)
+TEST(SphericalHarmonicSpectrum, BoundsScaleBeyondRangeOfSquares)
 {
   Random random(405);
   const std::vector<double> c = test::RandomCoefficients(random, 6);
@@ -192,7 +193,7 @@ TEST(SphericalHarmonicSpectrum, BoundsScaleWithTheModelFarBeyondTheRangeOfSquare
       value = std::ldexp(value, power);
     }
     const SphericalHarmonicSpectrum spectrum({6, scaled, Vector3::Zero()});
-    // A power of two changes no digit.
+    // Scaling by a power of two is exact.
     EXPECT_EQ(spectrum.Relief(), std::ldexp(plain.Relief(), power));
     EXPECT_EQ(spectrum.Slope(), std::ldexp(plain.Slope(), power));
     EXPECT_EQ(spectrum.SecondDerivative(), std::ldexp(plain.SecondDerivative(), power));
@@ -200,7 +201,7 @@ TEST(SphericalHarmonicSpectrum, BoundsScaleWithTheModelFarBeyondTheRangeOfSquare
   }
 }
 
-TEST(SphericalHarmonicSpectrum, OfAPointIsZero)
+TEST(SphericalHarmonicSpectrum, IsZeroForPoint)
 {
   const SphericalHarmonicSpectrum spectrum{SphericalHarmonicModel()};
   EXPECT_EQ(spectrum.Degree(), 0);
@@ -210,7 +211,7 @@ TEST(SphericalHarmonicSpectrum, OfAPointIsZero)
   EXPECT_EQ(spectrum.EvaluationError(), 0.0);
 }
 
-TEST(SphericalHarmonicSpectrum, GuaranteesNothingForCoefficientsThatAreNotFinite)
+TEST(SphericalHarmonicSpectrum, IsNanForNonFiniteCoefficients)
 {
   for (const double bad : {std::nan(""), std::numeric_limits<double>::infinity()})
   {

@@ -11,7 +11,7 @@ namespace
 {
 using test::Random;
 
-// Whether a direction is on the inner side of the three planes, or off by rounding.
+// Whether a direction is on the inner side of the three planes, up to rounding.
 bool Holds(const SphericalTriangle& triangle, const Vector3& u)
 {
   for (std::size_t i = 0; i < 3; ++i)
@@ -41,7 +41,7 @@ bool AnyHolds(const Triangles& triangles, const Vector3& u)
 }
 } // namespace
 
-TEST(SphericalTriangle, IcosahedronCoversTheSphere)
+TEST(SphericalTriangle, IcosahedronCoversSphere)
 {
   Random random(411);
   const std::vector<SphericalTriangle> faces = SphericalTriangle::Icosahedron();
@@ -54,7 +54,7 @@ TEST(SphericalTriangle, IcosahedronCoversTheSphere)
   }
 }
 
-TEST(SphericalTriangle, PartsCoverTheWhole)
+TEST(SphericalTriangle, PartsCoverWhole)
 {
   Random random(412);
   for (SphericalTriangle triangle : SphericalTriangle::Icosahedron())
@@ -71,7 +71,7 @@ TEST(SphericalTriangle, PartsCoverTheWhole)
   }
 }
 
-TEST(SphericalTriangle, CapHoldsTheTriangleAndLittleElse)
+TEST(SphericalTriangle, CapTightlyContainsTriangle)
 {
   Random random(413);
   for (SphericalTriangle triangle : SphericalTriangle::Icosahedron())
@@ -85,7 +85,7 @@ TEST(SphericalTriangle, CapHoldsTheTriangleAndLittleElse)
         largest = std::max(largest, 2.0 * std::asin(0.5 * (corner - cap.Center).norm()));
       }
       EXPECT_LE(largest, cap.Radius);
-      EXPECT_GE(largest, cap.Radius - 3e-12 * cap.Radius - 3e-14); // the stated room
+      EXPECT_GE(largest, cap.Radius - 3e-12 * cap.Radius - 3e-14); // the documented margin
       for (int k = 0; k < 10; ++k)
       {
         EXPECT_LE((RandomInside(triangle, random) - cap.Center).norm(), cap.Radius);
@@ -95,7 +95,7 @@ TEST(SphericalTriangle, CapHoldsTheTriangleAndLittleElse)
   }
 }
 
-TEST(SphericalTriangle, EachSplitHalvesTheCap)
+TEST(SphericalTriangle, SplitHalvesCap)
 {
   SphericalTriangle triangle = SphericalTriangle::Icosahedron().front();
   for (int depth = 0; depth < 10; ++depth)
@@ -103,7 +103,8 @@ TEST(SphericalTriangle, EachSplitHalvesTheCap)
     const double before = triangle.Cap().Radius;
     for (const SphericalTriangle& part : triangle.Split())
     {
-      EXPECT_LE(part.Cap().Radius, 0.58 * before); // 0.5 on a plane; the icosahedron's middle 0.56
+      EXPECT_LE(part.Cap().Radius,
+                0.58 * before); // 0.5 on a plane; 0.56 at an icosahedron face's centre
     }
     triangle = triangle.Split()[3];
   }

@@ -51,7 +51,7 @@ void ExpectOrthonormalTangents(const SphericalHarmonicModel& model, const Vector
   EXPECT_NEAR(b.dot(model.Normal(u)), 0.0, 1e-14);
 }
 
-TEST(SurfaceCurvature, OfASphereIsThatOfItsRadiusAtEveryScale)
+TEST(SurfaceCurvature, SphereHasCurvatureOfItsRadius)
 {
   Random random(901);
   for (const double radius : {1e-3, 7.0, 1e4})
@@ -70,14 +70,14 @@ TEST(SurfaceCurvature, OfASphereIsThatOfItsRadiusAtEveryScale)
   }
 }
 
-TEST(SurfaceCurvature, OfASphereSeenFromASideIsConstant)
+TEST(SurfaceCurvature, OffCentreSphereHasConstantCurvature)
 {
   Random random(902);
   const SphericalHarmonicModel sphere = test::OffCenterSphere(10.0, {2.0, -1.0, 1.5}, 32);
   for (const Vector3& u : DirectionsAndPoles(random, 50))
   {
     const SurfaceCurvature found = CurvatureOf(sphere, u);
-    // Harmonics fall by a factor of 7 a degree; what is left is the rounding of second
+    // Harmonics fall by a factor of 7 per degree; the remainder is the rounding of second
     // derivatives, 32^2 times that of the radius.
     EXPECT_NEAR(found.Mean * 10.0, 1.0, 2e-11);
     EXPECT_NEAR(found.Gaussian * 100.0, 1.0, 4e-11);
@@ -85,7 +85,7 @@ TEST(SurfaceCurvature, OfASphereSeenFromASideIsConstant)
   }
 }
 
-TEST(SurfaceCurvature, OfAnEllipsoidIsTheTextbooksHoweverItIsTurned)
+TEST(SurfaceCurvature, RotatedEllipsoidMatchesTextbook)
 {
   Random random(903);
   const Vector3 axes(20.0, 24.0, 28.0);
@@ -109,14 +109,14 @@ TEST(SurfaceCurvature, OfAnEllipsoidIsTheTextbooksHoweverItIsTurned)
       gaussian.Add(found.Gaussian / exactGaussian - 1.0);
       ExpectOrthonormalTangents(ellipsoid, u, found);
     }
-    // The series is cut where its terms are some 1e-13 of the radius, and second derivatives are
-    // 48^2 times larger.
+    // The series is truncated where its terms are some 1e-13 of the radius, and second derivatives
+    // are 48^2 times larger.
     EXPECT_LE(mean.Value(), 1e-9);
     EXPECT_LE(gaussian.Value(), 1e-9);
   }
 }
 
-TEST(SurfaceCurvature, ConvergesToTheEllipsoidsWithTheDegree)
+TEST(SurfaceCurvature, ConvergesToEllipsoidWithDegree)
 {
   Random random(904);
   const Vector3 axes(20.0, 24.0, 28.0);
@@ -138,7 +138,7 @@ TEST(SurfaceCurvature, ConvergesToTheEllipsoidsWithTheDegree)
   }
 }
 
-TEST(SurfaceCurvature, TheNormalTurnsByTheCurvatureAlongPrincipalDirections)
+TEST(SurfaceCurvature, NormalRotatesByPrincipalCurvature)
 {
   Random random(905);
   const SphericalHarmonicModel organ = test::RandomOrgan(random, 12);
@@ -157,8 +157,8 @@ TEST(SurfaceCurvature, TheNormalTurnsByTheCurvatureAlongPrincipalDirections)
       { return Vector3(std::cos(angle) * u + std::sin(angle) * tangent); };
       const Vector3 turn = organ.Normal(at(H)) - organ.Normal(at(-H));
       const Vector3 step = organ.PointWorld(at(H)) - organ.PointWorld(at(-H));
-      // Olinde Rodrigues: dn = k dx. The difference errs by H^2 / 6 times third derivatives,
-      // 12^3 times curvatures of about 0.1, and rounding 1e-13 / H.
+      // Olinde Rodrigues: dn = k dx. The difference has an error of H^2 / 6 times third
+      // derivatives, 12^3 times curvatures of about 0.1, and rounding 1e-13 / H.
       EXPECT_LE((turn / step.norm() - found.Principal[k] * step.normalized()).norm(), 1e-6);
       EXPECT_GT(std::abs(step.normalized().dot(along)), 1.0 - 1e-6);
     }
@@ -180,12 +180,12 @@ TEST(SurfaceCurvature, GaussianCurvatureIntegratesToFourPi)
       const double area = s.Radius * std::hypot(s.Radius, s.SurfaceGradient.norm());
       integral += sphere.Weights[i] * area * CurvatureAt(u, s).Gaussian;
     }
-    // Gauss and Bonnet. The integrand is no polynomial; its quadrature converges geometrically.
+    // Gauss and Bonnet. The integrand is not a polynomial; its quadrature converges geometrically.
     EXPECT_NEAR(integral / (4.0 * M_PI), 1.0, 1e-10);
   }
 }
 
-TEST(SurfaceCurvature, AreaGrowsWithAnOffsetByTwiceTheIntegralOfMeanCurvature)
+TEST(SurfaceCurvature, OffsetAreaGrowsByMeanCurvature)
 {
   Random random(907);
   const SphericalHarmonicModel organ = test::RandomOrgan(random, 5);
@@ -217,12 +217,12 @@ TEST(SurfaceCurvature, AreaGrowsWithAnOffsetByTwiceTheIntegralOfMeanCurvature)
     const double area = s.Radius * std::hypot(s.Radius, s.SurfaceGradient.norm());
     integral += sphere.Weights[i] * area * 2.0 * CurvatureAt(u, s).Mean;
   }
-  // Both sums have the same quadrature; the differences err by Step^2 and, as the area is a
-  // quadratic in the offset, by rounding 1e-11 / Offset of 500.
+  // Both sums have the same quadrature; the differences have an error of Step^2 and, as the area is
+  // quadratic in the offset, rounding of 1e-11 / Offset of 500.
   EXPECT_NEAR(growth / integral, 1.0, 1e-6);
 }
 
-TEST(SurfaceCurvature, OfAMirroredRadiusIsTheSame)
+TEST(SurfaceCurvature, MirroredRadiusHasSameCurvature)
 {
   Random random(908);
   const SphericalHarmonicModel organ = test::RandomOrgan(random, 8);
@@ -246,7 +246,7 @@ TEST(SurfaceCurvature, OfAMirroredRadiusIsTheSame)
   }
 }
 
-TEST(SurfaceCurvature, IsNotANumberWhereTheSurfaceMeetsTheCenter)
+TEST(SurfaceCurvature, IsNanWhereSurfaceMeetsCentre)
 {
   const SurfaceCurvature point = CurvatureOf(SphericalHarmonicModel(), Vector3::UnitX());
   EXPECT_TRUE(std::isnan(point.Mean));

@@ -13,7 +13,7 @@ namespace
 {
 using test::Random;
 
-// A unit vector inside a triangle, its edges and corners included now and then.
+// A unit vector inside a triangle, sometimes on its edges and corners.
 Vector3 RandomInside(Random& random, const SphericalTriangle& triangle)
 {
   std::uniform_real_distribution<double> uniform(-0.1, 1.0);
@@ -31,7 +31,7 @@ Vector3 RandomQuery(Random& random)
   return distance(random) * test::RandomDirection(random);
 }
 
-TEST(RadiusDerivativeBounds, HoldEverywhereAndAreNotMuchTooLarge)
+TEST(RadiusDerivativeBounds, HoldEverywhereAndAreTight)
 {
   Random random(922);
   for (const int degree : {0, 1, 2, 5, 12, 24})
@@ -65,9 +65,9 @@ TEST(RadiusDerivativeBounds, HoldEverywhereAndAreNotMuchTooLarge)
     for (std::size_t k = 0; k < 5; ++k)
     {
       const double bound = k < 4 ? bounds.Radius[k] : bounds.PointThird;
-      // The difference errs by H^2 / 6 times fifth derivatives.
+      // The difference has an error of H^2 / 6 times fifth derivatives.
       EXPECT_LE(largest[k], bound * (1.0 + 1e-5) + 1e-9) << degree << " derivative " << k;
-      // Room: a factor of 2 for gaps and for 3000 directions missing the largest, and for the
+      // Margin: a factor of 2 for gaps and for 3000 directions missing the maximum, and for the
       // third derivative Bernstein's.
       EXPECT_GE(largest[k] * (k < 3 ? 2.0 : 8.0), bound * (1.0 - 1e-5) - 1e-9)
           << degree << " derivative " << k;
@@ -75,7 +75,7 @@ TEST(RadiusDerivativeBounds, HoldEverywhereAndAreNotMuchTooLarge)
   }
 }
 
-TEST(SurfacePatch, ContainsItsPartOfTheSurface)
+TEST(SurfacePatch, ContainsItsPartOfSurface)
 {
   Random random(923);
   for (const double decay : {2.0, 1.0})
@@ -108,7 +108,7 @@ TEST(SurfacePatch, ContainsItsPartOfTheSurface)
   }
 }
 
-TEST(SurfacePatchTree, NoPartIsNearerThanItsBound)
+TEST(SurfacePatchTree, NoPartIsCloserThanItsBound)
 {
   Random random(924);
   const SphericalHarmonicModel organ = test::RandomOrgan(random, 12);
@@ -131,7 +131,7 @@ TEST(SurfacePatchTree, NoPartIsNearerThanItsBound)
   }
 }
 
-TEST(SurfacePatchTree, PartsOfANodeAreItsTrianglesParts)
+TEST(SurfacePatchTree, PartsOfNodeArePartsOfTriangle)
 {
   const SphericalHarmonicModel model;
   const SurfacePatchTree tree(model, RadiusDerivativeBounds(model), 3);
