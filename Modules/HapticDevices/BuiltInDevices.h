@@ -4,7 +4,6 @@
 
 namespace palpate
 {
-/// Adds every kind of device that this build has. The source is written by CMake from the list of
-/// back ends.
+/// Adds every kind of device of this build. CMake generates the source from the list of back ends.
 Status RegisterBuiltInDevices(DeviceRegistry& registry);
 } // namespace palpate

@@ -8,8 +8,8 @@
 
 namespace palpate
 {
-/// Makes a device of those that this build has, closed, by its name ("simulated", "replay:file").
-/// Fails with the sentence of what stands in the way. The clock outlives the device.
+/// Creates a closed device of this build by its name ("simulated", "replay:file"). Fails with a
+/// message that names the obstacle. The clock must outlive the device.
 Status MakeBuiltInDevice(const std::string& name, Clock& clock,
                          std::unique_ptr<HapticDevice>& device);
 /// The same, opened. May take seconds.

@@ -8,12 +8,12 @@ namespace palpate
 {
 namespace
 {
-// A count moves the grip by 0.04 mm. In a millisecond 12 of them beside the line would be 500 m/s^2
-// and more.
+// A count moves the grip by 0.04 mm. In a millisecond, 12 of them off the line would be at least
+// 500 m/s^2.
 constexpr double Tolerance = 12.0;
-// 2.5 m/s, which a hand does not reach on a way of 100 mm.
+// 2.5 m/s, which a hand cannot reach within 100 mm.
 constexpr double LargestSpeed = 60.0; // counts/ms
-constexpr double LongestLine = 10.0;  // ms that a speed tells of
+constexpr double LongestLine = 10.0;  // ms for which a speed is extrapolated
 
 double Milliseconds(std::int64_t duration) noexcept
 {
@@ -47,8 +47,8 @@ bool EncoderScreen::GoesOn(const Reading& reading) const noexcept
   {
     const double last =
         this->Before.IsThere ? Difference(this->Before.Counts[leg], this->Last.Counts[leg]) : 0.0;
-    const double way = Difference(this->Last.Counts[leg], reading.Counts[leg]);
-    goesOn = goesOn && std::abs(way - ahead * last) <= Tolerance * duration;
+    const double motion = Difference(this->Last.Counts[leg], reading.Counts[leg]);
+    goesOn = goesOn && std::abs(motion - ahead * last) <= Tolerance * duration;
   }
   return goesOn;
 }

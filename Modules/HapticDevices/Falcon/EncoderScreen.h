@@ -6,19 +6,20 @@
 
 namespace palpate
 {
-/// Keeps counts away that no hand can have made: a reply whose bytes were changed on the way may
-/// still look like one. Counts that lie off the line through the last two by more than any
-/// acceleration can explain are believed only if the next ones go on from there. So a single wrong
-/// reply never moves the grip, and a real jump (a stop, encoders that were given a zero) comes one
-/// reply late. What is within the tolerance passes: half a millimetre at the grip.
+/// Rejects physically implausible encoder counts: a reply corrupted in transit may still be well
+/// formed. Counts that deviate from the line through the last two by more than any acceleration can
+/// explain are accepted only if the next ones continue from there. So a single wrong reply never
+/// moves the grip, and a real jump (a stop, encoders that were zeroed) arrives one reply late.
+/// Deviations within the tolerance pass: half a millimetre at the grip.
 ///
-/// All on the servo thread. Counters that wrap round at 16 bits are followed.
+/// Servo thread only. Counters may wrap round at 16 bits.
 class EncoderScreen
 {
 public:
-  /// At `time` (ns), which grows. False where they are not believed, or not yet.
+  /// At `time` (ns), which must increase. Returns false if the counts are not, or not yet,
+  /// accepted.
   bool Believes(const FalconNumbers& counts, std::int64_t time) noexcept;
-  /// The next counts have nothing to do with the last ones.
+  /// The next counts are unrelated to the last ones.
   void Restart() noexcept { *this = {}; }
 
 private:

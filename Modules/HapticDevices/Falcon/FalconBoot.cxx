@@ -10,19 +10,19 @@ namespace palpate
 namespace
 {
 constexpr std::int64_t Millisecond = 1'000'000;          // ns
-constexpr std::int64_t Poll = Millisecond / 2;           // between looks for bytes
+constexpr std::int64_t Poll = Millisecond / 2;           // between polls for bytes
 constexpr std::int64_t Hold = 10 * Millisecond;          // of the line that resets the board
-constexpr std::int64_t GreetingTime = 150 * Millisecond; // till the next greeting
-constexpr std::int64_t ReadyTime = 100 * Millisecond;    // till the loader says that it is ready
-constexpr std::int64_t EchoTime = 500 * Millisecond;     // till a portion has come back
-constexpr std::int64_t AnswerTime = 20 * Millisecond;    // till the next question
+constexpr std::int64_t GreetingTime = 150 * Millisecond; // until the next greeting
+constexpr std::int64_t ReadyTime = 100 * Millisecond;    // until the loader reports ready
+constexpr std::int64_t EchoTime = 500 * Millisecond;     // until a portion is echoed
+constexpr std::int64_t AnswerTime = 20 * Millisecond;    // until the next request
 constexpr std::int64_t RetryPause = 100 * Millisecond;   // with the link closed
 constexpr int Greetings = 5;
 constexpr int RoundsBefore = 5;
 constexpr int RoundsAfter = 15;
-// What comes back fills one packet, which the chip then sends without waiting for its timer.
+// The echo fills one packet, which the chip then sends without waiting for its timer.
 constexpr std::size_t Portion = 62;
-constexpr unsigned UploadDivisor = 21; // 142,857 Bd, as the maker's own software
+constexpr unsigned UploadDivisor = 21; // 142,857 Bd, as in the manufacturer's software
 constexpr unsigned SlowDivisor = 52;   // 57,692 Bd
 constexpr unsigned GreetingDivisor = 312;
 constexpr unsigned GreetingEighths = 4; // 9600 Bd
@@ -74,7 +74,7 @@ bool FalconBoot::WaitForByte(std::int64_t deadline, std::uint8_t& byte)
   return true;
 }
 
-// In a row, with anything before them.
+// Consecutive bytes, with anything before them.
 bool FalconBoot::WaitForBytes(const std::uint8_t* wanted, std::size_t count, std::int64_t duration)
 {
   std::array<std::uint8_t, 8> tail{};
@@ -102,7 +102,7 @@ Status FalconBoot::Greet()
   {
     return status;
   }
-  // The edge resets the board into its loader; how long it must be was never measured.
+  // The edge resets the board into its loader; its minimum length was never measured.
   this->Wait(Hold);
   status = this->Command({FtdiRequest::DataTerminalReady(true)});
   this->Account.Step = FalconBootStep::Greeting;
@@ -131,7 +131,7 @@ Status FalconBoot::LockRate()
     return status;
   }
   this->Account.Step = FalconBootStep::RateLock;
-  // Only waited for, not insisted on: whether every Falcon says so is not known.
+  // Awaited but not required: it is unknown whether every Falcon reports it.
   const std::int64_t deadline = this->Time.Now() + ReadyTime;
   std::uint8_t ignored = 0;
   while (!this->Link.ClearToSend() && this->Time.Now() < deadline)
@@ -139,7 +139,7 @@ Status FalconBoot::LockRate()
     static_cast<void>(this->WaitForByte(this->Time.Now(), ignored));
     this->Wait(Poll);
   }
-  // Once only: a second letter would become the image's first byte.
+  // Once only: a second letter would be taken as the image's first byte.
   status = this->SendAll(&LockLetter, 1);
   if (status.IsOk() && this->WaitForBytes(&LockLetter, 1, EchoTime))
   {
@@ -195,8 +195,8 @@ Status FalconBoot::SwitchToRunning()
   return status;
 }
 
-// There is no question that only tells whether firmware is there: a request without torque has to
-// do. Nothing here touches DTR, whose edge would throw firmware and homing away.
+// No request exists that only queries the firmware, so a request without torque is used. DTR is not
+// touched, since its edge would reset firmware and homing.
 bool FalconBoot::Answers(int rounds)
 {
   FalconRequest request;

@@ -13,38 +13,38 @@
 
 namespace palpate
 {
-/// Where a boot is, or ended.
+/// Stage of a boot.
 enum class FalconBootStep
 {
   Setup,    ///< of the serial chip
   Greeting, ///< of the boot loader, at 9600 Bd
   RateLock, ///< the loader finds the rate of the upload
-  Upload,   ///< bytes come back as they were sent
+  Upload,   ///< every byte is echoed
   Start,    ///< the firmware answers
   Done
 };
 
-/// What a boot did.
+/// Result of a boot.
 struct FalconBootReport
 {
-  FalconBootStep Step = FalconBootStep::Setup; ///< the last attempt's
-  int Attempts = 0;                            ///< uploads begun; 0 where the firmware ran already
-  bool IsSlow = false;                         ///< the last one was at the lower rate
+  FalconBootStep Step = FalconBootStep::Setup; ///< of the last attempt
+  int Attempts = 0;                            ///< uploads started; 0 if the firmware was running
+  bool IsSlow = false;                         ///< the last attempt used the lower rate
 };
 
-/// Brings a Falcon to where its firmware answers, over an open link. Firmware that runs already is
-/// left alone. Else the loader is asked for, the image sent, each byte of it compared as it comes
-/// back, and the start waited for; whatever fails is tried again, from a freshly opened link, with
-/// a lower rate in turn (the loader finds its rate unreliably above 100 kBd). Any number of bytes
-/// may come in pieces, late, or before them what does not belong there.
+/// Starts a Falcon's firmware over an open link. Running firmware is kept. Otherwise it resets the
+/// board into its loader, sends the image, compares the echo of each byte, and waits for the
+/// firmware to answer; a failure at any step is retried from a reopened link, alternating with a
+/// lower rate (the loader's rate detection is unreliable above 100 kBd). Answers may be fragmented,
+/// late, or preceded by stray bytes.
 ///
-/// For the owner's thread: takes seconds, and waits by the clock. Keeps both addresses.
+/// Owner thread only: takes seconds, and waits by the clock. Keeps the addresses of both arguments.
 class FalconBoot
 {
 public:
   static constexpr int MostAttempts = 10;
-  /// What the serial chip has to be told before the running firmware is talked to: the timer, 1.5
-  /// MBd, eight bits, no flow control, nothing left in its queues.
+  /// Settings of the serial chip for the running firmware: latency timer, 1.5 MBd, eight bits, no
+  /// flow control, empty queues.
   static constexpr std::array<FtdiRequest, 6> RunMode() noexcept
   {
     return {FtdiRequest::LatencyTimer(1), FtdiRequest::Baud(2),    FtdiRequest::EightDataBits(),
@@ -53,8 +53,8 @@ public:
 
   FalconBoot(FalconLink& link, Clock& clock) noexcept : Link(link), Time(clock) {}
 
-  /// `firmwarePath` may be empty if the firmware runs already. On failure one sentence names the
-  /// step and what to do; the link may then be open or closed.
+  /// `firmwarePath` may be empty if the firmware is running. On failure the message names the step
+  /// and the remedy; the link may then be open or closed.
   Status Run(const std::string& firmwarePath);
   const FalconBootReport& Report() const noexcept { return this->Account; }
 

@@ -18,12 +18,12 @@ namespace
 constexpr char Head[] = "palpate-falcon-calibration 1";
 constexpr double RadiansPerDegree = M_PI / 180.0;
 
-// A line of the file, and where its number goes.
+// An entry of the file, and the variable that it sets.
 struct Entry
 {
   const char* Name;
   double* Value;
-  double Unit; // one of the file's in the program's
+  double Unit; // one unit of the file in the program's unit
 };
 
 std::vector<Entry> EntriesOf(FalconCalibration& c)
@@ -65,7 +65,7 @@ std::string NumberText(double number)
   return {text.data(), result.ptr};
 }
 
-// One line; empty where it is understood, else what is wrong with it.
+// Parses one line; returns an error message, or an empty text on success.
 std::string TakeLine(const std::string& line, const std::vector<Entry>& entries)
 {
   std::istringstream words(line.substr(0, line.find('#')));
@@ -146,9 +146,9 @@ Status ParseCalibration(const std::string& text, const std::string& name,
     const std::string fault = TakeLine(line, entries);
     if (!fault.empty())
     {
-      std::string sentence = name + " is not a Falcon's calibration: ";
-      sentence.append(fault).append(".");
-      return Status::Failure(std::move(sentence));
+      std::string message = name + " is not a Falcon's calibration: ";
+      message.append(fault).append(".");
+      return Status::Failure(std::move(message));
     }
   }
   const Status status = Check(found);

@@ -12,12 +12,12 @@ namespace
 {
 constexpr double WorkspaceRadius = 40.0;             // mm
 constexpr double Gravity = 9.81;                     // m/s^2
-constexpr std::int64_t OldestPosition = 20'000'000;  // ns that may still make a force
+constexpr std::int64_t OldestPosition = 20'000'000;  // ns; older ones produce no force
 constexpr std::int64_t LongestSilence = 200'000'000; // ns
 constexpr std::int64_t FarewellInterval = 2'000'000; // ns
-constexpr int Farewells = 3;                         // packets without torque before closing
+constexpr int Farewells = 3;                         // zero-torque packets before closing
 
-// The least force of all directions, where in the workspace it is least.
+// The smallest over all directions of the maximum force, at the worst place of the workspace.
 double MaximumForceOf(const FalconKinematics& kinematics, double countsPerNewtonMillimeter)
 {
   const double torque = LargestMotorValue / countsPerNewtonMillimeter;
@@ -28,8 +28,8 @@ double MaximumForceOf(const FalconKinematics& kinematics, double countsPerNewton
     {
       for (const double z : {-1.0, 0.0, 1.0})
       {
-        const Vector3 way(x, y, z);
-        const Vector3 edge = kinematics.Middle() + WorkspaceRadius * way.stableNormalized();
+        const Vector3 direction(x, y, z);
+        const Vector3 edge = kinematics.Middle() + WorkspaceRadius * direction.stableNormalized();
         least = std::min(least, kinematics.LeastForce(torque, edge));
       }
     }
@@ -37,7 +37,7 @@ double MaximumForceOf(const FalconKinematics& kinematics, double countsPerNewton
   return least;
 }
 
-// Stiffness and damping are what programs for the Falcon found stable; damping and friction of the
+// Stiffness and damping are values that Falcon programs found stable; damping and friction of the
 // mechanism were never published.
 DeviceCapabilities CapabilitiesOf(const FalconKinematics& kinematics,
                                   const FalconCalibration& calibration)
@@ -52,7 +52,7 @@ DeviceCapabilities CapabilitiesOf(const FalconKinematics& kinematics,
   c.Resolution = 0.045;
   c.Delay = 0.0015;
   c.Rate = 1000.0;
-  // The chip's timer runs beside the servo's, and a reply that is given up takes as long.
+  // The chip's timer is not synchronised with the servo; a lost reply takes as long to time out.
   c.LongestGap = 1e-9 * static_cast<double>(FalconExchange::ReplyDeadline);
   c.GravityCompensation = Vector3(0.0, Gravity * calibration.CarriedMass, 0.0);
   return c;
@@ -98,7 +98,7 @@ std::string FalconDevice::Guidance() const
     const bool isHomed = (this->HomedLegs >> leg & 1U) != 0;
     missing += isHomed ? "" : (missing.empty() ? "" : ", ") + std::string(legs.at(leg));
   }
-  // Without any, it only settles.
+  // If all legs have a zero, it only settles.
   return missing.empty() ? ""
                          : "Pull the handle all the way out, then push it all the way in; these "
                            "legs have no zero yet: " +
@@ -181,7 +181,7 @@ void FalconDevice::Close() noexcept
 
 bool FalconDevice::Fail(Fault fault) noexcept
 {
-  // Should it still hear, it shall not push.
+  // In case the device still receives.
   static_cast<void>(this->Link->SendStop());
   this->Failure = fault;
   this->Life = DeviceState::Error;
@@ -201,12 +201,12 @@ void FalconDevice::Measure(const FalconReply& reply, std::int64_t now) noexcept
     this->Fail(Fault::HomeLost);
     return;
   }
-  // A byte of one reply may be wrong.
+  // A byte of a single reply may be wrong.
   this->Last.Buttons = reply.Buttons == this->Pressed ? reply.Buttons : this->Last.Buttons;
   this->Pressed = reply.Buttons;
   if (this->HasPosition || !isReady)
   {
-    // While homing, samples come whether or not the counts make sense.
+    // While homing, samples are returned even if the counts have no valid position.
     this->Last.Position = Vector3(this->Grip - this->Kinematics.Middle());
     this->Last.Time = now;
     ++this->Last.Sequence;
@@ -258,7 +258,7 @@ bool FalconDevice::MotorsFor(const Vector3& force, std::int64_t now,
 
 FalconDelivery FalconDevice::SendMotors(const FalconNumbers& motors) noexcept
 {
-  // Without the flag the bits that say whether it is homed mean nothing.
+  // Without the flag the homing bits are undefined.
   const FalconLight light =
       this->State() == DeviceState::Ready ? FalconLight::Green : FalconLight::Red;
   return this->Exchange.Send({motors, true, light}, this->Time.Now());
@@ -273,8 +273,8 @@ bool FalconDevice::Apply(const Vector3& force) noexcept
   FalconNumbers motors{};
   const bool isRendered = this->MotorsFor(force, this->Time.Now(), motors);
   const bool isFelt = this->State() == DeviceState::Ready && !force.isZero(0.0);
-  // A force that went off without a position must not come back in one step: it is refused until
-  // 0 N was asked for, and so faded in anew.
+  // A force that was switched off for lack of a position must not return in one step: it is refused
+  // until 0 N was requested, and then faded in again.
   this->HasLapsed = isFelt && (this->HasLapsed || !isRendered);
   const FalconDelivery delivery = this->SendMotors(this->HasLapsed ? FalconNumbers{} : motors);
   return delivery == FalconDelivery::Gone ? this->Fail(Fault::Unplugged)

@@ -20,26 +20,26 @@ namespace palpate
 struct FalconSettings
 {
   FalconCalibration Calibration;
-  /// The firmware's file; where empty, what the environment names (FalconFirmware::PathOf).
+  /// The firmware's file; if empty, the environment's (FalconFirmware::PathOf).
   std::string FirmwarePath;
 };
 
-/// A Novint Falcon. Its frame: x to the user's right, y up, z towards the user, mm from the middle
+/// A Novint Falcon. Its frame: x to the user's right, y up, z towards the user, mm from the centre
 /// of its workspace.
 ///
-/// After power-up its encoders have no zero: it is in Homing, with a red light, until the person
-/// has pulled the handle fully out and pushed it in; then the light is green. There is no force
-/// before, nor while the newest position is older than 20 ms, nor where the counts have no
-/// position. Whether the firmware lets a torque lapse when it hears nothing is not known, so
-/// nothing here relies on it.
+/// After power-up its encoders have no zero: it is in Homing, with a red light, until the user has
+/// pulled the handle fully out and pushed it in; then the light is green. There is no force before,
+/// nor while the newest position is older than 20 ms, nor if the counts have no position. It is
+/// unknown whether the firmware drops a torque when it receives nothing, so nothing here relies on
+/// it.
 ///
-/// Apply returns false without an error where replies are owed or the link takes nothing just now:
-/// the torque before goes on then, at most for LongestGap, after which the servo faults. A force of
-/// 0 N overtakes both.
+/// Apply returns false without an error while replies are outstanding or the link's queue is full:
+/// the previous torque then persists, at most for LongestGap, after which the servo faults. A force
+/// of 0 N overtakes both.
 class FalconDevice final : public HapticDevice
 {
 public:
-  /// Keeps the address of the clock. The calibration has been checked.
+  /// Keeps the address of the clock. The calibration must have been checked.
   FalconDevice(Clock& clock, std::unique_ptr<FalconLink> link, FalconSettings settings);
   ~FalconDevice() override { this->FalconDevice::Close(); }
 
@@ -53,7 +53,7 @@ public:
   bool Read(DeviceSample& sample) noexcept override;
   bool Apply(const Vector3& force) noexcept override;
 
-  /// Of the wire since Open, as of the last Read; for one thread, the owner's.
+  /// Communication statistics since Open, as of the last Read; owner thread only.
   FalconStatistics Statistics() noexcept { return this->Numbers.Latest(); }
   const FalconBootReport& BootReport() const noexcept { return this->Boot.Report(); }
 
@@ -69,7 +69,7 @@ private:
   bool IsInUse() const noexcept;
   void Forget() noexcept;
   void Measure(const FalconReply& reply, std::int64_t now) noexcept;
-  // False, and no torques, where the position is not known.
+  // Returns false, and no torques, if the position is unknown.
   bool MotorsFor(const Vector3& force, std::int64_t now, FalconNumbers& motors) const noexcept;
   FalconDelivery SendMotors(const FalconNumbers& motors) noexcept;
 
@@ -84,13 +84,13 @@ private:
 
   std::atomic<DeviceState> Life{DeviceState::Closed};
   std::atomic<Fault> Failure{Fault::None};
-  std::atomic<unsigned> HomedLegs{0}; // a bit each, as the newest reply says
+  std::atomic<unsigned> HomedLegs{0}; // one bit per leg, from the newest reply
   LatestValue<FalconStatistics> Numbers;
   DeviceSample Last;
   Vector3 Grip = Vector3::Zero(); // mm, from the base
   bool HasPosition = false;       // the newest counts have one
-  bool HasLapsed = false;         // a force was not rendered, and none asked for since
-  std::int64_t Measured = 0;      // ns, when they came
-  unsigned Pressed = 0;           // buttons as they were last, believed or not
+  bool HasLapsed = false;         // a force was not rendered, and 0 N was not requested since
+  std::int64_t Measured = 0;      // ns, time of the counts
+  unsigned Pressed = 0;           // buttons in the last reply, confirmed or not
 };
 } // namespace palpate

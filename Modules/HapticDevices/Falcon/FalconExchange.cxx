@@ -7,8 +7,8 @@ namespace palpate
 {
 namespace
 {
-constexpr std::int64_t Promptness = 3'000'000; // ns, from a request to its reply at most
-constexpr int MostPortions = 16;               // of what came, in one call: it has to end
+constexpr std::int64_t Promptness = 3'000'000; // ns, longest time from a request to its reply
+constexpr int MostPortions = 16;               // of received data per call, which bounds its time
 } // namespace
 
 void FalconExchange::Restart(std::int64_t now) noexcept
@@ -31,7 +31,7 @@ std::int64_t FalconExchange::Silence(std::int64_t now) const noexcept
 void FalconExchange::GiveUpReplies(std::int64_t now) noexcept
 {
   const bool isOverdue = now - std::max(this->Sent, this->Replied) >= ReplyDeadline;
-  // Replies keep their order: where they still come, only the newest can be under way.
+  // Replies are in order: while they arrive, only the newest can be outstanding.
   const bool isAnswering = this->Owed >= MostOwed && now - this->Replied < Promptness;
   const int underWay = isOverdue ? 0 : isAnswering ? 1 : this->Owed;
   if (this->Owed > underWay)
@@ -65,7 +65,7 @@ FalconDelivery FalconExchange::Send(const FalconRequest& request, std::int64_t n
   this->Sent = now;
   if (!this->HandToLink(request, mustStop))
   {
-    // A full queue is a device that does not listen just now; for how long, Silence says.
+    // A full queue means that the device is not receiving; Silence measures for how long.
     return this->Link->IsGone() ? FalconDelivery::Gone : FalconDelivery::Held;
   }
   ++this->Counts.Requests;

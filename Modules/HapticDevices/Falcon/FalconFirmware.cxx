@@ -15,7 +15,7 @@ constexpr std::size_t ReservedWords = 8;
 constexpr std::size_t AddressWords = 2;
 constexpr unsigned LargestAddress = 0x3FFFFF; // 22 bits
 
-// Reads words one after the other; beyond the end they are missing, which stays remembered.
+// Reads consecutive words; reading past the end sets a sticky error.
 class Words
 {
 public:
@@ -43,7 +43,7 @@ private:
   bool Missing = false;
 };
 
-// What is wrong with a stream; null where nothing is.
+// Error of a stream; null if it is valid.
 const char* FaultOf(const std::vector<std::uint8_t>& bytes)
 {
   Words words(bytes);

@@ -7,7 +7,7 @@
 
 namespace palpate
 {
-/// Adds "falcon", whose argument is FalconOptions' text, with links from `finder`. Falcons can be
-/// looked for; which firmware would be loaded is then what the environment says.
+/// Adds "falcon", whose argument is parsed by FalconOptions, with links from `finder`. The kind
+/// supports searching for devices, which reports the environment's firmware.
 Status AddFalconKind(DeviceRegistry& registry, const std::shared_ptr<FalconFinder>& finder);
 } // namespace palpate

@@ -12,10 +12,10 @@ constexpr int LargestHalvings = 12;
 constexpr double LongestStep = 20.0; // mm
 constexpr double Converged = 1e-12;  // rad; a tenth of a millionth of a count
 constexpr double Acceptable = 1e-9;  // rad, where rounding allows no better
-// Of the one in the middle; in the workspace of 40 mm it falls to 0.8. Other ways of assembly lie
-// behind poses where it vanishes.
+// Relative to the centre's; within the workspace of 40 mm it falls to 0.8. Other assembly modes lie
+// beyond poses where it vanishes.
 constexpr double LeastDeterminant = 0.1;
-constexpr double SmallestSine = 1e-3; // of the angles by which is divided
+constexpr double SmallestSine = 1e-3; // of angles in denominators
 } // namespace
 
 FalconKinematics::FalconKinematics(const FalconGeometry& geometry)
@@ -45,7 +45,7 @@ bool FalconKinematics::Solve(int leg, const Vector3& position, Leg& solution) co
   const double reach = g.KneeOffset + g.AnkleOffset + g.Shin * lean;
   const double length = std::hypot(u, w);
   const double k = (u * u + w * w + g.Thigh * g.Thigh - reach * reach) / (2.0 * g.Thigh);
-  // Written so that what is no number is refused.
+  // Written so that NaN is refused.
   if (!(lean > SmallestSine && std::abs(k) < length))
   {
     return false;

@@ -4,15 +4,14 @@
 
 namespace palpate
 {
-/// Where the grip is for given angles of the three thighs and back, and which torques at the thighs
-/// make a force at the grip. Positions in mm from the base's middle: x to the user's right, y up, z
-/// out of the device towards the user. Angles in rad, torques in N mm, one a leg.
+/// Forward and inverse kinematics of the grip, and the torques at the thighs for a force at the
+/// grip. Positions in mm from the base's centre: x to the user's right, y up, z out of the device
+/// towards the user. Angles in rad, torques in N mm, one per leg.
 ///
-/// Every function says whether there is an answer and leaves its result alone where there is none:
-/// where a leg does not reach, or only with its thigh beyond its limits; and where the mechanism is
-/// close to a pose in which its legs would no longer hold the grip, or behind one, where only
-/// another assembly would get.
-/// Const and without allocation, for the servo thread.
+/// Every function returns whether there is a solution and otherwise leaves its result unchanged:
+/// there is none where a leg does not reach, or only with its thigh beyond its limits; nor where
+/// the mechanism is close to a singular pose, or beyond one, which only another assembly mode
+/// reaches. Const and allocation-free, for the servo thread.
 class FalconKinematics
 {
 public:
@@ -20,30 +19,30 @@ public:
 
   const FalconGeometry& Geometry() const noexcept { return this->Lengths; }
 
-  /// In closed form.
+  /// Inverse kinematics in closed form.
   bool AnglesAt(const Vector3& position, Vector3& angles) const noexcept;
 
-  /// By Newton's method on AnglesAt, from `start` (where the grip was last) and, where that leads
-  /// nowhere, from the middle. Steps are limited, and shortened until they come nearer. What it
-  /// gives has the wanted angles within 1e-9 rad.
+  /// Forward kinematics by Newton's method on AnglesAt, from `start` (the last position) and, if
+  /// that fails, from the centre. Steps are limited, and shortened until they converge. The result
+  /// has the requested angles within 1e-9 rad.
   bool PositionAt(const Vector3& angles, const Vector3& start, Vector3& position) const noexcept;
 
-  /// d angle / d position, rad/mm, a row a leg.
+  /// d angle / d position, rad/mm, one row per leg.
   bool Jacobian(const Vector3& position, Matrix3& jacobian) const noexcept;
 
   /// Torques at the thighs, positive where an angle grows, that push the grip with `force` (N):
   /// virtual work, tau = (dp / d angle)^T F.
   bool TorquesFor(const Vector3& force, const Vector3& position, Vector3& torques) const noexcept;
 
-  /// The force in the direction in which it is least that torques of up to `torque` (N mm) a leg
-  /// can make; 0 where there is no answer.
+  /// The largest force that torques of up to `torque` (N mm) per leg can produce in the weakest
+  /// direction; 0 if there is no solution.
   double LeastForce(double torque, const Vector3& position) const noexcept;
 
   Vector3 AnglesOf(const Vector3& counts) const noexcept
   {
     return this->Lengths.HomeAngles + this->Lengths.AnglePerCount * counts;
   }
-  /// The middle of the space in which a grip moves.
+  /// The centre of the workspace.
   Vector3 Middle() const noexcept { return {0.0, 0.0, this->Lengths.MiddleHeight}; }
 
 private:
@@ -65,6 +64,6 @@ private:
   FalconGeometry Lengths;
   Vector3 Cosines; // of the legs' directions
   Vector3 Sines;
-  double Determinant = 0.0; // of the Jacobian in the middle
+  double Determinant = 0.0; // of the Jacobian in the centre
 };
 } // namespace palpate

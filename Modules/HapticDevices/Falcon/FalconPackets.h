@@ -6,12 +6,12 @@
 
 namespace palpate
 {
-/// Packets of the running firmware, one request and one reply of 16 bytes each, both ways: `<`,
-/// three numbers of 16 bits as four nibbles lowest first, a byte of flags, one unknown, `>`. All
-/// between the marks are 0x41 plus a value, so that a mark is never anything else.
+/// Packets of the running firmware, one request and one reply of 16 bytes each: `<`, three numbers
+/// of 16 bits as four nibbles each, lowest first, a byte of flags, one of unknown meaning, `>`. All
+/// bytes between the delimiters are 0x41 plus a value, so that delimiters are unique.
 constexpr std::size_t FalconPacketSize = 16;
 using FalconPacket = std::array<std::uint8_t, FalconPacketSize>;
-/// Of the three legs: top, right, lower left as the user sees them.
+/// One number per leg: top, right, lower left as the user sees them.
 using FalconNumbers = std::array<std::int16_t, 3>;
 
 /// The lights of the handle, as bits of a request.
@@ -23,19 +23,19 @@ enum class FalconLight : unsigned
   Red = 8
 };
 
-/// What the host asks for. It holds until the next request, or for some milliseconds.
+/// A request of the host. It takes effect until the next one, or for some milliseconds.
 struct FalconRequest
 {
   FalconNumbers Motors{}; ///< within +-LargestMotorValue; a positive one pulls the grip in
-  bool IsHoming = false;  ///< encoders take their zero where they pass their index
+  bool IsHoming = false;  ///< encoders are zeroed where they pass their index
   FalconLight Light = FalconLight::None;
 };
 
-/// What the device measures.
+/// Measurements of the device.
 struct FalconReply
 {
   FalconNumbers Counts{};
-  unsigned Homed = 0;   ///< a bit a leg, from bit 0; only true while homing was asked for
+  unsigned Homed = 0;   ///< one bit per leg, from bit 0; only valid while homing was requested
   unsigned Buttons = 0; ///< of the ball grip: plus, forward, centre, minus, from bit 0
 
   static constexpr unsigned AllHomed = 7;
@@ -45,6 +45,6 @@ FalconPacket Encoded(const FalconRequest& request) noexcept;
 
 /// Whether these first `count` <= 16 bytes may begin a reply.
 bool MayBeginReply(const std::uint8_t* bytes, std::size_t count) noexcept;
-/// Of 16 bytes that may.
+/// Decodes 16 bytes for which MayBeginReply is true.
 FalconReply DecodedReply(const FalconPacket& packet) noexcept;
 } // namespace palpate

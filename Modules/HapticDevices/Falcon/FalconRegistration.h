@@ -4,6 +4,6 @@
 
 namespace palpate
 {
-/// Adds "falcon": real ones on USB (FalconKind with a LibusbFalconFinder).
+/// Adds "falcon": real devices on USB (FalconKind with a LibusbFalconFinder).
 Status RegisterFalconDevices(DeviceRegistry& registry);
 } // namespace palpate

@@ -8,7 +8,7 @@ namespace palpate
 {
 namespace
 {
-// Whether all encoders have their zero, by the replies of some rounds.
+// Whether all encoders are homed, judged by several replies.
 bool IsHomed(FalconLink& link, Clock& clock)
 {
   constexpr std::int64_t Round = 5'000'000; // ns
@@ -27,8 +27,7 @@ bool IsHomed(FalconLink& link, Clock& clock)
   return reply.Homed == FalconReply::AllHomed;
 }
 
-// Of an open one. What is said where firmware has to be loaded is FalconFirmware's and
-// FalconBoot's.
+// Queries an open link. Messages about loading firmware are those of FalconFirmware and FalconBoot.
 FoundDevice Ask(FalconLink& link, Clock& clock, const std::string& firmwarePath)
 {
   const Status answer = link.Control(FtdiRequest::LatencyTimer(1));

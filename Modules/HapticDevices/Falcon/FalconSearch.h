@@ -9,9 +9,9 @@
 
 namespace palpate
 {
-/// Every Falcon that is plugged in and how it is; its argument is FalconOptions' text. Those that
-/// can be had are opened and asked, by requests without torque, whether firmware runs and whether
-/// it is homed; nothing is loaded. `firmwarePath` is what would be; empty for none. Fails where
+/// Every Falcon that is plugged in, with its status; its argument is parsed by FalconOptions.
+/// Usable ones are opened and queried, by requests without torque, for running firmware and homing;
+/// nothing is loaded. `firmwarePath` is the file that would be loaded; empty for none. Fails if
 /// there is no Falcon.
 Status FindFalcons(FalconFinder& finder, Clock& clock, const std::string& firmwarePath,
                    std::vector<FoundDevice>& found);

@@ -19,7 +19,7 @@ std::size_t FtdiPackets::Strip(const std::uint8_t* transfer, std::size_t count,
     const std::size_t packet = std::min(PacketSize, count - start);
     this->Modem = transfer[start];
     this->ErrorCount += (transfer[start + 1] & LineErrorBits) != 0 ? 1 : 0;
-    // They overlap where a transfer is stripped in its own place.
+    // Source and destination overlap if a transfer is stripped in place.
     std::memmove(payload + length, transfer + start + StatusSize, packet - StatusSize);
     length += packet - StatusSize;
   }

@@ -5,9 +5,9 @@
 
 namespace palpate
 {
-/// Takes apart what an FTDI chip sends: in front of the payload of every packet of at most 64 bytes
-/// stand two bytes of status, so once in every 64 bytes of a longer transfer. A packet of status
-/// alone says that there is nothing.
+/// Unpacks data from an FTDI chip: every packet of at most 64 bytes starts with two status bytes,
+/// so a longer transfer has them once in every 64 bytes. A packet of status only means that there
+/// is no data.
 class FtdiPackets
 {
 public:
@@ -17,13 +17,13 @@ public:
 
   /// Copies the payload of one IN transfer of `count` bytes and returns its length, which is less
   /// than `count` or 0. `payload` holds `count` bytes; it may be `transfer` itself. A packet of one
-  /// byte, which no chip sends, is left out.
+  /// byte, which no chip sends, is ignored.
   std::size_t Strip(const std::uint8_t* transfer, std::size_t count,
                     std::uint8_t* payload) noexcept;
 
-  /// Of the newest packet; false before the first.
+  /// From the newest packet; false before the first.
   bool ClearToSend() const noexcept { return (this->Modem & 0x10U) != 0; }
-  /// Packets so far whose status told of overrun, parity or framing errors.
+  /// Number of packets so far with overrun, parity or framing errors.
   std::uint64_t LineErrors() const noexcept { return this->ErrorCount; }
 
 private:

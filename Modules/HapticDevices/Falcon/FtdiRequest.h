@@ -12,9 +12,9 @@ struct FtdiRequest
   std::uint16_t Value = 0;  ///< wValue
   std::uint16_t Index = 0;  ///< wIndex
 
-  /// Forgets what the host sent and the chip has not transmitted yet.
+  /// Discards bytes from the host that the chip has not transmitted yet.
   static constexpr FtdiRequest PurgeOut() noexcept { return {0, 1, 0}; }
-  /// Forgets what the chip received and the host has not read yet.
+  /// Discards bytes that the chip received and the host has not read yet.
   static constexpr FtdiRequest PurgeIn() noexcept { return {0, 2, 0}; }
   static constexpr FtdiRequest DataTerminalReady(bool on) noexcept
   {
@@ -35,7 +35,7 @@ struct FtdiRequest
   }
   /// Eight bits, no parity, one stop bit.
   static constexpr FtdiRequest EightDataBits() noexcept { return {4, 0x0008, 0}; }
-  /// How long (1..255 ms) the chip waits for a packet to fill before it sends what it has.
+  /// Time (1..255 ms) for which the chip waits for a packet to fill before it sends it.
   static constexpr FtdiRequest LatencyTimer(unsigned milliseconds) noexcept
   {
     return {9, static_cast<std::uint16_t>(milliseconds), 0};

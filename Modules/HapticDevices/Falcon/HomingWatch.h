@@ -4,17 +4,17 @@
 
 namespace palpate
 {
-/// Says from the replies' bits whether all encoders have their zero. One reply alone decides
-/// nothing, since a byte of it may be wrong, and positions count only some replies after the last
+/// Decides from the replies' bits whether all encoders are homed. A single reply decides nothing,
+/// since a byte of it may be wrong, and positions are accepted only some replies after the last
 /// jump.
 class HomingWatch
 {
 public:
   enum class Verdict
   {
-    Waiting, ///< the handle has to be pulled out and pushed in
+    Waiting, ///< the handle must be pulled out and pushed in
     Homed,
-    Lost ///< it was homed, and is not any more
+    Lost ///< it is no longer homed
   };
 
   Verdict Take(unsigned homedBits) noexcept

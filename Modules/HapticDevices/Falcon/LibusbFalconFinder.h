@@ -4,7 +4,7 @@
 
 namespace palpate
 {
-/// Finds real Falcons by libusb. Each question looks at the bus anew.
+/// Finds real Falcons by libusb. Each query scans the bus.
 class LibusbFalconFinder final : public FalconFinder
 {
 public:

@@ -27,7 +27,7 @@ Status LibusbFalconLink::Open()
   {
     return Status::Failure("The link to the Falcon is open already.");
   }
-  // It may hold the device, and is needed again where nothing else can stop the motors.
+  // The guard may hold the device, and is needed again if nothing else can stop the motors.
   const bool isOwed = this->Guard.WasCalled();
   this->Guard.Dismiss();
   Status status = this->OpenHandle();
@@ -57,8 +57,8 @@ void LibusbFalconLink::Close() noexcept
 {
   const bool wasOpen = this->Traffic != nullptr;
   const bool mayPush = wasOpen && (!this->Traffic->Stop() || this->Traffic->IsGone());
-  // Transfers that were not given back within their time are safe to release once the handle, and
-  // with it the kernel's side of them, is closed.
+  // Transfers that were not returned in time are safe to release once the handle, and with it the
+  // kernel's side of them, is closed.
   this->Handle.reset();
   this->Traffic.reset();
   this->Context.reset();

@@ -11,18 +11,18 @@
 
 namespace palpate
 {
-/// The cable to a real Falcon, by libusb. Each Open begins from nothing, so a device that was
-/// unplugged and is back can be opened again by the same object. A FalconGuard is beside it while
-/// it is open, but not where a descriptor was given.
+/// The cable to a real Falcon, by libusb. Each Open starts from scratch, so a device that was
+/// unplugged and plugged in again can be opened by the same object. A FalconGuard runs while it is
+/// open, except with a given descriptor.
 class LibusbFalconLink final : public FalconLink
 {
 public:
-  /// Gives a descriptor of an opened usbfs node, for the link to close, or -1.
+  /// Returns a descriptor of an opened usbfs node, which the link closes, or -1.
   using DescriptorSource = std::function<int()>;
 
-  /// `which` as MakeLink's.
+  /// `which` as for MakeLink.
   explicit LibusbFalconLink(std::string which);
-  /// For devices that somebody else opens: a broker, a test.
+  /// For devices that are opened elsewhere, by a broker or a test.
   explicit LibusbFalconLink(DescriptorSource source);
   ~LibusbFalconLink() override { this->LibusbFalconLink::Close(); }
 
@@ -41,11 +41,11 @@ private:
   Status OpenHandle();
 
   FalconGuard Guard;
-  std::string BusPath; // that it was started for last
+  std::string BusPath; // the guard's last one
   std::string Which;
   DescriptorSource Source;
   int Descriptor = -1;
-  // In this order, so that each is gone before what it uses.
+  // In this order, so that each is destroyed before its dependencies.
   LibusbContext Context;
   LibusbHandle Handle;
   std::unique_ptr<LibusbTraffic> Traffic;

@@ -11,7 +11,7 @@ namespace palpate
 {
 namespace
 {
-constexpr unsigned Deadline = 250; // ms, of a request and of a packet
+constexpr unsigned Deadline = 250; // ms, per request and per packet
 constexpr int Repeats = 3;
 constexpr std::chrono::milliseconds Interval(2);
 

@@ -6,8 +6,8 @@
 
 namespace palpate
 {
-/// Claims the Falcon at this bus path, sets its chip to the running firmware's rate, tells the
-/// board 0 N three times, and lets it go. For a device that nobody has. It takes milliseconds, and
-/// a second where the device takes no data.
+/// Claims the Falcon at this bus path, sets its chip to the running firmware's rate, sends 0 N to
+/// the board three times, and releases it. For a device that no program has claimed. Takes
+/// milliseconds, or a second if the device takes no data.
 Status StopFalcon(const std::string& busPath);
 } // namespace palpate

@@ -28,7 +28,7 @@ struct FalconOnBus
 
 std::string BusPathOf(libusb_device* device)
 {
-  std::array<std::uint8_t, 7> ports{}; // as many as USB 3 allows
+  std::array<std::uint8_t, 7> ports{}; // the maximum depth of USB 3
   const int depth = libusb_get_port_numbers(device, ports.data(), static_cast<int>(ports.size()));
   std::string path = std::to_string(libusb_get_bus_number(device));
   for (int n = 0; n < depth; ++n)
@@ -76,8 +76,8 @@ std::string Named(const std::string& busPath)
   return busPath.empty() ? "The Falcon" : "The Falcon at USB " + busPath;
 }
 
-// Who has the interface, as Linux says it: "usbfs" is a program. Empty where nobody has it or where
-// that is not known.
+// The driver of the interface, by Linux's name: "usbfs" is a program. Empty if there is none or it
+// is unknown.
 std::string DriverOf(const std::string& busPath)
 {
   std::error_code unknown;
@@ -115,7 +115,7 @@ std::string Sentence(int error, const std::string& busPath)
 std::string SerialOf(libusb_device_handle* handle)
 {
   libusb_device_descriptor descriptor{};
-  std::array<unsigned char, 128> text{}; // characters of a USB string at most
+  std::array<unsigned char, 128> text{}; // maximum length of a USB string
   if (libusb_get_device_descriptor(libusb_get_device(handle), &descriptor) != LIBUSB_SUCCESS ||
       descriptor.iSerialNumber == 0)
   {
@@ -126,12 +126,12 @@ std::string SerialOf(libusb_device_handle* handle)
   return {text.begin(), text.begin() + std::max(length, 0)};
 }
 
-// A FalconGuard of a device that was closed without 0 N holds it for a moment.
+// A FalconGuard briefly holds a device that was closed without 0 N, so claiming is retried.
 Status Claim(libusb_device_handle* handle, const std::string& busPath)
 {
   constexpr auto Patience = std::chrono::milliseconds(500);
   constexpr auto Nap = std::chrono::milliseconds(20);
-  // Where the platform cannot detach drivers, none has to be.
+  // Platforms that cannot detach drivers do not need it.
   static_cast<void>(libusb_set_auto_detach_kernel_driver(handle, 1));
   int error = libusb_claim_interface(handle, Interface);
   const auto end = std::chrono::steady_clock::now() + Patience;
@@ -187,7 +187,7 @@ FalconListing Inspect(const FalconOnBus& falcon)
 
 void LibusbHandleCloser::operator()(libusb_device_handle* handle) const noexcept
 {
-  // Of a device that is gone, or was not claimed, there is none.
+  // Fails harmlessly if the device is gone or was not claimed.
   static_cast<void>(libusb_release_interface(handle, Interface));
   libusb_close(handle);
 }

@@ -13,7 +13,7 @@ struct LibusbContextCloser
 {
   void operator()(libusb_context* context) const noexcept { libusb_exit(context); }
 };
-/// Gives back the interface too, so that the next program can have it at once.
+/// Also releases the interface, so that the next program can claim it at once.
 struct LibusbHandleCloser
 {
   void operator()(libusb_device_handle* handle) const noexcept;
@@ -21,19 +21,19 @@ struct LibusbHandleCloser
 using LibusbContext = std::unique_ptr<libusb_context, LibusbContextCloser>;
 using LibusbHandle = std::unique_ptr<libusb_device_handle, LibusbHandleCloser>;
 
-/// A context of its own, which knows what is plugged in from now on.
+/// A separate context, which tracks the devices plugged in from now on.
 Status MakeLibusbContext(LibusbContext& context);
 
 /// Every device with a Falcon's USB ids (0403:cb48), ordered by bus path. None is claimed; those
-/// that this user may open are opened for their serial number.
+/// that this user may open are opened to read their serial number.
 Status ListFalcons(libusb_context& context, std::vector<FalconListing>& listings);
 
-/// Opens and claims the Falcon with this bus path or serial number; where `which` is empty, the
-/// first that can be had. A driver of the kernel that has it is detached until it is closed again.
-/// On failure the sentence is about the one that came closest.
+/// Opens and claims the Falcon with this bus path or serial number; if `which` is empty, the first
+/// usable one. A kernel driver is detached until it is closed again. On failure the message is
+/// about the device that came closest.
 Status OpenFalcon(libusb_context& context, const std::string& which, LibusbHandle& handle);
-/// The same from a descriptor of an open usbfs node, which has to stay open as long as the handle.
+/// The same from a descriptor of an open usbfs node, which must stay open as long as the handle.
 Status OpenFalcon(libusb_context& context, int descriptor, LibusbHandle& handle);
-/// Where on USB an open Falcon is, as ListFalcons says it.
+/// USB port of an open Falcon, as in ListFalcons.
 std::string BusPathOf(libusb_device_handle& handle);
 } // namespace palpate

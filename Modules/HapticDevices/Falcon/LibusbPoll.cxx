@@ -27,7 +27,7 @@ LibusbPoll::~LibusbPoll()
 void LibusbPoll::Wake() noexcept
 {
   const std::uint64_t one = 1;
-  // Where it fails, 2^64 wake-ups wait already.
+  // If it fails, 2^64 wake-ups are pending already.
   static_cast<void>(!write(this->WakeDescriptor, &one, sizeof(one)));
 }
 
@@ -50,7 +50,7 @@ void LibusbPoll::Wait(TimePoint until, bool withDevice) noexcept
   }
   const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(
       until - std::chrono::steady_clock::now());
-  constexpr std::int64_t WithoutDevice = 10; // ms; libusb is asked anyhow what has ended
+  constexpr std::int64_t WithoutDevice = 10; // ms; libusb is still polled for finished transfers
   const std::int64_t time = std::max<std::int64_t>(left.count() + 1, 0);
   poll(this->Set.data(), withDevice ? this->Set.size() : 1,
        static_cast<int>(withDevice ? time : std::min(time, WithoutDevice)));

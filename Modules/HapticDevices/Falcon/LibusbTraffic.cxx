@@ -18,12 +18,12 @@ constexpr std::size_t SendCapacity = 512;     // bytes
 constexpr std::size_t ReceiveCapacity = 8192; // bytes, 50 ms at the highest rate
 constexpr unsigned Deadline = 1000;           // ms, of a write, a stop and a control request
 constexpr int ReadFailureLimit = 32;          // errors on a cable come in bursts
-constexpr auto Nap = 100ms;                   // of the thread, where nothing wakes it
-constexpr auto OvertakingTime = 1ms;          // for writes before a stop to go out
+constexpr auto Nap = 100ms;                   // longest sleep of the thread
+constexpr auto OvertakingTime = 1ms;          // for writes before a stop to complete
 constexpr auto SilenceTime = std::chrono::nanoseconds(FalconLink::SilenceLimit);
 constexpr auto FlushTime = 250ms;
 constexpr auto CancelTime = 1s;
-constexpr auto StopPause = 5ms; // before a stop that failed is sent again
+constexpr auto StopPause = 5ms; // before a failed stop is sent again
 constexpr const char* Unplugged = "The Falcon was unplugged: plug it in and open it again.";
 constexpr const char* TakesNothing =
     "The Falcon takes no data: unplug it, plug it in and open it again.";
@@ -78,8 +78,8 @@ Status LibusbTraffic::Start()
   {
     return Status::Failure("The system gives no memory or no descriptor for USB transfers.");
   }
-  // Replies have to be there when the servo looks for them, so this thread asks for its urgency; if
-  // that is refused, the servo is refused too and says so.
+  // Replies must be there when the servo reads them, so this thread requests the same priority; if
+  // that is refused, the servo's request is refused too and reports it.
   return this->Thread.Start({}, [this] { this->Run(); });
 }
 
@@ -140,13 +140,13 @@ std::size_t LibusbTraffic::Receive(std::uint8_t* bytes, std::size_t capacity) no
 Status LibusbTraffic::Control(FtdiRequest request)
 {
   std::unique_lock<std::mutex> lock(this->ControlAccess);
-  // An answer that came after nobody waited any more is no answer to this.
+  // An answer to an earlier request that timed out does not count.
   if (this->ControlLife == ControlState::Idle || this->ControlLife == ControlState::Finished)
   {
     this->ControlWanted = request;
     this->ControlLife = ControlState::Wanted;
     this->Events.Wake();
-    // libusb ends the request at its deadline; as long may it wait for what was sent before.
+    // libusb ends the request at its deadline; data sent before may take as long.
     this->ControlChanged.wait_for(
         lock, std::chrono::milliseconds(2 * Deadline),
         [this] { return this->ControlLife == ControlState::Finished || this->IsGone(); });
@@ -223,7 +223,7 @@ bool LibusbTraffic::HasUnsent() const noexcept
          (!this->IsGone() && this->Unsent.load() > 0);
 }
 
-// Waits for something to happen, until then at most, and has libusb call back for what has ended.
+// Waits for an event, at most until then, and runs libusb's callbacks of finished transfers.
 void LibusbTraffic::Step(LibusbPoll::TimePoint until) noexcept
 {
   this->Events.Wait(until, !this->IsGone());
@@ -251,7 +251,7 @@ void LibusbTraffic::DropQueue() noexcept
   }
 }
 
-// Only where it had something to say, so that a device that nobody moves is left alone.
+// Only if something was sent, so that an idle device is left alone.
 bool LibusbTraffic::IsServoSilent(LibusbPoll::TimePoint now) const noexcept
 {
   return this->IsArmed.load(std::memory_order_acquire) && this->StopsLeft > 0 &&
@@ -315,7 +315,7 @@ void LibusbTraffic::StartWrites() noexcept
   for (Transfer& write : this->Writes)
   {
     std::size_t count = 0;
-    // What comes after a stop waits for it, in the queue.
+    // Data after a stop waits for it in the queue.
     const bool isFree = !write.IsInFlight && !this->StopTransfer.IsInFlight && !this->IsGone();
     while (isFree && count < Transfer::Size && this->Outgoing.Pop(write.Bytes[count]))
     {
@@ -429,7 +429,7 @@ void LibusbTraffic::FinishControl(libusb_transfer_status outcome) noexcept
   this->ControlChanged.notify_all();
 }
 
-// What still hears is told to let go.
+// Stops the motors if the device still receives.
 void LibusbTraffic::GiveUp(const char* reason) noexcept
 {
   this->MotorStopWanted.store(this->IsArmed.load() && reason != Unplugged);
@@ -452,7 +452,7 @@ void LibusbTraffic::Cancel(const Transfer& transfer) noexcept
 {
   if (transfer.IsInFlight)
   {
-    // What has ended meanwhile is called back anyhow.
+    // Transfers that have finished meanwhile still call back.
     static_cast<void>(libusb_cancel_transfer(transfer.Call.get()));
   }
 }

@@ -20,21 +20,21 @@
 
 namespace palpate
 {
-/// What goes to and from an open and claimed Falcon, on a thread of its own. libusb allocates and
-/// locks wherever a transfer is handed to it, so only that thread calls it; senders and receivers
-/// have rings, and the thread sleeps in poll until the device or a sender wakes it. Several reads
-/// are always in flight, so that no packet is missed while one is taken apart.
+/// Data traffic with an open and claimed Falcon, on a thread of its own. libusb allocates and locks
+/// whenever a transfer is submitted, so only that thread calls it; senders and receivers have ring
+/// buffers, and the thread sleeps in poll until the device or a sender wakes it. Several reads are
+/// always in flight, so that no packet is missed while one is unpacked.
 ///
-/// A stop (FalconLink::ArmStop) has a transfer of its own without a deadline. Writes that are in
-/// flight before it and have not gone out within a millisecond are cancelled, so that it is first
-/// when the device takes data again.
+/// A stop (FalconLink::ArmStop) has a transfer of its own without a deadline. Earlier writes that
+/// have not completed within a millisecond are cancelled, so that it is first when the device takes
+/// data again.
 ///
 /// For the two threads of FalconLink.
 class LibusbTraffic
 {
 public:
-  /// Keeps both, which must outlive it. `onUnplugged` is called by the thread, once, where the
-  /// device has left the bus.
+  /// Keeps both, which must outlive it. The thread calls `onUnplugged` once if the device has left
+  /// the bus.
   LibusbTraffic(libusb_context* context, libusb_device_handle* handle,
                 std::function<void()> onUnplugged = nullptr);
   LibusbTraffic(const LibusbTraffic&) = delete;
@@ -42,11 +42,11 @@ public:
   ~LibusbTraffic() { this->Stop(); }
 
   Status Start();
-  /// Lets what was sent go out, for at most 0.25 s, and takes back what is in flight, for at most a
-  /// second. True where all that was sent, a stop too, has gone out. Nothing where it does not run.
+  /// Waits up to 0.25 s for queued data to be sent, then up to a second to cancel transfers.
+  /// Returns true if all data, including a stop, was sent. Does nothing if it does not run.
   bool Stop() noexcept;
 
-  /// As FalconLink's. A control request begins once all that was sent before has gone out.
+  /// As in FalconLink. A control request starts once all data sent before has been transmitted.
   Status Control(FtdiRequest request);
   bool Send(const std::uint8_t* bytes, std::size_t count) noexcept;
   void ArmStop(const std::uint8_t* bytes, std::size_t count) noexcept;
@@ -120,27 +120,27 @@ private:
 
   RingBuffer<std::uint8_t> Outgoing;
   RingBuffer<std::uint8_t> Incoming;
-  std::atomic<std::size_t> Unsent{0}; // bytes that Send took and the device did not yet
+  std::atomic<std::size_t> Unsent{0}; // bytes accepted by Send and not yet by the device
 
-  std::mutex ControlAccess; // of the next four
+  std::mutex ControlAccess; // guards the next four
   std::condition_variable ControlChanged;
   ControlState ControlLife = ControlState::Idle;
   libusb_transfer_status ControlOutcome = LIBUSB_TRANSFER_COMPLETED;
   FtdiRequest ControlWanted;
   const char* GoneBecause = "";
 
-  // The thread's own.
+  // Used by the thread only.
   std::array<Transfer, 4> Reads;
   std::array<Transfer, 4> Writes;
   Transfer ControlTransfer;
   Transfer StopTransfer;
-  LibusbPoll::TimePoint LastSent;        // when something was taken from the queue
+  LibusbPoll::TimePoint LastSent;        // when data was taken from the queue
   LibusbPoll::TimePoint OvertakingSince; // when StopTransfer was submitted
-  LibusbPoll::TimePoint StopNotBefore;   // after one that failed
-  bool HasLeft = false;                  // the bus; said to OnUnplugged
+  LibusbPoll::TimePoint StopNotBefore;   // after a failed one
+  bool HasLeft = false;                  // the bus; reported to OnUnplugged
   bool IsFlushed = true;                 // at the thread's end
-  int StopsLeft = 0;                     // that silence may still cause
+  int StopsLeft = 0;                     // that silence may still trigger
   FtdiPackets Packets;
-  int FailedReads = 0; // one after the other
+  int FailedReads = 0; // consecutive
 };
 } // namespace palpate

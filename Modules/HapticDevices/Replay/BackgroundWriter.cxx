@@ -22,7 +22,7 @@ struct BackgroundWriter::Shared
   bool HasEnded = false;
 };
 
-// On the thread.
+// Body of the thread.
 void BackgroundWriter::Shared::Run()
 {
   auto synced = std::chrono::steady_clock::now();
@@ -67,7 +67,7 @@ BackgroundWriter::~BackgroundWriter()
   static_cast<void>(this->Finish());
 }
 
-// Until a condition is met, for as long as the thread makes progress.
+// Waits until a condition is met, as long as the thread makes progress.
 template <typename Condition>
 bool BackgroundWriter::WaitFor(std::unique_lock<std::mutex>& lock,
                                std::chrono::milliseconds patience, Condition isMet)

@@ -14,38 +14,38 @@
 
 namespace palpate
 {
-/// Writes bytes on a thread of its own, so that a disk that is slow, or stalls, does not hold up
-/// the thread that has them. For one calling thread.
+/// Writes bytes on a thread of its own, so that a slow or stalled disk does not delay the calling
+/// thread. For one calling thread.
 class BackgroundWriter
 {
 public:
   struct Target
   {
-    /// Writes all bytes. A failure is a clause and ends the writing.
+    /// Writes all bytes. A failure message is a clause and ends the writing.
     std::function<Status(std::string_view)> Write;
-    std::function<void()> Sync; ///< waits until what was written is on the disk
+    std::function<void()> Sync; ///< waits until written data is on the disk
   };
   struct Limits
   {
-    std::size_t MostWaiting = 16U << 20U; ///< bytes that were not written yet
-    /// Without progress, then the disk has stalled: of Append, and of Finish.
+    std::size_t MostWaiting = 16U << 20U; ///< bytes not written yet
+    /// Time without progress after which the disk counts as stalled, in Append and Finish.
     std::chrono::milliseconds Patience{1000};
     std::chrono::milliseconds EndPatience{10000};
     std::chrono::milliseconds SyncInterval{2000};
   };
 
-  /// Starts the thread. Of a disk that stalls, `target` is used beyond the writer's life.
+  /// Starts the thread. If the disk stalls, `target` is used beyond the writer's lifetime.
   BackgroundWriter(Target target, Limits limits);
   BackgroundWriter(const BackgroundWriter&) = delete;
   BackgroundWriter& operator=(const BackgroundWriter&) = delete;
-  /// As Finish.
+  /// Same as Finish.
   ~BackgroundWriter();
 
-  /// Hands bytes over. Waits only where too many are waiting. After a failure, which is a clause,
-  /// nothing more is written.
+  /// Passes bytes to the thread. Waits only if too many are waiting. After a failure, whose message
+  /// is a clause, nothing more is written.
   Status Append(std::string_view bytes);
-  /// Waits until all is written and on the disk, or failed; the thread has ended then, unless the
-  /// disk has stalled.
+  /// Waits until all data is on the disk, or failed; the thread has then ended, unless the disk has
+  /// stalled.
   Status Finish();
   bool HasStalled() const noexcept { return this->IsStalled; }
   std::uint64_t WrittenBytes() const;

@@ -45,7 +45,7 @@ bool ReplayDevice::Read(DeviceSample& sample) noexcept
   {
     ++this->Current;
   }
-  // The last tick lasts as long as a sample may be old.
+  // The last tick lasts for the maximum age of a sample.
   constexpr std::int64_t lastTick = 10'000'000;
   const TouchState& now = ticks[this->Current];
   const bool hasEnded =

@@ -9,9 +9,9 @@
 
 namespace palpate
 {
-/// A device that does what one did in a recorded session: at each time since Open it gives the
-/// sample of the tick that was then, and takes forces where they were taken. At the end it is an
-/// Error, "has ended". The forces it is given move nothing.
+/// A device that plays a recorded session: at each time since Open it returns the sample of the
+/// tick at that time, and accepts forces where they were accepted. At the end it enters Error, "has
+/// ended". Forces have no effect on it.
 class ReplayDevice final : public HapticDevice
 {
 public:
@@ -21,7 +21,7 @@ public:
   const DeviceCapabilities& Capabilities() const noexcept override { return this->Abilities; }
   DeviceState State() const noexcept override { return this->Life; }
   std::string Problem() const override;
-  /// The first tick is now.
+  /// The first tick starts now.
   Status Open() override;
   void Close() noexcept override { this->Life = DeviceState::Closed; }
   bool Read(DeviceSample& sample) noexcept override;
@@ -32,7 +32,7 @@ private:
   std::shared_ptr<const TouchRecording> Recording;
   DeviceCapabilities Abilities;
   std::atomic<DeviceState> Life{DeviceState::Closed};
-  std::int64_t Shift = 0;  // ns, from the recorded time to the clock's
+  std::int64_t Shift = 0;  // ns, from recorded time to the clock's
   std::size_t Current = 0; // tick
 };
 } // namespace palpate

@@ -52,7 +52,7 @@ private:
   int File;
 };
 
-// Through a descriptor of its own, since a stalled disk holds it beyond the recorder's life.
+// With a duplicated descriptor, since a stalled disk uses it beyond the recorder's lifetime.
 BackgroundWriter::Target TargetOf(int descriptor)
 {
   const auto file = std::make_shared<OpenFile>(fcntl(descriptor, F_DUPFD_CLOEXEC, 0));
@@ -72,15 +72,15 @@ BackgroundWriter::Target TargetOf(int descriptor)
   return {write, [file] { static_cast<void>(fdatasync(file->Number())); }};
 }
 
-// What the temporary names of a recording begin with; file names have at most 255 bytes.
+// Prefix of the temporary names of a recording; file names have at most 255 bytes.
 std::string PartPrefix(const std::filesystem::path& target)
 {
   constexpr std::size_t Longest = 230;
   return target.filename().string().substr(0, Longest) + ".";
 }
 
-// Whether another recorder, of this or another program, holds a part of the same recording. Where
-// the file system has no locks, the recordings are apart, and the last one finished has the name.
+// Whether another recorder, of this or another program, holds a part of the same recording. On file
+// systems without locks the recordings are separate, and the last one finished gets the name.
 bool IsRecordedByAnother(const TemporaryFile& own)
 {
   const std::string prefix = PartPrefix(own.Target());
@@ -104,11 +104,11 @@ bool IsRecordedByAnother(const TemporaryFile& own)
   return false;
 }
 
-// Creates the file of a recording and holds its lock, which ends with the program at the latest.
+// Creates the file of a recording and holds its lock, at the latest until the program ends.
 Status Claim(const std::filesystem::path& path, TemporaryFile& file)
 {
   const std::filesystem::path folder = path.has_parent_path() ? path.parent_path() : ".";
-  // Two recorders that begin at the same time look one after the other.
+  // Serialises two recorders that start at the same time.
   const OpenFile turn(open(folder.c_str(), O_RDONLY | O_CLOEXEC | O_DIRECTORY));
   static_cast<void>(turn.Number() >= 0 && flock(turn.Number(), LOCK_EX) == 0);
   const Status status = file.Create(path, PartPrefix(path), PartEnding);
@@ -188,8 +188,8 @@ Status TouchRecorder::Drain(Servo& servo)
   return status;
 }
 
-// Of a disk that has stalled, what is known to be there; else what is there after a part of a
-// tick, which a full disk leaves, is gone.
+// On a stalled disk, the number of ticks known to be written; otherwise the number in the file,
+// after removing a partial tick, which a full disk leaves.
 std::uint64_t TouchRecorder::TicksInFile()
 {
   std::uint64_t bytes = this->Writer->WrittenBytes();
@@ -202,14 +202,14 @@ std::uint64_t TouchRecorder::TicksInFile()
   const std::uint64_t ticks = bytes < HeadBytes ? 0 : (bytes - HeadBytes) / TickBytes;
   if (isAnswering)
   {
-    // Where it fails, the reader leaves the part of a tick out.
+    // If this fails, the reader ignores the partial tick.
     static_cast<void>(
         ftruncate(this->File->Descriptor(), static_cast<off_t>(HeadBytes + ticks * TickBytes)));
   }
   return ticks;
 }
 
-// Ends the recording with what it has.
+// Ends the recording, keeping the ticks so far.
 Status TouchRecorder::End(const std::string& reason)
 {
   static_cast<void>(this->Writer->Append(this->Pending));

@@ -11,7 +11,7 @@ namespace
 {
 using namespace TouchRecordingFormat;
 
-// Words of a file, least byte first; false at its end, or where it ends within them.
+// Reads words of a file, little endian; false at its end, or if it ends within them.
 template <std::size_t Count>
 bool ReadWords(std::istream& file, std::array<std::uint64_t, Count>& words)
 {

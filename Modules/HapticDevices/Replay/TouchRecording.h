@@ -10,24 +10,24 @@
 
 namespace palpate
 {
-/// Of a session: all that its forces followed from, but the scenes.
+/// All inputs of a session's forces except the scenes.
 struct TouchSession
 {
   ServoSettings Settings;
-  /// Those that forces depend on: MaximumForce, MaximumDamping, Damping, Friction,
-  /// GravityCompensation, and LeastRate, which is its Rate where it was read from a file.
+  /// Only the members that forces depend on: MaximumForce, MaximumDamping, Damping, Friction,
+  /// GravityCompensation, and LeastRate, which is its Rate if it was read from a file.
   DeviceCapabilities Device;
 };
 
-/// A recorded session. Ticks follow each other without a gap, from the servo's first one.
+/// A recorded session. Ticks are contiguous, starting with the servo's first one.
 struct TouchRecording
 {
   TouchSession Session;
   std::vector<TouchState> Ticks;
-  bool WasCutOff = false; ///< the file ended within a tick, which is left out
+  bool WasCutOff = false; ///< the file ended within a tick, which is omitted
 };
 
-/// Reads a file that a TouchRecorder wrote, or the part of one that was not finished (its name ends
-/// with .part). Refuses, with `recording` untouched, what is none and what lacks ticks.
+/// Reads a file that a TouchRecorder wrote, or the part of an unfinished one (its name ends with
+/// .part). Fails, with `recording` unchanged, for other files and if ticks are missing.
 Status ReadTouchRecording(const std::string& path, TouchRecording& recording);
 } // namespace palpate

@@ -7,8 +7,8 @@ namespace palpate
 {
 namespace
 {
-// One list of fields serves writing and reading: fields of 64 bits go as they are, smaller ones as
-// numbers.
+// One list of fields serves writing and reading: fields of 64 bits are copied, smaller ones are
+// converted to numbers.
 class WordWriter
 {
 public:

@@ -8,9 +8,9 @@
 
 namespace palpate
 {
-/// How recordings lie in files: a line that names the format, then words of 64 bits, least byte
-/// first: those of the session, and those of each tick. Doubles are their IEEE 754 bits, so that
-/// what is read is what was written to the last bit.
+/// File format of recordings: a line that names the format, then words of 64 bits, little endian:
+/// those of the session, and those of each tick. Doubles are stored as their IEEE 754 bits, so that
+/// they are read back exactly.
 namespace TouchRecordingFormat
 {
 inline constexpr char Magic[] = "palpate-touch-recording 3\n";
@@ -23,9 +23,9 @@ using TickRecord = std::array<std::uint64_t, TickWords>;
 
 SessionRecord Encode(const TouchSession& session) noexcept;
 TickRecord Encode(const TouchState& state) noexcept;
-/// False where the words are none of a session.
+/// Returns false if the words do not describe a session.
 bool Decode(const SessionRecord& words, TouchSession& session) noexcept;
-/// False where the words are none of a tick.
+/// Returns false if the words do not describe a tick.
 bool Decode(const TickRecord& words, TouchState& state) noexcept;
 } // namespace TouchRecordingFormat
 } // namespace palpate

@@ -13,7 +13,7 @@ namespace
 void Compare(const TouchState& recorded, const TouchState& recomputed, ReplayComparison& comparison)
 {
   ++comparison.Ticks;
-  // As files hold them: every bit of every field, and no padding.
+  // Encoded: every bit of every field, and no padding.
   if (TouchRecordingFormat::Encode(recorded) != TouchRecordingFormat::Encode(recomputed))
   {
     comparison.FirstDifference = comparison.DifferentTicks == 0
@@ -23,14 +23,14 @@ void Compare(const TouchState& recorded, const TouchState& recomputed, ReplayCom
   }
   const double difference =
       (Vector3(recorded.ForceDevice) - Vector3(recomputed.ForceDevice)).norm();
-  // Once NaN, it stays so.
+  // NaN persists.
   if (!(difference <= comparison.LargestDifference) && !std::isnan(comparison.LargestDifference))
   {
     comparison.LargestDifference = difference;
   }
 }
 
-// The servo itself gives the command that taking up the pedal is.
+// The servo itself issues the command of pressing the pedal.
 void LeadDrill(Servo& servo, const TouchState& tick, bool wasDrilling)
 {
   servo.RunDrill(tick.IsDrilling);

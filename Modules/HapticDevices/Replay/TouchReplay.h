@@ -10,12 +10,12 @@
 
 namespace palpate
 {
-/// How recomputed forces compare with recorded ones.
+/// Comparison of recomputed with recorded forces.
 struct ReplayComparison
 {
   std::uint64_t Ticks = 0;
-  std::uint64_t DifferentTicks = 0;  ///< whose force, contact or safety differs in any bit
-  std::int64_t FirstDifference = -1; ///< the number of that tick; -1 if there is none
+  std::uint64_t DifferentTicks = 0;  ///< with any different bit in force, contact or safety
+  std::int64_t FirstDifference = -1; ///< number of the first such tick; -1 if there is none
   double LargestDifference = 0.0;    ///< N, of the forces; NaN if one of them is
 };
 

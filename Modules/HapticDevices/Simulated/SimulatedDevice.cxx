@@ -108,11 +108,12 @@ void SimulatedDevice::AdvanceTo(std::int64_t now) noexcept
   const std::int64_t steps = (duration + LongestStep - 1) / LongestStep;
   const double step = 1e-9 * static_cast<double>(duration) / static_cast<double>(steps);
   const Vector3 end = this->TargetAt(now);
-  const Vector3 way = (end - this->Target) / static_cast<double>(steps);
+  const Vector3 increment = (end - this->Target) / static_cast<double>(steps);
   for (std::int64_t i = 0; i < steps; ++i)
   {
     const Vector3& force = this->ForceAt(this->Reached + i * duration / steps);
-    this->Body.Advance(this->Target + static_cast<double>(i) * way, way / step, force, step);
+    this->Body.Advance(this->Target + static_cast<double>(i) * increment, increment / step, force,
+                       step);
   }
   this->Target = end;
   this->Reached = now;

@@ -11,24 +11,24 @@
 
 namespace palpate
 {
-/// How a simulated device can be made to fail.
+/// Faults that can be injected into a simulated device.
 enum class SimulatedFault
 {
   None,
   NonFinitePosition, ///< positions are NaN
-  FrozenSample,      ///< the last sample for ever
+  FrozenSample,      ///< repeats the last sample
   LateSamples,       ///< samples are 20 ms old
-  MirroredPosition,  ///< encoders count the wrong way
-  RefusedForce,      ///< forces are not taken
-  Unplugged          ///< nothing answers any more
+  MirroredPosition,  ///< encoders count backwards
+  RefusedForce,      ///< forces are not accepted
+  Unplugged          ///< no longer answers
 };
 
-/// A device of about a Falcon's size with a hand on it. Numbers of mechanism and hand are
-/// plausible ones, not measured on a device.
+/// A device of about a Falcon's size with a hand on it. The parameters of mechanism and hand are
+/// plausible, not measured on a device.
 struct SimulatedSettings
 {
   HandProperties Hand;
-  double MaximumForce = 8.0;     ///< N; stronger ones are cut
+  double MaximumForce = 8.0;     ///< N; larger ones saturate
   double MaximumStiffness = 3.0; ///< N/mm
   double MaximumDamping = 0.02;  ///< N s/mm
   double Resolution = 0.045;     ///< mm, positions are multiples of it; 0 is exact
@@ -36,15 +36,15 @@ struct SimulatedSettings
   double Rate = 1000.0;          ///< Hz
   double WorkspaceRadius = 40.0; ///< mm, around the origin
   double HomingDuration = 0.0;   ///< s
-  /// The hand's target (mm) at a time (s) after opening; without one it is what SetTarget said. It
-  /// must neither throw nor allocate.
+  /// The hand's target (mm) at a time (s) after opening; if empty, SetTarget's. It must neither
+  /// throw nor allocate.
   std::function<Vector3(double)> Path;
 };
 
-/// A device that is computed: a hand on a mechanism (SimulatedHand) with encoders that count, a
-/// force that comes late, motors that saturate and give up when they hear nothing for 20 ms. Time
-/// is the clock's; the motion is integrated in steps of at most 10 us up to each Read. What comes
-/// out depends on the clock and the calls alone, to the last bit.
+/// A simulated device: a hand on a mechanism (SimulatedHand) with quantised encoders, delayed
+/// forces, and motors that saturate and switch off after 20 ms without a command. Time is the
+/// clock's; the motion is integrated in steps of at most 10 us up to each Read. The result depends
+/// only on the clock and the calls, bit for bit.
 class SimulatedDevice final : public HapticDevice
 {
 public:
@@ -59,12 +59,12 @@ public:
   bool Read(DeviceSample& sample) noexcept override;
   bool Apply(const Vector3& force) noexcept override;
 
-  /// Where the hand wants to be (mm), as a mouse would say it; from one thread.
+  /// The hand's target (mm), as set by a mouse; from one thread.
   void SetTarget(const Vector3& target) noexcept { this->Wanted.Publish(target); }
-  /// From any thread; in effect from the next Read or Apply on.
+  /// Any thread; takes effect at the next Read or Apply.
   void Inject(SimulatedFault fault) noexcept { this->Broken.store(fault); }
 
-  /// Where the hand really is and what it did; for the thread that reads.
+  /// The hand's exact state and energies; reading thread only.
   const SimulatedHand& Hand() const noexcept { return this->Body; }
 
 private:
@@ -92,7 +92,7 @@ private:
   std::int64_t Opened = 0;          // ns
   std::int64_t Reached = 0;         // ns, by the motion
   DeviceSample Last;
-  // Commands on their way; more than 64 at once are not kept.
+  // Delayed commands; more than 64 at once are dropped.
   std::array<Command, 64> Commands;
   std::size_t Oldest = 0;
   std::size_t CommandCount = 0;

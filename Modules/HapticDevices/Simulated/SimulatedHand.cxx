@@ -16,26 +16,26 @@ void SimulatedHand::Advance(const Vector3& target, const Vector3& targetVelocity
   const Vector3 hand =
       p.HandStiffness * (target - this->Place) + p.HandDamping * (targetVelocity - before);
   const double gain = MillimetersPerMeter * step / p.Mass; // mm/s per N
-  // The mechanism's damping acts with the mean velocity, so it takes up energy at any step.
+  // The mechanism's damping acts on the mean velocity, so it dissipates energy for any step.
   const double half = 0.5 * gain * p.Damping;
   const Vector3 pushed = ((1.0 - half) * before + gain * (hand + force)) / (1.0 + half);
-  // Friction slows down at most to a halt.
+  // Friction decelerates to rest, but not beyond.
   const double speed = pushed.norm();
   const double slowed = gain * p.Friction / (1.0 + half);
   const Vector3 after = speed > slowed ? Vector3(pushed * (1.0 - slowed / speed)) : Vector3::Zero();
 
   const Vector3 mean = 0.5 * (before + after);
-  const Vector3 way = step * mean;
+  const Vector3 displacement = step * mean;
   HandEnergy& e = this->Bookkeeping;
   const double motion = 0.5 * p.Mass / MillimetersPerMeter * after.squaredNorm();
-  const double works = (hand + force).dot(way);
-  const double damped = p.Damping * mean.dot(way);
-  e.HandWork += hand.dot(way);
-  e.MotorWork += force.dot(way);
+  const double works = (hand + force).dot(displacement);
+  const double damped = p.Damping * mean.dot(displacement);
+  e.HandWork += hand.dot(displacement);
+  e.MotorWork += force.dot(displacement);
   e.DampingLoss += damped;
   e.FrictionLoss += works - damped - (motion - e.Motion);
   e.Motion = motion;
-  this->Place += way;
+  this->Place += displacement;
   this->Speed = after;
 }
 } // namespace palpate

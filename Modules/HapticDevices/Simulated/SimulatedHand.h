@@ -4,8 +4,8 @@
 
 namespace palpate
 {
-/// A hand on a mechanism, as one mass in space: the hand pulls it to its target by a spring and a
-/// damper, the motors push it, the mechanism's viscous damping and Coulomb friction hold it back.
+/// A hand on a mechanism, as one mass in space: a spring and a damper of the hand pull it to its
+/// target, the motors push it, the mechanism's viscous damping and Coulomb friction resist.
 struct HandProperties
 {
   double Mass = 0.25;         ///< kg, of hand and mechanism together
@@ -15,7 +15,7 @@ struct HandProperties
   double Friction = 0.2;      ///< N, of the mechanism
 };
 
-/// What went where since the start, N mm. Motion + the two losses = both works, up to rounding.
+/// Energy balance since the start, N mm. Motion + both losses = both works, up to rounding.
 struct HandEnergy
 {
   double HandWork = 0.0;     ///< by the hand's spring and damper
@@ -24,8 +24,8 @@ struct HandEnergy
   double FrictionLoss = 0.0; ///< in the mechanism
   double Motion = 0.0;       ///< kinetic
 
-  /// What the motors and the mechanism together have taken in from the hand: never negative for
-  /// a virtual wall that is passive.
+  /// Energy that motors and mechanism together have absorbed from the hand: never negative for a
+  /// passive virtual wall.
   double TakenIn() const noexcept
   {
     return this->DampingLoss + this->FrictionLoss - this->MotorWork;
@@ -33,7 +33,8 @@ struct HandEnergy
 };
 
 /// Integrates that mass. In every step the mean of the velocities before and after it moves the
-/// mass, so that each force's work is exactly force times way and the energies balance to rounding.
+/// mass, so that each force's work is exactly force times path and the energies balance to
+/// rounding.
 class SimulatedHand
 {
 public:

@@ -4,6 +4,6 @@
 
 namespace palpate
 {
-/// Adds "simulated": a SimulatedDevice as it comes.
+/// Adds "simulated": a SimulatedDevice with default settings.
 Status RegisterSimulatedDevices(DeviceRegistry& registry);
 } // namespace palpate

@@ -20,8 +20,8 @@ inline std::vector<std::shared_ptr<const TouchScene>> RecordedScenes()
           std::make_shared<TouchScene>(WallScene(1.0, {0.6, 0.001}))};
 }
 
-/// Records `ticks` ticks of a hand that presses a wall: a held-up tick, a fault, its end and
-/// another scene come on the way.
+/// Records `ticks` ticks of a hand that presses a wall, with a delayed tick, a fault, rearming and
+/// another scene.
 inline void RecordSession(const std::string& path, int ticks,
                           const ServoSettings& settings = ServoSettings())
 {

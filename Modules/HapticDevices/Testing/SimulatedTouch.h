@@ -13,7 +13,7 @@
 
 namespace palpate::test
 {
-/// A servo on an open simulated device, with the time of a manual clock.
+/// A servo on an open simulated device, in a manual clock's time.
 class SimulatedTouch
 {
 public:
@@ -61,7 +61,7 @@ public:
   Servo Loop;
 };
 
-/// A hand that presses and lets go: along z from `height` down to -`height` mm and back,
+/// A hand that presses and releases: along z from `height` down to -`height` mm and back,
 /// `frequency` times a second, while it strokes along x.
 inline std::function<Vector3(double)> PressingPath(double height, double frequency)
 {

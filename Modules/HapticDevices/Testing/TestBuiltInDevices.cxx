@@ -9,7 +9,7 @@ namespace palpate
 {
 namespace
 {
-TEST(BuiltInDevices, EveryNameHasADescription)
+TEST(BuiltInDevices, NamesHaveDescriptions)
 {
   DeviceRegistry registry;
   ASSERT_TRUE(RegisterBuiltInDevices(registry).IsOk());
@@ -20,7 +20,7 @@ TEST(BuiltInDevices, EveryNameHasADescription)
   }
 }
 
-TEST(BuiltInDevices, KeepTheContractOfDevices)
+TEST(BuiltInDevices, KeepDeviceContract)
 {
   const test::TemporaryFolder folder;
   const std::string session = (folder / "session.touch").string();
@@ -31,7 +31,7 @@ TEST(BuiltInDevices, KeepTheContractOfDevices)
   {
     if (registry.CanBeFound(name))
     {
-      continue; // has to be plugged in; its own tests hold it against the contract
+      continue; // must be plugged in; its own tests check the contract
     }
     SCOPED_TRACE(name);
     ManualClock clock(5'000'000);
@@ -43,7 +43,7 @@ TEST(BuiltInDevices, KeepTheContractOfDevices)
   }
 }
 
-TEST(BuiltInDevices, AreNotAddedTwice)
+TEST(BuiltInDevices, RejectSecondRegistration)
 {
   DeviceRegistry registry;
   ASSERT_TRUE(RegisterBuiltInDevices(registry).IsOk());

@@ -9,7 +9,7 @@ namespace
 {
 using test::DrilledBlock;
 
-// A hand that comes down on a block and goes to and fro in it.
+// A hand that descends on a block and moves to and fro in it.
 SimulatedSettings Hand()
 {
   SimulatedSettings device;
@@ -21,7 +21,7 @@ SimulatedSettings Hand()
   return device;
 }
 
-// Drills with strokes, undo and redo, and an editor that comes only now and then; recorded.
+// Records drilling with strokes, undo and redo, and an editor that runs only now and then.
 std::shared_ptr<TouchRecording> Drilled(DrilledBlock& block, const ServoSettings& settings)
 {
   const test::TemporaryFolder folder;
@@ -57,7 +57,7 @@ std::shared_ptr<TouchRecording> Drilled(DrilledBlock& block, const ServoSettings
   return recording;
 }
 
-TEST(DrillReplay, ASessionGivesTheSameForcesAndTheSameHolesToTheLastBit)
+TEST(DrillReplay, ReplaysForcesAndHolesBitForBit)
 {
   for (const int interval : {1, 3})
   {

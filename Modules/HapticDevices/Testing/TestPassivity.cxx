@@ -15,7 +15,7 @@ struct WallCase
   double DelayTicks = 0.0;
   double Resolution = 0.0;     // mm
   double Damping = 0.002;      // N s/mm, of the mechanism
-  double WallDamping = 0.0;    // in parts of that
+  double WallDamping = 0.0;    // relative to the mechanism's
   double TimeConstant = 0.003; // s
   double Frequency = 2.0;      // Hz
 };
@@ -28,9 +28,9 @@ SimulatedSettings DeviceOf(const WallCase& c)
   device.Delay = c.DelayTicks / c.Rate;
   device.Resolution = c.Resolution;
   device.Hand.Damping = c.Damping;
-  // Friction helps against counts, and would only hide what happens without them.
+  // Friction helps against quantisation, and would hide the effect without it.
   device.Hand.Friction = c.Resolution > 0.0 ? 0.2 : 0.0;
-  // The bounds that are tested, and nothing else.
+  // Only the bounds under test.
   device.MaximumStiffness = 0.0;
   device.MaximumForce = 1000.0;
   device.MaximumDamping = 0.0;
@@ -39,11 +39,11 @@ SimulatedSettings DeviceOf(const WallCase& c)
 
 struct Session
 {
-  double LeastEnergy = 0.0; // N mm, that wall and mechanism have taken in, over all ticks
-  int DampedTicks = 0;      // in which the energy observer was at work
+  double LeastEnergy = 0.0; // N mm, absorbed by wall and mechanism, over all ticks
+  int DampedTicks = 0;      // in which the energy observer was active
 };
 
-// A second at a wall of `share` times the stiffness that is called stable.
+// A second at a wall of `share` times the advised stiffness.
 Session PressWall(const WallCase& c, double share, double largestDamping = 0.0)
 {
   SimulatedSettings device = DeviceOf(c);
@@ -69,7 +69,7 @@ Session PressWall(const WallCase& c, double share, double largestDamping = 0.0)
     session.LeastEnergy = std::min(session.LeastEnergy, touch.Device.Hand().Energy().TakenIn());
   }
   EXPECT_EQ(touch.Loop.Latest().Safety.Fault, SafetyFault::None);
-  EXPECT_GT(deepest, 0.02); // it was touched
+  EXPECT_GT(deepest, 0.02); // the wall was touched
   return session;
 }
 
@@ -102,13 +102,13 @@ void ForAllWalls(Visit visit)
   }
 }
 
-TEST(Passivity, NoWallWithinTheClaimedBorderGivesOutEnergy)
+TEST(Passivity, AdvisedWallsArePassive)
 {
   ForAllWalls(
       [](const WallCase& c)
       {
-        // Where the hand turns round within a step of its integration, friction is misplaced by
-        // less than this; what these walls take in is around 1 N mm.
+        // Where the hand reverses within a step of its integration, friction is misplaced by less
+        // than this; these walls absorb around 1 N mm.
         EXPECT_GE(PressWall(c, 0.99).LeastEnergy, -1e-6)
             << c.Rate << " Hz, " << c.DelayTicks << " ticks late, counts of " << c.Resolution
             << " mm, mechanism " << c.Damping << ", wall " << c.WallDamping << " of it, filter "
@@ -116,7 +116,7 @@ TEST(Passivity, NoWallWithinTheClaimedBorderGivesOutEnergy)
       });
 }
 
-TEST(Passivity, BeyondTheBorderAWallGivesOutEnergy)
+TEST(Passivity, WallBeyondLimitIsActive)
 {
   WallCase c;
   EXPECT_LT(PressWall(c, 6.0).LeastEnergy, -0.1);
@@ -124,13 +124,13 @@ TEST(Passivity, BeyondTheBorderAWallGivesOutEnergy)
   EXPECT_LT(PressWall(c, 6.0).LeastEnergy, -0.1);
 }
 
-TEST(Passivity, TheEnergyObserverLeavesWallsWithinHalfTheBorderAlone)
+TEST(Passivity, ObserverIsInactiveBelowHalfTheLimit)
 {
-  // Half, since a filtered velocity does not see all that the mechanism takes up.
+  // Half, since a filtered velocity misses part of the mechanism's dissipation.
   ForAllWalls(
       [](const WallCase& c)
       {
-        // With more damping of the wall, or later forces, less is certain.
+        // With more damping of the wall, or later forces, less is guaranteed.
         if (c.DelayTicks == 0.0 && c.WallDamping < 0.5)
         {
           EXPECT_EQ(PressWall(c, 0.5, 0.02).DampedTicks, 0)
@@ -141,7 +141,7 @@ TEST(Passivity, TheEnergyObserverLeavesWallsWithinHalfTheBorderAlone)
       });
 }
 
-TEST(Passivity, TheEnergyObserverTakesBackMostOfWhatAWallBeyondTheBorderGivesOut)
+TEST(Passivity, ObserverDissipatesEnergyBeyondLimit)
 {
   WallCase c;
   const double without = PressWall(c, 6.0).LeastEnergy;

@@ -1,4 +1,4 @@
-// Every fault ends in 0 N within two ticks, says which one it was, and stays until it is rearmed.
+// Every fault ends in 0 N within two ticks, is named, and persists until it is rearmed.
 #include "SimulatedTouch.h"
 
 #include <functional>
@@ -92,7 +92,7 @@ protected:
   Rig Broken;
 };
 
-TEST_P(ServoFaults, EndInNoForceWithinTwoTicksAndSayWhich)
+TEST_P(ServoFaults, EndInZeroForceWithinTwoTicks)
 {
   GetParam().Break(this->Broken);
   this->Broken.Touch.Tick();
@@ -106,7 +106,7 @@ TEST_P(ServoFaults, EndInNoForceWithinTwoTicksAndSayWhich)
   }
 }
 
-TEST_P(ServoFaults, LastUntilTheyAreMendedAndForcesSwitchedOnAgain)
+TEST_P(ServoFaults, PersistUntilFixedAndRearmed)
 {
   GetParam().Break(this->Broken);
   this->Broken.Touch.Tick(3);
@@ -114,7 +114,7 @@ TEST_P(ServoFaults, LastUntilTheyAreMendedAndForcesSwitchedOnAgain)
   EXPECT_EQ(Vector3(this->Broken.Touch.Tick(100).ForceDevice), Vector3::Zero());
   this->Broken.Touch.Loop.Rearm();
   EXPECT_EQ(this->Broken.Touch.Tick().Safety.Fault, SafetyFault::None);
-  // Fading in, not from one tick to the next.
+  // Fades in, without a step.
   EXPECT_LT(this->Broken.Touch.Tick(5).ForceDevice.Z, 0.2);
   EXPECT_GT(this->Broken.Touch.Tick(1000).ForceDevice.Z, 0.5);
 }
@@ -122,7 +122,7 @@ TEST_P(ServoFaults, LastUntilTheyAreMendedAndForcesSwitchedOnAgain)
 INSTANTIATE_TEST_SUITE_P(All, ServoFaults, testing::ValuesIn(AllFaults()),
                          [](const auto& chosen) { return chosen.param.Name; });
 
-// Those that are not over after their first tick.
+// Faults that persist after their first tick.
 std::vector<FaultCase> LastingFaults()
 {
   std::vector<FaultCase> lasting;
@@ -141,7 +141,7 @@ class LastingServoFaults : public ServoFaults
 {
 };
 
-TEST_P(LastingServoFaults, ComeBackWithinTwoTicksWhereTheyAreNotMended)
+TEST_P(LastingServoFaults, ReturnWithinTwoTicksIfNotFixed)
 {
   GetParam().Break(this->Broken);
   this->Broken.Touch.Tick(3);
@@ -157,7 +157,7 @@ TEST_P(LastingServoFaults, ComeBackWithinTwoTicksWhereTheyAreNotMended)
 INSTANTIATE_TEST_SUITE_P(All, LastingServoFaults, testing::ValuesIn(LastingFaults()),
                          [](const auto& chosen) { return chosen.param.Name; });
 
-TEST(ServoBeforeReady, ThereIsNoForceWhileTheDeviceHomes)
+TEST(ServoBeforeReady, NoForceWhileDeviceHomes)
 {
   SimulatedSettings device = Rig::Pressing();
   device.HomingDuration = 0.1;

@@ -11,7 +11,7 @@ namespace
 {
 constexpr std::int64_t Period = 1'000'000; // ns
 
-// A hand that holds still, without friction and counts, so that the smallest force shows.
+// A hand at rest, without friction and quantisation, so that the smallest force has an effect.
 SimulatedSettings Free()
 {
   SimulatedSettings settings;
@@ -28,7 +28,7 @@ DeviceSample ReadAfter(ManualClock& clock, SimulatedDevice& device, std::int64_t
   return sample;
 }
 
-TEST(SimulatedDevice, TheHandFollowsItsPath)
+TEST(SimulatedDevice, HandFollowsPath)
 {
   ManualClock clock;
   SimulatedSettings settings;
@@ -41,19 +41,19 @@ TEST(SimulatedDevice, TheHandFollowsItsPath)
     const DeviceSample sample = ReadAfter(clock, device, Period);
     EXPECT_EQ(sample.Sequence, static_cast<std::uint64_t>(n));
     EXPECT_EQ(sample.Time, clock.Now());
-    // On 0.5 N/mm: friction of 0.2 N, twice where it lets go; damping of 0.09 N, inertia and start
+    // On 0.5 N/mm: friction of 0.2 N, twice where it slips; damping of 0.09 N, inertia and start
     // of 0.02 N each; and half a count along each axis.
     ASSERT_LE((Vector3(sample.Position) - settings.Path(1e-3 * n)).norm(), 1.1) << n;
   }
 }
 
-TEST(SimulatedDevice, GoesWhereItIsTold)
+TEST(SimulatedDevice, HandFollowsSetTarget)
 {
   ManualClock clock;
   SimulatedDevice device(clock, Free());
   ASSERT_TRUE(device.Open().IsOk());
   device.SetTarget({1.0, 2.0, 3.0});
-  // The hand takes as long as the time between two reads to get to a new target.
+  // The hand takes one interval between two reads to reach a new target.
   ReadAfter(clock, device, Period);
   const DeviceSample sample = ReadAfter(clock, device, 2000 * Period);
   EXPECT_NEAR((Vector3(sample.Position) - Vector3(1.0, 2.0, 3.0)).norm(), 0.0, 1e-6);
@@ -77,7 +77,7 @@ TEST(SimulatedDevice, PositionsAreWholeCounts)
   }
 }
 
-TEST(SimulatedDevice, AForceTakesEffectAfterItsDelay)
+TEST(SimulatedDevice, ForceTakesEffectAfterDelay)
 {
   ManualClock clock;
   SimulatedSettings settings = Free();
@@ -89,19 +89,19 @@ TEST(SimulatedDevice, AForceTakesEffectAfterItsDelay)
   EXPECT_GT(ReadAfter(clock, device, 10'000).Position.X, 0.0);
 }
 
-TEST(SimulatedDevice, ItsMotorsSaturateKeepingTheDirection)
+TEST(SimulatedDevice, SaturationKeepsDirection)
 {
   ManualClock clock;
   SimulatedDevice device(clock, Free());
   ASSERT_TRUE(device.Open().IsOk());
   ASSERT_TRUE(device.Apply({300.0, 400.0, 0.0}));
   ReadAfter(clock, device, 10'000);
-  // The first step's motion: half of 8 N / 0.25 kg (10 us)^2, less a little damping.
+  // The first step's motion: half of 8 N / 0.25 kg (10 us)^2, minus a little damping.
   const Vector3 expected = 0.5 * 8.0 / 0.25 * 1e-7 * Vector3(0.6, 0.8, 0.0);
   EXPECT_NEAR((device.Hand().Position() - expected).norm(), 0.0, 1e-4 * expected.norm());
 }
 
-TEST(SimulatedDevice, ItsMotorsGiveUpWhenNobodySpeaks)
+TEST(SimulatedDevice, MotorsSwitchOffWithoutCommands)
 {
   ManualClock clock;
   SimulatedDevice device(clock, Free());
@@ -112,7 +112,7 @@ TEST(SimulatedDevice, ItsMotorsGiveUpWhenNobodySpeaks)
   EXPECT_NEAR(ReadAfter(clock, device, 3000 * Period).Position.X, 0.0, 1e-6);
 }
 
-TEST(SimulatedDevice, TheSameCallsGiveTheSameBits)
+TEST(SimulatedDevice, IsDeterministic)
 {
   const auto run = []
   {
@@ -132,7 +132,7 @@ TEST(SimulatedDevice, TheSameCallsGiveTheSameBits)
   EXPECT_EQ(run(), run());
 }
 
-TEST(SimulatedDevice, HomesBeforeItIsReadyAndTakesNoForceMeanwhile)
+TEST(SimulatedDevice, RefusesForceWhileHoming)
 {
   ManualClock clock;
   SimulatedSettings settings = Free();
@@ -149,7 +149,7 @@ TEST(SimulatedDevice, HomesBeforeItIsReadyAndTakesNoForceMeanwhile)
   EXPECT_EQ(device.State(), DeviceState::Ready);
 }
 
-TEST(SimulatedDevice, UnpluggedItSaysSoAndHasToBeOpenedAgain)
+TEST(SimulatedDevice, UnpluggedDeviceMustBeReopened)
 {
   ManualClock clock;
   SimulatedDevice device(clock, SimulatedSettings());

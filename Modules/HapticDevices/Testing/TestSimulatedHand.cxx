@@ -12,7 +12,7 @@ namespace
 {
 constexpr double Step = 1e-5; // s
 
-TEST(SimulatedHand, EnergiesBalanceAndNothingIsGained)
+TEST(SimulatedHand, EnergiesBalance)
 {
   test::Random random(1);
   SimulatedHand hand(HandProperties(), Vector3::Zero());
@@ -25,8 +25,8 @@ TEST(SimulatedHand, EnergiesBalanceAndNothingIsGained)
     hand.Advance(target, 100.0 * test::RandomDirection(random), force, Step);
     const HandEnergy& e = hand.Energy();
     turnover += std::abs(e.HandWork - before.HandWork) + std::abs(e.MotorWork - before.MotorWork);
-    // Friction opposes the velocity at the step's end; where it turned round within the step, a way
-    // of at most (10 us)^2 10 N / 0.25 kg is gone against 0.2 N the wrong way.
+    // Friction opposes the velocity at the step's end; if it reversed within the step, a path of at
+    // most (10 us)^2 10 N / 0.25 kg counts against 0.2 N with the wrong sign.
     ASSERT_GE(e.FrictionLoss - before.FrictionLoss, -1e-6);
     ASSERT_GE(e.DampingLoss, before.DampingLoss);
     // Rounding of sums of this size.
@@ -36,7 +36,7 @@ TEST(SimulatedHand, EnergiesBalanceAndNothingIsGained)
   EXPECT_GT(turnover, 1.0);
 }
 
-TEST(SimulatedHand, ComesToRestWhereSpringAndForceBalance)
+TEST(SimulatedHand, ComesToRestAtEquilibrium)
 {
   HandProperties properties;
   properties.Friction = 0.0;
@@ -52,14 +52,14 @@ TEST(SimulatedHand, ComesToRestWhereSpringAndForceBalance)
   EXPECT_NEAR((hand.Position() - expected).norm(), 0.0, 1e-9);
 }
 
-TEST(SimulatedHand, SwingsWithItsOwnFrequency)
+TEST(SimulatedHand, OscillatesAtNaturalFrequency)
 {
   HandProperties properties;
   properties.Friction = 0.0;
   properties.Damping = 0.0;
   properties.HandDamping = 0.0;
   SimulatedHand hand(properties, Vector3::UnitX());
-  // 0.5 N/mm on 0.25 kg: sqrt(2000) rad/s; a quarter of a swing later it is in the middle.
+  // 0.5 N/mm on 0.25 kg: sqrt(2000) rad/s; a quarter of a period later it is at the centre.
   const double quarter = 0.5 * M_PI / std::sqrt(2000.0);
   const int steps = static_cast<int>(std::lround(quarter / Step));
   for (int n = 0; n < steps; ++n)
@@ -70,7 +70,7 @@ TEST(SimulatedHand, SwingsWithItsOwnFrequency)
   EXPECT_NEAR(hand.Position()[0], 0.0, 1e-3);
 }
 
-TEST(SimulatedHand, FrictionHoldsAgainstASmallerForce)
+TEST(SimulatedHand, FrictionHoldsAgainstSmallForce)
 {
   HandProperties properties;
   SimulatedHand hand(properties, Vector3::Zero());

@@ -38,7 +38,7 @@ const T& OneOf(test::Random& random, const std::vector<T>& choices)
   return choices[std::uniform_int_distribution<std::size_t>(0, choices.size() - 1)(random)];
 }
 
-// Any device and hand of the sweep, and how much of the mechanism's damping the structure's is.
+// Any device and hand of the sweep, and the structure's share of the mechanism's damping.
 StabilityTrial RandomTrial(test::Random& random, const Vector3& outward, double& damping)
 {
   StabilityTrial trial = BareTrial(outward, OneOf<double>(random, {500.0, 1000.0, 4000.0}));
@@ -56,23 +56,23 @@ StabilityTrial RandomTrial(test::Random& random, const Vector3& outward, double&
   return trial;
 }
 
-// The energy (N mm) that the tracker of a sphere of few points may bring in: it puts the tool where
-// it belongs to 1e-3 of a voxel, and so far the force may move for nothing when another point
-// becomes the one on which the sphere stands.
+// The energy (N mm) that the tracker of a sphere of few points may add: it places the tool to 1e-3
+// of a voxel, and the force may move by as much without work when another point becomes the
+// sphere's contact.
 double ShiftEnergy(double stiffness, double depth)
 {
   constexpr double Enough = 1e-3;
   return stiffness * depth * Enough * test::pressable::VoxelSize;
 }
 
-TEST(StabilityProbe, NoStructureWithinTheClaimedBorderGivesOutEnergy)
+TEST(StabilityProbe, AdvisedStructuresArePassive)
 {
   constexpr int Trials = 60;
   test::Random random(71);
   std::vector<test::PressableScene> scenes = test::MakePressableScenes(random);
   for (test::PressableScene& pressed : scenes)
   {
-    // Which of its few points stands on the surface may change at rest, by less than a count.
+    // The contact among its few points may change at rest, by less than a count.
     const bool mayShift = pressed.Kind == "sub-voxel, 26 points";
     for (int n = 0; n < Trials; ++n)
     {
@@ -96,7 +96,7 @@ TEST(StabilityProbe, NoStructureWithinTheClaimedBorderGivesOutEnergy)
   }
 }
 
-TEST(StabilityProbe, BeyondTheBorderEveryStructureGivesOutEnergy)
+TEST(StabilityProbe, StructuresBeyondLimitAreActive)
 {
   test::Random random(73);
   for (test::PressableScene& pressed : test::MakePressableScenes(random))
@@ -108,8 +108,8 @@ TEST(StabilityProbe, BeyondTheBorderEveryStructureGivesOutEnergy)
   }
 }
 
-// With all that holds back but the friction that counts need.
-TEST(StabilityProbe, CountsWithoutFrictionEndInALimitCycle)
+// With all dissipation except the friction that quantisation needs.
+TEST(StabilityProbe, QuantisationWithoutFrictionCausesLimitCycle)
 {
   test::Random random(74);
   test::PressableScene wall = std::move(test::MakePressableScenes(random).front());
@@ -121,8 +121,8 @@ TEST(StabilityProbe, CountsWithoutFrictionEndInALimitCycle)
   EXPECT_FALSE(Observe(wall.Scene, trial).Vibrated());
 }
 
-// A hand that is led slowly comes close to the bound, which a hand at constant speed would reach.
-TEST(StabilityProbe, TheBorderOfAWallIsAtMostAFewTimesTheBound)
+// A slowly moving hand comes close to the bound, which a hand at constant speed would reach.
+TEST(StabilityProbe, LimitOfWallIsNearBound)
 {
   test::Random random(75);
   const test::PressableScene wall = test::MakePressableScenes(random).front();
@@ -137,7 +137,7 @@ TEST(StabilityProbe, TheBorderOfAWallIsAtMostAFewTimesTheBound)
   EXPECT_LE(border, 3.0 * claimed);
 }
 
-TEST(StabilityProbe, WhatHasNoStructureIsRefused)
+TEST(StabilityProbe, RejectsEmptyScene)
 {
   Observation observation;
   double border = 0.0;

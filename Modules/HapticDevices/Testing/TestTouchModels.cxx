@@ -1,4 +1,4 @@
-// The servo with the real contact models: a hand strokes a ball of 15 mm of each kind.
+// The servo with the real contact models: a hand strokes a sphere of 15 mm of each kind.
 #include "FieldContactCases.h"
 #include "HarmonicContactModel.h"
 #include "MeshCases.h"
@@ -15,7 +15,7 @@ namespace
 {
 constexpr double Radius = 15.0; // mm
 
-std::shared_ptr<const SphericalHarmonicModel> Ball()
+std::shared_ptr<const SphericalHarmonicModel> SphereBody()
 {
   std::vector<double> coefficients(25, 0.0);
   coefficients[0] = Radius * std::sqrt(4.0 * M_PI);
@@ -25,7 +25,7 @@ std::shared_ptr<const SphericalHarmonicModel> Ball()
 std::shared_ptr<const ContactModel> Harmonic(HarmonicContactMode mode)
 {
   std::shared_ptr<const ContactModel> contact;
-  const Status status = HarmonicContactModel::Make(Ball(), mode, contact);
+  const Status status = HarmonicContactModel::Make(SphereBody(), mode, contact);
   EXPECT_TRUE(status.IsOk()) << status.Message();
   return contact;
 }
@@ -35,8 +35,8 @@ std::shared_ptr<const ContactModel> Field(FieldContactMode mode)
   const FieldGrid grid({81, 81, 81}, Vector3::Constant(-20.0), Vector3::Constant(0.5),
                        Matrix3::Identity());
   // In index coordinates.
-  const test::SphereField ball{Vector3::Constant(40.0), Radius / 0.5};
-  return test::FieldContact(test::SampledField(grid, ball), mode);
+  const test::SphereField sphere{Vector3::Constant(40.0), Radius / 0.5};
+  return test::FieldContact(test::SampledField(grid, sphere), mode);
 }
 
 struct ModelCase
@@ -54,20 +54,21 @@ void PrintTo(const ModelCase& c, std::ostream* stream)
 
 std::vector<ModelCase> AllModels()
 {
-  return {{"HarmonicNearest", [] { return Harmonic(HarmonicContactMode::Nearest); }, 1e-6, true},
-          {"HarmonicRadial", [] { return Harmonic(HarmonicContactMode::Radial); }, 1e-6, false},
-          // Facets of 4,002 corners lie up to 0.02 mm inside the ball.
-          {"Facets", [] { return test::FacetContact(test::MeshOf(*Ball(), 20)); }, 0.03, true},
-          // Trilinear between voxels of 0.5 mm, and a sphere of points instead of one.
-          {"FieldProxy", [] { return Field(FieldContactMode::Proxy); }, 0.05, true},
-          // The published law means over all points that touch.
-          {"FieldShell", [] { return Field(FieldContactMode::PublishedShell); }, 1.0, false}};
+  return {
+      {"HarmonicNearest", [] { return Harmonic(HarmonicContactMode::Nearest); }, 1e-6, true},
+      {"HarmonicRadial", [] { return Harmonic(HarmonicContactMode::Radial); }, 1e-6, false},
+      // Facets of 4,002 corners lie up to 0.02 mm inside the sphere.
+      {"Facets", [] { return test::FacetContact(test::MeshOf(*SphereBody(), 20)); }, 0.03, true},
+      // Trilinear between voxels of 0.5 mm, and a sphere of points instead of one.
+      {"FieldProxy", [] { return Field(FieldContactMode::Proxy); }, 0.05, true},
+      // The published law averages over all points in contact.
+      {"FieldShell", [] { return Field(FieldContactMode::PublishedShell); }, 1.0, false}};
 }
 
 class TouchModels : public testing::TestWithParam<ModelCase>
 {
 protected:
-  // Comes down on the ball's top, 1 to 2 mm deep, and strokes over it in circles.
+  // Descends on the sphere's top, 1 to 2 mm deep, and strokes over it in circles.
   static SimulatedSettings Stroking()
   {
     SimulatedSettings device;
@@ -85,12 +86,12 @@ protected:
   {
     TouchScene scene;
     scene.Tool = ToolShape::Sphere(1.0);
-    scene.Structures.push_back({"ball", GetParam().Make(), {0.8, 0.0005}, friction});
+    scene.Structures.push_back({"sphere", GetParam().Make(), {0.8, 0.0005}, friction});
     return scene;
   }
 };
 
-TEST_P(TouchModels, PushOutwardsByTheirDepth)
+TEST_P(TouchModels, PushOutwardsByDepth)
 {
   test::SimulatedTouch touch(this->Scene({}), Stroking());
   int touched = 0;
@@ -100,19 +101,20 @@ TEST_P(TouchModels, PushOutwardsByTheirDepth)
     ASSERT_EQ(state.Safety.Fault, SafetyFault::None) << Describe(state.Safety.Fault);
     const Vector3 probe = state.ProbeWorld;
     const double depth = Radius + 1.0 - probe.norm();
-    // Faded in, and no less than a count from the surface.
+    // After fading in, and at least a count from the surface.
     if (n > 1000 && depth > 0.1)
     {
       ++touched;
       ASSERT_NEAR(state.Depth, depth, GetParam().DepthTolerance);
-      // Along the ball's radius, but for voxels, facets and the slew of the strokes: 15 degrees.
+      // Along the sphere's radius, except for voxels, facets and the slew of the strokes: 15
+      // degrees.
       ASSERT_GT(Vector3(state.ForceWorld).normalized().dot(probe.normalized()), 0.965);
     }
   }
   EXPECT_GT(touched, 1000);
 }
 
-TEST_P(TouchModels, AreFeltAgainToTheLastBit)
+TEST_P(TouchModels, ReplayBitForBit)
 {
   const SurfaceFriction friction =
       GetParam().HasFriction ? SurfaceFriction{0.4, 0.3} : SurfaceFriction{};

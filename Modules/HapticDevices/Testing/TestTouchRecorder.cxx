@@ -9,7 +9,7 @@
 #include <mutex>
 #include <thread>
 
-// What is on the disk while a session is recorded, and after it went wrong.
+// Contents of the disk during a recording, and after failures.
 
 namespace palpate
 {
@@ -63,8 +63,8 @@ protected:
   test::TemporaryFolder Folder;
 };
 
-// As if the program had died: the part is read while it is written.
-TEST_F(TouchRecorderTest, WhatWasFlushedOutlivesTheProgram)
+// As if the program had died: the part is read while it is being written.
+TEST_F(TouchRecorderTest, FlushedTicksSurviveProgramDeath)
 {
   TouchRecorder recorder;
   ASSERT_TRUE(this->Start(recorder).IsOk());
@@ -81,7 +81,7 @@ TEST_F(TouchRecorderTest, WhatWasFlushedOutlivesTheProgram)
   EXPECT_GE(left.Ticks.size(), 768U);
 }
 
-TEST_F(TouchRecorderTest, WithoutATickNothingIsLeft)
+TEST_F(TouchRecorderTest, EmptyRecordingLeavesNothing)
 {
   {
     TouchRecorder recorder;
@@ -92,7 +92,7 @@ TEST_F(TouchRecorderTest, WithoutATickNothingIsLeft)
   EXPECT_EQ(this->Folder.EntryCount(), 0U);
 }
 
-TEST_F(TouchRecorderTest, AbandonedRecordingIsKeptAsAPart)
+TEST_F(TouchRecorderTest, KeepsAbandonedRecordingAsPart)
 {
   {
     TouchRecorder recorder;
@@ -103,7 +103,7 @@ TEST_F(TouchRecorderTest, AbandonedRecordingIsKeptAsAPart)
   EXPECT_EQ(this->TicksIn(this->Part()), 300U);
 }
 
-TEST_F(TouchRecorderTest, PlantedLinkIsNotWrittenThrough)
+TEST_F(TouchRecorderTest, DoesNotFollowPlantedLink)
 {
   test::WriteAll(this->Folder / "victim", "untouched");
   std::filesystem::create_symlink("victim", this->Folder / "session.touch.part");
@@ -116,7 +116,7 @@ TEST_F(TouchRecorderTest, PlantedLinkIsNotWrittenThrough)
   EXPECT_EQ(this->TicksIn(this->Path()), 10U);
 }
 
-TEST_F(TouchRecorderTest, SecondRecorderOfOneNameIsRefusedAndTheFirstIsWhole)
+TEST_F(TouchRecorderTest, RefusesSecondRecorderOfSameName)
 {
   TouchRecorder first;
   TouchRecorder second;
@@ -132,7 +132,7 @@ TEST_F(TouchRecorderTest, SecondRecorderOfOneNameIsRefusedAndTheFirstIsWhole)
   EXPECT_TRUE(this->Start(second).IsOk()) << "the name is free again";
 }
 
-TEST_F(TouchRecorderTest, PartOfADeadProgramRefusesNobody)
+TEST_F(TouchRecorderTest, IgnoresPartOfDeadProgram)
 {
   test::WriteAll(this->Folder / "session.touch.123.part", "of a program that died");
   TouchRecorder recorder;
@@ -142,7 +142,7 @@ TEST_F(TouchRecorderTest, PartOfADeadProgramRefusesNobody)
   EXPECT_TRUE(std::filesystem::exists(this->Folder / "session.touch.123.part"));
 }
 
-TEST_F(TouchRecorderTest, RecordersOfTwoNamesInOneFolderAreApart)
+TEST_F(TouchRecorderTest, RecordersOfDifferentNamesCoexist)
 {
   TouchRecorder first;
   TouchRecorder second;
@@ -156,7 +156,7 @@ TEST_F(TouchRecorderTest, RecordersOfTwoNamesInOneFolderAreApart)
   EXPECT_EQ(this->TicksIn(this->Folder / "other.touch"), 20U);
 }
 
-TEST_F(TouchRecorderTest, FullDiskKeepsWholeTicksAndSaysHowLong)
+TEST_F(TouchRecorderTest, FullDiskKeepsWholeTicks)
 {
   test::WriteAll(this->Path(), "an earlier recording");
   TouchRecorder recorder;
@@ -175,7 +175,7 @@ TEST_F(TouchRecorderTest, FullDiskKeepsWholeTicksAndSaysHowLong)
   EXPECT_EQ(test::ReadAll(this->Path()), "an earlier recording");
 }
 
-TEST_F(TouchRecorderTest, DiskThatIsFullFromTheStartLeavesNothing)
+TEST_F(TouchRecorderTest, InitiallyFullDiskLeavesNothing)
 {
   const test::FileSizeLimit full(64);
   TouchRecorder recorder;
@@ -187,7 +187,7 @@ TEST_F(TouchRecorderTest, DiskThatIsFullFromTheStartLeavesNothing)
   EXPECT_EQ(this->Folder.EntryCount(), 0U);
 }
 
-TEST_F(TouchRecorderTest, LostTicksEndTheRecordingAndKeepWhatCameBefore)
+TEST_F(TouchRecorderTest, LostTicksEndRecordingAndKeepEarlierOnes)
 {
   ServoSettings settings;
   settings.RecordedTicks = 10;
@@ -204,7 +204,7 @@ TEST_F(TouchRecorderTest, LostTicksEndTheRecordingAndKeepWhatCameBefore)
   EXPECT_EQ(this->TicksIn(this->Part()), 10U);
 }
 
-TEST_F(TouchRecorderTest, FolderInPlaceOfTheFileIsRefusedAtTheStart)
+TEST_F(TouchRecorderTest, RejectsFolderAsTarget)
 {
   std::filesystem::create_directory(this->Path());
   TouchRecorder recorder;
@@ -212,7 +212,7 @@ TEST_F(TouchRecorderTest, FolderInPlaceOfTheFileIsRefusedAtTheStart)
             this->Path() + " cannot be written: it is a folder; choose another output.");
 }
 
-TEST_F(TouchRecorderTest, SaysWhereItCannotWrite)
+TEST_F(TouchRecorderTest, ReportsUnwritablePath)
 {
   TouchRecorder recorder;
   EXPECT_FALSE(recorder.Start("/nowhere/session", TouchSession()).IsOk());
@@ -220,7 +220,7 @@ TEST_F(TouchRecorderTest, SaysWhereItCannotWrite)
   EXPECT_FALSE(this->Take(recorder, 1).IsOk());
 }
 
-/// A disk that takes what it is given once it is let go.
+/// A disk that blocks until it is released.
 struct HeldDisk
 {
   std::mutex Lock;
@@ -256,7 +256,7 @@ struct HeldDisk
   }
 };
 
-TEST(BackgroundWriter, StallNeitherBlocksTheCallerNorEndsTheProgram)
+TEST(BackgroundWriter, StallDoesNotBlockCaller)
 {
   auto disk = std::make_shared<HeldDisk>();
   BackgroundWriter::Limits limits;
@@ -277,12 +277,12 @@ TEST(BackgroundWriter, StallNeitherBlocksTheCallerNorEndsTheProgram)
     EXPECT_FALSE(writer.Append("more").IsOk());
     EXPECT_FALSE(writer.Finish().IsOk());
   }
-  // The thread outlives the writer, and ends when the disk answers.
+  // The thread outlives the writer, and ends when the disk responds.
   disk->Release();
   disk->AwaitReturn();
 }
 
-TEST(BackgroundWriter, SlowDiskGetsEveryByteInOrder)
+TEST(BackgroundWriter, SlowDiskGetsAllBytesInOrder)
 {
   auto disk = std::make_shared<HeldDisk>();
   BackgroundWriter::Limits limits;
@@ -300,7 +300,7 @@ TEST(BackgroundWriter, SlowDiskGetsEveryByteInOrder)
   EXPECT_TRUE(writer.Finish().IsOk());
   EXPECT_EQ(disk->Content, expected);
   EXPECT_EQ(writer.WrittenBytes(), expected.size());
-  EXPECT_GE(disk->Syncs, 2) << "while it goes on, and at its end";
+  EXPECT_GE(disk->Syncs, 2) << "meanwhile, and at its end";
 }
 } // namespace
 } // namespace palpate

@@ -34,7 +34,7 @@ protected:
   TouchRecording Recording;
 };
 
-TEST(TouchRecordingFormat, AnyTickComesBackToTheSameBits)
+TEST(TouchRecordingFormat, TicksRoundTripBitForBit)
 {
   std::mt19937_64 random(5);
   for (int n = 0; n < 1000; ++n)
@@ -56,7 +56,7 @@ TEST(TouchRecordingFormat, AnyTickComesBackToTheSameBits)
   }
 }
 
-TEST(TouchRecordingFormat, ASessionKeepsTheRateThatSamplesKeep)
+TEST(TouchRecordingFormat, SessionKeepsSampleRate)
 {
   TouchSession session;
   session.Device.Rate = 1000.0;
@@ -66,7 +66,7 @@ TEST(TouchRecordingFormat, ASessionKeepsTheRateThatSamplesKeep)
   EXPECT_EQ(read.Device.LeastRate(), session.Device.LeastRate());
 }
 
-TEST(TouchRecordingFormat, WhatIsNoTickIsRefused)
+TEST(TouchRecordingFormat, RejectsInvalidTick)
 {
   const TouchRecordingFormat::TickRecord good = TouchRecordingFormat::Encode(TouchState());
   TouchState state;
@@ -82,7 +82,7 @@ TEST(TouchRecordingFormat, WhatIsNoTickIsRefused)
   }
 }
 
-TEST_F(TouchRecordingFile, HasEveryTickAndTheSession)
+TEST_F(TouchRecordingFile, HoldsAllTicksAndSession)
 {
   ASSERT_TRUE(ReadTouchRecording(this->Path, this->Recording).IsOk());
   ASSERT_EQ(this->Recording.Ticks.size(), 400u);
@@ -96,7 +96,7 @@ TEST_F(TouchRecordingFile, HasEveryTickAndTheSession)
   EXPECT_EQ(this->Folder.EntryCount(), 1u); // nothing temporary is left
 }
 
-TEST_F(TouchRecordingFile, ThatIsCutOffAnywhereKeepsItsWholeTicks)
+TEST_F(TouchRecordingFile, TruncatedFileKeepsWholeTicks)
 {
   constexpr std::size_t Tick = 8 * TouchRecordingFormat::TickWords;
   const std::string whole = this->Bytes;
@@ -114,7 +114,7 @@ TEST_F(TouchRecordingFile, ThatIsCutOffAnywhereKeepsItsWholeTicks)
   }
 }
 
-TEST_F(TouchRecordingFile, OfAnotherFormatOrVersionIsRefused)
+TEST_F(TouchRecordingFile, RejectsOtherFormatOrVersion)
 {
   for (const char version : {'1', '2', '4'})
   {
@@ -128,7 +128,7 @@ TEST_F(TouchRecordingFile, OfAnotherFormatOrVersionIsRefused)
             this->Path + "x cannot be read.");
 }
 
-TEST_F(TouchRecordingFile, ThatLacksATickIsRefused)
+TEST_F(TouchRecordingFile, RejectsMissingTick)
 {
   const std::size_t tick = 8 * TouchRecordingFormat::TickWords;
   this->Bytes.erase(this->Bytes.size() - 2 * tick, tick);

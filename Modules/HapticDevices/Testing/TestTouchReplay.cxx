@@ -20,7 +20,7 @@ std::shared_ptr<TouchRecording> Recorded(int ticks, const ServoSettings& setting
   return recording;
 }
 
-TEST(TouchReplay, ASessionIsFeltAgainToTheLastBit)
+TEST(TouchReplay, ReplaysSessionBitForBit)
 {
   for (const int interval : {1, 3})
   {
@@ -42,7 +42,7 @@ TEST(TouchReplay, ASessionIsFeltAgainToTheLastBit)
   }
 }
 
-TEST(TouchReplay, ADeviceThatFailedFailsAgain)
+TEST(TouchReplay, ReplaysDeviceFailure)
 {
   const test::TemporaryFolder folder;
   for (const SimulatedFault fault : {SimulatedFault::Unplugged, SimulatedFault::RefusedForce})
@@ -64,7 +64,7 @@ TEST(TouchReplay, ADeviceThatFailedFailsAgain)
   }
 }
 
-TEST(TouchReplay, ForcesThatWereSwitchedOffAndOnAreSoAgain)
+TEST(TouchReplay, ReplaysSwitchingForces)
 {
   SimulatedSettings device;
   device.Path = test::PressingPath(3.0, 2.0);
@@ -91,7 +91,7 @@ TEST(TouchReplay, ForcesThatWereSwitchedOffAndOnAreSoAgain)
   EXPECT_EQ(comparison.DifferentTicks, 0u);
 }
 
-TEST(TouchReplay, SuspensionIsAFaultAgain)
+TEST(TouchReplay, ReplaysSuspensionFault)
 {
   SimulatedSettings device;
   device.Path = test::PressingPath(3.0, 2.0);
@@ -117,7 +117,7 @@ TEST(TouchReplay, SuspensionIsAFaultAgain)
   EXPECT_EQ(comparison.DifferentTicks, 0u);
 }
 
-TEST(TouchReplay, WhatTheDevicesButtonDrilledIsDrilledAgain)
+TEST(TouchReplay, ReplaysDrillingByDeviceButton)
 {
   test::ScriptedDevice device;
   ServoSettings settings;
@@ -146,7 +146,7 @@ TEST(TouchReplay, WhatTheDevicesButtonDrilledIsDrilledAgain)
     recording->Ticks.push_back(servo.Latest());
     drilling += servo.Latest().IsDrilling ? 1 : 0;
   }
-  // Not at first, when it is held from the start, and up to the fault in the third hundred.
+  // Not at first, while it is held from the start, and up to the fault in the third hundred.
   EXPECT_EQ(drilling, 51 + 300);
   ReplayComparison comparison;
   ASSERT_TRUE(ReplayTouch(recording, {scene}, comparison).IsOk());
@@ -209,7 +209,7 @@ TEST(TouchReplay, ScenesThatWereContinuedAndStandInsThatWereFeltAreSoAgain)
   }
 }
 
-TEST(TouchReplay, WhatAChangeDoesToForcesIsSeen)
+TEST(TouchReplay, DetectsForceChanges)
 {
   const auto recording = Recorded(4000);
   auto scenes = test::RecordedScenes();
@@ -223,14 +223,14 @@ TEST(TouchReplay, WhatAChangeDoesToForcesIsSeen)
   EXPECT_GT(comparison.LargestDifference, 0.05);
 }
 
-TEST(TouchReplay, RefusesWhatItHasNoSceneFor)
+TEST(TouchReplay, RejectsMissingScene)
 {
   ReplayComparison comparison;
   EXPECT_FALSE(ReplayTouch(Recorded(400), {test::RecordedScenes()[0]}, comparison).IsOk());
   EXPECT_FALSE(ReplayTouch(std::make_shared<TouchRecording>(), {}, comparison).IsOk());
 }
 
-TEST(ReplayDevice, PlaysASessionAtAnyTimeAndEnds)
+TEST(ReplayDevice, PlaysSessionAndEnds)
 {
   const auto recording = Recorded(400);
   ManualClock clock(123'456'789);
@@ -253,7 +253,7 @@ TEST(ReplayDevice, PlaysASessionAtAnyTimeAndEnds)
   EXPECT_FALSE(device.Problem().empty());
 }
 
-TEST(ReplayDevice, IsMadeByNameFromAFile)
+TEST(ReplayDevice, IsCreatedByName)
 {
   const test::TemporaryFolder folder;
   const std::string path = (folder / "a:b.touch").string();

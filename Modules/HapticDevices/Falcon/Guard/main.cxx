@@ -1,6 +1,6 @@
-// palpate-falcon-guard: waits for the end of the process that drives a Falcon, or for its word, and
-// then tells the board 0 N (FalconGuard). Its standard input is that process; its argument, where
-// on USB the Falcon is.
+// palpate-falcon-guard: waits for the end of the process that drives a Falcon, or for its signal,
+// and then sends 0 N to the board (FalconGuard). Its standard input is connected to that process;
+// its argument is the Falcon's USB port.
 #include "FalconGuard.h"
 #include "LibusbFalconStop.h"
 
@@ -33,7 +33,7 @@ Word Read()
   return count <= 0 ? Word::End : word == palpate::FalconGuard::Quit ? Word::Quit : Word::Stop;
 }
 
-// Waits for an interval; nothing is said any more once the input has ended.
+// Waits for an interval; no word arrives once the input has ended.
 Word Wait(bool hasEnded)
 {
   pollfd input{hasEnded ? -1 : STDIN_FILENO, POLLIN, 0};

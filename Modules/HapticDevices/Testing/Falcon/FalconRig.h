@@ -14,8 +14,8 @@
 
 namespace palpate::test
 {
-/// The whole path in virtual time: servo, driver, wire, board, motors, mechanism and a hand that
-/// gives way. The firmware runs already; the hand homes the Falcon and then presses a wall.
+/// The whole chain in virtual time: servo, driver, wire, board, motors, mechanism and a compliant
+/// hand. The firmware is running; the hand homes the Falcon and then presses a wall.
 class FalconRig
 {
 public:
@@ -48,8 +48,8 @@ public:
     this->IsHoming = false;
   }
 
-  /// A servo with a wall below, which the hand comes to within three seconds and presses to `depth`
-  /// (mm) if nothing stopped it.
+  /// Runs a servo with a wall below, which the hand reaches within three seconds and would press to
+  /// `depth` (mm).
   void Press(Servo& servo, double depth, const std::shared_ptr<WallControl>& control = nullptr)
   {
     this->Schedule = LoopSchedule(this->Time.Now(), Period);
@@ -58,7 +58,7 @@ public:
             .IsOk());
     for (int n = 0; n < 3000; ++n)
     {
-      // A second free, a second down, a second there.
+      // A second free, a second down, a second held.
       const double part = std::clamp(1e-3 * n - 1.0, 0.0, 1.0);
       this->Target[2] = 125.0 + part * (WallHeight - depth);
       this->Tick(servo);
@@ -72,7 +72,7 @@ public:
     return servo.Latest();
   }
 
-  /// What the board has received by now, in order.
+  /// The packets that the board has received so far, in order.
   const std::vector<VirtualFalconBoard::Order>& Received()
   {
     this->Falcon.NextDue(this->Time.Now());

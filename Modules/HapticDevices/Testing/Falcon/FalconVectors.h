@@ -10,8 +10,8 @@
 
 namespace palpate::test
 {
-/// Tables of positions and forces that were computed to 40 digits apart from this project. They lie
-/// beside the real data and may be absent.
+/// Tables of positions and forces computed to 40 digits independently of this project. They are
+/// stored with the real data and may be absent.
 inline std::filesystem::path FalconVectorsPath(const std::string& name)
 {
   return DataPath("../notes/" + name);

@@ -11,7 +11,7 @@ namespace
 {
 constexpr std::int64_t Period = 1'000'000; // ns
 
-// The fastest that a hand does: 40 mm to and fro four times a second, 1 m/s.
+// The fastest motion of a hand: 40 mm to and fro four times a second, 1 m/s.
 FalconNumbers Swinging(int tick)
 {
   const double phase = 2.0 * M_PI * 4.0 * 1e-3 * tick;
@@ -20,7 +20,7 @@ FalconNumbers Swinging(int tick)
   return {at(0.0), at(2.0), at(4.0)};
 }
 
-TEST(EncoderScreen, BelievesWhatAHandDoesFromTheSecondReplyOn)
+TEST(EncoderScreen, AcceptsHandMotionFromSecondReply)
 {
   EncoderScreen screen;
   EXPECT_FALSE(screen.Believes(Swinging(0), 0));
@@ -30,7 +30,7 @@ TEST(EncoderScreen, BelievesWhatAHandDoesFromTheSecondReplyOn)
   }
 }
 
-TEST(EncoderScreen, BelievesWhatComesAfterAGap)
+TEST(EncoderScreen, AcceptsCountsAfterGap)
 {
   std::mt19937_64 random(41);
   EncoderScreen screen;
@@ -42,7 +42,7 @@ TEST(EncoderScreen, BelievesWhatComesAfterAGap)
   }
 }
 
-TEST(EncoderScreen, ASingleWrongReplyIsNeverBelievedAndTheNextRightOneIs)
+TEST(EncoderScreen, RejectsOnlyTheWrongReply)
 {
   std::mt19937_64 random(42);
   EncoderScreen screen;
@@ -53,8 +53,8 @@ TEST(EncoderScreen, ASingleWrongReplyIsNeverBelievedAndTheNextRightOneIs)
     const bool isWrong = tick % 3 == 0;
     if (isWrong)
     {
-      // A bit of one of the three upper nibbles: 16 counts and more. Twelve beside the line pass,
-      // and the line is off by up to one count of acceleration and one of rounding.
+      // A bit of one of the three upper nibbles: at least 16 counts. Deviations of twelve pass, and
+      // the line is off by up to one count of acceleration and one of rounding.
       std::int16_t& count = counts[random() % 3];
       count = static_cast<std::int16_t>(count ^ (1 << (4 + random() % 12)));
     }
@@ -62,7 +62,7 @@ TEST(EncoderScreen, ASingleWrongReplyIsNeverBelievedAndTheNextRightOneIs)
   }
 }
 
-TEST(EncoderScreen, ARealJumpIsBelievedOneReplyLate)
+TEST(EncoderScreen, AcceptsRealJumpOneReplyLate)
 {
   EncoderScreen screen;
   EXPECT_FALSE(screen.Believes({0, 0, 0}, 0));
@@ -72,7 +72,7 @@ TEST(EncoderScreen, ARealJumpIsBelievedOneReplyLate)
   EXPECT_TRUE(screen.Believes({5001, -301, 40}, 4 * Period));
 }
 
-TEST(EncoderScreen, CountersMayWrapRound)
+TEST(EncoderScreen, AcceptsWrappedCounters)
 {
   EncoderScreen screen;
   EXPECT_FALSE(screen.Believes({32760, -32760, 0}, 0));

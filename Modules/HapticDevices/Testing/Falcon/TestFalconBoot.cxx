@@ -29,7 +29,7 @@ protected:
   std::string Path() const { return (this->Folder / "firmware.bin").string(); }
   Status Run() { return this->Boot.Run(this->Path()); }
 
-  // Spoils answers of a kind, up to and including some reset of the board.
+  // Corrupts answers of a kind, up to and including a given reset of the board.
   void Spoil(Kind kind, std::function<void(VirtualFalconAnswer&)> how, int resets = 1000)
   {
     this->Falcon.Faults.Spoil = [kind, how = std::move(how), resets](VirtualFalconAnswer& answer)
@@ -42,11 +42,11 @@ protected:
   }
   static void Lose(VirtualFalconAnswer& answer) { answer.Bytes.clear(); }
 
-  void ExpectFailure(FalconBootStep step, const std::string& sentence)
+  void ExpectFailure(FalconBootStep step, const std::string& message)
   {
     const Status status = this->Run();
     EXPECT_FALSE(status.IsOk());
-    EXPECT_EQ(status.Message(), sentence);
+    EXPECT_EQ(status.Message(), message);
     EXPECT_EQ(this->Boot.Report().Step, step);
   }
 
@@ -58,7 +58,7 @@ protected:
   FalconBoot Boot{Cable, Time};
 };
 
-TEST_F(FalconBootTest, LoadsTheImageOnceAndFastWhereNothingGoesWrong)
+TEST_F(FalconBootTest, LoadsImageOnceAndFastWithoutFaults)
 {
   const std::int64_t start = this->Time.Now();
   const Status status = this->Run();
@@ -74,7 +74,7 @@ TEST_F(FalconBootTest, LoadsTheImageOnceAndFastWhereNothingGoesWrong)
   EXPECT_LT(this->Time.Now() - start, 300'000'000);
 }
 
-TEST_F(FalconBootTest, FirmwareThatRunsIsLeftAloneAndNeedsNoFile)
+TEST_F(FalconBootTest, KeepsRunningFirmwareWithoutFile)
 {
   this->Falcon.StartLoaded();
   ASSERT_TRUE(this->Boot.Run("").IsOk());
@@ -82,7 +82,7 @@ TEST_F(FalconBootTest, FirmwareThatRunsIsLeftAloneAndNeedsNoFile)
   EXPECT_EQ(this->Falcon.Board().Resets(), 0);
 }
 
-TEST_F(FalconBootTest, AThousandOfAThousandColdStartsSucceed)
+TEST_F(FalconBootTest, ThousandFaultyColdStartsSucceed)
 {
   int second = 0;
   for (std::uint64_t seed = 0; seed < 1000; ++seed)
@@ -125,10 +125,10 @@ TEST_F(FalconBootTest, AThousandOfAThousandColdStartsSucceed)
     ASSERT_EQ(falcon.Board().Image(), this->Image) << seed;
     second += boot.Report().Attempts > 1 ? 1 : 0;
   }
-  EXPECT_GT(second, 300) << "else nothing went wrong";
+  EXPECT_GT(second, 300) << "too few starts needed a retry";
 }
 
-TEST_F(FalconBootTest, AStrayByteBeforeTheGreetingIsNothing)
+TEST_F(FalconBootTest, IgnoresStrayByteBeforeGreeting)
 {
   this->Spoil(Kind::Greeting,
               [](VirtualFalconAnswer& answer) { answer.Bytes.insert(answer.Bytes.begin(), 0x00); });
@@ -136,14 +136,14 @@ TEST_F(FalconBootTest, AStrayByteBeforeTheGreetingIsNothing)
   EXPECT_EQ(this->Boot.Report().Attempts, 1);
 }
 
-TEST_F(FalconBootTest, AnswersInPiecesAreWaitedFor)
+TEST_F(FalconBootTest, AcceptsFragmentedAnswers)
 {
   this->Spoil(Kind::Greeting, [](VirtualFalconAnswer& answer) { answer.Gap = 20'000'000; });
   ASSERT_TRUE(this->Run().IsOk());
   EXPECT_EQ(this->Boot.Report().Attempts, 1);
 }
 
-TEST_F(FalconBootTest, ALoaderThatIsSlowToFindRatesGetsALowerOne)
+TEST_F(FalconBootTest, FallsBackToLowerRate)
 {
   this->Falcon.Faults.FastestUpload = 1e5;
   ASSERT_TRUE(this->Run().IsOk());
@@ -151,7 +151,7 @@ TEST_F(FalconBootTest, ALoaderThatIsSlowToFindRatesGetsALowerOne)
   EXPECT_EQ(this->Falcon.Board().Image(), this->Image);
 }
 
-TEST_F(FalconBootTest, AFailedUploadIsTriedAgainFromAResetBoard)
+TEST_F(FalconBootTest, RetriesFailedUploadFromReset)
 {
   this->Spoil(
       Kind::Echo,
@@ -161,7 +161,7 @@ TEST_F(FalconBootTest, AFailedUploadIsTriedAgainFromAResetBoard)
   EXPECT_EQ(this->Falcon.Board().Resets(), 2);
 }
 
-TEST_F(FalconBootTest, WithoutPowerItSaysSo)
+TEST_F(FalconBootTest, ReportsMissingPower)
 {
   this->Falcon.Faults.HasSupply = false;
   this->ExpectFailure(FalconBootStep::Greeting,
@@ -170,7 +170,7 @@ TEST_F(FalconBootTest, WithoutPowerItSaysSo)
   EXPECT_EQ(this->Boot.Report().Attempts, FalconBoot::MostAttempts);
 }
 
-TEST_F(FalconBootTest, ARateThatIsNeverFoundIsNamed)
+TEST_F(FalconBootTest, ReportsFailedRateLock)
 {
   this->Falcon.Faults.FastestUpload = 0.0;
   this->ExpectFailure(FalconBootStep::RateLock,
@@ -179,7 +179,7 @@ TEST_F(FalconBootTest, ARateThatIsNeverFoundIsNamed)
                       "again.");
 }
 
-TEST_F(FalconBootTest, AByteThatComesBackChangedIsNamed)
+TEST_F(FalconBootTest, ReportsChangedByte)
 {
   this->Spoil(Kind::Echo, [](VirtualFalconAnswer& answer)
               { answer.Bytes[0] ^= answer.Number == 70 ? 0x80U : 0U; });
@@ -189,7 +189,7 @@ TEST_F(FalconBootTest, AByteThatComesBackChangedIsNamed)
                           " came back changed; try another cable or another USB port.");
 }
 
-TEST_F(FalconBootTest, AByteThatDoesNotComeBackIsNamed)
+TEST_F(FalconBootTest, ReportsMissingByte)
 {
   const std::uint64_t last = this->Image.size() - 1;
   this->Spoil(Kind::Echo,
@@ -206,7 +206,7 @@ TEST_F(FalconBootTest, AByteThatDoesNotComeBackIsNamed)
                           " did not come back; try another cable or another USB port.");
 }
 
-TEST_F(FalconBootTest, FirmwareThatDoesNotRunIsNamed)
+TEST_F(FalconBootTest, ReportsFirmwareThatDoesNotRun)
 {
   this->Falcon.Faults.StartsFirmware = false;
   this->ExpectFailure(FalconBootStep::Start,
@@ -214,14 +214,14 @@ TEST_F(FalconBootTest, FirmwareThatDoesNotRunIsNamed)
                                      "that it is a Falcon's firmware.");
 }
 
-TEST_F(FalconBootTest, AChipThatRefusesASettingIsNamed)
+TEST_F(FalconBootTest, ReportsRefusedChipSetting)
 {
   this->Falcon.Faults.StalledRequest = 3;
   this->ExpectFailure(FalconBootStep::Setup, "The Falcon's serial chip could not be set up: The "
                                              "Falcon's serial chip refused a request.");
 }
 
-TEST_F(FalconBootTest, WithoutAFileItSaysHowToNameOne)
+TEST_F(FalconBootTest, ReportsMissingFirmwarePath)
 {
   EXPECT_EQ(this->Boot.Run("").Message(),
             "The Falcon has no firmware loaded and none is named: give the path of its firmware "
@@ -229,14 +229,14 @@ TEST_F(FalconBootTest, WithoutAFileItSaysHowToNameOne)
   EXPECT_EQ(this->Falcon.Board().Resets(), 0);
 }
 
-TEST_F(FalconBootTest, AFileThatIsNoneIsRefusedBeforeTheBoardIsTouched)
+TEST_F(FalconBootTest, RejectsInvalidFileBeforeReset)
 {
   test::WriteAll(this->Path(), "nothing");
   EXPECT_FALSE(this->Run().IsOk());
   EXPECT_EQ(this->Falcon.Board().Resets(), 0);
 }
 
-TEST_F(FalconBootTest, UnpluggedAtAnyStepItSaysSoAtOnce)
+TEST_F(FalconBootTest, ReportsUnpluggingAtAnyStep)
 {
   for (const Kind kind : {Kind::Greeting, Kind::BaudLock, Kind::Echo, Kind::Run})
   {
@@ -255,7 +255,7 @@ TEST_F(FalconBootTest, UnpluggedAtAnyStepItSaysSoAtOnce)
   }
 }
 
-TEST_F(FalconBootTest, WhatAnotherProgramHoldsIsSaid)
+TEST_F(FalconBootTest, ReportsDeviceInUse)
 {
   this->Spoil(Kind::Greeting, Lose);
   this->Cable.IsBusy = true;

@@ -20,16 +20,16 @@ std::string FaultOf(const std::string& text)
   calibration.CarriedMass = 0.125;
   const Status status = ParseCalibration(text, "file", calibration);
   EXPECT_TRUE(status.IsOk() || calibration.CarriedMass == 0.125)
-      << "what is refused changes nothing";
+      << "a refused file must change nothing";
   return status.Message();
 }
 
-TEST(FalconCalibration, DefaultsAreUsable)
+TEST(FalconCalibration, DefaultsAreValid)
 {
   EXPECT_TRUE(Check(FalconCalibration()).IsOk());
 }
 
-TEST(FalconCalibration, WhatIsWrittenIsReadBack)
+TEST(FalconCalibration, RoundTrips)
 {
   FalconCalibration written;
   written.Geometry.BaseRadial = 36.6;
@@ -48,7 +48,7 @@ TEST(FalconCalibration, WhatIsWrittenIsReadBack)
   EXPECT_EQ(TextOf(read), TextOf(written));
 }
 
-TEST(FalconCalibration, WhatIsLeftOutKeepsItsDefault)
+TEST(FalconCalibration, OmittedNumbersKeepDefaults)
 {
   FalconCalibration read;
   ASSERT_TRUE(
@@ -59,7 +59,7 @@ TEST(FalconCalibration, WhatIsLeftOutKeepsItsDefault)
   EXPECT_NEAR(read.Geometry.HomeAngles[2], 40.0 * M_PI / 180.0, 1e-15);
 }
 
-TEST(FalconCalibration, EachFaultHasItsSentence)
+TEST(FalconCalibration, ReportsEachFault)
 {
   const std::string begin = "file is not a Falcon's calibration: ";
   EXPECT_EQ(FaultOf("shin 100\n"),
@@ -78,14 +78,14 @@ TEST(FalconCalibration, EachFaultHasItsSentence)
   EXPECT_EQ(FaultOf(Head + "carried-mass 90\n"),
             "file cannot be used: The mass that a Falcon carries must be from 0 to below 1 kg.");
   FalconCalibration calibration;
-  // A file without an end.
+  // An endless file.
   EXPECT_EQ(ReadCalibration("/dev/zero", calibration).Message(),
             "/dev/zero is not a Falcon's calibration: it is too long.");
   EXPECT_EQ(ReadCalibration("/no/such", calibration).Message(),
             "/no/such, the Falcon's calibration, cannot be opened.");
 }
 
-TEST(FalconCalibration, NoTextConfusesTheParser)
+TEST(FalconCalibration, ParserSurvivesRandomText)
 {
   std::mt19937_64 random(71);
   const std::string good = TextOf(FalconCalibration());

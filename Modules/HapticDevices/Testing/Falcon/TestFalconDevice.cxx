@@ -25,7 +25,7 @@ constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
 const Vector3 Middle(0.0, 0.0, 125.0); // mm
 
 // A driver with a virtual Falcon on its cable. The hand is rigid and first pulls the handle out and
-// pushes it in; then it is where a test says.
+// pushes it in; then the test sets its position.
 class FalconDeviceTest : public testing::Test
 {
 protected:
@@ -55,7 +55,7 @@ protected:
     return {0.0, 0.0, 130.0 - 45.0 * std::cos(4.0 * M_PI * t)};
   }
 
-  // One cycle of a servo that applies this force; false where the device failed.
+  // One servo cycle that applies this force; false if the device failed.
   bool Tick(const Vector3& force = Vector3::Zero())
   {
     this->Time.Advance(Period);
@@ -76,7 +76,7 @@ protected:
     this->GoTo(Vector3::Zero());
   }
 
-  // The hand is there (mm from the workspace's middle) and a few replies have come.
+  // Moves the hand there (mm from the workspace's centre) and waits for a few replies.
   void GoTo(const Vector3& position, const Vector3& force = Vector3::Zero())
   {
     this->IsPulling = false;
@@ -102,12 +102,12 @@ protected:
   bool IsPulling = true;
 };
 
-TEST_F(FalconDeviceTest, KeepsTheContract)
+TEST_F(FalconDeviceTest, KeepsDeviceContract)
 {
   test::ExpectDeviceContract(*this->Device, [this] { this->Time.Advance(Period); });
 }
 
-TEST_F(FalconDeviceTest, PositionsAreWhereTheHandIsWithinACount)
+TEST_F(FalconDeviceTest, PositionsMatchHandWithinACount)
 {
   this->OpenAndHome();
   test::Random random(81);
@@ -121,7 +121,7 @@ TEST_F(FalconDeviceTest, PositionsAreWhereTheHandIsWithinACount)
   }
 }
 
-TEST_F(FalconDeviceTest, AForceIsFeltWithItsSizeAndDirection)
+TEST_F(FalconDeviceTest, RendersForceWithSizeAndDirection)
 {
   this->OpenAndHome();
   test::Random random(82);
@@ -139,14 +139,14 @@ TEST_F(FalconDeviceTest, AForceIsFeltWithItsSizeAndDirection)
     worstSize = std::max(worstSize, std::abs(felt.norm() / size - 1.0));
     worstAngle = std::max(worstAngle, std::atan2(felt.cross(force).norm(), felt.dot(force)));
   }
-  // Motor values are whole: half a one of some hundred at 1 N.
+  // Motor values are integers: half of one in some hundred at 1 N.
   EXPECT_LE(worstSize, 0.02);
   EXPECT_LE(worstAngle, 1.0 * M_PI / 180.0);
   this->RecordProperty("worst_size_percent", std::to_string(100.0 * worstSize));
   this->RecordProperty("worst_angle_degrees", std::to_string(worstAngle * 180.0 / M_PI));
 }
 
-TEST_F(FalconDeviceTest, AForceBeyondTheMotorsKeepsItsDirection)
+TEST_F(FalconDeviceTest, SaturatedForceKeepsDirection)
 {
   this->OpenAndHome();
   test::Random random(83);
@@ -158,13 +158,13 @@ TEST_F(FalconDeviceTest, AForceBeyondTheMotorsKeepsItsDirection)
     this->GoTo(position, force);
     const Vector3 felt = this->Mechanism().MotorForce();
     ASSERT_LE(std::atan2(felt.cross(force).norm(), felt.dot(force)), 1.0 * M_PI / 180.0);
-    // Whatever direction, what the capabilities promise is there; the corner points that they come
-    // from miss the worst place by a few percent.
+    // The promised force is available in any direction; the sampled corner points miss the worst
+    // place by a few percent.
     ASSERT_GE(felt.norm(), 0.95 * this->Device->Capabilities().MaximumForce);
   }
 }
 
-TEST_F(FalconDeviceTest, ThereIsNoForceBeforeItIsHomed)
+TEST_F(FalconDeviceTest, NoForceBeforeHoming)
 {
   this->IsPulling = false;
   ASSERT_TRUE(this->Device->Open().IsOk());
@@ -188,7 +188,7 @@ TEST_F(FalconDeviceTest, ThereIsNoForceBeforeItIsHomed)
   EXPECT_EQ(this->Falcon.Board().Flags(), 1U + 2U) << "homing, green";
 }
 
-TEST_F(FalconDeviceTest, WhatStaysHomedIsReadyAtOnceWhenItIsOpenedAgain)
+TEST_F(FalconDeviceTest, HomedDeviceIsReadyOnReopen)
 {
   this->OpenAndHome();
   this->Device->Close();
@@ -201,7 +201,7 @@ TEST_F(FalconDeviceTest, WhatStaysHomedIsReadyAtOnceWhenItIsOpenedAgain)
   EXPECT_EQ(this->Device->State(), DeviceState::Ready);
 }
 
-TEST_F(FalconDeviceTest, UnpluggedInContactItIsAnErrorWithinTwoTicks)
+TEST_F(FalconDeviceTest, UnpluggingInContactIsErrorWithinTwoTicks)
 {
   this->OpenAndHome();
   for (int n = 0; n < 5; ++n)
@@ -210,7 +210,7 @@ TEST_F(FalconDeviceTest, UnpluggedInContactItIsAnErrorWithinTwoTicks)
   }
   ASSERT_FALSE(this->MotorsAreOff());
   this->Falcon.Unplug(this->Time.Now());
-  EXPECT_FALSE(this->Device->Read(this->Sample)) << "without waiting for a force";
+  EXPECT_FALSE(this->Device->Read(this->Sample)) << "must not wait for a force";
   EXPECT_EQ(this->Device->State(), DeviceState::Error);
   EXPECT_EQ(this->Device->Problem(), "The Falcon was unplugged: plug it in and open it again.");
   EXPECT_FALSE(this->Device->Apply({0.0, 0.0, 5.0}));
@@ -223,7 +223,7 @@ TEST_F(FalconDeviceTest, UnpluggedInContactItIsAnErrorWithinTwoTicks)
   this->OpenAndHome();
 }
 
-TEST_F(FalconDeviceTest, UnpluggedAtAnyReplyItEndsInAnErrorWithoutForce)
+TEST_F(FalconDeviceTest, UnpluggingAtAnyReplyEndsWithoutForce)
 {
   for (std::uint64_t reply = 30; reply < 90; ++reply)
   {
@@ -242,7 +242,7 @@ TEST_F(FalconDeviceTest, UnpluggedAtAnyReplyItEndsInAnErrorWithoutForce)
   }
 }
 
-TEST_F(FalconDeviceTest, ASilentDeviceGetsNoForceAndIsAnError)
+TEST_F(FalconDeviceTest, SilentDeviceGetsNoForceAndErrors)
 {
   this->OpenAndHome();
   ASSERT_TRUE(this->Tick({0.0, 0.0, 5.0}));
@@ -263,12 +263,12 @@ TEST_F(FalconDeviceTest, ASilentDeviceGetsNoForceAndIsAnError)
             "it again.");
 }
 
-TEST_F(FalconDeviceTest, AServoThatStartsLateOrPausesFindsItAlive)
+TEST_F(FalconDeviceTest, SurvivesLateOrPausedServo)
 {
   ASSERT_TRUE(this->Device->Open().IsOk());
   for (int pause = 0; pause < 3; ++pause)
   {
-    // Even if the last replies before a pause were lost.
+    // Also if the last replies before a pause were lost.
     this->Falcon.Faults.Spoil = [](VirtualFalconAnswer& answer) { answer.Bytes.clear(); };
     this->Time.Advance(20 * Period);
     ASSERT_TRUE(this->Tick());
@@ -281,11 +281,11 @@ TEST_F(FalconDeviceTest, AServoThatStartsLateOrPausesFindsItAlive)
   }
 }
 
-TEST_F(FalconDeviceTest, ABoardThatLosesItsHomeIsAnError)
+TEST_F(FalconDeviceTest, LostHomingIsError)
 {
   this->OpenAndHome();
   ASSERT_TRUE(this->Tick({0.0, 0.0, 5.0}));
-  // The counts stay right, so that only the missing bits tell.
+  // The counts stay right, so that only the missing bits reveal it.
   this->Mechanism().Settings.CounterErrors = {};
   this->Mechanism().ForgetHome();
   for (int n = 0; n < 10; ++n)
@@ -300,7 +300,7 @@ TEST_F(FalconDeviceTest, ABoardThatLosesItsHomeIsAnError)
                                      "pull the handle out and push it in.");
 }
 
-TEST_F(FalconDeviceTest, FaultsOfTheWireNeverMoveThePosition)
+TEST_F(FalconDeviceTest, WireFaultsNeverMovePosition)
 {
   this->OpenAndHome();
   this->Mechanism().Settings.Path = [this](double t) -> Vector3
@@ -309,7 +309,7 @@ TEST_F(FalconDeviceTest, FaultsOfTheWireNeverMoveThePosition)
   {
     ASSERT_TRUE(this->Tick());
   }
-  // By value: the device still closes when this function has returned.
+  // By value: the device is closed after this function has returned.
   this->Falcon.Faults.Spoil = [random = test::Random(84)](VirtualFalconAnswer& answer) mutable
   {
     const auto at = static_cast<std::ptrdiff_t>(random() % answer.Bytes.size());
@@ -341,7 +341,7 @@ TEST_F(FalconDeviceTest, FaultsOfTheWireNeverMoveThePosition)
     ASSERT_TRUE(this->Tick({1.0, 0.0, 0.0}));
     ASSERT_EQ(this->Device->State(), DeviceState::Ready);
     const Vector3 hand = this->Mechanism().Position() - Middle;
-    // 0.16 m/s and up to ten milliseconds; a changed nibble of 12 counts, 0.7 mm.
+    // 0.16 m/s for up to ten milliseconds; a changed nibble of 12 counts, 0.7 mm.
     ASSERT_LT((Vector3(this->Sample.Position) - hand).norm(), 1.6 + 0.7) << n;
     ASSERT_LT((Vector3(this->Sample.Position) - before).norm(), 1.6 + 0.7) << n;
   }
@@ -352,7 +352,7 @@ TEST_F(FalconDeviceTest, FaultsOfTheWireNeverMoveThePosition)
   EXPECT_GT(statistics.SkippedBytes, 1000U);
 }
 
-TEST_F(FalconDeviceTest, CountsWithoutAPositionGiveNoForceUntilZeroWasAskedFor)
+TEST_F(FalconDeviceTest, InvalidCountsBlockForceUntilZeroRequest)
 {
   this->OpenAndHome();
   ASSERT_TRUE(this->Tick({0.0, 0.0, 5.0}));
@@ -385,7 +385,7 @@ TEST_F(FalconDeviceTest, CountsWithoutAPositionGiveNoForceUntilZeroWasAskedFor)
   EXPECT_FALSE(this->MotorsAreOff());
 }
 
-TEST_F(FalconDeviceTest, AForceThatIsNoNumberIsNone)
+TEST_F(FalconDeviceTest, NanForceIsZero)
 {
   this->OpenAndHome();
   this->GoTo(Vector3::Zero(), {NaN, 1.0, 1.0});
@@ -394,7 +394,7 @@ TEST_F(FalconDeviceTest, AForceThatIsNoNumberIsNone)
   EXPECT_TRUE(this->MotorsAreOff());
 }
 
-TEST_F(FalconDeviceTest, ClosingStopsTheMotorsFirst)
+TEST_F(FalconDeviceTest, CloseStopsMotorsFirst)
 {
   this->OpenAndHome();
   this->GoTo(Vector3::Zero(), {0.0, 0.0, 5.0});
@@ -404,7 +404,7 @@ TEST_F(FalconDeviceTest, ClosingStopsTheMotorsFirst)
   EXPECT_EQ(this->Mechanism().MotorForce(), Vector3::Zero());
 }
 
-TEST_F(FalconDeviceTest, ButtonsComeBitByBitAndAWrongByteIsNoPress)
+TEST_F(FalconDeviceTest, ButtonsIgnoreSingleWrongByte)
 {
   this->OpenAndHome();
   for (unsigned buttons = 0; buttons < 16; ++buttons)
@@ -424,7 +424,7 @@ TEST_F(FalconDeviceTest, ButtonsComeBitByBitAndAWrongByteIsNoPress)
   }
 }
 
-TEST_F(FalconDeviceTest, WhatCannotBeOpenedStaysClosed)
+TEST_F(FalconDeviceTest, StaysClosedIfOpenFails)
 {
   this->Cable->IsBusy = true;
   EXPECT_EQ(this->Device->Open().Message(), "Another program uses the Falcon: end it.");
@@ -435,7 +435,7 @@ TEST_F(FalconDeviceTest, WhatCannotBeOpenedStaysClosed)
   EXPECT_EQ(this->Device->State(), DeviceState::Closed);
 }
 
-// A homed Falcon at its count 0 that answers at once, and needs no memory for it.
+// A homed Falcon at count 0 that answers at once, without allocating.
 class InstantLink final : public FalconLink
 {
 public:
@@ -470,8 +470,8 @@ private:
   std::size_t Place = 0;
 };
 
-// Its weight is a force like others, which the servo lets through its safety chain.
-TEST(FalconDevice, CarriedMassIsACapabilityAndNoTorqueOfTheDriver)
+// The servo adds the weight to the forces before its safety chain.
+TEST(FalconDevice, CarriedMassIsCapabilityNotTorque)
 {
   ManualClock time;
   FalconSettings settings;
@@ -480,7 +480,7 @@ TEST(FalconDevice, CarriedMassIsACapabilityAndNoTorqueOfTheDriver)
   EXPECT_EQ(Vector3(device.Capabilities().GravityCompensation), Vector3(0.0, 9.81 * 0.1, 0.0));
 }
 
-TEST(FalconDevice, NothingIsAllocatedInATick)
+TEST(FalconDevice, TickDoesNotAllocate)
 {
   ManualClock time;
   FalconDevice device(time, std::make_unique<InstantLink>(), {});

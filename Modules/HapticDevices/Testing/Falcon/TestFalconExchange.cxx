@@ -16,7 +16,7 @@ using test::VirtualFalconAnswer;
 
 constexpr std::int64_t Period = 1'000'000; // ns
 
-// A Falcon that runs already, with a hand that swings, and a driver's side of the conversation.
+// A running Falcon with a swinging hand, and the driver's side of the protocol.
 class FalconExchangeTest : public testing::Test
 {
 protected:
@@ -32,7 +32,7 @@ protected:
     this->Wire.Restart(this->Time.Now());
   }
 
-  // One tick; whether a reply was believed.
+  // One tick; returns whether a reply was accepted.
   bool Tick()
   {
     this->Time.Advance(Period);
@@ -55,7 +55,7 @@ protected:
     }
   }
 
-  // Of the newest reply against where the hand is, in counts.
+  // Error of the newest reply relative to the hand's position, in counts.
   int Error()
   {
     const auto counters = this->Falcon.Mechanism().Counters();
@@ -67,7 +67,7 @@ protected:
     return largest;
   }
 
-  // Spoils every answer whose number the pattern names.
+  // Corrupts every n-th answer.
   void Spoil(std::function<void(VirtualFalconAnswer&)> how, std::uint64_t every = 10)
   {
     this->Falcon.Faults.Spoil = [how = std::move(how), every](VirtualFalconAnswer& answer)
@@ -79,7 +79,7 @@ protected:
     };
   }
 
-  // 0.23 m/s make 6 counts in a millisecond, of which replies are up to two old.
+  // 0.23 m/s are 6 counts per millisecond, and replies are up to two old.
   static constexpr int UsualError = 20;
 
   ManualClock Time{1'000'000'000};
@@ -91,19 +91,19 @@ protected:
   int WorstError = 0;
 };
 
-TEST_F(FalconExchangeTest, EveryTickHasItsReply)
+TEST_F(FalconExchangeTest, EveryTickHasReply)
 {
   this->Run(5000);
   const FalconStatistics& s = this->Wire.Statistics();
   EXPECT_EQ(s.Requests, 5000U);
-  EXPECT_GE(s.Replies, 4997U); // the last ones are under way
+  EXPECT_GE(s.Replies, 4997U); // the last ones are outstanding
   EXPECT_GE(this->Believed, 4990);
-  EXPECT_EQ(s.Lost + s.Unasked + s.Implausible - 1, 0U) << "but for the first, unconfirmed reply";
+  EXPECT_EQ(s.Lost + s.Unasked + s.Implausible - 1, 0U) << "except the first, unconfirmed reply";
   EXPECT_EQ(s.SkippedBytes, 0U);
   EXPECT_LT(this->WorstError, UsualError);
 }
 
-TEST_F(FalconExchangeTest, LostRepliesAreCountedAndTheLoopGoesOn)
+TEST_F(FalconExchangeTest, CountsLostReplies)
 {
   this->Spoil([](VirtualFalconAnswer& answer) { answer.Bytes.clear(); });
   this->Run(5000);
@@ -112,7 +112,7 @@ TEST_F(FalconExchangeTest, LostRepliesAreCountedAndTheLoopGoesOn)
   EXPECT_LT(this->WorstError, UsualError);
 }
 
-TEST_F(FalconExchangeTest, ShortRepliesAreCountedAndTheLoopGoesOn)
+TEST_F(FalconExchangeTest, CountsShortReplies)
 {
   std::mt19937_64 random(51);
   this->Spoil(
@@ -127,7 +127,7 @@ TEST_F(FalconExchangeTest, ShortRepliesAreCountedAndTheLoopGoesOn)
   EXPECT_LT(this->WorstError, UsualError);
 }
 
-TEST_F(FalconExchangeTest, CorruptedRepliesMoveNothing)
+TEST_F(FalconExchangeTest, CorruptedRepliesDoNotMoveGrip)
 {
   std::mt19937_64 random(52);
   this->Spoil([&random](VirtualFalconAnswer& answer)
@@ -137,11 +137,11 @@ TEST_F(FalconExchangeTest, CorruptedRepliesMoveNothing)
   const FalconStatistics& s = this->Wire.Statistics();
   EXPECT_GT(s.Implausible + s.Lost, 1000U);
   EXPECT_GE(this->Believed, 17000 - 200);
-  // A changed lowest nibble passes where it is within the tolerance of 12 counts.
+  // A changed lowest nibble passes if it is within the tolerance of 12 counts.
   EXPECT_LT(this->WorstError, UsualError + 12);
 }
 
-TEST_F(FalconExchangeTest, DoubledRepliesAreCountedAndMoveNothing)
+TEST_F(FalconExchangeTest, CountsDuplicateReplies)
 {
   this->Spoil(
       [](VirtualFalconAnswer& answer)
@@ -155,16 +155,16 @@ TEST_F(FalconExchangeTest, DoubledRepliesAreCountedAndMoveNothing)
   EXPECT_LT(this->WorstError, UsualError);
 }
 
-TEST_F(FalconExchangeTest, LateRepliesMoveNothing)
+TEST_F(FalconExchangeTest, LateRepliesDoNotMoveGrip)
 {
   this->Spoil([](VirtualFalconAnswer& answer) { answer.Delay += 12'000'000; }, 50);
   this->Run(5000);
   EXPECT_GE(this->Believed, 3000);
-  // They are twelve milliseconds old when they come, and more follow behind them.
+  // They arrive twelve milliseconds late, followed by more.
   EXPECT_LT(this->WorstError, 14 * 6 + UsualError);
 }
 
-TEST_F(FalconExchangeTest, AMuteDeviceIsAskedAgainAndHeardWhenItComesBack)
+TEST_F(FalconExchangeTest, RecoversAfterSilence)
 {
   this->Run(100);
   this->Spoil([](VirtualFalconAnswer& answer) { answer.Bytes.clear(); }, 1);
@@ -179,7 +179,7 @@ TEST_F(FalconExchangeTest, AMuteDeviceIsAskedAgainAndHeardWhenItComesBack)
   EXPECT_LT(this->Wire.Silence(this->Time.Now()), 2 * Period);
 }
 
-TEST_F(FalconExchangeTest, AFullQueueIsSilenceAndNotTheEnd)
+TEST_F(FalconExchangeTest, FullQueueIsSilence)
 {
   this->Run(10);
   this->Cable.HoldsWrites = true;
@@ -191,7 +191,7 @@ TEST_F(FalconExchangeTest, AFullQueueIsSilenceAndNotTheEnd)
   EXPECT_LT(this->Wire.Silence(this->Time.Now()), 2 * Period);
 }
 
-TEST_F(FalconExchangeTest, NothingCanBeSentToADeviceThatIsGone)
+TEST_F(FalconExchangeTest, SendsNothingToMissingDevice)
 {
   this->Run(10);
   this->Falcon.Unplug(this->Time.Now());

@@ -19,11 +19,11 @@ std::string FaultOf(const Bytes& bytes)
 {
   FalconFirmware firmware;
   const Status status = FalconFirmware::Parse(bytes, "file", firmware);
-  EXPECT_EQ(status.IsOk(), !firmware.Bytes().empty()) << "what is refused leaves nothing";
+  EXPECT_EQ(status.IsOk(), !firmware.Bytes().empty()) << "a refused file must leave nothing";
   return status.Message();
 }
 
-TEST(FalconFirmware, BootStreamsAreRecognised)
+TEST(FalconFirmware, RecognisesBootStreams)
 {
   for (std::size_t words : {1U, 2U, 100U, 4000U})
   {
@@ -37,7 +37,7 @@ TEST(FalconFirmware, BootStreamsAreRecognised)
   }
 }
 
-TEST(FalconFirmware, EachFaultOfAFileHasItsSentence)
+TEST(FalconFirmware, ReportsEachFault)
 {
   const Bytes good = test::BootStream(100, 2);
   const auto changed = [&good](std::size_t place, std::uint8_t value)
@@ -61,7 +61,7 @@ TEST(FalconFirmware, EachFaultOfAFileHasItsSentence)
             begin + "is larger than the processor's memory.");
 }
 
-TEST(FalconFirmware, ACutFileIsNeverTakenForAWholeOne)
+TEST(FalconFirmware, RejectsTruncatedFile)
 {
   const Bytes good = test::BootStream(150, 3);
   for (std::size_t length = 0; length < good.size(); ++length)
@@ -72,7 +72,7 @@ TEST(FalconFirmware, ACutFileIsNeverTakenForAWholeOne)
   }
 }
 
-TEST(FalconFirmware, NoBytesConfuseTheParser)
+TEST(FalconFirmware, ParserSurvivesRandomBytes)
 {
   std::mt19937_64 random(61);
   for (int round = 0; round < 50000; ++round)
@@ -87,7 +87,7 @@ TEST(FalconFirmware, NoBytesConfuseTheParser)
   }
 }
 
-TEST(FalconFirmware, FilesAreReadAndNamedInWhatIsWrong)
+TEST(FalconFirmware, ErrorsNameTheFile)
 {
   const test::TemporaryFolder folder;
   const Bytes good = test::BootStream();
@@ -107,7 +107,7 @@ TEST(FalconFirmware, FilesAreReadAndNamedInWhatIsWrong)
   EXPECT_FALSE(FalconFirmware::Read(folder.Path().string(), firmware).IsOk()) << "a folder";
 }
 
-TEST(FalconFirmware, WhatIsChosenGoesBeforeTheEnvironment)
+TEST(FalconFirmware, ChosenPathOverridesEnvironment)
 {
   ASSERT_EQ(setenv("PALPATE_FALCON_FIRMWARE", "/environment", 1), 0);
   EXPECT_EQ(FalconFirmware::PathOf("/chosen"), "/chosen");

@@ -26,7 +26,7 @@ protected:
   std::unique_ptr<HapticDevice> Device;
 };
 
-TEST_F(FalconKindTest, MakesTheFirstFalconWhereNothingIsSaid)
+TEST_F(FalconKindTest, UsesFirstFalconByDefault)
 {
   ASSERT_TRUE(this->Make("falcon").IsOk());
   EXPECT_EQ(this->Finder->Asked, "");
@@ -34,7 +34,7 @@ TEST_F(FalconKindTest, MakesTheFirstFalconWhereNothingIsSaid)
   EXPECT_EQ(this->Device->State(), DeviceState::Closed);
 }
 
-TEST_F(FalconKindTest, TakesDeviceAndCalibration)
+TEST_F(FalconKindTest, AcceptsDeviceAndCalibration)
 {
   const test::TemporaryFolder folder;
   ASSERT_TRUE(this->Make("falcon").IsOk());
@@ -44,26 +44,26 @@ TEST_F(FalconKindTest, TakesDeviceAndCalibration)
   const Status status = this->Make("falcon:device=1-2.3,calibration=" + path);
   ASSERT_TRUE(status.IsOk()) << status.Message();
   EXPECT_EQ(this->Finder->Asked, "1-2.3");
-  // Twice the counts for a torque are half the force that the same motors give.
+  // Twice the counts per torque mean half the force of the same motors.
   EXPECT_NEAR(this->Device->Capabilities().MaximumForce, 0.5 * usual, 1e-12);
 }
 
-TEST_F(FalconKindTest, TheFirmwareThatIsNamedIsTheOneThatIsTaken)
+TEST_F(FalconKindTest, UsesNamedFirmware)
 {
   ASSERT_TRUE(this->Make("falcon:firmware=/no/such/file").IsOk());
   EXPECT_EQ(this->Device->Open().Message(),
             "/no/such/file, the Falcon's firmware, cannot be opened.");
 }
 
-TEST_F(FalconKindTest, WhatIsNotUnderstoodIsNamed)
+TEST_F(FalconKindTest, ErrorsNameUnknownOption)
 {
   EXPECT_EQ(this->Make("falcon:calibration=/no/such/file").Message(),
             "/no/such/file, the Falcon's calibration, cannot be opened.");
   for (const std::string word : {"1-2", "port=3", "device=", "=x"})
   {
-    const std::string sentence = "\"" + word + "\" is not understood: a Falcon takes device=, " +
-                                 "firmware= and calibration=, separated by commas.";
-    EXPECT_EQ(this->Make("falcon:" + word).Message(), sentence);
+    const std::string message = "\"" + word + "\" is not understood: a Falcon takes device=, " +
+                                "firmware= and calibration=, separated by commas.";
+    EXPECT_EQ(this->Make("falcon:" + word).Message(), message);
   }
   FalconOptions options;
   options.Device = "kept";

@@ -16,14 +16,14 @@ namespace
 constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
 const Vector3 Middle(0.0, 0.0, 125.0); // mm
 
-// Uniform in the ball that programs use as the Falcon's workspace.
+// Uniform in the sphere that programs use as the Falcon's workspace.
 Vector3 RandomPosition(test::Random& random, double radius = 40.0)
 {
   std::uniform_real_distribution<double> unit(0.0, 1.0);
   return Middle + radius * std::cbrt(unit(random)) * test::RandomDirection(random);
 }
 
-TEST(FalconKinematics, PositionsOfCountsAreThoseOfTheTable)
+TEST(FalconKinematics, PositionsMatchTable)
 {
   const auto path = test::FalconVectorsPath("falcon_fk_vectors.csv");
   PALPATE_REQUIRE_FILE(path);
@@ -34,19 +34,19 @@ TEST(FalconKinematics, PositionsOfCountsAreThoseOfTheTable)
   {
     const Vector3 angles = kinematics.AnglesOf({row[0], row[1], row[2]});
     const Vector3 degrees = angles * (180.0 / M_PI);
-    // The table took pi as 3.14159265, which is 1e-7 degrees at 90.
+    // The table used pi as 3.14159265, which is off by 1e-7 degrees at 90.
     EXPECT_LT((degrees - Vector3(row[3], row[4], row[5])).cwiseAbs().maxCoeff(), 1.5e-7);
     Vector3 position;
     ASSERT_TRUE(kinematics.PositionAt(angles, kinematics.Middle(), position));
-    // Nine digits of a metre, and what that pi moves: 4e-10 m at most.
+    // Nine digits of a metre, plus the effect of that pi: 4e-10 m at most.
     EXPECT_LT((1e-3 * position - Vector3(row[6], row[7], row[8])).cwiseAbs().maxCoeff(), 9.1e-10)
         << row[0] << " " << row[1] << " " << row[2];
   }
 }
 
-// The widespread library is wrong here: its z column of the Jacobian has a sine too many, and its
-// transposition overwrites itself. Its columns of the table are left alone.
-TEST(FalconKinematics, TorquesOfForcesAreTheCorrectOnesOfTheTable)
+// The widely used library is wrong here: its z column of the Jacobian has an extra sine, and its
+// transposition overwrites itself. Its columns of the table are ignored.
+TEST(FalconKinematics, TorquesMatchTable)
 {
   const auto path = test::FalconVectorsPath("falcon_force_vectors.csv");
   PALPATE_REQUIRE_FILE(path);
@@ -68,7 +68,7 @@ TEST(FalconKinematics, TorquesOfForcesAreTheCorrectOnesOfTheTable)
   }
 }
 
-TEST(FalconKinematics, TheJacobianIsTheDerivativeOfTheAngles)
+TEST(FalconKinematics, JacobianIsDerivativeOfAngles)
 {
   const FalconKinematics kinematics{FalconGeometry()};
   test::Random random(11);
@@ -84,16 +84,16 @@ TEST(FalconKinematics, TheJacobianIsTheDerivativeOfTheAngles)
       Vector3 behind;
       ASSERT_TRUE(kinematics.AnglesAt(position + h * Vector3::Unit(axis), ahead));
       ASSERT_TRUE(kinematics.AnglesAt(position - h * Vector3::Unit(axis), behind));
-      // Entries are about 0.02 rad/mm; differences err by h^2 times the third derivative (1e-6 of
-      // 1e-5) and by rounding over h (1e-16 / 1e-3).
+      // Entries are about 0.02 rad/mm; differences have an error of h^2 times the third derivative
+      // (1e-6 of 1e-5) plus rounding over h (1e-16 / 1e-3).
       const Vector3 difference = (ahead - behind) / (2.0 * h);
       ASSERT_LT((difference - jacobian.col(axis)).cwiseAbs().maxCoeff(), 1e-10) << position;
     }
   }
 }
 
-// To the digits that the published facts give.
-TEST(FalconKinematics, TheJacobianHasTheKnownEntries)
+// To the digits of the published facts.
+TEST(FalconKinematics, JacobianMatchesKnownEntries)
 {
   const FalconKinematics kinematics{FalconGeometry()};
   Matrix3 jacobian;
@@ -101,11 +101,11 @@ TEST(FalconKinematics, TheJacobianHasTheKnownEntries)
   Matrix3 known; // rad/m
   known << 4.31641444793, -12.0266921355, 11.1230868771, -10.1363812546, -0.617967334237,
       14.5072528549, 9.74627138977, 5.04877891473, 13.8062913532;
-  // They were computed with pi = 3.14159265, which turns legs by 2e-9 rad.
+  // They were computed with pi = 3.14159265, which rotates legs by 2e-9 rad.
   EXPECT_LT((1e3 * jacobian - known).cwiseAbs().maxCoeff(), 4e-8);
 }
 
-TEST(FalconKinematics, AnglesAreThoseOfTheLegsAsSurfaces)
+TEST(FalconKinematics, AnglesMatchIntersectionOfSurfaces)
 {
   const FalconKinematics kinematics{FalconGeometry()};
   const test::VirtualMechanism mechanism{test::VirtualMechanismSettings()};
@@ -116,12 +116,12 @@ TEST(FalconKinematics, AnglesAreThoseOfTheLegsAsSurfaces)
     Vector3 angles;
     ASSERT_TRUE(kinematics.AnglesAt(position, angles));
     const auto others = mechanism.AnglesAt(position);
-    // The root of a difference of squares, of which 1e-16 of 1e4 is lost; near 0 that is much.
+    // The root of a difference of squares, of which 1e-16 of 1e4 is lost; near 0 that matters.
     EXPECT_LT((angles - Vector3(others[0], others[1], others[2])).cwiseAbs().maxCoeff(), 1e-10);
   }
 }
 
-TEST(FalconKinematics, ForwardUndoesInverseFromAnyStart)
+TEST(FalconKinematics, ForwardInvertsInverseFromAnyStart)
 {
   const FalconKinematics kinematics{FalconGeometry()};
   test::Random random(13);
@@ -132,12 +132,12 @@ TEST(FalconKinematics, ForwardUndoesInverseFromAnyStart)
     ASSERT_TRUE(kinematics.AnglesAt(position, angles)) << position;
     Vector3 found;
     ASSERT_TRUE(kinematics.PositionAt(angles, RandomPosition(random), found)) << position;
-    // Angles within 1e-12 rad, of which one moves the grip by less than 100 mm.
+    // Angles within 1e-12 rad; 1 rad moves the grip by less than 100 mm.
     ASSERT_LT((found - position).norm(), 1e-9) << position;
   }
 }
 
-TEST(FalconKinematics, ForwardUndoesInverseAtTheEdgesOfWhatLegsReach)
+TEST(FalconKinematics, ForwardInvertsInverseAtEdgesOfReach)
 {
   const FalconKinematics kinematics{FalconGeometry()};
   test::Random random(14);
@@ -159,7 +159,7 @@ TEST(FalconKinematics, ForwardUndoesInverseAtTheEdgesOfWhatLegsReach)
   EXPECT_GT(reached, 4000);
 }
 
-TEST(FalconKinematics, WhatItCallsAPositionHasTheAnglesAskedFor)
+TEST(FalconKinematics, PositionsHaveRequestedAngles)
 {
   const FalconKinematics kinematics{FalconGeometry()};
   test::Random random(15);
@@ -172,7 +172,7 @@ TEST(FalconKinematics, WhatItCallsAPositionHasTheAnglesAskedFor)
     Vector3 position(NaN, 1.0, 2.0);
     if (!kinematics.PositionAt(angles, kinematics.Middle(), position))
     {
-      EXPECT_TRUE(std::isnan(position[0])) << "what is no solution is left alone";
+      EXPECT_TRUE(std::isnan(position[0])) << "without a solution the result must not change";
       ++none;
       continue;
     }
@@ -180,12 +180,12 @@ TEST(FalconKinematics, WhatItCallsAPositionHasTheAnglesAskedFor)
     ASSERT_TRUE(kinematics.AnglesAt(position, back));
     ASSERT_LT((back - angles).cwiseAbs().maxCoeff(), 1e-9);
   }
-  // Only where two legs are far out and one far in, or the reverse.
+  // Only if two legs are far out and one far in, or the reverse.
   EXPECT_GT(none, 0);
   EXPECT_LT(none, 400);
 }
 
-TEST(FalconKinematics, OutOfReachThereIsNoAnswer)
+TEST(FalconKinematics, OutOfReachHasNoSolution)
 {
   const FalconKinematics kinematics{FalconGeometry()};
   for (const Vector3& position :
@@ -212,7 +212,7 @@ TEST(FalconKinematics, OutOfReachThereIsNoAnswer)
   EXPECT_FALSE(kinematics.TorquesFor({NaN, 0.0, 0.0}, Middle, result));
 }
 
-TEST(FalconKinematics, AStartThatIsNoPositionDoesNotMatter)
+TEST(FalconKinematics, InvalidStartDoesNotMatter)
 {
   const FalconKinematics kinematics{FalconGeometry()};
   const Vector3 angles = kinematics.AnglesOf(Vector3::Zero());
@@ -224,7 +224,7 @@ TEST(FalconKinematics, AStartThatIsNoPositionDoesNotMatter)
   }
 }
 
-TEST(FalconKinematics, TorquesDoTheWorkOfTheForce)
+TEST(FalconKinematics, TorquesDoWorkOfForce)
 {
   const FalconKinematics kinematics{FalconGeometry()};
   test::Random random(16);
@@ -232,19 +232,19 @@ TEST(FalconKinematics, TorquesDoTheWorkOfTheForce)
   {
     const Vector3 position = RandomPosition(random);
     const Vector3 force = 5.0 * test::RandomDirection(random);
-    const Vector3 way = 1e-4 * test::RandomDirection(random);
+    const Vector3 step = 1e-4 * test::RandomDirection(random);
     Vector3 torques;
     Vector3 from;
     Vector3 to;
     ASSERT_TRUE(kinematics.TorquesFor(force, position, torques));
-    ASSERT_TRUE(kinematics.AnglesAt(position - way, from));
-    ASSERT_TRUE(kinematics.AnglesAt(position + way, to));
-    // 1e-3 N mm of work; differences err by the square of the way, of 100 mm.
-    EXPECT_NEAR(torques.dot(to - from), force.dot(2.0 * way), 1e-12 * 1e3);
+    ASSERT_TRUE(kinematics.AnglesAt(position - step, from));
+    ASSERT_TRUE(kinematics.AnglesAt(position + step, to));
+    // 1e-3 N mm of work; differences have an error of the square of the distance, of 100 mm.
+    EXPECT_NEAR(torques.dot(to - from), force.dot(2.0 * step), 1e-12 * 1e3);
   }
 }
 
-TEST(FalconKinematics, TheLeastForceIsReachedInItsDirectionAndNotBelow)
+TEST(FalconKinematics, LeastForceIsSharp)
 {
   const FalconKinematics kinematics{FalconGeometry()};
   test::Random random(17);
@@ -258,7 +258,7 @@ TEST(FalconKinematics, TheLeastForceIsReachedInItsDirectionAndNotBelow)
     largest = std::max(largest, torques.cwiseAbs().maxCoeff());
   }
   EXPECT_LE(largest, torque * (1.0 + 1e-12));
-  // Some direction of so many comes within a percent of angle, which counts squared.
+  // The closest of so many directions is off by a percent of angle, which enters squared.
   EXPECT_GT(largest, torque * (1.0 - 1e-3));
   // The published 9.2 N for 4095 values at 6616 a N m.
   EXPECT_NEAR(kinematics.LeastForce(4095.0 / 6.616, Middle), 9.2, 0.05);

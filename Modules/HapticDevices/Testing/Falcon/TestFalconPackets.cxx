@@ -20,7 +20,7 @@ std::string TextOf(const FalconRequest& request)
   return {packet.begin(), packet.end()};
 }
 
-// The format is the same both ways, but for the flags and a byte of unknown meaning.
+// The format is the same both ways, except for the flags and a byte of unknown meaning.
 FalconPacket ReplyPacket(const FalconReply& reply, std::uint8_t unknown = 0x41)
 {
   FalconRequest request;
@@ -62,7 +62,7 @@ std::vector<FalconReply> Parsed(const Bytes& stream, FalconReplyParser& parser)
   return replies;
 }
 
-TEST(FalconPackets, RequestsAreTheKnownOnes)
+TEST(FalconPackets, RequestsMatchKnownPackets)
 {
   EXPECT_EQ(TextOf({{0, 0, 0}, false, FalconLight::None}), "<AAAAAAAAAAAAAA>");
   EXPECT_EQ(TextOf({{0, 0, 0}, true, FalconLight::None}), "<AAAAAAAAAAAABA>");
@@ -71,7 +71,7 @@ TEST(FalconPackets, RequestsAreTheKnownOnes)
   EXPECT_EQ(TextOf({{100, -100, 2000}, true, FalconLight::Red}), "<EGAAMJPPANHAJA>");
 }
 
-TEST(FalconPackets, EveryNumberComesBack)
+TEST(FalconPackets, NumbersRoundTrip)
 {
   FalconReplyParser parser;
   for (int value = std::numeric_limits<std::int16_t>::min();
@@ -90,7 +90,7 @@ TEST(FalconPackets, EveryNumberComesBack)
   EXPECT_EQ(parser.SkippedBytes(), 0U);
 }
 
-TEST(FalconReplyParser, ALostByteCostsItsReplyAndNoOther)
+TEST(FalconReplyParser, LostByteAffectsOnlyItsReply)
 {
   std::mt19937_64 random(21);
   for (std::size_t lost = 0; lost < FalconPacketSize; ++lost)
@@ -110,7 +110,7 @@ TEST(FalconReplyParser, ALostByteCostsItsReplyAndNoOther)
   }
 }
 
-TEST(FalconReplyParser, StrayBytesBetweenRepliesCostNothing)
+TEST(FalconReplyParser, IgnoresStrayBytesBetweenReplies)
 {
   std::mt19937_64 random(22);
   FalconReplyParser parser;
@@ -121,7 +121,7 @@ TEST(FalconReplyParser, StrayBytesBetweenRepliesCostNothing)
     {
       stream.push_back(static_cast<std::uint8_t>(random()));
     }
-    // Ends whatever the noise may have begun.
+    // Ends anything that the noise may have started.
     stream.insert(stream.end(), FalconPacketSize, 0x00);
     const FalconReply sent = RandomReply(random);
     const FalconPacket packet = ReplyPacket(sent, static_cast<std::uint8_t>(random()));
@@ -132,8 +132,9 @@ TEST(FalconReplyParser, StrayBytesBetweenRepliesCostNothing)
   }
 }
 
-// Whatever comes: every byte is part of a reply, skipped, or waiting, and every reply has a form.
-TEST(FalconReplyParser, NoStreamConfusesIt)
+// For any input, every byte is part of a reply, skipped, or pending, and every reply is well
+// formed.
+TEST(FalconReplyParser, SurvivesRandomStreams)
 {
   std::mt19937_64 random(23);
   for (int round = 0; round < 300; ++round)
@@ -167,7 +168,7 @@ TEST(FalconReplyParser, NoStreamConfusesIt)
     const std::size_t accounted = replies * FalconPacketSize + parser.SkippedBytes();
     ASSERT_LE(accounted, stream.size());
     ASSERT_LT(stream.size() - accounted, FalconPacketSize);
-    // 60 faults touch 60 of 125 replies, one more where they run together.
+    // 60 faults affect 60 of 125 replies, one more where they merge.
     ASSERT_GE(replies, 125U - 60U);
   }
 }

@@ -45,7 +45,7 @@ protected:
   test::VirtualFinder Finder{Time};
 };
 
-TEST_F(FalconSearchTest, WithoutAnyItSaysSo)
+TEST_F(FalconSearchTest, ReportsMissingFalcon)
 {
   this->Finder.Listings.clear();
   std::vector<FoundDevice> found;
@@ -53,7 +53,7 @@ TEST_F(FalconSearchTest, WithoutAnyItSaysSo)
             "There is no Falcon on USB: plug in its cable and its power supply.");
 }
 
-TEST_F(FalconSearchTest, AnObstacleIsHandedOn)
+TEST_F(FalconSearchTest, ReportsObstacle)
 {
   this->Finder.Listings = {{"1-2", "S1", "It is in use."}};
   const FoundDevice found = this->Ask(this->Path);
@@ -62,7 +62,7 @@ TEST_F(FalconSearchTest, AnObstacleIsHandedOn)
   EXPECT_EQ(found.Says, "It is in use. (serial number S1)");
 }
 
-TEST_F(FalconSearchTest, WithoutFirmwareItIsUsableWhereAFileIsNamedAndNothingIsLoaded)
+TEST_F(FalconSearchTest, FindsUsableFalconWithoutLoadingFirmware)
 {
   EXPECT_FALSE(this->Ask().IsUsable);
   EXPECT_NE(this->Ask().Says.find("PALPATE_FALCON_FIRMWARE"), std::string::npos);
@@ -72,7 +72,7 @@ TEST_F(FalconSearchTest, WithoutFirmwareItIsUsableWhereAFileIsNamedAndNothingIsL
   EXPECT_TRUE(this->Finder.Falcon.Board().Image().empty());
 }
 
-TEST_F(FalconSearchTest, WhereFirmwareRunsItSaysWhetherItIsHomedAndMovesNothing)
+TEST_F(FalconSearchTest, ReportsHomingOfRunningFirmware)
 {
   ASSERT_NO_FATAL_FAILURE(this->Load());
   EXPECT_EQ(this->Ask().Says, "its firmware runs; it has to be homed");
@@ -85,7 +85,7 @@ TEST_F(FalconSearchTest, WhereFirmwareRunsItSaysWhetherItIsHomedAndMovesNothing)
   EXPECT_EQ(this->Finder.Falcon.Board().Motors(), (std::array<std::int16_t, 3>{}));
 }
 
-TEST_F(FalconSearchTest, AChipThatRefusesIsNamed)
+TEST_F(FalconSearchTest, ReportsRefusedRequest)
 {
   this->Finder.Falcon.Faults.StalledRequest = 9;
   const FoundDevice found = this->Ask(this->Path);

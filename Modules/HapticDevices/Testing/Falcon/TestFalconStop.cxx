@@ -1,5 +1,5 @@
-// From a fault to 0 N on the wire, by the packets that the board received. The board holds the last
-// torque for ever, as nobody knows that a real one does not.
+// From a fault to 0 N on the wire, measured by the packets that the board received. The board holds
+// the last torque for ever, since a real one might too.
 #include "FalconRig.h"
 
 #include <functional>
@@ -78,7 +78,7 @@ class FalconStop : public testing::TestWithParam<StopCase>
 {
 };
 
-TEST_P(FalconStop, TheBoardHasZeroWithinTwoTicksOfTheFault)
+TEST_P(FalconStop, BoardHasZeroWithinTwoTicksOfFault)
 {
   constexpr int Patience = 100; // ticks until the fault is noticed
   Rig rig;
@@ -114,11 +114,11 @@ TEST_P(FalconStop, TheBoardHasZeroWithinTwoTicksOfTheFault)
 INSTANTIATE_TEST_SUITE_P(All, FalconStop, testing::ValuesIn(AllStops),
                          [](const auto& chosen) { return chosen.param.Name; });
 
-TEST(FalconStopAtALink, ZeroGoesFirstWhereAFullQueueMovesAgain)
+TEST(FalconStopAtALink, ZeroIsFirstAfterFullQueue)
 {
   Rig rig;
   rig.Cable->HoldsWrites = true;
-  rig.Time.Advance(FalconRig::Period / 2); // what is on its way arrives
+  rig.Time.Advance(FalconRig::Period / 2); // packets in flight arrive
   const std::size_t before = rig.Received().size();
   for (int n = 0; n < 100; ++n)
   {
@@ -138,14 +138,15 @@ TEST(FalconStopAtALink, ZeroGoesFirstWhereAFullQueueMovesAgain)
   }
 }
 
-TEST(FalconStopAtALink, ZeroIsTheFirstThingThatABoardHearsOnceItIsBackOnTheBus)
+TEST(FalconStopAtALink, ZeroIsFirstAfterReturnToBus)
 {
   Rig rig;
   rig.Falcon.Unplug(rig.Time.Now(), VirtualFalcon::Supply::Kept);
   rig.Tick(rig.Loop);
   EXPECT_NE(rig.Tick(rig.Loop).Safety.Fault, SafetyFault::None);
   const std::size_t before = rig.Received().size();
-  EXPECT_GT(rig.Falcon.Mechanism().MotorForce().norm(), 0.5) << "what remains without a cable";
+  EXPECT_GT(rig.Falcon.Mechanism().MotorForce().norm(), 0.5)
+      << "the torque persists without a cable";
   rig.Device.Close();
   rig.Falcon.Plug(rig.Time.Now());
   ASSERT_TRUE(rig.Device.Open().IsOk());
@@ -154,7 +155,7 @@ TEST(FalconStopAtALink, ZeroIsTheFirstThingThatABoardHearsOnceItIsBackOnTheBus)
   EXPECT_EQ(rig.Falcon.Mechanism().MotorForce(), Vector3::Zero());
 }
 
-TEST(FalconStopAtALink, AClosedDeviceHasNoTorqueThoughItsQueueWasFull)
+TEST(FalconStopAtALink, CloseWithFullQueueStopsMotors)
 {
   Rig rig;
   rig.Cable->HoldsWrites = true;
@@ -171,7 +172,7 @@ TEST(FalconStopAtALink, AClosedDeviceHasNoTorqueThoughItsQueueWasFull)
   EXPECT_FALSE(rig.Received()[before].HasTorque());
 }
 
-TEST(FalconStopAtALink, OnlyWhatWasSentCountsAsTaken)
+TEST(FalconStopAtALink, OnlySentForcesAreAccepted)
 {
   Rig rig;
   rig.Cable->HoldsWrites = true;

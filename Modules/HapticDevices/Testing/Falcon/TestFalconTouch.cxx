@@ -8,7 +8,7 @@ class FalconTouchTest : public testing::Test, protected test::FalconRig
 {
 };
 
-TEST_F(FalconTouchTest, AWallIsFeltWithItsStiffnessAndStandsStill)
+TEST_F(FalconTouchTest, WallHasStiffnessAndDoesNotVibrate)
 {
   Servo servo(this->Device, ServoSettings());
   this->Press(servo, 3.0);
@@ -22,14 +22,14 @@ TEST_F(FalconTouchTest, AWallIsFeltWithItsStiffnessAndStandsStill)
   }
   EXPECT_EQ(servo.Latest().Safety.Fault, SafetyFault::None);
   // The wall of 1 N/mm and the hand of 0.5 N/mm share 3 mm: 1 mm and 1 N. Friction of 0.2 N may
-  // hold 0.13 mm beside it, and counts are 0.04 mm.
+  // hold it 0.13 mm off, and counts are 0.04 mm.
   EXPECT_NEAR(this->Falcon.Mechanism().MotorForce()[2], 1.0, 0.18);
   EXPECT_NEAR(lowest, WallHeight - 1.0, 0.18);
-  EXPECT_LT(highest - lowest, 0.1) << "it does not hum";
+  EXPECT_LT(highest - lowest, 0.1) << "it vibrates";
 }
 
-// The chip holds what came until its latency timer of 1 ms says so.
-TEST_F(FalconTouchTest, ForTenMinutesAtAKilohertzItIsHeardInEveryPeriodButFew)
+// The chip holds received data until its latency timer of 1 ms ends.
+TEST_F(FalconTouchTest, AlmostEveryPeriodHasReplyForTenMinutes)
 {
   constexpr int Ticks = 600'000;
   Servo servo(this->Device, ServoSettings());
@@ -59,13 +59,13 @@ TEST_F(FalconTouchTest, ForTenMinutesAtAKilohertzItIsHeardInEveryPeriodButFew)
   this->RecordProperty("longest_silence_ticks", longestSilence);
   this->RecordProperty("replies_lost", std::to_string(statistics.Lost));
   EXPECT_GE(heard, 950 * 600);
-  EXPECT_LE(longestSilence, 3); // what the watchdog lets pass for this device
+  EXPECT_LE(longestSilence, 3); // the watchdog's limit for this device
   EXPECT_EQ(statistics.Lost, 0u);
   EXPECT_GT(touched, Ticks / 4);
   EXPECT_LT(touched, 3 * Ticks / 4);
 }
 
-TEST_F(FalconTouchTest, UnpluggedInContactTheServoSaysSoWithinTwoTicks)
+TEST_F(FalconTouchTest, ServoReportsUnpluggingWithinTwoTicks)
 {
   Servo servo(this->Device, ServoSettings());
   this->Press(servo, 6.0);
@@ -78,7 +78,7 @@ TEST_F(FalconTouchTest, UnpluggedInContactTheServoSaysSoWithinTwoTicks)
   EXPECT_EQ(state.State, DeviceState::Error);
 }
 
-// 0.1 kg of handle more than the motors would carry otherwise.
+// 0.1 kg of handle that the motors carry in addition.
 class CarryingFalconTouchTest : public testing::Test, protected test::FalconRig
 {
 protected:
@@ -93,7 +93,7 @@ protected:
   static constexpr double Weight = 9.81 * Mass; // N
 };
 
-TEST_F(CarryingFalconTouchTest, TheHandleIsCarriedAfterARampAndItIsRecorded)
+TEST_F(CarryingFalconTouchTest, CarriesHandleAfterRampAndRecordsIt)
 {
   Servo servo(this->Device, ServoSettings());
   this->Schedule = LoopSchedule(this->Time.Now(), Period);
@@ -106,13 +106,13 @@ TEST_F(CarryingFalconTouchTest, TheHandleIsCarriedAfterARampAndItIsRecorded)
     before = force;
   }
   EXPECT_NEAR(before, Weight, 1e-12);
-  // A ramp of 0.3 s at 1 kHz, a tenth more for ticks whose period is not exact.
+  // A ramp of 0.3 s at 1 kHz, plus a tenth for ticks whose period is not exact.
   EXPECT_LT(largestStep, 1.1 * Weight / 300.0);
-  // Half a motor value of 160 a newton and leg.
+  // Half a motor value of 160 per newton and leg.
   EXPECT_NEAR(this->Falcon.Mechanism().MotorForce()[1], Weight, 0.01);
 }
 
-TEST_F(CarryingFalconTouchTest, NothingIsCarriedAfterAFault)
+TEST_F(CarryingFalconTouchTest, CarriesNothingAfterFault)
 {
   Servo servo(this->Device, ServoSettings());
   this->Press(servo, 3.0);
@@ -126,10 +126,10 @@ TEST_F(CarryingFalconTouchTest, NothingIsCarriedAfterAFault)
   }
 }
 
-TEST_F(CarryingFalconTouchTest, WeightAndContactTogetherKeepTheLargestForce)
+TEST_F(CarryingFalconTouchTest, WeightAndContactRespectForceLimit)
 {
   Servo servo(this->Device, ServoSettings());
-  // Far into a wall of 1 N/mm: more than the motors give.
+  // Far into a wall of 1 N/mm: more than the motors can produce.
   this->Press(servo, 60.0);
   const TouchState state = this->Tick(servo);
   ASSERT_EQ(state.Safety.Fault, SafetyFault::None) << Describe(state.Safety.Fault);

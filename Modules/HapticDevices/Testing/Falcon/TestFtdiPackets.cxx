@@ -14,12 +14,12 @@ using Bytes = std::vector<std::uint8_t>;
 
 Bytes Stripped(FtdiPackets& packets, Bytes transfer)
 {
-  // In place, which is the harder case.
+  // In place, the harder case.
   transfer.resize(packets.Strip(transfer.data(), transfer.size(), transfer.data()));
   return transfer;
 }
 
-TEST(FtdiPackets, StatusStandsBeforeEveryPacketOfALongTransfer)
+TEST(FtdiPackets, StripsStatusOfEveryPacket)
 {
   std::mt19937_64 random(5);
   for (int round = 0; round < 500; ++round)
@@ -41,7 +41,7 @@ TEST(FtdiPackets, StatusStandsBeforeEveryPacketOfALongTransfer)
   }
 }
 
-TEST(FtdiPackets, APacketOfStatusAloneIsEmptyAndItsClearToSendCounts)
+TEST(FtdiPackets, StatusOnlyPacketUpdatesClearToSend)
 {
   FtdiPackets packets;
   EXPECT_FALSE(packets.ClearToSend());
@@ -51,7 +51,7 @@ TEST(FtdiPackets, APacketOfStatusAloneIsEmptyAndItsClearToSendCounts)
   EXPECT_FALSE(packets.ClearToSend());
 }
 
-TEST(FtdiPackets, FragmentsOfAStatusGiveNothing)
+TEST(FtdiPackets, IgnoresStatusFragments)
 {
   FtdiPackets packets;
   EXPECT_TRUE(Stripped(packets, {}).empty());
@@ -59,7 +59,7 @@ TEST(FtdiPackets, FragmentsOfAStatusGiveNothing)
   EXPECT_FALSE(packets.ClearToSend());
 }
 
-TEST(FtdiPackets, ErrorsOfTheLineAreCounted)
+TEST(FtdiPackets, CountsLineErrors)
 {
   FtdiPackets packets;
   Stripped(packets, {0x01, 0x60});
@@ -71,8 +71,8 @@ TEST(FtdiPackets, ErrorsOfTheLineAreCounted)
   EXPECT_EQ(packets.LineErrors(), 3U);
 }
 
-// The values that are known to work with a Falcon.
-TEST(FtdiRequest, DivisorsAreTheKnownOnes)
+// The values known to work with a Falcon.
+TEST(FtdiRequest, DivisorsMatchKnownValues)
 {
   EXPECT_EQ(FtdiRequest::Baud(312, 4).Value, 0x4138); // 9600 Bd
   EXPECT_EQ(FtdiRequest::Baud(21).Value, 0x0015);     // 142,857 Bd

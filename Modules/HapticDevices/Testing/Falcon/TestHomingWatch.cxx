@@ -18,7 +18,7 @@ Verdict After(HomingWatch& watch, unsigned homedBits, int replies)
   return verdict;
 }
 
-TEST(HomingWatch, IsHomedOnceAllLegsAreForTwentyReplies)
+TEST(HomingWatch, HomedAfterTwentyRepliesOfAllLegs)
 {
   HomingWatch watch;
   for (unsigned bits = 0; bits < FalconReply::AllHomed; ++bits)
@@ -29,7 +29,7 @@ TEST(HomingWatch, IsHomedOnceAllLegsAreForTwentyReplies)
   EXPECT_EQ(After(watch, 7, 1), Verdict::Homed);
 }
 
-TEST(HomingWatch, AWrongReplyWhileItSettlesBeginsAnew)
+TEST(HomingWatch, WrongReplyRestartsSettling)
 {
   HomingWatch watch;
   EXPECT_EQ(After(watch, 7, 15), Verdict::Waiting);
@@ -38,7 +38,7 @@ TEST(HomingWatch, AWrongReplyWhileItSettlesBeginsAnew)
   EXPECT_EQ(After(watch, 7, 1), Verdict::Homed);
 }
 
-TEST(HomingWatch, TwoWrongRepliesLoseNothingAndThreeDo)
+TEST(HomingWatch, LosesHomingAfterThreeWrongReplies)
 {
   HomingWatch watch;
   EXPECT_EQ(After(watch, 7, 20), Verdict::Homed);

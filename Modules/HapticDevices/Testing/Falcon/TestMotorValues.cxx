@@ -17,13 +17,13 @@ Vector3 VectorOf(const FalconNumbers& motors)
           static_cast<double>(motors[2])};
 }
 
-TEST(MotorValues, BelowTheLargestTheyAreTheTorquesRounded)
+TEST(MotorValues, RoundsTorquesBelowLimit)
 {
   EXPECT_EQ(MotorValuesFor({-10.0, 20.0, 0.1}, 6.0), (FalconNumbers{60, -120, -1}));
   EXPECT_EQ(MotorValuesFor({-682.5, 0.0, 0.0}, 6.0), (FalconNumbers{4095, 0, 0}));
 }
 
-TEST(MotorValues, BeyondTheLargestTheDirectionStays)
+TEST(MotorValues, SaturationKeepsDirection)
 {
   test::Random random(31);
   for (int i = 0; i < 10000; ++i)
@@ -37,7 +37,7 @@ TEST(MotorValues, BeyondTheLargestTheDirectionStays)
   }
 }
 
-TEST(MotorValues, WhatIsNoNumberIsNoTorque)
+TEST(MotorValues, NanIsZero)
 {
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   constexpr double infinite = std::numeric_limits<double>::infinity();

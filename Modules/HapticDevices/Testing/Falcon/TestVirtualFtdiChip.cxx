@@ -24,7 +24,7 @@ protected:
   std::uint8_t Packet[64] = {};
 };
 
-TEST_F(VirtualFtdiChipTest, AnswersTheRatesThatAreAskedFor)
+TEST_F(VirtualFtdiChipTest, AcceptsRequestedRates)
 {
   const auto rate = [this](FtdiRequest request)
   {
@@ -39,7 +39,7 @@ TEST_F(VirtualFtdiChipTest, AnswersTheRatesThatAreAskedFor)
   }
 }
 
-TEST_F(VirtualFtdiChipTest, SendsStatusWheneverTheLatencyTimerEnds)
+TEST_F(VirtualFtdiChipTest, SendsStatusAtEveryLatencyTimeout)
 {
   ASSERT_TRUE(this->Ask(FtdiRequest::LatencyTimer(16), 0));
   EXPECT_EQ(this->Take(16 * Millisecond - 1), 0U);
@@ -48,7 +48,7 @@ TEST_F(VirtualFtdiChipTest, SendsStatusWheneverTheLatencyTimerEnds)
   EXPECT_EQ(this->Chip.NextPacket(), 32 * Millisecond);
 }
 
-TEST_F(VirtualFtdiChipTest, AFullPacketDoesNotWaitForTheTimer)
+TEST_F(VirtualFtdiChipTest, FullPacketIsSentAtOnce)
 {
   for (int i = 0; i < 70; ++i)
   {
@@ -60,20 +60,20 @@ TEST_F(VirtualFtdiChipTest, AFullPacketDoesNotWaitForTheTimer)
   EXPECT_EQ(this->Take(1061 + 16 * Millisecond), 10U);
 }
 
-TEST_F(VirtualFtdiChipTest, AChangeOfClearToSendIsToldAtOnce)
+TEST_F(VirtualFtdiChipTest, ReportsClearToSendChangeAtOnce)
 {
   this->Chip.SetClearToSend(true, 5);
   EXPECT_EQ(this->Take(5), 2U);
   EXPECT_EQ(this->Packet[0] & 0x10, 0x10);
 }
 
-TEST_F(VirtualFtdiChipTest, PacketsThatNobodyReadAreOne)
+TEST_F(VirtualFtdiChipTest, MergesUnreadPackets)
 {
   EXPECT_EQ(this->Take(1000 * Millisecond), 2U);
   EXPECT_EQ(this->Take(1000 * Millisecond), 0U);
 }
 
-TEST_F(VirtualFtdiChipTest, BytesLeaveAtTheBaudRate)
+TEST_F(VirtualFtdiChipTest, TransmitsAtBaudRate)
 {
   ASSERT_TRUE(this->Ask(FtdiRequest::Baud(2), 0));
   const std::vector<std::uint8_t> bytes(3, 7);
@@ -85,7 +85,7 @@ TEST_F(VirtualFtdiChipTest, BytesLeaveAtTheBaudRate)
   EXPECT_EQ(this->Chip.NextTransmitted(), 100 + 2 * 6'667);
 }
 
-TEST_F(VirtualFtdiChipTest, BytesOfAnotherRateArriveBroken)
+TEST_F(VirtualFtdiChipTest, WrongRateCorruptsBytes)
 {
   ASSERT_TRUE(this->Ask(FtdiRequest::Baud(2), 0));
   this->Chip.Receive({10, 9600.0, 0x41});
@@ -94,7 +94,7 @@ TEST_F(VirtualFtdiChipTest, BytesOfAnotherRateArriveBroken)
   EXPECT_EQ(this->Packet[1] & 0x08, 0x08);
 }
 
-TEST_F(VirtualFtdiChipTest, PurgingForgetsOneDirection)
+TEST_F(VirtualFtdiChipTest, PurgesOneDirection)
 {
   const std::uint8_t byte = 1;
   this->Chip.Transmit(&byte, 1, 0);

@@ -8,7 +8,7 @@
 
 namespace palpate::test
 {
-/// Finds one virtual Falcon, and remembers which was asked for.
+/// Finds one virtual Falcon, and records which was requested.
 class VirtualFinder final : public FalconFinder
 {
 public:

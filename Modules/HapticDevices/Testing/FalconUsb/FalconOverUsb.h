@@ -30,7 +30,7 @@ protected:
         settings);
   }
 
-  // Cycles of a servo until something holds, for at most ten seconds.
+  // Runs servo cycles until a condition holds, for at most ten seconds.
   template <typename Condition>
   bool TickUntil(const Condition& condition, const Vector3& force = Vector3::Zero())
   {

@@ -15,7 +15,7 @@ namespace palpate::test
 {
 using Bytes = std::vector<std::uint8_t>;
 
-/// Asks again and again, for a time that no healthy machine needs.
+/// Polls a condition, for longer than any healthy machine needs.
 template <typename Condition>
 bool Eventually(const Condition& condition)
 {
@@ -32,7 +32,7 @@ bool Eventually(const Condition& condition)
   return true;
 }
 
-/// Takes what comes until there are so many bytes.
+/// Receives until there are `count` bytes.
 inline Bytes ReceiveBytes(FalconLink& link, std::size_t count)
 {
   Bytes bytes(count);
@@ -58,7 +58,7 @@ struct ShimmedFalcon
 {
   ShimmedFalcon()
   {
-    // Descriptors are all that these tests open, and machines without USB have nothing else.
+    // These tests only open descriptors, and machines without USB have nothing else.
     libusb_set_option(nullptr, LIBUSB_OPTION_NO_DEVICE_DISCOVERY);
   }
 
@@ -68,7 +68,7 @@ struct ShimmedFalcon
   LibusbFalconLink Link{[this] { return this->Node.Open(); }};
 };
 
-/// Up to the loader's second stage, in which it echoes what it is sent.
+/// Boots up to the loader's second stage, in which it echoes its input.
 inline void EnterLoader(FalconLink& link)
 {
   for (const FtdiRequest request :
@@ -88,7 +88,7 @@ inline void EnterLoader(FalconLink& link)
   ASSERT_EQ(ReceiveBytes(link, 1), Bytes{0x41});
 }
 
-/// The head of a boot stream and of a first block of so many words, which then follow.
+/// The head of a boot stream and of a first block of `words` words, which must follow.
 inline Bytes ImageHead(unsigned words)
 {
   Bytes head(28, 0);

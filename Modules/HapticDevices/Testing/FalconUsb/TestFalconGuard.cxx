@@ -1,4 +1,4 @@
-// The guard process on a virtual bus: a board that pushes, and nobody who could tell it to stop.
+// The guard process on a virtual bus: a board that pushes, and no process left to stop it.
 #include "FalconGuard.h"
 
 #include "FalconBoot.h"
@@ -28,7 +28,7 @@ protected:
 
   void SetUp() override
   {
-    // Not skipped: a lost wrapper must not look like success.
+    // Not skipped: a missing wrapper must not look like success.
     ASSERT_TRUE(FalconTestBed::IsPossible()) << "umockdev is not preloaded: use umockdev-wrapper";
     this->Model.StartLoaded();
     this->Bed.Plug(this->Bus, Port);
@@ -62,24 +62,24 @@ protected:
   FalconTestBed Bed;
 };
 
-TEST_F(FalconGuardTest, StopsTheMotorsWhenItsProcessEndsWithoutAWord)
+TEST_F(FalconGuardTest, StopsMotorsWhenProcessDies)
 {
   const pid_t child = fork();
   if (child == 0)
   {
     FalconGuard guard;
     const bool isStarted = guard.Start(this->BusPath);
-    _exit(isStarted ? 0 : 1); // no destructor, as where a signal ends a process
+    _exit(isStarted ? 0 : 1); // no destructor, as if a signal ends the process
   }
   int status = 1;
   ASSERT_EQ(waitpid(child, &status, 0), child);
   ASSERT_EQ(status, 0) << "palpate-falcon-guard was not found";
   EXPECT_TRUE(Eventually([this] { return !this->HasTorque(); }));
-  EXPECT_GT(waitpid(-1, &status, 0), 0) << "it ends once it has done its work";
+  EXPECT_GT(waitpid(-1, &status, 0), 0) << "it must end after its work";
   EXPECT_EQ(status, 0);
 }
 
-TEST_F(FalconGuardTest, StopsTheMotorsOfADeviceThatLeftTheBusAndIsBack)
+TEST_F(FalconGuardTest, StopsMotorsAfterReturnToBus)
 {
   this->Bed.Unplug(Port, VirtualFalcon::Supply::Kept);
   FalconGuard guard;
@@ -91,7 +91,7 @@ TEST_F(FalconGuardTest, StopsTheMotorsOfADeviceThatLeftTheBusAndIsBack)
   guard.Dismiss();
 }
 
-TEST_F(FalconGuardTest, LeavesADeviceAloneThatWasClosed)
+TEST_F(FalconGuardTest, IgnoresClosedDevice)
 {
   FalconGuard guard;
   ASSERT_TRUE(guard.Start(this->BusPath));
@@ -101,7 +101,7 @@ TEST_F(FalconGuardTest, LeavesADeviceAloneThatWasClosed)
   EXPECT_EQ(this->Model.Board().Received().size(), before);
 }
 
-// A link that is open, armed, and has pushed.
+// An open, armed link that has sent a torque.
 class FalconGuardOfLink : public FalconGuardTest
 {
 protected:
@@ -112,7 +112,7 @@ protected:
     ASSERT_TRUE(this->Link->Open().IsOk());
     const FalconPacket stop = Encoded(FalconRequest());
     this->Link->ArmStop(stop.data(), stop.size());
-    // Without a word after it, the silence would stop the motors.
+    // Without a later word, the silence would stop the motors.
     this->Bus.HoldWrites(true);
     ASSERT_TRUE(this->HasTorque());
   }
@@ -142,7 +142,7 @@ protected:
   std::unique_ptr<LibusbFalconLink> Link;
 };
 
-TEST_F(FalconGuardOfLink, StopsADeviceThatIsBackAfterItsLinkHasEnded)
+TEST_F(FalconGuardOfLink, StopsReturnedDeviceAfterLinkEnded)
 {
   ASSERT_NO_FATAL_FAILURE(this->PullTheCable());
   this->Link->Close(); // as its device does before it ends
@@ -151,7 +151,7 @@ TEST_F(FalconGuardOfLink, StopsADeviceThatIsBackAfterItsLinkHasEnded)
   this->ExpectStop("Closed without a cable, from its return");
 }
 
-TEST_F(FalconGuardOfLink, LetsAnotherLinkOpenTheDeviceThatIsBack)
+TEST_F(FalconGuardOfLink, LetsOtherLinkOpenReturnedDevice)
 {
   this->Bus.HoldWrites(false);
   for (int n = 0; n < 5; ++n)
@@ -165,14 +165,14 @@ TEST_F(FalconGuardOfLink, LetsAnotherLinkOpenTheDeviceThatIsBack)
   }
 }
 
-TEST_F(FalconGuardOfLink, StopsADeviceThatTookNothingWhenItsLinkEnded)
+TEST_F(FalconGuardOfLink, StopsBlockedDeviceAfterLinkEnded)
 {
   ASSERT_TRUE(this->Link->SendStop());
   this->Link.reset();
   this->ExpectStop("Closed with a full queue, from when it moves again");
 }
 
-TEST_F(FalconGuardOfLink, StopsADeviceWhoseErrorsCameBeforeItLeftTheBus)
+TEST_F(FalconGuardOfLink, StopsDeviceThatFailedBeforeLeavingBus)
 {
   this->Bus.FailReads(40);
   ASSERT_TRUE(Eventually([this] { return this->Link->IsGone(); }));
@@ -181,7 +181,7 @@ TEST_F(FalconGuardOfLink, StopsADeviceWhoseErrorsCameBeforeItLeftTheBus)
   this->ExpectStop("Hub reset after errors, from its return");
 }
 
-TEST_F(FalconGuardOfLink, StopsADeviceThatCouldNotBeOpenedMeanwhile)
+TEST_F(FalconGuardOfLink, StopsDeviceAfterFailedOpen)
 {
   ASSERT_NO_FATAL_FAILURE(this->PullTheCable());
   this->Link->Close();
@@ -190,7 +190,7 @@ TEST_F(FalconGuardOfLink, StopsADeviceThatCouldNotBeOpenedMeanwhile)
   this->ExpectStop("Opened in vain without a cable, from its return");
 }
 
-TEST_F(FalconGuardTest, LetsADeviceBeOpenedAgainWhileItIsCalled)
+TEST_F(FalconGuardTest, AllowsReopenWhileCalled)
 {
   LibusbFalconLink link(this->BusPath);
   ASSERT_TRUE(link.Open().IsOk());

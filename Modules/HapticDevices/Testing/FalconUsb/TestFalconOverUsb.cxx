@@ -7,20 +7,20 @@ namespace
 using test::FalconOverUsb;
 using test::UsbfsFalcon;
 
-TEST_F(FalconOverUsb, IsLoadedAndHomedAndPushes)
+TEST_F(FalconOverUsb, LoadsHomesAndPushes)
 {
   ASSERT_NO_FATAL_FAILURE(this->OpenAndHome());
   EXPECT_TRUE(this->TickUntil([this] { return this->HasTorque(); }, {0.0, 0.0, 1.0}));
   EXPECT_NEAR(this->Sample.Position.X, 0.0, 0.1);
-  // On a busy machine some come too late.
+  // On a busy machine some replies are late.
   EXPECT_GT(this->Device->Statistics().Replies, this->Device->Statistics().Requests / 2)
       << this->Device->ConnectionReport();
   this->Device->Close();
-  EXPECT_FALSE(this->HasTorque()) << "closing takes the force away first";
+  EXPECT_FALSE(this->HasTorque()) << "closing must remove the force first";
   EXPECT_EQ(this->Bus.FileCount(), 0U);
 }
 
-TEST_F(FalconOverUsb, FirmwareThatRunsIsNotLoadedAgain)
+TEST_F(FalconOverUsb, KeepsRunningFirmware)
 {
   ASSERT_NO_FATAL_FAILURE(this->OpenAndHome());
   EXPECT_EQ(this->Device->BootReport().Attempts, 1);
@@ -29,7 +29,7 @@ TEST_F(FalconOverUsb, FirmwareThatRunsIsNotLoadedAgain)
   EXPECT_EQ(this->Device->BootReport().Attempts, 0);
 }
 
-TEST_F(FalconOverUsb, UnpluggedInContactItFailsAndComesBackByOpeningItAgain)
+TEST_F(FalconOverUsb, RecoversFromUnpluggingByReopening)
 {
   for (const auto how :
        {UsbfsFalcon::Unplugging::AbortsReads, UsbfsFalcon::Unplugging::RefusesNext})

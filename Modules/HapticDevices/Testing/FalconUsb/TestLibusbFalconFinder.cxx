@@ -26,7 +26,7 @@ class LibusbFalconFinderTest : public testing::Test
 protected:
   void SetUp() override
   {
-    // Not skipped: a lost wrapper must not look like success.
+    // Not skipped: a missing wrapper must not look like success.
     ASSERT_TRUE(FalconTestBed::IsPossible()) << "umockdev is not preloaded: use umockdev-wrapper";
   }
 
@@ -53,14 +53,14 @@ protected:
   std::unique_ptr<FalconLink> Link;
 };
 
-TEST_F(LibusbFalconFinderTest, AnEmptyBusHasNone)
+TEST_F(LibusbFalconFinderTest, EmptyBusHasNone)
 {
   EXPECT_TRUE(this->List().empty());
   EXPECT_EQ(this->Open("").Message(),
             "There is no Falcon on USB (0403:cb48): plug in its cable and its power supply.");
 }
 
-TEST_F(LibusbFalconFinderTest, FalconsComeAndGo)
+TEST_F(LibusbFalconFinderTest, ListsArrivingAndLeavingFalcons)
 {
   for (int n = 0; n < 3; ++n)
   {
@@ -75,7 +75,7 @@ TEST_F(LibusbFalconFinderTest, FalconsComeAndGo)
   }
 }
 
-TEST_F(LibusbFalconFinderTest, OneOfSeveralIsChosenByPlaceOrSerial)
+TEST_F(LibusbFalconFinderTest, ChoosesByPortOrSerial)
 {
   this->Bed.Plug(this->Second, 3);
   this->Bed.Plug(this->First, 1);
@@ -94,7 +94,7 @@ TEST_F(LibusbFalconFinderTest, OneOfSeveralIsChosenByPlaceOrSerial)
   EXPECT_NE(this->Open("1-7").Message().find("1-7"), std::string::npos);
 }
 
-TEST_F(LibusbFalconFinderTest, TheFirstThatCanBeHadIsTaken)
+TEST_F(LibusbFalconFinderTest, UsesFirstAvailable)
 {
   this->Bed.Plug(this->First, 1);
   this->Bed.Plug(this->Second, 2);
@@ -108,7 +108,7 @@ TEST_F(LibusbFalconFinderTest, TheFirstThatCanBeHadIsTaken)
             "The Falcon at USB 1-1 is used by another program: close that first.");
 }
 
-TEST_F(LibusbFalconFinderTest, WhoHoldsItIsNamedWithoutClaimingIt)
+TEST_F(LibusbFalconFinderTest, ReportsUserWithoutClaiming)
 {
   this->Bed.Plug(this->First, 1);
   this->Bed.ShowDriver(1, "usbfs");
@@ -116,11 +116,11 @@ TEST_F(LibusbFalconFinderTest, WhoHoldsItIsNamedWithoutClaimingIt)
             "The Falcon at USB 1-1 is used by another program: close that first.");
 }
 
-TEST_F(LibusbFalconFinderTest, ADriverThatDoesNotLetGoIsNamed)
+TEST_F(LibusbFalconFinderTest, ReportsDriverThatKeepsDevice)
 {
   this->Bed.Plug(this->First, 1);
   this->Bed.ShowDriver(1, "ftdi_sio");
-  EXPECT_EQ(this->List().at(0).Obstacle, "") << "it is detached where the device is opened";
+  EXPECT_EQ(this->List().at(0).Obstacle, "") << "opening the device detaches it";
   std::unique_ptr<FalconLink> other;
   ASSERT_TRUE(this->Finder.MakeLink("", other).IsOk());
   ASSERT_TRUE(other->Open().IsOk());
@@ -129,7 +129,7 @@ TEST_F(LibusbFalconFinderTest, ADriverThatDoesNotLetGoIsNamed)
             "unload it by 'sudo modprobe -r ftdi_sio'.");
 }
 
-TEST_F(LibusbFalconFinderTest, WithoutPermissionTheRuleIsNamed)
+TEST_F(LibusbFalconFinderTest, ReportsMissingPermission)
 {
   if (geteuid() == 0)
   {
@@ -138,14 +138,14 @@ TEST_F(LibusbFalconFinderTest, WithoutPermissionTheRuleIsNamed)
   }
   this->Bed.Plug(this->First, 1);
   this->Bed.Forbid(1, true);
-  const std::string sentence =
+  const std::string message =
       "The Falcon at USB 1-1 may not be used by this user: install its udev rule by 'sudo "
       "Utilities/install-udev-rule.sh', then unplug it and plug it in again.";
-  EXPECT_EQ(this->List().at(0).Obstacle, sentence);
-  EXPECT_EQ(this->Open("").Message(), sentence);
+  EXPECT_EQ(this->List().at(0).Obstacle, message);
+  EXPECT_EQ(this->Open("").Message(), message);
 }
 
-TEST_F(LibusbFalconFinderTest, UnpluggedWhileOpenItOpensAgainWhereItIsBack)
+TEST_F(LibusbFalconFinderTest, ReopensAfterUnplugging)
 {
   this->Bed.Plug(this->First, 1);
   ASSERT_TRUE(this->Open("1-1").IsOk());

@@ -26,14 +26,15 @@ protected:
     ASSERT_TRUE(status.IsOk()) << status.Message();
   }
 
-  // What is closed leaves nothing behind on the bus.
+  // A closed link leaves nothing behind on the bus.
   void ExpectNothingLeft()
   {
     EXPECT_EQ(this->Bus.FileCount(), 0U);
     EXPECT_EQ(this->Bus.WaitingCount(), 0U);
   }
 
-  // Closing cancels within a second whatever the device does; the rest is for a busy machine.
+  // Closing cancels within a second whatever the device does; the rest is margin for a busy
+  // machine.
   void ExpectBoundedClose()
   {
     const auto start = std::chrono::steady_clock::now();
@@ -49,7 +50,7 @@ std::size_t OpenDescriptors()
   return static_cast<std::size_t>(std::distance(first, std::filesystem::directory_iterator()));
 }
 
-TEST_F(LibusbFalconLinkTest, ClosedItCarriesNothing)
+TEST_F(LibusbFalconLinkTest, ClosedLinkCarriesNothing)
 {
   std::uint8_t byte = 0;
   EXPECT_FALSE(this->Link.Send(&byte, 1));
@@ -60,7 +61,7 @@ TEST_F(LibusbFalconLinkTest, ClosedItCarriesNothing)
   this->Link.Close();
 }
 
-TEST_F(LibusbFalconLinkTest, RequestsSetTheChip)
+TEST_F(LibusbFalconLinkTest, RequestsSetChip)
 {
   this->OpenLink();
   EXPECT_TRUE(this->Link.Control(FtdiRequest::DataTerminalReady(true)).IsOk());
@@ -76,16 +77,16 @@ TEST_F(LibusbFalconLinkTest, RequestsSetTheChip)
                        { EXPECT_FALSE(falcon.Chip().DataTerminalReady()); });
 }
 
-TEST_F(LibusbFalconLinkTest, ARequestThatIsRefusedIsNamed)
+TEST_F(LibusbFalconLinkTest, ReportsRefusedRequest)
 {
   this->Bus.WithFalcon([](VirtualFalcon& falcon) { falcon.Faults.StalledRequest = 9; });
   this->OpenLink();
   EXPECT_EQ(this->Link.Control(FtdiRequest::LatencyTimer(1)).Message(),
             "The Falcon's serial chip refuses request 9.");
-  EXPECT_TRUE(this->Link.Control(FtdiRequest::Baud(2)).IsOk()) << "the others go on";
+  EXPECT_TRUE(this->Link.Control(FtdiRequest::Baud(2)).IsOk()) << "others must still work";
 }
 
-TEST_F(LibusbFalconLinkTest, WhatIsSentComesBackWholeAndInOrder)
+TEST_F(LibusbFalconLinkTest, EchoIsCompleteAndInOrder)
 {
   constexpr std::size_t Count = 8192; // far more than is in flight at once
   this->OpenLink();
@@ -96,7 +97,7 @@ TEST_F(LibusbFalconLinkTest, WhatIsSentComesBackWholeAndInOrder)
     image.push_back(static_cast<std::uint8_t>(n * 31 + n / 251));
   }
   Bytes echo;
-  // Less than a packet, a packet, more than a packet, and as much as is taken at once.
+  // Less than a packet, a packet, more than a packet, and the whole queue.
   const std::array<std::size_t, 4> pieces{7, 62, 130, 512};
   for (std::size_t start = 0, n = 0; start < image.size(); ++n)
   {
@@ -109,7 +110,7 @@ TEST_F(LibusbFalconLinkTest, WhatIsSentComesBackWholeAndInOrder)
   EXPECT_EQ(echo, image);
 }
 
-TEST_F(LibusbFalconLinkTest, ClearToSendFollowsTheChip)
+TEST_F(LibusbFalconLinkTest, ClearToSendFollowsChip)
 {
   this->OpenLink();
   EXPECT_FALSE(this->Link.ClearToSend());
@@ -117,19 +118,19 @@ TEST_F(LibusbFalconLinkTest, ClearToSendFollowsTheChip)
   EXPECT_TRUE(Eventually([this] { return this->Link.ClearToSend(); }));
 }
 
-TEST_F(LibusbFalconLinkTest, APurgeForgetsWhatCame)
+TEST_F(LibusbFalconLinkTest, PurgeDiscardsReceivedBytes)
 {
   this->OpenLink();
   ASSERT_NO_FATAL_FAILURE(EnterLoader(this->Link));
   ASSERT_TRUE(SendBytes(this->Link, {0xaa, 0x08}));
-  // Both come in one packet, so the second one is there too.
+  // Both arrive in one packet, so the second one is there too.
   ASSERT_EQ(ReceiveBytes(this->Link, 1), Bytes{0xaa});
   ASSERT_TRUE(this->Link.Control(FtdiRequest::PurgeIn()).IsOk());
   ASSERT_TRUE(SendBytes(this->Link, {0x00}));
   EXPECT_EQ(ReceiveBytes(this->Link, 1), Bytes{0x00});
 }
 
-TEST_F(LibusbFalconLinkTest, TheQueueIsBoundedAndTakesAllOrNothing)
+TEST_F(LibusbFalconLinkTest, QueueIsBoundedAndTakesAllOrNothing)
 {
   const Bytes many(512, 0x55);
   const Bytes two(2, 0x66);
@@ -143,7 +144,7 @@ TEST_F(LibusbFalconLinkTest, TheQueueIsBoundedAndTakesAllOrNothing)
   EXPECT_TRUE(Eventually([&] { return SendBytes(this->Link, many); }));
 }
 
-TEST_F(LibusbFalconLinkTest, WhereNothingIsTakenItGivesUpAtItsDeadline)
+TEST_F(LibusbFalconLinkTest, GivesUpAtWriteDeadline)
 {
   this->OpenLink();
   this->Bus.HoldWrites(true);
@@ -155,7 +156,7 @@ TEST_F(LibusbFalconLinkTest, WhereNothingIsTakenItGivesUpAtItsDeadline)
   this->ExpectBoundedClose();
 }
 
-TEST_F(LibusbFalconLinkTest, ABurstOfFailedReadsCostsNothingElse)
+TEST_F(LibusbFalconLinkTest, SurvivesBurstOfFailedReads)
 {
   this->OpenLink();
   ASSERT_NO_FATAL_FAILURE(EnterLoader(this->Link));
@@ -165,7 +166,7 @@ TEST_F(LibusbFalconLinkTest, ABurstOfFailedReadsCostsNothingElse)
   EXPECT_FALSE(this->Link.IsGone());
 }
 
-TEST_F(LibusbFalconLinkTest, WhereEveryReadFailsItGivesUp)
+TEST_F(LibusbFalconLinkTest, GivesUpIfEveryReadFails)
 {
   this->OpenLink();
   this->Bus.FailReads(1'000'000);
@@ -175,7 +176,7 @@ TEST_F(LibusbFalconLinkTest, WhereEveryReadFailsItGivesUp)
   this->ExpectBoundedClose();
 }
 
-TEST_F(LibusbFalconLinkTest, UnpluggedWithReadsInFlightItSaysSoAndOpensAgain)
+TEST_F(LibusbFalconLinkTest, ReportsUnpluggingAndReopens)
 {
   for (const auto how : {UsbfsFalcon::Unplugging::AbortsReads, UsbfsFalcon::Unplugging::RefusesNext,
                          UsbfsFalcon::Unplugging::AbortsReads})
@@ -196,7 +197,7 @@ TEST_F(LibusbFalconLinkTest, UnpluggedWithReadsInFlightItSaysSoAndOpensAgain)
   ASSERT_NO_FATAL_FAILURE(EnterLoader(this->Link));
 }
 
-TEST_F(LibusbFalconLinkTest, UnpluggedAtAnyMomentItNeitherHangsNorLeavesAnything)
+TEST_F(LibusbFalconLinkTest, UnpluggingNeverHangsOrLeaks)
 {
   for (int n = 0; n < 40; ++n)
   {
@@ -223,7 +224,7 @@ TEST_F(LibusbFalconLinkTest, UnpluggedAtAnyMomentItNeitherHangsNorLeavesAnything
   }
 }
 
-TEST_F(LibusbFalconLinkTest, ClosingLetsOutWhatWasSent)
+TEST_F(LibusbFalconLinkTest, CloseFlushesSentBytes)
 {
   this->OpenLink();
   ASSERT_NO_FATAL_FAILURE(EnterLoader(this->Link));
@@ -231,7 +232,7 @@ TEST_F(LibusbFalconLinkTest, ClosingLetsOutWhatWasSent)
   this->Bus.HoldWrites(true);
   ASSERT_TRUE(SendBytes(this->Link, ImageHead(100)));
   std::thread owner([this] { this->ExpectBoundedClose(); });
-  // Closing has begun where reads are not submitted again; only the write waits.
+  // Closing has begun when reads are not submitted again; only the write is waiting.
   EXPECT_TRUE(Eventually([this] { return this->Bus.WaitingCount() <= 1; }));
   this->Bus.HoldWrites(false);
   owner.join();
@@ -248,7 +249,7 @@ TEST_F(LibusbFalconLinkTest, ClosingLetsOutWhatWasSent)
       }));
 }
 
-TEST_F(LibusbFalconLinkTest, ClosedWhileBusyItTakesEverythingBack)
+TEST_F(LibusbFalconLinkTest, CloseWhileBusyCancelsTransfers)
 {
   this->OpenLink();
   this->Bus.HoldWrites(true);
@@ -259,7 +260,7 @@ TEST_F(LibusbFalconLinkTest, ClosedWhileBusyItTakesEverythingBack)
   ASSERT_NO_FATAL_FAILURE(EnterLoader(this->Link));
 }
 
-TEST_F(LibusbFalconLinkTest, ClosingEndsThoughTheKernelGivesNothingBack)
+TEST_F(LibusbFalconLinkTest, CloseEndsIfKernelReturnsNothing)
 {
 #if defined(__SANITIZE_ADDRESS__)
   GTEST_SKIP() << "libusb leaks what the kernel never gives back";
@@ -271,7 +272,7 @@ TEST_F(LibusbFalconLinkTest, ClosingEndsThoughTheKernelGivesNothingBack)
   this->ExpectBoundedClose();
 }
 
-TEST_F(LibusbFalconLinkTest, OpenedAndClosedManyTimesItKeepsNothing)
+TEST_F(LibusbFalconLinkTest, RepeatedOpenAndCloseLeaksNothing)
 {
   this->OpenLink();
   this->Link.Close();
@@ -279,7 +280,7 @@ TEST_F(LibusbFalconLinkTest, OpenedAndClosedManyTimesItKeepsNothing)
   for (int n = 0; n < 200; ++n)
   {
     this->OpenLink();
-    EXPECT_FALSE(this->Link.Open().IsOk()) << "an open link is not opened again";
+    EXPECT_FALSE(this->Link.Open().IsOk()) << "an open link must not open again";
     ASSERT_TRUE(this->Link.Control(FtdiRequest::Baud(2)).IsOk()) << n;
     this->Link.Close();
   }
@@ -287,7 +288,7 @@ TEST_F(LibusbFalconLinkTest, OpenedAndClosedManyTimesItKeepsNothing)
   this->ExpectNothingLeft();
 }
 
-TEST_F(LibusbFalconLinkTest, AnotherProgramThatUsesItIsNamed)
+TEST_F(LibusbFalconLinkTest, ReportsDeviceInUse)
 {
   this->OpenLink();
   LibusbFalconLink second([this] { return this->Node.Open(); });
@@ -297,14 +298,14 @@ TEST_F(LibusbFalconLinkTest, AnotherProgramThatUsesItIsNamed)
   EXPECT_TRUE(second.Open().IsOk());
 }
 
-TEST_F(LibusbFalconLinkTest, ADriverOfTheKernelLetsGo)
+TEST_F(LibusbFalconLinkTest, DetachesKernelDriver)
 {
   this->Bus.BindDriver("ftdi_sio");
   this->OpenLink();
   ASSERT_NO_FATAL_FAILURE(EnterLoader(this->Link));
 }
 
-TEST_F(LibusbFalconLinkTest, SendingAndReceivingAllocateNothing)
+TEST_F(LibusbFalconLinkTest, SendAndReceiveDoNotAllocate)
 {
   this->OpenLink();
   ASSERT_NO_FATAL_FAILURE(EnterLoader(this->Link));
@@ -321,7 +322,7 @@ TEST_F(LibusbFalconLinkTest, SendingAndReceivingAllocateNothing)
   EXPECT_EQ(echo, head);
 }
 
-TEST_F(LibusbFalconLinkTest, TheOwnerMayAskTheChipWhileTheServoTalks)
+TEST_F(LibusbFalconLinkTest, OwnerMayControlWhileServoSends)
 {
   constexpr unsigned Words = 600;
   this->OpenLink();

@@ -1,5 +1,5 @@
-// From a fault to 0 N at the board, over the real libusb and its thread, by the packets that the
-// board received. It holds the last torque for ever, whatever becomes of the cable.
+// From a fault to 0 N at the board, over the real libusb and its thread, measured by the packets
+// that the board received. It holds the last torque for ever, whatever happens to the cable.
 #include "FalconOverUsb.h"
 
 #include "Servo.h"
@@ -19,7 +19,7 @@ using test::UsbfsFalcon;
 using test::VirtualFalcon;
 using test::VirtualFalconAnswer;
 
-// A handle that was homed and a force on it.
+// A homed handle with a force on it.
 class StopOverUsb : public FalconOverUsb
 {
 protected:
@@ -34,7 +34,7 @@ protected:
     return this->Bus.WithFalcon([](VirtualFalcon& falcon)
                                 { return falcon.Board().Received().size(); });
   }
-  // Of the packets that came since, those that asked for a torque.
+  // Number of packets since then that requested a torque.
   std::size_t TorquesSince(std::size_t first)
   {
     return this->Bus.WithFalcon(
@@ -57,7 +57,7 @@ protected:
     this->RecordProperty("front", "libusb");
     this->RecordProperty("fault", fault);
     this->RecordProperty("milliseconds", std::to_string(1e-6 * double(this->Time.Now() - since)));
-    // Nor does anything that was queued come after it.
+    // Nothing that was queued follows it.
     const std::size_t stopped = this->ReceivedCount();
     this->Time.WaitUntil(this->Time.Now() + 5 * FalconLink::SilenceLimit);
     EXPECT_EQ(this->TorquesSince(stopped), 0U);
@@ -66,17 +66,17 @@ protected:
   const Vector3 Push{0.0, 0.0, 3.0};
 };
 
-TEST_F(StopOverUsb, ZeroOvertakesWhatIsQueued)
+TEST_F(StopOverUsb, ZeroOvertakesQueue)
 {
   const std::int64_t start = this->Time.Now();
   const std::size_t before = this->ReceivedCount();
   static_cast<void>(this->Device->Apply(Vector3::Zero()));
   this->ExpectStop("ZeroForce", start);
-  // What an armed link holds at most.
+  // The capacity of an armed link.
   EXPECT_LE(this->TorquesSince(before), 4U);
 }
 
-TEST_F(StopOverUsb, ZeroGoesOutThoughRepliesAreOwed)
+TEST_F(StopOverUsb, ZeroDoesNotWaitForReplies)
 {
   this->Bus.WithFalcon([](VirtualFalcon& falcon)
                        { falcon.Faults.Spoil = [](VirtualFalconAnswer& a) { a.Bytes.clear(); }; });
@@ -93,7 +93,7 @@ TEST_F(StopOverUsb, ZeroGoesOutThoughRepliesAreOwed)
   this->ExpectStop("SwitchedOffWhileRepliesAreOwed", start);
 }
 
-TEST_F(StopOverUsb, ZeroIsFirstWhereAFullQueueMovesAgain)
+TEST_F(StopOverUsb, ZeroIsFirstAfterFullQueue)
 {
   this->Bus.HoldWrites(true);
   EXPECT_TRUE(this->TickUntil([this] { return !this->Device->Apply(this->Push); }, this->Push));
@@ -102,7 +102,7 @@ TEST_F(StopOverUsb, ZeroIsFirstWhereAFullQueueMovesAgain)
   EXPECT_TRUE(this->HasTorqueNow());
   const std::size_t before = this->ReceivedCount();
   static_cast<void>(this->Device->Apply(Vector3::Zero()));
-  // The writes before it are taken back; the stop alone waits.
+  // Earlier writes are cancelled; only the stop is waiting.
   EXPECT_TRUE(Eventually([this] { return this->Bus.WaitingWrites() == 1; }));
   const std::int64_t start = this->Time.Now();
   this->Bus.HoldWrites(false);
@@ -110,14 +110,14 @@ TEST_F(StopOverUsb, ZeroIsFirstWhereAFullQueueMovesAgain)
   EXPECT_EQ(this->TorquesSince(before), 0U);
 }
 
-TEST_F(StopOverUsb, AServoThatHangsLosesItsTorque)
+TEST_F(StopOverUsb, HangingServoLosesTorque)
 {
   const std::int64_t start = this->Time.Now();
   this->ExpectStop("ServoHangs", start);
   EXPECT_GE(this->Time.Now() - start, FalconLink::SilenceLimit - 2'000'000);
 }
 
-TEST_F(StopOverUsb, ASilentLinkStopsAFewTimesAndThenLeavesTheDeviceAlone)
+TEST_F(StopOverUsb, SilentLinkStopsOnlyAFewTimes)
 {
   const std::size_t before = this->ReceivedCount();
   EXPECT_TRUE(
@@ -127,7 +127,7 @@ TEST_F(StopOverUsb, ASilentLinkStopsAFewTimesAndThenLeavesTheDeviceAlone)
   EXPECT_LE(this->ReceivedCount(), after + 1);
 }
 
-TEST_F(StopOverUsb, WhereOnlyErrorsComeItStops)
+TEST_F(StopOverUsb, StopsIfOnlyErrorsArrive)
 {
   const std::int64_t start = this->Time.Now();
   this->Bus.FailReads(1'000'000);
@@ -136,7 +136,7 @@ TEST_F(StopOverUsb, WhereOnlyErrorsComeItStops)
   this->ExpectStop("OnlyErrorsCome", start);
 }
 
-TEST_F(StopOverUsb, WhereWritesFailItStopsOnceTheyDoNot)
+TEST_F(StopOverUsb, StopsOnceWritesRecover)
 {
   for (const int failures : {1, 6})
   {
@@ -151,7 +151,7 @@ TEST_F(StopOverUsb, WhereWritesFailItStopsOnceTheyDoNot)
   }
 }
 
-TEST_F(StopOverUsb, ADeviceThatTakesNothingFailsAndStopsOnceItTakesAgain)
+TEST_F(StopOverUsb, BlockedDeviceStopsOnceUnblocked)
 {
   this->Bus.HoldWrites(true);
   EXPECT_TRUE(
@@ -163,14 +163,14 @@ TEST_F(StopOverUsb, ADeviceThatTakesNothingFailsAndStopsOnceItTakesAgain)
   EXPECT_EQ(this->TorquesSince(before), 0U);
 }
 
-TEST_F(StopOverUsb, ClosingStops)
+TEST_F(StopOverUsb, CloseStops)
 {
   const std::int64_t start = this->Time.Now();
   this->Device->Close();
   this->ExpectStop("Closed", start);
 }
 
-TEST_F(StopOverUsb, AHubThatResetsLeavesTheTorqueUntilTheDeviceIsOpenedAgain)
+TEST_F(StopOverUsb, HubResetKeepsTorqueUntilReopen)
 {
   for (const auto how :
        {UsbfsFalcon::Unplugging::AbortsReads, UsbfsFalcon::Unplugging::RefusesNext})
@@ -179,7 +179,7 @@ TEST_F(StopOverUsb, AHubThatResetsLeavesTheTorqueUntilTheDeviceIsOpenedAgain)
     this->Bus.Unplug(how, VirtualFalcon::Supply::Kept);
     EXPECT_TRUE(this->TickUntil([this] { return this->Device->State() == DeviceState::Error; },
                                 this->Push));
-    EXPECT_TRUE(this->HasTorque()) << "what remains without a cable";
+    EXPECT_TRUE(this->HasTorque()) << "the torque persists without a cable";
     const std::size_t before = this->ReceivedCount();
     this->Device->Close();
     this->Bus.Plug();
@@ -224,11 +224,11 @@ const TouchStop TouchStops[] = {
      }},
 };
 
-// A servo of its own, which presses a wall that fills the workspace.
+// A separate servo, which presses a wall that fills the workspace.
 class TouchStopOverUsb : public StopOverUsb, public testing::WithParamInterface<TouchStop>
 {
 protected:
-  // Ticks until something holds. A tick or a sample that was late is another program's doing.
+  // Ticks until a condition holds. Late ticks or samples are caused by other programs.
   template <typename Condition>
   bool Run(Servo& servo, Condition condition, bool rearms)
   {
@@ -249,7 +249,7 @@ protected:
   }
 };
 
-TEST_P(TouchStopOverUsb, EndsInZeroAtTheBoardForGood)
+TEST_P(TouchStopOverUsb, EndsInLastingZeroAtBoard)
 {
   const auto wall = std::make_shared<test::WallControl>();
   Servo servo(*this->Device, ServoSettings());
