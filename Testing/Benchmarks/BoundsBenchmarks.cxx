@@ -17,10 +17,10 @@ namespace
 using Sample = SphericalHarmonicModel::Sample;
 
 constexpr double HalfAngle = 0.5; // rad
-constexpr int SampleCount = 642;  // as many as an icosahedron cut into eight has corners
+constexpr int SampleCount = 642;  // the vertices of an icosahedron of frequency 8
 constexpr int ConeCount = 64;
 
-// Directions spread evenly over the cone about +z: a spiral of equal solid angles.
+// Directions distributed evenly over the cone about +z: a spiral of equal solid angles.
 std::vector<Vector3> DirectionsInCone()
 {
   std::vector<Vector3> directions;
@@ -90,8 +90,8 @@ public:
       }
       excess = std::max({excess, below, above});
     }
-    // What the organ's radius changes over a smallest triangle: two tenths of a radian times slopes
-    // of some 5 mm/rad.
+    // Change of the organ's radius over a smallest triangle: two tenths of a radian times slopes of
+    // some 5 mm/rad.
     if (excess <= 1.0)
     {
       return {};

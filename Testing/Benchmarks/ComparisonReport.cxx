@@ -9,7 +9,7 @@ namespace palpate::bench
 {
 namespace
 {
-// Three or four figures in the unit that suits them.
+// Three or four digits in a suitable unit.
 std::string TimeText(double nanoseconds)
 {
   std::ostringstream text;

@@ -8,9 +8,9 @@
 
 namespace palpate::bench
 {
-/// One line a comparison; the ratio is how many times faster ours is.
+/// One line per comparison; the ratio is the speed-up of ours.
 void PrintTable(std::ostream& out, const std::vector<Comparison>& comparisons);
-/// A list of {"name", "ns", "against", "against_ns", "ratio"}, and "instructions" and
-/// "against_instructions" where both were counted.
+/// A list of {"name", "ns", "against", "against_ns", "ratio"}, with "instructions" and
+/// "against_instructions" if both were counted.
 std::string ToJson(const std::vector<Comparison>& comparisons);
 } // namespace palpate::bench

@@ -52,8 +52,8 @@ std::vector<float> Block()
   return samples;
 }
 
-// A hand that presses a ball into a block of bone and goes round; on one thread, as fast as it
-// goes.
+// A hand that presses a spherical drill into a block of bone and moves in circles; single-threaded,
+// at full speed.
 class DrillCase
 {
 public:
@@ -75,7 +75,7 @@ public:
     this->Scene.Drill.Clearance = 0.1 * Spacing;
   }
 
-  // From undrilled bone, and back to it at the end.
+  // Starts with undrilled bone, which it restores at the end.
   void Drill()
   {
     if (!this->IsMade)
@@ -90,7 +90,7 @@ public:
     this->Press(device, servo);
     this->Orders = servo.Latest().DrillOrders;
     this->Newest = this->Editor->Newest().Fields[0];
-    if (this->After.empty()) // the same each time
+    if (this->After.empty()) // the same every time
     {
       this->Removed = this->Editor->RemovedVolumes()[0];
       this->After.resize(this->Samples.size());
@@ -105,7 +105,7 @@ public:
     this->Editor->Take();
   }
 
-  // The same hand on bone that does not give way.
+  // The same hand on bone that is not removed.
   void Touch()
   {
     test::ScriptedDevice device;
@@ -114,7 +114,7 @@ public:
     this->Press(device, servo);
   }
 
-  // The field that the cuts made, beside one that is built from its samples.
+  // Rebuilds the drilled field from its samples.
   void BuildFromSamples() { this->Anew = Build(this->After); }
 
   std::string Compared()

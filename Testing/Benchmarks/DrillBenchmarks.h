@@ -6,7 +6,7 @@
 
 namespace palpate::bench
 {
-/// A tick of a servo that drills, with the cuts and the versions that follow from it, beside
-/// building the field anew for each cut.
+/// A tick of a servo that drills, with the resulting cuts and versions, compared with rebuilding
+/// the field for each cut.
 std::vector<PairedBenchmark> DrillBenchmarks();
 } // namespace palpate::bench

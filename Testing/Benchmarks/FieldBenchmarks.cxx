@@ -38,7 +38,7 @@ void MakeImage(const SkullPhantom& skull, vtkImageData* image)
             static_cast<short*>(image->GetScalarPointer()));
 }
 
-// What a servo asks: the points of a sphere that glides over the bone, tick by tick.
+// Queries of a servo: the points of a sphere that slides over the bone, tick by tick.
 std::vector<Vector3> PointsOfATool(const SkullPhantom& skull)
 {
   constexpr double Radius = 2.0; // mm
@@ -57,7 +57,7 @@ std::vector<Vector3> PointsOfATool(const SkullPhantom& skull)
   return points;
 }
 
-// A camera in front of the face, one ray a pixel.
+// A camera in front of the face, one ray per pixel.
 std::vector<FieldRay> PictureRays(const SkullPhantom& skull)
 {
   const Vector3 half = skull.HalfAxes();
@@ -76,7 +76,7 @@ std::vector<FieldRay> PictureRays(const SkullPhantom& skull)
   return rays;
 }
 
-// From a few millimetres off the bone towards it, every which way.
+// From a few millimetres off the bone towards it, in all directions.
 std::vector<FieldRay> RaysOfATool(const SkullPhantom& skull)
 {
   test::Random random(32);
@@ -90,7 +90,7 @@ std::vector<FieldRay> RaysOfATool(const SkullPhantom& skull)
   return rays;
 }
 
-// What VTK offers for a first hit: steps of half a voxel, and bisection once the sign has changed.
+// First hits by VTK's means: steps of half a voxel, and bisection once the sign has changed.
 class SteppingCaster
 {
 public:
@@ -181,7 +181,8 @@ public:
         ? this->Itk->AreInsideLinear(SkullPhantom::BoneIso, this->PointsWorld, this->Theirs)
         : this->Itk->AreInsideBSpline(SkullPhantom::BoneIso, this->PointsWorld, this->Theirs);
   }
-  // Points whose value is the iso-value to rounding may differ; the cubic's is kept in float.
+  // Points whose value equals the iso-value up to rounding may differ; the cubic's is kept in
+  // float.
   std::string InsideDisagreement() const
   {
     const auto size = static_cast<int>(this->Ours.size());
@@ -214,10 +215,10 @@ public:
     std::transform(rays.begin(), rays.end(), this->TheirHits.begin(),
                    [&caster, tMax](const FieldRay& ray) { return caster.FirstHit(ray, tMax); });
   }
-  // Steps may miss what is thinner than they are, where rays graze.
+  // Steps may miss parts thinner than they are, where rays graze.
   std::string HitDisagreement() const
   {
-    constexpr double Tolerance = 1e-3; // mm: VTK rounds places to 2^-17 voxels
+    constexpr double Tolerance = 1e-3; // mm: VTK rounds positions to 2^-17 voxels
     std::size_t different = 0;
     for (std::size_t r = 0; r < this->OurHits.size(); ++r)
     {

@@ -6,6 +6,6 @@
 
 namespace palpate::bench
 {
-/// Inside tests and first hits in a skull-like volume, against what VTK and ITK interpolate with.
+/// Inside tests and first hits in a skull-like volume, compared with interpolation by VTK and ITK.
 std::vector<PairedBenchmark> FieldBenchmarks();
 } // namespace palpate::bench

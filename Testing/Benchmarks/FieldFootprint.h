@@ -8,7 +8,7 @@
 
 namespace palpate::bench
 {
-/// What a field of a head's bone costs beside the same volume as dense floats.
+/// Cost of a field of a head's bone, compared with the same volume as dense floats.
 struct FieldFootprintRow
 {
   int Nodes; ///< along each axis
@@ -17,11 +17,11 @@ struct FieldFootprintRow
   double DenseBuildSeconds; ///< VTK: vtkImageCast, or vtkImageBSplineCoefficients for the cubic
   std::size_t Bytes;
   std::size_t DenseBytes;
-  double StoredPart; ///< of the bricks
+  double StoredPart; ///< fraction of the bricks
 };
 
 /// Phantoms of 128^3 to 512^3 nodes, both interpolations. About a minute, and 2 GB. Throws
-/// std::runtime_error where a field does not tell bone from air.
+/// std::runtime_error if a field does not separate bone from air.
 std::vector<FieldFootprintRow> FieldFootprints();
 
 /// The rows as a table in Markdown.

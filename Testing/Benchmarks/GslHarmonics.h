@@ -8,7 +8,7 @@ namespace palpate::bench
 {
 /// Radius and gradient by the GNU Scientific Library: its normalised Legendre functions and their
 /// derivatives for one direction, cosines and sines of the longitude by rotation, and the sum over
-/// the coefficients. It has no poles: directions must be off them.
+/// the coefficients. Directions must not be at the poles.
 class GslHarmonics
 {
 public:
@@ -20,7 +20,7 @@ public:
 private:
   int Degree;
   std::vector<double> Coefficients; // Palpate's convention
-  std::vector<double> Values;       // P_lm, where GSL keeps them
+  std::vector<double> Values;       // P_lm, in GSL's order
   std::vector<double> Slopes;       // dP_lm / dtheta
 };
 } // namespace palpate::bench

@@ -19,7 +19,7 @@ public:
                                 std::vector<unsigned char>& inside) const = 0;
 };
 
-/// Their templates compiled for the fastest instruction set that this processor has.
+/// Their templates compiled for the fastest instruction set that this processor supports.
 std::unique_ptr<ItkInterpolators> MakeItkInterpolators(const FieldGrid& grid,
                                                        const std::vector<std::int16_t>& samples);
 } // namespace palpate::bench

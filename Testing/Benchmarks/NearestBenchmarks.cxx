@@ -33,7 +33,7 @@ std::shared_ptr<const SphericalHarmonicModel> MakeModel()
   return std::make_shared<const SphericalHarmonicModel>(test::RandomOrgan(random, 12));
 }
 
-// A probe that glides over the surface, 0.05 mm a tick: 50 mm/s at 1 kHz.
+// A probe that slides over the surface, 0.05 mm per tick: 50 mm/s at 1 kHz.
 std::vector<Vector3> MakePath(const SphericalHarmonicModel& model)
 {
   test::Random random(14);
@@ -71,7 +71,7 @@ void MakeMesh(const SphericalHarmonicModel& model, vtkPolyData* mesh)
   mesh->SetPolys(triangles);
 }
 
-// Largest difference; infinite once one is not a number.
+// Largest difference; infinite once one is NaN.
 double Worst(const std::vector<double>& a, const std::vector<double>& b)
 {
   double worst = 0.0;
@@ -118,14 +118,15 @@ public:
       this->Theirs[i] = std::sqrt(square);
     }
   }
-  // VTK's way to begin near: no farther than the last point found is.
+  // Tracking by VTK: no farther than the last point found.
   void LocateFromLast()
   {
     Vector3 last = Vector3(this->Start.PointWorld);
     for (std::size_t i = 0; i < this->Path.size(); ++i)
     {
       Vector3 query = this->Path[i];
-      const double radius = (query - last).norm() * (1.0 + 1e-9) + 0.1; // facets lie beside it
+      const double radius =
+          (query - last).norm() * (1.0 + 1e-9) + 0.1; // facets are off the surface
       vtkIdType triangle = 0;
       int part = 0;
       double square = 0.0;

@@ -11,8 +11,8 @@ namespace palpate::bench
 {
 namespace
 {
-// Short repetitions, so that some pass while nothing else runs; as many as take a second, but a few
-// of what is long.
+// Short repetitions, so that some run undisturbed; as many as fit into a second, but at least a few
+// for long benchmarks.
 constexpr double RepetitionSeconds = 0.002;
 constexpr double TotalSeconds = 1.0;
 constexpr int FewestRepetitions = 5;
@@ -27,7 +27,7 @@ int RepetitionsOf(const std::function<void()>& run)
                   static_cast<int>(TotalSeconds / std::max(once.count(), RepetitionSeconds)));
 }
 
-// Keeps the times of every repetition, by name.
+// Stores the times of every repetition, by name.
 class Collector : public benchmark::BenchmarkReporter
 {
 public:
@@ -43,7 +43,7 @@ public:
     }
   }
 
-  // What the machine can do: whatever else it does only adds.
+  // The machine's best time, since any disturbance only adds to it.
   double Shortest(const std::string& name) const
   {
     const std::vector<double>& times = this->Times.at(name);
@@ -96,7 +96,7 @@ std::vector<Comparison> Measure(const std::vector<PairedBenchmark>& pairs,
     Register(pair.Name, pair.Run);
     Register(pair.AlternativeName(), pair.RunAgainst);
   }
-  // What a neighbour does to the machine for a second hits both sides alike.
+  // A disturbance of the machine of about a second affects both sides alike.
   char program[] = "PalpateBenchmarks";
   char interleaving[] = "--benchmark_enable_random_interleaving=true";
   char* arguments[] = {program, interleaving, nullptr};

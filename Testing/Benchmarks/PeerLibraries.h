@@ -5,7 +5,7 @@
 
 namespace palpate::bench
 {
-// What the two libraries of peers export (CMakeLists.txt names them by definitions).
+// Exports of the two libraries of alternatives (CMakeLists.txt sets the names by definitions).
 const EigenPeers& PortableEigen();
 const EigenPeers& Avx2Eigen();
 std::unique_ptr<ItkInterpolators> MakePortableItk(const FieldGrid& grid,

@@ -20,7 +20,7 @@ namespace palpate::bench
 {
 namespace
 {
-// A prostate-like body of known shape on a clinical grid, in a file as a user has it.
+// A prostate-like body of known shape on a clinical grid, in a file as users have it.
 class PipelineCase
 {
 public:
@@ -63,7 +63,7 @@ public:
     this->StockVolume = measure->GetVolume();
   }
 
-  // Both are to enclose the body; the stock surface shrinks in smoothing.
+  // Both should enclose the body; the stock surface shrinks by smoothing.
   std::string Disagreement() const
   {
     const double ours = this->Result.ModelMilliliters * 1000.0 / this->TrueVolume - 1.0;

@@ -6,6 +6,6 @@
 
 namespace palpate::bench
 {
-/// From a mask's file to a measured model, against the stock way to a mere surface.
+/// From a mask's file to a measured model, compared with the stock pipeline to a surface only.
 std::vector<PairedBenchmark> PipelineBenchmarks();
 } // namespace palpate::bench

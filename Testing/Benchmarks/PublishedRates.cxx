@@ -26,10 +26,9 @@ namespace palpate::bench
 namespace
 {
 constexpr int Places = 4000;
-constexpr double Step = 0.05; // mm a tick: 50 mm/s at 1 kHz
+constexpr double Step = 0.05; // mm per tick: 50 mm/s at 1 kHz
 
-// Where a tool's middle is that just touches the true surface next to a probe, and the normal
-// there.
+// The centre of a tool that just touches the true surface next to a probe, and the normal there.
 struct TrueTouch
 {
   Vector3 Place;
@@ -45,7 +44,7 @@ void Require(const Status& status)
   }
 }
 
-// Directions that turn round an axis, some `angle` (rad) a place.
+// Directions that rotate about an axis, some `angle` (rad) per place.
 std::vector<Vector3> Turn(double angle)
 {
   std::vector<Vector3> directions;
@@ -173,7 +172,7 @@ void AddHarmonics(PublishedComparison& made)
   made.Rows.back().PublishedHertz = "400 to 900";
 }
 
-// A ball of 30 mm in voxels of 0.5 mm, stroked by one of 2 mm half a voxel deep.
+// A sphere of 30 mm in voxels of 0.5 mm, stroked by one of 2 mm half a voxel deep.
 void AddVoxels(PublishedComparison& made)
 {
   constexpr int Nodes = 140;

@@ -38,7 +38,7 @@ ServoStroke::ServoStroke(std::shared_ptr<const TouchScene> scene, std::vector<Ve
   }
 }
 
-// There and back, so that strokes join.
+// Forwards and backwards, so that strokes are continuous.
 std::size_t ServoStroke::PlaceOf(std::size_t tick) const
 {
   return tick < this->Path.size() / 2 ? tick : this->Path.size() - 1 - tick;

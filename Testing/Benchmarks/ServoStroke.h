@@ -8,28 +8,28 @@
 
 namespace palpate::bench
 {
-/// A servo and a hand that goes along a path there and back, a place a tick at 1 kHz, as often as
-/// asked: all that a tick takes, from the device's sample to its force.
+/// A servo and a hand that moves along a path forwards and backwards, one place per tick at 1 kHz,
+/// as often as requested: the whole cost of a tick, from the device's sample to its force.
 class ServoStroke
 {
 public:
-  /// World, mm; an even number of places. Throws std::runtime_error for a scene that cannot be
-  /// felt.
+  /// `path` in world mm, an even number of places. Throws std::runtime_error for a scene that
+  /// cannot be touched.
   ServoStroke(std::shared_ptr<const TouchScene> scene, std::vector<Vector3> path);
 
   std::size_t Ticks() const { return this->Path.size(); }
 
-  /// Goes on in time at each call.
+  /// Time continues from call to call.
   void Stroke();
-  /// The same, and the time that each tick took, ns, taken to the shortest of the calls.
+  /// The same with the duration of each tick (ns), as the minimum over the calls.
   void StrokeTimed(std::vector<double>& shortest);
 
-  /// Of the last stroke: where the hand was (mm) and what it felt (N).
+  /// Positions of the hand (mm) and forces (N) of the last stroke.
   const std::vector<Vector3>& Probes() const { return this->Gone; }
   const std::vector<Vector3>& Proxies() const { return this->Touched; }
   const std::vector<Vector3>& Forces() const { return this->Applied; }
   double PublishSeconds() const { return this->Seconds; }
-  /// That the servo added to what the models take, a structure; 0 where not known.
+  /// Bytes per structure that the servo needs in addition to the models; 0 if unknown.
   double BytesPerStructure() const { return this->Bytes; }
 
 private:

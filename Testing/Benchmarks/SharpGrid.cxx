@@ -31,7 +31,7 @@ struct SharpGrid::Plan
 SharpGrid::SharpGrid(int degree, const std::vector<double>& coefficients, int rings, int columns)
     : Work(std::make_unique<Plan>())
 {
-  omp_set_num_threads(1); // libsharp's, as one core is what it is compared on
+  omp_set_num_threads(1); // the comparison is on one core
   sharp_make_triangular_alm_info(degree, degree, 1, &this->Work->Order);
   sharp_make_gauss_geom_info(rings, columns, 0.0, 1, columns, &this->Work->Geometry);
   const std::vector<std::complex<double>> packed = ToComplex(coefficients);

@@ -8,7 +8,7 @@
 namespace palpate::bench
 {
 /// Radius and gradient on a whole grid of latitudes (Gauss nodes) and longitudes by libsharp, on
-/// one core: where a grid is what one wants, the fastest there is.
+/// one core: the fastest library for grids.
 class SharpGrid
 {
 public:
@@ -20,7 +20,7 @@ public:
   /// Ring by ring from north to south, longitudes from 0 eastwards.
   const std::vector<Vector3>& Directions() const { return this->Nodes; }
   void Run();
-  /// What the last run found at a node.
+  /// Result of the last run at a node.
   SphericalHarmonicModel::Sample At(std::size_t node) const;
 
 private:

@@ -9,8 +9,8 @@
 
 namespace palpate::bench
 {
-/// A head like a CT's: air, soft tissue with noise, and a closed shell of bone with a soft profile,
-/// 4 to 5 mm thick.
+/// A CT-like head: air, soft tissue with noise, and a closed shell of bone with a smooth profile, 4
+/// to 5 mm thick.
 struct SkullPhantom
 {
   static constexpr double BoneIso = 400.0;
@@ -21,12 +21,12 @@ struct SkullPhantom
 
   explicit SkullPhantom(int nodes);
 
-  /// The bone as a field. Throws std::runtime_error where it cannot be made.
+  /// The bone as a field. Throws std::runtime_error if it cannot be made.
   std::shared_ptr<const ScalarField> MakeField(FieldInterpolation interpolation) const;
 
-  /// Half axes of the middle of the bone, mm.
+  /// Half axes of the mid-surface of the bone, mm.
   Vector3 HalfAxes() const;
-  /// On that middle, in a direction.
+  /// The point on that mid-surface in a direction.
   Vector3 PointInBoneWorld(const Vector3& direction) const;
 };
 } // namespace palpate::bench

@@ -36,7 +36,7 @@ struct Setting
   double Rate = 1000.0;
   double DelayTicks = 0.0;
   double MechanismDamping = 0.01;
-  double DampingShare = 0.0; // the structure's, of the mechanism's
+  double DampingShare = 0.0; // of the structure, relative to the mechanism's
   double Friction = 0.0;
   double Count = 0.0;
 };
@@ -71,7 +71,7 @@ std::vector<Setting> Settings()
   return settings;
 }
 
-// Nothing of the safety chain helps.
+// Without help from the safety chain.
 StabilityTrial BareTrial(const Setting& setting, const Vector3& outward)
 {
   StabilityTrial trial = test::BareTrial(outward, setting.Rate);

@@ -6,7 +6,7 @@
 
 namespace palpate::bench
 {
-/// One structure, device and hand, and up to which stiffness (N/mm) it was stable.
+/// One structure, device and hand, and the largest stable stiffness (N/mm).
 struct StabilityBorder
 {
   std::string Sweep;       ///< "sampling", "counts", "hands"
@@ -24,9 +24,9 @@ struct StabilityBorder
   double WithSafety;       ///< no limit cycle with the whole safety chain; 0 where not measured
 };
 
-/// Measures all; some minutes. `report` is told how many of how many are done.
+/// Measures all; some minutes. `report` receives the number done and the total.
 std::vector<StabilityBorder> MeasureStability(const std::function<void(int, int)>& report);
 
-/// A list of objects, one a border.
+/// A list of objects, one per limit.
 std::string ToJson(const std::vector<StabilityBorder>& borders);
 } // namespace palpate::bench

@@ -1,5 +1,5 @@
-// PalpateStability FILE: measures up to which stiffness structures are stable, and writes the
-// borders as JSON; see Utilities/stability.sh.
+// PalpateStability FILE: measures the largest stable stiffness of structures, and writes it as
+// JSON; see Utilities/stability.sh.
 #include "StabilityBorders.h"
 
 #include <exception>

@@ -11,7 +11,7 @@ namespace palpate::bench
 namespace
 {
 constexpr double Apart = 60.0; // mm
-constexpr double Step = 0.05;  // mm a tick: 50 mm/s at 1 kHz
+constexpr double Step = 0.05;  // mm per tick: 50 mm/s at 1 kHz
 constexpr double Depth = 1.5;  // mm
 
 SphericalHarmonicModel OrganAtOrigin()

@@ -27,9 +27,9 @@ namespace palpate::bench
 namespace
 {
 constexpr int Ticks = 4000;
-constexpr double Step = 0.05; // mm a tick: 50 mm/s at 1 kHz
+constexpr double Step = 0.05; // mm per tick: 50 mm/s at 1 kHz
 
-// A unit vector that wanders over the sphere, some `angle` (rad) a tick.
+// A unit vector that moves over the sphere, some `angle` (rad) per tick.
 std::vector<Vector3> Wander(double angle)
 {
   test::Random random(61);
@@ -79,7 +79,7 @@ void FollowAll(ContactTracker& tracker, const std::vector<Vector3>& path,
   }
 }
 
-// The touched places instead of the proxies, so that tools of different radii can be compared.
+// Contact points instead of proxies, so that tools of different radii can be compared.
 void TouchAll(ContactTracker& tracker, double toolRadius, const std::vector<Vector3>& path,
               std::vector<Vector3>& places)
 {
@@ -158,10 +158,10 @@ public:
                                                          this->Pairs.Theirs[i].data());
     }
   }
-  // Facets lie up to some hundredths of a millimetre inside the surface, and which place of a facet
-  // is nearest differs by its slope times the depth.
+  // Facets lie up to some hundredths of a millimetre inside the surface, and the closest point of a
+  // facet differs by its slope times the depth.
   std::string Disagreement() const { return this->Pairs.Disagreement(0.3); }
-  // A god-object waits at edges now and then: up to 22 degrees off, of 1.5 mm.
+  // A god-object sometimes sticks at edges: up to 22 degrees off, of 1.5 mm.
   std::string FacetsDisagreement() const { return this->Pairs.Disagreement(0.6); }
 
 private:
@@ -217,7 +217,7 @@ private:
   vtkNew<vtkImplicitPolyDataDistance> Distance;
 };
 
-// A ball of 30 mm in voxels of 0.5 mm, touched by one of 2 mm with 26 points, half a voxel deep.
+// A sphere of 30 mm in voxels of 0.5 mm, touched by one of 2 mm with 26 points, half a voxel deep.
 class FieldCase
 {
 public:
@@ -260,10 +260,10 @@ public:
   void FollowPublished() { FollowAll(*this->Published, this->Path, this->Pairs.Theirs); }
   void TouchSmall() { TouchAll(*this->Small, SmallRadius, this->SmallPath, this->Pairs.Theirs); }
   void TouchLarge() { TouchAll(*this->Large, LargeRadius, this->LargePath, this->Pairs.Ours); }
-  // The published law pushes out by the mean, which is up to the depth less.
+  // The published law pushes out by the mean, which is less by up to the depth.
   std::string LawsDisagreement() const { return this->Pairs.Disagreement(0.6); }
-  // Tools touch at the same place, but for solving, and for normals that lag by a tick: 4 mm times
-  // some hundredth.
+  // Tools touch at the same place, except for solving, and for normals that lag by a tick: 4 mm
+  // times some hundredths.
   std::string RadiiDisagreement() const { return this->Pairs.Disagreement(0.06); }
 
 private:
@@ -280,7 +280,7 @@ private:
   Proxies Pairs;
 };
 
-// Ticks of a whole servo, among many structures and with one.
+// Ticks of a whole servo, with many structures and with one.
 PairedBenchmark StructureBenchmark(int count)
 {
   const std::shared_ptr<ServoStroke> many = StructureStroke(count);

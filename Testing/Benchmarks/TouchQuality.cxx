@@ -59,7 +59,7 @@ void Require(const Status& status)
   }
 }
 
-// The path of a tool and the true places of its proxy.
+// The path of a tool and the true positions of its proxy.
 struct Path
 {
   Path(const ClosestPointSearch& search, double toolRadius) : ToolRadius(toolRadius)
@@ -88,7 +88,7 @@ struct Path
   std::vector<Vector3> Proxies;
 };
 
-// One way to touch, on its path.
+// One touch model on its path.
 class Rehearsal
 {
 public:
@@ -188,7 +188,7 @@ std::shared_ptr<const ContactModel> FacetsOf(const SphericalHarmonicModel& body,
   return model;
 }
 
-// A cube of 64 mm around the body, inside where its radius is more than the distance.
+// A cube of 64 mm around the body, inside where its radius exceeds the distance.
 std::shared_ptr<const ScalarField> FieldOf(const SphericalHarmonicModel& body, int nodes,
                                            FieldInterpolation interpolation)
 {

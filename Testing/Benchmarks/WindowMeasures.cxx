@@ -20,7 +20,7 @@ constexpr const char* StructureName = "Thalamus_L";
 constexpr double PressDepth = 1.5; // mm
 constexpr int PathPoints = 2000;
 constexpr double RoundSeconds = 8.0;
-constexpr int Moments = 16; // at which a window is closed while it opens a head
+constexpr int Moments = 16; // at which a window is closed while it is opening a head
 constexpr double MomentSeconds = 0.08;
 
 void WaitUntil(const std::function<bool()>& isTrue)
@@ -36,7 +36,7 @@ double SecondsOf(const QElapsedTimer& timer)
   return 1e-9 * static_cast<double>(timer.nsecsElapsed());
 }
 
-// The head, with one structure to be seen and touched.
+// The head, with one visible and touchable structure.
 void OpenHead(StudyController& study)
 {
   study.OpenVolume(HeadFile);
@@ -88,7 +88,7 @@ WindowMeasures::~WindowMeasures()
 
 void WindowMeasures::Settle()
 {
-  int quiet = 0; // a step that is done may begin another one
+  int quiet = 0; // a finished step may start another one
   QObject::connect(this->Study.get(), &StudyController::StepsChanged, this->Window.get(),
                    [this, &quiet] { quiet = this->Study->IsBusy() ? 0 : quiet + 1; });
   WaitUntil([&quiet] { return quiet > 3; });
@@ -96,7 +96,7 @@ void WindowMeasures::Settle()
                       nullptr);
 }
 
-// Round the structure, tilted, so that all three slices move.
+// Around the structure, tilted, so that all three slices move.
 void WindowMeasures::MakePath()
 {
   for (const StudyStructure& structure : this->Study->State().Structures)
@@ -126,7 +126,7 @@ void WindowMeasures::StartTouch()
 {
   this->Study->StartTouch();
   WaitUntil([this] { return this->Study->IsTouching(); });
-  // A hand that begins far away takes its time, and is at rest when it is there.
+  // A hand that starts far away takes some time, and is at rest when it arrives.
   WaitUntil(
       [this]
       {
@@ -157,7 +157,7 @@ void WindowMeasures::TakeTicks()
   }
 }
 
-// Of a file that is open already nothing is read again.
+// A copy, since a file that is already open is not read again.
 std::filesystem::path WindowMeasures::NewCopy(int number) const
 {
   const auto file = this->Copies / ("head" + std::to_string(number) + ".nii.gz");
@@ -225,7 +225,7 @@ std::vector<WindowStretch> WindowMeasures::Stretches()
                                   this->Study->OpenVolume(this->NewCopy(stretch.Events++));
                                 }
                               }));
-  // Degrees that were not fitted yet, since what was made before is there at once.
+  // Degrees that were not fitted yet, since earlier results are available at once.
   all.push_back(this->Measure("refitting",
                               [this](WindowStretch& stretch, double)
                               {
@@ -237,7 +237,7 @@ std::vector<WindowStretch> WindowMeasures::Stretches()
   return all;
 }
 
-// What is at work, in words.
+// The running work, for display.
 std::string WorkOf(StudyController& study)
 {
   std::string work;

@@ -14,7 +14,7 @@
 
 namespace palpate::bench
 {
-/// What the servo and the views did for some seconds, while the window did something.
+/// Statistics of servo and views for some seconds of one window activity.
 struct WindowStretch
 {
   std::string Name;
@@ -22,19 +22,19 @@ struct WindowStretch
   PeriodStatistics Periods;   ///< ns from tick to tick
   PeriodStatistics Durations; ///< ns that ticks took
   std::uint64_t Ticks = 0;
-  std::uint64_t Touching = 0; ///< of them, those in contact
-  std::uint64_t Missed = 0;   ///< ticks left out
-  std::uint64_t Faults = 0;   ///< times the safety chain took forces off
-  std::vector<int> Pictures;  ///< of each view: axial, coronal, sagittal, space
-  int Events = 0;             ///< how often the window did what it is named for
+  std::uint64_t Touching = 0; ///< number of them in contact
+  std::uint64_t Missed = 0;   ///< ticks skipped
+  std::uint64_t Faults = 0;   ///< times the safety chain switched forces off
+  std::vector<int> Pictures;  ///< frames of each view: axial, coronal, sagittal, 3D
+  int Events = 0;             ///< number of times that the window performed the activity
 };
 
-/// How long closing took, while something was going on.
+/// Time to close during some activity.
 struct WindowClosing
 {
   std::string While;
   double Milliseconds = 0.0;
-  bool HasEnded = false; ///< no work was left behind
+  bool HasEnded = false; ///< no work was left running
 };
 
 /// A window of 1280 x 800 on the Colin 27 head, a simulated hand that strokes one of its
@@ -42,7 +42,7 @@ struct WindowClosing
 class WindowMeasures
 {
 public:
-  /// Each stretch lasts so long. Throws std::runtime_error where the head is not installed.
+  /// Each stretch lasts `seconds`. Throws std::runtime_error if the head is not installed.
   explicit WindowMeasures(double seconds);
   ~WindowMeasures();
   WindowMeasures(const WindowMeasures&) = delete;
@@ -50,7 +50,7 @@ public:
 
   /// The servo while the window is hidden, draws, is resized, loads a volume, and refits.
   std::vector<WindowStretch> Stretches();
-  /// Each with a window of its own.
+  /// Each with a separate window.
   static std::vector<WindowClosing> Closings();
 
 private:

@@ -25,7 +25,7 @@ struct DicomElement
   int Parent = -1; ///< index of the enclosing sequence or item; -1: none
 };
 
-/// All elements of a file with a preamble, parents before children. Stops at what it cannot parse.
+/// All elements of a file with a preamble, parents before children. Stops at the first parse error.
 std::vector<DicomElement> DicomElementsOf(const std::string& bytes);
 
 /// Replaces bytes of an element's value and updates the length fields of the element and its

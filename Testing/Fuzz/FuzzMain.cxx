@@ -107,14 +107,15 @@ int RunAll(const Options& options)
 int main(int argc, char** argv)
 {
   Options options;
-  CLI::App app("Reads mutated files by every reader; what is neither read nor refused fails");
-  app.add_option("targets", options.Targets, "Readers (see --list); all where none is named");
-  app.add_option("--inputs", options.Inputs, "For each reader");
-  app.add_option("--seconds", options.Seconds, "In all, shared among the readers");
-  app.add_option("--seed", options.Seed, "Of the mutations");
+  CLI::App app(
+      "Reads mutated files by every reader; inputs that are neither read nor refused fail");
+  app.add_option("targets", options.Targets, "Readers (see --list); all by default");
+  app.add_option("--inputs", options.Inputs, "Number of inputs per reader");
+  app.add_option("--seconds", options.Seconds, "Total time, shared among the readers");
+  app.add_option("--seed", options.Seed, "Seed of the mutations");
   app.add_option("--output", options.Output, "Folder for inputs that fail");
-  app.add_option("--replay", options.Replay, "Reads this file by the one reader named, here");
-  app.add_flag("--list", options.Lists, "Names the readers");
+  app.add_option("--replay", options.Replay, "Reads this file by the given reader in this process");
+  app.add_flag("--list", options.Lists, "Lists the readers");
   CLI11_PARSE(app, argc, argv);
   try
   {
@@ -133,7 +134,7 @@ int main(int argc, char** argv)
     }
     if (options.Seconds <= 0.0 && options.Inputs == Options().Inputs)
     {
-      throw std::invalid_argument("say how long: --inputs or --seconds");
+      throw std::invalid_argument("missing --inputs or --seconds");
     }
     return RunAll(options);
   }

@@ -5,6 +5,6 @@
 namespace palpate::test
 {
 /// Reads a path as a volume and as a segmentation, as `palpate info` does, and measures the labels.
-/// Throws InputError where it is neither.
+/// Throws InputError if it is neither.
 void ReadImage(const std::filesystem::path& path);
 } // namespace palpate::test

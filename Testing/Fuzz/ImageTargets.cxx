@@ -51,7 +51,7 @@ Mutator NiftiMutator()
                                   {123, 1}, // units
                                   {252, 2},
                                   {254, 2},
-                                  {344, 4},  // the mark
+                                  {344, 4},  // the magic string
                                   {348, 4}}; // extensions
   for (const auto& more : {FieldsFrom(40, 8, 2), FieldsFrom(40, 8, 2), FieldsFrom(68, 3, 2),
                            FieldsFrom(76, 8, 4, Type::Real), FieldsFrom(256, 18, 4, Type::Real)})

@@ -29,11 +29,11 @@ std::size_t IndexOf(const std::vector<DicomElement>& elements, std::uint32_t tag
   return static_cast<std::size_t>(found - elements.begin());
 }
 
-TEST(DicomElements, CoverTheWholeFile)
+TEST(DicomElements, CoverWholeFile)
 {
   const std::string bytes = Segmentation();
   const std::vector<DicomElement> elements = DicomElementsOf(bytes);
-  std::size_t end = 132; // behind the preamble
+  std::size_t end = 132; // after the preamble
   for (const DicomElement& element : elements)
   {
     if (element.Parent < 0)
@@ -61,7 +61,7 @@ TEST(DicomElements, ReachIntoSequences)
   EXPECT_EQ(depth, 4); // two sequences with an item each
 }
 
-TEST(DicomElements, StatedLengthsStayTrueRoundAReplacedValue)
+TEST(DicomElements, ReplacedValueUpdatesLengths)
 {
   std::string bytes = Segmentation();
   const std::vector<DicomElement> before = DicomElementsOf(bytes);

@@ -57,7 +57,7 @@ void ExpectSevensFail(const FuzzTarget& target, std::size_t sevens, const std::s
   EXPECT_EQ(found, expected);
 }
 
-TEST(FuzzRun, CountsWhatIsReadAndRefused)
+TEST(FuzzRun, CountsReadAndRefusedInputs)
 {
   const FuzzTarget target = Digits(
       [](const std::string& bytes)
@@ -69,7 +69,7 @@ TEST(FuzzRun, CountsWhatIsReadAndRefused)
       });
   FuzzRun run(target, 5);
   std::uint64_t refused = 0;
-  constexpr std::uint64_t Inputs = 5000; // more than one child reads
+  constexpr std::uint64_t Inputs = 5000; // more than one child process reads
   for (std::uint64_t n = 0; n < Inputs; ++n)
   {
     refused += EndsWithSeven(run.Input(n)) ? 1 : 0;
@@ -80,7 +80,7 @@ TEST(FuzzRun, CountsWhatIsReadAndRefused)
   EXPECT_TRUE(account.Failures.empty());
 }
 
-TEST(FuzzRun, InputsFollowFromTargetSeedAndNumber)
+TEST(FuzzRun, InputsDependOnTargetSeedAndNumber)
 {
   const FuzzTarget target = Digits([](const std::string&) {});
   FuzzTarget other = target;
@@ -110,7 +110,7 @@ TEST(FuzzRun, FindsCrashes)
                    3, "ended the process");
 }
 
-TEST(FuzzRun, FindsExceptionsThatAreNoRefusal)
+TEST(FuzzRun, FindsUnexpectedExceptions)
 {
   ExpectSevensFail(Digits(
                        [](const std::string& bytes)
@@ -135,7 +135,7 @@ TEST(FuzzRun, FindsEndlessLoops)
                    1, "of processor time");
 }
 
-TEST(FuzzRun, FindsMemoryThatIsNotInTheInput)
+TEST(FuzzRun, FindsExcessiveMemory)
 {
   ExpectSevensFail(Digits(
                        [](const std::string& bytes)
@@ -148,7 +148,7 @@ TEST(FuzzRun, FindsMemoryThatIsNotInTheInput)
                    2, "MB of memory");
 }
 
-TEST(FuzzRun, FindsSeedsThatAreRefused)
+TEST(FuzzRun, FindsRefusedSeeds)
 {
   const FuzzTarget target = Digits(
       [](const std::string& bytes)
@@ -173,7 +173,7 @@ TEST(FuzzRun, EndsInTime)
   EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(60));
 }
 
-TEST(FuzzTargets, HaveNamesOfTheirOwn)
+TEST(FuzzTargets, HaveUniqueNames)
 {
   std::set<std::string> names;
   for (const FuzzTarget& target : FuzzTargets())

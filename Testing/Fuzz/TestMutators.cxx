@@ -39,7 +39,7 @@ std::size_t Deepest(const std::string& text, char open, char close)
   return deepest;
 }
 
-TEST(FieldMutator, ChangesItsFieldsAndNothingElse)
+TEST(FieldMutator, ChangesOnlyItsFields)
 {
   const std::string seed(16, '\1');
   int changed = 0;
@@ -54,7 +54,7 @@ TEST(FieldMutator, ChangesItsFieldsAndNothingElse)
   EXPECT_GT(changed, Rounds / 2);
 }
 
-TEST(FieldMutator, PutsBothEndsOfAWidthInEitherByteOrder)
+TEST(FieldMutator, WritesLimitsInEitherByteOrder)
 {
   for (const ByteOrder order : {ByteOrder::Little, ByteOrder::Big})
   {
@@ -74,7 +74,7 @@ TEST(FieldMutator, PutsBothEndsOfAWidthInEitherByteOrder)
   }
 }
 
-TEST(TextMutator, LeavesTheBytesBehindTheHead)
+TEST(TextMutator, KeepsBytesAfterHeader)
 {
   const std::string bytes = "\n\n1 2 \1\2\3 a b";
   ForEachMutated("sizes: 1 2\ntype: short" + bytes, TextMutator({{}, {}, "\n\n"}),
@@ -86,7 +86,7 @@ TEST(TextMutator, LeavesTheBytesBehindTheHead)
                  });
 }
 
-TEST(TextMutator, ReachesLongValuesRepeatedLinesDeepNestingAndHugeNumbers)
+TEST(TextMutator, ReachesExtremeTexts)
 {
   const std::string seed = "(key: 12)\n(other: 3)\n";
   int longer = 0;
@@ -108,7 +108,7 @@ TEST(TextMutator, ReachesLongValuesRepeatedLinesDeepNestingAndHugeNumbers)
   EXPECT_GT(huge, 0);
 }
 
-TEST(JsonMutator, MostlyStaysJsonAndReachesRepeatedKeysAndDeepNesting)
+TEST(JsonMutator, MostlyKeepsJsonAndReachesExtremes)
 {
   int valid = 0;
   int repeated = 0;
@@ -129,7 +129,7 @@ TEST(JsonMutator, MostlyStaysJsonAndReachesRepeatedKeysAndDeepNesting)
   EXPECT_GT(deep, 0);
 }
 
-TEST(GzipMutator, MostlyLeavesAValidFileRoundTheChangedContent)
+TEST(GzipMutator, MostlyKeepsValidGzip)
 {
   const std::string content(5000, 'a');
   int valid = 0;
@@ -148,7 +148,7 @@ TEST(GzipMutator, MostlyLeavesAValidFileRoundTheChangedContent)
   EXPECT_GT(larger, 0);
 }
 
-TEST(OddDepth, ReachesBeyondAStack)
+TEST(OddDepth, ExceedsStack)
 {
   Random random(11);
   std::size_t deepest = 0;

@@ -91,7 +91,7 @@ bool SampleDevice::Apply(const Vector3& force) noexcept
   }
   for (int axis = 0; axis < 3; ++axis)
   {
-    // Cut before it is made small: a number that wraps round would pull the other way.
+    // Clamped before narrowing: a number that wraps round would pull the other way.
     const double value =
         std::clamp(force[axis] * CountsPerNewton, -LargestMotorValue, LargestMotorValue);
     this->Motors[static_cast<std::size_t>(axis)] =

@@ -10,7 +10,7 @@
 
 namespace palpate
 {
-/// The wire to the device of this example. A real back end has its library here (USB, serial port,
+/// The wire to the example device. A real back end calls its library here (USB, serial port,
 /// network); behind an interface it can be replaced in tests.
 class SamplePort
 {
@@ -24,13 +24,13 @@ public:
   virtual ~SamplePort() = default;
   virtual bool Connect() = 0;
   virtual void Disconnect() noexcept = 0;
-  /// Sends motor values and takes the reply of the packet before. Returns at once; false where the
-  /// device does not answer any more.
+  /// Sends motor values and receives the reply to the previous packet. Returns at once; false if
+  /// the device no longer answers.
   virtual bool Exchange(const std::array<std::int16_t, 3>& motors, Reply& reply) noexcept = 0;
 };
 
-/// An example of a back end, as Documentation/HowTo/AddADevice.md walks through it: a device with
-/// three independent axes that talks over a SamplePort.
+/// Example of a back end, explained in Documentation/HowTo/AddADevice.md: a device with three
+/// independent axes that communicates over a SamplePort.
 class SampleDevice final : public HapticDevice
 {
 public:

@@ -7,7 +7,7 @@ namespace palpate
 {
 namespace
 {
-// What the other end of the wire saw and does.
+// State of the other end of the wire.
 struct Wire
 {
   bool IsPluggedIn = true;
@@ -49,12 +49,12 @@ protected:
   SampleDevice Device{Time, std::make_unique<PortDouble>(OtherEnd)};
 };
 
-TEST_F(SampleDeviceTest, KeepsTheContract)
+TEST_F(SampleDeviceTest, KeepsDeviceContract)
 {
   test::ExpectDeviceContract(this->Device, [this] { this->Time.Advance(1'000'000); });
 }
 
-TEST_F(SampleDeviceTest, CountsAreMillimetersAndForcesAreCutAndNeverWrap)
+TEST_F(SampleDeviceTest, ConvertsCountsAndClampsForces)
 {
   this->OtherEnd.RepliesUntilHomed = 0;
   this->OtherEnd.Counts = {100, -200, 0};
@@ -65,7 +65,7 @@ TEST_F(SampleDeviceTest, CountsAreMillimetersAndForcesAreCutAndNeverWrap)
   EXPECT_EQ(this->OtherEnd.Motors, (std::array<std::int16_t, 3>{500, -4095, 0}));
 }
 
-TEST_F(SampleDeviceTest, ThereIsNoForceBeforeItIsHomed)
+TEST_F(SampleDeviceTest, NoForceBeforeHoming)
 {
   ASSERT_TRUE(this->Device.Open().IsOk());
   EXPECT_TRUE(this->Device.Apply({1.0, 1.0, 1.0}));
@@ -73,7 +73,7 @@ TEST_F(SampleDeviceTest, ThereIsNoForceBeforeItIsHomed)
   EXPECT_EQ(this->OtherEnd.Motors, (std::array<std::int16_t, 3>{}));
 }
 
-TEST_F(SampleDeviceTest, UnpluggedItSaysWhatToDo)
+TEST_F(SampleDeviceTest, ReportsUnplugging)
 {
   ASSERT_TRUE(this->Device.Open().IsOk());
   this->OtherEnd.IsPluggedIn = false;
@@ -86,7 +86,7 @@ TEST_F(SampleDeviceTest, UnpluggedItSaysWhatToDo)
             "There is no sample device: plug it in and switch it on.");
 }
 
-TEST_F(SampleDeviceTest, ClosingStopsItsMotors)
+TEST_F(SampleDeviceTest, CloseStopsMotors)
 {
   this->OtherEnd.RepliesUntilHomed = 0;
   ASSERT_TRUE(this->Device.Open().IsOk());

@@ -1,7 +1,7 @@
 #!/bin/sh
-# Fails if an object that is compiled for AVX2 defines a function that another object may define too
-# (a weak symbol): the linker keeps one of them, which an older processor would then run. Functions whose
-# name has Avx2 in it, of a class or of Eigen under its other name, are this object's alone.
+# Fails if an object compiled for AVX2 defines a weak symbol that another object may define too: the
+# linker keeps one of them, which an older processor would then run. Functions with Avx2 in their name,
+# of a class or of Eigen in its renamed namespace, are unique to the object.
 #   check_avx2_symbols.sh OBJECTS...
 set -eu
 found=0

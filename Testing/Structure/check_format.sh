@@ -1,5 +1,5 @@
 #!/bin/sh
-# Fails where clang-format would change one of our sources; skipped (77) where it is not installed.
+# Fails if clang-format would change a source; skipped (77) if it is not installed.
 set -eu
 cd "$(dirname "$0")/../.."
 

@@ -1,4 +1,4 @@
-"""The checker is green on a small clean repository and red on each planted violation."""
+"""The checker passes on a small clean repository and fails on each planted violation."""
 
 import json
 import pathlib
@@ -17,7 +17,7 @@ TABLE = {
     "largest_file_lines": 20,
 }
 PAGE = (
-    "| level | room | what it does | may use | packages |\n"
+    "| level | module | purpose | may use | packages |\n"
     "| 0 | `Modules/Low` | vectors | – | Eigen |\n"
     "| 1 | `Modules/High` | things | Low | VTK |\n"
 )
@@ -58,19 +58,19 @@ class CheckStructure(unittest.TestCase):
         self.assert_one("vtkObject.h of VTK", **{"Modules/Low/Extra.h": '#include "vtkObject.h"\n'})
         self.assert_one("QWidget of Qt", **{"Modules/High/Extra.h": "#include <QWidget>\n"})
 
-    def test_forbidden_room(self):
-        self.assert_one("of room High", **{"Modules/Low/Extra.h": "#include <vtkThing.h>\n"})
+    def test_forbidden_module(self):
+        self.assert_one("of module High", **{"Modules/Low/Extra.h": "#include <vtkThing.h>\n"})
 
     def test_permission_that_is_not_used(self):
         table = json.loads(json.dumps(TABLE))
         table["rooms"]["Modules/High"]["externals"].append("Qt")
         page = PAGE.replace("Low | VTK", "Low | VTK, Qt")
-        self.assert_one("may use Qt, and does not", table=table, **{"Documentation/Architecture.md": page})
+        self.assert_one("may use Qt, but does not", table=table, **{"Documentation/Architecture.md": page})
 
     def test_page_that_differs(self):
         for old, new, fact in (
             ("| 0 |", "| 1 |", "other level for Modules/Low"),
-            ("things | Low", "things | –", "other rooms for Modules/High"),
+            ("things | Low", "things | –", "other modules for Modules/High"),
             ("| Low | VTK", "| Low | VTK, Qt", "other packages for Modules/High"),
             ("| 0 | `Modules/Low` | vectors | – | Eigen |\n", "", "lists Modules/Low 0 times"),
             ("| 0 |", "| 0 | `Modules/Low` | vectors | – | Eigen |\n| 0 |", "lists Modules/Low 2 times"),
@@ -82,18 +82,18 @@ class CheckStructure(unittest.TestCase):
         self.assert_one("PalpateHighModule.h", **{"Modules/Low/Extra.h": '#include "PalpateHighModule.h"\n'})
 
     def test_unknown_header(self):
-        self.assert_one("no room or package", **{"Modules/Low/Extra.h": "#include <boost/any.hpp>\n"})
+        self.assert_one("no module or package", **{"Modules/Low/Extra.h": "#include <boost/any.hpp>\n"})
 
     def test_forbidden_module_dependency(self):
-        self.assert_one("names room Other", **{"Modules/High/vtk.module": "NAME\n Palpate::High\nDEPENDS\n Palpate::Other\n"})
+        self.assert_one("names module Other", **{"Modules/High/vtk.module": "NAME\n Palpate::High\nDEPENDS\n Palpate::Other\n"})
 
-    def test_module_file_in_a_room_without_vtk(self):
+    def test_module_file_in_a_module_without_vtk(self):
         self.assert_one("without VTK", **{"Modules/Low/vtk.module": "NAME\n Palpate::Low\n"})
 
     def test_source_without_header(self):
         self.assert_one("no header", **{"Modules/Low/Lonely.cxx": "\n"})
 
-    def test_room_without_page(self):
+    def test_module_without_page(self):
         self.assert_one("README", **{"Modules/Low/README.md": None})
 
     def test_file_that_is_too_long(self):
@@ -102,10 +102,10 @@ class CheckStructure(unittest.TestCase):
     def test_work_left_behind(self):
         self.assert_one("line 2", **{"Modules/High/Testing/TestThing.cxx": "\n// TO" "DO later\n"})
 
-    def test_room_that_is_not_in_the_table(self):
+    def test_module_that_is_not_in_the_table(self):
         self.assert_one("rooms.json", **{"Modules/New/README.md": ""})
 
-    def test_same_header_in_two_rooms(self):
+    def test_same_header_in_two_modules(self):
         self.assert_one("of this name", **{"Modules/High/Vector.h": "\n"})
 
     def test_table_that_points_upward(self):

@@ -1,4 +1,4 @@
-"""Mutants change the line that they name, and what is out of date is found."""
+"""Mutants change the line that they name, and outdated ones are found."""
 
 import pathlib
 import sys

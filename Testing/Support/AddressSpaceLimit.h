@@ -6,8 +6,8 @@
 
 namespace palpate::test
 {
-/// While it lives, this process can take `bytes` more of memory, used or not; whatever asks for
-/// more fails. Proves that a claim of gigabytes is refused before memory is asked for.
+/// During its lifetime this process can allocate only `bytes` more of address space; larger
+/// requests fail. Proves that a claim of gigabytes is refused before memory is allocated.
 class AddressSpaceLimit
 {
 public:

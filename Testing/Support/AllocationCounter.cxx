@@ -10,7 +10,7 @@ thread_local std::size_t Count = 0;
 void* Allocate(std::size_t size, std::size_t alignment)
 {
   ++Count;
-  // aligned_alloc wants a multiple of the alignment.
+  // aligned_alloc requires a multiple of the alignment.
   void* block = std::aligned_alloc(alignment, (size + alignment - 1) / alignment * alignment);
   if (block == nullptr)
   {
@@ -25,7 +25,7 @@ std::size_t palpate::test::AllocationCount() noexcept
   return Count;
 }
 
-// What is left out of the standard's list calls one of these.
+// The other forms of the standard call one of these.
 void* operator new(std::size_t size)
 {
   return Allocate(size, alignof(std::max_align_t));

@@ -4,7 +4,7 @@
 
 namespace palpate::test
 {
-/// The bounds, and nothing else: no ramp, slew limit or energy observer helps.
+/// The bounds only: no ramp, slew limit or energy observer helps.
 inline StabilityTrial BareTrial(const Vector3& outward, double rate = 1000.0)
 {
   StabilityTrial trial;

@@ -41,7 +41,7 @@ inline Picture ReadBaseline(const std::filesystem::path& file)
 struct PictureDifference
 {
   double Mean = 255.0;     // over pixels and colours, of 255
-  double LargeShare = 1.0; // of the pixels, where a colour differs by more than 40
+  double LargeShare = 1.0; // share of pixels with a colour that differs by more than 40
 };
 
 inline PictureDifference Compare(const Picture& a, const Picture& b)
@@ -67,9 +67,9 @@ inline PictureDifference Compare(const Picture& a, const Picture& b)
   return {sum / (3.0 * pixels), large / pixels};
 }
 
-// The baseline was made with llvmpipe. Other drivers place samples and hint letters differently,
-// which changes pixels along edges: about 1 % of them here. A prop that is missing, moved by two
-// pixels or lit differently changes more.
+// The baseline was rendered with llvmpipe. Other drivers place samples and hint letters
+// differently, which changes pixels along edges: about 1 % of them here. A prop that is missing,
+// moved by two pixels or lit differently changes more.
 inline void ExpectLikeBaseline(const Picture& picture, const std::filesystem::path& file)
 {
   const std::string name = file.filename().string();

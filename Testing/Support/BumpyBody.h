@@ -8,8 +8,8 @@
 
 namespace palpate::test
 {
-/// The body that haptics libraries were compared on: 25 mm (1 + 0.15 b), where b is of degrees 3
-/// and 4 and at most 1. Centre off the origin.
+/// The body of published comparisons of haptics libraries: 25 mm (1 + 0.15 b), where b is of
+/// degrees 3 and 4 and at most 1. Centre off the origin.
 inline SphericalHarmonicModel BumpyBody(Random& random)
 {
   constexpr double Radius = 25.0; // mm

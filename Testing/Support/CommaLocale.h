@@ -14,14 +14,14 @@ inline const char* CommaLocaleName()
   return "de_DE.UTF-8";
 }
 
-/// Gives the process that locale while it lives: C's, or C++'s streams too. Throws where the
-/// locale is not installed (package locales-all).
+/// Sets the process's locale during its lifetime: C's, or C++'s streams too. Throws if the locale
+/// is not installed (package locales-all).
 class CommaLocale
 {
 public:
   enum class Scope
   {
-    OnlyC, ///< what setlocale changes, which QApplication calls
+    OnlyC, ///< by setlocale, which QApplication calls
     Streams
   };
 
@@ -50,8 +50,8 @@ private:
   std::locale StreamsBefore;
 };
 
-/// Gives the process, its children and a QApplication that it makes the environment of a user with
-/// that locale, while it lives.
+/// Sets the environment of the process, its children and a QApplication that it creates to a user's
+/// with that locale, during its lifetime.
 class CommaEnvironment
 {
 public:

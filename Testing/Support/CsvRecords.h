@@ -7,7 +7,7 @@
 
 namespace palpate::test
 {
-/// All rows of a table that the program wrote.
+/// All rows of a table written by the program.
 inline std::vector<CsvRecord> CsvRecordsIn(const std::string& text)
 {
   std::vector<CsvRecord> records;

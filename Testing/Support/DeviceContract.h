@@ -8,30 +8,30 @@
 
 namespace palpate::test
 {
-/// What every back end owes to the servo, whatever it drives: checks a closed device that works.
-/// `wait` lets one of the device's periods pass.
+/// Contract of every back end: checks a closed device that works. `wait` lets one of the device's
+/// periods pass.
 inline void ExpectDeviceContract(HapticDevice& device, const std::function<void()>& wait)
 {
   DeviceSample sample;
   ASSERT_EQ(device.State(), DeviceState::Closed);
-  EXPECT_FALSE(device.Read(sample)) << "a closed device gives no samples";
-  EXPECT_FALSE(device.Apply(Vector3::Zero())) << "a closed device takes no forces";
+  EXPECT_FALSE(device.Read(sample)) << "a closed device must give no samples";
+  EXPECT_FALSE(device.Apply(Vector3::Zero())) << "a closed device must accept no forces";
   device.Close();
 
   const DeviceCapabilities& abilities = device.Capabilities();
   EXPECT_FALSE(abilities.Name.empty());
-  EXPECT_GT(abilities.MaximumForce, 0.0) << "without it the safety chain lets nothing through";
+  EXPECT_GT(abilities.MaximumForce, 0.0) << "otherwise the safety chain blocks all forces";
   EXPECT_GT(abilities.Rate, 0.0);
 
   for (int session = 0; session < 2; ++session)
   {
     const Status status = device.Open();
     ASSERT_TRUE(status.IsOk()) << status.Message();
-    EXPECT_FALSE(device.Open().IsOk()) << "an open device is not opened again";
+    EXPECT_FALSE(device.Open().IsOk()) << "an open device must not open again";
     for (int n = 0; n < 1000 && device.State() != DeviceState::Ready; ++n)
     {
       wait();
-      EXPECT_TRUE(device.Read(sample)) << "samples are what ends homing";
+      EXPECT_TRUE(device.Read(sample)) << "samples end homing";
       EXPECT_TRUE(device.Apply(Vector3::Zero()));
     }
     ASSERT_EQ(device.State(), DeviceState::Ready);
@@ -42,7 +42,7 @@ inline void ExpectDeviceContract(HapticDevice& device, const std::function<void(
       const DeviceSample last = sample;
       wait();
       ASSERT_TRUE(device.Read(sample));
-      EXPECT_GT(sample.Sequence, last.Sequence) << "a new measurement has a new number";
+      EXPECT_GT(sample.Sequence, last.Sequence) << "a new measurement must have a new number";
       EXPECT_GT(sample.Time, last.Time);
       EXPECT_TRUE(Vector3(sample.Position).allFinite());
       EXPECT_NEAR(Eigen::Map<const Eigen::Vector4d>(sample.Orientation.data()).norm(), 1.0, 1e-6);

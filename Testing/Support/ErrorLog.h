@@ -10,7 +10,7 @@
 namespace palpate::test
 {
 /// Collects the error events of a filter and of its executive, which would otherwise go to the
-/// error stream. Has to live as long as the filter.
+/// error stream. Must live as long as the filter.
 class ErrorLog
 {
 public:

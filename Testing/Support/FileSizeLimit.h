@@ -5,8 +5,7 @@
 
 namespace palpate::test
 {
-/// While it lives, no file of this process may grow beyond `bytes`: what a full disk does to a
-/// writer.
+/// During its lifetime no file of this process can grow beyond `bytes`: simulates a full disk.
 class FileSizeLimit
 {
 public:

@@ -9,15 +9,15 @@
 
 namespace palpate::test
 {
-/// How well felt forces follow ideal ones, tick by tick, in N and rad. With a force that is no
-/// number the error and the angles are NaN.
+/// Accuracy of rendered forces relative to ideal ones, tick by tick, in N and rad. A NaN force
+/// makes error and angles NaN.
 class ForceQuality
 {
 public:
-  /// A new path: what comes next is no jump from what was before.
+  /// Starts a new path: the next force is not a jump from the last one.
   void BeginPath() { this->HasLast = false; }
 
-  /// One tick of a path in which both touch.
+  /// Adds one tick of a path in which both are in contact.
   void Add(const Vector3& force, const Vector3& ideal)
   {
     this->SquaredErrors += (force - ideal).squaredNorm();
@@ -33,7 +33,7 @@ public:
     this->HasLast = true;
   }
 
-  /// From one tick to the next.
+  /// Differences from one tick to the next.
   class Jumps
   {
   public:
@@ -49,7 +49,7 @@ public:
     }
     double Mean() const { return this->Sum / static_cast<double>(this->Count); }
     double Maximum() const { return this->Largest; }
-    /// Of the larger of both forces.
+    /// Relative to the larger of both forces.
     double RelativeMean() const { return this->RelativeSum / static_cast<double>(this->Count); }
     double RelativeMaximum() const { return this->RelativeLargest; }
 
@@ -75,7 +75,7 @@ public:
     }
     return sum / static_cast<double>(this->Ticks());
   }
-  /// Which this part (0 to 1) of the ticks does not exceed.
+  /// The angle that a fraction `part` (0 to 1) of the ticks does not exceed.
   double AngleQuantile(double part) const
   {
     if (!this->IsFinite || this->Angles.empty())

@@ -17,8 +17,8 @@
 
 namespace palpate::test
 {
-/// Three slices and a view in space of one volume, linked, in one window off screen: axial at the
-/// upper left, space beside it, coronal and sagittal below.
+/// Three linked slices and a 3D view of one volume, in one off-screen window: axial at the upper
+/// left, 3D next to it, coronal and sagittal below.
 class FourViews
 {
 public:
@@ -54,7 +54,7 @@ public:
   vtkNew<vtkCrosshair> Crosshair;
   vtkNew<vtkLandmarks> Landmarks;
   vtkNew<vtkProbeRepresentation> Probe;
-  std::array<vtkNew<vtkSliceView>, 3> Slices; ///< by their orientation
+  std::array<vtkNew<vtkSliceView>, 3> Slices; ///< by orientation
   vtkNew<vtkSpaceView> Space;
 
 private:

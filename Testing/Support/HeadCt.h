@@ -6,11 +6,11 @@
 
 namespace palpate::test
 {
-/// The CT of a head that Debian ships (package invesalius-examples).
+/// The CT of a head in Debian's package invesalius-examples.
 inline const std::filesystem::path HeadCtProject =
     "/usr/share/doc/invesalius-examples/examples/Cranium.inv3";
 
-/// Converts it as Data/README.md says. False where that fails.
+/// Converts it as described in Data/README.md. Returns false on failure.
 inline bool ConvertHeadCt(const std::filesystem::path& target)
 {
   const std::string command = "/usr/bin/python3 '" PALPATE_SOURCE_DIR

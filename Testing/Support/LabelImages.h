@@ -19,7 +19,7 @@ struct LabelGrid
   std::array<double, 3> Origin{{0.0, 0.0, 0.0}};
   std::array<double, 9> Direction{{1, 0, 0, 0, 1, 0, 0, 0, 1}};
 
-  /// So that the grid's middle lies at the world's origin.
+  /// Places the grid's centre at the world's origin.
   void CenterOnOrigin()
   {
     for (std::size_t row = 0; row < 3; ++row)

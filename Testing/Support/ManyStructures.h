@@ -10,7 +10,7 @@
 
 namespace palpate::test
 {
-/// A ball of 20 facets; empty where it cannot be made.
+/// A sphere of 20 facets; null if it cannot be made.
 inline std::shared_ptr<const ContactModel> FacetBall(const Vector3& centerWorld, double radius)
 {
   const IcosahedronDirections sphere(1);
@@ -23,8 +23,8 @@ inline std::shared_ptr<const ContactModel> FacetBall(const Vector3& centerWorld,
   return FacetContactModel::Make(points, sphere.Triangles(), model).IsOk() ? model : nullptr;
 }
 
-/// Balls of 2 mm on a lattice round the origin, that many millimetres apart, nearest first, to be
-/// felt by a ball of 2 mm.
+/// Spheres of 2 mm on a lattice around the origin with this spacing (mm), nearest first, to be
+/// touched by a sphere of 2 mm.
 inline TouchScene ManyStructures(int count, double apart = 10.0)
 {
   const int half = static_cast<int>(std::ceil(0.5 * std::cbrt(count)));

@@ -27,8 +27,8 @@ inline std::vector<std::array<vtkIdType, 3>> TrianglesOf(vtkPolyData* surface)
   return triangles;
 }
 
-/// What keeps a triangle surface from being a closed, oriented two-manifold; empty if nothing
-/// does. Every half edge must meet exactly one opposite half edge, and the triangles round every
+/// The first reason why a triangle surface is not a closed, oriented two-manifold; empty if it is
+/// one. Every half edge must meet exactly one opposite half edge, and the triangles around every
 /// point must form one ring; every point must be used.
 inline std::string TopologyFault(vtkPolyData* surface)
 {
@@ -72,7 +72,7 @@ inline std::string TopologyFault(vtkPolyData* surface)
     } while (at != next.begin()->first && steps <= next.size());
     if (steps != next.size())
     {
-      return "the triangles round a point form more than one ring";
+      return "the triangles around a point form more than one ring";
     }
   }
   return static_cast<vtkIdType>(rings.size()) == surface->GetNumberOfPoints()

@@ -9,7 +9,7 @@
 namespace palpate::test
 {
 /// Time that passes only while a thread waits for it, and no faster than real time. On a busy
-/// machine a loop becomes slow but never late, so stalls and stale samples are never the machine's.
+/// machine a loop becomes slow but never late, so the machine cannot cause stalls or stale samples.
 class PacedClock final : public Clock
 {
 public:

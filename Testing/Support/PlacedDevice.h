@@ -8,8 +8,8 @@
 
 namespace palpate::test
 {
-/// A device, open from the start, that is where another thread puts it, and says what force it was
-/// given last.
+/// A device, open from the start, whose position another thread sets, and which reports the last
+/// applied force.
 class PlacedDevice : public HapticDevice
 {
 public:

@@ -16,8 +16,8 @@
 
 namespace palpate::test
 {
-/// One structure that a tool begins to touch at the origin of the device's frame, which is turned
-/// against it at random.
+/// One structure that a tool begins to touch at the origin of the device's frame, which has a
+/// random orientation relative to it.
 struct PressableScene
 {
   std::string Kind;
@@ -42,7 +42,7 @@ inline PressableScene At(Random& random, const char* kind, const ToolShape& tool
   return made;
 }
 
-// A ball of voxels.
+// A sphere of voxels.
 inline std::shared_ptr<const ContactModel> Voxels(const Vector3& centerIndex, double radius,
                                                   double spacing)
 {
@@ -61,8 +61,9 @@ inline std::shared_ptr<const ContactModel> Voxels(const Vector3& centerIndex, do
 }
 } // namespace pressable
 
-/// A wall, an organ by its harmonics' nearest point and as facets, and a ball as voxels, touched by
-/// a point and by a sphere of 26 points. What could not be made has no model, which no servo takes.
+/// A wall, an organ by its harmonics' closest point and as facets, and a sphere as voxels, touched
+/// by a point and by a sphere of 26 points. If a structure cannot be made its model is null, which
+/// a servo refuses.
 inline std::vector<PressableScene> MakePressableScenes(Random& random)
 {
   using namespace pressable;

@@ -8,8 +8,8 @@
 
 namespace palpate::test
 {
-/// Fields that know their exact value and gradient; positive inside. Points are in any one frame;
-/// kernels sample them with the frame of their choice.
+/// Fields with known exact value and gradient; positive inside. Points are in any one frame;
+/// kernels sample them in the frame of their choice.
 struct PlaneField
 {
   Vector3 Normal{0.36, 0.48, -0.8}; ///< points inwards
@@ -42,11 +42,11 @@ struct QuadraticSphereField
   Vector3 Gradient(const Vector3& p) const { return -2.0 * (p - this->Center); }
 };
 
-/// Signed distance to a torus round the axis k.
+/// Signed distance to a torus around the axis k.
 struct TorusField
 {
   Vector3 Center = Vector3::Zero();
-  double Radius = 2.0; ///< of the circle in its middle
+  double Radius = 2.0; ///< of the central circle
   double Tube = 0.5;
 
   double Value(const Vector3& p) const
@@ -64,7 +64,7 @@ struct TorusField
   }
 };
 
-/// Schoen's gyroid with a period of `Period`: a surface with every slope.
+/// Schoen's gyroid with a period of `Period`: a surface with every orientation.
 struct GyroidField
 {
   double Period = 12.0;

@@ -6,7 +6,7 @@
 
 namespace palpate::test
 {
-/// A rotation, uniform over all of them.
+/// A uniformly distributed random rotation.
 inline Matrix3 RandomOrientation(std::mt19937_64& random)
 {
   std::normal_distribution<double> normal;

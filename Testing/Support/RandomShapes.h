@@ -10,7 +10,8 @@
 
 namespace palpate::test
 {
-/// Seeded random cases for properties. The seed is part of each test, so a failure repeats.
+/// Seeded random cases for property tests. The seed is part of each test, so a failure is
+/// repeatable.
 using Random = std::mt19937_64;
 
 /// A unit vector, uniform on the sphere.
@@ -36,7 +37,7 @@ inline std::vector<Vector3> RandomDirections(Random& random, int count)
   return directions;
 }
 
-/// (degree + 1)^2 independent normal numbers, deviation falling as (l + 1)^-decay.
+/// (degree + 1)^2 independent normal numbers with deviation decreasing as (l + 1)^-decay.
 inline std::vector<double> RandomCoefficients(Random& random, int degree, double decay = 0.0)
 {
   std::normal_distribution<double> normal;

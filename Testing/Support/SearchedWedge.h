@@ -11,7 +11,7 @@
 
 namespace palpate::test
 {
-/// The oracle of HarmonicWedge: the same by certified searches of the whole surface, one a step.
+/// Reference for HarmonicWedge: the same by certified searches of the whole surface, one per step.
 class SearchedWedge
 {
 public:
@@ -58,8 +58,8 @@ inline void SearchedWedge::MoveTo(const Vector3& goalWorld) noexcept
   {
     isOnItsWay = this->Step(goalWorld);
   }
-  // Walls that were met on the last step, or that leave no place between them: out by the shortest
-  // way.
+  // Walls that were reached in the last step, or that leave no place between them: moves out by the
+  // shortest distance.
   bool isOverlapping = true;
   for (int step = 0; step < MostSteps && isOverlapping; ++step)
   {
@@ -68,8 +68,8 @@ inline void SearchedWedge::MoveTo(const Vector3& goalWorld) noexcept
   this->ReturnToSurface(goalWorld);
 }
 
-// Along a wall's plane a fast ball leaves a surface that bends away. Back by the gap it is nearer
-// to no other wall than its radius, since the nearest one was the nearest.
+// Along a wall's plane a fast sphere leaves a surface that bends away. After returning by the gap
+// it is no closer to another wall than its radius, since the closest one was the closest.
 inline void SearchedWedge::ReturnToSurface(const Vector3& goalWorld) noexcept
 {
   const ClosestPoint wall = this->Surface->Search().Nearest(this->Center, EvaluationsOfStep);
@@ -80,7 +80,7 @@ inline void SearchedWedge::ReturnToSurface(const Vector3& goalWorld) noexcept
   }
 }
 
-// Goes on to the place nearest to the goal that the walls' planes allow; false where that is here.
+// Moves to the place closest to the goal that the walls' planes allow; false if that is here.
 inline bool SearchedWedge::Step(const Vector3& goalWorld) noexcept
 {
   this->FollowWalls();
@@ -91,13 +91,13 @@ inline bool SearchedWedge::Step(const Vector3& goalWorld) noexcept
     planes[i] = {wall.Normal, wall.Normal.dot(wall.PointWorld) + this->Radius};
   }
   const NearestHeld held = NearestInHalfSpaces(goalWorld, planes.data(), this->WallCount);
-  const Vector3 way = held.Point - this->Center;
-  const double length = way.norm();
-  this->Center += std::min(1.0, this->LongestStep / length) * way;
+  const Vector3 move = held.Point - this->Center;
+  const double length = move.norm();
+  this->Center += std::min(1.0, this->LongestStep / length) * move;
   return held.IsHeld && length > Enough * this->LongestStep;
 }
 
-// Walls are kept while they are near, and the nearest point of the whole surface is one.
+// Walls are kept while they are close, and the closest point of the whole surface is one of them.
 inline void SearchedWedge::FollowWalls() noexcept
 {
   const auto walls = this->Walls;

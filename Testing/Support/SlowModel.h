@@ -10,10 +10,10 @@
 
 namespace palpate::test
 {
-/// ns that a question to a SlowModel takes; may change while it is asked.
+/// Duration (ns) of a query to a SlowModel; may change at any time.
 using QuestionCost = std::shared_ptr<const std::atomic<std::int64_t>>;
 
-/// Another model, whose every question takes some of a clock's time.
+/// Wraps a model and makes every query take some of a clock's time.
 class SlowModel final : public ContactModel
 {
 public:

@@ -14,8 +14,8 @@
 namespace palpate::test
 {
 /// A fit with everything that a report shows, made without the pipeline: the mask and the MR-like
-/// volume of a prostate-like phantom on an anisotropic grid turned about z by 20 degrees, its true
-/// surface, and its first degrees as the model.
+/// volume of a prostate-like phantom on an anisotropic grid rotated about z by 20 degrees, its true
+/// surface, and its lowest degrees as the model.
 struct SyntheticFit
 {
   explicit SyntheticFit(int modelDegree = 5)
@@ -58,7 +58,7 @@ struct SyntheticFit
   SphericalHarmonicModel Truth;
 
 private:
-  // Differences along the radius: near enough to distances for a picture.
+  // Differences along the radius: close enough to distances for an image.
   void AddDistances()
   {
     vtkNew<vtkDoubleArray> distances;

@@ -10,7 +10,7 @@
 
 namespace palpate::test
 {
-/// An empty folder of a test's own, removed with all that is in it.
+/// An empty folder of one test, removed with its content.
 class TemporaryFolder
 {
 public:
@@ -19,7 +19,7 @@ public:
     std::string pattern = (std::filesystem::temp_directory_path() / "palpate-test-XXXXXX").string();
     if (mkdtemp(pattern.data()) == nullptr)
     {
-      throw std::runtime_error("no temporary folder can be made");
+      throw std::runtime_error("a temporary folder cannot be created");
     }
     this->Folder = pattern;
   }
@@ -33,7 +33,7 @@ public:
 
   const std::filesystem::path& Path() const { return this->Folder; }
   std::filesystem::path operator/(const std::string& name) const { return this->Folder / name; }
-  /// Files and folders in it, hidden ones too.
+  /// Number of files and folders in it, including hidden ones.
   std::size_t EntryCount() const
   {
     const std::filesystem::directory_iterator first(this->Folder);

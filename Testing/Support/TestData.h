@@ -13,7 +13,7 @@ inline std::filesystem::path DataPath(const std::string& name)
 }
 } // namespace palpate::test
 
-/// Skips the test, saying so, where a real data file is absent.
+/// Skips the test, with a message, if a real data file is absent.
 #define PALPATE_REQUIRE_FILE(path)                                                                 \
   if (!std::filesystem::exists(path))                                                              \
   {                                                                                                \

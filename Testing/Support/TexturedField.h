@@ -7,8 +7,8 @@
 
 namespace palpate::test
 {
-/// An image that is bright and dark by turns, with samples everywhere: a gyroid with a period of 6
-/// mm on nodes of 1 mm, 31 mm wide around the origin. Null where it could not be made.
+/// An image with alternating bright and dark regions, with samples everywhere: a gyroid with a
+/// period of 6 mm on nodes of 1 mm, 31 mm wide around the origin. Null if it cannot be made.
 inline std::shared_ptr<const ScalarField> TexturedField()
 {
   constexpr int Nodes = 32;
@@ -22,7 +22,7 @@ inline std::shared_ptr<const ScalarField> TexturedField()
   return builder.Build(field).IsOk() ? field : nullptr;
 }
 
-/// A box that such an image fills.
+/// The box of such an image.
 inline Eigen::AlignedBox3d TexturedBox()
 {
   return {Vector3::Constant(-12.0), Vector3::Constant(12.0)};

@@ -7,7 +7,7 @@
 
 namespace palpate::test
 {
-/// A device that rests 1 mm below the origin; its samples are as new as the clock's time.
+/// A device that rests 1 mm below the origin; its samples have the clock's current time.
 class TimedDevice final : public HapticDevice
 {
 public:

@@ -11,19 +11,19 @@
 
 namespace palpate::test
 {
-/// How a WallModel can go wrong.
+/// Faults of a WallModel.
 enum class WallFault
 {
   None,
-  Invalid, ///< the tracker says so
+  Invalid, ///< the tracker reports it
   NaNProxy,
   InfiniteProxy,
-  HugeDepth, ///< finite, and nowhere near
+  HugeDepth, ///< finite, but implausible
   NaNNormal,
   NoNormal ///< the zero vector
 };
 
-/// What the tracker of a wall counts, and how it is told to fail, from any thread.
+/// Counters of a wall's tracker, and its fault, settable from any thread.
 struct WallControl
 {
   std::atomic<int> Questions{0};
@@ -97,7 +97,7 @@ private:
       normal[2] = fault == WallFault::NoNormal ? 0.0 : normal[2];
     }
 
-    double Height; // mm, that the tool's centre cannot go below
+    double Height; // mm, lower limit of the tool's centre
     std::shared_ptr<WallControl> Control;
     Contact Felt;
   };
@@ -106,7 +106,7 @@ private:
   std::shared_ptr<WallControl> Control;
 };
 
-/// A scene with one wall, to be felt by a point.
+/// A scene with one wall, to be touched by a point.
 inline TouchScene WallScene(double heightWorld, const ContactLaw& law,
                             std::shared_ptr<WallControl> control = nullptr)
 {
@@ -117,8 +117,8 @@ inline TouchScene WallScene(double heightWorld, const ContactLaw& law,
   return scene;
 }
 
-/// A device that is where it is told to be and remembers what was applied. It gives a new sample
-/// at each Read, taken at SampleTime.
+/// A device with a scripted position that records applied forces. It gives a new sample at each
+/// Read, taken at SampleTime.
 class ScriptedDevice final : public HapticDevice
 {
 public:

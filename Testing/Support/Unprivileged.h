@@ -8,8 +8,8 @@
 
 namespace palpate::test
 {
-/// Whether `condition` holds for a user who may not write everywhere, as root may. It is asked in a
-/// child process, which gives up root's rights where it has them.
+/// Whether `condition` holds for a user who may not write everywhere, unlike root. Evaluated in a
+/// child process, which drops root's rights if it has them.
 template <typename Condition>
 bool HoldsUnprivileged(const Condition& condition)
 {
@@ -29,8 +29,8 @@ bool HoldsUnprivileged(const Condition& condition)
   return holds;
 }
 
-/// For root, in a test about what others may not do: runs that test again in a process of nobody's,
-/// and fails where it fails. Skips where nobody may not run this program.
+/// For root, in a test of missing permissions: runs that test again in a process of the user
+/// nobody, and fails if it fails. Skips if nobody may not run this program.
 inline void RunAgainUnprivileged()
 {
   const std::string program = std::filesystem::read_symlink("/proc/self/exe").string();

@@ -4,8 +4,8 @@
 
 namespace palpate::test
 {
-/// Largest magnitude of what it was given. Once it was given NaN it stays NaN, so that no
-/// comparison with a tolerance succeeds; std::max would lose it.
+/// Largest magnitude of its inputs. After NaN it stays NaN, so that no comparison with a tolerance
+/// succeeds; std::max would lose it.
 class WorstCase
 {
 public:

@@ -7,8 +7,8 @@
 
 namespace palpate::test
 {
-/// A boot stream in the loader's format with random words: it stands for the firmware, of which
-/// no byte belongs into tests. `words` >= 1 in `blocks` >= 1 blocks.
+/// A boot stream in the loader's format with random words, in place of the firmware, of which the
+/// tests contain no byte. `words` >= 1 in `blocks` >= 1 blocks.
 inline std::vector<std::uint8_t> BootStream(std::size_t words = 200, std::size_t blocks = 3,
                                             std::uint64_t seed = 1)
 {

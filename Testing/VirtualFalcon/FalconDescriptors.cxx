@@ -4,12 +4,12 @@ namespace palpate::test
 {
 std::array<std::uint8_t, 50> FalconDescriptors::Bytes() const
 {
-  // Numbers of two bytes come low byte first.
+  // Two-byte numbers are little endian.
   return {// Device: USB 2.00, class by interface, 8 bytes at endpoint 0, ids, release 6.00, strings
           // 1 to
           // 3, one configuration.
           18, 1, 0x00, 0x02, 0, 0, 0, 8, 0x03, 0x04, 0x48, 0xcb, 0x00, 0x06, 1, 2, 3, 1,
-          // Configuration 1: 32 bytes with all below, one interface, bus powered, 90 mA.
+          // Configuration 1: 32 bytes in total, one interface, bus powered, 90 mA.
           9, 2, 32, 0, 1, 1, 0, 0xa0, 45,
           // Interface 0: two endpoints, vendor's class.
           9, 4, 0, 0, 2, 0xff, 0xff, 0xff, 2,

@@ -45,7 +45,7 @@ std::string Hexadecimal(const FalconDescriptors& descriptors)
   return text.str();
 }
 
-// In umockdev's own words; without a line for the node, which it would make as a plain file.
+// In umockdev's format; without a line for the node, which it would create as a plain file.
 std::string DeviceText(const FalconDescriptors& descriptors, int port)
 {
   std::ostringstream text;
@@ -60,8 +60,8 @@ std::string DeviceText(const FalconDescriptors& descriptors, int port)
   return text.str();
 }
 
-// The processes that FalconGuard started and nobody waits for any more: they became this process's
-// children, and would hold the bed's folder for as long as a cable may be out.
+// The guards that FalconGuard started and no process waits for any more: they became children of
+// this process, and would hold the bed's folder for as long as a cable may be unplugged.
 std::vector<pid_t> OrphanedGuards()
 {
   std::vector<pid_t> guards;

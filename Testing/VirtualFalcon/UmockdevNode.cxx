@@ -13,7 +13,7 @@ namespace palpate::test
 {
 namespace
 {
-// Nothing where the program has ended meanwhile.
+// Null if the program has ended meanwhile.
 ObjectPointer<UMockdevIoctlData> Resolve(UMockdevIoctlData* data, std::size_t offset,
                                          std::size_t size)
 {
@@ -33,8 +33,8 @@ void* AddressIn(const UMockdevIoctlData* argument)
 }
 } // namespace
 
-// The handler is attached before the node exists, since a program that waits for the device opens
-// the node as soon as it is there.
+// The handler is attached before the node exists, since a waiting program opens the node as soon as
+// it appears.
 UmockdevNode::UmockdevNode(UMockdevTestbed* bed, UsbfsFalcon& falcon, std::string path)
     : Bed(bed), Falcon(falcon), Path(std::move(path)), Handler(umockdev_ioctl_base_new())
 {
@@ -55,7 +55,7 @@ UmockdevNode::UmockdevNode(UMockdevTestbed* bed, UsbfsFalcon& falcon, std::strin
   static_cast<void>(!write(this->Descriptor, "", 1));
 }
 
-// GLib frees the handler's own share of the handle once no handler runs any more.
+// GLib releases the handler's reference to the handle once no handler runs any more.
 void UmockdevNode::Connect(const char* signal, GCallback handler)
 {
   g_signal_connect_data(
@@ -188,7 +188,7 @@ int UmockdevNode::Submit(Client& client, UMockdevIoctlData* argument)
   {
     return -EFAULT;
   }
-  // Kept first: it may be finished at once.
+  // Stored first: it may finish at once.
   client.Urbs[address] = std::move(submitted);
   const int answer = this->Falcon.Submit(*client.File, *urb, address);
   if (answer < 0)

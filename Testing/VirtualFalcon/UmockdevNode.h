@@ -17,25 +17,25 @@ struct ObjectReleaser
 template <typename Object>
 using ObjectPointer = std::unique_ptr<Object, ObjectReleaser>;
 
-/// The usbfs node of a virtual Falcon in a umockdev test bed: answers what other programs ask of
-/// it. The node is a pipe with a name and one slot, writable while there is something to reap, so
-/// that programs sleep in poll as they do on usbfs.
+/// The usbfs node of a virtual Falcon in a umockdev test bed: answers requests of other programs.
+/// The node is a named pipe with one slot, writable while there is something to reap, so that
+/// programs sleep in poll as they do on usbfs.
 class UmockdevNode
 {
 public:
-  /// Makes the node at `path` (below /dev). Keeps the addresses.
+  /// Creates the node at `path` (below /dev). Keeps the addresses.
   UmockdevNode(UMockdevTestbed* bed, UsbfsFalcon& falcon, std::string path);
   ~UmockdevNode();
   UmockdevNode(const UmockdevNode&) = delete;
   UmockdevNode& operator=(const UmockdevNode&) = delete;
 
-  /// Takes the node away; programs that have it open are still answered, until this ends.
+  /// Removes the node; programs that have it open are served until this object ends.
   void Remove();
-  /// Where the pipe really is.
+  /// The real path of the pipe.
   const std::string& File() const { return this->Pipe; }
 
 private:
-  // What a program submitted, as copies here, which are written back when it is reaped.
+  // Copies of a program's requests, which are written back when they are reaped.
   struct Submitted
   {
     ObjectPointer<UMockdevIoctlData> Urb;
@@ -45,14 +45,14 @@ private:
   {
     UsbfsFile* File = nullptr;
     bool HasWork = false;
-    std::map<void*, Submitted> Urbs; // by their address in the program
+    std::map<void*, Submitted> Urbs; // by address in the program
   };
 
-  // How umockdev's thread finds the node: it may be in a handler while the node ends.
+  // Lets umockdev's thread find the node, which may end while it is in a handler.
   struct Handle
   {
     std::mutex Access;
-    UmockdevNode* Node = nullptr; // while there is one
+    UmockdevNode* Node = nullptr; // while it exists
   };
 
   static gboolean OnRequest(UMockdevIoctlBase* base, UMockdevIoctlClient* client, gpointer handle);
@@ -69,10 +69,10 @@ private:
   std::string Path;
   std::string Pipe;
   int Descriptor = -1;
-  int WithWork = 0; // clients that have something to reap
+  int WithWork = 0; // number of clients with something to reap
   bool IsRemoved = false;
   ObjectPointer<UMockdevIoctlBase> Handler;
-  std::map<UMockdevIoctlClient*, Client> Clients; // under the handle's mutex
+  std::map<UMockdevIoctlClient*, Client> Clients; // guarded by the handle's mutex
   std::shared_ptr<Handle> Self = std::make_shared<Handle>();
 };
 } // namespace palpate::test

@@ -11,14 +11,14 @@ namespace palpate::test
 namespace
 {
 constexpr std::size_t SetupSize = 8;
-constexpr std::int64_t ShortestPause = 50'000; // ns, between two looks at the device
+constexpr std::int64_t ShortestPause = 50'000; // ns, between two polls of the device
 
 std::int64_t Now()
 {
   return std::chrono::nanoseconds(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
-// Moves a request to what can be reaped.
+// Marks a request as ready to be reaped.
 void Finish(UsbfsFile& file, const std::deque<UsbfsRequest>::iterator& waiting, int outcome)
 {
   waiting->Outcome = outcome;
@@ -208,7 +208,7 @@ int UsbfsFalcon::Answer(UsbfsFile& file, unsigned long request, void* argument)
   }
 }
 
-// How many bytes were carried, or an errno, negative.
+// Returns the number of bytes transferred, or a negative errno.
 int UsbfsFalcon::Control(const usbdevfs_ctrltransfer& setup, std::uint8_t* data)
 {
   constexpr std::uint8_t VendorOut = 0x40;
@@ -256,7 +256,7 @@ void UsbfsFalcon::FinishControl(UsbfsRequest& request)
   request.Received.resize(isRead ? static_cast<std::size_t>(request.Length) : 0);
 }
 
-// Whether the request is finished: by a packet that is not full, or because no other would fit.
+// Returns whether the request is finished: by a short packet, or because no other would fit.
 bool UsbfsFalcon::Fill(UsbfsRequest& read, std::int64_t now)
 {
   const auto capacity = static_cast<std::size_t>(read.Urb->buffer_length);
@@ -333,7 +333,7 @@ void UsbfsFalcon::Serve(UsbfsFile& file)
     this->TakeWrites(file, Now());
   }
   this->TakeReads(file, Now());
-  if (!this->Falcon.IsPluggedIn()) // by a fault that was scripted
+  if (!this->Falcon.IsPluggedIn()) // by a scripted fault
   {
     this->TakeAway(file, Unplugging::AbortsReads);
   }

@@ -17,15 +17,15 @@
 
 namespace palpate::test
 {
-/// A request (URB) that was submitted. What came of it waits here until it is reaped, since nobody
-/// may write to a program's memory at another time.
+/// A submitted request (URB). Its result waits here until it is reaped, since a program's memory
+/// must not be written at another time.
 struct UsbfsRequest
 {
   usbdevfs_urb* Urb = nullptr;
-  void* Address = nullptr; ///< what the program calls it by
+  void* Address = nullptr; ///< the program's identifier of the request
   int Outcome = 0;         ///< 0 or an errno, negative
   std::vector<std::uint8_t> Received;
-  int Length = 0; ///< bytes that were carried
+  int Length = 0; ///< bytes transferred
 
   bool IsRead() const { return (this->Urb->endpoint & 0x80U) != 0; }
 };
@@ -33,32 +33,32 @@ struct UsbfsRequest
 /// One open file of the device's node.
 struct UsbfsFile
 {
-  std::function<void(bool)> ShowWork; ///< told whether there is something to reap
-  std::function<void()> ShowGone;     ///< told once where the device is unplugged
+  std::function<void(bool)> ShowWork; ///< called with whether there is something to reap
+  std::function<void()> ShowGone;     ///< called once when the device is unplugged
   std::deque<UsbfsRequest> Waiting;
   std::deque<UsbfsRequest> Finished;
   bool HasClaim = false;
   bool IsGone = false;
 };
 
-/// The kernel's usbfs in front of a virtual Falcon, in real time: claims, requests (URBs) that are
-/// submitted, finished by the device, reaped and discarded. How programs get here is the front's
-/// business (UsbfsShim, FalconTestBed). All functions may be called from any thread; what answers a
-/// request answers 0 or an errno, negative.
+/// The kernel's usbfs in front of a virtual Falcon, in real time: claims, and requests (URBs) that
+/// are submitted, finished by the device, reaped and discarded. Front ends (UsbfsShim,
+/// FalconTestBed) connect programs to it. All functions may be called from any thread; functions
+/// that answer a request return 0 or a negative errno.
 ///
 /// Source: Linux, Documentation/driver-api/usb/usb.rst, and what libusb 1.0.26 asks for.
 class UsbfsFalcon
 {
 public:
-  /// How a program sees that the cable was pulled.
+  /// Effect of unplugging for a program.
   enum class Unplugging
   {
-    AbortsReads, ///< reads that wait end with an error, as the kernel does it
-    RefusesNext  ///< reads that wait end well, and what is submitted next is refused
+    AbortsReads, ///< pending reads end with an error, as in the kernel
+    RefusesNext  ///< pending reads end normally, and the next request is refused
   };
 
-  /// Keeps the address of the model, which must outlive it and is used through WithFalcon alone
-  /// from now on.
+  /// Keeps the address of the model, which must outlive it and must from now on only be used
+  /// through WithFalcon.
   explicit UsbfsFalcon(VirtualFalcon& falcon, FalconDescriptors descriptors = {});
   ~UsbfsFalcon();
   UsbfsFalcon(const UsbfsFalcon&) = delete;
@@ -66,13 +66,13 @@ public:
 
   /// Null while the device is unplugged. The functions must not call back.
   UsbfsFile* OpenFile(std::function<void(bool)> showWork, std::function<void()> showGone);
-  /// Drops what was submitted and not reaped, and the claim.
+  /// Drops requests that were not reaped, and the claim.
   void CloseFile(UsbfsFile* file);
 
-  /// `address` is what the program calls the request by; `urb` and its buffer have to stay where
-  /// they are until it was reaped, and are written to by Reap alone.
+  /// `address` is the program's identifier of the request; `urb` and its buffer must stay valid
+  /// until it is reaped, and only Reap writes to them.
   int Submit(UsbfsFile& file, usbdevfs_urb& urb, void* address);
-  /// -EAGAIN where nothing has finished.
+  /// -EAGAIN if no request has finished.
   int Reap(UsbfsFile& file, void*& address);
   int Discard(UsbfsFile& file, const void* address);
   /// Every other request; `argument` is its structure.
@@ -81,25 +81,25 @@ public:
   void Unplug(Unplugging how = Unplugging::AbortsReads,
               VirtualFalcon::Supply supply = VirtualFalcon::Supply::Lost);
   void Plug();
-  /// Writes wait, as where a device takes no data, until this is called with false.
+  /// Blocks writes, as if a device takes no data, until this is called with false.
   void HoldWrites(bool hold);
-  /// So many reads fail, one after the other, as on a bad cable.
+  /// Makes `count` consecutive reads fail, as on a bad cable.
   void FailReads(int count);
-  /// The same of writes; what they carry does not reach the device.
+  /// The same for writes; their data does not reach the device.
   void FailWrites(int count);
-  /// What is discarded is not given back, as by a kernel that hangs.
+  /// Does not return discarded requests, as in a kernel that hangs.
   void KeepDiscarded(bool keep);
-  /// A driver of the kernel has the interface; it lets go when it is told to.
+  /// A kernel driver claims the interface; it releases it on request.
   void BindDriver(const std::string& name);
-  /// As the kernel does for a process that was killed: what it had claimed is free again, and what
-  /// it had submitted is gone. A front that does not notice the end of its clients calls this.
+  /// As the kernel does for a killed process: releases its claim and drops its requests. For a
+  /// front end that does not notice the end of its clients.
   void ReleaseClaims();
-  /// Requests that were submitted and neither finished nor discarded.
+  /// Number of requests that were neither finished nor discarded.
   std::size_t WaitingCount();
   std::size_t WaitingWrites();
   std::size_t FileCount();
 
-  /// Calls `use(VirtualFalcon&)` while nobody else uses the model.
+  /// Calls `use(VirtualFalcon&)` with exclusive access to the model.
   template <typename Use>
   auto WithFalcon(Use&& use)
   {
@@ -121,7 +121,7 @@ private:
 
   VirtualFalcon& Falcon;
   FalconDescriptors Texts;
-  std::mutex Access; // of all below and of the model
+  std::mutex Access; // guards everything below and the model
   std::condition_variable Changed;
   std::list<UsbfsFile> Files;
   std::string Driver;

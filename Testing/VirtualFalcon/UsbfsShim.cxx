@@ -15,7 +15,7 @@ namespace palpate::test
 {
 namespace
 {
-// The function of that name which this program's own hides.
+// The libc function that this program overrides.
 template <typename Function>
 Function* Hidden(const char* name)
 {
@@ -46,7 +46,7 @@ int ControlReally(int descriptor, unsigned long request, void* argument)
   return control(descriptor, request, argument);
 }
 
-// The other end of a descriptor that the shim gave out.
+// The other end of a descriptor from the shim.
 class ShimFile
 {
 public:
@@ -116,11 +116,11 @@ private:
 
   UsbfsFalcon& Falcon;
   int ReadingEnd;
-  std::size_t Offset = 0; // of what is read next
-  UsbfsFile* File;        // last: making it shows that there is no work
+  std::size_t Offset = 0; // of the next read
+  UsbfsFile* File;        // last: its construction reports that there is no work
 };
 
-// Functions that replace libc's can find their data in no other way.
+// Global, since functions that replace libc's have no other access to their data.
 std::array<std::atomic<ShimFile*>, 1024> Shims{};
 
 ShimFile* ShimOf(int descriptor)

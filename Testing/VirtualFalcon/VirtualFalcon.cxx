@@ -6,7 +6,7 @@ namespace palpate::test
 {
 VirtualFalcon::VirtualFalcon(const VirtualMechanismSettings& settings) : Body(settings) {}
 
-// What happens on the wire and on the board, in the order of its times.
+// Processes events on the wire and on the board in the order of time.
 void VirtualFalcon::AdvanceTo(std::int64_t now)
 {
   for (;;)

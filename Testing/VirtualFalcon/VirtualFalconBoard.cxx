@@ -196,7 +196,7 @@ void VirtualFalconBoard::Load(std::uint8_t value, VirtualFtdiChip& chip,
   }
 }
 
-// Words come least byte first; a block is its size, an address of two words, and its words.
+// Words are little endian; a block is its size, an address of two words, and its words.
 void VirtualFalconBoard::TakeWord(unsigned word)
 {
   if (this->Part == 0 && this->WordsLeft == HeadWords && word != 0x08AA)

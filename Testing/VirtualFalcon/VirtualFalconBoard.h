@@ -20,12 +20,12 @@ public:
   {
     Off,      ///< no power, or nothing loaded and not reset yet
     Greeting, ///< after the edge of DTR, at 9600 Bd
-    BaudLock, ///< greeted and DTR off: finds the rate from one letter
-    Loading,  ///< takes and echoes the image
+    BaudLock, ///< greeted and DTR off: detects the rate from one letter
+    Loading,  ///< receives and echoes the image
     Running
   };
 
-  /// A good packet: when it was whole (ns), and what it asked the motors for.
+  /// A valid packet: its completion time (ns), and the requested motor values.
   struct Order
   {
     std::int64_t Time;
@@ -34,29 +34,29 @@ public:
   };
 
   void SetDataTerminalReady(bool level, std::int64_t now, VirtualFtdiChip& chip);
-  /// Takes a byte off the wire and may answer.
+  /// Receives a byte from the wire and may answer.
   void Receive(const VirtualFtdiChip::WireByte& byte, VirtualFtdiChip& chip,
                VirtualMechanism& mechanism, const VirtualFalconFaults& faults);
-  /// When it does something by itself next, and doing it.
+  /// Time of its next spontaneous event, and processing it.
   std::int64_t NextEvent() const;
   void Advance(std::int64_t now, VirtualFtdiChip& chip, VirtualMechanism& mechanism,
                const VirtualFalconFaults& faults);
-  /// Loses what it was loaded with.
+  /// Loses the loaded firmware.
   void PowerOff();
-  /// Is running at once, as after another program's loading it. `Replies` keep counting.
+  /// Starts running at once, as if another program had loaded it. `Replies` keep counting.
   void StartLoaded() { this->Life = State::Running; }
 
   State Now() const { return this->Life; }
   bool WantsUnplug() const { return this->Unplugs; }
   int Resets() const { return this->ResetCount; }
-  /// What it was sent as its image since the last reset.
+  /// Image bytes received since the last reset.
   const std::vector<std::uint8_t>& Image() const { return this->Loaded; }
-  /// What the last good packet asked for.
+  /// Motor values of the last valid packet.
   const std::array<std::int16_t, 3>& Motors() const { return this->Commanded; }
-  /// Every good packet since the board was made, whatever became of its power.
+  /// Every valid packet since construction, whatever happened to its power.
   const std::vector<Order>& Received() const { return this->Orders; }
   unsigned Flags() const { return this->Asked; }
-  std::uint64_t Packets() const { return this->PacketCount; }       ///< good ones
+  std::uint64_t Packets() const { return this->PacketCount; }       ///< valid ones
   std::uint64_t BadPackets() const { return this->BadPacketCount; } ///< since power-up
   std::uint64_t Replies() const { return this->Numbers.back(); }    ///< since the last reset
 
@@ -76,15 +76,15 @@ private:
   bool Dtr = false;
   bool Unplugs = false;
   int ResetCount = 0;
-  double Baud = 9600.0; // the board's own
+  double Baud = 9600.0; // the board's rate
   std::int64_t Time = 0;
   std::int64_t WireFree = 0;
   std::int64_t RaiseClearToSend = VirtualFtdiChip::Never;
   std::int64_t Start = VirtualFtdiChip::Never;
   std::int64_t Lapse = VirtualFtdiChip::Never;
-  std::vector<std::uint8_t> Frame; // of a greeting or a packet, as far as it has come
+  std::vector<std::uint8_t> Frame; // partial greeting or packet
   std::vector<std::uint8_t> Loaded;
-  std::uint64_t WordsLeft = 0; // of the part of the image that is being read
+  std::uint64_t WordsLeft = 0; // of the current part of the image
   int Part = 0;                // 0 head, 1 size of a block, 2 its address, 3 its words
   std::array<std::int16_t, 3> Commanded{};
   std::vector<Order> Orders;

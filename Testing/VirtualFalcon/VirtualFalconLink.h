@@ -9,8 +9,8 @@
 
 namespace palpate::test
 {
-/// The cable to a VirtualFalcon, without any USB: a real driver's requests reach the model at the
-/// clock's time, and packets come as if reads had been pending. Keeps both addresses.
+/// The cable to a VirtualFalcon, without any USB: a driver's requests reach the model at the
+/// clock's time, and packets arrive as if reads had been pending. Keeps both addresses.
 class VirtualFalconLink final : public FalconLink
 {
 public:
@@ -28,9 +28,9 @@ public:
 
   /// Another program has the device: Open fails.
   bool IsBusy = false;
-  /// The device takes nothing: what is sent waits in the queue, until that is full.
+  /// The device takes nothing: sent data waits in the queue, until that is full.
   bool HoldsWrites = false;
-  /// Open fails this many times more.
+  /// Number of further calls of Open that fail.
   int OpenFailures = 0;
 
 private:
@@ -42,7 +42,7 @@ private:
   FtdiPackets Packets;
   std::vector<std::uint8_t> Waiting; // received, not yet taken
   std::vector<std::uint8_t> Queue;   // sent, held back
-  std::vector<std::uint8_t> Stop;    // what ArmStop said
+  std::vector<std::uint8_t> Stop;    // set by ArmStop
   bool IsOpen = false;
   bool Gone = false;
 };

@@ -8,14 +8,14 @@
 namespace palpate::test
 {
 /// The serial chip of a virtual Falcon: an FT232R between USB packets and a wire of bytes, in
-/// virtual time (ns), which never falls from call to call. What it does follows FTDI's vendor
-/// protocol, not the driver's code.
+/// virtual time (ns), which must not decrease from call to call. Implements FTDI's vendor protocol,
+/// not the driver's code.
 class VirtualFtdiChip
 {
 public:
   static constexpr std::int64_t Never = std::numeric_limits<std::int64_t>::max();
 
-  /// A byte on the wire, whole at `Time`, of a sender that runs at `Baud`.
+  /// A byte on the wire, complete at `Time`, sent at `Baud`.
   struct WireByte
   {
     std::int64_t Time;
@@ -28,21 +28,21 @@ public:
   /// Bytes answered, or -1 for a request that stalls.
   int ControlIn(std::uint8_t request, std::uint8_t* bytes, std::size_t capacity) const;
 
-  /// From the host: bytes go out one by one at the baud rate that is set now.
+  /// From the host: bytes are transmitted one by one at the current baud rate.
   void Transmit(const std::uint8_t* bytes, std::size_t count, std::int64_t now);
-  /// To the board: the next byte whose time has come by `now`.
+  /// To the board: the next byte that is complete by `now`.
   bool TakeTransmitted(std::int64_t now, WireByte& byte);
   std::int64_t NextTransmitted() const;
 
-  /// From the board; in order of time. At another rate than the chip's it arrives broken.
+  /// From the board; in order of time. A byte at another rate than the chip's arrives corrupted.
   void Receive(const WireByte& byte);
   void SetClearToSend(bool level, std::int64_t now);
 
-  /// The next IN packet that is due by `now`, with its two bytes of status; 0 where there is none.
-  /// As if reads had been pending ever since, but that packets of status alone which nobody read
-  /// are one.
+  /// The next IN packet that is due by `now`, with its two bytes of status; 0 if there is none. As
+  /// if reads had been pending all the time, except that consecutive unread packets of status only
+  /// are merged.
   std::size_t TakePacket(std::uint8_t* packet, std::int64_t now);
-  /// When the next packet is due, with what is known now.
+  /// Time of the next packet, as far as known now.
   std::int64_t NextPacket() const;
 
   double Baud() const { return this->Rate; }

@@ -38,8 +38,8 @@ Vector3 VirtualMechanism::InLeg(int leg, const Vector3& position) const
   return turned - Vector3(this->Settings.BaseRadial, this->Settings.BaseTangential, 0.0);
 }
 
-// The knee goes round the base joint; from it the grip's joint lies at the length that the shin has
-// in the leg's plane.
+// The knee moves around the base joint; the grip's joint lies at the distance of the shin's
+// projected length from it, in the leg's plane.
 std::array<double, 3> VirtualMechanism::AnglesAt(const Vector3& position) const
 {
   std::array<double, 3> angles{};
@@ -141,11 +141,11 @@ Vector3 VirtualMechanism::TargetAt(std::int64_t time) const
 
 void VirtualMechanism::AdvanceTo(std::int64_t now)
 {
-  // Time has no origin of its own: motion begins with the first call.
+  // Time has no fixed origin: motion begins with the first call.
   this->Reached = this->Reached < 0 ? now : this->Reached;
   while (this->Reached < now)
   {
-    // A rigid hand needs steps only to meet its index on the way.
+    // A rigid hand needs steps only to pass its index on the way.
     const std::int64_t longest = this->Settings.IsRigid ? 20 * LongestStep : LongestStep;
     const std::int64_t end = std::min(now, this->Reached + longest);
     const double step = 1e-9 * static_cast<double>(end - this->Reached);
