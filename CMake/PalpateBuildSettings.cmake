@@ -1,4 +1,4 @@
-# Compiler settings for our own targets. Generated code (Python wrappers) is left alone.
+# Compiler settings for our own targets; not for generated code (Python wrappers).
 
 set(CMAKE_CXX_STANDARD 17)
 set(CMAKE_CXX_STANDARD_REQUIRED ON)
@@ -26,11 +26,11 @@ if(PALPATE_SANITIZERS)
   add_link_options(-fsanitize=${PALPATE_SANITIZERS})
 endif()
 
-# Warnings for a target of ours; a library that lacks a symbol fails where it is linked, not where it
-# is loaded. Nobody reads errno after a root, and nobody puts functions of their own in place of a
-# library's: both would keep the compiler from inlining. Neither changes a result.
+# Warnings for one of our targets; a library with an undefined symbol fails at link time, not at load
+# time. No code reads errno after a square root, and no code interposes library functions: both would
+# prevent inlining. Neither changes a result.
 function(palpate_compile_settings target)
-  # Clang links its sanitizers into programs alone, and libraries lack them until then.
+  # Clang links its sanitizers into programs only, so libraries have undefined symbols until then.
   if(NOT (PALPATE_SANITIZERS AND CMAKE_CXX_COMPILER_ID STREQUAL "Clang"))
     target_link_options(${target} PRIVATE -Wl,--no-undefined)
   endif()

@@ -1,9 +1,9 @@
-# Every package that the build uses; why each is there stands in Documentation/Architecture.md.
+# Every package that the build uses; Documentation/Architecture.md gives the reasons.
 
 find_package(Eigen3 3.4 REQUIRED NO_MODULE)
 
-# Components are named on purpose: without them VTK wants every third-party package and drags in
-# the MPI modules, which replace stock classes.
+# Components are listed explicitly: otherwise VTK requires every third-party package and pulls in
+# the MPI modules, which replace standard classes.
 set(PALPATE_VTK_COMPONENTS
   CommonCore CommonDataModel CommonExecutionModel CommonMath CommonMisc CommonTransforms
   FiltersCore FiltersGeneral FiltersGeometry FiltersModeling FiltersSources
@@ -15,7 +15,7 @@ set(palpate_vtk_build_components TestingCore TestingRendering RenderingImage
   RenderingVolumeOpenGL2)
 if(PALPATE_WRAP_PYTHON)
   list(APPEND palpate_vtk_build_components WrappingPythonCore CommonPython WrappingTools Python)
-  # The VTK package of Debian is built for the system's interpreter, whatever else is on the PATH.
+  # Debian's VTK package is built for the system's interpreter, whatever else is on the PATH.
   set(Python3_EXECUTABLE /usr/bin/python3 CACHE FILEPATH "")
 endif()
 if(PALPATE_BUILD_VIEWER)
@@ -36,7 +36,7 @@ endif()
 find_package(ITK 5.2 REQUIRED COMPONENTS ITKCommon ITKIOImageBase ITKIONIFTI ITKIONRRD ITKIOMeta
   ITKImageLabel ITKConnectedComponents ITKLabelMap ITKImageFunction)
 find_package(DCMTK REQUIRED)
-# Debian packs OpenJPEG's programs apart from its library, and CMake reports each of them as absent.
+# Debian packages OpenJPEG's programs separately from its library, and CMake reports each as absent.
 set(CMAKE_MESSAGE_LOG_LEVEL WARNING)
 find_package(OpenJPEG REQUIRED NO_MODULE)
 unset(CMAKE_MESSAGE_LOG_LEVEL)
@@ -46,7 +46,7 @@ find_package(CLI11 REQUIRED)
 find_package(nlohmann_json 3.11 REQUIRED)
 find_package(Threads REQUIRED)
 
-# Without libusb everything builds but the way to a real Falcon.
+# Without libusb everything is built except the access to a real Falcon.
 find_package(PkgConfig)
 if(PkgConfig_FOUND)
   pkg_check_modules(libusb IMPORTED_TARGET libusb-1.0>=1.0.23)

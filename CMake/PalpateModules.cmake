@@ -6,7 +6,7 @@ foreach(room IO Surface ShapeModel VolumeRendering Imaging Interaction Session)
 endforeach()
 set(PALPATE_VTK_CMAKE_DIR "${CMAKE_INSTALL_LIBDIR}/cmake/Palpate")
 
-# A macro, so that what VTK's functions set stays visible in the caller.
+# A macro, so that variables set by VTK's functions stay visible in the caller.
 macro(palpate_build_vtk_modules)
   vtk_module_scan(
     MODULE_FILES ${PALPATE_VTK_MODULE_FILES}
@@ -17,7 +17,7 @@ macro(palpate_build_vtk_modules)
     MODULES ${PALPATE_MODULES}
     INSTALL_EXPORT PalpateModules
     PACKAGE Palpate
-    # Tests are added by palpate_add_module_tests, after all rooms exist.
+    # Tests are added by palpate_add_module_tests, after all modules exist.
     TEST_DIRECTORY_NAME NONE
     CMAKE_DESTINATION "${PALPATE_VTK_CMAKE_DIR}"
     HEADERS_DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/palpate"
@@ -26,9 +26,9 @@ macro(palpate_build_vtk_modules)
     TARGET_NAMESPACE Palpate)
 endmacro()
 
-# Adds a room's VTK module: VTK classes (header and source pairs, wrapped), kernel classes (not
-# wrapped), and our compiler settings.
-#   palpate_add_vtk_module(Room CLASSES vtkA… KERNELS B… HEADERS C…)
+# Adds a VTK module: VTK classes (header and source pairs, wrapped), kernel classes (not wrapped), and
+# our compiler settings.
+#   palpate_add_vtk_module(Module CLASSES vtkA… KERNELS B… HEADERS C…)
 function(palpate_add_vtk_module room)
   cmake_parse_arguments(arg "" "" "CLASSES;KERNELS;HEADERS" ${ARGN})
   list(TRANSFORM arg_HEADERS APPEND ".h")
@@ -44,9 +44,9 @@ function(palpate_add_vtk_module room)
   endif()
 endfunction()
 
-# Makes a library of a room without VTK what every such room is: its alias, settings, header folders
-# (under the room's own), installed headers and export.
-#   palpate_add_kernel_room(Room SOURCES a.cxx… HEADERS a.h… FOLDERS . Sub… LIBRARIES t…)
+# Adds the library of a module without VTK, with its alias, settings, header folders (relative to the
+# module's own), installed headers and export.
+#   palpate_add_kernel_room(Module SOURCES a.cxx… HEADERS a.h… FOLDERS . Sub… LIBRARIES t…)
 function(palpate_add_kernel_room room)
   cmake_parse_arguments(arg "" "" "SOURCES;HEADERS;FOLDERS;LIBRARIES" ${ARGN})
   add_library(${room} ${arg_SOURCES})

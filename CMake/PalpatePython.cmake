@@ -1,9 +1,9 @@
-# The Python package `palpate`: the VTK classes of the rooms below Session, wrapped by VTK's tools.
+# The Python package `palpate`: the VTK classes of the modules below Session, wrapped by VTK's tools.
 # It works from the build tree (PYTHONPATH=build/…/lib/python3/dist-packages) and installed.
 
 set(PALPATE_PYTHON_DIR "${CMAKE_INSTALL_LIBDIR}/python3/dist-packages")
 
-# A room without a VTK class has nothing to wrap.
+# A module without a VTK class has nothing to wrap.
 get_property(wrapped_rooms GLOBAL PROPERTY PALPATE_ROOMS_WITH_VTK_CLASSES)
 list(REMOVE_ITEM wrapped_rooms Session)
 set(wrapped_modules ${wrapped_rooms})

@@ -1,4 +1,4 @@
-# Tests: one GoogleTest program a room, named <Room>Tests, discovered one ctest entry a test.
+# Tests: one GoogleTest program per module, named <Module>Tests, with one ctest entry per test.
 
 find_package(GTest REQUIRED)
 include(GoogleTest)
@@ -21,14 +21,14 @@ function(palpate_add_gtest name)
     VTK::InteractionStyle)
   set(discover ${name} DISCOVERY_MODE PRE_TEST TEST_PREFIX "${name}.")
   if(arg_RENDERING)
-    # Mesa leaks from libraries that it has unloaded, which no suppression can name.
+    # Mesa leaks memory in libraries that it has unloaded, which no suppression can name.
     gtest_discover_tests(${discover} TEST_FILTER "${arg_RENDERING}"
       TEST_LIST ${name}_RENDERING_TESTS
       PROPERTIES TIMEOUT 300 ENVIRONMENT "ASAN_OPTIONS=detect_leaks=0")
     gtest_discover_tests(${discover} TEST_FILTER "-${arg_RENDERING}" PROPERTIES TIMEOUT 300)
   elseif(arg_ON_VIRTUAL_BUS)
-    # In real time, with several processes for every byte: one after the other. AddressSanitizer
-    # would be the first library, and GLib keeps much to its end.
+    # In real time, with several processes per byte: run serially. AddressSanitizer would be the first
+    # library, and GLib keeps much memory until the end.
     gtest_discover_tests(${discover} PROPERTIES TIMEOUT 240 RUN_SERIAL TRUE ENVIRONMENT
       "LD_PRELOAD=libumockdev-preload.so.0;ASAN_OPTIONS=verify_asan_link_order=0:detect_leaks=0")
   else()
@@ -36,7 +36,7 @@ function(palpate_add_gtest name)
   endif()
 endfunction()
 
-# Every room's Testing folder, after all rooms exist, so that a room's tests may use any lower room.
+# Every module's Testing folder, after all modules exist, so that its tests may use any lower module.
 function(palpate_add_module_tests)
   add_subdirectory(Testing/Support)
   add_subdirectory(Testing/References)

@@ -1,5 +1,5 @@
 #!/bin/sh
-# Configures and builds the release preset into build/release. What is built stays built.
+# Configures and builds the release preset into build/release, incrementally.
 set -eu
 cd "$(dirname "$0")/.."
 

@@ -1,9 +1,9 @@
 #!/bin/sh
-# Fuzzes readers for long with Clang's libFuzzer, which keeps the inputs that reach new code:
+# Fuzzes readers for a long time with Clang's libFuzzer, which keeps the inputs that reach new code:
 #   Utilities/fuzz.sh                      every reader, ten minutes each
 #   Utilities/fuzz.sh --seconds 3600 vtp   one reader, for an hour
-# Inputs that reached something new stay in build/fuzz/corpus/READER for the next run; those that fail
-# are left in build/fuzz/failures, and the exit code is 1. The readers: PalpateFuzz --list, which also
+# Inputs that reach new code stay in build/fuzz/corpus/READER for the next run; inputs that fail are
+# stored in build/fuzz/failures, and the exit code is 1. PalpateFuzz --list names the readers; it also
 # fuzzes without Clang (Testing/Fuzz/README.md).
 set -eu
 cd "$(dirname "$0")/.."
@@ -35,7 +35,7 @@ for reader in "$@"; do
   corpus=$PWD/build/fuzz/corpus/$reader
   mkdir -p "$corpus"
   log=$PWD/build/fuzz/$reader.log
-  # Limits as in Testing/Fuzz/InputLimits.h, with what the sanitizers add.
+  # Limits as in Testing/Fuzz/InputLimits.h, plus the overhead of the sanitizers.
   code=0
   PALPATE_FUZZ_TARGET=$reader ASAN_OPTIONS=detect_leaks=0:log_path=$failures/$reader-report \
     UBSAN_OPTIONS=print_stacktrace=1:log_path=$failures/$reader-report \

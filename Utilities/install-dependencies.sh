@@ -1,6 +1,6 @@
 #!/bin/sh
-# Installs the Debian packages of Utilities/packages.txt that are missing. Where none is missing it
-# touches nothing and needs no network.
+# Installs the Debian packages of Utilities/packages.txt that are missing. If none is missing it
+# changes nothing and needs no network.
 set -eu
 here=$(cd "$(dirname "$0")" && pwd)
 

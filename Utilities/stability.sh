@@ -1,6 +1,6 @@
 #!/bin/sh
-# Measures up to which stiffness structures are stable on the simulated device (some minutes), and
-# writes Documentation/Stability.md and its picture from this run.
+# Measures the largest stable stiffness of structures on the simulated device (some minutes), and
+# writes Documentation/Stability.md and its figure from this run.
 set -eu
 cd "$(dirname "$0")/.."
 

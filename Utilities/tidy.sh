@@ -1,8 +1,8 @@
 #!/bin/sh
-# Runs clang-tidy over our own sources, as many at once as there are cores. Arguments choose sources
-# by a part of their path:
+# Runs clang-tidy over our own sources, in parallel on all cores. Arguments select sources by a part
+# of their path:
 #   Utilities/tidy.sh Modules/Numerics
-# BUILD names another build tree than build/release.
+# BUILD names a build tree other than build/release.
 set -eu
 cd "$(dirname "$0")/.."
 build=${BUILD:-build/release}

@@ -1,7 +1,7 @@
 #!/bin/sh
-# Measures what speed costs in truth on three sample scenes (some minutes): a prostate-like phantom
+# Measures the cost in accuracy of speed on three sample scenes (some minutes): a prostate-like phantom
 # with thick slices, a thalamus of Debian's brain atlas, bone in Debian's CT of a head. Pages and
-# numbers lie in build/release/trade; Utilities/bench.sh puts them into
+# numbers are written to build/release/trade; Utilities/bench.sh copies them to
 # Documentation/SpeedAndAccuracy.md.
 set -eu
 cd "$(dirname "$0")/.."
