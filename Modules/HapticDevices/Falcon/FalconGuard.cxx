@@ -97,7 +97,7 @@ bool FalconGuard::Start(const std::string& busPath)
 
 void FalconGuard::Say(char word) const noexcept
 {
-  // Where nobody listens any more, it has done its work.
+  // Fails if the guard has ended, that is, has done its work.
   static_cast<void>(send(this->Socket, &word, 1, MSG_NOSIGNAL | MSG_DONTWAIT));
 }
 

@@ -19,22 +19,22 @@ public:
   FalconGuard() = default;
   FalconGuard(const FalconGuard&) = delete;
   FalconGuard& operator=(const FalconGuard&) = delete;
-  /// Dismisses it, unless it was called: then it finishes by itself.
+  /// Dismisses the guard, unless it was called: then it finishes by itself.
   ~FalconGuard();
 
-  /// Watches over the Falcon at this bus path ("1-2.3"). False where the program is not found; then
-  /// nothing is watched.
+  /// Guards the Falcon at this bus path ("1-2.3"). Returns false if the program is not found; then
+  /// there is no guard.
   bool Start(const std::string& busPath);
   bool IsRunning() const noexcept { return this->Socket >= 0; }
-  /// Stop it as soon as it can be claimed: it left the bus, or was closed before it took 0 N.
-  /// Neither waits nor allocates.
+  /// Requests a stop as soon as the device can be claimed: it left the bus, or was closed before it
+  /// took 0 N. Neither waits nor allocates.
   void Call() noexcept;
-  /// Whether Call was the last that was said to it.
+  /// Whether Call was the last request to the guard.
   bool WasCalled() const noexcept { return this->HasCalled.load(); }
-  /// Ends it. Returns once it holds nothing of the device, within a second.
+  /// Ends the guard. Returns within a second, once it no longer holds the device.
   void Dismiss() noexcept;
 
-  /// What is said to the process, and what its input's end means: this process is gone.
+  /// Requests to the process; the end of its input means that this process is gone.
   static constexpr char Stop = 's';
   static constexpr char Quit = 'q';
 
