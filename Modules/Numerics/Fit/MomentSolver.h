@@ -33,8 +33,6 @@ public:
   /// Refinement still shrinks errors by about 1e-3 a step there, and Cholesky's method succeeds.
   double HighestCondition() const noexcept override { return 1e6; }
 
-  std::shared_ptr<const MomentTables> SharedTables() const { return this->Tables; }
-
 private:
   MomentSolver(int degree, const moments::Kernel& kernel);
   bool Refine(double strength);
