@@ -5,7 +5,8 @@
 # Documentation/SpeedAndAccuracy.md and its pictures from this run.
 set -eu
 cd "$(dirname "$0")/.."
-benchmarks=build/release/bin/PalpateBenchmarks
+# Frames are drawn with OpenGL, on an X server of their own.
+benchmarks="xvfb-run -a build/release/bin/PalpateBenchmarks"
 counts=build/release/instructions
 
 Utilities/build.sh
@@ -13,12 +14,12 @@ rm -rf "$counts"
 mkdir -p "$counts"
 echo "Counting instructions (some minutes without a filter) ..." >&2
 valgrind --tool=callgrind --instr-atstart=no --callgrind-out-file="$counts/count" --quiet \
-  "$benchmarks" --count-only --filter "${1:-}" >"$counts/log" 2>&1 ||
+  build/release/bin/PalpateBenchmarks --count-only --filter "${1:-}" >"$counts/log" 2>&1 ||
   echo "They could not be counted; see $counts/log." >&2
 if [ $# -gt 0 ]; then
-  exec "$benchmarks" --filter "$1" --instructions "$counts" --json build/release/benchmarks.json
+  exec $benchmarks --filter "$1" --instructions "$counts" --json build/release/benchmarks.json
 fi
-"$benchmarks" --instructions "$counts" --json build/release/benchmarks.json \
+$benchmarks --instructions "$counts" --json build/release/benchmarks.json \
   --page-json build/release/page.json
 rm -rf build/release/trade
 Utilities/trade.sh

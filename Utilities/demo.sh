@@ -14,14 +14,17 @@ set -- fit "$templates/aal.nii.gz" --volume "$templates/ch2.nii.gz" --output "$o
   Thalamus_L,Thalamus_R,Pallidum_L,Pallidum_R,Amygdala_L,Amygdala_R,Cerebelum_9_L,Cerebelum_9_R
 echo "build/release/bin/palpate $*"
 build/release/bin/palpate "$@"
+# These draw with OpenGL, which needs an X server.
+palpate=build/release/bin/palpate
+[ -n "${DISPLAY:-}" ] || palpate="xvfb-run -a $palpate"
 set -- render "$output"/aal_*/model.vtp --volume "$templates/ch2.nii.gz" --slices sagittal,axial \
   --size 900x700 --output "$output/structures.png"
-echo "build/release/bin/palpate render $output/aal_*/model.vtp --volume … --output $output/structures.png"
-build/release/bin/palpate "$@"
+echo "$palpate render $output/aal_*/model.vtp --volume … --output $output/structures.png"
+$palpate "$@"
 set -- render "$output/aal_77_Thalamus_L/model.vtp" --array DistanceToSurface \
   --output "$output/thalamus-error.png"
-echo "build/release/bin/palpate $*"
-build/release/bin/palpate "$@"
+echo "$palpate $*"
+$palpate "$@"
 
 # A window for who has a screen, with the same head open in it; for who has none, its picture.
 viewer=build/release/bin/palpate-viewer
@@ -29,8 +32,8 @@ if [ -x "$viewer" ] && [ -n "${DISPLAY:-}" ]; then
   echo "$viewer --demo &"
   "$viewer" --demo &
 elif [ -x "$viewer" ]; then
-  echo "$viewer --demo --screenshot $output/viewer.png"
-  "$viewer" --demo --screenshot "$output/viewer.png"
+  echo "xvfb-run -a $viewer --demo --screenshot $output/viewer.png"
+  xvfb-run -a "$viewer" --demo --screenshot "$output/viewer.png"
 fi
 
 cat <<END

@@ -57,7 +57,6 @@ AIMS = {
     "sh/gradient/degree12/portable": 80,
     "sh/nearest/degree12/warm": 150,
     "sh/fit/4002x169": 600e3,
-    "sh/refit/4002x169": 100e3,
     "field/inside": 50,
     "field/firsthit": 500,
     "field/firsthit/tool": 500,

@@ -21,7 +21,7 @@ KEPT_FROM = "## Ten minutes beside a view"
 
 INTRODUCTION = """# Stability
 
-Made by `Utilities/stability.sh`. A simulated hand (`Modules/HapticDevices/Simulated/StabilityProbe`) presses each
+Made by `Utilities/stability.sh`. A simulated hand (`Testing/Support/StabilityProbe`) presses each
 structure for a second, stroking it, and then holds still. It was *stable* if at no tick structure and mechanism together
 had given out more energy since the contact began than they had taken in, and if the hand came to rest. The border
 is the least stiffness that fails, found in steps of a quarter and then by halving, to 1 %. Time is virtual, so every run gives

@@ -2,15 +2,25 @@
 
 #include "CaseText.h"
 #include "Console.h"
+#include "FilterRun.h"
+#include "FitFiles.h"
 #include "FitHints.h"
 #include "FitJson.h"
 #include "FitStructure.h"
+#include "ImageOptions.h"
+#include "InputError.h"
 #include "Interruption.h"
+#include "ProgramVersion.h"
+#include "StageClock.h"
+#include "StructureChoice.h"
 #include "VolumeCoverage.h"
 
 #include <algorithm>
+#include <exception>
 #include <iomanip>
+#include <new>
 #include <numeric>
+#include <optional>
 #include <ostream>
 #include <sstream>
 
@@ -43,43 +53,6 @@ void BlameInput(FitResult& result)
     result.State = FitResult::Outcome::BadInput;
   }
 }
-} // namespace
-
-std::string ShortTitle(const Segment& structure)
-{
-  return structure.Name.empty() ? "label " + std::to_string(structure.Label) : structure.Name;
-}
-
-FitResult FitCase(const Segmentation& segmentation, const Segment& structure,
-                  const FitSettings& settings, double readSeconds, const CaseShare& share,
-                  Console& console)
-{
-  FitResult result =
-      FitStructure(segmentation, structure, settings,
-                   [&](double fraction, const std::string& stage)
-                   {
-                     console.Progress(share.From + (share.To - share.From) * fraction,
-                                      share.Title + ": " + stage);
-                     return !Interruption::WasAsked();
-                   });
-  result.Message = WithHint(result.Message, result.OptionHint);
-  result.Seconds.insert(result.Seconds.begin(), {"read", readSeconds});
-  BlameInput(result);
-  return result;
-}
-
-FitResult UnreadCase(const std::string& input, const Segment& structure, const std::string& message,
-                     const FitSettings& settings)
-{
-  FitResult result;
-  result.Input = input;
-  result.CaseName = CaseNameOf(input);
-  result.Structure = structure;
-  result.Settings = settings;
-  result.State = FitResult::Outcome::BadInput;
-  result.Message = message;
-  return result;
-}
 
 void RemarkOnVolume(const Volume& volume, FitResult& result)
 {
@@ -94,30 +67,186 @@ void RemarkOnVolume(const Volume& volume, FitResult& result)
   }
 }
 
-void AddTotalSeconds(FitResult& result)
+// The structures of one mask, one after the other.
+class MaskLoop
 {
-  const double total =
-      std::accumulate(result.Seconds.begin(), result.Seconds.end(), 0.0,
-                      [](double sum, const auto& stage) { return sum + stage.second; });
-  result.Seconds.emplace_back("total", total);
+public:
+  MaskLoop(const MaskToFit& mask, const ImageOptions& images, Console& console,
+           const TakeResult& take)
+      : Mask(mask), Images(images), Output(console), Take(take)
+  {
+  }
+
+  void Run()
+  {
+    FitResult lost = this->Unread({}, {});
+    try
+    {
+      this->FitStructures();
+      return;
+    }
+    catch (const Cancelled&)
+    {
+      throw;
+    }
+    catch (const InputError& error)
+    {
+      lost.Message = error.what();
+    }
+    catch (const std::bad_alloc&)
+    {
+      lost.State = FitResult::Outcome::Failed;
+      lost.Message =
+          this->Mask.Mask.string() + " needs more memory than there is; crop or resample it.";
+    }
+    catch (const std::exception& error)
+    {
+      lost.State = FitResult::Outcome::Failed;
+      lost.Message = this->Mask.Mask.string() + ": " + error.what();
+    }
+    this->Finish(std::move(lost), {}, false);
+  }
+
+private:
+  FitResult Unread(const Segment& structure, const std::string& message) const
+  {
+    FitResult result;
+    result.Input = this->Mask.Mask;
+    result.CaseName = CaseNameOf(this->Mask.Mask);
+    result.Structure = structure;
+    result.Settings = this->Mask.Settings;
+    result.State = FitResult::Outcome::BadInput;
+    result.Message = message;
+    return result;
+  }
+
+  void FitStructures()
+  {
+    std::vector<std::pair<std::string, double>> readTime;
+    StageClock clock(readTime);
+    const Segmentation segmentation = ReadSegmentation(this->Mask.Mask, this->Images.LeftHanded());
+    std::optional<Volume> volume;
+    if (!this->Mask.SlicesFile.empty())
+    {
+      volume = ReadVolume(this->Mask.SlicesFile, this->Images.Choice());
+    }
+    clock.EndStage("read");
+    this->Slices = volume ? &*volume : this->Mask.Slices;
+    for (const std::string& note : segmentation.Notes)
+    {
+      this->Output.Note(this->Mask.Name + ": " + note);
+    }
+    const StructureChoice choice = ChooseStructures(segmentation, this->Mask.Labels);
+    for (const StructureChoice::Missing& missing : choice.Lost)
+    {
+      this->Finish(this->Unread(missing.Structure, missing.Message), {}, false);
+    }
+    this->IsOnly = this->Mask.IsAlone && choice.Found.size() == 1 && choice.Lost.empty();
+    this->FileNotes = segmentation.Notes.size();
+    for (std::size_t n = 0; n < choice.Found.size(); ++n)
+    {
+      this->FitOne(segmentation, choice.Found, n, readTime.front().second);
+    }
+  }
+
+  void FitOne(const Segmentation& segmentation, const std::vector<Segment>& all, std::size_t number,
+              double readSeconds)
+  {
+    const Segment& structure = all[number];
+    const double part = (this->Mask.To - this->Mask.From) / static_cast<double>(all.size());
+    const double from = this->Mask.From + static_cast<double>(number) * part;
+    const std::string title = this->Mask.TitleOf(number + 1, all.size(), structure);
+    FitResult result =
+        FitStructure(segmentation, structure, this->Mask.Settings,
+                     [&](double fraction, const std::string& stage)
+                     {
+                       this->Output.Progress(from + part * fraction, title + ": " + stage);
+                       return !Interruption::WasAsked();
+                     });
+    result.Message = WithHint(result.Message, result.OptionHint);
+    result.Seconds.insert(result.Seconds.begin(), {"read", readSeconds});
+    BlameInput(result);
+    if (this->Slices != nullptr)
+    {
+      RemarkOnVolume(*this->Slices, result);
+    }
+    const std::filesystem::path place =
+        this->IsOnly ? std::filesystem::path() : this->Mask.PlaceOf(structure);
+    const bool isWritten = this->Write(result, place);
+    this->Finish(std::move(result), place, isWritten);
+  }
+
+  bool Write(FitResult& result, const std::filesystem::path& place) const
+  {
+    if (this->Mask.Output.empty() || result.State == FitResult::Outcome::BadInput)
+    {
+      return false;
+    }
+    StageClock clock(result.Seconds);
+    try
+    {
+      WriteFitFiles(result, this->Slices, this->Mask.Output / place, ProgramVersion());
+    }
+    catch (const InputError& error)
+    {
+      result.State = this->IsOnly ? FitResult::Outcome::BadInput : FitResult::Outcome::Failed;
+      result.Message = error.what();
+      return false;
+    }
+    clock.EndStage("write");
+    return true;
+  }
+
+  void Finish(FitResult&& result, const std::filesystem::path& place, bool isWritten)
+  {
+    const double total =
+        std::accumulate(result.Seconds.begin(), result.Seconds.end(), 0.0,
+                        [](double sum, const auto& stage) { return sum + stage.second; });
+    result.Seconds.emplace_back("total", total);
+    this->Tell(result, isWritten ? FolderText(place) : std::string());
+    this->Take(std::move(result), place, isWritten);
+  }
+  std::string FolderText(const std::filesystem::path& place) const
+  {
+    return (place.empty() ? this->Mask.Output : this->Mask.Output / place).string();
+  }
+
+  void Tell(const FitResult& result, const std::string& folder)
+  {
+    this->Output.EndProgress();
+    if (this->Mask.Json)
+    {
+      this->Output.Output() << FitResultJson(result, folder) << '\n' << std::flush;
+    }
+    else if (result.State == FitResult::Outcome::Fitted)
+    {
+      this->Output.Output() << Line(result) << std::flush;
+    }
+    // What was said of the whole file comes first in a result's notes; it is not said again.
+    for (std::size_t n = this->FileNotes; n < result.Notes.size(); ++n)
+    {
+      this->Output.Note(CaseTitle(result.Input, result.Structure) + ": " + result.Notes[n]);
+    }
+  }
+
+  const MaskToFit& Mask;
+  const ImageOptions& Images;
+  Console& Output;
+  const TakeResult& Take;
+  const Volume* Slices = nullptr;
+  bool IsOnly = false;
+  std::size_t FileNotes = 0;
+};
+} // namespace
+
+std::string ShortTitle(const Segment& structure)
+{
+  return structure.Name.empty() ? "label " + std::to_string(structure.Label) : structure.Name;
 }
 
-void TellCase(const FitResult& result, bool json, const std::string& folder, std::size_t fileNotes,
-              Console& console)
+void FitMask(const MaskToFit& mask, const ImageOptions& images, Console& console,
+             const TakeResult& take)
 {
-  console.EndProgress();
-  if (json)
-  {
-    console.Output() << FitResultJson(result, folder) << '\n' << std::flush;
-  }
-  else if (result.State == FitResult::Outcome::Fitted)
-  {
-    console.Output() << Line(result) << std::flush;
-  }
-  // What was said of the whole file comes first in a result's notes; it is not said again.
-  for (std::size_t n = fileNotes; n < result.Notes.size(); ++n)
-  {
-    console.Note(CaseTitle(result.Input, result.Structure) + ": " + result.Notes[n]);
-  }
+  MaskLoop(mask, images, console, take).Run();
 }
 } // namespace palpate::cli

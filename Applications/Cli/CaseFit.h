@@ -2,41 +2,54 @@
 
 #include "FitResult.h"
 
+#include <cstddef>
+#include <filesystem>
+#include <functional>
 #include <string>
+#include <vector>
 
 namespace palpate::cli
 {
 class Console;
-
-/// What the progress shows while a case is fitted.
-struct CaseShare
-{
-  double From = 0.0; ///< the part of the whole run that the case is
-  double To = 1.0;
-  std::string Title; ///< "case 3 of 28: 10015"
-};
+class ImageOptions;
 
 /// How progress names a structure: its name, or "label 1".
 std::string ShortTitle(const Segment& structure);
 
-/// One structure of a segmentation, with progress and Ctrl-C. What a structure is, and what the
-/// options ask of it, counts as bad input. Throws Cancelled.
-FitResult FitCase(const Segmentation& segmentation, const Segment& structure,
-                  const FitSettings& settings, double readSeconds, const CaseShare& share,
-                  Console& console);
+/// A mask whose structures are fitted, written and told of.
+struct MaskToFit
+{
+  std::filesystem::path Mask;
+  std::string Name;                ///< in notes about the whole file
+  std::vector<std::string> Labels; ///< all structures for none
+  FitSettings Settings;
+  /// The image for the report's slices: one that was read before, or one to read; or none.
+  const Volume* Slices = nullptr;
+  std::filesystem::path SlicesFile;
 
-/// A case of which nothing is known but why it could not be begun.
-FitResult UnreadCase(const std::string& input, const Segment& structure, const std::string& message,
-                     const FitSettings& settings);
+  std::filesystem::path Output; ///< nothing is written where it is empty
+  /// A structure's folder, relative to Output. Asked for each structure once, in their order.
+  std::function<std::filesystem::path(const Segment&)> PlaceOf;
+  /// The only mask of the run: the files of an only structure lie in Output itself, and an Output
+  /// that is refused is bad input then.
+  bool IsAlone = false;
+  bool Json = false; ///< on standard output, instead of a line
 
-/// Says in a note where the structure reaches beyond the volume of the slices.
-void RemarkOnVolume(const Volume& volume, FitResult& result);
+  ///@{ The part of the whole run that this mask is, and what progress says: of a structure, its
+  /// number from 1, and how many there are.
+  double From = 0.0;
+  double To = 1.0;
+  std::function<std::string(std::size_t, std::size_t, const Segment&)> TitleOf;
+  ///@}
+};
 
-/// The sum of all stages, as the last one.
-void AddTotalSeconds(FitResult& result);
+/// Takes a structure's result, or that of a mask or a label that is not there. `place` is its
+/// folder relative to the output, if `isWritten`.
+using TakeResult =
+    std::function<void(FitResult&& result, const std::filesystem::path& place, bool isWritten)>;
 
-/// A fitted case in a line, or any in JSON, then its notes; the first `fileNotes` of them were told
-/// before. `folder` is where its files are; empty for none.
-void TellCase(const FitResult& result, bool json, const std::string& folder, std::size_t fileNotes,
-              Console& console);
+/// Never throws for what is wrong with the mask, its structures or its volume: `take` gets that as
+/// a result. Throws Cancelled.
+void FitMask(const MaskToFit& mask, const ImageOptions& images, Console& console,
+             const TakeResult& take);
 } // namespace palpate::cli

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "FitResult.h"
+
 namespace palpate::cli
 {
 /// What became of the cases of one run, and the exit code that says so.
@@ -9,6 +11,13 @@ struct CaseTally
   int BadInputs = 0;
   int Failures = 0; ///< without the bad inputs
 
+  void Add(FitResult::Outcome outcome)
+  {
+    ++this->Cases;
+    this->BadInputs += outcome == FitResult::Outcome::BadInput ? 1 : 0;
+    this->Failures +=
+        outcome == FitResult::Outcome::Refused || outcome == FitResult::Outcome::Failed ? 1 : 0;
+  }
   int Lost() const { return this->BadInputs + this->Failures; }
   /// 0 where all went well, 2 where there was nothing but bad input, 1 otherwise.
   int ExitCode() const

@@ -7,7 +7,6 @@
 #include "CommandProgress.h"
 #include "Console.h"
 #include "FilterRun.h"
-#include "FitFiles.h"
 #include "FolderLock.h"
 #include "InputError.h"
 #include "Interruption.h"
@@ -15,12 +14,8 @@
 #include "OutputNames.h"
 #include "ProgramVersion.h"
 #include "ReportIndex.h"
-#include "StageClock.h"
-#include "StructureChoice.h"
 
 #include <algorithm>
-#include <new>
-#include <optional>
 #include <set>
 #include <utility>
 
@@ -208,7 +203,6 @@ bool CohortFit::IsDone(const CohortCase& one) const
 
 void CohortFit::RunCases(Console& console)
 {
-  const double part = 1.0 / static_cast<double>(this->Cases.size());
   std::size_t kept = 0;
   for (std::size_t i = 0; i < this->Cases.size(); ++i)
   {
@@ -224,9 +218,7 @@ void CohortFit::RunCases(Console& console)
     }
     // Before the mask is read: what changes meanwhile is done again.
     const std::string key = this->KeyOf(this->Cases[i]);
-    const CaseShare share{static_cast<double>(i) * part, static_cast<double>(i + 1) * part,
-                          CountedCase(i + 1, this->Cases.size(), this->Cases[i].Name)};
-    std::vector<CohortRow> rows = this->FitOne(this->Cases[i], share, console);
+    std::vector<CohortRow> rows = this->FitOne(i, console);
     std::for_each(rows.begin(), rows.end(), [&](CohortRow& row) { row.Key = key; });
     this->Rows[this->Cases[i].Name] = std::move(rows);
     this->Mine.insert(this->Cases[i].Name);
@@ -240,106 +232,36 @@ void CohortFit::RunCases(Console& console)
   }
 }
 
-std::vector<CohortRow> CohortFit::FitOne(const CohortCase& one, const CaseShare& share,
-                                         Console& console) const
+std::vector<CohortRow> CohortFit::FitOne(std::size_t number, Console& console) const
 {
+  const CohortCase& one = this->Cases[number];
+  const auto count = static_cast<double>(this->Cases.size());
+  MaskToFit mask;
+  mask.Mask = one.Mask;
+  mask.Name = one.Name;
+  mask.Labels = this->LabelsOf(one);
+  mask.Settings = this->Settings;
+  mask.SlicesFile = one.Volume;
+  mask.Output = this->Output;
+  mask.PlaceOf = [&](const Segment& structure)
+  { return std::filesystem::path(PlainName(one.Name)) / StructureFolderName(structure); };
+  mask.Json = this->Json;
+  mask.From = static_cast<double>(number) / count;
+  mask.To = static_cast<double>(number + 1) / count;
+  mask.TitleOf = [&](std::size_t, std::size_t all, const Segment& structure)
+  {
+    return CountedCase(number + 1, this->Cases.size(), one.Name) +
+           (all > 1 ? ", " + ShortTitle(structure) : "");
+  };
   std::vector<CohortRow> rows;
-  FitResult lost = UnreadCase(one.Mask.string(), {}, {}, this->Settings);
-  try
-  {
-    this->FitStructures(one, share, rows, console);
-    return rows;
-  }
-  catch (const Cancelled&)
-  {
-    throw;
-  }
-  catch (const InputError& error)
-  {
-    lost.Message = error.what();
-  }
-  catch (const std::bad_alloc&)
-  {
-    lost.State = FitResult::Outcome::Failed;
-    lost.Message = one.Mask.string() + " needs more memory than there is; try a smaller image.";
-  }
-  catch (const std::exception& error)
-  {
-    lost.State = FitResult::Outcome::Failed;
-    lost.Message = one.Mask.string() + ": " + error.what();
-  }
-  rows.push_back(this->Finish(one, std::move(lost), nullptr, 0, console));
+  FitMask(mask, this->Images, console,
+          [&](FitResult&& result, const std::filesystem::path& place, bool)
+          {
+            const bool isFitted = result.State == FitResult::Outcome::Fitted;
+            rows.push_back(RowOf(one, std::move(result)));
+            rows.back().Model = isFitted ? place / "model.json" : "";
+          });
   return rows;
-}
-
-void CohortFit::FitStructures(const CohortCase& one, const CaseShare& share,
-                              std::vector<CohortRow>& rows, Console& console) const
-{
-  std::vector<std::pair<std::string, double>> readTime;
-  StageClock clock(readTime);
-  const Segmentation segmentation = ReadSegmentation(one.Mask, this->Images.LeftHanded());
-  std::optional<Volume> volume;
-  if (!one.Volume.empty())
-  {
-    volume = ReadVolume(one.Volume, this->Images.Choice());
-  }
-  clock.EndStage("read");
-  for (const std::string& note : segmentation.Notes)
-  {
-    console.Note(one.Name + ": " + note);
-  }
-  const StructureChoice choice = ChooseStructures(segmentation, this->LabelsOf(one));
-  for (const StructureChoice::Missing& missing : choice.Lost)
-  {
-    rows.push_back(this->Finish(
-        one, UnreadCase(one.Mask.string(), missing.Structure, missing.Message, this->Settings),
-        nullptr, 0, console));
-  }
-  const double part = (share.To - share.From) / static_cast<double>(choice.Found.size() + 1);
-  CaseShare mine = share;
-  for (const Segment& structure : choice.Found)
-  {
-    mine.To = mine.From + part;
-    mine.Title = share.Title + (choice.Found.size() > 1 ? ", " + ShortTitle(structure) : "");
-    FitResult result =
-        FitCase(segmentation, structure, this->Settings, readTime.front().second, mine, console);
-    mine.From = mine.To;
-    rows.push_back(this->Finish(one, std::move(result), volume ? &*volume : nullptr,
-                                segmentation.Notes.size(), console));
-  }
-}
-
-CohortRow CohortFit::Finish(const CohortCase& one, FitResult result, const Volume* volume,
-                            std::size_t fileNotes, Console& console) const
-{
-  const std::filesystem::path place =
-      std::filesystem::path(PlainName(one.Name)) / StructureFolderName(result.Structure);
-  const std::filesystem::path folder = this->Output / place;
-  if (volume != nullptr)
-  {
-    RemarkOnVolume(*volume, result);
-  }
-  bool hasFiles = result.State != FitResult::Outcome::BadInput && result.Structure.Label != 0;
-  if (hasFiles)
-  {
-    StageClock clock(result.Seconds);
-    try
-    {
-      WriteFitFiles(result, volume, folder, ProgramVersion());
-    }
-    catch (const InputError& error)
-    {
-      result.State = FitResult::Outcome::Failed;
-      result.Message = error.what();
-      hasFiles = false;
-    }
-    clock.EndStage("write");
-  }
-  AddTotalSeconds(result);
-  TellCase(result, this->Json, hasFiles ? folder.string() : std::string(), fileNotes, console);
-  CohortRow row = RowOf(one, std::move(result));
-  row.Model = row.Result.State == FitResult::Outcome::Fitted ? place / "model.json" : "";
-  return row;
 }
 
 CohortTable CohortFit::Table() const
@@ -382,10 +304,9 @@ int CohortFit::Conclude(Console& console)
   {
     for (const CohortRow& row : this->Rows.at(one.Name))
     {
-      ++tally.Cases;
+      tally.Add(row.Result.State);
       if (row.Result.State != FitResult::Outcome::Fitted)
       {
-        ++(row.Result.State == FitResult::Outcome::BadInput ? tally.BadInputs : tally.Failures);
         console.Error(CaseSentence(row.Result.Input, row.Result.Structure, row.Result.Message));
       }
     }

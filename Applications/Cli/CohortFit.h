@@ -13,7 +13,6 @@
 namespace palpate::cli
 {
 class Console;
-struct CaseShare;
 
 /// Fits the cases of a folder or a manifest, each into a folder `CASE/LABEL_NAME`, and keeps
 /// `cohort.csv`, which is replaced whole after every case: a run that is killed loses the case at
@@ -48,13 +47,7 @@ private:
   bool IsDone(const CohortCase& one) const;
   void RunCases(Console& console);
   /// Never throws for what is wrong with a case; throws Cancelled.
-  std::vector<CohortRow> FitOne(const CohortCase& one, const CaseShare& share,
-                                Console& console) const;
-  void FitStructures(const CohortCase& one, const CaseShare& share, std::vector<CohortRow>& rows,
-                     Console& console) const;
-  /// Writes a structure's files and tells of it.
-  CohortRow Finish(const CohortCase& one, FitResult result, const Volume* volume,
-                   std::size_t fileNotes, Console& console) const;
+  std::vector<CohortRow> FitOne(std::size_t number, Console& console) const;
   CohortTable Table() const;
   void WriteOverview(const CohortTable& table, Console& console) const;
   int Conclude(Console& console);

@@ -46,7 +46,7 @@ std::string ConvertCommand::Examples() const
          "  palpate convert mask.nii.gz mask.nrrd              images: nii nii.gz nrrd mha\n"
          "  palpate convert mask.seg.nrrd gland.nii.gz --label Prostate\n"
          "  palpate convert felt/session.touch ticks.csv       a line a tick\n"
-         "  palpate convert felt/session.touch plots.svg       force and depth over time; or png";
+         "  palpate convert felt/session.touch plots.svg       force and depth over time";
 }
 
 void ConvertCommand::DeclareOptions(CLI::App& app)

@@ -10,12 +10,9 @@
 #include "InputError.h"
 #include "Interruption.h"
 #include "OutputFolder.h"
-#include "ProgramVersion.h"
-#include "StageClock.h"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <new>
 
 namespace palpate::cli
 {
@@ -136,108 +133,33 @@ int FitCommand::Run(Console& console)
 
 void FitCommand::FitFile(std::size_t file, const Volume* volume, Console& console)
 {
-  const std::string& input = this->Inputs[file];
-  std::vector<std::pair<std::string, double>> readTime;
-  StageClock clock(readTime);
-  Segmentation segmentation;
-  try
-  {
-    segmentation = ReadSegmentation(input, this->Images.LeftHanded());
-  }
-  catch (const InputError& error)
-  {
-    this->RecordBadInput(input, {}, error.what(), console);
-    return;
-  }
-  catch (const std::bad_alloc&)
-  {
-    this->RecordBadInput(input, {},
-                         input + " needs more memory than there is; crop or resample it.", console);
-    return;
-  }
-  clock.EndStage("read");
-  for (const std::string& note : segmentation.Notes)
-  {
-    console.Note(segmentation.Source.filename().string() + ": " + note);
-  }
-  const StructureChoice choice = ChooseStructures(segmentation, this->Options.Labels());
-  for (const StructureChoice::Missing& missing : choice.Lost)
-  {
-    this->RecordBadInput(input, missing.Structure, missing.Message, console);
-  }
-  this->FitStructures(file, segmentation, choice, readTime.front().second, volume, console);
-}
-
-void FitCommand::FitStructures(std::size_t file, const Segmentation& segmentation,
-                               const StructureChoice& choice, double readSeconds,
-                               const Volume* volume, Console& console)
-{
-  const bool single = this->Inputs.size() == 1 && choice.Found.size() == 1 && choice.Lost.empty();
-  const double part = 1.0 / static_cast<double>(this->Inputs.size() * choice.Found.size());
-  double done = static_cast<double>(file) / static_cast<double>(this->Inputs.size());
-  std::size_t number = 0;
-  for (const Segment& structure : choice.Found)
-  {
-    const std::string inFile = CountedCase(++number, choice.Found.size(), ShortTitle(structure));
-    const CaseShare share{done, done + part, OfFile(file + 1, this->Inputs, inFile)};
-    FitResult result =
-        FitCase(segmentation, structure, this->Settings, readSeconds, share, console);
-    done += part;
-    if (volume != nullptr)
-    {
-      RemarkOnVolume(*volume, result);
-    }
-    const std::string name = single ? std::string() : this->Names.Take(file, structure);
-    const std::string folder = this->Write(result, volume, name);
-    this->Record(result, folder, folder.empty() ? "" : name + "/report.html",
-                 segmentation.Notes.size(), console);
-  }
-}
-
-std::string FitCommand::Write(FitResult& result, const Volume* volume,
-                              const std::string& name) const
-{
-  if (this->OutputFolder.empty() || result.State == FitResult::Outcome::BadInput)
-  {
-    return {};
-  }
-  StageClock clock(result.Seconds);
-  const std::filesystem::path top = this->OutputFolder;
-  const std::filesystem::path folder = name.empty() ? top : top / name;
-  try
-  {
-    WriteFitFiles(result, volume, folder, ProgramVersion());
-  }
-  catch (const InputError& error)
-  {
-    // An output that is refused stops the only case as a bad command line does.
-    result.State = name.empty() ? FitResult::Outcome::BadInput : FitResult::Outcome::Failed;
-    result.Message = error.what();
-    return {};
-  }
-  clock.EndStage("write");
-  return folder.string();
-}
-
-void FitCommand::RecordBadInput(const std::string& input, const Segment& structure,
-                                const std::string& message, Console& console)
-{
-  FitResult result = UnreadCase(input, structure, message, this->Settings);
-  this->Record(result, {}, {}, 0, console);
-}
-
-void FitCommand::Record(FitResult& result, const std::string& folder, const std::string& report,
-                        std::size_t fileNotes, Console& console)
-{
-  AddTotalSeconds(result);
-  this->Index.Add(result, result.Model.Degree(), report);
-  ++this->Tally.Cases;
-  if (result.State != FitResult::Outcome::Fitted)
-  {
-    ++(result.State == FitResult::Outcome::BadInput ? this->Tally.BadInputs : this->Tally.Failures);
-    this->Sentences.push_back(CaseSentence(result.Input, result.Structure, result.Message));
-  }
-  TellCase(result, this->Json, folder, fileNotes, console);
+  const std::size_t count = this->Inputs.size();
+  MaskToFit mask;
+  mask.Mask = this->Inputs[file];
+  mask.Name = mask.Mask.filename().string();
+  mask.Labels = this->Options.Labels();
+  mask.Settings = this->Settings;
+  mask.Slices = volume;
+  mask.Output = this->OutputFolder;
+  mask.PlaceOf = [&](const Segment& structure) { return this->Names.Take(file, structure); };
+  mask.IsAlone = count == 1;
+  mask.Json = this->Json;
+  mask.From = static_cast<double>(file) / static_cast<double>(count);
+  mask.To = static_cast<double>(file + 1) / static_cast<double>(count);
+  mask.TitleOf = [&](std::size_t number, std::size_t all, const Segment& structure)
+  { return OfFile(file + 1, this->Inputs, CountedCase(number, all, ShortTitle(structure))); };
+  FitMask(mask, this->Images, console,
+          [&](const FitResult& result, const std::filesystem::path& place, bool isWritten)
+          {
+            this->Index.Add(result, result.Model.Degree(),
+                            isWritten ? place / "report.html" : std::filesystem::path());
+            this->Tally.Add(result.State);
+            if (result.State != FitResult::Outcome::Fitted)
+            {
+              this->Sentences.push_back(
+                  CaseSentence(result.Input, result.Structure, result.Message));
+            }
+          });
 }
 
 bool FitCommand::WriteIndex(Console& console) const

@@ -7,10 +7,7 @@
 #include "FitResult.h"
 #include "ImageOptions.h"
 #include "ReportIndex.h"
-#include "StructureChoice.h"
 
-#include <filesystem>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -36,19 +33,6 @@ private:
   int RunCohort(Console& console) const;
   /// Throws nothing for what is wrong with one file.
   void FitFile(std::size_t file, const Volume* volume, Console& console);
-  /// "file 2 of 5: b.nii.gz".
-  void FitStructures(std::size_t file, const Segmentation& segmentation,
-                     const StructureChoice& choice, double readSeconds, const Volume* volume,
-                     Console& console);
-  /// Writes the files of a case. `name` is empty for the only case of a run, whose files lie in the
-  /// output folder itself. Answers the folder; empty where nothing was written.
-  std::string Write(FitResult& result, const Volume* volume, const std::string& name) const;
-  void RecordBadInput(const std::string& input, const Segment& structure,
-                      const std::string& message, Console& console);
-  /// Tells what became of a case and counts it. `folder` and `report` are empty for none; the first
-  /// `fileNotes` notes were told before.
-  void Record(FitResult& result, const std::string& folder, const std::string& report,
-              std::size_t fileNotes, Console& console);
   bool WriteIndex(Console& console) const;
   int Conclude(Console& console) const;
 

@@ -4,6 +4,7 @@
 #include "JsonSchema.h"
 
 #include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
 #include <sys/resource.h>
 
@@ -36,6 +37,18 @@ Json StarJson(const FitResult& result, bool sampled)
           {"missed_percent", result.MissedPercent}};
 }
 
+Json CoverageJson(const DirectionCoverage& coverage)
+{
+  constexpr double DegreesPerRadian = 180.0 / M_PI;
+  const Vector3& gap = coverage.LargestGap.Center;
+  return {{"verdict", CoverageWord(coverage)},
+          {"message", coverage.Sentence},
+          {"largest_gap_degrees", coverage.LargestGap.Radius * DegreesPerRadian},
+          {"gap_direction", {gap.x(), gap.y(), gap.z()}},
+          {"noise_gain_rms", coverage.NoiseGainRms},
+          {"noise_gain_max", coverage.NoiseGainMaximum}};
+}
+
 Json FitJsonOf(const FitResult& result, bool fitted)
 {
   if (!fitted)
@@ -48,6 +61,8 @@ Json FitJsonOf(const FitResult& result, bool fitted)
           {"noise_mm", result.NoiseDeviation},
           {"roughness", result.Roughness},
           {"degrees_of_freedom", result.DegreesOfFreedom},
+          {"down_weighted", result.DownWeighted},
+          {"coverage", CoverageJson(result.Coverage)},
           {"rms_by_degree_mm", result.RmsByDegree},
           {"center_mm", {center.x(), center.y(), center.z()}},
           {"power_mm2", result.Model.PowerSpectrum()}};

@@ -102,6 +102,9 @@ void FitOptions::DeclareModel(CLI::App& app)
                  "Roughness penalty: none, auto (cross-validation), or its strength")
       ->type_name("none|auto|X")
       ->capture_default_str();
+  app.add_flag("--robust", this->Values.IsRobust,
+               "Samples with large residuals count less (Huber weights), for masks with "
+               "spikes");
   app.add_option("--min-dice", this->Values.MinimumDice,
                  "Refuse models that overlap the mask less than this (0 accepts all)")
       ->check(FiniteNumber::Between(0.0, 1.0))

@@ -22,7 +22,7 @@ public:
   /// --method, --smoothing, --component.
   void DeclareSurface(CLI::App& app);
   /// --degree, --tolerance, --max-degree, --frequency, --center, --weights, --penalty,
-  /// --min-dice, --max-hidden.
+  /// --robust, --min-dice, --max-hidden.
   void DeclareModel(CLI::App& app);
 
   /// Labels by number or name; empty for all.

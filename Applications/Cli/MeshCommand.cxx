@@ -234,7 +234,7 @@ vtkSmartPointer<vtkSegmentationSurface> MeshCommand::SurfaceOf(const Case& one,
 
 void MeshCommand::RecordWritten(const Case& one, vtkSegmentationSurface* surface, Console& console)
 {
-  ++this->Tally.Cases;
+  this->Tally.Add(FitResult::Outcome::Fitted);
   console.EndProgress();
   if (this->Json)
   {
@@ -261,8 +261,7 @@ void MeshCommand::RecordWritten(const Case& one, vtkSegmentationSurface* surface
 void MeshCommand::RecordLost(const std::filesystem::path& input, const Segment& structure,
                              FitResult::Outcome state, const std::string& message, Console& console)
 {
-  ++this->Tally.Cases;
-  ++(state == FitResult::Outcome::BadInput ? this->Tally.BadInputs : this->Tally.Failures);
+  this->Tally.Add(state);
   const std::string sentence = CaseSentence(input, structure, message);
   console.EndProgress();
   console.Error(sentence);

@@ -2,7 +2,6 @@
 
 #include "CommandProgress.h"
 #include "Console.h"
-#include "DisplayServer.h"
 #include "FilterRun.h"
 #include "FiniteNumber.h"
 #include "InputError.h"
@@ -159,7 +158,8 @@ std::string RenderCommand::Examples() const
          "  palpate render mask.seg.nrrd --volume t2.nrrd --slices axial --output gland.png\n"
          "  palpate render --volume head-ct.nii.gz --iso 300 --output skull.png\n"
          "  palpate render --volume ct.nrrd --iso 300 --within bones.seg.nrrd --output bones.png\n"
-         "  palpate render model.json surface.stl --opacity 0.5 --view left --output both.png";
+         "  palpate render model.json surface.stl --opacity 0.5 --view left --output both.png\n"
+         "It draws with OpenGL; on a machine without a screen, run it under xvfb-run -a.";
 }
 
 void RenderCommand::DeclareOptions(CLI::App& app)
@@ -389,7 +389,6 @@ int RenderCommand::Run(Console& console)
     throw InputError("there is nothing to draw; name a surface, a model or a segmentation, or an "
                      "image with --volume");
   }
-  const DisplayServer display;
   SceneRenderer scene;
   scene.SetBackground(background);
   for (const std::string& input : this->Inputs)

@@ -177,7 +177,8 @@ void TouchCommand::DeclareRun(CLI::App& app)
   app.add_flag("--real-time", this->IsRealTime,
                "At the rate that is asked for, on a thread of its own; else as fast as it goes");
   app.add_flag("--view", this->IsViewed,
-               "Draws the scene off screen meanwhile, and says how many pictures a second")
+               "Draws the scene off screen meanwhile, and says how many pictures a second; without "
+               "a screen, run it under xvfb-run -a")
       ->needs("--real-time");
 }
 

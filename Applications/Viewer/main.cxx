@@ -1,5 +1,5 @@
 #include "Application.h"
-#include "DisplayServer.h"
+#include "DisplayCheck.h"
 #include "Interruption.h"
 #include "ScreenText.h"
 #include "SteadyClock.h"
@@ -11,7 +11,6 @@
 #include <csignal>
 #include <cstdlib>
 #include <iostream>
-#include <memory>
 #include <stdexcept>
 
 namespace
@@ -60,18 +59,7 @@ int main(int argc, char* argv[])
   }
   try
   {
-    // A picture needs no screen; a window that nobody sees would help nobody.
-    std::unique_ptr<palpate::DisplayServer> display;
-    if (!options.Screenshot.isEmpty())
-    {
-      display = std::make_unique<palpate::DisplayServer>();
-    }
-    else if (!palpate::DisplayServer::CanReachDisplay())
-    {
-      std::cerr << "there is no display to open a window on: set DISPLAY, or write a picture with "
-                   "--screenshot\n";
-      return 1;
-    }
+    palpate::RequireDisplay();
     // A terminal that no longer shows a window's remarks is no reason to close it.
     std::signal(SIGPIPE, SIG_IGN);
     // A file that grows beyond a limit is a message, as on a full disk.

@@ -27,6 +27,19 @@ std::string OutcomeWord(FitResult::Outcome outcome)
   }
 }
 
+std::string CoverageWord(const DirectionCoverage& coverage)
+{
+  switch (coverage.Outcome)
+  {
+  case DirectionCoverage::Verdict::Good:
+    return "good";
+  case DirectionCoverage::Verdict::Gaps:
+    return "gaps";
+  default:
+    return "undetermined";
+  }
+}
+
 std::string CaseTitle(const std::filesystem::path& input, const Segment& structure)
 {
   const std::string title = input.string() + ", label " + std::to_string(structure.Label);

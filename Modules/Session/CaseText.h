@@ -12,6 +12,9 @@ namespace palpate
 /// "fitted", "refused", "bad-input" or "failed": an outcome as JSON and tables say it.
 PALPATESESSION_EXPORT std::string OutcomeWord(FitResult::Outcome outcome);
 
+/// "good", "gaps" or "undetermined": how well the directions determine a fit.
+PALPATESESSION_EXPORT std::string CoverageWord(const DirectionCoverage& coverage);
+
 /// "folder/mask.nii.gz, label 1 (Prostate)": a structure as lines and errors name it.
 PALPATESESSION_EXPORT std::string CaseTitle(const std::filesystem::path& input,
                                             const Segment& structure);

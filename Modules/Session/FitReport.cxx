@@ -1,5 +1,6 @@
 #include "FitReport.h"
 
+#include "CaseText.h"
 #include "HtmlText.h"
 #include "ReportCharts.h"
 #include "ReportPage.h"
@@ -43,6 +44,7 @@ std::string QualityCards(const FitResult& result)
          Card("Maximum", FixedText(result.ModelToMask.Maximum, 2), "mm", "model to mask") +
          Card("Model volume", FixedText(result.ModelMilliliters, 2), "ml",
               (difference >= 0.0 ? "+" : "") + FixedText(difference, 2) + " % against the mask") +
+         Card("Coverage", CoverageWord(result.Coverage), "", "how far to trust the fit") +
          Card("Degree", std::to_string(result.Model.Degree()), "",
               std::to_string(result.Model.Coefficients().size()) + " coefficients");
 }

@@ -2,6 +2,7 @@
 
 #include "FitSettings.h"
 
+#include "DirectionCoverage.h"
 #include "Segmentation.h"
 #include "SphericalHarmonicModel.h"
 #include "Volume.h"
@@ -73,7 +74,10 @@ struct FitResult
   double NoiseDeviation = 0.0;
   double Roughness = 0.0;
   double DegreesOfFreedom = 0.0;
-  std::vector<double> RmsByDegree; ///< entry l: RMS residual of degree l; may be empty
+  DirectionCoverage Coverage;      ///< how well the directions determine the model
+  int DownWeighted = 0;            ///< samples whose weight a robust fit lowered
+  std::vector<double> RmsByDegree; ///< entry l: RMS residual of degree l; empty with a penalty and
+                                   ///< of a robust fit
   /// The model's surface with point arrays "DistanceToSurface" (signed, mm, positive outside the
   /// original), "Residual" (mm) and "RadiusDeviation" (mm), and analytic normals.
   vtkSmartPointer<vtkPolyData> ModelSurface;

@@ -49,6 +49,7 @@ struct FitSettings
   SampleWeight Weight = SampleWeight::Area;
   Penalty PenaltyKind = Penalty::None;
   double Roughness = 0.0; ///< with Penalty::Given
+  bool IsRobust = false;  ///< samples with large residuals count less (HuberWeights)
 
   double MaximumHiddenPercent = 10.0; ///< more hidden surface than this is refused
   double MinimumDice = 0.75;          ///< a model that overlaps the mask less than this is refused
@@ -60,7 +61,7 @@ inline bool operator==(const FitSettings& a, const FitSettings& b)
   {
     return std::tie(s.Method, s.Smoothing, s.Component, s.Frequency, s.Center, s.GivenCenterWorld,
                     s.Degree, s.Tolerance, s.MaximumDegree, s.Weight, s.PenaltyKind, s.Roughness,
-                    s.MaximumHiddenPercent, s.MinimumDice);
+                    s.IsRobust, s.MaximumHiddenPercent, s.MinimumDice);
   };
   return fields(a) == fields(b);
 }

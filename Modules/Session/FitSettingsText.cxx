@@ -69,6 +69,7 @@ std::vector<std::pair<std::string, std::string>> DescribeSettings(const FitSetti
   }
   result.emplace_back("weights", WeightText(settings.Weight));
   result.emplace_back("penalty", PenaltyText(settings));
+  result.emplace_back("robust", settings.IsRobust ? "yes" : "no");
   result.emplace_back("max-hidden", Text(settings.MaximumHiddenPercent));
   result.emplace_back("min-dice", Text(settings.MinimumDice));
   return result;

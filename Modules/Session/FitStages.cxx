@@ -100,6 +100,7 @@ void Configure(vtkSphericalHarmonicFit* fit, const FitSettings& settings)
   fit->SetMaximumDegree(settings.MaximumDegree);
   fit->SetPenalty(static_cast<int>(settings.PenaltyKind));
   fit->SetRoughness(settings.Roughness);
+  fit->SetRobust(settings.IsRobust);
 }
 
 SurfaceDistances DistancesOf(vtkSurfaceQuality* quality)
@@ -171,6 +172,8 @@ void TakeFit(vtkSphericalHarmonicFit* fit, FitResult& result)
   result.NoiseDeviation = fit->GetNoiseDeviation();
   result.Roughness = fit->GetUsedRoughness();
   result.DegreesOfFreedom = fit->GetDegreesOfFreedom();
+  result.DownWeighted = fit->GetDownWeighted();
+  result.Coverage = fit->GetCoverage();
   for (int degree = 0; degree < fit->GetNumberOfDegrees(); ++degree)
   {
     result.RmsByDegree.push_back(fit->GetRmsOfDegree(degree));
@@ -190,6 +193,15 @@ void RemarkOnDegree(int supported, FitResult& result)
                            "leaves " +
                            TextAgainstLimit(result.Rms, tolerance, 3) + " mm instead of the " +
                            TextAgainstLimit(tolerance, tolerance, 3) + " mm asked for");
+  }
+}
+
+// Where the model is a guess, since too few directions say anything there.
+void RemarkOnCoverage(FitResult& result)
+{
+  if (result.Coverage.Outcome != DirectionCoverage::Verdict::Good)
+  {
+    result.Notes.push_back(result.Coverage.Sentence);
   }
 }
 
@@ -294,6 +306,7 @@ void RunModel(vtkPolyData* samples, vtkPolyData* boundary, FitResult& result,
   }
   TakeFit(fit, result);
   RemarkOnDegree(fit->GetSupportedDegree(), result);
+  RemarkOnCoverage(result);
   clock.EndStage("fit");
   vtkNew<vtkSphericalHarmonicSurface> model;
   model->SetInputConnection(fit->GetOutputPort());

@@ -28,7 +28,7 @@ std::string SpectrumChart(const FitResult& result)
     points.emplace_back(static_cast<double>(l), std::sqrt(power[l] / (4.0 * M_PI)));
   }
   SvgChart chart("degree", "RMS share of the radius, mm");
-  chart.SetLogarithmic(true);
+  chart.SetLogarithmic(false, true);
   chart.SetBars(std::move(points), 1.0);
   return ReportFigure(chart.Svg(), "Power spectrum: what each degree adds to the radius, as root "
                                    "mean square over all directions.");
@@ -42,7 +42,7 @@ std::string DegreeChart(const FitResult& result)
     points.emplace_back(static_cast<double>(l), result.RmsByDegree[l]);
   }
   SvgChart chart("degree", "RMS residual, mm");
-  chart.SetLogarithmic(true);
+  chart.SetLogarithmic(false, true);
   chart.SetLine(std::move(points));
   const int degree = result.Model.Degree();
   chart.SetMarker(degree, "degree " + std::to_string(degree));

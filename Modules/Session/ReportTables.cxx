@@ -109,6 +109,15 @@ HtmlRows ModelRows(const FitResult& result)
           {"Noise of a sample", Millimeters(result.NoiseDeviation)},
           {"Roughness penalty used", SignificantText(result.Roughness, 4)},
           {"Degrees of freedom", FixedText(result.DegreesOfFreedom, 1)},
+          {"Samples that count less (robust)", std::to_string(result.DownWeighted)},
+          {"Largest gap between directions",
+           FixedText(result.Coverage.LargestGap.Radius * 180.0 / M_PI, 1) +
+               "\xC2\xB0 in radius (limit " +
+               FixedText(DirectionCoverage::WidestGap(result.Model.Degree()) * 180.0 / M_PI, 1) +
+               "\xC2\xB0)"},
+          {"Noise gain: RMS, largest", SignificantText(result.Coverage.NoiseGainRms, 3) + ", " +
+                                           SignificantText(result.Coverage.NoiseGainMaximum, 3) +
+                                           " (limit 1)"},
           {"Volume", Milliliters(result.ModelMilliliters)},
           {"Area", FixedText(result.ModelAreaSquareMillimeters, 1) + " mm\xC2\xB2"}};
 }

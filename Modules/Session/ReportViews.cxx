@@ -124,22 +124,53 @@ std::string AllViews(const SoftwareRenderer& renderer)
   return html + "</div>\n";
 }
 
-std::string ErrorMap(vtkPolyData* model, vtkDataArray* distances)
+// Points of the model in a cap that no direction covers; none where all gaps are narrow enough.
+class UncoveredCap
 {
+public:
+  explicit UncoveredCap(const FitResult& result)
+      : CenterWorld(result.Model.CenterWorld()), Gap(result.Coverage.LargestGap),
+        IsWide(Gap.Radius > DirectionCoverage::WidestGap(result.Model.Degree()))
+  {
+  }
+
+  bool IsAny() const { return this->IsWide; }
+  bool Holds(const Vector3& pointWorld) const
+  {
+    const Vector3 direction = (pointWorld - this->CenterWorld).normalized();
+    return this->IsWide && direction.dot(this->Gap.Center) > std::cos(this->Gap.Radius);
+  }
+
+private:
+  Vector3 CenterWorld;
+  SphericalCap Gap;
+  bool IsWide;
+};
+
+std::string ErrorMap(const FitResult& result, vtkDataArray* distances)
+{
+  constexpr SoftwareRenderer::Color Uncovered{{110, 110, 110}};
+  vtkPolyData* model = result.ModelSurface;
+  const UncoveredCap uncovered(result);
   const DivergingColorMap colors(ColorLimit(distances));
   std::vector<SoftwareRenderer::Color> pointColors;
   double range[2];
   distances->GetRange(range);
   for (vtkIdType p = 0; p < distances->GetNumberOfTuples(); ++p)
   {
-    pointColors.push_back(colors.ColorOf(distances->GetComponent(p, 0)));
+    pointColors.push_back(uncovered.Holds(Vector3(model->GetPoint(p)))
+                              ? Uncovered
+                              : colors.ColorOf(distances->GetComponent(p, 0)));
   }
   SoftwareRenderer renderer(model);
   renderer.SetPointColors(std::move(pointColors));
   return "<p class=\"soft\">Signed distance from the model to the surface of the mask, from " +
          FixedText(range[0], 2) + " to " + (range[1] > 0.0 ? "+" : "") + FixedText(range[1], 2) +
-         " mm. Distances beyond the ends of the bar have the ends\xE2\x80\x99 colours.</p>\n" +
-         AllViews(renderer) + ColorBar(colors);
+         " mm. Distances beyond the ends of the bar have the ends\xE2\x80\x99 colours." +
+         (uncovered.IsAny()
+              ? " Grey: no direction meets the surface there, so the model is a guess."
+              : "") +
+         "</p>\n" + AllViews(renderer) + ColorBar(colors);
 }
 } // namespace
 
@@ -153,7 +184,7 @@ std::string ReportViews(const FitResult& result)
   vtkDataArray* distances = DistancesOf(result.ModelSurface);
   if (distances && distances->GetNumberOfTuples() == shown->GetNumberOfPoints())
   {
-    return ErrorMap(shown, distances);
+    return ErrorMap(result, distances);
   }
   return AllViews(SoftwareRenderer(shown));
 }

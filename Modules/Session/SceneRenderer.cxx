@@ -2,6 +2,7 @@
 
 #include "ArrayColors.h"
 #include "BodyAxes.h"
+#include "DisplayCheck.h"
 #include "GreyWindow.h"
 #include "ImageAxes.h"
 #include "SurfaceMaterial.h"
@@ -81,6 +82,7 @@ SceneRenderer::SceneRenderer()
       Window(vtkSmartPointer<vtkRenderWindow>::New()),
       Pixels(vtkSmartPointer<vtkUnsignedCharArray>::New())
 {
+  RequireDisplay();
   this->Window->SetOffScreenRendering(1);
   this->Window->SetMultiSamples(4);
   this->Window->AddRenderer(this->Renderer);

@@ -27,7 +27,8 @@ namespace palpate
 {
 /// Draws surfaces and slices of volumes in space (patient LPS, mm) with VTK, off screen: parallel
 /// projection, letters of the patient's directions at the picture's edges, and a colour bar where
-/// an array is coloured. Needs a DisplayServer that outlives it.
+/// an array is coloured. Its constructor throws
+/// std::runtime_error without a display, see RequireDisplay.
 class PALPATESESSION_EXPORT SceneRenderer
 {
 public:

@@ -9,15 +9,12 @@ namespace palpate
 {
 namespace
 {
-// The drawing area inside the picture, in the SVG's own units.
+// The drawing area inside the chart.
 constexpr double Left = 60.0;
 constexpr double Right = 380.0;
 constexpr double Top = 14.0;
 constexpr double Bottom = 194.0;
 constexpr int TickGoal = 6;
-
-using Kind = ChartMark::Kind;
-using Side = ChartMark::Side;
 
 // The step 1, 2 or 5 times a power of ten that cuts `span` into about TickGoal parts.
 double NiceStep(double span)
@@ -28,51 +25,121 @@ double NiceStep(double span)
   return decade * (mantissa <= 1.0 ? 1.0 : mantissa <= 2.0 ? 2.0 : mantissa <= 5.0 ? 5.0 : 10.0);
 }
 
-std::vector<double> LinearTicks(double low, double high)
+std::string Coordinate(double value)
 {
-  std::vector<double> ticks;
-  const double step = NiceStep(high - low);
-  for (double k = std::ceil(low / step - 1e-9); k * step <= high + 1e-9 * step; k += 1.0)
+  return FixedText(value, 1);
+}
+
+std::string LineSvg(const std::string& style, double x1, double y1, double x2, double y2)
+{
+  return "<line class=\"" + style + "\" x1=\"" + Coordinate(x1) + "\" y1=\"" + Coordinate(y1) +
+         "\" x2=\"" + Coordinate(x2) + "\" y2=\"" + Coordinate(y2) + "\"/>";
+}
+
+std::string TextSvg(double x, double y, const char* anchor, const std::string& text)
+{
+  return "<text x=\"" + Coordinate(x) + "\" y=\"" + Coordinate(y) + "\" text-anchor=\"" + anchor +
+         "\">" + EscapeHtml(text) + "</text>";
+}
+
+std::string CurveSvg(const SvgChart::Points& points)
+{
+  std::string path;
+  for (const auto& [x, y] : points)
   {
-    ticks.push_back(k * step + 0.0); // no negative zero
+    path += (path.empty() ? "" : " ") + Coordinate(x) + "," + Coordinate(y);
   }
-  return ticks;
+  return "<polyline class=\"line\" points=\"" + path + "\"/>";
 }
 
-ChartMark Line(const std::string& style, double x1, double y1, double x2, double y2)
+std::string DotSvg(const std::string& style, double x, double y, const std::string& text)
 {
-  return {Kind::Line, style, {{x1, y1}, {x2, y2}}, {}, Side::Start};
+  return "<circle class=\"" + style + "\" r=\"2.6\" cx=\"" + Coordinate(x) + "\" cy=\"" +
+         Coordinate(y) + "\"><title>" + EscapeHtml(text) + "</title></circle>";
 }
 
-ChartMark Text(double x, double y, Side anchor, const std::string& text)
+std::string NumbersText(double x, double y)
 {
-  return {Kind::Text, {}, {{x, y}}, text, anchor};
+  return SignificantText(x, 4) + ": " + SignificantText(y, 4);
+}
+
+// Whether a label at a place would not lie over another.
+bool HasRoom(const SvgChart::Points& labelled, double x, double y)
+{
+  constexpr double Wide = 16.0;
+  constexpr double High = 11.0;
+  return std::none_of(labelled.begin(), labelled.end(),
+                      [&](const auto& place) {
+                        return std::abs(place.first - x) < Wide &&
+                               std::abs(place.second - y) < High;
+                      });
 }
 } // namespace
 
-// Ranges of both axes; the vertical one in decades where it is logarithmic.
-struct SvgChart::Frame
+// From numbers to places; a logarithmic range is in decades.
+struct SvgChart::Axis
 {
-  double LowX;
-  double HighX;
-  double LowY;
-  double HighY;
+  double Low;
+  double High;
   bool IsLogarithmic;
+  double From;
+  double To;
 
-  double X(double value) const
-  {
-    return Left + (value - this->LowX) / (this->HighX - this->LowX) * (Right - Left);
-  }
-  double Y(double value) const
+  double At(double value) const
   {
     const double place = this->IsLogarithmic ? std::log10(value) : value;
-    return Bottom - (place - this->LowY) / (this->HighY - this->LowY) * (Bottom - Top);
+    return this->From + (place - this->Low) / (this->High - this->Low) * (this->To - this->From);
+  }
+  void RoundToDecades(double least, double most)
+  {
+    this->Low = std::floor(std::log10(least));
+    this->High = std::max(this->Low + 1.0, std::ceil(std::log10(most)));
+  }
+  std::vector<double> Ticks() const
+  {
+    return this->IsLogarithmic ? this->Decades() : this->Steps();
+  }
+
+private:
+  std::vector<double> Steps() const
+  {
+    std::vector<double> ticks;
+    const double step = NiceStep(this->High - this->Low);
+    for (double k = std::ceil(this->Low / step - 1e-9); k * step <= this->High + 1e-9 * step;
+         k += 1.0)
+    {
+      ticks.push_back(k * step + 0.0); // no negative zero
+    }
+    return ticks;
+  }
+  // With 2 and 5 times the powers of ten where there are few.
+  std::vector<double> Decades() const
+  {
+    std::vector<double> ticks;
+    const int decades = static_cast<int>(this->High - this->Low);
+    const int step = std::max(1, (decades + TickGoal - 1) / TickGoal);
+    for (int decade = 0; decade <= decades; decade += step)
+    {
+      const double power = std::pow(10.0, this->Low + decade);
+      ticks.push_back(power);
+      if (decades <= 2 && decade < decades)
+      {
+        ticks.insert(ticks.end(), {2.0 * power, 5.0 * power});
+      }
+    }
+    return ticks;
   }
 };
 
 SvgChart::SvgChart(std::string horizontalLabel, std::string verticalLabel)
     : HorizontalLabel(std::move(horizontalLabel)), VerticalLabel(std::move(verticalLabel))
 {
+}
+
+void SvgChart::SetLogarithmic(bool horizontal, bool vertical)
+{
+  this->IsHorizontalLogarithmic = horizontal;
+  this->IsVerticalLogarithmic = vertical;
 }
 
 void SvgChart::SetBars(Points points, double width)
@@ -89,151 +156,200 @@ void SvgChart::SetLine(Points points)
 
 void SvgChart::SetMarker(double x, std::string text)
 {
-  this->HasMarker = true;
-  this->MarkerPlace = x;
-  this->MarkerText = std::move(text);
+  this->Marker = {true, x, std::move(text)};
 }
 
-SvgChart::Points SvgChart::Drawable() const
+void SvgChart::SetThreshold(double y, std::string text)
 {
-  Points points;
-  std::copy_if(this->Data.begin(), this->Data.end(), std::back_inserter(points),
-               [this](const auto& point)
-               {
-                 return std::isfinite(point.first) && std::isfinite(point.second) &&
-                        (!this->IsLogarithmic || point.second > 0.0);
-               });
-  return points;
+  this->Threshold = {true, y, std::move(text)};
 }
 
-SvgChart::Frame SvgChart::MakeFrame(const Points& points) const
+bool SvgChart::CanDraw(double x, double y) const
 {
-  const auto [firstX, lastX] = std::minmax_element(points.begin(), points.end());
-  const auto [lowest, highest] =
-      std::minmax_element(points.begin(), points.end(),
-                          [](const auto& a, const auto& b) { return a.second < b.second; });
-  const double side = this->BarWidth > 0.0 ? 0.5 * this->BarWidth : 0.0;
-  Frame frame{firstX->first - side, lastX->first + side, 0.0, 1.0, this->IsLogarithmic};
-  if (!(frame.HighX > frame.LowX))
-  {
-    frame.LowX -= 0.5;
-    frame.HighX += 0.5;
-  }
-  if (this->IsLogarithmic)
-  {
-    frame.LowY = std::floor(std::log10(lowest->second));
-    frame.HighY = std::max(frame.LowY + 1.0, std::ceil(std::log10(highest->second)));
-  }
-  else if (highest->second > 0.0)
-  {
-    const double step = NiceStep(highest->second);
-    frame.HighY = step * std::ceil(highest->second / step);
-  }
-  return frame;
+  return std::isfinite(x) && std::isfinite(y) && (!this->IsHorizontalLogarithmic || x > 0.0) &&
+         (!this->IsVerticalLogarithmic || y > 0.0);
 }
 
-void SvgChart::AddAxes(const Frame& frame, std::vector<ChartMark>& marks) const
+SvgChart::Points SvgChart::Drawable(const Points& points) const
 {
-  if (this->IsLogarithmic)
+  Points drawable;
+  std::copy_if(points.begin(), points.end(), std::back_inserter(drawable),
+               [this](const auto& point) { return this->CanDraw(point.first, point.second); });
+  return drawable;
+}
+
+SvgChart::Axis SvgChart::HorizontalAxis(const Points& points) const
+{
+  const auto [first, last] = std::minmax_element(points.begin(), points.end());
+  Axis axis{first->first, last->first, this->IsHorizontalLogarithmic, Left, Right};
+  if (axis.IsLogarithmic)
   {
-    const double decades = frame.HighY - frame.LowY;
-    const double step = std::max(1.0, std::ceil(decades / TickGoal));
-    const int ticks = static_cast<int>((decades + 0.5) / step);
-    for (int tick = 0; tick <= ticks; ++tick)
+    axis.RoundToDecades(axis.Low, axis.High);
+    return axis;
+  }
+  const double side = axis.High > axis.Low || this->BarWidth > 0.0 ? 0.5 * this->BarWidth : 0.5;
+  axis.Low -= side;
+  axis.High += side;
+  return axis;
+}
+
+SvgChart::Axis SvgChart::VerticalAxis(const Points& points) const
+{
+  const auto isLower = [](const auto& a, const auto& b) { return a.second < b.second; };
+  const auto [lowest, highest] = std::minmax_element(points.begin(), points.end(), isLower);
+  double least = lowest->second;
+  double most = highest->second;
+  if (this->Threshold.IsSet)
+  {
+    least = std::min(least, this->Threshold.Place);
+    most = std::max(most, this->Threshold.Place);
+  }
+  Axis axis{0.0, 1.0, this->IsVerticalLogarithmic, Bottom, Top};
+  if (axis.IsLogarithmic)
+  {
+    axis.RoundToDecades(least, most);
+  }
+  else if (most > 0.0)
+  {
+    const double step = NiceStep(most);
+    axis.High = step * std::ceil(most / step);
+  }
+  return axis;
+}
+
+std::string SvgChart::Axes(const Axis& x, const Axis& y) const
+{
+  std::string svg;
+  for (const double tick : y.Ticks())
+  {
+    svg += LineSvg("grid", Left, y.At(tick), Right, y.At(tick)) +
+           TextSvg(Left - 6.0, y.At(tick) + 4.0, "end", SignificantText(tick, 4));
+  }
+  for (const double tick : x.Ticks())
+  {
+    svg += LineSvg("axis", x.At(tick), Bottom, x.At(tick), Bottom + 4.0) +
+           TextSvg(x.At(tick), Bottom + 17.0, "middle", SignificantText(tick, 4));
+  }
+  return svg + LineSvg("axis", Left, Bottom, Right, Bottom) +
+         TextSvg(0.5 * (Left + Right), Height - 8.0, "middle", this->HorizontalLabel) +
+         "<text transform=\"translate(13 " + Coordinate(0.5 * (Top + Bottom)) +
+         ") rotate(-90)\" text-anchor=\"middle\">" + EscapeHtml(this->VerticalLabel) + "</text>";
+}
+
+std::string SvgChart::Rules(const Axis& x, const Axis& y) const
+{
+  std::string svg;
+  if (this->Threshold.IsSet)
+  {
+    const double place = y.At(this->Threshold.Place);
+    svg += LineSvg("marker", Left, place, Right, place) +
+           TextSvg(Right, place - 4.0, "end", this->Threshold.Text);
+  }
+  const double place = x.At(this->Marker.Place);
+  if (this->Marker.IsSet && place >= Left && place <= Right)
+  {
+    const bool isRight = place > 0.5 * (Left + Right);
+    svg += LineSvg("marker", place, Top, place, Bottom) +
+           TextSvg(place + (isRight ? -5.0 : 5.0), Top + 10.0, isRight ? "end" : "start",
+                   this->Marker.Text);
+  }
+  return svg;
+}
+
+std::string SvgChart::StairsSvg(const Axis& x, const Axis& y) const
+{
+  Points stairs;
+  for (const auto& [right, up] : this->Drawable(this->Stairs))
+  {
+    if (!stairs.empty())
     {
-      const double value = std::pow(10.0, frame.LowY + tick * step);
-      marks.push_back(Line("grid", Left, frame.Y(value), Right, frame.Y(value)));
-      marks.push_back(Text(Left - 6.0, frame.Y(value) + 4.0, Side::End, SignificantText(value, 3)));
+      stairs.emplace_back(x.At(right), stairs.back().second);
     }
+    stairs.emplace_back(x.At(right), y.At(up));
   }
-  else
-  {
-    for (const double tick : LinearTicks(frame.LowY, frame.HighY))
-    {
-      marks.push_back(Line("grid", Left, frame.Y(tick), Right, frame.Y(tick)));
-      marks.push_back(Text(Left - 6.0, frame.Y(tick) + 4.0, Side::End, SignificantText(tick, 4)));
-    }
-  }
-  for (const double tick : LinearTicks(frame.LowX, frame.HighX))
-  {
-    marks.push_back(Line("axis", frame.X(tick), Bottom, frame.X(tick), Bottom + 4.0));
-    marks.push_back(Text(frame.X(tick), Bottom + 17.0, Side::Middle, SignificantText(tick, 4)));
-  }
-  marks.push_back(Line("axis", Left, Bottom, Right, Bottom));
-  marks.push_back(Text(0.5 * (Left + Right), Height - 8.0, Side::Middle, this->HorizontalLabel));
-  marks.push_back(
-      {Kind::UprightText, {}, {{13.0, 0.5 * (Top + Bottom)}}, this->VerticalLabel, Side::Middle});
+  return stairs.size() > 1 ? CurveSvg(stairs) : std::string();
 }
 
-void SvgChart::AddData(const Frame& frame, const Points& points,
-                       std::vector<ChartMark>& marks) const
+std::string SvgChart::Bars(const Axis& x, const Axis& y) const
 {
-  const auto say = [](double x, double y)
-  { return SignificantText(x, 4) + ": " + SignificantText(y, 4); };
-  if (this->BarWidth > 0.0)
+  const double half = 0.41 * (x.At(this->BarWidth) - x.At(0.0));
+  std::string svg;
+  for (const auto& [right, up] : this->Drawable(this->Data))
   {
-    const double half = 0.41 * (frame.X(this->BarWidth) - frame.X(0.0));
-    for (const auto& [x, y] : points)
-    {
-      marks.push_back({Kind::Bar,
-                       "bar",
-                       {{frame.X(x) - half, frame.Y(y)}, {frame.X(x) + half, Bottom}},
-                       say(x, y),
-                       Side::Start});
-    }
-    return;
+    svg += "<rect class=\"bar\" x=\"" + Coordinate(x.At(right) - half) + "\" y=\"" +
+           Coordinate(y.At(up)) + "\" width=\"" + Coordinate(2.0 * half) + "\" height=\"" +
+           Coordinate(std::max(0.0, Bottom - y.At(up))) + "\"><title>" +
+           EscapeHtml(NumbersText(right, up)) + "</title></rect>";
   }
+  return svg;
+}
+
+std::string SvgChart::Line(const Axis& x, const Axis& y) const
+{
   constexpr std::size_t MostMarked = 100; // of more, the marks would hide the line
-  ChartMark curve{Kind::Curve, "line", {}, {}, Side::Start};
-  for (const auto& [x, y] : points)
+  const Points points = this->Drawable(this->Data);
+  Points places;
+  std::string marks;
+  for (const auto& [right, up] : points)
   {
-    curve.Points.emplace_back(frame.X(x), frame.Y(y));
+    places.emplace_back(x.At(right), y.At(up));
+    if (points.size() <= MostMarked)
+    {
+      marks += DotSvg("bar", x.At(right), y.At(up), NumbersText(right, up));
+    }
   }
-  marks.push_back(curve);
-  for (std::size_t p = 0; points.size() <= MostMarked && p < points.size(); ++p)
-  {
-    marks.push_back(
-        {Kind::Dot, "bar", {curve.Points[p]}, say(points[p].first, points[p].second), Side::Start});
-  }
+  return places.empty() ? std::string() : CurveSvg(places) + marks;
 }
 
-void SvgChart::AddMarker(const Frame& frame, std::vector<ChartMark>& marks) const
+std::string SvgChart::DotsSvg(const Axis& x, const Axis& y) const
 {
-  if (!this->HasMarker || this->MarkerPlace < frame.LowX || this->MarkerPlace > frame.HighX)
+  std::string svg;
+  Points labelled;
+  for (const Dot& dot : this->Dots)
   {
-    return;
+    if (!this->CanDraw(dot.X, dot.Y))
+    {
+      continue;
+    }
+    const double right = x.At(dot.X);
+    const double down = y.At(dot.Y);
+    svg += DotSvg(dot.Style, right, down, dot.Text);
+    if (!dot.Label.empty() && HasRoom(labelled, right, down))
+    {
+      svg += TextSvg(right + 4.0, down - 4.0, "start", dot.Label);
+      labelled.emplace_back(right, down);
+    }
   }
-  const double x = frame.X(this->MarkerPlace);
-  const bool isRight = x > 0.5 * (Left + Right);
-  marks.push_back(Line("marker", x, Top, x, Bottom));
-  marks.push_back(Text(x + (isRight ? -5.0 : 5.0), Top + 10.0, isRight ? Side::End : Side::Start,
-                       this->MarkerText));
+  return svg;
 }
 
-std::vector<ChartMark> SvgChart::Marks() const
+std::string SvgChart::Content() const
 {
-  std::vector<ChartMark> marks;
-  const Points points = this->Drawable();
-  if (!points.empty())
+  Points points = this->Data;
+  for (const Dot& dot : this->Dots)
   {
-    const Frame frame = this->MakeFrame(points);
-    this->AddAxes(frame, marks);
-    this->AddData(frame, points, marks);
-    this->AddMarker(frame, marks);
+    points.emplace_back(dot.X, dot.Y);
   }
-  return marks;
+  points = this->Drawable(points);
+  if (points.empty())
+  {
+    return {};
+  }
+  const Axis x = this->HorizontalAxis(points);
+  const Axis y = this->VerticalAxis(points);
+  return this->Axes(x, y) + this->StairsSvg(x, y) +
+         (this->BarWidth > 0.0 ? this->Bars(x, y) : this->Line(x, y)) + this->DotsSvg(x, y) +
+         this->Rules(x, y);
 }
 
 std::string SvgChart::Svg() const
 {
-  const std::vector<ChartMark> marks = this->Marks();
-  if (marks.empty())
-  {
-    return {};
-  }
-  return "<svg class=\"chart\" role=\"img\" viewBox=\"0 0 " + FixedText(Width, 0) + " " +
-         FixedText(Height, 0) + "\" aria-label=\"" +
-         EscapeHtml(this->VerticalLabel + " against " + this->HorizontalLabel) + "\">" +
-         SvgOf(marks) + "</svg>\n";
+  const std::string content = this->Content();
+  return content.empty()
+             ? content
+             : "<svg class=\"chart\" role=\"img\" viewBox=\"0 0 " + FixedText(Width, 0) + " " +
+                   FixedText(Height, 0) + "\" aria-label=\"" +
+                   EscapeHtml(this->VerticalLabel + " against " + this->HorizontalLabel) + "\">" +
+                   content + "</svg>\n";
 }
 } // namespace palpate

@@ -16,7 +16,7 @@ void ExportTouch(const TouchRecording& recording, const std::filesystem::path& f
   else if (!IsTouchPlots(file))
   {
     Refuse(file, "does not say how a recorded touch is to be written",
-           "end its name in .csv for a line a tick, or in .svg or .png for plots");
+           "end its name in .csv for a line a tick, or in .svg for plots");
   }
   else if (recording.Ticks.empty())
   {

@@ -1,6 +1,5 @@
 #include "TouchPlots.h"
 
-#include "ChartPicture.h"
 #include "HtmlText.h"
 #include "WholeFile.h"
 
@@ -10,8 +9,6 @@ namespace palpate
 {
 namespace
 {
-constexpr double PixelsAUnit = 3.0;
-
 // As the report's page on paper.
 constexpr const char* Style =
     "<style>text { font: 11px sans-serif; fill: #1c2127; } .axis { stroke: #5c6670; } "
@@ -65,38 +62,33 @@ SvgChart TouchChart(const TouchTrace& trace, TouchQuantity quantity, const std::
                     bool isLogarithmic)
 {
   SvgChart chart("time, s", label);
-  chart.SetLogarithmic(isLogarithmic);
+  chart.SetLogarithmic(false, isLogarithmic);
   chart.SetLine(Envelope(trace.Stretches(), quantity, isLogarithmic));
   return chart;
 }
 
 bool IsTouchPlots(const std::filesystem::path& file)
 {
-  return file.extension() == ".svg" || file.extension() == ".png";
+  return file.extension() == ".svg";
 }
 
 void WriteTouchPlots(const std::vector<TouchState>& ticks, const std::filesystem::path& file)
 {
   const TouchTrace trace = TraceOf(ticks);
-  std::vector<ChartMark> marks;
+  std::string charts;
   double height = 0.0;
   for (const SvgChart& chart : {TouchChart(trace, &TouchStretch::Force, "force, N", false),
                                 TouchChart(trace, &TouchStretch::Depth, "depth, mm", false),
                                 TouchChart(trace, &TouchStretch::Period, "period, us", true)})
   {
-    const std::vector<ChartMark> next = Shifted(chart.Marks(), 0.0, height);
-    marks.insert(marks.end(), next.begin(), next.end());
+    charts +=
+        "<g transform=\"translate(0 " + FixedText(height, 0) + ")\">" + chart.Content() + "</g>";
     height += SvgChart::Height;
-  }
-  if (file.extension() == ".png")
-  {
-    WriteWholeFile(file, EncodePng(DrawChart(marks, SvgChart::Width, height, PixelsAUnit)));
-    return;
   }
   const std::string size = FixedText(SvgChart::Width, 0) + " " + FixedText(height, 0);
   WriteWholeFile(file, "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 " + size +
                            "\" width=\"" + FixedText(2.0 * SvgChart::Width, 0) + "\">" + Style +
-                           "<rect width=\"100%\" height=\"100%\" fill=\"white\"/>" + SvgOf(marks) +
+                           "<rect width=\"100%\" height=\"100%\" fill=\"white\"/>" + charts +
                            "</svg>\n");
 }
 } // namespace palpate

@@ -17,11 +17,11 @@ using TouchQuantity = LeastAndMost TouchStretch::*;
 PALPATESESSION_EXPORT SvgChart TouchChart(const TouchTrace& trace, TouchQuantity quantity,
                                           const std::string& label, bool isLogarithmic);
 
-/// Whether plots can be written so: .svg or .png.
+/// Whether plots can be written so: .svg.
 PALPATESESSION_EXPORT bool IsTouchPlots(const std::filesystem::path& file);
 
-/// Force, depth and period of recorded ticks over time, below each other, as SVG or PNG by the
-/// file's ending. Throws InputError.
+/// Force, depth and period of recorded ticks over time, below each other, as SVG. Throws
+/// InputError.
 PALPATESESSION_EXPORT void WriteTouchPlots(const std::vector<TouchState>& ticks,
                                            const std::filesystem::path& file);
 } // namespace palpate

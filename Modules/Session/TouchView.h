@@ -1,6 +1,5 @@
 #pragma once
 
-#include "DisplayServer.h"
 #include "PalpateSessionModule.h"
 #include "SceneRenderer.h"
 #include "TouchRun.h"
@@ -26,7 +25,6 @@ private:
   void Add(const TouchableStructure& structure);
   void AddTool(const ToolShape& tool);
 
-  DisplayServer Display; // before any window
   SceneRenderer Renderer;
   Picture Drawn{Width, Height};
   std::size_t Tool = 0; // its surface

@@ -70,6 +70,7 @@ palpate::Status FindDegree(const palpate::RadialSamples& samples,
   const bool isBounded = supportedDegree <= maximumDegree;
   maximumDegree = std::min(maximumDegree, supportedDegree);
   options.PenaltyKind = palpate::SphericalHarmonicFitOptions::Penalty::None;
+  options.RobustKind = palpate::SphericalHarmonicFitOptions::Robust::None;
   int tried = std::min(12, maximumDegree);
   while (true)
   {
@@ -129,6 +130,8 @@ int vtkSphericalHarmonicFit::RequestData(vtkInformation*, vtkInformationVector**
   options.PenaltyKind = static_cast<palpate::SphericalHarmonicFitOptions::Penalty>(this->Penalty);
   options.Roughness = this->Roughness;
   options.MaximumCondition = this->MaximumCondition;
+  options.RobustKind = this->Robust ? palpate::SphericalHarmonicFitOptions::Robust::Huber
+                                    : palpate::SphericalHarmonicFitOptions::Robust::None;
   options.IsCancelled = [this] { return this->AbortExecute != 0; };
   this->UpdateProgress(0.1);
   palpate::SphericalHarmonicFitResult result;
@@ -139,6 +142,12 @@ int vtkSphericalHarmonicFit::RequestData(vtkInformation*, vtkInformationVector**
   if (status.IsOk() && !this->AbortExecute)
   {
     status = palpate::FitSphericalHarmonics(samples, options, result);
+  }
+  if (status.IsOk() && !this->AbortExecute)
+  {
+    this->UpdateProgress(0.7);
+    status = palpate::AssessCoverage(samples.Directions, samples.Weights, options.Degree,
+                                     result.Roughness, this->Coverage);
   }
   if (this->AbortExecute)
   {
@@ -155,6 +164,7 @@ int vtkSphericalHarmonicFit::RequestData(vtkInformation*, vtkInformationVector**
   this->Rms = result.Rms;
   this->NoiseDeviation = result.NoiseDeviation;
   this->DegreesOfFreedom = result.DegreesOfFreedom;
+  this->DownWeighted = static_cast<int>(result.DownWeighted);
   this->RmsByDegree = result.RmsByDegree;
   const palpate::Vector3 center(input->GetFieldData()->GetArray("Center")->GetTuple3(0));
   vtkTable* output = vtkTable::GetData(outputs);
@@ -177,10 +187,13 @@ void vtkSphericalHarmonicFit::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Penalty: " << this->Penalty << "\n";
   os << indent << "Roughness: " << this->Roughness << "\n";
   os << indent << "MaximumCondition: " << this->MaximumCondition << "\n";
+  os << indent << "Robust: " << this->Robust << "\n";
   os << indent << "FittedDegree: " << this->FittedDegree << "\n";
   os << indent << "Condition: " << this->Condition << "\n";
   os << indent << "UsedRoughness: " << this->UsedRoughness << "\n";
   os << indent << "Rms: " << this->Rms << " mm\n";
   os << indent << "NoiseDeviation: " << this->NoiseDeviation << " mm\n";
   os << indent << "DegreesOfFreedom: " << this->DegreesOfFreedom << "\n";
+  os << indent << "DownWeighted: " << this->DownWeighted << "\n";
+  os << indent << "Coverage: " << this->Coverage.Sentence << "\n";
 }

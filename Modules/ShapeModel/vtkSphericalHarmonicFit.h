@@ -1,6 +1,7 @@
 #ifndef vtkSphericalHarmonicFit_h
 #define vtkSphericalHarmonicFit_h
 
+#include "DirectionCoverage.h"
 #include "PalpateShapeModelModule.h"
 #include "vtkTableAlgorithm.h"
 
@@ -67,6 +68,14 @@ public:
   vtkGetMacro(Roughness, double);
   ///@}
 
+  ///@{ Robust weights: samples with large residuals count less (palpate::HuberWeights); default
+  /// off.
+  /// The search for a degree goes by the residuals of plain fits.
+  vtkSetMacro(Robust, bool);
+  vtkGetMacro(Robust, bool);
+  vtkBooleanMacro(Robust, bool);
+  ///@}
+
   ///@{ Largest condition number accepted without a penalty; default 1e4.
   vtkSetMacro(MaximumCondition, double);
   vtkGetMacro(MaximumCondition, double);
@@ -79,7 +88,13 @@ public:
   vtkGetMacro(Rms, double);
   vtkGetMacro(NoiseDeviation, double);
   vtkGetMacro(DegreesOfFreedom, double);
-  /// RMS residual of the unpenalised fit of every degree up to GetNumberOfDegrees() - 1.
+  /// Samples whose weight a robust fit lowered; 0 without Robust.
+  vtkGetMacro(DownWeighted, int);
+  /// How well the directions of the valid samples determine the model, with its weights and
+  /// penalty.
+  const palpate::DirectionCoverage& GetCoverage() const { return this->Coverage; }
+  /// RMS residual of the unpenalised, not robust fit of every degree up to GetNumberOfDegrees()
+  /// - 1.
   int GetNumberOfDegrees() const { return static_cast<int>(this->RmsByDegree.size()); }
   double GetRmsOfDegree(int degree) const
   {
@@ -107,6 +122,7 @@ private:
   int Penalty = NO_PENALTY;
   double Roughness = 0.0;
   double MaximumCondition = 1e4;
+  bool Robust = false;
 
   int FittedDegree = 0;
   double Condition = 0.0;
@@ -114,6 +130,8 @@ private:
   double Rms = 0.0;
   double NoiseDeviation = 0.0;
   double DegreesOfFreedom = 0.0;
+  int DownWeighted = 0;
+  palpate::DirectionCoverage Coverage;
   std::vector<double> RmsByDegree;
 };
 

@@ -1,5 +1,7 @@
 #include "FitPanel.h"
 
+#include "ScreenString.h"
+
 #include <QSignalBlocker>
 #include <QToolButton>
 #include <QVBoxLayout>
@@ -36,7 +38,9 @@ FitPanel::FitPanel(StudyController& study, QWidget* parent) : QWidget(parent), S
             unfold->setArrowType(isOpen ? Qt::DownArrow : Qt::RightArrow);
           });
   connect(&study, &StudyController::StateChanged, this, &FitPanel::Show);
+  connect(&study, &StudyController::ProductsChanged, this, &FitPanel::ShowCoverage);
   this->Show();
+  this->ShowCoverage();
 }
 
 void FitPanel::AddImportant(QFormLayout* form)
@@ -59,6 +63,12 @@ void FitPanel::AddImportant(QFormLayout* form)
       { state.Fit.Method = static_cast<FitSettings::SurfaceMethod>(choice); });
   this->AddNumber(form, "Smoothing, voxels", "Change the smoothing of surfaces", 0.0, 8.0, 0.25,
                   [](StudyState& state) -> double& { return state.Fit.Smoothing; });
+  this->Coverage = new QLabel(this);
+  this->Coverage->setObjectName("coverage");
+  this->Coverage->setWordWrap(true);
+  this->Coverage->setToolTip("How far to trust the models: whether samples in all directions "
+                             "determine them");
+  form->addRow("Coverage", this->Coverage);
 }
 
 void FitPanel::AddOthers(QFormLayout* form)
@@ -83,6 +93,8 @@ void FitPanel::AddOthers(QFormLayout* form)
       [](const StudyState& state) { return static_cast<int>(state.Fit.Weight); },
       [](StudyState& state, int choice)
       { state.Fit.Weight = static_cast<FitSettings::SampleWeight>(choice); });
+  this->AddCheck(form, "Robust", "Change the robust weights",
+                 [](StudyState& state) -> bool& { return state.Fit.IsRobust; });
   this->AddChoice(
       form, "Component", "Change the component", {"all", "largest", "second", "third"},
       [](const StudyState& state) { return std::min(state.Fit.Component, 3); },
@@ -168,6 +180,50 @@ void FitPanel::AddChoice(QFormLayout* form, const QString& label, const QString&
           });
   this->Shows.emplace_back([box, get = std::move(get)](const StudyState& state)
                            { box->setCurrentIndex(get(state)); });
+}
+
+void FitPanel::AddCheck(QFormLayout* form, const QString& label, const QString& sentence,
+                        const std::function<bool&(StudyState&)>& field)
+{
+  auto* box = new QCheckBox(this);
+  box->setObjectName(label);
+  form->addRow(label, box);
+  connect(box, &QCheckBox::clicked, this,
+          [this, sentence, field](bool isOn)
+          {
+            StudyState next = this->Study.State();
+            field(next) = isOn;
+            this->Study.Change(sentence + (isOn ? " to on" : " to off"), next);
+          });
+  this->Shows.emplace_back(
+      [box, field](const StudyState& state)
+      {
+        StudyState copy = state;
+        box->setChecked(field(copy));
+      });
+}
+
+void FitPanel::ShowCoverage()
+{
+  QStringList warnings;
+  int models = 0;
+  for (const StudyStructure& structure : this->Study.State().Structures)
+  {
+    const auto fit =
+        this->Study.Current().Pipeline().Newest<FitResult>(StudyStep::Model, structure.Label);
+    if (fit == nullptr || fit->State != FitResult::Outcome::Fitted)
+    {
+      continue;
+    }
+    ++models;
+    if (fit->Coverage.Outcome != DirectionCoverage::Verdict::Good)
+    {
+      warnings += ScreenString(structure.Name + ": " + fit->Coverage.Sentence);
+    }
+  }
+  this->Coverage->setText(models == 0          ? QString("no model yet")
+                          : warnings.isEmpty() ? QString("good")
+                                               : warnings.join("\n"));
 }
 
 void FitPanel::Show()

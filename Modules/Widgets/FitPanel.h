@@ -6,6 +6,7 @@
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QFormLayout>
+#include <QLabel>
 #include <QSpinBox>
 #include <QWidget>
 
@@ -35,9 +36,14 @@ private:
   void AddChoice(QFormLayout* form, const QString& label, const QString& sentence,
                  const QStringList& choices, std::function<int(const StudyState&)> get,
                  std::function<void(StudyState&, int)> set);
+  void AddCheck(QFormLayout* form, const QString& label, const QString& sentence,
+                const std::function<bool&(StudyState&)>& field);
   void Show();
+  /// Of all models at hand.
+  void ShowCoverage();
 
   StudyController& Study;
+  QLabel* Coverage = nullptr;
   std::vector<std::function<void(const StudyState&)>> Shows; ///< one for each option
 };
 } // namespace palpate

@@ -58,7 +58,7 @@ void TouchMenu::AddRecording()
                       [this] { this->Export("Export every tick", "ticks.csv", "Tables (*.csv)"); });
   this->Plots = this->addAction(
       "Export p&lots...", this,
-      [this] { this->Export("Export the plots", "plots.svg", "Pictures (*.svg *.png)"); });
+      [this] { this->Export("Export the plots", "plots.svg", "Pictures (*.svg)"); });
 }
 
 void TouchMenu::ToggleTouch()

@@ -37,27 +37,6 @@ class Peers final : public EigenPeers
         Eigen::ColPivHouseholderQR<Matrix>(ConstMatrix(design, rows, columns))
             .solve(ConstVector(right, rows));
   }
-  void Multiply(const double* matrix, Index rows, Index columns, const double* vector,
-                double* result) const override
-  {
-    VectorMap(result, rows).noalias() =
-        ConstMatrix(matrix, rows, columns) * ConstVector(vector, columns);
-  }
-  void RankUpdate(double* factor, Index size, const double* vector, double sigma) const override
-  {
-    Eigen::Map<Matrix> l(factor, size, size);
-    Eigen::internal::llt_inplace<double, Eigen::Lower>::rankUpdate(l, ConstVector(vector, size),
-                                                                   sigma);
-  }
-  void SolveByFactor(const double* factor, Index size, const double* right,
-                     double* solution) const override
-  {
-    const ConstMatrix l(factor, size, size);
-    VectorMap x(solution, size);
-    x = ConstVector(right, size);
-    l.triangularView<Eigen::Lower>().solveInPlace(x);
-    l.triangularView<Eigen::Lower>().adjoint().solveInPlace(x);
-  }
 };
 } // namespace
 

@@ -20,15 +20,6 @@ public:
                            const double* right, double* solution) const = 0;
   virtual void PivotedHouseholder(const double* design, std::ptrdiff_t rows, std::ptrdiff_t columns,
                                   const double* right, double* solution) const = 0;
-  /// result = matrix vector.
-  virtual void Multiply(const double* matrix, std::ptrdiff_t rows, std::ptrdiff_t columns,
-                        const double* vector, double* result) const = 0;
-  /// The factor L of L L^T becomes that of L L^T + sigma v v^T.
-  virtual void RankUpdate(double* factor, std::ptrdiff_t size, const double* vector,
-                          double sigma) const = 0;
-  /// solution = (L L^T)^-1 right.
-  virtual void SolveByFactor(const double* factor, std::ptrdiff_t size, const double* right,
-                             double* solution) const = 0;
 };
 
 /// For the fastest instruction set that this processor has, as ours.

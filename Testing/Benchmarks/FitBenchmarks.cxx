@@ -1,10 +1,8 @@
 #include "FitBenchmarks.h"
 
 #include "EigenPeers.h"
-#include "FixedDirectionFit.h"
 #include "HuberWeights.h"
 #include "IcosahedronDirections.h"
-#include "IncrementalFit.h"
 #include "RandomShapes.h"
 #include "SphericalHarmonicBasis.h"
 #include "SphericalHarmonicFit.h"
@@ -142,103 +140,19 @@ protected:
   Vector Solution;
 };
 
-// The same directions over and over, against the matrix that takes radii to coefficients.
-class RefitCase : public FitCase
-{
-public:
-  RefitCase()
-  {
-    this->Outcome =
-        this->Fixed.Prepare(this->Samples.Directions, this->Samples.Weights, Degree, 0.0);
-    this->Scratch = std::make_unique<FixedDirectionFit::Scratch>(this->Fixed.MakeScratch());
-    const Matrix gram = this->WeightedDesign.transpose() * this->WeightedDesign;
-    this->PseudoInverse =
-        gram.llt().solve(this->Design.transpose() * Matrix(this->Weights.asDiagonal()));
-  }
-
-  void Refit()
-  {
-    if (!this->Fixed.Refit(this->Radii.data(), *this->Scratch, this->Ours.data()))
-    {
-      this->Outcome = Status::Failure("the refit refused the radii");
-    }
-  }
-  void Multiply()
-  {
-    this->Solution.resize(this->PseudoInverse.rows());
-    FastestEigenPeers().Multiply(this->PseudoInverse.data(), this->PseudoInverse.rows(),
-                                 this->PseudoInverse.cols(), this->Radii.data(),
-                                 this->Solution.data());
-  }
-
-private:
-  FixedDirectionFit Fixed;
-  std::unique_ptr<FixedDirectionFit::Scratch> Scratch;
-  Matrix PseudoInverse;
-};
-
-// One sample more and the same one less, against changes of rank one of Eigen's factor.
-class IncrementalCase : public FitCase
-{
-public:
-  IncrementalCase() : Incremental(Degree)
-  {
-    this->Outcome = this->Incremental.Start(this->Samples, 0.0, this->Samples.Radii.size() + 1);
-    this->Factor =
-        Eigen::LLT<Matrix>(this->WeightedDesign.transpose() * this->WeightedDesign).matrixL();
-    this->Right = this->WeightedDesign.transpose() * this->WeightedRadii;
-    SphericalHarmonicBasis(Degree).Evaluate(this->Direction, this->Ours.data());
-    this->Harmonics = this->Ours;
-  }
-
-  void Change()
-  {
-    std::size_t number = 0;
-    if (this->Incremental.Add(this->Direction, 25.0, 1e-3, number) !=
-            IncrementalFit::Change::Made ||
-        this->Incremental.Remove(number) != IncrementalFit::Change::Made)
-    {
-      this->Outcome = Status::Failure("a change was refused");
-    }
-    this->Ours = Eigen::Map<const Vector>(this->Incremental.Coefficients(), this->Ours.size());
-  }
-  void ChangeFactor()
-  {
-    const double weight = this->Incremental.Scale() * 1e-3;
-    for (const double sign : {1.0, -1.0})
-    {
-      const EigenPeers& peers = FastestEigenPeers();
-      peers.RankUpdate(this->Factor.data(), this->Factor.rows(), this->Harmonics.data(),
-                       sign * weight);
-      this->Right += sign * weight * 25.0 * this->Harmonics;
-      this->Solution.resize(this->Right.size());
-      peers.SolveByFactor(this->Factor.data(), this->Factor.rows(), this->Right.data(),
-                          this->Solution.data());
-    }
-  }
-
-private:
-  const Vector3 Direction = Vector3(1.0, 2.0, 3.0).normalized();
-  IncrementalFit Incremental;
-  Matrix Factor; // L
-  Vector Right;
-  Vector Harmonics;
-};
 } // namespace
 
 std::vector<PairedBenchmark> FitBenchmarks()
 {
   const auto fit = std::make_shared<FitCase>();
   const auto robust = std::make_shared<FitCase>(true);
-  const auto refit = std::make_shared<RefitCase>();
-  const auto change = std::make_shared<IncrementalCase>();
   // Eigen is given the matrix; ours makes it.
   const auto solve = [fit](const EigenPeers& (*peers)(), FitCase::Method method)
   { return [fit, peers, method] { fit->Solve(peers(), method); }; };
   const auto orthogonal = [fit] { fit->Fit(Options::Method::Orthogonal); };
   const auto moments = [fit] { fit->Fit(Options::Method::Moments); };
-  // A condition below 2 and thousands of roundings; many changes for the incremental fit; the
-  // robust ones stop within a ten-thousandth of the noise.
+  // A condition below 2 and thousands of roundings; the robust ones stop within a ten-thousandth of
+  // the noise.
   const auto agree = [fit] { return fit->Disagreement(1e-12); };
   return {{"sh/fit/orthogonal/4002x169", "Eigen HouseholderQR, matrix given", orthogonal,
            solve(FastestEigenPeers, &EigenPeers::Householder), agree},
@@ -250,12 +164,6 @@ std::vector<PairedBenchmark> FitBenchmarks()
            solve(PortableEigenPeers, &EigenPeers::NormalEquations), agree},
           {"sh/fit/robust/4002x169", "the same weights with Eigen normal equations",
            [robust] { robust->Fit(Options::Method::Moments, Options::Robust::Huber); },
-           [robust] { robust->SolveRobustly(); }, [robust] { return robust->Disagreement(1e-6); }},
-          {"sh/refit/4002x169", "product with the pseudo-inverse (5.4 MB)",
-           [refit] { refit->Refit(); }, [refit] { refit->Multiply(); },
-           [refit] { return refit->Disagreement(1e-12); }},
-          {"sh/fit/incremental/169", "Eigen LLT rankUpdate and solve",
-           [change] { change->Change(); }, [change] { change->ChangeFactor(); },
-           [change] { return change->Disagreement(1e-10); }, 2.0}};
+           [robust] { robust->SolveRobustly(); }, [robust] { return robust->Disagreement(1e-6); }}};
 }
 } // namespace palpate::bench

@@ -152,9 +152,8 @@ using MakeProp = std::function<vtkSmartPointer<vtkProp>(vtkImageData*)>;
 class RenderCase
 {
 public:
-  RenderCase(std::shared_ptr<DisplayServer> display, int side, MakeProp ours, MakeProp theirs)
-      : Display(std::move(display)), Side(side), MakeOurs(std::move(ours)),
-        MakeTheirs(std::move(theirs))
+  RenderCase(int side, MakeProp ours, MakeProp theirs)
+      : Side(side), MakeOurs(std::move(ours)), MakeTheirs(std::move(theirs))
   {
   }
 
@@ -192,7 +191,6 @@ private:
     scene->Frame();
   }
 
-  std::shared_ptr<DisplayServer> Display; // outlives the windows
   int Side;
   MakeProp MakeOurs;
   MakeProp MakeTheirs;
@@ -200,28 +198,24 @@ private:
   std::unique_ptr<Scene> Second;
 };
 
-PairedBenchmark Pair(const std::shared_ptr<DisplayServer>& display, const std::string& name,
-                     const std::string& against, int side, const MakeProp& theirs)
+PairedBenchmark Pair(const std::string& name, const std::string& against, int side,
+                     const MakeProp& theirs)
 {
-  const auto c = std::make_shared<RenderCase>(display, side, SubVoxelProp, theirs);
-  PairedBenchmark pair{name, against, [c, display] { c->Ours(); }, [c, display] { c->Theirs(); },
+  const auto c = std::make_shared<RenderCase>(side, SubVoxelProp, theirs);
+  PairedBenchmark pair{name, against, [c] { c->Ours(); }, [c] { c->Theirs(); },
                        [c] { return c->Disagreement(); }};
   pair.IsCounted = false;
   return pair;
 }
 } // namespace
 
-std::vector<PairedBenchmark> RenderBenchmarks(const std::shared_ptr<DisplayServer>& display)
+std::vector<PairedBenchmark> RenderBenchmarks()
 {
-  if (display == nullptr)
-  {
-    return {};
-  }
   const std::string polygons = "vtkFlyingEdges3D's polygons";
   const std::string fixedPoint = "vtkFixedPointVolumeRayCastMapper, shaded, a sample a voxel";
-  return {Pair(display, "render/subvoxel/512", polygons, 512, PolygonProp),
-          Pair(display, "render/subvoxel/512/fixedpoint", fixedPoint, 512, FixedPointProp),
-          Pair(display, "render/subvoxel/1024", polygons, 1024, PolygonProp),
-          Pair(display, "render/subvoxel/1024/fixedpoint", fixedPoint, 1024, FixedPointProp)};
+  return {Pair("render/subvoxel/512", polygons, 512, PolygonProp),
+          Pair("render/subvoxel/512/fixedpoint", fixedPoint, 512, FixedPointProp),
+          Pair("render/subvoxel/1024", polygons, 1024, PolygonProp),
+          Pair("render/subvoxel/1024/fixedpoint", fixedPoint, 1024, FixedPointProp)};
 }
 } // namespace palpate::bench

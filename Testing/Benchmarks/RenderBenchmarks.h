@@ -1,14 +1,12 @@
 #pragma once
 
-#include "DisplayServer.h"
 #include "PairedBenchmark.h"
 
-#include <memory>
 #include <vector>
 
 namespace palpate::bench
 {
 /// Whole frames of one view of one volume, by vtkSubVoxelVolumeMapper and by VTK's own ways to show
-/// an iso-surface. None where there is no X server and none can be started.
-std::vector<PairedBenchmark> RenderBenchmarks(const std::shared_ptr<DisplayServer>& display);
+/// an iso-surface. Need a display.
+std::vector<PairedBenchmark> RenderBenchmarks();
 } // namespace palpate::bench

@@ -206,8 +206,6 @@ private:
 class ViewCase
 {
 public:
-  explicit ViewCase(std::shared_ptr<DisplayServer> display) : Display(std::move(display)) {}
-
   void RunOurs()
   {
     this->Prepare();
@@ -260,7 +258,6 @@ private:
     }
   }
 
-  std::shared_ptr<DisplayServer> Display; // outlives the windows
   std::unique_ptr<OurViews> Ours;
   std::unique_ptr<StockViews> Theirs;
   int OurFrame = 0;
@@ -268,20 +265,16 @@ private:
 };
 } // namespace
 
-std::vector<PairedBenchmark> ViewBenchmarks(const std::shared_ptr<DisplayServer>& display)
+std::vector<PairedBenchmark> ViewBenchmarks()
 {
-  if (display == nullptr)
-  {
-    return {};
-  }
   if (!std::filesystem::exists(BrainFile))
   {
     std::cerr << "No views are timed: " << BrainFile << " is absent.\n";
     return {};
   }
-  const auto c = std::make_shared<ViewCase>(display);
+  const auto c = std::make_shared<ViewCase>();
   PairedBenchmark four{"views/four", "vtkImageResliceMapper and vtkCutter for each slice",
-                       [c, display] { c->RunOurs(); }, [c, display] { c->RunTheirs(); },
+                       [c] { c->RunOurs(); }, [c] { c->RunTheirs(); },
                        [c] { return c->Disagreement(); }};
   four.IsCounted = false;
   return {four};

@@ -1,7 +1,7 @@
 // PalpateWindow FILE [SECONDS]: measures the servo beside what the window does, and how long the
 // window takes to close, and writes them as JSON; see Utilities/window.sh.
 #include "Application.h"
-#include "DisplayServer.h"
+#include "DisplayCheck.h"
 #include "MachineName.h"
 #include "WindowMeasures.h"
 
@@ -73,7 +73,7 @@ int main(int argc, char** argv)
   }
   try
   {
-    const palpate::DisplayServer display;
+    palpate::RequireDisplay();
     QSurfaceFormat::setDefaultFormat(QVTKOpenGLNativeWidget::defaultFormat());
     const palpate::Application application(argc, argv);
     QApplication::setApplicationName("PalpateWindow");

@@ -1,8 +1,8 @@
 // PalpateBenchmarks: times ours beside named alternatives, after checking that both agree.
-#include "BenchmarkDisplay.h"
 #include "BoundsBenchmarks.h"
 #include "BumpyTouchBenchmarks.h"
 #include "ComparisonReport.h"
+#include "DisplayCheck.h"
 #include "DrillBenchmarks.h"
 #include "EvaluationBenchmarks.h"
 #include "FieldBenchmarks.h"
@@ -26,22 +26,39 @@
 #include <fstream>
 #include <iostream>
 #include <nlohmann/json.hpp>
+#include <stdexcept>
 
 namespace
 {
 using palpate::bench::PairedBenchmark;
 
+std::vector<PairedBenchmark> DrawingBenchmarks()
+{
+  try
+  {
+    palpate::RequireDisplay();
+  }
+  catch (const std::runtime_error& error)
+  {
+    std::cerr << "No frames are timed: " << error.what() << '\n';
+    return {};
+  }
+  std::vector<PairedBenchmark> all = palpate::bench::RenderBenchmarks();
+  const std::vector<PairedBenchmark> views = palpate::bench::ViewBenchmarks();
+  all.insert(all.end(), views.begin(), views.end());
+  return all;
+}
+
 // Every group of benchmarks joins here.
 std::vector<PairedBenchmark> AllBenchmarks()
 {
-  const auto display = palpate::bench::OpenDisplay();
   std::vector<PairedBenchmark> all;
-  for (auto& group : {palpate::bench::EvaluationBenchmarks(), palpate::bench::FitBenchmarks(),
-                      palpate::bench::BoundsBenchmarks(), palpate::bench::NearestBenchmarks(),
-                      palpate::bench::FieldBenchmarks(), palpate::bench::RenderBenchmarks(display),
-                      palpate::bench::ViewBenchmarks(display), palpate::bench::TouchBenchmarks(),
-                      palpate::bench::BumpyTouchBenchmarks(), palpate::bench::DrillBenchmarks(),
-                      palpate::bench::TradeOffBenchmarks(), palpate::bench::PipelineBenchmarks()})
+  for (auto& group :
+       {palpate::bench::EvaluationBenchmarks(), palpate::bench::FitBenchmarks(),
+        palpate::bench::BoundsBenchmarks(), palpate::bench::NearestBenchmarks(),
+        palpate::bench::FieldBenchmarks(), DrawingBenchmarks(), palpate::bench::TouchBenchmarks(),
+        palpate::bench::BumpyTouchBenchmarks(), palpate::bench::DrillBenchmarks(),
+        palpate::bench::TradeOffBenchmarks(), palpate::bench::PipelineBenchmarks()})
   {
     all.insert(all.end(), group.begin(), group.end());
   }

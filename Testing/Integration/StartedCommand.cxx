@@ -36,7 +36,6 @@ void SendTo(const std::filesystem::path& file, int descriptor)
     close(ends[0]);
     dup2(ends[1], STDERR_FILENO);
   }
-  unsetenv("DISPLAY");
   if (chdir(folder.c_str()) == 0)
   {
     execvp(words.front(), words.data());

@@ -26,8 +26,8 @@ inline bool IsSoon(const std::function<bool()>& isTrue,
   return true;
 }
 
-/// A program while it runs, in a process group of its own as a shell's job: without a terminal,
-/// without a display, and with no signal ignored.
+/// A program while it runs, in a process group of its own as a shell's job: without a
+/// terminal, and with no signal ignored.
 class StartedCommand
 {
 public:
@@ -44,7 +44,6 @@ public:
   StartedCommand(const StartedCommand&) = delete;
   StartedCommand& operator=(const StartedCommand&) = delete;
 
-  pid_t Process() const { return this->Child; }
   /// Sends a signal to the program and all that it started and kept in its group, as a terminal
   /// does.
   void Send(int signal) const;
@@ -53,6 +52,8 @@ public:
   /// Whether it is stopped (SIGSTOP).
   bool IsStopped() const;
   bool HasEnded();
+  /// What it has written to standard output so far.
+  std::string OutputSoFar() const { return ReadAll(this->Streams / "out"); }
   /// Waits for its end.
   CommandRun Finish();
 

@@ -145,30 +145,49 @@ TEST_F(CliEnds, WhatWasDrilledUntilASignalIsWritten)
   EXPECT_EQ(run.Errors.find("before anything was touched"), std::string::npos) << run.Errors;
 }
 
-// The process that `parent` started and that has this name; 0 without.
-pid_t ChildOf(pid_t parent, const std::string& name)
+// An X server of the test's own, to be stopped and killed.
+class OwnDisplay
 {
-  for (const auto& entry : std::filesystem::directory_iterator("/proc"))
+public:
+  OwnDisplay()
+      : Server("Xvfb",
+               {"-displayfd", "1", "-screen", "0", "1280x1024x24", "-noreset", "-nolisten", "tcp"},
+               Folder.Path())
   {
-    std::ifstream stat(entry.path() / "stat");
-    pid_t process = 0;
-    pid_t its = 0;
-    std::string program;
-    char state = 0;
-    if (stat >> process >> program >> state >> its && its == parent && program == "(" + name + ")")
-    {
-      return process;
-    }
+    EXPECT_TRUE(
+        IsSoon([this] { return this->Server.OutputSoFar().find('\n') != std::string::npos; }));
   }
-  return 0;
-}
+  OwnDisplay(const OwnDisplay&) = delete;
+  OwnDisplay& operator=(const OwnDisplay&) = delete;
+  ~OwnDisplay()
+  {
+    this->Send(SIGCONT);
+    this->Send(SIGTERM);
+    this->Server.Finish();
+  }
+
+  /// The words that run the program on it, for `env`.
+  std::vector<std::string> With(const std::vector<std::string>& words) const
+  {
+    const std::string output = this->Server.OutputSoFar();
+    std::vector<std::string> all{"DISPLAY=:" + output.substr(0, output.find('\n')),
+                                 PALPATE_PROGRAM};
+    all.insert(all.end(), words.begin(), words.end());
+    return all;
+  }
+  void Send(int signal) const { this->Server.Send(signal); }
+
+private:
+  TemporaryFolder Folder;
+  StartedCommand Server;
+};
 
 // As a terminal sends it: to all that the program started in its group.
 TEST_F(CliEnds, CtrlCWithViewEndsAsWithoutIt)
 {
-  StartedCommand command(PALPATE_PROGRAM, this->TouchWithView(), this->Folder.Path());
+  const OwnDisplay display;
+  StartedCommand command("env", display.With(this->TouchWithView()), this->Folder.Path());
   ASSERT_TRUE(IsSoon([this] { return this->IsRecorded(SomeTicks); }));
-  ASSERT_GT(ChildOf(command.Process(), "Xvfb"), 0);
   command.Send(SIGINT);
   const CommandRun run = command.Finish();
   EXPECT_EQ(run.Code, 130) << run.Errors;
@@ -178,29 +197,26 @@ TEST_F(CliEnds, CtrlCWithViewEndsAsWithoutIt)
 // The command waits for it for ever, and cannot end by itself.
 TEST_F(CliEnds, ADisplayThatHangsWithViewIsLeftByTheFifthSignal)
 {
-  StartedCommand command(PALPATE_PROGRAM, this->TouchWithView(), this->Folder.Path());
+  const OwnDisplay display;
+  StartedCommand command("env", display.With(this->TouchWithView()), this->Folder.Path());
   ASSERT_TRUE(IsSoon([this] { return this->IsRecorded(SomeTicks); }));
-  const pid_t server = ChildOf(command.Process(), "Xvfb");
-  ASSERT_GT(server, 0);
-  kill(server, SIGSTOP);
+  display.Send(SIGSTOP);
   for (int n = 0; n < 5 && !command.HasEnded(); ++n)
   {
     command.Send(SIGTERM);
     ASSERT_TRUE(IsSoon([&] { return command.HasTakenSignals(); }));
   }
   EXPECT_TRUE(IsSoon([&] { return command.HasEnded(); }));
-  kill(server, SIGKILL);
   EXPECT_EQ(command.Finish().Code, 128 + SIGTERM);
 }
 
 // Xlib calls exit() then.
 TEST_F(CliEnds, AnXServerThatEndsWithViewLeavesAWholeRecording)
 {
-  StartedCommand command(PALPATE_PROGRAM, this->TouchWithView(), this->Folder.Path());
+  const OwnDisplay display;
+  StartedCommand command("env", display.With(this->TouchWithView()), this->Folder.Path());
   ASSERT_TRUE(IsSoon([this] { return this->IsRecorded(SomeTicks); }));
-  const pid_t server = ChildOf(command.Process(), "Xvfb");
-  ASSERT_GT(server, 0);
-  kill(server, SIGKILL);
+  display.Send(SIGKILL);
   const CommandRun run = command.Finish();
   EXPECT_EQ(run.Code, 1) << run.Errors;
   EXPECT_EQ(this->FilesThatAreLeft(), std::set<std::string>{"session.touch"});

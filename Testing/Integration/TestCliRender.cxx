@@ -1,28 +1,13 @@
 #include "CommandRun.h"
-#include "DisplayServer.h"
 #include "SyntheticFiles.h"
 #include "TemporaryFolder.h"
 
 #include <gtest/gtest.h>
-#include <stdexcept>
 
 using namespace palpate::test;
 
 namespace
 {
-bool CanDraw()
-{
-  try
-  {
-    const palpate::DisplayServer display;
-    return true;
-  }
-  catch (const std::runtime_error&)
-  {
-    return false;
-  }
-}
-
 // Width and height that a PNG's header states.
 std::pair<int, int> PngSize(const std::string& bytes)
 {
@@ -41,10 +26,6 @@ std::pair<int, int> PngSize(const std::string& bytes)
 
 TEST(CliRender, SegmentationsModelsAndSlicesBecomeOnePicture)
 {
-  if (!CanDraw())
-  {
-    GTEST_SKIP() << "no X server and no Xvfb";
-  }
   const TemporaryFolder folder;
   ASSERT_EQ(RunPalpate({"phantom", "--output", "p", "--spacing", "2,2,3"}, folder.Path()).Code, 0);
   const CommandRun run =
@@ -58,10 +39,6 @@ TEST(CliRender, SegmentationsModelsAndSlicesBecomeOnePicture)
 
 TEST(CliRender, IsoValuesAndSegmentationsAreDrawnSubVoxel)
 {
-  if (!CanDraw())
-  {
-    GTEST_SKIP() << "no X server and no Xvfb";
-  }
   const TemporaryFolder folder;
   WriteTwoBalls(folder / "a.nii.gz");
   const std::vector<std::vector<std::string>> pictures{
@@ -84,10 +61,6 @@ TEST(CliRender, IsoValuesAndSegmentationsAreDrawnSubVoxel)
 
 TEST(CliRender, BadInputIsRefusedAndLeavesNothing)
 {
-  if (!CanDraw())
-  {
-    GTEST_SKIP() << "no X server and no Xvfb";
-  }
   const TemporaryFolder folder;
   WriteTwoBalls(folder / "a.nii.gz");
   for (const std::vector<std::string>& more : std::vector<std::vector<std::string>>{
@@ -117,4 +90,40 @@ TEST(CliRender, BadInputIsRefusedAndLeavesNothing)
     EXPECT_EQ(run.Code, 2) << more.front() << ": " << run.Errors;
     EXPECT_EQ(folder.EntryCount(), 1U);
   }
+}
+
+TEST(CliDisplay, DrawingWithoutADisplayNamesTheWayOut)
+{
+  const TemporaryFolder folder;
+  WriteTwoBalls(folder / "a.nii.gz");
+  const std::vector<std::string> render{PALPATE_PROGRAM, "render", "a.nii.gz", "--output", "x.png"};
+  const std::vector<std::string> touch{PALPATE_PROGRAM, "touch",  "a.nii.gz",  "--label", "1",
+                                       "--real-time",   "--view", "--seconds", "0.1"};
+  for (const std::vector<std::string>& display :
+       {std::vector<std::string>{"-u", "DISPLAY"}, std::vector<std::string>{"DISPLAY=:98765"}})
+  {
+    for (const std::vector<std::string>& command : {render, touch})
+    {
+      std::vector<std::string> words = display;
+      words.insert(words.end(), command.begin(), command.end());
+      const CommandRun run = RunCommand("env", words, folder.Path());
+      EXPECT_EQ(run.Code, 1) << run.Errors;
+      EXPECT_NE(run.Errors.find("xvfb-run -a"), std::string::npos) << run.Errors;
+      EXPECT_EQ(folder.EntryCount(), 1U);
+    }
+  }
+}
+
+// What the README shows and needs no OpenGL.
+TEST(CliDisplay, FittingNeedsNone)
+{
+  const TemporaryFolder folder;
+  WriteTwoBalls(folder / "a.nii.gz");
+  const CommandRun run =
+      RunCommand("env",
+                 {"-u", "DISPLAY", PALPATE_PROGRAM, "fit", "a.nii.gz", "--label", "1", "--degree",
+                  "4", "--volume", "a.nii.gz", "--output", "out"},
+                 folder.Path());
+  EXPECT_EQ(run.Code, 0) << run.Errors;
+  EXPECT_NE(ReadAll(folder / "out/report.html").find("data:image/png"), std::string::npos);
 }

@@ -53,12 +53,10 @@ TEST(CliTouch, ARecordingBecomesALineATick)
   const std::string last = text.substr(text.rfind('\n', text.size() - 2) + 1);
   EXPECT_EQ(std::count(first.begin(), first.end(), ','), std::count(last.begin(), last.end(), ','));
   EXPECT_EQ(last.rfind("499,", 0), 0U) << last;
-  for (const char* const plots : {"plots.svg", "plots.png"})
-  {
-    const CommandRun drawn = RunPalpate({"convert", "felt/session.touch", plots}, folder.Path());
-    EXPECT_EQ(drawn.Code, 0) << drawn.Errors;
-    EXPECT_FALSE(ReadAll(folder / plots).empty()) << plots;
-  }
+  const CommandRun drawn =
+      RunPalpate({"convert", "felt/session.touch", "plots.svg"}, folder.Path());
+  EXPECT_EQ(drawn.Code, 0) << drawn.Errors;
+  EXPECT_FALSE(ReadAll(folder / "plots.svg").empty());
   // Cut off, as by a program that died.
   const std::string bytes = ReadAll(folder / "felt/session.touch");
   std::ofstream(folder / "cut.part", std::ios::binary) << bytes.substr(0, bytes.size() - 100);
@@ -124,10 +122,6 @@ TEST(CliTouchView, DrawsWhileTheServoRuns)
   const CommandRun run = RunPalpate({"touch", "a.nii.gz", "--label", "1", "--real-time", "--view",
                                      "--seconds", "0.5", "--rate", "200", "--json"},
                                     folder.Path());
-  if (run.Code == 1 && run.Errors.find("Xvfb") != std::string::npos)
-  {
-    GTEST_SKIP() << run.Errors;
-  }
   ASSERT_EQ(run.Code, 0) << run.Errors;
   const nlohmann::json summary = nlohmann::json::parse(run.Output);
   EXPECT_GT(summary["frame"]["count"].get<int>(), 0);

@@ -1,31 +1,15 @@
 #pragma once
 
-#include "DisplayServer.h"
+#include "DisplayCheck.h"
 
 #include <gtest/gtest.h>
-#include <memory>
-#include <stdexcept>
 
 namespace palpate::test
 {
-/// Tests that draw with OpenGL; skipped, saying so, where there is no X server and none can be
-/// started.
+/// Tests that draw with OpenGL. They need an X server: Utilities/test.sh runs them under xvfb-run.
 class DisplayTest : public testing::Test
 {
 protected:
-  void SetUp() override
-  {
-    try
-    {
-      this->Display = std::make_unique<DisplayServer>();
-    }
-    catch (const std::runtime_error& error)
-    {
-      GTEST_SKIP() << error.what();
-    }
-  }
-
-private:
-  std::unique_ptr<DisplayServer> Display;
+  void SetUp() override { ASSERT_NO_THROW(RequireDisplay()); }
 };
 } // namespace palpate::test

@@ -1,6 +1,6 @@
 // Draws three linked slices and a view in space into one picture, off screen: an example of how the
 // classes of this room go together. Argument: the PNG file to write.
-#include "DisplayServer.h"
+#include "DisplayCheck.h"
 #include "PhantomViews.h"
 #include "Picture.h"
 #include "WindowPicture.h"
@@ -18,7 +18,7 @@ int main(int argc, char** argv)
   }
   try
   {
-    const palpate::DisplayServer display;
+    palpate::RequireDisplay();
     palpate::test::PhantomViews scene(1280, 800);
     scene.Views.Render();
     std::ofstream(argv[1], std::ios::binary)

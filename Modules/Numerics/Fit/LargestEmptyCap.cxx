@@ -1,9 +1,6 @@
 #include "LargestEmptyCap.h"
 
-#include "IcosahedronDirections.h"
-
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <utility>
@@ -23,25 +20,14 @@ double SquaredChordOf(double angle)
   return chord * chord;
 }
 
-using Corners = std::array<Vector3, 3>;
-
 // A triangle on the sphere and where the directions stand that may be nearest to a point of it.
 struct Cell
 {
-  Corners Points;
+  SphericalTriangle Triangle;
   double Bound; // no point of the triangle is farther from all directions
   std::size_t First;
   std::size_t Count;
 };
-
-std::array<Corners, 4> Quarters(const Corners& corners)
-{
-  const auto& [a, b, c] = corners;
-  const Vector3 ab = (a + b).normalized();
-  const Vector3 bc = (b + c).normalized();
-  const Vector3 ca = (c + a).normalized();
-  return {{{a, ab, ca}, {b, bc, ab}, {c, ca, bc}, {ab, bc, ca}}};
-}
 
 // All triangles of one size that are still open, and those directions.
 class Level
@@ -51,40 +37,35 @@ public:
   std::vector<Vector3> Directions;
 
   // Looks at a triangle whose candidates are given; keeps it if it may hold something better.
-  void Add(const Corners& corners, const Vector3* candidates, std::size_t count, double tolerance,
-           SphericalCap& best)
+  void Add(const SphericalTriangle& triangle, const Vector3* candidates, std::size_t count,
+           double tolerance, SphericalCap& best)
   {
-    const Vector3 center = (corners[0] + corners[1] + corners[2]).normalized();
+    const SphericalCap cap = triangle.Cap();
     double nearest = 4.0;
     this->Chords.resize(count);
     for (std::size_t i = 0; i < count; ++i)
     {
-      this->Chords[i] = (candidates[i] - center).squaredNorm();
+      this->Chords[i] = (candidates[i] - cap.Center).squaredNorm();
       nearest = std::min(nearest, this->Chords[i]);
     }
     const double distance = AngleOfChord(nearest);
     if (distance > best.Radius)
     {
-      best = {center, distance};
+      best = {cap.Center, distance};
     }
-    double farthest = 0.0;
-    for (const Vector3& corner : corners)
+    if (distance + cap.Radius > best.Radius + tolerance)
     {
-      farthest = std::max(farthest, (corner - center).squaredNorm());
-    }
-    const double size = AngleOfChord(farthest);
-    if (distance + size > best.Radius + tolerance)
-    {
-      this->Keep(corners, distance, size, candidates);
+      this->Keep(triangle, distance, cap.Radius, candidates);
     }
   }
 
 private:
-  void Keep(const Corners& corners, double distance, double size, const Vector3* candidates)
+  void Keep(const SphericalTriangle& triangle, double distance, double size,
+            const Vector3* candidates)
   {
     // Twice the size: once to the point, once back. A little more for rounding.
     const double limit = SquaredChordOf(distance + 2.0 * size + 1e-6);
-    Cell cell{corners, distance + size, this->Directions.size(), 0};
+    Cell cell{triangle, distance + size, this->Directions.size(), 0};
     for (std::size_t i = 0; i < this->Chords.size(); ++i)
     {
       if (this->Chords[i] <= limit)
@@ -104,13 +85,9 @@ SphericalCap LargestEmptyCap(const std::vector<Vector3>& directions, double tole
 {
   SphericalCap best{Vector3::UnitZ(), -1.0};
   Level level;
-  const IcosahedronDirections sphere(1);
-  for (const auto& triangle : sphere.Triangles())
+  for (const SphericalTriangle& face : SphericalTriangle::Icosahedron())
   {
-    const auto corner = [&sphere, &triangle](std::size_t i)
-    { return sphere.Directions()[static_cast<std::size_t>(triangle[i])]; };
-    level.Add({corner(0), corner(1), corner(2)}, directions.data(), directions.size(), tolerance,
-              best);
+    level.Add(face, directions.data(), directions.size(), tolerance, best);
   }
   while (!level.Cells.empty())
   {
@@ -121,7 +98,7 @@ SphericalCap LargestEmptyCap(const std::vector<Vector3>& directions, double tole
       {
         continue;
       }
-      for (const Corners& quarter : Quarters(cell.Points))
+      for (const SphericalTriangle& quarter : cell.Triangle.Split())
       {
         next.Add(quarter, level.Directions.data() + cell.First, cell.Count, tolerance, best);
       }

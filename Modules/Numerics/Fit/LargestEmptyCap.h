@@ -1,18 +1,12 @@
 #pragma once
 
+#include "SphericalTriangle.h"
 #include "Vector3.h"
 
 #include <vector>
 
 namespace palpate
 {
-/// A cap of the unit sphere.
-struct SphericalCap
-{
-  Vector3 Center; ///< unit vector
-  double Radius;  ///< angle from the centre to the rim, rad
-};
-
 /// The largest cap whose interior contains none of the unit vectors, by branch and bound over
 /// triangles of a subdivided icosahedron: no cap is larger by more than `tolerance` (rad, above
 /// 1e-4). Every triangle keeps only the directions that may be closest to one of its points.

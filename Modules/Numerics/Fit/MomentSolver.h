@@ -34,8 +34,6 @@ public:
   /// succeeds.
   double HighestCondition() const noexcept override { return 1e6; }
 
-  std::shared_ptr<const MomentTables> SharedTables() const { return this->Tables; }
-
 private:
   MomentSolver(int degree, const moments::Kernel& kernel);
   bool Refine(double strength);

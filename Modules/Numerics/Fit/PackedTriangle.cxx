@@ -99,25 +99,4 @@ void PackedTriangle::MultiplyUpper(const double* x, double* y) const noexcept
 {
   this->Arithmetic->MultiplyUpper(this->Values.data(), this->Strips, x, y);
 }
-
-void PackedTriangle::AddSquare(double factor, const double* x) noexcept
-{
-  this->Arithmetic->AddSquare(this->Values.data(), this->Strips, factor, x);
-}
-
-void PackedTriangle::MultiplySymmetric(const double* x, double* y) const noexcept
-{
-  this->Arithmetic->MultiplySymmetric(this->Values.data(), this->Strips, x, y);
-}
-
-void PackedTriangle::MirrorDiagonal() noexcept
-{
-  for (int row = 0; row < this->PaddedSize(); ++row)
-  {
-    for (int column = row - row % this->Lanes(); column < row; ++column)
-    {
-      this->At(column, row) = this->At(row, column);
-    }
-  }
-}
 } // namespace palpate

@@ -58,13 +58,6 @@ public:
   void MultiplyUpper(const double* x, double* y) const noexcept;
   ///@}
 
-  ///@{ With a symmetric matrix S: S += factor x x^T, y := S x. Blocks of Lanes() rows on the
-  /// diagonal must be whole, which MirrorDiagonal sees to.
-  void AddSquare(double factor, const double* x) noexcept;
-  void MultiplySymmetric(const double* x, double* y) const noexcept;
-  void MirrorDiagonal() noexcept;
-  ///@}
-
 private:
   std::size_t IndexOf(int row, int column) const noexcept
   {

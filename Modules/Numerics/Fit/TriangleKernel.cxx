@@ -16,7 +16,5 @@ const Kernel Avx2{Avx2Set::Lanes,
                   Avx2Arithmetic::SolveLower,
                   Avx2Arithmetic::SolveUpper,
                   Avx2Arithmetic::MultiplyLower,
-                  Avx2Arithmetic::MultiplyUpper,
-                  Avx2Arithmetic::AddSquare,
-                  Avx2Arithmetic::MultiplySymmetric};
+                  Avx2Arithmetic::MultiplyUpper};
 } // namespace palpate::triangle

@@ -21,10 +21,6 @@ struct Kernel
   /// y := L x and y := L^T x.
   void (*MultiplyLower)(const double* strips, int count, const double* x, double* y);
   void (*MultiplyUpper)(const double* strips, int count, const double* x, double* y);
-  /// For a symmetric matrix S, whose lower triangle is in the strips and whose blocks of Lanes x
-  /// Lanes on the diagonal are whole: S += factor x x^T, and y := S x.
-  void (*AddSquare)(double* strips, int count, double factor, const double* x);
-  void (*MultiplySymmetric)(const double* strips, int count, const double* x, double* y);
 };
 
 /// `Set` describes an instruction set: `Vector`, a vector of doubles (GCC and Clang's vector
@@ -264,30 +260,6 @@ struct Arithmetic
     {
       reinterpret_cast<Vector*>(y)[s] =
           ColumnProduct(strips, s, count, s, reinterpret_cast<const Vector*>(x));
-    }
-  }
-
-  static void AddSquare(double* strips, int count, double factor, const double* x)
-  {
-    for (int s = 0; s < count; ++s)
-    {
-      const Vector scaled = factor * reinterpret_cast<const Vector*>(x)[s];
-      Vector* row = At(strips, s);
-      for (int k = 0; k < (s + 1) * W; ++k)
-      {
-        row[k] += scaled * x[k];
-      }
-    }
-  }
-
-  // Blocks on the diagonal are kept whole; the others count twice.
-  static void MultiplySymmetric(const double* strips, int count, const double* x, double* y)
-  {
-    auto* out = reinterpret_cast<Vector*>(y);
-    for (int s = 0; s < count; ++s)
-    {
-      out[s] = RowProduct(At(strips, s), (s + 1) * W, x) +
-               ColumnProduct(strips, s + 1, count, s, reinterpret_cast<const Vector*>(x));
     }
   }
 };

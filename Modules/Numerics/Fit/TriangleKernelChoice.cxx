@@ -17,9 +17,7 @@ const Kernel Portable{PortableSet::Lanes,
                       PortableArithmetic::SolveLower,
                       PortableArithmetic::SolveUpper,
                       PortableArithmetic::MultiplyLower,
-                      PortableArithmetic::MultiplyUpper,
-                      PortableArithmetic::AddSquare,
-                      PortableArithmetic::MultiplySymmetric};
+                      PortableArithmetic::MultiplyUpper};
 
 const Kernel& KernelFor(InstructionSet set) noexcept
 {

@@ -119,28 +119,6 @@ TEST(PackedTriangle, SolvesAndMultiplies)
   }
 }
 
-TEST(PackedTriangle, ChangesAndMultipliesSymmetricMatrices)
-{
-  for (const InstructionSet set : RunnableInstructionSets())
-  {
-    const triangle::Kernel& kernel = triangle::KernelFor(set);
-    for (const int size : Sizes)
-    {
-      Matrix matrix = RandomSymmetric(size);
-      PackedTriangle packed = Pack(matrix, kernel);
-      packed.MirrorDiagonal();
-      const Vector x = RandomMatrix(size, 6).col(0);
-      CacheLineVector<double> y = packed.MakeVector();
-      packed.MultiplySymmetric(Padded(packed, x).data(), y.data());
-      EXPECT_LE(Error(y, matrix * x), 1e-13) << NameOf(set) << size;
-      packed.AddSquare(-0.25, Padded(packed, x).data());
-      matrix -= 0.25 * x * x.transpose();
-      packed.MultiplySymmetric(Padded(packed, x).data(), y.data());
-      EXPECT_LE(Error(y, matrix * x), 1e-12) << NameOf(set) << size;
-    }
-  }
-}
-
 TEST(PackedTriangle, RejectsIndefiniteMatrix)
 {
   for (const InstructionSet set : RunnableInstructionSets())

@@ -1,9 +1,6 @@
 #include "AllocationCounter.h"
 #include "ClosestPointSearch.h"
 #include "EvaluatorCases.h"
-#include "FitSamples.h"
-#include "FixedDirectionFit.h"
-#include "IncrementalFit.h"
 #include "RandomShapes.h"
 #include "SphericalHarmonicBasis.h"
 #include "SphericalHarmonicBounds.h"
@@ -91,25 +88,6 @@ TEST(QueriesDoNotAllocate, BoundsOverCones)
               bounds.RadiusInCone(Vector3::UnitX(), angle).Upper);
     EXPECT_GE(bounds.SlopeInCone(Vector3::UnitX(), angle), 0.0);
   }
-  EXPECT_EQ(AllocationCount(), before);
-}
-
-TEST(QueriesDoNotAllocate, OfRefitsAndIncrementalFits)
-{
-  test::Random random(1303);
-  const RadialSamples samples = test::SamplesOf(test::RandomOrgan(random, 8), 8);
-  FixedDirectionFit fixed;
-  ASSERT_TRUE(fixed.Prepare(samples.Directions, samples.Weights, 8, 0.0).IsOk());
-  FixedDirectionFit::Scratch scratch = fixed.MakeScratch();
-  std::vector<double> coefficients(fixed.CoefficientCount());
-  IncrementalFit incremental(8);
-  ASSERT_TRUE(incremental.Start(samples, 0.0, samples.Radii.size() + 1).IsOk());
-  const std::size_t before = AllocationCount();
-  EXPECT_TRUE(fixed.Refit(samples.Radii.data(), scratch, coefficients.data()));
-  std::size_t number = 0;
-  EXPECT_EQ(incremental.Add(Vector3::UnitY(), 20.0, 0.01, number), IncrementalFit::Change::Made);
-  EXPECT_EQ(incremental.SetRadius(number, 21.0), IncrementalFit::Change::Made);
-  EXPECT_EQ(incremental.Remove(number), IncrementalFit::Change::Made);
   EXPECT_EQ(AllocationCount(), before);
 }
 } // namespace

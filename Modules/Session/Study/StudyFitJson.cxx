@@ -40,6 +40,7 @@ FitSettings ReadFitSettings(const nlohmann::json& object, const std::filesystem:
   fields.ReadChoice("weights", WeightWords, fit.Weight);
   fields.ReadChoice("penalty", PenaltyWords, fit.PenaltyKind);
   fields.Read("roughness", fit.Roughness, 0.0, 1e300);
+  fields.Read("robust", fit.IsRobust);
   fields.Read("max_hidden_percent", fit.MaximumHiddenPercent, 0.0, 100.0);
   fields.Read("min_dice", fit.MinimumDice, 0.0, 1.0);
   fields.RefuseOthers();
@@ -66,6 +67,7 @@ nlohmann::ordered_json FitSettingsJson(const FitSettings& fit)
   object["weights"] = WordOf(WeightWords, fit.Weight);
   object["penalty"] = WordOf(PenaltyWords, fit.PenaltyKind);
   object["roughness"] = fit.Roughness;
+  object["robust"] = fit.IsRobust;
   object["max_hidden_percent"] = fit.MaximumHiddenPercent;
   object["min_dice"] = fit.MinimumDice;
   return object;

@@ -261,7 +261,7 @@ private:
     const std::string key =
         KeyOf(samples, "model", fit.Degree, fit.Tolerance.value_or(-1.0), fit.MaximumDegree,
               static_cast<int>(fit.Weight), static_cast<int>(fit.PenaltyKind), fit.Roughness,
-              fit.MinimumDice);
+              fit.IsRobust, fit.MinimumDice);
     return this->AddNode(StudyStep::Model, key, samples,
                          [fit](const Inputs& inputs, const ProgressFunction& progress)
                          {

@@ -2,6 +2,7 @@
 
 #include "ClosestPointDistances.h"
 #include "FilterRun.h"
+#include "IcosahedronDirections.h"
 #include "InputError.h"
 #include "LabelImages.h"
 #include "ModelTable.h"
@@ -109,6 +110,86 @@ TEST(FitStructure, FindsTheCentreAndTheVolumeOfAKnownBody)
   EXPECT_LT(result.Condition, 3.0);
 }
 
+// Seen from a point of its own surface, a body lies in one half of all directions.
+TEST(FitStructure, WarnsWhereHalfOfAllDirectionsMissTheSurface)
+{
+  palpate::test::LabelGrid grid;
+  grid.Size = {60, 60, 60};
+  grid.CenterOnOrigin();
+  const auto ball = palpate::test::MakeLabelImage(grid, [](double x, double y, double z)
+                                                  { return x * x + y * y + z * z < 400.0; });
+  FitSettings settings;
+  settings.Degree = 6;
+  settings.PenaltyKind = FitSettings::Penalty::Given;
+  settings.Roughness = 1e-3;
+  settings.MaximumHiddenPercent = 100.0;
+  settings.MinimumDice = 0.0;
+  settings.GivenCenterWorld = {0.0, 0.0, 19.0};
+  const FitResult half = Fit(SegmentationOf(ball), settings);
+  ASSERT_EQ(half.State, Outcome::Fitted) << half.Message;
+  EXPECT_EQ(half.Coverage.Outcome, palpate::DirectionCoverage::Verdict::Good);
+  settings.GivenCenterWorld = {0.0, 0.0, 22.0};
+  const FitResult outside = Fit(SegmentationOf(ball), settings);
+  ASSERT_EQ(outside.State, Outcome::Fitted) << outside.Message;
+  EXPECT_EQ(outside.Coverage.Outcome, palpate::DirectionCoverage::Verdict::Gaps);
+  EXPECT_GT(outside.Coverage.LargestGap.Center.z(), 0.99); // away from the body
+  EXPECT_EQ(std::count(outside.Notes.begin(), outside.Notes.end(), outside.Coverage.Sentence), 1);
+}
+
+TEST(FitStructure, DoesNotWarnWhereAllDirectionsMeetTheSurface)
+{
+  const auto truth = palpate::MakeProstateLikeModel(6, 9, Vector3::Zero());
+  const FitResult result = Fit(SegmentationOf(PhantomMask(truth, 1.0)));
+  EXPECT_EQ(result.Coverage.Outcome, palpate::DirectionCoverage::Verdict::Good);
+  EXPECT_TRUE(result.Notes.empty()) << result.Notes.front();
+}
+
+// Needles of 2 x 2 voxels, as a brush that slipped leaves them.
+void AddSpikes(vtkImageData* mask, const Vector3& centerWorld, int count, double length)
+{
+  const palpate::IcosahedronDirections sphere(4);
+  for (int spike = 0; spike < count; ++spike)
+  {
+    const std::size_t number = static_cast<std::size_t>(spike) * sphere.Directions().size() /
+                               static_cast<std::size_t>(count);
+    const Vector3& direction = sphere.Directions()[number];
+    for (double way = 0.0; way < length; way += 0.25)
+    {
+      Vector3 index;
+      const Vector3 point = centerWorld + way * direction;
+      mask->TransformPhysicalPointToContinuousIndex(point.data(), index.data());
+      for (int corner = 0; corner < 8; ++corner)
+      {
+        const int at[3] = {static_cast<int>(index[0]) + (corner & 1),
+                           static_cast<int>(index[1]) + (corner >> 1 & 1),
+                           static_cast<int>(index[2]) + (corner >> 2 & 1)};
+        mask->SetScalarComponentFromDouble(at[0], at[1], at[2], 0, 1.0);
+      }
+    }
+  }
+}
+
+// Measured: 0.258 mm plain, 0.058 mm robust; without spikes 0.047 and 0.049 mm.
+TEST(FitStructure, RobustWeightsDiscountSpikes)
+{
+  const auto truth = palpate::MakeProstateLikeModel(8, 3, Vector3::Zero());
+  const auto clean = PhantomMask(truth, 1.0);
+  const auto spiky = PhantomMask(truth, 1.0);
+  AddSpikes(spiky, truth.CenterWorld(), 10, 30.0);
+  FitSettings robust;
+  robust.IsRobust = true;
+  const FitResult plain = Fit(SegmentationOf(spiky));
+  const FitResult result = Fit(SegmentationOf(spiky), robust);
+  ASSERT_EQ(plain.State, Outcome::Fitted) << plain.Message;
+  ASSERT_EQ(result.State, Outcome::Fitted) << result.Message;
+  EXPECT_LT(ErrorOf(result, truth), 0.3 * ErrorOf(plain, truth));
+  EXPECT_GT(result.DownWeighted, 0);
+  EXPECT_EQ(plain.DownWeighted, 0);
+  // Huber's weights keep 95 % of the efficiency.
+  EXPECT_LT(ErrorOf(Fit(SegmentationOf(clean), robust), truth),
+            1.1 * ErrorOf(Fit(SegmentationOf(clean)), truth));
+}
+
 TEST(FitStructure, RefusesARingAndSaysWhatIsHidden)
 {
   palpate::test::LabelGrid grid;
@@ -192,8 +273,8 @@ TEST(FitStructure, RemarksOnANegativeRadiusOfAModelThatFollows)
   settings.Degree = 5;
   const FitResult result = Fit(SegmentationOf(ball), settings);
   ASSERT_EQ(result.State, Outcome::Fitted) << result.Message;
-  ASSERT_EQ(result.Notes.size(), 1U);
-  EXPECT_NE(result.Notes[0].find("radius is negative"), std::string::npos) << result.Notes[0];
+  ASSERT_EQ(result.Notes.size(), 2U); // the first is on the coverage
+  EXPECT_NE(result.Notes[1].find("radius is negative"), std::string::npos) << result.Notes[1];
   settings.GivenCenterWorld.reset();
   EXPECT_TRUE(Fit(SegmentationOf(ball), settings).Notes.empty());
 }

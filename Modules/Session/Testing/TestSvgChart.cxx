@@ -23,6 +23,20 @@ std::vector<double> BarHeights(const std::string& svg)
   }
   return heights;
 }
+
+// The centres of the circles, in their order.
+Points Circles(const std::string& svg)
+{
+  const std::string circle = "<circle ";
+  const auto number = [&svg](std::size_t at, const std::string& name)
+  { return std::stod(svg.substr(svg.find(name, at) + name.size())); };
+  Points centers;
+  for (std::size_t at = svg.find(circle); at != std::string::npos; at = svg.find(circle, at + 1))
+  {
+    centers.emplace_back(number(at, " cx=\""), number(at, " cy=\""));
+  }
+  return centers;
+}
 } // namespace
 
 TEST(SvgChart, BarHeightsAreProportionalToTheNumbers)
@@ -39,7 +53,7 @@ TEST(SvgChart, BarHeightsAreProportionalToTheNumbers)
 TEST(SvgChart, EqualFactorsAreEqualStepsOnALogarithmicAxis)
 {
   SvgChart chart("x", "y");
-  chart.SetLogarithmic(true);
+  chart.SetLogarithmic(false, true);
   chart.SetBars({{0, 0.02}, {1, 0.2}, {2, 2.0}}, 1.0);
   const std::vector<double> heights = BarHeights(chart.Svg());
   ASSERT_EQ(heights.size(), 3U);
@@ -53,7 +67,7 @@ TEST(SvgChart, NumbersThatCannotBeDrawnAreLeftOut)
   SvgChart chart("x", "y");
   chart.SetBars({{0, 1.0}, {1, nan}, {nan, 2.0}, {3, 0.0}}, 1.0);
   EXPECT_EQ(BarHeights(chart.Svg()).size(), 2U);
-  chart.SetLogarithmic(true);
+  chart.SetLogarithmic(false, true);
   EXPECT_EQ(BarHeights(chart.Svg()).size(), 1U);
 }
 
@@ -72,12 +86,82 @@ TEST(SvgChart, ItIsWellFormedForAnyRangeOfNumbers)
     for (const bool logarithmic : {false, true})
     {
       SvgChart chart("<x>", "a & b");
-      chart.SetLogarithmic(logarithmic);
+      chart.SetLogarithmic(false, logarithmic);
       chart.SetLine({{-3, scale}, {0, 2 * scale}, {5, 1000 * scale}});
       chart.SetMarker(0, "\"here\"");
       EXPECT_EQ(palpate::test::MarkupError(chart.Svg()), "") << scale;
       chart.SetBars({{2, scale}}, 1.0);
       EXPECT_EQ(palpate::test::MarkupError(chart.Svg()), "") << scale;
+    }
+  }
+}
+
+TEST(SvgChart, EqualFactorsAreEqualStepsOnTwoLogarithmicAxes)
+{
+  SvgChart chart("x", "y");
+  chart.SetLogarithmic(true, true);
+  chart.SetDots(
+      {{0.1, 2.0, "first", "", ""}, {1.0, 20.0, "first", "", ""}, {10.0, 200.0, "second", "", ""}});
+  const Points dots = Circles(chart.Svg());
+  ASSERT_EQ(dots.size(), 3U);
+  // Coordinates are written with one digit.
+  EXPECT_NEAR(dots[1].first - dots[0].first, dots[2].first - dots[1].first, 0.21);
+  EXPECT_NEAR(dots[1].second - dots[0].second, dots[2].second - dots[1].second, 0.21);
+  EXPECT_GT(dots[1].first, dots[0].first);
+  EXPECT_LT(dots[1].second, dots[0].second) << "up";
+}
+
+TEST(SvgChart, DotsWithoutAPlaceOnLogarithmicAxesAreLeftOut)
+{
+  SvgChart chart("x", "y");
+  chart.SetLogarithmic(true, true);
+  chart.SetDots({{0.0, 1.0, "first", "", ""},
+                 {1.0, NAN, "first", "", ""},
+                 {-1.0, 1.0, "first", "", ""},
+                 {1.0, INFINITY, "first", "", ""}});
+  EXPECT_EQ(chart.Svg(), "");
+}
+
+TEST(SvgChart, TheAxisReachesTheThreshold)
+{
+  SvgChart chart("x", "y");
+  chart.SetLogarithmic(true, true);
+  chart.SetDots({{1.0, 100.0, "first", "", ""}});
+  chart.SetThreshold(0.01, "enough");
+  const std::string svg = chart.Svg();
+  const std::string rule = "<line class=\"marker\" x1=\"60.0\" y1=\"";
+  ASSERT_NE(svg.find(rule), std::string::npos);
+  const double y = std::stod(svg.substr(svg.find(rule) + rule.size()));
+  EXPECT_GT(y, Circles(svg).front().second);
+  EXPECT_LE(y, 194.0); // the horizontal axis
+}
+
+TEST(SvgChart, LabelsDoNotOverlap)
+{
+  SvgChart chart("x", "y");
+  chart.SetLogarithmic(true, true);
+  chart.SetDots({{1.0, 1.0, "first", "", "one"},
+                 {1.001, 1.001, "first", "", "two"},
+                 {10.0, 10.0, "first", "", "three"}});
+  const std::string svg = chart.Svg();
+  EXPECT_NE(svg.find(">one<"), std::string::npos);
+  EXPECT_EQ(svg.find(">two<"), std::string::npos);
+  EXPECT_NE(svg.find(">three<"), std::string::npos);
+}
+
+TEST(SvgChart, DotsAreWellFormedForAnyRangeAndText)
+{
+  for (const double least : {1e-12, 1.0, 1e9})
+  {
+    for (const double factor : {1.0, 1.5, 1e15})
+    {
+      SvgChart chart("<x>", "a & b");
+      chart.SetLogarithmic(true, true);
+      chart.SetDots({{least, least, "first faint", "\"quoted\" <tag>", "&"},
+                     {factor * least, factor * least, "third", "", ""}});
+      chart.SetStairs({{least, factor * least}, {factor * least, least}});
+      chart.SetThreshold(least, "<b>");
+      EXPECT_EQ(palpate::test::MarkupError(chart.Svg()), "") << least << ", " << factor;
     }
   }
 }

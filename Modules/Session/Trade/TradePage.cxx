@@ -2,8 +2,8 @@
 
 #include "HtmlText.h"
 #include "ReportPage.h"
-#include "ScatterChart.h"
 #include "SoftwareVersions.h"
+#include "SvgChart.h"
 #include "TradePareto.h"
 #include "TradeText.h"
 
@@ -101,7 +101,7 @@ std::string PlotFigure(const std::vector<const TradeRow*>& rows, const Plot& plo
 {
   const auto places = PlacesOf(rows, plot.Error);
   const std::vector<std::size_t> front = ParetoFront(places);
-  std::vector<ScatterChart::Dot> dots;
+  std::vector<SvgChart::Dot> dots;
   std::vector<std::pair<double, double>> line;
   for (std::size_t r = 0; r < rows.size(); ++r)
   {
@@ -116,9 +116,10 @@ std::string PlotFigure(const std::vector<const TradeRow*>& rows, const Plot& plo
   }
   std::transform(front.begin(), front.end(), std::back_inserter(line),
                  [&places](std::size_t r) { return places[r]; });
-  ScatterChart chart("mean time of a tick, \xC2\xB5s", plot.Label);
+  SvgChart chart("mean time of a tick, \xC2\xB5s", plot.Label);
+  chart.SetLogarithmic(true, true);
   chart.SetDots(std::move(dots));
-  chart.SetFront(std::move(line));
+  chart.SetStairs(std::move(line));
   if (plot.Threshold > 0.0)
   {
     chart.SetThreshold(plot.Threshold, plot.ThresholdText);

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "Application.h"
-#include "DisplayServer.h"
+#include "DisplayCheck.h"
 #include "FileQuestions.h"
 #include "MainWindow.h"
 #include "SteadyClock.h"
@@ -14,25 +14,19 @@
 
 #include <functional>
 #include <gtest/gtest.h>
-#include <memory>
-#include <stdexcept>
 
 namespace palpate::test
 {
-/// One application for all tests of a program, on a display of its own if need be.
+/// One application for all tests of a program.
 class TestApplication
 {
 public:
-  /// Null where there is no display and none can be started; Reason says why.
-  static TestApplication* Get()
+  /// Throws std::runtime_error without a display.
+  static TestApplication& Get()
   {
-    static const std::unique_ptr<TestApplication> Only = Make();
-    return Only.get();
-  }
-  static std::string& Reason()
-  {
-    static std::string text;
-    return text;
+    RequireDisplay();
+    static TestApplication only;
+    return only;
   }
 
 private:
@@ -46,38 +40,19 @@ private:
     QApplication::setApplicationName("WidgetsTests");
     this->One = std::make_unique<Application>(this->Count, this->Arguments);
   }
-  static std::unique_ptr<TestApplication> Make()
-  {
-    try
-    {
-      return std::unique_ptr<TestApplication>(new TestApplication);
-    }
-    catch (const std::runtime_error& error)
-    {
-      Reason() = error.what();
-      return nullptr;
-    }
-  }
 
   TemporaryFolder Settings;
-  DisplayServer Display; // before the application that draws on it
   int Count = 1;
   char Name[13] = "WidgetsTests";
   char* Arguments[2] = {Name, nullptr};
   std::unique_ptr<Application> One;
 };
 
-/// Tests that send real events to widgets; skipped, saying so, where there is no display.
+/// Tests that send real events to widgets. They need a display, as DisplayTest.
 class WidgetTest : public testing::Test
 {
 protected:
-  void SetUp() override
-  {
-    if (TestApplication::Get() == nullptr)
-    {
-      GTEST_SKIP() << TestApplication::Reason();
-    }
-  }
+  void SetUp() override { ASSERT_NO_THROW(TestApplication::Get()); }
 
   /// Lets events happen until it is true. What it waits for comes by events: a test that waits in
   /// vain ends by its time limit.
