@@ -1,6 +1,7 @@
 #include "DicomPixelData.h"
 
 #include "CompressedFrame.h"
+#include "DecimalText.h"
 #include "DicomFrameDecoder.h"
 #include "DicomTransferSyntax.h"
 #include "EncapsulatedFrames.h"
@@ -30,7 +31,7 @@ void CheckRatio(const std::filesystem::path& file, double pixelBytes, std::size_
   if (!(pixelBytes <= most))
   {
     Refuse(file,
-           "is damaged: its header promises " + NumberText(pixelBytes / 1e9) +
+           "is damaged: its header promises " + SignificantText(pixelBytes / 1e9) +
                " GB of pixels, and there are " + std::to_string(streamBytes) + " compressed bytes",
            "copy or export it again");
   }

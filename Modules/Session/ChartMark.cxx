@@ -1,5 +1,6 @@
 #include "ChartMark.h"
 
+#include "DecimalText.h"
 #include "HtmlText.h"
 
 #include <algorithm>

@@ -1,5 +1,6 @@
 #include "FitReport.h"
 
+#include "DecimalText.h"
 #include "HtmlText.h"
 #include "ReportCharts.h"
 #include "ReportPage.h"

@@ -1,5 +1,6 @@
 #include "ScatterChart.h"
 
+#include "DecimalText.h"
 #include "HtmlText.h"
 #include "SvgChart.h"
 

@@ -1,6 +1,8 @@
 #include "SvgChart.h"
 
+#include "DecimalText.h"
 #include "HtmlText.h"
+#include "RoundNumber.h"
 
 #include <algorithm>
 #include <cmath>
@@ -19,19 +21,10 @@ constexpr int TickGoal = 6;
 using Kind = ChartMark::Kind;
 using Side = ChartMark::Side;
 
-// The step 1, 2 or 5 times a power of ten that cuts `span` into about TickGoal parts.
-double NiceStep(double span)
-{
-  const double raw = span / TickGoal;
-  const double decade = std::pow(10.0, std::floor(std::log10(raw)));
-  const double mantissa = raw / decade;
-  return decade * (mantissa <= 1.0 ? 1.0 : mantissa <= 2.0 ? 2.0 : mantissa <= 5.0 ? 5.0 : 10.0);
-}
-
 std::vector<double> LinearTicks(double low, double high)
 {
   std::vector<double> ticks;
-  const double step = NiceStep(high - low);
+  const double step = RoundNumberAbove((high - low) / TickGoal);
   for (double k = std::ceil(low / step - 1e-9); k * step <= high + 1e-9 * step; k += 1.0)
   {
     ticks.push_back(k * step + 0.0); // no negative zero
@@ -126,7 +119,7 @@ SvgChart::Frame SvgChart::MakeFrame(const Points& points) const
   }
   else if (highest->second > 0.0)
   {
-    const double step = NiceStep(highest->second);
+    const double step = RoundNumberAbove(highest->second / TickGoal);
     frame.HighY = step * std::ceil(highest->second / step);
   }
   return frame;

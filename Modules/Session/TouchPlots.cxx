@@ -1,7 +1,7 @@
 #include "TouchPlots.h"
 
 #include "ChartPicture.h"
-#include "HtmlText.h"
+#include "DecimalText.h"
 #include "WholeFile.h"
 
 #include <algorithm>
