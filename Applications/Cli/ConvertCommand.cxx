@@ -119,7 +119,7 @@ void ConvertCommand::ConvertModel(Console& console) const
   }
   WriteModel(this->Output, document);
   if (std::holds_alternative<SphericalHarmonicModel>(document.Surface) &&
-      std::holds_alternative<ParametricSphericalSurface>(ReadModel(this->Output).Surface))
+      !KeepsStarShape(this->Output))
   {
     console.Note(this->Output.string() +
                  " holds the same surface as a parametric one of one degree more; its format has "

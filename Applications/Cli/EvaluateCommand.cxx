@@ -59,7 +59,7 @@ std::string EvaluateCommand::Examples() const
 
 void EvaluateCommand::DeclareOptions(CLI::App& app)
 {
-  app.add_option("MODEL", this->Model, "Model: .json, .csv or SPHARM-PDM's .coef")->required();
+  app.add_option("MODEL", this->Model, "Model: .json or SPHARM-PDM's .coef")->required();
   app.add_option("--direction", this->DirectionWords,
                  "Evaluate along this direction from the centre (LPS); may be repeated")
       ->type_name("X,Y,Z")

@@ -2,7 +2,6 @@
 
 #include "DecimalText.h"
 #include "JsonSchema.h"
-#include "Refusal.h"
 #include "TextTable.h"
 #include "VectorText.h"
 
@@ -19,8 +18,8 @@ constexpr double CubicMillimetersPerMilliliter = 1000.0;
 
 std::string Short(const Vector3& vector)
 {
-  return TextTable::Fixed(vector.x(), Decimals) + ", " + TextTable::Fixed(vector.y(), Decimals) +
-         ", " + TextTable::Fixed(vector.z(), Decimals);
+  return FixedText(vector.x(), Decimals) + ", " + FixedText(vector.y(), Decimals) + ", " +
+         FixedText(vector.z(), Decimals);
 }
 
 Json AsJson(const Vector3& vector)
@@ -35,7 +34,7 @@ std::string DirectionTable(const ModelEvaluation& evaluation)
   for (const ModelEvaluation::DirectionSample& sample : evaluation.Directions)
   {
     table.AddRow({Short(sample.Direction),
-                  sample.Radius ? TextTable::Fixed(*sample.Radius, Decimals) : "-",
+                  sample.Radius ? FixedText(*sample.Radius, Decimals) : "-",
                   sample.Gradient ? Short(*sample.Gradient) : "-", Short(sample.PointWorld),
                   Short(sample.Normal)});
   }
@@ -49,8 +48,7 @@ std::string PointTable(const ModelEvaluation& evaluation)
   for (const ModelEvaluation::PointSample& sample : evaluation.Points)
   {
     table.AddRow({Short(sample.PointWorld), sample.Inside ? "inside" : "outside",
-                  TextTable::Fixed(sample.RadialDistance, Decimals),
-                  TextTable::Fixed(sample.Radius, Decimals)});
+                  FixedText(sample.RadialDistance, Decimals), FixedText(sample.Radius, Decimals)});
   }
   return "\n" + table.Text();
 }
@@ -94,16 +92,15 @@ std::string EvaluationAsText(const ModelEvaluation& evaluation)
     table.AddRow({"centre", Short(*evaluation.CenterWorld) + " mm"});
   }
   table.AddRow(
-      {"volume",
-       TextTable::Fixed(evaluation.Volume / CubicMillimetersPerMilliliter, Decimals) + " ml"});
-  table.AddRow({"area", NumberText(evaluation.Area) + " mm^2"});
+      {"volume", FixedText(evaluation.Volume / CubicMillimetersPerMilliliter, Decimals) + " ml"});
+  table.AddRow({"area", SignificantText(evaluation.Area) + " mm^2"});
   std::string text = table.Text();
   TextTable power;
   power.AddRow({"degree", "power mm^2"});
   power.AlignRight({0, 1});
   for (std::size_t l = 0; l < evaluation.Power.size(); ++l)
   {
-    power.AddRow({std::to_string(l), NumberText(evaluation.Power[l])});
+    power.AddRow({std::to_string(l), SignificantText(evaluation.Power[l])});
   }
   text += "\n" + power.Text();
   text += evaluation.Directions.empty() ? "" : DirectionTable(evaluation);

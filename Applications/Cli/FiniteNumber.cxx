@@ -1,7 +1,6 @@
 #include "FiniteNumber.h"
 
 #include "DecimalText.h"
-#include "Refusal.h"
 
 #include <limits>
 
@@ -28,7 +27,7 @@ FiniteNumber::FiniteNumber(double low, double high, bool lowIsIn, const std::str
 
 FiniteNumber FiniteNumber::Between(double low, double high)
 {
-  return {low, high, true, "from " + NumberText(low) + " to " + NumberText(high)};
+  return {low, high, true, "from " + SignificantText(low) + " to " + SignificantText(high)};
 }
 
 FiniteNumber FiniteNumber::Positive()

@@ -96,11 +96,11 @@ TextTable LabelTable(const Segmentation& segmentation, const std::vector<LabelSt
     const LabelStatistics& statistics = labels[i];
     table.AddRow({std::to_string(segment.Label), Shortened(Printable(segment.Name), LongestName),
                   layered ? std::to_string(segment.Layer) : "", std::to_string(statistics.Voxels),
-                  TextTable::Fixed(statistics.Milliliters, 3),
+                  FixedText(statistics.Milliliters, 3),
                   statistics.TouchesBorder() ? statistics.FacesText() : "-",
                   std::to_string(statistics.ComponentVoxels.size()),
                   std::to_string(statistics.CavityVoxels.size()),
-                  TextTable::Fixed(statistics.CavityMilliliters, 3)});
+                  FixedText(statistics.CavityMilliliters, 3)});
   }
   return table;
 }

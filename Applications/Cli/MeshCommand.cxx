@@ -4,6 +4,7 @@
 #include "CaseText.h"
 #include "CommandProgress.h"
 #include "Console.h"
+#include "DecimalText.h"
 #include "FilterRun.h"
 #include "FitHints.h"
 #include "InputError.h"
@@ -250,10 +251,9 @@ void MeshCommand::RecordWritten(const Case& one, vtkSegmentationSurface* surface
   }
   console.Output() << CaseTitle(one.Input, one.Structure) << ": "
                    << surface->GetOutput()->GetNumberOfPolys() << " triangles, "
-                   << TextTable::Fixed(surface->GetSurfaceVolume() / CubicMillimetersPerMilliliter,
-                                       3)
+                   << FixedText(surface->GetSurfaceVolume() / CubicMillimetersPerMilliliter, 3)
                    << " ml (mask "
-                   << TextTable::Fixed(surface->GetMaskVolume() / CubicMillimetersPerMilliliter, 3)
+                   << FixedText(surface->GetMaskVolume() / CubicMillimetersPerMilliliter, 3)
                    << " ml)" << (surface->GetTouchesBorder() ? ", closed at the border" : "")
                    << ", in " << Printable(one.Output.string()) << '\n';
 }

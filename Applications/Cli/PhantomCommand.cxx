@@ -134,7 +134,7 @@ SphericalHarmonicModel PhantomCommand::TrueModel() const
   if (!model)
   {
     throw InputError(this->ModelPath + ": a parametric surface has no inside that a phantom could "
-                                       "be made of; give a star-shaped model (.json or .csv)");
+                                       "be made of; give a star-shaped model (.json)");
   }
   return *model;
 }

@@ -165,7 +165,7 @@ std::string RenderCommand::Examples() const
 void RenderCommand::DeclareOptions(CLI::App& app)
 {
   app.add_option("FILE", this->Inputs,
-                 "Surfaces (.vtp, .stl, .ply, .obj), models (.json, .csv, .coef), segmentations");
+                 "Surfaces (.vtp, .stl, .ply, .obj), models (.json, .coef), segmentations");
   app.add_option("--output", this->Output, "The picture, a .png file")
       ->type_name("FILE")
       ->required();

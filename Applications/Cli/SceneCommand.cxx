@@ -2,6 +2,7 @@
 
 #include "CommandProgress.h"
 #include "Console.h"
+#include "DecimalText.h"
 #include "FilterRun.h"
 #include "InputError.h"
 #include "Interruption.h"
@@ -26,17 +27,17 @@ constexpr double Mega = 1e6;
 
 std::string KilobytesOf(const SceneItem& item)
 {
-  return TextTable::Fixed(static_cast<double>(item.Bytes) / Kilo, 1) + " kB";
+  return FixedText(static_cast<double>(item.Bytes) / Kilo, 1) + " kB";
 }
 
 std::string MegabytesOf(std::uintmax_t bytes)
 {
-  return TextTable::Fixed(static_cast<double>(bytes) / Mega, 1) + " MB";
+  return FixedText(static_cast<double>(bytes) / Mega, 1) + " MB";
 }
 
 std::string MillisecondsOf(const SceneItem& item)
 {
-  return TextTable::Fixed(Kilo * item.Seconds, 1) + " ms";
+  return FixedText(Kilo * item.Seconds, 1) + " ms";
 }
 
 void AddRow(TextTable& table, const std::string& name, const std::string& purpose,

@@ -3,6 +3,7 @@
 #include "CaseTally.h"
 #include "CommandProgress.h"
 #include "Console.h"
+#include "DecimalText.h"
 #include "FilterRun.h"
 #include "Interruption.h"
 #include "JsonSchema.h"
@@ -115,7 +116,7 @@ void AddMeasures(const StudyStructure& structure, Study& study, Line& line)
   if (cost != nullptr && cost->Ticks > 0)
   {
     line.TickMicroseconds = 1e-3 * cost->MedianNanoseconds;
-    line.Says += "; " + TextTable::Fixed(*line.TickMicroseconds, 2) + " us a tick";
+    line.Says += "; " + FixedText(*line.TickMicroseconds, 2) + " us a tick";
   }
   const auto trade = pipeline.Newest<StudyTrade>(StudyStep::Trade, structure.Label);
   const TradeRow* row = trade != nullptr
@@ -124,7 +125,7 @@ void AddMeasures(const StudyStructure& structure, Study& study, Line& line)
   if (row != nullptr)
   {
     line.ErrorMillimeters = row->SurfaceMean;
-    line.Says += "; " + TextTable::Fixed(*line.ErrorMillimeters, 3) + " mm off expected";
+    line.Says += "; " + FixedText(*line.ErrorMillimeters, 3) + " mm off expected";
   }
 }
 
@@ -154,9 +155,8 @@ Line LineOf(const StudyStructure& structure, Study& study)
   const auto fit = pipeline.Newest<FitResult>(StudyStep::Model, structure.Label);
   if (fit != nullptr && fit->State == FitResult::Outcome::Fitted)
   {
-    line.Says += (line.Says.empty() ? "" : "; ") + std::string("Dice ") +
-                 TextTable::Fixed(fit->Dice, 4) + ", mean distance to the mask " +
-                 TextTable::Fixed(fit->ModelToMask.Mean, 3) + " mm";
+    line.Says += (line.Says.empty() ? "" : "; ") + std::string("Dice ") + FixedText(fit->Dice, 4) +
+                 ", mean distance to the mask " + FixedText(fit->ModelToMask.Mean, 3) + " mm";
   }
   AddMeasures(structure, study, line);
   if (structure.IsVisible && structure.Appearance != StudyAppearance::Automatic)

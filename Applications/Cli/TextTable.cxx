@@ -61,11 +61,4 @@ std::string TextTable::Text() const
   }
   return text;
 }
-
-std::string TextTable::Fixed(double value, int decimals)
-{
-  std::ostringstream text;
-  text << std::fixed << std::setprecision(decimals) << value;
-  return text.str();
-}
 } // namespace palpate::cli

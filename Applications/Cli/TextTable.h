@@ -18,9 +18,6 @@ public:
   /// The table, a line a row, without blanks at the ends of lines.
   std::string Text() const;
 
-  /// A number with a fixed count of decimals.
-  static std::string Fixed(double value, int decimals);
-
 private:
   std::vector<std::vector<std::string>> Rows;
   std::set<std::size_t> RightColumns;

@@ -2,9 +2,9 @@
 
 #include "CommandProgress.h"
 #include "Console.h"
+#include "DecimalText.h"
 #include "FilterRun.h"
 #include "FiniteNumber.h"
-#include "HtmlText.h"
 #include "InputError.h"
 #include "Interruption.h"
 #include "OutputFolder.h"

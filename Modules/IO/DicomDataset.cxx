@@ -1,6 +1,7 @@
 #include "DicomDataset.h"
 
 #include "BoundedDicomStream.h"
+#include "DecimalText.h"
 #include "MemoryCheck.h"
 #include "Refusal.h"
 
@@ -54,7 +55,7 @@ DicomDataset::DicomDataset(const std::filesystem::path& file, Extent extent)
   if (stream.IsTooLong())
   {
     Refuse(file,
-           "inflates to more than " + NumberText(static_cast<double>(available) / 2e9) + " GB",
+           "inflates to more than " + SignificantText(static_cast<double>(available) / 2e9) + " GB",
            "export it again, or use a larger machine");
   }
   if (status.bad() || this->Format->getDataset()->card() == 0)

@@ -1,14 +1,13 @@
 #include "DicomPixelData.h"
 
 #include "CompressedFrame.h"
+#include "DecimalText.h"
+#include "DicomFrameDecoder.h"
 #include "DicomTransferSyntax.h"
 #include "EncapsulatedFrames.h"
 #include "Jpeg2000Decoder.h"
-#include "JpegDecoder.h"
-#include "JpegLsDecoder.h"
 #include "MemoryCheck.h"
 #include "Refusal.h"
-#include "RunLengthDecoder.h"
 
 #include "dcmtk/config/osconfig.h"
 
@@ -32,7 +31,7 @@ void CheckRatio(const std::filesystem::path& file, double pixelBytes, std::size_
   if (!(pixelBytes <= most))
   {
     Refuse(file,
-           "is damaged: its header promises " + NumberText(pixelBytes / 1e9) +
+           "is damaged: its header promises " + SignificantText(pixelBytes / 1e9) +
                " GB of pixels, and there are " + std::to_string(streamBytes) + " compressed bytes",
            "copy or export it again");
   }
@@ -59,25 +58,6 @@ bool IsPlausible(const CompressedFrame& frame)
   return isWord && frame.Columns >= 1 && frame.Rows >= 1 && frame.BitsStored >= 1 &&
          frame.HighBit >= frame.BitsStored - 1 && frame.HighBit < 8 * frame.BytesPerPixel;
 }
-
-bool DecodeFrame(PixelCoding coding, const CompressedFrame& frame, std::uint8_t* pixels)
-{
-  switch (coding)
-  {
-  case PixelCoding::RunLength:
-    return DecodeRunLength(frame, pixels);
-  case PixelCoding::Jpeg:
-    return DecodeJpeg(frame, pixels);
-  case PixelCoding::JpegLs:
-    return DecodeJpegLs(frame, pixels);
-  case PixelCoding::Jpeg2000:
-    return DecodeJpeg2000(frame, pixels);
-  case PixelCoding::Native:
-  case PixelCoding::Unread:
-    break;
-  }
-  return false;
-}
 } // namespace
 
 void CheckTransferSyntax(const std::filesystem::path& file, const std::string& transferSyntaxUid)
@@ -92,19 +72,19 @@ void CheckTransferSyntax(const std::filesystem::path& file, const std::string& t
 }
 
 DicomPixelData::DicomPixelData(const std::filesystem::path& file, const DicomDataset& dataset,
-                               std::size_t frameCount)
+                               std::size_t frameCount, DicomFrameDecoder& decoder)
 {
   CheckTransferSyntax(file, dataset.TransferSyntax());
   if (PixelCodingOf(dataset.TransferSyntax()) != PixelCoding::Native)
   {
-    this->Decode(file, dataset, frameCount);
+    this->Decode(file, dataset, frameCount, decoder);
     return;
   }
   this->Native = DicomPixelBytes(dataset.Root(), this->Count);
 }
 
 void DicomPixelData::Decode(const std::filesystem::path& file, const DicomDataset& dataset,
-                            std::size_t frameCount)
+                            std::size_t frameCount, DicomFrameDecoder& decoder)
 {
   CompressedFrame frame = FrameForm(dataset);
   const EncapsulatedFrames frames(dataset.Root(), frameCount);
@@ -123,7 +103,9 @@ void DicomPixelData::Decode(const std::filesystem::path& file, const DicomDatase
   for (std::size_t i = 0; i < frameCount; ++i)
   {
     frame.Stream = frames.Frame(i);
-    if (!DecodeFrame(coding, frame, this->Decoded.data() + i * frameBytes))
+    std::uint8_t* pixels = this->Decoded.data() + i * frameBytes;
+    if (!(coding == PixelCoding::Jpeg2000 ? DecodeJpeg2000(frame, pixels)
+                                          : decoder.Decode(file, coding, frame, pixels)))
     {
       Refuse(file,
              "is truncated or damaged: its pixels cannot be decoded as " +

@@ -11,6 +11,8 @@
 
 namespace palpate
 {
+class DicomFrameDecoder;
+
 /// Throws InputError where the pixels are stored in a transfer syntax that is not read.
 PALPATEIO_EXPORT void CheckTransferSyntax(const std::filesystem::path& file,
                                           const std::string& transferSyntaxUid);
@@ -24,7 +26,7 @@ public:
   /// `dataset` must outlive the object. Throws InputError for pixels that cannot be decoded and for
   /// such as do not fit into memory.
   DicomPixelData(const std::filesystem::path& file, const DicomDataset& dataset,
-                 std::size_t frameCount);
+                 std::size_t frameCount, DicomFrameDecoder& decoder);
 
   /// Null where there are none.
   const std::uint8_t* Bytes() const
@@ -36,7 +38,7 @@ public:
 
 private:
   void Decode(const std::filesystem::path& file, const DicomDataset& dataset,
-              std::size_t frameCount);
+              std::size_t frameCount, DicomFrameDecoder& decoder);
 
   const std::uint8_t* Native = nullptr; // in the data set
   std::size_t Count = 0;

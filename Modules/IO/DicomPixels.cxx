@@ -116,7 +116,8 @@ DicomPixelFormat ReadPixelFormat(const DicomDataset& dataset)
 }
 
 void ReadSlicePixels(const std::filesystem::path& file, const DicomPixelFormat& format,
-                     vtkIdType count, vtkDataArray* voxels, vtkIdType first)
+                     vtkIdType count, vtkDataArray* voxels, vtkIdType first,
+                     DicomFrameDecoder& decoder)
 {
   if (!format.IsGrey)
   {
@@ -129,7 +130,7 @@ void ReadSlicePixels(const std::filesystem::path& file, const DicomPixelFormat& 
   // Asked before the pixels are parsed, which DCMTK cannot do in a syntax that it does not know.
   CheckTransferSyntax(file, format.TransferSyntax);
   const DicomDataset dataset(file, DicomDataset::Extent::All);
-  const DicomPixelData pixels(file, dataset, 1);
+  const DicomPixelData pixels(file, dataset, 1, decoder);
   const std::size_t bytesPerPixel = static_cast<std::size_t>(format.BitsAllocated) / 8;
   if (!pixels.Bytes() || pixels.ByteCount() < static_cast<std::size_t>(count) * bytesPerPixel)
   {

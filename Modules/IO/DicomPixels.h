@@ -9,6 +9,8 @@
 
 namespace palpate
 {
+class DicomFrameDecoder;
+
 /// How a DICOM slice stores its pixels (PS3.3, C.7.6.3) and what they mean (C.7.6.16.2.9).
 struct DicomPixelFormat
 {
@@ -31,5 +33,6 @@ PALPATEIO_EXPORT DicomPixelFormat ReadPixelFormat(const DicomDataset& dataset);
 /// Reads a slice's `count` values into `voxels` from value `first` on. Throws InputError.
 PALPATEIO_EXPORT void ReadSlicePixels(const std::filesystem::path& file,
                                       const DicomPixelFormat& format, vtkIdType count,
-                                      vtkDataArray* voxels, vtkIdType first);
+                                      vtkDataArray* voxels, vtkIdType first,
+                                      DicomFrameDecoder& decoder);
 } // namespace palpate

@@ -1,5 +1,6 @@
 #include "DicomSegmentationFrames.h"
 
+#include "DicomFrameDecoder.h"
 #include "DicomTransferSyntax.h"
 #include "Refusal.h"
 
@@ -90,7 +91,8 @@ void DicomSegmentationFrames::ReadPixels(const std::filesystem::path& file,
     Refuse(file, "has compressed pixels of one bit, which are not read",
            "export the segmentation again uncompressed or with eight bits a pixel");
   }
-  this->PixelData.emplace(file, dataset, this->FrameCount);
+  DicomFrameDecoder decoder;
+  this->PixelData.emplace(file, dataset, this->FrameCount, decoder);
   this->Pixels = this->PixelData->Bytes();
   const double needed = static_cast<double>(this->PixelsPerFrame) *
                         static_cast<double>(this->FrameCount) * this->BitsPerPixel / 8.0;

@@ -1,5 +1,6 @@
 #include "DicomVolume.h"
 
+#include "DicomFrameDecoder.h"
 #include "DicomPixels.h"
 #include "MemoryCheck.h"
 
@@ -31,10 +32,11 @@ Volume ReadDicomVolume(const DicomSeries& series, const std::filesystem::path& s
               AvailableMemoryBytes());
   voxels->SetNumberOfTuples(stack.Grid.VoxelCount());
   const vtkIdType sliceVoxels = static_cast<vtkIdType>(stack.Grid.Size[0]) * stack.Grid.Size[1];
+  DicomFrameDecoder decoder;
   for (std::size_t i = 0; i < series.Files.size(); ++i)
   {
     ReadSlicePixels(series.Files[i], series.Formats[i], sliceVoxels, voxels,
-                    stack.SliceOfPlane[i] * sliceVoxels);
+                    stack.SliceOfPlane[i] * sliceVoxels, decoder);
   }
   Volume volume;
   volume.Image = MakeImage(stack.Grid, voxels);

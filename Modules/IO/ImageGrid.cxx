@@ -1,5 +1,6 @@
 #include "ImageGrid.h"
 
+#include "DecimalText.h"
 #include "Refusal.h"
 
 #include "vtkMatrix3x3.h"
@@ -42,7 +43,7 @@ void CheckSpacing(const std::filesystem::path& file, const ImageGrid& grid)
     if (!(std::isfinite(spacing) && spacing > 0.0))
     {
       Refuse(file,
-             "has a voxel spacing of " + NumberText(spacing) + " mm along axis " +
+             "has a voxel spacing of " + SignificantText(spacing) + " mm along axis " +
                  std::to_string(axis + 1),
              "correct its header: spacings must be positive");
     }
@@ -63,8 +64,8 @@ void CheckGrid(const std::filesystem::path& file, ImageGrid& grid)
   if (!(deviation <= 1e-4))
   {
     Refuse(file,
-           "has axes that are not perpendicular unit vectors (off by " + NumberText(deviation) +
-               ": a sheared direction)",
+           "has axes that are not perpendicular unit vectors (off by " +
+               SignificantText(deviation) + ": a sheared direction)",
            "resample it to a rectangular grid");
   }
   if (deviation > 1e-15)

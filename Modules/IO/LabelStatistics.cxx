@@ -75,75 +75,6 @@ void ForEachRun(const LayerView<T>& view, const Visit& visit)
   }
 }
 
-std::vector<vtkIdType> ComponentSizes(const RunSet& set, const std::vector<int>& components)
-{
-  std::vector<vtkIdType> sizes;
-  for (std::size_t run = 0; run < components.size(); ++run)
-  {
-    const auto component = static_cast<std::size_t>(components[run]);
-    sizes.resize(std::max(sizes.size(), component + 1), 0);
-    sizes[component] += set.Runs()[run].End - set.Runs()[run].First;
-  }
-  return sizes;
-}
-
-// What lies between the runs of each row. Outside of a row's first and last run the way out of the
-// image is free of the structure.
-RunSet GapsOf(const RunSet& set)
-{
-  RunSet gaps;
-  for (std::size_t row = 0; row < set.Rows().size(); ++row)
-  {
-    for (std::size_t run = set.Rows()[row].Start + 1; run < set.RowEnd(row); ++run)
-    {
-      gaps.Add({set.Runs()[run - 1].End, set.Runs()[run].First}, set.Rows()[row].Y,
-               set.Rows()[row].Z);
-    }
-  }
-  return gaps;
-}
-
-// Sets the sizes of components of gaps to zero that meet what is outside of the row that lies so
-// far from theirs.
-void RemoveOpen(const RunSet& set, const RunSet& gaps, const std::vector<int>& components, int dy,
-                int dz, std::vector<vtkIdType>& sizes)
-{
-  RowCursor cursor(set);
-  for (std::size_t row = 0; row < gaps.Rows().size(); ++row)
-  {
-    const std::size_t other = cursor.Find(gaps.Rows()[row].Y + dy, gaps.Rows()[row].Z + dz);
-    const bool isFree = other == set.Rows().size();
-    for (std::size_t gap = gaps.Rows()[row].Start; gap < gaps.RowEnd(row); ++gap)
-    {
-      if (isFree || gaps.Runs()[gap].First <= set.Runs()[set.Rows()[other].Start].First ||
-          gaps.Runs()[gap].End >= set.Runs()[set.RowEnd(other) - 1].End)
-      {
-        sizes[static_cast<std::size_t>(components[gap])] = 0;
-      }
-    }
-  }
-}
-
-// Components of the voxels that are not the structure's and from which there is no way out.
-std::vector<vtkIdType> CavitySizes(const RunSet& set)
-{
-  const RunSet gaps = GapsOf(set);
-  const std::vector<int> components = LabelRunComponents(gaps, Neighborhood::FacesEdgesCorners);
-  std::vector<vtkIdType> sizes = ComponentSizes(gaps, components);
-  for (int dz = -1; dz <= 1; ++dz)
-  {
-    for (int dy = -1; dy <= 1; ++dy)
-    {
-      if (dy != 0 || dz != 0)
-      {
-        RemoveOpen(set, gaps, components, dy, dz, sizes);
-      }
-    }
-  }
-  sizes.erase(std::remove(sizes.begin(), sizes.end(), 0), sizes.end());
-  return sizes;
-}
-
 void MeasureRuns(const RunSet& set, const std::array<int, 3>& size, LabelStatistics& statistics)
 {
   for (std::size_t face = 0; face < 6; ++face)
@@ -151,8 +82,14 @@ void MeasureRuns(const RunSet& set, const std::array<int, 3>& size, LabelStatist
     const int end = face % 2 == 0 ? 0 : size[face / 2] - 1;
     statistics.TouchesFace[face] = statistics.BoundsIndex[face] == end;
   }
-  statistics.ComponentVoxels = ComponentSizes(set, LabelRunComponents(set, Neighborhood::Faces));
-  statistics.CavityVoxels = CavitySizes(set);
+  statistics.ComponentVoxels = ComponentVoxels(set, LabelRunComponents(set, Neighborhood::Faces));
+  for (const long long voxels : FindCavities(set).CavityVoxels)
+  {
+    if (voxels > 0)
+    {
+      statistics.CavityVoxels.push_back(voxels);
+    }
+  }
   std::sort(statistics.ComponentVoxels.begin(), statistics.ComponentVoxels.end(), std::greater<>());
   std::sort(statistics.CavityVoxels.begin(), statistics.CavityVoxels.end(), std::greater<>());
 }

@@ -43,7 +43,7 @@ int LargestLabel(const std::filesystem::path& file, const T* values, vtkIdType c
       {
         Refuse(file,
                "is no label map: it holds the negative value " +
-                   NumberText(static_cast<double>(value)),
+                   SignificantText(static_cast<double>(value)),
                "give labels from 1, with 0 for the background");
       }
     }

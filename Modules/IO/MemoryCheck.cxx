@@ -1,5 +1,6 @@
 #include "MemoryCheck.h"
 
+#include "DecimalText.h"
 #include "Refusal.h"
 
 #include <string>
@@ -12,8 +13,8 @@ void CheckMemory(const std::filesystem::path& file, double dataBytes, std::uint6
   if (!(needed <= static_cast<double>(availableBytes)))
   {
     Refuse(file,
-           "needs about " + NumberText(needed / 1e9) + " GB of memory to read and " +
-               NumberText(static_cast<double>(availableBytes) / 1e9) + " GB are free",
+           "needs about " + SignificantText(needed / 1e9) + " GB of memory to read and " +
+               SignificantText(static_cast<double>(availableBytes) / 1e9) + " GB are free",
            "crop or resample it, or use a larger machine");
   }
 }

@@ -1,6 +1,7 @@
 #include "MetaImageHeader.h"
 
 #include "CNumericLocale.h"
+#include "DecimalText.h"
 #include "MetaImageFields.h"
 #include "Refusal.h"
 #include "ZlibCheck.h"
@@ -48,12 +49,13 @@ std::vector<double> CheckDimensions(const std::filesystem::path& file,
     if (!(sizes[axis] >= 1.0 && sizes[axis] <= 1e9) || sizes[axis] != std::floor(sizes[axis]))
     {
       Refuse(file,
-             "has " + NumberText(sizes[axis]) + " voxels along axis " + std::to_string(axis + 1),
+             "has " + SignificantText(sizes[axis]) + " voxels along axis " +
+                 std::to_string(axis + 1),
              "copy or export it again");
     }
     if (axis > 2 && sizes[axis] > 1.0)
     {
-      Refuse(file, "has " + NumberText(count[0]) + " dimensions",
+      Refuse(file, "has " + SignificantText(count[0]) + " dimensions",
              "extract one three-dimensional volume of it");
     }
   }
@@ -73,7 +75,7 @@ void CheckSpacings(const std::filesystem::path& file, const MetaImageFields& hea
     {
       if (!(std::isfinite(spacing) && spacing > 0.0))
       {
-        Refuse(file, "has a voxel spacing of " + NumberText(spacing) + " mm",
+        Refuse(file, "has a voxel spacing of " + SignificantText(spacing) + " mm",
                "correct its header: spacings must be positive");
       }
     }
@@ -177,8 +179,8 @@ void CheckCompressedData(const DataPlace& place, const MetaImageFields& header, 
   if (isStated && !(stated[0] >= 1.0 && stated[0] <= available))
   {
     Refuse(place.File,
-           "is truncated: its header promises a CompressedDataSize of " + NumberText(stated[0]) +
-               " bytes and there are " + NumberText(available),
+           "is truncated: its header promises a CompressedDataSize of " +
+               SignificantText(stated[0]) + " bytes and there are " + SignificantText(available),
            "copy or export it again");
   }
   const auto bytes = static_cast<double>(CheckedInflatedBytes(
@@ -208,7 +210,8 @@ void CheckTextData(const std::filesystem::path& file, const MetaImageFields& hea
     if (!(number >= type.Lowest && number <= type.Highest))
     {
       Refuse(file,
-             "has a voxel of " + NumberText(number) + ", which is no " + header.Text("ElementType"),
+             "has a voxel of " + SignificantText(number) + ", which is no " +
+                 header.Text("ElementType"),
              "correct the ElementType in its header");
     }
     stream.get();
@@ -269,7 +272,7 @@ MetaImageFacts CheckMetaImageHeader(const std::filesystem::path& file)
   const std::vector<double> channels = header.Numbers("ElementNumberOfChannels");
   if (!channels.empty() && channels[0] != 1.0)
   {
-    Refuse(file, "has " + NumberText(channels[0]) + " values per voxel",
+    Refuse(file, "has " + SignificantText(channels[0]) + " values per voxel",
            "give one grey value or label per voxel");
   }
   CheckData(file, header, facts.Size[0] * facts.Size[1] * facts.Size[2]);

@@ -7,11 +7,15 @@
 
 namespace palpate
 {
-/// Whether the ending is one of a model file: .json, .csv or .coef, in either case.
+/// Whether the ending is one of a model file: .json, .coef, or .csv, which is only written.
 PALPATEIO_EXPORT bool IsModelFile(const std::filesystem::path& path);
 
-/// Reads a model by its ending: Palpate's JSON (see ModelToJson) or CSV (ModelToCsv), or
-/// SPHARM-PDM's .coef (SurfaceFromSpharmPdm). Lengths mm, frame patient LPS. Throws InputError.
+/// Whether a star-shaped model stays one in a file of this ending; SPHARM-PDM has only parametric
+/// surfaces.
+PALPATEIO_EXPORT bool KeepsStarShape(const std::filesystem::path& path);
+
+/// Reads a model by its ending: Palpate's JSON (see ModelToJson) or SPHARM-PDM's .coef
+/// (SurfaceFromSpharmPdm). Lengths mm, frame patient LPS. Throws InputError, also for a .csv.
 PALPATEIO_EXPORT ModelDocument ReadModel(const std::filesystem::path& path);
 
 /// Writes a model by its ending, under AtomicFile's rules. Of the provenance's input only the file

@@ -1,5 +1,6 @@
 #include "NiftiHeader.h"
 
+#include "DecimalText.h"
 #include "ForeignFile.h"
 #include "Refusal.h"
 #include "ZlibCheck.h"
@@ -116,7 +117,7 @@ void CheckSpacings(const std::filesystem::path& file, const HeaderReader& header
     if (!(std::isfinite(spacing) && spacing > 0.0))
     {
       Refuse(file,
-             "has a voxel spacing of " + NumberText(spacing) + " along axis " +
+             "has a voxel spacing of " + SignificantText(spacing) + " along axis " +
                  std::to_string(axis),
              "correct its header: spacings must be positive");
     }

@@ -1,5 +1,6 @@
 #include "NiftiOrientation.h"
 
+#include "DecimalText.h"
 #include "Refusal.h"
 
 #include <algorithm>
@@ -69,7 +70,7 @@ void NoteDifference(const std::string& name, int code, const Form& formWorld, co
   if (distance > 0.5 * grid.Spacing.minCoeff())
   {
     notes.push_back("The file's " + name + " (code " + std::to_string(code) +
-                    ") would place voxels up to " + NumberText(distance) +
+                    ") would place voxels up to " + SignificantText(distance) +
                     " mm elsewhere; the other orientation was used, as ITK does.");
   }
 }

@@ -1,5 +1,6 @@
 #include "NrrdHeader.h"
 
+#include "DecimalText.h"
 #include "Refusal.h"
 #include "ZlibCheck.h"
 
@@ -135,8 +136,8 @@ void CheckNrrdLength(const std::filesystem::path& file, double dataBytes)
   if (length < (isText ? dataBytes / 4.0 - 1.0 : dataBytes))
   {
     Refuse(file,
-           "is truncated: its header promises " + NumberText(dataBytes) +
-               " bytes of voxels and there are " + NumberText(length),
+           "is truncated: its header promises " + SignificantText(dataBytes) +
+               " bytes of voxels and there are " + SignificantText(length),
            "copy or export it again");
   }
 }

@@ -19,12 +19,4 @@ void RequireInput(const Status& status, const std::string& about)
     throw InputError((about.empty() ? about : about + ": ") + status.Message());
   }
 }
-
-std::string NumberText(double value)
-{
-  std::ostringstream text;
-  text.imbue(std::locale::classic());
-  text << value;
-  return text.str();
-}
 } // namespace palpate

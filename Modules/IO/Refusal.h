@@ -15,7 +15,4 @@ namespace palpate
 /// Throws InputError with a failure's sentence, after what it is about ("<about>: <sentence>")
 /// unless that is empty. Nothing for a success.
 PALPATEIO_EXPORT void RequireInput(const Status& status, const std::string& about = {});
-
-/// A number for a sentence: six significant digits, no trailing zeros.
-PALPATEIO_EXPORT std::string NumberText(double value);
 } // namespace palpate

@@ -1,5 +1,6 @@
 #include "SegmentLayers.h"
 
+#include "DecimalText.h"
 #include "LabelValues.h"
 #include "MemoryCheck.h"
 #include "Refusal.h"
@@ -63,7 +64,7 @@ void SegmentLayers::AddLayer()
   if (layers > MostLayers || !(layers * bytes <= this->MostBytes))
   {
     Refuse(this->File,
-           "has " + NumberText(layers) + " overlapping layers of " +
+           "has " + SignificantText(layers) + " overlapping layers of " +
                std::to_string(this->Grid.Size[0]) + " x " + std::to_string(this->Grid.Size[1]) +
                " x " + std::to_string(this->Grid.Size[2]) + " voxels, most of them without data",
            "export fewer segments at a time");

@@ -1,5 +1,6 @@
 #include "SliceStack.h"
 
+#include "DecimalText.h"
 #include "Refusal.h"
 
 #include <algorithm>
@@ -75,8 +76,8 @@ bool Fits(const std::vector<double>& distinct, double step)
     largest = std::max(largest, distinct[i] - distinct[i - 1]);
   }
   Refuse(file,
-         "has uneven gaps between its slices (" + NumberText(SmallestGap(distinct)) + " to " +
-             NumberText(largest) + " mm)",
+         "has uneven gaps between its slices (" + SignificantText(SmallestGap(distinct)) + " to " +
+             SignificantText(largest) + " mm)",
          "add the missing slices or resample it");
 }
 
@@ -173,7 +174,7 @@ SliceStack StackSlices(const std::filesystem::path& file, const std::vector<Slic
   const double slicesApart = (distinct.back() - distinct.front()) / step;
   if (distinct.size() > 1 && !(slicesApart < MostSlices))
   {
-    Refuse(file, "has slices that are " + NumberText(slicesApart) + " slice distances apart",
+    Refuse(file, "has slices that are " + SignificantText(slicesApart) + " slice distances apart",
            "export it again, or correct its slice positions");
   }
   SliceStack stack;

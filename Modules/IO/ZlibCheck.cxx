@@ -1,5 +1,6 @@
 #include "ZlibCheck.h"
 
+#include "DecimalText.h"
 #include "Refusal.h"
 
 #include <algorithm>
@@ -79,8 +80,8 @@ void CheckInflatedSize(const std::filesystem::path& file, double packedBytes, do
   if (!(dataBytes <= MostBytesFromByte * packedBytes))
   {
     Refuse(file,
-           "is truncated: its header promises " + NumberText(dataBytes) +
-               " bytes of voxels, and its " + NumberText(packedBytes) +
+           "is truncated: its header promises " + SignificantText(dataBytes) +
+               " bytes of voxels, and its " + SignificantText(packedBytes) +
                " compressed bytes cannot hold them",
            "copy or export it again");
   }

@@ -1,9 +1,12 @@
 #include "DivergingColorMap.h"
 
-#include "CieLabColor.h"
+#include "RoundNumber.h"
+
+#include "vtkMath.h"
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace palpate
 {
@@ -19,13 +22,15 @@ constexpr std::array<std::uint8_t, 3> Grey{{128, 128, 128}};
 // sRGB 0..255 of the colour at `share` of the way from the middle to an end.
 std::array<std::uint8_t, 3> ColorTowards(const Lab& end, double share)
 {
-  const auto mix = [&end, share](std::size_t c) { return White[c] + share * (end[c] - White[c]); };
-  const auto encode = [](double part)
-  { return static_cast<std::uint16_t>(std::lround(part * 65535.0)); };
-  const std::array<double, 3> rgb = CieLabToRgb(
-      {encode(mix(0) / 100.0), encode((mix(1) + 128.0) / 255.0), encode((mix(2) + 128.0) / 255.0)});
+  double lab[3];
+  double rgb[3];
+  for (std::size_t c = 0; c < 3; ++c)
+  {
+    lab[c] = White[c] + share * (end[c] - White[c]);
+  }
+  vtkMath::LabToRGB(lab, rgb);
   std::array<std::uint8_t, 3> color{};
-  std::transform(rgb.begin(), rgb.end(), color.begin(),
+  std::transform(std::begin(rgb), std::end(rgb), color.begin(),
                  [](double c) { return static_cast<std::uint8_t>(std::lround(255.0 * c)); });
   return color;
 }
@@ -43,20 +48,7 @@ DivergingColorMap::DivergingColorMap(double limit) : Range(limit)
 
 double DivergingColorMap::RoundLimit(double size)
 {
-  if (!(size > 0.0) || !std::isfinite(size))
-  {
-    return 1.0;
-  }
-  const double decade = std::pow(10.0, std::floor(std::log10(size)));
-  for (const double step : {1.0, 1.5, 2.0, 3.0, 4.0, 5.0, 6.0, 8.0})
-  {
-    // Rounding must not push a round number one step up.
-    if (step * decade >= size * (1.0 - 1e-12))
-    {
-      return step * decade;
-    }
-  }
-  return 10.0 * decade;
+  return RoundNumberAbove(size, {1.0, 1.5, 2.0, 3.0, 4.0, 5.0, 6.0, 8.0});
 }
 
 std::array<std::uint8_t, 3> DivergingColorMap::ColorOf(double number) const

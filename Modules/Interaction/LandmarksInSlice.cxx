@@ -1,6 +1,7 @@
 #include "LandmarksInSlice.h"
 
-#include "LengthText.h"
+#include "DecimalText.h"
+
 #include "vtkLandmarks.h"
 
 #include "vtkActor.h"
@@ -73,7 +74,7 @@ void AddDistances(vtkLandmarks& landmarks, const SlicePosition& slice, Drawing& 
       const Vector3 a = slice.Projected(start);
       const Vector3 b = slice.Projected(end);
       drawing.Curves.push_back({{a, b}, false});
-      drawing.Labels.push_back({LengthText((end - start).norm(), 1), 0.5 * (a + b)});
+      drawing.Labels.push_back({FixedText((end - start).norm(), 1) + " mm", 0.5 * (a + b)});
     }
   }
 }

@@ -1,6 +1,7 @@
 #include "LandmarksInSpace.h"
 
-#include "LengthText.h"
+#include "DecimalText.h"
+
 #include "vtkLandmarks.h"
 
 #include "vtkActor.h"
@@ -77,7 +78,7 @@ void LandmarksInSpace::Update(vtkLandmarks* landmarks)
     const Vector3 a = labels[static_cast<std::size_t>(from)].PositionWorld;
     const Vector3 b = labels[static_cast<std::size_t>(to)].PositionWorld;
     lines.push_back({{a, b}, false});
-    labels.push_back({LengthText((b - a).norm(), 1), 0.5 * (a + b)});
+    labels.push_back({FixedText((b - a).norm(), 1) + " mm", 0.5 * (a + b)});
   }
   const double* color = landmarks->GetColor();
   this->Places->SetPoints(points);

@@ -1,6 +1,6 @@
 #include "ScaleBar.h"
 
-#include "LengthText.h"
+#include "DecimalText.h"
 #include "ViewText.h"
 
 #include "vtkActor2D.h"
@@ -84,7 +84,7 @@ void ScaleBar::Update(double pixelMillimeters, int width, int height, double poi
   this->Line->SetPoints(points);
   this->Line->SetLines(lines);
   this->Bar->GetProperty()->SetLineWidth(static_cast<float>(0.5 * tick));
-  SetViewText(this->Label, LengthText(this->Length, this->Length < 1.0 ? 3 : 0));
+  SetViewText(this->Label, FixedText(this->Length, this->Length < 1.0 ? 3 : 0) + " mm");
   this->Label->SetPosition(Left, Bottom + 1.5 * tick / height);
 }
 } // namespace palpate

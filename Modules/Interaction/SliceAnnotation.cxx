@@ -1,6 +1,6 @@
 #include "SliceAnnotation.h"
 
-#include "LengthText.h"
+#include "DecimalText.h"
 
 #include "vtkRenderer.h"
 #include "vtkTextActor.h"
@@ -27,7 +27,7 @@ std::string Describe(SliceOrientation orientation, const SliceGeometry& geometry
   }
   const double place = placeWorld.dot(geometry.ForwardWorld);
   const Vector3 side = place < 0.0 ? Vector3(-geometry.ForwardWorld) : geometry.ForwardWorld;
-  return text + "\n" + OrientationLetters(side) + " " + LengthText(std::abs(place), 1);
+  return text + "\n" + OrientationLetters(side) + " " + FixedText(std::abs(place), 1) + " mm";
 }
 } // namespace
 

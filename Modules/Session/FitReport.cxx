@@ -1,6 +1,7 @@
 #include "FitReport.h"
 
 #include "CaseText.h"
+#include "DecimalText.h"
 #include "HtmlText.h"
 #include "ReportCharts.h"
 #include "ReportPage.h"

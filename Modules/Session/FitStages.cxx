@@ -1,9 +1,9 @@
 #include "FitStages.h"
 
+#include "DecimalText.h"
 #include "FilterRun.h"
 #include "FitHints.h"
 #include "FitStructure.h"
-#include "HtmlText.h"
 #include "LimitText.h"
 #include "ModelPlausibility.h"
 #include "ModelTable.h"

@@ -9,7 +9,6 @@ namespace palpate
 {
 namespace
 {
-const char* const Dash = "\xE2\x80\x93";        // en dash, UTF-8
 const char* const Replacement = "\xEF\xBF\xBD"; // U+FFFD, UTF-8
 
 std::string EscapeAscii(char c)
@@ -87,34 +86,6 @@ std::string EscapeHtml(const std::string& text)
     }
   }
   return escaped;
-}
-
-std::string FixedText(double number, int digits)
-{
-  if (!std::isfinite(number))
-  {
-    return Dash;
-  }
-  std::ostringstream text;
-  text.imbue(std::locale::classic());
-  text << std::fixed << std::setprecision(digits) << number;
-  // "-0.00" says less than "0.00".
-  const std::string shown = text.str();
-  return shown.find_first_of("123456789") == std::string::npos && shown.front() == '-'
-             ? shown.substr(1)
-             : shown;
-}
-
-std::string SignificantText(double number, int digits)
-{
-  if (!std::isfinite(number))
-  {
-    return Dash;
-  }
-  std::ostringstream text;
-  text.imbue(std::locale::classic());
-  text << std::setprecision(digits) << number;
-  return text.str();
 }
 
 std::string HtmlTable(const std::string& caption, const HtmlRows& rows)

@@ -13,13 +13,6 @@ namespace palpate
 /// characters are left out.
 PALPATESESSION_EXPORT std::string EscapeHtml(const std::string& text);
 
-/// A number with a fixed count of digits behind the point, independent of the locale; a dash where
-/// it is not finite.
-PALPATESESSION_EXPORT std::string FixedText(double number, int digits);
-
-/// A number with a count of significant digits, in the shortest of plain and exponent form.
-PALPATESESSION_EXPORT std::string SignificantText(double number, int digits);
-
 /// Names and values, not yet escaped.
 using HtmlRows = std::vector<std::pair<std::string, std::string>>;
 

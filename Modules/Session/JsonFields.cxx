@@ -1,5 +1,6 @@
 #include "JsonFields.h"
 
+#include "DecimalText.h"
 #include "Refusal.h"
 
 #include <cmath>
@@ -12,7 +13,7 @@ namespace
 {
 std::string RangeText(double least, double most)
 {
-  return "from " + NumberText(least) + " to " + NumberText(most);
+  return "from " + SignificantText(least) + " to " + SignificantText(most);
 }
 } // namespace
 

@@ -1,6 +1,6 @@
 #include "ModelPlausibility.h"
 
-#include "HtmlText.h"
+#include "DecimalText.h"
 
 #include "vtkDataArray.h"
 #include "vtkPointData.h"

@@ -1,5 +1,6 @@
 #include "ReportIndex.h"
 
+#include "DecimalText.h"
 #include "HtmlText.h"
 #include "ReportPage.h"
 #include "ReportVerdict.h"

@@ -1,6 +1,7 @@
 #include "ReportSlices.h"
 
 #include "AnatomicalView.h"
+#include "DecimalText.h"
 #include "HtmlText.h"
 #include "Picture.h"
 #include "ReportPage.h"

@@ -1,5 +1,6 @@
 #include "ReportTables.h"
 
+#include "DecimalText.h"
 #include "FitSettingsText.h"
 #include "HtmlText.h"
 

@@ -1,6 +1,6 @@
 #include "ReportVerdict.h"
 
-#include "HtmlText.h"
+#include "DecimalText.h"
 
 #include <cstring>
 

@@ -1,8 +1,8 @@
 #include "ReportViews.h"
 
 #include "AnatomicalView.h"
+#include "DecimalText.h"
 #include "DivergingColorMap.h"
-#include "HtmlText.h"
 #include "Picture.h"
 #include "ReportPage.h"
 #include "SoftwareRenderer.h"

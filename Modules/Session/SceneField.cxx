@@ -1,10 +1,10 @@
 #include "SceneField.h"
 
 #include "CaseText.h"
+#include "DecimalText.h"
 #include "FieldOfImage.h"
 #include "FilterRun.h"
 #include "FitHints.h"
-#include "HtmlText.h"
 #include "LabelField.h"
 #include "LabelsOnGrid.h"
 #include "VoxelMinimum.h"

@@ -1,8 +1,8 @@
 #include "SceneIsoSurface.h"
 
+#include "DecimalText.h"
 #include "FilterRun.h"
 #include "IsoSurface.h"
-#include "Refusal.h"
 
 #include "vtkDataArray.h"
 #include "vtkImageData.h"
@@ -96,9 +96,9 @@ vtkSmartPointer<vtkPolyData> MakeIsoSurface(vtkImageData* image, double isoValue
   {
     double range[2] = {};
     image->GetScalarRange(range);
-    throw FilterError("The iso-value " + NumberText(isoValue) +
-                      " gives no surface: the image's values run from " + NumberText(range[0]) +
-                      " to " + NumberText(range[1]) + ".");
+    throw FilterError("The iso-value " + SignificantText(isoValue) +
+                      " gives no surface: the image's values run from " +
+                      SignificantText(range[0]) + " to " + SignificantText(range[1]) + ".");
   }
   MoveToWorld(grid, image, surface);
   return surface;

@@ -2,10 +2,10 @@
 
 #include "BrickFile.h"
 #include "CoarseHarmonicModel.h"
+#include "DecimalText.h"
 #include "FieldContactModel.h"
 #include "FieldProxyTracker.h"
 #include "FilterRun.h"
-#include "HtmlText.h"
 #include "InputError.h"
 #include "OnDemandContactModel.h"
 #include "OnDemandHarmonicModel.h"

@@ -1,6 +1,6 @@
 #include "SliceContour.h"
 
-#include "HtmlText.h"
+#include "DecimalText.h"
 #include "ImageAxes.h"
 #include "SurfaceCut.h"
 

@@ -1,6 +1,8 @@
 #include "SvgChart.h"
 
+#include "DecimalText.h"
 #include "HtmlText.h"
+#include "RoundNumber.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,15 +17,6 @@ constexpr double Right = 380.0;
 constexpr double Top = 14.0;
 constexpr double Bottom = 194.0;
 constexpr int TickGoal = 6;
-
-// The step 1, 2 or 5 times a power of ten that cuts `span` into about TickGoal parts.
-double NiceStep(double span)
-{
-  const double raw = span / TickGoal;
-  const double decade = std::pow(10.0, std::floor(std::log10(raw)));
-  const double mantissa = raw / decade;
-  return decade * (mantissa <= 1.0 ? 1.0 : mantissa <= 2.0 ? 2.0 : mantissa <= 5.0 ? 5.0 : 10.0);
-}
 
 std::string Coordinate(double value)
 {
@@ -104,7 +97,7 @@ private:
   std::vector<double> Steps() const
   {
     std::vector<double> ticks;
-    const double step = NiceStep(this->High - this->Low);
+    const double step = RoundNumberAbove((this->High - this->Low) / TickGoal);
     for (double k = std::ceil(this->Low / step - 1e-9); k * step <= this->High + 1e-9 * step;
          k += 1.0)
     {
@@ -211,7 +204,7 @@ SvgChart::Axis SvgChart::VerticalAxis(const Points& points) const
   }
   else if (most > 0.0)
   {
-    const double step = NiceStep(most);
+    const double step = RoundNumberAbove(most / TickGoal);
     axis.High = step * std::ceil(most / step);
   }
   return axis;

@@ -1,5 +1,6 @@
 #include "TouchPlots.h"
 
+#include "DecimalText.h"
 #include "HtmlText.h"
 #include "WholeFile.h"
 

@@ -1,5 +1,6 @@
 #include "TouchReport.h"
 
+#include "DecimalText.h"
 #include "DrillReport.h"
 #include "HtmlText.h"
 #include "JsonSchema.h"

@@ -1,10 +1,10 @@
 #include "TouchStandIns.h"
 
+#include "DecimalText.h"
 #include "DecimatedSurface.h"
 #include "FacetContactModel.h"
 #include "FieldContactModel.h"
 #include "FilterRun.h"
-#include "HtmlText.h"
 #include "InputError.h"
 #include "OnDemandHarmonicModel.h"
 

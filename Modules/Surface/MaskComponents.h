@@ -1,6 +1,7 @@
 #pragma once
 
 #include "PalpateSurfaceModule.h"
+#include "RunComponents.h"
 #include "VoxelMask.h"
 
 #include <vector>
@@ -21,7 +22,8 @@ public:
   void Keep(int rank, VoxelMask& mask) const;
 
 private:
-  std::vector<int> Labels; ///< 0 outside, else 1 + rank
+  RunSet Runs;
+  std::vector<int> Ranks; ///< of each run's component
   std::vector<long long> Counts;
 };
 

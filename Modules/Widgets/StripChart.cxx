@@ -1,5 +1,6 @@
 #include "StripChart.h"
 
+#include "RoundNumber.h"
 #include "TextContrast.h"
 
 #include <QPainter>
@@ -14,20 +15,6 @@ namespace
 {
 constexpr double Seconds = 5.0;
 constexpr double Headroom = 1.1;
-
-// Up to which round number an axis goes.
-double RoundTop(double largest)
-{
-  const double power = std::pow(10.0, std::floor(std::log10(std::max(largest, 1e-9))));
-  for (const double factor : {1.0, 2.0, 5.0})
-  {
-    if (largest <= factor * power)
-    {
-      return factor * power;
-    }
-  }
-  return 10.0 * power;
-}
 } // namespace
 
 StripChart::StripChart(const QString& title, const QString& unit, const QColor& color,
@@ -113,7 +100,8 @@ void StripChart::paintEvent(QPaintEvent* /*event*/)
   QPainter painter(this);
   const int line = this->fontMetrics().height();
   const QRectF frame = QRectF(this->rect()).adjusted(2.0, line + 2.0, -2.0, -2.0);
-  const double top = RoundTop(Headroom * std::max(this->Largest(), this->Limit));
+  const double top =
+      RoundNumberAbove(std::max(Headroom * std::max(this->Largest(), this->Limit), 1e-9));
   painter.fillRect(frame, this->palette().base());
   const QString now =
       this->Values.empty()

@@ -37,13 +37,27 @@ constexpr int ToldProblem = 77;
 constexpr int CannotBegin = 78;
 constexpr std::uint64_t InputsOfChild = 2000; // limits the effect of leaks in libraries
 
+// Of this process and of the decoders that it has waited for.
 double ProcessorSeconds()
 {
-  rusage usage{};
-  getrusage(RUSAGE_SELF, &usage);
   const auto seconds = [](const timeval& t)
   { return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec); };
-  return seconds(usage.ru_utime) + seconds(usage.ru_stime);
+  double sum = 0.0;
+  for (const auto who : {RUSAGE_SELF, RUSAGE_CHILDREN})
+  {
+    rusage usage{};
+    getrusage(who, &usage);
+    sum += seconds(usage.ru_utime) + seconds(usage.ru_stime);
+  }
+  return sum;
+}
+
+// The largest of all so far, with its program and libraries.
+std::uint64_t DecoderPeakBytes()
+{
+  rusage usage{};
+  getrusage(RUSAGE_CHILDREN, &usage);
+  return static_cast<std::uint64_t>(usage.ru_maxrss) * 1024;
 }
 
 // Peak of resident memory since ForgetPeak, or since the start if the system does not support it.
@@ -160,6 +174,7 @@ void FuzzRun::ReadOne(const InputReader& read, Progress& progress) const
   ForgetPeak();
   const std::uint64_t before = ProcessSize().Resident;
   const std::uint64_t earlierPeak = PeakBytes();
+  const std::uint64_t earlierDecoder = DecoderPeakBytes();
   const double start = ProcessorSeconds();
   LimitAddresses();
   alarm(InputLimits::HangSeconds);
@@ -182,9 +197,17 @@ void FuzzRun::ReadOne(const InputReader& read, Progress& progress) const
   LimitTime(0.0);
   alarm(0);
   const std::uint64_t peak = PeakBytes();
-  const std::uint64_t used = peak > std::max(before, earlierPeak) ? peak - before : 0;
+  const std::uint64_t own = peak > std::max(before, earlierPeak) ? peak - before : 0;
+  const std::uint64_t used =
+      std::max(own, DecoderPeakBytes() > earlierDecoder ? DecoderPeakBytes() : 0);
+  const double seconds = ProcessorSeconds() - start;
   progress.LargestBytes = std::max(progress.LargestBytes, used);
-  progress.LongestSeconds = std::max(progress.LongestSeconds, ProcessorSeconds() - start);
+  progress.LongestSeconds = std::max(progress.LongestSeconds, seconds);
+  if (seconds > InputLimits::Seconds(bytes.size()))
+  {
+    progress.Say("took too much processor time, with its decoder");
+    _exit(ToldProblem);
+  }
   if (used > InputLimits::Bytes(bytes.size()))
   {
     progress.Say(("took " + std::to_string(used >> 20) + " MB of memory").c_str());

@@ -3,7 +3,6 @@
 #include "BinaryFields.h"
 #include "JsonMutator.h"
 #include "MeshFormats.h"
-#include "ModelCsv.h"
 #include "ModelFile.h"
 #include "ModelJson.h"
 #include "RandomModels.h"
@@ -200,17 +199,6 @@ std::vector<std::string> ModelSeeds(const Write& write)
 {
   return {write(SomeModel(false)), write(SomeModel(true))};
 }
-
-Mutator ModelTableMutator()
-{
-  const Mutator text =
-      TextMutator({{"# degree: 1000", "# degree: -1", "# surface: parametric",
-                    "# surface: star-shaped", "# centre_mm: 0 0 0", "# unit: mm", "# version: 2",
-                    "l,m,coefficient_mm", "l,m,x_mm,y_mm,z_mm", "1000,1000,1", "0,0,nan"},
-                   {},
-                   ""});
-  return OneOf({text, text, text, MutateBytes});
-}
 } // namespace
 
 std::vector<FuzzTarget> SurfaceTargets()
@@ -219,27 +207,22 @@ std::vector<FuzzTarget> SurfaceTargets()
       JsonMutator({"format", "version", "surface", "degree", "center_mm", "coefficients_mm", "x",
                    "y", "z", "star-shaped", "parametric", "provenance", "settings"});
   const Mutator coefficients = TextMutator({{}, {{"{", "}"}}, ""});
-  return {
-      {"vtp", "a.vtp", VtpSeeds, VtpMutator(), [] { return SurfaceReader("a.vtp"); }},
-      {"stl", "a.stl", StlSeeds, StlMutator(), [] { return SurfaceReader("a.stl"); }},
-      {"ply", "a.ply", PlySeeds, PlyMutator(), [] { return SurfaceReader("a.ply"); }},
-      {"obj", "a.obj", ObjSeeds, ObjMutator(), [] { return SurfaceReader("a.obj"); }},
-      {"model-json", "a.json",
-       [] {
-         return ModelSeeds([](const ModelDocument& model) { return ModelToJson(model, "a.json"); });
-       },
-       OneOf({json, json, json, MutateBytes}), [] { return ModelReader("a.json"); }},
-      {"model-csv", "a.csv",
-       [] {
-         return ModelSeeds([](const ModelDocument& model) { return ModelToCsv(model, "a.csv"); });
-       },
-       ModelTableMutator(), [] { return ModelReader("a.csv"); }},
-      {"spharm-pdm", "a.coef",
-       []
-       {
-         return ModelSeeds([](const ModelDocument& model)
-                           { return SurfaceToSpharmPdm(model.Surface, "a.coef"); });
-       },
-       OneOf({coefficients, coefficients, MutateBytes}), [] { return ModelReader("a.coef"); }}};
+  return {{"vtp", "a.vtp", VtpSeeds, VtpMutator(), [] { return SurfaceReader("a.vtp"); }},
+          {"stl", "a.stl", StlSeeds, StlMutator(), [] { return SurfaceReader("a.stl"); }},
+          {"ply", "a.ply", PlySeeds, PlyMutator(), [] { return SurfaceReader("a.ply"); }},
+          {"obj", "a.obj", ObjSeeds, ObjMutator(), [] { return SurfaceReader("a.obj"); }},
+          {"model-json", "a.json",
+           [] {
+             return ModelSeeds([](const ModelDocument& model)
+                               { return ModelToJson(model, "a.json"); });
+           },
+           OneOf({json, json, json, MutateBytes}), [] { return ModelReader("a.json"); }},
+          {"spharm-pdm", "a.coef",
+           []
+           {
+             return ModelSeeds([](const ModelDocument& model)
+                               { return SurfaceToSpharmPdm(model.Surface, "a.coef"); });
+           },
+           OneOf({coefficients, coefficients, MutateBytes}), [] { return ModelReader("a.coef"); }}};
 }
 } // namespace palpate::test

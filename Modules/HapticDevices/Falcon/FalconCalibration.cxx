@@ -1,9 +1,9 @@
 #include "FalconCalibration.h"
 
+#include "DecimalText.h"
 #include "FalconKinematics.h"
 
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <fstream>
 #include <iterator>
@@ -51,20 +51,6 @@ std::vector<Entry> EntriesOf(FalconCalibration& c)
           {"carried-mass", &c.CarriedMass, 1.0}};
 }
 
-bool ParseNumber(const std::string& text, double& number)
-{
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-  return error == std::errc() && end == text.data() + text.size() && std::isfinite(number);
-}
-
-// The shortest text that reads back to the same bits.
-std::string NumberText(double number)
-{
-  std::array<char, 32> text{};
-  const auto result = std::to_chars(text.data(), text.data() + text.size(), number);
-  return {text.data(), result.ptr};
-}
-
 // Parses one line; returns an error message, or an empty text on success.
 std::string TakeLine(const std::string& line, const std::vector<Entry>& entries)
 {
@@ -80,12 +66,13 @@ std::string TakeLine(const std::string& line, const std::vector<Entry>& entries)
   {
     if (name == entry.Name)
     {
-      double number = 0.0;
-      if (!(words >> value) || words >> more || !ParseNumber(value, number))
+      const std::optional<double> number =
+          words >> value ? ParseNumber(value) : std::optional<double>();
+      if (!number || words >> more)
       {
         return name + " is not followed by one number";
       }
-      *entry.Value = number * entry.Unit;
+      *entry.Value = *number * entry.Unit;
       return "";
     }
   }
@@ -124,7 +111,7 @@ std::string TextOf(const FalconCalibration& calibration)
   std::string text = std::string(Head) + "\n";
   for (const Entry& entry : EntriesOf(copy))
   {
-    text += std::string(entry.Name) + " " + NumberText(*entry.Value / entry.Unit) + "\n";
+    text += std::string(entry.Name) + " " + ExactText(*entry.Value / entry.Unit) + "\n";
   }
   return text;
 }

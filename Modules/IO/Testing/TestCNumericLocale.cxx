@@ -130,10 +130,7 @@ std::map<std::string, std::string> ReadAllOf(const TemporaryFolder& folder,
   {
     bits[name] = BitsOf(ReadSurface(folder / name));
   }
-  for (const char* name : {"a.json", "a.csv"})
-  {
-    bits[name] = BitsOf(ReadModel(folder / name));
-  }
+  bits["a.json"] = BitsOf(ReadModel(folder / "a.json"));
   const ModelDocument document = ReadModel(folder / "a.coef");
   for (const int coordinate : {0, 1, 2})
   {

@@ -1,5 +1,6 @@
 #include "FileSizeLimit.h"
 #include "InputError.h"
+#include "MessageOf.h"
 #include "ModelFile.h"
 #include "RandomModels.h"
 #include "TemporaryFolder.h"
@@ -14,7 +15,7 @@ TEST(ModelFile, EndingChoosesTheFormat)
   const TemporaryFolder folder;
   std::mt19937_64 random(1);
   const ModelDocument document{RandomModel(random, 3), {}};
-  for (const char* name : {"a.json", "a.csv", "a.JSON"})
+  for (const char* name : {"a.json", "a.JSON"})
   {
     WriteModel(folder / name, document);
     const ModelDocument back = ReadModel(folder / name);
@@ -23,6 +24,16 @@ TEST(ModelFile, EndingChoosesTheFormat)
   WriteModel(folder / "a.coef", document);
   const ModelDocument back = ReadModel(folder / "a.coef");
   EXPECT_TRUE(std::holds_alternative<ParametricSphericalSurface>(back.Surface));
+}
+
+TEST(ModelFile, TablesAreWrittenAndNotRead)
+{
+  const TemporaryFolder folder;
+  std::mt19937_64 random(1);
+  WriteModel(folder / "a.csv", {RandomModel(random, 3), {}});
+  EXPECT_NE(ReadAll(folder / "a.csv").find("l,m,coefficient_mm"), std::string::npos);
+  EXPECT_TRUE(Contains(MessageOf([&] { ReadModel(folder / "a.csv"); }),
+                       "which is written and not read; give the model.json"));
 }
 
 TEST(ModelFile, OtherEndingIsRefused)

@@ -1,7 +1,5 @@
 #include "ScaleBar.h"
 
-#include "LengthText.h"
-
 #include <cmath>
 #include <gtest/gtest.h>
 
@@ -31,10 +29,4 @@ TEST(ScaleBar, TheBarIsShorterThanAThirdOfTheViewAndNotMuchShorter)
     EXPECT_LT(bar.LengthMillimeters() / pixel, 640.0 / 3.0);
     EXPECT_GT(bar.LengthMillimeters() / pixel, 640.0 * 0.3 * 0.4 - 1e-9);
   }
-}
-
-TEST(LengthText, HasPointsAndUnit)
-{
-  EXPECT_EQ(palpate::LengthText(12.345, 1), "12.3 mm");
-  EXPECT_EQ(palpate::LengthText(-3.0, 0), "-3 mm");
 }

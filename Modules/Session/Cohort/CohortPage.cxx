@@ -1,6 +1,7 @@
 #include "CohortPage.h"
 
 #include "AnatomicalView.h"
+#include "DecimalText.h"
 #include "DivergingColorMap.h"
 #include "HtmlText.h"
 #include "ModelSurface.h"

@@ -1,5 +1,6 @@
 #include "DrillReport.h"
 
+#include "DecimalText.h"
 #include "HtmlText.h"
 #include "ReportPage.h"
 #include "SvgChart.h"

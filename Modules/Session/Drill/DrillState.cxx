@@ -1,6 +1,7 @@
 #include "DrillState.h"
 
 #include "ContentDigest.h"
+#include "DecimalText.h"
 #include "InputError.h"
 #include "JsonFields.h"
 #include "JsonText.h"
@@ -53,7 +54,7 @@ std::string DigestOf(const DrillBench& bench, std::size_t site)
   digest.Add(AsBytes(grid.OriginWorld().data(), 3));
   digest.Add(AsBytes(grid.Spacing().data(), 3));
   digest.Add(std::to_string(source.Label.value_or(-1)));
-  digest.Add(NumberText(bench.Editor().Site(static_cast<int>(site)).Condition().Iso));
+  digest.Add(SignificantText(bench.Editor().Site(static_cast<int>(site)).Condition().Iso));
   return digest.Text();
 }
 

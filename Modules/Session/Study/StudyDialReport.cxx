@@ -1,6 +1,6 @@
 #include "StudyDialReport.h"
 
-#include "HtmlText.h"
+#include "DecimalText.h"
 
 #include <algorithm>
 

@@ -1,11 +1,8 @@
 #include "HtmlText.h"
 
 #include <gtest/gtest.h>
-#include <limits>
 
 using palpate::EscapeHtml;
-using palpate::FixedText;
-using palpate::SignificantText;
 
 TEST(HtmlText, MarkupAndQuotesLoseTheirMeaning)
 {
@@ -26,24 +23,6 @@ TEST(HtmlText, Utf8StaysAndWhatIsNoneIsReplaced)
 TEST(HtmlText, ControlCharactersAreLeftOutAndLineBreaksBecomeSpaces)
 {
   EXPECT_EQ(EscapeHtml(std::string("a\0b\x01\x1B[31mc\nd\x7F", 12)), "ab[31mc d");
-}
-
-TEST(HtmlText, NumbersThatAreNotFiniteAreADash)
-{
-  const std::string dash = "\xE2\x80\x93";
-  EXPECT_EQ(FixedText(std::numeric_limits<double>::quiet_NaN(), 2), dash);
-  EXPECT_EQ(FixedText(-std::numeric_limits<double>::infinity(), 2), dash);
-  EXPECT_EQ(SignificantText(std::numeric_limits<double>::quiet_NaN(), 2), dash);
-}
-
-TEST(HtmlText, NumbersHaveTheDigitsAskedFor)
-{
-  EXPECT_EQ(FixedText(3.14159, 2), "3.14");
-  EXPECT_EQ(FixedText(-0.001, 2), "0.00");
-  EXPECT_EQ(FixedText(-0.01, 2), "-0.01");
-  EXPECT_EQ(FixedText(12345.6, 0), "12346");
-  EXPECT_EQ(SignificantText(0.000123456, 3), "0.000123");
-  EXPECT_EQ(SignificantText(5.0, 4), "5");
 }
 
 TEST(HtmlText, TablesEscapeNamesAndValues)

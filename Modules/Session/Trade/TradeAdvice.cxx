@@ -1,7 +1,6 @@
 #include "TradeAdvice.h"
 
 #include "DecimalText.h"
-#include "HtmlText.h"
 #include "InputError.h"
 #include "LimitText.h"
 

@@ -1,5 +1,6 @@
 #include "TradePage.h"
 
+#include "DecimalText.h"
 #include "HtmlText.h"
 #include "ReportPage.h"
 #include "SoftwareVersions.h"

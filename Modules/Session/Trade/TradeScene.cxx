@@ -1,6 +1,7 @@
 #include "TradeScene.h"
 
 #include "ContentDigest.h"
+#include "DecimalText.h"
 #include "FilterRun.h"
 #include "FitStructure.h"
 #include "InputError.h"
@@ -28,7 +29,7 @@ public:
     if (asked.Iso)
     {
       this->Add(asked, CaseNameOf(file), TradeSource::Image{this->Files.VolumeOf(file), *asked.Iso},
-                "iso " + NumberText(*asked.Iso));
+                "iso " + SignificantText(*asked.Iso));
     }
     else if (IsModelFile(file))
     {

@@ -15,6 +15,20 @@ std::string Shortest(Real value)
   return std::string(text, end.ptr);
 }
 
+// As printf does it with these digits.
+std::string Rounded(double value, std::chars_format format, int digits)
+{
+  if (!std::isfinite(value))
+  {
+    return "\xE2\x80\x93"; // en dash, UTF-8
+  }
+  // Digits of the largest double before the point, its sign, the point, and those after it.
+  std::string text(310 + 2 + static_cast<std::size_t>(digits), '\0');
+  const auto end = std::to_chars(text.data(), text.data() + text.size(), value, format, digits);
+  text.resize(static_cast<std::size_t>(end.ptr - text.data()));
+  return text;
+}
+
 std::string_view Trimmed(std::string_view text)
 {
   const char* blanks = " \t\r\n";
@@ -41,6 +55,18 @@ std::string ExactText(double value)
 std::string ExactText(float value)
 {
   return Shortest(value);
+}
+
+std::string FixedText(double value, int decimals)
+{
+  const std::string text = Rounded(value, std::chars_format::fixed, decimals);
+  const bool isZero = text.front() == '-' && text.find_first_of("123456789") == std::string::npos;
+  return isZero ? text.substr(1) : text;
+}
+
+std::string SignificantText(double value, int digits)
+{
+  return Rounded(value, std::chars_format::general, digits);
 }
 
 std::optional<double> ParseNumber(std::string_view text)

@@ -7,8 +7,10 @@
 #include <random>
 
 using palpate::ExactText;
+using palpate::FixedText;
 using palpate::ParseInteger;
 using palpate::ParseNumber;
+using palpate::SignificantText;
 
 namespace
 {
@@ -70,4 +72,25 @@ TEST(DecimalText, AnythingElseIsNoNumber)
   {
     EXPECT_FALSE(ParseInteger(text)) << text;
   }
+}
+
+TEST(DecimalText, NumbersThatAreNotFiniteAreADash)
+{
+  const std::string dash = "\xE2\x80\x93";
+  EXPECT_EQ(FixedText(std::numeric_limits<double>::quiet_NaN(), 2), dash);
+  EXPECT_EQ(FixedText(-std::numeric_limits<double>::infinity(), 2), dash);
+  EXPECT_EQ(SignificantText(std::numeric_limits<double>::quiet_NaN(), 2), dash);
+}
+
+TEST(DecimalText, NumbersHaveTheDigitsAskedFor)
+{
+  EXPECT_EQ(FixedText(3.14159, 2), "3.14");
+  EXPECT_EQ(FixedText(-0.001, 2), "0.00");
+  EXPECT_EQ(FixedText(-0.01, 2), "-0.01");
+  EXPECT_EQ(FixedText(12345.6, 0), "12346");
+  EXPECT_EQ(FixedText(std::numeric_limits<double>::max(), 1).size(), 309U + 2U);
+  EXPECT_EQ(SignificantText(0.000123456, 3), "0.000123");
+  EXPECT_EQ(SignificantText(5.0, 4), "5");
+  EXPECT_EQ(SignificantText(1e7), "1e+07");
+  EXPECT_EQ(SignificantText(4.294836225), "4.29484");
 }

@@ -1,5 +1,6 @@
 #include "RunComponents.h"
 
+#include <algorithm>
 #include <numeric>
 #include <tuple>
 
@@ -67,6 +68,43 @@ void JoinWithRows(const RunSet& set, int dy, int dz, int reach, DisjointSets& se
     }
   }
 }
+
+// What lies between the runs of each row. Outside of a row's first and last run the way out of the
+// image is free of the structure.
+RunSet GapsOf(const RunSet& set)
+{
+  RunSet gaps;
+  for (std::size_t row = 0; row < set.Rows().size(); ++row)
+  {
+    for (std::size_t run = set.Rows()[row].Start + 1; run < set.RowEnd(row); ++run)
+    {
+      gaps.Add({set.Runs()[run - 1].End, set.Runs()[run].First}, set.Rows()[row].Y,
+               set.Rows()[row].Z);
+    }
+  }
+  return gaps;
+}
+
+// Sets the sizes of components of gaps to zero that meet what is outside of the row that lies so
+// far from theirs.
+void RemoveOpen(const RunSet& set, const RunSet& gaps, const std::vector<int>& components, int dy,
+                int dz, std::vector<long long>& sizes)
+{
+  RowCursor cursor(set);
+  for (std::size_t row = 0; row < gaps.Rows().size(); ++row)
+  {
+    const std::size_t other = cursor.Find(gaps.Rows()[row].Y + dy, gaps.Rows()[row].Z + dz);
+    const bool isFree = other == set.Rows().size();
+    for (std::size_t gap = gaps.Rows()[row].Start; gap < gaps.RowEnd(row); ++gap)
+    {
+      if (isFree || gaps.Runs()[gap].First <= set.Runs()[set.Rows()[other].Start].First ||
+          gaps.Runs()[gap].End >= set.Runs()[set.RowEnd(other) - 1].End)
+      {
+        sizes[static_cast<std::size_t>(components[gap])] = 0;
+      }
+    }
+  }
+}
 } // namespace
 
 void RunSet::Add(const RowRun& run, int y, int z)
@@ -109,5 +147,35 @@ std::vector<int> LabelRunComponents(const RunSet& set, Neighborhood neighborhood
     components[run] = root == run ? next++ : components[root];
   }
   return components;
+}
+
+std::vector<long long> ComponentVoxels(const RunSet& set, const std::vector<int>& components)
+{
+  std::vector<long long> sizes;
+  for (std::size_t run = 0; run < components.size(); ++run)
+  {
+    const auto component = static_cast<std::size_t>(components[run]);
+    sizes.resize(std::max(sizes.size(), component + 1), 0);
+    sizes[component] += set.Runs()[run].End - set.Runs()[run].First;
+  }
+  return sizes;
+}
+
+RunGaps FindCavities(const RunSet& set)
+{
+  RunGaps gaps{GapsOf(set), {}, {}};
+  gaps.Components = LabelRunComponents(gaps.Set, Neighborhood::FacesEdgesCorners);
+  gaps.CavityVoxels = ComponentVoxels(gaps.Set, gaps.Components);
+  for (int dz = -1; dz <= 1; ++dz)
+  {
+    for (int dy = -1; dy <= 1; ++dy)
+    {
+      if (dy != 0 || dz != 0)
+      {
+        RemoveOpen(set, gaps.Set, gaps.Components, dy, dz, gaps.CavityVoxels);
+      }
+    }
+  }
+  return gaps;
 }
 } // namespace palpate

@@ -1,7 +1,5 @@
 #pragma once
 
-#include "PalpateIOModule.h"
-
 #include <cstddef>
 #include <vector>
 
@@ -22,7 +20,7 @@ struct RowRun
 };
 
 /// A set of voxels, row by row; only rows that have some.
-class PALPATEIO_EXPORT RunSet
+class RunSet
 {
 public:
   struct Row
@@ -49,7 +47,7 @@ private:
 };
 
 /// Finds rows of a set that are asked for in rising order of z and y: in all, one pass.
-class PALPATEIO_EXPORT RowCursor
+class RowCursor
 {
 public:
   explicit RowCursor(const RunSet& set) : Set(&set) {}
@@ -63,5 +61,21 @@ private:
 
 /// The component of each run, from 0, numbered by their first runs. Union-find over runs of
 /// adjacent rows: linear in the number of runs, whatever their length.
-PALPATEIO_EXPORT std::vector<int> LabelRunComponents(const RunSet& set, Neighborhood neighborhood);
+std::vector<int> LabelRunComponents(const RunSet& set, Neighborhood neighborhood);
+
+/// Voxels of each component.
+std::vector<long long> ComponentVoxels(const RunSet& set, const std::vector<int>& components);
+
+/// The voxels between the runs of a set's rows, by components of 26 neighbours.
+struct RunGaps
+{
+  RunSet Set;
+  std::vector<int> Components; ///< of each run
+  /// Of each component; 0 for one that is joined to the outside of all rows, and is no cavity.
+  std::vector<long long> CavityVoxels;
+};
+
+/// The cavities of a set: what lies between its runs and from where no path over faces, edges or
+/// corners of voxels that are not the set's leads away from it.
+RunGaps FindCavities(const RunSet& set);
 } // namespace palpate
