@@ -29,8 +29,8 @@ failed=
 under asan-ubsan NumericsTests FieldTests HapticsTests ServoTests IOTests FuzzTests
 cmake --build --preset asan-ubsan --parallel "$(nproc)" --target PalpateFuzz
 under tsan RealtimeTests ServoTests \
-  FieldTests:FieldThreads FieldTests:EditedField FieldTests:FieldVersions \
-  HapticsTests:OnDemand HapticsTests:ServoDrill HapticsTests:ServoHandover HapticsTests:DrillEditor
+  FieldTests:FieldThreads FieldTests:EditedField \
+  HapticsTests:ServoDrill HapticsTests:ServoHandover HapticsTests:DrillEditor
 if [ -n "$failed" ]; then
   echo "Failed:$failed" >&2
   exit 1

@@ -33,27 +33,6 @@ trackers and index; *process* is by how much it grew while the scene was made. T
 median over two seconds of touch. Cubes are made of 6³ voxels, sub-voxel; AAL is mricron's atlas.
 """
 
-ON_DEMAND = """## Bricks where the tool goes
-
-The bone of a CT of 512³ voxels of 0.8 mm, touched and not seen, stroked by a ball of 2 mm at 90 mm/s for 5 s. With `"memory_mb"` only
-the bricks round the tool are in memory, their records in a file without a name, and a coarse field beneath. *Felt by* is what
-`palpate scene explain` counts; *process* is by how much it grew while the scene was made, which
-itself takes the whole field for a moment. *Different* are ticks that differ in any bit from those of the whole field on the
-same path, and by how much; *coarse* are ticks in which the tool was faster than its bricks; *versions* and *bricks read*
-are what the stroke took.
-"""
-
-DEGREES = """## Degrees where the tool goes
-
-Those of AAL's 116 structures that can be felt by harmonics of degree 12 ({structures}, fitted without a limit of what is hidden), all touched, stroked by a
-ball of 2 mm at 90 mm/s for 20 s. With `"memory_mb"` each keeps its coefficients and a coarse body of degree 4; the model, its
-stand-ins and their trackers are made when the tool comes near. *Kept* is what is there all the time, trackers included, *most at hand* what was there beside
-it at most at once; *process* is by how much it grew for scene and stroke together. *Different* are ticks that differ in any bit from those of all in memory on
-the same path; *coarse* are ticks that touched a coarse body; *brought* are structures that were made in that stroke. The budget counts
-without the servo's followers and its index.
-"""
-
-
 def row(*cells):
     return "| " + " | ".join(map(str, cells)) + " |"
 
@@ -81,28 +60,6 @@ def scenes(entries):
                   "servo", "process", "tick, median"], rows)
 
 
-def on_demand(entries):
-    rows = [row(e["interpolation"],
-                "all" if e["budget_mb"] is None else f"{e['budget_mb']:.1f} MB",
-                f"{e['bytes'] / 1e6:.1f} MB", f"{e['resident_mib']:.0f} MiB",
-                f"{e['make_s']:.1f} s", f"{e['tick_us']:.2f} µs",
-                f"{e['different']:,} of {e['ticks']:,}, {e['largest_n']:.3g} N", f"{e['coarse']:,}",
-                f"{e['versions']:,}" if e["versions"] else "–",
-                f"{e['reads']:,}" if e["versions"] else "–") for e in entries]
-    return table(["interpolation", "budget", "felt by", "process", "made in", "tick, median",
-                  "different", "coarse", "versions", "bricks read"], rows)
-
-
-def degrees(entries):
-    rows = [row("all" if e["budget_mb"] is None else f"{e['budget_mb']:.0f} MB",
-                f"{e['kept'] / 1e6:.1f} MB",
-                "–" if e["budget_mb"] is None else f"{e['most'] / 1e6:.1f} MB",
-                f"{e['resident_mib']:.0f} MiB",
-                f"{e['different']:,} of {e['ticks']:,}", f"{e['coarse']:,}",
-                "–" if e["budget_mb"] is None else f"{e['brought']:,}") for e in entries]
-    return table(["budget", "kept", "most at hand", "process", "different", "coarse", "brought"], rows)
-
-
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("measured", type=pathlib.Path)
@@ -113,11 +70,7 @@ def main():
     growth = 100 * (medians[10000] / medians[1] - 1)
     parts = [INTRODUCTION.format(machine=measured["machine"], compiler=measured["compiler"],
                                  strokes=20, growth=growth),
-             ticks(measured["ticks"]), SCENES, scenes(measured["scenes"]),
-             ON_DEMAND, on_demand(measured["on_demand"])]
-    if measured["degrees"]:
-        parts += [DEGREES.format(structures=measured["degrees"][0]["structures"]),
-                  degrees(measured["degrees"])]
+             ticks(measured["ticks"]), SCENES, scenes(measured["scenes"])]
     arguments.page.write_text("\n".join(parts))
 
 

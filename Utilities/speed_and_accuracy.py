@@ -158,14 +158,14 @@ def aims(entries):
 
 
 def name_of(entry):
-    return f"{entry['formulation']}, {entry['precision']}, {entry['calls']}"
+    return f"{entry['formulation']}, {entry['calls']}"
 
 
 def trade_table(entries):
-    rows = [row(e["degree"], e["formulation"], e["precision"], e["calls"], time_text(e["ns"]),
+    rows = [row(e["degree"], e["formulation"], e["calls"], time_text(e["ns"]),
                 f"{e['rounding_mm']:.1e}", f"{e['lost_rms_mm']:.2g}", f"{e['lost_maximum_mm']:.2g}")
             for e in entries]
-    return table(["degree", "formulation", "precision", "calls", "time", "rounding, mm",
+    return table(["degree", "formulation", "calls", "time", "rounding, mm",
                   "shape lost: RMS, mm", "at most, mm"], rows)
 
 
@@ -174,11 +174,10 @@ def draw(entries, file):
     for name in dict.fromkeys(map(name_of, entries)):
         series = [e for e in entries if name_of(e) == name]
         times = [e["ns"] for e in series]
-        style = "--" if "float" in name else "-"
         marker = "s" if "batch" in name else "o"
-        shape.loglog(times, [e["lost_rms_mm"] for e in series], style, marker=marker, label=name)
-        rounding.loglog(times, [e["rounding_mm"] for e in series], style, marker=marker, label=name)
-        for e in series if name.endswith("double, one") else []:
+        shape.loglog(times, [e["lost_rms_mm"] for e in series], "-", marker=marker, label=name)
+        rounding.loglog(times, [e["rounding_mm"] for e in series], "-", marker=marker, label=name)
+        for e in series if name.endswith(", one") else []:
             shape.annotate(e["degree"], (e["ns"], e["lost_rms_mm"]), textcoords="offset points",
                            xytext=(6, 3), fontsize=8)
     shape.set_title("what a degree costs and brings (numbers: the degree)", fontsize=9)

@@ -7,10 +7,10 @@
 #include "InputError.h"
 #include "Interruption.h"
 #include "JsonSchema.h"
+#include "SceneBuilder.h"
+#include "SceneFile.h"
 #include "ScreenText.h"
 #include "TextTable.h"
-#include "TouchSceneFile.h"
-#include "TouchStructures.h"
 
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
@@ -23,16 +23,10 @@ namespace
 using JsonObject = nlohmann::ordered_json;
 
 constexpr double Kilo = 1e3;
-constexpr double Mega = 1e6;
 
 std::string KilobytesOf(const SceneItem& item)
 {
   return FixedText(static_cast<double>(item.Bytes) / Kilo, 1) + " kB";
-}
-
-std::string MegabytesOf(std::uintmax_t bytes)
-{
-  return FixedText(static_cast<double>(bytes) / Mega, 1) + " MB";
 }
 
 std::string MillisecondsOf(const SceneItem& item)
@@ -110,17 +104,7 @@ std::string TextOf(const SceneAccount& account)
            KilobytesOf(item) + ", " + MillisecondsOf(item) + "\n";
   };
   const std::size_t structures = account.Structures.size();
-  const std::string budget =
-      account.MemoryBudget > 0
-          ? "Harmonics, and fields that are not drawn, share " + MegabytesOf(account.MemoryBudget) +
-                " to be touched: what does not fit is in memory only round the tool.\n"
-          : "";
-  const std::string near = account.HarmonicsRoom > 0
-                               ? "Harmonics that are near it may take " +
-                                     MegabytesOf(account.HarmonicsRoom) + " of that at once.\n"
-                               : "";
-  return table.Text() + budget + near +
-         sentence(totals.Read, account.Files.size(), "files read", totals.Reading) +
+  return table.Text() + sentence(totals.Read, account.Files.size(), "files read", totals.Reading) +
          sentence(totals.Touched, structures, "structures to be touched", totals.Contacts) +
          sentence(totals.Seen, structures, "structures to be seen", totals.Drawings);
 }
@@ -159,8 +143,6 @@ JsonObject AsJson(const SceneAccount& account)
           {"files", files},
           {"structures", structures},
           {"servo", AsJson(account.Servo)},
-          {"memory_budget_bytes", account.MemoryBudget},
-          {"harmonics_room_bytes", account.HarmonicsRoom},
           {"total",
            {{"read", SumAsJson(totals.Read, totals.Reading)},
             {"touch", SumAsJson(totals.Touched, totals.Contacts)},
@@ -190,9 +172,9 @@ int SceneCommand::Run(Console& console)
   const Interruption interruption;
   try
   {
-    const TouchSettings settings = ReadTouchScene(this->Input);
-    TouchStructures made = MakeTouchStructures(settings, !this->IsUnseen, ProgressOn(console));
-    made.Account.Servo = AccountForServo(made, settings);
+    const SceneSettings settings = ReadScene(this->Input);
+    BuiltScene made = BuildScene(settings, !this->IsUnseen, ProgressOn(console));
+    made.Account.Servo = AccountForServo(made);
     console.EndProgress();
     console.Output()
         << (this->Json

@@ -28,9 +28,9 @@ namespace
 using Kind = StudyStepState::Kind;
 using JsonObject = nlohmann::ordered_json;
 
-constexpr std::array<StudyStep, 6> StructureSteps{StudyStep::Surface, StudyStep::Samples,
-                                                  StudyStep::Model,   StudyStep::Field,
-                                                  StudyStep::Touch,   StudyStep::Protection};
+constexpr std::array<SceneStep, 6> StructureSteps{SceneStep::Surface, SceneStep::Samples,
+                                                  SceneStep::Model,   SceneStep::Field,
+                                                  SceneStep::Touch,   SceneStep::Protection};
 
 bool ShowStep(const StudyStepState& state, const std::string& title, Console& console)
 {
@@ -45,23 +45,22 @@ bool ShowStep(const StudyStepState& state, const std::string& title, Console& co
 void ShowProgress(Study& study, Console& console)
 {
   const StudyPipeline& pipeline = study.Pipeline();
-  for (const StudyStep step : {StudyStep::Volume, StudyStep::Segmentation})
+  for (const SceneStep step : {SceneStep::Volume, SceneStep::Segmentation})
   {
     if (ShowStep(pipeline.StateOf(step), NameOf(step), console))
     {
       return;
     }
   }
-  const std::vector<StudyStructure>& structures = study.State().Structures;
-  for (const StudyStep step :
-       {StudyStep::Surface, StudyStep::Samples, StudyStep::Model, StudyStep::Field,
-        StudyStep::Protection, StudyStep::Touch, StudyStep::Cost, StudyStep::Trade})
+  const std::vector<SceneStructure>& structures = study.State().Structures;
+  for (const SceneStep step :
+       {SceneStep::Surface, SceneStep::Samples, SceneStep::Model, SceneStep::Field,
+        SceneStep::Protection, SceneStep::Touch, SceneStep::Cost})
   {
     for (std::size_t s = 0; s < structures.size(); ++s)
     {
       const std::string title = CountedCase(s + 1, structures.size(), TitleOf(structures[s]));
-      if (ShowStep(pipeline.StateOf(step, structures[s].Label), title + ": " + NameOf(step),
-                   console))
+      if (ShowStep(pipeline.StateOf(step, structures[s].Id), title + ": " + NameOf(step), console))
       {
         return;
       }
@@ -93,51 +92,37 @@ struct Line
   std::vector<std::string> Sentences;
   bool IsLost = false;
   std::optional<double> TickMicroseconds; ///< of the servo, where it was measured
-  std::optional<double> ErrorMillimeters; ///< of what is felt, where the dial had it measured
 };
 
-Line LineOf(StudyStep step, const StudyStepState& state)
+Line LineOf(SceneStep step, const StudyStepState& state)
 {
   const bool isLost = state.Is == Kind::Failed;
-  return {NameOf(step),
-          NameOf(state.Is),
-          {},
-          isLost ? std::vector{state.Sentence} : std::vector<std::string>{},
-          isLost,
-          {},
-          {}};
+  return {NameOf(step), NameOf(state.Is),
+          {},           isLost ? std::vector{state.Sentence} : std::vector<std::string>{},
+          isLost,       {}};
 }
 
-// What it costs a tick, and how true it is expected to be, as far as that was measured.
-void AddMeasures(const StudyStructure& structure, Study& study, Line& line)
+// What it costs a tick, once that was measured.
+void AddMeasures(const SceneStructure& structure, Study& study, Line& line)
 {
   const StudyPipeline& pipeline = study.Pipeline();
-  const auto cost = pipeline.Newest<TouchCost>(StudyStep::Cost, structure.Label);
+  const auto cost = pipeline.Newest<TouchCost>(SceneStep::Cost, structure.Id);
   if (cost != nullptr && cost->Ticks > 0)
   {
     line.TickMicroseconds = 1e-3 * cost->MedianNanoseconds;
     line.Says += "; " + FixedText(*line.TickMicroseconds, 2) + " us a tick";
   }
-  const auto trade = pipeline.Newest<StudyTrade>(StudyStep::Trade, structure.Label);
-  const TradeRow* row = trade != nullptr
-                            ? RowOf(*trade, FeelOf(study.State(), structure, trade.get()).Rung)
-                            : nullptr;
-  if (row != nullptr)
-  {
-    line.ErrorMillimeters = row->SurfaceMean;
-    line.Says += "; " + FixedText(*line.ErrorMillimeters, 3) + " mm off expected";
-  }
 }
 
 // What is felt or seen of it is what counts: a model that was refused has a field in its place.
-Line LineOf(const StudyStructure& structure, Study& study)
+Line LineOf(const SceneStructure& structure, Study& study)
 {
   const StudyPipeline& pipeline = study.Pipeline();
-  Line line{TitleOf(structure), NameOf(Kind::NotWanted), {}, {}, false, {}, {}};
+  Line line{TitleOf(structure), NameOf(Kind::NotWanted), {}, {}, false, {}};
   std::set<std::string> said;
-  for (const StudyStep step : StructureSteps)
+  for (const SceneStep step : StructureSteps)
   {
-    const StudyStepState found = pipeline.StateOf(step, structure.Label);
+    const StudyStepState found = pipeline.StateOf(step, structure.Id);
     if (found.Is != Kind::NotWanted)
     {
       line.State = NameOf(found.Is);
@@ -148,18 +133,18 @@ Line LineOf(const StudyStructure& structure, Study& study)
       line.Sentences.push_back(found.Sentence);
     }
   }
-  if (const auto contact = pipeline.Newest<TouchContact>(StudyStep::Touch, structure.Label))
+  if (const auto contact = pipeline.Newest<TouchContact>(SceneStep::Touch, structure.Id))
   {
     line.Says = contact->Represented;
   }
-  const auto fit = pipeline.Newest<FitResult>(StudyStep::Model, structure.Label);
+  const auto fit = pipeline.Newest<FitResult>(SceneStep::Model, structure.Id);
   if (fit != nullptr && fit->State == FitResult::Outcome::Fitted)
   {
     line.Says += (line.Says.empty() ? "" : "; ") + std::string("Dice ") + FixedText(fit->Dice, 4) +
                  ", mean distance to the mask " + FixedText(fit->ModelToMask.Mean, 3) + " mm";
   }
   AddMeasures(structure, study, line);
-  if (structure.IsVisible && structure.Appearance != StudyAppearance::Automatic)
+  if (structure.IsVisible && structure.Appearance != SceneAppearance::Automatic)
   {
     line.Says +=
         (line.Says.empty() ? "" : "; ") + std::string("shown as ") + NameOf(structure.Appearance);
@@ -170,7 +155,7 @@ Line LineOf(const StudyStructure& structure, Study& study)
 std::vector<Line> LinesOf(Study& study)
 {
   std::vector<Line> lines;
-  for (const StudyStep step : {StudyStep::Volume, StudyStep::Segmentation, StudyStep::Tool})
+  for (const SceneStep step : {SceneStep::Volume, SceneStep::Segmentation, SceneStep::Tool})
   {
     const StudyStepState state = study.Pipeline().StateOf(step);
     if (state.Is != Kind::NotWanted)
@@ -178,7 +163,7 @@ std::vector<Line> LinesOf(Study& study)
       lines.push_back(LineOf(step, state));
     }
   }
-  for (const StudyStructure& structure : study.State().Structures)
+  for (const SceneStructure& structure : study.State().Structures)
   {
     lines.push_back(LineOf(structure, study));
   }
@@ -200,10 +185,6 @@ void Print(const std::vector<Line>& lines, bool asJson, Console& console)
       if (line.TickMicroseconds)
       {
         object["tick_us"] = *line.TickMicroseconds;
-      }
-      if (line.ErrorMillimeters)
-      {
-        object["error_mm"] = *line.ErrorMillimeters;
       }
       console.Output() << object.dump(-1, ' ', false, JsonObject::error_handler_t::replace) << '\n';
     }

@@ -15,10 +15,10 @@
 #include "JsonSchema.h"
 #include "OutputFolder.h"
 #include "OutputNames.h"
+#include "SceneFile.h"
 #include "ScreenText.h"
 #include "SurfaceFile.h"
 #include "TouchReport.h"
-#include "TouchSceneFile.h"
 #include "TouchView.h"
 
 #include <CLI/CLI.hpp>
@@ -102,9 +102,6 @@ void TouchCommand::DeclareStructure(CLI::App& app)
       ->capture_default_str();
   app.add_option("--mode", this->Mode, "Of harmonics: nearest point, or the published radial law")
       ->check(CLI::IsMember({"nearest", "radial"}))
-      ->capture_default_str();
-  app.add_option("--precision", this->Precision, "Of the evaluation of harmonics: double, or float")
-      ->check(CLI::IsMember({"double", "float"}))
       ->capture_default_str();
   app.add_option("--interpolation", this->Interpolation,
                  "Between voxels: linear, or cubic (smoother, slower)")
@@ -198,31 +195,29 @@ void TouchCommand::DeclareOptions(CLI::App& app)
   app.add_flag("--json", this->Json, "The summary as one JSON object on standard output");
 }
 
-TouchSettings TouchCommand::Settings() const
+SceneSettings TouchCommand::Settings() const
 {
-  TouchSettings settings;
-  const bool isScene = IsTouchSceneFile(this->Inputs.front());
+  SceneSettings settings;
+  const bool isScene = IsSceneFile(this->Inputs.front());
   if (isScene && this->Inputs.size() > 1)
   {
     throw InputError(this->Inputs.front() + " is a whole scene; list the other files in it");
   }
   if (isScene)
   {
-    settings = ReadTouchScene(this->Inputs.front());
+    settings = ReadScene(this->Inputs.front());
   }
   else
   {
     settings.Tool = this->Tool;
     for (const std::string& input : this->Inputs)
     {
-      TouchStructureSettings structure = this->Structure;
+      SceneStructure structure = this->Structure;
       structure.File = input;
       structure.Labels = this->Labels;
       structure.Representation = Representations().at(this->Representation);
       structure.Mode =
           this->Mode == "radial" ? HarmonicContactMode::Radial : HarmonicContactMode::Nearest;
-      structure.Precision =
-          this->Precision == "float" ? EvaluationPrecision::Float : EvaluationPrecision::Double;
       structure.Interpolation = this->Interpolation == "cubic" ? FieldInterpolation::TricubicBSpline
                                                                : FieldInterpolation::Trilinear;
       constexpr double DynamicPart = 0.8;
@@ -241,7 +236,7 @@ TouchSettings TouchCommand::Settings() const
   settings.Rate = this->Rate > 0.0 ? this->Rate : settings.Rate;
   if (!this->Scale.empty())
   {
-    settings.Scale = this->Scale.front();
+    settings.Placement.Scale = this->Scale.front();
   }
   return settings;
 }

@@ -26,7 +26,7 @@ private:
   void DeclareStructure(CLI::App& app);
   void DeclareRun(CLI::App& app);
   /// The scene file, or what the options say of the files.
-  TouchSettings Settings() const;
+  SceneSettings Settings() const;
   TouchScript Script() const;
   int Touch(const PreparedTouch& touch, Console& console) const;
   int Replay(const PreparedTouch& touch, Console& console) const;
@@ -36,12 +36,11 @@ private:
   void PrintSummary(const PreparedTouch& touch, const TouchResult& result, Console& console) const;
 
   std::vector<std::string> Inputs;
-  TouchStructureSettings Structure; ///< of every input that is no scene
+  SceneStructure Structure; ///< of every input that is no scene
   std::vector<std::string> Labels;
   std::vector<double> Iso; ///< none or one
   std::string Representation = "automatic";
   std::string Mode = "nearest";
-  std::string Precision = "double";
   std::string Interpolation = "linear";
   TouchToolSettings Tool;
   std::string Device;

@@ -9,10 +9,10 @@
 #include "Interruption.h"
 #include "OutputFolder.h"
 #include "ProgramVersion.h"
+#include "SceneFile.h"
 #include "ScreenText.h"
 #include "SteadyClock.h"
 #include "TextTable.h"
-#include "TouchSceneFile.h"
 #include "TradePage.h"
 #include "TradeText.h"
 #include "WholeFile.h"
@@ -122,20 +122,20 @@ void TradeoffCommand::DeclareOptions(CLI::App& app)
   app.add_flag("--json", this->Json, "All numbers as one JSON object on standard output");
 }
 
-TouchSettings TradeoffCommand::Scene() const
+SceneSettings TradeoffCommand::Scene() const
 {
-  if (IsTouchSceneFile(this->Input))
+  if (IsSceneFile(this->Input))
   {
     if (!this->Labels.empty() || !this->Iso.empty())
     {
       throw InputError(this->Input + " is a whole scene, in which labels and values stand; choose "
                                      "by --structure");
     }
-    return ReadTouchScene(this->Input);
+    return ReadScene(this->Input);
   }
-  TouchSettings scene;
+  SceneSettings scene;
   scene.Tool.Radius = this->ToolRadius;
-  TouchStructureSettings structure;
+  SceneStructure structure;
   structure.File = this->Input;
   structure.Labels = this->Labels;
   if (!this->Iso.empty())

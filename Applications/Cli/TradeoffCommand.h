@@ -25,7 +25,7 @@ public:
 
 private:
   TradeRunSettings Settings() const;
-  TouchSettings Scene() const;
+  SceneSettings Scene() const;
   int Measure(Console& console) const;
   void Write(const TradeResult& result, Console& console) const;
 

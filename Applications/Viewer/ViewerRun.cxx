@@ -69,7 +69,7 @@ void ViewerRun::ChooseDemo()
   static const QStringList Names{"Thalamus_L", "Thalamus_R", "Pallidum_L",    "Pallidum_R",
                                  "Amygdala_L", "Amygdala_R", "Cerebelum_9_L", "Cerebelum_9_R"};
   StudyState next = this->Study.State();
-  for (StudyStructure& structure : next.Structures)
+  for (SceneStructure& structure : next.Structures)
   {
     const bool isChosen = Names.contains(QString::fromStdString(structure.Name));
     structure.IsVisible = isChosen;

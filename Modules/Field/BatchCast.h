@@ -11,7 +11,7 @@ namespace palpate::rays
 {
 /// The first hits of a batch, as many rays at a time as there are lanes: moves them, and looks for
 /// hits in the cells that they arrive at. What is rare is left to RayTraversal.
-template <typename Set, int BrickShift>
+template <typename Set>
 class BatchCast
 {
 public:
@@ -24,8 +24,8 @@ public:
   }
 
 private:
-  using Rays = RayLanes<Set, BrickShift>;
-  using Cells = CellLanes<Set, BrickShift>;
+  using Rays = RayLanes<Set>;
+  using Cells = CellLanes<Set>;
   using Mask = typename Rays::Mask;
   using Vector = typename Rays::Vector;
   static constexpr int Lanes = Rays::Lanes;

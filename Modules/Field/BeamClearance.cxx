@@ -295,10 +295,6 @@ FieldBeam BeamOf(const FieldRay (&cornersIndex)[4]) noexcept
 double ClearUntil(const ScalarField& field, const FieldBeam& beamIndex, double tMin,
                   double tMax) noexcept
 {
-  if (!field.Layout().IsWhole())
-  {
-    return tMin;
-  }
   double t = std::max(tMin, Arrival(beamIndex, field.Grid(), tMin));
   bool isInNoMaterial = false;
   while (t < tMax)

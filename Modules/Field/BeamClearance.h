@@ -20,7 +20,6 @@ FieldBeam BeamOf(const FieldRay (&cornersIndex)[4]) noexcept;
 /// No ray of the beam meets a surface for tMin <= t < the answer, which is tMax where there is none
 /// at all. What is so skipped changes no hit (see RayCaster). Conservative: the beam is followed
 /// through empty bricks, and then through cells without a surface, until it may touch one that has.
-/// Of a field that covers a part of its grid, nothing is skipped.
 double ClearUntil(const ScalarField& field, const FieldBeam& beamIndex, double tMin,
                   double tMax) noexcept;
 } // namespace palpate

@@ -45,10 +45,7 @@ private:
       const int dk = sign * (neighbour / 9 - 1);
       if (this->Has(i + di, j + dj, k + dk))
       {
-        const std::array<int, 3>& first = this->Layout.FirstBrick;
-        const std::size_t other =
-            this->Layout.Number(first[0] + i + di, first[1] + j + dj, first[2] + k + dk);
-        leap = std::min(leap, this->Entries[other].Leap + 1);
+        leap = std::min(leap, this->Entries[this->Layout.Number(i + di, j + dj, k + dk)].Leap + 1);
       }
     }
   }
@@ -67,7 +64,7 @@ void BrickDirectory::AddSurface(std::size_t brick, const SurfaceBrick& surface)
 {
   this->Entries[brick] = {static_cast<std::uint32_t>(this->Surfaces.size()), 0};
   this->Surfaces.insert(this->Surfaces.end(), surface.Cells.Words.begin(),
-                        surface.Cells.Words.begin() + static_cast<std::ptrdiff_t>(this->CellWords));
+                        surface.Cells.Words.end());
   this->Surfaces.push_back(surface.Sets());
   this->SurfaceWords = this->Surfaces.data();
   ++this->Count;

@@ -22,12 +22,12 @@ struct SurfaceBrick
   }
 };
 
-/// The same as it is stored: the words of its set of cells that are used, and then one word more.
+/// The same as it is stored: the words of its set of cells, and then one word more.
 class StoredSurface
 {
 public:
-  StoredSurface(const std::uint64_t* words, std::size_t cellWords) noexcept
-      : Words(words), Sets(words[cellWords])
+  explicit StoredSurface(const std::uint64_t* words) noexcept
+      : Words(words), Sets(words[CellSet::WordCount])
   {
   }
   bool HasCell(int bit) const noexcept
@@ -58,10 +58,7 @@ public:
   };
 
   BrickDirectory() = default;
-  explicit BrickDirectory(const BrickLayout& layout)
-      : Entries(layout.BrickCount(), Entry{0, 1}), CellWords(CellSet::WordsOf(layout.Shift))
-  {
-  }
+  explicit BrickDirectory(const BrickLayout& layout) : Entries(layout.BrickCount(), Entry{0, 1}) {}
 
   void SetInside(std::size_t brick, MaterialSet inside);
   void AddSurface(std::size_t brick, const SurfaceBrick& surface);
@@ -76,17 +73,14 @@ public:
   const Entry& operator[](std::size_t brick) const noexcept { return this->Entries[brick]; }
   StoredSurface Surface(const Entry& entry) const noexcept
   {
-    return {this->SurfaceWords + entry.Word, this->CellWords};
+    return StoredSurface(this->SurfaceWords + entry.Word);
   }
   /// For kernels that read many at once.
   const Entry* EntryData() const noexcept { return this->Entries.data(); }
   const std::uint64_t* SurfaceData() const noexcept { return this->SurfaceWords; }
   std::size_t SurfaceCount() const noexcept { return this->Count; }
   /// Of one stored surface.
-  std::size_t SurfaceBytes() const noexcept
-  {
-    return (this->CellWords + 1) * sizeof(std::uint64_t);
-  }
+  static constexpr std::size_t SurfaceBytes = (CellSet::WordCount + 1) * sizeof(std::uint64_t);
   /// Without what somebody else keeps.
   std::size_t Bytes() const noexcept
   {
@@ -98,6 +92,5 @@ private:
   std::vector<std::uint64_t> Surfaces;
   const std::uint64_t* SurfaceWords = nullptr; ///< of Surfaces, or somebody else's
   std::size_t Count = 0;
-  std::size_t CellWords = CellSet::WordsOf(3); ///< of one surface brick
 };
 } // namespace palpate

@@ -33,7 +33,7 @@ private:
 
   BrickLayout Layout;
   FieldSamples Samples;
-  static constexpr std::size_t LongestSide = MostBrickCells + 3;
+  static constexpr std::size_t LongestSide = BrickLayout::Cells + 3;
   std::array<std::array<int, LongestSide>, 3> Indices{}; ///< within the samples' box, -1 outside
   std::vector<double> Nodes;
   double Minimum = 0.0;

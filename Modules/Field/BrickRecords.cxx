@@ -64,7 +64,7 @@ RecordLayout::RecordLayout(const ScalarField& field) : RecordLayout(field.Layout
 }
 
 RecordLayout::RecordLayout(const BrickLayout& bricks, const std::vector<ScalarType>& types)
-    : CellWords(CellSet::WordsOf(bricks.Shift)), ChannelTypes(types)
+    : ChannelTypes(types)
 {
   const auto add = [this](std::size_t bytes)
   {
@@ -73,7 +73,7 @@ RecordLayout::RecordLayout(const BrickLayout& bricks, const std::vector<ScalarTy
     return at;
   };
   add(Line);
-  add((this->CellWords + 1) * sizeof(std::uint64_t));
+  add((CellSet::WordCount + 1) * sizeof(std::uint64_t));
   for (const ScalarType type : types)
   {
     this->Channels.push_back(add(bricks.NodesOfBrick() * BytesOf(type)));
@@ -91,7 +91,7 @@ void RecordLayout::Write(const ScalarField& field, std::size_t brick,
   {
     header.Parts |= SurfaceBit;
     std::memcpy(record + this->SurfaceAt(), directory.SurfaceData() + entry.Word,
-                directory.SurfaceBytes());
+                BrickDirectory::SurfaceBytes);
   }
   for (int c = 0; c < field.ChannelCount(); ++c)
   {
@@ -114,7 +114,7 @@ bool RecordLayout::HasSurface(const std::byte* record) const noexcept
 
 StoredSurface RecordLayout::SurfaceOf(const std::byte* record) const noexcept
 {
-  return {reinterpret_cast<const std::uint64_t*>(record + this->SurfaceAt()), this->CellWords};
+  return StoredSurface(reinterpret_cast<const std::uint64_t*>(record + this->SurfaceAt()));
 }
 
 MaterialSet RecordLayout::MaterialsOf(const std::byte* record) const noexcept
@@ -141,34 +141,10 @@ void RecordLayout::SetSurface(const SurfaceBrick& surface, std::byte* record) co
   std::memcpy(record, &header, sizeof(header));
   if (hasSurface)
   {
-    std::array<std::uint64_t, CellSet::MostWords + 1> words{};
-    std::copy_n(surface.Cells.Words.begin(), this->CellWords, words.begin());
-    words[this->CellWords] = surface.Sets();
-    std::memcpy(record + this->SurfaceAt(), words.data(),
-                (this->CellWords + 1) * sizeof(std::uint64_t));
+    std::array<std::uint64_t, CellSet::WordCount + 1> words{};
+    std::copy(surface.Cells.Words.begin(), surface.Cells.Words.end(), words.begin());
+    words.back() = surface.Sets();
+    std::memcpy(record + this->SurfaceAt(), words.data(), sizeof(words));
   }
-}
-
-RecordsInMemory::RecordsInMemory(const ScalarField& field) : RecordBytes(0)
-{
-  const RecordLayout layout(field);
-  this->RecordBytes = layout.Bytes();
-  const auto take = [this](const std::byte* record)
-  {
-    this->Records.insert(this->Records.end(), record, record + this->RecordBytes);
-    return Status::Success();
-  };
-  static_cast<void>(ForEachRecord(field, layout, take));
-}
-
-Status RecordsInMemory::Read(std::uint32_t number, std::byte* record)
-{
-  if ((std::size_t{number} + 1) * this->RecordBytes > this->Records.size())
-  {
-    return Status::Failure("There is no record " + std::to_string(number) + " of a brick.");
-  }
-  std::copy_n(this->Records.data() + std::size_t{number} * this->RecordBytes, this->RecordBytes,
-              record);
-  return Status::Success();
 }
 } // namespace palpate

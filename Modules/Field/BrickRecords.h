@@ -1,7 +1,6 @@
 #pragma once
 
 #include "ScalarField.h"
-#include "Status.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -47,59 +46,7 @@ private:
   StoredSurface SurfaceOf(const std::byte* record) const noexcept;
 
   std::size_t Size = 0;
-  std::size_t CellWords = 0;
   std::vector<ScalarType> ChannelTypes;
   std::vector<std::size_t> Channels;
-};
-
-/// Where the records of a field lie while they are not in use. One thread reads them.
-class BrickSource
-{
-public:
-  virtual ~BrickSource() = default;
-  BrickSource(const BrickSource&) = delete;
-  BrickSource& operator=(const BrickSource&) = delete;
-
-  /// Copies record `number`, counted from 0.
-  virtual Status Read(std::uint32_t number, std::byte* record) = 0;
-  /// In memory.
-  virtual std::size_t Bytes() const noexcept { return 0; }
-
-protected:
-  BrickSource() = default;
-};
-
-/// The records of a field in the order of its bricks: of those of which it stores anything.
-/// `take(record)` is given each; it answers what to refuse with.
-template <typename Take>
-Status ForEachRecord(const ScalarField& field, const RecordLayout& layout, const Take& take)
-{
-  std::vector<std::byte> record(layout.Bytes());
-  for (std::size_t brick = 0; brick < field.Layout().BrickCount(); ++brick)
-  {
-    if (field.HasStored(brick))
-    {
-      layout.Write(field, brick, record.data());
-      if (Status status = take(record.data()); !status.IsOk())
-      {
-        return status;
-      }
-    }
-  }
-  return Status::Success();
-}
-
-/// Records in memory.
-class RecordsInMemory final : public BrickSource
-{
-public:
-  explicit RecordsInMemory(const ScalarField& field);
-
-  Status Read(std::uint32_t number, std::byte* record) override;
-  std::size_t Bytes() const noexcept override { return this->Records.size(); }
-
-private:
-  std::size_t RecordBytes;
-  std::vector<std::byte> Records;
 };
 } // namespace palpate

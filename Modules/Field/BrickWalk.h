@@ -1,5 +1,6 @@
 #pragma once
 
+#include "BrickLayout.h"
 #include "RayPath.h"
 
 #include <algorithm>
@@ -12,17 +13,16 @@ class BrickWalk
 {
 public:
   /// `end` is when the ray leaves the brick, or the grid.
-  BrickWalk(const RayPath& path, const int* cell, double end, int brickShift) noexcept
-      : Path(path), End(end)
+  BrickWalk(const RayPath& path, const int* cell, double end) noexcept : Path(path), End(end)
   {
-    const int mask = (1 << brickShift) - 1;
+    constexpr int Mask = BrickLayout::Cells - 1;
     double planes[4] = {};
     for (int axis = 0; axis < 3; ++axis)
     {
       planes[axis] = path.PlaneAhead(axis, cell[axis]);
-      const int shift = brickShift * axis;
+      const int shift = BrickLayout::Shift * axis;
       this->Strides[axis] = path.StepOf(axis) * (1 << shift);
-      this->Bit += (cell[axis] & mask) << shift;
+      this->Bit += (cell[axis] & Mask) << shift;
     }
     this->PlanesXy = Pair{planes[0], planes[1]};
     this->PlanesZ = Pair{planes[2], planes[3]};

@@ -7,13 +7,13 @@ namespace palpate
 namespace
 {
 // Bits of the cells first..last of a row, in each of so many rows of a word.
-std::uint64_t RowsBits(int shift, int first, int last, int rows) noexcept
+std::uint64_t RowsBits(int first, int last, int rows) noexcept
 {
-  constexpr std::uint64_t EveryRow[] = {0x1111111111111111, 0x0101010101010101, 0x0001000100010001};
-  const int cells = 1 << shift;
-  const std::uint64_t row = (((std::uint64_t{1} << cells) - 1) >> (cells - 1 - (last - first)))
+  constexpr std::uint64_t EveryRow = 0x0101010101010101;
+  constexpr int Cells = BrickLayout::Cells;
+  const std::uint64_t row = (((std::uint64_t{1} << Cells) - 1) >> (Cells - 1 - (last - first)))
                             << first;
-  return row * (EveryRow[shift - 2] >> (64 - (rows << shift)));
+  return row * (EveryRow >> (64 - (rows << BrickLayout::Shift)));
 }
 
 // Whether a brick has nothing in the part of the box that lies in it.
@@ -35,17 +35,12 @@ bool IsFreeBrick(const ScalarField& field, const CellBox& box, const int* brick)
     last[axis] = std::min(box.Last[axis] - corner, layout.Cells - 1);
   }
   const StoredSurface surface = field.Directory().Surface(entry);
-  const CellRows rows{layout.Shift};
+  const std::uint64_t bits = RowsBits(first[0], last[0], last[1] - first[1] + 1)
+                             << (first[1] << layout.Shift);
   bool isFree = true;
-  for (int j = first[1]; j <= last[1];)
+  for (int k = first[2]; k <= last[2]; ++k)
   {
-    const int end = std::min(last[1] + 1, (j / rows.InWord() + 1) * rows.InWord());
-    const std::uint64_t bits = RowsBits(layout.Shift, first[0], last[0], std::max(end - j, 1));
-    for (int k = first[2]; k <= last[2]; ++k)
-    {
-      isFree = isFree && (surface.CellWord(rows.WordOf(j, k)) & bits << rows.BitInWord(j, k)) == 0;
-    }
-    j = end;
+    isFree = isFree && (surface.CellWord(static_cast<std::size_t>(k)) & bits) == 0;
   }
   return isFree;
 }
@@ -57,8 +52,7 @@ bool CellBox::IsIn(const BrickLayout& layout) const noexcept
   for (int axis = 0; axis < 3; ++axis)
   {
     const auto a = static_cast<std::size_t>(axis);
-    isIn =
-        isIn && this->First[axis] >= layout.FirstCell[a] && this->Last[axis] <= layout.LastCell[a];
+    isIn = isIn && this->First[axis] >= 0 && this->Last[axis] <= layout.Nodes[a] - 2;
   }
   return isIn;
 }

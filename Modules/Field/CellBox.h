@@ -11,7 +11,7 @@ struct CellBox
   int Last[3];
 
   bool IsIn(const BrickLayout& layout) const noexcept;
-  /// Whether none of the cells, which have to be in what the field covers, is one that a surface
+  /// Whether none of the cells, which have to be in the grid, is one that a surface
   /// may pass or lies in a brick that a material fills.
   bool IsFree(const ScalarField& field) const noexcept;
 };

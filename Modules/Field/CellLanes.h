@@ -10,7 +10,7 @@ namespace palpate::rays
 /// Several rays, each in its own trilinear cell: what TrilinearCell, BernsteinCrossings and
 /// HitError do, operation by operation, where the material has one condition and the ray crosses
 /// its boundary once.
-template <typename Set, int BrickShift>
+template <typename Set>
 struct CellLanes : LaneArithmetic<Set>
 {
   using Base = LaneArithmetic<Set>;

@@ -14,9 +14,8 @@ struct CellPlace
   int FirstNode = 0; ///< of the cell in its brick's copy of the nodes
   double U[3] = {};  ///< from 0 to 1 along i, j, k
 
-  /// False where the point is not in what the layout covers (or is no point). A point on a face
-  /// between two cells belongs to the one of higher index, on the grid's last face to the last
-  /// cell.
+  /// False outside the grid and for NaN. A point on a face between two cells belongs to the one of
+  /// higher index, on the grid's last face to the last cell.
   bool Locate(const BrickLayout& layout, const Vector3& pointIndex) noexcept
   {
     int cell[3];
@@ -24,11 +23,11 @@ struct CellPlace
     {
       const double p = pointIndex[axis];
       const auto a = static_cast<std::size_t>(axis);
-      if (!(p >= layout.Lower[a] && p <= layout.Upper[a]))
+      const int last = layout.Nodes[a] - 1;
+      if (!(p >= 0.0 && p <= last))
       {
         return false;
       }
-      const int last = layout.Nodes[a] - 1;
       const int below = static_cast<int>(p);
       cell[axis] = below < last ? below : last - 1;
       this->U[axis] = p - cell[axis];

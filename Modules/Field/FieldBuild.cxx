@@ -35,14 +35,14 @@ void Widen(const BrickLayout& layout, std::size_t axis, int reach,
 }
 } // namespace
 
-FieldBuild::FieldBuild(const FieldGrid& grid, const FieldForm& form,
+FieldBuild::FieldBuild(const FieldGrid& grid, FieldInterpolation interpolation,
                        const std::vector<FieldMaterial>& materials,
                        const FieldBuilder::Progress& progress)
     : Field(new ScalarField), Report(progress)
 {
   this->Field->NodeGrid = grid;
-  this->Field->Method = form.Interpolation;
-  this->Field->Bricks = BrickLayout(grid.Size(), form.Interpolation, form.Bricks);
+  this->Field->Method = interpolation;
+  this->Field->Bricks = BrickLayout(grid.Size(), interpolation);
   this->Field->BrickEntries = BrickDirectory(this->Field->Bricks);
   this->Field->Materials = materials;
   this->Field->Maps.assign(materials.size(), MaterialMap(this->Field->Bricks.BrickCount()));
@@ -120,7 +120,7 @@ ConditionCells FieldBuild::CellsOf(const FieldCondition& condition) const
   const bool any = isAtLeast ? nodes.Highest() >= condition.Iso : nodes.Lowest() <= condition.Iso;
   if (all == any)
   {
-    return UniformCells(all, this->Field->Bricks);
+    return UniformCells(all);
   }
   ConditionCells cells = ClassifyCells(nodes.Values(), this->Field->Bricks, condition);
   if (this->Field->Method == FieldInterpolation::TricubicBSpline)
@@ -135,7 +135,7 @@ ConditionCells FieldBuild::CellsOf(const FieldMaterial& material) const
   ConditionCells cells = this->CellsOf(material.Conditions[0]);
   for (int c = 1; c < material.ConditionCount; ++c)
   {
-    cells.Restrict(this->CellsOf(material.Conditions[c]), this->Field->Bricks);
+    cells.Restrict(this->CellsOf(material.Conditions[c]));
   }
   return cells;
 }
@@ -150,11 +150,11 @@ void FieldBuild::Classify(const BrickPlace& brick)
   }
   const CellSet inGrid = CellsInGrid(this->Field->Bricks, {brick.I, brick.J, brick.K});
   SurfaceBrick surface;
-  surface.Cells.Fill(this->Field->Bricks.Shift, false);
+  surface.Cells.Fill(false);
   for (int m = 0; m < this->Field->MaterialCount(); ++m)
   {
     const FieldMaterial& material = this->Field->Material(m);
-    AddMaterial(m, this->CellsOf(material), inGrid, this->Field->Bricks, surface);
+    AddMaterial(m, this->CellsOf(material), inGrid, surface);
     if (Contains(surface.Materials | (surface.Inside & this->Kept), m))
     {
       this->Want(material, brick.Number);

@@ -32,9 +32,6 @@ public:
   {
     this->Form.Interpolation = interpolation;
   }
-  /// Smaller bricks keep less that is far from a surface, and more copies of the nodes between
-  /// them; no answer depends on it. 8 cells by default.
-  void SetBrickSize(BrickSize size) { this->Form.Bricks = size; }
   /// Within this distance (mm) of a surface, FieldSampler has samples of the channels that the
   /// surface's material is made of. 0 by default.
   void SetMargin(double margin) { this->Margin = margin; }

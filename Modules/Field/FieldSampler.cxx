@@ -120,12 +120,9 @@ inside::Material DescribeForKernel(const ScalarField& field, int number, const M
       material.ToIndex[3 * axis + column] = toIndex(axis, column);
     }
     material.Origin[axis] = origin[axis];
-    material.Lower[axis] = field.Layout().Lower[a];
-    material.Upper[axis] = field.Layout().Upper[a];
     material.LastCell[axis] = field.Layout().Nodes[a] - 2;
     material.Bricks[axis] = field.Layout().Bricks[a];
   }
-  material.FirstBrick = static_cast<int>(field.Layout().FirstNumber);
   material.Codes = field.Map(number).Data();
   material.Filled = MaterialMap::Filled;
   material.Blocks = samples.BlockData();
@@ -147,8 +144,8 @@ void RunKernel(const inside::Kernel& kernel, const ScalarField& field, int numbe
   static_assert(sizeof(Vector3) == 3 * sizeof(double));
   const int channel = field.Material(number).Conditions[0].Channel;
   const int type = StoredNumber(field.Channel(channel).StoredType());
-  const inside::Tests& tests = kernel.Bricks[field.Layout().Shift - inside::Kernel::FirstShift];
-  const auto test = IsTrilinear(field) ? tests.Trilinear[type] : tests.Tricubic[type];
+  static_assert(inside::Shift == BrickLayout::Shift);
+  const auto test = IsTrilinear(field) ? kernel.Trilinear[type] : kernel.Tricubic[type];
   test(material, points->data(), static_cast<long>(count), inside);
 }
 } // namespace

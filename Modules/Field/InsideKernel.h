@@ -11,11 +11,8 @@ struct Material
 {
   double ToIndex[9]; ///< row by row; applied to point - Origin
   double Origin[3];
-  double Lower[3]; ///< of indices, that are covered
-  double Upper[3];
   double LastCell[3]; ///< of the grid
   int Bricks[3];
-  int FirstBrick;        ///< what is taken from numbers of bricks
   const unsigned* Codes; ///< of the map
   unsigned Filled;
   const void* Blocks;
@@ -31,19 +28,15 @@ constexpr int StoredTypes = 6;
 using Test = void (*)(const Material& material, const double* points, long count,
                       unsigned char* inside);
 
-/// What every instruction set offers for one size of bricks, by the number of the stored type.
-/// B-spline coefficients are floating point: the last two.
-struct Tests
+/// As BrickLayout::Shift.
+constexpr int Shift = 3;
+
+/// What every instruction set offers, by the number of the stored type. B-spline coefficients are
+/// floating point: the last two.
+struct Kernel
 {
   Test Trilinear[StoredTypes];
   Test Tricubic[StoredTypes];
-};
-
-/// By the size of bricks: 4, 8, 16 cells along an axis.
-struct Kernel
-{
-  static constexpr int FirstShift = 2;
-  Tests Bricks[3];
 };
 
 /// `Set` describes an instruction set: `Vector` and `Integers`, vectors of `Lanes` doubles and ints
@@ -91,7 +84,7 @@ struct Arithmetic
     }
   }
 
-  template <int Shift, int Side>
+  template <int Side>
   static inline __attribute__((always_inline)) void Locate(const Material& m, const double* points,
                                                            Places& places)
   {
@@ -104,17 +97,17 @@ struct Arithmetic
     {
       const double* row = m.ToIndex + 3 * axis;
       const Vector index = row[0] * offset[0] + row[1] * offset[1] + row[2] * offset[2];
-      const Vector lower = Vector{} + m.Lower[axis];
-      const auto isHere = (index >= lower) & (index <= m.Upper[axis]);
+      const Vector zero{};
+      const Vector last = zero + m.LastCell[axis];
+      const auto isHere = (index >= zero) & (index <= last + 1.0);
       isIn &= isHere;
-      const Vector last = Vector{} + m.LastCell[axis];
       const Vector below = index < last ? index : last;
-      cells[axis] = __builtin_convertvector(isHere ? below : lower, Integers);
+      cells[axis] = __builtin_convertvector(isHere ? below : zero, Integers);
       places.U[axis] = index - Widened(cells[axis]);
     }
     constexpr int Low = (1 << Shift) - 1;
     places.Brick = ((cells[2] >> Shift) * m.Bricks[1] + (cells[1] >> Shift)) * m.Bricks[0] +
-                   (cells[0] >> Shift) - m.FirstBrick;
+                   (cells[0] >> Shift);
     places.FirstNode = ((cells[2] & Low) * Side + (cells[1] & Low)) * Side + (cells[0] & Low);
     for (int lane = 0; lane < Lanes; ++lane)
     {
@@ -262,13 +255,13 @@ struct Arithmetic
     return values;
   }
 
-  template <typename T, bool isCubic, int Shift>
+  template <typename T, bool isCubic>
   static inline __attribute__((always_inline)) void
   TestLanes(const Material& m, const double* points, unsigned char* inside)
   {
     constexpr int Side = (1 << Shift) + (isCubic ? 3 : 1); // nodes of a brick along an axis
     Places places;
-    Locate<Shift, Side>(m, points, places);
+    Locate<Side>(m, points, places);
     const T* nodes[Lanes];
     unsigned codes[Lanes];
     for (int lane = 0; lane < Lanes; ++lane)
@@ -297,7 +290,7 @@ struct Arithmetic
     }
   }
 
-  template <typename T, bool isCubic, int Shift>
+  template <typename T, bool isCubic>
   static void AreInside(const Material& material, const double* points, long count,
                         unsigned char* inside)
   {
@@ -305,7 +298,7 @@ struct Arithmetic
     long p = 0;
     for (; p + Lanes <= count; p += Lanes)
     {
-      TestLanes<T, isCubic, Shift>(m, points + 3 * p, inside + p);
+      TestLanes<T, isCubic>(m, points + 3 * p, inside + p);
     }
     if (p < count)
     {
@@ -315,7 +308,7 @@ struct Arithmetic
       {
         rest[n] = points[3 * p + n];
       }
-      TestLanes<T, isCubic, Shift>(m, rest, answers);
+      TestLanes<T, isCubic>(m, rest, answers);
       for (long n = p; n < count; ++n)
       {
         inside[n] = answers[n - p];
@@ -323,16 +316,13 @@ struct Arithmetic
     }
   }
 
-  template <int Shift>
-  static constexpr Tests Of()
+  static constexpr Kernel All()
   {
-    return {{AreInside<signed char, false, Shift>, AreInside<unsigned char, false, Shift>,
-             AreInside<short, false, Shift>, AreInside<unsigned short, false, Shift>,
-             AreInside<float, false, Shift>, AreInside<double, false, Shift>},
-            {nullptr, nullptr, nullptr, nullptr, AreInside<float, true, Shift>,
-             AreInside<double, true, Shift>}};
+    return {{AreInside<signed char, false>, AreInside<unsigned char, false>,
+             AreInside<short, false>, AreInside<unsigned short, false>, AreInside<float, false>,
+             AreInside<double, false>},
+            {nullptr, nullptr, nullptr, nullptr, AreInside<float, true>, AreInside<double, true>}};
   }
-  static constexpr Kernel All() { return {{Of<2>(), Of<3>(), Of<4>()}}; }
 };
 
 /// In InsideKernel.cxx, which is compiled for AVX2.

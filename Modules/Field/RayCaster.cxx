@@ -92,10 +92,10 @@ rays::Material DescribeMaterial(const ScalarField& field, int number) noexcept
 void DescribeField(const ScalarField& field, MaterialSet materials, rays::Field& described) noexcept
 {
   static_assert(rays::MostMaterials == MostMaterials && sizeof(BrickDirectory::Entry) == 8);
-  static const std::uint64_t None[CellSet::MostWords + 1] = {};
+  static_assert(rays::BrickShift == BrickLayout::Shift);
+  static const std::uint64_t None[CellSet::WordCount + 1] = {};
   const BrickDirectory& directory = field.Directory();
   const std::uint64_t* surfaces = directory.SurfaceCount() > 0 ? directory.SurfaceData() : None;
-  described.BrickShift = field.Layout().Shift;
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
     described.Cells[axis] = field.Layout().Nodes[axis] - 1;
@@ -204,7 +204,7 @@ void RayCaster::CastAllWorld(const FieldRay* raysWorld, const RayInterval* inter
 void RayCaster::CastEach(const FieldRay* raysWorld, const RayInterval* intervals, std::size_t step,
                          std::size_t count, FieldHit* hits, MaterialSet materials) const noexcept
 {
-  if (this->Set == InstructionSet::Avx2 && this->Data->Layout().IsWhole())
+  if (this->Set == InstructionSet::Avx2)
   {
     return this->CastInLanes(raysWorld, intervals, step, count, hits, materials);
   }

@@ -12,14 +12,6 @@ struct Avx2Set
 
 void CastAvx2(const Field& field, int count, Batch& batch)
 {
-  switch (field.BrickShift)
-  {
-  case 2:
-    return BatchCast<Avx2Set, 2>::Run(field, count, batch);
-  case 3:
-    return BatchCast<Avx2Set, 3>::Run(field, count, batch);
-  default:
-    return BatchCast<Avx2Set, 4>::Run(field, count, batch);
-  }
+  BatchCast<Avx2Set>::Run(field, count, batch);
 }
 } // namespace palpate::rays

@@ -11,6 +11,8 @@ constexpr int MostRays = 64;
 /// Rays side by side.
 constexpr int Lanes = 4;
 constexpr int MostMaterials = 32;
+/// As BrickLayout::Shift.
+constexpr int BrickShift = 3;
 
 /// See FieldMaterial, MaterialMap and BrickedChannel.
 struct Material
@@ -27,7 +29,6 @@ struct Material
 /// See BrickLayout and BrickDirectory.
 struct Field
 {
-  int BrickShift;      ///< 2, 3 or 4
   int Cells[3];        ///< along i, j, k
   double BrickColumns; ///< bricks along i, j
   double BrickRows;

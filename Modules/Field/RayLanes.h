@@ -11,7 +11,7 @@ namespace palpate::rays
 /// As many rays as a vector has lanes, on their way through a field: what RayTraversal does, with
 /// the same numbers. A lane leaps over bricks without a surface or walks from cell to cell in one
 /// with a surface, until all wait: at a cell through which a surface may pass, or at their end.
-template <typename Set, int BrickShift>
+template <typename Set>
 struct RayLanes : LaneArithmetic<Set>
 {
   using Base = LaneArithmetic<Set>;

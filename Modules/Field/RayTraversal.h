@@ -38,7 +38,7 @@ public:
       return hit;
     }
     const MaterialSet inside = this->ExamineStart(hit);
-    if (this->StartsOutside && inside != 0 && this->IsGridFace(this->BorderAxis(true), true))
+    if (this->StartsOutside && inside != 0)
     {
       return this->BorderHit(true, inside);
     }
@@ -78,9 +78,7 @@ private:
     }
     const bool isAtEnd =
         hit.Kind == HitKind::Missed && this->T >= this->GridEnd && hit.StartsInside != 0;
-    return isAtEnd && this->IsGridFace(this->BorderAxis(false), false)
-               ? this->BorderHit(false, hit.StartsInside)
-               : hit;
+    return isAtEnd ? this->BorderHit(false, hit.StartsInside) : hit;
   }
 
   // Goes to the cell that the ray is in just before TMin, or to the first one of the grid.
@@ -96,8 +94,7 @@ private:
       this->GridEnd = std::min(this->GridEnd, this->Path.ExitAt(axis, this->LastCell(axis)));
       const double at = this->Path.Coordinate(axis, 0.0);
       const auto a = static_cast<std::size_t>(axis);
-      isBeside |= this->Path.StepOf(axis) == 0 &&
-                  !(at >= this->Layout.Lower[a] && at <= this->Layout.Upper[a]);
+      isBeside |= this->Path.StepOf(axis) == 0 && !(at >= 0.0 && at <= this->Layout.Nodes[a] - 1);
     }
     if (isBeside || entry >= this->GridEnd || this->TMin > this->GridEnd || entry > this->TMax)
     {
@@ -120,13 +117,11 @@ private:
 
   int FirstCell(int axis) const noexcept
   {
-    const auto a = static_cast<std::size_t>(axis);
-    return this->Path.StepOf(axis) > 0 ? this->Layout.FirstCell[a] : this->Layout.LastCell[a];
+    return this->Path.StepOf(axis) > 0 ? 0 : this->CellCount[axis] - 1;
   }
   int LastCell(int axis) const noexcept
   {
-    const auto a = static_cast<std::size_t>(axis);
-    return this->Path.StepOf(axis) > 0 ? this->Layout.LastCell[a] : this->Layout.FirstCell[a];
+    return this->Path.StepOf(axis) > 0 ? this->CellCount[axis] - 1 : 0;
   }
 
   std::size_t Brick() const noexcept
@@ -195,7 +190,7 @@ private:
     const std::size_t brick = this->Brick();
     const MaterialSet materials = surface.Materials() & this->Wanted;
     const double end = this->EndOfBox(1);
-    BrickWalk walk(this->Path, this->At, end, this->Layout.Shift);
+    BrickWalk walk(this->Path, this->At, end);
     for (;;)
     {
       if (surface.HasCell(walk.CellBit()) && !this->IsFirstCell)
@@ -295,15 +290,7 @@ private:
     return hit;
   }
 
-  // Whether the grid begins or ends where what is covered does, across an axis.
-  bool IsGridFace(int axis, bool isEntering) const noexcept
-  {
-    const bool isLow = (this->Path.StepOf(axis) > 0) == isEntering;
-    return isLow ? this->Layout.FirstCell[static_cast<std::size_t>(axis)] == 0
-                 : this->Layout.IsLastOfGrid(static_cast<std::size_t>(axis));
-  }
-
-  // Of the faces of what is covered that are crossed now, the lowest axis.
+  // Of the grid's faces that are crossed now, the lowest axis.
   int BorderAxis(bool isEntering) const noexcept
   {
     int axis = 0;

@@ -6,16 +6,17 @@ namespace palpate
 {
 namespace
 {
-void AddCells(const StoredSurface& surface, int shift, const std::array<int, 3>& corner,
+void AddCells(const StoredSurface& surface, const std::array<int, 3>& corner,
               std::vector<std::array<int, 3>>& found)
 {
-  const int mask = (1 << shift) - 1;
-  for (int cell = 0; cell < 1 << (3 * shift); ++cell)
+  constexpr int Shift = BrickLayout::Shift;
+  constexpr int Mask = BrickLayout::Cells - 1;
+  for (int cell = 0; cell < 1 << (3 * Shift); ++cell)
   {
     if (surface.HasCell(cell))
     {
-      found.push_back({corner[0] + (cell & mask), corner[1] + (cell >> shift & mask),
-                       corner[2] + (cell >> (2 * shift))});
+      found.push_back({corner[0] + (cell & Mask), corner[1] + (cell >> Shift & Mask),
+                       corner[2] + (cell >> (2 * Shift))});
     }
   }
 }
@@ -38,7 +39,6 @@ FieldMemory ScalarField::Memory() const noexcept
     memory.StoredBlocks += channel.BlockCount();
     memory.Bytes += channel.Bytes();
   }
-  memory.SharedBytes = this->Held != nullptr ? this->Held->Bytes() : 0;
   return memory;
 }
 
@@ -120,20 +120,18 @@ bool ScalarField::HasStored(std::size_t brick) const noexcept
 std::vector<std::array<int, 3>> ScalarField::SurfaceCells() const
 {
   std::vector<std::array<int, 3>> cells;
-  const auto& first = this->Bricks.FirstBrick;
   const auto& count = this->Bricks.Bricks;
-  for (int k = first[2]; k < first[2] + count[2]; ++k)
+  for (int k = 0; k < count[2]; ++k)
   {
-    for (int j = first[1]; j < first[1] + count[1]; ++j)
+    for (int j = 0; j < count[1]; ++j)
     {
-      for (int i = first[0]; i < first[0] + count[0]; ++i)
+      for (int i = 0; i < count[0]; ++i)
       {
         const BrickDirectory::Entry& entry = this->BrickEntries[this->Bricks.Number(i, j, k)];
         if (entry.Leap == 0)
         {
-          const int side = this->Bricks.Cells;
-          AddCells(this->BrickEntries.Surface(entry), this->Bricks.Shift,
-                   {side * i, side * j, side * k}, cells);
+          constexpr int side = BrickLayout::Cells;
+          AddCells(this->BrickEntries.Surface(entry), {side * i, side * j, side * k}, cells);
         }
       }
     }

@@ -1,7 +1,6 @@
 #pragma once
 
 #include "BrickDirectory.h"
-#include "BrickPool.h"
 #include "BrickedChannel.h"
 #include "FieldGrid.h"
 #include "FieldMaterial.h"
@@ -22,15 +21,12 @@ struct FieldMemory
   std::size_t Bricks = 0;        ///< of the grid
   std::size_t SurfaceBricks = 0; ///< through which a surface passes
   std::size_t StoredBlocks = 0;  ///< bricks whose nodes are stored, over all channels
-  std::size_t Bytes = 0;         ///< of its own
-  std::size_t SharedBytes = 0;   ///< of bricks that other versions of the field may use too
+  std::size_t Bytes = 0;
 };
 
 /// One or several channels on one grid, of which only the bricks are stored through which the
-/// surface of a material passes, and a margin around them. Immutable once FieldBuilder or, of a
-/// part of its bricks, FieldVersions has made it, so any number of threads may query it. Beyond its
-/// part nothing is known: points are outside, rays end. FieldSampler and RayCaster ask it for
-/// values and hits.
+/// surface of a material passes, and a margin around them. Immutable once it is made, so any number
+/// of threads may query it. FieldSampler and RayCaster ask it for values and hits.
 class ScalarField
 {
 public:
@@ -62,7 +58,6 @@ public:
 
 private:
   friend class FieldBuild;
-  friend class FieldVersions;
   friend class EditedField;
   ScalarField() = default;
 
@@ -86,6 +81,5 @@ private:
   std::vector<FieldMaterial> Materials;
   std::vector<MaterialMap> Maps;
   std::vector<BrickedChannel> Channels;
-  std::unique_ptr<const BrickHold> Held; ///< records in a pool, which a version shares with others
 };
 } // namespace palpate

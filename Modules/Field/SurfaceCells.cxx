@@ -9,7 +9,7 @@ namespace palpate
 {
 namespace
 {
-constexpr int LongestSide = MostBrickCells + 3;
+constexpr int LongestSide = BrickLayout::Cells + 3;
 
 // Bit i of the row: the condition holds at node i.
 unsigned RowBits(const double* row, int side, const FieldCondition& condition)
@@ -29,18 +29,14 @@ unsigned RowBits(const double* row, int side, const FieldCondition& condition)
 // cells has in a CellSet.
 struct SliceBits
 {
-  static constexpr int MostWords = MostBrickCells * MostBrickCells / 64;
-  std::uint64_t Any[MostWords];
-  std::uint64_t All[MostWords];
+  std::uint64_t Any = 0;
+  std::uint64_t All = 0;
 
-  SliceBits() = default; // of words that mean nothing
+  SliceBits() = default;
   SliceBits(const double* slice, const BrickLayout& layout, const FieldCondition& condition)
   {
     unsigned any[LongestSide];
     unsigned all[LongestSide];
-    const int words = std::max(1, layout.Cells * layout.Cells / 64);
-    std::fill_n(this->Any, words, 0);
-    std::fill_n(this->All, words, 0);
     for (int j = 0; j < layout.Side; ++j)
     {
       const unsigned bits = RowBits(slice + j * layout.Side, layout.Side, condition);
@@ -63,8 +59,8 @@ struct SliceBits
         everyRow &= all[j + step];
       }
       const int bit = j << layout.Shift;
-      this->Any[bit >> 6] |= static_cast<std::uint64_t>(someRow & everyCell) << (bit & 63);
-      this->All[bit >> 6] |= static_cast<std::uint64_t>(everyRow) << (bit & 63);
+      this->Any |= static_cast<std::uint64_t>(someRow & everyCell) << bit;
+      this->All |= static_cast<std::uint64_t>(everyRow) << bit;
     }
   }
 };
@@ -129,24 +125,18 @@ ConditionCells ClassifyCells(const double* nodes, const BrickLayout& layout,
   {
     slices[k] = SliceBits(nodes + k * layout.Side * layout.Side, layout, condition);
   }
-  ConditionCells cells = UniformCells(false, layout);
-  const int wordsOfSlice = std::max(1, layout.Cells * layout.Cells / 64);
-  const CellRows rows{layout.Shift};
+  ConditionCells cells;
   for (int k = 0; k < layout.Cells; ++k)
   {
-    for (int n = 0; n < wordsOfSlice; ++n)
+    std::uint64_t any = 0;
+    std::uint64_t all = ~std::uint64_t{0};
+    for (int step = 0; step < layout.Window; ++step)
     {
-      std::uint64_t any = 0;
-      std::uint64_t all = ~std::uint64_t{0};
-      for (int step = 0; step < layout.Window; ++step)
-      {
-        any |= slices[k + step].Any[n];
-        all &= slices[k + step].All[n];
-      }
-      const std::size_t word = rows.WordOf(0, k) + static_cast<std::size_t>(n);
-      cells.Any.Words[word] |= any << rows.BitInWord(0, k);
-      cells.All.Words[word] |= all << rows.BitInWord(0, k);
+      any |= slices[k + step].Any;
+      all &= slices[k + step].All;
     }
+    cells.Any.Words[static_cast<std::size_t>(k)] = any;
+    cells.All.Words[static_cast<std::size_t>(k)] = all;
   }
   return cells;
 }
@@ -171,18 +161,17 @@ void TightenBSplineCells(const double* nodes, const BrickLayout& layout,
   }
 }
 
-ConditionCells UniformCells(bool holds, const BrickLayout& layout)
+ConditionCells UniformCells(bool holds)
 {
   ConditionCells cells;
-  cells.Any.Fill(layout.Shift, holds);
-  cells.All.Fill(layout.Shift, holds);
+  cells.Any.Fill(holds);
+  cells.All.Fill(holds);
   return cells;
 }
 
-void ConditionCells::Restrict(const ConditionCells& more, const BrickLayout& layout)
+void ConditionCells::Restrict(const ConditionCells& more)
 {
-  const std::size_t words = CellSet::WordsOf(layout.Shift);
-  for (std::size_t word = 0; word < words; ++word)
+  for (std::size_t word = 0; word < CellSet::WordCount; ++word)
   {
     this->Any.Words[word] &= more.Any.Words[word];
     this->All.Words[word] &= more.All.Words[word];
@@ -190,11 +179,10 @@ void ConditionCells::Restrict(const ConditionCells& more, const BrickLayout& lay
 }
 
 void AddMaterial(int material, const ConditionCells& cells, const CellSet& inGrid,
-                 const BrickLayout& layout, SurfaceBrick& brick)
+                 SurfaceBrick& brick)
 {
   std::uint64_t some = 0;
-  const std::size_t words = CellSet::WordsOf(layout.Shift);
-  for (std::size_t word = 0; word < words; ++word)
+  for (std::size_t word = 0; word < CellSet::WordCount; ++word)
   {
     const std::uint64_t passed =
         cells.Any.Words[word] & ~cells.All.Words[word] & inGrid.Words[word];
@@ -216,18 +204,17 @@ CellSet CellsInGrid(const BrickLayout& layout, const std::array<int, 3>& brick)
   }
   const bool isWhole = left[0] + left[1] + left[2] == 3 * layout.Cells;
   CellSet cells;
-  cells.Fill(layout.Shift, isWhole);
+  cells.Fill(isWhole);
   if (isWhole)
   {
     return cells;
   }
   const std::uint64_t row = (1u << left[0]) - 1u;
-  const CellRows rows{layout.Shift};
   for (int k = 0; k < left[2]; ++k)
   {
     for (int j = 0; j < left[1]; ++j)
     {
-      cells.Words[rows.WordOf(j, k)] |= row << rows.BitInWord(j, k);
+      cells.Words[static_cast<std::size_t>(k)] |= row << (j << layout.Shift);
     }
   }
   return cells;

@@ -15,7 +15,7 @@ struct ConditionCells
   CellSet All; ///< it holds at every node, and so at every point
 
   /// To where another condition holds too.
-  void Restrict(const ConditionCells& more, const BrickLayout& layout);
+  void Restrict(const ConditionCells& more);
 };
 
 /// For the nodes of one brick, i fastest.
@@ -26,11 +26,11 @@ ConditionCells ClassifyCells(const double* nodes, const BrickLayout& layout,
 void TightenBSplineCells(const double* nodes, const BrickLayout& layout,
                          const FieldCondition& condition, ConditionCells& cells);
 /// What ClassifyCells gives where every node says the same.
-ConditionCells UniformCells(bool holds, const BrickLayout& layout);
+ConditionCells UniformCells(bool holds);
 /// Adds a material, by the cells of all its conditions together, to what is known of a brick: to
 /// its surfaces, or to what fills it.
 void AddMaterial(int material, const ConditionCells& cells, const CellSet& inGrid,
-                 const BrickLayout& layout, SurfaceBrick& brick);
+                 SurfaceBrick& brick);
 /// The cells of a brick that lie in the grid; `brick` counts along i, j, k.
 CellSet CellsInGrid(const BrickLayout& layout, const std::array<int, 3>& brick);
 } // namespace palpate

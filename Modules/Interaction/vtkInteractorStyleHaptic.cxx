@@ -5,12 +5,9 @@
 #include "InputError.h"
 #include "OpenBuiltInDevice.h"
 #include "ProbeInSpace.h"
-#include "ServoThread.h"
-#include "SimulatedDevice.h"
 #include "SteadyClock.h"
-#include "TouchWatch.h"
+#include "TouchSession.h"
 #include "TriangleMesh.h"
-#include "WorkspaceClutch.h"
 #include "vtkProbeRepresentation.h"
 
 #include "vtkCallbackCommand.h"
@@ -40,17 +37,12 @@ struct vtkInteractorStyleHaptic::Live
 {
   std::vector<palpate::TouchStructure> Structures;
   palpate::SteadyClock Clock;
-  std::unique_ptr<palpate::HapticDevice> Device; // before the thread that uses it
-  std::unique_ptr<palpate::ServoThread> Thread;
-  palpate::WorkspaceFrame Frame;
-  palpate::TouchWatch Watch;
-  palpate::TouchState Newest;
-  std::vector<palpate::TouchChange> Changes;
-  palpate::WorkspaceClutch Clutch;
+  palpate::TouchSessionReading Reading;
   int Timer = 0;
   vtkNew<vtkProbeRepresentation> Probe;
   palpate::ProbeInSpace Drawn;
   vtkWeakPointer<vtkRenderer> DrawnIn;
+  palpate::TouchSession Session{Clock}; // ends first
 };
 
 vtkInteractorStyleHaptic::vtkInteractorStyleHaptic() : Inner(std::make_unique<Live>())
@@ -112,7 +104,7 @@ int vtkInteractorStyleHaptic::AddStructure(const palpate::TouchStructure& struct
     return -1;
   }
   this->Inner->Structures.push_back(structure);
-  if (this->IsTouching() && !this->Publish())
+  if (this->IsTouching() && !this->Publish(this->Inner->Session.Frame()))
   {
     this->Inner->Structures.pop_back();
     return -1;
@@ -125,7 +117,7 @@ void vtkInteractorStyleHaptic::RemoveAllStructures()
   this->Inner->Structures.clear();
   if (this->IsTouching())
   {
-    this->Publish();
+    this->Publish(this->Inner->Session.Frame());
   }
 }
 
@@ -134,18 +126,18 @@ int vtkInteractorStyleHaptic::GetNumberOfStructures()
   return static_cast<int>(this->Inner->Structures.size());
 }
 
-// Hands the servo what there is to feel; nothing while the clutch is held.
-bool vtkInteractorStyleHaptic::Publish()
+palpate::TouchScene vtkInteractorStyleHaptic::MakeScene() const
 {
-  Live& inner = *this->Inner;
-  auto scene = std::make_shared<palpate::TouchScene>();
-  scene->Tool = palpate::ToolShape::Sphere(this->ToolRadius);
-  scene->Frame = inner.Frame.ForDevice();
-  if (!inner.Clutch.IsHeld())
-  {
-    scene->Structures = inner.Structures;
-  }
-  const palpate::Status status = inner.Thread->Loop().Publish(std::move(scene));
+  palpate::TouchScene scene;
+  scene.Tool = palpate::ToolShape::Sphere(this->ToolRadius);
+  scene.Structures = this->Inner->Structures;
+  return scene;
+}
+
+bool vtkInteractorStyleHaptic::Publish(const palpate::WorkspaceFrame& frame)
+{
+  const palpate::Status status =
+      this->Inner->Session.Publish(this->MakeScene(), frame, palpate::SceneEntry::Anew);
   if (!status.IsOk())
   {
     vtkErrorMacro(<< status.Message());
@@ -178,36 +170,21 @@ bool vtkInteractorStyleHaptic::StartTouch(std::unique_ptr<palpate::HapticDevice>
                   "that has one.");
     return false;
   }
-  inner.Device = std::move(device);
-  palpate::TouchScene scene;
-  scene.Structures = inner.Structures;
-  scene.Tool = palpate::ToolShape::Sphere(this->ToolRadius);
-  inner.Frame = palpate::WorkspaceFrame::Around(scene, inner.Device->Capabilities());
-  inner.Frame.Scale = this->Scale > 0.0 ? this->Scale : inner.Frame.Scale;
-  inner.Frame.Rotation = palpate::CameraAxes(renderer->GetActiveCamera());
-  inner.Watch = {};
-  inner.Newest = {};
-  inner.Clutch = {};
-  const palpate::Vector3 towardsViewer = inner.Frame.Rotation.col(2);
-  const palpate::Vector3 first =
-      inner.Frame.FirstHand(towardsViewer, inner.Device->Capabilities().Workspace);
-  this->SetHandWorld(inner.Frame.ToWorld(first).data());
-  this->SetHand(dynamic_cast<palpate::SimulatedDevice*>(inner.Device.get()) != nullptr);
-  this->TakeHand();
-  inner.Thread =
-      std::make_unique<palpate::ServoThread>(*inner.Device, inner.Clock, palpate::ServoSettings());
-  bool isStarted = this->Publish();
-  if (isStarted)
+  palpate::TouchSession& session = inner.Session;
+  session.SetClutchButton(this->ClutchButton);
+  session.Open(std::move(device), palpate::ServoSettings());
+  const palpate::TouchScene scene = this->MakeScene();
+  const palpate::DeviceCapabilities& capabilities = session.Device().Capabilities();
+  palpate::WorkspaceFrame frame = palpate::WorkspaceFrame::Around(scene, capabilities);
+  frame.Scale = this->Scale > 0.0 ? this->Scale : frame.Scale;
+  frame.Rotation = palpate::CameraAxes(renderer->GetActiveCamera());
+  const palpate::Vector3 first = frame.FirstHand(frame.Rotation.col(2), capabilities.Workspace);
+  this->SetHand(session.LeadHand(first));
+  this->SetHandWorld(frame.ToWorld(first).data());
+  const palpate::Status status = session.Start(scene, frame);
+  if (!status.IsOk())
   {
-    const palpate::Status status = inner.Thread->Start({});
-    isStarted = status.IsOk();
-    if (!isStarted)
-    {
-      vtkErrorMacro(<< status.Message());
-    }
-  }
-  if (!isStarted)
-  {
+    vtkErrorMacro(<< status.Message());
     this->StopTouch();
     return false;
   }
@@ -223,12 +200,8 @@ void vtkInteractorStyleHaptic::StopTouch()
 {
   Live& inner = *this->Inner;
   this->HandOff();
-  inner.Thread.reset(); // ends with 0 N
-  if (inner.Device != nullptr)
-  {
-    inner.Device->Close();
-    inner.Device.reset();
-  }
+  inner.Session.Stop();
+  inner.Reading = {};
   if (inner.Timer != 0 && this->Interactor != nullptr)
   {
     this->Interactor->DestroyTimer(inner.Timer);
@@ -244,14 +217,14 @@ void vtkInteractorStyleHaptic::StopTouch()
 
 bool vtkInteractorStyleHaptic::IsTouching()
 {
-  return this->Inner->Thread != nullptr;
+  return this->Inner->Session.IsRunning();
 }
 
 void vtkInteractorStyleHaptic::SwitchForcesOff()
 {
   if (this->IsTouching())
   {
-    this->Inner->Thread->Loop().SwitchOff();
+    this->Inner->Session.Loop().SwitchOff();
   }
 }
 
@@ -259,7 +232,7 @@ void vtkInteractorStyleHaptic::SwitchForcesOn()
 {
   if (this->IsTouching())
   {
-    this->Inner->Thread->Loop().Rearm();
+    this->Inner->Session.Loop().Rearm();
   }
 }
 
@@ -275,60 +248,35 @@ std::string vtkInteractorStyleHaptic::GetStatusText()
   {
     return "Nothing is touched.";
   }
-  const std::string problem = inner.Device->Problem();
-  const std::string guidance = inner.Device->Guidance();
+  const std::string problem = inner.Session.Device().Problem();
+  const std::string guidance = inner.Session.Device().Guidance();
   const std::string& ofDevice = problem.empty() ? guidance : problem;
-  return ofDevice.empty() ? palpate::Describe(inner.Newest.Safety.Fault) : ofDevice;
+  return ofDevice.empty() ? palpate::Describe(inner.Reading.Newest.Safety.Fault) : ofDevice;
 }
 
 // The servo is told when the camera has come to rest: forces fade in for every new frame.
 void vtkInteractorStyleHaptic::FollowCamera()
 {
   Live& inner = *this->Inner;
-  if (this->State != VTKIS_NONE || inner.DrawnIn == nullptr || inner.Clutch.IsHeld())
+  if (this->State != VTKIS_NONE || inner.DrawnIn == nullptr || inner.Reading.IsClutched)
   {
     return;
   }
-  palpate::WorkspaceFrame turned = inner.Frame;
+  palpate::WorkspaceFrame turned = inner.Session.Frame();
   turned.Rotation = palpate::CameraAxes(inner.DrawnIn->GetActiveCamera());
   // Rounding of a camera that was not moved is no turn.
   constexpr double LeastTurn = 1e-6;
-  if ((turned.Rotation - inner.Frame.Rotation).norm() > LeastTurn)
+  if ((turned.Rotation - inner.Session.Frame().Rotation).norm() > LeastTurn)
   {
-    this->MoveFrame(turned);
-  }
-}
-
-// The hand keeps its place in the device, and so has another in the world.
-void vtkInteractorStyleHaptic::MoveFrame(const palpate::WorkspaceFrame& frame)
-{
-  Live& inner = *this->Inner;
-  const palpate::Vector3 hand = inner.Frame.ToDevice(palpate::Vector3(this->GetHandWorld()));
-  inner.Frame = frame;
-  this->SetHandWorld(frame.ToWorld(hand).data());
-  this->Publish();
-}
-
-void vtkInteractorStyleHaptic::HoldClutch(bool isHeld)
-{
-  Live& inner = *this->Inner;
-  if (isHeld && !inner.Clutch.IsHeld())
-  {
-    inner.Clutch.Hold(inner.Newest.ProbeWorld);
-    this->Publish();
-  }
-  else if (!isHeld && inner.Clutch.IsHeld())
-  {
-    this->MoveFrame(inner.Clutch.Release(inner.Frame, inner.Newest.Sample.Position));
+    this->Publish(turned);
   }
 }
 
 void vtkInteractorStyleHaptic::ShowNewest()
 {
   Live& inner = *this->Inner;
-  const palpate::TouchState& now = inner.Newest;
-  const palpate::Vector3 probe =
-      inner.Clutch.IsHeld() ? inner.Clutch.PlaceWorld() : palpate::Vector3(now.ProbeWorld);
+  const palpate::TouchState& now = inner.Reading.Newest;
+  const palpate::Vector3 probe(now.ProbeWorld);
   const bool isTouched = now.Structure >= 0;
   const palpate::Vector3 proxy = isTouched ? palpate::Vector3(now.ProxyWorld) : probe;
   inner.Probe->SetProbePosition(probe[0], probe[1], probe[2]);
@@ -342,8 +290,8 @@ void vtkInteractorStyleHaptic::TellChanges()
 {
   using Kind = palpate::TouchChange::Kind;
   // An observer may stop the touch, or poll.
-  const std::vector<palpate::TouchChange> changes = std::move(this->Inner->Changes);
-  this->Inner->Changes.clear();
+  const std::vector<palpate::TouchChange> changes = std::move(this->Inner->Reading.Changes);
+  this->Inner->Reading.Changes.clear();
   for (const palpate::TouchChange& change : changes)
   {
     int structure = change.Structure;
@@ -359,10 +307,6 @@ void vtkInteractorStyleHaptic::TellChanges()
       break;
     case Kind::ButtonPressed:
     case Kind::ButtonReleased:
-      if (button == this->ClutchButton && this->IsTouching())
-      {
-        this->HoldClutch(isPress);
-      }
       this->InvokeEvent(isPress ? ButtonPressEvent : ButtonReleaseEvent, &button);
       break;
     case Kind::Fault:
@@ -381,11 +325,11 @@ void vtkInteractorStyleHaptic::Poll()
   {
     return;
   }
-  palpate::Servo& servo = inner.Thread->Loop();
-  servo.Reclaim();
-  while (servo.PopRecorded(inner.Newest))
+  const palpate::WorkspaceFrame before = inner.Session.Frame();
+  inner.Reading = inner.Session.Poll();
+  if (before != inner.Session.Frame())
   {
-    inner.Watch.Take(inner.Newest, inner.Changes);
+    this->SetHandWorld(inner.Session.HandWorld().data());
   }
   this->TellChanges();
   if (this->IsTouching())
@@ -413,14 +357,16 @@ void vtkInteractorStyleHaptic::OnTimer()
 // Leads a computed hand to where the mouse wants it, but not beyond what the device reaches.
 void vtkInteractorStyleHaptic::TakeHand()
 {
-  Live& inner = *this->Inner;
-  auto* simulated = dynamic_cast<palpate::SimulatedDevice*>(inner.Device.get());
-  if (simulated != nullptr)
+  palpate::TouchSession& session = this->Inner->Session;
+  if (!this->IsTouching())
   {
-    const palpate::Vector3 reached = inner.Frame.NearestInReach(
-        palpate::Vector3(this->GetHandWorld()), inner.Device->Capabilities().Workspace);
-    this->SetHandWorld(inner.Frame.ToWorld(reached).data());
-    simulated->SetTarget(reached);
+    return;
+  }
+  const palpate::Vector3 reached = session.Frame().NearestInReach(
+      palpate::Vector3(this->GetHandWorld()), session.Device().Capabilities().Workspace);
+  if (session.LeadHand(reached))
+  {
+    this->SetHandWorld(session.HandWorld().data());
   }
 }
 

@@ -35,6 +35,7 @@ class vtkProbeRepresentation;
 namespace palpate
 {
 class HapticDevice;
+struct TouchScene;
 struct TouchStructure;
 struct WorkspaceFrame;
 } // namespace palpate
@@ -140,12 +141,13 @@ private:
   vtkInteractorStyleHaptic(const vtkInteractorStyleHaptic&) = delete;
   void operator=(const vtkInteractorStyleHaptic&) = delete;
 
-  bool Publish();
+#ifndef __VTK_WRAP__
+  palpate::TouchScene MakeScene() const;
+#endif
+  bool Publish(const palpate::WorkspaceFrame& frame);
   void FollowCamera();
-  void MoveFrame(const palpate::WorkspaceFrame& frame);
   void ShowNewest();
   void TellChanges();
-  void HoldClutch(bool isHeld);
   void TakeHand();
   vtkRenderer* Led();
 

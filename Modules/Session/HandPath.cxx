@@ -40,9 +40,9 @@ HandPath::Place ParseLine(const std::string& line, const std::filesystem::path& 
 class SceneProbe
 {
 public:
-  SceneProbe(const TouchScene& scene, ToolComes comes)
+  explicit SceneProbe(const TouchScene& scene)
       : Bounds(scene.BoundsWorld()),
-        Reach(0.5 * Bounds.diagonal().norm() + scene.Tool.BoundingRadius()), Comes(std::move(comes))
+        Reach(0.5 * Bounds.diagonal().norm() + scene.Tool.BoundingRadius())
   {
   }
 
@@ -92,10 +92,6 @@ public:
 private:
   bool Touches(const Vector3& pointWorld, bool afresh)
   {
-    if (this->Comes)
-    {
-      this->Comes(pointWorld);
-    }
     if (afresh)
     {
       this->Felt->Leave();
@@ -107,7 +103,6 @@ private:
 
   Eigen::AlignedBox3d Bounds;
   double Reach;
-  ToolComes Comes;
   std::unique_ptr<ServoScene> Felt;
   FollowStep Step;
 };
@@ -202,11 +197,10 @@ HandPath ReadHandPath(const std::filesystem::path& path)
   return HandPath(std::move(places));
 }
 
-Status SweepOf(const TouchScene& scene, double depth, double speed, HandPath& path,
-               const ToolComes& comes)
+Status SweepOf(const TouchScene& scene, double depth, double speed, HandPath& path)
 {
   constexpr int Knots = 400;
-  SceneProbe probe(scene, comes);
+  SceneProbe probe(scene);
   Status status = probe.MakeTrackers(scene);
   if (!status.IsOk())
   {
@@ -227,7 +221,7 @@ Status SweepOf(const TouchScene& scene, double depth, double speed, HandPath& pa
 
 Status PressesOf(const TouchScene& scene, const HandPresses& presses, HandPath& path)
 {
-  SceneProbe probe(scene, {});
+  SceneProbe probe(scene);
   Status status = probe.MakeTrackers(scene);
   if (!status.IsOk())
   {

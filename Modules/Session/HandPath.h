@@ -5,7 +5,6 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <functional>
 #include <vector>
 
 namespace palpate
@@ -37,14 +36,11 @@ private:
 /// Reads "time_s,x_mm,y_mm,z_mm" a line, after a line of these names. Throws InputError.
 PALPATESESSION_EXPORT HandPath ReadHandPath(const std::filesystem::path& path);
 
-/// Told where a tool is going to be felt while a way is looked for, to get ready what is there.
-using ToolComes = std::function<void(const Vector3& placeWorld)>;
-
 /// A way round everything that a scene lets be touched: along a spiral from pole to pole, `depth`
 /// mm below where the tool first touches, at `speed` mm/s, and off again. Parts of the spiral that
 /// meet nothing lead round the outside. Refuses a scene that cannot be felt.
 PALPATESESSION_EXPORT Status SweepOf(const TouchScene& scene, double depth, double speed,
-                                     HandPath& path, const ToolComes& comes = {});
+                                     HandPath& path);
 
 /// How a scene is pressed here and there.
 struct HandPresses

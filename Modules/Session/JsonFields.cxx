@@ -164,7 +164,7 @@ void JsonFields::RefuseOthers() const
 {
   for (const auto& [key, value] : this->Object.items())
   {
-    if (this->Known.count(key) == 0)
+    if (this->Known.count(key) == 0 && this->Skipped.count(key) == 0)
     {
       std::string list;
       for (const std::string& known : this->Known)

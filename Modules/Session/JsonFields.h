@@ -38,6 +38,11 @@ public:
     choice = static_cast<Choice>(number);
   }
   bool Has(const char* key);
+  /// Entries that are read and dropped, whatever they hold (see RetiredKeys).
+  void Skip(std::initializer_list<const char*> keys)
+  {
+    this->Skipped.insert(keys.begin(), keys.end());
+  }
 
   /// Refuses entries that nobody asked for, since they may be misspelt.
   void RefuseOthers() const;
@@ -51,6 +56,7 @@ private:
   std::filesystem::path File;
   std::string Place;
   std::set<std::string> Known;
+  std::set<std::string> Skipped;
 };
 
 /// The word that ReadChoice takes for a choice.

@@ -37,8 +37,6 @@ struct SceneAccount
 {
   std::vector<SceneFileAccount> Files;
   std::vector<SceneStructureAccount> Structures;
-  SceneItem Servo;                  ///< trackers, and an index of what is where
-  std::uintmax_t MemoryBudget = 0;  ///< bytes, of what is felt on demand; 0: none
-  std::uintmax_t HarmonicsRoom = 0; ///< bytes of it, for the harmonics that are near the tool
+  SceneItem Servo; ///< trackers, and an index of what is where
 };
 } // namespace palpate

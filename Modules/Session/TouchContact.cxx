@@ -8,24 +8,14 @@
 
 namespace palpate
 {
-std::string HarmonicText(const SphericalHarmonicModel& model, HarmonicContactMode mode,
-                         EvaluationPrecision precision)
-{
-  return "harmonics of degree " + std::to_string(model.Degree()) +
-         (mode == HarmonicContactMode::Nearest ? ", nearest point" : ", radial") +
-         (precision == EvaluationPrecision::Float ? ", in float" : "");
-}
-
 TouchContact MakeHarmonicContact(const SphericalHarmonicModel& model, HarmonicContactMode mode,
-                                 EvaluationPrecision precision, const std::filesystem::path& file)
+                                 const std::filesystem::path& file)
 {
   TouchContact made;
   made.Looks.Model = std::make_shared<const SphericalHarmonicModel>(model);
-  made.Mode = mode;
-  made.Precision = precision;
-  RequireInput(HarmonicContactModel::Make(made.Looks.Model, mode, made.Model, precision),
-               file.string());
-  made.Represented = HarmonicText(model, mode, precision);
+  RequireInput(HarmonicContactModel::Make(made.Looks.Model, mode, made.Model), file.string());
+  made.Represented = "harmonics of degree " + std::to_string(model.Degree()) +
+                     (mode == HarmonicContactMode::Nearest ? ", nearest point" : ", radial");
   return made;
 }
 
@@ -48,9 +38,8 @@ TouchContact MakeFieldContact(const std::shared_ptr<const ScalarField>& field, i
   RequireInput(FieldContactModel::Make(field, material, FieldContactMode::Proxy, made.Model),
                file.string());
   const bool isLinear = field->Interpolation() == FieldInterpolation::Trilinear;
-  const std::string cells = std::to_string(field->Layout().Cells);
   made.Represented = std::string("sub-voxel field, ") + (isLinear ? "trilinear" : "tricubic") +
-                     ", bricks of " + cells + "\u00b3 cells, " + MemoryText(*field);
+                     ", " + MemoryText(*field);
   return made;
 }
 } // namespace palpate

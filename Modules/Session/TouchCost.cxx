@@ -3,9 +3,9 @@
 #include "FilterRun.h"
 #include "HandPath.h"
 #include "Refusal.h"
+#include "SceneTool.h"
 #include "Servo.h"
 #include "StructureFollower.h"
-#include "TouchStructures.h"
 
 #include <algorithm>
 #include <cmath>

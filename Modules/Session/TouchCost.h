@@ -3,8 +3,8 @@
 #include "Clock.h"
 #include "PalpateSessionModule.h"
 #include "Progress.h"
+#include "SceneSettings.h"
 #include "TouchContact.h"
-#include "TouchSettings.h"
 
 #include <cstddef>
 

@@ -6,9 +6,8 @@
 #include "JsonSchema.h"
 #include "OutputFolder.h"
 #include "ReportPage.h"
+#include "SceneFile.h"
 #include "TouchPlots.h"
-#include "TouchSceneFile.h"
-#include "TouchStandIns.h"
 #include "WholeFile.h"
 
 #include <algorithm>
@@ -46,28 +45,13 @@ nlohmann::ordered_json StatisticsAsJson(const PeriodStatistics& statistics)
           {"missed", statistics.Misses()}};
 }
 
-// A sentence for each level of stand-ins that was felt.
-std::vector<std::string> DegradedTexts(const PreparedTouch& touch, const TouchResult& result)
-{
-  std::vector<std::string> texts;
-  for (std::size_t n = 0; n < result.LevelSeconds.size(); ++n)
-  {
-    if (result.LevelSeconds[n] > 0.0)
-    {
-      texts.push_back("For " + FixedText(result.LevelSeconds[n], 2) + " s: " +
-                      LevelText(*touch.Scene, static_cast<int>(n) + 1, -1, touch.Settings.Rate));
-    }
-  }
-  return texts;
-}
-
 nlohmann::ordered_json SummaryOf(const PreparedTouch& touch, const TouchResult& result)
 {
   nlohmann::ordered_json summary;
   summary[JsonSchemaKey] = JsonSchemaVersion;
   for (std::size_t s = 0; s < touch.Structures.size(); ++s)
   {
-    const TouchableStructure& structure = touch.Structures[s];
+    const BuiltStructure& structure = touch.Structures[s];
     summary["structures"].push_back({{"name", structure.Touch.Name},
                                      {"representation", structure.Represented},
                                      {"stiffness_n_per_mm", structure.Touch.Law.Stiffness},
@@ -76,12 +60,10 @@ nlohmann::ordered_json SummaryOf(const PreparedTouch& touch, const TouchResult& 
   }
   summary["device"] = touch.Settings.Device;
   summary["rate_hz"] = touch.Settings.Rate;
-  summary["scale"] = touch.Scale;
+  summary["scale"] = touch.Frame.Scale;
   summary["seconds"] = result.Trace.Duration();
   summary["ticks"] = result.Ticks;
   summary["lost_ticks"] = result.LostTicks;
-  summary["coarse_ticks"] = result.CoarseTicks;
-  summary["missing_parts"] = result.MissingParts;
   summary["touching_percent"] = TouchingPercent(result);
   summary["force_max_n"] = result.Trace.Whole().Force.Most;
   summary["depth_max_mm"] = result.Trace.Whole().Depth.Most;
@@ -101,7 +83,6 @@ nlohmann::ordered_json SummaryOf(const PreparedTouch& touch, const TouchResult& 
   summary["fault"] = result.Fault == SafetyFault::None ? "" : Describe(result.Fault);
   summary["device_problem"] = result.DeviceProblem;
   summary["warnings"] = touch.Warnings;
-  summary["degraded"] = DegradedTexts(touch, result);
   summary["thread"] = result.ThreadAdvice;
   if (touch.Drill != nullptr)
   {
@@ -121,7 +102,7 @@ std::string StructuresTable(const PreparedTouch& touch, const TouchResult& resul
   HtmlRows rows;
   for (std::size_t s = 0; s < touch.Structures.size(); ++s)
   {
-    const TouchableStructure& structure = touch.Structures[s];
+    const BuiltStructure& structure = touch.Structures[s];
     rows.emplace_back(structure.Touch.Name,
                       structure.Represented + "; " +
                           SignificantText(structure.Touch.Law.Stiffness, 3) +
@@ -138,7 +119,7 @@ std::string NumbersTable(const PreparedTouch& touch, const TouchResult& result)
   { return SignificantText(Micro * static_cast<double>(nanoseconds), 3) + " µs"; };
   HtmlRows rows{
       {"device", touch.Settings.Device},
-      {"millimetres of the scene for one of the hand", SignificantText(touch.Scale, 3)},
+      {"millimetres of the scene for one of the hand", SignificantText(touch.Frame.Scale, 3)},
       {"rate", SignificantText(touch.Settings.Rate, 4) + " Hz"},
       {"ticks", std::to_string(result.Ticks)},
       {"touching", FixedText(TouchingPercent(result), 1) + " % of the time"},
@@ -156,10 +137,6 @@ std::string NumbersTable(const PreparedTouch& touch, const TouchResult& result)
   {
     rows.emplace_back("pictures beside it", FixedText(result.FramesPerSecond, 1) + " a second");
   }
-  for (const std::string& degraded : DegradedTexts(touch, result))
-  {
-    rows.emplace_back("coarser", degraded);
-  }
   for (const std::string& warning : touch.Warnings)
   {
     rows.emplace_back("warning", warning);
@@ -174,7 +151,7 @@ std::string NumbersTable(const PreparedTouch& touch, const TouchResult& result)
 std::string Header(const PreparedTouch& touch)
 {
   std::string names;
-  for (const TouchableStructure& structure : touch.Structures)
+  for (const BuiltStructure& structure : touch.Structures)
   {
     names += (names.empty() ? "" : ", ") + structure.Touch.Name;
   }
@@ -243,13 +220,13 @@ std::string TouchSummaryText(const PreparedTouch& touch, const TouchResult& resu
 void WriteTouchFiles(const std::filesystem::path& folder, const PreparedTouch& touch,
                      const TouchResult& result)
 {
-  TouchSettings settings = touch.Settings;
-  settings.Scale = touch.Scale; // so that the same file means the same touch
+  SceneSettings settings = touch.Settings;
+  settings.Placement.Scale = touch.Frame.Scale; // so that the same file means the same touch
   WriteOutputSet(folder,
                  [&](const std::filesystem::path& stage)
                  {
                    WriteWholeFile(stage / "summary.json", TouchSummaryText(touch, result));
-                   WriteWholeFile(stage / "scene.json", TouchSceneText(settings, folder));
+                   WriteWholeFile(stage / "scene.json", SceneText(settings, folder));
                    WriteWholeFile(stage / "trace.csv", TraceAsCsv(result.Trace));
                    WriteWholeFile(stage / "report.html", PageOf(touch, result));
                  });

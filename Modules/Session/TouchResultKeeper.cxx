@@ -31,13 +31,6 @@ void TouchResultKeeper::Add(const TouchState& state, float microseconds)
   {
     this->Result.TouchedSeconds[static_cast<std::size_t>(state.Structure)] += passed;
   }
-  if (state.Level > 0)
-  {
-    auto& seconds = this->Result.LevelSeconds;
-    const auto level = static_cast<std::size_t>(state.Level);
-    seconds.resize(std::max(seconds.size(), level));
-    seconds[level - 1] += passed;
-  }
   this->Result.LeastEnergy = std::min(this->Result.LeastEnergy, state.Safety.Energy);
   if (this->Result.Fault == SafetyFault::None)
   {

@@ -2,22 +2,16 @@
 
 #include "DeviceHoming.h"
 #include "DeviceList.h"
-#include "DrillKeeper.h"
-#include "EndBeforeExit.h"
 #include "InputError.h"
 #include "ManualClock.h"
 #include "OpenBuiltInDevice.h"
 #include "Refusal.h"
-#include "SceneKeeper.h"
-#include "ServoThread.h"
 #include "SimulatedDevice.h"
 #include "SteadyClock.h"
 #include "StiffnessAdvice.h"
-#include "SurfaceTool.h"
-#include "TouchRecorder.h"
 #include "TouchReplay.h"
 #include "TouchResultKeeper.h"
-#include "TouchStandIns.h"
+#include "TouchSession.h"
 #include "WorkspaceFrame.h"
 
 #include <algorithm>
@@ -70,19 +64,6 @@ double TimeOnPath(const PreparedTouch& touch, double time) noexcept
   return passed <= once ? passed : 2.0 * once - passed;
 }
 
-OnDemandParts PartsOf(const PreparedTouch& touch)
-{
-  OnDemandParts parts{{}, touch.Degrees};
-  for (const TouchableStructure& structure : touch.Structures)
-  {
-    if (structure.OnDemand != nullptr)
-    {
-      parts.Fields.push_back(structure.OnDemand);
-    }
-  }
-  return parts;
-}
-
 // Virtual time waits for a slow disk.
 BackgroundWriter::Limits RecordingLimits(bool isVirtual)
 {
@@ -94,139 +75,100 @@ BackgroundWriter::Limits RecordingLimits(bool isVirtual)
   return limits;
 }
 
-// All of it while a tool touches.
+// A session and everything that is noted of it.
 class LiveTouch
 {
 public:
   LiveTouch(const PreparedTouch& touch, Clock& clock, const TouchRunSettings& settings)
       : Touch(touch), View(settings.View), Guide(settings.Guide),
-        Keeper(Result, touch.Structures.size()), Watch(touch.Drill),
-        IsRecording(!settings.Recording.empty()),
-        Recorder(RecordingLimits(settings.IsVirtual && !touch.IsRealTimeOnly))
+        Keeper(Result, touch.Structures.size()), Watch(touch.Drill), Session(clock)
   {
-    this->Settings.Rate = touch.Settings.Rate;
-    this->Settings.ModelInterval = touch.Settings.ModelInterval;
-    this->Device = MakeDevice(touch.Settings.Device, clock, this->PathOfDevice());
-    Succeed(this->Device->Open());
-    if (this->IsRecording)
+    ServoSettings servo;
+    servo.Rate = touch.Settings.Rate;
+    servo.ModelInterval = touch.Settings.ModelInterval;
+    auto device = MakeDevice(touch.Settings.Device, clock, this->PathOfDevice());
+    Succeed(device->Open());
+    this->Session.Open(std::move(device), servo);
+    if (touch.Drill != nullptr)
     {
-      RequireInput(this->Recorder.Start(settings.Recording.string(),
-                                        {this->Settings, this->Device->Capabilities()}));
+      this->Session.UseEditor(touch.Drill->SharedEditor());
+    }
+    if (!settings.Recording.empty())
+    {
+      RequireInput(this->Session.StartRecording(
+          settings.Recording, RecordingLimits(settings.IsVirtual && !touch.IsRealTimeOnly)));
     }
   }
-  ~LiveTouch()
-  {
-    this->Thread.reset();
-    this->Device->Close();
-  }
-  LiveTouch(const LiveTouch&) = delete;
-  LiveTouch& operator=(const LiveTouch&) = delete;
 
   TouchResult RunVirtual(ManualClock& clock, const ProgressFunction& progress)
   {
-    Servo servo(*this->Device, this->Settings);
-    RequireInput(servo.Publish(this->Touch.Scene));
-    SceneKeeper keeper(PartsOf(this->Touch), this->Touch.Scene->Probe);
-    this->LookAhead(keeper);
+    RequireInput(this->Session.Begin(*this->Touch.Scene, this->Touch.Frame));
+    Servo& servo = this->Session.Loop();
     const SteadyClock watch;
     FixedRateLoop loop(clock, this->Period());
-    const auto ticks = static_cast<std::uint64_t>(this->Touch.Duration * this->Settings.Rate);
+    const auto ticks = static_cast<std::uint64_t>(this->Touch.Duration * this->Touch.Settings.Rate);
     constexpr std::uint64_t TicksBetweenReports = 1024;
     loop.Run(
         [&](const TickInfo& tick)
         {
           // A computed hand moves when it is read; that is no part of the tick's own time.
           DeviceSample ahead;
-          this->Device->Read(ahead);
+          this->Session.Device().Read(ahead);
           const double time = this->Touch.Duration * this->PartAt(tick.Number);
-          this->Act(servo, time);
+          this->Act(time);
           const std::int64_t start = watch.Now();
           servo.Tick(tick);
           const std::int64_t spent = watch.Now() - start;
-          keeper.Look(Nano * static_cast<double>(tick.Started));
           this->TakeOrders();
           this->LookOut(time, servo.Latest());
           this->NoteRemoval(time);
           this->Result.Durations.Add(spent);
-          this->Fetch(servo, 1e-3F * static_cast<float>(spent));
+          this->Fetch(1e-3F * static_cast<float>(spent));
           const bool goesOn = tick.Number % TicksBetweenReports != 0 ||
                               progress(this->PartAt(tick.Number), "touch");
           return goesOn && tick.Number + 1 < ticks;
         });
-    return this->Finished(servo, keeper);
+    return this->Finished();
   }
 
   TouchResult RunReal(Clock& clock, const ProgressFunction& progress)
   {
     this->Home(progress);
-    this->Thread = std::make_unique<ServoThread>(*this->Device, clock, this->Settings);
-    ServoThread& thread = *this->Thread;
-    RequireInput(thread.Loop().Publish(this->Touch.Scene));
-    SceneKeeper keeper(PartsOf(this->Touch), this->Touch.Scene->Probe);
-    this->LookAhead(keeper);
-    keeper.Start(clock);
-    DrillKeeper drill(this->Touch.Drill);
-    drill.Start();
-    RequireInput(thread.Start({}));
-    this->Result.ThreadAdvice = thread.Grant().Advice;
+    RequireInput(this->Session.Start(*this->Touch.Scene, this->Touch.Frame));
+    this->Result.ThreadAdvice = this->Session.Grant().Advice;
     const std::int64_t start = clock.Now();
     double passed = 0.0;
     while (passed < this->Touch.Duration && progress(passed / this->Touch.Duration, "touch"))
     {
-      this->Act(thread.Loop(), passed);
-      this->Look(thread.Loop(), clock, passed);
-      this->LookOut(passed, thread.Loop().Latest());
+      this->Act(passed);
+      this->Look(clock, passed);
+      this->LookOut(passed, this->Session.Loop().Latest());
       this->NoteRemoval(passed);
-      this->SayLevel(thread.Loop().Latest());
-      this->Fetch(thread.Loop());
+      this->Fetch();
       passed = Nano * static_cast<double>(clock.Now() - start);
     }
     this->Result.FramesPerSecond = static_cast<double>(this->Result.Frames.Count()) / passed;
-    thread.Stop();
-    keeper.Stop();
-    drill.Stop();
-    this->Fetch(thread.Loop());
-    this->Result.Durations = thread.Statistics().Durations;
-    this->Result.Periods = thread.Statistics().Periods;
-    return this->Finished(thread.Loop(), keeper);
+    this->Session.Pause();
+    this->Fetch();
+    this->Result.Durations = this->Session.Statistics().Durations;
+    this->Result.Periods = this->Session.Statistics().Periods;
+    return this->Finished();
   }
 
 private:
-  // Where the process ends within RunReal: no force, and a recording that is whole.
-  void EndNow() noexcept
-  {
-    if (this->Thread == nullptr || !this->Thread->IsRunning())
-    {
-      return; // nothing pushes
-    }
-    this->Thread->Stop();
-    this->Device->Close();
-    try
-    {
-      this->Fetch(this->Thread->Loop());
-      if (this->IsRecording)
-      {
-        Succeed(this->Recorder.Finish());
-      }
-    }
-    catch (const std::exception&)
-    {
-      // What was recorded so far stays under its temporary name.
-    }
-  }
-
   std::int64_t Period() const
   {
-    return static_cast<std::int64_t>(std::llround(1.0 / (Nano * this->Settings.Rate)));
+    return static_cast<std::int64_t>(std::llround(1.0 / (Nano * this->Touch.Settings.Rate)));
   }
   double PartAt(std::uint64_t tick) const
   {
-    return static_cast<double>(tick) / (this->Touch.Duration * this->Settings.Rate);
+    return static_cast<double>(tick) / (this->Touch.Duration * this->Touch.Settings.Rate);
   }
 
-  // What the person who drills does until a time, s.
-  void Act(Servo& servo, double time)
+  // What the script does until a time, s.
+  void Act(double time)
   {
+    Servo& servo = this->Session.Loop();
     const std::vector<DrillAction>& actions = this->Touch.Actions;
     for (; this->Done < actions.size() && actions[this->Done].Time <= time; ++this->Done)
     {
@@ -272,31 +214,25 @@ private:
     }
   }
 
-  // Where the first tick is known to be.
-  void LookAhead(SceneKeeper& keeper) const
-  {
-    if (!this->Touch.Path.IsEmpty())
-    {
-      keeper.LookAt(this->Touch.Path.At(0.0), 0.0);
-    }
-  }
-
   std::function<Vector3(double)> PathOfDevice() const
   {
     const PreparedTouch& touch = this->Touch;
-    return [&touch, middle = Vector3(touch.Scene->BoundsWorld().center())](double time)
-    { return Vector3((touch.Path.At(TimeOnPath(touch, time)) - middle) / touch.Scale); };
+    return [&touch](double time)
+    {
+      return Vector3((touch.Path.At(TimeOnPath(touch, time)) - touch.Frame.CenterWorld) /
+                     touch.Frame.Scale);
+    };
   }
 
   // Before forces can start; where it fails or is stopped, the touch ends with its first ticks.
   void Home(const ProgressFunction& progress)
   {
-    if (this->Device->State() != DeviceState::Homing)
+    if (this->Session.Device().State() != DeviceState::Homing)
     {
       return;
     }
     std::string said;
-    HomeDevice(*this->Device, 0.0,
+    HomeDevice(this->Session.Device(), 0.0,
                [&](const HomingView& view)
                {
                  if (this->Guide && view.Guidance != said && !view.Guidance.empty())
@@ -308,8 +244,8 @@ private:
                });
   }
 
-  // Draws a picture, or waits for about as long as one takes.
-  void Look(Servo& servo, const Clock& clock, double time)
+  // Draws a frame, or waits for about as long as one takes.
+  void Look(const Clock& clock, double time)
   {
     constexpr auto Nap = std::chrono::milliseconds(20);
     if (!this->View)
@@ -318,58 +254,37 @@ private:
       return;
     }
     const std::int64_t start = clock.Now();
-    this->View(time, servo.Latest());
+    this->View(time, this->Session.Loop().Latest());
     this->Result.Frames.Add(clock.Now() - start);
   }
 
-  // Whenever something else is felt, since ticks took too long or have time again.
-  void SayLevel(const TouchState& newest)
+  void Fetch(float microseconds = 0.0F)
   {
-    if (this->Guide && newest.Level != this->SaidLevel)
-    {
-      const std::string coarser =
-          LevelText(*this->Touch.Scene, newest.Level, newest.Structure, this->Settings.Rate);
-      this->Guide(coarser.empty() ? "Ticks have time again: the models themselves are felt."
-                                  : coarser);
-    }
-    this->SaidLevel = newest.Level;
-  }
-
-  void Fetch(Servo& servo, float microseconds = 0.0F)
-  {
-    TouchState state;
-    while (servo.PopRecorded(state))
+    const TouchSessionReading& now = this->Session.Poll();
+    for (const TouchState& state : now.NewTicks)
     {
       this->Keeper.Add(state, microseconds);
-      if (this->IsRecording)
-      {
-        this->NoteRecording(this->Recorder.Take(state));
-      }
     }
+    this->NoteRecording(now.RecordingProblem);
   }
 
-  // What cannot be recorded is touched all the same.
-  void NoteRecording(const Status& status)
+  // A session that cannot be recorded is touched all the same.
+  void NoteRecording(const std::string& problem)
   {
-    if (!status.IsOk())
+    if (problem != this->Result.RecordingProblem && !problem.empty() && this->Guide)
     {
-      this->IsRecording = false;
-      this->Result.RecordingProblem = status.Message();
-      if (this->Guide)
-      {
-        this->Guide(status.Message());
-      }
+      this->Guide(problem);
     }
+    this->Result.RecordingProblem = problem;
   }
 
-  TouchResult Finished(Servo& servo, const SceneKeeper& keeper)
+  TouchResult Finished()
   {
-    this->Result.CoarseTicks = keeper.CoarseTicks();
-    this->Result.MissingParts = keeper.Problem();
-    if (this->IsRecording)
+    if (this->Session.IsRecording())
     {
-      this->NoteRecording(this->Recorder.Finish());
+      this->NoteRecording(this->Session.StopRecording().Message());
     }
+    Servo& servo = this->Session.Loop();
     if (this->Touch.Drill != nullptr)
     {
       this->Result.RemovedVolumes = this->Touch.Drill->Editor().RemovedVolumes();
@@ -378,7 +293,7 @@ private:
       this->Result.Approaches = this->Watch.Approaches();
     }
     this->Result.LostTicks = servo.LostTicks();
-    this->Result.DeviceProblem = this->Device->Problem();
+    this->Result.DeviceProblem = this->Session.Device().Problem();
     this->Keeper.Close();
     return std::move(this->Result);
   }
@@ -386,83 +301,51 @@ private:
   const PreparedTouch& Touch;
   const TouchViewer& View;
   const TouchGuide& Guide;
-  ServoSettings Settings;
-  std::unique_ptr<HapticDevice> Device;
   TouchResult Result;
   TouchResultKeeper Keeper;
   DrillWatch Watch;
   std::size_t Done = 0; // actions
-  bool IsRecording;
-  int SaidLevel = 0;
-  TouchRecorder Recorder;
-  std::unique_ptr<ServoThread> Thread; // in real time
-  EndBeforeExit End{[this] { this->EndNow(); }};
+  TouchSession Session;
 };
 } // namespace
 
-PreparedTouch PrepareTouch(const TouchSettings& asked, const TouchScript& script,
+PreparedTouch PrepareTouch(const SceneSettings& settings, const TouchScript& script,
                            const ProgressFunction& progress)
 {
   PreparedTouch touch;
-  touch.Settings = asked;
-  const TouchSettings& settings = touch.Settings;
-  if (settings.Tool.Kind == TouchToolSettings::Shape::Surface)
-  {
-    const auto& structures = settings.Structures;
-    const bool cuts = std::any_of(structures.begin(), structures.end(),
-                                  [](const TouchStructureSettings& s) { return s.IsDrilled(); });
-    touch.Settings.Tool.Surface = SurfaceOf(settings.Tool, cuts);
-  }
-  TouchStructures made = MakeTouchStructures(settings, script.IsSeen, progress);
-  if (made.Touched.empty())
+  BuiltScene built = BuildScene(settings, script.IsSeen, progress);
+  if (built.Contacts.empty())
   {
     throw InputError(
         "nothing of the scene is to be touched; leave \"touched\": false out of one of "
         "its structures");
   }
-  touch.Drill = DrillBench::Make(settings, made, progress);
+  touch.Settings = std::move(built.Settings);
+  touch.Drill = DrillBench::Make(touch.Settings, built.Contacts, built.Protections);
   if (touch.Drill == nullptr && !script.Actions.empty())
   {
     throw InputError(
         "nothing of the scene is to be drilled; give one of its structures a \"drill\"");
   }
   touch.Actions = script.Actions;
-  touch.Structures = std::move(made.Touched);
-  touch.OnlySeen = std::move(made.OnlySeen);
-  touch.Degrees = std::move(made.Degrees);
-  auto scene = std::make_shared<TouchScene>();
-  scene->Tool = MakeTool(settings.Tool);
-  if (!PartsOf(touch).IsEmpty())
-  {
-    scene->Probe = std::make_shared<LatestValue<PlainVector3>>();
-  }
-  for (const TouchableStructure& structure : touch.Structures)
-  {
-    scene->Structures.push_back(structure.Touch);
-  }
+  touch.Structures = std::move(built.Touched);
+  touch.OnlyDisplayed = std::move(built.OnlyDisplayed);
+  auto scene = std::make_shared<TouchScene>(MakeTouchScene(touch.Settings, built.Contacts, {}));
   if (touch.Drill != nullptr)
   {
     touch.Drill->PutInto(*scene);
   }
   ManualClock clock;
   const DeviceCapabilities device = MakeDevice(settings.Device, clock, {})->Capabilities();
-  touch.Scale = settings.Scale.value_or(ReachingScale(*scene, device));
-  scene->Frame = DeviceFrame(Matrix3::Identity(), touch.Scale, scene->BoundsWorld().center());
+  touch.Frame = WorkspaceFrame::Around(*scene, device);
+  touch.Frame.Scale = settings.Placement.Scale.value_or(touch.Frame.Scale);
+  touch.Frame.CenterWorld = settings.Placement.CenterWorld.value_or(touch.Frame.CenterWorld);
+  scene->Frame = touch.Frame.ForDevice();
   RequireInput(scene->Check());
   touch.Path = script.Path;
   if (touch.Path.IsEmpty() && settings.Device == SimulatedName)
   {
-    SceneKeeper keeper(PartsOf(touch), scene->Probe);
-    double time = 0.0; // a tool that is led from place to place has as much as it wants
-    const auto comes = [&](const Vector3& place)
-    {
-      if (scene->Probe != nullptr)
-      {
-        scene->Probe->Publish(place);
-        keeper.Look(time += 1.0);
-      }
-    };
-    RequireInput(SweepOf(*scene, script.SweepDepth, script.SweepSpeed, touch.Path, comes));
+    RequireInput(SweepOf(*scene, script.SweepDepth, script.SweepSpeed, touch.Path));
     touch.IsSweep = true;
   }
   const double duration = touch.Path.IsEmpty() ? DefaultDuration : touch.Path.Duration();
@@ -491,19 +374,13 @@ TouchComparison CompareTouch(const PreparedTouch& touch, const std::filesystem::
   auto read = std::make_shared<TouchRecording>();
   RequireInput(ReadTouchRecording(recording.string(), *read));
   ReplayComparison comparison;
-  SceneKeeper keeper(PartsOf(touch), touch.Scene->Probe);
-  if (!read->Ticks.empty())
-  {
-    keeper.LookAt(read->Ticks.front().ProbeWorld, 0.0);
-  }
-  ReplayWorkers workers;
-  workers.AfterTick = [&keeper](double time) { keeper.Look(time); };
+  BeforeReplayedTick beforeTick;
   if (touch.Drill != nullptr)
   {
-    workers.BeforeTick = [&touch](const TouchState& tick)
+    beforeTick = [&touch](const TouchState& tick)
     { touch.Drill->Editor().Take(tick.DrillVersion); };
   }
-  RequireInput(ReplayTouch(std::move(read), {touch.Scene}, comparison, workers));
+  RequireInput(ReplayTouch(std::move(read), {touch.Scene}, comparison, beforeTick));
   if (touch.Drill != nullptr)
   {
     touch.Drill->Editor().Take();

@@ -9,9 +9,10 @@
 #include "PeriodStatistics.h"
 #include "Progress.h"
 #include "SafetyReport.h"
+#include "SceneBuilder.h"
 #include "TouchState.h"
-#include "TouchStructures.h"
 #include "TouchTrace.h"
+#include "WorkspaceFrame.h"
 
 #include <filesystem>
 #include <functional>
@@ -37,10 +38,9 @@ struct TouchScript
 /// A scene, a device's place in it, and what a person should know before forces start.
 struct PreparedTouch
 {
-  TouchSettings Settings;
-  std::vector<TouchableStructure> Structures; ///< to be touched, as in the scene
-  std::vector<TouchableStructure> OnlySeen;
-  std::shared_ptr<OnDemandDegrees> Degrees; ///< that harmonics come and go by; none: they stay
+  SceneSettings Settings;                 ///< with its labels resolved
+  std::vector<BuiltStructure> Structures; ///< to be touched, as in the scene
+  std::vector<BuiltStructure> OnlyDisplayed;
   std::shared_ptr<const TouchScene> Scene;
   std::shared_ptr<DrillBench> Drill; ///< none: nothing is drilled
   std::vector<DrillAction> Actions;  ///< of who drills
@@ -48,7 +48,7 @@ struct PreparedTouch
   bool IsSweep = false;              ///< then the path is gone to and fro, for as long as it takes
   double Duration = 0.0;             ///< s
   bool IsRealTimeOnly = false;       ///< the device is plugged in and has no other time
-  double Scale = 1.0;                ///< mm of the scene for one of the device
+  WorkspaceFrame Frame;              ///< the device's place in the scene
   std::vector<std::string> Warnings;
 };
 
@@ -71,15 +71,12 @@ struct TouchResult
   double MebibytesAtEnd = 0.0;
   std::uint64_t Ticks = 0;
   std::uint64_t LostTicks = 0;        ///< that the trace has not, though they ran
-  std::vector<double> LevelSeconds;   ///< by level of stand-ins, from 1 on, that was felt
   std::vector<double> TouchedSeconds; ///< by structure, the one touched most deeply
   double LeastEnergy = 0.0;           ///< N mm that contacts had taken in, at the lowest
   SafetyFault Fault = SafetyFault::None;
-  std::uint64_t CoarseTicks = 0;      ///< in which the tool was faster than what is on demand came
-  std::string MissingParts;           ///< why it did not come at last; empty where it did
-  std::vector<double> RemovedVolumes; ///< mm^3, of each of the bench's sites
-  std::vector<DrillMoment> Removal;   ///< over time, some hundred moments
-  std::uint64_t DrillOrders = 0;      ///< cuts and commands
+  std::vector<double> RemovedVolumes;    ///< mm^3, of each of the bench's sites
+  std::vector<DrillMoment> Removal;      ///< over time, some hundred moments
+  std::uint64_t DrillOrders = 0;         ///< cuts and commands
   std::vector<DrillApproach> Approaches; ///< to what is forbidden
   std::string DrillProblem;              ///< why not all was removed; empty without
   std::string DeviceProblem;             ///< empty without
@@ -89,15 +86,14 @@ struct TouchResult
 
 /// Reads and makes everything, so that forces could start. Throws InputError, FilterError,
 /// Cancelled.
-PALPATESESSION_EXPORT PreparedTouch PrepareTouch(const TouchSettings& settings,
+PALPATESESSION_EXPORT PreparedTouch PrepareTouch(const SceneSettings& settings,
                                                  const TouchScript& script,
                                                  const ProgressFunction& progress);
 
 /// Draws a picture of the newest tick, `time` (s) after the first.
 using TouchViewer = std::function<void(double time, const TouchState& newest)>;
 
-/// Tells the person at the device what to do now, as while it is homed, and what is felt where
-/// ticks take too long.
+/// Tells the person at the device what to do now, as while it is homed.
 using TouchGuide = std::function<void(const std::string& sentence)>;
 
 /// How a scene is touched.

@@ -13,7 +13,7 @@ constexpr const char* Columns =
     "tick,due_s,began_s,state,fault,buttons,x_mm,y_mm,z_mm,qx,qy,qz,qw,"
     "probe_world_x_mm,probe_world_y_mm,probe_world_z_mm,"
     "proxy_world_x_mm,proxy_world_y_mm,proxy_world_z_mm,force_x_n,force_y_n,force_z_n,"
-    "force_world_x_n,force_world_y_n,force_world_z_n,structure,depth_mm,energy_n_mm,level\n";
+    "force_world_x_n,force_world_y_n,force_world_z_n,structure,depth_mm,energy_n_mm\n";
 
 void Append(std::string& text, double number)
 {
@@ -48,7 +48,6 @@ void Append(std::string& text, const TouchState& state, std::int64_t start)
   text += ',' + std::to_string(state.Structure);
   Append(text, state.Depth);
   Append(text, state.Safety.Energy);
-  text += ',' + std::to_string(state.Level);
   text += '\n';
 }
 } // namespace

@@ -17,9 +17,9 @@ constexpr SceneRenderer::Color ToolColor{{0.15, 0.35, 0.75}};
 
 TouchView::TouchView(const PreparedTouch& touch) : Drill(touch.Drill)
 {
-  for (const auto* structures : {&touch.Structures, &touch.OnlySeen})
+  for (const auto* structures : {&touch.Structures, &touch.OnlyDisplayed})
   {
-    for (const TouchableStructure& structure : *structures)
+    for (const BuiltStructure& structure : *structures)
     {
       this->Add(structure);
     }
@@ -28,7 +28,7 @@ TouchView::TouchView(const PreparedTouch& touch) : Drill(touch.Drill)
   this->AddTool(touch.Scene->Tool);
 }
 
-void TouchView::Add(const TouchableStructure& structure)
+void TouchView::Add(const BuiltStructure& structure)
 {
   const TouchAppearance& looks = structure.Looks;
   if (looks.Field != nullptr)

@@ -22,7 +22,7 @@ public:
   const Picture& Draw(double time, const Vector3& proxyWorld);
 
 private:
-  void Add(const TouchableStructure& structure);
+  void Add(const BuiltStructure& structure);
   void AddTool(const ToolShape& tool);
 
   SceneRenderer Renderer;

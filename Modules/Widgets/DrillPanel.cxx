@@ -38,7 +38,7 @@ enum Column
   Columns
 };
 
-int RoleOf(const StudyStructure& structure)
+int RoleOf(const SceneStructure& structure)
 {
   if (structure.IsForbidden)
   {
@@ -178,12 +178,12 @@ void DrillPanel::MakeTable()
 }
 
 void DrillPanel::ChangeStructure(int label, const QString& sentence,
-                                 const std::function<void(StudyStructure&)>& change)
+                                 const std::function<void(SceneStructure&)>& change)
 {
   StudyState next = this->Study.State();
-  for (StudyStructure& structure : next.Structures)
+  for (SceneStructure& structure : next.Structures)
   {
-    if (structure.Label == label)
+    if (structure.Id == label)
     {
       change(structure);
     }
@@ -191,11 +191,11 @@ void DrillPanel::ChangeStructure(int label, const QString& sentence,
   this->Study.Change(sentence, next);
 }
 
-void DrillPanel::MakeRow(int row, const StudyStructure& structure)
+void DrillPanel::MakeRow(int row, const SceneStructure& structure)
 {
   const QString title = ScreenString(TitleOf(structure));
   auto* name = new QTableWidgetItem(title);
-  name->setData(Qt::UserRole, structure.Label);
+  name->setData(Qt::UserRole, structure.Id);
   this->Table->setItem(row, NameColumn, name);
   this->Table->setItem(row, StandColumn, new QTableWidgetItem);
   auto* role = new QComboBox(this->Table);
@@ -204,13 +204,13 @@ void DrillPanel::MakeRow(int row, const StudyStructure& structure)
     role->addItem(one.Name);
   }
   auto* alarm = MakeSpin(this->Table, "alarm", 0.0, DrillLimits::Alarm, 0.5, " mm");
-  const int label = structure.Label;
+  const int label = structure.Id;
   connect(role, qOverload<int>(&QComboBox::activated), this,
           [this, label, title](int chosen)
           {
             const DrillRole& to = Roles.at(static_cast<std::size_t>(chosen));
             this->ChangeStructure(label, title + " is to the drill: " + to.Name,
-                                  [&to](StudyStructure& one)
+                                  [&to](SceneStructure& one)
                                   {
                                     one.Drill = to.Law;
                                     one.IsForbidden = to.IsForbidden;
@@ -220,14 +220,14 @@ void DrillPanel::MakeRow(int row, const StudyStructure& structure)
           [this, label, title](double distance)
           {
             this->ChangeStructure(label, "Change the alarm distance of " + title,
-                                  [distance](StudyStructure& one)
+                                  [distance](SceneStructure& one)
                                   { one.AlarmDistance = distance; });
           });
   this->Table->setCellWidget(row, RoleColumn, role);
   this->Table->setCellWidget(row, AlarmColumn, alarm);
 }
 
-void DrillPanel::ShowRow(int row, const StudyStructure& structure)
+void DrillPanel::ShowRow(int row, const SceneStructure& structure)
 {
   SetText(this->Table->item(row, NameColumn), ScreenString(TitleOf(structure)));
   auto* role = qobject_cast<QComboBox*>(this->Table->cellWidget(row, RoleColumn));
@@ -244,7 +244,7 @@ bool DrillPanel::HasRowsOf(const StudyState& state) const
   for (int row = 0; hasAll && row < this->Table->rowCount(); ++row)
   {
     hasAll = this->Table->item(row, NameColumn)->data(Qt::UserRole).toInt() ==
-             state.Structures[static_cast<std::size_t>(row)].Label;
+             state.Structures[static_cast<std::size_t>(row)].Id;
   }
   return hasAll;
 }
@@ -290,14 +290,14 @@ void DrillPanel::ShowReading()
     QString text;
     for (const StudyDrilled& one : reading.Drilled)
     {
-      if (one.Label == label)
+      if (one.Id == label)
       {
         text = QString::number(one.RemovedVolume, 'f', 1) + " mm\u00b3 removed";
       }
     }
     for (const StudyForbidden& one : forbidden)
     {
-      if (one.Label == label)
+      if (one.Id == label)
       {
         text = TextOf(one, reading);
       }
@@ -339,7 +339,7 @@ std::string DrillPanel::HoldText(const StudyDrillReading& reading,
 {
   const auto& structures = this->Study.State().Structures;
   const bool isDrilled = std::any_of(structures.begin(), structures.end(),
-                                     [](const StudyStructure& one) { return one.IsDrilled(); });
+                                     [](const SceneStructure& one) { return one.IsDrilled(); });
   if (!reading.Drilled.empty() || !isDrilled)
   {
     return reading.Hold;
@@ -391,7 +391,7 @@ void DrillPanel::Export()
 {
   const int row = this->Table->currentRow();
   const auto& drilled = this->Study.Reading().Drill.Drilled;
-  int label = drilled.empty() ? 0 : drilled.front().Label;
+  int label = drilled.empty() ? 0 : drilled.front().Id;
   label = row >= 0 ? this->Table->item(row, NameColumn)->data(Qt::UserRole).toInt() : label;
   const QString file =
       this->Questions.ToSave(this, "Export what is left", "drilled.stl",

@@ -35,15 +35,15 @@ private:
   QPushButton* AddButton(QWidget* row, const QString& text, const QString& name,
                          const std::function<void()>& act);
   void ShowState();
-  void MakeRow(int row, const StudyStructure& structure);
-  void ShowRow(int row, const StudyStructure& structure);
+  void MakeRow(int row, const SceneStructure& structure);
+  void ShowRow(int row, const SceneStructure& structure);
   bool HasRowsOf(const StudyState& state) const;
   void ShowReading();
   void ShowAlarm(const StudyDrillReading& reading, const std::vector<StudyForbidden>& forbidden);
   std::string HoldText(const StudyDrillReading& reading,
                        std::vector<StudyForbidden> forbidden) const;
   void ChangeStructure(int label, const QString& sentence,
-                       const std::function<void(StudyStructure&)>& change);
+                       const std::function<void(SceneStructure&)>& change);
   void Press(bool isDown);
   void Save();
   void Open();

@@ -3,6 +3,7 @@
 #include "ScreenString.h"
 
 #include <QFileInfo>
+#include <QInputDialog>
 #include <QSettings>
 
 namespace palpate
@@ -13,6 +14,8 @@ constexpr int MostRecent = 10;
 constexpr const char* RecentKey = "recent";
 constexpr const char* ImageFilter =
     "Images (*.nii *.nii.gz *.nrrd *.nhdr *.mha *.mhd *.dcm *.ima);;All files (*)";
+constexpr const char* SceneFilter =
+    "Models, surfaces, scenes (*.json *.stl *.ply *.obj *.vtp *.vtk);;All files (*)";
 constexpr const char* StudyFilter = "Palpate studies (*.palpate.json)";
 
 std::filesystem::path PathOf(const QString& file)
@@ -42,6 +45,10 @@ FileMenu::FileMenu(StudyController& study, const FileQuestions& questions, QWidg
       [this] { this->Open("Open a segmentation", &StudyController::OpenSegmentation); },
       QKeySequence("Ctrl+Shift+O"));
   this->addAction("Open &DICOM folder...", this, &FileMenu::OpenFolder, QKeySequence("Ctrl+D"));
+  this->addAction("Add &model, surface or scene...", this, &FileMenu::AddStructures,
+                  QKeySequence("Ctrl+Alt+M"));
+  this->addAction("Add &iso-value of the volume...", this, &FileMenu::AddIsoValue,
+                  QKeySequence("Ctrl+Alt+I"));
   this->addAction(
       "Open s&tudy...", this,
       [this]
@@ -70,6 +77,29 @@ void FileMenu::Open(const QString& title,
   for (const QString& file : this->Questions.ToOpen(this->Window, title, ImageFilter))
   {
     (this->Study.*take)(PathOf(file));
+  }
+}
+
+void FileMenu::AddStructures()
+{
+  std::vector<std::filesystem::path> files;
+  for (const QString& file :
+       this->Questions.ToOpen(this->Window, "Add models, surfaces or scenes", SceneFilter))
+  {
+    files.push_back(PathOf(file));
+  }
+  this->Study.OpenFiles(files);
+}
+
+void FileMenu::AddIsoValue()
+{
+  bool isGiven = false;
+  const double iso = QInputDialog::getDouble(this->Window, "Add an iso-value",
+                                             "Touch where the volume has at least this value",
+                                             300.0, -1e9, 1e9, 3, &isGiven);
+  if (isGiven)
+  {
+    this->Study.AddIsoValue(iso);
   }
 }
 

@@ -27,6 +27,8 @@ Q_SIGNALS:
 private:
   void Open(const QString& title, void (StudyController::*take)(const std::filesystem::path&));
   void OpenFolder();
+  void AddStructures();
+  void AddIsoValue();
   bool Save();
   bool SaveAs();
   void OpenSession(const QString& file);

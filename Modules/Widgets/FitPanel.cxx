@@ -51,7 +51,7 @@ void FitPanel::AddImportant(QFormLayout* form)
       [](StudyState& state, int degree)
       {
         state.Fit.Degree = degree;
-        for (StudyStructure& structure : state.Structures)
+        for (SceneStructure& structure : state.Structures)
         {
           structure.Degree = degree;
         }
@@ -105,11 +105,17 @@ void FitPanel::AddOthers(QFormLayout* form)
                   [](StudyState& state) -> double& { return state.Fit.MinimumDice; });
   this->AddChoice(
       form, "Between voxels", "Change the interpolation of fields", {"linear", "cubic"},
-      [](const StudyState& state) { return static_cast<int>(state.Interpolation); },
+      [](const StudyState& state) {
+        return state.Structures.empty() ? 0
+                                        : static_cast<int>(state.Structures.front().Interpolation);
+      },
       [](StudyState& state, int choice)
-      { state.Interpolation = static_cast<FieldInterpolation>(choice); });
-  this->AddNumber(form, "Smoothing of fields, voxels", "Change the smoothing of fields", 0.0, 8.0,
-                  0.25, [](StudyState& state) -> double& { return state.FieldSmoothing; });
+      {
+        for (SceneStructure& structure : state.Structures)
+        {
+          structure.Interpolation = static_cast<FieldInterpolation>(choice);
+        }
+      });
 }
 
 void FitPanel::AddNumber(QFormLayout* form, const QString& label, const QString& sentence,
@@ -207,10 +213,10 @@ void FitPanel::ShowCoverage()
 {
   QStringList warnings;
   int models = 0;
-  for (const StudyStructure& structure : this->Study.State().Structures)
+  for (const SceneStructure& structure : this->Study.State().Structures)
   {
     const auto fit =
-        this->Study.Current().Pipeline().Newest<FitResult>(StudyStep::Model, structure.Label);
+        this->Study.Current().Pipeline().Newest<FitResult>(SceneStep::Model, structure.Id);
     if (fit == nullptr || fit->State != FitResult::Outcome::Fitted)
     {
       continue;

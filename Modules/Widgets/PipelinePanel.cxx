@@ -14,9 +14,9 @@ PipelinePanel::PipelinePanel(StudyController& study, QWidget* parent)
   table->setVerticalSpacing(2);
   column->addLayout(table);
   int row = 0;
-  for (const StudyStep step : {StudyStep::Volume, StudyStep::Segmentation, StudyStep::Structures,
-                               StudyStep::Surface, StudyStep::Samples, StudyStep::Model,
-                               StudyStep::Field, StudyStep::Protection, StudyStep::Touch})
+  for (const SceneStep step : {SceneStep::Volume, SceneStep::Segmentation, SceneStep::Structures,
+                               SceneStep::Surface, SceneStep::Samples, SceneStep::Model,
+                               SceneStep::Field, SceneStep::Protection, SceneStep::Touch})
   {
     auto* line = new StepRow(step, table, row++, this);
     connect(line, &StepRow::CancelAsked, &study, &StudyController::CancelStep);

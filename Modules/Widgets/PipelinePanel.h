@@ -23,6 +23,6 @@ private:
   void Show();
 
   StudyController& Study;
-  std::map<StudyStep, StepRow*> Rows;
+  std::map<SceneStep, StepRow*> Rows;
 };
 } // namespace palpate

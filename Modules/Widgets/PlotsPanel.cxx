@@ -60,7 +60,7 @@ void PlotsPanel::BeginReplay()
   const StudyReplay* replay = this->Study.Current().Replay();
   if (replay != nullptr && replay->File() != this->Replayed)
   {
-    const TouchSession& session = replay->Recording().Session;
+    const RecordedSession& session = replay->Recording().Session;
     this->Clear();
     this->SetLimits(session.Device.MaximumForce, session.Settings.Rate);
   }

@@ -28,7 +28,7 @@ constexpr std::array<StepLook, 6> Looks{{{"\u25CB", "gray", "not needed"},
                                          {"\u25B6", "#56B4E9", "running"}}};
 } // namespace
 
-StepRow::StepRow(StudyStep step, QGridLayout* table, int row, QWidget* parent)
+StepRow::StepRow(SceneStep step, QGridLayout* table, int row, QWidget* parent)
     : QObject(parent), Step(step), Sign(new QLabel(parent)), State(new QLabel(parent)),
       Progress(new QProgressBar(parent)), Button(new QPushButton(parent)),
       Name(new QLabel(NameOf(step), parent))
@@ -61,7 +61,7 @@ void StepRow::Show(const StudyStepState& state)
   this->State->setToolTip(PlainToolTip(ScreenString(state.Sentence)));
   // Without a structure that must not be drilled there is nothing to protect.
   const bool isShown =
-      this->Step != StudyStep::Protection || state.Is != StudyStepState::Kind::NotWanted;
+      this->Step != SceneStep::Protection || state.Is != StudyStepState::Kind::NotWanted;
   this->Sign->setVisible(isShown);
   this->Name->setVisible(isShown);
   this->State->setVisible(isShown && !isRunning);

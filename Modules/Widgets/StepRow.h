@@ -17,20 +17,20 @@ class StepRow : public QObject
   Q_OBJECT
 
 public:
-  StepRow(StudyStep step, QGridLayout* table, int row, QWidget* parent);
+  StepRow(SceneStep step, QGridLayout* table, int row, QWidget* parent);
 
   void Show(const StudyStepState& state);
   /// In a word.
   QString Word() const { return this->State->text(); }
 
 Q_SIGNALS:
-  void CancelAsked(StudyStep step);
-  void RepeatAsked(StudyStep step);
+  void CancelAsked(SceneStep step);
+  void RepeatAsked(SceneStep step);
 
 private:
   void Press();
 
-  StudyStep Step;
+  SceneStep Step;
   QLabel* Sign;
   QLabel* State;
   QProgressBar* Progress;

@@ -13,7 +13,7 @@ namespace
 constexpr double SlipShare = 0.8; // of the static coefficient, as the command line has it
 
 // Writes a cell into a structure; empty where the value means nothing there.
-QString Write(StudyStructure& structure, int column, const QVariant& value)
+QString Write(SceneStructure& structure, int column, const QVariant& value)
 {
   switch (column)
   {
@@ -27,7 +27,7 @@ QString Write(StudyStructure& structure, int column, const QVariant& value)
     return "colour";
   }
   case StructureTableModel::AppearanceColumn:
-    structure.Appearance = static_cast<StudyAppearance>(value.toInt());
+    structure.Appearance = static_cast<SceneAppearance>(value.toInt());
     return QString("shown as ") + NameOf(structure.Appearance);
   case StructureTableModel::RepresentationColumn:
     structure.Representation = static_cast<TouchRepresentation>(value.toInt());
@@ -47,7 +47,7 @@ QString Write(StudyStructure& structure, int column, const QVariant& value)
   }
 }
 
-QString Check(StudyStructure& structure, int column, bool isOn)
+QString Check(SceneStructure& structure, int column, bool isOn)
 {
   if (column == StructureTableModel::VisibleColumn)
   {
@@ -62,7 +62,7 @@ QString Check(StudyStructure& structure, int column, bool isOn)
 QStringList StructureTableModel::AppearanceNames()
 {
   QStringList names;
-  for (const StudyAppearance appearance : AllStudyAppearances)
+  for (const SceneAppearance appearance : AllSceneAppearances)
   {
     names += NameOf(appearance);
   }
@@ -71,7 +71,7 @@ QStringList StructureTableModel::AppearanceNames()
 
 QStringList StructureTableModel::RepresentationNames()
 {
-  return {"automatic", "harmonics", "facets", "sub-voxel"};
+  return {"automatic", "harmonics", "facets", "sub-voxel", "model or field"};
 }
 
 StructureTableModel::StructureTableModel(StudyController& study, QObject* parent)
@@ -112,19 +112,18 @@ int StructureTableModel::columnCount(const QModelIndex& parent) const
 
 QVariant StructureTableModel::headerData(int section, Qt::Orientation orientation, int role) const
 {
-  static const QStringList Titles{"Structure", "Colour",      "Seen",         "Touched",
-                                  "Shown as",  "By",          "Degree",       "N/mm",
-                                  "Friction",  "Quality, mm", "Tick, \u00B5s"};
+  static const QStringList Titles{"Structure",  "Colour",      "Visible",      "Touchable",
+                                  "Display as", "Touch model", "Degree",       "N/mm",
+                                  "Friction",   "Error, mm",   "Tick, \u00B5s"};
   static const QStringList Tips{
       "Name",
       "Colour",
-      "Whether it is shown",
+      "Whether it is displayed",
       "Whether it can be touched",
-      "What is drawn of it; automatic: as what it is touched",
-      "By what it is touched; automatic: harmonics, or voxels where those are refused. To change "
-      "it "
-      "turns the dial to by hand",
-      "Of its harmonics. To change it turns the dial to by hand",
+      "Automatic: as its touch model",
+      "Automatic: models by harmonics, surfaces by facets, voxels by their sub-voxel field; model "
+      "or field: harmonics where they fit, otherwise the field",
+      "Of its harmonics",
       "Stiffness",
       "Coulomb's coefficient up to which the tool sticks",
       "Mean distance of the model from the mask's boundary",
@@ -138,60 +137,48 @@ QVariant StructureTableModel::headerData(int section, Qt::Orientation orientatio
                                    : QVariant();
 }
 
-const StudyStructure& StructureTableModel::StructureAt(const QModelIndex& index) const
+const SceneStructure& StructureTableModel::StructureAt(const QModelIndex& index) const
 {
   return this->Study.State().Structures.at(static_cast<std::size_t>(index.row()));
 }
 
-QVariant StructureTableModel::QualityOf(const StudyStructure& structure) const
+QVariant StructureTableModel::QualityOf(const SceneStructure& structure) const
 {
   const auto model =
-      this->Study.Current().Pipeline().Newest<FitResult>(StudyStep::Model, structure.Label);
+      this->Study.Current().Pipeline().Newest<FitResult>(SceneStep::Model, structure.Id);
   return model != nullptr && model->State == FitResult::Outcome::Fitted
              ? QString::number(model->ModelToMask.Mean, 'f', 3)
              : QString("\u2013");
 }
 
-QVariant StructureTableModel::CostOf(const StudyStructure& structure) const
+QVariant StructureTableModel::CostOf(const SceneStructure& structure) const
 {
   const auto cost =
-      this->Study.Current().Pipeline().Newest<TouchCost>(StudyStep::Cost, structure.Label);
+      this->Study.Current().Pipeline().Newest<TouchCost>(SceneStep::Cost, structure.Id);
   return cost != nullptr && cost->Ticks > 0
              ? QString::number(1e-3 * cost->MedianNanoseconds, 'f', 2)
              : QString("\u2013");
 }
 
-// As the dial decides, where it does.
-StudyFeel StructureTableModel::FeltAs(const StudyStructure& structure) const
+// With what replaces harmonics where those were refused.
+QString StructureTableModel::RepresentationOf(const SceneStructure& structure) const
 {
-  const auto trade =
-      this->Study.Current().Pipeline().Newest<StudyTrade>(StudyStep::Trade, structure.Label);
-  return FeelOf(this->Study.State(), structure, trade.get());
-}
-
-// What the dial has chosen, as it came to be.
-QString StructureTableModel::RepresentationOf(const StudyStructure& structure) const
-{
-  const StudyFeel feel = this->FeltAs(structure);
+  const QString name = RepresentationNames().value(static_cast<int>(structure.Representation));
   const auto contact =
-      this->Study.Current().Pipeline().Newest<TouchContact>(StudyStep::Touch, structure.Label);
-  const bool isReplaced = contact != nullptr && contact->Looks.Field != nullptr;
-  return feel.Rung < 0 ? RepresentationNames().value(static_cast<int>(feel.Representation))
-         : feel.Representation == TouchRepresentation::SubVoxel || isReplaced
-             ? NameOf(feel.Interpolation == FieldInterpolation::Trilinear
-                          ? StudyDial::SubVoxelLinear
-                          : StudyDial::SubVoxelCubic)
-             : QString("harmonics");
+      this->Study.Current().Pipeline().Newest<TouchContact>(SceneStep::Touch, structure.Id);
+  const bool isReplaced = structure.Representation == TouchRepresentation::ModelOrField &&
+                          contact != nullptr && contact->Looks.Field != nullptr;
+  return isReplaced ? name + ": sub-voxel" : name;
 }
 
-QVariant StructureTableModel::ValueOf(const StudyStructure& structure, int column) const
+QVariant StructureTableModel::ValueOf(const SceneStructure& structure, int column) const
 {
   switch (column)
   {
   case NameColumn:
     return ScreenString(TitleOf(structure));
   case DegreeColumn:
-    return this->FeltAs(structure).Degree;
+    return structure.Degree;
   case StiffnessColumn:
     return structure.Stiffness;
   case FrictionColumn:
@@ -207,7 +194,7 @@ QVariant StructureTableModel::ValueOf(const StudyStructure& structure, int colum
 
 QVariant StructureTableModel::data(const QModelIndex& index, int role) const
 {
-  const StudyStructure& structure = this->StructureAt(index);
+  const SceneStructure& structure = this->StructureAt(index);
   const int column = index.column();
   const bool isChecked = column == VisibleColumn ? structure.IsVisible : structure.IsTouchable;
   switch (role)
@@ -217,10 +204,9 @@ QVariant StructureTableModel::data(const QModelIndex& index, int role) const
            : column == RepresentationColumn ? this->RepresentationOf(structure)
                                             : this->ValueOf(structure, column);
   case Qt::EditRole:
-    return column == AppearanceColumn ? QVariant(static_cast<int>(structure.Appearance))
-           : column == RepresentationColumn
-               ? QVariant(static_cast<int>(this->FeltAs(structure).Representation))
-               : this->ValueOf(structure, column);
+    return column == AppearanceColumn       ? QVariant(static_cast<int>(structure.Appearance))
+           : column == RepresentationColumn ? QVariant(static_cast<int>(structure.Representation))
+                                            : this->ValueOf(structure, column);
   case Qt::DecorationRole:
   case Qt::UserRole:
     return column == ColorColumn ? QVariant(QColor::fromRgbF(structure.Color[0], structure.Color[1],
@@ -238,7 +224,7 @@ QVariant StructureTableModel::data(const QModelIndex& index, int role) const
 bool StructureTableModel::setData(const QModelIndex& index, const QVariant& value, int role)
 {
   StudyState next = this->Study.State();
-  StudyStructure& structure = next.Structures.at(static_cast<std::size_t>(index.row()));
+  SceneStructure& structure = next.Structures.at(static_cast<std::size_t>(index.row()));
   const QString name = QString::fromStdString(TitleOf(structure));
   QString sentence;
   if (role == Qt::CheckStateRole)

@@ -27,7 +27,7 @@ public:
     CostColumn,
     ColumnCount
   };
-  /// In the order of StudyAppearance.
+  /// In the order of SceneAppearance.
   static QStringList AppearanceNames();
   /// In the order of TouchRepresentation.
   static QStringList RepresentationNames();
@@ -44,12 +44,11 @@ public:
 
 private:
   void TakeState();
-  const StudyStructure& StructureAt(const QModelIndex& index) const;
-  QVariant ValueOf(const StudyStructure& structure, int column) const;
-  QVariant QualityOf(const StudyStructure& structure) const;
-  QVariant CostOf(const StudyStructure& structure) const;
-  QString RepresentationOf(const StudyStructure& structure) const;
-  StudyFeel FeltAs(const StudyStructure& structure) const;
+  const SceneStructure& StructureAt(const QModelIndex& index) const;
+  QVariant ValueOf(const SceneStructure& structure, int column) const;
+  QVariant QualityOf(const SceneStructure& structure) const;
+  QVariant CostOf(const SceneStructure& structure) const;
+  QString RepresentationOf(const SceneStructure& structure) const;
 
   StudyController& Study;
   int Rows = 0;

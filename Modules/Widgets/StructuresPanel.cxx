@@ -1,12 +1,14 @@
 #include "StructuresPanel.h"
 
 #include "ChoiceDelegate.h"
-#include "DialPanel.h"
+#include "QualityPanel.h"
+#include "StructureDialog.h"
 
 #include <QColorDialog>
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
+#include <QPushButton>
 #include <QSignalBlocker>
 #include <QVBoxLayout>
 
@@ -20,8 +22,8 @@ constexpr double SliderSteps = 100.0;
 }
 
 StructuresPanel::StructuresPanel(StudyController& study, QWidget* parent)
-    : QWidget(parent), Model(new StructureTableModel(study, this)), Table(new QTableView(this)),
-      Opacity(new QSlider(Qt::Horizontal, this))
+    : QWidget(parent), Study(study), Model(new StructureTableModel(study, this)),
+      Table(new QTableView(this)), Opacity(new QSlider(Qt::Horizontal, this))
 {
   this->Table->setModel(this->Model);
   this->Table->setObjectName("structures");
@@ -44,11 +46,21 @@ StructuresPanel::StructuresPanel(StudyController& study, QWidget* parent)
   connect(this->Opacity, &QSlider::valueChanged, this,
           [this](int value) { Q_EMIT OpacityChosen(value / SliderSteps); });
   auto* row = new QHBoxLayout;
+  auto* details = new QPushButton("Details...", this);
+  details->setObjectName("structure-details");
+  details->setToolTip("Everything by which the selected structure is touched");
+  connect(details, &QPushButton::clicked, this, &StructuresPanel::ShowDetails);
+  auto* remove = new QPushButton("Remove", this);
+  remove->setObjectName("structure-remove");
+  remove->setToolTip("Remove the selected structure from the study");
+  connect(remove, &QPushButton::clicked, this, &StructuresPanel::Remove);
+  row->addWidget(details);
+  row->addWidget(remove);
   row->addWidget(new QLabel("Labels over slices", this));
   row->addWidget(this->Opacity, 1);
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(4, 2, 4, 2);
-  column->addWidget(new DialPanel(study, this));
+  column->addWidget(new QualityPanel(study, this));
   column->addWidget(this->Table, 1);
   column->addLayout(row);
 }
@@ -57,6 +69,33 @@ void StructuresPanel::ShowOpacity(double opacity)
 {
   const QSignalBlocker quiet(this->Opacity);
   this->Opacity->setValue(static_cast<int>(std::lround(SliderSteps * opacity)));
+}
+
+int StructuresPanel::SelectedId() const
+{
+  const std::vector<SceneStructure>& structures = this->Study.State().Structures;
+  const auto row = static_cast<std::size_t>(this->Table->currentIndex().row());
+  return row < structures.size() ? structures[row].Id : 0;
+}
+
+void StructuresPanel::ShowDetails()
+{
+  if (const int id = this->SelectedId())
+  {
+    StructureDialog(this->Study, id, this).exec();
+  }
+}
+
+void StructuresPanel::Remove()
+{
+  StudyState next = this->Study.State();
+  const SceneStructure* structure = FindStructure(next, this->SelectedId());
+  if (structure != nullptr)
+  {
+    const QString title = QString::fromStdString(TitleOf(*structure));
+    next.Structures.erase(next.Structures.begin() + (structure - next.Structures.data()));
+    this->Study.Change("Remove " + title, next);
+  }
 }
 
 void StructuresPanel::ChooseColor(const QModelIndex& index)

@@ -8,7 +8,7 @@
 
 namespace palpate
 {
-/// The table of structures, and how strongly labels cover the slices.
+/// The table of structures, their details, and how strongly labels cover the slices.
 class StructuresPanel : public QWidget
 {
   Q_OBJECT
@@ -23,7 +23,11 @@ Q_SIGNALS:
 private:
   void ShowOpacity(double opacity);
   void ChooseColor(const QModelIndex& index);
+  int SelectedId() const;
+  void ShowDetails();
+  void Remove();
 
+  StudyController& Study;
   StructureTableModel* Model;
   QTableView* Table;
   QSlider* Opacity;

@@ -1,8 +1,8 @@
 #include "StudyController.h"
 
 #include "DicomSeries.h"
+#include "SceneContacts.h"
 #include "ScreenString.h"
-#include "StudyScene.h"
 
 #include <algorithm>
 #include <array>
@@ -13,10 +13,10 @@ namespace
 {
 constexpr int LookMilliseconds = 16; // a picture's time at 60 Hz
 constexpr int LooksAStep = 6;
-constexpr std::array<StudyStep, 10> AllSteps{
-    {StudyStep::Volume, StudyStep::Segmentation, StudyStep::Structures, StudyStep::Surface,
-     StudyStep::Samples, StudyStep::Model, StudyStep::Field, StudyStep::Protection,
-     StudyStep::Touch, StudyStep::Tool}};
+constexpr std::array<SceneStep, 10> AllSteps{
+    {SceneStep::Volume, SceneStep::Segmentation, SceneStep::Structures, SceneStep::Surface,
+     SceneStep::Samples, SceneStep::Model, SceneStep::Field, SceneStep::Protection,
+     SceneStep::Touch, SceneStep::Tool}};
 } // namespace
 
 StudyController::StudyController(Clock& clock, const RealtimeRequest& request)
@@ -122,7 +122,31 @@ void StudyController::OpenAs(StudyFileRole role, const std::filesystem::path& fi
   case StudyFileRole::Recording:
     this->OpenReplay(file);
     break;
+  case StudyFileRole::Scene:
+    this->Try([&] { this->Open.OpenScene(file); });
+    break;
+  case StudyFileRole::Model:
+  case StudyFileRole::Surface:
+    this->Try([&] { this->Open.AddStructure(file); });
+    break;
   }
+}
+
+void StudyController::MeasureQuality()
+{
+  this->Open.MeasureQuality();
+  this->Announce();
+}
+
+void StudyController::UseRecommendedQuality()
+{
+  this->Open.UseRecommendedQuality();
+  this->Announce();
+}
+
+void StudyController::AddIsoValue(double iso)
+{
+  this->Try([&] { this->Open.AddIsoValue(iso); });
 }
 
 void StudyController::OpenVolume(const std::filesystem::path& file)
@@ -140,7 +164,7 @@ void StudyController::OpenVolume(const std::filesystem::path& file)
 
 void StudyController::OpenVolumeNow(const std::filesystem::path& file, const std::string& series)
 {
-  this->Told.erase(StudyStep::Volume); // who opens a file again wants to be told again
+  this->Told.erase(SceneStep::Volume); // who opens a file again wants to be told again
   this->Try([&] { this->Open.OpenVolume(file, series); });
   Q_EMIT FileOpened(QString::fromStdString(StudyPath(file).string()));
 }
@@ -185,7 +209,7 @@ void StudyController::TakeSeries(const std::filesystem::path& folder, const QStr
 
 void StudyController::OpenSegmentation(const std::filesystem::path& file)
 {
-  this->Told.erase(this->Told.upper_bound(StudyStep::Volume), this->Told.end());
+  this->Told.erase(this->Told.upper_bound(SceneStep::Volume), this->Told.end());
   this->Try([&] { this->Open.OpenSegmentation(file); });
   Q_EMIT FileOpened(QString::fromStdString(StudyPath(file).string()));
 }
@@ -254,14 +278,14 @@ void StudyController::Redo()
   }
 }
 
-void StudyController::CancelStep(StudyStep step)
+void StudyController::CancelStep(SceneStep step)
 {
   this->Open.CancelStep(step);
   this->LooksToSteps = 0;
   this->Look();
 }
 
-void StudyController::ResumeStep(StudyStep step)
+void StudyController::ResumeStep(SceneStep step)
 {
   this->Told.clear();
   this->Open.ResumeStep(step);
@@ -416,11 +440,11 @@ void StudyController::Look()
 }
 
 // Once: what stands in the way of a step stands in that of all later ones. A volume stands alone.
-void StudyController::Tell(StudyStep step, const std::string& sentence)
+void StudyController::Tell(SceneStep step, const std::string& sentence)
 {
-  const bool isOfVolume = step == StudyStep::Volume;
+  const bool isOfVolume = step == SceneStep::Volume;
   const auto says = [&](const auto& told)
-  { return (told.first == StudyStep::Volume) == isOfVolume && told.second.count(sentence) > 0; };
+  { return (told.first == SceneStep::Volume) == isOfVolume && told.second.count(sentence) > 0; };
   if (std::none_of(this->Told.begin(), this->Told.end(), says))
   {
     this->Told[step].insert(sentence);
@@ -431,7 +455,7 @@ void StudyController::Tell(StudyStep step, const std::string& sentence)
 // What had to be assumed of an image, or was done to it, when it was read; once.
 void StudyController::LookAtNotes()
 {
-  const auto tell = [this](StudyStep step, const auto& image, auto& noted)
+  const auto tell = [this](SceneStep step, const auto& image, auto& noted)
   {
     if (image != nullptr && image != noted.lock())
     {
@@ -443,20 +467,20 @@ void StudyController::LookAtNotes()
     }
   };
   const StudyPipeline& pipeline = this->Open.Pipeline();
-  tell(StudyStep::Volume, pipeline.Newest<Volume>(StudyStep::Volume), this->NotedVolume);
-  tell(StudyStep::Segmentation, pipeline.Newest<Segmentation>(StudyStep::Segmentation),
+  tell(SceneStep::Volume, pipeline.Newest<Volume>(SceneStep::Volume), this->NotedVolume);
+  tell(SceneStep::Segmentation, pipeline.Newest<Segmentation>(SceneStep::Segmentation),
        this->NotedLabels);
 }
 
 void StudyController::LookAtSteps()
 {
   bool isMaking = this->Open.IsOpeningDevice();
-  for (const StudyStep step : AllSteps)
+  for (const SceneStep step : AllSteps)
   {
     const StudyStepState state = this->Open.Pipeline().StateOf(step);
     isMaking = isMaking || state.Is == StudyStepState::Kind::Running ||
                state.Is == StudyStepState::Kind::NeedsUpdate;
-    if (state.Is == StudyStepState::Kind::Failed && step != StudyStep::Protection)
+    if (state.Is == StudyStepState::Kind::Failed && step != SceneStep::Protection)
     {
       this->Tell(step, state.Sentence);
     }
@@ -464,7 +488,7 @@ void StudyController::LookAtSteps()
   this->LookAtProtection();
   for (const std::string& advice : this->Open.Pipeline().Advice())
   {
-    this->Tell(StudyStep::Touch, advice);
+    this->Tell(SceneStep::Touch, advice);
   }
   this->IsMaking = isMaking;
   Q_EMIT StepsChanged();
@@ -480,7 +504,7 @@ void StudyController::LookAtProtection()
                failed.end());
   if (!failed.empty())
   {
-    this->Tell(StudyStep::Protection, DrillHoldText(failed));
+    this->Tell(SceneStep::Protection, DrillHoldText(failed));
   }
 }
 
@@ -505,7 +529,7 @@ void StudyController::LookAtTouch()
     this->Felt = this->Open.Touch().Poll();
     if (this->Felt.Newest.IsDrilling && !this->Felt.Drill.Hold.empty())
     {
-      this->Tell(StudyStep::Protection, this->Felt.Drill.Hold); // whatever pedal is pressed
+      this->Tell(SceneStep::Protection, this->Felt.Drill.Hold); // whatever pedal is pressed
     }
     Q_EMIT Touched();
   }

@@ -66,8 +66,13 @@ public:
   void Undo();
   void Redo();
 
-  void CancelStep(StudyStep step);
-  void ResumeStep(StudyStep step);
+  /// See Study.
+  void MeasureQuality();
+  void UseRecommendedQuality();
+  void AddIsoValue(double iso);
+
+  void CancelStep(SceneStep step);
+  void ResumeStep(SceneStep step);
 
   void StartTouch();
   void StopTouch();
@@ -116,7 +121,7 @@ private:
   void LookAtNotes();
   void LookAtSteps();
   void LookAtProtection();
-  void Tell(StudyStep step, const std::string& sentence);
+  void Tell(SceneStep step, const std::string& sentence);
   void Announce();
   void TakeRole();
   void OpenAs(StudyFileRole role, const std::filesystem::path& file);
@@ -132,7 +137,7 @@ private:
   int Folders = 0;                          ///< whose series are being looked up
   std::function<bool()> MayLeave;
   std::function<int(const QStringList&)> WhichSeries;
-  std::map<StudyStep, std::set<std::string>> Told; ///< what failed or was replaced, and was said
+  std::map<SceneStep, std::set<std::string>> Told; ///< what failed or was replaced, and was said
   std::weak_ptr<const Volume> NotedVolume;         ///< whose notes were told
   std::weak_ptr<const Segmentation> NotedLabels;
   std::string ToldOfTouch;

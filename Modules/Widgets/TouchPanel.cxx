@@ -244,7 +244,7 @@ QString TouchPanel::Warnings() const
   }
   const StudyTouchReading& reading = this->Study.Reading();
   for (const std::string& sentence :
-       {reading.Degraded, reading.Guidance, reading.DeviceProblem, reading.RecordingProblem})
+       {reading.Guidance, reading.DeviceProblem, reading.RecordingProblem})
   {
     if (!sentence.empty())
     {
@@ -260,7 +260,7 @@ void TouchPanel::ShowReading()
   const QString safety = ScreenString(reading.Safety);
   this->Safety->setText(this->Study.IsReplaying() ? "Then: " + safety : safety);
   this->ShowRecording();
-  const StudyStructure* touched = FindStructure(this->Study.State(), reading.TouchedLabel);
+  const SceneStructure* touched = FindStructure(this->Study.State(), reading.TouchedId);
   const QString name = touched != nullptr ? ScreenString(TitleOf(*touched)) : "nothing";
   this->Felt->setText(QString("Touches %1: %2 N, %3 mm deep")
                           .arg(name)

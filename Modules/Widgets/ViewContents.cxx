@@ -1,9 +1,9 @@
 #include "ViewContents.h"
 
 #include "PlainVector3.h"
+#include "SceneTool.h"
 #include "SurfaceMaterial.h"
 #include "ToolSurface.h"
-#include "TouchStructures.h"
 #include "VoxelValue.h"
 
 #include "vtkImageData.h"
@@ -32,42 +32,55 @@ vtkSmartPointer<T> OwnView(T* data)
 }
 
 // Whether its model is to be seen, where there is one.
-bool WantsModel(const StudyStructure& structure)
+bool WantsModel(const SceneStructure& structure)
 {
   switch (structure.Appearance)
   {
-  case StudyAppearance::Model:
-  case StudyAppearance::ErrorMap:
+  case SceneAppearance::Model:
+  case SceneAppearance::ErrorMap:
     return true;
-  case StudyAppearance::Surface:
-  case StudyAppearance::SubVoxel:
+  case SceneAppearance::Surface:
+  case SceneAppearance::SubVoxel:
     return false;
-  case StudyAppearance::Automatic:
+  case SceneAppearance::Automatic:
     break;
   }
-  return structure.Representation == TouchRepresentation::Automatic ||
+  return structure.Source() == SceneSource::Model ||
+         structure.Representation == TouchRepresentation::ModelOrField ||
          structure.Representation == TouchRepresentation::Harmonics;
 }
 
-bool WantsField(const StudyStructure& structure)
+bool WantsField(const SceneStructure& structure)
 {
-  return structure.Appearance == StudyAppearance::SubVoxel ||
-         (structure.Appearance == StudyAppearance::Automatic && structure.IsDrilled()) ||
-         (structure.Appearance == StudyAppearance::Automatic &&
-          structure.Representation == TouchRepresentation::SubVoxel);
+  const bool isFelt = structure.IsDrilled() ||
+                      structure.Representation == TouchRepresentation::SubVoxel ||
+                      structure.Representation == TouchRepresentation::Automatic;
+  return structure.Appearance == SceneAppearance::SubVoxel ||
+         (structure.Appearance == SceneAppearance::Automatic && isFelt);
 }
 
 // What a structure looks like: its model where that is wanted, else the surface of its mask.
-vtkPolyData* SurfaceOf(const StudyPipeline& pipeline, const StudyStructure& structure)
+vtkPolyData* SurfaceOf(const StudyPipeline& pipeline, const SceneStructure& structure)
 {
-  const auto model = pipeline.Newest<FitResult>(StudyStep::Model, structure.Label);
+  const auto model = pipeline.Newest<FitResult>(SceneStep::Model, structure.Id);
   if (WantsModel(structure) && model != nullptr && model->ModelSurface != nullptr &&
       model->State == FitResult::Outcome::Fitted)
   {
     return model->ModelSurface;
   }
-  const auto surface = pipeline.Newest<FitSurface>(StudyStep::Surface, structure.Label);
+  const auto surface = pipeline.Newest<FitSurface>(SceneStep::Surface, structure.Id);
   return surface != nullptr ? surface->Found.Surface.Get() : nullptr;
+}
+
+// The structure that is a label of the segmentation in the slices, or null.
+const SceneStructure* StructureOf(const StudyState& state, const Segment& segment)
+{
+  const std::vector<std::string> label{std::to_string(segment.Label)};
+  const auto found =
+      std::find_if(state.Structures.begin(), state.Structures.end(),
+                   [&](const SceneStructure& one)
+                   { return one.File == state.SegmentationFile && one.Labels == label; });
+  return found != state.Structures.end() ? &*found : nullptr;
 }
 
 template <typename Shown>
@@ -92,15 +105,15 @@ void ViewContents::Show(const StudyState& state, const StudyPipeline& pipeline)
   this->ShowSurfaces(state, pipeline);
   this->ShowLandmarks(state);
   TouchToolSettings tool = state.Tool;
-  tool.Surface = pipeline.Newest<SurfaceTool>(StudyStep::Tool);
+  tool.Surface = pipeline.Newest<SurfaceTool>(SceneStep::Tool);
   this->ShowTool(tool);
   this->ShowView(state.View);
 }
 
 void ViewContents::ShowImages(const StudyPipeline& pipeline)
 {
-  const auto grey = pipeline.Newest<Volume>(StudyStep::Volume);
-  const auto labels = pipeline.Newest<Segmentation>(StudyStep::Segmentation);
+  const auto grey = pipeline.Newest<Volume>(SceneStep::Volume);
+  const auto labels = pipeline.Newest<Segmentation>(SceneStep::Segmentation);
   if (grey == this->Grey && labels == this->Labels)
   {
     return;
@@ -139,7 +152,7 @@ void ViewContents::ShowLabels(const StudyState& state)
   this->Structures = state.Structures;
   for (const Segment& segment : this->Labels->Segments)
   {
-    const StudyStructure* structure = FindStructure(state, segment.Label);
+    const SceneStructure* structure = StructureOf(state, segment);
     const bool isShown = structure != nullptr && structure->IsVisible;
     const auto& color = structure != nullptr ? structure->Color : segment.Color;
     this->ImageShown->SetLabelColor(segment.Layer, segment.Value, color[0], color[1], color[2],
@@ -151,7 +164,7 @@ void ViewContents::ShowSurfaces(const StudyState& state, const StudyPipeline& pi
 {
   std::set<int> surfaces;
   std::set<int> fields;
-  for (const StudyStructure& structure : state.Structures)
+  for (const SceneStructure& structure : state.Structures)
   {
     if (!structure.IsVisible)
     {
@@ -159,16 +172,16 @@ void ViewContents::ShowSurfaces(const StudyState& state, const StudyPipeline& pi
     }
     // What is there is shown until what is wanted is.
     vtkPolyData* surface = SurfaceOf(pipeline, structure);
-    const auto field = pipeline.Newest<ScalarField>(StudyStep::Field, structure.Label);
+    const auto field = pipeline.Newest<ScalarField>(SceneStep::Field, structure.Id);
     if (field != nullptr && (surface == nullptr || WantsField(structure)))
     {
-      fields.insert(structure.Label);
+      fields.insert(structure.Id);
       this->ShowField(structure, field);
-      this->ShowNewest(structure.Label);
+      this->ShowNewest(structure.Id);
     }
     else if (surface != nullptr)
     {
-      surfaces.insert(structure.Label);
+      surfaces.insert(structure.Id);
       this->ShowSurface(structure, surface);
     }
   }
@@ -178,28 +191,28 @@ void ViewContents::ShowSurfaces(const StudyState& state, const StudyPipeline& pi
   KeepOnly(this->FieldSources, fields);
 }
 
-void ViewContents::ShowSurface(const StudyStructure& structure, vtkPolyData* surface)
+void ViewContents::ShowSurface(const SceneStructure& structure, vtkPolyData* surface)
 {
-  auto& shown = this->SurfacesShown[structure.Label];
+  auto& shown = this->SurfacesShown[structure.Id];
   if (shown == nullptr)
   {
     shown = vtkSmartPointer<vtkSurfaceDisplay>::New();
-    this->SurfaceSources.erase(structure.Label);
+    this->SurfaceSources.erase(structure.Id);
   }
-  if (this->SurfaceSources[structure.Label] != surface)
+  if (this->SurfaceSources[structure.Id] != surface)
   {
-    this->SurfaceSources[structure.Label] = surface;
+    this->SurfaceSources[structure.Id] = surface;
     shown->SetSurface(OwnView(surface));
   }
   shown->SetColor(structure.Color[0], structure.Color[1], structure.Color[2]);
-  shown->SetColorArray(structure.Appearance == StudyAppearance::ErrorMap ? ErrorArray : "");
+  shown->SetColorArray(structure.Appearance == SceneAppearance::ErrorMap ? ErrorArray : "");
 }
 
-void ViewContents::ShowField(const StudyStructure& structure,
+void ViewContents::ShowField(const SceneStructure& structure,
                              const std::shared_ptr<const ScalarField>& field)
 {
-  auto& shown = this->FieldsShown[structure.Label];
-  auto& source = this->FieldSources[structure.Label];
+  auto& shown = this->FieldsShown[structure.Id];
+  auto& source = this->FieldSources[structure.Id];
   if (shown == nullptr || source != field)
   {
     source = field;
@@ -248,14 +261,14 @@ bool ViewContents::ShowDrilled(const StudyDrillReading& reading)
   this->DrilledFields.clear();
   for (const StudyDrilled& one : reading.Drilled)
   {
-    this->DrilledFields[one.Label] = one.Field;
-    this->ShowNewest(one.Label);
+    this->DrilledFields[one.Id] = one.Field;
+    this->ShowNewest(one.Id);
     if (one.Cut == nullptr || one.Cut->GetNumberOfCells() == 0)
     {
       continue;
     }
-    labels.insert(one.Label);
-    auto& cut = this->CutsShown[one.Label];
+    labels.insert(one.Id);
+    auto& cut = this->CutsShown[one.Id];
     if (cut == nullptr)
     {
       cut = vtkSmartPointer<vtkSurfaceDisplay>::New();

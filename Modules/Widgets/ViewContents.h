@@ -66,8 +66,8 @@ private:
   void ShowImages(const StudyPipeline& pipeline);
   void ShowLabels(const StudyState& state);
   void ShowSurfaces(const StudyState& state, const StudyPipeline& pipeline);
-  void ShowSurface(const StudyStructure& structure, vtkPolyData* surface);
-  void ShowField(const StudyStructure& structure, const std::shared_ptr<const ScalarField>& field);
+  void ShowSurface(const SceneStructure& structure, vtkPolyData* surface);
+  void ShowField(const SceneStructure& structure, const std::shared_ptr<const ScalarField>& field);
   void ShowNewest(int label);
   void ShowLandmarks(const StudyState& state);
   void ShowTool(const TouchToolSettings& tool);
@@ -84,7 +84,7 @@ private:
   // Which products are shown; they are shared and never changed.
   std::shared_ptr<const Volume> Grey;
   std::shared_ptr<const Segmentation> Labels;
-  std::vector<StudyStructure> Structures;
+  std::vector<SceneStructure> Structures;
   std::map<int, vtkPolyData*> SurfaceSources;
   std::map<int, std::shared_ptr<const ScalarField>> FieldSources;
   std::map<int, std::shared_ptr<const ScalarField>> DrilledFields;

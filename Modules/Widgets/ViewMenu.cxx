@@ -133,21 +133,21 @@ void ViewMenu::AddLooks()
 void ViewMenu::ShowErrorMaps(bool areShown)
 {
   StudyState next = this->Study.State();
-  for (StudyStructure& structure : next.Structures)
+  for (SceneStructure& structure : next.Structures)
   {
-    const bool isErrorMap = structure.Appearance == StudyAppearance::ErrorMap;
+    const bool isErrorMap = structure.Appearance == SceneAppearance::ErrorMap;
     if (!structure.IsVisible || isErrorMap == areShown)
     {
       continue;
     }
-    const auto before = this->Before.find(structure.Label);
+    const auto before = this->Before.find(structure.Id);
     const bool isKnown = before != this->Before.end();
-    const StudyAppearance former = isKnown ? before->second : StudyAppearance::Automatic;
+    const SceneAppearance former = isKnown ? before->second : SceneAppearance::Automatic;
     if (areShown)
     {
-      this->Before[structure.Label] = structure.Appearance;
+      this->Before[structure.Id] = structure.Appearance;
     }
-    structure.Appearance = areShown ? StudyAppearance::ErrorMap : former;
+    structure.Appearance = areShown ? SceneAppearance::ErrorMap : former;
   }
   this->Study.Change(areShown ? "Show all as error maps" : "Show no error maps", next);
   this->ShowView();
@@ -156,9 +156,9 @@ void ViewMenu::ShowErrorMaps(bool areShown)
 void ViewMenu::ShowView()
 {
   const auto& all = this->Study.State().Structures;
-  const auto isOther = [](const StudyStructure& structure)
-  { return structure.IsVisible && structure.Appearance != StudyAppearance::ErrorMap; };
-  const auto isSeen = [](const StudyStructure& structure) { return structure.IsVisible; };
+  const auto isOther = [](const SceneStructure& structure)
+  { return structure.IsVisible && structure.Appearance != SceneAppearance::ErrorMap; };
+  const auto isSeen = [](const SceneStructure& structure) { return structure.IsVisible; };
   this->ErrorMaps->setChecked(std::any_of(all.begin(), all.end(), isSeen) &&
                               std::none_of(all.begin(), all.end(), isOther));
   const StudyView& view = this->Study.State().View;

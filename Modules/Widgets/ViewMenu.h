@@ -36,6 +36,6 @@ private:
   QAction* AlongImage = nullptr;
   QAction* FollowProbe = nullptr;
   QAction* ErrorMaps = nullptr;
-  std::map<int, StudyAppearance> Before; ///< by label, of what became error maps here
+  std::map<int, SceneAppearance> Before; ///< by label, of what became error maps here
 };
 } // namespace palpate

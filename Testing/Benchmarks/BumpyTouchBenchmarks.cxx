@@ -71,7 +71,7 @@ public:
     const auto organ = OrganOf(degree);
     this->Path = PathOn(*organ, Radius);
     std::shared_ptr<const HarmonicSurface> surface;
-    if (HarmonicSurface::Make(organ, EvaluationPrecision::Double, surface).IsOk())
+    if (HarmonicSurface::Make(organ, surface).IsOk())
     {
       this->Nearest = surface->Search().Nearest(this->Path.front());
       this->Proving.emplace(surface, Radius);
@@ -120,66 +120,10 @@ PairedBenchmark HollowBenchmark(int degree)
           [hollows] { return hollows->Compared(); },
           Ticks};
 }
-
-class PrecisionCase
-{
-public:
-  explicit PrecisionCase(int degree)
-  {
-    const auto organ = OrganOf(degree);
-    this->Path = PathOn(*organ, 0.0);
-    this->InDouble = TrackerOf(organ, EvaluationPrecision::Double);
-    this->InFloat = TrackerOf(organ, EvaluationPrecision::Float);
-  }
-
-  void FollowInFloat() { Follow(*this->InFloat, this->Ours); }
-  void FollowInDouble() { Follow(*this->InDouble, this->Theirs); }
-  std::string Compared() const { return Disagreement(this->Ours, this->Theirs); }
-
-private:
-  static std::unique_ptr<ContactTracker>
-  TrackerOf(const std::shared_ptr<const SphericalHarmonicModel>& organ,
-            EvaluationPrecision precision)
-  {
-    std::shared_ptr<const ContactModel> model;
-    std::unique_ptr<ContactTracker> tracker;
-    return HarmonicContactModel::Make(organ, HarmonicContactMode::Nearest, model, precision)
-                       .IsOk() &&
-                   model->MakeTracker(ToolShape::Sphere(0.0), {}, tracker).IsOk()
-               ? std::move(tracker)
-               : nullptr;
-  }
-
-  void Follow(ContactTracker& tracker, std::vector<Vector3>& places) const
-  {
-    tracker.Release();
-    for (std::size_t i = 0; i < Ticks; ++i)
-    {
-      places[i] = tracker.Follow({this->Path[i], Eigen::Quaterniond::Identity()}).ProxyWorld;
-    }
-  }
-
-  std::vector<Vector3> Path;
-  std::unique_ptr<ContactTracker> InDouble;
-  std::unique_ptr<ContactTracker> InFloat;
-  std::vector<Vector3> Ours{Ticks};
-  std::vector<Vector3> Theirs{Ticks};
-};
-
-PairedBenchmark PrecisionBenchmark(int degree)
-{
-  const auto precisions = std::make_shared<PrecisionCase>(degree);
-  return {"touch/sh/float/degree" + std::to_string(degree),
-          "the same in double (ours)",
-          [precisions] { precisions->FollowInFloat(); },
-          [precisions] { precisions->FollowInDouble(); },
-          [precisions] { return precisions->Compared(); },
-          Ticks};
-}
 } // namespace
 
 std::vector<PairedBenchmark> BumpyTouchBenchmarks()
 {
-  return {HollowBenchmark(12), HollowBenchmark(24), PrecisionBenchmark(12), PrecisionBenchmark(24)};
+  return {HollowBenchmark(12), HollowBenchmark(24)};
 }
 } // namespace palpate::bench

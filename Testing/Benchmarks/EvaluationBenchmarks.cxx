@@ -17,7 +17,7 @@ namespace palpate::bench
 {
 namespace
 {
-using Evaluator = SphericalHarmonicEvaluator<double>;
+using Evaluator = SphericalHarmonicEvaluator;
 using Sample = Evaluator::Sample;
 using Formulation = EvaluationFormulation;
 

@@ -58,16 +58,16 @@ void WriteCubes(const std::filesystem::path& file, int count)
 }
 
 // An entry a label.
-TouchSettings SceneOf(const std::filesystem::path& file, int count, int touched)
+SceneSettings SceneOf(const std::filesystem::path& file, int count, int touched)
 {
-  TouchSettings settings;
+  SceneSettings settings;
   for (int label = 1; label <= count; ++label)
   {
-    TouchStructureSettings structure;
+    SceneStructure structure;
     structure.File = file;
     structure.Labels = {std::to_string(label)};
-    structure.IsSeen = false;
-    structure.IsTouched = label <= touched;
+    structure.IsVisible = false;
+    structure.IsTouchable = label <= touched;
     settings.Structures.push_back(structure);
   }
   return settings;
@@ -76,10 +76,10 @@ TouchSettings SceneOf(const std::filesystem::path& file, int count, int touched)
 SceneGrowthRow Measure(const std::string& scene, const std::filesystem::path& file, int count,
                        int touched)
 {
-  const TouchSettings settings = SceneOf(file, count, touched);
+  const SceneSettings settings = SceneOf(file, count, touched);
   malloc_trim(0);
   const double before = ResidentMebibytes();
-  TouchStructures made = MakeTouchStructures(settings, false, GoOn);
+  BuiltScene made = BuildScene(settings, false, GoOn);
   SceneGrowthRow row{scene, count, touched, 0, 0.0, 0.0, 0, 0, 0.0, 0.0};
   for (const SceneFileAccount& read : made.Account.Files)
   {
@@ -91,7 +91,7 @@ SceneGrowthRow Measure(const std::string& scene, const std::filesystem::path& fi
     row.Bytes += structure.Contact.Bytes + structure.Drawing.Bytes;
     row.MakeSeconds += structure.Contact.Seconds + structure.Drawing.Seconds;
   }
-  row.ServoBytes = AccountForServo(made, settings).Bytes;
+  row.ServoBytes = AccountForServo(made).Bytes;
   made.Account = {}; // which no touch keeps
   malloc_trim(0);
   row.ResidentMebibytes = ResidentMebibytes() - before;

@@ -1,8 +1,6 @@
 // PalpateScenes FILE: measures what scenes of many structures take, and writes it as JSON; see
 // Utilities/scenes.sh.
-#include "DegreeMemory.h"
 #include "MachineName.h"
-#include "OnDemandMemory.h"
 #include "SceneGrowth.h"
 
 #include <exception>
@@ -38,44 +36,10 @@ nlohmann::json Measured()
                       {"resident_mib", row.ResidentMebibytes},
                       {"tick_us", row.TickMicroseconds}});
   }
-  nlohmann::json onDemand;
-  for (const palpate::bench::OnDemandRow& row : palpate::bench::MeasureOnDemand())
-  {
-    const bool isLinear = row.Interpolation == palpate::FieldInterpolation::Trilinear;
-    onDemand.push_back(
-        {{"interpolation", isLinear ? "trilinear" : "tricubic"},
-         {"budget_mb", row.BudgetMegabytes ? nlohmann::json(*row.BudgetMegabytes) : nullptr},
-         {"bytes", row.Bytes},
-         {"resident_mib", row.ResidentMebibytes},
-         {"make_s", row.MakeSeconds},
-         {"tick_us", row.TickMicroseconds},
-         {"ticks", row.Ticks},
-         {"different", row.DifferentTicks},
-         {"largest_n", row.LargestDifference},
-         {"coarse", row.CoarseTicks},
-         {"versions", row.Versions},
-         {"reads", row.Reads}});
-  }
-  nlohmann::json degrees;
-  for (const palpate::bench::DegreeRow& row : palpate::bench::MeasureDegrees())
-  {
-    degrees.push_back(
-        {{"structures", row.Structures},
-         {"budget_mb", row.BudgetMegabytes ? nlohmann::json(*row.BudgetMegabytes) : nullptr},
-         {"kept", row.KeptBytes},
-         {"most", row.MostBytes},
-         {"resident_mib", row.ResidentMebibytes},
-         {"ticks", row.Ticks},
-         {"different", row.DifferentTicks},
-         {"coarse", row.CoarseTicks},
-         {"brought", row.Brought}});
-  }
   return {{"machine", palpate::MachineName()},
           {"compiler", std::string("GCC ") + __VERSION__},
           {"ticks", ticks},
-          {"scenes", scenes},
-          {"on_demand", onDemand},
-          {"degrees", degrees}};
+          {"scenes", scenes}};
 }
 } // namespace
 

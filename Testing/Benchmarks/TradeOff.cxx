@@ -25,19 +25,17 @@ struct Way
 {
   int Degree;
   EvaluationFormulation Formulation;
-  bool IsFloat;
   bool IsBatch;
 
   std::string FormulationName() const
   {
     return this->Formulation == EvaluationFormulation::Automatic ? "polynomials" : "recurrence";
   }
-  std::string PrecisionName() const { return this->IsFloat ? "float" : "double"; }
   std::string CallsName() const { return this->IsBatch ? "batch" : "one"; }
   std::string Name() const
   {
     return "sh/tradeoff/degree" + std::to_string(this->Degree) + "/" + this->FormulationName() +
-           "/" + this->PrecisionName() + "/" + this->CallsName();
+           "/" + this->CallsName();
   }
 };
 
@@ -46,20 +44,14 @@ std::vector<Way> AllWays()
   std::vector<Way> ways;
   for (const int degree : {4, 8, 12, 16})
   {
-    for (const bool isFloat : {false, true})
+    for (const bool isBatch : {false, true})
     {
-      for (const bool isBatch : {false, true})
-      {
-        ways.push_back({degree, EvaluationFormulation::Automatic, isFloat, isBatch});
-      }
+      ways.push_back({degree, EvaluationFormulation::Automatic, isBatch});
     }
   }
   for (const int degree : {4, 8, 12, 16, 20, 32, 48, 64})
   {
-    for (const bool isFloat : {false, true})
-    {
-      ways.push_back({degree, EvaluationFormulation::Recurrence, isFloat, false});
-    }
+    ways.push_back({degree, EvaluationFormulation::Recurrence, false});
   }
   return ways;
 }
@@ -77,7 +69,6 @@ SphericalHarmonicModel Body()
 }
 
 // The directions, evaluated one way; single calls in an order without pattern.
-template <typename Real>
 class Evaluation
 {
 public:
@@ -86,11 +77,7 @@ public:
         Samples(DirectionCount)
   {
     test::Random random(3);
-    for (const Vector3& direction :
-         test::RandomDirections(random, static_cast<int>(DirectionCount)))
-    {
-      this->Directions.push_back(direction.template cast<Real>());
-    }
+    this->Directions = test::RandomDirections(random, static_cast<int>(DirectionCount));
   }
 
   void Run()
@@ -106,25 +93,20 @@ public:
     }
   }
 
-  double Radius(std::size_t direction) const
-  {
-    return static_cast<double>(this->Samples[direction].Radius);
-  }
+  double Radius(std::size_t direction) const { return this->Samples[direction].Radius; }
 
 private:
-  using Tables = SphericalHarmonicEvaluator<Real>;
-  Tables Evaluator;
+  SphericalHarmonicEvaluator Evaluator;
   bool IsBatch;
-  std::vector<typename Tables::Vector> Directions;
-  std::vector<typename Tables::Sample> Samples;
+  std::vector<Vector3> Directions;
+  std::vector<SphericalHarmonicEvaluator::Sample> Samples;
 };
 
-template <typename Real>
 PairedBenchmark Pair(const Way& way, const std::vector<double>& coefficients)
 {
-  const auto ours = std::make_shared<Evaluation<Real>>(way, coefficients);
-  const auto plain = std::make_shared<Evaluation<double>>(
-      Way{way.Degree, EvaluationFormulation::Recurrence, false, false}, coefficients);
+  const auto ours = std::make_shared<Evaluation>(way, coefficients);
+  const auto plain = std::make_shared<Evaluation>(
+      Way{way.Degree, EvaluationFormulation::Recurrence, false}, coefficients);
   const auto disagreement = [ours, plain]() -> std::string
   {
     double worst = 0.0;
@@ -132,14 +114,13 @@ PairedBenchmark Pair(const Way& way, const std::vector<double>& coefficients)
     {
       worst = std::fmax(worst, std::abs(ours->Radius(i) - plain->Radius(i)));
     }
-    // Directions rounded to float move the radius by 6e-8 of its slope.
-    const double bound = sizeof(Real) == sizeof(float) ? 1e-4 : 1e-11;
+    constexpr double Bound = 1e-11;
     std::ostringstream text;
     text << "radii differ by " << worst << " mm";
-    return worst <= bound ? std::string() : text.str();
+    return worst <= Bound ? std::string() : text.str();
   };
   return {way.Name(),
-          "recurrence, double, one direction a call",
+          "recurrence, one direction a call",
           [ours] { ours->Run(); },
           [plain] { plain->Run(); },
           disagreement,
@@ -147,16 +128,14 @@ PairedBenchmark Pair(const Way& way, const std::vector<double>& coefficients)
 }
 
 // Largest error of the radius of the truncated body, for a few directions: the oracle is slow.
-template <typename Real>
 double Rounding(const Way& way, const std::vector<double>& coefficients)
 {
-  const SphericalHarmonicEvaluator<Real> evaluator(way.Degree, coefficients, way.Formulation);
+  const SphericalHarmonicEvaluator evaluator(way.Degree, coefficients, way.Formulation);
   test::Random random(4);
   double worst = 0.0;
   for (const Vector3& direction : test::RandomDirections(random, 20))
   {
-    const auto rounded = direction.template cast<Real>().eval();
-    const Vector3 exact = rounded.template cast<double>().normalized();
+    const Vector3 exact = direction.normalized();
     long double sum = 0.0L;
     for (int l = 0; l <= way.Degree; ++l)
     {
@@ -165,7 +144,7 @@ double Rounding(const Way& way, const std::vector<double>& coefficients)
         sum += coefficients[SphericalHarmonicBasis::Index(l, m)] * test::TextbookReal(l, m, exact);
       }
     }
-    const long double error = evaluator.Evaluate(rounded).Radius - sum;
+    const long double error = evaluator.Evaluate(direction).Radius - sum;
     worst = std::fmax(worst, static_cast<double>(std::abs(error)));
   }
   return worst;
@@ -191,7 +170,7 @@ std::vector<PairedBenchmark> TradeOffBenchmarks()
   for (const Way& way : AllWays())
   {
     const std::vector<double> coefficients = body.WithDegree(way.Degree).Coefficients();
-    pairs.push_back(way.IsFloat ? Pair<float>(way, coefficients) : Pair<double>(way, coefficients));
+    pairs.push_back(Pair(way, coefficients));
   }
   return pairs;
 }
@@ -211,10 +190,8 @@ std::vector<TradeOffRow> TradeOffRows(const std::vector<Comparison>& comparisons
       continue;
     }
     const std::vector<double> coefficients = body.WithDegree(way.Degree).Coefficients();
-    const double rounding =
-        way.IsFloat ? Rounding<float>(way, coefficients) : Rounding<double>(way, coefficients);
-    rows.push_back({way.Degree, way.FormulationName(), way.PrecisionName(), way.CallsName(),
-                    measured->Nanoseconds, rounding, spectrum.Truncation(way.Degree).Rms,
+    rows.push_back({way.Degree, way.FormulationName(), way.CallsName(), measured->Nanoseconds,
+                    Rounding(way, coefficients), spectrum.Truncation(way.Degree).Rms,
                     LargestLoss(body, way.Degree)});
   }
   return rows;
@@ -227,7 +204,6 @@ std::string ToJson(const std::vector<TradeOffRow>& rows)
   {
     list.push_back({{"degree", row.Degree},
                     {"formulation", row.Formulation},
-                    {"precision", row.Precision},
                     {"calls", row.Calls},
                     {"ns", row.Nanoseconds},
                     {"rounding_mm", row.RoundingMillimeters},

@@ -7,8 +7,8 @@
 
 namespace palpate::bench
 {
-/// Radius and gradient at several degrees, by every formulation, in both precisions, one direction
-/// a call and many: against the recurrence in double, one direction a call.
+/// Radius and gradient at several degrees, by every formulation, one direction a call and many:
+/// against the recurrence, one direction a call.
 std::vector<PairedBenchmark> TradeOffBenchmarks();
 
 /// What one of those costs and brings, for an organ-like body of 25 mm that has terms up to degree
@@ -17,7 +17,6 @@ struct TradeOffRow
 {
   int Degree;
   std::string Formulation;       ///< "polynomials", "recurrence"
-  std::string Precision;         ///< "double", "float"
   std::string Calls;             ///< "one", "batch"
   double Nanoseconds;            ///< for one direction
   double RoundingMillimeters;    ///< largest error of the radius of the truncated body

@@ -43,7 +43,7 @@ void OpenHead(StudyController& study)
   study.OpenSegmentation(LabelsFile);
   WaitUntil([&study] { return !study.State().Structures.empty(); });
   StudyState next = study.State();
-  for (StudyStructure& structure : next.Structures)
+  for (SceneStructure& structure : next.Structures)
   {
     const bool isChosen = structure.Name == StructureName;
     structure.IsVisible = isChosen;
@@ -56,7 +56,7 @@ void OpenHead(StudyController& study)
 void ChangeDegree(StudyController& study, int degree)
 {
   StudyState next = study.State();
-  for (StudyStructure& structure : next.Structures)
+  for (SceneStructure& structure : next.Structures)
   {
     structure.Degree = degree;
   }
@@ -99,10 +99,10 @@ void WindowMeasures::Settle()
 // Around the structure, tilted, so that all three slices move.
 void WindowMeasures::MakePath()
 {
-  for (const StudyStructure& structure : this->Study->State().Structures)
+  for (const SceneStructure& structure : this->Study->State().Structures)
   {
     const auto fit =
-        this->Study->Current().Pipeline().Newest<FitResult>(StudyStep::Model, structure.Label);
+        this->Study->Current().Pipeline().Newest<FitResult>(SceneStep::Model, structure.Id);
     if (fit == nullptr || !structure.IsTouchable)
     {
       continue;
@@ -131,7 +131,7 @@ void WindowMeasures::StartTouch()
       [this]
       {
         this->Study->MoveHand(this->Path.front());
-        return this->Study->Reading().TouchedLabel != 0;
+        return this->Study->Reading().TouchedId != 0;
       });
 }
 
@@ -241,8 +241,8 @@ std::vector<WindowStretch> WindowMeasures::Stretches()
 std::string WorkOf(StudyController& study)
 {
   std::string work;
-  for (const StudyStep step : {StudyStep::Volume, StudyStep::Segmentation, StudyStep::Surface,
-                               StudyStep::Samples, StudyStep::Model, StudyStep::Touch})
+  for (const SceneStep step : {SceneStep::Volume, SceneStep::Segmentation, SceneStep::Surface,
+                               SceneStep::Samples, SceneStep::Model, SceneStep::Touch})
   {
     if (study.Current().Pipeline().StateOf(step).Is == StudyStepState::Kind::Running)
     {

@@ -37,7 +37,7 @@ std::string RecordingSeed()
 {
   constexpr std::uint64_t Ticks = 20;
   std::string bytes(Magic, MagicSize);
-  Append(bytes, Encode(TouchSession()));
+  Append(bytes, Encode(RecordedSession()));
   for (std::uint64_t n = 0; n < Ticks; ++n)
   {
     TouchState state;

@@ -9,11 +9,11 @@
 #include "HandPath.h"
 #include "JsonMutator.h"
 #include "Refusal.h"
+#include "SceneFile.h"
 #include "StudyCases.h"
 #include "StudyFile.h"
 #include "StudyJson.h"
 #include "TextMutator.h"
-#include "TouchSceneFile.h"
 #include "TradeTable.h"
 
 namespace palpate::test
@@ -24,22 +24,21 @@ constexpr const char* DrillHeadEnd = "]\n";
 
 std::vector<std::string> SceneSeeds()
 {
-  TouchSettings settings;
-  TouchStructureSettings gland;
+  SceneSettings settings;
+  SceneStructure gland;
   gland.Name = "gland";
   gland.File = "/a/gland.json";
-  TouchStructureSettings bone;
+  SceneStructure bone;
   bone.File = "/a/ct.nrrd";
   bone.Iso = -300.5;
   bone.Drill.Wear = 0.1;
-  TouchStructureSettings mask;
+  SceneStructure mask;
   mask.File = "/a/mask.nii.gz";
   mask.Labels = {"1", "tumour"};
   mask.IsForbidden = true;
   settings.Structures = {gland, bone, mask};
-  settings.Scale = 0.5;
-  settings.MemoryMegabytes = 12.5;
-  return {TouchSceneText(settings, "/a")};
+  settings.Placement.Scale = 0.5;
+  return {SceneText(settings, "/a")};
 }
 
 std::vector<std::string> StudySeeds()
@@ -188,13 +187,12 @@ FuzzTarget WithSeed(const std::string& name, const std::string& fileName, std::s
 
 std::vector<FuzzTarget> JsonTargets()
 {
-  const Mutator scene =
-      JsonMutator({"structures", "tool",      "device",    "name",          "file",
-                   "label",      "iso",       "seen",      "touched",       "representation",
-                   "degree",     "mode",      "precision", "interpolation", "brick_cells",
-                   "drill",      "forbidden", "alarm_mm",  "texture_n",     "texture_image",
-                   "memory_mb",  "scale",     "sphere",    "capsule",       "ellipsoid",
-                   "cylinder",   "surface",   "points",    "radius_mm",     "semi_axes_mm"});
+  const Mutator scene = JsonMutator(
+      {"structures",    "tool",      "device",      "name",           "file",      "label",
+       "iso",           "seen",      "touched",     "representation", "degree",    "mode",
+       "interpolation", "drill",     "forbidden",   "alarm_mm",       "texture_n", "texture_image",
+       "scale",         "sphere",    "capsule",     "ellipsoid",      "cylinder",  "surface",
+       "points",        "radius_mm", "semi_axes_mm"});
   const Mutator study = JsonMutator(
       {"structures", "fit",         "tool",      "landmarks",    "distances", "view",
        "placement",  "field",       "drill",     "crosshair_mm", "window",    "level",
@@ -204,7 +202,7 @@ std::vector<FuzzTarget> JsonTargets()
       JsonMutator({"start", "stop", "end-stroke", "undo", "redo", "reset", "time_s", "do"});
   return {FileTarget("scene", "a.scene.json", SceneSeeds(), scene,
                      [](const std::filesystem::path& file)
-                     { TouchSceneText(ReadTouchScene(file), file.parent_path()); }),
+                     { SceneText(ReadScene(file), file.parent_path()); }),
           FileTarget("study", "a.palpate.json", StudySeeds(), study,
                      [](const std::filesystem::path& file)
                      { StudyText(ReadStudy(file), file.parent_path(), file); }),

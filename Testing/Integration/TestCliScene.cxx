@@ -63,7 +63,7 @@ TEST(CliScene, SaysItInWords)
   WriteScene(folder);
   const CommandRun run = RunPalpate({"scene", "explain", "all.scene.json"}, folder.Path());
   ASSERT_EQ(run.Code, 0) << run.Errors;
-  for (const char* words : {"not opened", "neither seen nor touched", "sub-voxel field",
+  for (const char* words : {"not opened", "neither displayed nor touched", "sub-voxel field",
                             "2 of 3 files read", "2 of 4 structures to be touched"})
   {
     EXPECT_NE(run.Output.find(words), std::string::npos) << words << " in\n" << run.Output;
@@ -79,67 +79,6 @@ TEST(CliScene, TouchMakesNoMoreThanTheSceneAsksFor)
       RunPalpate({"touch", "all.scene.json", "--seconds", "0.2", "--json"}, folder.Path());
   ASSERT_EQ(run.Code, 0) << run.Errors;
   EXPECT_EQ(nlohmann::json::parse(run.Output)["structures"].size(), 2U);
-}
-
-TEST(CliScene, SaysWhatIsInMemoryOnlyRoundTheTool)
-{
-  const TemporaryFolder folder;
-  WriteTwoBalls(folder / "a.nii.gz");
-  const auto write = [&folder](const std::string& megabytes)
-  {
-    WriteAll(folder / "less.scene.json",
-             R"({"format": "palpate-scene", "memory_mb": )" + megabytes + R"(, "structures": [
-                 {"file": "a.nii.gz", "label": "1", "seen": false}]})");
-  };
-  write("0.5");
-  const CommandRun words = RunPalpate({"scene", "explain", "less.scene.json"}, folder.Path());
-  ASSERT_EQ(words.Code, 0) << words.Errors;
-  EXPECT_NE(words.Output.find("on demand: "), std::string::npos) << words.Output;
-  EXPECT_NE(words.Output.find("share 0.5 MB"), std::string::npos) << words.Output;
-  const CommandRun numbers =
-      RunPalpate({"scene", "explain", "less.scene.json", "--json"}, folder.Path());
-  EXPECT_EQ(nlohmann::json::parse(numbers.Output)["memory_budget_bytes"], 500000);
-  const CommandRun touch =
-      RunPalpate({"touch", "less.scene.json", "--seconds", "0.5", "--json"}, folder.Path());
-  ASSERT_EQ(touch.Code, 0) << touch.Errors;
-  EXPECT_EQ(nlohmann::json::parse(touch.Output)["coarse_ticks"], 0);
-  write("0.001");
-  const CommandRun none = RunPalpate({"touch", "less.scene.json"}, folder.Path());
-  EXPECT_EQ(none.Code, 2);
-  EXPECT_NE(none.Errors.find("memory_mb"), std::string::npos) << none.Errors;
-}
-
-TEST(CliScene, SaysFromWhereWhichDegreeIsInMemory)
-{
-  const TemporaryFolder folder;
-  WriteTwoBalls(folder / "a.nii.gz");
-  const auto write = [&folder](const std::string& megabytes)
-  {
-    WriteAll(folder / "less.scene.json",
-             R"({"format": "palpate-scene", "memory_mb": )" + megabytes + R"(, "structures": [
-                 {"file": "a.nii.gz", "representation": "harmonics", "degree": 8}]})");
-  };
-  write("2");
-  const CommandRun words = RunPalpate({"scene", "explain", "less.scene.json"}, folder.Path());
-  ASSERT_EQ(words.Code, 0) << words.Errors;
-  EXPECT_NE(words.Output.find("coarse degree 4, raised by "), std::string::npos) << words.Output;
-  EXPECT_NE(words.Output.find(" mm of its box; then "), std::string::npos) << words.Output;
-  EXPECT_NE(words.Output.find("Harmonics that are near it may take "), std::string::npos);
-  const CommandRun numbers =
-      RunPalpate({"scene", "explain", "less.scene.json", "--json"}, folder.Path());
-  EXPECT_GT(nlohmann::json::parse(numbers.Output)["harmonics_room_bytes"].get<int>(), 100000);
-  const CommandRun touch =
-      RunPalpate({"touch", "less.scene.json", "--output", "felt", "--json"}, folder.Path());
-  ASSERT_EQ(touch.Code, 0) << touch.Errors;
-  EXPECT_EQ(nlohmann::json::parse(touch.Output)["coarse_ticks"], 0);
-  EXPECT_EQ(nlohmann::json::parse(touch.Output)["missing_parts"], "");
-  const CommandRun replay =
-      RunPalpate({"touch", "felt/scene.json", "--replay", "felt/session.touch"}, folder.Path());
-  EXPECT_NE(replay.Output.find("0 of "), std::string::npos) << replay.Output;
-  write("0.1");
-  const CommandRun none = RunPalpate({"touch", "less.scene.json"}, folder.Path());
-  EXPECT_EQ(none.Code, 2);
-  EXPECT_NE(none.Errors.find("memory_mb"), std::string::npos) << none.Errors;
 }
 
 TEST(CliScene, WhatIsNoSceneIsRefused)

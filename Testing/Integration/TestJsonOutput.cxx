@@ -117,7 +117,7 @@ protected:
 private:
   void Add(const Json& object)
   {
-    EXPECT_EQ(object.value("schema_version", 0), 1) << object;
+    EXPECT_EQ(object.value("schema_version", 0), 2) << object;
     AddJsonPaths(object, "", this->Paths);
   }
 

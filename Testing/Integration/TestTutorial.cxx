@@ -57,7 +57,7 @@ protected:
   }
   const FitResult& Fit()
   {
-    return *this->Study->Current().Pipeline().Newest<FitResult>(StudyStep::Model, 1);
+    return *this->Study->Current().Pipeline().Newest<FitResult>(SceneStep::Model, 1);
   }
   double Force() const
   {

@@ -41,10 +41,11 @@ TEST(Version010, SessionOpens)
   EXPECT_TRUE(std::filesystem::exists(state.VolumeFile));
   EXPECT_TRUE(std::filesystem::exists(state.SegmentationFile));
   ASSERT_EQ(state.Structures.size(), 1U);
-  const StudyStructure& gland = state.Structures.front();
+  const SceneStructure& gland = state.Structures.front();
   EXPECT_EQ(gland.Name, "gland");
-  EXPECT_EQ(gland.Appearance, StudyAppearance::ErrorMap);
-  EXPECT_EQ(gland.Degree, 6);
+  EXPECT_EQ(gland.Appearance, SceneAppearance::ErrorMap);
+  EXPECT_EQ(gland.Degree, 8); // as its dial had it, whatever the structure said
+  EXPECT_EQ(gland.Representation, TouchRepresentation::ModelOrField);
   EXPECT_EQ(gland.Stiffness, 0.7);
   EXPECT_EQ(gland.Friction.Static, 0.4);
   EXPECT_EQ(gland.Drill.Wear, 0.1);

@@ -1,12 +1,12 @@
 // Window and command line make the same scene from the same settings: what differs between them is
 // only who asks.
 #include "InputError.h"
+#include "SceneContacts.h"
 #include "Servo.h"
 #include "SimulatedDevice.h"
 #include "StudyCases.h"
 #include "StudyDrill.h"
 #include "StudyPhantoms.h"
-#include "StudyScene.h"
 #include "TouchDoubles.h"
 #include "TouchRun.h"
 #include "WorkspaceFrame.h"
@@ -29,8 +29,8 @@ constexpr int Cases = 24;
 // One structure as both are told of it.
 struct Wanted
 {
-  StudyStructure Window;
-  TouchStructureSettings CommandLine;
+  SceneStructure Window;
+  SceneStructure CommandLine;
 };
 
 TouchRepresentation RandomRepresentation(Random& random, int label)
@@ -45,35 +45,35 @@ TouchRepresentation RandomRepresentation(Random& random, int label)
 Wanted RandomWanted(Random& random, int label)
 {
   Wanted both;
-  StudyStructure& window = both.Window;
-  window.Label = label;
+  SceneStructure& window = both.Window;
+  window.Id = label;
+  window.Labels = {std::to_string(label)};
   window.Name = "structure " + std::to_string(label);
   window.IsVisible = RandomChoice(random);
   window.IsTouchable = label == 1 || RandomChoice(random);
   window.Representation = RandomRepresentation(random, label);
   window.Degree = RandomWhole(random, 2, 9);
+  window.Interpolation = static_cast<FieldInterpolation>(RandomWhole(random, 0, 1));
+  window.Smoothing = RandomNumber(random, 0.0, 1.5);
+  window.Mode = static_cast<HarmonicContactMode>(RandomWhole(random, 0, 1));
+  window.Damping = RandomNumber(random, 0.0, 0.002);
+  window.Viscosity = RandomNumber(random, 0.0, 0.002);
   window.Stiffness = RandomNumber(random, 0.1, 1.5);
   const double friction = RandomNumber(random, 0.0, 0.5);
   window.Friction = {friction + RandomNumber(random, 0.0, 0.5), friction};
   window.IsForbidden = label == 2 && RandomWhole(random, 0, 3) == 0;
+  if (window.Mode == HarmonicContactMode::Radial)
+  {
+    window.Friction = {}; // the radial law has none
+  }
   window.AlarmDistance = RandomNumber(random, 0.5, 4.0);
   if (RandomWhole(random, 0, 2) == 0)
   {
     window.Drill = {RandomNumber(random, 0.01, 1.0), RandomNumber(random, 0.0, 0.001),
                     RandomNumber(random, 0.0, 0.3)};
   }
-  TouchStructureSettings& line = both.CommandLine;
-  line.Name = window.Name;
-  line.Labels = {std::to_string(label)};
-  line.IsSeen = window.IsVisible;
-  line.IsTouched = window.IsTouchable;
-  line.Representation = window.Representation;
-  line.Degree = window.Degree;
-  line.Stiffness = window.Stiffness;
-  line.Friction = window.Friction;
-  line.IsForbidden = window.IsForbidden;
-  line.AlarmDistance = window.AlarmDistance;
-  line.Drill = window.Drill;
+  both.CommandLine = window;
+  both.CommandLine.Id = 0;
   return both;
 }
 
@@ -96,27 +96,24 @@ struct SceneCase
     this->Window = phantom.State();
     this->Window.Structures.clear();
     this->Window.Fit = {};
-    this->Window.Interpolation = static_cast<FieldInterpolation>(RandomWhole(random, 0, 1));
-    this->Window.FieldSmoothing = RandomNumber(random, 0.0, 1.5);
     this->CommandLine.Drill.Turns = this->Window.Drill.Turns = RandomNumber(random, 100.0, 900.0);
     for (const int label : {1, 2})
     {
       Wanted both = RandomWanted(random, label);
       both.CommandLine.File = this->Window.SegmentationFile;
-      both.CommandLine.Interpolation = this->Window.Interpolation;
-      both.CommandLine.Smoothing = this->Window.FieldSmoothing;
+      both.Window.File = both.CommandLine.File;
       this->Window.Structures.push_back(both.Window);
       this->CommandLine.Structures.push_back(both.CommandLine);
     }
     const auto& all = this->Window.Structures;
     const bool isSphere = std::any_of(
         all.begin(), all.end(),
-        [](const StudyStructure& s) { return s.Representation != TouchRepresentation::SubVoxel; });
+        [](const SceneStructure& s) { return s.Representation != TouchRepresentation::SubVoxel; });
     this->CommandLine.Tool = this->Window.Tool = RandomTool(random, isSphere);
   }
 
   StudyState Window;
-  TouchSettings CommandLine;
+  SceneSettings CommandLine;
 };
 
 // What each makes of a case: a scene, or why there is none.
@@ -126,7 +123,7 @@ struct Outcome
   std::string Refusal;
 };
 
-Outcome CommandLineScene(const TouchSettings& settings)
+Outcome CommandLineScene(const SceneSettings& settings)
 {
   try
   {
@@ -149,14 +146,14 @@ Outcome WindowScene(const StudyState& state)
   StudyPipeline pipeline(jobs);
   pipeline.Update(state);
   test::Settle(jobs);
-  const std::vector<StudyContact> contacts = ContactsOf(state, pipeline);
+  const std::vector<SceneContact> contacts = test::ContactsIn(state, pipeline);
   const auto touchable = std::count_if(state.Structures.begin(), state.Structures.end(),
-                                       [](const StudyStructure& s) { return s.IsTouchable; });
+                                       [](const SceneStructure& s) { return s.IsTouchable; });
   if (static_cast<std::ptrdiff_t>(contacts.size()) != touchable)
   {
     return {nullptr, "a structure has no contact"};
   }
-  auto scene = std::make_shared<TouchScene>(MakeStudyScene(state, contacts, {}));
+  auto scene = std::make_shared<TouchScene>(MakeTouchScene(state, contacts, {}));
   StudyDrill drill;
   drill.Follow(state, contacts, ForbiddenOf(state, pipeline));
   drill.PutInto(*scene);

@@ -119,7 +119,7 @@ void DrilledBrick::WriteSurface(std::byte* record)
   const MaterialSet passed = this->Records.MaterialsOf(record);
   const CellSet inGrid = CellsInGrid(this->Layout, this->Brick);
   SurfaceBrick surface;
-  surface.Cells.Fill(this->Layout.Shift, false);
+  surface.Cells.Fill(false);
   surface.Inside = this->Records.InsideOf(record) & ~OnlyMaterial(this->Drilled.Material);
   for (int m = 0; m < static_cast<int>(this->Materials.size()); ++m)
   {
@@ -131,9 +131,9 @@ void DrilledBrick::WriteSurface(std::byte* record)
     ConditionCells cells = this->CellsOf(material.Conditions[0], record);
     for (int c = 1; c < material.ConditionCount; ++c)
     {
-      cells.Restrict(this->CellsOf(material.Conditions[c], record), this->Layout);
+      cells.Restrict(this->CellsOf(material.Conditions[c], record));
     }
-    AddMaterial(m, cells, inGrid, this->Layout, surface);
+    AddMaterial(m, cells, inGrid, surface);
   }
   this->Records.SetSurface(surface, record);
 }

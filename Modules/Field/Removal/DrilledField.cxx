@@ -58,7 +58,7 @@ Status CheckField(const ScalarField& field, int material)
   {
     return Status::Failure("The field has no material " + std::to_string(material) + ".");
   }
-  if (field.Interpolation() != FieldInterpolation::Trilinear || !field.Layout().IsWhole())
+  if (field.Interpolation() != FieldInterpolation::Trilinear)
   {
     return Status::Failure("Only a whole field that is interpolated linearly can be drilled.");
   }

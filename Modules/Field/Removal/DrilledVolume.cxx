@@ -67,7 +67,7 @@ std::int64_t DrilledVolume::InsideOf(const RecordLayout& records, std::size_t br
   if (!hasSurface)
   {
     std::int64_t cells = 0;
-    for (std::size_t word = 0; word < CellSet::WordsOf(this->Layout.Shift); ++word)
+    for (std::size_t word = 0; word < CellSet::WordCount; ++word)
     {
       cells += __builtin_popcountll(inGrid.Words[word]);
     }

@@ -37,16 +37,13 @@ public:
     }
   }
 
-  std::shared_ptr<const ScalarField> Make(const std::vector<float>& bone,
-                                          BrickSize size = BrickSize::Cells8,
-                                          double margin = 0.0) const
+  std::shared_ptr<const ScalarField> Make(const std::vector<float>& bone, double margin = 0.0) const
   {
     FieldBuilder builder(this->Grid);
     const int first = builder.AddChannel(SamplesOfGrid(bone.data(), this->Grid));
     const int second = builder.AddChannel(SamplesOfGrid(this->Nerve.data(), this->Grid));
     builder.KeepInside(builder.AddMaterial({first, Iso}));
     builder.AddMaterial({second, 0.0});
-    builder.SetBrickSize(size);
     builder.SetMargin(margin);
     std::shared_ptr<const ScalarField> field;
     const Status status = builder.Build(field);

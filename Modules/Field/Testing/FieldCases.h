@@ -33,13 +33,11 @@ inline FieldGrid PlainGrid(const std::array<int, 3>& size)
 template <typename T>
 std::shared_ptr<const ScalarField>
 MakeField(const FieldGrid& grid, const std::vector<T>& samples, double iso,
-          FieldInterpolation interpolation = FieldInterpolation::Trilinear,
-          BrickSize size = BrickSize::Cells8)
+          FieldInterpolation interpolation = FieldInterpolation::Trilinear)
 {
   FieldBuilder builder(grid);
   builder.AddMaterial({builder.AddChannel(SamplesOfGrid(samples.data(), grid)), iso});
   builder.SetInterpolation(interpolation);
-  builder.SetBrickSize(size);
   std::shared_ptr<const ScalarField> field;
   const Status status = builder.Build(field);
   EXPECT_TRUE(status.IsOk()) << status.Message();

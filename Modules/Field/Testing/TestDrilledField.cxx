@@ -67,34 +67,30 @@ protected:
 
 TEST_F(DrilledFieldTest, AVersionHasTheBitsOfAFieldBuiltAfresh)
 {
-  for (const BrickSize size : BrickSizes)
+  const auto drilled = Drill(*this->Bone.Make(this->Bone.Bone));
+  for (int round = 0; round < 10; ++round)
   {
-    const auto drilled = Drill(*this->Bone.Make(this->Bone.Bone, size));
-    for (int round = 0; round < 10; ++round)
+    for (int n = 0; n < 1 + round % 4; ++n)
     {
-      for (int n = 0; n < 1 + round % 4; ++n)
-      {
-        this->CutSomewhere(*drilled);
-      }
-      const auto afresh = this->Bone.Make(SamplesNow(*drilled, this->Bone), size);
-      const auto version = VersionOf(*drilled);
-      this->ExpectSameHits(version, afresh, 400);
-      ASSERT_EQ(version->SurfaceCells(), afresh->SurfaceCells());
-      ASSERT_EQ(version->Memory().SurfaceBricks, afresh->Memory().SurfaceBricks);
+      this->CutSomewhere(*drilled);
     }
+    const auto afresh = this->Bone.Make(SamplesNow(*drilled, this->Bone));
+    const auto version = VersionOf(*drilled);
+    this->ExpectSameHits(version, afresh, 400);
+    ASSERT_EQ(version->SurfaceCells(), afresh->SurfaceCells());
+    ASSERT_EQ(version->Memory().SurfaceBricks, afresh->Memory().SurfaceBricks);
   }
 }
 
 TEST_F(DrilledFieldTest, WhereAllIsStoredValuesAndGradientsHaveTheSameBitsToo)
 {
   constexpr double Everywhere = 1e3; // mm
-  const auto drilled = Drill(*this->Bone.Make(this->Bone.Bone, BrickSize::Cells8, Everywhere));
+  const auto drilled = Drill(*this->Bone.Make(this->Bone.Bone, Everywhere));
   for (int round = 0; round < 6; ++round)
   {
     this->CutSomewhere(*drilled);
     const FieldSampler now(VersionOf(*drilled));
-    const FieldSampler afresh(
-        this->Bone.Make(SamplesNow(*drilled, this->Bone), BrickSize::Cells8, Everywhere));
+    const FieldSampler afresh(this->Bone.Make(SamplesNow(*drilled, this->Bone), Everywhere));
     for (int n = 0; n < 1000; ++n)
     {
       const Vector3 p = this->Bone.Grid.PointIndex(this->RandomPoint());

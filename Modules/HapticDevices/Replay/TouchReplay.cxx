@@ -43,9 +43,8 @@ void LeadDrill(Servo& servo, const TouchState& tick, bool wasDrilling)
 
 Status ReplayTouch(const std::shared_ptr<const TouchRecording>& recording,
                    const std::vector<std::shared_ptr<const TouchScene>>& scenes,
-                   ReplayComparison& comparison, const ReplayWorkers& workers)
+                   ReplayComparison& comparison, const BeforeReplayedTick& beforeTick)
 {
-  constexpr double Nano = 1e-9;
   if (recording->Ticks.empty())
   {
     return Status::Failure("The recording has no ticks.");
@@ -74,9 +73,9 @@ Status ReplayTouch(const std::shared_ptr<const TouchRecording>& recording,
     }
     LeadDrill(servo, tick, isDrilling);
     isDrilling = tick.IsDrilling;
-    if (workers.BeforeTick)
+    if (beforeTick)
     {
-      workers.BeforeTick(tick);
+      beforeTick(tick);
     }
     const bool isOff = tick.Safety.Fault == SafetyFault::SwitchedOff;
     if (isOff && (!wasOff || tick.WasRearmed))
@@ -85,12 +84,8 @@ Status ReplayTouch(const std::shared_ptr<const TouchRecording>& recording,
     }
     wasOff = isOff;
     clock.WaitUntil(tick.Tick.Started);
-    servo.Tick(tick.Tick, tick.Level);
+    servo.Tick(tick.Tick);
     Compare(tick, servo.Latest(), comparison);
-    if (workers.AfterTick)
-    {
-      workers.AfterTick(Nano * static_cast<double>(tick.Tick.Started));
-    }
   }
   return status;
 }

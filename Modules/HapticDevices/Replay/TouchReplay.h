@@ -19,17 +19,13 @@ struct ReplayComparison
   double LargestDifference = 0.0;    ///< N, of the forces; NaN if one of them is
 };
 
-/// What workers did beside the servo, to be done again.
-struct ReplayWorkers
-{
-  std::function<void(const TouchState& recorded)> BeforeTick = {};
-  std::function<void(double time)> AfterTick = {}; ///< s, of the tick
-};
+/// Repeats what other threads did until a tick, such as editing what is drilled.
+using BeforeReplayedTick = std::function<void(const TouchState& recorded)>;
 
 /// Feels a recorded session again, tick by tick at the recorded times: the same build gives the
 /// same bits, and another one shows what it changed. `scenes` are those that the servo took over,
 /// in their order. Fails where there are fewer scenes, or where one cannot be felt.
 Status ReplayTouch(const std::shared_ptr<const TouchRecording>& recording,
                    const std::vector<std::shared_ptr<const TouchScene>>& scenes,
-                   ReplayComparison& comparison, const ReplayWorkers& workers = {});
+                   ReplayComparison& comparison, const BeforeReplayedTick& beforeTick = {});
 } // namespace palpate

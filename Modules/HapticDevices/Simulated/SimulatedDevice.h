@@ -36,8 +36,8 @@ struct SimulatedSettings
   double Rate = 1000.0;          ///< Hz
   double WorkspaceRadius = 40.0; ///< mm, around the origin
   double HomingDuration = 0.0;   ///< s
-  /// The hand's target (mm) at a time (s) after opening; if empty, SetTarget's. It must neither
-  /// throw nor allocate.
+  /// The hand's target (mm) at a time (s) after opening; without one it is what LeadHand said. It
+  /// must neither throw nor allocate.
   std::function<Vector3(double)> Path;
 };
 
@@ -59,9 +59,13 @@ public:
   bool Read(DeviceSample& sample) noexcept override;
   bool Apply(const Vector3& force) noexcept override;
 
-  /// The hand's target (mm), as set by a mouse; from one thread.
-  void SetTarget(const Vector3& target) noexcept { this->Wanted.Publish(target); }
-  /// Any thread; takes effect at the next Read or Apply.
+  /// Where the hand wants to be (mm), as a mouse would say it; from one thread.
+  bool LeadHand(const Vector3& target) noexcept override
+  {
+    this->Wanted.Publish(target);
+    return true;
+  }
+  /// From any thread; in effect from the next Read or Apply on.
   void Inject(SimulatedFault fault) noexcept { this->Broken.store(fault); }
 
   /// The hand's exact state and energies; reading thread only.

@@ -8,7 +8,7 @@
 
 namespace palpate::test
 {
-inline TouchSession SessionOf(const HapticDevice& device, const ServoSettings& settings)
+inline RecordedSession SessionOf(const HapticDevice& device, const ServoSettings& settings)
 {
   return {settings, device.Capabilities()};
 }

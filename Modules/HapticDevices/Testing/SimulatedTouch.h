@@ -27,13 +27,12 @@ public:
   }
 
   /// One tick, as a fixed-rate loop would make it. Returns what it did.
-  const TouchState& Tick() { return this->TickAtLevel(0); }
-  const TouchState& TickAtLevel(int level)
+  const TouchState& Tick()
   {
     this->Time.WaitUntil(this->Schedule.Deadline());
     TickInfo tick = this->Schedule.Begin(this->Time.Now());
     tick.BootTime = this->Time.BootTime();
-    this->Loop.Tick(tick, level);
+    this->Loop.Tick(tick);
     return this->Loop.Latest();
   }
   const TouchState& Tick(int count)

@@ -68,15 +68,13 @@ TEST(DrillReplay, ReplaysForcesAndHolesBitForBit)
     EXPECT_GT(recording->Ticks.back().DrillOrders, 300u);
     ASSERT_GT(first.Editor->RemovedVolumes()[0], 1.0);
     DrilledBlock second;
-    ReplayWorkers workers;
-    workers.BeforeTick = [&second](const TouchState& tick)
-    { second.Editor->Take(tick.DrillVersion); };
+    const auto edit = [&second](const TouchState& tick) { second.Editor->Take(tick.DrillVersion); };
     TouchScene scene = second.Scene();
     scene.Structures[0].Drill.Drag = 0.01;
     scene.Structures[0].Drill.Vibration = 0.3;
     ReplayComparison comparison;
     const auto scenes = {std::make_shared<const TouchScene>(scene)};
-    ASSERT_TRUE(ReplayTouch(recording, scenes, comparison, workers).IsOk());
+    ASSERT_TRUE(ReplayTouch(recording, scenes, comparison, edit).IsOk());
     second.Editor->Take();
     EXPECT_EQ(comparison.DifferentTicks, 0u);
     EXPECT_EQ(comparison.FirstDifference, -1);

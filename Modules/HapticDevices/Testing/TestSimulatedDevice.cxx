@@ -52,8 +52,8 @@ TEST(SimulatedDevice, HandFollowsSetTarget)
   ManualClock clock;
   SimulatedDevice device(clock, Free());
   ASSERT_TRUE(device.Open().IsOk());
-  device.SetTarget({1.0, 2.0, 3.0});
-  // The hand takes one interval between two reads to reach a new target.
+  device.LeadHand({1.0, 2.0, 3.0});
+  // The hand takes as long as the time between two reads to get to a new target.
   ReadAfter(clock, device, Period);
   const DeviceSample sample = ReadAfter(clock, device, 2000 * Period);
   EXPECT_NEAR((Vector3(sample.Position) - Vector3(1.0, 2.0, 3.0)).norm(), 0.0, 1e-6);

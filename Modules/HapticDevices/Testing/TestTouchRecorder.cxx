@@ -23,7 +23,7 @@ class TouchRecorderTest : public testing::Test
 protected:
   Status Start(TouchRecorder& recorder)
   {
-    TouchSession session;
+    RecordedSession session;
     session.Settings.Rate = 1000.0;
     return recorder.Start(this->Path(), session);
   }
@@ -86,7 +86,7 @@ TEST_F(TouchRecorderTest, EmptyRecordingLeavesNothing)
   {
     TouchRecorder recorder;
     ASSERT_TRUE(this->Start(recorder).IsOk());
-    EXPECT_FALSE(recorder.Start((this->Folder / "other").string(), TouchSession()).IsOk());
+    EXPECT_FALSE(recorder.Start((this->Folder / "other").string(), RecordedSession()).IsOk());
     EXPECT_EQ(this->Folder.EntryCount(), 1U);
   }
   EXPECT_EQ(this->Folder.EntryCount(), 0U);
@@ -147,7 +147,7 @@ TEST_F(TouchRecorderTest, RecordersOfDifferentNamesCoexist)
   TouchRecorder first;
   TouchRecorder second;
   ASSERT_TRUE(this->Start(first).IsOk());
-  ASSERT_TRUE(second.Start((this->Folder / "other.touch").string(), TouchSession()).IsOk());
+  ASSERT_TRUE(second.Start((this->Folder / "other.touch").string(), RecordedSession()).IsOk());
   ASSERT_TRUE(this->Take(first, 10).IsOk());
   ASSERT_TRUE(this->Take(second, 20).IsOk());
   ASSERT_TRUE(first.Finish().IsOk());
@@ -215,7 +215,7 @@ TEST_F(TouchRecorderTest, RejectsFolderAsTarget)
 TEST_F(TouchRecorderTest, ReportsUnwritablePath)
 {
   TouchRecorder recorder;
-  EXPECT_FALSE(recorder.Start("/nowhere/session", TouchSession()).IsOk());
+  EXPECT_FALSE(recorder.Start("/nowhere/session", RecordedSession()).IsOk());
   EXPECT_FALSE(recorder.Finish().IsOk());
   EXPECT_FALSE(this->Take(recorder, 1).IsOk());
 }

@@ -58,10 +58,10 @@ TEST(TouchRecordingFormat, TicksRoundTripBitForBit)
 
 TEST(TouchRecordingFormat, SessionKeepsSampleRate)
 {
-  TouchSession session;
+  RecordedSession session;
   session.Device.Rate = 1000.0;
   session.Device.LongestGap = 0.008;
-  TouchSession read;
+  RecordedSession read;
   ASSERT_TRUE(TouchRecordingFormat::Decode(TouchRecordingFormat::Encode(session), read));
   EXPECT_EQ(read.Device.LeastRate(), session.Device.LeastRate());
 }
@@ -116,11 +116,11 @@ TEST_F(TouchRecordingFile, TruncatedFileKeepsWholeTicks)
 
 TEST_F(TouchRecordingFile, RejectsOtherFormatOrVersion)
 {
-  for (const char version : {'1', '2', '4'})
+  for (const char version : {'1', '2', '5'})
   {
     this->Bytes[24] = version;
     EXPECT_EQ(this->ReadBytes().Message(),
-              this->Path + " is no recorded touch session of version 3.");
+              this->Path + " is no recorded touch session of version 3 or 4.");
   }
   this->Bytes = "";
   EXPECT_FALSE(this->ReadBytes().IsOk());
@@ -128,7 +128,30 @@ TEST_F(TouchRecordingFile, RejectsOtherFormatOrVersion)
             this->Path + "x cannot be read.");
 }
 
-TEST_F(TouchRecordingFile, RejectsMissingTick)
+// Version 3 has a number in the upper bits of each tick's flags.
+TEST_F(TouchRecordingFile, ReadsVersion3WithoutItsUpperFlags)
+{
+  ASSERT_TRUE(this->ReadBytes().IsOk());
+  const TouchRecording newest = this->Recording;
+  const std::size_t tick = 8 * TouchRecordingFormat::TickWords;
+  const std::size_t first = this->Bytes.size() - newest.Ticks.size() * tick;
+  for (std::size_t at = first; at < this->Bytes.size(); at += tick)
+  {
+    this->Bytes[at + 8 * TouchRecordingFormat::FlagsWord + 6] = 1;
+    this->Bytes[at + 8 * TouchRecordingFormat::FlagsWord + 7] = 2;
+  }
+  EXPECT_FALSE(this->ReadBytes().IsOk()) << "version 4 has no such flags";
+  this->Bytes[24] = '3';
+  ASSERT_TRUE(this->ReadBytes().IsOk());
+  ASSERT_EQ(this->Recording.Ticks.size(), newest.Ticks.size());
+  for (std::size_t n = 0; n < newest.Ticks.size(); ++n)
+  {
+    ASSERT_EQ(TouchRecordingFormat::Encode(this->Recording.Ticks[n]),
+              TouchRecordingFormat::Encode(newest.Ticks[n]));
+  }
+}
+
+TEST_F(TouchRecordingFile, ThatLacksATickIsRefused)
 {
   const std::size_t tick = 8 * TouchRecordingFormat::TickWords;
   this->Bytes.erase(this->Bytes.size() - 2 * tick, tick);

@@ -7,6 +7,8 @@
 
 namespace palpate
 {
+class FieldSolid;
+
 /// Follows one tool at one structure from tick to tick: remembers the proxy, so that it is coherent
 /// and never crosses the surface, however fast the probe moves. One for each servo thread. Neither
 /// allocates nor locks after it was made.
@@ -21,11 +23,15 @@ public:
   virtual const Contact& Follow(const ToolPose& pose) noexcept = 0;
   /// Forgets the proxy: the next tick starts afresh, wherever the tool is by then.
   virtual void Release() noexcept = 0;
-  /// Whether it can be followed now; what it needs is then there until Rest. Asked before every
-  /// Follow where it may not be.
-  virtual bool IsAtHand() noexcept { return true; }
-  /// It is not followed for now, and nothing needs to be there for it.
-  virtual void Rest() noexcept {}
+  /// Whether drilling may change what is followed: the next four members are for that alone.
+  virtual bool CanBeDrilled() const noexcept { return false; }
+  /// Follows another version of its solid from now on and keeps the proxy. `solid` must live until
+  /// the next one is given.
+  virtual void UseSolid(const FieldSolid&) noexcept {}
+  /// Whether the tool at `pose` is nowhere inside. Only after Release.
+  virtual bool IsFreeAt(const ToolPose&) noexcept { return true; }
+  /// How far (mm) a proxy on the surface may be inside by rounding, at most.
+  virtual double SurfaceTolerance() const noexcept { return 0.0; }
   /// What it occupies beside its model; 0 where it does not say.
   virtual std::size_t Bytes() const noexcept { return 0; }
 

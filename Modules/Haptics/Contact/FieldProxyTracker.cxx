@@ -53,34 +53,14 @@ std::optional<ToolShell> HaloOf(const ToolShape& tool, double voxel)
   }
   return ToolShell(ToolShape::FromSurfacePoints(std::move(points), tool.Normals()));
 }
-// Points, and from them short rays and steps.
-double AskedBy(const ToolShell& shell, const std::optional<ToolShell>& halo, double voxel)
-{
-  constexpr double Beyond = 3.0; // voxels
-  double farthest = 0.0;
-  for (const ToolShell* points : {&shell, halo ? &*halo : nullptr})
-  {
-    for (std::size_t i = 0; points != nullptr && i < points->Count(); ++i)
-    {
-      farthest = std::max(farthest, points->Offset(i).norm());
-    }
-  }
-  return farthest + Beyond * voxel;
-}
 } // namespace
 
 FieldProxyTracker::FieldProxyTracker(std::shared_ptr<const FieldSolid> solid, const ToolShape& tool,
                                      const SurfaceFriction& friction)
     : Solid(std::move(solid)), Shell(tool), Halo(HaloOf(tool, Solid->VoxelSize())),
-      Friction(friction), Asked(AskedBy(Shell, Halo, Solid->VoxelSize())),
-      Reach(tool.BoundingRadius()), SphereRadius(tool.Radius()), Feet(2 * Shell.Count()),
-      HasFoot(Shell.Count(), 0), Planes(Feet.size())
+      Friction(friction), Reach(tool.BoundingRadius()), SphereRadius(tool.Radius()),
+      Feet(2 * Shell.Count()), HasFoot(Shell.Count(), 0), Planes(Feet.size())
 {
-}
-
-double FieldProxyTracker::AskedReachOf(const ToolShape& shell, double voxelSize)
-{
-  return AskedBy(ToolShell(shell), HaloOf(shell, voxelSize), voxelSize);
 }
 
 std::size_t FieldProxyTracker::Bytes() const noexcept

@@ -35,26 +35,16 @@ public:
   void Release() noexcept override { this->Known = State::Nothing; }
   std::size_t Bytes() const noexcept override;
 
-  /// Goes on with another version of the same solid, keeping all that it knows, and gives the one
-  /// before back, to be destroyed elsewhere.
-  void Exchange(std::shared_ptr<const FieldSolid>& solid) noexcept { this->Solid.swap(solid); }
-  const FieldSolid& Followed() const noexcept { return *this->Solid; }
-  /// How far (mm) from the tool's origin Follow asks the field, along any axis.
-  double AskedReach() const noexcept { return this->Asked; }
-  /// The same of a tool with a shell, at a solid with such voxels (mm).
-  static double AskedReachOf(const ToolShape& shell, double voxelSize);
-  /// Whether nothing is known, or nothing touches.
-  bool IsFree() const noexcept { return this->Known != State::Touching; }
-  /// Whether no point of the tool is inside the solid at a pose. Only while nothing is followed.
-  bool IsFreeAt(const ToolPose& pose) noexcept
+  bool CanBeDrilled() const noexcept override { return true; }
+  void UseSolid(const FieldSolid& solid) noexcept override
+  {
+    this->Solid = {std::shared_ptr<const FieldSolid>(), &solid}; // owns nothing, so frees nothing
+  }
+  double SurfaceTolerance() const noexcept override { return 0.5 * this->Solid->VoxelSize(); }
+  bool IsFreeAt(const ToolPose& pose) noexcept override
   {
     this->Shell.Turn(pose.Orientation);
     return this->Shell.CountInside(*this->Solid, pose.PositionWorld) == 0;
-  }
-  /// Whether no point of the tool enters the solid on a way of its origin.
-  bool IsWayFree(const Vector3& fromWorld, const Vector3& way) const noexcept
-  {
-    return this->Shell.PartToEntry(*this->Solid, fromWorld, way) == 1.0;
   }
 
 private:
@@ -96,7 +86,6 @@ private:
   /// Of a sphere, points outside of it, so high that it touches no wall before one of them does.
   std::optional<ToolShell> Halo;
   FrictionCone Friction;
-  double Asked;        // mm; what is asked of the field, from the origin
   double Reach;        // mm; of tool points from the origin
   double SphereRadius; // mm; 0 for other tools and points
 

@@ -72,20 +72,20 @@ Vector3 FieldShellTracker::WayBack(const Vector3& probe) noexcept
   double free = 1.0;
   for (int step = 1; step < static_cast<int>(steps) && free == 1.0; ++step)
   {
-    free = this->IsFreeAt(probe + step / steps * way) ? step / steps : 1.0;
+    free = this->IsOutsideAt(probe + step / steps * way) ? step / steps : 1.0;
   }
   double touching = free - 1.0 / steps;
   double length = wanted / steps; // in quarters of a voxel
   while (length > 1.0)
   {
     const double middle = 0.5 * (touching + free);
-    (this->IsFreeAt(probe + middle * way) ? free : touching) = middle;
+    (this->IsOutsideAt(probe + middle * way) ? free : touching) = middle;
     length *= 0.5;
   }
   return probe + free * way;
 }
 
-bool FieldShellTracker::IsFreeAt(const Vector3& place) noexcept
+bool FieldShellTracker::IsOutsideAt(const Vector3& place) noexcept
 {
   return this->Shell.CountInside(*this->Solid, place) <= this->MostTouching;
 }

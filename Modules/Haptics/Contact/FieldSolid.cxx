@@ -57,13 +57,12 @@ Status FieldSolid::Make(const std::shared_ptr<const ScalarField>& field, int mat
                         std::shared_ptr<const FieldSolid>& solid)
 {
   const bool isThere = material >= 0 && material < field->MaterialCount();
-  return MakePart(field, material, isThere ? BoundsOf(*field, material) : Eigen::AlignedBox3d(),
-                  solid);
+  return Make(field, material, isThere ? BoundsOf(*field, material) : Eigen::AlignedBox3d(), solid);
 }
 
-Status FieldSolid::MakePart(const std::shared_ptr<const ScalarField>& field, int material,
-                            const Eigen::AlignedBox3d& boundsWorld,
-                            std::shared_ptr<const FieldSolid>& solid)
+Status FieldSolid::Make(const std::shared_ptr<const ScalarField>& field, int material,
+                        const Eigen::AlignedBox3d& boundsWorld,
+                        std::shared_ptr<const FieldSolid>& solid)
 {
   if (material < 0 || material >= field->MaterialCount())
   {
@@ -78,22 +77,6 @@ FieldSolid::FieldSolid(const std::shared_ptr<const ScalarField>& field, int mate
     : Sampler(field), Caster(field), Number(material), FieldBytes(field->Memory().Bytes),
       Bounds(boundsWorld), Voxel(field->Grid().Spacing().minCoeff())
 {
-}
-
-bool FieldSolid::Covers(const Vector3& pointWorld, double reach) const noexcept
-{
-  const ScalarField& field = this->Sampler.Field();
-  const BrickLayout& layout = field.Layout();
-  const Vector3 place = field.Grid().PointIndex(pointWorld);
-  bool isCovered = true;
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    const auto a = static_cast<std::size_t>(axis);
-    const double voxels = reach / field.Grid().Spacing()[axis];
-    isCovered = isCovered && (layout.FirstCell[a] == 0 || place[axis] - voxels > layout.Lower[a]) &&
-                (layout.IsLastOfGrid(a) || place[axis] + voxels < layout.Upper[a]);
-  }
-  return isCovered;
 }
 
 FieldSolid::Wall FieldSolid::WallNear(const Vector3& pointWorld,

@@ -27,19 +27,17 @@ public:
                      std::shared_ptr<const FieldSolid>& solid);
   /// Of the bricks in which a material is, mm.
   static Eigen::AlignedBox3d BoundsOf(const ScalarField& field, int material);
-  /// Of a version of a field that covers a part of it: a solid with the bounds (mm) of the whole.
-  static Status MakePart(const std::shared_ptr<const ScalarField>& version, int material,
-                         const Eigen::AlignedBox3d& boundsWorld,
-                         std::shared_ptr<const FieldSolid>& solid);
+  /// Of a version of a field that is drilled: a solid with the bounds (mm) of the field as it
+  /// began.
+  static Status Make(const std::shared_ptr<const ScalarField>& version, int material,
+                     const Eigen::AlignedBox3d& boundsWorld,
+                     std::shared_ptr<const FieldSolid>& solid);
 
   /// Of the whole field.
   std::size_t Bytes() const noexcept { return this->FieldBytes; }
   int Material() const noexcept { return this->Number; }
   const Eigen::AlignedBox3d& BoundsWorld() const noexcept { return this->Bounds; }
   double VoxelSize() const noexcept { return this->Voxel; } ///< the smallest spacing, mm
-  /// Whether everything within `reach` (mm) of a point is known: that the field covers it as far as
-  /// its grid goes.
-  bool Covers(const Vector3& pointWorld, double reach) const noexcept;
 
   /// 1 or 0 for each point.
   void AreInside(const Vector3* pointsWorld, std::size_t count,

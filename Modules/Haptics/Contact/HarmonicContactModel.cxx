@@ -10,11 +10,10 @@ namespace palpate
 {
 Status HarmonicContactModel::Make(std::shared_ptr<const SphericalHarmonicModel> model,
                                   HarmonicContactMode mode,
-                                  std::shared_ptr<const ContactModel>& contact,
-                                  EvaluationPrecision precision)
+                                  std::shared_ptr<const ContactModel>& contact)
 {
   std::shared_ptr<const HarmonicSurface> surface;
-  Status status = HarmonicSurface::Make(std::move(model), precision, surface);
+  Status status = HarmonicSurface::Make(std::move(model), surface);
   if (status.IsOk())
   {
     contact.reset(new HarmonicContactModel(std::move(surface), mode));
@@ -40,8 +39,8 @@ std::size_t HarmonicContactModel::Bytes() const noexcept
   return this->Surface->Bytes();
 }
 
-Status HarmonicContactModel::Check(HarmonicContactMode mode, const ToolShape& tool,
-                                   const SurfaceFriction& friction)
+Status HarmonicContactModel::MakeTracker(const ToolShape& tool, const SurfaceFriction& friction,
+                                         std::unique_ptr<ContactTracker>& tracker) const
 {
   for (Status status : {tool.Check(), FrictionCone::Check(friction)})
   {
@@ -54,23 +53,16 @@ Status HarmonicContactModel::Check(HarmonicContactMode mode, const ToolShape& to
   {
     return Status::Failure("Surfaces of spherical harmonics are felt by spheres and points only.");
   }
-  return mode == HarmonicContactMode::Radial && friction.Static > 0.0
-             ? Status::Failure("The radial law has no friction.")
-             : Status::Success();
-}
-
-Status HarmonicContactModel::MakeTracker(const ToolShape& tool, const SurfaceFriction& friction,
-                                         std::unique_ptr<ContactTracker>& tracker) const
-{
-  Status status = Check(this->Mode, tool, friction);
-  if (status.IsOk() && this->Mode == HarmonicContactMode::Nearest)
+  if (this->Mode == HarmonicContactMode::Nearest)
   {
     tracker = std::make_unique<HarmonicNearestTracker>(this->Surface, tool.Radius(), friction);
+    return Status::Success();
   }
-  else if (status.IsOk())
+  if (friction.Static > 0.0)
   {
-    tracker = std::make_unique<HarmonicRadialTracker>(this->Surface, tool.Radius());
+    return Status::Failure("The radial law has no friction.");
   }
-  return status;
+  tracker = std::make_unique<HarmonicRadialTracker>(this->Surface, tool.Radius());
+  return Status::Success();
 }
 } // namespace palpate

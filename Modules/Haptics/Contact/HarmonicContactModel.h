@@ -18,15 +18,9 @@ enum class HarmonicContactMode
 class HarmonicContactModel final : public ContactModel
 {
 public:
-  /// Refuses what HarmonicSurface refuses. In float, radius and slopes are rounded to some 1e-6 of
-  /// the radius; positions stay double.
+  /// Refuses what HarmonicSurface refuses.
   static Status Make(std::shared_ptr<const SphericalHarmonicModel> model, HarmonicContactMode mode,
-                     std::shared_ptr<const ContactModel>& contact,
-                     EvaluationPrecision precision = EvaluationPrecision::Double);
-
-  /// Refuses what MakeTracker refuses, of any model.
-  static Status Check(HarmonicContactMode mode, const ToolShape& tool,
-                      const SurfaceFriction& friction);
+                     std::shared_ptr<const ContactModel>& contact);
 
   Eigen::AlignedBox3d BoundsWorld() const noexcept override;
   Status MakeTracker(const ToolShape& tool, const SurfaceFriction& friction,

@@ -25,7 +25,6 @@ double MeanRadius(const SphericalHarmonicModel& model)
 } // namespace
 
 Status HarmonicSurface::Make(std::shared_ptr<const SphericalHarmonicModel> model,
-                             EvaluationPrecision precision,
                              std::shared_ptr<const HarmonicSurface>& surface)
 {
   if (!IsFinite(*model))
@@ -44,10 +43,6 @@ Status HarmonicSurface::Make(std::shared_ptr<const SphericalHarmonicModel> model
   {
     return Status::Failure("The surface to be touched reaches its centre: its radius must be "
                            "positive in every direction.");
-  }
-  if (precision != model->Precision())
-  {
-    model = std::make_shared<const SphericalHarmonicModel>(model->WithPrecision(precision));
   }
   surface.reset(new HarmonicSurface(std::move(model), range.Lower, range.Upper));
   return Status::Success();

@@ -23,9 +23,7 @@ public:
 
   /// Refuses a model whose numbers are not finite, and one whose radius is not positive everywhere.
   /// Takes some milliseconds, allocates.
-  /// Queries are evaluated in `precision`; what is prepared for them always in double.
   static Status Make(std::shared_ptr<const SphericalHarmonicModel> model,
-                     EvaluationPrecision precision,
                      std::shared_ptr<const HarmonicSurface>& surface);
 
   const ClosestPointSearch& Search() const noexcept { return this->Closest; }

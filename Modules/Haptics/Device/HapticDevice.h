@@ -44,6 +44,14 @@ public:
   /// Gives 0 N first. Nothing where it is closed.
   virtual void Close() noexcept = 0;
 
+  /// Leads the hand of a simulated device to a place (mm, device's frame), or as near to it as the
+  /// device reaches. False, without effect, for a device with a hand of its own. For any thread.
+  virtual bool LeadHand(const Vector3& target) noexcept
+  {
+    static_cast<void>(target);
+    return false;
+  }
+
   /// The newest sample; the same as before where there is no newer one. False where the device
   /// failed. Never waits for longer than a fraction of its own period.
   virtual bool Read(DeviceSample& sample) noexcept = 0;

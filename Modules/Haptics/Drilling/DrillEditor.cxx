@@ -229,8 +229,8 @@ Status DrillEditor::HandOver()
   {
     std::shared_ptr<const FieldSolid> solid;
     Status status = this->Fields[site]->MakeVersion(fields[site]);
-    status = status.IsOk() ? FieldSolid::MakePart(fields[site], this->Fields[site]->Material(),
-                                                  this->Bounds[site], solid)
+    status = status.IsOk() ? FieldSolid::Make(fields[site], this->Fields[site]->Material(),
+                                              this->Bounds[site], solid)
                            : status;
     if (!status.IsOk())
     {

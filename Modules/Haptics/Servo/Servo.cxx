@@ -54,16 +54,10 @@ Status Servo::Publish(std::shared_ptr<const TouchScene> scene, SceneEntry entry)
   return status;
 }
 
-int Servo::MostLevel() noexcept
-{
-  return this->Scenes.Current() != nullptr ? this->Scenes.Current()->MostLevel() : 0;
-}
-
-void Servo::Tick(const TickInfo& tick, int level) noexcept
+void Servo::Tick(const TickInfo& tick) noexcept
 {
   const TickObservation now = this->Observe(tick);
   const Change change = this->TakeOver(now);
-  this->Level = std::clamp(level, 0, this->MostLevel());
   this->TickTime = 1e-9 * static_cast<double>(tick.Started);
   if (now.State == DeviceState::Ready && now.HasSample)
   {
@@ -234,7 +228,6 @@ FollowStep Servo::StepTo(const DeviceSample& sample, double passed) noexcept
   step.Now = this->Current.Pose;
   step.Last = this->HasFelt ? this->LastAsked : step.Now;
   step.Passed = passed;
-  step.Level = this->Level;
   step.IsDrilling = this->IsDrilling;
   step.Time = this->TickTime;
   step.MostPush = this->MostForce;
@@ -312,7 +305,6 @@ TouchState Servo::StateOf(const TickObservation& now, const Vector3& force) noex
   state.Structure = this->Current.Felt.Structure;
   state.Depth = this->Current.Felt.Deepest.Depth;
   state.Scene = this->SceneCount;
-  state.Level = this->Level;
   state.IsDrilling = this->IsDrilling;
   state.DrillVersion = scene != nullptr ? scene->VersionNumber() : 0;
   state.DrillOrders = this->OrderCount;

@@ -29,7 +29,7 @@ struct ServoSettings
 
 /// The way from a device's position to its force, one tick at a time: read, map to the world,
 /// follow every structure in reach, add the forces, pass the safety chain, apply, publish. What a
-/// tick does depends on its TickInfo, its level, the device's samples and the scene alone, so that
+/// tick does depends on its TickInfo, the device's samples and the scene alone, so that
 /// a recorded session gives the same forces to the last bit.
 ///
 /// Publish, Reclaim, Command: one publishing thread. Tick: the servo thread. Latest: one reading
@@ -77,11 +77,7 @@ public:
   /// Before ticks go on after a pause of any length: motion is forgotten, the pedal is up, and
   /// forces fade in from 0 N. A fault stays.
   void Resume() noexcept;
-  /// `level` of stand-ins is felt, or the coarsest that there is. It is an input like the tick's
-  /// time, and is recorded with it.
-  void Tick(const TickInfo& tick, int level = 0) noexcept;
-  /// The coarsest level of the scene that is felt, for the servo thread.
-  int MostLevel() noexcept;
+  void Tick(const TickInfo& tick) noexcept;
 
   const TouchState& Latest() noexcept { return this->Newest.Latest(); }
   /// The oldest tick that was not fetched yet; false where there is none.
@@ -145,7 +141,6 @@ private:
   std::atomic<bool> OffWanted{false};   // any thread's
   std::atomic<bool> LiftWanted{false};  // any thread's, of the button
   std::atomic<bool> Pedal{false};       // any thread's
-  int Level = 0;                        // of this tick
   bool IsDrilling = false;              // in this tick
   bool IsButtonPedal = false;           // a pedal button was pressed and runs the drill
   bool WasButtonDown = true;            // in the last tick

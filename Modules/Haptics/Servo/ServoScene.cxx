@@ -27,8 +27,6 @@ Status ServoScene::Make(std::shared_ptr<const TouchScene> scene, double velocity
     status =
         StructureFollower::Make(structure, *next->Shared, velocityTimeConstant, next->Followers);
     reaches.push_back(StructureFollower::ReachWorld(structure, next->Shared->Tool));
-    next->IsOnDemand = next->IsOnDemand || structure.Beneath != nullptr;
-    next->Levels = std::max(next->Levels, static_cast<int>(structure.Coarser.size()));
     if (structure.Id != 0)
     {
       next->Ids.emplace_back(structure.Id, static_cast<int>(reaches.size()) - 1);
@@ -148,26 +146,6 @@ void ServoScene::LookAround(const FollowStep& step) noexcept
   this->NearCount = this->Index.Find(this->LookedAt, this->Near.data());
 }
 
-// What is near and is felt by another stand-in now, also since one has come to be at hand, goes on
-// from the one before.
-void ServoScene::UseLevel(const FollowStep& step) noexcept
-{
-  if (step.Level == this->Level && !this->IsOnDemand)
-  {
-    return;
-  }
-  this->Level = step.Level;
-  for (std::size_t i = 0; i < this->NearCount; ++i)
-  {
-    StructureFollower& follower = this->Followers[this->Near[i]];
-    const FadingContact last = follower.FadingOut(this->Hand);
-    if (follower.UseLevel(step))
-    {
-      this->FadeOut(static_cast<int>(this->Near[i]), last);
-    }
-  }
-}
-
 // Those that are newer, or that this scene has not felt yet.
 void ServoScene::TakeVersions() noexcept
 {
@@ -240,15 +218,10 @@ ServoScene::Feeling ServoScene::Follow(const FollowStep& step) noexcept
 {
   Feeling feeling;
   feeling.Deepest.ProxyWorld = step.Now.PositionWorld;
-  if (this->Shared->Probe != nullptr)
-  {
-    this->Shared->Probe->Publish(step.Now.PositionWorld);
-  }
   if (step.AsksModel)
   {
     this->TakeVersions();
     this->LookAround(step);
-    this->UseLevel(step);
     this->BeginAgain(step);
   }
   for (std::size_t i = 0; i < this->NearCount; ++i)

@@ -55,8 +55,6 @@ public:
   void LiftDrill() noexcept;
   /// Forgets where the tool was.
   void Leave() noexcept;
-  /// Of the structure with the most stand-ins.
-  int MostLevel() const noexcept { return this->Levels; }
   /// How many structures the last Follow looked at.
   std::size_t LookedAtCount() const noexcept { return this->NearCount; }
   /// Of followers, their trackers and the index, without the models.
@@ -73,7 +71,6 @@ private:
   };
 
   void LookAround(const FollowStep& step) noexcept;
-  void UseLevel(const FollowStep& step) noexcept;
   void TakeVersions() noexcept;
   void BeginAgain(const FollowStep& step) noexcept;
   void FadeOut(int structure, const FadingContact& contact) noexcept;
@@ -94,9 +91,6 @@ private:
   const DrillVersions* Versions = nullptr; // that are felt; the link's
   std::uint64_t Version = 0;               // their number
   bool HasGrown = false;                   // since the last Follow that asked models
-  bool IsOnDemand = false;                 // something may not be at hand
-  int Levels = 0;
-  int Level = 0; // of the last Follow that asked models
   SceneEntry EnteredAs = SceneEntry::Anew;
 };
 } // namespace palpate

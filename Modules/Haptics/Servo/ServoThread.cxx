@@ -30,7 +30,6 @@ Status ServoThread::Start(const RealtimeRequest& request)
   const auto period = static_cast<std::int64_t>(std::llround(1e9 / this->Settings.Rate));
   this->Rate = std::make_unique<FixedRateLoop>(this->Time, period);
   this->Counted = {};
-  this->Budget = TickBudget(period);
   this->Published.Publish(this->Counted);
   this->Touch.Resume();
   return this->Thread.Start(
@@ -55,16 +54,14 @@ bool ServoThread::Tick(const TickInfo& tick) noexcept
   {
     this->Touch.SwitchOff();
   }
-  this->Touch.Tick(tick, this->Budget.Level());
+  this->Touch.Tick(tick);
   if (tick.Number > 0)
   {
     this->Counted.Periods.Add(tick.Started - this->LastStarted);
   }
   this->LastStarted = tick.Started;
   this->Counted.Periods.AddMisses(tick.SkippedPeriods);
-  const std::int64_t spent = this->Time.Now() - tick.Started;
-  this->Counted.Durations.Add(spent);
-  this->Budget.Take(tick.Started, spent, this->Touch.MostLevel());
+  this->Counted.Durations.Add(this->Time.Now() - tick.Started);
   this->Counted.Durations.AddMisses(tick.IsLate ? 1 : 0);
   if (tick.Number % TicksBetweenStatistics == 0)
   {

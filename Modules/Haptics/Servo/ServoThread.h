@@ -4,7 +4,6 @@
 #include "PeriodStatistics.h"
 #include "RealtimeThread.h"
 #include "Servo.h"
-#include "TickBudget.h"
 
 #include <memory>
 
@@ -17,8 +16,8 @@ struct ServoStatistics
   PeriodStatistics Durations; ///< from a tick's start to its end; misses are late ticks
 };
 
-/// Runs a servo at its rate on a thread of its own, with stand-ins while ticks take too long, and
-/// without forces while an EmergencyStop is ordered.
+/// Runs a servo at its rate on a thread of its own, and without forces while an EmergencyStop is
+/// ordered.
 /// Start, Stop and the destructor are for the thread that owns it.
 class ServoThread
 {
@@ -54,7 +53,6 @@ private:
   // The servo thread's own.
   std::int64_t LastStarted = 0;
   ServoStatistics Counted;
-  TickBudget Budget{0};
   RealtimeThread Thread;
 };
 } // namespace palpate

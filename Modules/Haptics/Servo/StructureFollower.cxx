@@ -48,15 +48,14 @@ Contact Untouched(const Vector3& probeWorld) noexcept
 
 StructureFollower::StructureFollower(const TouchStructure& structure, const TouchScene& scene,
                                      double velocityTimeConstant,
-                                     std::vector<std::unique_ptr<ContactTracker>> trackers)
-    : Trackers(std::move(trackers)), Structure(&structure), Frame(&scene.Frame), Tool(&scene.Drill),
+                                     std::unique_ptr<ContactTracker> tracker)
+    : Tracker(std::move(tracker)), Structure(&structure), Frame(&scene.Frame), Tool(&scene.Drill),
       Reach(ReachWorld(structure, scene.Tool)), ToolRadiusWorld(LeastRadius(scene.Tool)),
       ToolRadiusDevice(scene.Frame.LengthDevice(ToolRadiusWorld * Vector3::UnitX()).norm()),
       OffsetVelocity(velocityTimeConstant)
 {
   if (structure.Site >= 0)
   {
-    this->Drilled = dynamic_cast<FieldProxyTracker*>(this->Trackers.front().get());
     this->Feed = std::make_unique<DrillFeed>(scene.Drill.Motion.Radius, scene.Drill.Clearance);
   }
 }
@@ -65,10 +64,6 @@ Eigen::AlignedBox3d StructureFollower::ReachWorld(const TouchStructure& structur
                                                   const ToolShape& tool)
 {
   Eigen::AlignedBox3d reach = structure.Model->BoundsWorld();
-  for (const TouchStandIn& coarser : structure.Coarser)
-  {
-    reach.extend(coarser.Model->BoundsWorld());
-  }
   reach.min().array() -= tool.BoundingRadius();
   reach.max().array() += tool.BoundingRadius();
   return reach;
@@ -78,56 +73,26 @@ Status StructureFollower::Make(const TouchStructure& structure, const TouchScene
                                double velocityTimeConstant,
                                std::vector<StructureFollower>& followers)
 {
-  std::vector<std::unique_ptr<ContactTracker>> trackers(1 + structure.Coarser.size());
-  for (std::size_t rung = 0; rung < trackers.size(); ++rung)
+  std::unique_ptr<ContactTracker> tracker;
+  const Status status = structure.Model->MakeTracker(scene.Tool, structure.Friction, tracker);
+  if (!status.IsOk())
   {
-    const TouchStandIn* coarser = rung > 0 ? &structure.Coarser[rung - 1] : nullptr;
-    const ContactModel& model = coarser != nullptr ? *coarser->Model : *structure.Model;
-    const ToolShape& tool = coarser != nullptr && coarser->Tool ? *coarser->Tool : scene.Tool;
-    const Status status = model.MakeTracker(tool, structure.Friction, trackers[rung]);
-    if (!status.IsOk())
-    {
-      return Status::Failure("The structure " + structure.Name +
-                             " cannot be touched: " + status.Message());
-    }
+    return Status::Failure("The structure " + structure.Name +
+                           " cannot be touched: " + status.Message());
   }
-  if (structure.Site >= 0 && dynamic_cast<FieldProxyTracker*>(trackers.front().get()) == nullptr)
+  if (structure.Site >= 0 && !tracker->CanBeDrilled())
   {
     return Status::Failure("The structure " + structure.Name +
                            " cannot be drilled, since it is not felt by a field's proxy.");
   }
-  Status status = Status::Success();
-  if (structure.Beneath != nullptr)
-  {
-    trackers.emplace_back();
-    status = structure.Beneath->MakeTracker(scene.Tool, structure.Friction, trackers.back());
-  }
-  if (status.IsOk())
-  {
-    followers.push_back(
-        StructureFollower(structure, scene, velocityTimeConstant, std::move(trackers)));
-  }
-  return status;
+  followers.push_back(
+      StructureFollower(structure, scene, velocityTimeConstant, std::move(tracker)));
+  return Status::Success();
 }
 
 std::size_t StructureFollower::Bytes() const noexcept
 {
-  std::size_t bytes = sizeof(*this) + this->Trackers.size() * sizeof(this->Trackers[0]) +
-                      (this->Feed != nullptr ? sizeof(DrillFeed) : 0);
-  for (const auto& tracker : this->Trackers)
-  {
-    bytes += tracker->Bytes();
-  }
-  return bytes;
-}
-
-// What a level asks for, or what lies beneath where that is not at hand.
-std::size_t StructureFollower::RungOf(int level) noexcept
-{
-  const std::size_t most = this->Structure->Coarser.size();
-  const std::size_t rung = std::min(static_cast<std::size_t>(std::max(level, 0)), most);
-  const bool isThere = !this->HasBeneath() || this->Trackers[rung]->IsAtHand();
-  return isThere ? rung : most + 1;
+  return sizeof(*this) + this->Tracker->Bytes() + (this->Feed != nullptr ? sizeof(DrillFeed) : 0);
 }
 
 bool StructureFollower::IsInReach(const FollowStep& step) const noexcept
@@ -137,7 +102,6 @@ bool StructureFollower::IsInReach(const FollowStep& step) const noexcept
 
 void StructureFollower::Leave() noexcept
 {
-  this->Tracker().Rest();
   this->Follows = false;
   this->IsBuried = false;
   this->Before.reset();
@@ -164,15 +128,13 @@ const Contact& StructureFollower::BeginAt(const Vector3& placeWorld,
                                           const FollowStep& step) noexcept
 {
   this->OffsetVelocity.Reset();
-  this->Tracker().Release();
-  return this->Tracker().Follow({placeWorld, step.Now.Orientation});
+  this->Tracker->Release();
+  return this->Tracker->Follow({placeWorld, step.Now.Orientation});
 }
 
-// What is exchanged owns nothing: who gives solids keeps them.
 void StructureFollower::UseSolid(const FieldSolid& solid, std::uint64_t version) noexcept
 {
-  std::shared_ptr<const FieldSolid> next(std::shared_ptr<const FieldSolid>(), &solid);
-  this->Drilled->Exchange(next);
+  this->Tracker->UseSolid(solid);
   this->Feed->Arrive(version);
 }
 
@@ -181,13 +143,10 @@ bool StructureFollower::BeginAgain(const FollowStep& step) noexcept
   if (this->Follows)
   {
     this->Feed->Leave();
-    // A proxy on the surface may be a little inside.
-    constexpr double OutInVoxels = 0.5;
-    const double out =
-        this->Last.IsTouching ? OutInVoxels * this->Drilled->Followed().VoxelSize() : 0.0;
+    const double out = this->Last.IsTouching ? this->Tracker->SurfaceTolerance() : 0.0;
     const Vector3 place = this->Last.ProxyWorld + out * this->Last.NormalWorld;
-    this->Tracker().Release();
-    this->IsBuried = !this->Drilled->IsFreeAt({place, step.Now.Orientation});
+    this->Tracker->Release();
+    this->IsBuried = !this->Tracker->IsFreeAt({place, step.Now.Orientation});
     if (!this->IsBuried)
     {
       this->BeginAt(place, step);
@@ -199,7 +158,7 @@ bool StructureFollower::BeginAgain(const FollowStep& step) noexcept
 
 void StructureFollower::Unbury(const FollowStep& step) noexcept
 {
-  this->IsBuried = !this->Drilled->IsFreeAt(step.Now);
+  this->IsBuried = !this->Tracker->IsFreeAt(step.Now);
   if (!this->IsBuried)
   {
     this->BeginAt(step.Now.PositionWorld, step);
@@ -212,20 +171,6 @@ bool StructureFollower::NextCut(CutOrder& order) noexcept
   order.Site = this->Structure->Site;
   order.Tool = this->Tool->Tool;
   return this->Feed->NextCut(order);
-}
-
-bool StructureFollower::UseLevel(const FollowStep& step) noexcept
-{
-  const std::size_t rung = this->Follows ? this->RungOf(step.Level) : this->Rung;
-  if (rung == this->Rung)
-  {
-    return false;
-  }
-  this->Tracker().Rest();
-  this->Rung = rung;
-  const Contact& begun = this->BeginAt(this->Last.ProxyWorld, step);
-  this->Weight = RampIn(this->Last.IsTouching || begun.IsTouching ? HandoverDuration : 0.0);
-  return true;
 }
 
 FadingContact StructureFollower::FadingOut(const Vector3& hand) const noexcept
@@ -248,21 +193,15 @@ void StructureFollower::Enter(const FollowStep& step) noexcept
   {
     this->OffsetVelocity.Update(Vector3::Zero(), step.Passed);
   }
-  this->Rung = this->RungOf(step.Level);
-  if (this->HasBeneath() && this->Rung > this->Structure->Coarser.size())
-  {
-    // It reaches farther than what it holds, so the tool may be in it.
-    this->Weight = RampIn(HandoverDuration);
-  }
-  this->Tracker().Release();
-  this->Tracker().Follow(from);
+  this->Tracker->Release();
+  this->Tracker->Follow(from);
   this->Before.reset();
   this->Follows = true;
 }
 
 void StructureFollower::AskModel(const FollowStep& step) noexcept
 {
-  this->Last = this->Tracker().Follow(step.Now);
+  this->Last = this->Tracker->Follow(step.Now);
   this->Last.IsValid = IsSound(this->Last, step.Now.PositionWorld);
   this->Last.IsTouching = this->Last.IsTouching && this->Last.IsValid;
 }

@@ -4,7 +4,6 @@
 #include "ContactTracker.h"
 #include "DrillFeed.h"
 #include "FadingContact.h"
-#include "FieldProxyTracker.h"
 #include "ForceInterpolation.h"
 #include "RampIn.h"
 #include "TouchScene.h"
@@ -28,7 +27,6 @@ struct FollowStep
   /// s. In the first step of a scene that continues another one what the tool comes upon may have
   /// grown round it: that is felt more and more for so long. 0 in all other steps.
   double FadeIn = 0.0;
-  int Level = 0; ///< of stand-ins, where a structure has them
   bool IsDrilling = false;
   double Time = 0.0;     ///< s, of the tick; vibrations go by it
   double MostPush = 0.0; ///< N, that the device gives: no more drives a drill
@@ -52,7 +50,7 @@ public:
   StructureFollower& operator=(const StructureFollower&) = delete;
   ~StructureFollower() = default;
 
-  /// Makes the trackers. Keeps the addresses of both; the structure is one of the scene's.
+  /// Makes the tracker. Keeps the addresses of both; the structure is one of the scene's.
   /// `velocityTimeConstant` in s.
   static Status Make(const TouchStructure& structure, const TouchScene& scene,
                      double velocityTimeConstant, std::vector<StructureFollower>& followers);
@@ -73,10 +71,6 @@ public:
   /// begins free of touch at that one's proxy, so that nothing is passed through from there to the
   /// probe. Where the proxy is inside now, it begins as a tool that is put inside.
   void CarryOn(const StructureFollower& before) noexcept;
-  /// Feels the stand-in of the step's level from now on, or what lies beneath where it is not at
-  /// hand, going on as CarryOn does. Whether that is another one than before; nothing else is left
-  /// to be faded out where the tool is out of reach.
-  bool UseLevel(const FollowStep& step) noexcept;
   /// Feels that version of the field which it is drilled in from now on. The solid has to live
   /// until the next one is given.
   void UseSolid(const FieldSolid& solid, std::uint64_t version) noexcept;
@@ -89,8 +83,6 @@ public:
   void LiftDrill() noexcept { this->Feed->Rest(); }
   /// The field of the scene's that it is felt by; -1 for none.
   int Site() const noexcept { return this->Structure->Site; }
-  /// Whether what UseLevel feels may change with the same level.
-  bool HasBeneath() const noexcept { return this->Structure->Beneath != nullptr; }
   /// What was felt last, with the hand at `hand` (mm, device's frame), to be faded out.
   FadingContact FadingOut(const Vector3& hand) const noexcept;
   bool IsFollowing() const noexcept { return this->Follows; }
@@ -104,8 +96,7 @@ public:
 
 private:
   StructureFollower(const TouchStructure& structure, const TouchScene& scene,
-                    double velocityTimeConstant,
-                    std::vector<std::unique_ptr<ContactTracker>> trackers);
+                    double velocityTimeConstant, std::unique_ptr<ContactTracker> tracker);
 
   void Enter(const FollowStep& step) noexcept;
   void AskModel(const FollowStep& step) noexcept;
@@ -120,14 +111,8 @@ private:
   Vector3 TextureForce(const ContactOffset& felt, const Vector3& contactForce,
                        const Vector3& proxyWorld) const noexcept;
 
-  std::size_t RungOf(int level) noexcept;
-  ContactTracker& Tracker() noexcept { return *this->Trackers[this->Rung]; }
-
-  // Of the model, its stand-ins and what lies beneath.
-  std::vector<std::unique_ptr<ContactTracker>> Trackers;
-  std::size_t Rung = 0;
-  FieldProxyTracker* Drilled = nullptr; // the tracker, where versions follow each other
-  std::unique_ptr<DrillFeed> Feed;      // there too
+  std::unique_ptr<ContactTracker> Tracker;
+  std::unique_ptr<DrillFeed> Feed; // none: it is not drilled
   const TouchStructure* Structure;
   const DeviceFrame* Frame;
   const TouchDrill* Tool;

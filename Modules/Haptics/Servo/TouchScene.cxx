@@ -17,11 +17,6 @@ Status CheckDrill(const TouchStructure& structure, const TouchDrill& drill)
     return Status::Failure("The structure " + structure.Name +
                            " is to be drilled, but the scene has no drill.");
   }
-  if (structure.Site >= 0 && !structure.Coarser.empty())
-  {
-    return Status::Failure("The structure " + structure.Name +
-                           " is to be drilled, which stand-ins for it would not show.");
-  }
   const DrillLaw& law = structure.Drill;
   if (!IsAmount(law.Wear) || !IsAmount(law.Drag) || !IsAmount(law.Vibration) || law.Vibration > 1.0)
   {
@@ -46,14 +41,6 @@ Status TouchScene::Check() const
     if (structure.Model == nullptr)
     {
       return Status::Failure("The structure " + structure.Name + " has no model to be touched.");
-    }
-    for (const TouchStandIn& coarser : structure.Coarser)
-    {
-      if (coarser.Model == nullptr)
-      {
-        return Status::Failure("A stand-in for the structure " + structure.Name +
-                               " has no model to be touched.");
-      }
     }
     if (!IsAmount(structure.Law.Stiffness) || !IsAmount(structure.Law.Damping))
     {

@@ -5,8 +5,6 @@
 #include "DeviceFrame.h"
 #include "DrillForce.h"
 #include "DrillLink.h"
-#include "LatestValue.h"
-#include "PlainVector3.h"
 #include "Status.h"
 #include "SurfaceFriction.h"
 #include "SurfaceTexture.h"
@@ -19,14 +17,6 @@
 
 namespace palpate
 {
-/// What is felt in place of a structure's model while ticks take too long: cheaper, less true.
-struct TouchStandIn
-{
-  std::shared_ptr<const ContactModel> Model;
-  std::optional<ToolShape> Tool; ///< in place of the scene's, no larger than that
-  std::string Says;              ///< "degree 6 instead of 12"
-};
-
 /// One thing to be touched.
 struct TouchStructure
 {
@@ -39,11 +29,8 @@ struct TouchStructure
   double Viscosity = 0.0;                                  ///< N s/mm, of what is inside
   /// By which it is known again in a scene that continues this one; 0: it is not.
   int Id = 0;
-  std::vector<TouchStandIn> Coarser = {}; ///< each cheaper than the one before
-  DrillLaw Drill = {};                    ///< how it gives way, while the scene's drill runs
-  int Site = -1; ///< of DrillVersions, which it is felt by; -1: it is not drilled
-  /// Felt where those above are not at hand, and holds all of them; none: they always are.
-  std::shared_ptr<const ContactModel> Beneath = nullptr;
+  DrillLaw Drill = {}; ///< how it gives way, while the scene's drill runs
+  int Site = -1;       ///< of DrillVersions, which it is felt by; -1: it is not drilled
 };
 
 /// What acts without touch too, in the device's frame.
@@ -73,9 +60,6 @@ struct TouchScene
   DeviceFrame Frame;
   AmbientForce Ambient;
   TouchDrill Drill;
-  /// Where every tick leaves the probe's place (mm, world), for the one thread that gets ready what
-  /// the tool comes to; none: nobody asks.
-  std::shared_ptr<LatestValue<PlainVector3>> Probe = nullptr;
 
   /// Refuses, naming the structure, what could not be felt.
   Status Check() const;

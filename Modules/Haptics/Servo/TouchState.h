@@ -28,7 +28,6 @@ struct TouchState
   std::uint64_t Scene = 0;     ///< counts the scenes taken over; 0 before the first
   bool WasRearmed = false;     ///< a person switched forces on again before this tick
   bool WasContinued = false;   ///< the scene that was taken over went on from the one before
-  std::int32_t Level = 0;      ///< of stand-ins, that was felt; 0 are the models themselves
   bool IsDrilling = false;     ///< the drill was to run
   DrillCommand Command = DrillCommand::None; ///< that was taken before this tick
   std::uint64_t DrillVersion = 0;            ///< DrillVersions::Number of what was felt

@@ -19,11 +19,10 @@ inline std::shared_ptr<const SphericalHarmonicModel> Shared(SphericalHarmonicMod
 
 inline std::shared_ptr<const ContactModel>
 HarmonicContact(const SphericalHarmonicModel& model,
-                HarmonicContactMode mode = HarmonicContactMode::Nearest,
-                EvaluationPrecision precision = EvaluationPrecision::Double)
+                HarmonicContactMode mode = HarmonicContactMode::Nearest)
 {
   std::shared_ptr<const ContactModel> contact;
-  const Status status = HarmonicContactModel::Make(Shared(model), mode, contact, precision);
+  const Status status = HarmonicContactModel::Make(Shared(model), mode, contact);
   EXPECT_TRUE(status.IsOk()) << status.Message();
   return contact;
 }

@@ -80,16 +80,16 @@ TEST(DrilledTouch, AThinWallNeverLetsAFastToolThrough)
     for (const double step : {0.05, 0.2, 0.9, 3.0}) // mm a tick
     {
       const Vector3 start = bone.Middle - apart;
-      const auto made = TrackerOf(*drilled, 0.5);
-      auto& tracker = dynamic_cast<FieldProxyTracker&>(*made);
+      const auto tracker = TrackerOf(*drilled, 0.5);
+      std::vector<std::shared_ptr<const FieldSolid>> versions; // outlive their use
       for (int tick = 0; step * tick < 8.0; ++tick)
       {
         // Something goes on being removed at the canal's end.
         const Vector3 end = start + Vector3(7.0 + 0.01 * tick, 0.0, 0.0);
         test::CutWay(*drilled, CutTool::Sphere(1.0), end, end);
-        std::shared_ptr<const FieldSolid> next = SolidOf(*drilled);
-        tracker.Exchange(next);
-        const Contact& contact = tracker.Follow(PoseAt(start + step * tick * Vector3::UnitZ()));
+        versions.push_back(SolidOf(*drilled));
+        tracker->UseSolid(*versions.back());
+        const Contact& contact = tracker->Follow(PoseAt(start + step * tick * Vector3::UnitZ()));
         ASSERT_LT(contact.ProxyWorld[2], bone.Middle[2]) << voxels << " " << step;
       }
     }

@@ -24,8 +24,7 @@ SphericalHarmonicModel GroovedBall()
 std::shared_ptr<const HarmonicSurface> SurfaceOf(const SphericalHarmonicModel& model)
 {
   std::shared_ptr<const HarmonicSurface> surface;
-  EXPECT_TRUE(
-      HarmonicSurface::Make(test::Shared(model), EvaluationPrecision::Double, surface).IsOk());
+  EXPECT_TRUE(HarmonicSurface::Make(test::Shared(model), surface).IsOk());
   return surface;
 }
 

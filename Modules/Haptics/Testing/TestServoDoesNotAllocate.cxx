@@ -1,6 +1,5 @@
 #include "AllocationCounter.h"
 #include "ManyStructures.h"
-#include "OnDemandHarmonicCases.h"
 #include "ServoRun.h"
 #include "TexturedField.h"
 
@@ -59,54 +58,6 @@ TEST(ServoDoesNotAllocate, InAnyTick)
   EXPECT_EQ(AllocationsOfASession(settings), 0u);
   settings.ModelInterval = 3;
   EXPECT_EQ(AllocationsOfASession(settings), 0u);
-}
-
-TEST(ServoDoesNotAllocate, WhereLevelsChange)
-{
-  TouchScene scene = test::WallScene(0.0, {1.0, 0.01});
-  scene.Structures[0].Coarser.push_back({std::make_shared<test::WallModel>(0.3), {}, "rougher"});
-  test::ScriptedDevice device;
-  Servo loop(device, ServoSettings());
-  ASSERT_TRUE(loop.Publish(std::make_shared<TouchScene>(scene)).IsOk());
-  int changes = 0;
-  const std::size_t before = test::AllocationCount();
-  for (std::uint64_t n = 0; n < 1000; ++n)
-  {
-    const TickObservation tick = test::HealthyTick(n, {0.0, 0.0, -1.0});
-    device.Next.Position = tick.Sample.Position;
-    device.Next.Time = tick.Sample.Time;
-    const int last = loop.Latest().Level;
-    loop.Tick(tick.Tick, n / 70 % 2 == 0 ? 0 : 1);
-    changes += loop.Latest().Level != last ? 1 : 0;
-  }
-  EXPECT_EQ(test::AllocationCount(), before);
-  EXPECT_EQ(changes, 14);
-}
-
-// Models come and go, at hand in time and after the tool.
-TEST(ServoDoesNotAllocate, WhereHarmonicsAreOnDemand)
-{
-  OnDemandHarmonics::Settings settings;
-  settings.Tool = ToolShape::Sphere(2.0);
-  settings.StandIns = {6};
-  test::HarmonicCrowd crowd(settings, 0.3);
-  test::ServoRun run(crowd.OnDemand);
-  test::CrowdHand hand(400.0, 7104);
-  std::size_t allocated = 0;
-  for (int tick = 0; tick < 6000; ++tick)
-  {
-    const Vector3& place = hand.Next();
-    const std::size_t before = test::AllocationCount();
-    run.TickAt(place);
-    allocated += test::AllocationCount() - before;
-    if (tick % 100 == 0)
-    {
-      crowd.Look(tick, place);
-    }
-  }
-  EXPECT_EQ(allocated, 0u);
-  EXPECT_GT(crowd.Degrees->CoarseTicks(), 100u);
-  EXPECT_GT(crowd.Degrees->Counts().Dropped, 5u);
 }
 
 TEST(ServoDoesNotAllocate, AmongManyStructures)

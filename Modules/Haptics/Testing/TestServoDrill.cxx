@@ -446,9 +446,6 @@ TEST(ServoDrill, WhatCannotBeDrilledIsRefused)
   scene.Drill.Motion.Turns = test::Infinite;
   EXPECT_TRUE(isRefused(scene));
   scene = block.Scene();
-  scene.Structures[0].Coarser.push_back({scene.Structures[0].Model, {}, "the same"});
-  EXPECT_TRUE(isRefused(scene));
-  scene = block.Scene();
   scene.Tool = ToolShape::Sphere(0.0);
   scene.Structures[0].Model = std::make_shared<test::WallModel>(0.0);
   EXPECT_TRUE(isRefused(scene));

@@ -2,7 +2,6 @@
 #include "FieldContactCases.h"
 #include "MeshCases.h"
 #include "NearestByBruteForce.h"
-#include "OnDemandContactModel.h"
 
 #include <utility>
 #include <vector>
@@ -100,39 +99,6 @@ TEST(TrackersDoNotAllocate, OnFields)
     const auto published = test::FieldContact(field, FieldContactMode::PublishedShell);
     EXPECT_GT(TouchesWithoutAllocation(*published, ToolShape::SpherePoints(1.0, 26), {}), 300);
   }
-}
-
-// Versions are taken over, and the tool is where they are and where they are not.
-TEST(TrackersDoNotAllocate, OnAFieldOnDemand)
-{
-  const auto whole =
-      test::SampledField(test::FineGrid(96), test::SphereField{Vector3::Constant(47.5), 30.0});
-  const auto survey = std::make_shared<const FieldSurvey>(*whole);
-  OnDemandField::Settings settings;
-  settings.AskedReach = 3.0;
-  std::shared_ptr<OnDemandField> field;
-  const Status status = OnDemandField::Make(
-      *whole, 0, survey, std::make_unique<RecordsInMemory>(*whole), settings, field);
-  ASSERT_TRUE(status.IsOk()) << status.Message();
-  ASSERT_TRUE(field->GivePool(field->LargestPool() * 6 / 10).IsOk());
-  const auto tracker =
-      test::TrackerOf(OnDemandContactModel(field), ToolShape::SpherePoints(1.0, 26), {0.3, 0.2});
-  std::size_t allocated = 0;
-  int touches = 0;
-  double time = 0.0;
-  for (const ToolPose& pose : Poses(field->BoundsWorld().center()))
-  {
-    const std::size_t before = AllocationCount();
-    touches += tracker->Follow(pose).IsTouching ? 1 : 0;
-    allocated += AllocationCount() - before;
-    time += 0.001;
-    field->Look({time, pose.PositionWorld}, [time] { return time; });
-  }
-  EXPECT_EQ(allocated, 0u);
-  EXPECT_GT(touches, 300);
-  EXPECT_GT(field->Counts().Versions, 20u);
-  EXPECT_GT(field->Counts().CoarseTicks, 100u);
-  EXPECT_LT(field->Counts().CoarseTicks, 2900u);
 }
 } // namespace
 } // namespace palpate

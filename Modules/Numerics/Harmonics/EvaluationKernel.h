@@ -11,15 +11,14 @@ namespace palpate
 /// A direction is taken as normalised if its squared length is 1 up to rounding; if it differs
 /// from 1 by more than 1e-3, the result is NaN.
 /// differs from 1 by more than 1e-3, not-a-number is written.
-template <typename Real>
 struct EvaluationKernel
 {
-  using Single = void (*)(const Real* table, int degree, const Real* direction,
-                          Real* sample) noexcept;
-  using Batch = void (*)(const Real* table, int degree, const Real* directions, long count,
-                         Real* samples) noexcept;
+  using Single = void (*)(const double* table, int degree, const double* direction,
+                          double* sample) noexcept;
+  using Batch = void (*)(const double* table, int degree, const double* directions, long count,
+                         double* samples) noexcept;
 
-  Real (*Value)(const Real* table, int degree, const Real* direction) noexcept;
+  double (*Value)(const double* table, int degree, const double* direction) noexcept;
   Single Gradient;
   Single Hessian;
   Batch Values;
@@ -30,13 +29,12 @@ struct EvaluationKernel
 /// Highest degree that may be evaluated by polynomials: at 17 their error reaches 1e-14.
 constexpr int HighestPolynomialDegree = 16;
 
-/// All kernels of one instruction set and precision.
-template <typename Real>
+/// Everything that one instruction set offers.
 struct EvaluationKernels
 {
-  /// For tables of degree 0, 2, 4 and so on, which halves the code.
-  EvaluationKernel<Real> Polynomial[HighestPolynomialDegree / 2 + 1];
+  /// For tables of degree 0, 2, 4 and so on; half of the degrees is half of the code.
+  EvaluationKernel Polynomial[HighestPolynomialDegree / 2 + 1];
   /// For tables of any degree.
-  EvaluationKernel<Real> Recurrence;
+  EvaluationKernel Recurrence;
 };
 } // namespace palpate

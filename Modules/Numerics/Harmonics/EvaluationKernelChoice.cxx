@@ -7,27 +7,14 @@
 
 namespace palpate
 {
-template <>
-const EvaluationKernels<double>& KernelsFor<double>(InstructionSet set) noexcept
+const EvaluationKernels& KernelsFor(InstructionSet set) noexcept
 {
 #if defined(__x86_64__)
   if (set == InstructionSet::Avx2)
   {
-    return evaluation::Avx2Double;
+    return evaluation::Avx2;
   }
 #endif
-  return evaluation::PortableDouble;
-}
-
-template <>
-const EvaluationKernels<float>& KernelsFor<float>(InstructionSet set) noexcept
-{
-#if defined(__x86_64__)
-  if (set == InstructionSet::Avx2)
-  {
-    return evaluation::Avx2Float;
-  }
-#endif
-  return evaluation::PortableFloat;
+  return evaluation::Portable;
 }
 } // namespace palpate

@@ -14,7 +14,7 @@ namespace palpate::evaluation
 {
 namespace
 {
-struct Avx2DoubleSet
+struct Avx2Set
 {
   using Real = double;
   typedef double Vector __attribute__((vector_size(32)));
@@ -35,27 +35,7 @@ struct Avx2DoubleSet
     return result;
   }
 };
-
-struct Avx2FloatSet
-{
-  using Real = float;
-  typedef float Vector __attribute__((vector_size(16)));
-  typedef float StoredVector __attribute__((vector_size(16), aligned(4), may_alias));
-  static constexpr int Lanes = 4;
-  typedef float PointVector __attribute__((vector_size(32)));
-  static constexpr int Points = 8;
-  static constexpr int ScaleBits = 40;
-  static constexpr float ScaleUp = 0x1p40F;
-
-  static PALPATE_INLINE Vector Spread(float value)
-  {
-    Vector result = value - Vector{};
-    asm("" : "+x"(result));
-    return result;
-  }
-};
 } // namespace
 
-const EvaluationKernels<double> Avx2Double = KernelsOf<Avx2DoubleSet>();
-const EvaluationKernels<float> Avx2Float = KernelsOf<Avx2FloatSet>();
+const EvaluationKernels Avx2 = KernelsOf<Avx2Set>();
 } // namespace palpate::evaluation

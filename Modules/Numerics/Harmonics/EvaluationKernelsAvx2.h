@@ -5,6 +5,5 @@
 namespace palpate::evaluation
 {
 /// For x86-64 with AVX2 and FMA only.
-extern const EvaluationKernels<double> Avx2Double;
-extern const EvaluationKernels<float> Avx2Float;
+extern const EvaluationKernels Avx2;
 } // namespace palpate::evaluation

@@ -10,7 +10,7 @@
 namespace palpate::evaluation
 {
 template <typename Set, int Degree>
-constexpr EvaluationKernel<typename Set::Real> PolynomialKernel()
+constexpr EvaluationKernel PolynomialKernel()
 {
   using Point = PolynomialPoint<Set, Degree>;
   return {Point::Value,
@@ -21,9 +21,9 @@ constexpr EvaluationKernel<typename Set::Real> PolynomialKernel()
           PolynomialBatch<Set, 2>::Evaluate};
 }
 
-/// All kernels of one instruction set and precision.
+/// All that there is for one instruction set.
 template <typename Set>
-constexpr EvaluationKernels<typename Set::Real> KernelsOf()
+constexpr EvaluationKernels KernelsOf()
 {
   using Point = RecurrencePoint<Set>;
   static_assert(HighestPolynomialDegree == 16, "the degrees are written out");

@@ -12,23 +12,21 @@ namespace palpate::evaluation
 {
 namespace
 {
-template <typename Number, int Count>
 struct PortableSet
 {
-  using Real = Number;
-  typedef Number Vector __attribute__((vector_size(16)));
-  typedef Number StoredVector __attribute__((vector_size(16), aligned(sizeof(Number)), may_alias));
-  static constexpr int Lanes = Count;
-  typedef Number PointVector __attribute__((vector_size(16)));
-  static constexpr int Points = Count;
-  static constexpr int ScaleBits = sizeof(Number) == sizeof(float) ? 40 : 256;
-  static constexpr Number ScaleUp =
-      sizeof(Number) == sizeof(float) ? Number(0x1p40) : Number(0x1p256);
+  using Real = double;
+  typedef double Vector __attribute__((vector_size(16)));
+  typedef double StoredVector __attribute__((vector_size(16), aligned(8), may_alias));
+  static constexpr int Lanes = 2;
+  typedef double PointVector __attribute__((vector_size(16)));
+  static constexpr int Points = 2;
+  // 2^256
+  static constexpr int ScaleBits = 256;
+  static constexpr double ScaleUp = 0x1p256;
 
-  static PALPATE_INLINE Vector Spread(Number value) { return value - Vector{}; }
+  static PALPATE_INLINE Vector Spread(double value) { return value - Vector{}; }
 };
 } // namespace
 
-const EvaluationKernels<double> PortableDouble = KernelsOf<PortableSet<double, 2>>();
-const EvaluationKernels<float> PortableFloat = KernelsOf<PortableSet<float, 4>>();
+const EvaluationKernels Portable = KernelsOf<PortableSet>();
 } // namespace palpate::evaluation

@@ -4,7 +4,6 @@
 
 namespace palpate::evaluation
 {
-/// Portable: vectors of 16 bytes are SSE2 on x86-64 and NEON on arm64.
-extern const EvaluationKernels<double> PortableDouble;
-extern const EvaluationKernels<float> PortableFloat;
+/// For any machine: vectors of 16 bytes are SSE2 on x86-64 and NEON on arm64.
+extern const EvaluationKernels Portable;
 } // namespace palpate::evaluation

@@ -100,30 +100,27 @@ OrderPolynomials SumOrder(int degree, int order, const std::vector<double>& coef
   return sums;
 }
 
-template <typename Real>
-Real At(const std::vector<Long>& terms, int power)
+double At(const std::vector<Long>& terms, int power)
 {
   return static_cast<std::size_t>(power) < terms.size()
-             ? static_cast<Real>(terms[static_cast<std::size_t>(power)])
-             : Real(0);
+             ? static_cast<double>(terms[static_cast<std::size_t>(power)])
+             : 0.0;
 }
 
-template <typename Real>
-void AddZonal(int degree, const std::vector<double>& coefficients, CacheLineVector<Real>& table)
+void AddZonal(int degree, const std::vector<double>& coefficients, CacheLineVector<double>& table)
 {
   const ParityPolynomial zonal = SumOrder(degree, 0, coefficients).Cosine;
   for (int square = degree / 4; square >= 0; --square)
   {
-    table.push_back(At<Real>(zonal.Even, 2 * square));
-    table.push_back(At<Real>(zonal.Even, 2 * square + 1));
-    table.push_back(At<Real>(zonal.Odd, 2 * square));
-    table.push_back(At<Real>(zonal.Odd, 2 * square + 1));
+    table.push_back(At(zonal.Even, 2 * square));
+    table.push_back(At(zonal.Even, 2 * square + 1));
+    table.push_back(At(zonal.Odd, 2 * square));
+    table.push_back(At(zonal.Odd, 2 * square + 1));
   }
 }
 
-template <typename Real>
 void AddBlock(int degree, int first, const std::vector<double>& coefficients,
-              CacheLineVector<Real>& table)
+              CacheLineVector<double>& table)
 {
   std::array<OrderPolynomials, 4> block;
   for (int lane = 0; lane < 4 && first + lane <= degree; ++lane)
@@ -136,11 +133,11 @@ void AddBlock(int degree, int first, const std::vector<double>& coefficients,
     {
       for (const OrderPolynomials& order : block)
       {
-        table.push_back(At<Real>(order.Cosine.*part, power));
+        table.push_back(At(order.Cosine.*part, power));
       }
       for (const OrderPolynomials& order : block)
       {
-        table.push_back(At<Real>(order.Sine.*part, power));
+        table.push_back(At(order.Sine.*part, power));
       }
     }
   };
@@ -149,10 +146,9 @@ void AddBlock(int degree, int first, const std::vector<double>& coefficients,
 }
 } // namespace
 
-template <typename Real>
-CacheLineVector<Real> MakePolynomialTable(int degree, const std::vector<double>& coefficients)
+CacheLineVector<double> MakePolynomialTable(int degree, const std::vector<double>& coefficients)
 {
-  CacheLineVector<Real> table;
+  CacheLineVector<double> table;
   AddZonal(degree, coefficients, table);
   for (int first = 1; first <= degree; first += 4)
   {
@@ -161,6 +157,4 @@ CacheLineVector<Real> MakePolynomialTable(int degree, const std::vector<double>&
   return table;
 }
 
-template CacheLineVector<float> MakePolynomialTable(int, const std::vector<double>&);
-template CacheLineVector<double> MakePolynomialTable(int, const std::vector<double>&);
 } // namespace palpate

@@ -22,23 +22,12 @@ struct RecurrenceDirection
     const Real z = direction[2];
     const Real square = x * x + y * y;
     const Real squares = square + z * z;
-    const Real length = SquareRoot(squares);
+    const Real length = __builtin_sqrt(squares);
     const Real inverse = 1 / length;
     this->South = z < 0;
     this->IsUnit = __builtin_fabs(squares - 1) <= UnitLength<Real>::Tolerance;
     this->Depth = Numbers::All(square / (squares + (this->South ? -z : z) * length));
     this->Unit = {Numbers::All(x * inverse), Numbers::All(y * inverse), Numbers::All(z * inverse)};
-  }
-  static PALPATE_INLINE Real SquareRoot(Real square)
-  {
-    if constexpr (sizeof(Real) == sizeof(float))
-    {
-      return __builtin_sqrtf(square);
-    }
-    else
-    {
-      return __builtin_sqrt(square);
-    }
   }
 
   UnitVector<Set> Unit;

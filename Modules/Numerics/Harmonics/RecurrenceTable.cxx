@@ -34,28 +34,26 @@ Entry EntryOf(const SphericalHarmonicRecurrence& recurrence,
   return entry;
 }
 
-template <typename Real, typename Number>
+template <typename Number>
 void AddLanes(const std::array<Entry, 4>& entries, const Number& number,
-              CacheLineVector<Real>& table)
+              CacheLineVector<double>& table)
 {
   for (const Entry& entry : entries)
   {
-    table.push_back(static_cast<Real>(number(entry)));
+    table.push_back(number(entry));
   }
 }
 } // namespace
 
-template <typename Real>
-CacheLineVector<Real> MakeRecurrenceTable(int degree, const std::vector<double>& coefficients)
+CacheLineVector<double> MakeRecurrenceTable(int degree, const std::vector<double>& coefficients)
 {
   const SphericalHarmonicRecurrence recurrence(degree);
-  CacheLineVector<Real> table;
+  CacheLineVector<double> table;
   for (int first = 0; first <= degree; first += 4)
   {
     for (int lane = 0; lane < 4; ++lane)
     {
-      table.push_back(
-          static_cast<Real>(first + lane <= degree ? recurrence.Diagonal(first + lane) : 0.0));
+      table.push_back(first + lane <= degree ? recurrence.Diagonal(first + lane) : 0.0);
     }
     for (int k = 0; k <= degree - first; ++k)
     {
@@ -83,6 +81,4 @@ CacheLineVector<Real> MakeRecurrenceTable(int degree, const std::vector<double>&
   return table;
 }
 
-template CacheLineVector<float> MakeRecurrenceTable(int, const std::vector<double>&);
-template CacheLineVector<double> MakeRecurrenceTable(int, const std::vector<double>&);
 } // namespace palpate

@@ -15,9 +15,5 @@ namespace palpate
 ///
 /// `coefficients` has (degree + 1)^2 entries in the convention of SphericalHarmonicBasis; degree >=
 /// 0.
-template <typename Real>
-CacheLineVector<Real> MakeRecurrenceTable(int degree, const std::vector<double>& coefficients);
-
-extern template CacheLineVector<float> MakeRecurrenceTable(int, const std::vector<double>&);
-extern template CacheLineVector<double> MakeRecurrenceTable(int, const std::vector<double>&);
+CacheLineVector<double> MakeRecurrenceTable(int degree, const std::vector<double>& coefficients);
 } // namespace palpate

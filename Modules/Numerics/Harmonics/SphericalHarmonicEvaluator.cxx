@@ -7,26 +7,23 @@
 
 namespace palpate
 {
-template <typename Real>
-SphericalHarmonicEvaluator<Real>::SphericalHarmonicEvaluator(
-    int degree, const std::vector<double>& coefficients, EvaluationFormulation formulation,
-    InstructionSet set)
-    : TableDegree(degree), Kernel(KernelsFor<Real>(set).Recurrence)
+SphericalHarmonicEvaluator::SphericalHarmonicEvaluator(int degree,
+                                                       const std::vector<double>& coefficients,
+                                                       EvaluationFormulation formulation,
+                                                       InstructionSet set)
+    : TableDegree(degree), Kernel(KernelsFor(set).Recurrence)
 {
   if (formulation == EvaluationFormulation::Automatic && degree <= HighestPolynomialDegree)
   {
     this->TableDegree = degree + degree % 2;
-    this->Kernel = KernelsFor<Real>(set).Polynomial[this->TableDegree / 2];
+    this->Kernel = KernelsFor(set).Polynomial[this->TableDegree / 2];
     std::vector<double> padded = coefficients;
     padded.resize(SphericalHarmonicBasis::CoefficientCount(this->TableDegree), 0.0);
-    this->Table = MakePolynomialTable<Real>(this->TableDegree, padded);
+    this->Table = MakePolynomialTable(this->TableDegree, padded);
   }
   else
   {
-    this->Table = MakeRecurrenceTable<Real>(degree, coefficients);
+    this->Table = MakeRecurrenceTable(degree, coefficients);
   }
 }
-
-template class SphericalHarmonicEvaluator<double>;
-template class SphericalHarmonicEvaluator<float>;
 } // namespace palpate

@@ -3,8 +3,8 @@
 #include "CacheLineVector.h"
 #include "EvaluationKernel.h"
 #include "InstructionSet.h"
+#include "Vector3.h"
 
-#include <Eigen/Core>
 #include <cstddef>
 #include <vector>
 
@@ -21,35 +21,31 @@ enum class EvaluationFormulation
 /// one set of coefficients. Convention of the coefficients: see SphericalHarmonicBasis. Every query
 /// is const, thread-safe and allocation-free; the same query gives the same bits on every thread.
 ///
-/// `Real` is double or float; coefficients are double in either case, lengths are in any unit (mm
-/// in Palpate), angles rad. With |c|^2 = sum c_lm^2 and the scale |c| (L + 1) / sqrt(4 pi) of the
-/// addition theorem for degree L, the error of R is at most 1e-14 of the scale in double and 4e-6
-/// in float up to degree 16, including the poles; that of the gradient the same times sqrt(L (L +
-/// 1) / 2), that of the Hessian the same times L (L + 1). By the recurrence in double it is at most
-/// 1e-12 up to degree 1000.
+/// Lengths are whatever unit the coefficients have (mm in Palpate), angles rad. With |c|^2 =
+/// sum c_lm^2 and the scale |c| (L + 1) / sqrt(4 pi) of the addition theorem for degree L, the
+/// error of R is at most 1e-14 of the scale up to degree 16, at and near the poles too; that of the
+/// gradient the same times sqrt(L (L + 1) / 2), that of the Hessian the same times L (L + 1). By
+/// the recurrence it is at most 1e-12 up to degree 1000.
 ///
-/// Directions are unit vectors up to rounding (of float, say); R is evaluated for the exactly
-/// normalised direction. If | |u|^2 - 1 | > 1e-3, or a coordinate is NaN, all results are NaN.
-template <typename Real>
+/// Directions are unit vectors up to a rounding (of float, say); R is that of the exactly
+/// normalised direction. If | |u|^2 - 1 | > 1e-3, or a coordinate is not a number, all results are
+/// not-a-number.
 class SphericalHarmonicEvaluator
 {
 public:
-  using Vector = Eigen::Matrix<Real, 3, 1>;
-  using Matrix = Eigen::Matrix<Real, 3, 3>;
-
   struct Sample
   {
-    Real Radius;
-    Vector SurfaceGradient; ///< gradient of R on the unit sphere (per rad), tangent to it
+    double Radius;
+    Vector3 SurfaceGradient; ///< gradient of R on the unit sphere (per rad), tangent to it
   };
   struct SecondOrderSample
   {
-    Real Radius;
-    Vector SurfaceGradient; ///< as in Sample
+    double Radius;
+    Vector3 SurfaceGradient; ///< as in Sample
     /// Covariant Hessian of R on the unit sphere (per rad^2): symmetric, and zero along the
     /// direction. For tangent unit vectors t it is the second derivative of R along the great
     /// circle of t.
-    Matrix SurfaceHessian;
+    Matrix3 SurfaceHessian;
   };
 
   /// `coefficients` has (degree + 1)^2 entries, degree >= 0; the processor must support `set`.
@@ -57,38 +53,38 @@ public:
                              EvaluationFormulation formulation = EvaluationFormulation::Automatic,
                              InstructionSet set = FastestInstructionSet());
 
-  Real Radius(const Vector& direction) const noexcept
+  double Radius(const Vector3& direction) const noexcept
   {
     return this->Kernel.Value(this->Table.data(), this->TableDegree, direction.data());
   }
-  Sample Evaluate(const Vector& direction) const noexcept
+  Sample Evaluate(const Vector3& direction) const noexcept
   {
-    static_assert(sizeof(Sample) == 4 * sizeof(Real), "the kernels write four numbers");
+    static_assert(sizeof(Sample) == 4 * sizeof(double), "the kernels write four numbers");
     Sample sample;
     this->Kernel.Gradient(this->Table.data(), this->TableDegree, direction.data(), &sample.Radius);
     return sample;
   }
-  SecondOrderSample EvaluateSecondOrder(const Vector& direction) const noexcept
+  SecondOrderSample EvaluateSecondOrder(const Vector3& direction) const noexcept
   {
-    static_assert(sizeof(SecondOrderSample) == 13 * sizeof(Real), "the kernels write 13 numbers");
+    static_assert(sizeof(SecondOrderSample) == 13 * sizeof(double), "the kernels write 13 numbers");
     SecondOrderSample sample;
     this->Kernel.Hessian(this->Table.data(), this->TableDegree, direction.data(), &sample.Radius);
     return sample;
   }
 
-  /// The same for `count` unit vectors, with polynomials several at once; results then differ from
-  /// single calls by rounding, but do not depend on `count` or the position in the batch.
-  void RadiusBatch(const Vector* directions, std::size_t count, Real* radii) const noexcept
+  /// The same for `count` unit vectors. With polynomials several are handled at once; results then
+  /// differ from single calls by roundings, but never with `count` or the place in the batch.
+  void RadiusBatch(const Vector3* directions, std::size_t count, double* radii) const noexcept
   {
     this->Kernel.Values(this->Table.data(), this->TableDegree, directions->data(),
                         static_cast<long>(count), radii);
   }
-  void EvaluateBatch(const Vector* directions, std::size_t count, Sample* samples) const noexcept
+  void EvaluateBatch(const Vector3* directions, std::size_t count, Sample* samples) const noexcept
   {
     this->Kernel.Gradients(this->Table.data(), this->TableDegree, directions->data(),
                            static_cast<long>(count), &samples->Radius);
   }
-  void EvaluateSecondOrderBatch(const Vector* directions, std::size_t count,
+  void EvaluateSecondOrderBatch(const Vector3* directions, std::size_t count,
                                 SecondOrderSample* samples) const noexcept
   {
     this->Kernel.Hessians(this->Table.data(), this->TableDegree, directions->data(),
@@ -96,14 +92,11 @@ public:
   }
 
   /// Size of the table that a query reads.
-  std::size_t TableBytes() const noexcept { return this->Table.size() * sizeof(Real); }
+  std::size_t TableBytes() const noexcept { return this->Table.size() * sizeof(double); }
 
 private:
-  CacheLineVector<Real> Table;
+  CacheLineVector<double> Table;
   int TableDegree;
-  EvaluationKernel<Real> Kernel; // a copy, next to the table's address
+  EvaluationKernel Kernel; // a copy, beside the table's address
 };
-
-extern template class SphericalHarmonicEvaluator<double>;
-extern template class SphericalHarmonicEvaluator<float>;
 } // namespace palpate

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 namespace palpate
@@ -76,21 +75,5 @@ SphericalHarmonicModel SphericalHarmonicModel::WithDegree(int degree) const
   std::vector<double> values(SphericalHarmonicBasis::CoefficientCount(degree), 0.0);
   std::copy_n(this->Values.begin(), std::min(values.size(), this->Values.size()), values.begin());
   return {degree, std::move(values), this->Center};
-}
-
-SphericalHarmonicModel SphericalHarmonicModel::WithPrecision(EvaluationPrecision precision) const
-{
-  SphericalHarmonicModel model = *this;
-  model.Single = precision == EvaluationPrecision::Float
-                     ? std::make_shared<const SingleEvaluator>(this->Degree(), this->Values)
-                     : nullptr;
-  return model;
-}
-
-double SphericalHarmonicModel::Epsilon() const noexcept
-{
-  return this->Precision() == EvaluationPrecision::Float
-             ? static_cast<double>(std::numeric_limits<float>::epsilon())
-             : std::numeric_limits<double>::epsilon();
 }
 } // namespace palpate

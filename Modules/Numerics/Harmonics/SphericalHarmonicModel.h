@@ -1,11 +1,9 @@
 #pragma once
 
-#include "EvaluationPrecision.h"
 #include "SphericalHarmonicEvaluator.h"
 #include "Vector3.h"
 
 #include <cstddef>
-#include <memory>
 #include <vector>
 
 namespace palpate
@@ -15,16 +13,15 @@ namespace palpate
 /// otherwise. Convention of the coefficients: see SphericalHarmonicBasis. The model's axes are
 /// those of the frame of its centre (patient LPS, mm).
 ///
-/// Requirements on directions and accuracy: see SphericalHarmonicEvaluator. Results are double in
-/// either precision; in float, directions and intermediate results are rounded.
+/// What a direction must be and how exact the results are: see SphericalHarmonicEvaluator.
 class SphericalHarmonicModel
 {
 public:
   using Formulation = EvaluationFormulation;
   /// mm, mm/rad.
-  using Sample = SphericalHarmonicEvaluator<double>::Sample;
+  using Sample = SphericalHarmonicEvaluator::Sample;
   /// mm, mm/rad, mm/rad^2.
-  using SecondOrderSample = SphericalHarmonicEvaluator<double>::SecondOrderSample;
+  using SecondOrderSample = SphericalHarmonicEvaluator::SecondOrderSample;
 
   /// The sphere of radius 0 at the origin.
   SphericalHarmonicModel() : SphericalHarmonicModel(0, {0.0}, Vector3::Zero()) {}
@@ -35,39 +32,24 @@ public:
   int Degree() const noexcept { return this->MaximumDegree; }
   const std::vector<double>& Coefficients() const noexcept { return this->Values; }
   const Vector3& CenterWorld() const noexcept { return this->Center; }
-  EvaluationPrecision Precision() const noexcept
-  {
-    return this->Single == nullptr ? EvaluationPrecision::Double : EvaluationPrecision::Float;
-  }
-  /// Relative rounding unit of the precision.
-  double Epsilon() const noexcept;
   /// The tables that queries read.
-  std::size_t TableBytes() const noexcept
-  {
-    return this->Single == nullptr ? this->Evaluator.TableBytes() : this->Single->TableBytes();
-  }
+  std::size_t TableBytes() const noexcept { return this->Evaluator.TableBytes(); }
 
   /// Radius in mm along a unit vector.
   double Radius(const Vector3& direction) const noexcept
   {
-    return this->Single == nullptr
-               ? this->Evaluator.Radius(direction)
-               : static_cast<double>(this->Single->Radius(direction.cast<float>()));
+    return this->Evaluator.Radius(direction);
   }
   Sample Evaluate(const Vector3& direction) const noexcept
   {
-    return this->Single == nullptr ? this->Evaluator.Evaluate(direction)
-                                   : Widened(this->Single->Evaluate(direction.cast<float>()));
+    return this->Evaluator.Evaluate(direction);
   }
   SecondOrderSample EvaluateSecondOrder(const Vector3& direction) const noexcept
   {
-    return this->Single == nullptr
-               ? this->Evaluator.EvaluateSecondOrder(direction)
-               : Widened(this->Single->EvaluateSecondOrder(direction.cast<float>()));
+    return this->Evaluator.EvaluateSecondOrder(direction);
   }
 
-  /// Evaluates `count` unit vectors, several at once, which is at least a third faster. In double
-  /// in either precision.
+  /// Evaluate for `count` unit vectors; several at once, so a third faster or more.
   void EvaluateBatch(const Vector3* directions, std::size_t count, Sample* samples) const noexcept
   {
     this->Evaluator.EvaluateBatch(directions, count, samples);
@@ -97,26 +79,12 @@ public:
   std::vector<double> PowerSpectrum() const;
   /// The same surface truncated to `degree` (or padded with zeros up to it). Allocates.
   SphericalHarmonicModel WithDegree(int degree) const;
-  /// The same surface, evaluated in this precision. Allocates.
-  SphericalHarmonicModel WithPrecision(EvaluationPrecision precision) const;
 
 private:
   SphericalHarmonicModel(std::vector<double> coefficients, const Vector3& centerWorld, int degree,
                          Formulation formulation);
 
-  using SingleEvaluator = SphericalHarmonicEvaluator<float>;
-  static Sample Widened(const SingleEvaluator::Sample& sample) noexcept
-  {
-    return {sample.Radius, sample.SurfaceGradient.cast<double>()};
-  }
-  static SecondOrderSample Widened(const SingleEvaluator::SecondOrderSample& sample) noexcept
-  {
-    return {sample.Radius, sample.SurfaceGradient.cast<double>(),
-            sample.SurfaceHessian.cast<double>()};
-  }
-
-  SphericalHarmonicEvaluator<double> Evaluator;  // first: with the next two, the data of a tick
-  std::shared_ptr<const SingleEvaluator> Single; // in float
+  SphericalHarmonicEvaluator Evaluator; // first: with the next one, what a tick reads
   Vector3 Center;
   int MaximumDegree;
   std::vector<double> Values;

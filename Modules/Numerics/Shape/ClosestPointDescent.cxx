@@ -228,18 +228,9 @@ bool IsStationary(const ClosestPoint& point, double rounding) noexcept
 } // namespace
 
 ClosestPointDescent::ClosestPointDescent(const SphericalHarmonicModel& model, InstructionSet set)
-    : Model(&model), Derivatives(model.WithPrecision(EvaluationPrecision::Double)),
-      Size(Derivatives.Radius[0] + model.CenterWorld().norm()),
+    : Model(&model), Derivatives(model), Size(Derivatives.Radius[0] + model.CenterWorld().norm()),
       UnitRounding(4.0 * (model.Degree() + 4.0) * std::numeric_limits<double>::epsilon()),
-      // Several times the measured error, since the errors of many terms rarely add up.
-      EvaluationRounding(model.Precision() == EvaluationPrecision::Double
-                             ? 0.0
-                             : (std::sqrt(model.Degree()) + 4.0) * model.Epsilon() *
-                                   Derivatives.Radius[0]),
-      LongestStep(2.0 / (model.Degree() + 1.0)),
-      // Rounding of the gradient over an eigenvalue of usual size, times four.
-      Finest(16.0 * EvaluationRounding / std::max(Derivatives.Radius[0], EvaluationRounding)),
-      Set(set)
+      LongestStep(2.0 / (model.Degree() + 1.0)), Set(set)
 {
 }
 

@@ -55,14 +55,12 @@ public:
                        const SphericalHarmonicModel::SecondOrderSample& sample,
                        double reach) const noexcept;
 
-  /// Smallest angle error (rad) of a minimum that tracking can reach.
-  double LeastTolerance() const noexcept { return this->Finest; }
   const RadiusDerivativeBounds& Bounds() const noexcept { return this->Derivatives; }
   /// Bound of the rounding error of a distance (mm): some units in the last place of the numbers
   /// involved.
   double Rounding(const Vector3& query) const noexcept
   {
-    return this->UnitRounding * (query.norm() + this->Size) + this->EvaluationRounding;
+    return this->UnitRounding * (query.norm() + this->Size);
   }
 
 private:
@@ -79,11 +77,9 @@ private:
 
   const SphericalHarmonicModel* Model;
   RadiusDerivativeBounds Derivatives;
-  double Size;               // of the coordinates of surface points, mm
-  double UnitRounding;       // relative
-  double EvaluationRounding; // of surface points that are evaluated in float, mm
-  double LongestStep;        // rad
-  double Finest;             // rad
+  double Size;         // of the coordinates of surface points, mm
+  double UnitRounding; // relative
+  double LongestStep;  // rad
   InstructionSet Set;
 };
 } // namespace palpate

@@ -46,8 +46,7 @@ ClosestPoint Unusable(const SphericalHarmonicModel& model)
 
 ClosestPointSearch::ClosestPointSearch(std::shared_ptr<const SphericalHarmonicModel> model)
     : Surface(std::move(model)), LocalSearch(*Surface),
-      Parts(Surface->WithPrecision(EvaluationPrecision::Double), LocalSearch.Bounds(),
-            LevelsFor(Surface->Degree()))
+      Parts(*Surface, LocalSearch.Bounds(), LevelsFor(Surface->Degree()))
 {
 }
 
@@ -85,9 +84,7 @@ ClosestPoint ClosestPointSearch::Track(const Vector3& queryWorld,
   {
     return Unusable(*this->Surface);
   }
-  return this->LocalSearch.Continue(query, previous,
-                                    std::max(TrackingTolerance, this->LocalSearch.LeastTolerance()),
-                                    TrackingEvaluationLimit);
+  return this->LocalSearch.Continue(query, previous, TrackingTolerance, TrackingEvaluationLimit);
 }
 
 ClosestPoint ClosestPointSearch::Track(const Vector3& queryWorld,

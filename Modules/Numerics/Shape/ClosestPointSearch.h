@@ -37,8 +37,8 @@ public:
   static constexpr int DefaultEvaluationLimit = 1000;
   /// Evaluation limit of one servo tick: more than tracking ever needs on a smooth path.
   static constexpr int TrackingEvaluationLimit = 8;
-  /// Allowed error (rad) of a tracked point's angle; the error of the distance is its square, far
-  /// below rounding. For models in float, it is their rounding.
+  /// Angle (rad) that a tracked point may be off its minimum; the distance is then off by the
+  /// square of it, far below rounding.
   static constexpr double TrackingTolerance = 1e-7;
 
   explicit ClosestPointSearch(std::shared_ptr<const SphericalHarmonicModel> model);

@@ -32,7 +32,7 @@ TEST(QueriesDoNotAllocate, Evaluator)
     const EvaluatorCase c(degree);
     for (const EvaluatorKind& kind : AllEvaluatorKinds())
     {
-      using Evaluator = SphericalHarmonicEvaluator<double>;
+      using Evaluator = SphericalHarmonicEvaluator;
       const Evaluator evaluator(degree, c.Coefficients, kind.Formulation, kind.Set);
       const std::size_t count = c.Directions.size();
       std::vector<double> radii(count);

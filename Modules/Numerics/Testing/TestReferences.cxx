@@ -88,26 +88,13 @@ auto ByInstructions(int degree, InstructionSet set)
 {
   return [=](const std::vector<double>& coefficients) -> Evaluation
   {
-    const SphericalHarmonicEvaluator<double> evaluator(degree, coefficients,
-                                                       EvaluationFormulation::Automatic, set);
+    const SphericalHarmonicEvaluator evaluator(degree, coefficients,
+                                               EvaluationFormulation::Automatic, set);
     return [evaluator](const Vector3& direction) { return evaluator.Evaluate(direction); };
   };
 }
 
-auto ByFloat(int degree, EvaluationFormulation formulation)
-{
-  return [=](const std::vector<double>& coefficients) -> Evaluation
-  {
-    const SphericalHarmonicEvaluator<float> evaluator(degree, coefficients, formulation);
-    return [evaluator](const Vector3& direction)
-    {
-      const auto sample = evaluator.Evaluate(direction.cast<float>());
-      return Sample{sample.Radius, sample.SurfaceGradient.cast<double>()};
-    };
-  };
-}
-
-// As a full group of lanes, with other directions next to it.
+// As a full group of lanes, with other directions beside it.
 auto ByBatch(int degree)
 {
   return [degree](const std::vector<double>& coefficients) -> Evaluation
@@ -244,19 +231,7 @@ TEST(References, AcceptsRoundedDirections)
                ReferenceKind::Float);
 }
 
-TEST(References, FloatHas5DigitsUpToDegree16)
-{
-  // Rounding of float, 6e-8, accumulated over some tens of terms and the polynomials' growth.
-  constexpr double FloatBound = 4e-6;
-  for (const auto formulation :
-       {EvaluationFormulation::Automatic, EvaluationFormulation::Recurrence})
-  {
-    ExpectWithin(FloatBound, Compare(12, ReferenceKind::Float, ByFloat(12, formulation)), 12,
-                 ReferenceKind::Float);
-  }
-}
-
-TEST(References, HessianHas14DigitsAnd11AtDegree1000)
+TEST(References, SecondDerivativesAreTrueTo14DigitsUpToDegree16And11DigitsUpToDegree1000)
 {
   std::optional<SphericalHarmonicModel> model;
   std::optional<std::uint64_t> seed;

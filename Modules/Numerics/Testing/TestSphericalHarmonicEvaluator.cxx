@@ -17,11 +17,8 @@ using test::AllEvaluatorKinds;
 using test::EvaluatorCase;
 using test::EvaluatorKind;
 using test::WorstCase;
-using Doubles = SphericalHarmonicEvaluator<double>;
-using Floats = SphericalHarmonicEvaluator<float>;
 
-template <typename Real>
-SphericalHarmonicEvaluator<Real> Make(const EvaluatorCase& c, const EvaluatorKind& kind)
+SphericalHarmonicEvaluator Make(const EvaluatorCase& c, const EvaluatorKind& kind)
 {
   return {c.Degree, c.Coefficients, kind.Formulation, kind.Set};
 }
@@ -51,7 +48,7 @@ TEST(SphericalHarmonicEvaluator, AllKindsEqualTextbookSum)
     }
     for (const EvaluatorKind& kind : AllEvaluatorKinds())
     {
-      const Doubles evaluator = Make<double>(c, kind);
+      const SphericalHarmonicEvaluator evaluator = Make(c, kind);
       WorstCase worst;
       for (std::size_t i = 0; i < exact.size(); ++i)
       {
@@ -71,7 +68,7 @@ TEST(SphericalHarmonicEvaluator, GradientMatchesFiniteDifference)
   for (const int degree : {1, 6, 16})
   {
     const EvaluatorCase c(degree);
-    const Doubles evaluator(degree, c.Coefficients);
+    const SphericalHarmonicEvaluator evaluator(degree, c.Coefficients);
     WorstCase worst;
     for (std::size_t i = 0; i < c.Directions.size(); i += 5)
     {
@@ -95,17 +92,19 @@ TEST(SphericalHarmonicEvaluator, DerivativesOfAllKindsAgree)
   for (int degree = 0; degree <= 18; ++degree)
   {
     const EvaluatorCase c(degree);
-    const Doubles reference(degree, c.Coefficients, EvaluationFormulation::Recurrence,
-                            InstructionSet::Portable);
+    const SphericalHarmonicEvaluator reference(
+        degree, c.Coefficients, EvaluationFormulation::Recurrence, InstructionSet::Portable);
     for (const EvaluatorKind& kind : AllEvaluatorKinds())
     {
-      const Doubles evaluator = Make<double>(c, kind);
+      const SphericalHarmonicEvaluator evaluator = Make(c, kind);
       WorstCase gradient;
       WorstCase hessian;
       for (const Vector3& u : c.Directions)
       {
-        const Doubles::SecondOrderSample exact = reference.EvaluateSecondOrder(u);
-        const Doubles::SecondOrderSample found = evaluator.EvaluateSecondOrder(u);
+        const SphericalHarmonicEvaluator::SecondOrderSample exact =
+            reference.EvaluateSecondOrder(u);
+        const SphericalHarmonicEvaluator::SecondOrderSample found =
+            evaluator.EvaluateSecondOrder(u);
         gradient.Add((evaluator.Evaluate(u).SurfaceGradient - exact.SurfaceGradient).norm());
         gradient.Add((found.SurfaceGradient - exact.SurfaceGradient).norm());
         hessian.Add((found.SurfaceHessian - exact.SurfaceHessian).norm());
@@ -122,10 +121,10 @@ TEST(SphericalHarmonicEvaluator, GradientAndHessianAreTangent)
   const EvaluatorCase c(12);
   for (const EvaluatorKind& kind : AllEvaluatorKinds())
   {
-    const Doubles evaluator = Make<double>(c, kind);
+    const SphericalHarmonicEvaluator evaluator = Make(c, kind);
     for (const Vector3& u : c.Directions)
     {
-      const Doubles::SecondOrderSample s = evaluator.EvaluateSecondOrder(u);
+      const SphericalHarmonicEvaluator::SecondOrderSample s = evaluator.EvaluateSecondOrder(u);
       // Roundings of numbers of this size.
       EXPECT_LE(std::abs(evaluator.Evaluate(u).SurfaceGradient.dot(u)), 1e-14 * c.GradientScale());
       EXPECT_LE(std::abs(s.SurfaceGradient.dot(u)), 1e-14 * c.GradientScale());
@@ -148,8 +147,8 @@ TEST(SphericalHarmonicEvaluator, TraceOfHessianIsLaplacian)
   }
   for (const EvaluatorKind& kind : AllEvaluatorKinds())
   {
-    const Doubles evaluator = Make<double>(c, kind);
-    const Doubles exact = Make<double>(laplacian, kind);
+    const SphericalHarmonicEvaluator evaluator = Make(c, kind);
+    const SphericalHarmonicEvaluator exact = Make(laplacian, kind);
     for (const Vector3& u : c.Directions)
     {
       EXPECT_NEAR(evaluator.EvaluateSecondOrder(u).SurfaceHessian.trace(), exact.Radius(u),
@@ -159,56 +158,16 @@ TEST(SphericalHarmonicEvaluator, TraceOfHessianIsLaplacian)
   }
 }
 
-// Relative to the scales; both sides may be off.
-template <typename Real>
-void ExpectFloatAgrees(const EvaluatorCase& c, const EvaluatorKind& kind, double bound)
+TEST(SphericalHarmonicEvaluator, HighDegreesAreFiniteEverywhereAndAgree)
 {
-  const Doubles exact(c.Degree, c.Coefficients);
-  const SphericalHarmonicEvaluator<Real> evaluator = Make<Real>(c, kind);
-  WorstCase radius;
-  WorstCase gradient;
-  WorstCase hessian;
-  for (const Vector3& u : c.Directions)
-  {
-    const Eigen::Matrix<Real, 3, 1> rounded = u.cast<Real>();
-    const auto e = exact.EvaluateSecondOrder(rounded.template cast<double>());
-    const auto s = evaluator.EvaluateSecondOrder(rounded);
-    const auto g = evaluator.Evaluate(rounded);
-    radius.Add(evaluator.Radius(rounded) - e.Radius);
-    radius.Add(g.Radius - e.Radius);
-    gradient.Add((g.SurfaceGradient.template cast<double>() - e.SurfaceGradient).norm());
-    hessian.Add((s.SurfaceHessian.template cast<double>() - e.SurfaceHessian).norm());
-  }
-  EXPECT_LE(radius.Value(), bound * c.Scale()) << kind.Name() << " degree " << c.Degree;
-  EXPECT_LE(gradient.Value(), bound * c.GradientScale()) << kind.Name() << " degree " << c.Degree;
-  EXPECT_LE(hessian.Value(), bound * c.HessianScale()) << kind.Name() << " degree " << c.Degree;
-}
-
-TEST(SphericalHarmonicEvaluator, FloatAgreesWithinBoundUpToDegree100)
-{
-  for (const int degree : {0, 1, 3, 8, 12, 16, 40, 100})
-  {
-    const EvaluatorCase c(degree);
-    for (const EvaluatorKind& kind : AllEvaluatorKinds())
-    {
-      // The documented 4e-6, 34 rounding errors of float; near the poles derivatives of high degree
-      // are less accurate.
-      ExpectFloatAgrees<float>(c, kind, degree <= 16 ? 4e-6 : 2e-5);
-    }
-  }
-}
-
-TEST(SphericalHarmonicEvaluator, HighDegreesAreFiniteAndAgree)
-{
-  // 300 and 1000 exceed the range of float and of double in powers of sin theta.
+  // 300 and 1000 pass the range of double in powers of sin theta.
   for (const int degree : {300, 1000})
   {
     const EvaluatorCase c(degree);
     const SphericalHarmonicBasis basis(degree);
-    const Doubles portable(degree, c.Coefficients, EvaluationFormulation::Automatic,
-                           InstructionSet::Portable);
-    const Doubles fastest(degree, c.Coefficients);
-    const Floats floats(degree, c.Coefficients);
+    const SphericalHarmonicEvaluator portable(
+        degree, c.Coefficients, EvaluationFormulation::Automatic, InstructionSet::Portable);
+    const SphericalHarmonicEvaluator fastest(degree, c.Coefficients);
     std::vector<double> values(basis.Size());
     for (std::size_t i = 0; i < c.Directions.size(); i += degree == 1000 ? 4 : 1)
     {
@@ -216,21 +175,13 @@ TEST(SphericalHarmonicEvaluator, HighDegreesAreFiniteAndAgree)
       basis.Evaluate(u, values.data());
       const long double exact =
           std::inner_product(values.begin(), values.end(), c.Coefficients.begin(), 0.0L);
-      const Doubles::Sample sample = fastest.Evaluate(u);
-      // The documented 1e-12 against 50 digits; two sums in double, each accurate to that.
+      const SphericalHarmonicEvaluator::Sample sample = fastest.Evaluate(u);
+      // The promise is 1e-12 against 50 digits; two sums in double, each good to that.
       EXPECT_NEAR(sample.Radius, static_cast<double>(exact), 2e-12 * c.Scale());
       EXPECT_NEAR(portable.Radius(u), static_cast<double>(exact), 2e-12 * c.Scale());
       EXPECT_LE((sample.SurfaceGradient - portable.Evaluate(u).SurfaceGradient).norm(),
                 2e-12 * c.GradientScale());
       EXPECT_TRUE(fastest.EvaluateSecondOrder(u).SurfaceHessian.allFinite());
-      // Directions rounded to float move by 6e-8, which the slope amplifies to 2e-5 and more.
-      const Eigen::Vector3f rounded = u.cast<float>();
-      const Doubles::Sample there = fastest.Evaluate(rounded.cast<double>());
-      EXPECT_NEAR(floats.Radius(rounded), there.Radius, 1e-5 * c.Scale());
-      EXPECT_LE(
-          (floats.Evaluate(rounded).SurfaceGradient.cast<double>() - there.SurfaceGradient).norm(),
-          1e-4 * c.GradientScale());
-      EXPECT_TRUE(floats.EvaluateSecondOrder(rounded).SurfaceHessian.allFinite());
     }
   }
 }
@@ -242,7 +193,7 @@ TEST(SphericalHarmonicEvaluator, HugeHarmonicDoesNotOverflow)
   std::vector<double> coefficients(SphericalHarmonicBasis::CoefficientCount(Degree), 0.0);
   const std::size_t index = SphericalHarmonicBasis::Index(Degree, 150);
   coefficients[index] = 1e150;
-  const Doubles evaluator(Degree, coefficients);
+  const SphericalHarmonicEvaluator evaluator(Degree, coefficients);
   const SphericalHarmonicBasis basis(Degree);
   std::vector<double> values(basis.Size());
   for (const double sine : {1e-4, 1e-2, 0.1, 0.3, 0.6})
@@ -265,11 +216,11 @@ TEST(SphericalHarmonicEvaluator, InvalidDirectionGivesNan)
     const EvaluatorCase c(degree);
     for (const EvaluatorKind& kind : AllEvaluatorKinds())
     {
-      const Doubles evaluator = Make<double>(c, kind);
+      const SphericalHarmonicEvaluator evaluator = Make(c, kind);
       for (const Vector3& u : wrong)
       {
-        const Doubles::SecondOrderSample s = evaluator.EvaluateSecondOrder(u);
-        const Doubles::Sample g = evaluator.Evaluate(u);
+        const SphericalHarmonicEvaluator::SecondOrderSample s = evaluator.EvaluateSecondOrder(u);
+        const SphericalHarmonicEvaluator::Sample g = evaluator.Evaluate(u);
         EXPECT_TRUE(std::isnan(evaluator.Radius(u))) << kind.Name() << ' ' << u.transpose();
         EXPECT_TRUE(std::isnan(s.Radius) && std::isnan(g.Radius)) << kind.Name();
         EXPECT_TRUE(g.SurfaceGradient.array().isNaN().all()) << kind.Name() << ' ' << degree;
@@ -287,7 +238,7 @@ TEST(SphericalHarmonicEvaluator, RoundedLengthChangesNothing)
     const EvaluatorCase c(degree);
     for (const EvaluatorKind& kind : AllEvaluatorKinds())
     {
-      const Doubles evaluator = Make<double>(c, kind);
+      const SphericalHarmonicEvaluator evaluator = Make(c, kind);
       for (const Vector3& u : c.Directions)
       {
         for (const double longer : {3e-16, -3e-16, 1e-8, -1e-8})
@@ -307,7 +258,7 @@ TEST(SphericalHarmonicEvaluator, RoundedLengthChangesNothing)
 TEST(SphericalHarmonicEvaluator, ThreadsGetSameBits)
 {
   const EvaluatorCase c(12);
-  const Doubles evaluator(12, c.Coefficients);
+  const SphericalHarmonicEvaluator evaluator(12, c.Coefficients);
   const auto evaluateAll = [&]
   {
     std::vector<double> numbers;
@@ -315,7 +266,7 @@ TEST(SphericalHarmonicEvaluator, ThreadsGetSameBits)
     {
       for (const Vector3& u : c.Directions)
       {
-        const Doubles::SecondOrderSample s = evaluator.EvaluateSecondOrder(u);
+        const SphericalHarmonicEvaluator::SecondOrderSample s = evaluator.EvaluateSecondOrder(u);
         numbers.insert(numbers.end(), {evaluator.Radius(u), s.SurfaceGradient.sum(),
                                        evaluator.Evaluate(u).Radius, s.SurfaceHessian.sum()});
       }
@@ -343,8 +294,7 @@ TEST(SphericalHarmonicEvaluator, ThreadsGetSameBits)
 TEST(SphericalHarmonicEvaluator, TableOfDegree12FitsInFourKilobytes)
 {
   const std::vector<double> coefficients(169, 1.0);
-  EXPECT_LE(Doubles(12, coefficients).TableBytes(), 4096U);
-  EXPECT_LE(Floats(12, coefficients).TableBytes(), 2048U);
+  EXPECT_LE(SphericalHarmonicEvaluator(12, coefficients).TableBytes(), 4096U);
 }
 } // namespace
 } // namespace palpate

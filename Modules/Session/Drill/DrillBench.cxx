@@ -2,53 +2,45 @@
 
 #include "DrillTool.h"
 #include "Refusal.h"
+#include "SceneTool.h"
 
 #include <algorithm>
 #include <limits>
 
 namespace palpate
 {
-std::shared_ptr<DrillBench> DrillBench::Make(const TouchSettings& settings, TouchStructures& made,
-                                             const ProgressFunction& progress)
-{
-  const auto protect = [&](const RemovedDistances& like) -> std::shared_ptr<const RemovedDistances>
-  {
-    std::vector<std::shared_ptr<const RemovedDistances>> parts;
-    for (const ForbiddenStructure& structure : made.Forbidden)
-    {
-      parts.push_back(ProtectionOf(structure, like, progress));
-    }
-    return parts.empty() ? nullptr : JoinProtections(parts);
-  };
-  return Make(settings, made, Protect(protect));
-}
-
-std::shared_ptr<DrillBench> DrillBench::Make(const TouchSettings& settings, TouchStructures& made,
-                                             const Protect& protect)
+std::shared_ptr<DrillBench> DrillBench::Make(const SceneSettings& scene,
+                                             const std::vector<SceneContact>& contacts,
+                                             const std::vector<DrillProtection>& protections)
 {
   std::shared_ptr<DrillBench> bench(new DrillBench);
   std::vector<std::unique_ptr<DrilledField>> fields;
   double voxel = std::numeric_limits<double>::max();
-  for (const TouchableStructure& structure : made.Touched)
+  for (const SceneContact& contact : contacts)
   {
-    bench->SiteOf.push_back(structure.Drilled.Field != nullptr ? static_cast<int>(fields.size())
-                                                               : -1);
-    if (structure.Drilled.Field != nullptr)
+    const bool isDrilled = contact.Drilled.Field != nullptr;
+    bench->SiteOf.push_back(isDrilled ? static_cast<int>(fields.size()) : -1);
+    if (isDrilled)
     {
-      bench->Add(structure, protect, fields);
-      voxel = std::min(voxel, structure.Drilled.Field->Grid().Spacing().minCoeff());
+      bench->Add(TitleOf(*FindStructure(scene, contact.Id)), contact.Drilled, protections, fields);
+      voxel = std::min(voxel, contact.Drilled.Field->Grid().Spacing().minCoeff());
     }
   }
-  bench->Guarded = std::move(made.Forbidden);
   if (fields.empty())
   {
     return nullptr;
   }
-  RequireInput(DrillEditor::Make(std::move(fields), bench->Edits), "the scene cannot be drilled");
+  for (const DrillProtection& one : protections)
+  {
+    bench->Guarded.emplace_back(*one.Protection->Structure, one.Name, one.AlarmDistance);
+  }
+  std::unique_ptr<DrillEditor> editor;
+  RequireInput(DrillEditor::Make(std::move(fields), editor), "the scene cannot be drilled");
+  bench->Edits = std::move(editor);
   constexpr double ClearanceInVoxels = 0.1;
   bench->Drill.Link = bench->Edits->Link();
   bench->Drill.Clearance = ClearanceInVoxels * voxel;
-  bench->UseTool(settings.Tool, settings.Drill);
+  bench->UseTool(scene.Tool, scene.Drill);
   return bench;
 }
 
@@ -60,18 +52,26 @@ void DrillBench::UseTool(const TouchToolSettings& tool, const TouchDrillSettings
   this->Drill.Motion = {DrillRadius(tool, cutting), drill.Turns, drill.VibrationFrequency};
 }
 
-void DrillBench::Add(const TouchableStructure& structure, const Protect& protect,
+void DrillBench::Add(const std::string& name, const DrillSource& source,
+                     const std::vector<DrillProtection>& protections,
                      std::vector<std::unique_ptr<DrilledField>>& fields)
 {
   std::unique_ptr<DrilledField> field;
-  const std::string& name = structure.Touch.Name;
-  RequireInput(DrilledField::Make(*structure.Drilled.Field, 0, field), name + " cannot be drilled");
-  if (const auto forbidden = protect(field->Now()))
+  RequireInput(DrilledField::Make(*source.Field, 0, field), name + " cannot be drilled");
+  std::vector<std::shared_ptr<const RemovedDistances>> parts;
+  for (const DrillProtection& one : protections)
   {
-    RequireInput(field->Protect(forbidden), name + " cannot be drilled");
+    if (auto part = one.Protection->On(field->Now()))
+    {
+      parts.push_back(std::move(part));
+    }
+  }
+  if (!parts.empty())
+  {
+    RequireInput(field->Protect(JoinProtections(parts)), name + " cannot be drilled");
   }
   fields.push_back(std::move(field));
-  this->Drilled.push_back({name, structure.Drilled});
+  this->Drilled.push_back({name, source});
 }
 
 void DrillBench::PutInto(TouchScene& scene, const std::vector<int>& sites) const

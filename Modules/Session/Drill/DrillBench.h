@@ -3,9 +3,10 @@
 #include "DrillEditor.h"
 #include "ForbiddenStructure.h"
 #include "PalpateSessionModule.h"
+#include "SceneContacts.h"
+#include "SceneProtection.h"
+#include "SceneSettings.h"
 #include "TouchScene.h"
-#include "TouchSettings.h"
-#include "TouchStructures.h"
 
 #include <functional>
 #include <memory>
@@ -21,21 +22,24 @@ struct DrillSite
   DrillSource Source;
 };
 
+/// A structure that no drill may remove.
+struct DrillProtection
+{
+  std::string Name;
+  double AlarmDistance = 0.0; ///< mm
+  std::shared_ptr<const SceneProtection> Protection;
+};
+
 /// All that a scene needs to be drilled, but the servo: who edits the fields, what is forbidden,
 /// and the tool that cuts.
 class PALPATESESSION_EXPORT DrillBench
 {
 public:
-  /// Makes it of what is drilled among `made.Touched`, in their order, and takes `made.Forbidden`;
-  /// nothing where nothing is drilled. Throws InputError, FilterError and Cancelled.
-  static std::shared_ptr<DrillBench> Make(const TouchSettings& settings, TouchStructures& made,
-                                          const ProgressFunction& progress);
-  /// The same with protections that are there already: `protect` gives what no drill may remove on
-  /// the grid of `like`, or nothing where all may be.
-  using Protect =
-      std::function<std::shared_ptr<const RemovedDistances>(const RemovedDistances& like)>;
-  static std::shared_ptr<DrillBench> Make(const TouchSettings& settings, TouchStructures& made,
-                                          const Protect& protect);
+  /// Makes it of the drilled ones among `contacts`, in their order, each kept out of what
+  /// `protections` have on its grid; null where nothing is drilled. Throws InputError.
+  static std::shared_ptr<DrillBench> Make(const SceneSettings& scene,
+                                          const std::vector<SceneContact>& contacts,
+                                          const std::vector<DrillProtection>& protections);
 
   /// Lets `scene`, which has the structures that the bench was made of, in their order, be drilled.
   void PutInto(TouchScene& scene) const { this->PutInto(scene, this->SiteOf); }
@@ -45,6 +49,7 @@ public:
   void UseTool(const TouchToolSettings& tool, const TouchDrillSettings& drill);
 
   DrillEditor& Editor() const { return *this->Edits; }
+  const std::shared_ptr<DrillEditor>& SharedEditor() const { return this->Edits; }
   const std::vector<DrillSite>& Sites() const { return this->Drilled; }
   const std::vector<ForbiddenStructure>& Forbidden() const { return this->Guarded; }
   /// From the tool that cuts to each of them, mm; negative inside.
@@ -52,13 +57,14 @@ public:
 
 private:
   DrillBench() = default;
-  void Add(const TouchableStructure& structure, const Protect& protect,
+  void Add(const std::string& name, const DrillSource& source,
+           const std::vector<DrillProtection>& protections,
            std::vector<std::unique_ptr<DrilledField>>& fields);
 
   std::vector<DrillSite> Drilled;
   std::vector<int> SiteOf; // of each structure that is touched; -1: it is not drilled
   std::vector<ForbiddenStructure> Guarded;
-  std::unique_ptr<DrillEditor> Edits;
+  std::shared_ptr<DrillEditor> Edits;
   ToolShape Cutter = ToolShape::Sphere(0.0);
   TouchDrill Drill;
 };

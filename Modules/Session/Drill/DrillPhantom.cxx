@@ -6,7 +6,7 @@
 #include "ImageWriter.h"
 #include "InputError.h"
 #include "MemoryCheck.h"
-#include "TouchSceneFile.h"
+#include "SceneFile.h"
 #include "WholeFile.h"
 
 #include <algorithm>
@@ -52,26 +52,26 @@ std::string HandText()
   return "time_s,x_mm,y_mm,z_mm\n0,-3,0,13\n1,-3,0,9.7\n3,-3,0,5.5\n6,9,0,5.5\n7,9,0,13\n";
 }
 
-TouchSettings SceneOf(const std::filesystem::path& volume, const std::filesystem::path& mask)
+SceneSettings SceneOf(const std::filesystem::path& volume, const std::filesystem::path& mask)
 {
-  TouchStructureSettings bone;
+  SceneStructure bone;
   bone.Name = "bone";
   bone.File = volume;
   bone.Iso = DrillPhantom::Iso;
   bone.Drill.Wear = 0.5;
   bone.Drill.Drag = 0.002;
   bone.Drill.Vibration = 0.2;
-  TouchStructureSettings nerve;
+  SceneStructure nerve;
   nerve.Name = "nerve";
   nerve.File = mask;
-  nerve.IsTouched = false;
+  nerve.IsTouchable = false;
   nerve.IsForbidden = true;
   nerve.AlarmDistance = 1.0;
-  TouchSettings settings;
+  SceneSettings settings;
   settings.Structures = {bone, nerve};
   settings.Tool.Radius = 1.5;
   settings.Tool.Points = 0;
-  settings.Scale = 1.0;
+  settings.Placement.Scale = 1.0;
   return settings;
 }
 } // namespace
@@ -129,7 +129,7 @@ void WriteDrillPhantom(const DrillPhantom& phantom, const std::filesystem::path&
   const std::filesystem::path mask = folder / ("mask." + ending);
   WriteImage(volume, phantom.Ct);
   WriteImage(mask, phantom.Nerve);
-  WriteWholeFile(folder / "block.scene.json", TouchSceneText(SceneOf(volume, mask), folder));
+  WriteWholeFile(folder / "block.scene.json", SceneText(SceneOf(volume, mask), folder));
   WriteWholeFile(folder / "hand.csv", HandText());
   WriteWholeFile(folder / "strokes.json",
                  "{\"format\": \"palpate-drill\",\n \"actions\": [{\"time_s\": 0.9, \"do\": "

@@ -2,8 +2,8 @@
 
 #include "CutTool.h"
 #include "PalpateSessionModule.h"
+#include "SceneSettings.h"
 #include "ToolShape.h"
-#include "TouchSettings.h"
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
 

@@ -1,38 +1,49 @@
 #include "Study.h"
 
+#include "DecimalText.h"
+#include "InputError.h"
 #include "OpenBuiltInDevice.h"
+#include "SceneFile.h"
+#include "SceneLabels.h"
+#include "SceneReading.h"
+#include "SteadyClock.h"
 #include "StudyFile.h"
 #include "TouchExport.h"
 #include "TouchRecording.h"
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 namespace palpate
 {
 namespace
 {
-// What is felt as by hand, but for what has come or gone.
-bool IsFeltAlike(const StudyState& a, const StudyState& b)
+// Whether a state's segmentation has not given it its structures yet.
+bool LacksStructures(const StudyState& state)
 {
-  const auto isAlike = [&b](const StudyStructure& one)
-  {
-    const StudyStructure* other = FindStructure(b, one.Label);
-    return other == nullptr ||
-           (one.Representation == other->Representation && one.Degree == other->Degree);
-  };
-  return a.Interpolation == b.Interpolation &&
-         std::all_of(a.Structures.begin(), a.Structures.end(), isAlike);
+  return std::none_of(state.Structures.begin(), state.Structures.end(),
+                      [&state](const SceneStructure& one)
+                      { return one.File == state.SegmentationFile; });
 }
 
-StudyState WithDialOf(const StudyState& before, StudyState next)
+int NextFreeId(const StudyState& state)
 {
-  if (next.Dial == before.Dial && next.SegmentationFile == before.SegmentationFile &&
-      !IsFeltAlike(before, next))
+  int next = 1'000'000'001; // above every label
+  for (const SceneStructure& structure : state.Structures)
   {
-    next.Dial = StudyDial::ByHand;
+    next = std::max(next, structure.Id + 1);
   }
   return next;
+}
+
+// Everything that a structure's presets are measured with.
+std::string QualityKey(const StudyState& state, const SceneStructure& structure)
+{
+  const TouchToolSettings& tool = state.Tool;
+  return SceneKey(structure.File.string(), StampOf(structure.File), structure.Labels.front(),
+                  structure.Smoothing, static_cast<int>(tool.Kind), tool.Radius, tool.Length,
+                  tool.SemiAxes.transpose(), tool.File, tool.Points);
 }
 } // namespace
 
@@ -45,7 +56,7 @@ void Study::Begin(const StudyState& state, const std::filesystem::path& file)
   this->Steps.Reset(state);
   this->SessionFile = file;
   this->Unread.clear();
-  if (state.Structures.empty())
+  if (LacksStructures(state))
   {
     this->Unread.insert(state.SegmentationFile);
   }
@@ -78,10 +89,72 @@ void Study::OpenVolume(const std::filesystem::path& file, const std::string& ser
 void Study::OpenSegmentation(const std::filesystem::path& file)
 {
   StudyState next = this->State();
+  const std::filesystem::path before = next.SegmentationFile;
   next.SegmentationFile = StudyPath(file);
-  next.Structures.clear();
+  next.Structures.erase(std::remove_if(next.Structures.begin(), next.Structures.end(),
+                                       [&before](const SceneStructure& one)
+                                       { return one.File == before; }),
+                        next.Structures.end());
   this->Unread.insert(next.SegmentationFile);
   this->Change("Open the segmentation " + file.filename().string(), next);
+}
+
+void Study::AddStructure(const std::filesystem::path& file)
+{
+  StudyState next = this->State();
+  SceneStructure structure;
+  structure.Id = NextFreeId(next);
+  structure.Name = file.stem().string();
+  structure.File = StudyPath(file);
+  next.Structures.push_back(std::move(structure));
+  this->Change("Add " + file.filename().string(), next);
+}
+
+void Study::AddIsoValue(double iso)
+{
+  StudyState next = this->State();
+  if (next.VolumeFile.empty() || !next.DicomSeries.empty())
+  {
+    throw InputError(next.VolumeFile.empty()
+                         ? "there is no volume that could reach a value; open one first"
+                         : "an iso-value needs a volume that is one file; write the series as one "
+                           "with palpate convert");
+  }
+  SceneStructure structure;
+  structure.Id = NextFreeId(next);
+  structure.Name = "iso " + SignificantText(iso, 6);
+  structure.File = next.VolumeFile;
+  structure.Iso = iso;
+  next.Structures.push_back(std::move(structure));
+  this->Change("Add where the volume reaches " + SignificantText(iso, 6), next);
+}
+
+void Study::OpenScene(const std::filesystem::path& file)
+{
+  const SceneSettings scene =
+      ResolveLabels(ReadScene(file), true,
+                    [this](const std::filesystem::path& labels)
+                    {
+                      return std::make_shared<const Segmentation>(
+                          ReadSegmentation(labels, this->State().LeftHanded));
+                    });
+  StudyState next = this->State();
+  SceneSettings& own = next;
+  own = scene;
+  for (SceneStructure& structure : next.Structures)
+  {
+    structure.File = StudyPath(structure.File);
+    structure.TextureImage = StudyPath(structure.TextureImage);
+    if (structure.Source() == SceneSource::Label && next.SegmentationFile.empty())
+    {
+      next.SegmentationFile = structure.File;
+    }
+    if (structure.Source() == SceneSource::IsoValue && next.VolumeFile.empty())
+    {
+      next.VolumeFile = structure.File;
+    }
+  }
+  this->Change("Open the scene " + file.filename().string(), next);
 }
 
 void Study::RelocateFile(const std::filesystem::path& missing, const std::filesystem::path& moved)
@@ -91,7 +164,7 @@ void Study::RelocateFile(const std::filesystem::path& missing, const std::filesy
 
 bool Study::Change(const std::string& sentence, const StudyState& next, const std::string& gesture)
 {
-  const bool isChanged = this->Steps.Change(sentence, WithDialOf(this->State(), next), gesture);
+  const bool isChanged = this->Steps.Change(sentence, next, gesture);
   if (isChanged)
   {
     this->Follow();
@@ -124,13 +197,13 @@ void Study::Follow()
 void Study::AdoptStructures()
 {
   const bool isRead =
-      this->Made.StateOf(StudyStep::Segmentation).Is == StudyStepState::Kind::UpToDate;
+      this->Made.StateOf(SceneStep::Segmentation).Is == StudyStepState::Kind::UpToDate;
   if (!isRead || this->Unread.erase(this->State().SegmentationFile) == 0)
   {
     return;
   }
-  const auto segmentation = this->Made.Newest<Segmentation>(StudyStep::Segmentation);
-  if (this->State().Structures.empty())
+  const auto segmentation = this->Made.Newest<Segmentation>(SceneStep::Segmentation);
+  if (LacksStructures(this->State()))
   {
     this->Steps.Amend(WithStructuresOf(this->State(), *segmentation));
     this->Made.Update(this->State());
@@ -142,8 +215,7 @@ void Study::FollowByTouch()
   if (this->Felt.IsRunning())
   {
     this->Felt.Forbid(ForbiddenOf(this->State(), this->Made));
-    this->Problem =
-        this->Felt.Update(this->WithTool(), ContactsOf(this->State(), this->Made)).Message();
+    this->Problem = this->Felt.Update(this->WithTool(), this->Contacts()).Message();
   }
 }
 
@@ -154,7 +226,7 @@ StudyState Study::WithTool()
   StudyState state = this->State();
   if (state.Tool.Kind == TouchToolSettings::Shape::Surface)
   {
-    state.Tool.Surface = this->Made.Newest<SurfaceTool>(StudyStep::Tool);
+    state.Tool.Surface = this->Made.Newest<SurfaceTool>(SceneStep::Tool);
     if (state.Tool.Surface == nullptr)
     {
       state.Tool = this->ReadTool;
@@ -164,19 +236,25 @@ StudyState Study::WithTool()
   return state;
 }
 
+std::vector<SceneContact> Study::Contacts() const
+{
+  return ContactsOf(this->State(),
+                    [this](SceneStep step, int id) { return this->Made.NewestProduct(step, id); });
+}
+
 void Study::TurnAxes(const Matrix3& rotation)
 {
   this->Felt.TurnAxes(rotation);
   this->FollowByTouch();
 }
 
-void Study::CancelStep(StudyStep step)
+void Study::CancelStep(SceneStep step)
 {
   this->Made.Cancel(step);
   this->FollowByTouch();
 }
 
-void Study::ResumeStep(StudyStep step)
+void Study::ResumeStep(SceneStep step)
 {
   this->Made.Resume(step);
   this->Made.Retry(step);
@@ -214,9 +292,9 @@ void Study::StartTouch()
 
 void Study::TakeDevice(std::unique_ptr<HapticDevice> device)
 {
-  const StudyStepState tool = this->Made.StateOf(StudyStep::Tool);
+  const StudyStepState tool = this->Made.StateOf(SceneStep::Tool);
   const bool isMissing = this->State().Tool.Kind == TouchToolSettings::Shape::Surface &&
-                         this->Made.Newest<SurfaceTool>(StudyStep::Tool) == nullptr;
+                         this->Made.Newest<SurfaceTool>(SceneStep::Tool) == nullptr;
   if (isMissing)
   {
     device->Close();
@@ -226,9 +304,7 @@ void Study::TakeDevice(std::unique_ptr<HapticDevice> device)
     return;
   }
   this->Felt.Forbid(ForbiddenOf(this->State(), this->Made));
-  this->Problem =
-      this->Felt.Start(std::move(device), this->WithTool(), ContactsOf(this->State(), this->Made))
-          .Message();
+  this->Problem = this->Felt.Start(std::move(device), this->WithTool(), this->Contacts()).Message();
 }
 
 void Study::MoveWorkspace(const Vector3& centerWorld, const std::string& gesture)
@@ -323,9 +399,9 @@ void Study::ExportReplay(const std::filesystem::path& file)
 const StudyTouchReading& Study::PollReplay()
 {
   std::vector<int> labels;
-  for (const StudyContact& contact : ContactsOf(this->State(), this->Made))
+  for (const SceneContact& contact : this->Contacts())
   {
-    labels.push_back(contact.Label);
+    labels.push_back(contact.Id);
   }
   return this->Played->Poll(labels);
 }
@@ -347,16 +423,104 @@ bool Study::Close(std::chrono::milliseconds longest)
   return this->Work.End(longest);
 }
 
+const QualityMeasurement* Study::QualityOf(const SceneStructure& structure) const
+{
+  const auto found = this->Qualities.find(structure.Id);
+  const bool isKnown =
+      found != this->Qualities.end() && found->second.Key == QualityKey(this->State(), structure);
+  return isKnown ? found->second.Measured.get() : nullptr;
+}
+
+void Study::MeasureQuality()
+{
+  for (const SceneStructure& structure : this->State().Structures)
+  {
+    if (!structure.IsTouchable || structure.Source() != SceneSource::Label ||
+        this->Measuring.count(structure.Id) > 0 || this->QualityOf(structure) != nullptr)
+    {
+      continue;
+    }
+    const int id = structure.Id;
+    const std::string key = QualityKey(this->State(), structure);
+    StudyJob job;
+    job.Work = [this, id, key, structure, tool = this->WithTool().Tool,
+                leftHanded = this->State().LeftHanded](const ProgressFunction& progress)
+    {
+      const auto voxels =
+          std::make_shared<const Segmentation>(ReadSegmentation(structure.File, leftHanded));
+      TradeSource source;
+      source.Name = TitleOf(structure);
+      source.File = structure.File;
+      source.Is = TradeSource::Mask{voxels, SegmentOf(structure, *voxels)};
+      source.Smoothing = structure.Smoothing;
+      const SteadyClock clock;
+      auto measured = std::make_shared<const QualityMeasurement>(
+          palpate::MeasureQuality(source, tool, clock, progress));
+      return StudyJob::Delivery(
+          [this, id, key, measured = std::move(measured)]
+          {
+            this->Measuring.erase(id);
+            this->Qualities[id] = {key, measured, {}};
+          });
+    };
+    job.Fail = [this, id, key](const std::string& message)
+    {
+      this->Measuring.erase(id);
+      this->Qualities[id] = {key, nullptr, message};
+    };
+    this->Measuring[id] = this->Work.Start(std::move(job));
+  }
+}
+
+std::vector<QualityLine> Study::QualityLines() const
+{
+  std::vector<QualityLine> lines;
+  for (const SceneStructure& structure : this->State().Structures)
+  {
+    if (!structure.IsTouchable || structure.Source() != SceneSource::Label)
+    {
+      continue;
+    }
+    QualityLine line = MakeQualityLine(structure, this->QualityOf(structure));
+    const auto running = this->Measuring.find(structure.Id);
+    if (running != this->Measuring.end())
+    {
+      const auto progress = this->Work.ProgressOf(running->second);
+      line.MeasuringFraction = progress ? progress->Fraction : 0.0;
+    }
+    const auto known = this->Qualities.find(structure.Id);
+    line.Problem = known != this->Qualities.end() ? known->second.Problem : std::string();
+    lines.push_back(std::move(line));
+  }
+  return lines;
+}
+
+void Study::UseRecommendedQuality()
+{
+  StudyState next = this->State();
+  for (SceneStructure& structure : next.Structures)
+  {
+    const QualityMeasurement* measured =
+        structure.Source() == SceneSource::Label ? this->QualityOf(structure) : nullptr;
+    const int preset = measured != nullptr ? RecommendedPreset(*measured, next.Rate) : -1;
+    structure = preset >= 0 ? WithPreset(structure, preset) : structure;
+  }
+  this->Change("Use the recommended quality", next);
+}
+
 StudyState WithStructuresOf(const StudyState& state, const Segmentation& segmentation)
 {
   StudyState next = state;
   next.Structures.clear();
   for (const Segment& segment : segmentation.Segments)
   {
-    StudyStructure structure;
-    structure.Label = segment.Label;
+    SceneStructure structure;
+    structure.Id = segment.Label;
     structure.Name = segment.Name;
+    structure.File = state.SegmentationFile;
+    structure.Labels = {std::to_string(segment.Label)};
     structure.Color = segment.Color;
+    structure.Representation = TouchRepresentation::ModelOrField;
     structure.Degree = state.Fit.Degree;
     const bool isShown =
         next.Structures.empty() || segmentation.Segments.size() <= Study::MostShownUnasked;
@@ -364,6 +528,9 @@ StudyState WithStructuresOf(const StudyState& state, const Segmentation& segment
     structure.IsTouchable = isShown;
     next.Structures.push_back(std::move(structure));
   }
+  std::copy_if(state.Structures.begin(), state.Structures.end(),
+               std::back_inserter(next.Structures),
+               [&state](const SceneStructure& one) { return one.File != state.SegmentationFile; });
   return next;
 }
 } // namespace palpate

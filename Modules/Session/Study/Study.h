@@ -1,6 +1,7 @@
 #pragma once
 
 #include "PalpateSessionModule.h"
+#include "QualityReport.h"
 #include "StudyHistory.h"
 #include "StudyJobs.h"
 #include "StudyPipeline.h"
@@ -10,6 +11,7 @@
 #include <chrono>
 #include <cstddef>
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <optional>
 #include <set>
@@ -33,6 +35,8 @@ public:
   const StudyHistory& History() const { return this->Steps; }
   StudyPipeline& Pipeline() { return this->Made; }
   StudyTouch& Touch() { return this->Felt; }
+  /// What can be touched now.
+  std::vector<SceneContact> Contacts() const;
   StudyJobs& Jobs() { return this->Work; }
 
   /// An empty one.
@@ -46,24 +50,39 @@ public:
   const std::filesystem::path& File() const { return this->SessionFile; }
 
   /// Another volume, or another segmentation with its own structures; each a step. `series` as
-  /// VolumeChoice has it.
+  /// VolumeChoice has it. Structures from other files stay.
   void OpenVolume(const std::filesystem::path& file, const std::string& series = {});
   void OpenSegmentation(const std::filesystem::path& file);
+  /// Adds a model, a surface, or where the volume reaches a value; a step. An iso-value throws
+  /// InputError without a volume that is one file.
+  void AddStructure(const std::filesystem::path& file);
+  void AddIsoValue(double iso);
+  /// Adds the structures of a scene file and takes its tool, device and rate; a step. Throws
+  /// InputError.
+  void OpenScene(const std::filesystem::path& file);
   /// See Relocate; a step.
   void RelocateFile(const std::filesystem::path& missing, const std::filesystem::path& moved);
 
-  /// See StudyHistory. Where the representation, the degree or the interpolation of anything
-  /// changes and the dial does not, that is turned to by hand: it would decide them.
+  /// See StudyHistory.
   bool Change(const std::string& sentence, const StudyState& next, const std::string& gesture = {});
   void EndGesture() { this->Steps.EndGesture(); }
   void ChangeView(const StudyView& view) { this->Steps.ChangeView(view); }
   bool Undo();
   bool Redo();
 
+  /// Measures the quality presets at every touchable label, on the worker; what was measured of the
+  /// same structure with the same tool is kept.
+  void MeasureQuality();
+  bool IsMeasuringQuality() const { return !this->Measuring.empty(); }
+  /// A line for every touchable structure.
+  std::vector<QualityLine> QualityLines() const;
+  /// The recommended preset for each structure that was measured; a step.
+  void UseRecommendedQuality();
+
   /// See StudyPipeline; what is touched follows.
-  void CancelStep(StudyStep step);
+  void CancelStep(SceneStep step);
   /// Resumes what was cancelled, and tries again what failed.
-  void ResumeStep(StudyStep step);
+  void ResumeStep(SceneStep step);
 
   /// Opens the state's device beside the caller, then begins to touch.
   void StartTouch();
@@ -106,6 +125,7 @@ private:
   void Follow();
   void AdoptStructures();
   void FollowByTouch();
+  const QualityMeasurement* QualityOf(const SceneStructure& structure) const;
   void TakeDevice(std::unique_ptr<HapticDevice> device);
   StudyState WithTool();
 
@@ -122,9 +142,19 @@ private:
   TouchToolSettings ReadTool; ///< the last one that could be felt, with its surface
   std::string Problem;
   std::string Unplayable;
+  // Of a structure's presets.
+  struct Quality
+  {
+    std::string Key; ///< everything that it was measured with
+    std::shared_ptr<const QualityMeasurement> Measured;
+    std::string Problem;
+  };
+  std::map<int, Quality> Qualities;
+  std::map<int, StudyJobs::Id> Measuring;
 };
 
-/// A state with a structure for each of a segmentation's.
+/// A state with a structure for each label of its segmentation in place of those it had of that
+/// file.
 PALPATESESSION_EXPORT StudyState WithStructuresOf(const StudyState& state,
                                                   const Segmentation& segmentation);
 } // namespace palpate

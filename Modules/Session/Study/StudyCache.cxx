@@ -4,7 +4,7 @@
 
 namespace palpate
 {
-const StudyProduct* StudyCache::Find(const std::string& key)
+const SceneProduct* StudyCache::Find(const std::string& key)
 {
   const auto place = this->Places.find(key);
   if (place == this->Places.end())
@@ -15,7 +15,7 @@ const StudyProduct* StudyCache::Find(const std::string& key)
   return &place->second->Product;
 }
 
-void StudyCache::Store(const std::string& key, StudyProduct product)
+void StudyCache::Store(const std::string& key, SceneProduct product)
 {
   this->Forget(key);
   const std::size_t bytes = BytesOf(product);

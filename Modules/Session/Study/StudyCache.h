@@ -1,7 +1,7 @@
 #pragma once
 
 #include "PalpateSessionModule.h"
-#include "StudyProduct.h"
+#include "SceneProduct.h"
 
 #include <cstddef>
 #include <list>
@@ -18,8 +18,8 @@ public:
   explicit StudyCache(std::size_t mostBytes) : MostBytes(mostBytes) {}
 
   /// Empty where it is not held; good until the next Store.
-  const StudyProduct* Find(const std::string& key);
-  void Store(const std::string& key, StudyProduct product);
+  const SceneProduct* Find(const std::string& key);
+  void Store(const std::string& key, SceneProduct product);
   void Forget(const std::string& key);
   std::size_t Bytes() const { return this->HeldBytes; }
 
@@ -27,7 +27,7 @@ private:
   struct Item
   {
     std::string Key;
-    StudyProduct Product;
+    SceneProduct Product;
     std::size_t Bytes = 0;
   };
 

@@ -36,22 +36,20 @@ std::vector<StudyForbidden> UnreadyOf(const std::vector<StudyForbidden>& forbidd
 }
 } // namespace
 
-bool StudyDrill::AreDrilled(const std::vector<Part>& drilled) const
+bool StudyDrill::AreDrilled(const std::vector<SceneContact>& drilled) const
 {
   return std::equal(drilled.begin(), drilled.end(), this->Drilled.begin(), this->Drilled.end(),
-                    [](const Part& a, const Part& b)
-                    { return a.Label == b.Label && a.Source.Field == b.Source.Field; });
+                    [](const SceneContact& a, const SceneContact& b)
+                    { return a.Id == b.Id && a.Drilled.Field == b.Drilled.Field; });
 }
 
 bool StudyDrill::AreForbidden(const std::vector<StudyForbidden>& forbidden) const
 {
-  return std::equal(forbidden.begin(), forbidden.end(), this->Forbidden.begin(),
-                    this->Forbidden.end(),
-                    [](const StudyForbidden& a, const StudyForbidden& b)
-                    {
-                      return a.Label == b.Label && a.Protection == b.Protection &&
-                             a.AlarmDistance == b.AlarmDistance;
-                    });
+  return std::equal(
+      forbidden.begin(), forbidden.end(), this->Forbidden.begin(), this->Forbidden.end(),
+      [](const StudyForbidden& a, const StudyForbidden& b) {
+        return a.Id == b.Id && a.Protection == b.Protection && a.AlarmDistance == b.AlarmDistance;
+      });
 }
 
 bool StudyDrill::Protects(const std::vector<StudyForbidden>& forbidden) const
@@ -61,24 +59,24 @@ bool StudyDrill::Protects(const std::vector<StudyForbidden>& forbidden) const
     return one.IsReady() &&
            std::any_of(this->Forbidden.begin(), this->Forbidden.end(),
                        [&one](const StudyForbidden& known)
-                       { return known.Label == one.Label && known.Protection == one.Protection; });
+                       { return known.Id == one.Id && known.Protection == one.Protection; });
   };
   return this->Drilled.empty() || std::all_of(forbidden.begin(), forbidden.end(), isProtected);
 }
 
-void StudyDrill::Follow(const StudyState& state, const std::vector<StudyContact>& contacts,
+void StudyDrill::Follow(const StudyState& state, const std::vector<SceneContact>& contacts,
                         const std::vector<StudyForbidden>& forbidden)
 {
-  std::vector<Part> drilled;
+  std::vector<SceneContact> drilled;
   std::vector<DrillSource> sources;
   this->SiteOfContact.clear();
-  for (const StudyContact& contact : contacts)
+  for (const SceneContact& contact : contacts)
   {
     const bool isDrilled = contact.Drilled.Field != nullptr;
     this->SiteOfContact.push_back(isDrilled ? static_cast<int>(drilled.size()) : -1);
     if (isDrilled)
     {
-      drilled.push_back({contact.Label, contact.Drilled});
+      drilled.push_back(contact);
       sources.push_back(contact.Drilled);
     }
   }
@@ -100,46 +98,21 @@ void StudyDrill::Follow(const StudyState& state, const std::vector<StudyContact>
   this->Motion = state.Drill;
 }
 
-void StudyDrill::Renew(const StudyState& state, const std::vector<Part>& drilled,
+void StudyDrill::Renew(const StudyState& state, const std::vector<SceneContact>& drilled,
                        const std::vector<StudyForbidden>& forbidden)
 {
-  TouchStructures made;
-  for (const Part& part : drilled)
-  {
-    TouchableStructure structure;
-    structure.Touch.Name = TitleOf(*FindStructure(state, part.Label));
-    structure.Drilled = part.Source;
-    made.Touched.push_back(std::move(structure));
-  }
   std::vector<StudyForbidden> ready;
   std::copy_if(forbidden.begin(), forbidden.end(), std::back_inserter(ready),
                [](const StudyForbidden& one) { return one.IsReady(); });
+  std::vector<DrillProtection> protections;
   for (const StudyForbidden& one : ready)
   {
-    made.Forbidden.emplace_back(*one.Protection->Structure, one.Name, one.AlarmDistance);
+    protections.push_back({one.Name, one.AlarmDistance, one.Protection});
   }
-  const auto protect =
-      [&ready](const RemovedDistances& like) -> std::shared_ptr<const RemovedDistances>
-  {
-    std::vector<std::shared_ptr<const RemovedDistances>> parts;
-    for (const StudyForbidden& one : ready)
-    {
-      if (auto part = one.Protection->On(like))
-      {
-        parts.push_back(std::move(part));
-      }
-    }
-    return parts.empty() ? nullptr : JoinProtections(parts);
-  };
-  TouchSettings settings;
-  settings.Tool = state.Tool;
-  settings.Drill = state.Drill;
   // Where this throws, all is as it was.
-  const auto next = DrillBench::Make(settings, made, DrillBench::Protect(protect));
-  const bool isRunning = this->Keeper != nullptr;
-  this->Stop();
+  const auto next = DrillBench::Make(state, drilled, protections);
   const std::shared_ptr<DrillBench> before = std::exchange(this->Bench, next);
-  const std::vector<Part> drilledBefore = std::exchange(this->Drilled, drilled);
+  const std::vector<SceneContact> drilledBefore = std::exchange(this->Drilled, drilled);
   this->Forbidden = ready;
   if (before != nullptr && this->Bench != nullptr)
   {
@@ -149,13 +122,10 @@ void StudyDrill::Renew(const StudyState& state, const std::vector<Part>& drilled
   this->Known = {};
   this->SeenNumber = ~std::uint64_t{0};
   ++this->Changes;
-  if (isRunning)
-  {
-    this->Start();
-  }
 }
 
-void StudyDrill::KeepWhatIsGone(const DrillBench& before, const std::vector<Part>& drilledBefore)
+void StudyDrill::KeepWhatIsGone(const DrillBench& before,
+                                const std::vector<SceneContact>& drilledBefore)
 {
   std::vector<std::shared_ptr<const RemovedDistances>> kept = this->Bench->Editor().Removed();
   const auto removed = before.Editor().Removed();
@@ -163,7 +133,7 @@ void StudyDrill::KeepWhatIsGone(const DrillBench& before, const std::vector<Part
   {
     for (std::size_t last = 0; last < drilledBefore.size(); ++last)
     {
-      const bool isSame = this->Drilled[n].Source.Field == drilledBefore[last].Source.Field;
+      const bool isSame = this->Drilled[n].Drilled.Field == drilledBefore[last].Drilled.Field;
       kept[n] = isSame ? removed[last] : kept[n];
     }
   }
@@ -184,20 +154,9 @@ void StudyDrill::PutInto(TouchScene& scene) const
   }
 }
 
-void StudyDrill::Start()
+std::shared_ptr<DrillEditor> StudyDrill::Editor() const
 {
-  if (this->Bench != nullptr)
-  {
-    this->Bench->Editor().ForNextServo();
-    this->SeenNumber = ~std::uint64_t{0}; // numbers begin again
-  }
-  this->Keeper = std::make_unique<DrillKeeper>(this->Bench);
-  this->Keeper->Start();
-}
-
-void StudyDrill::Stop()
-{
-  this->Keeper.reset();
+  return this->Bench != nullptr ? this->Bench->SharedEditor() : nullptr;
 }
 
 // Surfaces of cuts, ten times a second at most: slices show their outlines.
@@ -225,7 +184,7 @@ StudyDrillReading StudyDrill::Read(double time, const TouchState& newest)
   for (std::size_t site = 0; site < reading.Fields.size(); ++site)
   {
     StudyDrilled& one = this->Known.Drilled[site];
-    one.Label = this->Drilled[site].Label;
+    one.Id = this->Drilled[site].Id;
     one.Name = this->Bench->Sites()[site].Name;
     one.Field = reading.Fields[site];
   }
@@ -265,10 +224,10 @@ void StudyDrill::Open(const std::filesystem::path& path)
   ++this->Changes;
 }
 
-int StudyDrill::SiteOf(int label) const
+int StudyDrill::SiteOf(int id) const
 {
   const auto found = std::find_if(this->Drilled.begin(), this->Drilled.end(),
-                                  [label](const Part& part) { return part.Label == label; });
+                                  [id](const SceneContact& part) { return part.Id == id; });
   if (found == this->Drilled.end())
   {
     throw InputError("nothing of this structure is drilled; choose one that is");
@@ -276,10 +235,10 @@ int StudyDrill::SiteOf(int label) const
   return static_cast<int>(found - this->Drilled.begin());
 }
 
-void StudyDrill::Export(int label, const std::filesystem::path& path,
+void StudyDrill::Export(int id, const std::filesystem::path& path,
                         const ProgressFunction& progress) const
 {
-  const int site = this->SiteOf(label);
+  const int site = this->SiteOf(id);
   if (IsWritableImage(path))
   {
     WriteImage(path, DrilledImage(*this->Bench, site, progress));

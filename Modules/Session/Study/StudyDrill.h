@@ -1,10 +1,10 @@
 #pragma once
 
-#include "DrillKeeper.h"
+#include "DrillBench.h"
 #include "DrillWatch.h"
 #include "PalpateSessionModule.h"
+#include "SceneContacts.h"
 #include "StudyForbidden.h"
-#include "StudyScene.h"
 #include "StudyState.h"
 
 #include <filesystem>
@@ -18,7 +18,7 @@ namespace palpate
 /// How a structure stands that is drilled.
 struct StudyDrilled
 {
-  int Label = 0;
+  int Id = 0;
   std::string Name;
   double RemovedVolume = 0.0;               ///< mm^3
   std::shared_ptr<const ScalarField> Field; ///< as it is now
@@ -45,11 +45,10 @@ public:
   StudyDrill() = default;
   StudyDrill(const StudyDrill&) = delete;
   StudyDrill& operator=(const StudyDrill&) = delete;
-  ~StudyDrill() { this->Stop(); }
 
   /// What follows is for these. Takes the time of copying the drilled fields where they are others
   /// or are protected otherwise. What was drilled before in the same fields stays.
-  void Follow(const StudyState& state, const std::vector<StudyContact>& contacts,
+  void Follow(const StudyState& state, const std::vector<SceneContact>& contacts,
               const std::vector<StudyForbidden>& forbidden);
   /// Whether the last Follow keeps the drill out of all of these.
   bool Protects(const std::vector<StudyForbidden>& forbidden) const;
@@ -60,9 +59,10 @@ public:
   /// Another one where a scene has to be published again.
   std::uint64_t Revision() const { return this->Changes; }
 
-  /// Has the orders of a servo done that begins now, until Stop.
-  void Start();
-  void Stop();
+  /// Another servo has begun, which numbers its orders from 0.
+  void FollowNextServo() { this->SeenNumber = ~std::uint64_t{0}; }
+  /// What executes the orders; null where nothing is drilled.
+  std::shared_ptr<DrillEditor> Editor() const;
 
   /// For views: what became of it, and how near the tool is. `time` in s.
   StudyDrillReading Read(double time, const TouchState& newest);
@@ -74,26 +74,20 @@ public:
   void Open(const std::filesystem::path& path);
   /// Writes what is left of a structure as a volume or as a surface, by the ending. Throws
   /// InputError.
-  void Export(int label, const std::filesystem::path& path, const ProgressFunction& progress) const;
+  void Export(int id, const std::filesystem::path& path, const ProgressFunction& progress) const;
 
 private:
-  struct Part
-  {
-    int Label;
-    DrillSource Source;
-  };
-  bool AreDrilled(const std::vector<Part>& drilled) const;
+  bool AreDrilled(const std::vector<SceneContact>& drilled) const;
   bool AreForbidden(const std::vector<StudyForbidden>& forbidden) const;
-  void Renew(const StudyState& state, const std::vector<Part>& drilled,
+  void Renew(const StudyState& state, const std::vector<SceneContact>& drilled,
              const std::vector<StudyForbidden>& forbidden);
-  void KeepWhatIsGone(const DrillBench& before, const std::vector<Part>& drilledBefore);
+  void KeepWhatIsGone(const DrillBench& before, const std::vector<SceneContact>& drilledBefore);
   void ReadCuts();
-  int SiteOf(int label) const;
+  int SiteOf(int id) const;
 
   std::shared_ptr<DrillBench> Bench;
-  std::unique_ptr<DrillKeeper> Keeper;
   std::unique_ptr<DrillWatch> Watch;
-  std::vector<Part> Drilled;
+  std::vector<SceneContact> Drilled;
   std::vector<StudyForbidden> Forbidden; // with their protections
   std::string HoldText;
   std::vector<int> SiteOfContact; // -1: it is not drilled

@@ -4,7 +4,7 @@
 #include "StudyJson.h"
 #include "WholeFile.h"
 
-#include <array>
+#include <set>
 #include <system_error>
 
 namespace palpate
@@ -39,12 +39,19 @@ StudyState ReadStudy(const std::filesystem::path& path)
 
 std::vector<StudyMissingFile> MissingFiles(const StudyState& state)
 {
-  std::vector<StudyMissingFile> missing;
-  for (const StudyMissingFile& file : {StudyMissingFile{"volume", state.VolumeFile},
-                                       StudyMissingFile{"segmentation", state.SegmentationFile},
-                                       StudyMissingFile{"tool", state.Tool.File}})
+  std::vector<StudyMissingFile> named{{"volume", state.VolumeFile},
+                                      {"segmentation", state.SegmentationFile},
+                                      {"tool", state.Tool.File}};
+  for (const SceneStructure& structure : state.Structures)
   {
-    if (!file.Path.empty() && !IsThere(file.Path))
+    named.push_back({"structure", structure.File});
+    named.push_back({"texture", structure.TextureImage});
+  }
+  std::vector<StudyMissingFile> missing;
+  std::set<std::filesystem::path> known;
+  for (const StudyMissingFile& file : named)
+  {
+    if (!file.Path.empty() && known.insert(file.Path).second && !IsThere(file.Path))
     {
       missing.push_back(file);
     }
@@ -57,8 +64,14 @@ StudyState Relocate(const StudyState& state, const std::filesystem::path& missin
 {
   const std::filesystem::path newPlace = StudyPath(moved);
   StudyState relocated = state;
-  for (std::filesystem::path* file :
-       {&relocated.VolumeFile, &relocated.SegmentationFile, &relocated.Tool.File})
+  std::vector<std::filesystem::path*> files{&relocated.VolumeFile, &relocated.SegmentationFile,
+                                            &relocated.Tool.File};
+  for (SceneStructure& structure : relocated.Structures)
+  {
+    files.push_back(&structure.File);
+    files.push_back(&structure.TextureImage);
+  }
+  for (std::filesystem::path* file : files)
   {
     if (file->empty())
     {

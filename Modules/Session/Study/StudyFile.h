@@ -15,7 +15,7 @@ constexpr const char* StudyEnding = ".palpate.json";
 /// A file that a state names and that is not there.
 struct StudyMissingFile
 {
-  std::string Role; ///< "volume", "segmentation" or "tool"
+  std::string Role; ///< "volume", "segmentation", "tool", "structure" or "texture"
   std::filesystem::path Path;
 };
 

@@ -1,7 +1,10 @@
 #include "StudyFileRole.h"
 
 #include "ImageContent.h"
+#include "ModelFile.h"
+#include "SceneFile.h"
 #include "StudyFile.h"
+#include "SurfaceFile.h"
 #include "TouchTicksFile.h"
 
 #include <string>
@@ -16,6 +19,18 @@ StudyFileRole RoleOf(const std::filesystem::path& file)
       name.compare(name.size() - ending.size(), ending.size(), ending) == 0)
   {
     return StudyFileRole::Session;
+  }
+  if (IsSceneFile(file))
+  {
+    return StudyFileRole::Scene;
+  }
+  if (IsModelFile(file))
+  {
+    return StudyFileRole::Model;
+  }
+  if (IsSurfaceFile(file))
+  {
+    return StudyFileRole::Surface;
   }
   std::error_code failure;
   if (std::filesystem::is_directory(file, failure))

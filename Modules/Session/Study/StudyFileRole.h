@@ -12,7 +12,10 @@ enum class StudyFileRole
   Session, ///< a study itself
   Segmentation,
   Volume,
-  Recording ///< a recorded touch
+  Recording, ///< a recorded touch
+  Scene,
+  Model,
+  Surface
 };
 
 /// By its name, or else by what is in it, as `palpate info` tells it. Reads the whole file. Throws

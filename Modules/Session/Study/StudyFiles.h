@@ -1,9 +1,9 @@
 #pragma once
 
 #include "PalpateSessionModule.h"
+#include "SceneSettings.h"
 #include "StudyPipeline.h"
 #include "StudyState.h"
-#include "TouchSettings.h"
 
 #include <filesystem>
 #include <string>
@@ -11,15 +11,10 @@
 namespace palpate
 {
 /// Writes what was made of a study into `folder`: a folder for every structure that has a surface
-/// or a model (see WriteFitFiles; a surface alone is surface.vtp), scene.json where something can
-/// be touched, markups.mrk.json and markups.csv where there are landmarks or distances. `program`
+/// or a model (see WriteFitFiles; a surface alone is surface.vtp), scene.json where there are
+/// structures, markups.mrk.json and markups.csv where there are landmarks or distances. `program`
 /// is the maker that coefficient files name. For when nothing is being made. Throws InputError.
 PALPATESESSION_EXPORT void WriteStudyFiles(const StudyState& state, const StudyPipeline& pipeline,
                                            const std::filesystem::path& folder,
                                            const std::string& program);
-
-/// What WriteStudyFiles left in `folder`, as a scene that `palpate touch` feels as the study does.
-PALPATESESSION_EXPORT TouchSettings SceneOfStudy(const StudyState& state,
-                                                 const StudyPipeline& pipeline,
-                                                 const std::filesystem::path& folder);
 } // namespace palpate

@@ -26,16 +26,16 @@ std::string NamesOf(const std::vector<StudyForbidden>& forbidden)
 std::vector<StudyForbidden> ForbiddenOf(const StudyState& state, const StudyPipeline& pipeline)
 {
   std::vector<StudyForbidden> forbidden;
-  for (const StudyStructure& structure : state.Structures)
+  for (const SceneStructure& structure : state.Structures)
   {
     if (structure.IsForbidden)
     {
-      StudyForbidden one{structure.Label, TitleOf(structure), structure.AlarmDistance,
-                         pipeline.StateOf(StudyStep::Protection, structure.Label)};
+      StudyForbidden one{structure.Id, TitleOf(structure), structure.AlarmDistance,
+                         pipeline.StateOf(SceneStep::Protection, structure.Id)};
       // A newest product may be of what the state was before.
       if (one.State.Is == Kind::UpToDate)
       {
-        one.Protection = pipeline.Newest<StudyProtection>(StudyStep::Protection, structure.Label);
+        one.Protection = pipeline.Newest<SceneProtection>(SceneStep::Protection, structure.Id);
       }
       forbidden.push_back(std::move(one));
     }

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "PalpateSessionModule.h"
+#include "SceneProtection.h"
 #include "StudyPipeline.h"
-#include "StudyProtection.h"
 #include "StudyState.h"
 
 #include <memory>
@@ -14,11 +14,11 @@ namespace palpate
 /// What no drill may remove, as a state and its products have it.
 struct StudyForbidden
 {
-  int Label = 0;
+  int Id = 0;
   std::string Name;
   double AlarmDistance = 0.0;                                  ///< mm
   StudyStepState State;                                        ///< of its protection
-  std::shared_ptr<const StudyProtection> Protection = nullptr; ///< null until it is up to date
+  std::shared_ptr<const SceneProtection> Protection = nullptr; ///< null until it is up to date
 
   bool IsReady() const { return this->Protection != nullptr; }
 };

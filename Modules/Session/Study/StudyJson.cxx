@@ -1,14 +1,10 @@
 #include "StudyJson.h"
 
-#include "DrillLimits.h"
-#include "JsonFields.h"
 #include "JsonText.h"
 #include "Refusal.h"
-#include "StudyFitJson.h"
-#include "TouchToolJson.h"
-#include "TouchWords.h"
-
-#include <algorithm>
+#include "SceneJson.h"
+#include "SceneToolJson.h"
+#include "SessionUpgrade.h"
 
 namespace palpate
 {
@@ -17,19 +13,10 @@ namespace
 using OrderedJson = nlohmann::ordered_json;
 
 constexpr const char* Format = "palpate-study";
-constexpr int Version = 1;
-constexpr double LargestPlace = 1e6;     // mm, of coordinates
-constexpr double LargestStiffness = 1e4; // N/mm
-constexpr double LargestFriction = 10.0;
+constexpr int Version = 2;
+constexpr double LargestPlace = 1e6; // mm, of coordinates
 constexpr double LargestIntensity = 1e300;
 
-const std::initializer_list<const char*> LeftHandedWords{"refuse", "reverse"};
-const std::initializer_list<const char*> AppearanceWords{"automatic", "model", "surface",
-                                                         "error-map", "sub-voxel"};
-const std::initializer_list<const char*> DialWords{
-    "by-hand",      "automatic",    "harmonics-4",      "harmonics-8",
-    "harmonics-12", "harmonics-16", "sub-voxel-linear", "sub-voxel-cubic"};
-const std::initializer_list<const char*> AxesWords{"patient", "camera"};
 const std::initializer_list<const char*> SliceAxesWords{"patient", "volume"};
 
 OrderedJson Numbers(const Vector3& v)
@@ -92,21 +79,13 @@ public:
     JsonFields fields(this->Root, this->File, "study");
     this->CheckFormat(fields);
     this->ReadFiles(fields, state);
-    this->ForEach(fields, "structures", state.Structures, &StudyReader::ReadStructure);
-    if (fields.Has("fit"))
+    if (fields.Has("scene"))
     {
-      state.Fit = ReadFitSettings(this->Root["fit"], this->File);
+      JsonFields scene(this->Root["scene"], this->File, "scene");
+      static_cast<SceneSettings&>(state) =
+          ReadSceneJson(this->Root["scene"], scene, this->Folder, this->File);
+      scene.RefuseOthers();
     }
-    this->ReadField(fields, state);
-    if (fields.Has("tool"))
-    {
-      state.Tool = ReadTouchTool(this->Root["tool"], this->File);
-    }
-    fields.Read("device", state.Device);
-    fields.Read("rate_hz", state.Rate, 1.0, 1e5);
-    fields.ReadChoice("dial", DialWords, state.Dial);
-    this->ReadDrill(fields, state.Drill);
-    this->ReadPlacement(fields, state.Placement);
     this->ForEach(fields, "landmarks", state.Landmarks, &StudyReader::ReadLandmark);
     this->ForEach(fields, "distances", state.Distances, &StudyReader::ReadDistance);
     this->ReadView(fields, state.View);
@@ -148,7 +127,6 @@ private:
     state.VolumeFile = this->ReadPath(fields, "volume");
     fields.Read("dicom_series", state.DicomSeries);
     state.SegmentationFile = this->ReadPath(fields, "segmentation");
-    fields.ReadChoice("left_handed", LeftHandedWords, state.LeftHanded);
   }
 
   // Every object of the list `key`.
@@ -174,30 +152,6 @@ private:
     }
   }
 
-  static StudyStructure ReadStructure(JsonFields& fields)
-  {
-    StudyStructure structure;
-    fields.Read("label", structure.Label, 0, 1'000'000'000);
-    fields.Read("name", structure.Name);
-    Vector3 color(structure.Color[0], structure.Color[1], structure.Color[2]);
-    fields.Read("color", color, 0.0, 1.0);
-    structure.Color = {{color[0], color[1], color[2]}};
-    fields.Read("visible", structure.IsVisible);
-    fields.Read("touchable", structure.IsTouchable);
-    fields.ReadChoice("shown_as", AppearanceWords, structure.Appearance);
-    fields.ReadChoice("representation", RepresentationWords, structure.Representation);
-    fields.Read("degree", structure.Degree, 0, 64);
-    fields.Read("stiffness_n_per_mm", structure.Stiffness, 0.0, LargestStiffness);
-    fields.Read("static_friction", structure.Friction.Static, 0.0, LargestFriction);
-    fields.Read("dynamic_friction", structure.Friction.Dynamic, 0.0, LargestFriction);
-    fields.Read("drill_wear_mm_per_nm", structure.Drill.Wear, 0.0, DrillLimits::Wear);
-    fields.Read("drill_drag_s_per_mm", structure.Drill.Drag, 0.0, DrillLimits::Drag);
-    fields.Read("drill_vibration", structure.Drill.Vibration, 0.0, 1.0);
-    fields.Read("forbidden", structure.IsForbidden);
-    fields.Read("alarm_mm", structure.AlarmDistance, 0.0, DrillLimits::Alarm);
-    return structure;
-  }
-
   static StudyLandmark ReadLandmark(JsonFields& fields)
   {
     StudyLandmark landmark;
@@ -213,41 +167,6 @@ private:
     ReadPlace(fields, "from_mm", distance.FromWorld);
     ReadPlace(fields, "to_mm", distance.ToWorld);
     return distance;
-  }
-
-  void ReadField(JsonFields& fields, StudyState& state) const
-  {
-    if (fields.Has("field"))
-    {
-      JsonFields field(this->Root["field"], this->File, "field");
-      field.ReadChoice("interpolation", InterpolationWords, state.Interpolation);
-      field.Read("smoothing_voxels", state.FieldSmoothing, 0.0, 8.0);
-      field.RefuseOthers();
-    }
-  }
-
-  void ReadDrill(JsonFields& fields, TouchDrillSettings& drill) const
-  {
-    if (fields.Has("drill"))
-    {
-      JsonFields entry(this->Root["drill"], this->File, "drill");
-      entry.Read("turns_per_s", drill.Turns, 0.0, DrillLimits::Turns);
-      entry.Read("vibration_hz", drill.VibrationFrequency, 0.0, DrillLimits::Vibration);
-      entry.RefuseOthers();
-    }
-  }
-
-  void ReadPlacement(JsonFields& fields, StudyPlacement& placement) const
-  {
-    if (fields.Has("placement"))
-    {
-      JsonFields place(this->Root["placement"], this->File, "placement");
-      ReadIfGiven(place, "scale", placement.Scale, 1e-3, 1e3);
-      ReadIfGiven(place, "center_mm", placement.CenterWorld,
-                  [&](Vector3& center) { ReadPlace(place, "center_mm", center); });
-      place.ReadChoice("axes", AxesWords, placement.AxesFollowCamera);
-      place.RefuseOthers();
-    }
   }
 
   void ReadView(JsonFields& fields, StudyView& view) const
@@ -272,26 +191,6 @@ private:
   const std::filesystem::path& File;
 };
 
-OrderedJson AsJson(const StudyStructure& structure)
-{
-  return {{"label", structure.Label},
-          {"name", structure.Name},
-          {"color", structure.Color},
-          {"visible", structure.IsVisible},
-          {"touchable", structure.IsTouchable},
-          {"shown_as", WordOf(AppearanceWords, structure.Appearance)},
-          {"representation", WordOf(RepresentationWords, structure.Representation)},
-          {"degree", structure.Degree},
-          {"stiffness_n_per_mm", structure.Stiffness},
-          {"static_friction", structure.Friction.Static},
-          {"dynamic_friction", structure.Friction.Dynamic},
-          {"drill_wear_mm_per_nm", structure.Drill.Wear},
-          {"drill_drag_s_per_mm", structure.Drill.Drag},
-          {"drill_vibration", structure.Drill.Vibration},
-          {"forbidden", structure.IsForbidden},
-          {"alarm_mm", structure.AlarmDistance}};
-}
-
 OrderedJson AsJson(const StudyLandmark& landmark)
 {
   return {{"name", landmark.Name}, {"position_mm", Numbers(landmark.PositionWorld)}};
@@ -315,15 +214,6 @@ OrderedJson AsJson(const std::vector<T>& values)
   return list;
 }
 
-OrderedJson AsJson(const StudyPlacement& placement)
-{
-  OrderedJson object = OrderedJson::object();
-  AddIfGiven(object, "scale", placement.Scale);
-  AddIfGiven(object, "center_mm", placement.CenterWorld);
-  object["axes"] = WordOf(AxesWords, placement.AxesFollowCamera);
-  return object;
-}
-
 OrderedJson AsJson(const StudyView& view)
 {
   OrderedJson object = OrderedJson::object();
@@ -342,7 +232,7 @@ void AddPath(OrderedJson& root, const char* key, const std::filesystem::path& pa
 {
   if (!path.empty())
   {
-    root[key] = path.lexically_proximate(folder).generic_u8string();
+    root[key] = RelativeFile(path, folder);
   }
 }
 
@@ -355,18 +245,8 @@ OrderedJson AsJson(const StudyState& state, const std::filesystem::path& folder)
     root["dicom_series"] = state.DicomSeries;
   }
   AddPath(root, "segmentation", state.SegmentationFile, folder);
-  root["left_handed"] = WordOf(LeftHandedWords, state.LeftHanded);
-  root["structures"] = AsJson(state.Structures);
-  root["fit"] = FitSettingsJson(state.Fit);
-  root["field"] = {{"interpolation", WordOf(InterpolationWords, state.Interpolation)},
-                   {"smoothing_voxels", state.FieldSmoothing}};
-  root["tool"] = TouchToolJson(state.Tool, folder);
-  root["drill"] = {{"turns_per_s", state.Drill.Turns},
-                   {"vibration_hz", state.Drill.VibrationFrequency}};
-  root["device"] = state.Device;
-  root["rate_hz"] = state.Rate;
-  root["dial"] = WordOf(DialWords, state.Dial);
-  root["placement"] = AsJson(state.Placement);
+  root["scene"] = OrderedJson::object();
+  AddSceneJson(root["scene"], state, folder);
   root["landmarks"] = AsJson(state.Landmarks);
   root["distances"] = AsJson(state.Distances);
   root["view"] = AsJson(state.View);
@@ -391,7 +271,8 @@ std::string StudyText(const StudyState& state, const std::filesystem::path& fold
 StudyState StudyFromText(const std::string& text, const std::filesystem::path& folder,
                          const std::filesystem::path& file)
 {
-  const nlohmann::json root = ParseJson(text, file, "mend it there, or open another session");
+  nlohmann::json root = ParseJson(text, file, "mend it there, or open another session");
+  UpgradeSession(root);
   return StudyReader(root, folder, file).Read();
 }
 } // namespace palpate

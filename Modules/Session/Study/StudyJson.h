@@ -8,7 +8,7 @@
 
 namespace palpate
 {
-/// A state as the text of a session file: "format": "palpate-study", "version": 1; every number's
+/// A state as the text of a session file: "format": "palpate-study", "version": 2; every number's
 /// name ends with its unit. Paths are relative to `folder`. Throws InputError, about `file`, for
 /// names that are no UTF-8.
 PALPATESESSION_EXPORT std::string StudyText(const StudyState& state,

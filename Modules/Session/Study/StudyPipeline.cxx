@@ -1,6 +1,7 @@
 #include "StudyPipeline.h"
 
 #include "InputError.h"
+#include "SceneLabels.h"
 
 #include <algorithm>
 #include <array>
@@ -15,7 +16,7 @@ StudyStepState Failed(const std::string& sentence)
 }
 
 // What has failed, unless something else does its work.
-StudyStepState Lost(const StudyNode& node, const std::string& sentence)
+StudyStepState Lost(const SceneNode& node, const std::string& sentence)
 {
   return node.Advice.empty() ? Failed(sentence)
                              : StudyStepState{StudyStepState::Kind::Replaced, 0.0, {}, node.Advice};
@@ -48,15 +49,9 @@ StudyPipeline::~StudyPipeline()
 
 void StudyPipeline::Update(const StudyState& state)
 {
-  const bool isOtherVolume = state.VolumeFile != this->State.VolumeFile;
-  const bool isOtherSegmentation = state.SegmentationFile != this->State.SegmentationFile;
-  const bool isOtherTool = state.Tool.File != this->State.Tool.File;
   for (auto shown = this->Shown.begin(); shown != this->Shown.end();)
   {
-    const StudyStep step = shown->first.first;
-    const bool isStale = step == StudyStep::Volume ? isOtherVolume
-                         : step == StudyStep::Tool ? isOtherTool
-                                                   : isOtherSegmentation;
+    const bool isStale = this->IsOfOtherFile(shown->first, state);
     this->ShownCount += isStale ? 1 : 0;
     shown = isStale ? this->Shown.erase(shown) : std::next(shown);
   }
@@ -65,18 +60,37 @@ void StudyPipeline::Update(const StudyState& state)
   this->Advance();
 }
 
+// Whether the place is another file's in the next state.
+bool StudyPipeline::IsOfOtherFile(const Place& place, const StudyState& next) const
+{
+  switch (place.first)
+  {
+  case SceneStep::Volume:
+    return next.VolumeFile != this->State.VolumeFile;
+  case SceneStep::Tool:
+    return next.Tool.File != this->State.Tool.File;
+  default:
+    break;
+  }
+  const SceneStructure* before = FindStructure(this->State, place.second);
+  const SceneStructure* after = FindStructure(next, place.second);
+  return before == nullptr || after == nullptr
+             ? next.SegmentationFile != this->State.SegmentationFile
+             : before->File != after->File;
+}
+
 // What to do now that the state or a product is another one.
 void StudyPipeline::Advance()
 {
   this->Plan = PlanStudy(this->State, this->Stamps,
                          [this](const std::string& key)
                          {
-                           const StudyProduct* product = this->ProductOf(key);
+                           const SceneProduct* product = this->ProductOf(key);
                            return product != nullptr ? product : this->Cache.Find(key);
                          });
   this->TakeFromCache();
   this->ForgetWhatIsNotWanted();
-  for (const StudyNode& node : this->Plan)
+  for (const SceneNode& node : this->Plan)
   {
     if (this->IsReady(node))
     {
@@ -87,10 +101,10 @@ void StudyPipeline::Advance()
 
 void StudyPipeline::TakeFromCache()
 {
-  std::unordered_map<std::string, StudyProduct> wanted;
-  for (const StudyNode& node : this->Plan)
+  std::unordered_map<std::string, SceneProduct> wanted;
+  for (const SceneNode& node : this->Plan)
   {
-    const StudyProduct* product = this->ProductOf(node.Key);
+    const SceneProduct* product = this->ProductOf(node.Key);
     product = product != nullptr ? product : this->Cache.Find(node.Key);
     if (product != nullptr)
     {
@@ -105,10 +119,10 @@ void StudyPipeline::ForgetWhatIsNotWanted()
 {
   std::set<std::string> keys;
   std::set<Place> places;
-  for (const StudyNode& node : this->Plan)
+  for (const SceneNode& node : this->Plan)
   {
     keys.insert(node.Key);
-    places.insert({node.Step, node.Label});
+    places.insert({node.Step, node.Id});
   }
   for (auto run = this->Running.begin(); run != this->Running.end();)
   {
@@ -131,21 +145,21 @@ void StudyPipeline::ForgetWhatIsNotWanted()
   }
 }
 
-bool StudyPipeline::IsReady(const StudyNode& node) const
+bool StudyPipeline::IsReady(const SceneNode& node) const
 {
   const bool isOpen = !node.Key.empty() && this->ProductOf(node.Key) == nullptr &&
                       this->Running.count(node.Key) == 0 && this->Held.count(node.Key) == 0;
   return isOpen && std::all_of(node.Inputs.begin(), node.Inputs.end(),
                                [this](const std::string& input)
                                {
-                                 const StudyProduct* product = this->ProductOf(input);
+                                 const SceneProduct* product = this->ProductOf(input);
                                  return product != nullptr && FailureOf(*product).empty();
                                });
 }
 
-void StudyPipeline::Start(const StudyNode& node)
+void StudyPipeline::Start(const SceneNode& node)
 {
-  std::vector<StudyProduct> inputs;
+  std::vector<SceneProduct> inputs;
   for (const std::string& input : node.Inputs)
   {
     inputs.push_back(*this->ProductOf(input));
@@ -159,23 +173,23 @@ void StudyPipeline::Start(const StudyNode& node)
                               { this->Finish(key, product); });
   };
   job.Fail = [this, key = node.Key](const std::string& sentence)
-  { this->Finish(key, StudyFailure{sentence}); };
+  { this->Finish(key, SceneFailure{sentence}); };
   this->Running[node.Key] = this->Jobs.Start(std::move(job));
   ++this->Started;
 }
 
-void StudyPipeline::Finish(const std::string& key, StudyProduct product)
+void StudyPipeline::Finish(const std::string& key, SceneProduct product)
 {
   this->Running.erase(key);
   this->Cache.Store(key, std::move(product));
   this->Advance();
 }
 
-void StudyPipeline::Show(const StudyNode& node, const StudyProduct& product)
+void StudyPipeline::Show(const SceneNode& node, const SceneProduct& product)
 {
-  const Place place{node.Step, node.Label};
+  const Place place{node.Step, node.Id};
   const auto shown = this->Shown.find(place);
-  if (std::holds_alternative<StudyFailure>(product))
+  if (std::holds_alternative<SceneFailure>(product))
   {
     this->ShownCount += this->Shown.erase(place);
   }
@@ -186,21 +200,21 @@ void StudyPipeline::Show(const StudyNode& node, const StudyProduct& product)
   }
 }
 
-const StudyProduct* StudyPipeline::ProductOf(const std::string& key) const
+const SceneProduct* StudyPipeline::ProductOf(const std::string& key) const
 {
   const auto found = this->Current.find(key);
   return found != this->Current.end() ? &found->second : nullptr;
 }
 
-std::string StudyPipeline::InputFailureOf(const StudyNode& node) const
+std::string StudyPipeline::InputFailureOf(const SceneNode& node) const
 {
-  for (const StudyNode& before : this->Plan)
+  for (const SceneNode& before : this->Plan)
   {
     const bool isInput = !before.Key.empty() && std::find(node.Inputs.begin(), node.Inputs.end(),
                                                           before.Key) != node.Inputs.end();
     if (isInput)
     {
-      const StudyProduct* product = this->ProductOf(before.Key);
+      const SceneProduct* product = this->ProductOf(before.Key);
       const std::string failure =
           product != nullptr ? FailureOf(*product) : this->InputFailureOf(before);
       if (!failure.empty())
@@ -212,9 +226,9 @@ std::string StudyPipeline::InputFailureOf(const StudyNode& node) const
   return {};
 }
 
-bool StudyPipeline::IsCancelled(const StudyNode& node) const
+bool StudyPipeline::IsCancelled(const SceneNode& node) const
 {
-  const auto isOfCancelled = [&](const StudyNode& before)
+  const auto isOfCancelled = [&](const SceneNode& before)
   {
     const bool isInput = !before.Key.empty() && std::find(node.Inputs.begin(), node.Inputs.end(),
                                                           before.Key) != node.Inputs.end();
@@ -224,9 +238,9 @@ bool StudyPipeline::IsCancelled(const StudyNode& node) const
          std::any_of(this->Plan.begin(), this->Plan.end(), isOfCancelled);
 }
 
-StudyStepState StudyPipeline::StateOf(const StudyNode& node) const
+StudyStepState StudyPipeline::StateOf(const SceneNode& node) const
 {
-  if (const StudyProduct* product = this->ProductOf(node.Key))
+  if (const SceneProduct* product = this->ProductOf(node.Key))
   {
     const std::string failure = FailureOf(*product);
     return failure.empty() ? Simply(StudyStepState::Kind::UpToDate) : Lost(node, failure);
@@ -248,10 +262,23 @@ StudyStepState StudyPipeline::StateOf(const StudyNode& node) const
   return waiting;
 }
 
-StudyStepState StudyPipeline::StateOfStructure(int label) const
+StudyStepState StudyPipeline::StateOfStructure(int id) const
 {
-  const StudyStepState whole = this->StateOf(StudyStep::Segmentation, 0);
-  const auto segmentation = this->Newest<Segmentation>(StudyStep::Segmentation);
+  const SceneStructure* structure = FindStructure(this->State, id);
+  if (structure == nullptr || structure->Source() != SceneSource::Label)
+  {
+    return Simply(StudyStepState::Kind::UpToDate);
+  }
+  const auto node =
+      std::find_if(this->Plan.begin(), this->Plan.end(),
+                   [structure](const SceneNode& one)
+                   { return one.Step == SceneStep::Segmentation && one.Reads == structure->File; });
+  if (node == this->Plan.end())
+  {
+    return {};
+  }
+  const StudyStepState whole = this->StateOf(*node);
+  const auto segmentation = ProductAs<Segmentation>(this->ProductOf(node->Key));
   if (whole.Is != StudyStepState::Kind::UpToDate || segmentation == nullptr)
   {
     return whole.Is == StudyStepState::Kind::Running ? Simply(StudyStepState::Kind::NeedsUpdate)
@@ -259,7 +286,7 @@ StudyStepState StudyPipeline::StateOfStructure(int label) const
   }
   try
   {
-    segmentation->Find(std::to_string(label));
+    SegmentOf(*structure, *segmentation);
     return Simply(StudyStepState::Kind::UpToDate);
   }
   catch (const InputError& error)
@@ -268,15 +295,15 @@ StudyStepState StudyPipeline::StateOfStructure(int label) const
   }
 }
 
-StudyStepState StudyPipeline::StateOf(StudyStep step, int label) const
+StudyStepState StudyPipeline::StateOf(SceneStep step, int id) const
 {
-  if (step == StudyStep::Structures)
+  if (step == SceneStep::Structures)
   {
-    return this->StateOfStructure(label);
+    return this->StateOfStructure(id);
   }
-  for (const StudyNode& node : this->Plan)
+  for (const SceneNode& node : this->Plan)
   {
-    if (node.Step == step && node.Label == label)
+    if (node.Step == step && node.Id == id)
     {
       return this->StateOf(node);
     }
@@ -284,16 +311,16 @@ StudyStepState StudyPipeline::StateOf(StudyStep step, int label) const
   return {};
 }
 
-StudyStepState StudyPipeline::StateOf(StudyStep step) const
+StudyStepState StudyPipeline::StateOf(SceneStep step) const
 {
-  if (step == StudyStep::Volume || step == StudyStep::Segmentation || step == StudyStep::Tool)
+  if (step == SceneStep::Volume || step == SceneStep::Segmentation || step == SceneStep::Tool)
   {
     return this->StateOf(step, 0);
   }
   StudyStepState worst;
-  for (const StudyStructure& structure : this->State.Structures)
+  for (const SceneStructure& structure : this->State.Structures)
   {
-    const StudyStepState one = this->StateOf(step, structure.Label);
+    const StudyStepState one = this->StateOf(step, structure.Id);
     worst = one.Is > worst.Is ? one : worst;
   }
   return worst;
@@ -302,7 +329,7 @@ StudyStepState StudyPipeline::StateOf(StudyStep step) const
 std::vector<std::string> StudyPipeline::Advice() const
 {
   std::vector<std::string> sentences;
-  for (const StudyNode& node : this->Plan)
+  for (const SceneNode& node : this->Plan)
   {
     const bool isTrue = !node.Advice.empty() && this->ProductOf(node.Replacement) != nullptr;
     if (isTrue && (sentences.empty() || sentences.back() != node.Advice))
@@ -314,9 +341,9 @@ std::vector<std::string> StudyPipeline::Advice() const
 }
 
 template <typename Do>
-void StudyPipeline::ForEachNode(StudyStep step, const Do& act)
+void StudyPipeline::ForEachNode(SceneStep step, const Do& act)
 {
-  for (const StudyNode& node : this->Plan)
+  for (const SceneNode& node : this->Plan)
   {
     if (node.Step == step && !node.Key.empty())
     {
@@ -325,10 +352,10 @@ void StudyPipeline::ForEachNode(StudyStep step, const Do& act)
   }
 }
 
-void StudyPipeline::Cancel(StudyStep step)
+void StudyPipeline::Cancel(SceneStep step)
 {
   this->ForEachNode(step,
-                    [this](const StudyNode& node)
+                    [this](const SceneNode& node)
                     {
                       if (this->ProductOf(node.Key) == nullptr)
                       {
@@ -343,18 +370,18 @@ void StudyPipeline::Cancel(StudyStep step)
                     });
 }
 
-void StudyPipeline::Resume(StudyStep step)
+void StudyPipeline::Resume(SceneStep step)
 {
-  this->ForEachNode(step, [this](const StudyNode& node) { this->Held.erase(node.Key); });
+  this->ForEachNode(step, [this](const SceneNode& node) { this->Held.erase(node.Key); });
   this->Advance();
 }
 
-void StudyPipeline::Retry(StudyStep step)
+void StudyPipeline::Retry(SceneStep step)
 {
   this->ForEachNode(step,
-                    [this](const StudyNode& node)
+                    [this](const SceneNode& node)
                     {
-                      const StudyProduct* product = this->ProductOf(node.Key);
+                      const SceneProduct* product = this->ProductOf(node.Key);
                       if (product != nullptr && !FailureOf(*product).empty())
                       {
                         this->Current.erase(node.Key);

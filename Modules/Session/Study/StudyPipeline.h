@@ -42,7 +42,7 @@ PALPATESESSION_EXPORT const char* NameOf(StudyStepState::Kind kind);
 
 /// Makes what a state wants, beside the thread that owns it, and keeps what it made: a state that
 /// was there before is there again at once. Nothing is made twice, and nothing for structures that
-/// are neither shown nor touched. Structures are named by their label in the segmentation.
+/// are neither shown nor touched. Structures are named by their id.
 class PALPATESESSION_EXPORT StudyPipeline
 {
 public:
@@ -58,26 +58,31 @@ public:
   /// Looks whether files were written anew.
   void Update(const StudyState& state);
 
-  StudyStepState StateOf(StudyStep step, int label) const;
+  StudyStepState StateOf(SceneStep step, int id) const;
   /// Of all structures together: running where one runs, failed where one failed, and so on.
-  StudyStepState StateOf(StudyStep step) const;
+  StudyStepState StateOf(SceneStep step) const;
 
   /// A sentence for each structure that is touched or shown by something else than was tried first,
   /// since that failed. In the order of structures.
   std::vector<std::string> Advice() const;
 
   /// Stops a step and does not begin it again by itself, until Resume or other settings.
-  void Cancel(StudyStep step);
-  void Resume(StudyStep step);
+  void Cancel(SceneStep step);
+  void Resume(SceneStep step);
   /// Tries again what failed.
-  void Retry(StudyStep step);
+  void Retry(SceneStep step);
 
   /// The newest product of a step, or nothing: while another one is being made the one before.
   template <typename T>
-  std::shared_ptr<const T> Newest(StudyStep step, int label = 0) const
+  std::shared_ptr<const T> Newest(SceneStep step, int id = 0) const
   {
-    const auto found = this->Shown.find({step, label});
-    return found != this->Shown.end() ? ProductAs<T>(&found->second) : nullptr;
+    return ProductAs<T>(this->NewestProduct(step, id));
+  }
+  /// The same whatever its type; null where there is none.
+  const SceneProduct* NewestProduct(SceneStep step, int id) const
+  {
+    const auto found = this->Shown.find({step, id});
+    return found != this->Shown.end() ? &found->second : nullptr;
   }
   /// Grows whenever a newest product is another one.
   std::uint64_t Revision() const { return this->ShownCount; }
@@ -85,32 +90,33 @@ public:
   std::uint64_t StartedCount() const { return this->Started; }
 
 private:
-  using Place = std::pair<StudyStep, int>;
+  using Place = std::pair<SceneStep, int>;
 
+  bool IsOfOtherFile(const Place& place, const StudyState& next) const;
   void Advance();
   void TakeFromCache();
   void ForgetWhatIsNotWanted();
-  void Start(const StudyNode& node);
-  bool IsReady(const StudyNode& node) const;
-  void Finish(const std::string& key, StudyProduct product);
-  void Show(const StudyNode& node, const StudyProduct& product);
-  const StudyProduct* ProductOf(const std::string& key) const;
-  StudyStepState StateOf(const StudyNode& node) const;
-  StudyStepState StateOfStructure(int label) const;
-  std::string InputFailureOf(const StudyNode& node) const;
-  bool IsCancelled(const StudyNode& node) const;
+  void Start(const SceneNode& node);
+  bool IsReady(const SceneNode& node) const;
+  void Finish(const std::string& key, SceneProduct product);
+  void Show(const SceneNode& node, const SceneProduct& product);
+  const SceneProduct* ProductOf(const std::string& key) const;
+  StudyStepState StateOf(const SceneNode& node) const;
+  StudyStepState StateOfStructure(int id) const;
+  std::string InputFailureOf(const SceneNode& node) const;
+  bool IsCancelled(const SceneNode& node) const;
   template <typename Do>
-  void ForEachNode(StudyStep step, const Do& act);
+  void ForEachNode(SceneStep step, const Do& act);
 
   StudyJobs& Jobs;
   StudyCache Cache;
   StudyState State;
-  StudyStamps Stamps;
-  std::vector<StudyNode> Plan;
-  std::unordered_map<std::string, StudyProduct> Current; ///< of the plan, whatever the cache drops
+  SceneStamps Stamps;
+  std::vector<SceneNode> Plan;
+  std::unordered_map<std::string, SceneProduct> Current; ///< of the plan, whatever the cache drops
   std::unordered_map<std::string, StudyJobs::Id> Running;
   std::set<std::string> Held; ///< cancelled by the user
-  std::map<Place, StudyProduct> Shown;
+  std::map<Place, SceneProduct> Shown;
   std::uint64_t ShownCount = 0;
   std::uint64_t Started = 0;
 };

@@ -126,7 +126,7 @@ const StudyTouchReading& StudyReplay::Poll(const std::vector<int>& labels)
   this->Reading.Newest = ticks[now];
   this->Reading.Safety = SafetyText(ticks[now]);
   const auto touched = static_cast<std::size_t>(ticks[now].Structure);
-  this->Reading.TouchedLabel = touched < labels.size() ? labels[touched] : 0;
+  this->Reading.TouchedId = touched < labels.size() ? labels[touched] : 0;
   return this->Reading;
 }
 } // namespace palpate

@@ -1,10 +1,7 @@
 #pragma once
 
-#include "FitSettings.h"
-#include "LeftHandedAxes.h"
 #include "PalpateSessionModule.h"
-#include "StudyDial.h"
-#include "TouchSettings.h"
+#include "SceneSettings.h"
 
 #include <array>
 #include <filesystem>
@@ -14,56 +11,6 @@
 
 namespace palpate
 {
-/// As what a structure is shown. An error map is its model, coloured by the distance from the
-/// surface of its mask.
-enum class StudyAppearance
-{
-  Automatic, ///< as what it is touched
-  Model,
-  Surface, ///< of its mask
-  ErrorMap,
-  SubVoxel ///< volume: the field's own surface, ray by ray
-};
-constexpr std::array<StudyAppearance, 5> AllStudyAppearances{
-    {StudyAppearance::Automatic, StudyAppearance::Model, StudyAppearance::Surface,
-     StudyAppearance::ErrorMap, StudyAppearance::SubVoxel}};
-
-/// "automatic", "model", "surface", "error map", "sub-voxel volume".
-PALPATESESSION_EXPORT const char* NameOf(StudyAppearance appearance);
-
-/// A structure of the segmentation, and how it is to be seen and felt.
-struct StudyStructure
-{
-  int Label = 0;                                ///< by which the segmentation names it
-  std::string Name;                             ///< may be empty (see TitleOf)
-  std::array<double, 3> Color{{0.9, 0.6, 0.4}}; ///< red, green, blue in 0..1
-  bool IsVisible = true;
-  bool IsTouchable = true;
-  StudyAppearance Appearance = StudyAppearance::Automatic;
-  /// Automatic: by harmonics, and by the sub-voxel field where those are refused.
-  TouchRepresentation Representation = TouchRepresentation::Automatic;
-  int Degree = 12;        ///< of the harmonics
-  double Stiffness = 0.5; ///< N/mm
-  SurfaceFriction Friction;
-  DrillLaw Drill;             ///< how it gives way to the drill; without wear it does not
-  bool IsForbidden = false;   ///< no drill removes any of it
-  double AlarmDistance = 2.0; ///< mm from the drill to it, where it is forbidden
-
-  /// Then it is touched by its sub-voxel field, whatever else is chosen.
-  bool IsDrilled() const noexcept
-  {
-    return GivesWayToDrill(this->IsTouchable, this->IsForbidden, this->Drill);
-  }
-};
-
-/// Where the device's workspace lies in the patient.
-struct StudyPlacement
-{
-  std::optional<double> Scale; ///< mm of the scene for one of the device; none: all is in reach
-  std::optional<Vector3> CenterWorld; ///< mm, of the workspace; none: the middle of the scene
-  bool AxesFollowCamera = true;       ///< else they are the patient's
-};
-
 /// A point with a name; mm, patient LPS.
 struct StudyLandmark
 {
@@ -93,35 +40,19 @@ struct StudyView
   bool SlicesFollowProbe = false;
 };
 
-/// All that is open and how, as a value: what a session file holds and what undo goes back to.
-/// Files are absolute and normal (see StudyPath), or empty.
-struct StudyState
+/// All that is open and how, as a value: a scene with what the window adds. A session file holds
+/// it, and undo goes back to it. Files are absolute and normal (see StudyPath), or empty.
+struct StudyState : SceneSettings
 {
-  std::filesystem::path VolumeFile; ///< or the folder of a DICOM series
-  std::string DicomSeries;          ///< see VolumeChoice
-  std::filesystem::path SegmentationFile;
-  LeftHandedAxes LeftHanded = LeftHandedAxes::Reverse; ///< of both files
-
-  std::vector<StudyStructure> Structures;
-  FitSettings Fit; ///< of all structures, but for the degree, which is that of new ones
-  FieldInterpolation Interpolation = FieldInterpolation::Trilinear; ///< of sub-voxel fields
-  double FieldSmoothing = 1.0;                                      ///< of them, in voxels
-
-  TouchToolSettings Tool;
-  TouchDrillSettings Drill;         ///< how the tool runs where something is drilled
-  std::string Device = "simulated"; ///< as DeviceRegistry::Make takes it
-  double Rate = 1000.0;             ///< Hz, of the servo
-  /// Else how structures are felt is not as they and `Interpolation` say.
-  StudyDial Dial = StudyDial::ByHand;
-  StudyPlacement Placement;
+  std::filesystem::path VolumeFile;       ///< or the folder of a DICOM series
+  std::string DicomSeries;                ///< see VolumeChoice
+  std::filesystem::path SegmentationFile; ///< its labels lie over the slices
 
   std::vector<StudyLandmark> Landmarks;
   std::vector<StudyDistance> Distances;
   StudyView View;
 };
 
-PALPATESESSION_EXPORT bool operator==(const StudyStructure& a, const StudyStructure& b);
-PALPATESESSION_EXPORT bool operator==(const StudyPlacement& a, const StudyPlacement& b);
 PALPATESESSION_EXPORT bool operator==(const StudyLandmark& a, const StudyLandmark& b);
 PALPATESESSION_EXPORT bool operator==(const StudyDistance& a, const StudyDistance& b);
 PALPATESESSION_EXPORT bool operator==(const StudyView& a, const StudyView& b);
@@ -134,13 +65,4 @@ inline bool operator!=(const StudyState& a, const StudyState& b)
 /// A file as a state names it, whatever the program's folder is later; empty stays empty.
 PALPATESESSION_EXPORT std::filesystem::path StudyPath(const std::filesystem::path& file);
 
-/// Its name, or "label 3" where it has none.
-PALPATESESSION_EXPORT std::string TitleOf(const StudyStructure& structure);
-
-/// The structure of a label, or nothing.
-PALPATESESSION_EXPORT const StudyStructure* FindStructure(const StudyState& state, int label);
-
-/// How a structure of a state is fitted.
-PALPATESESSION_EXPORT FitSettings FitSettingsOf(const StudyState& state,
-                                                const StudyStructure& structure);
 } // namespace palpate

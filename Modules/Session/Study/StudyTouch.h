@@ -1,17 +1,10 @@
 #pragma once
 
-#include "Clock.h"
-#include "EndBeforeExit.h"
-#include "HapticDevice.h"
 #include "PalpateSessionModule.h"
-#include "PeriodStatistics.h"
-#include "RealtimeThread.h"
-#include "ServoThread.h"
+#include "SceneContacts.h"
 #include "StudyDrill.h"
-#include "StudyScene.h"
 #include "StudyState.h"
-#include "TouchWatch.h"
-#include "WorkspaceClutch.h"
+#include "TouchSession.h"
 
 #include <cstdint>
 #include <filesystem>
@@ -22,30 +15,26 @@
 
 namespace palpate
 {
-class TouchRecorder;
-
-/// What a touch is like now.
+/// How a touch is going.
 struct StudyTouchReading
 {
   TouchState Newest;
   std::vector<TouchState> NewTicks; ///< since the last reading, oldest first
-  int TouchedLabel = 0;             ///< of the structure touched most deeply; 0 without touch
+  int TouchedId = 0;                ///< of the structure touched most deeply; 0 without touch
   std::string Safety;               ///< what the safety chain does, in plain words
-  std::string Degraded;             ///< what is felt in place of the models; empty without
-  std::string DeviceProblem;        ///< in one sentence; empty without
-  std::string Guidance;             ///< what the person should do now; empty where nothing
+  std::string DeviceProblem;        ///< one message; empty without
+  std::string Guidance;             ///< what the person should do now; empty without
   PeriodStatistics Periods;         ///< ns from tick to tick; misses are those left out
   PeriodStatistics Durations;       ///< ns that ticks took; misses are late ones
   std::uint64_t LostTicks = 0;      ///< that no reading has seen
-  std::uint64_t RecordedTicks = 0;  ///< of the recording that goes on, or went on last
-  std::string RecordingProblem;     ///< why a recording ended by itself; empty without
-  bool IsClutched = false;          ///< the tool is held, and nothing is felt
+  std::uint64_t RecordedTicks = 0;  ///< of the current or the last recording
+  std::string RecordingProblem;     ///< why a recording ended early; empty without
+  bool IsClutched = false;          ///< the tool is held, and touch is off
   StudyDrillReading Drill;          ///< empty where nothing is drilled
 };
 
-/// A study while it is touched: a device, a servo on its thread, and the scene that follows what
-/// the study becomes. For the thread that owns it, which never waits but in Start, Stop and where a
-/// recording begins.
+/// A study while it is touched: a session whose scene follows what the study becomes. For the
+/// thread that owns it, which waits only in Start, Stop and where a recording begins.
 class PALPATESESSION_EXPORT StudyTouch
 {
 public:
@@ -53,49 +42,43 @@ public:
   explicit StudyTouch(Clock& clock, const RealtimeRequest& request = {});
   StudyTouch(const StudyTouch&) = delete;
   StudyTouch& operator=(const StudyTouch&) = delete;
-  /// Stops, forces first.
-  ~StudyTouch();
 
   /// Begins with an open device. Fails, and closes it, where there is nothing to touch or the tool
   /// cannot touch it.
   Status Start(std::unique_ptr<HapticDevice> opened, const StudyState& state,
-               const std::vector<StudyContact>& contacts);
-  bool IsRunning() const { return this->Thread != nullptr; }
+               const std::vector<SceneContact>& contacts);
+  bool IsRunning() const { return this->Session.IsRunning(); }
   /// 0 N; the device is closed. What was recorded is kept.
   void Stop();
 
-  /// Feels `state` from now on; nothing where nothing is different that can be felt. The servo goes
-  /// on, and what is touched goes on from how it was felt (SceneEntry::Continuing). Where the state
-  /// cannot be felt the one before stays. Device and rate are taken by the next Start.
-  Status Update(const StudyState& state, const std::vector<StudyContact>& contacts);
+  /// Touches `state` from now on; no effect where it differs in nothing that can be felt. The servo
+  /// goes on, and what is touched continues from how it was felt (SceneEntry::Continuing). A state
+  /// that cannot be touched leaves the one before. Device and rate are taken by the next Start.
+  Status Update(const StudyState& state, const std::vector<SceneContact>& contacts);
   /// The device's axes in the world, where the placement wants them to follow the camera: taken by
   /// the next Update.
   void TurnAxes(const Matrix3& rotation) { this->CameraAxes = rotation; }
   /// Makes all of the scene reachable again at the next Update, which fades in: the hand may be
-  /// anywhere in it. By itself the workspace stays where it was when the touch began, lest the hand
+  /// anywhere in it. Otherwise the workspace stays where it was when the touch began, lest the hand
   /// jump.
-  void FitWorkspace()
-  {
-    this->Automatic.reset();
-    this->Moved.setZero();
-  }
-  /// What StudyPlacement::CenterWorld has to be for the workspace's middle to come to lie there:
-  /// the clutch has moved it besides.
-  Vector3 PlacementFor(const Vector3& centerWorld) const { return centerWorld - this->Moved; }
-  const WorkspaceFrame& Frame() const { return this->Felt.Frame; }
+  void FitWorkspace() { this->Automatic.reset(); }
+  /// What ScenePlacement::CenterWorld has to be for the workspace's centre to come to lie there:
+  /// the clutch has moved it as well.
+  Vector3 PlacementFor(const Vector3& centerWorld) const { return centerWorld - this->Moved(); }
+  const WorkspaceFrame& Frame() const { return this->Session.Frame(); }
 
   /// 0 N from the next tick on, until SwitchForcesOn; the hand is followed all the same.
   void SwitchForcesOff();
   void SwitchForcesOn();
 
-  /// Where the hand of a simulated device wants to be (mm): there, or as near to it as the device
-  /// reaches. False, and nothing else, for a device with a hand of its own.
+  /// Leads the hand of a simulated device there (mm), or as near to it as the device reaches.
+  /// False, without effect, for a device with a hand of its own.
   bool MoveHand(const Vector3& targetWorld);
-  /// Begins such a hand before what is felt, as seen by a viewer.
+  /// Begins such a hand in front of the scene, as seen by a viewer.
   bool PlaceHand(const Vector3& towardsViewerWorld);
-  /// Where it wants to be now (mm); with the workspace it moves too.
-  Vector3 HandWorld() const { return this->Felt.Frame.ToWorld(this->Hand); }
-  /// The device's button, from 0, that holds the workspace while it is pressed: a Falcon's middle.
+  /// Where it is led (mm); with the workspace it moves too.
+  Vector3 HandWorld() const { return this->Session.HandWorld(); }
+  /// The device's button, from 0, that holds the workspace while it is pressed: a Falcon's centre.
   static constexpr int ClutchButton = 2;
   /// The button that is the drill's pedal; the servo itself reads it.
   static constexpr int DrillButton = 0;
@@ -104,74 +87,56 @@ public:
   void Forbid(std::vector<StudyForbidden> forbidden) { this->Forbidden = std::move(forbidden); }
   /// What is drilled; it stays when a touch ends.
   StudyDrill& Drill() { return this->Drilled; }
-  /// The drill's pedal, and commands to who drills, while something is touched.
+  /// The drill's pedal, and commands to the drill's editor, while something is touched.
   void RunDrill(bool runs);
   void Command(DrillCommand command);
 
-  /// For views, some ten times a second or oftener; a recording takes its ticks here.
+  /// For views, some ten times a second or more often; a recording takes its ticks here.
   const StudyTouchReading& Poll();
   /// What a person should know before pressing: stiffness that the device may not hold.
   const std::vector<std::string>& Warnings() const { return this->Advice; }
   double Rate() const { return this->Settings.Rate; } ///< Hz, of the servo
   /// Of the device that runs.
-  const DeviceCapabilities& Capabilities() const { return this->Device->Capabilities(); }
+  const DeviceCapabilities& Capabilities() const { return this->Session.Device().Capabilities(); }
 
-  /// Records from now on. The servo begins anew for it, since a session is felt again from its
-  /// first tick: forces fade in.
+  /// Records from now on; see TouchSession::StartRecording.
   Status StartRecording(const std::filesystem::path& path);
-  bool IsRecording() const { return this->Recorder != nullptr; }
-  /// Of the recording that goes on, or went on last.
+  bool IsRecording() const { return this->Session.IsRecording(); }
+  /// Of the current or the last recording.
   const std::filesystem::path& RecordingFile() const { return this->RecordedTo; }
-  Status StopRecording();
+  Status StopRecording() { return this->Session.StopRecording(); }
 
 private:
-  // All that a scene is made from.
+  // Everything that a scene is made from.
   struct Feelable
   {
-    struct One
-    {
-      int Label;
-      std::shared_ptr<const TouchContact> Contact;
-      double Stiffness;
-      SurfaceFriction Friction;
-      DrillLaw Drill;
-    };
-    std::vector<One> Structures;
+    std::vector<SceneStructure> Structures;
+    std::vector<SceneContact> Contacts;
+    std::vector<DrillLaw> Laws; // as the drill's hold leaves them
     std::uint64_t DrillRevision = 0;
     TouchToolSettings Tool;
     WorkspaceFrame Frame;
   };
   static bool IsSame(const Feelable& a, const Feelable& b);
 
-  Status Publish(const StudyState& state, const std::vector<StudyContact>& contacts);
-  Status PublishAll(const StudyState& state, const std::vector<StudyContact>& contacts);
+  Status Publish(const StudyState& state, const std::vector<SceneContact>& contacts);
+  Status PublishAll(const StudyState& state, const std::vector<SceneContact>& contacts);
   void HoldDrill();
-  WorkspaceFrame FrameFor(const StudyPlacement& placement, const TouchScene& scene);
-  Status StartServo();
-  Status Send(std::shared_ptr<const TouchScene> scene, SceneEntry entry);
-  void HoldClutch(bool isHeld, const TouchState& now);
-  void TakeTicks();
-  bool LeadHand(const Vector3& handDevice);
+  Vector3 Moved() const { return this->Session.Moved() - this->MovedBefore; }
+  WorkspaceFrame FrameFor(const ScenePlacement& placement, const TouchScene& scene);
+  void TakeReading(const TouchSessionReading& now);
 
   Clock& Time;
-  RealtimeRequest Request;
   ServoSettings Settings;
-  std::unique_ptr<HapticDevice> Device; // before the thread that uses it
-  std::unique_ptr<EndBeforeExit> End;   // while there is a device
-  std::unique_ptr<ServoThread> Thread;
-  std::shared_ptr<const TouchScene> Scene;
   StudyDrill Drilled;
   std::vector<StudyForbidden> Forbidden;
   Feelable Felt;
   Matrix3 CameraAxes = Matrix3::Identity();
   std::optional<WorkspaceFrame> Automatic;
-  TouchWatch Watch;
-  WorkspaceClutch Clutch;
-  Vector3 Moved = Vector3::Zero(); // mm, of the workspace by the clutch
-  Vector3 Hand = Vector3::Zero();  // mm, in the device
-  std::unique_ptr<TouchRecorder> Recorder;
+  Vector3 MovedBefore = Vector3::Zero(); // mm, by the clutch before the workspace was fitted
   std::filesystem::path RecordedTo;
   StudyTouchReading Reading;
   std::vector<std::string> Advice;
+  TouchSession Session; // ends first
 };
 } // namespace palpate

@@ -4,8 +4,8 @@
 #include "ImageWriter.h"
 #include "LabelImages.h"
 #include "RemovalBytes.h"
+#include "SceneBuilder.h"
 #include "TemporaryFolder.h"
-#include "TouchStructures.h"
 
 #include <algorithm>
 #include <cmath>
@@ -68,35 +68,35 @@ public:
   }
 
   /// The bone of the CT to be drilled by a ball of 2 mm.
-  TouchSettings Scene() const
+  SceneSettings Scene() const
   {
-    TouchStructureSettings bone;
+    SceneStructure bone;
     bone.Name = "bone";
     bone.File = this->CtPath;
     bone.Iso = Iso;
     bone.Drill.Wear = 0.1;
-    TouchSettings settings;
+    SceneSettings settings;
     settings.Structures = {bone};
     settings.Tool.Points = 0;
     return settings;
   }
-  TouchSettings SceneWithNerve() const
+  SceneSettings SceneWithNerve() const
   {
-    TouchSettings settings = this->Scene();
-    TouchStructureSettings nerve;
+    SceneSettings settings = this->Scene();
+    SceneStructure nerve;
     nerve.Name = "nerve";
     nerve.File = this->NervePath;
-    nerve.IsTouched = false;
-    nerve.IsSeen = false;
+    nerve.IsTouchable = false;
+    nerve.IsVisible = false;
     nerve.IsForbidden = true;
     nerve.AlarmDistance = 1.25;
     settings.Structures.push_back(nerve);
     return settings;
   }
   /// The label instead.
-  TouchSettings SceneOfLabels() const
+  SceneSettings SceneOfLabels() const
   {
-    TouchSettings settings = this->Scene();
+    SceneSettings settings = this->Scene();
     settings.Structures[0].File = this->LabelsPath;
     settings.Structures[0].Iso.reset();
     settings.Structures[0].Labels = {std::to_string(BoneLabel)};
@@ -113,10 +113,10 @@ public:
   std::filesystem::path LabelsPath = Folder / "labels.nrrd";
 };
 
-inline std::shared_ptr<DrillBench> BenchOf(const TouchSettings& settings)
+inline std::shared_ptr<DrillBench> BenchOf(const SceneSettings& settings)
 {
-  TouchStructures made = MakeTouchStructures(settings, false, GoOn);
-  return DrillBench::Make(settings, made, GoOn);
+  const BuiltScene built = BuildScene(settings, false, GoOn);
+  return DrillBench::Make(built.Settings, built.Contacts, built.Protections);
 }
 
 /// Orders cuts as a servo does.

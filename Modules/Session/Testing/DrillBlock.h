@@ -45,10 +45,10 @@ public:
                                     VTK_UNSIGNED_CHAR));
   }
 
-  TouchSettings Settings(bool hasNerve = false) const
+  SceneSettings Settings(bool hasNerve = false) const
   {
-    TouchSettings settings;
-    TouchStructureSettings bone;
+    SceneSettings settings;
+    SceneStructure bone;
     bone.Name = "bone";
     bone.File = this->Scan;
     bone.Iso = Iso;
@@ -56,18 +56,18 @@ public:
     settings.Structures = {bone};
     if (hasNerve)
     {
-      TouchStructureSettings nerve;
+      SceneStructure nerve;
       nerve.Name = "nerve";
       nerve.File = this->Nerve;
-      nerve.IsTouched = false;
-      nerve.IsSeen = false;
+      nerve.IsTouchable = false;
+      nerve.IsVisible = false;
       nerve.IsForbidden = true;
       nerve.AlarmDistance = 1.0;
       settings.Structures.push_back(nerve);
     }
     settings.Tool.Radius = Ball;
     settings.Tool.Points = 0;
-    settings.Scale = 1.0;
+    settings.Placement.Scale = 1.0;
     return settings;
   }
 
@@ -118,7 +118,7 @@ private:
   }
 };
 
-inline PreparedTouch Prepare(const TouchSettings& settings, const TouchScript& script)
+inline PreparedTouch Prepare(const SceneSettings& settings, const TouchScript& script)
 {
   return PrepareTouch(settings, script, NeverCancels);
 }

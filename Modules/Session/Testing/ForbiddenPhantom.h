@@ -57,9 +57,9 @@ struct ForbiddenPhantom
   }
   static StudyState Forbidden(StudyState state, int label = Nerve)
   {
-    for (StudyStructure& structure : state.Structures)
+    for (SceneStructure& structure : state.Structures)
     {
-      structure.IsForbidden = structure.IsForbidden || structure.Label == label;
+      structure.IsForbidden = structure.IsForbidden || structure.Id == label;
     }
     return state;
   }

@@ -38,18 +38,35 @@ inline std::string RandomName(Random& random)
   return name;
 }
 
-inline StudyStructure RandomStructure(Random& random)
+inline SceneStructure RandomStructure(Random& random)
 {
-  StudyStructure structure;
-  structure.Label = RandomWhole(random, 1, 300);
+  SceneStructure structure;
+  structure.Id = RandomWhole(random, 1, 300);
+  structure.Labels = {std::to_string(structure.Id)};
+  structure.File = StudyPath("masks/1.seg.nrrd");
   structure.Name = RandomName(random);
   structure.Color = {{RandomNumber(random, 0.0, 1.0), RandomNumber(random, 0.0, 1.0), 1.0}};
   structure.IsVisible = RandomChoice(random);
   structure.IsTouchable = RandomChoice(random);
-  structure.Appearance = static_cast<StudyAppearance>(RandomWhole(random, 0, 4));
-  structure.Representation = static_cast<TouchRepresentation>(RandomWhole(random, 0, 3));
+  structure.Appearance = static_cast<SceneAppearance>(RandomWhole(random, 0, 4));
+  structure.Representation = static_cast<TouchRepresentation>(RandomWhole(random, 0, 4));
   structure.Degree = RandomWhole(random, 0, 40);
+  structure.Mode = static_cast<HarmonicContactMode>(RandomWhole(random, 0, 1));
+  structure.Interpolation = static_cast<FieldInterpolation>(RandomWhole(random, 0, 1));
+  structure.Smoothing = RandomNumber(random, 0.0, 4.0);
   structure.Stiffness = RandomNumber(random, 0.0, 3.0);
+  structure.Damping = RandomNumber(random, 0.0, 0.1);
+  structure.Viscosity = RandomNumber(random, 0.0, 0.1);
+  structure.Texture = RandomChoice(random) ? 0.0 : RandomNumber(random, 0.0, 1.0);
+  structure.TextureImage = RandomChoice(random) ? "" : StudyPath("volumes/t2 \xC3\xA4.nii.gz");
+  structure.Drill = {RandomNumber(random, 0.0, 1.0), 0.001, 0.5};
+  structure.IsForbidden = RandomChoice(random);
+  structure.AlarmDistance = RandomNumber(random, 0.0, 5.0);
+  if (RandomWhole(random, 0, 3) == 0)
+  {
+    structure.Labels.clear();
+    structure.Iso = RandomNumber(random, -100.0, 100.0);
+  }
   structure.Friction = {RandomNumber(random, 0.5, 1.0), RandomNumber(random, 0.0, 0.5)};
   return structure;
 }
@@ -75,6 +92,7 @@ inline void RandomizeFit(Random& random, FitSettings& fit)
   fit.Weight = static_cast<FitSettings::SampleWeight>(RandomWhole(random, 0, 2));
   fit.PenaltyKind = static_cast<FitSettings::Penalty>(RandomWhole(random, 0, 2));
   fit.Roughness = RandomNumber(random, 0.0, 1e-3);
+  fit.IsRobust = RandomWhole(random, 0, 1) == 1;
   fit.MaximumHiddenPercent = RandomNumber(random, 0.0, 100.0);
   fit.MinimumDice = RandomNumber(random, 0.0, 1.0);
 }
@@ -88,7 +106,6 @@ inline void RandomizeTouch(Random& random, StudyState& state)
   state.Tool.Points = RandomWhole(random, 0, 100);
   state.Device = RandomName(random);
   state.Rate = RandomNumber(random, 1.0, 5000.0);
-  state.Dial = static_cast<StudyDial>(RandomWhole(random, 0, 7));
   state.Placement = {};
   if (RandomChoice(random))
   {
@@ -129,8 +146,6 @@ inline StudyState RandomStudy(Random& random)
     state.Distances.push_back({RandomName(random), RandomPlace(random), RandomPlace(random)});
   }
   RandomizeFit(random, state.Fit);
-  state.Interpolation = static_cast<FieldInterpolation>(RandomWhole(random, 0, 1));
-  state.FieldSmoothing = RandomNumber(random, 0.0, 4.0);
   RandomizeTouch(random, state);
   state.View = RandomView(random);
   return state;

@@ -2,6 +2,7 @@
 
 #include "ImageWriter.h"
 #include "LabelImages.h"
+#include "SceneContacts.h"
 #include "StudyPipeline.h"
 #include "TemporaryFolder.h"
 
@@ -35,17 +36,24 @@ public:
     StudyState state;
     state.VolumeFile = this->Folder / "volume.nii.gz";
     state.SegmentationFile = this->Folder / "mask.nii.gz";
-    state.Structures.push_back(this->Structure(1, TouchRepresentation::Automatic));
+    state.Structures.push_back(
+        Structure(1, TouchRepresentation::Automatic, state.SegmentationFile));
     state.Fit.Frequency = 8;
     return state;
   }
 
-  static StudyStructure Structure(int label, TouchRepresentation representation)
+  /// Of the mask at `file`, by the window's own choice where it is automatic.
+  static SceneStructure Structure(int label, TouchRepresentation representation,
+                                  const std::filesystem::path& file = "mask.nii.gz")
   {
-    StudyStructure structure;
-    structure.Label = label;
+    SceneStructure structure;
+    structure.Id = label;
+    structure.Labels = {std::to_string(label)};
     structure.Degree = 4;
-    structure.Representation = representation;
+    structure.File = file;
+    structure.Representation = representation == TouchRepresentation::Automatic
+                                   ? TouchRepresentation::ModelOrField
+                                   : representation;
     return structure;
   }
 
@@ -70,6 +78,13 @@ private:
     }
   }
 };
+
+/// What can be touched of a state now.
+inline std::vector<SceneContact> ContactsIn(const StudyState& state, const StudyPipeline& pipeline)
+{
+  return ContactsOf(state, [&pipeline](SceneStep step, int id)
+                    { return pipeline.NewestProduct(step, id); });
+}
 
 /// Delivers until nothing more comes.
 inline void Settle(StudyJobs& jobs)

@@ -21,7 +21,7 @@ class DrillExport : public testing::Test
 {
 protected:
   // A scene of which a ball is drilled.
-  static std::shared_ptr<DrillBench> Drilled(const TouchSettings& settings)
+  static std::shared_ptr<DrillBench> Drilled(const SceneSettings& settings)
   {
     auto bench = test::BenchOf(settings);
     test::BenchCuts(bench).Cut(Place, Place);
@@ -125,7 +125,7 @@ TEST_F(DrillExport, LabelsGoWhereTheirCentresAreGoneAndOthersStay)
 TEST_F(DrillExport, IsCancelled)
 {
   const auto never = [](double, const std::string&) { return false; };
-  for (const TouchSettings& settings : {this->Files.Scene(), this->Files.SceneOfLabels()})
+  for (const SceneSettings& settings : {this->Files.Scene(), this->Files.SceneOfLabels()})
   {
     const auto bench = Drilled(settings);
     EXPECT_THROW(DrilledImage(*bench, 0, never), Cancelled);

@@ -90,7 +90,7 @@ TEST_F(DrillFiles, ADamagedStateIsRefusedWhateverIsDamaged)
 TEST_F(DrillFiles, AStateOfOtherVoxelsIsRefused)
 {
   WriteDrillState(this->File, *this->Drilled().Drill);
-  TouchSettings settings = this->Block.Settings();
+  SceneSettings settings = this->Block.Settings();
   settings.Structures[0].File = this->Block.Nerve;
   settings.Structures[0].Iso.reset();
   const PreparedTouch other = test::Prepare(settings, DrillBlock::CanalAt(4.0));
@@ -140,7 +140,7 @@ TEST_F(DrillFiles, TheSurfaceHoldsWhatIsLeft)
 
 TEST_F(DrillFiles, OfALabelMapVoxelsLoseTheirLabel)
 {
-  TouchSettings settings = this->Block.Settings();
+  SceneSettings settings = this->Block.Settings();
   settings.Structures[0].File = this->Block.Nerve;
   settings.Structures[0].Iso.reset();
   TouchScript script = DrillBlock::CanalAt(2.0);

@@ -23,7 +23,7 @@ std::vector<std::byte> StateOf(const PreparedTouch& touch)
   return BytesOf(*touch.Drill->Editor().Removed()[0]);
 }
 
-std::string Refusal(const TouchSettings& settings)
+std::string Refusal(const SceneSettings& settings)
 {
   try
   {
@@ -169,7 +169,7 @@ TEST(DrillRun, EveryToolDrills)
        {TouchToolSettings::Shape::Capsule, TouchToolSettings::Shape::Ellipsoid,
         TouchToolSettings::Shape::Cylinder})
   {
-    TouchSettings settings = block.Settings();
+    SceneSettings settings = block.Settings();
     settings.Tool.Kind = shape;
     settings.Tool.Length = 2.0;
     settings.Tool.SemiAxes = Vector3(1.6, 1.6, 2.6);
@@ -183,7 +183,7 @@ TEST(DrillRun, EveryToolDrills)
 TEST(DrillRun, WhatCannotBeDrilledIsRefusedInASentence)
 {
   const DrillBlock block;
-  TouchSettings settings = block.Settings();
+  SceneSettings settings = block.Settings();
   settings.Structures[0].Drill.Wear = 0.0;
   EXPECT_EQ(Refusal(settings), "nothing of the scene is to be drilled; give one of its structures "
                                "a \"drill\"");
@@ -195,7 +195,7 @@ TEST(DrillRun, WhatCannotBeDrilledIsRefusedInASentence)
 TEST(DrillRun, DrillsALinearFieldWhateverTheInterpolation)
 {
   const DrillBlock block;
-  TouchSettings settings = block.Settings();
+  SceneSettings settings = block.Settings();
   settings.Structures[0].Interpolation = FieldInterpolation::TricubicBSpline;
   const PreparedTouch touch = test::Prepare(settings, DrillBlock::CanalAt(4.0));
   EXPECT_EQ(touch.Structures[0].Drilled.Field->Interpolation(), FieldInterpolation::Trilinear);

@@ -37,7 +37,7 @@ protected:
 
 TEST_F(DrillStateTest, SeveralStructuresComeBackEachToItsOwn)
 {
-  TouchSettings settings = this->Files.Scene();
+  SceneSettings settings = this->Files.Scene();
   settings.Structures.push_back(this->Files.SceneOfLabels().Structures[0]);
   const auto bench = test::BenchOf(settings);
   test::BenchCuts cuts(bench);
@@ -67,7 +67,7 @@ TEST_F(DrillStateTest, OfOneVoxelThatIsAnotherOrOfMoreStructuresIsRefused)
   const auto changed = test::BenchOf(this->Files.Scene());
   EXPECT_NE(this->Refusal(this->Path, *changed).find("other voxels"), std::string::npos);
   EXPECT_EQ(changed->Editor().RemovedVolumes()[0], 0.0);
-  TouchSettings two = this->Files.Scene();
+  SceneSettings two = this->Files.Scene();
   two.Structures.push_back(this->Files.SceneOfLabels().Structures[0]);
   EXPECT_NE(this->Refusal(this->Path, *test::BenchOf(two)).find("1 drilled"), std::string::npos);
 }

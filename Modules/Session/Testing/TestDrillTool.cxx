@@ -4,9 +4,9 @@
 #include "FieldBuilder.h"
 #include "InputError.h"
 #include "RandomOrientation.h"
+#include "SceneTool.h"
 #include "SurfaceFile.h"
 #include "TemporaryFolder.h"
-#include "TouchStructures.h"
 
 #include "vtkCubeSource.h"
 #include "vtkNew.h"

@@ -2,10 +2,10 @@
 
 #include "InputError.h"
 #include "ManualClock.h"
+#include "SceneContacts.h"
 #include "StudyCases.h"
 #include "StudyFile.h"
 #include "StudyPhantoms.h"
-#include "StudyScene.h"
 #include "TouchRecorder.h"
 #include "WholeFile.h"
 
@@ -57,9 +57,9 @@ TEST_F(StudyTest, ASegmentationBringsItsStructuresAsPartOfItsStep)
   EXPECT_TRUE(this->Open.State().Structures.empty());
   this->Settle();
   ASSERT_EQ(this->Open.State().Structures.size(), 3U);
-  EXPECT_EQ(this->Open.State().Structures[1].Label, 2);
+  EXPECT_EQ(this->Open.State().Structures[1].Id, 2);
   EXPECT_EQ(TitleOf(this->Open.State().Structures[1]), "label 2");
-  EXPECT_EQ(this->Open.Pipeline().StateOf(StudyStep::Touch, 1).Is, StudyStepState::Kind::UpToDate);
+  EXPECT_EQ(this->Open.Pipeline().StateOf(SceneStep::Touch, 1).Is, StudyStepState::Kind::UpToDate);
   const StudyState opened = this->Open.State();
   EXPECT_EQ(this->Open.History().UndoText(), "Open the segmentation mask.nii.gz");
   this->Open.Undo();
@@ -103,10 +103,10 @@ TEST(StudyStructures, OfManyOnlyTheFirstIsShownUnasked)
   }
   const StudyState state = WithStructuresOf({}, segmentation);
   ASSERT_EQ(state.Structures.size(), 20U);
-  for (const StudyStructure& structure : state.Structures)
+  for (const SceneStructure& structure : state.Structures)
   {
-    EXPECT_EQ(structure.IsVisible, structure.Label == 1);
-    EXPECT_EQ(structure.IsTouchable, structure.Label == 1);
+    EXPECT_EQ(structure.IsVisible, structure.Id == 1);
+    EXPECT_EQ(structure.IsTouchable, structure.Id == 1);
   }
 }
 
@@ -128,7 +128,7 @@ TEST_F(StudyTest, ASessionReopensAsItWasSaved)
   EXPECT_FALSE(this->Open.History().CanUndo());
   this->Settle();
   EXPECT_EQ(this->Open.State(), saved);
-  EXPECT_EQ(this->Open.Pipeline().Newest<FitResult>(StudyStep::Model, 1)->Model.Degree(), 5);
+  EXPECT_EQ(this->Open.Pipeline().Newest<FitResult>(SceneStep::Model, 1)->Model.Degree(), 5);
 }
 
 TEST_F(StudyTest, ASessionThatCannotBeReadLeavesWhatIsOpen)
@@ -153,11 +153,11 @@ TEST_F(StudyTest, AMissingFileIsAskedForAndFound)
   this->Open.Open(file);
   this->Settle();
   ASSERT_EQ(MissingFiles(this->Open.State()).size(), 1U);
-  EXPECT_EQ(this->Open.Pipeline().StateOf(StudyStep::Segmentation).Is,
+  EXPECT_EQ(this->Open.Pipeline().StateOf(SceneStep::Segmentation).Is,
             StudyStepState::Kind::Failed);
   this->Open.RelocateFile(mask, this->Phantom.Folder / "moved.nii.gz");
   this->Settle();
-  EXPECT_EQ(this->Open.Pipeline().StateOf(StudyStep::Touch, 1).Is, StudyStepState::Kind::UpToDate);
+  EXPECT_EQ(this->Open.Pipeline().StateOf(SceneStep::Touch, 1).Is, StudyStepState::Kind::UpToDate);
   EXPECT_EQ(this->Open.State().Structures.size(), 3U);
 }
 
@@ -171,7 +171,7 @@ TEST_F(StudyTest, ATouchFollowsWhatTheStudyBecomes)
   this->Settle();
   ASSERT_TRUE(this->Open.Touch().IsRunning()) << this->Open.TouchProblem();
   this->Open.Touch().MoveHand(Vector3(-15.0, 0.0, 5.0)); // in the ball
-  while (this->Open.Touch().Poll().TouchedLabel != 1)
+  while (this->Open.Touch().Poll().TouchedId != 1)
   {
     std::this_thread::yield();
   }
@@ -211,8 +211,8 @@ TEST_F(StudyTest, ATouchAndAReplayEndEachOther)
   this->Settle();
   ASSERT_NE(this->Open.Replay(), nullptr) << this->Open.ReplayProblem();
   EXPECT_FALSE(this->Open.Touch().IsRunning());
-  const int second = ContactsOf(this->Open.State(), this->Open.Pipeline()).at(1).Label;
-  EXPECT_EQ(this->Open.PollReplay().TouchedLabel, second);
+  const int second = this->Open.Contacts().at(1).Id;
+  EXPECT_EQ(this->Open.PollReplay().TouchedId, second);
   EXPECT_EQ(this->Open.ReplayProblem(), "");
   // As a program that died would leave it.
   const std::string bytes = ReadWholeFile(file, 1 << 20);
@@ -299,7 +299,7 @@ TEST_F(StudyTest, RandomStepsAllUndoneAndDoneAgainGiveTheSameStates)
   for (int step = 0; step < 20; ++step)
   {
     StudyState next = this->Open.State();
-    StudyStructure& structure = next.Structures[random() % next.Structures.size()];
+    SceneStructure& structure = next.Structures[random() % next.Structures.size()];
     structure.Degree = test::RandomWhole(random, 1, 4);
     structure.IsVisible = test::RandomChoice(random);
     structure.IsTouchable = test::RandomChoice(random);

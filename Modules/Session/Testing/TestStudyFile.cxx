@@ -119,13 +119,14 @@ TEST_F(StudyFile, AFileThatIsThereStaysWhereItIs)
 
 TEST(StudyText, AFileOfBeforeAppearancesShowsAsItIsTouched)
 {
-  const StudyState state = StudyFromText(
-      "{\"format\": \"palpate-study\", \"structures\": [{\"label\": 1}, {\"label\": 2, "
-      "\"shown_as\": \"error-map\"}]}",
-      "/", "old");
+  const StudyState state =
+      StudyFromText("{\"format\": \"palpate-study\", \"segmentation\": \"mask.nrrd\", "
+                    "\"structures\": [{\"label\": 1}, {\"label\": 2, "
+                    "\"shown_as\": \"error-map\"}]}",
+                    "/", "old");
   ASSERT_EQ(state.Structures.size(), 2U);
-  EXPECT_EQ(state.Structures[0].Appearance, StudyAppearance::Automatic);
-  EXPECT_EQ(state.Structures[1].Appearance, StudyAppearance::ErrorMap);
+  EXPECT_EQ(state.Structures[0].Appearance, SceneAppearance::Automatic);
+  EXPECT_EQ(state.Structures[1].Appearance, SceneAppearance::ErrorMap);
 }
 
 TEST_F(StudyFile, WhatWouldNotOpenAgainIsNotWritten)
@@ -150,6 +151,7 @@ TEST_F(StudyFile, WhatWouldNotOpenAgainIsNotWritten)
 TEST(StudyText, BadOnesAreRefusedWithThePlace)
 {
   const std::string start = "{\"format\": \"palpate-study\"";
+  const std::string mask = start + ", \"segmentation\": \"mask.nrrd\"";
   const std::vector<std::pair<std::string, std::string>> cases{
       {"{\n  \"format\": oops\n}", "line 2, column 13"},
       {"", "line 1, column 1"},
@@ -157,11 +159,12 @@ TEST(StudyText, BadOnesAreRefusedWithThePlace)
       {"[]", "study is no object"},
       {"{}", "\"format\""},
       {start + ", \"rate_hz\": 1e999}", "too large"},
-      {start + ", \"version\": 2}", "version 2"},
+      {start + ", \"version\": 3}", "version 3"},
       {start + ", \"volum\": \"a\"}", "\"volum\""},
-      {start + ", \"structures\": {}}", "\"structures\" is no list"},
-      {start + ", \"structures\": [{\"label\": 1}, {\"degree\": 1.5}]}", "structures[1]"},
-      {start + ", \"structures\": [{\"visible\": 1}]}", "true or false"},
+      {start + ", \"structures\": {}}", "\"structures\" are no list"},
+      {mask + ", \"structures\": [{\"label\": 1}, {\"degree\": 1.5}]}", "structures[1]"},
+      {mask + ", \"structures\": [{\"visible\": 1}]}", "true or false"},
+      {start + ", \"scene\": {\"structures\": [{\"label\": \"1\"}]}}", "no file"},
       {start + ", \"tool\": {\"radius_mm\": -1}}", "tool"},
       {start + ", \"fit\": {\"method\": \"other\"}}", "\"method\" of its fit"},
       {start + ", \"landmarks\": [{\"position_mm\": [1, 2]}]}", "landmarks[0]"},

@@ -1,9 +1,9 @@
 #include "StudyFiles.h"
 
 #include "ModelFile.h"
+#include "SceneFile.h"
 #include "StudyPhantoms.h"
 #include "TouchRun.h"
-#include "TouchSceneFile.h"
 
 #include <gtest/gtest.h>
 
@@ -16,8 +16,9 @@ TEST(StudyFiles, WhatWasMadeIsWrittenAndFeltAgain)
 {
   const test::StudyPhantom phantom;
   StudyState state = phantom.State();
-  state.Structures = {test::StudyPhantom::Structure(1, TouchRepresentation::Automatic),
-                      test::StudyPhantom::Structure(2, TouchRepresentation::Facets)};
+  state.Structures = {
+      test::StudyPhantom::Structure(1, TouchRepresentation::Automatic, state.SegmentationFile),
+      test::StudyPhantom::Structure(2, TouchRepresentation::Facets, state.SegmentationFile)};
   state.Structures[1].Name = "bow";
   state.Structures[1].Stiffness = 0.25;
   state.Landmarks.push_back({"apex", Vector3(1.0, 2.0, 3.0)});
@@ -28,7 +29,7 @@ TEST(StudyFiles, WhatWasMadeIsWrittenAndFeltAgain)
   const auto out = phantom.Folder / "out";
   WriteStudyFiles(state, pipeline, out, "test");
 
-  const auto fit = pipeline.Newest<FitResult>(StudyStep::Model, 1);
+  const auto fit = pipeline.Newest<FitResult>(SceneStep::Model, 1);
   const ModelDocument document = ReadModel(out / "mask_1/model.json");
   EXPECT_EQ(std::get<SphericalHarmonicModel>(document.Surface).Coefficients(),
             fit->Model.Coefficients());
@@ -37,31 +38,15 @@ TEST(StudyFiles, WhatWasMadeIsWrittenAndFeltAgain)
   {
     EXPECT_TRUE(std::filesystem::exists(out / name)) << name;
   }
-  const PreparedTouch touch = PrepareTouch(ReadTouchScene(out / "scene.json"), {},
+  const PreparedTouch touch = PrepareTouch(ReadScene(out / "scene.json"), {},
                                            [](double, const std::string&) { return true; });
   ASSERT_EQ(touch.Structures.size(), 2U);
   for (std::size_t s = 0; s < 2; ++s)
   {
-    const auto contact = pipeline.Newest<TouchContact>(StudyStep::Touch, state.Structures[s].Label);
+    const auto contact = pipeline.Newest<TouchContact>(SceneStep::Touch, state.Structures[s].Id);
     EXPECT_EQ(touch.Structures[s].Represented, contact->Represented);
     EXPECT_EQ(touch.Structures[s].Touch.Law.Stiffness, state.Structures[s].Stiffness);
   }
-}
-
-TEST(StudyFiles, WhatIsFeltInVoxelsNamesTheSegmentation)
-{
-  const test::StudyPhantom phantom;
-  StudyState state = phantom.State();
-  state.Structures = {test::StudyPhantom::Structure(2, TouchRepresentation::Automatic)};
-  StudyJobs jobs;
-  StudyPipeline pipeline(jobs);
-  pipeline.Update(state);
-  test::Settle(jobs);
-  const TouchSettings scene = SceneOfStudy(state, pipeline, phantom.Folder / "out");
-  ASSERT_EQ(scene.Structures.size(), 1U);
-  EXPECT_EQ(scene.Structures[0].File, state.SegmentationFile);
-  EXPECT_EQ(scene.Structures[0].Labels, std::vector<std::string>{"2"});
-  EXPECT_EQ(scene.Structures[0].Representation, TouchRepresentation::SubVoxel);
 }
 } // namespace
 } // namespace palpate

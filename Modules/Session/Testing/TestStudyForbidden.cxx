@@ -94,7 +94,7 @@ protected:
   std::string Hold() { return this->Open.Touch().Poll().Drill.Hold; }
   StudyStepState Protection(int label = ForbiddenPhantom::Nerve)
   {
-    return this->Open.Pipeline().StateOf(StudyStep::Protection, label);
+    return this->Open.Pipeline().StateOf(SceneStep::Protection, label);
   }
 
   ForbiddenPhantom Phantom;
@@ -104,8 +104,8 @@ protected:
 
 TEST_F(StudyForbiddenTest, IsProtectedThoughNeitherVisibleNorTouchable)
 {
-  const StudyStructure& nerve = this->Open.State().Structures.back();
-  ASSERT_EQ(nerve.Label, ForbiddenPhantom::Nerve);
+  const SceneStructure& nerve = this->Open.State().Structures.back();
+  ASSERT_EQ(nerve.Id, ForbiddenPhantom::Nerve);
   ASSERT_FALSE(nerve.IsVisible || nerve.IsTouchable);
   this->Change(ForbiddenPhantom::Forbidden(ForbiddenPhantom::Drilled(this->Open.State())));
   this->Settle();
@@ -166,9 +166,7 @@ TEST_F(StudyForbiddenTest, AButtonThatWasHeldMeanwhileDoesNotBeginToCutByItself)
   auto owned = std::make_unique<test::PlacedDevice>(this->Time);
   test::PlacedDevice* device = owned.get();
   const StudyState& state = this->Open.State();
-  ASSERT_TRUE(this->Open.Touch()
-                  .Start(std::move(owned), state, ContactsOf(state, this->Open.Pipeline()))
-                  .IsOk());
+  ASSERT_TRUE(this->Open.Touch().Start(std::move(owned), state, this->Open.Contacts()).IsOk());
   // What the worker makes of it comes with Settle alone.
   this->Change(ForbiddenPhantom::Forbidden(this->Open.State()));
   ASSERT_NE(this->Hold(), "");
@@ -207,8 +205,8 @@ TEST_F(StudyForbiddenTest, AFailedProtectionTurnsTheDrillOffAndSaysWhy)
 {
   this->StartDrilling();
   StudyState next = this->Open.State();
-  next.Structures.push_back(
-      test::StudyPhantom::Structure(77, TouchRepresentation::Automatic)); // of no voxel
+  next.Structures.push_back(test::StudyPhantom::Structure(77, TouchRepresentation::Automatic,
+                                                          next.SegmentationFile)); // of no voxel
   next.Structures.back().Name = "Pallidum_L";
   next.Structures.back().IsTouchable = false;
   next.Structures.back().IsVisible = false;
@@ -230,13 +228,13 @@ TEST_F(StudyForbiddenTest, ACancelledProtectionTurnsTheDrillOffUntilItIsResumed)
 {
   this->StartDrilling();
   this->Change(ForbiddenPhantom::Forbidden(this->Open.State()));
-  this->Open.CancelStep(StudyStep::Protection);
+  this->Open.CancelStep(SceneStep::Protection);
   this->Settle();
   EXPECT_TRUE(this->Protection().IsCancelled);
   EXPECT_NE(this->Hold().find("the protection of label 12 was cancelled"), std::string::npos)
       << this->Hold();
   EXPECT_EQ(this->PressWithPedal(6.0, 2.0).Newest.DrillOrders, 0U);
-  this->Open.ResumeStep(StudyStep::Protection);
+  this->Open.ResumeStep(SceneStep::Protection);
   EXPECT_EQ(this->Hold(), "Drilling waits for the protection of label 12.");
   this->Settle();
   EXPECT_EQ(this->Hold(), "");
@@ -264,9 +262,9 @@ TEST_F(StudyForbiddenTest, ItsRowSaysHowTheProtectionStands)
   { return ProtectionText(ForbiddenOf(this->Open.State(), this->Open.Pipeline()).at(0)); };
   this->Change(ForbiddenPhantom::Forbidden(ForbiddenPhantom::Drilled(this->Open.State())));
   EXPECT_EQ(row(), "Protection waits");
-  this->Open.CancelStep(StudyStep::Protection);
+  this->Open.CancelStep(SceneStep::Protection);
   EXPECT_EQ(row(), "Protection cancelled");
-  this->Open.ResumeStep(StudyStep::Protection);
+  this->Open.ResumeStep(SceneStep::Protection);
   this->Settle();
   EXPECT_EQ(row(), "Protected");
 }
@@ -304,12 +302,11 @@ TEST_F(StudyForbiddenTest, TheCommandLineProtectsTheSame)
   this->Change(state);
   this->Settle();
   const StudyPipeline& pipeline = this->Open.Pipeline();
-  const auto contacts = ContactsOf(state, pipeline);
+  const auto contacts = this->Open.Contacts();
   StudyDrill drill;
   drill.Follow(state, contacts, ForbiddenOf(state, pipeline));
-  TouchScene scene = MakeStudyScene(state, contacts, {});
+  TouchScene scene = MakeTouchScene(state, contacts, {});
   drill.PutInto(scene);
-  drill.Start();
   CutOrder order;
   order.Site = 0;
   for (const auto& [from, to] : RandomSweeps())
@@ -319,11 +316,10 @@ TEST_F(StudyForbiddenTest, TheCommandLineProtectsTheSame)
     ASSERT_TRUE(scene.Drill.Link->Orders.Push(order));
     ++order.Number;
   }
-  drill.Stop();
+  drill.Editor()->Take();
   drill.Save(this->Phantom.Folder / "window.state");
 
-  const TouchSettings settings = SceneOfStudy(state, pipeline, this->Phantom.Folder.Path());
-  const auto bench = test::BenchOf(settings);
+  const auto bench = test::BenchOf(state);
   ASSERT_EQ(bench->Forbidden().size(), 1U);
   EXPECT_EQ(bench->Forbidden()[0].AlarmDistance(), state.Structures.back().AlarmDistance);
   test::BenchCuts cuts(bench);
@@ -335,20 +331,6 @@ TEST_F(StudyForbiddenTest, TheCommandLineProtectsTheSame)
   constexpr std::uintmax_t Largest = 1 << 28;
   EXPECT_EQ(ReadWholeFile(this->Phantom.Folder / "window.state", Largest),
             ReadWholeFile(this->Phantom.Folder / "command.state", Largest));
-}
-
-TEST(IsDrilled, IsTheSameInAStudyAndInAScene)
-{
-  for (int bits = 0; bits < 8; ++bits)
-  {
-    StudyStructure study;
-    TouchStructureSettings scene;
-    study.IsTouchable = scene.IsTouched = (bits & 1) != 0;
-    study.IsForbidden = scene.IsForbidden = (bits & 2) != 0;
-    study.Drill.Wear = scene.Drill.Wear = (bits & 4) != 0 ? 0.1 : 0.0;
-    EXPECT_EQ(study.IsDrilled(), bits == 5) << bits;
-    EXPECT_EQ(scene.IsDrilled(), bits == 5) << bits;
-  }
 }
 } // namespace
 } // namespace palpate

@@ -15,11 +15,11 @@ namespace palpate
 namespace
 {
 using Kind = StudyStepState::Kind;
-using Steps = std::vector<StudyStep>;
+using Steps = std::vector<SceneStep>;
 
-const Steps AllSteps{StudyStep::Volume,  StudyStep::Segmentation, StudyStep::Structures,
-                     StudyStep::Surface, StudyStep::Samples,      StudyStep::Model,
-                     StudyStep::Field,   StudyStep::Touch};
+const Steps AllSteps{SceneStep::Volume,  SceneStep::Segmentation, SceneStep::Structures,
+                     SceneStep::Surface, SceneStep::Samples,      SceneStep::Model,
+                     SceneStep::Field,   SceneStep::Touch};
 
 class StudyPipelineTest : public testing::Test
 {
@@ -34,8 +34,8 @@ protected:
   Steps WantedFor(int label) const
   {
     Steps wanted;
-    for (const StudyStep step : {StudyStep::Surface, StudyStep::Samples, StudyStep::Model,
-                                 StudyStep::Field, StudyStep::Touch})
+    for (const SceneStep step : {SceneStep::Surface, SceneStep::Samples, SceneStep::Model,
+                                 SceneStep::Field, SceneStep::Touch})
     {
       if (this->Pipeline.StateOf(step, label).Is != Kind::NotWanted)
       {
@@ -46,7 +46,7 @@ protected:
   }
   void ExpectUpToDate(const Steps& steps)
   {
-    for (const StudyStep step : steps)
+    for (const SceneStep step : steps)
     {
       const StudyStepState state = this->Pipeline.StateOf(step);
       EXPECT_EQ(state.Is, Kind::UpToDate) << NameOf(step) << ": " << state.Sentence;
@@ -54,7 +54,7 @@ protected:
   }
   std::shared_ptr<const FitResult> Model(int label) const
   {
-    return this->Pipeline.Newest<FitResult>(StudyStep::Model, label);
+    return this->Pipeline.Newest<FitResult>(SceneStep::Model, label);
   }
 
   test::StudyPhantom Phantom;
@@ -66,10 +66,10 @@ TEST_F(StudyPipelineTest, MakesWhatAFitMakes)
 {
   const StudyState state = this->Phantom.State();
   this->Make(state);
-  this->ExpectUpToDate({StudyStep::Volume, StudyStep::Segmentation, StudyStep::Structures,
-                        StudyStep::Surface, StudyStep::Samples, StudyStep::Model,
-                        StudyStep::Touch});
-  EXPECT_EQ(this->Pipeline.StateOf(StudyStep::Field).Is, Kind::NotWanted);
+  this->ExpectUpToDate({SceneStep::Volume, SceneStep::Segmentation, SceneStep::Structures,
+                        SceneStep::Surface, SceneStep::Samples, SceneStep::Model,
+                        SceneStep::Touch});
+  EXPECT_EQ(this->Pipeline.StateOf(SceneStep::Field).Is, Kind::NotWanted);
   const Segmentation segmentation = ReadSegmentation(state.SegmentationFile);
   const FitResult whole =
       FitStructure(segmentation, segmentation.Find("1"), FitSettingsOf(state, state.Structures[0]));
@@ -78,26 +78,29 @@ TEST_F(StudyPipelineTest, MakesWhatAFitMakes)
   EXPECT_EQ(made->Model.Coefficients(), whole.Model.Coefficients());
   EXPECT_EQ(made->Dice, whole.Dice);
   EXPECT_EQ(made->ModelToMask.Mean, whole.ModelToMask.Mean);
-  EXPECT_NE(this->Pipeline.Newest<TouchContact>(StudyStep::Touch, 1), nullptr);
+  EXPECT_NE(this->Pipeline.Newest<TouchContact>(SceneStep::Touch, 1), nullptr);
 }
 
 TEST_F(StudyPipelineTest, MakesOnlyWhatARepresentationNeeds)
 {
   const std::vector<std::pair<TouchRepresentation, Steps>> cases{
       {TouchRepresentation::Harmonics,
-       {StudyStep::Surface, StudyStep::Samples, StudyStep::Model, StudyStep::Touch}},
-      {TouchRepresentation::Facets, {StudyStep::Surface, StudyStep::Touch}},
-      {TouchRepresentation::SubVoxel, {StudyStep::Field, StudyStep::Touch}}};
+       {SceneStep::Surface, SceneStep::Samples, SceneStep::Model, SceneStep::Touch}},
+      {TouchRepresentation::Facets, {SceneStep::Surface, SceneStep::Touch}},
+      {TouchRepresentation::SubVoxel, {SceneStep::Field, SceneStep::Touch}}};
   for (const auto& [representation, steps] : cases)
   {
     StudyState state = this->Phantom.State();
-    state.Structures = {test::StudyPhantom::Structure(1, representation)};
+    state.Structures = {test::StudyPhantom::Structure(1, representation, state.SegmentationFile)};
     this->Make(state);
     EXPECT_EQ(this->WantedFor(1), steps);
     this->ExpectUpToDate(steps);
     state.Structures[0].IsTouchable = false;
     this->Make(state);
-    EXPECT_EQ(this->WantedFor(1), Steps(steps.begin(), steps.end() - 1));
+    // Voxels that are only displayed have a surface.
+    EXPECT_EQ(this->WantedFor(1), representation == TouchRepresentation::SubVoxel
+                                      ? Steps{SceneStep::Surface}
+                                      : Steps(steps.begin(), steps.end() - 1));
   }
 }
 
@@ -105,26 +108,27 @@ TEST_F(StudyPipelineTest, MakesWhatIsShownWhateverItIsTouchedBy)
 {
   struct Case
   {
-    StudyAppearance Appearance;
+    SceneAppearance Appearance;
     bool IsTouchable;
     Steps Wanted;
   };
-  const Steps fields{StudyStep::Field, StudyStep::Touch};
+  const Steps fields{SceneStep::Field, SceneStep::Touch};
   const std::vector<Case> cases{
-      {StudyAppearance::Automatic, true, fields},
-      {StudyAppearance::SubVoxel, true, fields},
-      {StudyAppearance::Surface, true, {StudyStep::Surface, StudyStep::Field, StudyStep::Touch}},
-      {StudyAppearance::ErrorMap,
+      {SceneAppearance::Automatic, true, fields},
+      {SceneAppearance::SubVoxel, true, fields},
+      {SceneAppearance::Surface, true, {SceneStep::Surface, SceneStep::Field, SceneStep::Touch}},
+      {SceneAppearance::ErrorMap,
        true,
-       {StudyStep::Surface, StudyStep::Samples, StudyStep::Model, StudyStep::Field,
-        StudyStep::Touch}},
-      {StudyAppearance::Model, false, {StudyStep::Surface, StudyStep::Samples, StudyStep::Model}},
-      {StudyAppearance::Surface, false, {StudyStep::Surface}},
-      {StudyAppearance::SubVoxel, false, {StudyStep::Field}}};
+       {SceneStep::Surface, SceneStep::Samples, SceneStep::Model, SceneStep::Field,
+        SceneStep::Touch}},
+      {SceneAppearance::Model, false, {SceneStep::Surface, SceneStep::Samples, SceneStep::Model}},
+      {SceneAppearance::Surface, false, {SceneStep::Surface}},
+      {SceneAppearance::SubVoxel, false, {SceneStep::Field}}};
   for (const Case& one : cases)
   {
     StudyState state = this->Phantom.State();
-    state.Structures = {test::StudyPhantom::Structure(1, TouchRepresentation::SubVoxel)};
+    state.Structures = {
+        test::StudyPhantom::Structure(1, TouchRepresentation::SubVoxel, state.SegmentationFile)};
     state.Structures[0].Appearance = one.Appearance;
     state.Structures[0].IsTouchable = one.IsTouchable;
     this->Make(state);
@@ -141,8 +145,8 @@ TEST_F(StudyPipelineTest, WhatIsShownAndTouchedByOneThingIsMadeOnce)
   StudyState state = this->Phantom.State();
   this->Make(state);
   const std::uint64_t started = this->Pipeline.StartedCount();
-  for (const StudyAppearance appearance :
-       {StudyAppearance::Model, StudyAppearance::Surface, StudyAppearance::ErrorMap})
+  for (const SceneAppearance appearance :
+       {SceneAppearance::Model, SceneAppearance::Surface, SceneAppearance::ErrorMap})
   {
     state.Structures[0].Appearance = appearance;
     this->Make(state);
@@ -163,21 +167,22 @@ TEST_F(StudyPipelineTest, MakesNothingForWhatIsNeitherShownNorTouched)
 TEST_F(StudyPipelineTest, AStructureThatHarmonicsRefuseIsTouchedByItsField)
 {
   StudyState state = this->Phantom.State();
-  state.Structures = {test::StudyPhantom::Structure(2, TouchRepresentation::Automatic)};
+  state.Structures = {
+      test::StudyPhantom::Structure(2, TouchRepresentation::Automatic, state.SegmentationFile)};
   this->Make(state);
-  const StudyStepState samples = this->Pipeline.StateOf(StudyStep::Samples);
+  const StudyStepState samples = this->Pipeline.StateOf(SceneStep::Samples);
   EXPECT_EQ(samples.Is, Kind::Replaced);
   EXPECT_EQ(samples.Sentence.rfind(
                 "label 2: touched by its sub-voxel field, because it is not star-shaped: ", 0),
             0U)
       << samples.Sentence;
-  EXPECT_EQ(this->Pipeline.StateOf(StudyStep::Model).Sentence, samples.Sentence);
+  EXPECT_EQ(this->Pipeline.StateOf(SceneStep::Model).Sentence, samples.Sentence);
   EXPECT_EQ(this->Pipeline.Advice(), std::vector<std::string>{samples.Sentence});
-  this->ExpectUpToDate({StudyStep::Surface, StudyStep::Field, StudyStep::Touch});
+  this->ExpectUpToDate({SceneStep::Surface, SceneStep::Field, SceneStep::Touch});
   // Asked for by name, it is refused and not replaced.
   state.Structures[0].Representation = TouchRepresentation::Harmonics;
   this->Make(state);
-  const StudyStepState touch = this->Pipeline.StateOf(StudyStep::Touch);
+  const StudyStepState touch = this->Pipeline.StateOf(SceneStep::Touch);
   EXPECT_EQ(touch.Is, Kind::Failed);
   EXPECT_NE(touch.Sentence.find("is not star-shaped"), std::string::npos) << touch.Sentence;
   EXPECT_TRUE(this->Pipeline.Advice().empty());
@@ -186,22 +191,25 @@ TEST_F(StudyPipelineTest, AStructureThatHarmonicsRefuseIsTouchedByItsField)
 TEST_F(StudyPipelineTest, AModelThatIsAskedForToBeSeenIsRefusedAndNotReplaced)
 {
   StudyState state = this->Phantom.State();
-  state.Structures = {test::StudyPhantom::Structure(2, TouchRepresentation::Automatic)};
-  state.Structures[0].Appearance = StudyAppearance::ErrorMap;
+  state.Structures = {
+      test::StudyPhantom::Structure(2, TouchRepresentation::Automatic, state.SegmentationFile)};
+  state.Structures[0].Appearance = SceneAppearance::ErrorMap;
   this->Make(state);
-  EXPECT_EQ(this->Pipeline.StateOf(StudyStep::Model).Is, Kind::Failed);
-  this->ExpectUpToDate({StudyStep::Field, StudyStep::Touch});
+  EXPECT_EQ(this->Pipeline.StateOf(SceneStep::Model).Is, Kind::Failed);
+  this->ExpectUpToDate({SceneStep::Field, SceneStep::Touch});
 }
 
 TEST_F(StudyPipelineTest, WhatHarmonicsRefuseAndNobodyTouchesIsShownByItsSurface)
 {
   StudyState state = this->Phantom.State();
-  state.Structures = {test::StudyPhantom::Structure(2, TouchRepresentation::Automatic)};
+  state.Structures = {
+      test::StudyPhantom::Structure(2, TouchRepresentation::Automatic, state.SegmentationFile)};
   state.Structures[0].IsTouchable = false;
   this->Make(state);
-  EXPECT_EQ(this->WantedFor(2), (Steps{StudyStep::Surface, StudyStep::Samples, StudyStep::Model}));
+  EXPECT_EQ(this->WantedFor(2), (Steps{SceneStep::Surface, SceneStep::Samples, SceneStep::Model}));
   ASSERT_EQ(this->Pipeline.Advice().size(), 1U);
-  EXPECT_EQ(this->Pipeline.Advice()[0].rfind("label 2: shown by the surface of its mask, ", 0), 0U)
+  EXPECT_EQ(this->Pipeline.Advice()[0].rfind("label 2: displayed as the surface of its mask, ", 0),
+            0U)
       << this->Pipeline.Advice()[0];
 }
 
@@ -209,9 +217,10 @@ TEST_F(StudyPipelineTest, WhatHarmonicsRefuseAndNobodyTouchesIsShownByItsSurface
 TEST_F(StudyPipelineTest, WhatCannotBeReplacedHasFailed)
 {
   StudyState state = this->Phantom.State();
-  state.Structures = {test::StudyPhantom::Structure(77, TouchRepresentation::Automatic)};
+  state.Structures = {
+      test::StudyPhantom::Structure(77, TouchRepresentation::Automatic, state.SegmentationFile)};
   this->Make(state);
-  for (const StudyStep step : {StudyStep::Surface, StudyStep::Model, StudyStep::Field})
+  for (const SceneStep step : {SceneStep::Surface, SceneStep::Model, SceneStep::Field})
   {
     EXPECT_EQ(this->Pipeline.StateOf(step).Is, Kind::Failed) << NameOf(step);
   }
@@ -221,15 +230,17 @@ TEST_F(StudyPipelineTest, WhatCannotBeReplacedHasFailed)
 TEST_F(StudyPipelineTest, OneStructureThatFailsStopsNoOther)
 {
   StudyState state = this->Phantom.State();
-  state.Structures.push_back(test::StudyPhantom::Structure(3, TouchRepresentation::Harmonics));
-  state.Structures.push_back(test::StudyPhantom::Structure(77, TouchRepresentation::Harmonics));
+  state.Structures.push_back(
+      test::StudyPhantom::Structure(3, TouchRepresentation::Harmonics, state.SegmentationFile));
+  state.Structures.push_back(
+      test::StudyPhantom::Structure(77, TouchRepresentation::Harmonics, state.SegmentationFile));
   this->Make(state);
-  EXPECT_EQ(this->Pipeline.StateOf(StudyStep::Touch, 1).Is, Kind::UpToDate);
-  EXPECT_NE(this->Pipeline.StateOf(StudyStep::Surface, 3).Sentence.find("label 3 has only"),
+  EXPECT_EQ(this->Pipeline.StateOf(SceneStep::Touch, 1).Is, Kind::UpToDate);
+  EXPECT_NE(this->Pipeline.StateOf(SceneStep::Surface, 3).Sentence.find("label 3 has only"),
             std::string::npos)
-      << this->Pipeline.StateOf(StudyStep::Surface, 3).Sentence;
-  EXPECT_EQ(this->Pipeline.StateOf(StudyStep::Structures, 77).Is, Kind::Failed);
-  EXPECT_EQ(this->Pipeline.StateOf(StudyStep::Structures).Is, Kind::Failed);
+      << this->Pipeline.StateOf(SceneStep::Surface, 3).Sentence;
+  EXPECT_EQ(this->Pipeline.StateOf(SceneStep::Structures, 77).Is, Kind::Failed);
+  EXPECT_EQ(this->Pipeline.StateOf(SceneStep::Structures).Is, Kind::Failed);
 }
 
 // The degree decides the model alone, the centre the samples too, the smoothing everything.
@@ -263,23 +274,24 @@ TEST_F(StudyPipelineTest, ASettingMakesAgainOnlyWhatDependsOnIt)
 TEST_F(StudyPipelineTest, WhatATickCostsIsMeasuredOnceForWhatCanBeTouched)
 {
   StudyState state = this->Phantom.State();
-  state.Structures.push_back(test::StudyPhantom::Structure(2, TouchRepresentation::Harmonics));
+  state.Structures.push_back(
+      test::StudyPhantom::Structure(2, TouchRepresentation::Harmonics, state.SegmentationFile));
   this->Make(state);
-  const auto cost = this->Pipeline.Newest<TouchCost>(StudyStep::Cost, 1);
+  const auto cost = this->Pipeline.Newest<TouchCost>(SceneStep::Cost, 1);
   ASSERT_NE(cost, nullptr);
   EXPECT_GT(cost->MedianNanoseconds, 0.0);
   EXPECT_TRUE(std::isfinite(cost->MedianNanoseconds));
-  EXPECT_EQ(this->Pipeline.Newest<TouchCost>(StudyStep::Cost, 2), nullptr)
+  EXPECT_EQ(this->Pipeline.Newest<TouchCost>(SceneStep::Cost, 2), nullptr)
       << "a structure that is refused has none";
   StudyState other = state;
   other.Structures[0].Degree = 2;
   this->Make(other);
-  EXPECT_NE(this->Pipeline.Newest<TouchCost>(StudyStep::Cost, 1), cost);
+  EXPECT_NE(this->Pipeline.Newest<TouchCost>(SceneStep::Cost, 1), cost);
   this->Make(state);
-  EXPECT_EQ(this->Pipeline.Newest<TouchCost>(StudyStep::Cost, 1), cost);
+  EXPECT_EQ(this->Pipeline.Newest<TouchCost>(SceneStep::Cost, 1), cost);
   state.Structures[0].IsTouchable = false;
   this->Make(state);
-  EXPECT_EQ(this->Pipeline.Newest<TouchCost>(StudyStep::Cost, 1), nullptr);
+  EXPECT_EQ(this->Pipeline.Newest<TouchCost>(SceneStep::Cost, 1), nullptr);
 }
 
 TEST_F(StudyPipelineTest, AFormerStateIsThereAtOnceAndTheSame)
@@ -329,6 +341,7 @@ TEST_F(StudyPipelineTest, FilesThatFailSayWhatTheCommandLineSays)
   for (const char* name : {"broken.nii.gz", "missing.nii.gz"})
   {
     state.SegmentationFile = this->Phantom.Folder / name;
+    state.Structures[0].File = state.SegmentationFile;
     std::string sentence;
     try
     {
@@ -339,10 +352,10 @@ TEST_F(StudyPipelineTest, FilesThatFailSayWhatTheCommandLineSays)
       sentence = error.what();
     }
     this->Make(state);
-    EXPECT_EQ(this->Pipeline.StateOf(StudyStep::Segmentation).Sentence, sentence);
-    EXPECT_EQ(this->Pipeline.StateOf(StudyStep::Structures).Sentence, sentence);
-    EXPECT_EQ(this->Pipeline.StateOf(StudyStep::Touch).Sentence, sentence);
-    EXPECT_EQ(this->Pipeline.StateOf(StudyStep::Volume).Is, Kind::UpToDate);
+    EXPECT_EQ(this->Pipeline.StateOf(SceneStep::Segmentation).Sentence, sentence);
+    EXPECT_EQ(this->Pipeline.StateOf(SceneStep::Structures).Sentence, sentence);
+    EXPECT_EQ(this->Pipeline.StateOf(SceneStep::Touch).Sentence, sentence);
+    EXPECT_EQ(this->Pipeline.StateOf(SceneStep::Volume).Is, Kind::UpToDate);
   }
 }
 
@@ -353,10 +366,10 @@ TEST_F(StudyPipelineTest, AFileThatIsWrittenAnewIsReadAnew)
   const std::string bytes = test::ReadAll(file);
   test::WriteAll(file, "broken");
   this->Make(state);
-  EXPECT_EQ(this->Pipeline.StateOf(StudyStep::Segmentation).Is, Kind::Failed);
+  EXPECT_EQ(this->Pipeline.StateOf(SceneStep::Segmentation).Is, Kind::Failed);
   test::WriteAll(file, bytes);
   this->Make(state);
-  this->ExpectUpToDate({StudyStep::Segmentation, StudyStep::Model});
+  this->ExpectUpToDate({SceneStep::Segmentation, SceneStep::Model});
 }
 
 TEST_F(StudyPipelineTest, WhatNobodyWantsAnyMoreIsCancelled)
@@ -372,14 +385,14 @@ TEST_F(StudyPipelineTest, WhatTheUserCancelsWaitsUntilItIsResumed)
 {
   const StudyState state = this->Phantom.State();
   this->Pipeline.Update(state);
-  this->Pipeline.Cancel(StudyStep::Model);
+  this->Pipeline.Cancel(SceneStep::Model);
   test::Settle(this->Jobs);
-  EXPECT_EQ(this->Pipeline.StateOf(StudyStep::Samples).Is, Kind::UpToDate);
-  EXPECT_EQ(this->Pipeline.StateOf(StudyStep::Model).Is, Kind::NeedsUpdate);
-  EXPECT_EQ(this->Pipeline.StateOf(StudyStep::Touch).Is, Kind::NeedsUpdate);
-  this->Pipeline.Resume(StudyStep::Model);
+  EXPECT_EQ(this->Pipeline.StateOf(SceneStep::Samples).Is, Kind::UpToDate);
+  EXPECT_EQ(this->Pipeline.StateOf(SceneStep::Model).Is, Kind::NeedsUpdate);
+  EXPECT_EQ(this->Pipeline.StateOf(SceneStep::Touch).Is, Kind::NeedsUpdate);
+  this->Pipeline.Resume(SceneStep::Model);
   test::Settle(this->Jobs);
-  this->ExpectUpToDate({StudyStep::Model, StudyStep::Touch});
+  this->ExpectUpToDate({SceneStep::Model, SceneStep::Touch});
 }
 
 TEST_F(StudyPipelineTest, OneThatIsClosedWhileItWorksLeavesNothingBehind)
@@ -401,7 +414,7 @@ TEST_F(StudyPipelineTest, ACacheThatHoldsNothingStillMakesEverything)
   StudyPipeline poor(this->Jobs, 1);
   poor.Update(this->Phantom.State());
   test::Settle(this->Jobs);
-  EXPECT_EQ(poor.StateOf(StudyStep::Touch).Is, Kind::UpToDate);
+  EXPECT_EQ(poor.StateOf(SceneStep::Touch).Is, Kind::UpToDate);
   EXPECT_EQ(poor.StartedCount(), 7U);
 }
 
@@ -417,7 +430,7 @@ TEST_F(StudyPipelineTest, RandomChangesUndoneAndCancelledEndAsIfMadeAtOnce)
     next.Structures[0].Degree = test::RandomWhole(random, 1, 3);
     next.Structures[0].IsVisible = test::RandomChoice(random);
     next.Structures[0].IsTouchable = test::RandomChoice(random);
-    next.Structures[0].Appearance = static_cast<StudyAppearance>(test::RandomWhole(random, 0, 4));
+    next.Structures[0].Appearance = static_cast<SceneAppearance>(test::RandomWhole(random, 0, 4));
     next.Structures[0].Representation =
         static_cast<TouchRepresentation>(test::RandomWhole(random, 0, 3));
     next.Fit.Smoothing = test::RandomChoice(random) ? 0.0 : 1.0;
@@ -429,14 +442,14 @@ TEST_F(StudyPipelineTest, RandomChangesUndoneAndCancelledEndAsIfMadeAtOnce)
     const int what = test::RandomWhole(random, 0, 4);
     what < 3 ? change() : static_cast<void>(what == 3 ? history.Undo() : history.Redo());
     this->Pipeline.Update(history.Current());
-    const StudyStep cancelled = AllSteps[random() % AllSteps.size()];
+    const SceneStep cancelled = AllSteps[random() % AllSteps.size()];
     this->Pipeline.Cancel(cancelled);
     if (test::RandomChoice(random) && this->Jobs.WaitForResult())
     {
       this->Jobs.Deliver();
     }
     this->Pipeline.Resume(cancelled);
-    for (const StudyStep one : AllSteps) // at any moment a state can be told
+    for (const SceneStep one : AllSteps) // at any moment a state can be told
     {
       this->Pipeline.StateOf(one);
     }
@@ -445,7 +458,7 @@ TEST_F(StudyPipelineTest, RandomChangesUndoneAndCancelledEndAsIfMadeAtOnce)
   StudyPipeline fresh(this->Jobs);
   fresh.Update(history.Current());
   test::Settle(this->Jobs);
-  for (const StudyStep one : AllSteps)
+  for (const SceneStep one : AllSteps)
   {
     EXPECT_EQ(this->Pipeline.StateOf(one).Is, fresh.StateOf(one).Is) << NameOf(one);
     EXPECT_EQ(this->Pipeline.StateOf(one).Sentence, fresh.StateOf(one).Sentence) << NameOf(one);
@@ -458,10 +471,11 @@ TEST_F(StudyPipelineTest, AProstateOfRealDataIsMade)
   state.VolumeFile = StudyPath(test::DataPath("prostate/promise12_0_t2.nii.gz"));
   state.SegmentationFile = StudyPath(test::DataPath("prostate/promise12_0_label.nii.gz"));
   PALPATE_REQUIRE_FILE(state.VolumeFile);
-  state.Structures.push_back(test::StudyPhantom::Structure(1, TouchRepresentation::Automatic));
+  state.Structures.push_back(
+      test::StudyPhantom::Structure(1, TouchRepresentation::Automatic, state.SegmentationFile));
   state.Structures[0].Degree = 12;
   this->Make(state);
-  this->ExpectUpToDate({StudyStep::Volume, StudyStep::Model, StudyStep::Touch});
+  this->ExpectUpToDate({SceneStep::Volume, SceneStep::Model, SceneStep::Touch});
   EXPECT_GT(this->Model(1)->Dice, 0.95); // what `palpate fit` finds is 0.960
 }
 } // namespace

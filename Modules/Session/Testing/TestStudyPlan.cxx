@@ -11,9 +11,9 @@ namespace palpate
 {
 namespace
 {
-using Place = std::pair<StudyStep, int>;
+using Place = std::pair<SceneStep, int>;
 using Places = std::set<Place>;
-using Step = StudyStep;
+using Step = SceneStep;
 
 // Structures that are felt in each way, one that is drilled and one that is forbidden.
 enum Label
@@ -29,7 +29,7 @@ enum Label
 struct Inputs
 {
   StudyState State;
-  StudyStamps Stamps{"v", "s", "t"};
+  SceneStamps Stamps{{"/volume.nii.gz", "v"}, {"/mask.nii.gz", "s"}, {"/tool.stl", "t"}};
 };
 
 Inputs Base()
@@ -37,16 +37,17 @@ Inputs Base()
   Inputs base;
   base.State.VolumeFile = "/volume.nii.gz";
   base.State.SegmentationFile = "/mask.nii.gz";
-  const auto add = [&](int label, TouchRepresentation representation) -> StudyStructure&
+  const auto add = [&](int label, TouchRepresentation representation) -> SceneStructure&
   {
-    base.State.Structures.push_back(test::StudyPhantom::Structure(label, representation));
+    base.State.Structures.push_back(
+        test::StudyPhantom::Structure(label, representation, base.State.SegmentationFile));
     return base.State.Structures.back();
   };
   add(Harmonics, TouchRepresentation::Harmonics);
   add(Facets, TouchRepresentation::Facets);
   add(Field, TouchRepresentation::SubVoxel);
   add(Bone, TouchRepresentation::SubVoxel).Drill.Wear = 0.1;
-  StudyStructure& nerve = add(Nerve, TouchRepresentation::Automatic);
+  SceneStructure& nerve = add(Nerve, TouchRepresentation::Automatic);
   nerve.IsVisible = false;
   nerve.IsTouchable = false;
   nerve.IsForbidden = true;
@@ -57,11 +58,11 @@ Inputs Base()
 
 std::map<Place, std::string> KeysOf(const Inputs& inputs)
 {
-  const StudyLookup nothing = [](const std::string&) { return nullptr; };
+  const SceneLookup nothing = [](const std::string&) { return nullptr; };
   std::map<Place, std::string> keys;
-  for (const StudyNode& node : PlanStudy(inputs.State, inputs.Stamps, nothing))
+  for (const SceneNode& node : PlanStudy(inputs.State, inputs.Stamps, nothing))
   {
-    keys[{node.Step, node.Label}] = node.Key;
+    keys[{node.Step, node.Id}] = node.Key;
   }
   return keys;
 }
@@ -129,6 +130,18 @@ const Places CostPlaces{
     {Step::Cost, Harmonics}, {Step::Cost, Facets}, {Step::Cost, Field}, {Step::Cost, Bone}};
 const Places ToolPlaces = And(CostPlaces, {{Step::Tool, Whole}});
 
+// Changes every structure.
+std::function<void(Inputs&)> OfEach(const std::function<void(SceneStructure&)>& change)
+{
+  return [change](Inputs& inputs)
+  {
+    for (SceneStructure& one : inputs.State.Structures)
+    {
+      change(one);
+    }
+  };
+}
+
 TEST(StudyPlan, AnInputOfAProductIsInItsKey)
 {
   const Inputs base = Base();
@@ -142,7 +155,9 @@ TEST(StudyPlan, AnInputOfAProductIsInItsKey)
   ExpectChanges(
       base,
       {{"volume", [](Inputs& i) { i.State.VolumeFile = "/b.nii"; }, {{Step::Volume, Whole}}},
-       {"volume's content", [](Inputs& i) { i.Stamps.Volume = "w"; }, {{Step::Volume, Whole}}},
+       {"volume's content",
+        [](Inputs& i) { i.Stamps["/volume.nii.gz"] = "w"; },
+        {{Step::Volume, Whole}}},
        {"series", [](Inputs& i) { i.State.DicomSeries = "2"; }, {{Step::Volume, Whole}}},
        {"axes",
         [](Inputs& i)
@@ -152,8 +167,14 @@ TEST(StudyPlan, AnInputOfAProductIsInItsKey)
                                    : LeftHandedAxes::Refuse;
         },
         And(ofMask, {{Step::Volume, Whole}})},
-       {"mask", [](Inputs& i) { i.State.SegmentationFile = "/b.nii"; }, ofMask},
-       {"mask's content", [](Inputs& i) { i.Stamps.Segmentation = "r"; }, ofMask},
+       {"mask",
+        [](Inputs& i)
+        {
+          i.State.SegmentationFile = "/b.nii";
+          OfEach([](SceneStructure& s) { s.File = "/b.nii"; })(i);
+        },
+        ofMask},
+       {"mask's content", [](Inputs& i) { i.Stamps["/mask.nii.gz"] = "r"; }, ofMask},
        {"method", fit(&FitSettings::Method, FitSettings::SurfaceMethod::Plain), SurfacePlaces},
        {"smoothing", fit(&FitSettings::Smoothing, 0.25), SurfacePlaces},
        {"component", fit(&FitSettings::Component, 2), SurfacePlaces},
@@ -162,80 +183,49 @@ TEST(StudyPlan, AnInputOfAProductIsInItsKey)
        {"given centre", fit(&FitSettings::GivenCenterWorld, std::array<double, 3>{{1.0, 2.0, 3.0}}),
         SamplePlaces},
        {"hidden", fit(&FitSettings::MaximumHiddenPercent, 50.0), SamplePlaces},
-       {"degree", first(&StudyStructure::Degree, 9), ModelPlaces},
+       {"degree", first(&SceneStructure::Degree, 9), ModelPlaces},
        {"tolerance", fit(&FitSettings::Tolerance, 0.5), ModelPlaces},
        {"highest degree", fit(&FitSettings::MaximumDegree, 7), ModelPlaces},
        {"weight", fit(&FitSettings::Weight, FitSettings::SampleWeight::Uniform), ModelPlaces},
        {"penalty", fit(&FitSettings::PenaltyKind, FitSettings::Penalty::Given), ModelPlaces},
        {"roughness", fit(&FitSettings::Roughness, 1e-3), ModelPlaces},
+       {"robust", fit(&FitSettings::IsRobust, true), ModelPlaces},
        {"Dice", fit(&FitSettings::MinimumDice, 0.5), ModelPlaces},
        {"interpolation",
-        [](Inputs& i) { i.State.Interpolation = FieldInterpolation::TricubicBSpline; },
+        OfEach([](SceneStructure& s) { s.Interpolation = FieldInterpolation::TricubicBSpline; }),
         FieldPlaces},
-       {"field's smoothing", [](Inputs& i) { i.State.FieldSmoothing = 0.5; },
+       {"field's smoothing", OfEach([](SceneStructure& s) { s.Smoothing = 0.5; }),
         And(FieldPlaces, BonePlaces)},
+       {"mode",
+        first(&SceneStructure::Mode, HarmonicContactMode::Radial),
+        {{Step::Touch, Harmonics}, {Step::Cost, Harmonics}}},
        {"tool's shape", tool(&TouchToolSettings::Radius, 1.5), CostPlaces},
        {"tool's length", tool(&TouchToolSettings::Length, 1.5), CostPlaces},
        {"tool's axes", tool(&TouchToolSettings::SemiAxes, Vector3(1.0, 2.0, 3.0)), CostPlaces},
        {"tool's points", tool(&TouchToolSettings::Points, 60), ToolPlaces},
        {"tool's file", tool(&TouchToolSettings::File, std::filesystem::path("/b.stl")), ToolPlaces},
-       {"tool's content", [](Inputs& i) { i.Stamps.Tool = "u"; }, ToolPlaces}});
-}
-
-TEST(StudyPlan, WhatAStepOfTheDialIsMeasuredWithIsInItsKey)
-{
-  Inputs base = Base();
-  base.State.Dial = StudyDial::SubVoxelLinear;
-  const auto trades = [](const Places& places)
-  {
-    return And(places, {{Step::Trade, Harmonics},
-                        {Step::Trade, Facets},
-                        {Step::Trade, Field},
-                        {Step::Trade, Bone}});
-  };
-  const Places fields = And(And(FieldPlaces, BonePlaces), {{Step::Field, Harmonics},
-                                                           {Step::Touch, Harmonics},
-                                                           {Step::Cost, Harmonics},
-                                                           {Step::Field, Facets},
-                                                           {Step::Touch, Facets},
-                                                           {Step::Cost, Facets}});
-  ExpectChanges(
-      base, {{"field's smoothing", [](Inputs& i) { i.State.FieldSmoothing = 0.5; }, trades(fields)},
-             {"tool's radius", [](Inputs& i) { i.State.Tool.Radius = 9.0; }, trades(CostPlaces)},
-             {"tool's file", [](Inputs& i) { i.State.Tool.File = "/b.stl"; }, trades(ToolPlaces)},
-             {"tool's content", [](Inputs& i) { i.Stamps.Tool = "u"; }, trades(ToolPlaces)},
-             {"name", [](Inputs& i) { i.State.Structures[0].Name = "other"; }, {}}});
+       {"tool's content", [](Inputs& i) { i.Stamps["/tool.stl"] = "u"; }, ToolPlaces}});
 }
 
 // What is only looked at or felt otherwise makes nothing again.
 TEST(StudyPlan, WhatNoProductDependsOnIsInNoKey)
 {
-  const auto each = [](const std::function<void(StudyStructure&)>& change)
-  {
-    return [change](Inputs& inputs)
-    {
-      for (StudyStructure& one : inputs.State.Structures)
-      {
-        change(one);
-      }
-    };
-  };
-  ExpectChanges(Base(), {{"stiffness", each([](StudyStructure& s) { s.Stiffness = 1.25; }), {}},
+  ExpectChanges(Base(), {{"stiffness", OfEach([](SceneStructure& s) { s.Stiffness = 1.25; }), {}},
                          {"friction",
-                          each(
-                              [](StudyStructure& s) {
+                          OfEach(
+                              [](SceneStructure& s) {
                                 s.Friction = {0.4, 0.3};
                               }),
                           {}},
-                         {"name", each([](StudyStructure& s) { s.Name = "other"; }), {}},
+                         {"name", OfEach([](SceneStructure& s) { s.Name = "other"; }), {}},
                          {"colour",
-                          each(
-                              [](StudyStructure& s) {
+                          OfEach(
+                              [](SceneStructure& s) {
                                 s.Color = {{0.0, 0.0, 1.0}};
                               }),
                           {}},
-                         {"alarm", each([](StudyStructure& s) { s.AlarmDistance = 7.0; }), {}},
-                         {"drag", each([](StudyStructure& s) { s.Drill.Drag = 0.01; }), {}},
+                         {"alarm", OfEach([](SceneStructure& s) { s.AlarmDistance = 7.0; }), {}},
+                         {"drag", OfEach([](SceneStructure& s) { s.Drill.Drag = 0.01; }), {}},
                          {"turns", [](Inputs& i) { i.State.Drill.Turns = 5.0; }, {}},
                          {"view", [](Inputs& i) { i.State.View.OverlayOpacity = 0.125; }, {}},
                          {"device", [](Inputs& i) { i.State.Device = "falcon"; }, {}},
@@ -254,7 +244,7 @@ TEST(StudyPlan, AForbiddenStructureIsProtectedWhateverIsShown)
 }
 
 // Names of labels and detached data are read with the file that names them.
-TEST(StudyStamps, FilesThatAreReadWithAnotherAreStamped)
+TEST(SceneStamps, FilesThatAreReadWithAnotherAreStamped)
 {
   const test::TemporaryFolder folder;
   const std::vector<std::pair<const char*, const char*>> cases{{"aal.nii.gz", "aal.nii.txt"},
@@ -268,11 +258,10 @@ TEST(StudyStamps, FilesThatAreReadWithAnotherAreStamped)
     state.SegmentationFile = folder / file;
     state.VolumeFile = folder / file;
     test::WriteAll(folder / file, "header");
-    const StudyStamps before = StampFiles(state);
+    const SceneStamps before = StampFiles(state);
     test::WriteAll(folder / companion, "data");
-    const StudyStamps after = StampFiles(state);
-    EXPECT_NE(after.Segmentation, before.Segmentation) << companion;
-    EXPECT_NE(after.Volume, before.Volume) << companion;
+    const SceneStamps after = StampFiles(state);
+    EXPECT_NE(after, before) << companion;
     std::filesystem::remove(folder / companion);
   }
 }

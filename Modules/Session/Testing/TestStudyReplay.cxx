@@ -164,11 +164,11 @@ TEST_F(StudyReplayTest, AStructureIsNamedByItsLabel)
   ticks[1].Structure = 1;
   ticks[2].Structure = 5;
   StudyReplay replay = this->Replay(ticks);
-  EXPECT_EQ(replay.Poll({30, 40}).TouchedLabel, 0);
+  EXPECT_EQ(replay.Poll({30, 40}).TouchedId, 0);
   replay.MoveTo(1.6e-3);
-  EXPECT_EQ(replay.Poll({30, 40}).TouchedLabel, 40);
+  EXPECT_EQ(replay.Poll({30, 40}).TouchedId, 40);
   replay.MoveTo(1.0);
-  EXPECT_EQ(replay.Poll({30, 40}).TouchedLabel, 0) << "of one that the study does not have";
+  EXPECT_EQ(replay.Poll({30, 40}).TouchedId, 0) << "of one that the study does not have";
 }
 
 TEST_F(StudyReplayTest, WhatIsNoNumberMovesNothing)

@@ -80,9 +80,9 @@ protected:
 TEST_F(StudyToolTest, IsReadOnceAndFeltAfterItsFileIsGone)
 {
   this->Settle();
-  const auto read = this->Open.Pipeline().Newest<SurfaceTool>(StudyStep::Tool);
+  const auto read = this->Open.Pipeline().Newest<SurfaceTool>(SceneStep::Tool);
   ASSERT_NE(read, nullptr);
-  EXPECT_NE(this->Open.Pipeline().Newest<TouchCost>(StudyStep::Cost, 1), nullptr);
+  EXPECT_NE(this->Open.Pipeline().Newest<TouchCost>(SceneStep::Cost, 1), nullptr);
   this->Open.StartTouch();
   this->Settle();
   ASSERT_TRUE(this->Open.Touch().IsRunning()) << this->Open.TouchProblem();
@@ -91,12 +91,12 @@ TEST_F(StudyToolTest, IsReadOnceAndFeltAfterItsFileIsGone)
   this->ChangeStiffness(1.0);
   this->WaitForScene(2);
   EXPECT_EQ(this->Open.Pipeline().StartedCount(), started);
-  EXPECT_EQ(this->Open.Pipeline().Newest<SurfaceTool>(StudyStep::Tool), read);
+  EXPECT_EQ(this->Open.Pipeline().Newest<SurfaceTool>(SceneStep::Tool), read);
   std::filesystem::remove(this->File);
   this->ChangeStiffness(1.5);
   this->WaitForScene(3);
   this->Settle();
-  EXPECT_EQ(this->Open.Pipeline().StateOf(StudyStep::Tool).Is, StudyStepState::Kind::Failed);
+  EXPECT_EQ(this->Open.Pipeline().StateOf(SceneStep::Tool).Is, StudyStepState::Kind::Failed);
   this->ChangeStiffness(2.0);
   this->WaitForScene(4);
 }
@@ -104,15 +104,15 @@ TEST_F(StudyToolTest, IsReadOnceAndFeltAfterItsFileIsGone)
 TEST_F(StudyToolTest, AFileThatIsWrittenAgainIsAnotherTool)
 {
   this->Settle();
-  const auto read = this->Open.Pipeline().Newest<SurfaceTool>(StudyStep::Tool);
-  const auto cost = this->Open.Pipeline().Newest<TouchCost>(StudyStep::Cost, 1);
+  const auto read = this->Open.Pipeline().Newest<SurfaceTool>(SceneStep::Tool);
+  const auto cost = this->Open.Pipeline().Newest<TouchCost>(SceneStep::Cost, 1);
   this->WriteCube(3.0);
   std::filesystem::last_write_time(this->File, std::filesystem::last_write_time(this->File) +
                                                    std::chrono::seconds(2));
   this->ChangeStiffness(1.0);
   this->Settle();
-  EXPECT_NE(this->Open.Pipeline().Newest<SurfaceTool>(StudyStep::Tool), read);
-  EXPECT_NE(this->Open.Pipeline().Newest<TouchCost>(StudyStep::Cost, 1), cost);
+  EXPECT_NE(this->Open.Pipeline().Newest<SurfaceTool>(SceneStep::Tool), read);
+  EXPECT_NE(this->Open.Pipeline().Newest<TouchCost>(SceneStep::Cost, 1), cost);
 }
 
 TEST_F(StudyToolTest, ATouchWaitsForItAndSaysSo)

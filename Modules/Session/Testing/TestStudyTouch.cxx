@@ -7,7 +7,6 @@
 #include "PlacedDevice.h"
 #include "SafetyText.h"
 #include "SimulatedDevice.h"
-#include "SlowModel.h"
 #include "StudyPhantoms.h"
 #include "TouchReplay.h"
 
@@ -29,11 +28,11 @@ RealtimeRequest Ordinary()
   return request;
 }
 
-StudyContact Ball(int label, double radius)
+SceneContact Ball(int label, double radius)
 {
   const SphericalHarmonicModel model(0, {radius * std::sqrt(4.0 * M_PI)}, Vector3::Zero());
-  return {label, std::make_shared<const TouchContact>(MakeHarmonicContact(
-                     model, HarmonicContactMode::Nearest, EvaluationPrecision::Double, "ball"))};
+  return {label, std::make_shared<const TouchContact>(
+                     MakeHarmonicContact(model, HarmonicContactMode::Nearest, "ball"))};
 }
 
 StudyState BallState(int label)
@@ -90,7 +89,7 @@ protected:
   std::uint64_t Expected = 2; // scene
   ManualClock Time;
   StudyState State = BallState(7);
-  std::vector<StudyContact> Contacts{Ball(7, Radius)};
+  std::vector<SceneContact> Contacts{Ball(7, Radius)};
   StudyTouch Touch{Time, Ordinary()};
 };
 
@@ -100,7 +99,7 @@ TEST_F(StudyTouchTest, AHandFeelsAStructureAndSaysWhich)
   EXPECT_TRUE(this->Touch.IsRunning());
   this->Press(4.0);
   const StudyTouchReading& felt = this->AtRest();
-  EXPECT_EQ(felt.TouchedLabel, 7);
+  EXPECT_EQ(felt.TouchedId, 7);
   // Hand and structure share the way as springs of 0.5 N/mm each; the mechanism's friction of
   // 0.2 N may hold 0.2 mm of it.
   EXPECT_NEAR(felt.Newest.Depth, 2.0, 0.25);
@@ -135,7 +134,7 @@ TEST_F(StudyTouchTest, AModelThatIsFittedAnewIsSwappedIn)
   const double scale = this->Touch.Frame().Scale;
   this->Contacts = {Ball(7, Radius - 10.0)};
   ASSERT_TRUE(this->Touch.Update(this->State, this->Contacts).IsOk());
-  EXPECT_EQ(this->AtRest().TouchedLabel, 0) << "the hand is outside the smaller ball";
+  EXPECT_EQ(this->AtRest().TouchedId, 0) << "the hand is outside the smaller ball";
   EXPECT_EQ(this->Touch.Frame().CenterWorld, center) << "the workspace stays where it is";
   EXPECT_EQ(this->Touch.Frame().Scale, scale);
 }
@@ -164,7 +163,7 @@ TEST_F(StudyTouchTest, ForcesGoOnThroughARefitAnotherStiffnessAndADraggedWorkspa
           return now.Newest.Scene == this->Expected &&
                  std::abs(Vector3(now.Newest.ForceDevice).norm() - end) < 1e-9;
         });
-    EXPECT_EQ(last.TouchedLabel, 7);
+    EXPECT_EQ(last.TouchedId, 7);
     ++this->Expected;
   };
   this->State.Structures[0].Stiffness = 1.0;
@@ -173,24 +172,6 @@ TEST_F(StudyTouchTest, ForcesGoOnThroughARefitAnotherStiffnessAndADraggedWorkspa
   expectNoGap(3.0);
   this->State.Placement.CenterWorld = Vector3(-0.5, 0.0, 0.0);
   expectNoGap(3.5);
-}
-
-// The servo's own time passes while a model is asked.
-TEST_F(StudyTouchTest, AModelThatTicksHaveNoTimeForGivesWayAndTheReadingSaysSo)
-{
-  const auto cost = std::make_shared<std::atomic<std::int64_t>>(2'500'000); // ns
-  TouchContact slow = *this->Contacts[0].Contact;
-  slow.Coarser.push_back({slow.Model, {}, "something coarser"});
-  slow.Model = std::make_shared<test::SlowModel>(slow.Model, this->Time, cost);
-  this->Contacts[0].Contact = std::make_shared<const TouchContact>(slow);
-  this->State.Rate = 500.0;
-  this->Start();
-  this->Press(4.0);
-  const StudyTouchReading& coarser =
-      this->WaitUntil([](const StudyTouchReading& now) { return !now.Degraded.empty(); });
-  EXPECT_EQ(coarser.Degraded, "label 7 is felt by something coarser: ticks took longer than 2 ms.");
-  *cost = 0;
-  this->WaitUntil([](const StudyTouchReading& now) { return now.Degraded.empty(); });
 }
 
 TEST_F(StudyTouchTest, WhatCannotBeFeltIsNotPublishedAgain)
@@ -278,7 +259,7 @@ TEST_F(StudyTouchTest, AStructureThatIsNoLongerTouchableLetsTheHandIn)
   this->AtRest();
   this->State.Structures[0].IsTouchable = false;
   ASSERT_TRUE(this->Touch.Update(this->State, {}).IsOk());
-  EXPECT_EQ(this->AtRest().TouchedLabel, 0);
+  EXPECT_EQ(this->AtRest().TouchedId, 0);
 }
 
 // Whatever is said of a structure is said of the one that was touched.
@@ -290,7 +271,7 @@ TEST_F(StudyTouchTest, ContactsOfWhatIsNotTouchableAreLeftOut)
   this->Contacts = {Ball(3, 2.0 * Radius), Ball(99, 2.0 * Radius), Ball(7, Radius)};
   this->Start();
   this->Press(4.0);
-  EXPECT_EQ(this->AtRest().TouchedLabel, 7);
+  EXPECT_EQ(this->AtRest().TouchedId, 7);
 }
 
 TEST_F(StudyTouchTest, WhereThereIsNothingToTouchItDoesNotStart)
@@ -309,7 +290,7 @@ TEST_F(StudyTouchTest, AToolThatCannotTouchIsRefusedAndTheOneBeforeStays)
   this->State.Tool.Kind = TouchToolSettings::Shape::Ellipsoid; // harmonics feel spheres
   EXPECT_FALSE(this->Touch.Update(this->State, this->Contacts).IsOk());
   this->Press(4.0);
-  EXPECT_EQ(this->AtRest().TouchedLabel, 7);
+  EXPECT_EQ(this->AtRest().TouchedId, 7);
 }
 
 TEST_F(StudyTouchTest, TheWorkspaceLiesWhereThePlacementSays)
@@ -450,7 +431,7 @@ TEST_F(StudyTouchTest, ARecordingIsFeltAgainToTheLastBit)
   ASSERT_TRUE(touch.StartRecording(file).IsOk());
   EXPECT_FALSE(touch.StartRecording(file).IsOk());
   touch.MoveHand(Vector3(Radius - 4.0, 0.0, 0.0));
-  while (touch.Poll().Newest.Tick.Number < 150 || touch.Poll().TouchedLabel != 7)
+  while (touch.Poll().Newest.Tick.Number < 150 || touch.Poll().TouchedId != 7)
   {
     std::this_thread::yield();
   }
@@ -464,7 +445,7 @@ TEST_F(StudyTouchTest, ARecordingIsFeltAgainToTheLastBit)
   EXPECT_EQ(touch.RecordingFile(), file);
   WorkspaceFrame frame = touch.Frame();
   const auto scene =
-      std::make_shared<const TouchScene>(MakeStudyScene(this->State, this->Contacts, frame));
+      std::make_shared<const TouchScene>(MakeTouchScene(this->State, this->Contacts, frame));
   ReplayComparison comparison;
   ASSERT_TRUE(ReplayTouch(recording, {scene}, comparison).IsOk());
   EXPECT_EQ(comparison.DifferentTicks, 0U);
@@ -478,7 +459,7 @@ TEST_F(StudyTouchTest, ARecordingThatCannotBeWrittenSaysSoAndTheTouchGoesOn)
   EXPECT_FALSE(this->Touch.IsRecording());
   EXPECT_FALSE(this->Touch.StopRecording().IsOk());
   this->Press(4.0);
-  EXPECT_EQ(this->AtRest().TouchedLabel, 7);
+  EXPECT_EQ(this->AtRest().TouchedId, 7);
 }
 
 // From files to a touch, by what a pipeline makes.
@@ -489,15 +470,15 @@ TEST(StudyTouchOfFiles, WhatThePipelineMakesIsFelt)
   StudyJobs jobs;
   StudyPipeline pipeline(jobs);
   pipeline.Update(state);
-  EXPECT_TRUE(ContactsOf(state, pipeline).empty());
+  EXPECT_TRUE(test::ContactsIn(state, pipeline).empty());
   test::Settle(jobs);
   ManualClock clock;
   StudyTouch touch(clock, Ordinary());
   std::unique_ptr<HapticDevice> device;
   ASSERT_TRUE(OpenBuiltInDevice(state.Device, clock, device).IsOk());
-  ASSERT_TRUE(touch.Start(std::move(device), state, ContactsOf(state, pipeline)).IsOk());
+  ASSERT_TRUE(touch.Start(std::move(device), state, test::ContactsIn(state, pipeline)).IsOk());
   touch.MoveHand(Vector3(-15.0, 0.0, 5.0)); // in the ball, whose middle is at x = -15
-  while (touch.Poll().TouchedLabel != 1)
+  while (touch.Poll().TouchedId != 1)
   {
     std::this_thread::yield();
   }

@@ -17,8 +17,7 @@ constexpr double Radius = 20.0;
 TouchContact Ball()
 {
   const SphericalHarmonicModel model(0, {Radius * std::sqrt(4.0 * M_PI)}, Vector3::Zero());
-  return MakeHarmonicContact(model, HarmonicContactMode::Nearest, EvaluationPrecision::Double,
-                             "ball");
+  return MakeHarmonicContact(model, HarmonicContactMode::Nearest, "ball");
 }
 
 bool GoOn(double /*fraction*/, const std::string& /*stage*/)

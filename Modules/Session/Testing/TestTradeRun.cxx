@@ -37,7 +37,7 @@ protected:
 
   void AddFile(const std::string& name)
   {
-    TouchStructureSettings structure;
+    SceneStructure structure;
     structure.File = this->Folder / name;
     this->Settings.Scene.Structures.push_back(structure);
   }
@@ -137,12 +137,12 @@ TEST_F(TradeRunTest, OneStructureLeavesTheOthersRows)
 
 TEST_F(TradeRunTest, WhatIsOnlySeenIsNotMeasured)
 {
-  for (TouchStructureSettings& structure : this->Settings.Scene.Structures)
+  for (SceneStructure& structure : this->Settings.Scene.Structures)
   {
-    structure.IsTouched = false;
+    structure.IsTouchable = false;
   }
   EXPECT_THROW(this->Measure(), InputError);
-  this->Settings.Scene.Structures.front().IsTouched = true;
+  this->Settings.Scene.Structures.front().IsTouchable = true;
   EXPECT_EQ(this->Measure().Structures.size(), 1U);
 }
 

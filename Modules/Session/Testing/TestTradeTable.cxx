@@ -16,11 +16,10 @@ TradeRow SomeRow()
   row.Structure = "left, \"lower\" pole";
   row.Setting.Representation = TouchRepresentation::Facets;
   row.Setting.Facets = 2000;
-  row.Setting.ModelInterval = 4;
-  row.Knob = TradeKnob::ModelInterval;
+  row.Knob = TradeKnob::Facets;
   row.Represented = "2000 facets";
   row.Truth = "its own triangles";
-  row.Key = "0123456789abcdef/facets/2000/4";
+  row.Key = "0123456789abcdef/facets/2000";
   double number = 0.1;
   for (const TradeColumn& column : TradeColumns())
   {
@@ -47,7 +46,7 @@ TEST(TradeTable, ComesBackToTheBit)
   const TradeRow& first = read.Rows().front();
   EXPECT_EQ(first.Structure, SomeRow().Structure);
   EXPECT_TRUE(first.Setting == SomeRow().Setting);
-  EXPECT_EQ(first.Knob, TradeKnob::ModelInterval);
+  EXPECT_EQ(first.Knob, TradeKnob::Facets);
   for (const TradeColumn& column : TradeColumns())
   {
     EXPECT_EQ(first.*column.Number, SomeRow().*column.Number) << column.Name;

@@ -174,9 +174,7 @@ std::string Errors(const TradeRow& row)
 TradeAdvice AdviseByThresholds(const std::vector<TradeRow>& rows, const Places& felt,
                                double servoRate)
 {
-  // A model that is asked more seldom makes ticks cheaper and none of the longest shorter.
-  const auto isFast = [&](std::size_t r)
-  { return rows[r].Rate >= servoRate && rows[r].Setting.ModelInterval == 1; };
+  const auto isFast = [&](std::size_t r) { return rows[r].Rate >= servoRate; };
   const auto isTrue = [&](std::size_t r)
   {
     return rows[r].NoticeableRare < 1.0 &&

@@ -51,7 +51,6 @@ void TradeBench::Fill(const TradeSetting& setting, TradeRow& row, const Progress
   touch.Tool = this->Asked.Tool;
   touch.Tool.Points = setting.ToolPoints;
   touch.Stiffness = this->Asked.Asked.Stiffness;
-  touch.ModelInterval = setting.ModelInterval;
   touch.Runs = this->Asked.Runs;
   MeasureTouch(*made.Contact.Model, touch, this->Way, this->Time, row, progress);
 }

@@ -19,7 +19,7 @@ public:
   /// How each setting is felt; what `asked` says of representations is where candidates begin.
   struct Settings
   {
-    TouchStructureSettings Asked;
+    SceneStructure Asked;
     TouchToolSettings Tool;
     TradePathSettings Path;
     int Runs = 5; ///< a tick's time is the least of so many

@@ -50,13 +50,12 @@ private:
   std::vector<TradeCandidate>& Candidates;
 };
 
-TradeSetting HarmonicsOf(const TouchStructureSettings& asked, int highest)
+TradeSetting HarmonicsOf(const SceneStructure& asked, int highest)
 {
   TradeSetting setting;
   setting.Representation = TouchRepresentation::Harmonics;
   setting.Degree = std::min(asked.Degree, highest);
   setting.Mode = asked.Mode;
-  setting.Precision = asked.Precision;
   return setting;
 }
 
@@ -73,9 +72,6 @@ void AddHarmonics(const TradeSetting& standard, int highest,
   }
   variations.Vary(TradeKnob::Mode, &TradeSetting::Mode,
                   {HarmonicContactMode::Nearest, HarmonicContactMode::Radial});
-  variations.Vary(TradeKnob::Precision, &TradeSetting::Precision,
-                  {EvaluationPrecision::Double, EvaluationPrecision::Float});
-  variations.Vary(TradeKnob::ModelInterval, &TradeSetting::ModelInterval, {2, 4, 10});
   variations.Vary(TradeKnob::Drawing, &TradeSetting::DrawnFrequency, {5, 10, 20, 40});
 }
 
@@ -99,22 +95,18 @@ void AddFacets(int count, std::vector<TradeCandidate>& candidates)
   {
     variations.Add(TradeKnob::Facets, &TradeSetting::Facets, 0);
   }
-  variations.Vary(TradeKnob::ModelInterval, &TradeSetting::ModelInterval, {2, 4, 10});
 }
 
-void AddField(const TouchStructureSettings& asked, const TouchToolSettings& tool,
+void AddField(const SceneStructure& asked, const TouchToolSettings& tool,
               std::vector<TradeCandidate>& candidates)
 {
   TradeSetting standard;
   standard.Representation = TouchRepresentation::SubVoxel;
   standard.Interpolation = asked.Interpolation;
-  standard.Bricks = asked.Bricks;
   standard.ToolPoints = tool.Points;
   Variations variations(standard, candidates);
   variations.Vary(TradeKnob::Interpolation, &TradeSetting::Interpolation,
                   {FieldInterpolation::Trilinear, FieldInterpolation::TricubicBSpline});
-  variations.Vary(TradeKnob::Bricks, &TradeSetting::Bricks,
-                  {BrickSize::Cells4, BrickSize::Cells8, BrickSize::Cells16});
   const bool isPoint = tool.Kind == TouchToolSettings::Shape::Sphere && tool.Radius == 0.0;
   if (!isPoint)
   {
@@ -125,11 +117,10 @@ void AddField(const TouchStructureSettings& asked, const TouchToolSettings& tool
     finest.ToolPoints = FinePoints;
     AddOnce({finest, TradeKnob::ToolPoints}, candidates);
   }
-  variations.Vary(TradeKnob::ModelInterval, &TradeSetting::ModelInterval, {2, 4, 10});
 }
 } // namespace
 
-std::vector<TradeCandidate> CandidatesOf(TradeModels& models, const TouchStructureSettings& asked,
+std::vector<TradeCandidate> CandidatesOf(TradeModels& models, const SceneStructure& asked,
                                          const TouchToolSettings& tool,
                                          const ProgressFunction& progress)
 {

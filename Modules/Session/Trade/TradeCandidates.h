@@ -19,7 +19,7 @@ struct TradeCandidate
 /// A default for each representation that the source and the tool allow, as `asked` has it, each
 /// followed by variations of one knob at a time (and a field's finest).
 PALPATESESSION_EXPORT std::vector<TradeCandidate> CandidatesOf(TradeModels& models,
-                                                               const TouchStructureSettings& asked,
+                                                               const SceneStructure& asked,
                                                                const TouchToolSettings& tool,
                                                                const ProgressFunction& progress);
 

@@ -4,9 +4,9 @@
 #include "FilterRun.h"
 #include "ModelSurface.h"
 #include "Refusal.h"
+#include "SceneTool.h"
 #include "Servo.h"
 #include "StructureFollower.h"
-#include "TouchStructures.h"
 #include "TradeErrors.h"
 #include "TriangleMesh.h"
 
@@ -103,26 +103,21 @@ private:
   void RunStroke(std::size_t first, std::size_t end)
   {
     StructureFollower& follower = this->Followers.front();
-    const int interval = std::max(this->Touch.ModelInterval, 1);
     follower.Leave();
     FollowStep step;
     step.Passed = TradePath::Period;
-    step.ModelPeriod = interval > 1 ? interval * TradePath::Period : 0.0;
-    Vector3 asked = this->Way.Ticks[first].ProbeWorld;
-    Vector3 before = asked;
+    Vector3 before = this->Way.Ticks[first].ProbeWorld;
     for (std::size_t tick = first; tick < end; ++tick)
     {
-      step.Last.PositionWorld = asked;
+      step.Last.PositionWorld = before;
       step.Now.PositionWorld = this->Way.Ticks[tick].ProbeWorld;
       step.HandVelocity = (step.Now.PositionWorld - before) / TradePath::Period;
-      step.AsksModel = (tick - first) % static_cast<std::size_t>(interval) == 0;
       const std::int64_t began = this->Time.Now();
       const Vector3 force = follower.Follow(step);
       const std::int64_t ended = this->Time.Now();
       this->Times[tick] = std::min(this->Times[tick], static_cast<double>(ended - began));
       this->Felt[tick] = {!force.isZero(0.0), force};
       before = step.Now.PositionWorld;
-      asked = step.AsksModel ? before : asked;
     }
   }
 

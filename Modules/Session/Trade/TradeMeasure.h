@@ -12,7 +12,6 @@ struct TradeTouch
 {
   TouchToolSettings Tool;
   double Stiffness = 0.5; ///< N/mm
-  int ModelInterval = 1;  ///< ticks from one question to the model to the next
   int Runs = 5;           ///< a tick's time is the least of so many runs of the same way
 };
 

@@ -147,7 +147,7 @@ const TradeModels::Made<FitSamples>& TradeModels::Samples(const ProgressFunction
 const TradeModels::Made<std::shared_ptr<const ScalarField>>&
 TradeModels::Field(const TradeSetting& setting, const ProgressFunction& progress)
 {
-  const auto form = std::make_pair(setting.Interpolation, setting.Bricks);
+  const FieldInterpolation form = setting.Interpolation;
   const auto found = this->Fields.find(form);
   if (found != this->Fields.end())
   {
@@ -157,14 +157,12 @@ TradeModels::Field(const TradeSetting& setting, const ProgressFunction& progress
   std::shared_ptr<const ScalarField> field;
   if (const auto* mask = MaskOf(this->Structure))
   {
-    field =
-        MakeSegmentField(*mask->Voxels, {mask->Structure}, {setting.Interpolation, setting.Bricks},
-                         this->Structure.Smoothing, progress);
+    field = MakeSegmentField(*mask->Voxels, {mask->Structure}, form, this->Structure.Smoothing,
+                             progress);
   }
   else if (const auto* image = ImageOf(this->Structure))
   {
-    field = MakeIsoField(image->Voxels->Image, {image->Iso},
-                         {setting.Interpolation, setting.Bricks}, progress);
+    field = MakeIsoField(image->Voxels->Image, {image->Iso}, form, progress);
   }
   else
   {
@@ -231,7 +229,7 @@ TradeModel TradeModels::MakeHarmonics(const TradeSetting& setting, const Progres
       known != nullptr ? known->WithDegree(setting.Degree)
                        : this->FittedModel(setting.Degree, made.Seconds, progress);
   const std::int64_t start = this->Time.Now();
-  made.Contact = MakeHarmonicContact(model, setting.Mode, setting.Precision, this->Structure.File);
+  made.Contact = MakeHarmonicContact(model, setting.Mode, this->Structure.File);
   made.Seconds += this->SecondsSince(start);
   return made;
 }

@@ -71,7 +71,6 @@ private:
   std::optional<Made<FitSurface>> OwnMaskSurface;
   std::optional<Made<FitSamples>> OwnSamples;
   std::map<int, Made<vtkSmartPointer<vtkPolyData>>> FewerFacets; // by their number
-  std::map<std::pair<FieldInterpolation, BrickSize>, Made<std::shared_ptr<const ScalarField>>>
-      Fields;
+  std::map<FieldInterpolation, Made<std::shared_ptr<const ScalarField>>> Fields;
 };
 } // namespace palpate

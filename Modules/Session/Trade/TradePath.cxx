@@ -2,7 +2,7 @@
 
 #include "FilterRun.h"
 #include "InputError.h"
-#include "TouchStructures.h"
+#include "SceneTool.h"
 
 #include <algorithm>
 #include <cmath>

@@ -3,7 +3,7 @@
 #include "ClosestPointSearch.h"
 #include "InputError.h"
 #include "Refusal.h"
-#include "TouchStructures.h"
+#include "SceneTool.h"
 
 #include <algorithm>
 #include <utility>

@@ -18,7 +18,7 @@ namespace palpate
 /// What of a scene is measured, how, and where rows are kept.
 struct TradeRunSettings
 {
-  TouchSettings Scene;
+  SceneSettings Scene;
   std::set<TradeKnob> Knobs;           ///< none for all
   std::vector<std::string> Structures; ///< names; none for all
   TradePathSettings Path;

@@ -7,7 +7,7 @@
 #include "InputError.h"
 #include "ModelFile.h"
 #include "Refusal.h"
-#include "SceneFiles.h"
+#include "SceneLabels.h"
 #include "SurfaceFile.h"
 
 #include <map>
@@ -18,52 +18,54 @@ namespace palpate
 {
 namespace
 {
-class SceneReader
+// Segmentations are read once, however many structures they hold.
+class TradeReader
 {
 public:
-  explicit SceneReader(std::vector<TradeStructure>& structures) : Structures(structures) {}
-
-  void Read(const TouchStructureSettings& asked)
+  std::shared_ptr<const Segmentation> SegmentationOf(const std::filesystem::path& file)
   {
-    const std::filesystem::path& file = asked.File;
-    if (asked.Iso)
+    std::shared_ptr<const Segmentation>& kept = this->Segmentations[file];
+    kept = kept != nullptr ? kept : std::make_shared<const Segmentation>(ReadSegmentation(file));
+    return kept;
+  }
+
+  TradeStructure Read(const SceneStructure& asked)
+  {
+    TradeStructure structure;
+    structure.Source.Name = TitleOf(asked);
+    structure.Source.File = asked.File;
+    structure.Source.Smoothing = asked.Smoothing;
+    structure.Asked = asked;
+    std::string part;
+    switch (asked.Source())
     {
-      this->Add(asked, CaseNameOf(file), TradeSource::Image{this->Files.VolumeOf(file), *asked.Iso},
-                "iso " + SignificantText(*asked.Iso));
-    }
-    else if (IsModelFile(file))
+    case SceneSource::Label:
     {
-      this->Add(asked, file.stem().string(), this->ModelOf(file), {});
+      const auto voxels = this->SegmentationOf(asked.File);
+      structure.Source.Is = TradeSource::Mask{voxels, SegmentOf(asked, *voxels)};
+      part = "label " + asked.Labels.front();
+      break;
     }
-    else if (IsSurfaceFile(file))
-    {
-      this->Add(asked, file.stem().string(), this->Files.SurfaceOf(file), {});
+    case SceneSource::IsoValue:
+      structure.Source.Is =
+          TradeSource::Image{std::make_shared<const Volume>(ReadVolume(asked.File)), *asked.Iso};
+      part = "iso " + SignificantText(*asked.Iso);
+      break;
+    case SceneSource::Model:
+      structure.Source.Is = ModelOf(asked.File);
+      break;
+    case SceneSource::Surface:
+      structure.Source.Is = ReadSurface(asked.File);
+      break;
     }
-    else
-    {
-      this->ReadSegmentation(asked);
-    }
+    structure.Content = this->DigestOf(asked.File) + " " + part;
+    return structure;
   }
 
 private:
-  using Is = decltype(TradeSource::Is);
-
-  void Add(const TouchStructureSettings& asked, const std::string& name, Is is,
-           const std::string& part)
+  static TradeSource::Model ModelOf(const std::filesystem::path& file)
   {
-    TradeStructure structure;
-    structure.Source.Name = asked.Name.empty() ? name : asked.Name;
-    structure.Source.File = asked.File;
-    structure.Source.Is = std::move(is);
-    structure.Source.Smoothing = asked.Smoothing;
-    structure.Asked = asked;
-    structure.Content = this->DigestOf(asked.File) + " " + part;
-    this->Structures.push_back(std::move(structure));
-  }
-
-  TradeSource::Model ModelOf(const std::filesystem::path& file)
-  {
-    const ModelDocument document = this->Files.ModelOf(file);
+    const ModelDocument document = ReadModel(file);
     const auto* model = std::get_if<SphericalHarmonicModel>(&document.Surface);
     if (model == nullptr)
     {
@@ -71,26 +73,6 @@ private:
              "write it as a surface (palpate convert) and measure that");
     }
     return std::make_shared<const SphericalHarmonicModel>(*model);
-  }
-
-  void ReadSegmentation(const TouchStructureSettings& asked)
-  {
-    const auto voxels = this->Files.SegmentationOf(asked.File);
-    std::vector<Segment> segments = voxels->Segments;
-    if (!asked.Labels.empty())
-    {
-      segments.clear();
-      for (const std::string& label : asked.Labels)
-      {
-        segments.push_back(voxels->Find(label));
-      }
-    }
-    for (const Segment& segment : segments)
-    {
-      const std::string label = "label " + std::to_string(segment.Label);
-      this->Add(asked, segment.Name.empty() ? label : segment.Name,
-                TradeSource::Mask{voxels, segment}, label);
-    }
   }
 
   const std::string& DigestOf(const std::filesystem::path& file)
@@ -105,26 +87,33 @@ private:
     return known;
   }
 
-  std::vector<TradeStructure>& Structures;
-  SceneFiles Files;
+  std::map<std::filesystem::path, std::shared_ptr<const Segmentation>> Segmentations;
   std::map<std::filesystem::path, std::string> Digests;
 };
 } // namespace
 
-std::vector<TradeStructure> ReadTradeScene(const TouchSettings& scene,
+std::vector<TradeStructure> ReadTradeScene(const SceneSettings& scene,
                                            const ProgressFunction& progress)
 {
+  SceneSettings touched = scene;
+  for (SceneStructure& structure : touched.Structures)
+  {
+    structure.IsVisible = structure.IsForbidden = false;
+  }
+  TradeReader reader;
+  touched = ResolveLabels(touched, false,
+                          [&reader](const std::filesystem::path& file)
+                          { return reader.SegmentationOf(file); });
   std::vector<TradeStructure> structures;
-  SceneReader reader(structures);
-  for (const TouchStructureSettings& asked : scene.Structures)
+  for (const SceneStructure& asked : touched.Structures)
   {
     if (!progress(0.0, "reading"))
     {
       throw Cancelled();
     }
-    if (asked.IsTouched)
+    if (asked.IsTouchable)
     {
-      reader.Read(asked);
+      structures.push_back(reader.Read(asked));
     }
   }
   if (structures.empty())

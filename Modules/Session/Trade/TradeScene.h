@@ -2,7 +2,7 @@
 
 #include "PalpateSessionModule.h"
 #include "Progress.h"
-#include "TouchSettings.h"
+#include "SceneSettings.h"
 #include "TradeSource.h"
 
 #include <string>
@@ -14,12 +14,12 @@ namespace palpate
 struct TradeStructure
 {
   TradeSource Source;
-  TouchStructureSettings Asked; ///< its entry in the scene
-  std::string Content;          ///< a digest of its file, and which part of that it is
+  SceneStructure Asked; ///< its entry in the scene
+  std::string Content;  ///< a digest of its file, and which part of that it is
 };
 
 /// Reads what a scene lets be touched; entries that are only seen are left out. Files are read
 /// once. Throws InputError, and Cancelled.
-PALPATESESSION_EXPORT std::vector<TradeStructure> ReadTradeScene(const TouchSettings& scene,
+PALPATESESSION_EXPORT std::vector<TradeStructure> ReadTradeScene(const SceneSettings& scene,
                                                                  const ProgressFunction& progress);
 } // namespace palpate

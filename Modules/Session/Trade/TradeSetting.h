@@ -1,7 +1,7 @@
 #pragma once
 
 #include "PalpateSessionModule.h"
-#include "TouchSettings.h"
+#include "SceneSettings.h"
 
 #include <array>
 #include <string>
@@ -15,13 +15,10 @@ struct TradeSetting
   TouchRepresentation Representation = TouchRepresentation::SubVoxel; ///< never Automatic
   int Degree = 12;                                                    ///< of harmonics
   HarmonicContactMode Mode = HarmonicContactMode::Nearest;            ///< of harmonics
-  EvaluationPrecision Precision = EvaluationPrecision::Double;        ///< of harmonics
   int Facets = 0; ///< about so many; 0: as many as the surface has
   FieldInterpolation Interpolation = FieldInterpolation::Trilinear; ///< of a field
-  BrickSize Bricks = BrickSize::Cells8; ///< of a field: changes memory and time, and no force
   /// Of the tool's shell at a field; 0: as voxels and radius ask for.
   int ToolPoints = 26;
-  int ModelInterval = 1; ///< ticks from one question to the model to the next
   /// Of the icosahedron that harmonics are drawn over; 0: the setting is felt, and not drawn.
   int DrawnFrequency = 0;
 };
@@ -31,7 +28,7 @@ PALPATESESSION_EXPORT bool operator==(const TradeSetting& a, const TradeSetting&
 /// "harmonics of degree 12, nearest point".
 PALPATESESSION_EXPORT std::string Describe(const TradeSetting& setting);
 
-/// The same as short text that stays the same from version to version: "harmonics/12/nearest/1".
+/// The same as short text that stays the same from version to version: "harmonics/12/nearest".
 PALPATESESSION_EXPORT std::string KeyOf(const TradeSetting& setting);
 
 /// What a measured setting differs in from its representation's default.
@@ -40,17 +37,13 @@ enum class TradeKnob
   Representation, ///< in nothing: it is the default
   Degree,
   Mode,
-  Precision,
   Facets,
   Interpolation,
-  Bricks,
   ToolPoints,
-  ModelInterval,
   Drawing
 };
 
 /// The words of files and options for a TradeKnob, in the order of its enumerators.
-inline constexpr std::array<const char*, 10> TradeKnobWords{
-    {"representation", "degree", "mode", "precision", "facets", "interpolation", "bricks",
-     "tool-points", "interval", "drawing"}};
+inline constexpr std::array<const char*, 7> TradeKnobWords{
+    {"representation", "degree", "mode", "facets", "interpolation", "tool-points", "drawing"}};
 } // namespace palpate

@@ -3,7 +3,7 @@
 #include "CsvText.h"
 #include "DecimalText.h"
 #include "InputError.h"
-#include "TouchWords.h"
+#include "SceneWords.h"
 #include "WholeFile.h"
 
 #include <algorithm>
@@ -41,15 +41,6 @@ template <typename Words, typename Choice>
 std::string WordAt(const Words& words, Choice choice)
 {
   return *(std::begin(words) + static_cast<int>(choice));
-}
-
-bool ReadBricks(const std::string& text, BrickSize& size)
-{
-  const auto* const found = std::find_if(
-      std::begin(BrickSizes), std::end(BrickSizes),
-      [&text](BrickSize one) { return text == std::to_string(1 << static_cast<int>(one)); });
-  size = found == std::end(BrickSizes) ? size : *found;
-  return found != std::end(BrickSizes);
 }
 
 template <std::string TradeRow::*Text>
@@ -90,21 +81,12 @@ const std::vector<TextColumn>& TextColumns()
       {"mode", [](const TradeRow& row) { return WordAt(ModeWords, row.Setting.Mode); },
        [](const std::string& text, TradeRow& row)
        { return ReadWord(ModeWords, text, row.Setting.Mode); }},
-      {"precision",
-       [](const TradeRow& row) { return WordAt(PrecisionWords, row.Setting.Precision); },
-       [](const std::string& text, TradeRow& row)
-       { return ReadWord(PrecisionWords, text, row.Setting.Precision); }},
       NumberOf<&TradeSetting::Facets>("facets"),
       {"interpolation",
        [](const TradeRow& row) { return WordAt(InterpolationWords, row.Setting.Interpolation); },
        [](const std::string& text, TradeRow& row)
        { return ReadWord(InterpolationWords, text, row.Setting.Interpolation); }},
-      {"brick_cells",
-       [](const TradeRow& row)
-       { return std::to_string(1 << static_cast<int>(row.Setting.Bricks)); },
-       [](const std::string& text, TradeRow& row) { return ReadBricks(text, row.Setting.Bricks); }},
       NumberOf<&TradeSetting::ToolPoints>("tool_points"),
-      NumberOf<&TradeSetting::ModelInterval>("interval_ticks"),
       NumberOf<&TradeSetting::DrawnFrequency>("drawn_frequency"),
       {"outcome", [](const TradeRow& row) { return WordAt(OutcomeWords, row.State); },
        [](const std::string& text, TradeRow& row)

@@ -1,7 +1,7 @@
 #include "TradeText.h"
 
 #include "JsonSchema.h"
-#include "TouchWords.h"
+#include "SceneWords.h"
 
 #include <cmath>
 #include <map>

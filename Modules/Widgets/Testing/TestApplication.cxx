@@ -33,7 +33,7 @@ protected:
 private:
   std::shared_ptr<const Volume> OpenedVolume() const
   {
-    return this->Study->Current().Pipeline().Newest<Volume>(StudyStep::Volume);
+    return this->Study->Current().Pipeline().Newest<Volume>(SceneStep::Volume);
   }
 };
 

@@ -31,9 +31,9 @@ TEST_F(WindowPictures, TheWindowShowsAHeadAndItsModels)
   const std::set<std::string> shown{"Thalamus_L", "Thalamus_R", "Pallidum_L", "Amygdala_R"};
   auto& all = next.Structures;
   all.erase(std::remove_if(all.begin(), all.end(),
-                           [&](const StudyStructure& one) { return shown.count(one.Name) == 0; }),
+                           [&](const SceneStructure& one) { return shown.count(one.Name) == 0; }),
             all.end());
-  for (StudyStructure& structure : all)
+  for (SceneStructure& structure : all)
   {
     structure.IsVisible = true;
     structure.IsTouchable = true;

@@ -125,7 +125,8 @@ TEST_F(DrillPanelForbiddenTest, SaysOnceWhatCannotBeProtectedAndTheWayOut)
   this->StartDrilling();
   this->Window->Messages()->Clear();
   StudyState next = this->Study->State();
-  next.Structures.push_back(test::StudyPhantom::Structure(77, TouchRepresentation::Automatic));
+  next.Structures.push_back(
+      test::StudyPhantom::Structure(77, TouchRepresentation::Automatic, next.SegmentationFile));
   next.Structures.back().Name = "Pallidum_L"; // of no voxel
   next.Structures.back().IsVisible = false;
   next.Structures.back().IsTouchable = false;

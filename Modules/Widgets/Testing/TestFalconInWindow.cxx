@@ -82,7 +82,7 @@ protected:
         [this]
         {
           const StudyTouchReading& reading = this->Study->Reading();
-          return reading.TouchedLabel == 1 && Norm(reading.Newest.ForceDevice) > 0.2;
+          return reading.TouchedId == 1 && Norm(reading.Newest.ForceDevice) > 0.2;
         });
   }
   // Allows forces again as a person would, where the machine or the virtual bus were late, which

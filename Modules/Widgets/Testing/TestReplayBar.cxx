@@ -25,7 +25,7 @@ protected:
   std::filesystem::path Write()
   {
     const auto file = this->Phantom.Folder / "recorded.touch";
-    TouchSession session;
+    RecordedSession session;
     session.Device.MaximumForce = 9.0;
     TouchRecorder recorder;
     EXPECT_TRUE(recorder.Start(file.string(), session).IsOk());
@@ -155,7 +155,7 @@ TEST_F(ReplayBarTest, WhatIsNoRecordingIsSaidSoEachTime)
     this->Window->Messages()->Clear();
     this->Study->OpenFiles({file});
     WaitUntil([this] { return !this->Messages().empty(); });
-    EXPECT_EQ(this->Messages(), file.string() + " is no recorded touch session of version 3.");
+    EXPECT_EQ(this->Messages(), file.string() + " is no recorded touch session of version 3 or 4.");
   }
   EXPECT_FALSE(this->Study->IsReplaying());
 }

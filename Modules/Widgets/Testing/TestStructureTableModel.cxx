@@ -18,7 +18,7 @@ protected:
   {
     return this->Table()->setData(this->Table()->index(row, column), value, role);
   }
-  const StudyStructure& First() const { return this->Study->State().Structures.front(); }
+  const SceneStructure& First() const { return this->Study->State().Structures.front(); }
 };
 
 TEST_F(StructureTableTest, WhatIsWrittenIsAStepOfTheStudy)
@@ -72,26 +72,26 @@ TEST_F(StructureTableTest, AStructureIsDrawnAsWhatItIsShownAs)
   this->OpenPhantom();
   const ViewContents& shown = this->Window->Contents();
   const auto& pipeline = this->Study->Current().Pipeline();
-  const auto show = [&](StudyAppearance appearance)
+  const auto show = [&](SceneAppearance appearance)
   {
     EXPECT_TRUE(
         this->Write(0, StructureTableModel::AppearanceColumn, static_cast<int>(appearance)));
     WaitUntil([&] { return !this->Study->IsBusy(); });
     this->Settle();
   };
-  const auto model = pipeline.Newest<FitResult>(StudyStep::Model, 1);
-  const auto surface = pipeline.Newest<FitSurface>(StudyStep::Surface, 1);
+  const auto model = pipeline.Newest<FitResult>(SceneStep::Model, 1);
+  const auto surface = pipeline.Newest<FitSurface>(SceneStep::Surface, 1);
   const auto pointsShown = [&] { return shown.Surfaces().at(1)->GetSurface()->GetPoints(); };
   ASSERT_NE(model->ModelSurface->GetPoints(), surface->Found.Surface->GetPoints());
-  show(StudyAppearance::Surface);
+  show(SceneAppearance::Surface);
   EXPECT_EQ(pointsShown(), surface->Found.Surface->GetPoints());
-  show(StudyAppearance::ErrorMap);
+  show(SceneAppearance::ErrorMap);
   EXPECT_EQ(pointsShown(), model->ModelSurface->GetPoints());
   EXPECT_STREQ(shown.Surfaces().at(1)->GetColorArray(), "DistanceToSurface");
-  show(StudyAppearance::Model);
+  show(SceneAppearance::Model);
   EXPECT_EQ(pointsShown(), model->ModelSurface->GetPoints());
   EXPECT_STREQ(shown.Surfaces().at(1)->GetColorArray(), "");
-  show(StudyAppearance::SubVoxel);
+  show(SceneAppearance::SubVoxel);
   WaitUntil([&] { return shown.Fields().count(1) == 1; });
   EXPECT_EQ(shown.Surfaces().count(1), 0U);
   EXPECT_EQ(this->Study->Current().History().UndoText(),
@@ -110,7 +110,7 @@ TEST_F(StructureTableTest, AStructureIsDrawnAsWhatItIsShownAs)
 TEST_F(StructureTableTest, AllBecomeErrorMapsAndBackInOneStepEach)
 {
   this->OpenPhantom();
-  this->Write(0, StructureTableModel::AppearanceColumn, static_cast<int>(StudyAppearance::Surface));
+  this->Write(0, StructureTableModel::AppearanceColumn, static_cast<int>(SceneAppearance::Surface));
   this->Write(2, StructureTableModel::VisibleColumn, Qt::Unchecked, Qt::CheckStateRole);
   const StudyState before = this->Study->State();
   QAction* all = this->Action("All as error maps");
@@ -119,9 +119,9 @@ TEST_F(StructureTableTest, AllBecomeErrorMapsAndBackInOneStepEach)
   EXPECT_TRUE(all->isChecked());
   const auto appearance = [this](std::size_t s)
   { return this->Study->State().Structures.at(s).Appearance; };
-  EXPECT_EQ(appearance(0), StudyAppearance::ErrorMap);
-  EXPECT_EQ(appearance(1), StudyAppearance::ErrorMap);
-  EXPECT_EQ(appearance(2), StudyAppearance::Automatic) << "it is not seen";
+  EXPECT_EQ(appearance(0), SceneAppearance::ErrorMap);
+  EXPECT_EQ(appearance(1), SceneAppearance::ErrorMap);
+  EXPECT_EQ(appearance(2), SceneAppearance::Automatic) << "it is not seen";
   all->trigger();
   EXPECT_FALSE(all->isChecked());
   EXPECT_EQ(this->Study->State(), before);
@@ -139,7 +139,7 @@ TEST_F(StructureTableTest, WhatReplacesARefusedModelIsSaidOnceAndIsNoFailure)
       "label 2: touched by its sub-voxel field, because it is not star-shaped";
   WaitUntil([&] { return this->Messages().find(start) != std::string::npos; });
   EXPECT_EQ(this->Messages().find(start), this->Messages().rfind(start));
-  EXPECT_EQ(this->Study->Current().Pipeline().StateOf(StudyStep::Samples, 2).Is,
+  EXPECT_EQ(this->Study->Current().Pipeline().StateOf(SceneStep::Samples, 2).Is,
             StudyStepState::Kind::Replaced);
   // By name, it is a failure of three steps, and said once.
   this->Write(1, StructureTableModel::RepresentationColumn,
@@ -154,7 +154,7 @@ TEST_F(StructureTableTest, QualityIsTheModelsAndCannotBeWritten)
 {
   this->OpenPhantom();
   const QModelIndex quality = this->Table()->index(0, StructureTableModel::QualityColumn);
-  const auto model = this->Study->Current().Pipeline().Newest<FitResult>(StudyStep::Model, 1);
+  const auto model = this->Study->Current().Pipeline().Newest<FitResult>(SceneStep::Model, 1);
   ASSERT_NE(model, nullptr);
   // Shown to a micrometre.
   EXPECT_NEAR(quality.data().toDouble(), model->ModelToMask.Mean, 0.00051);

@@ -57,7 +57,7 @@ protected:
         {
           const TouchState& newest = this->Study->Reading().Newest;
           const bool isFelt =
-              this->Study->Reading().TouchedLabel == 1 && Norm(newest.ForceWorld) > 0.5;
+              this->Study->Reading().TouchedId == 1 && Norm(newest.ForceWorld) > 0.5;
           if (!isFelt && newest.Tick.Number >= last + 20)
           {
             last = newest.Tick.Number;
@@ -256,7 +256,7 @@ TEST_F(TouchLinkTest, WhatIsRecordedIsReplayed)
   QKeyEvent end(QEvent::KeyPress, Qt::Key_End, Qt::NoModifier);
   QApplication::sendEvent(slider, &end);
   WaitUntil([this] { return Norm(this->Study->Reading().Newest.ForceWorld) > 0.1; });
-  EXPECT_EQ(this->Study->Reading().TouchedLabel, 1);
+  EXPECT_EQ(this->Study->Reading().TouchedId, 1);
   EXPECT_TRUE(this->Window->Contents().Probe()->GetInContact());
   EXPECT_GT(this->Window->findChild<PlotsPanel*>()->Force().Largest(), 0.1);
 }

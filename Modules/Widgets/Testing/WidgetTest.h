@@ -28,8 +28,15 @@ public:
     static TestApplication only;
     return only;
   }
+  /// At the end of the tests: at exit, Qt's own objects may be gone before it.
+  void End() { this->One.reset(); }
 
 private:
+  struct EndListener : testing::EmptyTestEventListener
+  {
+    void OnTestProgramEnd(const testing::UnitTest&) override { TestApplication::Get().End(); }
+  };
+
   TestApplication()
   {
     QSurfaceFormat::setDefaultFormat(QVTKOpenGLNativeWidget::defaultFormat());
@@ -39,6 +46,7 @@ private:
     QApplication::setOrganizationName("Palpate tests");
     QApplication::setApplicationName("WidgetsTests");
     this->One = std::make_unique<Application>(this->Count, this->Arguments);
+    testing::UnitTest::GetInstance()->listeners().Append(new EndListener);
   }
 
   TemporaryFolder Settings;

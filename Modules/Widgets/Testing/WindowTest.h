@@ -62,12 +62,12 @@ protected:
   /// Until everything that the study wants is made, or has failed.
   void Settle()
   {
-    const auto isMade = [this](const StudyStructure& structure)
+    const auto isMade = [this](const SceneStructure& structure)
     {
-      for (const StudyStep step :
-           {StudyStep::Surface, StudyStep::Model, StudyStep::Touch, StudyStep::Cost})
+      for (const SceneStep step :
+           {SceneStep::Surface, SceneStep::Model, SceneStep::Touch, SceneStep::Cost})
       {
-        const auto kind = this->Study->Current().Pipeline().StateOf(step, structure.Label).Is;
+        const auto kind = this->Study->Current().Pipeline().StateOf(step, structure.Id).Is;
         if (kind == StudyStepState::Kind::Running || kind == StudyStepState::Kind::NeedsUpdate)
         {
           return false;

@@ -1,0 +1,32 @@
+#pragma once
+
+#include "DrillEditor.h"
+
+#include <atomic>
+#include <memory>
+#include <thread>
+
+namespace palpate
+{
+/// Executes the orders of a live servo on a thread of its own.
+class DrillWorker
+{
+public:
+  DrillWorker() = default;
+  DrillWorker(const DrillWorker&) = delete;
+  DrillWorker& operator=(const DrillWorker&) = delete;
+  ~DrillWorker() { this->Stop(); }
+
+  /// Does nothing without an editor. The worker before has to be stopped.
+  void Start(std::shared_ptr<DrillEditor> editor);
+  /// Returns once all orders of the servo are done.
+  void Stop();
+
+private:
+  void Run();
+
+  std::shared_ptr<DrillEditor> Editor;
+  std::atomic<bool> IsOver{false};
+  std::thread Worker;
+};
+} // namespace palpate

@@ -1,0 +1,79 @@
+#include "TouchRecording.h"
+
+#include "TouchRecordingFormat.h"
+
+#include <fstream>
+#include <utility>
+
+namespace palpate
+{
+namespace
+{
+using namespace TouchRecordingFormat;
+
+// Reads words of a file, little endian; false at its end, or if it ends within them.
+template <std::size_t Count>
+bool ReadWords(std::istream& file, std::array<std::uint64_t, Count>& words)
+{
+  std::array<unsigned char, 8 * Count> bytes{};
+  file.read(reinterpret_cast<char*>(bytes.data()), bytes.size());
+  for (std::size_t i = 0; i < Count; ++i)
+  {
+    words[i] = 0;
+    for (std::size_t b = 8; b-- > 0;)
+    {
+      words[i] = words[i] << 8 | bytes[8 * i + b];
+    }
+  }
+  return file.gcount() == static_cast<std::streamsize>(bytes.size());
+}
+
+Status ReadTicks(const std::string& path, std::istream& file, std::uint64_t skippedFlags,
+                 std::vector<TouchState>& ticks)
+{
+  TickRecord record{};
+  while (ReadWords(file, record))
+  {
+    record[FlagsWord] &= ~skippedFlags;
+    TouchState state;
+    if (!Decode(record, state))
+    {
+      return Status::Failure(path + " is damaged: its tick " + std::to_string(ticks.size()) +
+                             " is none.");
+    }
+    if (state.Tick.Number != ticks.size())
+    {
+      return Status::Failure(path + " lacks ticks after number " + std::to_string(ticks.size()) +
+                             ": the recorder did not keep up with the servo.");
+    }
+    ticks.push_back(state);
+  }
+  return Status::Success();
+}
+} // namespace
+
+Status ReadTouchRecording(const std::string& path, TouchRecording& recording)
+{
+  std::ifstream file(path, std::ios::binary);
+  if (!file)
+  {
+    return Status::Failure(path + " cannot be read.");
+  }
+  std::string magic(MagicSize, ' ');
+  file.read(magic.data(), static_cast<std::streamsize>(magic.size()));
+  SessionRecord session{};
+  TouchRecording read;
+  const bool isOld = magic == Magic3;
+  if ((magic != Magic && !isOld) || !ReadWords(file, session) || !Decode(session, read.Session))
+  {
+    return Status::Failure(path + " is no recorded touch session of version 3 or 4.");
+  }
+  Status status = ReadTicks(path, file, isOld ? SkippedFlags3 : 0, read.Ticks);
+  if (status.IsOk())
+  {
+    read.WasCutOff = file.gcount() > 0;
+    recording = std::move(read);
+  }
+  return status;
+}
+} // namespace palpate

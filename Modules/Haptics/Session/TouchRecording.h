@@ -1,0 +1,33 @@
+#pragma once
+
+#include "DeviceCapabilities.h"
+#include "Servo.h"
+#include "Status.h"
+#include "TouchState.h"
+
+#include <string>
+#include <vector>
+
+namespace palpate
+{
+/// Of a session: all that its forces followed from, but the scenes.
+struct RecordedSession
+{
+  ServoSettings Settings;
+  /// Only the members that forces depend on: MaximumForce, MaximumDamping, Damping, Friction,
+  /// GravityCompensation, and LeastRate, which is its Rate if it was read from a file.
+  DeviceCapabilities Device;
+};
+
+/// A recorded session. Ticks are contiguous, starting with the servo's first one.
+struct TouchRecording
+{
+  RecordedSession Session;
+  std::vector<TouchState> Ticks;
+  bool WasCutOff = false; ///< the file ended within a tick, which is omitted
+};
+
+/// Reads a file that a TouchRecorder wrote, or the part of an unfinished one (its name ends with
+/// .part). Fails, with `recording` unchanged, for other files and if ticks are missing.
+Status ReadTouchRecording(const std::string& path, TouchRecording& recording);
+} // namespace palpate

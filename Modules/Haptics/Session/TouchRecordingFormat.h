@@ -1,0 +1,36 @@
+#pragma once
+
+#include "TouchRecording.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+namespace palpate
+{
+/// File format of recordings: a line that names the format, then words of 64 bits, little endian:
+/// those of the session, and those of each tick. Doubles are stored as their IEEE 754 bits, so that
+/// they are read back exactly.
+namespace TouchRecordingFormat
+{
+inline constexpr char Magic[] = "palpate-touch-recording 4\n";
+/// Of 0.1.0: the same, but flags have bits from 48 up, which are skipped.
+inline constexpr char Magic3[] = "palpate-touch-recording 3\n";
+inline constexpr std::size_t MagicSize = sizeof(Magic) - 1;
+/// Of the word that holds flags, in a tick.
+inline constexpr std::size_t FlagsWord = 5;
+inline constexpr std::uint64_t SkippedFlags3 = ~std::uint64_t{0} << 48;
+inline constexpr std::size_t SessionWords = 13;
+inline constexpr std::size_t TickWords = 37;
+
+using SessionRecord = std::array<std::uint64_t, SessionWords>;
+using TickRecord = std::array<std::uint64_t, TickWords>;
+
+SessionRecord Encode(const RecordedSession& session) noexcept;
+TickRecord Encode(const TouchState& state) noexcept;
+/// False where the words are none of a session.
+bool Decode(const SessionRecord& words, RecordedSession& session) noexcept;
+/// False where the words are none of a tick.
+bool Decode(const TickRecord& words, TouchState& state) noexcept;
+} // namespace TouchRecordingFormat
+} // namespace palpate

@@ -1,0 +1,262 @@
+#include "TouchSession.h"
+
+#include <utility>
+
+namespace palpate
+{
+TouchSession::TouchSession(Clock& clock, const RealtimeRequest& request)
+    : Time(clock), Request(request)
+{
+}
+
+void TouchSession::Open(std::unique_ptr<HapticDevice> opened, const ServoSettings& settings)
+{
+  this->Stop();
+  this->Settings = settings;
+  this->Opened = std::move(opened);
+  this->End = std::make_unique<EndBeforeExit>([this] { this->Stop(); });
+  this->Current.reset();
+  this->Place = {};
+  this->Clutch = {};
+  this->ClutchMoved.setZero();
+  this->Hand.setZero();
+  this->Watch = {};
+  this->Reading = {};
+}
+
+Status TouchSession::Begin(TouchScene scene, const WorkspaceFrame& frame)
+{
+  this->MakeServo();
+  Status status = this->Publish(std::move(scene), frame, SceneEntry::Anew);
+  if (!status.IsOk())
+  {
+    this->Thread.reset();
+  }
+  return status;
+}
+
+Status TouchSession::Start(TouchScene scene, const WorkspaceFrame& frame)
+{
+  Status status = this->Begin(std::move(scene), frame);
+  return status.IsOk() ? this->Run() : status;
+}
+
+// It numbers what it orders from 0.
+void TouchSession::MakeServo()
+{
+  if (this->Editor != nullptr)
+  {
+    this->Editor->ForNextServo();
+  }
+  this->Thread = std::make_unique<ServoThread>(*this->Opened, this->Time, this->Settings);
+}
+
+Status TouchSession::Run()
+{
+  this->Drill.Start(this->Editor);
+  return this->Thread->Start(this->Request);
+}
+
+void TouchSession::Pause()
+{
+  if (this->IsRunning())
+  {
+    this->Thread->Stop();
+    this->Drill.Stop();
+  }
+}
+
+void TouchSession::Stop()
+{
+  this->Pause();
+  if (this->IsOpen())
+  {
+    this->Opened->Close();
+  }
+  if (this->IsRecording())
+  {
+    this->Reading.RecordingProblem = this->StopRecording().Message();
+  }
+  this->Thread.reset();
+  this->Opened.reset();
+  this->End.reset();
+}
+
+Status TouchSession::Publish(TouchScene scene, const WorkspaceFrame& frame, SceneEntry entry)
+{
+  auto next = std::make_shared<TouchScene>(std::move(scene));
+  next->Frame = frame.ForDevice();
+  Status status = next->Check();
+  if (status.IsOk() && this->IsRunning())
+  {
+    status = this->Send(next, entry);
+  }
+  if (status.IsOk())
+  {
+    this->Current = std::move(next);
+    this->Place = frame;
+  }
+  return status;
+}
+
+// While the clutch is held the servo has a scene without structures.
+Status TouchSession::Send(std::shared_ptr<const TouchScene> scene, SceneEntry entry)
+{
+  if (this->Clutch.IsHeld())
+  {
+    auto empty = std::make_shared<TouchScene>(*scene);
+    empty->Structures.clear();
+    scene = std::move(empty);
+  }
+  return this->Loop().Publish(std::move(scene), entry);
+}
+
+void TouchSession::UseEditor(std::shared_ptr<DrillEditor> editor)
+{
+  if (editor == this->Editor)
+  {
+    return;
+  }
+  this->Drill.Stop();
+  this->Editor = std::move(editor);
+  if (this->IsRunning())
+  {
+    this->Drill.Start(this->Editor);
+  }
+}
+
+bool TouchSession::LeadHand(const Vector3& handDevice)
+{
+  const bool isLed = this->IsOpen() && this->Opened->LeadHand(handDevice);
+  this->Hand = isLed ? handDevice : this->Hand;
+  return isLed;
+}
+
+void TouchSession::HoldClutch(bool isHeld, const TouchState& now)
+{
+  if (isHeld == this->Clutch.IsHeld())
+  {
+    return;
+  }
+  if (isHeld)
+  {
+    this->Clutch.Hold(now.ProbeWorld);
+  }
+  else
+  {
+    const WorkspaceFrame moved = this->Clutch.Release(this->Place, now.Sample.Position);
+    this->ClutchMoved += moved.CenterWorld - this->Place.CenterWorld;
+    this->Place = moved;
+    auto scene = std::make_shared<TouchScene>(*this->Current);
+    scene->Frame = moved.ForDevice();
+    this->Current = std::move(scene);
+  }
+  // The servo has accepted this scene before.
+  static_cast<void>(this->Send(this->Current, SceneEntry::Anew));
+}
+
+void TouchSession::TakeTicks()
+{
+  using Kind = TouchChange::Kind;
+  const std::size_t known = this->Reading.Changes.size();
+  for (TouchState state; this->Loop().PopRecorded(state);)
+  {
+    this->Reading.NewTicks.push_back(state);
+    this->Watch.Take(state, this->Reading.Changes);
+    if (this->IsRecording())
+    {
+      const Status status = this->Recorder->Take(state);
+      ++this->Reading.RecordedTicks;
+      if (!status.IsOk())
+      {
+        this->Reading.RecordingProblem = status.Message();
+        this->Recorder.reset();
+      }
+    }
+  }
+  for (std::size_t n = known; n < this->Reading.Changes.size(); ++n)
+  {
+    const TouchChange change = this->Reading.Changes[n];
+    const bool isPress = change.What == Kind::ButtonPressed;
+    if ((isPress || change.What == Kind::ButtonReleased) && change.Button == this->ClutchButton)
+    {
+      this->HoldClutch(isPress, this->Reading.NewTicks.back());
+    }
+  }
+}
+
+const TouchSessionReading& TouchSession::Poll()
+{
+  this->Reading.NewTicks.clear();
+  this->Reading.Changes.clear();
+  if (!this->IsRunning())
+  {
+    return this->Reading;
+  }
+  this->TakeTicks();
+  this->Loop().Reclaim();
+  this->Reading.Newest = this->Loop().Latest();
+  this->Reading.LostTicks = this->Loop().LostTicks();
+  this->Reading.IsClutched = this->Clutch.IsHeld();
+  if (this->Reading.IsClutched)
+  {
+    this->Reading.Newest.ProbeWorld = this->Clutch.PlaceWorld();
+    this->Reading.Newest.ProxyWorld = this->Clutch.PlaceWorld();
+  }
+  return this->Reading;
+}
+
+Status TouchSession::StartRecording(const std::filesystem::path& path,
+                                    BackgroundWriter::Limits limits)
+{
+  if (!this->IsOpen())
+  {
+    return Status::Failure("Nothing is touched: start the touch, then record it.");
+  }
+  if (this->IsRecording())
+  {
+    return Status::Failure("A recording is running already.");
+  }
+  auto recorder = std::make_unique<TouchRecorder>(limits);
+  Status status = recorder->Start(path.string(), {this->Settings, this->Opened->Capabilities()});
+  if (!status.IsOk())
+  {
+    return status;
+  }
+  this->Reading.RecordedTicks = 0;
+  this->Reading.RecordingProblem.clear();
+  if (this->IsRunning())
+  {
+    this->Pause();
+    this->TakeTicks();
+    this->MakeServo();
+    status = this->Send(this->Current, SceneEntry::Anew);
+    status = status.IsOk() ? this->Run() : status;
+  }
+  this->Recorder = std::move(recorder);
+  if (!status.IsOk())
+  {
+    this->Stop();
+  }
+  return status;
+}
+
+Status TouchSession::StopRecording()
+{
+  if (!this->IsRecording())
+  {
+    return Status::Failure("No recording is running.");
+  }
+  if (this->IsRunning())
+  {
+    this->TakeTicks();
+  }
+  if (!this->IsRecording())
+  {
+    return Status::Failure(this->Reading.RecordingProblem);
+  }
+  Status status = this->Recorder->Finish();
+  this->Recorder.reset();
+  return status;
+}
+} // namespace palpate

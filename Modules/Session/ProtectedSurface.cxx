@@ -1,0 +1,51 @@
+#include "ProtectedSurface.h"
+
+#include "CaseText.h"
+#include "FilterRun.h"
+#include "FitHints.h"
+#include "InputError.h"
+#include "ModelSurface.h"
+#include "SceneLabels.h"
+#include "VoxelMinimum.h"
+
+namespace palpate
+{
+namespace
+{
+// What is wrong with a label, as a message that names it.
+void RequireVoxels(const Segmentation& segmentation, const Segment& segment)
+{
+  if (const std::string reason = TooFewVoxels(segmentation, segment); !reason.empty())
+  {
+    throw InputError(WithHint(CaseSentence(segmentation.Source, segment, reason), ChooseAnother));
+  }
+}
+} // namespace
+
+vtkSmartPointer<vtkPolyData> ProtectedSurfaceOf(const SceneStructure& structure,
+                                                const SceneProduct& source,
+                                                const ProgressFunction& progress)
+{
+  if (const auto read = ProductAs<Segmentation>(&source))
+  {
+    const Segment& segment = SegmentOf(structure, *read);
+    RequireVoxels(*read, segment);
+    try
+    {
+      return MakeForbiddenSurface(*read, segment, progress);
+    }
+    catch (const FilterError& error)
+    {
+      throw InputError(CaseSentence(read->Source, segment, error.what()));
+    }
+  }
+  if (const auto model = ProductAs<FitResult>(&source))
+  {
+    constexpr int Frequency = 40;
+    return DrawModel(model->Model, Frequency);
+  }
+  auto own = vtkSmartPointer<vtkPolyData>::New();
+  own->ShallowCopy(ProductAs<FitSurface>(&source)->Found.Surface);
+  return own;
+}
+} // namespace palpate

@@ -1,0 +1,94 @@
+#include "SceneFile.h"
+
+#include "JsonText.h"
+#include "Refusal.h"
+#include "SceneJson.h"
+
+namespace palpate
+{
+namespace
+{
+constexpr const char* Format = "palpate-scene";
+constexpr std::uintmax_t LargestFile = 1 << 26; // of some hundred thousand structures
+
+// Only a linear sub-voxel field can be drilled.
+void CheckDrilled(const SceneStructure& structure, const std::filesystem::path& path,
+                  const std::string& place)
+{
+  if (structure.IsForbidden)
+  {
+    Refuse(path, "says that its " + place + " is both drilled and forbidden",
+           "leave one of \"drill\" and \"forbidden\" out");
+  }
+  if (!structure.IsTouchable)
+  {
+    Refuse(path, "says that its " + place + " is drilled and not touched",
+           "leave \"touched\": false out");
+  }
+  const TouchRepresentation kind = structure.Representation;
+  if ((kind != TouchRepresentation::Automatic && kind != TouchRepresentation::SubVoxel) ||
+      structure.Interpolation != FieldInterpolation::Trilinear)
+  {
+    Refuse(path, "wants its " + place + " drilled, which only a linear sub-voxel field can be",
+           "leave \"representation\" and \"interpolation\" out there");
+  }
+}
+
+// What nobody can mean who writes a scene by hand.
+void Check(const SceneStructure& structure, const std::filesystem::path& path, std::size_t number)
+{
+  const std::string place = "structures[" + std::to_string(number) + "]";
+  if ((structure.Texture > 0.0) != !structure.TextureImage.empty())
+  {
+    Refuse(path, "says only half of the texture of its " + place,
+           "give both \"texture_n\", its largest force, and \"texture_image\", a file");
+  }
+  if (structure.Drill.Wear > 0.0)
+  {
+    CheckDrilled(structure, path, place);
+  }
+}
+} // namespace
+
+bool IsSceneFile(const std::filesystem::path& path)
+{
+  const std::string name = path.filename().string();
+  const std::string ending = ".scene.json";
+  return name == "scene.json" ||
+         (name.size() > ending.size() &&
+          name.compare(name.size() - ending.size(), ending.size(), ending) == 0);
+}
+
+SceneSettings ReadScene(const std::filesystem::path& path)
+{
+  const nlohmann::json root =
+      ReadJson(path, LargestFile, "write a scene as Documentation/HowTo/Touch.md shows");
+  JsonFields fields(root, path, "scene");
+  std::string format;
+  fields.Read("format", format);
+  if (format != Format)
+  {
+    Refuse(path, "does not say that it is a scene to touch",
+           "begin it with \"format\": \"" + std::string(Format) + "\"");
+  }
+  SceneSettings scene = ReadSceneJson(root, fields, path.parent_path(), path);
+  fields.RefuseOthers();
+  if (scene.Structures.empty())
+  {
+    Refuse(path, "has nothing to touch", "list its \"structures\": [ { \"file\": ... } ]");
+  }
+  for (std::size_t s = 0; s < scene.Structures.size(); ++s)
+  {
+    Check(scene.Structures[s], path, s);
+  }
+  return scene;
+}
+
+std::string SceneText(const SceneSettings& scene, const std::filesystem::path& folder)
+{
+  nlohmann::ordered_json root;
+  root["format"] = Format;
+  AddSceneJson(root, scene, folder);
+  return root.dump(2) + "\n";
+}
+} // namespace palpate

@@ -1,0 +1,87 @@
+#include "SceneLabels.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <set>
+
+namespace palpate
+{
+namespace
+{
+// Numbers that no label has.
+constexpr int FirstFreeId = 1'000'000'001;
+
+void AddSegments(const SceneStructure& entry, const Segmentation& segmentation,
+                 std::vector<SceneStructure>& structures)
+{
+  std::vector<Segment> segments = segmentation.Segments;
+  if (!entry.Labels.empty())
+  {
+    segments.clear();
+    for (const std::string& label : entry.Labels)
+    {
+      segments.push_back(segmentation.Find(label));
+    }
+  }
+  const bool isOne = segments.size() == 1;
+  for (const Segment& segment : segments)
+  {
+    SceneStructure structure = entry;
+    structure.Labels = {std::to_string(segment.Label)};
+    structure.Id = isOne ? entry.Id : 0;
+    structure.Name = entry.Name.empty() ? segment.Name : entry.Name;
+    structure.Color = entry.Color == SceneStructure().Color ? segment.Color : entry.Color;
+    structures.push_back(std::move(structure));
+  }
+}
+
+void GiveIds(std::vector<SceneStructure>& structures)
+{
+  std::set<int> taken{0};
+  for (SceneStructure& structure : structures)
+  {
+    structure.Id = taken.insert(structure.Id).second ? structure.Id : 0;
+  }
+  int next = FirstFreeId;
+  for (SceneStructure& structure : structures)
+  {
+    const bool isLabel = structure.Source() == SceneSource::Label && structure.Labels.size() == 1;
+    const int label = isLabel ? std::atoi(structure.Labels.front().c_str()) : 0;
+    if (structure.Id == 0 && taken.insert(label).second)
+    {
+      structure.Id = label;
+    }
+    while (structure.Id == 0)
+    {
+      structure.Id = taken.insert(next).second ? next : 0;
+      ++next;
+    }
+  }
+}
+} // namespace
+
+SceneSettings ResolveLabels(const SceneSettings& scene, bool isSeen, const SegmentationReader& read)
+{
+  SceneSettings resolved = scene;
+  resolved.Structures.clear();
+  for (const SceneStructure& entry : scene.Structures)
+  {
+    const bool isNeeded = (entry.IsVisible && isSeen) || entry.IsTouchable || entry.IsForbidden;
+    if (isNeeded && entry.Source() == SceneSource::Label)
+    {
+      AddSegments(entry, *read(entry.File), resolved.Structures);
+    }
+    else
+    {
+      resolved.Structures.push_back(entry);
+    }
+  }
+  GiveIds(resolved.Structures);
+  return resolved;
+}
+
+const Segment& SegmentOf(const SceneStructure& structure, const Segmentation& segmentation)
+{
+  return segmentation.Find(structure.Labels.empty() ? std::string() : structure.Labels.front());
+}
+} // namespace palpate

@@ -1,0 +1,92 @@
+#include "SceneProduct.h"
+
+#include "CaseText.h"
+#include "FitHints.h"
+
+#include "vtkImageData.h"
+
+namespace palpate
+{
+namespace
+{
+template <typename... Visitors>
+struct Overloaded : Visitors...
+{
+  using Visitors::operator()...;
+};
+template <typename... Visitors>
+Overloaded(Visitors...) -> Overloaded<Visitors...>;
+
+std::size_t BytesOf(vtkDataObject* data)
+{
+  constexpr std::size_t Kibibyte = 1024;
+  return data != nullptr ? Kibibyte * data->GetActualMemorySize() : 0;
+}
+
+// The structure that stood in the way; null where none did.
+const FitResult* RefusedOf(const SceneProduct& product)
+{
+  return std::visit(Overloaded{[](const std::shared_ptr<const FitSurface>& surface)
+                               { return surface->IsOver ? &surface->Found : nullptr; },
+                               [](const std::shared_ptr<const FitSamples>& samples)
+                               { return samples->IsOver ? &samples->Found : nullptr; },
+                               [](const std::shared_ptr<const FitResult>& fit) {
+                                 return fit->State != FitResult::Outcome::Fitted ? fit.get()
+                                                                                 : nullptr;
+                               },
+                               [](const auto&) -> const FitResult* { return nullptr; }},
+                    product);
+}
+} // namespace
+
+std::string FailureOf(const SceneProduct& product)
+{
+  const FitResult* refused = RefusedOf(product);
+  return refused != nullptr ? CaseSentence(refused->Input, refused->Structure, ReasonOf(product))
+                            : ReasonOf(product);
+}
+
+std::string ReasonOf(const SceneProduct& product)
+{
+  const FitResult* refused = RefusedOf(product);
+  const auto* failure = std::get_if<SceneFailure>(&product);
+  const std::string sentence = failure != nullptr ? failure->Sentence : std::string();
+  return refused != nullptr ? WithHint(refused->Message, refused->WindowHint) : sentence;
+}
+
+std::size_t BytesOf(const SceneProduct& product)
+{
+  return std::visit(
+      Overloaded{
+          [](const SceneFailure& failure) { return failure.Sentence.size(); },
+          [](const std::shared_ptr<const Volume>& volume) { return BytesOf(volume->Image.Get()); },
+          [](const std::shared_ptr<const Segmentation>& segmentation)
+          {
+            std::size_t bytes = 0;
+            for (const auto& layer : segmentation->Layers)
+            {
+              bytes += BytesOf(layer.Get());
+            }
+            return bytes;
+          },
+          [](const std::shared_ptr<const FitSurface>& surface)
+          { return BytesOf(surface->Found.Surface.Get()) + BytesOf(surface->Boundary.Get()); },
+          [](const std::shared_ptr<const FitSamples>& samples)
+          { return BytesOf(samples->Samples.Get()); },
+          [](const std::shared_ptr<const FitResult>& fit)
+          { return BytesOf(fit->ModelSurface.Get()); },
+          [](const std::shared_ptr<const ScalarField>& field)
+          { return static_cast<std::size_t>(field->Memory().Bytes); },
+          [](const std::shared_ptr<const TouchContact>& contact)
+          {
+            // A tree of boxes over the facets takes about as much as they do.
+            return sizeof(*contact) + 2 * BytesOf(contact->Looks.Surface.Get());
+          },
+          [](const std::shared_ptr<const TouchCost>& cost) { return sizeof(*cost); },
+          [](const std::shared_ptr<const TouchTexture>& texture) { return texture->Bytes; },
+          [](const std::shared_ptr<const SceneProtection>& protection)
+          { return protection->Bytes(); },
+          [](const std::shared_ptr<const SurfaceTool>& tool) { return tool->Bytes(); }},
+      product);
+}
+} // namespace palpate

@@ -1,0 +1,97 @@
+#include "SceneSettings.h"
+
+#include "FitStructure.h"
+#include "ModelFile.h"
+#include "SurfaceFile.h"
+
+#include <algorithm>
+#include <tuple>
+
+namespace palpate
+{
+namespace
+{
+auto Fields(const SceneStructure& s)
+{
+  return std::tie(s.Id, s.Name, s.File, s.Labels, s.Iso, s.IsVisible, s.IsTouchable, s.Color,
+                  s.Appearance, s.Representation, s.Degree, s.Mode, s.Interpolation, s.Smoothing,
+                  s.Stiffness, s.Damping, s.Friction.Static, s.Friction.Dynamic, s.Viscosity,
+                  s.Texture, s.TextureImage, s.Drill.Wear, s.Drill.Drag, s.Drill.Vibration,
+                  s.IsForbidden, s.AlarmDistance);
+}
+
+auto Fields(const ScenePlacement& p)
+{
+  return std::tie(p.Scale, p.CenterWorld, p.AxesFollowCamera);
+}
+
+auto Fields(const SceneSettings& s)
+{
+  return std::tie(s.Structures, s.LeftHanded, s.Fit, s.Tool, s.Drill.Turns,
+                  s.Drill.VibrationFrequency, s.Device, s.Rate, s.ModelInterval, s.Placement);
+}
+} // namespace
+
+const char* NameOf(SceneAppearance appearance)
+{
+  constexpr std::array<const char*, 5> Names{"automatic", "model", "surface", "error map",
+                                             "sub-voxel volume"};
+  return Names.at(static_cast<std::size_t>(appearance));
+}
+
+SceneSource SceneStructure::Source() const
+{
+  return this->Iso                   ? SceneSource::IsoValue
+         : IsModelFile(this->File)   ? SceneSource::Model
+         : IsSurfaceFile(this->File) ? SceneSource::Surface
+                                     : SceneSource::Label;
+}
+
+bool operator==(const SceneStructure& a, const SceneStructure& b)
+{
+  return Fields(a) == Fields(b);
+}
+
+bool operator==(const ScenePlacement& a, const ScenePlacement& b)
+{
+  return Fields(a) == Fields(b);
+}
+
+bool operator==(const SceneSettings& a, const SceneSettings& b)
+{
+  return Fields(a) == Fields(b);
+}
+
+std::string TitleOf(const SceneStructure& structure)
+{
+  if (!structure.Name.empty())
+  {
+    return structure.Name;
+  }
+  switch (structure.Source())
+  {
+  case SceneSource::Model:
+  case SceneSource::Surface:
+    return structure.File.stem().string();
+  case SceneSource::Label:
+    return structure.Labels.empty() ? CaseNameOf(structure.File)
+                                    : "label " + structure.Labels.front();
+  default:
+    return CaseNameOf(structure.File);
+  }
+}
+
+const SceneStructure* FindStructure(const SceneSettings& scene, int id)
+{
+  const auto found = std::find_if(scene.Structures.begin(), scene.Structures.end(),
+                                  [id](const SceneStructure& one) { return one.Id == id; });
+  return found != scene.Structures.end() ? &*found : nullptr;
+}
+
+FitSettings FitSettingsOf(const SceneSettings& scene, const SceneStructure& structure)
+{
+  FitSettings settings = scene.Fit;
+  settings.Degree = structure.Degree;
+  return settings;
+}
+} // namespace palpate

@@ -1,0 +1,588 @@
+#include "StructurePlan.h"
+
+#include "CaseText.h"
+#include "FilterRun.h"
+#include "InputError.h"
+#include "ProtectedSurface.h"
+#include "Refusal.h"
+#include "SceneField.h"
+#include "SceneIsoSurface.h"
+#include "SceneLabels.h"
+#include "SceneReading.h"
+#include "SceneTool.h"
+#include "SteadyClock.h"
+
+#include <algorithm>
+
+namespace palpate
+{
+namespace
+{
+std::string CenterKey(const FitSettings& fit)
+{
+  if (!fit.GivenCenterWorld)
+  {
+    return std::to_string(static_cast<int>(fit.Center));
+  }
+  const auto& center = *fit.GivenCenterWorld;
+  return SceneKey("at", center[0], center[1], center[2]);
+}
+
+// "prostate: touched by its sub-voxel field, because it is not star-shaped: ..."
+std::string AdviceOf(const SceneStructure& structure, const std::string& instead,
+                     const std::string& reason)
+{
+  const bool isPredicate = reason.rfind("is ", 0) == 0 || reason.rfind("has ", 0) == 0;
+  return TitleOf(structure) + ": " + instead + ", because " + (isPredicate ? "it " : "") + reason;
+}
+
+// The tool that a product is made with: its surface is the second input, where it has one.
+TouchToolSettings ToolWith(const std::vector<SceneProduct>& inputs, TouchToolSettings settings)
+{
+  settings.Surface = inputs.size() > 1 ? ProductAs<SurfaceTool>(&inputs[1]) : nullptr;
+  return settings;
+}
+
+// Names the structure in what a filter refuses.
+template <typename Make>
+auto OfSegment(const Segmentation& segmentation, const Segment& segment, const Make& make)
+{
+  try
+  {
+    return make();
+  }
+  catch (const FilterError& error)
+  {
+    throw InputError(CaseSentence(segmentation.Source, segment, error.what()));
+  }
+}
+} // namespace
+
+StructurePlan::StructurePlan(const SceneSettings& scene, const SceneStructure& structure,
+                             std::string tool, const SceneStamps& stamps, const SceneLookup& lookup,
+                             std::vector<SceneNode>& nodes)
+    : Scene(scene), Structure(structure), Stamps(stamps), Lookup(lookup), Nodes(nodes),
+      Fit(FitSettingsOf(scene, structure)), Source(structure.Source()), ToolKey(std::move(tool)),
+      First(nodes.size())
+{
+}
+
+void StructurePlan::Add()
+{
+  if (this->Structure.IsTouchable)
+  {
+    this->AddRepresentation();
+  }
+  if (this->Structure.IsVisible)
+  {
+    this->AddAppearance();
+  }
+}
+
+// Once, whatever it is wanted for. What is asked for again is asked for by name: then nothing
+// replaces it.
+std::string StructurePlan::AddNode(SceneStep step, const std::string& key,
+                                   std::vector<std::string> inputs, Making make)
+{
+  const auto own = this->Nodes.begin() + static_cast<std::ptrdiff_t>(this->First);
+  const auto there = std::find_if(own, this->Nodes.end(),
+                                  [&key](const SceneNode& node) { return node.Key == key; });
+  if (there != this->Nodes.end() && !key.empty())
+  {
+    there->Advice.clear();
+    return key;
+  }
+  SceneNode node;
+  node.Step = step;
+  node.Id = this->Structure.Id;
+  node.Key = key;
+  node.Inputs = std::move(inputs);
+  node.Make = std::move(make);
+  this->Nodes.push_back(std::move(node));
+  return key;
+}
+
+// A file that is small enough to be read for each structure.
+std::string StructurePlan::AddFile(SceneNode node)
+{
+  const std::string key = SceneKey(node.Key, this->Structure.Id);
+  this->AddNode(node.Step, key, {}, std::move(node.Make));
+  this->Nodes.back().Reads = node.Reads;
+  return key;
+}
+
+// A file's node, which another structure may have brought.
+std::string StructurePlan::Share(SceneNode node)
+{
+  const auto there = std::find_if(this->Nodes.begin(), this->Nodes.end(),
+                                  [&node](const SceneNode& one) { return one.Key == node.Key; });
+  std::string key = node.Key;
+  if (there == this->Nodes.end())
+  {
+    node.Id = this->Structure.Id;
+    this->Nodes.push_back(std::move(node));
+  }
+  return key;
+}
+
+std::string StructurePlan::AddSegmentation()
+{
+  return this->Share(SegmentationNode(this->Structure.File, this->Scene.LeftHanded, this->Stamps));
+}
+
+std::string StructurePlan::AddImage(const std::filesystem::path& file)
+{
+  SceneNode node = VolumeNode(file, {}, this->Scene.LeftHanded, this->Stamps);
+  node.Step = SceneStep::Image;
+  return this->Share(std::move(node));
+}
+
+std::string StructurePlan::AddIsoSurface()
+{
+  const std::string image = this->AddImage(this->Structure.File);
+  return this->AddNode(SceneStep::Surface, SceneKey(image, "iso-surface", *this->Structure.Iso),
+                       {image},
+                       [iso = *this->Structure.Iso](
+                           const Inputs& inputs, const ProgressFunction& progress) -> SceneProduct
+                       {
+                         const auto volume = ProductAs<Volume>(inputs.data());
+                         FitSurface surface;
+                         surface.Found.Input = volume->Source;
+                         surface.Found.Surface = MakeIsoSurface(volume->Image, iso, progress);
+                         return std::make_shared<const FitSurface>(std::move(surface));
+                       });
+}
+
+std::string StructurePlan::AddSurface()
+{
+  if (this->Source == SceneSource::Surface)
+  {
+    return this->AddFile(SurfaceNode(this->Structure.File, this->Stamps));
+  }
+  if (this->Source == SceneSource::IsoValue)
+  {
+    return this->AddIsoSurface();
+  }
+  const std::string segmentation = this->AddSegmentation();
+  const std::string key =
+      SceneKey(segmentation, "surface", this->Structure.Labels.front(),
+               static_cast<int>(this->Fit.Method), this->Fit.Smoothing, this->Fit.Component);
+  return this->AddNode(SceneStep::Surface, key, {segmentation},
+                       [structure = this->Structure,
+                        fit = this->Fit](const Inputs& inputs, const ProgressFunction& progress)
+                       {
+                         const auto read = ProductAs<Segmentation>(inputs.data());
+                         return std::make_shared<const FitSurface>(
+                             MakeFitSurface(*read, SegmentOf(structure, *read), fit, progress));
+                       });
+}
+
+std::string StructurePlan::AddSamples()
+{
+  const std::string surface = this->AddSurface();
+  const std::string key = SceneKey(surface, "samples", this->Fit.Frequency, CenterKey(this->Fit),
+                                   this->Fit.MaximumHiddenPercent);
+  return this->AddNode(SceneStep::Samples, key, {surface},
+                       [fit = this->Fit](const Inputs& inputs, const ProgressFunction& progress)
+                       {
+                         return std::make_shared<const FitSamples>(
+                             MakeFitSamples(*ProductAs<FitSurface>(inputs.data()), fit, progress));
+                       });
+}
+
+std::string StructurePlan::AddModel()
+{
+  if (this->Source == SceneSource::Model)
+  {
+    return this->AddFile(ModelNode(this->Structure.File, this->Stamps));
+  }
+  const std::string samples = this->AddSamples();
+  const FitSettings& fit = this->Fit;
+  const std::string key =
+      SceneKey(samples, "model", fit.Degree, fit.Tolerance.value_or(-1.0), fit.MaximumDegree,
+               static_cast<int>(fit.Weight), static_cast<int>(fit.PenaltyKind), fit.Roughness,
+               fit.MinimumDice, fit.IsRobust);
+  return this->AddNode(SceneStep::Model, key, {samples},
+                       [fit](const Inputs& inputs, const ProgressFunction& progress)
+                       {
+                         return std::make_shared<const FitResult>(
+                             MakeFitModel(*ProductAs<FitSamples>(inputs.data()), fit, progress));
+                       });
+}
+
+// Of voxels. What is drilled keeps its inside and is interpolated linearly.
+std::string StructurePlan::AddField()
+{
+  const bool isDrilled = this->Structure.IsDrilled();
+  const FieldInterpolation interpolation =
+      isDrilled ? FieldInterpolation::Trilinear : this->Structure.Interpolation;
+  const FieldForm form(interpolation, isDrilled);
+  if (this->Source == SceneSource::IsoValue)
+  {
+    const std::string image = this->AddImage(this->Structure.File);
+    return this->AddNode(
+        SceneStep::Field,
+        SceneKey(image, "field", *this->Structure.Iso, static_cast<int>(interpolation), isDrilled),
+        {image},
+        [iso = *this->Structure.Iso, form](const Inputs& inputs, const ProgressFunction& progress)
+        { return MakeIsoField(ProductAs<Volume>(inputs.data())->Image, {iso}, form, progress); });
+  }
+  const std::string segmentation = this->AddSegmentation();
+  const double smoothing = this->Structure.Smoothing;
+  return this->AddNode(
+      SceneStep::Field,
+      SceneKey(segmentation, "field", this->Structure.Labels.front(),
+               static_cast<int>(interpolation), smoothing, isDrilled),
+      {segmentation},
+      [structure = this->Structure, form,
+       smoothing](const Inputs& inputs, const ProgressFunction& progress) -> SceneProduct
+      {
+        const auto read = ProductAs<Segmentation>(inputs.data());
+        const Segment& segment = SegmentOf(structure, *read);
+        return OfSegment(*read, segment,
+                         [&]
+                         { return MakeSegmentField(*read, {segment}, form, smoothing, progress); });
+      });
+}
+
+std::string StructurePlan::AddDrilledField()
+{
+  return this->AddField();
+}
+
+void StructurePlan::AddRepresentation()
+{
+  using Representation = TouchRepresentation;
+  const Representation asked = this->Structure.Representation;
+  const bool isAny = asked == Representation::Automatic || asked == Representation::ModelOrField;
+  if (this->Source == SceneSource::Model || this->Source == SceneSource::Surface)
+  {
+    const bool isModel = this->Source == SceneSource::Model;
+    if (this->Structure.IsDrilled())
+    {
+      return this->AddRefusal("cannot be drilled, since it is no image and no segmentation",
+                              "leave \"drill\" out, or name the voxels that it was made of");
+    }
+    if (!isAny && asked != (isModel ? Representation::Harmonics : Representation::Facets))
+    {
+      return this->AddRefusal("cannot be touched by this representation, since it is " +
+                                  std::string(isModel ? "a model" : "a surface of triangles"),
+                              "leave the representation out");
+    }
+    isModel ? this->AddContact(this->AddModel(), this->ContactOfModel())
+            : this->AddContact(this->AddSurface(), this->ContactOfSurface());
+  }
+  else if (this->Source == SceneSource::IsoValue && !isAny && asked != Representation::SubVoxel)
+  {
+    this->AddRefusal("cannot be touched by this representation, since it is an image",
+                     "leave the representation out");
+  }
+  else if (this->Source == SceneSource::IsoValue || this->Structure.IsDrilled() ||
+           asked == Representation::SubVoxel || asked == Representation::Automatic)
+  {
+    this->AddContact(this->AddField(), this->ContactOfField());
+  }
+  else if (asked == Representation::Harmonics)
+  {
+    this->AddContact(this->AddModel(), this->ContactOfModel());
+  }
+  else if (asked == Representation::Facets)
+  {
+    this->AddContact(this->AddSurface(), this->ContactOfSurface());
+  }
+  else
+  {
+    this->AddAutomatic();
+  }
+}
+
+// As it would be touched, but for voxels: those have a surface.
+void StructurePlan::AddOnlyDisplayed()
+{
+  using Representation = TouchRepresentation;
+  const Representation asked = this->Structure.Representation;
+  if (this->Source == SceneSource::Model)
+  {
+    this->AddModel();
+  }
+  else if (this->Source != SceneSource::Label)
+  {
+    this->AddSurface();
+  }
+  else if (asked == Representation::ModelOrField)
+  {
+    this->AddAutomatic();
+  }
+  else if (asked == Representation::Harmonics)
+  {
+    this->AddModel();
+  }
+  else
+  {
+    this->AddSurface();
+  }
+}
+
+void StructurePlan::AddAppearance()
+{
+  switch (this->Structure.Appearance)
+  {
+  case SceneAppearance::Automatic:
+    if (!this->Structure.IsTouchable)
+    {
+      this->AddOnlyDisplayed();
+    }
+    break;
+  case SceneAppearance::Model:
+  case SceneAppearance::ErrorMap:
+    this->Source == SceneSource::Surface ? this->AddSurface() : this->AddModel();
+    break;
+  case SceneAppearance::Surface:
+    this->Source == SceneSource::Model ? this->AddModel() : this->AddSurface();
+    break;
+  case SceneAppearance::SubVoxel:
+    if (this->HasVoxels())
+    {
+      this->AddField();
+    }
+    else
+    {
+      this->AddOnlyDisplayed();
+    }
+    break;
+  }
+}
+
+// Why a node of this structure has failed; empty where it has not, or not yet.
+std::string StructurePlan::ReasonAt(std::size_t node) const
+{
+  const SceneProduct* product = this->Lookup(this->Nodes[node].Key);
+  const bool isOwn = this->Nodes[node].Reads.empty();
+  return isOwn && product != nullptr ? ReasonOf(*product) : std::string();
+}
+
+// By harmonics, and by something else once any stage of those has failed.
+void StructurePlan::AddAutomatic()
+{
+  const std::string surface = this->AddSurface();
+  const std::string model = this->AddModel();
+  const std::size_t last = this->Nodes.size();
+  std::string reason;
+  for (std::size_t n = this->First; n < last && reason.empty(); ++n)
+  {
+    reason = this->ReasonAt(n);
+  }
+  if (reason.empty())
+  {
+    if (this->Structure.IsTouchable)
+    {
+      this->AddContact(model, this->ContactOfModel(), this->Lookup(model) != nullptr);
+    }
+    return;
+  }
+  const SceneProduct* made = this->Lookup(surface);
+  const bool hasSurface = made == nullptr || ReasonOf(*made).empty();
+  const bool isTouched = this->Structure.IsTouchable;
+  std::string instead = "displayed as the surface of its mask";
+  std::string replacement = surface;
+  if (isTouched || !hasSurface)
+  {
+    replacement = this->AddField();
+    instead = isTouched ? "touched by its sub-voxel field" : "displayed by its sub-voxel field";
+  }
+  if (isTouched)
+  {
+    this->AddContact(replacement, this->ContactOfField());
+  }
+  this->Advise(last, AdviceOf(this->Structure, instead, reason), replacement);
+}
+
+// Unless what replaces the nodes up to `last` fails too.
+void StructurePlan::Advise(std::size_t last, const std::string& advice,
+                           const std::string& replacement)
+{
+  const SceneProduct* product = this->Lookup(replacement);
+  if (product == nullptr || FailureOf(*product).empty())
+  {
+    for (std::size_t n = this->First; n < last; ++n)
+    {
+      const bool isOwn = this->Nodes[n].Reads.empty();
+      this->Nodes[n].Advice = isOwn ? advice : std::string();
+      this->Nodes[n].Replacement = isOwn ? replacement : std::string();
+    }
+  }
+}
+
+void StructurePlan::AddRefusal(const std::string& fact, const std::string& wayOut)
+{
+  this->AddNode(SceneStep::Touch, SceneKey("refusal", this->Structure.Id, fact), {},
+                [file = this->Structure.File, fact, wayOut](const Inputs&,
+                                                            const ProgressFunction&) -> SceneProduct
+                { Refuse(file, fact, wayOut); });
+}
+
+void StructurePlan::AddContact(const std::string& input, Making make, bool isDecided)
+{
+  std::vector<std::string> inputs{input};
+  if (this->Structure.IsDrilled())
+  {
+    inputs.push_back(this->Source == SceneSource::Label ? this->AddSegmentation()
+                                                        : this->AddImage(this->Structure.File));
+  }
+  this->ContactKey =
+      isDecided ? SceneKey(input, "touch", static_cast<int>(this->Structure.Mode)) : std::string();
+  this->AddNode(SceneStep::Touch, this->ContactKey, std::move(inputs), std::move(make));
+  if (isDecided && this->Structure.Texture > 0.0)
+  {
+    this->AddTexture();
+  }
+}
+
+// Of as much of the image as the tool can meet at the structure.
+void StructurePlan::AddTexture()
+{
+  const std::string image = this->AddImage(this->Structure.TextureImage);
+  std::vector<std::string> inputs{this->ContactKey};
+  if (!this->ToolKey.empty())
+  {
+    inputs.push_back(this->ToolKey);
+  }
+  inputs.push_back(image);
+  this->AddNode(
+      SceneStep::Texture,
+      SceneKey(this->WithTool(this->ContactKey), "texture", image, this->Structure.Texture),
+      std::move(inputs),
+      [settings = this->Scene.Tool,
+       amplitude = this->Structure.Texture](const Inputs& made, const ProgressFunction& progress)
+      {
+        const ToolShape tool = MakeTool(ToolWith(made, settings));
+        return std::make_shared<const TouchTexture>(
+            MakeTouchTexture(*ProductAs<Volume>(&made.back()),
+                             ProductAs<TouchContact>(made.data())->Model->BoundsWorld(),
+                             tool.BoundingRadius(), amplitude, progress));
+      });
+}
+
+void StructurePlan::AddCost()
+{
+  if (!this->Structure.IsTouchable)
+  {
+    return;
+  }
+  std::vector<std::string> inputs{this->ContactKey};
+  if (!this->ToolKey.empty())
+  {
+    inputs.push_back(this->ToolKey);
+  }
+  const bool isDecided = !this->ContactKey.empty();
+  this->AddNode(SceneStep::Cost,
+                isDecided ? SceneKey(this->WithTool(this->ContactKey), "cost") : std::string(),
+                std::move(inputs),
+                [settings = this->Scene.Tool](const Inputs& made, const ProgressFunction& progress)
+                {
+                  const SteadyClock clock;
+                  return std::make_shared<const TouchCost>(
+                      MeasureTouchCost(*ProductAs<TouchContact>(made.data()),
+                                       ToolWith(made, settings), clock, progress));
+                });
+}
+
+std::string StructurePlan::WithTool(const std::string& start) const
+{
+  const TouchToolSettings& tool = this->Scene.Tool;
+  const Vector3& axes = tool.SemiAxes;
+  return SceneKey(start, static_cast<int>(tool.Kind), tool.Radius, tool.Length, axes.x(), axes.y(),
+                  axes.z(), tool.Points, this->ToolKey);
+}
+
+StructurePlan::Making StructurePlan::ContactOfModel() const
+{
+  return
+      [mode = this->Structure.Mode](const Inputs& inputs, const ProgressFunction&) -> SceneProduct
+  {
+    const auto fit = ProductAs<FitResult>(inputs.data());
+    return std::make_shared<const TouchContact>(MakeHarmonicContact(fit->Model, mode, fit->Input));
+  };
+}
+
+StructurePlan::Making StructurePlan::ContactOfSurface() const
+{
+  return [](const Inputs& inputs, const ProgressFunction&) -> SceneProduct
+  {
+    const FitResult& found = ProductAs<FitSurface>(inputs.data())->Found;
+    auto own = vtkSmartPointer<vtkPolyData>::New();
+    own->ShallowCopy(found.Surface);
+    return std::make_shared<const TouchContact>(MakeFacetContact(own, found.Input));
+  };
+}
+
+StructurePlan::Making StructurePlan::ContactOfField() const
+{
+  return
+      [structure = this->Structure](const Inputs& inputs, const ProgressFunction&) -> SceneProduct
+  {
+    const auto field = ProductAs<ScalarField>(inputs.data());
+    TouchContact contact = MakeFieldContact(field, 0, structure.File);
+    if (inputs.size() > 1)
+    {
+      contact.Drilled.Field = field;
+      if (const auto read = ProductAs<Segmentation>(&inputs[1]))
+      {
+        const Segment& segment = SegmentOf(structure, *read);
+        contact.Drilled.Image = read->Layers[static_cast<std::size_t>(segment.Layer)];
+        contact.Drilled.Label = segment.Value;
+      }
+      else
+      {
+        contact.Drilled.Image = ProductAs<Volume>(&inputs[1])->Image;
+      }
+    }
+    return std::make_shared<const TouchContact>(std::move(contact));
+  };
+}
+
+// The closed surface of all of a structure, whatever a fit of it uses.
+std::string StructurePlan::AddProtectedSurface()
+{
+  if (this->Source != SceneSource::Label)
+  {
+    return this->Source == SceneSource::Model ? this->AddModel() : this->AddSurface();
+  }
+  return this->AddSegmentation();
+}
+
+void StructurePlan::AddProtection(const std::vector<std::string>& fields)
+{
+  std::vector<std::string> inputs{this->AddProtectedSurface()};
+  std::string key =
+      SceneKey(inputs.front(), "protection",
+               this->Source == SceneSource::Label ? this->Structure.Labels.front() : std::string());
+  for (const std::string& field : fields)
+  {
+    const SceneProduct* product = this->Lookup(field);
+    if (product == nullptr || FailureOf(*product).empty())
+    {
+      inputs.push_back(field);
+      key = SceneKey(key, field);
+    }
+  }
+  this->AddNode(SceneStep::Protection, key, std::move(inputs),
+                [structure = this->Structure](const Inputs& made, const ProgressFunction& progress)
+                {
+                  constexpr double SurfacePart = 0.2;
+                  const vtkSmartPointer<vtkPolyData> surface =
+                      ProtectedSurfaceOf(structure, made.front(),
+                                         [&](double fraction, const std::string& stage)
+                                         { return progress(SurfacePart * fraction, stage); });
+                  std::vector<std::shared_ptr<const ScalarField>> drilled;
+                  for (std::size_t n = 1; n < made.size(); ++n)
+                  {
+                    drilled.push_back(ProductAs<ScalarField>(&made[n]));
+                  }
+                  return std::make_shared<const SceneProtection>(MakeSceneProtection(
+                      surface, drilled,
+                      [&](double fraction, const std::string& stage)
+                      { return progress(SurfacePart + (1.0 - SurfacePart) * fraction, stage); }));
+                });
+}
+} // namespace palpate

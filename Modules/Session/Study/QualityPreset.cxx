@@ -1,0 +1,80 @@
+#include "QualityPreset.h"
+
+#include <array>
+
+namespace palpate
+{
+namespace
+{
+constexpr std::array<int, 4> Degrees{{4, 8, 12, 16}};
+constexpr int FirstField = 4;
+constexpr int Cubic = 5;
+
+bool IsTouchedLabel(const SceneStructure& structure)
+{
+  return structure.IsTouchable && structure.Source() == SceneSource::Label;
+}
+} // namespace
+
+const char* NameOfPreset(int preset)
+{
+  constexpr std::array<const char*, QualityPresetCount> Names{
+      "Harmonics of degree 4",  "Harmonics of degree 8", "Harmonics of degree 12",
+      "Harmonics of degree 16", "Sub-voxel, linear",     "Sub-voxel, cubic"};
+  return Names.at(static_cast<std::size_t>(preset));
+}
+
+TradeSetting SettingOfPreset(int preset, const TouchToolSettings& tool)
+{
+  TradeSetting setting;
+  setting.ToolPoints = tool.Points;
+  const bool isField = preset >= FirstField;
+  setting.Representation = isField ? TouchRepresentation::SubVoxel : TouchRepresentation::Harmonics;
+  setting.Degree = isField ? setting.Degree : Degrees.at(static_cast<std::size_t>(preset));
+  setting.Interpolation =
+      preset == Cubic ? FieldInterpolation::TricubicBSpline : FieldInterpolation::Trilinear;
+  return setting;
+}
+
+SceneStructure WithPreset(SceneStructure structure, int preset)
+{
+  if (structure.Source() == SceneSource::Label)
+  {
+    const TradeSetting setting = SettingOfPreset(preset, {});
+    const bool isField = preset >= FirstField;
+    structure.Representation =
+        isField ? TouchRepresentation::SubVoxel : TouchRepresentation::ModelOrField;
+    structure.Degree = isField ? structure.Degree : setting.Degree;
+    structure.Interpolation = setting.Interpolation;
+  }
+  return structure;
+}
+
+int PresetOf(const SceneStructure& structure)
+{
+  for (int preset = 0; preset < QualityPresetCount; ++preset)
+  {
+    if (WithPreset(structure, preset) == structure)
+    {
+      return preset;
+    }
+  }
+  return -1;
+}
+
+int PresetOf(const SceneSettings& scene)
+{
+  int all = -1;
+  bool isFirst = true;
+  for (const SceneStructure& structure : scene.Structures)
+  {
+    if (IsTouchedLabel(structure))
+    {
+      const int one = PresetOf(structure);
+      all = isFirst || one == all ? one : -1;
+      isFirst = false;
+    }
+  }
+  return all;
+}
+} // namespace palpate

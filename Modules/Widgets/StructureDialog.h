@@ -1,0 +1,41 @@
+#pragma once
+
+#include "StudyController.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDialog>
+#include <QDoubleSpinBox>
+#include <QFormLayout>
+#include <QLineEdit>
+
+#include <functional>
+#include <vector>
+
+namespace palpate
+{
+/// Everything by which one structure is touched, for what the table has no column. Accepting it is
+/// one step of the study.
+class StructureDialog : public QDialog
+{
+  Q_OBJECT
+
+public:
+  /// Keeps the address. `id` is the structure's.
+  StructureDialog(StudyController& study, int id, QWidget* parent = nullptr);
+
+  void accept() override;
+
+private:
+  void AddNumber(const QString& label, const QString& name, double most, int decimals,
+                 const std::function<double&(SceneStructure&)>& member);
+  void AddChoice(const QString& label, const QString& name, const QStringList& choices, int value,
+                 const std::function<void(SceneStructure&, int)>& set);
+  void AddTextureImage();
+
+  StudyController& Study;
+  SceneStructure Structure;
+  QFormLayout* Form;
+  std::vector<std::function<void(SceneStructure&)>> Writes;
+};
+} // namespace palpate

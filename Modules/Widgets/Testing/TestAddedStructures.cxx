@@ -1,0 +1,112 @@
+// The window touches whatever the command line can: models, surfaces, iso-values, whole scenes.
+#include "StructureDialog.h"
+#include "WindowTest.h"
+
+#include "ModelFile.h"
+#include "ModelSurface.h"
+#include "SceneFile.h"
+#include "SurfaceFile.h"
+#include "WholeFile.h"
+
+namespace palpate
+{
+namespace
+{
+class AddedStructures : public test::WindowTest
+{
+protected:
+  void SetUp() override
+  {
+    test::WindowTest::SetUp();
+    const SphericalHarmonicModel ball(0, {8.0 * std::sqrt(4.0 * M_PI)}, Vector3::Zero());
+    WriteModel(this->Model, {ball, {}});
+    WriteSurface(this->Surface, DrawModel(ball, 6));
+  }
+  const SceneStructure& Last() const { return this->Study->State().Structures.back(); }
+  std::shared_ptr<const TouchContact> Contact() const
+  {
+    return this->Study->Current().Pipeline().Newest<TouchContact>(SceneStep::Touch,
+                                                                  this->Last().Id);
+  }
+  void WaitForContact(const std::string& kind)
+  {
+    WaitUntil([&] { return this->Contact() != nullptr; });
+    EXPECT_NE(this->Contact()->Represented.find(kind), std::string::npos)
+        << this->Contact()->Represented;
+  }
+
+  std::filesystem::path Model = this->Phantom.Folder / "ball.json";
+  std::filesystem::path Surface = this->Phantom.Folder / "ball.stl";
+};
+
+TEST_F(AddedStructures, ModelIsTouchedAndDisplayed)
+{
+  this->Study->OpenFiles({this->Model});
+  WaitUntil([this] { return !this->Study->State().Structures.empty(); });
+  this->WaitForContact("harmonics of degree 0");
+  EXPECT_EQ(this->Window->Contents().Surfaces().count(this->Last().Id), 1U);
+  this->Study->Undo();
+  EXPECT_TRUE(this->Study->State().Structures.empty());
+}
+
+TEST_F(AddedStructures, SurfaceIsTouchedByItsFacets)
+{
+  this->OpenPhantom();
+  this->Study->OpenFiles({this->Surface});
+  WaitUntil([this] { return this->Study->State().Structures.size() == 4; });
+  this->WaitForContact("facets");
+  EXPECT_EQ(this->Window->Contents().Surfaces().count(this->Last().Id), 1U);
+}
+
+TEST_F(AddedStructures, IsoValueOfTheVolumeIsTouchedByItsField)
+{
+  this->Study->OpenVolume(this->VolumeFile());
+  this->Settle();
+  this->Study->AddIsoValue(350.0);
+  this->WaitForContact("sub-voxel field");
+}
+
+TEST_F(AddedStructures, IsoValueWithoutAVolumeIsRefusedInAMessage)
+{
+  this->Study->AddIsoValue(350.0);
+  EXPECT_TRUE(this->Study->State().Structures.empty());
+  EXPECT_NE(this->Messages().find("no volume"), std::string::npos);
+}
+
+TEST_F(AddedStructures, SceneFileBringsItsStructuresAndTool)
+{
+  SceneSettings scene;
+  scene.Structures.resize(2);
+  scene.Structures[0].File = this->Model;
+  scene.Structures[1].File = this->MaskFile();
+  scene.Structures[1].Labels = {"1"};
+  scene.Structures[1].Viscosity = 0.01;
+  scene.Tool.Radius = 1.5;
+  const auto file = this->Phantom.Folder / "ball.scene.json";
+  WriteWholeFile(file, SceneText(scene, this->Phantom.Folder.Path()));
+  this->Study->OpenFiles({file});
+  WaitUntil([this] { return this->Study->State().Structures.size() == 2; });
+  this->WaitForContact("sub-voxel field");
+  EXPECT_EQ(this->Study->State().Tool.Radius, 1.5);
+  EXPECT_EQ(this->Last().Viscosity, 0.01);
+  EXPECT_EQ(this->Study->State().SegmentationFile, this->MaskFile());
+}
+
+TEST_F(AddedStructures, DialogChangesInOneStepWhatTheTableHasNoColumnFor)
+{
+  this->OpenPhantom();
+  const int id = this->Study->State().Structures.front().Id;
+  StructureDialog dialog(*this->Study, id);
+  dialog.findChild<QDoubleSpinBox*>("damping")->setValue(0.002);
+  dialog.findChild<QDoubleSpinBox*>("viscosity")->setValue(0.003);
+  dialog.findChild<QComboBox*>("mode")->setCurrentIndex(1);
+  dialog.accept();
+  const SceneStructure& first = this->Study->State().Structures.front();
+  EXPECT_EQ(first.Damping, 0.002);
+  EXPECT_EQ(first.Viscosity, 0.003);
+  EXPECT_EQ(first.Mode, HarmonicContactMode::Radial);
+  this->Study->Undo();
+  EXPECT_EQ(this->Study->State().Structures.front().Damping, 0.0);
+}
+} // namespace
+} // namespace palpate
