@@ -1,5 +1,6 @@
 #include "FileMenu.h"
 
+#include "ImageFormat.h"
 #include "ScreenString.h"
 
 #include <QFileInfo>
@@ -11,9 +12,13 @@ namespace
 {
 constexpr int MostRecent = 10;
 constexpr const char* RecentKey = "recent";
-constexpr const char* ImageFilter =
-    "Images (*.nii *.nii.gz *.nrrd *.nhdr *.mha *.mhd *.dcm *.ima);;All files (*)";
 constexpr const char* StudyFilter = "Palpate studies (*.palpate.json)";
+
+QString ImageFilter()
+{
+  return QString::fromStdString("Images (" + PatternsOf(ReadableImageEndings()) +
+                                ");;All files (*)");
+}
 
 std::filesystem::path PathOf(const QString& file)
 {
@@ -67,7 +72,7 @@ FileMenu::FileMenu(StudyController& study, const FileQuestions& questions, QWidg
 void FileMenu::Open(const QString& title,
                     void (StudyController::*take)(const std::filesystem::path&))
 {
-  for (const QString& file : this->Questions.ToOpen(this->Window, title, ImageFilter))
+  for (const QString& file : this->Questions.ToOpen(this->Window, title, ImageFilter()))
   {
     (this->Study.*take)(PathOf(file));
   }
