@@ -3,6 +3,7 @@
 #include "Console.h"
 #include "FilterRun.h"
 #include "ImageContent.h"
+#include "ImageFormat.h"
 #include "ImageWriter.h"
 #include "InputError.h"
 #include "Interruption.h"
@@ -42,8 +43,8 @@ std::string ConvertCommand::Examples() const
   return "  palpate convert model.json model.coef              for SPHARM-PDM\n"
          "  palpate convert hippocampus.coef surface.vtp       draw SPHARM-PDM's coefficients\n"
          "  palpate convert model.json model.x3d --frequency 40\n"
-         "  palpate convert surface.vtp surface.stl            surfaces: vtp stl ply obj gltf x3d\n"
-         "  palpate convert mask.nii.gz mask.nrrd              images: nii nii.gz nrrd mha\n"
+         "  palpate convert surface.vtp surface.stl\n"
+         "  palpate convert mask.nii.gz mask.nrrd\n"
          "  palpate convert mask.seg.nrrd gland.nii.gz --label Prostate\n"
          "  palpate convert felt/session.touch ticks.csv       a line a tick\n"
          "  palpate convert felt/session.touch plots.svg       force and depth over time";
@@ -76,8 +77,8 @@ int ConvertCommand::Run(Console& console)
     if (!IsSurfaceFile(this->Output))
     {
       throw InputError(this->Output.string() + " is no surface file and " + this->Input.string() +
-                       " is one; use .vtp, .stl, .ply, .obj, .gltf, .glb or .x3d, or palpate fit "
-                       "on its mask for a model.");
+                       " is one; use " + ListOfEndings(SurfaceFormats().WrittenEndings()) +
+                       ", or palpate fit on its mask for a model.");
     }
     const auto surface = ReadSurface(this->Input);
     RequireGoingOn();
@@ -114,8 +115,8 @@ void ConvertCommand::ConvertModel(Console& console) const
   if (!IsModelFile(this->Output))
   {
     throw InputError(this->Output.string() + " is neither a model nor a surface file and " +
-                     this->Input.string() +
-                     " is a model; use .json, .csv, .coef or a surface's ending.");
+                     this->Input.string() + " is a model; use " +
+                     ListOfEndings(ReadableModelEndings()) + ", .csv or a surface's ending.");
   }
   WriteModel(this->Output, document);
   if (std::holds_alternative<SphericalHarmonicModel>(document.Surface) &&
@@ -132,9 +133,9 @@ void ConvertCommand::ConvertImage(Console& console) const
   if (!IsWritableImage(this->Output))
   {
     throw InputError(this->Output.string() + " is no image file that can be written and " +
-                     this->Input.string() +
-                     " is taken for an image; use .nii, .nii.gz, .nrrd or .mha, or palpate mesh "
-                     "for a surface.");
+                     this->Input.string() + " is taken for an image; use " +
+                     ListOfEndings(ImageFormats().WrittenEndings()) +
+                     ", or palpate mesh for a surface.");
   }
   if (!this->Label.empty())
   {

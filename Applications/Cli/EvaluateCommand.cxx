@@ -2,6 +2,7 @@
 
 #include "Console.h"
 #include "EvaluationText.h"
+#include "FileFormat.h"
 #include "IcosahedronDirections.h"
 #include "InputError.h"
 #include "ModelFile.h"
@@ -59,7 +60,8 @@ std::string EvaluateCommand::Examples() const
 
 void EvaluateCommand::DeclareOptions(CLI::App& app)
 {
-  app.add_option("MODEL", this->Model, "Model: .json or SPHARM-PDM's .coef")->required();
+  app.add_option("MODEL", this->Model, "Model: " + ListOfEndings(ReadableModelEndings()))
+      ->required();
   app.add_option("--direction", this->DirectionWords,
                  "Evaluate along this direction from the centre (LPS); may be repeated")
       ->type_name("X,Y,Z")

@@ -70,8 +70,8 @@ void MeshCommand::DeclareOptions(CLI::App& app)
   this->Options.DeclareLabels(app);
   this->Options.DeclareSurface(app);
   app.add_option("--output", this->Output,
-                 "Surface file (.vtp, .stl, .ply, .obj, .gltf, .glb, .x3d) for one structure, or a "
-                 "folder for several")
+                 "Surface file (" + ListOfEndings(SurfaceFormats().WrittenEndings()) +
+                     ") for one structure, or a folder for several")
       ->type_name("FILE|DIR")
       ->required();
   app.add_flag("--json", this->Json, "One JSON object a structure on standard output");

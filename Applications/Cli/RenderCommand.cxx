@@ -165,7 +165,8 @@ std::string RenderCommand::Examples() const
 void RenderCommand::DeclareOptions(CLI::App& app)
 {
   app.add_option("FILE", this->Inputs,
-                 "Surfaces (.vtp, .stl, .ply, .obj), models (.json, .coef), segmentations");
+                 "Surfaces (" + ListOfEndings(SurfaceFormats().ReadEndings()) + "), models (" +
+                     ListOfEndings(ReadableModelEndings()) + "), segmentations");
   app.add_option("--output", this->Output, "The picture, a .png file")
       ->type_name("FILE")
       ->required();

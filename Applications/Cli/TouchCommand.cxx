@@ -9,6 +9,7 @@
 #include "FilterRun.h"
 #include "FiniteNumber.h"
 #include "FitStructure.h"
+#include "ImageFormat.h"
 #include "ImageWriter.h"
 #include "InputError.h"
 #include "Interruption.h"
@@ -164,8 +165,10 @@ void TouchCommand::DeclareRun(CLI::App& app)
                  "Begin with what was drilled earlier (drill.state of an output folder)")
       ->type_name("FILE");
   app.add_option("--drilled", this->DrilledFiles,
-                 "Where to write what is left: a volume (.nrrd, .nii.gz, .mha) or a surface (.stl, "
-                 ".vtp, .ply, .obj); of several structures the names are added")
+                 "Where to write what is left: a volume (" +
+                     ListOfEndings(ImageFormats().WrittenEndings()) + ") or a surface (" +
+                     ListOfEndings(SurfaceFormats().WrittenEndings()) +
+                     "); of several structures the names are added")
       ->type_name("FILE")
       ->allow_extra_args(false);
   app.add_option("--seconds", this->Seconds, "How long (default: as long as the path)")
@@ -337,8 +340,9 @@ void TouchCommand::CheckDrilled(const PreparedTouch& touch) const
   {
     if (!IsWritableImage(file) && !IsSurfaceFile(file))
     {
-      throw InputError(file + " has an ending that neither volumes nor surfaces have; use .nrrd, "
-                              ".nii.gz, .stl or .vtp");
+      throw InputError(file + " has an ending that neither volumes nor surfaces have; use " +
+                       ListOfEndings(ImageFormats().WrittenEndings()) + ", or " +
+                       ListOfEndings(SurfaceFormats().WrittenEndings()));
     }
   }
 }

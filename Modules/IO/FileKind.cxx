@@ -1,7 +1,6 @@
 #include "FileKind.h"
 
-#include "FileEnding.h"
-#include "ForeignFile.h"
+#include "FileFormat.h"
 #include "Refusal.h"
 
 #include <algorithm>
@@ -63,43 +62,9 @@ std::vector<std::filesystem::path> DicomFilesIn(const std::filesystem::path& fol
   return files;
 }
 
-FileKind DetectFileKind(const std::filesystem::path& file)
+bool IsDicomFile(const std::filesystem::path& file)
 {
   CheckReadable(file);
-  const std::string ending = FileEnding(file);
-  if (HasDicomMark(file) || ending == ".dcm" || ending == ".ima")
-  {
-    return FileKind::Dicom;
-  }
-  if (ending == ".nii" || ending == ".nii.gz")
-  {
-    return FileKind::Nifti;
-  }
-  if (ending == ".nrrd" || ending == ".seg.nrrd" || ending == ".nhdr")
-  {
-    return FileKind::Nrrd;
-  }
-  if (ending == ".mha" || ending == ".mhd")
-  {
-    return FileKind::MetaImage;
-  }
-  RefuseContent(file, "is in no known image format",
-                "give NIfTI (.nii, .nii.gz), NRRD (.nrrd, .nhdr), MetaImage (.mha, .mhd) or DICOM");
-}
-
-const char* FileKindName(FileKind kind)
-{
-  switch (kind)
-  {
-  case FileKind::Nifti:
-    return "NIfTI";
-  case FileKind::Nrrd:
-    return "NRRD";
-  case FileKind::MetaImage:
-    return "MetaImage";
-  case FileKind::Dicom:
-    break;
-  }
-  return "DICOM";
+  return HasDicomMark(file) || !EndingOf(file, {DicomEndings.begin(), DicomEndings.end()}).empty();
 }
 } // namespace palpate

@@ -2,26 +2,18 @@
 
 #include "PalpateIOModule.h"
 
+#include <array>
 #include <filesystem>
 #include <vector>
 
 namespace palpate
 {
-/// Formats of image files that can be read.
-enum class FileKind
-{
-  Nifti,     ///< .nii, .nii.gz
-  Nrrd,      ///< .nrrd, .nhdr
-  MetaImage, ///< .mha, .mhd
-  Dicom      ///< the DICM mark, whatever the name; or .dcm, .ima
-};
+/// How the names of DICOM files end, if they end so.
+inline constexpr std::array<const char*, 2> DicomEndings{{".dcm", ".ima"}};
 
-/// The kind of a file: DICOM by its mark, the others by the end of their names. Throws InputError
-/// for a file that is missing, empty, not to be opened, or of no known kind.
-PALPATEIO_EXPORT FileKind DetectFileKind(const std::filesystem::path& file);
-
-/// "NIfTI", "NRRD", "MetaImage" or "DICOM".
-PALPATEIO_EXPORT const char* FileKindName(FileKind kind);
+/// Whether a file is DICOM: by its mark, whatever the name, or by its ending. Throws InputError for
+/// a file that is missing, empty or not to be opened.
+PALPATEIO_EXPORT bool IsDicomFile(const std::filesystem::path& file);
 
 /// True where byte 128 starts the DICM mark.
 PALPATEIO_EXPORT bool HasDicomMark(const std::filesystem::path& file);

@@ -2,6 +2,7 @@
 
 #include "FileEnding.h"
 #include "Refusal.h"
+#include "SurfaceFile.h"
 
 #include <algorithm>
 #include <array>
@@ -16,8 +17,7 @@ namespace
 {
 constexpr std::size_t HeadBytes = 512; // up to where a tar archive and a legacy VTK file say so
 constexpr const char* ToImage = "convert it to NIfTI-1 (.nii.gz), NRRD or MetaImage";
-constexpr const char* ToSurface =
-    "give voxels here; commands that take surfaces read .vtp, .stl, .ply and .obj";
+constexpr const char* ToSurface = "give voxels here, and surfaces to commands that take them";
 
 // The start of a file's content.
 struct Head
@@ -68,8 +68,8 @@ ForeignFile LegacyVtk(const Head& head)
   const std::string name = "is a legacy VTK file" + (kind.empty() ? "" : " (" + kind + ")");
   if (kind == "POLYDATA")
   {
-    return {name + ", a surface", "save it as .vtp, .stl, .ply or .obj for commands that take "
-                                  "surfaces"};
+    return {name + ", a surface", "save it as " + ListOfEndings(SurfaceFormats().ReadEndings()) +
+                                      " for commands that take surfaces"};
   }
   if (kind == "STRUCTURED_POINTS")
   {
@@ -176,7 +176,7 @@ struct Ending
   const char* WayOut;
 };
 
-constexpr std::array<Ending, 13> Endings{{
+constexpr std::array<Ending, 10> Endings{{
     {".hdr", "is a header whose image lies in an .img file, which is not read", ToImage},
     {".img", "has the voxels of a pair (.hdr and .img), which is not read",
      "convert the pair to one NIfTI file (.nii.gz)"},
@@ -185,9 +185,6 @@ constexpr std::array<Ending, 13> Endings{{
     {".mnc", "is a MINC file, which is not read", ToImage},
     {".raw", "has voxels without a header", "name its header (.mhd or .nhdr)"},
     {".zraw", "has voxels without a header", "name its header (.mhd)"},
-    {".stl", "is a surface, not an image", ToSurface},
-    {".ply", "is a surface, not an image", ToSurface},
-    {".obj", "is a surface, not an image", ToSurface},
     {".gii", "is a GIFTI surface, not an image", ToSurface},
     {".json", "is a JSON file, not an image", "name an image file"},
     {".csv", "is a table, not an image", "name an image file"},
@@ -214,6 +211,10 @@ std::optional<ForeignFile> RecognizeForeignFile(const std::filesystem::path& fil
     found->WayOut = "unpack it (gunzip); then " + found->WayOut;
   }
   found = found ? found : ByEnding(ending);
+  if (!found && SurfaceFormats().Reader(file) != nullptr)
+  {
+    found = ForeignFile{"is a surface, not an image", ToSurface};
+  }
   if (!found && head.IsCompressed && ending != ".nii.gz")
   {
     found = ForeignFile{"is a gzip file of something that is no known image",

@@ -2,7 +2,7 @@
 
 #include "DicomSegmentation.h"
 #include "FileKind.h"
-#include "ImageFile.h"
+#include "ImageFormat.h"
 #include "LabelMap.h"
 #include "SlicerSegments.h"
 
@@ -11,17 +11,13 @@ namespace palpate
 namespace
 {
 // Empty for a plain image.
-std::string SegmentationKind(const std::filesystem::path& path, FileKind kind)
+std::string SegmentationKind(const std::filesystem::path& path, bool isDicom)
 {
-  if (kind == FileKind::Dicom && IsDicomSegmentation(path))
+  if (isDicom)
   {
-    return "DICOM segmentation";
+    return IsDicomSegmentation(path) ? "DICOM segmentation" : "";
   }
-  if (kind == FileKind::Nrrd && !SlicerSegments(ImageFile(path, kind).Entries()).empty())
-  {
-    return "3D Slicer segmentation";
-  }
-  return {};
+  return SlicerSegments(OpenImage(path)->Entries()).empty() ? "" : "3D Slicer segmentation";
 }
 } // namespace
 
@@ -30,21 +26,21 @@ ImageContent ReadImageContent(const std::filesystem::path& path, const VolumeCho
   ImageContent content;
   std::error_code failure;
   const bool isFolder = std::filesystem::is_directory(path, failure);
-  const FileKind kind = isFolder ? FileKind::Dicom : DetectFileKind(path);
-  content.Kind = isFolder ? std::string() : SegmentationKind(path, kind);
+  const bool isDicom = isFolder || IsDicomFile(path);
+  content.Kind = isFolder ? std::string() : SegmentationKind(path, isDicom);
   if (!content.Kind.empty())
   {
     content.Labels = ReadSegmentation(path, choice.LeftHanded);
     return content;
   }
   content.Image = ReadVolume(path, choice);
-  if (kind == FileKind::Dicom)
+  if (isDicom)
   {
     content.Kind = "DICOM series";
     return content;
   }
   const std::string reason = WhyNoLabelMap(*content.Image);
-  const std::string format = FileKindName(kind);
+  const std::string format = ImageFormatOf(path).Name;
   if (reason.empty())
   {
     content.Labels = LabelMapOf(*content.Image);

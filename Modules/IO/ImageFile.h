@@ -1,6 +1,5 @@
 #pragma once
 
-#include "FileKind.h"
 #include "ImageGrid.h"
 #include "ItkImageHeader.h"
 #include "PalpateIOModule.h"
@@ -9,28 +8,23 @@
 
 #include <filesystem>
 #include <map>
-#include <memory>
 #include <string>
 #include <vector>
 
 namespace palpate
 {
-class ItkImageReader;
-class NiftiVoxels;
-
-/// One image file: NIfTI-1 read here, the others with ITK. The constructor reads the header only;
-/// the voxels then go straight from the reader into the VTK array, in the type that the file has
-/// (after its rescale slope). Every failure is an InputError; nothing is printed.
+/// An image file whose header has been read; the voxels then go straight from the reader into the
+/// VTK array, in the type that the file has (after its rescale slope). Every failure is an
+/// InputError; nothing is printed.
 class PALPATEIO_EXPORT ImageFile
 {
 public:
-  /// Throws InputError where the header cannot be read or its geometry is no volume's. The kind is
-  /// any but DICOM.
-  ImageFile(const std::filesystem::path& file, FileKind kind);
   ImageFile(const ImageFile&) = delete;
   ImageFile& operator=(const ImageFile&) = delete;
-  ~ImageFile();
+  virtual ~ImageFile() = default;
 
+  /// Throws InputError if the grid is no volume's (see CheckGrid).
+  void CheckVolume() { CheckGrid(this->File, this->FileGrid); }
   /// Patient LPS, mm; as in the file, so perhaps left-handed.
   const ImageGrid& Grid() const { return this->FileGrid; }
   int Components() const { return this->Header.Components; }
@@ -42,26 +36,20 @@ public:
   const std::vector<std::string>& Notes() const { return this->HeaderNotes; }
 
   /// An array of the file's type, components and voxel count, not yet filled. Throws InputError
-  /// where it does not fit into memory.
+  /// where it does not fit into memory, or not into the file.
   vtkSmartPointer<vtkDataArray> NewArray() const;
   /// Reads all voxels to `buffer`, which has room for them. Throws InputError for a file that is
   /// truncated or damaged.
-  void ReadInto(void* buffer);
+  virtual void ReadInto(void* buffer) = 0;
 
-private:
-  void OpenNifti();
-  void OpenNrrd();
-  void OpenMetaImage();
-  void OpenReader();
-  void CheckHeader() const;
-  void TakeGrid();
-  // Of all voxels. A double, since a header may promise anything.
+protected:
+  explicit ImageFile(const std::filesystem::path& file) : File(file) {}
+  /// Throws InputError if the file is too short for its voxels.
+  virtual void CheckLength() const {}
+  /// Of all voxels. A double, since a header may promise anything.
   double DataBytes() const;
 
   std::filesystem::path File;
-  FileKind Kind;
-  std::unique_ptr<NiftiVoxels> Nifti; ///< for NIfTI, else Reader
-  std::unique_ptr<ItkImageReader> Reader;
   ItkImageHeader Header;
   ImageGrid FileGrid;
   std::vector<std::string> HeaderNotes;

@@ -19,10 +19,10 @@ struct ItkImageReader::Implementation
 
 namespace
 {
-itk::ImageIOBase::Pointer NewImageIo(FileKind kind)
+itk::ImageIOBase::Pointer NewImageIo(ItkFormat format)
 {
-  return kind == FileKind::Nrrd ? itk::ImageIOBase::Pointer(itk::NrrdImageIO::New())
-                                : itk::ImageIOBase::Pointer(itk::MetaImageIO::New());
+  return format == ItkFormat::Nrrd ? itk::ImageIOBase::Pointer(itk::NrrdImageIO::New())
+                                   : itk::ImageIOBase::Pointer(itk::MetaImageIO::New());
 }
 
 int VtkTypeOf(itk::IOComponentEnum type)
@@ -59,12 +59,12 @@ int VtkTypeOf(itk::IOComponentEnum type)
 }
 } // namespace
 
-ItkImageReader::ItkImageReader(const std::filesystem::path& file, FileKind kind)
+ItkImageReader::ItkImageReader(const std::filesystem::path& file, ItkFormat format)
     : Itk(std::make_unique<Implementation>())
 {
   const QuietStandardStreams quiet;
   const CNumericLocale numbers;
-  this->Itk->Io = NewImageIo(kind);
+  this->Itk->Io = NewImageIo(format);
   this->Itk->Io->SetFileName(file.string());
   if (!this->Itk->Io->CanReadFile(file.c_str()))
   {

@@ -1,8 +1,6 @@
 #pragma once
 
-#include "FileKind.h"
 #include "ItkImageHeader.h"
-#include "PalpateIOModule.h"
 
 #include <filesystem>
 #include <memory>
@@ -10,13 +8,21 @@
 
 namespace palpate
 {
+/// The formats that ITK reads or writes here.
+enum class ItkFormat
+{
+  Nifti, ///< only written
+  Nrrd,
+  MetaImage
+};
+
 /// The only door to ITK's image readers: NRRD and MetaImage. It prints nothing; failures come back
 /// as exceptions of ITK's (std::exception) with ITK's own words.
-class PALPATEIO_EXPORT ItkImageReader
+class ItkImageReader
 {
 public:
   /// Reads the header of an NRRD or MetaImage file. Throws where it is no such file or damaged.
-  ItkImageReader(const std::filesystem::path& file, FileKind kind);
+  ItkImageReader(const std::filesystem::path& file, ItkFormat format);
   ItkImageReader(const ItkImageReader&) = delete;
   ItkImageReader& operator=(const ItkImageReader&) = delete;
   ~ItkImageReader();

@@ -1,14 +1,11 @@
 #include "ModelFile.h"
 
-#include "FileEnding.h"
+#include "FileFormat.h"
 #include "ModelCsv.h"
 #include "ModelJson.h"
 #include "Refusal.h"
 #include "SpharmPdmCoefficients.h"
 #include "WholeFile.h"
-
-#include <algorithm>
-#include <array>
 
 namespace palpate
 {
@@ -17,9 +14,8 @@ namespace
 // A model of the largest degree that is read fits, with room to spare.
 constexpr std::uintmax_t MaximumBytes = 256 * 1024 * 1024;
 
-struct ModelFormat
+struct ModelFormat : FileFormat
 {
-  const char* Ending;
   ModelDocument (*Read)(const std::string& text, const std::string& fileName); ///< may be null
   std::string (*Write)(const ModelDocument& document, const std::string& fileName);
   bool KeepsStarShape;
@@ -35,34 +31,35 @@ std::string ToCoefficients(const ModelDocument& document, const std::string& fil
   return SurfaceToSpharmPdm(document.Surface, fileName);
 }
 
-constexpr std::array<ModelFormat, 3> Formats{
-    {{".json", &ModelFromJson, &ModelToJson, true},
-     {".csv", nullptr, &ModelToCsv, true},
-     {".coef", &FromCoefficients, &ToCoefficients, false}}};
-
-// Null for another ending.
-const ModelFormat* Find(const std::filesystem::path& path)
+const FormatList<ModelFormat>& Formats()
 {
-  const std::string ending = FileEnding(path);
-  const auto* const found = std::find_if(
-      Formats.begin(), Formats.end(), [&](const auto& format) { return ending == format.Ending; });
-  return found == Formats.end() ? nullptr : found;
+  static const FormatList<ModelFormat> formats(
+      {{{"Palpate's model", {".json"}, {".json"}}, &ModelFromJson, &ModelToJson, true},
+       {{"table", {}, {".csv"}}, nullptr, &ModelToCsv, true},
+       {{"SPHARM-PDM", {".coef"}, {".coef"}}, &FromCoefficients, &ToCoefficients, false}});
+  return formats;
 }
 
 const ModelFormat& FormatOf(const std::filesystem::path& path)
 {
-  const ModelFormat* const format = Find(path);
+  const ModelFormat* const format = Formats().Writer(path);
   if (format == nullptr)
   {
-    Refuse(path, "does not end as a model file does", "use .json or .coef, or .csv to write one");
+    Refuse(path, "does not end as a model file does",
+           "use " + ListOfEndings(ReadableModelEndings()) + ", or .csv to write one");
   }
   return *format;
 }
 } // namespace
 
+std::vector<std::string> ReadableModelEndings()
+{
+  return Formats().ReadEndings();
+}
+
 bool IsModelFile(const std::filesystem::path& path)
 {
-  return Find(path) != nullptr;
+  return Formats().Writer(path) != nullptr;
 }
 
 bool KeepsStarShape(const std::filesystem::path& path)

@@ -4,11 +4,16 @@
 #include "PalpateIOModule.h"
 
 #include <filesystem>
+#include <string>
+#include <vector>
 
 namespace palpate
 {
 /// Whether the ending is one of a model file: .json, .coef, or .csv, which is only written.
 PALPATEIO_EXPORT bool IsModelFile(const std::filesystem::path& path);
+
+/// Endings of models that are read.
+PALPATEIO_EXPORT std::vector<std::string> ReadableModelEndings();
 
 /// Whether a star-shaped model stays one in a file of this ending; SPHARM-PDM has only parametric
 /// surfaces.

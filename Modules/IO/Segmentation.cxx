@@ -3,7 +3,7 @@
 #include "DicomSegmentation.h"
 #include "FileKind.h"
 #include "ForeignDicom.h"
-#include "ImageFile.h"
+#include "ImageFormat.h"
 #include "LabelMap.h"
 #include "LabelValues.h"
 #include "MemoryCheck.h"
@@ -96,8 +96,7 @@ Segmentation ReadSegmentation(const std::filesystem::path& path, LeftHandedAxes 
   {
     return ReadDicomSegmentation(FindDicomSegmentation(path));
   }
-  const FileKind kind = DetectFileKind(path);
-  if (kind == FileKind::Dicom)
+  if (IsDicomFile(path))
   {
     if (!IsDicomSegmentation(path))
     {
@@ -107,13 +106,10 @@ Segmentation ReadSegmentation(const std::filesystem::path& path, LeftHandedAxes 
     }
     return ReadDicomSegmentation(path);
   }
-  if (kind == FileKind::Nrrd)
+  const std::unique_ptr<ImageFile> file = OpenImage(path);
+  if (const std::vector<Segment> described = SlicerSegments(file->Entries()); !described.empty())
   {
-    ImageFile file(path, kind);
-    if (const std::vector<Segment> described = SlicerSegments(file.Entries()); !described.empty())
-    {
-      return ReadSlicerSegmentation(path, file, described, leftHanded);
-    }
+    return ReadSlicerSegmentation(path, *file, described, leftHanded);
   }
   return LabelMapOf(ReadVolume(path, {{}, leftHanded}));
 }

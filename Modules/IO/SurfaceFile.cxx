@@ -3,7 +3,6 @@
 #include "AlgorithmErrors.h"
 #include "BoundedPolyDataReader.h"
 #include "CNumericLocale.h"
-#include "FileEnding.h"
 #include "ForeignFile.h"
 #include "InputError.h"
 #include "MeshFormats.h"
@@ -23,7 +22,6 @@
 #include "vtksys/SystemTools.hxx"
 
 #include <algorithm>
-#include <array>
 #include <cstdint>
 #include <fstream>
 #include <sstream>
@@ -36,34 +34,8 @@ namespace
 // More than any surface that fits into memory here; a mistaken name must not fill the memory.
 constexpr std::uintmax_t MaximumBytes = std::uintmax_t{4} << 30;
 
-using MeshWriter = std::string (*)(const TriangleMesh&);
-
-struct MeshFormat
-{
-  const char* Ending;
-  MeshWriter Write;
-};
-
-constexpr std::array<MeshFormat, 6> MeshFormats{{{".stl", &MeshToStl},
-                                                 {".ply", &MeshToPly},
-                                                 {".obj", &MeshToObj},
-                                                 {".gltf", &MeshToGltf},
-                                                 {".glb", &MeshToGlb},
-                                                 {".x3d", &MeshToX3d}}};
-
-MeshWriter WriterOf(const std::string& ending)
-{
-  for (const MeshFormat& format : MeshFormats)
-  {
-    if (ending == format.Ending)
-    {
-      return format.Write;
-    }
-  }
-  return nullptr;
-}
-
-std::string SurfaceToVtp(vtkPolyData* surface, const std::filesystem::path& path)
+std::string SurfaceToVtp(const TriangleMesh&, vtkPolyData* surface,
+                         const std::filesystem::path& path)
 {
   vtkNew<vtkPolyData> copy;
   copy->ShallowCopy(surface);
@@ -168,61 +140,82 @@ vtkSmartPointer<vtkPolyData> ReadVtp(const std::filesystem::path& path)
   return surface;
 }
 
-vtkSmartPointer<vtkPolyData> ReadByEnding(const std::filesystem::path& path)
+vtkSmartPointer<vtkPolyData> ReadVtpInLps(const std::filesystem::path& path)
 {
-  const std::string ending = FileEnding(path);
-  if (ending == ".vtp")
-  {
-    CNumericLocale::RequireOfStreams(path);
-    const vtkSmartPointer<vtkPolyData> surface = ReadVtp(path);
-    return TurnedToLps(TakeSpaceOfFields(path, surface), surface);
-  }
-  if (ending == ".stl")
-  {
-    const SurfaceSpace space = SpaceOfComments(path, CheckedStlComment(path));
-    return TurnedToLps(space, ReadWith(vtkNew<vtkSTLReader>().Get(), path));
-  }
-  if (ending == ".ply")
-  {
-    const std::string bytes = ReadWholeFile(path, MaximumBytes);
-    const std::string header = bytes.substr(0, bytes.find("end_header"));
-    return TurnedToLps(SpaceOfComments(path, header),
-                       PolyDataOf(MeshFromPly(bytes, path.string())));
-  }
-  if (ending == ".obj")
-  {
-    const std::string text = ReadWholeFile(path, MaximumBytes);
-    return TurnedToLps(SpaceOfComments(path, ObjComments(text)),
-                       SurfaceFromObj(text, path.string()));
-  }
-  RefuseContent(path, "does not end as a surface that can be read", "use .vtp, .stl, .ply or .obj");
+  CNumericLocale::RequireOfStreams(path);
+  const vtkSmartPointer<vtkPolyData> surface = ReadVtp(path);
+  return TurnedToLps(TakeSpaceOfFields(path, surface), surface);
+}
+
+vtkSmartPointer<vtkPolyData> ReadStl(const std::filesystem::path& path)
+{
+  const SurfaceSpace space = SpaceOfComments(path, CheckedStlComment(path));
+  return TurnedToLps(space, ReadWith(vtkNew<vtkSTLReader>().Get(), path));
+}
+
+vtkSmartPointer<vtkPolyData> ReadPly(const std::filesystem::path& path)
+{
+  const std::string bytes = ReadWholeFile(path, MaximumBytes);
+  const std::string header = bytes.substr(0, bytes.find("end_header"));
+  return TurnedToLps(SpaceOfComments(path, header), PolyDataOf(MeshFromPly(bytes, path.string())));
+}
+
+vtkSmartPointer<vtkPolyData> ReadObj(const std::filesystem::path& path)
+{
+  const std::string text = ReadWholeFile(path, MaximumBytes);
+  return TurnedToLps(SpaceOfComments(path, ObjComments(text)), SurfaceFromObj(text, path.string()));
+}
+
+using MeshWriter = std::string (*)(const TriangleMesh&);
+
+template <MeshWriter Write>
+std::string WriteMesh(const TriangleMesh& mesh, vtkPolyData*, const std::filesystem::path&)
+{
+  return Write(mesh);
 }
 } // namespace
 
+FormatList<SurfaceFormat>& SurfaceFormats()
+{
+  static FormatList<SurfaceFormat> formats(
+      {{{"VTK", {".vtp"}, {".vtp"}}, &ReadVtpInLps, &SurfaceToVtp},
+       {{"STL", {".stl"}, {".stl"}}, &ReadStl, &WriteMesh<&MeshToStl>},
+       {{"PLY", {".ply"}, {".ply"}}, &ReadPly, &WriteMesh<&MeshToPly>},
+       {{"OBJ", {".obj"}, {".obj"}}, &ReadObj, &WriteMesh<&MeshToObj>},
+       {{"glTF", {}, {".gltf"}}, nullptr, &WriteMesh<&MeshToGltf>},
+       {{"binary glTF", {}, {".glb"}}, nullptr, &WriteMesh<&MeshToGlb>},
+       {{"X3D", {}, {".x3d"}}, nullptr, &WriteMesh<&MeshToX3d>}});
+  return formats;
+}
+
 bool IsSurfaceFile(const std::filesystem::path& path)
 {
-  const std::string ending = FileEnding(path);
-  return ending == ".vtp" || WriterOf(ending) != nullptr;
+  return SurfaceFormats().Reader(path) != nullptr || SurfaceFormats().Writer(path) != nullptr;
 }
 
 void WriteSurface(const std::filesystem::path& path, vtkPolyData* surface)
 {
-  const std::string ending = FileEnding(path);
-  const MeshWriter write = WriterOf(ending);
-  if (ending != ".vtp" && write == nullptr)
+  const SurfaceFormat* const format = SurfaceFormats().Writer(path);
+  if (format == nullptr)
   {
     Refuse(path, "does not end as a surface file does",
-           "use .vtp, .stl, .ply, .obj, .gltf, .glb or .x3d");
+           "use " + ListOfEndings(SurfaceFormats().WrittenEndings()));
   }
   const TriangleMesh mesh = TrianglesOf(surface, path);
-  WriteWholeFile(path, write == nullptr ? SurfaceToVtp(surface, path) : write(mesh));
+  WriteWholeFile(path, format->Write(mesh, surface, path));
 }
 
 vtkSmartPointer<vtkPolyData> ReadSurface(const std::filesystem::path& path)
 {
   // Says what is wrong with the path itself better than the readers do.
   InputFileSize(path);
-  vtkSmartPointer<vtkPolyData> surface = ReadByEnding(path);
+  const SurfaceFormat* const format = SurfaceFormats().Reader(path);
+  if (format == nullptr)
+  {
+    RefuseContent(path, "does not end as a surface that can be read",
+                  "use " + ListOfEndings(SurfaceFormats().ReadEndings()));
+  }
+  vtkSmartPointer<vtkPolyData> surface = format->Read(path);
   TrianglesOf(surface, path);
   return surface;
 }

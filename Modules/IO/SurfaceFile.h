@@ -1,14 +1,32 @@
 #pragma once
 
+#include "FileFormat.h"
 #include "PalpateIOModule.h"
+#include "TriangleMesh.h"
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
 
 #include <filesystem>
+#include <functional>
+#include <string>
 
 namespace palpate
 {
-/// Whether the ending is one that WriteSurface takes: .vtp, .stl, .ply, .obj, .gltf, .glb, .x3d.
+/// A format of surfaces, in patient LPS and mm.
+struct SurfaceFormat : FileFormat
+{
+  /// Throws InputError. What is read is checked afterwards (see TrianglesOf).
+  std::function<vtkSmartPointer<vtkPolyData>(const std::filesystem::path& file)> Read;
+  /// The bytes of a file: of the surface, or of its triangles. `file` is for messages.
+  std::function<std::string(const TriangleMesh& mesh, vtkPolyData* surface,
+                            const std::filesystem::path& file)>
+      Write;
+};
+
+/// The formats below, and what was added.
+PALPATEIO_EXPORT FormatList<SurfaceFormat>& SurfaceFormats();
+
+/// Whether the ending is one of a surface's, read or written.
 PALPATEIO_EXPORT bool IsSurfaceFile(const std::filesystem::path& path);
 
 /// Writes a surface (patient LPS, mm) in the format of the ending, under AtomicFile's rules:

@@ -4,7 +4,7 @@
 #include "DicomVolume.h"
 #include "FileKind.h"
 #include "ForeignDicom.h"
-#include "ImageFile.h"
+#include "ImageFormat.h"
 #include "Refusal.h"
 #include "RightHandedAxes.h"
 #include "VoxelCheck.h"
@@ -15,20 +15,20 @@ namespace palpate
 {
 namespace
 {
-Volume ReadImageFile(const std::filesystem::path& path, FileKind kind, LeftHandedAxes handling)
+Volume ReadImageFile(const std::filesystem::path& path, LeftHandedAxes handling)
 {
-  ImageFile file(path, kind);
-  if (file.Components() != 1)
+  const std::unique_ptr<ImageFile> file = OpenImage(path);
+  if (file->Components() != 1)
   {
-    Refuse(path, "has " + std::to_string(file.Components()) + " values per voxel",
+    Refuse(path, "has " + std::to_string(file->Components()) + " values per voxel",
            "give one grey value per voxel, or read it as a segmentation if its values are layers");
   }
-  const vtkSmartPointer<vtkDataArray> voxels = file.NewArray();
-  file.ReadInto(voxels->GetVoidPointer(0));
-  ImageGrid grid = file.Grid();
+  const vtkSmartPointer<vtkDataArray> voxels = file->NewArray();
+  file->ReadInto(voxels->GetVoidPointer(0));
+  ImageGrid grid = file->Grid();
   Volume volume;
   volume.Source = path;
-  volume.Notes = file.Notes();
+  volume.Notes = file->Notes();
   if (const std::string note = MakeRightHanded(path, handling, grid, voxels); !note.empty())
   {
     volume.Notes.push_back(note);
@@ -60,9 +60,8 @@ Volume ReadVolume(const std::filesystem::path& path, const VolumeChoice& choice)
 {
   std::error_code failure;
   const bool isFolder = std::filesystem::is_directory(path, failure);
-  const FileKind kind = isFolder ? FileKind::Dicom : DetectFileKind(path);
-  Volume volume = kind == FileKind::Dicom ? ReadDicom(path, choice)
-                                          : ReadImageFile(path, kind, choice.LeftHanded);
+  Volume volume = isFolder || IsDicomFile(path) ? ReadDicom(path, choice)
+                                                : ReadImageFile(path, choice.LeftHanded);
   CheckFinite(path, volume.Image->GetPointData()->GetScalars());
   return volume;
 }

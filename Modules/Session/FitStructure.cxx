@@ -1,6 +1,7 @@
 #include "FitStructure.h"
 
 #include "FitStages.h"
+#include "ImageFormat.h"
 
 namespace palpate
 {
@@ -30,15 +31,7 @@ FitResult FitStructure(const Segmentation& segmentation, const Segment& structur
 std::string CaseNameOf(const std::filesystem::path& file)
 {
   std::string name = file.filename().string();
-  for (const char* ending : {".gz", ".nii", ".nrrd", ".seg", ".nhdr", ".mha", ".mhd", ".dcm"})
-  {
-    const std::string text = ending;
-    if (name.size() > text.size() &&
-        name.compare(name.size() - text.size(), text.size(), text) == 0)
-    {
-      name.erase(name.size() - text.size());
-    }
-  }
+  name.erase(name.size() - EndingOf(file, ReadableImageEndings()).size());
   return name;
 }
 } // namespace palpate

@@ -1,15 +1,13 @@
 #include "ReportCharts.h"
 
+#include "ClosestPointDistances.h"
 #include "HtmlText.h"
 #include "ReportPage.h"
 #include "SvgChart.h"
 
-#include "vtkCellArray.h"
-#include "vtkCellArrayIterator.h"
 #include "vtkDataArray.h"
 #include "vtkPointData.h"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 
@@ -48,35 +46,6 @@ std::string DegreeChart(const FitResult& result)
   chart.SetMarker(degree, "degree " + std::to_string(degree));
   return ReportFigure(chart.Svg(), "Error against degree: residual of the radii for every smaller "
                                    "model.");
-}
-
-// A third of the area (mm^2) of the triangles round each point.
-std::vector<double> PointAreas(vtkPolyData* surface)
-{
-  std::vector<double> areas(static_cast<std::size_t>(surface->GetNumberOfPoints()), 0.0);
-  const auto iterator = vtk::TakeSmartPointer(surface->GetPolys()->NewIterator());
-  for (iterator->GoToFirstCell(); !iterator->IsDoneWithTraversal(); iterator->GoToNextCell())
-  {
-    vtkIdType count = 0;
-    const vtkIdType* ids = nullptr;
-    iterator->GetCurrentCell(count, ids);
-    if (count != 3)
-    {
-      continue;
-    }
-    Eigen::Matrix3d corners;
-    for (int c = 0; c < 3; ++c)
-    {
-      surface->GetPoint(ids[c], corners.col(c).data());
-    }
-    const double area =
-        0.5 * (corners.col(1) - corners.col(0)).cross(corners.col(2) - corners.col(0)).norm();
-    for (int c = 0; c < 3; ++c)
-    {
-      areas[static_cast<std::size_t>(ids[c])] += area / 3.0;
-    }
-  }
-  return areas;
 }
 
 std::string DistanceChart(vtkPolyData* model)

@@ -1,7 +1,9 @@
 #include "DrillPanel.h"
 
 #include "DrillLimits.h"
+#include "ImageFormat.h"
 #include "ScreenString.h"
+#include "SurfaceFile.h"
 #include "TextContrast.h"
 
 #include <QComboBox>
@@ -393,9 +395,11 @@ void DrillPanel::Export()
   const auto& drilled = this->Study.Reading().Drill.Drilled;
   int label = drilled.empty() ? 0 : drilled.front().Id;
   label = row >= 0 ? this->Table->item(row, NameColumn)->data(Qt::UserRole).toInt() : label;
-  const QString file =
-      this->Questions.ToSave(this, "Export what is left", "drilled.stl",
-                             "Surfaces and label maps (*.stl *.vtp *.ply *.obj *.nrrd *.nii.gz)");
+  const QString file = this->Questions.ToSave(
+      this, "Export what is left", "drilled.stl",
+      QString::fromStdString("Surfaces and images (" +
+                             PatternsOf(SurfaceFormats().WrittenEndings()) + " " +
+                             PatternsOf(ImageFormats().WrittenEndings()) + ")"));
   if (!file.isEmpty())
   {
     this->Try(

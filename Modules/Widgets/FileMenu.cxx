@@ -1,6 +1,9 @@
 #include "FileMenu.h"
 
+#include "ImageFormat.h"
+#include "ModelFile.h"
 #include "ScreenString.h"
+#include "SurfaceFile.h"
 
 #include <QFileInfo>
 #include <QInputDialog>
@@ -12,11 +15,20 @@ namespace
 {
 constexpr int MostRecent = 10;
 constexpr const char* RecentKey = "recent";
-constexpr const char* ImageFilter =
-    "Images (*.nii *.nii.gz *.nrrd *.nhdr *.mha *.mhd *.dcm *.ima);;All files (*)";
-constexpr const char* SceneFilter =
-    "Models, surfaces, scenes (*.json *.stl *.ply *.obj *.vtp *.vtk);;All files (*)";
 constexpr const char* StudyFilter = "Palpate studies (*.palpate.json)";
+
+QString ImageFilter()
+{
+  return QString::fromStdString("Images (" + PatternsOf(ReadableImageEndings()) +
+                                ");;All files (*)");
+}
+
+QString SceneFilter()
+{
+  return QString::fromStdString("Models, surfaces, scenes (*.scene.json " +
+                                PatternsOf(ReadableModelEndings()) + " " +
+                                PatternsOf(SurfaceFormats().ReadEndings()) + ");;All files (*)");
+}
 
 std::filesystem::path PathOf(const QString& file)
 {
@@ -74,7 +86,7 @@ FileMenu::FileMenu(StudyController& study, const FileQuestions& questions, QWidg
 void FileMenu::Open(const QString& title,
                     void (StudyController::*take)(const std::filesystem::path&))
 {
-  for (const QString& file : this->Questions.ToOpen(this->Window, title, ImageFilter))
+  for (const QString& file : this->Questions.ToOpen(this->Window, title, ImageFilter()))
   {
     (this->Study.*take)(PathOf(file));
   }
@@ -84,7 +96,7 @@ void FileMenu::AddStructures()
 {
   std::vector<std::filesystem::path> files;
   for (const QString& file :
-       this->Questions.ToOpen(this->Window, "Add models, surfaces or scenes", SceneFilter))
+       this->Questions.ToOpen(this->Window, "Add models, surfaces or scenes", SceneFilter()))
   {
     files.push_back(PathOf(file));
   }

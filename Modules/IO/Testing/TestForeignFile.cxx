@@ -65,7 +65,7 @@ std::vector<Foreign> ForeignFiles()
        "voxels"},
       {"image.vti", "<VTKFile type=\"ImageData\">", "is a VTK file (IMAGEDATA)", "convert"},
       {"a.mgz", Gzipped(std::string(300, '\0')), "is a FreeSurfer volume", "mri_convert"},
-      {"a.stl", "solid a", "is a surface, not an image", ".stl"},
+      {"a.stl", "solid a", "is a surface, not an image", "commands that take them"},
       {"model.json", "{}", "is a JSON file", "image"},
       {"image.raw", "abc", "has voxels without a header", ".mhd"},
       {"page.nii.gz", "<!DOCTYPE html><p>404", "is a web page", "download"},

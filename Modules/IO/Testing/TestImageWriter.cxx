@@ -6,6 +6,7 @@
 #include "Volume.h"
 #include "vtkDataArray.h"
 #include "vtkMatrix3x3.h"
+#include "vtkNew.h"
 #include "vtkPointData.h"
 
 #include <Eigen/Geometry>
@@ -135,6 +136,19 @@ TEST(ImageWriter, ExtentThatDoesNotStartAtZeroKeepsItsPlace)
   shifted->TransformIndexToPhysicalPoint(3, -2, 1, expected.data());
   const Vector3 found(ReadVolume(folder / "a.nrrd").Image->GetOrigin());
   EXPECT_LT((found - expected).norm(), 1e-11); // 17 digits of numbers near 250
+}
+
+TEST(ImageWriter, SingleSlicesAreWritten)
+{
+  const TemporaryFolder folder;
+  vtkNew<vtkImageData> slice;
+  slice->SetDimensions(7, 4, 1);
+  slice->AllocateScalars(VTK_SHORT, 1);
+  slice->GetPointData()->GetScalars()->Fill(3.0);
+  for (const char* name : Names)
+  {
+    EXPECT_NO_THROW(WriteImage(folder / name, slice)) << name;
+  }
 }
 
 TEST(ImageWriter, ImagesThatCannotBeWrittenLeaveNothing)

@@ -1,7 +1,7 @@
 #include "CohortManifest.h"
 
 #include "CsvText.h"
-#include "FileEnding.h"
+#include "ImageFormat.h"
 #include "InputError.h"
 #include "OutputNames.h"
 #include "WholeFile.h"
@@ -18,10 +18,9 @@ constexpr std::uintmax_t LargestManifest = 64U << 20U;
 
 bool IsImage(const std::filesystem::path& file)
 {
-  static const std::set<std::string> Endings{".nii",  ".nii.gz", ".nrrd", ".seg.nrrd",
-                                             ".nhdr", ".mha",    ".mhd",  ".dcm"};
   std::error_code ignored;
-  return Endings.count(FileEnding(file)) > 0 && std::filesystem::is_regular_file(file, ignored);
+  return !EndingOf(file, ReadableImageEndings()).empty() &&
+         std::filesystem::is_regular_file(file, ignored);
 }
 
 std::string Get(const CsvRecord& record, const char* column)

@@ -3,6 +3,7 @@
 #include "DrillExport.h"
 #include "DrillState.h"
 #include "DrilledField.h"
+#include "ImageFormat.h"
 #include "ImageWriter.h"
 #include "InputError.h"
 #include "SurfaceFile.h"
@@ -249,8 +250,9 @@ void StudyDrill::Export(int id, const std::filesystem::path& path,
   }
   else
   {
-    throw InputError(path.string() + " has an ending that neither volumes nor surfaces have; use "
-                                     ".nrrd, .nii.gz, .stl or .vtp");
+    throw InputError(path.string() + " has an ending that neither volumes nor surfaces have; use " +
+                     ListOfEndings(ImageFormats().WrittenEndings()) + ", or " +
+                     ListOfEndings(SurfaceFormats().WrittenEndings()));
   }
 }
 } // namespace palpate

@@ -1,0 +1,45 @@
+#include "ImageFormat.h"
+
+#include "FileKind.h"
+#include "ForeignFile.h"
+#include "MetaImageFormat.h"
+#include "NiftiFormat.h"
+#include "NrrdFormat.h"
+
+namespace palpate
+{
+FormatList<ImageFormat>& ImageFormats()
+{
+  static FormatList<ImageFormat> formats({NiftiFormat(), NrrdFormat(), MetaImageFormat()});
+  return formats;
+}
+
+const ImageFormat& ImageFormatOf(const std::filesystem::path& file)
+{
+  if (const ImageFormat* const format = ImageFormats().Reader(file))
+  {
+    return *format;
+  }
+  std::string known;
+  for (const ImageFormat& format : ImageFormats())
+  {
+    known += format.Name + " (" + ListOfEndings(format.ReadEndings) + "), ";
+  }
+  known.erase(known.size() - 2);
+  RefuseContent(file, "is in no known image format", "give " + known + " or DICOM");
+}
+
+std::unique_ptr<ImageFile> OpenImage(const std::filesystem::path& file)
+{
+  std::unique_ptr<ImageFile> image = ImageFormatOf(file).Open(file);
+  image->CheckVolume();
+  return image;
+}
+
+std::vector<std::string> ReadableImageEndings()
+{
+  std::vector<std::string> endings = ImageFormats().ReadEndings();
+  endings.insert(endings.end(), DicomEndings.begin(), DicomEndings.end());
+  return endings;
+}
+} // namespace palpate

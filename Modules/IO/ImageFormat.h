@@ -1,0 +1,39 @@
+#pragma once
+
+#include "FileFormat.h"
+#include "ImageFile.h"
+#include "PalpateIOModule.h"
+#include "vtkDataArray.h"
+#include "vtkImageData.h"
+
+#include <filesystem>
+#include <functional>
+#include <memory>
+
+namespace palpate
+{
+/// A format of three-dimensional images, each of which is one file.
+struct ImageFormat : FileFormat
+{
+  /// Reads the header. Throws InputError if it is damaged.
+  std::function<std::unique_ptr<ImageFile>(const std::filesystem::path& file)> Open;
+  /// Writes the image's grid with `voxels`; throws a std::exception if it cannot.
+  std::function<void(const std::filesystem::path& file, vtkImageData* image, vtkDataArray* voxels)>
+      Write;
+  /// Writes numbers through C++ streams (see CNumericLocale::RequireOfStreams).
+  bool WritesThroughStreams = false;
+};
+
+/// NIfTI, NRRD and MetaImage, and what was added.
+PALPATEIO_EXPORT FormatList<ImageFormat>& ImageFormats();
+
+/// The format of a file that is not DICOM, by the end of its name. Throws InputError if there is
+/// none.
+PALPATEIO_EXPORT const ImageFormat& ImageFormatOf(const std::filesystem::path& file);
+
+/// Reads the header of such a file. Throws InputError if it is damaged or no volume's.
+PALPATEIO_EXPORT std::unique_ptr<ImageFile> OpenImage(const std::filesystem::path& file);
+
+/// Endings of all images and segmentations that are read, DICOM's among them.
+PALPATEIO_EXPORT std::vector<std::string> ReadableImageEndings();
+} // namespace palpate

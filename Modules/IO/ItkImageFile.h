@@ -1,0 +1,30 @@
+#pragma once
+
+#include "ImageFile.h"
+#include "ItkImageReader.h"
+
+#include <filesystem>
+#include <memory>
+#include <string>
+
+namespace palpate
+{
+/// An image file that ITK reads.
+class ItkImageFile : public ImageFile
+{
+public:
+  void ReadInto(void* buffer) override;
+
+protected:
+  using ImageFile::ImageFile;
+  /// Reads the header with ITK and takes its grid, which is not checked yet. Throws InputError,
+  /// naming the format.
+  void OpenReader(ItkFormat format, const std::string& name);
+
+private:
+  void CheckHeader() const;
+  void TakeGrid();
+
+  std::unique_ptr<ItkImageReader> Reader;
+};
+} // namespace palpate

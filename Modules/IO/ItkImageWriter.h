@@ -1,0 +1,18 @@
+#pragma once
+
+#include "ItkImageReader.h"
+#include "vtkDataArray.h"
+#include "vtkImageData.h"
+
+#include <filesystem>
+
+namespace palpate
+{
+/// Whether ITK's formats hold voxels of this type (VTK_SHORT, ...).
+bool IsItkType(int vtkType);
+
+/// The only door to ITK's image writers: writes the image's grid (patient LPS, mm) with `voxels` of
+/// one component. Failures come back as exceptions of ITK's (std::exception); a full disk may not.
+void WriteWithItk(ItkFormat format, const std::filesystem::path& file, vtkImageData* image,
+                  vtkDataArray* voxels, bool isCompressed);
+} // namespace palpate

@@ -1,0 +1,8 @@
+#pragma once
+
+#include "ImageFormat.h"
+
+namespace palpate
+{
+ImageFormat MetaImageFormat();
+} // namespace palpate

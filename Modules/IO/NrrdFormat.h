@@ -1,0 +1,8 @@
+#pragma once
+
+#include "ImageFormat.h"
+
+namespace palpate
+{
+ImageFormat NrrdFormat();
+} // namespace palpate
