@@ -167,3 +167,32 @@ TEST(CliFit, PenaltiesAndCentresAreTaken)
   EXPECT_LT(fit.at("degrees_of_freedom").get<double>(), 81.0);
   EXPECT_EQ(fit.at("center_mm"), Json({1.0, -1.0, 0.5}));
 }
+
+TEST(CliFit, RobustFitSaysHowManySamplesCountLess)
+{
+  const TemporaryFolder folder;
+  WriteTwoBalls(folder / "a.nii.gz");
+  const CommandRun run = RunPalpate(
+      {"fit", "a.nii.gz", "--label", "1", "--degree", "4", "--robust", "--json"}, folder.Path());
+  ASSERT_EQ(run.Code, 0) << run.Errors;
+  const Json fit = Json::parse(run.Output).at("fit");
+  EXPECT_GT(fit.at("down_weighted").get<int>(), 0);
+  EXPECT_EQ(fit.at("coverage").at("verdict"), "good");
+}
+
+// Seen from outside, the ball lies in a part of all directions.
+TEST(CliFit, GapBetweenDirectionsIsANoteAndAVerdict)
+{
+  const TemporaryFolder folder;
+  WriteTwoBalls(folder / "a.nii.gz");
+  const CommandRun run =
+      RunPalpate({"fit", "a.nii.gz", "--label", "1", "--degree", "4", "--penalty", "0.001",
+                  "--center", "0,0,40", "--max-hidden", "100", "--min-dice", "0", "--json"},
+                 folder.Path());
+  ASSERT_EQ(run.Code, 0) << run.Errors;
+  const Json result = Json::parse(run.Output);
+  const Json& coverage = result.at("fit").at("coverage");
+  EXPECT_EQ(coverage.at("verdict"), "gaps");
+  EXPECT_GT(coverage.at("largest_gap_degrees").get<double>(), 45.0); // 180 over the degree
+  EXPECT_TRUE(Has(run.Errors, "No direction within")) << run.Errors;
+}

@@ -75,6 +75,7 @@ private:
   {
     FitResult& fit = this->Result;
     fit.MaskMilliliters = 43.217;
+    fit.Coverage.Outcome = DirectionCoverage::Verdict::Good;
     fit.ComponentMilliliters = {43.217, 0.031};
     fit.SurfaceMilliliters = 43.301;
     fit.SurfaceToMask = {0.111, 0.144, 0.317, 0.871};

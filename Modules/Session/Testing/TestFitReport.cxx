@@ -75,6 +75,26 @@ TEST(FitReport, HoldsTheNumbersOfTheResult)
   }
 }
 
+TEST(FitReport, SaysAndShowsWhereNoDirectionMeetsTheSurface)
+{
+  SyntheticFit fit;
+  const std::string covered = Report(fit.Result, nullptr);
+  EXPECT_NE(covered.find("<dt>Coverage</dt><dd>good"), std::string::npos);
+  EXPECT_EQ(covered.find("Grey: no direction"), std::string::npos);
+  fit.Result.Coverage.Outcome = palpate::DirectionCoverage::Verdict::Gaps;
+  fit.Result.Coverage.LargestGap = {palpate::Vector3::UnitX(), 1.0};
+  const std::string gaps = Report(fit.Result, nullptr);
+  EXPECT_NE(gaps.find("<dt>Coverage</dt><dd>gaps"), std::string::npos);
+  EXPECT_NE(gaps.find("Grey: no direction"), std::string::npos);
+  // The views from that side are other images.
+  const auto views = [](const std::string& html)
+  {
+    return html.substr(html.find("From six sides"), html.find("By degree") - html.find("From six"));
+  };
+  EXPECT_NE(views(covered).substr(views(covered).find("data:")),
+            views(gaps).substr(views(gaps).find("data:")));
+}
+
 TEST(FitReport, MarkupInNamesIsShownAndNotObeyed)
 {
   SyntheticFit fit;

@@ -168,6 +168,7 @@ TEST(StudyPlan, AnInputOfAProductIsInItsKey)
        {"weight", fit(&FitSettings::Weight, FitSettings::SampleWeight::Uniform), ModelPlaces},
        {"penalty", fit(&FitSettings::PenaltyKind, FitSettings::Penalty::Given), ModelPlaces},
        {"roughness", fit(&FitSettings::Roughness, 1e-3), ModelPlaces},
+       {"robust", fit(&FitSettings::IsRobust, true), ModelPlaces},
        {"Dice", fit(&FitSettings::MinimumDice, 0.5), ModelPlaces},
        {"interpolation",
         [](Inputs& i) { i.State.Interpolation = FieldInterpolation::TricubicBSpline; },

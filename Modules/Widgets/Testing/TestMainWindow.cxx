@@ -2,8 +2,10 @@
 #include "TemporaryFolder.h"
 #include "WindowTest.h"
 
+#include <QCheckBox>
 #include <QClipboard>
 #include <QDropEvent>
+#include <QLabel>
 #include <QMimeData>
 #include <QSpinBox>
 #include <QUrl>
@@ -92,6 +94,18 @@ TEST_F(MainWindowTest, UndoSaysWhatItUndoes)
   EXPECT_EQ(degree->value(), 12);
   this->Action("Redo")->trigger();
   EXPECT_EQ(degree->value(), 5);
+}
+
+TEST_F(MainWindowTest, RobustIsAStepOfTheStudyAndCoverageIsSaid)
+{
+  this->OpenPhantom();
+  EXPECT_EQ(this->Window->findChild<QLabel*>("coverage")->text(), "good");
+  auto* robust = this->Window->findChild<QCheckBox*>("Robust");
+  robust->click();
+  EXPECT_TRUE(this->Study->State().Fit.IsRobust);
+  this->Action("Undo")->trigger();
+  EXPECT_FALSE(this->Study->State().Fit.IsRobust);
+  EXPECT_FALSE(robust->isChecked());
 }
 
 TEST_F(MainWindowTest, TheStatusLineSaysPlaceValueAndLabel)
