@@ -194,6 +194,6 @@ TEST(SphericalHarmonicSurface, RaisesErrorForTableWithoutModel)
   surface->SetInputData(table);
   const palpate::test::ErrorLog errors(surface);
   surface->Update();
-  EXPECT_TRUE(errors.Contains("no spherical-harmonic model"));
+  EXPECT_TRUE(errors.Contains("not a spherical-harmonic model"));
 }
 } // namespace
