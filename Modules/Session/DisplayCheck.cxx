@@ -1,6 +1,7 @@
 #include "DisplayCheck.h"
 
 #include <cstdlib>
+#include <map>
 #include <stdexcept>
 #include <string>
 
@@ -10,9 +11,16 @@ namespace palpate
 {
 namespace
 {
-bool HasOpenGL(const char* name)
+// The connection stays open to the end of the process: a server without -noreset, as xvfb-run
+// starts it, starts again when its last client leaves, and the window's connection would meet that.
+bool HasOpenGL(const std::string& name)
 {
-  Display* display = XOpenDisplay(name);
+  static std::map<std::string, Display*> connections;
+  if (connections.count(name) > 0)
+  {
+    return true;
+  }
+  Display* display = XOpenDisplay(name.c_str());
   if (display == nullptr)
   {
     return false;
@@ -20,9 +28,13 @@ bool HasOpenGL(const char* name)
   int opcode = 0;
   int event = 0;
   int error = 0;
-  const bool isThere = XQueryExtension(display, "GLX", &opcode, &event, &error) == True;
-  XCloseDisplay(display);
-  return isThere;
+  if (XQueryExtension(display, "GLX", &opcode, &event, &error) != True)
+  {
+    XCloseDisplay(display);
+    return false;
+  }
+  connections.emplace(name, display);
+  return true;
 }
 } // namespace
 
