@@ -1,8 +1,8 @@
 # The VTK modules: scanned from their vtk.module files, built and installed by VTK's module system.
 
 set(PALPATE_VTK_MODULE_FILES)
-foreach(room IO Surface ShapeModel VolumeRendering Imaging Interaction Session)
-  list(APPEND PALPATE_VTK_MODULE_FILES "${CMAKE_CURRENT_SOURCE_DIR}/Modules/${room}/vtk.module")
+foreach(module IO Shape VolumeRendering Display Interaction Report Fit Group Scene Trade Study)
+  list(APPEND PALPATE_VTK_MODULE_FILES "${CMAKE_CURRENT_SOURCE_DIR}/Modules/${module}/vtk.module")
 endforeach()
 set(PALPATE_VTK_CMAKE_DIR "${CMAKE_INSTALL_LIBDIR}/cmake/Palpate")
 
@@ -27,42 +27,46 @@ macro(palpate_build_vtk_modules)
 endmacro()
 
 # Adds a VTK module: VTK classes (header and source pairs, wrapped), kernel classes (not wrapped), and
-# our compiler settings.
-#   palpate_add_vtk_module(Module CLASSES vtkA… KERNELS B… HEADERS C…)
-function(palpate_add_vtk_module room)
-  cmake_parse_arguments(arg "" "" "CLASSES;KERNELS;HEADERS" ${ARGN})
+# our compiler settings. Folders are header folders relative to the module's own.
+#   palpate_add_vtk_module(Module CLASSES vtkA… KERNELS Sub/B… HEADERS C… FOLDERS Sub…)
+function(palpate_add_vtk_module module)
+  cmake_parse_arguments(arg "" "" "CLASSES;KERNELS;HEADERS;FOLDERS" ${ARGN})
   list(TRANSFORM arg_HEADERS APPEND ".h")
-  vtk_module_add_module(Palpate::${room}
+  vtk_module_add_module(Palpate::${module}
     CLASSES ${arg_CLASSES}
     NOWRAP_CLASSES ${arg_KERNELS}
     NOWRAP_HEADERS ${arg_HEADERS})
   # A module may hold headers only.
-  set_target_properties(${room} PROPERTIES LINKER_LANGUAGE CXX)
-  palpate_compile_settings(${room})
+  set_target_properties(${module} PROPERTIES LINKER_LANGUAGE CXX)
+  palpate_compile_settings(${module})
+  foreach(folder IN LISTS arg_FOLDERS)
+    cmake_path(ABSOLUTE_PATH folder NORMALIZE)
+    target_include_directories(${module} PUBLIC $<BUILD_INTERFACE:${folder}>)
+  endforeach()
   if(arg_CLASSES)
-    set_property(GLOBAL APPEND PROPERTY PALPATE_ROOMS_WITH_VTK_CLASSES ${room})
+    set_property(GLOBAL APPEND PROPERTY PALPATE_MODULES_WITH_VTK_CLASSES ${module})
   endif()
 endfunction()
 
 # Adds the library of a module without VTK, with its alias, settings, header folders (relative to the
 # module's own), installed headers and export.
-#   palpate_add_kernel_room(Module SOURCES a.cxx… HEADERS a.h… FOLDERS . Sub… LIBRARIES t…)
-function(palpate_add_kernel_room room)
+#   palpate_add_kernel_module(Module SOURCES a.cxx… HEADERS a.h… FOLDERS . Sub… LIBRARIES t…)
+function(palpate_add_kernel_module module)
   cmake_parse_arguments(arg "" "" "SOURCES;HEADERS;FOLDERS;LIBRARIES" ${ARGN})
-  add_library(${room} ${arg_SOURCES})
-  add_library(Palpate::${room} ALIAS ${room})
-  palpate_compile_settings(${room})
-  set_target_properties(${room} PROPERTIES
-    OUTPUT_NAME Palpate${room} VERSION ${PROJECT_VERSION} SOVERSION 1)
-  target_compile_features(${room} PUBLIC cxx_std_17)
+  add_library(${module} ${arg_SOURCES})
+  add_library(Palpate::${module} ALIAS ${module})
+  palpate_compile_settings(${module})
+  set_target_properties(${module} PROPERTIES
+    OUTPUT_NAME Palpate${module} VERSION ${PROJECT_VERSION} SOVERSION 1)
+  target_compile_features(${module} PUBLIC cxx_std_17)
   foreach(folder IN LISTS arg_FOLDERS)
     cmake_path(ABSOLUTE_PATH folder NORMALIZE)
-    target_include_directories(${room} PUBLIC $<BUILD_INTERFACE:${folder}>)
+    target_include_directories(${module} PUBLIC $<BUILD_INTERFACE:${folder}>)
   endforeach()
-  target_include_directories(${room} PUBLIC
+  target_include_directories(${module} PUBLIC
     $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/palpate>)
-  target_link_libraries(${room} PUBLIC ${arg_LIBRARIES})
-  install(TARGETS ${room} EXPORT PalpateKernels
+  target_link_libraries(${module} PUBLIC ${arg_LIBRARIES})
+  install(TARGETS ${module} EXPORT PalpateKernels
     LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
   install(FILES ${arg_HEADERS} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/palpate)
 endfunction()

@@ -1,12 +1,11 @@
-# The Python package `palpate`: the VTK classes of the modules below Session, wrapped by VTK's tools.
+# The Python package `palpate`: the VTK classes of the modules, wrapped by VTK's tools.
 # It works from the build tree (PYTHONPATH=build/…/lib/python3/dist-packages) and installed.
 
 set(PALPATE_PYTHON_DIR "${CMAKE_INSTALL_LIBDIR}/python3/dist-packages")
 
 # A module without a VTK class has nothing to wrap.
-get_property(wrapped_rooms GLOBAL PROPERTY PALPATE_ROOMS_WITH_VTK_CLASSES)
-list(REMOVE_ITEM wrapped_rooms Session)
-set(wrapped_modules ${wrapped_rooms})
+get_property(wrapped_names GLOBAL PROPERTY PALPATE_MODULES_WITH_VTK_CLASSES)
+set(wrapped_modules ${wrapped_names})
 list(TRANSFORM wrapped_modules PREPEND "Palpate::")
 vtk_module_wrap_python(
   MODULES ${wrapped_modules}
@@ -18,8 +17,8 @@ vtk_module_wrap_python(
   TARGET Palpate::Python)
 
 set(PALPATE_PYTHON_IMPORTS)
-foreach(room IN LISTS wrapped_rooms)
-  string(APPEND PALPATE_PYTHON_IMPORTS "from .Palpate${room} import *\n")
+foreach(module IN LISTS wrapped_names)
+  string(APPEND PALPATE_PYTHON_IMPORTS "from .Palpate${module} import *\n")
 endforeach()
 set(init "${CMAKE_BINARY_DIR}/${PALPATE_PYTHON_DIR}/palpate/__init__.py")
 configure_file(Python/palpate/__init__.py.in "${init}" @ONLY)

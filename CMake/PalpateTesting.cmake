@@ -41,9 +41,9 @@ function(palpate_add_module_tests)
   add_subdirectory(Testing/Support)
   add_subdirectory(Testing/References)
   add_subdirectory(Testing/VirtualFalcon)
-  foreach(room Numerics Field Realtime Haptics HapticDevices IO Surface ShapeModel VolumeRendering Imaging Interaction
-      Session)
-    add_subdirectory(Modules/${room}/Testing)
+  foreach(module Numerics Field Realtime Haptics HapticDevices IO Shape VolumeRendering Display Interaction
+      Report Fit Group Scene Trade Study)
+    add_subdirectory(Modules/${module}/Testing)
   endforeach()
   if(PALPATE_HAS_QT)
     add_subdirectory(Modules/Widgets/Testing)

@@ -5,7 +5,7 @@
 
 TABLE is build/release/fit-precision.md (see Utilities/limits.sh, which calls this). Of the page, what
 lies between the two comments is replaced; the rest is written by hand. Every test that the page names
-must be one of Testing/Extremes or of a room, or nothing is written; without TABLE that is all.
+must be one of Testing/Extremes or of a module, or nothing is written; without TABLE that is all.
 """
 import argparse
 import pathlib

@@ -11,9 +11,11 @@
 #include "InputError.h"
 #include "Interruption.h"
 #include "ProgramVersion.h"
+#include "SegmentationFile.h"
 #include "StageClock.h"
 #include "StructureChoice.h"
 #include "VolumeCoverage.h"
+#include "VolumeFile.h"
 
 #include <algorithm>
 #include <exception>

@@ -9,6 +9,7 @@
 #include "Interruption.h"
 #include "ModelFile.h"
 #include "ModelSurface.h"
+#include "SegmentationFile.h"
 #include "StructureMask.h"
 #include "SurfaceFile.h"
 #include "TouchExport.h"

@@ -10,6 +10,7 @@
 #include "InputError.h"
 #include "Interruption.h"
 #include "OutputFolder.h"
+#include "VolumeFile.h"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>

@@ -12,6 +12,7 @@
 #include "JsonSchema.h"
 #include "OutputFolder.h"
 #include "ScreenText.h"
+#include "SegmentationFile.h"
 #include "SurfaceFile.h"
 #include "TextTable.h"
 #include "VoxelMinimum.h"

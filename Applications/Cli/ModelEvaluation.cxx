@@ -1,6 +1,7 @@
 #include "ModelEvaluation.h"
 
 #include "InputError.h"
+#include "SphericalHarmonicMeasures.h"
 
 #include <cmath>
 
@@ -22,8 +23,8 @@ void Evaluate(const SphericalHarmonicModel& model, const std::vector<Vector3>& d
 {
   result.StarShaped = true;
   result.CenterWorld = model.CenterWorld();
-  result.Volume = model.Volume();
-  result.Area = model.Area();
+  result.Volume = VolumeOf(model);
+  result.Area = AreaOf(model).Value;
   result.Power = model.PowerSpectrum();
   for (const Vector3& u : directions)
   {

@@ -14,6 +14,7 @@
 #include "PhantomSampler.h"
 #include "ProgramVersion.h"
 #include "ProstateLikeModel.h"
+#include "SphericalHarmonicMeasures.h"
 
 #include "ScreenText.h"
 #include "vtkNew.h"
@@ -249,7 +250,7 @@ int PhantomCommand::MakeBody(Console& console) const
                    << std::fixed << std::setprecision(3) << Printable((folder / mask).string())
                    << ": " << MaskMilliliters(phantom->GetOutput(1)) << " ml\n"
                    << Printable((folder / truth).string()) << ": degree " << model.Degree() << ", "
-                   << model.Volume() / 1000.0 << " ml\n";
+                   << VolumeOf(model) / 1000.0 << " ml\n";
   return 0;
 }
 } // namespace palpate::cli

@@ -10,9 +10,10 @@
 #include "ModelSurface.h"
 #include "SceneField.h"
 #include "ScreenText.h"
+#include "SegmentationFile.h"
 #include "StructureChoice.h"
 #include "SurfaceFile.h"
-#include "Volume.h"
+#include "VolumeFile.h"
 #include "WholeFile.h"
 
 #include "vtkNew.h"

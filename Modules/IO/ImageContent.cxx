@@ -4,7 +4,9 @@
 #include "FileKind.h"
 #include "ImageFormat.h"
 #include "LabelMap.h"
+#include "SegmentationFile.h"
 #include "SlicerSegments.h"
+#include "VolumeFile.h"
 
 namespace palpate
 {

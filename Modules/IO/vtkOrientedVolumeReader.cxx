@@ -1,7 +1,7 @@
 #include "vtkOrientedVolumeReader.h"
 
 #include "OutputImageInformation.h"
-#include "Volume.h"
+#include "VolumeFile.h"
 
 #include "vtkImageData.h"
 #include "vtkInformation.h"

@@ -1,7 +1,7 @@
 #include "vtkSegmentationReader.h"
 
 #include "OutputImageInformation.h"
-#include "Segmentation.h"
+#include "SegmentationFile.h"
 
 #include "vtkImageData.h"
 #include "vtkInformation.h"

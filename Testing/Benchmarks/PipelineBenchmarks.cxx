@@ -3,7 +3,8 @@
 #include "FitStructure.h"
 #include "ImageWriter.h"
 #include "ProstateLikeModel.h"
-#include "Segmentation.h"
+#include "SegmentationFile.h"
+#include "SphericalHarmonicMeasures.h"
 #include "TemporaryFolder.h"
 #include "vtkSphericalHarmonicPhantom.h"
 
@@ -27,7 +28,7 @@ public:
   PipelineCase()
   {
     const SphericalHarmonicModel body = MakeProstateLikeModel(8, 1, Vector3::Zero());
-    this->TrueVolume = body.Volume();
+    this->TrueVolume = VolumeOf(body);
     vtkNew<vtkSphericalHarmonicPhantom> phantom;
     phantom->SetDimensions(384, 384, 23);
     phantom->SetSpacing(0.5, 0.5, 3.0);

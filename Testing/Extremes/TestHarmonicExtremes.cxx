@@ -2,6 +2,7 @@
 #include "IcosahedronDirections.h"
 #include "LegendreSums.h"
 #include "RandomShapes.h"
+#include "SphericalHarmonicMeasures.h"
 #include "SphericalHarmonicReferences.h"
 #include "WorstCase.h"
 
@@ -150,8 +151,9 @@ TEST(HarmonicExtremes, RadiiFromANanometreToAKilometreHaveTheSameDigits)
         EXPECT_EQ(scaled.Normal(u), model.Normal(u));
       }
       // Volumes and areas are sums of such numbers, in another order of magnitude.
-      EXPECT_NEAR(std::ldexp(scaled.Volume(), -3 * exponent) / model.Volume(), 1.0, 1e-14);
-      EXPECT_NEAR(std::ldexp(scaled.Area(), -2 * exponent) / model.Area(), 1.0, 1e-14);
+      EXPECT_NEAR(std::ldexp(VolumeOf(scaled), -3 * exponent) / VolumeOf(model), 1.0, 1e-14);
+      EXPECT_NEAR(std::ldexp(AreaOf(scaled).Value, -2 * exponent) / AreaOf(model).Value, 1.0,
+                  1e-14);
     }
   }
 }

@@ -2,8 +2,8 @@
 
 #include "InputError.h"
 #include "LabelStatistics.h"
-#include "Segmentation.h"
-#include "Volume.h"
+#include "SegmentationFile.h"
+#include "VolumeFile.h"
 
 namespace palpate::test
 {

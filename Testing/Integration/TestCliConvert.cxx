@@ -3,7 +3,7 @@
 #include "SyntheticFiles.h"
 #include "TemporaryFolder.h"
 #include "TestData.h"
-#include "Volume.h"
+#include "VolumeFile.h"
 #include "vtkPolyData.h"
 
 #include <gtest/gtest.h>

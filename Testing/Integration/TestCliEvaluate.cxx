@@ -1,4 +1,5 @@
 #include "CommandRun.h"
+#include "SphericalHarmonicMeasures.h"
 #include "SyntheticFiles.h"
 #include "TemporaryFolder.h"
 #include "TestData.h"
@@ -37,8 +38,8 @@ TEST(CliEvaluate, JsonHoldsTheKernelsNumbersToTheLastBit)
   const SphericalHarmonicModel model = NearlyASphere();
   const Vector3 down(0.0, 0.0, -1.0);
   EXPECT_EQ(result.at("degree"), 1);
-  EXPECT_EQ(result.at("volume_ml").get<double>(), model.Volume() / 1000.0);
-  EXPECT_EQ(result.at("area_mm2").get<double>(), model.Area());
+  EXPECT_EQ(result.at("volume_ml").get<double>(), VolumeOf(model) / 1000.0);
+  EXPECT_EQ(result.at("area_mm2").get<double>(), AreaOf(model).Value);
   EXPECT_EQ(result.at("power_mm2").get<std::vector<double>>(), model.PowerSpectrum());
   EXPECT_EQ(AsVector(result.at("center_mm")), model.CenterWorld());
   const Json& sample = result.at("directions").at(0);
@@ -123,8 +124,8 @@ TEST(CliEvaluate, ParametricFormOfAModelHasItsVolumeAndArea)
   EXPECT_EQ(result.at("surface"), "parametric");
   EXPECT_EQ(result.at("inside_out"), false);
   // Both are sums of some hundred terms of the same size.
-  EXPECT_NEAR(result.at("volume_ml").get<double>(), model.Volume() / 1000.0, 1e-12);
-  EXPECT_NEAR(result.at("area_mm2").get<double>(), model.Area(), 1e-9);
+  EXPECT_NEAR(result.at("volume_ml").get<double>(), VolumeOf(model) / 1000.0, 1e-12);
+  EXPECT_NEAR(result.at("area_mm2").get<double>(), AreaOf(model).Value, 1e-9);
 }
 
 TEST(CliEvaluate, BadWordsAreRefusedWithOneSentence)

@@ -1,6 +1,7 @@
 #include "CommandRun.h"
 #include "JsonLines.h"
 #include "ModelFile.h"
+#include "SphericalHarmonicMeasures.h"
 #include "SyntheticFiles.h"
 #include "TemporaryFolder.h"
 
@@ -53,7 +54,7 @@ TEST(CliFit, OneStructureGivesNumbersFilesAndAReport)
   const auto& model = std::get<palpate::SphericalHarmonicModel>(document.Surface);
   EXPECT_EQ(model.Degree(), 6);
   // What the report and JSON say of the model is what its file holds.
-  EXPECT_DOUBLE_EQ(model.Volume() / 1000.0, result.at("volume_ml").at("model").get<double>());
+  EXPECT_DOUBLE_EQ(VolumeOf(model) / 1000.0, result.at("volume_ml").at("model").get<double>());
 }
 
 TEST(CliFit, EveryLabelIsACaseWithAFolderAndAnOverview)

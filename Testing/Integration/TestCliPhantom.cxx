@@ -1,9 +1,10 @@
 #include "CommandRun.h"
 #include "ModelFile.h"
 #include "ProstateLikeModel.h"
-#include "Segmentation.h"
+#include "SegmentationFile.h"
+#include "SphericalHarmonicMeasures.h"
 #include "TemporaryFolder.h"
-#include "Volume.h"
+#include "VolumeFile.h"
 
 #include "vtkImageData.h"
 #include "vtkMatrix3x3.h"
@@ -53,7 +54,7 @@ TEST(CliPhantom, TheFilesHoldTheBodyThatTheTruthDescribes)
               palpate::MakeProstateLikeModel(9, 5, palpate::Vector3::Zero()).Coefficients());
     const std::string mask = std::string("p/mask.") + format;
     // Counting voxels of 12 mm^3: a standard deviation of 0.2 %, five of them.
-    const double milliliters = truth.Volume() / 1000.0;
+    const double milliliters = VolumeOf(truth) / 1000.0;
     EXPECT_NEAR(MaskMilliliters(folder / mask), milliliters, 0.01 * milliliters);
     const palpate::Volume volume =
         palpate::ReadVolume(folder / (std::string("p/volume.") + format));

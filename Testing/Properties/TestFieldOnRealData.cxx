@@ -3,9 +3,9 @@
 #include "LabelField.h"
 #include "RandomShapes.h"
 #include "RayCaster.h"
-#include "Segmentation.h"
+#include "SegmentationFile.h"
 #include "TestData.h"
-#include "Volume.h"
+#include "VolumeFile.h"
 
 #include "vtkDataArray.h"
 #include "vtkMatrix3x3.h"

@@ -2,9 +2,10 @@
 #include "FieldRenderer.h"
 #include "HeadCt.h"
 #include "SceneField.h"
+#include "SegmentationFile.h"
 #include "TemporaryFolder.h"
 #include "TestData.h"
-#include "Volume.h"
+#include "VolumeFile.h"
 #include "vtkSubVoxelVolumeMapper.h"
 
 #include "vtkCamera.h"

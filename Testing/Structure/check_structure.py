@@ -1,9 +1,9 @@
-"""Checks the repository's structure against rooms.json.
+"""Checks the repository's structure against modules.json.
 
 Modules may include only the modules and packages that the table permits, and only modules of a lower
 level; each permission is used; Documentation/Architecture.md lists the same; vtk.module files name no
-other modules; every source has its header, every module its README, no file is too long, and comments
-hold no unfinished work. Prints one line per violation; exits with 1 if there is any.
+other modules; folders do not include each other in circles; every source has its header, every module its
+README, no file and no folder is too long, and comments hold no unfinished work. Prints one line per violation; exits with 1 if there is any.
 """
 
 import argparse
@@ -32,8 +32,8 @@ def names_in(cell):
 class Checker:
     def __init__(self, root):
         self.root = root
-        self.table = json.loads((root / "Testing/Structure/rooms.json").read_text())
-        self.modules = self.table["rooms"]
+        self.table = json.loads((root / "Testing/Structure/modules.json").read_text())
+        self.modules = self.table["modules"]
         self.names = {pathlib.PurePath(path).name: path for path in self.modules}
         self.violations = []
         self.headers = {}
@@ -47,15 +47,17 @@ class Checker:
         self.collect_headers()
         for path in self.modules:
             self.check_module(self.root / path)
+            self.check_folder_circles(self.root / path)
         self.check_modules_are_in_the_table()
         self.check_permissions_are_used()
         self.check_page()
         self.check_every_source()
+        self.check_folder_sizes()
         return self.violations
 
     def check_table(self):
         for path, module in self.modules.items():
-            for used in module["rooms"]:
+            for used in module["modules"]:
                 if self.modules[self.names[used]]["level"] >= module["level"]:
                     self.report(self.root / path, f"may not use {used}, which is not below it")
 
@@ -94,7 +96,7 @@ class Checker:
             owner = self.headers.get(header)
             self.used[str(module.relative_to(self.root))].add(owner or self.package_of(header))
             if owner is not None:
-                if owner != module.name and owner not in allowed["rooms"]:
+                if owner != module.name and owner not in allowed["modules"]:
                     self.report(source, f"includes {header} of module {owner}, which it may not use")
                 continue
             if self.is_generated(header, allowed, module):
@@ -108,7 +110,7 @@ class Checker:
     def is_generated(self, header, allowed, module):
         """Export headers that VTK's module system writes: Palpate<Name>Module.h."""
         match = re.fullmatch(r"Palpate(\w+)Module\.h", header)
-        return match is not None and match[1] in [module.name, *allowed["rooms"]]
+        return match is not None and match[1] in [module.name, *allowed["modules"]]
 
     def package_of(self, header):
         for package, patterns in self.table["externals"].items():
@@ -122,21 +124,22 @@ class Checker:
         if not module_file.is_file():
             return
         text = module_file.read_text()
-        if "VTK" not in allowed["externals"]:
+        with_vtk = [used for used in allowed["modules"] if (self.root / self.names[used] / "vtk.module").is_file()]
+        if "VTK" not in allowed["externals"] and not with_vtk:
             self.report(module_file, "a module without VTK must not have a vtk.module")
         for used in re.findall(r"Palpate::(\w+)", text):
             self.used[str(module.relative_to(self.root))].add(used)
-            if used != module.name and used not in allowed["rooms"]:
+            if used != module.name and used not in allowed["modules"]:
                 self.report(module_file, f"names module {used}, which it may not use")
 
     def check_modules_are_in_the_table(self):
         for folder in sorted((self.root / "Modules").iterdir()):
             if folder.is_dir() and f"Modules/{folder.name}" not in self.modules:
-                self.report(folder, "is not in Testing/Structure/rooms.json")
+                self.report(folder, "is not in Testing/Structure/modules.json")
 
     def check_permissions_are_used(self):
         for path, module in self.modules.items():
-            for permission in [*module["rooms"], *module["externals"]]:
+            for permission in [*module["modules"], *module["externals"]]:
                 if (self.root / path).is_dir() and permission not in self.used[path]:
                     self.report(self.root / path, f"may use {permission}, but does not")
 
@@ -148,16 +151,52 @@ class Checker:
             module = self.modules.get(path)
             listed.append(path)
             if module is None:
-                self.report(page, f"lists {path}, which is not in Testing/Structure/rooms.json")
+                self.report(page, f"lists {path}, which is not in Testing/Structure/modules.json")
                 continue
-            wanted = {"level": str(module["level"]), "modules": set(module["rooms"]), "packages": set(module["externals"])}
+            wanted = {"level": str(module["level"]), "modules": set(module["modules"]), "packages": set(module["externals"])}
             given = {"level": level, "modules": names_in(modules), "packages": names_in(packages)}
             for what in wanted:
                 if wanted[what] != given[what]:
-                    self.report(page, f"has other {what} for {path} than Testing/Structure/rooms.json")
+                    self.report(page, f"has other {what} for {path} than Testing/Structure/modules.json")
         for path in self.modules:
             if listed.count(path) != 1:
                 self.report(page, f"lists {path} {listed.count(path)} times")
+
+    def folder_includes(self, module):
+        """For each folder of a module, its other folders that it includes headers of, with an example."""
+        sources = self.sources_of(module)
+        folder_of = {source.name: source.parent for source in sources if source.suffix == ".h"}
+        includes = {source.parent: {} for source in sources}
+        for source in sources:
+            for header in INCLUDE.findall(source.read_text()):
+                target = folder_of.get(header, source.parent)
+                if target != source.parent:
+                    includes[source.parent].setdefault(target, f"{source.name} includes {header}")
+        return includes
+
+    def check_folder_circles(self, module):
+        """Removes folders that include none, or are included by none, of those left; circles remain."""
+        left = self.folder_includes(module)
+        ends = True
+        while ends:
+            included = {target for targets in left.values() for target in targets}
+            ends = [folder for folder in left if folder not in included or not set(left[folder]) & set(left)]
+            left = {folder: targets for folder, targets in left.items() if folder not in ends}
+        for folder, targets in left.items():
+            for target in targets:
+                if target in left:
+                    fact = f"is in a circle of includes with {target.relative_to(self.root)}: {targets[target]}"
+                    self.report(folder, fact)
+
+    def check_folder_sizes(self):
+        """The lines of a folder's own sources, without those of its sub-folders."""
+        limit = self.table["largest_folder_lines"]
+        for top in self.table["sources"]:
+            for folder in [self.root / top, *sorted((self.root / top).rglob("*/"))]:
+                sources = [path for path in folder.glob("*") if path.suffix in {".h", ".cxx", ".py"}]
+                lines = sum(len(path.read_text().splitlines()) for path in sources)
+                if lines > limit:
+                    self.report(folder, f"has {lines} lines; the limit is {limit}")
 
     def check_every_source(self):
         limit = self.table["largest_file_lines"]

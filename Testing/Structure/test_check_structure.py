@@ -9,12 +9,13 @@ from check_structure import Checker
 
 TABLE = {
     "externals": {"Eigen": ["Eigen/*"], "VTK": ["vtk*"], "Qt": ["Q*"]},
-    "rooms": {
-        "Modules/Low": {"level": 0, "rooms": [], "externals": ["Eigen"]},
-        "Modules/High": {"level": 1, "rooms": ["Low"], "externals": ["VTK"]},
+    "modules": {
+        "Modules/Low": {"level": 0, "modules": [], "externals": ["Eigen"]},
+        "Modules/High": {"level": 1, "modules": ["Low"], "externals": ["VTK"]},
     },
     "sources": ["Modules"],
     "largest_file_lines": 20,
+    "largest_folder_lines": 30,
 }
 PAGE = (
     "| level | module | purpose | may use | packages |\n"
@@ -38,7 +39,7 @@ class CheckStructure(unittest.TestCase):
     def violations(self, table=TABLE, **changes):
         with tempfile.TemporaryDirectory() as folder:
             root = pathlib.Path(folder)
-            files = {"Testing/Structure/rooms.json": json.dumps(table), **CLEAN, **changes}
+            files = {"Testing/Structure/modules.json": json.dumps(table), **CLEAN, **changes}
             for name, text in files.items():
                 if text is not None:
                     path = root / name
@@ -63,7 +64,7 @@ class CheckStructure(unittest.TestCase):
 
     def test_permission_that_is_not_used(self):
         table = json.loads(json.dumps(TABLE))
-        table["rooms"]["Modules/High"]["externals"].append("Qt")
+        table["modules"]["Modules/High"]["externals"].append("Qt")
         page = PAGE.replace("Low | VTK", "Low | VTK, Qt")
         self.assert_one("may use Qt, but does not", table=table, **{"Documentation/Architecture.md": page})
 
@@ -103,14 +104,32 @@ class CheckStructure(unittest.TestCase):
         self.assert_one("line 2", **{"Modules/High/Testing/TestThing.cxx": "\n// TO" "DO later\n"})
 
     def test_module_that_is_not_in_the_table(self):
-        self.assert_one("rooms.json", **{"Modules/New/README.md": ""})
+        self.assert_one("modules.json", **{"Modules/New/README.md": ""})
 
     def test_same_header_in_two_modules(self):
         self.assert_one("of this name", **{"Modules/High/Vector.h": "\n"})
 
+    def test_folders_that_include_each_other(self):
+        files = {
+            "Modules/Low/Vector.h": '#include "Inner.h"\n#include <Eigen/Core>\n',
+            "Modules/Low/Sub/Inner.h": '#include "Shared.h"\n',
+            "Modules/Low/Other/Shared.h": "\n",
+        }
+        self.assertEqual(self.violations(**files), [])
+        files["Modules/Low/Other/Shared.h"] = '#include "Vector.h"\n'
+        violations = self.violations(**files)
+        self.assertEqual(len(violations), 3, violations)  # one for each edge of the circle
+        self.assertIn("circle", violations[0])
+
+    def test_folder_that_is_too_long(self):
+        files = {f"Modules/High/Testing/Test{name}.cxx": "\n" * 20 for name in "AB"}
+        self.assert_one("has 41 lines", **files)
+        files["Modules/High/Testing/Sub/TestB.cxx"] = files.pop("Modules/High/Testing/TestB.cxx")
+        self.assertEqual(self.violations(**files), [])
+
     def test_table_that_points_upward(self):
         table = json.loads(json.dumps(TABLE))
-        table["rooms"]["Modules/Low"]["rooms"] = ["High"]
+        table["modules"]["Modules/Low"]["modules"] = ["High"]
         self.assertIn("not below", self.violations(table)[0])
 
 

@@ -3,6 +3,7 @@
 #include "FitResult.h"
 #include "ModelMesh.h"
 #include "ProstateLikeModel.h"
+#include "SphericalHarmonicMeasures.h"
 
 #include "vtkDoubleArray.h"
 #include "vtkImageData.h"
@@ -87,7 +88,7 @@ private:
     fit.ModelToSurface = {0.171, 0.222, 0.467, 0.933};
     fit.ModelToMask = {0.281, 0.352, 0.713, 1.577};
     fit.Dice = 0.9873;
-    fit.ModelMilliliters = this->Result.Model.Volume() / 1000.0;
+    fit.ModelMilliliters = VolumeOf(this->Result.Model) / 1000.0;
     fit.SurfaceAreaSquareMillimeters = 6021.5;
     fit.ModelAreaSquareMillimeters = 5987.25;
     for (int l = 0; l <= fit.Model.Degree(); ++l)

@@ -4,7 +4,7 @@
 #include "MessageOf.h"
 #include "SurfaceFile.h"
 #include "TemporaryFolder.h"
-#include "Volume.h"
+#include "VolumeFile.h"
 
 #include "vtkCellArray.h"
 #include "vtkImageData.h"

@@ -1,11 +1,11 @@
 #include "ForeignFile.h"
 
 #include "MessageOf.h"
-#include "Segmentation.h"
+#include "SegmentationFile.h"
 #include "SurfaceFile.h"
 #include "SyntheticImages.h"
 #include "TemporaryFolder.h"
-#include "Volume.h"
+#include "VolumeFile.h"
 
 #include <gtest/gtest.h>
 #include <vector>

@@ -1,10 +1,10 @@
 #include "AddressSpaceLimit.h"
 #include "BadImageFiles.h"
 #include "MessageOf.h"
-#include "Segmentation.h"
+#include "SegmentationFile.h"
 #include "SyntheticImages.h"
 #include "TemporaryFolder.h"
-#include "Volume.h"
+#include "VolumeFile.h"
 
 #include "vtkMatrix3x3.h"
 

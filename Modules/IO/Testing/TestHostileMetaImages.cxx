@@ -3,7 +3,7 @@
 #include "MessageOf.h"
 #include "SyntheticImages.h"
 #include "TemporaryFolder.h"
-#include "Volume.h"
+#include "VolumeFile.h"
 
 #include <gtest/gtest.h>
 

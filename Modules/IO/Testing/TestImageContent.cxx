@@ -5,6 +5,7 @@
 #include "SyntheticImages.h"
 #include "TemporaryFolder.h"
 #include "TestData.h"
+#include "VolumeFile.h"
 
 #include <gtest/gtest.h>
 

@@ -3,7 +3,7 @@
 #include "InputError.h"
 #include "TemporaryFolder.h"
 #include "Vector3.h"
-#include "Volume.h"
+#include "VolumeFile.h"
 #include "vtkDataArray.h"
 #include "vtkMatrix3x3.h"
 #include "vtkNew.h"

@@ -3,6 +3,7 @@
 #include "LabelValues.h"
 #include "RandomShapes.h"
 #include "SegmentCompletion.h"
+#include "SegmentationFile.h"
 #include "TestData.h"
 
 #include "vtkPointData.h"

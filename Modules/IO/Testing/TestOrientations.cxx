@@ -1,9 +1,9 @@
 #include "ImageGrid.h"
 #include "MessageOf.h"
-#include "Segmentation.h"
+#include "SegmentationFile.h"
 #include "SyntheticImages.h"
 #include "TemporaryFolder.h"
-#include "Volume.h"
+#include "VolumeFile.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>

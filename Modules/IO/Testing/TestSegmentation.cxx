@@ -1,7 +1,7 @@
 #include "ImageGrid.h"
 #include "InputError.h"
 #include "MessageOf.h"
-#include "Segmentation.h"
+#include "SegmentationFile.h"
 #include "SyntheticImages.h"
 #include "TemporaryFolder.h"
 #include "TestData.h"

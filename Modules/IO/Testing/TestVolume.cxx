@@ -4,7 +4,7 @@
 #include "SyntheticImages.h"
 #include "TemporaryFolder.h"
 #include "TestData.h"
-#include "Volume.h"
+#include "VolumeFile.h"
 #include "WorstCase.h"
 
 #include "vtkPointData.h"

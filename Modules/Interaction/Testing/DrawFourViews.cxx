@@ -1,5 +1,5 @@
 // Draws three linked slices and a view in space into one picture, off screen: an example of how the
-// classes of this room go together. Argument: the PNG file to write.
+// classes of this module go together. Argument: the PNG file to write.
 #include "DisplayCheck.h"
 #include "PhantomViews.h"
 #include "Picture.h"

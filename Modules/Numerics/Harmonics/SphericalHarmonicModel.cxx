@@ -1,7 +1,6 @@
 #include "SphericalHarmonicModel.h"
 
 #include "SphericalHarmonicBasis.h"
-#include "SphericalHarmonicMeasures.h"
 
 #include <algorithm>
 #include <cmath>
@@ -42,16 +41,6 @@ Vector3 SphericalHarmonicModel::Normal(const Vector3& direction) const noexcept
 {
   const Sample sample = this->Evaluate(direction);
   return (sample.Radius * direction - sample.SurfaceGradient).normalized();
-}
-
-double SphericalHarmonicModel::Volume() const
-{
-  return VolumeOf(*this);
-}
-
-double SphericalHarmonicModel::Area() const
-{
-  return AreaOf(*this).Value;
 }
 
 std::vector<double> SphericalHarmonicModel::PowerSpectrum() const

@@ -70,11 +70,6 @@ public:
   /// Unit normal of the surface, outward where R > 0: (R u - grad R) / |R u - grad R|.
   Vector3 Normal(const Vector3& direction) const noexcept;
 
-  /// Enclosed volume (mm^3), exact up to rounding: VolumeOf. Allocates.
-  double Volume() const;
-  /// Surface area (mm^2) to 1e-9 relative where R > 0, by AreaOf, which also returns its error.
-  /// Allocates.
-  double Area() const;
   /// Sum of squared coefficients (mm^2) of each degree 0..L. Allocates.
   std::vector<double> PowerSpectrum() const;
   /// The same surface truncated to `degree` (or padded with zeros up to it). Allocates.

@@ -236,7 +236,7 @@ TEST(SphericalHarmonicMeasures, RotateWithBody)
               1e-13);
     EXPECT_LE((after.SemiAxes - before.SemiAxes).norm(), 1e-11);
     // The area's quadrature is accurate to its tolerance.
-    EXPECT_NEAR(rotation.Apply(model).Area() / model.Area(), 1.0, 1e-9);
+    EXPECT_NEAR(AreaOf(rotation.Apply(model)).Value / AreaOf(model).Value, 1.0, 1e-9);
   }
 }
 

@@ -5,6 +5,7 @@
 #include "RandomShapes.h"
 #include "SphereQuadrature.h"
 #include "SphericalHarmonicBasis.h"
+#include "SphericalHarmonicMeasures.h"
 
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
@@ -169,8 +170,8 @@ TEST(SphericalHarmonicModel, SphereMatchesClosedForms)
 {
   const SphericalHarmonicModel sphere = test::Sphere(7.0);
   // Relative: some roundings.
-  EXPECT_NEAR(sphere.Volume() / (4.0 / 3.0 * M_PI * 343.0), 1.0, 1e-14);
-  EXPECT_NEAR(sphere.Area() / (4.0 * M_PI * 49.0), 1.0, 1e-14);
+  EXPECT_NEAR(VolumeOf(sphere) / (4.0 / 3.0 * M_PI * 343.0), 1.0, 1e-14);
+  EXPECT_NEAR(AreaOf(sphere).Value / (4.0 * M_PI * 49.0), 1.0, 1e-14);
   const Vector3 u = Vector3(1.0, -2.0, 2.0) / 3.0;
   EXPECT_LE((sphere.Normal(u) - u).norm(), 1e-15);
 }
@@ -180,14 +181,15 @@ TEST(SphericalHarmonicModel, EllipsoidMatchesClosedForms)
   const Vector3 axes(20.0, 24.0, 28.0);
   // Coefficients fall by about a factor of 4 every two degrees; at 48 the rest is below rounding
   // growth.
-  EXPECT_NEAR(test::Ellipsoid(axes, Matrix3::Identity(), 48).Volume() /
+  EXPECT_NEAR(VolumeOf(test::Ellipsoid(axes, Matrix3::Identity(), 48)) /
                   (4.0 / 3.0 * M_PI * axes.prod()),
               1.0, 1e-12);
   const double a = 20.0;
   const double c = 26.0;
   const double e = std::sqrt(1.0 - a * a / (c * c));
   const double prolate = 2.0 * M_PI * a * a * (1.0 + c / (a * e) * std::asin(e));
-  EXPECT_NEAR(test::Ellipsoid({a, a, c}, Matrix3::Identity(), 48).Area() / prolate, 1.0, 1e-12);
+  EXPECT_NEAR(AreaOf(test::Ellipsoid({a, a, c}, Matrix3::Identity(), 48)).Value / prolate, 1.0,
+              1e-12);
 }
 
 TEST(SphericalHarmonicModel, VolumeMatchesLimitOfMesh)
@@ -211,7 +213,7 @@ TEST(SphericalHarmonicModel, VolumeMatchesLimitOfMesh)
   };
   // The error of inscribed facets is a series in f^-2: one extrapolation leaves f^-4.
   const double extrapolated = (4.0 * meshVolume(40) - meshVolume(20)) / 3.0;
-  EXPECT_NEAR(model.Volume() / extrapolated, 1.0, 1e-5);
+  EXPECT_NEAR(VolumeOf(model) / extrapolated, 1.0, 1e-5);
 }
 
 TEST(SphericalHarmonicModel, VolumeAndAreaAreConverged)
@@ -229,9 +231,9 @@ TEST(SphericalHarmonicModel, VolumeAndAreaAreConverged)
       volume += fine.Weights[i] * std::pow(s.Radius, 3) / 3.0;
       area += fine.Weights[i] * s.Radius * std::hypot(s.Radius, s.SurfaceGradient.norm());
     }
-    EXPECT_NEAR(model.Volume() / volume, 1.0, 1e-13); // exact: thousands of roundings
+    EXPECT_NEAR(VolumeOf(model) / volume, 1.0, 1e-13); // exact: thousands of roundings
     // The area's integrand is not a polynomial; its quadrature converges geometrically.
-    EXPECT_NEAR(model.Area() / area, 1.0, 1e-8);
+    EXPECT_NEAR(AreaOf(model).Value / area, 1.0, 1e-8);
   }
 }
 
@@ -274,7 +276,7 @@ TEST(SphericalHarmonicModel, DefaultIsPointAtOrigin)
   const SphericalHarmonicModel model;
   EXPECT_EQ(model.Degree(), 0);
   EXPECT_EQ(model.Radius({0, 0, 1}), 0.0);
-  EXPECT_EQ(model.Volume(), 0.0);
+  EXPECT_EQ(VolumeOf(model), 0.0);
 }
 } // namespace
 } // namespace palpate

@@ -1,5 +1,6 @@
 #include "InputError.h"
 #include "TemporaryFolder.h"
+#include "VolumeFile.h"
 #include "WindowTest.h"
 
 #include <QCheckBox>

@@ -1,0 +1,23 @@
+#pragma once
+
+#include "PalpateDisplayModule.h"
+
+#include <vector>
+
+class vtkImageData;
+
+namespace palpate
+{
+/// Which values are black and which are white.
+struct GreyWindow
+{
+  double Low = 0.0;
+  double High = 1.0;
+};
+
+/// From the 1st to the 99.5th percentile of all finite values of some slices.
+PALPATEDISPLAY_EXPORT GreyWindow FindWindow(const std::vector<std::vector<float>>& slices);
+
+/// The same of a whole image, from some of its voxels (their first component).
+PALPATEDISPLAY_EXPORT GreyWindow WindowOf(vtkImageData* image);
+} // namespace palpate

@@ -1,0 +1,49 @@
+#pragma once
+
+#include "PalpateDisplayModule.h"
+#include "Vector3.h"
+
+#include <Eigen/Core>
+#include <array>
+
+class vtkImageData;
+
+namespace palpate
+{
+/// The geometry of an image with its direction matrix, without VTK's lookups. World is patient LPS,
+/// mm; indices are the image's own, which need not start at 0.
+struct PALPATEDISPLAY_EXPORT ImageAxes
+{
+  explicit ImageAxes(vtkImageData* image);
+
+  Vector3 ToWorld(const Vector3& index) const
+  {
+    return this->OriginWorld + this->StepWorld * index;
+  }
+  Vector3 ToIndex(const Vector3& world) const
+  {
+    return this->WorldToIndex * (world - this->OriginWorld);
+  }
+  /// Of the box that all voxels fill, half a voxel beyond their outermost centres. Corner c is at
+  /// the upper end of axis a where bit a of c is set.
+  std::array<Vector3, 8> CornersWorld() const;
+  int Size(int axis) const { return this->Extent[2 * axis + 1] - this->Extent[2 * axis] + 1; }
+
+  std::array<int, 6> Extent{};
+  std::array<double, 3> Spacing{};       ///< mm
+  std::array<Vector3, 3> UnitWorld;      ///< along each index axis
+  Vector3 OriginWorld = Vector3::Zero(); ///< of index (0, 0, 0)
+  Eigen::Matrix3d StepWorld;             ///< columns: the step of one index along each axis, mm
+  Eigen::Matrix3d WorldToIndex;
+};
+
+/// A box of voxels, both ends included.
+struct IndexBox
+{
+  Eigen::Vector3i Low = Eigen::Vector3i::Zero();
+  Eigen::Vector3i High = Eigen::Vector3i::Zero();
+};
+
+/// The smallest box that holds all voxels with a value; false where there is none.
+PALPATEDISPLAY_EXPORT bool FindValueBox(vtkImageData* image, int value, IndexBox& box);
+} // namespace palpate

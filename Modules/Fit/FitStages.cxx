@@ -1,0 +1,386 @@
+#include "FitStages.h"
+
+#include "DecimalText.h"
+#include "FilterRun.h"
+#include "FitHints.h"
+#include "FitStructure.h"
+#include "LimitText.h"
+#include "ModelPlausibility.h"
+#include "ModelTable.h"
+#include "SphericalHarmonicMeasures.h"
+#include "StageClock.h"
+#include "SupportedDegree.h"
+#include "VoxelMinimum.h"
+#include "vtkIcosahedronDirections.h"
+#include "vtkRadialSampler.h"
+#include "vtkSegmentationSurface.h"
+#include "vtkSphericalHarmonicFit.h"
+#include "vtkSphericalHarmonicSurface.h"
+#include "vtkSurfaceQuality.h"
+
+#include "vtkNew.h"
+#include "vtkTable.h"
+
+#include <new>
+
+namespace palpate
+{
+namespace
+{
+constexpr double CubicMillimetersPerMilliliter = 1000.0;
+
+// A pipeline notes things on its input, which others may be reading.
+template <typename Data>
+vtkSmartPointer<Data> OwnCopy(Data* shared)
+{
+  auto copy = vtkSmartPointer<Data>::New();
+  copy->ShallowCopy(shared);
+  return copy;
+}
+
+// Runs a stage; what fails in it is the result's.
+template <typename Stage>
+void RunStage(const Stage& stage, FitResult& result)
+{
+  try
+  {
+    stage();
+  }
+  catch (const FilterError& error)
+  {
+    result.State = FitResult::Outcome::Failed;
+    result.Message = error.what();
+  }
+  catch (const std::bad_alloc&)
+  {
+    // Of this structure alone: others may be smaller.
+    result.State = FitResult::Outcome::Failed;
+    result.Message = "needs more memory than there is";
+    result.OptionHint = "try a smaller image or a lower --degree or --frequency";
+    result.WindowHint = "try a smaller image, a lower degree or a lower Frequency";
+  }
+}
+
+void Refuse(const std::string& reason, const std::string& optionHint, const std::string& windowHint,
+            FitResult& result)
+{
+  result.State = FitResult::Outcome::Refused;
+  result.Message = reason;
+  result.OptionHint = optionHint;
+  result.WindowHint = windowHint;
+}
+
+void Configure(vtkSegmentationSurface* surface, vtkImageData* layer, int value,
+               const FitSettings& settings)
+{
+  surface->SetInputData(layer);
+  surface->SetLabel(value);
+  surface->SetComponent(settings.Component);
+  surface->SetSmoothing(settings.Smoothing);
+}
+
+void Configure(vtkRadialSampler* sampler, const FitSettings& settings)
+{
+  if (settings.GivenCenterWorld)
+  {
+    std::array<double, 3> center = *settings.GivenCenterWorld;
+    sampler->SetCenterMode(vtkRadialSampler::GIVEN);
+    sampler->SetCenter(center.data());
+  }
+  else if (settings.Center == FitSettings::CenterChoice::MostVisible)
+  {
+    sampler->SetCenterMode(vtkRadialSampler::MOST_VISIBLE);
+  }
+}
+
+void Configure(vtkSphericalHarmonicFit* fit, const FitSettings& settings)
+{
+  fit->SetDegree(settings.Degree);
+  fit->SetWeighting(static_cast<int>(settings.Weight));
+  fit->SetTolerance(settings.Tolerance.value_or(0.0));
+  fit->SetMaximumDegree(settings.MaximumDegree);
+  fit->SetPenalty(static_cast<int>(settings.PenaltyKind));
+  fit->SetRoughness(settings.Roughness);
+  fit->SetRobust(settings.IsRobust);
+}
+
+SurfaceDistances DistancesOf(vtkSurfaceQuality* quality)
+{
+  return {quality->GetMeanDistance(), quality->GetRmsDistance(), quality->GetPercentile95Distance(),
+          quality->GetMaximumDistance()};
+}
+
+void TakeSurface(vtkSegmentationSurface* surface, FitResult& result)
+{
+  result.MaskMilliliters = surface->GetMaskVolume() / CubicMillimetersPerMilliliter;
+  result.SurfaceMilliliters = surface->GetSurfaceVolume() / CubicMillimetersPerMilliliter;
+  result.TouchesBorder = surface->GetTouchesBorder();
+  result.CavityCount = surface->GetCavityCount();
+  result.CavityMilliliters = surface->GetCavityVolume() / CubicMillimetersPerMilliliter;
+  for (int rank = 0; rank < surface->GetNumberOfComponents(); ++rank)
+  {
+    result.ComponentMilliliters.push_back(surface->GetComponentVolume(rank) /
+                                          CubicMillimetersPerMilliliter);
+  }
+  result.Surface = surface->GetOutput();
+}
+
+std::string Counted(long count, const char* one, const char* several)
+{
+  return std::to_string(count) + " " + (count == 1 ? one : several);
+}
+
+// What a reader of the result should know about the structure.
+void RemarkOnStructure(bool usedDistanceInstead, FitResult& result)
+{
+  if (result.TouchesBorder)
+  {
+    result.Notes.push_back("the structure touches the border of its volume and is closed there; "
+                           "the true surface may go on");
+  }
+  if (result.ComponentMilliliters.size() > 1 && result.Settings.Component > 0)
+  {
+    result.Notes.push_back("the label has " + std::to_string(result.ComponentMilliliters.size()) +
+                           " connected components; number " +
+                           std::to_string(result.Settings.Component) + " (" +
+                           FixedText(result.MaskMilliliters, 2) + " ml) was taken");
+  }
+  if (result.CavityCount > 0)
+  {
+    result.Notes.push_back(Counted(result.CavityCount, "cavity", "cavities") + " of " +
+                           FixedText(result.CavityMilliliters, 3) + " ml in all filled");
+  }
+  if (usedDistanceInstead)
+  {
+    result.Notes.push_back("slices overlap too little to interpolate the shape between them; the "
+                           "distance in space was used");
+  }
+}
+
+void TakeVerdict(vtkRadialSampler* sampler, FitResult& result)
+{
+  result.StarShaped = sampler->GetStarShaped();
+  result.HiddenPercent = sampler->GetHiddenPercent();
+  result.MultiplePercent = sampler->GetMultiplePercent();
+  result.MissedPercent = sampler->GetMissedPercent();
+}
+
+void TakeFit(vtkSphericalHarmonicFit* fit, FitResult& result)
+{
+  FromTable(fit->GetOutput(), result.Model);
+  result.Condition = fit->GetCondition();
+  result.Rms = fit->GetRms();
+  result.NoiseDeviation = fit->GetNoiseDeviation();
+  result.Roughness = fit->GetUsedRoughness();
+  result.DegreesOfFreedom = fit->GetDegreesOfFreedom();
+  result.DownWeighted = fit->GetDownWeighted();
+  result.Coverage = fit->GetCoverage();
+  for (int degree = 0; degree < fit->GetNumberOfDegrees(); ++degree)
+  {
+    result.RmsByDegree.push_back(fit->GetRmsOfDegree(degree));
+  }
+  result.ModelMilliliters = VolumeOf(result.Model) / CubicMillimetersPerMilliliter;
+  result.ModelAreaSquareMillimeters = AreaOf(result.Model).Value;
+}
+
+// Where the search for a degree ended before it met the tolerance.
+void RemarkOnDegree(int supported, FitResult& result)
+{
+  const double tolerance = result.Settings.Tolerance.value_or(result.Rms);
+  if (result.Rms > tolerance)
+  {
+    result.Notes.push_back("degree " + std::to_string(supported) +
+                           " is the highest that the mask's voxels tell (waves of two voxels); it "
+                           "leaves " +
+                           TextAgainstLimit(result.Rms, tolerance, 3) + " mm instead of the " +
+                           TextAgainstLimit(tolerance, tolerance, 3) + " mm asked for");
+  }
+}
+
+// Where the model is a guess, since too few directions say anything there.
+void RemarkOnCoverage(FitResult& result)
+{
+  if (result.Coverage.Outcome != DirectionCoverage::Verdict::Good)
+  {
+    result.Notes.push_back(result.Coverage.Sentence);
+  }
+}
+
+void MeasureQuality(vtkPolyData* surface, vtkPolyData* boundary, FitResult& result,
+                    const ProgressFunction& progress)
+{
+  vtkNew<vtkSurfaceQuality> quality;
+  quality->SetInputData(0, result.ModelSurface);
+  quality->SetReferenceData(surface);
+  RunFilter(quality, "quality", 0.3, 0.6, progress);
+  result.ModelToSurface = DistancesOf(quality);
+  result.SurfaceAreaSquareMillimeters = quality->GetArea() - quality->GetAreaDifference();
+
+  quality->SetReferenceData(boundary);
+  quality->SetMaskData(OwnCopy(result.Mask.Get()));
+  quality->SetLabel(result.Structure.Value);
+  RunFilter(quality, "quality", 0.6, 0.8, progress);
+  result.ModelToMask = DistancesOf(quality);
+  result.Dice = quality->GetDice();
+
+  quality->SetInputData(0, surface);
+  quality->SetMaskData(nullptr);
+  RunFilter(quality, "quality", 0.8, 1.0, progress);
+  result.SurfaceToMask = DistancesOf(quality);
+}
+
+void RunSurface(FitSurface& made, const ProgressFunction& progress)
+{
+  FitResult& result = made.Found;
+  StageClock clock(result.Seconds);
+  const auto layer = OwnCopy(result.Mask.Get());
+  vtkNew<vtkSegmentationSurface> surface;
+  Configure(surface, layer, result.Structure.Value, result.Settings);
+  if (result.Settings.Method == FitSettings::SurfaceMethod::Plain)
+  {
+    surface->SetMethodToPlain();
+  }
+  RunFilter(surface, "surface", 0.0, 0.8, progress);
+  TakeSurface(surface, result);
+  clock.EndStage("surface");
+  result.Message = TooFewVoxels(surface->GetMaskVolume(), result.Mask);
+  if (!result.Message.empty())
+  {
+    result.State = FitResult::Outcome::BadInput;
+    result.OptionHint = HintForTooFewVoxels();
+    result.WindowHint = ChooseAnother;
+    return;
+  }
+  // Only of a structure that is modelled: what is too small needs one sentence.
+  RemarkOnStructure(surface->GetUsedDistanceInstead(), result);
+  vtkNew<vtkSegmentationSurface> boundary;
+  Configure(boundary, layer, result.Structure.Value, result.Settings);
+  boundary->SetMethodToPlain();
+  RunFilter(boundary, "surface", 0.8, 1.0, progress);
+  made.Boundary = boundary->GetOutput();
+  clock.EndStage("boundary");
+}
+
+void RunSamples(FitSamples& made, const ProgressFunction& progress)
+{
+  FitResult& result = made.Found;
+  StageClock clock(result.Seconds);
+  vtkNew<vtkIcosahedronDirections> directions;
+  directions->SetFrequency(result.Settings.Frequency);
+  vtkNew<vtkRadialSampler> sampler;
+  sampler->SetInputData(0, OwnCopy(result.Surface.Get()));
+  sampler->SetDirectionsConnection(directions->GetOutputPort());
+  Configure(sampler, result.Settings);
+  RunFilter(sampler, "samples", 0.0, 1.0, progress);
+  made.Samples = sampler->GetOutput();
+  TakeVerdict(sampler, result);
+  clock.EndStage("samples");
+  if (result.HiddenPercent > result.Settings.MaximumHiddenPercent)
+  {
+    const double limit = result.Settings.MaximumHiddenPercent;
+    Refuse("is not star-shaped: the centre does not see " +
+               TextAgainstLimit(result.HiddenPercent, limit, 1) + " % of its surface (limit " +
+               TextAgainstLimit(limit, limit, 1) +
+               " %), so one radius a direction cannot describe it",
+           HintForHidden(result.Settings), WindowHintForHidden(result.Settings), result);
+  }
+}
+
+void RunModel(vtkPolyData* samples, vtkPolyData* boundary, FitResult& result,
+              const ProgressFunction& progress)
+{
+  StageClock clock(result.Seconds);
+  const auto surface = OwnCopy(result.Surface.Get());
+  vtkNew<vtkSphericalHarmonicFit> fit;
+  fit->SetInputData(OwnCopy(samples));
+  Configure(fit, result.Settings);
+  fit->SetSupportedDegree(
+      SupportedDegree(CubicMillimetersPerMilliliter * result.MaskMilliliters, result.Mask.Get()));
+  try
+  {
+    RunFilter(fit, "fit", 0.0, 0.15, progress);
+  }
+  catch (const FilterError&)
+  {
+    result.OptionHint = OptionsOfFit(result.Settings);
+    throw;
+  }
+  TakeFit(fit, result);
+  RemarkOnDegree(fit->GetSupportedDegree(), result);
+  RemarkOnCoverage(result);
+  clock.EndStage("fit");
+  vtkNew<vtkSphericalHarmonicSurface> model;
+  model->SetInputConnection(fit->GetOutputPort());
+  model->SetInputData(1, surface);
+  model->SetFrequency(result.Settings.Frequency);
+  RunFilter(model, "model", 0.15, 0.3, progress);
+  result.ModelSurface = model->GetOutput();
+  clock.EndStage("model");
+  if (const std::string reason = WhyImplausible(result); !reason.empty())
+  {
+    Refuse(reason, HintForImplausible(result.Settings), WindowHintForImplausible(result.Settings),
+           result);
+    result.ModelSurface = nullptr; // nothing to show: it reaches far beyond the image
+    return;
+  }
+  if (const std::string remark = RemarkOnNegativeRadius(result); !remark.empty())
+  {
+    result.Notes.push_back(remark);
+  }
+  MeasureQuality(surface, OwnCopy(boundary), result, progress);
+  clock.EndStage("quality");
+  const double limit = result.Settings.MinimumDice;
+  if (!(result.Dice >= limit))
+  {
+    Refuse("is not followed by a model of degree " + std::to_string(result.Model.Degree()) +
+               ": Dice " + TextAgainstLimit(result.Dice, limit, 2) + " (limit " +
+               TextAgainstLimit(limit, limit, 2) + "), " + FixedText(result.ModelMilliliters, 2) +
+               " ml for a mask of " + FixedText(result.MaskMilliliters, 2) + " ml",
+           HintForMisfit(result.Settings), WindowHintForMisfit(result.Settings), result);
+    return;
+  }
+  result.State = FitResult::Outcome::Fitted;
+}
+} // namespace
+
+FitSurface MakeFitSurface(const Segmentation& segmentation, const Segment& structure,
+                          const FitSettings& settings, const ProgressFunction& progress)
+{
+  FitSurface made;
+  FitResult& result = made.Found;
+  result.Input = segmentation.Source;
+  result.CaseName = CaseNameOf(segmentation.Source);
+  result.Structure = structure;
+  result.Settings = settings;
+  result.Notes = segmentation.Notes;
+  result.Mask = segmentation.Layers[static_cast<std::size_t>(structure.Layer)];
+  RunStage([&] { RunSurface(made, progress); }, result);
+  made.IsOver = !result.Message.empty();
+  return made;
+}
+
+FitSamples MakeFitSamples(const FitSurface& surface, const FitSettings& settings,
+                          const ProgressFunction& progress)
+{
+  FitSamples made{surface.Found, surface.Boundary, nullptr, surface.IsOver};
+  made.Found.Settings = settings;
+  if (!made.IsOver)
+  {
+    RunStage([&] { RunSamples(made, progress); }, made.Found);
+    made.IsOver = !made.Found.Message.empty();
+  }
+  return made;
+}
+
+FitResult MakeFitModel(const FitSamples& samples, const FitSettings& settings,
+                       const ProgressFunction& progress)
+{
+  FitResult result = samples.Found;
+  result.Settings = settings;
+  if (!samples.IsOver)
+  {
+    RunStage([&] { RunModel(samples.Samples, samples.Boundary, result, progress); }, result);
+  }
+  return result;
+}
+} // namespace palpate

@@ -1,0 +1,20 @@
+#pragma once
+
+#include "FitResult.h"
+#include "FitSettings.h"
+#include "PalpateFitModule.h"
+#include "Progress.h"
+
+namespace palpate
+{
+/// Runs the whole pipeline on one structure of a segmentation: surface, samples, fit, model,
+/// quality. Never throws for what is wrong with the structure: the result's State and Message say
+/// so, and hold whatever was found until then. Throws Cancelled if `progress` answers false.
+PALPATEFIT_EXPORT FitResult FitStructure(const Segmentation& segmentation, const Segment& structure,
+                                         const FitSettings& settings,
+                                         const ProgressFunction& progress = {});
+
+/// A file's name without folder and without the endings of the formats that Palpate reads
+/// ("case.1.seg.nrrd" -> "case.1").
+PALPATEFIT_EXPORT std::string CaseNameOf(const std::filesystem::path& file);
+} // namespace palpate

@@ -1,0 +1,30 @@
+#pragma once
+
+#include "FitResult.h"
+#include "PalpateFitModule.h"
+
+#include <filesystem>
+#include <string>
+
+namespace palpate
+{
+/// One HTML page with a row for every case: verdict, key numbers, and a link to the single report.
+/// A click on a column's head sorts by it. Like a report it needs nothing else. Results are not
+/// kept.
+class PALPATEFIT_EXPORT ReportIndex
+{
+public:
+  /// `degree` is the model's (a cohort's rows keep no models); `report` is the case's own page,
+  /// relative to the folder of the index; empty for none.
+  void Add(const FitResult& result, int degree, const std::filesystem::path& report);
+
+  /// Throws InputError where the file cannot be written.
+  void Write(const std::filesystem::path& html) const;
+
+private:
+  int CaseCount = 0;
+  int FittedCount = 0;
+  std::string Rows;
+  std::string Messages; ///< of the cases that were not fitted
+};
+} // namespace palpate

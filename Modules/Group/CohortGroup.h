@@ -1,0 +1,45 @@
+#pragma once
+
+#include "CohortTable.h"
+#include "PalpateGroupModule.h"
+#include "ShapeAlignment.h"
+#include "ShapeModes.h"
+#include "SphericalHarmonicMeasures.h"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace palpate
+{
+/// The models of one structure over a cohort in common axes, and how they vary.
+struct CohortGroup
+{
+  AlignmentAxes Axes = AlignmentAxes::Patient;
+  std::vector<CohortRow> Rows;                ///< those with a model
+  std::vector<SphericalHarmonicModel> Models; ///< aligned, of one degree: the highest of all
+  std::vector<BodyMoments> Bodies;            ///< of the models as they lie in their patients
+  ShapeModes Modes;
+  std::vector<std::string> Notes; ///< what was left out, and what to be careful with
+};
+
+/// Reads the models that a table names, relative to `folder`, and aligns them. `structure` is a
+/// label or a name; it may be empty where the cohort has one. Throws InputError where fewer than
+/// two cases have a model, several structures could be meant, or a model cannot be read.
+PALPATEGROUP_EXPORT CohortGroup MakeCohortGroup(const CohortTable& table,
+                                                const std::filesystem::path& folder,
+                                                const std::string& structure, AlignmentAxes axes);
+
+/// The mean shape plus a mode times its standard deviation times `deviations`; the mean for mode
+/// -1.
+PALPATEGROUP_EXPORT SphericalHarmonicModel ShapeOf(const CohortGroup& group, int mode,
+                                                   double deviations);
+
+/// Writes coefficients.csv (a row a case, columns c_l_m, mm), modes.csv (scores, mm), variance.csv
+/// (a row a mode), measures.csv, mean.json, mean.vtp, mode_K_minus.json and mode_K_plus.json (the
+/// mean and two standard deviations, for the first five modes) and cohort.html into the folder,
+/// all of them or none. Throws InputError.
+PALPATEGROUP_EXPORT void WriteCohortGroup(const CohortGroup& group,
+                                          const std::filesystem::path& folder,
+                                          const std::string& program);
+} // namespace palpate

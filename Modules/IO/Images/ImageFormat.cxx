@@ -1,0 +1,52 @@
+#include "ImageFormat.h"
+
+#include "FileKind.h"
+#include "ForeignFile.h"
+#include "MetaImageFormat.h"
+#include "NiftiFormat.h"
+#include "NrrdFormat.h"
+#include "Refusal.h"
+#include "SurfaceFile.h"
+
+namespace palpate
+{
+FormatList<ImageFormat>& ImageFormats()
+{
+  static FormatList<ImageFormat> formats({NiftiFormat(), NrrdFormat(), MetaImageFormat()});
+  return formats;
+}
+
+const ImageFormat& ImageFormatOf(const std::filesystem::path& file)
+{
+  if (const ImageFormat* const format = ImageFormats().Reader(file))
+  {
+    return *format;
+  }
+  if (SurfaceFormats().Reader(file) != nullptr && !RecognizeForeignFile(file))
+  {
+    Refuse(file, "is a surface, not an image",
+           "give voxels here, and surfaces to commands that take them");
+  }
+  std::string known;
+  for (const ImageFormat& format : ImageFormats())
+  {
+    known += format.Name + " (" + ListOfEndings(format.ReadEndings) + "), ";
+  }
+  known.erase(known.size() - 2);
+  RefuseContent(file, "is in no known image format", "give " + known + " or DICOM");
+}
+
+std::unique_ptr<ImageFile> OpenImage(const std::filesystem::path& file)
+{
+  std::unique_ptr<ImageFile> image = ImageFormatOf(file).Open(file);
+  image->CheckVolume();
+  return image;
+}
+
+std::vector<std::string> ReadableImageEndings()
+{
+  std::vector<std::string> endings = ImageFormats().ReadEndings();
+  endings.insert(endings.end(), DicomEndings.begin(), DicomEndings.end());
+  return endings;
+}
+} // namespace palpate

@@ -1,0 +1,117 @@
+#include "SegmentationFile.h"
+
+#include "DicomSegmentation.h"
+#include "FileKind.h"
+#include "ForeignDicom.h"
+#include "ImageFormat.h"
+#include "LabelMap.h"
+#include "LabelValues.h"
+#include "MemoryCheck.h"
+#include "Refusal.h"
+#include "RightHandedAxes.h"
+#include "SegmentCompletion.h"
+#include "SlicerSegments.h"
+#include "VolumeFile.h"
+
+#include "vtkPointData.h"
+
+namespace palpate
+{
+namespace
+{
+// Component `layer` of voxels that keep one value a layer.
+vtkSmartPointer<vtkDataArray> ExtractLayer(const std::filesystem::path& file, vtkDataArray* voxels,
+                                           int layer)
+{
+  if (voxels->GetNumberOfComponents() == 1)
+  {
+    return voxels;
+  }
+  auto single =
+      vtkSmartPointer<vtkDataArray>::Take(vtkDataArray::CreateDataArray(voxels->GetDataType()));
+  CheckMemory(file, static_cast<double>(voxels->GetNumberOfTuples()) * voxels->GetDataTypeSize(),
+              AvailableMemoryBytes());
+  single->SetNumberOfTuples(voxels->GetNumberOfTuples());
+  single->CopyComponent(0, voxels, layer);
+  return single;
+}
+
+Segmentation ReadSlicerSegmentation(const std::filesystem::path& path, ImageFile& file,
+                                    const std::vector<Segment>& described,
+                                    LeftHandedAxes leftHanded)
+{
+  constexpr int MostLayers = 1024; // each is an image of its own
+  if (file.Components() > MostLayers)
+  {
+    Refuse(path, "has " + std::to_string(file.Components()) + " layers of segments",
+           "export fewer segments at a time");
+  }
+  Segmentation segmentation;
+  segmentation.Source = path;
+  segmentation.Segments = described;
+  segmentation.Notes = file.Notes();
+  const vtkSmartPointer<vtkDataArray> voxels = file.NewArray();
+  file.ReadInto(voxels->GetVoidPointer(0));
+  ImageGrid grid = file.Grid();
+  if (const std::string note = MakeRightHanded(path, leftHanded, grid, voxels); !note.empty())
+  {
+    segmentation.Notes.push_back(note);
+  }
+  for (int layer = 0; layer < file.Components(); ++layer)
+  {
+    segmentation.Layers.push_back(
+        MakeImage(grid, ToLabels(path, ExtractLayer(path, voxels, layer))));
+  }
+  CompleteSegments(segmentation);
+  return segmentation;
+}
+
+std::filesystem::path FindDicomSegmentation(const std::filesystem::path& folder)
+{
+  std::vector<std::filesystem::path> found;
+  for (const std::filesystem::path& file : DicomFilesIn(folder))
+  {
+    if (IsDicomSegmentation(file))
+    {
+      found.push_back(file);
+    }
+  }
+  if (found.empty())
+  {
+    RefuseForeignDicomIn(folder);
+  }
+  if (found.size() != 1)
+  {
+    Refuse(folder,
+           "is a folder that holds " + std::to_string(found.size()) + " DICOM segmentation objects",
+           "name one segmentation file");
+  }
+  return found.front();
+}
+} // namespace
+
+Segmentation ReadSegmentation(const std::filesystem::path& path, LeftHandedAxes leftHanded)
+{
+  std::error_code failure;
+  if (std::filesystem::is_directory(path, failure))
+  {
+    return ReadDicomSegmentation(FindDicomSegmentation(path));
+  }
+  if (IsDicomFile(path))
+  {
+    if (!IsDicomSegmentation(path))
+    {
+      RefuseForeignDicom(path);
+      Refuse(path, "is a DICOM file but no segmentation",
+             "name a DICOM segmentation object or a label map");
+    }
+    return ReadDicomSegmentation(path);
+  }
+  const std::unique_ptr<ImageFile> file = OpenImage(path);
+  if (const std::vector<Segment> described = SlicerSegments(file->Entries()); !described.empty())
+  {
+    return ReadSlicerSegmentation(path, *file, described, leftHanded);
+  }
+  return LabelMapOf(ReadVolume(path, {{}, leftHanded}));
+}
+} // namespace palpate

@@ -1,0 +1,201 @@
+#include "CompressedDicom.h"
+#include "MessageOf.h"
+#include "SegmentationFile.h"
+#include "SyntheticImages.h"
+#include "TemporaryFolder.h"
+#include "VolumeFile.h"
+
+#include "vtkDataArray.h"
+#include "vtkPointData.h"
+
+#include <algorithm>
+#include <gtest/gtest.h>
+
+using namespace palpate;
+using namespace palpate::test;
+
+namespace
+{
+// Splits a stream into pieces of an even length, and at most one shorter.
+std::vector<std::string> Split(const std::string& stream, std::size_t length)
+{
+  std::vector<std::string> pieces;
+  for (std::size_t place = 0; place < stream.size(); place += length)
+  {
+    pieces.push_back(stream.substr(place, length));
+  }
+  return pieces;
+}
+
+// A label map of three frames of 16 x 12 pixels, each labelled in another third of its rows.
+void WriteThreeFrames(const std::filesystem::path& file, Codec codec)
+{
+  DicomSegmentationSpec spec;
+  spec.Kind = "LABELMAP";
+  spec.BitsAllocated = 8;
+  spec.Columns = 16;
+  spec.Rows = 12;
+  for (int frame = 0; frame < 3; ++frame)
+  {
+    std::vector<int> pixels(192, 0);
+    std::fill_n(pixels.begin() + 64 * frame, 64, frame + 1);
+    spec.Frames.push_back({0, 3.0 * frame, pixels});
+  }
+  WriteDicomSegmentation(file, spec);
+  Compress(file, codec);
+}
+
+void ExpectThreeFrames(const std::filesystem::path& file)
+{
+  const Segmentation segmentation = ReadSegmentation(file);
+  for (int frame = 0; frame < 3; ++frame)
+  {
+    for (int row = 0; row < 12; ++row)
+    {
+      EXPECT_EQ(segmentation.Layers[0]->GetScalarComponentAsDouble(1, row, frame, 0),
+                row / 4 == frame ? frame + 1 : 0);
+    }
+  }
+}
+
+constexpr Codec StreamCodecs[] = {Codec::JpegLossless, Codec::JpegLs, Codec::Jpeg2000};
+} // namespace
+
+TEST(EncapsulatedFrames, AFrameMayBeInSeveralFragments)
+{
+  for (const Codec codec : LosslessCodecs)
+  {
+    const TemporaryFolder folder;
+    DicomSliceSpec spec;
+    spec.Columns = 40;
+    spec.Rows = 30;
+    for (int i = 0; i < 1200; ++i)
+    {
+      spec.Pixels.push_back(i * i % 4093);
+    }
+    WriteDicomSlice(folder / "1.dcm", spec);
+    spec.PositionWorld = {0, 0, 3};
+    WriteDicomSlice(folder / "2.dcm", spec);
+    Compress(folder / "2.dcm", codec);
+    ReplaceFragments(folder / "2.dcm", Split(Fragments(folder / "2.dcm").front(), 100));
+    const Volume volume = ReadVolume(folder.Path());
+    for (vtkIdType i = 0; i < 1200; ++i)
+    {
+      ASSERT_EQ(volume.Image->GetPointData()->GetScalars()->GetTuple1(1200 + i),
+                spec.Pixels[static_cast<std::size_t>(i)])
+          << CodecName(codec);
+    }
+  }
+}
+
+TEST(EncapsulatedFrames, OffsetTableSaysWhereFramesStart)
+{
+  for (const Codec codec : LosslessCodecs)
+  {
+    const TemporaryFolder folder;
+    const auto file = folder / "a.dcm";
+    WriteThreeFrames(file, codec);
+    std::vector<std::string> pieces;
+    std::vector<std::uint32_t> offsets;
+    std::uint32_t place = 0;
+    for (const std::string& stream : Fragments(file))
+    {
+      offsets.push_back(place);
+      for (const std::string& piece : Split(stream, 26))
+      {
+        place += 8 + static_cast<std::uint32_t>(piece.size() + piece.size() % 2);
+        pieces.push_back(piece);
+      }
+    }
+    ReplaceFragments(file, pieces, offsets);
+    ExpectThreeFrames(file);
+  }
+}
+
+TEST(EncapsulatedFrames, WithoutOffsetsFramesStartAtTheirMarkers)
+{
+  for (const Codec codec : StreamCodecs)
+  {
+    const TemporaryFolder folder;
+    const auto file = folder / "a.dcm";
+    WriteThreeFrames(file, codec);
+    std::vector<std::string> pieces;
+    for (const std::string& stream : Fragments(file))
+    {
+      const std::vector<std::string> split = Split(stream, 26);
+      pieces.insert(pieces.end(), split.begin(), split.end());
+    }
+    ReplaceFragments(file, pieces);
+    ExpectThreeFrames(file);
+    // Nor does a table that is wrong mislead.
+    ReplaceFragments(file, pieces, {0, 5, 10});
+    ExpectThreeFrames(file);
+  }
+}
+
+TEST(EncapsulatedFrames, AFragmentAFrameNeedsNoOffsets)
+{
+  for (const Codec codec : LosslessCodecs)
+  {
+    const TemporaryFolder folder;
+    const auto file = folder / "a.dcm";
+    WriteThreeFrames(file, codec);
+    ExpectThreeFrames(file);
+    ReplaceFragments(file, Fragments(file), {77, 3, 5});
+    ExpectThreeFrames(file);
+  }
+}
+
+TEST(EncapsulatedFrames, PaddingAfterAFrameIsPassedOver)
+{
+  for (const Codec codec : LosslessCodecs)
+  {
+    const TemporaryFolder folder;
+    const auto file = folder / "a.dcm";
+    WriteThreeFrames(file, codec);
+    std::vector<std::string> padded = Fragments(file);
+    for (std::string& stream : padded)
+    {
+      stream += std::string(6, '\0');
+    }
+    ReplaceFragments(file, padded);
+    ExpectThreeFrames(file);
+  }
+}
+
+TEST(EncapsulatedFrames, FewerFragmentsThanFramesAreRefused)
+{
+  const TemporaryFolder folder;
+  const auto file = folder / "a.dcm";
+  WriteThreeFrames(file, Codec::RunLength);
+  std::vector<std::string> streams = Fragments(file);
+  streams.pop_back();
+  ReplaceFragments(file, streams);
+  EXPECT_TRUE(Contains(MessageOf([&] { ReadSegmentation(file); }),
+                       "its pixels are not what its header promises"));
+}
+
+TEST(EncapsulatedFrames, FragmentLongerThanTheFileIsRefused)
+{
+  const TemporaryFolder folder;
+  const auto file = folder / "a.dcm";
+  WriteThreeFrames(file, Codec::RunLength);
+  std::string bytes = ReadAll(file);
+  // The last fragment's length stands before it; the sequence's delimiter is the last eight bytes.
+  const std::size_t length = bytes.size() - 8 - Fragments(file).back().size() - 4;
+  bytes[length + 3] = 0x7F;
+  WriteAll(file, bytes);
+  EXPECT_TRUE(Contains(MessageOf([&] { ReadSegmentation(file); }), "is truncated or damaged"));
+}
+
+TEST(EncapsulatedFrames, FragmentsThatBelongToNoFrameAreRefused)
+{
+  const TemporaryFolder folder;
+  const auto file = folder / "a.dcm";
+  WriteThreeFrames(file, Codec::RunLength);
+  std::vector<std::string> streams = Fragments(file);
+  streams.push_back(streams.back());
+  ReplaceFragments(file, streams, {0, 4, 8});
+  EXPECT_TRUE(Contains(MessageOf([&] { ReadSegmentation(file); }),
+                       "its pixels are not what its header promises"));
+}

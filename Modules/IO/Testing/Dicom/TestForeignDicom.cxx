@@ -1,0 +1,125 @@
+#include "ForeignDicom.h"
+
+#include "MessageOf.h"
+#include "SegmentationFile.h"
+#include "SyntheticImages.h"
+#include "TemporaryFolder.h"
+#include "VolumeFile.h"
+
+// DCMTK's configuration header must come before its others.
+#include "dcmtk/config/osconfig.h"
+
+#include "dcmtk/dcmdata/dctk.h"
+#include <gtest/gtest.h>
+#include <vector>
+
+using namespace palpate;
+using namespace palpate::test;
+
+namespace
+{
+struct Foreign
+{
+  const char* Class;
+  const char* Is;
+};
+
+const std::vector<Foreign> Objects{
+    {"1.2.840.10008.5.1.4.1.1.481.3", "is a DICOM structure set (RTSTRUCT)"},
+    {"1.2.840.10008.5.1.4.1.1.481.2", "is a DICOM dose (RTDOSE)"},
+    {"1.2.840.10008.5.1.4.1.1.481.5", "is a DICOM treatment plan (RTPLAN)"},
+    {"1.2.840.10008.5.1.4.1.1.481.8", "is a DICOM radiotherapy object"},
+    {"1.2.840.10008.5.1.4.1.1.88.33", "is a DICOM report (SR)"},
+    {"1.2.840.10008.5.1.4.1.1.11.1", "is a DICOM presentation state"},
+    {"1.2.840.10008.5.1.4.1.1.66.5", "is a DICOM surface segmentation"},
+    {"1.2.840.10008.5.1.4.1.1.66.1", "is a DICOM registration"},
+    {"1.2.840.10008.5.1.4.1.1.104.1", "is a document within DICOM"},
+    {"1.2.840.10008.5.1.4.1.1.1.1", "is a DICOM projection image"}};
+
+// An object of a class: without pixels, or with this many frames stated, or an index of one record.
+void WriteObject(const std::filesystem::path& file, const char* objectClass, int frames = 0,
+                 bool isIndex = false)
+{
+  DcmFileFormat format;
+  DcmItem& item = *format.getDataset();
+  item.putAndInsertString(DCM_SOPClassUID, objectClass);
+  item.putAndInsertString(DCM_SOPInstanceUID, "1.2.3.4.5");
+  item.putAndInsertString(DCM_PatientName, "Secret^Patient");
+  if (frames > 0)
+  {
+    item.putAndInsertString(DCM_NumberOfFrames, std::to_string(frames).c_str());
+  }
+  DcmItem* record = nullptr;
+  if (isIndex && item.findOrCreateSequenceItem(DCM_DirectoryRecordSequence, record, -2).good())
+  {
+    record->putAndInsertString(DCM_DirectoryRecordType, "PATIENT");
+  }
+  ASSERT_TRUE(format.saveFile(file.c_str(), EXS_LittleEndianExplicit).good());
+}
+
+// One sentence that begins with the file, says what it is and what to do, and nothing of patients.
+void ExpectTold(const std::string& message, const std::filesystem::path& file, const char* is)
+{
+  EXPECT_EQ(message.rfind(file.string() + " ", 0), 0U) << message;
+  EXPECT_TRUE(Contains(message, is));
+  EXPECT_TRUE(Contains(message, "; "));
+  EXPECT_EQ(message.find("Secret"), std::string::npos);
+}
+} // namespace
+
+TEST(ForeignDicom, IsRefusedByWhatItIs)
+{
+  for (const Foreign& object : Objects)
+  {
+    const TemporaryFolder folder;
+    const auto file = folder / "object.dcm";
+    WriteObject(file, object.Class);
+    ExpectTold(MessageOf([&] { ReadVolume(file); }), file, object.Is);
+    ExpectTold(MessageOf([&] { ReadSegmentation(file); }), file, object.Is);
+  }
+}
+
+TEST(ForeignDicom, IsNamedWhereAFolderHoldsNothingElse)
+{
+  const TemporaryFolder folder;
+  const auto file = folder / "rs.dcm";
+  WriteObject(file, Objects.front().Class);
+  ExpectTold(MessageOf([&] { ReadVolume(folder.Path()); }), file, Objects.front().Is);
+  ExpectTold(MessageOf([&] { ReadSegmentation(folder.Path()); }), file, Objects.front().Is);
+}
+
+TEST(ForeignDicom, AStructureSetIsNotAskedToBeRead)
+{
+  const TemporaryFolder folder;
+  WriteObject(folder / "rs.dcm", Objects.front().Class);
+  EXPECT_TRUE(Contains(MessageOf([&] { ReadSegmentation(folder / "rs.dcm"); }),
+                       "convert it to a segmentation on its image's grid"));
+}
+
+TEST(ForeignDicom, AnIndexPointsToTheFolderOfASeries)
+{
+  const TemporaryFolder folder;
+  WriteObject(folder / "DICOMDIR", UID_MediaStorageDirectoryStorage, 0, true);
+  ExpectTold(MessageOf([&] { ReadVolume(folder / "DICOMDIR"); }), folder / "DICOMDIR",
+             "is the index of a DICOM medium (DICOMDIR)");
+}
+
+TEST(ForeignDicom, AnImageOfSeveralFramesSaysSo)
+{
+  const TemporaryFolder folder;
+  WriteObject(folder / "enhanced.dcm", "1.2.840.10008.5.1.4.1.1.4.1", 20);
+  ExpectTold(MessageOf([&] { ReadVolume(folder / "enhanced.dcm"); }), folder / "enhanced.dcm",
+             "is a DICOM image of several frames");
+}
+
+TEST(ForeignDicom, SlicesAndSegmentationsAreNone)
+{
+  const TemporaryFolder folder;
+  WriteDicomSlice(folder / "slice.dcm", {});
+  DicomSegmentationSpec spec;
+  spec.Segments = {{1, "gland"}};
+  spec.Frames.resize(2);
+  WriteDicomSegmentation(folder / "seg.dcm", spec);
+  EXPECT_FALSE(RecognizeForeignDicom(folder / "slice.dcm").has_value());
+  EXPECT_FALSE(RecognizeForeignDicom(folder / "seg.dcm").has_value());
+}

@@ -1,0 +1,68 @@
+#include "VolumeFile.h"
+
+#include "DicomSegmentation.h"
+#include "DicomVolume.h"
+#include "FileKind.h"
+#include "ForeignDicom.h"
+#include "ImageFormat.h"
+#include "Refusal.h"
+#include "RightHandedAxes.h"
+#include "VoxelCheck.h"
+
+#include "vtkPointData.h"
+
+namespace palpate
+{
+namespace
+{
+Volume ReadImageFile(const std::filesystem::path& path, LeftHandedAxes handling)
+{
+  const std::unique_ptr<ImageFile> file = OpenImage(path);
+  if (file->Components() != 1)
+  {
+    Refuse(path, "has " + std::to_string(file->Components()) + " values per voxel",
+           "give one grey value per voxel, or read it as a segmentation if its values are layers");
+  }
+  const vtkSmartPointer<vtkDataArray> voxels = file->NewArray();
+  file->ReadInto(voxels->GetVoidPointer(0));
+  ImageGrid grid = file->Grid();
+  Volume volume;
+  volume.Source = path;
+  volume.Notes = file->Notes();
+  if (const std::string note = MakeRightHanded(path, handling, grid, voxels); !note.empty())
+  {
+    volume.Notes.push_back(note);
+  }
+  volume.Image = MakeImage(grid, voxels);
+  return volume;
+}
+
+Volume ReadDicom(const std::filesystem::path& path, const VolumeChoice& choice)
+{
+  std::error_code isNoFolder;
+  if (std::filesystem::is_directory(path, isNoFolder))
+  {
+    const std::vector<DicomSeries> all = FindDicomSeries(path);
+    return ReadDicomVolume(ChooseSeries(path, all, choice), path);
+  }
+  if (IsDicomSegmentation(path))
+  {
+    Refuse(path, "is a DICOM segmentation", "read it as a segmentation, or name an image series");
+  }
+  RefuseForeignDicom(path);
+  const auto folder = path.has_parent_path() ? path.parent_path() : std::filesystem::path(".");
+  const std::vector<DicomSeries> all = FindDicomSeries(folder);
+  return ReadDicomVolume(SeriesOfFile(path, all), path);
+}
+} // namespace
+
+Volume ReadVolume(const std::filesystem::path& path, const VolumeChoice& choice)
+{
+  std::error_code failure;
+  const bool isFolder = std::filesystem::is_directory(path, failure);
+  Volume volume = isFolder || IsDicomFile(path) ? ReadDicom(path, choice)
+                                                : ReadImageFile(path, choice.LeftHanded);
+  CheckFinite(path, volume.Image->GetPointData()->GetScalars());
+  return volume;
+}
+} // namespace palpate

@@ -1,0 +1,21 @@
+#pragma once
+
+#include "PalpateReportModule.h"
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace palpate
+{
+/// Text as it may stand in an HTML or SVG element or in a quoted attribute: the characters & < > "
+/// and ' replaced by references, line breaks by spaces, what is no UTF-8 by U+FFFD; other control
+/// characters are left out.
+PALPATEREPORT_EXPORT std::string EscapeHtml(const std::string& text);
+
+/// Names and values, not yet escaped.
+using HtmlRows = std::vector<std::pair<std::string, std::string>>;
+
+/// A table of two columns with a caption; everything is escaped.
+PALPATEREPORT_EXPORT std::string HtmlTable(const std::string& caption, const HtmlRows& rows);
+} // namespace palpate

@@ -1,0 +1,20 @@
+#pragma once
+
+#include "PalpateReportModule.h"
+
+#include <string>
+
+namespace palpate
+{
+/// A whole HTML page from a title (plain text) and a body (HTML). The style sheet is inline,
+/// follows the reader's light or dark scheme, and prints on white; nothing is loaded from anywhere.
+PALPATEREPORT_EXPORT std::string ReportPage(const std::string& title, const std::string& body);
+
+/// A section with a heading (plain text); empty where it has no content.
+PALPATEREPORT_EXPORT std::string ReportSection(const std::string& heading,
+                                               const std::string& content);
+
+/// A figure of some content (HTML) with a caption (plain text); empty where it has no content.
+PALPATEREPORT_EXPORT std::string ReportFigure(const std::string& content,
+                                              const std::string& caption);
+} // namespace palpate

@@ -1,0 +1,61 @@
+#pragma once
+
+#include "PalpateReportModule.h"
+#include "PixelGrid.h"
+#include "Vector3.h"
+
+#include <Eigen/Core>
+#include <array>
+#include <string>
+#include <vector>
+
+class vtkImageData;
+
+namespace palpate
+{
+/// Where one picture of a slice lies: a plane of an image's voxel centres, cut out around a
+/// structure, with square pixels. World is patient LPS, mm. Picture coordinates are those of SVG:
+/// (0, 0) is the top left corner of the top left pixel, whose middle is at (0.5, 0.5).
+struct PALPATEREPORT_EXPORT SlicePlane
+{
+  std::string Name;    ///< "Axial", "Sagittal" or "Coronal"
+  Vector3 CornerWorld; ///< of the picture's top left corner
+  Vector3 RightWorld;  ///< unit vectors along the picture's axes
+  Vector3 DownWorld;
+  double PixelMillimeters = 1.0;
+  int Width = 0; ///< pixels
+  int Height = 0;
+  int RightAxis = 0; ///< axes of the image that run along the picture's
+  int DownAxis = 1;
+  int SliceAxis = 2;
+  int SliceIndex = 0;  ///< along SliceAxis
+  int SliceNumber = 1; ///< the same, counted from 1
+  int SliceCount = 1;
+
+  Vector3 ToWorld(const Eigen::Vector2d& picture) const
+  {
+    return this->CornerWorld + this->PixelMillimeters *
+                                   (picture.x() * this->RightWorld + picture.y() * this->DownWorld);
+  }
+  Eigen::Vector2d ToPicture(const Vector3& world) const
+  {
+    const Vector3 offset = (world - this->CornerWorld) / this->PixelMillimeters;
+    return {offset.dot(this->RightWorld), offset.dot(this->DownWorld)};
+  }
+  PixelGrid Pixels() const
+  {
+    return {this->ToWorld({0.5, 0.5}), this->PixelMillimeters * this->RightWorld,
+            this->PixelMillimeters * this->DownWorld, this->Width, this->Height};
+  }
+  /// Unit normal, away from the viewer.
+  Vector3 NormalWorld() const;
+};
+
+/// Planes through the voxels of `mask` that have `value`: `axialCount` axial ones from end to end
+/// of the structure, then a sagittal and a coronal one through its middle, hung as radiologists do.
+/// They follow the image's own axes; which is axial is decided by the axis nearest to the body's.
+/// All have the same scale: the longest side is `longestSide` pixels. Empty where no voxel has the
+/// value.
+PALPATEREPORT_EXPORT std::vector<SlicePlane> ChooseSlicePlanes(vtkImageData* mask, int value,
+                                                               int axialCount, int longestSide);
+} // namespace palpate

@@ -1,0 +1,66 @@
+#pragma once
+
+#include "PalpateSceneModule.h"
+#include "Progress.h"
+#include "RemovedDistances.h"
+#include "Segmentation.h"
+#include "ToolPose.h"
+#include "ToolShape.h"
+#include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+class vtkImplicitPolyDataDistance;
+
+namespace palpate
+{
+/// What no drill may remove: a closed surface (world mm, patient LPS), and from which distance on
+/// one has to be warned.
+class PALPATESCENE_EXPORT ForbiddenStructure
+{
+public:
+  /// `alarm` in mm.
+  ForbiddenStructure(std::string name, vtkPolyData* surface, double alarm);
+  /// Under another name and alarm distance. Shares the search structure, which takes long to build
+  /// for a large surface: both are for the same thread.
+  ForbiddenStructure(const ForbiddenStructure& like, std::string name, double alarm);
+  ForbiddenStructure(ForbiddenStructure&&) noexcept;
+  ForbiddenStructure& operator=(ForbiddenStructure&&) noexcept;
+  ~ForbiddenStructure();
+
+  const std::string& Name() const { return this->Title; }
+  double AlarmDistance() const { return this->Alarm; }
+  vtkPolyData* Surface() const { return this->Triangles; }
+
+  /// mm from a point to the surface, negative inside. For one thread at a time.
+  double Distance(const Vector3& pointWorld) const;
+  /// The same from the nearest point of a tool.
+  double Distance(const ToolShape& tool, const ToolPose& pose) const;
+
+private:
+  std::string Title;
+  double Alarm;
+  vtkSmartPointer<vtkPolyData> Triangles;
+  vtkSmartPointer<vtkImplicitPolyDataDistance> Query;
+};
+
+/// The surface of a segment that no drill may remove: all its connected components, by the default
+/// settings of vtkSegmentationSurface, whatever a fit of the segment uses. Throws FilterError and
+/// Cancelled.
+PALPATESCENE_EXPORT vtkSmartPointer<vtkPolyData>
+MakeForbiddenSurface(const Segmentation& segmentation, const Segment& segment,
+                     const ProgressFunction& progress);
+
+/// What a structure forbids on the grid of a field, as if it were removed: see
+/// DrilledField::Protect. Throws Cancelled.
+PALPATESCENE_EXPORT std::shared_ptr<const RemovedDistances>
+ProtectionOf(const ForbiddenStructure& structure, const RemovedDistances& like,
+             const ProgressFunction& progress);
+
+/// What any of `parts` forbids. All are of one grid; at least one.
+PALPATESCENE_EXPORT std::shared_ptr<const RemovedDistances>
+JoinProtections(const std::vector<std::shared_ptr<const RemovedDistances>>& parts);
+} // namespace palpate

@@ -1,0 +1,39 @@
+#pragma once
+
+#include "PalpateSceneModule.h"
+#include "ScenePlan.h"
+#include "TouchScene.h"
+#include "WorkspaceFrame.h"
+
+#include <functional>
+#include <memory>
+#include <vector>
+
+namespace palpate
+{
+/// The newest product of a structure's step, or null.
+using SceneProducts = std::function<const SceneProduct*(SceneStep step, int id)>;
+
+/// A structure of a scene that can be touched now.
+struct SceneContact
+{
+  int Id = 0;
+  std::shared_ptr<const TouchContact> Contact;
+  std::shared_ptr<const TouchTexture> Texture = nullptr; ///< null: none
+  DrillSource Drilled = {}; ///< without a field: it is not drilled, or cannot be yet
+};
+
+/// The scene's touchable structures whose contact model is there.
+PALPATESCENE_EXPORT std::vector<SceneContact> ContactsOf(const SceneSettings& scene,
+                                                         const SceneProducts& products);
+
+/// Those of `contacts` whose structures the scene has and wants touchable.
+PALPATESCENE_EXPORT std::vector<SceneContact>
+TouchableOf(const SceneSettings& scene, const std::vector<SceneContact>& contacts);
+
+/// The scene that a servo feels: a structure for each of `contacts`, which are touchable. Throws
+/// InputError if the settings do not describe a valid tool.
+PALPATESCENE_EXPORT TouchScene MakeTouchScene(const SceneSettings& scene,
+                                              const std::vector<SceneContact>& contacts,
+                                              const WorkspaceFrame& frame);
+} // namespace palpate

@@ -1,0 +1,112 @@
+#include "SceneReading.h"
+
+#include "FilterRun.h"
+#include "FitStructure.h"
+#include "ModelFile.h"
+#include "ModelSurface.h"
+#include "Refusal.h"
+#include "SegmentationFile.h"
+#include "SurfaceFile.h"
+#include "VolumeFile.h"
+
+#include <algorithm>
+
+namespace palpate
+{
+namespace
+{
+std::string StampIn(const SceneStamps& stamps, const std::filesystem::path& file)
+{
+  const auto found = stamps.find(file);
+  return found != stamps.end() ? found->second : std::string();
+}
+
+// Reading cannot be interrupted; what is cancelled before is not begun.
+template <typename Read>
+SceneNode ReadingNode(SceneStep step, const std::filesystem::path& file, std::string key,
+                      const Read& read)
+{
+  SceneNode node;
+  node.Step = step;
+  node.Key = std::move(key);
+  node.Reads = file;
+  node.Make = [read](const std::vector<SceneProduct>&,
+                     const ProgressFunction& progress) -> SceneProduct
+  {
+    if (!progress(0.0, "read"))
+    {
+      throw Cancelled();
+    }
+    return read();
+  };
+  return node;
+}
+} // namespace
+
+SceneNode VolumeNode(const std::filesystem::path& file, const std::string& series,
+                     LeftHandedAxes leftHanded, const SceneStamps& stamps)
+{
+  const VolumeChoice choice{series, leftHanded};
+  return ReadingNode(
+      SceneStep::Volume, file,
+      SceneKey("volume", file, StampIn(stamps, file), series, static_cast<int>(leftHanded)),
+      [file, choice] { return std::make_shared<const Volume>(ReadVolume(file, choice)); });
+}
+
+SceneNode SegmentationNode(const std::filesystem::path& file, LeftHandedAxes leftHanded,
+                           const SceneStamps& stamps)
+{
+  return ReadingNode(
+      SceneStep::Segmentation, file,
+      SceneKey("segmentation", file, StampIn(stamps, file), static_cast<int>(leftHanded)),
+      [file, leftHanded]
+      { return std::make_shared<const Segmentation>(ReadSegmentation(file, leftHanded)); });
+}
+
+SceneNode ModelNode(const std::filesystem::path& file, const SceneStamps& stamps)
+{
+  return ReadingNode(SceneStep::Model, file, SceneKey("model", file, StampIn(stamps, file)),
+                     [file]
+                     {
+                       const ModelDocument document = ReadModel(file);
+                       const auto* model = std::get_if<SphericalHarmonicModel>(&document.Surface);
+                       if (model == nullptr)
+                       {
+                         Refuse(file, "is a parametric surface, which has no radius to touch",
+                                "write it as a surface (palpate convert) and touch that");
+                       }
+                       FitResult result;
+                       result.Input = file;
+                       result.CaseName = CaseNameOf(file);
+                       result.State = FitResult::Outcome::Fitted;
+                       result.Model = *model;
+                       constexpr int Frequency = 20;
+                       result.ModelSurface = DrawModel(*model, Frequency);
+                       return std::make_shared<const FitResult>(std::move(result));
+                     });
+}
+
+SceneNode SurfaceNode(const std::filesystem::path& file, const SceneStamps& stamps)
+{
+  return ReadingNode(SceneStep::Surface, file, SceneKey("surface", file, StampIn(stamps, file)),
+                     [file]
+                     {
+                       FitSurface surface;
+                       surface.Found.Input = file;
+                       surface.Found.CaseName = CaseNameOf(file);
+                       surface.Found.Surface = ReadSurface(file);
+                       return std::make_shared<const FitSurface>(std::move(surface));
+                     });
+}
+
+SceneNode ToolNode(const SceneSettings& scene, const SceneStamps& stamps)
+{
+  const bool cuts = std::any_of(scene.Structures.begin(), scene.Structures.end(),
+                                [](const SceneStructure& one) { return one.IsDrilled(); });
+  const std::filesystem::path& file = scene.Tool.File;
+  const int points = ShellPointsOf(scene.Tool);
+  return ReadingNode(SceneStep::Tool, file,
+                     SceneKey("tool", file, StampIn(stamps, file), points, cuts),
+                     [file, points, cuts] { return SurfaceTool::Read(file, points, cuts); });
+}
+} // namespace palpate

@@ -1,0 +1,107 @@
+#pragma once
+
+#include "AnatomicalView.h"
+#include "PalpateSceneModule.h"
+#include "Picture.h"
+#include "ScalarField.h"
+
+#include "vtkSmartPointer.h"
+
+#include <array>
+#include <memory>
+#include <string>
+#include <vector>
+
+class vtkActor;
+class vtkImageData;
+class vtkPolyData;
+class vtkProp;
+class vtkRenderer;
+class vtkRenderWindow;
+class vtkScalarsToColors;
+class vtkSubVoxelVolumeMapper;
+class vtkTextActor;
+class vtkUnsignedCharArray;
+
+namespace palpate
+{
+/// Draws surfaces and slices of volumes in space (patient LPS, mm) with VTK, off screen: parallel
+/// projection, letters of the patient's directions at the picture's edges, and a colour bar where
+/// an array is coloured. Its constructor throws
+/// std::runtime_error without a display, see RequireDisplay.
+class PALPATESCENE_EXPORT SceneRenderer
+{
+public:
+  using Color = std::array<double, 3>; ///< 0..1
+
+  enum class Plane
+  {
+    Sagittal,
+    Coronal,
+    Axial
+  };
+
+  SceneRenderer();
+  SceneRenderer(const SceneRenderer&) = delete;
+  SceneRenderer& operator=(const SceneRenderer&) = delete;
+  ~SceneRenderer();
+
+  void SetBackground(const Color& color);
+  /// The surface's number, from 0, to move it by.
+  std::size_t AddSurface(vtkPolyData* surface, const Color& color, double opacity);
+  /// Draws it so far (mm) from where it was added; the picture's frame is made for that place.
+  void MoveSurface(std::size_t surface, const Vector3& wayWorld);
+  /// The surfaces of a field's materials, sub-voxel: by the ray caster that haptic queries use.
+  /// Colours by material. The field's number, from 0, to change it by.
+  std::size_t AddField(const std::shared_ptr<const ScalarField>& field,
+                       const std::vector<Color>& colors, double opacity);
+  /// Another version of a field, with the same materials, in its place.
+  void ChangeField(std::size_t number, const std::shared_ptr<const ScalarField>& field);
+  /// The slice of a volume (with its direction matrix) through a point, along the image's axis
+  /// that is nearest to the body's.
+  void AddSlice(vtkImageData* volume, Plane plane, const Vector3& throughWorld);
+  /// Colours every surface that has this one-component point array, all on one scale: diverging
+  /// around zero where it has both signs, and from white on otherwise. False where none has it.
+  bool ColorByArray(const std::string& name);
+  /// The one-component point arrays of all surfaces.
+  std::vector<std::string> ArrayNames() const;
+
+  /// The middle of what was added so far, mm.
+  Vector3 MiddleWorld() const;
+
+  /// Everything, seen along a frame, as large as it fits.
+  Picture Render(const ViewFrame& frame, int width, int height);
+  /// The same into a picture that is there, as large as that is: no memory is taken for it.
+  void Render(const ViewFrame& frame, Picture& picture);
+
+private:
+  struct Surface
+  {
+    vtkSmartPointer<vtkActor> Actor;
+    vtkSmartPointer<vtkPolyData> Data;
+  };
+
+  std::array<double, 2> RangeOf(const std::string& name) const;
+  void PlaceCamera(const ViewFrame& frame, double aspect);
+  void AddLetters();
+  void SetLetters(const ViewFrame& frame);
+  void AddColorBar();
+  void RemoveAnnotations();
+  void AddAnnotations(int width, int height);
+  void Annotate(vtkProp* prop);
+  Color InkColor() const;
+  int FontSize(double referenceSize) const;
+
+  vtkSmartPointer<vtkRenderer> Renderer;
+  vtkSmartPointer<vtkRenderWindow> Window;
+  std::vector<Surface> Surfaces;
+  std::vector<vtkSmartPointer<vtkSubVoxelVolumeMapper>> Fields;
+  std::vector<Vector3> Outline;                         ///< what has to be in the picture, mm
+  std::vector<vtkSmartPointer<vtkProp>> Annotations;    ///< of the picture drawn last
+  std::array<vtkSmartPointer<vtkTextActor>, 4> Letters; ///< left, right, top, bottom
+  vtkSmartPointer<vtkUnsignedCharArray> Pixels;
+  Color Background{{1.0, 1.0, 1.0}};
+  std::string ColoredArray;
+  vtkSmartPointer<vtkScalarsToColors> BarColors;
+};
+} // namespace palpate

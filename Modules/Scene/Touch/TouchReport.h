@@ -1,0 +1,19 @@
+#pragma once
+
+#include "PalpateSceneModule.h"
+#include "TouchRun.h"
+
+#include <filesystem>
+#include <string>
+
+namespace palpate
+{
+/// What a touch was like in numbers, as one JSON object.
+PALPATESCENE_EXPORT std::string TouchSummaryText(const PreparedTouch& touch,
+                                                 const TouchResult& result);
+
+/// Writes into a folder, which exists: `summary.json`, `trace.csv` (a line a tick), `scene.json`
+/// and `report.html` with force, depth and tick time over time. Throws InputError.
+PALPATESCENE_EXPORT void WriteTouchFiles(const std::filesystem::path& folder,
+                                         const PreparedTouch& touch, const TouchResult& result);
+} // namespace palpate

@@ -1,0 +1,55 @@
+#pragma once
+
+#include "ContactModel.h"
+#include "HarmonicContactModel.h"
+#include "PalpateSceneModule.h"
+#include "ScalarField.h"
+#include "SphericalHarmonicModel.h"
+#include "TouchScene.h"
+#include "vtkImageData.h"
+#include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace palpate
+{
+/// How a structure looks that is touched: by one of these, which its contact model is made of.
+struct TouchAppearance
+{
+  std::shared_ptr<const SphericalHarmonicModel> Model;
+  vtkSmartPointer<vtkPolyData> Surface;
+  std::shared_ptr<const ScalarField> Field; ///< its first material
+};
+
+/// What a structure that is drilled is made from: where an image reaches a value, or a label of a
+/// label map.
+struct DrillSource
+{
+  std::shared_ptr<const ScalarField> Field; ///< null: nothing is drilled
+  vtkSmartPointer<vtkImageData> Image;
+  std::optional<int> Label; ///< none: an image
+};
+
+/// A structure's surface as something to touch.
+struct TouchContact
+{
+  std::shared_ptr<const ContactModel> Model;
+  TouchAppearance Looks;
+  std::string Represented; ///< in words, such as "harmonics of degree 12, nearest point"
+  DrillSource Drilled;     ///< of a field that keeps its inside
+};
+
+/// The three kinds. `file` is for messages. Throw InputError for what cannot be touched.
+PALPATESCENE_EXPORT TouchContact MakeHarmonicContact(const SphericalHarmonicModel& model,
+                                                     HarmonicContactMode mode,
+                                                     const std::filesystem::path& file);
+PALPATESCENE_EXPORT TouchContact MakeFacetContact(vtkPolyData* surface,
+                                                  const std::filesystem::path& file);
+PALPATESCENE_EXPORT TouchContact MakeFieldContact(const std::shared_ptr<const ScalarField>& field,
+                                                  int material, const std::filesystem::path& file);
+} // namespace palpate

@@ -1,0 +1,40 @@
+#pragma once
+
+#include "PalpateShapeModule.h"
+#include "RunComponents.h"
+#include "VoxelMask.h"
+
+#include <vector>
+
+namespace palpate
+{
+/// Connected components of a mask: voxels that share a face are connected, as are the surfaces
+/// around them.
+class PALPATESHAPE_EXPORT MaskComponents
+{
+public:
+  explicit MaskComponents(const VoxelMask& mask);
+
+  /// Voxels of each component, in descending order.
+  const std::vector<long long>& VoxelCounts() const noexcept { return this->Counts; }
+
+  /// Keeps the component of this rank (0 is the largest) in `mask` and clears the others.
+  void Keep(int rank, VoxelMask& mask) const;
+
+private:
+  RunSet Runs;
+  std::vector<int> Ranks; ///< of each run's component
+  std::vector<long long> Counts;
+};
+
+/// Empty regions that a mask encloses: outside voxels that no path over faces, edges or corners of
+/// outside voxels connects to the border of the box (which must be empty).
+struct MaskCavities
+{
+  int Count = 0;
+  long long Voxels = 0;
+};
+
+/// Fills the cavities of `mask` and reports them.
+PALPATESHAPE_EXPORT MaskCavities FillCavities(VoxelMask& mask);
+} // namespace palpate

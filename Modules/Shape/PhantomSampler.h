@@ -1,0 +1,90 @@
+#pragma once
+
+#include "PalpateShapeModule.h"
+#include "SphericalHarmonicModel.h"
+#include "Vector3.h"
+
+#include <Eigen/Core>
+#include <array>
+#include <cstdint>
+
+namespace palpate
+{
+/// A voxel grid in patient LPS: the centre of voxel (i, j, k) is
+/// OriginWorld + Direction * (Spacing .* (i, j, k)), mm.
+struct PhantomGrid
+{
+  std::array<int, 3> Size{{160, 160, 24}};
+  Vector3 Spacing{0.5, 0.5, 3.0};
+  Vector3 OriginWorld = Vector3::Zero();
+  Eigen::Matrix3d Direction = Eigen::Matrix3d::Identity(); ///< orthonormal columns
+
+  Vector3 PointWorld(const Vector3& index) const
+  {
+    return this->OriginWorld + this->Direction * this->Spacing.cwiseProduct(index);
+  }
+};
+
+/// Appearance of a phantom. Intensities are in the image's own arbitrary unit, lengths in mm.
+struct PhantomAppearance
+{
+  enum class Noise
+  {
+    Gaussian, ///< added
+    Rician    ///< magnitude of a complex signal with noise in both parts, as in MR
+  };
+
+  double Background = 90.0;
+  double Body = 220.0;
+  double Capsule = 40.0;
+  double InnerZone = 140.0;
+  double CapsuleThickness = 1.0;  ///< mm, measured inwards along the radius
+  double InnerZoneFraction = 0.6; ///< of the body's radius; 0 for none
+  int Subdivision = 4;            ///< sample points per voxel along each axis
+  double BiasAmplitude = 0.0;     ///< the bias field lies within 1 +- this; in [0, 1)
+  double NoiseDeviation = 0.0;    ///< standard deviation of the noise, before taking the magnitude
+  Noise NoiseKind = Noise::Rician;
+  std::uint64_t Seed = 1; ///< of noise and bias field
+};
+
+/// Fills the rows of a phantom's mask and MR-like volume. Rows can be filled independently, in any
+/// order and by any thread, with the same result.
+///
+/// The mask holds the voxels whose centre lies inside the model. The intensity is the mean over
+/// Subdivision^3 points of background, capsule, inner zone or body, times the bias field, with
+/// noise. Voxels of a single tissue are not subdivided: a bound on the gradient of
+/// |x| - R(x / |x|), from the addition theorem of the harmonics, identifies them.
+class PALPATESHAPE_EXPORT PhantomSampler
+{
+public:
+  PhantomSampler(const SphericalHarmonicModel& model, const PhantomGrid& grid,
+                 const PhantomAppearance& appearance);
+
+  /// Row (j, k) of the grid: Size[0] values each; pass null for an array that is not needed.
+  void SampleRow(int j, int k, float* intensities, unsigned char* mask) const;
+
+  /// Bias field factor at voxel `index`.
+  double BiasAt(const Vector3& index) const;
+
+  /// An upper bound of the model's radius (mm), from its power spectrum.
+  static double RadiusBound(const SphericalHarmonicModel& model);
+
+private:
+  double TissueAt(double distance, double radius) const;
+  /// Intensity without bias and noise of the voxel whose centre is at `offset` from the model's.
+  double VoxelMean(const Vector3& offset, double distance, double radius) const;
+  double SubdividedMean(const Vector3& offset) const;
+  /// Largest change of |x| - s R from its value at `distance` anywhere in a voxel centred there.
+  double VariationWithin(double distance) const;
+  void AddNoise(int j, int k, float* intensities) const;
+
+  SphericalHarmonicModel Model;
+  PhantomGrid Grid;
+  PhantomAppearance Appearance;
+  Eigen::Matrix3d StepWorld; ///< columns: the step of one voxel along each axis, mm
+  double HalfDiagonal;       ///< of a voxel, mm
+  double LargestRadius;      ///< upper bound of R, mm
+  double SlopeBound;         ///< upper bound of |grad R| on the unit sphere, mm/rad
+  std::array<double, 9> BiasTerms{};
+};
+} // namespace palpate

@@ -1,0 +1,52 @@
+#ifndef vtkSphericalHarmonicSurface_h
+#define vtkSphericalHarmonicSurface_h
+
+#include "PalpateShapeModule.h"
+#include "vtkPolyDataAlgorithm.h"
+
+namespace palpate
+{
+class SphericalHarmonicModel;
+}
+
+/// Tessellates a spherical-harmonic model: one vertex for each direction of a subdivided
+/// icosahedron, with the model's analytic outward normals.
+///
+/// Port 0: the model as a table (see palpate::ToTable). Port 1, optional: the original closed
+/// surface. Output: triangles in world mm, point array "Radius" (mm); if the table has a
+/// "CovarianceFactor" also "RadiusDeviation" (mm, one standard deviation of the fitted radius);
+/// with an original also "DistanceToSurface" (mm to its nearest point, positive where the model
+/// lies outside it) and "Residual" (mm, the original's outermost radius minus the model's; NaN
+/// along directions that miss the original).
+class PALPATESHAPE_EXPORT vtkSphericalHarmonicSurface : public vtkPolyDataAlgorithm
+{
+public:
+  static vtkSphericalHarmonicSurface* New();
+  vtkTypeMacro(vtkSphericalHarmonicSurface, vtkPolyDataAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{ Number of parts into which each edge of the icosahedron is divided; default 20.
+  vtkSetClampMacro(Frequency, int, 1, 1000);
+  vtkGetMacro(Frequency, int);
+  ///@}
+
+  /// The original surface's input port.
+  void SetOriginalConnection(vtkAlgorithmOutput* output) { this->SetInputConnection(1, output); }
+  void SetOriginalData(vtkPolyData* surface);
+
+protected:
+  vtkSphericalHarmonicSurface() { this->SetNumberOfInputPorts(2); }
+  ~vtkSphericalHarmonicSurface() override = default;
+
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  int RequestData(vtkInformation* request, vtkInformationVector** inputs,
+                  vtkInformationVector* outputs) override;
+
+private:
+  vtkSphericalHarmonicSurface(const vtkSphericalHarmonicSurface&) = delete;
+  void operator=(const vtkSphericalHarmonicSurface&) = delete;
+
+  int Frequency = 20;
+};
+
+#endif

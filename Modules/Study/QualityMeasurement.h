@@ -1,0 +1,35 @@
+#pragma once
+
+#include "Clock.h"
+#include "PalpateStudyModule.h"
+#include "Progress.h"
+#include "QualityPreset.h"
+#include "TradeRow.h"
+#include "TradeSource.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace palpate
+{
+/// The cost and the accuracy of each quality preset at one structure.
+struct QualityMeasurement
+{
+  std::vector<TradeRow> Presets; ///< in their order; degrees as far as the structure supports them
+};
+
+/// Short strokes over a structure of a mask by each preset, timed on `clock`. Throws InputError
+/// where the tool cannot touch it at all, FilterError and Cancelled.
+PALPATESTUDY_EXPORT QualityMeasurement MeasureQuality(const TradeSource& source,
+                                                      const TouchToolSettings& tool,
+                                                      const Clock& clock,
+                                                      const ProgressFunction& progress);
+
+/// By the advice of the trade-off (AdviseOn) for a servo's rate (Hz); -1 where none was measured.
+PALPATESTUDY_EXPORT int RecommendedPreset(const QualityMeasurement& measured, double rate);
+
+/// The row of a preset, or of the sub-voxel field that replaces harmonics which a structure
+/// refuses. Null where neither was measured.
+PALPATESTUDY_EXPORT const TradeRow* RowOf(const QualityMeasurement& measured, int preset);
+} // namespace palpate

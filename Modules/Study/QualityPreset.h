@@ -1,0 +1,27 @@
+#pragma once
+
+#include "PalpateStudyModule.h"
+#include "SceneSettings.h"
+#include "TradeSetting.h"
+
+namespace palpate
+{
+/// Scene-wide quality presets, from fastest to most accurate. Choosing one writes its settings into
+/// the structures; a structure that stands at none is set by hand.
+constexpr int QualityPresetCount = 6;
+
+/// "Harmonics of degree 4", ..., "Sub-voxel, linear", "Sub-voxel, cubic".
+PALPATESTUDY_EXPORT const char* NameOfPreset(int preset);
+
+/// What a preset stands for, before it is known which degree a structure supports.
+PALPATESTUDY_EXPORT TradeSetting SettingOfPreset(int preset, const TouchToolSettings& tool);
+
+/// The structure with the settings of a preset: harmonics give way to the field where they are
+/// refused. Structures that are not labels keep theirs.
+PALPATESTUDY_EXPORT SceneStructure WithPreset(SceneStructure structure, int preset);
+
+/// The preset that a structure stands at, or -1.
+PALPATESTUDY_EXPORT int PresetOf(const SceneStructure& structure);
+/// The preset that all touchable labels of a scene stand at, or -1.
+PALPATESTUDY_EXPORT int PresetOf(const SceneSettings& scene);
+} // namespace palpate

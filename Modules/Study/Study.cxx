@@ -1,0 +1,537 @@
+#include "Study.h"
+
+#include "DecimalText.h"
+#include "InputError.h"
+#include "OpenBuiltInDevice.h"
+#include "SceneFile.h"
+#include "SceneLabels.h"
+#include "SceneReading.h"
+#include "SegmentationFile.h"
+#include "SteadyClock.h"
+#include "StudyFile.h"
+#include "TouchExport.h"
+#include "TouchRecording.h"
+
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
+namespace palpate
+{
+namespace
+{
+// Whether a state's segmentation has not given it its structures yet.
+bool LacksStructures(const StudyState& state)
+{
+  return std::none_of(state.Structures.begin(), state.Structures.end(),
+                      [&state](const SceneStructure& one)
+                      { return one.File == state.SegmentationFile; });
+}
+
+int NextFreeId(const StudyState& state)
+{
+  int next = 1'000'000'001; // above every label
+  for (const SceneStructure& structure : state.Structures)
+  {
+    next = std::max(next, structure.Id + 1);
+  }
+  return next;
+}
+
+// Everything that a structure's presets are measured with.
+std::string QualityKey(const StudyState& state, const SceneStructure& structure)
+{
+  const TouchToolSettings& tool = state.Tool;
+  return SceneKey(structure.File.string(), StampOf(structure.File), structure.Labels.front(),
+                  structure.Smoothing, static_cast<int>(tool.Kind), tool.Radius, tool.Length,
+                  tool.SemiAxes.transpose(), tool.File, tool.Points);
+}
+} // namespace
+
+Study::Study(Clock& clock, const RealtimeRequest& request) : Time(clock), Felt(clock, request) {}
+
+void Study::Begin(const StudyState& state, const std::filesystem::path& file)
+{
+  this->StopTouch();
+  this->CloseReplay();
+  this->Steps.Reset(state);
+  this->SessionFile = file;
+  this->Unread.clear();
+  if (LacksStructures(state))
+  {
+    this->Unread.insert(state.SegmentationFile);
+  }
+  this->Follow();
+}
+
+void Study::Open(const std::filesystem::path& file)
+{
+  this->Begin(ReadStudy(file), StudyPath(file));
+}
+
+void Study::Save(const std::filesystem::path& file)
+{
+  WriteStudy(file, this->State());
+  this->SessionFile = StudyPath(file);
+  this->Steps.MarkSaved();
+}
+
+void Study::OpenVolume(const std::filesystem::path& file, const std::string& series)
+{
+  StudyState next = this->State();
+  next.VolumeFile = StudyPath(file);
+  next.DicomSeries = series;
+  next.View.CrosshairWorld.reset();
+  next.View.Window.reset();
+  next.View.Level.reset();
+  this->Change("Open the volume " + file.filename().string(), next);
+}
+
+void Study::OpenSegmentation(const std::filesystem::path& file)
+{
+  StudyState next = this->State();
+  const std::filesystem::path before = next.SegmentationFile;
+  next.SegmentationFile = StudyPath(file);
+  next.Structures.erase(std::remove_if(next.Structures.begin(), next.Structures.end(),
+                                       [&before](const SceneStructure& one)
+                                       { return one.File == before; }),
+                        next.Structures.end());
+  this->Unread.insert(next.SegmentationFile);
+  this->Change("Open the segmentation " + file.filename().string(), next);
+}
+
+void Study::AddStructure(const std::filesystem::path& file)
+{
+  StudyState next = this->State();
+  SceneStructure structure;
+  structure.Id = NextFreeId(next);
+  structure.Name = file.stem().string();
+  structure.File = StudyPath(file);
+  next.Structures.push_back(std::move(structure));
+  this->Change("Add " + file.filename().string(), next);
+}
+
+void Study::AddIsoValue(double iso)
+{
+  StudyState next = this->State();
+  if (next.VolumeFile.empty() || !next.DicomSeries.empty())
+  {
+    throw InputError(next.VolumeFile.empty()
+                         ? "there is no volume that could reach a value; open one first"
+                         : "an iso-value needs a volume that is one file; write the series as one "
+                           "with palpate convert");
+  }
+  SceneStructure structure;
+  structure.Id = NextFreeId(next);
+  structure.Name = "iso " + SignificantText(iso, 6);
+  structure.File = next.VolumeFile;
+  structure.Iso = iso;
+  next.Structures.push_back(std::move(structure));
+  this->Change("Add where the volume reaches " + SignificantText(iso, 6), next);
+}
+
+void Study::OpenScene(const std::filesystem::path& file)
+{
+  const SceneSettings scene =
+      ResolveLabels(ReadScene(file), true,
+                    [this](const std::filesystem::path& labels)
+                    {
+                      return std::make_shared<const Segmentation>(
+                          ReadSegmentation(labels, this->State().LeftHanded));
+                    });
+  StudyState next = this->State();
+  SceneSettings& own = next;
+  own = scene;
+  for (SceneStructure& structure : next.Structures)
+  {
+    structure.File = StudyPath(structure.File);
+    structure.TextureImage = StudyPath(structure.TextureImage);
+    if (structure.Source() == SceneSource::Label && next.SegmentationFile.empty())
+    {
+      next.SegmentationFile = structure.File;
+    }
+    if (structure.Source() == SceneSource::IsoValue && next.VolumeFile.empty())
+    {
+      next.VolumeFile = structure.File;
+    }
+  }
+  this->Change("Open the scene " + file.filename().string(), next);
+}
+
+void Study::RelocateFile(const std::filesystem::path& missing, const std::filesystem::path& moved)
+{
+  this->Change("Find " + missing.filename().string(), Relocate(this->State(), missing, moved));
+}
+
+bool Study::Change(const std::string& sentence, const StudyState& next, const std::string& gesture)
+{
+  const bool isChanged = this->Steps.Change(sentence, next, gesture);
+  if (isChanged)
+  {
+    this->Follow();
+  }
+  return isChanged;
+}
+
+bool Study::Undo()
+{
+  const bool isUndone = this->Steps.Undo();
+  this->Follow();
+  return isUndone;
+}
+
+bool Study::Redo()
+{
+  const bool isRedone = this->Steps.Redo();
+  this->Follow();
+  return isRedone;
+}
+
+// What is made and touched is what the state is now.
+void Study::Follow()
+{
+  this->Made.Update(this->State());
+  this->AdoptStructures();
+  this->FollowByTouch();
+}
+
+void Study::AdoptStructures()
+{
+  const bool isRead =
+      this->Made.StateOf(SceneStep::Segmentation).Is == StudyStepState::Kind::UpToDate;
+  if (!isRead || this->Unread.erase(this->State().SegmentationFile) == 0)
+  {
+    return;
+  }
+  const auto segmentation = this->Made.Newest<Segmentation>(SceneStep::Segmentation);
+  if (LacksStructures(this->State()))
+  {
+    this->Steps.Amend(WithStructuresOf(this->State(), *segmentation));
+    this->Made.Update(this->State());
+  }
+}
+
+void Study::FollowByTouch()
+{
+  if (this->Felt.IsRunning())
+  {
+    this->Felt.Forbid(ForbiddenOf(this->State(), this->Made));
+    this->Problem = this->Felt.Update(this->WithTool(), this->Contacts()).Message();
+  }
+}
+
+// The state as it is felt: a tool's surface is the one that was read for it. While that is being
+// read, or where it cannot be, the tool before is felt.
+StudyState Study::WithTool()
+{
+  StudyState state = this->State();
+  if (state.Tool.Kind == TouchToolSettings::Shape::Surface)
+  {
+    state.Tool.Surface = this->Made.Newest<SurfaceTool>(SceneStep::Tool);
+    if (state.Tool.Surface == nullptr)
+    {
+      state.Tool = this->ReadTool;
+    }
+  }
+  this->ReadTool = state.Tool;
+  return state;
+}
+
+std::vector<SceneContact> Study::Contacts() const
+{
+  return ContactsOf(this->State(),
+                    [this](SceneStep step, int id) { return this->Made.NewestProduct(step, id); });
+}
+
+void Study::TurnAxes(const Matrix3& rotation)
+{
+  this->Felt.TurnAxes(rotation);
+  this->FollowByTouch();
+}
+
+void Study::CancelStep(SceneStep step)
+{
+  this->Made.Cancel(step);
+  this->FollowByTouch();
+}
+
+void Study::ResumeStep(SceneStep step)
+{
+  this->Made.Resume(step);
+  this->Made.Retry(step);
+  this->FollowByTouch();
+}
+
+void Study::StartTouch()
+{
+  this->StopTouch();
+  this->CloseReplay();
+  StudyJob job;
+  job.IsUrgent = true;
+  job.Work = [this, name = this->State().Device, &clock = this->Time](const ProgressFunction&)
+  {
+    const auto device = std::make_shared<std::unique_ptr<HapticDevice>>();
+    const Status status = OpenBuiltInDevice(name, clock, *device);
+    return StudyJob::Delivery(
+        [this, device, status]
+        {
+          this->Opening.reset();
+          this->Problem = status.Message();
+          if (status.IsOk())
+          {
+            this->TakeDevice(std::move(*device));
+          }
+        });
+  };
+  job.Fail = [this](const std::string& sentence)
+  {
+    this->Opening.reset();
+    this->Problem = sentence;
+  };
+  this->Opening = this->Work.Start(std::move(job));
+}
+
+void Study::TakeDevice(std::unique_ptr<HapticDevice> device)
+{
+  const StudyStepState tool = this->Made.StateOf(SceneStep::Tool);
+  const bool isMissing = this->State().Tool.Kind == TouchToolSettings::Shape::Surface &&
+                         this->Made.Newest<SurfaceTool>(SceneStep::Tool) == nullptr;
+  if (isMissing)
+  {
+    device->Close();
+    this->Problem = tool.Is == StudyStepState::Kind::Failed
+                        ? tool.Sentence
+                        : "The tool's file is still being read: start the touch once it is.";
+    return;
+  }
+  this->Felt.Forbid(ForbiddenOf(this->State(), this->Made));
+  this->Problem = this->Felt.Start(std::move(device), this->WithTool(), this->Contacts()).Message();
+}
+
+void Study::MoveWorkspace(const Vector3& centerWorld, const std::string& gesture)
+{
+  if (this->Felt.IsRunning())
+  {
+    StudyState next = this->State();
+    next.Placement.CenterWorld = this->Felt.PlacementFor(centerWorld);
+    this->Change("Move the workspace", next, gesture);
+  }
+}
+
+void Study::FitWorkspace()
+{
+  StudyState next = this->State();
+  next.Placement.CenterWorld.reset();
+  next.Placement.Scale.reset();
+  this->Felt.FitWorkspace();
+  if (!this->Change("Fit the workspace", next))
+  {
+    this->FollowByTouch();
+  }
+}
+
+void Study::StopTouch()
+{
+  if (this->Opening)
+  {
+    this->Work.Cancel(*this->Opening);
+    this->Opening.reset();
+  }
+  this->Felt.Stop();
+  this->Problem.clear();
+}
+
+void Study::OpenReplay(const std::filesystem::path& file)
+{
+  this->CloseReplay();
+  StudyJob job;
+  job.IsUrgent = true;
+  job.Work = [this, file](const ProgressFunction&)
+  {
+    return StudyJob::Delivery(
+        [this, file, recording = ReadReplay(file)]
+        {
+          this->StopTouch();
+          this->Reading.reset();
+          this->Played = std::make_unique<StudyReplay>(file, recording, this->Time);
+          if (recording->WasCutOff)
+          {
+            this->Unplayable = file.string() + " ended within a tick, which is left out.";
+          }
+        });
+  };
+  job.Fail = [this](const std::string& sentence)
+  {
+    this->Reading.reset();
+    this->Unplayable = sentence;
+  };
+  this->Reading = this->Work.Start(std::move(job));
+}
+
+void Study::CloseReplay()
+{
+  if (this->Reading)
+  {
+    this->Work.Cancel(*this->Reading);
+    this->Reading.reset();
+  }
+  this->Played.reset();
+  this->Unplayable.clear();
+}
+
+void Study::ExportReplay(const std::filesystem::path& file)
+{
+  if (this->Played == nullptr)
+  {
+    return;
+  }
+  this->Unplayable.clear();
+  StudyJob job;
+  job.IsUrgent = true;
+  job.Work = [file, recording = this->Played->Shared()](const ProgressFunction&)
+  {
+    ExportTouch(*recording, file);
+    return StudyJob::Delivery([] {});
+  };
+  job.Fail = [this](const std::string& sentence) { this->Unplayable = sentence; };
+  this->Work.Start(std::move(job));
+}
+
+const StudyTouchReading& Study::PollReplay()
+{
+  std::vector<int> labels;
+  for (const SceneContact& contact : this->Contacts())
+  {
+    labels.push_back(contact.Id);
+  }
+  return this->Played->Poll(labels);
+}
+
+std::size_t Study::Deliver()
+{
+  const std::size_t count = this->Work.Deliver();
+  if (count > 0)
+  {
+    this->AdoptStructures();
+    this->FollowByTouch();
+  }
+  return count;
+}
+
+bool Study::Close(std::chrono::milliseconds longest)
+{
+  this->StopTouch();
+  return this->Work.End(longest);
+}
+
+const QualityMeasurement* Study::QualityOf(const SceneStructure& structure) const
+{
+  const auto found = this->Qualities.find(structure.Id);
+  const bool isKnown =
+      found != this->Qualities.end() && found->second.Key == QualityKey(this->State(), structure);
+  return isKnown ? found->second.Measured.get() : nullptr;
+}
+
+void Study::MeasureQuality()
+{
+  for (const SceneStructure& structure : this->State().Structures)
+  {
+    if (!structure.IsTouchable || structure.Source() != SceneSource::Label ||
+        this->Measuring.count(structure.Id) > 0 || this->QualityOf(structure) != nullptr)
+    {
+      continue;
+    }
+    const int id = structure.Id;
+    const std::string key = QualityKey(this->State(), structure);
+    StudyJob job;
+    job.Work = [this, id, key, structure, tool = this->WithTool().Tool,
+                leftHanded = this->State().LeftHanded](const ProgressFunction& progress)
+    {
+      const auto voxels =
+          std::make_shared<const Segmentation>(ReadSegmentation(structure.File, leftHanded));
+      TradeSource source;
+      source.Name = TitleOf(structure);
+      source.File = structure.File;
+      source.Is = TradeSource::Mask{voxels, SegmentOf(structure, *voxels)};
+      source.Smoothing = structure.Smoothing;
+      const SteadyClock clock;
+      auto measured = std::make_shared<const QualityMeasurement>(
+          palpate::MeasureQuality(source, tool, clock, progress));
+      return StudyJob::Delivery(
+          [this, id, key, measured = std::move(measured)]
+          {
+            this->Measuring.erase(id);
+            this->Qualities[id] = {key, measured, {}};
+          });
+    };
+    job.Fail = [this, id, key](const std::string& message)
+    {
+      this->Measuring.erase(id);
+      this->Qualities[id] = {key, nullptr, message};
+    };
+    this->Measuring[id] = this->Work.Start(std::move(job));
+  }
+}
+
+std::vector<QualityLine> Study::QualityLines() const
+{
+  std::vector<QualityLine> lines;
+  for (const SceneStructure& structure : this->State().Structures)
+  {
+    if (!structure.IsTouchable || structure.Source() != SceneSource::Label)
+    {
+      continue;
+    }
+    QualityLine line = MakeQualityLine(structure, this->QualityOf(structure));
+    const auto running = this->Measuring.find(structure.Id);
+    if (running != this->Measuring.end())
+    {
+      const auto progress = this->Work.ProgressOf(running->second);
+      line.MeasuringFraction = progress ? progress->Fraction : 0.0;
+    }
+    const auto known = this->Qualities.find(structure.Id);
+    line.Problem = known != this->Qualities.end() ? known->second.Problem : std::string();
+    lines.push_back(std::move(line));
+  }
+  return lines;
+}
+
+void Study::UseRecommendedQuality()
+{
+  StudyState next = this->State();
+  for (SceneStructure& structure : next.Structures)
+  {
+    const QualityMeasurement* measured =
+        structure.Source() == SceneSource::Label ? this->QualityOf(structure) : nullptr;
+    const int preset = measured != nullptr ? RecommendedPreset(*measured, next.Rate) : -1;
+    structure = preset >= 0 ? WithPreset(structure, preset) : structure;
+  }
+  this->Change("Use the recommended quality", next);
+}
+
+StudyState WithStructuresOf(const StudyState& state, const Segmentation& segmentation)
+{
+  StudyState next = state;
+  next.Structures.clear();
+  for (const Segment& segment : segmentation.Segments)
+  {
+    SceneStructure structure;
+    structure.Id = segment.Label;
+    structure.Name = segment.Name;
+    structure.File = state.SegmentationFile;
+    structure.Labels = {std::to_string(segment.Label)};
+    structure.Color = segment.Color;
+    structure.Representation = TouchRepresentation::ModelOrField;
+    structure.Degree = state.Fit.Degree;
+    const bool isShown =
+        next.Structures.empty() || segmentation.Segments.size() <= Study::MostShownUnasked;
+    structure.IsVisible = isShown;
+    structure.IsTouchable = isShown;
+    next.Structures.push_back(std::move(structure));
+  }
+  std::copy_if(state.Structures.begin(), state.Structures.end(),
+               std::back_inserter(next.Structures),
+               [&state](const SceneStructure& one) { return one.File != state.SegmentationFile; });
+  return next;
+}
+} // namespace palpate
