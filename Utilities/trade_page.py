@@ -6,12 +6,12 @@ import pathlib
 from matplotlib import pyplot
 
 SCENES = {
-    "gland": "A prostate-like phantom in voxels of 0.5 x 0.5 x 3 mm, ball of 2 mm",
-    "thalamus": "The left thalamus of mricron's atlas in voxels of 1 mm, ball of 2 mm",
-    "bone": "Bone (300 and more) in a CT of 0.96 x 0.96 x 1.5 mm, ball of 1.5 mm",
+    "gland": "A prostate-like phantom in voxels of 0.5 x 0.5 x 3 mm, sphere of 2 mm",
+    "thalamus": "The left thalamus of mricron's atlas in voxels of 1 mm, sphere of 2 mm",
+    "bone": "Bone (300 and more) in a CT of 0.96 x 0.96 x 1.5 mm, sphere of 1.5 mm",
 }
 
-TEXT = """## What speed costs in truth, scene by scene
+TEXT = """## Speed against accuracy, scene by scene
 
 What `palpate tradeoff` says of three sample scenes (`Utilities/trade.sh`). All settings are felt on the same seeded
 path and compared with one truth; errors are those that 99 % of the ticks do not exceed. A *JND* is the least difference of a
@@ -97,12 +97,7 @@ def table(structure):
         lines.append("| " + " | ".join(cells) + " |")
     refused = [f"- {row['setting']}: {row['sentence']}" for row in structure["rows"]
                if row["outcome"] == "refused"]
-    drawn = [f"- {row['setting']}: {row['triangles']:,.0f} triangles, off by {number(row['draw_mean_mm'])} mm "
-             f"in the mean and {number(row['draw_most_mm'])} mm at most"
-             for row in structure["rows"] if row.get("triangles")]
-    return "\n".join(lines) + "\n" + "".join(
-        f"\n{title}\n\n" + "\n".join(items) + "\n"
-        for title, items in (("Refused:", refused), ("Drawn:", drawn)) if items)
+    return "\n".join(lines) + "\n" + ("\nRefused:\n\n" + "\n".join(refused) + "\n" if refused else "")
 
 
 def section(found, picture):

@@ -17,6 +17,7 @@
 #include "OutputFolder.h"
 #include "OutputNames.h"
 #include "SceneFile.h"
+#include "SceneRepresentation.h"
 #include "ScreenText.h"
 #include "SurfaceFile.h"
 #include "TouchReport.h"
@@ -52,14 +53,14 @@ bool IsWritten(const std::function<void()>& write, Console& console)
   }
 }
 
-const std::map<std::string, TouchRepresentation>& Representations()
+std::vector<std::string> Representations()
 {
-  static const std::map<std::string, TouchRepresentation> words{
-      {"automatic", TouchRepresentation::Automatic},
-      {"harmonics", TouchRepresentation::Harmonics},
-      {"facets", TouchRepresentation::Facets},
-      {"sub-voxel", TouchRepresentation::SubVoxel}};
-  return words;
+  std::vector<std::string> names;
+  for (const SceneRepresentation& representation : SceneRepresentations())
+  {
+    names.push_back(representation.Name);
+  }
+  return names;
 }
 
 // "left.nii.gz", 2, "bone" is "left-2-bone.nii.gz".
@@ -96,7 +97,7 @@ void TouchCommand::DeclareStructure(CLI::App& app)
   app.add_option("--representation", this->Representation,
                  "By what structures are touched (automatic: models by harmonics, surfaces by "
                  "facets, voxels sub-voxel)")
-      ->check(CLI::IsMember({"automatic", "harmonics", "facets", "sub-voxel"}))
+      ->check(CLI::IsMember(Representations()))
       ->capture_default_str();
   app.add_option("--degree", this->Structure.Degree, "Of harmonics fitted to segmentations")
       ->check(CLI::Range(0, 64))
@@ -218,7 +219,7 @@ SceneSettings TouchCommand::Settings() const
       SceneStructure structure = this->Structure;
       structure.File = input;
       structure.Labels = this->Labels;
-      structure.Representation = Representations().at(this->Representation);
+      structure.Representation = this->Representation;
       structure.Mode =
           this->Mode == "radial" ? HarmonicContactMode::Radial : HarmonicContactMode::Nearest;
       structure.Interpolation = this->Interpolation == "cubic" ? FieldInterpolation::TricubicBSpline

@@ -53,8 +53,8 @@ void PrintStructure(const TradeStructureResult& structure, std::ostream& out)
       continue;
     }
     table.AddRow({name, Short(Micro * row.TickMean), Short(Micro * row.TickRare),
-                  Short(row.IsFelt() ? row.PositionRare : row.DrawMost), Short(row.NoticeableRare),
-                  Short(row.DirectionRare), Short(row.Bytes / Mega), Short(row.BuildSeconds)});
+                  Short(row.PositionRare), Short(row.NoticeableRare), Short(row.DirectionRare),
+                  Short(row.Bytes / Mega), Short(row.BuildSeconds)});
   }
   out << table.Text();
   for (const std::string& sentence : RefusalsOf(structure))
@@ -73,8 +73,7 @@ std::string TradeoffCommand::Examples() const
 {
   return "  palpate tradeoff knee.scene.json --output trade    a table, a page, and what to "
          "choose\n"
-         "  palpate tradeoff mask.seg.nrrd --label 1 --only degree,interpolation\n"
-         "  palpate tradeoff case1/model.json --require rate=1000,error=0.2\n"
+         "  palpate tradeoff mask.seg.nrrd --label 1 --tool-radius 3\n"
          "  palpate tradeoff ct.nrrd --iso 300 --tool-radius 1 --seconds 60 --output trade";
 }
 
@@ -98,12 +97,6 @@ void TradeoffCommand::DeclareOptions(CLI::App& app)
   app.add_option("--structure", this->Structures, "Of the scene, by name (default: all)")
       ->type_name("NAME")
       ->allow_extra_args(false);
-  const std::vector<std::string> knobs(TradeKnobWords.begin() + 1, TradeKnobWords.end());
-  app.add_option("--only", this->Knobs,
-                 "Vary only these knobs; the default of each representation is always measured")
-      ->delimiter(',')
-      ->allow_extra_args(false)
-      ->check(CLI::IsMember(knobs));
   app.add_option("--seed", this->Seed, "Of the path; equal seeds lead the same way")
       ->capture_default_str();
   app.add_option("--seconds", this->Seconds, "Of the path, at least")
@@ -112,12 +105,8 @@ void TradeoffCommand::DeclareOptions(CLI::App& app)
   app.add_option("--runs", this->Runs, "A tick's time is the least of so many runs of the path")
       ->check(CLI::Range(1, 1000))
       ->capture_default_str();
-  app.add_option("--require", this->Required,
-                 "What is needed: rate (Hz), error (mm), force (N), direction (degrees), memory "
-                 "(MB), 99 % of errors; names the cheapest setting that has it")
-      ->type_name("NAME=NUMBER,...");
   app.add_option("-o,--output", this->OutputFolder,
-                 "Folder for tradeoff.csv, tradeoff.json and tradeoff.html; the next run goes on")
+                 "Folder for tradeoff.csv, tradeoff.json and tradeoff.html")
       ->type_name("DIR");
   app.add_flag("--json", this->Json, "All numbers as one JSON object on standard output");
 }
@@ -149,25 +138,12 @@ SceneSettings TradeoffCommand::Scene() const
 TradeRunSettings TradeoffCommand::Settings() const
 {
   TradeRunSettings settings;
-  if (!this->Required.empty())
-  {
-    settings.Needs = ParseNeeds(this->Required);
-  }
   settings.Scene = this->Scene();
   settings.Structures = this->Structures;
-  for (const std::string& word : this->Knobs)
-  {
-    const auto* const found = std::find(TradeKnobWords.begin(), TradeKnobWords.end(), word);
-    settings.Knobs.insert(static_cast<TradeKnob>(found - TradeKnobWords.begin()));
-  }
-  settings.Path.Seed = this->Seed;
-  settings.Path.Seconds = this->Seconds;
-  settings.Runs = this->Runs;
+  settings.Measurement.Path.Seed = this->Seed;
+  settings.Measurement.Path.Seconds = this->Seconds;
+  settings.Measurement.Runs = this->Runs;
   settings.Program = ProgramVersion();
-  if (!this->OutputFolder.empty())
-  {
-    settings.Table = this->OutputFolder / "tradeoff.csv";
-  }
   return settings;
 }
 
@@ -189,6 +165,7 @@ void TradeoffCommand::Write(const TradeResult& result, Console& console) const
     WriteOutputSet(this->OutputFolder,
                    [&result](const std::filesystem::path& stage)
                    {
+                     WriteWholeFile(stage / "tradeoff.csv", TradeCsv(result));
                      WriteWholeFile(stage / "tradeoff.json", TradeJson(result));
                      WriteWholeFile(stage / "tradeoff.html", TradePage(result));
                    });
@@ -206,15 +183,8 @@ int TradeoffCommand::Measure(Console& console) const
   const SteadyClock clock;
   const TradeResult result = RunTrade(settings, clock, ProgressOn(console));
   console.EndProgress();
-  if (result.Kept > 0)
-  {
-    console.Note(std::to_string(result.Kept) + " settings were measured before and are kept");
-  }
   this->Write(result, console);
-  const bool isMet =
-      std::all_of(result.Structures.begin(), result.Structures.end(),
-                  [](const TradeStructureResult& structure) { return structure.Advice.IsMet; });
-  return settings.Needs && !isMet ? Failure : 0;
+  return 0;
 }
 
 int TradeoffCommand::Run(Console& console)
@@ -231,10 +201,7 @@ int TradeoffCommand::Run(Console& console)
   catch (const Cancelled&)
   {
     console.EndProgress();
-    console.Error(this->OutputFolder.empty()
-                      ? "cancelled; with --output, what is measured is kept"
-                      : "cancelled; the settings that were measured are kept, and the same command "
-                        "goes on");
+    console.Error("cancelled");
     return Failure;
   }
 }

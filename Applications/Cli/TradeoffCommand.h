@@ -9,15 +9,15 @@
 
 namespace palpate::cli
 {
-/// `palpate tradeoff SCENE|FILE`: what speed costs in truth, setting by setting, on this machine,
-/// and what to choose.
+/// `palpate tradeoff SCENE|FILE`: speed and accuracy of each setting on this machine, and the
+/// recommended one.
 class TradeoffCommand : public Command
 {
 public:
   std::string Name() const override { return "tradeoff"; }
   std::string Summary() const override
   {
-    return "What speed costs in truth on this machine, and which setting to choose";
+    return "Measures speed against accuracy of each setting on this machine, and recommends one";
   }
   std::string Examples() const override;
   void DeclareOptions(CLI::App& app) override;
@@ -34,11 +34,9 @@ private:
   std::vector<double> Iso; ///< one, or none
   double ToolRadius = 2.0; ///< mm
   std::vector<std::string> Structures;
-  std::vector<std::string> Knobs;
   std::uint64_t Seed = 1;
   double Seconds = 10.0;
   int Runs = 5;
-  std::string Required;
   std::filesystem::path OutputFolder;
   bool Json = false;
 };

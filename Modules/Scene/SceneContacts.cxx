@@ -2,8 +2,42 @@
 
 #include "SceneTool.h"
 
+#include <algorithm>
+
 namespace palpate
 {
+namespace
+{
+bool NeedsImage(const SceneStructure& structure)
+{
+  const std::vector<const SceneEffectKind*> effects = EffectsOf(structure);
+  return std::any_of(effects.begin(), effects.end(),
+                     [](const SceneEffectKind* kind) { return !kind->ImageKey.empty(); });
+}
+
+// Those that are made from an image act once they are there.
+std::vector<std::shared_ptr<const ForceEffect>>
+MakeEffects(const SceneStructure& structure, const SceneContact& contact, double toolReach)
+{
+  std::vector<std::shared_ptr<const ForceEffect>> effects;
+  for (const SceneEffectKind* kind : EffectsOf(structure))
+  {
+    if (kind->ImageKey.empty())
+    {
+      const auto isNeverCancelled = [](double, const std::string&) { return true; };
+      effects.push_back(
+          kind->Make({structure, nullptr, contact.Contact->Model->BoundsWorld(), toolReach},
+                     isNeverCancelled));
+    }
+    else if (contact.Effects != nullptr && contact.Effects->Made.count(kind->Name) > 0)
+    {
+      effects.push_back(contact.Effects->Made.at(kind->Name));
+    }
+  }
+  return effects;
+}
+} // namespace
+
 std::vector<SceneContact> ContactsOf(const SceneSettings& scene, const SceneProducts& products)
 {
   std::vector<SceneContact> contacts;
@@ -16,9 +50,9 @@ std::vector<SceneContact> ContactsOf(const SceneSettings& scene, const SceneProd
     }
     SceneContact one;
     one.Id = structure.Id;
-    if (structure.Texture > 0.0)
+    if (NeedsImage(structure))
     {
-      one.Texture = ProductAs<TouchTexture>(products(SceneStep::Texture, structure.Id));
+      one.Effects = ProductAs<ImageEffects>(products(SceneStep::Effects, structure.Id));
     }
     // A contact that was made before the structure was to be drilled has no source.
     one.Drilled = structure.IsDrilled() ? contact->Drilled : DrillSource();
@@ -58,8 +92,7 @@ TouchScene MakeTouchScene(const SceneSettings& scene, const std::vector<SceneCon
     touch.Model = contact.Contact->Model;
     touch.Law = {structure.Stiffness, structure.Damping};
     touch.Friction = structure.Friction;
-    touch.Viscosity = structure.Viscosity;
-    touch.Texture = contact.Texture != nullptr ? contact.Texture->Feel : nullptr;
+    touch.Effects = MakeEffects(structure, contact, made.Tool.BoundingRadius());
     touch.Drill = structure.Drill;
     made.Structures.push_back(std::move(touch));
   }

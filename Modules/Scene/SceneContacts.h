@@ -19,7 +19,7 @@ struct SceneContact
 {
   int Id = 0;
   std::shared_ptr<const TouchContact> Contact;
-  std::shared_ptr<const TouchTexture> Texture = nullptr; ///< null: none
+  std::shared_ptr<const ImageEffects> Effects = nullptr; ///< made from images; null: none
   DrillSource Drilled = {}; ///< without a field: it is not drilled, or cannot be yet
 };
 

@@ -2,7 +2,9 @@
 
 #include "JsonText.h"
 #include "Refusal.h"
+#include "SceneEffect.h"
 #include "SceneJson.h"
+#include "SceneRepresentation.h"
 
 namespace palpate
 {
@@ -25,8 +27,7 @@ void CheckDrilled(const SceneStructure& structure, const std::filesystem::path& 
     Refuse(path, "says that its " + place + " is drilled and not touched",
            "leave \"touched\": false out");
   }
-  const TouchRepresentation kind = structure.Representation;
-  if ((kind != TouchRepresentation::Automatic && kind != TouchRepresentation::SubVoxel) ||
+  if (!RepresentationOf(structure).CanBeDrilled ||
       structure.Interpolation != FieldInterpolation::Trilinear)
   {
     Refuse(path, "wants its " + place + " drilled, which only a linear sub-voxel field can be",
@@ -38,10 +39,15 @@ void CheckDrilled(const SceneStructure& structure, const std::filesystem::path& 
 void Check(const SceneStructure& structure, const std::filesystem::path& path, std::size_t number)
 {
   const std::string place = "structures[" + std::to_string(number) + "]";
-  if ((structure.Texture > 0.0) != !structure.TextureImage.empty())
+  for (const SceneEffectKind& kind : SceneEffectKinds())
   {
-    Refuse(path, "says only half of the texture of its " + place,
-           "give both \"texture_n\", its largest force, and \"texture_image\", a file");
+    const bool hasImage = !structure.Image(kind.ImageKey).empty();
+    if (!kind.ImageKey.empty() && kind.IsIn(structure) != hasImage)
+    {
+      Refuse(path, "gives only half of the " + kind.Name + " of its " + place,
+             "give both \"" + kind.Numbers.front().Key + "\" and \"" + kind.ImageKey +
+                 "\", a file");
+    }
   }
   if (structure.Drill.Wear > 0.0)
   {

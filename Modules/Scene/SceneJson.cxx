@@ -4,8 +4,9 @@
 #include "FitSettingsJson.h"
 #include "Refusal.h"
 #include "RetiredKeys.h"
+#include "SceneEffect.h"
+#include "SceneRepresentation.h"
 #include "SceneToolJson.h"
-#include "SceneWords.h"
 
 namespace palpate
 {
@@ -17,10 +18,10 @@ constexpr double LargestPlace = 1e6;     // mm, of coordinates
 constexpr double LargestStiffness = 1e4; // N/mm
 constexpr double LargestDamping = 10.0;  // N s/mm
 constexpr double LargestFriction = 10.0;
-constexpr double LargestTexture = 10.0; // N
 constexpr double LargestIso = 1e300;
 constexpr int LargestId = 2'000'000'000;
 
+const std::initializer_list<const char*> InterpolationWords{"linear", "cubic"};
 const std::initializer_list<const char*> ModeWords{"nearest", "radial"};
 const std::initializer_list<const char*> LeftHandedWords{"refuse", "reverse"};
 const std::initializer_list<const char*> AppearanceWords{"automatic", "model", "surface",
@@ -129,7 +130,7 @@ private:
   void ReadTouch(JsonFields& fields, SceneStructure& structure) const
   {
     fields.Read("touched", structure.IsTouchable);
-    fields.ReadChoice("representation", RepresentationWords, structure.Representation);
+    this->ReadRepresentation(fields, structure);
     fields.Read("degree", structure.Degree, 0, 64);
     fields.ReadChoice("mode", ModeWords, structure.Mode);
     fields.ReadChoice("interpolation", InterpolationWords, structure.Interpolation);
@@ -138,11 +139,49 @@ private:
     fields.Read("damping_ns_per_mm", structure.Damping, 0.0, LargestDamping);
     fields.Read("static_friction", structure.Friction.Static, 0.0, LargestFriction);
     fields.Read("dynamic_friction", structure.Friction.Dynamic, 0.0, LargestFriction);
-    fields.Read("viscosity_ns_per_mm", structure.Viscosity, 0.0, LargestDamping);
-    fields.Read("texture_n", structure.Texture, 0.0, LargestTexture);
-    std::string image;
-    fields.Read("texture_image", image);
-    structure.TextureImage = this->PathOf(image);
+    for (const SceneEffectKind& kind : SceneEffectKinds())
+    {
+      this->ReadEffect(fields, kind, structure);
+    }
+  }
+
+  void ReadRepresentation(JsonFields& fields, SceneStructure& structure) const
+  {
+    fields.Read("representation", structure.Representation);
+    std::string names;
+    bool isKnown = false;
+    for (const SceneRepresentation& representation : SceneRepresentations())
+    {
+      names += (names.empty() ? "" : ", ") + representation.Name;
+      isKnown = isKnown || representation.Name == structure.Representation;
+      ReadNumbers(fields, representation.Numbers, structure);
+    }
+    if (!isKnown)
+    {
+      Refuse(this->File, "names an unknown \"representation\"", "name one of " + names);
+    }
+  }
+
+  static void ReadNumbers(JsonFields& fields, const std::vector<SceneNumber>& numbers,
+                          SceneStructure& structure)
+  {
+    for (const SceneNumber& number : numbers)
+    {
+      double value = 0.0;
+      fields.Read(number.Key.c_str(), value, 0.0, number.Largest);
+      structure.SetNumber(number.Key, value);
+    }
+  }
+
+  void ReadEffect(JsonFields& fields, const SceneEffectKind& kind, SceneStructure& structure) const
+  {
+    ReadNumbers(fields, kind.Numbers, structure);
+    if (!kind.ImageKey.empty())
+    {
+      std::string image;
+      fields.Read(kind.ImageKey.c_str(), image);
+      structure.SetImage(kind.ImageKey, this->PathOf(image));
+    }
   }
 
   void ReadDrill(const nlohmann::json& object, JsonFields& fields, const std::string& place,
@@ -224,7 +263,7 @@ OrderedJson AsJson(const SceneStructure& structure, const std::filesystem::path&
   object["color"] = structure.Color;
   object["shown_as"] = WordOf(AppearanceWords, structure.Appearance);
   object["touched"] = structure.IsTouchable;
-  object["representation"] = WordOf(RepresentationWords, structure.Representation);
+  object["representation"] = structure.Representation;
   object["degree"] = structure.Degree;
   object["mode"] = WordOf(ModeWords, structure.Mode);
   object["interpolation"] = WordOf(InterpolationWords, structure.Interpolation);
@@ -233,14 +272,13 @@ OrderedJson AsJson(const SceneStructure& structure, const std::filesystem::path&
   object["damping_ns_per_mm"] = structure.Damping;
   object["static_friction"] = structure.Friction.Static;
   object["dynamic_friction"] = structure.Friction.Dynamic;
-  object["viscosity_ns_per_mm"] = structure.Viscosity;
-  if (structure.Texture > 0.0)
+  for (const auto& [key, number] : structure.Numbers)
   {
-    object["texture_n"] = structure.Texture;
+    object[key] = number;
   }
-  if (!structure.TextureImage.empty())
+  for (const auto& [key, image] : structure.Images)
   {
-    object["texture_image"] = RelativeFile(structure.TextureImage, folder);
+    object[key] = RelativeFile(image, folder);
   }
   if (IsOtherDrill(structure.Drill))
   {

@@ -11,7 +11,7 @@ const char* NameOf(SceneStep step)
 {
   constexpr std::array<const char*, SceneStepCount> Names{
       "volume", "segmentation", "image", "structures", "surface", "samples", "model",
-      "field",  "protection",   "touch", "texture",    "cost",    "tool"};
+      "field",  "protection",   "touch", "effects",    "cost",    "tool"};
   return Names.at(static_cast<std::size_t>(step));
 }
 

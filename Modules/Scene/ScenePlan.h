@@ -18,7 +18,7 @@ enum class SceneStep
 {
   Volume,
   Segmentation,
-  Image,      ///< of an iso-value or a texture
+  Image,      ///< of an iso-value or a force effect
   Structures, ///< those of the scene, found in the segmentation
   Surface,
   Samples,
@@ -26,9 +26,9 @@ enum class SceneStep
   Field,      ///< for sub-voxel structures
   Protection, ///< of a forbidden structure from the drill; nothing is drilled before it
   Touch,      ///< the contact model
-  Texture,
-  Cost, ///< what that costs a tick, measured; nothing waits for it
-  Tool  ///< if it is a surface from a file
+  Effects,    ///< the force effects that are made from images
+  Cost,       ///< what that costs a tick, measured; nothing waits for it
+  Tool        ///< if it is a surface from a file
 };
 constexpr int SceneStepCount = 13;
 

@@ -83,7 +83,7 @@ std::size_t BytesOf(const SceneProduct& product)
             return sizeof(*contact) + 2 * BytesOf(contact->Looks.Surface.Get());
           },
           [](const std::shared_ptr<const TouchCost>& cost) { return sizeof(*cost); },
-          [](const std::shared_ptr<const TouchTexture>& texture) { return texture->Bytes; },
+          [](const std::shared_ptr<const ImageEffects>& effects) { return effects->Bytes(); },
           [](const std::shared_ptr<const SceneProtection>& protection)
           { return protection->Bytes(); },
           [](const std::shared_ptr<const SurfaceTool>& tool) { return tool->Bytes(); }},

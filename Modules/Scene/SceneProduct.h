@@ -3,12 +3,12 @@
 #include "FitStages.h"
 #include "PalpateSceneModule.h"
 #include "ScalarField.h"
+#include "SceneEffect.h"
 #include "SceneProtection.h"
 #include "Segmentation.h"
 #include "SurfaceTool.h"
 #include "TouchContact.h"
 #include "TouchCost.h"
-#include "TouchTexture.h"
 #include "Volume.h"
 
 #include <cstddef>
@@ -35,7 +35,7 @@ using SceneProduct =
                  std::shared_ptr<const FitSurface>, std::shared_ptr<const FitSamples>,
                  std::shared_ptr<const FitResult>, std::shared_ptr<const ScalarField>,
                  std::shared_ptr<const TouchContact>, std::shared_ptr<const TouchCost>,
-                 std::shared_ptr<const TouchTexture>, std::shared_ptr<const SceneProtection>,
+                 std::shared_ptr<const ImageEffects>, std::shared_ptr<const SceneProtection>,
                  std::shared_ptr<const SurfaceTool>>;
 
 /// The product of a type; empty for another one.

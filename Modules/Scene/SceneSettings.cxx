@@ -15,9 +15,9 @@ auto Fields(const SceneStructure& s)
 {
   return std::tie(s.Id, s.Name, s.File, s.Labels, s.Iso, s.IsVisible, s.IsTouchable, s.Color,
                   s.Appearance, s.Representation, s.Degree, s.Mode, s.Interpolation, s.Smoothing,
-                  s.Stiffness, s.Damping, s.Friction.Static, s.Friction.Dynamic, s.Viscosity,
-                  s.Texture, s.TextureImage, s.Drill.Wear, s.Drill.Drag, s.Drill.Vibration,
-                  s.IsForbidden, s.AlarmDistance);
+                  s.Stiffness, s.Damping, s.Friction.Static, s.Friction.Dynamic, s.Numbers,
+                  s.Images, s.Drill.Wear, s.Drill.Drag, s.Drill.Vibration, s.IsForbidden,
+                  s.AlarmDistance);
 }
 
 auto Fields(const ScenePlacement& p)
@@ -45,6 +45,36 @@ SceneSource SceneStructure::Source() const
          : IsModelFile(this->File)   ? SceneSource::Model
          : IsSurfaceFile(this->File) ? SceneSource::Surface
                                      : SceneSource::Label;
+}
+
+double SceneStructure::Number(const std::string& key) const
+{
+  const auto found = this->Numbers.find(key);
+  return found != this->Numbers.end() ? found->second : 0.0;
+}
+
+std::filesystem::path SceneStructure::Image(const std::string& key) const
+{
+  const auto found = this->Images.find(key);
+  return found != this->Images.end() ? found->second : std::filesystem::path();
+}
+
+void SceneStructure::SetNumber(const std::string& key, double number)
+{
+  this->Numbers.erase(key);
+  if (number != 0.0)
+  {
+    this->Numbers[key] = number;
+  }
+}
+
+void SceneStructure::SetImage(const std::string& key, const std::filesystem::path& image)
+{
+  this->Images.erase(key);
+  if (!image.empty())
+  {
+    this->Images[key] = image;
+  }
 }
 
 bool operator==(const SceneStructure& a, const SceneStructure& b)

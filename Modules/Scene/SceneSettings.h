@@ -11,20 +11,23 @@
 
 #include <array>
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
 namespace palpate
 {
-/// By what a structure is touched.
-enum class TouchRepresentation
+/// Names of the representations by which structures can be touched (see SceneRepresentation).
+struct TouchRepresentation
 {
-  Automatic, ///< a model by harmonics, a surface by facets, voxels by the sub-voxel field
-  Harmonics,
-  Facets,
-  SubVoxel,
-  ModelOrField ///< harmonics where they fit, otherwise the sub-voxel field
+  /// A model by harmonics, a surface by facets, voxels by the sub-voxel field.
+  static constexpr const char* Automatic = "automatic";
+  static constexpr const char* Harmonics = "harmonics";
+  static constexpr const char* Facets = "facets";
+  static constexpr const char* SubVoxel = "sub-voxel";
+  /// Harmonics where they fit, otherwise the sub-voxel field.
+  static constexpr const char* ModelOrField = "model-or-field";
 };
 
 /// As what a structure is displayed. An error map is its model, coloured by the distance from the
@@ -71,7 +74,7 @@ struct SceneStructure
   std::array<double, 3> Color{{0.9, 0.6, 0.4}}; ///< red, green, blue in 0..1
   SceneAppearance Appearance = SceneAppearance::Automatic;
 
-  TouchRepresentation Representation = TouchRepresentation::Automatic;
+  std::string Representation = TouchRepresentation::Automatic; ///< its name
   int Degree = 12; ///< of the harmonics that a label is fitted with
   HarmonicContactMode Mode = HarmonicContactMode::Nearest; ///< of harmonics
   FieldInterpolation Interpolation = FieldInterpolation::Trilinear;
@@ -80,9 +83,17 @@ struct SceneStructure
   double Stiffness = 0.5; ///< N/mm
   double Damping = 0.0;   ///< N s/mm
   SurfaceFriction Friction;
-  double Viscosity = 0.0;             ///< N s/mm, while the tool's centre is inside
-  double Texture = 0.0;               ///< N, at most, by the intensities of `TextureImage`
-  std::filesystem::path TextureImage; ///< empty without texture
+  /// Of force effects and representations (see SceneEffectKind and SceneRepresentation), by their
+  /// keys in files; none is 0.
+  std::map<std::string, double> Numbers;
+  /// Of force effects, by their keys in files.
+  std::map<std::string, std::filesystem::path> Images;
+  /// 0 without such a number.
+  PALPATESCENE_EXPORT double Number(const std::string& key) const;
+  /// Empty without such an image.
+  PALPATESCENE_EXPORT std::filesystem::path Image(const std::string& key) const;
+  PALPATESCENE_EXPORT void SetNumber(const std::string& key, double number);
+  PALPATESCENE_EXPORT void SetImage(const std::string& key, const std::filesystem::path& image);
 
   DrillLaw Drill;             ///< how the drill wears it down; without wear it does not
   bool IsForbidden = false;   ///< no drill removes any of it, whatever else it is part of

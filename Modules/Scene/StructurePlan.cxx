@@ -1,6 +1,7 @@
 #include "StructurePlan.h"
 
 #include "CaseText.h"
+#include "FieldRepresentation.h"
 #include "FilterRun.h"
 #include "InputError.h"
 #include "ProtectedSurface.h"
@@ -26,14 +27,6 @@ std::string CenterKey(const FitSettings& fit)
   }
   const auto& center = *fit.GivenCenterWorld;
   return SceneKey("at", center[0], center[1], center[2]);
-}
-
-// "prostate: touched by its sub-voxel field, because it is not star-shaped: ..."
-std::string AdviceOf(const SceneStructure& structure, const std::string& instead,
-                     const std::string& reason)
-{
-  const bool isPredicate = reason.rfind("is ", 0) == 0 || reason.rfind("has ", 0) == 0;
-  return TitleOf(structure) + ": " + instead + ", because " + (isPredicate ? "it " : "") + reason;
 }
 
 // The tool that a product is made with: its surface is the second input, where it has one.
@@ -252,70 +245,36 @@ std::string StructurePlan::AddDrilledField()
 
 void StructurePlan::AddRepresentation()
 {
-  using Representation = TouchRepresentation;
-  const Representation asked = this->Structure.Representation;
-  const bool isAny = asked == Representation::Automatic || asked == Representation::ModelOrField;
-  if (this->Source == SceneSource::Model || this->Source == SceneSource::Surface)
+  const SceneRepresentation& representation = RepresentationOf(this->Structure);
+  if (this->Structure.IsDrilled() && !this->HasVoxels())
   {
-    const bool isModel = this->Source == SceneSource::Model;
-    if (this->Structure.IsDrilled())
-    {
-      return this->AddRefusal("cannot be drilled, since it is no image and no segmentation",
-                              "leave \"drill\" out, or name the voxels that it was made of");
-    }
-    if (!isAny && asked != (isModel ? Representation::Harmonics : Representation::Facets))
-    {
-      return this->AddRefusal("cannot be touched by this representation, since it is " +
-                                  std::string(isModel ? "a model" : "a surface of triangles"),
-                              "leave the representation out");
-    }
-    isModel ? this->AddContact(this->AddModel(), this->ContactOfModel())
-            : this->AddContact(this->AddSurface(), this->ContactOfSurface());
+    return this->AddRefusal("cannot be drilled, since it is no image and no segmentation",
+                            "leave \"drill\" out, or name the voxels that it was made of");
   }
-  else if (this->Source == SceneSource::IsoValue && !isAny && asked != Representation::SubVoxel)
+  if (!representation.Takes(this->Source))
   {
-    this->AddRefusal("cannot be touched by this representation, since it is an image",
-                     "leave the representation out");
+    const std::string is = this->Source == SceneSource::Model     ? "a model"
+                           : this->Source == SceneSource::Surface ? "a surface of triangles"
+                                                                  : "an image";
+    return this->AddRefusal("cannot be touched by this representation, since it is " + is,
+                            "leave the representation out");
   }
-  else if (this->Source == SceneSource::IsoValue || this->Structure.IsDrilled() ||
-           asked == Representation::SubVoxel || asked == Representation::Automatic)
-  {
-    this->AddContact(this->AddField(), this->ContactOfField());
-  }
-  else if (asked == Representation::Harmonics)
-  {
-    this->AddContact(this->AddModel(), this->ContactOfModel());
-  }
-  else if (asked == Representation::Facets)
-  {
-    this->AddContact(this->AddSurface(), this->ContactOfSurface());
-  }
-  else
-  {
-    this->AddAutomatic();
-  }
+  // Only a field can be drilled, whatever was chosen.
+  this->Structure.IsDrilled() ? FieldRepresentation().PlanContact(*this)
+                              : representation.PlanContact(*this);
 }
 
 // As it would be touched, but for voxels: those have a surface.
 void StructurePlan::AddOnlyDisplayed()
 {
-  using Representation = TouchRepresentation;
-  const Representation asked = this->Structure.Representation;
+  const SceneRepresentation& representation = RepresentationOf(this->Structure);
   if (this->Source == SceneSource::Model)
   {
     this->AddModel();
   }
-  else if (this->Source != SceneSource::Label)
+  else if (this->Source == SceneSource::Label && representation.PlanDisplay)
   {
-    this->AddSurface();
-  }
-  else if (asked == Representation::ModelOrField)
-  {
-    this->AddAutomatic();
-  }
-  else if (asked == Representation::Harmonics)
-  {
-    this->AddModel();
+    representation.PlanDisplay(*this);
   }
   else
   {
@@ -361,45 +320,18 @@ std::string StructurePlan::ReasonAt(std::size_t node) const
   return isOwn && product != nullptr ? ReasonOf(*product) : std::string();
 }
 
-// By harmonics, and by something else once any stage of those has failed.
-void StructurePlan::AddAutomatic()
+std::string StructurePlan::FirstFailure() const
 {
-  const std::string surface = this->AddSurface();
-  const std::string model = this->AddModel();
-  const std::size_t last = this->Nodes.size();
   std::string reason;
-  for (std::size_t n = this->First; n < last && reason.empty(); ++n)
+  for (std::size_t n = this->First; n < this->Nodes.size() && reason.empty(); ++n)
   {
     reason = this->ReasonAt(n);
   }
-  if (reason.empty())
-  {
-    if (this->Structure.IsTouchable)
-    {
-      this->AddContact(model, this->ContactOfModel(), this->Lookup(model) != nullptr);
-    }
-    return;
-  }
-  const SceneProduct* made = this->Lookup(surface);
-  const bool hasSurface = made == nullptr || ReasonOf(*made).empty();
-  const bool isTouched = this->Structure.IsTouchable;
-  std::string instead = "displayed as the surface of its mask";
-  std::string replacement = surface;
-  if (isTouched || !hasSurface)
-  {
-    replacement = this->AddField();
-    instead = isTouched ? "touched by its sub-voxel field" : "displayed by its sub-voxel field";
-  }
-  if (isTouched)
-  {
-    this->AddContact(replacement, this->ContactOfField());
-  }
-  this->Advise(last, AdviceOf(this->Structure, instead, reason), replacement);
+  return reason;
 }
 
-// Unless what replaces the nodes up to `last` fails too.
-void StructurePlan::Advise(std::size_t last, const std::string& advice,
-                           const std::string& replacement)
+void StructurePlan::Replace(std::size_t last, const std::string& replacement,
+                            const std::string& advice)
 {
   const SceneProduct* product = this->Lookup(replacement);
   if (product == nullptr || FailureOf(*product).empty())
@@ -421,46 +353,79 @@ void StructurePlan::AddRefusal(const std::string& fact, const std::string& wayOu
                 { Refuse(file, fact, wayOut); });
 }
 
-void StructurePlan::AddContact(const std::string& input, Making make, bool isDecided)
+void StructurePlan::AddContact(const std::string& input, Making make)
 {
   std::vector<std::string> inputs{input};
   if (this->Structure.IsDrilled())
   {
-    inputs.push_back(this->Source == SceneSource::Label ? this->AddSegmentation()
-                                                        : this->AddImage(this->Structure.File));
+    inputs.push_back(this->AddVoxels());
   }
-  this->ContactKey =
-      isDecided ? SceneKey(input, "touch", static_cast<int>(this->Structure.Mode)) : std::string();
-  this->AddNode(SceneStep::Touch, this->ContactKey, std::move(inputs), std::move(make));
-  if (isDecided && this->Structure.Texture > 0.0)
+  std::string key = SceneKey(input, "touch", static_cast<int>(this->Structure.Mode));
+  for (const SceneNumber& number : RepresentationOf(this->Structure).Numbers)
   {
-    this->AddTexture();
+    key = SceneKey(key, this->Structure.Number(number.Key));
   }
+  this->ContactKey = this->AddNode(SceneStep::Touch, key, std::move(inputs), std::move(make));
+  this->AddEffects();
 }
 
-// Of as much of the image as the tool can meet at the structure.
-void StructurePlan::AddTexture()
+void StructurePlan::AddUndecidedContact(const std::string& input)
 {
-  const std::string image = this->AddImage(this->Structure.TextureImage);
+  this->AddNode(SceneStep::Touch, {}, {input}, nullptr);
+}
+
+std::string StructurePlan::AddVoxels()
+{
+  return this->Source == SceneSource::Label ? this->AddSegmentation()
+                                            : this->AddImage(this->Structure.File);
+}
+
+// Those that are made from images.
+void StructurePlan::AddEffects()
+{
+  std::vector<const SceneEffectKind*> kinds;
+  std::vector<std::string> images;
+  std::string key = SceneKey(this->WithTool(this->ContactKey), "effects");
+  for (const SceneEffectKind* kind : EffectsOf(this->Structure))
+  {
+    if (!kind->ImageKey.empty())
+    {
+      kinds.push_back(kind);
+      images.push_back(this->AddImage(this->Structure.Image(kind->ImageKey)));
+      key = SceneKey(key, kind->Name, images.back());
+      for (const SceneNumber& number : kind->Numbers)
+      {
+        key = SceneKey(key, this->Structure.Number(number.Key));
+      }
+    }
+  }
+  if (kinds.empty())
+  {
+    return;
+  }
   std::vector<std::string> inputs{this->ContactKey};
   if (!this->ToolKey.empty())
   {
     inputs.push_back(this->ToolKey);
   }
-  inputs.push_back(image);
-  this->AddNode(
-      SceneStep::Texture,
-      SceneKey(this->WithTool(this->ContactKey), "texture", image, this->Structure.Texture),
-      std::move(inputs),
-      [settings = this->Scene.Tool,
-       amplitude = this->Structure.Texture](const Inputs& made, const ProgressFunction& progress)
-      {
-        const ToolShape tool = MakeTool(ToolWith(made, settings));
-        return std::make_shared<const TouchTexture>(
-            MakeTouchTexture(*ProductAs<Volume>(&made.back()),
-                             ProductAs<TouchContact>(made.data())->Model->BoundsWorld(),
-                             tool.BoundingRadius(), amplitude, progress));
-      });
+  inputs.insert(inputs.end(), images.begin(), images.end());
+  this->AddNode(SceneStep::Effects, key, std::move(inputs),
+                [settings = this->Scene.Tool, structure = this->Structure,
+                 kinds](const Inputs& made, const ProgressFunction& progress)
+                {
+                  const ToolShape tool = MakeTool(ToolWith(made, settings));
+                  const auto contact = ProductAs<TouchContact>(made.data());
+                  auto effects = std::make_shared<ImageEffects>();
+                  for (std::size_t n = 0; n < kinds.size(); ++n)
+                  {
+                    const auto image = ProductAs<Volume>(&made[made.size() - kinds.size() + n]);
+                    effects->Made[kinds[n]->Name] =
+                        kinds[n]->Make({structure, image.get(), contact->Model->BoundsWorld(),
+                                        tool.BoundingRadius()},
+                                       progress);
+                  }
+                  return std::shared_ptr<const ImageEffects>(std::move(effects));
+                });
 }
 
 void StructurePlan::AddCost()
@@ -493,52 +458,6 @@ std::string StructurePlan::WithTool(const std::string& start) const
   const Vector3& axes = tool.SemiAxes;
   return SceneKey(start, static_cast<int>(tool.Kind), tool.Radius, tool.Length, axes.x(), axes.y(),
                   axes.z(), tool.Points, this->ToolKey);
-}
-
-StructurePlan::Making StructurePlan::ContactOfModel() const
-{
-  return
-      [mode = this->Structure.Mode](const Inputs& inputs, const ProgressFunction&) -> SceneProduct
-  {
-    const auto fit = ProductAs<FitResult>(inputs.data());
-    return std::make_shared<const TouchContact>(MakeHarmonicContact(fit->Model, mode, fit->Input));
-  };
-}
-
-StructurePlan::Making StructurePlan::ContactOfSurface() const
-{
-  return [](const Inputs& inputs, const ProgressFunction&) -> SceneProduct
-  {
-    const FitResult& found = ProductAs<FitSurface>(inputs.data())->Found;
-    auto own = vtkSmartPointer<vtkPolyData>::New();
-    own->ShallowCopy(found.Surface);
-    return std::make_shared<const TouchContact>(MakeFacetContact(own, found.Input));
-  };
-}
-
-StructurePlan::Making StructurePlan::ContactOfField() const
-{
-  return
-      [structure = this->Structure](const Inputs& inputs, const ProgressFunction&) -> SceneProduct
-  {
-    const auto field = ProductAs<ScalarField>(inputs.data());
-    TouchContact contact = MakeFieldContact(field, 0, structure.File);
-    if (inputs.size() > 1)
-    {
-      contact.Drilled.Field = field;
-      if (const auto read = ProductAs<Segmentation>(&inputs[1]))
-      {
-        const Segment& segment = SegmentOf(structure, *read);
-        contact.Drilled.Image = read->Layers[static_cast<std::size_t>(segment.Layer)];
-        contact.Drilled.Label = segment.Value;
-      }
-      else
-      {
-        contact.Drilled.Image = ProductAs<Volume>(&inputs[1])->Image;
-      }
-    }
-    return std::make_shared<const TouchContact>(std::move(contact));
-  };
 }
 
 // The closed surface of all of a structure, whatever a fit of it uses.

@@ -12,6 +12,9 @@ namespace palpate
 class StructurePlan
 {
 public:
+  using Inputs = std::vector<SceneProduct>;
+  using Making = decltype(SceneNode::Make);
+
   /// Keeps the addresses. `tool` is the key of the tool's surface, empty where the tool is not from
   /// a file.
   StructurePlan(const SceneSettings& scene, const SceneStructure& structure, std::string tool,
@@ -33,36 +36,50 @@ public:
   /// are not drilled.
   void AddProtection(const std::vector<std::string>& fields);
 
-private:
-  using Inputs = std::vector<SceneProduct>;
-  using Making = decltype(SceneNode::Make);
-
+  /// \name For representations. Each product is planned once; the functions return its key.
+  ///@{
+  const SceneStructure& Settings() const { return this->Structure; }
+  /// Of a label a segmentation, of an iso-value an image.
+  std::string AddVoxels();
+  /// FitSurface: of a label its mask's, of an iso-value or a file its own.
+  std::string AddSurface();
+  /// FitResult: fitted to a label or a surface, or read.
+  std::string AddModel();
+  /// ScalarField of a label or an iso-value.
+  std::string AddField();
+  /// Any other product.
   std::string AddNode(SceneStep step, const std::string& key, std::vector<std::string> inputs,
                       Making make);
+  /// The contact, made from one product; of a drilled structure also from its voxels, the second
+  /// input.
+  void AddContact(const std::string& input, Making make);
+  /// Shows that a contact will follow once `input` is made.
+  void AddUndecidedContact(const std::string& input);
+  /// What was made of a key, or null.
+  const SceneProduct* Find(const std::string& key) const { return this->Lookup(key); }
+  std::size_t NodeCount() const { return this->Nodes.size(); }
+  /// Why the first of the structure's nodes that failed has failed; empty without any.
+  std::string FirstFailure() const;
+  /// Says of its nodes up to `last` that `replacement` is used instead, unless that fails too.
+  void Replace(std::size_t last, const std::string& replacement, const std::string& advice);
+  ///@}
+
+private:
   std::string AddFile(SceneNode node);
   std::string Share(SceneNode node);
   std::string AddSegmentation();
   std::string AddImage(const std::filesystem::path& file);
-  std::string AddSurface();
   std::string AddSamples();
-  std::string AddModel();
-  std::string AddField();
   std::string AddIsoSurface();
   std::string AddProtectedSurface();
 
   void AddRepresentation();
-  void AddAutomatic();
   void AddOnlyDisplayed();
   void AddAppearance();
-  void AddContact(const std::string& input, Making make, bool isDecided = true);
-  void AddTexture();
+  void AddEffects();
   void AddRefusal(const std::string& fact, const std::string& wayOut);
   std::string WithTool(const std::string& start) const;
-  Making ContactOfModel() const;
-  Making ContactOfSurface() const;
-  Making ContactOfField() const;
   std::string ReasonAt(std::size_t node) const;
-  void Advise(std::size_t last, const std::string& advice, const std::string& replacement);
 
   const SceneSettings& Scene;
   const SceneStructure& Structure;

@@ -4,13 +4,19 @@
 #include "FilterRun.h"
 #include "ImageWithin.h"
 #include "Refusal.h"
+#include "SceneSettings.h"
+#include "SurfaceTexture.h"
 
 namespace palpate
 {
-TouchTexture MakeTouchTexture(const Volume& volume, const Eigen::AlignedBox3d& boundsWorld,
-                              double reach, double amplitude, const ProgressFunction& progress)
+namespace
 {
-  const Vector3 margin = Vector3::Constant(reach);
+std::shared_ptr<const ForceEffect> MakeTexture(const SceneEffectSource& source, double amplitude,
+                                               const ProgressFunction& progress)
+{
+  const Volume& volume = *source.Image;
+  const Eigen::AlignedBox3d& boundsWorld = source.BoundsWorld;
+  const Vector3 margin = Vector3::Constant(source.ToolReach);
   const vtkSmartPointer<vtkImageData> image =
       ImageWithin(volume.Image, {boundsWorld.min() - margin, boundsWorld.max() + margin});
   FieldSamples samples;
@@ -43,13 +49,27 @@ TouchTexture MakeTouchTexture(const Volume& volume, const Eigen::AlignedBox3d& b
   {
     throw Cancelled();
   }
-  TouchTexture texture;
+  std::shared_ptr<const SurfaceTexture> texture;
   if (status.IsOk())
   {
-    status = SurfaceTexture::Make(field, channel, boundsWorld, amplitude, texture.Feel);
+    status = SurfaceTexture::Make(field, channel, boundsWorld, amplitude, texture);
   }
   RequireInput(status, volume.Source.string());
-  texture.Bytes = field->Memory().Bytes;
   return texture;
+}
+} // namespace
+
+SceneEffectKind TextureKind()
+{
+  constexpr double Largest = 10.0; // N
+  SceneEffectKind kind;
+  kind.Name = "texture";
+  kind.Numbers = {{"texture_n", "Texture, N", Largest, 3}};
+  kind.ImageKey = "texture_image";
+  kind.ImageLabel = "Texture image";
+  kind.Make = [key = kind.Numbers.front().Key](const SceneEffectSource& source,
+                                               const ProgressFunction& progress)
+  { return MakeTexture(source, source.Structure.Number(key), progress); };
+  return kind;
 }
 } // namespace palpate

@@ -1,8 +1,7 @@
 #include "QualityMeasurement.h"
 
+#include "StructureTrade.h"
 #include "TradeAdvice.h"
-#include "TradeBench.h"
-#include "TradeModels.h"
 
 #include <algorithm>
 
@@ -18,38 +17,32 @@ bool IsMeasured(const TradeRow& row)
 {
   return row.IsFelt() && row.TickRare > 0.0 && row.SurfaceMean >= 0.0;
 }
-
 } // namespace
 
-QualityMeasurement MeasureQuality(const TradeSource& source, const TouchToolSettings& tool,
+QualityMeasurement MeasureQuality(const SceneSettings& scene, const SceneStructure& structure,
                                   const Clock& clock, const ProgressFunction& progress)
 {
-  TradeBench::Settings settings;
-  settings.Tool = tool;
+  StructureTrade::Settings settings;
   settings.Path.Seconds = PathSeconds;
   settings.Runs = Runs;
-  TradeBench bench(source, settings, clock);
-  int highest = 0;
-  for (const TradeCandidate& candidate : bench.Candidates(progress))
-  {
-    const bool isHarmonics = candidate.Setting.Representation == TouchRepresentation::Harmonics;
-    highest = isHarmonics ? std::max(highest, candidate.Setting.Degree) : highest;
-  }
-  std::vector<TradeCandidate> presets;
+  StructureTrade trade(scene, structure, SceneRun(true), settings, clock);
+  const int highest = trade.HighestDegree(progress);
+  std::vector<ContactSetting> presets;
   for (int preset = 0; preset < QualityPresetCount; ++preset)
   {
-    TradeSetting setting = SettingOfPreset(preset, tool);
-    setting.Degree = highest > 0 ? std::min(setting.Degree, highest) : setting.Degree;
-    presets.push_back({setting, TradeKnob::Representation});
+    // Each by its own representation, so that a refusal is a row.
+    SceneStructure one = WithPreset(structure, preset);
+    const bool isField = one.Representation == TouchRepresentation::SubVoxel;
+    one.Representation = isField ? one.Representation : TouchRepresentation::Harmonics;
+    one.Degree = highest > 0 ? std::min(one.Degree, highest) : one.Degree;
+    presets.push_back({one, scene.Tool.Points});
   }
-  QualityMeasurement measured;
-  measured.Presets = MeasureTrade(bench, presets, progress);
-  return measured;
+  return {trade.MeasureAll(presets, progress)};
 }
 
 int RecommendedPreset(const QualityMeasurement& measured, double rate)
 {
-  const TradeAdvice advice = AdviseOn(measured.Presets, std::nullopt, rate);
+  const TradeAdvice advice = AdviseOn(measured.Presets, rate);
   return advice.Row ? static_cast<int>(*advice.Row) : -1;
 }
 

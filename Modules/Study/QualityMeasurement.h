@@ -5,7 +5,6 @@
 #include "Progress.h"
 #include "QualityPreset.h"
 #include "TradeRow.h"
-#include "TradeSource.h"
 
 #include <optional>
 #include <string>
@@ -19,10 +18,10 @@ struct QualityMeasurement
   std::vector<TradeRow> Presets; ///< in their order; degrees as far as the structure supports them
 };
 
-/// Short strokes over a structure of a mask by each preset, timed on `clock`. Throws InputError
-/// where the tool cannot touch it at all, FilterError and Cancelled.
-PALPATESTUDY_EXPORT QualityMeasurement MeasureQuality(const TradeSource& source,
-                                                      const TouchToolSettings& tool,
+/// Measures every preset at a label of a scene with short strokes, timed on `clock`. Throws
+/// InputError if the tool cannot touch it at all, FilterError and Cancelled.
+PALPATESTUDY_EXPORT QualityMeasurement MeasureQuality(const SceneSettings& scene,
+                                                      const SceneStructure& structure,
                                                       const Clock& clock,
                                                       const ProgressFunction& progress);
 

@@ -24,28 +24,16 @@ const char* NameOfPreset(int preset)
   return Names.at(static_cast<std::size_t>(preset));
 }
 
-TradeSetting SettingOfPreset(int preset, const TouchToolSettings& tool)
-{
-  TradeSetting setting;
-  setting.ToolPoints = tool.Points;
-  const bool isField = preset >= FirstField;
-  setting.Representation = isField ? TouchRepresentation::SubVoxel : TouchRepresentation::Harmonics;
-  setting.Degree = isField ? setting.Degree : Degrees.at(static_cast<std::size_t>(preset));
-  setting.Interpolation =
-      preset == Cubic ? FieldInterpolation::TricubicBSpline : FieldInterpolation::Trilinear;
-  return setting;
-}
-
 SceneStructure WithPreset(SceneStructure structure, int preset)
 {
   if (structure.Source() == SceneSource::Label)
   {
-    const TradeSetting setting = SettingOfPreset(preset, {});
     const bool isField = preset >= FirstField;
     structure.Representation =
         isField ? TouchRepresentation::SubVoxel : TouchRepresentation::ModelOrField;
-    structure.Degree = isField ? structure.Degree : setting.Degree;
-    structure.Interpolation = setting.Interpolation;
+    structure.Degree = isField ? structure.Degree : Degrees.at(static_cast<std::size_t>(preset));
+    structure.Interpolation =
+        preset == Cubic ? FieldInterpolation::TricubicBSpline : FieldInterpolation::Trilinear;
   }
   return structure;
 }

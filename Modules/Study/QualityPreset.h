@@ -2,7 +2,6 @@
 
 #include "PalpateStudyModule.h"
 #include "SceneSettings.h"
-#include "TradeSetting.h"
 
 namespace palpate
 {
@@ -12,9 +11,6 @@ constexpr int QualityPresetCount = 6;
 
 /// "Harmonics of degree 4", ..., "Sub-voxel, linear", "Sub-voxel, cubic".
 PALPATESTUDY_EXPORT const char* NameOfPreset(int preset);
-
-/// What a preset stands for, before it is known which degree a structure supports.
-PALPATESTUDY_EXPORT TradeSetting SettingOfPreset(int preset, const TouchToolSettings& tool);
 
 /// The structure with the settings of a preset: harmonics give way to the field where they are
 /// refused. Structures that are not labels keep theirs.

@@ -50,16 +50,17 @@ std::optional<double> Largest(const std::vector<QualityLine>& lines,
 
 std::string QualityText(const SceneStructure& structure)
 {
-  switch (structure.Representation)
+  if (structure.Representation == TouchRepresentation::ModelOrField ||
+      structure.Representation == TouchRepresentation::Harmonics)
   {
-  case TouchRepresentation::Facets:
-    return "facets";
-  case TouchRepresentation::SubVoxel:
-    return structure.Interpolation == FieldInterpolation::Trilinear ? "sub-voxel, linear"
-                                                                    : "sub-voxel, cubic";
-  default:
     return "harmonics of degree " + std::to_string(structure.Degree);
   }
+  if (structure.Representation == TouchRepresentation::SubVoxel)
+  {
+    return structure.Interpolation == FieldInterpolation::Trilinear ? "sub-voxel, linear"
+                                                                    : "sub-voxel, cubic";
+  }
+  return RepresentationOf(structure).Label;
 }
 
 QualityLine MakeQualityLine(const SceneStructure& structure, const QualityMeasurement* measured)

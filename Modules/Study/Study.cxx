@@ -145,7 +145,10 @@ void Study::OpenScene(const std::filesystem::path& file)
   for (SceneStructure& structure : next.Structures)
   {
     structure.File = StudyPath(structure.File);
-    structure.TextureImage = StudyPath(structure.TextureImage);
+    for (auto& [key, image] : structure.Images)
+    {
+      image = StudyPath(image);
+    }
     if (structure.Source() == SceneSource::Label && next.SegmentationFile.empty())
     {
       next.SegmentationFile = structure.File;
@@ -444,19 +447,12 @@ void Study::MeasureQuality()
     const int id = structure.Id;
     const std::string key = QualityKey(this->State(), structure);
     StudyJob job;
-    job.Work = [this, id, key, structure, tool = this->WithTool().Tool,
-                leftHanded = this->State().LeftHanded](const ProgressFunction& progress)
+    job.Work = [this, id, key, structure,
+                scene = SceneSettings(this->WithTool())](const ProgressFunction& progress)
     {
-      const auto voxels =
-          std::make_shared<const Segmentation>(ReadSegmentation(structure.File, leftHanded));
-      TradeSource source;
-      source.Name = TitleOf(structure);
-      source.File = structure.File;
-      source.Is = TradeSource::Mask{voxels, SegmentOf(structure, *voxels)};
-      source.Smoothing = structure.Smoothing;
       const SteadyClock clock;
       auto measured = std::make_shared<const QualityMeasurement>(
-          palpate::MeasureQuality(source, tool, clock, progress));
+          palpate::MeasureQuality(scene, structure, clock, progress));
       return StudyJob::Delivery(
           [this, id, key, measured = std::move(measured)]
           {

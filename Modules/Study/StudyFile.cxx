@@ -45,7 +45,10 @@ std::vector<StudyMissingFile> MissingFiles(const StudyState& state)
   for (const SceneStructure& structure : state.Structures)
   {
     named.push_back({"structure", structure.File});
-    named.push_back({"texture", structure.TextureImage});
+    for (const auto& [key, image] : structure.Images)
+    {
+      named.push_back({key, image});
+    }
   }
   std::vector<StudyMissingFile> missing;
   std::set<std::filesystem::path> known;
@@ -69,7 +72,10 @@ StudyState Relocate(const StudyState& state, const std::filesystem::path& missin
   for (SceneStructure& structure : relocated.Structures)
   {
     files.push_back(&structure.File);
-    files.push_back(&structure.TextureImage);
+    for (auto& [key, image] : structure.Images)
+    {
+      files.push_back(&image);
+    }
   }
   for (std::filesystem::path* file : files)
   {

@@ -14,7 +14,10 @@ SceneStamps StampFiles(const StudyState& state)
   for (const SceneStructure& structure : state.Structures)
   {
     files.push_back(structure.File);
-    files.push_back(structure.TextureImage);
+    for (const auto& [key, image] : structure.Images)
+    {
+      files.push_back(image);
+    }
   }
   SceneStamps stamps;
   for (const std::filesystem::path& file : files)

@@ -20,12 +20,12 @@ bool StudyTouch::IsSame(const Feelable& a, const Feelable& b)
   const auto isSameLaw = [](const DrillLaw& one, const DrillLaw& other)
   { return one.Wear == other.Wear && one.Drag == other.Drag && one.Vibration == other.Vibration; };
   const auto isSameContact = [](const SceneContact& one, const SceneContact& other)
-  { return one.Id == other.Id && one.Contact == other.Contact && one.Texture == other.Texture; };
+  { return one.Id == other.Id && one.Contact == other.Contact && one.Effects == other.Effects; };
   const auto isFeltAlike = [](const SceneStructure& one, const SceneStructure& other)
   {
     return one.Stiffness == other.Stiffness && one.Damping == other.Damping &&
            one.Friction.Static == other.Friction.Static &&
-           one.Friction.Dynamic == other.Friction.Dynamic && one.Viscosity == other.Viscosity;
+           one.Friction.Dynamic == other.Friction.Dynamic && one.Numbers == other.Numbers;
   };
   return a.Tool == b.Tool && a.Frame == b.Frame && a.DrillRevision == b.DrillRevision &&
          std::equal(a.Contacts.begin(), a.Contacts.end(), b.Contacts.begin(), b.Contacts.end(),

@@ -1,14 +1,11 @@
 #include "TradeMeasure.h"
 
-#include "ClosestPointSearch.h"
 #include "FilterRun.h"
-#include "ModelSurface.h"
 #include "Refusal.h"
 #include "SceneTool.h"
 #include "Servo.h"
 #include "StructureFollower.h"
 #include "TradeErrors.h"
-#include "TriangleMesh.h"
 
 #include <algorithm>
 #include <limits>
@@ -138,29 +135,5 @@ void MeasureTouch(const ContactModel& model, const TradeTouch& touch, const Trad
   rehearsal.Run(progress);
   rehearsal.Fill(row);
   row.Bytes = static_cast<double>(model.Bytes() + rehearsal.Bytes());
-}
-
-void MeasureDrawing(const SphericalHarmonicModel& model, int frequency, const Clock& clock,
-                    TradeRow& row)
-{
-  const std::int64_t began = clock.Now();
-  const vtkSmartPointer<vtkPolyData> drawn = DrawModel(model, frequency);
-  row.BuildSeconds = SecondsPerNanosecond * static_cast<double>(clock.Now() - began);
-  constexpr double Kibi = 1024.0;
-  row.Bytes = Kibi * static_cast<double>(drawn->GetActualMemorySize());
-  const TriangleMesh mesh = TrianglesOf(drawn, {});
-  const ClosestPointSearch search(std::make_shared<const SphericalHarmonicModel>(model));
-  std::vector<double> gaps;
-  for (const auto& [a, b, c] : mesh.Triangles)
-  {
-    const auto corner = [&mesh](int number)
-    { return mesh.PointsWorld[static_cast<std::size_t>(number)]; };
-    // The middle is farthest from a surface that curves the same way all round.
-    const Vector3 middle = (corner(a) + corner(b) + corner(c)) / 3.0;
-    gaps.push_back(std::abs(search.Nearest(middle).SignedDistance));
-  }
-  row.Triangles = static_cast<double>(mesh.Triangles.size());
-  row.DrawMean = MeanOf(gaps);
-  row.DrawMost = QuantileOf(gaps, 1.0);
 }
 } // namespace palpate

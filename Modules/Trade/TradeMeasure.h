@@ -22,8 +22,4 @@ struct TradeTouch
 PALPATETRADE_EXPORT void MeasureTouch(const ContactModel& model, const TradeTouch& touch,
                                       const TradePath& path, const Clock& clock, TradeRow& row,
                                       const ProgressFunction& progress);
-
-/// Draws the model over the icosahedron and fills in what `row` says of drawing.
-PALPATETRADE_EXPORT void MeasureDrawing(const SphericalHarmonicModel& model, int frequency,
-                                        const Clock& clock, TradeRow& row);
 } // namespace palpate

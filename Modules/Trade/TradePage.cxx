@@ -43,7 +43,7 @@ std::string CapitalOf(std::string sentence)
   return sentence;
 }
 
-std::string StyleOf(TouchRepresentation representation)
+std::string StyleOf(const std::string& representation)
 {
   return representation == TouchRepresentation::Harmonics ? "first"
          : representation == TouchRepresentation::Facets  ? "second"
@@ -109,11 +109,12 @@ std::string PlotFigure(const std::vector<const TradeRow*>& rows, const Plot& plo
     const bool isOnFront = std::find(front.begin(), front.end(), r) != front.end();
     const auto& [time, error] = places[r];
     const std::string number = std::to_string(r + 1);
-    dots.push_back({time, error,
-                    StyleOf(rows[r]->Setting.Representation) + (isOnFront ? "" : " faint"),
-                    number + ": " + Describe(rows[r]->Setting) + ", " + NumberText(time) +
-                        " \xC2\xB5s, " + NumberText(error),
-                    isOnFront ? number : std::string()});
+    dots.push_back(
+        {time, error,
+         StyleOf(rows[r]->Setting.Structure.Representation) + (isOnFront ? "" : " faint"),
+         number + ": " + Describe(rows[r]->Setting) + ", " + NumberText(time) + " \xC2\xB5s, " +
+             NumberText(error),
+         isOnFront ? number : std::string()});
   }
   std::transform(front.begin(), front.end(), std::back_inserter(line),
                  [&places](std::size_t r) { return places[r]; });
@@ -178,29 +179,6 @@ std::string FeltTable(const std::vector<const TradeRow*>& rows, const TradeRow* 
   return html + "</tbody></table></div>\n";
 }
 
-std::string DrawnTable(const TradeStructureResult& structure)
-{
-  std::string rows;
-  for (const TradeRow& row : structure.Rows)
-  {
-    if (row.State == TradeRow::Outcome::Measured && !row.IsFelt())
-    {
-      rows += "<tr><td class=\"text\">" + EscapeHtml(Describe(row.Setting)) + "</td>";
-      for (const double number :
-           {row.Triangles, row.DrawMean, row.DrawMost, row.BuildSeconds, row.Bytes / Mega})
-      {
-        rows += Cell(NumberText(number));
-      }
-      rows += "</tr>\n";
-    }
-  }
-  return rows.empty() ? rows
-                      : "<h3>Drawn</h3>\n" +
-                            Head({"Setting", "Triangles", "From the model, mm: mean", "Most",
-                                  "Made in, s", "Memory, MB"}) +
-                            rows + "</tbody></table></div>\n";
-}
-
 std::string Refusals(const TradeStructureResult& structure)
 {
   std::string items;
@@ -228,17 +206,17 @@ std::string StructureSection(const TradeStructureResult& structure)
                            "\"><p>" + EscapeHtml(CapitalOf(advice.Sentence)) +
                            ".</p></div>\n<p class=\"soft\">Taken for true: " + EscapeHtml(truth) +
                            ".</p>\n" + Legend() + "<div class=\"charts\">\n" + plots + "</div>\n" +
-                           FeltTable(rows, chosen) + DrawnTable(structure) + Refusals(structure));
+                           FeltTable(rows, chosen) + Refusals(structure));
 }
 
 std::string HowItWasMeasured(const TradeResult& result)
 {
-  const TradePathSettings& path = result.Settings.Path;
+  const TradePathSettings& path = result.Settings.Measurement.Path;
   return "<p>Strokes of " + NumberText(path.Seconds) + " s together at 1 kHz (seed " +
          std::to_string(path.Seed) + "), up to " + NumberText(path.MostDepth) +
          " mm deep, from all sides, made by what is taken for true; the same for every setting. A "
          "tick\xE2\x80\x99s time is the least of " +
-         std::to_string(result.Settings.Runs) +
+         std::to_string(result.Settings.Measurement.Runs) +
          " runs; the rate is what 99.9 % of ticks leave time for. Errors are those of the shape "
          "alone, without friction and damping. A just noticeable difference (JND) of force is 7 % "
          "of it, and below 0.5 N what it is there, since hands tell small forces worse; that of "

@@ -44,8 +44,8 @@ private:
 class CertifiedReference final : public TradeReference
 {
 public:
-  CertifiedReference(std::string words, const TradeSource::Model& model, double toolRadius,
-                     const Eigen::AlignedBox3d& boundsWorld)
+  CertifiedReference(std::string words, const std::shared_ptr<const SphericalHarmonicModel>& model,
+                     double toolRadius, const Eigen::AlignedBox3d& boundsWorld)
       : TradeReference(std::move(words)), Search(model), ToolRadius(toolRadius), Box(boundsWorld)
   {
   }
@@ -66,68 +66,39 @@ private:
   double ToolRadius;
   Eigen::AlignedBox3d Box;
 };
+} // namespace
 
-std::unique_ptr<TradeReference> OfField(TradeModels& models, TouchToolSettings tool,
-                                        const ProgressFunction& progress)
+std::unique_ptr<TradeReference> FieldReference(const TouchContact& field, const std::string& what,
+                                               TouchToolSettings tool)
 {
-  // A ball of 2 mm is then nowhere more than 0.01 mm lower than its points.
+  // A sphere of 2 mm is then nowhere more than 0.01 mm lower than its points.
   constexpr int Points = 400;
-  const bool isMask = std::holds_alternative<TradeSource::Mask>(models.Source().Is);
-  TradeSetting finest;
-  finest.Representation = TouchRepresentation::SubVoxel;
-  finest.Interpolation = FieldInterpolation::TricubicBSpline;
   const bool isPoint = tool.Kind == TouchToolSettings::Shape::Sphere && tool.Radius == 0.0;
   tool.Points = isPoint ? tool.Points : Points;
   return std::make_unique<TrackedReference>(
-      std::string("the tricubic field of ") +
-          (isMask ? "the mask's smooth signed distance" : "the image's values") +
-          ", touched by as many points of the tool as make it smooth",
-      models.Make(finest, progress).Contact, MakeTool(tool));
+      "the tricubic field of " + what + ", touched by as many points of the tool as make it smooth",
+      field, MakeTool(tool));
 }
 
-std::unique_ptr<TradeReference> OfModel(TradeModels& models, const TradeSource::Model& model,
-                                        const TouchToolSettings& tool,
-                                        const ProgressFunction& progress)
+std::unique_ptr<TradeReference>
+ModelReference(const std::shared_ptr<const SphericalHarmonicModel>& model,
+               const TouchToolSettings& tool)
 {
   if (tool.Kind != TouchToolSettings::Shape::Sphere)
   {
-    throw InputError(models.Source().Name + " is a model, which only a sphere can touch; choose a "
-                                            "spherical tool");
+    throw InputError("only a sphere can touch a model; choose a spherical tool");
   }
-  TradeSetting whole;
-  whole.Representation = TouchRepresentation::Harmonics;
-  whole.Degree = model->Degree();
-  const TouchContact contact = models.Make(whole, progress).Contact;
+  const TouchContact contact = MakeHarmonicContact(*model, HarmonicContactMode::Nearest, {});
   return std::make_unique<CertifiedReference>(
       "the model itself, of degree " + std::to_string(model->Degree()) +
           ", by the certified search over its whole surface",
       model, tool.Radius, contact.Model->BoundsWorld());
 }
 
-std::unique_ptr<TradeReference> OfSurface(TradeModels& models, const TouchToolSettings& tool,
-                                          const ProgressFunction& progress)
+std::unique_ptr<TradeReference> FacetReference(const TouchContact& facets,
+                                               const TouchToolSettings& tool)
 {
-  TradeSetting whole;
-  whole.Representation = TouchRepresentation::Facets;
   return std::make_unique<TrackedReference>(
-      "the surface's own " + std::to_string(models.FacetCount(progress)) + " triangles",
-      models.Make(whole, progress).Contact, MakeTool(tool));
-}
-} // namespace
-
-std::unique_ptr<TradeReference> TradeReference::Make(TradeModels& models,
-                                                     const TouchToolSettings& tool,
-                                                     const ProgressFunction& progress)
-{
-  const auto& is = models.Source().Is;
-  if (const auto* model = std::get_if<TradeSource::Model>(&is))
-  {
-    return OfModel(models, *model, tool, progress);
-  }
-  if (std::holds_alternative<TradeSource::Surface>(is))
-  {
-    return OfSurface(models, tool, progress);
-  }
-  return OfField(models, tool, progress);
+      "the surface's own triangles (" + facets.Represented + ")", facets, MakeTool(tool));
 }
 } // namespace palpate

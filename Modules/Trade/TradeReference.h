@@ -1,7 +1,10 @@
 #pragma once
 
 #include "PalpateTradeModule.h"
-#include "TradeModels.h"
+#include "Progress.h"
+#include "SphericalHarmonicModel.h"
+#include "TouchContact.h"
+#include "TouchToolSettings.h"
 
 #include <memory>
 #include <string>
@@ -18,12 +21,8 @@ struct TradeTruth
   bool IsKnown = false;
 };
 
-/// The finest affordable truth of a structure for one tool, which all settings are compared with.
-/// What is true depends on what the structure is known by, and every result says it (Says):
-/// - a mask or an image: the tricubic field of it, felt by so many points of the tool that it is a
-///   smooth body;
-/// - a model: itself, by the certified search over its whole surface;
-/// - a surface: its triangles.
+/// The most accurate affordable position of a tool that touches a structure; all settings are
+/// compared with it.
 class PALPATETRADE_EXPORT TradeReference
 {
 public:
@@ -31,16 +30,12 @@ public:
   TradeReference(const TradeReference&) = delete;
   TradeReference& operator=(const TradeReference&) = delete;
 
-  /// Throws InputError where the tool cannot touch the structure, FilterError and Cancelled.
-  static std::unique_ptr<TradeReference> Make(TradeModels& models, const TouchToolSettings& tool,
-                                              const ProgressFunction& progress);
-
-  /// Begins a new way, outside the structure.
+  /// Begins a new path, outside the structure.
   virtual void Begin(const Vector3& probeWorld) = 0;
-  /// The next place on that way.
+  /// The next position on that path.
   virtual TradeTruth At(const Vector3& probeWorld) = 0;
   virtual Eigen::AlignedBox3d BoundsWorld() const = 0;
-  /// What is taken for true, in words.
+  /// What the errors are measured against, in words.
   const std::string& Says() const { return this->Words; }
 
 protected:
@@ -49,4 +44,16 @@ protected:
 private:
   std::string Words;
 };
+
+/// A tricubic field, touched by as many points of the tool as make it smooth. `what`: that it was
+/// made of. Throws InputError if the tool cannot touch it, as do the others.
+PALPATETRADE_EXPORT std::unique_ptr<TradeReference>
+FieldReference(const TouchContact& field, const std::string& what, TouchToolSettings tool);
+/// The model itself, by the certified search over its whole surface.
+PALPATETRADE_EXPORT std::unique_ptr<TradeReference>
+ModelReference(const std::shared_ptr<const SphericalHarmonicModel>& model,
+               const TouchToolSettings& tool);
+/// The triangles of a surface.
+PALPATETRADE_EXPORT std::unique_ptr<TradeReference> FacetReference(const TouchContact& facets,
+                                                                   const TouchToolSettings& tool);
 } // namespace palpate

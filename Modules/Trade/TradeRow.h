@@ -37,13 +37,11 @@ struct TradeRow
   };
 
   std::string Structure;
-  TradeSetting Setting;
-  TradeKnob Knob = TradeKnob::Representation;
+  ContactSetting Setting;
   Outcome State = Outcome::Measured;
   std::string Message;
   std::string Represented; ///< in words, as it came to be made
   std::string Truth;       ///< what it was compared with
-  std::string Key;         ///< of all that it follows from; see TradeKey
 
   // A tick, in ns: the least of several runs, less the clock's own.
   double TickMean = NAN;
@@ -82,14 +80,6 @@ struct TradeRow
   double BuildSeconds = NAN;
   double Bytes = NAN; ///< of the model, and of what follows it
 
-  // Of a setting that is drawn, not felt: from triangle to model, mm.
-  double DrawMean = NAN;
-  double DrawMost = NAN;
-  double Triangles = NAN;
-
-  bool IsFelt() const
-  {
-    return this->State == Outcome::Measured && this->Setting.DrawnFrequency == 0;
-  }
+  bool IsFelt() const { return this->State == Outcome::Measured; }
 };
 } // namespace palpate

@@ -1,70 +1,44 @@
 #include "TradeSetting.h"
 
-#include <tuple>
-
 namespace palpate
 {
-namespace
+std::string Describe(const ContactSetting& setting)
 {
-std::string HarmonicsText(const TradeSetting& setting)
+  return RepresentationOf(setting.Structure).Describe(setting);
+}
+
+std::string KeyOf(const ContactSetting& setting)
 {
-  const std::string text = "harmonics of degree " + std::to_string(setting.Degree);
-  if (setting.DrawnFrequency > 0)
+  return RepresentationOf(setting.Structure).KeyOf(setting);
+}
+
+ContactSetting SettingOf(const SceneSettings& scene, const std::string& representation)
+{
+  ContactSetting setting{scene.Structures.front(), scene.Tool.Points};
+  setting.Structure.Representation = representation;
+  return setting;
+}
+
+SceneSettings WithSetting(SceneSettings scene, const ContactSetting& setting)
+{
+  scene.Structures.front() = setting.Structure;
+  scene.Tool.Points = setting.ToolPoints;
+  return scene;
+}
+
+std::vector<ContactSetting> CandidatesFor(const SceneSettings& scene, int highestDegree)
+{
+  const SceneSource source = scene.Structures.front().Source();
+  std::vector<ContactSetting> candidates;
+  for (const SceneRepresentation& representation : SceneRepresentations())
   {
-    const int triangles = 20 * setting.DrawnFrequency * setting.DrawnFrequency;
-    return text + ", drawn by " + std::to_string(triangles) + " triangles";
+    if (representation.Vary && representation.Takes(source))
+    {
+      const std::vector<ContactSetting> varied =
+          representation.Vary(SettingOf(scene, representation.Name), scene.Tool, highestDegree);
+      candidates.insert(candidates.end(), varied.begin(), varied.end());
+    }
   }
-  return text + (setting.Mode == HarmonicContactMode::Nearest ? ", nearest point" : ", radial");
-}
-
-std::string FieldText(const TradeSetting& setting)
-{
-  const bool isLinear = setting.Interpolation == FieldInterpolation::Trilinear;
-  return std::string("sub-voxel, ") + (isLinear ? "trilinear, " : "tricubic, ") +
-         (setting.ToolPoints > 0 ? std::to_string(setting.ToolPoints) : "enough") + " tool points";
-}
-} // namespace
-
-bool operator==(const TradeSetting& a, const TradeSetting& b)
-{
-  const auto fields = [](const TradeSetting& s)
-  {
-    return std::tie(s.Representation, s.Degree, s.Mode, s.Facets, s.Interpolation, s.ToolPoints,
-                    s.DrawnFrequency);
-  };
-  return fields(a) == fields(b);
-}
-
-std::string Describe(const TradeSetting& setting)
-{
-  switch (setting.Representation)
-  {
-  case TouchRepresentation::Harmonics:
-    return HarmonicsText(setting);
-  case TouchRepresentation::Facets:
-    return setting.Facets > 0 ? "about " + std::to_string(setting.Facets) + " facets"
-                              : "all facets of the surface";
-  default:
-    return FieldText(setting);
-  }
-}
-
-std::string KeyOf(const TradeSetting& setting)
-{
-  switch (setting.Representation)
-  {
-  case TouchRepresentation::Harmonics:
-    return "harmonics/" + std::to_string(setting.Degree) +
-           (setting.DrawnFrequency > 0
-                ? "/drawn/" + std::to_string(setting.DrawnFrequency)
-                : std::string(setting.Mode == HarmonicContactMode::Nearest ? "/nearest"
-                                                                           : "/radial"));
-  case TouchRepresentation::Facets:
-    return "facets/" + (setting.Facets > 0 ? std::to_string(setting.Facets) : "all");
-  default:
-    return std::string("sub-voxel/") +
-           (setting.Interpolation == FieldInterpolation::Trilinear ? "linear/" : "cubic/") +
-           std::to_string(setting.ToolPoints);
-  }
+  return candidates;
 }
 } // namespace palpate

@@ -1,49 +1,29 @@
 #pragma once
 
 #include "PalpateTradeModule.h"
-#include "SceneSettings.h"
+#include "SceneRepresentation.h"
 
-#include <array>
 #include <string>
+#include <vector>
 
 namespace palpate
 {
-/// One value of every knob by which a structure is felt, or drawn. Knobs that a representation does
-/// not have stay at their defaults.
-struct TradeSetting
-{
-  TouchRepresentation Representation = TouchRepresentation::SubVoxel; ///< never Automatic
-  int Degree = 12;                                                    ///< of harmonics
-  HarmonicContactMode Mode = HarmonicContactMode::Nearest;            ///< of harmonics
-  int Facets = 0; ///< about so many; 0: as many as the surface has
-  FieldInterpolation Interpolation = FieldInterpolation::Trilinear; ///< of a field
-  /// Of the tool's shell at a field; 0: as voxels and radius ask for.
-  int ToolPoints = 26;
-  /// Of the icosahedron that harmonics are drawn over; 0: the setting is felt, and not drawn.
-  int DrawnFrequency = 0;
-};
-
-PALPATETRADE_EXPORT bool operator==(const TradeSetting& a, const TradeSetting& b);
-
 /// "harmonics of degree 12, nearest point".
-PALPATETRADE_EXPORT std::string Describe(const TradeSetting& setting);
+PALPATETRADE_EXPORT std::string Describe(const ContactSetting& setting);
 
-/// The same as short text that stays the same from version to version: "harmonics/12/nearest".
-PALPATETRADE_EXPORT std::string KeyOf(const TradeSetting& setting);
+/// Short text that does not change from version to version: "harmonics/12/nearest".
+PALPATETRADE_EXPORT std::string KeyOf(const ContactSetting& setting);
 
-/// What a measured setting differs in from its representation's default.
-enum class TradeKnob
-{
-  Representation, ///< in nothing: it is the default
-  Degree,
-  Mode,
-  Facets,
-  Interpolation,
-  ToolPoints,
-  Drawing
-};
+/// The first structure of the scene as it is, by another representation.
+PALPATETRADE_EXPORT ContactSetting SettingOf(const SceneSettings& scene,
+                                             const std::string& representation);
 
-/// The words of files and options for a TradeKnob, in the order of its enumerators.
-inline constexpr std::array<const char*, 7> TradeKnobWords{
-    {"representation", "degree", "mode", "facets", "interpolation", "tool-points", "drawing"}};
+/// The scene with the setting in its first structure and its tool.
+PALPATETRADE_EXPORT SceneSettings WithSetting(SceneSettings scene, const ContactSetting& setting);
+
+/// The settings to compare for the scene's first structure: for each representation that takes its
+/// source the settings of the scene, then variations of one of them at a time. `highestDegree`:
+/// that its voxels support.
+PALPATETRADE_EXPORT std::vector<ContactSetting> CandidatesFor(const SceneSettings& scene,
+                                                              int highestDegree);
 } // namespace palpate

@@ -1,8 +1,10 @@
 #include "TradeText.h"
 
+#include "CsvText.h"
+#include "DecimalText.h"
 #include "JsonSchema.h"
-#include "SceneWords.h"
 
+#include <array>
 #include <cmath>
 #include <map>
 #include <nlohmann/json.hpp>
@@ -12,6 +14,40 @@ namespace palpate
 namespace
 {
 using JsonObject = nlohmann::ordered_json;
+
+// A number of a row, and its name in files, which ends with the unit.
+struct TradeColumn
+{
+  const char* Name;
+  double TradeRow::*Number;
+};
+
+constexpr std::array<TradeColumn, 25> TradeColumns{
+    {{"tick_mean_ns", &TradeRow::TickMean},
+     {"tick_median_ns", &TradeRow::TickMedian},
+     {"tick_p999_ns", &TradeRow::TickRare},
+     {"tick_longest_ns", &TradeRow::TickLongest},
+     {"rate_hz", &TradeRow::Rate},
+     {"position_mean_mm", &TradeRow::PositionMean},
+     {"position_p99_mm", &TradeRow::PositionRare},
+     {"position_most_mm", &TradeRow::PositionMost},
+     {"surface_mean_mm", &TradeRow::SurfaceMean},
+     {"surface_most_mm", &TradeRow::SurfaceMost},
+     {"force_mean_n", &TradeRow::ForceMean},
+     {"force_p99_n", &TradeRow::ForceRare},
+     {"force_most_n", &TradeRow::ForceMost},
+     {"noticeable_mean_jnd", &TradeRow::NoticeableMean},
+     {"noticeable_p99_jnd", &TradeRow::NoticeableRare},
+     {"direction_mean_degrees", &TradeRow::DirectionMean},
+     {"direction_p99_degrees", &TradeRow::DirectionRare},
+     {"direction_most_degrees", &TradeRow::DirectionMost},
+     {"jump_mean_n", &TradeRow::JumpMean},
+     {"jump_most_n", &TradeRow::JumpMost},
+     {"ideal_jump_mean_n", &TradeRow::IdealJumpMean},
+     {"ideal_jump_most_n", &TradeRow::IdealJumpMost},
+     {"seizures", &TradeRow::Seizures},
+     {"build_seconds", &TradeRow::BuildSeconds},
+     {"bytes", &TradeRow::Bytes}}};
 
 JsonObject NumberOf(double number)
 {
@@ -23,9 +59,7 @@ JsonObject AsJson(const TradeRow& row)
   const bool isMeasured = row.State == TradeRow::Outcome::Measured;
   JsonObject json{{"setting", Describe(row.Setting)},
                   {"key", KeyOf(row.Setting)},
-                  {"representation",
-                   *(RepresentationWords.begin() + static_cast<int>(row.Setting.Representation))},
-                  {"knob", TradeKnobWords.at(static_cast<std::size_t>(row.Knob))},
+                  {"representation", row.Setting.Structure.Representation},
                   {"outcome", isMeasured ? "measured" : "refused"}};
   if (!isMeasured)
   {
@@ -33,7 +67,7 @@ JsonObject AsJson(const TradeRow& row)
     return json;
   }
   json["represented"] = row.Represented;
-  for (const TradeColumn& column : TradeColumns())
+  for (const TradeColumn& column : TradeColumns)
   {
     json[column.Name] = NumberOf(row.*column.Number);
   }
@@ -94,11 +128,39 @@ std::string TradeJson(const TradeResult& result)
                         {"servo_rate_hz", settings.Scene.Rate},
                         {"tool_radius_mm", settings.Scene.Tool.Radius},
                         {"path",
-                         {{"seed", settings.Path.Seed},
-                          {"seconds", settings.Path.Seconds},
-                          {"most_depth_mm", settings.Path.MostDepth},
-                          {"runs", settings.Runs}}},
+                         {{"seed", settings.Measurement.Path.Seed},
+                          {"seconds", settings.Measurement.Path.Seconds},
+                          {"most_depth_mm", settings.Measurement.Path.MostDepth},
+                          {"runs", settings.Measurement.Runs}}},
                         {"structures", structures}};
   return json.dump(2, ' ', false, JsonObject::error_handler_t::replace) + "\n";
+}
+
+std::string TradeCsv(const TradeResult& result)
+{
+  std::vector<std::string> fields{"structure",   "setting", "key",    "outcome",
+                                  "represented", "truth",   "message"};
+  for (const TradeColumn& column : TradeColumns)
+  {
+    fields.emplace_back(column.Name);
+  }
+  std::string text = CsvLine(fields);
+  for (const TradeStructureResult& structure : result.Structures)
+  {
+    for (const TradeRow& row : structure.Rows)
+    {
+      fields = {row.Structure,      Describe(row.Setting),
+                KeyOf(row.Setting), row.IsFelt() ? "measured" : "refused",
+                row.Represented,    row.Truth,
+                row.Message};
+      for (const TradeColumn& column : TradeColumns)
+      {
+        const double number = row.*column.Number;
+        fields.push_back(std::isfinite(number) ? ExactText(number) : std::string());
+      }
+      text += CsvLine(fields);
+    }
+  }
+  return text;
 }
 } // namespace palpate

@@ -30,11 +30,18 @@ StructureDialog::StructureDialog(StudyController& study, int id, QWidget* parent
                   [](SceneStructure& structure) -> double& { return structure.Friction.Static; });
   this->AddNumber("Dynamic friction", "dynamic-friction", 10.0, 3,
                   [](SceneStructure& structure) -> double& { return structure.Friction.Dynamic; });
-  this->AddNumber("Viscosity inside, N s/mm", "viscosity", 10.0, 5,
-                  [](SceneStructure& structure) -> double& { return structure.Viscosity; });
-  this->AddNumber("Texture, N", "texture", 10.0, 3,
-                  [](SceneStructure& structure) -> double& { return structure.Texture; });
-  this->AddTextureImage();
+  for (const SceneRepresentation& representation : SceneRepresentations())
+  {
+    this->AddNumbers(representation.Numbers);
+  }
+  for (const SceneEffectKind& kind : SceneEffectKinds())
+  {
+    this->AddNumbers(kind.Numbers);
+    if (!kind.ImageKey.empty())
+    {
+      this->AddImage(QString::fromStdString(kind.ImageLabel), kind.ImageKey);
+    }
+  }
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, this);
   this->Form->addRow(buttons);
   connect(buttons, &QDialogButtonBox::accepted, this, &StructureDialog::accept);
@@ -44,17 +51,29 @@ StructureDialog::StructureDialog(StudyController& study, int id, QWidget* parent
 void StructureDialog::AddNumber(const QString& label, const QString& name, double most,
                                 int decimals, const std::function<double&(SceneStructure&)>& member)
 {
+  this->AddBox(label, name, most, decimals, member(this->Structure),
+               [member](SceneStructure& structure, double value) { member(structure) = value; });
+}
+
+void StructureDialog::AddBox(const QString& label, const QString& name, double most, int decimals,
+                             double value, const std::function<void(SceneStructure&, double)>& set)
+{
   auto* box = new QDoubleSpinBox(this);
   box->setObjectName(name);
   box->setDecimals(decimals);
   box->setRange(0.0, most);
   box->setSingleStep(0.1);
-  box->setValue(member(this->Structure));
+  box->setValue(value);
   this->Form->addRow(label, box);
   // A value that the box shows rounded stays as it is until it is edited.
   this->Writes.emplace_back(
-      [box, member, shown = box->value()](SceneStructure& structure)
-      { member(structure) = box->value() == shown ? member(structure) : box->value(); });
+      [box, set, shown = box->value()](SceneStructure& structure)
+      {
+        if (box->value() != shown)
+        {
+          set(structure, box->value());
+        }
+      });
 }
 
 void StructureDialog::AddChoice(const QString& label, const QString& name,
@@ -70,23 +89,35 @@ void StructureDialog::AddChoice(const QString& label, const QString& name,
                             { set(structure, box->currentIndex()); });
 }
 
-void StructureDialog::AddTextureImage()
+void StructureDialog::AddNumbers(const std::vector<SceneNumber>& numbers)
 {
-  auto* file = new QLineEdit(QString::fromStdString(this->Structure.TextureImage.string()), this);
-  file->setObjectName("texture-image");
+  for (const SceneNumber& number : numbers)
+  {
+    this->AddBox(QString::fromStdString(number.Label), QString::fromStdString(number.Key),
+                 number.Largest, number.Decimals, this->Structure.Number(number.Key),
+                 [key = number.Key](SceneStructure& structure, double value)
+                 { structure.SetNumber(key, value); });
+  }
+}
+
+void StructureDialog::AddImage(const QString& label, const std::string& key)
+{
+  const std::string shown = this->Structure.Image(key).string();
+  auto* file = new QLineEdit(QString::fromStdString(shown), this);
+  file->setObjectName(QString::fromStdString(key));
   auto* browse = new QPushButton("Browse...", this);
   auto* row = new QHBoxLayout;
   row->addWidget(file, 1);
   row->addWidget(browse);
-  this->Form->addRow("Texture image", row);
+  this->Form->addRow(label, row);
   connect(browse, &QPushButton::clicked, this,
-          [this, file]
+          [this, file, label]
           {
-            const QString chosen = QFileDialog::getOpenFileName(this, "Choose a texture image");
+            const QString chosen = QFileDialog::getOpenFileName(this, label);
             file->setText(chosen.isEmpty() ? file->text() : chosen);
           });
-  this->Writes.emplace_back([file](SceneStructure& structure)
-                            { structure.TextureImage = StudyPath(file->text().toStdString()); });
+  this->Writes.emplace_back([file, key](SceneStructure& structure)
+                            { structure.SetImage(key, StudyPath(file->text().toStdString())); });
 }
 
 void StructureDialog::accept()

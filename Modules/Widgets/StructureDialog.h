@@ -1,5 +1,6 @@
 #pragma once
 
+#include "SceneRepresentation.h"
 #include "StudyController.h"
 
 #include <QCheckBox>
@@ -31,7 +32,10 @@ private:
                  const std::function<double&(SceneStructure&)>& member);
   void AddChoice(const QString& label, const QString& name, const QStringList& choices, int value,
                  const std::function<void(SceneStructure&, int)>& set);
-  void AddTextureImage();
+  void AddBox(const QString& label, const QString& name, double most, int decimals, double value,
+              const std::function<void(SceneStructure&, double)>& set);
+  void AddNumbers(const std::vector<SceneNumber>& numbers);
+  void AddImage(const QString& label, const std::string& key);
 
   StudyController& Study;
   SceneStructure Structure;

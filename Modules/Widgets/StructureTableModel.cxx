@@ -1,5 +1,6 @@
 #include "StructureTableModel.h"
 
+#include "SceneRepresentation.h"
 #include "ScreenString.h"
 
 #include <QColor>
@@ -30,7 +31,8 @@ QString Write(SceneStructure& structure, int column, const QVariant& value)
     structure.Appearance = static_cast<SceneAppearance>(value.toInt());
     return QString("shown as ") + NameOf(structure.Appearance);
   case StructureTableModel::RepresentationColumn:
-    structure.Representation = static_cast<TouchRepresentation>(value.toInt());
+    structure.Representation =
+        SceneRepresentations().at(static_cast<std::size_t>(value.toInt())).Name;
     return "representation " + StructureTableModel::RepresentationNames().value(value.toInt());
   case StructureTableModel::DegreeColumn:
     structure.Degree = std::clamp(value.toInt(), 0, 64);
@@ -71,7 +73,12 @@ QStringList StructureTableModel::AppearanceNames()
 
 QStringList StructureTableModel::RepresentationNames()
 {
-  return {"automatic", "harmonics", "facets", "sub-voxel", "model or field"};
+  QStringList names;
+  for (const SceneRepresentation& representation : SceneRepresentations())
+  {
+    names += QString::fromStdString(representation.Label);
+  }
+  return names;
 }
 
 StructureTableModel::StructureTableModel(StudyController& study, QObject* parent)
@@ -163,7 +170,7 @@ QVariant StructureTableModel::CostOf(const SceneStructure& structure) const
 // With what replaces harmonics where those were refused.
 QString StructureTableModel::RepresentationOf(const SceneStructure& structure) const
 {
-  const QString name = RepresentationNames().value(static_cast<int>(structure.Representation));
+  const QString name = QString::fromStdString(palpate::RepresentationOf(structure).Label);
   const auto contact =
       this->Study.Current().Pipeline().Newest<TouchContact>(SceneStep::Touch, structure.Id);
   const bool isReplaced = structure.Representation == TouchRepresentation::ModelOrField &&
@@ -204,9 +211,11 @@ QVariant StructureTableModel::data(const QModelIndex& index, int role) const
            : column == RepresentationColumn ? this->RepresentationOf(structure)
                                             : this->ValueOf(structure, column);
   case Qt::EditRole:
-    return column == AppearanceColumn       ? QVariant(static_cast<int>(structure.Appearance))
-           : column == RepresentationColumn ? QVariant(static_cast<int>(structure.Representation))
-                                            : this->ValueOf(structure, column);
+    return column == AppearanceColumn ? QVariant(static_cast<int>(structure.Appearance))
+           : column == RepresentationColumn
+               ? QVariant(RepresentationNames().indexOf(
+                     QString::fromStdString(palpate::RepresentationOf(structure).Label)))
+               : this->ValueOf(structure, column);
   case Qt::DecorationRole:
   case Qt::UserRole:
     return column == ColorColumn ? QVariant(QColor::fromRgbF(structure.Color[0], structure.Color[1],

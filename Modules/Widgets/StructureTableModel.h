@@ -29,7 +29,7 @@ public:
   };
   /// In the order of SceneAppearance.
   static QStringList AppearanceNames();
-  /// In the order of TouchRepresentation.
+  /// In the order of SceneRepresentations.
   static QStringList RepresentationNames();
 
   /// Keeps the address.

@@ -1,6 +1,7 @@
 #include "ViewContents.h"
 
 #include "PlainVector3.h"
+#include "SceneRepresentation.h"
 #include "SceneTool.h"
 #include "SurfaceMaterial.h"
 #include "ToolSurface.h"
@@ -46,15 +47,13 @@ bool WantsModel(const SceneStructure& structure)
     break;
   }
   return structure.Source() == SceneSource::Model ||
-         structure.Representation == TouchRepresentation::ModelOrField ||
-         structure.Representation == TouchRepresentation::Harmonics;
+         RepresentationOf(structure).Appearance == SceneAppearance::Model;
 }
 
 bool WantsField(const SceneStructure& structure)
 {
-  const bool isFelt = structure.IsDrilled() ||
-                      structure.Representation == TouchRepresentation::SubVoxel ||
-                      structure.Representation == TouchRepresentation::Automatic;
+  const bool isFelt =
+      structure.IsDrilled() || RepresentationOf(structure).Appearance == SceneAppearance::SubVoxel;
   return structure.Appearance == SceneAppearance::SubVoxel ||
          (structure.Appearance == SceneAppearance::Automatic && isFelt);
 }

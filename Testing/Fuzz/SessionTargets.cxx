@@ -14,7 +14,6 @@
 #include "StudyFile.h"
 #include "StudyJson.h"
 #include "TextMutator.h"
-#include "TradeTable.h"
 
 namespace palpate::test
 {
@@ -89,24 +88,6 @@ std::string CohortTableSeed()
                       {
                         CohortTable table;
                         table.Add({fitted, refused});
-                        table.Write(file);
-                      });
-}
-
-std::string TradeTableSeed()
-{
-  TradeRow row;
-  row.Structure = "left, \"lower\" pole";
-  row.Key = "0123456789abcdef/facets/2000/4";
-  for (const TradeColumn& column : TradeColumns())
-  {
-    row.*column.Number = 0.125;
-  }
-  return WrittenBytes("tradeoff.csv",
-                      [&](const std::filesystem::path& file)
-                      {
-                        TradeTable table;
-                        table.Add(row);
                         table.Write(file);
                       });
 }
@@ -226,12 +207,6 @@ std::vector<FuzzTarget> TableTargets()
                    {
                      return FileReader("cohort.csv", [](const std::filesystem::path& file)
                                        { CohortTable::Read(file); });
-                   }),
-          WithSeed("trade-table", "tradeoff.csv", TradeTableSeed, OneOf({table, MutateBytes}),
-                   []
-                   {
-                     return FileReader("tradeoff.csv", [](const std::filesystem::path& file)
-                                       { TradeTable::Read(file); });
                    })};
 }
 } // namespace

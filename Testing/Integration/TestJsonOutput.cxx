@@ -117,7 +117,7 @@ protected:
 private:
   void Add(const Json& object)
   {
-    EXPECT_EQ(object.value("schema_version", 0), 2) << object;
+    EXPECT_EQ(object.value("schema_version", 0), 3) << object;
     AddJsonPaths(object, "", this->Paths);
   }
 

@@ -33,11 +33,11 @@ struct Wanted
   SceneStructure CommandLine;
 };
 
-TouchRepresentation RandomRepresentation(Random& random, int label)
+std::string RandomRepresentation(Random& random, int label)
 {
   // The second structure of the phantom is not star-shaped.
   const int most = label == 1 ? 3 : 2;
-  constexpr std::array<TouchRepresentation, 3> All{
+  constexpr std::array<const char*, 3> All{
       TouchRepresentation::SubVoxel, TouchRepresentation::Facets, TouchRepresentation::Harmonics};
   return All.at(static_cast<std::size_t>(RandomWhole(random, 0, most - 1)));
 }
@@ -57,7 +57,7 @@ Wanted RandomWanted(Random& random, int label)
   window.Smoothing = RandomNumber(random, 0.0, 1.5);
   window.Mode = static_cast<HarmonicContactMode>(RandomWhole(random, 0, 1));
   window.Damping = RandomNumber(random, 0.0, 0.002);
-  window.Viscosity = RandomNumber(random, 0.0, 0.002);
+  window.SetNumber("viscosity_ns_per_mm", RandomNumber(random, 0.0, 0.002));
   window.Stiffness = RandomNumber(random, 0.1, 1.5);
   const double friction = RandomNumber(random, 0.0, 0.5);
   window.Friction = {friction + RandomNumber(random, 0.0, 0.5), friction};
@@ -201,8 +201,11 @@ void ExpectSameStructure(const TouchStructure& a, const TouchStructure& b)
   ExpectSameBits(a.Law.Damping, b.Law.Damping, "damping");
   ExpectSameBits(a.Friction.Static, b.Friction.Static, "static friction");
   ExpectSameBits(a.Friction.Dynamic, b.Friction.Dynamic, "dynamic friction");
-  ExpectSameBits(a.Viscosity, b.Viscosity, "viscosity");
-  EXPECT_EQ(a.Texture != nullptr, b.Texture != nullptr);
+  ASSERT_EQ(a.Effects.size(), b.Effects.size());
+  for (std::size_t n = 0; n < a.Effects.size(); ++n)
+  {
+    ExpectSameBits(a.Effects[n]->Damping(), b.Effects[n]->Damping(), "damping of an effect");
+  }
   ExpectSameBits(a.Drill.Wear, b.Drill.Wear, "wear");
   ExpectSameBits(a.Drill.Drag, b.Drill.Drag, "drag");
   ExpectSameBits(a.Drill.Vibration, b.Drill.Vibration, "vibration");

@@ -71,12 +71,27 @@ double SurfaceTexture::BrightnessAt(const Vector3& pointWorld) const noexcept
   return sample.Kind != SampleKind::Outside && std::isfinite(brightness) ? brightness : 0.0;
 }
 
-double SurfaceTexture::Force(double push, const Vector3& pointWorld) const noexcept
+double SurfaceTexture::PushAt(double push, const Vector3& pointWorld) const noexcept
 {
   if (!(push > 0.0) || !(this->Amplitude > 0.0))
   {
     return 0.0;
   }
   return push * (this->Amplitude / (push + this->Amplitude)) * this->BrightnessAt(pointWorld);
+}
+
+Vector3 SurfaceTexture::Force(const EffectTouch& touch) const noexcept
+{
+  if (!touch.Contact.IsTouching)
+  {
+    return Vector3::Zero();
+  }
+  const double push = touch.ContactForce.dot(touch.Contact.Normal);
+  return this->PushAt(push, touch.SurfaceWorld) * touch.Contact.Normal;
+}
+
+std::size_t SurfaceTexture::Bytes() const noexcept
+{
+  return this->Sampler.Field().Memory().Bytes;
 }
 } // namespace palpate

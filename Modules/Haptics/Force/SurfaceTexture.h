@@ -1,8 +1,7 @@
 #pragma once
 
 #include "FieldSampler.h"
-#include "Status.h"
-#include "Vector3.h"
+#include "ForceEffect.h"
 
 #include <memory>
 
@@ -16,7 +15,7 @@ namespace palpate
 /// than the amplitude A and less than N. So it begins with touch without a step, and never pulls.
 /// It is no potential's: going in where it is soft and out where it is hard gives out energy, which
 /// the energy observer sees.
-class SurfaceTexture
+class SurfaceTexture final : public ForceEffect
 {
 public:
   /// Mean and deviation are those of the channel within `boundsWorld` (mm), where the field should
@@ -31,7 +30,9 @@ public:
   double BrightnessAt(const Vector3& pointWorld) const noexcept;
   /// N, to be added to a push of `push` >= 0 (N) along the normal, where the tool touches
   /// `pointWorld`.
-  double Force(double push, const Vector3& pointWorld) const noexcept;
+  double PushAt(double push, const Vector3& pointWorld) const noexcept;
+  Vector3 Force(const EffectTouch& touch) const noexcept override;
+  std::size_t Bytes() const noexcept override;
 
 private:
   SurfaceTexture(std::shared_ptr<const ScalarField> image, int channel, double amplitude);

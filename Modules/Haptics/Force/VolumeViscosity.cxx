@@ -1,11 +1,21 @@
 #include "VolumeViscosity.h"
 
+#include <cmath>
+
 namespace palpate
 {
-Vector3 VolumeViscosity(double viscosity, const ContactOffset& contact, double centerDepth,
-                        const Vector3& velocity) noexcept
+Vector3 VolumeViscosity::Force(const EffectTouch& touch) const noexcept
 {
-  const bool isInside = contact.IsTouching && contact.Offset.dot(contact.Normal) > centerDepth;
-  return isInside ? Vector3(-viscosity * velocity) : Vector3::Zero();
+  const ContactOffset& contact = touch.Contact;
+  const bool isInside =
+      contact.IsTouching && contact.Offset.dot(contact.Normal) > touch.CenterDepth;
+  return isInside ? Vector3(-this->Viscosity * touch.HandVelocity) : Vector3::Zero();
+}
+
+Status VolumeViscosity::Check() const
+{
+  return this->Viscosity >= 0.0 && std::isfinite(this->Viscosity)
+             ? Status::Success()
+             : Status::Failure("its viscosity must be finite and not negative.");
 }
 } // namespace palpate

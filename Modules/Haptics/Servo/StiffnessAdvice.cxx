@@ -52,7 +52,11 @@ std::vector<std::string> StiffnessWarnings(const TouchScene& scene,
   std::vector<std::string> warnings;
   for (const TouchStructure& structure : scene.Structures)
   {
-    const double damping = structure.Law.Damping + structure.Viscosity;
+    double damping = structure.Law.Damping;
+    for (const auto& effect : structure.Effects)
+    {
+      damping += effect->Damping();
+    }
     const StableStiffness stable = StiffestStable(device, rate, damping);
     if (structure.Law.Stiffness > stable.Largest)
     {

@@ -1,7 +1,5 @@
 #include "StructureFollower.h"
 
-#include "VolumeViscosity.h"
-
 #include <algorithm>
 #include <utility>
 
@@ -258,9 +256,7 @@ Vector3 StructureFollower::Follow(const FollowStep& step) noexcept
   const Vector3 force = ContactForce(this->Structure->Law, felt);
   this->Factor = this->Weight.Advance(step.Passed);
   this->NormalDevice = felt.Normal;
-  this->Force = this->Factor * (force + this->TextureForce(felt, force, proxyWorld) +
-                                VolumeViscosity(this->Structure->Viscosity, felt,
-                                                this->ToolRadiusDevice, step.HandVelocity));
+  this->Force = this->Factor * this->WithEffects(force, felt, proxyWorld, step);
   if (this->Feed != nullptr)
   {
     this->Force += this->Drill(step, felt, this->Factor * force.dot(felt.Normal));
@@ -286,17 +282,23 @@ Vector3 StructureFollower::Drill(const FollowStep& step, const ContactOffset& fe
                     passed > 0.0 ? went / passed : 0.0, step.Time);
 }
 
-// By the image where the tool touches, as a sphere does.
-Vector3 StructureFollower::TextureForce(const ContactOffset& felt, const Vector3& contactForce,
-                                        const Vector3& proxyWorld) const noexcept
+// Effects see the point where the tool touches, as a sphere does.
+Vector3 StructureFollower::WithEffects(const Vector3& contactForce, const ContactOffset& felt,
+                                       const Vector3& proxyWorld,
+                                       const FollowStep& step) const noexcept
 {
-  if (this->Structure->Texture == nullptr || !felt.IsTouching)
+  EffectTouch touch;
+  touch.Contact = felt;
+  touch.ContactForce = contactForce;
+  touch.HandVelocity = step.HandVelocity;
+  touch.CenterDepth = this->ToolRadiusDevice;
+  touch.SurfaceWorld = proxyWorld - this->ToolRadiusWorld * this->Frame->TurnedToWorld(felt.Normal);
+  touch.Time = step.Time;
+  Vector3 force = contactForce + Vector3::Zero(); // -0 becomes 0, as recordings have it
+  for (const auto& effect : this->Structure->Effects)
   {
-    return Vector3::Zero();
+    force += effect->Force(touch);
   }
-  const Vector3 outWorld = this->Frame->TurnedToWorld(felt.Normal);
-  const double push = contactForce.dot(felt.Normal);
-  return this->Structure->Texture->Force(push, proxyWorld - this->ToolRadiusWorld * outWorld) *
-         felt.Normal;
+  return force;
 }
 } // namespace palpate

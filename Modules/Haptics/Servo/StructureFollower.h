@@ -108,8 +108,8 @@ private:
   }
   Vector3 Drill(const FollowStep& step, const ContactOffset& felt, double push) noexcept;
   ContactOffset Felt(const FollowStep& step) noexcept;
-  Vector3 TextureForce(const ContactOffset& felt, const Vector3& contactForce,
-                       const Vector3& proxyWorld) const noexcept;
+  Vector3 WithEffects(const Vector3& contactForce, const ContactOffset& felt,
+                      const Vector3& proxyWorld, const FollowStep& step) const noexcept;
 
   std::unique_ptr<ContactTracker> Tracker;
   std::unique_ptr<DrillFeed> Feed; // none: it is not drilled

@@ -47,10 +47,13 @@ Status TouchScene::Check() const
       return Status::Failure("Stiffness and damping of the structure " + structure.Name +
                              " must be finite and not negative.");
     }
-    if (!IsAmount(structure.Viscosity))
+    for (const auto& effect : structure.Effects)
     {
-      return Status::Failure("The viscosity of the structure " + structure.Name +
-                             " must be finite and not negative.");
+      if (const Status status = effect->Check(); !status.IsOk())
+      {
+        return Status::Failure("The structure " + structure.Name +
+                               " cannot be touched: " + status.Message());
+      }
     }
     Status drill = CheckDrill(structure, this->Drill);
     if (!drill.IsOk())

@@ -5,9 +5,9 @@
 #include "DeviceFrame.h"
 #include "DrillForce.h"
 #include "DrillLink.h"
+#include "ForceEffect.h"
 #include "Status.h"
 #include "SurfaceFriction.h"
-#include "SurfaceTexture.h"
 #include "ToolShape.h"
 
 #include <memory>
@@ -25,8 +25,8 @@ struct TouchStructure
   /// As the hand feels it: N per mm of the hand's way, whatever the scale of the device's frame.
   ContactLaw Law;
   SurfaceFriction Friction;
-  std::shared_ptr<const SurfaceTexture> Texture = nullptr; ///< none: smooth
-  double Viscosity = 0.0;                                  ///< N s/mm, of what is inside
+  /// Forces besides the contact's, which are added in this order.
+  std::vector<std::shared_ptr<const ForceEffect>> Effects = {};
   /// By which it is known again in a scene that continues this one; 0: it is not.
   int Id = 0;
   DrillLaw Drill = {}; ///< how it gives way, while the scene's drill runs

@@ -1,7 +1,9 @@
 #include "AllocationCounter.h"
 #include "ManyStructures.h"
 #include "ServoRun.h"
+#include "SurfaceTexture.h"
 #include "TexturedField.h"
+#include "VolumeViscosity.h"
 
 #include <gtest/gtest.h>
 
@@ -17,10 +19,10 @@ static_assert(noexcept(std::declval<Servo&>().Tick(std::declval<const TickInfo&>
 std::size_t AllocationsOfASession(const ServoSettings& settings)
 {
   TouchScene scene = test::WallScene(0.0, {1.0, 0.01});
-  EXPECT_TRUE(SurfaceTexture::Make(test::TexturedField(), 0, test::TexturedBox(), 0.2,
-                                   scene.Structures[0].Texture)
-                  .IsOk());
-  scene.Structures[0].Viscosity = 0.001;
+  std::shared_ptr<const SurfaceTexture> texture;
+  EXPECT_TRUE(
+      SurfaceTexture::Make(test::TexturedField(), 0, test::TexturedBox(), 0.2, texture).IsOk());
+  scene.Structures[0].Effects = {texture, std::make_shared<const VolumeViscosity>(0.001)};
   test::ServoRun run(scene, settings);
   TouchScene continued = test::WallScene(0.5, {1.0, 0.0});
   continued.Structures[0].Id = 1;

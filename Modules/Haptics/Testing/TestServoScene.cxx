@@ -3,6 +3,7 @@
 #include "FieldContactCases.h"
 #include "ManyStructures.h"
 #include "MeshCases.h"
+#include "VolumeViscosity.h"
 
 #include <gtest/gtest.h>
 
@@ -85,7 +86,7 @@ TouchScene RandomScene(test::Random& random)
     structure.Law = {0.2 + part(random), 0.001 * part(random)};
     structure.Friction.Static = part(random) < 0.5 ? 0.0 : 0.3;
     structure.Friction.Dynamic = 0.5 * structure.Friction.Static;
-    structure.Viscosity = 0.001 * part(random);
+    structure.Effects = {std::make_shared<const VolumeViscosity>(0.001 * part(random))};
     scene.Structures.push_back(structure);
   };
   for (int n = 0; n < 12; ++n)

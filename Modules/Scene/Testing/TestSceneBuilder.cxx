@@ -79,8 +79,8 @@ protected:
 TEST_F(SceneBuilderTest, AFileThatOnlyAnUnneededStructureNamesIsNotOpened)
 {
   SceneStructure smooth = this->Entry(this->ModelPath, true, false);
-  smooth.Texture = 0.2;
-  smooth.TextureImage = this->Folder / "missing.nrrd";
+  smooth.SetNumber("texture_n", 0.2);
+  smooth.SetImage("texture_image", this->Folder / "missing.nrrd");
   const BuiltScene made = this->Make(
       {this->Entry(this->Missing, false, false), smooth, this->Entry(this->ModelPath, true, true)});
   EXPECT_EQ(made.Touched.size(), 1u);
@@ -119,7 +119,7 @@ TEST_F(SceneBuilderTest, WhatIsOnlyDisplayedHasNeitherFieldNorContact)
   SceneStructure bright = this->Entry(this->MaskPath, true, false);
   bright.Iso = 2.5;
   std::vector<SceneStructure> entries{bright};
-  for (const TouchRepresentation representation :
+  for (const char* const representation :
        {TouchRepresentation::Automatic, TouchRepresentation::Facets, TouchRepresentation::Harmonics,
         TouchRepresentation::SubVoxel})
   {
@@ -144,7 +144,7 @@ TEST_F(SceneBuilderTest, WhatIsOnlyTouchedHasNoDrawing)
   SceneStructure ball = this->Entry(this->MaskPath, false, true);
   ball.Labels = {"3"};
   ball.Degree = 2;
-  for (const TouchRepresentation representation :
+  for (const char* const representation :
        {TouchRepresentation::SubVoxel, TouchRepresentation::Facets, TouchRepresentation::Harmonics})
   {
     ball.Representation = representation;
@@ -159,19 +159,19 @@ TEST_F(SceneBuilderTest, WhatIsOnlyTouchedHasNoDrawing)
 }
 
 // A ball of 5 mm and a tool of 2 mm in an image of 100 mm: 14³ of 100³ voxels, and some round them.
-TEST_F(SceneBuilderTest, ATextureKeepsOfItsImageWhatTheToolCanReach)
+TEST_F(SceneBuilderTest, TextureKeepsTheImageWithinReachOfTheTool)
 {
   test::LabelGrid grid;
   grid.Size = {{100, 100, 100}};
   grid.CenterOnOrigin();
   SceneStructure ball = this->Entry(this->ModelPath, false, true);
   const std::uintmax_t smooth = this->Make({ball}).Account.Structures[0].Contact.Bytes;
-  ball.Texture = 0.2;
-  ball.TextureImage = this->Folder / "image.nrrd";
-  WriteImage(ball.TextureImage,
+  ball.SetNumber("texture_n", 0.2);
+  ball.SetImage("texture_image", this->Folder / "image.nrrd");
+  WriteImage(this->Folder / "image.nrrd",
              test::MakeLabelImage(grid, [](double x, double, double) { return x > 0.0; }));
   const BuiltScene made = this->Make({ball});
-  EXPECT_NE(made.Touched.at(0).Touch.Texture, nullptr);
+  EXPECT_EQ(made.Touched.at(0).Touch.Effects.size(), 1U);
   const std::uintmax_t textured = made.Account.Structures[0].Contact.Bytes;
   EXPECT_GT(textured, smooth + 4 * 14 * 14 * 14);
   EXPECT_LT(textured, smooth + 4 * 100 * 100 * 100 / 10);

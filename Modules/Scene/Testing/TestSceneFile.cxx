@@ -68,9 +68,9 @@ TEST_F(TouchSceneFile, WhatIsWrittenIsReadBackTheSame)
   bone.Interpolation = FieldInterpolation::TricubicBSpline;
   bone.Smoothing = 2.5;
   bone.Friction = {0.4, 0.3};
-  bone.Viscosity = 0.003;
-  bone.Texture = 0.25;
-  bone.TextureImage = this->Folder / "images/mr.nii.gz";
+  bone.SetNumber("viscosity_ns_per_mm", 0.003);
+  bone.SetNumber("texture_n", 0.25);
+  bone.SetImage("texture_image", this->Folder / "images/mr.nii.gz");
   SceneStructure mask;
   mask.File = this->Folder / "mask.nii.gz";
   mask.Labels = {"1", "tumour, left"};
@@ -94,11 +94,11 @@ TEST_F(TouchSceneFile, WhatIsWrittenIsReadBackTheSame)
   EXPECT_EQ(back.Structures[0].Mode, HarmonicContactMode::Radial);
   EXPECT_EQ(back.Structures[1].Iso, -300.5);
   EXPECT_EQ(back.Structures[1].Friction.Dynamic, 0.3);
-  EXPECT_EQ(back.Structures[1].Viscosity, 0.003);
-  EXPECT_EQ(back.Structures[1].Texture, 0.25);
-  EXPECT_EQ(back.Structures[1].TextureImage.lexically_normal(),
-            bone.TextureImage.lexically_normal());
-  EXPECT_TRUE(back.Structures[0].TextureImage.empty());
+  EXPECT_EQ(back.Structures[1].Number("viscosity_ns_per_mm"), 0.003);
+  EXPECT_EQ(back.Structures[1].Number("texture_n"), 0.25);
+  EXPECT_EQ(back.Structures[1].Image("texture_image").lexically_normal(),
+            bone.Image("texture_image").lexically_normal());
+  EXPECT_TRUE(back.Structures[0].Images.empty());
   EXPECT_EQ(back.Structures[2].Labels, mask.Labels);
   EXPECT_EQ(back.Structures[2].Degree, 20);
   EXPECT_TRUE(back.Structures[0].IsVisible && back.Structures[0].IsTouchable);

@@ -51,7 +51,7 @@ protected:
                                                     { return std::hypot(x, y, z) < Radius; }));
   }
 
-  SceneSettings SettingsOf(const std::filesystem::path& file, TouchRepresentation representation)
+  SceneSettings SettingsOf(const std::filesystem::path& file, const std::string& representation)
   {
     SceneSettings settings;
     SceneStructure structure;
@@ -79,7 +79,7 @@ protected:
 // 0.5 N/mm. The mechanism's friction (0.2 N) may hold 0.2 mm of it.
 TEST_F(TouchRun, EveryRepresentationOfABallGivesTheSameForce)
 {
-  for (const TouchRepresentation representation :
+  for (const char* const representation :
        {TouchRepresentation::Automatic, TouchRepresentation::SubVoxel,
         TouchRepresentation::Harmonics, TouchRepresentation::Facets})
   {
@@ -169,7 +169,7 @@ TEST_F(TouchRun, AModelThatIsAskedSeldomIsFeltLaterAndTheSameAtRest)
   EXPECT_GT(seldom.TouchedSeconds[0], always.TouchedSeconds[0] - 0.010) << "less than an interval";
 }
 
-TEST_F(TouchRun, ATextureMakesWhatIsBrightPushMore)
+TEST_F(TouchRun, TexturePushesMoreWhereTheImageIsBright)
 {
   const auto image = this->Folder / "image.nrrd";
   test::LabelGrid grid;
@@ -183,10 +183,10 @@ TEST_F(TouchRun, ATextureMakesWhatIsBrightPushMore)
     return LastOf(result).Force.Most / LastOf(result).Depth.Most;
   };
   EXPECT_NEAR(ratio(), 0.5, 1e-6); // single precision
-  settings.Structures[0].Texture = 0.3;
-  settings.Structures[0].TextureImage = image;
+  settings.Structures[0].SetNumber("texture_n", 0.3);
+  settings.Structures[0].SetImage("texture_image", image);
   EXPECT_GT(ratio(), 0.55);
-  settings.Structures[0].TextureImage = this->Folder / "missing.nrrd";
+  settings.Structures[0].SetImage("texture_image", this->Folder / "missing.nrrd");
   EXPECT_THROW(PrepareTouch(settings, PressTo(13.0), GoOn), InputError);
 }
 

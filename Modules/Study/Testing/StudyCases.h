@@ -49,16 +49,18 @@ inline SceneStructure RandomStructure(Random& random)
   structure.IsVisible = RandomChoice(random);
   structure.IsTouchable = RandomChoice(random);
   structure.Appearance = static_cast<SceneAppearance>(RandomWhole(random, 0, 4));
-  structure.Representation = static_cast<TouchRepresentation>(RandomWhole(random, 0, 4));
+  structure.Representation =
+      SceneRepresentations().at(static_cast<std::size_t>(RandomWhole(random, 0, 4))).Name;
   structure.Degree = RandomWhole(random, 0, 40);
   structure.Mode = static_cast<HarmonicContactMode>(RandomWhole(random, 0, 1));
   structure.Interpolation = static_cast<FieldInterpolation>(RandomWhole(random, 0, 1));
   structure.Smoothing = RandomNumber(random, 0.0, 4.0);
   structure.Stiffness = RandomNumber(random, 0.0, 3.0);
   structure.Damping = RandomNumber(random, 0.0, 0.1);
-  structure.Viscosity = RandomNumber(random, 0.0, 0.1);
-  structure.Texture = RandomChoice(random) ? 0.0 : RandomNumber(random, 0.0, 1.0);
-  structure.TextureImage = RandomChoice(random) ? "" : StudyPath("volumes/t2 \xC3\xA4.nii.gz");
+  structure.SetNumber("viscosity_ns_per_mm", RandomNumber(random, 0.0, 0.1));
+  structure.SetNumber("texture_n", RandomChoice(random) ? 0.0 : RandomNumber(random, 0.0, 1.0));
+  structure.SetImage("texture_image",
+                     RandomChoice(random) ? "" : StudyPath("volumes/t2 \xC3\xA4.nii.gz"));
   structure.Drill = {RandomNumber(random, 0.0, 1.0), 0.001, 0.5};
   structure.IsForbidden = RandomChoice(random);
   structure.AlarmDistance = RandomNumber(random, 0.0, 5.0);

@@ -43,7 +43,7 @@ public:
   }
 
   /// Of the mask at `file`, by the window's own choice where it is automatic.
-  static SceneStructure Structure(int label, TouchRepresentation representation,
+  static SceneStructure Structure(int label, const std::string& representation,
                                   const std::filesystem::path& file = "mask.nii.gz")
   {
     SceneStructure structure;

@@ -37,7 +37,7 @@ Inputs Base()
   Inputs base;
   base.State.VolumeFile = "/volume.nii.gz";
   base.State.SegmentationFile = "/mask.nii.gz";
-  const auto add = [&](int label, TouchRepresentation representation) -> SceneStructure&
+  const auto add = [&](int label, const std::string& representation) -> SceneStructure&
   {
     base.State.Structures.push_back(
         test::StudyPhantom::Structure(label, representation, base.State.SegmentationFile));

@@ -1,7 +1,10 @@
 #pragma once
 
+#include "ImageWriter.h"
 #include "LabelImages.h"
-#include "TradeBench.h"
+#include "StructureTrade.h"
+#include "TemporaryFolder.h"
+#include "TradeMeasure.h"
 
 #include <cmath>
 #include <memory>
@@ -23,80 +26,104 @@ inline bool GoOn(double /*fraction*/, const std::string& /*stage*/)
 
 constexpr double BallRadius = 20.0; // mm
 
-/// A ball of 20 mm with bumps of degree 6, so high (mm) where the pole is; 0 for none.
-inline TradeSource BumpyModel(double height)
+/// A sphere of 20 mm with bumps of degree 6 of this height (mm) at the pole; 0 for none.
+inline SphericalHarmonicModel BumpyModel(double height)
 {
   constexpr int Degree = 6;
   std::vector<double> coefficients(49, 0.0);
   coefficients[0] = BallRadius * std::sqrt(4.0 * M_PI);
   // Y_l0 at the pole is sqrt((2 l + 1) / 4 pi), where it is largest.
   coefficients[Degree * (Degree + 1)] = height / std::sqrt((2.0 * Degree + 1.0) / (4.0 * M_PI));
-  TradeSource source;
-  source.Name = "bumpy";
-  source.File = "bumpy.json";
-  source.Is = std::make_shared<const SphericalHarmonicModel>(Degree, coefficients,
-                                                             Vector3(3.0, -7.0, 11.0));
-  return source;
+  return {Degree, coefficients, Vector3(3.0, -7.0, 11.0)};
 }
 
-template <typename Inside>
-TradeSource MaskOf(const Inside& inside)
+/// Short, since errors need no exact times.
+inline StructureTrade::Settings ShortPath(std::uint64_t seed = 1)
 {
-  LabelGrid grid;
-  grid.Size = {{48, 48, 32}};
-  grid.Spacing = {{0.8, 0.8, 1.2}};
-  grid.CenterOnOrigin();
-  auto segmentation = std::make_shared<Segmentation>();
-  segmentation->Layers.emplace_back(MakeLabelImage(grid, inside));
-  Segment segment;
-  segment.Label = 1;
-  segment.Value = 1;
-  segmentation->Segments.push_back(segment);
-  segmentation->Source = "mask.nrrd";
-  TradeSource source;
-  source.Name = "mask";
-  source.File = "mask.nrrd";
-  source.Is = TradeSource::Mask{segmentation, segment};
-  return source;
-}
-
-inline TradeSource BallMask()
-{
-  return MaskOf([](double x, double y, double z) { return std::hypot(x, y, z) < 14.0; });
-}
-
-/// Short, since errors need no good times.
-inline TradeBench::Settings ShortPath(std::uint64_t seed = 1)
-{
-  TradeBench::Settings settings;
+  StructureTrade::Settings settings;
   settings.Path.Seconds = 2.0;
   settings.Path.Seed = seed;
   settings.Runs = 1;
   return settings;
 }
 
-inline TradeSetting Harmonics(int degree)
+inline ContactSetting Harmonics(int degree)
 {
-  TradeSetting setting;
-  setting.Representation = TouchRepresentation::Harmonics;
-  setting.Degree = degree;
+  ContactSetting setting;
+  setting.Structure.Representation = TouchRepresentation::Harmonics;
+  setting.Structure.Degree = degree;
   return setting;
 }
 
-inline TradeSetting Facets(int facets)
+/// The bumpy model as the reference of a path, and contact models along it.
+struct ModelTrade
 {
-  TradeSetting setting;
-  setting.Representation = TouchRepresentation::Facets;
-  setting.Facets = facets;
-  return setting;
-}
+  explicit ModelTrade(double height, double toolRadius = 2.0)
+      : Model(std::make_shared<const SphericalHarmonicModel>(BumpyModel(height)))
+  {
+    this->Touch.Tool.Radius = toolRadius;
+    this->Touch.Runs = 1;
+    this->Reference = ModelReference(this->Model, this->Touch.Tool);
+    this->Path = MakeTradePath(*this->Reference, this->Touch.Tool, ShortPath().Path, GoOn);
+  }
+  TradeRow Measure(const TouchContact& contact, const Clock& clock = StillClock()) const
+  {
+    TradeRow row;
+    MeasureTouch(*contact.Model, this->Touch, this->Path, clock, row, GoOn);
+    return row;
+  }
+  TradeRow MeasureDegree(int degree) const
+  {
+    return this->Measure(MakeHarmonicContact(this->Model->WithDegree(degree),
+                                             HarmonicContactMode::Nearest, "bumpy.json"));
+  }
 
-inline TradeSetting SubVoxel(FieldInterpolation interpolation, int points)
+  std::shared_ptr<const SphericalHarmonicModel> Model;
+  TradeTouch Touch;
+  std::unique_ptr<TradeReference> Reference;
+  TradePath Path;
+};
+
+/// A label map in a file, with one structure, and what is measured of it.
+class MaskTrade
 {
-  TradeSetting setting;
-  setting.Representation = TouchRepresentation::SubVoxel;
-  setting.Interpolation = interpolation;
-  setting.ToolPoints = points;
-  return setting;
+public:
+  template <typename Inside>
+  explicit MaskTrade(const Inside& inside)
+  {
+    LabelGrid grid;
+    grid.Size = {{48, 48, 32}};
+    grid.Spacing = {{0.8, 0.8, 1.2}};
+    grid.CenterOnOrigin();
+    const std::filesystem::path file = this->Folder / "mask.nii.gz";
+    WriteImage(file, MakeLabelImage(grid, inside));
+    SceneStructure structure;
+    structure.Id = 1;
+    structure.File = file;
+    structure.Labels = {"1"};
+    this->Scene.Structures.push_back(structure);
+  }
+  ContactSetting SubVoxel(FieldInterpolation interpolation, int points) const
+  {
+    ContactSetting setting = SettingOf(this->Scene, TouchRepresentation::SubVoxel);
+    setting.Structure.Interpolation = interpolation;
+    setting.ToolPoints = points;
+    return setting;
+  }
+  StructureTrade Trade(const StructureTrade::Settings& settings = ShortPath()) const
+  {
+    return {this->Scene, this->Scene.Structures.front(), SceneRun(true), settings, this->Time};
+  }
+
+  SceneSettings Scene;
+
+private:
+  TemporaryFolder Folder;
+  StillClock Time;
+};
+
+inline MaskTrade BallMask()
+{
+  return MaskTrade([](double x, double y, double z) { return std::hypot(x, y, z) < 14.0; });
 }
 } // namespace palpate::test

@@ -1,5 +1,6 @@
 // The window touches whatever the command line can: models, surfaces, iso-values, whole scenes.
 #include "StructureDialog.h"
+#include "VolumeViscosity.h"
 #include "WindowTest.h"
 
 #include "ModelFile.h"
@@ -80,7 +81,7 @@ TEST_F(AddedStructures, SceneFileBringsItsStructuresAndTool)
   scene.Structures[0].File = this->Model;
   scene.Structures[1].File = this->MaskFile();
   scene.Structures[1].Labels = {"1"};
-  scene.Structures[1].Viscosity = 0.01;
+  scene.Structures[1].SetNumber("viscosity_ns_per_mm", 0.01);
   scene.Tool.Radius = 1.5;
   const auto file = this->Phantom.Folder / "ball.scene.json";
   WriteWholeFile(file, SceneText(scene, this->Phantom.Folder.Path()));
@@ -88,7 +89,7 @@ TEST_F(AddedStructures, SceneFileBringsItsStructuresAndTool)
   WaitUntil([this] { return this->Study->State().Structures.size() == 2; });
   this->WaitForContact("sub-voxel field");
   EXPECT_EQ(this->Study->State().Tool.Radius, 1.5);
-  EXPECT_EQ(this->Last().Viscosity, 0.01);
+  EXPECT_EQ(this->Last().Number("viscosity_ns_per_mm"), 0.01);
   EXPECT_EQ(this->Study->State().SegmentationFile, this->MaskFile());
 }
 
@@ -98,15 +99,30 @@ TEST_F(AddedStructures, DialogChangesInOneStepWhatTheTableHasNoColumnFor)
   const int id = this->Study->State().Structures.front().Id;
   StructureDialog dialog(*this->Study, id);
   dialog.findChild<QDoubleSpinBox*>("damping")->setValue(0.002);
-  dialog.findChild<QDoubleSpinBox*>("viscosity")->setValue(0.003);
+  dialog.findChild<QDoubleSpinBox*>("viscosity_ns_per_mm")->setValue(0.003);
   dialog.findChild<QComboBox*>("mode")->setCurrentIndex(1);
   dialog.accept();
   const SceneStructure& first = this->Study->State().Structures.front();
   EXPECT_EQ(first.Damping, 0.002);
-  EXPECT_EQ(first.Viscosity, 0.003);
+  EXPECT_EQ(first.Number("viscosity_ns_per_mm"), 0.003);
   EXPECT_EQ(first.Mode, HarmonicContactMode::Radial);
   this->Study->Undo();
   EXPECT_EQ(this->Study->State().Structures.front().Damping, 0.0);
+}
+
+TEST_F(AddedStructures, DialogHasTheNumbersOfAddedEffects)
+{
+  SceneEffectKind kind;
+  kind.Name = "adhesion";
+  kind.Numbers = {{"adhesion_n", "Adhesion, N", 5.0, 2}};
+  kind.Make = [](const SceneEffectSource&, const ProgressFunction&)
+  { return std::make_shared<const VolumeViscosity>(0.0); };
+  AddSceneEffectKind(kind);
+  this->OpenPhantom();
+  StructureDialog dialog(*this->Study, this->Study->State().Structures.front().Id);
+  dialog.findChild<QDoubleSpinBox*>("adhesion_n")->setValue(0.25);
+  dialog.accept();
+  EXPECT_EQ(this->Study->State().Structures.front().Number("adhesion_n"), 0.25);
 }
 } // namespace
 } // namespace palpate

@@ -143,7 +143,7 @@ TEST_F(StructureTableTest, WhatReplacesARefusedModelIsSaidOnceAndIsNoFailure)
             StudyStepState::Kind::Replaced);
   // By name, it is a failure of three steps, and said once.
   this->Write(1, StructureTableModel::RepresentationColumn,
-              static_cast<int>(TouchRepresentation::Harmonics));
+              StructureTableModel::RepresentationNames().indexOf("harmonics"));
   const std::string failure = "label 2 is not star-shaped";
   WaitUntil([&] { return this->Messages().find(failure) != std::string::npos; });
   this->Settle();

@@ -1,6 +1,7 @@
 #include "StiffnessAdvice.h"
 
 #include "TouchDoubles.h"
+#include "VolumeViscosity.h"
 
 #include <gtest/gtest.h>
 
@@ -60,9 +61,9 @@ TEST(StiffnessAdvice, WarnsOfEveryStructureThatAsksForMore)
 TEST(StiffnessAdvice, WarnsOfMoreViscosityThanTheMechanismBears)
 {
   TouchScene scene = test::WallScene(0.0, {0.0, 0.0});
-  scene.Structures[0].Viscosity = 0.0019;
+  scene.Structures[0].Effects = {std::make_shared<const VolumeViscosity>(0.0019)};
   EXPECT_TRUE(StiffnessWarnings(scene, Known(), 1000.0).empty());
-  scene.Structures[0].Viscosity = 0.0021;
+  scene.Structures[0].Effects = {std::make_shared<const VolumeViscosity>(0.0021)};
   ASSERT_EQ(StiffnessWarnings(scene, Known(), 1000.0).size(), 1u);
   EXPECT_NE(StiffnessWarnings(scene, Known(), 1000.0)[0].find("0.0021 N s/mm"), std::string::npos);
 }

@@ -30,7 +30,7 @@ TEST(SurfaceTexture, IsBoundedByItsAmplitudeAndByThePush)
   for (int n = 0; n < 10'000; ++n)
   {
     const double pushed = push(random);
-    const double force = texture->Force(pushed, 12.0 * test::RandomDirection(random));
+    const double force = texture->PushAt(pushed, 12.0 * test::RandomDirection(random));
     EXPECT_LT(std::abs(force), std::min(Amplitude, pushed));
     largest = std::max(largest, std::abs(force));
   }
@@ -40,12 +40,12 @@ TEST(SurfaceTexture, IsBoundedByItsAmplitudeAndByThePush)
 TEST(SurfaceTexture, IsZeroWithoutPushOutsideTheImageAndForWhatIsNoNumber)
 {
   const auto texture = Texture();
-  EXPECT_NE(texture->Force(1.0, {1.0, 2.0, 3.0}), 0.0);
-  EXPECT_EQ(texture->Force(0.0, {1.0, 2.0, 3.0}), 0.0);
-  EXPECT_EQ(texture->Force(-1.0, {1.0, 2.0, 3.0}), 0.0);
-  EXPECT_EQ(texture->Force(test::NotANumber, {1.0, 2.0, 3.0}), 0.0);
-  EXPECT_EQ(texture->Force(1.0, {100.0, 0.0, 0.0}), 0.0);
-  EXPECT_EQ(texture->Force(1.0, {test::NotANumber, 0.0, 0.0}), 0.0);
+  EXPECT_NE(texture->PushAt(1.0, {1.0, 2.0, 3.0}), 0.0);
+  EXPECT_EQ(texture->PushAt(0.0, {1.0, 2.0, 3.0}), 0.0);
+  EXPECT_EQ(texture->PushAt(-1.0, {1.0, 2.0, 3.0}), 0.0);
+  EXPECT_EQ(texture->PushAt(test::NotANumber, {1.0, 2.0, 3.0}), 0.0);
+  EXPECT_EQ(texture->PushAt(1.0, {100.0, 0.0, 0.0}), 0.0);
+  EXPECT_EQ(texture->PushAt(1.0, {test::NotANumber, 0.0, 0.0}), 0.0);
 }
 
 // Of the gyroid, whose slope is at most 3 pi / 3 per mm and whose deviation is 0.87, u changes by
@@ -74,7 +74,7 @@ TEST(SurfaceTexture, WhatIsBrighterPushesMore)
     const Vector3 a = 10.0 * test::RandomDirection(random);
     const Vector3 b = 10.0 * test::RandomDirection(random);
     const bool isBrighter = image.ValueWorld(0, a).Value > image.ValueWorld(0, b).Value;
-    EXPECT_EQ(texture->Force(1.0, a) > texture->Force(1.0, b), isBrighter);
+    EXPECT_EQ(texture->PushAt(1.0, a) > texture->PushAt(1.0, b), isBrighter);
   }
 }
 
@@ -97,12 +97,12 @@ TEST(SurfaceTexture, IsFeltWhereTheToolTouchesAndNowhereElse)
 {
   TouchScene scene = test::WallScene(0.0, {1.0, 0.0});
   scene.Tool = ToolShape::Sphere(2.0);
-  scene.Structures[0].Texture = Texture();
+  scene.Structures[0].Effects = {Texture()};
   test::ServoRun run(scene);
   EXPECT_EQ(run.RestAt({3.0, 1.0, 2.5}), Vector3::Zero());
   // A millimetre deep, the sphere touches the wall's face below its centre.
   const Vector3 felt = run.RestAt({3.0, 1.0, 1.0});
-  const double expected = 1.0 + Texture()->Force(1.0, {3.0, 1.0, 0.0});
+  const double expected = 1.0 + Texture()->PushAt(1.0, {3.0, 1.0, 0.0});
   EXPECT_NEAR((felt - Vector3(0.0, 0.0, expected)).norm(), 0.0, 1e-14); // roundings of 1 N
   EXPECT_NE(expected, 1.0);
 }

@@ -2,6 +2,7 @@
 
 #include "SafetyCases.h"
 #include "TouchDoubles.h"
+#include "VolumeViscosity.h"
 
 #include <gtest/gtest.h>
 
@@ -18,8 +19,10 @@ TEST(TouchScene, RefusesWhatCannotBeFelt)
       [](TouchScene& s) { s.Structures[0].Law.Stiffness = test::NotANumber; },
       [](TouchScene& s) { s.Structures[0].Law.Stiffness = -1.0; },
       [](TouchScene& s) { s.Structures[0].Law.Damping = test::Infinite; },
-      [](TouchScene& s) { s.Structures[0].Viscosity = -1.0; },
-      [](TouchScene& s) { s.Structures[0].Viscosity = test::NotANumber; },
+      [](TouchScene& s)
+      { s.Structures[0].Effects = {std::make_shared<const VolumeViscosity>(-1.0)}; },
+      [](TouchScene& s)
+      { s.Structures[0].Effects = {std::make_shared<const VolumeViscosity>(test::NotANumber)}; },
       [](TouchScene& s) { s.Tool = ToolShape::Sphere(-1.0); },
       [](TouchScene& s) { s.Ambient.Constant[1] = test::NotANumber; },
       [](TouchScene& s) { s.Ambient.Viscosity = -0.1; },

@@ -29,7 +29,11 @@ TEST(VolumeViscosity, OpposesTheHandWithinAndIsZeroElsewhere)
   {
     const ContactOffset contact = RandomContact(random);
     const Vector3 velocity = test::VectorOfAnyLength(random);
-    const Vector3 force = VolumeViscosity(Viscosity, contact, Radius, velocity);
+    EffectTouch touch;
+    touch.Contact = contact;
+    touch.CenterDepth = Radius;
+    touch.HandVelocity = velocity;
+    const Vector3 force = VolumeViscosity(Viscosity).Force(touch);
     const bool isWithin = contact.Offset.norm() > Radius;
     EXPECT_EQ(force, isWithin ? Vector3(-Viscosity * velocity) : Vector3::Zero());
     EXPECT_LE(force.dot(velocity), 0.0); // it takes power
@@ -40,9 +44,11 @@ TEST(VolumeViscosity, OpposesTheHandWithinAndIsZeroElsewhere)
 
 TEST(VolumeViscosity, IsZeroWithoutTouch)
 {
-  ContactOffset contact;
-  contact.Offset = {0.0, 0.0, 5.0};
-  EXPECT_EQ(VolumeViscosity(1.0, contact, 2.0, Vector3::Ones()), Vector3::Zero());
+  EffectTouch touch;
+  touch.Contact.Offset = {0.0, 0.0, 5.0};
+  touch.CenterDepth = 2.0;
+  touch.HandVelocity = Vector3::Ones();
+  EXPECT_EQ(VolumeViscosity(1.0).Force(touch), Vector3::Zero());
 }
 
 // A soft wall, half again as large in the world as in the hand: the sphere's centre is 2 / 1.5 mm
@@ -52,7 +58,7 @@ TEST(VolumeViscosity, BeginsWhereTheToolsCentreEnters)
   TouchScene scene = test::WallScene(0.0, {0.0, 0.0});
   scene.Tool = ToolShape::Sphere(2.0);
   scene.Frame = DeviceFrame(Matrix3::Identity(), 1.5, Vector3::Zero());
-  scene.Structures[0].Viscosity = 0.01;
+  scene.Structures[0].Effects = {std::make_shared<const VolumeViscosity>(0.01)};
   test::ServoRun run(scene);
   for (const double height : {0.1, -0.1})
   {

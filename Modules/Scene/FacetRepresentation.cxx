@@ -1,0 +1,37 @@
+#include "FacetRepresentation.h"
+
+#include "StructurePlan.h"
+
+namespace palpate
+{
+namespace
+{
+SceneProduct MakeContact(const FitResult& found)
+{
+  auto own = vtkSmartPointer<vtkPolyData>::New();
+  own->ShallowCopy(found.Surface);
+  return std::make_shared<const TouchContact>(MakeFacetContact(own, found.Input));
+}
+} // namespace
+
+SceneRepresentation FacetRepresentation()
+{
+  SceneRepresentation facets;
+  facets.Name = facets.Label = TouchRepresentation::Facets;
+  facets.Sources = {SceneSource::Label, SceneSource::Surface};
+  facets.PlanContact = [](StructurePlan& plan)
+  {
+    plan.AddContact(plan.AddSurface(),
+                    [](const StructurePlan::Inputs& inputs, const ProgressFunction&)
+                    { return MakeContact(ProductAs<FitSurface>(inputs.data())->Found); });
+  };
+  facets.Describe = [](const ContactSetting&) { return std::string("facets"); };
+  facets.KeyOf = facets.Describe;
+  facets.Vary = [](const ContactSetting& standard, const TouchToolSettings& tool, int)
+  {
+    const bool isSphere = tool.Kind == TouchToolSettings::Shape::Sphere; // others cannot touch it
+    return isSphere ? std::vector<ContactSetting>{standard} : std::vector<ContactSetting>();
+  };
+  return facets;
+}
+} // namespace palpate

@@ -1,0 +1,9 @@
+#pragma once
+
+#include "SceneRepresentation.h"
+
+namespace palpate
+{
+/// The triangles of a label's surface, or of a surface from a file.
+PALPATESCENE_EXPORT SceneRepresentation FacetRepresentation();
+} // namespace palpate

@@ -1,0 +1,9 @@
+#pragma once
+
+#include "SceneRepresentation.h"
+
+namespace palpate
+{
+/// The sub-voxel field of a label or of an iso-value; the only one that can be drilled.
+PALPATESCENE_EXPORT SceneRepresentation FieldRepresentation();
+} // namespace palpate

@@ -1,0 +1,78 @@
+#include "HarmonicRepresentation.h"
+
+#include "StructurePlan.h"
+
+#include <algorithm>
+
+namespace palpate
+{
+namespace
+{
+SceneProduct MakeContact(const FitResult& fit, HarmonicContactMode mode)
+{
+  return std::make_shared<const TouchContact>(MakeHarmonicContact(fit.Model, mode, fit.Input));
+}
+
+// Only a sphere can touch it. The degree of a model is its own.
+std::vector<ContactSetting> Vary(ContactSetting standard, const TouchToolSettings& tool,
+                                 int highestDegree)
+{
+  if (tool.Kind != TouchToolSettings::Shape::Sphere)
+  {
+    return {};
+  }
+  SceneStructure& structure = standard.Structure;
+  std::vector<ContactSetting> settings;
+  if (structure.Source() == SceneSource::Label)
+  {
+    structure.Degree = std::min(structure.Degree, highestDegree);
+    settings.push_back(standard);
+    for (const int degree : {4, 8, 12, 16, 24, 32})
+    {
+      settings.push_back(standard);
+      settings.back().Structure.Degree = std::min(degree, highestDegree);
+    }
+  }
+  settings.push_back(standard);
+  for (const HarmonicContactMode mode : {HarmonicContactMode::Nearest, HarmonicContactMode::Radial})
+  {
+    settings.push_back(standard);
+    settings.back().Structure.Mode = mode;
+  }
+  return Unique(settings);
+}
+
+bool IsNearest(const ContactSetting& setting)
+{
+  return setting.Structure.Mode == HarmonicContactMode::Nearest;
+}
+} // namespace
+
+SceneRepresentation HarmonicRepresentation()
+{
+  SceneRepresentation harmonics;
+  harmonics.Name = harmonics.Label = TouchRepresentation::Harmonics;
+  harmonics.Sources = {SceneSource::Label, SceneSource::Model};
+  harmonics.Appearance = SceneAppearance::Model;
+  harmonics.PlanContact = [](StructurePlan& plan)
+  {
+    plan.AddContact(
+        plan.AddModel(),
+        [mode = plan.Settings().Mode](const StructurePlan::Inputs& inputs, const ProgressFunction&)
+        { return MakeContact(*ProductAs<FitResult>(inputs.data()), mode); });
+  };
+  harmonics.PlanDisplay = [](StructurePlan& plan) { plan.AddModel(); };
+  harmonics.Describe = [](const ContactSetting& setting)
+  {
+    return "harmonics of degree " + std::to_string(setting.Structure.Degree) +
+           (IsNearest(setting) ? ", nearest point" : ", radial");
+  };
+  harmonics.KeyOf = [](const ContactSetting& setting)
+  {
+    return "harmonics/" + std::to_string(setting.Structure.Degree) +
+           (IsNearest(setting) ? "/nearest" : "/radial");
+  };
+  harmonics.Vary = Vary;
+  return harmonics;
+}
+} // namespace palpate
