@@ -198,11 +198,10 @@ TEST(CliMessages, ARefusedFitIsToldByTheOptionsOfTheCommand)
   WriteAll(folder / "a.palpate.json",
            "{\"format\": \"palpate-study\", \"segmentation\": \"a.nii.gz\", \"structures\": "
            "[{\"label\": 1}]}");
-  for (const std::vector<std::string>& words :
-       std::vector<std::vector<std::string>>{{"touch", "a.nii.gz", "--representation", "harmonics"},
-                                             {"study", "a.palpate.json"},
-                                             {"tradeoff", "a.nii.gz", "--label", "1", "--only",
-                                              "degree", "--seconds", "0.5", "--runs", "1"}})
+  for (const std::vector<std::string>& words : std::vector<std::vector<std::string>>{
+           {"touch", "a.nii.gz", "--representation", "harmonics"},
+           {"study", "a.palpate.json"},
+           {"tradeoff", "a.nii.gz", "--label", "1", "--seconds", "0.5", "--runs", "1"}})
   {
     const CommandRun run = RunPalpate(words, folder.Path());
     EXPECT_TRUE(Has(run.Errors + run.Output, "is not star-shaped")) << run.Errors << run.Output;

@@ -197,8 +197,7 @@ TEST_F(JsonOutput, TouchIsDocumented)
 
 TEST_F(JsonOutput, TradeoffIsDocumented)
 {
-  this->Run(
-      {"tradeoff", "ball.json", "--only", "degree", "--seconds", "0.5", "--runs", "1", "--json"});
+  this->Run({"tradeoff", "ball.json", "--seconds", "0.5", "--runs", "1", "--json"});
   palpate::TradeResult result;
   palpate::TradeRow refused;
   refused.State = palpate::TradeRow::Outcome::Refused;

@@ -45,7 +45,7 @@ protected:
   {
     scene.Tool.Radius = 0.0;
     const BuiltScene built = BuildScene(scene, false, GoOn);
-    auto touch = std::make_shared<TouchScene>(MakeTouchScene(scene, built.Contacts, {}));
+    auto touch = std::make_shared<TouchScene>(MakeTouchScene(built.Settings, built.Contacts, {}));
     std::vector<StructureFollower> followers;
     EXPECT_TRUE(StructureFollower::Make(touch->Structures.front(), *touch,
                                         ServoSettings().VelocityTimeConstant, followers)

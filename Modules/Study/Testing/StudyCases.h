@@ -1,5 +1,6 @@
 #pragma once
 
+#include "SceneRepresentation.h"
 #include "StudyState.h"
 
 #include "RandomShapes.h"

@@ -84,7 +84,7 @@ TEST_F(StudyPipelineTest, MakesWhatAFitMakes)
 
 TEST_F(StudyPipelineTest, MakesOnlyWhatARepresentationNeeds)
 {
-  const std::vector<std::pair<TouchRepresentation, Steps>> cases{
+  const std::vector<std::pair<std::string, Steps>> cases{
       {TouchRepresentation::Harmonics,
        {SceneStep::Surface, SceneStep::Samples, SceneStep::Model, SceneStep::Touch}},
       {TouchRepresentation::Facets, {SceneStep::Surface, SceneStep::Touch}},
@@ -433,7 +433,7 @@ TEST_F(StudyPipelineTest, RandomChangesUndoneAndCancelledEndAsIfMadeAtOnce)
     next.Structures[0].IsTouchable = test::RandomChoice(random);
     next.Structures[0].Appearance = static_cast<SceneAppearance>(test::RandomWhole(random, 0, 4));
     next.Structures[0].Representation =
-        static_cast<TouchRepresentation>(test::RandomWhole(random, 0, 3));
+        SceneRepresentations().at(static_cast<std::size_t>(test::RandomWhole(random, 0, 3))).Name;
     next.Fit.Smoothing = test::RandomChoice(random) ? 0.0 : 1.0;
     next.VolumeFile = test::RandomChoice(random) ? "" : this->Phantom.Folder / "volume.nii.gz";
     history.Change("change", next);
