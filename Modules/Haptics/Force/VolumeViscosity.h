@@ -5,12 +5,13 @@
 
 namespace palpate
 {
-/// What a tool feels that is inside a structure: F = -c v (N), for a viscosity c (N s/mm) and the
-/// hand's velocity v (mm/s), while the tool's centre is inside. Meant for structures that are not
-/// stiff: others do not let it in. It never gives out energy at any one moment; held from tick to
-/// tick it is a damping like a contact's own, and has the same bound (StiffnessAdvice).
+/// Force inside a structure: F = -c v (N), for a viscosity c (N s/mm) and the hand's velocity v
+/// (mm/s), while the tool's centre is inside. For soft structures: stiff ones do not let it in. It
+/// never generates energy in continuous time; held from tick to tick it acts like a contact's
+/// damping, with the same bound (StiffnessAdvice).
 ///
-/// `centerDepth` (mm, in the frame of the offset) is how deep a contact is where the centre enters.
+/// `centerDepth` (mm, in the frame of the offset) is the contact's depth at which the centre
+/// enters.
 Vector3 VolumeViscosity(double viscosity, const ContactOffset& contact, double centerDepth,
                         const Vector3& velocity) noexcept;
 } // namespace palpate

@@ -6,7 +6,7 @@
 
 namespace palpate::test
 {
-/// What a hand does on short paths: 1 kHz, lengths in mm.
+/// A hand's motion on short paths: 1 kHz, lengths in mm.
 struct TouchPath
 {
   static constexpr double Start = 0.2; ///< above the surface
@@ -17,7 +17,7 @@ struct TouchPath
   static constexpr int Ticks = ApproachTicks + SlideTicks;
 };
 
-/// Walks over a star-shaped surface, along a great circle of its directions.
+/// Walks over a star-shaped surface, along a great circle of directions.
 class HarmonicWalk
 {
 public:
@@ -40,7 +40,7 @@ private:
   Vector3 Axis;
 };
 
-/// Walks over the surface of a field, from the one of its points that lies next to `near`.
+/// Walks over the surface of a field, from its point nearest to `near`.
 class FieldWalk
 {
 public:
