@@ -51,8 +51,9 @@ TEST(StiffnessAdvice, WarnsOfEveryStructureThatAsksForMore)
   const std::vector<std::string> warnings = StiffnessWarnings(scene, Known(), 1000.0);
   ASSERT_EQ(warnings.size(), 1u);
   EXPECT_EQ(warnings[0],
-            "The structure bone asks for 5 N/mm; the device example at 1e+03 Hz is stable up to 4 "
-            "N/mm, since its own damping cannot take up more of what sampling gives out: lower its "
+            "The structure bone requests 5 N/mm; the device example at 1e+03 Hz is stable up to 4 "
+            "N/mm, since its own damping cannot absorb more of the energy that sampling generates: "
+            "lower its "
             "stiffness or its damping, or it may vibrate.");
 }
 
