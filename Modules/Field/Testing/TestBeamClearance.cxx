@@ -107,7 +107,7 @@ struct BallsField
   }
 };
 
-TEST(BeamClearance, SkipsNoBallOfMany)
+TEST(BeamClearance, SkipsNoneOfManySpheres)
 {
   std::mt19937_64 random(73);
   int skipped = 0;
@@ -126,7 +126,7 @@ TEST(BeamClearance, SkipsNoBallOfMany)
   EXPECT_GT(skipped, 900);
 }
 
-TEST(BeamClearance, SkipsNoHitOfAnyRayInTheBeam)
+TEST(BeamClearance, SkipsNoHitOfAnyRay)
 {
   std::mt19937_64 random(71);
   int skipped = 0;
@@ -140,7 +140,7 @@ TEST(BeamClearance, SkipsNoHitOfAnyRayInTheBeam)
   EXPECT_GT(skipped, 300);
 }
 
-TEST(BeamClearance, SkipsNoBorderOfAMaterialThatTheGridEnds)
+TEST(BeamClearance, SkipsNoMaterialAtTheGridBorder)
 {
   std::mt19937_64 random(72);
   int skipped = 0;
@@ -153,7 +153,7 @@ TEST(BeamClearance, SkipsNoBorderOfAMaterialThatTheGridEnds)
 }
 
 // Bricks of which each has some surface: what is skipped is skipped by cells.
-TEST(BeamClearance, SkipsNoSheetBetweenCellsThatAreFree)
+TEST(BeamClearance, SkipsNoSheetBetweenFreeCells)
 {
   std::mt19937_64 random(74);
   const FieldGrid grid = test::PlainGrid({70, 61, 83});
@@ -173,7 +173,7 @@ TEST(BeamClearance, SkipsNoSheetBetweenCellsThatAreFree)
 }
 
 // The beam is wider than what is known to be empty round its middle.
-TEST(BeamClearance, SkipsNothingBesideItsMiddle)
+TEST(BeamClearance, SkipsNothingOffTheCentralRay)
 {
   const FieldGrid grid = test::PlainGrid({120, 120, 120});
   const test::SphereField sphere{{20.0, 60.0, 60.0}, 6.0};
@@ -188,7 +188,7 @@ TEST(BeamClearance, SkipsNothingBesideItsMiddle)
   EXPECT_LE(ClearUntil(*field, BeamOf(corners), 0.0, 1000.0), 84.0);
 }
 
-TEST(BeamClearance, IsTheWholeIntervalWhereNothingIsMet)
+TEST(BeamClearance, IsTheWholeIntervalWithoutSurface)
 {
   const FieldGrid grid = test::PlainGrid({70, 70, 70});
   const test::SphereField sphere{{20.0, 20.0, 20.0}, 6.0};

@@ -50,7 +50,7 @@ std::vector<double> WithRoots(const std::vector<double>& roots, double sign)
   return scaled;
 }
 
-TEST(BernsteinCrossings, FindsTheRootsThatAPolynomialWasMadeOf)
+TEST(BernsteinCrossings, FindsTheKnownRoots)
 {
   std::mt19937_64 random(41);
   std::uniform_real_distribution<double> place(-0.5, 1.5);
@@ -85,7 +85,7 @@ TEST(BernsteinCrossings, FindsTheRootsThatAPolynomialWasMadeOf)
   }
 }
 
-TEST(BernsteinCrossings, HaveTheParityOfTheEnds)
+TEST(BernsteinCrossings, CountHasTheParityOfTheEndSigns)
 {
   std::mt19937_64 random(42);
   for (int round = 0; round < 20000; ++round)
@@ -118,7 +118,7 @@ TEST(BernsteinCrossings, ZerosAtTheEndsAreInside)
 
 // 2 u^3 - 5 u^2 + 3 u - 1/2 = (u - 1/2) (2 u^2 - 4 u + 1): halving puts a root on the cut, and the
 // left half has another one just at its end, or just beyond.
-TEST(BernsteinCrossings, ARootOnTheCutDoesNotHideItsNeighbour)
+TEST(BernsteinCrossings, FindsNeighboursOfARootAtTheBisection)
 {
   const std::vector<double> whole = CrossingsOf<3>({-0.5, 0.5, -1.0 / 6.0, -0.5});
   ASSERT_EQ(whole.size(), 2u);
@@ -135,7 +135,7 @@ TEST(BernsteinCrossings, ARootOnTheCutDoesNotHideItsNeighbour)
   }
 }
 
-TEST(BernsteinCrossings, TellsTwoCrossingsApartDownToRounding)
+TEST(BernsteinCrossings, SeparatesTwoCrossingsDownToRounding)
 {
   for (const double gap : {1e-2, 1e-4, 1e-6})
   {
@@ -145,7 +145,7 @@ TEST(BernsteinCrossings, TellsTwoCrossingsApartDownToRounding)
   }
 }
 
-TEST(BernsteinCrossings, ValueAndSlopeAreThoseOfThePolynomial)
+TEST(BernsteinCrossings, ValueAndSlopeMatchThePolynomial)
 {
   // u^3 and its derivative.
   const double coefficients[] = {0.0, 0.0, 0.0, 1.0};

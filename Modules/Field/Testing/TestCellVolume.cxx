@@ -36,13 +36,13 @@ double PartByCounting(const Corners& corners)
   return inside / std::pow(Points, 3);
 }
 
-TEST(CellVolume, CellsWithoutSurfaceAreWholeOrEmpty)
+TEST(CellVolume, CellsWithoutSurfaceAreFullOrEmpty)
 {
   EXPECT_EQ(InsidePartOfCell({{0, 1, 2, 3, 4, 5, 6, 7}}), 1.0);
   EXPECT_EQ(InsidePartOfCell({{-0.5, -1, -2, -3, -4, -5, -6, -7}}), 0.0);
 }
 
-TEST(CellVolume, OfTwoValuesCountsWhereBothAreNotNegative)
+TEST(CellVolume, CountsWhereBothValuesAreNonNegative)
 {
   std::mt19937_64 random(4);
   std::uniform_real_distribution<double> value(-1.0, 1.0);
@@ -84,7 +84,7 @@ TEST(CellVolume, SlabsAlongEveryAxisAreExact)
   }
 }
 
-TEST(CellVolume, BothSidesOfASurfaceMakeUpTheCell)
+TEST(CellVolume, BothSidesSumToTheCell)
 {
   std::mt19937_64 random(1);
   std::normal_distribution<double> value;
@@ -101,7 +101,7 @@ TEST(CellVolume, BothSidesOfASurfaceMakeUpTheCell)
   }
 }
 
-TEST(CellVolume, RandomCellsAgreeWithCountingPoints)
+TEST(CellVolume, RandomCellsAgreeWithPointCounts)
 {
   std::mt19937_64 random(2);
   std::normal_distribution<double> value;

@@ -105,7 +105,7 @@ double BallVolume(double radius)
   return 4.0 / 3.0 * M_PI * std::pow(radius, 3);
 }
 
-TEST(CutSweep, OfASphereIsACapsule)
+TEST(CutSweep, SphereSweepsACapsule)
 {
   const CutSweep sweep(CutTool::Sphere(1.0), At(Vector3::Zero()), At(Vector3(4.0, 0.0, 0.0)), 0.1);
   EXPECT_DOUBLE_EQ(sweep.Distance(Vector3(2.0, 3.0, 0.0)), 2.0);
@@ -114,7 +114,7 @@ TEST(CutSweep, OfASphereIsACapsule)
   EXPECT_DOUBLE_EQ(sweep.Distance(Vector3(1.0, 0.0, 0.0)), -1.0);
 }
 
-TEST(CutSweep, WithoutAWayIsTheTool)
+TEST(CutSweep, WithoutMotionEqualsTheTool)
 {
   std::mt19937_64 random(5);
   std::uniform_real_distribution<double> place(-5.0, 5.0);
@@ -129,7 +129,7 @@ TEST(CutSweep, WithoutAWayIsTheTool)
   }
 }
 
-TEST(CutSweep, NoPlaceOnTheWayIsLeftOut)
+TEST(CutSweep, CoversEveryPoseOnThePath)
 {
   constexpr double Step = 0.1;
   std::mt19937_64 random(6);
@@ -150,7 +150,7 @@ TEST(CutSweep, NoPlaceOnTheWayIsLeftOut)
   }
 }
 
-TEST(CutSweep, ABallRemovesItsVolumeWithinOneInAHundredFromThreeVoxelsOn)
+TEST(CutSweep, SphereRemovesItsVolumeWithinOnePercentFromThreeVoxels)
 {
   std::mt19937_64 random(7);
   std::uniform_real_distribution<double> offset(-0.5, 0.5);
@@ -166,7 +166,7 @@ TEST(CutSweep, ABallRemovesItsVolumeWithinOneInAHundredFromThreeVoxelsOn)
   }
 }
 
-TEST(CutSweep, AStrokeRemovesACapsuleWithinOneInAHundred)
+TEST(CutSweep, StrokeRemovesACapsuleWithinOnePercent)
 {
   std::mt19937_64 random(8);
   std::uniform_real_distribution<double> offset(-0.5, 0.5);
@@ -188,7 +188,7 @@ TEST(CutSweep, AStrokeRemovesACapsuleWithinOneInAHundred)
   }
 }
 
-TEST(CutSweep, TheRemovedVolumeConvergesWithTheSpacingInSecondOrder)
+TEST(CutSweep, RemovedVolumeConvergesWithOrderTwo)
 {
   // The mean over many places of the ball in a voxel, so that what remains is no chance.
   const auto error = [](double spacing)

@@ -28,7 +28,7 @@ CutTool SampledBall(double radius)
   return CutTool::Surface(grid, distances);
 }
 
-TEST(CutTool, ASphereIsItsRadiusFromItsMiddle)
+TEST(CutTool, SphereDistanceIsExact)
 {
   const CutTool tool = CutTool::Sphere(1.5);
   EXPECT_DOUBLE_EQ(tool.Distance(Vector3(3.0, 0.0, 4.0)), 3.5);
@@ -36,7 +36,7 @@ TEST(CutTool, ASphereIsItsRadiusFromItsMiddle)
   EXPECT_DOUBLE_EQ(tool.BoundingRadius(), 1.5);
 }
 
-TEST(CutTool, ACylinderHasSidesEndsAndAnEdge)
+TEST(CutTool, CylinderDistanceIsExactAtSideEndAndEdge)
 {
   const CutTool tool = CutTool::Cylinder(1.0, 6.0);
   EXPECT_DOUBLE_EQ(tool.Distance(Vector3(3.0, 0.0, 1.0)), 2.0);
@@ -46,7 +46,7 @@ TEST(CutTool, ACylinderHasSidesEndsAndAnEdge)
   EXPECT_NEAR(tool.Distance(Vector3(0.0, 0.0, -2.9)), -0.1, 1e-15);
 }
 
-TEST(CutTool, ASampledSurfaceIsItsSamples)
+TEST(CutTool, SampledSurfaceInterpolatesItsSamples)
 {
   std::mt19937_64 random(3);
   std::uniform_real_distribution<double> place(-3.0, 3.0);
@@ -61,14 +61,14 @@ TEST(CutTool, ASampledSurfaceIsItsSamples)
   }
 }
 
-TEST(CutTool, BeyondItsGridASampledSurfaceIsFartherAway)
+TEST(CutTool, SampledDistanceGrowsBeyondItsGrid)
 {
   const CutTool tool = SampledBall(2.0);
   EXPECT_NEAR(tool.Distance(Vector3(8.0, 0.0, 0.0)), 6.0, 1e-12);
   EXPECT_GE(tool.Distance(Vector3(5.0, 5.0, 5.0)), std::sqrt(75.0) - 2.0 - 1e-12);
 }
 
-TEST(CutTool, EverythingInsideIsWithinTheBoundingRadius)
+TEST(CutTool, BoundingRadiusContainsTheInside)
 {
   std::mt19937_64 random(4);
   std::uniform_real_distribution<double> place(-6.0, 6.0);
@@ -82,7 +82,7 @@ TEST(CutTool, EverythingInsideIsWithinTheBoundingRadius)
   }
 }
 
-TEST(CutTool, RefusesWhatIsNoTool)
+TEST(CutTool, RejectsInvalidTools)
 {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   for (const double length : {0.0, -1.0, nan, static_cast<double>(INFINITY)})

@@ -55,7 +55,7 @@ double SlowDistance(const palpate::VoxelMask& mask, std::array<int, 3> from, uns
   return nearest;
 }
 
-TEST(DistanceTransform, AgreesWithTheSlowSearchAtEverySpacing)
+TEST(DistanceTransform, EqualsBruteForceAtEverySpacing)
 {
   std::mt19937_64 random(8);
   const std::array<std::array<double, 3>, 5> spacings{
@@ -91,7 +91,7 @@ TEST(DistanceTransform, AgreesWithTheSlowSearchAtEverySpacing)
   }
 }
 
-TEST(DistanceTransform, IsInfiniteWhereNothingElseIs)
+TEST(DistanceTransform, IsInfiniteWithoutOtherVoxels)
 {
   palpate::VoxelMask mask;
   mask.Size = {2, 3, 2};

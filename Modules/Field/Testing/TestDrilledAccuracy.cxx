@@ -32,7 +32,7 @@ Vector3 RandomOffset(double length, std::mt19937_64& random)
   return length * Vector3(part(random), part(random), part(random));
 }
 
-TEST(DrilledAccuracy, ABallRemovesItsVolumeWithinOneInAHundredFromThreeVoxelsOn)
+TEST(DrilledAccuracy, SphereRemovesItsVolumeWithinOnePercentFromThreeVoxels)
 {
   std::mt19937_64 random(51);
   for (const double spacing : {0.3, 0.5, 1.0})
@@ -53,7 +53,7 @@ TEST(DrilledAccuracy, ABallRemovesItsVolumeWithinOneInAHundredFromThreeVoxelsOn)
   }
 }
 
-TEST(DrilledAccuracy, AStrokeTickByTickRemovesACapsuleWithinOneInAHundred)
+TEST(DrilledAccuracy, StrokeOfTicksRemovesACapsuleWithinOnePercent)
 {
   std::mt19937_64 random(52);
   for (const double spacing : {0.3, 0.5, 1.0})
@@ -78,7 +78,7 @@ TEST(DrilledAccuracy, AStrokeTickByTickRemovesACapsuleWithinOneInAHundred)
 // radius is what removing all of it says: interpolated, its edge lies a little farther out than it
 // was. The rim of what is drilled is sharp and loses what a straight line between nodes cuts off,
 // of second order too.
-TEST(DrilledAccuracy, AtTheBonesEdgeWhatIsInTheBoneCounts)
+TEST(DrilledAccuracy, CountsOnlyVolumeInsideTheMaterial)
 {
   std::mt19937_64 random(53);
   constexpr double Tool = 2.5;
@@ -103,7 +103,7 @@ TEST(DrilledAccuracy, AtTheBonesEdgeWhatIsInTheBoneCounts)
   }
 }
 
-TEST(DrilledAccuracy, TheRemovedVolumeConvergesWithTheSpacingInSecondOrder)
+TEST(DrilledAccuracy, RemovedVolumeConvergesWithOrderTwo)
 {
   // The mean over places of the ball in a voxel, so that what remains is no chance.
   const auto error = [](double spacing)
@@ -128,7 +128,7 @@ TEST(DrilledAccuracy, TheRemovedVolumeConvergesWithTheSpacingInSecondOrder)
   EXPECT_LT(error(0.25), coarse / 13.0);
 }
 
-TEST(DrilledAccuracy, ACanalHasTheToolsRadiusWithinATenthOfAVoxel)
+TEST(DrilledAccuracy, CanalRadiusEqualsTheToolsWithinATenthOfAVoxel)
 {
   std::mt19937_64 random(55);
   constexpr double Spacing = 0.5;

@@ -54,7 +54,7 @@ bool AreSame(const std::vector<FieldHit>& a, const std::vector<FieldHit>& b)
                     [](const FieldHit& x, const FieldHit& y) { return SameBits(x, y); });
 }
 
-TEST_F(EditedFieldTest, VersionsThatAreHeldKeepTheirBitsHoweverManyFollow)
+TEST_F(EditedFieldTest, HeldVersionsKeepTheirBits)
 {
   const auto drilled = Drill(*this->Bone.Make());
   struct Held
@@ -83,7 +83,7 @@ TEST_F(EditedFieldTest, VersionsThatAreHeldKeepTheirBitsHoweverManyFollow)
   }
 }
 
-TEST_F(EditedFieldTest, AVersionOutlivesTheFieldThatMadeIt)
+TEST_F(EditedFieldTest, VersionOutlivesItsField)
 {
   auto drilled = Drill(*this->Bone.Make());
   CutWay(*drilled, this->Tool, this->Bone.Middle, this->RandomPlace());
@@ -94,7 +94,7 @@ TEST_F(EditedFieldTest, AVersionOutlivesTheFieldThatMadeIt)
 }
 
 // However long a hand drills: directories for what is used at once, and records of bricks.
-TEST_F(EditedFieldTest, MemoryIsBoundedByTheBricksAndNotByTheCuts)
+TEST_F(EditedFieldTest, MemoryIsBoundedByBricksNotCuts)
 {
   const auto drilled = Drill(*this->Bone.Make());
   drilled->SetHistoryBytes(0);
@@ -117,7 +117,7 @@ TEST_F(EditedFieldTest, MemoryIsBoundedByTheBricksAndNotByTheCuts)
   EXPECT_LE(drilled->Bytes(), bytes + bytes / 4);
 }
 
-TEST_F(EditedFieldTest, VersionsWithoutEndAreRefusedAndCutsGoOnOnceSomeAreGone)
+TEST_F(EditedFieldTest, RejectsTooManyVersionsUntilSomeAreReleased)
 {
   const auto drilled = Drill(*this->Bone.Make());
   std::vector<std::shared_ptr<const ScalarField>> held;
@@ -141,7 +141,7 @@ TEST_F(EditedFieldTest, VersionsWithoutEndAreRefusedAndCutsGoOnOnceSomeAreGone)
 }
 
 // No ray may leap over a surface; what appears inside a filled region is found from afar.
-TEST_F(EditedFieldTest, ASurfaceThatAppearsFarFromAllOthersIsHit)
+TEST_F(EditedFieldTest, HitsANewSurfaceFarFromOthers)
 {
   const FieldGrid grid = test::PlainGrid({130, 130, 130});
   std::vector<std::int8_t> samples(grid.NodeCount(), 1);
@@ -172,7 +172,7 @@ TEST_F(EditedFieldTest, ASurfaceThatAppearsFarFromAllOthersIsHit)
 
 // One thread cuts, others cast rays at what they were given: each version has the bits of a state
 // between two cuts.
-TEST_F(EditedFieldTest, NoVersionIsSeenTornByOtherThreads)
+TEST_F(EditedFieldTest, OtherThreadsSeeNoTornVersion)
 {
   const auto field = this->Bone.Make();
   constexpr int Cuts = 40;

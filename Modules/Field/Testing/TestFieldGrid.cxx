@@ -29,7 +29,7 @@ TEST(FieldGrid, WorldIsOriginPlusDirectionTimesSpacingTimesIndex)
   EXPECT_LE((grid.PointWorld(index) - expected).norm(), 1e-13); // roundings of some 100 mm
 }
 
-TEST(FieldGrid, ThereAndBackIsWithinTheStatedRounding)
+TEST(FieldGrid, RoundTripIsWithinTheStatedRounding)
 {
   std::mt19937_64 random(2);
   std::uniform_real_distribution<double> place(-200.0, 300.0);
@@ -44,7 +44,7 @@ TEST(FieldGrid, ThereAndBackIsWithinTheStatedRounding)
   }
 }
 
-TEST(FieldGrid, GradientsKeepTheChangeAlongEveryVector)
+TEST(FieldGrid, GradientsKeepDirectionalDerivatives)
 {
   std::mt19937_64 random(3);
   std::normal_distribution<double> normal;
@@ -59,7 +59,7 @@ TEST(FieldGrid, GradientsKeepTheChangeAlongEveryVector)
   EXPECT_LE(worst.Value(), 1e-13); // a dozen roundings of numbers up to 30
 }
 
-TEST(FieldGrid, RefusesWhatIsNoGrid)
+TEST(FieldGrid, RejectsInvalidGrids)
 {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const Vector3 zero = Vector3::Zero();

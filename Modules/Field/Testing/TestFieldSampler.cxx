@@ -34,7 +34,7 @@ Vector3 RandomPoint(const FieldGrid& grid, std::mt19937_64& random)
   return p;
 }
 
-TEST(FieldSampler, AgreesWithTheDenseSamplerOnRandomVolumes)
+TEST(FieldSampler, EqualsTheDenseSamplerOnRandomVolumes)
 {
   std::mt19937_64 random(11);
   for (int round = 0; round < 60; ++round)
@@ -106,7 +106,7 @@ TEST(FieldSampler, InsideIsWhereTheDenseValueReachesTheIsoValue)
   }
 }
 
-TEST(FieldSampler, TheIsoValueItselfIsInsideAtNodesAndInConstantRegions)
+TEST(FieldSampler, IsoValueIsInsideAtNodesAndInConstantRegions)
 {
   const FieldGrid grid = PlainGrid({20, 4, 4});
   std::vector<std::int16_t> samples(grid.NodeCount(), 300);
@@ -121,7 +121,7 @@ TEST(FieldSampler, TheIsoValueItselfIsInsideAtNodesAndInConstantRegions)
   EXPECT_TRUE(sampler.IsInsideIndex(0, {1, 0, 0}));
 }
 
-TEST(FieldSampler, SaysWhatIsOutsideTheGrid)
+TEST(FieldSampler, ReportsPointsOutsideTheGrid)
 {
   std::mt19937_64 random(13);
   const FieldGrid grid = test::ObliqueGrid({5, 6, 7}, random);
@@ -311,7 +311,7 @@ void ExpectBatchesLikeSingleQueries(FieldInterpolation method, FieldSense sense)
   }
 }
 
-TEST(FieldSampler, BatchesAnswerLikeSingleQueriesForEveryInstructionSet)
+TEST(FieldSampler, BatchesEqualSingleQueriesForEveryInstructionSet)
 {
   for (const FieldInterpolation method : Methods)
   {

@@ -58,7 +58,7 @@ std::string RefusalOfLabel(const std::vector<T>& labels, const FieldGrid& grid, 
       .Message();
 }
 
-TEST(LabelField, RefusesLabelsThatNoVoxelHas)
+TEST(LabelField, RejectsAbsentLabels)
 {
   const FieldGrid grid = PlainGrid({4, 4, 4});
   std::vector<std::uint8_t> labels(grid.NodeCount(), 0);
@@ -82,7 +82,7 @@ void ExpectFindsLabel(long long label)
   EXPECT_FALSE(sampler.IsInsideIndex(0, {2, 2, 3}));
 }
 
-TEST(LabelField, ReadsEveryTypeOfInteger)
+TEST(LabelField, ReadsEveryIntegerType)
 {
   ExpectFindsLabel<std::int8_t>(-128);
   ExpectFindsLabel<std::uint8_t>(255);
@@ -115,7 +115,7 @@ TEST(LabelField, KeepsTheSideOfEveryVoxelCentre)
   }
 }
 
-TEST(LabelField, TheBoundaryOfABoxLiesHalfWayBetweenCentres)
+TEST(LabelField, BoxBoundaryIsHalfWayBetweenCentres)
 {
   for (const double thickness : {1.0, 12.0})
   {
@@ -173,7 +173,7 @@ SphereErrors ErrorsOfMaskedSphere(const Vector3& spacing, double smoothing)
   return errors;
 }
 
-TEST(LabelField, AMaskedSphereIsBetterThanItsVoxels)
+TEST(LabelField, SphereIsMoreAccurateThanItsVoxels)
 {
   const SphereErrors errors = ErrorsOfMaskedSphere({1, 1, 1}, 0.0);
   // The mask itself is off by up to sqrt(3)/2 and 0.25 in the mean; its faces' normals by 0.6 rad.
@@ -182,7 +182,7 @@ TEST(LabelField, AMaskedSphereIsBetterThanItsVoxels)
   EXPECT_LE(errors.MeanAngle, 0.35);
 }
 
-TEST(LabelField, SmoothingMakesAMaskedSphereSmooth)
+TEST(LabelField, SmoothingSmoothsASphere)
 {
   const SphereErrors errors = ErrorsOfMaskedSphere({1, 1, 1}, 1.0);
   EXPECT_LE(errors.Largest, 0.4);
@@ -190,7 +190,7 @@ TEST(LabelField, SmoothingMakesAMaskedSphereSmooth)
   EXPECT_LE(errors.MeanAngle, 0.08);
 }
 
-TEST(LabelField, ThickSlicesAreInterpolated)
+TEST(LabelField, InterpolatesThickSlices)
 {
   const SphereErrors errors = ErrorsOfMaskedSphere({0.5, 0.5, 5.0}, 0.0);
   // Half a slice is 2.5; at the poles, where outlines lie further apart than that, it shows.
@@ -198,7 +198,7 @@ TEST(LabelField, ThickSlicesAreInterpolated)
   EXPECT_LE(errors.Mean, 0.6);
 }
 
-TEST(LabelField, RefusesSmoothingThatIsNone)
+TEST(LabelField, RejectsInvalidSmoothing)
 {
   const FieldGrid grid = PlainGrid({4, 4, 4});
   std::vector<std::uint8_t> labels(grid.NodeCount(), 0);

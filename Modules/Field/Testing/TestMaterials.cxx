@@ -41,7 +41,7 @@ struct Conjunction
   }
 };
 
-TEST(Materials, WhereBothConditionsHoldStandsBeforeTheOracle)
+TEST(Materials, TwoConditionsAgreeWithTheOracle)
 {
   for (const auto method : {FieldInterpolation::Trilinear, FieldInterpolation::TricubicBSpline})
   {
@@ -101,7 +101,7 @@ struct Scene
   }
 };
 
-TEST(Materials, AHitSaysWhichMaterialItIsOf)
+TEST(Materials, HitNamesItsMaterial)
 {
   const Scene scene;
   const RayCaster caster(scene.Field);
@@ -132,7 +132,7 @@ TEST(Materials, AHitSaysWhichMaterialItIsOf)
   EXPECT_EQ(caster.CastIndex(ray, tMin, Infinity).Kind, HitKind::Missed);
 }
 
-TEST(Materials, OnlyThoseAskedForAreHit)
+TEST(Materials, HitsOnlyRequestedMaterials)
 {
   const Scene scene;
   const RayCaster caster(scene.Field);
@@ -147,7 +147,7 @@ TEST(Materials, OnlyThoseAskedForAreHit)
   EXPECT_EQ(inside.StartsInside, OnlyMaterial(0));
 }
 
-TEST(Materials, TheNormalPointsOutwardsForEitherSense)
+TEST(Materials, NormalPointsOutwardsForEitherSense)
 {
   const Scene scene;
   const RayCaster caster(scene.Field);
@@ -159,7 +159,7 @@ TEST(Materials, TheNormalPointsOutwardsForEitherSense)
   EXPECT_EQ(-hit.Gradient, Vector3(1, 0, 0));
 }
 
-TEST(Materials, TheSamplerKnowsAllOfThem)
+TEST(Materials, SamplerFindsAllMaterials)
 {
   const Scene scene;
   const FieldSampler sampler(scene.Field);
@@ -172,7 +172,7 @@ TEST(Materials, TheSamplerKnowsAllOfThem)
   EXPECT_EQ(sampler.MaterialsIndex({60, 1, 1}), 0u);
 }
 
-TEST(Materials, StoresWhereTheMaterialHasASurfaceNotTheChannel)
+TEST(Materials, StoresSurfacesOfMaterialsNotChannels)
 {
   const FieldGrid grid = PlainGrid({129, 33, 33});
   const auto distances = test::SampleAtIndices<std::int16_t>(grid.Size(), test::GyroidField{6.0});

@@ -66,7 +66,7 @@ struct Protected
   }
 };
 
-TEST(Protection, WhatIsForbiddenStaysAndKeepsItsBits)
+TEST(Protection, ForbiddenRegionKeepsItsBits)
 {
   Protected bone;
   bone.CutAcross(2.0);
@@ -91,7 +91,7 @@ TEST(Protection, WhatIsForbiddenStaysAndKeepsItsBits)
 }
 
 // Two cylinders that cross at a right angle: 16/3 r^3 of equal ones; integrated here.
-TEST(Protection, WhatIsRemovedIsTheSweepWithoutWhatIsForbidden)
+TEST(Protection, RemovesTheSweepMinusTheForbiddenRegion)
 {
   Protected bone;
   constexpr double R = 2.0;
@@ -108,7 +108,7 @@ TEST(Protection, WhatIsRemovedIsTheSweepWithoutWhatIsForbidden)
   EXPECT_NEAR(bone.Drilled->RemovedVolume(), wanted, 0.01 * wanted);
 }
 
-TEST(Protection, ThePillarThatIsLeftIsTheForbiddenOneWithinATenthOfAVoxel)
+TEST(Protection, RemainingPillarIsForbiddenOneWithinATenthOfAVoxel)
 {
   Protected bone;
   bone.CutAcross(2.0);
@@ -132,7 +132,7 @@ TEST(Protection, ThePillarThatIsLeftIsTheForbiddenOneWithinATenthOfAVoxel)
   }
 }
 
-TEST(Protection, AStateThatWasKeptRemovesNothingForbiddenEither)
+TEST(Protection, RestoredStateRemovesNothingForbidden)
 {
   Protected bone;
   bone.CutAcross(2.0);
@@ -147,14 +147,14 @@ TEST(Protection, AStateThatWasKeptRemovesNothingForbiddenEither)
   EXPECT_EQ(restored.Drilled->RemovedVolume(), 0.0);
 }
 
-TEST(Protection, ACutThatIsWhollyForbiddenRemovesNothing)
+TEST(Protection, FullyForbiddenCutRemovesNothing)
 {
   Protected bone;
   test::CutWay(*bone.Drilled, CutTool::Sphere(0.3), bone.Scan.Middle, bone.Scan.Middle);
   EXPECT_EQ(bone.Drilled->RemovedVolume(), 0.0);
 }
 
-TEST(Protection, ComesBeforeTheFirstCutAndFromTheSameGrid)
+TEST(Protection, RequiresTheSameGridAndNoEarlierCut)
 {
   Protected bone;
   bone.CutAcross(1.0);
@@ -165,7 +165,7 @@ TEST(Protection, ComesBeforeTheFirstCutAndFromTheSameGrid)
                    .IsOk());
 }
 
-TEST(FieldNodes, AreTheSamplesWhereTheyAreStoredAndOnTheirSideElsewhere)
+TEST(FieldNodes, EqualSamplesWhereStoredAndKeepTheirSideElsewhere)
 {
   const test::ScannedBone scan = Bone();
   const auto field = scan.Make(scan.Bone);

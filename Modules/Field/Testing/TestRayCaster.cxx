@@ -48,7 +48,7 @@ std::shared_ptr<const ScalarField> MakeWall(double iso)
   return MakeField(grid, samples, iso);
 }
 
-TEST(RayCaster, AWallOfOneVoxelIsEnteredAndLeft)
+TEST(RayCaster, EntersAndLeavesAOneVoxelWall)
 {
   const double thin = 1e-9;
   for (const double iso : {0.5, 0.999, 1.0 - thin})
@@ -71,7 +71,7 @@ TEST(RayCaster, AWallOfOneVoxelIsEnteredAndLeft)
   }
 }
 
-TEST(RayCaster, AWallAsThinAsTheIsoValueIsFound)
+TEST(RayCaster, FindsAWallAsThinAsTheIsoValue)
 {
   const RayCaster caster(MakeWall(1.0));
   const FieldHit hit = caster.CastIndex({{0, 4, 4}, {1, 0, 0}}, 0.0, Infinity);
@@ -107,7 +107,7 @@ TEST(RayCaster, ReportsTheBorderWhereAMaterialReachesIt)
   EXPECT_EQ(caster.CastWorld({{15, 5, 5}, {0, 0, 3}}, 0.0, 4.9).Kind, HitKind::Missed);
 }
 
-TEST(RayCaster, AnswersWhatIsNoRay)
+TEST(RayCaster, ReportsInvalidRays)
 {
   const RayCaster caster(MakeWall(0.5));
   const FieldRay ray{{0, 4, 4}, {1, 0, 0}};
@@ -134,7 +134,7 @@ TEST(RayCaster, AnswersWhatIsNoRay)
   EXPECT_EQ(caster.CastIndex({{20, 0, 0}, {-1, 0, 0}}, 0, Infinity).T, 9.5);
 }
 
-TEST(RayCaster, StartsInsideAndFindsTheWayOut)
+TEST(RayCaster, FindsTheExitWhenStartingInside)
 {
   const FieldGrid grid = PlainGrid({41, 41, 41});
   const test::QuadraticSphereField sphere{{20, 20, 20}, 12.0};
@@ -193,7 +193,7 @@ TEST(RayCaster, FindsBothCrossingsOfRaysThatNearlyGraze)
   EXPECT_EQ(caster.CastIndex(beside, 8.0, 12.0).Kind, HitKind::Missed);
 }
 
-TEST(RayCaster, RepresentableFieldsAreHitToRounding)
+TEST(RayCaster, HitsRepresentableFieldsToRounding)
 {
   const FieldGrid grid = PlainGrid({30, 30, 30});
   std::mt19937_64 random(22);

@@ -49,17 +49,17 @@ void ExpectNoFaults(FieldInterpolation method, int volumes, int raysOfEach, unsi
   EXPECT_GE(hits, volumes * raysOfEach / 2);
 }
 
-TEST(RayCasterFuzz, TrilinearAnswersStandBeforeTheOracle)
+TEST(RayCasterFuzz, TrilinearHitsAgreeWithTheOracle)
 {
   ExpectNoFaults(FieldInterpolation::Trilinear, 150, 100, 31);
 }
 
-TEST(RayCasterFuzz, TricubicAnswersStandBeforeTheOracle)
+TEST(RayCasterFuzz, TricubicHitsAgreeWithTheOracle)
 {
   ExpectNoFaults(FieldInterpolation::TricubicBSpline, 60, 40, 32);
 }
 
-TEST(RayCasterFuzz, AnyIntervalThatHoldsTheHitGivesItsBits)
+TEST(RayCasterFuzz, EveryIntervalWithTheHitGivesItsBits)
 {
   for (const FieldInterpolation method : Methods)
   {
@@ -118,7 +118,7 @@ TEST(RayCasterFuzz, BatchesGiveTheBitsOfSingleRays)
 }
 
 // From denormal to huge, and the same for the interval: what matters is that there is an answer.
-TEST(RayCasterFuzz, EveryMagnitudeIsAnswered)
+TEST(RayCasterFuzz, HandlesEveryMagnitude)
 {
   std::mt19937_64 random(36);
   const auto number = [&random]

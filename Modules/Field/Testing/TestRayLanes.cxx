@@ -111,7 +111,7 @@ void ExpectSingleAnswers(const std::shared_ptr<const ScalarField>& field, const 
   }
 }
 
-TEST(RayLanes, GiveTheBitsOfSingleRays)
+TEST(RayLanes, EqualSingleRays)
 {
   for (const auto method : {FieldInterpolation::Trilinear, FieldInterpolation::TricubicBSpline})
   {
@@ -132,7 +132,7 @@ TEST(RayLanes, GiveTheBitsOfSingleRays)
 }
 
 // Hits are at nodes and on faces often, where cells end too.
-TEST(RayLanes, GiveTheBitsOfSingleRaysWhereIntervalsEndAtHits)
+TEST(RayLanes, EqualSingleRaysWhereIntervalsEndAtHits)
 {
   std::mt19937_64 random(65);
   Tally tally;
@@ -154,7 +154,7 @@ TEST(RayLanes, GiveTheBitsOfSingleRaysWhereIntervalsEndAtHits)
   EXPECT_GT(tally.Hits, 5000);
 }
 
-TEST(RayLanes, AnswerAnyNumberOfRays)
+TEST(RayLanes, HandleAnyNumberOfRays)
 {
   std::mt19937_64 random(62);
   const RandomVolume volume(FieldInterpolation::Trilinear, random);
@@ -195,7 +195,7 @@ std::shared_ptr<const ScalarField> MixedField(const FieldGrid& grid, std::mt1993
   return field;
 }
 
-TEST(RayLanes, GiveTheBitsOfSingleRaysForEverySetOfMaterials)
+TEST(RayLanes, EqualSingleRaysForEveryMaterialSet)
 {
   std::mt19937_64 random(63);
   const FieldGrid grid = test::ObliqueGrid({70, 41, 44}, random);
@@ -209,7 +209,7 @@ TEST(RayLanes, GiveTheBitsOfSingleRaysForEverySetOfMaterials)
   EXPECT_GT(tally.Hits, 3000);
 }
 
-TEST(RayLanes, OneIntervalForAllIsThatIntervalForEach)
+TEST(RayLanes, SharedIntervalEqualsSeparateIntervals)
 {
   std::mt19937_64 random(64);
   const RandomVolume volume(FieldInterpolation::Trilinear, random);

@@ -43,7 +43,7 @@ void CutCanal(DrilledField& drilled, double radius, const Vector3& middle)
   test::CutWay(drilled, CutTool::Sphere(radius), middle - along, middle + along);
 }
 
-TEST(DrilledTouch, ASmallerBallFeelsTheCanalsRadiusWithinATenthOfAVoxel)
+TEST(DrilledTouch, SmallerSphereMeasuresTheCanalWithinATenthOfAVoxel)
 {
   const test::ScannedBone bone = PlainBone();
   const auto drilled = test::Drill(*bone.Make());
@@ -67,7 +67,7 @@ TEST(DrilledTouch, ASmallerBallFeelsTheCanalsRadiusWithinATenthOfAVoxel)
 
 // Between two canals stands a wall, its middle on a layer of nodes; what is thrown at it stays on
 // its side, while versions follow each other.
-TEST(DrilledTouch, AThinWallNeverLetsAFastToolThrough)
+TEST(DrilledTouch, ThinWallStopsFastTools)
 {
   constexpr double Canal = 2.0;
   for (const double voxels : {0.5, 1.0})

@@ -17,7 +17,7 @@ using test::WorstCase;
 // The skin between tool and facets, 1e-6 of a diagonal of some 100 mm, and as much for rounding.
 constexpr double SkinError = 2e-4;
 
-TEST(FacetTracker, OnABoxTheProxyIsTheNearestPlaceOutsideOnThatSide)
+TEST(FacetTracker, ProxyOnABoxIsTheNearestPlaceOnItsSide)
 {
   const auto model = FacetContact(test::BoxMesh({10.0, 10.0, 10.0}));
   for (const double radius : {0.0, 1.5})
@@ -38,7 +38,7 @@ TEST(FacetTracker, OnABoxTheProxyIsTheNearestPlaceOutsideOnThatSide)
   }
 }
 
-TEST(FacetTracker, BetweenTwoBoxesItRestsOnBoth)
+TEST(FacetTracker, RestsOnBothOfTwoBoxes)
 {
   // A step: a floor, and a wall on it.
   test::Mesh step = test::BoxMesh({10.0, 10.0, 1.0});
@@ -64,7 +64,7 @@ TEST(FacetTracker, BetweenTwoBoxesItRestsOnBoth)
   }
 }
 
-TEST(FacetTracker, ProxiesAreNearestPlacesOfTheMeshAlongServoPaths)
+TEST(FacetTracker, ProxiesAreNearestPlacesAlongServoPaths)
 {
   Random random(6201);
   const SphericalHarmonicModel organ = test::RandomOrgan(random, 12);
@@ -96,7 +96,7 @@ TEST(FacetTracker, ProxiesAreNearestPlacesOfTheMeshAlongServoPaths)
   }
 }
 
-TEST(FacetTracker, NothingIsPassedThroughHoweverFast)
+TEST(FacetTracker, PassesThroughNothingAtAnySpeed)
 {
   Random random(6202);
   const auto model = FacetContact(test::BoxMesh({10.0, 10.0, 0.01}));
@@ -118,7 +118,7 @@ TEST(FacetTracker, NothingIsPassedThroughHoweverFast)
   }
 }
 
-TEST(FacetTracker, FrictionHoldsWithinTheConeAndSlipsToIt)
+TEST(FacetTracker, SticksWithinTheFrictionConeAndSlipsToIt)
 {
   const auto model = FacetContact(test::BoxMesh({10.0, 10.0, 10.0}));
   const auto tracker = TrackerOf(*model, ToolShape::Sphere(1.0), {0.5, 0.3});
@@ -128,7 +128,7 @@ TEST(FacetTracker, FrictionHoldsWithinTheConeAndSlipsToIt)
   EXPECT_NEAR(tracker->Follow(At({0.6, 0.0, 10.0})).ProxyWorld[0], 0.3, SkinError);
 }
 
-TEST(FacetTracker, WhateverThePosesProxiesAreFiniteAndOutside)
+TEST(FacetTracker, ProxiesAreFiniteAndOutsideForAnyPose)
 {
   Random random(6203);
   const SphericalHarmonicModel organ = test::RandomOrgan(random, 6);
@@ -158,7 +158,7 @@ TEST(FacetTracker, WhateverThePosesProxiesAreFiniteAndOutside)
   }
 }
 
-TEST(FacetTracker, WhatStartsInsideIsPutOnTheNearestPlaceOutside)
+TEST(FacetTracker, StartingInsideMovesToTheNearestPlaceOutside)
 {
   const auto model = FacetContact(test::BoxMesh({10.0, 10.0, 10.0}));
   const auto tracker = TrackerOf(*model, ToolShape::Sphere(1.0));
@@ -167,7 +167,7 @@ TEST(FacetTracker, WhatStartsInsideIsPutOnTheNearestPlaceOutside)
   EXPECT_LE((contact.ProxyWorld - Vector3(0.0, 11.0, 1.0)).norm(), SkinError);
 }
 
-TEST(FacetContactModel, FeelsSpheresOnly)
+TEST(FacetContactModel, SupportsSpheresOnly)
 {
   const auto model = FacetContact(test::BoxMesh({10.0, 10.0, 10.0}));
   std::unique_ptr<ContactTracker> tracker;

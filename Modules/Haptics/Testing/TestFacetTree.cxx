@@ -28,7 +28,7 @@ double DistanceByTrial(const Mesh& mesh, const Vector3& point)
   return least;
 }
 
-TEST(TriangleSweep, TheClosestPointOfAFacetIsTheBestOfManyPlacesOnIt)
+TEST(TriangleSweep, ClosestPointIsTheBestOfManySamples)
 {
   Random random(6101);
   for (int sample = 0; sample < 300; ++sample)
@@ -53,7 +53,7 @@ TEST(TriangleSweep, TheClosestPointOfAFacetIsTheBestOfManyPlacesOnIt)
   }
 }
 
-TEST(FacetTree, TheNearestPointEqualsTheBestOfAllFacets)
+TEST(FacetTree, NearestPointEqualsBruteForce)
 {
   Random random(6102);
   const Mesh mesh = test::MeshOf(test::RandomOrgan(random, 8), 8);
@@ -72,7 +72,7 @@ TEST(FacetTree, TheNearestPointEqualsTheBestOfAllFacets)
   }
 }
 
-TEST(FacetTree, ASweptSphereStopsWhereItFirstTouches)
+TEST(FacetTree, SweptSphereStopsAtFirstContact)
 {
   Random random(6103);
   const SphericalHarmonicModel organ = test::RandomOrgan(random, 8);
@@ -106,7 +106,7 @@ TEST(FacetTree, ASweptSphereStopsWhereItFirstTouches)
   EXPECT_LE(gap.Value(), 1e-7);
 }
 
-TEST(FacetTree, KnowsInsideFromOutside)
+TEST(FacetTree, DistinguishesInsideFromOutside)
 {
   Random random(6104);
   const SphericalHarmonicModel organ = test::RandomOrgan(random, 8);
@@ -120,7 +120,7 @@ TEST(FacetTree, KnowsInsideFromOutside)
   }
 }
 
-TEST(FacetTree, WhatIsNoMeshIsRefused)
+TEST(FacetTree, RejectsInvalidMesh)
 {
   const Mesh box = test::BoxMesh(Vector3::Ones());
   std::shared_ptr<const FacetTree> tree;

@@ -55,7 +55,7 @@ struct BoxField
   }
 };
 
-TEST(FieldProxyTracker, TheDeepestPointOfASphereLiesOnTheFieldsOwnSurface)
+TEST(FieldProxyTracker, DeepestSpherePointLiesOnTheFieldsSurface)
 {
   Random random(5301);
   const FieldGrid grid = FineGrid(48);
@@ -109,7 +109,7 @@ TEST(FieldProxyTracker, TheDeepestPointOfASphereLiesOnTheFieldsOwnSurface)
 
 // Also where that is far from all of its points: 26 of them leave up to 0.23 mm of a sphere of 2 mm
 // unnoticed.
-TEST(FieldProxyTracker, ASphereOfFewPointsBeginsToTouchWhereTheSphereDoes)
+TEST(FieldProxyTracker, SparseSphereTouchesWhereTheSphereDoes)
 {
   constexpr double Radius = 2.0; // mm
   constexpr double Step = 0.01;  // mm a tick
@@ -133,7 +133,7 @@ TEST(FieldProxyTracker, ASphereOfFewPointsBeginsToTouchWhereTheSphereDoes)
   }
 }
 
-TEST(FieldProxyTracker, APointsProxyIsTheNearestPointOfASphereToFourthOrder)
+TEST(FieldProxyTracker, PointProxyIsNearestOnASphereToFourthOrder)
 {
   Random random(5302);
   const FieldGrid grid = FineGrid(64);
@@ -163,7 +163,7 @@ TEST(FieldProxyTracker, APointsProxyIsTheNearestPointOfASphereToFourthOrder)
   }
 }
 
-TEST(FieldProxyTracker, InACleftASphereRestsOnBothWalls)
+TEST(FieldProxyTracker, RestsOnBothWallsOfACleft)
 {
   const FieldGrid grid = FineGrid(48);
   const auto model = FieldContact(SampledField(grid, CleftField()));
@@ -189,7 +189,7 @@ TEST(FieldProxyTracker, InACleftASphereRestsOnBothWalls)
   }
 }
 
-TEST(FieldProxyTracker, ASlotThatIsTooNarrowIsNotEntered)
+TEST(FieldProxyTracker, DoesNotEnterANarrowSlot)
 {
   // A slot 1.5 mm wide, and a ball of 2 mm. Its edges are interpolated, so how low the ball can go
   // is found by trying.
@@ -228,7 +228,7 @@ TEST(FieldProxyTracker, ASlotThatIsTooNarrowIsNotEntered)
   EXPECT_NEAR(last.ProxyWorld[0], mouth[0], 0.05 * VoxelSize);
 }
 
-TEST(FieldProxyTracker, NoWallOfOneVoxelIsPassedHoweverFast)
+TEST(FieldProxyTracker, OneVoxelWallStopsToolsAtAnySpeed)
 {
   Random random(5303);
   const FieldGrid grid = FineGrid(48);
@@ -258,7 +258,7 @@ TEST(FieldProxyTracker, NoWallOfOneVoxelIsPassedHoweverFast)
   }
 }
 
-TEST(FieldProxyTracker, AStructureOfOneVoxelIsFelt)
+TEST(FieldProxyTracker, TouchesAOneVoxelStructure)
 {
   const FieldGrid grid = FineGrid(9);
   std::vector<float> samples(grid.NodeCount(), -1.0f);
@@ -287,7 +287,7 @@ TEST(FieldProxyTracker, AStructureOfOneVoxelIsFelt)
   }
 }
 
-TEST(FieldProxyTracker, ACapsuleThatIsTurnedIntoTheSurfaceIsPushedOut)
+TEST(FieldProxyTracker, CapsuleTurnedIntoTheSurfaceIsPushedOut)
 {
   const FieldGrid grid = FineGrid(48);
   const auto model = FieldContact(SampledField(grid, test::PlaneField{-Vector3::UnitZ(), -24.0}));
@@ -310,7 +310,7 @@ TEST(FieldProxyTracker, ACapsuleThatIsTurnedIntoTheSurfaceIsPushedOut)
   }
 }
 
-TEST(FieldProxyTracker, WhereTheGridEndsTheSolidEnds)
+TEST(FieldProxyTracker, SolidEndsAtTheGridBorder)
 {
   const FieldGrid grid = FineGrid(24);
   // The material goes on beyond the grid at z = 0.
@@ -326,7 +326,7 @@ TEST(FieldProxyTracker, WhereTheGridEndsTheSolidEnds)
   EXPECT_NEAR(last.NormalWorld[2], -1.0, 1e-6); // one plane's, but for rounding
 }
 
-TEST(FieldProxyTracker, WhereTheGridEndsWithoutMaterialThereIsNoWall)
+TEST(FieldProxyTracker, GridBorderWithoutMaterialIsNoWall)
 {
   // A ball close to the side of its grid, and a tool that reaches beyond that.
   const FieldGrid grid = FineGrid(24);
@@ -378,7 +378,7 @@ TEST(FieldProxyTracker, BothConditionsOfAMaterialAreWalls)
   }
 }
 
-TEST(FieldProxyTracker, FrictionHoldsWithinTheConeAndSlipsToIt)
+TEST(FieldProxyTracker, SticksWithinTheFrictionConeAndSlipsToIt)
 {
   const FieldGrid grid = FineGrid(48);
   const auto model = FieldContact(SampledField(grid, test::PlaneField{-Vector3::UnitZ(), -24.0}));
@@ -395,7 +395,7 @@ TEST(FieldProxyTracker, FrictionHoldsWithinTheConeAndSlipsToIt)
   EXPECT_NEAR(slipped[0], rest[0] + 0.3, 2.0 * SolvingError);
 }
 
-TEST(FieldProxyTracker, FeelsTheSameInMillimetresAndInMetres)
+TEST(FieldProxyTracker, IsIndependentOfTheUnitOfLength)
 {
   for (const double scale : {0x1p-10, 1.0, 0x1p10}) // powers of two change no digit
   {
@@ -419,7 +419,7 @@ TEST(FieldProxyTracker, FeelsTheSameInMillimetresAndInMetres)
   }
 }
 
-TEST(FieldProxyTracker, WhateverThePosesEverythingIsFinite)
+TEST(FieldProxyTracker, ResultsAreFiniteForAnyPose)
 {
   Random random(5305);
   const FieldGrid grid = FineGrid(32);
@@ -452,7 +452,7 @@ TEST(FieldProxyTracker, WhateverThePosesEverythingIsFinite)
   }
 }
 
-TEST(FieldProxyTracker, WhatIsDeepInsideFromTheBeginningFindsAWayOut)
+TEST(FieldProxyTracker, StartingDeepInsideFindsAnExit)
 {
   const FieldGrid grid = FineGrid(64);
   const auto model = FieldContact(SampledField(
@@ -470,7 +470,7 @@ TEST(FieldProxyTracker, WhatIsDeepInsideFromTheBeginningFindsAWayOut)
   EXPECT_NEAR((last.ProxyWorld - middle)[1], 13.5, 0.02);
 }
 
-TEST(FieldSolid, BeyondTheGridThereIsAWallOnlyNextToMaterial)
+TEST(FieldSolid, GridBorderIsAWallOnlyNextToMaterial)
 {
   const FieldGrid grid = FineGrid(24);
   std::shared_ptr<const FieldSolid> solid;
@@ -485,7 +485,7 @@ TEST(FieldSolid, BeyondTheGridThereIsAWallOnlyNextToMaterial)
   EXPECT_FALSE(solid->WallNear(grid.PointWorld({-0.5, 12.0, 18.0}), Vector3::UnitX()).IsKnown);
 }
 
-TEST(FieldContactModel, HasShellsAsFineAsVoxelsAndNoUnknownMaterial)
+TEST(FieldContactModel, ShellsMatchVoxelsAndUnknownMaterialIsRejected)
 {
   EXPECT_EQ(FieldContactModel::PointCountFor(0.0, 0.5), 6);
   EXPECT_EQ(FieldContactModel::PointCountFor(1.0, 1.0), 80);

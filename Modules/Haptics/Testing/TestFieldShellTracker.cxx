@@ -89,7 +89,7 @@ private:
   Vector3 Proxy = Vector3::Zero();
 };
 
-TEST(FieldShellTracker, IsThePublishedLaw)
+TEST(FieldShellTracker, EqualsThePublishedMethod)
 {
   Random random(5201);
   const FieldGrid grid = test::FineGrid(48);
@@ -129,7 +129,7 @@ TEST(FieldShellTracker, IsThePublishedLaw)
   EXPECT_GT(kinds[2], 100);
 }
 
-TEST(FieldShellTracker, TheMeanOfManyPointsIsLessThanTheDepth)
+TEST(FieldShellTracker, MeanOfManyPointsIsLessThanTheDepth)
 {
   // Known and left open by its authors; FieldProxyTracker is the answer.
   const FieldGrid grid = test::FineGrid(48);
@@ -149,7 +149,7 @@ TEST(FieldShellTracker, TheMeanOfManyPointsIsLessThanTheDepth)
   EXPECT_NEAR(second->Follow(At(probe)).Depth, 0.5, 1e-3 * VoxelSize); // where solving ends
 }
 
-TEST(FieldShellTracker, BadPosesAndFarOnesAreNotFelt)
+TEST(FieldShellTracker, InvalidAndFarPosesHaveNoContact)
 {
   const FieldGrid grid = test::FineGrid(48);
   const auto field = test::SampledField(grid, test::SphereField{Vector3::Constant(24.0), 15.0});
@@ -170,7 +170,7 @@ TEST(FieldShellTracker, BadPosesAndFarOnesAreNotFelt)
   EXPECT_TRUE(deep.ProxyWorld.allFinite());
 }
 
-TEST(FieldShellTracker, APointAndFrictionAreRefused)
+TEST(FieldShellTracker, RejectsPointsAndFriction)
 {
   const FieldGrid grid = test::FineGrid(24);
   const auto field = test::SampledField(grid, test::SphereField{Vector3::Constant(12.0), 8.0});

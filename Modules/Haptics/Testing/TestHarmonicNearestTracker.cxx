@@ -19,7 +19,7 @@ using test::WorstCase;
 // steep places double.
 constexpr double TrackingError = 1e-5;
 
-TEST(HarmonicNearestTracker, TheProxyOnASphereIsTheProbePushedOutAlongItsRadius)
+TEST(HarmonicNearestTracker, ProxyOnASphereIsRadial)
 {
   Random random(4101);
   const Vector3 center(30.0, -80.0, 12.0);
@@ -52,7 +52,7 @@ TEST(HarmonicNearestTracker, TheProxyOnASphereIsTheProbePushedOutAlongItsRadius)
   }
 }
 
-TEST(HarmonicNearestTracker, TheProxyOnOrgansIsTheNearestPointAlongServoPaths)
+TEST(HarmonicNearestTracker, ProxyOnOrgansIsNearestAlongServoPaths)
 {
   Random random(4102);
   for (int body = 0; body < 4; ++body)
@@ -81,7 +81,7 @@ TEST(HarmonicNearestTracker, TheProxyOnOrgansIsTheNearestPointAlongServoPaths)
   }
 }
 
-TEST(HarmonicNearestTracker, TouchBeginsAndEndsWhereTheToolReachesTheSurface)
+TEST(HarmonicNearestTracker, ContactBeginsAndEndsAtTheSurface)
 {
   Random random(4103);
   const SphericalHarmonicModel organ = test::RandomOrgan(random, 12);
@@ -114,7 +114,7 @@ TEST(HarmonicNearestTracker, TouchBeginsAndEndsWhereTheToolReachesTheSurface)
   EXPECT_EQ(changes, 400); // in and out once on each path
 }
 
-TEST(HarmonicNearestTracker, NothingIsPassedThroughHoweverFast)
+TEST(HarmonicNearestTracker, PassesThroughNothingAtAnySpeed)
 {
   Random random(4104);
   // A pancake 1 mm thick: its half axes in mm.
@@ -168,7 +168,7 @@ TEST(HarmonicNearestTracker, ProxiesStayOutsideOnRandomFlights)
   EXPECT_LE(inside.Value(), TrackingError);
 }
 
-TEST(HarmonicNearestTracker, ThroughTheCentreOfASphereTheProxyGoesAlongTheSurface)
+TEST(HarmonicNearestTracker, ProxyStaysOnTheSurfaceThroughASpheresCentre)
 {
   const auto model = HarmonicContact(test::Sphere(20.0));
   for (const double aside : {0.0, 1e-9, 1e-3, 0.5}) // mm
@@ -202,7 +202,7 @@ TEST(HarmonicNearestTracker, ThroughTheCentreOfASphereTheProxyGoesAlongTheSurfac
   }
 }
 
-TEST(HarmonicNearestTracker, FeelsTheSameInMillimetresAndInMetres)
+TEST(HarmonicNearestTracker, IsIndependentOfTheUnitOfLength)
 {
   for (const double scale : {1e-3, 1.0, 1e3})
   {
@@ -236,7 +236,7 @@ TEST(HarmonicNearestTracker, FeelsTheSameInMillimetresAndInMetres)
   }
 }
 
-TEST(HarmonicNearestTracker, PlacesThatAreSpecialAreOrdinary)
+TEST(HarmonicNearestTracker, HandlesSpecialPlaces)
 {
   Random random(4107);
   const SphericalHarmonicModel organ = test::RandomOrgan(random, 12);
@@ -266,7 +266,7 @@ TEST(HarmonicNearestTracker, PlacesThatAreSpecialAreOrdinary)
   }
 }
 
-TEST(HarmonicNearestTracker, APoseThatIsNoneIsNotFeltAndLeavesTheProxy)
+TEST(HarmonicNearestTracker, InvalidPoseHasNoContactAndKeepsTheProxy)
 {
   constexpr double NotANumber = std::numeric_limits<double>::quiet_NaN();
   constexpr double Infinite = std::numeric_limits<double>::infinity();
@@ -289,7 +289,7 @@ TEST(HarmonicNearestTracker, APoseThatIsNoneIsNotFeltAndLeavesTheProxy)
   EXPECT_LE((after.ProxyWorld - before.ProxyWorld).norm(), 1e-12); // rounding
 }
 
-TEST(HarmonicNearestTracker, AReleasedToolStartsAfreshWhereverItIs)
+TEST(HarmonicNearestTracker, RestartsAnywhereAfterRelease)
 {
   const auto model = HarmonicContact(test::Sphere(20.0));
   const auto tracker = TrackerOf(*model, ToolShape::Sphere(0.0));

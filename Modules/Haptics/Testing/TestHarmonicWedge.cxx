@@ -28,7 +28,7 @@ std::shared_ptr<const HarmonicSurface> SurfaceOf(const SphericalHarmonicModel& m
   return surface;
 }
 
-TEST(HarmonicWedge, IsNeededWhereAHollowIsNarrowerThanTheBall)
+TEST(HarmonicWedge, IsNeededWhereAHollowIsNarrowerThanTheSphere)
 {
   EXPECT_FALSE(HarmonicWedge::IsNeeded(*SurfaceOf(test::Sphere(20.0)), 100.0));
   const auto grooved = SurfaceOf(GroovedBall());
@@ -37,7 +37,7 @@ TEST(HarmonicWedge, IsNeededWhereAHollowIsNarrowerThanTheBall)
   EXPECT_TRUE(HarmonicWedge::IsNeeded(*grooved, 4.0));
 }
 
-TEST(HarmonicWedge, ABallTooLargeForAGrooveRestsOnBothItsEdges)
+TEST(HarmonicWedge, RestsOnBothEdgesOfANarrowGroove)
 {
   const SphericalHarmonicModel ball = GroovedBall();
   const ClosestPointSearch search(test::Shared(ball));
@@ -62,7 +62,7 @@ TEST(HarmonicWedge, ABallTooLargeForAGrooveRestsOnBothItsEdges)
   EXPECT_NEAR(last.Depth, std::hypot(1.5, 0.1), 1e-4);
 }
 
-TEST(HarmonicWedge, NoPartOfARoughSurfaceIsNearerThanTheBallsRadius)
+TEST(HarmonicWedge, KeepsARoughSurfaceOutsideTheSphere)
 {
   Random random(4401);
   for (int body = 0; body < 3; ++body)
@@ -90,7 +90,7 @@ TEST(HarmonicWedge, NoPartOfARoughSurfaceIsNearerThanTheBallsRadius)
 }
 
 // A hand at 0.2 to 2 m/s, beside the same way in steps that are twenty times as short.
-TEST(HarmonicWedge, AFastHandIsFollowedNotLeftBehind)
+TEST(HarmonicWedge, KeepsUpWithAFastHand)
 {
   constexpr double Radius = 4.0;
   constexpr int Finer = 20;
@@ -132,7 +132,7 @@ class HarmonicWedgeOfDegree : public testing::TestWithParam<int>
 {
 };
 
-TEST_P(HarmonicWedgeOfDegree, ComesWhereTheSearchOfTheWholeSurfaceAtEveryStepComes)
+TEST_P(HarmonicWedgeOfDegree, EqualsASearchOfTheWholeSurface)
 {
   constexpr double Radius = 6.0;
   Random random(static_cast<unsigned>(4410 + GetParam()));

@@ -37,7 +37,7 @@ void DrillFor(int ticks, test::ServoRun& run, DrilledBlock& block)
   }
 }
 
-TEST(ServoDrill, APressedDrillSinksByPushAndSpeed)
+TEST(ServoDrill, DrillSinksByPushAndSpeed)
 {
   for (const int late : {1, 3, 10})
   {
@@ -64,7 +64,7 @@ TEST(ServoDrill, APressedDrillSinksByPushAndSpeed)
 }
 
 // Each version shows at once what many ticks have cut, and is felt as if it were nothing.
-TEST(ServoDrill, WhatIsFeltGoesOnEvenlyThoughVersionsComeInSteps)
+TEST(ServoDrill, ForceIsSmoothAcrossVersions)
 {
   DrilledBlock block;
   test::ServoRun run(block.Scene());
@@ -84,7 +84,7 @@ TEST(ServoDrill, WhatIsFeltGoesOnEvenlyThoughVersionsComeInSteps)
   }
 }
 
-TEST(ServoDrill, WhatIsRemovedIsWhatTheToolPassed)
+TEST(ServoDrill, RemovesTheSweptVolume)
 {
   DrilledBlock block;
   test::ServoRun run(block.Scene());
@@ -101,7 +101,7 @@ TEST(ServoDrill, WhatIsRemovedIsWhatTheToolPassed)
 }
 
 // Pass after pass a little deeper, until nothing is left between the hand and where it wants to be.
-TEST(ServoDrill, AToolThatGoesToAndFroMillsAGroove)
+TEST(ServoDrill, MovingToAndFroMillsAGroove)
 {
   DrilledBlock block;
   test::ServoRun run(block.Scene(2.0));
@@ -128,7 +128,7 @@ TEST(ServoDrill, AToolThatGoesToAndFroMillsAGroove)
   EXPECT_NEAR(deepest, 8.0 * cap + ends, 0.1 * (8.0 * cap + ends));
 }
 
-TEST(ServoDrill, NothingIsCutWithoutPedalOrWearOrTouch)
+TEST(ServoDrill, CutsNothingWithoutPedalWearOrContact)
 {
   const struct
   {
@@ -151,7 +151,7 @@ TEST(ServoDrill, NothingIsCutWithoutPedalOrWearOrTouch)
   }
 }
 
-TEST(ServoDrill, AnEditorThatHangsStopsTheDrillAndNotTheHand)
+TEST(ServoDrill, HangingEditorStopsTheDrillNotTheTouch)
 {
   DrilledBlock block;
   test::ServoRun run(block.Scene());
@@ -165,7 +165,7 @@ TEST(ServoDrill, AnEditorThatHangsStopsTheDrillAndNotTheHand)
   EXPECT_LT(run.RestAt(Pressed).norm(), stalled.norm());
 }
 
-TEST(ServoDrill, AFaultEndsForceAndCutsAtOnceAndTakesUpThePedal)
+TEST(ServoDrill, FaultEndsForceAndCutsAndReleasesThePedal)
 {
   DrilledBlock block;
   test::ServoRun run(block.Scene());
@@ -195,7 +195,7 @@ ServoSettings WithButton()
   return settings;
 }
 
-TEST(ServoDrill, TheDevicesButtonDrillsInTheTickThatReadsIt)
+TEST(ServoDrill, ButtonDrillsInTheSameTick)
 {
   DrilledBlock block;
   test::ServoRun run(block.Scene(), WithButton());
@@ -209,7 +209,7 @@ TEST(ServoDrill, TheDevicesButtonDrillsInTheTickThatReadsIt)
   EXPECT_EQ(run.Loop.Latest().Command, DrillCommand::EndStroke);
 }
 
-TEST(ServoDrill, ButtonAndPedalEachSuffice)
+TEST(ServoDrill, ButtonOrPedalSuffices)
 {
   DrilledBlock block;
   test::ServoRun run(block.Scene(), WithButton());
@@ -229,7 +229,7 @@ TEST(ServoDrill, ButtonAndPedalEachSuffice)
   EXPECT_FALSE(run.Loop.Latest().IsDrilling);
 }
 
-TEST(ServoDrill, AButtonThatIsHeldAtTheStartOrThroughAFaultHasToBeReleasedFirst)
+TEST(ServoDrill, HeldButtonMustBeReleasedAfterStartOrFault)
 {
   DrilledBlock block;
   test::ServoRun run(block.Scene(), WithButton());
@@ -255,7 +255,7 @@ TEST(ServoDrill, AButtonThatIsHeldAtTheStartOrThroughAFaultHasToBeReleasedFirst)
   EXPECT_TRUE(run.Loop.Latest().IsDrilling);
 }
 
-TEST(ServoDrill, PedalsThatAreLiftedHaveToBePressedAgain)
+TEST(ServoDrill, LiftedPedalsMustBePressedAgain)
 {
   DrilledBlock block;
   test::ServoRun run(block.Scene(), WithButton());
@@ -278,7 +278,7 @@ TEST(ServoDrill, PedalsThatAreLiftedHaveToBePressedAgain)
 }
 
 // Both within a tick.
-TEST(ServoDrill, APedalThatIsPressedAfterTheLiftDrills)
+TEST(ServoDrill, PedalPressedAfterTheLiftDrills)
 {
   DrilledBlock block;
   test::ServoRun run(block.Scene());
@@ -289,7 +289,7 @@ TEST(ServoDrill, APedalThatIsPressedAfterTheLiftDrills)
   EXPECT_TRUE(run.Loop.Latest().IsDrilling);
 }
 
-TEST(ServoDrill, WithoutPedalButtonsNoButtonDrills)
+TEST(ServoDrill, NoButtonDrillsWithoutPedalButtons)
 {
   DrilledBlock block;
   test::ServoRun run(block.Scene());
@@ -299,7 +299,7 @@ TEST(ServoDrill, WithoutPedalButtonsNoButtonDrills)
   EXPECT_FALSE(run.Loop.Latest().IsDrilling);
 }
 
-TEST(ServoDrill, ForcesStayWithinTheDevicesLimitWhateverTheLaw)
+TEST(ServoDrill, ForcesStayWithinTheDevicesLimitForAnyLaw)
 {
   DrilledBlock block;
   TouchScene scene = block.Scene(50.0);
@@ -326,7 +326,7 @@ TEST(ServoDrill, ForcesStayWithinTheDevicesLimitWhateverTheLaw)
   EXPECT_GT(block.Editor->RemovedVolumes()[0], 10.0);
 }
 
-TEST(ServoDrill, NobodyIsShovedOutOfWhatGrowsBackRoundTheHand)
+TEST(ServoDrill, MaterialGrowingBackNeverPushesTheHand)
 {
   DrilledBlock block;
   test::ServoRun run(block.Scene());
@@ -354,7 +354,7 @@ TEST(ServoDrill, NobodyIsShovedOutOfWhatGrowsBackRoundTheHand)
   EXPECT_NEAR((Press(run) - first).norm(), 0.0, 1e-6);
 }
 
-TEST(ServoDrill, WhatGrowsBackElsewhereIsFeltOnWithoutAStep)
+TEST(ServoDrill, MaterialGrowingBackElsewhereCausesNoStep)
 {
   DrilledBlock block;
   test::ServoRun run(block.Scene());
@@ -384,7 +384,7 @@ TEST(ServoDrill, WhatGrowsBackElsewhereIsFeltOnWithoutAStep)
   }
 }
 
-TEST(ServoDrill, AContinuingSceneGoesOnDrilling)
+TEST(ServoDrill, ContinuedSceneKeepsDrilling)
 {
   DrilledBlock block;
   test::ServoRun run(block.Scene());
@@ -409,7 +409,7 @@ TEST(ServoDrill, AContinuingSceneGoesOnDrilling)
   EXPECT_GT(run.Loop.Latest().DrillOrders, 40u);
 }
 
-TEST(ServoDrill, CommandsAreTakenOneATickAndAPedalThatIsLetGoEndsAStroke)
+TEST(ServoDrill, TakesOneCommandPerTickAndPedalReleaseEndsAStroke)
 {
   DrilledBlock block;
   test::ServoRun run(block.Scene());
@@ -426,7 +426,7 @@ TEST(ServoDrill, CommandsAreTakenOneATickAndAPedalThatIsLetGoEndsAStroke)
   }
 }
 
-TEST(ServoDrill, WhatCannotBeDrilledIsRefused)
+TEST(ServoDrill, RejectsScenesThatCannotBeDrilled)
 {
   DrilledBlock block;
   const auto isRefused = [](const TouchScene& scene)
@@ -453,7 +453,7 @@ TEST(ServoDrill, WhatCannotBeDrilledIsRefused)
 
 // A servo that ticks as fast as it can, an editor on a thread, and one that looks: what is there in
 // the end follows from the orders alone.
-TEST(ServoDrill, EditorAndServoNeitherWaitNorTear)
+TEST(ServoDrill, EditorAndServoNeitherBlockNorTear)
 {
   DrilledBlock block;
   test::ServoRun run(block.Scene());

@@ -93,7 +93,7 @@ void ExpectSmooth(const TouchScene& before, const TouchScene& after, double tick
   EXPECT_LE((last - end).norm(), differentEnd);
 }
 
-TEST(ServoHandover, ASceneThatIsPublishedAgainIsFeltAsBefore)
+TEST(ServoHandover, RepublishedSceneGivesTheSameForces)
 {
   for (const ModelMaker& ball : Balls)
   {
@@ -101,7 +101,7 @@ TEST(ServoHandover, ASceneThatIsPublishedAgainIsFeltAsBefore)
   }
 }
 
-TEST(ServoHandover, AnotherStiffnessIsFeltWithoutAStep)
+TEST(ServoHandover, NewStiffnessCausesNoStep)
 {
   for (const ModelMaker& ball : Balls)
   {
@@ -110,7 +110,7 @@ TEST(ServoHandover, AnotherStiffnessIsFeltWithoutAStep)
   }
 }
 
-TEST(ServoHandover, AShapeThatShrinksOrGrowsOverTheProxyIsFeltWithoutAStep)
+TEST(ServoHandover, ShrinkingOrGrowingShapeCausesNoStep)
 {
   for (const ModelMaker& ball : Balls)
   {
@@ -122,7 +122,7 @@ TEST(ServoHandover, AShapeThatShrinksOrGrowsOverTheProxyIsFeltWithoutAStep)
   }
 }
 
-TEST(ServoHandover, OneRepresentationGivesWayToAnother)
+TEST(ServoHandover, NewRepresentationCausesNoStep)
 {
   for (const ModelMaker& before : Balls)
   {
@@ -134,7 +134,7 @@ TEST(ServoHandover, OneRepresentationGivesWayToAnother)
   }
 }
 
-TEST(ServoHandover, AnotherToolIsFeltWithoutAStep)
+TEST(ServoHandover, NewToolCausesNoStep)
 {
   for (const ModelMaker& ball : Balls)
   {
@@ -144,7 +144,7 @@ TEST(ServoHandover, AnotherToolIsFeltWithoutAStep)
   }
 }
 
-TEST(ServoHandover, WhatAppearsRoundTheToolFadesIn)
+TEST(ServoHandover, NewStructureAroundTheToolFadesIn)
 {
   for (const ModelMaker& ball : Balls)
   {
@@ -157,7 +157,7 @@ TEST(ServoHandover, WhatAppearsRoundTheToolFadesIn)
   }
 }
 
-TEST(ServoHandover, WhatVanishesFadesOutAndThenIsExactlyNothing)
+TEST(ServoHandover, RemovedStructureFadesOutToExactlyZero)
 {
   for (const ModelMaker& ball : Balls)
   {
@@ -192,7 +192,7 @@ TEST(ServoHandover, WithoutTouchThereIsNoForce)
   }
 }
 
-TEST(ServoHandover, NothingIsPassedThrough)
+TEST(ServoHandover, PassesThroughNothing)
 {
   for (const auto& plate : Plates())
   {
@@ -217,7 +217,7 @@ TEST(ServoHandover, NothingIsPassedThrough)
   }
 }
 
-TEST(ServoHandover, AWorkspaceThatIsDraggedThroughAWallLeavesTheToolBeforeIt)
+TEST(ServoHandover, DraggedWorkspaceLeavesTheToolBeforeAWall)
 {
   for (const auto& plate : Plates())
   {
@@ -239,7 +239,7 @@ TEST(ServoHandover, AWorkspaceThatIsDraggedThroughAWallLeavesTheToolBeforeIt)
   }
 }
 
-TEST(ServoHandover, ADraggedWorkspaceIsFeltWithoutAStep)
+TEST(ServoHandover, DraggedWorkspaceCausesNoStep)
 {
   test::Random random(451);
   for (const ModelMaker& ball : Balls)
@@ -265,7 +265,7 @@ TEST(ServoHandover, ADraggedWorkspaceIsFeltWithoutAStep)
   }
 }
 
-TEST(ServoHandover, TakingOverCostsOneQuestionMoreThanATick)
+TEST(ServoHandover, TakeoverCostsOneExtraQuery)
 {
   auto control = std::make_shared<test::WallControl>();
   TouchScene scene = test::WallScene(0.0, {0.5, 0.0}, control);
@@ -280,7 +280,7 @@ TEST(ServoHandover, TakingOverCostsOneQuestionMoreThanATick)
   EXPECT_EQ(control->Questions, before + 3);
 }
 
-TEST(ServoHandover, ADeviceWithoutNewSamplesKeepsItsForceUntilItHasOne)
+TEST(ServoHandover, KeepsTheForceUntilANewSample)
 {
   test::ServoRun run(SceneOf(HarmonicBall(Radius)));
   const Vector3 force = run.RestAt(Pressed);
@@ -299,7 +299,7 @@ TEST(ServoHandover, ADeviceWithoutNewSamplesKeepsItsForceUntilItHasOne)
   EXPECT_EQ(run.Loop.Latest().Scene, 3U);
 }
 
-TEST(ServoHandover, BeforeAnythingWasFeltAndAfterRearmItFadesInAsEver)
+TEST(ServoHandover, FadesInAtTheStartAndAfterRearm)
 {
   test::ServoRun run(SceneOf(HarmonicBall(Radius)));
   Continue(run, SceneOf(HarmonicBall(Radius)));
@@ -316,7 +316,7 @@ TEST(ServoHandover, BeforeAnythingWasFeltAndAfterRearmItFadesInAsEver)
 
 // Organs, laws, tools and frames that change while a hand strokes: the tick that takes over goes on
 // from the force that the hand had, as it was changing, but for its own motion.
-TEST(ServoHandover, NoTickThatTakesOverGivesAStep)
+TEST(ServoHandover, NoTakeoverCausesAStep)
 {
   test::Random random(90210);
   std::uniform_real_distribution<double> part(0.0, 1.0);

@@ -126,7 +126,7 @@ void WanderAbout(test::Random& random, int interval, int ticks, const Visit& vis
   }
 }
 
-TEST(ServoScene, WhatIsFeltHasTheBitsOfAskingAll)
+TEST(ServoScene, ForcesEqualThoseOfQueryingAllStructures)
 {
   test::Random random(8811);
   int touches = 0;
@@ -161,7 +161,7 @@ TEST(ServoScene, WhatIsFeltHasTheBitsOfAskingAll)
   EXPECT_LT(looks, 60000u * 37u / 2u);
 }
 
-TEST(ServoScene, OfTenThousandStructuresATickLooksAtTheFewThatAreNear)
+TEST(ServoScene, ExaminesFewOfTenThousandStructures)
 {
   const TouchScene scene = test::ManyStructures(10000);
   std::unique_ptr<ServoScene> servo;
@@ -184,7 +184,7 @@ TEST(ServoScene, OfTenThousandStructuresATickLooksAtTheFewThatAreNear)
   EXPECT_LT(servo->Bytes(), 10000u * 1000u);
 }
 
-TEST(ServoScene, AStructureThatIsPassedInOneTickIsFeltHoweverMany)
+TEST(ServoScene, StructurePassedInOneTickIsTouchedAmongMany)
 {
   std::unique_ptr<ServoScene> servo;
   const auto scene = std::make_shared<const TouchScene>(test::ManyStructures(1000));

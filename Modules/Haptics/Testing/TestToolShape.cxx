@@ -15,7 +15,7 @@ constexpr double NotANumber = std::numeric_limits<double>::quiet_NaN();
 // Of coordinates up to 10 after a few operations.
 constexpr double Rounding = 1e-13;
 
-TEST(ToolShape, APublishedShellIsTheNeighboursOfAVoxel)
+TEST(ToolShape, PublishedShellIsTheVoxelNeighbours)
 {
   const ToolShape tool = ToolShape::SpherePoints(2.5, 26);
   ASSERT_TRUE(tool.Check().IsOk());
@@ -31,7 +31,7 @@ TEST(ToolShape, APublishedShellIsTheNeighboursOfAVoxel)
   EXPECT_EQ(neighbours, (std::map<int, int>{{1, 6}, {2, 12}, {3, 8}}));
 }
 
-TEST(ToolShape, ShellsOfAnyCountSpreadEvenlyOverTheSphere)
+TEST(ToolShape, ShellsCoverTheSphereEvenly)
 {
   for (const int count : {4, 6, 26, 100, 400})
   {
@@ -60,7 +60,7 @@ TEST(ToolShape, ShellsOfAnyCountSpreadEvenlyOverTheSphere)
   }
 }
 
-TEST(ToolShape, ACapsulesPointsLieItsRadiusFromItsAxis)
+TEST(ToolShape, CapsulePointsLieAtItsRadius)
 {
   const ToolShape tool = ToolShape::Capsule(1.5, 6.0, 120);
   ASSERT_TRUE(tool.Check().IsOk());
@@ -75,7 +75,7 @@ TEST(ToolShape, ACapsulesPointsLieItsRadiusFromItsAxis)
   }
 }
 
-TEST(ToolShape, AnEllipsoidsNormalsAreItsGradient)
+TEST(ToolShape, EllipsoidNormalsAreItsGradient)
 {
   const Vector3 axes(1.0, 2.0, 4.0);
   const ToolShape tool = ToolShape::Ellipsoid(axes, 90);
@@ -90,7 +90,7 @@ TEST(ToolShape, AnEllipsoidsNormalsAreItsGradient)
   }
 }
 
-TEST(ToolShape, GivenPointsGetUnitNormalsAndABoundingRadius)
+TEST(ToolShape, NormalisesNormalsAndFindsTheBoundingRadius)
 {
   const std::vector<Vector3> corners{{3, 0, 0}, {0, 1, 0}, {0, 0, 1}, {-1, -1, -1}};
   const std::vector<Vector3> inward{{-2, 0, 0}, {0, -1, 0}, {0, 0, -7}, {1, 1, 1}};
@@ -100,7 +100,7 @@ TEST(ToolShape, GivenPointsGetUnitNormalsAndABoundingRadius)
   EXPECT_NEAR(tool.Normals()[3].dot(Vector3::Ones().normalized()), 1.0, Rounding);
 }
 
-TEST(ToolShape, WhatIsNoToolIsRefused)
+TEST(ToolShape, RejectsInvalidTools)
 {
   const std::vector<Vector3> four(4, Vector3::UnitX());
   std::vector<Vector3> broken = four;

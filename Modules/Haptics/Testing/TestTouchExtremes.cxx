@@ -77,7 +77,7 @@ std::vector<Vector3> SpecialPlaces()
 }
 
 // The centre, the axis, the poles, ten metres away and farther, from one to the other at once.
-TEST_P(TouchExtremes, AtAnyPlaceInAnyOrderAToolIsNextToTheStructure)
+TEST_P(TouchExtremes, ToolStaysOutsideAtAnyPlaceInAnyOrder)
 {
   const std::vector<Vector3> places = SpecialPlaces();
   for (const double toolRadius : this->ToolRadii())
@@ -97,7 +97,7 @@ TEST_P(TouchExtremes, AtAnyPlaceInAnyOrderAToolIsNextToTheStructure)
   }
 }
 
-TEST_P(TouchExtremes, TenMetresAwayNothingIsTouched)
+TEST_P(TouchExtremes, NoContactTenMetresAway)
 {
   for (const double toolRadius : this->ToolRadii())
   {
@@ -112,7 +112,7 @@ TEST_P(TouchExtremes, TenMetresAwayNothingIsTouched)
   }
 }
 
-TEST_P(TouchExtremes, OnTheSurfaceToTheLastBitNothingIsDeep)
+TEST_P(TouchExtremes, DepthAtTheSurfaceIsWithinRounding)
 {
   if (this->ToolRadii().front() > 0.0)
   {
@@ -145,7 +145,7 @@ TEST_P(TouchExtremes, OnTheSurfaceToTheLastBitNothingIsDeep)
 }
 
 // Through the middle, along every direction. What is beyond may be held back where it came from.
-TEST_P(TouchExtremes, AtAnySpeedAToolIsNextToTheStructure)
+TEST_P(TouchExtremes, ToolStaysOutsideAtAnySpeed)
 {
   for (const double toolRadius : this->ToolRadii())
   {
@@ -166,7 +166,7 @@ TEST_P(TouchExtremes, AtAnySpeedAToolIsNextToTheStructure)
   }
 }
 
-TEST_P(TouchExtremes, AtAnySpeedAToolLeavesTheWayItCame)
+TEST_P(TouchExtremes, ToolLeavesOnItsSideAtAnySpeed)
 {
   // The tip of one voxel slips in between the points of a shell, and may be held there until the
   // structure is out of reach, where the servo leaves it.
@@ -197,7 +197,7 @@ TEST_P(TouchExtremes, AtAnySpeedAToolLeavesTheWayItCame)
   }
 }
 
-TEST_P(TouchExtremes, WithAnyStiffnessTheForceIsFiniteAndAtMostTheDevices)
+TEST_P(TouchExtremes, ForceIsFiniteAndWithinTheDevicesLimitForAnyStiffness)
 {
   for (const double stiffness : {0.0, 0.5, 1e4}) // N/mm
   {

@@ -106,7 +106,7 @@ protected:
 };
 
 // 5 bodies, 3 tools, 7,000 paths each: 105,000.
-TEST_P(TouchTruthOnHarmonics, ForcesAreThoseOfTheNearestPointWhateverTheToolsRadius)
+TEST_P(TouchTruthOnHarmonics, ForcesAreThoseOfTheNearestPointForAnyRadius)
 {
   constexpr int Paths = 7000;
   for (const double toolRadius : {0.0, 1.0, 4.0})
@@ -127,7 +127,7 @@ TEST_P(TouchTruthOnHarmonics, ForcesAreThoseOfTheNearestPointWhateverTheToolsRad
 }
 
 // 5 bodies, 200,000 ticks each: 1,000,000.
-TEST_P(TouchTruthOnHarmonics, TheProxyNeverSeizes)
+TEST_P(TouchTruthOnHarmonics, ProxyNeverGetsStuck)
 {
   constexpr int Ticks = 200000;
   constexpr double ToolRadius = 1.0;
@@ -152,7 +152,7 @@ TEST_P(TouchTruthOnHarmonics, TheProxyNeverSeizes)
   EXPECT_GT(touches, Ticks / 2);
 }
 
-TEST_P(TouchTruthOnHarmonics, PathsInMetresGiveTheSameForces)
+TEST_P(TouchTruthOnHarmonics, ForcesAreIndependentOfTheUnitOfLength)
 {
   constexpr double Scale = 1e-3;
   std::vector<double> coefficients = this->Body.Coefficients();
@@ -190,7 +190,7 @@ TEST_P(TouchTruthOnHarmonics, PathsInMetresGiveTheSameForces)
 INSTANTIATE_TEST_SUITE_P(Bodies, TouchTruthOnHarmonics, ::testing::ValuesIn(HarmonicCases()),
                          [](const auto& each) { return std::string(each.param.Name); });
 
-TEST(TouchTruth, OnConvexBodiesForcesDoNotDependOnTheToolsRadius)
+TEST(TouchTruth, ForcesOnConvexBodiesAreIndependentOfTheRadius)
 {
   Random random(8105);
   const SphericalHarmonicModel body = test::Ellipsoid({25.0, 20.0, 16.0}, Matrix3::Identity(), 24);
@@ -292,7 +292,7 @@ protected:
   std::shared_ptr<const ContactModel> Model = test::FieldContact(Field);
 };
 
-TEST_P(TouchTruthOnFields, TheToolAtItsProxyOnlyTouchesTheFieldsOwnSurface)
+TEST_P(TouchTruthOnFields, ToolAtItsProxyOnlyTouchesTheSurface)
 {
   const ToolShape dense = ToolShape::SpherePoints(1.0, 1000);
   for (const double toolRadius : {0.0, 1.0})
@@ -327,7 +327,7 @@ TEST_P(TouchTruthOnFields, TheToolAtItsProxyOnlyTouchesTheFieldsOwnSurface)
   }
 }
 
-TEST_P(TouchTruthOnFields, ForcesAreThoseOfTheKnownBody)
+TEST_P(TouchTruthOnFields, ForcesEqualThoseOfTheExactBody)
 {
   if (this->Case().Truth == nullptr)
   {
@@ -367,7 +367,7 @@ INSTANTIATE_TEST_SUITE_P(Bodies, TouchTruthOnFields,
                                   (isCubic ? "Tricubic" : "Trilinear");
                          });
 
-TEST(TouchTruth, FacetsInMetresGiveTheSameForces)
+TEST(TouchTruth, FacetForcesAreIndependentOfTheUnitOfLength)
 {
   constexpr double Scale = 0x1p-10; // a power of two changes no digit
   Random random(8108);

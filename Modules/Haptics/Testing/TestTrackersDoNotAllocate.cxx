@@ -68,7 +68,7 @@ TEST(TrackersDoNotAllocate, OnSphericalHarmonics)
   }
 }
 
-TEST(TrackersDoNotAllocate, OfABallThatDoesNotFitIntoEveryHollow)
+TEST(TrackersDoNotAllocate, OfASphereTooLargeForSomeHollows)
 {
   test::Random random(7103);
   const auto model = test::HarmonicContact(test::RandomRough(random, 12, 15.0));

@@ -41,7 +41,7 @@ int Feed(DrillFeed& feed, int ticks, double way, std::uint64_t& number)
   return orders;
 }
 
-TEST(DrillFeed, IsAheadByWhatWasFedAndNoVersionShows)
+TEST(DrillFeed, IsAheadByTheFeedMissingInTheVersion)
 {
   DrillFeed feed(Radius, 0.0);
   std::uint64_t number = 5;
@@ -55,7 +55,7 @@ TEST(DrillFeed, IsAheadByWhatWasFedAndNoVersionShows)
   EXPECT_NEAR(Left(feed), 3.0, 1e-14);
 }
 
-TEST(DrillFeed, StaysWhereItIsWhenAVersionShowsWhatItCut)
+TEST(DrillFeed, StaysInPlaceWhenAVersionArrives)
 {
   DrillFeed feed(Radius, 0.0);
   std::uint64_t number = 0;
@@ -65,7 +65,7 @@ TEST(DrillFeed, StaysWhereItIsWhenAVersionShowsWhatItCut)
   EXPECT_NEAR((feed.Meet(At(Vector3::Zero()), lower, true) - lower).norm(), 0.0, 1e-14);
 }
 
-TEST(DrillFeed, BeginsAboveTheProxyByTheClearanceAndEndsAsFarBelow)
+TEST(DrillFeed, StaysWithinTheClearanceOfTheProxy)
 {
   constexpr double Clearance = 0.05;
   DrillFeed feed(Radius, Clearance);
@@ -87,7 +87,7 @@ TEST(DrillFeed, BeginsAboveTheProxyByTheClearanceAndEndsAsFarBelow)
   EXPECT_NEAR(last, 3.0, 1e-9);
 }
 
-TEST(DrillFeed, GoesNoFartherThanTheProbe)
+TEST(DrillFeed, StopsAtTheProbe)
 {
   DrillFeed feed(Radius, 0.0);
   std::uint64_t number = 0;
@@ -98,7 +98,7 @@ TEST(DrillFeed, GoesNoFartherThanTheProbe)
 
 // The differential equation of the class's comment: the depth at which the rim takes back what is
 // fed is R / 2 (feed / speed)^2.
-TEST(DrillFeed, AToolThatMovesAlongIsAsDeepAsItsFeedAndSpeedAllow)
+TEST(DrillFeed, DepthOfAMovingToolFollowsFeedAndSpeed)
 {
   for (const double feedOfWay : {0.05, 0.1, 0.2})
   {
@@ -115,7 +115,7 @@ TEST(DrillFeed, AToolThatMovesAlongIsAsDeepAsItsFeedAndSpeedAllow)
   }
 }
 
-TEST(DrillFeed, ACutBeginsWhereTheLastOneEnded)
+TEST(DrillFeed, CutsAreContiguous)
 {
   DrillFeed feed(Radius, 0.0);
   Vector3 last(0.0, 0.0, 3.0); // the proxy, where it begins
@@ -136,7 +136,7 @@ TEST(DrillFeed, ACutBeginsWhereTheLastOneEnded)
   }
 }
 
-TEST(DrillFeed, AToolThatCameFromFarCutsOnlyWhereItIs)
+TEST(DrillFeed, CutsOnlyInPlaceAfterALongMove)
 {
   DrillFeed feed(Radius, 0.0);
   CutOrder order;
@@ -150,7 +150,7 @@ TEST(DrillFeed, AToolThatCameFromFarCutsOnlyWhereItIs)
   EXPECT_EQ(order.To.PositionWorld.X, 3.0);
 }
 
-TEST(DrillFeed, WaitsWhereTooManyCutsAreNotInAVersion)
+TEST(DrillFeed, StopsAtTooManyPendingCuts)
 {
   DrillFeed feed(Radius, 0.0);
   std::uint64_t number = 0;
@@ -162,7 +162,7 @@ TEST(DrillFeed, WaitsWhereTooManyCutsAreNotInAVersion)
   EXPECT_EQ(Feed(feed, 2000, 0.001, number), 10);
 }
 
-TEST(DrillFeed, WhatIsNotOrderedIsForgottenWhereTheToolRests)
+TEST(DrillFeed, DiscardsUnorderedFeedAtRest)
 {
   DrillFeed feed(Radius, 0.0);
   std::uint64_t number = 0;

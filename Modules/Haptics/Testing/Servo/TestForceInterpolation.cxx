@@ -59,7 +59,7 @@ Slide SlideBy(OffsetAt offsetAt)
   return slide;
 }
 
-TEST(ForceInterpolation, AFlatWallIsFeltExactlyBetweenResults)
+TEST(ForceInterpolation, IsExactOnAFlatWall)
 {
   Contact wall;
   wall.IsTouching = true;
@@ -77,7 +77,7 @@ TEST(ForceInterpolation, AFlatWallIsFeltExactlyBetweenResults)
   }
 }
 
-TEST(ForceInterpolation, SlidingIsSmootherAndTruerThanHoldingTheLastResult)
+TEST(ForceInterpolation, IsSmootherAndMoreAccurateThanHolding)
 {
   ForceInterpolation felt;
   const Slide interpolated = SlideBy(
@@ -104,7 +104,7 @@ TEST(ForceInterpolation, SlidingIsSmootherAndTruerThanHoldingTheLastResult)
   EXPECT_LT(interpolated.LargestError, 1.5 * held.LargestError);
 }
 
-TEST(ForceInterpolation, ThereIsNoStepWhereAResultArrives)
+TEST(ForceInterpolation, NewResultCausesNoStep)
 {
   test::Random random(71);
   ForceInterpolation felt;
@@ -121,7 +121,7 @@ TEST(ForceInterpolation, ThereIsNoStepWhereAResultArrives)
   }
 }
 
-TEST(ForceInterpolation, AContactThatEndedFadesOutInOnePeriodOfTheModel)
+TEST(ForceInterpolation, EndedContactFadesOutInOneModelPeriod)
 {
   ForceInterpolation felt;
   const Vector3 inside(18.0, 0.0, 0.0);

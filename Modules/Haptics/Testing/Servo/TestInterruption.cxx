@@ -18,7 +18,7 @@ namespace palpate
 {
 namespace
 {
-TEST(Interruption, EachSignalAsksAndHasItsCode)
+TEST(Interruption, EachSignalRequestsTheEndWithItsCode)
 {
   for (const int signal : {SIGINT, SIGTERM, SIGHUP})
   {
@@ -39,7 +39,7 @@ TEST(Interruption, TheFirstSignalCounts)
   EXPECT_EQ(Interruption::ExitCode(), 143);
 }
 
-TEST(Interruption, FromTheSecondRequestOnThereAreNoForces)
+TEST(Interruption, SecondRequestStopsForces)
 {
   {
     const Interruption interruption;
@@ -56,7 +56,7 @@ TEST(Interruption, FromTheSecondRequestOnThereAreNoForces)
   EXPECT_FALSE(EmergencyStop::IsOrdered());
 }
 
-TEST(Interruption, WritingToAPipeThatNobodyReadsAsksHoweverOften)
+TEST(Interruption, RepeatedWritesToAClosedPipeOnlyRequestTheEnd)
 {
   const Interruption interruption;
   std::array<int, 2> ends{};
@@ -184,12 +184,12 @@ int InBackground(const Program& runs)
   return WEXITSTATUS(status);
 }
 
-TEST(Interruption, WhatIsWrittenInTheBackgroundIsWrittenWhileADevicePushes)
+TEST(Interruption, BackgroundWritesSucceedWhileADevicePushes)
 {
   EXPECT_EQ(InBackground([](int terminal) { return write(terminal, "x", 1) == 1 ? 7 : 1; }), 7);
 }
 
-TEST(Interruption, ReadingInTheBackgroundFailsWhileADevicePushes)
+TEST(Interruption, BackgroundReadsFailWhileADevicePushes)
 {
   EXPECT_EQ(InBackground(
                 [](int terminal)
@@ -200,7 +200,7 @@ TEST(Interruption, ReadingInTheBackgroundFailsWhileADevicePushes)
             7);
 }
 
-TEST(InterruptionDeathTest, AfterItSignalsDoWhatTheyDidBefore)
+TEST(InterruptionDeathTest, RestoresSignalHandlers)
 {
   EXPECT_EXIT(
       {

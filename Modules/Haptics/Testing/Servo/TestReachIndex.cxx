@@ -40,7 +40,7 @@ std::vector<std::uint32_t> FoundBy(const ReachIndex& index, std::size_t count, c
   return found;
 }
 
-TEST(ReachIndex, FindsWhatALookAtAllFinds)
+TEST(ReachIndex, EqualsBruteForce)
 {
   test::Random random(8801);
   std::size_t found = 0;
@@ -73,7 +73,7 @@ TEST(ReachIndex, BordersBelongToBoxes)
   EXPECT_EQ(FoundBy(index, 1, Box(beyond, beyond)).size(), 0u);
 }
 
-TEST(ReachIndex, WhatIsEmptyInfiniteOrNoNumberIsMetAsByATrial)
+TEST(ReachIndex, HandlesEmptyInfiniteAndNaNBoxesAsBruteForce)
 {
   const double infinite = test::Infinite;
   const double nan = test::NotANumber;
@@ -103,14 +103,14 @@ TEST(ReachIndex, WhatIsEmptyInfiniteOrNoNumberIsMetAsByATrial)
   }
 }
 
-TEST(ReachIndex, NothingIsFoundInNothing)
+TEST(ReachIndex, FindsNothingInAnEmptyIndex)
 {
   EXPECT_EQ(ReachIndex(std::vector<Box>()).Find(Box(Vector3::Zero(), Vector3::Ones()), nullptr),
             0u);
   EXPECT_EQ(ReachIndex().Find(Box(Vector3::Zero(), Vector3::Ones()), nullptr), 0u);
 }
 
-TEST(ReachIndex, AMillionBoxesGiveTheAnswerOfATrial)
+TEST(ReachIndex, AMillionBoxesEqualBruteForce)
 {
   test::Random random(8803);
   std::vector<Box> boxes(1000000);

@@ -40,7 +40,7 @@ SafetyChain Running(std::uint64_t ticks, const Vector3& force)
   return chain;
 }
 
-TEST(SafetyChain, LetsASteadyForceThroughOnceItHasFadedIn)
+TEST(SafetyChain, PassesASteadyForceAfterFadingIn)
 {
   const Vector3 force(1.0, 2.0, -3.0);
   SafetyChain chain = Running(20, force);
@@ -94,7 +94,7 @@ TEST(SafetyChain, AnyInputGivesAFiniteForceWithinTheLimits)
   EXPECT_GT(forces, 100'000); // the chain is no wall
 }
 
-TEST(SafetyChain, StaysAtZeroAfterAFaultUntilItIsRearmed)
+TEST(SafetyChain, StaysAtZeroAfterAFaultUntilRearmed)
 {
   const Vector3 force(0.0, 0.0, 2.0);
   SafetyChain chain = Running(30, force);
@@ -116,7 +116,7 @@ TEST(SafetyChain, StaysAtZeroAfterAFaultUntilItIsRearmed)
   }
 }
 
-TEST(SafetyChain, NamesTheFirstFault)
+TEST(SafetyChain, ReportsTheFirstFault)
 {
   SafetyChain chain = Running(30, Vector3::UnitX());
   SafetyInput input = Pushing(30, Vector3::UnitX());
@@ -269,7 +269,7 @@ TEST(SafetyChain, RearmForgetsContactEnergy)
   EXPECT_EQ(chain.Report().Energy, 0.0);
 }
 
-TEST(SafetyChain, GivesNothingBeforeTheDeviceIsReady)
+TEST(SafetyChain, PassesNoForceBeforeTheDeviceIsReady)
 {
   SafetyChain chain(Settings());
   for (std::uint64_t n = 0; n < 50; ++n)
@@ -282,7 +282,7 @@ TEST(SafetyChain, GivesNothingBeforeTheDeviceIsReady)
   }
 }
 
-TEST(SafetyChain, DampsAContactThatGivesOutEnergy)
+TEST(SafetyChain, DampsAnActiveContact)
 {
   SafetyChain chain = Running(30, {0.0, 0.0, 2.0});
   SafetyInput input = Pushing(30, {0.0, 0.0, 2.0});
@@ -294,7 +294,7 @@ TEST(SafetyChain, DampsAContactThatGivesOutEnergy)
   EXPECT_NEAR(out[2], 2.0 - 0.02 * 50.0, 1e-12);   // as much as the device bears; the same
 }
 
-TEST(SafetyChain, AmbientForcesAreNoContactsEnergy)
+TEST(SafetyChain, AmbientForcesAreNotObserved)
 {
   SafetyChain chain(Settings());
   for (std::uint64_t n = 0; n < 100; ++n)
@@ -307,7 +307,7 @@ TEST(SafetyChain, AmbientForcesAreNoContactsEnergy)
   }
 }
 
-TEST(SafetyChain, EveryFaultHasItsOwnSentence)
+TEST(SafetyChain, EveryFaultHasItsOwnMessage)
 {
   // What is no fault comes after the last of them; a new one has to be counted here too.
   constexpr int count = static_cast<int>(SafetyFault::UntakenForce) + 1;

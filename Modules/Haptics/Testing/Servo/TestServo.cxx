@@ -18,7 +18,7 @@ struct CountedWall
   TouchScene Scene = WallScene(0.0, {1.0, 0.0}, this->Control);
 };
 
-TEST(Servo, AWallPushesByItsStiffness)
+TEST(Servo, WallPushesByItsStiffness)
 {
   test::ServoRun run(WallScene(10.0, {0.8, 0.0}));
   EXPECT_EQ(run.RestAt({3.0, 4.0, 11.0}), Vector3::Zero());
@@ -30,7 +30,7 @@ TEST(Servo, AWallPushesByItsStiffness)
   EXPECT_TRUE(run.Loop.Latest().Safety.IsArmed);
 }
 
-TEST(Servo, TheToolHasASize)
+TEST(Servo, ToolHasASize)
 {
   TouchScene scene = WallScene(0.0, {1.0, 0.0});
   scene.Tool = ToolShape::Sphere(2.5);
@@ -38,7 +38,7 @@ TEST(Servo, TheToolHasASize)
   EXPECT_NEAR(run.RestAt({0.0, 0.0, 2.0})[2], 0.5, 1e-12);
 }
 
-TEST(Servo, ForcesTurnWithTheDeviceAndTheHandFeelsTheSameStiffnessAtAnyScale)
+TEST(Servo, ForcesRotateWithTheDeviceAndStiffnessIgnoresScale)
 {
   test::Random random(81);
   for (const double scale : {0.1, 1.0, 7.0})
@@ -67,7 +67,7 @@ TEST(Servo, StructuresAddUp)
   EXPECT_EQ(run.Loop.Latest().Structure, 0);
 }
 
-TEST(Servo, AmbientForcesActWithoutTouch)
+TEST(Servo, AmbientForcesActWithoutContact)
 {
   TouchScene scene = WallScene(-100.0, {1.0, 0.0});
   scene.Ambient = {{0.0, 0.7, 0.0}, 0.002};
@@ -82,7 +82,7 @@ TEST(Servo, AmbientForcesActWithoutTouch)
   EXPECT_NEAR((force - Vector3(-0.2, 0.7, 0.0)).norm(), 0.0, 1e-9);
 }
 
-TEST(Servo, AStructureOutOfReachIsNotAsked)
+TEST(Servo, StructureOutOfReachIsNotQueried)
 {
   CountedWall wall;
   test::ServoRun run(wall.Scene);
@@ -93,7 +93,7 @@ TEST(Servo, AStructureOutOfReachIsNotAsked)
   EXPECT_EQ(wall.Control->Questions, 2);
 }
 
-TEST(Servo, AStructureThatWasPassedWithinOneTickIsAsked)
+TEST(Servo, StructurePassedWithinOneTickIsQueried)
 {
   CountedWall wall;
   test::ServoRun run(wall.Scene);
@@ -105,7 +105,7 @@ TEST(Servo, AStructureThatWasPassedWithinOneTickIsAsked)
   EXPECT_EQ(wall.Control->Questions, 2);
 }
 
-TEST(Servo, ARepeatedSampleIsNotFeltAgainAndKeepsItsForce)
+TEST(Servo, RepeatedSampleKeepsItsForce)
 {
   CountedWall wall;
   test::ServoRun run(wall.Scene);
@@ -116,7 +116,7 @@ TEST(Servo, ARepeatedSampleIsNotFeltAgainAndKeepsItsForce)
   EXPECT_EQ(wall.Control->Questions, questions);
 }
 
-TEST(Servo, ADeviceMayBeSilentForAsLongAsItSaysAndNoLonger)
+TEST(Servo, DeviceMayBeSilentForItsLongestGap)
 {
   for (const double gap : {0.0, 0.004}) // s
   {
@@ -207,7 +207,7 @@ TEST(Servo, SwitchOffWinsOverRearm)
   }
 }
 
-TEST(Servo, RearmBeginsContactsAgain)
+TEST(Servo, RearmRestartsContacts)
 {
   CountedWall wall;
   wall.Scene.Structures[0].Id = 1;
@@ -226,7 +226,7 @@ TEST(Servo, RearmBeginsContactsAgain)
   EXPECT_EQ(wall.Control->Questions, questions + 4);
 }
 
-TEST(Servo, ModelsAreNotAskedBeforeTheDeviceIsReady)
+TEST(Servo, QueriesNoModelBeforeTheDeviceIsReady)
 {
   CountedWall wall;
   test::ServoRun run(wall.Scene);
@@ -238,7 +238,7 @@ TEST(Servo, ModelsAreNotAskedBeforeTheDeviceIsReady)
   EXPECT_EQ(wall.Control->Questions, 2);
 }
 
-TEST(Servo, ModelsAreNotAskedAboutNonFinitePositions)
+TEST(Servo, QueriesNoModelForNonFinitePositions)
 {
   CountedWall wall;
   test::ServoRun run(wall.Scene);
@@ -304,7 +304,7 @@ TEST(Servo, InvalidContactIsAFault)
   }
 }
 
-TEST(Servo, WithoutASceneThereIsNoForce)
+TEST(Servo, NoForceWithoutAScene)
 {
   test::ScriptedDevice device;
   Servo servo(device, ServoSettings());
@@ -317,7 +317,7 @@ TEST(Servo, WithoutASceneThereIsNoForce)
   }
 }
 
-TEST(Servo, ANewSceneFadesIn)
+TEST(Servo, NewSceneFadesIn)
 {
   test::ServoRun run(WallScene(0.0, {1.0, 0.0}));
   const Vector3 inside(0.0, 0.0, -1.0);
@@ -335,7 +335,7 @@ TEST(Servo, ANewSceneFadesIn)
   EXPECT_EQ(run.Loop.Latest().Scene, 2u);
 }
 
-TEST(Servo, NewSceneIgnoresTheMotionBefore)
+TEST(Servo, NewSceneIgnoresEarlierMotion)
 {
   test::ServoRun run(WallScene(0.0, {1.0, 0.0}));
   run.RestAt({0.0, 0.0, -1.0});
@@ -369,7 +369,7 @@ TEST(Servo, OneInvalidContactOfManyIsAFault)
   EXPECT_EQ(run.Loop.Latest().Safety.Fault, SafetyFault::InvalidContact);
 }
 
-TEST(Servo, DampingIsFeltGoingInAndNeverPullsComingOut)
+TEST(Servo, DampingActsInwardsAndNeverPulls)
 {
   test::ServoRun run(WallScene(0.0, {0.5, 0.02}));
   run.RestAt({0.0, 0.0, 0.5});
@@ -386,7 +386,7 @@ TEST(Servo, DampingIsFeltGoingInAndNeverPullsComingOut)
   }
 }
 
-TEST(Servo, ASlowModelIsAskedAtItsIntervalAndFeltAtEveryTick)
+TEST(Servo, SlowModelIsQueriedAtItsIntervalAndInterpolated)
 {
   CountedWall wall;
   ServoSettings settings;
@@ -404,7 +404,7 @@ TEST(Servo, ASlowModelIsAskedAtItsIntervalAndFeltAtEveryTick)
   EXPECT_EQ(wall.Control->Questions, questions + 10);
 }
 
-TEST(Servo, EveryTickIsRecordedInOrder)
+TEST(Servo, RecordsEveryTickInOrder)
 {
   ServoSettings settings;
   settings.RecordedTicks = 100;
@@ -420,7 +420,7 @@ TEST(Servo, EveryTickIsRecordedInOrder)
   EXPECT_EQ(run.Loop.LostTicks(), 500u);
 }
 
-TEST(Servo, ARefusedSceneLeavesTheOneBefore)
+TEST(Servo, RejectedSceneKeepsThePreviousOne)
 {
   test::ServoRun run(WallScene(0.0, {1.0, 0.0}));
   TouchScene shell = WallScene(0.0, {1.0, 0.0});

@@ -26,7 +26,7 @@ RealtimeRequest Ordinary()
   return request;
 }
 
-TEST(ServoThread, FeelsScenesThatArePublishedWhileItRunsAndEndsWithoutForce)
+TEST(ServoThread, AdoptsScenesWhileRunningAndEndsWithoutForce)
 {
   ManualClock clock;
   TimedDevice device(clock);
@@ -146,7 +146,7 @@ TEST(ServoThread, FadesInWithoutAFaultAfterAPauseOfAnyLength)
   }
 }
 
-TEST(ServoThread, APauseMendsNoFaultAndReleasesThePedal)
+TEST(ServoThread, PauseKeepsFaultsAndReleasesThePedal)
 {
   ManualClock clock;
   TimedDevice device(clock);
@@ -161,7 +161,7 @@ TEST(ServoThread, APauseMendsNoFaultAndReleasesThePedal)
   }
 }
 
-TEST(ServoThread, AnEmergencyStopSwitchesForcesOffAndNobodyOnAgain)
+TEST(ServoThread, EmergencyStopKeepsForcesOffUntilRearmed)
 {
   ManualClock clock;
   TimedDevice device(clock);
@@ -184,7 +184,7 @@ TEST(ServoThread, AnEmergencyStopSwitchesForcesOffAndNobodyOnAgain)
   EXPECT_EQ(FirstTicks(servo)[0].Safety.Fault, SafetyFault::None);
 }
 
-TEST(ServoThread, RefusesARateThatIsNone)
+TEST(ServoThread, RejectsInvalidRate)
 {
   ManualClock clock;
   TimedDevice device(clock);

@@ -8,7 +8,7 @@ namespace palpate
 {
 namespace
 {
-TEST(SlewLimit, NoStepIsLargerThanAllowed)
+TEST(SlewLimit, NeverExceedsTheRate)
 {
   test::Random random(21);
   constexpr double rate = 500.0;
@@ -27,7 +27,7 @@ TEST(SlewLimit, NoStepIsLargerThanAllowed)
   }
 }
 
-TEST(SlewLimit, ReachesASteadyForceOnAStraightWayToTheLastBit)
+TEST(SlewLimit, ReachesASteadyForceStraightAndExactly)
 {
   SlewLimit slew(1000.0);
   const Vector3 wanted(3.0, -4.0, 0.0);
@@ -40,7 +40,7 @@ TEST(SlewLimit, ReachesASteadyForceOnAStraightWayToTheLastBit)
   EXPECT_FALSE(slew.IsSlewing());
 }
 
-TEST(SlewLimit, StaysWithinWhatBothEndsAreWithin)
+TEST(SlewLimit, StaysWithinTheBoundsOfBothEnds)
 {
   test::Random random(22);
   SlewLimit slew(700.0);
@@ -51,7 +51,7 @@ TEST(SlewLimit, StaysWithinWhatBothEndsAreWithin)
   }
 }
 
-TEST(SlewLimit, AllowedChangeGivesTheForceToTheLastBit)
+TEST(SlewLimit, AllowedChangeGivesTheExactForce)
 {
   test::Random random(23);
   SlewLimit slew(1e5);

@@ -21,7 +21,7 @@ DeviceCapabilities Known()
   return device;
 }
 
-TEST(StiffnessAdvice, IsTheLeastOfTheBounds)
+TEST(StiffnessAdvice, IsTheSmallestBound)
 {
   DeviceCapabilities device = Known();
   // (0.002 - 0.0005) N s/mm / 0.5 ms
@@ -37,12 +37,12 @@ TEST(StiffnessAdvice, IsTheLeastOfTheBounds)
             std::numeric_limits<double>::infinity());
 }
 
-TEST(StiffnessAdvice, DampingAboveTheDevicesLeavesNothing)
+TEST(StiffnessAdvice, IsZeroForDampingAboveTheDevices)
 {
   EXPECT_EQ(StiffestStable(Known(), 1000.0, 0.003).Largest, 0.0);
 }
 
-TEST(StiffnessAdvice, WarnsOfEveryStructureThatAsksForMore)
+TEST(StiffnessAdvice, WarnsOfEveryStructureAboveTheBound)
 {
   TouchScene scene = test::WallScene(0.0, {3.9, 0.0});
   scene.Structures.push_back(scene.Structures[0]);
@@ -58,7 +58,7 @@ TEST(StiffnessAdvice, WarnsOfEveryStructureThatAsksForMore)
 }
 
 // The mechanism's 0.002 N s/mm have to bear it, however soft the structure.
-TEST(StiffnessAdvice, WarnsOfMoreViscosityThanTheMechanismBears)
+TEST(StiffnessAdvice, WarnsOfViscosityAboveTheMechanisms)
 {
   TouchScene scene = test::WallScene(0.0, {0.0, 0.0});
   scene.Structures[0].Viscosity = 0.0019;

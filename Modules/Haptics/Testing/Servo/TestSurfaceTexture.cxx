@@ -37,7 +37,7 @@ TEST(SurfaceTexture, IsBoundedByItsAmplitudeAndByThePush)
   EXPECT_GT(largest, 0.5 * Amplitude); // it is there
 }
 
-TEST(SurfaceTexture, IsZeroWithoutPushOutsideTheImageAndForWhatIsNoNumber)
+TEST(SurfaceTexture, IsZeroWithoutPushOutsideAndForNonFiniteInput)
 {
   const auto texture = Texture();
   EXPECT_NE(texture->Force(1.0, {1.0, 2.0, 3.0}), 0.0);
@@ -63,7 +63,7 @@ TEST(SurfaceTexture, HasNoSteps)
   }
 }
 
-TEST(SurfaceTexture, WhatIsBrighterPushesMore)
+TEST(SurfaceTexture, BrighterPushesMore)
 {
   const auto texture = Texture();
   const auto field = test::TexturedField();
@@ -78,7 +78,7 @@ TEST(SurfaceTexture, WhatIsBrighterPushesMore)
   }
 }
 
-TEST(SurfaceTexture, RefusesWhatIsNoTexture)
+TEST(SurfaceTexture, RejectsInvalidTextures)
 {
   const auto field = test::TexturedField();
   std::shared_ptr<const SurfaceTexture> texture;
@@ -93,7 +93,7 @@ TEST(SurfaceTexture, RefusesWhatIsNoTexture)
   EXPECT_EQ(texture, nullptr);
 }
 
-TEST(SurfaceTexture, IsFeltWhereTheToolTouchesAndNowhereElse)
+TEST(SurfaceTexture, ActsOnlyAtContacts)
 {
   TouchScene scene = test::WallScene(0.0, {1.0, 0.0});
   scene.Tool = ToolShape::Sphere(2.0);

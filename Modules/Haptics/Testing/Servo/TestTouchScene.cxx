@@ -11,7 +11,7 @@ namespace palpate
 {
 namespace
 {
-TEST(TouchScene, RefusesWhatCannotBeFelt)
+TEST(TouchScene, RejectsInvalidScenes)
 {
   const std::vector<std::function<void(TouchScene&)>> spoilers{
       [](TouchScene& s) { s.Structures[0].Model = nullptr; },
@@ -39,7 +39,7 @@ TEST(TouchScene, RefusesWhatCannotBeFelt)
   }
 }
 
-TEST(TouchScene, AStiffnessOfZeroOrVeryMuchIsFelt)
+TEST(TouchScene, AcceptsZeroAndVeryLargeStiffness)
 {
   for (const double stiffness : {0.0, 1e4})
   {

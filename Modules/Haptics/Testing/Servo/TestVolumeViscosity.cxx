@@ -19,7 +19,7 @@ ContactOffset RandomContact(test::Random& random)
   return contact;
 }
 
-TEST(VolumeViscosity, OpposesTheHandWithinAndIsZeroElsewhere)
+TEST(VolumeViscosity, OpposesTheHandInsideAndIsZeroElsewhere)
 {
   constexpr double Viscosity = 0.004; // N s/mm
   constexpr double Radius = 2.0;      // mm
@@ -38,7 +38,7 @@ TEST(VolumeViscosity, OpposesTheHandWithinAndIsZeroElsewhere)
   EXPECT_GT(within, 5000);
 }
 
-TEST(VolumeViscosity, IsZeroWithoutTouch)
+TEST(VolumeViscosity, IsZeroWithoutContact)
 {
   ContactOffset contact;
   contact.Offset = {0.0, 0.0, 5.0};
@@ -47,7 +47,7 @@ TEST(VolumeViscosity, IsZeroWithoutTouch)
 
 // A soft wall, half again as large in the world as in the hand: the sphere's centre is 2 / 1.5 mm
 // of the hand deep when it enters.
-TEST(VolumeViscosity, BeginsWhereTheToolsCentreEnters)
+TEST(VolumeViscosity, StartsWhereTheToolsCentreEnters)
 {
   TouchScene scene = test::WallScene(0.0, {0.0, 0.0});
   scene.Tool = ToolShape::Sphere(2.0);
