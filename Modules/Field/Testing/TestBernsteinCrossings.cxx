@@ -69,7 +69,7 @@ TEST(BernsteinCrossings, FindsTheKnownRoots)
     }
     if (nearest < 0.02)
     {
-      continue; // ill-conditioned, which is not the question here
+      continue; // ill-conditioned, which is not tested here
     }
     const std::vector<double> coefficients = WithRoots(roots, round % 4 < 2 ? 1.0 : -1.0);
     const std::vector<double> found =
@@ -116,8 +116,8 @@ TEST(BernsteinCrossings, ZerosAtTheEndsAreInside)
   EXPECT_EQ(CrossingsOf<3>({0, 1, -1, 0}), (std::vector<double>{0.5, 1.0}));
 }
 
-// 2 u^3 - 5 u^2 + 3 u - 1/2 = (u - 1/2) (2 u^2 - 4 u + 1): halving puts a root on the cut, and the
-// left half has another one just at its end, or just beyond.
+// 2 u^3 - 5 u^2 + 3 u - 1/2 = (u - 1/2) (2 u^2 - 4 u + 1): bisection puts a root on the cut, and
+// the left half has another one at its end, or just beyond.
 TEST(BernsteinCrossings, FindsNeighboursOfARootAtTheBisection)
 {
   const std::vector<double> whole = CrossingsOf<3>({-0.5, 0.5, -1.0 / 6.0, -0.5});

@@ -18,7 +18,7 @@ double ValueAt(const Corners& c, double u, double v, double w)
   return mean(low, high, w);
 }
 
-// The slow way: a fine lattice of points.
+// Brute force: a fine lattice of points.
 double PartByCounting(const Corners& corners)
 {
   constexpr int Points = 60;
@@ -63,7 +63,7 @@ TEST(CellVolume, CountsWhereBothValuesAreNonNegative)
       const double w = (n / Points / Points + 0.5) / Points;
       inside += ValueAt(two[0], u, v, w) >= 0 && ValueAt(two[1], u, v, w) >= 0;
     }
-    // As a single surface that bends much, and creases where two meet.
+    // As a single surface with strong curvature, and creases where two meet.
     EXPECT_NEAR(InsidePartOfCell(two, 2), inside / std::pow(Points, 3), 0.05);
     EXPECT_LE(InsidePartOfCell(two, 2), InsidePartOfCell(two[0]));
     EXPECT_EQ(InsidePartOfCell(two, 1), InsidePartOfCell(two[0]));
@@ -79,7 +79,7 @@ TEST(CellVolume, SlabsAlongEveryAxisAreExact)
     {
       corners[n] = (n >> axis & 1) == 0 ? -0.25 : 0.75;
     }
-    // Along i and j, Gauss' rule sees a step, of which it can be off by one weight.
+    // Along i and j, Gauss' rule integrates a step, with an error of up to one weight.
     EXPECT_NEAR(InsidePartOfCell(corners), 0.75, axis == 2 ? 1e-15 : 0.08) << axis;
   }
 }
@@ -118,7 +118,7 @@ TEST(CellVolume, RandomCellsAgreeWithPointCounts)
     EXPECT_NEAR(error, 0.0, 0.08) << trial; // kinks between Gauss' points: up to a weight
     sum += error;
   }
-  // Errors have no preference: their mean is a tenth of what one may be, and less.
+  // Errors are unbiased: their mean is at most a tenth of a single one.
   EXPECT_NEAR(sum / Trials, 0.0, 0.002);
 }
 } // namespace

@@ -16,7 +16,7 @@ CutPose At(const Vector3& position)
   return {position, Eigen::Quaterniond::Identity()};
 }
 
-// A block of values 1 (iso-value 0) and what tools removed of it.
+// A block of values 1 (iso-value 0), and what tools removed from it.
 class Block
 {
 public:
@@ -87,7 +87,7 @@ private:
   {
     return static_cast<std::size_t>((k * this->Size[1] + j) * this->Size[0] + i);
   }
-  // The middle is the origin.
+  // The centre is the origin.
   Vector3 PointWorld(int i, int j, int k) const
   {
     const Vector3 middle(this->Size[0] / 2, this->Size[1] / 2, this->Size[2] / 2);
@@ -144,7 +144,7 @@ TEST(CutSweep, CoversEveryPoseOnThePath)
     const Vector3 inTool(0.0, 0.0, 6.0 * part(random) - 3.0);
     const Vector3 point = (1.0 - t) * from.PositionWorld + t * to.PositionWorld +
                           from.Orientation.slerp(t, to.Orientation) * inTool;
-    // On the axis, or half a step from where it was.
+    // On the axis, or half a step from there.
     EXPECT_LE(sweep.Distance(point), tool.Distance(inTool) + 0.5 * Step);
     EXPECT_TRUE(sweep.BoundsWorld().contains(point));
   }
@@ -176,7 +176,7 @@ TEST(CutSweep, StrokeRemovesACapsuleWithinOnePercent)
     Block block(1.0, Vector3::Constant(10.0), test::RandomOrientation(random));
     const Vector3 from(offset(random) - 4.0, offset(random), offset(random));
     const Vector3 to(offset(random) + 4.0, offset(random), offset(random));
-    // Tick by tick, as a hand goes.
+    // In ticks, as a hand moves.
     constexpr int Ticks = 50;
     for (int tick = 0; tick < Ticks; ++tick)
     {
@@ -190,7 +190,7 @@ TEST(CutSweep, StrokeRemovesACapsuleWithinOnePercent)
 
 TEST(CutSweep, RemovedVolumeConvergesWithOrderTwo)
 {
-  // The mean over many places of the ball in a voxel, so that what remains is no chance.
+  // The mean over many positions of the sphere in a voxel, so that the rest is systematic.
   const auto error = [](double spacing)
   {
     std::mt19937_64 random(9);

@@ -9,7 +9,7 @@ namespace palpate
 {
 namespace
 {
-// A ball of 2 mm as samples, 0.25 mm apart.
+// A sphere of 2 mm as samples, 0.25 mm apart.
 CutTool SampledBall(double radius)
 {
   const FieldGrid grid({25, 25, 25}, Vector3::Constant(-3.0), Vector3::Constant(0.25),
@@ -55,7 +55,7 @@ TEST(CutTool, SampledSurfaceInterpolatesItsSamples)
   for (int trial = 0; trial < 1000; ++trial)
   {
     const Vector3 point(place(random), place(random), place(random));
-    // Between nodes a distance bends by at most its second derivative, 1 / |p|.
+    // Between nodes a distance curves by at most its second derivative, 1 / |p|.
     const double bend = 0.25 * 0.25 * 3.0 / 8.0 / std::max(point.norm(), 0.25);
     EXPECT_NEAR(tool.Distance(point), point.norm() - 2.0, bend);
   }

@@ -32,7 +32,7 @@ bool IsReached(std::array<int, 3> to, std::array<int, 3> from, DistanceDomain do
   return domain == DistanceDomain::Space || to[axis] == from[axis];
 }
 
-// The nearest voxel of the other kind, by looking at all.
+// The nearest voxel of the other kind, by brute force.
 double SlowDistance(const palpate::VoxelMask& mask, std::array<int, 3> from, unsigned char value,
                     DistanceDomain domain)
 {

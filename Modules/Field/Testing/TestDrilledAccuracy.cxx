@@ -12,7 +12,7 @@ using test::Drill;
 using test::ScannedBone;
 using test::VersionOf;
 
-// A ball of bone with blurred edges, in voxels of a size (mm) in an oblique grid.
+// A sphere of bone with blurred edges, in voxels of a size (mm) in an oblique grid.
 ScannedBone BoneOf(double spacing, double radius, std::mt19937_64& random)
 {
   const int side = 2 * static_cast<int>(std::ceil((radius + 1.0) / spacing)) + 2;
@@ -74,10 +74,10 @@ TEST(DrilledAccuracy, StrokeOfTicksRemovesACapsuleWithinOnePercent)
   }
 }
 
-// At the blurred edge, of the bone's ball and the tool's what they have in common. The bone's
-// radius is what removing all of it says: interpolated, its edge lies a little farther out than it
-// was. The rim of what is drilled is sharp and loses what a straight line between nodes cuts off,
-// of second order too.
+// At the blurred edge: the intersection of the bone's sphere and the tool's. The bone's radius is
+// the one whose volume is that of removing everything: interpolated, its edge lies slightly farther
+// out than it was. The rim of the hole is sharp and loses what a straight line between nodes cuts
+// off, of second order too.
 TEST(DrilledAccuracy, CountsOnlyVolumeInsideTheMaterial)
 {
   std::mt19937_64 random(53);
@@ -105,7 +105,7 @@ TEST(DrilledAccuracy, CountsOnlyVolumeInsideTheMaterial)
 
 TEST(DrilledAccuracy, RemovedVolumeConvergesWithOrderTwo)
 {
-  // The mean over places of the ball in a voxel, so that what remains is no chance.
+  // The mean over positions of the sphere in a voxel, so that the rest is systematic.
   const auto error = [](double spacing)
   {
     std::mt19937_64 random(54);

@@ -19,7 +19,7 @@ using test::SamplesNow;
 using test::ScannedBone;
 using test::VersionOf;
 
-// An oblique grid whose voxels are not cubes, with a ball of bone in it.
+// An oblique grid whose voxels are not cubes, with a sphere of bone in it.
 class DrilledFieldTest : public testing::Test
 {
 protected:
@@ -29,7 +29,7 @@ protected:
     return this->Bone.Middle +
            Vector3(part(this->Random), part(this->Random), part(this->Random)) * Radius;
   }
-  // With one of several tools, through bone or beside it.
+  // With one of several tools, through bone or next to it.
   void CutSomewhere(DrilledField& drilled)
   {
     const std::vector<CutTool> tools{CutTool::Sphere(1.5), CutTool::Sphere(2.5),
@@ -103,7 +103,7 @@ TEST_F(DrilledFieldTest, FullyStoredFieldHasSameValuesAndGradients)
   }
 }
 
-// The oracle of a node's value, from what the sweeps are alone.
+// Oracle of a node's value, from the sweeps alone.
 TEST_F(DrilledFieldTest, SamplesFollowFromDistances)
 {
   const auto drilled = Drill(*this->Bone.Make());
@@ -259,8 +259,8 @@ TEST_F(DrilledFieldTest, StrokeCostsOnlyChangedMemory)
     CutWay(*drilled, CutTool::Sphere(1.0), this->Bone.Middle, this->RandomPoint());
     drilled->EndStroke();
     const std::size_t bytes = drilled->HistoryBytes();
-    // Blocks that it changed as they were before, and pages of pointers to them: of the whole grid
-    // at most, here 150 blocks of 2 kB and one page of 8 kB.
+    // Previous copies of the changed blocks, and pages of pointers to them: of the whole grid at
+    // most, here 150 blocks of 2 kB and one page of 8 kB.
     EXPECT_LE(bytes - before, std::size_t{150} * 2056 + 8200 + 1024);
     before = bytes;
   }
@@ -470,8 +470,8 @@ TEST_F(DrilledFieldTest, RejectsInvalidPosesAndStates)
 
 TEST_F(DrilledFieldTest, VolumesCountTheIntersectionWithTheLimit)
 {
-  // Bone where a plane's side holds too: half the ball, and half of what is drilled round its
-  // middle.
+  // Bone on one side of a plane only: half the sphere, and half of the drilled volume around its
+  // centre.
   std::vector<float> side;
   for (std::size_t n = 0; n < this->Bone.Bone.size(); ++n)
   {

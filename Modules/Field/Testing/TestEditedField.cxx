@@ -93,7 +93,7 @@ TEST_F(EditedFieldTest, VersionOutlivesItsField)
   EXPECT_TRUE(AreSame(this->HitsOf(version, 200), hits));
 }
 
-// However long a hand drills: directories for what is used at once, and records of bricks.
+// However long the drilling: directories for the versions in use at once, and records of bricks.
 TEST_F(EditedFieldTest, MemoryIsBoundedByBricksNotCuts)
 {
   const auto drilled = Drill(*this->Bone.Make());
@@ -130,7 +130,7 @@ TEST_F(EditedFieldTest, RejectsTooManyVersionsUntilSomeAreReleased)
     status = drilled->MakeVersion(held.back());
     if (round % 20 == 19)
     {
-      drilled->Reset(); // so that there is bone again
+      drilled->Reset(); // restores the bone
     }
   }
   EXPECT_NE(status.Message().find("Too many versions"), std::string::npos);
@@ -140,7 +140,7 @@ TEST_F(EditedFieldTest, RejectsTooManyVersionsUntilSomeAreReleased)
   EXPECT_TRUE(AreSame(this->HitsOf(VersionOf(*drilled), 300), this->HitsOf(afresh, 300)));
 }
 
-// No ray may leap over a surface; what appears inside a filled region is found from afar.
+// No ray may leap over a surface; a surface that appears inside a filled region is found from afar.
 TEST_F(EditedFieldTest, HitsANewSurfaceFarFromOthers)
 {
   const FieldGrid grid = test::PlainGrid({130, 130, 130});
@@ -170,8 +170,8 @@ TEST_F(EditedFieldTest, HitsANewSurfaceFarFromOthers)
   }
 }
 
-// One thread cuts, others cast rays at what they were given: each version has the bits of a state
-// between two cuts.
+// One thread cuts, others cast rays at published versions: each has the bits of a state between two
+// cuts.
 TEST_F(EditedFieldTest, OtherThreadsSeeNoTornVersion)
 {
   const auto field = this->Bone.Make();
@@ -229,7 +229,7 @@ TEST_F(EditedFieldTest, OtherThreadsSeeNoTornVersion)
     CutWay(*drilled, this->Tool, place, place);
     const auto version = VersionOf(*drilled);
     Slot& slot = slots[static_cast<std::size_t>(round) % slots.size()];
-    // Every fourth is sure to be seen; meanwhile the others are edited over.
+    // Every fourth version is certain to be read; meanwhile the others are overwritten.
     while (round % 4 == 0 && slot.IsFull.load(std::memory_order_acquire))
     {
       std::this_thread::yield();

@@ -168,7 +168,7 @@ TEST(FieldBuilder, StoresOnlyBricksNearTheSurface)
   const FieldMemory memory = MakeField(grid, samples, 0.5)->Memory();
   EXPECT_EQ(memory.Bricks, 16u * 16u * 16u);
   EXPECT_EQ(memory.StoredBlocks, memory.SurfaceBricks);
-  // The surface is 4 pi 40^2 = 20,000 square voxels; a brick holds a piece of at least some dozens.
+  // The surface is 4 pi 40^2 = 20,000 square voxels; a brick contains at least some dozens of them.
   EXPECT_LE(memory.SurfaceBricks, 700u);
   EXPECT_GE(memory.SurfaceBricks, 200u);
   EXPECT_LE(memory.Bytes, grid.NodeCount() * sizeof(float) / 5);

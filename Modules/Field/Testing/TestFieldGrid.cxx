@@ -38,7 +38,7 @@ TEST(FieldGrid, RoundTripIsWithinTheStatedRounding)
     const FieldGrid grid = Oblique(random);
     const Vector3 world(place(random), place(random), place(random));
     const Vector3 back = grid.PointWorld(grid.PointIndex(world));
-    // A voxel is 5 mm at most, and there and back is rounded twice.
+    // A voxel is 5 mm at most, and a round trip is rounded twice.
     ASSERT_LE((back - world).norm(), 2 * 5.0 * grid.PointIndexRounding(world));
     ASSERT_LE(grid.PointIndexRounding(world), 1e-11);
   }

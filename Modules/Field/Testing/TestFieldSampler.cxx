@@ -197,7 +197,7 @@ struct SphereErrors
 SphereErrors ErrorsOnSphere(int nodes, FieldInterpolation method)
 {
   const FieldGrid grid = PlainGrid({nodes, nodes, nodes});
-  // Off the nodes, and smooth in its inside too, where the B-spline looks from afar.
+  // Off the nodes, and smooth inside too, since the B-spline depends on distant samples.
   const double unit = (nodes - 1) / 10.0;
   const Vector3 center = Vector3(5.03, 4.97, 5.01) * unit;
   const test::QuadraticSphereField quadratic{center, 3.3 * unit};
@@ -223,7 +223,7 @@ SphereErrors ErrorsOnSphere(int nodes, FieldInterpolation method)
   return errors;
 }
 
-// Between 20 and 80 cells; least squares of four points would say the same.
+// Between 20 and 80 cells; a least-squares fit of four points gives the same.
 double FittedOrder(double coarse, double fine)
 {
   return std::log2(coarse / fine) / 2.0;

@@ -76,7 +76,7 @@ void ExpectFindsLabel(long long label)
 {
   const FieldGrid grid = PlainGrid({5, 5, 5});
   std::vector<T> labels(grid.NodeCount(), static_cast<T>(1));
-  labels[62] = static_cast<T>(label); // the middle
+  labels[62] = static_cast<T>(label); // the centre
   const FieldSampler sampler(MakeLabelMaterial(grid, labels, label));
   EXPECT_TRUE(sampler.IsInsideIndex(0, {2, 2, 2}));
   EXPECT_FALSE(sampler.IsInsideIndex(0, {2, 2, 3}));
@@ -135,7 +135,7 @@ TEST(LabelField, BoxBoundaryIsHalfWayBetweenCentres)
   }
 }
 
-// Largest and mean distance (mm) of hits from a sphere that was made a mask.
+// Largest and mean distance (mm) of hits from a sphere given as a mask.
 struct SphereErrors
 {
   double Largest = 0.0;
@@ -176,7 +176,7 @@ SphereErrors ErrorsOfMaskedSphere(const Vector3& spacing, double smoothing)
 TEST(LabelField, SphereIsMoreAccurateThanItsVoxels)
 {
   const SphereErrors errors = ErrorsOfMaskedSphere({1, 1, 1}, 0.0);
-  // The mask itself is off by up to sqrt(3)/2 and 0.25 in the mean; its faces' normals by 0.6 rad.
+  // The mask itself is off by up to sqrt(3)/2, and 0.25 on average; its faces' normals by 0.6 rad.
   EXPECT_LE(errors.Largest, 0.75);
   EXPECT_LE(errors.Mean, 0.22);
   EXPECT_LE(errors.MeanAngle, 0.35);
@@ -193,7 +193,7 @@ TEST(LabelField, SmoothingSmoothsASphere)
 TEST(LabelField, InterpolatesThickSlices)
 {
   const SphereErrors errors = ErrorsOfMaskedSphere({0.5, 0.5, 5.0}, 0.0);
-  // Half a slice is 2.5; at the poles, where outlines lie further apart than that, it shows.
+  // Half a slice is 2.5; slightly more at the poles, where outlines are farther apart than that.
   EXPECT_LE(errors.Largest, 2.6);
   EXPECT_LE(errors.Mean, 0.6);
 }

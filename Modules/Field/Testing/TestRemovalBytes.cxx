@@ -77,14 +77,14 @@ TEST_F(RemovalBytesTest, RejectTruncatedOrTrailingBytes)
   }
 }
 
-// Whatever a byte is turned into, it is refused or a state that can be used.
+// However a byte is changed, the result is rejected or a usable state.
 TEST_F(RemovalBytesTest, DamageIsRejectedOrHarmless)
 {
   const std::vector<std::byte> bytes = BytesOf(*this->Some());
   for (int trial = 0; trial < 2000; ++trial)
   {
     std::vector<std::byte> damaged = bytes;
-    const std::size_t head = 600; // where most of what matters stands
+    const std::size_t head = 600; // contains most of the critical data
     const std::size_t at = this->Random() % (trial % 2 == 0 ? head : bytes.size());
     damaged[at] ^= static_cast<std::byte>(1 + this->Random() % 255);
     Removed removed;

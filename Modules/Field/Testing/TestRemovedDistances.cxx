@@ -15,7 +15,7 @@ namespace
 using Removed = std::shared_ptr<const RemovedDistances>;
 constexpr double Band = 2.0; // mm
 
-// Strokes of a ball here and there in an oblique grid.
+// Random strokes of a sphere in an oblique grid.
 class RemovedDistancesTest : public testing::Test
 {
 protected:
@@ -30,7 +30,7 @@ protected:
     return {CutTool::Sphere(3.0), CutPose{place(), {}}, CutPose{place(), {}}, 0.25};
   }
 
-  // One cut as a stroke of its own.
+  // One cut as a separate stroke.
   Removed Cut(const Removed& before, const CutSweep& sweep)
   {
     RemovalStroke stroke(before);
@@ -81,7 +81,7 @@ TEST_F(RemovedDistancesTest, NodesKeepTheMinimumOverSweeps)
         {
           least = std::min(least, sweep.Distance(this->Grid.PointWorld(Vector3(i, j, k))));
         }
-        // mm; floats of ways of up to 100 mm.
+        // mm; floats of paths of up to 100 mm.
         ASSERT_NEAR(stroke.Now().At(i, j, k), std::max(least, -Band), 2e-5);
       });
 }
@@ -199,8 +199,8 @@ TEST_F(RemovedDistancesTest, StateCostsOnlyChangedMemory)
   for (int n = 0; n < 6; ++n)
   {
     const Removed after = this->Cut(before, this->RandomStroke());
-    // Blocks of 8^3 floats and two numbers, and at most all pages of pointers (of two here). Blocks
-    // of which only nodes beyond the grid changed are not in what changed.
+    // Blocks of 8^3 floats and two numbers, and at most all pages of pointers (two here). Blocks in
+    // which only nodes beyond the grid changed are not reported.
     const std::size_t blocks =
         RemovedDistances::Difference(*before, *after).size() * (512 + 2) * sizeof(float);
     const std::size_t most = blocks + 2 * 512 * 16 + 1024;

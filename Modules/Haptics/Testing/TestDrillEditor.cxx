@@ -8,7 +8,7 @@ namespace
 {
 using test::DrilledBlock;
 
-// A stroke of random cuts, with its end where `isEnded`.
+// A stroke of random cuts, ended if `isEnded`.
 std::vector<CutOrder> Stroke(test::Random& random, bool isEnded = true)
 {
   std::uniform_real_distribution<double> part(-1.0, 1.0);
@@ -162,7 +162,7 @@ TEST(DrillEditor, RejectsInvalidTool)
   EXPECT_EQ(number, 1);
 }
 
-// Views and a servo that keep versions for long make the editor wait, and it goes on by itself.
+// Views and a servo that hold versions for long delay the editor, which then continues by itself.
 TEST(DrillEditor, LongHeldVersionsOnlyDelayNewOnes)
 {
   test::Random random(21);

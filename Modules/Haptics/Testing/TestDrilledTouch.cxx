@@ -10,7 +10,7 @@ namespace
 {
 constexpr double Spacing = 0.5; // mm
 
-// Bone that fills its grid but for a border, its nodes at whole multiples of the spacing.
+// Bone that fills its grid except for a border, its nodes at whole multiples of the spacing.
 test::ScannedBone PlainBone()
 {
   const FieldGrid grid({49, 49, 49}, Vector3::Zero(), Vector3::Constant(Spacing),
@@ -65,8 +65,8 @@ TEST(DrilledTouch, SmallerSphereMeasuresTheCanalWithinATenthOfAVoxel)
   }
 }
 
-// Between two canals stands a wall, its middle on a layer of nodes; what is thrown at it stays on
-// its side, while versions follow each other.
+// A wall between two canals, its centre on a layer of nodes: tools that hit it stay on their side,
+// while versions follow each other.
 TEST(DrilledTouch, ThinWallStopsFastTools)
 {
   constexpr double Canal = 2.0;
@@ -84,7 +84,7 @@ TEST(DrilledTouch, ThinWallStopsFastTools)
       std::vector<std::shared_ptr<const FieldSolid>> versions; // outlive their use
       for (int tick = 0; step * tick < 8.0; ++tick)
       {
-        // Something goes on being removed at the canal's end.
+        // Removal continues at the canal's end.
         const Vector3 end = start + Vector3(7.0 + 0.01 * tick, 0.0, 0.0);
         test::CutWay(*drilled, CutTool::Sphere(1.0), end, end);
         versions.push_back(SolidOf(*drilled));

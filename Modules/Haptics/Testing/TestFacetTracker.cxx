@@ -33,7 +33,7 @@ TEST(FacetTracker, ProxyOnABoxIsTheNearestPlaceOnItsSide)
                 SkinError);
       EXPECT_LE((contact.NormalWorld - Vector3::UnitZ()).norm(), 1e-9); // rounding
     }
-    // Beyond the edge it falls off.
+    // Beyond the edge it loses contact.
     EXPECT_FALSE(tracker->Follow(At({12.5 + radius, 0.0, 8.0})).IsTouching);
   }
 }
@@ -85,11 +85,10 @@ TEST(FacetTracker, ProxiesAreNearestPlacesAlongServoPaths)
       ASSERT_TRUE(contact.IsTouching);
       gap.Add(tree->NearestTo(contact.ProxyWorld, 10.0).Distance - radius);
       const double least = tree->NearestTo(probe, 10.0).Distance;
-      // Inside, the way out of the offset surface is at most as long as to the mesh plus the
-      // radius.
+      // Inside, the distance to the offset surface is at most that to the mesh plus the radius.
       farther.Add(std::max(0.0, contact.Depth - least - radius));
     }
-    // Where rounds end, the last move along a plane has left a rounded edge by s^2 / 2 radius.
+    // Where rounds end, the last move along a plane misses a rounded edge by s^2 / 2 radius.
     EXPECT_LE(gap.Value(), 0.002) << radius;
     // A god-object on facets waits on an edge until the pull has passed both its normals.
     EXPECT_LE(farther.Value(), 0.02) << radius;

@@ -30,7 +30,7 @@ bool AreHeld(const Vector3& point, const std::vector<HalfSpace>& spaces)
   return true;
 }
 
-// The slow, obvious way: the nearest held point among the feet on all planes, lines and corners.
+// Brute force: the nearest allowed point among the projections on all planes, lines and corners.
 bool NearestByTrial(const Vector3& goal, const std::vector<HalfSpace>& spaces, Vector3& nearest)
 {
   std::vector<Vector3> trials{goal};
@@ -93,7 +93,7 @@ TEST(HalfSpaces, NearestPointEqualsBruteForce)
     if (isHeld)
     {
       ++held;
-      // Far corners are where planes are nearly parallel, and known as much less well.
+      // Distant corners belong to nearly parallel planes, and are less accurate accordingly.
       error.Add((nearest.Point - expected).norm() / (1.0 + expected.squaredNorm()));
     }
   }

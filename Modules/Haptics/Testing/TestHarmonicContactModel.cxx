@@ -76,7 +76,8 @@ TEST(HarmonicRadialTracker, EqualsThePublishedMethod)
   const SphericalHarmonicModel organ = test::RandomOrgan(random, 12);
   const auto model = HarmonicContact(organ, HarmonicContactMode::Radial);
   const auto tracker = TrackerOf(*model, ToolShape::Sphere(0.0));
-  std::uniform_real_distribution<double> ratio(0.1, 2.0); // nearer, directions round
+  std::uniform_real_distribution<double> ratio(0.1,
+                                               2.0); // closer to the centre, directions are rounded
   for (int tick = 0; tick < 5000; ++tick)
   {
     const Vector3 u = test::RandomDirection(random);

@@ -16,7 +16,7 @@ using test::WorstCase;
 
 constexpr SurfaceFriction Rough{0.5, 0.3};
 
-// What the probe pulls its proxy with.
+// The probe's pull on its proxy.
 FrictionCone::Pull PullOf(const Vector3& probe, const Contact& contact)
 {
   return {probe - contact.ProxyWorld, contact.NormalWorld};
@@ -74,7 +74,7 @@ TEST(HarmonicFriction, SlipsUntilTheDynamicCone)
     }
   }
   EXPECT_GT(slips, 20);
-  EXPECT_LE(excess.Value(), 1.1e-6); // where the search for the place of rest ends
+  EXPECT_LE(excess.Value(), 1.1e-6); // tolerance of the search for the resting place
 }
 
 TEST(HarmonicFriction, ProxyStaysOnTheSurfaceAndLeavesWithTheProbe)

@@ -15,8 +15,8 @@ using test::TrackerOf;
 using test::WanderingDirection;
 using test::WorstCase;
 
-// What tracking may leave of a minimum on an organ (mm): the angle 1e-7 times 20 mm or so, which
-// steep places double.
+// Tracking tolerance of a minimum on an organ (mm): the angle 1e-7 times 20 mm or so, which steep
+// places double.
 constexpr double TrackingError = 1e-5;
 
 TEST(HarmonicNearestTracker, ProxyOnASphereIsRadial)
@@ -75,7 +75,7 @@ TEST(HarmonicNearestTracker, ProxyOnOrgansIsNearestAlongServoPaths)
         const ClosestPoint nearest = search.Nearest(probe);
         error.Add((contact.ProxyWorld - nearest.PointWorld - toolRadius * nearest.Normal).norm());
       }
-      // Normals turn with up to 1 rad in 2 mm of these organs, by which a tool's radius multiplies.
+      // Normals turn by up to 1 rad in 2 mm of these organs, which multiplies a tool's radius.
       EXPECT_LE(error.Value(), TrackingError * (1.0 + 0.5 * toolRadius)) << toolRadius;
     }
   }
@@ -197,7 +197,7 @@ TEST(HarmonicNearestTracker, ProxyStaysOnTheSurfaceThroughASpheresCentre)
                        });
     EXPECT_FALSE(isInFullContact);
     EXPECT_GE(touched, 415); // 42 mm long
-    // 0.1 rad and 2 * 0.1 / 20 more are allowed a tick, at 21 mm.
+    // 0.1 rad and 2 * 0.1 / 20 more are allowed per tick, at 21 mm.
     EXPECT_LE(jump.Value(), 21.0 * 0.111) << aside;
   }
 }

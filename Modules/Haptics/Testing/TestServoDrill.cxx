@@ -10,13 +10,13 @@ namespace
 {
 using test::DrilledBlock;
 
-constexpr double Depth = 3.0; // mm that a hand presses below where it touches
+constexpr double Depth = 3.0; // mm that a hand presses below the first contact
 const Vector3 Pressed(0.1, -0.2,
                       DrilledBlock::Top + DrilledBlock::Radius - DrilledBlock::Clearance - Depth);
-// N; a tracker ends within a fiftieth of a voxel of the surface, a cut one within a tenth.
+// N; a tracker ends within a fiftieth of a voxel of the surface, a drilled one within a tenth.
 constexpr double Close = DrilledBlock::Stiffness * 0.1 * DrilledBlock::Spacing;
 
-// Comes from above, and stays until all that fades is over. The force, N.
+// Approaches from above, and stays until all fading has ended. Returns the force, N.
 Vector3 Press(test::ServoRun& run)
 {
   for (double height = 4.0; height > 0.0; height -= 0.01)
@@ -63,7 +63,7 @@ TEST(ServoDrill, DrillSinksByPushAndSpeed)
   }
 }
 
-// Each version shows at once what many ticks have cut, and is felt as if it were nothing.
+// Each version shows the cuts of many ticks at once, without a change of force.
 TEST(ServoDrill, ForceIsSmoothAcrossVersions)
 {
   DrilledBlock block;
@@ -100,7 +100,7 @@ TEST(ServoDrill, RemovesTheSweptVolume)
   EXPECT_NEAR(block.Editor->RemovedVolumes()[0], wanted, 0.01 * wanted);
 }
 
-// Pass after pass a little deeper, until nothing is left between the hand and where it wants to be.
+// Each pass slightly deeper, until nothing is left between the hand and its goal.
 TEST(ServoDrill, MovingToAndFroMillsAGroove)
 {
   DrilledBlock block;
@@ -115,16 +115,16 @@ TEST(ServoDrill, MovingToAndFroMillsAGroove)
   double most = 0.0;
   for (int n = 0; n < 20000; ++n)
   {
-    const Vector3 force = run.TickAt(hand(n)); // at 20 mm/s in the middle
+    const Vector3 force = run.TickAt(hand(n)); // at 20 mm/s at the centre
     most = n < 19000 ? 0.0 : std::max(most, force[2]);
     block.Editor->Take();
   }
   EXPECT_LT(most, 0.2 * DrilledBlock::Stiffness * 1.0);
-  // Half of a capsule, and its sides; as deep as the force that is left lets it be.
+  // Half of a capsule, and its sides; as deep as the remaining force allows.
   constexpr double R = DrilledBlock::Radius;
   const double deepest = block.Editor->RemovedVolumes()[0];
   const double cap = R * R * std::acos(1.0 - 1.0 / R) - (R - 1.0) * std::sqrt(2.0 * R - 1.0);
-  const double ends = M_PI / 3.0 * (3.0 * R - 1.0); // two halves of a ball's cap of 1 mm
+  const double ends = M_PI / 3.0 * (3.0 * R - 1.0); // two halves of a spherical cap of 1 mm
   EXPECT_NEAR(deepest, 8.0 * cap + ends, 0.1 * (8.0 * cap + ends));
 }
 
@@ -346,7 +346,7 @@ TEST(ServoDrill, MaterialGrowingBackNeverPushesTheHand)
   }
   EXPECT_EQ(last, Vector3::Zero());
   EXPECT_EQ(block.Editor->RemovedVolumes()[0], 0.0);
-  // It is left without a force, and then felt as ever.
+  // It is left without a force, and then has its normal force.
   for (double height = 0.0; height < 4.0; height += 0.01)
   {
     ASSERT_EQ(run.TickAt(Pressed + height * Vector3::UnitZ()), Vector3::Zero()) << height;
@@ -451,8 +451,8 @@ TEST(ServoDrill, RejectsScenesThatCannotBeDrilled)
   EXPECT_TRUE(isRefused(scene));
 }
 
-// A servo that ticks as fast as it can, an editor on a thread, and one that looks: what is there in
-// the end follows from the orders alone.
+// A servo at full speed, an editor on a thread, and a reader: the final state follows from the
+// orders alone.
 TEST(ServoDrill, EditorAndServoNeitherBlockNorTear)
 {
   DrilledBlock block;

@@ -16,7 +16,7 @@ using Feeling = ServoScene::Feeling;
 
 constexpr double VelocityTime = 0.003; // s
 
-// The slow, obvious way: asks every structure in every tick.
+// Brute force: queries every structure in every tick.
 class AllAsked
 {
 public:
@@ -56,7 +56,7 @@ private:
   std::vector<StructureFollower> Followers;
 };
 
-// NaN is never the same.
+// NaN never compares equal.
 bool AreSameBits(const Vector3& a, const Vector3& b)
 {
   const auto isSame = [&](int axis)
@@ -99,8 +99,8 @@ TouchScene RandomScene(test::Random& random)
   return scene;
 }
 
-// A hand that rests, creeps, strokes and leaps, asks its models every `interval` ticks, and begins
-// anew now and then; calls visit(step, begins) for each tick.
+// A hand that rests, creeps, strokes and jumps, queries its models every `interval` ticks, and
+// restarts occasionally; calls visit(step, begins) for each tick.
 template <typename Visit>
 void WanderAbout(test::Random& random, int interval, int ticks, const Visit& visit)
 {
@@ -180,7 +180,7 @@ TEST(ServoScene, ExaminesFewOfTenThousandStructures)
     ASSERT_LE(servo->LookedAtCount(), 8u);
   }
   EXPECT_GT(touches, 900);
-  // What nobody touches costs little too: a tracker of facets, a follower, a place in the index.
+  // Structures out of reach are cheap too: a tracker of facets, a follower, an index entry.
   EXPECT_LT(servo->Bytes(), 10000u * 1000u);
 }
 

@@ -42,10 +42,10 @@ TEST(ToolShape, ShellsCoverTheSphereEvenly)
     {
       sum += p;
     }
-    // The fewest points of a spiral are off balance by no more than a third of the radius.
+    // The centroid of the smallest spirals is off by at most a third of the radius.
     EXPECT_LE(sum.norm() / count, count < 10 ? 0.34 : 0.03) << count;
     test::Random random(31);
-    // A cap of n times the area per point, and n = 4 allows for its being round.
+    // A cap of n times the area per point, where n = 4 allows for its round shape.
     const double reach = std::acos(std::max(-1.0, 1.0 - 2.0 * 4.0 / count));
     for (int k = 0; k < 200; ++k)
     {

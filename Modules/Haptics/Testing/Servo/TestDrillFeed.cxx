@@ -16,13 +16,13 @@ ToolPose At(const Vector3& place)
   return {place, Eigen::Quaterniond::Identity()};
 }
 
-// What is left of the way to the probe.
+// The remaining distance to the probe.
 double Left(DrillFeed& feed, bool cuts = true)
 {
   return feed.Meet(At(Vector3::Zero()), Up, cuts).norm();
 }
 
-// Feeds by `way` in so many ticks, each order numbered on from `number`.
+// Feeds by `way` in a number of ticks; orders are numbered from `number`.
 int Feed(DrillFeed& feed, int ticks, double way, std::uint64_t& number)
 {
   int orders = 0;
@@ -49,7 +49,7 @@ TEST(DrillFeed, IsAheadByTheFeedMissingInTheVersion)
   EXPECT_NEAR(Left(feed), 2.92, 1e-14);
   feed.Arrive(5);
   EXPECT_NEAR(Left(feed), 2.92, 1e-14);
-  feed.Arrive(6); // which its proxy does not show
+  feed.Arrive(6); // not visible in its proxy
   EXPECT_NEAR(Left(feed), 2.96, 1e-14);
   feed.Arrive(7);
   EXPECT_NEAR(Left(feed), 3.0, 1e-14);
@@ -75,7 +75,7 @@ TEST(DrillFeed, StaysWithinTheClearanceOfTheProxy)
   feed.Arrive(number);
   feed.Rest();
   EXPECT_NEAR(Left(feed), 3.0 - Clearance, 1e-14);
-  // What it is off the proxy goes away while nothing is cut.
+  // Its offset from the proxy decays while nothing is cut.
   double last = Left(feed, false);
   for (int n = 0; n < 400; ++n)
   {
@@ -96,8 +96,8 @@ TEST(DrillFeed, StopsAtTheProbe)
   EXPECT_NEAR(feed.Advance(0.5), 0.0, 1e-12);
 }
 
-// The differential equation of the class's comment: the depth at which the rim takes back what is
-// fed is R / 2 (feed / speed)^2.
+// The differential equation of the class's comment: the depth at which the rise over the rim
+// balances the feed is R / 2 (feed / speed)^2.
 TEST(DrillFeed, DepthOfAMovingToolFollowsFeedAndSpeed)
 {
   for (const double feedOfWay : {0.05, 0.1, 0.2})
@@ -118,7 +118,7 @@ TEST(DrillFeed, DepthOfAMovingToolFollowsFeedAndSpeed)
 TEST(DrillFeed, CutsAreContiguous)
 {
   DrillFeed feed(Radius, 0.0);
-  Vector3 last(0.0, 0.0, 3.0); // the proxy, where it begins
+  Vector3 last(0.0, 0.0, 3.0); // the proxy, where it starts
   for (std::uint64_t n = 0; n < 100; ++n)
   {
     feed.Meet(At({0.001 * static_cast<double>(n), 0.0, 0.0}), Up, true);

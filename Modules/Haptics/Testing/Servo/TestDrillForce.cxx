@@ -79,7 +79,7 @@ TEST(DrillForce, NeverPullsAndDragIsPassive)
 
 TEST(DrillForce, VibrationIsTheSameAfterAHundredHours)
 {
-  // 120 Hz: whole periods in 1/24 s, and doubles still tell 1e-10 s after so long.
+  // 120 Hz: whole periods in 1/24 s, and doubles still resolve 1e-10 s after so long.
   const double later = 360000.0;
   for (double time = 0.0; time < 0.01; time += 0.001)
   {

@@ -22,7 +22,7 @@ TEST(FadingContact, FadesFromFullForceToZero)
     EXPECT_NEAR(last - force, Push.norm() / 100.0, 1e-12);
     last = force;
   }
-  EXPECT_NEAR(ticks, 100, 1); // a sum of roundings decides the last one
+  EXPECT_NEAR(ticks, 100, 1); // the rounding of a sum decides the last one
   EXPECT_EQ(last, 0.0);
 }
 
@@ -60,7 +60,7 @@ TEST(FadingContact, JoinedContactsGiveTheSumAndFadeAgain)
   EXPECT_LT((joined.Advance(Hand, 0.05) - 0.5 * sum).norm(), 1e-12);
   EXPECT_EQ(FadingContact::Joined(one, FadingContact()).Force(), one.Force());
   EXPECT_TRUE(FadingContact::Joined(FadingContact(), FadingContact()).IsOver());
-  // What cancels has no direction in which it could push.
+  // Opposite forces cancel and have no direction.
   const FadingContact opposite(-Push, -Vector3::UnitZ(), 0.5, Hand);
   EXPECT_TRUE(
       FadingContact::Joined(FadingContact(Push, Vector3::UnitZ(), 0.5, Hand), opposite).IsOver());

@@ -99,7 +99,7 @@ TEST(InterruptionDeathTest, FourSignalsDoNotEndItWhileADevicePushes)
       testing::ExitedWithCode(130), "0 N");
 }
 
-// Where the thread that would end it hangs.
+// If the thread that would end it hangs.
 TEST(InterruptionDeathTest, TheFifthSignalEndsItEvenWhileADevicePushes)
 {
   EXPECT_EXIT(
@@ -148,7 +148,7 @@ INSTANTIATE_TEST_SUITE_P(All, InterruptionByTerminal, testing::Values(SIGTSTP, S
                          [](const auto& chosen)
                          { return std::string("Signal") + std::to_string(chosen.param); });
 
-// What a program returns that runs in the background of a terminal where it may not write, while a
+// Exit status of a program in the background of a terminal to which it may not write, while a
 // device pushes.
 template <typename Program>
 int InBackground(const Program& runs)
@@ -160,7 +160,7 @@ int InBackground(const Program& runs)
   if (shell == 0)
   {
     setsid();
-    const int terminal = open(ptsname(master), O_RDWR); // from now on its own
+    const int terminal = open(ptsname(master), O_RDWR); // now its controlling terminal
     termios settings = {};
     tcgetattr(terminal, &settings);
     settings.c_lflag |= TOSTOP;
@@ -169,7 +169,7 @@ int InBackground(const Program& runs)
     if (job == 0)
     {
       setpgid(0, 0);
-      alarm(60); // nobody else ends one that tries for ever
+      alarm(60); // ends a program that retries forever
       const Interruption interruption;
       const EndBeforeExit end([] {});
       _exit(runs(terminal));

@@ -19,7 +19,7 @@ Box RandomBox(test::Random& random, double spread, double size)
   return {low, low + Vector3(extent(random), extent(random), extent(random))};
 }
 
-// The slow, obvious way.
+// Brute force.
 std::vector<std::uint32_t> FoundByTrial(const std::vector<Box>& boxes, const Box& asked)
 {
   std::vector<std::uint32_t> found;
@@ -50,7 +50,7 @@ TEST(ReachIndex, EqualsBruteForce)
     const std::size_t count = random() % 200;
     for (std::size_t i = 0; i < count; ++i)
     {
-      // Every fifth is the same as one before, so that middles are shared.
+      // Every fifth equals an earlier one, so that centres are shared.
       boxes.push_back(i % 5 == 4 ? boxes[i / 2] : RandomBox(random, 100.0, 30.0));
     }
     const ReachIndex index(boxes);

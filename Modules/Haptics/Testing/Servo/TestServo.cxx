@@ -11,7 +11,7 @@ namespace
 {
 using test::WallScene;
 
-// A wall that counts its questions.
+// A wall that counts its queries.
 struct CountedWall
 {
   std::shared_ptr<test::WallControl> Control = std::make_shared<test::WallControl>();
@@ -78,7 +78,7 @@ TEST(Servo, AmbientForcesActWithoutContact)
   {
     force = run.TickAt({0.1 * n, 0.0, 0.0});
   }
-  // 100 mm/s, known up to the filter's rest after 66 time constants.
+  // 100 mm/s; the filter has settled after 66 time constants.
   EXPECT_NEAR((force - Vector3(-0.2, 0.7, 0.0)).norm(), 0.0, 1e-9);
 }
 
@@ -89,7 +89,7 @@ TEST(Servo, StructureOutOfReachIsNotQueried)
   run.RestAt({0.0, 0.0, 0.001});
   EXPECT_EQ(wall.Control->Questions, 0);
   run.TickAt({0.0, 0.0, -0.001});
-  // The place before, to know where it came from, and the place now.
+  // The previous place, to know where it came from, and the current place.
   EXPECT_EQ(wall.Control->Questions, 2);
 }
 
@@ -101,7 +101,7 @@ TEST(Servo, StructurePassedWithinOneTickIsQueried)
   run.TickAt({-500.5, 0.0, -1.0});
   EXPECT_EQ(wall.Control->Questions, 0);
   run.TickAt({-499.5, 0.0, 1.0});
-  // Both places are outside; the box of the way reaches into the wall's.
+  // Both places are outside; the box of the path overlaps the wall's.
   EXPECT_EQ(wall.Control->Questions, 2);
 }
 
@@ -155,7 +155,7 @@ TEST(Servo, DampingIsLimitedByTheDevice)
   device.MaximumDamping = 0.01;
   test::ServoRun run(WallScene(0.0, {1.0, 0.0}), {}, device);
   run.RestAt({0.0, 0.0, -2.0});
-  // Out at 50 mm/s: 2 N gave out 0.1 N mm, which would take 0.04 N s/mm.
+  // Out at 50 mm/s: 2 N returned 0.1 N mm, which would require 0.04 N s/mm.
   EXPECT_NEAR(run.TickAt({0.0, 0.0, -1.95})[2], 1.95 - 0.01 * 50.0, 1e-9);
   EXPECT_TRUE(run.Loop.Latest().Safety.IsDamping);
 }
@@ -172,7 +172,7 @@ TEST(Servo, CreditsDampingAndFrictionOfTheDevice)
     before = run.Loop.Latest().Safety.Energy;
     run.TickAt({0.0, 0.0, -0.05 * n});
   }
-  // At 50 mm/s, in 1 ms, by a filter that has settled.
+  // At 50 mm/s, in 1 ms, with a settled filter.
   EXPECT_NEAR(run.Loop.Latest().Safety.Energy - before, (0.003 * 50.0 + 0.2) * 0.05, 1e-9);
 }
 
@@ -215,7 +215,8 @@ TEST(Servo, RearmRestartsContacts)
   run.RestAt({0.0, 0.0, -1.0});
   const int questions = wall.Control->Questions;
   run.Loop.Rearm();
-  // So the scene has nothing to go on from, and the wall is met anew: from where and where.
+  // So the scene has nothing to continue from, and the wall is queried as new: previous and current
+  // place.
   ASSERT_TRUE(
       run.Loop.Publish(std::make_shared<TouchScene>(wall.Scene), SceneEntry::Continuing).IsOk());
   run.TickAt({0.0, 0.0, -1.0});
@@ -327,7 +328,7 @@ TEST(Servo, NewSceneFadesIn)
   for (int n = 0; n < 350; ++n)
   {
     const double force = run.TickAt(inside)[2];
-    // 2000 N/s down to nothing at once, then up within 0.3 s, by no step above 4 N / 300.
+    // 2000 N/s down to zero, then up within 0.3 s, by no step above 4 N / 300.
     EXPECT_LE(force - last, 4.0 / 300.0 + 1e-12);
     last = force;
   }
@@ -339,7 +340,7 @@ TEST(Servo, NewSceneIgnoresEarlierMotion)
 {
   test::ServoRun run(WallScene(0.0, {1.0, 0.0}));
   run.RestAt({0.0, 0.0, -1.0});
-  // The hand stays in the device, and comes to be 99 mm over the wall.
+  // The hand stays in place in the device, and moves to 99 mm above the wall.
   CountedWall wall;
   wall.Scene.Frame = DeviceFrame(Matrix3::Identity(), 1.0, {0.0, 0.0, 100.0});
   ASSERT_TRUE(run.Loop.Publish(std::make_shared<TouchScene>(wall.Scene)).IsOk());
@@ -398,7 +399,7 @@ TEST(Servo, SlowModelIsQueriedAtItsIntervalAndInterpolated)
   for (int n = 0; n < 40; ++n)
   {
     z -= 0.02;
-    // A plane is known exactly between the results.
+    // A plane is exact between the results.
     EXPECT_NEAR(run.TickAt({0.0, 0.0, z})[2], -z, 1e-12);
   }
   EXPECT_EQ(wall.Control->Questions, questions + 10);

@@ -46,7 +46,7 @@ TEST(SlewLimit, StaysWithinTheBoundsOfBothEnds)
   SlewLimit slew(700.0);
   for (int n = 0; n < 10'000; ++n)
   {
-    // Between two points of a ball, up to rounding.
+    // Between two points of a sphere, up to rounding.
     EXPECT_LE(slew.Apply(5.0 * test::RandomDirection(random), 0.001).norm(), 5.0 * (1.0 + 1e-14));
   }
 }

@@ -53,11 +53,10 @@ TEST(StiffnessAdvice, WarnsOfEveryStructureAboveTheBound)
   EXPECT_EQ(warnings[0],
             "The structure bone requests 5 N/mm; the device example at 1e+03 Hz is stable up to 4 "
             "N/mm, since its own damping cannot absorb more of the energy that sampling generates: "
-            "lower its "
-            "stiffness or its damping, or it may vibrate.");
+            "lower its stiffness or its damping, or it may vibrate.");
 }
 
-// The mechanism's 0.002 N s/mm have to bear it, however soft the structure.
+// The mechanism's 0.002 N s/mm must absorb it, however soft the structure.
 TEST(StiffnessAdvice, WarnsOfViscosityAboveTheMechanisms)
 {
   TouchScene scene = test::WallScene(0.0, {0.0, 0.0});

@@ -34,7 +34,7 @@ TEST(SurfaceTexture, IsBoundedByItsAmplitudeAndByThePush)
     EXPECT_LT(std::abs(force), std::min(Amplitude, pushed));
     largest = std::max(largest, std::abs(force));
   }
-  EXPECT_GT(largest, 0.5 * Amplitude); // it is there
+  EXPECT_GT(largest, 0.5 * Amplitude); // it has an effect
 }
 
 TEST(SurfaceTexture, IsZeroWithoutPushOutsideAndForNonFiniteInput)
@@ -48,7 +48,7 @@ TEST(SurfaceTexture, IsZeroWithoutPushOutsideAndForNonFiniteInput)
   EXPECT_EQ(texture->Force(1.0, {test::NotANumber, 0.0, 0.0}), 0.0);
 }
 
-// Of the gyroid, whose slope is at most 3 pi / 3 per mm and whose deviation is 0.87, u changes by
+// For the gyroid, whose slope is at most 3 pi / 3 per mm and whose deviation is 0.87, u changes by
 // at most 3.7 per mm, and u / sqrt(1 + u^2) no faster than u.
 TEST(SurfaceTexture, HasNoSteps)
 {

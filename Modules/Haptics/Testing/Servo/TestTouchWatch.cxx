@@ -11,7 +11,7 @@ using Kind = TouchChange::Kind;
 class TouchWatchTest : public testing::Test
 {
 protected:
-  // What the next tick, now `Tick`, changes.
+  // Changes of the next tick, now `Tick`.
   std::vector<TouchChange> Next()
   {
     ++this->Tick.Tick.Started;

@@ -46,7 +46,7 @@ TEST(VelocityEstimate, SpreadsAnEncoderCount)
 
 TEST(VelocityEstimate, GainIsAtMostOne)
 {
-  // The largest velocity that comes out is at most the largest bare difference that went in.
+  // The largest output velocity is at most the largest unfiltered difference of the input.
   test::Random random(51);
   VelocityEstimate estimate(0.002);
   Vector3 last = Vector3::Zero();

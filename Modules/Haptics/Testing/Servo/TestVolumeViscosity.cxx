@@ -32,7 +32,7 @@ TEST(VolumeViscosity, OpposesTheHandInsideAndIsZeroElsewhere)
     const Vector3 force = VolumeViscosity(Viscosity, contact, Radius, velocity);
     const bool isWithin = contact.Offset.norm() > Radius;
     EXPECT_EQ(force, isWithin ? Vector3(-Viscosity * velocity) : Vector3::Zero());
-    EXPECT_LE(force.dot(velocity), 0.0); // it takes power
+    EXPECT_LE(force.dot(velocity), 0.0); // it absorbs power
     within += isWithin ? 1 : 0;
   }
   EXPECT_GT(within, 5000);
@@ -45,8 +45,8 @@ TEST(VolumeViscosity, IsZeroWithoutContact)
   EXPECT_EQ(VolumeViscosity(1.0, contact, 2.0, Vector3::Ones()), Vector3::Zero());
 }
 
-// A soft wall, half again as large in the world as in the hand: the sphere's centre is 2 / 1.5 mm
-// of the hand deep when it enters.
+// A soft wall, with a scale of 1.5 from hand to world: the sphere's centre is 2 / 1.5 mm of the
+// hand deep when it enters.
 TEST(VolumeViscosity, StartsWhereTheToolsCentreEnters)
 {
   TouchScene scene = test::WallScene(0.0, {0.0, 0.0});

@@ -8,7 +8,7 @@ namespace palpate
 {
 namespace
 {
-// A watchdog that has seen healthy ticks 0 to 9, and tick 10 to be spoilt.
+// A watchdog that has seen healthy ticks 0 to 9, and tick 10 to be modified.
 struct Watched
 {
   Watched()
@@ -91,7 +91,7 @@ TEST(Watchdog, AcceptsTheLongestGap)
   }
 }
 
-// Its samples are old too, and its device may have slept: what happened is still one thing.
+// Its samples are old too, and its device may have slept: it is still a single fault.
 TEST(Watchdog, SuspensionIsASeparateFault)
 {
   for (const std::int64_t passed : {test::TickPeriod, 3600 * 1000 * test::TickPeriod})
@@ -131,7 +131,7 @@ TEST(Watchdog, NonIncreasingTickTimeIsAFault)
   for (const std::int64_t back : {test::TickPeriod, 3600 * 1000 * test::TickPeriod})
   {
     Watched watched;
-    watched.Next.Tick.Started -= back; // stands still; an hour back
+    watched.Next.Tick.Started -= back; // no time passes; an hour back
     watched.Next.Sample.Time = watched.Next.Tick.Started;
     EXPECT_EQ(watched.Dog.Check(watched.Next), SafetyFault::StalledTick) << back;
   }
