@@ -427,7 +427,7 @@ TEST(Servo, RejectedSceneKeepsThePreviousOne)
   TouchScene shell = WallScene(0.0, {1.0, 0.0});
   shell.Tool = ToolShape::Capsule(1.0, 2.0, 50);
   EXPECT_EQ(run.Loop.Publish(std::make_shared<TouchScene>(shell)).Message(),
-            "The structure wall cannot be touched: A wall feels spheres only.");
+            "The structure wall cannot be touched: A wall supports spheres only.");
   EXPECT_FALSE(run.Loop.Publish(nullptr).IsOk());
   EXPECT_NEAR(run.RestAt({0.0, 0.0, -1.0})[2], 1.0, 1e-12);
   EXPECT_EQ(run.Loop.Latest().Scene, 1u);
