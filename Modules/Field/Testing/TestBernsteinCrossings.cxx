@@ -111,7 +111,7 @@ TEST(BernsteinCrossings, ZerosAtTheEndsAreInside)
   EXPECT_EQ(CrossingsOf<3>({0, 0, 0, 0}), (std::vector<double>{}));
   EXPECT_EQ(CrossingsOf<3>({0, -1, -1, -1}), (std::vector<double>{0.0}));
   EXPECT_EQ(CrossingsOf<3>({-1, -1, -1, 0}), (std::vector<double>{1.0}));
-  // (1 - u) u (2 u - 1) is zero at both ends and in the middle.
+  // (1 - u) u (2 u - 1) is zero at both ends and at 1/2.
   EXPECT_EQ(CrossingsOf<3>({0, -1, 1, 0}), (std::vector<double>{0.0, 0.5}));
   EXPECT_EQ(CrossingsOf<3>({0, 1, -1, 0}), (std::vector<double>{0.5, 1.0}));
 }

@@ -77,7 +77,7 @@ TEST(DrilledTouch, ThinWallStopsFastTools)
     const Vector3 apart = (Canal + 0.5 * voxels * Spacing) * Vector3::UnitZ();
     CutCanal(*drilled, Canal, bone.Middle - apart);
     CutCanal(*drilled, Canal, bone.Middle + apart);
-    for (const double step : {0.05, 0.2, 0.9, 3.0}) // mm a tick
+    for (const double step : {0.05, 0.2, 0.9, 3.0}) // mm per tick
     {
       const Vector3 start = bone.Middle - apart;
       const auto tracker = TrackerOf(*drilled, 0.5);

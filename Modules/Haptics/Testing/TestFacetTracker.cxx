@@ -101,7 +101,7 @@ TEST(FacetTracker, PassesThroughNothingAtAnySpeed)
   const auto model = FacetContact(test::BoxMesh({10.0, 10.0, 0.01}));
   for (const double radius : {0.0, 1.0})
   {
-    for (const double step : {0.001, 0.1, 1.0, 100.0}) // mm a tick: up to 100 m/s at 1 kHz
+    for (const double step : {0.001, 0.1, 1.0, 100.0}) // mm per tick: up to 100 m/s at 1 kHz
     {
       const auto tracker = TrackerOf(*model, ToolShape::Sphere(radius));
       const double high = step < 0.01 ? 0.1 : 50.0;

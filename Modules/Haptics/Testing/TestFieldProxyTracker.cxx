@@ -111,7 +111,7 @@ TEST(FieldProxyTracker, DeepestSpherePointLiesOnTheFieldsSurface)
 TEST(FieldProxyTracker, SparseSphereTouchesWhereTheSphereDoes)
 {
   constexpr double Radius = 2.0; // mm
-  constexpr double Step = 0.01;  // mm a tick
+  constexpr double Step = 0.01;  // mm per tick
   Random random(5309);
   const FieldGrid grid = FineGrid(48);
   for (int n = 0; n < 50; ++n)
@@ -235,7 +235,7 @@ TEST(FieldProxyTracker, OneVoxelWallStopsToolsAtAnySpeed)
   const double wall = grid.PointWorld(Vector3::Constant(24.0))[2];
   for (const double radius : {0.0, 0.5, 2.0})
   {
-    for (const double step : {0.02, 0.1, 1.0, 10.0, 100.0}) // mm a tick: up to 100 m/s at 1 kHz
+    for (const double step : {0.02, 0.1, 1.0, 10.0, 100.0}) // mm per tick: up to 100 m/s at 1 kHz
     {
       const auto tracker = TrackerOf(*model, ToolShape::Sphere(radius));
       const Vector3 aside = 2.0 * test::RandomDirection(random);

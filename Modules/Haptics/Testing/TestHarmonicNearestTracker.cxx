@@ -122,7 +122,7 @@ TEST(HarmonicNearestTracker, PassesThroughNothingAtAnySpeed)
   const auto model = HarmonicContact(pancake);
   for (const double toolRadius : {0.0, 0.2, 3.0})
   {
-    for (const double step : {0.1, 1.0, 10.0, 100.0}) // mm a tick: up to 100 m/s at 1 kHz
+    for (const double step : {0.1, 1.0, 10.0, 100.0}) // mm per tick: up to 100 m/s at 1 kHz
     {
       const auto tracker = TrackerOf(*model, ToolShape::Sphere(toolRadius));
       const Vector3 across = 0.5 * test::RandomDirection(random);
@@ -145,7 +145,7 @@ TEST(HarmonicNearestTracker, ProxiesStayOutsideOnRandomFlights)
   const SphericalHarmonicModel organ = test::RandomOrgan(random, 12);
   const ClosestPointSearch search(test::Shared(organ));
   const auto model = HarmonicContact(organ);
-  std::uniform_real_distribution<double> speed(-2.0, 2.0); // 10^ mm a tick
+  std::uniform_real_distribution<double> speed(-2.0, 2.0); // 10^ mm per tick
   const auto tracker = TrackerOf(*model, ToolShape::Sphere(0.0));
   Vector3 probe = organ.CenterWorld() + Vector3(60.0, 0.0, 0.0);
   WorstCase inside;

@@ -95,7 +95,7 @@ TEST(HarmonicWedge, KeepsUpWithAFastHand)
   constexpr double Radius = 4.0;
   constexpr int Finer = 20;
   Random random(4402);
-  for (const double step : {0.01, 0.035, 0.1}) // rad: 0.2, 0.7 and 2 mm a tick
+  for (const double step : {0.01, 0.035, 0.1}) // rad: 0.2, 0.7 and 2 mm per tick
   {
     const SphericalHarmonicModel rough = test::RandomRough(random, 12, 20.0);
     const auto model = HarmonicContact(rough);

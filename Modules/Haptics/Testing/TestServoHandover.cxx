@@ -262,7 +262,7 @@ TEST(ServoHandover, DraggedWorkspaceCausesNoStep)
       last = force;
     }
     const Vector3 proxy = run.Loop.Latest().ProxyWorld;
-    EXPECT_NEAR(proxy.norm(), Radius + 1.0, 0.15); // facets are that much below the ball
+    EXPECT_NEAR(proxy.norm(), Radius + 1.0, 0.15); // facets are that much below the sphere
   }
 }
 

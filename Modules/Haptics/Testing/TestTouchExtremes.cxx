@@ -149,7 +149,7 @@ TEST_P(TouchExtremes, ToolStaysOutsideAtAnySpeed)
 {
   for (const double toolRadius : this->ToolRadii())
   {
-    for (const double step : {1.0, 100.0}) // mm a tick: 1 m/s, 100 m/s
+    for (const double step : {1.0, 100.0}) // mm per tick: 1 m/s, 100 m/s
     {
       const auto check = [&](const Vector3& probe, const Contact& contact)
       { ASSERT_NO_FATAL_FAILURE(this->ExpectBounded(probe, contact, toolRadius)) << step; };
@@ -175,7 +175,7 @@ TEST_P(TouchExtremes, ToolLeavesOnItsSideAtAnySpeed)
   const auto ignore = [](const Vector3&, const Contact&) {};
   for (const double toolRadius : isTrap ? std::vector<double>{0.0} : this->ToolRadii())
   {
-    for (const double step : {1.0, 100.0}) // mm a tick: 1 m/s, 100 m/s
+    for (const double step : {1.0, 100.0}) // mm per tick: 1 m/s, 100 m/s
     {
       for (const Vector3& place : this->Case.SurfacePoints)
       {

@@ -13,7 +13,7 @@ struct TouchPath
   static constexpr double Depth = 1.5;
   static constexpr int ApproachTicks = 17; ///< at 100 mm/s
   static constexpr int SlideTicks = 12;
-  static constexpr double Slide = 0.05; ///< a tick: 50 mm/s
+  static constexpr double Slide = 0.05; ///< per tick: 50 mm/s
   static constexpr int Ticks = ApproachTicks + SlideTicks;
 };
 

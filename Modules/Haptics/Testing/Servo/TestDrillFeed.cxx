@@ -103,7 +103,7 @@ TEST(DrillFeed, DepthOfAMovingToolFollowsFeedAndSpeed)
   for (const double feedOfWay : {0.05, 0.1, 0.2})
   {
     DrillFeed feed(Radius, 0.0);
-    constexpr double Way = 0.001; // mm a tick
+    constexpr double Way = 0.001; // mm per tick
     for (int n = 0; n < 20000; ++n)
     {
       feed.Meet(At({Way * n, 0.0, 0.0}), Up, true);

@@ -130,7 +130,7 @@ TEST(SafetyChain, ForceReversesNoFasterThanTheSlewRate)
 {
   SafetySettings settings = Settings();
   settings.RampDuration = 0.0;
-  settings.MaximumSlew = 500.0; // 0.5 N in a tick
+  settings.MaximumSlew = 500.0; // 0.5 N per tick
   SafetyChain chain(settings);
   static_cast<void>(chain.Apply(Pushing(0, {0.0, 0.0, 8.0})));
   for (std::uint64_t n = 1; n < 48; ++n)
