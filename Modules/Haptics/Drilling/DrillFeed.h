@@ -45,7 +45,7 @@ public:
   void Leave() noexcept;
 
   /// Whether a cut is due; once per tick. If the tool moved farther than its radius since the last
-  /// cut, it is cut at its current place only.
+  /// cut, the cut covers its current place only.
   bool NextCut(CutOrder& order) noexcept;
   /// The cut was ordered, with its number.
   void Ordered(const CutOrder& order) noexcept;
