@@ -17,11 +17,11 @@ namespace
 {
 constexpr int Degree = 12;
 constexpr int Frequency = 12; // 1,442 directions
-// What cross-validation chooses for organs with 0.3 mm of noise.
+// Typical choice of cross-validation for organs with 0.3 mm of noise.
 constexpr double UsualRoughness = 2.5e-5;
 constexpr double NoNumber = std::numeric_limits<double>::quiet_NaN();
 
-// The rows of samples, then those of the penalty; and the right side beside them.
+// The rows of samples, then those of the penalty; and the right-hand side as last column.
 Eigen::MatrixXd WeightedSystem(const RadialSamples& samples, double roughness)
 {
   const SphericalHarmonicBasis basis(Degree);
@@ -149,7 +149,7 @@ HardDirections AllBut(double capDegrees)
           kept.Directions, kept.Weights};
 }
 
-// Weights of one each, so that the cluster counts for what it is.
+// Unit weights, so that the cluster has its full effect.
 HardDirections Clustered()
 {
   Random random(8830);

@@ -8,7 +8,7 @@
 
 namespace palpate::test
 {
-/// Directions that ask much of a fit of degree 12, each with a weight.
+/// Difficult sets of directions for a fit of degree 12, each with a weight.
 struct HardDirections
 {
   std::string Name;
@@ -16,15 +16,15 @@ struct HardDirections
   std::vector<double> Weights;
 };
 
-/// The 1,442 directions of an icosahedron less caps of 0 to 60 and of 90 degrees round +z, weighted
-/// by solid angle; nine in ten within 20 degrees of +z; each of 362 up to ten times; as many as
-/// there are coefficients.
+/// The 1,442 directions of an icosahedron without caps of 0 to 60 and of 90 degrees around +z,
+/// weighted by solid angle; nine in ten within 20 degrees of +z; each of 362 up to ten times; as
+/// many as there are coefficients.
 std::vector<HardDirections> AllHardDirections();
 
-/// An organ of degree 12 seen along directions, without noise.
+/// Samples of an organ of degree 12 along directions, without noise.
 RadialSamples SamplesAlong(const HardDirections& hard, const SphericalHarmonicModel& organ);
 
-/// What arithmetic alone does to a fit of an organ of degree 12, of 20 mm: the largest difference
+/// Effect of rounding alone on a fit of an organ of degree 12, of 20 mm: the largest difference
 /// (mm) over the whole sphere between the fitted radius and that of exact arithmetic.
 struct FitPrecision
 {
@@ -39,8 +39,9 @@ struct FitPrecision
   double Ours = 0.0;                  ///< FitSphericalHarmonics
 };
 
-/// One row for each of the directions, without a penalty and with a usual one. Exact is without a
-/// penalty the organ itself, else an orthogonal factorisation in long double. Seconds.
+/// One row for each set of directions, without a penalty and with a typical one. The exact result
+/// is the organ itself without a penalty, else an orthogonal factorisation in long double. Takes
+/// seconds.
 std::vector<FitPrecision> MeasureFitPrecision();
 
 /// The rows as a table in Markdown.

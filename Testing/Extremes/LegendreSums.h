@@ -8,8 +8,8 @@ namespace palpate::test
 {
 /// R(u) = sum_l sum_m Y_lm(v) Y_lm(u) up to a degree, and its surface gradient, by the addition
 /// theorem: sum_l (2l + 1) / (4 pi) P_l(u . v), Legendre's polynomials by their recurrence in long
-/// double. One polynomial a degree and no order, so it shares nothing with the code that it judges.
-/// Both directions are taken as exactly normalised.
+/// double. One polynomial per degree and no orders, so it shares nothing with the tested code. Both
+/// directions are treated as exactly normalised.
 struct LegendreSum
 {
   LegendreSum(int degree, const Vector3& v, const Vector3& u)

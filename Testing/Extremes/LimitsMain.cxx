@@ -1,4 +1,4 @@
-// PalpateLimits FILE: measures what arithmetic does to hard fits, and writes the table of
+// PalpateLimits FILE: measures the effect of rounding on difficult fits, and writes the table of
 // Documentation/Limits.md; see Utilities/limits.sh.
 #include "FitPrecision.h"
 

@@ -8,8 +8,8 @@
 
 namespace palpate::test
 {
-/// A body of revolution about z whose radius is a polynomial in z, so that its harmonics hold it
-/// exactly: a spindle thin at the equator, or a disc thin at the poles.
+/// A body of revolution about z whose radius is a polynomial in z, so that its harmonics represent
+/// it exactly: a spindle thin at the equator, or a disc thin at the poles.
 struct SlenderBody
 {
   bool IsNeedle;
@@ -29,9 +29,9 @@ struct SlenderBody
   }
 };
 
-/// The distance (mm) of a place from such a body's surface, without its sign: the nearest point
-/// lies in the half plane of the place and the axis, which is looked through in steps of a
-/// 20,000th and then by golden sections.
+/// The unsigned distance (mm) from a place to such a body's surface: the nearest point lies in the
+/// half plane of the place and the axis, which is searched in steps of a 20,000th and then by
+/// golden sections.
 inline double DistanceInMeridian(const SphericalHarmonicModel& model, const Vector3& queryWorld)
 {
   const Vector3 q = queryWorld - model.CenterWorld();

@@ -1,4 +1,4 @@
-// Clocks that jump forward, back, or stand still: the servo's own, and the device's of its samples.
+// Clocks that jump forward, back, or stop: the servo's own, and the device's of its samples.
 #include "ServoRun.h"
 
 #include <gtest/gtest.h>
@@ -16,7 +16,7 @@ constexpr std::int64_t Second = 1'000'000'000; // ns
 constexpr double Depth = 2.0;                  // mm
 constexpr double Stiffness = 1.0;              // N/mm
 
-// A hand that rests in a wall at 0, whose clocks a test may shift.
+// A hand at rest in a wall at 0, whose clocks a test may shift.
 class PressedWall
 {
 public:
@@ -44,14 +44,14 @@ public:
   test::ServoRun Run;
   std::int64_t ClockShift = 0;  // ns, of ticks and samples
   std::int64_t SampleShift = 0; // ns, of samples only
-  bool IsStopped = false;       // every tick begins when the last one did
+  bool IsStopped = false;       // every tick starts at the time of the last one
 
 private:
   std::uint64_t Ticks = 0;
   std::int64_t Stopped = 0;
 };
 
-TEST(ClockExtremes, AWallIsPressedBeforeAnythingHappens)
+TEST(ClockExtremes, WallIsPressedInitially)
 {
   EXPECT_NEAR(PressedWall().Force(), Stiffness * Depth, 1e-12);
 }
@@ -79,8 +79,8 @@ class ServoClockExtremes : public ::testing::TestWithParam<ClockCase>
 {
 };
 
-// Nobody knows how long the force was held, or will be.
-TEST_P(ServoClockExtremes, EndInNoForceAtOnceUntilSwitchedOnAgain)
+// It is unknown how long the force was held, or will be.
+TEST_P(ServoClockExtremes, SwitchForcesOffUntilRearmed)
 {
   PressedWall wall;
   GetParam().Break(wall);
@@ -103,7 +103,7 @@ TEST_P(ServoClockExtremes, EndInNoForceAtOnceUntilSwitchedOnAgain)
 INSTANTIATE_TEST_SUITE_P(Each, ServoClockExtremes, ::testing::ValuesIn(ServoClocks),
                          [](const auto& each) { return each.param.Name; });
 
-TEST(ClockExtremes, SamplesFromLongAgoEndInNoForce)
+TEST(ClockExtremes, OldSamplesSwitchForcesOff)
 {
   for (const std::int64_t age : {11'000'000L, 3600 * Second})
   {
@@ -114,8 +114,8 @@ TEST(ClockExtremes, SamplesFromLongAgoEndInNoForce)
   }
 }
 
-// A time in the future is never old, and would allow for any motion since the last one.
-TEST(ClockExtremes, SamplesFromTheFutureEndInNoForce)
+// A time in the future is never old, and would allow any motion since the last one.
+TEST(ClockExtremes, FutureSamplesSwitchForcesOff)
 {
   for (const std::int64_t ahead : {11'000'000L, 3600 * Second})
   {
@@ -126,8 +126,8 @@ TEST(ClockExtremes, SamplesFromTheFutureEndInNoForce)
   }
 }
 
-// A device's clock may be read a little later than the servo's.
-TEST(ClockExtremes, SamplesThatAreALittleOldOrAheadAreFelt)
+// A device may read the clock slightly later than the servo.
+TEST(ClockExtremes, AcceptsSlightlyOldOrFutureSamples)
 {
   for (const std::int64_t shift : {-5'000'000L, -1'000'000L, 1'000'000L})
   {

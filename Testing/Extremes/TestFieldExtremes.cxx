@@ -1,4 +1,4 @@
-// Rays, inside tests and touch on fields at the edge of what a scanner or a file can give.
+// Rays, inside tests and touch on fields with extreme values that a scanner or a file can contain.
 #include "FieldContactCases.h"
 
 #include <gtest/gtest.h>
@@ -25,7 +25,7 @@ TYPED_TEST_SUITE(EverySampleType, SampleTypes);
 
 constexpr int Nodes = 12;
 
-// The lower half along k has the one value, from the node `first` on the other.
+// The lower half along k has one value, the nodes from `first` on the other.
 template <typename T>
 std::vector<T> Step(T below, T above, int first)
 {
@@ -56,7 +56,7 @@ void ExpectPlaneAt(const std::shared_ptr<const ScalarField>& field, double heigh
   const Contact& felt = tracker->Follow(At(within));
   ASSERT_TRUE(felt.IsValid);
   EXPECT_TRUE(felt.IsTouching);
-  EXPECT_NEAR(felt.Depth, 0.25, 1e-3); // where a tracker has come near enough: 1e-3 of a voxel
+  EXPECT_NEAR(felt.Depth, 0.25, 1e-3); // the tracker's tolerance: 1e-3 of a voxel
   EXPECT_LE((felt.NormalWorld + Vector3::UnitZ()).norm(), 1e-9);
 }
 
@@ -88,7 +88,7 @@ void ExpectRefusedAsConstant(const FieldSamples& samples, double value)
   }
 }
 
-// Of double, what a field takes.
+// The range of double that a field accepts.
 template <typename T>
 T HighestValue()
 {
@@ -100,7 +100,7 @@ T LowestValue()
   return std::is_same_v<T, double> ? static_cast<T>(-1e140) : std::numeric_limits<T>::lowest();
 }
 
-TYPED_TEST(EverySampleType, ReachesFromItsLowestToItsHighestValue)
+TYPED_TEST(EverySampleType, SupportsItsWholeRange)
 {
   const auto samples = Step(LowestValue<TypeParam>(), HighestValue<TypeParam>(), 6);
   const auto lowest = static_cast<double>(samples.front());
@@ -111,7 +111,7 @@ TYPED_TEST(EverySampleType, ReachesFromItsLowestToItsHighestValue)
   ExpectPlaneAt(given, highest, 6.0);
 }
 
-TYPED_TEST(EverySampleType, AConstantVolumeIsRefusedWithItsValue)
+TYPED_TEST(EverySampleType, RejectsConstantVolumeNamingItsValue)
 {
   for (const TypeParam value : {LowestValue<TypeParam>(), HighestValue<TypeParam>(), TypeParam(7)})
   {
@@ -121,7 +121,7 @@ TYPED_TEST(EverySampleType, AConstantVolumeIsRefusedWithItsValue)
 }
 
 // The iso-value exactly at a layer of nodes, between other values and as a plateau above it.
-TYPED_TEST(EverySampleType, AnIsoValueExactlyOnVoxelsIsTheSurface)
+TYPED_TEST(EverySampleType, IsoValueExactlyOnVoxelsIsTheSurface)
 {
   std::vector<TypeParam> ramp;
   for (int k = 0; k < Nodes; ++k)
@@ -141,7 +141,7 @@ std::shared_ptr<const ScalarField> Layer(double iso)
   return test::MakeField(Cube, samples, iso);
 }
 
-// How far (voxels) a point's proxy comes that is pushed through the layer at 5.
+// Farthest place (voxels) of a point's proxy that is pushed through the layer at 5.
 double FarthestProxy(const std::shared_ptr<const ScalarField>& field)
 {
   const auto tracker = test::TrackerOf(*test::FieldContact(field), ToolShape::Sphere(0.0));
@@ -157,9 +157,9 @@ double FarthestProxy(const std::shared_ptr<const ScalarField>& field)
   return farthest;
 }
 
-TEST(FieldExtremes, AWallOfHalfAVoxelIsFeltAndOneWithoutThicknessOnlySeen)
+TEST(FieldExtremes, HalfVoxelWallIsTouchedAndZeroThicknessWallOnlyHit)
 {
-  EXPECT_LE(FarthestProxy(Layer(0.75)), 4.75 + 1e-3); // near enough: 1e-3 of a voxel
+  EXPECT_LE(FarthestProxy(Layer(0.75)), 4.75 + 1e-3); // tolerance: 1e-3 of a voxel
   // The layer only just reaches the iso-value.
   const auto field = Layer(1.0);
   const FieldHit hit = RayCaster(field).CastWorld({{5.3, 4.6, 0.5}, Vector3::UnitZ()}, 0.0, 20.0);
@@ -169,7 +169,7 @@ TEST(FieldExtremes, AWallOfHalfAVoxelIsFeltAndOneWithoutThicknessOnlySeen)
   EXPECT_EQ(FarthestProxy(field), 9.0);
 }
 
-TEST(FieldExtremes, DenormalAndHugeDoublesAreRefused)
+TEST(FieldExtremes, RejectsDenormalAndHugeDoubles)
 {
   using Limits = std::numeric_limits<double>;
   for (const auto& [below, above] :
@@ -183,14 +183,14 @@ TEST(FieldExtremes, DenormalAndHugeDoublesAreRefused)
 }
 
 // Denormal floats are ordinary doubles.
-TEST(FieldExtremes, DenormalFloatsAreASurfaceLikeAnyOther)
+TEST(FieldExtremes, SupportsDenormalFloats)
 {
   const auto samples = Step(0.0F, 2.0F * std::numeric_limits<float>::denorm_min(), 6);
   const double iso = static_cast<double>(std::numeric_limits<float>::denorm_min());
   ExpectPlaneAt(test::MakeField(Cube, samples, iso), 5.5);
 }
 
-TEST(FieldExtremes, TheBSplineTakesWhatItsFloatsHoldAndRefusesMore)
+TEST(FieldExtremes, BSplineRejectsValuesBeyondItsFloats)
 {
   const auto refusal = [](float above)
   {
@@ -207,7 +207,7 @@ TEST(FieldExtremes, TheBSplineTakesWhatItsFloatsHoldAndRefusesMore)
     const std::vector<float> samples = Step(-size, size, 6);
     const auto field = test::MakeField(Cube, samples, 0.0, FieldInterpolation::TricubicBSpline);
     const FieldHit hit = RayCaster(field).CastWorld({{5.3, 4.6, 0.5}, Vector3::UnitZ()}, 0.0, 20.0);
-    EXPECT_NEAR(hit.Position[2], 5.5, 1e-5); // coefficients in float, by symmetry half way
+    EXPECT_NEAR(hit.Position[2], 5.5, 1e-5); // coefficients in float; half way by symmetry
   }
 }
 } // namespace

@@ -1,4 +1,4 @@
-// Fits from samples that hardly determine them, or that are wrong by a voxel.
+// Fits from samples that hardly determine them, or that have errors of up to a voxel.
 #include "DirectionCoverage.h"
 #include "FitPrecision.h"
 #include "FitSamples.h"
@@ -46,25 +46,24 @@ const std::vector<test::FitPrecision>& Precision()
   return rows;
 }
 
-TEST(FitExtremes, ArithmeticOfDoubleSurvivesEveryConditionByWhatItCosts)
+TEST(FitExtremes, DoublePrecisionLosesOnlyTheCondition)
 {
   for (const test::FitPrecision& row : Precision())
   {
-    // Radii of 20 mm are rounded by 2e-15, which the condition multiplies; a penalty takes the
-    // condition away, but for what the gap is filled from.
+    // Radii of 20 mm have rounding errors of 2e-15, which the condition multiplies; a penalty
+    // removes the condition, except for the data that fill the gap.
     const double bound = 1e-14 * 20.0 * (row.Roughness > 0.0 ? 100.0 : 1.0 + row.Condition);
     EXPECT_LE(row.Ours, bound) << row.Directions << ' ' << row.Roughness;
   }
 }
 
-TEST(FitExtremes, ArithmeticOfFloatBreaksWhereDirectionsAreMissing)
+TEST(FitExtremes, SinglePrecisionFailsForMissingDirections)
 {
   constexpr double Felt = 0.01; // mm
   int broken = 0;
   for (const test::FitPrecision& row : Precision())
   {
-    // By the same reckoning for float's rounding of 6e-8, whose condition the normal equations
-    // square.
+    // The same for float's rounding of 6e-8, with the condition squared by the normal equations.
     const bool isHopeless = row.Roughness == 0.0 && row.Condition > 1e3;
     if (isHopeless)
     {
@@ -92,7 +91,7 @@ RadialSamples NoisySamples(const HardDirections& hard, const SphericalHarmonicMo
   return samples;
 }
 
-// Largest error of the radius over its stated deviation, over the whole sphere.
+// Largest ratio of the radius error to its stated deviation, over the whole sphere.
 double LargestSurprise(const RadialSamples& samples, const SphericalHarmonicModel& organ)
 {
   const SphericalHarmonicFitResult fit = Fit(samples, Unlimited(Options::Penalty::None));
@@ -110,8 +109,8 @@ double LargestSurprise(const RadialSamples& samples, const SphericalHarmonicMode
   return surprise.Value();
 }
 
-// In a gap the error is large, and the fit says so.
-TEST(FitExtremes, ErrorsStayWithinTheirStatedDeviationWhateverTheDirections)
+// In a gap the error is large, and the fit reports it.
+TEST(FitExtremes, ErrorsStayWithinStatedDeviationForAnyDirections)
 {
   Random random(8840);
   const SphericalHarmonicModel organ = test::RandomOrgan(random, Degree);
@@ -123,14 +122,14 @@ TEST(FitExtremes, ErrorsStayWithinTheirStatedDeviationWhateverTheDirections)
     }
     for (const double noise : {0.01, 0.3, Voxel})
     {
-      // Of some hundred independent numbers, five deviations are passed in one of 10,000 fits.
+      // Of some hundred independent numbers, five deviations are exceeded in one of 10,000 fits.
       EXPECT_LE(LargestSurprise(NoisySamples(hard, organ, noise, 8841), organ), 5.0)
           << hard.Name << ' ' << noise;
     }
   }
 }
 
-TEST(FitExtremes, WithAPenaltyAGapIsFilledWithinTheOrgansReliefWhateverTheNoise)
+TEST(FitExtremes, PenaltyFillsGapsWithinTheOrgansRelief)
 {
   Random random(8842);
   const SphericalHarmonicModel organ = test::RandomOrgan(random, Degree);
@@ -158,7 +157,7 @@ TEST(FitExtremes, WithAPenaltyAGapIsFilledWithinTheOrgansReliefWhateverTheNoise)
   }
 }
 
-TEST(FitExtremes, WithoutAPenaltyWhatIsUndeterminedIsRefusedWithTheWayOut)
+TEST(FitExtremes, RejectsUndeterminedFitsAndSuggestsAPenalty)
 {
   Random random(8844);
   const SphericalHarmonicModel organ = test::RandomOrgan(random, Degree);
@@ -174,8 +173,8 @@ TEST(FitExtremes, WithoutAPenaltyWhatIsUndeterminedIsRefusedWithTheWayOut)
   }
 }
 
-// As many samples as coefficients: the model goes through all of them, noise and all.
-TEST(FitExtremes, AMinimalFitInterpolatesAndOneSampleLessIsRefused)
+// As many samples as coefficients: the model interpolates all of them, including noise.
+TEST(FitExtremes, MinimalFitInterpolatesAndOneSampleLessIsRejected)
 {
   Random random(8845);
   const SphericalHarmonicModel organ = test::RandomOrgan(random, Degree);
@@ -191,7 +190,7 @@ TEST(FitExtremes, AMinimalFitInterpolatesAndOneSampleLessIsRefused)
 }
 
 // Contradicting samples along one direction count as their mean.
-TEST(FitExtremes, AThousandSamplesOfOneDirectionCountAsTheirMean)
+TEST(FitExtremes, RepeatedSamplesCountAsTheirMean)
 {
   Random random(8847);
   const SphericalHarmonicModel organ = test::RandomOrgan(random, Degree);
@@ -215,7 +214,7 @@ TEST(FitExtremes, AThousandSamplesOfOneDirectionCountAsTheirMean)
   EXPECT_LE(test::Distance(Fit(many, options).Coefficients, Fit(one, options).Coefficients), 1e-11);
 }
 
-// 10^-6 mm to 10^6 mm, by powers of two, so that every digit has to be the same.
+// 10^-6 mm to 10^6 mm, by powers of two, so that every digit must be the same.
 TEST(FitExtremes, RadiiOfAnySizeGiveTheSameFit)
 {
   Random random(8848);
@@ -240,8 +239,8 @@ TEST(FitExtremes, RadiiOfAnySizeGiveTheSameFit)
   }
 }
 
-// Degree l is 10^-l of the mean: what is smaller than rounding of the largest is lost.
-TEST(FitExtremes, TwelveDecadesBetweenDegreesAreFittedToRoundingOfTheLargest)
+// Degree l is 10^-l of the mean: values below rounding of the largest are lost.
+TEST(FitExtremes, FitsTwelveDecadesBetweenDegreesToRoundingOfTheLargest)
 {
   Random random(8850);
   std::vector<double> coefficients = test::RandomCoefficients(random, Degree);
@@ -259,7 +258,8 @@ TEST(FitExtremes, TwelveDecadesBetweenDegreesAreFittedToRoundingOfTheLargest)
   {
     off.Add(fit.Coefficients[k] - coefficients[k]);
   }
-  // A rounding of 20 mm a sample, averaged by 1,442 of them; at degree 12 coefficients are 2e-11.
+  // A rounding of 20 mm per sample, averaged over 1,442 of them; at degree 12 coefficients are
+  // 2e-11.
   EXPECT_LE(off.Value(), 1e-14 * test::Norm(coefficients));
 }
 } // namespace

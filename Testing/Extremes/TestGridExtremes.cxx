@@ -1,5 +1,5 @@
 // Rays, inside tests and touch on grids and values of every size, on a plane, which trilinear
-// interpolation holds exactly.
+// interpolation represents exactly.
 #include "FieldContactCases.h"
 #include "RandomOrientation.h"
 #include "WorstCase.h"
@@ -22,7 +22,7 @@ struct ObliquePlane
     this->Grid = {{30, 30, 30}, originWorld, spacing, test::RandomOrientation(random)};
     const Vector3 middle = Vector3::Constant(14.5);
     this->MiddleWorld = this->Grid.PointWorld(middle);
-    // Crosses about as many voxels along each axis.
+    // Crosses a similar number of voxels along each axis.
     this->Normal = this->Grid.GradientWorld(Vector3(1.0, -0.8, 0.6)).normalized();
     for (std::size_t n = 0; n < this->Grid.NodeCount(); ++n)
     {
@@ -48,12 +48,12 @@ struct PlaneErrors
   WorstCase Hit;        // mm
   WorstCase Depth;      // mm, of a point
   WorstCase Normal;     // rad
-  WorstCase BallDepth;  // of the finest spacing, of a ball as wide as four of it
+  WorstCase BallDepth;  // relative to the finest spacing, for a sphere of four times its width
   WorstCase BallNormal; // rad
   int WrongSide = 0;
 };
 
-// Places on the plane, near the middle of the grid.
+// Places on the plane, near the centre of the grid.
 std::vector<Vector3> PlacesOn(const ObliquePlane& plane)
 {
   std::mt19937_64 random(8821);
@@ -68,7 +68,7 @@ std::vector<Vector3> PlacesOn(const ObliquePlane& plane)
   return places;
 }
 
-// A tool that comes straight down on the plane and half of the finest spacing in.
+// A tool that moves perpendicularly to the plane, half of the finest spacing deep.
 Contact Pressed(const ContactModel& contact, const ObliquePlane& plane, double toolRadius,
                 const Vector3& place)
 {
@@ -110,7 +110,7 @@ void ExpectExact(const PlaneErrors& errors, double bound)
   EXPECT_LE(errors.Hit.Value(), bound);
   EXPECT_LE(errors.Depth.Value(), bound);
   EXPECT_LE(errors.Normal.Value(), bound);
-  // Its shell is nowhere more than that much lower than the ball.
+  // Its shell is nowhere lower than the sphere by more than that.
   EXPECT_LE(errors.BallDepth.Value(), 0.05);
   EXPECT_LE(errors.BallNormal.Value(), bound);
   EXPECT_EQ(errors.WrongSide, 0);
@@ -127,15 +127,15 @@ TEST(GridExtremes, SpacingsOneToAHundredAreExactOnAPlane)
   }
 }
 
-TEST(GridExtremes, TenMetresAwayAPlaneIsExactToRounding)
+TEST(GridExtremes, PlaneTenMetresAwayIsExactToRounding)
 {
-  // Roundings of 10 m are 2e-12 mm; samples are made of them.
+  // Roundings of 10 m are 2e-12 mm; the samples contain them.
   ExpectExact(TouchPlane(ObliquePlane(Vector3::Constant(0.5), 1.0, {1e4, -1e4, 1e4})), 1e-10);
 }
 
 TEST(GridExtremes, ValuesOfAnySizeGiveTheSamePlane)
 {
-  // Denormal in float; the least and the most that a field takes
+  // Denormal in float; the smallest and the largest that a field accepts
   for (const double scale : {1e-140, 1e-42, 1e-3, 1e37, 1e138})
   {
     ExpectExact(TouchPlane(ObliquePlane(Vector3::Constant(0.5), scale, Somewhere)), 1e-11);

@@ -1,4 +1,4 @@
-// Spherical harmonics at degrees, places and sizes that no organ has.
+// Spherical harmonics at degrees, places and sizes beyond those of any organ.
 #include "IcosahedronDirections.h"
 #include "LegendreSums.h"
 #include "RandomShapes.h"
@@ -22,7 +22,7 @@ using test::WorstCase;
 
 constexpr int HighestDegree = 2000;
 
-// The poles, beside them down to where squares underflow, the equator, and anywhere.
+// The poles, their neighbourhood down to where squares underflow, the equator, and random places.
 std::vector<Vector3> ExtremeDirections(const Vector3& anywhere)
 {
   std::vector<Vector3> directions{anywhere, -anywhere, {1.0, 0.0, 0.0}, {0.0, -1.0, 0.0}};
@@ -56,13 +56,13 @@ TEST(HarmonicExtremes, SquaresOfEveryDegreeUpTo2000SumToTheAdditionTheorem)
       }
       off.Add(static_cast<double>(squares * 4.0L * M_PIl / (2 * l + 1) - 1.0L));
     }
-    // Twice the 1e-12 that is promised of the largest harmonic up to degree 1000, and twice the
-    // degree: roundings of a recurrence add up.
+    // Twice the documented 1e-12 of the largest harmonic up to degree 1000, for twice the degree:
+    // roundings of a recurrence add up.
     EXPECT_LE(off.Value(), 4e-12) << u.transpose();
   }
 }
 
-// Coefficients Y_lm(v) make all degrees add up at v, as much as any coefficients can.
+// Coefficients Y_lm(v) make all degrees add up at v, to the largest possible value.
 struct PeakedModel
 {
   PeakedModel(int degree, const Vector3& peak) : Peak(peak), Coefficients(Values(degree, peak)) {}
@@ -86,7 +86,7 @@ struct Errors
   bool IsFinite = true;
 };
 
-// In units of what coefficients of this length can reach.
+// Relative to the largest value that coefficients of this length can reach.
 Errors ErrorsOf(int degree, const PeakedModel& peaked, const std::vector<Vector3>& directions)
 {
   const SphericalHarmonicEvaluator evaluator(degree, peaked.Coefficients);
@@ -109,7 +109,7 @@ void ExpectTrueToTheDegree(int degree, double bound)
 {
   Random random(8801);
   const std::vector<Vector3> directions = ExtremeDirections(test::RandomDirection(random));
-  for (const std::size_t peak : {0, 2, 4, 7, 9}) // anywhere, equator, pole, 1e-15 beside, 1e-300
+  for (const std::size_t peak : {0, 2, 4, 7, 9}) // random, equator, pole, 1e-15 from it, 1e-300
   {
     const Errors errors = ErrorsOf(degree, PeakedModel(degree, directions[peak]), directions);
     EXPECT_LE(errors.Radius.Value(), bound) << degree << ' ' << directions[peak].transpose();
@@ -118,13 +118,13 @@ void ExpectTrueToTheDegree(int degree, double bound)
   }
 }
 
-TEST(HarmonicExtremes, RadiusAndGradientOfDegree2000AreTrueEverywhereAndAtThePoles)
+TEST(HarmonicExtremes, RadiusAndGradientOfDegree2000AreAccurateEverywhere)
 {
-  // The 1e-12 that is promised up to degree 1000, for twice the degree.
+  // The documented 1e-12 up to degree 1000, for twice the degree.
   ExpectTrueToTheDegree(HighestDegree, 2e-12);
 }
 
-// Every number is multiplied by the same power of two, which rounds nothing.
+// Every number is multiplied by the same power of two, which causes no rounding.
 TEST(HarmonicExtremes, RadiiFromANanometreToAKilometreHaveTheSameDigits)
 {
   Random random(8802);
@@ -158,7 +158,7 @@ TEST(HarmonicExtremes, RadiiFromANanometreToAKilometreHaveTheSameDigits)
   }
 }
 
-TEST(HarmonicExtremes, TenMetresAwayAPointIsOnlyRoundedToItsPlace)
+TEST(HarmonicExtremes, PointTenMetresAwayIsOnlyRounded)
 {
   Random random(8803);
   const SphericalHarmonicModel here = test::RandomOrgan(random, 12);
@@ -168,14 +168,14 @@ TEST(HarmonicExtremes, TenMetresAwayAPointIsOnlyRoundedToItsPlace)
   {
     EXPECT_EQ(there.Radius(u), here.Radius(u));
     EXPECT_EQ(there.Normal(u), here.Normal(u));
-    // One rounding a coordinate where the centre is added.
+    // One rounding per coordinate when the centre is added.
     const Vector3 fromCenter = there.PointWorld(u) - there.CenterWorld();
     EXPECT_LE((fromCenter - here.Radius(u) * u).lpNorm<Eigen::Infinity>(), ulp);
   }
 }
 
 // Degree l is 10^(-l) or 10^(l - 12) of 20 mm: twelve decades, falling or rising.
-TEST(HarmonicExtremes, TwelveDecadesBetweenDegreesLoseNothingButRoundingOfTheLargest)
+TEST(HarmonicExtremes, TwelveDecadesBetweenDegreesLoseOnlyRoundingOfTheLargest)
 {
   constexpr int Degree = 12;
   Random random(8804);
@@ -202,7 +202,7 @@ TEST(HarmonicExtremes, TwelveDecadesBetweenDegreesLoseNothingButRoundingOfTheLar
       {
         exact += static_cast<long double>(values[k]) * coefficients[k];
       }
-      // The promise of either side.
+      // The documented error of either side.
       EXPECT_NEAR(evaluator.Radius(u), static_cast<double>(exact), 2e-14 * scale.Radius);
     }
   }
@@ -224,7 +224,8 @@ TEST(HarmonicExtremes, NoOrderOfDegree2000OverflowsOrIsLost)
     {
       const Vector3 u(sine * 0.8, sine * 0.6, std::sqrt((1.0 - sine) * (1.0 + sine)));
       basis.Evaluate(u, values.data());
-      // Two ways, each good to 2e-12 of what one harmonic of degree 2000 can reach, which is 18.
+      // Two methods, each accurate to 2e-12 of the largest value of a harmonic of degree 2000,
+      // which is 18.
       EXPECT_NEAR(evaluator.Radius(u) * 1e-150, values[index], 2.0 * 2e-12 * 18.0)
           << order << ' ' << sine;
     }

@@ -11,7 +11,7 @@ namespace palpate
 {
 namespace
 {
-// A ball that keeps a point out, as small as a contact model can be.
+// A sphere that keeps a point out, as a minimal contact model.
 class SmallBall final : public ContactModel
 {
 public:
@@ -75,7 +75,7 @@ TouchScene SceneOf(const std::vector<Vector3>& places)
   return scene;
 }
 
-TEST(ManyStructures, OneOfAMillionIsFeltLikeTheOnlyOne)
+TEST(ManyStructures, OneOfAMillionGivesTheSameForcesAsAlone)
 {
   std::vector<Vector3> places;
   places.reserve(Side * Side * Side);
@@ -92,7 +92,7 @@ TEST(ManyStructures, OneOfAMillionIsFeltLikeTheOnlyOne)
   test::ServoRun among(SceneOf(places), settings);
   for (int tick = 0; tick < 60; ++tick)
   {
-    // In and out again, past its middle, in the gaps between the others.
+    // In and out again, past its centre, in the gaps between the others.
     const Vector3 place = touched + Vector3(-1.8 + 0.06 * tick, 0.3, 0.0);
     ASSERT_EQ(among.TickAt(place), alone.TickAt(place)) << tick;
     const TouchState& felt = among.Loop.Latest();
@@ -102,8 +102,8 @@ TEST(ManyStructures, OneOfAMillionIsFeltLikeTheOnlyOne)
   }
 }
 
-// Beside models and trackers, which are the models' own, a structure takes this much.
-TEST(ManyStructures, AStructureThatIsNotTouchedTakesLessThanTwoKilobytes)
+// Memory of a structure, without models and their trackers.
+TEST(ManyStructures, UntouchedStructureTakesLessThanTwoKilobytes)
 {
   EXPECT_LE(sizeof(TouchStructure) + sizeof(StructureFollower), 2048U);
 }

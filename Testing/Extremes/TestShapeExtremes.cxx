@@ -20,13 +20,13 @@ using test::Random;
 using test::SlenderBody;
 using test::WorstCase;
 
-// What is promised of a body, mm.
+// Documented bounds for a body, mm.
 struct SlenderCase
 {
   std::string Name;
   SlenderBody Body;
-  double Unproven; ///< that the search leaves open at an ordinary place
-  double Overlap;  ///< of a ball that is too large for the hollows
+  double Unproven; ///< left open by the search at an ordinary place
+  double Overlap;  ///< of a sphere that is too large for the hollows
 };
 
 void PrintTo(const SlenderCase& c, std::ostream* stream)
@@ -34,9 +34,9 @@ void PrintTo(const SlenderCase& c, std::ostream* stream)
   *stream << c.Name;
 }
 
-// Of bodies of 10 mm. Ten to one at degree 12 is proven but for parts in 10,000, where the
-// evaluations allowed are used up before the proof is done; of forty to one at degree 40 one per
-// cent is left open. It is so, too, where whole circles of a body are equally near.
+// For bodies of 10 mm. Ten to one at degree 12 is proven except for parts in 10,000, where the
+// evaluation limit is reached before the proof is complete; for forty to one at degree 40 one per
+// cent is left open. The same holds where whole circles of a body are equally near.
 constexpr double Rounding = 1e-9;
 constexpr double TouchingGap = 1e-6; // of the tracker: 1e-6 of the smallest radius
 constexpr double PartIn10000 = 1e-3;
@@ -68,7 +68,7 @@ std::vector<Vector3> OrdinaryPlaces(const SphericalHarmonicModel& model)
   return places;
 }
 
-// At a tip and at the rim, on the axis, and in the middle.
+// At a tip and at the rim, on the axis, and at the centre.
 std::vector<Vector3> SpecialPlaces(const SphericalHarmonicModel& model)
 {
   std::vector<Vector3> places;
@@ -91,20 +91,20 @@ void ExpectAsNearAsItSays(const SphericalHarmonicModel& model, const std::vector
     const ClosestPoint found = search.Nearest(place);
     ASSERT_NE(found.State, ClosestPoint::Outcome::BadInput);
     const double excess = std::abs(found.SignedDistance) - test::DistanceInMeridian(model, place);
-    // Both sides by minimisation in double, whose squares are good to 1e-14 of 100 mm^2.
+    // Both by minimisation in double, whose squares are accurate to 1e-14 of 100 mm^2.
     EXPECT_GE(excess, -Rounding) << place.transpose();
     EXPECT_LE(excess, found.DistanceError + Rounding) << place.transpose();
     EXPECT_LE(found.DistanceError, unproven) << place.transpose();
   }
 }
 
-TEST_P(SlenderShapes, TheNearestPointIsAsNearAsItSays)
+TEST_P(SlenderShapes, NearestPointIsWithinItsErrorBound)
 {
   ExpectAsNearAsItSays(this->Model, OrdinaryPlaces(this->Model), GetParam().Unproven);
   ExpectAsNearAsItSays(this->Model, SpecialPlaces(this->Model), OnePerCent);
 }
 
-TEST_P(SlenderShapes, APointLiesOnTheSurfaceAndABallHardlyOverlaps)
+TEST_P(SlenderShapes, PointLiesOnTheSurfaceAndSphereHardlyOverlaps)
 {
   Random random(8811);
   const auto contact = test::HarmonicContact(this->Model);
@@ -139,14 +139,14 @@ TEST_P(SlenderShapes, APointLiesOnTheSurfaceAndABallHardlyOverlaps)
 INSTANTIATE_TEST_SUITE_P(Each, SlenderShapes, ::testing::ValuesIn(SlenderCases),
                          [](const auto& each) { return each.param.Name; });
 
-// A place that goes in and out of an organ of 20 mm while it wanders over it.
+// A place that moves in and out of an organ of 20 mm along its surface.
 Vector3 PlaceOnTheWay(int tick)
 {
   return (20.0 + 3.0 * std::sin(0.05 * tick)) *
          Vector3(std::cos(0.01 * tick), std::sin(0.01 * tick), 0.3).normalized();
 }
 
-// An organ multiplied by `scale` around `centerWorld`, with a ball of as many mm.
+// An organ multiplied by `scale` around `centerWorld`, with a sphere of as many mm.
 struct TouchedOrgan
 {
   TouchedOrgan(double scale, const Vector3& centerWorld) : Model(Scaled(scale, centerWorld))
@@ -169,8 +169,8 @@ struct TouchedOrgan
   std::unique_ptr<ContactTracker> Tracker;
 };
 
-// By powers of two, so that nothing is rounded and everything has to have the same digits.
-TEST(ShapeExtremes, FromANanometreToAKilometreTouchHasTheSameDigits)
+// By powers of two, so that nothing is rounded and all digits must be the same.
+TEST(ShapeExtremes, TouchHasTheSameDigitsFromANanometreToAKilometre)
 {
   for (const int exponent : {-24, 16}) // 20 mm become 1e-6 mm and 1e6 mm
   {
@@ -195,7 +195,7 @@ TEST(ShapeExtremes, FromANanometreToAKilometreTouchHasTheSameDigits)
   }
 }
 
-TEST(ShapeExtremes, TenMetresAwayTouchIsTheSameButForRounding)
+TEST(ShapeExtremes, TouchTenMetresAwayIsEqualUpToRounding)
 {
   const Vector3 far(1e4, -1e4, 1e4);
   const TouchedOrgan here(1.0, Vector3::Zero());

@@ -1,4 +1,4 @@
-// Stiffness, rate, delay and encoder counts beyond what holds a wall stable.
+// Stiffness, rate, delay and encoder resolution beyond those of stable walls.
 #include "BareTrial.h"
 #include "PressableScenes.h"
 #include "SimulatedTouch.h"
@@ -29,7 +29,7 @@ double Claimed(const StabilityTrial& trial)
       .Largest;
 }
 
-// Within the claimed border no energy comes out; at eight times it does.
+// Within the claimed limit no energy is generated; at eight times the limit it is.
 void ExpectBorder(const StabilityTrial& trial)
 {
   const double claimed = Claimed(trial);
@@ -42,7 +42,7 @@ void ExpectBorder(const StabilityTrial& trial)
       << claimed << " N/mm, " << trial.Loop.Rate << " Hz, " << trial.Device.Delay << " s";
 }
 
-TEST(StabilityExtremes, TheClaimedBorderHoldsFrom125HzTo20KHz)
+TEST(StabilityExtremes, ClaimedLimitHoldsFrom125HzTo20KHz)
 {
   for (const double rate : {125.0, 20000.0})
   {
@@ -50,7 +50,7 @@ TEST(StabilityExtremes, TheClaimedBorderHoldsFrom125HzTo20KHz)
   }
 }
 
-TEST(StabilityExtremes, TheClaimedBorderHoldsForForcesThatComeFiftyMillisecondsLate)
+TEST(StabilityExtremes, ClaimedLimitHoldsForDelaysOfFiftyMilliseconds)
 {
   for (const double delay : {0.01, 0.05})
   {
@@ -60,15 +60,15 @@ TEST(StabilityExtremes, TheClaimedBorderHoldsForForcesThatComeFiftyMillisecondsL
   }
 }
 
-// The watchdog takes periods longer than its 10 ms for a servo that hangs.
-TEST(StabilityExtremes, BelowAHundredHertzThereIsNoForce)
+// The watchdog treats periods longer than its 10 ms as a hanging servo.
+TEST(StabilityExtremes, NoForceBelowAHundredHertz)
 {
   EXPECT_EQ(PressWall(test::BareTrial(Vector3::UnitZ(), 100.0), 0.1).Fault, SafetyFault::None);
   EXPECT_EQ(PressWall(test::BareTrial(Vector3::UnitZ(), 99.0), 0.1).Fault,
             SafetyFault::StalledTick);
 }
 
-// What a second of pressing a wall did, with the device and the chain as they come.
+// Result of pressing a wall for a second, with the default device and safety chain.
 struct Press
 {
   double LargestForce = 0.0; // N
@@ -97,12 +97,12 @@ Press PressForASecond(double stiffness, double delay)
   return press;
 }
 
-// Beyond the border the chain bounds the force, and not the motion: it vibrates.
-TEST(StabilityExtremes, BeyondEveryBorderForcesAndSpeedsStayWhatTheDeviceCanDo)
+// Beyond the limit the chain bounds the force, but not the motion: it vibrates.
+TEST(StabilityExtremes, ForcesAndSpeedsStayBoundedBeyondEveryLimit)
 {
   const SimulatedSettings device;
-  // What full force to and fro keeps up against the damping of hand and mechanism, by the first
-  // term of its Fourier series; and the hand's own motion.
+  // The speed that alternating full force sustains against the damping of hand and mechanism, by
+  // the first term of its Fourier series; and the hand's own motion.
   const double sustained =
       4.0 / M_PI * device.MaximumForce / (device.Hand.Damping + device.Hand.HandDamping);
   constexpr double OwnMotion = 100.0; // mm/s
@@ -118,24 +118,24 @@ TEST(StabilityExtremes, BeyondEveryBorderForcesAndSpeedsStayWhatTheDeviceCanDo)
   }
 }
 
-TEST(StabilityExtremes, AStiffnessThatIsNoneEndsInNoForceAndSaysSo)
+TEST(StabilityExtremes, AbsurdStiffnessSwitchesForcesOff)
 {
   const Press press = PressForASecond(1e15, 0.0);
   EXPECT_EQ(press.LargestForce, 0.0);
   EXPECT_EQ(press.Fault, SafetyFault::NonFiniteForce);
 }
 
-// Encoders that count whole millimetres.
+// Encoders with a resolution of whole millimetres.
 SimulatedSettings CoarseDevice(double height)
 {
   SimulatedSettings device;
   device.Resolution = 1.0;
-  device.Hand.HandStiffness = 20.0; // so that it is where it wants to be
+  device.Hand.HandStiffness = 20.0; // so that it reaches its goal
   device.Path = [height](double) { return Vector3(0.0, 0.0, height); };
   return device;
 }
 
-TEST(StabilityExtremes, WhatIsLessDeepThanHalfACountIsNotFeltAndMoreIsFeltAsAWholeOne)
+TEST(StabilityExtremes, DepthIsRoundedToWholeCounts)
 {
   for (const auto& [height, felt] : {std::pair(-0.45, 0.0), {-0.7, 0.4}, {-1.4, 0.4}})
   {
@@ -145,7 +145,7 @@ TEST(StabilityExtremes, WhatIsLessDeepThanHalfACountIsNotFeltAndMoreIsFeltAsAWho
   }
 }
 
-TEST(StabilityExtremes, CountsCoarserThanTheTouchAreStableUpToTheClaimedBorder)
+TEST(StabilityExtremes, CountsCoarserThanTheDepthAreStableUpToTheClaimedLimit)
 {
   StabilityTrial trial = test::BareTrial(Vector3::UnitZ(), 1000.0);
   trial.Device.Resolution = 1.0;
@@ -156,7 +156,7 @@ TEST(StabilityExtremes, CountsCoarserThanTheTouchAreStableUpToTheClaimedBorder)
   const StabilityObservation within = PressWall(trial, 0.99 * claimed);
   EXPECT_FALSE(within.GaveOutEnergy());
   EXPECT_FALSE(within.Vibrated());
-  // Without the friction that hides the counts the hand is kicked to and fro.
+  // Without the friction that hides the encoder resolution the hand is pushed to and fro.
   trial.Device.Hand.Friction = 0.0;
   EXPECT_TRUE(PressWall(trial, 0.99 * claimed).Vibrated());
 }

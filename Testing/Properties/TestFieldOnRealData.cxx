@@ -50,7 +50,7 @@ FieldSamples SamplesOf(vtkImageData* image, const FieldGrid& grid)
   return samples;
 }
 
-// A ray from outside through the grid's middle comes out as often as it goes in.
+// A ray from outside through the grid's centre exits as often as it enters.
 void ExpectClosed(const RayCaster& caster, test::Random& random)
 {
   const FieldGrid& grid = caster.Field().Grid();
@@ -98,7 +98,7 @@ void ExpectLabelAsInTheMask(const char* file)
     const bool isLabelled = static_cast<int>(scalars->GetTuple1(n)) == segment.Value;
     if (isLabelled || n % 7 == 0)
     {
-      // In the grid's border, rounding decides whether a point is in the grid.
+      // On the grid's border, rounding decides whether a point is in the grid.
       const Vector3 index = grid.PointIndex(Vector3(world)).array().round();
       ASSERT_EQ(sampler.IsInsideIndex(0, index), isLabelled) << index.transpose();
       ASSERT_LE((grid.PointWorld(index) - Vector3(world)).norm(), 1e-9);
@@ -108,17 +108,17 @@ void ExpectLabelAsInTheMask(const char* file)
   ExpectClosed(RayCaster(field), random);
 }
 
-TEST(FieldOnRealData, ALabelKeepsTheSideOfEveryVoxelInThickSlices)
+TEST(FieldOnRealData, LabelKeepsTheSideOfEveryVoxelInThickSlices)
 {
   ExpectLabelAsInTheMask(SmallMask);
 }
 
-TEST(FieldOnRealData, ALabelKeepsTheSideOfEveryVoxelInAnObliqueGrid)
+TEST(FieldOnRealData, LabelKeepsTheSideOfEveryVoxelInAnObliqueGrid)
 {
   ExpectLabelAsInTheMask(Oblique);
 }
 
-TEST(FieldOnRealData, AnIsoValueOfAnMrVolumeIsClosedEitherWayInterpolated)
+TEST(FieldOnRealData, IsoSurfaceOfAnMrVolumeIsClosedInBothInterpolations)
 {
   PALPATE_REQUIRE_FILE(test::DataPath(Volume0));
   const Volume volume = ReadVolume(test::DataPath(Volume0));

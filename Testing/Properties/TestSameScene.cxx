@@ -1,5 +1,4 @@
-// Window and command line make the same scene from the same settings: what differs between them is
-// only who asks.
+// Window and command line create the same scene from the same settings.
 #include "InputError.h"
 #include "SceneContacts.h"
 #include "Servo.h"
@@ -26,7 +25,7 @@ using test::RandomWhole;
 
 constexpr int Cases = 24;
 
-// One structure as both are told of it.
+// One structure's settings for both.
 struct Wanted
 {
   SceneStructure Window;
@@ -64,7 +63,7 @@ Wanted RandomWanted(Random& random, int label)
   window.IsForbidden = label == 2 && RandomWhole(random, 0, 3) == 0;
   if (window.Mode == HarmonicContactMode::Radial)
   {
-    window.Friction = {}; // the radial law has none
+    window.Friction = {}; // the radial method has none
   }
   window.AlarmDistance = RandomNumber(random, 0.5, 4.0);
   if (RandomWhole(random, 0, 2) == 0)
@@ -77,7 +76,7 @@ Wanted RandomWanted(Random& random, int label)
   return both;
 }
 
-// Harmonics and facets are felt by spheres only.
+// Harmonics and facets support spheres only.
 TouchToolSettings RandomTool(Random& random, bool isSphere)
 {
   TouchToolSettings tool;
@@ -88,7 +87,7 @@ TouchToolSettings RandomTool(Random& random, bool isSphere)
   return tool;
 }
 
-// The settings of one case, told to both.
+// The settings of one case, for both.
 struct SceneCase
 {
   SceneCase(const test::StudyPhantom& phantom, Random& random)
@@ -116,7 +115,7 @@ struct SceneCase
   SceneSettings CommandLine;
 };
 
-// What each makes of a case: a scene, or why there is none.
+// Result for a case: a scene, or the reason why there is none.
 struct Outcome
 {
   std::shared_ptr<const TouchScene> Scene;
@@ -139,7 +138,7 @@ Outcome CommandLineScene(const SceneSettings& settings)
   }
 }
 
-// With the frame that a touch begins with.
+// With the initial frame of a session.
 Outcome WindowScene(const StudyState& state)
 {
   StudyJobs jobs;
@@ -163,7 +162,7 @@ Outcome WindowScene(const StudyState& state)
   return {scene, {}};
 }
 
-// A hand that goes through all of a scene, from outside; mm in the device.
+// A hand that moves through the whole scene, from outside; mm in the device.
 Vector3 HandAt(double time)
 {
   return {24.0 * std::cos(7.0 * time), 18.0 * std::sin(5.0 * time + 0.3),
@@ -212,7 +211,7 @@ void ExpectSameStructure(const TouchStructure& a, const TouchStructure& b)
   EXPECT_EQ(a.Site, b.Site);
 }
 
-// What a hand feels, and that it feels something.
+// Expects equal forces, some of them not zero.
 std::uint64_t ExpectSameTicks(const TouchScene& a, const TouchScene& b)
 {
   const std::vector<TouchState> one = TicksOf(std::make_shared<TouchScene>(a));
@@ -234,7 +233,7 @@ std::uint64_t ExpectSameTicks(const TouchScene& a, const TouchScene& b)
   return touching;
 }
 
-TEST(SameScene, WindowAndCommandLineMakeItBitForBit)
+TEST(SameScene, WindowAndCommandLineGiveEqualBits)
 {
   const test::StudyPhantom phantom;
   Random random(2026);

@@ -1,4 +1,4 @@
-// Real SPHARM-PDM files tell which scale their coefficients have: SPHARM-PDM's parametrisation
+// Real SPHARM-PDM files show the scale of their coefficients: SPHARM-PDM's parametrisation
 // preserves areas, and its first-order ellipsoid is aligned with the parameter's axes.
 #include "ModelFile.h"
 #include "SphereQuadrature.h"
@@ -22,7 +22,7 @@ ParametricSphericalSurface ReadSurface(const std::filesystem::path& path)
   return std::get<ParametricSphericalSurface>(ReadModel(path).Surface);
 }
 
-// The same surface as if the coefficients of order m > 0 had another scale.
+// The same surface, with another scale for the coefficients of order m > 0.
 ParametricSphericalSurface Rescaled(const ParametricSphericalSurface& surface, double factor)
 {
   std::array<std::vector<double>, 3> coefficients;
@@ -41,7 +41,8 @@ ParametricSphericalSurface Rescaled(const ParametricSphericalSurface& surface, d
   return {surface.Degree(), coefficients};
 }
 
-// Spread of the area that a solid angle of the parameter sphere maps to, over its mean.
+// Spread of the area to which a solid angle of the parameter sphere is mapped, relative to its
+// mean.
 double AreaDistortion(const ParametricSphericalSurface& surface)
 {
   std::array<SphericalHarmonicModel, 3> coordinates;
@@ -95,7 +96,7 @@ TEST_P(SpharmPdmConvention, FirstOrderEllipsoidHasOrthogonalAxes)
   {
     const Vector3 first = FirstOrder(surface, a);
     const Vector3 second = FirstOrder(surface, b);
-    // SPHARM-PDM aligns by iteration; the files leave a hundredth of a radian.
+    // SPHARM-PDM aligns by iteration; a hundredth of a radian remains in the files.
     EXPECT_NEAR(first.normalized().dot(second.normalized()), 0.0, 0.01);
   }
 }

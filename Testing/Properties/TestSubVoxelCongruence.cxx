@@ -16,8 +16,8 @@
 
 #include <gtest/gtest.h>
 
-// What is seen is what is felt: every pixel's hit of a rendered picture of real data, and the hit
-// of a haptic query along the same ray, have the same bits.
+// Visible and touched surface agree: every pixel's hit in a rendered image of real data, and the
+// hit of a haptic query along the same ray, have the same bits.
 
 using namespace palpate;
 using namespace palpate::test;
@@ -27,7 +27,7 @@ namespace
 class SubVoxelCongruence : public DisplayTest
 {
 protected:
-  // Several views, in perspective and in parallel.
+  // Several views, perspective and parallel.
   static void ExpectCongruence(const std::shared_ptr<const ScalarField>& field)
   {
     vtkNew<vtkSubVoxelVolumeMapper> mapper;
@@ -83,7 +83,7 @@ private:
         ExpectSame(seen, hand.CastWorld(ray, 0.0, 1.0), column, row);
         if (seen.Material >= 0)
         {
-          // The hand looks along a piece of the ray only.
+          // The haptic query covers only a part of the ray.
           ExpectSame(seen, hand.CastWorld(ray, seen.T - 1e-3, seen.T + 1e-3), column, row);
           ++hits;
         }

@@ -50,7 +50,7 @@ public:
   {
     if (!tool.IsSphere())
     {
-      return Status::Failure("A wall feels spheres only.");
+      return Status::Failure("A wall supports spheres only.");
     }
     tracker = std::make_unique<Tracker>(this->Height + tool.Radius(), this->Control);
     return Status::Success();

@@ -9,8 +9,8 @@ namespace
 {
 constexpr std::uint32_t FarthestLeap = 255;
 
-// The chessboard distance in two sweeps (Rosenfeld and Pfaltz, J. ACM 13, 1966): forwards it comes
-// from the 13 neighbours that were visited before, backwards from the other 13.
+// The chessboard distance in two sweeps (Rosenfeld and Pfaltz, J. ACM 13, 1966): the forward sweep
+// uses the 13 neighbours visited before, the backward sweep the other 13.
 class ChessboardSweep
 {
 public:

@@ -11,18 +11,18 @@ namespace palpate
 /// A brick through which the surface of a material may pass.
 struct SurfaceBrick
 {
-  CellSet Cells;             ///< through which a surface may pass; through the others none does
-  MaterialSet Materials = 0; ///< whose surfaces they are
+  CellSet Cells; ///< cells through which a surface may pass; none passes through the others
+  MaterialSet Materials = 0; ///< whose surfaces pass
   MaterialSet Inside = 0;    ///< materials that fill the brick
 
-  /// Both as one word, as they are stored.
+  /// Materials and Inside as one word, as they are stored.
   std::uint64_t Sets() const noexcept
   {
     return std::uint64_t{this->Inside} << 32 | this->Materials;
   }
 };
 
-/// The same as it is stored: the words of its set of cells, and then one word more.
+/// A SurfaceBrick as it is stored: the words of its cell set, then one word for both material sets.
 class StoredSurface
 {
 public:
@@ -43,16 +43,16 @@ private:
   std::uint64_t Sets;
 };
 
-/// What rays and inside tests ask of a brick before they look at samples.
+/// Per-brick data that rays and inside tests read before any samples.
 class BrickDirectory
 {
 public:
   struct Entry
   {
-    std::uint32_t Word = 0; ///< Leap 0: where the surface brick begins, in words; else the
-                            ///< materials inside
-    std::uint32_t Leap = 0; ///< how many bricks away, along the axis where that is most, the next
-                            ///< surface brick is; up to 255
+    std::uint32_t Word =
+        0; ///< Leap 0: offset of the surface brick in words; else the materials inside
+    std::uint32_t Leap = 0; ///< distance to the next surface brick, in bricks along the axis where
+                            ///< it is largest; up to 255
 
     bool HasSurface() const noexcept { return this->Leap == 0; }
   };
@@ -62,12 +62,12 @@ public:
 
   void SetInside(std::size_t brick, MaterialSet inside);
   void AddSurface(std::size_t brick, const SurfaceBrick& surface);
-  /// Instead: stored surfaces that somebody else keeps, and where that of a brick begins, in words.
+  /// Uses stored surfaces that the caller owns instead; SetSurface gives a brick's offset in words.
   void UseSurfaces(const std::uint64_t* words) { this->SurfaceWords = words; }
   void SetSurface(std::size_t brick, std::size_t word);
-  /// Once every brick is set: finds how far rays may leap.
+  /// Once every brick is set: computes the leaps.
   void FindLeaps(const BrickLayout& layout);
-  /// Of a brick without a surface, no farther than the next surface brick is.
+  /// For a brick without a surface; at most the distance to the next surface brick.
   void SetLeap(std::size_t brick, std::uint32_t leap) { this->Entries[brick].Leap = leap; }
 
   const Entry& operator[](std::size_t brick) const noexcept { return this->Entries[brick]; }
@@ -75,13 +75,13 @@ public:
   {
     return StoredSurface(this->SurfaceWords + entry.Word);
   }
-  /// For kernels that read many at once.
+  /// Raw data for batch kernels.
   const Entry* EntryData() const noexcept { return this->Entries.data(); }
   const std::uint64_t* SurfaceData() const noexcept { return this->SurfaceWords; }
   std::size_t SurfaceCount() const noexcept { return this->Count; }
   /// Of one stored surface.
   static constexpr std::size_t SurfaceBytes = (CellSet::WordCount + 1) * sizeof(std::uint64_t);
-  /// Without what somebody else keeps.
+  /// Without surfaces that the caller owns.
   std::size_t Bytes() const noexcept
   {
     return this->Entries.size() * sizeof(Entry) + this->Surfaces.size() * sizeof(std::uint64_t);
@@ -90,7 +90,7 @@ public:
 private:
   std::vector<Entry> Entries;
   std::vector<std::uint64_t> Surfaces;
-  const std::uint64_t* SurfaceWords = nullptr; ///< of Surfaces, or somebody else's
+  const std::uint64_t* SurfaceWords = nullptr; ///< of Surfaces, or the caller's
   std::size_t Count = 0;
 };
 } // namespace palpate

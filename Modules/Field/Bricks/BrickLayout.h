@@ -12,11 +12,11 @@ enum class FieldInterpolation
   TricubicBSpline ///< interpolating cubic B-spline: value, gradient and curvature are continuous
 };
 
-/// How a field is interpolated, and stored.
+/// How a field is interpolated and stored.
 struct FieldForm
 {
   FieldInterpolation Interpolation;
-  bool KeepsInside; ///< of all materials, as FieldBuilder::KeepInside: they can be drilled
+  bool KeepsInside; ///< for all materials, as FieldBuilder::KeepInside; drilling requires it
 
   FieldForm(FieldInterpolation interpolation, bool keepsInside = false)
       : Interpolation(interpolation), KeepsInside(keepsInside)
@@ -24,10 +24,10 @@ struct FieldForm
   }
 };
 
-/// How a grid is cut into bricks of 8^3 cells. Cell i lies between the nodes i and
-/// i + 1. A brick has its own copy of every node that its cells need: one node more than cells
-/// along an axis for trilinear interpolation; three more for the cubic B-spline, from one node
-/// before its first.
+/// Division of a grid into bricks of 8^3 cells. Cell i lies between the nodes i and i + 1. A brick
+/// has its own copy of every node that its cells need: one node more than cells along an axis for
+/// trilinear interpolation; three more for the cubic B-spline, starting one node before its first
+/// cell.
 struct BrickLayout
 {
   static constexpr int Shift = 3;          ///< log2 of Cells
@@ -49,7 +49,7 @@ struct BrickLayout
     }
   }
 
-  /// Nodes that a brick has before its first cell.
+  /// Number of nodes that a brick has before its first cell.
   int Apron() const noexcept { return this->Window / 2 - 1; }
   std::size_t BrickCount() const noexcept { return this->Number(0, 0, this->Bricks[2]); }
   std::size_t NodesOfBrick() const noexcept
@@ -68,7 +68,7 @@ struct BrickLayout
   {
     return this->Number(i >> this->Shift, j >> this->Shift, k >> this->Shift);
   }
-  /// Where the first node that a cell needs stands in its brick's copy.
+  /// Offset of the first node that a cell needs in its brick's copy.
   int FirstNodeOfCell(int i, int j, int k) const noexcept
   {
     const int mask = this->Cells - 1;

@@ -7,8 +7,8 @@
 
 namespace palpate
 {
-/// Room for so many records of bricks, at addresses that stay, on cache lines. The system gives its
-/// pages when they are first written: room that is not used costs addresses, no memory.
+/// Cache-aligned memory for a fixed number of brick records, at stable addresses. The system
+/// commits pages when they are first written: an unused record costs address space, but no memory.
 class BrickMemory
 {
 public:

@@ -7,7 +7,7 @@ namespace palpate
 {
 namespace
 {
-// Where a node that may lie beyond the grid gets its value.
+// The node in the grid whose value a node beyond it takes.
 int NodeInGrid(int node, int nodes)
 {
   if (node == nodes)

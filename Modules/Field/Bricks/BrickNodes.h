@@ -7,17 +7,17 @@
 
 namespace palpate
 {
-/// Copies the nodes of bricks out of samples.
+/// Gathers the nodes of bricks from samples.
 class BrickNodes
 {
 public:
   BrickNodes(const BrickLayout& layout, const FieldSamples& samples);
 
-  /// The nodes of brick (i, j, k), i fastest. Beyond the grid there is what lies before its border,
-  /// one node mirrored and then the last one again and again.
+  /// The nodes of brick (i, j, k), i fastest. Beyond the grid, the first node is the mirrored one,
+  /// and the border node is repeated after that.
   void Gather(int i, int j, int k);
   const double* Values() const noexcept { return this->Nodes.data(); }
-  /// A value among them: theirs where all are the same.
+  /// The middle of the range of values: exact if all are the same.
   float Middle() const noexcept
   {
     return static_cast<float>(this->Minimum + 0.5 * (this->Maximum - this->Minimum));
@@ -34,7 +34,7 @@ private:
   BrickLayout Layout;
   FieldSamples Samples;
   static constexpr std::size_t LongestSide = BrickLayout::Cells + 3;
-  std::array<std::array<int, LongestSide>, 3> Indices{}; ///< within the samples' box, -1 outside
+  std::array<std::array<int, LongestSide>, 3> Indices{}; ///< within the samples' box; -1 outside
   std::vector<double> Nodes;
   double Minimum = 0.0;
   double Maximum = 0.0;

@@ -16,7 +16,7 @@ std::uint64_t ChannelBit(int channel) noexcept
   return std::uint64_t{2} << channel;
 }
 
-// What a record begins with.
+// Header of a record.
 struct Header
 {
   std::uint64_t Parts = 0;
@@ -30,7 +30,7 @@ Header HeaderOf(const std::byte* record) noexcept
   return header;
 }
 
-// A block's nodes in another type.
+// Converts a block's nodes to another type.
 void Convert(const BrickedChannel& channel, std::uint32_t block, std::size_t nodes, ScalarType type,
              std::byte* target)
 {

@@ -11,8 +11,8 @@
 
 namespace palpate
 {
-/// One channel of a field: for every brick either a copy of its nodes or one value. A copy begins a
-/// cache line, and its numbers are of a type that holds the channel's samples exactly.
+/// One channel of a field: for every brick either a copy of its nodes or one value. A copy starts
+/// on a cache line, and its type holds the channel's samples exactly.
 class BrickedChannel
 {
 public:
@@ -20,27 +20,28 @@ public:
   struct Slot
   {
     std::uint32_t Block = NotStored;
-    float Constant = 0.0f; ///< near the brick's values; exact where all are the same and a float is
+    float Constant =
+        0.0f; ///< near the brick's values; exact if all are the same and representable as float
   };
 
   /// `stored` is a type of at most 16 bits, Float32 or Float64.
   BrickedChannel(const BrickLayout& layout, ScalarType stored);
-  /// Blocks that somebody else keeps, `stride` numbers from block to block.
+  /// Refers to blocks that the caller owns, `stride` elements from block to block.
   BrickedChannel(const BrickLayout& layout, ScalarType stored, const void* blocks,
                  std::size_t stride);
   BrickedChannel(BrickedChannel&&) = default;
   BrickedChannel& operator=(BrickedChannel&&) = default;
 
   void SetConstant(std::size_t brick, float value) { this->Slots[brick].Constant = value; }
-  /// Makes room for so many blocks; then each is stored once.
+  /// Allocates so many blocks; then each is stored once.
   void Reserve(std::size_t blocks);
   void Store(std::size_t brick, const double* nodes);
-  /// Of somebody else's blocks; NotStored for none.
+  /// For blocks that the caller owns; NotStored if the brick has none.
   void SetBlock(std::size_t brick, std::uint32_t block);
 
   const Slot& SlotOf(std::size_t brick) const noexcept { return this->Slots[brick]; }
   ScalarType StoredType() const noexcept { return this->Type; }
-  /// The blocks' numbers, and how many there are from block to block.
+  /// The blocks' elements, and their number from block to block.
   const void* BlockData() const noexcept { return this->Data; }
   std::size_t BlockStride() const noexcept { return this->Stride; }
   std::size_t BlockCount() const noexcept { return this->Count; }
@@ -50,10 +51,10 @@ public:
   }
   /// Of one block's nodes.
   std::size_t BlockBytes() const noexcept { return this->BlockNodes * BytesOf(this->Type); }
-  /// Without what somebody else keeps.
+  /// Without blocks that the caller owns.
   std::size_t Bytes() const noexcept;
 
-  /// Copies Window^3 nodes of a block, from `first` on, i fastest.
+  /// Copies Window^3 nodes of a block, starting at `first`, i fastest.
   template <int Window>
   void Load(std::uint32_t block, int first, double* nodes) const noexcept
   {
@@ -99,12 +100,12 @@ private:
   ScalarType Type;
   std::size_t Side; ///< nodes of a block along an axis
   std::size_t BlockNodes;
-  std::size_t Stride; ///< numbers from block to block
+  std::size_t Stride; ///< elements from block to block
   std::size_t Count = 0;
   std::variant<CacheLineVector<std::int8_t>, CacheLineVector<std::uint8_t>,
                CacheLineVector<std::int16_t>, CacheLineVector<std::uint16_t>,
                CacheLineVector<float>, CacheLineVector<double>>
       Blocks;
-  const void* Data = nullptr; ///< of Blocks, which a query reads without asking which it is
+  const void* Data = nullptr; ///< of Blocks, so that queries need no std::visit; or the caller's
 };
 } // namespace palpate

@@ -7,15 +7,15 @@
 
 namespace palpate
 {
-/// The cell that a point lies in, its brick, and where in the cell the point is.
+/// The cell that contains a point, its brick, and the point's position in the cell.
 struct CellPlace
 {
   std::size_t Brick = 0;
   int FirstNode = 0; ///< of the cell in its brick's copy of the nodes
   double U[3] = {};  ///< from 0 to 1 along i, j, k
 
-  /// False outside the grid and for NaN. A point on a face between two cells belongs to the one of
-  /// higher index, on the grid's last face to the last cell.
+  /// Returns false outside the grid and for NaN. A point on a face between two cells belongs to the
+  /// one of higher index; on the grid's last face to the last cell.
   bool Locate(const BrickLayout& layout, const Vector3& pointIndex) noexcept
   {
     int cell[3];

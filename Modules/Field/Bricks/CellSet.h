@@ -8,8 +8,8 @@
 
 namespace palpate
 {
-/// A set of a brick's cells, a bit for each, i fastest, then j, then k: bit n % 64 of word n / 64.
-/// So a word holds a slice of cells across k, and a byte of it a row along i.
+/// A set of a brick's cells, one bit each, i fastest, then j, then k: bit n % 64 of word n / 64. So
+/// a word holds a slice of cells across k, and a byte of it a row along i.
 struct CellSet
 {
   static constexpr std::size_t WordCount =

@@ -7,15 +7,15 @@
 
 namespace palpate
 {
-/// What is known of a channel once all its samples were seen.
+/// Statistics over all samples of a channel.
 struct ChannelSurvey
 {
   double Lowest = std::numeric_limits<double>::infinity();
   double Highest = -std::numeric_limits<double>::infinity();
-  ScalarType Exact = ScalarType::Float64; ///< the smallest type for storage that loses nothing (of
-                                          ///< 64-bit integers, what a double loses)
+  ScalarType Exact = ScalarType::Float64; ///< the smallest storage type without loss (for 64-bit
+                                          ///< integers, beyond that of double)
 };
 
-/// Refuses samples that are absent, lie outside the grid or are not finite.
+/// Fails if samples are missing, lie outside the grid or are not finite.
 Status Survey(const FieldSamples& samples, const FieldGrid& grid, ChannelSurvey& survey);
 } // namespace palpate

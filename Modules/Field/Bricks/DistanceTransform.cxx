@@ -9,7 +9,7 @@ namespace
 {
 constexpr double Infinity = std::numeric_limits<double>::infinity();
 
-// Lower envelopes along lines of one length; the buffers are kept between lines.
+// Lower envelopes along lines of one length; the buffers are reused between lines.
 class LineTransform
 {
 public:
@@ -47,7 +47,7 @@ public:
 private:
   static std::size_t Index(int i) { return static_cast<std::size_t>(i); }
 
-  // Where the parabola with apex q falls below the one with the earlier apex p, in voxels.
+  // Where, in voxels, the parabola with apex q falls below the one with the earlier apex p.
   double Crossing(int p, int q) const
   {
     const double square = this->Spacing * this->Spacing;
@@ -80,7 +80,7 @@ private:
   double Spacing;
   std::vector<double> Heights;
   std::vector<int> Apexes;
-  std::vector<double> Starts; // from where on each apex is the lowest, in voxels
+  std::vector<double> Starts; // from where each apex is the lowest, in voxels
 };
 } // namespace
 

@@ -6,7 +6,7 @@
 
 namespace palpate
 {
-/// Which neighbours a distance may run to.
+/// Neighbours along which a distance may be measured.
 enum class DistanceDomain
 {
   AcrossI, ///< within the slice across the first axis,
@@ -16,7 +16,7 @@ enum class DistanceDomain
 };
 
 /// Exact Euclidean distance (mm) between voxel centres, for each voxel of the mask that has
-/// `value`, to the nearest voxel that has not; 0 for the others. Infinite where there is none.
+/// `value`, to the nearest voxel with another value; 0 for the others. Infinite if there is none.
 /// Source: Felzenszwalb and Huttenlocher, "Distance transforms of sampled functions", Theory of
 /// Computing 8 (2012): along each axis in turn, the lower envelope of parabolas.
 std::vector<float> DistanceToOthers(const VoxelMask& mask, unsigned char value,

@@ -10,10 +10,10 @@ namespace palpate
 namespace
 {
 constexpr std::uint32_t None = BrickedChannel::NotStored;
-// Records for each brick: the beginning's, today's, and those that versions in use still have.
+// Records for each brick: the initial, the current, and those of versions in use.
 constexpr std::size_t RoomForEach = 4;
 
-// visit(i, j, k) for the bricks that are `ring` away from one, along the axis where that is most.
+// Calls visit(i, j, k) for the bricks at chessboard distance `ring` from `middle`.
 template <typename Visit>
 void ForEachOfRing(const BrickLayout& layout, const std::array<int, 3>& middle, int ring,
                    const Visit& visit)
@@ -57,12 +57,12 @@ public:
   std::uint32_t SlotToWrite(std::size_t brick);
   void Release(std::uint32_t slot);
 
-  // A version, when it is in use; else what is left of one.
+  // A version in use, or one that can be reused.
   struct Edition
   {
     ScalarField Field;
-    std::vector<std::uint32_t> Slots;  // its records, a brick
-    std::vector<std::uint32_t> Behind; // bricks that changed since
+    std::vector<std::uint32_t> Slots;  // records by brick
+    std::vector<std::uint32_t> Behind; // bricks changed since
     std::vector<bool> IsBehind;
     std::atomic<bool> IsInUse{false};
 
@@ -75,9 +75,9 @@ public:
   RecordLayout Layout;
   BrickMemory Memory;
   ScalarField Master;
-  std::vector<std::uint32_t> Originals; // slots, a brick
+  std::vector<std::uint32_t> Originals; // slots by brick
   std::vector<std::uint32_t> Slots;
-  std::vector<std::uint32_t> Holders; // of a slot: the beginning, the master, editions
+  std::vector<std::uint32_t> Holders; // users of a slot: the initial state, the master, editions
   std::vector<std::uint32_t> FreeSlots;
   std::size_t UsedSlots = 0;
   std::uint32_t Written = None; // of Copy
@@ -157,8 +157,7 @@ void EditedField::Shelf::Release(std::uint32_t slot)
   }
 }
 
-// None where all records are in use. Versions that nobody uses hold some until they are brought up
-// to date.
+// None if all records are in use. Unused versions hold some until they are updated.
 std::uint32_t EditedField::Shelf::FreeSlot()
 {
   if (this->UsedSlots < this->Memory.Count() && this->FreeSlots.empty())
@@ -181,7 +180,7 @@ std::uint32_t EditedField::Shelf::FreeSlot()
   return free;
 }
 
-// Where nobody else has it, the record that is there, to be changed in place.
+// The current record, to be changed in place, if nothing else uses it; else a free one.
 std::uint32_t EditedField::Shelf::SlotToWrite(std::size_t brick)
 {
   const std::uint32_t slot = this->Slots[brick];
@@ -231,9 +230,9 @@ void EditedField::Shelf::PutRecord(const std::array<int, 3>& brick, std::uint32_
   }
 }
 
-// A surface that appears shortens the leaps round it, as far as one of them on the way was longer:
-// from brick to brick they differ by one at most. Where one vanishes they stay, shorter than need
-// be.
+// A new surface shortens the leaps around it, as far as they were longer: leaps of neighbouring
+// bricks differ by one at most. Where a surface vanishes, leaps are not updated and stay shorter
+// than necessary.
 void EditedField::Shelf::SpreadLeaps(const std::array<int, 3>& brick)
 {
   bool isShorter = true;
@@ -255,7 +254,7 @@ void EditedField::Shelf::SpreadLeaps(const std::array<int, 3>& brick)
   }
 }
 
-// Of those that nobody uses the one that is least behind.
+// The unused edition with the fewest changes to catch up.
 EditedField::Shelf::Edition& EditedField::Shelf::FreeEdition()
 {
   Edition* best = nullptr;
@@ -311,7 +310,7 @@ Status EditedField::Make(const ScalarField& whole, const std::vector<ScalarType>
   {
     stored += whole.HasStored(brick) ? 1 : 0;
   }
-  // Directories count words of the records in 32 bits.
+  // Directories store offsets in the records as 32-bit words.
   constexpr std::size_t MostBytes = sizeof(std::uint64_t) << 32;
   if (RoomForEach * stored * RecordLayout(whole.Layout(), types).Bytes() > MostBytes)
   {

@@ -13,49 +13,48 @@
 
 namespace palpate
 {
-/// A whole field whose bricks change, and immutable versions of it. A version costs only the bricks
-/// that changed since some earlier one that nobody uses any more: that one is brought up to date
-/// and given out again. So there are as many directories as versions were in use at once, and one
-/// more, and a brick's record is written again once no version has it. One thread edits and makes
-/// versions; they may be used and destroyed by any, also after the field itself.
+/// A field whose bricks can be edited, and immutable versions of it. A version costs only the
+/// bricks that changed since an earlier version that is no longer in use: that one is updated and
+/// reused. So there are as many directories as versions were in use at once, plus one, and a
+/// brick's record is rewritten once no version uses it. One thread edits and makes versions; any
+/// thread may use and destroy them, even after the EditedField itself.
 class EditedField
 {
 public:
-  /// Begins as `whole`, whose stored bricks are copied; `types` are those in which channels are
-  /// kept from now on. Refuses too little memory.
+  /// Starts as `whole`, whose stored bricks are copied; `types` are the storage types of the
+  /// channels from now on. Fails if memory is insufficient.
   static Status Make(const ScalarField& whole, const std::vector<ScalarType>& types,
                      std::unique_ptr<EditedField>& edited);
   ~EditedField();
 
-  /// As it is now; of the editing thread.
+  /// Current state; editing thread only.
   const ScalarField& Newest() const noexcept;
   const RecordLayout& Records() const noexcept;
-  /// The record of a brick as it was in the beginning, and as it is now; nullptr where none is
-  /// kept.
+  /// The initial and the current record of a brick; nullptr if it has none.
   const std::byte* OriginalOf(std::size_t brick) const noexcept;
   const std::byte* RecordOf(std::size_t brick) const noexcept;
 
-  /// A copy of a brick's record to be written, which Put then puts in its place; the brick has a
-  /// record. nullptr where there is no room, because too many versions are in use.
+  /// A writable copy of a brick's record, which Put then makes the current one; the brick must have
+  /// a record. Returns nullptr if no record is free because too many versions are in use.
   std::byte* Copy(std::size_t brick);
-  /// The copy made last, of brick (i, j, k).
+  /// Makes the last copy the current record of brick (i, j, k).
   void Put(const std::array<int, 3>& brick);
-  /// The brick's record as it was in the beginning.
+  /// Restores the brick's initial record.
   void Restore(const std::array<int, 3>& brick);
 
-  /// The field as it is now: the same object as before where nothing has changed. Refuses too
-  /// little memory.
+  /// The current field; returns the previous object if nothing has changed. Fails if memory is
+  /// insufficient.
   Status MakeVersion(std::shared_ptr<const ScalarField>& version);
 
   std::size_t VersionsAtOnce() const noexcept;
-  /// Of records in use, or that were, and of directories.
+  /// Of all records ever used, and of directories.
   std::size_t Bytes() const noexcept;
 
 private:
   class Shelf;
   explicit EditedField(std::shared_ptr<Shelf> shelf);
 
-  std::shared_ptr<Shelf> Kept; // versions that outlive this keep it too
+  std::shared_ptr<Shelf> Kept; // shared with versions, which may outlive this
   std::shared_ptr<const ScalarField> Last;
 };
 } // namespace palpate

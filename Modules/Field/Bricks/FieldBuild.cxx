@@ -7,7 +7,7 @@ namespace palpate
 {
 namespace
 {
-// Marks what lies within `reach` bricks along one axis.
+// Extends marks by `reach` bricks along one axis.
 void Widen(const BrickLayout& layout, std::size_t axis, int reach,
            std::vector<unsigned char>& marks)
 {
@@ -87,7 +87,7 @@ Status FieldBuild::Run(double margin, MaterialSet kept, std::shared_ptr<const Sc
   return status;
 }
 
-// False once the caller wants no more.
+// Returns false if the caller has cancelled.
 template <typename Function>
 bool FieldBuild::ForEachBrick(double progressBefore, const Function& function)
 {
@@ -111,7 +111,7 @@ bool FieldBuild::ForEachBrick(double progressBefore, const Function& function)
   return true;
 }
 
-// Cells of the brick whose nodes were gathered last.
+// Cells of the most recently gathered brick.
 ConditionCells FieldBuild::CellsOf(const FieldCondition& condition) const
 {
   const BrickNodes& nodes = this->Sources[static_cast<std::size_t>(condition.Channel)].Nodes;
@@ -187,8 +187,8 @@ Status FieldBuild::CheckSurfaces() const
     if (!Contains(this->WithSurface, m))
     {
       return Status::Failure("Material " + std::to_string(m) +
-                             " has no surface: its conditions hold together nowhere, or "
-                             "everywhere.");
+                             " has no surface: no point satisfies its conditions, or "
+                             "every point does.");
     }
   }
   return Status::Success();

@@ -6,7 +6,7 @@
 
 namespace palpate
 {
-/// One run of FieldBuilder::Build, with what is in the making.
+/// One run of FieldBuilder::Build, with its intermediate results.
 class FieldBuild
 {
 public:
@@ -14,7 +14,7 @@ public:
              const std::vector<FieldMaterial>& materials, const FieldBuilder::Progress& progress);
 
   void AddChannel(const FieldSamples& samples, ScalarType stored);
-  /// What the last channel's nodes are instead of its samples.
+  /// Replaces the last channel's samples as the source of its nodes.
   void UseCoefficients(std::vector<float>&& coefficients);
   /// Bricks that the materials of `kept` fill are stored too.
   Status Run(double margin, MaterialSet kept, std::shared_ptr<const ScalarField>& field);

@@ -12,7 +12,7 @@ namespace palpate
 {
 namespace
 {
-// The samples of the whole grid, made into B-spline coefficients.
+// Converts the samples of the whole grid to B-spline coefficients.
 std::vector<float> CoefficientsOf(const FieldSamples& samples, const FieldGrid& grid)
 {
   std::vector<float> coefficients(grid.NodeCount(), static_cast<float>(samples.Outside));
@@ -44,8 +44,8 @@ std::string Range(const ChannelSurvey& survey)
   return text.str();
 }
 
-// Slopes are differences over spacings, and their squares are summed. The B-spline's coefficients
-// are floats, up to 27 times the largest sample.
+// Gradients are differences over spacings, and their squares are summed. The B-spline's
+// coefficients are floats, up to 27 times the largest sample.
 Status CheckRange(const ChannelSurvey& survey, std::size_t channel,
                   FieldInterpolation interpolation)
 {
@@ -54,15 +54,15 @@ Status CheckRange(const ChannelSurvey& survey, std::size_t channel,
   const double smallest = isTrilinear ? 1e-140 : 1e-30;
   const double magnitude = std::max(std::abs(survey.Lowest), std::abs(survey.Highest));
   const double spread = survey.Highest - survey.Lowest;
-  // Without any difference there is no surface either, which conditions are checked for.
+  // Without any difference there is no surface either, which is checked with the conditions.
   if (magnitude <= largest && (spread >= smallest || spread == 0.0))
   {
     return Status::Success();
   }
   std::ostringstream text;
-  text << "Channel " << channel << " cannot be computed with: " << Range(survey)
-       << ", and what can be has differences from " << smallest << " on and values up to "
-       << largest << "; rescale them.";
+  text << "Channel " << channel << " is out of range: " << Range(survey)
+       << "; supported are differences of at least " << smallest << " and values up to " << largest
+       << "; rescale them.";
   return Status::Failure(text.str());
 }
 } // namespace
@@ -164,7 +164,7 @@ Status FieldBuilder::Build(std::shared_ptr<const ScalarField>& field,
   }
   if (!(this->Margin >= 0.0))
   {
-    return Status::Failure("The margin around surfaces is not a length.");
+    return Status::Failure("The margin around surfaces is not a valid length.");
   }
   try
   {

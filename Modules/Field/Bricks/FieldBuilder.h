@@ -12,19 +12,20 @@
 
 namespace palpate
 {
-/// Collects what a field is made of, and builds it. The samples have to live until then.
+/// Collects channels, materials and settings of a field, and builds it. The samples must remain
+/// valid until then.
 class FieldBuilder
 {
 public:
-  /// Told what part of the work is done, from 0 to 1; answers whether to go on.
+  /// Called with the completed fraction, from 0 to 1; returns whether to continue.
   using Progress = std::function<bool(double)>;
 
   explicit FieldBuilder(const FieldGrid& grid) : Grid(grid) {}
 
-  /// Both give the number, counted from 0, by which the field knows it.
+  /// Both return the number, from 0, by which the field identifies it.
   int AddChannel(const FieldSamples& samples);
   int AddMaterial(const FieldCondition& condition);
-  /// Where both conditions hold: for example an iso-value inside a label.
+  /// Both conditions must hold: for example an iso-value inside a label.
   int AddMaterial(const FieldCondition& condition, const FieldCondition& limit);
 
   void SetForm(const FieldForm& form) { this->Form = form; }
@@ -32,19 +33,19 @@ public:
   {
     this->Form.Interpolation = interpolation;
   }
-  /// Within this distance (mm) of a surface, FieldSampler has samples of the channels that the
-  /// surface's material is made of. 0 by default.
+  /// Within this distance (mm) of a surface, FieldSampler has samples of the channels of the
+  /// surface's material. 0 by default.
   void SetMargin(double margin) { this->Margin = margin; }
-  /// Stores the bricks that a material fills too, with all channels that it is made of: what is to
-  /// be drilled has to be known inside. Without, they take a number each; with, what their nodes
-  /// take (of 8 cells, 729 numbers).
+  /// Also stores the bricks that a material fills, with all its channels, as drilling requires.
+  /// Without this they take one number each; with it, the memory of their nodes (729 numbers for
+  /// 8^3 cells).
   void KeepInside(int material) { this->Kept |= OnlyMaterial(material); }
 
-  /// Refuses, with `field` untouched: a grid or samples that are none, samples too large or too
-  /// alike to be computed with (beyond 1e140 and 1e-140; for the B-spline, whose coefficients are
-  /// floats, 1e36 and 1e-30), an iso-value that not some but all or none of the samples reach, a
-  /// material without a surface, too many materials, too little memory, and what the caller
-  /// cancels.
+  /// Fails, and leaves `field` unchanged, for: an invalid grid or samples; samples too large or too
+  /// close to each other for the arithmetic (beyond 1e140 and 1e-140; for the B-spline, whose
+  /// coefficients are floats, 1e36 and 1e-30); an iso-value that all or none of the samples reach;
+  /// a material without a surface; too many materials; insufficient memory; cancellation by the
+  /// caller.
   Status Build(std::shared_ptr<const ScalarField>& field, const Progress& progress = {}) const;
 
 private:

@@ -37,7 +37,7 @@ Status FieldGrid::Check() const
   {
     return Status::Failure("The volume's origin is not a point.");
   }
-  constexpr double Tolerance = 1e-4; // files keep directions in float, some in few digits
+  constexpr double Tolerance = 1e-4; // files store directions as float, some with few digits
   const Matrix3 excess = this->Axes.transpose() * this->Axes - Matrix3::Identity();
   if (!(excess.cwiseAbs().maxCoeff() <= Tolerance) || !(this->Axes.determinant() > 0.0))
   {

@@ -8,9 +8,9 @@
 
 namespace palpate
 {
-/// Where the nodes of a field lie in the world (patient LPS, mm). The index of a node is a whole
-/// number along i, j, k, each from 0; points between nodes have continuous indices, from 0 to
-/// size - 1. Columns of `direction` are the axes in world coordinates.
+/// Geometry of a field's nodes in the world (patient LPS, mm). The index of a node is a whole
+/// number along i, j, k, each from 0; points between nodes have continuous indices, from 0 to size
+/// - 1. Columns of `direction` are the axes in world coordinates.
 class FieldGrid
 {
 public:
@@ -18,8 +18,8 @@ public:
   FieldGrid(const std::array<int, 3>& size, const Vector3& originWorld, const Vector3& spacing,
             const Matrix3& direction);
 
-  /// Refuses fewer than two nodes along an axis or more than 65,536, spacings
-  /// that are not positive, and a direction that is not orthonormal (to 1e-4) and right-handed.
+  /// Fails for fewer than 2 or more than 65,536 nodes along an axis, spacings that are not
+  /// positive, and a direction that is not orthonormal (to 1e-4) and right-handed.
   Status Check() const;
 
   const std::array<int, 3>& Size() const noexcept { return this->Nodes; }
@@ -37,7 +37,7 @@ public:
   }
   Vector3 PointIndex(const Vector3& pointWorld) const noexcept
   {
-    // Written out, so that kernels that do the same get the same bits.
+    // Written out, so that kernels with the same operations give the same bits.
     const Vector3 d = pointWorld - this->Origin;
     const Matrix3& m = this->ToIndex;
     return {m(0, 0) * d[0] + m(0, 1) * d[1] + m(0, 2) * d[2],
@@ -52,12 +52,12 @@ public:
   {
     return this->ToIndex * vectorWorld;
   }
-  /// From change a voxel to change a mm: the transposed inverse of what vectors are mapped with.
+  /// From change per voxel to change per mm: the transposed inverse of the matrix for vectors.
   Vector3 GradientWorld(const Vector3& gradientIndex) const noexcept
   {
     return this->ToIndex.transpose() * gradientIndex;
   }
-  /// How far rounding may put PointIndex(pointWorld) from the exact index, along any axis.
+  /// Bound of the rounding error of PointIndex(pointWorld) along any axis.
   double PointIndexRounding(const Vector3& pointWorld) const noexcept;
   double VectorIndexRounding(const Vector3& vectorWorld) const noexcept;
 

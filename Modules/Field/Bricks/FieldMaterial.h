@@ -18,9 +18,9 @@ struct FieldCondition
   double Iso = 0.0;
   FieldSense Sense = FieldSense::AtLeast;
 
-  /// By which value - Iso says how far the condition holds.
+  /// Factor of value - Iso that makes it positive where the condition holds.
   double Sign() const noexcept { return this->Sense == FieldSense::AtLeast ? 1.0 : -1.0; }
-  /// Makes of values how far the condition holds: negative where it does not.
+  /// Converts values to the condition's margin: negative where it does not hold.
   void Relate(double* values, int count) const noexcept
   {
     const double sign = this->Sign();
@@ -31,7 +31,7 @@ struct FieldCondition
   }
 };
 
-/// One touchable thing: the points where all its conditions hold, one or two.
+/// One touchable object: the points where all its conditions, one or two, hold.
 struct FieldMaterial
 {
   static constexpr int MostConditions = 2;

@@ -15,7 +15,7 @@ public:
   {
   }
 
-  // The nodes of a brick's cells; of the last bricks those behind them too.
+  // Copies the nodes of a brick's cells; at the upper border also the last nodes.
   void CopyBrick(int i, int j, int k)
   {
     const BrickedChannel::Slot& slot = this->Channel.SlotOf(this->Layout.Number(i, j, k));
@@ -64,7 +64,7 @@ std::vector<float> NodesOf(const ScalarField& field, int channel)
 {
   NodeCopy copy(field, channel);
   const std::array<int, 3>& bricks = field.Layout().Bricks;
-  // Bricks that are stored come last, so that nodes which others share with them have their values.
+  // Stored bricks come last, so that nodes shared with other bricks get their values.
   for (const bool isStored : {false, true})
   {
     for (int k = 0; k < bricks[2]; ++k)

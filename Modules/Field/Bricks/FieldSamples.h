@@ -8,8 +8,8 @@
 
 namespace palpate
 {
-/// Samples of one channel as somebody else holds them: a box of a grid's nodes, i fastest, and one
-/// value for all nodes outside the box.
+/// Samples of one channel, owned by the caller: a box of a grid's nodes, i fastest, and one value
+/// for all nodes outside the box.
 struct FieldSamples
 {
   const void* Data = nullptr;
@@ -23,7 +23,7 @@ struct FieldSamples
     return static_cast<std::size_t>(this->Size[0]) * static_cast<std::size_t>(this->Size[1]) *
            static_cast<std::size_t>(this->Size[2]);
   }
-  /// Where node (start + (i, j, k)) stands.
+  /// Offset of node (start + (i, j, k)).
   std::size_t Offset(int i, int j, int k) const noexcept
   {
     return (static_cast<std::size_t>(k) * static_cast<std::size_t>(this->Size[1]) +

@@ -11,7 +11,7 @@ namespace palpate
 {
 namespace
 {
-// In which directions distances run, and how far.
+// Directions and range of the distances.
 struct DistanceRule
 {
   DistanceDomain Domain = DistanceDomain::Space;
@@ -36,8 +36,8 @@ DistanceRule RuleFor(const FieldGrid& grid, double smoothing)
   const bool isThick = spacing[coarsest] >= ThickSlices * others;
   rule.Domain = isThick ? static_cast<DistanceDomain>(coarsest) : DistanceDomain::Space;
   rule.CutOff = isThick ? spacing[coarsest] : VoxelsInSpace * spacing[coarsest];
-  // The smallest step: with a longer one, centres near the boundary would change sides. The same
-  // on both sides, it puts the boundary half way along every axis.
+  // The smallest step: with a longer one, centres near the boundary would change sides. Equal on
+  // both sides, it puts the boundary half way along every axis.
   rule.HalfStep = 0.5 * spacing.minCoeff();
   for (int axis = 0; axis < 3; ++axis)
   {
@@ -50,7 +50,7 @@ DistanceRule RuleFor(const FieldGrid& grid, double smoothing)
   return rule;
 }
 
-// The label's voxels with a rim, as far as the volume goes.
+// The label's voxels with a rim, clipped to the volume.
 template <typename T>
 VoxelMask CutOut(const T* labels, const FieldGrid& grid, const LabelBounds& bounds, T label,
                  const std::array<int, 3>& rim)
@@ -121,7 +121,7 @@ std::vector<float> SignedDistances(const VoxelMask& mask, const DistanceRule& ru
   }
   return distances;
 }
-// Weights of a Gaussian, from its middle on; together with their mirror images they sum to one.
+// Weights of a Gaussian, starting at its centre; together with their mirror images they sum to one.
 std::vector<float> GaussianWeights(double deviation)
 {
   std::vector<float> weights{1.0f};
@@ -138,7 +138,7 @@ std::vector<float> GaussianWeights(double deviation)
   return weights;
 }
 
-// Along one axis; beyond the box the outermost values go on.
+// Along one axis; beyond the box the outermost values are repeated.
 void Smooth(const VoxelMask& mask, std::size_t axis, double deviation, std::vector<float>& values)
 {
   const std::vector<float> weights = GaussianWeights(deviation);
@@ -180,11 +180,11 @@ Status LabelField::Make(const FieldSamples& labels, const FieldGrid& grid, long 
   if (labels.Data == nullptr || labels.Type == ScalarType::Float32 ||
       labels.Type == ScalarType::Float64 || labels.Count() != grid.NodeCount())
   {
-    return Status::Failure("A label map has to hold one integer for every voxel of the grid.");
+    return Status::Failure("A label map must have one integer for every voxel of the grid.");
   }
   if (!(smoothing >= 0.0 && smoothing <= WidestSmoothing))
   {
-    return Status::Failure("A label field's smoothing has to lie between 0 and 8 voxels.");
+    return Status::Failure("A label field's smoothing must be between 0 and 8 voxels.");
   }
   const DistanceRule rule = RuleFor(grid, smoothing);
   VoxelMask mask;

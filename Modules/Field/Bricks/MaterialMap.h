@@ -7,8 +7,7 @@
 namespace palpate
 {
 /// For one material and every brick: whether it fills the brick, is absent, or has a surface there,
-/// and then which block of its first condition's channel has the nodes. One look-up for an inside
-/// test.
+/// and then the block of nodes in its first condition's channel. One look-up per inside test.
 class MaterialMap
 {
 public:

@@ -38,7 +38,7 @@ private:
   std::vector<std::size_t> Parents;
 };
 
-// Joins the runs of two rows that overlap when each is widened by `reach` in all.
+// Joins the runs of two rows that overlap when each is widened by `reach` in total.
 void JoinRows(const RunSet& set, std::size_t rowA, std::size_t rowB, int reach, DisjointSets& sets)
 {
   std::size_t a = set.Rows()[rowA].Start;
@@ -55,7 +55,7 @@ void JoinRows(const RunSet& set, std::size_t rowA, std::size_t rowB, int reach, 
   }
 }
 
-// Joins each row with the one that lies so far before it.
+// Joins each row with the one at this offset before it.
 void JoinWithRows(const RunSet& set, int dy, int dz, int reach, DisjointSets& sets)
 {
   RowCursor cursor(set);
@@ -69,8 +69,8 @@ void JoinWithRows(const RunSet& set, int dy, int dz, int reach, DisjointSets& se
   }
 }
 
-// What lies between the runs of each row. Outside of a row's first and last run the way out of the
-// image is free of the structure.
+// The gaps between the runs of each row. Voxels outside a row's first and last run are connected to
+// the image's border.
 RunSet GapsOf(const RunSet& set)
 {
   RunSet gaps;
@@ -85,8 +85,7 @@ RunSet GapsOf(const RunSet& set)
   return gaps;
 }
 
-// Sets the sizes of components of gaps to zero that meet what is outside of the row that lies so
-// far from theirs.
+// Sets the size of gap components to zero if they touch the outside of the row at this offset.
 void RemoveOpen(const RunSet& set, const RunSet& gaps, const std::vector<int>& components, int dy,
                 int dz, std::vector<long long>& sizes)
 {

@@ -19,7 +19,7 @@ struct RowRun
   int End;
 };
 
-/// A set of voxels, row by row; only rows that have some.
+/// A set of voxels as runs, row by row; only non-empty rows.
 class RunSet
 {
 public:
@@ -30,12 +30,12 @@ public:
     std::size_t Start; ///< its first run
   };
 
-  /// Runs are added in rising order of z, y and x, and do not touch each other.
+  /// Add runs in increasing order of z, y and x; they must not touch each other.
   void Add(const RowRun& run, int y, int z);
 
   const std::vector<RowRun>& Runs() const { return this->AllRuns; }
   const std::vector<Row>& Rows() const { return this->AllRows; }
-  /// Behind the last run of a row.
+  /// Index after the last run of a row.
   std::size_t RowEnd(std::size_t row) const
   {
     return row + 1 < this->AllRows.size() ? this->AllRows[row + 1].Start : this->AllRuns.size();
@@ -46,12 +46,12 @@ private:
   std::vector<Row> AllRows;
 };
 
-/// Finds rows of a set that are asked for in rising order of z and y: in all, one pass.
+/// Finds rows of a set that are queried in increasing order of z and y: in all, one pass.
 class RowCursor
 {
 public:
   explicit RowCursor(const RunSet& set) : Set(&set) {}
-  /// The index of a row, or the number of rows where the set has none there.
+  /// The index of a row, or the number of rows if the set has none there.
   std::size_t Find(int y, int z);
 
 private:
@@ -66,16 +66,16 @@ std::vector<int> LabelRunComponents(const RunSet& set, Neighborhood neighborhood
 /// Voxels of each component.
 std::vector<long long> ComponentVoxels(const RunSet& set, const std::vector<int>& components);
 
-/// The voxels between the runs of a set's rows, by components of 26 neighbours.
+/// The voxels between the runs of a set's rows, as 26-connected components.
 struct RunGaps
 {
   RunSet Set;
   std::vector<int> Components; ///< of each run
-  /// Of each component; 0 for one that is joined to the outside of all rows, and is no cavity.
+  /// Of each component; 0 if it is connected to the outside and so is no cavity.
   std::vector<long long> CavityVoxels;
 };
 
-/// The cavities of a set: what lies between its runs and from where no path over faces, edges or
-/// corners of voxels that are not the set's leads away from it.
+/// The cavities of a set: voxels between its runs from which no 26-connected path outside the set
+/// leads to the border.
 RunGaps FindCavities(const RunSet& set);
 } // namespace palpate

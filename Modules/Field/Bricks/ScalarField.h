@@ -15,7 +15,7 @@ namespace palpate
 {
 class RecordLayout;
 
-/// What a field occupies.
+/// Memory use of a field.
 struct FieldMemory
 {
   std::size_t Bricks = 0;        ///< of the grid
@@ -24,9 +24,9 @@ struct FieldMemory
   std::size_t Bytes = 0;
 };
 
-/// One or several channels on one grid, of which only the bricks are stored through which the
-/// surface of a material passes, and a margin around them. Immutable once it is made, so any number
-/// of threads may query it. FieldSampler and RayCaster ask it for values and hits.
+/// One or several channels on one grid. Only bricks through which the surface of a material passes
+/// are stored, and a margin around them. Immutable once built, so any number of threads may query
+/// it. FieldSampler and RayCaster read values and hits.
 class ScalarField
 {
 public:
@@ -39,10 +39,11 @@ public:
     return this->Materials[static_cast<std::size_t>(material)];
   }
   FieldMemory Memory() const noexcept;
-  /// The cells through which surfaces may pass, by their lowest nodes. Allocates: not for a tick.
+  /// The cells through which surfaces may pass, by their lowest nodes. Allocates: not for the servo
+  /// thread.
   std::vector<std::array<int, 3>> SurfaceCells() const;
 
-  /// Whether anything but one value a channel is kept of a brick.
+  /// Whether a brick is stored as more than one value per channel.
   bool HasStored(std::size_t brick) const noexcept;
 
   const BrickLayout& Layout() const noexcept { return this->Bricks; }
@@ -61,16 +62,16 @@ private:
   friend class EditedField;
   ScalarField() = default;
 
-  /// Of a brick without a surface.
+  /// For a brick without a surface.
   void SetInside(std::size_t brick, MaterialSet inside);
-  /// Once its blocks are there: which of them inside tests of its materials look at.
+  /// Once its blocks are stored: sets the blocks that inside tests of its materials read.
   void MapSurface(std::size_t brick, const StoredSurface& surface);
-  /// Grid, layout and materials alone.
+  /// Copy of grid, layout and materials alone.
   ScalarField WithoutBricks() const;
-  /// Instead of blocks and surfaces of its own: records that somebody else keeps. Layout and
-  /// materials are there.
+  /// Uses records that the caller owns instead of own blocks and surfaces. Layout and materials
+  /// must be set.
   void UseRecords(const RecordLayout& layout, const std::byte* records);
-  /// A brick's record, in slot `slot` of them.
+  /// Sets the record, in slot `slot`, of a brick.
   void PlaceRecord(std::size_t brick, std::uint32_t slot, const RecordLayout& layout,
                    const std::byte* record);
 

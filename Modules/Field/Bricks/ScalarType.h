@@ -20,7 +20,7 @@ enum class ScalarType
   Float64
 };
 
-/// The scalar type of T, whatever C++ calls it: long and long long may be one.
+/// The scalar type of T by its size: long and long long may be the same one.
 template <typename T>
 constexpr ScalarType ScalarTypeOf() noexcept
 {
@@ -36,8 +36,8 @@ constexpr ScalarType ScalarTypeOf() noexcept
   }
 }
 
-/// The number by which kernels know a type that bricks are stored in: of 32 bits and more only
-/// floating point is.
+/// The index that kernels use for a storage type: of the types with 32 bits or more, only floating
+/// point is stored.
 constexpr int StoredNumber(ScalarType type) noexcept
 {
   return type == ScalarType::Float32 ? 4 : type == ScalarType::Float64 ? 5 : static_cast<int>(type);
@@ -49,7 +49,7 @@ constexpr std::size_t BytesOf(ScalarType type) noexcept
   return Bytes[static_cast<int>(type)];
 }
 
-/// visitor(pointer) with the pointer's true type.
+/// Calls visitor(pointer) with the pointer's actual type.
 template <typename Visitor>
 decltype(auto) VisitScalars(const void* samples, ScalarType type, const Visitor& visitor)
 {

@@ -25,8 +25,8 @@ unsigned RowBits(const double* row, int side, const FieldCondition& condition)
   return bits;
 }
 
-// One slice of nodes, joined over the windows of cells along i and j: the bits that a slice of
-// cells has in a CellSet.
+// One slice of nodes, combined over the windows of cells along i and j: the bits of a slice of
+// cells in a CellSet.
 struct SliceBits
 {
   std::uint64_t Any = 0;
@@ -65,7 +65,7 @@ struct SliceBits
   }
 };
 
-// Four B-spline coefficients to the four Bernstein coefficients of the piece that they make.
+// Converts four B-spline coefficients to the four Bernstein coefficients of their segment.
 void ToBernstein(double* first, int stride)
 {
   const double a = first[0];
@@ -79,7 +79,7 @@ void ToBernstein(double* first, int stride)
   first[3 * stride] = Sixth * (b + 4.0 * c + d);
 }
 
-// How far a condition holds in a cell, at least and at most, but for rounding.
+// Smallest and largest margin of a condition in a cell, except for rounding.
 struct CellRange
 {
   double Lowest = std::numeric_limits<double>::infinity();
@@ -109,7 +109,7 @@ struct CellRange
     {
       ToBernstein(values + line, 16);
     }
-    constexpr double Rounding = 1e-12; // of values as rays compute them, with much to spare
+    constexpr double Rounding = 1e-12; // of values as rays compute them, with a wide margin
     const auto [low, high] = std::minmax_element(std::begin(values), std::end(values));
     this->Lowest = *low - Rounding * largest;
     this->Highest = *high + Rounding * largest;
@@ -189,7 +189,7 @@ void AddMaterial(int material, const ConditionCells& cells, const CellSet& inGri
     brick.Cells.Words[word] |= passed;
     some |= passed;
   }
-  // Neighbouring cells share nodes: without a surface, what holds in one cell holds in all.
+  // Neighbouring cells share nodes: without a surface, one cell's answer holds for all.
   const bool isInside = some == 0 && (cells.All.Words[0] & 1u) != 0;
   brick.Materials |= some != 0 ? OnlyMaterial(material) : 0;
   brick.Inside |= isInside ? OnlyMaterial(material) : 0;

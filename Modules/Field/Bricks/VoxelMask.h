@@ -33,8 +33,8 @@ struct VoxelMask
   }
 };
 
-/// The first and last index (inclusive) of the voxels that have a label; first > last where none
-/// has.
+/// The first and last index (inclusive) of the voxels that have a label; first > last if there are
+/// none.
 struct LabelBounds
 {
   std::array<int, 3> First{1, 1, 1};
@@ -84,8 +84,8 @@ LabelBounds FindLabelBounds(const T* voxels, const std::array<int, 3>& size, T w
   return bounds;
 }
 
-/// Copies the voxels that have `label` and lie in `bounds` (not empty), with `rim` empty voxels
-/// on every side.
+/// Copies the voxels that have `label` and lie in `bounds` (not empty), with `rim` empty voxels on
+/// every side.
 template <typename T>
 VoxelMask CopyLabel(const T* voxels, const std::array<int, 3>& size,
                     const std::array<double, 3>& spacing, const LabelBounds& bounds, int label,

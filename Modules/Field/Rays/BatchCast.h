@@ -9,8 +9,8 @@
 
 namespace palpate::rays
 {
-/// The first hits of a batch, as many rays at a time as there are lanes: moves them, and looks for
-/// hits in the cells that they arrive at. What is rare is left to RayTraversal.
+/// First hits of a batch, as many rays at a time as there are lanes: advances them, and searches
+/// for hits in the cells that they reach. Rare cases are left to RayTraversal.
 template <typename Set>
 class BatchCast
 {
@@ -73,7 +73,7 @@ private:
     }
   }
 
-  // The cells that are looked at together, lane by lane.
+  // The cells that are examined together, lane by lane.
   struct Candidates
   {
     const void* Nodes[Lanes];
@@ -83,8 +83,8 @@ private:
     int Type;
   };
 
-  // Whether a cell is one of those that are solved here, and of their type. `isHard` where it is
-  // none.
+  // Whether a cell is solved here, with the type of these candidates. Sets `isHard` if it is not
+  // solved here.
   inline __attribute__((always_inline)) bool Find(long surfaceAt, long brick, int bit, int lane,
                                                   Candidates& candidates, bool& isHard) const
   {
@@ -125,7 +125,7 @@ private:
     }
   }
 
-  // Looks into the cells of those that wait. Answers which find nothing and go on.
+  // Examines the cells of the waiting lanes. Returns the lanes without a hit, which continue.
   inline __attribute__((always_inline)) Mask Examine(const Rays& rays, const Mask& isCandidate)
   {
     Vector corner[3];
@@ -184,7 +184,7 @@ private:
     return Rays::template Each<Vector>([&](int lane) { return candidates.Sign[lane]; });
   }
 
-  // First cells that no surface passes: what the ray begins in, all nodes say alike.
+  // First cells without a surface: all nodes agree on whether the ray starts inside.
   inline __attribute__((always_inline)) Mask Start(const Candidates& candidates, const Mask& isIn)
   {
     const Vector node =
@@ -233,7 +233,7 @@ private:
     return isPassing;
   }
 
-  // CellSegment; answers when the ray leaves the cell.
+  // CellSegment; returns when the ray leaves the cell.
   inline __attribute__((always_inline)) Vector Restrict(const Rays& rays, Cells& cells) const
   {
     Vector exits[3];
@@ -312,6 +312,6 @@ private:
   int First; ///< ray of the batch
   Batch& Answers;
   Mask IsFound; ///< has its hit
-  Mask IsLeft;  ///< to RayTraversal
+  Mask IsLeft;  ///< left to RayTraversal
 };
 } // namespace palpate::rays

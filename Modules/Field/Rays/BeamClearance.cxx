@@ -11,7 +11,7 @@ namespace palpate
 namespace
 {
 constexpr double Infinite = std::numeric_limits<double>::infinity();
-// Voxels; far above the rounding of any ray's index, far below what matters.
+// Voxels; far above the rounding of any ray's index, and negligible otherwise.
 constexpr double Slack = 1e-6;
 
 struct Box
@@ -20,8 +20,8 @@ struct Box
   Vector3 Upper;
 };
 
-// Until when the beam's box, from t on, stays within limits along an axis; before t where it does
-// not at t.
+// Until when the beam's box, from t on, stays within limits along an axis; before t if it does not
+// at t.
 double StaysUntil(const FieldBeam& beam, int axis, double lower, double upper, double t) noexcept
 {
   const double middle = beam.Middle.Origin[axis];
@@ -46,7 +46,7 @@ double StaysUntil(const FieldBeam& beam, int axis, double lower, double upper, d
   return until;
 }
 
-// When the beam's box first reaches into the grid; infinite if never.
+// When the beam's box first reaches the grid; infinite if never.
 double Arrival(const FieldBeam& beam, const FieldGrid& grid, double t) noexcept
 {
   for (int axis = 0; axis < 3; ++axis)
@@ -82,7 +82,7 @@ int BrickOf(double place, int cells, int count) noexcept
       std::clamp(std::floor(place / cells), 0.0, static_cast<double>(count - 1)));
 }
 
-// The bricks that the beam's box reaches into at t; where it is beyond the grid, the nearest ones.
+// The bricks that the beam's box overlaps at t; beyond the grid, the nearest ones.
 BrickRange Reached(const FieldBeam& beam, const BrickLayout& layout, double t) noexcept
 {
   BrickRange range;
@@ -90,7 +90,7 @@ BrickRange Reached(const FieldBeam& beam, const BrickLayout& layout, double t) n
   {
     const int count = layout.Bricks[static_cast<std::size_t>(axis)];
     const double place = beam.Middle.Origin[axis] + t * beam.Middle.Direction[axis];
-    // A little more than StaysUntil allows, so that every range goes on behind the last one.
+    // Slightly more than StaysUntil allows, so that every range extends beyond the last one.
     const double half = beam.HalfSize[axis] + t * beam.Growth[axis] + 2.0 * Slack;
     range.First[axis] = BrickOf(place - half, layout.Cells, count);
     range.Last[axis] = BrickOf(place + half, layout.Cells, count);
@@ -98,7 +98,7 @@ BrickRange Reached(const FieldBeam& beam, const BrickLayout& layout, double t) n
   return range;
 }
 
-// Neither a surface nor a material, which may end at the grid's border.
+// No surface and no material, which may end at the grid's border.
 bool IsEmpty(const BrickDirectory::Entry& entry) noexcept
 {
   return entry.Leap > 0 && entry.Word == 0;
@@ -106,7 +106,7 @@ bool IsEmpty(const BrickDirectory::Entry& entry) noexcept
 
 bool IsEmpty(const ScalarField& field, const BrickRange& range) noexcept
 {
-  // Of a beam that is wider than this, parts are better looked at.
+  // A wider beam should be subdivided instead.
   constexpr int MostBricks = 27;
   int bricks = 1;
   for (int axis = 0; axis < 3; ++axis)
@@ -127,7 +127,7 @@ bool IsEmpty(const ScalarField& field, const BrickRange& range) noexcept
   return isEmpty;
 }
 
-// A box of bricks, with what lies beyond the grid on their sides of it, where nothing is.
+// A box of bricks, extended without limit beyond the grid, which is empty there.
 Box BoxOf(const BrickRange& range, const BrickLayout& layout) noexcept
 {
   Box box;
@@ -149,8 +149,8 @@ double StaysUntil(const FieldBeam& beam, const Box& box, double t) noexcept
                    StaysUntil(beam, 2, box.Lower[2], box.Upper[2], t)});
 }
 
-// Until when the beam is known to meet nothing, by the leap of its middle's brick or by the bricks
-// that it reaches into; not after t where it may meet something at once.
+// Until when the beam is known to meet nothing, by the leap of its centre's brick or by the bricks
+// that it overlaps; not after t if it may meet something at once.
 double EmptyUntil(const ScalarField& field, const FieldBeam& beam, double t) noexcept
 {
   const BrickLayout& layout = field.Layout();
@@ -178,8 +178,8 @@ double EmptyUntil(const ScalarField& field, const FieldBeam& beam, double t) noe
                                                 : StaysUntil(beam, BoxOf(reached, layout), t);
 }
 
-// A beam on its way across slabs of cells, along the axis on which it is fastest; counted so that
-// places along it rise.
+// Follows a beam through slabs of cells, along the axis on which it is fastest, oriented so that
+// coordinates along it increase.
 class SlabMarch
 {
 public:
@@ -206,19 +206,19 @@ public:
     return (slab + 1.0 - this->Back) / this->BackSpeed;
   }
 
-  // The cells of a slab that the beam reaches between two times; false where they are too many or
-  // not all in the grid.
+  // The cells of a slab that the beam overlaps between two times; false if they are too many or not
+  // all in the grid.
   bool GetCells(const BrickLayout& layout, double slab, double t0, double t1,
                 CellBox& box) const noexcept
   {
-    // Of a wider beam, parts are better looked at.
+    // A wider beam should be subdivided instead.
     constexpr double MostCells = 16.0;
     bool isNarrow = true;
     for (int axis = 0; axis < 3; ++axis)
     {
       const double low = std::min(this->EdgeAt(axis, -1.0, t0), this->EdgeAt(axis, -1.0, t1));
       const double high = std::max(this->EdgeAt(axis, 1.0, t0), this->EdgeAt(axis, 1.0, t1));
-      // Not a number is no cell.
+      // False for NaN.
       const bool isHere = low >= 0.0 && high - low <= MostCells &&
                           high < layout.Nodes[static_cast<std::size_t>(axis)] - 1;
       isNarrow = isNarrow && (isHere || axis == this->Axis);
@@ -248,11 +248,12 @@ private:
   double BackSpeed;
 };
 
-// Until when the beam, of which no ray is in a material at t, reaches only cells of the grid that
-// have no surface: so until then it is in no material either. Not after t where it may meet one.
+// Until when the beam, of which no ray is in a material at t, overlaps only cells of the grid
+// without a surface: until then it is in no material either. Not after t if it may meet one at
+// once.
 double FreeUntil(const ScalarField& field, const FieldBeam& beam, double t, double tMax) noexcept
 {
-  const int mostSlabs = 3 * field.Layout().Cells; // then bricks may be empty again
+  const int mostSlabs = 3 * field.Layout().Cells; // after these, bricks may be empty again
   const SlabMarch march(beam);
   if (!march.IsOnItsWay())
   {

@@ -7,7 +7,7 @@
 
 namespace palpate
 {
-/// From cell to cell of one brick, along a ray. Which plane comes next is as good as random to the
+/// Walks from cell to cell of one brick, along a ray. The next plane is unpredictable for the
 /// processor, so no step branches on it: all three axes are handled alike, in pairs.
 class BrickWalk
 {
@@ -29,7 +29,7 @@ public:
     this->FindExit();
   }
 
-  /// Of the cell in a CellSet.
+  /// Bit of the cell in a CellSet.
   int CellBit() const noexcept { return this->Bit; }
   double Exit() const noexcept { return this->NextExit; }
   /// Whether the ray leaves the brick with this cell.
@@ -67,9 +67,9 @@ private:
 
   const RayPath& Path;
   double End;
-  Pair PlanesXy; ///< that the cell is left across
+  Pair PlanesXy; ///< across which the ray leaves the cell
   Pair PlanesZ;
-  Pair ExitsXy; ///< when
+  Pair ExitsXy; ///< parameters of these crossings
   Pair ExitsZ;
   double NextExit = 0.0;
   int Strides[3];

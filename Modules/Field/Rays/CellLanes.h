@@ -7,9 +7,9 @@
 
 namespace palpate::rays
 {
-/// Several rays, each in its own trilinear cell: what TrilinearCell, BernsteinCrossings and
-/// HitError do, operation by operation, where the material has one condition and the ray crosses
-/// its boundary once.
+/// Several rays, each in its own trilinear cell: the operations of TrilinearCell,
+/// BernsteinCrossings and HitError, one by one, for materials with one condition and rays that
+/// cross the boundary once.
 template <typename Set>
 struct CellLanes : LaneArithmetic<Set>
 {
@@ -25,15 +25,15 @@ struct CellLanes : LaneArithmetic<Set>
   static constexpr int Side = (1 << BrickShift) + 1; // nodes of a brick along an axis
   static constexpr double Epsilon = __DBL_EPSILON__;
 
-  Vector Nodes[8]; ///< how far the condition holds
+  Vector Nodes[8]; ///< margin of the condition
   Vector Polynomial[4];
   Mask IsInside;   ///< at the cell's entry
   Mask IsCrossed;  ///< once
-  Mask IsManyfold; ///< perhaps more than once: not solved here
+  Mask IsManyfold; ///< perhaps crossed more than once: not solved here
   Vector Parameter;
-  Vector Error; ///< of the parameter, the solver's
+  Vector Error; ///< of the parameter, due to the solver
 
-  // Two neighbours along i for each lane, as they follow each other in memory.
+  // Two neighbours along i for each lane, adjacent in memory.
   template <typename T>
   static inline __attribute__((always_inline)) void LoadTwo(const T* const* nodes, int offset,
                                                             Vector& first, Vector& second)
@@ -77,7 +77,7 @@ struct CellLanes : LaneArithmetic<Set>
     }
   }
 
-  // Calls `use` with a null pointer to the C++ type of the stored type's number.
+  // Calls `use` with a null pointer to the C++ type of a stored type's index.
   template <typename Use>
   static inline __attribute__((always_inline)) auto AsType(int type, const Use& use)
   {
@@ -98,8 +98,8 @@ struct CellLanes : LaneArithmetic<Set>
     }
   }
 
-  /// How far the condition holds at each cell's first node; in a cell that no surface passes its
-  /// sign is that of the whole cell.
+  /// Margin of the condition at each cell's first node; in a cell without a surface its sign is
+  /// that of the whole cell.
   static inline __attribute__((always_inline)) Vector
   FirstNode(int type, const void* const* first, const Vector& iso, const Vector& sign)
   {
@@ -123,7 +123,7 @@ struct CellLanes : LaneArithmetic<Set>
     }
   }
 
-  /// The value along the segments from `from` to `to`, as TrilinearCell::Restrict has it.
+  /// The value along the segments from `from` to `to`, as TrilinearCell::Restrict.
   inline __attribute__((always_inline)) void Restrict(const Vector* from, const Vector* to)
   {
     Vector near[4];
@@ -240,7 +240,7 @@ struct CellLanes : LaneArithmetic<Set>
     gradient[2] = Mean(rows[2], rows[3], u[1]) - Mean(rows[0], rows[1], u[1]);
   }
 
-  /// ParameterError in HitError.h; `isKnown` where its first answer stands.
+  /// ParameterError in HitError.h; `isKnown` if its first estimate is sufficient.
   inline __attribute__((always_inline)) Vector ParameterError(const Vector& coordinateError,
                                                               Mask& isKnown) const
   {

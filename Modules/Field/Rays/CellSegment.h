@@ -8,7 +8,8 @@ namespace palpate
 struct CellSegment
 {
   double T0, T1;
-  /// Ends in the cell along i, j, k, from 0 to 1; just 0 or 1 along axes whose planes are crossed.
+  /// Ends in the cell along i, j, k, from 0 to 1; exactly 0 or 1 along axes whose planes are
+  /// crossed.
   double U0[4], U1[4];
 
   CellSegment(const RayPath& path, const int* cell, double t0, double t1) noexcept : T0(t0), T1(t1)

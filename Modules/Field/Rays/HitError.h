@@ -9,15 +9,15 @@
 
 namespace palpate
 {
-/// How far index coordinates on a ray may be from those of the ray that was asked for.
+/// Rounding error of index coordinates on a ray, relative to those of the requested ray.
 struct CoordinateRounding
 {
-  double Origin = 0.0;    ///< of the origin, where it was mapped from the world
-  double Direction = 0.0; ///< and of the direction
+  double Origin = 0.0;    ///< of the origin, if mapped from the world
+  double Direction = 0.0; ///< of the direction
 
   double At(const RayPath& path, double t) const noexcept
   {
-    // When a plane is crossed takes three roundings, a coordinate two more.
+    // The parameter of a plane's crossing takes three roundings, a coordinate two more.
     constexpr double Roundings = 5.0 * std::numeric_limits<double>::epsilon();
     return this->Origin + std::abs(t) * this->Direction + Roundings * (1.0 + path.Magnitude(t));
   }
@@ -28,19 +28,19 @@ inline double RoundingOfT(double t) noexcept
   return 4.0 * std::numeric_limits<double>::epsilon() * std::abs(t);
 }
 
-/// How far the exact polynomial's crossing may be from the one found in its rounded coefficients,
-/// as a parameter. `coordinateError` is in voxels.
+/// Bound of the difference, as a parameter, between the exact polynomial's crossing and the one
+/// found with its rounded coefficients. `coordinateError` is in voxels.
 template <typename Cell>
 double ParameterError(const double* polynomial, const Cell& relation, double parameter,
                       double coordinateError) noexcept
 {
-  constexpr double Roundings = Cell::Degree == 3 ? 40.0 : 400.0; // of one evaluation, generously
+  constexpr double Roundings = Cell::Degree == 3 ? 40.0 : 400.0; // of one evaluation, with a margin
   double largest = 0.0;
   for (const double node : relation.Nodes)
   {
     largest = std::max(largest, std::abs(node));
   }
-  // A step along an axis changes the value by no more than twice the largest node (a difference).
+  // A step along an axis changes the value by at most twice the largest node (a difference).
   const double valueError =
       largest * (Roundings * std::numeric_limits<double>::epsilon() + 3.0 * 2.0 * coordinateError);
   using Polynomial = BernsteinCrossings<Cell::Degree>;
@@ -51,8 +51,8 @@ double ParameterError(const double* polynomial, const Cell& relation, double par
   {
     return reach;
   }
-  // Near a double root the slope alone says too little: widened until the value on both sides is
-  // beyond its error.
+  // Near a double root the slope alone underestimates the error: the interval is widened until the
+  // value on both sides exceeds its error.
   constexpr int MostDoublings = 60;
   for (int n = 0; n < MostDoublings && reach < 1.0; ++n, reach *= 2.0)
   {

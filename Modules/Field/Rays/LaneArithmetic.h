@@ -6,9 +6,9 @@
 
 namespace palpate::rays
 {
-/// What the kernel does with vectors. `Set` describes an instruction set: `Vector` and `Integers`,
-/// vectors of four doubles and ints (GCC and Clang's vector extension). Least and Largest answer
-/// as std::min and std::max do.
+/// Vector operations of the kernel. `Set` describes an instruction set: `Vector` and `Integers`,
+/// vectors of four doubles and ints (GCC and Clang's vector extension). Least and Largest treat NaN
+/// and equal values as std::min and std::max do.
 template <typename Set>
 struct LaneArithmetic
 {
@@ -17,7 +17,7 @@ struct LaneArithmetic
   using Mask = decltype(Vector{} < Vector{});
   static constexpr int Lanes = rays::Lanes;
 
-  /// function(lane) for every lane, side by side.
+  /// function(lane) for every lane, as a vector.
   template <typename Result, typename Function>
   static inline __attribute__((always_inline)) Result Each(const Function& function)
   {
@@ -48,16 +48,16 @@ struct LaneArithmetic
   }
   static inline __attribute__((always_inline)) Vector Real(const Integers& a)
   {
-    // GCC 12 makes four instructions of __builtin_convertvector and one of this.
+    // GCC 12 emits four instructions for __builtin_convertvector and one for this.
     return Each<Vector>([&a](int lane) { return static_cast<double>(a[lane]); });
   }
-  /// The nearest whole number; of magnitude below 2^51.
+  /// The nearest whole number; magnitude below 2^51.
   static inline __attribute__((always_inline)) Vector Nearest(const Vector& a)
   {
     constexpr double Shift = 6755399441055744.0; // 1.5 2^52
     return a + Shift - Shift;
   }
-  /// The largest multiple of a power of two that is not above a, which is whole.
+  /// The largest multiple of a power of two that is not above a, which must be whole.
   template <int Power>
   static inline __attribute__((always_inline)) Vector FloorOf(const Vector& a)
   {
@@ -76,7 +76,7 @@ struct LaneArithmetic
     constexpr double Shift = 4503599627370496.0;
     return (Vector)(a | (Mask)(Vector{} + Shift)) - Shift;
   }
-  /// Whether a lane is set.
+  /// Whether any lane is set.
   static inline __attribute__((always_inline)) bool IsAny(const Mask& mask)
   {
     typedef long long Half __attribute__((vector_size(16)));

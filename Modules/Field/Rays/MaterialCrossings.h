@@ -6,7 +6,7 @@
 
 namespace palpate
 {
-/// Where a ray crosses a material's boundary in one cell, in rising order. `Cell` is the
+/// Where a ray crosses a material's boundary in one cell, in increasing order. `Cell` is the
 /// interpolation.
 template <typename Cell>
 class MaterialCrossings
@@ -16,11 +16,11 @@ public:
   {
     double T;
     double Parameter; ///< from 0 to 1 between the segment's ends
-    double Error;     ///< the solver's, as a parameter
-    int Condition;    ///< which of the material's changes here
+    double Error;     ///< of the parameter, due to the solver
+    int Condition;    ///< condition of the material that changes here
   };
 
-  /// The cell's brick has to be stored for the material's channels.
+  /// The cell's brick must be stored for the material's channels.
   MaterialCrossings(const ScalarField& field, const FieldMaterial& material, std::size_t brick,
                     int firstNode, const CellSegment& segment) noexcept
   {
@@ -69,8 +69,8 @@ private:
     this->Crossings[count] = crossing;
   }
 
-  // Keeps the crossings at which all conditions together begin or cease to hold. What happens at
-  // one T happens at once.
+  // Keeps the crossings at which the conjunction of all conditions changes. Changes at the same T
+  // are simultaneous.
   int KeepChanges(bool* holds, int count) noexcept
   {
     int kept = 0;

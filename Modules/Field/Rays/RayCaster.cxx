@@ -12,7 +12,7 @@ namespace palpate
 {
 namespace
 {
-// A ray as its traversal sees it.
+// A ray in index coordinates.
 struct IndexRay
 {
   Vector3 Origin;
@@ -32,7 +32,7 @@ struct IndexRay
   }
 };
 
-// run(traversal), whatever the interpolation is.
+// Calls run(traversal) for the field's interpolation.
 template <typename Function>
 FieldHit Traverse(const ScalarField& field, const IndexRay& ray, const RayInterval& interval,
                   MaterialSet materials, const Function& run) noexcept
@@ -64,7 +64,7 @@ FieldHit Cast(const ScalarField& field, const IndexRay& ray, const RayInterval& 
                   [](auto&& traversal) { return traversal.Run(); });
 }
 
-// A hit from index coordinates to the world.
+// Transforms a hit from index coordinates to the world.
 void MoveToWorld(const FieldGrid& grid, const FieldRay& rayWorld, FieldHit& hit) noexcept
 {
   if (hit.Kind == HitKind::Surface || hit.Kind == HitKind::Border)
@@ -133,7 +133,7 @@ IndexRay RayOf(const rays::Batch& batch, std::size_t at) noexcept
   return ray;
 }
 
-// The kernel's answer, or what it left to do.
+// The kernel's result, completed by RayTraversal if it was left unfinished.
 FieldHit Answer(const ScalarField& field, const rays::Batch& batch, std::size_t at,
                 MaterialSet materials) noexcept
 {

@@ -12,30 +12,31 @@ namespace palpate
 struct FieldRay
 {
   Vector3 Origin = Vector3::Zero();
-  Vector3 Direction = Vector3::UnitX(); ///< of any length but none; t counts in it
+  Vector3 Direction = Vector3::UnitX(); ///< of any length but zero; the unit of t
 };
 
-/// A part of a ray, in its own parameter, which may be infinite; both ends belong to it. Empty
-/// where From > To.
+/// An interval of a ray's parameter, which may be infinite; both ends belong to it. Empty if From >
+/// To.
 struct RayInterval
 {
   double From = 0.0;
   double To = 1.0;
 };
 
-/// Finds where rays cross the boundaries of a field's materials. What is inside is closed: it holds
-/// the iso-value. Outside the grid nothing is inside, so the grid's border closes what reaches it.
+/// Finds where rays cross the boundaries of a field's materials. The inside is closed: it contains
+/// the iso-value. Outside the grid there is no material, so the grid's border closes materials that
+/// reach it.
 ///
 /// A boundary that is crossed is found, however thin the wall: in each cell the field along the ray
-/// is a polynomial, whose crossings are isolated and solved. The same hit has the same bits
-/// whatever interval, containing it, is asked for and whether rays come one by one or in a batch.
-/// To go on behind a hit, ask from the next number above its T.
+/// is a polynomial, whose crossings are isolated and solved. The same hit has the same bits for
+/// every interval that contains it, and for single rays and batches. To continue after a hit, start
+/// at the next number above its T.
 ///
 /// Queries neither allocate nor lock, and may come from any number of threads.
 class RayCaster
 {
 public:
-  /// `set` is one that this processor has; it changes the time of batches, and no answer.
+  /// This processor must support `set`; it affects the time of batches, but no result.
   explicit RayCaster(std::shared_ptr<const ScalarField> field,
                      InstructionSet set = FastestInstructionSet());
   const ScalarField& Field() const noexcept { return *this->Data; }
@@ -47,7 +48,7 @@ public:
   /// The same in the world, patient LPS in mm.
   FieldHit CastWorld(const FieldRay& rayWorld, double tMin, double tMax,
                      MaterialSet materials = AllMaterials) const noexcept;
-  /// CastWorld for many rays, four at once where the instruction set has the lanes for it.
+  /// CastWorld for many rays, four at once if the instruction set has the lanes for it.
   void CastAllWorld(const FieldRay* raysWorld, std::size_t count, double tMin, double tMax,
                     FieldHit* hits, MaterialSet materials = AllMaterials) const noexcept;
   /// The same with an interval for each ray.
@@ -55,7 +56,7 @@ public:
                     FieldHit* hits, MaterialSet materials = AllMaterials) const noexcept;
 
 private:
-  // `step`: 1 where each ray has an interval, 0 where all share one.
+  // `step`: 1 if each ray has an interval, 0 if all share one.
   void CastEach(const FieldRay* raysWorld, const RayInterval* intervals, std::size_t step,
                 std::size_t count, FieldHit* hits, MaterialSet materials) const noexcept;
   void CastInLanes(const FieldRay* raysWorld, const RayInterval* intervals, std::size_t step,

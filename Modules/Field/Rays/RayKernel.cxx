@@ -1,4 +1,4 @@
-// The rays' kernel for AVX2: this file alone is compiled for it (see CMakeLists.txt), so it must
+// The ray kernel for AVX2: only this file is compiled for it (see CMakeLists.txt), so it must
 // include nothing else.
 #include "BatchCast.h"
 

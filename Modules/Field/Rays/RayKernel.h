@@ -2,11 +2,11 @@
 
 // First hits of several rays at once. This header is compiled for AVX2 too, so it must not contain
 // or include anything that another file could also instantiate. Products and sums are not
-// contracted, so rays have the bits here that they have one by one.
+// contracted, so rays have the same bits here as one by one.
 
 namespace palpate::rays
 {
-/// Rays of one batch.
+/// Maximum number of rays in a batch.
 constexpr int MostRays = 64;
 /// Rays side by side.
 constexpr int Lanes = 4;
@@ -17,11 +17,11 @@ constexpr int BrickShift = 3;
 /// See FieldMaterial, MaterialMap and BrickedChannel.
 struct Material
 {
-  bool IsSimple;         ///< one condition, trilinear: only such are solved here
+  bool IsSimple;         ///< one condition, trilinear: the only kind that is solved here
   int Type;              ///< signed and unsigned char, signed and unsigned short, float, double
   const unsigned* Codes; ///< the block of each brick
   const void* Blocks;
-  unsigned long Stride; ///< numbers from block to block
+  unsigned long Stride; ///< elements from block to block
   double Iso;
   double Sign; ///< 1: at least, -1: at most
 };
@@ -32,9 +32,9 @@ struct Field
   int Cells[3];        ///< along i, j, k
   double BrickColumns; ///< bricks along i, j
   double BrickRows;
-  const unsigned char* Entries;  ///< eight bytes a brick: the word, then the leap
-  const unsigned char* Surfaces; ///< where words count from; one surface brick at least: a bit for
-                                 ///< each cell, its materials, what fills it
+  const unsigned char* Entries;  ///< eight bytes per brick: the word, then the leap
+  const unsigned char* Surfaces; ///< base of the word offsets; at least one surface brick: a bit
+                                 ///< for each cell, its materials, and the materials that fill it
   long long Wanted;              ///< materials
   Material Materials[MostMaterials];
 };
@@ -44,11 +44,11 @@ enum class Outcome
   Missed,
   Surface,
   Unstarted, ///< left to RayTraversal
-  Underway   ///< left to RayTraversal from the batch's T and Cell on
+  Underway   ///< left to RayTraversal, starting at the batch's T and Cell
 };
 
-/// Rays in index coordinates, by coordinate, and what became of them. A multiple of Lanes is read:
-/// what follows the last ray has to be numbers.
+/// Rays in index coordinates, by coordinate, and their results. A multiple of Lanes is read:
+/// elements after the last ray must be valid numbers.
 struct Batch
 {
   alignas(32) double Origin[3][MostRays];
@@ -68,7 +68,7 @@ struct Batch
   bool IsEntering[MostRays];
 };
 
-/// Answers the first `count` rays of a batch. For AVX2; two lanes, as SSE2 and NEON have them, are
-/// no faster than one ray after the other.
+/// Casts the first `count` rays of a batch. For AVX2; two lanes, as in SSE2 and NEON, are no faster
+/// than single rays.
 void CastAvx2(const Field& field, int count, Batch& batch);
 } // namespace palpate::rays

@@ -8,9 +8,9 @@
 
 namespace palpate::rays
 {
-/// As many rays as a vector has lanes, on their way through a field: what RayTraversal does, with
-/// the same numbers. A lane leaps over bricks without a surface or walks from cell to cell in one
-/// with a surface, until all wait: at a cell through which a surface may pass, or at their end.
+/// As many rays as a vector has lanes, traversing a field: the work of RayTraversal, with the same
+/// numbers. A lane leaps over bricks without a surface, or walks from cell to cell in a brick with
+/// one, until all lanes wait: at a cell through which a surface may pass, or at their end.
 template <typename Set>
 struct RayLanes : LaneArithmetic<Set>
 {
@@ -24,9 +24,9 @@ struct RayLanes : LaneArithmetic<Set>
   using typename Base::Mask;
   using typename Base::Vector;
   static constexpr double BrickCells = 1 << BrickShift;
-  static constexpr long MaterialsAt = 1L << (3 * BrickShift - 3); ///< behind the bits of the cells
+  static constexpr long MaterialsAt = 1L << (3 * BrickShift - 3); ///< after the bits of the cells
 
-  // What the rays are.
+  // The rays.
   Vector Origin[3];
   Vector Direction[3];
   Vector From[3];
@@ -39,17 +39,17 @@ struct RayLanes : LaneArithmetic<Set>
   Vector GridEnd;
   Vector TMin;
   Vector TMax;
-  // Where they are.
+  // Their positions.
   Vector T;           ///< when the cell was entered
   Vector Plane[3];    ///< across which it is left
-  Vector BrickEnd{};  ///< when the brick is left in which a lane walks
+  Vector BrickEnd{};  ///< when the lane leaves the brick in which it walks
   Mask Surface{};     ///< that brick, in bytes
   Mask Bit{};         ///< of the cell in its CellSet
   Mask StartsOutside; ///< of the grid
-  // What they do; those that do nothing of it wait.
-  Mask IsArrived; ///< in a brick that is still to be looked up
+  // Their activity; lanes with none wait.
+  Mask IsArrived; ///< in a brick that is not yet looked up
   Mask IsWalking;
-  Mask IsFirst; ///< stands in the first cell, which is still to be looked at
+  Mask IsFirst; ///< in the first cell, which is not yet examined
 
   inline __attribute__((always_inline)) Vector Crossing(int axis, const Vector& plane) const
   {
@@ -68,8 +68,8 @@ struct RayLanes : LaneArithmetic<Set>
     return (this->T < this->GridEnd) & (this->T <= this->TMax);
   }
 
-  // The plane ahead of what is crossed before t, or at t where `isAfter`. Rounding puts no
-  // coordinate beyond the plane that is nearest: rays so long are left to RayTraversal.
+  // The plane ahead of all planes crossed before t, or at t if `isAfter`. Rounding puts no
+  // coordinate beyond the nearest plane: rays long enough for that are left to RayTraversal.
   inline __attribute__((always_inline)) Vector PlaneAfter(int axis, const Vector& t,
                                                           const Mask& isAfter) const
   {
@@ -79,8 +79,8 @@ struct RayLanes : LaneArithmetic<Set>
     return nearest + Where(isCrossed, this->Step[axis]);
   }
 
-  /// Reads rays of the batch, one after the other. Says which are not fit for lanes; those that
-  /// miss the grid are on no way.
+  /// Reads consecutive rays of the batch. Returns the lanes that are unfit for vector processing;
+  /// those that miss the grid become inactive.
   inline __attribute__((always_inline)) Mask Enter(const Field& field, int first,
                                                    const Batch& batch)
   {
@@ -116,8 +116,8 @@ struct RayLanes : LaneArithmetic<Set>
     return ~isGood;
   }
 
-  // What RayPath::Set does along an axis. False where planes might not be crossed one after the
-  // other, rounded as t is, or coordinates be wrong by a part of a voxel.
+  // RayPath::Set along one axis. Returns false if, due to the rounding of t, planes might not be
+  // crossed in order, or coordinates be wrong by a fraction of a voxel.
   inline __attribute__((always_inline)) Mask Divide(int axis)
   {
     constexpr double Infinity = __builtin_inf();
@@ -141,7 +141,7 @@ struct RayLanes : LaneArithmetic<Set>
                          (this->IsMoving[axis] & (1LL << (BrickShift * axis)));
   }
 
-  // Puts the rays into their first cells: where they enter the grid, or where they are just before
+  // Places the rays in their first cells: where they enter the grid, or where they are just before
   // TMin.
   inline __attribute__((always_inline)) void Place(const Field& field, const Vector& entry)
   {
@@ -149,7 +149,7 @@ struct RayLanes : LaneArithmetic<Set>
     this->T = entry;
     for (int axis = 0; axis < 3; ++axis)
     {
-      // Along an axis without movement: the whole part; on the grid's last face the last cell.
+      // Along an axis without movement: the integer part; on the grid's last face the last cell.
       const Vector place = Least(this->Origin[axis], All(field.Cells[axis] - 1));
       const Vector nearest = Base::Nearest(place);
       const Vector still = Largest(nearest - Where(nearest > place, All(1.0)), Vector{});
@@ -175,7 +175,7 @@ struct RayLanes : LaneArithmetic<Set>
     return value;
   }
 
-  /// Where the bricks begin that the lanes are in.
+  /// Lowest corners of the lanes' bricks.
   inline __attribute__((always_inline)) void GetCorners(Vector* corner) const
   {
     for (int axis = 0; axis < 3; ++axis)
@@ -183,8 +183,8 @@ struct RayLanes : LaneArithmetic<Set>
       corner[axis] = Base::template FloorOf<1 << BrickShift>(this->Cell(axis));
     }
   }
-  /// The number of each lane's brick, times the cells of a brick along an axis; of others than
-  /// those of the mask 0.
+  /// The number of each lane's brick, times the cells of a brick along an axis; 0 for lanes outside
+  /// the mask.
   static inline __attribute__((always_inline)) Mask
   CellsTimesBrick(const Field& field, const Vector* corner, const Mask& mask)
   {
@@ -192,7 +192,7 @@ struct RayLanes : LaneArithmetic<Set>
            mask;
   }
 
-  /// Until all wait.
+  /// Advances until all lanes wait.
   inline __attribute__((always_inline)) void Move(const Field& field, unsigned* startsInside)
   {
     do
@@ -205,8 +205,8 @@ struct RayLanes : LaneArithmetic<Set>
     } while (Base::IsAny(this->IsArrived));
   }
 
-  // Those that have arrived in a brick: where it has no surface, they leap as far as none is near;
-  // in the others they begin to walk.
+  // Lanes that have entered a brick: without a surface they leap as far as no surface is near;
+  // otherwise they begin to walk.
   inline __attribute__((always_inline)) void Leap(const Field& field, unsigned* startsInside)
   {
     Vector corner[3];
@@ -220,7 +220,7 @@ struct RayLanes : LaneArithmetic<Set>
     if (Base::IsAny(isAtSurface | (this->IsArrived & this->IsFirst)))
     {
       isWalk = this->Begin(field, corner, entry, isAtSurface, startsInside);
-      leap |= isAtSurface & ~isWalk & 1; // nothing that is wanted
+      leap |= isAtSurface & ~isWalk & 1; // no wanted material
     }
     const Mask isLeaping = this->IsArrived & ~isWalk;
     if (Base::IsAny(isLeaping))
@@ -230,8 +230,8 @@ struct RayLanes : LaneArithmetic<Set>
     this->IsArrived = isLeaping & this->IsUnderway();
   }
 
-  // Goes to where the box ends that reaches `reach` cells from the brick's far face on and as much
-  // less a brick to all other sides.
+  // Advances to the end of the box that extends `reach` cells from the brick's far face, and one
+  // brick less to all other sides.
   inline __attribute__((always_inline)) void LeaveBox(const Vector* corner, const Vector& reach,
                                                       const Mask& isLeaping)
   {
@@ -252,8 +252,8 @@ struct RayLanes : LaneArithmetic<Set>
     }
   }
 
-  // Which of those that are at a brick with a surface begin to walk: it has to be one that is
-  // wanted. Of those in their first cell it says what fills the brick.
+  // Which lanes at a brick with a surface begin to walk: those where a wanted material's surface
+  // passes. For lanes in their first cell it adds the materials that fill the brick.
   inline __attribute__((always_inline)) Mask Begin(const Field& field, const Vector* corner,
                                                    const Mask& entry, const Mask& isAtSurface,
                                                    unsigned* startsInside)
@@ -282,15 +282,16 @@ struct RayLanes : LaneArithmetic<Set>
     this->BrickEnd = isWalk ? end : this->BrickEnd;
     this->Bit = isWalk ? Base::Whole(bit) : this->Bit;
     this->Surface = isWalk ? surface : this->Surface;
-    // What begins without a surface near is known already; where it is inside, it waits.
+    // For lanes that start without a surface nearby, the start is known already; they wait if
+    // inside.
     this->IsFirst &= isWalk | ~this->IsArrived;
     this->IsWalking |= isWalk & ~this->IsFirst;
     this->IsWalking &= ~IsAtSurface(field, this->Surface & this->IsWalking, this->Bit);
     return isWalk;
   }
 
-  /// Those that walk go from cell to cell until they wait or leave the brick. No step waits for the
-  // answer whether it is wanted: all lanes go on, and what they pass is kept while it is.
+  /// Moves walking lanes from cell to cell until they wait or leave the brick. No step waits to
+  /// know whether it is needed: all lanes advance, and their state is kept while it is.
   inline __attribute__((always_inline)) void Walk(const Field& field)
   {
     const Mask isWalker = this->IsWalking;
@@ -314,7 +315,7 @@ struct RayLanes : LaneArithmetic<Set>
     }
     this->IsArrived |= isWalker & ~isWaiting & this->IsUnderway();
   }
-  // Into the next cell; answers when.
+  // Advances into the next cell; returns the parameter.
   inline __attribute__((always_inline)) Vector NextCell(Vector* plane, Mask& bit) const
   {
     Vector exits[3];
@@ -331,7 +332,7 @@ struct RayLanes : LaneArithmetic<Set>
     }
     return t;
   }
-  // Which are in a cell through which a surface may pass; of any bit, whatever it means.
+  // Lanes in a cell through which a surface may pass; valid for any value of the bit.
   static inline __attribute__((always_inline)) Mask
   IsAtSurface(const Field& field, const Mask& surface, const Mask& bit)
   {

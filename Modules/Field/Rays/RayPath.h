@@ -8,17 +8,17 @@
 
 namespace palpate
 {
-/// A ray in index coordinates and the planes between cells that it crosses. When it crosses a plane
-/// depends on the ray and on the plane alone, and what is crossed at once is crossed together. So
-/// the cells of a ray are one sequence, whichever part of it is walked and however it is walked.
+/// A ray in index coordinates and the planes between cells that it crosses. The parameter of a
+/// crossing depends on the ray and the plane alone, and planes crossed at the same parameter are
+/// crossed together. So a ray's cells are one sequence, however and from wherever it is walked.
 class RayPath
 {
 public:
-  /// Two doubles, which SSE2 and NEON have (vector extension of GCC and Clang).
+  /// Two doubles, as in SSE2 and NEON (vector extension of GCC and Clang).
   typedef double Pair __attribute__((vector_size(16)));
   typedef int Whole __attribute__((vector_size(8)));
 
-  /// False for what is no ray.
+  /// Returns false for an invalid ray.
   bool Set(const Vector3& origin, const Vector3& direction) noexcept
   {
     constexpr double Infinity = std::numeric_limits<double>::infinity();
@@ -28,7 +28,7 @@ public:
       const bool isMoving = std::abs(inverse) < Infinity;
       this->Step[axis] = !isMoving ? 0 : inverse > 0.0 ? 1 : -1;
       this->Ahead[axis] = this->Step[axis] > 0 ? 1 : 0;
-      // An axis along which the ray stands still: all its planes are crossed at infinity.
+      // An axis without movement: all its planes are crossed at infinity.
       this->From[axis] = isMoving ? origin[axis] : -Infinity;
       this->Inverse[axis] = isMoving ? inverse : Infinity;
       this->Steps[axis] = this->Step[axis];
@@ -51,7 +51,7 @@ public:
   {
     return {this->Coordinate(0, t), this->Coordinate(1, t), this->Coordinate(2, t)};
   }
-  /// How far t goes while the ray moves by one voxel along an axis.
+  /// Change of t while the ray moves by one voxel along an axis.
   double Slowness(int axis) const noexcept { return std::abs(this->Inverse[axis]); }
   /// The largest number that Coordinate adds.
   double Magnitude(double t) const noexcept
@@ -61,18 +61,18 @@ public:
     return std::max({size(0), size(1), size(2)});
   }
 
-  /// The plane across which the ray leaves a cell, and back.
+  /// The plane across which the ray leaves a cell, and the inverse.
   int PlaneAhead(int axis, int cell) const noexcept { return cell + this->Ahead[axis]; }
   int CellBehind(int axis, double plane) const noexcept
   {
     return static_cast<int>(plane) - this->Ahead[axis];
   }
-  /// When the ray leaves a cell along an axis, if it is in its slab; infinite if it stands still.
+  /// When the ray, if within a cell's slab along an axis, leaves it; infinite without movement.
   double ExitAt(int axis, int cell) const noexcept
   {
     return this->CrossingAt(axis, this->PlaneAhead(axis, cell));
   }
-  /// When it entered it; minus infinity if it stands still.
+  /// When the ray entered the slab; minus infinity without movement.
   double EntryAt(int axis, int cell) const noexcept
   {
     const double entry = this->CrossingAt(axis, cell + 1 - this->Ahead[axis]);
@@ -95,7 +95,7 @@ public:
   {
     return this->CellWhere(axis, t, cells, [t](double crossing) { return crossing < t; });
   }
-  /// The cell after all planes that are crossed before t or at t. `cells`: how many there are.
+  /// The cell after all planes that are crossed before t or at t. `cells`: their number.
   void GetCellAfter(double t, const int* cells, int* cell) const noexcept
   {
     bool isRight = true;
@@ -115,7 +115,7 @@ public:
       cell[2 * pair] = whole[0];
       cell[1] = pair == 0 ? whole[1] : cell[1];
     }
-    // Rounding may have put it into a neighbour, or t be the end of the grid.
+    // Rounding may have chosen a neighbour, or t may be the end of the grid.
     for (int axis = 0; axis < 3 && !isRight; ++axis)
     {
       cell[axis] =
@@ -139,7 +139,7 @@ private:
   {
     const int step = this->Step[axis];
     const double place = step == 0 ? this->Origins[axis] : this->Coordinate(axis, t);
-    // Not a number, where t is huge, becomes 0.
+    // NaN, for huge t, becomes 0.
     int cell = place > 0.0 ? static_cast<int>(std::min<double>(place, cells - 1)) : 0;
     if (step == 0)
     {
@@ -156,7 +156,7 @@ private:
     return cell;
   }
 
-  // Along i, j, k, and an axis along which no ray moves.
+  // Along i, j, k, and an axis without movement.
   alignas(16) double Origins[4] = {};
   alignas(16) double Directions[4] = {};
   alignas(16) double From[4] = {0.0, 0.0, 0.0, -std::numeric_limits<double>::infinity()};
@@ -164,6 +164,6 @@ private:
   alignas(16) double Steps[4] = {};
   alignas(16) double Aheads[4] = {};
   int Step[3];
-  int Ahead[3]; ///< from a cell to the plane that it is left across
+  int Ahead[3]; ///< from a cell to the plane across which the ray leaves it
 };
 } // namespace palpate

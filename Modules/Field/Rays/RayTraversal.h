@@ -11,8 +11,8 @@
 
 namespace palpate
 {
-/// One ray on its way through a field: over bricks without a surface it leaps, in the others it
-/// goes from cell to cell (Amanatides and Woo, "A fast voxel traversal algorithm for ray tracing",
+/// Traverses a field along one ray: it leaps over bricks without a surface, and walks from cell to
+/// cell in the others (Amanatides and Woo, "A fast voxel traversal algorithm for ray tracing",
 /// Eurographics 1987, with planes instead of increments). All in index coordinates. `Cell` is the
 /// interpolation.
 template <typename Cell>
@@ -46,7 +46,7 @@ public:
     return this->GoOn(hit);
   }
 
-  /// The same from a cell on that the ray enters at t, behind the one that it begins in.
+  /// The same, starting at a cell that the ray enters at t, after its first cell.
   FieldHit RunFrom(const int* cell, double t, MaterialSet startsInside) noexcept
   {
     FieldHit hit;
@@ -81,7 +81,7 @@ private:
     return isAtEnd ? this->BorderHit(false, hit.StartsInside) : hit;
   }
 
-  // Goes to the cell that the ray is in just before TMin, or to the first one of the grid.
+  // Goes to the cell that contains the ray just before TMin, or to the first one of the grid.
   bool Enter() noexcept
   {
     constexpr double Infinity = std::numeric_limits<double>::infinity();
@@ -133,7 +133,7 @@ private:
     return this->Layout.FirstNodeOfCell(this->At[0], this->At[1], this->At[2]);
   }
 
-  // From the present cell's entry to its exit.
+  // From the current cell's entry to its exit.
   CellSegment Segment() const noexcept
   {
     double exit = std::numeric_limits<double>::infinity();
@@ -144,8 +144,8 @@ private:
     return {this->Path, this->At, this->T, exit};
   }
 
-  // What of the wanted the ray is in just before TMin, or at the first cell's face. Looks for a hit
-  // in the first cell on the way.
+  // The wanted materials that contain the ray just before TMin, or at the first cell's face. Also
+  // searches for a hit in the first cell.
   MaterialSet ExamineStart(FieldHit& hit) noexcept
   {
     const BrickDirectory::Entry entry = this->Field.Directory()[this->Brick()];
@@ -161,8 +161,7 @@ private:
     return inside;
   }
 
-  // When the ray leaves the box of bricks that are nearer to this one than `bricks`, if that is in
-  // the grid.
+  // When the ray leaves the box of bricks closer to this one than `bricks`, if that is in the grid.
   double EndOfBox(int bricks) const noexcept
   {
     double planes[3];
@@ -177,14 +176,14 @@ private:
     return std::min(std::min(xy[0], xy[1]), std::min(z[0], this->GridEnd));
   }
 
-  // Crosses whatever is crossed at t.
+  // Crosses all planes that are crossed at t.
   void GoTo(double t) noexcept
   {
     this->T = t;
     this->Path.GetCellAfter(t, this->CellCount, this->At);
   }
 
-  // Cell by cell until the ray leaves the brick, is past TMax, or hits.
+  // Walks cell by cell until the ray leaves the brick, is past TMax, or hits.
   void WalkBrick(const StoredSurface& surface, FieldHit& hit) noexcept
   {
     const std::size_t brick = this->Brick();
@@ -212,8 +211,8 @@ private:
     }
   }
 
-  // The earliest crossing of all wanted materials in this cell, from TMin on. Answers in which of
-  // them the ray is just before TMin or, if that is earlier, at the cell's entry.
+  // The earliest crossing of all wanted materials in this cell, from TMin on. Returns those that
+  // contain the ray just before TMin or, if that is earlier, at the cell's entry.
   MaterialSet FindHit(MaterialSet materials, std::size_t brick, const CellSegment& segment,
                       FieldHit& hit) noexcept
   {
@@ -267,7 +266,7 @@ private:
     hit.ErrorT = parameterError * (segment.T1 - segment.T0) + RoundingOfT(crossing.T);
   }
 
-  // Where the ray is now.
+  // Hit at the current position.
   FieldHit BorderHit(bool isEntering, MaterialSet inside) const noexcept
   {
     FieldHit hit;
@@ -290,7 +289,7 @@ private:
     return hit;
   }
 
-  // Of the grid's faces that are crossed now, the lowest axis.
+  // The lowest axis among the grid's faces crossed now.
   int BorderAxis(bool isEntering) const noexcept
   {
     int axis = 0;
@@ -310,10 +309,10 @@ private:
   MaterialSet Wanted;
   const CoordinateRounding& Rounding;
   int CellCount[3];
-  int At[3];            ///< the present cell
+  int At[3];            ///< the current cell
   double T = 0.0;       ///< when the ray entered it
   double GridEnd = 0.0; ///< when the ray leaves the grid
   bool StartsOutside = false;
-  bool IsFirstCell = false; ///< and that was examined already
+  bool IsFirstCell = false; ///< and already examined
 };
 } // namespace palpate

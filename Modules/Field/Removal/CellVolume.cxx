@@ -17,8 +17,7 @@ double Mean(double a, double b, double u)
   return a * (1.0 - u) + b * u;
 }
 
-// Of the way from one end to the other, the part on which what runs straight between values is not
-// negative.
+// The part of [0, 1] on which values that are linear between the ends are not negative.
 struct Stretch
 {
   double From = 0.0;
@@ -42,7 +41,7 @@ struct Stretch
   double Length() const { return std::max(this->To - this->From, 0.0); }
 };
 
-// Between the corners of one face along k.
+// Interpolates between the corners of one face along k.
 double OnFace(const double* corners, double u, double v)
 {
   return Mean(Mean(corners[0], corners[1], u), Mean(corners[2], corners[3], u), v);

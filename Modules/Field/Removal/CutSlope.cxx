@@ -9,7 +9,7 @@ namespace palpate
 {
 namespace
 {
-// Infinite where there is none.
+// Infinite for no values.
 double Median(std::vector<double>& values)
 {
   if (values.empty())
@@ -21,11 +21,11 @@ double Median(std::vector<double>& values)
   return *middle;
 }
 
-// What some cells of a brick have to say.
+// Statistics of some cells of a brick.
 struct CellFacts
 {
-  std::vector<double> Slopes; // a mm, in the middle of cells near whose middle the surface passes
-  std::vector<double> Depths; // how far the condition holds, where it does
+  std::vector<double> Slopes; // per mm, at centres of cells near which the surface passes
+  std::vector<double> Depths; // margin of the condition, where it holds
 
   void Add(const double (&corners)[8], const FieldGrid& grid)
   {
@@ -52,7 +52,7 @@ struct CellFacts
 
 double SlopeOfCuts(const ScalarField& field, const FieldCondition& condition)
 {
-  constexpr int Step = 7; // from cell to cell that is asked
+  constexpr int Step = 7; // between sampled cells
   const BrickedChannel& channel = field.Channel(condition.Channel);
   const BrickLayout& layout = field.Layout();
   const int mask = layout.Cells - 1;

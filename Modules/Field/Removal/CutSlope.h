@@ -4,10 +4,10 @@
 
 namespace palpate
 {
-/// How steep (value a mm) a cut's ramp is to be, so that the surface that remains lies where the
-/// tool's was (see NodeCut): as steep as the field's own surface, where both meet; and no steeper
-/// than that the ramp reaches what the material has inside a cell's diagonal from the tool, because
-/// the ramp has to go through all corners of the cells that the tool's surface passes. Medians of
-/// the field, of which the condition's channel is stored inside.
+/// Slope (value per mm) of a cut's ramp, so that the remaining surface lies where the tool's was
+/// (see NodeCut): the slope of the field's own surface, where both meet; but the ramp must not
+/// reach the material's inside value within a cell's diagonal of the tool, because it has to span
+/// all corners of the cells that the tool's surface passes. Medians over the field; the condition's
+/// channel must be stored inside.
 double SlopeOfCuts(const ScalarField& field, const FieldCondition& condition);
 } // namespace palpate

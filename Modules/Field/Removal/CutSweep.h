@@ -8,27 +8,31 @@
 
 namespace palpate
 {
-/// Where a cutting tool is: its frame in the world.
+/// Pose of a cutting tool: its frame in the world.
 struct CutPose
 {
   Vector3 PositionWorld = Vector3::Zero(); ///< mm
   Eigen::Quaterniond Orientation = Eigen::Quaterniond::Identity();
 };
 
-/// What a tool passes on its way from one pose to another: the union of all its places, as the
-/// signed distance (mm) to the nearest of them, negative inside. That of a sphere is exact; other
-/// tools stand at places along the way that are at most `step` apart, at any of their points.
+/// The volume that a tool sweeps from one pose to another: the union of the tool at all poses in
+/// between, as the signed distance (mm) to the nearest of them, negative inside. Exact for a
+/// sphere; other tools are placed along the path so that none of their points moves more than
+/// `step` from one place to the next.
 class CutSweep
 {
 public:
   CutSweep(CutTool tool, const CutPose& from, const CutPose& to, double step);
 
   double Distance(const Vector3& pointWorld) const noexcept;
-  /// Holds what the tool passes, mm.
+  /// Contains the swept volume, mm.
   const Eigen::AlignedBox3d& BoundsWorld() const noexcept { return this->Bounds; }
 
   bool IsOfSphere() const noexcept { return this->Tool.IsSphere(); }
-  double Radius() const noexcept { return this->Tool.BoundingRadius(); } ///< that holds the tool
+  double Radius() const noexcept
+  {
+    return this->Tool.BoundingRadius();
+  } ///< of a sphere around the tool
   const Vector3& FromWorld() const noexcept { return this->From; }
   const Vector3& WayWorld() const noexcept { return this->Way; }
 
@@ -43,7 +47,7 @@ private:
   Vector3 From;
   Vector3 Way;
   double WaySquared;
-  std::vector<Place> Places; // of tools that are no spheres
+  std::vector<Place> Places; // of tools other than spheres
   Eigen::AlignedBox3d Bounds;
 };
 } // namespace palpate

@@ -82,14 +82,14 @@ Status CutTool::CheckSamples() const
   }
   if (distances.size() != grid.NodeCount())
   {
-    return Status::Failure("The distances of a cutting tool are not one for each node.");
+    return Status::Failure("A cutting tool needs one distance for each node.");
   }
   bool isInside = false;
   for (std::size_t n = 0; n < distances.size(); ++n)
   {
     if (!std::isfinite(distances[n]))
     {
-      return Status::Failure("The distances of a cutting tool are not all numbers.");
+      return Status::Failure("The distances of a cutting tool are not all finite.");
     }
     if (distances[n] < 0.0 && IsOnBorder(n, grid.Size()))
     {
@@ -97,7 +97,7 @@ Status CutTool::CheckSamples() const
     }
     isInside = isInside || distances[n] < 0.0;
   }
-  return isInside ? Status::Success() : Status::Failure("A cutting tool has nothing inside.");
+  return isInside ? Status::Success() : Status::Failure("A cutting tool encloses no volume.");
 }
 
 double CutTool::Distance(const Vector3& point) const noexcept

@@ -15,18 +15,18 @@ class CutTool
 {
 public:
   static CutTool Sphere(double radius);
-  /// Along z, its middle at the origin.
+  /// Along z, centred at the origin.
   static CutTool Cylinder(double radius, double length);
   /// Any closed surface, by its signed distances (mm, negative inside, i fastest) on a grid in the
-  /// tool's frame. Between nodes they are interpolated; beyond the grid the way to it is added.
+  /// tool's frame. Interpolated between nodes; beyond the grid the distance to the grid is added.
   static CutTool Surface(const FieldGrid& grid, std::vector<double> distances);
 
-  /// Refuses lengths that are not positive and finite, distances that are not one for each node or
-  /// not finite, and a surface that reaches the border of its grid or has nothing inside.
+  /// Fails for lengths that are not positive and finite, for distances that are not finite or not
+  /// one per node, and for a surface that reaches the border of its grid or encloses nothing.
   Status Check() const;
 
   double Distance(const Vector3& point) const noexcept;
-  /// The radius (mm) around the origin that holds the tool.
+  /// The radius (mm) of a sphere around the origin that contains the tool.
   double BoundingRadius() const noexcept { return this->Extent; }
   bool IsSphere() const noexcept { return this->Kind == Shape::Sphere; }
 

@@ -27,7 +27,7 @@ bool DistanceBox::Gather(const RemovedDistances& removed, const NodeBox& box)
   return isAny;
 }
 
-// Answers whether any block was there.
+// Returns whether any block is stored.
 bool DistanceBox::Copy(const RemovedDistances& removed)
 {
   constexpr int Side = RemovedDistances::Side;
@@ -59,7 +59,7 @@ bool DistanceBox::Copy(const RemovedDistances& removed)
   return isAny;
 }
 
-// `nodes` of a block, or all the same where it is none.
+// Copies `nodes` of a block, or one value if it is not stored.
 void DistanceBox::CopyBlock(const float* block, float same, const std::array<int, 3>& corner,
                             const NodeBox& nodes)
 {
@@ -99,7 +99,7 @@ void DistanceBox::ContinueBeyond(const std::array<int, 3>& nodes)
   }
 }
 
-// What lies one node beyond a face of the box, as far as nodes of the box need it.
+// Extrapolates by one node across a face of the box, if nodes of the box need it.
 void DistanceBox::Continue(std::size_t axis, bool isUpper)
 {
   const std::size_t one = axis == 0 ? 1 : 0;

@@ -8,17 +8,17 @@
 
 namespace palpate
 {
-/// Distances to what was removed at nodes side by side, as they count for interpolation: each
-/// corrected by its six neighbours (InterpolatedDistance). Across the grid's border they go on
-/// straight. Kept as one object, so that it allocates for the largest box alone.
+/// Distances to the removed volume at a box of nodes, as used for interpolation: each corrected by
+/// its six neighbours (InterpolatedDistance). Extrapolated linearly across the grid's border. Reuse
+/// one object: it then allocates for the largest box only.
 class DistanceBox
 {
 public:
-  /// Of nodes of the grid. False where nothing is removed within the band of any of them, or of a
-  /// neighbour; then all are as far away as the band is wide.
+  /// Gathers nodes of the grid. Returns false if nothing is removed within the band of any of them,
+  /// or of a neighbour; then all distances equal the band.
   bool Gather(const RemovedDistances& removed, const NodeBox& box);
 
-  /// Of the box's nodes from (i, j, k) on along i.
+  /// Row of the box's nodes along i, starting at (i, j, k).
   const float* Row(int i, int j, int k) const noexcept
   {
     const int row = (k - this->Box.First[2]) * this->Count[1] + j - this->Box.First[1];

@@ -113,7 +113,7 @@ ConditionCells DrilledBrick::CellsOf(const FieldCondition& condition, const std:
   return ClassifyCells(this->Nodes.data(), this->Layout, condition);
 }
 
-// Of materials that have no surface here and are not drilled, what was so stays so.
+// Materials that have no surface here and are not drilled are unchanged.
 void DrilledBrick::WriteSurface(std::byte* record)
 {
   const MaterialSet passed = this->Records.MaterialsOf(record);

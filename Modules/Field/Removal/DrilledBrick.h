@@ -12,30 +12,30 @@
 
 namespace palpate
 {
-/// What is cut, and how.
+/// The material that is cut, and how.
 struct DrilledMaterial
 {
   int Material = 0;
-  FieldCondition Condition; ///< of its conditions the one whose channel is cut
+  FieldCondition Condition; ///< the condition whose channel is cut
   NodeCut Cut;
 };
 
-/// Makes the record of a brick from what it was in the beginning and from what was removed.
+/// Computes a brick's record from its initial record and the removed volume.
 class DrilledBrick
 {
 public:
-  /// Floating point is what the channel that is cut is kept in.
+  /// The channel that is cut must be stored as floating point.
   DrilledBrick(const ScalarField& field, const RecordLayout& records,
                const DrilledMaterial& drilled);
 
-  /// The nodes of the brick (counted along i, j, k), but for those beyond the grid.
+  /// The nodes of the brick (counted along i, j, k) that lie in the grid.
   NodeBox NodesOf(const std::array<int, 3>& brick) const noexcept;
 
-  /// Finds what the nodes of `box`, which the brick has, are now. False where that is what the
-  /// record says already.
+  /// Computes the values of the nodes of `box`, all of which belong to the brick. Returns false if
+  /// the record already has them.
   bool FindNodes(const std::array<int, 3>& brick, const NodeBox& box, const DistanceBox& distances,
                  const std::byte* original, const std::byte* record);
-  /// Writes what was found, and the surfaces that follow.
+  /// Writes the computed nodes, and the resulting surfaces.
   void Write(std::byte* record);
 
 private:
@@ -45,7 +45,7 @@ private:
   void WriteNodesOf(T* nodes) const;
   void WriteSurface(std::byte* record);
   ConditionCells CellsOf(const FieldCondition& condition, const std::byte* record);
-  /// Where row (j, k) of the box begins in the brick.
+  /// Offset of row (j, k) of the box in the brick.
   std::size_t RowOf(int j, int k) const noexcept;
 
   BrickLayout Layout;

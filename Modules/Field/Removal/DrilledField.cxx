@@ -32,7 +32,7 @@ bool IsChannelOf(const FieldMaterial& material, int channel)
   return isOf;
 }
 
-// The first of a material's conditions whose channel is its alone.
+// The first of a material's conditions whose channel no other material uses.
 std::optional<FieldCondition> OwnCondition(const ScalarField& field, int material)
 {
   for (int c = 0; c < field.Material(material).ConditionCount; ++c)
@@ -60,12 +60,12 @@ Status CheckField(const ScalarField& field, int material)
   }
   if (field.Interpolation() != FieldInterpolation::Trilinear)
   {
-    return Status::Failure("Only a whole field that is interpolated linearly can be drilled.");
+    return Status::Failure("Only a complete field with trilinear interpolation can be drilled.");
   }
   if (!OwnCondition(field, material))
   {
     return Status::Failure("Material " + std::to_string(material) +
-                           " cannot be drilled: other materials are made of its samples too, and "
+                           " cannot be drilled: other materials share its samples, and "
                            "would be removed with it.");
   }
   const int channel = OwnCondition(field, material)->Channel;
@@ -74,14 +74,14 @@ Status CheckField(const ScalarField& field, int material)
     if (field.Map(material)[brick] == MaterialMap::Filled &&
         field.Channel(channel).SlotOf(brick).Block == BrickedChannel::NotStored)
     {
-      return Status::Failure("The field keeps no samples inside material " +
+      return Status::Failure("The field stores no samples inside material " +
                              std::to_string(material) + ", so it cannot be drilled.");
     }
   }
   return Status::Success();
 }
 
-// So that surfaces lie between voxels also where samples were whole numbers.
+// Floating point, so that surfaces lie between voxels also for integer samples.
 std::vector<ScalarType> TypesToKeep(const ScalarField& field, int channel)
 {
   std::vector<ScalarType> types;
@@ -109,8 +109,8 @@ DrilledField::DrilledField(std::unique_ptr<EditedField> field, const DrilledMate
 {
 }
 
-// The ramp is as long as a cell's diagonal, so that it goes through all corners of every cell that
-// a cut passes; a voxel farther out distances are kept, because values ask neighbours for theirs.
+// The ramp is as long as a cell's diagonal, so that it spans all corners of every cell that a cut
+// passes; distances are stored one voxel farther out, because values depend on neighbouring ones.
 double DrilledField::BandOf(const FieldGrid& grid)
 {
   constexpr double Rounding = 1.0 + 1e-5; // of distances as floats
@@ -154,7 +154,7 @@ Status DrilledField::Cut(const CutTool& tool, const CutPose& from, const CutPose
   {
     return status;
   }
-  constexpr double StepInVoxels = 0.25; // of a tool that is no sphere
+  constexpr double StepInVoxels = 0.25; // of a tool that is not a sphere
   const double step = StepInVoxels * this->Now().Grid().Spacing().minCoeff();
   try
   {
@@ -171,7 +171,7 @@ Status DrilledField::Cut(const CutTool& tool, const CutPose& from, const CutPose
   return Status::Success();
 }
 
-// Values ask neighbours too, and bricks have copies of each other's border nodes.
+// Values depend on neighbouring nodes, and bricks have copies of each other's border nodes.
 void DrilledField::MarkNodes(const NodeBox& changed)
 {
   const BrickLayout& layout = this->Field->Newest().Layout();
@@ -240,10 +240,10 @@ Status DrilledField::BringUpToDate()
   return Status::Success();
 }
 
-// Distances for the last bricks that wait, as many as lie side by side; answers the first of them.
+// Gathers distances for the last pending bricks, as many as fit one box; returns the first of them.
 std::size_t DrilledField::GatherLast()
 {
-  constexpr std::size_t MostNodes = 40 * 40 * 40; // that stay in a core's own cache
+  constexpr std::size_t MostNodes = 40 * 40 * 40; // fits a core's own cache
   std::size_t first = this->Waiting.size() - 1;
   NodeBox box = this->Waiting[first].Nodes;
   while (first > 0)
@@ -261,7 +261,7 @@ std::size_t DrilledField::GatherLast()
   return first;
 }
 
-// False where there is no room.
+// Returns false if no record is free.
 bool DrilledField::UpdateBrick(const Pending& pending, std::size_t number)
 {
   const std::array<int, 3>& brick = pending.Brick;
@@ -442,7 +442,7 @@ Status DrilledField::Restore(const std::shared_ptr<const RemovedDistances>& remo
 {
   if (!removed->IsLike(this->Now()))
   {
-    return Status::Failure("What was removed belongs to another volume.");
+    return Status::Failure("The removal belongs to another volume.");
   }
   this->EndStroke();
   const auto state =
@@ -456,7 +456,8 @@ Status DrilledField::Protect(const std::shared_ptr<const RemovedDistances>& forb
 {
   if (!forbidden->IsLike(this->Now()) || this->CanUndo() || this->CanRedo())
   {
-    return Status::Failure("What is forbidden belongs to another volume, or comes too late.");
+    return Status::Failure(
+        "The forbidden region belongs to another volume, or was set after the first cut.");
   }
   this->Forbidden = forbidden;
   this->Stroke = RemovalStroke(this->Stroke.Before(), forbidden);

@@ -22,14 +22,15 @@ T Rounded(double value)
   {
     const auto lowest = static_cast<double>(std::numeric_limits<T>::lowest());
     const auto highest = static_cast<double>(std::numeric_limits<T>::max());
-    // The largest 64-bit numbers are no doubles: what would round beyond them is they.
+    // The largest 64-bit integers are not exact as doubles: clamp values that would round beyond
+    // them.
     return value >= highest  ? std::numeric_limits<T>::max()
            : value <= lowest ? std::numeric_limits<T>::lowest()
                              : static_cast<T>(std::nearbyint(value));
   }
 }
 
-// Of type T, computed in Kept.
+// For type T, computed in Kept.
 template <typename Kept, typename T>
 void WriteRow(const NodeCut& cut, const float* distances, int count, T* row)
 {

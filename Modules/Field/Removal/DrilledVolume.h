@@ -9,15 +9,15 @@
 
 namespace palpate
 {
-/// How much of a material is gone, brick by brick. Parts of cells are counted in whole units of
-/// 2^-32, so that a volume depends on what is there alone, to the last bit, and not on the order in
-/// which it was removed.
+/// Removed volume of a material, by brick. Fractions of cells are counted in units of 2^-32, so
+/// that a volume depends on the current state alone, to the last bit, and not on the order of
+/// removal.
 class DrilledVolume
 {
 public:
   DrilledVolume(const EditedField& field, int material);
 
-  /// A brick has changed.
+  /// Marks a brick as changed.
   void Forget(std::size_t brick);
   /// mm^3.
   double Removed(const EditedField& field);
@@ -39,9 +39,9 @@ private:
   FieldMaterial Material;
   BrickLayout Layout;
   double CellVolume;                           // mm^3
-  std::unordered_map<std::size_t, Part> Parts; // of bricks that have ever changed
+  std::unordered_map<std::size_t, Part> Parts; // of all bricks ever changed
   std::vector<std::size_t> Stale;
   std::int64_t Total = 0;
-  std::vector<double> Nodes[FieldMaterial::MostConditions]; // how far conditions hold, of a brick
+  std::vector<double> Nodes[FieldMaterial::MostConditions]; // margins of the conditions in a brick
 };
 } // namespace palpate

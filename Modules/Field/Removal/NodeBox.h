@@ -6,7 +6,7 @@
 
 namespace palpate
 {
-/// Nodes of a grid side by side along i, j, k; the last ones included.
+/// A box of a grid's nodes along i, j, k; the last ones included.
 struct NodeBox
 {
   std::array<int, 3> First{};
@@ -26,7 +26,7 @@ struct NodeBox
     }
     return count;
   }
-  /// So that it holds another one too.
+  /// Extends the box to contain another one.
   void Extend(const NodeBox& other) noexcept
   {
     for (std::size_t axis = 0; axis < 3; ++axis)

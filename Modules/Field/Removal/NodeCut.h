@@ -4,11 +4,11 @@
 
 namespace palpate
 {
-/// What a node's distance (mm) to all that was removed is to count as, so that trilinear
-/// interpolation between nodes has the surface where it is, in the mean: where a distance is
-/// curved, interpolation between its values lies above it by a twelfth of its second differences.
-/// `neighbours` are the distances of the nodes before and after along each axis. On ridges between
-/// two cuts, where it would be more, the distance is left as it is.
+/// Corrects a node's distance (mm) to the removed volume so that trilinear interpolation between
+/// nodes has its surface, on average, in the right place: where a distance is curved, interpolation
+/// between its values lies above it by a twelfth of its second differences. `neighbours` are the
+/// distances of the nodes before and after along each axis. On ridges between two cuts, where the
+/// correction would be larger, the distance is unchanged.
 template <typename T>
 T InterpolatedDistance(T distance, const T (&neighbours)[6]) noexcept
 {
@@ -21,23 +21,22 @@ T InterpolatedDistance(T distance, const T (&neighbours)[6]) noexcept
   return distance - Part * (differences > T(0) ? differences : T(0));
 }
 
-/// How a node's value changes where a tool removes what a condition holds inside. Near the tool the
-/// value is at most a ramp through the iso-value at the tool's surface, `Slope` a millimetre steep,
-/// so that the surface that remains lies between voxels where the tool's was; farther than `depth`
-/// from it the value is left as it is. A ramp ends at `Floor`, a value that the material does not
-/// have.
+/// Changes a node's value where a tool removes the inside of a condition. Near the tool the value
+/// is at most a ramp through the iso-value at the tool's surface, with `Slope` per mm, so that the
+/// remaining surface lies between voxels where the tool's was; farther than `depth` from it the
+/// value is unchanged. A ramp ends at `Floor`, a value outside the material.
 class NodeCut
 {
 public:
-  /// `slope` > 0; by how much a value at most changes a millimetre on the way through a surface.
-  /// `depth` > 0: how far (mm) from the surface the ramp goes on to either side.
+  /// `slope` > 0: the largest change of value per mm across a surface. `depth` > 0: extent (mm) of
+  /// the ramp to either side of the surface.
   NodeCut(const FieldCondition& condition, double slope, double depth);
 
-  /// `distance` (mm) to the tool, negative inside. No cut ever puts material back.
+  /// `distance` (mm) to the tool, negative inside. No cut ever restores material.
   template <typename T>
   T Apply(T value, T distance) const noexcept
   {
-    // Every part is computed, so that loops over this go through the lanes of vectors.
+    // Every branch is computed, so that loops over this vectorise.
     const auto depth = static_cast<T>(this->Depth);
     const T line = static_cast<T>(this->Iso) + static_cast<T>(this->Rise) * distance;
     const T ramp = distance < -depth ? static_cast<T>(this->Floor) : line;
@@ -51,7 +50,7 @@ public:
 
 private:
   double Iso;
-  double Rise;  // a mm of distance, with the sign that leads into the material
+  double Rise;  // per mm of distance, signed towards the inside of the material
   double Depth; // mm
   double Floor;
   bool IsAtLeast;

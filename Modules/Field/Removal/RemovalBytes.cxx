@@ -14,7 +14,7 @@ namespace
 constexpr std::uint32_t Mark = 0x31766d52; // "Rmv1"
 constexpr std::uint32_t Uniform = 1;
 
-// Numbers one after the other.
+// Writes consecutive numbers.
 class Writer
 {
 public:
@@ -56,10 +56,10 @@ private:
 
 Status Broken()
 {
-  return Status::Failure("The bytes are no state of what was removed.");
+  return Status::Failure("The bytes are not a state of removal.");
 }
 
-// What has to be the same for distances to mean the same.
+// Properties that must match for distances to be comparable.
 std::vector<double> FrameOf(const RemovedDistances& removed)
 {
   const FieldGrid& grid = removed.Grid();
@@ -112,7 +112,7 @@ Status RemovedFromBytes(const std::vector<std::byte>& bytes, const RemovedDistan
   }
   if (!reader.IsGood || !isSame)
   {
-    return reader.IsGood ? Status::Failure("What was removed belongs to another volume, or to "
+    return reader.IsGood ? Status::Failure("The removal belongs to another volume, or to "
                                            "another material of it.")
                          : Broken();
   }

@@ -9,12 +9,11 @@
 
 namespace palpate
 {
-/// A state of what was removed as bytes, to be kept in a file: little-endian; the blocks that
-/// differ from nothing removed, in the order of memory, those of one value by that alone. The same
-/// state gives the same bytes.
+/// Serialises a state of removal for a file: little-endian; the blocks that differ from nothing
+/// removed, in memory order, uniform ones as one value. Equal states give equal bytes.
 std::vector<std::byte> BytesOf(const RemovedDistances& removed);
 
-/// Refuses bytes that are no such state, or one of another grid or band than `like` has.
+/// Fails for bytes that are not such a state, and for a grid or band other than that of `like`.
 Status RemovedFromBytes(const std::vector<std::byte>& bytes, const RemovedDistances& like,
                         std::shared_ptr<const RemovedDistances>& removed);
 } // namespace palpate

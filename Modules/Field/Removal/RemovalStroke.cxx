@@ -14,7 +14,7 @@ constexpr int Side = RemovedDistances::Side;
 
 using Row = std::array<float, Side>;
 
-// Rows of a block as a tool's sweep has them: of any tool, and of a ball.
+// Rows of a block for a tool's sweep: for any tool, and for a sphere.
 class AnyRows
 {
 public:
@@ -63,7 +63,7 @@ private:
   bool GoesOn;
 };
 
-// Lowers what is not forbidden: there the depth within what is forbidden is the distance.
+// Lowers distances outside the forbidden region; inside it, no lower than the depth in it.
 template <typename Rows>
 unsigned LowerBeside(const float* forbidden, const Rows& rows, int j, int k, float least,
                      float* kept)
@@ -79,7 +79,7 @@ unsigned LowerBeside(const float* forbidden, const Rows& rows, int j, int k, flo
   return lowered;
 }
 
-// The largest of a block's distances, which side by side are looked at as lanes of vectors.
+// The largest of a block's distances; vectorises.
 float MostOf(const RemovalStroke::Nodes& distances)
 {
   Row most;
@@ -94,14 +94,14 @@ float MostOf(const RemovalStroke::Nodes& distances)
   return *std::max_element(most.begin(), most.end());
 }
 
-// Blocks along each axis that a box meets, cut to the grid.
+// Range of blocks that intersect a box, clipped to the grid.
 struct BlockRange
 {
   std::array<int, 3> First{};
   std::array<int, 3> Last{};
 };
 
-// Node indices of a box in the world, `around` more on each side.
+// Node indices of a box in the world, extended by `around` on each side.
 BlockRange RangeOf(const FieldGrid& grid, const Eigen::AlignedBox3d& boxWorld, double around)
 {
   Eigen::AlignedBox3d index;
@@ -157,7 +157,8 @@ void RemovalStroke::Cut(const CutSweep& sweep, std::vector<NodeBox>& changed)
     AnyRows rows(sweep, this->Working->Frame);
     return this->CutWith(rows, sweep, changed);
   }
-  // What lies behind a way that goes on is no nearer to it than to where it begins.
+  // If a path continues the last one, points behind its start are no closer to it than to the
+  // start.
   const bool goesOn =
       this->Last.Radius == sweep.Radius() && this->Last.EndWorld == sweep.FromWorld();
   BallRows rows(sweep, this->Working->Frame, goesOn);
@@ -188,7 +189,7 @@ void RemovalStroke::CutWith(Rows& rows, const CutSweep& sweep, std::vector<NodeB
   }
 }
 
-// A distance changes by no more than the way.
+// A distance changes by at most the length of the path.
 bool RemovalStroke::MayChange(const Corner& corner, const CutSweep& sweep,
                               const Block* block) const noexcept
 {
@@ -205,7 +206,7 @@ bool RemovalStroke::MayChange(const Corner& corner, const CutSweep& sweep,
   return sweep.Distance(grid.PointWorld(middle)) - reach < most;
 }
 
-// Lowers a copy, which then is the block if any node of it was lowered.
+// Lowers a copy, which replaces the block if any node of it was lowered.
 template <typename Rows>
 bool RemovalStroke::CutBlock(const Corner& corner, Rows& rows, NodeBox& changed)
 {
@@ -301,7 +302,7 @@ RemovalStroke::Without(const std::shared_ptr<const RemovedDistances>& forbidden,
   return isDifferent ? without.Finish() : removed;
 }
 
-// Nodes beyond the grid count as gone.
+// Nodes beyond the grid count as removed.
 void RemovalStroke::FillUntouched(const Corner& corner, Nodes& distances) const
 {
   const auto limit = static_cast<float>(this->Working->Limit);
@@ -316,7 +317,7 @@ void RemovalStroke::FillUntouched(const Corner& corner, Nodes& distances) const
   }
 }
 
-// Of this stroke alone, to be filled.
+// A block owned by this stroke alone, to be filled.
 RemovalStroke::Block& RemovalStroke::OwnBlock(const Corner& corner)
 {
   RemovedDistances& state = *this->Working;

@@ -10,33 +10,34 @@
 
 namespace palpate
 {
-/// A state of what was removed in the making: cuts on top of the state before, which stays as it
-/// is. Only the first cut of a block copies it. For one thread.
+/// A state of removal under construction: cuts on top of a previous state, which does not change.
+/// Only the first cut of a block copies it. Not thread-safe.
 class RemovalStroke
 {
 public:
   using Nodes = std::array<float, RemovedDistances::NodesOfBlock>;
 
-  /// `forbidden` is of the same grid and band: what it has as removed no cut removes. None: all may
-  /// be.
+  /// `forbidden` has the same grid and band: the volume removed in it is never cut. nullptr:
+  /// everything may be.
   explicit RemovalStroke(std::shared_ptr<const RemovedDistances> before,
                          std::shared_ptr<const RemovedDistances> forbidden = nullptr);
 
-  /// Removes all that `sweep` passes. `changed` gets boxes that hold the nodes of the grid whose
-  /// distance is another one now, one for each block, in the order of memory.
+  /// Removes the volume of `sweep`. `changed` receives boxes that contain the nodes whose distance
+  /// has changed, one for each block, in memory order.
   void Cut(const CutSweep& sweep, std::vector<NodeBox>& changed);
-  /// Fills a block that is not kept yet. False where `corner` is none of the grid, or it is.
+  /// Fills a block that is not stored yet. Returns false if `corner` is not one of the grid, or the
+  /// block is stored.
   bool Set(const RemovedDistances::Corner& corner, const Nodes& distances);
-  /// As it is now, until the next cut.
+  /// Current state, valid until the next cut.
   const RemovedDistances& Now() const noexcept { return *this->Working; }
   bool IsEmpty() const noexcept { return !this->IsChanged; }
 
   const std::shared_ptr<const RemovedDistances>& Before() const noexcept { return this->Start; }
-  /// What has become of the state before, which is the same object where nothing has changed. From
-  /// there the next stroke begins.
+  /// The new state, which is the previous object if nothing has changed. The next stroke starts
+  /// from it.
   std::shared_ptr<const RemovedDistances> Finish();
 
-  /// `removed` without what is forbidden; the same object where that is all of it.
+  /// `removed` without `forbidden`; the same object if nothing of it is forbidden.
   static std::shared_ptr<const RemovedDistances>
   Without(const std::shared_ptr<const RemovedDistances>& forbidden,
           const std::shared_ptr<const RemovedDistances>& removed);
@@ -46,7 +47,7 @@ private:
   using Corner = RemovedDistances::Corner;
 
   bool MayChange(const Corner& corner, const CutSweep& sweep, const Block* block) const noexcept;
-  // The ball that was cut with last, and where it ended.
+  // The sphere of the last cut, and where it ended.
   struct Ball
   {
     double Radius = 0.0;

@@ -10,13 +10,12 @@
 
 namespace palpate
 {
-/// For each node of a grid the signed distance (mm) to all that tools have removed, negative
-/// inside, held within a band round the surface of that: what is farther away counts as the band's
-/// end.
+/// For each node of a grid the signed distance (mm) to the removed volume, negative inside, clamped
+/// to a band around its surface.
 ///
-/// Immutable: RemovalStroke makes the next one, which shares with the one before whatever did not
-/// change. So any number of earlier states are kept at the memory of what changed between them, and
-/// a state can be read by any number of threads.
+/// Immutable: RemovalStroke creates the next state, which shares all unchanged parts with the
+/// previous one. So earlier states cost only the memory of their differences, and any number of
+/// threads may read a state.
 class RemovedDistances
 {
 public:
@@ -26,28 +25,28 @@ public:
   /// The lowest node of a block, as whole indices; multiples of Side.
   using Corner = std::array<int, 3>;
 
-  /// Nothing removed yet. `band` (mm) > 0.
+  /// Nothing removed. `band` (mm) > 0.
   static std::shared_ptr<const RemovedDistances> None(const FieldGrid& grid, double band);
 
   const FieldGrid& Grid() const noexcept { return this->Frame; }
   double Band() const noexcept { return this->Limit; }
-  /// Whether both are of the same grid and band, to the last bit.
+  /// Whether grid and band are equal, to the last bit.
   bool IsLike(const RemovedDistances& other) const noexcept;
 
   /// Of a node of the grid.
   float At(int i, int j, int k) const noexcept;
-  /// Nodes of a block, i fastest; nullptr where nothing is removed within the band. Nodes beyond
-  /// the grid's border count for nothing.
+  /// Nodes of a block, i fastest; nullptr if nothing is removed within the band. Nodes beyond the
+  /// grid's border have no meaning.
   const float* BlockAt(const Corner& corner) const noexcept;
 
-  /// Corners of the blocks that differ between two of the same grid. Blocks that they share cost
-  /// nothing.
+  /// Corners of the blocks that differ between two states of the same grid. Shared blocks take no
+  /// time.
   static std::vector<Corner> Difference(const RemovedDistances& a, const RemovedDistances& b);
 
-  /// Of all blocks that are kept, in the order of memory.
+  /// Of all stored blocks, in memory order.
   std::vector<Corner> Corners() const;
 
-  /// Of what is not shared with `other`; of everything without.
+  /// Memory that is not shared with `other`; all memory if it is nullptr.
   std::size_t BytesBeside(const RemovedDistances* other) const noexcept;
 
 private:
@@ -55,8 +54,8 @@ private:
   struct Block
   {
     std::array<float, NodesOfBlock> Distances;
-    float Most;          // of them
-    std::uint32_t Depth; // of the state that it was made for
+    float Most;          // largest distance in the block
+    std::uint32_t Depth; // of the state for which it was created
   };
   struct Page
   {
@@ -76,8 +75,8 @@ private:
   FieldGrid Frame;
   double Limit;
   std::array<int, 3> PageCounts{};
-  /// States made on each other. What belongs to a state that is still in the making has its depth,
-  /// and nobody else has it.
+  /// Number of states before this one. Objects with the depth of a state under construction belong
+  /// to it alone.
   std::uint32_t Depth = 0;
   std::vector<std::shared_ptr<Page>> Pages;
 };

@@ -8,8 +8,8 @@
 
 namespace palpate
 {
-/// Distances (mm) from rows of nodes to what a ball passes on its way, as floats: right to a
-/// millionth of the way to them. Written so that a row goes through the lanes of vectors.
+/// Distances (mm) from rows of nodes to a sphere swept along a segment, as floats: accurate to a
+/// millionth of the distance to them. Written so that a row vectorises.
 class SphereRows
 {
 public:
@@ -18,7 +18,7 @@ public:
   SphereRows(const FieldGrid& grid, const Vector3& from, const Vector3& way, double radius)
       : Grid(grid), From(from), Way(way.cast<float>()), Radius(static_cast<float>(radius))
   {
-    constexpr double Shortest = 1e-6; // mm, that a float can divide by
+    constexpr double Shortest = 1e-6; // mm; shorter segments count as points
     const double squared = way.squaredNorm();
     const double perWay = squared > Shortest * Shortest ? 1.0 / squared : 0.0;
     this->PartOf = perWay * way;
@@ -30,21 +30,21 @@ public:
     }
   }
 
-  /// Of what follows, where the first node of row (0, 0) is: whole indices.
+  /// Sets the first node of row (0, 0): whole indices.
   void Begin(const std::array<int, 3>& node) noexcept
   {
     const Vector3 offset = this->Grid.PointWorld(Vector3(node[0], node[1], node[2])) - this->From;
     this->Offset = offset.cast<float>();
     this->Part = static_cast<float>(offset.dot(this->PartOf));
   }
-  /// Whether no node of row (j, k) comes nearer than to the way's beginning.
+  /// Whether the segment's start is its nearest point to every node of row (j, k).
   bool IsBehind(int j, int k) const noexcept
   {
     const float part = this->PartAt(j, k);
     return part <= 0.0f && part + static_cast<float>(Count - 1) * this->Parts[0] <= 0.0f;
   }
-  /// Lowers `kept`, the distances of row (j, k) held above `least`, to the ball's; answers which of
-  /// them were lowered, bit n node n.
+  /// Lowers `kept`, the distances of row (j, k), all clamped to at least `least`, to the sphere's;
+  /// returns the lowered ones, bit n for node n.
   unsigned Lower(int j, int k, float least, float* kept) const noexcept
   {
     const Eigen::Vector3f first = this->Offset + static_cast<float>(j) * this->Steps[1] +
@@ -94,7 +94,7 @@ private:
 
   const FieldGrid& Grid;
   Vector3 From;
-  Vector3 PartOf; // by which an offset gives the part of the way
+  Vector3 PartOf; // factor from an offset to the parameter of the segment
   Eigen::Vector3f Way;
   float Radius;
   std::array<Eigen::Vector3f, 3> Steps;

@@ -5,15 +5,14 @@
 namespace palpate
 {
 /// Where a polynomial on [0, 1], given by its Bernstein coefficients, changes between negative and
-/// not negative, in rising order.
+/// not negative, in increasing order.
 ///
 /// The number of sign changes of the coefficients bounds the number of roots and has its parity
-/// (Descartes), so intervals are halved (de Casteljau) until each has one change or none; the one
-/// root is then found by Newton's method, kept inside its bracket. Means keep signs however they
-/// are rounded, and both halves share the value between them: the number of crossings is odd just
-/// where the first and the last coefficient differ in sign, whatever rounding does in between.
-/// A pair of crossings nearer to each other than 2^-Halvings is the rounding's business: it may be
-/// found or not.
+/// (Descartes), so intervals are halved (de Casteljau) until each has at most one change; its root
+/// is then found by Newton's method with a bracket. Means keep signs however they are rounded, and
+/// both halves share the value between them: the number of crossings is odd exactly if the first
+/// and the last coefficient differ in sign, whatever the rounding in between. A pair of crossings
+/// closer to each other than 2^-Halvings is within rounding: it may be found or not.
 template <int Degree>
 class BernsteinCrossings
 {
@@ -35,7 +34,7 @@ public:
 
   int Count() const noexcept { return this->Found; }
   double Parameter(int crossing) const noexcept { return this->Parameters[crossing]; }
-  /// How far the solver may have stopped from it.
+  /// Error bound of the solver.
   double Error(int crossing) const noexcept { return this->Errors[crossing]; }
 
   static double Value(const double* coefficients, double u) noexcept
@@ -133,7 +132,7 @@ private:
     this->Isolate(right, middle, to, halvings - 1);
   }
 
-  // One crossing between both ends.
+  // Solves for one crossing between both ends.
   void Solve(const double* coefficients, double from, double to) noexcept
   {
     const double first = coefficients[0];
@@ -154,9 +153,9 @@ private:
     this->Add(from + u * (to - from), error * (to - from));
   }
 
-  // Newton's method, halving the bracket where it leaves it, or where the slope is not that of the
-  // crossing: an end that is nearly zero may have another root close by. A step of Newton's leaves
-  // its square times bend / (2 slope); `error` becomes twice that, or the bracket.
+  // Newton's method with bisection, if a step leaves the bracket or the slope has the wrong sign:
+  // another root may be close to an end that is nearly zero. A Newton step leaves an error of its
+  // square times bend / (2 slope); `error` becomes twice that, or the bracket.
   static double Newton(const double* coefficients, double u, double& error) noexcept
   {
     constexpr int MostSteps = 60;

@@ -6,7 +6,7 @@ namespace palpate
 {
 namespace
 {
-// Bits of the cells first..last of a row, in each of so many rows of a word.
+// Bits of the cells first..last of a row, repeated for a number of rows of a word.
 std::uint64_t RowsBits(int first, int last, int rows) noexcept
 {
   constexpr std::uint64_t EveryRow = 0x0101010101010101;
@@ -16,7 +16,7 @@ std::uint64_t RowsBits(int first, int last, int rows) noexcept
   return row * (EveryRow >> (64 - (rows << BrickLayout::Shift)));
 }
 
-// Whether a brick has nothing in the part of the box that lies in it.
+// Whether the part of the box in a brick contains no surface and no material.
 bool IsFreeBrick(const ScalarField& field, const CellBox& box, const int* brick) noexcept
 {
   const BrickLayout& layout = field.Layout();

@@ -13,11 +13,11 @@ namespace inside
 struct Kernel;
 }
 
-/// How a sampler's answer came about.
+/// Origin of a sample.
 enum class SampleKind
 {
   Outside,  ///< the point is not in the grid: there is no value, and no material
-  Constant, ///< far from surfaces: one value stands for the brick, the gradient is zero
+  Constant, ///< far from surfaces: one value for the whole brick, zero gradient
   Sampled   ///< interpolated between nodes
 };
 
@@ -27,8 +27,7 @@ struct FieldSample
   double Value = 0.0;
 };
 
-/// The gradient is in the frame that the question was asked in: per voxel along i, j, k (Index), or
-/// per mm (World).
+/// The gradient is in the frame of the query: per voxel along i, j, k (Index), or per mm (World).
 struct FieldGradientSample
 {
   SampleKind Kind = SampleKind::Outside;
@@ -36,13 +35,13 @@ struct FieldGradientSample
   Vector3 Gradient = Vector3::Zero();
 };
 
-/// Asks a field for values and for what is inside what. World is patient LPS in mm; Index is
+/// Samples a field and tests which materials contain a point. World is patient LPS in mm; Index is
 /// continuous, with nodes at whole numbers. Queries neither allocate nor lock, and may come from
-/// any number of threads. Numbers of channels and materials have to be the field's.
+/// any number of threads. Channels and materials must exist in the field.
 class FieldSampler
 {
 public:
-  /// `set` is one that this processor has; it changes the time of batches, and no answer.
+  /// This processor must support `set`; it affects the time of batches, but no result.
   explicit FieldSampler(std::shared_ptr<const ScalarField> field,
                         InstructionSet set = FastestInstructionSet());
   const ScalarField& Field() const noexcept { return *this->Data; }
@@ -55,11 +54,11 @@ public:
   /// Whether all of a material's conditions hold at a point; they do at the iso-value itself.
   bool IsInsideIndex(int material, const Vector3& pointIndex) const noexcept;
   bool IsInsideWorld(int material, const Vector3& pointWorld) const noexcept;
-  /// Every material that the point lies in.
+  /// Every material that contains the point.
   MaterialSet MaterialsIndex(const Vector3& pointIndex) const noexcept;
   MaterialSet MaterialsWorld(const Vector3& pointWorld) const noexcept;
-  /// The same as IsInside for each point, 1 or 0. Several points at once where the material has one
-  /// condition and the interpolation is trilinear.
+  /// IsInside for each point, 1 or 0. Several points at once if the material has one condition and
+  /// the interpolation is trilinear.
   void AreInsideIndex(int material, const Vector3* pointsIndex, std::size_t count,
                       unsigned char* inside) const noexcept;
   void AreInsideWorld(int material, const Vector3* pointsWorld, std::size_t count,

@@ -1,5 +1,5 @@
-// The inside test for AVX2: this file alone is compiled for it (see CMakeLists.txt), so it must
-// include nothing else. The portable one is made in InsideKernelChoice.cxx.
+// The inside test for AVX2: only this file is compiled for it (see CMakeLists.txt), so it must
+// include nothing else. The portable version is in InsideKernelChoice.cxx.
 #include "InsideKernel.h"
 
 namespace palpate::inside

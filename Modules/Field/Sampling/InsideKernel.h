@@ -13,10 +13,10 @@ struct Material
   double Origin[3];
   double LastCell[3]; ///< of the grid
   int Bricks[3];
-  const unsigned* Codes; ///< of the map
+  const unsigned* Codes; ///< of the MaterialMap
   unsigned Filled;
   const void* Blocks;
-  unsigned long Stride; ///< numbers from block to block
+  unsigned long Stride; ///< elements from block to block
   double Iso;
   double Sign; ///< 1: at least, -1: at most
 };
@@ -24,14 +24,14 @@ struct Material
 /// Stored types: signed and unsigned char, signed and unsigned short, float, double.
 constexpr int StoredTypes = 6;
 
-/// Whether points (x, y, z one after the other) are inside, 1 or 0.
+/// Whether points (consecutive x, y, z) are inside, 1 or 0.
 using Test = void (*)(const Material& material, const double* points, long count,
                       unsigned char* inside);
 
 /// As BrickLayout::Shift.
 constexpr int Shift = 3;
 
-/// What every instruction set offers, by the number of the stored type. B-spline coefficients are
+/// Functions of every instruction set, by the index of the stored type. B-spline coefficients are
 /// floating point: the last two.
 struct Kernel
 {
@@ -47,13 +47,13 @@ struct Arithmetic
   using Vector = typename Set::Vector;
   using Integers = typename Set::Integers;
   static constexpr int Lanes = Set::Lanes;
-  // Where Lanes points lie.
+  // Cells of Lanes points.
   struct Places
   {
     Vector U[3];
     Integers Brick;
     Integers FirstNode;
-    long long InGrid[Lanes]; // all bits, or none
+    long long InGrid[Lanes]; // all bits set, or none
   };
 
   static inline __attribute__((always_inline)) Vector Coordinate(const double* first)
@@ -68,8 +68,8 @@ struct Arithmetic
     }
   }
 
-  // Numbers of a vector or an array as doubles. Written out, which compilers turn into one
-  // instruction where there is one.
+  // Elements of a vector or an array as doubles. Written out, so that compilers emit one
+  // instruction where available.
   template <typename T>
   static inline __attribute__((always_inline)) Vector Widened(const T& from)
   {
@@ -121,7 +121,7 @@ struct Arithmetic
     return a * (1.0 - u) + b * u;
   }
 
-  // Two neighbours along i for each lane, as they follow each other in memory.
+  // Two neighbours along i for each lane, adjacent in memory.
   template <typename T>
   static inline __attribute__((always_inline)) void LoadTwo(const T* const* nodes, int offset,
                                                             Vector& first, Vector& second)
@@ -151,7 +151,7 @@ struct Arithmetic
     }
   }
 
-  // The values of Lanes points whose cells' first nodes these are.
+  // The values at Lanes points, given their cells' first nodes.
   template <int Side, typename T>
   static inline __attribute__((always_inline)) Vector
   LinearValue(const Material& m, const T* const* nodes, const Vector* u)
@@ -167,7 +167,7 @@ struct Arithmetic
     return Mean(Mean(rows[0], rows[1], u[1]), Mean(rows[2], rows[3], u[1]), u[2]);
   }
 
-  // The four basis functions of the cubic B-spline, as TricubicCell has them.
+  // The four basis functions of the cubic B-spline, as in TricubicCell.
   static inline __attribute__((always_inline)) void CubicWeights(const Vector& u, Vector* weights)
   {
     constexpr double Sixth = 1.0 / 6.0;
@@ -180,7 +180,7 @@ struct Arithmetic
     weights[3] = Sixth * high;
   }
 
-  // Four coefficients along i, less the iso-value, and sums of such.
+  // Four coefficients along i, minus the iso-value, and their sums.
   struct Row
   {
     static constexpr int Parts = 4 / Lanes;
@@ -210,7 +210,7 @@ struct Arithmetic
     }
   };
 
-  // The value of one point: along k, then j, then i, as TricubicCell sums.
+  // The value at one point: along k, then j, then i, in the order of TricubicCell.
   template <int Side, typename T>
   static inline __attribute__((always_inline)) double
   CubicValueOf(const T* nodes, double iso, const double* x, const double* y, const double* z)
@@ -267,7 +267,7 @@ struct Arithmetic
     for (int lane = 0; lane < Lanes; ++lane)
     {
       codes[lane] = m.Codes[places.Brick[lane]];
-      // Where the map says it all, any block will do.
+      // If the map decides alone, any block will do.
       const unsigned long block = codes[lane] < m.Filled ? codes[lane] : 0;
       nodes[lane] = static_cast<const T*>(m.Blocks) + block * m.Stride + places.FirstNode[lane];
     }
@@ -280,7 +280,7 @@ struct Arithmetic
     {
       value = LinearValue<Side>(m, nodes, places.U);
     }
-    // Sums and means of negated numbers are the negated ones, bit by bit.
+    // Sums and means of negated numbers are exactly the negated ones.
     const auto holds = m.Sign * value >= 0.0;
     for (int lane = 0; lane < Lanes; ++lane)
     {
@@ -294,7 +294,7 @@ struct Arithmetic
   static void AreInside(const Material& material, const double* points, long count,
                         unsigned char* inside)
   {
-    const Material m = material; // which answers cannot be part of
+    const Material m = material; // local copy: cannot alias the results
     long p = 0;
     for (; p + Lanes <= count; p += Lanes)
     {

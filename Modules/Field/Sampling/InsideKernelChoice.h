@@ -5,6 +5,6 @@
 
 namespace palpate::inside
 {
-/// The kernel for an instruction set that this processor has.
+/// The kernel for an instruction set, which this processor must support.
 const Kernel& KernelFor(InstructionSet set) noexcept;
 } // namespace palpate::inside

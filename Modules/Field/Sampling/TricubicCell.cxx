@@ -8,8 +8,8 @@ namespace
 {
 constexpr double Sixth = 1.0 / 6.0;
 
-// The four basis functions as polar forms: symmetric in x, y, z, linear in each, and the function's
-// value where all three are u.
+// The four basis functions as polar forms: symmetric in x, y, z, linear in each, and equal to the
+// function's value if all three are u.
 void PolarWeights(double x, double y, double z, double* weights)
 {
   const double x1 = 1.0 - x;
@@ -37,7 +37,7 @@ void Slopes(double u, double* slopes)
   slopes[3] = 0.5 * u * u;
 }
 
-// Along k, then j, then i: the order that inside tests of several points share (InsideKernel.h).
+// Along k, then j, then i: the order shared with inside tests of several points (InsideKernel.h).
 double Contract(const double* nodes, const double* x, const double* y, const double* z)
 {
   double slice[4] = {};

@@ -6,8 +6,8 @@
 namespace palpate
 {
 /// Cubic B-spline between the 64 coefficients that a cell needs; u runs from 0 to 1 along each
-/// axis. The weights are not negative, and at a face those of both cells are the same bit by bit,
-/// so that what TrilinearCell promises holds here too.
+/// axis. The weights are not negative, and on a face those of both cells are equal bit by bit, so
+/// that the guarantees of TrilinearCell hold here too.
 struct TricubicCell
 {
   static constexpr int Window = 4;
@@ -20,7 +20,7 @@ struct TricubicCell
   {
     channel.Load<Window>(block, firstNode, this->Nodes);
   }
-  /// Makes values of how far the condition holds: negative where it does not.
+  /// Converts values to the condition's margin: negative where it does not hold.
   void Relate(const FieldCondition& condition) noexcept { condition.Relate(this->Nodes, Count); }
 
   double Value(const double* u) const noexcept;

@@ -7,9 +7,9 @@ namespace palpate
 {
 /// Trilinear interpolation between the eight nodes of a cell; u runs from 0 to 1 along each axis.
 ///
-/// Values are means, taken axis after axis, as a (1 - u) + b u. In this form, rounded as it is, the
+/// Values are means, taken axis after axis, as a (1 - u) + b u. With the rounding of this form, the
 /// value on a face is the same bit by bit from both of its cells, and a value between nodes of one
-/// sign has that sign; a + u (b - a) promises neither. That is what keeps rays from leaking.
+/// sign has that sign; a + u (b - a) guarantees neither. This is what prevents rays from leaking.
 struct TrilinearCell
 {
   static constexpr int Window = 2;
@@ -22,7 +22,7 @@ struct TrilinearCell
   {
     channel.Load<Window>(block, firstNode, this->Nodes);
   }
-  /// Makes values of how far the condition holds: negative where it does not.
+  /// Converts values to the condition's margin: negative where it does not hold.
   void Relate(const FieldCondition& condition) noexcept { condition.Relate(this->Nodes, Count); }
 
   double Value(const double* u) const noexcept

@@ -9,7 +9,7 @@
 
 namespace palpate::test
 {
-/// The slow and obvious side: all samples in one piece, interpolated in long double by the textbook
+/// Brute-force reference: all samples in one array, interpolated in long double by the textbook
 /// formulas. The cubic B-spline's coefficients come from its linear equations, line by line.
 class DenseReference
 {

@@ -12,9 +12,8 @@
 
 namespace palpate::test
 {
-/// Bone as a scanner shows it: 1500 inside a ball and 0 outside, blurred at the edge, iso-value
-/// 300, in an oblique grid. A label, a second channel, limits another material: a nerve within the
-/// bone.
+/// Simulated scan of bone: 1500 inside a sphere and 0 outside, blurred at the edge, iso-value 300,
+/// in an oblique grid. A label, a second channel, limits another material: a nerve within the bone.
 class ScannedBone
 {
 public:
@@ -31,7 +30,7 @@ public:
       const double depth = radius - (p - this->Middle).norm();
       this->Bone.push_back(
           static_cast<float>(std::round(0.5 * Inside * (1.0 + std::tanh(depth / blur)))));
-      // Round an axis of the world beside the middle.
+      // Around an axis of the world off the centre.
       const Vector3 beside = p - this->Middle - Vector3(0.3 * radius, 0.0, 0.0);
       this->Nerve.push_back(static_cast<float>(0.12 * radius - std::hypot(beside[0], beside[1])));
     }

@@ -29,7 +29,7 @@ inline FieldGrid PlainGrid(const std::array<int, 3>& size)
   return {size, Vector3::Zero(), Vector3::Ones(), Matrix3::Identity()};
 }
 
-/// A field of one channel and one material, value >= iso; the test fails where it is refused.
+/// A field of one channel and one material, value >= iso; the test fails if Build does.
 template <typename T>
 std::shared_ptr<const ScalarField>
 MakeField(const FieldGrid& grid, const std::vector<T>& samples, double iso,
@@ -44,7 +44,7 @@ MakeField(const FieldGrid& grid, const std::vector<T>& samples, double iso,
   return field;
 }
 
-/// The sentence that Build refuses with; empty where it does not.
+/// Build's error message; empty on success.
 inline std::string RefusalOf(const FieldBuilder& builder)
 {
   std::shared_ptr<const ScalarField> field;
@@ -53,8 +53,8 @@ inline std::string RefusalOf(const FieldBuilder& builder)
   return status.Message();
 }
 
-/// Small whole numbers, many of them alike: values that equal the iso-value, saturated regions and
-/// saddles at nodes are the rule.
+/// Small whole numbers with many repetitions: values equal to the iso-value, saturated regions and
+/// saddles at nodes are frequent.
 template <typename T = double>
 std::vector<T> RandomSteps(const FieldGrid& grid, std::mt19937_64& random, int levels)
 {

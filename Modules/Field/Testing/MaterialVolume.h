@@ -40,7 +40,7 @@ public:
   std::vector<double> Second;
 };
 
-/// In the grid, a little beyond, on its nodes and faces.
+/// In the grid, slightly outside, on its nodes and faces.
 inline Vector3 RandomPointNear(const FieldGrid& grid, std::mt19937_64& random)
 {
   Vector3 p;

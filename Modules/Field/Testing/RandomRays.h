@@ -7,8 +7,8 @@
 
 namespace palpate::test
 {
-/// Rays in index coordinates as they go wrong: through nodes, along edges and faces, through
-/// corners diagonally, axis-parallel; and ordinary ones. They start outside or inside the grid.
+/// Rays in index coordinates, with difficult ones: through nodes, along edges and faces, through
+/// corners diagonally, axis-parallel. They start outside or inside the grid.
 inline FieldRay RandomRay(const FieldGrid& grid, std::mt19937_64& random)
 {
   std::normal_distribution<double> normal;

@@ -9,7 +9,7 @@
 
 namespace palpate::test
 {
-/// A random volume with a field and all that the oracle needs.
+/// A random volume with a field and the data for the oracle.
 struct RandomVolume
 {
   FieldGrid Grid;

@@ -139,7 +139,7 @@ std::string RayOracle::FaultOfHit(const FieldRay& ray, const FieldHit& hit) cons
   const Real before = this->Relation(ray, hit.T - hit.ErrorT);
   const Real after = this->Relation(ray, hit.T + hit.ErrorT);
   const Real sign = hit.IsEntering ? 1 : -1;
-  // The bound holds the exact crossing, unless the ray grazes there: then all three are zero.
+  // The bound contains the exact crossing, unless the ray grazes there: then all three are zero.
   constexpr Real Tiny = 1e-16L;
   const bool isBound = sign * before <= Tiny && sign * after >= -Tiny;
   if (!isBound && std::abs(at) > this->Tolerance)
@@ -177,7 +177,7 @@ std::string RayOracle::Fault(const FieldRay& ray, double tMin, double tMax,
   const Interval asked{std::max<Real>(grid.From, tMin), std::min<Real>(grid.To, tMax)};
   if (!(asked.To - asked.From > 1e-9L))
   {
-    return {}; // passes by, or no more than a corner: rounding decides
+    return {}; // grazes, or touches only a corner: rounding decides
   }
   if (hit.Kind != HitKind::Missed && !(hit.T >= tMin && hit.T <= tMax))
   {
@@ -196,7 +196,7 @@ std::string RayOracle::Fault(const FieldRay& ray, double tMin, double tMax,
   }
   if (hit.Kind == HitKind::Surface)
   {
-    fault = hit.IsEntering == isInside ? Sentence("crosses to where it is", hit.T, 0)
+    fault = hit.IsEntering == isInside ? Sentence("crosses to its own side", hit.T, 0)
                                        : this->FaultOfHit(ray, hit);
   }
   const Real until = hit.Kind == HitKind::Missed ? asked.To : static_cast<Real>(hit.T) - hit.ErrorT;

@@ -16,9 +16,9 @@ struct DenseCondition
   double Iso;
 };
 
-/// Judges a ray's answer by looking at the material's field everywhere on the ray, cell by cell, in
+/// Checks a ray's hit by evaluating the material's field everywhere on the ray, cell by cell, in
 /// long double: at the ends of cells, at the extrema between them where these are exact (one
-/// condition, trilinear), and at many points between.
+/// condition, trilinear), and at many points in between.
 class RayOracle
 {
 public:
@@ -31,9 +31,9 @@ public:
   {
   }
 
-  /// How far all conditions hold on the ray; negative where one does not.
+  /// Margin of all conditions on the ray; negative where one does not hold.
   Real Relation(const FieldRay& rayIndex, Real t) const;
-  /// What is wrong with the answer; empty where nothing is.
+  /// Describes an error of the hit; empty if it is correct.
   std::string Fault(const FieldRay& rayIndex, double tMin, double tMax, const FieldHit& hit) const;
 
 private:
@@ -45,7 +45,8 @@ private:
   std::string FaultAtBorder(const FieldRay& ray, const Interval& grid, double tMin,
                             const FieldHit& hit) const;
   std::string FaultOfHit(const FieldRay& ray, const FieldHit& hit) const;
-  /// Whether the field is surely on the other side somewhere in between; says where.
+  /// Whether the field is certainly on the other side somewhere in the interval; `where` is its
+  /// place.
   bool Contradicts(const FieldRay& ray, const Interval& interval, bool isInside, Real& where) const;
   std::vector<Real> PlaneCrossings(const FieldRay& ray, const Interval& interval) const;
   void AddExtrema(const FieldRay& ray, Real from, Real to, std::vector<Real>& places) const;
@@ -53,6 +54,6 @@ private:
   std::array<int, 3> Size;
   std::vector<DenseCondition> Conditions;
   FieldInterpolation Interpolation;
-  double Tolerance; ///< of values that are compared with the iso-value
+  double Tolerance; ///< of comparisons with the iso-value
 };
 } // namespace palpate::test

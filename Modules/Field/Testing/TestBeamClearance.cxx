@@ -19,7 +19,7 @@ Vector3 RandomVector(std::mt19937_64& random, double size)
   return {x, y, part(random)};
 }
 
-// Rays of a picture's part: four corners.
+// Rays of an image tile: four corners.
 struct Bundle
 {
   FieldRay Corners[4];
@@ -36,7 +36,7 @@ struct Bundle
   }
 };
 
-// In perspective, in parallel, or along an axis.
+// Perspective, parallel, or along an axis.
 Bundle RandomBundle(std::mt19937_64& random, const FieldGrid& grid, double width)
 {
   const Vector3 size(grid.Size()[0], grid.Size()[1], grid.Size()[2]);
@@ -48,7 +48,7 @@ Bundle RandomBundle(std::mt19937_64& random, const FieldGrid& grid, double width
                 : Vector3(0.5 * size + RandomVector(random, 80.0));
   const Vector3 across = RandomVector(random, width);
   const Vector3 up = RandomVector(random, width);
-  // The picture's near plane, beyond which some rays are in the grid already.
+  // The image's near plane, beyond which some rays are already in the grid.
   const double near = std::uniform_real_distribution<double>(0.0, 1.0)(random);
   Bundle bundle;
   for (int corner = 0; corner < 4; ++corner)
@@ -91,7 +91,7 @@ void ExpectSameHits(const std::shared_ptr<const ScalarField>& field, std::mt1993
   }
 }
 
-// Small balls far apart.
+// Small spheres far apart.
 struct BallsField
 {
   std::vector<test::SphereField> Balls;
@@ -107,7 +107,7 @@ struct BallsField
   }
 };
 
-TEST(BeamClearance, SkipsNoBallOfMany)
+TEST(BeamClearance, SkipsNoneOfManySpheres)
 {
   std::mt19937_64 random(73);
   int skipped = 0;
@@ -126,7 +126,7 @@ TEST(BeamClearance, SkipsNoBallOfMany)
   EXPECT_GT(skipped, 900);
 }
 
-TEST(BeamClearance, SkipsNoHitOfAnyRayInTheBeam)
+TEST(BeamClearance, SkipsNoHitOfAnyRay)
 {
   std::mt19937_64 random(71);
   int skipped = 0;
@@ -140,7 +140,7 @@ TEST(BeamClearance, SkipsNoHitOfAnyRayInTheBeam)
   EXPECT_GT(skipped, 300);
 }
 
-TEST(BeamClearance, SkipsNoBorderOfAMaterialThatTheGridEnds)
+TEST(BeamClearance, SkipsNoMaterialAtTheGridBorder)
 {
   std::mt19937_64 random(72);
   int skipped = 0;
@@ -152,8 +152,8 @@ TEST(BeamClearance, SkipsNoBorderOfAMaterialThatTheGridEnds)
   EXPECT_GT(skipped, 30);
 }
 
-// Bricks of which each has some surface: what is skipped is skipped by cells.
-TEST(BeamClearance, SkipsNoSheetBetweenCellsThatAreFree)
+// Bricks that each contain some surface: only cells are skipped.
+TEST(BeamClearance, SkipsNoSheetBetweenFreeCells)
 {
   std::mt19937_64 random(74);
   const FieldGrid grid = test::PlainGrid({70, 61, 83});
@@ -172,8 +172,8 @@ TEST(BeamClearance, SkipsNoSheetBetweenCellsThatAreFree)
   EXPECT_GT(skipped, 300);
 }
 
-// The beam is wider than what is known to be empty round its middle.
-TEST(BeamClearance, SkipsNothingBesideItsMiddle)
+// The beam is wider than the region known to be empty around its centre.
+TEST(BeamClearance, SkipsNothingOffTheCentralRay)
 {
   const FieldGrid grid = test::PlainGrid({120, 120, 120});
   const test::SphereField sphere{{20.0, 60.0, 60.0}, 6.0};
@@ -184,11 +184,11 @@ TEST(BeamClearance, SkipsNothingBesideItsMiddle)
     const Vector3 origin(corner % 2 == 0 ? 16.0 : 104.0, corner / 2 == 0 ? 50.0 : 70.0, -30.0);
     corners[corner] = {origin, Vector3::UnitZ()};
   }
-  // The ball is met by the ray over its middle at z = 54.
+  // The ray above the sphere's centre meets it at z = 54.
   EXPECT_LE(ClearUntil(*field, BeamOf(corners), 0.0, 1000.0), 84.0);
 }
 
-TEST(BeamClearance, IsTheWholeIntervalWhereNothingIsMet)
+TEST(BeamClearance, IsTheWholeIntervalWithoutSurface)
 {
   const FieldGrid grid = test::PlainGrid({70, 70, 70});
   const test::SphereField sphere{{20.0, 20.0, 20.0}, 6.0};
@@ -213,7 +213,7 @@ TEST(BeamClearance, EndsNearTheSurface)
   const FieldRay ray{{35.0, 35.0, -50.0}, Vector3::UnitZ()};
   const FieldRay corners[4] = {ray, ray, ray, ray};
   const double clear = ClearUntil(*field, BeamOf(corners), 0.0, 1000.0);
-  // The surface is met at z = 29, where its cell begins to be one that has a surface.
+  // The surface is at z = 29, where the first cell with a surface begins.
   EXPECT_LE(clear, 79.0);
   EXPECT_GE(clear, 50.0 + 28.0 - 1e-3);
 }

@@ -50,7 +50,7 @@ std::vector<double> WithRoots(const std::vector<double>& roots, double sign)
   return scaled;
 }
 
-TEST(BernsteinCrossings, FindsTheRootsThatAPolynomialWasMadeOf)
+TEST(BernsteinCrossings, FindsTheKnownRoots)
 {
   std::mt19937_64 random(41);
   std::uniform_real_distribution<double> place(-0.5, 1.5);
@@ -69,7 +69,7 @@ TEST(BernsteinCrossings, FindsTheRootsThatAPolynomialWasMadeOf)
     }
     if (nearest < 0.02)
     {
-      continue; // ill-conditioned, which is not the question here
+      continue; // ill-conditioned, which is not tested here
     }
     const std::vector<double> coefficients = WithRoots(roots, round % 4 < 2 ? 1.0 : -1.0);
     const std::vector<double> found =
@@ -85,7 +85,7 @@ TEST(BernsteinCrossings, FindsTheRootsThatAPolynomialWasMadeOf)
   }
 }
 
-TEST(BernsteinCrossings, HaveTheParityOfTheEnds)
+TEST(BernsteinCrossings, CountHasTheParityOfTheEndSigns)
 {
   std::mt19937_64 random(42);
   for (int round = 0; round < 20000; ++round)
@@ -111,14 +111,14 @@ TEST(BernsteinCrossings, ZerosAtTheEndsAreInside)
   EXPECT_EQ(CrossingsOf<3>({0, 0, 0, 0}), (std::vector<double>{}));
   EXPECT_EQ(CrossingsOf<3>({0, -1, -1, -1}), (std::vector<double>{0.0}));
   EXPECT_EQ(CrossingsOf<3>({-1, -1, -1, 0}), (std::vector<double>{1.0}));
-  // (1 - u) u (2 u - 1) is zero at both ends and in the middle.
+  // (1 - u) u (2 u - 1) is zero at both ends and at 1/2.
   EXPECT_EQ(CrossingsOf<3>({0, -1, 1, 0}), (std::vector<double>{0.0, 0.5}));
   EXPECT_EQ(CrossingsOf<3>({0, 1, -1, 0}), (std::vector<double>{0.5, 1.0}));
 }
 
-// 2 u^3 - 5 u^2 + 3 u - 1/2 = (u - 1/2) (2 u^2 - 4 u + 1): halving puts a root on the cut, and the
-// left half has another one just at its end, or just beyond.
-TEST(BernsteinCrossings, ARootOnTheCutDoesNotHideItsNeighbour)
+// 2 u^3 - 5 u^2 + 3 u - 1/2 = (u - 1/2) (2 u^2 - 4 u + 1): bisection puts a root on the cut, and
+// the left half has another one at its end, or just beyond.
+TEST(BernsteinCrossings, FindsNeighboursOfARootAtTheBisection)
 {
   const std::vector<double> whole = CrossingsOf<3>({-0.5, 0.5, -1.0 / 6.0, -0.5});
   ASSERT_EQ(whole.size(), 2u);
@@ -135,7 +135,7 @@ TEST(BernsteinCrossings, ARootOnTheCutDoesNotHideItsNeighbour)
   }
 }
 
-TEST(BernsteinCrossings, TellsTwoCrossingsApartDownToRounding)
+TEST(BernsteinCrossings, SeparatesTwoCrossingsDownToRounding)
 {
   for (const double gap : {1e-2, 1e-4, 1e-6})
   {
@@ -145,7 +145,7 @@ TEST(BernsteinCrossings, TellsTwoCrossingsApartDownToRounding)
   }
 }
 
-TEST(BernsteinCrossings, ValueAndSlopeAreThoseOfThePolynomial)
+TEST(BernsteinCrossings, ValueAndSlopeMatchThePolynomial)
 {
   // u^3 and its derivative.
   const double coefficients[] = {0.0, 0.0, 0.0, 1.0};

@@ -18,7 +18,7 @@ double ValueAt(const Corners& c, double u, double v, double w)
   return mean(low, high, w);
 }
 
-// The slow way: a fine lattice of points.
+// Brute force: a fine lattice of points.
 double PartByCounting(const Corners& corners)
 {
   constexpr int Points = 60;
@@ -36,13 +36,13 @@ double PartByCounting(const Corners& corners)
   return inside / std::pow(Points, 3);
 }
 
-TEST(CellVolume, CellsWithoutSurfaceAreWholeOrEmpty)
+TEST(CellVolume, CellsWithoutSurfaceAreFullOrEmpty)
 {
   EXPECT_EQ(InsidePartOfCell({{0, 1, 2, 3, 4, 5, 6, 7}}), 1.0);
   EXPECT_EQ(InsidePartOfCell({{-0.5, -1, -2, -3, -4, -5, -6, -7}}), 0.0);
 }
 
-TEST(CellVolume, OfTwoValuesCountsWhereBothAreNotNegative)
+TEST(CellVolume, CountsWhereBothValuesAreNonNegative)
 {
   std::mt19937_64 random(4);
   std::uniform_real_distribution<double> value(-1.0, 1.0);
@@ -63,7 +63,7 @@ TEST(CellVolume, OfTwoValuesCountsWhereBothAreNotNegative)
       const double w = (n / Points / Points + 0.5) / Points;
       inside += ValueAt(two[0], u, v, w) >= 0 && ValueAt(two[1], u, v, w) >= 0;
     }
-    // As a single surface that bends much, and creases where two meet.
+    // As a single surface with strong curvature, and creases where two meet.
     EXPECT_NEAR(InsidePartOfCell(two, 2), inside / std::pow(Points, 3), 0.05);
     EXPECT_LE(InsidePartOfCell(two, 2), InsidePartOfCell(two[0]));
     EXPECT_EQ(InsidePartOfCell(two, 1), InsidePartOfCell(two[0]));
@@ -79,12 +79,12 @@ TEST(CellVolume, SlabsAlongEveryAxisAreExact)
     {
       corners[n] = (n >> axis & 1) == 0 ? -0.25 : 0.75;
     }
-    // Along i and j, Gauss' rule sees a step, of which it can be off by one weight.
+    // Along i and j, Gauss' rule integrates a step, with an error of up to one weight.
     EXPECT_NEAR(InsidePartOfCell(corners), 0.75, axis == 2 ? 1e-15 : 0.08) << axis;
   }
 }
 
-TEST(CellVolume, BothSidesOfASurfaceMakeUpTheCell)
+TEST(CellVolume, BothSidesSumToTheCell)
 {
   std::mt19937_64 random(1);
   std::normal_distribution<double> value;
@@ -101,7 +101,7 @@ TEST(CellVolume, BothSidesOfASurfaceMakeUpTheCell)
   }
 }
 
-TEST(CellVolume, RandomCellsAgreeWithCountingPoints)
+TEST(CellVolume, RandomCellsAgreeWithPointCounts)
 {
   std::mt19937_64 random(2);
   std::normal_distribution<double> value;
@@ -118,7 +118,7 @@ TEST(CellVolume, RandomCellsAgreeWithCountingPoints)
     EXPECT_NEAR(error, 0.0, 0.08) << trial; // kinks between Gauss' points: up to a weight
     sum += error;
   }
-  // Errors have no preference: their mean is a tenth of what one may be, and less.
+  // Errors are unbiased: their mean is at most a tenth of a single one.
   EXPECT_NEAR(sum / Trials, 0.0, 0.002);
 }
 } // namespace

@@ -16,7 +16,7 @@ CutPose At(const Vector3& position)
   return {position, Eigen::Quaterniond::Identity()};
 }
 
-// A block of values 1 (iso-value 0) and what tools removed of it.
+// A block of values 1 (iso-value 0), and what tools removed from it.
 class Block
 {
 public:
@@ -87,7 +87,7 @@ private:
   {
     return static_cast<std::size_t>((k * this->Size[1] + j) * this->Size[0] + i);
   }
-  // The middle is the origin.
+  // The centre is the origin.
   Vector3 PointWorld(int i, int j, int k) const
   {
     const Vector3 middle(this->Size[0] / 2, this->Size[1] / 2, this->Size[2] / 2);
@@ -105,7 +105,7 @@ double BallVolume(double radius)
   return 4.0 / 3.0 * M_PI * std::pow(radius, 3);
 }
 
-TEST(CutSweep, OfASphereIsACapsule)
+TEST(CutSweep, SphereSweepsACapsule)
 {
   const CutSweep sweep(CutTool::Sphere(1.0), At(Vector3::Zero()), At(Vector3(4.0, 0.0, 0.0)), 0.1);
   EXPECT_DOUBLE_EQ(sweep.Distance(Vector3(2.0, 3.0, 0.0)), 2.0);
@@ -114,7 +114,7 @@ TEST(CutSweep, OfASphereIsACapsule)
   EXPECT_DOUBLE_EQ(sweep.Distance(Vector3(1.0, 0.0, 0.0)), -1.0);
 }
 
-TEST(CutSweep, WithoutAWayIsTheTool)
+TEST(CutSweep, WithoutMotionEqualsTheTool)
 {
   std::mt19937_64 random(5);
   std::uniform_real_distribution<double> place(-5.0, 5.0);
@@ -129,7 +129,7 @@ TEST(CutSweep, WithoutAWayIsTheTool)
   }
 }
 
-TEST(CutSweep, NoPlaceOnTheWayIsLeftOut)
+TEST(CutSweep, CoversEveryPoseOnThePath)
 {
   constexpr double Step = 0.1;
   std::mt19937_64 random(6);
@@ -144,13 +144,13 @@ TEST(CutSweep, NoPlaceOnTheWayIsLeftOut)
     const Vector3 inTool(0.0, 0.0, 6.0 * part(random) - 3.0);
     const Vector3 point = (1.0 - t) * from.PositionWorld + t * to.PositionWorld +
                           from.Orientation.slerp(t, to.Orientation) * inTool;
-    // On the axis, or half a step from where it was.
+    // On the axis, or half a step from there.
     EXPECT_LE(sweep.Distance(point), tool.Distance(inTool) + 0.5 * Step);
     EXPECT_TRUE(sweep.BoundsWorld().contains(point));
   }
 }
 
-TEST(CutSweep, ABallRemovesItsVolumeWithinOneInAHundredFromThreeVoxelsOn)
+TEST(CutSweep, SphereRemovesItsVolumeWithinOnePercentFromThreeVoxels)
 {
   std::mt19937_64 random(7);
   std::uniform_real_distribution<double> offset(-0.5, 0.5);
@@ -166,7 +166,7 @@ TEST(CutSweep, ABallRemovesItsVolumeWithinOneInAHundredFromThreeVoxelsOn)
   }
 }
 
-TEST(CutSweep, AStrokeRemovesACapsuleWithinOneInAHundred)
+TEST(CutSweep, StrokeRemovesACapsuleWithinOnePercent)
 {
   std::mt19937_64 random(8);
   std::uniform_real_distribution<double> offset(-0.5, 0.5);
@@ -176,7 +176,7 @@ TEST(CutSweep, AStrokeRemovesACapsuleWithinOneInAHundred)
     Block block(1.0, Vector3::Constant(10.0), test::RandomOrientation(random));
     const Vector3 from(offset(random) - 4.0, offset(random), offset(random));
     const Vector3 to(offset(random) + 4.0, offset(random), offset(random));
-    // Tick by tick, as a hand goes.
+    // In ticks, as a hand moves.
     constexpr int Ticks = 50;
     for (int tick = 0; tick < Ticks; ++tick)
     {
@@ -188,9 +188,9 @@ TEST(CutSweep, AStrokeRemovesACapsuleWithinOneInAHundred)
   }
 }
 
-TEST(CutSweep, TheRemovedVolumeConvergesWithTheSpacingInSecondOrder)
+TEST(CutSweep, RemovedVolumeConvergesWithOrderTwo)
 {
-  // The mean over many places of the ball in a voxel, so that what remains is no chance.
+  // The mean over many positions of the sphere in a voxel, so that the rest is systematic.
   const auto error = [](double spacing)
   {
     std::mt19937_64 random(9);

@@ -9,7 +9,7 @@ namespace palpate
 {
 namespace
 {
-// A ball of 2 mm as samples, 0.25 mm apart.
+// A sphere of 2 mm as samples, 0.25 mm apart.
 CutTool SampledBall(double radius)
 {
   const FieldGrid grid({25, 25, 25}, Vector3::Constant(-3.0), Vector3::Constant(0.25),
@@ -28,7 +28,7 @@ CutTool SampledBall(double radius)
   return CutTool::Surface(grid, distances);
 }
 
-TEST(CutTool, ASphereIsItsRadiusFromItsMiddle)
+TEST(CutTool, SphereDistanceIsExact)
 {
   const CutTool tool = CutTool::Sphere(1.5);
   EXPECT_DOUBLE_EQ(tool.Distance(Vector3(3.0, 0.0, 4.0)), 3.5);
@@ -36,7 +36,7 @@ TEST(CutTool, ASphereIsItsRadiusFromItsMiddle)
   EXPECT_DOUBLE_EQ(tool.BoundingRadius(), 1.5);
 }
 
-TEST(CutTool, ACylinderHasSidesEndsAndAnEdge)
+TEST(CutTool, CylinderDistanceIsExactAtSideEndAndEdge)
 {
   const CutTool tool = CutTool::Cylinder(1.0, 6.0);
   EXPECT_DOUBLE_EQ(tool.Distance(Vector3(3.0, 0.0, 1.0)), 2.0);
@@ -46,7 +46,7 @@ TEST(CutTool, ACylinderHasSidesEndsAndAnEdge)
   EXPECT_NEAR(tool.Distance(Vector3(0.0, 0.0, -2.9)), -0.1, 1e-15);
 }
 
-TEST(CutTool, ASampledSurfaceIsItsSamples)
+TEST(CutTool, SampledSurfaceInterpolatesItsSamples)
 {
   std::mt19937_64 random(3);
   std::uniform_real_distribution<double> place(-3.0, 3.0);
@@ -55,20 +55,20 @@ TEST(CutTool, ASampledSurfaceIsItsSamples)
   for (int trial = 0; trial < 1000; ++trial)
   {
     const Vector3 point(place(random), place(random), place(random));
-    // Between nodes a distance bends by at most its second derivative, 1 / |p|.
+    // Between nodes a distance curves by at most its second derivative, 1 / |p|.
     const double bend = 0.25 * 0.25 * 3.0 / 8.0 / std::max(point.norm(), 0.25);
     EXPECT_NEAR(tool.Distance(point), point.norm() - 2.0, bend);
   }
 }
 
-TEST(CutTool, BeyondItsGridASampledSurfaceIsFartherAway)
+TEST(CutTool, SampledDistanceGrowsBeyondItsGrid)
 {
   const CutTool tool = SampledBall(2.0);
   EXPECT_NEAR(tool.Distance(Vector3(8.0, 0.0, 0.0)), 6.0, 1e-12);
   EXPECT_GE(tool.Distance(Vector3(5.0, 5.0, 5.0)), std::sqrt(75.0) - 2.0 - 1e-12);
 }
 
-TEST(CutTool, EverythingInsideIsWithinTheBoundingRadius)
+TEST(CutTool, BoundingRadiusContainsTheInside)
 {
   std::mt19937_64 random(4);
   std::uniform_real_distribution<double> place(-6.0, 6.0);
@@ -82,7 +82,7 @@ TEST(CutTool, EverythingInsideIsWithinTheBoundingRadius)
   }
 }
 
-TEST(CutTool, RefusesWhatIsNoTool)
+TEST(CutTool, RejectsInvalidTools)
 {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   for (const double length : {0.0, -1.0, nan, static_cast<double>(INFINITY)})

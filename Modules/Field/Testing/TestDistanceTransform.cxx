@@ -32,7 +32,7 @@ bool IsReached(std::array<int, 3> to, std::array<int, 3> from, DistanceDomain do
   return domain == DistanceDomain::Space || to[axis] == from[axis];
 }
 
-// The nearest voxel of the other kind, by looking at all.
+// The nearest voxel of the other kind, by brute force.
 double SlowDistance(const palpate::VoxelMask& mask, std::array<int, 3> from, unsigned char value,
                     DistanceDomain domain)
 {
@@ -55,7 +55,7 @@ double SlowDistance(const palpate::VoxelMask& mask, std::array<int, 3> from, uns
   return nearest;
 }
 
-TEST(DistanceTransform, AgreesWithTheSlowSearchAtEverySpacing)
+TEST(DistanceTransform, EqualsBruteForceAtEverySpacing)
 {
   std::mt19937_64 random(8);
   const std::array<std::array<double, 3>, 5> spacings{
@@ -91,7 +91,7 @@ TEST(DistanceTransform, AgreesWithTheSlowSearchAtEverySpacing)
   }
 }
 
-TEST(DistanceTransform, IsInfiniteWhereNothingElseIs)
+TEST(DistanceTransform, IsInfiniteWithoutOtherVoxels)
 {
   palpate::VoxelMask mask;
   mask.Size = {2, 3, 2};

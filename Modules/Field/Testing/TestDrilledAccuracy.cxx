@@ -12,7 +12,7 @@ using test::Drill;
 using test::ScannedBone;
 using test::VersionOf;
 
-// A ball of bone with blurred edges, in voxels of a size (mm) in an oblique grid.
+// A sphere of bone with blurred edges, in voxels of a size (mm) in an oblique grid.
 ScannedBone BoneOf(double spacing, double radius, std::mt19937_64& random)
 {
   const int side = 2 * static_cast<int>(std::ceil((radius + 1.0) / spacing)) + 2;
@@ -32,7 +32,7 @@ Vector3 RandomOffset(double length, std::mt19937_64& random)
   return length * Vector3(part(random), part(random), part(random));
 }
 
-TEST(DrilledAccuracy, ABallRemovesItsVolumeWithinOneInAHundredFromThreeVoxelsOn)
+TEST(DrilledAccuracy, SphereRemovesItsVolumeWithinOnePercentFromThreeVoxels)
 {
   std::mt19937_64 random(51);
   for (const double spacing : {0.3, 0.5, 1.0})
@@ -53,7 +53,7 @@ TEST(DrilledAccuracy, ABallRemovesItsVolumeWithinOneInAHundredFromThreeVoxelsOn)
   }
 }
 
-TEST(DrilledAccuracy, AStrokeTickByTickRemovesACapsuleWithinOneInAHundred)
+TEST(DrilledAccuracy, StrokeOfTicksRemovesACapsuleWithinOnePercent)
 {
   std::mt19937_64 random(52);
   for (const double spacing : {0.3, 0.5, 1.0})
@@ -74,11 +74,11 @@ TEST(DrilledAccuracy, AStrokeTickByTickRemovesACapsuleWithinOneInAHundred)
   }
 }
 
-// At the blurred edge, of the bone's ball and the tool's what they have in common. The bone's
-// radius is what removing all of it says: interpolated, its edge lies a little farther out than it
-// was. The rim of what is drilled is sharp and loses what a straight line between nodes cuts off,
-// of second order too.
-TEST(DrilledAccuracy, AtTheBonesEdgeWhatIsInTheBoneCounts)
+// At the blurred edge: the intersection of the bone's sphere and the tool's. The bone's radius is
+// the one whose volume is that of removing everything: interpolated, its edge lies slightly farther
+// out than it was. The rim of the hole is sharp and loses what a straight line between nodes cuts
+// off, of second order too.
+TEST(DrilledAccuracy, CountsOnlyVolumeInsideTheMaterial)
 {
   std::mt19937_64 random(53);
   constexpr double Tool = 2.5;
@@ -103,9 +103,9 @@ TEST(DrilledAccuracy, AtTheBonesEdgeWhatIsInTheBoneCounts)
   }
 }
 
-TEST(DrilledAccuracy, TheRemovedVolumeConvergesWithTheSpacingInSecondOrder)
+TEST(DrilledAccuracy, RemovedVolumeConvergesWithOrderTwo)
 {
-  // The mean over places of the ball in a voxel, so that what remains is no chance.
+  // The mean over positions of the sphere in a voxel, so that the rest is systematic.
   const auto error = [](double spacing)
   {
     std::mt19937_64 random(54);
@@ -128,7 +128,7 @@ TEST(DrilledAccuracy, TheRemovedVolumeConvergesWithTheSpacingInSecondOrder)
   EXPECT_LT(error(0.25), coarse / 13.0);
 }
 
-TEST(DrilledAccuracy, ACanalHasTheToolsRadiusWithinATenthOfAVoxel)
+TEST(DrilledAccuracy, CanalRadiusEqualsTheToolsWithinATenthOfAVoxel)
 {
   std::mt19937_64 random(55);
   constexpr double Spacing = 0.5;

@@ -19,7 +19,7 @@ using test::SamplesNow;
 using test::ScannedBone;
 using test::VersionOf;
 
-// An oblique grid whose voxels are not cubes, with a ball of bone in it.
+// An oblique grid whose voxels are not cubes, with a sphere of bone in it.
 class DrilledFieldTest : public testing::Test
 {
 protected:
@@ -29,7 +29,7 @@ protected:
     return this->Bone.Middle +
            Vector3(part(this->Random), part(this->Random), part(this->Random)) * Radius;
   }
-  // With one of several tools, through bone or beside it.
+  // With one of several tools, through bone or next to it.
   void CutSomewhere(DrilledField& drilled)
   {
     const std::vector<CutTool> tools{CutTool::Sphere(1.5), CutTool::Sphere(2.5),
@@ -65,7 +65,7 @@ protected:
       0.7};
 };
 
-TEST_F(DrilledFieldTest, AVersionHasTheBitsOfAFieldBuiltAfresh)
+TEST_F(DrilledFieldTest, VersionHasTheBitsOfANewlyBuiltField)
 {
   const auto drilled = Drill(*this->Bone.Make(this->Bone.Bone));
   for (int round = 0; round < 10; ++round)
@@ -82,7 +82,7 @@ TEST_F(DrilledFieldTest, AVersionHasTheBitsOfAFieldBuiltAfresh)
   }
 }
 
-TEST_F(DrilledFieldTest, WhereAllIsStoredValuesAndGradientsHaveTheSameBitsToo)
+TEST_F(DrilledFieldTest, FullyStoredFieldHasSameValuesAndGradients)
 {
   constexpr double Everywhere = 1e3; // mm
   const auto drilled = Drill(*this->Bone.Make(this->Bone.Bone, Everywhere));
@@ -103,8 +103,8 @@ TEST_F(DrilledFieldTest, WhereAllIsStoredValuesAndGradientsHaveTheSameBitsToo)
   }
 }
 
-// The oracle of a node's value, from what the sweeps are alone.
-TEST_F(DrilledFieldTest, SamplesAreWhatTheDistancesOfNodesAndTheirNeighboursSay)
+// Oracle of a node's value, from the sweeps alone.
+TEST_F(DrilledFieldTest, SamplesFollowFromDistances)
 {
   const auto drilled = Drill(*this->Bone.Make());
   for (int n = 0; n < 5; ++n)
@@ -140,7 +140,7 @@ TEST_F(DrilledFieldTest, SamplesAreWhatTheDistancesOfNodesAndTheirNeighboursSay)
   EXPECT_GT(changed, 500);
 }
 
-TEST_F(DrilledFieldTest, AForbiddenMaterialNeverChanges)
+TEST_F(DrilledFieldTest, ForbiddenMaterialNeverChanges)
 {
   const auto field = this->Bone.Make();
   const auto drilled = Drill(*field);
@@ -163,7 +163,7 @@ TEST_F(DrilledFieldTest, AForbiddenMaterialNeverChanges)
   }
 }
 
-TEST_F(DrilledFieldTest, UndoAndRedoGoThroughTheSameStates)
+TEST_F(DrilledFieldTest, UndoAndRedoVisitTheSameStates)
 {
   const auto drilled = Drill(*this->Bone.Make());
   std::vector<std::vector<float>> states{SamplesNow(*drilled, this->Bone)};
@@ -206,7 +206,7 @@ TEST_F(DrilledFieldTest, UndoAndRedoGoThroughTheSameStates)
   }
 }
 
-TEST_F(DrilledFieldTest, UndoTakesBackAStrokeThatIsNotEnded)
+TEST_F(DrilledFieldTest, UndoRevertsAnOpenStroke)
 {
   const auto drilled = Drill(*this->Bone.Make());
   this->CutSomewhere(*drilled);
@@ -219,7 +219,7 @@ TEST_F(DrilledFieldTest, UndoTakesBackAStrokeThatIsNotEnded)
   EXPECT_NE(SamplesNow(*drilled, this->Bone), state);
 }
 
-TEST_F(DrilledFieldTest, ACutAfterUndoForgetsWhatCouldBeRedone)
+TEST_F(DrilledFieldTest, CutAfterUndoDiscardsRedo)
 {
   const auto drilled = Drill(*this->Bone.Make());
   CutWay(*drilled, CutTool::Sphere(2.0), this->Bone.Middle, this->Bone.Middle);
@@ -233,7 +233,7 @@ TEST_F(DrilledFieldTest, ACutAfterUndoForgetsWhatCouldBeRedone)
   EXPECT_EQ(drilled->RemovedVolume(), volume);
 }
 
-TEST_F(DrilledFieldTest, ResetIsTheBeginningAndCanBeUndone)
+TEST_F(DrilledFieldTest, ResetRestoresTheStartAndCanBeUndone)
 {
   const auto field = this->Bone.Make();
   const auto drilled = Drill(*field);
@@ -250,7 +250,7 @@ TEST_F(DrilledFieldTest, ResetIsTheBeginningAndCanBeUndone)
   EXPECT_EQ(SamplesNow(*drilled, this->Bone), state);
 }
 
-TEST_F(DrilledFieldTest, AStrokeTakesTheMemoryOfWhatItChanged)
+TEST_F(DrilledFieldTest, StrokeCostsOnlyChangedMemory)
 {
   const auto drilled = Drill(*this->Bone.Make());
   std::size_t before = drilled->HistoryBytes();
@@ -259,14 +259,14 @@ TEST_F(DrilledFieldTest, AStrokeTakesTheMemoryOfWhatItChanged)
     CutWay(*drilled, CutTool::Sphere(1.0), this->Bone.Middle, this->RandomPoint());
     drilled->EndStroke();
     const std::size_t bytes = drilled->HistoryBytes();
-    // Blocks that it changed as they were before, and pages of pointers to them: of the whole grid
-    // at most, here 150 blocks of 2 kB and one page of 8 kB.
+    // Previous copies of the changed blocks, and pages of pointers to them: of the whole grid at
+    // most, here 150 blocks of 2 kB and one page of 8 kB.
     EXPECT_LE(bytes - before, std::size_t{150} * 2056 + 8200 + 1024);
     before = bytes;
   }
 }
 
-TEST_F(DrilledFieldTest, AHistoryOfLittleMemoryForgetsTheOldestStrokes)
+TEST_F(DrilledFieldTest, LimitedHistoryDiscardsTheOldestStrokes)
 {
   const auto drilled = Drill(*this->Bone.Make());
   constexpr std::size_t Most = 400000;
@@ -286,7 +286,7 @@ TEST_F(DrilledFieldTest, AHistoryOfLittleMemoryForgetsTheOldestStrokes)
   EXPECT_LT(undone, 60);
 }
 
-TEST_F(DrilledFieldTest, TheRemovedVolumeDoesNotDependOnTheOrderNorOnWhenItIsAsked)
+TEST_F(DrilledFieldTest, RemovedVolumeIsIndependentOfOrderAndQueries)
 {
   constexpr int Ways = 8;
   std::vector<std::pair<Vector3, Vector3>> ways;
@@ -310,7 +310,7 @@ TEST_F(DrilledFieldTest, TheRemovedVolumeDoesNotDependOnTheOrderNorOnWhenItIsAsk
   EXPECT_EQ(forwards->RemovedVolume(), backwards->RemovedVolume());
 }
 
-TEST_F(DrilledFieldTest, TheRemovedVolumeIsWhatAllCellsHaveLostTogether)
+TEST_F(DrilledFieldTest, RemovedVolumeIsTheSumOverCells)
 {
   const auto drilled = Drill(*this->Bone.Make());
   const auto inside = [&](const std::vector<float>& samples)
@@ -342,7 +342,7 @@ TEST_F(DrilledFieldTest, TheRemovedVolumeIsWhatAllCellsHaveLostTogether)
   }
 }
 
-TEST_F(DrilledFieldTest, WithoutACutAVersionStaysTheSameObject)
+TEST_F(DrilledFieldTest, VersionWithoutCutIsTheSameObject)
 {
   const auto drilled = Drill(*this->Bone.Make());
   const auto first = VersionOf(*drilled);
@@ -354,7 +354,7 @@ TEST_F(DrilledFieldTest, WithoutACutAVersionStaysTheSameObject)
   EXPECT_EQ(VersionOf(*drilled), second) << "nothing more was there to be removed";
 }
 
-TEST_F(DrilledFieldTest, BytesBringAStateBackToTheBit)
+TEST_F(DrilledFieldTest, BytesRestoreAStateExactly)
 {
   const auto field = this->Bone.Make();
   const auto drilled = Drill(*field);
@@ -374,7 +374,7 @@ TEST_F(DrilledFieldTest, BytesBringAStateBackToTheBit)
   EXPECT_EQ(other->RemovedVolume(), 0.0);
 }
 
-TEST_F(DrilledFieldTest, WholeNumbersAreRoundedWhereACutChangesThem)
+TEST_F(DrilledFieldTest, RoundsOnlyIntegersThatACutChanges)
 {
   const auto drilled = Drill(*this->Bone.Make());
   this->CutSomewhere(*drilled);
@@ -389,7 +389,7 @@ TEST_F(DrilledFieldTest, WholeNumbersAreRoundedWhereACutChangesThem)
   }
 }
 
-TEST_F(DrilledFieldTest, SamplesOfABoxAreWrittenWithWhatLiesOutside)
+TEST_F(DrilledFieldTest, WritesSamplesOfABoxWithTheValueOutside)
 {
   const auto drilled = Drill(*this->Bone.Make());
   CutWay(*drilled, CutTool::Sphere(2.0), this->Bone.Middle, this->Bone.Middle);
@@ -405,7 +405,7 @@ TEST_F(DrilledFieldTest, SamplesOfABoxAreWrittenWithWhatLiesOutside)
   EXPECT_LE(*std::max_element(now.begin() + slices, now.end()), 7.0f);
 }
 
-TEST_F(DrilledFieldTest, WhatIsAtMostAValueIsDrilledAsWell)
+TEST_F(DrilledFieldTest, DrillsAtMostConditions)
 {
   std::vector<float> upsideDown;
   for (const float value : this->Bone.Bone)
@@ -436,7 +436,7 @@ std::string RefusalOf(const ScalarField& field, int material)
   return status.Message();
 }
 
-TEST_F(DrilledFieldTest, RefusesInOneSentenceWhatCannotBeDrilled)
+TEST_F(DrilledFieldTest, RejectsFieldsThatCannotBeDrilled)
 {
   EXPECT_NE(RefusalOf(*this->Bone.Make(), 2).find("no material 2"), std::string::npos);
   FieldBuilder builder(this->Bone.Grid);
@@ -455,7 +455,7 @@ TEST_F(DrilledFieldTest, RefusesInOneSentenceWhatCannotBeDrilled)
   EXPECT_NE(RefusalOf(*field, 0).find("other materials"), std::string::npos);
 }
 
-TEST_F(DrilledFieldTest, RefusesPosesAndStatesThatAreNone)
+TEST_F(DrilledFieldTest, RejectsInvalidPosesAndStates)
 {
   const auto drilled = Drill(*this->Bone.Make());
   CutPose pose;
@@ -468,10 +468,10 @@ TEST_F(DrilledFieldTest, RefusesPosesAndStatesThatAreNone)
   EXPECT_FALSE(drilled->CanUndo());
 }
 
-TEST_F(DrilledFieldTest, TheIntersectionWithALimitIsWhatVolumesCount)
+TEST_F(DrilledFieldTest, VolumesCountTheIntersectionWithTheLimit)
 {
-  // Bone where a plane's side holds too: half the ball, and half of what is drilled round its
-  // middle.
+  // Bone on one side of a plane only: half the sphere, and half of the drilled volume around its
+  // centre.
   std::vector<float> side;
   for (std::size_t n = 0; n < this->Bone.Bone.size(); ++n)
   {

@@ -54,7 +54,7 @@ bool AreSame(const std::vector<FieldHit>& a, const std::vector<FieldHit>& b)
                     [](const FieldHit& x, const FieldHit& y) { return SameBits(x, y); });
 }
 
-TEST_F(EditedFieldTest, VersionsThatAreHeldKeepTheirBitsHoweverManyFollow)
+TEST_F(EditedFieldTest, HeldVersionsKeepTheirBits)
 {
   const auto drilled = Drill(*this->Bone.Make());
   struct Held
@@ -83,7 +83,7 @@ TEST_F(EditedFieldTest, VersionsThatAreHeldKeepTheirBitsHoweverManyFollow)
   }
 }
 
-TEST_F(EditedFieldTest, AVersionOutlivesTheFieldThatMadeIt)
+TEST_F(EditedFieldTest, VersionOutlivesItsField)
 {
   auto drilled = Drill(*this->Bone.Make());
   CutWay(*drilled, this->Tool, this->Bone.Middle, this->RandomPlace());
@@ -93,8 +93,8 @@ TEST_F(EditedFieldTest, AVersionOutlivesTheFieldThatMadeIt)
   EXPECT_TRUE(AreSame(this->HitsOf(version, 200), hits));
 }
 
-// However long a hand drills: directories for what is used at once, and records of bricks.
-TEST_F(EditedFieldTest, MemoryIsBoundedByTheBricksAndNotByTheCuts)
+// However long the drilling: directories for the versions in use at once, and records of bricks.
+TEST_F(EditedFieldTest, MemoryIsBoundedByBricksNotCuts)
 {
   const auto drilled = Drill(*this->Bone.Make());
   drilled->SetHistoryBytes(0);
@@ -117,7 +117,7 @@ TEST_F(EditedFieldTest, MemoryIsBoundedByTheBricksAndNotByTheCuts)
   EXPECT_LE(drilled->Bytes(), bytes + bytes / 4);
 }
 
-TEST_F(EditedFieldTest, VersionsWithoutEndAreRefusedAndCutsGoOnOnceSomeAreGone)
+TEST_F(EditedFieldTest, RejectsTooManyVersionsUntilSomeAreReleased)
 {
   const auto drilled = Drill(*this->Bone.Make());
   std::vector<std::shared_ptr<const ScalarField>> held;
@@ -130,7 +130,7 @@ TEST_F(EditedFieldTest, VersionsWithoutEndAreRefusedAndCutsGoOnOnceSomeAreGone)
     status = drilled->MakeVersion(held.back());
     if (round % 20 == 19)
     {
-      drilled->Reset(); // so that there is bone again
+      drilled->Reset(); // restores the bone
     }
   }
   EXPECT_NE(status.Message().find("Too many versions"), std::string::npos);
@@ -140,8 +140,8 @@ TEST_F(EditedFieldTest, VersionsWithoutEndAreRefusedAndCutsGoOnOnceSomeAreGone)
   EXPECT_TRUE(AreSame(this->HitsOf(VersionOf(*drilled), 300), this->HitsOf(afresh, 300)));
 }
 
-// No ray may leap over a surface; what appears inside a filled region is found from afar.
-TEST_F(EditedFieldTest, ASurfaceThatAppearsFarFromAllOthersIsHit)
+// No ray may leap over a surface; a surface that appears inside a filled region is found from afar.
+TEST_F(EditedFieldTest, HitsANewSurfaceFarFromOthers)
 {
   const FieldGrid grid = test::PlainGrid({130, 130, 130});
   std::vector<std::int8_t> samples(grid.NodeCount(), 1);
@@ -170,9 +170,9 @@ TEST_F(EditedFieldTest, ASurfaceThatAppearsFarFromAllOthersIsHit)
   }
 }
 
-// One thread cuts, others cast rays at what they were given: each version has the bits of a state
-// between two cuts.
-TEST_F(EditedFieldTest, NoVersionIsSeenTornByOtherThreads)
+// One thread cuts, others cast rays at published versions: each has the bits of a state between two
+// cuts.
+TEST_F(EditedFieldTest, OtherThreadsSeeNoTornVersion)
 {
   const auto field = this->Bone.Make();
   constexpr int Cuts = 40;
@@ -229,7 +229,7 @@ TEST_F(EditedFieldTest, NoVersionIsSeenTornByOtherThreads)
     CutWay(*drilled, this->Tool, place, place);
     const auto version = VersionOf(*drilled);
     Slot& slot = slots[static_cast<std::size_t>(round) % slots.size()];
-    // Every fourth is sure to be seen; meanwhile the others are edited over.
+    // Every fourth version is certain to be read; meanwhile the others are overwritten.
     while (round % 4 == 0 && slot.IsFull.load(std::memory_order_acquire))
     {
       std::this_thread::yield();

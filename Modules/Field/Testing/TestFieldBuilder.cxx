@@ -32,7 +32,7 @@ std::string RefusalOfIso(double iso)
   return RefusalOf(builder);
 }
 
-TEST(FieldBuilder, RefusesIsoValuesWithoutASurface)
+TEST(FieldBuilder, RejectsIsoValuesWithoutSurface)
 {
   EXPECT_EQ(RefusalOfIso(2.5), "");
   EXPECT_EQ(RefusalOfIso(5.0), ""); // the iso-value itself is inside
@@ -41,7 +41,7 @@ TEST(FieldBuilder, RefusesIsoValuesWithoutASurface)
   EXPECT_TRUE(Says(RefusalOfIso(std::numeric_limits<double>::quiet_NaN()), "no surface"));
 }
 
-TEST(FieldBuilder, RefusesSamplesThatAreNotFinite)
+TEST(FieldBuilder, RejectsNonFiniteSamples)
 {
   for (const double bad :
        {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()})
@@ -67,7 +67,7 @@ std::string RefusalOfScaledRamp(double scale, double shift, FieldInterpolation i
   return RefusalOf(builder);
 }
 
-TEST(FieldBuilder, RefusesSamplesTooLargeOrTooAlikeToBeComputedWith)
+TEST(FieldBuilder, RejectsSamplesOutOfRange)
 {
   const auto trilinear = FieldInterpolation::Trilinear;
   const auto tricubic = FieldInterpolation::TricubicBSpline;
@@ -82,7 +82,7 @@ TEST(FieldBuilder, RefusesSamplesTooLargeOrTooAlikeToBeComputedWith)
   EXPECT_TRUE(Says(RefusalOfScaledRamp(1e-31, 0.0, tricubic), "from 0 to 5e-31"));
 }
 
-TEST(FieldBuilder, RefusesAOneSliceVolume)
+TEST(FieldBuilder, RejectsSingleSliceVolume)
 {
   const FieldGrid slice = PlainGrid({6, 6, 1});
   const std::vector<double> ramp = Ramp();
@@ -91,7 +91,7 @@ TEST(FieldBuilder, RefusesAOneSliceVolume)
   EXPECT_TRUE(Says(RefusalOf(builder), "1 samples along axis 2"));
 }
 
-TEST(FieldBuilder, RefusesMaterialsThatItCannotMake)
+TEST(FieldBuilder, RejectsInvalidMaterials)
 {
   const std::vector<double> ramp = Ramp();
   FieldBuilder none(Cube);
@@ -106,7 +106,7 @@ TEST(FieldBuilder, RefusesMaterialsThatItCannotMake)
   EXPECT_TRUE(Says(RefusalOf(contradiction), "Material 0 has no surface"));
 }
 
-TEST(FieldBuilder, RefusesSamplesThatAreNotThereOrOutsideTheGrid)
+TEST(FieldBuilder, RejectsMissingOrOutlyingSamples)
 {
   const std::vector<double> ramp = Ramp();
   FieldSamples absent = SamplesOfGrid(ramp.data(), Cube);
@@ -121,7 +121,7 @@ TEST(FieldBuilder, RefusesSamplesThatAreNotThereOrOutsideTheGrid)
   }
 }
 
-TEST(FieldBuilder, StopsWhenTheCallerWantsNoMore)
+TEST(FieldBuilder, StopsWhenCancelled)
 {
   const std::vector<double> ramp = Ramp();
   FieldBuilder builder(Cube);
@@ -144,7 +144,7 @@ ScalarType StoredAs(T low, T high)
   return field->Channel(0).StoredType();
 }
 
-TEST(FieldBuilder, StoresSamplesInTheSmallestTypeThatLosesNothing)
+TEST(FieldBuilder, StoresSamplesInTheSmallestLosslessType)
 {
   EXPECT_EQ(StoredAs<std::int8_t>(-5, 5), ScalarType::Int8);
   EXPECT_EQ(StoredAs<std::uint8_t>(0, 255), ScalarType::UInt8);
@@ -168,13 +168,13 @@ TEST(FieldBuilder, StoresOnlyBricksNearTheSurface)
   const FieldMemory memory = MakeField(grid, samples, 0.5)->Memory();
   EXPECT_EQ(memory.Bricks, 16u * 16u * 16u);
   EXPECT_EQ(memory.StoredBlocks, memory.SurfaceBricks);
-  // The surface is 4 pi 40^2 = 20,000 square voxels; a brick holds a piece of at least some dozens.
+  // The surface is 4 pi 40^2 = 20,000 square voxels; a brick contains at least some dozens of them.
   EXPECT_LE(memory.SurfaceBricks, 700u);
   EXPECT_GE(memory.SurfaceBricks, 200u);
   EXPECT_LE(memory.Bytes, grid.NodeCount() * sizeof(float) / 5);
 }
 
-TEST(FieldBuilder, StoresAMarginThatIsWideEnoughAlongEveryAxis)
+TEST(FieldBuilder, StoresTheMarginAlongEveryAxis)
 {
   const FieldGrid grid({65, 65, 65}, Vector3::Zero(), {1.0, 0.5, 3.0}, Matrix3::Identity());
   std::vector<double> samples(grid.NodeCount(), 0.0);
@@ -255,7 +255,7 @@ TEST(FieldBuilder, SurfaceCellsAreThoseWithCornersOnBothSides)
   }
   EXPECT_EQ(found, expected);
 }
-TEST(FieldBuilder, KeepsWhatIsInsideOnRequestWithTheSameAnswers)
+TEST(FieldBuilder, KeepInsideDoesNotChangeResults)
 {
   const FieldGrid grid = PlainGrid({66, 20, 18});
   const auto samples = test::SampleAtIndices(grid.Size(), test::PlaneField{{0.5, 0.1, 0.0}, 12.2});

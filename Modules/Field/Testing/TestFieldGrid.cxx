@@ -29,7 +29,7 @@ TEST(FieldGrid, WorldIsOriginPlusDirectionTimesSpacingTimesIndex)
   EXPECT_LE((grid.PointWorld(index) - expected).norm(), 1e-13); // roundings of some 100 mm
 }
 
-TEST(FieldGrid, ThereAndBackIsWithinTheStatedRounding)
+TEST(FieldGrid, RoundTripIsWithinTheStatedRounding)
 {
   std::mt19937_64 random(2);
   std::uniform_real_distribution<double> place(-200.0, 300.0);
@@ -38,13 +38,13 @@ TEST(FieldGrid, ThereAndBackIsWithinTheStatedRounding)
     const FieldGrid grid = Oblique(random);
     const Vector3 world(place(random), place(random), place(random));
     const Vector3 back = grid.PointWorld(grid.PointIndex(world));
-    // A voxel is 5 mm at most, and there and back is rounded twice.
+    // A voxel is 5 mm at most, and a round trip is rounded twice.
     ASSERT_LE((back - world).norm(), 2 * 5.0 * grid.PointIndexRounding(world));
     ASSERT_LE(grid.PointIndexRounding(world), 1e-11);
   }
 }
 
-TEST(FieldGrid, GradientsKeepTheChangeAlongEveryVector)
+TEST(FieldGrid, GradientsKeepDirectionalDerivatives)
 {
   std::mt19937_64 random(3);
   std::normal_distribution<double> normal;
@@ -59,7 +59,7 @@ TEST(FieldGrid, GradientsKeepTheChangeAlongEveryVector)
   EXPECT_LE(worst.Value(), 1e-13); // a dozen roundings of numbers up to 30
 }
 
-TEST(FieldGrid, RefusesWhatIsNoGrid)
+TEST(FieldGrid, RejectsInvalidGrids)
 {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const Vector3 zero = Vector3::Zero();

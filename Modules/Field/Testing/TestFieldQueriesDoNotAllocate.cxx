@@ -10,7 +10,7 @@ namespace palpate
 {
 namespace
 {
-// What a servo thread calls cannot throw either.
+// Functions for the servo thread cannot throw either.
 static_assert(
     noexcept(std::declval<const FieldSampler&>().IsInsideWorld(0, std::declval<const Vector3&>())));
 static_assert(

@@ -34,7 +34,7 @@ Vector3 RandomPoint(const FieldGrid& grid, std::mt19937_64& random)
   return p;
 }
 
-TEST(FieldSampler, AgreesWithTheDenseSamplerOnRandomVolumes)
+TEST(FieldSampler, EqualsTheDenseSamplerOnRandomVolumes)
 {
   std::mt19937_64 random(11);
   for (int round = 0; round < 60; ++round)
@@ -106,7 +106,7 @@ TEST(FieldSampler, InsideIsWhereTheDenseValueReachesTheIsoValue)
   }
 }
 
-TEST(FieldSampler, TheIsoValueItselfIsInsideAtNodesAndInConstantRegions)
+TEST(FieldSampler, IsoValueIsInsideAtNodesAndInConstantRegions)
 {
   const FieldGrid grid = PlainGrid({20, 4, 4});
   std::vector<std::int16_t> samples(grid.NodeCount(), 300);
@@ -121,7 +121,7 @@ TEST(FieldSampler, TheIsoValueItselfIsInsideAtNodesAndInConstantRegions)
   EXPECT_TRUE(sampler.IsInsideIndex(0, {1, 0, 0}));
 }
 
-TEST(FieldSampler, SaysWhatIsOutsideTheGrid)
+TEST(FieldSampler, ReportsPointsOutsideTheGrid)
 {
   std::mt19937_64 random(13);
   const FieldGrid grid = test::ObliqueGrid({5, 6, 7}, random);
@@ -197,7 +197,7 @@ struct SphereErrors
 SphereErrors ErrorsOnSphere(int nodes, FieldInterpolation method)
 {
   const FieldGrid grid = PlainGrid({nodes, nodes, nodes});
-  // Off the nodes, and smooth in its inside too, where the B-spline looks from afar.
+  // Off the nodes, and smooth inside too, since the B-spline depends on distant samples.
   const double unit = (nodes - 1) / 10.0;
   const Vector3 center = Vector3(5.03, 4.97, 5.01) * unit;
   const test::QuadraticSphereField quadratic{center, 3.3 * unit};
@@ -223,7 +223,7 @@ SphereErrors ErrorsOnSphere(int nodes, FieldInterpolation method)
   return errors;
 }
 
-// Between 20 and 80 cells; least squares of four points would say the same.
+// Between 20 and 80 cells; a least-squares fit of four points gives the same.
 double FittedOrder(double coarse, double fine)
 {
   return std::log2(coarse / fine) / 2.0;
@@ -311,7 +311,7 @@ void ExpectBatchesLikeSingleQueries(FieldInterpolation method, FieldSense sense)
   }
 }
 
-TEST(FieldSampler, BatchesAnswerLikeSingleQueriesForEveryInstructionSet)
+TEST(FieldSampler, BatchesEqualSingleQueriesForEveryInstructionSet)
 {
   for (const FieldInterpolation method : Methods)
   {

@@ -9,7 +9,7 @@ namespace palpate
 {
 namespace
 {
-TEST(FieldThreads, ManyThreadsGetTheAnswersOfOne)
+TEST(FieldThreads, ManyThreadsGetTheSameResults)
 {
   std::mt19937_64 random(81);
   const FieldGrid grid = test::ObliqueGrid({30, 25, 20}, random);

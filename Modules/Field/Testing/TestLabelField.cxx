@@ -58,7 +58,7 @@ std::string RefusalOfLabel(const std::vector<T>& labels, const FieldGrid& grid, 
       .Message();
 }
 
-TEST(LabelField, RefusesLabelsThatNoVoxelHas)
+TEST(LabelField, RejectsAbsentLabels)
 {
   const FieldGrid grid = PlainGrid({4, 4, 4});
   std::vector<std::uint8_t> labels(grid.NodeCount(), 0);
@@ -76,13 +76,13 @@ void ExpectFindsLabel(long long label)
 {
   const FieldGrid grid = PlainGrid({5, 5, 5});
   std::vector<T> labels(grid.NodeCount(), static_cast<T>(1));
-  labels[62] = static_cast<T>(label); // the middle
+  labels[62] = static_cast<T>(label); // the centre
   const FieldSampler sampler(MakeLabelMaterial(grid, labels, label));
   EXPECT_TRUE(sampler.IsInsideIndex(0, {2, 2, 2}));
   EXPECT_FALSE(sampler.IsInsideIndex(0, {2, 2, 3}));
 }
 
-TEST(LabelField, ReadsEveryTypeOfInteger)
+TEST(LabelField, ReadsEveryIntegerType)
 {
   ExpectFindsLabel<std::int8_t>(-128);
   ExpectFindsLabel<std::uint8_t>(255);
@@ -115,7 +115,7 @@ TEST(LabelField, KeepsTheSideOfEveryVoxelCentre)
   }
 }
 
-TEST(LabelField, TheBoundaryOfABoxLiesHalfWayBetweenCentres)
+TEST(LabelField, BoxBoundaryIsHalfWayBetweenCentres)
 {
   for (const double thickness : {1.0, 12.0})
   {
@@ -135,7 +135,7 @@ TEST(LabelField, TheBoundaryOfABoxLiesHalfWayBetweenCentres)
   }
 }
 
-// Largest and mean distance (mm) of hits from a sphere that was made a mask.
+// Largest and mean distance (mm) of hits from a sphere given as a mask.
 struct SphereErrors
 {
   double Largest = 0.0;
@@ -173,16 +173,16 @@ SphereErrors ErrorsOfMaskedSphere(const Vector3& spacing, double smoothing)
   return errors;
 }
 
-TEST(LabelField, AMaskedSphereIsBetterThanItsVoxels)
+TEST(LabelField, SphereIsMoreAccurateThanItsVoxels)
 {
   const SphereErrors errors = ErrorsOfMaskedSphere({1, 1, 1}, 0.0);
-  // The mask itself is off by up to sqrt(3)/2 and 0.25 in the mean; its faces' normals by 0.6 rad.
+  // The mask itself is off by up to sqrt(3)/2, and 0.25 on average; its faces' normals by 0.6 rad.
   EXPECT_LE(errors.Largest, 0.75);
   EXPECT_LE(errors.Mean, 0.22);
   EXPECT_LE(errors.MeanAngle, 0.35);
 }
 
-TEST(LabelField, SmoothingMakesAMaskedSphereSmooth)
+TEST(LabelField, SmoothingSmoothsASphere)
 {
   const SphereErrors errors = ErrorsOfMaskedSphere({1, 1, 1}, 1.0);
   EXPECT_LE(errors.Largest, 0.4);
@@ -190,15 +190,15 @@ TEST(LabelField, SmoothingMakesAMaskedSphereSmooth)
   EXPECT_LE(errors.MeanAngle, 0.08);
 }
 
-TEST(LabelField, ThickSlicesAreInterpolated)
+TEST(LabelField, InterpolatesThickSlices)
 {
   const SphereErrors errors = ErrorsOfMaskedSphere({0.5, 0.5, 5.0}, 0.0);
-  // Half a slice is 2.5; at the poles, where outlines lie further apart than that, it shows.
+  // Half a slice is 2.5; slightly more at the poles, where outlines are farther apart than that.
   EXPECT_LE(errors.Largest, 2.6);
   EXPECT_LE(errors.Mean, 0.6);
 }
 
-TEST(LabelField, RefusesSmoothingThatIsNone)
+TEST(LabelField, RejectsInvalidSmoothing)
 {
   const FieldGrid grid = PlainGrid({4, 4, 4});
   std::vector<std::uint8_t> labels(grid.NodeCount(), 0);

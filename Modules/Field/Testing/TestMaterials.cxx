@@ -16,7 +16,8 @@ using test::PlainGrid;
 
 const double Infinity = std::numeric_limits<double>::infinity();
 
-// Two channels of noise and plateaus on one grid, with the material where both reach their values.
+// Two channels of noise and plateaus on one grid, with the material where both reach their
+// iso-values.
 struct Conjunction
 {
   FieldGrid Grid;
@@ -41,7 +42,7 @@ struct Conjunction
   }
 };
 
-TEST(Materials, WhereBothConditionsHoldStandsBeforeTheOracle)
+TEST(Materials, TwoConditionsAgreeWithTheOracle)
 {
   for (const auto method : {FieldInterpolation::Trilinear, FieldInterpolation::TricubicBSpline})
   {
@@ -78,7 +79,7 @@ TEST(Materials, WhereBothConditionsHoldStandsBeforeTheOracle)
   }
 }
 
-// Three nested and one separate thing on one channel and a second one.
+// Three nested objects and a separate one, on two channels.
 struct Scene
 {
   FieldGrid Grid = PlainGrid({60, 40, 40});
@@ -92,16 +93,16 @@ struct Scene
     FieldBuilder builder(this->Grid);
     const int distances = builder.AddChannel(SamplesOfGrid(this->Distances.data(), this->Grid));
     const int height = builder.AddChannel(SamplesOfGrid(this->Height.data(), this->Grid));
-    builder.AddMaterial({distances, -15.0});                                     // 0: a ball
+    builder.AddMaterial({distances, -15.0});                                     // 0: a sphere
     builder.AddMaterial({distances, -8.0});                                      // 1: in it
     builder.AddMaterial({height, 45.0});                                         // 2: a wall
-    builder.AddMaterial({distances, -15.0}, {height, 20.0, FieldSense::AtMost}); // 3: half a ball
+    builder.AddMaterial({distances, -15.0}, {height, 20.0, FieldSense::AtMost}); // 3: half a sphere
     const Status status = builder.Build(this->Field);
     EXPECT_TRUE(status.IsOk()) << status.Message();
   }
 };
 
-TEST(Materials, AHitSaysWhichMaterialItIsOf)
+TEST(Materials, HitNamesItsMaterial)
 {
   const Scene scene;
   const RayCaster caster(scene.Field);
@@ -124,7 +125,7 @@ TEST(Materials, AHitSaysWhichMaterialItIsOf)
     ASSERT_NE(hit.Kind, HitKind::Missed) << e.T;
     EXPECT_EQ(hit.Material, e.Material) << e.T;
     EXPECT_EQ(hit.IsEntering, e.IsEntering) << e.T;
-    EXPECT_NEAR(hit.T, e.T, 0.02) << e.T; // chords of the ball
+    EXPECT_NEAR(hit.T, e.T, 0.02) << e.T; // chords of the sphere
     EXPECT_EQ(hit.StartsInside, e.StartsInside) << e.T;
     EXPECT_EQ(hit.Kind, e.T < 69 ? HitKind::Surface : HitKind::Border);
     tMin = std::nextafter(hit.T, Infinity);
@@ -132,7 +133,7 @@ TEST(Materials, AHitSaysWhichMaterialItIsOf)
   EXPECT_EQ(caster.CastIndex(ray, tMin, Infinity).Kind, HitKind::Missed);
 }
 
-TEST(Materials, OnlyThoseAskedForAreHit)
+TEST(Materials, HitsOnlyRequestedMaterials)
 {
   const Scene scene;
   const RayCaster caster(scene.Field);
@@ -147,11 +148,11 @@ TEST(Materials, OnlyThoseAskedForAreHit)
   EXPECT_EQ(inside.StartsInside, OnlyMaterial(0));
 }
 
-TEST(Materials, TheNormalPointsOutwardsForEitherSense)
+TEST(Materials, NormalPointsOutwardsForEitherSense)
 {
   const Scene scene;
   const RayCaster caster(scene.Field);
-  // Out of material 3 across its plane, against which the condition is "at most".
+  // Leaves material 3 across its plane, with the condition "at most".
   const FieldHit hit =
       caster.CastIndex({{15, 20.5, 20.5}, {1, 0, 0}}, 0, Infinity, OnlyMaterial(3));
   EXPECT_FALSE(hit.IsEntering);
@@ -159,7 +160,7 @@ TEST(Materials, TheNormalPointsOutwardsForEitherSense)
   EXPECT_EQ(-hit.Gradient, Vector3(1, 0, 0));
 }
 
-TEST(Materials, TheSamplerKnowsAllOfThem)
+TEST(Materials, SamplerFindsAllMaterials)
 {
   const Scene scene;
   const FieldSampler sampler(scene.Field);
@@ -172,7 +173,7 @@ TEST(Materials, TheSamplerKnowsAllOfThem)
   EXPECT_EQ(sampler.MaterialsIndex({60, 1, 1}), 0u);
 }
 
-TEST(Materials, StoresWhereTheMaterialHasASurfaceNotTheChannel)
+TEST(Materials, StoresSurfacesOfMaterialsNotChannels)
 {
   const FieldGrid grid = PlainGrid({129, 33, 33});
   const auto distances = test::SampleAtIndices<std::int16_t>(grid.Size(), test::GyroidField{6.0});

@@ -9,7 +9,7 @@ namespace
 const FieldCondition Bone{0, 300.0, FieldSense::AtLeast};
 const FieldCondition Air{0, 300.0, FieldSense::AtMost};
 
-TEST(NodeCut, TheSurfaceThatRemainsIsTheTools)
+TEST(NodeCut, RemainingSurfaceIsTheTools)
 {
   const NodeCut cut(Bone, 1000.0, 0.5);
   EXPECT_GE(cut.Apply(1500.0, 1e-9), Bone.Iso);
@@ -17,14 +17,14 @@ TEST(NodeCut, TheSurfaceThatRemainsIsTheTools)
   EXPECT_DOUBLE_EQ(cut.Apply(1500.0, 0.2), 500.0);
 }
 
-TEST(NodeCut, AwayFromTheToolNothingChanges)
+TEST(NodeCut, ChangesNothingAwayFromTheTool)
 {
   const NodeCut cut(Bone, 1000.0, 0.5);
   EXPECT_EQ(cut.Apply(1500.0, 1.3), 1500.0);
   EXPECT_EQ(cut.Apply(250.0, 0.01), 250.0);
 }
 
-TEST(NodeCut, NoCutPutsMaterialBack)
+TEST(NodeCut, NeverRestoresMaterial)
 {
   const NodeCut cut(Bone, 1000.0, 0.5);
   for (const double value : {-1000.0, 0.0, 299.0, 300.0, 2000.0})
@@ -36,7 +36,7 @@ TEST(NodeCut, NoCutPutsMaterialBack)
   }
 }
 
-TEST(NodeCut, DeepInsideTheToolValuesStopAtTheFloor)
+TEST(NodeCut, ValuesInsideTheToolStopAtTheFloor)
 {
   const NodeCut cut(Bone, 1000.0, 0.5);
   EXPECT_EQ(cut.Apply(2000.0, -5.0), -200.0);
@@ -44,7 +44,7 @@ TEST(NodeCut, DeepInsideTheToolValuesStopAtTheFloor)
   EXPECT_EQ(cut.Apply(2000.0, -0.5), -200.0);
 }
 
-TEST(NodeCut, CuttingTwiceIsCuttingOnce)
+TEST(NodeCut, IsIdempotent)
 {
   const NodeCut cut(Bone, 1000.0, 0.5);
   for (double distance = -2.0; distance < 2.0; distance += 0.05)
@@ -54,7 +54,7 @@ TEST(NodeCut, CuttingTwiceIsCuttingOnce)
   }
 }
 
-TEST(NodeCut, AConditionOfAtMostIsTheMirrorImage)
+TEST(NodeCut, AtMostIsTheMirrorImageOfAtLeast)
 {
   const NodeCut bone(Bone, 1000.0, 0.5);
   const NodeCut air(Air, 1000.0, 0.5);

@@ -10,7 +10,7 @@ namespace palpate
 {
 namespace
 {
-constexpr double Nerve = 1.2; // mm, radius, round the axis along z through the middle
+constexpr double Nerve = 1.2; // mm, radius, around the axis along z through the centre
 
 test::ScannedBone Bone()
 {
@@ -57,7 +57,7 @@ struct Protected
     const Status status = this->Drilled->Protect(this->Nerve);
     EXPECT_TRUE(status.IsOk()) << status.Message();
   }
-  // Across the nerve, right through its axis.
+  // Across the nerve, through its axis.
   void CutAcross(double radius)
   {
     const Vector3 along = 4.0 * Vector3::UnitX();
@@ -66,12 +66,12 @@ struct Protected
   }
 };
 
-TEST(Protection, WhatIsForbiddenStaysAndKeepsItsBits)
+TEST(Protection, ForbiddenRegionKeepsItsBits)
 {
   Protected bone;
   bone.CutAcross(2.0);
   const std::vector<float> now = test::SamplesNow(*bone.Drilled, bone.Scan);
-  // A cell's diagonal, and half a side by which kinks between cuts are corrected.
+  // A cell's diagonal, and half a side for the correction of kinks between cuts.
   const double ramp = bone.Scan.Grid.Spacing().norm() + 0.5 * bone.Scan.Grid.Spacing().maxCoeff();
   int deep = 0;
   for (std::size_t n = 0; n < now.size(); ++n)
@@ -91,12 +91,12 @@ TEST(Protection, WhatIsForbiddenStaysAndKeepsItsBits)
 }
 
 // Two cylinders that cross at a right angle: 16/3 r^3 of equal ones; integrated here.
-TEST(Protection, WhatIsRemovedIsTheSweepWithoutWhatIsForbidden)
+TEST(Protection, RemovesTheSweepMinusTheForbiddenRegion)
 {
   Protected bone;
   constexpr double R = 2.0;
   bone.CutAcross(R);
-  double common = 0.0; // of the canal's cylinder and the nerve's
+  double common = 0.0; // intersection of the canal's cylinder and the nerve's
   constexpr int Steps = 20000;
   for (int n = 0; n < Steps; ++n)
   {
@@ -108,13 +108,13 @@ TEST(Protection, WhatIsRemovedIsTheSweepWithoutWhatIsForbidden)
   EXPECT_NEAR(bone.Drilled->RemovedVolume(), wanted, 0.01 * wanted);
 }
 
-TEST(Protection, ThePillarThatIsLeftIsTheForbiddenOneWithinATenthOfAVoxel)
+TEST(Protection, RemainingPillarIsForbiddenOneWithinATenthOfAVoxel)
 {
   Protected bone;
   bone.CutAcross(2.0);
   const auto version = test::VersionOf(*bone.Drilled);
   const FieldSampler sampler(version);
-  for (double angle = -0.6; angle <= 0.6; angle += 0.1) // where the canal meets it squarely
+  for (double angle = -0.6; angle <= 0.6; angle += 0.1) // where the canal meets it at a right angle
   {
     const Vector3 out(std::cos(angle), std::sin(angle), 0.0);
     double radius = 0.5 * Nerve;
@@ -132,7 +132,7 @@ TEST(Protection, ThePillarThatIsLeftIsTheForbiddenOneWithinATenthOfAVoxel)
   }
 }
 
-TEST(Protection, AStateThatWasKeptRemovesNothingForbiddenEither)
+TEST(Protection, RestoredStateRemovesNothingForbidden)
 {
   Protected bone;
   bone.CutAcross(2.0);
@@ -142,19 +142,19 @@ TEST(Protection, AStateThatWasKeptRemovesNothingForbiddenEither)
   Protected restored;
   ASSERT_TRUE(restored.Drilled->Restore(open->Removed()).IsOk());
   EXPECT_EQ(BytesOf(*restored.Drilled->Removed()), BytesOf(*bone.Drilled->Removed()));
-  // And undo is what it was before.
+  // Undo restores the previous state.
   restored.Drilled->Undo();
   EXPECT_EQ(restored.Drilled->RemovedVolume(), 0.0);
 }
 
-TEST(Protection, ACutThatIsWhollyForbiddenRemovesNothing)
+TEST(Protection, FullyForbiddenCutRemovesNothing)
 {
   Protected bone;
   test::CutWay(*bone.Drilled, CutTool::Sphere(0.3), bone.Scan.Middle, bone.Scan.Middle);
   EXPECT_EQ(bone.Drilled->RemovedVolume(), 0.0);
 }
 
-TEST(Protection, ComesBeforeTheFirstCutAndFromTheSameGrid)
+TEST(Protection, RequiresTheSameGridAndNoEarlierCut)
 {
   Protected bone;
   bone.CutAcross(1.0);
@@ -165,7 +165,7 @@ TEST(Protection, ComesBeforeTheFirstCutAndFromTheSameGrid)
                    .IsOk());
 }
 
-TEST(FieldNodes, AreTheSamplesWhereTheyAreStoredAndOnTheirSideElsewhere)
+TEST(FieldNodes, EqualSamplesWhereStoredAndKeepTheirSideElsewhere)
 {
   const test::ScannedBone scan = Bone();
   const auto field = scan.Make(scan.Bone);
@@ -175,7 +175,7 @@ TEST(FieldNodes, AreTheSamplesWhereTheyAreStoredAndOnTheirSideElsewhere)
   {
     const bool isInside = scan.Bone[n] >= test::ScannedBone::Iso;
     ASSERT_EQ(nodes[n] >= test::ScannedBone::Iso, isInside) << n;
-    ASSERT_TRUE(!isInside || nodes[n] == scan.Bone[n]) << n; // it keeps what is inside
+    ASSERT_TRUE(!isInside || nodes[n] == scan.Bone[n]) << n; // the inside is preserved
   }
 }
 } // namespace

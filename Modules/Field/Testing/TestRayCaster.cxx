@@ -23,7 +23,7 @@ double After(double t)
   return std::nextafter(t, Infinity);
 }
 
-// All boundaries on a ray, one after the other.
+// All boundaries on a ray, in order.
 std::vector<FieldHit> AllHits(const RayCaster& caster, const FieldRay& ray)
 {
   std::vector<FieldHit> hits;
@@ -48,7 +48,7 @@ std::shared_ptr<const ScalarField> MakeWall(double iso)
   return MakeField(grid, samples, iso);
 }
 
-TEST(RayCaster, AWallOfOneVoxelIsEnteredAndLeft)
+TEST(RayCaster, EntersAndLeavesAOneVoxelWall)
 {
   const double thin = 1e-9;
   for (const double iso : {0.5, 0.999, 1.0 - thin})
@@ -71,7 +71,7 @@ TEST(RayCaster, AWallOfOneVoxelIsEnteredAndLeft)
   }
 }
 
-TEST(RayCaster, AWallAsThinAsTheIsoValueIsFound)
+TEST(RayCaster, FindsAWallAsThinAsTheIsoValue)
 {
   const RayCaster caster(MakeWall(1.0));
   const FieldHit hit = caster.CastIndex({{0, 4, 4}, {1, 0, 0}}, 0.0, Infinity);
@@ -90,7 +90,7 @@ TEST(RayCaster, ReportsTheBorderWhereAMaterialReachesIt)
   EXPECT_TRUE(in.IsEntering);
   EXPECT_EQ(in.StartsInside, 0u);
   EXPECT_EQ(in.T, 10.0);
-  EXPECT_EQ(in.Gradient, Vector3(-0.5, 0, 0)); // 1 a voxel, into the grid
+  EXPECT_EQ(in.Gradient, Vector3(-0.5, 0, 0)); // 1 per voxel, into the grid
   const FieldHit out = caster.CastWorld({{30, 5, 5}, {-1, 0, 0}}, After(in.T), Infinity);
   EXPECT_EQ(out.Kind, HitKind::Surface);
   EXPECT_FALSE(out.IsEntering);
@@ -107,7 +107,7 @@ TEST(RayCaster, ReportsTheBorderWhereAMaterialReachesIt)
   EXPECT_EQ(caster.CastWorld({{15, 5, 5}, {0, 0, 3}}, 0.0, 4.9).Kind, HitKind::Missed);
 }
 
-TEST(RayCaster, AnswersWhatIsNoRay)
+TEST(RayCaster, ReportsInvalidRays)
 {
   const RayCaster caster(MakeWall(0.5));
   const FieldRay ray{{0, 4, 4}, {1, 0, 0}};
@@ -125,7 +125,7 @@ TEST(RayCaster, AnswersWhatIsNoRay)
   EXPECT_EQ(caster.CastIndex({{1e300, 4, 4}, {1, 0, 0}}, -Infinity, Infinity).Kind,
             HitKind::Missed);
   EXPECT_EQ(caster.CastIndex({{0, 4, 4}, {1, 1e-320, -0.0}}, 0, Infinity).T, 9.5);
-  // So slow that crossing a voxel takes more than any finite t: there is an answer, whichever.
+  // So slow that crossing a voxel takes more than any finite t: any result but BadRay is accepted.
   EXPECT_NE(caster.CastIndex({{0, 4, 4}, {1e-308, 0, 0}}, 0, Infinity).Kind, HitKind::BadRay);
   EXPECT_NE(caster.CastIndex({{0.5, 4, 4}, {0, -1e-308, 1e-308}}, -Infinity, Infinity).Kind,
             HitKind::BadRay);
@@ -134,7 +134,7 @@ TEST(RayCaster, AnswersWhatIsNoRay)
   EXPECT_EQ(caster.CastIndex({{20, 0, 0}, {-1, 0, 0}}, 0, Infinity).T, 9.5);
 }
 
-TEST(RayCaster, StartsInsideAndFindsTheWayOut)
+TEST(RayCaster, FindsTheExitWhenStartingInside)
 {
   const FieldGrid grid = PlainGrid({41, 41, 41});
   const test::QuadraticSphereField sphere{{20, 20, 20}, 12.0};
@@ -183,7 +183,7 @@ TEST(RayCaster, FindsBothCrossingsOfRaysThatNearlyGraze)
     ASSERT_EQ(in.Kind, HitKind::Surface) << depth;
     const FieldHit out = caster.CastIndex(ray, After(in.T), Infinity);
     ASSERT_EQ(out.Kind, HitKind::Surface) << depth;
-    // The ray's own origin is rounded, which shows as much as the value's rounding.
+    // The ray's own origin is rounded, with the same effect as the value's rounding.
     EXPECT_NEAR(in.T, 10.0 - half, 4.0 * in.ErrorT);
     EXPECT_NEAR(out.T, 10.0 + half, 4.0 * out.ErrorT);
     EXPECT_LE(in.ErrorT, 1e-9);
@@ -193,7 +193,7 @@ TEST(RayCaster, FindsBothCrossingsOfRaysThatNearlyGraze)
   EXPECT_EQ(caster.CastIndex(beside, 8.0, 12.0).Kind, HitKind::Missed);
 }
 
-TEST(RayCaster, RepresentableFieldsAreHitToRounding)
+TEST(RayCaster, HitsRepresentableFieldsToRounding)
 {
   const FieldGrid grid = PlainGrid({30, 30, 30});
   std::mt19937_64 random(22);
@@ -212,7 +212,7 @@ TEST(RayCaster, RepresentableFieldsAreHitToRounding)
       ++hits;
       const Vector3 gradient = saddle.Gradient(hit.Position);
       const double distance = (saddle.Value(hit.Position) - 20.0) / gradient.norm();
-      ASSERT_LE(std::abs(distance), 1e-10); // 1e-3 is asked for
+      ASSERT_LE(std::abs(distance), 1e-10); // 1e-3 is required
       ASSERT_LE(hit.Gradient.normalized().cross(gradient.normalized()).norm(), 1e-10);
       ASSERT_EQ(saddle.Value(from) < 20.0, hit.IsEntering);
     }
@@ -238,7 +238,7 @@ TEST(RayCaster, WorldRaysHitAPlaneWithinTheirBoundInObliqueGrids)
     const RayCaster caster(MakeField(grid, samples, 0.0, method));
     for (int round = 0; round < 300; ++round)
     {
-      // Into the middle, where the B-spline does not feel its mirrored border.
+      // Into the centre, where the B-spline is not affected by its mirrored border.
       const Vector3 u = Vector3(normal(random), normal(random), normal(random)).normalized();
       if (std::abs(u.dot(inwards)) < 0.2)
       {

@@ -49,17 +49,17 @@ void ExpectNoFaults(FieldInterpolation method, int volumes, int raysOfEach, unsi
   EXPECT_GE(hits, volumes * raysOfEach / 2);
 }
 
-TEST(RayCasterFuzz, TrilinearAnswersStandBeforeTheOracle)
+TEST(RayCasterFuzz, TrilinearHitsAgreeWithTheOracle)
 {
   ExpectNoFaults(FieldInterpolation::Trilinear, 150, 100, 31);
 }
 
-TEST(RayCasterFuzz, TricubicAnswersStandBeforeTheOracle)
+TEST(RayCasterFuzz, TricubicHitsAgreeWithTheOracle)
 {
   ExpectNoFaults(FieldInterpolation::TricubicBSpline, 60, 40, 32);
 }
 
-TEST(RayCasterFuzz, AnyIntervalThatHoldsTheHitGivesItsBits)
+TEST(RayCasterFuzz, EveryIntervalWithTheHitGivesItsBits)
 {
   for (const FieldInterpolation method : Methods)
   {
@@ -84,7 +84,7 @@ TEST(RayCasterFuzz, AnyIntervalThatHoldsTheHitGivesItsBits)
           FieldHit again = caster.CastIndex(ray, tMin, hit.T + part(random) * part(random));
           if (tMin > -100.0 && hit.StartsInside != again.StartsInside)
           {
-            // It began outside the grid, or where the first one began.
+            // It started outside the grid, or where the first one started.
             FAIL() << "starts elsewhere: volume " << v << " ray " << r;
           }
           ASSERT_TRUE(SameBits(hit, again)) << "volume " << v << " ray " << r << " from " << tMin;
@@ -117,8 +117,8 @@ TEST(RayCasterFuzz, BatchesGiveTheBitsOfSingleRays)
   }
 }
 
-// From denormal to huge, and the same for the interval: what matters is that there is an answer.
-TEST(RayCasterFuzz, EveryMagnitudeIsAnswered)
+// From denormal to huge, and the same for the interval: only the existence of a result matters.
+TEST(RayCasterFuzz, HandlesEveryMagnitude)
 {
   std::mt19937_64 random(36);
   const auto number = [&random]
@@ -149,7 +149,7 @@ TEST(RayCasterFuzz, EveryMagnitudeIsAnswered)
   }
 }
 
-// Closed solids: no ray from the inside gets out unseen, aimed at nodes, edges and faces exactly.
+// Closed solids: no ray from the inside leaves undetected, aimed at nodes, edges and faces exactly.
 TEST(RayCasterFuzz, NothingLeaksThroughFacesEdgesOrCorners)
 {
   std::mt19937_64 random(35);

@@ -17,8 +17,8 @@ using test::SameBits;
 const double Infinity = std::numeric_limits<double>::infinity();
 const double NotANumber = std::numeric_limits<double>::quiet_NaN();
 
-// Rays and what is asked of each: intervals that hold the grid, begin or end in it, hold nothing,
-// or are none; rays that are none.
+// Rays and their intervals: containing the grid, starting or ending in it, empty, or invalid; and
+// invalid rays.
 struct Questions
 {
   std::vector<FieldRay> Rays;
@@ -84,7 +84,7 @@ struct Tally
   int Inside = 0;
 };
 
-// Holds every answer of a batch against the ray's own; counts what was met.
+// Compares every result of a batch with the single ray's; counts the hits.
 void ExpectSingleAnswers(const std::shared_ptr<const ScalarField>& field, const Questions& asked,
                          std::size_t count, MaterialSet materials, Tally& tally)
 {
@@ -94,7 +94,7 @@ void ExpectSingleAnswers(const std::shared_ptr<const ScalarField>& field, const 
     std::vector<FieldHit> hits(count + 1);
     hits[count].T = 17.0;
     caster.CastAllWorld(asked.Rays.data(), asked.Intervals.data(), count, hits.data(), materials);
-    ASSERT_EQ(hits[count].T, 17.0) << "written behind the end";
+    ASSERT_EQ(hits[count].T, 17.0) << "written past the end";
     for (std::size_t n = 0; n < count; ++n)
     {
       const FieldRay& ray = asked.Rays[n];
@@ -111,7 +111,7 @@ void ExpectSingleAnswers(const std::shared_ptr<const ScalarField>& field, const 
   }
 }
 
-TEST(RayLanes, GiveTheBitsOfSingleRays)
+TEST(RayLanes, EqualSingleRays)
 {
   for (const auto method : {FieldInterpolation::Trilinear, FieldInterpolation::TricubicBSpline})
   {
@@ -131,8 +131,8 @@ TEST(RayLanes, GiveTheBitsOfSingleRays)
   }
 }
 
-// Hits are at nodes and on faces often, where cells end too.
-TEST(RayLanes, GiveTheBitsOfSingleRaysWhereIntervalsEndAtHits)
+// Hits are often at nodes and on faces, where cells end too.
+TEST(RayLanes, EqualSingleRaysWhereIntervalsEndAtHits)
 {
   std::mt19937_64 random(65);
   Tally tally;
@@ -154,7 +154,7 @@ TEST(RayLanes, GiveTheBitsOfSingleRaysWhereIntervalsEndAtHits)
   EXPECT_GT(tally.Hits, 5000);
 }
 
-TEST(RayLanes, AnswerAnyNumberOfRays)
+TEST(RayLanes, HandleAnyNumberOfRays)
 {
   std::mt19937_64 random(62);
   const RandomVolume volume(FieldInterpolation::Trilinear, random);
@@ -195,7 +195,7 @@ std::shared_ptr<const ScalarField> MixedField(const FieldGrid& grid, std::mt1993
   return field;
 }
 
-TEST(RayLanes, GiveTheBitsOfSingleRaysForEverySetOfMaterials)
+TEST(RayLanes, EqualSingleRaysForEveryMaterialSet)
 {
   std::mt19937_64 random(63);
   const FieldGrid grid = test::ObliqueGrid({70, 41, 44}, random);
@@ -209,7 +209,7 @@ TEST(RayLanes, GiveTheBitsOfSingleRaysForEverySetOfMaterials)
   EXPECT_GT(tally.Hits, 3000);
 }
 
-TEST(RayLanes, OneIntervalForAllIsThatIntervalForEach)
+TEST(RayLanes, SharedIntervalEqualsSeparateIntervals)
 {
   std::mt19937_64 random(64);
   const RandomVolume volume(FieldInterpolation::Trilinear, random);

@@ -35,7 +35,7 @@ protected:
   Removed None = RemovedDistances::None(Grid, 1.5);
 };
 
-TEST_F(RemovalBytesTest, BringAllDistancesBack)
+TEST_F(RemovalBytesTest, RestoreAllDistances)
 {
   const Removed some = this->Some();
   Removed back;
@@ -49,13 +49,13 @@ TEST_F(RemovalBytesTest, BringAllDistancesBack)
   }
 }
 
-TEST_F(RemovalBytesTest, NothingRemovedIsHardlyAnyBytes)
+TEST_F(RemovalBytesTest, NothingRemovedTakesFewBytes)
 {
   EXPECT_LT(BytesOf(*this->None).size(), std::size_t{300});
   EXPECT_EQ(this->Refusal(BytesOf(*this->None), this->None), "");
 }
 
-TEST_F(RemovalBytesTest, RefuseAnotherVolume)
+TEST_F(RemovalBytesTest, RejectAnotherVolume)
 {
   const std::vector<std::byte> bytes = BytesOf(*this->Some());
   const Removed wider = RemovedDistances::None(this->Grid, 1.6);
@@ -64,7 +64,7 @@ TEST_F(RemovalBytesTest, RefuseAnotherVolume)
   EXPECT_NE(this->Refusal(bytes, elsewhere).find("another volume"), std::string::npos);
 }
 
-TEST_F(RemovalBytesTest, RefuseWhatIsCutShortOrGoesOn)
+TEST_F(RemovalBytesTest, RejectTruncatedOrTrailingBytes)
 {
   std::vector<std::byte> bytes = BytesOf(*this->Some());
   bytes.push_back(std::byte{0});
@@ -77,14 +77,14 @@ TEST_F(RemovalBytesTest, RefuseWhatIsCutShortOrGoesOn)
   }
 }
 
-// Whatever a byte is turned into, it is refused or a state that can be used.
-TEST_F(RemovalBytesTest, DamageIsRefusedOrHarmless)
+// However a byte is changed, the result is rejected or a usable state.
+TEST_F(RemovalBytesTest, DamageIsRejectedOrHarmless)
 {
   const std::vector<std::byte> bytes = BytesOf(*this->Some());
   for (int trial = 0; trial < 2000; ++trial)
   {
     std::vector<std::byte> damaged = bytes;
-    const std::size_t head = 600; // where most of what matters stands
+    const std::size_t head = 600; // contains most of the critical data
     const std::size_t at = this->Random() % (trial % 2 == 0 ? head : bytes.size());
     damaged[at] ^= static_cast<std::byte>(1 + this->Random() % 255);
     Removed removed;

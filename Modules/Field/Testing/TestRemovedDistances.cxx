@@ -15,7 +15,7 @@ namespace
 using Removed = std::shared_ptr<const RemovedDistances>;
 constexpr double Band = 2.0; // mm
 
-// Strokes of a ball here and there in an oblique grid.
+// Random strokes of a sphere in an oblique grid.
 class RemovedDistancesTest : public testing::Test
 {
 protected:
@@ -30,7 +30,7 @@ protected:
     return {CutTool::Sphere(3.0), CutPose{place(), {}}, CutPose{place(), {}}, 0.25};
   }
 
-  // One cut as a stroke of its own.
+  // One cut as a separate stroke.
   Removed Cut(const Removed& before, const CutSweep& sweep)
   {
     RemovalStroke stroke(before);
@@ -58,13 +58,13 @@ protected:
   std::vector<NodeBox> Changed;
 };
 
-TEST_F(RemovedDistancesTest, NothingIsRemovedAtFirst)
+TEST_F(RemovedDistancesTest, StartsWithNothingRemoved)
 {
   const Removed none = RemovedDistances::None(this->Grid, Band);
   this->ForEachNode([&](int i, int j, int k) { ASSERT_EQ(none->At(i, j, k), float{Band}); });
 }
 
-TEST_F(RemovedDistancesTest, EveryNodeKeepsTheLeastOfAllSweeps)
+TEST_F(RemovedDistancesTest, NodesKeepTheMinimumOverSweeps)
 {
   RemovalStroke stroke(RemovedDistances::None(this->Grid, Band));
   std::vector<CutSweep> sweeps;
@@ -81,12 +81,12 @@ TEST_F(RemovedDistancesTest, EveryNodeKeepsTheLeastOfAllSweeps)
         {
           least = std::min(least, sweep.Distance(this->Grid.PointWorld(Vector3(i, j, k))));
         }
-        // mm; floats of ways of up to 100 mm.
+        // mm; floats of paths of up to 100 mm.
         ASSERT_NEAR(stroke.Now().At(i, j, k), std::max(least, -Band), 2e-5);
       });
 }
 
-TEST_F(RemovedDistancesTest, TheOrderOfCutsDoesNotMatter)
+TEST_F(RemovedDistancesTest, OrderOfCutsDoesNotMatter)
 {
   const CutSweep one = this->RandomStroke();
   const CutSweep two = this->RandomStroke();
@@ -96,7 +96,7 @@ TEST_F(RemovedDistancesTest, TheOrderOfCutsDoesNotMatter)
   this->ForEachNode([&](int i, int j, int k) { ASSERT_EQ(a->At(i, j, k), b->At(i, j, k)); });
 }
 
-TEST_F(RemovedDistancesTest, CutsOfOneStrokeAreThoseOfStrokesOfTheirOwn)
+TEST_F(RemovedDistancesTest, OneStrokeEqualsSeparateStrokes)
 {
   Removed apart = RemovedDistances::None(this->Grid, Band);
   RemovalStroke stroke(apart);
@@ -111,7 +111,7 @@ TEST_F(RemovedDistancesTest, CutsOfOneStrokeAreThoseOfStrokesOfTheirOwn)
                     { ASSERT_EQ(together->At(i, j, k), apart->At(i, j, k)); });
 }
 
-TEST_F(RemovedDistancesTest, AStrokeInSmallStepsIsTheStrokeAtOnce)
+TEST_F(RemovedDistancesTest, SmallStepsEqualOneStroke)
 {
   const Vector3 from = this->Grid.PointWorld(Vector3(15.0, 20.0, 8.0));
   const Vector3 to = this->Grid.PointWorld(Vector3(50.0, 30.0, 11.0));
@@ -128,7 +128,7 @@ TEST_F(RemovedDistancesTest, AStrokeInSmallStepsIsTheStrokeAtOnce)
                     { ASSERT_NEAR(steps.Now().At(i, j, k), once->At(i, j, k), 1e-5); });
 }
 
-TEST_F(RemovedDistancesTest, ALastStepTooShortForAFloatIsNoHarm)
+TEST_F(RemovedDistancesTest, HandlesAStepTooShortForFloat)
 {
   const Vector3 from = this->Grid.PointWorld(Vector3(15.0, 20.0, 8.0));
   const Removed none = RemovedDistances::None(this->Grid, Band);
@@ -143,7 +143,7 @@ TEST_F(RemovedDistancesTest, ALastStepTooShortForAFloatIsNoHarm)
   }
 }
 
-TEST_F(RemovedDistancesTest, WhatChangedIsSaidNodeByNode)
+TEST_F(RemovedDistancesTest, ReportsChangedNodes)
 {
   Removed removed = RemovedDistances::None(this->Grid, Band);
   for (int n = 0; n < 12; ++n)
@@ -169,7 +169,7 @@ TEST_F(RemovedDistancesTest, WhatChangedIsSaidNodeByNode)
   }
 }
 
-TEST_F(RemovedDistancesTest, EarlierStatesStayAsTheyWere)
+TEST_F(RemovedDistancesTest, EarlierStatesDoNotChange)
 {
   const Removed first = this->Cut(RemovedDistances::None(this->Grid, Band), this->RandomStroke());
   std::vector<float> kept;
@@ -183,7 +183,7 @@ TEST_F(RemovedDistancesTest, EarlierStatesStayAsTheyWere)
   this->ForEachNode([&](int i, int j, int k) { ASSERT_EQ(kept[node++], first->At(i, j, k)); });
 }
 
-TEST_F(RemovedDistancesTest, ACutThatRemovesNothingNewIsTheSameObject)
+TEST_F(RemovedDistancesTest, CutWithoutEffectKeepsTheObject)
 {
   const CutSweep stroke = this->RandomStroke();
   const Removed once = this->Cut(RemovedDistances::None(this->Grid, Band), stroke);
@@ -193,14 +193,14 @@ TEST_F(RemovedDistancesTest, ACutThatRemovesNothingNewIsTheSameObject)
   EXPECT_EQ(this->Cut(once, {CutTool::Sphere(3.0), away, away, 0.25}), once);
 }
 
-TEST_F(RemovedDistancesTest, AStateTakesTheMemoryOfWhatChanged)
+TEST_F(RemovedDistancesTest, StateCostsOnlyChangedMemory)
 {
   Removed before = RemovedDistances::None(this->Grid, Band);
   for (int n = 0; n < 6; ++n)
   {
     const Removed after = this->Cut(before, this->RandomStroke());
-    // Blocks of 8^3 floats and two numbers, and at most all pages of pointers (of two here). Blocks
-    // of which only nodes beyond the grid changed are not in what changed.
+    // Blocks of 8^3 floats and two numbers, and at most all pages of pointers (two here). Blocks in
+    // which only nodes beyond the grid changed are not reported.
     const std::size_t blocks =
         RemovedDistances::Difference(*before, *after).size() * (512 + 2) * sizeof(float);
     const std::size_t most = blocks + 2 * 512 * 16 + 1024;

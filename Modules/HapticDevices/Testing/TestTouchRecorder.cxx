@@ -123,8 +123,8 @@ TEST_F(TouchRecorderTest, RefusesSecondRecorderOfSameName)
   ASSERT_TRUE(this->Start(first).IsOk());
   ASSERT_TRUE(this->Take(first, 300).IsOk());
   const std::string message = this->Start(second).Message();
-  EXPECT_EQ(message,
-            this->Path() + " is being recorded already; end that touch or choose another output.");
+  EXPECT_EQ(message, this->Path() +
+                         " is already being recorded; end that session or choose another output.");
   ASSERT_TRUE(this->Take(first, 300, 300).IsOk());
   ASSERT_TRUE(first.Finish().IsOk());
   EXPECT_EQ(this->TicksIn(this->Path()), 600U);
@@ -270,7 +270,7 @@ TEST(BackgroundWriter, StallDoesNotBlockCaller)
     {
       status = writer.Append(std::string(100, 'x'));
     }
-    EXPECT_EQ(status.Message(), "the disk takes nothing more");
+    EXPECT_EQ(status.Message(), "the disk has stalled");
     EXPECT_LT(appended, 100U);
     EXPECT_TRUE(writer.HasStalled());
     EXPECT_EQ(writer.WrittenBytes(), 0U);

@@ -120,7 +120,7 @@ TEST_F(TouchRecordingFile, RejectsOtherFormatOrVersion)
   {
     this->Bytes[24] = version;
     EXPECT_EQ(this->ReadBytes().Message(),
-              this->Path + " is no recorded touch session of version 3 or 4.");
+              this->Path + " is not a touch recording of version 3 or 4.");
   }
   this->Bytes = "";
   EXPECT_FALSE(this->ReadBytes().IsOk());

@@ -10,7 +10,7 @@ namespace
 {
 constexpr std::size_t LeafSize = 4;
 
-// What is infinite has no centre; any will do.
+// An infinite box has no centre; any point will do.
 Vector3 CenterOf(const Eigen::AlignedBox3d& box)
 {
   const Vector3 center = box.center();

@@ -8,29 +8,29 @@
 
 namespace palpate
 {
-/// Boxes within boxes, in one flat list: what lies near a place is found without looking at all.
-/// Immutable. To make it takes some microseconds a box.
+/// A bounding-volume hierarchy of boxes in one flat list. Immutable. Construction takes some
+/// microseconds per box.
 class BoxHierarchy
 {
 public:
-  /// In the order of a walk: a node's first part follows it.
+  /// In depth-first order: a node's first child follows it.
   struct Node
   {
-    Eigen::AlignedBox3d Box; ///< holds all below
-    std::int32_t Second = 0; ///< the other part; of a leaf 0
-    std::int32_t First = 0;  ///< of a leaf, its first place in Order()
-    std::int32_t Count = 0;  ///< of a leaf, how many boxes it has; else 0
+    Eigen::AlignedBox3d Box; ///< contains all boxes below
+    std::int32_t Second = 0; ///< the other child; 0 for a leaf
+    std::int32_t First = 0;  ///< of a leaf, its first index in Order()
+    std::int32_t Count = 0;  ///< of a leaf, its number of boxes; else 0
   };
-  /// Halving leaves no tree deeper than that.
+  /// No deeper tree results from halving.
   static constexpr int MostPending = 64;
 
   BoxHierarchy() = default;
-  /// Halves of equal number along the longest side. No number may be NaN.
+  /// Splits into halves of equal number along the longest side. No number may be NaN.
   explicit BoxHierarchy(const std::vector<Eigen::AlignedBox3d>& boxes);
 
   /// The first is the root; empty without boxes.
   const std::vector<Node>& Nodes() const noexcept { return this->Tree; }
-  /// The numbers of the boxes, leaf by leaf.
+  /// The indices of the boxes, leaf by leaf.
   const std::vector<std::uint32_t>& Order() const noexcept { return this->Numbers; }
 
   std::size_t Bytes() const noexcept

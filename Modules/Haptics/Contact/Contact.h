@@ -4,7 +4,7 @@
 
 namespace palpate
 {
-/// What a tool feels of one structure in one tick. Without touch the proxy is the probe itself.
+/// Contact of a tool with one structure in one tick. Without contact the proxy is the probe.
 struct Contact
 {
   bool IsTouching = false;
@@ -12,8 +12,9 @@ struct Contact
   Vector3 ProxyWorld = Vector3::Zero();
   Vector3 NormalWorld = Vector3::UnitZ(); ///< unit, out of the structure, at the proxy
   double Depth = 0.0;                     ///< mm from probe to proxy
-  int Material = 0;                       ///< of a field, the one that is touched; else 0
-  /// False for a pose that is not finite: then nothing is touched, and the numbers mean nothing.
+  int Material = 0;                       ///< of a field, the touched material; else 0
+  /// False for a pose that is not finite: then there is no contact, and the other members are
+  /// undefined.
   bool IsValid = false;
 };
 } // namespace palpate

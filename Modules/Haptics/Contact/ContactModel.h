@@ -11,7 +11,7 @@
 
 namespace palpate
 {
-/// A structure as something to touch. Immutable, so it can be shared by threads as a snapshot.
+/// Touch model of a structure. Immutable, so threads can share it as a snapshot.
 class ContactModel
 {
 public:
@@ -19,17 +19,17 @@ public:
   ContactModel(const ContactModel&) = delete;
   ContactModel& operator=(const ContactModel&) = delete;
 
-  /// Holds the whole structure, mm; a tool that is farther from it than its BoundingRadius touches
-  /// nothing.
+  /// Contains the whole structure, mm; a tool farther from it than its BoundingRadius has no
+  /// contact.
   virtual Eigen::AlignedBox3d BoundsWorld() const noexcept = 0;
 
-  /// What follows `tool` here. It shares this model's data and may outlive it. Refuses, with
-  /// `tracker` untouched, a tool or a friction that is none, and a tool that this kind of model
-  /// cannot feel. Allocates: never in a tick.
+  /// Creates a tracker for `tool`. It shares this model's data and may outlive it. Fails, with
+  /// `tracker` unchanged, for an invalid tool or friction, and for tools that this kind of model
+  /// does not support. Allocates: never call it in a tick.
   virtual Status MakeTracker(const ToolShape& tool, const SurfaceFriction& friction,
                              std::unique_ptr<ContactTracker>& tracker) const = 0;
 
-  /// What it occupies with what it shares, without its trackers; 0 where it does not say.
+  /// Memory with shared data, without trackers; 0 if unknown.
   virtual std::size_t Bytes() const noexcept { return 0; }
 
 protected:

@@ -19,20 +19,20 @@ public:
   ContactTracker(const ContactTracker&) = delete;
   ContactTracker& operator=(const ContactTracker&) = delete;
 
-  /// One tick. The result holds until the next call.
+  /// One tick. The result is valid until the next call.
   virtual const Contact& Follow(const ToolPose& pose) noexcept = 0;
-  /// Forgets the proxy: the next tick starts afresh, wherever the tool is by then.
+  /// Forgets the proxy: the next tick starts from the tool's position then.
   virtual void Release() noexcept = 0;
-  /// Whether drilling may change what is followed: the next four members are for that alone.
+  /// Whether the structure may be drilled; the next four members are for that only.
   virtual bool CanBeDrilled() const noexcept { return false; }
-  /// Follows another version of its solid from now on and keeps the proxy. `solid` must live until
-  /// the next one is given.
+  /// Uses another version of the solid from now on and keeps the proxy. `solid` must live until the
+  /// next one is set.
   virtual void UseSolid(const FieldSolid&) noexcept {}
-  /// Whether the tool at `pose` is nowhere inside. Only after Release.
+  /// Whether no part of the tool at `pose` is inside. Call only after Release.
   virtual bool IsFreeAt(const ToolPose&) noexcept { return true; }
-  /// How far (mm) a proxy on the surface may be inside by rounding, at most.
+  /// Largest depth (mm) of a proxy on the surface due to rounding.
   virtual double SurfaceTolerance() const noexcept { return 0.0; }
-  /// What it occupies beside its model; 0 where it does not say.
+  /// Memory without the model; 0 if unknown.
   virtual std::size_t Bytes() const noexcept { return 0; }
 
 protected:

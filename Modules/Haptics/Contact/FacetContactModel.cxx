@@ -30,7 +30,7 @@ Status FacetContactModel::MakeTracker(const ToolShape& tool, const SurfaceFricti
   }
   if (!tool.IsSphere())
   {
-    return Status::Failure("Facets are felt by spheres and points only.");
+    return Status::Failure("Triangle meshes support spherical and point tools only.");
   }
   tracker = std::make_unique<FacetTracker>(this->Tree, tool.Radius(), friction);
   return Status::Success();

@@ -8,12 +8,12 @@
 
 namespace palpate
 {
-/// A structure whose surface is a closed triangle mesh: the baseline that others are compared with.
-/// Its tools are spheres.
+/// A structure whose surface is a closed triangle mesh: the baseline for comparisons. Supports
+/// spherical tools.
 class FacetContactModel final : public ContactModel
 {
 public:
-  /// Refuses what FacetTree refuses. Corners are numbers of points.
+  /// Fails as FacetTree::Make. Corners are indices of points.
   static Status Make(const std::vector<Vector3>& pointsWorld,
                      const std::vector<FacetTree::Triangle>& triangles,
                      std::shared_ptr<const ContactModel>& contact);

@@ -8,7 +8,7 @@ namespace palpate
 {
 namespace
 {
-// What a tick may cost: so many rounds of so many planes.
+// Limits of a tick: rounds, and planes per round.
 constexpr int MostRounds = 4;
 constexpr std::size_t MostPlanes = 4;
 // A round that changes the pull by less is the last one.
@@ -46,7 +46,7 @@ const Contact& FacetTracker::Follow(const ToolPose& pose) noexcept
   return this->Felt;
 }
 
-// With nothing known: next to the nearest point, out of the mesh.
+// Without a known position: next to the nearest point, outside the mesh.
 void FacetTracker::Settle(const Vector3& probe) noexcept
 {
   this->IsKnown = true;
@@ -79,7 +79,7 @@ void FacetTracker::Advance(const Vector3& probe) noexcept
       break;
     }
   }
-  // Planes may have led the proxy off the mesh with no time left to come back along others.
+  // Planes may have moved the proxy off the mesh with no rounds left to return along others.
   if (this->IsTouching && !this->IsInReach())
   {
     this->IsTouching = this->MoveTo(drawnTo, 1) && this->IsInReach();
@@ -92,8 +92,8 @@ bool FacetTracker::IsInReach() const noexcept
   return this->Tree->BoundsWorld().squaredExteriorDistance(this->ProxyWorld) <= reach * reach;
 }
 
-// As near to the goal as planes that are touched on the way allow; false if it was reached without
-// touch.
+// As near to the goal as planes touched along the path allow; returns false if it was reached
+// without contact.
 bool FacetTracker::MoveTo(const Vector3& goal, std::size_t mostPlanes) noexcept
 {
   std::array<HalfSpace, MostPlanes> planes;

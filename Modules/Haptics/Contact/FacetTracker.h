@@ -12,9 +12,9 @@
 namespace palpate
 {
 /// The god-object (Zilles and Salisbury, IROS 1995), with a radius (Ruspini, Kolarov and Khatib,
-/// SIGGRAPH 1997): the proxy goes straight to the probe until it touches a facet, then on to the
-/// nearest place on that plane, and so on with up to three planes. Each move is swept, so nothing
-/// is passed through however fast the probe.
+/// SIGGRAPH 1997): the proxy moves straight to the probe until it touches a facet, then to the
+/// nearest place on that plane, and so on with up to three planes. Each move is swept, so that it
+/// passes through nothing, however fast the probe.
 class FacetTracker final : public ContactTracker
 {
 public:
@@ -33,9 +33,9 @@ private:
 
   std::shared_ptr<const FacetTree> Tree;
   double ToolRadius; // mm
-  double Skin;       // mm; kept between tool and facets, so that rounding does not let it through
+  double Skin;       // mm; kept between tool and facets, as a margin for rounding
   FrictionCone Friction;
-  bool IsKnown = false; // where the proxy is
+  bool IsKnown = false; // of the proxy
   bool IsTouching = false;
   Vector3 ProxyWorld = Vector3::Zero();
   Vector3 NormalWorld = Vector3::UnitZ();

@@ -19,7 +19,8 @@ Eigen::AlignedBox3d BoxOf(const Facet& facet)
   return box;
 }
 
-// The part of the way on which a sphere's box is first met; infinite if it is not on [0, last].
+// The fraction of the path at which the sphere first meets the box; infinite if not within [0,
+// last].
 double PartToBox(const SphereMotion& motion, const Vector3& inverse, const Eigen::AlignedBox3d& box,
                  double last) noexcept
 {
@@ -48,7 +49,7 @@ bool HasArea(const Facet& facet)
 {
   const Vector3 ab = facet.B - facet.A;
   const Vector3 ac = facet.C - facet.A;
-  // What is left of the cross product of parallel edges is rounding.
+  // A smaller cross product of parallel edges is rounding.
   return ab.cross(ac).norm() > 1e-14 * ab.norm() * ac.norm() && (facet.C - facet.B).norm() > 0.0;
 }
 } // namespace
@@ -68,7 +69,7 @@ Status FacetTree::Make(const std::vector<Vector3>& pointsWorld,
   {
     if (!std::all_of(t.begin(), t.end(), [count](int p) { return p >= 0 && p < count; }))
     {
-      return Status::Failure("The mesh to be touched has triangles of points that it lacks.");
+      return Status::Failure("The mesh to be touched has triangles with invalid point indices.");
     }
     const auto corner = [&](std::size_t n) { return pointsWorld[static_cast<std::size_t>(t[n])]; };
     const Facet facet(corner(0), corner(1), corner(2));
@@ -79,7 +80,7 @@ Status FacetTree::Make(const std::vector<Vector3>& pointsWorld,
   }
   if (facets.empty())
   {
-    return Status::Failure("The mesh to be touched has no triangle with an area.");
+    return Status::Failure("The mesh to be touched has no triangle with a positive area.");
   }
   const std::shared_ptr<FacetTree> made(new FacetTree);
   std::vector<Eigen::AlignedBox3d> boxes(facets.size());
@@ -94,8 +95,8 @@ Status FacetTree::Make(const std::vector<Vector3>& pointsWorld,
   return Status::Success();
 }
 
-// Both walks keep what is still to be looked at with a bound from below, and drop it if something
-// better was found meanwhile.
+// Both traversals keep pending nodes with a lower bound, and drop them if something better has been
+// found.
 FacetTree::Nearest FacetTree::NearestTo(const Vector3& pointWorld, double within) const noexcept
 {
   struct Pending
@@ -148,7 +149,7 @@ FacetTree::Nearest FacetTree::NearestTo(const Vector3& pointWorld, double within
   return nearest;
 }
 
-// The way begins at the box of the whole mesh: from far away, roots would have too few digits.
+// The path is clipped to the box of the whole mesh: from far away, roots would have too few digits.
 SweepHit FacetTree::Sweep(const SphereMotion& motion) const noexcept
 {
   const double before =
@@ -213,7 +214,7 @@ bool FacetTree::IsInside(const Vector3& pointWorld) const noexcept
   {
     return false;
   }
-  // A direction along which nothing that people make lies.
+  // A direction that is unlikely to be parallel to any edge.
   const Vector3 direction = Vector3(0.5257311, 0.3090170, 0.7936204);
   bool isInside = false;
   for (const Facet& facet : this->Facets)

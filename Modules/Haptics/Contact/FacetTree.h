@@ -12,8 +12,8 @@
 
 namespace palpate
 {
-/// A triangle mesh in boxes within boxes, in one flat list. Immutable; queries are noexcept and
-/// allocate nothing. Lengths are mm in the world.
+/// A triangle mesh with a bounding-volume hierarchy. Immutable; queries are noexcept and do not
+/// allocate. Lengths are mm in the world.
 class FacetTree
 {
 public:
@@ -22,11 +22,11 @@ public:
   struct Nearest
   {
     Vector3 PointWorld = Vector3::Zero();
-    double Distance; ///< mm; infinite where nothing is nearer than was asked for
+    double Distance; ///< mm; infinite if nothing is within the given limit
   };
 
-  /// Triangles without area are left out. Refuses points that are not finite, numbers of points
-  /// that there are not, and what leaves no triangle.
+  /// Degenerate triangles are skipped. Fails for points that are not finite, indices out of range,
+  /// and meshes without any valid triangle.
   static Status Make(const std::vector<Vector3>& pointsWorld,
                      const std::vector<Triangle>& triangles,
                      std::shared_ptr<const FacetTree>& tree);
@@ -41,12 +41,12 @@ public:
   }
   std::size_t FacetCount() const noexcept { return this->Facets.size(); }
 
-  /// The nearest point of the mesh that is not farther than `within`.
+  /// The nearest point of the mesh at a distance of at most `within`.
   Nearest NearestTo(const Vector3& pointWorld, double within) const noexcept;
-  /// Where a moving sphere first touches.
+  /// First contact of a moving sphere.
   SweepHit Sweep(const SphereMotion& motion) const noexcept;
-  /// Whether a closed mesh holds a point, by how often a ray crosses it. For starting only: a ray
-  /// through an edge may be wrong.
+  /// Whether a closed mesh contains a point, by the number of ray crossings. Only for the initial
+  /// state: a ray through an edge may give a wrong result.
   bool IsInside(const Vector3& pointWorld) const noexcept;
 
 private:

@@ -29,8 +29,8 @@ FieldContactModel::FieldContactModel(std::shared_ptr<const FieldSolid> solid, Fi
 
 int FieldContactModel::PointCountFor(double radius, double voxelSize) noexcept
 {
-  // A place of a sphere is up to 0.8 sqrt(area / count) from the nearest point, where the sphere
-  // is 4 radius / count lower.
+  // A place of a sphere is up to 0.8 sqrt(area / count) from the nearest point, where the sphere is
+  // 4 radius / count lower.
   const double radii = radius / voxelSize;
   constexpr double Lower = 0.05;
   const double wanted = std::max(4.0 * radii / Lower, 4.0 * M_PI * radii * radii);
@@ -72,8 +72,8 @@ Status FieldContactModel::MakeTracker(const ToolShape& tool, const SurfaceFricti
   }
   if (friction.Static > 0.0 || !(shell.BoundingRadius() > 0.0))
   {
-    return Status::Failure("The published law of the sub-voxel tool has no friction, and its tool "
-                           "is no point.");
+    return Status::Failure("The published method for sub-voxel tools supports neither friction "
+                           "nor point tools.");
   }
   tracker = std::make_unique<FieldShellTracker>(this->Solid, shell);
   return Status::Success();

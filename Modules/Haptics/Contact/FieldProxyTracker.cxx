@@ -11,20 +11,20 @@ namespace palpate
 {
 namespace
 {
-// In voxels. A step of the proxy or of its goal is short enough not to change the side of a wall
-// one voxel thick; a point is watched while it is near; and so near is near enough.
+// In voxels. Steps of the proxy and of its goal are short enough not to cross a wall one voxel
+// thick; a contact point is kept while it is this near; and this distance counts as converged.
 constexpr double LongestStep = 0.25;
 constexpr double Watched = 0.5;
 constexpr double Enough = 1e-3;
-// rad; a foot of a sphere stands straight on the surface.
+// rad; a sphere's contact point is then normal to the surface.
 constexpr double Aligned = 1e-4;
-// What a tick may cost.
+// Limits of a tick.
 constexpr int MostParts = 4;
 constexpr int MostStrides = 16;
 constexpr int MostSolves = 8;
 
-// A sphere's points moved out: over the place between them that is farthest from all, and by a
-// voxel for walls that bend. None where the tool is no sphere, or so rough that points say little.
+// A sphere's points moved outwards: by the largest height of the sphere between them, and by a
+// voxel for curved walls. None if the tool is no sphere, or its points are too sparse.
 std::optional<ToolShell> HaloOf(const ToolShape& tool, double voxel)
 {
   constexpr int Frequency = 12; // directions 4 degrees apart
@@ -108,7 +108,7 @@ void FieldProxyTracker::Advance(const Vector3& probe) noexcept
   }
 }
 
-// False where the tool touches.
+// Returns false on contact.
 bool FieldProxyTracker::MoveFree(const Vector3& probe) noexcept
 {
   const Eigen::AlignedBox3d path =
@@ -140,8 +140,8 @@ bool FieldProxyTracker::MoveFree(const Vector3& probe) noexcept
   return false;
 }
 
-// Whether a sphere, none of whose points is inside, is inside between them. Its feet then stand
-// there.
+// Whether a sphere, none of whose points is inside, is inside between them. Its contact points are
+// then set there.
 bool FieldProxyTracker::TouchesBetweenPoints(const Vector3& probe) noexcept
 {
   if (!this->Halo || this->Halo->CountInside(*this->Solid, probe) == 0)
@@ -171,7 +171,7 @@ bool FieldProxyTracker::TouchesBetweenPoints(const Vector3& probe) noexcept
   return this->FootCount > 0;
 }
 
-// With nothing known: where the tool can be next to where it is.
+// Without a known position: at the nearest possible place to the probe.
 void FieldProxyTracker::Settle(const Vector3& probe) noexcept
 {
   this->IsLost = false;
@@ -199,8 +199,8 @@ void FieldProxyTracker::Settle(const Vector3& probe) noexcept
   }
 }
 
-// By the shortest way along which the tool's origin leaves the solid, to where the tool is free of
-// it; it stays where there is none.
+// Moves out by the shortest path along which the tool's origin leaves the solid and the tool is
+// free; stays in place if there is none.
 void FieldProxyTracker::Escape(const Vector3& probe) noexcept
 {
   double shortest = this->Solid->BoundsWorld().diagonal().norm();
@@ -217,7 +217,7 @@ void FieldProxyTracker::Escape(const Vector3& probe) noexcept
   }
 }
 
-// Along the probe's path in short steps, until the tool is let go or the end is reached.
+// Along the probe's path in short steps, until contact ends or the end is reached.
 void FieldProxyTracker::Slide(const Vector3& probe) noexcept
 {
   const Vector3 start = this->ProbeWorld;
@@ -235,12 +235,12 @@ void FieldProxyTracker::Slide(const Vector3& probe) noexcept
   }
 }
 
-// One short step of the probe, with friction; false if the tool is let go.
+// One short step of the probe, with friction; returns false if contact ends.
 bool FieldProxyTracker::Press(const Vector3& goal) noexcept
 {
   if (this->FootCount == 0)
   {
-    return this->Solve(goal) && this->Solve(goal); // the second one moves the feet
+    return this->Solve(goal) && this->Solve(goal); // the second one moves the contact points
   }
   const FrictionCone::Pull pull(goal - this->ToolWorld, this->NormalWorld);
   if (!this->Friction.IsFrictionless() && this->Friction.Sticks(pull) && !this->IsTurned)
@@ -250,7 +250,7 @@ bool FieldProxyTracker::Press(const Vector3& goal) noexcept
   return this->Solve(this->Friction.DrawnTo(goal, this->ToolWorld, this->NormalWorld));
 }
 
-// Brings the proxy as near to the goal as the field allows; false where nothing is in the way.
+// Moves the proxy as near to the goal as the field allows; returns false if nothing is in the way.
 bool FieldProxyTracker::Solve(const Vector3& goal) noexcept
 {
   const double voxel = this->Solid->VoxelSize();
@@ -295,7 +295,8 @@ bool FieldProxyTracker::Solve(const Vector3& goal) noexcept
   return true;
 }
 
-// Where there was no time to get near the goal: at least onto the surface, by the shortest way.
+// If the steps did not suffice to get near the goal: at least onto the surface, by the shortest
+// path.
 void FieldProxyTracker::Surface() noexcept
 {
   constexpr int Steps = 2;
@@ -329,8 +330,8 @@ void FieldProxyTracker::LiftFoot(std::size_t foot) noexcept
   this->Feet[foot] = this->Feet[--this->FootCount];
 }
 
-// Once a step of the goal, so that planes do not move while a place between them is looked for.
-// Feet that come together become one.
+// Once per step of the goal, so that planes do not move during the search between them. Contact
+// points that meet are merged.
 void FieldProxyTracker::MoveFeet() noexcept
 {
   const double together = 0.01 * this->SphereRadius;
@@ -354,9 +355,9 @@ void FieldProxyTracker::MoveFeet() noexcept
   }
 }
 
-// Towards where the sphere is deepest in the plane that was found last, as far as it gets deeper:
-// not on edges, and on surfaces that bend away as much as the sphere only half as far. The point
-// where the foot began may then get another one.
+// Towards where the sphere is deepest in the last plane, as far as the depth increases: not on
+// edges, and only half as far on surfaces that curve away as much as the sphere. The shell point
+// from which the contact point started may then get another one.
 void FieldProxyTracker::MoveOnSphere(Foot& foot) noexcept
 {
   const Vector3 from = foot.Offset / this->SphereRadius;
@@ -380,7 +381,7 @@ void FieldProxyTracker::MoveOnSphere(Foot& foot) noexcept
   }
 }
 
-// For every point that is inside and has none.
+// For every inside point that has none.
 void FieldProxyTracker::AddFeet() noexcept
 {
   for (std::size_t point = 0; point < this->Shell.Count(); ++point)
@@ -389,14 +390,14 @@ void FieldProxyTracker::AddFeet() noexcept
         this->FootCount < this->Feet.size())
     {
       this->HasFoot[point] = 1;
-      // Until more is known, out is where the tool's inside is.
+      // Until more is known, the outward direction is that of the tool's inward normal.
       this->Feet[this->FootCount++] = {this->Shell.Offset(point), this->Shell.InwardNormal(point),
                                        point, false};
     }
   }
 }
 
-// Feet that are lost, or no longer near the surface, are lifted.
+// Contact points that are lost, or no longer near the surface, are removed.
 void FieldProxyTracker::GatherPlanes() noexcept
 {
   const double watched = Watched * this->Solid->VoxelSize();

@@ -13,18 +13,18 @@
 
 namespace palpate
 {
-/// Follows a tool's shell of points with the place nearest to the probe where none of them is
-/// inside a solid, which is also right where many touch, as in clefts.
+/// Tracks a shell of points: the proxy is the place nearest to the probe where no point is inside a
+/// solid, which also holds with many contacts, as in clefts.
 ///
-/// Each point that touches gives a plane, by value over gradient of the field. On a sphere it then
-/// moves to where the sphere is deepest in that plane, so that a sphere is felt as one, however far
-/// apart its points are. The proxy goes to
-/// the nearest place that all planes allow, asks the field again there, and so on until nothing
-/// changes: sequential quadratic programming, whose end lies on the field's own surface, not on a
-/// plane. A sphere is noticed before it touches between its points, so contact begins at its own
-/// surface. Its steps are shorter than half a voxel, so it stays on its side of walls that are a
-/// voxel thick; without touch, rays of all points along the way find walls however thin. What a
-/// tick has no time for is left to the next.
+/// Each touching point gives a plane, by value over gradient of the field. On a sphere the point
+/// then moves to where the sphere is deepest in that plane, so that the sphere keeps its shape,
+/// however far apart its points are. The proxy moves to the nearest place that all planes allow,
+/// samples the field again there, and so on until nothing changes: sequential quadratic
+/// programming, whose result lies on the field's own surface, not on a plane. A sphere is detected
+/// before it touches between its points, so contact begins at its own surface. Steps are shorter
+/// than half a voxel, so the proxy stays on its side of walls that are a voxel thick; without
+/// contact, rays of all points along the path find walls however thin. Work that exceeds a tick's
+/// limit is continued in the next.
 class FieldProxyTracker final : public ContactTracker
 {
 public:
@@ -38,7 +38,8 @@ public:
   bool CanBeDrilled() const noexcept override { return true; }
   void UseSolid(const FieldSolid& solid) noexcept override
   {
-    this->Solid = {std::shared_ptr<const FieldSolid>(), &solid}; // owns nothing, so frees nothing
+    this->Solid = {std::shared_ptr<const FieldSolid>(),
+                   &solid}; // aliasing constructor: does not own `solid`
   }
   double SurfaceTolerance() const noexcept override { return 0.5 * this->Solid->VoxelSize(); }
   bool IsFreeAt(const ToolPose& pose) noexcept override
@@ -50,18 +51,18 @@ public:
 private:
   enum class State
   {
-    Nothing, ///< of where the tool was
+    Nothing, ///< about the tool's last place
     Free,
     Touching
   };
 
-  // Where the tool stands on the surface.
+  // A contact point of the tool on the surface.
   struct Foot
   {
     Vector3 Offset;    // from the tool's origin, mm
     Vector3 Normal;    // of the surface there
-    std::size_t Point; // of the shell, where it began
-    bool HasMoved;     // from there
+    std::size_t Point; // of the shell, from which it started
+    bool HasMoved;     // away from the shell point
   };
 
   void Advance(const Vector3& probe) noexcept;
@@ -83,23 +84,24 @@ private:
 
   std::shared_ptr<const FieldSolid> Solid;
   ToolShell Shell;
-  /// Of a sphere, points outside of it, so high that it touches no wall before one of them does.
+  /// For a sphere, points outside of it, at such a height that the sphere touches no wall before
+  /// one of them does.
   std::optional<ToolShell> Halo;
   FrictionCone Friction;
   double Reach;        // mm; of tool points from the origin
   double SphereRadius; // mm; 0 for other tools and points
 
   State Known = State::Nothing;
-  bool IsTurned = false;                // in this tick
-  bool IsLost = false;                  // inside, and no way out is known
-  Vector3 ProbeWorld = Vector3::Zero(); // up to where its path has been followed
+  bool IsTurned = false;                // changed orientation in this tick
+  bool IsLost = false;                  // inside, with no known exit
+  Vector3 ProbeWorld = Vector3::Zero(); // end of the probe's path that has been followed
   Vector3 ToolWorld = Vector3::Zero();  // the proxy
   Vector3 NormalWorld = Vector3::UnitZ();
   std::vector<Foot> Feet;
   std::size_t FootCount = 0;
   std::vector<unsigned char> HasFoot; // for each point of the shell
-  std::vector<HalfSpace> Planes;      // of places of the tool's origin, one for each foot
-  double Deepest = 0.0;               // mm; of the feet, by their planes
+  std::vector<HalfSpace> Planes;      // constraints on the tool's origin, one per contact point
+  double Deepest = 0.0;               // mm; of the contact points, by their planes
   Contact Felt;
 };
 } // namespace palpate

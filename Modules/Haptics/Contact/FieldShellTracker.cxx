@@ -38,7 +38,7 @@ const Contact& FieldShellTracker::Follow(const ToolPose& pose) noexcept
   return this->Felt;
 }
 
-// By the points that were found inside last.
+// By the points last found inside.
 Vector3 FieldShellTracker::PushedOut(const Vector3& probe) const noexcept
 {
   Vector3 sum = Vector3::Zero();
@@ -57,11 +57,11 @@ Vector3 FieldShellTracker::PushedOut(const Vector3& probe) const noexcept
     }
   }
   const double size = sum.norm();
-  // Vectors that cancel but for rounding have no direction.
+  // Vectors that cancel up to rounding have no direction.
   return size > 1e-12 * lengths ? Vector3(probe + (lengths / touching / size) * sum) : probe;
 }
 
-// In quarters of a voxel; where those would be too many, in longer steps and then by halves.
+// In quarters of a voxel; if those would be too many, in longer steps and then by bisection.
 Vector3 FieldShellTracker::WayBack(const Vector3& probe) noexcept
 {
   constexpr double StepsPerVoxel = 4.0;

@@ -8,15 +8,15 @@
 
 namespace palpate
 {
-/// The published law of the sub-voxel sphere tool: its surface points inside the solid are traced
+/// The published method for a sub-voxel sphere tool: surface points inside the solid are traced
 /// along their inward normals to the surface; the sum of these vectors gives the direction in which
-/// the tool is pushed out, their mean length how far. Where more points touch than half of them,
-/// the way back to the proxy is traced until no more than that do, and the proxy stays there
+/// the tool is pushed out, their mean length the distance. If more than half of the points touch,
+/// the path back to the proxy is traced until half of them or fewer do, and the proxy stays there
 /// (Petersik, Pflesser, Tiede, Hoehne and Leuwer, "Haptic volume interaction with anatomic models
 /// at sub-voxel resolution", Haptics 2002).
 ///
-/// In clefts and where many points touch, the mean is less than the depth: see FieldProxyTracker. A
-/// tool that begins with every point inside feels no direction.
+/// In clefts and with many contacts, the mean is less than the depth: see FieldProxyTracker. A tool
+/// that starts with every point inside gets no direction.
 class FieldShellTracker final : public ContactTracker
 {
 public:

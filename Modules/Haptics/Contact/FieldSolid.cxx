@@ -11,10 +11,10 @@ namespace palpate
 namespace
 {
 constexpr double Infinite = std::numeric_limits<double>::infinity();
-// Deeper inside, no wall is known as the way out.
+// Deeper inside, no wall is reliable as the nearest exit.
 constexpr double MostVoxelsDeep = 2.0;
 
-// The bricks in which a material is, by index.
+// Bounds of the bricks that contain a material, by index.
 Eigen::AlignedBox3d OccupiedIndex(const ScalarField& field, int material)
 {
   const BrickLayout& layout = field.Layout();
@@ -85,13 +85,12 @@ FieldSolid::Wall FieldSolid::WallNear(const Vector3& pointWorld,
   const Vector3 pointIndex = this->Sampler.Field().Grid().PointIndex(pointWorld);
   Wall wall = this->WallBySamples(pointIndex);
   this->JoinBorder(pointIndex, wall);
-  // Where the gradient is as good as none, value over gradient says nothing.
+  // If the gradient is close to zero, value over gradient is meaningless.
   const bool isTrusted = wall.IsKnown && wall.Distance > -MostVoxelsDeep * this->Voxel;
   return isTrusted ? wall : this->WallByRay(pointWorld, outward);
 }
 
-// A material is where all its conditions hold, so of their planes the one that is left least deep
-// stands for it.
+// A material is the intersection of its conditions, so the plane with the smallest depth is used.
 FieldSolid::Wall FieldSolid::WallBySamples(const Vector3& pointIndex) const noexcept
 {
   const ScalarField& field = this->Sampler.Field();
@@ -136,7 +135,7 @@ FieldSolid::Wall FieldSolid::WallByRay(const Vector3& pointWorld,
   return {true, (pointWorld - hit.Position).dot(normal), normal};
 }
 
-// Where the material reaches the grid's border, that is a wall too.
+// Where the material reaches the grid's border, the border is a wall too.
 void FieldSolid::JoinBorder(const Vector3& pointIndex, Wall& wall) const noexcept
 {
   const FieldGrid& grid = this->Sampler.Field().Grid();

@@ -9,26 +9,25 @@
 
 namespace palpate
 {
-/// One material of a field as a solid body, shared by what follows tools at it. Immutable; queries
-/// are noexcept and allocate nothing. World is patient LPS, mm.
+/// One material of a field as a solid body, shared by its trackers. Immutable; queries are noexcept
+/// and do not allocate. World is patient LPS, mm.
 class FieldSolid
 {
 public:
-  /// The surface close to a point as a plane, by value over gradient there.
+  /// The surface near a point as a plane, by value over gradient there.
   struct Wall
   {
-    bool IsKnown = false;  ///< false deep inside, where the field says nothing of the way out
+    bool IsKnown = false;  ///< false deep inside, where the field gives no direction to the surface
     double Distance = 0.0; ///< from the plane to the point, mm; negative inside
     Vector3 Normal = Vector3::UnitZ(); ///< outward unit normal
   };
 
-  /// Refuses a material that the field does not have.
+  /// Fails if the field does not have the material.
   static Status Make(const std::shared_ptr<const ScalarField>& field, int material,
                      std::shared_ptr<const FieldSolid>& solid);
-  /// Of the bricks in which a material is, mm.
+  /// Bounds of the bricks that contain a material, mm.
   static Eigen::AlignedBox3d BoundsOf(const ScalarField& field, int material);
-  /// Of a version of a field that is drilled: a solid with the bounds (mm) of the field as it
-  /// began.
+  /// For a version of a drilled field: a solid with the bounds (mm) of the initial field.
   static Status Make(const std::shared_ptr<const ScalarField>& version, int material,
                      const Eigen::AlignedBox3d& boundsWorld,
                      std::shared_ptr<const FieldSolid>& solid);
@@ -45,14 +44,14 @@ public:
   {
     this->Sampler.AreInsideWorld(this->Number, pointsWorld, count, inside);
   }
-  /// Inside, but where the field has no samples because no surface is near enough, a ray looks for
-  /// one a voxel or two along `outward`, a unit vector.
+  /// Inside, if the field has no samples because no surface is near enough, a ray searches one to
+  /// two voxels along `outward`, a unit vector.
   Wall WallNear(const Vector3& pointWorld, const Vector3& outward) const noexcept;
-  /// The part (0 to 1) of the way after which it first enters the solid; 1 where it never does. A
-  /// way that begins inside is looked at from where it leaves.
+  /// The fraction (0 to 1) of the path after which it first enters the solid; 1 if it never does. A
+  /// path that starts inside is considered from where it leaves.
   double PartToEntry(const Vector3& fromWorld, const Vector3& way) const noexcept;
-  /// How far (mm) a ray along a unit vector goes until it leaves the solid that it begins in;
-  /// `reach` at most.
+  /// Distance (mm) along a unit vector to the exit from the solid that contains the start; at most
+  /// `reach`.
   double DistanceToExit(const Vector3& fromWorld, const Vector3& direction,
                         double reach) const noexcept;
 

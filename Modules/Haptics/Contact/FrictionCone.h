@@ -8,16 +8,16 @@
 
 namespace palpate
 {
-/// Coulomb's law for a proxy that the probe pulls by a spring: the pull's part along the surface
-/// against the part into it, so that the stiffness cancels (Zilles and Salisbury, "A
+/// Coulomb's law for a proxy that the probe pulls by a spring: the pull's component along the
+/// surface against the component into it, so that the stiffness cancels (Zilles and Salisbury, "A
 /// constraint-based god-object method for haptic display", IROS 1995).
 class FrictionCone
 {
 public:
-  /// How the probe pulls its proxy, mm.
+  /// The probe's pull on its proxy, mm.
   struct Pull
   {
-    double Into;  ///< the surface; negative where it lifts off
+    double Into;  ///< the surface; negative if it lifts off
     double Along; ///< the surface; at least 0
 
     Pull(const Vector3& proxyToProbe, const Vector3& normal) noexcept
@@ -28,7 +28,7 @@ public:
 
   explicit FrictionCone(const SurfaceFriction& friction) noexcept : Friction(friction) {}
 
-  /// Refuses coefficients that are negative or not finite, and more of them when slipping.
+  /// Fails for coefficients that are negative or not finite, and for dynamic friction above static.
   static Status Check(const SurfaceFriction& friction)
   {
     const bool isFriction = friction.Dynamic >= 0.0 && friction.Dynamic <= friction.Static &&
@@ -42,15 +42,15 @@ public:
   {
     return pull.Along <= this->Friction.Static * pull.Into;
   }
-  /// By how much (mm) the pull along the surface exceeds what a slipping proxy resists: 0 where it
-  /// comes to rest.
+  /// Amount (mm) by which the pull along the surface exceeds the resistance of a slipping proxy: 0
+  /// where it comes to rest.
   double Excess(const Pull& pull) const noexcept
   {
     return pull.Along - this->Friction.Dynamic * pull.Into;
   }
 
-  /// Where a proxy is drawn to instead of the probe: friction takes of the pull what it resists. A
-  /// proxy that sticks is drawn straight into the surface.
+  /// Goal of a proxy instead of the probe: the pull, reduced by friction. A sticking proxy is drawn
+  /// straight into the surface.
   Vector3 DrawnTo(const Vector3& probe, const Vector3& proxy, const Vector3& normal) const noexcept
   {
     const Pull pull(probe - proxy, normal);

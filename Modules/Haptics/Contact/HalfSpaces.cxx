@@ -8,7 +8,7 @@ namespace palpate
 {
 namespace
 {
-// Of unit vectors that are as good as parallel.
+// Threshold for unit vectors that count as parallel.
 constexpr double Parallel = 1e-7;
 
 // Everything here is relative to the goal, so the goal is the origin and nearest means shortest.
@@ -27,7 +27,7 @@ public:
     this->Slack = Roundings * (largest + goal.lpNorm<Eigen::Infinity>());
   }
 
-  // The shortest point that the first `count` hold.
+  // The shortest point within the first `count` half-spaces.
   bool InSpace(std::size_t count, Vector3& point) const noexcept
   {
     point.setZero();
@@ -51,7 +51,7 @@ private:
     return this->Spaces[i].Normal.dot(point) < this->OffsetOf(i) - this->Slack;
   }
 
-  // The same on plane `i` among those before it; the point stays where it was if there is none.
+  // The same on plane `i` within those before it; the point is unchanged if there is none.
   bool OnPlane(std::size_t i, Vector3& point) const noexcept
   {
     const Vector3 normal = this->Spaces[i].Normal;
@@ -67,7 +67,7 @@ private:
     return true;
   }
 
-  // The same on the line where planes `i` and `j` meet, among those before `j`.
+  // The same on the line where planes `i` and `j` meet, within those before `j`.
   bool OnLine(std::size_t i, std::size_t j, Vector3& point) const noexcept
   {
     const Vector3& a = this->Spaces[i].Normal;
@@ -113,7 +113,7 @@ private:
 
   Vector3 Goal;
   const HalfSpace* Spaces;
-  double Slack; // what rounding leaves of a distance
+  double Slack; // rounding error of a distance
 };
 } // namespace
 

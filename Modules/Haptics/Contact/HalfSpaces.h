@@ -6,27 +6,26 @@
 
 namespace palpate
 {
-/// The points p with Normal . p >= Offset: where a tool may be beside one touched plane.
+/// The points p with Normal . p >= Offset: allowed places of a tool at one touched plane.
 struct HalfSpace
 {
   Vector3 Normal; ///< unit vector
   double Offset;  ///< in the unit of the points
 };
 
-/// The point that all half-spaces hold nearest to some goal.
+/// The point of all half-spaces nearest to a goal.
 struct NearestHeld
 {
   Vector3 Point;
-  /// False where no point is held by all of them; then Point is held by as many as were joined
-  /// before.
+  /// False if the half-spaces have no common point; then Point is in those that were added before.
   bool IsHeld;
 };
 
-/// Exact up to rounding, with up to three of the planes touched: the constrained proxy of Zilles
-/// and Salisbury (IROS 1995), for any number of planes. Planes are added one by one; one that cuts
-/// off the point so far holds the next (R. Seidel, "Small-dimensional linear programming and convex
-/// hulls made easy", Discrete & Computational Geometry 6, 1991). Time is linear in `count` but in
-/// rare orders. No tolerance is absolute. Allocates nothing.
+/// Exact up to rounding, with up to three active planes: the constrained proxy of Zilles and
+/// Salisbury (IROS 1995), for any number of planes. Planes are added one by one; if one excludes
+/// the current point, the next point lies on it (R. Seidel, "Small-dimensional linear programming
+/// and convex hulls made easy", Discrete & Computational Geometry 6, 1991). Time is linear in
+/// `count` except for rare orders. No tolerance is absolute. Does not allocate.
 NearestHeld NearestInHalfSpaces(const Vector3& goal, const HalfSpace* spaces,
                                 std::size_t count) noexcept;
 } // namespace palpate

@@ -51,7 +51,7 @@ Status HarmonicContactModel::MakeTracker(const ToolShape& tool, const SurfaceFri
   }
   if (!tool.IsSphere())
   {
-    return Status::Failure("Surfaces of spherical harmonics are felt by spheres and points only.");
+    return Status::Failure("Spherical-harmonic surfaces support spherical and point tools only.");
   }
   if (this->Mode == HarmonicContactMode::Nearest)
   {
@@ -60,7 +60,7 @@ Status HarmonicContactModel::MakeTracker(const ToolShape& tool, const SurfaceFri
   }
   if (friction.Static > 0.0)
   {
-    return Status::Failure("The radial law has no friction.");
+    return Status::Failure("The radial method has no friction.");
   }
   tracker = std::make_unique<HarmonicRadialTracker>(this->Surface, tool.Radius());
   return Status::Success();

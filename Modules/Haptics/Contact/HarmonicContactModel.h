@@ -7,18 +7,18 @@
 
 namespace palpate
 {
-/// How a tool's proxy is put on a star-shaped surface.
+/// How a tool's proxy is placed on a star-shaped surface.
 enum class HarmonicContactMode
 {
-  Nearest, ///< on the nearest point, coherent from tick to tick, with friction
-  Radial   ///< on the probe's own radius: the published law, without friction
+  Nearest, ///< at the nearest point, coherent from tick to tick, with friction
+  Radial   ///< on the probe's own radius: the published method, without friction
 };
 
-/// A structure whose surface is a radius in spherical harmonics. Its tools are spheres.
+/// A structure whose surface is a radius in spherical harmonics. Supports spherical tools.
 class HarmonicContactModel final : public ContactModel
 {
 public:
-  /// Refuses what HarmonicSurface refuses.
+  /// Fails as HarmonicSurface::Make.
   static Status Make(std::shared_ptr<const SphericalHarmonicModel> model, HarmonicContactMode mode,
                      std::shared_ptr<const ContactModel>& contact);
 

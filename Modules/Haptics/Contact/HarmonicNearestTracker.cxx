@@ -8,29 +8,30 @@ namespace palpate
 {
 namespace
 {
-// Of the smallest radius, so that units do not matter. The gap is far below what a hand or an
-// encoder knows; the stride keeps Newton's method in the basin of its minimum.
+// Relative to the smallest radius, so that units do not matter. The gap is far below what a hand or
+// an encoder resolves; the stride keeps Newton's method in the basin of its minimum.
 constexpr double RelativeGap = 1e-6;
 constexpr double RelativeStride = 1.0 / 16.0;
-// What a tick may cost: steps through free space, and short steps of a probe that touches.
+// Limits of a tick: steps through free space, and short steps of a probe in contact.
 constexpr int MostParts = 4;
 constexpr int MostFreeSteps = 16;
 constexpr int MostStrides = 32;
-// Of the radius with its derivatives, in searches of the whole surface: of one, and of all in a
-// tick, after which every search gets by with a few. Rough bodies need many.
+// Evaluations of the radius with its derivatives in searches of the whole surface: of one search,
+// and of all in a tick, after which every search is limited to a few. Rough bodies need many.
 constexpr int EvaluationsOfSearch = 256;
 constexpr int EvaluationsOfTick = 500;
 constexpr int FewEvaluations = 20;
 
 // How far (rad) a proxy may turn about the centre while the probe moves by `motion` times the
-// smallest radius: more than it ever needs to follow a minimum, except close to the medial axis,
-// where it shall not jump.
+// smallest radius: more than it needs to follow a minimum, except close to the medial axis, where
+// it must not jump.
 double LargestTurn(double motion) noexcept
 {
   return std::min(0.5, 0.1 + 2.0 * motion);
 }
 
-// From a unit vector by `angle` (rad) towards another; to the opposite one by any way.
+// Rotates a unit vector by `angle` (rad) towards another; in any direction towards the opposite
+// one.
 Vector3 Turned(const Vector3& from, const Vector3& to, double angle) noexcept
 {
   const Vector3 across = to - to.dot(from) * from;
@@ -91,7 +92,7 @@ ClosestPoint HarmonicNearestTracker::NearestTo(const Vector3& probe) noexcept
   return nearest;
 }
 
-// Follows the probe's path from where it was. What a tick has no time for is left to the next.
+// Follows the probe's path from its last place. Work beyond a tick's limits is left to the next.
 void HarmonicNearestTracker::Advance(const Vector3& probe) noexcept
 {
   if (this->Known == State::Nothing)
@@ -113,8 +114,8 @@ void HarmonicNearestTracker::Advance(const Vector3& probe) noexcept
   }
 }
 
-// From ball to ball along the path (Hart, "Sphere tracing", The Visual Computer 12, 1996). False
-// where the tool touches.
+// From sphere to sphere along the path (Hart, "Sphere tracing", The Visual Computer 12, 1996).
+// Returns false on contact.
 bool HarmonicNearestTracker::MoveFree(const Vector3& probe) noexcept
 {
   for (int step = 0; step < MostFreeSteps; ++step)
@@ -137,7 +138,8 @@ bool HarmonicNearestTracker::MoveFree(const Vector3& probe) noexcept
   return false;
 }
 
-// Puts the ball around a place of the probe. Far away the sphere around the surface will do.
+// Computes the free sphere around a place of the probe. Far away the sphere around the surface
+// suffices.
 void HarmonicNearestTracker::Measure(const Vector3& probe) noexcept
 {
   const double largest = this->Surface->LargestRadius();
@@ -185,7 +187,7 @@ void HarmonicNearestTracker::LetGo(const ClosestPoint& nearest) noexcept
   this->ClearRadius = nearest.SignedDistance - nearest.DistanceError - this->ToolRadius;
 }
 
-// Along the path in short steps, until the tool is let go or the end is reached.
+// Along the path in short steps, until contact ends or the end is reached.
 void HarmonicNearestTracker::Slide(const Vector3& probe) noexcept
 {
   const Vector3 start = this->ProbeWorld;
@@ -202,7 +204,7 @@ void HarmonicNearestTracker::Slide(const Vector3& probe) noexcept
   }
 }
 
-// One short step of a tool that touches; false if it was let go there.
+// One short step in contact; returns false if contact ends.
 bool HarmonicNearestTracker::Press(const Vector3& probe, double motion) noexcept
 {
   this->ProbeWorld = probe;
@@ -221,8 +223,8 @@ bool HarmonicNearestTracker::Press(const Vector3& probe, double motion) noexcept
   return true;
 }
 
-// The minimum that goes on; or another one, where it has let go but the whole surface does not, and
-// where it has become a saddle or a maximum that descent would never leave.
+// The continued minimum; or another one, if contact with it has ended but not with the whole
+// surface, or if it has become a saddle or a maximum that descent would never leave.
 ClosestPoint HarmonicNearestTracker::Continued(const Vector3& probe) noexcept
 {
   ClosestPoint next = this->Surface->Search().Track(probe, this->Closest);
@@ -233,7 +235,7 @@ ClosestPoint HarmonicNearestTracker::Continued(const Vector3& probe) noexcept
     return next;
   }
   const ClosestPoint nearest = this->NearestTo(probe);
-  // In the centre of a sphere all directions are as good: it stays then.
+  // At the centre of a sphere all directions are equal: then it is kept.
   constexpr double Nearer = 1.0 - 1e-6;
   const bool isNearer = std::abs(nearest.SignedDistance) < Nearer * std::abs(next.SignedDistance);
   return isStationary && !isNearer ? next : nearest;
@@ -246,7 +248,7 @@ HarmonicNearestTracker::PullOf(const Vector3& probe,
   return {probe - (place.PointWorld + this->ToolRadius * place.Normal), place.Normal};
 }
 
-// Lets friction decide where the tool is held.
+// Applies friction to the held place.
 void HarmonicNearestTracker::Drag(const Vector3& probe) noexcept
 {
   if (this->Friction.IsFrictionless())
@@ -259,7 +261,7 @@ void HarmonicNearestTracker::Drag(const Vector3& probe) noexcept
   }
 }
 
-// Once a tick: it goes its way in short steps itself.
+// Once per tick: it takes short steps itself.
 void HarmonicNearestTracker::DragWedge(const Vector3& probe) noexcept
 {
   const Vector3& held = this->Wedge->CenterWorld();
@@ -271,7 +273,7 @@ void HarmonicNearestTracker::DragWedge(const Vector3& probe) noexcept
   }
 }
 
-// A ball that no wall holds is free, and goes to the probe from where it is.
+// A sphere that no wall holds is free, and moves from its place to the probe.
 void HarmonicNearestTracker::LeaveWedge(const Vector3& probe) noexcept
 {
   this->Known = State::Free;
@@ -281,13 +283,13 @@ void HarmonicNearestTracker::LeaveWedge(const Vector3& probe) noexcept
   this->Advance(probe);
 }
 
-// Between where the tool was held and the end of its way, the place where it resists again: a root
-// by the Illinois form of the false position.
+// Between the held place and the end of the path, the place where the tool sticks again: a root by
+// the Illinois form of the false position.
 HarmonicSurface::Place
 HarmonicNearestTracker::Slip(const Vector3& probe, const HarmonicSurface::Place& end) const noexcept
 {
   constexpr int MostSteps = 12;
-  constexpr double Enough = 1e-6; // of the pull
+  constexpr double Enough = 1e-6; // relative to the pull
   double before = 0.0;
   double after = 1.0;
   double excessBefore = this->Friction.Excess(this->PullOf(probe, this->Held));
@@ -309,7 +311,7 @@ HarmonicNearestTracker::Slip(const Vector3& probe, const HarmonicSurface::Place&
     const int side = excess > 0.0 ? 1 : -1;
     (side > 0 ? before : after) = part;
     (side > 0 ? excessBefore : excessAfter) = excess;
-    if (side == lastSide) // the other end has stayed: halved, it moves the next time
+    if (side == lastSide) // the other end has not moved: halved, it moves the next time
     {
       (side > 0 ? excessAfter : excessBefore) *= 0.5;
     }

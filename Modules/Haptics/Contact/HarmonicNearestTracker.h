@@ -9,19 +9,20 @@
 
 namespace palpate
 {
-/// Follows a spherical tool with the nearest point of a star-shaped surface.
+/// Tracks a spherical tool by the nearest point of a star-shaped surface.
 ///
-/// Free, the probe's path is followed through balls in which nothing is touched: they are as large
-/// as the proven distance to the nearest point, so no wall is passed unnoticed, and most ticks do
-/// nothing. Touching, the minimum of the distance that the tool met is continued by Newton's
-/// method, also where another part of the surface becomes nearer; long ticks are followed in short
-/// steps. Where the minimum ends, as in the centre of a sphere, the proxy goes on along the
-/// surface, so much a tick and no more. It lets go where the tool is a radius or more outside, by
-/// that minimum first and then by the whole surface.
+/// Without contact, the probe's path is followed through spheres that are proven free: their radius
+/// is the proven distance to the nearest point, so no wall is passed undetected, and most ticks
+/// need no evaluation. In contact, the local minimum of the distance that the tool met is continued
+/// by Newton's method, even if another part of the surface becomes nearer; long ticks are divided
+/// into short steps. Where the minimum ends, as at the centre of a sphere, the proxy moves on along
+/// the surface by a limited amount per tick. Contact ends where the tool is a radius or more
+/// outside, checked by that minimum first and then by the whole surface.
 ///
-/// The tool is put at the nearest point plus radius times normal; one that is too large for some
-/// hollow of the surface is kept out of all walls by HarmonicWedge. Friction holds it where it was,
-/// until the pull leaves the cone; then it slips towards the nearest point until it resists again.
+/// The tool is placed at the nearest point plus radius times normal; HarmonicWedge keeps a tool
+/// that is too large for a hollow of the surface out of all walls. Friction holds the tool in place
+/// until the pull leaves the friction cone; then it slips towards the nearest point until it sticks
+/// again.
 class HarmonicNearestTracker final : public ContactTracker
 {
 public:
@@ -38,7 +39,7 @@ public:
 private:
   enum class State
   {
-    Nothing, ///< of where the tool was
+    Nothing, ///< about the tool's last place
     Free,
     Touching
   };
@@ -66,19 +67,19 @@ private:
   std::shared_ptr<const HarmonicSurface> Surface;
   double ToolRadius; // mm
   FrictionCone Friction;
-  double TouchingGap; // mm; what is closer is taken as touched
-  double Stride;      // mm; the longest step of the probe that keeps to its minimum
+  double TouchingGap; // mm; smaller distances count as contact
+  double Stride;      // mm; the longest step of the probe that stays with its minimum
 
-  int EvaluationsLeft = 0; // in this tick, of searches of the whole surface
+  int EvaluationsLeft = 0; // in this tick, for searches of the whole surface
   State Known = State::Nothing;
-  Vector3 ProbeWorld = Vector3::Zero(); // up to where its path has been followed
-  // Free: the tool touches nothing while its centre is in this ball.
+  Vector3 ProbeWorld = Vector3::Zero(); // end of the probe's path that has been followed
+  // Without contact: the tool is free while its centre is in this sphere.
   Vector3 ClearCenterWorld = Vector3::Zero();
   double ClearRadius = 0.0;
-  // Touching: the minimum that is followed, and where friction holds the tool.
+  // In contact: the minimum that is tracked, and where friction holds the tool.
   ClosestPoint Closest{};
   HarmonicSurface::Place Held{};
-  std::unique_ptr<HarmonicWedge> Wedge; // that holds it instead, where it does not fit everywhere
+  std::unique_ptr<HarmonicWedge> Wedge; // used instead if the tool does not fit everywhere
   Contact Felt;
 };
 } // namespace palpate

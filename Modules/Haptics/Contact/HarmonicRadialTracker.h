@@ -7,10 +7,10 @@
 
 namespace palpate
 {
-/// The published law: contact where R_probe < R_proxy, with the proxy on the probe's own radius
-/// ("Haptic rendering of spherical-harmonic surfaces" of the prostate, on a Falcon). Its force is
-/// off the true normal by up to atan((a^2 - b^2) / 2ab) on an ellipse. The probe is a point there;
-/// a tool's radius is added to the surface's here.
+/// The published method: contact where R_probe < R_proxy, with the proxy on the probe's own radius
+/// ("Haptic rendering of spherical-harmonic surfaces" of the prostate, on a Falcon). Its force
+/// deviates from the true normal by up to atan((a^2 - b^2) / 2ab) on an ellipse. There the probe is
+/// a point; here a tool's radius is added to the surface's.
 class HarmonicRadialTracker final : public ContactTracker
 {
 public:
@@ -23,7 +23,7 @@ public:
 private:
   std::shared_ptr<const HarmonicSurface> Surface;
   double ToolRadius; // mm
-  /// Of the last probe: in the centre, which has no radius of its own, the last one goes on.
+  /// Of the last probe; kept at the centre, where the direction is undefined.
   Vector3 Direction = Vector3::UnitZ();
   Contact Felt;
 };

@@ -31,7 +31,7 @@ Status HarmonicSurface::Make(std::shared_ptr<const SphericalHarmonicModel> model
   {
     return Status::Failure("The model to be touched has numbers that are not finite.");
   }
-  // Finer than any use of the extremes; of the size, so that units do not matter.
+  // Finer than any use of the extremes; relative to the size, so that units do not matter.
   constexpr double Tolerance = 1e-4;
   const double size = MeanRadius(*model);
   if (!(size > 0.0))

@@ -10,19 +10,19 @@ namespace palpate
 {
 namespace
 {
-// Of the smallest radius, so that units do not matter: the way between two proofs, where a slide
-// ends, and what a proof leaves open.
+// Relative to the smallest radius, so that units do not matter: the path between two proofs, where
+// a slide ends, and the tolerance of a proof.
 constexpr double RelativeStep = 1.0 / 16.0;
 constexpr double RelativeEnd = 6e-6;
 constexpr double RelativeTolerance = 1e-5;
-// Of the ball's radius: nothing is nearer to its centre wherever it goes, also when a tick has no
+// Relative to the sphere's radius: nothing is nearer to its centre anywhere, even if a tick has no
 // time for the whole proof.
 constexpr double LeastProven = 0.5;
 constexpr int MostSteps = 6;
 constexpr int MostProofs = 12;
 constexpr int EvaluationsOfMove = 512;
 
-// A wall's minimum for another query on its normal: it is the same.
+// A wall's minimum for another query on its normal: it is the same point.
 ClosestPoint SeenFrom(const Vector3& queryWorld, const Vector3& modelCenterWorld,
                       const ClosestPoint& wall) noexcept
 {
@@ -32,9 +32,9 @@ ClosestPoint SeenFrom(const Vector3& queryWorld, const Vector3& modelCenterWorld
       SquaredDistance(wall.SampleDirection, wall.Sample, queryWorld - modelCenterWorld);
   return seen;
 }
-// Where two walls hold the ball in a groove, steps from plane to plane overshoot or lag by about
-// the same part each time: Aitken's process takes that part off along the step before (Irons and
-// Tuck, Int. J. Numer. Meth. Eng. 1, 1969).
+// If two walls hold the sphere in a groove, steps from plane to plane overshoot or lag by about the
+// same fraction each time: Aitken's process removes that fraction along the previous step (Irons
+// and Tuck, Int. J. Numer. Meth. Eng. 1, 1969).
 class Relaxation
 {
 public:
@@ -79,7 +79,7 @@ bool HarmonicWedge::IsNeeded(const HarmonicSurface& surface, double radius)
   const double size = Larger * radius;
   const double least =
       (1.0 - Rounding) * size - Rounding * surface.LargestRadius() - 2.0 * surface.Rounding();
-  // Some three directions along the finest wave of the surface.
+  // About three directions per shortest wavelength of the surface.
   const IcosahedronDirections sphere(std::max(6, surface.Model().Degree()));
   const auto& directions = sphere.Directions();
   return std::any_of(directions.begin(), directions.end(),
@@ -115,7 +115,7 @@ void HarmonicWedge::Approach(const Vector3& goalWorld) noexcept
   Leash leash{this->Center, this->LongestStep};
   for (int proof = 0; proof < MostProofs; ++proof)
   {
-    // One that overlaps is put out by the shortest way first.
+    // An overlapping sphere is first pushed out by the shortest path.
     const Vector3 goal = this->IsClear ? this->NextGoal(goalWorld, leash) : this->Center;
     const bool isThere = this->Slide(goal, leash) && goal == goalWorld;
     leash.ClearWorld = this->IsClear ? leash.ClearWorld : this->Center;
@@ -147,8 +147,8 @@ void HarmonicWedge::Approach(const Vector3& goalWorld) noexcept
   }
 }
 
-// The goal, or one on the way to it whose held place is in reach: a place that is cut off a longer
-// way lies in or off walls that bend.
+// The goal, or a point on the path to it whose held place is in reach: a place clipped from a
+// longer path lies in or off walls that curve.
 Vector3 HarmonicWedge::NextGoal(const Vector3& goalWorld, const Leash& leash) const noexcept
 {
   const Vector3 held = NearestInHalfSpaces(goalWorld, this->Planes().data(), this->WallCount).Point;
@@ -174,7 +174,7 @@ std::array<HalfSpace, HarmonicWedge::MostWalls> HarmonicWedge::Planes() const no
   return planes;
 }
 
-// What the walls' planes do not say of a long step they say of a short one.
+// Planes that are inaccurate for a long step are accurate for a short one.
 void HarmonicWedge::Shorten(Leash& leash) noexcept
 {
   constexpr double Shorter = 0.5;
@@ -193,8 +193,8 @@ bool HarmonicWedge::IsClearOfWalls() const noexcept
                      [&](const ClosestPoint& wall) { return wall.SignedDistance >= least; });
 }
 
-// Steps towards the place nearest to the goal that the known walls allow, a long step from a clear
-// place at most; whether it was reached.
+// Steps towards the place nearest to the goal that the known walls allow, at most a long step from
+// a clear place; returns whether it was reached.
 bool HarmonicWedge::Slide(const Vector3& goalWorld, const Leash& leash) noexcept
 {
   Relaxation relaxation;
@@ -231,8 +231,8 @@ bool HarmonicWedge::Slide(const Vector3& goalWorld, const Leash& leash) noexcept
   return false;
 }
 
-// Along a wall's plane a fast ball leaves a surface that bends away: back by the gap, which no
-// other known wall has less of.
+// Along a wall's plane a fast sphere leaves a surface that curves away: moves back by the gap, the
+// smallest of all known walls.
 void HarmonicWedge::ReturnToWall(const Vector3& goalWorld) noexcept
 {
   const ClosestPoint* nearest = nullptr;
@@ -248,8 +248,8 @@ void HarmonicWedge::ReturnToWall(const Vector3& goalWorld) noexcept
   }
 }
 
-// Where one plane alone holds the ball, it is one wall alone, and the place is that of the nearest
-// point to the goal, if the other walls allow it.
+// If a single plane holds the sphere, a single wall does, and the result is the nearest point to
+// the goal, if the other walls allow it.
 bool HarmonicWedge::Roll(const Vector3& goalWorld, const Leash& leash, const HalfSpace* planes,
                          const Vector3& heldWorld) noexcept
 {
@@ -287,7 +287,7 @@ bool HarmonicWedge::Roll(const Vector3& goalWorld, const Leash& leash, const Hal
   return isAllowed;
 }
 
-// Walls are kept while they are near. The one that is touched, if it is known, is the first.
+// Walls are kept while they are near. The touched one, if known, is the first.
 void HarmonicWedge::GoTo(const Vector3& placeWorld, const ClosestPoint* touched) noexcept
 {
   this->Center = placeWorld;
@@ -299,7 +299,7 @@ void HarmonicWedge::GoTo(const Vector3& placeWorld, const ClosestPoint* touched)
     const ClosestPoint wall =
         isTouched ? SeenFrom(placeWorld, this->Surface->Model().CenterWorld(), *touched)
                   : this->Surface->Search().Track(placeWorld, walls[i]);
-    // One that is no strict minimum, as around the axis of a round hollow, is a wall all the same.
+    // A minimum that is not strict, as around the axis of a round hollow, is a wall too.
     if (isTouched || wall.SignedDistance < this->Radius + this->LongestStep)
     {
       this->Meet(wall);
@@ -307,7 +307,7 @@ void HarmonicWedge::GoTo(const Vector3& placeWorld, const ClosestPoint* touched)
   }
 }
 
-// Of too many walls the farthest is given up; where it matters it will be found again.
+// With too many walls the farthest is dropped; if it matters it will be found again.
 void HarmonicWedge::Meet(const ClosestPoint& wall) noexcept
 {
   const auto end = this->Walls.begin() + static_cast<std::ptrdiff_t>(this->WallCount);

@@ -11,36 +11,36 @@
 
 namespace palpate
 {
-/// Keeps a ball out of a star-shaped surface that has hollows too narrow for it: brings it to the
-/// place nearest to a goal where no part of the surface is nearer than its radius. Some walls,
-/// minima of the distance that are apart, are followed; their tangent planes allow a next place,
-/// where the walls are asked again, and so on. Where that ends, ClearanceProof tells whether there
-/// is a wall that was not known. The ball goes nowhere that is not proven.
+/// Keeps a sphere out of a star-shaped surface with hollows that are too narrow for it: moves it to
+/// the place nearest to a goal where no part of the surface is nearer than its radius. Several
+/// walls, that is separate minima of the distance, are tracked; their tangent planes allow a next
+/// place, where the walls are evaluated again, and so on. At the end, ClearanceProof checks for
+/// walls that were not known. The sphere is never moved to an unproven place.
 class HarmonicWedge
 {
 public:
   HarmonicWedge(std::shared_ptr<const HarmonicSurface> surface, double radius);
 
-  /// False if a ball (mm) touches in one place only wherever it may roll, found by trying some
-  /// thousand places with a ball a tenth larger. Takes milliseconds.
+  /// False if a sphere (mm) touches in at most one place wherever it rolls, tested at some thousand
+  /// places with a sphere a tenth larger. Takes milliseconds.
   static bool IsNeeded(const HarmonicSurface& surface, double radius);
 
-  /// At the surface's nearest point to the ball: where it is if it is free there, else pushed out
-  /// by that wall.
+  /// Starts at the surface's nearest point to the sphere: in place if the sphere is free there,
+  /// else pushed out by that wall.
   void Begin(const ClosestPoint& nearest) noexcept;
-  /// Steps on from the last place; the walls' joint normal is then Normal().
+  /// Moves from the last place towards the goal; Normal() is then the combined normal of the walls.
   void MoveTo(const Vector3& goalWorld) noexcept;
 
   const Vector3& CenterWorld() const noexcept { return this->Center; }
   const Vector3& Normal() const noexcept { return this->JointNormal; }
-  /// Whether a wall keeps the ball from the goal; one that none does has left the surface.
+  /// Whether a wall keeps the sphere from the goal; otherwise it has left the surface.
   bool IsHeld() const noexcept { return this->IsKeptBack; }
 
 private:
   static constexpr std::size_t MostWalls = 6;
   static_assert(MostWalls <= ClearanceProof::MostKnown, "a proof takes all walls");
 
-  // How far (mm) the next step may lead from a proven place.
+  // Largest distance (mm) of the next step from a proven place.
   struct Leash
   {
     Vector3 ClearWorld;
@@ -62,13 +62,13 @@ private:
   std::shared_ptr<const HarmonicSurface> Surface;
   double Radius;
   double LongestStep; // mm, between two proofs
-  double End;         // mm, of a slide
+  double End;         // mm, at which a slide ends
   ClearanceProof Proof;
   Vector3 Center = Vector3::Zero();
   bool IsClear = false; // proven for the centre
   bool IsKeptBack = false;
   Vector3 JointNormal = Vector3::UnitZ();
-  std::array<ClosestPoint, MostWalls> Walls{}; // of the centre
+  std::array<ClosestPoint, MostWalls> Walls{}; // at the centre
   std::size_t WallCount = 0;
 };
 } // namespace palpate

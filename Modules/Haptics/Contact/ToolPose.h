@@ -4,14 +4,14 @@
 
 namespace palpate
 {
-/// Where a tool is: world is patient LPS, mm.
+/// Pose of a tool: world is patient LPS, mm.
 struct ToolPose
 {
   Vector3 PositionWorld = Vector3::Zero(); ///< of the origin of the tool's frame
   /// From the tool's frame to the world; a unit quaternion.
   Eigen::Quaterniond Orientation = Eigen::Quaterniond::Identity();
 
-  /// False for numbers that are none, and for what is too far away to be squared.
+  /// False if not finite, or too large to be squared.
   bool IsUsable() const noexcept
   {
     constexpr double Farthest = 1e100;

@@ -16,7 +16,7 @@ bool IsLength(double length)
   return length >= 0.0 && std::isfinite(length);
 }
 
-// The extent of a tool with these lengths, or none if one of them is none.
+// The extent of a tool with these lengths; no value if any of them is invalid.
 double ExtentOf(std::initializer_list<double> lengths, double extent)
 {
   return std::all_of(lengths.begin(), lengths.end(), IsLength)
@@ -24,7 +24,7 @@ double ExtentOf(std::initializer_list<double> lengths, double extent)
              : std::numeric_limits<double>::quiet_NaN();
 }
 
-// Outward unit vectors to the neighbours of a voxel that share a face, or any part, with it.
+// Outward unit vectors to the neighbours of a voxel: those that share a face, or all.
 std::vector<Vector3> NeighbourDirections(bool onlyFaces)
 {
   std::vector<Vector3> directions;
@@ -45,9 +45,9 @@ std::vector<Vector3> NeighbourDirections(bool onlyFaces)
   return directions;
 }
 
-// The n-th of `count` points on a spiral round z at equal steps of height, from -1 to 1. On a
+// The n-th of `count` points on a spiral around z at equal steps of height, from -1 to 1. On a
 // sphere and on a cylinder the area between two heights is proportional to their difference
-// (Archimedes), so each point stands for the same area.
+// (Archimedes), so each point represents the same area.
 struct SpiralPoint
 {
   double Height;
@@ -81,7 +81,7 @@ std::vector<Vector3> SphereDirections(int count)
   return directions;
 }
 
-// What is refused by Check gets no points: it may be very large.
+// Counts that Check rejects get no points: they may be very large.
 bool IsCount(int count)
 {
   return count >= ToolShape::MinimumCount && count <= ToolShape::MaximumCount;
@@ -127,19 +127,20 @@ ToolShape ToolShape::Capsule(double radius, double length, int count)
   return tool;
 }
 
-// Each point stands for the same area: of the lower end, the side and the upper end in turn. The
+// Each point represents the same area: of the lower end, the side and the upper end in turn. The
 // sides' first and last points lie on the rims.
 ToolShape ToolShape::Cylinder(double radius, double length, int count)
 {
   ToolShape tool;
   tool.HasShell = true;
   tool.Extent = ExtentOf({radius, length}, std::hypot(radius, 0.5 * length));
-  const double end = radius > 0.0 ? 0.5 * radius / (radius + length) : 0.0; // of the whole area
+  const double end =
+      radius > 0.0 ? 0.5 * radius / (radius + length) : 0.0; // fraction of the whole area
   for (int n = 0; IsCount(count) && n < count; ++n)
   {
     const SpiralPoint place(n, count);
     const double part = 0.5 * (place.Height + 1.0);
-    const double beyond = std::max(end - part, part - (1.0 - end)); // of the area, from a rim
+    const double beyond = std::max(end - part, part - (1.0 - end)); // area fraction beyond a rim
     const double up = part < 0.5 ? -1.0 : 1.0;
     if (beyond > 0.0)
     {
@@ -208,12 +209,11 @@ Status ToolShape::Check() const
   }
   for (std::size_t i = 0; i < this->ShellPoints.size(); ++i)
   {
-    // A vector without direction cannot be normalised; NaN fails too.
+    // A zero vector cannot be normalised; NaN fails too.
     const bool isDirected = std::abs(this->ShellNormals[i].norm() - 1.0) < 1e-6;
     if (!this->ShellPoints[i].allFinite() || !isDirected)
     {
-      return Status::Failure(
-          "A tool's shell must have finite points and normals with a direction.");
+      return Status::Failure("A tool's shell must have finite points and nonzero normals.");
     }
   }
   return Status::Success();

@@ -12,32 +12,32 @@ namespace palpate
 class ToolShape
 {
 public:
-  /// Points of a published shell: the directions to the neighbours of a voxel.
+  /// Points of the published shell: the directions to the neighbours of a voxel.
   static constexpr int NeighbourCount = 26;
   static constexpr int MinimumCount = 4;
   static constexpr int MaximumCount = 4096;
 
-  /// Radius 0 is a point. Models that need a shell make their own of it.
+  /// Radius 0 is a point. Models that need a shell create their own.
   static ToolShape Sphere(double radius);
   /// A sphere with a shell of `count` points: 6 and 26 are the directions to the face neighbours
   /// and to all neighbours of a voxel, others lie on a spiral of equal areas.
   static ToolShape SpherePoints(double radius, int count);
-  /// Along z, `length` from the centre of one end's sphere to that of the other.
+  /// Along z, `length` between the centres of the end spheres.
   static ToolShape Capsule(double radius, double length, int count);
-  /// Along z, its middle at the origin, with flat ends.
+  /// Along z, centred at the origin, with flat ends.
   static ToolShape Cylinder(double radius, double length, int count);
   /// `semiAxes` along x, y, z.
   static ToolShape Ellipsoid(const Vector3& semiAxes, int count);
-  /// Points of any closed surface and their inward normals, made unit vectors here.
+  /// Points of any closed surface and their inward normals, which are normalised here.
   static ToolShape FromSurfacePoints(std::vector<Vector3> points, std::vector<Vector3> normals);
 
-  /// Refuses lengths that are negative or not finite, counts outside the limits, and normals
-  /// without direction or not one for each point.
+  /// Fails for lengths that are negative or not finite, counts outside the limits, and normals that
+  /// are zero or not one for each point.
   Status Check() const;
 
   bool IsSphere() const noexcept { return this->Spherical; }
   double Radius() const noexcept { return this->SphereRadius; } ///< of a sphere, else 0
-  /// The radius (mm) around the origin that holds the tool.
+  /// The radius (mm) of a sphere around the origin that contains the tool.
   double BoundingRadius() const noexcept { return this->Extent; }
   const std::vector<Vector3>& Points() const noexcept { return this->ShellPoints; }
   /// Inward unit normals, one for each point.

@@ -9,15 +9,15 @@
 
 namespace palpate
 {
-/// A tool's shell as it is turned now, and which of its points are inside a solid. The memory that
-/// a tick needs is there from the beginning.
+/// A tool's shell in its current orientation, and which of its points are inside a solid. All
+/// memory is allocated at construction.
 class ToolShell
 {
 public:
   /// The tool must have a shell.
   explicit ToolShell(const ToolShape& tool);
 
-  /// False where the tool is turned as before.
+  /// Returns false if the orientation is unchanged.
   bool Turn(const Eigen::Quaterniond& orientation) noexcept;
 
   /// On the heap.
@@ -30,10 +30,11 @@ public:
   const Vector3& Offset(std::size_t point) const noexcept { return this->Offsets[point]; }
   const Vector3& InwardNormal(std::size_t point) const noexcept { return this->Inward[point]; }
 
-  /// How many points are inside with the tool's origin here; IsInside then answers for each.
+  /// Number of points inside with the tool's origin at this position; IsInside then tells which.
   int CountInside(const FieldSolid& solid, const Vector3& positionWorld) noexcept;
   bool IsInside(std::size_t point) const noexcept { return this->Inside[point] != 0; }
-  /// The part of the way from here after which the first point enters; 1 where none does.
+  /// The fraction of the path from this position after which the first point enters; 1 if none
+  /// does.
   double PartToEntry(const FieldSolid& solid, const Vector3& positionWorld,
                      const Vector3& way) const noexcept;
 

@@ -7,7 +7,7 @@ namespace palpate
 {
 namespace
 {
-// Along a touched plane a way comes no nearer but for rounding.
+// Motion along a touched plane approaches it only by rounding.
 bool ComesNearer(const Vector3& normal, const Vector3& way) noexcept
 {
   return normal.dot(way) < -1e-12 * normal.norm() * way.norm();
@@ -43,7 +43,7 @@ void SweepEdge(const SphereMotion& motion, const Vector3& from, const Vector3& t
 {
   const Vector3 edge = to - from;
   const double square = edge.squaredNorm();
-  // Across the edge everything is as with a corner.
+  // Perpendicular to the edge it is the same as for a corner.
   const Vector3 m = motion.Start - from;
   const double start = m.dot(edge) / square;
   const double rate = motion.Way.dot(edge) / square;
@@ -65,7 +65,7 @@ bool IsInFacet(const Vector3& point, const Facet& facet) noexcept
          (facet.A - facet.C).cross(point - facet.C).dot(facet.Normal) >= 0.0;
 }
 
-// True where the face is touched first, or no part of the facet can be.
+// Returns true if the face is touched first, or no part of the facet can be.
 bool SweepFace(const SphereMotion& motion, const Facet& facet, SweepHit& hit) noexcept
 {
   const Vector3& normal = facet.Normal;
@@ -142,7 +142,7 @@ void SweepSphere(const SphereMotion& motion, const Facet& facet, SweepHit& hit) 
   }
   const Vector3 offset = motion.Start - ClosestPointOnFacet(motion.Start, facet);
   const double distance = offset.norm();
-  // A sphere that was stopped here before touches but for rounding, and roots might lie behind it.
+  // A sphere that was stopped here before touches up to rounding, and roots might lie behind it.
   if (distance <= (1.0 + 1e-6) * motion.Radius)
   {
     const double overlap = std::max(0.0, motion.Radius - distance);

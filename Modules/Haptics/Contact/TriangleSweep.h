@@ -4,7 +4,7 @@
 
 namespace palpate
 {
-/// A triangle that has an area, by its corners.
+/// A non-degenerate triangle, by its corners.
 struct Facet
 {
   Facet(const Vector3& a, const Vector3& b, const Vector3& c)
@@ -15,10 +15,10 @@ struct Facet
   Vector3 A;
   Vector3 B;
   Vector3 C;
-  Vector3 Normal; ///< unit vector to the side from which the corners go round counter-clockwise
+  Vector3 Normal; ///< unit vector to the side from which the corners are counter-clockwise
 };
 
-/// A sphere on its way.
+/// A moving sphere.
 struct SphereMotion
 {
   Vector3 Start; ///< of its centre
@@ -28,17 +28,17 @@ struct SphereMotion
 
 struct SweepHit
 {
-  double Part = 1.0;                 ///< of the way, 0 to 1
+  double Part = 1.0;                 ///< of the path, 0 to 1
   Vector3 Normal = Vector3::UnitZ(); ///< unit vector from the touched place to the centre
-  double Overlap = 0.0;              ///< how deep the sphere was in already, if it touches at once
+  double Overlap = 0.0;              ///< initial depth, if the sphere already overlaps
   bool IsHit = false;
 };
 
 /// The point of a facet nearest to a point (Ericson, Real-Time Collision Detection, 2005, ch. 5).
 Vector3 ClosestPointOnFacet(const Vector3& point, const Facet& facet) noexcept;
 
-/// Makes `hit` the first touch of the sphere with the facet if that is earlier than what `hit`
-/// holds. A sphere that already touches is hit at once if it comes nearer, and else not at all.
-/// Faces touch from both sides; edges are cylinders and corners spheres round them.
+/// Sets `hit` to the first contact of the sphere with the facet if that is earlier than `hit`. A
+/// sphere that already touches is hit at once if it approaches, and else not at all. Faces touch
+/// from both sides; edges are cylinders and corners spheres around them.
 void SweepSphere(const SphereMotion& motion, const Facet& facet, SweepHit& hit) noexcept;
 } // namespace palpate

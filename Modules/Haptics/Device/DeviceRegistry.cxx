@@ -55,7 +55,7 @@ Status DeviceRegistry::FindDevices(const std::string& name, Clock& clock,
   found.clear();
   return this->CanBeFound(name)
              ? this->Find(name)->FindDevices(clock, found)
-             : Status::Failure("Devices of the kind " + name + " cannot be looked for.");
+             : Status::Failure("Devices of the kind " + name + " cannot be searched for.");
 }
 
 Status DeviceRegistry::Make(const std::string& text, Clock& clock,

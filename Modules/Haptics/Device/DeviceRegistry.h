@@ -10,42 +10,41 @@
 
 namespace palpate
 {
-/// One of several devices of a kind, as it was found.
+/// A device found by a search.
 struct FoundDevice
 {
-  std::string Argument;  ///< by which the kind makes it
-  bool IsUsable = false; ///< it can be opened as it stands
-  std::string Says;      ///< how it is, or what stands in the way
+  std::string Argument;  ///< for the factory of its kind
+  bool IsUsable = false; ///< it can be opened in its current state
+  std::string Says;      ///< its state, or what prevents its use
 };
 
-/// The kinds of devices that a program knows, by name. An ordinary object: whoever composes the
-/// program fills it and hands it on.
+/// Kinds of devices that a program supports, by name. Not a global: the program creates, fills and
+/// passes it.
 class DeviceRegistry
 {
 public:
-  /// Makes a closed device. `argument` says which one where a kind needs telling (a file, a serial
+  /// Creates a closed device. `argument` selects one if the kind requires it (a file, a serial
   /// number); the clock outlives the device.
   using Factory = std::function<Status(Clock& clock, const std::string& argument,
                                        std::unique_ptr<HapticDevice>& device)>;
 
-  /// Looks for the devices of a kind that are plugged in, without changing how they are. For kinds
-  /// that take a while to open.
+  /// Searches for connected devices of a kind, without changing their state. For kinds that take a
+  /// while to open.
   using Search = std::function<Status(Clock& clock, std::vector<FoundDevice>& found)>;
 
-  /// Refuses an empty name, one that is taken, and an empty factory.
+  /// Fails for an empty or duplicate name, and an empty factory.
   Status Add(const std::string& name, const std::string& description, Factory factory,
              Search search = nullptr);
 
-  /// In the order of their being added.
+  /// In the order of Add.
   std::vector<std::string> Names() const;
-  /// Empty for a name that is not known.
+  /// Empty for an unknown name.
   std::string Description(const std::string& name) const;
-  /// Whether devices of this kind can be looked for.
+  /// Whether this kind has a search.
   bool CanBeFound(const std::string& name) const;
-  /// Fails where they cannot be looked for, here or at all.
+  /// Fails if this kind cannot be searched for, on this machine or at all.
   Status FindDevices(const std::string& name, Clock& clock, std::vector<FoundDevice>& found) const;
-  /// `text` is "name" or "name:argument". Fails, naming what there is, for a name that is not
-  /// known.
+  /// `text` is "name" or "name:argument". For an unknown name it fails, listing the known ones.
   Status Make(const std::string& text, Clock& clock, std::unique_ptr<HapticDevice>& device) const;
 
 private:

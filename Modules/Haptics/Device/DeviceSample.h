@@ -7,15 +7,15 @@
 
 namespace palpate
 {
-/// What a device measured at one time, in its own frame.
+/// One measurement of a device, in its own frame.
 struct DeviceSample
 {
   PlainVector3 Position; ///< mm
-  /// x, y, z, w of the unit quaternion from the tool's to the device's frame; where the device
-  /// does not measure it, the identity.
+  /// x, y, z, w of the unit quaternion from the tool's to the device's frame; the identity if the
+  /// device does not measure it.
   std::array<double, 4> Orientation{0.0, 0.0, 0.0, 1.0};
-  std::uint32_t Buttons = 0;  ///< a bit each, set while pressed
-  std::uint64_t Sequence = 0; ///< grows with every new measurement, and only then
+  std::uint32_t Buttons = 0;  ///< one bit each, set while pressed
+  std::uint64_t Sequence = 0; ///< increases with every new measurement, and only then
   std::int64_t Time = 0;      ///< ns of the servo's clock
 };
 } // namespace palpate

@@ -2,14 +2,14 @@
 
 namespace palpate
 {
-/// The life of a device. Forces are given in Ready only.
+/// State of a device. Forces are rendered in Ready only.
 enum class DeviceState
 {
   Closed,  ///< not in use; from here it can be opened
-  Opening, ///< being found, or its firmware loaded
-  Homing,  ///< gives samples whose positions mean nothing yet
-  Ready,   ///< gives positions and takes forces
-  Error    ///< failed; it has to be closed and opened again
+  Opening, ///< searching, or loading firmware
+  Homing,  ///< returns samples whose positions are not valid yet
+  Ready,   ///< returns positions and accepts forces
+  Error    ///< failed; must be closed and opened again
 };
 
 /// "closed", "opening", "homing", "ready", "error".

@@ -9,55 +9,54 @@
 
 namespace palpate
 {
-/// A device that measures where a hand is and pushes it. Open, Close and Problem are for the thread
-/// that owns it; Read and Apply are for the servo thread, between them; State is for any.
+/// A device that measures the position of a hand and applies forces to it. Open, Close and Problem:
+/// owner thread. Read and Apply: servo thread, between Open and Close. State: any thread.
 ///
 ///     Closed -> Opening -> Homing -> Ready -> Closed
 ///                  any of these -> Error -> Closed
 ///
-/// Every back end must give 0 N by itself where nothing calls Apply any more.
+/// Every back end must output 0 N by itself if Apply is no longer called.
 class HapticDevice
 {
 public:
   HapticDevice() = default;
   HapticDevice(const HapticDevice&) = delete;
   HapticDevice& operator=(const HapticDevice&) = delete;
-  /// Of an open one: the back end closes it.
+  /// The back end closes an open device.
   virtual ~HapticDevice() = default;
 
-  /// Known before it is opened, and as it stands after.
+  /// Known before the device is opened, and updated by Open.
   virtual const DeviceCapabilities& Capabilities() const noexcept = 0;
   virtual DeviceState State() const noexcept = 0;
-  /// What an Error is, in one sentence for the person at the device; empty without.
+  /// Error message for the user; empty without an Error.
   virtual std::string Problem() const = 0;
 
-  /// What the person at it should do now, as while it is homed; empty where nothing. For the
-  /// owner's thread, beside a servo too.
+  /// What the user should do now, for example during homing; empty if nothing. Owner thread, also
+  /// while a servo runs.
   virtual std::string Guidance() const { return ""; }
-  /// How its connection has done since it was opened, in one sentence; empty where nobody counts.
-  /// For the owner's thread, while no servo runs.
+  /// Quality of the connection since Open, as a message; empty if not measured. Owner thread, while
+  /// no servo runs.
   virtual std::string ConnectionReport() const { return ""; }
 
-  /// Takes it out of Closed. May take seconds; may end in Homing, which then ends while samples
-  /// are read.
+  /// Leaves Closed. May take seconds; may end in Homing, which then ends while samples are read.
   virtual Status Open() = 0;
-  /// Gives 0 N first. Nothing where it is closed.
+  /// Outputs 0 N first. No effect if closed.
   virtual void Close() noexcept = 0;
 
-  /// Leads the hand of a simulated device to a place (mm, device's frame), or as near to it as the
-  /// device reaches. False, without effect, for a device with a hand of its own. For any thread.
+  /// Moves the hand of a simulated device to a place (mm, device's frame), or as near to it as the
+  /// device reaches. Returns false, without effect, for a real device. Any thread.
   virtual bool LeadHand(const Vector3& target) noexcept
   {
     static_cast<void>(target);
     return false;
   }
 
-  /// The newest sample; the same as before where there is no newer one. False where the device
-  /// failed. Never waits for longer than a fraction of its own period.
+  /// The newest sample, which may be the previous one again. Returns false if the device failed.
+  /// Never waits longer than a fraction of its own period.
   virtual bool Read(DeviceSample& sample) noexcept = 0;
-  /// The force (N, in the device's frame) from now until the next call that returns true. False
-  /// where nothing was sent: the device failed, which State says, or its connection takes nothing
-  /// just now. The servo faults where that lasts for longer than LongestGap.
+  /// The force (N, in the device's frame) from now until the next call that returns true. Returns
+  /// false if nothing was sent: the device failed, as State tells, or its connection is busy. The
+  /// servo faults if that lasts longer than LongestGap.
   virtual bool Apply(const Vector3& force) noexcept = 0;
 };
 } // namespace palpate

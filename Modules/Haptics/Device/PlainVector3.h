@@ -4,8 +4,8 @@
 
 namespace palpate
 {
-/// Three numbers that may be copied as bytes, which Eigen's vectors may not: for what is exchanged
-/// between threads or written to files.
+/// Three numbers that can be copied as bytes, unlike Eigen's vectors: for exchange between threads
+/// and for files.
 struct PlainVector3
 {
   double X = 0.0;
@@ -13,7 +13,7 @@ struct PlainVector3
   double Z = 0.0;
 
   PlainVector3() = default;
-  /// Of a vector or of an expression that gives one.
+  /// From a vector or a vector expression.
   template <typename Derived>
   PlainVector3(const Eigen::MatrixBase<Derived>& v) noexcept
   {

@@ -4,12 +4,12 @@
 
 namespace palpate
 {
-/// What a person wants of what was drilled so far. It goes through the servo, so that it has its
-/// place among the cuts and is recorded with its tick.
+/// A user's command on the drilled material. It passes through the servo, so that it has its place
+/// among the cuts and is recorded with its tick.
 enum class DrillCommand : std::uint8_t
 {
   None,
-  EndStroke, ///< what is cut from now on is undone apart
+  EndStroke, ///< further cuts become a new stroke
   Undo,
   Redo,
   Reset

@@ -130,7 +130,7 @@ void DrillEditor::Cut(const CutOrder& order)
   const auto tool = static_cast<std::size_t>(order.Tool);
   if (site >= this->Fields.size() || tool >= this->Tools.size())
   {
-    this->CutProblem = "The scene drills by a tool or in a field that the editor does not have.";
+    this->CutProblem = "The scene refers to a tool or field that the drill editor does not have.";
     return;
   }
   const Status status =
@@ -138,7 +138,7 @@ void DrillEditor::Cut(const CutOrder& order)
   this->CutProblem = status.IsOk() ? this->CutProblem : status.Message();
 }
 
-// Those whose state is another one since the last call; strokes end.
+// Sites whose state has changed since the last call; ends their strokes.
 std::vector<std::size_t> DrillEditor::ChangedSites()
 {
   std::vector<std::size_t> changed;
@@ -169,7 +169,7 @@ void DrillEditor::EndStroke()
   this->Push(this->ChangedSites());
 }
 
-// A field that has forgotten its oldest strokes stays as it is, and has nothing to be redone then.
+// A field that has discarded its oldest strokes is unchanged, and then has nothing to redo.
 void DrillEditor::Undo()
 {
   this->EndStroke();
@@ -217,7 +217,7 @@ bool DrillEditor::HasOpenStroke() const
   return hasOpen;
 }
 
-// Versions that the servo has given back make room for the next ones.
+// Versions that the servo has returned free records for the next ones.
 Status DrillEditor::HandOver()
 {
   this->Shared->Versions.Reclaim();
@@ -276,7 +276,7 @@ Status DrillEditor::Restore(const std::vector<State>& removed)
   const Lock lock(this->Editing);
   if (removed.size() != this->Fields.size())
   {
-    return Status::Failure("What was removed belongs to another number of structures.");
+    return Status::Failure("The removal belongs to a different number of structures.");
   }
   this->EndStroke();
   for (std::size_t site = 0; site < removed.size(); ++site)

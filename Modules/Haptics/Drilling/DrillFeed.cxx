@@ -22,7 +22,8 @@ void DrillFeed::Arrive(std::uint64_t number) noexcept
   }
 }
 
-// What no version shows yet; summed anew, so that nothing is left of what has arrived.
+// Cuts that no version contains yet; summed from scratch, so that no rounding remains of those that
+// have arrived.
 double DrillFeed::MostAhead() const noexcept
 {
   double ahead = this->Play + this->Unordered;
@@ -35,7 +36,7 @@ double DrillFeed::MostAhead() const noexcept
 
 Vector3 DrillFeed::Meet(const ToolPose& probe, const Vector3& offset, bool cuts) noexcept
 {
-  constexpr double KeptInTick = 0.95; // of the play, once nothing is cut
+  constexpr double KeptInTick = 0.95; // of the play, while nothing is cut
   const double length = offset.norm();
   const Vector3 proxy = probe.PositionWorld + offset;
   this->Play = cuts ? this->Clearance : KeptInTick * this->Play;

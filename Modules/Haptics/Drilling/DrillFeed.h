@@ -10,44 +10,44 @@
 
 namespace palpate
 {
-/// Where a drill has come to in one structure, beyond what the version that is felt shows: between
-/// that one's proxy and the probe. The hand feels the tool there, so what it feels goes on evenly
-/// while versions come in steps. Of one servo thread; allocates nothing.
+/// Position of a drill in one structure, ahead of the published version: between that version's
+/// proxy and the probe. The force is computed from this position, so it changes smoothly while
+/// versions arrive in steps. For one servo thread; does not allocate.
 ///
-/// The tool that touches is smaller than the one that cuts by a clearance: in a hole of its own
-/// size a tool would wedge. So while it cuts, the tool may be as far above the proxy; and as far
-/// below beside what waits, since a pit that is smaller than a voxel shows in no version.
+/// The touching tool is smaller than the cutting tool by a clearance: in a hole of its own size a
+/// tool would wedge. So while it cuts, the tool may be that much above the proxy; and that much
+/// below, in addition to pending cuts, since a pit smaller than a voxel shows in no version.
 ///
-/// A tool that moves along the surface comes out of its own pit again, over the rim of what is not
-/// cut yet: a ball of radius R, D below the surface, rises by sqrt(2 D / R) of its way.
+/// A tool that moves along the surface climbs out of its own pit, over the rim of uncut material: a
+/// sphere of radius R, D below the surface, rises by sqrt(2 D / R) times its path.
 class DrillFeed
 {
 public:
-  /// Cuts that were ordered and are not in a version yet; with so many the drill waits.
+  /// Maximum number of orders that are not in a version yet; then the drill stops.
   static constexpr std::size_t MostWaiting = 64;
-  /// Ticks from one cut to the next.
+  /// Ticks between cuts.
   static constexpr int TicksOfCut = 4;
 
-  /// Radius of what cuts, and clearance; mm.
+  /// Radius of the cutting tool, and clearance; mm.
   DrillFeed(double radius, double clearance) noexcept : Radius(radius), Clearance(clearance) {}
 
-  /// The version that is felt has all orders below `number`.
+  /// The current version contains all orders below `number`.
   void Arrive(std::uint64_t number) noexcept;
 
-  /// Once a tick, at a surface that is touched: where the tool is now, as an offset (mm) from the
-  /// probe, by the offset from the probe to the proxy. `cuts`: it is going to be fed.
+  /// Once per tick in contact: returns the tool's position as an offset (mm) from the probe, given
+  /// the offset from the probe to the proxy. `cuts`: the tool will advance.
   Vector3 Meet(const ToolPose& probe, const Vector3& offset, bool cuts) noexcept;
-  /// Feeds by `way` (mm) from there towards the probe, as far as that. How far it went.
+  /// Advances by up to `way` (mm) towards the probe. Returns the distance.
   double Advance(double way) noexcept;
   /// The tool does not cut in this tick.
   void Rest() noexcept;
-  /// It does not touch any more.
+  /// Contact has ended.
   void Leave() noexcept;
 
-  /// Whether a cut is to be ordered now; once a tick. Where the tool went farther than its radius
-  /// since the last one, it is cut only where it is.
+  /// Whether a cut is due; once per tick. If the tool moved farther than its radius since the last
+  /// cut, the cut covers its current place only.
   bool NextCut(CutOrder& order) noexcept;
-  /// It was, under that number.
+  /// The cut was ordered, with its number.
   void Ordered(const CutOrder& order) noexcept;
 
 private:
@@ -61,12 +61,12 @@ private:
   double Radius;
   double Clearance;
   std::array<Step, MostWaiting> Waiting;
-  std::size_t First = 0; // of those that wait
+  std::size_t First = 0; // of the pending ones
   std::size_t Count = 0;
   double Unordered = 0.0;              // mm
-  double Play = 0.0;                   // mm of the clearance that are used now
+  double Play = 0.0;                   // mm of the clearance in use
   ToolPose Probe;                      // of this tick
-  Vector3 Remaining = Vector3::Zero(); // mm, from there to the tool
+  Vector3 Remaining = Vector3::Zero(); // mm, from the probe to the tool
   Vector3 Tool = Vector3::Zero();      // mm, world
   PlainPose LastCut;
   int TicksSinceCut = 0;

@@ -7,7 +7,7 @@ namespace palpate
 {
 namespace
 {
-// Orders come every fourth tick; a version may be this much late.
+// Orders come every fourth tick; this is the largest delay of a version.
 constexpr auto Period = std::chrono::milliseconds(1);
 } // namespace
 

@@ -17,7 +17,7 @@ public:
   DrillWorker& operator=(const DrillWorker&) = delete;
   ~DrillWorker() { this->Stop(); }
 
-  /// Does nothing without an editor. The worker before has to be stopped.
+  /// No effect without an editor. A previous run must be stopped.
   void Start(std::shared_ptr<DrillEditor> editor);
   /// Returns once all orders of the servo are done.
   void Stop();

@@ -7,8 +7,8 @@ FadingContact::FadingContact(const Vector3& force, const Vector3& normal, double
     : Progress(HandoverDuration), Weight(1.0), Push(force.dot(normal)), Stiffness(stiffness),
       Normal(normal), Hand(hand)
 {
-  // Along a surface there is at most friction. Where two that were joined push nearly against each
-  // other, the wall is where their sum pushes.
+  // Along a surface there is at most friction. If two joined contacts push almost against each
+  // other, the wall is normal to their sum.
   constexpr double Steepest = 0.5;
   if (!this->IsOver() && this->Push < Steepest * force.norm())
   {

@@ -2,15 +2,15 @@
 
 namespace palpate
 {
-/// Fades forces in: after the start and after a change of scene the hand may be deep inside.
+/// Fades forces in after a start or a change of scene, when the hand may be deep inside.
 class RampIn
 {
 public:
   /// `duration` in s; not positive means no fading.
   explicit RampIn(double duration) noexcept : Duration(duration) {}
 
-  /// The factor in [0, 1] of this tick, which `period` (s) has passed before; it begins at 0 and
-  /// rises linearly.
+  /// The factor in [0, 1] of this tick, `period` (s) after the last one; starts at 0 and rises
+  /// linearly.
   double Advance(double period) noexcept;
   bool IsRamping() const noexcept { return this->Elapsed < this->Duration; }
   void Restart() noexcept

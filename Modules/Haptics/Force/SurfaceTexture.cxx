@@ -21,20 +21,20 @@ Status SurfaceTexture::Make(std::shared_ptr<const ScalarField> image, int channe
   }
   if (image == nullptr || channel < 0 || channel >= image->ChannelCount())
   {
-    return Status::Failure("There is no image to make a texture of.");
+    return Status::Failure("The texture has no image.");
   }
-  // Its constructor is private to std::make_shared too.
+  // std::make_shared cannot call the private constructor.
   std::shared_ptr<SurfaceTexture> made(new SurfaceTexture(std::move(image), channel, amplitude));
   if (!made->LearnUsual(boundsWorld))
   {
-    return Status::Failure("The image is the same everywhere at the structure, or does not reach "
-                           "it: there is no texture to feel.");
+    return Status::Failure("The image is constant at the structure, or does not reach it: there "
+                           "is no texture to render.");
   }
   texture = std::move(made);
   return Status::Success();
 }
 
-// By a lattice of points, since the field keeps its samples in bricks.
+// On a lattice of points, since the field stores its samples in bricks.
 bool SurfaceTexture::LearnUsual(const Eigen::AlignedBox3d& boundsWorld)
 {
   constexpr int Points = 32; // along each axis
@@ -50,7 +50,7 @@ bool SurfaceTexture::LearnUsual(const Eigen::AlignedBox3d& boundsWorld)
     const FieldSample sample = this->Sampler.ValueWorld(this->Channel, boundsWorld.min() + place);
     if (sample.Kind != SampleKind::Outside)
     {
-      // About the first value, so that large intensities lose no digits.
+      // Relative to the first value, so that large intensities lose no digits.
       this->Mean = count == 0.0 ? sample.Value : this->Mean;
       const double above = sample.Value - this->Mean;
       count += 1.0;

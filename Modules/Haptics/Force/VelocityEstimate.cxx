@@ -11,7 +11,7 @@ void VelocityEstimate::Reset() noexcept
 const Vector3& VelocityEstimate::Update(const Vector3& position, double period) noexcept
 {
   const Vector3 difference = (position - this->Last) / period;
-  // The exact answer to a step would have an exponential; this one's gain is at most 1 too.
+  // The exact step response would use an exponential; this filter's gain is at most 1 too.
   const double weight = period / (this->TimeConstant + period);
   const Vector3 next = this->Filtered + weight * (difference - this->Filtered);
   const bool isUsable = this->HasLast && period > 0.0 && next.allFinite();

@@ -6,7 +6,7 @@ namespace palpate
 {
 /// Viscosity inside a structure: F = -c v (N), for a viscosity c (N s/mm) and the hand's velocity v
 /// (mm/s), while the tool's centre is inside. Meant for structures that are not stiff: others do
-/// not let it in. It never gives out energy at any one moment; held from tick to tick it is a
+/// not let it in. It never generates energy in continuous time; held from tick to tick it is a
 /// damping like a contact's own, and has the same bound (StiffnessAdvice).
 class VolumeViscosity final : public ForceEffect
 {

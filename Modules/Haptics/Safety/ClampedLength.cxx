@@ -14,7 +14,7 @@ Vector3 ClampedLength(const Vector3& vector, double maximum) noexcept
     return vector;
   }
   const Vector3 scaled = vector / largest;
-  // A little less, since the length of the product is known up to some units in the last place.
+  // Slightly less, since the length of the product is exact only to some units in the last place.
   return scaled * (maximum / scaled.norm() * (1.0 - 1e-15));
 }
 } // namespace palpate

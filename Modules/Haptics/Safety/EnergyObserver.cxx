@@ -31,7 +31,7 @@ Vector3 EnergyObserver::Damping(const Vector3& contactForce, const Vector3& velo
   {
     return Vector3::Zero();
   }
-  // In parts of the contact's force.
+  // Relative to the contact's force.
   const double along = damping.dot(contactForce) / push;
   if (along < -1.0)
   {

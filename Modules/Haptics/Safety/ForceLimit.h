@@ -4,17 +4,17 @@
 
 namespace palpate
 {
-/// Cuts forces to what the device can give, keeping their direction: cut axis by axis, or by a
-/// saturating amplifier, a strong force would point elsewhere.
+/// Limits forces to the device's maximum, keeping their direction: clipped by axis, or by a
+/// saturating amplifier, a strong force would change direction.
 class ForceLimit
 {
 public:
-  /// `maximum` in N; not positive or not a number means no force at all.
+  /// `maximum` in N; if not positive or NaN, there is no force at all.
   explicit ForceLimit(double maximum) noexcept : Maximum(maximum) {}
 
   /// Never longer than the maximum, and finite for any input.
   Vector3 Apply(const Vector3& force) noexcept;
-  /// Whether the last force was cut.
+  /// Whether the last force was limited.
   bool IsLimiting() const noexcept { return this->Limiting; }
 
 private:

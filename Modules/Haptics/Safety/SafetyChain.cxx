@@ -4,7 +4,7 @@ namespace palpate
 {
 namespace
 {
-// s. The gain of the filter is at most 1, so what is credited is no more than what was taken up.
+// s. The filter's gain is at most 1, so no more is credited than was absorbed.
 constexpr double MotionTimeConstant = 0.003;
 } // namespace
 
@@ -113,16 +113,16 @@ Vector3 SafetyChain::Shape(const SafetyInput& input) noexcept
   {
     this->Energy.Close();
   }
-  // By the bare difference: a filtered velocity comes too late to take up energy.
+  // By the unfiltered difference: a filtered velocity is too late to absorb energy.
   const Vector3 damping = this->Energy.Damping(contact, way / period, period);
   contact += damping;
 
   const Vector3 limited = this->Limit.Apply(contact + ambient);
   const Vector3 slewed = this->Slew.Apply(limited, period);
-  // The way from one allowed force to another stays allowed, but for roundings.
+  // All forces between two allowed ones are allowed, up to rounding.
   const bool isLimited = this->Limit.IsLimiting();
   Vector3 force = this->Limit.Apply(slewed);
-  // Exactly zero without contact, once nothing is left to slew.
+  // Exactly zero without contact, once the slew limit has settled.
   this->AppliedContact = force - ambient;
 
   this->LastReport = {SafetyFault::None,    true,      this->Ramp.IsRamping(),

@@ -13,30 +13,30 @@ namespace palpate
 {
 struct SafetySettings
 {
-  double MaximumForce = 0.0;   ///< N; without one there is no force
+  double MaximumForce = 0.0;   ///< N; 0: no force
   double MaximumSlew = 2000.0; ///< N/s
   double RampDuration = 0.3;   ///< s
-  double LargestDamping = 0.0; ///< N s/mm, that the energy observer may add
-  double DeviceDamping = 0.0;  ///< N s/mm, that the mechanism has by itself; 0 if not known
+  double LargestDamping = 0.0; ///< N s/mm, limit for the energy observer
+  double DeviceDamping = 0.0;  ///< N s/mm, of the mechanism; 0 if unknown
   double DeviceFriction = 0.0; ///< N, likewise
   WatchdogLimits Limits;
 };
 
-/// What a tick wants to do; everything in the device's frame.
+/// Input of a tick; everything in the device's frame.
 struct SafetyInput
 {
   TickObservation Observed;
-  SafetyFault SceneFault = SafetyFault::None; ///< what the scene found wrong with itself
+  SafetyFault SceneFault = SafetyFault::None; ///< reported by the scene
   bool IsTouching = false;
   Vector3 ContactForce = Vector3::Zero(); ///< N
-  Vector3 AmbientForce = Vector3::Zero(); ///< N, what acts without touch too
+  Vector3 AmbientForce = Vector3::Zero(); ///< N, forces that act without contact too
 };
 
 /// Stands between everything that computes forces and the device; it cannot be switched off. In
-/// this order: watchdog, guard against what is no number, ramp, energy observer, limit, slew limit.
+/// this order: watchdog, non-finite guard, ramp, energy observer, limit, slew limit.
 ///
 /// For any input its output is finite and no longer than MaximumForce. A fault gives 0 N at once
-/// and for good, until Rearm. Not before the device is Ready does it let anything through.
+/// and for good, until Rearm. It passes no force before the device is Ready.
 class SafetyChain
 {
 public:
@@ -44,13 +44,13 @@ public:
 
   /// Once a tick: the force (N, device's frame) to apply.
   Vector3 Apply(const SafetyInput& input) noexcept;
-  /// A fault that only applying showed.
+  /// A fault detected while applying the force.
   void Fail(SafetyFault fault) noexcept;
-  /// Forgets a fault and begins anew, fading in.
+  /// Clears a fault, restarts and fades in.
   void Rearm() noexcept;
-  /// After a pause between two ticks: forgets motion and fades in. A fault stays.
+  /// After a pause between two ticks: resets motion and fades in. A fault remains.
   void Resume() noexcept;
-  /// Fades in anew, since the scene is another one.
+  /// Fades in again, for a new scene.
   void FadeIn() noexcept;
 
   const SafetyReport& Report() const noexcept { return this->LastReport; }

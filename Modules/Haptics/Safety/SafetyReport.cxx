@@ -11,18 +11,18 @@ const char* Describe(SafetyFault fault) noexcept
   case SafetyFault::DeviceFailed:
     return "The device failed or was unplugged: check its cable and power, then open it again.";
   case SafetyFault::StalledTick:
-    return "The servo was held up for too long: close other programs or allow it real-time "
+    return "The servo was delayed for too long: close other programs or allow it real-time "
            "priority, then switch forces on again.";
   case SafetyFault::StaleSample:
     return "The device sends no new positions: check its cable, then switch forces on again.";
   case SafetyFault::ImplausibleMotion:
-    return "The device reported a motion faster than a hand can be: home it, then switch forces "
+    return "The device reported a motion faster than any hand: home it, then switch forces "
            "on again.";
   case SafetyFault::NonFinitePosition:
-    return "The device reported a position that is no number: home it, then switch forces on "
+    return "The device reported an invalid position: home it, then switch forces on "
            "again.";
   case SafetyFault::NonFiniteForce:
-    return "A force was computed that is no sensible number: change the scene's stiffness or "
+    return "A computed force was not finite or implausibly large: change the scene's stiffness or "
            "model, then switch forces on again.";
   case SafetyFault::InvalidContact:
     return "A model of the scene gave no valid contact: change the scene, then switch forces on "

@@ -13,23 +13,23 @@ enum class SafetyFault
   NonFinitePosition,
   NonFiniteForce,
   InvalidContact,
-  SwitchedOff, ///< by a person
-  Suspended,   ///< the machine slept between two ticks
+  SwitchedOff, ///< by the user
+  Suspended,   ///< the machine was suspended between two ticks
   UntakenForce ///< the device is present but accepted no force for too long
 };
 
-/// What a safety chain did in the last tick.
+/// Result of a safety chain's last tick.
 struct SafetyReport
 {
-  SafetyFault Fault = SafetyFault::None; ///< the first one since it was armed
+  SafetyFault Fault = SafetyFault::None; ///< the first one since arming
   bool IsArmed = false;                  ///< the device is ready and there is no fault
   bool IsRamping = false;                ///< forces are still being faded in
-  bool IsDamping = false;                ///< the contact gave out more energy than it took in
-  bool IsLimited = false;                ///< cut to the largest force
-  bool IsSlewing = false;                ///< the change was cut to the largest in one tick
-  double Energy = 0.0;                   ///< N mm that the contact took in since it began
+  bool IsDamping = false;                ///< the contact returned more energy than it absorbed
+  bool IsLimited = false;                ///< reduced to the largest force
+  bool IsSlewing = false;                ///< the change was reduced to the largest per tick
+  double Energy = 0.0;                   ///< N mm that the contact absorbed since it began
 };
 
-/// One sentence for the person at the device: what happened and what to do.
+/// Message for the user: what happened and what to do.
 const char* Describe(SafetyFault fault) noexcept;
 } // namespace palpate

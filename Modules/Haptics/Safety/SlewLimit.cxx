@@ -10,7 +10,7 @@ Vector3 SlewLimit::Apply(const Vector3& force, double period) noexcept
   const Vector3 change = wanted - this->Last;
   const Vector3 allowed = ClampedLength(change, this->Rate * period);
   this->Slewing = allowed != change;
-  // Where nothing was cut, the wanted force to the last bit.
+  // If not limited, exactly the wanted force.
   this->Last = this->Slewing ? Vector3(this->Last + allowed) : wanted;
   return this->Last;
 }

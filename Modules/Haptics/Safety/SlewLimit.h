@@ -4,19 +4,19 @@
 
 namespace palpate
 {
-/// Limits how fast the force changes, so that a step in a computation is no blow.
+/// Limits the rate of change of the force, so that a step in a computation is no blow.
 class SlewLimit
 {
 public:
-  /// `rate` in N/s; not positive or not a number lets nothing change.
+  /// `rate` in N/s; if not positive or NaN, the force cannot change.
   explicit SlewLimit(double rate) noexcept : Rate(rate) {}
 
-  /// On the straight way from the last force to this one, as far as `period` (s) allows. Finite for
-  /// any input; what is not finite is taken as zero.
+  /// The point on the line from the last force to this one that `period` (s) allows. Finite for any
+  /// input; a force that is not finite counts as zero.
   Vector3 Apply(const Vector3& force, double period) noexcept;
-  /// Whether the last change was cut.
+  /// Whether the last change was limited.
   bool IsSlewing() const noexcept { return this->Slewing; }
-  /// The next change begins from here.
+  /// Sets the start of the next change.
   void Reset(const Vector3& force = Vector3::Zero()) noexcept { this->Last = force; }
 
 private:

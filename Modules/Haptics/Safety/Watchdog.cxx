@@ -7,7 +7,7 @@ namespace palpate
 {
 namespace
 {
-// Ticks of one time still allow for a motion of some encoder counts.
+// Ticks at the same time still allow for a motion of some encoder counts.
 constexpr double ShortestPeriod = 1e-4; // s
 
 bool IsFinite(const DeviceSample& sample) noexcept
@@ -25,7 +25,7 @@ void Watchdog::Reset() noexcept
   this->TicksWithoutSample = 0;
 }
 
-// Too late, or of a clock that stood still or went back: nobody knows how long the force was held.
+// Too late, or the clock stopped or went back: it is unknown how long the force was held.
 SafetyFault Watchdog::CheckTime(const TickInfo& now) const noexcept
 {
   const std::int64_t passed = now.Started - this->Last.Tick.Started;
@@ -67,7 +67,7 @@ SafetyFault Watchdog::CheckSample(const TickObservation& now) noexcept
   const bool isNew = !this->HasLast || now.Sample.Sequence != this->Last.Sample.Sequence;
   this->TicksWithoutSample = isNew ? 0 : this->TicksWithoutSample + 1;
   const std::int64_t age = now.Tick.Started - now.Sample.Time;
-  // From the future it would never be old, and allow for any motion since the one before.
+  // A sample from the future would never be old, and would allow any motion since the previous one.
   if (this->TicksWithoutSample >= this->Limits.StaleTicks || age > this->Limits.OldestSample ||
       age < -this->Limits.OldestSample)
   {
@@ -79,14 +79,14 @@ SafetyFault Watchdog::CheckSample(const TickObservation& now) noexcept
 SafetyFault Watchdog::Check(const TickObservation& now) noexcept
 {
   SafetyFault fault = this->CheckDevice(now);
-  // Before it is ready, a device's samples mean nothing.
+  // Before a device is ready, its samples are not valid.
   if (fault != SafetyFault::None || now.State != DeviceState::Ready)
   {
     return fault;
   }
   const SafetyFault late = this->HasLast ? this->CheckTime(now.Tick) : SafetyFault::None;
   fault = this->CheckSample(now);
-  // Samples are old after a suspension too, but that is not their device's failure.
+  // Samples are old after a suspension too, but not due to a failure of the device.
   if (fault == SafetyFault::None || late == SafetyFault::Suspended)
   {
     fault = late;

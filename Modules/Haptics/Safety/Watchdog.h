@@ -9,31 +9,31 @@ namespace palpate
 {
 struct WatchdogLimits
 {
-  /// ns from one tick to the next, which is more than 0; also the most that is suspended between.
+  /// ns from one tick to the next, at least 1; also the longest suspension in between.
   std::int64_t LongestGap = 10'000'000;
   std::int64_t OldestSample = 10'000'000; ///< ns from its measurement to the tick, or after it
-  int StaleTicks = 2;                     ///< as many ticks in a row without a new sample
+  int StaleTicks = 2;                     ///< consecutive ticks without a new sample
   double FastestMotion = 5000.0;          ///< mm/s; hands on a device stay below 2000
 };
 
-/// What a tick begins with.
+/// Input of a tick.
 struct TickObservation
 {
   TickInfo Tick;
   DeviceState State = DeviceState::Closed;
-  bool HasSample = false; ///< the device gave one; it may be the last one again
+  bool HasSample = false; ///< the device returned one, perhaps the last one again
   DeviceSample Sample;
 };
 
-/// Judges time, device and samples: says from its first sign on that one of them failed.
+/// Checks time, device and samples, and reports the first sign of a failure.
 class Watchdog
 {
 public:
   explicit Watchdog(const WatchdogLimits& limits) noexcept : Limits(limits) {}
 
-  /// Once a tick, in order.
+  /// Once per tick, in order.
   SafetyFault Check(const TickObservation& now) noexcept;
-  /// Forgets what was before: the next tick is a first one.
+  /// Forgets earlier ticks: the next one counts as the first.
   void Reset() noexcept;
 
 private:

@@ -11,12 +11,12 @@ DeviceFrame::DeviceFrame(const Matrix3& rotation, double scale, const Vector3& o
 
 Status DeviceFrame::Check() const
 {
-  // Rotations that were written with seven digits are still meant as such.
+  // Accepts rotations that were written with seven digits.
   constexpr double tolerance = 1e-6;
   const double skew = (this->Rotation * this->Rotation.transpose() - Matrix3::Identity()).norm();
   if (!(skew <= tolerance) || !(this->Rotation.determinant() > 0.0))
   {
-    return Status::Failure("The device's orientation in the world is no rotation.");
+    return Status::Failure("The device's orientation in the world is not a rotation.");
   }
   if (!(this->Scale > 0.0) || !std::isfinite(this->Scale) || !this->OriginWorld.allFinite())
   {

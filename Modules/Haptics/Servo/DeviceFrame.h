@@ -6,8 +6,8 @@
 
 namespace palpate
 {
-/// Where the device's frame lies in the world: world = origin + scale * rotation * device. With a
-/// scale above 1 small motions of the hand become large ones in the world.
+/// Pose of the device's frame in the world: world = origin + scale * rotation * device. A scale
+/// above 1 magnifies motions of the hand.
 class DeviceFrame
 {
 public:
@@ -15,17 +15,17 @@ public:
   /// `scale` in mm of the world per mm of the device; `originWorld` in mm.
   DeviceFrame(const Matrix3& rotation, double scale, const Vector3& originWorld);
 
-  /// Refuses what is no rotation (a mirror would swap the patient's sides), a scale that is not
-  /// positive, and what is no number.
+  /// Fails for a matrix that is not a rotation (a mirror would swap the patient's sides), a scale
+  /// that is not positive, and numbers that are not finite.
   Status Check() const;
 
   ToolPose PoseWorld(const DeviceSample& sample) const noexcept;
-  /// A length in the world (mm) as one of the hand (mm).
+  /// Converts a length in the world (mm) to one of the hand (mm).
   Vector3 LengthDevice(const Vector3& lengthWorld) const noexcept
   {
     return this->Rotation.transpose() * lengthWorld / this->Scale;
   }
-  /// Directions and forces are turned, not scaled.
+  /// Directions and forces are rotated, not scaled.
   Vector3 TurnedToDevice(const Vector3& world) const noexcept
   {
     return this->Rotation.transpose() * world;

@@ -8,18 +8,18 @@
 
 namespace palpate
 {
-/// Which of many structures a tool may reach: the boxes in which its origin may touch each, so that
-/// a tick looks at few. Immutable; Find is noexcept, allocates nothing, and takes time that grows
-/// with what it finds and with the logarithm of what there is.
+/// Spatial index of the structures that a tool may reach: boxes in which its origin may touch each,
+/// so that a tick examines few. Immutable; Find is noexcept, does not allocate, and its time grows
+/// with the number of results and the logarithm of the number of structures.
 class ReachIndex
 {
 public:
   ReachIndex() = default;
-  /// A box with NaN is met by nothing.
+  /// A box with NaN intersects nothing.
   explicit ReachIndex(const std::vector<Eigen::AlignedBox3d>& boxesWorld);
 
-  /// Writes the numbers of all boxes that `boxWorld` meets, ascending, to where there is room for
-  /// all; borders belong to boxes. Returns how many.
+  /// Writes the indices of all boxes that intersect `boxWorld`, ascending, to an array with room
+  /// for all; borders belong to boxes. Returns their number.
   std::size_t Find(const Eigen::AlignedBox3d& boxWorld, std::uint32_t* found) const noexcept;
 
   std::size_t Bytes() const noexcept

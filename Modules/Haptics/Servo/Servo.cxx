@@ -10,8 +10,8 @@ namespace palpate
 {
 namespace
 {
-// Ticks from one new sample to the next while all is well: a device that is slower than the servo
-// repeats its samples, and one that is as fast may now and then.
+// Normal number of ticks between new samples: a device that is slower than the servo repeats its
+// samples, and one with the same rate may occasionally.
 int TicksPerSample(const DeviceCapabilities& device, const ServoSettings& settings)
 {
   const double least = device.LeastRate();
@@ -92,13 +92,13 @@ Servo::Change Servo::TakeOver(const TickObservation& now) noexcept
     this->Safety.Rearm();
     this->ForgetMotion();
   }
-  // After Rearm: of both at once the safe one holds.
+  // After Rearm: if both were requested, forces stay off.
   if (this->OffWanted.exchange(false, std::memory_order_acq_rel))
   {
     this->Safety.Fail(SafetyFault::SwitchedOff);
   }
   change.IsContinued = this->TakeOverScene();
-  // After the scene: what was ordered before it was published holds for it.
+  // After the scene: a request made before it was published applies to it.
   if (this->LiftWanted.exchange(false, std::memory_order_acq_rel))
   {
     this->ReleaseButton();
@@ -109,7 +109,7 @@ Servo::Change Servo::TakeOver(const TickObservation& now) noexcept
   return change;
 }
 
-// Before a device is ready its buttons mean nothing.
+// Before a device is ready its buttons are not valid.
 bool Servo::IsPedalDown(const TickObservation& now) noexcept
 {
   const bool isKnown = now.State == DeviceState::Ready && now.HasSample;
@@ -119,21 +119,21 @@ bool Servo::IsPedalDown(const TickObservation& now) noexcept
   return this->IsButtonPedal || this->Pedal.load(std::memory_order_acquire);
 }
 
-// It has to be pressed again.
+// It must be pressed again.
 void Servo::ReleaseButton() noexcept
 {
   this->IsButtonPedal = false;
   this->WasButtonDown = true;
 }
 
-// Both pedals have to be pressed again.
+// Both pedals must be pressed again.
 void Servo::ReleasePedal() noexcept
 {
   this->ReleaseButton();
   this->Pedal.store(false, std::memory_order_release);
 }
 
-// A stroke ends with the pedal; what else is wanted waits for the next tick then.
+// A stroke ends with the pedal; other commands then wait for the next tick.
 DrillCommand Servo::TakeCommand(bool endsStroke) noexcept
 {
   ServoScene* const scene = this->Scenes.Current();
@@ -154,7 +154,7 @@ DrillCommand Servo::TakeCommand(bool endsStroke) noexcept
   return order.Command;
 }
 
-// After a fault there are none, until the pedal is pressed again.
+// None after a fault, until the pedal is pressed again.
 void Servo::OrderCuts() noexcept
 {
   const bool isAllowed = this->Safety.Report().Fault == SafetyFault::None;
@@ -169,7 +169,8 @@ void Servo::OrderCuts() noexcept
   }
 }
 
-// Whether it continues the one before. One that has not begun to do so is not continued yet.
+// Returns whether it continues the previous one. A continuing scene that was not yet followed is
+// not continued itself.
 bool Servo::TakeOverScene() noexcept
 {
   if (this->CarriesOn)
@@ -251,7 +252,7 @@ void Servo::Feel(const TickObservation& now) noexcept
 {
   ServoScene* const scene = this->Scenes.Current();
   const bool isNew = !this->HasFelt || now.Sample.Sequence != this->LastFelt.Sequence;
-  // What is no number the watchdog will see; no model is asked about it.
+  // The watchdog will detect a position that is not finite; no model is queried for it.
   if (scene == nullptr || !isNew || !Vector3(now.Sample.Position).allFinite())
   {
     return;

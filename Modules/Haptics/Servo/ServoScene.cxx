@@ -10,10 +10,10 @@ Status ServoScene::Make(std::shared_ptr<const TouchScene> scene, double velocity
 {
   if (scene == nullptr)
   {
-    return Status::Failure("There is no scene to be felt.");
+    return Status::Failure("There is no scene to publish.");
   }
   Status status = scene->Check();
-  // Its constructor is private to std::make_unique too.
+  // std::make_unique cannot call the private constructor.
   std::unique_ptr<ServoScene> next(new ServoScene(std::move(scene)));
   const std::vector<TouchStructure>& structures = next->Shared->Structures;
   std::vector<Eigen::AlignedBox3d> reaches;
@@ -78,7 +78,7 @@ int ServoScene::IndexOf(const ServoScene& other, int structure) const noexcept
   return structure < 0 ? -1 : this->Find(other.Followers[static_cast<std::size_t>(structure)].Id());
 }
 
-// One for each structure; another one in the place of what has the least left.
+// One for each structure; if all are in use, the one with the smallest force is replaced.
 void ServoScene::FadeOut(int structure, const FadingContact& contact) noexcept
 {
   const auto same = std::find_if(this->Fading.begin(), this->Fading.end(),
@@ -123,8 +123,8 @@ void ServoScene::CarryOn(const ServoScene& before) noexcept
 
 void ServoScene::LookAround(const FollowStep& step) noexcept
 {
-  constexpr double Wider = 8.0;   // ways, on each side
-  constexpr double TooWide = 4.0; // times that, for a hand that has become slower
+  constexpr double Wider = 8.0;   // paths, on each side
+  constexpr double TooWide = 4.0; // times that, if the hand has become slower
   constexpr std::size_t Few = 8;
   const Eigen::AlignedBox3d way = step.WayWorld();
   const double margin = Wider * way.sizes().maxCoeff();
@@ -146,7 +146,7 @@ void ServoScene::LookAround(const FollowStep& step) noexcept
   this->NearCount = this->Index.Find(this->LookedAt, this->Near.data());
 }
 
-// Those that are newer, or that this scene has not felt yet.
+// Takes versions that are newer, or that this scene has not used yet.
 void ServoScene::TakeVersions() noexcept
 {
   DrillLink* const link = this->Shared->Drill.Link.get();

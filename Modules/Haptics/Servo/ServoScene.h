@@ -13,49 +13,49 @@
 
 namespace palpate
 {
-/// How a scene takes the place of the one before.
+/// How a scene replaces the previous one.
 enum class SceneEntry
 {
-  Anew,      ///< whatever it is, it fades in from nothing
-  Continuing ///< what has the same id goes on from where it was felt
+  Anew,      ///< fades in from zero
+  Continuing ///< structures with the same id carry on
 };
 
-/// A scene with all that the servo thread needs to feel it. Made by the publishing thread, used by
-/// the servo thread, destroyed by the publishing thread.
+/// A scene with all data that the servo thread needs. Created and destroyed by the publishing
+/// thread, used by the servo thread.
 ///
-/// A tick looks at what is near the tool: those structures that an index finds in a box that is
-/// larger than the tool's way, and for as long as the way stays within it no others. What is felt
-/// has the same bits as if all had been asked, in their order.
+/// A tick examines only structures near the tool: those that an index finds in a box larger than
+/// the tool's path, and no others while the path stays within it. The result has the same bits as
+/// if all structures were examined in order.
 class ServoScene
 {
 public:
-  /// What a tick felt, in the device's frame.
+  /// Result of a tick, in the device's frame.
   struct Feeling
   {
     Vector3 Force = Vector3::Zero(); ///< N, the sum over all structures
-    int Structure = -1;              ///< touched most deeply; -1 without touch
+    int Structure = -1;              ///< the one touched most deeply; -1 without contact
     Contact Deepest;                 ///< of that structure
-    bool IsValid = true;             ///< every model gave something that can be felt
+    bool IsValid = true;             ///< every model gave a valid result
   };
 
   static Status Make(std::shared_ptr<const TouchScene> scene, double velocityTimeConstant,
                      std::unique_ptr<ServoScene>& made);
 
   Feeling Follow(const FollowStep& step) noexcept;
-  /// Before the first Follow, which gets a FadeIn: what the tool is near to in the scene before
-  /// goes on here, where a structure has the same id, and what was felt there fades out.
+  /// Call before the first Follow, which gets a FadeIn: structures near the tool in the previous
+  /// scene carry on here if a structure has the same id, and other contacts fade out.
   void CarryOn(const ServoScene& before) noexcept;
-  /// The structure here that has the id of one in another scene, -1 for none.
+  /// The structure here with the id of one in another scene; -1 if none.
   int IndexOf(const ServoScene& other, int structure) const noexcept;
-  /// Of the versions that are felt.
+  /// Of the versions in use.
   std::uint64_t VersionNumber() const noexcept { return this->Version; }
-  /// Hands out the cuts of this tick, numbered from `number` on, which then is the next one's.
+  /// Passes on the cuts of this tick, numbered from `number`, which is then advanced.
   void OrderCuts(std::uint64_t& number) noexcept;
-  /// Nothing is cut before the tool touches again.
+  /// Nothing is cut before the next contact.
   void LiftDrill() noexcept;
-  /// Forgets where the tool was.
+  /// Forgets the tool's position.
   void Leave() noexcept;
-  /// How many structures the last Follow looked at.
+  /// Number of structures that the last Follow examined.
   std::size_t LookedAtCount() const noexcept { return this->NearCount; }
   /// Of followers, their trackers and the index, without the models.
   std::size_t Bytes() const noexcept;
@@ -66,7 +66,7 @@ public:
 private:
   struct FadingStructure
   {
-    int Structure = -1; // that takes its place; -1 for none
+    int Structure = -1; // that replaces it; -1 for none
     FadingContact Contact;
   };
 
@@ -80,17 +80,17 @@ private:
   std::shared_ptr<const TouchScene> Shared;
   std::vector<StructureFollower> Followers;
   ReachIndex Index;
-  Eigen::AlignedBox3d LookedAt;    // world; outside of Near nothing can be touched from in here
-  double Margin = 0.0;             // mm, of it round the way that it was made for
-  std::vector<std::uint32_t> Near; // followers, ascending; has room for all
+  Eigen::AlignedBox3d LookedAt; // world; from inside it, no structure outside Near can be touched
+  double Margin = 0.0;          // mm, around the path for which LookedAt was computed
+  std::vector<std::uint32_t> Near; // followers, ascending; capacity for all
   std::size_t NearCount = 0;
-  std::vector<std::pair<int, int>> Ids;    // of structures that have one, and which; ascending
-  std::array<FadingStructure, 8> Fading;   // more at once than a tool touches
+  std::vector<std::pair<int, int>> Ids;    // ids and their structures; ascending
+  std::array<FadingStructure, 8> Fading;   // more than a tool usually touches
   Vector3 Hand = Vector3::Zero();          // mm, device's frame, of the last Follow
   std::vector<std::uint32_t> Drilled;      // followers
-  const DrillVersions* Versions = nullptr; // that are felt; the link's
+  const DrillVersions* Versions = nullptr; // in use; owned by the link
   std::uint64_t Version = 0;               // their number
-  bool HasGrown = false;                   // since the last Follow that asked models
+  bool HasGrown = false;                   // since the last Follow that queried models
   SceneEntry EnteredAs = SceneEntry::Anew;
 };
 } // namespace palpate

@@ -21,7 +21,7 @@ Status ServoThread::Start(const RealtimeRequest& request)
 {
   if (this->IsRunning())
   {
-    return Status::Failure("The servo runs already.");
+    return Status::Failure("The servo is already running.");
   }
   if (!(this->Settings.Rate > 0.0 && this->Settings.Rate <= 1e5))
   {
@@ -43,7 +43,7 @@ void ServoThread::Stop()
   {
     this->Rate->Stop();
     this->Thread.Join();
-    // A device that does not take it has stopped by itself.
+    // A device that does not accept it has stopped by itself.
     static_cast<void>(this->Device.Apply(Vector3::Zero()));
   }
 }

@@ -9,34 +9,33 @@
 
 namespace palpate
 {
-/// How a servo keeps its time.
+/// Timing of a servo.
 struct ServoStatistics
 {
-  PeriodStatistics Periods;   ///< from one tick's start to the next's; misses are skipped periods
-  PeriodStatistics Durations; ///< from a tick's start to its end; misses are late ticks
+  PeriodStatistics Periods;   ///< between starts of ticks; misses are skipped periods
+  PeriodStatistics Durations; ///< from start to end of a tick; misses are late ticks
 };
 
-/// Runs a servo at its rate on a thread of its own, and without forces while an EmergencyStop is
-/// ordered.
-/// Start, Stop and the destructor are for the thread that owns it.
+/// Runs a servo at its rate on its own thread, without forces while an EmergencyStop is ordered.
+/// Start, Stop and the destructor: owner thread.
 class ServoThread
 {
 public:
-  /// Keeps the addresses of device and clock, which must outlive it. The device is open.
+  /// Keeps the addresses of device and clock, which must outlive it. The device must be open.
   ServoThread(HapticDevice& device, Clock& clock, const ServoSettings& settings);
   ~ServoThread() { this->Stop(); }
   ServoThread(const ServoThread&) = delete;
   ServoThread& operator=(const ServoThread&) = delete;
 
-  /// Also after a Stop, however long ago: forces fade in, and a fault from before stays.
+  /// Also after a Stop of any length: forces fade in, and an earlier fault remains.
   Status Start(const RealtimeRequest& request);
-  /// Returns after the last tick, with 0 N applied. Nothing where it does not run.
+  /// Returns after the last tick, with 0 N applied. No effect if not running.
   void Stop();
   bool IsRunning() const noexcept { return this->Thread.IsJoinable(); }
 
-  /// To publish scenes to, to read states from.
+  /// For publishing scenes and reading states.
   Servo& Loop() noexcept { return this->Touch; }
-  /// What the system granted at the last Start.
+  /// Real-time properties granted by the system at the last Start.
   const RealtimeGrant& Grant() const noexcept { return this->Thread.Grant(); }
   /// Since Start, at most some fifty ticks old; for one reading thread.
   const ServoStatistics& Statistics() noexcept { return this->Published.Latest(); }
@@ -50,7 +49,7 @@ private:
   Clock& Time;
   std::unique_ptr<FixedRateLoop> Rate;
   ServoSettings Settings;
-  // The servo thread's own.
+  // Used by the servo thread only.
   std::int64_t LastStarted = 0;
   ServoStatistics Counted;
   RealtimeThread Thread;

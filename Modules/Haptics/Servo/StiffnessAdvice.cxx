@@ -32,12 +32,12 @@ StableStiffness StiffestStable(const DeviceCapabilities& device, double rate,
   {
     const double lag = 0.5 / rate + device.Delay;
     Lower(stable, std::max(0.0, device.Damping - damping) / lag,
-          "its own damping cannot take up more of what sampling gives out");
+          "its own damping cannot absorb more of the energy that sampling generates");
   }
   if (device.Friction > 0.0 && device.Resolution > 0.0)
   {
     Lower(stable, 2.0 * device.Friction / device.Resolution,
-          "its encoder counts would be felt as buzzing");
+          "its encoder resolution would cause buzzing");
   }
   if (device.MaximumStiffness > 0.0)
   {
@@ -60,7 +60,7 @@ std::vector<std::string> StiffnessWarnings(const TouchScene& scene,
     const StableStiffness stable = StiffestStable(device, rate, damping);
     if (structure.Law.Stiffness > stable.Largest)
     {
-      warnings.push_back("The structure " + structure.Name + " asks for " +
+      warnings.push_back("The structure " + structure.Name + " requests " +
                          Rounded(structure.Law.Stiffness) + " N/mm; the device " + device.Name +
                          " at " + Rounded(rate) + " Hz is stable up to " + Rounded(stable.Largest) +
                          " N/mm, since " + stable.Reason +
@@ -69,7 +69,7 @@ std::vector<std::string> StiffnessWarnings(const TouchScene& scene,
     else if (device.Damping > 0.0 && damping > device.Damping)
     {
       warnings.push_back("The structure " + structure.Name + " damps with " + Rounded(damping) +
-                         " N s/mm; the mechanism of " + device.Name + " bears " +
+                         " N s/mm; the mechanism of " + device.Name + " supports " +
                          Rounded(device.Damping) +
                          ": lower its damping or its viscosity, or it may vibrate.");
     }

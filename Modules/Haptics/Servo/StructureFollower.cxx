@@ -7,10 +7,10 @@ namespace palpate
 {
 namespace
 {
-// No tool is this far (mm) from where it should be, but for a failed computation.
+// mm; a tool is never this far from its proxy, except after a failed computation.
 constexpr double LargestDepth = 1e4;
 
-// A contact that a force may be made of; every comparison fails for NaN.
+// Whether a contact is valid for a force; every comparison fails for NaN.
 bool IsSound(const Contact& contact, const Vector3& probeWorld) noexcept
 {
   if (!contact.IsValid)
@@ -32,7 +32,7 @@ double LeastRadius(const ToolShape& tool)
   return least;
 }
 
-// s; no tick feeds a drill for longer.
+// s; limit of the time for which one tick feeds a drill.
 constexpr double LongestFeed = 0.01;
 
 Contact Untouched(const Vector3& probeWorld) noexcept
@@ -81,7 +81,7 @@ Status StructureFollower::Make(const TouchStructure& structure, const TouchScene
   if (structure.Site >= 0 && !tracker->CanBeDrilled())
   {
     return Status::Failure("The structure " + structure.Name +
-                           " cannot be drilled, since it is not felt by a field's proxy.");
+                           " cannot be drilled: it needs a field model with a proxy.");
   }
   followers.push_back(
       StructureFollower(structure, scene, velocityTimeConstant, std::move(tracker)));
@@ -176,8 +176,8 @@ FadingContact StructureFollower::FadingOut(const Vector3& hand) const noexcept
   return {this->Force, this->NormalDevice, this->Factor * this->Structure->Law.Stiffness, hand};
 }
 
-// A tracker that was left while out of reach begins anew at the place before this tick, which was
-// out of reach too. So it never takes the way round a structure for a way through it.
+// A tracker that was released out of reach restarts at the place before this tick, which was out of
+// reach too. So it never takes a path around a structure for one through it.
 void StructureFollower::Enter(const FollowStep& step) noexcept
 {
   ToolPose from = step.Last;
@@ -264,7 +264,7 @@ Vector3 StructureFollower::Follow(const FollowStep& step) noexcept
   return this->Force;
 }
 
-// Feeds the tool towards the probe, and what is felt of that beside the contact.
+// Feeds the tool towards the probe; returns the drilling force in addition to the contact's.
 Vector3 StructureFollower::Drill(const FollowStep& step, const ContactOffset& felt,
                                  double push) noexcept
 {

@@ -14,7 +14,7 @@
 
 namespace palpate
 {
-/// How a tick's follower is to go on from the last one.
+/// Input of a follower's tick.
 struct FollowStep
 {
   ToolPose Last;                          ///< at the last tick of the model
@@ -22,16 +22,16 @@ struct FollowStep
   double Passed = 0.0;                    ///< s since the last tick
   Vector3 Hand = Vector3::Zero();         ///< mm, device's frame
   Vector3 HandVelocity = Vector3::Zero(); ///< mm/s, device's frame
-  bool AsksModel = true;                  ///< else what was felt is interpolated
-  double ModelPeriod = 0.0; ///< s between ticks of the model; 0 where every tick asks it
-  /// s. In the first step of a scene that continues another one what the tool comes upon may have
-  /// grown round it: that is felt more and more for so long. 0 in all other steps.
+  bool AsksModel = true;                  ///< otherwise the last result is interpolated
+  double ModelPeriod = 0.0; ///< s between ticks of the model; 0 if every tick queries it
+  /// s. In the first step of a scene that continues another one, structures may have grown around
+  /// the tool: their force fades in over this time. 0 in all other steps.
   double FadeIn = 0.0;
   bool IsDrilling = false;
-  double Time = 0.0;     ///< s, of the tick; vibrations go by it
-  double MostPush = 0.0; ///< N, that the device gives: no more drives a drill
+  double Time = 0.0;     ///< s, of the tick; phase of vibrations
+  double MostPush = 0.0; ///< N, the device's limit: a larger push does not drive a drill faster
 
-  /// Holds the way from Last to Now.
+  /// Contains the path from Last to Now.
   Eigen::AlignedBox3d WayWorld() const noexcept
   {
     return {this->Last.PositionWorld.cwiseMin(this->Now.PositionWorld),
@@ -39,8 +39,8 @@ struct FollowStep
   }
 };
 
-/// One structure on the servo thread: asks its tracker only where the tool could reach it, and
-/// turns its contact into a force. Allocates nothing after it was made.
+/// One structure on the servo thread: queries its tracker only if the tool could reach it, and
+/// converts its contact to a force. Does not allocate after construction.
 class StructureFollower
 {
 public:
@@ -50,7 +50,7 @@ public:
   StructureFollower& operator=(const StructureFollower&) = delete;
   ~StructureFollower() = default;
 
-  /// Makes the tracker. Keeps the addresses of both; the structure is one of the scene's.
+  /// Creates the tracker. Keeps the addresses of both; the structure must belong to the scene.
   /// `velocityTimeConstant` in s.
   static Status Make(const TouchStructure& structure, const TouchScene& scene,
                      double velocityTimeConstant, std::vector<StructureFollower>& followers);
@@ -58,32 +58,32 @@ public:
   /// The force (N) in the device's frame.
   Vector3 Follow(const FollowStep& step) noexcept;
 
-  /// Where the tool's origin may touch, mm.
+  /// Box in which the tool's origin may touch, mm.
   static Eigen::AlignedBox3d ReachWorld(const TouchStructure& structure, const ToolShape& tool);
-  /// Whether Follow would ask the tracker now. Where it would not it needs no call, once a call has
-  /// noticed that the tool left.
+  /// Whether Follow would query the tracker now. Otherwise no call is needed, once one has
+  /// registered that the tool left.
   bool IsInReach(const FollowStep& step) const noexcept;
 
-  /// Forgets where the tool was: the next Follow begins anew.
+  /// Forgets the tool's position: the next Follow starts from scratch.
   void Leave() noexcept;
 
-  /// Goes on from what followed this structure in the scene before: the next Follow, with a FadeIn,
-  /// begins free of touch at that one's proxy, so that nothing is passed through from there to the
-  /// probe. Where the proxy is inside now, it begins as a tool that is put inside.
+  /// Carries on from this structure's follower in the previous scene: the next Follow, with a
+  /// FadeIn, starts without contact at the old proxy, so that nothing is passed through from there
+  /// to the probe. If the proxy is now inside, it starts as a tool that is placed inside.
   void CarryOn(const StructureFollower& before) noexcept;
-  /// Feels that version of the field which it is drilled in from now on. The solid has to live
-  /// until the next one is given.
+  /// Uses this version of a drilled field from now on. The solid must live until the next one is
+  /// set.
   void UseSolid(const FieldSolid& solid, std::uint64_t version) noexcept;
-  /// There may be more of it now. Where the tool is inside, nothing is felt of it until the tool
-  /// has left: nobody is shoved out of what grew back round the hand. Whether anything was felt.
+  /// Material may have been added. If the tool is inside, there is no force until the tool has
+  /// left: material that grows back never pushes the hand out. Returns whether there was a contact.
   bool BeginAgain(const FollowStep& step) noexcept;
-  /// The next cut into it. False where there is none in this tick.
+  /// The next cut into the structure. Returns false if there is none in this tick.
   bool NextCut(CutOrder& order) noexcept;
   void CutOrdered(const CutOrder& order) noexcept { this->Feed->Ordered(order); }
   void LiftDrill() noexcept { this->Feed->Rest(); }
-  /// The field of the scene's that it is felt by; -1 for none.
+  /// Its field in the scene; -1 for none.
   int Site() const noexcept { return this->Structure->Site; }
-  /// What was felt last, with the hand at `hand` (mm, device's frame), to be faded out.
+  /// The last contact, with the hand at `hand` (mm, device's frame), to be faded out.
   FadingContact FadingOut(const Vector3& hand) const noexcept;
   bool IsFollowing() const noexcept { return this->Follows; }
   int Id() const noexcept { return this->Structure->Id; }
@@ -91,7 +91,7 @@ public:
   /// With its tracker.
   std::size_t Bytes() const noexcept;
 
-  /// Of the last Follow. Invalid where the model gave nothing that can be felt.
+  /// Of the last Follow. Invalid if the model gave no valid result.
   const Contact& Touched() const noexcept { return this->Last; }
 
 private:
@@ -112,21 +112,21 @@ private:
                       const Vector3& proxyWorld, const FollowStep& step) const noexcept;
 
   std::unique_ptr<ContactTracker> Tracker;
-  std::unique_ptr<DrillFeed> Feed; // none: it is not drilled
+  std::unique_ptr<DrillFeed> Feed; // null: not drilled
   const TouchStructure* Structure;
   const DeviceFrame* Frame;
   const TouchDrill* Tool;
   Eigen::AlignedBox3d Reach;
-  double ToolRadiusWorld;  // mm, from the tool's centre to its surface where that is nearest
+  double ToolRadiusWorld;  // mm, smallest distance from the tool's centre to its surface
   double ToolRadiusDevice; // the same in mm of the hand
   VelocityEstimate OffsetVelocity;
   ForceInterpolation Interpolation;
   Contact Last;
   bool Follows = false;
-  bool IsBuried = false;         // in what grew back round the tool
-  std::optional<Contact> Before; // that it carries on from
-  RampIn Weight{0.0};            // of its force
-  double Factor = 1.0;           // by the weight, of the last one
+  bool IsBuried = false;         // inside material that grew back around the tool
+  std::optional<Contact> Before; // contact from which it carries on
+  RampIn Weight{0.0};            // fade-in of its force
+  double Factor = 1.0;           // of the weight, last value
   Vector3 Force = Vector3::Zero();
   Vector3 NormalDevice = Vector3::UnitZ(); // of it
 };

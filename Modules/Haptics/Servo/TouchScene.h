@@ -17,42 +17,41 @@
 
 namespace palpate
 {
-/// One thing to be touched.
+/// One touchable structure.
 struct TouchStructure
 {
   std::string Name;
   std::shared_ptr<const ContactModel> Model;
-  /// As the hand feels it: N per mm of the hand's way, whatever the scale of the device's frame.
+  /// At the hand: N per mm of the hand's motion, whatever the scale of the device's frame.
   ContactLaw Law;
   SurfaceFriction Friction;
   /// Forces besides the contact's, which are added in this order.
   std::vector<std::shared_ptr<const ForceEffect>> Effects = {};
-  /// By which it is known again in a scene that continues this one; 0: it is not.
+  /// Identifies it in a scene that continues this one; 0: none.
   int Id = 0;
-  DrillLaw Drill = {}; ///< how it gives way, while the scene's drill runs
-  int Site = -1;       ///< of DrillVersions, which it is felt by; -1: it is not drilled
+  DrillLaw Drill = {}; ///< response while the scene's drill runs
+  int Site = -1;       ///< in DrillVersions; -1: not drilled
 };
 
-/// What acts without touch too, in the device's frame.
+/// Forces that act without contact too, in the device's frame.
 struct AmbientForce
 {
-  Vector3 Constant = Vector3::Zero(); ///< N, for instance against the mechanism's weight
+  Vector3 Constant = Vector3::Zero(); ///< N, for example against the mechanism's weight
   double Viscosity = 0.0;             ///< N s/mm
 };
 
 /// The tool as a drill.
 struct TouchDrill
 {
-  std::shared_ptr<DrillLink> Link; ///< none: nothing is drilled
+  std::shared_ptr<DrillLink> Link; ///< null: nothing is drilled
   DrillMotion Motion;
-  int Tool = 0; ///< of the editor's
-  /// mm that the scene's tool, which touches, is smaller than that one, which cuts: a tenth of a
+  int Tool = 0; ///< number in the DrillEditor
+  /// mm by which the scene's tool, which touches, is smaller than the cutting tool: a tenth of a
   /// voxel, lest the tool wedge in its own hole.
   double Clearance = 0.0;
 };
 
-/// Everything that a hand is to feel, as it is handed to the servo. Not to be changed after that:
-/// publish another one.
+/// Everything that a servo renders. Do not change it after it was published: publish another one.
 struct TouchScene
 {
   std::vector<TouchStructure> Structures;
@@ -61,9 +60,9 @@ struct TouchScene
   AmbientForce Ambient;
   TouchDrill Drill;
 
-  /// Refuses, naming the structure, what could not be felt.
+  /// Fails, naming the structure, if the scene cannot be rendered.
   Status Check() const;
-  /// Holds all structures, which have models; empty without any.
+  /// Contains all structures, which must have models; empty without any.
   Eigen::AlignedBox3d BoundsWorld() const;
 };
 } // namespace palpate

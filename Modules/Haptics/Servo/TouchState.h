@@ -10,28 +10,28 @@
 
 namespace palpate
 {
-/// What happened in one tick: for views, which want the newest, and for recordings, which want all.
-/// May be copied as bytes.
+/// Result of one tick: for views, which read the newest, and for recordings, which read all. Can be
+/// copied as bytes.
 struct TouchState
 {
   TickInfo Tick;
   DeviceState State = DeviceState::Closed;
   bool HasSample = false;
   DeviceSample Sample;
-  PlainVector3 ProbeWorld;     ///< where the device is, mm
-  PlainVector3 ProxyWorld;     ///< where the tool is drawn, mm: at the deepest contact's proxy
+  PlainVector3 ProbeWorld;     ///< device position, mm
+  PlainVector3 ProxyWorld;     ///< displayed tool position, mm: the deepest contact's proxy
   PlainVector3 ForceDevice;    ///< to be applied, N
-  PlainVector3 ForceWorld;     ///< the same, turned
-  bool WasTaken = false;       ///< the device took the force
-  std::int32_t Structure = -1; ///< of the scene's, the one touched most deeply; -1 without touch
-  double Depth = 0.0;          ///< mm, in that one
-  std::uint64_t Scene = 0;     ///< counts the scenes taken over; 0 before the first
-  bool WasRearmed = false;     ///< a person switched forces on again before this tick
-  bool WasContinued = false;   ///< the scene that was taken over went on from the one before
-  bool IsDrilling = false;     ///< the drill was to run
-  DrillCommand Command = DrillCommand::None; ///< that was taken before this tick
-  std::uint64_t DrillVersion = 0;            ///< DrillVersions::Number of what was felt
-  std::uint64_t DrillOrders = 0;             ///< given so far, with those of this tick
+  PlainVector3 ForceWorld;     ///< the same, rotated
+  bool WasTaken = false;       ///< the device accepted the force
+  std::int32_t Structure = -1; ///< the one touched most deeply; -1 without contact
+  double Depth = 0.0;          ///< mm, in that structure
+  std::uint64_t Scene = 0;     ///< number of scenes adopted; 0 before the first
+  bool WasRearmed = false;     ///< the user switched forces on again before this tick
+  bool WasContinued = false;   ///< the adopted scene continued the previous one
+  bool IsDrilling = false;     ///< the drill was requested to run
+  DrillCommand Command = DrillCommand::None; ///< consumed before this tick
+  std::uint64_t DrillVersion = 0;            ///< DrillVersions::Number of the version in use
+  std::uint64_t DrillOrders = 0;             ///< number given so far, including this tick
   SafetyReport Safety;
 };
 } // namespace palpate

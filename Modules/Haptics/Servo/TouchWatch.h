@@ -7,7 +7,7 @@
 
 namespace palpate
 {
-/// Something that began or ended from one tick to the next.
+/// The start or end of something between two ticks.
 struct TouchChange
 {
   enum class Kind
@@ -21,20 +21,20 @@ struct TouchChange
   };
 
   Kind What = Kind::ContactBegins;
-  std::int32_t Structure = -1;         ///< of the scene's, of a contact
-  int Button = 0;                      ///< of a button, from 0
-  SafetyFault Why = SafetyFault::None; ///< of a fault
+  std::int32_t Structure = -1;         ///< index in the scene, for a contact
+  int Button = 0;                      ///< for a button, from 0
+  SafetyFault Why = SafetyFault::None; ///< for a fault
   std::int64_t Time = 0;               ///< ns of the servo's clock, when the tick began
 };
 
-/// Finds what changes in a stream of ticks, however rarely somebody looks: no touch is too short to
-/// be noticed as long as no tick is lost. A hand that goes from one structure to another ends one
-/// contact and begins one.
+/// Detects changes in a stream of ticks, however rarely it is polled: no contact is too short to be
+/// noticed as long as no tick is lost. A change from one structure to another ends one contact and
+/// starts one.
 class TouchWatch
 {
 public:
-  /// Appends what is different from the tick before; before the first, nothing is touched, pressed
-  /// or wrong.
+  /// Appends the differences from the previous tick; before the first there is no contact, button
+  /// or fault.
   void Take(const TouchState& tick, std::vector<TouchChange>& changes);
 
 private:

@@ -4,13 +4,13 @@
 
 namespace palpate
 {
-/// What moves a workspace by hand: while the clutch is held the tool stays where it is and nothing
-/// should be felt; let go, the hand leads it on from there, wherever it is now.
+/// Moves a workspace by hand: while the clutch is held the tool stays in place and touch should be
+/// off; after release, the hand moves it on from there, wherever the hand is by then.
 class WorkspaceClutch
 {
 public:
   bool IsHeld() const noexcept { return this->Held; }
-  /// Where the tool stays, mm.
+  /// Position of the held tool, mm.
   const Vector3& PlaceWorld() const noexcept { return this->Place; }
 
   void Hold(const Vector3& probeWorld) noexcept
@@ -18,7 +18,7 @@ public:
     this->Held = true;
     this->Place = probeWorld;
   }
-  /// The frame, moved so that a hand that is at `handDevice` (mm) has the tool where it stayed.
+  /// The frame, moved so that a hand at `handDevice` (mm) has the tool at its held position.
   WorkspaceFrame Release(const WorkspaceFrame& frame, const Vector3& handDevice) noexcept
   {
     this->Held = false;

@@ -44,7 +44,7 @@ Vector3 WorkspaceFrame::FirstHand(const Vector3& towardsViewerWorld,
   for (int axis = 0; axis < 3; ++axis)
   {
     const double side = way[axis] > 0.0 ? workspace.max()[axis] : workspace.min()[axis];
-    // What runs along a pair of sides meets neither.
+    // A direction parallel to a pair of sides meets neither.
     reach = way[axis] != 0.0 ? std::min(reach, (side - middle[axis]) / way[axis]) : reach;
   }
   return middle + reach * way;

@@ -93,7 +93,7 @@ Status BackgroundWriter::Stall()
   {
     this->Thread.detach();
   }
-  return Status::Failure("the disk takes nothing more");
+  return Status::Failure("the disk has stalled");
 }
 
 Status BackgroundWriter::Append(std::string_view bytes)

@@ -10,7 +10,7 @@ namespace palpate
 {
 namespace
 {
-// exit() knows no objects.
+// Global, since exit() passes no objects.
 std::atomic<int> Count{0};
 
 std::vector<EndBeforeExit*>& Known()
@@ -23,7 +23,7 @@ std::vector<EndBeforeExit*>& Known()
 EndBeforeExit::EndBeforeExit(std::function<void()> end) : End(std::move(end))
 {
   Known().push_back(this);
-  // After the list, so that it is called before the list ends.
+  // After the list, so that it runs before the list is destroyed.
   static const int Registered = std::atexit(EndAll);
   static_cast<void>(Registered);
   ++Count;
@@ -41,7 +41,7 @@ bool EndBeforeExit::IsInForce() noexcept
   return Count > 0;
 }
 
-// The newest first. One may end others.
+// The newest first. Each may remove others.
 void EndBeforeExit::EndAll()
 {
   while (!Known().empty())

@@ -4,10 +4,10 @@
 
 namespace palpate
 {
-/// What has to be done before the process ends, whoever ends it: while one exists, a call of
-/// exit(), as of an X library whose server has gone, first calls its function, and a repeated
-/// Interruption ends the process at once only where it is repeated often. For a device that pushes
-/// a hand: 0 N, then closed.
+/// A function that must run before the process ends, whatever ends it: while one exists, a call of
+/// exit(), as by an X library whose server has gone, first calls the function, and more repetitions
+/// of an Interruption are needed to end the process at once. For a device that pushes a hand: 0 N,
+/// then closed.
 ///
 /// For the thread that calls main.
 class EndBeforeExit
@@ -17,7 +17,7 @@ public:
   explicit EndBeforeExit(std::function<void()> end);
   EndBeforeExit(const EndBeforeExit&) = delete;
   EndBeforeExit& operator=(const EndBeforeExit&) = delete;
-  /// All has ended as usual: nothing is called.
+  /// Normal end: the function is not called.
   ~EndBeforeExit();
 
   /// Whether one exists. May be called by signal handlers.

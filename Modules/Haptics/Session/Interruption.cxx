@@ -26,7 +26,7 @@ extern "C" void Ask(int signal)
 {
   int none = 0;
   FirstSignal.compare_exchange_strong(none, signal);
-  // Every further write to a closed pipe sends one, which is nobody's wish.
+  // Every further write to a closed pipe sends one, without a user's request.
   if (signal == SIGPIPE)
   {
     return;
@@ -50,7 +50,7 @@ extern "C" void StopUnlessForced(int signal)
   }
   else if (signal != SIGTSTP)
   {
-    // Otherwise the same call would be tried, and would send it, again and again.
+    // Otherwise the same call would be repeated, and send it, forever.
     std::signal(signal, SIG_IGN);
   }
 }

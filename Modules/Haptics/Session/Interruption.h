@@ -5,33 +5,32 @@
 
 namespace palpate
 {
-/// Requests to end the program: Ctrl-C (SIGINT), SIGTERM, SIGHUP, and SIGPIPE, which comes of
-/// writing to somebody who no longer reads. While one of these objects exists they end nothing by
-/// themselves: WasAsked becomes true, and whoever works ends by itself, with 0 N on a device that
-/// is then closed, and with files that are whole.
+/// Requests to end the program: Ctrl-C (SIGINT), SIGTERM, SIGHUP, and SIGPIPE, the result of
+/// writing to a closed pipe. While one of these objects exists they do not end the process by
+/// themselves: WasAsked becomes true, and long operations end on their own, with 0 N on a device
+/// that is then closed, and with complete files.
 ///
-/// From the second request on there are no forces (EmergencyStop), even where who works hangs. The
-/// third ends the program at once, for users of what takes too long to end; while an EndBeforeExit
-/// is in force it takes the fifth, after which a device's guard process sends 0 N. A SIGPIPE counts
-/// for none of this. Signals that the program's parent wants ignored (nohup) stay ignored.
+/// From the second request on there are no forces (EmergencyStop), even if an operation hangs. The
+/// third ends the program at once, if it takes too long to end; while an EndBeforeExit is in force,
+/// the fifth does, after which a device's guard process sends 0 N. A SIGPIPE does not count for
+/// this. Signals that the program's parent ignores (nohup) stay ignored.
 ///
 /// Ctrl-Z (SIGTSTP), and reading from or writing to a terminal in the background (SIGTTIN,
-/// SIGTTOU), stop the program as ever, but not while an EndBeforeExit is in force: a stopped
-/// program would leave its last force on the device. What is written then is written, and reading
-/// fails.
+/// SIGTTOU), stop the program as usual, but not while an EndBeforeExit is in force: a stopped
+/// program would leave its last force on the device. Writing then succeeds, and reading fails.
 class Interruption
 {
 public:
-  /// From now on nobody has asked.
+  /// Clears earlier requests.
   Interruption();
   Interruption(const Interruption&) = delete;
   Interruption& operator=(const Interruption&) = delete;
-  /// Signals do what they did before; WasAsked and ExitCode stay.
+  /// Restores the previous signal handlers; WasAsked and ExitCode keep their values.
   ~Interruption();
 
   static bool WasAsked() noexcept;
-  /// What shells expect of a program that such a signal ends: 128 and its number (Ctrl-C: 130,
-  /// SIGHUP: 129, SIGPIPE: 141, SIGTERM: 143); 0 where nobody asked. Of more than one, the first.
+  /// Exit status that shells expect of a program ended by the signal: 128 and its number (Ctrl-C:
+  /// 130, SIGHUP: 129, SIGPIPE: 141, SIGTERM: 143); 0 without a request. The first of several.
   static int ExitCode() noexcept;
 
 private:

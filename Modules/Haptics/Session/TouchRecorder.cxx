@@ -120,7 +120,7 @@ Status Claim(const std::filesystem::path& path, TemporaryFile& file)
   static_cast<void>(flock(file.Descriptor(), LOCK_EX | LOCK_NB));
   return IsRecordedByAnother(file)
              ? Status::Failure(path.string() +
-                               " is being recorded already; end that touch or choose another "
+                               " is already being recorded; end that session or choose another "
                                "output.")
              : Status::Success();
 }
@@ -138,7 +138,7 @@ Status TouchRecorder::Start(const std::string& path, const RecordedSession& sess
 {
   if (this->File != nullptr)
   {
-    return Status::Failure("A recording to " + this->Path + " is going on already.");
+    return Status::Failure("A recording to " + this->Path + " is already running.");
   }
   auto file = std::make_unique<TemporaryFile>();
   if (Status status = Claim(path, *file); !status.IsOk())
@@ -160,7 +160,7 @@ Status TouchRecorder::Take(const TouchState& state)
 {
   if (this->File == nullptr)
   {
-    return Status::Failure("There is no recording to take ticks.");
+    return Status::Failure("No recording is running.");
   }
   if (state.Tick.Number != this->Taken)
   {
@@ -233,14 +233,14 @@ Status TouchRecorder::End(const std::string& reason)
                 static_cast<double>(ticks) / this->Rate, static_cast<unsigned long long>(ticks));
   return Status::Failure("The recording ended after " + std::string(seconds.data()) + ": " +
                          reason + "; they are kept as " + part.string() +
-                         ", which reads as a recording does.");
+                         ", which can be read like a recording.");
 }
 
 Status TouchRecorder::Finish()
 {
   if (this->File == nullptr)
   {
-    return Status::Failure("There is no recording to be finished.");
+    return Status::Failure("No recording is running.");
   }
   Status status = this->Writer->Append(this->Pending);
   this->Pending.clear();

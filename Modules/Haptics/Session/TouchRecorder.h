@@ -26,12 +26,12 @@ public:
   /// Keeps an unfinished recording as a .part, unless it has no ticks.
   ~TouchRecorder();
 
-  /// Begins a file. The servo has not ticked yet. Fails where the file cannot be written, or
+  /// Starts a file. The servo must not have ticked yet. Fails if the file cannot be written, or
   /// another recorder writes to `path`.
   Status Start(const std::string& path, const RecordedSession& session);
-  /// The next tick, for who fetches them from the servo and wants them too. Fails where ticks
-  /// before it were lost or the file cannot be written; the recording has ended then, and the
-  /// message says how much of it is kept, and where.
+  /// Adds the next tick, for callers that fetch ticks from the servo themselves. Fails if earlier
+  /// ticks were lost or the file cannot be written; the recording has then ended, and the message
+  /// tells how much of it is kept, and where.
   Status Take(const TouchState& state);
   /// Adds the servo's ticks since the last call.
   Status Drain(Servo& servo);

@@ -39,7 +39,7 @@ Status ReadTicks(const std::string& path, std::istream& file, std::uint64_t skip
     if (!Decode(record, state))
     {
       return Status::Failure(path + " is damaged: its tick " + std::to_string(ticks.size()) +
-                             " is none.");
+                             " is invalid.");
     }
     if (state.Tick.Number != ticks.size())
     {
@@ -66,7 +66,7 @@ Status ReadTouchRecording(const std::string& path, TouchRecording& recording)
   const bool isOld = magic == Magic3;
   if ((magic != Magic && !isOld) || !ReadWords(file, session) || !Decode(session, read.Session))
   {
-    return Status::Failure(path + " is no recorded touch session of version 3 or 4.");
+    return Status::Failure(path + " is not a touch recording of version 3 or 4.");
   }
   Status status = ReadTicks(path, file, isOld ? SkippedFlags3 : 0, read.Ticks);
   if (status.IsOk())

@@ -10,7 +10,7 @@
 
 namespace palpate
 {
-/// Of a session: all that its forces followed from, but the scenes.
+/// A session: everything that determines its forces, except for the scenes.
 struct RecordedSession
 {
   ServoSettings Settings;

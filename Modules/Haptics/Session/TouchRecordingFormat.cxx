@@ -154,7 +154,7 @@ TouchRecordingFormat::Encode(const RecordedSession& session) noexcept
 {
   SessionRecord record{};
   WordWriter words(record.data());
-  // The rate that its samples keep is the one that forces depend on.
+  // The guaranteed rate of samples is the one that forces depend on.
   RecordedSession kept = session;
   kept.Device.Rate = session.Device.LeastRate();
   VisitSession(words, kept);

@@ -17,7 +17,7 @@ inline constexpr char Magic[] = "palpate-touch-recording 4\n";
 /// Of 0.1.0: the same, but flags have bits from 48 up, which are skipped.
 inline constexpr char Magic3[] = "palpate-touch-recording 3\n";
 inline constexpr std::size_t MagicSize = sizeof(Magic) - 1;
-/// Of the word that holds flags, in a tick.
+/// Index of the word that holds flags, in a tick.
 inline constexpr std::size_t FlagsWord = 5;
 inline constexpr std::uint64_t SkippedFlags3 = ~std::uint64_t{0} << 48;
 inline constexpr std::size_t SessionWords = 13;
@@ -28,9 +28,9 @@ using TickRecord = std::array<std::uint64_t, TickWords>;
 
 SessionRecord Encode(const RecordedSession& session) noexcept;
 TickRecord Encode(const TouchState& state) noexcept;
-/// False where the words are none of a session.
+/// Returns false if the words are not a valid session.
 bool Decode(const SessionRecord& words, RecordedSession& session) noexcept;
-/// False where the words are none of a tick.
+/// Returns false if the words are not a valid tick.
 bool Decode(const TickRecord& words, TouchState& state) noexcept;
 } // namespace TouchRecordingFormat
 } // namespace palpate

@@ -41,7 +41,7 @@ Status TouchSession::Start(TouchScene scene, const WorkspaceFrame& frame)
   return status.IsOk() ? this->Run() : status;
 }
 
-// It numbers what it orders from 0.
+// A servo numbers its orders from 0.
 void TouchSession::MakeServo()
 {
   if (this->Editor != nullptr)
@@ -211,11 +211,11 @@ Status TouchSession::StartRecording(const std::filesystem::path& path,
 {
   if (!this->IsOpen())
   {
-    return Status::Failure("Nothing is touched: start the touch, then record it.");
+    return Status::Failure("Touch is off: start it before recording.");
   }
   if (this->IsRecording())
   {
-    return Status::Failure("A recording is running already.");
+    return Status::Failure("A recording is already running.");
   }
   auto recorder = std::make_unique<TouchRecorder>(limits);
   Status status = recorder->Start(path.string(), {this->Settings, this->Opened->Capabilities()});

@@ -23,19 +23,18 @@ namespace palpate
 /// The state of a session at its last poll.
 struct TouchSessionReading
 {
-  TouchState Newest;                ///< while the clutch is held, with the tool where it stays
-  std::vector<TouchState> NewTicks; ///< since the poll before, oldest first
+  TouchState Newest;                ///< while the clutch is held, with the tool's held position
+  std::vector<TouchState> NewTicks; ///< since the last poll, oldest first
   std::vector<TouchChange> Changes; ///< within them
-  bool IsClutched = false;          ///< the tool is held, and touch is off
-  std::uint64_t LostTicks = 0;      ///< that no poll has seen
+  bool IsClutched = false;          ///< the clutch is held, and touch is off
+  std::uint64_t LostTicks = 0;      ///< that no poll has returned
   std::uint64_t RecordedTicks = 0;  ///< of the current or the last recording
   std::string RecordingProblem;     ///< why a recording ended early; empty without
 };
 
-/// A scene while it is touched: an open device, its servo, the workspace's place and its clutch, a
-/// recording, and the worker that drills. Used by the command line, the window and VTK's
-/// interactor style alike. For one owner thread; only Start, Stop and the start of a recording
-/// wait.
+/// A scene while it is touched: an open device, its servo, the workspace and its clutch, a
+/// recording, and the drill worker. Used by the command line, the window and VTK's interactor style
+/// alike. For one owner thread; only Start, Stop and the start of a recording wait.
 class TouchSession
 {
 public:
@@ -46,54 +45,54 @@ public:
   /// Stops, forces first.
   ~TouchSession() { this->Stop(); }
 
-  /// The button of the device, from 0, that is the clutch; -1 for none.
+  /// The device's clutch button, from 0; -1 for none.
   void SetClutchButton(int button) { this->ClutchButton = button; }
 
-  /// Takes a device that is open, for servos of these settings. What was touched before stops.
+  /// Adopts an open device, for servos with these settings. Stops the current session.
   void Open(std::unique_ptr<HapticDevice> opened, const ServoSettings& settings);
   bool IsOpen() const { return this->Opened != nullptr; }
   HapticDevice& Device() { return *this->Opened; }
   const HapticDevice& Device() const { return *this->Opened; }
 
-  /// Makes the servo for a scene, without a thread: the caller ticks Loop().
+  /// Creates the servo for a scene, without a thread: the caller ticks Loop().
   Status Begin(TouchScene scene, const WorkspaceFrame& frame);
   /// Begin, and then a thread that ticks at the servo's rate.
   Status Start(TouchScene scene, const WorkspaceFrame& frame);
   bool IsRunning() const { return this->Thread != nullptr; }
-  /// Ends the ticks with 0 N; the device stays open, and what was felt can still be polled.
+  /// Stops ticking with 0 N; the device stays open, and remaining ticks can still be polled.
   void Pause();
   /// 0 N; the device is closed and a recording is finished.
   void Stop();
 
-  /// Touches another scene from the next tick on; see Servo::Publish. Where it is refused the
-  /// scene before stays.
+  /// Changes the scene from the next tick on; see Servo::Publish. If it fails, the previous scene
+  /// stays.
   Status Publish(TouchScene scene, const WorkspaceFrame& frame, SceneEntry entry);
-  /// The scene that is touched; null before the first.
+  /// The current scene; null before the first.
   const std::shared_ptr<const TouchScene>& Scene() const { return this->Current; }
   const WorkspaceFrame& Frame() const { return this->Place; }
   /// How far the clutch has moved the workspace since Begin, mm.
   const Vector3& Moved() const { return this->ClutchMoved; }
 
-  /// Executes what the servo orders to be drilled, from now on; null for nothing.
+  /// Executes the servo's drill orders from now on; null for none.
   void UseEditor(std::shared_ptr<DrillEditor> editor);
 
-  /// The servo of a session that runs.
+  /// The servo of a running session.
   Servo& Loop() { return this->Thread->Loop(); }
   const ServoStatistics& Statistics() { return this->Thread->Statistics(); }
   const RealtimeGrant& Grant() const { return this->Thread->Grant(); }
 
-  /// Leads the hand of a simulated device to a place of the device (mm). False, without effect, for
-  /// a device with a hand of its own.
+  /// Moves the hand of a simulated device to a place of the device (mm). Returns false, without
+  /// effect, for a real device.
   bool LeadHand(const Vector3& handDevice);
-  /// Where such a hand is led (mm); it moves with the workspace.
+  /// Goal of such a hand (mm); it moves with the workspace.
   Vector3 HandWorld() const { return this->Place.ToWorld(this->Hand); }
 
-  /// Takes what happened since the last poll; some ten times a second or more often. A recording
-  /// takes its ticks here.
+  /// Returns what happened since the last poll; call it about ten times a second or more often.
+  /// Also passes the ticks to a recording.
   const TouchSessionReading& Poll();
 
-  /// Records from now on. A session replays from its first tick, so the servo of one that runs
-  /// starts again for it, and forces fade in.
+  /// Records from now on. A session replays from its first tick, so a running servo is restarted
+  /// for it, and forces fade in.
   Status StartRecording(const std::filesystem::path& path, BackgroundWriter::Limits limits = {});
   bool IsRecording() const { return this->Recorder != nullptr; }
   Status StopRecording();

@@ -42,7 +42,7 @@ inline ToolPose At(const Vector3& positionWorld)
   return {positionWorld, Eigen::Quaterniond::Identity()};
 }
 
-/// Goes straight from one place to another in ticks of `step` mm, the first place left out.
+/// Moves straight from one place to another in ticks of `step` mm, without the first place.
 template <typename Visit>
 void MoveStraight(ContactTracker& tracker, const Vector3& from, const Vector3& to, double step,
                   const Visit& visit)

@@ -10,8 +10,8 @@
 
 namespace palpate::test
 {
-/// A block of bone with its top at z = 6 mm, in a grid of 0.5 mm round the origin, and a ball of 2
-/// mm that drills it: what a servo feels, and who cuts.
+/// A block of bone with its top at z = 6 mm, in a grid of 0.5 mm around the origin, and a sphere of
+/// 2 mm that drills it, with its editor.
 class DrilledBlock
 {
 public:
@@ -48,13 +48,13 @@ public:
     scene.Drill.Motion.Turns = 1000.0;
     return scene;
   }
-  /// The part of its depth that the tool loses in a second, in such a scene.
+  /// Fraction of its depth that the tool loses per second, in such a scene.
   static double FeedConstant(double wear = 0.5)
   {
     return wear * 2e-3 * M_PI * Radius * 1000.0 * Stiffness;
   }
 
-  /// The bytes of all that was removed.
+  /// The removed region as bytes.
   std::vector<std::byte> State() const { return BytesOf(*this->Editor->Removed()[0]); }
 
 private:

@@ -24,11 +24,11 @@ enum class ExtremeShape
   Ball,     ///< 9 mm
   ThinWall, ///< a plate or a pancake
   Needle,
-  Cleft,   ///< whose walls meet; of spherical harmonics, a deep and narrow hollow
+  Cleft,   ///< with walls that meet; for spherical harmonics, a deep and narrow hollow
   OneVoxel ///< 0.5 mm wide
 };
 
-/// A structure around this place (mm).
+/// Centre of the structures (mm).
 inline const Vector3 ExtremeMiddle(7.0, -30.0, 12.0);
 
 struct ExtremeCase
@@ -95,7 +95,7 @@ inline Mesh ExtremeMesh(ExtremeShape shape)
     return Moved(BoxMesh({0.01, 0.01, 10.0}), level, ExtremeMiddle);
   case ExtremeShape::Cleft:
   {
-    // Two bars that stand on their edges, side by side.
+    // Two bars on their edges, next to each other.
     const Matrix3 turned = Eigen::AngleAxisd(0.25 * M_PI, Vector3::UnitY()).matrix();
     const Vector3 aside = 3.0 * std::sqrt(2.0) * Vector3::UnitX();
     const Mesh bar = BoxMesh({3.0, 6.0, 3.0});
@@ -110,7 +110,7 @@ inline Mesh ExtremeMesh(ExtremeShape shape)
   return MeshOf(ExtremeHarmonics(ExtremeShape::Ball), 10);
 }
 
-/// In voxels of 0.5 mm, from the middle.
+/// In voxels of 0.5 mm, from the centre.
 struct ExtremeField
 {
   ExtremeShape Shape;
@@ -209,7 +209,7 @@ inline ExtremeCase MadeExtremeCase(Representation representation, ExtremeShape s
   return ExtremeFieldCase(shape, FieldContactMode::PublishedShell);
 }
 
-/// Without points in the middle itself, from which no way leads outwards.
+/// Without points at the centre itself, which has no outward direction.
 inline ExtremeCase MakeExtremeCase(Representation representation, ExtremeShape shape)
 {
   ExtremeCase made = MadeExtremeCase(representation, shape);

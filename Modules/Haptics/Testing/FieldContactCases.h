@@ -23,7 +23,7 @@ inline FieldGrid FineGrid(int size)
   return {{size, size, size}, {-12.5, 40.25, 7.0}, Vector3::Constant(0.5), Matrix3::Identity()};
 }
 
-/// What a procedural field (in index coordinates) is once sampled on the grid; inside where >= 0.
+/// Samples a procedural field (in index coordinates) on the grid; inside where >= 0.
 template <typename Procedure>
 std::shared_ptr<const ScalarField>
 SampledField(const FieldGrid& grid, const Procedure& procedure,
@@ -32,8 +32,8 @@ SampledField(const FieldGrid& grid, const Procedure& procedure,
   return MakeField(grid, SampleAtIndices<float>(grid.Size(), procedure), 0.0, interpolation);
 }
 
-/// The distance (mm) of the field's surface from a point, positive outside, by value over gradient:
-/// right near the surface.
+/// The distance (mm) from a point to the field's surface, positive outside, by value over gradient:
+/// accurate near the surface.
 inline double FieldDistance(const FieldSampler& sampler, const Vector3& pointWorld)
 {
   const FieldGradientSample sample = sampler.ValueAndGradientWorld(0, pointWorld);

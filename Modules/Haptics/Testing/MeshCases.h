@@ -8,7 +8,7 @@
 
 namespace palpate::test
 {
-/// Points and triangles, closed.
+/// Points and triangles of a closed mesh.
 struct Mesh
 {
   std::vector<Vector3> Points;

@@ -14,7 +14,7 @@ inline constexpr std::int64_t TickPeriod = 1'000'000; // ns
 inline constexpr double NotANumber = std::numeric_limits<double>::quiet_NaN();
 inline constexpr double Infinite = std::numeric_limits<double>::infinity();
 
-/// What nobody wants to compute with, and ordinary numbers in between.
+/// Extreme and invalid numbers, mixed with ordinary ones.
 inline double HostileNumber(Random& random)
 {
   static const double numbers[] = {0.0,     -0.0,  1.0,    -3.0,       1e-320,   1e300,
@@ -36,7 +36,7 @@ inline Vector3 VectorOfAnyLength(Random& random)
   return std::pow(10.0, exponent(random)) * RandomDirection(random);
 }
 
-/// Tick n of a ready device at 1 kHz that gives a new sample at every tick.
+/// Tick n of a ready device at 1 kHz with a new sample at every tick.
 inline TickObservation HealthyTick(std::uint64_t n, const Vector3& position = Vector3::Zero())
 {
   TickObservation tick;

@@ -30,7 +30,7 @@ public:
     return this->Device.Applied;
   }
 
-  /// As many ticks there as make everything that fades or filters settle.
+  /// Ticks at one place until all fading and filters settle.
   Vector3 RestAt(const Vector3& position)
   {
     Vector3 force = Vector3::Zero();

@@ -8,7 +8,7 @@ namespace
 {
 using test::DrilledBlock;
 
-// A stroke of random cuts, with its end where `isEnded`.
+// A stroke of random cuts, ended if `isEnded`.
 std::vector<CutOrder> Stroke(test::Random& random, bool isEnded = true)
 {
   std::uniform_real_distribution<double> part(-1.0, 1.0);
@@ -41,7 +41,7 @@ void Send(DrilledBlock& block, std::uint64_t& number, DrillCommand command)
   Send(block, number, {order});
 }
 
-TEST(DrillEditor, WhatBecomesOfTheFieldDoesNotDependOnThePortions)
+TEST(DrillEditor, FieldIsIndependentOfBatching)
 {
   std::vector<std::vector<std::byte>> states;
   for (const std::uint64_t portion : {1, 3, 1000})
@@ -66,7 +66,7 @@ TEST(DrillEditor, WhatBecomesOfTheFieldDoesNotDependOnThePortions)
   EXPECT_EQ(states[0], states[2]);
 }
 
-TEST(DrillEditor, StrokesAreUndoneAndRedoneAndResetAsAWhole)
+TEST(DrillEditor, UndoesRedoesAndResetsWholeStrokes)
 {
   test::Random random(18);
   DrilledBlock block;
@@ -106,7 +106,7 @@ TEST(DrillEditor, StrokesAreUndoneAndRedoneAndResetAsAWhole)
   EXPECT_EQ(block.State(), states.back());
 }
 
-TEST(DrillEditor, AnOpenStrokeIsUndoneToo)
+TEST(DrillEditor, UndoesAnOpenStroke)
 {
   test::Random random(19);
   DrilledBlock block;
@@ -120,7 +120,7 @@ TEST(DrillEditor, AnOpenStrokeIsUndoneToo)
   EXPECT_EQ(block.State(), before);
 }
 
-TEST(DrillEditor, WhatWasRemovedIsRestored)
+TEST(DrillEditor, RestoresRemoval)
 {
   test::Random random(20);
   DrilledBlock block;
@@ -135,7 +135,7 @@ TEST(DrillEditor, WhatWasRemovedIsRestored)
   EXPECT_FALSE(other.Editor->Restore({}).IsOk());
 }
 
-TEST(DrillEditor, AnOrderForWhatIsNotThereIsSaidAndNothingElse)
+TEST(DrillEditor, ReportsAndSkipsOrdersForMissingSitesOrTools)
 {
   DrilledBlock block;
   std::uint64_t number = 0;
@@ -153,7 +153,7 @@ TEST(DrillEditor, AnOrderForWhatIsNotThereIsSaidAndNothingElse)
   }
 }
 
-TEST(DrillEditor, AToolThatIsNoneIsRefused)
+TEST(DrillEditor, RejectsInvalidTool)
 {
   DrilledBlock block;
   int number = 0;
@@ -162,8 +162,8 @@ TEST(DrillEditor, AToolThatIsNoneIsRefused)
   EXPECT_EQ(number, 1);
 }
 
-// Views and a servo that keep versions for long make the editor wait, and it goes on by itself.
-TEST(DrillEditor, VersionsThatAreKeptForLongOnlyDelayTheNextOnes)
+// Views and a servo that hold versions for long delay the editor, which then continues by itself.
+TEST(DrillEditor, LongHeldVersionsOnlyDelayNewOnes)
 {
   test::Random random(21);
   DrilledBlock block;

@@ -10,7 +10,7 @@ namespace
 {
 constexpr double Spacing = 0.5; // mm
 
-// Bone that fills its grid but for a border, its nodes at whole multiples of the spacing.
+// Bone that fills its grid except for a border, its nodes at whole multiples of the spacing.
 test::ScannedBone PlainBone()
 {
   const FieldGrid grid({49, 49, 49}, Vector3::Zero(), Vector3::Constant(Spacing),
@@ -43,7 +43,7 @@ void CutCanal(DrilledField& drilled, double radius, const Vector3& middle)
   test::CutWay(drilled, CutTool::Sphere(radius), middle - along, middle + along);
 }
 
-TEST(DrilledTouch, ASmallerBallFeelsTheCanalsRadiusWithinATenthOfAVoxel)
+TEST(DrilledTouch, SmallerSphereMeasuresTheCanalWithinATenthOfAVoxel)
 {
   const test::ScannedBone bone = PlainBone();
   const auto drilled = test::Drill(*bone.Make());
@@ -65,9 +65,9 @@ TEST(DrilledTouch, ASmallerBallFeelsTheCanalsRadiusWithinATenthOfAVoxel)
   }
 }
 
-// Between two canals stands a wall, its middle on a layer of nodes; what is thrown at it stays on
-// its side, while versions follow each other.
-TEST(DrilledTouch, AThinWallNeverLetsAFastToolThrough)
+// A wall between two canals, its centre on a layer of nodes: tools that hit it stay on their side,
+// while versions follow each other.
+TEST(DrilledTouch, ThinWallStopsFastTools)
 {
   constexpr double Canal = 2.0;
   for (const double voxels : {0.5, 1.0})
@@ -77,14 +77,14 @@ TEST(DrilledTouch, AThinWallNeverLetsAFastToolThrough)
     const Vector3 apart = (Canal + 0.5 * voxels * Spacing) * Vector3::UnitZ();
     CutCanal(*drilled, Canal, bone.Middle - apart);
     CutCanal(*drilled, Canal, bone.Middle + apart);
-    for (const double step : {0.05, 0.2, 0.9, 3.0}) // mm a tick
+    for (const double step : {0.05, 0.2, 0.9, 3.0}) // mm per tick
     {
       const Vector3 start = bone.Middle - apart;
       const auto tracker = TrackerOf(*drilled, 0.5);
       std::vector<std::shared_ptr<const FieldSolid>> versions; // outlive their use
       for (int tick = 0; step * tick < 8.0; ++tick)
       {
-        // Something goes on being removed at the canal's end.
+        // Removal continues at the canal's end.
         const Vector3 end = start + Vector3(7.0 + 0.01 * tick, 0.0, 0.0);
         test::CutWay(*drilled, CutTool::Sphere(1.0), end, end);
         versions.push_back(SolidOf(*drilled));

@@ -17,7 +17,7 @@ using test::WorstCase;
 // The skin between tool and facets, 1e-6 of a diagonal of some 100 mm, and as much for rounding.
 constexpr double SkinError = 2e-4;
 
-TEST(FacetTracker, OnABoxTheProxyIsTheNearestPlaceOutsideOnThatSide)
+TEST(FacetTracker, ProxyOnABoxIsTheNearestPlaceOnItsSide)
 {
   const auto model = FacetContact(test::BoxMesh({10.0, 10.0, 10.0}));
   for (const double radius : {0.0, 1.5})
@@ -33,12 +33,12 @@ TEST(FacetTracker, OnABoxTheProxyIsTheNearestPlaceOutsideOnThatSide)
                 SkinError);
       EXPECT_LE((contact.NormalWorld - Vector3::UnitZ()).norm(), 1e-9); // rounding
     }
-    // Beyond the edge it falls off.
+    // Beyond the edge it loses contact.
     EXPECT_FALSE(tracker->Follow(At({12.5 + radius, 0.0, 8.0})).IsTouching);
   }
 }
 
-TEST(FacetTracker, BetweenTwoBoxesItRestsOnBoth)
+TEST(FacetTracker, RestsOnBothOfTwoBoxes)
 {
   // A step: a floor, and a wall on it.
   test::Mesh step = test::BoxMesh({10.0, 10.0, 1.0});
@@ -64,7 +64,7 @@ TEST(FacetTracker, BetweenTwoBoxesItRestsOnBoth)
   }
 }
 
-TEST(FacetTracker, ProxiesAreNearestPlacesOfTheMeshAlongServoPaths)
+TEST(FacetTracker, ProxiesAreNearestPlacesAlongServoPaths)
 {
   Random random(6201);
   const SphericalHarmonicModel organ = test::RandomOrgan(random, 12);
@@ -85,24 +85,23 @@ TEST(FacetTracker, ProxiesAreNearestPlacesOfTheMeshAlongServoPaths)
       ASSERT_TRUE(contact.IsTouching);
       gap.Add(tree->NearestTo(contact.ProxyWorld, 10.0).Distance - radius);
       const double least = tree->NearestTo(probe, 10.0).Distance;
-      // Inside, the way out of the offset surface is at most as long as to the mesh plus the
-      // radius.
+      // Inside, the distance to the offset surface is at most that to the mesh plus the radius.
       farther.Add(std::max(0.0, contact.Depth - least - radius));
     }
-    // Where rounds end, the last move along a plane has left a rounded edge by s^2 / 2 radius.
+    // Where rounds end, the last move along a plane misses a rounded edge by s^2 / 2 radius.
     EXPECT_LE(gap.Value(), 0.002) << radius;
     // A god-object on facets waits on an edge until the pull has passed both its normals.
     EXPECT_LE(farther.Value(), 0.02) << radius;
   }
 }
 
-TEST(FacetTracker, NothingIsPassedThroughHoweverFast)
+TEST(FacetTracker, PassesThroughNothingAtAnySpeed)
 {
   Random random(6202);
   const auto model = FacetContact(test::BoxMesh({10.0, 10.0, 0.01}));
   for (const double radius : {0.0, 1.0})
   {
-    for (const double step : {0.001, 0.1, 1.0, 100.0}) // mm a tick: up to 100 m/s at 1 kHz
+    for (const double step : {0.001, 0.1, 1.0, 100.0}) // mm per tick: up to 100 m/s at 1 kHz
     {
       const auto tracker = TrackerOf(*model, ToolShape::Sphere(radius));
       const double high = step < 0.01 ? 0.1 : 50.0;
@@ -118,7 +117,7 @@ TEST(FacetTracker, NothingIsPassedThroughHoweverFast)
   }
 }
 
-TEST(FacetTracker, FrictionHoldsWithinTheConeAndSlipsToIt)
+TEST(FacetTracker, SticksWithinTheFrictionConeAndSlipsToIt)
 {
   const auto model = FacetContact(test::BoxMesh({10.0, 10.0, 10.0}));
   const auto tracker = TrackerOf(*model, ToolShape::Sphere(1.0), {0.5, 0.3});
@@ -128,7 +127,7 @@ TEST(FacetTracker, FrictionHoldsWithinTheConeAndSlipsToIt)
   EXPECT_NEAR(tracker->Follow(At({0.6, 0.0, 10.0})).ProxyWorld[0], 0.3, SkinError);
 }
 
-TEST(FacetTracker, WhateverThePosesProxiesAreFiniteAndOutside)
+TEST(FacetTracker, ProxiesAreFiniteAndOutsideForAnyPose)
 {
   Random random(6203);
   const SphericalHarmonicModel organ = test::RandomOrgan(random, 6);
@@ -158,7 +157,7 @@ TEST(FacetTracker, WhateverThePosesProxiesAreFiniteAndOutside)
   }
 }
 
-TEST(FacetTracker, WhatStartsInsideIsPutOnTheNearestPlaceOutside)
+TEST(FacetTracker, StartingInsideMovesToTheNearestPlaceOutside)
 {
   const auto model = FacetContact(test::BoxMesh({10.0, 10.0, 10.0}));
   const auto tracker = TrackerOf(*model, ToolShape::Sphere(1.0));
@@ -167,7 +166,7 @@ TEST(FacetTracker, WhatStartsInsideIsPutOnTheNearestPlaceOutside)
   EXPECT_LE((contact.ProxyWorld - Vector3(0.0, 11.0, 1.0)).norm(), SkinError);
 }
 
-TEST(FacetContactModel, FeelsSpheresOnly)
+TEST(FacetContactModel, SupportsSpheresOnly)
 {
   const auto model = FacetContact(test::BoxMesh({10.0, 10.0, 10.0}));
   std::unique_ptr<ContactTracker> tracker;

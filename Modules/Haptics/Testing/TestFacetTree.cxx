@@ -16,7 +16,7 @@ using test::WorstCase;
 // Of coordinates of some 100 mm.
 constexpr double Rounding = 1e-11;
 
-// The slow, obvious way.
+// Brute force.
 double DistanceByTrial(const Mesh& mesh, const Vector3& point)
 {
   double least = std::numeric_limits<double>::infinity();
@@ -28,7 +28,7 @@ double DistanceByTrial(const Mesh& mesh, const Vector3& point)
   return least;
 }
 
-TEST(TriangleSweep, TheClosestPointOfAFacetIsTheBestOfManyPlacesOnIt)
+TEST(TriangleSweep, ClosestPointIsTheBestOfManySamples)
 {
   Random random(6101);
   for (int sample = 0; sample < 300; ++sample)
@@ -53,7 +53,7 @@ TEST(TriangleSweep, TheClosestPointOfAFacetIsTheBestOfManyPlacesOnIt)
   }
 }
 
-TEST(FacetTree, TheNearestPointEqualsTheBestOfAllFacets)
+TEST(FacetTree, NearestPointEqualsBruteForce)
 {
   Random random(6102);
   const Mesh mesh = test::MeshOf(test::RandomOrgan(random, 8), 8);
@@ -72,7 +72,7 @@ TEST(FacetTree, TheNearestPointEqualsTheBestOfAllFacets)
   }
 }
 
-TEST(FacetTree, ASweptSphereStopsWhereItFirstTouches)
+TEST(FacetTree, SweptSphereStopsAtFirstContact)
 {
   Random random(6103);
   const SphericalHarmonicModel organ = test::RandomOrgan(random, 8);
@@ -87,7 +87,7 @@ TEST(FacetTree, ASweptSphereStopsWhereItFirstTouches)
     const Vector3 way = organ.CenterWorld() + 25.0 * RandomDirection(random) - start;
     const SweepHit hit = tree->Sweep({start, way, radius});
     hits += hit.IsHit ? 1 : 0;
-    // Before that nothing is nearer than the radius.
+    // No place before is nearer than the radius.
     for (int step = 0; step < 20; ++step)
     {
       const Vector3 place = start + hit.Part * step / 20.0 * way;
@@ -102,11 +102,11 @@ TEST(FacetTree, ASweptSphereStopsWhereItFirstTouches)
   }
   EXPECT_GT(hits, 200);
   EXPECT_LT(hits, 400);
-  // Roots of radius^2 beside distances of 60 mm leave 60^2 1e-16 / 1e-5.
+  // Roots of radius^2 together with distances of 60 mm leave 60^2 1e-16 / 1e-5.
   EXPECT_LE(gap.Value(), 1e-7);
 }
 
-TEST(FacetTree, KnowsInsideFromOutside)
+TEST(FacetTree, DistinguishesInsideFromOutside)
 {
   Random random(6104);
   const SphericalHarmonicModel organ = test::RandomOrgan(random, 8);
@@ -114,13 +114,13 @@ TEST(FacetTree, KnowsInsideFromOutside)
   for (int sample = 0; sample < 500; ++sample)
   {
     const Vector3 u = RandomDirection(random);
-    // Facets are up to 0.1 mm below the surface that they are made from.
+    // Facets are up to 0.1 mm below the surface from which they were made.
     EXPECT_TRUE(tree->IsInside(organ.CenterWorld() + (organ.Radius(u) - 0.5) * u));
     EXPECT_FALSE(tree->IsInside(organ.CenterWorld() + (organ.Radius(u) + 0.1) * u));
   }
 }
 
-TEST(FacetTree, WhatIsNoMeshIsRefused)
+TEST(FacetTree, RejectsInvalidMesh)
 {
   const Mesh box = test::BoxMesh(Vector3::Ones());
   std::shared_ptr<const FacetTree> tree;
@@ -137,7 +137,7 @@ TEST(FacetTree, WhatIsNoMeshIsRefused)
   EXPECT_FALSE(FacetTree::Make({}, {}, tree).IsOk());
   EXPECT_EQ(tree, nullptr);
   bad = box;
-  bad.Triangles.push_back({0, 0, 1}); // has no area, so it is left out
+  bad.Triangles.push_back({0, 0, 1}); // degenerate, so it is skipped
   ASSERT_TRUE(FacetTree::Make(bad.Points, bad.Triangles, tree).IsOk());
   EXPECT_EQ(tree->FacetCount(), 12u);
 }

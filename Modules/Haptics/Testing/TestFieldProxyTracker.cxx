@@ -17,7 +17,7 @@ using test::TrackerOf;
 using test::WorstCase;
 
 constexpr double VoxelSize = 0.5; // mm
-// Where solving ends: at steps of a thousandth of a voxel.
+// Convergence tolerance: steps of a thousandth of a voxel.
 constexpr double SolvingError = 2e-3 * VoxelSize;
 
 // A wedge-shaped cleft along y, open to +z, whose walls stand at 45 degrees; index coordinates.
@@ -55,7 +55,7 @@ struct BoxField
   }
 };
 
-TEST(FieldProxyTracker, TheDeepestPointOfASphereLiesOnTheFieldsOwnSurface)
+TEST(FieldProxyTracker, DeepestSpherePointLiesOnTheFieldsSurface)
 {
   Random random(5301);
   const FieldGrid grid = FineGrid(48);
@@ -81,8 +81,8 @@ TEST(FieldProxyTracker, TheDeepestPointOfASphereLiesOnTheFieldsOwnSurface)
         {
           probe += velocity;
           const Contact& contact = tracker->Follow(At(probe));
-          // What starts inside, or has lost its minimum, is on its way for some ticks; and what is
-          // deep shall not reach the far side.
+          // After a start inside, or the loss of its minimum, the proxy moves for some ticks; and a
+          // deep one must not reach the far side.
           const bool isOnItsWay = tick < 20 || (contact.ProxyWorld - before).norm() > 0.5;
           before = contact.ProxyWorld;
           if (isOnItsWay || !contact.IsTouching || contact.Depth > 2.0)
@@ -101,24 +101,23 @@ TEST(FieldProxyTracker, TheDeepestPointOfASphereLiesOnTheFieldsOwnSurface)
         }
       }
       EXPECT_GT(touching, 200);
-      EXPECT_LE(inside.Value(), 0.05) << radius; // what was asked for, in voxels
+      EXPECT_LE(inside.Value(), 0.05) << radius; // the required accuracy, in voxels
       EXPECT_LE(apart.Value(), 0.05) << radius;
     }
   }
 }
 
-// Also where that is far from all of its points: 26 of them leave up to 0.23 mm of a sphere of 2 mm
-// unnoticed.
-TEST(FieldProxyTracker, ASphereOfFewPointsBeginsToTouchWhereTheSphereDoes)
+// Also far from all of its points: 26 of them leave up to 0.23 mm of a sphere of 2 mm undetected.
+TEST(FieldProxyTracker, SparseSphereTouchesWhereTheSphereDoes)
 {
   constexpr double Radius = 2.0; // mm
-  constexpr double Step = 0.01;  // mm a tick
+  constexpr double Step = 0.01;  // mm per tick
   Random random(5309);
   const FieldGrid grid = FineGrid(48);
   for (int n = 0; n < 50; ++n)
   {
     const Vector3 outward = test::RandomDirection(random);
-    // A plane through the middle of the grid.
+    // A plane through the centre of the grid.
     const test::PlaneField plane{-outward, -outward.dot(Vector3::Constant(24.0))};
     const auto model = FieldContact(SampledField(grid, plane));
     const auto tracker = TrackerOf(*model, ToolShape::SpherePoints(Radius, 26));
@@ -133,7 +132,7 @@ TEST(FieldProxyTracker, ASphereOfFewPointsBeginsToTouchWhereTheSphereDoes)
   }
 }
 
-TEST(FieldProxyTracker, APointsProxyIsTheNearestPointOfASphereToFourthOrder)
+TEST(FieldProxyTracker, PointProxyIsNearestOnASphereToFourthOrder)
 {
   Random random(5302);
   const FieldGrid grid = FineGrid(64);
@@ -157,13 +156,13 @@ TEST(FieldProxyTracker, APointsProxyIsTheNearestPointOfASphereToFourthOrder)
         error.Add((contact.ProxyWorld - surface).norm());
       }
     }
-    // Feet move once a tick, so a tool's normal lags by one: 0.048 mm a tick bend a proxy 4 mm away
-    // by up to a few um beyond what solving leaves.
+    // Contact points move once per tick, so a tool's normal lags by one: 0.048 mm per tick bend a
+    // proxy 4 mm away by up to a few um more than the solver's tolerance.
     EXPECT_LE(error.Value(), SolvingError + 1e-3 * radius) << radius;
   }
 }
 
-TEST(FieldProxyTracker, InACleftASphereRestsOnBothWalls)
+TEST(FieldProxyTracker, RestsOnBothWallsOfACleft)
 {
   const FieldGrid grid = FineGrid(48);
   const auto model = FieldContact(SampledField(grid, CleftField()));
@@ -180,7 +179,7 @@ TEST(FieldProxyTracker, InACleftASphereRestsOnBothWalls)
       test::MoveStraight(*tracker, rest + Vector3(aside, 0.0, 1.5), probe, 0.05,
                          [&](const Vector3&, const Contact& contact) { last = contact; });
       ASSERT_TRUE(last.IsTouching);
-      // The crease is interpolated within one voxel, which no foot of these reaches.
+      // The crease is interpolated within one voxel, which no contact point of these reaches.
       EXPECT_NEAR(last.ProxyWorld[0], rest[0], SolvingError) << radius;
       EXPECT_NEAR(last.ProxyWorld[1], probe[1], SolvingError) << radius;
       EXPECT_NEAR(last.ProxyWorld[2], rest[2], SolvingError) << radius;
@@ -189,10 +188,10 @@ TEST(FieldProxyTracker, InACleftASphereRestsOnBothWalls)
   }
 }
 
-TEST(FieldProxyTracker, ASlotThatIsTooNarrowIsNotEntered)
+TEST(FieldProxyTracker, DoesNotEnterANarrowSlot)
 {
-  // A slot 1.5 mm wide, and a ball of 2 mm. Its edges are interpolated, so how low the ball can go
-  // is found by trying.
+  // A slot 1.5 mm wide, and a sphere of 2 mm. Its edges are interpolated, so the lowest place of
+  // the sphere is found by trial.
   struct SlotField
   {
     double Value(const Vector3& p) const
@@ -224,11 +223,11 @@ TEST(FieldProxyTracker, ASlotThatIsTooNarrowIsNotEntered)
   test::MoveStraight(*tracker, above, below, 0.05,
                      [&](const Vector3&, const Contact& contact) { last = contact; });
   ASSERT_TRUE(last.IsTouching);
-  EXPECT_NEAR(last.ProxyWorld[2], lowest[2], 0.05 * VoxelSize); // what was asked for
+  EXPECT_NEAR(last.ProxyWorld[2], lowest[2], 0.05 * VoxelSize); // the required accuracy
   EXPECT_NEAR(last.ProxyWorld[0], mouth[0], 0.05 * VoxelSize);
 }
 
-TEST(FieldProxyTracker, NoWallOfOneVoxelIsPassedHoweverFast)
+TEST(FieldProxyTracker, OneVoxelWallStopsToolsAtAnySpeed)
 {
   Random random(5303);
   const FieldGrid grid = FineGrid(48);
@@ -236,7 +235,7 @@ TEST(FieldProxyTracker, NoWallOfOneVoxelIsPassedHoweverFast)
   const double wall = grid.PointWorld(Vector3::Constant(24.0))[2];
   for (const double radius : {0.0, 0.5, 2.0})
   {
-    for (const double step : {0.02, 0.1, 1.0, 10.0, 100.0}) // mm a tick: up to 100 m/s at 1 kHz
+    for (const double step : {0.02, 0.1, 1.0, 10.0, 100.0}) // mm per tick: up to 100 m/s at 1 kHz
     {
       const auto tracker = TrackerOf(*model, ToolShape::Sphere(radius));
       const Vector3 aside = 2.0 * test::RandomDirection(random);
@@ -247,7 +246,7 @@ TEST(FieldProxyTracker, NoWallOfOneVoxelIsPassedHoweverFast)
       Contact last;
       test::MoveStraight(*tracker, above, beyond, step,
                          [&](const Vector3&, const Contact& contact) { last = contact; });
-      for (int tick = 0; tick < 20; ++tick) // what a tick had no time for
+      for (int tick = 0; tick < 20; ++tick) // work left over from a tick
       {
         last = tracker->Follow(At(beyond));
       }
@@ -258,7 +257,7 @@ TEST(FieldProxyTracker, NoWallOfOneVoxelIsPassedHoweverFast)
   }
 }
 
-TEST(FieldProxyTracker, AStructureOfOneVoxelIsFelt)
+TEST(FieldProxyTracker, TouchesAOneVoxelStructure)
 {
   const FieldGrid grid = FineGrid(9);
   std::vector<float> samples(grid.NodeCount(), -1.0f);
@@ -269,7 +268,7 @@ TEST(FieldProxyTracker, AStructureOfOneVoxelIsFelt)
   const Vector3 voxel = grid.PointWorld(Vector3::Constant(4.0));
   for (const double radius : {0.0, 0.3, 2.0})
   {
-    // So small a thing slips between 400 points of the largest one.
+    // So small an object slips between 400 points of the largest one.
     const auto tracker = TrackerOf(*model, ToolShape::SpherePoints(radius, 4000));
     const Vector3 above = voxel + Vector3(0.0, 0.0, radius + 1.0);
     const Vector3 pressed = voxel + Vector3(0.0, 0.0, radius + 0.1);
@@ -287,7 +286,7 @@ TEST(FieldProxyTracker, AStructureOfOneVoxelIsFelt)
   }
 }
 
-TEST(FieldProxyTracker, ACapsuleThatIsTurnedIntoTheSurfaceIsPushedOut)
+TEST(FieldProxyTracker, CapsuleTurnedIntoTheSurfaceIsPushedOut)
 {
   const FieldGrid grid = FineGrid(48);
   const auto model = FieldContact(SampledField(grid, test::PlaneField{-Vector3::UnitZ(), -24.0}));
@@ -310,10 +309,10 @@ TEST(FieldProxyTracker, ACapsuleThatIsTurnedIntoTheSurfaceIsPushedOut)
   }
 }
 
-TEST(FieldProxyTracker, WhereTheGridEndsTheSolidEnds)
+TEST(FieldProxyTracker, SolidEndsAtTheGridBorder)
 {
   const FieldGrid grid = FineGrid(24);
-  // The material goes on beyond the grid at z = 0.
+  // The material continues beyond the grid at z = 0.
   const auto model = FieldContact(SampledField(grid, test::PlaneField{-Vector3::UnitZ(), -12.0}));
   const auto tracker = TrackerOf(*model, ToolShape::Sphere(0.5));
   const Vector3 bottom = grid.PointWorld({12.0, 12.0, 0.0});
@@ -323,12 +322,12 @@ TEST(FieldProxyTracker, WhereTheGridEndsTheSolidEnds)
                      0.05, [&](const Vector3&, const Contact& contact) { last = contact; });
   ASSERT_TRUE(last.IsTouching);
   EXPECT_NEAR(last.ProxyWorld[2], bottom[2] - 0.5, SolvingError);
-  EXPECT_NEAR(last.NormalWorld[2], -1.0, 1e-6); // one plane's, but for rounding
+  EXPECT_NEAR(last.NormalWorld[2], -1.0, 1e-6); // of one plane, except for rounding
 }
 
-TEST(FieldProxyTracker, WhereTheGridEndsWithoutMaterialThereIsNoWall)
+TEST(FieldProxyTracker, GridBorderWithoutMaterialIsNoWall)
 {
-  // A ball close to the side of its grid, and a tool that reaches beyond that.
+  // A sphere close to the side of its grid, and a tool that extends beyond that.
   const FieldGrid grid = FineGrid(24);
   const Vector3 middle(5.5, 12.0, 12.0);
   const auto model = FieldContact(
@@ -345,7 +344,7 @@ TEST(FieldProxyTracker, WhereTheGridEndsWithoutMaterialThereIsNoWall)
     ASSERT_TRUE(contact.IsTouching);
     error.Add((contact.ProxyWorld - place - 4.0 * u).norm());
   }
-  // What the cubic makes of a ball of four voxels.
+  // Error of the cubic for a sphere of four voxels.
   EXPECT_LE(error.Value(), 0.03);
 }
 
@@ -374,11 +373,11 @@ TEST(FieldProxyTracker, BothConditionsOfAMaterialAreWalls)
     test::MoveStraight(*tracker, surface + out, surface - out, 0.05,
                        [&](const Vector3&, const Contact& contact) { last = contact; });
     EXPECT_LE((last.ProxyWorld - surface).norm(), SolvingError);
-    EXPECT_LE((last.NormalWorld - out).norm(), 1e-6); // one plane's, but for rounding
+    EXPECT_LE((last.NormalWorld - out).norm(), 1e-6); // of one plane, except for rounding
   }
 }
 
-TEST(FieldProxyTracker, FrictionHoldsWithinTheConeAndSlipsToIt)
+TEST(FieldProxyTracker, SticksWithinTheFrictionConeAndSlipsToIt)
 {
   const FieldGrid grid = FineGrid(48);
   const auto model = FieldContact(SampledField(grid, test::PlaneField{-Vector3::UnitZ(), -24.0}));
@@ -395,7 +394,7 @@ TEST(FieldProxyTracker, FrictionHoldsWithinTheConeAndSlipsToIt)
   EXPECT_NEAR(slipped[0], rest[0] + 0.3, 2.0 * SolvingError);
 }
 
-TEST(FieldProxyTracker, FeelsTheSameInMillimetresAndInMetres)
+TEST(FieldProxyTracker, IsIndependentOfTheUnitOfLength)
 {
   for (const double scale : {0x1p-10, 1.0, 0x1p10}) // powers of two change no digit
   {
@@ -419,7 +418,7 @@ TEST(FieldProxyTracker, FeelsTheSameInMillimetresAndInMetres)
   }
 }
 
-TEST(FieldProxyTracker, WhateverThePosesEverythingIsFinite)
+TEST(FieldProxyTracker, ResultsAreFiniteForAnyPose)
 {
   Random random(5305);
   const FieldGrid grid = FineGrid(32);
@@ -452,7 +451,7 @@ TEST(FieldProxyTracker, WhateverThePosesEverythingIsFinite)
   }
 }
 
-TEST(FieldProxyTracker, WhatIsDeepInsideFromTheBeginningFindsAWayOut)
+TEST(FieldProxyTracker, StartingDeepInsideFindsAnExit)
 {
   const FieldGrid grid = FineGrid(64);
   const auto model = FieldContact(SampledField(
@@ -470,7 +469,7 @@ TEST(FieldProxyTracker, WhatIsDeepInsideFromTheBeginningFindsAWayOut)
   EXPECT_NEAR((last.ProxyWorld - middle)[1], 13.5, 0.02);
 }
 
-TEST(FieldSolid, BeyondTheGridThereIsAWallOnlyNextToMaterial)
+TEST(FieldSolid, GridBorderIsAWallOnlyNextToMaterial)
 {
   const FieldGrid grid = FineGrid(24);
   std::shared_ptr<const FieldSolid> solid;
@@ -485,7 +484,7 @@ TEST(FieldSolid, BeyondTheGridThereIsAWallOnlyNextToMaterial)
   EXPECT_FALSE(solid->WallNear(grid.PointWorld({-0.5, 12.0, 18.0}), Vector3::UnitX()).IsKnown);
 }
 
-TEST(FieldContactModel, HasShellsAsFineAsVoxelsAndNoUnknownMaterial)
+TEST(FieldContactModel, ShellsMatchVoxelsAndUnknownMaterialIsRejected)
 {
   EXPECT_EQ(FieldContactModel::PointCountFor(0.0, 0.5), 6);
   EXPECT_EQ(FieldContactModel::PointCountFor(1.0, 1.0), 80);

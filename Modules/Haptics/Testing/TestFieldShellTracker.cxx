@@ -15,7 +15,7 @@ using test::TrackerOf;
 constexpr double VoxelSize = 0.5;   // mm
 constexpr double ToolRadius = 1.25; // mm
 
-// The published text, word by word, with one point at a time.
+// The published method, literally, with one point at a time.
 class PublishedLaw
 {
 public:
@@ -24,7 +24,7 @@ public:
   {
   }
 
-  // The proxy, which stays with the law.
+  // The proxy, which keeps to the method.
   Vector3 Next(const Vector3& probe)
   {
     const int touching = this->Touching(probe);
@@ -34,7 +34,7 @@ public:
     }
     else if (touching > 13)
     {
-      // The way back, in quarters of a voxel.
+      // The path back, in quarters of a voxel.
       const Vector3 way = this->Proxy - probe;
       const int steps = static_cast<int>(std::ceil(way.norm() / (0.25 * VoxelSize)));
       Vector3 place = this->Proxy;
@@ -89,7 +89,7 @@ private:
   Vector3 Proxy = Vector3::Zero();
 };
 
-TEST(FieldShellTracker, IsThePublishedLaw)
+TEST(FieldShellTracker, EqualsThePublishedMethod)
 {
   Random random(5201);
   const FieldGrid grid = test::FineGrid(48);
@@ -111,7 +111,7 @@ TEST(FieldShellTracker, IsThePublishedLaw)
       const Contact& contact = tracker->Follow(At(probe));
       if (tick == 0 && contact.IsTouching)
       {
-        break; // without a proxy the text says nothing
+        break; // without a proxy the method is undefined
       }
       const Vector3 expected = law.Next(probe);
       if ((expected - probe).norm() > 60.0 * 0.25 * VoxelSize)
@@ -129,9 +129,9 @@ TEST(FieldShellTracker, IsThePublishedLaw)
   EXPECT_GT(kinds[2], 100);
 }
 
-TEST(FieldShellTracker, TheMeanOfManyPointsIsLessThanTheDepth)
+TEST(FieldShellTracker, MeanOfManyPointsIsLessThanTheDepth)
 {
-  // Known and left open by its authors; FieldProxyTracker is the answer.
+  // A known limitation left open by its authors; FieldProxyTracker solves it.
   const FieldGrid grid = test::FineGrid(48);
   const auto field = test::SampledField(grid, test::PlaneField{-Vector3::UnitZ(), -24.0});
   const auto published = test::FieldContact(field, FieldContactMode::PublishedShell);
@@ -144,12 +144,12 @@ TEST(FieldShellTracker, TheMeanOfManyPointsIsLessThanTheDepth)
   first->Follow(At(above));
   second->Follow(At(above));
   const Vector3 probe = top + Vector3(0.0, 0.0, 0.5); // 0.5 mm deep
-  // Of the 9 points inside, those aside have shorter ways out along their normals or none.
+  // Of the 9 points inside, those at the side have shorter exits along their normals or none.
   EXPECT_LT(first->Follow(At(probe)).Depth, 0.45);
   EXPECT_NEAR(second->Follow(At(probe)).Depth, 0.5, 1e-3 * VoxelSize); // where solving ends
 }
 
-TEST(FieldShellTracker, BadPosesAndFarOnesAreNotFelt)
+TEST(FieldShellTracker, InvalidAndFarPosesHaveNoContact)
 {
   const FieldGrid grid = test::FineGrid(48);
   const auto field = test::SampledField(grid, test::SphereField{Vector3::Constant(24.0), 15.0});
@@ -170,7 +170,7 @@ TEST(FieldShellTracker, BadPosesAndFarOnesAreNotFelt)
   EXPECT_TRUE(deep.ProxyWorld.allFinite());
 }
 
-TEST(FieldShellTracker, APointAndFrictionAreRefused)
+TEST(FieldShellTracker, RejectsPointsAndFriction)
 {
   const FieldGrid grid = test::FineGrid(24);
   const auto field = test::SampledField(grid, test::SphereField{Vector3::Constant(12.0), 8.0});

@@ -30,7 +30,7 @@ bool AreHeld(const Vector3& point, const std::vector<HalfSpace>& spaces)
   return true;
 }
 
-// The slow, obvious way: the nearest held point among the feet on all planes, lines and corners.
+// Brute force: the nearest allowed point among the projections on all planes, lines and corners.
 bool NearestByTrial(const Vector3& goal, const std::vector<HalfSpace>& spaces, Vector3& nearest)
 {
   std::vector<Vector3> trials{goal};
@@ -71,7 +71,7 @@ bool NearestByTrial(const Vector3& goal, const std::vector<HalfSpace>& spaces, V
   return least < std::numeric_limits<double>::infinity();
 }
 
-TEST(HalfSpaces, TheNearestPointEqualsTheBestOfAllTrials)
+TEST(HalfSpaces, NearestPointEqualsBruteForce)
 {
   Random random(5101);
   test::WorstCase error;
@@ -93,7 +93,7 @@ TEST(HalfSpaces, TheNearestPointEqualsTheBestOfAllTrials)
     if (isHeld)
     {
       ++held;
-      // Far corners are where planes are nearly parallel, and known as much less well.
+      // Distant corners belong to nearly parallel planes, and are less accurate accordingly.
       error.Add((nearest.Point - expected).norm() / (1.0 + expected.squaredNorm()));
     }
   }
@@ -102,7 +102,7 @@ TEST(HalfSpaces, TheNearestPointEqualsTheBestOfAllTrials)
   EXPECT_LE(error.Value(), Rounding);
 }
 
-TEST(HalfSpaces, PlanesThatAreGivenTwiceChangeNothing)
+TEST(HalfSpaces, DuplicatePlanesChangeNothing)
 {
   Random random(5102);
   for (int sample = 0; sample < 200; ++sample)
@@ -121,7 +121,7 @@ TEST(HalfSpaces, PlanesThatAreGivenTwiceChangeNothing)
   }
 }
 
-TEST(HalfSpaces, OppositePlanesHoldWhatIsBetweenThemAndNothingElse)
+TEST(HalfSpaces, OppositePlanesAllowOnlyTheGapBetweenThem)
 {
   const std::vector<HalfSpace> slab{{Vector3::UnitX(), 1.0}, {-Vector3::UnitX(), -2.0}};
   const NearestHeld inside = NearestInHalfSpaces(Vector3(5.0, 3.0, 0.0), slab.data(), 2);
@@ -131,7 +131,7 @@ TEST(HalfSpaces, OppositePlanesHoldWhatIsBetweenThemAndNothingElse)
   EXPECT_FALSE(NearestInHalfSpaces(Vector3(5.0, 3.0, 0.0), nothing.data(), 2).IsHeld);
 }
 
-TEST(HalfSpaces, TheUnitOfLengthDoesNotMatter)
+TEST(HalfSpaces, IsIndependentOfTheUnitOfLength)
 {
   Random random(5103);
   for (int sample = 0; sample < 200; ++sample)

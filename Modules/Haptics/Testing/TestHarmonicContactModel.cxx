@@ -16,7 +16,7 @@ constexpr double NotANumber = std::numeric_limits<double>::quiet_NaN();
 // Of coordinates of some 100 mm.
 constexpr double Rounding = 1e-12;
 
-TEST(HarmonicContactModel, BoundsHoldTheSurfaceAndLittleMore)
+TEST(HarmonicContactModel, BoundsContainTheSurfaceTightly)
 {
   Random random(4301);
   const SphericalHarmonicModel organ = test::RandomOrgan(random, 12);
@@ -30,7 +30,7 @@ TEST(HarmonicContactModel, BoundsHoldTheSurfaceAndLittleMore)
   EXPECT_LE((bounds.max() - organ.CenterWorld()).maxCoeff(), 1.01 * largest);
 }
 
-TEST(HarmonicContactModel, WhatCannotBeTouchedIsRefused)
+TEST(HarmonicContactModel, RejectsInvalidModels)
 {
   const double mean = 20.0 * std::sqrt(4.0 * M_PI);
   const std::vector<SphericalHarmonicModel> bad{
@@ -49,7 +49,7 @@ TEST(HarmonicContactModel, WhatCannotBeTouchedIsRefused)
   }
 }
 
-TEST(HarmonicContactModel, FeelsSpheresOnly)
+TEST(HarmonicContactModel, SupportsSpheresOnly)
 {
   for (const auto mode : {HarmonicContactMode::Nearest, HarmonicContactMode::Radial})
   {
@@ -70,13 +70,14 @@ TEST(HarmonicContactModel, TrackersOutliveTheirModel)
   EXPECT_TRUE(tracker->Follow(At({0.0, 0.0, 19.0})).IsTouching);
 }
 
-TEST(HarmonicRadialTracker, IsThePublishedLaw)
+TEST(HarmonicRadialTracker, EqualsThePublishedMethod)
 {
   Random random(4302);
   const SphericalHarmonicModel organ = test::RandomOrgan(random, 12);
   const auto model = HarmonicContact(organ, HarmonicContactMode::Radial);
   const auto tracker = TrackerOf(*model, ToolShape::Sphere(0.0));
-  std::uniform_real_distribution<double> ratio(0.1, 2.0); // nearer, directions round
+  std::uniform_real_distribution<double> ratio(0.1,
+                                               2.0); // closer to the centre, directions are rounded
   for (int tick = 0; tick < 5000; ++tick)
   {
     const Vector3 u = test::RandomDirection(random);
@@ -97,7 +98,7 @@ TEST(HarmonicRadialTracker, IsThePublishedLaw)
   }
 }
 
-TEST(HarmonicRadialTracker, InTheCentreTheLastRadiusGoesOn)
+TEST(HarmonicRadialTracker, KeepsTheLastDirectionAtTheCentre)
 {
   const auto model = HarmonicContact(test::Sphere(20.0), HarmonicContactMode::Radial);
   const auto tracker = TrackerOf(*model, ToolShape::Sphere(1.0));
@@ -110,7 +111,7 @@ TEST(HarmonicRadialTracker, InTheCentreTheLastRadiusGoesOn)
             Rounding);
 }
 
-TEST(HarmonicRadialTracker, APoseThatIsNoneIsNotFelt)
+TEST(HarmonicRadialTracker, InvalidPoseHasNoContact)
 {
   const auto model = HarmonicContact(test::Sphere(20.0), HarmonicContactMode::Radial);
   const auto tracker = TrackerOf(*model, ToolShape::Sphere(0.0));

@@ -16,13 +16,13 @@ using test::WorstCase;
 
 constexpr SurfaceFriction Rough{0.5, 0.3};
 
-// What the probe pulls its proxy with.
+// The probe's pull on its proxy.
 FrictionCone::Pull PullOf(const Vector3& probe, const Contact& contact)
 {
   return {probe - contact.ProxyWorld, contact.NormalWorld};
 }
 
-TEST(HarmonicFriction, AToolThatIsPulledWithinTheConeStaysWhereItCameDown)
+TEST(HarmonicFriction, SticksWithinTheCone)
 {
   for (const double toolRadius : {0.0, 3.0})
   {
@@ -45,7 +45,7 @@ TEST(HarmonicFriction, AToolThatIsPulledWithinTheConeStaysWhereItCameDown)
   }
 }
 
-TEST(HarmonicFriction, AToolThatSlipsComesToRestOnTheDynamicCone)
+TEST(HarmonicFriction, SlipsUntilTheDynamicCone)
 {
   Random random(4201);
   const SphericalHarmonicModel organ = test::RandomOrgan(random, 12);
@@ -74,10 +74,10 @@ TEST(HarmonicFriction, AToolThatSlipsComesToRestOnTheDynamicCone)
     }
   }
   EXPECT_GT(slips, 20);
-  EXPECT_LE(excess.Value(), 1.1e-6); // where the search for the place of rest ends
+  EXPECT_LE(excess.Value(), 1.1e-6); // tolerance of the search for the resting place
 }
 
-TEST(HarmonicFriction, TheProxyStaysOnTheSurfaceAndLetsGoWithTheProbe)
+TEST(HarmonicFriction, ProxyStaysOnTheSurfaceAndLeavesWithTheProbe)
 {
   Random random(4202);
   const SphericalHarmonicModel organ = test::RandomOrgan(random, 12);
@@ -105,7 +105,7 @@ TEST(HarmonicFriction, TheProxyStaysOnTheSurfaceAndLetsGoWithTheProbe)
   EXPECT_LE(offset.Value(), 1e-9); // of a place on the surface: rounding
 }
 
-TEST(HarmonicFriction, WithoutFrictionNothingPullsAlongTheSurface)
+TEST(HarmonicFriction, NoTangentialForceWithoutFriction)
 {
   Random random(4203);
   const SphericalHarmonicModel organ = test::RandomOrgan(random, 12);
@@ -122,7 +122,7 @@ TEST(HarmonicFriction, WithoutFrictionNothingPullsAlongTheSurface)
   EXPECT_LE(along.Value(), 1e-5); // of tracking: the angle 1e-7 times some 20 mm, doubled
 }
 
-TEST(HarmonicFriction, WhatIsNoFrictionIsRefused)
+TEST(HarmonicFriction, RejectsInvalidFriction)
 {
   constexpr double NotANumber = std::numeric_limits<double>::quiet_NaN();
   const auto model = HarmonicContact(test::Sphere(20.0));

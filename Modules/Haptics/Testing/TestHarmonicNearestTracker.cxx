@@ -15,11 +15,11 @@ using test::TrackerOf;
 using test::WanderingDirection;
 using test::WorstCase;
 
-// What tracking may leave of a minimum on an organ (mm): the angle 1e-7 times 20 mm or so, which
-// steep places double.
+// Tracking tolerance of a minimum on an organ (mm): the angle 1e-7 times 20 mm or so, which steep
+// places double.
 constexpr double TrackingError = 1e-5;
 
-TEST(HarmonicNearestTracker, TheProxyOnASphereIsTheProbePushedOutAlongItsRadius)
+TEST(HarmonicNearestTracker, ProxyOnASphereIsRadial)
 {
   Random random(4101);
   const Vector3 center(30.0, -80.0, 12.0);
@@ -52,7 +52,7 @@ TEST(HarmonicNearestTracker, TheProxyOnASphereIsTheProbePushedOutAlongItsRadius)
   }
 }
 
-TEST(HarmonicNearestTracker, TheProxyOnOrgansIsTheNearestPointAlongServoPaths)
+TEST(HarmonicNearestTracker, ProxyOnOrgansIsNearestAlongServoPaths)
 {
   Random random(4102);
   for (int body = 0; body < 4; ++body)
@@ -75,13 +75,13 @@ TEST(HarmonicNearestTracker, TheProxyOnOrgansIsTheNearestPointAlongServoPaths)
         const ClosestPoint nearest = search.Nearest(probe);
         error.Add((contact.ProxyWorld - nearest.PointWorld - toolRadius * nearest.Normal).norm());
       }
-      // Normals turn with up to 1 rad in 2 mm of these organs, by which a tool's radius multiplies.
+      // Normals turn by up to 1 rad in 2 mm of these organs, which multiplies a tool's radius.
       EXPECT_LE(error.Value(), TrackingError * (1.0 + 0.5 * toolRadius)) << toolRadius;
     }
   }
 }
 
-TEST(HarmonicNearestTracker, TouchBeginsAndEndsWhereTheToolReachesTheSurface)
+TEST(HarmonicNearestTracker, ContactBeginsAndEndsAtTheSurface)
 {
   Random random(4103);
   const SphericalHarmonicModel organ = test::RandomOrgan(random, 12);
@@ -114,7 +114,7 @@ TEST(HarmonicNearestTracker, TouchBeginsAndEndsWhereTheToolReachesTheSurface)
   EXPECT_EQ(changes, 400); // in and out once on each path
 }
 
-TEST(HarmonicNearestTracker, NothingIsPassedThroughHoweverFast)
+TEST(HarmonicNearestTracker, PassesThroughNothingAtAnySpeed)
 {
   Random random(4104);
   // A pancake 1 mm thick: its half axes in mm.
@@ -122,7 +122,7 @@ TEST(HarmonicNearestTracker, NothingIsPassedThroughHoweverFast)
   const auto model = HarmonicContact(pancake);
   for (const double toolRadius : {0.0, 0.2, 3.0})
   {
-    for (const double step : {0.1, 1.0, 10.0, 100.0}) // mm a tick: up to 100 m/s at 1 kHz
+    for (const double step : {0.1, 1.0, 10.0, 100.0}) // mm per tick: up to 100 m/s at 1 kHz
     {
       const auto tracker = TrackerOf(*model, ToolShape::Sphere(toolRadius));
       const Vector3 across = 0.5 * test::RandomDirection(random);
@@ -145,7 +145,7 @@ TEST(HarmonicNearestTracker, ProxiesStayOutsideOnRandomFlights)
   const SphericalHarmonicModel organ = test::RandomOrgan(random, 12);
   const ClosestPointSearch search(test::Shared(organ));
   const auto model = HarmonicContact(organ);
-  std::uniform_real_distribution<double> speed(-2.0, 2.0); // 10^ mm a tick
+  std::uniform_real_distribution<double> speed(-2.0, 2.0); // 10^ mm per tick
   const auto tracker = TrackerOf(*model, ToolShape::Sphere(0.0));
   Vector3 probe = organ.CenterWorld() + Vector3(60.0, 0.0, 0.0);
   WorstCase inside;
@@ -168,7 +168,7 @@ TEST(HarmonicNearestTracker, ProxiesStayOutsideOnRandomFlights)
   EXPECT_LE(inside.Value(), TrackingError);
 }
 
-TEST(HarmonicNearestTracker, ThroughTheCentreOfASphereTheProxyGoesAlongTheSurface)
+TEST(HarmonicNearestTracker, ProxyStaysOnTheSurfaceThroughASpheresCentre)
 {
   const auto model = HarmonicContact(test::Sphere(20.0));
   for (const double aside : {0.0, 1e-9, 1e-3, 0.5}) // mm
@@ -197,12 +197,12 @@ TEST(HarmonicNearestTracker, ThroughTheCentreOfASphereTheProxyGoesAlongTheSurfac
                        });
     EXPECT_FALSE(isInFullContact);
     EXPECT_GE(touched, 415); // 42 mm long
-    // 0.1 rad and 2 * 0.1 / 20 more are allowed a tick, at 21 mm.
+    // 0.1 rad and 2 * 0.1 / 20 more are allowed per tick, at 21 mm.
     EXPECT_LE(jump.Value(), 21.0 * 0.111) << aside;
   }
 }
 
-TEST(HarmonicNearestTracker, FeelsTheSameInMillimetresAndInMetres)
+TEST(HarmonicNearestTracker, IsIndependentOfTheUnitOfLength)
 {
   for (const double scale : {1e-3, 1.0, 1e3})
   {
@@ -236,7 +236,7 @@ TEST(HarmonicNearestTracker, FeelsTheSameInMillimetresAndInMetres)
   }
 }
 
-TEST(HarmonicNearestTracker, PlacesThatAreSpecialAreOrdinary)
+TEST(HarmonicNearestTracker, HandlesSpecialPlaces)
 {
   Random random(4107);
   const SphericalHarmonicModel organ = test::RandomOrgan(random, 12);
@@ -266,7 +266,7 @@ TEST(HarmonicNearestTracker, PlacesThatAreSpecialAreOrdinary)
   }
 }
 
-TEST(HarmonicNearestTracker, APoseThatIsNoneIsNotFeltAndLeavesTheProxy)
+TEST(HarmonicNearestTracker, InvalidPoseHasNoContactAndKeepsTheProxy)
 {
   constexpr double NotANumber = std::numeric_limits<double>::quiet_NaN();
   constexpr double Infinite = std::numeric_limits<double>::infinity();
@@ -289,7 +289,7 @@ TEST(HarmonicNearestTracker, APoseThatIsNoneIsNotFeltAndLeavesTheProxy)
   EXPECT_LE((after.ProxyWorld - before.ProxyWorld).norm(), 1e-12); // rounding
 }
 
-TEST(HarmonicNearestTracker, AReleasedToolStartsAfreshWhereverItIs)
+TEST(HarmonicNearestTracker, RestartsAnywhereAfterRelease)
 {
   const auto model = HarmonicContact(test::Sphere(20.0));
   const auto tracker = TrackerOf(*model, ToolShape::Sphere(0.0));

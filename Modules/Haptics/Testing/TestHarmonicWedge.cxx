@@ -14,7 +14,7 @@ using test::Random;
 using test::TrackerOf;
 using test::WorstCase;
 
-// Round but for a groove along the equator, up to 3 mm deep and some 6 mm wide.
+// A sphere with a groove along the equator, up to 3 mm deep and some 6 mm wide.
 SphericalHarmonicModel GroovedBall()
 {
   return test::Project(24, [](const Vector3& u)
@@ -28,7 +28,7 @@ std::shared_ptr<const HarmonicSurface> SurfaceOf(const SphericalHarmonicModel& m
   return surface;
 }
 
-TEST(HarmonicWedge, IsNeededWhereAHollowIsNarrowerThanTheBall)
+TEST(HarmonicWedge, IsNeededWhereAHollowIsNarrowerThanTheSphere)
 {
   EXPECT_FALSE(HarmonicWedge::IsNeeded(*SurfaceOf(test::Sphere(20.0)), 100.0));
   const auto grooved = SurfaceOf(GroovedBall());
@@ -37,13 +37,13 @@ TEST(HarmonicWedge, IsNeededWhereAHollowIsNarrowerThanTheBall)
   EXPECT_TRUE(HarmonicWedge::IsNeeded(*grooved, 4.0));
 }
 
-TEST(HarmonicWedge, ABallTooLargeForAGrooveRestsOnBothItsEdges)
+TEST(HarmonicWedge, RestsOnBothEdgesOfANarrowGroove)
 {
   const SphericalHarmonicModel ball = GroovedBall();
   const ClosestPointSearch search(test::Shared(ball));
   const auto model = HarmonicContact(ball);
   constexpr double Radius = 4.0;
-  // By symmetry the rest is on the x axis: there the ball just touches.
+  // By symmetry the resting place is on the x axis: there the sphere just touches.
   double rest = 20.0;
   double free = 30.0;
   while (free - rest > 1e-9)
@@ -58,11 +58,11 @@ TEST(HarmonicWedge, ABallTooLargeForAGrooveRestsOnBothItsEdges)
                      [&](const Vector3&, const Contact& contact) { last = contact; });
   ASSERT_TRUE(last.IsTouching);
   EXPECT_LE((last.ProxyWorld - Vector3(rest, 0.0, 0.0)).norm(),
-            1e-4); // where steps end: 1e-5 of 1 mm, and its slopes
+            1e-4); // where steps end: 1e-5 of 1 mm, multiplied by slopes
   EXPECT_NEAR(last.Depth, std::hypot(1.5, 0.1), 1e-4);
 }
 
-TEST(HarmonicWedge, NoPartOfARoughSurfaceIsNearerThanTheBallsRadius)
+TEST(HarmonicWedge, KeepsARoughSurfaceOutsideTheSphere)
 {
   Random random(4401);
   for (int body = 0; body < 3; ++body)
@@ -84,18 +84,18 @@ TEST(HarmonicWedge, NoPartOfARoughSurfaceIsNearerThanTheBallsRadius)
         overlap.Add(std::min(0.0, search.Nearest(contact.ProxyWorld).SignedDistance - 4.0));
       }
     }
-    // A wall that is met is met up to a step after; a tool moves by less than this a tick.
+    // A new wall is detected up to a step late; a tool moves by less than this per tick.
     EXPECT_LE(overlap.Value(), 0.05);
   }
 }
 
-// A hand at 0.2 to 2 m/s, beside the same way in steps that are twenty times as short.
-TEST(HarmonicWedge, AFastHandIsFollowedNotLeftBehind)
+// A hand at 0.2 to 2 m/s, compared with the same path in steps that are twenty times as short.
+TEST(HarmonicWedge, KeepsUpWithAFastHand)
 {
   constexpr double Radius = 4.0;
   constexpr int Finer = 20;
   Random random(4402);
-  for (const double step : {0.01, 0.035, 0.1}) // rad: 0.2, 0.7 and 2 mm a tick
+  for (const double step : {0.01, 0.035, 0.1}) // rad: 0.2, 0.7 and 2 mm per tick
   {
     const SphericalHarmonicModel rough = test::RandomRough(random, 12, 20.0);
     const auto model = HarmonicContact(rough);
@@ -116,8 +116,8 @@ TEST(HarmonicWedge, AFastHandIsFollowedNotLeftBehind)
       }
       const Contact& coarse = fast->Follow(At(probe));
       ASSERT_TRUE(coarse.IsValid);
-      // Long steps may end in another of the places where a ball can rest, which is no farther than
-      // a hollow is wide; one that is left behind falls back by a step a tick.
+      // Long steps may end in another resting place of the sphere, which is no farther than a
+      // hollow is wide; a sphere that lags falls back by a step per tick.
       if (tick >= 10)
       {
         EXPECT_LE((coarse.ProxyWorld - probe).norm(), (fine.ProxyWorld - probe).norm() + Radius)
@@ -132,7 +132,7 @@ class HarmonicWedgeOfDegree : public testing::TestWithParam<int>
 {
 };
 
-TEST_P(HarmonicWedgeOfDegree, ComesWhereTheSearchOfTheWholeSurfaceAtEveryStepComes)
+TEST_P(HarmonicWedgeOfDegree, EqualsASearchOfTheWholeSurface)
 {
   constexpr double Radius = 6.0;
   Random random(static_cast<unsigned>(4410 + GetParam()));
@@ -163,13 +163,13 @@ TEST_P(HarmonicWedgeOfDegree, ComesWhereTheSearchOfTheWholeSurfaceAtEveryStepCom
     if (tick >= 20) // both begin overlapping
     {
       overlap.Add(std::min(0.0, surface->Search().Nearest(place, 20000).SignedDistance - Radius));
-      // Both end where a step is 1e-5 of the radius; slopes make that more.
+      // Both end where a step is 1e-5 of the radius; slopes increase that.
       apart += (place - oracle.CenterWorld()).norm() > 1e-3 ? 1 : 0;
       deeper += (place - probe).norm() - (oracle.CenterWorld() - probe).norm();
     }
   }
-  EXPECT_LE(overlap.Value(), 1.1e-5 * surface->SmallestRadius() + 1e-4); // what a proof leaves open
-  EXPECT_LE(apart, Ticks / 20); // where another way out is found
+  EXPECT_LE(overlap.Value(), 1.1e-5 * surface->SmallestRadius() + 1e-4); // a proof's tolerance
+  EXPECT_LE(apart, Ticks / 20);                                          // another exit was found
   EXPECT_LE(deeper / Ticks, 1e-3);
 }
 

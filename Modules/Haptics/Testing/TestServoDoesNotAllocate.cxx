@@ -15,7 +15,7 @@ namespace
 {
 static_assert(noexcept(std::declval<Servo&>().Tick(std::declval<const TickInfo&>())));
 
-// In and out of a wall, through a new scene, others that continue it, a fault and its end.
+// In and out of a wall, through a new scene, continued scenes, a fault and its end.
 std::size_t AllocationsOfASession(const ServoSettings& settings)
 {
   TouchScene scene = test::WallScene(0.0, {1.0, 0.01});

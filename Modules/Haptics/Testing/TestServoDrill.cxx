@@ -10,13 +10,13 @@ namespace
 {
 using test::DrilledBlock;
 
-constexpr double Depth = 3.0; // mm that a hand presses below where it touches
+constexpr double Depth = 3.0; // mm that a hand presses below the first contact
 const Vector3 Pressed(0.1, -0.2,
                       DrilledBlock::Top + DrilledBlock::Radius - DrilledBlock::Clearance - Depth);
-// N; a tracker ends within a fiftieth of a voxel of the surface, a cut one within a tenth.
+// N; a tracker ends within a fiftieth of a voxel of the surface, a drilled one within a tenth.
 constexpr double Close = DrilledBlock::Stiffness * 0.1 * DrilledBlock::Spacing;
 
-// Comes from above, and stays until all that fades is over. The force, N.
+// Approaches from above, and stays until all fading has ended. Returns the force, N.
 Vector3 Press(test::ServoRun& run)
 {
   for (double height = 4.0; height > 0.0; height -= 0.01)
@@ -37,7 +37,7 @@ void DrillFor(int ticks, test::ServoRun& run, DrilledBlock& block)
   }
 }
 
-TEST(ServoDrill, APressedDrillSinksByPushAndSpeed)
+TEST(ServoDrill, DrillSinksByPushAndSpeed)
 {
   for (const int late : {1, 3, 10})
   {
@@ -63,8 +63,8 @@ TEST(ServoDrill, APressedDrillSinksByPushAndSpeed)
   }
 }
 
-// Each version shows at once what many ticks have cut, and is felt as if it were nothing.
-TEST(ServoDrill, WhatIsFeltGoesOnEvenlyThoughVersionsComeInSteps)
+// Each version shows the cuts of many ticks at once, without a change of force.
+TEST(ServoDrill, ForceIsSmoothAcrossVersions)
 {
   DrilledBlock block;
   test::ServoRun run(block.Scene());
@@ -84,7 +84,7 @@ TEST(ServoDrill, WhatIsFeltGoesOnEvenlyThoughVersionsComeInSteps)
   }
 }
 
-TEST(ServoDrill, WhatIsRemovedIsWhatTheToolPassed)
+TEST(ServoDrill, RemovesTheSweptVolume)
 {
   DrilledBlock block;
   test::ServoRun run(block.Scene());
@@ -100,8 +100,8 @@ TEST(ServoDrill, WhatIsRemovedIsWhatTheToolPassed)
   EXPECT_NEAR(block.Editor->RemovedVolumes()[0], wanted, 0.01 * wanted);
 }
 
-// Pass after pass a little deeper, until nothing is left between the hand and where it wants to be.
-TEST(ServoDrill, AToolThatGoesToAndFroMillsAGroove)
+// Each pass slightly deeper, until nothing is left between the hand and its goal.
+TEST(ServoDrill, MovingToAndFroMillsAGroove)
 {
   DrilledBlock block;
   test::ServoRun run(block.Scene(2.0));
@@ -115,20 +115,20 @@ TEST(ServoDrill, AToolThatGoesToAndFroMillsAGroove)
   double most = 0.0;
   for (int n = 0; n < 20000; ++n)
   {
-    const Vector3 force = run.TickAt(hand(n)); // at 20 mm/s in the middle
+    const Vector3 force = run.TickAt(hand(n)); // at 20 mm/s at the centre
     most = n < 19000 ? 0.0 : std::max(most, force[2]);
     block.Editor->Take();
   }
   EXPECT_LT(most, 0.2 * DrilledBlock::Stiffness * 1.0);
-  // Half of a capsule, and its sides; as deep as the force that is left lets it be.
+  // Half of a capsule, and its sides; as deep as the remaining force allows.
   constexpr double R = DrilledBlock::Radius;
   const double deepest = block.Editor->RemovedVolumes()[0];
   const double cap = R * R * std::acos(1.0 - 1.0 / R) - (R - 1.0) * std::sqrt(2.0 * R - 1.0);
-  const double ends = M_PI / 3.0 * (3.0 * R - 1.0); // two halves of a ball's cap of 1 mm
+  const double ends = M_PI / 3.0 * (3.0 * R - 1.0); // two halves of a spherical cap of 1 mm
   EXPECT_NEAR(deepest, 8.0 * cap + ends, 0.1 * (8.0 * cap + ends));
 }
 
-TEST(ServoDrill, NothingIsCutWithoutPedalOrWearOrTouch)
+TEST(ServoDrill, CutsNothingWithoutPedalWearOrContact)
 {
   const struct
   {
@@ -151,7 +151,7 @@ TEST(ServoDrill, NothingIsCutWithoutPedalOrWearOrTouch)
   }
 }
 
-TEST(ServoDrill, AnEditorThatHangsStopsTheDrillAndNotTheHand)
+TEST(ServoDrill, HangingEditorStopsTheDrillNotTheTouch)
 {
   DrilledBlock block;
   test::ServoRun run(block.Scene());
@@ -165,7 +165,7 @@ TEST(ServoDrill, AnEditorThatHangsStopsTheDrillAndNotTheHand)
   EXPECT_LT(run.RestAt(Pressed).norm(), stalled.norm());
 }
 
-TEST(ServoDrill, AFaultEndsForceAndCutsAtOnceAndTakesUpThePedal)
+TEST(ServoDrill, FaultEndsForceAndCutsAndReleasesThePedal)
 {
   DrilledBlock block;
   test::ServoRun run(block.Scene());
@@ -195,7 +195,7 @@ ServoSettings WithButton()
   return settings;
 }
 
-TEST(ServoDrill, TheDevicesButtonDrillsInTheTickThatReadsIt)
+TEST(ServoDrill, ButtonDrillsInTheSameTick)
 {
   DrilledBlock block;
   test::ServoRun run(block.Scene(), WithButton());
@@ -209,7 +209,7 @@ TEST(ServoDrill, TheDevicesButtonDrillsInTheTickThatReadsIt)
   EXPECT_EQ(run.Loop.Latest().Command, DrillCommand::EndStroke);
 }
 
-TEST(ServoDrill, ButtonAndPedalEachSuffice)
+TEST(ServoDrill, ButtonOrPedalSuffices)
 {
   DrilledBlock block;
   test::ServoRun run(block.Scene(), WithButton());
@@ -229,7 +229,7 @@ TEST(ServoDrill, ButtonAndPedalEachSuffice)
   EXPECT_FALSE(run.Loop.Latest().IsDrilling);
 }
 
-TEST(ServoDrill, AButtonThatIsHeldAtTheStartOrThroughAFaultHasToBeReleasedFirst)
+TEST(ServoDrill, HeldButtonMustBeReleasedAfterStartOrFault)
 {
   DrilledBlock block;
   test::ServoRun run(block.Scene(), WithButton());
@@ -255,7 +255,7 @@ TEST(ServoDrill, AButtonThatIsHeldAtTheStartOrThroughAFaultHasToBeReleasedFirst)
   EXPECT_TRUE(run.Loop.Latest().IsDrilling);
 }
 
-TEST(ServoDrill, PedalsThatAreLiftedHaveToBePressedAgain)
+TEST(ServoDrill, LiftedPedalsMustBePressedAgain)
 {
   DrilledBlock block;
   test::ServoRun run(block.Scene(), WithButton());
@@ -278,7 +278,7 @@ TEST(ServoDrill, PedalsThatAreLiftedHaveToBePressedAgain)
 }
 
 // Both within a tick.
-TEST(ServoDrill, APedalThatIsPressedAfterTheLiftDrills)
+TEST(ServoDrill, PedalPressedAfterTheLiftDrills)
 {
   DrilledBlock block;
   test::ServoRun run(block.Scene());
@@ -289,7 +289,7 @@ TEST(ServoDrill, APedalThatIsPressedAfterTheLiftDrills)
   EXPECT_TRUE(run.Loop.Latest().IsDrilling);
 }
 
-TEST(ServoDrill, WithoutPedalButtonsNoButtonDrills)
+TEST(ServoDrill, NoButtonDrillsWithoutPedalButtons)
 {
   DrilledBlock block;
   test::ServoRun run(block.Scene());
@@ -299,7 +299,7 @@ TEST(ServoDrill, WithoutPedalButtonsNoButtonDrills)
   EXPECT_FALSE(run.Loop.Latest().IsDrilling);
 }
 
-TEST(ServoDrill, ForcesStayWithinTheDevicesLimitWhateverTheLaw)
+TEST(ServoDrill, ForcesStayWithinTheDevicesLimitForAnyLaw)
 {
   DrilledBlock block;
   TouchScene scene = block.Scene(50.0);
@@ -326,7 +326,7 @@ TEST(ServoDrill, ForcesStayWithinTheDevicesLimitWhateverTheLaw)
   EXPECT_GT(block.Editor->RemovedVolumes()[0], 10.0);
 }
 
-TEST(ServoDrill, NobodyIsShovedOutOfWhatGrowsBackRoundTheHand)
+TEST(ServoDrill, MaterialGrowingBackNeverPushesTheHand)
 {
   DrilledBlock block;
   test::ServoRun run(block.Scene());
@@ -346,7 +346,7 @@ TEST(ServoDrill, NobodyIsShovedOutOfWhatGrowsBackRoundTheHand)
   }
   EXPECT_EQ(last, Vector3::Zero());
   EXPECT_EQ(block.Editor->RemovedVolumes()[0], 0.0);
-  // It is left without a force, and then felt as ever.
+  // It is left without a force, and then has its normal force.
   for (double height = 0.0; height < 4.0; height += 0.01)
   {
     ASSERT_EQ(run.TickAt(Pressed + height * Vector3::UnitZ()), Vector3::Zero()) << height;
@@ -354,7 +354,7 @@ TEST(ServoDrill, NobodyIsShovedOutOfWhatGrowsBackRoundTheHand)
   EXPECT_NEAR((Press(run) - first).norm(), 0.0, 1e-6);
 }
 
-TEST(ServoDrill, WhatGrowsBackElsewhereIsFeltOnWithoutAStep)
+TEST(ServoDrill, MaterialGrowingBackElsewhereCausesNoStep)
 {
   DrilledBlock block;
   test::ServoRun run(block.Scene());
@@ -384,7 +384,7 @@ TEST(ServoDrill, WhatGrowsBackElsewhereIsFeltOnWithoutAStep)
   }
 }
 
-TEST(ServoDrill, AContinuingSceneGoesOnDrilling)
+TEST(ServoDrill, ContinuedSceneKeepsDrilling)
 {
   DrilledBlock block;
   test::ServoRun run(block.Scene());
@@ -409,7 +409,7 @@ TEST(ServoDrill, AContinuingSceneGoesOnDrilling)
   EXPECT_GT(run.Loop.Latest().DrillOrders, 40u);
 }
 
-TEST(ServoDrill, CommandsAreTakenOneATickAndAPedalThatIsLetGoEndsAStroke)
+TEST(ServoDrill, TakesOneCommandPerTickAndPedalReleaseEndsAStroke)
 {
   DrilledBlock block;
   test::ServoRun run(block.Scene());
@@ -426,7 +426,7 @@ TEST(ServoDrill, CommandsAreTakenOneATickAndAPedalThatIsLetGoEndsAStroke)
   }
 }
 
-TEST(ServoDrill, WhatCannotBeDrilledIsRefused)
+TEST(ServoDrill, RejectsScenesThatCannotBeDrilled)
 {
   DrilledBlock block;
   const auto isRefused = [](const TouchScene& scene)
@@ -451,9 +451,9 @@ TEST(ServoDrill, WhatCannotBeDrilledIsRefused)
   EXPECT_TRUE(isRefused(scene));
 }
 
-// A servo that ticks as fast as it can, an editor on a thread, and one that looks: what is there in
-// the end follows from the orders alone.
-TEST(ServoDrill, EditorAndServoNeitherWaitNorTear)
+// A servo at full speed, an editor on a thread, and a reader: the final state follows from the
+// orders alone.
+TEST(ServoDrill, EditorAndServoNeitherBlockNorTear)
 {
   DrilledBlock block;
   test::ServoRun run(block.Scene());

@@ -12,8 +12,9 @@ namespace
 {
 using ModelMaker = std::function<std::shared_ptr<const ContactModel>(double)>;
 
-constexpr double Radius = 20.0;            // mm, of balls round the origin
-const Vector3 Pressed(0.3, 0.2, 19.0);     // 2 mm below where a tool of 1 mm touches such a ball
+constexpr double Radius = 20.0; // mm, of spheres around the origin
+const Vector3 Pressed(0.3, 0.2,
+                      19.0); // 2 mm below first contact of a tool of 1 mm with such a sphere
 constexpr double TicksOfHandover = 100.0;  // 0.1 s at 1 kHz
 constexpr double TicksOfAppearing = 300.0; // the ramp's 0.3 s
 
@@ -44,7 +45,7 @@ std::shared_ptr<const ContactModel> BallOfFacets(double radius)
 
 const std::vector<ModelMaker> Balls = {HarmonicBall, VoxelBall, BallOfFacets};
 
-// Plates with their top at z = 0.5, so thin that a tool that was put below it would stay there.
+// Plates with their top at z = 0.5, so thin that a tool placed below it would stay there.
 std::vector<std::shared_ptr<const ContactModel>> Plates()
 {
   struct Slab
@@ -69,8 +70,8 @@ void Continue(test::ServoRun& run, const TouchScene& scene)
   ASSERT_TRUE(run.Loop.Publish(std::make_shared<TouchScene>(scene), SceneEntry::Continuing).IsOk());
 }
 
-// Rests at a place of the hand where `before` was felt, while `after` is felt; the force never
-// steps by more than its whole change in `ticks`, and ends as if `after` had been felt for long.
+// Rests at a place of the hand during the change from `before` to `after`; the force never steps by
+// more than its whole change in `ticks`, and ends as after a long time with `after`.
 void ExpectSmooth(const TouchScene& before, const TouchScene& after, double ticks,
                   double differentEnd = 1e-3)
 {
@@ -79,7 +80,7 @@ void ExpectSmooth(const TouchScene& before, const TouchScene& after, double tick
   test::ServoRun fresh(after);
   const Vector3 end = fresh.RestAt(Pressed);
   Continue(run, after);
-  // Trackers of fields and facets end within 0.0005 mm of where others do.
+  // Trackers of fields and facets end within 0.0005 mm of the others.
   const double step = 1.001 * (end - first).norm() / ticks + 1e-3;
   Vector3 last = first;
   for (int n = 0; n < 400; ++n)
@@ -93,7 +94,7 @@ void ExpectSmooth(const TouchScene& before, const TouchScene& after, double tick
   EXPECT_LE((last - end).norm(), differentEnd);
 }
 
-TEST(ServoHandover, ASceneThatIsPublishedAgainIsFeltAsBefore)
+TEST(ServoHandover, RepublishedSceneGivesTheSameForces)
 {
   for (const ModelMaker& ball : Balls)
   {
@@ -101,7 +102,7 @@ TEST(ServoHandover, ASceneThatIsPublishedAgainIsFeltAsBefore)
   }
 }
 
-TEST(ServoHandover, AnotherStiffnessIsFeltWithoutAStep)
+TEST(ServoHandover, NewStiffnessCausesNoStep)
 {
   for (const ModelMaker& ball : Balls)
   {
@@ -110,7 +111,7 @@ TEST(ServoHandover, AnotherStiffnessIsFeltWithoutAStep)
   }
 }
 
-TEST(ServoHandover, AShapeThatShrinksOrGrowsOverTheProxyIsFeltWithoutAStep)
+TEST(ServoHandover, ShrinkingOrGrowingShapeCausesNoStep)
 {
   for (const ModelMaker& ball : Balls)
   {
@@ -122,19 +123,19 @@ TEST(ServoHandover, AShapeThatShrinksOrGrowsOverTheProxyIsFeltWithoutAStep)
   }
 }
 
-TEST(ServoHandover, OneRepresentationGivesWayToAnother)
+TEST(ServoHandover, NewRepresentationCausesNoStep)
 {
   for (const ModelMaker& before : Balls)
   {
     for (const ModelMaker& after : Balls)
     {
-      // Of several facets that are nearest the proxy's way decides, on edges of 2 mm.
+      // If several facets are nearest, the proxy's path decides, on edges of 2 mm.
       ExpectSmooth(SceneOf(before(Radius)), SceneOf(after(Radius)), TicksOfHandover, 0.1);
     }
   }
 }
 
-TEST(ServoHandover, AnotherToolIsFeltWithoutAStep)
+TEST(ServoHandover, NewToolCausesNoStep)
 {
   for (const ModelMaker& ball : Balls)
   {
@@ -144,7 +145,7 @@ TEST(ServoHandover, AnotherToolIsFeltWithoutAStep)
   }
 }
 
-TEST(ServoHandover, WhatAppearsRoundTheToolFadesIn)
+TEST(ServoHandover, NewStructureAroundTheToolFadesIn)
 {
   for (const ModelMaker& ball : Balls)
   {
@@ -157,7 +158,7 @@ TEST(ServoHandover, WhatAppearsRoundTheToolFadesIn)
   }
 }
 
-TEST(ServoHandover, WhatVanishesFadesOutAndThenIsExactlyNothing)
+TEST(ServoHandover, RemovedStructureFadesOutToExactlyZero)
 {
   for (const ModelMaker& ball : Balls)
   {
@@ -169,7 +170,7 @@ TEST(ServoHandover, WhatVanishesFadesOutAndThenIsExactlyNothing)
     Continue(run, empty);
     run.TickAt(Pressed);
     EXPECT_EQ(run.Loop.Latest().Structure, -1);
-    // A hand that leaves takes nothing with it, once the slew limit has let go of 1 N.
+    // Without contact no force remains, once the slew limit has released 1 N.
     EXPECT_EQ((run.TickAt(Vector3(0.0, 0.0, 22.0)), run.TickAt(Vector3(0.0, 0.0, 22.0))),
               Vector3::Zero());
   }
@@ -187,12 +188,12 @@ TEST(ServoHandover, WithoutTouchThereIsNoForce)
     {
       ASSERT_EQ(run.TickAt(beside), Vector3::Zero());
     }
-    // And none is missing once it is touched.
+    // After contact the full force is there.
     EXPECT_NEAR(run.TickAt({0.0, 0.0, 20.5})[2], 0.55, 0.03); // the facets' height, of 20 mm
   }
 }
 
-TEST(ServoHandover, NothingIsPassedThrough)
+TEST(ServoHandover, PassesThroughNothing)
 {
   for (const auto& plate : Plates())
   {
@@ -211,13 +212,13 @@ TEST(ServoHandover, NothingIsPassedThrough)
       ASSERT_GT(run.TickAt(below)[2], 1.0);
     }
     EXPECT_GT(run.Loop.Latest().ProxyWorld.Z, 1.4);
-    // The oracle: one that does not go on is put out on the other side.
+    // The oracle: without continuation, the proxy ends up on the other side.
     ASSERT_TRUE(run.Loop.Publish(std::make_shared<TouchScene>(SceneOf(plate))).IsOk());
     EXPECT_LE(run.RestAt(below)[2], 0.0);
   }
 }
 
-TEST(ServoHandover, AWorkspaceThatIsDraggedThroughAWallLeavesTheToolBeforeIt)
+TEST(ServoHandover, DraggedWorkspaceLeavesTheToolBeforeAWall)
 {
   for (const auto& plate : Plates())
   {
@@ -239,14 +240,14 @@ TEST(ServoHandover, AWorkspaceThatIsDraggedThroughAWallLeavesTheToolBeforeIt)
   }
 }
 
-TEST(ServoHandover, ADraggedWorkspaceIsFeltWithoutAStep)
+TEST(ServoHandover, DraggedWorkspaceCausesNoStep)
 {
   test::Random random(451);
   for (const ModelMaker& ball : Balls)
   {
     const TouchScene before = SceneOf(ball(Radius));
     TouchScene after = before;
-    // The hand is where it was, 2 mm deep; its place in the world turns and moves.
+    // The hand stays in place, 2 mm deep; its place in the world rotates and moves.
     after.Frame = DeviceFrame(Eigen::AngleAxisd(0.3, test::RandomDirection(random)).matrix(), 0.9,
                               0.5 * test::RandomDirection(random));
     test::ServoRun run(before);
@@ -261,11 +262,11 @@ TEST(ServoHandover, ADraggedWorkspaceIsFeltWithoutAStep)
       last = force;
     }
     const Vector3 proxy = run.Loop.Latest().ProxyWorld;
-    EXPECT_NEAR(proxy.norm(), Radius + 1.0, 0.15); // facets are that much below the ball
+    EXPECT_NEAR(proxy.norm(), Radius + 1.0, 0.15); // facets are that much below the sphere
   }
 }
 
-TEST(ServoHandover, TakingOverCostsOneQuestionMoreThanATick)
+TEST(ServoHandover, TakeoverCostsOneExtraQuery)
 {
   auto control = std::make_shared<test::WallControl>();
   TouchScene scene = test::WallScene(0.0, {0.5, 0.0}, control);
@@ -280,7 +281,7 @@ TEST(ServoHandover, TakingOverCostsOneQuestionMoreThanATick)
   EXPECT_EQ(control->Questions, before + 3);
 }
 
-TEST(ServoHandover, ADeviceWithoutNewSamplesKeepsItsForceUntilItHasOne)
+TEST(ServoHandover, KeepsTheForceUntilANewSample)
 {
   test::ServoRun run(SceneOf(HarmonicBall(Radius)));
   const Vector3 force = run.RestAt(Pressed);
@@ -292,14 +293,14 @@ TEST(ServoHandover, ADeviceWithoutNewSamplesKeepsItsForceUntilItHasOne)
   EXPECT_EQ(run.TickAt(Pressed), force);
   EXPECT_EQ(run.Loop.Latest().Structure, 1);
   run.Device.RepeatsSample = false;
-  // Two in a row: the second one is taken when the first has begun.
+  // Two in a row: the second one is adopted after the first has begun.
   Continue(run, SceneOf(HarmonicBall(Radius)));
   EXPECT_LE((run.TickAt(Pressed) - force).norm(), 1e-9);
   EXPECT_LE((run.TickAt(Pressed) - force).norm(), 1e-9);
   EXPECT_EQ(run.Loop.Latest().Scene, 3U);
 }
 
-TEST(ServoHandover, BeforeAnythingWasFeltAndAfterRearmItFadesInAsEver)
+TEST(ServoHandover, FadesInAtTheStartAndAfterRearm)
 {
   test::ServoRun run(SceneOf(HarmonicBall(Radius)));
   Continue(run, SceneOf(HarmonicBall(Radius)));
@@ -314,9 +315,9 @@ TEST(ServoHandover, BeforeAnythingWasFeltAndAfterRearmItFadesInAsEver)
   EXPECT_LE((run.RestAt(Pressed) - force).norm(), 1e-12);
 }
 
-// Organs, laws, tools and frames that change while a hand strokes: the tick that takes over goes on
-// from the force that the hand had, as it was changing, but for its own motion.
-TEST(ServoHandover, NoTickThatTakesOverGivesAStep)
+// Organs, laws, tools and frames that change during strokes: the tick that adopts them continues
+// the hand's force and its rate of change, except for its own motion.
+TEST(ServoHandover, NoTakeoverCausesAStep)
 {
   test::Random random(90210);
   std::uniform_real_distribution<double> part(0.0, 1.0);

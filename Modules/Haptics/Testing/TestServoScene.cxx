@@ -17,7 +17,7 @@ using Feeling = ServoScene::Feeling;
 
 constexpr double VelocityTime = 0.003; // s
 
-// The slow, obvious way: asks every structure in every tick.
+// Brute force: queries every structure in every tick.
 class AllAsked
 {
 public:
@@ -57,7 +57,7 @@ private:
   std::vector<StructureFollower> Followers;
 };
 
-// NaN is never the same.
+// NaN never compares equal.
 bool AreSameBits(const Vector3& a, const Vector3& b)
 {
   const auto isSame = [&](int axis)
@@ -100,8 +100,8 @@ TouchScene RandomScene(test::Random& random)
   return scene;
 }
 
-// A hand that rests, creeps, strokes and leaps, asks its models every `interval` ticks, and begins
-// anew now and then; calls visit(step, begins) for each tick.
+// A hand that rests, creeps, strokes and jumps, queries its models every `interval` ticks, and
+// restarts occasionally; calls visit(step, begins) for each tick.
 template <typename Visit>
 void WanderAbout(test::Random& random, int interval, int ticks, const Visit& visit)
 {
@@ -127,7 +127,7 @@ void WanderAbout(test::Random& random, int interval, int ticks, const Visit& vis
   }
 }
 
-TEST(ServoScene, WhatIsFeltHasTheBitsOfAskingAll)
+TEST(ServoScene, ForcesEqualThoseOfQueryingAllStructures)
 {
   test::Random random(8811);
   int touches = 0;
@@ -162,7 +162,7 @@ TEST(ServoScene, WhatIsFeltHasTheBitsOfAskingAll)
   EXPECT_LT(looks, 60000u * 37u / 2u);
 }
 
-TEST(ServoScene, OfTenThousandStructuresATickLooksAtTheFewThatAreNear)
+TEST(ServoScene, ExaminesFewOfTenThousandStructures)
 {
   const TouchScene scene = test::ManyStructures(10000);
   std::unique_ptr<ServoScene> servo;
@@ -181,11 +181,11 @@ TEST(ServoScene, OfTenThousandStructuresATickLooksAtTheFewThatAreNear)
     ASSERT_LE(servo->LookedAtCount(), 8u);
   }
   EXPECT_GT(touches, 900);
-  // What nobody touches costs little too: a tracker of facets, a follower, a place in the index.
+  // Structures out of reach are cheap too: a tracker of facets, a follower, an index entry.
   EXPECT_LT(servo->Bytes(), 10000u * 1000u);
 }
 
-TEST(ServoScene, AStructureThatIsPassedInOneTickIsFeltHoweverMany)
+TEST(ServoScene, StructurePassedInOneTickIsTouchedAmongMany)
 {
   std::unique_ptr<ServoScene> servo;
   const auto scene = std::make_shared<const TouchScene>(test::ManyStructures(1000));

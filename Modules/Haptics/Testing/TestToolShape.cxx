@@ -15,7 +15,7 @@ constexpr double NotANumber = std::numeric_limits<double>::quiet_NaN();
 // Of coordinates up to 10 after a few operations.
 constexpr double Rounding = 1e-13;
 
-TEST(ToolShape, APublishedShellIsTheNeighboursOfAVoxel)
+TEST(ToolShape, PublishedShellIsTheVoxelNeighbours)
 {
   const ToolShape tool = ToolShape::SpherePoints(2.5, 26);
   ASSERT_TRUE(tool.Check().IsOk());
@@ -31,7 +31,7 @@ TEST(ToolShape, APublishedShellIsTheNeighboursOfAVoxel)
   EXPECT_EQ(neighbours, (std::map<int, int>{{1, 6}, {2, 12}, {3, 8}}));
 }
 
-TEST(ToolShape, ShellsOfAnyCountSpreadEvenlyOverTheSphere)
+TEST(ToolShape, ShellsCoverTheSphereEvenly)
 {
   for (const int count : {4, 6, 26, 100, 400})
   {
@@ -42,10 +42,10 @@ TEST(ToolShape, ShellsOfAnyCountSpreadEvenlyOverTheSphere)
     {
       sum += p;
     }
-    // The fewest points of a spiral are off balance by no more than a third of the radius.
+    // The centroid of the smallest spirals is off by at most a third of the radius.
     EXPECT_LE(sum.norm() / count, count < 10 ? 0.34 : 0.03) << count;
     test::Random random(31);
-    // A cap of n times the area per point, and n = 4 allows for its being round.
+    // A cap of n times the area per point, where n = 4 allows for its round shape.
     const double reach = std::acos(std::max(-1.0, 1.0 - 2.0 * 4.0 / count));
     for (int k = 0; k < 200; ++k)
     {
@@ -60,7 +60,7 @@ TEST(ToolShape, ShellsOfAnyCountSpreadEvenlyOverTheSphere)
   }
 }
 
-TEST(ToolShape, ACapsulesPointsLieItsRadiusFromItsAxis)
+TEST(ToolShape, CapsulePointsLieAtItsRadius)
 {
   const ToolShape tool = ToolShape::Capsule(1.5, 6.0, 120);
   ASSERT_TRUE(tool.Check().IsOk());
@@ -75,7 +75,7 @@ TEST(ToolShape, ACapsulesPointsLieItsRadiusFromItsAxis)
   }
 }
 
-TEST(ToolShape, AnEllipsoidsNormalsAreItsGradient)
+TEST(ToolShape, EllipsoidNormalsAreItsGradient)
 {
   const Vector3 axes(1.0, 2.0, 4.0);
   const ToolShape tool = ToolShape::Ellipsoid(axes, 90);
@@ -90,7 +90,7 @@ TEST(ToolShape, AnEllipsoidsNormalsAreItsGradient)
   }
 }
 
-TEST(ToolShape, GivenPointsGetUnitNormalsAndABoundingRadius)
+TEST(ToolShape, NormalisesNormalsAndFindsTheBoundingRadius)
 {
   const std::vector<Vector3> corners{{3, 0, 0}, {0, 1, 0}, {0, 0, 1}, {-1, -1, -1}};
   const std::vector<Vector3> inward{{-2, 0, 0}, {0, -1, 0}, {0, 0, -7}, {1, 1, 1}};
@@ -100,7 +100,7 @@ TEST(ToolShape, GivenPointsGetUnitNormalsAndABoundingRadius)
   EXPECT_NEAR(tool.Normals()[3].dot(Vector3::Ones().normalized()), 1.0, Rounding);
 }
 
-TEST(ToolShape, WhatIsNoToolIsRefused)
+TEST(ToolShape, RejectsInvalidTools)
 {
   const std::vector<Vector3> four(4, Vector3::UnitX());
   std::vector<Vector3> broken = four;

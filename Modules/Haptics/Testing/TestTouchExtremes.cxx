@@ -1,4 +1,4 @@
-// Whatever the place, the speed, the shape and the stiffness: what is felt is finite and bounded.
+// At any place, speed, shape and stiffness, contacts and forces are finite and bounded.
 #include "ExtremeCases.h"
 #include "ServoRun.h"
 #include "WorstCase.h"
@@ -25,7 +25,7 @@ const char* const ShapeNames[] = {"Ball", "ThinWall", "Needle", "Cleft", "OneVox
 class TouchExtremes : public ::testing::TestWithParam<std::tuple<Representation, ExtremeShape>>
 {
 protected:
-  // Tools that this representation can feel.
+  // Tools that this representation supports.
   std::vector<double> ToolRadii() const
   {
     const bool needsShell = std::get<0>(GetParam()) == Representation::FieldShell;
@@ -41,7 +41,7 @@ protected:
       test::MakeExtremeCase(std::get<0>(GetParam()), std::get<1>(GetParam()));
 };
 
-// A proxy that touches is next to the structure, another one is the probe itself.
+// In contact the proxy is next to the structure; otherwise it is the probe itself.
 void TouchExtremes::ExpectBounded(const Vector3& probe, const Contact& contact,
                                   double toolRadius) const
 {
@@ -54,7 +54,7 @@ void TouchExtremes::ExpectBounded(const Vector3& probe, const Contact& contact,
     ASSERT_EQ(contact.Depth, 0.0);
     return;
   }
-  // What facets keep between tool and surface is 1e-6 of their size.
+  // The skin between facets and tool is 1e-6 of their size.
   const double reach = toolRadius + 1e-4;
   ASSERT_LE(this->Case.Model->BoundsWorld().exteriorDistance(contact.ProxyWorld), reach)
       << probe.transpose();
@@ -77,7 +77,7 @@ std::vector<Vector3> SpecialPlaces()
 }
 
 // The centre, the axis, the poles, ten metres away and farther, from one to the other at once.
-TEST_P(TouchExtremes, AtAnyPlaceInAnyOrderAToolIsNextToTheStructure)
+TEST_P(TouchExtremes, ToolStaysOutsideAtAnyPlaceInAnyOrder)
 {
   const std::vector<Vector3> places = SpecialPlaces();
   for (const double toolRadius : this->ToolRadii())
@@ -97,7 +97,7 @@ TEST_P(TouchExtremes, AtAnyPlaceInAnyOrderAToolIsNextToTheStructure)
   }
 }
 
-TEST_P(TouchExtremes, TenMetresAwayNothingIsTouched)
+TEST_P(TouchExtremes, NoContactTenMetresAway)
 {
   for (const double toolRadius : this->ToolRadii())
   {
@@ -112,11 +112,11 @@ TEST_P(TouchExtremes, TenMetresAwayNothingIsTouched)
   }
 }
 
-TEST_P(TouchExtremes, OnTheSurfaceToTheLastBitNothingIsDeep)
+TEST_P(TouchExtremes, DepthAtTheSurfaceIsWithinRounding)
 {
   if (this->ToolRadii().front() > 0.0)
   {
-    GTEST_SKIP() << "this law has no tool that is a point";
+    GTEST_SKIP() << "this method has no point tool";
   }
   const auto tracker = this->TrackerFor(0.0);
   WorstCase depth;
@@ -139,17 +139,17 @@ TEST_P(TouchExtremes, OnTheSurfaceToTheLastBitNothingIsDeep)
       }
     }
   }
-  // A twentieth of a voxel is what fields are asked for; the others are far below.
+  // A twentieth of a voxel is required of fields; the others are far below.
   const bool isField = std::get<0>(GetParam()) == Representation::FieldProxy;
   EXPECT_LE(depth.Value(), isField ? 0.05 * 0.5 : 1e-4);
 }
 
-// Through the middle, along every direction. What is beyond may be held back where it came from.
-TEST_P(TouchExtremes, AtAnySpeedAToolIsNextToTheStructure)
+// Through the centre, along every direction. The tool may be held back on the side it came from.
+TEST_P(TouchExtremes, ToolStaysOutsideAtAnySpeed)
 {
   for (const double toolRadius : this->ToolRadii())
   {
-    for (const double step : {1.0, 100.0}) // mm a tick: 1 m/s, 100 m/s
+    for (const double step : {1.0, 100.0}) // mm per tick: 1 m/s, 100 m/s
     {
       const auto check = [&](const Vector3& probe, const Contact& contact)
       { ASSERT_NO_FATAL_FAILURE(this->ExpectBounded(probe, contact, toolRadius)) << step; };
@@ -166,16 +166,16 @@ TEST_P(TouchExtremes, AtAnySpeedAToolIsNextToTheStructure)
   }
 }
 
-TEST_P(TouchExtremes, AtAnySpeedAToolLeavesTheWayItCame)
+TEST_P(TouchExtremes, ToolLeavesOnItsSideAtAnySpeed)
 {
   // The tip of one voxel slips in between the points of a shell, and may be held there until the
-  // structure is out of reach, where the servo leaves it.
+  // structure is out of reach, where the servo releases it.
   const bool isTrap =
       GetParam() == std::make_tuple(Representation::FieldProxy, ExtremeShape::OneVoxel);
   const auto ignore = [](const Vector3&, const Contact&) {};
   for (const double toolRadius : isTrap ? std::vector<double>{0.0} : this->ToolRadii())
   {
-    for (const double step : {1.0, 100.0}) // mm a tick: 1 m/s, 100 m/s
+    for (const double step : {1.0, 100.0}) // mm per tick: 1 m/s, 100 m/s
     {
       for (const Vector3& place : this->Case.SurfacePoints)
       {
@@ -186,7 +186,7 @@ TEST_P(TouchExtremes, AtAnySpeedAToolLeavesTheWayItCame)
         tracker->Follow(At(start));
         test::MoveStraight(*tracker, start, end, step, ignore);
         test::MoveStraight(*tracker, end, start, step, ignore);
-        for (int tick = 0; tick < 100; ++tick) // what a tick had no time for
+        for (int tick = 0; tick < 100; ++tick) // work left over from a tick
         {
           tracker->Follow(At(start));
         }
@@ -197,7 +197,7 @@ TEST_P(TouchExtremes, AtAnySpeedAToolLeavesTheWayItCame)
   }
 }
 
-TEST_P(TouchExtremes, WithAnyStiffnessTheForceIsFiniteAndAtMostTheDevices)
+TEST_P(TouchExtremes, ForceIsFiniteAndWithinTheDevicesLimitForAnyStiffness)
 {
   for (const double stiffness : {0.0, 0.5, 1e4}) // N/mm
   {
@@ -208,7 +208,7 @@ TEST_P(TouchExtremes, WithAnyStiffnessTheForceIsFiniteAndAtMostTheDevices)
       scene.Structures.push_back({"extreme", this->Case.Model, {stiffness, 0.0}, {}});
       test::ServoRun run(scene);
       const double most = run.Device.Abilities.MaximumForce;
-      // The farthest along x: not where a cleft closes, and there is nothing to press.
+      // The farthest along x: not where a cleft closes, and nothing can be pressed.
       const auto& places = this->Case.SurfacePoints;
       const Vector3 surface =
           *std::max_element(places.begin(), places.end(),

@@ -1,4 +1,5 @@
-// What is felt beside what is true, on 100,000 short paths over bodies that are known exactly.
+// Rendered contacts compared with exact ones, on 100,000 short paths over bodies that are known
+// exactly.
 #include "BumpyBody.h"
 #include "ForceQuality.h"
 #include "MeshCases.h"
@@ -29,11 +30,11 @@ struct Bounds
   double ForceError = 0.01;        // N, RMS
   double MeanAngle = 0.5 * Degree; // rad
   double MostAngle = 2.0 * Degree; // rad
-  double Jump = 1.2;               // of the ideal's
+  double Jump = 1.2;               // relative to the exact one's
 };
 constexpr Bounds AskedFor;
 
-// The true place of a tool, by the certified search over the whole surface.
+// The exact place of a tool, by the certified search over the whole surface.
 Vector3 TrueProxy(const ClosestPointSearch& search, const Vector3& probe, double toolRadius)
 {
   const ClosestPoint nearest = search.Nearest(probe);
@@ -54,12 +55,12 @@ void ExpectTruth(const ForceQuality& quality, const Bounds& most)
   std::ostringstream text;
   text << quality.Ticks() << " ticks: " << quality.ErrorRms() << " N RMS, "
        << quality.MeanAngle() / Degree << " degrees mean, " << quality.AngleQuantile(1.0) / Degree
-       << " most, jumps " << meanJump << " and " << jump << " of the ideal's";
+       << " most, jumps " << meanJump << " and " << jump << " of the exact one's";
   ::testing::Test::RecordProperty("forces", text.str());
 }
 
-// One path of a tracker that begins free, beside the true proxies.
-// Forces below `felt` (N) are left out: their direction is that of what solving leaves.
+// One path of a tracker that starts without contact, compared with the exact proxies. Forces below
+// `felt` (N) are ignored: their direction is dominated by the solver's tolerance.
 template <typename Walk, typename Truth>
 void CompareOnPath(ContactTracker& tracker, const Walk& walk, double toolRadius, double felt,
                    const Truth& trueProxy, ForceQuality& quality)
@@ -106,7 +107,7 @@ protected:
 };
 
 // 5 bodies, 3 tools, 7,000 paths each: 105,000.
-TEST_P(TouchTruthOnHarmonics, ForcesAreThoseOfTheNearestPointWhateverTheToolsRadius)
+TEST_P(TouchTruthOnHarmonics, ForcesAreThoseOfTheNearestPointForAnyRadius)
 {
   constexpr int Paths = 7000;
   for (const double toolRadius : {0.0, 1.0, 4.0})
@@ -127,7 +128,7 @@ TEST_P(TouchTruthOnHarmonics, ForcesAreThoseOfTheNearestPointWhateverTheToolsRad
 }
 
 // 5 bodies, 200,000 ticks each: 1,000,000.
-TEST_P(TouchTruthOnHarmonics, TheProxyNeverSeizes)
+TEST_P(TouchTruthOnHarmonics, ProxyNeverGetsStuck)
 {
   constexpr int Ticks = 200000;
   constexpr double ToolRadius = 1.0;
@@ -152,7 +153,7 @@ TEST_P(TouchTruthOnHarmonics, TheProxyNeverSeizes)
   EXPECT_GT(touches, Ticks / 2);
 }
 
-TEST_P(TouchTruthOnHarmonics, PathsInMetresGiveTheSameForces)
+TEST_P(TouchTruthOnHarmonics, ForcesAreIndependentOfTheUnitOfLength)
 {
   constexpr double Scale = 1e-3;
   std::vector<double> coefficients = this->Body.Coefficients();
@@ -190,7 +191,7 @@ TEST_P(TouchTruthOnHarmonics, PathsInMetresGiveTheSameForces)
 INSTANTIATE_TEST_SUITE_P(Bodies, TouchTruthOnHarmonics, ::testing::ValuesIn(HarmonicCases()),
                          [](const auto& each) { return std::string(each.param.Name); });
 
-TEST(TouchTruth, OnConvexBodiesForcesDoNotDependOnTheToolsRadius)
+TEST(TouchTruth, ForcesOnConvexBodiesAreIndependentOfTheRadius)
 {
   Random random(8105);
   const SphericalHarmonicModel body = test::Ellipsoid({25.0, 20.0, 16.0}, Matrix3::Identity(), 24);
@@ -241,7 +242,7 @@ struct FieldCase
 {
   const char* Name;
   std::shared_ptr<const ScalarField> (*Make)(FieldInterpolation);
-  // Of the body in mm around the middle; nothing where the true nearest point is not known.
+  // Of the body in mm around the centre; null if the exact nearest point is unknown.
   SphericalHarmonicModel (*Truth)();
 };
 
@@ -277,7 +278,7 @@ class TouchTruthOnFields
 protected:
   const FieldCase& Case() const { return std::get<0>(GetParam()); }
 
-  // Where walks may begin, far enough from the grid's border.
+  // Start of a walk, far enough from the grid's border.
   Vector3 Beginning(Random& random) const
   {
     std::uniform_real_distribution<double> aside(-14.0, 14.0);
@@ -292,7 +293,7 @@ protected:
   std::shared_ptr<const ContactModel> Model = test::FieldContact(Field);
 };
 
-TEST_P(TouchTruthOnFields, TheToolAtItsProxyOnlyTouchesTheFieldsOwnSurface)
+TEST_P(TouchTruthOnFields, ToolAtItsProxyOnlyTouchesTheSurface)
 {
   const ToolShape dense = ToolShape::SpherePoints(1.0, 1000);
   for (const double toolRadius : {0.0, 1.0})
@@ -323,20 +324,20 @@ TEST_P(TouchTruthOnFields, TheToolAtItsProxyOnlyTouchesTheFieldsOwnSurface)
                             visit);
     }
     RecordProperty("voxels", std::to_string(off.Value()));
-    EXPECT_LE(off.Value(), 0.05) << toolRadius; // what was asked for
+    EXPECT_LE(off.Value(), 0.05) << toolRadius; // the required accuracy
   }
 }
 
-TEST_P(TouchTruthOnFields, ForcesAreThoseOfTheKnownBody)
+TEST_P(TouchTruthOnFields, ForcesEqualThoseOfTheExactBody)
 {
   if (this->Case().Truth == nullptr)
   {
-    GTEST_SKIP() << "the nearest point of this surface is not known";
+    GTEST_SKIP() << "the nearest point of this surface is unknown";
   }
   const SphericalHarmonicModel body = this->Case().Truth();
   const ClosestPointSearch search(test::Shared(body));
-  // The exact surface of the trilinear field, which is what is felt, is not the body's: within a
-  // voxel h its normal stays behind by up to h / 2R, 1.2 degrees of the sphere's, in each axis.
+  // The exact surface of the trilinear field, which is rendered, is not the body's: within a voxel
+  // h its normal deviates by up to h / 2R, 1.2 degrees of the sphere's, in each axis.
   const bool isCubic = std::get<1>(GetParam()) == FieldInterpolation::TricubicBSpline;
   const Bounds most = isCubic ? AskedFor : Bounds{0.015, 1.5 * Degree, 4.0 * Degree, 1.5};
   for (const double toolRadius : {0.0, 1.0})
@@ -348,7 +349,8 @@ TEST_P(TouchTruthOnFields, ForcesAreThoseOfTheKnownBody)
     ForceQuality quality;
     for (int path = 0; path < 1000; ++path)
     {
-      // A shell's points may lie 0.05 voxel, 0.0125 N, above where a ball touches first.
+      // A shell's points may lie 0.05 voxel, 0.0125 N, above the place where a sphere touches
+      // first.
       CompareOnPath(*tracker, HarmonicWalk(body, random), toolRadius, 0.02, truth, quality);
     }
     ExpectTruth(quality, most);
@@ -367,7 +369,7 @@ INSTANTIATE_TEST_SUITE_P(Bodies, TouchTruthOnFields,
                                   (isCubic ? "Tricubic" : "Trilinear");
                          });
 
-TEST(TouchTruth, FacetsInMetresGiveTheSameForces)
+TEST(TouchTruth, FacetForcesAreIndependentOfTheUnitOfLength)
 {
   constexpr double Scale = 0x1p-10; // a power of two changes no digit
   Random random(8108);

@@ -12,12 +12,12 @@ namespace
 {
 using test::AllocationCount;
 
-// What a servo thread calls cannot throw either.
+// Functions for the servo thread cannot throw either.
 static_assert(noexcept(std::declval<ContactTracker&>().Follow(std::declval<const ToolPose&>())));
 static_assert(noexcept(std::declval<ContactTracker&>().Release()));
 static_assert(noexcept(std::declval<const ContactModel&>().BoundsWorld()));
 
-// Poses in and out of a ball of 15 mm, near and far, slow and fast, turned, and bad.
+// Poses in and out of a sphere of 15 mm, near and far, slow and fast, rotated, and invalid.
 std::vector<ToolPose> Poses(const Vector3& middle)
 {
   test::Random random(7101);
@@ -68,7 +68,7 @@ TEST(TrackersDoNotAllocate, OnSphericalHarmonics)
   }
 }
 
-TEST(TrackersDoNotAllocate, OfABallThatDoesNotFitIntoEveryHollow)
+TEST(TrackersDoNotAllocate, OfASphereTooLargeForSomeHollows)
 {
   test::Random random(7103);
   const auto model = test::HarmonicContact(test::RandomRough(random, 12, 15.0));

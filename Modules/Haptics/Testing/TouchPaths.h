@@ -6,18 +6,18 @@
 
 namespace palpate::test
 {
-/// What a hand does on short paths: 1 kHz, lengths in mm.
+/// A hand's motion on short paths: 1 kHz, lengths in mm.
 struct TouchPath
 {
   static constexpr double Start = 0.2; ///< above the surface
   static constexpr double Depth = 1.5;
   static constexpr int ApproachTicks = 17; ///< at 100 mm/s
   static constexpr int SlideTicks = 12;
-  static constexpr double Slide = 0.05; ///< a tick: 50 mm/s
+  static constexpr double Slide = 0.05; ///< per tick: 50 mm/s
   static constexpr int Ticks = ApproachTicks + SlideTicks;
 };
 
-/// Walks over a star-shaped surface, along a great circle of its directions.
+/// Walks over a star-shaped surface, along a great circle of directions.
 class HarmonicWalk
 {
 public:
@@ -40,7 +40,7 @@ private:
   Vector3 Axis;
 };
 
-/// Walks over the surface of a field, from the one of its points that lies next to `near`.
+/// Walks over the surface of a field, from its point nearest to `near`.
 class FieldWalk
 {
 public:

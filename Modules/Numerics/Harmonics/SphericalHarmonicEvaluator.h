@@ -97,6 +97,6 @@ public:
 private:
   CacheLineVector<double> Table;
   int TableDegree;
-  EvaluationKernel Kernel; // a copy, beside the table's address
+  EvaluationKernel Kernel; // a copy, next to the address of the table
 };
 } // namespace palpate

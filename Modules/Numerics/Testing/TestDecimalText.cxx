@@ -21,7 +21,7 @@ bool SameBits(Real a, Real b)
 }
 } // namespace
 
-TEST(DecimalText, EveryFiniteDoubleComesBackToTheSameBits)
+TEST(DecimalText, EveryFiniteDoubleRoundTrips)
 {
   std::mt19937_64 random(20240601);
   for (int i = 0; i < 100000; ++i)
@@ -37,7 +37,7 @@ TEST(DecimalText, EveryFiniteDoubleComesBackToTheSameBits)
   }
 }
 
-TEST(DecimalText, ExtremeDoublesComeBackToTheSameBits)
+TEST(DecimalText, ExtremeDoublesRoundTrip)
 {
   using Limits = std::numeric_limits<double>;
   for (const double value : {0.0, -0.0, Limits::denorm_min(), -Limits::denorm_min(), Limits::min(),
@@ -48,20 +48,20 @@ TEST(DecimalText, ExtremeDoublesComeBackToTheSameBits)
   }
 }
 
-TEST(DecimalText, NeedsNoMoreThanSeventeenDigits)
+TEST(DecimalText, NeedsAtMostSeventeenDigits)
 {
   EXPECT_EQ(ExactText(0.1), "0.1");
   EXPECT_EQ(ExactText(1.0 / 3.0), "0.3333333333333333");
   EXPECT_EQ(ExactText(0.1f), "0.1");
 }
 
-TEST(DecimalText, BlanksAndPlusSignAreTaken)
+TEST(DecimalText, AcceptsBlanksAndPlusSign)
 {
   EXPECT_EQ(ParseNumber(" +1.5e1\r\n"), 15.0);
   EXPECT_EQ(ParseInteger(" -3\t"), -3);
 }
 
-TEST(DecimalText, AnythingElseIsNoNumber)
+TEST(DecimalText, RejectsOtherText)
 {
   for (const char* text :
        {"", " ", "nan", "inf", "-inf", "1e999", "1,5", "0x10", "1 2", "1.5mm", "+-1", "++1", "."})
@@ -74,7 +74,7 @@ TEST(DecimalText, AnythingElseIsNoNumber)
   }
 }
 
-TEST(DecimalText, NumbersThatAreNotFiniteAreADash)
+TEST(DecimalText, WritesNonFiniteNumbersAsADash)
 {
   const std::string dash = "\xE2\x80\x93";
   EXPECT_EQ(FixedText(std::numeric_limits<double>::quiet_NaN(), 2), dash);
@@ -82,7 +82,7 @@ TEST(DecimalText, NumbersThatAreNotFiniteAreADash)
   EXPECT_EQ(SignificantText(std::numeric_limits<double>::quiet_NaN(), 2), dash);
 }
 
-TEST(DecimalText, NumbersHaveTheDigitsAskedFor)
+TEST(DecimalText, WritesTheRequestedDigits)
 {
   EXPECT_EQ(FixedText(3.14159, 2), "3.14");
   EXPECT_EQ(FixedText(-0.001, 2), "0.00");

@@ -14,8 +14,8 @@ using test::EvaluatorCase;
 using test::EvaluatorKind;
 using test::WorstCase;
 
-// The three batches of one evaluator, each as one row of numbers a direction, with one row more
-// that no batch may touch.
+// The three batches of one evaluator, each with one row of numbers per direction and an additional
+// row that no batch may change.
 struct Batches
 {
   using Evaluator = SphericalHarmonicEvaluator;
@@ -74,7 +74,7 @@ TEST(EvaluationBatches, AgreeWithSingleCalls)
   }
 }
 
-TEST(EvaluationBatches, DependNeitherOnTheCountNorOnThePlace)
+TEST(EvaluationBatches, AreIndependentOfCountAndPosition)
 {
   const EvaluatorCase c(12);
   const std::vector<Vector3>& directions = c.Directions;
@@ -101,7 +101,7 @@ TEST(EvaluationBatches, DependNeitherOnTheCountNorOnThePlace)
   }
 }
 
-TEST(EvaluationBatches, OneWrongDirectionSpoilsItsOwnResultOnly)
+TEST(EvaluationBatches, InvalidDirectionAffectsOnlyItsOwnResult)
 {
   for (const int degree : {0, 1, 12, 20})
   {

@@ -54,7 +54,7 @@ TEST(RadiusRange, MatchesLinearFunction)
     const double mean = c[0] / std::sqrt(4 * M_PI);
     const double length = std::sqrt(3 / (4 * M_PI)) * Vector3(c[1], c[2], c[3]).norm();
     const RadiusRange range = FindRadiusRange(model, 1e-8);
-    EXPECT_NEAR(range.Lower, mean - length, 1e-8); // the tolerance asked for
+    EXPECT_NEAR(range.Lower, mean - length, 1e-8); // the requested tolerance
     EXPECT_NEAR(range.Upper, mean + length, 1e-8);
     EXPECT_LE(range.Lower, mean - length + Rounding(model));
     EXPECT_GE(range.Upper, mean + length - Rounding(model));
@@ -67,7 +67,7 @@ TEST(RadiusRange, FindsExtremesAtPolesAndEquator)
   std::vector<double> c(9, 0.0);
   c[6] = std::sqrt(16 * M_PI / 5);
   const RadiusRange range = FindRadiusRange({2, c, Vector3::Zero()}, 1e-4);
-  EXPECT_NEAR(range.Upper, 2.0, 1e-4); // the tolerance asked for
+  EXPECT_NEAR(range.Upper, 2.0, 1e-4); // the requested tolerance
   EXPECT_NEAR(range.Lower, -1.0, 1e-4);
   EXPECT_GE(range.Upper, 2.0 - 1e-11);
   EXPECT_LE(range.Lower, -1.0 + 1e-11);

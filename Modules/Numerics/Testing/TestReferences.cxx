@@ -94,7 +94,7 @@ auto ByInstructions(int degree, InstructionSet set)
   };
 }
 
-// As a full group of lanes, with other directions beside it.
+// As a full group of lanes, together with other directions.
 auto ByBatch(int degree)
 {
   return [degree](const std::vector<double>& coefficients) -> Evaluation
@@ -231,7 +231,7 @@ TEST(References, AcceptsRoundedDirections)
                ReferenceKind::Float);
 }
 
-TEST(References, SecondDerivativesAreTrueTo14DigitsUpToDegree16And11DigitsUpToDegree1000)
+TEST(References, HessiansHave14DigitsUpToDegree16And11UpToDegree1000)
 {
   std::optional<SphericalHarmonicModel> model;
   std::optional<std::uint64_t> seed;

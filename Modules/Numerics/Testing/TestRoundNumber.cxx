@@ -5,7 +5,7 @@
 
 using palpate::RoundNumberAbove;
 
-TEST(RoundNumber, IsTheNextOfItsMantissas)
+TEST(RoundNumber, RoundsUpToTheNextMantissa)
 {
   EXPECT_EQ(RoundNumberAbove(0.011), 0.02);
   EXPECT_EQ(RoundNumberAbove(3.0), 5.0);
@@ -14,7 +14,7 @@ TEST(RoundNumber, IsTheNextOfItsMantissas)
   EXPECT_EQ(RoundNumberAbove(310.0, {1.0, 1.5, 2.0, 3.0}), 1000.0);
 }
 
-TEST(RoundNumber, RoundNumbersStay)
+TEST(RoundNumber, KeepsRoundNumbers)
 {
   for (int power = -9; power <= 9; ++power)
   {
@@ -26,7 +26,7 @@ TEST(RoundNumber, RoundNumbersStay)
   }
 }
 
-TEST(RoundNumber, WhatHasNoSizeIsOne)
+TEST(RoundNumber, IsOneForZeroAndNonFiniteSizes)
 {
   EXPECT_EQ(RoundNumberAbove(0.0), 1.0);
   EXPECT_EQ(RoundNumberAbove(-2.0), 1.0);

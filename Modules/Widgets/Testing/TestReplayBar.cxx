@@ -155,7 +155,7 @@ TEST_F(ReplayBarTest, WhatIsNoRecordingIsSaidSoEachTime)
     this->Window->Messages()->Clear();
     this->Study->OpenFiles({file});
     WaitUntil([this] { return !this->Messages().empty(); });
-    EXPECT_EQ(this->Messages(), file.string() + " is no recorded touch session of version 3 or 4.");
+    EXPECT_EQ(this->Messages(), file.string() + " is not a touch recording of version 3 or 4.");
   }
   EXPECT_FALSE(this->Study->IsReplaying());
 }

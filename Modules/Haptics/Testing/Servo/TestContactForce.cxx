@@ -20,7 +20,7 @@ ContactOffset RandomContact(test::Random& random)
   return contact;
 }
 
-TEST(ContactForce, WithoutDampingIsTheSpringOfThePaper)
+TEST(ContactForce, IsThePublishedSpringWithoutDamping)
 {
   test::Random random(61);
   for (int n = 0; n < 1000; ++n)
@@ -50,7 +50,7 @@ TEST(ContactForce, DampsAlongTheNormalOnly)
   EXPECT_NEAR((ContactForce({1.0, 0.02}, contact) - Vector3(0.0, 0.0, 2.2)).norm(), 0.0, 1e-15);
 }
 
-TEST(ContactForce, IsZeroWithoutTouch)
+TEST(ContactForce, IsZeroWithoutContact)
 {
   ContactOffset contact;
   contact.Offset = Vector3::Ones();

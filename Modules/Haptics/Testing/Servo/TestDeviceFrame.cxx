@@ -9,7 +9,7 @@ namespace palpate
 {
 namespace
 {
-TEST(DeviceFrame, ToolIsPlacedScaledAndTurnedWithTheDevice)
+TEST(DeviceFrame, TranslatesScalesAndRotatesTheTool)
 {
   test::Random random(612);
   for (int n = 0; n < 100; ++n)

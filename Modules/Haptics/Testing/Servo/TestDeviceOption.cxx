@@ -6,7 +6,7 @@ namespace palpate
 {
 namespace
 {
-TEST(DeviceOption, IsSetWhateverWasThere)
+TEST(DeviceOption, ReplacesEarlierValues)
 {
   const auto with = [](const std::string& device)
   { return WithDeviceOption(device, "firmware", "/a=b"); };

@@ -13,7 +13,7 @@ Status Refuse(Clock&, const std::string& argument, std::unique_ptr<HapticDevice>
   return Status::Failure("refused <" + argument + ">");
 }
 
-TEST(DeviceRegistry, HandsTheArgumentToTheFactoryOfTheName)
+TEST(DeviceRegistry, PassesTheArgumentToTheNamedFactory)
 {
   DeviceRegistry registry;
   ASSERT_TRUE(registry.Add("first", "", Refuse).IsOk());
@@ -23,7 +23,7 @@ TEST(DeviceRegistry, HandsTheArgumentToTheFactoryOfTheName)
   EXPECT_EQ(registry.Make("first", clock, device).Message(), "refused <>");
 }
 
-TEST(DeviceRegistry, NamesWhatThereIsWhereANameIsNotKnown)
+TEST(DeviceRegistry, ListsKnownNamesForAnUnknownOne)
 {
   DeviceRegistry registry;
   ASSERT_TRUE(registry.Add("first", "one", Refuse).IsOk());
@@ -37,7 +37,7 @@ TEST(DeviceRegistry, NamesWhatThereIsWhereANameIsNotKnown)
             "There is no kind of device named third; known are: first, second.");
 }
 
-TEST(DeviceRegistry, FindsDevicesOfKindsThatCanBeLookedFor)
+TEST(DeviceRegistry, FindsDevicesOfSearchableKinds)
 {
   DeviceRegistry registry;
   const auto search = [](Clock&, std::vector<FoundDevice>& found)
@@ -61,7 +61,7 @@ TEST(DeviceRegistry, FindsDevicesOfKindsThatCanBeLookedFor)
   }
 }
 
-TEST(DeviceRegistry, RefusesWhatItCouldNotFindAgain)
+TEST(DeviceRegistry, RejectsInvalidKinds)
 {
   DeviceRegistry registry;
   ASSERT_TRUE(registry.Add("first", "", Refuse).IsOk());

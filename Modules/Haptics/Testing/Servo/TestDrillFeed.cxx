@@ -16,13 +16,13 @@ ToolPose At(const Vector3& place)
   return {place, Eigen::Quaterniond::Identity()};
 }
 
-// What is left of the way to the probe.
+// The remaining distance to the probe.
 double Left(DrillFeed& feed, bool cuts = true)
 {
   return feed.Meet(At(Vector3::Zero()), Up, cuts).norm();
 }
 
-// Feeds by `way` in so many ticks, each order numbered on from `number`.
+// Feeds by `way` in a number of ticks; orders are numbered from `number`.
 int Feed(DrillFeed& feed, int ticks, double way, std::uint64_t& number)
 {
   int orders = 0;
@@ -41,7 +41,7 @@ int Feed(DrillFeed& feed, int ticks, double way, std::uint64_t& number)
   return orders;
 }
 
-TEST(DrillFeed, IsAheadByWhatWasFedAndNoVersionShows)
+TEST(DrillFeed, IsAheadByTheFeedMissingInTheVersion)
 {
   DrillFeed feed(Radius, 0.0);
   std::uint64_t number = 5;
@@ -49,13 +49,13 @@ TEST(DrillFeed, IsAheadByWhatWasFedAndNoVersionShows)
   EXPECT_NEAR(Left(feed), 2.92, 1e-14);
   feed.Arrive(5);
   EXPECT_NEAR(Left(feed), 2.92, 1e-14);
-  feed.Arrive(6); // which its proxy does not show
+  feed.Arrive(6); // not visible in its proxy
   EXPECT_NEAR(Left(feed), 2.96, 1e-14);
   feed.Arrive(7);
   EXPECT_NEAR(Left(feed), 3.0, 1e-14);
 }
 
-TEST(DrillFeed, StaysWhereItIsWhenAVersionShowsWhatItCut)
+TEST(DrillFeed, StaysInPlaceWhenAVersionArrives)
 {
   DrillFeed feed(Radius, 0.0);
   std::uint64_t number = 0;
@@ -65,7 +65,7 @@ TEST(DrillFeed, StaysWhereItIsWhenAVersionShowsWhatItCut)
   EXPECT_NEAR((feed.Meet(At(Vector3::Zero()), lower, true) - lower).norm(), 0.0, 1e-14);
 }
 
-TEST(DrillFeed, BeginsAboveTheProxyByTheClearanceAndEndsAsFarBelow)
+TEST(DrillFeed, StaysWithinTheClearanceOfTheProxy)
 {
   constexpr double Clearance = 0.05;
   DrillFeed feed(Radius, Clearance);
@@ -75,7 +75,7 @@ TEST(DrillFeed, BeginsAboveTheProxyByTheClearanceAndEndsAsFarBelow)
   feed.Arrive(number);
   feed.Rest();
   EXPECT_NEAR(Left(feed), 3.0 - Clearance, 1e-14);
-  // What it is off the proxy goes away while nothing is cut.
+  // Its offset from the proxy decays while nothing is cut.
   double last = Left(feed, false);
   for (int n = 0; n < 400; ++n)
   {
@@ -87,7 +87,7 @@ TEST(DrillFeed, BeginsAboveTheProxyByTheClearanceAndEndsAsFarBelow)
   EXPECT_NEAR(last, 3.0, 1e-9);
 }
 
-TEST(DrillFeed, GoesNoFartherThanTheProbe)
+TEST(DrillFeed, StopsAtTheProbe)
 {
   DrillFeed feed(Radius, 0.0);
   std::uint64_t number = 0;
@@ -96,14 +96,14 @@ TEST(DrillFeed, GoesNoFartherThanTheProbe)
   EXPECT_NEAR(feed.Advance(0.5), 0.0, 1e-12);
 }
 
-// The differential equation of the class's comment: the depth at which the rim takes back what is
-// fed is R / 2 (feed / speed)^2.
-TEST(DrillFeed, AToolThatMovesAlongIsAsDeepAsItsFeedAndSpeedAllow)
+// The differential equation of the class's comment: the depth at which the rise over the rim
+// balances the feed is R / 2 (feed / speed)^2.
+TEST(DrillFeed, DepthOfAMovingToolFollowsFeedAndSpeed)
 {
   for (const double feedOfWay : {0.05, 0.1, 0.2})
   {
     DrillFeed feed(Radius, 0.0);
-    constexpr double Way = 0.001; // mm a tick
+    constexpr double Way = 0.001; // mm per tick
     for (int n = 0; n < 20000; ++n)
     {
       feed.Meet(At({Way * n, 0.0, 0.0}), Up, true);
@@ -115,10 +115,10 @@ TEST(DrillFeed, AToolThatMovesAlongIsAsDeepAsItsFeedAndSpeedAllow)
   }
 }
 
-TEST(DrillFeed, ACutBeginsWhereTheLastOneEnded)
+TEST(DrillFeed, CutsAreContiguous)
 {
   DrillFeed feed(Radius, 0.0);
-  Vector3 last(0.0, 0.0, 3.0); // the proxy, where it begins
+  Vector3 last(0.0, 0.0, 3.0); // the proxy, where it starts
   for (std::uint64_t n = 0; n < 100; ++n)
   {
     feed.Meet(At({0.001 * static_cast<double>(n), 0.0, 0.0}), Up, true);
@@ -136,7 +136,7 @@ TEST(DrillFeed, ACutBeginsWhereTheLastOneEnded)
   }
 }
 
-TEST(DrillFeed, AToolThatCameFromFarCutsOnlyWhereItIs)
+TEST(DrillFeed, CutsOnlyInPlaceAfterALongMove)
 {
   DrillFeed feed(Radius, 0.0);
   CutOrder order;
@@ -150,7 +150,7 @@ TEST(DrillFeed, AToolThatCameFromFarCutsOnlyWhereItIs)
   EXPECT_EQ(order.To.PositionWorld.X, 3.0);
 }
 
-TEST(DrillFeed, WaitsWhereTooManyCutsAreNotInAVersion)
+TEST(DrillFeed, StopsAtTooManyPendingCuts)
 {
   DrillFeed feed(Radius, 0.0);
   std::uint64_t number = 0;
@@ -162,7 +162,7 @@ TEST(DrillFeed, WaitsWhereTooManyCutsAreNotInAVersion)
   EXPECT_EQ(Feed(feed, 2000, 0.001, number), 10);
 }
 
-TEST(DrillFeed, WhatIsNotOrderedIsForgottenWhereTheToolRests)
+TEST(DrillFeed, DiscardsUnorderedFeedAtRest)
 {
   DrillFeed feed(Radius, 0.0);
   std::uint64_t number = 0;

@@ -11,13 +11,13 @@ namespace
 const DrillLaw Bone{0.1, 0.01, 0.3};
 const DrillMotion Burr{3.0, 1000.0, 120.0}; // 18.8 m/s
 
-TEST(DrillForce, FeedIsInProportionToPushAndSpeed)
+TEST(DrillForce, FeedIsProportionalToPushAndSpeed)
 {
   EXPECT_NEAR(FeedRate(Bone, Burr, 2.0), 0.1 * 2.0 * 2.0 * M_PI * 3.0, 1e-12);
   EXPECT_DOUBLE_EQ(FeedRate(Bone, {3.0, 500.0, 120.0}, 4.0), FeedRate(Bone, Burr, 2.0));
 }
 
-TEST(DrillForce, WhatDoesNotWearIsNotRemovedAndAddsNothing)
+TEST(DrillForce, NoWearMeansNoFeedAndNoForce)
 {
   const DrillLaw nerve{0.0, 0.01, 0.3};
   EXPECT_EQ(FeedRate(nerve, Burr, 5.0), 0.0);
@@ -25,7 +25,7 @@ TEST(DrillForce, WhatDoesNotWearIsNotRemovedAndAddsNothing)
             Vector3::Zero());
 }
 
-TEST(DrillForce, ADrillThatStandsStillAddsNothing)
+TEST(DrillForce, StoppedDrillAddsNothing)
 {
   const DrillMotion still{3.0, 0.0, 120.0};
   EXPECT_EQ(FeedRate(Bone, still, 5.0), 0.0);
@@ -33,7 +33,7 @@ TEST(DrillForce, ADrillThatStandsStillAddsNothing)
             Vector3::Zero());
 }
 
-TEST(DrillForce, WithoutAPushThereIsNothing)
+TEST(DrillForce, IsZeroWithoutPush)
 {
   for (const double push : {0.0, -1.0})
   {
@@ -43,7 +43,7 @@ TEST(DrillForce, WithoutAPushThereIsNothing)
   }
 }
 
-TEST(DrillForce, SwingsOnlyAsFarAsMaterialGoesAway)
+TEST(DrillForce, VibratesInProportionToRemoval)
 {
   const double quarter = 0.25 / Burr.VibrationFrequency;
   const auto swing = [&](double recession)
@@ -55,7 +55,7 @@ TEST(DrillForce, SwingsOnlyAsFarAsMaterialGoesAway)
   EXPECT_NEAR(swing(10.0 * feed), 0.3 * 2.0, 1e-12);
 }
 
-TEST(DrillForce, NeverPullsAndDragNeverPushesTheHandOn)
+TEST(DrillForce, NeverPullsAndDragIsPassive)
 {
   std::mt19937_64 random(11);
   std::uniform_real_distribution<double> part(0.0, 1.0);
@@ -77,9 +77,9 @@ TEST(DrillForce, NeverPullsAndDragNeverPushesTheHandOn)
   }
 }
 
-TEST(DrillForce, AHundredHoursLaterTheSwingIsTheSame)
+TEST(DrillForce, VibrationIsTheSameAfterAHundredHours)
 {
-  // 120 Hz: whole periods in 1/24 s, and doubles still tell 1e-10 s after so long.
+  // 120 Hz: whole periods in 1/24 s, and doubles still resolve 1e-10 s after so long.
   const double later = 360000.0;
   for (double time = 0.0; time < 0.01; time += 0.001)
   {

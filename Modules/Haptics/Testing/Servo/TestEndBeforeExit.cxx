@@ -20,7 +20,7 @@ TEST(EndBeforeExitDeathTest, ExitCallsTheNewestFirst)
       testing::ExitedWithCode(3), "inner, outer");
 }
 
-TEST(EndBeforeExitDeathTest, NothingIsCalledOfWhatHasEnded)
+TEST(EndBeforeExitDeathTest, CallsNothingThatHasEnded)
 {
   EXPECT_EXIT(
       {
@@ -32,7 +32,7 @@ TEST(EndBeforeExitDeathTest, NothingIsCalledOfWhatHasEnded)
       testing::ExitedWithCode(3), "^none$");
 }
 
-TEST(EndBeforeExitDeathTest, OneMayEndItselfAndOthers)
+TEST(EndBeforeExitDeathTest, FunctionMayEndItselfAndOthers)
 {
   EXPECT_EXIT(
       {

@@ -8,7 +8,7 @@ namespace palpate
 {
 namespace
 {
-TEST(EnergyObserver, ASpringThatComesBackHasGivenOutWhatItTookIn)
+TEST(EnergyObserver, ReturningSpringHasZeroBalance)
 {
   EnergyObserver observer(0.02);
   // Held forces of a spring of 1 N/mm lag behind: in by 2 mm, and out again, in steps of 0.5 mm.
@@ -23,7 +23,7 @@ TEST(EnergyObserver, ASpringThatComesBackHasGivenOutWhatItTookIn)
   EXPECT_DOUBLE_EQ(observer.Energy(), 1.5 - 2.5);
 }
 
-TEST(EnergyObserver, DampingTakesUpInOnePeriodWhatWasGivenOut)
+TEST(EnergyObserver, DampingAbsorbsTheExcessInOnePeriod)
 {
   EnergyObserver observer(1.0);
   observer.Account({1.0, 0.0, 0.0}, {0.1, 0.0, 0.0});
@@ -34,7 +34,7 @@ TEST(EnergyObserver, DampingTakesUpInOnePeriodWhatWasGivenOut)
   EXPECT_NEAR(observer.Energy(), 0.0, 1e-15); // roundings of 0.1 N mm
 }
 
-TEST(EnergyObserver, AContactThatTookInEnergyIsNotDamped)
+TEST(EnergyObserver, PassiveContactIsNotDamped)
 {
   EnergyObserver observer(1.0);
   observer.Account({-1.0, 0.0, 0.0}, {0.1, 0.0, 0.0});
@@ -66,7 +66,7 @@ TEST(EnergyObserver, NoDampingWithoutContactForce)
   EXPECT_EQ(observer.Damping(Vector3::Zero(), {100.0, 0.0, 0.0}, 0.001), Vector3::Zero());
 }
 
-TEST(EnergyObserver, WhatIsNoNumberSpoilsNothing)
+TEST(EnergyObserver, IgnoresNonFiniteInput)
 {
   test::Random random(34);
   EnergyObserver observer(0.02);
@@ -77,7 +77,7 @@ TEST(EnergyObserver, WhatIsNoNumberSpoilsNothing)
   }
 }
 
-TEST(EnergyObserver, WhatTheMechanismTookUpIsCreditedAndNothingElse)
+TEST(EnergyObserver, CreditsOnlyTheMechanismsLosses)
 {
   EnergyObserver observer(0.02);
   observer.Credit(0.25);
@@ -88,7 +88,7 @@ TEST(EnergyObserver, WhatTheMechanismTookUpIsCreditedAndNothingElse)
   EXPECT_EQ(observer.Energy(), 0.25);
 }
 
-TEST(EnergyObserver, ClosesItsBooks)
+TEST(EnergyObserver, CloseResetsTheBalance)
 {
   EnergyObserver observer(0.02);
   observer.Account(Vector3::UnitX(), Vector3::UnitX());

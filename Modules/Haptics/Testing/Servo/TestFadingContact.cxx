@@ -9,7 +9,7 @@ namespace
 const Vector3 Push(0.3, 0.0, 2.0); // N, against a floor with friction
 const Vector3 Hand(1.0, 2.0, -4.0);
 
-TEST(FadingContact, ItBeginsWithAllOfTheForceAndEndsWithNone)
+TEST(FadingContact, FadesFromFullForceToZero)
 {
   FadingContact contact(Push, Vector3::UnitZ(), 0.5, Hand);
   EXPECT_LT((contact.Advance(Hand, 0.001) - Push).norm(), 1e-15);
@@ -22,11 +22,11 @@ TEST(FadingContact, ItBeginsWithAllOfTheForceAndEndsWithNone)
     EXPECT_NEAR(last - force, Push.norm() / 100.0, 1e-12);
     last = force;
   }
-  EXPECT_NEAR(ticks, 100, 1); // a sum of roundings decides the last one
+  EXPECT_NEAR(ticks, 100, 1); // the rounding of a sum decides the last one
   EXPECT_EQ(last, 0.0);
 }
 
-TEST(FadingContact, ItFollowsTheHandAsItsSpring)
+TEST(FadingContact, FollowsTheHandAsASpring)
 {
   FadingContact contact(Push, Vector3::UnitZ(), 0.5, Hand);
   const Vector3 deeper = contact.Advance(Hand - Vector3(0.0, 0.0, 1.0), 0.001);
@@ -35,7 +35,7 @@ TEST(FadingContact, ItFollowsTheHandAsItsSpring)
   EXPECT_NEAR(contact.Advance(Hand + Vector3(9.0, 9.0, 0.0), 0.0)[2], 2.0, 1e-12);
 }
 
-TEST(FadingContact, ItEndsForGoodWhereTheHandLeavesIt)
+TEST(FadingContact, EndsForGoodWhenTheHandLeaves)
 {
   FadingContact contact(Push, Vector3::UnitZ(), 0.5, Hand);
   EXPECT_GT(contact.Advance(Hand + Vector3(0.0, 0.0, 3.9), 0.001)[2], 0.0);
@@ -44,7 +44,7 @@ TEST(FadingContact, ItEndsForGoodWhereTheHandLeavesIt)
   EXPECT_EQ(contact.Advance(Hand, 0.001), Vector3::Zero());
 }
 
-TEST(FadingContact, TwoBecomeOneThatGivesTheSumAndFadesAnew)
+TEST(FadingContact, JoinedContactsGiveTheSumAndFadeAgain)
 {
   FadingContact one(Push, Vector3::UnitZ(), 0.5, Hand);
   FadingContact other({1.0, 0.0, 0.0}, Vector3::UnitX(), 0.25, Hand);
@@ -60,13 +60,13 @@ TEST(FadingContact, TwoBecomeOneThatGivesTheSumAndFadesAnew)
   EXPECT_LT((joined.Advance(Hand, 0.05) - 0.5 * sum).norm(), 1e-12);
   EXPECT_EQ(FadingContact::Joined(one, FadingContact()).Force(), one.Force());
   EXPECT_TRUE(FadingContact::Joined(FadingContact(), FadingContact()).IsOver());
-  // What cancels has no direction in which it could push.
+  // Opposite forces cancel and have no direction.
   const FadingContact opposite(-Push, -Vector3::UnitZ(), 0.5, Hand);
   EXPECT_TRUE(
       FadingContact::Joined(FadingContact(Push, Vector3::UnitZ(), 0.5, Hand), opposite).IsOver());
 }
 
-TEST(FadingContact, WhatDoesNotPushIsNone)
+TEST(FadingContact, ForceThatDoesNotPushIsNoContact)
 {
   EXPECT_TRUE(FadingContact().IsOver());
   EXPECT_EQ(FadingContact().Advance(Hand, 0.001), Vector3::Zero());

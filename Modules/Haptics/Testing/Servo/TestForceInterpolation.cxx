@@ -13,7 +13,7 @@ namespace
 constexpr double Period = 0.001; // s, of the device
 constexpr int Interval = 4;      // device ticks in one of the model
 
-// The contact of a point with a ball around the origin.
+// The contact of a point with a sphere around the origin.
 Contact TouchBall(double radius, const Vector3& probe)
 {
   Contact contact;
@@ -25,7 +25,7 @@ Contact TouchBall(double radius, const Vector3& probe)
   return contact;
 }
 
-// A probe that slides along a ball of 20 mm, 1.5 mm deep, at 50 mm/s.
+// A probe that slides along a sphere of 20 mm, 1.5 mm deep, at 50 mm/s.
 Vector3 Sliding(int tick)
 {
   const double angle = 50.0 * tick * Period / 20.0;
@@ -35,7 +35,7 @@ Vector3 Sliding(int tick)
 struct Slide
 {
   double LargestStep = 0.0;  // mm, of the offset from one tick to the next
-  double LargestError = 0.0; // mm, against the model asked at every tick
+  double LargestError = 0.0; // mm, relative to the model queried at every tick
 };
 
 // Offsets along a slide, as `offset` gives them tick by tick.
@@ -59,7 +59,7 @@ Slide SlideBy(OffsetAt offsetAt)
   return slide;
 }
 
-TEST(ForceInterpolation, AFlatWallIsFeltExactlyBetweenResults)
+TEST(ForceInterpolation, IsExactOnAFlatWall)
 {
   Contact wall;
   wall.IsTouching = true;
@@ -77,7 +77,7 @@ TEST(ForceInterpolation, AFlatWallIsFeltExactlyBetweenResults)
   }
 }
 
-TEST(ForceInterpolation, SlidingIsSmootherAndTruerThanHoldingTheLastResult)
+TEST(ForceInterpolation, IsSmootherAndMoreAccurateThanHolding)
 {
   ForceInterpolation felt;
   const Slide interpolated = SlideBy(
@@ -98,20 +98,21 @@ TEST(ForceInterpolation, SlidingIsSmootherAndTruerThanHoldingTheLastResult)
         const Vector3 probe = Sliding(tick - tick % Interval);
         return Vector3(TouchBall(20.0, probe).ProxyWorld - probe);
       });
-  // Direction turns by 2.5 mrad a tick, four at once where the result is held.
+  // Direction turns by 2.5 mrad per tick, four at once if the result is held.
   EXPECT_GT(held.LargestStep, 0.99 * Interval * 1.5 * 0.0025);
   EXPECT_LT(interpolated.LargestStep, 0.5 * held.LargestStep);
   EXPECT_LT(interpolated.LargestError, 1.5 * held.LargestError);
 }
 
-TEST(ForceInterpolation, ThereIsNoStepWhereAResultArrives)
+TEST(ForceInterpolation, NewResultCausesNoStep)
 {
   test::Random random(71);
   ForceInterpolation felt;
   Vector3 probe = 18.0 * Vector3::UnitX();
   for (int n = 0; n < 1000; ++n)
   {
-    const double radius = 20.0 + test::RandomDirection(random)[0]; // a model that changes its mind
+    const double radius =
+        20.0 + test::RandomDirection(random)[0]; // a model with inconsistent results
     const Vector3 before = felt.Advance(probe, 0.0).Offset;
     felt.Renew(TouchBall(radius, probe), probe, probe, Interval * Period);
     const Vector3 after = felt.Advance(probe, 0.0).Offset;
@@ -121,7 +122,7 @@ TEST(ForceInterpolation, ThereIsNoStepWhereAResultArrives)
   }
 }
 
-TEST(ForceInterpolation, AContactThatEndedFadesOutInOnePeriodOfTheModel)
+TEST(ForceInterpolation, EndedContactFadesOutInOneModelPeriod)
 {
   ForceInterpolation felt;
   const Vector3 inside(18.0, 0.0, 0.0);

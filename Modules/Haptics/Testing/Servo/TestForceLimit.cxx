@@ -8,7 +8,7 @@ namespace palpate
 {
 namespace
 {
-TEST(ForceLimit, NothingLeavesItLongerThanTheMaximum)
+TEST(ForceLimit, NeverExceedsTheMaximum)
 {
   test::Random random(11);
   ForceLimit limit(8.0);
@@ -21,7 +21,7 @@ TEST(ForceLimit, NothingLeavesItLongerThanTheMaximum)
   }
 }
 
-TEST(ForceLimit, KeepsTheDirectionOfWhatItCuts)
+TEST(ForceLimit, KeepsTheDirection)
 {
   test::Random random(12);
   ForceLimit limit(2.0);
@@ -38,7 +38,7 @@ TEST(ForceLimit, KeepsTheDirectionOfWhatItCuts)
   }
 }
 
-TEST(ForceLimit, LetsThroughToTheLastBitWhatIsAllowed)
+TEST(ForceLimit, PassesAllowedForcesExactly)
 {
   test::Random random(13);
   ForceLimit limit(1.0);
@@ -50,7 +50,7 @@ TEST(ForceLimit, LetsThroughToTheLastBitWhatIsAllowed)
   }
 }
 
-TEST(ForceLimit, WithoutAMaximumThereIsNoForce)
+TEST(ForceLimit, IsZeroWithoutAMaximum)
 {
   for (const double maximum : {0.0, -1.0, test::NotANumber})
   {

@@ -18,7 +18,7 @@ namespace palpate
 {
 namespace
 {
-TEST(Interruption, EachSignalAsksAndHasItsCode)
+TEST(Interruption, EachSignalRequestsTheEndWithItsCode)
 {
   for (const int signal : {SIGINT, SIGTERM, SIGHUP})
   {
@@ -39,7 +39,7 @@ TEST(Interruption, TheFirstSignalCounts)
   EXPECT_EQ(Interruption::ExitCode(), 143);
 }
 
-TEST(Interruption, FromTheSecondRequestOnThereAreNoForces)
+TEST(Interruption, SecondRequestStopsForces)
 {
   {
     const Interruption interruption;
@@ -56,7 +56,7 @@ TEST(Interruption, FromTheSecondRequestOnThereAreNoForces)
   EXPECT_FALSE(EmergencyStop::IsOrdered());
 }
 
-TEST(Interruption, WritingToAPipeThatNobodyReadsAsksHoweverOften)
+TEST(Interruption, RepeatedWritesToAClosedPipeOnlyRequestTheEnd)
 {
   const Interruption interruption;
   std::array<int, 2> ends{};
@@ -99,7 +99,7 @@ TEST(InterruptionDeathTest, FourSignalsDoNotEndItWhileADevicePushes)
       testing::ExitedWithCode(130), "0 N");
 }
 
-// Where the thread that would end it hangs.
+// If the thread that would end it hangs.
 TEST(InterruptionDeathTest, TheFifthSignalEndsItEvenWhileADevicePushes)
 {
   EXPECT_EXIT(
@@ -148,7 +148,7 @@ INSTANTIATE_TEST_SUITE_P(All, InterruptionByTerminal, testing::Values(SIGTSTP, S
                          [](const auto& chosen)
                          { return std::string("Signal") + std::to_string(chosen.param); });
 
-// What a program returns that runs in the background of a terminal where it may not write, while a
+// Exit status of a program in the background of a terminal to which it may not write, while a
 // device pushes.
 template <typename Program>
 int InBackground(const Program& runs)
@@ -160,7 +160,7 @@ int InBackground(const Program& runs)
   if (shell == 0)
   {
     setsid();
-    const int terminal = open(ptsname(master), O_RDWR); // from now on its own
+    const int terminal = open(ptsname(master), O_RDWR); // now its controlling terminal
     termios settings = {};
     tcgetattr(terminal, &settings);
     settings.c_lflag |= TOSTOP;
@@ -169,7 +169,7 @@ int InBackground(const Program& runs)
     if (job == 0)
     {
       setpgid(0, 0);
-      alarm(60); // nobody else ends one that tries for ever
+      alarm(60); // ends a program that retries forever
       const Interruption interruption;
       const EndBeforeExit end([] {});
       _exit(runs(terminal));
@@ -184,12 +184,12 @@ int InBackground(const Program& runs)
   return WEXITSTATUS(status);
 }
 
-TEST(Interruption, WhatIsWrittenInTheBackgroundIsWrittenWhileADevicePushes)
+TEST(Interruption, BackgroundWritesSucceedWhileADevicePushes)
 {
   EXPECT_EQ(InBackground([](int terminal) { return write(terminal, "x", 1) == 1 ? 7 : 1; }), 7);
 }
 
-TEST(Interruption, ReadingInTheBackgroundFailsWhileADevicePushes)
+TEST(Interruption, BackgroundReadsFailWhileADevicePushes)
 {
   EXPECT_EQ(InBackground(
                 [](int terminal)
@@ -200,7 +200,7 @@ TEST(Interruption, ReadingInTheBackgroundFailsWhileADevicePushes)
             7);
 }
 
-TEST(InterruptionDeathTest, AfterItSignalsDoWhatTheyDidBefore)
+TEST(InterruptionDeathTest, RestoresSignalHandlers)
 {
   EXPECT_EXIT(
       {

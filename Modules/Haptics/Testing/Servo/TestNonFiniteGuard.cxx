@@ -8,7 +8,7 @@ namespace palpate
 {
 namespace
 {
-TEST(NonFiniteGuard, StopsExactlyWhatIsNoSaneNumber)
+TEST(NonFiniteGuard, BlocksExactlyImplausibleForces)
 {
   test::Random random(31);
   NonFiniteGuard guard;

@@ -21,7 +21,7 @@ TEST(RampIn, RisesLinearlyFromZeroToOneAndStays)
   EXPECT_EQ(ramp.Advance(0.001), 1.0);
 }
 
-TEST(RampIn, BeginsAgainFromZero)
+TEST(RampIn, RestartsFromZero)
 {
   RampIn ramp(0.01);
   ramp.Advance(1.0);
@@ -31,7 +31,7 @@ TEST(RampIn, BeginsAgainFromZero)
   EXPECT_EQ(ramp.Advance(0.005), 0.0);
 }
 
-TEST(RampIn, StaysWithinItsBordersForAnyPeriod)
+TEST(RampIn, StaysWithinZeroAndOneForAnyPeriod)
 {
   test::Random random(32);
   RampIn ramp(0.5);

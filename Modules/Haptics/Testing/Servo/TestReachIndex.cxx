@@ -19,7 +19,7 @@ Box RandomBox(test::Random& random, double spread, double size)
   return {low, low + Vector3(extent(random), extent(random), extent(random))};
 }
 
-// The slow, obvious way.
+// Brute force.
 std::vector<std::uint32_t> FoundByTrial(const std::vector<Box>& boxes, const Box& asked)
 {
   std::vector<std::uint32_t> found;
@@ -40,7 +40,7 @@ std::vector<std::uint32_t> FoundBy(const ReachIndex& index, std::size_t count, c
   return found;
 }
 
-TEST(ReachIndex, FindsWhatALookAtAllFinds)
+TEST(ReachIndex, EqualsBruteForce)
 {
   test::Random random(8801);
   std::size_t found = 0;
@@ -50,7 +50,7 @@ TEST(ReachIndex, FindsWhatALookAtAllFinds)
     const std::size_t count = random() % 200;
     for (std::size_t i = 0; i < count; ++i)
     {
-      // Every fifth is the same as one before, so that middles are shared.
+      // Every fifth equals an earlier one, so that centres are shared.
       boxes.push_back(i % 5 == 4 ? boxes[i / 2] : RandomBox(random, 100.0, 30.0));
     }
     const ReachIndex index(boxes);
@@ -73,7 +73,7 @@ TEST(ReachIndex, BordersBelongToBoxes)
   EXPECT_EQ(FoundBy(index, 1, Box(beyond, beyond)).size(), 0u);
 }
 
-TEST(ReachIndex, WhatIsEmptyInfiniteOrNoNumberIsMetAsByATrial)
+TEST(ReachIndex, HandlesEmptyInfiniteAndNaNBoxesAsBruteForce)
 {
   const double infinite = test::Infinite;
   const double nan = test::NotANumber;
@@ -103,14 +103,14 @@ TEST(ReachIndex, WhatIsEmptyInfiniteOrNoNumberIsMetAsByATrial)
   }
 }
 
-TEST(ReachIndex, NothingIsFoundInNothing)
+TEST(ReachIndex, FindsNothingInAnEmptyIndex)
 {
   EXPECT_EQ(ReachIndex(std::vector<Box>()).Find(Box(Vector3::Zero(), Vector3::Ones()), nullptr),
             0u);
   EXPECT_EQ(ReachIndex().Find(Box(Vector3::Zero(), Vector3::Ones()), nullptr), 0u);
 }
 
-TEST(ReachIndex, AMillionBoxesGiveTheAnswerOfATrial)
+TEST(ReachIndex, AMillionBoxesEqualBruteForce)
 {
   test::Random random(8803);
   std::vector<Box> boxes(1000000);

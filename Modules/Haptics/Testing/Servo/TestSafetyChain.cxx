@@ -40,7 +40,7 @@ SafetyChain Running(std::uint64_t ticks, const Vector3& force)
   return chain;
 }
 
-TEST(SafetyChain, LetsASteadyForceThroughOnceItHasFadedIn)
+TEST(SafetyChain, PassesASteadyForceAfterFadingIn)
 {
   const Vector3 force(1.0, 2.0, -3.0);
   SafetyChain chain = Running(20, force);
@@ -94,7 +94,7 @@ TEST(SafetyChain, AnyInputGivesAFiniteForceWithinTheLimits)
   EXPECT_GT(forces, 100'000); // the chain is no wall
 }
 
-TEST(SafetyChain, StaysAtZeroAfterAFaultUntilItIsRearmed)
+TEST(SafetyChain, StaysAtZeroAfterAFaultUntilRearmed)
 {
   const Vector3 force(0.0, 0.0, 2.0);
   SafetyChain chain = Running(30, force);
@@ -116,7 +116,7 @@ TEST(SafetyChain, StaysAtZeroAfterAFaultUntilItIsRearmed)
   }
 }
 
-TEST(SafetyChain, NamesTheFirstFault)
+TEST(SafetyChain, ReportsTheFirstFault)
 {
   SafetyChain chain = Running(30, Vector3::UnitX());
   SafetyInput input = Pushing(30, Vector3::UnitX());
@@ -130,7 +130,7 @@ TEST(SafetyChain, ForceReversesNoFasterThanTheSlewRate)
 {
   SafetySettings settings = Settings();
   settings.RampDuration = 0.0;
-  settings.MaximumSlew = 500.0; // 0.5 N in a tick
+  settings.MaximumSlew = 500.0; // 0.5 N per tick
   SafetyChain chain(settings);
   static_cast<void>(chain.Apply(Pushing(0, {0.0, 0.0, 8.0})));
   for (std::uint64_t n = 1; n < 48; ++n)
@@ -150,7 +150,7 @@ TEST(SafetyChain, LimitedForceFallsAtTheSlewRate)
   SafetyChain chain = Running(100, {0.0, 0.0, 1000.0});
   EXPECT_EQ(chain.Apply(Pushing(100, {0.0, 0.0, 1000.0})).norm(), 8.0 * (1.0 - 1e-15));
   EXPECT_TRUE(chain.Report().IsLimited);
-  // 2 N in a tick: nothing of what was cut is left to be slewed.
+  // 2 N per tick: the part cut by the limit does not have to be slewed.
   EXPECT_NEAR(chain.Apply(Pushing(101, Vector3::Zero()))[2], 6.0, 1e-12);
   EXPECT_FALSE(chain.Report().IsLimited);
 }
@@ -217,8 +217,8 @@ TEST(SafetyChain, CountsEnergyUntilTheLastForceOfAContact)
   {
     touch(n, 0.0, 3.0);
   }
-  // In by 0.1 mm against 3 N; then out, while the force of the tick before is still held, and the
-  // slew limit lets go of 2 N in a tick.
+  // In by 0.1 mm against 3 N; then out, while the last tick's force is still held, and the slew
+  // limit releases 2 N per tick.
   EXPECT_NEAR(touch(20, -0.1, 3.0), 0.3, 1e-12);
   EXPECT_NEAR(touch(21, 0.0, 0.0), 0.0, 1e-12);
   EXPECT_NEAR(touch(22, 0.1, 0.0), -0.1, 1e-12);
@@ -241,7 +241,7 @@ TEST(SafetyChain, RearmForgetsTheLastTick)
     ASSERT_EQ(chain.Apply(Pushing(n, {0.0, 0.0, 6.0})), Vector3::Zero());
   }
   chain.Rearm();
-  // The second that passed is none in which the force could have changed.
+  // In the second that has passed the force could not change.
   SafetyInput elsewhere = Pushing(n, {0.0, 0.0, 6.0});
   elsewhere.Observed.Sample.Position = Vector3(0.0, 0.0, 30.0);
   EXPECT_EQ(chain.Apply(elsewhere), Vector3::Zero());
@@ -256,7 +256,7 @@ TEST(SafetyChain, RearmForgetsContactEnergy)
 {
   SafetyChain chain = Running(30, {0.0, 0.0, 2.0});
   SafetyInput input = Pushing(30, {0.0, 0.0, 2.0});
-  input.Observed.Sample.Position = Vector3(0.0, 0.0, -0.5); // 1 N mm taken in
+  input.Observed.Sample.Position = Vector3(0.0, 0.0, -0.5); // 1 N mm absorbed
   static_cast<void>(chain.Apply(input));
   EXPECT_NEAR(chain.Report().Energy, 1.0, 1e-12);
   chain.Fail(SafetyFault::SwitchedOff);
@@ -269,7 +269,7 @@ TEST(SafetyChain, RearmForgetsContactEnergy)
   EXPECT_EQ(chain.Report().Energy, 0.0);
 }
 
-TEST(SafetyChain, GivesNothingBeforeTheDeviceIsReady)
+TEST(SafetyChain, PassesNoForceBeforeTheDeviceIsReady)
 {
   SafetyChain chain(Settings());
   for (std::uint64_t n = 0; n < 50; ++n)
@@ -282,19 +282,19 @@ TEST(SafetyChain, GivesNothingBeforeTheDeviceIsReady)
   }
 }
 
-TEST(SafetyChain, DampsAContactThatGivesOutEnergy)
+TEST(SafetyChain, DampsAnActiveContact)
 {
   SafetyChain chain = Running(30, {0.0, 0.0, 2.0});
   SafetyInput input = Pushing(30, {0.0, 0.0, 2.0});
-  // Pushed along: the contact works on the hand.
+  // Pushed in its direction: the contact does work on the hand.
   input.Observed.Sample.Position = Vector3(0.0, 0.0, 0.05);
   const Vector3 out = chain.Apply(input);
   EXPECT_TRUE(chain.Report().IsDamping);
   EXPECT_NEAR(chain.Report().Energy, -0.1, 1e-12); // roundings
-  EXPECT_NEAR(out[2], 2.0 - 0.02 * 50.0, 1e-12);   // as much as the device bears; the same
+  EXPECT_NEAR(out[2], 2.0 - 0.02 * 50.0, 1e-12);   // the device's limit; the same
 }
 
-TEST(SafetyChain, AmbientForcesAreNoContactsEnergy)
+TEST(SafetyChain, AmbientForcesAreNotObserved)
 {
   SafetyChain chain(Settings());
   for (std::uint64_t n = 0; n < 100; ++n)
@@ -307,9 +307,9 @@ TEST(SafetyChain, AmbientForcesAreNoContactsEnergy)
   }
 }
 
-TEST(SafetyChain, EveryFaultHasItsOwnSentence)
+TEST(SafetyChain, EveryFaultHasItsOwnMessage)
 {
-  // What is no fault comes after the last of them; a new one has to be counted here too.
+  // Values after the last fault are none; a new one must be counted here too.
   constexpr int count = static_cast<int>(SafetyFault::UntakenForce) + 1;
   std::set<std::string> sentences{Describe(static_cast<SafetyFault>(count))};
   EXPECT_EQ(*sentences.begin(), "An unknown fault.");

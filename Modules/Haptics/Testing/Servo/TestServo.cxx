@@ -11,14 +11,14 @@ namespace
 {
 using test::WallScene;
 
-// A wall that counts its questions.
+// A wall that counts its queries.
 struct CountedWall
 {
   std::shared_ptr<test::WallControl> Control = std::make_shared<test::WallControl>();
   TouchScene Scene = WallScene(0.0, {1.0, 0.0}, this->Control);
 };
 
-TEST(Servo, AWallPushesByItsStiffness)
+TEST(Servo, WallPushesByItsStiffness)
 {
   test::ServoRun run(WallScene(10.0, {0.8, 0.0}));
   EXPECT_EQ(run.RestAt({3.0, 4.0, 11.0}), Vector3::Zero());
@@ -30,7 +30,7 @@ TEST(Servo, AWallPushesByItsStiffness)
   EXPECT_TRUE(run.Loop.Latest().Safety.IsArmed);
 }
 
-TEST(Servo, TheToolHasASize)
+TEST(Servo, ToolHasASize)
 {
   TouchScene scene = WallScene(0.0, {1.0, 0.0});
   scene.Tool = ToolShape::Sphere(2.5);
@@ -38,7 +38,7 @@ TEST(Servo, TheToolHasASize)
   EXPECT_NEAR(run.RestAt({0.0, 0.0, 2.0})[2], 0.5, 1e-12);
 }
 
-TEST(Servo, ForcesTurnWithTheDeviceAndTheHandFeelsTheSameStiffnessAtAnyScale)
+TEST(Servo, ForcesRotateWithTheDeviceAndStiffnessIgnoresScale)
 {
   test::Random random(81);
   for (const double scale : {0.1, 1.0, 7.0})
@@ -67,7 +67,7 @@ TEST(Servo, StructuresAddUp)
   EXPECT_EQ(run.Loop.Latest().Structure, 0);
 }
 
-TEST(Servo, AmbientForcesActWithoutTouch)
+TEST(Servo, AmbientForcesActWithoutContact)
 {
   TouchScene scene = WallScene(-100.0, {1.0, 0.0});
   scene.Ambient = {{0.0, 0.7, 0.0}, 0.002};
@@ -78,22 +78,22 @@ TEST(Servo, AmbientForcesActWithoutTouch)
   {
     force = run.TickAt({0.1 * n, 0.0, 0.0});
   }
-  // 100 mm/s, known up to the filter's rest after 66 time constants.
+  // 100 mm/s; the filter has settled after 66 time constants.
   EXPECT_NEAR((force - Vector3(-0.2, 0.7, 0.0)).norm(), 0.0, 1e-9);
 }
 
-TEST(Servo, AStructureOutOfReachIsNotAsked)
+TEST(Servo, StructureOutOfReachIsNotQueried)
 {
   CountedWall wall;
   test::ServoRun run(wall.Scene);
   run.RestAt({0.0, 0.0, 0.001});
   EXPECT_EQ(wall.Control->Questions, 0);
   run.TickAt({0.0, 0.0, -0.001});
-  // The place before, to know where it came from, and the place now.
+  // The previous place, to know where it came from, and the current place.
   EXPECT_EQ(wall.Control->Questions, 2);
 }
 
-TEST(Servo, AStructureThatWasPassedWithinOneTickIsAsked)
+TEST(Servo, StructurePassedWithinOneTickIsQueried)
 {
   CountedWall wall;
   test::ServoRun run(wall.Scene);
@@ -101,11 +101,11 @@ TEST(Servo, AStructureThatWasPassedWithinOneTickIsAsked)
   run.TickAt({-500.5, 0.0, -1.0});
   EXPECT_EQ(wall.Control->Questions, 0);
   run.TickAt({-499.5, 0.0, 1.0});
-  // Both places are outside; the box of the way reaches into the wall's.
+  // Both places are outside; the box of the path overlaps the wall's.
   EXPECT_EQ(wall.Control->Questions, 2);
 }
 
-TEST(Servo, ARepeatedSampleIsNotFeltAgainAndKeepsItsForce)
+TEST(Servo, RepeatedSampleKeepsItsForce)
 {
   CountedWall wall;
   test::ServoRun run(wall.Scene);
@@ -116,7 +116,7 @@ TEST(Servo, ARepeatedSampleIsNotFeltAgainAndKeepsItsForce)
   EXPECT_EQ(wall.Control->Questions, questions);
 }
 
-TEST(Servo, ADeviceMayBeSilentForAsLongAsItSaysAndNoLonger)
+TEST(Servo, DeviceMayBeSilentForItsLongestGap)
 {
   for (const double gap : {0.0, 0.004}) // s
   {
@@ -155,7 +155,7 @@ TEST(Servo, DampingIsLimitedByTheDevice)
   device.MaximumDamping = 0.01;
   test::ServoRun run(WallScene(0.0, {1.0, 0.0}), {}, device);
   run.RestAt({0.0, 0.0, -2.0});
-  // Out at 50 mm/s: 2 N gave out 0.1 N mm, which would take 0.04 N s/mm.
+  // Out at 50 mm/s: 2 N returned 0.1 N mm, which would require 0.04 N s/mm.
   EXPECT_NEAR(run.TickAt({0.0, 0.0, -1.95})[2], 1.95 - 0.01 * 50.0, 1e-9);
   EXPECT_TRUE(run.Loop.Latest().Safety.IsDamping);
 }
@@ -172,7 +172,7 @@ TEST(Servo, CreditsDampingAndFrictionOfTheDevice)
     before = run.Loop.Latest().Safety.Energy;
     run.TickAt({0.0, 0.0, -0.05 * n});
   }
-  // At 50 mm/s, in 1 ms, by a filter that has settled.
+  // At 50 mm/s, in 1 ms, with a settled filter.
   EXPECT_NEAR(run.Loop.Latest().Safety.Energy - before, (0.003 * 50.0 + 0.2) * 0.05, 1e-9);
 }
 
@@ -207,7 +207,7 @@ TEST(Servo, SwitchOffWinsOverRearm)
   }
 }
 
-TEST(Servo, RearmBeginsContactsAgain)
+TEST(Servo, RearmRestartsContacts)
 {
   CountedWall wall;
   wall.Scene.Structures[0].Id = 1;
@@ -215,7 +215,8 @@ TEST(Servo, RearmBeginsContactsAgain)
   run.RestAt({0.0, 0.0, -1.0});
   const int questions = wall.Control->Questions;
   run.Loop.Rearm();
-  // So the scene has nothing to go on from, and the wall is met anew: from where and where.
+  // So the scene has nothing to continue from, and the wall is queried as new: previous and current
+  // place.
   ASSERT_TRUE(
       run.Loop.Publish(std::make_shared<TouchScene>(wall.Scene), SceneEntry::Continuing).IsOk());
   run.TickAt({0.0, 0.0, -1.0});
@@ -226,7 +227,7 @@ TEST(Servo, RearmBeginsContactsAgain)
   EXPECT_EQ(wall.Control->Questions, questions + 4);
 }
 
-TEST(Servo, ModelsAreNotAskedBeforeTheDeviceIsReady)
+TEST(Servo, QueriesNoModelBeforeTheDeviceIsReady)
 {
   CountedWall wall;
   test::ServoRun run(wall.Scene);
@@ -238,7 +239,7 @@ TEST(Servo, ModelsAreNotAskedBeforeTheDeviceIsReady)
   EXPECT_EQ(wall.Control->Questions, 2);
 }
 
-TEST(Servo, ModelsAreNotAskedAboutNonFinitePositions)
+TEST(Servo, QueriesNoModelForNonFinitePositions)
 {
   CountedWall wall;
   test::ServoRun run(wall.Scene);
@@ -304,7 +305,7 @@ TEST(Servo, InvalidContactIsAFault)
   }
 }
 
-TEST(Servo, WithoutASceneThereIsNoForce)
+TEST(Servo, NoForceWithoutAScene)
 {
   test::ScriptedDevice device;
   Servo servo(device, ServoSettings());
@@ -317,7 +318,7 @@ TEST(Servo, WithoutASceneThereIsNoForce)
   }
 }
 
-TEST(Servo, ANewSceneFadesIn)
+TEST(Servo, NewSceneFadesIn)
 {
   test::ServoRun run(WallScene(0.0, {1.0, 0.0}));
   const Vector3 inside(0.0, 0.0, -1.0);
@@ -327,7 +328,7 @@ TEST(Servo, ANewSceneFadesIn)
   for (int n = 0; n < 350; ++n)
   {
     const double force = run.TickAt(inside)[2];
-    // 2000 N/s down to nothing at once, then up within 0.3 s, by no step above 4 N / 300.
+    // 2000 N/s down to zero, then up within 0.3 s, by no step above 4 N / 300.
     EXPECT_LE(force - last, 4.0 / 300.0 + 1e-12);
     last = force;
   }
@@ -335,11 +336,11 @@ TEST(Servo, ANewSceneFadesIn)
   EXPECT_EQ(run.Loop.Latest().Scene, 2u);
 }
 
-TEST(Servo, NewSceneIgnoresTheMotionBefore)
+TEST(Servo, NewSceneIgnoresEarlierMotion)
 {
   test::ServoRun run(WallScene(0.0, {1.0, 0.0}));
   run.RestAt({0.0, 0.0, -1.0});
-  // The hand stays in the device, and comes to be 99 mm over the wall.
+  // The hand stays in place in the device, and moves to 99 mm above the wall.
   CountedWall wall;
   wall.Scene.Frame = DeviceFrame(Matrix3::Identity(), 1.0, {0.0, 0.0, 100.0});
   ASSERT_TRUE(run.Loop.Publish(std::make_shared<TouchScene>(wall.Scene)).IsOk());
@@ -369,7 +370,7 @@ TEST(Servo, OneInvalidContactOfManyIsAFault)
   EXPECT_EQ(run.Loop.Latest().Safety.Fault, SafetyFault::InvalidContact);
 }
 
-TEST(Servo, DampingIsFeltGoingInAndNeverPullsComingOut)
+TEST(Servo, DampingActsInwardsAndNeverPulls)
 {
   test::ServoRun run(WallScene(0.0, {0.5, 0.02}));
   run.RestAt({0.0, 0.0, 0.5});
@@ -386,7 +387,7 @@ TEST(Servo, DampingIsFeltGoingInAndNeverPullsComingOut)
   }
 }
 
-TEST(Servo, ASlowModelIsAskedAtItsIntervalAndFeltAtEveryTick)
+TEST(Servo, SlowModelIsQueriedAtItsIntervalAndInterpolated)
 {
   CountedWall wall;
   ServoSettings settings;
@@ -398,13 +399,13 @@ TEST(Servo, ASlowModelIsAskedAtItsIntervalAndFeltAtEveryTick)
   for (int n = 0; n < 40; ++n)
   {
     z -= 0.02;
-    // A plane is known exactly between the results.
+    // A plane is exact between the results.
     EXPECT_NEAR(run.TickAt({0.0, 0.0, z})[2], -z, 1e-12);
   }
   EXPECT_EQ(wall.Control->Questions, questions + 10);
 }
 
-TEST(Servo, EveryTickIsRecordedInOrder)
+TEST(Servo, RecordsEveryTickInOrder)
 {
   ServoSettings settings;
   settings.RecordedTicks = 100;
@@ -420,13 +421,13 @@ TEST(Servo, EveryTickIsRecordedInOrder)
   EXPECT_EQ(run.Loop.LostTicks(), 500u);
 }
 
-TEST(Servo, ARefusedSceneLeavesTheOneBefore)
+TEST(Servo, RejectedSceneKeepsThePreviousOne)
 {
   test::ServoRun run(WallScene(0.0, {1.0, 0.0}));
   TouchScene shell = WallScene(0.0, {1.0, 0.0});
   shell.Tool = ToolShape::Capsule(1.0, 2.0, 50);
   EXPECT_EQ(run.Loop.Publish(std::make_shared<TouchScene>(shell)).Message(),
-            "The structure wall cannot be touched: A wall feels spheres only.");
+            "The structure wall cannot be touched: A wall supports spheres only.");
   EXPECT_FALSE(run.Loop.Publish(nullptr).IsOk());
   EXPECT_NEAR(run.RestAt({0.0, 0.0, -1.0})[2], 1.0, 1e-12);
   EXPECT_EQ(run.Loop.Latest().Scene, 1u);

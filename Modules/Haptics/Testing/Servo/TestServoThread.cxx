@@ -18,7 +18,7 @@ namespace
 {
 using test::TimedDevice;
 
-// These loops run as fast as they can: with real-time priority nothing else would.
+// These loops run at full speed: with real-time priority nothing else would run.
 RealtimeRequest Ordinary()
 {
   RealtimeRequest request;
@@ -26,7 +26,7 @@ RealtimeRequest Ordinary()
   return request;
 }
 
-TEST(ServoThread, FeelsScenesThatArePublishedWhileItRunsAndEndsWithoutForce)
+TEST(ServoThread, AdoptsScenesWhileRunningAndEndsWithoutForce)
 {
   ManualClock clock;
   TimedDevice device(clock);
@@ -43,7 +43,7 @@ TEST(ServoThread, FeelsScenesThatArePublishedWhileItRunsAndEndsWithoutForce)
       std::this_thread::yield();
     }
   }
-  // The last scene is taken over and faded in.
+  // The last scene is adopted and faded in.
   while (servo.Loop().Latest().ForceDevice.Z < 5.0 - 1e-9)
   {
     std::this_thread::yield();
@@ -90,7 +90,7 @@ TEST(ServoThread, CountsSkippedPeriodsAndLateTicks)
   servo.Stop();
   const ServoStatistics& counted = servo.Statistics();
   const std::uint64_t ticks = counted.Periods.Count();
-  // The first tick asks the model twice, each other one once: 2.5 periods.
+  // The first tick queries the model twice, each other one once: 2.5 periods.
   EXPECT_EQ(counted.Periods.Min(), 2'500'000);
   EXPECT_EQ(counted.Periods.Max(), 5'000'000);
   EXPECT_EQ(counted.Periods.Misses() + ticks, 5 * (ticks + 1) / 2);
@@ -99,8 +99,8 @@ TEST(ServoThread, CountsSkippedPeriodsAndLateTicks)
   EXPECT_EQ(counted.Durations.Misses(), ticks);
 }
 
-// Starts it, and stops it after some hundred ticks at least. The first of them; the ring keeps
-// those of a start.
+// Starts it, and stops it after at least some hundred ticks. Returns the first of them; the ring
+// keeps those from the start.
 std::vector<TouchState> FirstTicks(ServoThread& servo)
 {
   constexpr std::uint64_t Enough = 400;
@@ -146,7 +146,7 @@ TEST(ServoThread, FadesInWithoutAFaultAfterAPauseOfAnyLength)
   }
 }
 
-TEST(ServoThread, APauseMendsNoFaultAndReleasesThePedal)
+TEST(ServoThread, PauseKeepsFaultsAndReleasesThePedal)
 {
   ManualClock clock;
   TimedDevice device(clock);
@@ -161,7 +161,7 @@ TEST(ServoThread, APauseMendsNoFaultAndReleasesThePedal)
   }
 }
 
-TEST(ServoThread, AnEmergencyStopSwitchesForcesOffAndNobodyOnAgain)
+TEST(ServoThread, EmergencyStopKeepsForcesOffUntilRearmed)
 {
   ManualClock clock;
   TimedDevice device(clock);
@@ -184,7 +184,7 @@ TEST(ServoThread, AnEmergencyStopSwitchesForcesOffAndNobodyOnAgain)
   EXPECT_EQ(FirstTicks(servo)[0].Safety.Fault, SafetyFault::None);
 }
 
-TEST(ServoThread, RefusesARateThatIsNone)
+TEST(ServoThread, RejectsInvalidRate)
 {
   ManualClock clock;
   TimedDevice device(clock);

@@ -8,7 +8,7 @@ namespace palpate
 {
 namespace
 {
-TEST(SlewLimit, NoStepIsLargerThanAllowed)
+TEST(SlewLimit, NeverExceedsTheRate)
 {
   test::Random random(21);
   constexpr double rate = 500.0;
@@ -27,7 +27,7 @@ TEST(SlewLimit, NoStepIsLargerThanAllowed)
   }
 }
 
-TEST(SlewLimit, ReachesASteadyForceOnAStraightWayToTheLastBit)
+TEST(SlewLimit, ReachesASteadyForceStraightAndExactly)
 {
   SlewLimit slew(1000.0);
   const Vector3 wanted(3.0, -4.0, 0.0);
@@ -40,18 +40,18 @@ TEST(SlewLimit, ReachesASteadyForceOnAStraightWayToTheLastBit)
   EXPECT_FALSE(slew.IsSlewing());
 }
 
-TEST(SlewLimit, StaysWithinWhatBothEndsAreWithin)
+TEST(SlewLimit, StaysWithinTheBoundsOfBothEnds)
 {
   test::Random random(22);
   SlewLimit slew(700.0);
   for (int n = 0; n < 10'000; ++n)
   {
-    // Between two points of a ball, up to rounding.
+    // Between two points of a sphere, up to rounding.
     EXPECT_LE(slew.Apply(5.0 * test::RandomDirection(random), 0.001).norm(), 5.0 * (1.0 + 1e-14));
   }
 }
 
-TEST(SlewLimit, AllowedChangeGivesTheForceToTheLastBit)
+TEST(SlewLimit, AllowedChangeGivesTheExactForce)
 {
   test::Random random(23);
   SlewLimit slew(1e5);

@@ -22,7 +22,7 @@ DeviceCapabilities Known()
   return device;
 }
 
-TEST(StiffnessAdvice, IsTheLeastOfTheBounds)
+TEST(StiffnessAdvice, IsTheSmallestBound)
 {
   DeviceCapabilities device = Known();
   // (0.002 - 0.0005) N s/mm / 0.5 ms
@@ -38,12 +38,12 @@ TEST(StiffnessAdvice, IsTheLeastOfTheBounds)
             std::numeric_limits<double>::infinity());
 }
 
-TEST(StiffnessAdvice, DampingAboveTheDevicesLeavesNothing)
+TEST(StiffnessAdvice, IsZeroForDampingAboveTheDevices)
 {
   EXPECT_EQ(StiffestStable(Known(), 1000.0, 0.003).Largest, 0.0);
 }
 
-TEST(StiffnessAdvice, WarnsOfEveryStructureThatAsksForMore)
+TEST(StiffnessAdvice, WarnsOfEveryStructureAboveTheBound)
 {
   TouchScene scene = test::WallScene(0.0, {3.9, 0.0});
   scene.Structures.push_back(scene.Structures[0]);
@@ -52,13 +52,13 @@ TEST(StiffnessAdvice, WarnsOfEveryStructureThatAsksForMore)
   const std::vector<std::string> warnings = StiffnessWarnings(scene, Known(), 1000.0);
   ASSERT_EQ(warnings.size(), 1u);
   EXPECT_EQ(warnings[0],
-            "The structure bone asks for 5 N/mm; the device example at 1e+03 Hz is stable up to 4 "
-            "N/mm, since its own damping cannot take up more of what sampling gives out: lower its "
-            "stiffness or its damping, or it may vibrate.");
+            "The structure bone requests 5 N/mm; the device example at 1e+03 Hz is stable up to 4 "
+            "N/mm, since its own damping cannot absorb more of the energy that sampling generates: "
+            "lower its stiffness or its damping, or it may vibrate.");
 }
 
-// The mechanism's 0.002 N s/mm have to bear it, however soft the structure.
-TEST(StiffnessAdvice, WarnsOfMoreViscosityThanTheMechanismBears)
+// The mechanism's 0.002 N s/mm must absorb it, however soft the structure.
+TEST(StiffnessAdvice, WarnsOfViscosityAboveTheMechanisms)
 {
   TouchScene scene = test::WallScene(0.0, {0.0, 0.0});
   scene.Structures[0].Effects = {std::make_shared<const VolumeViscosity>(0.0019)};

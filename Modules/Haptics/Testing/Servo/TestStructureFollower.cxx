@@ -8,8 +8,8 @@ namespace palpate
 {
 namespace
 {
-// A plate, thin in x, that is touched by whatever crossed it and stays on its side: a tracker with
-// a memory, as real ones have.
+// A plate, thin in x, that is touched by any tool that crosses it, and keeps it on its side: a
+// tracker with a memory, as real ones have.
 class PlateModel final : public ContactModel
 {
 public:
@@ -44,7 +44,7 @@ private:
     void Release() noexcept override { this->Side = 0.0; }
 
   private:
-    double Side = 0.0; // where it was first
+    double Side = 0.0; // of the first pose
     Contact Felt;
   };
 };
@@ -75,15 +75,15 @@ protected:
   Vector3 Place = Vector3(-1.0, 0.0, 0.0);
 };
 
-TEST_F(StructureFollowerTest, AWayThroughInOneTickIsFelt)
+TEST_F(StructureFollowerTest, PathThroughInOneTickIsTouched)
 {
   EXPECT_EQ(this->MoveTo({1.0, 0.0, 0.0}), Vector3(-1.0, 0.0, 0.0));
   EXPECT_TRUE(this->Followers[0].Touched().IsTouching);
 }
 
-TEST_F(StructureFollowerTest, AWayRoundIsNoWayThrough)
+TEST_F(StructureFollowerTest, PathAroundIsNoPathThrough)
 {
-  // Near the plate's box on its left, round its edge while out of reach, and back on its right.
+  // Near the plate's box on its left, around its edge while out of reach, and back on its right.
   this->MoveTo({-0.05, 0.0, 0.0});
   this->MoveTo({-1.0, 0.0, 0.0});
   this->MoveTo({-1.0, 20.0, 0.0});
@@ -93,7 +93,7 @@ TEST_F(StructureFollowerTest, AWayRoundIsNoWayThrough)
   EXPECT_FALSE(this->Followers[0].Touched().IsTouching);
 }
 
-TEST_F(StructureFollowerTest, WhatIsNowhereIsNotFelt)
+TEST_F(StructureFollowerTest, NonFinitePositionIsNotTouched)
 {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   EXPECT_EQ(this->MoveTo({nan, nan, nan}), Vector3::Zero());

@@ -34,10 +34,10 @@ TEST(SurfaceTexture, IsBoundedByItsAmplitudeAndByThePush)
     EXPECT_LT(std::abs(force), std::min(Amplitude, pushed));
     largest = std::max(largest, std::abs(force));
   }
-  EXPECT_GT(largest, 0.5 * Amplitude); // it is there
+  EXPECT_GT(largest, 0.5 * Amplitude); // it has an effect
 }
 
-TEST(SurfaceTexture, IsZeroWithoutPushOutsideTheImageAndForWhatIsNoNumber)
+TEST(SurfaceTexture, IsZeroWithoutPushOutsideAndForNonFiniteInput)
 {
   const auto texture = Texture();
   EXPECT_NE(texture->PushAt(1.0, {1.0, 2.0, 3.0}), 0.0);
@@ -48,7 +48,7 @@ TEST(SurfaceTexture, IsZeroWithoutPushOutsideTheImageAndForWhatIsNoNumber)
   EXPECT_EQ(texture->PushAt(1.0, {test::NotANumber, 0.0, 0.0}), 0.0);
 }
 
-// Of the gyroid, whose slope is at most 3 pi / 3 per mm and whose deviation is 0.87, u changes by
+// For the gyroid, whose slope is at most 3 pi / 3 per mm and whose deviation is 0.87, u changes by
 // at most 3.7 per mm, and u / sqrt(1 + u^2) no faster than u.
 TEST(SurfaceTexture, HasNoSteps)
 {
@@ -63,7 +63,7 @@ TEST(SurfaceTexture, HasNoSteps)
   }
 }
 
-TEST(SurfaceTexture, WhatIsBrighterPushesMore)
+TEST(SurfaceTexture, BrighterPushesMore)
 {
   const auto texture = Texture();
   const auto field = test::TexturedField();
@@ -78,7 +78,7 @@ TEST(SurfaceTexture, WhatIsBrighterPushesMore)
   }
 }
 
-TEST(SurfaceTexture, RefusesWhatIsNoTexture)
+TEST(SurfaceTexture, RejectsInvalidTextures)
 {
   const auto field = test::TexturedField();
   std::shared_ptr<const SurfaceTexture> texture;
@@ -93,7 +93,7 @@ TEST(SurfaceTexture, RefusesWhatIsNoTexture)
   EXPECT_EQ(texture, nullptr);
 }
 
-TEST(SurfaceTexture, IsFeltWhereTheToolTouchesAndNowhereElse)
+TEST(SurfaceTexture, ActsOnlyAtContacts)
 {
   TouchScene scene = test::WallScene(0.0, {1.0, 0.0});
   scene.Tool = ToolShape::Sphere(2.0);

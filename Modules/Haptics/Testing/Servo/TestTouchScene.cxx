@@ -12,7 +12,7 @@ namespace palpate
 {
 namespace
 {
-TEST(TouchScene, RefusesWhatCannotBeFelt)
+TEST(TouchScene, RejectsInvalidScenes)
 {
   const std::vector<std::function<void(TouchScene&)>> spoilers{
       [](TouchScene& s) { s.Structures[0].Model = nullptr; },
@@ -42,7 +42,7 @@ TEST(TouchScene, RefusesWhatCannotBeFelt)
   }
 }
 
-TEST(TouchScene, AStiffnessOfZeroOrVeryMuchIsFelt)
+TEST(TouchScene, AcceptsZeroAndVeryLargeStiffness)
 {
   for (const double stiffness : {0.0, 1e4})
   {

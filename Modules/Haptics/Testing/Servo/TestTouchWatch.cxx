@@ -11,7 +11,7 @@ using Kind = TouchChange::Kind;
 class TouchWatchTest : public testing::Test
 {
 protected:
-  // What the next tick, now `Tick`, changes.
+  // Changes of the next tick, now `Tick`.
   std::vector<TouchChange> Next()
   {
     ++this->Tick.Tick.Started;
@@ -24,7 +24,7 @@ protected:
   TouchWatch Watch;
 };
 
-TEST_F(TouchWatchTest, NothingHappensInATickLikeTheOneBefore)
+TEST_F(TouchWatchTest, EqualTicksGiveNoChange)
 {
   this->Tick.HasSample = true;
   EXPECT_TRUE(this->Next().empty());
@@ -35,7 +35,7 @@ TEST_F(TouchWatchTest, NothingHappensInATickLikeTheOneBefore)
   EXPECT_TRUE(this->Next().empty());
 }
 
-TEST_F(TouchWatchTest, FromOneStructureToAnotherAContactEndsAndOneBegins)
+TEST_F(TouchWatchTest, ChangeOfStructureEndsAndStartsAContact)
 {
   this->Tick.Structure = 1;
   auto changes = this->Next();
@@ -57,7 +57,7 @@ TEST_F(TouchWatchTest, FromOneStructureToAnotherAContactEndsAndOneBegins)
   EXPECT_EQ(changes[0].Structure, 0);
 }
 
-TEST_F(TouchWatchTest, EveryButtonIsItsOwn)
+TEST_F(TouchWatchTest, ReportsEachButton)
 {
   this->Tick.HasSample = true;
   this->Tick.Sample.Buttons = 0x80000002;
@@ -73,7 +73,7 @@ TEST_F(TouchWatchTest, EveryButtonIsItsOwn)
   EXPECT_EQ(changes[0].Button, 1);
 }
 
-TEST_F(TouchWatchTest, ATickWithoutASampleReleasesNoButton)
+TEST_F(TouchWatchTest, TickWithoutSampleReleasesNoButton)
 {
   this->Tick.HasSample = true;
   this->Tick.Sample.Buttons = 1;
@@ -83,7 +83,7 @@ TEST_F(TouchWatchTest, ATickWithoutASampleReleasesNoButton)
   EXPECT_TRUE(this->Next().empty());
 }
 
-TEST_F(TouchWatchTest, AFaultIsNamedAndItsEndIsTold)
+TEST_F(TouchWatchTest, ReportsAFaultAndItsEnd)
 {
   this->Tick.Safety.Fault = SafetyFault::DeviceFailed;
   auto changes = this->Next();

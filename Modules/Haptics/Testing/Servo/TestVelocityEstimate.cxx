@@ -10,7 +10,7 @@ namespace
 {
 constexpr double Period = 0.001; // s
 
-TEST(VelocityEstimate, BareDifferencesAreExactForSteadyMotion)
+TEST(VelocityEstimate, UnfilteredDifferencesAreExactForSteadyMotion)
 {
   VelocityEstimate estimate(0.0);
   const Vector3 velocity(30.0, -20.0, 5.0);
@@ -22,7 +22,7 @@ TEST(VelocityEstimate, BareDifferencesAreExactForSteadyMotion)
   }
 }
 
-TEST(VelocityEstimate, FilteredMotionComesToTheTrueVelocityAndNeverAboveIt)
+TEST(VelocityEstimate, FilteredVelocityConvergesWithoutOvershoot)
 {
   VelocityEstimate estimate(0.003);
   for (int n = 0; n < 200; ++n)
@@ -33,7 +33,7 @@ TEST(VelocityEstimate, FilteredMotionComesToTheTrueVelocityAndNeverAboveIt)
   EXPECT_NEAR(estimate.Velocity()[0], 100.0, 1e-9);
 }
 
-TEST(VelocityEstimate, OneCountOfAnEncoderIsSpreadOut)
+TEST(VelocityEstimate, SpreadsAnEncoderCount)
 {
   VelocityEstimate estimate(0.003);
   for (int n = 0; n < 10; ++n)
@@ -44,9 +44,9 @@ TEST(VelocityEstimate, OneCountOfAnEncoderIsSpreadOut)
   EXPECT_NEAR(estimate.Update({0.05, 0.0, 0.0}, Period)[0], 12.5, 1e-12);
 }
 
-TEST(VelocityEstimate, ItsGainIsNeverAboveOne)
+TEST(VelocityEstimate, GainIsAtMostOne)
 {
-  // The largest velocity that comes out is at most the largest bare difference that went in.
+  // The largest output velocity is at most the largest unfiltered difference of the input.
   test::Random random(51);
   VelocityEstimate estimate(0.002);
   Vector3 last = Vector3::Zero();
@@ -58,7 +58,7 @@ TEST(VelocityEstimate, ItsGainIsNeverAboveOne)
   }
 }
 
-TEST(VelocityEstimate, BeginsAnewAfterWhatIsNoNumber)
+TEST(VelocityEstimate, RestartsAfterNonFiniteInput)
 {
   test::Random random(52);
   VelocityEstimate estimate(0.003);

@@ -19,7 +19,7 @@ ContactOffset RandomContact(test::Random& random)
   return contact;
 }
 
-TEST(VolumeViscosity, OpposesTheHandWithinAndIsZeroElsewhere)
+TEST(VolumeViscosity, OpposesTheHandInsideAndIsZeroElsewhere)
 {
   constexpr double Viscosity = 0.004; // N s/mm
   constexpr double Radius = 2.0;      // mm
@@ -36,13 +36,13 @@ TEST(VolumeViscosity, OpposesTheHandWithinAndIsZeroElsewhere)
     const Vector3 force = VolumeViscosity(Viscosity).Force(touch);
     const bool isWithin = contact.Offset.norm() > Radius;
     EXPECT_EQ(force, isWithin ? Vector3(-Viscosity * velocity) : Vector3::Zero());
-    EXPECT_LE(force.dot(velocity), 0.0); // it takes power
+    EXPECT_LE(force.dot(velocity), 0.0); // it absorbs power
     within += isWithin ? 1 : 0;
   }
   EXPECT_GT(within, 5000);
 }
 
-TEST(VolumeViscosity, IsZeroWithoutTouch)
+TEST(VolumeViscosity, IsZeroWithoutContact)
 {
   EffectTouch touch;
   touch.Contact.Offset = {0.0, 0.0, 5.0};
@@ -51,9 +51,9 @@ TEST(VolumeViscosity, IsZeroWithoutTouch)
   EXPECT_EQ(VolumeViscosity(1.0).Force(touch), Vector3::Zero());
 }
 
-// A soft wall, half again as large in the world as in the hand: the sphere's centre is 2 / 1.5 mm
-// of the hand deep when it enters.
-TEST(VolumeViscosity, BeginsWhereTheToolsCentreEnters)
+// A soft wall, with a scale of 1.5 from hand to world: the sphere's centre is 2 / 1.5 mm of the
+// hand deep when it enters.
+TEST(VolumeViscosity, StartsWhereTheToolsCentreEnters)
 {
   TouchScene scene = test::WallScene(0.0, {0.0, 0.0});
   scene.Tool = ToolShape::Sphere(2.0);

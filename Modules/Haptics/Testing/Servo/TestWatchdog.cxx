@@ -8,7 +8,7 @@ namespace palpate
 {
 namespace
 {
-// A watchdog that has seen healthy ticks 0 to 9, and tick 10 to be spoilt.
+// A watchdog that has seen healthy ticks 0 to 9, and tick 10 to be modified.
 struct Watched
 {
   Watched()
@@ -22,7 +22,7 @@ struct Watched
   TickObservation Next = test::HealthyTick(10);
 };
 
-TEST(Watchdog, ADeviceThatFailsOrLeavesReadyIsAFaultAtOnce)
+TEST(Watchdog, FailureOrLeavingReadyIsAFaultAtOnce)
 {
   for (const DeviceState state : {DeviceState::Error, DeviceState::Closed, DeviceState::Homing})
   {
@@ -51,7 +51,7 @@ TEST(Watchdog, ResetAllowsHomingAgain)
   EXPECT_EQ(watched.Dog.Check(watched.Next), SafetyFault::None);
 }
 
-TEST(Watchdog, ADeviceThatIsNotYetReadyIsNoFault)
+TEST(Watchdog, NotYetReadyIsNoFault)
 {
   Watchdog dog{WatchdogLimits()};
   TickObservation tick = test::HealthyTick(0, {test::NotANumber, 0.0, 0.0});
@@ -62,7 +62,7 @@ TEST(Watchdog, ADeviceThatIsNotYetReadyIsNoFault)
   }
 }
 
-TEST(Watchdog, TheJumpOfHomingIsNoMotion)
+TEST(Watchdog, HomingJumpIsNoMotionFault)
 {
   Watchdog dog{WatchdogLimits()};
   TickObservation homing = test::HealthyTick(0, {500.0, 0.0, 0.0});
@@ -71,7 +71,7 @@ TEST(Watchdog, TheJumpOfHomingIsNoMotion)
   EXPECT_EQ(dog.Check(test::HealthyTick(1)), SafetyFault::None);
 }
 
-TEST(Watchdog, ATickThatComesTooLateIsAFault)
+TEST(Watchdog, LateTickIsAFault)
 {
   Watched watched;
   watched.Next.Tick.Started += 9'500'000;
@@ -91,8 +91,8 @@ TEST(Watchdog, AcceptsTheLongestGap)
   }
 }
 
-// Its samples are old too, and its device may have slept: what happened is still one thing.
-TEST(Watchdog, ASuspensionBetweenTwoTicksIsAFaultOfItsOwn)
+// Its samples are old too, and its device may have slept: it is still a single fault.
+TEST(Watchdog, SuspensionIsASeparateFault)
 {
   for (const std::int64_t passed : {test::TickPeriod, 3600 * 1000 * test::TickPeriod})
   {
@@ -106,7 +106,7 @@ TEST(Watchdog, ASuspensionBetweenTwoTicksIsAFaultOfItsOwn)
   EXPECT_EQ(brief.Dog.Check(brief.Next), SafetyFault::None);
 }
 
-TEST(Watchdog, AGapThatIsTooLongOnlyWithSuspendedTimeIsAStall)
+TEST(Watchdog, GapTooLongOnlyWithSuspensionIsAStall)
 {
   Watched watched;
   watched.Next.Tick.Started += 5'000'000;
@@ -115,7 +115,7 @@ TEST(Watchdog, AGapThatIsTooLongOnlyWithSuspendedTimeIsAStall)
   EXPECT_EQ(watched.Dog.Check(watched.Next), SafetyFault::StalledTick);
 }
 
-TEST(Watchdog, NoTimeOverflows)
+TEST(Watchdog, TimesDoNotOverflow)
 {
   for (const std::int64_t boot : {INT64_MAX, INT64_MAX / 2})
   {
@@ -126,18 +126,18 @@ TEST(Watchdog, NoTimeOverflows)
   }
 }
 
-TEST(Watchdog, ATickThatIsNotAfterTheOneBeforeIsAFault)
+TEST(Watchdog, NonIncreasingTickTimeIsAFault)
 {
   for (const std::int64_t back : {test::TickPeriod, 3600 * 1000 * test::TickPeriod})
   {
     Watched watched;
-    watched.Next.Tick.Started -= back; // stands still; an hour back
+    watched.Next.Tick.Started -= back; // no time passes; an hour back
     watched.Next.Sample.Time = watched.Next.Tick.Started;
     EXPECT_EQ(watched.Dog.Check(watched.Next), SafetyFault::StalledTick) << back;
   }
 }
 
-TEST(Watchdog, TheSecondTickWithoutANewSampleIsAFault)
+TEST(Watchdog, SecondTickWithoutNewSampleIsAFault)
 {
   Watched watched;
   watched.Next.Sample.Sequence = 10;
@@ -147,7 +147,7 @@ TEST(Watchdog, TheSecondTickWithoutANewSampleIsAFault)
   EXPECT_EQ(watched.Dog.Check(second), SafetyFault::StaleSample);
 }
 
-TEST(Watchdog, AnOldSampleIsAFaultThoughItIsANewOne)
+TEST(Watchdog, OldSampleIsAFaultEvenIfNew)
 {
   Watched old;
   old.Next.Sample.Time -= 10'000'000;
@@ -157,7 +157,7 @@ TEST(Watchdog, AnOldSampleIsAFaultThoughItIsANewOne)
   EXPECT_EQ(older.Dog.Check(older.Next), SafetyFault::StaleSample);
 }
 
-TEST(Watchdog, ASampleFromTheFutureIsAFault)
+TEST(Watchdog, FutureSampleIsAFault)
 {
   Watched near;
   near.Next.Sample.Time += 10'000'000;
@@ -167,7 +167,7 @@ TEST(Watchdog, ASampleFromTheFutureIsAFault)
   EXPECT_EQ(far.Dog.Check(far.Next), SafetyFault::StaleSample);
 }
 
-TEST(Watchdog, MotionFasterThanAHandIsAFault)
+TEST(Watchdog, ImplausiblyFastMotionIsAFault)
 {
   Watched slow;
   slow.Next.Sample.Position = Vector3(4.99, 0.0, 0.0);
@@ -189,7 +189,7 @@ TEST(Watchdog, SamplesOfEqualTimeMayDifferByAFewCounts)
   }
 }
 
-TEST(Watchdog, AnyNumberOfASampleThatIsNoneIsAFault)
+TEST(Watchdog, NonFiniteSampleIsAFault)
 {
   for (const double bad : {test::NotANumber, test::Infinite})
   {
@@ -202,7 +202,7 @@ TEST(Watchdog, AnyNumberOfASampleThatIsNoneIsAFault)
   }
 }
 
-TEST(Watchdog, AfterAResetTheNextTickIsAFirstOne)
+TEST(Watchdog, ResetForgetsEarlierTicks)
 {
   Watched watched;
   watched.Dog.Reset();

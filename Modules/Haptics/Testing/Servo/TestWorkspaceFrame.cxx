@@ -33,7 +33,7 @@ protected:
   Eigen::AlignedBox3d Workspace{Vector3(-40.0, -30.0, -20.0), Vector3(35.0, 45.0, 25.0)};
 };
 
-TEST_F(WorkspaceFrameTest, WhatIsInReachStaysWhereItIs)
+TEST_F(WorkspaceFrameTest, KeepsPlacesInReach)
 {
   for (int n = 0; n < 200; ++n)
   {
@@ -44,7 +44,7 @@ TEST_F(WorkspaceFrameTest, WhatIsInReachStaysWhereItIs)
   }
 }
 
-TEST_F(WorkspaceFrameTest, NothingInReachIsNearerToWhatIsNot)
+TEST_F(WorkspaceFrameTest, FindsTheNearestPlaceInReach)
 {
   for (int n = 0; n < 200; ++n)
   {
@@ -61,7 +61,7 @@ TEST_F(WorkspaceFrameTest, NothingInReachIsNearerToWhatIsNot)
   }
 }
 
-TEST_F(WorkspaceFrameTest, AHandBeginsOnTheWorkspacesBorderTowardsTheViewer)
+TEST_F(WorkspaceFrameTest, HandStartsAtTheBorderTowardsTheViewer)
 {
   for (int n = 0; n < 200; ++n)
   {
@@ -75,14 +75,14 @@ TEST_F(WorkspaceFrameTest, AHandBeginsOnTheWorkspacesBorderTowardsTheViewer)
   }
 }
 
-TEST_F(WorkspaceFrameTest, AHandBeforeAScreenBeginsInTheMiddleOfTheFront)
+TEST_F(WorkspaceFrameTest, HandFacingAScreenStartsAtTheFrontCentre)
 {
   WorkspaceFrame frame = this->RandomFrame();
   frame.Rotation = Matrix3::Identity();
   EXPECT_EQ(frame.FirstHand(Vector3::UnitZ(), this->Workspace), Vector3(0.0, 0.0, 25.0));
 }
 
-TEST_F(WorkspaceFrameTest, AWorkspaceThatIsNotKnownEndsNowhere)
+TEST_F(WorkspaceFrameTest, UnknownWorkspaceIsUnlimited)
 {
   const WorkspaceFrame frame;
   const Vector3 far(1e6, 0.0, -1e6);
