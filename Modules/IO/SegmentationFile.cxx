@@ -102,7 +102,7 @@ Segmentation ReadSegmentation(const std::filesystem::path& path, LeftHandedAxes 
     if (!IsDicomSegmentation(path))
     {
       RefuseForeignDicom(path);
-      Refuse(path, "is a DICOM file but no segmentation",
+      Refuse(path, "is a DICOM file but not a segmentation",
              "name a DICOM segmentation object or a label map");
     }
     return ReadDicomSegmentation(path);

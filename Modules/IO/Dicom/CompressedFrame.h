@@ -6,7 +6,7 @@
 
 namespace palpate
 {
-/// One frame of compressed grey pixels, and the form in which its header promises them: little-
+/// One frame of compressed grey pixels, and the form in which its header declares them: little-
 /// endian words of `BytesPerPixel` bytes, the values in the bits up to `HighBit`.
 struct CompressedFrame
 {

@@ -42,7 +42,7 @@ DicomDataset::DicomDataset(const std::filesystem::path& file, Extent extent)
   this->Format->transferEnd();
   if (stream.IsTooDeep())
   {
-    Refuse(file, "nests sequences in sequences too deeply to be read",
+    Refuse(file, "nests sequences too deeply to be read",
            "export it again without its private attributes");
   }
   if (stream.IsTooWide())
@@ -60,7 +60,7 @@ DicomDataset::DicomDataset(const std::filesystem::path& file, Extent extent)
   }
   if (status.bad() || this->Format->getDataset()->card() == 0)
   {
-    Refuse(file, "is no DICOM file or is truncated or damaged", "copy or export it again");
+    Refuse(file, "is not a DICOM file, or it is truncated or damaged", "copy or export it again");
   }
   // Without a conversion the text stays as it is in the file.
   this->Format->convertToUTF8();

@@ -120,7 +120,7 @@ bool DicomFrameDecoder::Decode(const std::filesystem::path& file, PixelCoding co
   if (coding == PixelCoding::JpegLs && *precision < LeastJpegLsPrecision)
   {
     Refuse(file,
-           "has JPEG-LS pixels of " + std::to_string(*precision) + " bits, which are not read",
+           "has JPEG-LS pixels of " + std::to_string(*precision) + " bits, which are not supported",
            "export it again uncompressed or with eight bits or more a pixel");
   }
   if (!this->Start())

@@ -33,7 +33,7 @@ public:
   {
     return this->Decoded.empty() ? this->Native : this->Decoded.data();
   }
-  /// What the file really holds, for the caller to compare with what its header promises.
+  /// What the file really holds, for the caller to compare with what its header declares.
   std::size_t ByteCount() const { return this->Count; }
 
 private:

@@ -20,7 +20,7 @@ namespace
 {
 [[noreturn]] void RefuseDamaged(const std::filesystem::path& file)
 {
-  Refuse(file, "is truncated or damaged: its pixels are not what its header promises",
+  Refuse(file, "is truncated or damaged: its pixel data do not match its header",
          "copy or export it again");
 }
 

@@ -63,7 +63,7 @@ int Threshold(const std::filesystem::path& file, const DicomDataset& dataset,
   }
   if (kind != "FRACTIONAL")
   {
-    Refuse(file, "is a DICOM segmentation of the kind '" + kind + "', which is not read",
+    Refuse(file, "is a DICOM segmentation of the kind '" + kind + "', which is not supported",
            "convert it to the kind BINARY");
   }
   // Of 16 bits at most.

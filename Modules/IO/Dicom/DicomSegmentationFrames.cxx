@@ -88,7 +88,7 @@ void DicomSegmentationFrames::ReadPixels(const std::filesystem::path& file,
   }
   if (this->BitsPerPixel == 1 && PixelCodingOf(dataset.TransferSyntax()) != PixelCoding::Native)
   {
-    Refuse(file, "has compressed pixels of one bit, which are not read",
+    Refuse(file, "has compressed pixels of one bit, which are not supported",
            "export the segmentation again uncompressed or with eight bits a pixel");
   }
   DicomFrameDecoder decoder;
@@ -98,7 +98,7 @@ void DicomSegmentationFrames::ReadPixels(const std::filesystem::path& file,
                         static_cast<double>(this->FrameCount) * this->BitsPerPixel / 8.0;
   if (!this->Pixels || static_cast<double>(this->PixelData->ByteCount()) < needed)
   {
-    Refuse(file, "is truncated: it has fewer pixels than its header promises",
+    Refuse(file, "is truncated: it has fewer pixels than its header declares",
            "copy or export it again");
   }
 }

@@ -165,7 +165,7 @@ const DicomSeries& SeriesOfFile(const std::filesystem::path& file,
       }
     }
   }
-  Refuse(file, "is no DICOM slice with a position in the patient",
+  Refuse(file, "is not a DICOM slice with a position in the patient",
          "name a slice of a volume or the folder of its series");
 }
 } // namespace palpate

@@ -81,7 +81,7 @@ std::optional<ForeignFile> RecognizeForeignDicom(const std::filesystem::path& fi
   const double frames = DicomNumber(root, DCM_NumberOfFrames, 1.0);
   if (frames > 1.0 && !isSegmentation)
   {
-    return ForeignFile{"is a DICOM image of several frames, which is not read",
+    return ForeignFile{"is a DICOM image of several frames, which is not supported",
                        "convert it to one slice a file or to NIfTI-1 (.nii.gz)"};
   }
   return std::nullopt;

@@ -113,7 +113,8 @@ double SparseStep(const std::filesystem::path& file, const std::vector<double>& 
   }
   if (distinct.size() < 2)
   {
-    Refuse(file, "states no distance between slices", "export it again with its slice thickness");
+    Refuse(file, "does not state the distance between its slices",
+           "export it again with its slice thickness");
   }
   // Over many slices a rounded smallest gap drifts off; the mean over its whole number does not.
   const double gap = SmallestGap(distinct);
@@ -174,7 +175,7 @@ SliceStack StackSlices(const std::filesystem::path& file, const std::vector<Slic
   const double slicesApart = (distinct.back() - distinct.front()) / step;
   if (distinct.size() > 1 && !(slicesApart < MostSlices))
   {
-    Refuse(file, "has slices that are " + SignificantText(slicesApart) + " slice distances apart",
+    Refuse(file, "has slices that are " + SignificantText(slicesApart) + " slice spacings apart",
            "export it again, or correct its slice positions");
   }
   SliceStack stack;

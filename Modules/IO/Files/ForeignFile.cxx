@@ -93,12 +93,12 @@ std::optional<ForeignFile> NiftiOrAnalyze(const Head& head, const std::string& e
 {
   if (head.Has(344, "ni1"sv))
   {
-    return ForeignFile{"is the header of a NIfTI pair (.hdr and .img), which is not read",
+    return ForeignFile{"is the header of a NIfTI pair (.hdr and .img), which is not supported",
                        "convert the pair to one file (.nii.gz)"};
   }
   if (head.Has(344, "n+1"sv) && !EndsAs(ending, " .nii .nii.gz "))
   {
-    return ForeignFile{"is a NIfTI file by its content and not by its name",
+    return ForeignFile{"is a NIfTI file by content but not by name",
                        std::string("rename it to end in ") +
                            (head.IsCompressed ? ".nii.gz" : ".nii")};
   }
@@ -127,12 +127,12 @@ constexpr const char* ToVolume = "give the volume that it was made from";
 constexpr const char* Unpack = "unpack it and give the image in it";
 
 constexpr std::array<Mark, 15> Marks{{
-    {0, "NRRD000"sv, "is an NRRD file by its content and not by its name",
-     "rename it to end in .nrrd", " .nrrd .seg.nrrd .nhdr "sv},
-    {0, "ObjectType"sv, "is a MetaImage by its content and not by its name",
+    {0, "NRRD000"sv, "is an NRRD file by content but not by name", "rename it to end in .nrrd",
+     " .nrrd .seg.nrrd .nhdr "sv},
+    {0, "ObjectType"sv, "is a MetaImage by content but not by name",
      "rename it to end in .mha, or .mhd where its voxels lie in another file", " .mha .mhd "sv},
-    {128, "DICM"sv, "is a DICOM file by its content and not by its name",
-     "rename it to end in .dcm", " .dcm .ima "sv},
+    {128, "DICM"sv, "is a DICOM file by content but not by name", "rename it to end in .dcm",
+     " .dcm .ima "sv},
     {0, "<!DOCTYPE html"sv, "is a web page", "download the file itself"},
     {0, "<!doctype html"sv, "is a web page", "download the file itself"},
     {0, "<html"sv, "is a web page", "download the file itself"},
@@ -175,12 +175,14 @@ struct Ending
 };
 
 constexpr std::array<Ending, 10> Endings{{
-    {".hdr", "is a header whose image lies in an .img file, which is not read", ToImage},
-    {".img", "has the voxels of a pair (.hdr and .img), which is not read",
+    {".hdr", "is a header whose image lies in an .img file, which is not supported", ToImage},
+    {".img", "has the voxels of a pair (.hdr and .img), which is not supported",
      "convert the pair to one NIfTI file (.nii.gz)"},
-    {".mgz", "is a FreeSurfer volume, which is not read", "convert it (mri_convert) to .nii.gz"},
-    {".mgh", "is a FreeSurfer volume, which is not read", "convert it (mri_convert) to .nii.gz"},
-    {".mnc", "is a MINC file, which is not read", ToImage},
+    {".mgz", "is a FreeSurfer volume, which is not supported",
+     "convert it (mri_convert) to .nii.gz"},
+    {".mgh", "is a FreeSurfer volume, which is not supported",
+     "convert it (mri_convert) to .nii.gz"},
+    {".mnc", "is a MINC file, which is not supported", ToImage},
     {".raw", "has voxels without a header", "name its header (.mhd or .nhdr)"},
     {".zraw", "has voxels without a header", "name its header (.mhd)"},
     {".gii", "is a GIFTI surface, not an image", ToSurface},

@@ -33,7 +33,7 @@ const ImageFormat& ImageFormatOf(const std::filesystem::path& file)
     known += format.Name + " (" + ListOfEndings(format.ReadEndings) + "), ";
   }
   known.erase(known.size() - 2);
-  RefuseContent(file, "is in no known image format", "give " + known + " or DICOM");
+  RefuseContent(file, "is not in a known image format", "give " + known + " or DICOM");
 }
 
 std::unique_ptr<ImageFile> OpenImage(const std::filesystem::path& file)

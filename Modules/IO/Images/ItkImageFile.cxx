@@ -41,7 +41,7 @@ void ItkImageFile::CheckHeader() const
   }
   if (this->Header.VtkType == 0 || this->Header.Components < 1)
   {
-    Refuse(this->File, "has voxels of a type that is not read",
+    Refuse(this->File, "has voxels of a type that is not supported",
            "convert it to integers or floating-point numbers");
   }
 }

@@ -97,7 +97,7 @@ void ApplyLabelNames(Segmentation& segmentation)
   if (!names)
   {
     segmentation.Notes.push_back(namesFile.string() +
-                                 " is no list of label names and was not used.");
+                                 " is not a list of label names and was not used.");
     return;
   }
   for (Segment& segment : segmentation.Segments)

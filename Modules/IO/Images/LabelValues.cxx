@@ -33,7 +33,7 @@ int LargestLabel(const std::filesystem::path& file, const T* values, vtkIdType c
       {
         Refuse(file,
                // In the precision that it has: 0.9999999 is not written as 1.
-               "is no label map: it holds the value " + ExactText(value),
+               "is not a label map: it holds the value " + ExactText(value),
                "give whole numbers, one for each structure");
       }
     }
@@ -42,7 +42,7 @@ int LargestLabel(const std::filesystem::path& file, const T* values, vtkIdType c
       if (value < 0)
       {
         Refuse(file,
-               "is no label map: it holds the negative value " +
+               "is not a label map: it holds the negative value " +
                    SignificantText(static_cast<double>(value)),
                "give labels from 1, with 0 for the background");
       }

@@ -32,7 +32,7 @@ public:
     this->Compressed = stream && gzdirect(stream.get()) == 0;
     if (got < static_cast<int>(HeaderBytes))
     {
-      RefuseContent(file, "ends or is damaged within its header", "copy or export it again");
+      RefuseContent(file, "has a truncated or damaged header", "copy or export it again");
     }
     this->Swap = this->At<std::int32_t>(0) != static_cast<int>(HeaderBytes);
   }
@@ -72,11 +72,12 @@ void CheckMark(const std::filesystem::path& file, const HeaderReader& header)
   // The reader has swapped a NIfTI-2 header's size where it need not.
   if (size == 540 || size == 0x1c020000)
   {
-    Refuse(file, "is a NIfTI-2 file, which is not read", "convert it to NIfTI-1");
+    Refuse(file, "is a NIfTI-2 file, which is not supported", "convert it to NIfTI-1");
   }
   if (size != static_cast<int>(HeaderBytes) || header.Mark() != "n+1")
   {
-    RefuseContent(file, "is no NIfTI-1 file or its header is damaged", "copy or export it again");
+    RefuseContent(file, "is not a NIfTI-1 file, or its header is damaged",
+                  "copy or export it again");
   }
 }
 
@@ -160,7 +161,7 @@ NiftiType VoxelType(const std::filesystem::path& file, const HeaderReader& heade
   const auto type = static_cast<NiftiType>(code);
   if (BytesPerVoxel(type) == 0)
   {
-    Refuse(file, "has voxels of a type that is not read (code " + std::to_string(code) + ")",
+    Refuse(file, "has voxels of a type that is not supported (code " + std::to_string(code) + ")",
            "convert it to integers or floating-point numbers");
   }
   return type;
@@ -191,7 +192,7 @@ void CheckLength(const std::filesystem::path& file, bool isCompressed, const Nif
   if (!isCompressed && length < needed)
   {
     Refuse(file,
-           "is truncated: its header promises " + std::to_string(needed) + " bytes and it has " +
+           "is truncated: its header declares " + std::to_string(needed) + " bytes and it has " +
                std::to_string(length),
            "copy or export it again");
   }

@@ -16,7 +16,7 @@ public:
   NiftiVoxels(const std::filesystem::path& file, const NiftiHeader& header);
 
   /// VTK_SHORT, ...: the file's type, but VTK_FLOAT for whole numbers with a slope or an
-  /// intercept; 0 for a type that is not read.
+  /// intercept; 0 for a type that is not supported.
   int ScalarType() const;
   /// Reads all voxels, slope and intercept applied, to `buffer`, which has room for them. Throws
   /// InputError for a file that is truncated or whose compressed data are damaged. NaN and infinity

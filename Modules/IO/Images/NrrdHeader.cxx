@@ -136,7 +136,7 @@ void CheckNrrdLength(const std::filesystem::path& file, double dataBytes)
   if (length < (isText ? dataBytes / 4.0 - 1.0 : dataBytes))
   {
     Refuse(file,
-           "is truncated: its header promises " + SignificantText(dataBytes) +
+           "is truncated: its header declares " + SignificantText(dataBytes) +
                " bytes of voxels and there are " + SignificantText(length),
            "copy or export it again");
   }

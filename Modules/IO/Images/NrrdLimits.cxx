@@ -29,7 +29,7 @@ public:
   {
     if (this->File.string().size() > LongestPath)
     {
-      Refuse(this->File, "has a path of more than " + std::to_string(LongestPath) + " letters",
+      Refuse(this->File, "has a path of more than " + std::to_string(LongestPath) + " characters",
              "move it");
     }
     std::ifstream stream(this->File, std::ios::binary);
@@ -52,7 +52,7 @@ private:
     }
     if (line.find('\0') != std::string::npos)
     {
-      Refuse(this->File, "has a line in its header with a zero in it", "copy or export it again");
+      Refuse(this->File, "has a line in its header with a null byte", "copy or export it again");
     }
     if (line[0] == '#')
     {
@@ -81,7 +81,8 @@ private:
       const auto count = ParseInteger(text);
       if (!count)
       {
-        Refuse(this->File, "is no NRRD image or its header is damaged", "copy or export it again");
+        Refuse(this->File, "is not an NRRD image, or its header is damaged",
+               "copy or export it again");
       }
       if (*count < 1 || *count > MostDimensions)
       {
@@ -133,7 +134,7 @@ private:
     if (name == "-" || (std::filesystem::exists(data, failure) &&
                         !std::filesystem::is_regular_file(data, failure)))
     {
-      Refuse(this->File, "names a data file " + name + " that is no regular file",
+      Refuse(this->File, "names a data file " + name + " that is not a regular file",
              "write it with its data");
     }
   }
@@ -164,9 +165,9 @@ private:
   [[noreturn]] void RefuseLine(const std::string& line) const
   {
     Refuse(this->File,
-           "is no NRRD image or its header is damaged: a line of it has " +
+           "is not an NRRD image, or its header is damaged: one of its lines has " +
                std::to_string(line.size()) + (line.size() > LongestNrrdLine ? " and more" : "") +
-               " letters",
+               " characters",
            "copy or export it again");
   }
 

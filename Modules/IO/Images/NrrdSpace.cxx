@@ -131,7 +131,7 @@ NrrdSpace::NrrdSpace(const std::filesystem::path& file,
   }
   if (!AreDomains(*directions, FieldOf(fields, "kinds")))
   {
-    Refuse(file, "has a space direction for an axis whose kind is no place",
+    Refuse(file, "has a space direction for an axis whose kind is not spatial",
            "correct its header or export it again");
   }
   const std::string origin = FieldOf(fields, "spaceorigin");

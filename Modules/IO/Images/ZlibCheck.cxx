@@ -80,7 +80,7 @@ void CheckInflatedSize(const std::filesystem::path& file, double packedBytes, do
   if (!(dataBytes <= MostBytesFromByte * packedBytes))
   {
     Refuse(file,
-           "is truncated: its header promises " + SignificantText(dataBytes) +
+           "is truncated: its header declares " + SignificantText(dataBytes) +
                " bytes of voxels, and its " + SignificantText(packedBytes) +
                " compressed bytes cannot hold them",
            "copy or export it again");

@@ -31,8 +31,8 @@ struct TriangleMesh
 
 /// The triangles of a surface; larger polygons and strips are cut up, lines and vertices left out.
 /// Active point scalars of three or four unsigned chars are its colours. Throws InputError, naming
-/// `file`, where it has no triangle, a coordinate is not finite, a cell names a point that does not
-/// exist or a point array has another length.
+/// `file`, where it has no triangle, a coordinate is not finite, a cell refers to a point that does
+/// not exist or a point array has another length.
 PALPATEIO_EXPORT TriangleMesh TrianglesOf(vtkPolyData* surface, const std::filesystem::path& file);
 
 /// The data set of a mesh; colours become its active point scalars.

@@ -239,7 +239,7 @@ TEST(CNumericLocale, FormatsOfStreamsAreRefusedWhereThoseHaveDecimalCommas)
   WriteFractionalImages(folder.Path());
   const auto image = ReadImageContent(folder / "a.mha").Labels->Layers[0];
   const CommaLocale comma(CommaLocale::Scope::Streams);
-  const std::string fact = "C++ streams have the numbers of the locale de_DE.UTF-8";
+  const std::string fact = "C++ streams use the number format of the locale de_DE.UTF-8";
   EXPECT_TRUE(Contains(MessageOf([&] { ReadImageContent(folder / "a.mha"); }), fact));
   EXPECT_TRUE(Contains(MessageOf([&] { WriteImage(folder / "w.mha", image); }), fact));
   WriteSurface(folder / "a.vtp", Triangle());

@@ -67,7 +67,7 @@ TEST_F(HostileImages, RefusesNrrdFieldsThatOverflowTheLibrarysMessages)
     for (const char* field : {"type: ", "encoding: ", "endian: ", "space: ", "space directions: (",
                               "kinds: ", "centers: ", "no such field: ", "byte skip: ", ""})
     {
-      EXPECT_TRUE(Contains(this->NrrdRefusalWith(field + word), "a line of it has"))
+      EXPECT_TRUE(Contains(this->NrrdRefusalWith(field + word), "one of its lines has"))
           << field << letters;
     }
   }
@@ -83,7 +83,7 @@ TEST_F(HostileImages, ReadsLongKeyValuePairsAndComments)
 TEST_F(HostileImages, RefusesLongNrrdLinesBehindACarriageReturn)
 {
   EXPECT_TRUE(Contains(this->NrrdRefusalWith("note:=a\r" + std::string(2000, 'x')),
-                       "a line of it has 2000 letters"));
+                       "one of its lines has 2000 characters"));
 }
 
 TEST_F(HostileImages, RefusesNrrdAxesBehindACarriageReturn)
@@ -101,7 +101,7 @@ TEST_F(HostileImages, RefusesNrrdDataFilesBehindACarriageReturn)
   for (const char* name : {"pipe", "-"})
   {
     EXPECT_TRUE(Contains(this->NrrdRefusalWith(std::string("note:=a\rdata file: ") + name),
-                         "that is no regular file"))
+                         "that is not a regular file"))
         << name;
   }
 }
@@ -122,7 +122,7 @@ TEST_F(HostileImages, FollowsNrrdSpacesBehindACarriageReturn)
 TEST_F(HostileImages, RefusesNrrdLinesWithZeros)
 {
   WriteAll(this->Folder / "-", std::string(120, '\1'));
-  EXPECT_TRUE(Contains(this->NrrdRefusalWith(std::string("data file: -\0", 13)), "a zero in it"));
+  EXPECT_TRUE(Contains(this->NrrdRefusalWith(std::string("data file: -\0", 13)), "a null byte"));
 }
 
 TEST_F(HostileImages, RefusesNrrdSizesThatOverflow)
@@ -160,7 +160,7 @@ TEST_F(HostileImages, RefusesNrrdDirectionsOfComponents)
   {
     std::vector<std::string> withKinds = lines;
     withKinds.push_back(std::string("kinds: ") + kinds);
-    EXPECT_TRUE(Contains(this->NrrdRefusal(withKinds), "whose kind is no place")) << kinds;
+    EXPECT_TRUE(Contains(this->NrrdRefusal(withKinds), "whose kind is not spatial")) << kinds;
   }
 }
 
@@ -179,14 +179,14 @@ TEST_F(HostileImages, RefusesNrrdDataFilesThatAreNoFiles)
   for (const char* name : {"pipe", "-", ".", "/dev/zero"})
   {
     EXPECT_TRUE(Contains(this->NrrdRefusalWith(std::string("data file: ") + name),
-                         "that is no regular file"))
+                         "that is not a regular file"))
         << name;
   }
   std::vector<std::string> lines = PlainNrrdLines("unsigned char");
   lines.emplace_back("data file: LIST\npipe");
-  EXPECT_TRUE(Contains(this->NrrdRefusal(lines), "that is no regular file"));
+  EXPECT_TRUE(Contains(this->NrrdRefusal(lines), "that is not a regular file"));
   lines.back() = "data file: LIST\n" + std::string(3000, 'x');
-  EXPECT_TRUE(Contains(this->NrrdRefusal(lines), "a line of it has 3000 letters"));
+  EXPECT_TRUE(Contains(this->NrrdRefusal(lines), "one of its lines has 3000 characters"));
 }
 
 TEST_F(HostileImages, RefusesMoreKeyValuePairsThanCanBeSearched)
@@ -209,7 +209,7 @@ TEST_F(HostileImages, RefusesMetaImageKeysThatOverflowTheLibrarysNames)
       const std::string bytes = MetaImageBytes(
           "MET_UCHAR", std::string(120, '\1'),
           "TransformMatrix = 1 0 0 0 1 0 0 0 1\nElementSpacing = 2 2 2\n" + key + " = MET_UCHAR\n");
-      EXPECT_TRUE(Contains(this->Refusal("a.mha", bytes), "is no MetaImage file")) << key;
+      EXPECT_TRUE(Contains(this->Refusal("a.mha", bytes), "is not a MetaImage file")) << key;
     }
   }
 }
@@ -222,7 +222,8 @@ TEST_F(HostileImages, RefusesMetaImageWordsThatOverflowTheLibrarysValues)
         MetaImageBytes("MET_UCHAR", std::string(120, '\1'),
                        "TransformMatrix = 1 0 0 0 1 0 0 0 1\nElementSpacing = 2 2 2\n" +
                            std::string(key) + " = " + std::string(260, 'I') + "\n");
-    EXPECT_TRUE(Contains(this->Refusal("a.mha", bytes), std::string("has 260 letters of ") + key))
+    EXPECT_TRUE(
+        Contains(this->Refusal("a.mha", bytes), std::string("has 260 characters of ") + key))
         << key;
   }
 }
@@ -239,7 +240,7 @@ TEST_F(HostileImages, LongFilesNextToALabelMapAreNotRead)
   const AddressSpaceLimit limit(SomeMemory);
   const Segmentation segmentation = ReadSegmentation(this->Folder / "a.nii");
   ASSERT_FALSE(segmentation.Notes.empty());
-  EXPECT_TRUE(Contains(segmentation.Notes.back(), "is no list of label names"));
+  EXPECT_TRUE(Contains(segmentation.Notes.back(), "is not a list of label names"));
 }
 
 TEST_F(HostileImages, RefusesMoreLayersThanAnySegmentationHas)

@@ -77,7 +77,7 @@ TEST_F(HostileMetaImages, DigitsInPlaceOfWordsAreBoundedToo)
   {
     const std::string message =
         this->Refusal(With(std::string(key) + " = " + std::string(255, '1'), "DimSize"));
-    EXPECT_TRUE(Contains(message, std::string("has 255 letters of ") + key)) << message;
+    EXPECT_TRUE(Contains(message, std::string("has 255 characters of ") + key)) << message;
   }
 }
 
@@ -105,7 +105,7 @@ TEST_F(HostileMetaImages, NamesOfDataFilesAreBounded)
 {
   const std::string line = DataLine + std::string(500, ' ');
   EXPECT_TRUE(Contains(this->Refusal(Replaced(With("ID = 1"), DataLine, line)),
-                       "letters of ElementDataFile"));
+                       "characters of ElementDataFile"));
 }
 
 // To the library a colon separates as the equals sign does.
@@ -137,7 +137,7 @@ TEST_F(HostileMetaImages, ControlCharactersAreRefused)
         std::string("\fDimSize = 1500 1500 1000"), std::string("DimSize\0x = 1500 1500 1000", 26),
         std::string("Comment = a\rb"), std::string("Comment = a\0b", 13)})
   {
-    EXPECT_TRUE(Contains(this->Refusal(With(line)), "is no MetaImage file")) << line;
+    EXPECT_TRUE(Contains(this->Refusal(With(line)), "is not a MetaImage file")) << line;
   }
 }
 
@@ -185,7 +185,7 @@ TEST_F(HostileMetaImages, BytesBeforeTheVoxelsDoNotCount)
   for (const char* size : {"1", "100", "100000"})
   {
     EXPECT_TRUE(Contains(this->RefusalBeside(Voxels(), std::string("HeaderSize = ") + size),
-                         "is truncated: its header promises 120 bytes of voxels"))
+                         "is truncated: its header declares 120 bytes of voxels"))
         << size;
   }
 }
@@ -250,7 +250,7 @@ TEST_F(HostileMetaImages, VoxelsAsTextAreAllThere)
         Repeated("1 ", 60) + "x " + Repeated("1 ", 60)})
   {
     EXPECT_TRUE(Contains(this->Refusal(TextImage("MET_UCHAR", text)),
-                         "is truncated: its header promises 120 voxels"));
+                         "is truncated: its header declares 120 voxels"));
   }
 }
 

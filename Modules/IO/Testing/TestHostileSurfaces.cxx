@@ -93,10 +93,11 @@ TEST(HostileSurfaces, ObjIndicesAreWithinThePoints)
   {
     EXPECT_TRUE(Contains(ObjRefusal(std::string(face) + "\n"), "that does not exist")) << face;
   }
-  EXPECT_TRUE(Contains(ObjRefusal("f 1 2\n"), "fewer than three corners"));
-  EXPECT_TRUE(Contains(ObjRefusal("v 1 nan 2\nf 1 2 3\n"), "no three finite numbers in line 5"));
-  EXPECT_TRUE(Contains(ObjRefusal("v 1e300 0 0\nf 1 2 5\n"), "no three finite numbers"));
-  EXPECT_TRUE(Contains(ObjRefusal(""), "holds no triangle"));
+  EXPECT_TRUE(Contains(ObjRefusal("f 1 2\n"), "fewer than three vertices"));
+  EXPECT_TRUE(
+      Contains(ObjRefusal("v 1 nan 2\nf 1 2 3\n"), "three finite numbers were expected in line 5"));
+  EXPECT_TRUE(Contains(ObjRefusal("v 1e300 0 0\nf 1 2 5\n"), "three finite numbers were expected"));
+  EXPECT_TRUE(Contains(ObjRefusal(""), "has no triangles"));
 }
 
 TEST(HostileSurfaces, ObjFacesAreReadInEveryForm)
@@ -125,7 +126,7 @@ TEST(HostileSurfaces, VtpIndicesAreWithinThePoints)
   {
     VtpSpec spec;
     spec.Connectivity = corners;
-    EXPECT_TRUE(Contains(VtpRefusal(spec), "names a point that does not exist")) << corners;
+    EXPECT_TRUE(Contains(VtpRefusal(spec), "refers to a point that does not exist")) << corners;
   }
 }
 
@@ -178,7 +179,7 @@ TEST(HostileSurfaces, VtpArraysAreNumbersWithNamesOfTheirOwn)
 {
   VtpSpec spec;
   spec.PointData = "<DataArray type=\"String\" Name=\"a\" format=\"ascii\">1 2 3</DataArray>";
-  EXPECT_TRUE(Contains(VtpRefusal(spec), "of a type that is not read"));
+  EXPECT_TRUE(Contains(VtpRefusal(spec), "of a type that is not supported"));
   spec.PointData = "<DataArray type=\"Int8\" Name=\"a\" format=\"ascii\">1 2 3</DataArray>";
   EXPECT_EQ(VtpRefusal(spec), "no error");
   spec.PointData += spec.PointData;
@@ -211,7 +212,7 @@ TEST(HostileSurfaces, VtpBlocksAreThoseOfItsBytes)
       Word(1) + Word(32768) + Word(36) + Word(0xFFFFFFFF)};     // more than the file has
   for (const std::string& header : headers)
   {
-    EXPECT_TRUE(Contains(VtpRefusal(WithBlocks(header)), "compressed blocks of it are damaged"));
+    EXPECT_TRUE(Contains(VtpRefusal(WithBlocks(header)), "its compressed blocks are damaged"));
   }
 }
 
@@ -228,7 +229,7 @@ TEST(HostileSurfaces, WritersTakeNoIndexThatDoesNotExist)
   for (const char* name : {"a.vtp", "a.stl", "a.ply", "a.obj", "a.gltf", "a.glb", "a.x3d"})
   {
     EXPECT_TRUE(Contains(MessageOf([&] { WriteSurface(folder / name, surface); }),
-                         "names a point that does not exist"))
+                         "refers to a point that does not exist"))
         << name;
   }
 }
@@ -237,11 +238,11 @@ TEST(HostileSurfaces, StlTextThatVtkTakesForBinaryIsRefused)
 {
   // The letters from 80 on are a count of triangles.
   std::string text = "solid a\nendsolid a\n" + std::string(100, '\xEC');
-  EXPECT_TRUE(Contains(Refusal("a.stl", text), "is no whole STL file"));
+  EXPECT_TRUE(Contains(Refusal("a.stl", text), "is not a complete STL file"));
   text[19] = '\n';
-  EXPECT_TRUE(Contains(Refusal("a.stl", text), "is no whole STL file"));
+  EXPECT_TRUE(Contains(Refusal("a.stl", text), "is not a complete STL file"));
   EXPECT_TRUE(Contains(Refusal("a.stl", "solid a\nendsolid a\n" + std::string(100, '\x01')),
-                       "is no whole STL file"));
+                       "is not a complete STL file"));
 }
 
 TEST(HostileSurfaces, PlyElementsThatRepeatAreRefused)
@@ -253,7 +254,7 @@ TEST(HostileSurfaces, PlyElementsThatRepeatAreRefused)
                                             "element face 1\nproperty list uchar int "
                                             "vertex_indices\nend_header\n0 0 0 1\n0 0 0 1\n"
                                             "1 0 0 1\n0 1 0 1\n3 0 1 2\n"),
-                       "is there twice"));
+                       "is declared twice"));
 }
 
 TEST(HostileSurfaces, PlyElementsAreFew)

@@ -46,8 +46,8 @@ TEST(JsonText, BracketsInTextsAreNoDepth)
 TEST(JsonText, RefusesWhatIsNoJsonWithItsPlace)
 {
   EXPECT_EQ(Refusal("{\n  \"a\": nonsense\n}"),
-            "a.json is no JSON from line 2, column 9 on; mend it.");
-  EXPECT_TRUE(Contains(Refusal(""), "is no JSON"));
+            "a.json is not valid JSON at line 2, column 9; mend it.");
+  EXPECT_TRUE(Contains(Refusal(""), "is not valid JSON"));
   EXPECT_TRUE(Contains(Refusal("[1e999]"), "a number that is too large"));
 }
 

@@ -33,7 +33,7 @@ TEST(ModelFile, TablesAreWrittenAndNotRead)
   WriteModel(folder / "a.csv", {RandomModel(random, 3), {}});
   EXPECT_NE(ReadAll(folder / "a.csv").find("l,m,coefficient_mm"), std::string::npos);
   EXPECT_TRUE(Contains(MessageOf([&] { ReadModel(folder / "a.csv"); }),
-                       "which is written and not read; give the model.json"));
+                       "which Palpate writes but does not read; use the model.json"));
 }
 
 TEST(ModelFile, OtherEndingIsRefused)

@@ -211,7 +211,7 @@ TEST(Segmentation, NamesFileBesideALabelMapIsUsed)
   WriteAll(folder / "a.nii.txt", "some remarks about the case\n");
   const Segmentation unnamed = ReadSegmentation(folder / "a.nii.gz");
   EXPECT_EQ(unnamed.Segments[0].Name, "");
-  EXPECT_TRUE(Contains(unnamed.Notes.back(), "is no list of label names"));
+  EXPECT_TRUE(Contains(unnamed.Notes.back(), "is not a list of label names"));
 }
 
 TEST(Segmentation, AtlasHasItsNamesAndVoxelCounts)

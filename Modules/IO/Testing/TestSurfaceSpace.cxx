@@ -182,7 +182,7 @@ TEST(SurfaceSpace, OtherSpacesAreRefusedByName)
       const std::filesystem::path file = folder / name;
       WriteAll(file, text);
       EXPECT_TRUE(Contains(MessageOf([&file] { ReadSurface(file); }),
-                           name + " states its space as \"" + space + '"'));
+                           name + " states an unsupported space: \"" + space + '"'));
     }
   }
   WriteSurface(folder / "a.vtp", TriangleStating("LAS"));

@@ -154,7 +154,7 @@ TEST(DicomFrameDecoder, JpegLsOfFewBitsIsRefused)
   }
   DicomFrameDecoder decoder;
   EXPECT_TRUE(Contains(MessageOf([&] { IsDecoded(decoder, Codec::JpegLs, frame); }),
-                       "has JPEG-LS pixels of 7 bits, which are not read"));
+                       "has JPEG-LS pixels of 7 bits, which are not supported"));
 }
 
 TEST(DicomFrameDecoder, DamagedFramesLeaveTheNextOnesReadable)

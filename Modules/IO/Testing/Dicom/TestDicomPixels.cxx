@@ -101,5 +101,5 @@ TEST(DicomPixels, TooFewPixelsAreRefused)
   bytes[bytes.size() - 24] = 20;
   WriteAll(folder / "2.dcm", bytes);
   EXPECT_TRUE(Contains(MessageOf([&] { ReadVolume(folder.Path()); }),
-                       "its pixels are not what its header promises"));
+                       "its pixel data do not match its header"));
 }

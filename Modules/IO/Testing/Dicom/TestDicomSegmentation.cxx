@@ -190,7 +190,7 @@ TEST(DicomSegmentation, UnknownKindIsNamed)
   DicomSegmentationSpec spec;
   spec.Kind = "SPECTRAL";
   spec.Frames = {{1, 0.0, Pixels({0})}, {1, 3.0, Pixels({0})}};
-  EXPECT_TRUE(Contains(Refusal(spec), "of the kind 'SPECTRAL', which is not read"));
+  EXPECT_TRUE(Contains(Refusal(spec), "of the kind 'SPECTRAL', which is not supported"));
 }
 
 TEST(DicomSegmentation, UnevenFramesAreRefused)

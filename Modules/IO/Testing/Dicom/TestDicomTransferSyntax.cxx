@@ -66,20 +66,21 @@ TEST(DicomTransferSyntax, RefusalNamesWhatIsNotRead)
   EXPECT_TRUE(Contains(
       SeriesRefusal("1.2.840.10008.1.2.4.92"),
       "2.dcm stores its pixels in the transfer syntax JPEG 2000 Part 2 Multicomponent Image "
-      "Compression (Lossless only) (1.2.840.10008.1.2.4.92), which is not read; export it again "
+      "Compression (Lossless only) (1.2.840.10008.1.2.4.92), which is not supported; export it "
+      "again "
       "uncompressed or as RLE, JPEG, JPEG-LS or JPEG 2000."));
   EXPECT_TRUE(Contains(SeriesRefusal("1.2.840.10008.1.2.4.100"),
                        "in the transfer syntax MPEG2 Main Profile @ Main Level "
-                       "(1.2.840.10008.1.2.4.100), which is not read"));
+                       "(1.2.840.10008.1.2.4.100), which is not supported"));
 }
 
 TEST(DicomTransferSyntax, SyntaxesYoungerThanDcmtkAreNamedToo)
 {
   EXPECT_TRUE(Contains(SeriesRefusal("1.2.840.10008.1.2.4.201"),
                        "in the transfer syntax High-Throughput JPEG 2000 "
-                       "(1.2.840.10008.1.2.4.201), which is not read"));
+                       "(1.2.840.10008.1.2.4.201), which is not supported"));
   EXPECT_TRUE(
-      Contains(SeriesRefusal("1.2.3.4"), "in the transfer syntax 1.2.3.4, which is not read"));
+      Contains(SeriesRefusal("1.2.3.4"), "in the transfer syntax 1.2.3.4, which is not supported"));
 }
 
 TEST(DicomTransferSyntax, SegmentationsAreRefusedTheSameWay)
@@ -95,7 +96,7 @@ TEST(DicomTransferSyntax, SegmentationsAreRefusedTheSameWay)
     Compress(folder / "a.dcm", Codec::Jpeg2000);
     StateTransferSyntax(folder / "a.dcm", syntax);
     EXPECT_TRUE(Contains(MessageOf([&] { ReadSegmentation(folder / "a.dcm"); }),
-                         std::string("(") + syntax + "), which is not read"));
+                         std::string("(") + syntax + "), which is not supported"));
   }
 }
 
@@ -112,6 +113,6 @@ TEST(DicomTransferSyntax, CompressedBitsAreRefused)
   bytes[bytes.find(bitsAllocated) + 8] = 1;
   WriteAll(folder / "a.dcm", bytes);
   EXPECT_TRUE(Contains(MessageOf([&] { ReadSegmentation(folder / "a.dcm"); }),
-                       "has compressed pixels of one bit, which are not read; export the "
+                       "has compressed pixels of one bit, which are not supported; export the "
                        "segmentation again uncompressed or with eight bits a pixel."));
 }

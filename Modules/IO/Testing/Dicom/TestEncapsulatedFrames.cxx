@@ -172,7 +172,7 @@ TEST(EncapsulatedFrames, FewerFragmentsThanFramesAreRefused)
   streams.pop_back();
   ReplaceFragments(file, streams);
   EXPECT_TRUE(Contains(MessageOf([&] { ReadSegmentation(file); }),
-                       "its pixels are not what its header promises"));
+                       "its pixel data do not match its header"));
 }
 
 TEST(EncapsulatedFrames, FragmentLongerThanTheFileIsRefused)
@@ -197,5 +197,5 @@ TEST(EncapsulatedFrames, FragmentsThatBelongToNoFrameAreRefused)
   streams.push_back(streams.back());
   ReplaceFragments(file, streams, {0, 4, 8});
   EXPECT_TRUE(Contains(MessageOf([&] { ReadSegmentation(file); }),
-                       "its pixels are not what its header promises"));
+                       "its pixel data do not match its header"));
 }

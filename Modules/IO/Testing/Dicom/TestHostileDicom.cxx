@@ -45,7 +45,7 @@ TEST(HostileDicom, RefusesSliceNumbersBeyondInt)
   for (const char* height : {"3e9", "1e12", "1e300", "-1e12"})
   {
     claim.Heights = {"0", height};
-    EXPECT_TRUE(Contains(Refusal(ClaimedSegmentationBytes(claim)), "slice distances apart"))
+    EXPECT_TRUE(Contains(Refusal(ClaimedSegmentationBytes(claim)), "slice spacings apart"))
         << height;
   }
   claim.Heights = {"-1e308", "1.7e308"};
@@ -58,10 +58,10 @@ TEST(HostileDicom, RefusesFramesWithoutTheirPixels)
   claim.Columns = 65535;
   claim.Rows = 65535; // the product exceeds int
   EXPECT_TRUE(Contains(Refusal(ClaimedSegmentationBytes(claim)),
-                       "has fewer pixels than its header promises"));
+                       "has fewer pixels than its header declares"));
   claim.Frames = "2147483647";
   EXPECT_TRUE(Contains(Refusal(ClaimedSegmentationBytes(claim)),
-                       "has fewer pixels than its header promises"));
+                       "has fewer pixels than its header declares"));
   claim.Frames = "1e18"; // no whole number of the type
   EXPECT_TRUE(Contains(Refusal(ClaimedSegmentationBytes(claim)), "has no frames"));
 }
@@ -110,7 +110,7 @@ TEST(HostileDicom, RefusesDeeplyNestedSequences)
     {
       const std::string bytes =
           DicomFile(NestedDicomSequences(200000, coding, definedLengths), coding);
-      EXPECT_TRUE(Contains(Refusal(bytes), "nests sequences in sequences too deeply"))
+      EXPECT_TRUE(Contains(Refusal(bytes), "nests sequences too deeply"))
           << static_cast<int>(coding) << definedLengths;
       const TemporaryFolder folder;
       WriteAll(folder / "a.dcm", bytes);
@@ -211,5 +211,5 @@ TEST(HostileDicom, RefusesGigabytesOfPixelsFromFewCompressedBytes)
   const std::string old = DicomElement(0x0002, 0x0010, "UI", native);
   bytes.replace(bytes.find(old), old.size(), syntax);
   bytes[128 + 4 + 8] = static_cast<char>(syntax.size());
-  EXPECT_TRUE(Contains(Refusal(bytes), "promises 4.29484 GB of pixels, and there are 8"));
+  EXPECT_TRUE(Contains(Refusal(bytes), "declares 4.29484 GB of pixels, but there are 8"));
 }

@@ -101,7 +101,7 @@ TEST(SliceStack, UnevenStacksAreRefused)
   EXPECT_TRUE(Contains(Refusal({0, 2, 5}, sparse), "uneven gaps"));
   EXPECT_TRUE(Contains(Refusal({0, 1, 1, 2}, {}), "4 images in 3 places"));
   EXPECT_TRUE(Contains(Refusal({0}, {}), "single slice"));
-  EXPECT_TRUE(Contains(Refusal({0}, sparse), "states no distance between slices"));
+  EXPECT_TRUE(Contains(Refusal({0}, sparse), "does not state the distance between its slices"));
 }
 
 TEST(SliceStack, PlanesOfDifferentOrientationAreRefused)
