@@ -27,7 +27,7 @@ TEST(CliConvert, ModelTablesAreWrittenAndNotRead)
   const TemporaryFolder folder;
   WriteNearlyASphere(folder / "a.json");
   EXPECT_EQ(RunPalpate({"convert", "a.json", "b.csv"}, folder.Path()).Code, 0);
-  ExpectRefused(RunPalpate({"convert", "b.csv", "c.json"}, folder.Path()), "give the model.json");
+  ExpectRefused(RunPalpate({"convert", "b.csv", "c.json"}, folder.Path()), "use the model.json");
 }
 
 TEST(CliConvert, ModelAsCoefSaysWhatIsLostUnlessQuiet)

@@ -19,11 +19,11 @@ namespace palpate
 {
 namespace
 {
-// Empty frames are compressed to a thousandth and less, but no real file is to a ten-thousandth.
+// Empty frames compress to a thousandth or less, but no real file to a ten-thousandth.
 constexpr double MostBytesFromAnything = 64e6;
 constexpr double MostBytesFromByte = 16384.0;
 
-// A header and a stream of some bytes must not take gigabytes and the time to fill them.
+// A header and a stream of a few bytes must not cause gigabytes to be allocated and filled.
 void CheckRatio(const std::filesystem::path& file, double pixelBytes, std::size_t streamBytes)
 {
   const double most =
@@ -32,7 +32,7 @@ void CheckRatio(const std::filesystem::path& file, double pixelBytes, std::size_
   {
     Refuse(file,
            "is damaged: its header declares " + SignificantText(pixelBytes / 1e9) +
-               " GB of pixels, and there are " + std::to_string(streamBytes) + " compressed bytes",
+               " GB of pixels, but there are " + std::to_string(streamBytes) + " compressed bytes",
            "copy or export it again");
   }
 }

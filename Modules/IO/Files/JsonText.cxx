@@ -97,7 +97,7 @@ Json Parse(std::string_view text, const std::filesystem::path& file, const std::
   }
   catch (const nlohmann::json::out_of_range&)
   {
-    Refuse(file, "cannot be read: it holds a number that is out of range", wayOut);
+    Refuse(file, "cannot be read: it holds a number that is too large", wayOut);
   }
 }
 } // namespace

@@ -163,7 +163,7 @@ std::vector<BadFile> BadNiftiFiles()
   version2[1] = 2;
   return {
       {"empty.nii", "", "is empty"},
-      {"short.nii", good.substr(0, 200), "within its header"},
+      {"short.nii", good.substr(0, 200), "has a truncated or damaged header"},
       {"cut.nii", good.substr(0, 400), "header declares 472 bytes and it has 400"},
       {"cut.nii.gz", Gzipped(good).substr(0, 60), "damaged"},
       {"garbage.nii", std::string(5000, 'x'), "is not a NIfTI-1 file"},

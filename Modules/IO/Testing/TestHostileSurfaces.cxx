@@ -183,7 +183,7 @@ TEST(HostileSurfaces, VtpArraysAreNumbersWithNamesOfTheirOwn)
   spec.PointData = "<DataArray type=\"Int8\" Name=\"a\" format=\"ascii\">1 2 3</DataArray>";
   EXPECT_EQ(VtpRefusal(spec), "no error");
   spec.PointData += spec.PointData;
-  EXPECT_TRUE(Contains(VtpRefusal(spec), "has another's name"));
+  EXPECT_TRUE(Contains(VtpRefusal(spec), "has a duplicate name"));
 }
 
 TEST(HostileSurfaces, VtpElementsAreNotNestedDeeply)

@@ -109,7 +109,7 @@ TEST(ForeignDicom, AnImageOfSeveralFramesSaysSo)
   const TemporaryFolder folder;
   WriteObject(folder / "enhanced.dcm", "1.2.840.10008.5.1.4.1.1.4.1", 20);
   ExpectTold(MessageOf([&] { ReadVolume(folder / "enhanced.dcm"); }), folder / "enhanced.dcm",
-             "is a DICOM image of several frames");
+             "is a multi-frame DICOM image");
 }
 
 TEST(ForeignDicom, SlicesAndSegmentationsAreNone)
