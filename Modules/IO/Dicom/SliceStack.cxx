@@ -169,7 +169,7 @@ SliceStack StackSlices(const std::filesystem::path& file, const std::vector<Slic
   CheckParallel(file, planes, heights);
   if (!rules.Sparse && planes.size() < 2)
   {
-    Refuse(file, "is a single slice", "give a volume of at least two slices");
+    Refuse(file, "is a single slice", "use a volume of at least two slices");
   }
   const double step = rules.Sparse ? SparseStep(file, distinct, rules.StatedStep)
                                    : DenseStep(file, distinct, planes.size());

@@ -17,7 +17,7 @@ void ItkImageFile::OpenReader(ItkFormat format, const std::string& name)
   }
   catch (const std::exception&)
   {
-    RefuseContent(this->File, "is no " + name + " image or its header is damaged",
+    RefuseContent(this->File, "is not in " + name + " format, or its header is damaged",
                   "copy or export it again");
   }
   this->CheckHeader();

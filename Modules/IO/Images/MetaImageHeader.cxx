@@ -61,7 +61,7 @@ std::vector<double> CheckDimensions(const std::filesystem::path& file,
   }
   if (sizes.size() < 3)
   {
-    Refuse(file, "is two-dimensional", "give a volume of at least two slices");
+    Refuse(file, "is two-dimensional", "use a volume of at least two slices");
   }
   sizes.resize(3);
   return sizes;

@@ -69,7 +69,7 @@ private:
 void CheckMark(const std::filesystem::path& file, const HeaderReader& header)
 {
   const auto size = header.At<std::int32_t>(0);
-  // The reader has swapped a NIfTI-2 header's size where it need not.
+  // The reader may have swapped the size of a NIfTI-2 header.
   if (size == 540 || size == 0x1c020000)
   {
     Refuse(file, "is a NIfTI-2 file, which is not supported", "convert it to NIfTI-1");
@@ -106,7 +106,7 @@ void CheckDimensions(const std::filesystem::path& file, const HeaderReader& head
   }
   if (count < 3)
   {
-    Refuse(file, "is two-dimensional", "give a volume of at least two slices");
+    Refuse(file, "is two-dimensional", "use a volume of at least two slices");
   }
 }
 
@@ -167,7 +167,7 @@ NiftiType VoxelType(const std::filesystem::path& file, const HeaderReader& heade
   return type;
 }
 
-// The data of a single file cannot start within its header, whatever that says.
+// The data of a single file cannot start within its header, whatever the header states.
 std::size_t VoxelOffset(const std::filesystem::path& file, const HeaderReader& header)
 {
   const double offset = header.At<float>(108);
@@ -192,7 +192,7 @@ void CheckLength(const std::filesystem::path& file, bool isCompressed, const Nif
   if (!isCompressed && length < needed)
   {
     Refuse(file,
-           "is truncated: its header declares " + std::to_string(needed) + " bytes and it has " +
+           "is truncated: its header declares " + std::to_string(needed) + " bytes but it has " +
                std::to_string(length),
            "copy or export it again");
   }
@@ -211,7 +211,7 @@ double MillimetersPerUnit(const HeaderReader& header)
   }
 }
 
-// A slope or an intercept that is NaN or infinite counts as not given.
+// A slope or an intercept that is NaN or infinite counts as absent.
 double FiniteOrZero(float value)
 {
   return std::isfinite(value) ? static_cast<double>(value) : 0.0;

@@ -19,7 +19,7 @@ constexpr std::size_t LongestPath = 512;
 constexpr std::size_t MostPairs = 20000;
 constexpr int MostDimensions = 10;
 
-/// Goes through a header line by line.
+/// Checks a header line by line.
 class HeaderCheck
 {
 public:
@@ -58,7 +58,8 @@ private:
     {
       return;
     }
-    // What stands before ":=" may be a field's name with ": " to the library, where it is long.
+    // If the text before ":=" is long, the library may take a ": " in it for the end of a field's
+    // name.
     const std::size_t pair = line.find(":=");
     if (pair < line.find(": ") && pair < LongestField)
     {
@@ -100,7 +101,7 @@ private:
     }
   }
 
-  // The readers behind this keep sizes, and values per voxel, as int.
+  // The readers store sizes, and values per voxel, as int.
   void CheckSizes(const std::string& text) const
   {
     std::istringstream words(text);
@@ -126,7 +127,7 @@ private:
     }
   }
 
-  // A name that is absent has a message of its own.
+  // A missing data file has its own message.
   void CheckDataFile(const std::string& name) const
   {
     std::error_code failure;

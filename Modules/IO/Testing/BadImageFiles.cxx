@@ -164,7 +164,7 @@ std::vector<BadFile> BadNiftiFiles()
   return {
       {"empty.nii", "", "is empty"},
       {"short.nii", good.substr(0, 200), "has a truncated or damaged header"},
-      {"cut.nii", good.substr(0, 400), "header declares 472 bytes and it has 400"},
+      {"cut.nii", good.substr(0, 400), "header declares 472 bytes but it has 400"},
       {"cut.nii.gz", Gzipped(good).substr(0, 60), "damaged"},
       {"garbage.nii", std::string(5000, 'x'), "is not a NIfTI-1 file"},
       {"garbage.nii.gz", std::string(5000, 'x'), "is not a NIfTI-1 file"},
@@ -176,7 +176,7 @@ std::vector<BadFile> BadNiftiFiles()
       {"zero.nii", NiftiBytes(zero), "a voxel spacing of 0"},
       {"negative.nii", NiftiBytes(negative), "a voxel spacing of -2"},
       {"sheared.nii", NiftiBytes(sheared), "not perpendicular"},
-      {"rescaled.nii", NiftiBytes(rescaled), "one voxel size by its sform"},
+      {"rescaled.nii", NiftiBytes(rescaled), "different voxel sizes in its sform"},
       {"bits.nii", NiftiBytes(bits), "type that is not supported (code 1)"},
       {"nan.nii", NiftiWith(16, std::nanf("")), "1 voxels that are NaN or infinite"},
       {"inf.nii", NiftiWith(16, INFINITY), "1 voxels that are NaN or infinite"},

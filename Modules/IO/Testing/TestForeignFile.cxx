@@ -73,11 +73,11 @@ std::vector<Foreign> ForeignFiles()
       {"mask.nii.gz", Gzipped(TarOf("mask.nii")), "is a gzip file, and its content is a tar",
        "gunzip"},
       {"mask.nrrd.gz", Gzipped("NRRD0004\ntype: short\n"), "its content is an NRRD file", "gunzip"},
-      {"mask.gz", Gzipped("nothing that is known"), "is a gzip file of something", "gunzip"},
+      {"mask.gz", Gzipped("nothing that is known"), "is a gzip file whose content", "gunzip"},
       {"named.gz", Gzipped(NiftiBytes({})), "is a NIfTI file by content", "end in .nii.gz"},
       {"mask", NiftiBytes({}), "is a NIfTI file by content", "end in .nii"},
       {"mask.nii", "NRRD0004\ntype: short\n", "is an NRRD file by content", "end in .nrrd"},
-      {"picture.png", "\x89PNG\r\n", "is a PNG picture", "volume"},
+      {"picture.png", "\x89PNG\r\n", "is a PNG image", "volume"},
       {"text.mha", "<html>", "is a web page", "download"},
       {"text.nrrd", "<html>", "is a web page", "download"},
   };
