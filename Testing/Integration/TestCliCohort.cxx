@@ -251,7 +251,7 @@ TEST_F(CliCohort, BadInputGivesOneSentence)
   WriteAll(this->Folder / "up.csv", "case,mask\n..,x.nii\n");
   const std::vector<std::pair<std::vector<std::string>, std::string>> cases{
       {{"masks"}, "--output"},
-      {{"empty", "--output", "out"}, "empty has no segmentation"},
+      {{"empty", "--output", "out"}, "empty has no readable segmentation"},
       {{"--manifest", "none.csv", "--output", "out"}, "lists no case"},
       {{"--manifest", "twice.csv", "--output", "out"}, "case A"},
       {{"--manifest", "up.csv", "--output", "out"}, "case .."},

@@ -53,9 +53,10 @@ TEST(CliStudy, WhatReplacesARefusedModelIsAdviceAndNoFailure)
            "\"name\": \"ball\", \"shown_as\": \"sub-voxel\"}]}");
   const CommandRun run = RunPalpate({"study", "case.palpate.json"}, folder.Path());
   EXPECT_EQ(run.Code, 0) << run.Errors;
-  EXPECT_NE(run.Errors.find("ball: touched by its sub-voxel field, because it is not followed by a "
-                            "model of degree 0"),
-            std::string::npos)
+  EXPECT_NE(
+      run.Errors.find(
+          "ball: touched by its sub-voxel field, because it is not matched by a model of degree 0"),
+      std::string::npos)
       << run.Errors;
   EXPECT_NE(run.Output.find("shown as sub-voxel volume"), std::string::npos) << run.Output;
 }

@@ -179,7 +179,7 @@ TEST(CohortGroup, PageNeedsNothingElseAndNamesWhatIsLeftOut)
   EXPECT_EQ(html.find("http"), std::string::npos);
   EXPECT_NE(html.find("4 shapes, degree 5"), std::string::npos);
   EXPECT_NE(html.find("Mode 2: 5.9 %"), std::string::npos);
-  EXPECT_NE(html.find("x &amp; y has no model and is left out: is &lt;hidden&gt;"),
+  EXPECT_NE(html.find("x &amp; y has no model and is omitted: is &lt;hidden&gt;"),
             std::string::npos);
 }
 
@@ -203,7 +203,7 @@ TEST(CohortGroup, WhatIsNoCohortIsRefusedInOneSentence)
   palpate::test::WriteAll(folder / "cohort.csv", "case,mask\na,b\n");
   const auto run = palpate::test::RunPalpate({"cohort", "."}, folder.Path());
   EXPECT_EQ(run.Code, 2);
-  EXPECT_NE(run.Errors.find("is no table of a cohort"), std::string::npos) << run.Errors;
+  EXPECT_NE(run.Errors.find("is not a cohort table"), std::string::npos) << run.Errors;
   EXPECT_EQ(palpate::test::RunPalpate({"cohort", "nowhere"}, folder.Path()).Code, 2);
   EXPECT_EQ(folder.EntryCount(), 1U);
 }

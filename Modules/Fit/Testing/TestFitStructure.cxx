@@ -222,7 +222,7 @@ TEST(FitStructure, RefusesAModelThatDoesNotFollowTheMask)
   const Segmentation segmentation = SegmentationOf(plate);
   const FitResult result = Fit(segmentation, settings);
   EXPECT_EQ(result.State, Outcome::Refused);
-  EXPECT_NE(result.Message.find("is not followed by a model of degree 3"), std::string::npos)
+  EXPECT_NE(result.Message.find("is not matched by a model of degree 3"), std::string::npos)
       << result.Message;
   settings.MinimumDice = 0.0;
   EXPECT_EQ(Fit(segmentation, settings).State, Outcome::Fitted);

@@ -75,7 +75,7 @@ TEST(CohortTable, RefusesDegreesThatNoModelHas)
   for (const char* degree : {"10000", "1001", "-1", "2.5", "", "99999999999"})
   {
     const std::string refusal = TableRefusal(Head + FittedRow("a", degree));
-    EXPECT_TRUE(Has(refusal, "degree of case a is no whole number from 0 to 1000")) << refusal;
+    EXPECT_TRUE(Has(refusal, "degree of case a is not a whole number from 0 to 1000")) << refusal;
   }
 }
 
