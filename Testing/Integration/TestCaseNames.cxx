@@ -76,7 +76,7 @@ bool IsInside(const std::filesystem::path& path, const std::filesystem::path& fo
 }
 } // namespace
 
-TEST(OutputNames, PlainNamesAreSafeOnEveryFileSystemAndStayAsTheyAre)
+TEST(OutputNames, PlainNamesAreSafeAndUnchanged)
 {
   HostileNames names;
   for (int n = 0; n < 20000; ++n)
@@ -88,7 +88,7 @@ TEST(OutputNames, PlainNamesAreSafeOnEveryFileSystemAndStayAsTheyAre)
   }
 }
 
-TEST(OutputNames, OrdinaryNamesAreKept)
+TEST(OutputNames, KeepsOrdinaryNames)
 {
   for (const char* name : {"sub-01", "case.1", "Prostate_2", "a", "console", "com", "lpt10"})
   {
@@ -96,7 +96,7 @@ TEST(OutputNames, OrdinaryNamesAreKept)
   }
 }
 
-TEST(OutputNames, NoFolderHasTheNameOfAnOutputFile)
+TEST(OutputNames, FolderNamesDifferFromOutputFiles)
 {
   for (const char* name : {"cohort.csv", "report.html", "mean.json", "mean.VTP"})
   {
@@ -104,7 +104,7 @@ TEST(OutputNames, NoFolderHasTheNameOfAnOutputFile)
   }
 }
 
-TEST(OutputNames, FoldersOfStructuresStayInside)
+TEST(OutputNames, StructureFoldersStayInside)
 {
   HostileNames names;
   for (int n = 0; n < 20000; ++n)
@@ -119,7 +119,7 @@ TEST(OutputNames, FoldersOfStructuresStayInside)
   }
 }
 
-TEST(CaseNames, DistinctCasesHaveDistinctFoldersEvenWithoutLetterCase)
+TEST(CaseNames, DistinctCasesHaveDistinctFoldersIgnoringCase)
 {
   HostileNames names;
   for (int run = 0; run < 200; ++run)

@@ -72,7 +72,7 @@ protected:
   TemporaryFolder Folder;
 };
 
-TEST_F(CliEnds, EachSignalEndsATouchWithWholeFilesAndItsCode)
+TEST_F(CliEnds, EachSignalLeavesCompleteFilesAndItsExitCode)
 {
   for (const int signal : {SIGINT, SIGTERM, SIGHUP})
   {
@@ -86,7 +86,7 @@ TEST_F(CliEnds, EachSignalEndsATouchWithWholeFilesAndItsCode)
   }
 }
 
-TEST_F(CliEnds, ASecondCtrlCTakesTheForceAwayAndLeavesWholeFiles)
+TEST_F(CliEnds, SecondCtrlCRemovesForceAndLeavesCompleteFiles)
 {
   StartedCommand command(PALPATE_PROGRAM, this->Touch(), this->Folder.Path());
   ASSERT_TRUE(IsSoon([this] { return this->IsRecorded(SomeTicks); }));
@@ -101,7 +101,7 @@ TEST_F(CliEnds, ASecondCtrlCTakesTheForceAwayAndLeavesWholeFiles)
 }
 
 // The advice about a stiffness of 100 N/mm is the first that nobody reads.
-TEST_F(CliEnds, ErrorsThatNobodyReadsEndATouchWithWholeFiles)
+TEST_F(CliEnds, ClosedStandardErrorLeavesCompleteFiles)
 {
   StartedCommand command(PALPATE_PROGRAM, this->Touch(), this->Folder.Path(),
                          StartedCommand::Errors::ReadByNobody);
@@ -110,7 +110,7 @@ TEST_F(CliEnds, ErrorsThatNobodyReadsEndATouchWithWholeFiles)
   this->ExpectWholeFiles();
 }
 
-TEST_F(CliEnds, SignalsThatAreToBeIgnoredStayIgnored)
+TEST_F(CliEnds, IgnoredSignalsStayIgnored)
 {
   std::vector<std::string> words{PALPATE_PROGRAM};
   for (const std::string& word : this->Touch())
@@ -126,7 +126,7 @@ TEST_F(CliEnds, SignalsThatAreToBeIgnoredStayIgnored)
   this->ExpectWholeFiles();
 }
 
-TEST_F(CliEnds, WhatWasDrilledUntilASignalIsWritten)
+TEST_F(CliEnds, SignalWritesDrillingDoneSoFar)
 {
   const DrillBlock block;
   std::ofstream(this->Folder / "pedal.json") << R"({"format": "palpate-drill",
@@ -183,7 +183,7 @@ private:
 };
 
 // As a terminal sends it: to all that the program started in its group.
-TEST_F(CliEnds, CtrlCWithViewEndsAsWithoutIt)
+TEST_F(CliEnds, CtrlCEndsViewAsWithoutIt)
 {
   const OwnDisplay display;
   StartedCommand command("env", display.With(this->TouchWithView()), this->Folder.Path());
@@ -195,7 +195,7 @@ TEST_F(CliEnds, CtrlCWithViewEndsAsWithoutIt)
 }
 
 // The command waits for it for ever, and cannot end by itself.
-TEST_F(CliEnds, ADisplayThatHangsWithViewIsLeftByTheFifthSignal)
+TEST_F(CliEnds, FifthSignalEndsViewOnHungDisplay)
 {
   const OwnDisplay display;
   StartedCommand command("env", display.With(this->TouchWithView()), this->Folder.Path());
@@ -211,7 +211,7 @@ TEST_F(CliEnds, ADisplayThatHangsWithViewIsLeftByTheFifthSignal)
 }
 
 // Xlib calls exit() then.
-TEST_F(CliEnds, AnXServerThatEndsWithViewLeavesAWholeRecording)
+TEST_F(CliEnds, LostXServerLeavesCompleteRecording)
 {
   const OwnDisplay display;
   StartedCommand command("env", display.With(this->TouchWithView()), this->Folder.Path());
@@ -226,7 +226,7 @@ TEST_F(CliEnds, AnXServerThatEndsWithViewLeavesAWholeRecording)
 } // namespace
 
 // Compressing takes so long that the signal comes while the file is written.
-TEST_F(CliEnds, CtrlCInAConversionLeavesNothingHalfWritten)
+TEST_F(CliEnds, CtrlCInConversionLeavesNoPartialFile)
 {
   vtkNew<vtkImageData> image;
   image->SetDimensions(256, 256, 200);

@@ -162,7 +162,7 @@ protected:
   FalconTestBed Bed;
 };
 
-TEST_F(CliFalcon, WithoutOneTheListSaysSo)
+TEST_F(CliFalcon, ListReportsMissingDevice)
 {
   const std::vector<nlohmann::json> falcons = this->Listed("falcon");
   ASSERT_EQ(falcons.size(), 1U);
@@ -175,7 +175,7 @@ TEST_F(CliFalcon, WithoutOneTheListSaysSo)
   EXPECT_NE(home.Errors.find("There is no Falcon on USB"), std::string::npos) << home.Errors;
 }
 
-TEST_F(CliFalcon, ItComesAndGoesInTheListWithItsState)
+TEST_F(CliFalcon, ListFollowsHotPlugAndState)
 {
   this->Bed.Plug(this->Bus, 2);
   std::vector<nlohmann::json> falcons = this->Listed("falcon");
@@ -197,7 +197,7 @@ TEST_F(CliFalcon, ItComesAndGoesInTheListWithItsState)
   EXPECT_EQ(this->Listed("falcon").at(0)["name"], "falcon");
 }
 
-TEST_F(CliFalcon, TheVirtualBusIsNeededToSeeIt)
+TEST_F(CliFalcon, IsVisibleOnlyOnVirtualBus)
 {
   this->Bed.Plug(this->Bus, 2);
   const CommandRun run =
@@ -206,7 +206,7 @@ TEST_F(CliFalcon, TheVirtualBusIsNeededToSeeIt)
   EXPECT_EQ(run.Output.find("falcon:device=1-2"), std::string::npos) << run.Output;
 }
 
-TEST_F(CliFalcon, WithoutPermissionTheWayOutIsNamed)
+TEST_F(CliFalcon, MissingPermissionGivesFix)
 {
   if (geteuid() == 0)
   {
@@ -222,7 +222,7 @@ TEST_F(CliFalcon, WithoutPermissionTheWayOutIsNamed)
   EXPECT_NE(run.Errors.find("Utilities/install-udev-rule.sh"), std::string::npos) << run.Errors;
 }
 
-TEST_F(CliFalcon, IsLoadedAndHomedWithGuidance)
+TEST_F(CliFalcon, LoadsAndHomesWithGuidance)
 {
   this->Bed.Plug(this->Bus, 2);
   const CommandRun run = this->Run({"devices", "--home", "--firmware", "firmware.bin", "--json"});
@@ -239,7 +239,7 @@ TEST_F(CliFalcon, IsLoadedAndHomedWithGuidance)
   EXPECT_NE(says.find("homed"), std::string::npos) << "firmware and zero stay: " << says;
 }
 
-TEST_F(CliFalcon, WithoutFirmwareOrWithAFileThatIsNoneItSaysWhatToDo)
+TEST_F(CliFalcon, MissingOrInvalidFirmwareGivesFix)
 {
   this->Bed.Plug(this->Bus, 2);
   const CommandRun none = this->Run({"devices", "--home", "--device", "falcon"});
@@ -255,7 +255,7 @@ TEST_F(CliFalcon, WithoutFirmwareOrWithAFileThatIsNoneItSaysWhatToDo)
 
 // On a busy machine replies come too late for a touch now and then; then it is begun again, and
 // must have ended with the fault that says so.
-TEST_F(CliFalcon, AMaskIsTouchedWithIt)
+TEST_F(CliFalcon, TouchesMask)
 {
   this->Bed.Plug(this->Bus, 2);
   WriteTwoBalls(this->Folder / "a.nii.gz");
@@ -324,7 +324,7 @@ protected:
   }
 };
 
-TEST_F(CliFalconEnds, KilledItLeavesNoTorqueOnTheMotors)
+TEST_F(CliFalconEnds, KillLeavesNoTorque)
 {
   const std::unique_ptr<StartedCommand> command = this->Pushing();
   const auto start = std::chrono::steady_clock::now();
@@ -348,7 +348,7 @@ class CliFalconEndsBy : public CliFalconEnds, public testing::WithParamInterface
 {
 };
 
-TEST_P(CliFalconEndsBy, TheLastPacketHasNoTorqueAndTheFilesAreWhole)
+TEST_P(CliFalconEndsBy, LastPacketHasNoTorqueAndFilesAreComplete)
 {
   const std::unique_ptr<StartedCommand> command = this->Pushing();
   const auto start = std::chrono::steady_clock::now();
@@ -381,7 +381,7 @@ class CliFalconEndsWithout : public CliFalconEnds, public testing::WithParamInte
 {
 };
 
-TEST_P(CliFalconEndsWithout, TheBoardIsToldZero)
+TEST_P(CliFalconEndsWithout, BoardReceivesZeroTorque)
 {
   const std::unique_ptr<StartedCommand> command = this->Pushing();
   const auto start = std::chrono::steady_clock::now();
@@ -406,7 +406,7 @@ INSTANTIATE_TEST_SUITE_P(
                     falcon.Faults.Spoil = [](VirtualFalconAnswer& a) { a.Delay += 15'000'000; };
                   }}));
 
-TEST_F(CliFalconEnds, AHubThatResetsLeavesNoTorqueOnceTheDeviceIsBack)
+TEST_F(CliFalconEnds, HubResetLeavesNoTorqueAfterReconnect)
 {
   const std::unique_ptr<StartedCommand> command = this->Pushing();
   this->Bed.Unplug(2, VirtualFalcon::Supply::Kept);
@@ -419,7 +419,7 @@ TEST_F(CliFalconEnds, AHubThatResetsLeavesNoTorqueOnceTheDeviceIsBack)
   command->Finish();
 }
 
-TEST_F(CliFalconEnds, CtrlZDoesNotStopItWhileItMayPush)
+TEST_F(CliFalconEnds, CtrlZIsIgnoredWhileForceIsPossible)
 {
   const std::unique_ptr<StartedCommand> command = this->Pushing();
   command->Send(SIGTSTP);
@@ -429,7 +429,7 @@ TEST_F(CliFalconEnds, CtrlZDoesNotStopItWhileItMayPush)
   EXPECT_FALSE(this->HasTorque());
 }
 
-TEST_F(CliFalcon, UnpluggedWhileItIsHomedItSaysSo)
+TEST_F(CliFalcon, ReportsUnplugDuringHoming)
 {
   this->Model.Mechanism().Settings.Path = nullptr; // nobody pulls, so it is never homed
   this->Bed.Plug(this->Bus, 2);

@@ -19,7 +19,7 @@ bool Has(const std::string& text, const std::string& part)
 }
 } // namespace
 
-TEST(CliFit, OneStructureGivesNumbersFilesAndAReport)
+TEST(CliFit, OneStructureGivesNumbersFilesAndReport)
 {
   const TemporaryFolder folder;
   WriteTwoBalls(folder / "a.nii.gz");
@@ -57,7 +57,7 @@ TEST(CliFit, OneStructureGivesNumbersFilesAndAReport)
   EXPECT_DOUBLE_EQ(VolumeOf(model) / 1000.0, result.at("volume_ml").at("model").get<double>());
 }
 
-TEST(CliFit, EveryLabelIsACaseWithAFolderAndAnOverview)
+TEST(CliFit, EveryLabelHasFolderAndOverview)
 {
   const TemporaryFolder folder;
   WriteTwoBalls(folder / "a.nii.gz");
@@ -70,7 +70,7 @@ TEST(CliFit, EveryLabelIsACaseWithAFolderAndAnOverview)
   EXPECT_TRUE(std::filesystem::exists(folder / "out/a_2/model.json"));
 }
 
-TEST(CliFit, FailingCaseIsReportedAtTheEndAndDoesNotStopTheOthers)
+TEST(CliFit, FailingCaseIsReportedLastAndDoesNotStopOthers)
 {
   const TemporaryFolder folder;
   WriteTwoBalls(folder / "good.nii.gz");
@@ -116,7 +116,7 @@ TEST(CliFit, BadInputGivesOneSentenceAndLeavesNothing)
   }
 }
 
-TEST(CliFit, OutputThatCannotBeWrittenIsBadInput)
+TEST(CliFit, UnwritableOutputIsBadInput)
 {
   const TemporaryFolder folder;
   WriteTwoBalls(folder / "a.nii.gz");
@@ -127,7 +127,7 @@ TEST(CliFit, OutputThatCannotBeWrittenIsBadInput)
   EXPECT_TRUE(Has(run.Errors, "file/out")) << run.Errors;
 }
 
-TEST(CliFit, FewerDirectionsThanCoefficientsAreRefusedWithTheWayOut)
+TEST(CliFit, RejectsFewerDirectionsThanCoefficientsWithFix)
 {
   const TemporaryFolder folder;
   WriteTwoBalls(folder / "a.nii.gz");
@@ -137,7 +137,7 @@ TEST(CliFit, FewerDirectionsThanCoefficientsAreRefusedWithTheWayOut)
   EXPECT_TRUE(Has(run.Errors, "take more directions or a lower degree")) << run.Errors;
 }
 
-TEST(CliFit, DegreeAutoTakesTheSmallestThatMeetsTheTolerance)
+TEST(CliFit, AutoDegreeIsSmallestWithinTolerance)
 {
   const TemporaryFolder folder;
   WriteTwoBalls(folder / "a.nii.gz");
@@ -154,7 +154,7 @@ TEST(CliFit, DegreeAutoTakesTheSmallestThatMeetsTheTolerance)
   }
 }
 
-TEST(CliFit, PenaltiesAndCentresAreTaken)
+TEST(CliFit, AcceptsPenaltiesAndCentres)
 {
   const TemporaryFolder folder;
   WriteTwoBalls(folder / "a.nii.gz");
@@ -169,7 +169,7 @@ TEST(CliFit, PenaltiesAndCentresAreTaken)
   EXPECT_EQ(fit.at("center_mm"), Json({1.0, -1.0, 0.5}));
 }
 
-TEST(CliFit, RobustFitSaysHowManySamplesCountLess)
+TEST(CliFit, RobustFitReportsDownWeightedSamples)
 {
   const TemporaryFolder folder;
   WriteTwoBalls(folder / "a.nii.gz");
@@ -182,7 +182,7 @@ TEST(CliFit, RobustFitSaysHowManySamplesCountLess)
 }
 
 // Seen from outside, the ball lies in a part of all directions.
-TEST(CliFit, GapBetweenDirectionsIsANoteAndAVerdict)
+TEST(CliFit, DirectionGapGivesNoteAndVerdict)
 {
   const TemporaryFolder folder;
   WriteTwoBalls(folder / "a.nii.gz");

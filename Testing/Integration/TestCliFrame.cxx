@@ -26,7 +26,7 @@ TEST(CliFrame, HelpListsEveryCommandAndEndsWithExamples)
   }
 }
 
-TEST(CliFrame, EveryCommandHasHelpThatEndsWithExamples)
+TEST(CliFrame, EveryCommandHelpEndsWithExamples)
 {
   const TemporaryFolder folder;
   for (const char* command :
@@ -39,7 +39,7 @@ TEST(CliFrame, EveryCommandHasHelpThatEndsWithExamples)
   }
 }
 
-TEST(CliFrame, BadCommandLinesExitWithTwoAndOneSentence)
+TEST(CliFrame, BadCommandLineExitsWithTwoAndOneSentence)
 {
   const TemporaryFolder folder;
   for (const std::vector<std::string>& words :
@@ -63,14 +63,14 @@ TEST(CliFrame, BadCommandLinesExitWithTwoAndOneSentence)
   }
 }
 
-TEST(CliFrame, BadCommandLineNamesTheCommandWhoseHelpExplainsIt)
+TEST(CliFrame, BadCommandLineNamesHelpCommand)
 {
   const TemporaryFolder folder;
   const CommandRun run = RunPalpate({"convert", "a"}, folder.Path());
   EXPECT_NE(run.Errors.find("palpate convert --help"), std::string::npos) << run.Errors;
 }
 
-TEST(CliFrame, QuietMayStandBeforeAndAfterTheCommand)
+TEST(CliFrame, QuietWorksBeforeAndAfterCommand)
 {
   const TemporaryFolder folder;
   for (const std::vector<std::string>& words : std::vector<std::vector<std::string>>{
@@ -80,7 +80,7 @@ TEST(CliFrame, QuietMayStandBeforeAndAfterTheCommand)
   }
 }
 
-TEST(CliFrame, FullOutputIsAFailure)
+TEST(CliFrame, FullOutputDeviceIsFailure)
 {
   const TemporaryFolder folder;
   const CommandRun run =
@@ -89,7 +89,7 @@ TEST(CliFrame, FullOutputIsAFailure)
   EXPECT_NE(run.Errors.find("standard output"), std::string::npos) << run.Errors;
 }
 
-TEST(CliFrame, BashTakesItsCompletionScript)
+TEST(CliFrame, BashAcceptsCompletionScript)
 {
   const TemporaryFolder folder;
   WriteAll(folder / "c", RunPalpate({"completion", "bash"}, folder.Path()).Output);
@@ -106,7 +106,7 @@ std::string Offered(const TemporaryFolder& folder, const std::string& words)
   return RunCommand("bash", {"-c", script}, folder.Path()).Output;
 }
 
-TEST(CliFrame, BashCompletesCommandsOptionsAndFixedValues)
+TEST(CliFrame, BashCompletesCommandsOptionsAndValues)
 {
   const TemporaryFolder folder;
   WriteAll(folder / "c", RunPalpate({"completion", "bash"}, folder.Path()).Output);

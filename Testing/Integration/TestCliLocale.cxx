@@ -72,7 +72,7 @@ std::map<std::string, std::string> ResultsOf(const Words& words)
 }
 } // namespace
 
-TEST(CliLocale, NothingDependsOnADecimalComma)
+TEST(CliLocale, OutputIsIndependentOfDecimalComma)
 {
   const Words fit{"--degree", "4", "--frequency", "8", "--smoothing", "0.5"};
   std::vector<Words> commands{{"fit", "balls.nrrd", "--label", "1", "--output", "o"},

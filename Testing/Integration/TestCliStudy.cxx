@@ -13,7 +13,7 @@ namespace
 const std::string Start = "{\"format\": \"palpate-study\", \"fit\": {\"frequency\": 10}, ";
 }
 
-TEST(CliStudy, MakesWhatASessionWantsAndWhatWasMadeCanBeTouched)
+TEST(CliStudy, BuildsSessionThatCanBeTouched)
 {
   const TemporaryFolder folder;
   WriteTwoBalls(folder / "a.nii.gz");
@@ -31,7 +31,7 @@ TEST(CliStudy, MakesWhatASessionWantsAndWhatWasMadeCanBeTouched)
   EXPECT_EQ(touch.Code, 0) << touch.Errors;
 }
 
-TEST(CliStudy, ASessionOfFilesAloneTakesTheirStructures)
+TEST(CliStudy, SessionWithoutStructuresUsesAllOfItsFiles)
 {
   const TemporaryFolder folder;
   WriteTwoBalls(folder / "a.nii.gz");
@@ -43,7 +43,7 @@ TEST(CliStudy, ASessionOfFilesAloneTakesTheirStructures)
 }
 
 // A ball of one radius is not what the mask's steps are: no model is close enough.
-TEST(CliStudy, WhatReplacesARefusedModelIsAdviceAndNoFailure)
+TEST(CliStudy, FallbackForRefusedModelIsNotFailure)
 {
   const TemporaryFolder folder;
   WriteTwoBalls(folder / "a.nii.gz");
@@ -62,7 +62,7 @@ TEST(CliStudy, WhatReplacesARefusedModelIsAdviceAndNoFailure)
 }
 
 // The sentence is the one that the file's own command gives.
-TEST(CliStudy, BadFilesAreBlamedAsEverywhere)
+TEST(CliStudy, BadFilesGiveUsualMessages)
 {
   const TemporaryFolder folder;
   WriteAll(folder / "a.nii.gz", "no image");
@@ -75,7 +75,7 @@ TEST(CliStudy, BadFilesAreBlamedAsEverywhere)
   EXPECT_EQ(folder.EntryCount(), 2U);
 }
 
-TEST(CliStudy, WhatIsNoSessionIsRefused)
+TEST(CliStudy, RejectsMalformedSession)
 {
   const TemporaryFolder folder;
   WriteAll(folder / "bad.palpate.json", "{\"format\": 1}");
@@ -87,7 +87,7 @@ TEST(CliStudy, WhatIsNoSessionIsRefused)
   }
 }
 
-TEST(CliStudy, OneStructureThatFailsIsToldAndTheOthersAreWritten)
+TEST(CliStudy, FailedStructureIsReportedAndOthersWritten)
 {
   const TemporaryFolder folder;
   WriteTwoBalls(folder / "a.nii.gz");

@@ -39,7 +39,7 @@ protected:
 };
 } // namespace
 
-TEST_F(CliTradeoff, SaysWhatToChooseAndWritesATableAndAPage)
+TEST_F(CliTradeoff, RecommendsSettingsAndWritesTableAndPage)
 {
   const CommandRun run =
       this->Run({"a.nii.gz", "--label", "1", "--only", "degree,interpolation", "-o", "out"});
@@ -52,7 +52,7 @@ TEST_F(CliTradeoff, SaysWhatToChooseAndWritesATableAndAPage)
   EXPECT_EQ(json["format"], "palpate-tradeoff");
 }
 
-TEST_F(CliTradeoff, TheNextRunKeepsWhatIsMeasured)
+TEST_F(CliTradeoff, NextRunReusesMeasurements)
 {
   const std::vector<std::string> arguments{"ball.json", "--only", "degree", "-o", "out"};
   const CommandRun first = this->Run(arguments);
@@ -66,7 +66,7 @@ TEST_F(CliTradeoff, TheNextRunKeepsWhatIsMeasured)
   EXPECT_EQ(again.Output, first.Output);
 }
 
-TEST_F(CliTradeoff, AKilledRunGoesOn)
+TEST_F(CliTradeoff, ResumesKilledRun)
 {
   const std::string command =
       std::string(PALPATE_PROGRAM) +
@@ -81,7 +81,7 @@ TEST_F(CliTradeoff, AKilledRunGoesOn)
   EXPECT_TRUE(Has(run.Errors, std::to_string(rows) + " settings were")) << run.Errors;
 }
 
-TEST_F(CliTradeoff, WhatIsRequiredDecidesTheExitCode)
+TEST_F(CliTradeoff, RequirementsDecideExitCode)
 {
   const CommandRun met = this->Run({"ball.json", "--only", "degree", "--require", "error=1"});
   EXPECT_EQ(met.Code, 0) << met.Errors;
@@ -92,7 +92,7 @@ TEST_F(CliTradeoff, WhatIsRequiredDecidesTheExitCode)
   EXPECT_TRUE(Has(missed.Output, "misses the memory by")) << missed.Output;
 }
 
-TEST_F(CliTradeoff, JsonOnStandardOutputIsAllThereIs)
+TEST_F(CliTradeoff, StandardOutputIsOnlyJson)
 {
   const CommandRun run = this->Run({"ball.json", "--only", "degree", "--json"});
   ASSERT_EQ(run.Code, 0) << run.Errors;
@@ -101,7 +101,7 @@ TEST_F(CliTradeoff, JsonOnStandardOutputIsAllThereIs)
   EXPECT_EQ(said["path"]["seconds"], 0.5);
 }
 
-TEST_F(CliTradeoff, AStructureOfASceneIsChosenByName)
+TEST_F(CliTradeoff, ChoosesSceneStructureByName)
 {
   WriteAll(this->Folder / "two.scene.json",
            R"({"format": "palpate-scene", "tool": {"radius_mm": 1}, "structures": [
@@ -116,7 +116,7 @@ TEST_F(CliTradeoff, AStructureOfASceneIsChosenByName)
   EXPECT_TRUE(Has(unknown.Errors, "name one of ball")) << unknown.Errors;
 }
 
-TEST_F(CliTradeoff, BadInputIsSaidInOneSentence)
+TEST_F(CliTradeoff, BadInputGivesOneSentence)
 {
   const std::vector<std::vector<std::string>> bad{
       {"ball.json", "--require", "speed=3"}, {"ball.json", "--require", "rate=fast"},

@@ -80,7 +80,7 @@ double Field(const CsvRecord& record, const std::string& column)
 }
 } // namespace
 
-TEST(CohortGroup, KnownMeanAndModesComeBackFromTheFiles)
+TEST(CohortGroup, FilesRestoreKnownMeanAndModes)
 {
   Cohort cohort;
   AddKnownCases(cohort);
@@ -110,7 +110,7 @@ TEST(CohortGroup, KnownMeanAndModesComeBackFromTheFiles)
   EXPECT_NEAR(plus.Coefficients()[6] - mean.Coefficients()[6], 2.0 * std::sqrt(16.0 / 3.0), 1e-12);
 }
 
-TEST(CohortGroup, TablesHaveARowACaseAndTheModelsOwnNumbers)
+TEST(CohortGroup, TablesHaveOneRowPerCase)
 {
   Cohort cohort;
   AddKnownCases(cohort);
@@ -130,7 +130,7 @@ TEST(CohortGroup, TablesHaveARowACaseAndTheModelsOwnNumbers)
   EXPECT_EQ(Field(measures[3], "dice"), 0.97);
 }
 
-TEST(CohortGroup, TurnedAndMovedCopiesAreOneShapeInTheirOwnAxes)
+TEST(CohortGroup, RotatedAndMovedCopiesAlignToOneShape)
 {
   Random random(22);
   const SphericalHarmonicModel model = palpate::test::RandomOrgan(random, 6);
@@ -156,7 +156,7 @@ TEST(CohortGroup, TurnedAndMovedCopiesAreOneShapeInTheirOwnAxes)
   EXPECT_LE(worst.Value(), 1e-9); // mm; rounding over the distance of the second moments
 }
 
-TEST(CohortGroup, LowerDegreesAreTakenAsTheHighestWithZeros)
+TEST(CohortGroup, LowerDegreesArePaddedWithZeros)
 {
   Cohort cohort;
   Random random(23);
@@ -168,7 +168,7 @@ TEST(CohortGroup, LowerDegreesAreTakenAsTheHighestWithZeros)
   EXPECT_EQ(group.Modes.Modes.cols(), 1);
 }
 
-TEST(CohortGroup, PageNeedsNothingElseAndNamesWhatIsLeftOut)
+TEST(CohortGroup, PageIsSelfContainedAndListsOmissions)
 {
   Cohort cohort;
   AddKnownCases(cohort);
@@ -183,7 +183,7 @@ TEST(CohortGroup, PageNeedsNothingElseAndNamesWhatIsLeftOut)
             std::string::npos);
 }
 
-TEST(CohortGroup, SeveralStructuresNeedAChoice)
+TEST(CohortGroup, SeveralStructuresRequireChoice)
 {
   Cohort cohort;
   Random random(24);
@@ -197,7 +197,7 @@ TEST(CohortGroup, SeveralStructuresNeedAChoice)
   EXPECT_THROW(cohort.Group(AlignmentAxes::Patient, "3"), InputError);
 }
 
-TEST(CohortGroup, WhatIsNoCohortIsRefusedInOneSentence)
+TEST(CohortGroup, RejectsInvalidCohortWithOneSentence)
 {
   const TemporaryFolder folder;
   palpate::test::WriteAll(folder / "cohort.csv", "case,mask\na,b\n");

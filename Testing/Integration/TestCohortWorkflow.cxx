@@ -89,7 +89,7 @@ protected:
 };
 } // namespace
 
-TEST_F(CohortWorkflow, KilledAndResumedItDoesTheRestAndNothingTwiceWithTheProgramsTables)
+TEST_F(CohortWorkflow, ResumesAfterKillWithoutRepetition)
 {
   this->KillAfterTwoCases();
   const Times before = this->Tables();

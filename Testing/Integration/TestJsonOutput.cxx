@@ -214,7 +214,7 @@ TEST_F(JsonOutput, DevicesAreDocumented)
   this->ExpectDocumented("devices");
 }
 
-TEST(JsonPage, HasATableForEveryCommandThatHasJson)
+TEST(JsonPage, HasTableForEveryJsonCommand)
 {
   const TemporaryFolder folder;
   const CommandRun help = RunPalpate({"--help"}, folder.Path());
@@ -237,7 +237,7 @@ TEST(JsonPage, HasATableForEveryCommandThatHasJson)
 }
 
 // The end of a key tells its unit, and the page says the same.
-TEST(JsonPage, NamesTheUnitsThatKeysEndIn)
+TEST(JsonPage, ListsUnitSuffixesOfKeys)
 {
   const std::vector<std::pair<std::string, std::string>> units{
       {"_n_per_mm", "N/mm"}, {"_mm_per_rad", "mm/rad"},

@@ -191,7 +191,7 @@ void TutorialTest::Keep()
   EXPECT_TRUE(std::filesystem::exists(this->File("results/markups.csv")));
 }
 
-TEST_F(TutorialTest, TheTenStepsLeadFromFilesToAFeltProstate)
+TEST_F(TutorialTest, TenStepsLeadToTouchedProstate)
 {
   const test::CommandRun run =
       test::RunPalpate({"phantom", "--output", "prostate"}, this->Phantom.Folder.Path());

@@ -20,7 +20,7 @@ TEST(Version010, RecordingReplaysBitForBit)
   EXPECT_NE(run.Output.find("0 of 600 ticks differ"), std::string::npos) << run.Output;
 }
 
-TEST(Version010, SceneWithEveryKeyIsTouched)
+TEST(Version010, TouchesSceneWithEveryKey)
 {
   const test::CommandRun run =
       test::RunPalpate({"touch", "keys.scene.json", "--seconds", "0.05", "--json"}, Folder);

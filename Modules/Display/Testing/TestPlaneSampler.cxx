@@ -94,7 +94,7 @@ using Types = testing::Types<unsigned char, short, float, double>;
 TYPED_TEST_SUITE(PlaneSamplerOf, Types);
 } // namespace
 
-TYPED_TEST(PlaneSamplerOf, LinearRowsAreTheEightVoxelsWithTheirWeights)
+TYPED_TEST(PlaneSamplerOf, LinearRowsInterpolateEightVoxels)
 {
   std::mt19937_64 random(11);
   int inside = 0;
@@ -124,7 +124,7 @@ TYPED_TEST(PlaneSamplerOf, LinearRowsAreTheEightVoxelsWithTheirWeights)
   EXPECT_GT(inside, 5000);
 }
 
-TYPED_TEST(PlaneSamplerOf, NearestRowsAreTheVoxelsThatHoldThePoints)
+TYPED_TEST(PlaneSamplerOf, NearestRowsUseVoxelAtPoint)
 {
   std::mt19937_64 random(12);
   for (int trial = 0; trial < 20; ++trial)
@@ -154,7 +154,7 @@ TYPED_TEST(PlaneSamplerOf, NearestRowsAreTheVoxelsThatHoldThePoints)
   }
 }
 
-TEST(PlaneSampler, OnTheVoxelCentresOfASliceItsValuesComeBackExactly)
+TEST(PlaneSampler, RestoresValuesAtVoxelCentres)
 {
   std::mt19937_64 random(13);
   const auto image = RandomImage<short>(random);
@@ -178,7 +178,7 @@ TEST(PlaneSampler, OnTheVoxelCentresOfASliceItsValuesComeBackExactly)
   }
 }
 
-TEST(PlaneSampler, ASingleSliceHasItsValuesHalfAVoxelToBothSides)
+TEST(PlaneSampler, SingleSliceExtendsHalfAVoxelToBothSides)
 {
   vtkNew<vtkImageData> image;
   image->SetDimensions(4, 4, 1);

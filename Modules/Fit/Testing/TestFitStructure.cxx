@@ -84,7 +84,7 @@ double ErrorOf(const FitResult& result, const palpate::SphericalHarmonicModel& t
   return std::sqrt(squares / static_cast<double>(distances.size()));
 }
 
-TEST(FitStructure, ComesCloserToAKnownBodyAsVoxelsShrink)
+TEST(FitStructure, ConvergesAsVoxelsShrink)
 {
   const auto truth = palpate::MakeProstateLikeModel(8, 3, Vector3(12.0, -34.0, 56.0));
   std::vector<double> errors;
@@ -102,7 +102,7 @@ TEST(FitStructure, ComesCloserToAKnownBodyAsVoxelsShrink)
   EXPECT_LT(errors.back(), 0.05); // a tenth of a voxel
 }
 
-TEST(FitStructure, FindsTheCentreAndTheVolumeOfAKnownBody)
+TEST(FitStructure, FindsCentreAndVolumeOfKnownBody)
 {
   const auto truth = palpate::MakeProstateLikeModel(6, 9, Vector3(-80.0, 5.0, 700.0));
   const FitResult result = Fit(SegmentationOf(PhantomMask(truth, 1.0)));
@@ -113,7 +113,7 @@ TEST(FitStructure, FindsTheCentreAndTheVolumeOfAKnownBody)
 }
 
 // Seen from a point of its own surface, a body lies in one half of all directions.
-TEST(FitStructure, WarnsWhereHalfOfAllDirectionsMissTheSurface)
+TEST(FitStructure, WarnsIfHalfOfDirectionsMissSurface)
 {
   palpate::test::LabelGrid grid;
   grid.Size = {60, 60, 60};
@@ -138,7 +138,7 @@ TEST(FitStructure, WarnsWhereHalfOfAllDirectionsMissTheSurface)
   EXPECT_EQ(std::count(outside.Notes.begin(), outside.Notes.end(), outside.Coverage.Sentence), 1);
 }
 
-TEST(FitStructure, DoesNotWarnWhereAllDirectionsMeetTheSurface)
+TEST(FitStructure, DoesNotWarnIfAllDirectionsMeetSurface)
 {
   const auto truth = palpate::MakeProstateLikeModel(6, 9, Vector3::Zero());
   const FitResult result = Fit(SegmentationOf(PhantomMask(truth, 1.0)));
@@ -192,7 +192,7 @@ TEST(FitStructure, RobustWeightsDiscountSpikes)
             1.1 * ErrorOf(Fit(SegmentationOf(clean)), truth));
 }
 
-TEST(FitStructure, RefusesARingAndSaysWhatIsHidden)
+TEST(FitStructure, RejectsRingAndReportsHiddenShare)
 {
   palpate::test::LabelGrid grid;
   grid.Size = {60, 60, 20};
@@ -208,7 +208,7 @@ TEST(FitStructure, RefusesARingAndSaysWhatIsHidden)
   EXPECT_EQ(result.ModelSurface, nullptr);
 }
 
-TEST(FitStructure, RefusesAModelThatDoesNotFollowTheMask)
+TEST(FitStructure, RejectsModelThatMissesMask)
 {
   palpate::test::LabelGrid grid;
   grid.Size = {70, 70, 9};
@@ -252,7 +252,7 @@ FitSettings AcceptingAll()
   return settings;
 }
 
-TEST(FitStructure, RefusesAModelThatReachesFarBeyondItsStructure)
+TEST(FitStructure, RejectsModelFarBeyondStructure)
 {
   const FitResult result = Fit(SegmentationOf(Bowl()), AcceptingAll());
   EXPECT_EQ(result.State, Outcome::Refused);
@@ -263,7 +263,7 @@ TEST(FitStructure, RefusesAModelThatReachesFarBeyondItsStructure)
 }
 
 // A low degree rings round the radius of nearly zero that a centre close to the surface gives.
-TEST(FitStructure, RemarksOnANegativeRadiusOfAModelThatFollows)
+TEST(FitStructure, RemarksOnNegativeRadius)
 {
   palpate::test::LabelGrid grid;
   grid.Size = {50, 50, 50};
@@ -281,7 +281,7 @@ TEST(FitStructure, RemarksOnANegativeRadiusOfAModelThatFollows)
   EXPECT_TRUE(Fit(SegmentationOf(ball), settings).Notes.empty());
 }
 
-TEST(FitStructure, HintsAtNoCentreThatWasUsed)
+TEST(FitStructure, DoesNotSuggestCentreInUse)
 {
   FitSettings settings;
   settings.Center = FitSettings::CenterChoice::MostVisible;
@@ -293,7 +293,7 @@ TEST(FitStructure, HintsAtNoCentreThatWasUsed)
 }
 
 // Others than `palpate fit` read it too.
-TEST(FitStructure, NamesNoOptionInAReason)
+TEST(FitStructure, ReasonNamesNoOption)
 {
   FitSettings hidden;
   hidden.MaximumHiddenPercent = 1.0;
@@ -314,7 +314,7 @@ TEST(FitStructure, NamesNoOptionInAReason)
 }
 
 // A limit that is missed by less than what is written of it.
-TEST(FitStructure, NeverWritesAMissAsIfItWereNone)
+TEST(FitStructure, NeverRoundsMissToSuccess)
 {
   const auto truth = palpate::MakeProstateLikeModel(6, 9, Vector3::Zero());
   const Segmentation segmentation = SegmentationOf(PhantomMask(truth, 1.0));
@@ -327,7 +327,7 @@ TEST(FitStructure, NeverWritesAMissAsIfItWereNone)
   EXPECT_LT(told, settings.MinimumDice) << result.Message;
 }
 
-TEST(FitStructure, CallsWantOfMemoryAFailureOfTheStructure)
+TEST(FitStructure, OutOfMemoryFailsStructure)
 {
   const auto truth = palpate::MakeProstateLikeModel(6, 9, Vector3::Zero());
   const Segmentation segmentation = SegmentationOf(PhantomMask(truth, 2.0));
@@ -347,7 +347,7 @@ TEST(FitStructure, CallsWantOfMemoryAFailureOfTheStructure)
   }
 }
 
-TEST(FitStructure, SaysOneThingOfASingleVoxelAtTheBorder)
+TEST(FitStructure, SingleVoxelAtBorderGivesOneMessage)
 {
   palpate::test::LabelGrid grid;
   grid.Size = {5, 5, 5};
@@ -360,7 +360,7 @@ TEST(FitStructure, SaysOneThingOfASingleVoxelAtTheBorder)
   EXPECT_TRUE(result.Notes.empty()) << result.Notes.front();
 }
 
-TEST(FitStructure, CallsASingleVoxelBadInput)
+TEST(FitStructure, SingleVoxelIsBadInput)
 {
   palpate::test::LabelGrid grid;
   grid.Size = {5, 5, 5};
@@ -371,7 +371,7 @@ TEST(FitStructure, CallsASingleVoxelBadInput)
   EXPECT_NE(result.Message.find("only 1 voxel"), std::string::npos) << result.Message;
 }
 
-TEST(FitStructure, RemarksOnComponentsCavitiesAndTheBorder)
+TEST(FitStructure, RemarksOnComponentsCavitiesAndBorder)
 {
   palpate::test::LabelGrid grid;
   grid.Size = {40, 40, 40};
@@ -392,7 +392,7 @@ TEST(FitStructure, RemarksOnComponentsCavitiesAndTheBorder)
   EXPECT_EQ(result.Notes.size(), 3U);
 }
 
-TEST(FitStructure, TakesTheSmallestDegreeThatMeetsATolerance)
+TEST(FitStructure, UsesSmallestDegreeWithinTolerance)
 {
   const auto truth = palpate::MakeProstateLikeModel(8, 3, Vector3::Zero());
   FitSettings settings;
@@ -404,7 +404,7 @@ TEST(FitStructure, TakesTheSmallestDegreeThatMeetsATolerance)
 }
 
 // On voxels of 4 mm a body of 25 mm has waves of two voxels at degree 18.
-TEST(FitStructure, ASearchForADegreeEndsWithWhatTheMaskTells)
+TEST(FitStructure, DegreeSearchEndsAtSupportedDegree)
 {
   const auto truth = palpate::MakeProstateLikeModel(8, 3, Vector3::Zero());
   FitSettings settings;
@@ -427,7 +427,7 @@ TEST(FitStructure, ASearchForADegreeEndsWithWhatTheMaskTells)
   EXPECT_EQ(Fit(coarse, settings).Model.Degree(), supported + 3);
 }
 
-TEST(FitStructure, WavesOfTheSupportedDegreeAreTwoVoxelsLong)
+TEST(FitStructure, SupportedDegreeHasWavelengthOfTwoVoxels)
 {
   vtkNew<vtkImageData> mask;
   mask->SetSpacing(0.5, 0.5, 3.0);
@@ -440,7 +440,7 @@ TEST(FitStructure, WavesOfTheSupportedDegreeAreTwoVoxelsLong)
   EXPECT_EQ(palpate::SupportedDegree(0.0, mask), 1);
 }
 
-TEST(FitStructure, ReportsProgressThatNeverFallsAndEndsWhenAskedTo)
+TEST(FitStructure, ProgressIsMonotonicAndCancellable)
 {
   const auto truth = palpate::MakeProstateLikeModel(8, 3, Vector3::Zero());
   const Segmentation segmentation = SegmentationOf(PhantomMask(truth, 1.0));
@@ -462,14 +462,14 @@ TEST(FitStructure, ReportsProgressThatNeverFallsAndEndsWhenAskedTo)
   }
 }
 
-TEST(FitStructure, GivesTheSameBitsOnEveryRun)
+TEST(FitStructure, IsBitReproducible)
 {
   const auto truth = palpate::MakeProstateLikeModel(8, 3, Vector3::Zero());
   const Segmentation segmentation = SegmentationOf(PhantomMask(truth, 1.5));
   EXPECT_EQ(Fit(segmentation).Model.Coefficients(), Fit(segmentation).Model.Coefficients());
 }
 
-TEST(CaseName, DropsFolderAndKnownEndingsOnly)
+TEST(CaseName, DropsOnlyFolderAndKnownEndings)
 {
   EXPECT_EQ(palpate::CaseNameOf("a/b/case.1.seg.nrrd"), "case.1");
   EXPECT_EQ(palpate::CaseNameOf("mask.nii.gz"), "mask");
@@ -483,7 +483,7 @@ class WholeGland : public testing::TestWithParam<const char*>
 {
 };
 
-TEST_P(WholeGland, IsFittedWithinAnEighthOfASlice)
+TEST_P(WholeGland, FitsWithinEighthOfSlice)
 {
   const auto path =
       palpate::test::DataPath(std::string("prostate/picai/whole_gland_") + GetParam() + ".nii.gz");
@@ -521,7 +521,7 @@ class EveryOtherMask : public testing::TestWithParam<const char*>
 {
 };
 
-TEST_P(EveryOtherMask, IsFittedOrRefusedWithAReason)
+TEST_P(EveryOtherMask, IsFittedOrRefusedWithReason)
 {
   const std::filesystem::path path = GetParam()[0] == '/' ? std::filesystem::path(GetParam())
                                                           : palpate::test::DataPath(GetParam());

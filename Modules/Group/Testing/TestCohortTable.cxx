@@ -52,7 +52,7 @@ bool Has(const std::string& text, const std::string& part)
 }
 } // namespace
 
-TEST(CohortTable, RowsOfTheHighestDegreeTakeNoCoefficients)
+TEST(CohortTable, RowsOfHighestDegreeStoreNoCoefficients)
 {
   const TemporaryFolder folder;
   std::string text = Head;
@@ -70,7 +70,7 @@ TEST(CohortTable, RowsOfTheHighestDegreeTakeNoCoefficients)
   EXPECT_EQ(CohortTable::Read(folder / "again.csv").Rows()[999].Degree, 1000);
 }
 
-TEST(CohortTable, RefusesDegreesThatNoModelHas)
+TEST(CohortTable, RejectsImpossibleDegrees)
 {
   for (const char* degree : {"10000", "1001", "-1", "2.5", "", "99999999999"})
   {
@@ -95,7 +95,7 @@ TEST(CohortTable, ManyColumnsAndRowsDoNotMultiply)
   EXPECT_EQ(TableRefusal(text), "no error");
 }
 
-TEST(CohortTable, EmptyRowsAreRefusedAtTheFirst)
+TEST(CohortTable, RejectsFirstEmptyRow)
 {
   std::string text = Head;
   for (int row = 0; row < 2000000; ++row)

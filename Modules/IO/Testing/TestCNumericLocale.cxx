@@ -180,7 +180,7 @@ void WriteInputs(const TemporaryFolder& folder)
 }
 } // namespace
 
-TEST(CNumericLocale, GivesDecimalPointsToItsThreadWhileItLives)
+TEST(CNumericLocale, SetsDecimalPointForThreadDuringLifetime)
 {
   const CommaLocale comma;
   ASSERT_EQ(std::strtod("3.5", nullptr), 3.0);
@@ -194,7 +194,7 @@ TEST(CNumericLocale, GivesDecimalPointsToItsThreadWhileItLives)
   EXPECT_EQ(std::strtod("3.5", nullptr), 3.0);
 }
 
-TEST(CNumericLocale, EveryFormatIsReadAlikeUnderADecimalComma)
+TEST(CNumericLocale, ReadsAllFormatsUnderDecimalComma)
 {
   const TemporaryFolder folder;
   WriteInputs(folder);
@@ -211,7 +211,7 @@ TEST(CNumericLocale, EveryFormatIsReadAlikeUnderADecimalComma)
   }
 }
 
-TEST(CNumericLocale, EveryFormatIsWrittenAlikeUnderADecimalComma)
+TEST(CNumericLocale, WritesAllFormatsUnderDecimalComma)
 {
   const TemporaryFolder folder;
   WriteFractionalImages(folder.Path());
@@ -233,7 +233,7 @@ TEST(CNumericLocale, EveryFormatIsWrittenAlikeUnderADecimalComma)
   }
 }
 
-TEST(CNumericLocale, FormatsOfStreamsAreRefusedWhereThoseHaveDecimalCommas)
+TEST(CNumericLocale, RejectsStreamFormatsIfStreamsUseDecimalComma)
 {
   const TemporaryFolder folder;
   WriteFractionalImages(folder.Path());

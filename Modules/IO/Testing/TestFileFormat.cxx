@@ -143,7 +143,7 @@ TEST_F(FileFormats, AddedFormatsAreListedInDialogsAndMessages)
   EXPECT_TRUE(Holds(MessageOf([&] { ReadSurface(this->Folder / "a.txt"); }), "or .triangle"));
 }
 
-TEST(FileFormat, LongestEndingOfANameCounts)
+TEST(FileFormat, UsesLongestEnding)
 {
   EXPECT_EQ(EndingOf("a/Mask.SEG.nrrd", {".nrrd", ".seg.nrrd"}), ".seg.nrrd");
   EXPECT_EQ(EndingOf("a/.nrrd", {".nrrd"}), "");

@@ -84,7 +84,7 @@ std::vector<Foreign> ForeignFiles()
 }
 } // namespace
 
-TEST(ForeignFile, IsRefusedByWhatItIsWithAWayOut)
+TEST(ForeignFile, RejectsNamingFormatAndFix)
 {
   for (const Foreign& foreign : ForeignFiles())
   {
@@ -101,7 +101,7 @@ TEST(ForeignFile, IsRefusedByWhatItIsWithAWayOut)
   }
 }
 
-TEST(ForeignFile, LeavesDamagedFilesOfOurFormatsToTheirReaders)
+TEST(ForeignFile, LeavesDamagedKnownFormatsToTheirReaders)
 {
   const TemporaryFolder folder;
   const std::vector<std::pair<const char*, std::string>> files{
@@ -116,7 +116,7 @@ TEST(ForeignFile, LeavesDamagedFilesOfOurFormatsToTheirReaders)
   }
 }
 
-TEST(ForeignFile, LegacyVtkIsNoSurfaceFileEither)
+TEST(ForeignFile, RejectsLegacyVtkSurface)
 {
   const TemporaryFolder folder;
   WriteAll(folder / "a.vtk", LegacySurface);
@@ -124,7 +124,7 @@ TEST(ForeignFile, LegacyVtkIsNoSurfaceFileEither)
                        "is a legacy VTK file (POLYDATA), a surface; save it as .vtp"));
 }
 
-TEST(ForeignFile, HeadersWhoseDataAreMissingSaySo)
+TEST(ForeignFile, HeaderReportsMissingData)
 {
   const TemporaryFolder folder;
   WriteAll(folder / "a.nhdr", "NRRD0004\ntype: short\ndimension: 3\nsizes: 2 2 2\nencoding: raw\n"

@@ -59,7 +59,7 @@ std::string GzippedWithZerosBehind(const std::string& bytes)
 }
 } // namespace
 
-TEST_F(HostileImages, RefusesNrrdFieldsThatOverflowTheLibrarysMessages)
+TEST_F(HostileImages, RejectsNrrdFieldsThatOverflowLibrary)
 {
   for (const std::size_t letters : {1000U, 5000U, 100000U, 2000000U})
   {
@@ -80,13 +80,13 @@ TEST_F(HostileImages, ReadsLongKeyValuePairsAndComments)
 }
 
 // The library ends a line there too, and takes the rest for a field.
-TEST_F(HostileImages, RefusesLongNrrdLinesBehindACarriageReturn)
+TEST_F(HostileImages, RejectsLongNrrdLinesAfterCarriageReturn)
 {
   EXPECT_TRUE(Contains(this->NrrdRefusalWith("note:=a\r" + std::string(2000, 'x')),
                        "one of its lines has 2000 characters"));
 }
 
-TEST_F(HostileImages, RefusesNrrdAxesBehindACarriageReturn)
+TEST_F(HostileImages, RejectsNrrdAxesAfterCarriageReturn)
 {
   EXPECT_TRUE(
       Contains(this->NrrdRefusal({"type: unsigned char", "encoding: raw",
@@ -95,7 +95,7 @@ TEST_F(HostileImages, RefusesNrrdAxesBehindACarriageReturn)
                "has 16 dimensions"));
 }
 
-TEST_F(HostileImages, RefusesNrrdDataFilesBehindACarriageReturn)
+TEST_F(HostileImages, RejectsNrrdDataFilesAfterCarriageReturn)
 {
   mkfifo((this->Folder / "pipe").c_str(), 0600);
   for (const char* name : {"pipe", "-"})
@@ -106,7 +106,7 @@ TEST_F(HostileImages, RefusesNrrdDataFilesBehindACarriageReturn)
   }
 }
 
-TEST_F(HostileImages, FollowsNrrdSpacesBehindACarriageReturn)
+TEST_F(HostileImages, FollowsNrrdSpaceAfterCarriageReturn)
 {
   std::vector<std::string> lines = PlainNrrdLines("unsigned char");
   lines[2] = "note:=a\rspace: right-anterior-superior";
@@ -119,13 +119,13 @@ TEST_F(HostileImages, FollowsNrrdSpacesBehindACarriageReturn)
 }
 
 // To the library a line ends at a zero.
-TEST_F(HostileImages, RefusesNrrdLinesWithZeros)
+TEST_F(HostileImages, RejectsNrrdLinesWithNullBytes)
 {
   WriteAll(this->Folder / "-", std::string(120, '\1'));
   EXPECT_TRUE(Contains(this->NrrdRefusalWith(std::string("data file: -\0", 13)), "a null byte"));
 }
 
-TEST_F(HostileImages, RefusesNrrdSizesThatOverflow)
+TEST_F(HostileImages, RejectsNrrdSizesThatOverflow)
 {
   for (const char* sizes : {"4294967297 5 6", "4 5 -6", "4 5 18446744073709551615", "4 5 0"})
   {
@@ -138,7 +138,7 @@ TEST_F(HostileImages, RefusesNrrdSizesThatOverflow)
   EXPECT_TRUE(Contains(this->NrrdRefusal(lines), "header"));
 }
 
-TEST_F(HostileImages, RefusesNrrdAxesThatTheLibraryHasNoRoomFor)
+TEST_F(HostileImages, RejectsNrrdAxesThatOverflowLibrary)
 {
   std::string sizes = "sizes:";
   for (int axis = 0; axis < 17; ++axis)
@@ -151,7 +151,7 @@ TEST_F(HostileImages, RefusesNrrdAxesThatTheLibraryHasNoRoomFor)
 }
 
 // The library takes such an axis for components, and has room for the other two only.
-TEST_F(HostileImages, RefusesNrrdDirectionsOfComponents)
+TEST_F(HostileImages, RejectsNrrdDirectionsOfComponents)
 {
   const std::vector<std::string> lines{
       "type: unsigned char", "dimension: 3",  "space: left-posterior-superior",
@@ -164,7 +164,7 @@ TEST_F(HostileImages, RefusesNrrdDirectionsOfComponents)
   }
 }
 
-TEST_F(HostileImages, RefusesNrrdDataFilesByAPattern)
+TEST_F(HostileImages, RejectsNrrdDataFilePatterns)
 {
   for (const char* pattern : {"%s 1 2 1", "%n%n 1 2 1", "%999999999d 1 2 1", "a%03d.raw 1 9 1"})
   {
@@ -173,7 +173,7 @@ TEST_F(HostileImages, RefusesNrrdDataFilesByAPattern)
   }
 }
 
-TEST_F(HostileImages, RefusesNrrdDataFilesThatAreNoFiles)
+TEST_F(HostileImages, RejectsNrrdDataFilesThatAreNotRegular)
 {
   mkfifo((this->Folder / "pipe").c_str(), 0600);
   for (const char* name : {"pipe", "-", ".", "/dev/zero"})
@@ -189,7 +189,7 @@ TEST_F(HostileImages, RefusesNrrdDataFilesThatAreNoFiles)
   EXPECT_TRUE(Contains(this->NrrdRefusal(lines), "one of its lines has 3000 characters"));
 }
 
-TEST_F(HostileImages, RefusesMoreKeyValuePairsThanCanBeSearched)
+TEST_F(HostileImages, RejectsTooManyKeyValuePairs)
 {
   std::vector<std::string> lines = PlainNrrdLines("unsigned char");
   for (int pair = 0; pair < 200000; ++pair)
@@ -199,7 +199,7 @@ TEST_F(HostileImages, RefusesMoreKeyValuePairsThanCanBeSearched)
   EXPECT_TRUE(Contains(this->NrrdRefusal(lines), "more than 20000 key/value pairs"));
 }
 
-TEST_F(HostileImages, RefusesMetaImageKeysThatOverflowTheLibrarysNames)
+TEST_F(HostileImages, RejectsMetaImageKeysThatOverflowLibrary)
 {
   for (const std::size_t letters : {100U, 300U, 3000U})
   {
@@ -214,7 +214,7 @@ TEST_F(HostileImages, RefusesMetaImageKeysThatOverflowTheLibrarysNames)
   }
 }
 
-TEST_F(HostileImages, RefusesMetaImageWordsThatOverflowTheLibrarysValues)
+TEST_F(HostileImages, RejectsMetaImageWordsThatOverflowLibrary)
 {
   for (const char* key : {"ObjectType", "ObjectSubType", "Name", "Comment", "TransformType"})
   {
@@ -228,7 +228,7 @@ TEST_F(HostileImages, RefusesMetaImageWordsThatOverflowTheLibrarysValues)
   }
 }
 
-TEST_F(HostileImages, LongFilesNextToALabelMapAreNotRead)
+TEST_F(HostileImages, IgnoresHugeFilesNextToLabelMap)
 {
   WriteAll(this->Folder / "a.nii", NiftiBytes({}, std::string(120, '\1')));
   // Lists of one line that would fill the memory.
@@ -243,7 +243,7 @@ TEST_F(HostileImages, LongFilesNextToALabelMapAreNotRead)
   EXPECT_TRUE(Contains(segmentation.Notes.back(), "is not a list of label names"));
 }
 
-TEST_F(HostileImages, RefusesMoreLayersThanAnySegmentationHas)
+TEST_F(HostileImages, RejectsTooManyLayers)
 {
   const std::string bytes =
       NrrdBytes({"type: unsigned char", "dimension: 4", "sizes: 100000 2 2 2",
@@ -254,7 +254,7 @@ TEST_F(HostileImages, RefusesMoreLayersThanAnySegmentationHas)
                        "has 100000 layers of segments"));
 }
 
-TEST_F(HostileImages, RefusesGigabytesBehindTheVoxels)
+TEST_F(HostileImages, RejectsGigabytesAfterVoxels)
 {
   const std::string nifti = GzippedWithZerosBehind(NiftiBytes({}, std::string(120, '\1')));
   EXPECT_TRUE(Contains(this->Refusal("a.nii.gz", nifti), "go on for more than a megabyte"));
@@ -269,7 +269,7 @@ TEST_F(HostileImages, RefusesGigabytesBehindTheVoxels)
       "go on for more than a megabyte"));
 }
 
-TEST_F(HostileImages, RefusesVoxelsThatSoFewBytesCannotHold)
+TEST_F(HostileImages, RejectsVoxelsThatExceedCompressedBytes)
 {
   NiftiSpec spec;
   spec.Dimensions = {3, 2000, 2000, 2000, 1, 1, 1, 1};

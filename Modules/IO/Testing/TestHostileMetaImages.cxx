@@ -70,7 +70,7 @@ protected:
 };
 } // namespace
 
-TEST_F(HostileMetaImages, DigitsInPlaceOfWordsAreBoundedToo)
+TEST_F(HostileMetaImages, BoundsDigitsInPlaceOfWords)
 {
   for (const char* key : {"Comment", "Name", "ObjectSubType", "TransformType", "AcquisitionDate",
                           "DistanceUnits", "AnatomicalOrientation", "NoSuchKey"})
@@ -81,12 +81,12 @@ TEST_F(HostileMetaImages, DigitsInPlaceOfWordsAreBoundedToo)
   }
 }
 
-TEST_F(HostileMetaImages, WordsOfTheLibrarysRoomAreRead)
+TEST_F(HostileMetaImages, ReadsWordsOfMaximumLength)
 {
   EXPECT_EQ(this->Refusal(With("Comment = " + std::string(254, '1'), "DimSize")), "no error");
 }
 
-TEST_F(HostileMetaImages, LongListsOfNumbersAreRead)
+TEST_F(HostileMetaImages, ReadsLongListsOfNumbers)
 {
   const std::string matrix = "TransformMatrix = 1 0 0 0 1 0 0 0 1";
   std::string digits = matrix;
@@ -101,7 +101,7 @@ TEST_F(HostileMetaImages, LongListsOfNumbersAreRead)
 }
 
 // The library takes no more than 499 letters of a name and then fails, which it does not tell.
-TEST_F(HostileMetaImages, NamesOfDataFilesAreBounded)
+TEST_F(HostileMetaImages, BoundsDataFileNames)
 {
   const std::string line = DataLine + std::string(500, ' ');
   EXPECT_TRUE(Contains(this->Refusal(Replaced(With("ID = 1"), DataLine, line)),
@@ -109,7 +109,7 @@ TEST_F(HostileMetaImages, NamesOfDataFilesAreBounded)
 }
 
 // To the library a colon separates as the equals sign does.
-TEST_F(HostileMetaImages, LinesWithAColonFirstAreRefused)
+TEST_F(HostileMetaImages, RejectsLinesWithColonFirst)
 {
   for (const char* line :
        {"DimSize : 1500 1500 1000 =", "ElementDataFile : LIST =", "ElementDataFile : %s%n 1 6 1 =",
@@ -119,7 +119,7 @@ TEST_F(HostileMetaImages, LinesWithAColonFirstAreRefused)
   }
 }
 
-TEST_F(HostileMetaImages, LinesWithTwoSeparatorsInARowAreRefused)
+TEST_F(HostileMetaImages, RejectsLinesWithTwoSeparators)
 {
   for (const char* line : {"CompressedData = :True", "HeaderSize == 5", "HeaderSize = : 5"})
   {
@@ -130,7 +130,7 @@ TEST_F(HostileMetaImages, LinesWithTwoSeparatorsInARowAreRefused)
 }
 
 // The library ends a name at a carriage return and skips other blanks before one.
-TEST_F(HostileMetaImages, ControlCharactersAreRefused)
+TEST_F(HostileMetaImages, RejectsControlCharacters)
 {
   for (const std::string& line :
        {std::string("DimSize\rFoo = 1500 1500 1000"), std::string("\vDimSize = 1500 1500 1000"),
@@ -141,7 +141,7 @@ TEST_F(HostileMetaImages, ControlCharactersAreRefused)
   }
 }
 
-TEST_F(HostileMetaImages, LinesThatEndInCarriageReturnsAreRead)
+TEST_F(HostileMetaImages, ReadsLinesWithCarriageReturns)
 {
   std::string bytes = With("ID = 1");
   for (std::size_t at = 0; (at = bytes.find('\n', at)) != std::string::npos; at += 2)
@@ -151,7 +151,7 @@ TEST_F(HostileMetaImages, LinesThatEndInCarriageReturnsAreRead)
   EXPECT_EQ(this->Refusal(bytes), "no error");
 }
 
-TEST_F(HostileMetaImages, FieldsThatRepeatAreRefused)
+TEST_F(HostileMetaImages, RejectsDuplicateFields)
 {
   for (const char* line : {"DimSize = 4 5 6", "NDims = 3", "Foo = 1\nFoo = 1"})
   {
@@ -160,7 +160,7 @@ TEST_F(HostileMetaImages, FieldsThatRepeatAreRefused)
 }
 
 // The library goes on with the next line's numbers.
-TEST_F(HostileMetaImages, FieldsWithTooFewNumbersAreRefused)
+TEST_F(HostileMetaImages, RejectsFieldsWithTooFewNumbers)
 {
   for (const char* lines : {"ID =\n5 = x", "Color = 1 1\n1 1 = x", "HeaderSize =\n100 = x",
                             "CenterOfRotation = 0 0\n0 = x", "Rotation = 1 0 0 0 1 0 0 0\n1 = x"})
@@ -170,7 +170,7 @@ TEST_F(HostileMetaImages, FieldsWithTooFewNumbersAreRefused)
 }
 
 // The library makes a record of 33 kB of each.
-TEST_F(HostileMetaImages, LinesAreBounded)
+TEST_F(HostileMetaImages, BoundsNumberOfLines)
 {
   std::string lines;
   for (int line = 0; line < 200000; ++line)
@@ -180,7 +180,7 @@ TEST_F(HostileMetaImages, LinesAreBounded)
   EXPECT_TRUE(Contains(this->Refusal(With(lines + "ID = 1")), "more than 10000 lines"));
 }
 
-TEST_F(HostileMetaImages, BytesBeforeTheVoxelsDoNotCount)
+TEST_F(HostileMetaImages, BytesBeforeVoxelsAreNotCounted)
 {
   for (const char* size : {"1", "100", "100000"})
   {
@@ -190,13 +190,13 @@ TEST_F(HostileMetaImages, BytesBeforeTheVoxelsDoNotCount)
   }
 }
 
-TEST_F(HostileMetaImages, VoxelsBehindAHeaderOfTheirOwnAreRead)
+TEST_F(HostileMetaImages, ReadsVoxelsAfterOwnHeader)
 {
   EXPECT_EQ(this->RefusalBeside(std::string(100, '\0') + Voxels(), "HeaderSize = 100"), "no error");
   EXPECT_EQ(this->RefusalBeside(std::string(100, '\0') + Voxels(), "HeaderSize = -1"), "no error");
 }
 
-TEST_F(HostileMetaImages, HeaderSizesThatAreNoneAreRefused)
+TEST_F(HostileMetaImages, RejectsInvalidHeaderSizes)
 {
   for (const char* size : {"1e300", "-2", "0.5", "5000000000"})
   {
@@ -207,7 +207,7 @@ TEST_F(HostileMetaImages, HeaderSizesThatAreNoneAreRefused)
   EXPECT_TRUE(Contains(this->Refusal(With("HeaderSize = 10")), "damaged header (HeaderSize)"));
 }
 
-TEST_F(HostileMetaImages, HeaderSizesOfCompressedVoxelsAreRefused)
+TEST_F(HostileMetaImages, RejectsHeaderSizeWithCompression)
 {
   const std::string packed = Deflated(Voxels());
   WriteAll(this->Folder / "a.raw", "12345" + packed);
@@ -219,7 +219,7 @@ TEST_F(HostileMetaImages, HeaderSizesOfCompressedVoxelsAreRefused)
       "damaged header (HeaderSize)"));
 }
 
-TEST_F(HostileMetaImages, CompressedSizesAreThoseOfTheFile)
+TEST_F(HostileMetaImages, RejectsWrongCompressedSizes)
 {
   const std::string packed = Deflated(Voxels());
   for (const char* size : {"-5", "1e16", "100000000000", "0.5"})
@@ -231,19 +231,19 @@ TEST_F(HostileMetaImages, CompressedSizesAreThoseOfTheFile)
   }
 }
 
-TEST_F(HostileMetaImages, HeadersThatEndTheFileHaveNoVoxels)
+TEST_F(HostileMetaImages, HeaderAtEndOfFileHasNoVoxels)
 {
   std::string bytes = With("ID = 1", "ElementDataFile", "");
   bytes.pop_back();
   EXPECT_TRUE(Contains(this->Refusal(bytes), "is truncated"));
 }
 
-TEST_F(HostileMetaImages, VoxelsAsTextAreRead)
+TEST_F(HostileMetaImages, ReadsTextVoxels)
 {
   EXPECT_EQ(this->Refusal(TextImage("MET_UCHAR", Repeated("1 ", 120))), "no error");
 }
 
-TEST_F(HostileMetaImages, VoxelsAsTextAreAllThere)
+TEST_F(HostileMetaImages, RejectsMissingTextVoxels)
 {
   for (const std::string& text :
        {Repeated("1 ", 60), Repeated("1 ", 119) + std::string(100, ' '), Repeated("1", 500),
@@ -254,7 +254,7 @@ TEST_F(HostileMetaImages, VoxelsAsTextAreAllThere)
   }
 }
 
-TEST_F(HostileMetaImages, VoxelsAsTextFitTheirType)
+TEST_F(HostileMetaImages, RejectsTextVoxelsBeyondType)
 {
   for (const char* number : {"256 ", "-1 ", "1e300 "})
   {
@@ -265,7 +265,7 @@ TEST_F(HostileMetaImages, VoxelsAsTextFitTheirType)
 }
 
 // A name that starts with a tilde is one of the working folder to the library.
-TEST_F(HostileMetaImages, DataFilesAreWhereTheLibraryLooks)
+TEST_F(HostileMetaImages, DataFilePathMatchesLibrary)
 {
   WriteAll(this->Folder / "~a.raw", Voxels());
   EXPECT_TRUE(Contains(this->Refusal(Replaced(With("ID = 1", "ElementDataFile", ""), DataLine,
@@ -275,7 +275,7 @@ TEST_F(HostileMetaImages, DataFilesAreWhereTheLibraryLooks)
 }
 
 // The library strips all letters that are no plain ones from the end of a word.
-TEST_F(HostileMetaImages, WordsEndWhereTheLibraryEndsThem)
+TEST_F(HostileMetaImages, WordsEndAsInLibrary)
 {
   WriteAll(this->Folder / "LOCAL\xff", Voxels());
   EXPECT_TRUE(Contains(this->Refusal(Replaced(With("ID = 1", "ElementDataFile", ""), DataLine,

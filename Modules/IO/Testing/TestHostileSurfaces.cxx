@@ -86,7 +86,7 @@ VtpSpec WithBlocks(const std::string& header)
 }
 } // namespace
 
-TEST(HostileSurfaces, ObjIndicesAreWithinThePoints)
+TEST(HostileSurfaces, RejectsObjIndicesOutOfRange)
 {
   for (const char* face : {"f 1 2 5", "f 1 2 0", "f 1 2 -5", "f 1 2 99999999999",
                            "f 1 2 2147483647", "f 1 2 x", "f 1//9999999 2//1 3//1", "f 1/2/-1 2 3"})
@@ -100,7 +100,7 @@ TEST(HostileSurfaces, ObjIndicesAreWithinThePoints)
   EXPECT_TRUE(Contains(ObjRefusal(""), "has no triangles"));
 }
 
-TEST(HostileSurfaces, ObjFacesAreReadInEveryForm)
+TEST(HostileSurfaces, ReadsEveryFormOfObjFace)
 {
   const TemporaryFolder folder;
   WriteAll(folder / "a.obj", "# comment\r\no body\r\nf 1 2 3 4\r\nv 0 0 0\r\nv 1 0 0 1.0\r\n"
@@ -115,12 +115,12 @@ TEST(HostileSurfaces, ObjFacesAreReadInEveryForm)
   EXPECT_EQ(surface->GetPointData()->GetNormals(), nullptr); // the first face has none
 }
 
-TEST(HostileSurfaces, VtpTriangleIsRead)
+TEST(HostileSurfaces, ReadsVtpTriangle)
 {
   EXPECT_EQ(VtpRefusal({}), "no error");
 }
 
-TEST(HostileSurfaces, VtpIndicesAreWithinThePoints)
+TEST(HostileSurfaces, RejectsVtpIndicesOutOfRange)
 {
   for (const char* corners : {"0 1 3", "0 1 -1", "0 1 1000000000000", "0 1 9223372036854775807"})
   {
@@ -130,7 +130,7 @@ TEST(HostileSurfaces, VtpIndicesAreWithinThePoints)
   }
 }
 
-TEST(HostileSurfaces, VtpOffsetsAreWithinTheCorners)
+TEST(HostileSurfaces, RejectsVtpOffsetsOutOfRange)
 {
   for (const char* offsets : {"1000000", "4611686018427387904", "-3", "9223372036854775807"})
   {
@@ -145,7 +145,7 @@ TEST(HostileSurfaces, VtpOffsetsAreWithinTheCorners)
   EXPECT_TRUE(Contains(VtpRefusal(falling), "more corners than it can hold"));
 }
 
-TEST(HostileSurfaces, VtpCountsAreThoseOfItsBytes)
+TEST(HostileSurfaces, RejectsVtpCountsThatExceedFile)
 {
   for (const char* count : {"2000000000", "4611686018427387904", "-1", "1e300"})
   {
@@ -162,7 +162,7 @@ TEST(HostileSurfaces, VtpCountsAreThoseOfItsBytes)
   EXPECT_TRUE(Contains(VtpRefusal(fields), "more values than it can hold"));
 }
 
-TEST(HostileSurfaces, VtpArraysHaveRoomForTheirValues)
+TEST(HostileSurfaces, RejectsVtpArraysThatExceedFile)
 {
   VtpSpec spec;
   for (const char* components : {"2", "4", "0", "1000000000", "-3"})
@@ -175,7 +175,7 @@ TEST(HostileSurfaces, VtpArraysHaveRoomForTheirValues)
   EXPECT_TRUE(Contains(VtpRefusal(spec), "a.vtp "));
 }
 
-TEST(HostileSurfaces, VtpArraysAreNumbersWithNamesOfTheirOwn)
+TEST(HostileSurfaces, RejectsVtpTextArraysAndDuplicateNames)
 {
   VtpSpec spec;
   spec.PointData = "<DataArray type=\"String\" Name=\"a\" format=\"ascii\">1 2 3</DataArray>";
@@ -186,7 +186,7 @@ TEST(HostileSurfaces, VtpArraysAreNumbersWithNamesOfTheirOwn)
   EXPECT_TRUE(Contains(VtpRefusal(spec), "has a duplicate name"));
 }
 
-TEST(HostileSurfaces, VtpElementsAreNotNestedDeeply)
+TEST(HostileSurfaces, RejectsDeeplyNestedVtpElements)
 {
   constexpr int Levels = 300000;
   VtpSpec spec;
@@ -201,7 +201,7 @@ TEST(HostileSurfaces, VtpElementsAreNotNestedDeeply)
   EXPECT_TRUE(Contains(VtpRefusal(spec), "nested too deeply"));
 }
 
-TEST(HostileSurfaces, VtpBlocksAreThoseOfItsBytes)
+TEST(HostileSurfaces, RejectsDamagedVtpBlocks)
 {
   const std::vector<std::string> headers{
       Word(1) + Word(0) + Word(0) + Word(64),                   // blocks of nothing
@@ -216,7 +216,7 @@ TEST(HostileSurfaces, VtpBlocksAreThoseOfItsBytes)
   }
 }
 
-TEST(HostileSurfaces, WritersTakeNoIndexThatDoesNotExist)
+TEST(HostileSurfaces, WritersRejectIndicesOutOfRange)
 {
   const TemporaryFolder folder;
   vtkNew<vtkPolyData> surface;
@@ -234,7 +234,7 @@ TEST(HostileSurfaces, WritersTakeNoIndexThatDoesNotExist)
   }
 }
 
-TEST(HostileSurfaces, StlTextThatVtkTakesForBinaryIsRefused)
+TEST(HostileSurfaces, RejectsStlTextThatVtkTakesForBinary)
 {
   // The letters from 80 on are a count of triangles.
   std::string text = "solid a\nendsolid a\n" + std::string(100, '\xEC');
@@ -245,7 +245,7 @@ TEST(HostileSurfaces, StlTextThatVtkTakesForBinaryIsRefused)
                        "is not a complete STL file"));
 }
 
-TEST(HostileSurfaces, PlyElementsThatRepeatAreRefused)
+TEST(HostileSurfaces, RejectsDuplicatePlyElements)
 {
   const std::string point = "property float x\nproperty float y\nproperty float z\n"
                             "property float q\n";
@@ -257,7 +257,7 @@ TEST(HostileSurfaces, PlyElementsThatRepeatAreRefused)
                        "is declared twice"));
 }
 
-TEST(HostileSurfaces, PlyElementsAreFew)
+TEST(HostileSurfaces, RejectsTooManyPlyElements)
 {
   std::string header = "ply\nformat ascii 1.0\n";
   for (int element = 0; element < 257; ++element)

@@ -7,7 +7,7 @@
 using namespace palpate;
 using namespace palpate::test;
 
-TEST(MemoryCheck, DataCountTwice)
+TEST(MemoryCheck, CountsDataTwice)
 {
   EXPECT_NO_THROW(CheckMemory("x.nii", 500.0, 1000));
   EXPECT_EQ(

@@ -180,7 +180,7 @@ NiftiSpec NiftiOfSpacing()
 }
 } // namespace
 
-TEST(Orientations, NiftiSFormKeepsPlacesInAll48AxisOrders)
+TEST(Orientations, NiftiSFormKeepsPositionsInAll48AxisOrders)
 {
   ExpectAllOrdersKeepTheirPlaces("a.nii", HalfTurn,
                                  [](const Eigen::Matrix3d& axes)
@@ -201,7 +201,7 @@ TEST(Orientations, NiftiSFormKeepsPlacesInAll48AxisOrders)
                                  });
 }
 
-TEST(Orientations, NiftiQFormKeepsPlacesInAll48AxisOrders)
+TEST(Orientations, NiftiQFormKeepsPositionsInAll48AxisOrders)
 {
   ExpectAllOrdersKeepTheirPlaces("a.nii", HalfTurn,
                                  [](const Eigen::Matrix3d& axes)
@@ -226,7 +226,7 @@ TEST(Orientations, NiftiQFormKeepsPlacesInAll48AxisOrders)
                                  });
 }
 
-TEST(Orientations, MetaImageKeepsPlacesInAll48AxisOrders)
+TEST(Orientations, MetaImageKeepsPositionsInAll48AxisOrders)
 {
   // Programs disagree on what the letters mean; the matrix says it.
   for (const char* letters : {"RAI", "LPS", "ASR", "???"})
@@ -252,7 +252,7 @@ TEST(Orientations, MetaImageKeepsPlacesInAll48AxisOrders)
   }
 }
 
-TEST(Orientations, MetaImageWithoutMatrixGetsANote)
+TEST(Orientations, NotesMetaImageWithoutMatrix)
 {
   const TemporaryFolder folder;
   WriteAll(folder / "a.mha",
@@ -262,7 +262,7 @@ TEST(Orientations, MetaImageWithoutMatrixGetsANote)
   EXPECT_TRUE(GridOf(volume.Image).Direction.isIdentity());
 }
 
-TEST(Orientations, NrrdKeepsPlacesInEverySpaceAndAll48AxisOrders)
+TEST(Orientations, NrrdKeepsPositionsInAllSpacesAndAxisOrders)
 {
   const std::vector<std::pair<std::string, Vector3>> spaces{
       {"left-posterior-superior", {1, 1, 1}}, {"LPS", {1, 1, 1}},
@@ -278,7 +278,7 @@ TEST(Orientations, NrrdKeepsPlacesInEverySpaceAndAll48AxisOrders)
   }
 }
 
-TEST(Orientations, NrrdSpacesThatSayNothingOfThePatientAreTakenAsLpsWithANote)
+TEST(Orientations, NotesNrrdSpacesAssumedAsLps)
 {
   for (const char* frame : {"space: scanner-xyz", "space: 3D-right-handed", "space dimension: 3"})
   {
@@ -292,7 +292,7 @@ TEST(Orientations, NrrdSpacesThatSayNothingOfThePatientAreTakenAsLpsWithANote)
   }
 }
 
-TEST(Orientations, NrrdWithoutDirectionsGetsANote)
+TEST(Orientations, NotesNrrdWithoutDirections)
 {
   const std::vector<std::string> lines{"type: unsigned char", "dimension: 3", "sizes: 4 5 6",
                                        "spacings: 2 2 2", "encoding: raw"};
@@ -300,12 +300,12 @@ TEST(Orientations, NrrdWithoutDirectionsGetsANote)
                                                          "index axes were taken as L, P, S."});
 }
 
-TEST(Orientations, NrrdInTheSpaceOfPatientsGetsNoNote)
+TEST(Orientations, NrrdInPatientSpaceGetsNoNote)
 {
   EXPECT_TRUE(NotesOfNrrd(PlainNrrdLines("unsigned char")).empty());
 }
 
-TEST(Orientations, NrrdSpacesThatAreNotThePatientsAreRefusedByName)
+TEST(Orientations, RejectsNonPatientNrrdSpacesByName)
 {
   for (const char* space :
        {"3D-left-handed", "3D-left-handed-time", "3D-right-handed-time", "scanner-xyz-time",
@@ -317,7 +317,7 @@ TEST(Orientations, NrrdSpacesThatAreNotThePatientsAreRefusedByName)
 }
 
 // The library writes as many coordinates as the space has into arrays of as many as the image has.
-TEST(Orientations, NrrdSpacesOfOtherDimensionsAreRefused)
+TEST(Orientations, RejectsNrrdSpacesOfOtherDimensions)
 {
   for (const int dimension : {1, 2, 4, 8})
   {
@@ -327,7 +327,7 @@ TEST(Orientations, NrrdSpacesOfOtherDimensionsAreRefused)
   }
 }
 
-TEST(Orientations, NrrdDirectionsThatAreDamagedAreRefused)
+TEST(Orientations, RejectsDamagedNrrdDirections)
 {
   for (const char* directions :
        {"(2,0,0) (0,2,0)", "(2,0,0) (0,2,0) none", "(2,0) (0,2) (2,2)", "(2,0,0) (0,2,0) (0,0,nan)",

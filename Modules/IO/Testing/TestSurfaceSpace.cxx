@@ -121,20 +121,20 @@ vtkSmartPointer<vtkPolyData> TriangleStating(const std::string& space)
 }
 } // namespace
 
-TEST(SurfaceSpace, StatedSpaceIsObeyedInText)
+TEST(SurfaceSpace, FollowsSpaceStatedInText)
 {
   ExpectTextFilesAreReadTimes("3D Slicer output. SPACE=RAS", -1.0);
   ExpectTextFilesAreReadTimes("SPACE=RAS;UNIT=mm", -1.0);
   ExpectTextFilesAreReadTimes("3D Slicer output. SPACE=LPS", 1.0);
 }
 
-TEST(SurfaceSpace, FileThatStatesNoneIsLps)
+TEST(SurfaceSpace, DefaultIsLps)
 {
   ExpectTextFilesAreReadTimes("made elsewhere", 1.0);
   ExpectTextFilesAreReadTimes("WORKSPACE=RAS", 1.0);
 }
 
-TEST(SurfaceSpace, StatedSpaceIsObeyedInBinaryFiles)
+TEST(SurfaceSpace, FollowsSpaceStatedInBinaryFiles)
 {
   const TemporaryFolder folder;
   for (const char* name : {"a.stl", "a.ply", "a.obj"})
@@ -146,7 +146,7 @@ TEST(SurfaceSpace, StatedSpaceIsObeyedInBinaryFiles)
   }
 }
 
-TEST(SurfaceSpace, NormalsTurnWithTheirPoints)
+TEST(SurfaceSpace, NormalsRotateWithPoints)
 {
   const TemporaryFolder folder;
   for (const char* name : {"a.ply", "a.obj"})
@@ -159,7 +159,7 @@ TEST(SurfaceSpace, NormalsTurnWithTheirPoints)
   }
 }
 
-TEST(SurfaceSpace, VtpsFieldIsObeyedAndNotKept)
+TEST(SurfaceSpace, FollowsAndRemovesVtpField)
 {
   const TemporaryFolder folder;
   WriteSurface(folder / "a.vtp", TriangleStating("RAS"));
@@ -172,7 +172,7 @@ TEST(SurfaceSpace, VtpsFieldIsObeyedAndNotKept)
   EXPECT_EQ(PointsOf(ReadSurface(folder / "c.vtp")), CornersTimes(1.0));
 }
 
-TEST(SurfaceSpace, OtherSpacesAreRefusedByName)
+TEST(SurfaceSpace, RejectsOtherSpacesByName)
 {
   const TemporaryFolder folder;
   for (const char* space : {"LAS", "RASH", "ras"})

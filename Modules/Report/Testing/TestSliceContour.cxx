@@ -54,7 +54,7 @@ PathMeasure Measure(const std::string& path)
 }
 } // namespace
 
-TEST(SliceContour, ASurfacesCurveEnclosesTheDiscOfItsCut)
+TEST(SliceContour, SphereContourEnclosesDisc)
 {
   palpate::test::SyntheticFit fit;
   const auto sphere = palpate::test::MakeModelMesh(
@@ -71,7 +71,7 @@ TEST(SliceContour, ASurfacesCurveEnclosesTheDiscOfItsCut)
   }
 }
 
-TEST(SliceContour, TheMasksOutlineIsTheBoundaryOfItsVoxels)
+TEST(SliceContour, MaskOutlineIsVoxelBoundary)
 {
   palpate::test::SyntheticFit fit;
   int size[3];
@@ -114,7 +114,7 @@ TEST(SliceContour, TheMasksOutlineIsTheBoundaryOfItsVoxels)
   }
 }
 
-TEST(SliceContour, TheMasksOutlineRunsAlongTheFacesOfItsVoxels)
+TEST(SliceContour, MaskOutlineFollowsVoxelFaces)
 {
   palpate::test::SyntheticFit fit;
   const palpate::ImageAxes axes(fit.Result.Mask);
@@ -140,7 +140,7 @@ TEST(SliceContour, TheMasksOutlineRunsAlongTheFacesOfItsVoxels)
   }
 }
 
-TEST(SliceContour, AnAbsentStructureHasNoPath)
+TEST(SliceContour, AbsentStructureHasNoPath)
 {
   palpate::test::SyntheticFit fit;
   const SlicePlane plane = palpate::ChooseSlicePlanes(fit.Result.Mask, 1, 1, 100).front();

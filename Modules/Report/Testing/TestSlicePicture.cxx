@@ -38,7 +38,7 @@ vtkSmartPointer<vtkImageData> MakeLinearImage()
 }
 } // namespace
 
-TEST(SlicePicture, ALinearImageOnAnotherGridIsReproducedInMillimetres)
+TEST(SlicePicture, ReproducesLinearImageOnOtherGrid)
 {
   const palpate::test::SyntheticFit fit;
   const auto image = MakeLinearImage();
@@ -67,7 +67,7 @@ TEST(SlicePicture, ALinearImageOnAnotherGridIsReproducedInMillimetres)
   EXPECT_GT(inside, 10000);
 }
 
-TEST(SlicePicture, OutsideTheImageThereIsNoNumber)
+TEST(SlicePicture, IsNanOutsideImage)
 {
   const palpate::test::SyntheticFit fit;
   SlicePlane plane = palpate::ChooseSlicePlanes(fit.Result.Mask, 1, 1, 50).front();
@@ -82,7 +82,7 @@ TEST(SlicePicture, OutsideTheImageThereIsNoNumber)
   }
 }
 
-TEST(SlicePicture, NearestSamplesAreTheVoxelThatHoldsThePoint)
+TEST(SlicePicture, NearestSamplesUseVoxelAtPoint)
 {
   const palpate::test::SyntheticFit fit;
   const SlicePlane plane = palpate::ChooseSlicePlanes(fit.Result.Mask, 1, 1, 77).front();
@@ -103,7 +103,7 @@ TEST(SlicePicture, NearestSamplesAreTheVoxelThatHoldsThePoint)
   }
 }
 
-TEST(SlicePicture, GreyRunsFromBlackToWhiteAndNoNumberIsBlack)
+TEST(SlicePicture, GreyRunsFromBlackToWhiteAndNanIsBlack)
 {
   SlicePlane plane;
   plane.Width = 4;

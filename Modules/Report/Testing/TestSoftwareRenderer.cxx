@@ -90,7 +90,7 @@ int CountColor(const Picture& picture, int channel)
 }
 } // namespace
 
-TEST(SoftwareRenderer, SilhouetteOfASphereHasTheAreaOfItsDisc)
+TEST(SoftwareRenderer, SphereSilhouetteHasAreaOfDisc)
 {
   constexpr int Size = 200;
   const auto mesh =
@@ -107,7 +107,7 @@ TEST(SoftwareRenderer, SilhouetteOfASphereHasTheAreaOfItsDisc)
   }
 }
 
-TEST(SoftwareRenderer, EveryPixelInsideASphereIsCovered)
+TEST(SoftwareRenderer, CoversEveryPixelOfSphere)
 {
   constexpr int Size = 320;
   const auto mesh =
@@ -129,7 +129,7 @@ TEST(SoftwareRenderer, EveryPixelInsideASphereIsCovered)
   }
 }
 
-TEST(SoftwareRenderer, TheNearerOfTwoBallsHidesTheOther)
+TEST(SoftwareRenderer, NearerSphereHidesOther)
 {
   // Seen along each axis from both ends; the balls lie on that axis.
   const std::array<std::pair<ViewSide, ViewSide>, 3> ends{
@@ -148,7 +148,7 @@ TEST(SoftwareRenderer, TheNearerOfTwoBallsHidesTheOther)
   }
 }
 
-TEST(SoftwareRenderer, AnOffsetAlongTheViewsAxesShowsWhereTheFrameSays)
+TEST(SoftwareRenderer, OffsetsAppearAlongViewAxes)
 {
   std::mt19937_64 random(20240607);
   std::uniform_real_distribution<double> spread(-20.0, 20.0);
@@ -171,7 +171,7 @@ TEST(SoftwareRenderer, AnOffsetAlongTheViewsAxesShowsWhereTheFrameSays)
   }
 }
 
-TEST(SoftwareRenderer, InwardFacingTrianglesAreDrawnAsWellAsOutwardOnes)
+TEST(SoftwareRenderer, DrawsInwardAndOutwardFacingTriangles)
 {
   const auto mesh =
       palpate::test::MakeModelMesh(palpate::test::SphereModel(10.0, Vector3::Zero()), 8);
@@ -186,7 +186,7 @@ TEST(SoftwareRenderer, InwardFacingTrianglesAreDrawnAsWellAsOutwardOnes)
   EXPECT_EQ(SoftwareRenderer(mesh).Render(ViewSide::Left, 60).Rgba, outward.Rgba);
 }
 
-TEST(SoftwareRenderer, AnEmptyMeshIsATransparentPicture)
+TEST(SoftwareRenderer, EmptyMeshIsTransparent)
 {
   vtkNew<vtkPolyData> nothing;
   EXPECT_EQ(CoveredPixels(SoftwareRenderer(nothing).Render(ViewSide::Left, 16)), 0.0);

@@ -78,44 +78,44 @@ void ExpectSame(const DicomSliceSpec& spec)
 }
 } // namespace
 
-TEST(DicomCodecs, UnsignedBytesComeBackToTheBit)
+TEST(DicomCodecs, RestoresUnsignedBytes)
 {
   ExpectSame(NoisySlice(8, 8, false, 1));
 }
 
-TEST(DicomCodecs, SignedBytesComeBackToTheBit)
+TEST(DicomCodecs, RestoresSignedBytes)
 {
   ExpectSame(NoisySlice(8, 8, true, 2));
 }
 
-TEST(DicomCodecs, UnsignedTwelveBitsComeBackToTheBit)
+TEST(DicomCodecs, RestoresUnsignedTwelveBits)
 {
   ExpectSame(NoisySlice(16, 12, false, 3));
 }
 
-TEST(DicomCodecs, SignedTwelveBitsComeBackToTheBit)
+TEST(DicomCodecs, RestoresSignedTwelveBits)
 {
   ExpectSame(NoisySlice(16, 12, true, 4));
 }
 
-TEST(DicomCodecs, UnsignedSixteenBitsComeBackToTheBit)
+TEST(DicomCodecs, RestoresUnsignedSixteenBits)
 {
   ExpectSame(NoisySlice(16, 16, false, 5));
 }
 
-TEST(DicomCodecs, SignedSixteenBitsComeBackToTheBit)
+TEST(DicomCodecs, RestoresSignedSixteenBits)
 {
   ExpectSame(NoisySlice(16, 16, true, 6));
 }
 
-TEST(DicomCodecs, FewStoredBitsComeBackToTheBit)
+TEST(DicomCodecs, RestoresFewStoredBits)
 {
   // Streams of at most eight bits fill words of sixteen.
   ExpectSame(NoisySlice(16, 8, false, 7));
   ExpectSame(NoisySlice(16, 8, true, 8));
 }
 
-TEST(DicomCodecs, RescaleIsAppliedAfterDecoding)
+TEST(DicomCodecs, AppliesRescaleAfterDecoding)
 {
   DicomSliceSpec spec = NoisySlice(16, 12, true, 9);
   spec.Slope = "2";
@@ -129,7 +129,7 @@ TEST(DicomCodecs, RescaleIsAppliedAfterDecoding)
   }
 }
 
-TEST(DicomCodecs, LossyCodingsComeBackNearly)
+TEST(DicomCodecs, RestoresLossyCodingsApproximately)
 {
   const DicomSliceSpec bytes = NoisySlice(8, 8, false, 10);
   // At quality 95 the largest quantisation step of the standard's tables is 12, and the errors of
@@ -143,7 +143,7 @@ TEST(DicomCodecs, LossyCodingsComeBackNearly)
   EXPECT_GT(LargestError(ReadBack(bytes, Codec::Jpeg2000Lossy)), 0.0);
 }
 
-TEST(DicomCodecs, LossyTwelveBitsComeBackNearly)
+TEST(DicomCodecs, RestoresLossyTwelveBitsApproximately)
 {
   const DicomSliceSpec spec = NoisySlice(16, 12, false, 11);
   const double error = LargestError(ReadBack(spec, Codec::JpegExtended));
@@ -152,7 +152,7 @@ TEST(DicomCodecs, LossyTwelveBitsComeBackNearly)
   EXPECT_LT(error, 24.0 * 16.0);
 }
 
-TEST(DicomCodecs, WarningsStayInside)
+TEST(DicomCodecs, DoesNotPrintWarnings)
 {
   DicomSliceSpec spec = NoisySlice(16, 12, false, 12);
   const TemporaryFolder folder;
@@ -174,7 +174,7 @@ TEST(DicomCodecs, WarningsStayInside)
   }
 }
 
-TEST(DicomCodecs, LabelMapSegmentationsAreReadInEveryLosslessCoding)
+TEST(DicomCodecs, ReadsLabelMapsInEveryLosslessCoding)
 {
   for (const Codec codec : LosslessCodecs)
   {

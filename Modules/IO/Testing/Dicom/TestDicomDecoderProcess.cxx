@@ -86,7 +86,7 @@ protected:
 };
 } // namespace
 
-TEST_F(DecoderProcess, HoldsNoFileOfItsClient)
+TEST_F(DecoderProcess, InheritsNoFiles)
 {
   // Before the process starts, a file that exec does not close.
   this->TearDown();
@@ -118,7 +118,7 @@ TEST_F(DecoderProcess, EndsWithItsClient)
   this->SetUp();
 }
 
-TEST(ChildProgram, MissingProgramsAreNotStarted)
+TEST(ChildProgram, ReportsMissingProgram)
 {
   EXPECT_EQ(StartChildProgram("palpate-no-such-program", {}, STDIN_FILENO), -1);
 }

@@ -62,7 +62,7 @@ bool IsDecoded(DicomFrameDecoder& decoder, Codec codec, const CompressedFrame& f
 }
 } // namespace
 
-TEST(DicomFrameDecoder, LosslessPixelsComeBackToTheBit)
+TEST(DicomFrameDecoder, RestoresLosslessPixels)
 {
   DicomFrameDecoder decoder;
   for (const Codec codec : Codecs)
@@ -80,7 +80,7 @@ TEST(DicomFrameDecoder, LosslessPixelsComeBackToTheBit)
   }
 }
 
-TEST(DicomFrameDecoder, CutsAreNoticed)
+TEST(DicomFrameDecoder, DetectsTruncation)
 {
   DicomFrameDecoder decoder;
   for (const Codec codec :
@@ -98,7 +98,7 @@ TEST(DicomFrameDecoder, CutsAreNoticed)
   }
 }
 
-TEST(DicomFrameDecoder, MissingDataBeforeTheEndMarkerIsNoticed)
+TEST(DicomFrameDecoder, DetectsMissingDataBeforeEndMarker)
 {
   // The codec fills what is missing, with a warning.
   DicomFrameDecoder decoder;
@@ -111,7 +111,7 @@ TEST(DicomFrameDecoder, MissingDataBeforeTheEndMarkerIsNoticed)
   }
 }
 
-TEST(DicomFrameDecoder, AnotherSizeOrDepthIsRefused)
+TEST(DicomFrameDecoder, RejectsOtherSizeOrDepth)
 {
   DicomFrameDecoder decoder;
   for (const Codec codec : {Codec::JpegLossless, Codec::JpegLs})
@@ -126,7 +126,7 @@ TEST(DicomFrameDecoder, AnotherSizeOrDepthIsRefused)
   EXPECT_FALSE(IsDecoded(decoder, Codec::RunLength, words));
 }
 
-TEST(DicomFrameDecoder, ProgressiveStreamsAreRefused)
+TEST(DicomFrameDecoder, RejectsProgressiveStreams)
 {
   CompressedFrame frame = Frame(Codec::JpegBaseline);
   for (std::size_t i = 0; i + 1 < frame.Stream.size(); ++i)
@@ -140,7 +140,7 @@ TEST(DicomFrameDecoder, ProgressiveStreamsAreRefused)
   EXPECT_FALSE(IsDecoded(decoder, Codec::JpegBaseline, frame));
 }
 
-TEST(DicomFrameDecoder, JpegLsOfFewBitsIsRefused)
+TEST(DicomFrameDecoder, RejectsJpegLsOfFewBits)
 {
   // Precision stands behind the frame marker (0xFF 0xF7) and its length.
   CompressedFrame frame = Frame(Codec::JpegLs);
@@ -157,7 +157,7 @@ TEST(DicomFrameDecoder, JpegLsOfFewBitsIsRefused)
                        "has JPEG-LS pixels of 7 bits, which are not supported"));
 }
 
-TEST(DicomFrameDecoder, DamagedFramesLeaveTheNextOnesReadable)
+TEST(DicomFrameDecoder, DamagedFrameKeepsNextFramesReadable)
 {
   Random random(23);
   DicomFrameDecoder decoder;

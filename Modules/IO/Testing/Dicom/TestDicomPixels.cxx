@@ -29,14 +29,14 @@ void ExpectValue(const DicomSliceSpec& spec, int vtkType, double value)
 }
 } // namespace
 
-TEST(DicomPixels, UnsignedValuesStayAsTheyAre)
+TEST(DicomPixels, KeepsUnsignedValues)
 {
   DicomSliceSpec spec;
   spec.Value = 65535;
   ExpectValue(spec, VTK_UNSIGNED_SHORT, 65535);
 }
 
-TEST(DicomPixels, SignIsTakenFromTheStoredBits)
+TEST(DicomPixels, TakesSignFromStoredBits)
 {
   DicomSliceSpec spec;
   spec.IsSigned = true;
@@ -47,7 +47,7 @@ TEST(DicomPixels, SignIsTakenFromTheStoredBits)
   ExpectValue(spec, VTK_SHORT, -3);
 }
 
-TEST(DicomPixels, BitsAboveTheStoredOnesAreNoValue)
+TEST(DicomPixels, IgnoresBitsAboveStoredBits)
 {
   // An overlay in the top bits, as old scanners put it.
   DicomSliceSpec spec;
@@ -74,7 +74,7 @@ TEST(DicomPixels, FractionalRescaleGivesFloat)
   ExpectValue(spec, VTK_FLOAT, 25.5);
 }
 
-TEST(DicomPixels, SlicesOfDifferentScaleShareAType)
+TEST(DicomPixels, SlicesOfDifferentScaleShareType)
 {
   DicomSliceSpec first;
   first.Value = 100;
@@ -88,7 +88,7 @@ TEST(DicomPixels, SlicesOfDifferentScaleShareAType)
   EXPECT_EQ(volume.Image->GetScalarComponentAsDouble(0, 0, 1, 0), 7.0);
 }
 
-TEST(DicomPixels, TooFewPixelsAreRefused)
+TEST(DicomPixels, RejectsTooFewPixels)
 {
   const TemporaryFolder folder;
   DicomSliceSpec spec;

@@ -27,7 +27,7 @@ std::string SeriesRefusal(const std::string& syntax)
 }
 } // namespace
 
-TEST(DicomTransferSyntax, UncompressedOnesAreNative)
+TEST(DicomTransferSyntax, UncompressedSyntaxesAreNative)
 {
   for (const char* uid : {"1.2.840.10008.1.2", "1.2.840.10008.1.2.1", "1.2.840.10008.1.2.2",
                           "1.2.840.10008.1.2.1.99"})
@@ -36,7 +36,7 @@ TEST(DicomTransferSyntax, UncompressedOnesAreNative)
   }
 }
 
-TEST(DicomTransferSyntax, CompressedOnesHaveTheirDecoder)
+TEST(DicomTransferSyntax, CompressedSyntaxesHaveDecoders)
 {
   EXPECT_EQ(PixelCodingOf("1.2.840.10008.1.2.5"), PixelCoding::RunLength);
   for (const char* uid : {"1.2.840.10008.1.2.4.50", "1.2.840.10008.1.2.4.51",
@@ -50,7 +50,7 @@ TEST(DicomTransferSyntax, CompressedOnesHaveTheirDecoder)
   EXPECT_EQ(PixelCodingOf("1.2.840.10008.1.2.4.91"), PixelCoding::Jpeg2000);
 }
 
-TEST(DicomTransferSyntax, AllOthersAreUnread)
+TEST(DicomTransferSyntax, OthersAreUnsupported)
 {
   // Progressive JPEG, JPEG 2000 of several components, JPIP, MPEG, HEVC, HTJ2K, a private one.
   for (const char* uid :
@@ -61,7 +61,7 @@ TEST(DicomTransferSyntax, AllOthersAreUnread)
   }
 }
 
-TEST(DicomTransferSyntax, RefusalNamesWhatIsNotRead)
+TEST(DicomTransferSyntax, RefusalNamesTransferSyntax)
 {
   EXPECT_TRUE(Contains(
       SeriesRefusal("1.2.840.10008.1.2.4.92"),
@@ -74,7 +74,7 @@ TEST(DicomTransferSyntax, RefusalNamesWhatIsNotRead)
                        "(1.2.840.10008.1.2.4.100), which is not supported"));
 }
 
-TEST(DicomTransferSyntax, SyntaxesYoungerThanDcmtkAreNamedToo)
+TEST(DicomTransferSyntax, NamesSyntaxesUnknownToDcmtk)
 {
   EXPECT_TRUE(Contains(SeriesRefusal("1.2.840.10008.1.2.4.201"),
                        "in the transfer syntax High-Throughput JPEG 2000 "
@@ -83,7 +83,7 @@ TEST(DicomTransferSyntax, SyntaxesYoungerThanDcmtkAreNamedToo)
       Contains(SeriesRefusal("1.2.3.4"), "in the transfer syntax 1.2.3.4, which is not supported"));
 }
 
-TEST(DicomTransferSyntax, SegmentationsAreRefusedTheSameWay)
+TEST(DicomTransferSyntax, SegmentationRefusalNamesTransferSyntax)
 {
   const TemporaryFolder folder;
   DicomSegmentationSpec spec;
@@ -100,7 +100,7 @@ TEST(DicomTransferSyntax, SegmentationsAreRefusedTheSameWay)
   }
 }
 
-TEST(DicomTransferSyntax, CompressedBitsAreRefused)
+TEST(DicomTransferSyntax, RejectsCompressedBits)
 {
   const TemporaryFolder folder;
   DicomSegmentationSpec spec;

@@ -61,7 +61,7 @@ void ExpectThreeFrames(const std::filesystem::path& file)
 constexpr Codec StreamCodecs[] = {Codec::JpegLossless, Codec::JpegLs, Codec::Jpeg2000};
 } // namespace
 
-TEST(EncapsulatedFrames, AFrameMayBeInSeveralFragments)
+TEST(EncapsulatedFrames, FrameMaySpanFragments)
 {
   for (const Codec codec : LosslessCodecs)
   {
@@ -88,7 +88,7 @@ TEST(EncapsulatedFrames, AFrameMayBeInSeveralFragments)
   }
 }
 
-TEST(EncapsulatedFrames, OffsetTableSaysWhereFramesStart)
+TEST(EncapsulatedFrames, OffsetTableLocatesFrames)
 {
   for (const Codec codec : LosslessCodecs)
   {
@@ -112,7 +112,7 @@ TEST(EncapsulatedFrames, OffsetTableSaysWhereFramesStart)
   }
 }
 
-TEST(EncapsulatedFrames, WithoutOffsetsFramesStartAtTheirMarkers)
+TEST(EncapsulatedFrames, FindsFramesByMarkersWithoutOffsets)
 {
   for (const Codec codec : StreamCodecs)
   {
@@ -133,7 +133,7 @@ TEST(EncapsulatedFrames, WithoutOffsetsFramesStartAtTheirMarkers)
   }
 }
 
-TEST(EncapsulatedFrames, AFragmentAFrameNeedsNoOffsets)
+TEST(EncapsulatedFrames, OneFragmentPerFrameNeedsNoOffsets)
 {
   for (const Codec codec : LosslessCodecs)
   {
@@ -146,7 +146,7 @@ TEST(EncapsulatedFrames, AFragmentAFrameNeedsNoOffsets)
   }
 }
 
-TEST(EncapsulatedFrames, PaddingAfterAFrameIsPassedOver)
+TEST(EncapsulatedFrames, SkipsPaddingAfterFrame)
 {
   for (const Codec codec : LosslessCodecs)
   {
@@ -163,7 +163,7 @@ TEST(EncapsulatedFrames, PaddingAfterAFrameIsPassedOver)
   }
 }
 
-TEST(EncapsulatedFrames, FewerFragmentsThanFramesAreRefused)
+TEST(EncapsulatedFrames, RejectsFewerFragmentsThanFrames)
 {
   const TemporaryFolder folder;
   const auto file = folder / "a.dcm";
@@ -175,7 +175,7 @@ TEST(EncapsulatedFrames, FewerFragmentsThanFramesAreRefused)
                        "its pixel data do not match its header"));
 }
 
-TEST(EncapsulatedFrames, FragmentLongerThanTheFileIsRefused)
+TEST(EncapsulatedFrames, RejectsFragmentBeyondEndOfFile)
 {
   const TemporaryFolder folder;
   const auto file = folder / "a.dcm";
@@ -188,7 +188,7 @@ TEST(EncapsulatedFrames, FragmentLongerThanTheFileIsRefused)
   EXPECT_TRUE(Contains(MessageOf([&] { ReadSegmentation(file); }), "is truncated or damaged"));
 }
 
-TEST(EncapsulatedFrames, FragmentsThatBelongToNoFrameAreRefused)
+TEST(EncapsulatedFrames, RejectsFragmentsWithoutFrame)
 {
   const TemporaryFolder folder;
   const auto file = folder / "a.dcm";

@@ -30,7 +30,7 @@ double CpuSeconds()
 }
 } // namespace
 
-TEST(HostileDicom, ReadsTheUnclaimingSegmentation)
+TEST(HostileDicom, ReadsSegmentationWithoutFalseClaims)
 {
   const TemporaryFolder folder;
   WriteAll(folder / "a.dcm", ClaimedSegmentationBytes({}));
@@ -38,7 +38,7 @@ TEST(HostileDicom, ReadsTheUnclaimingSegmentation)
   EXPECT_EQ(segmentation.Segments.size(), 1U);
 }
 
-TEST(HostileDicom, RefusesSliceNumbersBeyondInt)
+TEST(HostileDicom, RejectsSliceNumbersBeyondInt)
 {
   ClaimedSegmentation claim;
   claim.Frames = "2";
@@ -52,7 +52,7 @@ TEST(HostileDicom, RefusesSliceNumbersBeyondInt)
   EXPECT_TRUE(Contains(Refusal(ClaimedSegmentationBytes(claim)), "at an infinite distance"));
 }
 
-TEST(HostileDicom, RefusesFramesWithoutTheirPixels)
+TEST(HostileDicom, RejectsFramesWithoutPixels)
 {
   ClaimedSegmentation claim;
   claim.Columns = 65535;
@@ -66,7 +66,7 @@ TEST(HostileDicom, RefusesFramesWithoutTheirPixels)
   EXPECT_TRUE(Contains(Refusal(ClaimedSegmentationBytes(claim)), "has no frames"));
 }
 
-TEST(HostileDicom, RefusesFramesThatHaveNoItem)
+TEST(HostileDicom, RejectsFramesWithoutItem)
 {
   ClaimedSegmentation claim;
   claim.Frames = "1000000";
@@ -75,7 +75,7 @@ TEST(HostileDicom, RefusesFramesThatHaveNoItem)
       Contains(Refusal(ClaimedSegmentationBytes(claim)), "describes 1 of its 1000000 frames"));
 }
 
-TEST(HostileDicom, RefusesEmptySlicesThatTakeGigabytes)
+TEST(HostileDicom, RejectsGigabytesOfEmptySlices)
 {
   ClaimedSegmentation claim;
   claim.Columns = 1024;
@@ -86,7 +86,7 @@ TEST(HostileDicom, RefusesEmptySlicesThatTakeGigabytes)
   EXPECT_TRUE(Contains(Refusal(ClaimedSegmentationBytes(claim)), "most of them without data"));
 }
 
-TEST(HostileDicom, TimeOfEmptyFramesGrowsAsTheirNumber)
+TEST(HostileDicom, EmptyFramesTakeLinearTime)
 {
   // Twelve bytes a frame. With a search from the first for each, these would take minutes.
   constexpr int Frames = 300000;
@@ -101,7 +101,7 @@ TEST(HostileDicom, TimeOfEmptyFramesGrowsAsTheirNumber)
   EXPECT_LT(CpuSeconds() - start, 20.0);
 }
 
-TEST(HostileDicom, RefusesDeeplyNestedSequences)
+TEST(HostileDicom, RejectsDeeplyNestedSequences)
 {
   for (const DicomCoding coding : {DicomCoding::Explicit, DicomCoding::Implicit,
                                    DicomCoding::BigEndian, DicomCoding::Deflated})
@@ -167,7 +167,7 @@ std::string PrivateElements(int groups)
 } // namespace
 
 // The parser looks through those before for each.
-TEST(HostileDicom, RefusesMoreElementsThanAnyItemHas)
+TEST(HostileDicom, RejectsTooManyElements)
 {
   const std::string message = "has more than 5000 attributes";
   EXPECT_TRUE(Contains(Refusal(FallingElements(20000, "LO", "x")), message));
@@ -191,7 +191,7 @@ TEST(HostileDicom, ReadsManyElementsInManyItems)
   EXPECT_EQ(Refusal(ClaimedSegmentationBytes(claim)), "no error");
 }
 
-TEST(HostileDicom, RefusesGigabytesOfPixelsFromFewCompressedBytes)
+TEST(HostileDicom, RejectsGigabytesFromFewCompressedBytes)
 {
   // A frame of 65,535 x 65,535 pixels in a stream of some bytes.
   const std::string item = std::string("\xFE\xFF\x00\xE0", 4);
