@@ -7,7 +7,7 @@
 #include <random>
 #include <set>
 
-// What becomes of hostile names of files and structures on their way to names of folders.
+// Conversion of hostile names of files and structures to folder names.
 
 using palpate::CaseFolderName;
 using palpate::FoldedName;
@@ -41,7 +41,7 @@ public:
     }
     return name;
   }
-  /// As a file name has it: no separators, at least one letter.
+  /// A valid file name: no separators, at least one character.
   std::string NextFile()
   {
     std::string name = this->Next();
@@ -132,7 +132,7 @@ TEST(CaseNames, DistinctCasesHaveDistinctFoldersIgnoringCase)
     for (std::size_t i = 0; i < inputs.size(); ++i)
     {
       const std::string& name = cases.OfInput(i);
-      // A cohort's folder of a case is the plain name of its name.
+      // A case's folder in a cohort is the PlainName of its name.
       ASSERT_EQ(PlainName(name), name) << inputs[i];
       ASSERT_TRUE(IsSafe(name, 48)) << inputs[i] << " -> " << name;
       ASSERT_TRUE(ofInputs.insert(FoldedName(name)).second) << inputs[i] << " -> " << name;

@@ -13,7 +13,7 @@
 #include <set>
 #include <sstream>
 
-// What several cases of one run do to each other: names, labels, failures, exit codes.
+// Interaction of several cases of one run: names, labels, failures, exit codes.
 
 using namespace palpate::test;
 using Json = nlohmann::json;
@@ -45,7 +45,7 @@ void WriteBoxes(const std::filesystem::path& path, const std::vector<int>& label
   palpate::WriteImage(path, image);
 }
 
-// A 3D Slicer segmentation of boxes of 4 voxels a side, labelled from 1, with these names.
+// A 3D Slicer segmentation of boxes with sides of 4 voxels, labelled from 1, with these names.
 void WriteNamed(const std::filesystem::path& path, const std::vector<std::string>& names)
 {
   const int length = static_cast<int>(names.size()) * 7 + 3;
@@ -71,7 +71,7 @@ void WriteNamed(const std::filesystem::path& path, const std::vector<std::string
   WriteAll(path, header.str() + "\n" + voxels);
 }
 
-// A NIfTI file of a thousand million voxels, none of which takes room on the disk.
+// A NIfTI file of a thousand million voxels, as a sparse file.
 void WriteHuge(const std::filesystem::path& path)
 {
   std::string header(352, '\0');
@@ -92,7 +92,7 @@ void WriteHuge(const std::filesystem::path& path)
   std::filesystem::resize_file(path, 352 + std::uintmax_t{1000000000});
 }
 
-// A run under limits of the shell, such as "-f 20".
+// A run under shell limits, such as "-f 20".
 CommandRun RunLimited(const std::string& limit, const std::vector<std::string>& words,
                       const std::filesystem::path& folder)
 {
@@ -456,7 +456,7 @@ TEST(CliCases, NamesCannotControlTerminal)
   EXPECT_FALSE(Has(fit.Errors, "\x1b")) << fit.Errors;
 }
 
-// Sanitizers need more address space than any limit.
+// Sanitizers need more address space than any limit allows.
 #if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
 TEST(CliCases, FileNeedingTooMuchMemoryDoesNotStopOthers)
 {

@@ -28,7 +28,7 @@ std::vector<CohortRow> RowsIn(const std::filesystem::path& folder)
 const std::vector<std::string> FitMasks{"fit",      "masks", "--label",  "1",
                                         "--degree", "4",     "--output", "out"};
 
-/// Three masks, of which one is none.
+/// Three masks, one of which is invalid.
 class CliCohort : public testing::Test
 {
 protected:
@@ -46,7 +46,7 @@ protected:
     arguments.insert(arguments.begin(), "fit");
     return RunPalpate(arguments, this->Folder.Path());
   }
-  /// Sends the signal as soon as there is a table.
+  /// Sends the signal as soon as a table exists.
   CommandRun FitUntilFirstRow(int signal) const
   {
     StartedCommand command(PALPATE_PROGRAM, FitMasks, this->Folder.Path());
@@ -91,7 +91,7 @@ TEST_F(CliCohort, SecondRunProcessesOnlyChanges)
   EXPECT_TRUE(Has(again.Errors, "3 of 3 cases were done before")) << again.Errors;
   EXPECT_EQ(again.Output, "");
   EXPECT_EQ(ReadAll(this->Folder / "out/cohort.csv"), table);
-  // The mask that was none becomes one; a model is lost.
+  // The invalid mask becomes valid; a model is lost.
   WriteTwoBalls(this->Folder / "masks/b.nii.gz");
   std::filesystem::remove(this->Folder / "out/c/1/model.json");
   const CommandRun third = this->Fit();
@@ -163,7 +163,7 @@ TEST_F(CliCohort, ChosenCaseKeepsOtherRows)
   EXPECT_EQ(RowsIn(this->Folder / "out").size(), 3U);
 }
 
-// One case a job of a cluster.
+// One case per cluster job.
 TEST_F(CliCohort, SingleCaseRunsKeepEachOthersRows)
 {
   std::string list = "case,mask,label\n";
@@ -204,7 +204,7 @@ TEST_F(CliCohort, ConcurrentRunsKeepEachOthersRows)
   const auto hasLock = [this]
   { return std::filesystem::exists(this->Folder / "out/.palpate-cohort.lock"); };
   EXPECT_TRUE(IsSoon([&] { return std::filesystem::exists(this->Folder / "out/cohort.csv"); }));
-  // Between two cases, not while it keeps others from the table.
+  // Between two cases, not while it holds the table's lock.
   EXPECT_TRUE(IsSoon(
       [&]
       {

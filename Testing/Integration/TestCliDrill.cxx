@@ -11,7 +11,7 @@ using namespace palpate::test;
 
 namespace
 {
-// A block with a nerve, a hand that goes down into it, and a pedal.
+// A block with a nerve, a hand motion down into it, and a pedal.
 class CliDrill : public testing::Test
 {
 protected:

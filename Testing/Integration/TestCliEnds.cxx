@@ -13,7 +13,7 @@ using namespace palpate::test;
 
 namespace
 {
-// Touches in real time, for much longer than a test waits, that are ended by signals.
+// Real-time touches, much longer than a test waits, that are ended by signals.
 class CliEnds : public testing::Test
 {
 protected:
@@ -27,12 +27,12 @@ protected:
     words.insert(words.end(), more.begin(), more.end());
     return words;
   }
-  // Slowly, since a picture may take seconds on a busy machine, and ticks are fetched in between.
+  // Slowly, since a frame may take seconds on a busy machine, and ticks are fetched in between.
   std::vector<std::string> TouchWithView() const
   {
     return this->Touch({"--view", "--rate", "100"});
   }
-  // Whether so many bytes of a recording were written: the servo runs.
+  // Whether this many bytes of a recording were written: the servo runs.
   bool IsRecorded(std::uintmax_t bytes) const
   {
     std::error_code none;
@@ -55,7 +55,7 @@ protected:
     }
     return names;
   }
-  // All that a touch that ends by itself leaves, whole, and nothing temporary.
+  // All files of a touch that ends by itself, complete, and no temporary ones.
   void ExpectWholeFiles() const
   {
     EXPECT_EQ(this->FilesThatAreLeft(),
@@ -100,7 +100,7 @@ TEST_F(CliEnds, SecondCtrlCRemovesForceAndLeavesCompleteFiles)
   this->ExpectWholeFiles();
 }
 
-// The advice about a stiffness of 100 N/mm is the first that nobody reads.
+// The advice about a stiffness of 100 N/mm is the first unread output.
 TEST_F(CliEnds, ClosedStandardErrorLeavesCompleteFiles)
 {
   StartedCommand command(PALPATE_PROGRAM, this->Touch(), this->Folder.Path(),
@@ -145,7 +145,7 @@ TEST_F(CliEnds, SignalWritesDrillingDoneSoFar)
   EXPECT_EQ(run.Errors.find("before anything was touched"), std::string::npos) << run.Errors;
 }
 
-// An X server of the test's own, to be stopped and killed.
+// The test's own X server, to be stopped and killed.
 class OwnDisplay
 {
 public:
@@ -166,7 +166,7 @@ public:
     this->Server.Finish();
   }
 
-  /// The words that run the program on it, for `env`.
+  /// Arguments of `env` that run the program on it.
   std::vector<std::string> With(const std::vector<std::string>& words) const
   {
     const std::string output = this->Server.OutputSoFar();
@@ -182,7 +182,7 @@ private:
   StartedCommand Server;
 };
 
-// As a terminal sends it: to all that the program started in its group.
+// To the whole process group, as a terminal sends it.
 TEST_F(CliEnds, CtrlCEndsViewAsWithoutIt)
 {
   const OwnDisplay display;
@@ -194,7 +194,7 @@ TEST_F(CliEnds, CtrlCEndsViewAsWithoutIt)
   this->ExpectWholeFiles();
 }
 
-// The command waits for it for ever, and cannot end by itself.
+// The command waits for it forever, and cannot end by itself.
 TEST_F(CliEnds, FifthSignalEndsViewOnHungDisplay)
 {
   const OwnDisplay display;

@@ -123,7 +123,7 @@ TEST(CliEvaluate, ParametricFormHasSameVolumeAndArea)
   const SphericalHarmonicModel model = NearlyASphere();
   EXPECT_EQ(result.at("surface"), "parametric");
   EXPECT_EQ(result.at("inside_out"), false);
-  // Both are sums of some hundred terms of the same size.
+  // Both are sums of some hundred terms of equal magnitude.
   EXPECT_NEAR(result.at("volume_ml").get<double>(), VolumeOf(model) / 1000.0, 1e-12);
   EXPECT_NEAR(result.at("area_mm2").get<double>(), AreaOf(model).Value, 1e-9);
 }

@@ -56,8 +56,8 @@ bool IsFeltUntil(const TouchRecording& recorded, std::size_t failed)
   return isFelt;
 }
 
-// Whether what was recorded shows the delay that the fault of this tick claims: on a busy machine
-// replies and ticks are really late, and then forces have to go off.
+// Whether the recording shows the delay reported by the fault of this tick: on a busy machine
+// replies and ticks are really late, and then forces must go off.
 bool IsTrueDelay(const TouchRecording& recorded, std::size_t failed)
 {
   constexpr std::int64_t Limit = 10'000'000; // ns, of samples and ticks
@@ -83,13 +83,13 @@ bool IsTrueDelay(const TouchRecording& recorded, std::size_t failed)
 }
 
 // The program, unchanged, with virtual Falcons on a virtual bus. Replies take some milliseconds
-// there, so nothing is said about rates.
+// there, so rates are not tested.
 class CliFalcon : public testing::Test
 {
 protected:
   void SetUp() override
   {
-    // Not skipped: a lost wrapper must not look like success.
+    // Not skipped: a missing wrapper must not look like success.
     ASSERT_TRUE(FalconTestBed::IsPossible()) << "umockdev is not preloaded: use umockdev-wrapper";
     unsetenv("PALPATE_FALCON_FIRMWARE");
     const std::vector<std::uint8_t> image = BootStream();
@@ -101,7 +101,7 @@ protected:
     return RunPalpate(arguments, this->Folder.Path());
   }
 
-  // What `palpate devices --json` says of devices whose names begin so.
+  // Entries of `palpate devices --json` whose names begin with this.
   std::vector<nlohmann::json> Listed(const std::string& name)
   {
     const CommandRun run = this->Run({"devices", "--json"});
@@ -125,7 +125,7 @@ protected:
                                 { return falcon.Board().Image() == BootStream(); });
   }
 
-  // A touch of two seconds, without a fault or with one that the delays of this machine explain.
+  // A touch of two seconds, without a fault or with one explained by this machine's delays.
   void TouchOnce(bool& isFelt)
   {
     std::filesystem::remove_all(this->Folder / "felt");
@@ -253,8 +253,8 @@ TEST_F(CliFalcon, MissingOrInvalidFirmwareGivesFix)
       << other.Errors;
 }
 
-// On a busy machine replies come too late for a touch now and then; then it is begun again, and
-// must have ended with the fault that says so.
+// On a busy machine replies are sometimes too late for a touch; it is then repeated, and must have
+// ended with the corresponding fault.
 TEST_F(CliFalcon, TouchesMask)
 {
   this->Bed.Plug(this->Bus, 2);
@@ -266,13 +266,13 @@ TEST_F(CliFalcon, TouchesMask)
   }
   EXPECT_TRUE(isFelt);
 }
-// Ends of the program while the motors push: they carry half a kilogram, so that there is a torque
-// whatever is touched, and the virtual board holds it for ever.
+// Ends the program while the motors push: they carry half a kilogram, so that there is a torque
+// even without contact, and the virtual board holds it forever.
 class CliFalconEnds : public CliFalcon
 {
 protected:
-  // A touch whose torque has reached the board. Where replies come too late before that, as on a
-  // busy machine, it is begun again.
+  // A touch whose torque has reached the board. If replies are too late before that, as on a busy
+  // machine, it is repeated.
   std::unique_ptr<StartedCommand> Pushing()
   {
     this->Bed.Plug(this->Bus, 2);
@@ -309,7 +309,7 @@ protected:
     return !orders.empty() && orders.back().HasTorque();
   }
 
-  // For Documentation/Safety.md: the time until 0 N that no torque followed.
+  // For Documentation/Safety.md: the time until 0 N, after which no torque followed.
   void Record(const std::string& fault, std::chrono::steady_clock::time_point start)
   {
     const std::vector<VirtualFalconBoard::Order> orders = this->Received();
@@ -330,7 +330,7 @@ TEST_F(CliFalconEnds, KillLeavesNoTorque)
   const auto start = std::chrono::steady_clock::now();
   command->Send(SIGKILL);
   command->Finish();
-  this->Bus.ReleaseClaims(); // umockdev does not say that a client has ended
+  this->Bus.ReleaseClaims(); // umockdev does not report that a client has ended
   EXPECT_TRUE(IsSoon([this] { return !this->HasTorque(); }));
   int status = 1;
   EXPECT_GT(waitpid(-1, &status, 0), 0) << "the guard ends once it has done its work";
@@ -431,7 +431,7 @@ TEST_F(CliFalconEnds, CtrlZIsIgnoredWhileForceIsPossible)
 
 TEST_F(CliFalcon, ReportsUnplugDuringHoming)
 {
-  this->Model.Mechanism().Settings.Path = nullptr; // nobody pulls, so it is never homed
+  this->Model.Mechanism().Settings.Path = nullptr; // nobody moves the grip, so it is never homed
   this->Bed.Plug(this->Bus, 2);
   std::atomic<bool> isOver{false};
   std::thread cable(

@@ -40,7 +40,7 @@ TEST(CliFit, OneStructureGivesNumbersFilesAndReport)
   EXPECT_GT(mask.at("dice").get<double>(), 0.95);
   EXPECT_LE(mask.at("mean_mm").get<double>(), mask.at("p95_mm").get<double>());
   EXPECT_LE(mask.at("p95_mm").get<double>(), mask.at("max_mm").get<double>());
-  // A ball of 9 mm, on a grid whose voxels are a quarter of it.
+  // A sphere of 9 mm, on a grid whose voxels are a quarter of it.
   EXPECT_NEAR(result.at("volume_ml").at("mask").get<double>(), 3.054, 0.2);
   EXPECT_NEAR(result.at("volume_ml").at("model").get<double>(),
               result.at("volume_ml").at("mask").get<double>(), 0.03);
@@ -53,7 +53,7 @@ TEST(CliFit, OneStructureGivesNumbersFilesAndReport)
   const auto document = palpate::ReadModel(folder / "out" / "model.json");
   const auto& model = std::get<palpate::SphericalHarmonicModel>(document.Surface);
   EXPECT_EQ(model.Degree(), 6);
-  // What the report and JSON say of the model is what its file holds.
+  // Report and JSON agree with the model's file.
   EXPECT_DOUBLE_EQ(VolumeOf(model) / 1000.0, result.at("volume_ml").at("model").get<double>());
 }
 
@@ -181,7 +181,7 @@ TEST(CliFit, RobustFitReportsDownWeightedSamples)
   EXPECT_EQ(fit.at("coverage").at("verdict"), "good");
 }
 
-// Seen from outside, the ball lies in a part of all directions.
+// Seen from outside, the sphere covers only a part of all directions.
 TEST(CliFit, DirectionGapGivesNoteAndVerdict)
 {
   const TemporaryFolder folder;
@@ -194,6 +194,6 @@ TEST(CliFit, DirectionGapGivesNoteAndVerdict)
   const Json result = Json::parse(run.Output);
   const Json& coverage = result.at("fit").at("coverage");
   EXPECT_EQ(coverage.at("verdict"), "gaps");
-  EXPECT_GT(coverage.at("largest_gap_degrees").get<double>(), 45.0); // 180 over the degree
+  EXPECT_GT(coverage.at("largest_gap_degrees").get<double>(), 45.0); // 180 divided by the degree
   EXPECT_TRUE(Has(run.Errors, "No direction within")) << run.Errors;
 }

@@ -97,7 +97,7 @@ TEST(CliFrame, BashAcceptsCompletionScript)
   EXPECT_EQ(run.Code, 0) << run.Errors;
 }
 
-// What bash offers for the words of a command line whose last word is being typed.
+// Bash completions of the last word of a command line.
 std::string Offered(const TemporaryFolder& folder, const std::string& words)
 {
   const std::string script = "source c; COMP_WORDS=(palpate " + words +
@@ -115,7 +115,7 @@ TEST(CliFrame, BashCompletesCommandsOptionsAndValues)
   EXPECT_EQ(Offered(folder, "completion z"), " zsh \n");
   EXPECT_EQ(Offered(folder, "mesh a.nii --method pl"), " plain \n");
   EXPECT_EQ(Offered(folder, "mesh a.nii --qu"), " --quiet \n");
-  // After an option that takes a file, nothing of ours: bash then offers file names.
+  // No completions after an option that takes a file: bash then offers file names.
   EXPECT_EQ(Offered(folder, "evaluate --directions x"), "  \n");
 }
 

@@ -13,7 +13,7 @@ using Json = nlohmann::json;
 
 namespace
 {
-// The words of the line that starts with `first`, empty where there is none.
+// The words of the line that starts with `first`; empty if there is none.
 std::vector<std::string> WordsOfLine(const std::string& text, const std::string& first)
 {
   std::istringstream lines(text);

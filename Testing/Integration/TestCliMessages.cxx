@@ -1,5 +1,4 @@
-// What the program says to a slip of the fingers, to structures that cannot be modelled, and
-// while it works.
+// Messages for typing errors and for structures that cannot be modelled, and progress.
 #include "CommandLine.h"
 #include "CommandRegistry.h"
 #include "CommandRun.h"
@@ -24,7 +23,7 @@ bool Has(const std::string& text, const std::string& part)
   return text.find(part) != std::string::npos;
 }
 
-// What a command line is answered with, which is a bad one.
+// The message for a bad command line.
 std::string Refusal(const std::vector<std::string>& words)
 {
   const TemporaryFolder folder;
@@ -34,7 +33,7 @@ std::string Refusal(const std::vector<std::string>& words)
   return run.Errors;
 }
 
-// A bowl of label 1, from whose hollow a third of all directions meets nothing, and a ball of
+// A bowl of label 1, from whose hollow a third of all directions meets nothing, and a sphere of
 // label 2.
 void WriteBowlAndBall(const std::filesystem::path& path)
 {
@@ -65,7 +64,7 @@ void WriteDot(const std::filesystem::path& path)
                                            { return x == 2.0 && y == 2.0 && z == 2.0; }));
 }
 
-// The standard error stream of a run on a terminal.
+// Standard error of a run on a terminal.
 std::string OnTerminal(const std::vector<std::string>& words)
 {
   std::ostringstream out;
@@ -150,7 +149,7 @@ TEST(CliMessages, OneVoxelGivesOneLine)
   }
 }
 
-// Each command by the options that it has.
+// Each command names its own options.
 TEST(CliMessages, OneVoxelGivesOneLineInFieldCommands)
 {
   const TemporaryFolder folder;

@@ -8,7 +8,7 @@ using namespace palpate::test;
 
 namespace
 {
-// Width and height that a PNG's header states.
+// Width and height from a PNG's header.
 std::pair<int, int> PngSize(const std::string& bytes)
 {
   const auto number = [&bytes](std::size_t at)
@@ -114,7 +114,7 @@ TEST(CliDisplay, MissingDisplayGivesFix)
   }
 }
 
-// What the README shows and needs no OpenGL.
+// The README's example, without OpenGL.
 TEST(CliDisplay, FittingNeedsNoDisplay)
 {
   const TemporaryFolder folder;

@@ -10,7 +10,7 @@ using namespace palpate::test;
 
 namespace
 {
-// Two balls of a mask, a model that is only touched, and a file that is not there.
+// Two spheres of a mask, a model that is only touched, and a missing file.
 void WriteScene(const TemporaryFolder& folder)
 {
   WriteTwoBalls(folder / "a.nii.gz");

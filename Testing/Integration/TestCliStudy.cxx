@@ -42,7 +42,7 @@ TEST(CliStudy, SessionWithoutStructuresUsesAllOfItsFiles)
   EXPECT_EQ(folder.EntryCount(), 2U) << "nothing is written unasked";
 }
 
-// A ball of one radius is not what the mask's steps are: no model is close enough.
+// A sphere of one radius differs from the mask's steps: no model is close enough.
 TEST(CliStudy, FallbackForRefusedModelIsNotFailure)
 {
   const TemporaryFolder folder;
@@ -61,7 +61,7 @@ TEST(CliStudy, FallbackForRefusedModelIsNotFailure)
   EXPECT_NE(run.Output.find("shown as sub-voxel volume"), std::string::npos) << run.Output;
 }
 
-// The sentence is the one that the file's own command gives.
+// The message is that of the file's own command.
 TEST(CliStudy, BadFilesGiveUsualMessages)
 {
   const TemporaryFolder folder;

@@ -57,7 +57,7 @@ TEST(CliTouch, RecordingHasOneLinePerTick)
       RunPalpate({"convert", "felt/session.touch", "plots.svg"}, folder.Path());
   EXPECT_EQ(drawn.Code, 0) << drawn.Errors;
   EXPECT_FALSE(ReadAll(folder / "plots.svg").empty());
-  // Cut off, as by a program that died.
+  // Truncated, as by a program that crashed.
   const std::string bytes = ReadAll(folder / "felt/session.touch");
   std::ofstream(folder / "cut.part", std::ios::binary) << bytes.substr(0, bytes.size() - 100);
   const CommandRun cut = RunPalpate({"convert", "cut.part", "cut.csv"}, folder.Path());

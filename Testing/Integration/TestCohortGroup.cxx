@@ -58,7 +58,7 @@ private:
   static std::string PlainFile(const std::string& name) { return name.substr(0, 1); }
 };
 
-// A mean and two modes along known coefficients, with scores of mean 0 that do not correlate.
+// A mean and two modes along known coefficients, with uncorrelated scores of mean 0.
 void AddKnownCases(Cohort& cohort)
 {
   Random random(21);

@@ -13,7 +13,7 @@ TEST(ArrayColors, ZeroIsWhiteAndCentredForBothSigns)
   table->GetColor(0.0, color);
   for (const double part : color)
   {
-    EXPECT_NEAR(part, 247.0 / 255.0, 0.01); // the middle of the map
+    EXPECT_NEAR(part, 247.0 / 255.0, 0.01); // the centre of the map
   }
 }
 

@@ -10,7 +10,7 @@ using palpate::Vector3;
 
 namespace
 {
-// A sagittal series: columns run to posterior, rows to inferior, slices to left; turned by 10
+// A sagittal series: columns run to posterior, rows to inferior, slices to left; rotated by 10
 // degrees about the body's long axis.
 vtkSmartPointer<vtkImageData> SagittalSeries()
 {

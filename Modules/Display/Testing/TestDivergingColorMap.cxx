@@ -29,7 +29,7 @@ int LargestDifference(const Color& a, const Color& b)
 TEST(DivergingColorMap, EndsAndCentreMatchRdBu)
 {
   const DivergingColorMap map(2.0);
-  // Two of 255: the constants are rounded to hundredths of CIELAB units.
+  // Two levels of 255: the constants are rounded to hundredths of CIELAB units.
   EXPECT_LE(LargestDifference(map.ColorOf(-2.0), Color{{33, 102, 172}}), 2);
   EXPECT_LE(LargestDifference(map.ColorOf(0.0), Color{{247, 247, 247}}), 2);
   EXPECT_LE(LargestDifference(map.ColorOf(2.0), Color{{178, 24, 43}}), 2);

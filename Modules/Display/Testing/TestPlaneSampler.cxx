@@ -17,7 +17,7 @@ namespace
 {
 constexpr float Outside = -7.0F;
 
-// Any numbers, on any grid whose extent starts anywhere.
+// Arbitrary numbers on an arbitrary grid and extent.
 template <typename T>
 vtkSmartPointer<vtkImageData> RandomImage(std::mt19937_64& random)
 {
@@ -33,7 +33,7 @@ vtkSmartPointer<vtkImageData> RandomImage(std::mt19937_64& random)
   return image;
 }
 
-// A plane through the image that reaches out of it on all sides.
+// A plane through the image that extends beyond it on all sides.
 PixelGrid RandomGrid(vtkImageData* image, std::mt19937_64& random)
 {
   std::uniform_real_distribution<double> unit(-1.0, 1.0);
@@ -54,7 +54,7 @@ double Voxel(vtkImageData* image, const Eigen::Vector3i& index)
   return image->GetScalarComponentAsDouble(index.x(), index.y(), index.z(), 0);
 }
 
-// The slow obvious version: eight voxels with their weights.
+// Reference: eight voxels with their weights.
 double InterpolateSlowly(vtkImageData* image, const Vector3& world)
 {
   const ImageAxes axes(image);

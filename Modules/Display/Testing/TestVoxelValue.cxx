@@ -10,7 +10,7 @@ namespace palpate
 {
 namespace
 {
-// Every voxel has a value of its own, on a turned grid.
+// Every voxel has a unique value, on a rotated grid.
 vtkSmartPointer<vtkImageData> NumberedImage(std::mt19937_64& random)
 {
   test::LabelGrid grid;

@@ -86,7 +86,7 @@ TEST(FitReport, ShowsRegionsWithoutDirections)
   const std::string gaps = Report(fit.Result, nullptr);
   EXPECT_NE(gaps.find("<dt>Coverage</dt><dd>gaps"), std::string::npos);
   EXPECT_NE(gaps.find("Grey: no direction"), std::string::npos);
-  // The views from that side are other images.
+  // The views from that side are different images.
   const auto views = [](const std::string& html)
   {
     return html.substr(html.find("From six sides"), html.find("By degree") - html.find("From six"));

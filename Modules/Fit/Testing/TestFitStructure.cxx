@@ -146,7 +146,7 @@ TEST(FitStructure, DoesNotWarnIfAllDirectionsMeetSurface)
   EXPECT_TRUE(result.Notes.empty()) << result.Notes.front();
 }
 
-// Needles of 2 x 2 voxels, as a brush that slipped leaves them.
+// Needles of 2 x 2 voxels, as left by a slipped brush.
 void AddSpikes(vtkImageData* mask, const Vector3& centerWorld, int count, double length)
 {
   const palpate::IcosahedronDirections sphere(4);
@@ -204,7 +204,7 @@ TEST(FitStructure, RejectsRingAndReportsHiddenShare)
   EXPECT_EQ(result.State, Outcome::Refused);
   EXPECT_GT(result.HiddenPercent, 50.0);
   EXPECT_NE(result.Message.find("not star-shaped"), std::string::npos);
-  EXPECT_GT(result.Surface->GetNumberOfPolys(), 0); // what there is stays
+  EXPECT_GT(result.Surface->GetNumberOfPolys(), 0); // existing results remain
   EXPECT_EQ(result.ModelSurface, nullptr);
 }
 
@@ -213,7 +213,7 @@ TEST(FitStructure, RejectsModelThatMissesMask)
   palpate::test::LabelGrid grid;
   grid.Size = {70, 70, 9};
   grid.CenterOnOrigin();
-  // A plate thirty times as wide as thick: star-shaped, but no business of a low degree.
+  // A plate thirty times as wide as thick: star-shaped, but not representable at a low degree.
   const auto plate =
       palpate::test::MakeLabelImage(grid, [](double x, double y, double z)
                                     { return std::hypot(x, y) < 30 && std::abs(z) < 1.1; });
@@ -228,8 +228,8 @@ TEST(FitStructure, RejectsModelThatMissesMask)
   EXPECT_EQ(Fit(segmentation, settings).State, Outcome::Fitted);
 }
 
-// A bowl, from whose hollow a third of all directions meets nothing: cross-validation then lets the
-// model go anywhere there.
+// A bowl, from whose hollow a third of all directions meets nothing: cross-validation leaves the
+// model undetermined there.
 vtkSmartPointer<vtkImageData> Bowl()
 {
   palpate::test::LabelGrid grid;
@@ -262,7 +262,8 @@ TEST(FitStructure, RejectsModelFarBeyondStructure)
   EXPECT_EQ(result.ModelSurface, nullptr);
 }
 
-// A low degree rings round the radius of nearly zero that a centre close to the surface gives.
+// A low degree oscillates around the radius of nearly zero that a centre close to the surface
+// gives.
 TEST(FitStructure, RemarksOnNegativeRadius)
 {
   palpate::test::LabelGrid grid;
@@ -292,7 +293,7 @@ TEST(FitStructure, DoesNotSuggestCentreInUse)
   EXPECT_NE(result.OptionHint.find("--max-hidden"), std::string::npos) << result.OptionHint;
 }
 
-// Others than `palpate fit` read it too.
+// The reason is also shown outside `palpate fit`.
 TEST(FitStructure, ReasonNamesNoOption)
 {
   FitSettings hidden;
@@ -313,7 +314,7 @@ TEST(FitStructure, ReasonNamesNoOption)
   }
 }
 
-// A limit that is missed by less than what is written of it.
+// A limit that is missed by less than its printed precision.
 TEST(FitStructure, NeverRoundsMissToSuccess)
 {
   const auto truth = palpate::MakeProstateLikeModel(6, 9, Vector3::Zero());
@@ -403,7 +404,7 @@ TEST(FitStructure, UsesSmallestDegreeWithinTolerance)
   EXPECT_GT(result.RmsByDegree[static_cast<std::size_t>(result.Model.Degree()) - 1], 0.25);
 }
 
-// On voxels of 4 mm a body of 25 mm has waves of two voxels at degree 18.
+// On voxels of 4 mm, a body of 25 mm has wavelengths of two voxels at degree 18.
 TEST(FitStructure, DegreeSearchEndsAtSupportedDegree)
 {
   const auto truth = palpate::MakeProstateLikeModel(8, 3, Vector3::Zero());
@@ -419,7 +420,7 @@ TEST(FitStructure, DegreeSearchEndsAtSupportedDegree)
   EXPECT_GT(result.Rms, 1e-4);
   ASSERT_FALSE(result.Notes.empty());
   EXPECT_NE(result.Notes.back().find("degree " + std::to_string(supported)), std::string::npos);
-  // What a person sets is another matter, and so is a bound of theirs.
+  // A degree or bound set by the user is not limited.
   settings.MaximumDegree = supported - 4;
   EXPECT_EQ(Fit(coarse, settings).State, Outcome::Failed);
   settings.Tolerance.reset();
@@ -493,8 +494,8 @@ TEST_P(WholeGland, FitsWithinEighthOfSlice)
   ASSERT_EQ(result.State, Outcome::Fitted) << result.Message;
   const double* spacing = result.Mask->GetSpacing();
   const double slice = std::max({spacing[0], spacing[1], spacing[2]});
-  // 10015 is rougher than degree 12 can follow: the plain half level, a robust fit and the best
-  // centre each leave more than an eighth as well. It must not get worse than it is.
+  // 10015 is rougher than degree 12 can represent: the plain half level, a robust fit and the best
+  // centre each leave more than an eighth as well. It must not get worse.
   const double share = std::string(GetParam()) == "10015_1000015" ? 0.13 : 0.125;
   EXPECT_LE(result.ModelToMask.Mean, share * slice);
   EXPECT_GE(result.Dice, 0.98);

@@ -9,7 +9,7 @@
 using namespace palpate;
 using namespace palpate::test;
 
-// Memory and time are bounded by what a table is, not by what it claims.
+// Memory and time are bounded by the actual content of a table, not by its numbers.
 namespace
 {
 constexpr rlim_t SomeMemory = rlim_t{256} << 20;

@@ -31,11 +31,11 @@ std::string MessageOf(const std::filesystem::path& path)
   return "no error";
 }
 
-// What this program asked to be on the disk, in order.
+// The files that this program synchronised with the disk, in order.
 std::vector<std::filesystem::path> Synced;
 } // namespace
 
-// Takes the place of the C library's in this program.
+// Replaces the C library's function in this program.
 extern "C" __attribute__((visibility("default"))) int fsync(int file)
 {
   std::error_code ignored;
@@ -94,7 +94,7 @@ TEST(AtomicFile, TemporaryFileIsInSameFolder)
 TEST(AtomicFile, WritesLongestFileName)
 {
   const TemporaryFolder folder;
-  const std::string name = std::string(250, 'x') + ".json"; // 255 bytes, the most there are
+  const std::string name = std::string(250, 'x') + ".json"; // 255 bytes, the maximum
   AtomicFile file(folder / name);
   file.Commit();
   EXPECT_TRUE(std::filesystem::exists(folder / name));

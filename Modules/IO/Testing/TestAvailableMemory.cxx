@@ -11,7 +11,7 @@ namespace
 {
 constexpr std::uint64_t Kibibyte = 1024;
 
-// A machine with 300 kB left, and groups as a test writes them.
+// A machine with 300 kB left, and groups defined by the test.
 class AvailableMemory : public testing::Test
 {
 protected:

@@ -14,7 +14,7 @@ using namespace palpate::test;
 
 namespace
 {
-// One sentence: it starts with the file, holds the fact, a way out, and no line break.
+// One sentence: it starts with the file, contains the fact and a fix, and no line break.
 void ExpectSentence(const std::string& message, const std::filesystem::path& file,
                     const std::string& fact)
 {
@@ -25,7 +25,7 @@ void ExpectSentence(const std::string& message, const std::filesystem::path& fil
   EXPECT_EQ(std::count(message.begin(), message.end(), '\n'), 0) << message;
 }
 
-// What the readers let through to the standard streams.
+// Output of the readers to the standard streams.
 template <typename Action>
 std::string Chatter(const Action& action)
 {

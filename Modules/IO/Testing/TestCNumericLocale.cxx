@@ -27,8 +27,8 @@ namespace
 {
 constexpr CommaLocale::Scope Scopes[] = {CommaLocale::Scope::OnlyC, CommaLocale::Scope::Streams};
 
-// MetaImage's and VTP's libraries use C++ streams, which no thread can have a locale of its own
-// for; a test below shows that they are refused.
+// MetaImage's and VTP's libraries use C++ streams, which cannot have a locale per thread; a test
+// below shows that they are refused.
 bool StreamFormatsIn(CommaLocale::Scope scope)
 {
   return scope == CommaLocale::Scope::OnlyC;
@@ -111,7 +111,7 @@ std::string BitsOf(const ModelDocument& document)
   return BytesOf(model.Coefficients()) + BytesOf(std::vector<double>(center, center + 3));
 }
 
-// What is read under the locale that the process has.
+// Results of reading under the locale of the process.
 std::map<std::string, std::string> ReadAllOf(const TemporaryFolder& folder,
                                              bool withStreamFormats = true)
 {
@@ -140,7 +140,7 @@ std::map<std::string, std::string> ReadAllOf(const TemporaryFolder& folder,
   return bits;
 }
 
-// All that we write, by what is written.
+// All written files, by content.
 void WriteAllOf(const TemporaryFolder& folder, vtkImageData* image, bool withStreamFormats = true)
 {
   if (withStreamFormats)

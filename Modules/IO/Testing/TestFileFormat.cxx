@@ -81,7 +81,7 @@ std::string WriteTriangle(const TriangleMesh& mesh, vtkPolyData*, const std::fil
   return text.str();
 }
 
-// With the formats of the test, which stay until the process ends.
+// With the formats of the test, which remain until the process ends.
 class FileFormats : public testing::Test
 {
 protected:

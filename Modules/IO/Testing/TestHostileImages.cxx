@@ -15,10 +15,10 @@
 using namespace palpate;
 using namespace palpate::test;
 
-// Memory and time are bounded by what an image file is, not by what it claims.
+// Memory and time are bounded by the actual content of an image file, not by its header.
 namespace
 {
-constexpr rlim_t SomeMemory = rlim_t{1} << 30; // what reading a file of some bytes may take at most
+constexpr rlim_t SomeMemory = rlim_t{1} << 30; // limit for reading a file of some bytes
 constexpr std::size_t Gigabytes = std::size_t{3} << 30;
 
 class HostileImages : public testing::Test
@@ -34,7 +34,7 @@ protected:
   {
     return this->Refusal("a.nrrd", NrrdBytes(lines, std::string(120, '\1')));
   }
-  // The plain header with a line more.
+  // The plain header with one more line.
   std::string NrrdRefusalWith(const std::string& line) const
   {
     std::vector<std::string> lines = PlainNrrdLines("unsigned char");
@@ -45,10 +45,10 @@ protected:
   TemporaryFolder Folder;
 };
 
-// Gzip data that begin with these bytes and go on with as many zeros; some megabytes.
+// Gzip data of these bytes followed by this many zeros; some megabytes.
 std::string GzippedWithZerosBehind(const std::string& bytes)
 {
-  // Gzip members follow each other, so the zeros are packed once for each 64 MB.
+  // Gzip members follow each other, so the zeros are compressed once per 64 MB.
   const std::string zeros = Gzipped(std::string(std::size_t{64} << 20, '\0'));
   std::string packed = Gzipped(bytes);
   for (std::size_t behind = 0; behind < Gigabytes; behind += std::size_t{64} << 20)
@@ -79,7 +79,7 @@ TEST_F(HostileImages, ReadsLongKeyValuePairsAndComments)
   EXPECT_EQ(this->NrrdRefusalWith("# " + std::string(100000, 'x')), "no error");
 }
 
-// The library ends a line there too, and takes the rest for a field.
+// The library ends a line there too, and parses the rest as a field.
 TEST_F(HostileImages, RejectsLongNrrdLinesAfterCarriageReturn)
 {
   EXPECT_TRUE(Contains(this->NrrdRefusalWith("note:=a\r" + std::string(2000, 'x')),
@@ -118,7 +118,7 @@ TEST_F(HostileImages, FollowsNrrdSpaceAfterCarriageReturn)
   EXPECT_EQ(volume.Image->GetDirectionMatrix()->GetElement(0, 0), -1.0);
 }
 
-// To the library a line ends at a zero.
+// For the library, a line ends at a null byte.
 TEST_F(HostileImages, RejectsNrrdLinesWithNullBytes)
 {
   WriteAll(this->Folder / "-", std::string(120, '\1'));
@@ -150,7 +150,7 @@ TEST_F(HostileImages, RejectsNrrdAxesThatOverflowLibrary)
                "has 16 dimensions"));
 }
 
-// The library takes such an axis for components, and has room for the other two only.
+// The library takes such an axis for components, and allocates space only for the other two.
 TEST_F(HostileImages, RejectsNrrdDirectionsOfComponents)
 {
   const std::vector<std::string> lines{

@@ -10,10 +10,11 @@
 using namespace palpate;
 using namespace palpate::test;
 
-// What the MetaIO library would overflow by, read otherwise, or leave voxels uninitialised for.
+// Headers that overflow the MetaIO library, that it reads differently, or that leave voxels
+// uninitialised.
 namespace
 {
-constexpr rlim_t SomeMemory = rlim_t{1} << 30; // what reading a file of some bytes may take at most
+constexpr rlim_t SomeMemory = rlim_t{1} << 30; // limit for reading a file of some bytes
 constexpr const char* DataLine = "ElementDataFile = LOCAL";
 
 std::string Voxels()
@@ -21,7 +22,7 @@ std::string Voxels()
   return std::string(120, '\1');
 }
 
-// A good file with lines put in before the one that starts with `before`.
+// A good file with lines inserted before the one that starts with `before`.
 std::string With(const std::string& lines, const std::string& before = "ElementDataFile",
                  const std::string& voxels = Voxels())
 {
@@ -58,7 +59,7 @@ protected:
     const AddressSpaceLimit limit(SomeMemory);
     return MessageOf([&] { ReadVolume(this->Folder / name); });
   }
-  // Of a header whose voxels lie in another file of this content.
+  // For a header whose voxels are in another file with this content.
   std::string RefusalBeside(const std::string& data, const std::string& line) const
   {
     WriteAll(this->Folder / "a.raw", data);
@@ -100,7 +101,7 @@ TEST_F(HostileMetaImages, ReadsLongListsOfNumbers)
   EXPECT_EQ(this->Refusal(Replaced(With("ID = 1"), matrix, digits)), "no error");
 }
 
-// The library takes no more than 499 letters of a name and then fails, which it does not tell.
+// The library reads at most 499 characters of a name, then fails silently.
 TEST_F(HostileMetaImages, BoundsDataFileNames)
 {
   const std::string line = DataLine + std::string(500, ' ');
@@ -108,7 +109,7 @@ TEST_F(HostileMetaImages, BoundsDataFileNames)
                        "characters of ElementDataFile"));
 }
 
-// To the library a colon separates as the equals sign does.
+// For the library, a colon is a separator like the equals sign.
 TEST_F(HostileMetaImages, RejectsLinesWithColonFirst)
 {
   for (const char* line :
@@ -159,7 +160,7 @@ TEST_F(HostileMetaImages, RejectsDuplicateFields)
   }
 }
 
-// The library goes on with the next line's numbers.
+// The library continues with the next line's numbers.
 TEST_F(HostileMetaImages, RejectsFieldsWithTooFewNumbers)
 {
   for (const char* lines : {"ID =\n5 = x", "Color = 1 1\n1 1 = x", "HeaderSize =\n100 = x",
@@ -169,7 +170,7 @@ TEST_F(HostileMetaImages, RejectsFieldsWithTooFewNumbers)
   }
 }
 
-// The library makes a record of 33 kB of each.
+// The library allocates a 33 kB record for each.
 TEST_F(HostileMetaImages, BoundsNumberOfLines)
 {
   std::string lines;
@@ -264,7 +265,7 @@ TEST_F(HostileMetaImages, RejectsTextVoxelsBeyondType)
   }
 }
 
-// A name that starts with a tilde is one of the working folder to the library.
+// For the library, a name that starts with a tilde is in the working folder.
 TEST_F(HostileMetaImages, DataFilePathMatchesLibrary)
 {
   WriteAll(this->Folder / "~a.raw", Voxels());
@@ -274,7 +275,7 @@ TEST_F(HostileMetaImages, DataFilePathMatchesLibrary)
                        "lacks its data file ~a.raw"));
 }
 
-// The library strips all letters that are no plain ones from the end of a word.
+// The library strips all unprintable characters from the end of a word.
 TEST_F(HostileMetaImages, WordsEndAsInLibrary)
 {
   WriteAll(this->Folder / "LOCAL\xff", Voxels());

@@ -15,7 +15,7 @@ using namespace palpate::test;
 // Indices and counts of surface files are checked before they are used.
 namespace
 {
-constexpr rlim_t SomeMemory = rlim_t{1} << 30; // what reading a file of some bytes may take at most
+constexpr rlim_t SomeMemory = rlim_t{1} << 30; // limit for reading a file of some bytes
 
 std::string Refusal(const std::string& name, const std::string& bytes)
 {
@@ -30,7 +30,7 @@ std::string ObjRefusal(const std::string& lines)
   return Refusal("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n" + lines);
 }
 
-// A text of VTK's XML format; the defaults are a triangle.
+// A file in VTK's XML format; the default is a triangle.
 struct VtpSpec
 {
   std::string Points = "3";
@@ -204,11 +204,11 @@ TEST(HostileSurfaces, RejectsDeeplyNestedVtpElements)
 TEST(HostileSurfaces, RejectsDamagedVtpBlocks)
 {
   const std::vector<std::string> headers{
-      Word(1) + Word(0) + Word(0) + Word(64),                   // blocks of nothing
-      Word(0) + Word(32768) + Word(36),                         // a last one of none
+      Word(1) + Word(0) + Word(0) + Word(64),                   // blocks of size 0
+      Word(0) + Word(32768) + Word(36),                         // a last block without blocks
       Word(0xFFFFFFFF) + Word(32768) + Word(0),                 // more blocks than bytes
       Word(1) + Word(0xFFFFFFF0) + Word(0) + Word(64),          // gigabytes from 64 bytes
-      Word(2) + Word(4) + Word(4000000000) + Word(8) + Word(8), // a last one that is larger
+      Word(2) + Word(4) + Word(4000000000) + Word(8) + Word(8), // a last block that is larger
       Word(1) + Word(32768) + Word(36) + Word(0xFFFFFFFF)};     // more than the file has
   for (const std::string& header : headers)
   {
@@ -236,7 +236,7 @@ TEST(HostileSurfaces, WritersRejectIndicesOutOfRange)
 
 TEST(HostileSurfaces, RejectsStlTextThatVtkTakesForBinary)
 {
-  // The letters from 80 on are a count of triangles.
+  // The characters from 80 on are read as a triangle count.
   std::string text = "solid a\nendsolid a\n" + std::string(100, '\xEC');
   EXPECT_TRUE(Contains(Refusal("a.stl", text), "is not a complete STL file"));
   text[19] = '\n';

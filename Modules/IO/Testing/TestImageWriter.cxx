@@ -119,7 +119,7 @@ TEST(ImageWriter, NrrdAndMetaImageKeepGridInDouble)
   {
     const auto image = Oblique(VTK_SHORT);
     WriteImage(folder / name, image);
-    // Both write 17 digits; spacing and direction are multiplied and taken apart again.
+    // Both write 17 digits; spacing and direction are multiplied and separated again.
     EXPECT_LT(LargestCornerShift(image, ReadVolume(folder / name).Image), 1e-11) << name;
   }
 }

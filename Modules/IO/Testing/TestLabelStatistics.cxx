@@ -56,8 +56,8 @@ Segmentation SegmentationOf(const Labels& labels, const Vector3& spacing = Vecto
   return segmentation;
 }
 
-// Flood fill, voxel by voxel: the slow way. Sizes of the components of the voxels that `isMember`
-// accepts, on the volume with one voxel added all round; those that reach that rim are left out.
+// Reference by flood fill, voxel by voxel. Sizes of the components of the voxels that `isMember`
+// accepts, on the volume padded by one voxel; those that reach the padding are omitted.
 std::vector<vtkIdType> FloodedSizes(const Size& size, bool all26,
                                     const std::function<bool(int, int, int)>& isMember)
 {
@@ -146,7 +146,7 @@ TEST(LabelStatistics, RandomVolumesMatchFloodFill)
 
 namespace
 {
-// Labels from 1 on that follow each other along the first axis, so that each spans the volume.
+// Labels from 1 on that alternate along the first axis, so that each spans the volume.
 Segmentation InterleavedLabels(int labels)
 {
   const vtkIdType voxels = 64 * 64 * 64;
@@ -175,7 +175,7 @@ double SecondsToMeasure(const Segmentation& segmentation)
 
 TEST(LabelStatistics, TimeIsIndependentOfLabelCount)
 {
-  // As many runs of each; with a search through each label's box, a hundred times the time.
+  // The same number of runs each; searching each label's box would take a hundred times as long.
   const double few = SecondsToMeasure(InterleavedLabels(40));
   EXPECT_LT(SecondsToMeasure(InterleavedLabels(4000)), 10.0 * few + 0.05);
 }
@@ -246,7 +246,7 @@ TEST(LabelStatistics, GiantGlandTouchesVolumeBorder)
   PALPATE_REQUIRE_FILE(path);
   const LabelStatistics statistics = MeasureLabels(ReadSegmentation(path))[0];
   EXPECT_TRUE(statistics.TouchesBorder());
-  // 263 ml in the data's own description.
+  // 263 ml in the data's description.
   EXPECT_NEAR(statistics.Milliliters, 263.0, 0.5);
 }
 

@@ -132,6 +132,6 @@ TEST(MeshFormats, PlyKeepsColoursAndPointArrays)
   const std::string header = bytes.substr(0, end);
   EXPECT_NE(header.find("property uchar red"), std::string::npos);
   EXPECT_NE(header.find("property double Distance_to_surface"), std::string::npos);
-  // 3 doubles, 3 floats, 3 bytes and a double a point; a byte and 3 integers a face.
+  // 3 doubles, 3 floats, 3 bytes and a double per point; a byte and 3 integers per face.
   EXPECT_EQ(bytes.size() - end - 11, 12u * (24 + 12 + 3 + 8) + 20u * 13);
 }

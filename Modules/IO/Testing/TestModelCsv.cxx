@@ -12,7 +12,7 @@ using namespace palpate::test;
 
 namespace
 {
-// The numbers of a table's rows behind l and m, row by row.
+// The numbers of a table's rows after l and m, row by row.
 std::vector<double> NumbersOf(const std::string& table)
 {
   std::vector<double> numbers;

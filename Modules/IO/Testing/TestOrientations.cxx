@@ -18,13 +18,13 @@ using namespace palpate::test;
 
 namespace
 {
-// Not equal, so that exchanged axes show.
+// Different, so that exchanged axes are detected.
 const Vector3 Spacing(0.5, 1.25, 3.0);
 const Vector3 Origin(10.0, -20.0, 30.0);
-// What RAS coordinates are multiplied with to get LPS ones, and the other way round.
+// Factors between RAS and LPS coordinates, in both directions.
 const Vector3 HalfTurn(-1.0, -1.0, 1.0);
 
-// Every way in which three index axes can run along three world axes; columns are index axes.
+// All assignments of three index axes to three world axes; columns are index axes.
 std::vector<Eigen::Matrix3d> AllAxisOrders()
 {
   std::vector<Eigen::Matrix3d> orders;
@@ -44,7 +44,7 @@ std::vector<Eigen::Matrix3d> AllAxisOrders()
   return orders;
 }
 
-// 4 x 5 x 6 voxels, each with a value of its own: its number in the file.
+// 4 x 5 x 6 voxels, each with a unique value: its number in the file.
 std::string CountingVoxels()
 {
   std::string voxels(120, '\0');
@@ -52,7 +52,7 @@ std::string CountingVoxels()
   return voxels;
 }
 
-// -1 outside of the image.
+// -1 outside the image.
 double ValueAt(vtkImageData* image, const Vector3& world)
 {
   double index[3];
@@ -70,7 +70,8 @@ double ValueAt(vtkImageData* image, const Vector3& world)
   return image->GetScalarComponentAsDouble(voxel[0], voxel[1], voxel[2], 0);
 }
 
-// Whether all voxels of an image lie where the axes (columns, LPS), Spacing and an origin say.
+// Whether all voxels of an image are at the positions given by the axes (columns, LPS), Spacing and
+// an origin.
 testing::AssertionResult HasVoxelsAt(vtkImageData* image, const Eigen::Matrix3d& axes,
                                      const Vector3& origin)
 {
@@ -99,8 +100,8 @@ std::size_t CountOf(const std::vector<std::string>& notes, const std::string& pa
                                                 { return note.find(part) != std::string::npos; }));
 }
 
-// Reads a file of each axis order, as a volume and as a label map. The axes that `bytesOf` is given
-// are the header's; `signs` makes LPS coordinates of the header's.
+// Reads a file of each axis order, as a volume and as a label map. `bytesOf` receives the header's
+// axes; `signs` converts the header's coordinates to LPS.
 void ExpectAllOrdersKeepTheirPlaces(
     const std::string& name, const Vector3& signs,
     const std::function<std::string(const Eigen::Matrix3d& axes)>& bytesOf)
@@ -170,7 +171,7 @@ std::vector<std::string> LinesWith(std::size_t line, const std::string& text)
   return lines;
 }
 
-// A NIfTI header of Spacing without a place.
+// A NIfTI header with Spacing and no orientation.
 NiftiSpec NiftiOfSpacing()
 {
   NiftiSpec spec;
@@ -208,8 +209,8 @@ TEST(Orientations, NiftiQFormKeepsPositionsInAll48AxisOrders)
                                  {
                                    NiftiSpec spec = NiftiOfSpacing();
                                    spec.QFormCode = 1;
-                                   // nifti1.h: a rotation, and pixdim[0] says whether the slice
-                                   // axis is reversed after it.
+                                   // nifti1.h: a rotation; pixdim[0] states whether the slice axis
+                                   // is then reversed.
                                    const double sign = axes.determinant() < 0.0 ? -1.0 : 1.0;
                                    const Eigen::Matrix3d rotation =
                                        axes * Vector3(1.0, 1.0, sign).asDiagonal();
@@ -228,7 +229,7 @@ TEST(Orientations, NiftiQFormKeepsPositionsInAll48AxisOrders)
 
 TEST(Orientations, MetaImageKeepsPositionsInAll48AxisOrders)
 {
-  // Programs disagree on what the letters mean; the matrix says it.
+  // Programs disagree on the meaning of the letters; the matrix is unambiguous.
   for (const char* letters : {"RAI", "LPS", "ASR", "???"})
   {
     ExpectAllOrdersKeepTheirPlaces(
@@ -316,7 +317,7 @@ TEST(Orientations, RejectsNonPatientNrrdSpacesByName)
   }
 }
 
-// The library writes as many coordinates as the space has into arrays of as many as the image has.
+// The library writes one coordinate per space dimension into arrays of the image's dimension.
 TEST(Orientations, RejectsNrrdSpacesOfOtherDimensions)
 {
   for (const int dimension : {1, 2, 4, 8})

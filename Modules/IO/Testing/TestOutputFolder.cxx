@@ -34,7 +34,7 @@ std::string MessageOf(void (*ask)(const std::filesystem::path&), const std::file
   return {};
 }
 
-// Two files, of which the second is too large for the limit below.
+// Two files; the second exceeds the limit below.
 void WriteSmallAndLarge(const std::filesystem::path& folder)
 {
   WriteWholeFile(folder / "a.txt", "new a");

@@ -22,7 +22,7 @@ TriangleMesh Mesh()
   for (const Vector3& u : sphere.Directions())
   {
     mesh.PointsWorld.push_back(Vector3(noise(random), noise(random), noise(random)));
-    // Multiples of 2^-10 have a place in single precision.
+    // Multiples of 2^-10 are exact in single precision.
     mesh.Normals.push_back((1024.0 * u).array().round() / 1024.0);
     mesh.Colors.push_back({static_cast<unsigned char>(random() % 256), 7, 255});
     mesh.Values[0].Numbers.push_back(noise(random));

@@ -27,7 +27,7 @@ std::string RefusalOf(const std::string& text)
   return "accepted";
 }
 
-// The published basis of SPHARM-PDM, written down on its own: P_lm by the classical recurrence
+// Independent implementation of SPHARM-PDM's published basis: P_lm by the classical recurrence
 // with the Condon-Shortley sign, rows l^2, l^2+2m-1 (cosine), l^2+2m (sine), no sqrt(2).
 double LegendreWithPhase(int l, int m, double z)
 {

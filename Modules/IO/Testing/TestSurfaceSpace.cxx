@@ -24,7 +24,7 @@ using Points = std::set<std::array<double, 3>>;
 
 const std::vector<Vector3> Corners{{1.5, -2.25, 3.0}, {4.0, 5.5, -6.0}, {-7.0, 8.0, 9.75}};
 
-// A triangle; its normal is not to scale, but single precision holds it.
+// A triangle; its normal is not a unit vector, but exact in single precision.
 vtkSmartPointer<vtkPolyData> Triangle()
 {
   vtkNew<vtkPoints> points;
@@ -78,7 +78,7 @@ std::string VerticesText(const std::string& start)
   return text;
 }
 
-// The triangle's files with a comment each, as text.
+// The triangle's text files with a comment each.
 std::vector<std::pair<std::string, std::string>> TextFiles(const std::string& comment)
 {
   return {{"a.stl", "solid " + comment + "\nfacet normal 0 0 1\nouter loop\n" +
@@ -100,7 +100,7 @@ void ExpectTextFilesAreReadTimes(const std::string& comment, double sign)
   }
 }
 
-// What we write, with the space that it states exchanged.
+// A written file with its stated space exchanged.
 void WriteStating(const std::filesystem::path& file, const std::string& space)
 {
   WriteSurface(file, Triangle());

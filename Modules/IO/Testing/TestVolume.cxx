@@ -83,7 +83,7 @@ TEST(Volume, NiftiVoxelsFollowSformInLps)
 {
   const TemporaryFolder folder;
   NiftiSpec spec;
-  // A turn about two axes; spacings 1.5, 2.5 and 3.5 mm.
+  // A rotation about two axes; spacings 1.5, 2.5 and 3.5 mm.
   const Eigen::Matrix3d turn =
       (Eigen::AngleAxisd(0.4, Vector3::UnitZ()) * Eigen::AngleAxisd(-0.3, Vector3::UnitX()))
           .toRotationMatrix();

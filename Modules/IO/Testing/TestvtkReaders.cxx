@@ -19,7 +19,7 @@ using namespace palpate::test;
 
 namespace
 {
-// Axes turned by a quarter about z: x runs to P, y to R.
+// Axes rotated by a quarter turn about z: x runs to P, y to R.
 std::string TurnedNrrd(const std::string& voxels)
 {
   std::vector<std::string> lines = PlainNrrdLines("unsigned char");

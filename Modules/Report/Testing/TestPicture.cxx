@@ -11,7 +11,7 @@ using palpate::Picture;
 
 namespace
 {
-// Reads a PNG back; row 0 of the answer is the top.
+// Reads a PNG back; row 0 of the result is the top.
 Picture Decode(const std::string& png, int& components)
 {
   vtkNew<vtkPNGReader> reader;

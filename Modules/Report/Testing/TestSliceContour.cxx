@@ -18,7 +18,7 @@ struct PathMeasure
   double Area = 0.0;   // pixels, of all closed curves, by the shoelace formula
 };
 
-// Reads path data of the kind that is written here: M x y, L x y, Z.
+// Parses path data of the written kind: M x y, L x y, Z.
 PathMeasure Measure(const std::string& path)
 {
   PathMeasure measure;
@@ -79,7 +79,7 @@ TEST(SliceContour, MaskOutlineIsVoxelBoundary)
   const double* spacing = fit.Result.Mask->GetSpacing();
   for (const SlicePlane& plane : palpate::ChooseSlicePlanes(fit.Result.Mask, 1, 3, 300))
   {
-    // The slow way: every voxel's four sides in the slice.
+    // Reference: every voxel's four sides in the slice.
     const auto inside = [&](std::array<int, 3> index)
     {
       for (int axis = 0; axis < 3; ++axis)
@@ -109,7 +109,7 @@ TEST(SliceContour, MaskOutlineIsVoxelBoundary)
       }
     }
     const PathMeasure measure = Measure(palpate::MaskOutlinePath(fit.Result.Mask, 1, plane));
-    // Ends are rounded to a tenth of a pixel, which may fall on either side.
+    // Ends are rounded to a tenth of a pixel, which may round either way.
     EXPECT_NEAR(measure.Length * plane.PixelMillimeters / length, 1.0, 0.01) << plane.Name;
   }
 }

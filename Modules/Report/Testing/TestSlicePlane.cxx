@@ -15,7 +15,7 @@ using palpate::Vector3;
 
 namespace
 {
-// A box of ones in a zero image whose index axes run along the given body directions.
+// A box of ones in a zero image with index axes along the given body directions.
 vtkSmartPointer<vtkImageData> MakeBox(const Eigen::Matrix3d& direction)
 {
   auto image = vtkSmartPointer<vtkImageData>::New();

@@ -19,7 +19,7 @@ using palpate::ViewSide;
 
 namespace
 {
-// Opaque area in pixels, partly covered ones counting in part.
+// Opaque area in pixels; partly covered ones count partly.
 double CoveredPixels(const Picture& picture)
 {
   double covered = 0.0;
@@ -30,7 +30,7 @@ double CoveredPixels(const Picture& picture)
   return covered;
 }
 
-// Two small balls, the first red and the second blue.
+// Two small spheres, the first red and the second blue.
 struct TwoBalls
 {
   TwoBalls(const Vector3& red, const Vector3& blue)
@@ -56,7 +56,7 @@ struct TwoBalls
   std::vector<SoftwareRenderer::Color> Colors;
 };
 
-// Mean place, in pixels from the picture's middle (right, up), of what is redder than blue.
+// Mean position of pixels that are more red than blue, in pixels from the image centre (right, up).
 std::array<double, 2> RedPlace(const Picture& picture)
 {
   double right = 0.0;
@@ -101,8 +101,8 @@ TEST(SoftwareRenderer, SphereSilhouetteHasAreaOfDisc)
   {
     const double area =
         CoveredPixels(renderer.Render(side, Size)) * millimetersPerPixel * millimetersPerPixel;
-    // The polyhedron's chords lie within 0.1 % inside; counting half pixels along a rim of 590
-    // pixels is good to about 0.1 %, and the rasteriser widens triangles by a hair.
+    // The polyhedron's chords are within 0.1 % inside; counting half pixels along a rim of 590
+    // pixels is accurate to about 0.1 %, and the rasteriser widens triangles slightly.
     EXPECT_NEAR(area / (M_PI * 17.0 * 17.0), 1.0, 3e-3) << palpate::NameOf(side);
   }
 }
@@ -131,7 +131,7 @@ TEST(SoftwareRenderer, CoversEveryPixelOfSphere)
 
 TEST(SoftwareRenderer, NearerSphereHidesOther)
 {
-  // Seen along each axis from both ends; the balls lie on that axis.
+  // Seen along each axis from both ends; the spheres are on that axis.
   const std::array<std::pair<ViewSide, ViewSide>, 3> ends{
       {{ViewSide::Left, ViewSide::Right},
        {ViewSide::Posterior, ViewSide::Anterior},
@@ -162,7 +162,7 @@ TEST(SoftwareRenderer, OffsetsAppearAlongViewAxes)
       const double up = red.dot(frame.UpWorld);
       if (std::min(std::abs(right), std::abs(up)) < 7.0)
       {
-        continue; // the balls would overlap in the picture
+        continue; // the spheres would overlap in the image
       }
       const std::array<double, 2> place = RedPlace(TwoBalls(red, Vector3(-red)).Draw(side));
       EXPECT_GT(place[0] * right, 0.0) << palpate::NameOf(side) << " " << red.transpose();

@@ -7,7 +7,7 @@ using palpate::CompressedFrame;
 
 namespace
 {
-// The 16-bit word that a sample becomes.
+// The 16-bit word made from a sample.
 int Stored(std::uint32_t sample, int precision, int bitsStored, int highBit, bool isSigned)
 {
   CompressedFrame frame;

@@ -15,7 +15,7 @@ using namespace palpate;
 
 namespace
 {
-// The program palpate-dicom-decoder, spoken to as DicomFrameDecoder does.
+// Runs palpate-dicom-decoder and uses the protocol of DicomFrameDecoder.
 class DecoderProcess : public testing::Test
 {
 protected:
@@ -46,7 +46,7 @@ protected:
     return isAnswered ? samples : std::vector<std::uint8_t>{};
   }
 
-  // A row of four pixels, run-length coded: three literals, once more the last.
+  // A row of four pixels, run-length coded: three literals, then the last one again.
   static FrameRequest Request() { return {FrameRequest::Codec::RunLength, 4, 1, 1, 8, 70}; }
   static std::vector<std::uint8_t> Stream()
   {
@@ -63,7 +63,7 @@ protected:
     return std::filesystem::path("/proc") / std::to_string(this->Process) / name;
   }
 
-  // The soft limit's word in /proc/PID/limits.
+  // The soft limit's value in /proc/PID/limits.
   std::string Limit(const std::string& name) const
   {
     std::ifstream limits(this->Proc("limits"));
@@ -88,7 +88,7 @@ protected:
 
 TEST_F(DecoderProcess, InheritsNoFiles)
 {
-  // Before the process starts, a file that exec does not close.
+  // Before the process starts, opens a file that exec does not close.
   this->TearDown();
   const int open = dup(STDERR_FILENO);
   this->SetUp();
@@ -105,7 +105,7 @@ TEST_F(DecoderProcess, InheritsNoFiles)
 TEST_F(DecoderProcess, LimitsFollowFromTheFrame)
 {
   ASSERT_FALSE(this->Answer(Request(), Stream()).empty());
-  // 64 MB for a small frame, on top of what the program and its libraries map.
+  // 64 MB for a small frame, in addition to the program and its libraries.
   EXPECT_LT(std::stod(this->Limit("Max address space")), 20e12); // sanitizers map terabytes
   EXPECT_LE(std::stod(this->Limit("Max cpu time")), 7.0);
   EXPECT_EQ(this->Limit("Max core file size"), "0");
@@ -114,7 +114,7 @@ TEST_F(DecoderProcess, LimitsFollowFromTheFrame)
 TEST_F(DecoderProcess, EndsWithItsClient)
 {
   close(this->Socket);
-  WaitForChildProgram(this->Process); // waits for ever otherwise
+  WaitForChildProgram(this->Process); // otherwise waits forever
   this->SetUp();
 }
 

@@ -20,7 +20,7 @@ int Value(int pixel)
   return pixel % Columns * (pixel / Columns) % 251;
 }
 
-// Eight bits, in words of sixteen but for run-length coding.
+// Eight bits, in 16-bit words except for run-length coding.
 CompressedFrame Frame(Codec codec)
 {
   const TemporaryFolder folder;
@@ -100,7 +100,7 @@ TEST(DicomFrameDecoder, DetectsTruncation)
 
 TEST(DicomFrameDecoder, DetectsMissingDataBeforeEndMarker)
 {
-  // The codec fills what is missing, with a warning.
+  // The codec fills missing data, with a warning.
   DicomFrameDecoder decoder;
   for (const Codec codec : {Codec::JpegLossless, Codec::JpegBaseline})
   {
@@ -142,7 +142,7 @@ TEST(DicomFrameDecoder, RejectsProgressiveStreams)
 
 TEST(DicomFrameDecoder, RejectsJpegLsOfFewBits)
 {
-  // Precision stands behind the frame marker (0xFF 0xF7) and its length.
+  // The precision follows the frame marker (0xFF 0xF7) and its length.
   CompressedFrame frame = Frame(Codec::JpegLs);
   for (std::size_t i = 0; i + 4 < frame.Stream.size(); ++i)
   {
@@ -167,7 +167,7 @@ TEST(DicomFrameDecoder, DamagedFrameKeepsNextFramesReadable)
     CompressedFrame frame = Frame(Codec::JpegLs);
     for (int change = 0; change < 4; ++change)
     {
-      // Behind the markers.
+      // After the markers.
       const std::size_t place = 30 + random() % (frame.Stream.size() - 30);
       frame.Stream[place] = static_cast<std::uint8_t>(random());
     }

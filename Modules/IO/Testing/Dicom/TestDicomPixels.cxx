@@ -10,7 +10,7 @@ using namespace palpate::test;
 
 namespace
 {
-// A volume of two slices that are alike but for their place.
+// A volume of two slices that differ only in position.
 Volume ReadTwoSlices(DicomSliceSpec first, DicomSliceSpec second)
 {
   const TemporaryFolder folder;
@@ -49,7 +49,7 @@ TEST(DicomPixels, TakesSignFromStoredBits)
 
 TEST(DicomPixels, IgnoresBitsAboveStoredBits)
 {
-  // An overlay in the top bits, as old scanners put it.
+  // An overlay in the top bits, as written by old scanners.
   DicomSliceSpec spec;
   spec.BitsStored = 12;
   spec.Value = 0xF123;
@@ -96,7 +96,7 @@ TEST(DicomPixels, RejectsTooFewPixels)
   spec.PositionWorld = {0, 0, 3};
   WriteDicomSlice(folder / "2.dcm", spec);
   std::string bytes = ReadAll(folder / "2.dcm");
-  // The last element is the pixels: 24 bytes; its length field stands before them.
+  // The last element is the pixels: 24 bytes, preceded by their length field.
   bytes.resize(bytes.size() - 4);
   bytes[bytes.size() - 24] = 20;
   WriteAll(folder / "2.dcm", bytes);

@@ -98,7 +98,7 @@ TEST(DicomSegmentation, DerivesUnstatedSpacingFromPositions)
   spec.StatedStep = 0.0;
   spec.Frames = {{1, 0.0, Pixels({0})}, {1, 4.0, Pixels({0})}, {1, 12.0, Pixels({0})}};
   EXPECT_EQ(GridOf(ReadBack(spec).Layers[0]).Spacing[2], 4.0);
-  // A stated distance that the positions do not fit is not believed.
+  // A stated spacing that contradicts the positions is ignored.
   spec.StatedStep = 3.0;
   EXPECT_EQ(GridOf(ReadBack(spec).Layers[0]).Spacing[2], 4.0);
 }
@@ -109,7 +109,7 @@ TEST(DicomSegmentation, RestoresRandomFrames)
   for (int round = 0; round < 50; ++round)
   {
     DicomSegmentationSpec spec;
-    // Frames of 12 bits: they start at every other half byte.
+    // Frames of 12 bits: every other one starts at half a byte.
     for (int slice = 0; slice < 7; ++slice)
     {
       std::vector<int> pixels(12, 0);

@@ -13,7 +13,7 @@ using namespace palpate::test;
 
 namespace
 {
-// Slices at these heights along their normal, in files whose names say nothing about the order.
+// Slices at these heights along their normal, in files whose names do not reveal the order.
 void WriteStack(const TemporaryFolder& folder, const std::vector<double>& heights,
                 DicomSliceSpec spec = {})
 {

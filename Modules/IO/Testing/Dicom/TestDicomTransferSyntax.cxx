@@ -13,7 +13,7 @@ using namespace palpate::test;
 
 namespace
 {
-// A series whose second slice states another transfer syntax than it has.
+// A series whose second slice states a wrong transfer syntax.
 std::string SeriesRefusal(const std::string& syntax)
 {
   const TemporaryFolder folder;

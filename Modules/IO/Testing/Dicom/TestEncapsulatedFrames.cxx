@@ -16,7 +16,7 @@ using namespace palpate::test;
 
 namespace
 {
-// Splits a stream into pieces of an even length, and at most one shorter.
+// Splits a stream into pieces of even length, the last of which may be shorter.
 std::vector<std::string> Split(const std::string& stream, std::size_t length)
 {
   std::vector<std::string> pieces;
@@ -27,7 +27,7 @@ std::vector<std::string> Split(const std::string& stream, std::size_t length)
   return pieces;
 }
 
-// A label map of three frames of 16 x 12 pixels, each labelled in another third of its rows.
+// A label map of three frames of 16 x 12 pixels, each labelled in a different third of its rows.
 void WriteThreeFrames(const std::filesystem::path& file, Codec codec)
 {
   DicomSegmentationSpec spec;
@@ -127,7 +127,7 @@ TEST(EncapsulatedFrames, FindsFramesByMarkersWithoutOffsets)
     }
     ReplaceFragments(file, pieces);
     ExpectThreeFrames(file);
-    // Nor does a table that is wrong mislead.
+    // A wrong table is ignored.
     ReplaceFragments(file, pieces, {0, 5, 10});
     ExpectThreeFrames(file);
   }
@@ -181,7 +181,7 @@ TEST(EncapsulatedFrames, RejectsFragmentBeyondEndOfFile)
   const auto file = folder / "a.dcm";
   WriteThreeFrames(file, Codec::RunLength);
   std::string bytes = ReadAll(file);
-  // The last fragment's length stands before it; the sequence's delimiter is the last eight bytes.
+  // The last fragment is preceded by its length; the sequence's delimiter is the last eight bytes.
   const std::size_t length = bytes.size() - 8 - Fragments(file).back().size() - 4;
   bytes[length + 3] = 0x7F;
   WriteAll(file, bytes);

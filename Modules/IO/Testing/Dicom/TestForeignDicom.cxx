@@ -57,7 +57,8 @@ void WriteObject(const std::filesystem::path& file, const char* objectClass, int
   ASSERT_TRUE(format.saveFile(file.c_str(), EXS_LittleEndianExplicit).good());
 }
 
-// One sentence that begins with the file, says what it is and what to do, and nothing of patients.
+// One sentence that begins with the file, states its format and the fix, and contains no patient
+// data.
 void ExpectTold(const std::string& message, const std::filesystem::path& file, const char* is)
 {
   EXPECT_EQ(message.rfind(file.string() + " ", 0), 0U) << message;

@@ -11,10 +11,10 @@
 using namespace palpate;
 using namespace palpate::test;
 
-// Memory and time are bounded by what a DICOM file is, not by what it claims.
+// Memory and time are bounded by the actual content of a DICOM file, not by its header.
 namespace
 {
-constexpr rlim_t SomeMemory = rlim_t{1} << 30; // what reading a file of some bytes may take at most
+constexpr rlim_t SomeMemory = rlim_t{1} << 30; // limit for reading a file of some bytes
 
 std::string Refusal(const std::string& bytes)
 {
@@ -62,7 +62,7 @@ TEST(HostileDicom, RejectsFramesWithoutPixels)
   claim.Frames = "2147483647";
   EXPECT_TRUE(Contains(Refusal(ClaimedSegmentationBytes(claim)),
                        "has fewer pixels than its header declares"));
-  claim.Frames = "1e18"; // no whole number of the type
+  claim.Frames = "1e18"; // not a whole number of the type
   EXPECT_TRUE(Contains(Refusal(ClaimedSegmentationBytes(claim)), "has no frames"));
 }
 
@@ -88,7 +88,7 @@ TEST(HostileDicom, RejectsGigabytesOfEmptySlices)
 
 TEST(HostileDicom, EmptyFramesTakeLinearTime)
 {
-  // Twelve bytes a frame. With a search from the first for each, these would take minutes.
+  // Twelve bytes per frame. Searching from the first one for each would take minutes.
   constexpr int Frames = 300000;
   ClaimedSegmentation claim;
   claim.Frames = std::to_string(Frames);
@@ -131,7 +131,7 @@ TEST(HostileDicom, ReadsSequencesNestedFarDeeperThanRealOnes)
 
 namespace
 {
-// Elements whose tags fall, with something between them.
+// Elements with descending tags, with other elements between them.
 std::string FallingElements(int count, const std::string& vr, const std::string& value)
 {
   std::string bytes = DicomShort(0x0028, 0x0002, 1);
@@ -147,7 +147,7 @@ std::string FallingElements(int count, const std::string& vr, const std::string&
   return DicomFile(bytes);
 }
 
-// Creators of private elements and as many private elements, in each of the groups.
+// Creators of private elements and an equal number of private elements, in each of the groups.
 std::string PrivateElements(int groups)
 {
   std::string bytes;
@@ -166,7 +166,7 @@ std::string PrivateElements(int groups)
 }
 } // namespace
 
-// The parser looks through those before for each.
+// The parser searches all earlier ones for each.
 TEST(HostileDicom, RejectsTooManyElements)
 {
   const std::string message = "has more than 5000 attributes";
@@ -176,7 +176,7 @@ TEST(HostileDicom, RejectsTooManyElements)
       Contains(Refusal(DicomFile(DicomSequence(0x0008, 0x1140, {PrivateElements(40)}))), message));
 }
 
-// Whatever the parser went through in between.
+// Regardless of the elements in between.
 TEST(HostileDicom, CountsElementsBetweenSequences)
 {
   EXPECT_TRUE(Contains(Refusal(FallingElements(20000, "SQ", "")), "has more than 5000 attributes"));
@@ -206,7 +206,7 @@ TEST(HostileDicom, RejectsGigabytesFromFewCompressedBytes)
                 DicomShort(0x0028, 0x0011, 65535) + DicomShort(0x0028, 0x0100, 8) +
                 DicomElement(0x0062, 0x0001, "CS", "LABELMAP") + pixels);
   const std::string native = "1.2.840.10008.1.2.1";
-  // JPEG-LS; the length of the UID and of its group grow by three bytes and a padding.
+  // JPEG-LS; the lengths of the UID and of its group grow by three bytes and a padding byte.
   const std::string syntax = DicomElement(0x0002, 0x0010, "UI", "1.2.840.10008.1.2.4.80");
   const std::string old = DicomElement(0x0002, 0x0010, "UI", native);
   bytes.replace(bytes.find(old), old.size(), syntax);
