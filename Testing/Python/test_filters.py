@@ -66,7 +66,7 @@ class SegmentationSurface(unittest.TestCase):
         points = vtk_to_numpy(self.filter.GetOutput().GetPoints().GetData())
         middle = (points.min(axis=0) + points.max(axis=0)) / 2.0
         expected = ORIGIN + DIRECTION @ (self.center * SPACING)
-        # A symmetric body: the mean of its points is its centre, to a small fraction of a voxel.
+        # A symmetric body: its bounding box has the same centre, to a small fraction of a voxel.
         numpy.testing.assert_allclose(middle, expected, atol=0.2)
 
     def test_absent_label_raises_error_event(self):
