@@ -1,11 +1,11 @@
 #!/bin/sh
 # Builds and runs the benchmarks whose name contains the argument (all without one); prints each
-# beside its alternative from the same run, and writes build/release/benchmarks.json. Without an
+# next to its alternative from the same run, and writes build/release/benchmarks.json. Without an
 # argument it also measures the sample scenes (Utilities/trade.sh) and writes
 # Documentation/SpeedAndAccuracy.md and its pictures from this run.
 set -eu
 cd "$(dirname "$0")/.."
-# Frames are drawn with OpenGL, on an X server of their own.
+# Frames are drawn with OpenGL, on a separate X server.
 benchmarks="xvfb-run -a build/release/bin/PalpateBenchmarks"
 counts=build/release/instructions
 

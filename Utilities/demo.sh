@@ -26,7 +26,7 @@ set -- render "$output/aal_77_Thalamus_L/model.vtp" --array DistanceToSurface \
 echo "$palpate $*"
 $palpate "$@"
 
-# A window for who has a screen, with the same head open in it; for who has none, its picture.
+# With a screen: a window with the same head; without one: a screenshot of it.
 viewer=build/release/bin/palpate-viewer
 if [ -x "$viewer" ] && [ -n "${DISPLAY:-}" ]; then
   echo "$viewer --demo &"

@@ -28,7 +28,7 @@ failures=$PWD/build/fuzz/failures
 mkdir -p "$failures"
 # shellcheck disable=SC2046 # a list of names
 [ $# -gt 0 ] || set -- $(PALPATE_FUZZ_TARGET= "$fuzzer" 2>&1 | sed -n 's/.*name one of//p')
-[ $# -gt 0 ] || { echo "No reader is named, and the fuzzer names none." >&2; exit 1; }
+[ $# -gt 0 ] || { echo "No reader was specified, and the fuzzer lists none." >&2; exit 1; }
 failed=
 total=0
 for reader in "$@"; do

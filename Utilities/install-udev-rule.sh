@@ -8,7 +8,7 @@ here=$(cd "$(dirname "$0")" && pwd)
 folder=${1:-/etc/udev/rules.d}
 
 if ! mkdir -p "$folder" 2>/dev/null || ! [ -w "$folder" ]; then
-  echo "$folder cannot be written to: run this as root, sudo $0" >&2
+  echo "$folder is not writable: run this as root, sudo $0" >&2
   exit 1
 fi
 install -m 644 "$here/$rule" "$folder/$rule"
@@ -18,7 +18,7 @@ echo "== $folder/$rule is installed."
 if command -v udevadm >/dev/null; then
   udevadm control --reload
   udevadm trigger --subsystem-match=usb --attr-match=idVendor=0403 --attr-match=idProduct=cb48
-  echo "== It holds from now on; where a Falcon is still refused, unplug it and plug it in again."
+  echo "== It is in effect; if a Falcon is still refused, unplug it and plug it in again."
 else
-  echo "== There is no udevadm here; the rule holds from the next start on."
+  echo "== udevadm is missing; the rule takes effect at the next start."
 fi

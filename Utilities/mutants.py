@@ -1,6 +1,6 @@
-"""Breaks one line at a time of what keeps the hand safe, and sees whether a test notices.
+"""Breaks one line of the safety code at a time, and checks that a test fails.
 
-Testing/Mutants/mutants.toml says which lines. They are changed in a copy of the sources, below
+Testing/Mutants/mutants.toml lists the lines. They are changed in a copy of the sources, below
 build/mutants, which is built and tested there; the working tree is only read.
 """
 
@@ -17,7 +17,7 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent
 TABLE = ROOT / "Testing/Mutants/mutants.toml"
 PAGE = ROOT / "Documentation/Mutants.md"
 WORK = ROOT / "build/mutants"
-LIMIT = 120  # s, for a program that a mutant keeps from ending
+LIMIT = 120  # s, for a program that does not end because of a mutant
 
 INTRODUCTION = """# Mutants
 
@@ -34,10 +34,10 @@ def lines_of(text):
 
 
 def mutated(text, mutant):
-    """The text of the file with the mutant in it. Raises ValueError where it does not apply."""
+    """The text of the file with the mutant in it. Raises ValueError if it does not apply."""
     source = text.split("\n")
     wanted = lines_of(mutant["old"])
-    # A line that clang-format broke is still the same.
+    # A line broken by clang-format still matches.
     for length in range(len(wanted), len(wanted) + 3):
         found = [
             n
@@ -55,7 +55,7 @@ def mutated(text, mutant):
 
 
 def problems_of(table, root):
-    """What is wrong with the table: mutants that do not apply or say nothing."""
+    """Errors in the table: mutants that do not apply or are incomplete."""
     problems = []
     seen = set()
     for mutant in table["mutant"]:
@@ -73,7 +73,7 @@ def problems_of(table, root):
 
 
 def group_of(table, mutant):
-    """What is built and run for a mutant."""
+    """The programs built and run for a mutant."""
     return next((g for g in table["group"] if mutant["file"].startswith(g["files"])), None)
 
 
@@ -83,11 +83,11 @@ class Copy:
     def __init__(self):
         self.sources = WORK / "sources"
         self.build = WORK / "build"
-        # Compilers' caches then know files of another checkout.
+        # So that compiler caches recognize files of another checkout.
         os.environ.setdefault("CCACHE_BASEDIR", str(self.sources))
 
     def refresh(self):
-        """As the working tree is now; what is the same keeps its time, and is not built again."""
+        """Copies the working tree; unchanged files keep their times and are not rebuilt."""
         names = subprocess.run(
             ["git", "ls-files", "-z", "--cached", "--others", "--exclude-standard"],
             cwd=ROOT, check=True, capture_output=True, text=True,
@@ -110,7 +110,7 @@ class Copy:
         )
 
     def make(self, programs):
-        """Whether the programs can be built."""
+        """Whether the programs build."""
         done = subprocess.run(
             ["cmake", "--build", self.build, "--parallel", "2", "--target", *programs],
             capture_output=True, text=True,
@@ -120,7 +120,7 @@ class Copy:
         return done.returncode == 0
 
     def first_failure(self, tests):
-        """The first test that fails; None where none does."""
+        """The first test that fails; None if none does."""
         for program, chosen in tests:
             try:
                 done = subprocess.run(
@@ -139,7 +139,7 @@ class Copy:
 
 
 def try_mutant(copy, table, mutant):
-    """Which test kills it; None where it survives. The copy is as before afterwards."""
+    """The test that kills it; None if it survives. The copy is restored afterwards."""
     path = copy.sources / mutant["file"]
     before = path.read_text()
     tests = group_of(table, mutant)["tests"]
@@ -158,7 +158,7 @@ def code_of(text):
 
 
 def page_of(table, killers):
-    """The page, of mutants and what killed each."""
+    """The page: mutants and the test that killed each."""
     page = [INTRODUCTION]
     survivors = [m for m in table["mutant"] if not m.get("equivalent") and not killers[id(m)]]
     harmless = [m for m in table["mutant"] if m.get("equivalent")]
@@ -182,7 +182,7 @@ def page_of(table, killers):
 
 
 def run(table, part):
-    """All mutants whose file's path holds `part`; the survivors."""
+    """Runs all mutants whose file's path contains `part`; returns the survivors."""
     chosen = [m for m in table["mutant"] if part in m["file"] and not m.get("equivalent")]
     copy = Copy()
     copy.refresh()
@@ -207,8 +207,8 @@ def run(table, part):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
-    parser.add_argument("part", nargs="?", default="", help="only files whose path holds this")
-    parser.add_argument("--check", action="store_true", help="only whether every mutant applies")
+    parser.add_argument("part", nargs="?", default="", help="only files whose path contains this")
+    parser.add_argument("--check", action="store_true", help="only check whether every mutant applies")
     arguments = parser.parse_args()
     table = tomllib.loads(TABLE.read_text())
     problems = problems_of(table, ROOT)

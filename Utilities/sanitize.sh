@@ -1,13 +1,13 @@
 #!/bin/sh
 # Builds and runs a part of the tests under the sanitizers, each preset in its own build tree:
-# kernels, readers and servo under AddressSanitizer and UndefinedBehaviorSanitizer, what is exchanged
-# between threads under ThreadSanitizer. The whole of it, for a slow evening:
+# kernels, readers and servo under AddressSanitizer and UndefinedBehaviorSanitizer, exchange between
+# threads under ThreadSanitizer. For all tests (slow):
 #   cmake --preset asan-ubsan && cmake --build --preset asan-ubsan && ctest --preset asan-ubsan
 set -eu
 cd "$(dirname "$0")/.."
 
-# under PRESET PROGRAM[:TESTS]…: TESTS is how the names of tests begin. Each is run apart, so that one
-# that selects no test fails instead of hiding behind the others.
+# under PRESET PROGRAM[:TESTS]…: TESTS is a prefix of test names. Each is run separately, so that a
+# prefix that selects no test fails.
 under() {
   preset=$1
   shift

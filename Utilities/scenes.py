@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Writes Documentation/Scenes.md from what PalpateScenes measured.
+"""Writes Documentation/Scenes.md from the measurements of PalpateScenes.
 
     Utilities/scenes.py MEASURED [--page FILE]
 

@@ -1,10 +1,10 @@
 #!/usr/bin/python3
-"""Writes Documentation/SpeedAndAccuracy.md and its picture from what the benchmarks measured.
+"""Writes Documentation/SpeedAndAccuracy.md and its figure from the benchmarks.
 
     Utilities/speed_and_accuracy.py BENCHMARKS PAGE_DATA TRADE [--page FILE] [--pictures FOLDER]
 
 BENCHMARKS is build/release/benchmarks.json, PAGE_DATA build/release/page.json; both are written by
-PalpateBenchmarks. TRADE is build/release/trade, which Utilities/trade.sh fills. Utilities/bench.sh
+PalpateBenchmarks. TRADE is build/release/trade, written by Utilities/trade.sh. Utilities/bench.sh
 calls all of them.
 """
 import argparse
@@ -107,7 +107,7 @@ are those of their time, on their machines, with a picture drawn beside: what ca
 The first system's radial force and the second's mean length are laws of their own: what they err by is theirs.
 """
 
-# Typed in; see its text.
+# Entered by hand; see its text.
 CHAI3D = """The same of CHAI3D 3.3, typed in here from a study of November 2026 and not run by `Utilities/bench.sh`: its release build,
 driven by a program of ours that is not part of this project, with the same description of body, path and depths, on one core of
 an AMD EPYC Zen 4 virtual machine of two cores; its ball has 1 mm. Compare the shape of the numbers, not the last digit:

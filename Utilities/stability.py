@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Writes Documentation/Stability.md and its picture from what PalpateStability measured.
+"""Writes Documentation/Stability.md and its figure from the measurements of PalpateStability.
 
     Utilities/stability.py BORDERS [--page FILE] [--picture FILE]
 
@@ -50,7 +50,7 @@ READING = """## What it says
 # In the order of the legend.
 KINDS = {"wall": "o", "harmonics": "s", "facets": "^", "sub-voxel, point": "D",
          "sub-voxel, 26 points": "x"}
-# Borders are found to 1 %.
+# Borders are accurate to 1 %.
 NEARLY = 0.99
 
 

@@ -1,5 +1,5 @@
-"""The part of Documentation/SpeedAndAccuracy.md on sample scenes: what `palpate tradeoff` measured of
-them (Utilities/trade.sh), as tables and a picture. Used by speed_and_accuracy.py."""
+"""The part of Documentation/SpeedAndAccuracy.md on sample scenes: measurements of `palpate
+tradeoff` (Utilities/trade.sh), as tables and a figure. Used by speed_and_accuracy.py."""
 import json
 import pathlib
 
@@ -28,7 +28,7 @@ ERRORS = {"position_p99_mm": "position error of 99 %, mm",
 
 
 def read(folder):
-    """The structures that were measured, by scene; scenes that were not are left out."""
+    """The measured structures, by scene; other scenes are omitted."""
     found = {}
     for name in SCENES:
         file = pathlib.Path(folder) / name / "tradeoff.json"
@@ -44,7 +44,7 @@ def felt(structure):
 
 
 def best(rows, error):
-    """Rows that no other beats in both time and this error."""
+    """Rows for which no other row is better in both time and this error."""
     def beats(a, b):
         pair = (a["tick_p999_ns"], a[error]), (b["tick_p999_ns"], b[error])
         return pair[0][0] <= pair[1][0] and pair[0][1] <= pair[1][1] and pair[0] != pair[1]

@@ -1,10 +1,10 @@
 #!/usr/bin/python3
-"""Fits every mask at hand with the default settings and writes the table of the results.
+"""Fits every available mask with the default settings and writes the table of the results.
 
     Utilities/validate.py [--palpate PROGRAM] [--data FOLDER] [--output FILE]
 
 PROGRAM is build/release/bin/palpate by default. FOLDER holds real test data (see Data/README.md);
-what is absent is left out, saying so. FILE is Documentation/Validation.md by default.
+missing data are omitted, with a remark. FILE is Documentation/Validation.md by default.
 """
 import argparse
 import json
@@ -18,7 +18,7 @@ AAL = pathlib.Path("/usr/share/mricron/templates/aal.nii.gz")
 
 
 def fit(program, masks, *options):
-    """One result a structure; failures are results too, so the exit code is not looked at."""
+    """One result per structure; failures are results too, so the exit code is ignored."""
     command = [str(program), "fit", *map(str, masks), "--json", "--quiet", *options]
     run = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True)
     return [json.loads(line) for line in run.stdout.splitlines()]
@@ -118,7 +118,8 @@ def phantoms(program):
                          "--output", str(out))[0]
             found = json.loads((out / "model.json").read_text())["coefficients_mm"]
             exact = truth["coefficients_mm"] + [0.0] * (len(found) - len(truth["coefficients_mm"]))
-            # Root mean square over the sphere of the difference of the radii, by Parseval.
+            # Root mean square over the sphere of the difference of the radii, by Parseval's
+            # theorem.
             error = (sum((a - b) ** 2 for a, b in zip(found, exact)) / 12.566370614359172) ** 0.5
             if step:
                 errors.append((step, error))

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Writes Documentation/Window.md from what PalpateWindow measured.
+"""Writes Documentation/Window.md from the measurements of PalpateWindow.
 
     Utilities/window.py MEASURES [--page FILE]
 

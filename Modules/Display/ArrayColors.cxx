@@ -11,7 +11,7 @@ namespace palpate
 {
 namespace
 {
-constexpr int ColorCount = 257; // odd, so that zero has its own colour
+constexpr int ColorCount = 257; // odd, so that zero has its own entry
 } // namespace
 
 vtkSmartPointer<vtkLookupTable> MakeArrayColors(double low, double high)

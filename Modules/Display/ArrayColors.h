@@ -10,11 +10,11 @@ class vtkLookupTable;
 
 namespace palpate
 {
-/// Colours for an array whose numbers lie between `low` and `high`: diverging around zero where it
-/// has both signs, and from white on otherwise. Its range is rounded to what reads well.
+/// Colours for an array with values between `low` and `high`: diverging around zero if it has both
+/// signs, otherwise starting at white. The range is rounded to convenient numbers.
 PALPATEDISPLAY_EXPORT vtkSmartPointer<vtkLookupTable> MakeArrayColors(double low, double high);
 
-/// What stands over the colour bar of an array. Arrays of our own are lengths and say so; of others
-/// the unit is not known, and the name is all there is.
+/// Title of an array's colour bar. Palpate's own arrays are lengths, with a unit; for others the
+/// unit is unknown, and the title is the name.
 PALPATEDISPLAY_EXPORT std::string ArrayTitle(const std::string& array);
 } // namespace palpate

@@ -12,14 +12,14 @@ namespace palpate
 {
 namespace
 {
-// L*, a*, b* under D65 of RdBu's second outermost blue and red and of its middle.
+// L*, a*, b* under D65 of RdBu's second outermost blue and red and of its centre.
 using Lab = std::array<double, 3>;
 constexpr Lab Blue{{42.47, 4.44, -43.42}};
 constexpr Lab White{{97.23, 0.01, -0.01}};
 constexpr Lab Red{{38.36, 58.66, 31.60}};
 constexpr std::array<std::uint8_t, 3> Grey{{128, 128, 128}};
 
-// sRGB 0..255 of the colour at `share` of the way from the middle to an end.
+// sRGB 0..255 of the colour at the fraction `share` from the centre to an end.
 std::array<std::uint8_t, 3> ColorTowards(const Lab& end, double share)
 {
   double lab[3];

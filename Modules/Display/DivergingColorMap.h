@@ -7,18 +7,18 @@
 
 namespace palpate
 {
-/// Colours for signed numbers: blue below zero, nearly white at zero, red above. Blue and red stay
-/// apart for the colour-blind, and lightness falls evenly to both sides. Made by linear
-/// interpolation in CIELAB between the ends and the middle of ColorBrewer's RdBu scheme (Harrower
+/// Colours for signed numbers: blue below zero, nearly white at zero, red above. Blue and red are
+/// distinguishable for colour-blind viewers, and lightness decreases evenly to both sides. Linear
+/// interpolation in CIELAB between the ends and the centre of ColorBrewer's RdBu scheme (Harrower
 /// and Brewer, The Cartographic Journal 40, 2003).
 class PALPATEDISPLAY_EXPORT DivergingColorMap
 {
 public:
-  /// Numbers from -limit to limit are told apart, those beyond get the ends' colours.
+  /// The range is -limit to limit; numbers beyond it get the colours of the ends.
   explicit DivergingColorMap(double limit);
 
-  /// The smallest limit that reads well on a colour bar (1, 1.5, 2, 3, 4, 5, 6 or 8 times a power
-  /// of ten) and is at least `size`; 1 where that is not a positive number.
+  /// The smallest convenient limit for a colour bar (1, 1.5, 2, 3, 4, 5, 6 or 8 times a power of
+  /// ten) that is at least `size`; 1 if `size` is not a positive number.
   static double RoundLimit(double size);
 
   double Limit() const { return this->Range; }

@@ -12,7 +12,7 @@ namespace palpate
 {
 GreyWindow FindWindow(const std::vector<std::vector<float>>& slices)
 {
-  constexpr std::size_t Stride = 5; // that many fewer values place a percentile well enough
+  constexpr std::size_t Stride = 5; // a fifth of the values gives the percentiles well enough
   std::vector<float> finite;
   for (const std::vector<float>& values : slices)
   {

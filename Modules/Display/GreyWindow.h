@@ -8,7 +8,7 @@ class vtkImageData;
 
 namespace palpate
 {
-/// Which values are black and which are white.
+/// Window of grey values: Low is black, High is white.
 struct GreyWindow
 {
   double Low = 0.0;
@@ -18,6 +18,6 @@ struct GreyWindow
 /// From the 1st to the 99.5th percentile of all finite values of some slices.
 PALPATEDISPLAY_EXPORT GreyWindow FindWindow(const std::vector<std::vector<float>>& slices);
 
-/// The same of a whole image, from some of its voxels (their first component).
+/// The same for a whole image, from some of its voxels (their first component).
 PALPATEDISPLAY_EXPORT GreyWindow WindowOf(vtkImageData* image);
 } // namespace palpate

@@ -24,8 +24,8 @@ struct PALPATEDISPLAY_EXPORT ImageAxes
   {
     return this->WorldToIndex * (world - this->OriginWorld);
   }
-  /// Of the box that all voxels fill, half a voxel beyond their outermost centres. Corner c is at
-  /// the upper end of axis a where bit a of c is set.
+  /// Corners of the box of all voxels, half a voxel beyond the outermost centres. Corner c is at
+  /// the upper end of axis a if bit a of c is set.
   std::array<Vector3, 8> CornersWorld() const;
   int Size(int axis) const { return this->Extent[2 * axis + 1] - this->Extent[2 * axis] + 1; }
 
@@ -44,6 +44,6 @@ struct IndexBox
   Eigen::Vector3i High = Eigen::Vector3i::Zero();
 };
 
-/// The smallest box that holds all voxels with a value; false where there is none.
+/// The smallest box that contains all voxels with a value; false if there are none.
 PALPATEDISPLAY_EXPORT bool FindValueBox(vtkImageData* image, int value, IndexBox& box);
 } // namespace palpate

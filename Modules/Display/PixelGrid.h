@@ -7,7 +7,7 @@ namespace palpate
 /// The pixels of a plane in space, row by row; patient LPS, mm.
 struct PixelGrid
 {
-  Vector3 FirstWorld = Vector3::Zero();   ///< the middle of the first pixel
+  Vector3 FirstWorld = Vector3::Zero();   ///< centre of the first pixel
   Vector3 ColumnWorld = Vector3::UnitX(); ///< the step from a pixel to the next one of its row
   Vector3 RowWorld = Vector3::UnitY();    ///< the step from a row to the next one
   int Width = 0;

@@ -39,7 +39,7 @@ public:
     return static_cast<float>(this->Voxels[offset]);
   }
 
-  // Up to half a voxel beyond the outermost centres belongs to the image.
+  // The image extends half a voxel beyond the outermost centres.
   float Linear(const Vector3& index) const
   {
     Cell cell;
@@ -58,7 +58,7 @@ public:
     return this->Interpolate(cell);
   }
 
-  // The same where every index is known to have a next one.
+  // The same if every index is known to have a successor.
   float LinearWithin(const Vector3& index) const
   {
     Cell cell;
@@ -103,7 +103,7 @@ private:
   std::array<std::ptrdiff_t, 3> Stride;
 };
 
-// The columns [first, last) of a row whose indices are well inside the grid along every axis.
+// The columns [first, last) of a row whose indices are strictly inside the grid along every axis.
 std::array<int, 2> ColumnsWithin(const ImageAxes& axes, const Vector3& begin, const Vector3& step,
                                  int width)
 {
@@ -111,7 +111,7 @@ std::array<int, 2> ColumnsWithin(const ImageAxes& axes, const Vector3& begin, co
   double last = width;
   for (int axis = 0; axis < 3; ++axis)
   {
-    // Whatever rounding does stays within this share of a voxel.
+    // Rounding errors are below this fraction of a voxel.
     constexpr double Margin = 1e-6;
     const double low = Margin;
     const double high = axes.Size(axis) - 1.0 - Margin;

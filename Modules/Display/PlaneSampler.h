@@ -8,18 +8,18 @@ class vtkImageData;
 
 namespace palpate
 {
-/// Values of an image (its first component) at the pixels of a plane. The image may lie on any
-/// grid: only millimetres count. It is neither copied nor kept alive; rows may be sampled by
-/// several threads at once.
+/// Samples an image (its first component) at the pixels of a plane. The image may have any grid:
+/// positions are in mm. It is neither copied nor referenced; several threads may sample rows at
+/// once.
 class PALPATEDISPLAY_EXPORT PlaneSampler
 {
 public:
   PlaneSampler(vtkImageData* image, const PixelGrid& pixels);
 
-  /// Linearly interpolated; up to half a voxel beyond the outermost centres belongs to the image,
-  /// and outside there is no number. `values` has room for a row.
+  /// Linear interpolation; the image extends half a voxel beyond the outermost centres, and values
+  /// outside are NaN. `values` must hold a row.
   void SampleLinear(int row, float* values) const;
-  /// Of the nearest voxel; `outside` where there is none.
+  /// Nearest voxel; `outside` beyond the image.
   void SampleNearest(int row, float outside, float* values) const;
 
 private:

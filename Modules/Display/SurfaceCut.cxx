@@ -56,7 +56,7 @@ public:
   {
     this->IsUsed.assign(this->Segments.size(), false);
     std::vector<SurfaceCurve> curves;
-    // Open curves first, from their ends; what is left then is closed.
+    // Open curves first, from their ends; the remaining curves are closed.
     for (const bool wantsEnd : {true, false})
     {
       for (std::size_t node = 0; node < this->Nodes.size(); ++node)

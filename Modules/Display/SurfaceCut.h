@@ -9,10 +9,10 @@ class vtkPolyData;
 
 namespace palpate
 {
-/// The curves in which a surface of triangles meets a plane, points in the surface's own frame.
-/// Made here, since vtkCutter and vtkStripper give the same curves in seven to ten times the time
-/// (1 ms against 10 for 8,000 triangles): views cut every visible structure in three slices
-/// while the crosshair moves. Several threads may cut the same surface at once.
+/// Intersection curves of a triangle surface and a plane, points in the surface's own frame.
+/// vtkCutter and vtkStripper give the same curves but take seven to ten times as long (10 ms
+/// instead of 1 for 8,000 triangles), and views cut every visible structure in three slices while
+/// the crosshair moves. Several threads may cut the same surface at once.
 struct SurfaceCurve
 {
   std::vector<Vector3> Points;

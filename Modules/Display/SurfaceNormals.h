@@ -7,7 +7,7 @@
 
 namespace palpate
 {
-/// The surface itself where its points have normals; otherwise one with the same points and
-/// triangles that has them.
+/// The surface itself if its points have normals; otherwise a copy with the same points and
+/// triangles and with normals.
 PALPATEDISPLAY_EXPORT vtkSmartPointer<vtkPolyData> WithNormals(vtkPolyData* surface);
 } // namespace palpate

@@ -17,7 +17,7 @@ std::optional<double> VoxelValueAt(vtkImageData* image, const Vector3& pointWorl
   {
     const double nearest = std::floor(index[a] + 0.5);
     const auto side = static_cast<std::size_t>(2 * a);
-    // Written so that what is no number lies outside.
+    // Written so that NaN counts as outside.
     if (!(nearest >= axes.Extent[side] && nearest <= axes.Extent[side + 1]))
     {
       return std::nullopt;

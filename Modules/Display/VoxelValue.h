@@ -9,8 +9,8 @@ class vtkImageData;
 
 namespace palpate
 {
-/// The value (first component) of the voxel that a point (world, mm) lies in; none outside of the
-/// image. Up to half a voxel beyond the outermost centres belongs to the image.
+/// The value (first component) of the voxel at a point (world, mm); empty outside the image, which
+/// extends half a voxel beyond the outermost centres.
 PALPATEDISPLAY_EXPORT std::optional<double> VoxelValueAt(vtkImageData* image,
                                                          const Vector3& pointWorld);
 } // namespace palpate

@@ -9,19 +9,19 @@
 
 namespace palpate
 {
-/// "fitted", "refused", "bad-input" or "failed": an outcome as JSON and tables say it.
+/// "fitted", "refused", "bad-input" or "failed": an outcome as in JSON and tables.
 PALPATEFIT_EXPORT std::string OutcomeWord(FitResult::Outcome outcome);
 
 /// "good", "gaps" or "undetermined": how well the directions determine a fit.
 PALPATEFIT_EXPORT std::string CoverageWord(const DirectionCoverage& coverage);
 
-/// "folder/mask.nii.gz, label 1 (Prostate)": a structure as lines and errors name it.
+/// "folder/mask.nii.gz, label 1 (Prostate)": a structure's name for output lines and errors.
 PALPATEFIT_EXPORT std::string CaseTitle(const std::filesystem::path& input,
                                         const Segment& structure);
 
-/// A case and what happened to it, in one sentence. A message that is a predicate ("is not
-/// star-shaped") follows its subject, a full clause follows a colon, and one that starts with the
-/// file's path, or is of a file without a structure, stands alone.
+/// A case and its message, in one sentence. A message that is a predicate ("is not star-shaped")
+/// follows its subject, a full clause follows a colon, and a message that starts with the file's
+/// path, or concerns a file without a structure, stands alone.
 PALPATEFIT_EXPORT std::string CaseSentence(const std::filesystem::path& input,
                                            const Segment& structure, const std::string& message);
 } // namespace palpate

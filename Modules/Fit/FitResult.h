@@ -15,7 +15,7 @@
 
 namespace palpate
 {
-/// Distances (mm) between two surfaces, both ways, weighted by area.
+/// Distances (mm) between two surfaces, in both directions, weighted by area.
 struct SurfaceDistances
 {
   double Mean = 0.0;
@@ -24,35 +24,35 @@ struct SurfaceDistances
   double Maximum = 0.0;
 };
 
-/// What became of one structure. Lengths are mm, volumes ml, points and surfaces patient LPS.
+/// Result of one structure. Lengths are mm, volumes ml, points and surfaces patient LPS.
 struct FitResult
 {
   enum class Outcome
   {
     Fitted,
-    Refused,  ///< the structure cannot be modelled this way; Message says why
-    BadInput, ///< Message says what is wrong with the input
-    Failed    ///< something else went wrong
+    Refused,  ///< the structure cannot be modelled this way; Message gives the reason
+    BadInput, ///< Message describes the problem of the input
+    Failed    ///< any other failure
   };
 
-  // What was asked.
+  // Input.
   std::filesystem::path Input;
   std::string CaseName; ///< file name without its endings, for output files
   Segment Structure;
   FitSettings Settings;
 
   Outcome State = Outcome::Failed;
-  std::string Message; ///< one sentence; empty when fitted without remarks
-  /// What to try, for those who can: see WithHint. Empty where there is nothing.
-  std::string OptionHint; ///< by the options of `palpate fit`
-  std::string WindowHint; ///< by the controls of the window
+  std::string Message; ///< one sentence; empty if fitted without remarks
+  /// Suggestions (see WithHint); empty if there are none.
+  std::string OptionHint; ///< as options of `palpate fit`
+  std::string WindowHint; ///< as controls of the window
   std::vector<std::string> Notes;
 
   // The mask.
   vtkSmartPointer<vtkImageData> Mask; ///< the label layer, on its own grid
-  double MaskMilliliters = 0.0;       ///< of the component that was fitted
+  double MaskMilliliters = 0.0;       ///< of the fitted component
   bool TouchesBorder = false;
-  std::vector<double> ComponentMilliliters; ///< falling
+  std::vector<double> ComponentMilliliters; ///< descending
   int CavityCount = 0;
   double CavityMilliliters = 0.0;
 
@@ -61,7 +61,7 @@ struct FitResult
   double SurfaceMilliliters = 0.0;
   SurfaceDistances SurfaceToMask;
 
-  // What the centre sees.
+  // Visibility from the centre.
   bool StarShaped = false;
   double HiddenPercent = 0.0;   ///< of the surface's area
   double MultiplePercent = 0.0; ///< of the directions (solid angle): more than one crossing
@@ -75,7 +75,7 @@ struct FitResult
   double Roughness = 0.0;
   double DegreesOfFreedom = 0.0;
   DirectionCoverage Coverage;      ///< how well the directions determine the model
-  int DownWeighted = 0;            ///< samples whose weight a robust fit lowered
+  int DownWeighted = 0;            ///< samples whose weight was lowered by a robust fit
   std::vector<double> RmsByDegree; ///< entry l: RMS residual of degree l; empty with a penalty and
                                    ///< of a robust fit
   /// The model's surface with point arrays "DistanceToSurface" (signed, mm, positive outside the

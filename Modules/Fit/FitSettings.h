@@ -8,19 +8,19 @@
 
 namespace palpate
 {
-/// Everything that decides how one structure of a segmentation becomes a model. The defaults are
-/// those of the command line and of the application.
+/// All settings of the fit of one structure. The defaults are those of the command line and of the
+/// application.
 struct FitSettings
 {
   enum class SurfaceMethod
   {
     ShapeInterpolation, ///< signed distance, interpolated between slices
-    Plain               ///< half-level surface of the mask as it is
+    Plain               ///< half-level surface of the unprocessed mask
   };
   enum class CenterChoice
   {
     Centroid,   ///< of the enclosed volume
-    MostVisible ///< the point from which most of the surface is seen
+    MostVisible ///< the point that sees most of the surface
   };
   enum class SampleWeight
   {
@@ -37,7 +37,7 @@ struct FitSettings
 
   SurfaceMethod Method = SurfaceMethod::ShapeInterpolation;
   double Smoothing = 1.0; ///< width of the surface's smoothing, in voxels; 0 for none
-  int Component = 1;      ///< which connected component, by falling size, from 1; 0 for all
+  int Component = 1;      ///< connected component, by descending size, from 1; 0 for all
 
   int Frequency = 20; ///< of the icosahedron: 10 f^2 + 2 directions
   CenterChoice Center = CenterChoice::Centroid;
@@ -45,7 +45,7 @@ struct FitSettings
 
   int Degree = 12;
   std::optional<double> Tolerance; ///< mm; if set, the smallest degree whose RMS residual meets it
-  int MaximumDegree = 40;          ///< where the search for a degree ends
+  int MaximumDegree = 40;          ///< upper bound of the degree search
   SampleWeight Weight = SampleWeight::Area;
   Penalty PenaltyKind = Penalty::None;
   double Roughness = 0.0; ///< with Penalty::Given

@@ -7,8 +7,8 @@
 
 namespace palpate
 {
-/// The entry "fit" of sessions; the words are those of the command line. `file` is for messages.
-/// Throws InputError.
+/// The entry "fit" of session files; the values are those of the command line. `file` is for
+/// messages. Throws InputError.
 PALPATEFIT_EXPORT FitSettings ReadFitSettings(const nlohmann::json& object,
                                               const std::filesystem::path& file);
 PALPATEFIT_EXPORT nlohmann::ordered_json FitSettingsJson(const FitSettings& settings);

@@ -29,7 +29,7 @@ namespace
 {
 constexpr double CubicMillimetersPerMilliliter = 1000.0;
 
-// A pipeline notes things on its input, which others may be reading.
+// A pipeline modifies its input's information, which other threads may be reading.
 template <typename Data>
 vtkSmartPointer<Data> OwnCopy(Data* shared)
 {
@@ -38,7 +38,7 @@ vtkSmartPointer<Data> OwnCopy(Data* shared)
   return copy;
 }
 
-// Runs a stage; what fails in it is the result's.
+// Runs a stage and stores its failures in the result.
 template <typename Stage>
 void RunStage(const Stage& stage, FitResult& result)
 {
@@ -53,9 +53,9 @@ void RunStage(const Stage& stage, FitResult& result)
   }
   catch (const std::bad_alloc&)
   {
-    // Of this structure alone: others may be smaller.
+    // Fails only this structure: others may be smaller.
     result.State = FitResult::Outcome::Failed;
-    result.Message = "needs more memory than there is";
+    result.Message = "needs more memory than is available";
     result.OptionHint = "try a smaller image or a lower --degree or --frequency";
     result.WindowHint = "try a smaller image, a lower degree or a lower Frequency";
   }
@@ -130,30 +130,30 @@ std::string Counted(long count, const char* one, const char* several)
   return std::to_string(count) + " " + (count == 1 ? one : several);
 }
 
-// What a reader of the result should know about the structure.
+// Adds remarks on the structure for the reader of the result.
 void RemarkOnStructure(bool usedDistanceInstead, FitResult& result)
 {
   if (result.TouchesBorder)
   {
     result.Notes.push_back("the structure touches the border of its volume and is closed there; "
-                           "the true surface may go on");
+                           "the true surface may continue");
   }
   if (result.ComponentMilliliters.size() > 1 && result.Settings.Component > 0)
   {
     result.Notes.push_back("the label has " + std::to_string(result.ComponentMilliliters.size()) +
                            " connected components; number " +
                            std::to_string(result.Settings.Component) + " (" +
-                           FixedText(result.MaskMilliliters, 2) + " ml) was taken");
+                           FixedText(result.MaskMilliliters, 2) + " ml) was used");
   }
   if (result.CavityCount > 0)
   {
     result.Notes.push_back(Counted(result.CavityCount, "cavity", "cavities") + " of " +
-                           FixedText(result.CavityMilliliters, 3) + " ml in all filled");
+                           FixedText(result.CavityMilliliters, 3) + " ml in total filled");
   }
   if (usedDistanceInstead)
   {
     result.Notes.push_back("slices overlap too little to interpolate the shape between them; the "
-                           "distance in space was used");
+                           "distance in space was used instead");
   }
 }
 
@@ -183,21 +183,21 @@ void TakeFit(vtkSphericalHarmonicFit* fit, FitResult& result)
   result.ModelAreaSquareMillimeters = AreaOf(result.Model).Value;
 }
 
-// Where the search for a degree ended before it met the tolerance.
+// If the degree search ended before it met the tolerance.
 void RemarkOnDegree(int supported, FitResult& result)
 {
   const double tolerance = result.Settings.Tolerance.value_or(result.Rms);
   if (result.Rms > tolerance)
   {
-    result.Notes.push_back("degree " + std::to_string(supported) +
-                           " is the highest that the mask's voxels tell (waves of two voxels); it "
-                           "leaves " +
-                           TextAgainstLimit(result.Rms, tolerance, 3) + " mm instead of the " +
-                           TextAgainstLimit(tolerance, tolerance, 3) + " mm asked for");
+    result.Notes.push_back(
+        "degree " + std::to_string(supported) +
+        " is the highest that the mask's voxels support (wavelengths of two voxels); it leaves " +
+        TextAgainstLimit(result.Rms, tolerance, 3) + " mm instead of the " +
+        TextAgainstLimit(tolerance, tolerance, 3) + " mm requested");
   }
 }
 
-// Where the model is a guess, since too few directions say anything there.
+// If too few directions determine part of the model.
 void RemarkOnCoverage(FitResult& result)
 {
   if (result.Coverage.Outcome != DirectionCoverage::Verdict::Good)
@@ -251,7 +251,7 @@ void RunSurface(FitSurface& made, const ProgressFunction& progress)
     result.WindowHint = ChooseAnother;
     return;
   }
-  // Only of a structure that is modelled: what is too small needs one sentence.
+  // Only for a structure that is modelled: for one that is too small, the message is enough.
   RemarkOnStructure(surface->GetUsedDistanceInstead(), result);
   vtkNew<vtkSegmentationSurface> boundary;
   Configure(boundary, layer, result.Structure.Value, result.Settings);
@@ -281,7 +281,7 @@ void RunSamples(FitSamples& made, const ProgressFunction& progress)
     Refuse("is not star-shaped: the centre does not see " +
                TextAgainstLimit(result.HiddenPercent, limit, 1) + " % of its surface (limit " +
                TextAgainstLimit(limit, limit, 1) +
-               " %), so one radius a direction cannot describe it",
+               " %), so one radius per direction cannot describe it",
            HintForHidden(result.Settings), WindowHintForHidden(result.Settings), result);
   }
 }
@@ -332,7 +332,7 @@ void RunModel(vtkPolyData* samples, vtkPolyData* boundary, FitResult& result,
   const double limit = result.Settings.MinimumDice;
   if (!(result.Dice >= limit))
   {
-    Refuse("is not followed by a model of degree " + std::to_string(result.Model.Degree()) +
+    Refuse("is not matched by a model of degree " + std::to_string(result.Model.Degree()) +
                ": Dice " + TextAgainstLimit(result.Dice, limit, 2) + " (limit " +
                TextAgainstLimit(limit, limit, 2) + "), " + FixedText(result.ModelMilliliters, 2) +
                " ml for a mask of " + FixedText(result.MaskMilliliters, 2) + " ml",

@@ -7,20 +7,20 @@
 
 namespace palpate
 {
-/// The stages of FitStructure, each with a result that can be kept: whoever changes what only a
-/// later stage depends on begins there. Nothing of a result is changed by what is made from it.
-/// None throws for what is wrong with the structure: then Found says so, and later stages pass it
-/// on. All throw Cancelled. Each tells its own progress from 0 to 1.
+/// The stages of FitStructure. Their results can be kept, so that after a change of settings only
+/// the stages that depend on it run again; a stage does not modify the results of earlier ones.
+/// Problems of the structure are reported in Found, which later stages pass on; the stages throw
+/// only Cancelled. Each reports its own progress from 0 to 1.
 
-/// What a structure's mask and surface are.
+/// Mask and surface of a structure.
 struct FitSurface
 {
   FitResult Found;
-  vtkSmartPointer<vtkPolyData> Boundary; ///< the mask's own half level, to measure against
-  bool IsOver = false;                   ///< the structure stands in the way
+  vtkSmartPointer<vtkPolyData> Boundary; ///< the mask's half-level surface, for measurements
+  bool IsOver = false;                   ///< the structure cannot be processed further
 };
 
-/// How far the surface lies from a centre.
+/// Distances of the surface from a centre.
 struct FitSamples
 {
   FitResult Found;

@@ -7,7 +7,7 @@ namespace palpate
 {
 namespace
 {
-// Tells the progress of a stage as the part [from, to] of all.
+// Maps the progress of a stage to the part [from, to] of the whole.
 ProgressFunction PartOf(const ProgressFunction& progress, double from, double to)
 {
   if (!progress)

@@ -8,8 +8,8 @@
 namespace palpate
 {
 /// Runs the whole pipeline on one structure of a segmentation: surface, samples, fit, model,
-/// quality. Never throws for what is wrong with the structure: the result's State and Message say
-/// so, and hold whatever was found until then. Throws Cancelled if `progress` answers false.
+/// quality. Does not throw for problems of the structure: the result's State and Message report
+/// them, with the results up to then. Throws Cancelled if `progress` returns false.
 PALPATEFIT_EXPORT FitResult FitStructure(const Segmentation& segmentation, const Segment& structure,
                                          const FitSettings& settings,
                                          const ProgressFunction& progress = {});

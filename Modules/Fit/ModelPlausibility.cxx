@@ -13,8 +13,8 @@ namespace palpate
 {
 namespace
 {
-// Times the farthest distance. An atlas's 110 structures at degree 12, hidden as much as they may
-// be, stay between -0.74 and 1.03; models that run away come to 10 and more.
+// In units of the farthest distance. An atlas's 110 structures at degree 12, with the most hidden
+// surface allowed, stay between -0.74 and 1.03; diverging models reach 10 and more.
 constexpr double FarthestReach = 2.0;
 constexpr double FarthestBelow = -1.0;
 
@@ -55,7 +55,7 @@ std::string WhyImplausible(const FitResult& result)
   }
   return "is not described by the model of degree " + std::to_string(result.Model.Degree()) +
          ": the model's radius runs from " + SignificantText(radius[0], 3) + " to " +
-         SignificantText(radius[1], 3) + " mm, where the structure's surface lies within " +
+         SignificantText(radius[1], 3) + " mm, while the structure's surface lies within " +
          SignificantText(farthest, 3) + " mm of the centre, and it encloses " +
          SignificantText(result.ModelMilliliters, 6) + " ml instead of " +
          SignificantText(result.MaskMilliliters, 3) + " ml";

@@ -9,10 +9,10 @@ namespace
 {
 constexpr std::size_t LongestFolderName = 80;
 
-// Of files that commands write beside the folders of cases.
+// Endings of files that commands write next to the folders of cases.
 constexpr std::array<const char*, 4> OutputEndings{{".csv", ".html", ".json", ".vtp"}};
 
-// In every language's locale alike, unlike std::isalnum.
+// Independent of the locale, unlike std::isalnum.
 bool IsPlain(char letter)
 {
   return (letter >= 'a' && letter <= 'z') || (letter >= 'A' && letter <= 'Z') ||
@@ -24,7 +24,7 @@ bool EndsWith(const std::string& text, const std::string& end)
   return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
 }
 
-// "Naming Files, Paths, and Namespaces", learn.microsoft.com: with any ending, in any letter case.
+// "Naming Files, Paths, and Namespaces", learn.microsoft.com: with any ending, in any case.
 bool IsWindowsDevice(const std::string& name)
 {
   const std::string stem = FoldedName(name.substr(0, name.find('.')));
@@ -34,7 +34,7 @@ bool IsWindowsDevice(const std::string& name)
                     : word == "con" || word == "prn" || word == "aux" || word == "nul";
 }
 
-// Letters outside ASCII become one mark for each of their bytes.
+// Each byte of a non-ASCII character becomes one underscore.
 std::string Sanitised(std::string text, std::size_t longest)
 {
   std::replace_if(

@@ -8,19 +8,19 @@
 
 namespace palpate
 {
-/// The most letters of a PlainName.
+/// Maximum length of a PlainName.
 constexpr std::size_t LongestPlainName = 48;
 
 /// Sanitises text for use as the name of a file or folder on every file system: 1 to 48 of the
-/// letters A-Z a-z 0-9 - _ and dots within them. Never hidden, "." or "..", a device's name on
-/// Windows, or ended like a file that Palpate writes. A plain name comes back as it is.
+/// characters A-Z a-z 0-9 - _, with dots inside. Never hidden, "." or "..", a device name on
+/// Windows, or with the ending of a file that Palpate writes. A plain name is returned unchanged.
 PALPATEFIT_EXPORT std::string PlainName(const std::string& text);
 
-/// The name as file systems compare it that do not tell capital letters apart.
+/// The name as compared by case-insensitive file systems.
 PALPATEFIT_EXPORT std::string FoldedName(std::string name);
 
 /// A folder name for one case of several: case, label and, if there is one, the structure's name,
-/// in at most 80 letters, otherwise as a PlainName. Structures of one case differ in it.
+/// in at most 80 characters, otherwise as a PlainName. Different for each structure of a case.
 PALPATEFIT_EXPORT std::string CaseFolderName(const std::string& caseName, const Segment& structure);
 
 /// "1" or "1_Prostate": a structure's folder within its case's.

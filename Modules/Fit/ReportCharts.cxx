@@ -28,8 +28,8 @@ std::string SpectrumChart(const FitResult& result)
   SvgChart chart("degree", "RMS share of the radius, mm");
   chart.SetLogarithmic(false, true);
   chart.SetBars(std::move(points), 1.0);
-  return ReportFigure(chart.Svg(), "Power spectrum: what each degree adds to the radius, as root "
-                                   "mean square over all directions.");
+  return ReportFigure(chart.Svg(), "Power spectrum: contribution of each degree to the radius, as "
+                                   "root mean square over all directions.");
 }
 
 std::string DegreeChart(const FitResult& result)
@@ -87,9 +87,8 @@ std::string DistanceChart(vtkPolyData* model)
   SvgChart chart("signed distance from model to surface, mm",
                  "share of the model\xE2\x80\x99s area, %");
   chart.SetBars(std::move(bins), width);
-  return ReportFigure(chart.Svg(),
-                      "Distances: how much of the model lies how far inside (negative) "
-                      "or outside the surface of the mask.");
+  return ReportFigure(chart.Svg(), "Distances: share of the model's area at each distance inside "
+                                   "(negative) or outside the surface of the mask.");
 }
 } // namespace
 

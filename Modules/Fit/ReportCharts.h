@@ -8,7 +8,7 @@
 namespace palpate
 {
 /// The report's charts as HTML: power of the model by degree, error of the fit against the degree,
-/// and how the distances from model to surface are spread over the model's area. Each is left out
-/// where its numbers are missing; empty where all are.
+/// and distribution of the distances from model to surface over the model's area. Charts without
+/// numbers are omitted; empty if all are.
 PALPATEFIT_EXPORT std::string ReportCharts(const FitResult& result);
 } // namespace palpate

@@ -32,7 +32,7 @@ constexpr std::array<Column, 11> Columns{{{"Structure", "text"},
                                           {"Degree", "number"},
                                           {"Hidden, %", "number"}}};
 
-// Sorts the table's rows by the cells' numbers where they are numbers and by their words otherwise.
+// Sorts the table's rows, numerically if the cells are numbers and otherwise as text.
 const char* const SortScript = R"js(<script>
 document.querySelectorAll("thead th").forEach(function (head, column) {
   head.addEventListener("click", function () {
@@ -61,7 +61,7 @@ std::string NumberCell(bool isKnown, double number, int digits)
   return Cell("number", isKnown ? FixedText(number, digits) : std::string());
 }
 
-// A path as it may stand in a link: everything but letters, digits and - _ . / in percent code.
+// A path encoded for a link: percent-encodes everything but letters, digits and - _ . /
 std::string LinkText(const std::filesystem::path& path)
 {
   static const char* const Digits = "0123456789ABCDEF";
@@ -80,7 +80,7 @@ std::string LinkText(const std::filesystem::path& path)
   }
   return link;
 }
-// A file that cannot be read has no structure, and its message says all.
+// A file that cannot be read has no structure, and its message is complete.
 bool HasStructure(const FitResult& result)
 {
   return result.Structure.Label != 0 || !result.Structure.Name.empty();

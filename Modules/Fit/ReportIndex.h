@@ -8,9 +8,8 @@
 
 namespace palpate
 {
-/// One HTML page with a row for every case: verdict, key numbers, and a link to the single report.
-/// A click on a column's head sorts by it. Like a report it needs nothing else. Results are not
-/// kept.
+/// One self-contained HTML page with a row for every case: verdict, key numbers, and a link to the
+/// single report. A click on a column's header sorts by it. Results are not kept.
 class PALPATEFIT_EXPORT ReportIndex
 {
 public:
@@ -18,7 +17,7 @@ public:
   /// relative to the folder of the index; empty for none.
   void Add(const FitResult& result, int degree, const std::filesystem::path& report);
 
-  /// Throws InputError where the file cannot be written.
+  /// Throws InputError if the file cannot be written.
   void Write(const std::filesystem::path& html) const;
 
 private:

@@ -38,7 +38,8 @@ std::vector<std::vector<float>> SampleAll(const std::vector<SlicePlane>& planes,
   return values;
 }
 
-// Without a volume: the structure is light, other labels are darker, the rest is nearly black.
+// Without a volume: the structure is light, other labels are darker, the background is nearly
+// black.
 void ShadeMask(std::vector<float>& values, int value)
 {
   for (float& v : values)
@@ -68,7 +69,7 @@ std::string Letters(const SlicePlane& plane)
          Letter(middleX, plane.Height - 6.0, "middle", OrientationLetters(plane.DownWorld));
 }
 
-// A bar of 1, 2 or 5 times a power of ten of millimetres, at most a third of the width.
+// A bar of 1, 2 or 5 times a power of ten in mm, at most a third of the width.
 std::string ScaleBar(const SlicePlane& plane)
 {
   const double room = plane.Width * plane.PixelMillimeters / 3.0;
@@ -81,7 +82,7 @@ std::string ScaleBar(const SlicePlane& plane)
          Letter(8.0, y - 6.0, "start", SignificantText(length, 3) + " mm");
 }
 
-// `share` is the picture's width relative to the widest one, so that all are shown at one scale.
+// `share` is the image's width relative to the widest one, so that all have the same scale.
 std::string SliceFigure(const SlicePlane& plane, double share, const Picture& picture,
                         const FitResult& result)
 {
@@ -119,7 +120,7 @@ std::string Legend(const FitResult& result, const Volume* volume)
   }
   const std::string picture =
       volume ? volume->Source.filename().string() : std::string("the mask itself, no volume given");
-  return html + "<li class=\"soft\">picture: " + EscapeHtml(picture) + "</li></ul>\n";
+  return html + "<li class=\"soft\">image: " + EscapeHtml(picture) + "</li></ul>\n";
 }
 } // namespace
 

@@ -83,7 +83,7 @@ HtmlRows SurfaceRows(const FitResult& result)
   HtmlRows rows{{"Points", std::to_string(result.Surface->GetNumberOfPoints())},
                 {"Triangles", std::to_string(result.Surface->GetNumberOfPolys())},
                 {"Volume", Milliliters(result.SurfaceMilliliters)}};
-  // Measured together with the model's quality, so not for a refused structure.
+  // Measured with the model's quality, so missing for a refused structure.
   if (result.SurfaceAreaSquareMillimeters > 0.0)
   {
     rows.emplace_back("Area", FixedText(result.SurfaceAreaSquareMillimeters, 1) + " mm\xC2\xB2");

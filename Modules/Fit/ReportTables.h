@@ -7,7 +7,7 @@
 
 namespace palpate
 {
-/// Every number of a result as HTML tables; those of stages that were not reached are left out.
+/// Every number of a result as HTML tables; stages that were not reached are omitted.
 PALPATEFIT_EXPORT std::string ReportNumbers(const FitResult& result);
 
 /// Every setting of a fit as an HTML table.

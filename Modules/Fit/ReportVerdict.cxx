@@ -8,7 +8,7 @@ namespace palpate
 {
 namespace
 {
-// Messages about a structure leave it to the reader's page to name it: "is not star-shaped: ...".
+// Messages about a structure do not name it, since the page does: "is not star-shaped: ...".
 bool IsPredicate(const std::string& message, const FitResult& result)
 {
   return !message.empty() && message.front() >= 'a' && message.front() <= 'z' &&

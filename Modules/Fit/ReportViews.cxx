@@ -27,8 +27,8 @@ vtkDataArray* DistancesOf(vtkPolyData* model)
   return model ? model->GetPointData()->GetArray("DistanceToSurface") : nullptr;
 }
 
-// The 99th percentile of the distances' sizes, rounded up to a number that reads well: a few
-// extremes must not drain the colour from all the rest.
+// The 99th percentile of the absolute distances, rounded up to a convenient number: a few extremes
+// must not reduce the contrast of the rest.
 double ColorLimit(vtkDataArray* distances)
 {
   std::vector<double> sizes;
@@ -124,7 +124,7 @@ std::string AllViews(const SoftwareRenderer& renderer)
   return html + "</div>\n";
 }
 
-// Points of the model in a cap that no direction covers; none where all gaps are narrow enough.
+// Points of the model in a cap that no direction covers; none if all gaps are narrow enough.
 class UncoveredCap
 {
 public:
@@ -168,7 +168,7 @@ std::string ErrorMap(const FitResult& result, vtkDataArray* distances)
          FixedText(range[0], 2) + " to " + (range[1] > 0.0 ? "+" : "") + FixedText(range[1], 2) +
          " mm. Distances beyond the ends of the bar have the ends\xE2\x80\x99 colours." +
          (uncovered.IsAny()
-              ? " Grey: no direction meets the surface there, so the model is a guess."
+              ? " Grey: no direction meets the surface there, so the model is undetermined."
               : "") +
          "</p>\n" + AllViews(renderer) + ColorBar(colors);
 }

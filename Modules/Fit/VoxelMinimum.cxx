@@ -16,7 +16,7 @@ namespace palpate
 {
 namespace
 {
-// A few voxels have no shape: fewer than a cube of two.
+// A few voxels have no shape: fewer than 2 x 2 x 2.
 constexpr long SmallestVoxelCount = 8;
 
 std::string TooFew(long voxels)
@@ -25,7 +25,7 @@ std::string TooFew(long voxels)
          ", too few to have a shape";
 }
 
-// Where the label is, no more than enough of them.
+// Voxels of the label, up to the required number.
 template <typename T>
 std::vector<vtkIdType> FirstVoxels(vtkDataArray* labels, int label)
 {
@@ -67,7 +67,7 @@ bool ShareAFace(vtkImageData* image, vtkIdType one, vtkIdType other)
   return std::abs(a[0] - b[0]) + std::abs(a[1] - b[1]) + std::abs(a[2] - b[2]) == 1;
 }
 
-// Of the parts that hang together over faces.
+// Size of the largest part connected through faces.
 std::size_t LargestPart(vtkImageData* image, std::vector<vtkIdType> voxels)
 {
   std::size_t largest = 0;
@@ -101,7 +101,7 @@ std::string TooFewVoxels(const Segmentation& segmentation, const Segment& struct
   vtkImageData* layer = segmentation.Layers[static_cast<std::size_t>(structure.Layer)];
   const std::vector<vtkIdType> voxels =
       FirstVoxels(layer->GetPointData()->GetScalars(), structure.Value);
-  // Whoever needs it has a sentence for a structure that is nowhere.
+  // Callers have their own message for a structure without voxels.
   return voxels.empty() || voxels.size() >= SmallestVoxelCount
              ? std::string()
              : TooFew(static_cast<long>(LargestPart(layer, voxels)));

@@ -11,14 +11,14 @@ namespace palpate
 struct Segment;
 struct Segmentation;
 
-/// What to do about a structure of too few voxels, where no option or control chooses it.
+/// Hint for a structure of too few voxels if no option or control chooses it.
 inline constexpr const char* ChooseAnother = "choose another structure";
 
-/// What is wrong with a structure of so few voxels that it has no shape, as a predicate ("has only
-/// ..."); empty where there are enough. `cubicMillimeters` is its volume in the mask.
+/// The message for a structure with too few voxels to have a shape, as a predicate ("has only
+/// ..."); empty if there are enough. `cubicMillimeters` is its volume in the mask.
 PALPATEFIT_EXPORT std::string TooFewVoxels(double cubicMillimeters, vtkImageData* mask);
-/// The same of a structure whose every part counts, as in a field; where all of them are too few,
-/// it tells of the largest.
+/// The same for a structure whose every part counts, as in a field; if all parts are too small, it
+/// reports the largest.
 PALPATEFIT_EXPORT std::string TooFewVoxels(const Segmentation& segmentation,
                                            const Segment& structure);
 } // namespace palpate

@@ -20,9 +20,9 @@ namespace
 {
 constexpr int SurfaceFrequency = 40; // 16,002 points
 constexpr double DrawnDeviations = 2.0;
-// Of the mean radius: beyond it, the centre of a fit is no centroid.
+// As a fraction of the mean radius: beyond it, the centre of a fit is not the centroid.
 constexpr double LargestOffset = 0.05;
-// Principal axes whose lengths differ by less than this part are arbitrary.
+// Principal axes whose lengths differ by less than this fraction are arbitrary.
 constexpr double SmallestAxisDifference = 0.02;
 
 bool IsOf(const CohortRow& row, const std::string& structure)
@@ -32,7 +32,7 @@ bool IsOf(const CohortRow& row, const std::string& structure)
          std::to_string(segment.Label) == structure;
 }
 
-// Cases of one cohort may number one structure differently, so a name counts where there is one.
+// Cases may number a structure differently, so its name is used if there is one.
 std::string TitleOf(const Segment& segment)
 {
   return segment.Name.empty() ? std::to_string(segment.Label) : segment.Name;
@@ -47,7 +47,7 @@ std::vector<CohortRow> Choose(const CohortTable& table, const std::string& struc
   {
     if (row.Model.empty())
     {
-      notes.push_back(row.Case + " has no model and is left out: " + row.Result.Message);
+      notes.push_back(row.Case + " has no model and is omitted: " + row.Result.Message);
     }
     else if (IsOf(row, structure))
     {
@@ -61,12 +61,12 @@ std::vector<CohortRow> Choose(const CohortTable& table, const std::string& struc
                   [&](const CohortRow& row) { return !cases.insert(row.Case).second; });
   if (titles.size() > 1 || isTwice)
   {
-    throw InputError("the cohort has several structures a case or over the cases; choose one with "
-                     "--label, or name each case's in the manifest");
+    throw InputError("the cohort has several structures, within or across cases; choose one with "
+                     "--label, or state each case's in the manifest");
   }
   if (chosen.size() < 2)
   {
-    throw InputError("a group needs two cases with a model or more, and " +
+    throw InputError("a group needs at least two cases with a model, but " +
                      std::to_string(chosen.size()) + " has one" +
                      (structure.empty() ? "" : " of structure " + structure) + "; fit more cases");
   }
@@ -79,7 +79,7 @@ SphericalHarmonicModel ReadStarShaped(const std::filesystem::path& file)
   const auto* model = std::get_if<SphericalHarmonicModel>(&document.Surface);
   if (model == nullptr)
   {
-    throw InputError(file.string() + " is a parametric surface; a cohort is of star-shaped models");
+    throw InputError(file.string() + " is a parametric surface; a cohort needs star-shaped models");
   }
   return *model;
 }
@@ -106,8 +106,8 @@ void NoteOn(CohortGroup& group, const std::string& name, const SphericalHarmonic
                        body.SemiAxes[2] > (1.0 - SmallestAxisDifference) * body.SemiAxes[1];
   if (group.Axes == AlignmentAxes::Ellipsoid && isRound)
   {
-    group.Notes.push_back(name + ": two of its principal axes are alike, so how it is turned about "
-                                 "the third says little");
+    group.Notes.push_back(name + ": two of its principal axes are nearly equal, so its rotation "
+                                 "about the third is poorly determined");
   }
 }
 
@@ -123,7 +123,7 @@ Eigen::MatrixXd CoefficientsOf(const std::vector<SphericalHarmonicModel>& models
   return matrix;
 }
 
-// A table with a row a case: its name, its label, then numbers.
+// A table with one row per case: name, label, numbers.
 std::string CaseTable(const CohortGroup& group, const std::vector<std::string>& columns,
                       const Eigen::MatrixXd& numbers)
 {

@@ -12,20 +12,20 @@
 
 namespace palpate
 {
-/// The models of one structure over a cohort in common axes, and how they vary.
+/// The models of one structure over a cohort in common axes, and their variation.
 struct CohortGroup
 {
   AlignmentAxes Axes = AlignmentAxes::Patient;
   std::vector<CohortRow> Rows;                ///< those with a model
   std::vector<SphericalHarmonicModel> Models; ///< aligned, of one degree: the highest of all
-  std::vector<BodyMoments> Bodies;            ///< of the models as they lie in their patients
+  std::vector<BodyMoments> Bodies;            ///< of the models in their patients' frames
   ShapeModes Modes;
-  std::vector<std::string> Notes; ///< what was left out, and what to be careful with
+  std::vector<std::string> Notes; ///< omitted cases and warnings
 };
 
-/// Reads the models that a table names, relative to `folder`, and aligns them. `structure` is a
-/// label or a name; it may be empty where the cohort has one. Throws InputError where fewer than
-/// two cases have a model, several structures could be meant, or a model cannot be read.
+/// Reads the models listed in a table, relative to `folder`, and aligns them. `structure` is a
+/// label or a name; it may be empty if the cohort has only one. Throws InputError if fewer than two
+/// cases have a model, the structure is ambiguous, or a model cannot be read.
 PALPATEGROUP_EXPORT CohortGroup MakeCohortGroup(const CohortTable& table,
                                                 const std::filesystem::path& folder,
                                                 const std::string& structure, AlignmentAxes axes);
@@ -35,9 +35,10 @@ PALPATEGROUP_EXPORT CohortGroup MakeCohortGroup(const CohortTable& table,
 PALPATEGROUP_EXPORT SphericalHarmonicModel ShapeOf(const CohortGroup& group, int mode,
                                                    double deviations);
 
-/// Writes coefficients.csv (a row a case, columns c_l_m, mm), modes.csv (scores, mm), variance.csv
-/// (a row a mode), measures.csv, mean.json, mean.vtp, mode_K_minus.json and mode_K_plus.json (the
-/// mean and two standard deviations, for the first five modes) and cohort.html into the folder,
+/// Writes coefficients.csv (one row per case, columns c_l_m, mm), modes.csv (scores, mm),
+/// variance.csv (one row per mode), measures.csv, mean.json, mean.vtp, mode_K_minus.json and
+/// mode_K_plus.json (the mean and two standard deviations, for the first five modes) and
+/// cohort.html into the folder,
 /// all of them or none. Throws InputError.
 PALPATEGROUP_EXPORT void WriteCohortGroup(const CohortGroup& group,
                                           const std::filesystem::path& folder,

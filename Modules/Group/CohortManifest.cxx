@@ -29,7 +29,7 @@ std::string Get(const CsvRecord& record, const char* column)
   return found == nullptr ? std::string() : *found;
 }
 
-// At once, before more rows like it fill the memory.
+// Checked for each row at once, before further rows fill the memory.
 void CheckRow(const std::filesystem::path& file, const CohortCase& one)
 {
   if (one.Name.empty() || one.Mask.empty())
@@ -47,8 +47,8 @@ void CheckNames(const std::filesystem::path& file, const std::vector<CohortCase>
         !taken.insert(FoldedName(PlainName(one.Name))).second)
     {
       throw InputError(file.string() + ": case " + one.Name +
-                       " cannot have a folder of its own; give every case a name that differs in "
-                       "its first 48 letters and digits");
+                       " cannot have its own folder; give every case a name that differs in its "
+                       "first 48 letters and digits");
     }
   }
 }
@@ -71,8 +71,9 @@ std::vector<CohortCase> ReadManifest(const std::filesystem::path& file,
   ForEachCsvRecord(ReadWholeFile(file, LargestManifest), take);
   if (cases.empty())
   {
-    throw InputError(file.string() + " lists no case; give a table with the head "
-                                     "case,mask,label,volume and a row a case");
+    throw InputError(
+        file.string() +
+        " lists no case; use a table with the header case,mask,label,volume and one row per case");
   }
   CheckNames(file, cases);
   return cases;
@@ -92,8 +93,8 @@ std::vector<std::filesystem::path> FindMasks(const std::filesystem::path& folder
   }
   if (masks.empty())
   {
-    throw InputError(folder.string() + " has no segmentation that can be read; give a folder of "
-                                       "NIfTI, NRRD, MetaImage or DICOM files, or a --manifest");
+    throw InputError(folder.string() + " has no readable segmentation; use a folder of NIfTI, "
+                                       "NRRD, MetaImage or DICOM files, or a --manifest");
   }
   std::sort(masks.begin(), masks.end());
   return masks;

@@ -11,20 +11,20 @@ namespace palpate
 /// One case of a cohort.
 struct CohortCase
 {
-  std::string Name;             ///< its row's and its folder's, no two alike
-  std::filesystem::path Mask;   ///< whether it can be read shows when its turn comes
+  std::string Name;             ///< name of its row and folder, unique
+  std::filesystem::path Mask;   ///< not checked until the case is processed
   std::string Label;            ///< by number or name; empty for every structure
   std::filesystem::path Volume; ///< for the report's slices; empty for none
 };
 
-/// The cases of a table with a head `case,mask,label,volume`, a row a case; only `case` and `mask`
-/// must be there, in any order and beside others. Paths are relative to `base`, or to the table's
-/// own folder where that is empty. Throws InputError where the table is none, has no row, or two
-/// cases would have one name (names are compared in the letters that folders get).
+/// The cases of a table with a header `case,mask,label,volume`, one row per case; only the columns
+/// `case` and `mask` are required, in any order, and others may be present. Paths are relative to
+/// `base`, or to the table's own folder if that is empty. Throws InputError if the file is not such
+/// a table, has no rows, or two cases would have the same folder name.
 PALPATEGROUP_EXPORT std::vector<CohortCase> ReadManifest(const std::filesystem::path& file,
                                                          const std::filesystem::path& base = {});
 
-/// The images of a folder, not of those below it, by rising name. Throws InputError where there is
+/// The images of a folder, not of its subfolders, sorted by name. Throws InputError if there are
 /// none.
 PALPATEGROUP_EXPORT std::vector<std::filesystem::path>
 FindMasks(const std::filesystem::path& folder);

@@ -25,7 +25,7 @@ constexpr int ViewSize = 260;       // pixels
 constexpr double FrameShare = 1.05; // of the largest shape's extent
 constexpr std::array<ViewSide, 3> Sides{{ViewSide::Anterior, ViewSide::Right, ViewSide::Superior}};
 
-/// A shape's triangles, and how far each point lies outside the mean (mm).
+/// A shape's triangles, and the distance of each point outside the mean (mm).
 struct Drawn
 {
   vtkSmartPointer<vtkPolyData> Mesh;
@@ -52,7 +52,7 @@ double LargestExtent(const Drawn& drawn)
                                     [](double a, double b) { return std::abs(a) < std::abs(b); }));
 }
 
-/// Draws shapes at one scale, the common centre in the middle.
+/// Draws shapes at the same scale, with the common centre in the image centre.
 class ShapeFigures
 {
 public:
@@ -67,7 +67,7 @@ public:
       colors.push_back(this->Colors.ColorOf(offset));
     }
     renderer.SetPointColors(std::move(colors));
-    // The renderer puts the middle of the bounding box in the middle of its own picture.
+    // The renderer puts the centre of the bounding box in the centre of its image.
     double middle[3];
     drawn.Mesh->GetCenter(middle);
     const ViewFrame frame = FrameOf(side);
@@ -99,7 +99,7 @@ std::string Explained(const ShapeModes& modes)
     bars.emplace_back(static_cast<double>(k + 1), 100.0 * modes.Explained[k]);
   }
   chart.SetBars(std::move(bars), 0.8);
-  return "<div class=\"charts\">" + ReportFigure(chart.Svg(), "What each mode explains") +
+  return "<div class=\"charts\">" + ReportFigure(chart.Svg(), "Variance explained by each mode") +
          "</div>\n";
 }
 
@@ -159,7 +159,7 @@ std::string Footer()
   return "<footer>" + EscapeHtml(versions) + "</footer>\n";
 }
 
-// The mean first, then each pictured mode's two shapes.
+// The mean first, then the two shapes of each shown mode.
 std::vector<Drawn> DrawAll(const CohortGroup& group, double deviations)
 {
   const SphericalHarmonicModel mean = ShapeOf(group, -1, 0.0);
@@ -214,12 +214,12 @@ std::string CohortPage(const CohortGroup& group, double deviations)
       "<header>\n<div class=\"kicker\">Palpate \xC2\xB7 cohort</div>\n<h1>" +
           std::to_string(group.Rows.size()) + " shapes, degree " +
           std::to_string(group.Models.front().Degree()) +
-          "</h1>\n<p class=\"soft\">Centres laid on "
-          "each other; axes are " +
+          "</h1>\n<p class=\"soft\">The centres are aligned; axes are " +
           (isPatient ? "the patients\xE2\x80\x99 own (LPS)"
                      : "each body\xE2\x80\x99s principal ones, the longest as left, the shortest "
                        "as up") +
-          ". One scale for all pictures; red lies outside the mean, blue inside, full colour at " +
+          ". All images have the same scale; red is outside the mean, blue inside, full colour "
+          "at " +
           SignificantText(limit, 3) + " mm.</p>\n</header>\n" +
           ReportSection("Mean shape", "<div class=\"views\">\n" + meanViews + "</div>\n") +
           ReportSection("Principal modes", modes) + ReportSection("Cases", CaseRows(group)) +

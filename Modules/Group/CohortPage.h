@@ -7,14 +7,14 @@
 
 namespace palpate
 {
-/// A page shows no more modes.
+/// The most modes on a page.
 constexpr int MostPicturedModes = 5;
 
-/// How many modes have pictures: five, or as many as there are.
+/// Number of modes with images: at most five.
 PALPATEGROUP_EXPORT int PicturedModes(const CohortGroup& group);
 
-/// One HTML page that needs nothing else: the mean shape, the principal modes as the mean and
-/// `deviations` standard deviations to either side, all at one scale and coloured by how far they
-/// lie outside or inside the mean (mm), what the modes explain, a table of cases, notes.
+/// One self-contained HTML page: the mean shape, the principal modes as the mean plus and minus
+/// `deviations` standard deviations, all at the same scale and coloured by their distance outside
+/// or inside the mean (mm), the variance explained by the modes, a table of cases, notes.
 PALPATEGROUP_EXPORT std::string CohortPage(const CohortGroup& group, double deviations);
 } // namespace palpate

@@ -76,7 +76,7 @@ std::vector<std::string> FieldsOf(const CohortRow& row)
           row.Key};
 }
 
-/// Takes one record apart; throws InputError with the file's name.
+/// Parses one record; throws InputError with the file's name.
 class RowReader
 {
 public:
@@ -116,8 +116,8 @@ private:
     const std::string* found = this->Record.Find(column);
     if (found == nullptr)
     {
-      throw InputError(this->File.string() + " is no table of a cohort: it has no column " +
-                       column + "; name the folder that `palpate fit` wrote");
+      throw InputError(this->File.string() + " is not a cohort table: it has no column " + column +
+                       "; specify the folder that `palpate fit` wrote");
     }
     return *found;
   }
@@ -127,7 +127,7 @@ private:
     if (isNeeded && !number)
     {
       throw InputError(this->File.string() + ": " + column + " of case " + this->Text("case") +
-                       " is no number; remove the file and fit again");
+                       " is not a number; remove the file and fit again");
     }
     return number.value_or(0.0);
   }
@@ -139,7 +139,7 @@ private:
     if (found == Outcomes.end())
     {
       throw InputError(this->File.string() + ": the outcome \"" + this->Text("outcome") +
-                       "\" is none; remove the file and fit again");
+                       "\" is unknown; remove the file and fit again");
     }
     return *found;
   }
@@ -149,7 +149,7 @@ private:
     if (!degree || *degree < 0 || *degree > ModelConvention::MaximumDegree)
     {
       throw InputError(this->File.string() + ": degree of case " + this->Text("case") +
-                       " is no whole number from 0 to " +
+                       " is not a whole number from 0 to " +
                        std::to_string(ModelConvention::MaximumDegree) +
                        "; remove the file and fit again");
     }

@@ -10,18 +10,18 @@
 
 namespace palpate
 {
-/// What a path holds, where the user has not said what to expect.
+/// The content of a path of unknown kind.
 struct ImageContent
 {
   /// "NIfTI label map", "DICOM series", "3D Slicer segmentation", ...
   std::string Kind;
-  std::string KindReason; ///< why it was taken as a volume or a label map; empty where it is plain
-  std::optional<Volume> Image;        ///< absent for 3D Slicer's and DICOM segmentations
+  std::string KindReason;      ///< why it was taken as a volume or a label map; empty if evident
+  std::optional<Volume> Image; ///< absent for 3D Slicer's and DICOM segmentations
   std::optional<Segmentation> Labels; ///< absent for grey values
 };
 
-/// Reads a path as a segmentation where it says that it is one or holds label values (see
-/// WhyNoLabelMap), else as a volume. Throws InputError.
+/// Reads a path as a segmentation if it states so or holds label values (see WhyNoLabelMap),
+/// otherwise as a volume. Throws InputError.
 PALPATEIO_EXPORT ImageContent ReadImageContent(const std::filesystem::path& path,
                                                const VolumeChoice& choice = {});
 } // namespace palpate

@@ -19,7 +19,7 @@ namespace palpate
 {
 namespace
 {
-// Component `layer` of voxels that keep one value a layer.
+// Component `layer` of voxels with one value per layer.
 vtkSmartPointer<vtkDataArray> ExtractLayer(const std::filesystem::path& file, vtkDataArray* voxels,
                                            int layer)
 {
@@ -40,7 +40,7 @@ Segmentation ReadSlicerSegmentation(const std::filesystem::path& path, ImageFile
                                     const std::vector<Segment>& described,
                                     LeftHandedAxes leftHanded)
 {
-  constexpr int MostLayers = 1024; // each is an image of its own
+  constexpr int MostLayers = 1024; // each is a separate image
   if (file.Components() > MostLayers)
   {
     Refuse(path, "has " + std::to_string(file.Components()) + " layers of segments",
@@ -84,7 +84,7 @@ std::filesystem::path FindDicomSegmentation(const std::filesystem::path& folder)
   {
     Refuse(folder,
            "is a folder that holds " + std::to_string(found.size()) + " DICOM segmentation objects",
-           "name one segmentation file");
+           "specify one segmentation file");
   }
   return found.front();
 }
@@ -102,8 +102,8 @@ Segmentation ReadSegmentation(const std::filesystem::path& path, LeftHandedAxes 
     if (!IsDicomSegmentation(path))
     {
       RefuseForeignDicom(path);
-      Refuse(path, "is a DICOM file but no segmentation",
-             "name a DICOM segmentation object or a label map");
+      Refuse(path, "is a DICOM file but not a segmentation",
+             "specify a DICOM segmentation object or a label map");
     }
     return ReadDicomSegmentation(path);
   }

@@ -21,7 +21,7 @@ Volume ReadImageFile(const std::filesystem::path& path, LeftHandedAxes handling)
   if (file->Components() != 1)
   {
     Refuse(path, "has " + std::to_string(file->Components()) + " values per voxel",
-           "give one grey value per voxel, or read it as a segmentation if its values are layers");
+           "use one grey value per voxel, or read it as a segmentation if its values are layers");
   }
   const vtkSmartPointer<vtkDataArray> voxels = file->NewArray();
   file->ReadInto(voxels->GetVoidPointer(0));
@@ -47,7 +47,8 @@ Volume ReadDicom(const std::filesystem::path& path, const VolumeChoice& choice)
   }
   if (IsDicomSegmentation(path))
   {
-    Refuse(path, "is a DICOM segmentation", "read it as a segmentation, or name an image series");
+    Refuse(path, "is a DICOM segmentation",
+           "read it as a segmentation, or specify an image series");
   }
   RefuseForeignDicom(path);
   const auto folder = path.has_parent_path() ? path.parent_path() : std::filesystem::path(".");

@@ -4,9 +4,9 @@
  *
  * Reads NIfTI, NRRD, MetaImage, or a DICOM series (its folder or one of its files). The output
  * carries origin, spacing (mm) and a right-handed direction matrix in patient LPS, and scalars of
- * the file's type. The file is read when its information is asked for, and again when its name or
- * series changes. A file that cannot be read raises an ErrorEvent with one sentence and gives no
- * output. See palpate::ReadVolume.
+ * the file's type. The file is read in the information pass, and again when its name or series
+ * changes. A file that cannot be read raises one ErrorEvent and produces no output. See
+ * palpate::ReadVolume.
  */
 #ifndef vtkOrientedVolumeReader_h
 #define vtkOrientedVolumeReader_h
@@ -30,7 +30,7 @@ public:
   ///@}
 
   ///@{
-  /** Series of a DICOM folder: its UID or its number in the list that the error gives, from 1. */
+  /** Series of a DICOM folder: its UID or its number in the error message's list, from 1. */
   vtkSetStringMacro(Series);
   vtkGetStringMacro(Series);
   ///@}
@@ -38,7 +38,7 @@ public:
   ///@{
   /**
    * Refuse a file with left-handed directions. Off by default: such a file is read with one index
-   * axis reversed, every voxel keeps its place, and a note says so.
+   * axis reversed, every voxel keeps its position, and a note is added.
    */
   vtkSetMacro(RefuseLeftHanded, bool);
   vtkGetMacro(RefuseLeftHanded, bool);
@@ -46,7 +46,7 @@ public:
   ///@}
 
   ///@{
-  /** What was done to the file's data on the way in, a sentence each. After UpdateInformation. */
+  /** Changes made to the file's data, a sentence each. Valid after UpdateInformation. */
   int GetNumberOfNotes();
   const char* GetNote(int index);
   ///@}

@@ -4,9 +4,9 @@
  *
  * Reads label maps (NIfTI, NRRD, MetaImage), 3D Slicer's .seg.nrrd and DICOM segmentation objects.
  * The output is one layer, as unsigned char, unsigned short or int, with origin, spacing (mm) and a
- * right-handed direction matrix in patient LPS. The file is read when its information is asked for,
- * and again when its name changes; choosing another layer reads nothing. A file that cannot be read
- * raises an ErrorEvent with one sentence and gives no output. See palpate::ReadSegmentation.
+ * right-handed direction matrix in patient LPS. The file is read in the information pass, and again
+ * when its name changes; choosing another layer does not read it again. A file that cannot be read
+ * raises one ErrorEvent and produces no output. See palpate::ReadSegmentation.
  */
 #ifndef vtkSegmentationReader_h
 #define vtkSegmentationReader_h
@@ -30,7 +30,7 @@ public:
   ///@}
 
   ///@{
-  /** Which layer becomes the output, from 0. Structures that overlap are in different layers. */
+  /** The output layer, from 0. Structures that overlap are in different layers. */
   vtkSetMacro(Layer, int);
   vtkGetMacro(Layer, int);
   ///@}
@@ -38,7 +38,8 @@ public:
   ///@{
   /**
    * The segments by index, in the order of their labels; valid after UpdateInformation. The label
-   * names a segment; its value is what its voxels have in its layer. Out of range: -1, null, grey.
+   * identifies a segment; its value is that of its voxels in its layer. Out of range: -1, null,
+   * grey.
    */
   int GetNumberOfLayers();
   int GetNumberOfSegments();
@@ -52,7 +53,7 @@ public:
   ///@{
   /**
    * Refuse a file with left-handed directions. Off by default: such a file is read with one index
-   * axis reversed, every voxel keeps its place, and a note says so.
+   * axis reversed, every voxel keeps its position, and a note is added.
    */
   vtkSetMacro(RefuseLeftHanded, bool);
   vtkGetMacro(RefuseLeftHanded, bool);
@@ -60,7 +61,7 @@ public:
   ///@}
 
   ///@{
-  /** What was done to the file's data on the way in, a sentence each. After UpdateInformation. */
+  /** Changes made to the file's data, a sentence each. Valid after UpdateInformation. */
   int GetNumberOfNotes();
   const char* GetNote(int index);
   ///@}

@@ -20,7 +20,7 @@ void ContentDigest::AddBytes(std::string_view bytes)
 
 void ContentDigest::Add(std::string_view piece)
 {
-  // The length first, so that no two lists read alike.
+  // The length first, so that different lists give different bytes.
   this->AddBytes(std::to_string(piece.size()) + ":");
   this->AddBytes(piece);
 }
@@ -51,7 +51,7 @@ void ContentDigest::AddContent(const std::filesystem::path& path)
   std::ifstream stream(path, std::ios::binary);
   if (!stream)
   {
-    Refuse(path, "cannot be read", "check its name and that reading is allowed");
+    Refuse(path, "cannot be read", "check its name and permissions");
   }
   while (stream)
   {

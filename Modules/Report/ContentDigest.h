@@ -10,13 +10,13 @@
 namespace palpate
 {
 /// FNV-1a over pieces: the same on every machine and in every build, which std::hash does not
-/// promise. Not against forgery.
+/// guarantee. Not secure against forgery.
 class PALPATEREPORT_EXPORT ContentDigest
 {
 public:
-  /// Another piece; what lies between two pieces counts too.
+  /// Adds a piece; the boundaries between pieces count too.
   void Add(std::string_view piece);
-  /// All bytes of a file, or of all files of a folder with their names. Throws InputError where
+  /// Adds all bytes of a file, or of all files of a folder with their names. Throws InputError if
   /// they cannot be read.
   void AddContent(const std::filesystem::path& path);
   /// 16 hexadecimal digits.

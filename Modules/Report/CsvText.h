@@ -13,17 +13,17 @@
 
 namespace palpate
 {
-/// The rows of a comma-separated text (RFC 4180: quotes round fields with commas, line breaks or
-/// quotes, which are doubled). Empty lines and a byte-order mark are left out. What CsvLine did to
-/// fields that look like formulas is undone.
+/// The rows of a comma-separated text (RFC 4180: quotes around fields with commas, line breaks or
+/// quotes, which are doubled). Empty lines and a byte-order mark are ignored. CsvLine's changes to
+/// fields that look like formulas are undone.
 PALPATEREPORT_EXPORT std::vector<std::vector<std::string>> ParseCsv(std::string_view text);
 
-/// One row with its line break. Fields are quoted where they need it, also for programs that
-/// separate by semicolons or tabs, and made InertCells: numbers stay numbers, and no text is taken
-/// for a formula.
+/// One row with its line break. Fields are quoted if needed, also for programs that separate by
+/// semicolons or tabs, and passed through InertCell: numbers remain numbers, and no text is
+/// interpreted as a formula.
 PALPATEREPORT_EXPORT std::string CsvLine(const std::vector<std::string>& fields);
 
-/// A row by the names of the head's columns.
+/// A row, accessed by column names.
 class PALPATEREPORT_EXPORT CsvRecord
 {
 public:
@@ -41,8 +41,8 @@ private:
   std::vector<std::string> Fields;
 };
 
-/// Calls `take` with each row below the head, which is the first. Keeps one row at a time: a text
-/// of commas would take many times its size.
+/// Calls `take` with each row after the header. Keeps one row at a time: a text of commas would
+/// need many times its size.
 PALPATEREPORT_EXPORT void ForEachCsvRecord(std::string_view text,
                                            const std::function<void(const CsvRecord&)>& take);
 } // namespace palpate

@@ -11,8 +11,9 @@ namespace palpate
 {
 namespace
 {
-// The connection stays open to the end of the process: a server without -noreset, as xvfb-run
-// starts it, starts again when its last client leaves, and the window's connection would meet that.
+// The connection stays open to the end of the process: a server without -noreset, as started by
+// xvfb-run, restarts when its last client leaves, and the window's connection would hit that
+// restart.
 bool HasOpenGL(const std::string& name)
 {
   static std::map<std::string, Display*> connections;
@@ -43,14 +44,14 @@ void RequireDisplay()
   const char* name = std::getenv("DISPLAY");
   if (name == nullptr || *name == '\0')
   {
-    throw std::runtime_error("drawing needs an X server with OpenGL, and DISPLAY names none; on a "
+    throw std::runtime_error("drawing needs an X server with OpenGL, but DISPLAY names none; on a "
                              "machine without a screen, run the same command under xvfb-run -a");
   }
   if (!HasOpenGL(name))
   {
     throw std::runtime_error(
-        "drawing needs an X server with OpenGL, and DISPLAY=" + std::string(name) +
-        " does not answer or has none; run the same command under xvfb-run -a");
+        "drawing needs an X server with OpenGL, but DISPLAY=" + std::string(name) +
+        " does not answer or has no OpenGL; run the same command under xvfb-run -a");
   }
 }
 } // namespace palpate

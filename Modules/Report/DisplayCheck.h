@@ -4,8 +4,8 @@
 
 namespace palpate
 {
-/// Throws std::runtime_error, naming the way out, unless DISPLAY names an X server that answers and
-/// has GLX. VTK's OpenGL windows and Qt end the process in that case, so this is called before any
-/// is made. Main thread only.
+/// Throws std::runtime_error, with the fix, unless DISPLAY names an X server that answers and has
+/// GLX. Otherwise VTK's OpenGL windows and Qt end the process, so call this before creating any.
+/// Main thread only.
 PALPATEREPORT_EXPORT void RequireDisplay();
 } // namespace palpate

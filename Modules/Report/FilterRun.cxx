@@ -21,7 +21,7 @@ struct RunState
   bool IsCancelled = false;
 };
 
-// VTK's message is "ERROR: In file, line n\nvtkClass (0x...): sentence\n\n".
+// VTK's message is "ERROR: In file, line n\nvtkClass (0x...): text\n\n".
 std::string Sentence(const char* message)
 {
   std::string text = message != nullptr ? message : "";
@@ -59,7 +59,7 @@ void OnEvent(vtkObject* caller, unsigned long event, void* clientData, void* cal
   }
 }
 
-// Observes an object for as long as it lives.
+// Observes an object during its own lifetime.
 class Observation
 {
 public:
@@ -92,7 +92,7 @@ void RunFilter(vtkAlgorithm* filter, const std::string& stage, double from, doub
   }
   if (state.IsCancelled)
   {
-    filter->Modified(); // or VTK takes the unfinished output for up to date
+    filter->Modified(); // otherwise VTK considers the unfinished output up to date
     throw Cancelled();
   }
   if (!state.Error.empty())

@@ -10,7 +10,7 @@ class vtkAlgorithm;
 
 namespace palpate
 {
-/// A filter raised an error; what() is its sentence.
+/// A filter raised an error; what() is its message.
 class FilterError : public std::runtime_error
 {
 public:
@@ -24,8 +24,8 @@ public:
   Cancelled() : std::runtime_error("cancelled") {}
 };
 
-/// Updates a filter, passes its progress on as the part [from, to] of a stage, aborts it when
-/// `progress` answers false, and throws FilterError or Cancelled instead of printing to the error
+/// Updates a filter, reports its progress as the part [from, to] of a stage, aborts it when
+/// `progress` returns false, and throws FilterError or Cancelled instead of printing to the error
 /// stream.
 PALPATEREPORT_EXPORT void RunFilter(vtkAlgorithm* filter, const std::string& stage, double from,
                                     double to, const ProgressFunction& progress);

@@ -33,8 +33,8 @@ std::string EscapeAscii(char c)
   }
 }
 
-// Bytes of the UTF-8 character that starts at `at`; 0 where none does. Overlong forms, surrogates
-// and what lies beyond U+10FFFF are none.
+// Bytes of the UTF-8 character that starts at `at`; 0 if it is invalid, such as overlong forms,
+// surrogates and values beyond U+10FFFF.
 std::size_t Utf8Length(const std::string& text, std::size_t at)
 {
   const auto byte = [&text](std::size_t i)

@@ -8,9 +8,9 @@
 
 namespace palpate
 {
-/// Text as it may stand in an HTML or SVG element or in a quoted attribute: the characters & < > "
-/// and ' replaced by references, line breaks by spaces, what is no UTF-8 by U+FFFD; other control
-/// characters are left out.
+/// Escapes text for an HTML or SVG element or a quoted attribute: the characters & < > " and ' are
+/// replaced by references, line breaks by spaces, invalid UTF-8 by U+FFFD; other control characters
+/// are removed.
 PALPATEREPORT_EXPORT std::string EscapeHtml(const std::string& text);
 
 /// Names and values, not yet escaped.

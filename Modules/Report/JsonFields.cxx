@@ -22,7 +22,7 @@ JsonFields::JsonFields(const nlohmann::json& object, std::filesystem::path file,
 {
   if (!object.is_object())
   {
-    Refuse(this->File, "cannot be read: its " + this->Place + " is no object",
+    Refuse(this->File, "cannot be read: its " + this->Place + " is not an object",
            "write it as { \"name\": value, ... }");
   }
 }
@@ -30,8 +30,7 @@ JsonFields::JsonFields(const nlohmann::json& object, std::filesystem::path file,
 void JsonFields::RefuseEntry(const std::string& key, const std::string& what) const
 {
   Refuse(this->File,
-         "cannot be read: the entry \"" + key + "\" of its " + this->Place + " is " +
-             "not what it has to be",
+         "cannot be read: the entry \"" + key + "\" of its " + this->Place + " is not valid",
          "make it " + what);
 }
 
@@ -172,8 +171,7 @@ void JsonFields::RefuseOthers() const
         list += (list.empty() ? "" : ", ") + known;
       }
       Refuse(this->File,
-             "cannot be read: its " + this->Place + " has an entry \"" + key +
-                 "\" that nobody knows",
+             "cannot be read: its " + this->Place + " has an unknown entry \"" + key + "\"",
              "use one of " + list);
     }
   }

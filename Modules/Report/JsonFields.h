@@ -12,13 +12,14 @@
 
 namespace palpate
 {
-/// Takes one object of a JSON file apart. Each member reads an entry, or leaves the value as it is
-/// where the entry is missing, and throws InputError with the file, the entry and what it may be
-/// where it is something else.
+/// Reads the entries of one object of a JSON file. Each member reads an entry, or leaves the value
+/// unchanged if the entry is missing; for an invalid entry it throws InputError with the file, the
+/// entry and the allowed values.
 class PALPATEREPORT_EXPORT JsonFields
 {
 public:
-  /// `place` is how messages name the object, such as "structures[2]". Refuses what is no object.
+  /// `place` is the object's name in messages, such as "structures[2]". Throws InputError for
+  /// anything but an object.
   JsonFields(const nlohmann::json& object, std::filesystem::path file, std::string place);
 
   void Read(const char* key, double& value, double least, double most);
@@ -28,7 +29,7 @@ public:
   /// Structures: a label's number from 1, a name, or a list of these; numbers become their text.
   void Read(const char* key, std::vector<std::string>& values);
   void Read(const char* key, Vector3& value, double least, double most);
-  /// One of these words; `value` becomes its place among them.
+  /// One of these words; `value` becomes its index.
   void Read(const char* key, int& value, std::initializer_list<const char*> words);
   template <typename Choice>
   void ReadChoice(const char* key, std::initializer_list<const char*> words, Choice& choice)
@@ -38,13 +39,13 @@ public:
     choice = static_cast<Choice>(number);
   }
   bool Has(const char* key);
-  /// Entries that are read and dropped, whatever they hold (see RetiredKeys).
+  /// Entries that are ignored, whatever their value (see RetiredKeys).
   void Skip(std::initializer_list<const char*> keys)
   {
     this->Skipped.insert(keys.begin(), keys.end());
   }
 
-  /// Refuses entries that nobody asked for, since they may be misspelt.
+  /// Refuses entries that were not read or skipped, since they may be misspelt.
   void RefuseOthers() const;
 
 private:
@@ -59,7 +60,7 @@ private:
   std::set<std::string> Skipped;
 };
 
-/// The word that ReadChoice takes for a choice.
+/// The word for a choice, the inverse of ReadChoice.
 template <typename Choice>
 const char* WordOf(std::initializer_list<const char*> words, Choice choice)
 {

@@ -3,9 +3,9 @@
 namespace palpate
 {
 /// Version of the keys that Documentation/JsonOutput.md lists: of every `--json`, of `summary.json`
-/// and of `tradeoff.json`. Raised when a key goes or changes its name, unit or meaning, not when
-/// one is added.
+/// and of `tradeoff.json`. Raised when a key is removed or changes its name, unit or meaning, not
+/// when one is added.
 inline constexpr int JsonSchemaVersion = 3;
-/// The key that tells it, first in every object.
+/// The key of the version, first in every object.
 inline constexpr const char* JsonSchemaKey = "schema_version";
 } // namespace palpate

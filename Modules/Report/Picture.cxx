@@ -11,7 +11,7 @@ namespace palpate
 {
 namespace
 {
-// The fewest PNG components that lose nothing: grey, RGB or RGBA.
+// The fewest lossless PNG components: grey, RGB or RGBA.
 int ComponentsNeeded(const Picture& picture)
 {
   bool isGrey = true;
@@ -74,7 +74,7 @@ std::string EncodePng(const Picture& picture)
   }
   vtkNew<vtkPNGWriter> writer;
   writer->SetInputData(image);
-  // A fifth larger than at the usual level 5, and three times as fast.
+  // A fifth larger than at the default level 5, but three times as fast.
   writer->SetCompressionLevel(2);
   writer->WriteToMemoryOn();
   writer->Write();

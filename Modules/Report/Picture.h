@@ -9,7 +9,7 @@
 
 namespace palpate
 {
-/// Pixels of a picture: red, green, blue, opacity (not premultiplied), rows from top to bottom.
+/// An RGBA image: red, green, blue, opacity (not premultiplied), rows from top to bottom.
 struct Picture
 {
   Picture() = default;
@@ -37,10 +37,9 @@ private:
   }
 };
 
-/// The bytes of a PNG file, with as few components as the picture needs. Empty for an empty
-/// picture.
+/// The bytes of a PNG file, with as few components as the image needs. Empty for an empty image.
 PALPATEREPORT_EXPORT std::string EncodePng(const Picture& picture);
 
-/// The picture as a "data:image/png;base64," address, for a page that is one file.
+/// The image as a "data:image/png;base64," URI, for self-contained pages.
 PALPATEREPORT_EXPORT std::string PngDataUri(const Picture& picture);
 } // namespace palpate

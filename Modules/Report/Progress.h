@@ -5,7 +5,7 @@
 
 namespace palpate
 {
-/// Told now and then how far a piece of work has come: fraction in 0..1 and the stage's name.
-/// Answers false to have the work cancelled.
+/// Called repeatedly with the progress of a task: fraction in 0..1 and the stage's name. Returns
+/// false to cancel the task.
 using ProgressFunction = std::function<bool(double fraction, const std::string& stage)>;
 } // namespace palpate

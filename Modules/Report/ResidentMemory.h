@@ -4,7 +4,7 @@
 
 namespace palpate
 {
-/// MiB of this process that are in memory now; 0 where the system does not say (it is Linux's
-/// /proc/self/statm that does).
+/// Resident memory of this process, MiB; 0 if the system does not report it (Linux:
+/// /proc/self/statm).
 PALPATEREPORT_EXPORT double ResidentMebibytes();
 } // namespace palpate

@@ -19,7 +19,7 @@ struct Character
   bool IsUtf8 = false;
 };
 
-// The character that starts at a byte; a byte alone where it starts none (RFC 3629).
+// The character that starts at a byte; the byte alone if it starts none (RFC 3629).
 Character CharacterAt(const std::string& text, std::size_t i)
 {
   const unsigned char first = ByteAt(text, i);
@@ -42,8 +42,8 @@ Character CharacterAt(const std::string& text, std::size_t i)
   return isUtf8 ? Character{bytes, codePoint, true} : Character();
 }
 
-// Controls, line breaks, and what is invisible or turns the order of letters: a name must neither
-// leave its line nor look like another one.
+// False for controls, line breaks, and characters that are invisible or change the text direction:
+// a name must neither leave its line nor look like another one.
 bool IsShown(const Character& character)
 {
   const std::uint32_t c = character.CodePoint;

@@ -7,11 +7,11 @@
 
 namespace palpate
 {
-/// Text that holds names from files as a terminal or a window may show it, on one line: as \x1b,
-/// byte by byte, what controls a terminal, breaks lines, is invisible, changes the direction of
-/// writing, or is no UTF-8.
+/// Makes text with names from files safe to display in a terminal or a window, on one line:
+/// characters that control a terminal, break lines, are invisible, change the text direction, or
+/// are not UTF-8 are replaced byte by byte, as in \x1b.
 PALPATEREPORT_EXPORT std::string Printable(const std::string& text);
 
-/// The first characters (UTF-8) of a text, the last of them an ellipsis where it is longer.
+/// The first characters (UTF-8) of a text, ending with an ellipsis if it is longer.
 PALPATEREPORT_EXPORT std::string Shortened(const std::string& text, std::size_t characters);
 } // namespace palpate

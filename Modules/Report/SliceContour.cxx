@@ -15,7 +15,7 @@ namespace palpate
 {
 namespace
 {
-// Points nearer than this to the last one, in pixels, are left out of a path.
+// Points closer than this to the last one, in pixels, are omitted from a path.
 constexpr double Resolution = 0.4;
 
 std::string PointText(const Eigen::Vector2d& point)
@@ -74,7 +74,7 @@ public:
     }
   }
 
-  // Path of the edges that run along one axis of the slice, joined where they follow each other.
+  // Path of the edges along one axis of the slice; consecutive edges are joined.
   std::string EdgesAlong(int axis, int otherAxis) const
   {
     std::string path;

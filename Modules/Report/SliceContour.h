@@ -10,12 +10,13 @@ class vtkPolyData;
 
 namespace palpate
 {
-/// Where a surface of triangles (mm, patient LPS) cuts a plane, as the data of an SVG path in
-/// picture coordinates; closed curves end with "Z". Empty where it does not. Const and thread-safe.
+/// The intersection of a triangle surface (mm, patient LPS) and a plane, as the data of an SVG path
+/// in image coordinates; closed curves end with "Z". Empty if they do not intersect. Const and
+/// thread-safe.
 PALPATEREPORT_EXPORT std::string SurfaceContourPath(vtkPolyData* surface, const SlicePlane& plane);
 
-/// The edges between voxels with and without `value` in the slice of `mask` that `plane` was chosen
-/// from, as the data of an SVG path.
+/// The edges between voxels with and without `value` in `plane`'s slice of `mask`, as the data of
+/// an SVG path.
 PALPATEREPORT_EXPORT std::string MaskOutlinePath(vtkImageData* mask, int value,
                                                  const SlicePlane& plane);
 } // namespace palpate

@@ -11,14 +11,14 @@ class vtkImageData;
 
 namespace palpate
 {
-/// Values of an image at the middles of a plane's pixels, row by row from the top, linearly
-/// interpolated; not a number outside. The image may lie on any grid: only millimetres count.
+/// Values of an image at the centres of a plane's pixels, row by row from the top, linearly
+/// interpolated; NaN outside. The image may have any grid: positions are in mm.
 PALPATEREPORT_EXPORT std::vector<float> SampleLinear(vtkImageData* image, const SlicePlane& plane);
 
 /// The same from the nearest voxel, for labels; 0 outside.
 PALPATEREPORT_EXPORT std::vector<float> SampleNearest(vtkImageData* image, const SlicePlane& plane);
 
-/// A plane's values in grey; what is not a number is black.
+/// A plane's values in grey; NaN is black.
 PALPATEREPORT_EXPORT Picture DrawGrey(const std::vector<float>& values, const SlicePlane& plane,
                                       const GreyWindow& window);
 } // namespace palpate

@@ -10,7 +10,7 @@ namespace palpate
 {
 namespace
 {
-// What surrounds the structure in the pictures, mm and as a share of its size.
+// Margin around the structure in the images, in mm and as a fraction of its size.
 constexpr double SmallestMargin = 6.0;
 constexpr double MarginShare = 0.22;
 
@@ -30,7 +30,8 @@ public:
     this->PixelMillimeters = (longest + 2.0 * this->Margin) / longestSide;
   }
 
-  // A plane across body axis `across`; the picture's right and down are body axes with a sign.
+  // A plane perpendicular to body axis `across`; the image's right and down are body axes with a
+  // sign.
   SlicePlane Make(const std::string& name, int across, int right, int down, double downSign,
                   int sliceIndex) const
   {
@@ -65,7 +66,7 @@ public:
     int previous = this->Box.Low[axis] - 1;
     for (int k = 0; k < axialCount; ++k)
     {
-      // The middles of equal parts of the structure's height, from below.
+      // The centres of equal parts of the structure's height, from below.
       const int part = this->Body.Sign[2] > 0.0 ? k : axialCount - 1 - k;
       const double height = this->Box.High[axis] - this->Box.Low[axis];
       const int index =

@@ -13,19 +13,19 @@ class vtkImageData;
 
 namespace palpate
 {
-/// Where one picture of a slice lies: a plane of an image's voxel centres, cut out around a
-/// structure, with square pixels. World is patient LPS, mm. Picture coordinates are those of SVG:
-/// (0, 0) is the top left corner of the top left pixel, whose middle is at (0.5, 0.5).
+/// Plane of a slice image: a plane of an image's voxel centres, cropped around a structure, with
+/// square pixels. World is patient LPS, mm. Image coordinates are those of SVG: (0, 0) is the top
+/// left corner of the top left pixel, whose centre is at (0.5, 0.5).
 struct PALPATEREPORT_EXPORT SlicePlane
 {
   std::string Name;    ///< "Axial", "Sagittal" or "Coronal"
-  Vector3 CornerWorld; ///< of the picture's top left corner
-  Vector3 RightWorld;  ///< unit vectors along the picture's axes
+  Vector3 CornerWorld; ///< of the image's top left corner
+  Vector3 RightWorld;  ///< unit vectors along the image's axes
   Vector3 DownWorld;
   double PixelMillimeters = 1.0;
   int Width = 0; ///< pixels
   int Height = 0;
-  int RightAxis = 0; ///< axes of the image that run along the picture's
+  int RightAxis = 0; ///< voxel axes along the image's axes
   int DownAxis = 1;
   int SliceAxis = 2;
   int SliceIndex = 0;  ///< along SliceAxis
@@ -52,10 +52,10 @@ struct PALPATEREPORT_EXPORT SlicePlane
 };
 
 /// Planes through the voxels of `mask` that have `value`: `axialCount` axial ones from end to end
-/// of the structure, then a sagittal and a coronal one through its middle, hung as radiologists do.
-/// They follow the image's own axes; which is axial is decided by the axis nearest to the body's.
-/// All have the same scale: the longest side is `longestSide` pixels. Empty where no voxel has the
-/// value.
+/// of the structure, then a sagittal and a coronal one through its centre, in radiological
+/// convention. They follow the mask's own axes; the axial planes are perpendicular to the axis
+/// closest to the body's. All have the same scale: the longest side is `longestSide` pixels. Empty
+/// if no voxel has the value.
 PALPATEREPORT_EXPORT std::vector<SlicePlane> ChooseSlicePlanes(vtkImageData* mask, int value,
                                                                int axialCount, int longestSide);
 } // namespace palpate

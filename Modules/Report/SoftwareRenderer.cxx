@@ -17,14 +17,14 @@ namespace palpate
 namespace
 {
 constexpr int SamplesPerPixel = 2; // along each axis
-constexpr double Margin = 1.12;    // picture's half width over the bounding sphere's radius
+constexpr double Margin = 1.12;    // image's half width over the bounding sphere's radius
 constexpr SoftwareRenderer::Color DefaultColor{{214, 168, 140}};
 
 float TwiceArea(float ax, float ay, float bx, float by, float cx, float cy)
 {
   return (bx - ax) * (cy - ay) - (by - ay) * (cx - ax);
 }
-// A white lamp above the viewer's left shoulder (Blinn-Phong).
+// A white light above the viewer's left shoulder (Blinn-Phong).
 class Lamp
 {
 public:
@@ -194,7 +194,7 @@ void SoftwareRenderer::Rasterise(const std::vector<Projected>& points, Samples& 
     {
       continue;
     }
-    // The shares of the corners a and b change by these from sample to sample of a row.
+    // Increments of the barycentric weights of a and b from sample to sample of a row.
     const float stepA = (b.Y - c.Y) / area;
     const float stepB = (c.Y - a.Y) / area;
     const int startX = first(std::min({a.X, b.X, c.X}));
@@ -233,7 +233,7 @@ Eigen::Vector3f SoftwareRenderer::ColorAt(int triangle, float x, float y,
   const float wa = TwiceArea(b.X, b.Y, c.X, c.Y, x, y) / area;
   const float wb = TwiceArea(c.X, c.Y, a.X, a.Y, x, y) / area;
   const float wc = 1.0F - wa - wb;
-  // Y falls in the picture, so a triangle that faces the viewer has a negative area.
+  // Y points down in the image, so a triangle that faces the viewer has a negative area.
   return area < 0.0F ? Eigen::Vector3f(wa * a.Front + wb * b.Front + wc * c.Front)
                      : Eigen::Vector3f(wa * a.Back + wb * b.Back + wc * c.Back);
 }

@@ -13,31 +13,30 @@ class vtkPolyData;
 
 namespace palpate
 {
-/// Draws a triangle mesh without a graphics system: a depth-buffered rasteriser with colours
-/// lit at the points, a lamp beside the viewer, 2x2 samples a pixel, and an orthographic view.
+/// Draws a triangle mesh without a graphics system: a depth-buffered rasteriser with lighting per
+/// point, a light next to the viewer, 2x2 samples per pixel, and an orthographic view.
 ///
-/// It exists because VTK as Debian builds it ends the process when there is no X server, and
-/// reports have to be made on machines that have none. 80,000 triangles at 320 x 320 pixels take
-/// some milliseconds, so nothing else is needed for a still picture.
+/// Needed because Debian's VTK ends the process when there is no X server, and reports are also
+/// made on machines without one. 80,000 triangles at 320 x 320 pixels take some milliseconds, which
+/// is enough for a still image.
 class PALPATEREPORT_EXPORT SoftwareRenderer
 {
 public:
   using Color = std::array<std::uint8_t, 3>;
 
-  /// Copies points (mm, patient LPS), polygons (convex) and point normals of `mesh`; normals are
-  /// made from the polygons where it has none.
+  /// Copies points (mm, patient LPS), polygons (convex) and point normals of `mesh`; missing
+  /// normals are computed from the polygons.
   explicit SoftwareRenderer(vtkPolyData* mesh);
 
   void SetColor(const Color& color);
-  /// One colour a point; ignored where the count differs.
+  /// One colour per point; ignored if the count differs.
   void SetPointColors(std::vector<Color> colors);
 
-  /// Millimetres that a picture's half width shows: the same for all sides, so that their scale can
-  /// be compared.
+  /// Half width of an image in mm: the same for all sides, so that their scales can be compared.
   double HalfWidthMillimeters() const { return this->HalfWidth; }
 
-  /// A square picture of `size` pixels from one side; transparent where nothing is. The middle of
-  /// the mesh's bounding box is in the middle. Const and thread-safe.
+  /// A square image of `size` pixels from one side, centred on the mesh's bounding box, with a
+  /// transparent background. Const and thread-safe.
   Picture Render(ViewSide side, int size) const;
 
 private:
@@ -58,11 +57,11 @@ private:
   void Rasterise(const std::vector<Projected>& points, Samples& samples) const;
   Eigen::Vector3f ColorAt(int triangle, float x, float y,
                           const std::vector<Projected>& points) const;
-  /// Means a pixel's samples.
+  /// Averages a pixel's samples.
   void Resolve(int column, int row, const Samples& samples, const std::vector<Projected>& points,
                std::uint8_t* pixel) const;
 
-  std::vector<Eigen::Vector3f> Points; ///< mm from the middle of the bounding box
+  std::vector<Eigen::Vector3f> Points; ///< mm from the centre of the bounding box
   std::vector<Eigen::Vector3f> Normals;
   std::vector<Color> Colors;
   std::vector<std::array<int, 3>> Triangles;

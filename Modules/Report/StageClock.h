@@ -7,7 +7,7 @@
 
 namespace palpate
 {
-/// Writes the seconds of successive stages into a list.
+/// Appends the durations of successive stages to a list, in seconds.
 class StageClock
 {
 public:
@@ -16,7 +16,7 @@ public:
   {
   }
 
-  /// Everything since the last call (or the construction) was `stage`.
+  /// Ends `stage`, which began at the last call (or the construction).
   void EndStage(const std::string& stage)
   {
     const auto now = std::chrono::steady_clock::now();

@@ -56,7 +56,7 @@ std::string NumbersText(double x, double y)
   return SignificantText(x, 4) + ": " + SignificantText(y, 4);
 }
 
-// Whether a label at a place would not lie over another.
+// Whether a label at a position would not cover another.
 bool HasRoom(const SvgChart::Points& labelled, double x, double y)
 {
   constexpr double Wide = 16.0;
@@ -69,7 +69,7 @@ bool HasRoom(const SvgChart::Points& labelled, double x, double y)
 }
 } // namespace
 
-// From numbers to places; a logarithmic range is in decades.
+// Maps numbers to positions; a logarithmic range is in decades.
 struct SvgChart::Axis
 {
   double Low;
@@ -105,7 +105,7 @@ private:
     }
     return ticks;
   }
-  // With 2 and 5 times the powers of ten where there are few.
+  // With 2 and 5 times the powers of ten if there are few.
   std::vector<double> Decades() const
   {
     std::vector<double> ticks;
@@ -279,7 +279,7 @@ std::string SvgChart::Bars(const Axis& x, const Axis& y) const
 
 std::string SvgChart::Line(const Axis& x, const Axis& y) const
 {
-  constexpr std::size_t MostMarked = 100; // of more, the marks would hide the line
+  constexpr std::size_t MostMarked = 100; // more marks would hide the line
   const Points points = this->Drawable(this->Data);
   Points places;
   std::string marks;

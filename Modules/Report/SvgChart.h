@@ -20,8 +20,8 @@ public:
     double X = 0.0;
     double Y = 0.0;
     std::string Style; ///< a class, e.g. "first", and " faint" to draw it paler
-    std::string Text;  ///< shown when it is pointed at
-    std::string Label; ///< next to it where there is room; empty for none
+    std::string Text;  ///< tool tip
+    std::string Label; ///< next to the dot if there is space; empty for none
   };
 
   ///@{ Size in the chart's own units.
@@ -32,20 +32,20 @@ public:
   /// Labels name quantity and unit.
   SvgChart(std::string horizontalLabel, std::string verticalLabel);
 
-  /// Numbers that are not finite, and on a logarithmic axis not positive, are left out.
+  /// Numbers that are not finite, or not positive on a logarithmic axis, are omitted.
   void SetLogarithmic(bool horizontal, bool vertical);
   /// Bars are `width` wide in the unit of x, which is linear.
   void SetBars(Points points, double width);
   void SetLine(Points points);
   void SetDots(std::vector<Dot> dots) { this->Dots = std::move(dots); }
-  /// A line through these places as stairs, e.g. a Pareto front.
+  /// A staircase line through these points, e.g. a Pareto front.
   void SetStairs(Points points) { this->Stairs = std::move(points); }
-  /// A vertical rule with a word; left out beyond the axis.
+  /// A vertical rule with a label; omitted outside the axis range.
   void SetMarker(double x, std::string text);
-  /// A horizontal rule with a word; it widens the axis so that it is seen.
+  /// A horizontal rule with a label; extends the axis range to include it.
   void SetThreshold(double y, std::string text);
 
-  /// The whole <svg> element; empty where there is no point to draw.
+  /// The whole <svg> element; empty if there is no point to draw.
   std::string Svg() const;
   /// The elements inside it.
   std::string Content() const;

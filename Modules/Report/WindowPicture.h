@@ -8,10 +8,9 @@ class vtkUnsignedCharArray;
 
 namespace palpate
 {
-/// What a window shows, drawn before.
+/// Reads the image that a window has rendered.
 PALPATEREPORT_EXPORT Picture ReadWindow(vtkRenderWindow* window);
-/// The same into a picture of the window's size, through an array; whoever keeps both takes no
-/// memory for each picture.
+/// The same into an image of the window's size, through an array; reusing both avoids allocations.
 PALPATEREPORT_EXPORT void ReadWindow(vtkRenderWindow* window, vtkUnsignedCharArray* pixels,
                                      Picture& picture);
 } // namespace palpate

@@ -6,10 +6,10 @@
 
 namespace palpate::test
 {
-/// What a finished process left.
+/// Result of a finished process.
 struct CommandRun
 {
-  int Code = -1; ///< exit code; -1 where it did not end by itself
+  int Code = -1; ///< exit code; -1 if it did not end by itself
   std::string Output;
   std::string Errors;
 };

@@ -7,7 +7,7 @@
 
 namespace palpate::test
 {
-/// The objects of an output that has one JSON object a line.
+/// The objects of an output with one JSON object per line.
 inline std::vector<nlohmann::json> Lines(const std::string& text)
 {
   std::vector<nlohmann::json> objects;

@@ -8,7 +8,7 @@
 namespace palpate::test
 {
 /// Adds the paths of all values of a JSON document: "a.b" for a key in an object, "a[]" for the
-/// elements of a list; an empty list is one element that is not known.
+/// elements of a list; an empty list counts as one unknown element.
 inline void AddJsonPaths(const nlohmann::json& value, const std::string& path,
                          std::set<std::string>& paths)
 {

@@ -62,7 +62,7 @@ StartedCommand::StartedCommand(const std::string& program,
   {
     BecomeProgram(words, folder, this->Streams, errors);
   }
-  setpgid(this->Child, this->Child); // whoever of both comes first
+  setpgid(this->Child, this->Child); // whichever comes first
 }
 
 StartedCommand::~StartedCommand()

@@ -10,7 +10,7 @@
 
 namespace palpate::test
 {
-/// Whether something came true before a deadline, which only a test that fails reaches.
+/// Whether a condition became true before a deadline, which only a failing test reaches.
 inline bool IsSoon(const std::function<bool()>& isTrue,
                    std::chrono::seconds longEnough = std::chrono::seconds(60))
 {
@@ -26,33 +26,32 @@ inline bool IsSoon(const std::function<bool()>& isTrue,
   return true;
 }
 
-/// A program while it runs, in a process group of its own as a shell's job: without a
-/// terminal, and with no signal ignored.
+/// A running program, in its own process group like a shell's job: without a terminal, and with no
+/// signal ignored.
 class StartedCommand
 {
 public:
   enum class Errors
   {
     Kept,
-    ReadByNobody ///< a pipe whose reader has gone
+    ReadByNobody ///< a pipe whose reader has closed
   };
 
   StartedCommand(const std::string& program, const std::vector<std::string>& arguments,
                  const std::filesystem::path& folder, Errors errors = Errors::Kept);
-  /// Kills what still runs.
+  /// Kills the processes that still run.
   ~StartedCommand();
   StartedCommand(const StartedCommand&) = delete;
   StartedCommand& operator=(const StartedCommand&) = delete;
 
-  /// Sends a signal to the program and all that it started and kept in its group, as a terminal
-  /// does.
+  /// Sends a signal to the program's process group, as a terminal does.
   void Send(int signal) const;
-  /// Whether no signal that was sent is still on its way to the program.
+  /// Whether no sent signal is still pending.
   bool HasTakenSignals() const;
   /// Whether it is stopped (SIGSTOP).
   bool IsStopped() const;
   bool HasEnded();
-  /// What it has written to standard output so far.
+  /// Standard output so far.
   std::string OutputSoFar() const { return ReadAll(this->Streams / "out"); }
   /// Waits for its end.
   CommandRun Finish();

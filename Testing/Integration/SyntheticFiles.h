@@ -11,8 +11,8 @@
 
 namespace palpate::test
 {
-/// A ball of label 1 (radius 9 mm round the origin) and a small one of label 2, on an anisotropic
-/// grid.
+/// A sphere of label 1 (radius 9 mm around the origin) and a small one of label 2, on an
+/// anisotropic grid.
 inline void WriteTwoBalls(const std::filesystem::path& path)
 {
   vtkNew<vtkImageData> image;
@@ -32,7 +32,7 @@ inline void WriteTwoBalls(const std::filesystem::path& path)
   WriteImage(path, image);
 }
 
-/// The sphere of 10 mm round (1, 2, 3) mm, as a model of degree 1 with a small tilt.
+/// The sphere of 10 mm around (1, 2, 3) mm, as a model of degree 1 with a small tilt.
 inline SphericalHarmonicModel NearlyASphere()
 {
   const double root = std::sqrt(4.0 * 3.14159265358979323846);

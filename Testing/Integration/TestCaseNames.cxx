@@ -7,7 +7,7 @@
 #include <random>
 #include <set>
 
-// What becomes of hostile names of files and structures on their way to names of folders.
+// Conversion of hostile names of files and structures to folder names.
 
 using palpate::CaseFolderName;
 using palpate::FoldedName;
@@ -41,7 +41,7 @@ public:
     }
     return name;
   }
-  /// As a file name has it: no separators, at least one letter.
+  /// A valid file name: no separators, at least one character.
   std::string NextFile()
   {
     std::string name = this->Next();
@@ -76,7 +76,7 @@ bool IsInside(const std::filesystem::path& path, const std::filesystem::path& fo
 }
 } // namespace
 
-TEST(OutputNames, PlainNamesAreSafeOnEveryFileSystemAndStayAsTheyAre)
+TEST(OutputNames, PlainNamesAreSafeAndUnchanged)
 {
   HostileNames names;
   for (int n = 0; n < 20000; ++n)
@@ -88,7 +88,7 @@ TEST(OutputNames, PlainNamesAreSafeOnEveryFileSystemAndStayAsTheyAre)
   }
 }
 
-TEST(OutputNames, OrdinaryNamesAreKept)
+TEST(OutputNames, KeepsOrdinaryNames)
 {
   for (const char* name : {"sub-01", "case.1", "Prostate_2", "a", "console", "com", "lpt10"})
   {
@@ -96,7 +96,7 @@ TEST(OutputNames, OrdinaryNamesAreKept)
   }
 }
 
-TEST(OutputNames, NoFolderHasTheNameOfAnOutputFile)
+TEST(OutputNames, FolderNamesDifferFromOutputFiles)
 {
   for (const char* name : {"cohort.csv", "report.html", "mean.json", "mean.VTP"})
   {
@@ -104,7 +104,7 @@ TEST(OutputNames, NoFolderHasTheNameOfAnOutputFile)
   }
 }
 
-TEST(OutputNames, FoldersOfStructuresStayInside)
+TEST(OutputNames, StructureFoldersStayInside)
 {
   HostileNames names;
   for (int n = 0; n < 20000; ++n)
@@ -119,7 +119,7 @@ TEST(OutputNames, FoldersOfStructuresStayInside)
   }
 }
 
-TEST(CaseNames, DistinctCasesHaveDistinctFoldersEvenWithoutLetterCase)
+TEST(CaseNames, DistinctCasesHaveDistinctFoldersIgnoringCase)
 {
   HostileNames names;
   for (int run = 0; run < 200; ++run)
@@ -132,7 +132,7 @@ TEST(CaseNames, DistinctCasesHaveDistinctFoldersEvenWithoutLetterCase)
     for (std::size_t i = 0; i < inputs.size(); ++i)
     {
       const std::string& name = cases.OfInput(i);
-      // A cohort's folder of a case is the plain name of its name.
+      // A case's folder in a cohort is the PlainName of its name.
       ASSERT_EQ(PlainName(name), name) << inputs[i];
       ASSERT_TRUE(IsSafe(name, 48)) << inputs[i] << " -> " << name;
       ASSERT_TRUE(ofInputs.insert(FoldedName(name)).second) << inputs[i] << " -> " << name;

@@ -13,7 +13,7 @@
 #include <set>
 #include <sstream>
 
-// What several cases of one run do to each other: names, labels, failures, exit codes.
+// Interaction of several cases of one run: names, labels, failures, exit codes.
 
 using namespace palpate::test;
 using Json = nlohmann::json;
@@ -45,7 +45,7 @@ void WriteBoxes(const std::filesystem::path& path, const std::vector<int>& label
   palpate::WriteImage(path, image);
 }
 
-// A 3D Slicer segmentation of boxes of 4 voxels a side, labelled from 1, with these names.
+// A 3D Slicer segmentation of boxes with sides of 4 voxels, labelled from 1, with these names.
 void WriteNamed(const std::filesystem::path& path, const std::vector<std::string>& names)
 {
   const int length = static_cast<int>(names.size()) * 7 + 3;
@@ -71,7 +71,7 @@ void WriteNamed(const std::filesystem::path& path, const std::vector<std::string
   WriteAll(path, header.str() + "\n" + voxels);
 }
 
-// A NIfTI file of a thousand million voxels, none of which takes room on the disk.
+// A NIfTI file of a thousand million voxels, as a sparse file.
 void WriteHuge(const std::filesystem::path& path)
 {
   std::string header(352, '\0');
@@ -92,7 +92,7 @@ void WriteHuge(const std::filesystem::path& path)
   std::filesystem::resize_file(path, 352 + std::uintmax_t{1000000000});
 }
 
-// A run under limits of the shell, such as "-f 20".
+// A run under shell limits, such as "-f 20".
 CommandRun RunLimited(const std::string& limit, const std::vector<std::string>& words,
                       const std::filesystem::path& folder)
 {
@@ -114,7 +114,7 @@ std::vector<std::string> FitWords(std::vector<std::string> more)
 }
 } // namespace
 
-TEST(CliCases, FilesOfOneNameKeepTheirResultsApart)
+TEST(CliCases, FilesOfSameNameHaveSeparateResults)
 {
   const TemporaryFolder folder;
   std::filesystem::create_directories(folder / "A");
@@ -144,7 +144,7 @@ TEST(CliCases, FilesOfOneNameKeepTheirResultsApart)
   EXPECT_EQ(files, (std::set<std::string>{"o/A_same_1.vtp", "o/B_same_1.vtp", "o/A_same-2_1.vtp"}));
 }
 
-TEST(CliCases, NamesThatOnlyTogetherCollideAreNumbered)
+TEST(CliCases, NumbersNamesThatCollideWhenCombined)
 {
   const TemporaryFolder folder;
   WriteNamed(folder / "a.seg.nrrd", {"2"}); // a, label 1, named 2
@@ -156,7 +156,7 @@ TEST(CliCases, NamesThatOnlyTogetherCollideAreNumbered)
   EXPECT_EQ(Lines(run.Output).at(1).at("folder"), "o/a_1_2-2");
 }
 
-TEST(CliCases, LeftHandedFilesAreReadByEveryCommandUnlessRefused)
+TEST(CliCases, EveryCommandReadsLeftHandedFilesUnlessRefused)
 {
   const TemporaryFolder folder;
   WriteTwoBalls(folder / "plain.nrrd");
@@ -193,7 +193,7 @@ TEST(CliCases, LeftHandedFilesAreReadByEveryCommandUnlessRefused)
   }
 }
 
-TEST(CliCases, NumbersThatAreNoneAreRefusedByTheOptionsName)
+TEST(CliCases, RejectsInvalidNumbersNamingOption)
 {
   const TemporaryFolder folder;
   WriteBoxes(folder / "a.nii.gz", {1});
@@ -236,7 +236,7 @@ TEST(CliCases, LongNamesAreShortened)
   EXPECT_EQ(RunPalpate({"mesh", "a.seg.nrrd", "--output", "m"}, folder.Path()).Code, 0);
 }
 
-TEST(CliCases, ACaseThatCannotBeWrittenDoesNotStopTheOthers)
+TEST(CliCases, UnwritableCaseDoesNotStopOthers)
 {
   const TemporaryFolder folder;
   WriteBoxes(folder / "a.nii.gz", {1, 2, 3});
@@ -261,7 +261,7 @@ TEST(CliCases, ACaseThatCannotBeWrittenDoesNotStopTheOthers)
   EXPECT_TRUE(std::filesystem::exists(folder / "m/a_3.vtp"));
 }
 
-TEST(CliCases, AnOutputFolderThatCannotBeMadeIsRefusedBeforeTheWork)
+TEST(CliCases, RejectsImpossibleOutputFolderBeforeWork)
 {
   const TemporaryFolder folder;
   WriteBoxes(folder / "a.nii.gz", {1, 2, 3});
@@ -286,7 +286,7 @@ TEST(CliCases, BadInputLeavesNoOutputFolder)
   }
 }
 
-TEST(CliCases, AFewVoxelsHaveNoSurface)
+TEST(CliCases, RejectsTooFewVoxels)
 {
   const TemporaryFolder folder;
   WriteBoxes(folder / "one.nii.gz", {1}, 1);
@@ -301,7 +301,7 @@ TEST(CliCases, AFewVoxelsHaveNoSurface)
   }
 }
 
-TEST(CliCases, ALabelThatOneFileLacksDoesNotStopThoseThatAreThere)
+TEST(CliCases, LabelMissingInOneFileDoesNotStopOthers)
 {
   const TemporaryFolder folder;
   WriteBoxes(folder / "multi.nii.gz", {1, 2});
@@ -329,7 +329,7 @@ TEST(CliCases, ALabelThatOneFileLacksDoesNotStopThoseThatAreThere)
   }
 }
 
-TEST(CliCases, NothingOfAnEarlierFitStandsBesideANewReport)
+TEST(CliCases, RemovesFilesOfEarlierFit)
 {
   const TemporaryFolder folder;
   WriteBoxes(folder / "a.nii.gz", {1, 2});
@@ -353,7 +353,7 @@ TEST(CliCases, NothingOfAnEarlierFitStandsBesideANewReport)
   EXPECT_TRUE(std::filesystem::exists(folder / "o/a_1/model.json"));
 }
 
-TEST(CliCases, TheOverviewListsBadInputs)
+TEST(CliCases, OverviewListsBadInputs)
 {
   const TemporaryFolder folder;
   WriteBoxes(folder / "a.nii.gz", {1});
@@ -365,7 +365,7 @@ TEST(CliCases, TheOverviewListsBadInputs)
   EXPECT_TRUE(Has(page, "bad.nii.gz is empty"));
 }
 
-TEST(CliCases, WhatTheOptionsAskInVainIsBadInput)
+TEST(CliCases, UnsatisfiableOptionsAreBadInput)
 {
   const TemporaryFolder folder;
   WriteBoxes(folder / "a.nii.gz", {1});
@@ -380,7 +380,7 @@ TEST(CliCases, WhatTheOptionsAskInVainIsBadInput)
   EXPECT_EQ(RunPalpate({"info", "gone.nii", "a.nii.gz"}, folder.Path()).Code, 1);
 }
 
-TEST(CliCases, AVolumeThatMissesTheStructureIsRemarkedOn)
+TEST(CliCases, WarnsIfVolumeMissesStructure)
 {
   const TemporaryFolder folder;
   WriteBoxes(folder / "a.nii.gz", {1, 2});
@@ -394,7 +394,7 @@ TEST(CliCases, AVolumeThatMissesTheStructureIsRemarkedOn)
   EXPECT_TRUE(Has(run.Errors, "a.nii.gz, label 2: the volume covers only")) << run.Errors;
 }
 
-TEST(CliCases, ANameThatTwoStructuresHaveIsRefused)
+TEST(CliCases, RejectsAmbiguousName)
 {
   const TemporaryFolder folder;
   WriteNamed(folder / "a.seg.nrrd", {"One", "One", "Left, lobe"});
@@ -410,7 +410,7 @@ TEST(CliCases, ANameThatTwoStructuresHaveIsRefused)
   EXPECT_EQ(Lines(comma.Output)[0].at("name"), "Left, lobe");
 }
 
-TEST(CliCases, MessagesAboutNamesWithLineBreaksAreOneLineAndJsonIsExact)
+TEST(CliCases, NamesWithLineBreaksGiveOneLineMessagesAndExactJson)
 {
   const TemporaryFolder folder;
   const std::string name = "two\nlines\u202e.nii.gz";
@@ -426,7 +426,7 @@ TEST(CliCases, MessagesAboutNamesWithLineBreaksAreOneLineAndJsonIsExact)
   EXPECT_EQ(std::count(mesh.Output.begin(), mesh.Output.end(), '\n'), 1) << mesh.Output;
 }
 
-TEST(CliCases, AFitThatFailsAtWritingLeavesNothing)
+TEST(CliCases, FailedWriteLeavesNothing)
 {
   const TemporaryFolder folder;
   WriteBoxes(folder / "a.nii.gz", {1});
@@ -442,7 +442,7 @@ TEST(CliCases, AFitThatFailsAtWritingLeavesNothing)
   EXPECT_EQ(folder.EntryCount(), 1U) << "the mask alone";
 }
 
-TEST(CliCases, NamesCannotSteerTheTerminal)
+TEST(CliCases, NamesCannotControlTerminal)
 {
   const TemporaryFolder folder;
   WriteNamed(folder / "a.seg.nrrd", {"red\x1b[31m", std::string(60, 'n') + "END"});
@@ -456,9 +456,9 @@ TEST(CliCases, NamesCannotSteerTheTerminal)
   EXPECT_FALSE(Has(fit.Errors, "\x1b")) << fit.Errors;
 }
 
-// Sanitizers need more address space than any limit.
+// Sanitizers need more address space than any limit allows.
 #if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
-TEST(CliCases, AFileThatNeedsTooMuchMemoryDoesNotStopTheOthers)
+TEST(CliCases, FileNeedingTooMuchMemoryDoesNotStopOthers)
 {
   const TemporaryFolder folder;
   WriteHuge(folder / "huge.nii");
@@ -479,7 +479,7 @@ TEST(CliCases, AFileThatNeedsTooMuchMemoryDoesNotStopTheOthers)
 }
 #endif
 
-TEST(CliCases, ALinkToItselfInAFolderDoesNotStopTheOthers)
+TEST(CliCases, SelfReferencingLinkDoesNotStopOthers)
 {
   const TemporaryFolder folder;
   std::filesystem::create_directory(folder / "s");
@@ -495,7 +495,7 @@ TEST(CliCases, ALinkToItselfInAFolderDoesNotStopTheOthers)
   EXPECT_TRUE(Has(info.Errors, "s holds no DICOM file")) << info.Errors;
 }
 
-TEST(CliCases, AFileThatGrowsBeyondALimitIsAMessage)
+TEST(CliCases, FileSizeLimitIsReported)
 {
   const TemporaryFolder folder;
   WriteBoxes(folder / "a.nii.gz", {1});
@@ -506,7 +506,7 @@ TEST(CliCases, AFileThatGrowsBeyondALimitIsAMessage)
   EXPECT_EQ(folder.EntryCount(), 1U) << "the mask alone";
 }
 
-TEST(CliCases, AFitThatCannotBeWrittenIsALineOfJson)
+TEST(CliCases, UnwritableFitIsReportedAsJson)
 {
   const TemporaryFolder folder;
   WriteBoxes(folder / "a.nii.gz", {1});
@@ -519,7 +519,7 @@ TEST(CliCases, AFitThatCannotBeWrittenIsALineOfJson)
   EXPECT_TRUE(Has(results[0].at("message"), "cannot be written")) << results[0];
 }
 
-TEST(CliCases, ATouchThatCannotBeWrittenIsSummedUp)
+TEST(CliCases, UnwritableTouchStillPrintsSummary)
 {
   const TemporaryFolder folder;
   WriteBoxes(folder / "a.nii.gz", {1});

@@ -28,7 +28,7 @@ std::vector<CohortRow> RowsIn(const std::filesystem::path& folder)
 const std::vector<std::string> FitMasks{"fit",      "masks", "--label",  "1",
                                         "--degree", "4",     "--output", "out"};
 
-/// Three masks, of which one is none.
+/// Three masks, one of which is invalid.
 class CliCohort : public testing::Test
 {
 protected:
@@ -46,7 +46,7 @@ protected:
     arguments.insert(arguments.begin(), "fit");
     return RunPalpate(arguments, this->Folder.Path());
   }
-  /// Sends the signal as soon as there is a table.
+  /// Sends the signal as soon as a table exists.
   CommandRun FitUntilFirstRow(int signal) const
   {
     StartedCommand command(PALPATE_PROGRAM, FitMasks, this->Folder.Path());
@@ -63,7 +63,7 @@ protected:
 };
 } // namespace
 
-TEST_F(CliCohort, EveryMaskOfAFolderIsARowAndOneFailureIsNotTheEnd)
+TEST_F(CliCohort, EveryMaskIsARowDespiteOneFailure)
 {
   const CommandRun run = this->Fit();
   EXPECT_EQ(run.Code, 1);
@@ -81,7 +81,7 @@ TEST_F(CliCohort, EveryMaskOfAFolderIsARowAndOneFailureIsNotTheEnd)
   EXPECT_TRUE(std::filesystem::exists(this->Folder / "out/report.html"));
 }
 
-TEST_F(CliCohort, SecondRunDoesOnlyWhatChanged)
+TEST_F(CliCohort, SecondRunProcessesOnlyChanges)
 {
   this->Fit();
   const std::string table = ReadAll(this->Folder / "out/cohort.csv");
@@ -91,7 +91,7 @@ TEST_F(CliCohort, SecondRunDoesOnlyWhatChanged)
   EXPECT_TRUE(Has(again.Errors, "3 of 3 cases were done before")) << again.Errors;
   EXPECT_EQ(again.Output, "");
   EXPECT_EQ(ReadAll(this->Folder / "out/cohort.csv"), table);
-  // The mask that was none becomes one; a model is lost.
+  // The invalid mask becomes valid; a model is lost.
   WriteTwoBalls(this->Folder / "masks/b.nii.gz");
   std::filesystem::remove(this->Folder / "out/c/1/model.json");
   const CommandRun third = this->Fit();
@@ -101,7 +101,7 @@ TEST_F(CliCohort, SecondRunDoesOnlyWhatChanged)
   EXPECT_TRUE(std::filesystem::exists(this->Folder / "out/c/1/model.json"));
 }
 
-TEST_F(CliCohort, OtherSettingsDoEveryCaseAgain)
+TEST_F(CliCohort, ChangedSettingsRerunEveryCase)
 {
   this->Fit();
   const CommandRun run =
@@ -110,7 +110,7 @@ TEST_F(CliCohort, OtherSettingsDoEveryCaseAgain)
   EXPECT_EQ(RowsIn(this->Folder / "out")[0].Degree, 3);
 }
 
-TEST_F(CliCohort, KilledRunKeepsItsRowsAndTheNextOneDoesTheRest)
+TEST_F(CliCohort, ResumesAfterKilledRun)
 {
   this->FitUntilFirstRow(SIGKILL);
   const auto rows = RowsIn(this->Folder / "out");
@@ -122,7 +122,7 @@ TEST_F(CliCohort, KilledRunKeepsItsRowsAndTheNextOneDoesTheRest)
   EXPECT_EQ(this->ModelTime("a"), before);
 }
 
-TEST_F(CliCohort, InterruptedRunLeavesWholeRowsAndNothingHalfWritten)
+TEST_F(CliCohort, InterruptedRunLeavesOnlyCompleteRows)
 {
   EXPECT_EQ(this->FitUntilFirstRow(SIGINT).Code, 130);
   const auto rows = RowsIn(this->Folder / "out");
@@ -153,7 +153,7 @@ TEST_F(CliCohort, ManifestNamesCasesMasksLabelsAndVolumes)
   EXPECT_TRUE(Has(rows[3].Result.Message, "missing.nii.gz")) << rows[3].Result.Message;
 }
 
-TEST_F(CliCohort, ChosenCaseLeavesTheRowsOfOthers)
+TEST_F(CliCohort, ChosenCaseKeepsOtherRows)
 {
   this->Fit();
   auto arguments = FitMasks;
@@ -163,8 +163,8 @@ TEST_F(CliCohort, ChosenCaseLeavesTheRowsOfOthers)
   EXPECT_EQ(RowsIn(this->Folder / "out").size(), 3U);
 }
 
-// One case a job of a cluster.
-TEST_F(CliCohort, RunsOfOneCaseEachKeepEachOthersRows)
+// One case per cluster job.
+TEST_F(CliCohort, SingleCaseRunsKeepEachOthersRows)
 {
   std::string list = "case,mask,label\n";
   std::vector<std::string> names;
@@ -196,7 +196,7 @@ TEST_F(CliCohort, RunsOfOneCaseEachKeepEachOthersRows)
   EXPECT_FALSE(std::filesystem::exists(this->Folder / "out/.palpate-cohort-runs.lock"));
 }
 
-TEST_F(CliCohort, RunsOfSeveralFoldersAtTheSameTimeKeepEachOthersRows)
+TEST_F(CliCohort, ConcurrentRunsKeepEachOthersRows)
 {
   std::filesystem::create_directory(this->Folder / "others");
   WriteTwoBalls(this->Folder / "others/x.nii.gz");
@@ -204,7 +204,7 @@ TEST_F(CliCohort, RunsOfSeveralFoldersAtTheSameTimeKeepEachOthersRows)
   const auto hasLock = [this]
   { return std::filesystem::exists(this->Folder / "out/.palpate-cohort.lock"); };
   EXPECT_TRUE(IsSoon([&] { return std::filesystem::exists(this->Folder / "out/cohort.csv"); }));
-  // Between two cases, not while it keeps others from the table.
+  // Between two cases, not while it holds the table's lock.
   EXPECT_TRUE(IsSoon(
       [&]
       {
@@ -225,7 +225,7 @@ TEST_F(CliCohort, RunsOfSeveralFoldersAtTheSameTimeKeepEachOthersRows)
   EXPECT_EQ(RowsIn(this->Folder / "out").size(), 4U);
 }
 
-TEST_F(CliCohort, ACaseThatIsNotListedAnyMoreLeavesTheTable)
+TEST_F(CliCohort, UnlistedCaseIsRemovedFromTable)
 {
   this->Fit();
   std::filesystem::remove(this->Folder / "masks/b.nii.gz");
@@ -233,7 +233,7 @@ TEST_F(CliCohort, ACaseThatIsNotListedAnyMoreLeavesTheTable)
   EXPECT_EQ(RowsIn(this->Folder / "out").size(), 2U);
 }
 
-TEST_F(CliCohort, WithoutLabelsEveryStructureIsARow)
+TEST_F(CliCohort, EveryStructureIsARowWithoutLabels)
 {
   const CommandRun run =
       this->FitWith({"masks", "--case", "a", "--degree", "3", "--output", "out"});
@@ -251,7 +251,7 @@ TEST_F(CliCohort, BadInputGivesOneSentence)
   WriteAll(this->Folder / "up.csv", "case,mask\n..,x.nii\n");
   const std::vector<std::pair<std::vector<std::string>, std::string>> cases{
       {{"masks"}, "--output"},
-      {{"empty", "--output", "out"}, "empty has no segmentation"},
+      {{"empty", "--output", "out"}, "empty has no readable segmentation"},
       {{"--manifest", "none.csv", "--output", "out"}, "lists no case"},
       {{"--manifest", "twice.csv", "--output", "out"}, "case A"},
       {{"--manifest", "up.csv", "--output", "out"}, "case .."},
@@ -269,7 +269,7 @@ TEST_F(CliCohort, BadInputGivesOneSentence)
   }
 }
 
-TEST(CsvText, FieldsComeBackWhateverIsInThem)
+TEST(CsvText, RoundTripsAnyField)
 {
   const std::vector<std::string> fields{"a,b", "say \"yes\"", "two\nlines", "", " blank ", "é"};
   const std::string line = palpate::CsvLine(fields);
@@ -279,7 +279,7 @@ TEST(CsvText, FieldsComeBackWhateverIsInThem)
             (std::vector<std::vector<std::string>>{{"x", "y"}, {"1", "2"}}));
 }
 
-TEST(CsvText, NoFieldIsAFormulaAlsoWhereSemicolonsSeparate)
+TEST(CsvText, DisarmsFormulasForSemicolonSeparatorsToo)
 {
   const std::vector<std::string> fields{"=1+1", "-1.5", "@a", "a;=1", "'=x", "+x,y"};
   const std::string line = palpate::CsvLine(fields);
@@ -287,7 +287,7 @@ TEST(CsvText, NoFieldIsAFormulaAlsoWhereSemicolonsSeparate)
   EXPECT_EQ(palpate::ParseCsv(line), (std::vector<std::vector<std::string>>{fields}));
 }
 
-TEST_F(CliCohort, NamesThatLookLikeFormulasComeBackAndAreNoneInTheTable)
+TEST_F(CliCohort, FormulaLikeNamesAreDisarmedAndRestored)
 {
   WriteAll(this->Folder / "masks/list.csv", "case,mask,label\n=1+1,a.nii.gz,1\n@SUM,c.nii.gz,1\n");
   const CommandRun run =
@@ -302,7 +302,7 @@ TEST_F(CliCohort, NamesThatLookLikeFormulasComeBackAndAreNoneInTheTable)
   EXPECT_TRUE(Has(table, "\n'@SUM,")) << table;
 }
 
-TEST_F(CliCohort, MaskNamedLikeTheFolderAboveWritesInsideTheOutputFolder)
+TEST_F(CliCohort, MaskNamedLikeParentFolderWritesInsideOutput)
 {
   std::filesystem::create_directories(this->Folder / "h/in");
   WriteTwoBalls(this->Folder / "h/in/...nii.gz");
@@ -318,7 +318,7 @@ TEST_F(CliCohort, MaskNamedLikeTheFolderAboveWritesInsideTheOutputFolder)
   EXPECT_TRUE(std::filesystem::exists(this->Folder / "h/out/__/1/model.json"));
 }
 
-TEST_F(CliCohort, LongNamesThatAreEqualAtFirstHaveFoldersOfTheirOwn)
+TEST_F(CliCohort, LongNamesWithEqualStartHaveSeparateFolders)
 {
   const std::string stem(60, 'x');
   std::filesystem::create_directory(this->Folder / "long");
@@ -332,7 +332,7 @@ TEST_F(CliCohort, LongNamesThatAreEqualAtFirstHaveFoldersOfTheirOwn)
   EXPECT_NE(rows[0].Model, rows[1].Model);
 }
 
-TEST_F(CliCohort, CaseThatCannotBeWrittenKeepsItsEarlierResult)
+TEST_F(CliCohort, UnwritableCaseKeepsEarlierResult)
 {
   const std::vector<std::string> words{"masks", "--case", "a", "--label", "1", "--output", "out"};
   auto first = words;

@@ -22,15 +22,15 @@ void ExpectRefused(const CommandRun& run, const std::string& name)
 }
 } // namespace
 
-TEST(CliConvert, ModelTablesAreWrittenAndNotRead)
+TEST(CliConvert, ModelTablesAreWriteOnly)
 {
   const TemporaryFolder folder;
   WriteNearlyASphere(folder / "a.json");
   EXPECT_EQ(RunPalpate({"convert", "a.json", "b.csv"}, folder.Path()).Code, 0);
-  ExpectRefused(RunPalpate({"convert", "b.csv", "c.json"}, folder.Path()), "give the model.json");
+  ExpectRefused(RunPalpate({"convert", "b.csv", "c.json"}, folder.Path()), "use the model.json");
 }
 
-TEST(CliConvert, ModelAsCoefSaysWhatIsLostUnlessQuiet)
+TEST(CliConvert, CoefOutputReportsLossUnlessQuiet)
 {
   const TemporaryFolder folder;
   WriteNearlyASphere(folder / "a.json");
@@ -38,7 +38,7 @@ TEST(CliConvert, ModelAsCoefSaysWhatIsLostUnlessQuiet)
   EXPECT_EQ(RunPalpate({"convert", "a.json", "a.coef", "--quiet"}, folder.Path()).Errors, "");
 }
 
-TEST(CliConvert, StarShapedAndParametricFormOfAModelAreDrawnAlike)
+TEST(CliConvert, StarShapedAndParametricFormsGiveSameSurface)
 {
   const TemporaryFolder folder;
   WriteNearlyASphere(folder / "a.json");
@@ -57,7 +57,7 @@ TEST(CliConvert, StarShapedAndParametricFormOfAModelAreDrawnAlike)
   }
 }
 
-TEST(CliConvert, ModelIsDrawnWithTheExactCountsOfItsFrequency)
+TEST(CliConvert, ModelMeshHasExactCountsOfFrequency)
 {
   const TemporaryFolder folder;
   WriteNearlyASphere(folder / "a.json");
@@ -74,7 +74,7 @@ TEST(CliConvert, ModelIsDrawnWithTheExactCountsOfItsFrequency)
   EXPECT_EQ(folder.EntryCount(), 8u);
 }
 
-TEST(CliConvert, RealCoefficientFilesAreDrawn)
+TEST(CliConvert, ConvertsRealCoefficientFiles)
 {
   PALPATE_REQUIRE_FILE(DataPath("spharm_coef/case0_hippoL.coef"));
   const TemporaryFolder folder;
@@ -84,7 +84,7 @@ TEST(CliConvert, RealCoefficientFilesAreDrawn)
   EXPECT_EQ(ReadSurface(folder / "a.vtp")->GetNumberOfPoints(), 4002);
 }
 
-TEST(CliConvert, ImageKeepsItsVoxelsInEveryFormat)
+TEST(CliConvert, EveryImageFormatKeepsVoxels)
 {
   const TemporaryFolder folder;
   WriteTwoBalls(folder / "a.nii.gz");
@@ -100,7 +100,7 @@ TEST(CliConvert, ImageKeepsItsVoxelsInEveryFormat)
   }
 }
 
-TEST(CliConvert, LabelIsWrittenAloneAsZeroAndOne)
+TEST(CliConvert, WritesSingleLabelAsBinaryMask)
 {
   const TemporaryFolder folder;
   WriteTwoBalls(folder / "a.nii.gz");
@@ -115,7 +115,7 @@ TEST(CliConvert, LabelIsWrittenAloneAsZeroAndOne)
   }
 }
 
-TEST(CliConvert, LabelThatIsNotThereListsThoseThatAre)
+TEST(CliConvert, MissingLabelListsExistingLabels)
 {
   const TemporaryFolder folder;
   WriteTwoBalls(folder / "a.nii.gz");
@@ -126,7 +126,7 @@ TEST(CliConvert, LabelThatIsNotThereListsThoseThatAre)
   EXPECT_NE(run.Errors.find('2'), std::string::npos);
 }
 
-TEST(CliConvert, InputsAndOutputsThatDoNotFitAreRefusedAndLeaveNothing)
+TEST(CliConvert, RejectsIncompatibleInputAndOutput)
 {
   const TemporaryFolder folder;
   WriteNearlyASphere(folder / "a.json");
@@ -144,7 +144,7 @@ TEST(CliConvert, InputsAndOutputsThatDoNotFitAreRefusedAndLeaveNothing)
   EXPECT_EQ(folder.EntryCount(), 5u);
 }
 
-TEST(CliConvert, DicomFolderThatMixesOrientationsIsChosenFromByNumber)
+TEST(CliConvert, ChoosesSeriesOfMixedDicomFolderByNumber)
 {
   PALPATE_REQUIRE_FILE(DataPath("prostate/dicom_localizer_three_planes"));
   const TemporaryFolder folder;

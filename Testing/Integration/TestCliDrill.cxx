@@ -11,7 +11,7 @@ using namespace palpate::test;
 
 namespace
 {
-// A block with a nerve, a hand that goes down into it, and a pedal.
+// A block with a nerve, a hand motion down into it, and a pedal.
 class CliDrill : public testing::Test
 {
 protected:
@@ -39,7 +39,7 @@ protected:
   DrillBlock Block;
 };
 
-TEST_F(CliDrill, WhatIsDrilledIsSaidKeptAndWritten)
+TEST_F(CliDrill, DrilledVolumeIsReportedAndWritten)
 {
   const CommandRun run = this->Run({"--drill", "pedal.json", "--output", "felt", "--drilled",
                                     "left.nrrd", "--drilled", "left.stl"});
@@ -58,7 +58,7 @@ TEST_F(CliDrill, WhatIsDrilledIsSaidKeptAndWritten)
   EXPECT_NE(ReadAll(this->Folder() / "felt/report.html").find("What is gone"), std::string::npos);
 }
 
-TEST_F(CliDrill, AReplayLeavesTheSameHolesAndAStateGoesOn)
+TEST_F(CliDrill, ReplayReproducesHolesAndStateContinues)
 {
   ASSERT_EQ(this->Run({"--drill", "pedal.json", "--output", "felt"}).Code, 0);
   const CommandRun again = RunPalpate(
@@ -74,7 +74,7 @@ TEST_F(CliDrill, AReplayLeavesTheSameHolesAndAStateGoesOn)
             ReadAll(this->Folder() / "felt/drill.state"));
 }
 
-TEST_F(CliDrill, OptionsDrillAnImageWithoutAScene)
+TEST_F(CliDrill, OptionsDrillImageWithoutScene)
 {
   const CommandRun run =
       RunPalpate({"touch", "ct.nrrd", "--iso", "750", "--wear", "0.5", "--tool-radius", "1.6",
@@ -84,7 +84,7 @@ TEST_F(CliDrill, OptionsDrillAnImageWithoutAScene)
   EXPECT_NE(run.Output.find("removed"), std::string::npos) << run.Output;
 }
 
-TEST_F(CliDrill, WhatCannotBeIsRefusedInASentence)
+TEST_F(CliDrill, RejectsInvalidRequestsWithOneSentence)
 {
   EXPECT_EQ(this->Run({"--drill", "hand.csv"}).Code, 2);
   EXPECT_EQ(this->Run({"--drill", "none.json"}).Code, 2);
@@ -99,7 +99,7 @@ TEST_F(CliDrill, WhatCannotBeIsRefusedInASentence)
 }
 
 // The tutorial's steps.
-TEST(CliDrillMastoid, IsOpenedByTheTutorialsHand)
+TEST(CliDrillMastoid, TutorialDrillingOpensMastoid)
 {
   if (!std::filesystem::exists(HeadCtProject))
   {

@@ -13,7 +13,7 @@ using namespace palpate::test;
 
 namespace
 {
-// Touches in real time, for much longer than a test waits, that are ended by signals.
+// Real-time touches, much longer than a test waits, that are ended by signals.
 class CliEnds : public testing::Test
 {
 protected:
@@ -27,12 +27,12 @@ protected:
     words.insert(words.end(), more.begin(), more.end());
     return words;
   }
-  // Slowly, since a picture may take seconds on a busy machine, and ticks are fetched in between.
+  // Slowly, since a frame may take seconds on a busy machine, and ticks are fetched in between.
   std::vector<std::string> TouchWithView() const
   {
     return this->Touch({"--view", "--rate", "100"});
   }
-  // Whether so many bytes of a recording were written: the servo runs.
+  // Whether this many bytes of a recording were written: the servo runs.
   bool IsRecorded(std::uintmax_t bytes) const
   {
     std::error_code none;
@@ -55,7 +55,7 @@ protected:
     }
     return names;
   }
-  // All that a touch that ends by itself leaves, whole, and nothing temporary.
+  // All files of a touch that ends by itself, complete, and no temporary ones.
   void ExpectWholeFiles() const
   {
     EXPECT_EQ(this->FilesThatAreLeft(),
@@ -72,7 +72,7 @@ protected:
   TemporaryFolder Folder;
 };
 
-TEST_F(CliEnds, EachSignalEndsATouchWithWholeFilesAndItsCode)
+TEST_F(CliEnds, EachSignalLeavesCompleteFilesAndItsExitCode)
 {
   for (const int signal : {SIGINT, SIGTERM, SIGHUP})
   {
@@ -86,7 +86,7 @@ TEST_F(CliEnds, EachSignalEndsATouchWithWholeFilesAndItsCode)
   }
 }
 
-TEST_F(CliEnds, ASecondCtrlCTakesTheForceAwayAndLeavesWholeFiles)
+TEST_F(CliEnds, SecondCtrlCRemovesForceAndLeavesCompleteFiles)
 {
   StartedCommand command(PALPATE_PROGRAM, this->Touch(), this->Folder.Path());
   ASSERT_TRUE(IsSoon([this] { return this->IsRecorded(SomeTicks); }));
@@ -100,8 +100,8 @@ TEST_F(CliEnds, ASecondCtrlCTakesTheForceAwayAndLeavesWholeFiles)
   this->ExpectWholeFiles();
 }
 
-// The advice about a stiffness of 100 N/mm is the first that nobody reads.
-TEST_F(CliEnds, ErrorsThatNobodyReadsEndATouchWithWholeFiles)
+// The advice about a stiffness of 100 N/mm is the first unread output.
+TEST_F(CliEnds, ClosedStandardErrorLeavesCompleteFiles)
 {
   StartedCommand command(PALPATE_PROGRAM, this->Touch(), this->Folder.Path(),
                          StartedCommand::Errors::ReadByNobody);
@@ -110,7 +110,7 @@ TEST_F(CliEnds, ErrorsThatNobodyReadsEndATouchWithWholeFiles)
   this->ExpectWholeFiles();
 }
 
-TEST_F(CliEnds, SignalsThatAreToBeIgnoredStayIgnored)
+TEST_F(CliEnds, IgnoredSignalsStayIgnored)
 {
   std::vector<std::string> words{PALPATE_PROGRAM};
   for (const std::string& word : this->Touch())
@@ -126,7 +126,7 @@ TEST_F(CliEnds, SignalsThatAreToBeIgnoredStayIgnored)
   this->ExpectWholeFiles();
 }
 
-TEST_F(CliEnds, WhatWasDrilledUntilASignalIsWritten)
+TEST_F(CliEnds, SignalWritesDrillingDoneSoFar)
 {
   const DrillBlock block;
   std::ofstream(this->Folder / "pedal.json") << R"({"format": "palpate-drill",
@@ -145,7 +145,7 @@ TEST_F(CliEnds, WhatWasDrilledUntilASignalIsWritten)
   EXPECT_EQ(run.Errors.find("before anything was touched"), std::string::npos) << run.Errors;
 }
 
-// An X server of the test's own, to be stopped and killed.
+// The test's own X server, to be stopped and killed.
 class OwnDisplay
 {
 public:
@@ -166,7 +166,7 @@ public:
     this->Server.Finish();
   }
 
-  /// The words that run the program on it, for `env`.
+  /// Arguments of `env` that run the program on it.
   std::vector<std::string> With(const std::vector<std::string>& words) const
   {
     const std::string output = this->Server.OutputSoFar();
@@ -182,8 +182,8 @@ private:
   StartedCommand Server;
 };
 
-// As a terminal sends it: to all that the program started in its group.
-TEST_F(CliEnds, CtrlCWithViewEndsAsWithoutIt)
+// To the whole process group, as a terminal sends it.
+TEST_F(CliEnds, CtrlCEndsViewAsWithoutIt)
 {
   const OwnDisplay display;
   StartedCommand command("env", display.With(this->TouchWithView()), this->Folder.Path());
@@ -194,8 +194,8 @@ TEST_F(CliEnds, CtrlCWithViewEndsAsWithoutIt)
   this->ExpectWholeFiles();
 }
 
-// The command waits for it for ever, and cannot end by itself.
-TEST_F(CliEnds, ADisplayThatHangsWithViewIsLeftByTheFifthSignal)
+// The command waits for it forever, and cannot end by itself.
+TEST_F(CliEnds, FifthSignalEndsViewOnHungDisplay)
 {
   const OwnDisplay display;
   StartedCommand command("env", display.With(this->TouchWithView()), this->Folder.Path());
@@ -211,7 +211,7 @@ TEST_F(CliEnds, ADisplayThatHangsWithViewIsLeftByTheFifthSignal)
 }
 
 // Xlib calls exit() then.
-TEST_F(CliEnds, AnXServerThatEndsWithViewLeavesAWholeRecording)
+TEST_F(CliEnds, LostXServerLeavesCompleteRecording)
 {
   const OwnDisplay display;
   StartedCommand command("env", display.With(this->TouchWithView()), this->Folder.Path());
@@ -226,7 +226,7 @@ TEST_F(CliEnds, AnXServerThatEndsWithViewLeavesAWholeRecording)
 } // namespace
 
 // Compressing takes so long that the signal comes while the file is written.
-TEST_F(CliEnds, CtrlCInAConversionLeavesNothingHalfWritten)
+TEST_F(CliEnds, CtrlCInConversionLeavesNoPartialFile)
 {
   vtkNew<vtkImageData> image;
   image->SetDimensions(256, 256, 200);

@@ -31,7 +31,7 @@ Json Evaluate(const TemporaryFolder& folder, std::vector<std::string> more)
 }
 } // namespace
 
-TEST(CliEvaluate, JsonHoldsTheKernelsNumbersToTheLastBit)
+TEST(CliEvaluate, JsonNumbersEqualKernelsBitForBit)
 {
   const TemporaryFolder folder;
   const Json result = Evaluate(folder, {"--direction", "0,0,-2"});
@@ -50,7 +50,7 @@ TEST(CliEvaluate, JsonHoldsTheKernelsNumbersToTheLastBit)
   EXPECT_EQ(AsVector(sample.at("normal")), model.Normal(down));
 }
 
-TEST(CliEvaluate, PointsAreToldInsideFromOutside)
+TEST(CliEvaluate, ClassifiesPointsInsideAndOutside)
 {
   const TemporaryFolder folder;
   const Json result =
@@ -66,13 +66,13 @@ TEST(CliEvaluate, PointsAreToldInsideFromOutside)
   EXPECT_NEAR(points[2].at("radial_distance_mm").get<double>(), 10.0, 1e-13); // rounding at 20
 }
 
-TEST(CliEvaluate, FrequencyGivesEveryIcosahedronDirection)
+TEST(CliEvaluate, FrequencyGivesIcosahedronDirections)
 {
   const TemporaryFolder folder;
   EXPECT_EQ(Evaluate(folder, {"--frequency", "20"}).at("directions").size(), 4002u);
 }
 
-TEST(CliEvaluate, DirectionsComeFromAFileWithTitleAndRemarks)
+TEST(CliEvaluate, ReadsDirectionsFileWithTitleAndComments)
 {
   const TemporaryFolder folder;
   WriteAll(folder / "d.csv", "x,y,z\n# a remark\n1,0,0\r\n\n0, -3e-200 ,0\n");
@@ -81,7 +81,7 @@ TEST(CliEvaluate, DirectionsComeFromAFileWithTitleAndRemarks)
   EXPECT_EQ(AsVector(directions[1].at("direction")), Vector3(0.0, -1.0, 0.0));
 }
 
-TEST(CliEvaluate, CsvOutputServesAsDirectionsAgain)
+TEST(CliEvaluate, CsvOutputIsValidDirectionsFile)
 {
   const TemporaryFolder folder;
   WriteNearlyASphere(folder / "a.json");
@@ -100,7 +100,7 @@ TEST(CliEvaluate, CsvOutputServesAsDirectionsAgain)
   EXPECT_EQ(rows, 42);
 }
 
-TEST(CliEvaluate, TextNamesUnitsAndFrame)
+TEST(CliEvaluate, TextStatesUnitsAndFrame)
 {
   const TemporaryFolder folder;
   WriteNearlyASphere(folder / "a.json");
@@ -113,7 +113,7 @@ TEST(CliEvaluate, TextNamesUnitsAndFrame)
   }
 }
 
-TEST(CliEvaluate, ParametricFormOfAModelHasItsVolumeAndArea)
+TEST(CliEvaluate, ParametricFormHasSameVolumeAndArea)
 {
   const TemporaryFolder folder;
   WriteNearlyASphere(folder / "a.json");
@@ -123,12 +123,12 @@ TEST(CliEvaluate, ParametricFormOfAModelHasItsVolumeAndArea)
   const SphericalHarmonicModel model = NearlyASphere();
   EXPECT_EQ(result.at("surface"), "parametric");
   EXPECT_EQ(result.at("inside_out"), false);
-  // Both are sums of some hundred terms of the same size.
+  // Both are sums of some hundred terms of equal magnitude.
   EXPECT_NEAR(result.at("volume_ml").get<double>(), VolumeOf(model) / 1000.0, 1e-12);
   EXPECT_NEAR(result.at("area_mm2").get<double>(), AreaOf(model).Value, 1e-9);
 }
 
-TEST(CliEvaluate, BadWordsAreRefusedWithOneSentence)
+TEST(CliEvaluate, RejectsBadArgumentsWithOneSentence)
 {
   const TemporaryFolder folder;
   WriteNearlyASphere(folder / "a.json");
@@ -156,7 +156,7 @@ TEST(CliEvaluate, BadWordsAreRefusedWithOneSentence)
   }
 }
 
-TEST(CliEvaluate, BadLineOfADirectionsFileIsNamed)
+TEST(CliEvaluate, NamesBadLineOfDirectionsFile)
 {
   const TemporaryFolder folder;
   WriteNearlyASphere(folder / "a.json");

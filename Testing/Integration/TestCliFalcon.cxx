@@ -56,8 +56,8 @@ bool IsFeltUntil(const TouchRecording& recorded, std::size_t failed)
   return isFelt;
 }
 
-// Whether what was recorded shows the delay that the fault of this tick claims: on a busy machine
-// replies and ticks are really late, and then forces have to go off.
+// Whether the recording shows the delay reported by the fault of this tick: on a busy machine
+// replies and ticks are really late, and then forces must go off.
 bool IsTrueDelay(const TouchRecording& recorded, std::size_t failed)
 {
   constexpr std::int64_t Limit = 10'000'000; // ns, of samples and ticks
@@ -83,13 +83,13 @@ bool IsTrueDelay(const TouchRecording& recorded, std::size_t failed)
 }
 
 // The program, unchanged, with virtual Falcons on a virtual bus. Replies take some milliseconds
-// there, so nothing is said about rates.
+// there, so rates are not tested.
 class CliFalcon : public testing::Test
 {
 protected:
   void SetUp() override
   {
-    // Not skipped: a lost wrapper must not look like success.
+    // Not skipped: a missing wrapper must not look like success.
     ASSERT_TRUE(FalconTestBed::IsPossible()) << "umockdev is not preloaded: use umockdev-wrapper";
     unsetenv("PALPATE_FALCON_FIRMWARE");
     const std::vector<std::uint8_t> image = BootStream();
@@ -101,7 +101,7 @@ protected:
     return RunPalpate(arguments, this->Folder.Path());
   }
 
-  // What `palpate devices --json` says of devices whose names begin so.
+  // Entries of `palpate devices --json` whose names begin with this.
   std::vector<nlohmann::json> Listed(const std::string& name)
   {
     const CommandRun run = this->Run({"devices", "--json"});
@@ -125,7 +125,7 @@ protected:
                                 { return falcon.Board().Image() == BootStream(); });
   }
 
-  // A touch of two seconds, without a fault or with one that the delays of this machine explain.
+  // A touch of two seconds, without a fault or with one explained by this machine's delays.
   void TouchOnce(bool& isFelt)
   {
     std::filesystem::remove_all(this->Folder / "felt");
@@ -162,7 +162,7 @@ protected:
   FalconTestBed Bed;
 };
 
-TEST_F(CliFalcon, WithoutOneTheListSaysSo)
+TEST_F(CliFalcon, ListReportsMissingDevice)
 {
   const std::vector<nlohmann::json> falcons = this->Listed("falcon");
   ASSERT_EQ(falcons.size(), 1U);
@@ -175,7 +175,7 @@ TEST_F(CliFalcon, WithoutOneTheListSaysSo)
   EXPECT_NE(home.Errors.find("There is no Falcon on USB"), std::string::npos) << home.Errors;
 }
 
-TEST_F(CliFalcon, ItComesAndGoesInTheListWithItsState)
+TEST_F(CliFalcon, ListFollowsHotPlugAndState)
 {
   this->Bed.Plug(this->Bus, 2);
   std::vector<nlohmann::json> falcons = this->Listed("falcon");
@@ -197,7 +197,7 @@ TEST_F(CliFalcon, ItComesAndGoesInTheListWithItsState)
   EXPECT_EQ(this->Listed("falcon").at(0)["name"], "falcon");
 }
 
-TEST_F(CliFalcon, TheVirtualBusIsNeededToSeeIt)
+TEST_F(CliFalcon, IsVisibleOnlyOnVirtualBus)
 {
   this->Bed.Plug(this->Bus, 2);
   const CommandRun run =
@@ -206,7 +206,7 @@ TEST_F(CliFalcon, TheVirtualBusIsNeededToSeeIt)
   EXPECT_EQ(run.Output.find("falcon:device=1-2"), std::string::npos) << run.Output;
 }
 
-TEST_F(CliFalcon, WithoutPermissionTheWayOutIsNamed)
+TEST_F(CliFalcon, MissingPermissionGivesFix)
 {
   if (geteuid() == 0)
   {
@@ -222,7 +222,7 @@ TEST_F(CliFalcon, WithoutPermissionTheWayOutIsNamed)
   EXPECT_NE(run.Errors.find("Utilities/install-udev-rule.sh"), std::string::npos) << run.Errors;
 }
 
-TEST_F(CliFalcon, IsLoadedAndHomedWithGuidance)
+TEST_F(CliFalcon, LoadsAndHomesWithGuidance)
 {
   this->Bed.Plug(this->Bus, 2);
   const CommandRun run = this->Run({"devices", "--home", "--firmware", "firmware.bin", "--json"});
@@ -239,7 +239,7 @@ TEST_F(CliFalcon, IsLoadedAndHomedWithGuidance)
   EXPECT_NE(says.find("homed"), std::string::npos) << "firmware and zero stay: " << says;
 }
 
-TEST_F(CliFalcon, WithoutFirmwareOrWithAFileThatIsNoneItSaysWhatToDo)
+TEST_F(CliFalcon, MissingOrInvalidFirmwareGivesFix)
 {
   this->Bed.Plug(this->Bus, 2);
   const CommandRun none = this->Run({"devices", "--home", "--device", "falcon"});
@@ -253,9 +253,9 @@ TEST_F(CliFalcon, WithoutFirmwareOrWithAFileThatIsNoneItSaysWhatToDo)
       << other.Errors;
 }
 
-// On a busy machine replies come too late for a touch now and then; then it is begun again, and
-// must have ended with the fault that says so.
-TEST_F(CliFalcon, AMaskIsTouchedWithIt)
+// On a busy machine replies are sometimes too late for a touch; it is then repeated, and must have
+// ended with the corresponding fault.
+TEST_F(CliFalcon, TouchesMask)
 {
   this->Bed.Plug(this->Bus, 2);
   WriteTwoBalls(this->Folder / "a.nii.gz");
@@ -266,13 +266,13 @@ TEST_F(CliFalcon, AMaskIsTouchedWithIt)
   }
   EXPECT_TRUE(isFelt);
 }
-// Ends of the program while the motors push: they carry half a kilogram, so that there is a torque
-// whatever is touched, and the virtual board holds it for ever.
+// Ends the program while the motors push: they carry half a kilogram, so that there is a torque
+// even without contact, and the virtual board holds it forever.
 class CliFalconEnds : public CliFalcon
 {
 protected:
-  // A touch whose torque has reached the board. Where replies come too late before that, as on a
-  // busy machine, it is begun again.
+  // A touch whose torque has reached the board. If replies are too late before that, as on a busy
+  // machine, it is repeated.
   std::unique_ptr<StartedCommand> Pushing()
   {
     this->Bed.Plug(this->Bus, 2);
@@ -309,7 +309,7 @@ protected:
     return !orders.empty() && orders.back().HasTorque();
   }
 
-  // For Documentation/Safety.md: the time until 0 N that no torque followed.
+  // For Documentation/Safety.md: the time until 0 N, after which no torque followed.
   void Record(const std::string& fault, std::chrono::steady_clock::time_point start)
   {
     const std::vector<VirtualFalconBoard::Order> orders = this->Received();
@@ -324,13 +324,13 @@ protected:
   }
 };
 
-TEST_F(CliFalconEnds, KilledItLeavesNoTorqueOnTheMotors)
+TEST_F(CliFalconEnds, KillLeavesNoTorque)
 {
   const std::unique_ptr<StartedCommand> command = this->Pushing();
   const auto start = std::chrono::steady_clock::now();
   command->Send(SIGKILL);
   command->Finish();
-  this->Bus.ReleaseClaims(); // umockdev does not say that a client has ended
+  this->Bus.ReleaseClaims(); // umockdev does not report that a client has ended
   EXPECT_TRUE(IsSoon([this] { return !this->HasTorque(); }));
   int status = 1;
   EXPECT_GT(waitpid(-1, &status, 0), 0) << "the guard ends once it has done its work";
@@ -348,7 +348,7 @@ class CliFalconEndsBy : public CliFalconEnds, public testing::WithParamInterface
 {
 };
 
-TEST_P(CliFalconEndsBy, TheLastPacketHasNoTorqueAndTheFilesAreWhole)
+TEST_P(CliFalconEndsBy, LastPacketHasNoTorqueAndFilesAreComplete)
 {
   const std::unique_ptr<StartedCommand> command = this->Pushing();
   const auto start = std::chrono::steady_clock::now();
@@ -381,7 +381,7 @@ class CliFalconEndsWithout : public CliFalconEnds, public testing::WithParamInte
 {
 };
 
-TEST_P(CliFalconEndsWithout, TheBoardIsToldZero)
+TEST_P(CliFalconEndsWithout, BoardReceivesZeroTorque)
 {
   const std::unique_ptr<StartedCommand> command = this->Pushing();
   const auto start = std::chrono::steady_clock::now();
@@ -406,7 +406,7 @@ INSTANTIATE_TEST_SUITE_P(
                     falcon.Faults.Spoil = [](VirtualFalconAnswer& a) { a.Delay += 15'000'000; };
                   }}));
 
-TEST_F(CliFalconEnds, AHubThatResetsLeavesNoTorqueOnceTheDeviceIsBack)
+TEST_F(CliFalconEnds, HubResetLeavesNoTorqueAfterReconnect)
 {
   const std::unique_ptr<StartedCommand> command = this->Pushing();
   this->Bed.Unplug(2, VirtualFalcon::Supply::Kept);
@@ -419,7 +419,7 @@ TEST_F(CliFalconEnds, AHubThatResetsLeavesNoTorqueOnceTheDeviceIsBack)
   command->Finish();
 }
 
-TEST_F(CliFalconEnds, CtrlZDoesNotStopItWhileItMayPush)
+TEST_F(CliFalconEnds, CtrlZIsIgnoredWhileForceIsPossible)
 {
   const std::unique_ptr<StartedCommand> command = this->Pushing();
   command->Send(SIGTSTP);
@@ -429,9 +429,9 @@ TEST_F(CliFalconEnds, CtrlZDoesNotStopItWhileItMayPush)
   EXPECT_FALSE(this->HasTorque());
 }
 
-TEST_F(CliFalcon, UnpluggedWhileItIsHomedItSaysSo)
+TEST_F(CliFalcon, ReportsUnplugDuringHoming)
 {
-  this->Model.Mechanism().Settings.Path = nullptr; // nobody pulls, so it is never homed
+  this->Model.Mechanism().Settings.Path = nullptr; // nobody moves the grip, so it is never homed
   this->Bed.Plug(this->Bus, 2);
   std::atomic<bool> isOver{false};
   std::thread cable(

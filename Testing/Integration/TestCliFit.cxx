@@ -19,7 +19,7 @@ bool Has(const std::string& text, const std::string& part)
 }
 } // namespace
 
-TEST(CliFit, OneStructureGivesNumbersFilesAndAReport)
+TEST(CliFit, OneStructureGivesNumbersFilesAndReport)
 {
   const TemporaryFolder folder;
   WriteTwoBalls(folder / "a.nii.gz");
@@ -40,7 +40,7 @@ TEST(CliFit, OneStructureGivesNumbersFilesAndAReport)
   EXPECT_GT(mask.at("dice").get<double>(), 0.95);
   EXPECT_LE(mask.at("mean_mm").get<double>(), mask.at("p95_mm").get<double>());
   EXPECT_LE(mask.at("p95_mm").get<double>(), mask.at("max_mm").get<double>());
-  // A ball of 9 mm, on a grid whose voxels are a quarter of it.
+  // A sphere of 9 mm, on a grid whose voxels are a quarter of it.
   EXPECT_NEAR(result.at("volume_ml").at("mask").get<double>(), 3.054, 0.2);
   EXPECT_NEAR(result.at("volume_ml").at("model").get<double>(),
               result.at("volume_ml").at("mask").get<double>(), 0.03);
@@ -53,11 +53,11 @@ TEST(CliFit, OneStructureGivesNumbersFilesAndAReport)
   const auto document = palpate::ReadModel(folder / "out" / "model.json");
   const auto& model = std::get<palpate::SphericalHarmonicModel>(document.Surface);
   EXPECT_EQ(model.Degree(), 6);
-  // What the report and JSON say of the model is what its file holds.
+  // Report and JSON agree with the model's file.
   EXPECT_DOUBLE_EQ(VolumeOf(model) / 1000.0, result.at("volume_ml").at("model").get<double>());
 }
 
-TEST(CliFit, EveryLabelIsACaseWithAFolderAndAnOverview)
+TEST(CliFit, EveryLabelHasFolderAndOverview)
 {
   const TemporaryFolder folder;
   WriteTwoBalls(folder / "a.nii.gz");
@@ -70,7 +70,7 @@ TEST(CliFit, EveryLabelIsACaseWithAFolderAndAnOverview)
   EXPECT_TRUE(std::filesystem::exists(folder / "out/a_2/model.json"));
 }
 
-TEST(CliFit, FailingCaseIsReportedAtTheEndAndDoesNotStopTheOthers)
+TEST(CliFit, FailingCaseIsReportedLastAndDoesNotStopOthers)
 {
   const TemporaryFolder folder;
   WriteTwoBalls(folder / "good.nii.gz");
@@ -116,7 +116,7 @@ TEST(CliFit, BadInputGivesOneSentenceAndLeavesNothing)
   }
 }
 
-TEST(CliFit, OutputThatCannotBeWrittenIsBadInput)
+TEST(CliFit, UnwritableOutputIsBadInput)
 {
   const TemporaryFolder folder;
   WriteTwoBalls(folder / "a.nii.gz");
@@ -127,7 +127,7 @@ TEST(CliFit, OutputThatCannotBeWrittenIsBadInput)
   EXPECT_TRUE(Has(run.Errors, "file/out")) << run.Errors;
 }
 
-TEST(CliFit, FewerDirectionsThanCoefficientsAreRefusedWithTheWayOut)
+TEST(CliFit, RejectsFewerDirectionsThanCoefficientsWithFix)
 {
   const TemporaryFolder folder;
   WriteTwoBalls(folder / "a.nii.gz");
@@ -137,7 +137,7 @@ TEST(CliFit, FewerDirectionsThanCoefficientsAreRefusedWithTheWayOut)
   EXPECT_TRUE(Has(run.Errors, "take more directions or a lower degree")) << run.Errors;
 }
 
-TEST(CliFit, DegreeAutoTakesTheSmallestThatMeetsTheTolerance)
+TEST(CliFit, AutoDegreeIsSmallestWithinTolerance)
 {
   const TemporaryFolder folder;
   WriteTwoBalls(folder / "a.nii.gz");
@@ -154,7 +154,7 @@ TEST(CliFit, DegreeAutoTakesTheSmallestThatMeetsTheTolerance)
   }
 }
 
-TEST(CliFit, PenaltiesAndCentresAreTaken)
+TEST(CliFit, AcceptsPenaltiesAndCentres)
 {
   const TemporaryFolder folder;
   WriteTwoBalls(folder / "a.nii.gz");
@@ -169,7 +169,7 @@ TEST(CliFit, PenaltiesAndCentresAreTaken)
   EXPECT_EQ(fit.at("center_mm"), Json({1.0, -1.0, 0.5}));
 }
 
-TEST(CliFit, RobustFitSaysHowManySamplesCountLess)
+TEST(CliFit, RobustFitReportsDownWeightedSamples)
 {
   const TemporaryFolder folder;
   WriteTwoBalls(folder / "a.nii.gz");
@@ -181,8 +181,8 @@ TEST(CliFit, RobustFitSaysHowManySamplesCountLess)
   EXPECT_EQ(fit.at("coverage").at("verdict"), "good");
 }
 
-// Seen from outside, the ball lies in a part of all directions.
-TEST(CliFit, GapBetweenDirectionsIsANoteAndAVerdict)
+// Seen from outside, the sphere covers only a part of all directions.
+TEST(CliFit, DirectionGapGivesNoteAndVerdict)
 {
   const TemporaryFolder folder;
   WriteTwoBalls(folder / "a.nii.gz");
@@ -194,6 +194,6 @@ TEST(CliFit, GapBetweenDirectionsIsANoteAndAVerdict)
   const Json result = Json::parse(run.Output);
   const Json& coverage = result.at("fit").at("coverage");
   EXPECT_EQ(coverage.at("verdict"), "gaps");
-  EXPECT_GT(coverage.at("largest_gap_degrees").get<double>(), 45.0); // 180 over the degree
+  EXPECT_GT(coverage.at("largest_gap_degrees").get<double>(), 45.0); // 180 divided by the degree
   EXPECT_TRUE(Has(run.Errors, "No direction within")) << run.Errors;
 }

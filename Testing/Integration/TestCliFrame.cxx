@@ -26,7 +26,7 @@ TEST(CliFrame, HelpListsEveryCommandAndEndsWithExamples)
   }
 }
 
-TEST(CliFrame, EveryCommandHasHelpThatEndsWithExamples)
+TEST(CliFrame, EveryCommandHelpEndsWithExamples)
 {
   const TemporaryFolder folder;
   for (const char* command :
@@ -39,7 +39,7 @@ TEST(CliFrame, EveryCommandHasHelpThatEndsWithExamples)
   }
 }
 
-TEST(CliFrame, BadCommandLinesExitWithTwoAndOneSentence)
+TEST(CliFrame, BadCommandLineExitsWithTwoAndOneSentence)
 {
   const TemporaryFolder folder;
   for (const std::vector<std::string>& words :
@@ -63,14 +63,14 @@ TEST(CliFrame, BadCommandLinesExitWithTwoAndOneSentence)
   }
 }
 
-TEST(CliFrame, BadCommandLineNamesTheCommandWhoseHelpExplainsIt)
+TEST(CliFrame, BadCommandLineNamesHelpCommand)
 {
   const TemporaryFolder folder;
   const CommandRun run = RunPalpate({"convert", "a"}, folder.Path());
   EXPECT_NE(run.Errors.find("palpate convert --help"), std::string::npos) << run.Errors;
 }
 
-TEST(CliFrame, QuietMayStandBeforeAndAfterTheCommand)
+TEST(CliFrame, QuietWorksBeforeAndAfterCommand)
 {
   const TemporaryFolder folder;
   for (const std::vector<std::string>& words : std::vector<std::vector<std::string>>{
@@ -80,7 +80,7 @@ TEST(CliFrame, QuietMayStandBeforeAndAfterTheCommand)
   }
 }
 
-TEST(CliFrame, FullOutputIsAFailure)
+TEST(CliFrame, FullOutputDeviceIsFailure)
 {
   const TemporaryFolder folder;
   const CommandRun run =
@@ -89,7 +89,7 @@ TEST(CliFrame, FullOutputIsAFailure)
   EXPECT_NE(run.Errors.find("standard output"), std::string::npos) << run.Errors;
 }
 
-TEST(CliFrame, BashTakesItsCompletionScript)
+TEST(CliFrame, BashAcceptsCompletionScript)
 {
   const TemporaryFolder folder;
   WriteAll(folder / "c", RunPalpate({"completion", "bash"}, folder.Path()).Output);
@@ -97,7 +97,7 @@ TEST(CliFrame, BashTakesItsCompletionScript)
   EXPECT_EQ(run.Code, 0) << run.Errors;
 }
 
-// What bash offers for the words of a command line whose last word is being typed.
+// Bash completions of the last word of a command line.
 std::string Offered(const TemporaryFolder& folder, const std::string& words)
 {
   const std::string script = "source c; COMP_WORDS=(palpate " + words +
@@ -106,7 +106,7 @@ std::string Offered(const TemporaryFolder& folder, const std::string& words)
   return RunCommand("bash", {"-c", script}, folder.Path()).Output;
 }
 
-TEST(CliFrame, BashCompletesCommandsOptionsAndFixedValues)
+TEST(CliFrame, BashCompletesCommandsOptionsAndValues)
 {
   const TemporaryFolder folder;
   WriteAll(folder / "c", RunPalpate({"completion", "bash"}, folder.Path()).Output);
@@ -115,7 +115,7 @@ TEST(CliFrame, BashCompletesCommandsOptionsAndFixedValues)
   EXPECT_EQ(Offered(folder, "completion z"), " zsh \n");
   EXPECT_EQ(Offered(folder, "mesh a.nii --method pl"), " plain \n");
   EXPECT_EQ(Offered(folder, "mesh a.nii --qu"), " --quiet \n");
-  // After an option that takes a file, nothing of ours: bash then offers file names.
+  // No completions after an option that takes a file: bash then offers file names.
   EXPECT_EQ(Offered(folder, "evaluate --directions x"), "  \n");
 }
 

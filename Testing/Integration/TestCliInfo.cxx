@@ -13,7 +13,7 @@ using Json = nlohmann::json;
 
 namespace
 {
-// The words of the line that starts with `first`, empty where there is none.
+// The words of the line that starts with `first`; empty if there is none.
 std::vector<std::string> WordsOfLine(const std::string& text, const std::string& first)
 {
   std::istringstream lines(text);
@@ -30,7 +30,7 @@ std::vector<std::string> WordsOfLine(const std::string& text, const std::string&
 }
 } // namespace
 
-TEST(CliInfo, TableTellsTheLabels)
+TEST(CliInfo, TableListsLabels)
 {
   const TemporaryFolder folder;
   WriteTwoBalls(folder / "a.nii.gz");
@@ -65,7 +65,7 @@ TEST(CliInfo, JsonHasTheSameNumbers)
   EXPECT_DOUBLE_EQ(ball.at("ml").get<double>(), ball.at("voxels").get<int>() * 2.5 / 1000.0);
 }
 
-TEST(CliInfo, BadFileDoesNotStopTheOthers)
+TEST(CliInfo, BadFileDoesNotStopOthers)
 {
   const TemporaryFolder folder;
   WriteTwoBalls(folder / "a.nii.gz");
@@ -82,7 +82,7 @@ TEST(CliInfo, BadFileDoesNotStopTheOthers)
   EXPECT_EQ(objects[2].at("status"), "ok");
 }
 
-TEST(CliInfo, AnotherSeriesCanBeChosen)
+TEST(CliInfo, ChoosesAnotherSeries)
 {
   const auto path = DataPath("prostate/dicom_localizer_three_planes");
   PALPATE_REQUIRE_FILE(path);
@@ -94,7 +94,7 @@ TEST(CliInfo, AnotherSeriesCanBeChosen)
   EXPECT_EQ(Json::parse(run.Output).at("geometry").at("axes").at(2), Json({0.0, 0.0, 1.0}));
 }
 
-TEST(CliInfo, PatientsAreNotNamed)
+TEST(CliInfo, DoesNotShowPatientNames)
 {
   const auto path = DataPath("prostate/dicom_t2_axial");
   PALPATE_REQUIRE_FILE(path);

@@ -15,7 +15,7 @@ namespace
 {
 using Words = std::vector<std::string>;
 
-// The cells of a cohort's table but those that say how long a case took and in which folder.
+// The cells of a cohort's table except durations and folders.
 std::string ComparableCells(const std::string& table)
 {
   std::string cells;
@@ -43,7 +43,7 @@ std::map<std::string, std::string> FilesOf(const std::filesystem::path& folder)
   std::map<std::string, std::string> files;
   for (const auto& entry : std::filesystem::recursive_directory_iterator(folder))
   {
-    // A report holds how long things took.
+    // A report contains durations.
     if (entry.is_regular_file() && entry.path().filename() != "report.html")
     {
       files[entry.path().lexically_relative(folder).string()] = ReadAll(entry.path());
@@ -52,7 +52,7 @@ std::map<std::string, std::string> FilesOf(const std::filesystem::path& folder)
   return files;
 }
 
-// What a command says and writes, in a folder with images, a mask and a manifest of it.
+// Output and files of a command, in a folder with images, a mask and a manifest of it.
 std::map<std::string, std::string> ResultsOf(const Words& words)
 {
   const TemporaryFolder folder;
@@ -72,7 +72,7 @@ std::map<std::string, std::string> ResultsOf(const Words& words)
 }
 } // namespace
 
-TEST(CliLocale, NothingDependsOnADecimalComma)
+TEST(CliLocale, OutputIsIndependentOfDecimalComma)
 {
   const Words fit{"--degree", "4", "--frequency", "8", "--smoothing", "0.5"};
   std::vector<Words> commands{{"fit", "balls.nrrd", "--label", "1", "--output", "o"},

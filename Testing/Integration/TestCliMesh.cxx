@@ -27,7 +27,7 @@ TEST(CliMesh, OneStructureBecomesOneFile)
   EXPECT_NEAR(result.at("volume_ml").at("surface").get<double>(), mask, 0.02 * mask);
 }
 
-TEST(CliMesh, EveryStructureBecomesAFileOfAFolder)
+TEST(CliMesh, EveryStructureBecomesOneFile)
 {
   const TemporaryFolder folder;
   WriteTwoBalls(folder / "a.nii.gz");
@@ -42,7 +42,7 @@ TEST(CliMesh, EveryStructureBecomesAFileOfAFolder)
   }
 }
 
-TEST(CliMesh, FailingFileIsReportedAndDoesNotStopTheOthers)
+TEST(CliMesh, FailingFileIsReportedAndDoesNotStopOthers)
 {
   const TemporaryFolder folder;
   WriteAll(folder / "bad.nii.gz", "no image");

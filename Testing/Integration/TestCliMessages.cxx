@@ -1,5 +1,4 @@
-// What the program says to a slip of the fingers, to structures that cannot be modelled, and
-// while it works.
+// Messages for typing errors and for structures that cannot be modelled, and progress.
 #include "CommandLine.h"
 #include "CommandRegistry.h"
 #include "CommandRun.h"
@@ -24,7 +23,7 @@ bool Has(const std::string& text, const std::string& part)
   return text.find(part) != std::string::npos;
 }
 
-// What a command line is answered with, which is a bad one.
+// The message for a bad command line.
 std::string Refusal(const std::vector<std::string>& words)
 {
   const TemporaryFolder folder;
@@ -34,7 +33,7 @@ std::string Refusal(const std::vector<std::string>& words)
   return run.Errors;
 }
 
-// A bowl of label 1, from whose hollow a third of all directions meets nothing, and a ball of
+// A bowl of label 1, from whose hollow a third of all directions meets nothing, and a sphere of
 // label 2.
 void WriteBowlAndBall(const std::filesystem::path& path)
 {
@@ -65,7 +64,7 @@ void WriteDot(const std::filesystem::path& path)
                                            { return x == 2.0 && y == 2.0 && z == 2.0; }));
 }
 
-// The standard error stream of a run on a terminal.
+// Standard error of a run on a terminal.
 std::string OnTerminal(const std::vector<std::string>& words)
 {
   std::ostringstream out;
@@ -77,7 +76,7 @@ std::string OnTerminal(const std::vector<std::string>& words)
 }
 } // namespace
 
-TEST(CliMessages, AnUnknownCommandIsNamed)
+TEST(CliMessages, NamesUnknownCommand)
 {
   EXPECT_EQ(Refusal({"nonsense"}), "palpate: there is no command 'nonsense'; see palpate --help\n");
   EXPECT_EQ(Refusal({"fti", "a.nii.gz"}),
@@ -85,13 +84,13 @@ TEST(CliMessages, AnUnknownCommandIsNamed)
   EXPECT_TRUE(Has(Refusal({"--quiet", "nonsense", "a"}), "'nonsense'"));
 }
 
-TEST(CliMessages, ThereIsNoHelpOnAnUnknownCommand)
+TEST(CliMessages, UnknownCommandHasNoHelp)
 {
   EXPECT_EQ(Refusal({"nonsense", "--help"}),
             "palpate: there is no command 'nonsense'; see palpate --help\n");
 }
 
-TEST(CliMessages, AnUnknownOptionIsNamedWithTheNearest)
+TEST(CliMessages, UnknownOptionSuggestsNearest)
 {
   EXPECT_EQ(Refusal({"fit", "a.nii.gz", "--degre", "5"}),
             "palpate: there is no option '--degre', perhaps '--degree'; see palpate fit --help\n");
@@ -101,12 +100,12 @@ TEST(CliMessages, AnUnknownOptionIsNamedWithTheNearest)
 }
 
 // The required option is missing since it is misspelt.
-TEST(CliMessages, AMisspeltOptionIsToldBeforeWhatIsMissing)
+TEST(CliMessages, ReportsMisspeltOptionBeforeMissingOne)
 {
   EXPECT_TRUE(Has(Refusal({"mesh", "a.nii.gz", "--ouput", "b.stl"}), "perhaps '--output'"));
 }
 
-TEST(CliMessages, TheNearestWordIsAFewLettersAway)
+TEST(CliMessages, NearestWordDiffersByFewLetters)
 {
   const std::vector<std::string> words{"fit", "info", "--degree", "--max-degree"};
   EXPECT_EQ(palpate::cli::NearestWord("ifno", words), "info");
@@ -117,7 +116,7 @@ TEST(CliMessages, TheNearestWordIsAFewLettersAway)
   EXPECT_EQ(palpate::cli::NearestWord(std::string(10000, 'x'), words), "");
 }
 
-TEST(CliMessages, AModelThatRunsAwayIsRefusedAndTheOthersGoOn)
+TEST(CliMessages, RejectsDivergingModelAndContinues)
 {
   const TemporaryFolder folder;
   WriteBowlAndBall(folder / "a.nii.gz");
@@ -132,7 +131,7 @@ TEST(CliMessages, AModelThatRunsAwayIsRefusedAndTheOthersGoOn)
   EXPECT_EQ(cases[1].at("status"), "fitted") << cases[1];
 }
 
-TEST(CliMessages, OneVoxelIsOneLine)
+TEST(CliMessages, OneVoxelGivesOneLine)
 {
   const TemporaryFolder folder;
   LabelGrid grid;
@@ -150,8 +149,8 @@ TEST(CliMessages, OneVoxelIsOneLine)
   }
 }
 
-// Each command by the options that it has.
-TEST(CliMessages, OneVoxelIsOneLineOfEveryCommandThatMakesAField)
+// Each command names its own options.
+TEST(CliMessages, OneVoxelGivesOneLineInFieldCommands)
 {
   const TemporaryFolder folder;
   WriteDot(folder / "a.nrrd");
@@ -177,7 +176,7 @@ TEST(CliMessages, OneVoxelIsOneLineOfEveryCommandThatMakesAField)
   }
 }
 
-TEST(CliMessages, AStructureThatSmoothingTakesAwayIsNamed)
+TEST(CliMessages, NamesStructureLostBySmoothing)
 {
   const TemporaryFolder folder;
   LabelGrid grid;
@@ -189,7 +188,7 @@ TEST(CliMessages, AStructureThatSmoothingTakesAwayIsNamed)
   EXPECT_TRUE(Has(errors, "a.nrrd, label 1 has no voxel left by a smoothing of")) << errors;
 }
 
-TEST(CliMessages, ARefusedFitIsToldByTheOptionsOfTheCommand)
+TEST(CliMessages, RefusedFitSuggestsCommandOptions)
 {
   const TemporaryFolder folder;
   WriteBowlAndBall(folder / "a.nii.gz");
@@ -209,7 +208,7 @@ TEST(CliMessages, ARefusedFitIsToldByTheOptionsOfTheCommand)
   }
 }
 
-TEST(CliMessages, ProgressNamesTheCaseAndHowManyThereAre)
+TEST(CliMessages, ProgressNamesCaseAndCount)
 {
   const TemporaryFolder folder;
   WriteTwoBalls(folder / "a.nii.gz");
@@ -221,7 +220,7 @@ TEST(CliMessages, ProgressNamesTheCaseAndHowManyThereAre)
   EXPECT_TRUE(Has(mesh, "case 2 of 2: ")) << mesh;
 }
 
-TEST(CliMessages, ProgressOfACohortNamesTheCaseAndHowManyThereAre)
+TEST(CliMessages, CohortProgressNamesCaseAndCount)
 {
   const TemporaryFolder folder;
   std::filesystem::create_directory(folder / "masks");
@@ -234,7 +233,7 @@ TEST(CliMessages, ProgressOfACohortNamesTheCaseAndHowManyThereAre)
   EXPECT_TRUE(Has(cohort, "case 2 of 3: 10015: surface")) << cohort;
 }
 
-TEST(CliMessages, ProgressOfSeveralFilesNamesTheFile)
+TEST(CliMessages, ProgressNamesFile)
 {
   const TemporaryFolder folder;
   WriteTwoBalls(folder / "a.nii.gz");
@@ -244,7 +243,7 @@ TEST(CliMessages, ProgressOfSeveralFilesNamesTheFile)
   EXPECT_TRUE(Has(fit, "file 2 of 2: b.nii.gz, case 1 of 2: label 1: surface")) << fit;
 }
 
-TEST(CliMessages, ProgressOfSeveralMeshedFilesNamesTheFile)
+TEST(CliMessages, MeshProgressNamesFile)
 {
   const TemporaryFolder folder;
   WriteTwoBalls(folder / "a.nii.gz");
@@ -255,7 +254,7 @@ TEST(CliMessages, ProgressOfSeveralMeshedFilesNamesTheFile)
   EXPECT_TRUE(Has(mesh, "file 2 of 2: b.nii.gz, label 1")) << mesh;
 }
 
-TEST(CliMessages, ProgressOfAStudyNamesTheStructureAndHowManyThereAre)
+TEST(CliMessages, StudyProgressNamesStructureAndCount)
 {
   const TemporaryFolder folder;
   WriteTwoBalls(folder / "a.nii.gz");

@@ -38,7 +38,7 @@ double MaskMilliliters(const std::filesystem::path& file)
 }
 } // namespace
 
-TEST(CliPhantom, TheFilesHoldTheBodyThatTheTruthDescribes)
+TEST(CliPhantom, FilesMatchGroundTruth)
 {
   for (const char* format : {"nii.gz", "nrrd", "mha"})
   {
@@ -62,7 +62,7 @@ TEST(CliPhantom, TheFilesHoldTheBodyThatTheTruthDescribes)
   }
 }
 
-TEST(CliPhantom, TheBodyOfAModelFileIsUsed)
+TEST(CliPhantom, UsesBodyOfModelFile)
 {
   const TemporaryFolder folder;
   ASSERT_EQ(
@@ -75,7 +75,7 @@ TEST(CliPhantom, TheBodyOfAModelFileIsUsed)
   EXPECT_EQ(MaskMilliliters(folder / "a/mask.nii.gz"), MaskMilliliters(folder / "b/mask.nii.gz"));
 }
 
-TEST(CliPhantom, TheBlockIsDrilledAsItSaysAndItsNerveIsLeft)
+TEST(CliPhantom, DrillsBlockAndKeepsNerve)
 {
   const TemporaryFolder folder;
   const CommandRun made = RunPalpate({"phantom", "--output", "b", "--drill-block", "--spacing",
@@ -97,7 +97,7 @@ TEST(CliPhantom, TheBlockIsDrilledAsItSaysAndItsNerveIsLeft)
   EXPECT_GT(std::stod(drilled.Output.substr(near + 22)), -0.25);
 }
 
-TEST(CliPhantom, SettingsThatMakeNoPhantomAreRefusedAndLeaveNothing)
+TEST(CliPhantom, RejectsInvalidSettingsAndLeavesNothing)
 {
   const TemporaryFolder folder;
   WriteAll(folder / "file", "in the way");

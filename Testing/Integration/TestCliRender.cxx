@@ -8,7 +8,7 @@ using namespace palpate::test;
 
 namespace
 {
-// Width and height that a PNG's header states.
+// Width and height from a PNG's header.
 std::pair<int, int> PngSize(const std::string& bytes)
 {
   const auto number = [&bytes](std::size_t at)
@@ -24,7 +24,7 @@ std::pair<int, int> PngSize(const std::string& bytes)
 }
 } // namespace
 
-TEST(CliRender, SegmentationsModelsAndSlicesBecomeOnePicture)
+TEST(CliRender, DrawsSegmentationsModelsAndSlicesTogether)
 {
   const TemporaryFolder folder;
   ASSERT_EQ(RunPalpate({"phantom", "--output", "p", "--spacing", "2,2,3"}, folder.Path()).Code, 0);
@@ -37,7 +37,7 @@ TEST(CliRender, SegmentationsModelsAndSlicesBecomeOnePicture)
   EXPECT_EQ(PngSize(ReadAll(folder / "picture.png")), (std::pair<int, int>{320, 200}));
 }
 
-TEST(CliRender, IsoValuesAndSegmentationsAreDrawnSubVoxel)
+TEST(CliRender, DrawsIsoValuesAndSegmentationsSubVoxel)
 {
   const TemporaryFolder folder;
   WriteTwoBalls(folder / "a.nii.gz");
@@ -92,7 +92,7 @@ TEST(CliRender, BadInputIsRefusedAndLeavesNothing)
   }
 }
 
-TEST(CliDisplay, DrawingWithoutADisplayNamesTheWayOut)
+TEST(CliDisplay, MissingDisplayGivesFix)
 {
   const TemporaryFolder folder;
   WriteTwoBalls(folder / "a.nii.gz");
@@ -114,8 +114,8 @@ TEST(CliDisplay, DrawingWithoutADisplayNamesTheWayOut)
   }
 }
 
-// What the README shows and needs no OpenGL.
-TEST(CliDisplay, FittingNeedsNone)
+// The README's example, without OpenGL.
+TEST(CliDisplay, FittingNeedsNoDisplay)
 {
   const TemporaryFolder folder;
   WriteTwoBalls(folder / "a.nii.gz");

@@ -10,7 +10,7 @@ using namespace palpate::test;
 
 namespace
 {
-// Two balls of a mask, a model that is only touched, and a file that is not there.
+// Two spheres of a mask, a model that is only touched, and a missing file.
 void WriteScene(const TemporaryFolder& folder)
 {
   WriteTwoBalls(folder / "a.nii.gz");
@@ -24,7 +24,7 @@ void WriteScene(const TemporaryFolder& folder)
 }
 } // namespace
 
-TEST(CliScene, ExplainsWhatWasMadeForWhatAndWhatWasNot)
+TEST(CliScene, ExplainsWhatWasBuiltAndSkipped)
 {
   const TemporaryFolder folder;
   WriteScene(folder);
@@ -57,7 +57,7 @@ TEST(CliScene, ExplainsWhatWasMadeForWhatAndWhatWasNot)
   EXPECT_EQ(nlohmann::json::parse(unseen.Output)["total"]["see"]["made"], 0) << unseen.Errors;
 }
 
-TEST(CliScene, SaysItInWords)
+TEST(CliScene, PrintsSummaryAsText)
 {
   const TemporaryFolder folder;
   WriteScene(folder);
@@ -71,7 +71,7 @@ TEST(CliScene, SaysItInWords)
   EXPECT_EQ(folder.EntryCount(), 3U) << "nothing is written";
 }
 
-TEST(CliScene, TouchMakesNoMoreThanTheSceneAsksFor)
+TEST(CliScene, TouchBuildsOnlyRequiredParts)
 {
   const TemporaryFolder folder;
   WriteScene(folder);
@@ -81,7 +81,7 @@ TEST(CliScene, TouchMakesNoMoreThanTheSceneAsksFor)
   EXPECT_EQ(nlohmann::json::parse(run.Output)["structures"].size(), 2U);
 }
 
-TEST(CliScene, WhatIsNoSceneIsRefused)
+TEST(CliScene, RejectsMalformedScene)
 {
   const TemporaryFolder folder;
   WriteScene(folder);

@@ -13,7 +13,7 @@ namespace
 const std::string Start = "{\"format\": \"palpate-study\", \"fit\": {\"frequency\": 10}, ";
 }
 
-TEST(CliStudy, MakesWhatASessionWantsAndWhatWasMadeCanBeTouched)
+TEST(CliStudy, BuildsSessionThatCanBeTouched)
 {
   const TemporaryFolder folder;
   WriteTwoBalls(folder / "a.nii.gz");
@@ -31,7 +31,7 @@ TEST(CliStudy, MakesWhatASessionWantsAndWhatWasMadeCanBeTouched)
   EXPECT_EQ(touch.Code, 0) << touch.Errors;
 }
 
-TEST(CliStudy, ASessionOfFilesAloneTakesTheirStructures)
+TEST(CliStudy, SessionWithoutStructuresUsesAllOfItsFiles)
 {
   const TemporaryFolder folder;
   WriteTwoBalls(folder / "a.nii.gz");
@@ -42,8 +42,8 @@ TEST(CliStudy, ASessionOfFilesAloneTakesTheirStructures)
   EXPECT_EQ(folder.EntryCount(), 2U) << "nothing is written unasked";
 }
 
-// A ball of one radius is not what the mask's steps are: no model is close enough.
-TEST(CliStudy, WhatReplacesARefusedModelIsAdviceAndNoFailure)
+// A sphere of one radius differs from the mask's steps: no model is close enough.
+TEST(CliStudy, FallbackForRefusedModelIsNotFailure)
 {
   const TemporaryFolder folder;
   WriteTwoBalls(folder / "a.nii.gz");
@@ -53,15 +53,16 @@ TEST(CliStudy, WhatReplacesARefusedModelIsAdviceAndNoFailure)
            "\"name\": \"ball\", \"shown_as\": \"sub-voxel\"}]}");
   const CommandRun run = RunPalpate({"study", "case.palpate.json"}, folder.Path());
   EXPECT_EQ(run.Code, 0) << run.Errors;
-  EXPECT_NE(run.Errors.find("ball: touched by its sub-voxel field, because it is not followed by a "
-                            "model of degree 0"),
-            std::string::npos)
+  EXPECT_NE(
+      run.Errors.find(
+          "ball: touched by its sub-voxel field, because it is not matched by a model of degree 0"),
+      std::string::npos)
       << run.Errors;
   EXPECT_NE(run.Output.find("shown as sub-voxel volume"), std::string::npos) << run.Output;
 }
 
-// The sentence is the one that the file's own command gives.
-TEST(CliStudy, BadFilesAreBlamedAsEverywhere)
+// The message is that of the file's own command.
+TEST(CliStudy, BadFilesGiveUsualMessages)
 {
   const TemporaryFolder folder;
   WriteAll(folder / "a.nii.gz", "no image");
@@ -74,7 +75,7 @@ TEST(CliStudy, BadFilesAreBlamedAsEverywhere)
   EXPECT_EQ(folder.EntryCount(), 2U);
 }
 
-TEST(CliStudy, WhatIsNoSessionIsRefused)
+TEST(CliStudy, RejectsMalformedSession)
 {
   const TemporaryFolder folder;
   WriteAll(folder / "bad.palpate.json", "{\"format\": 1}");
@@ -86,7 +87,7 @@ TEST(CliStudy, WhatIsNoSessionIsRefused)
   }
 }
 
-TEST(CliStudy, OneStructureThatFailsIsToldAndTheOthersAreWritten)
+TEST(CliStudy, FailedStructureIsReportedAndOthersWritten)
 {
   const TemporaryFolder folder;
   WriteTwoBalls(folder / "a.nii.gz");

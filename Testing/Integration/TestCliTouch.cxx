@@ -9,7 +9,7 @@
 
 using namespace palpate::test;
 
-TEST(CliTouch, AMaskIsSweptAndWhatWasFeltIsWritten)
+TEST(CliTouch, SweepsMaskAndWritesForces)
 {
   const TemporaryFolder folder;
   WriteTwoBalls(folder / "a.nii.gz");
@@ -36,7 +36,7 @@ TEST(CliTouch, AMaskIsSweptAndWhatWasFeltIsWritten)
   EXPECT_EQ(device.Code, 0) << device.Errors;
 }
 
-TEST(CliTouch, ARecordingBecomesALineATick)
+TEST(CliTouch, RecordingHasOneLinePerTick)
 {
   const TemporaryFolder folder;
   WriteTwoBalls(folder / "a.nii.gz");
@@ -57,7 +57,7 @@ TEST(CliTouch, ARecordingBecomesALineATick)
       RunPalpate({"convert", "felt/session.touch", "plots.svg"}, folder.Path());
   EXPECT_EQ(drawn.Code, 0) << drawn.Errors;
   EXPECT_FALSE(ReadAll(folder / "plots.svg").empty());
-  // Cut off, as by a program that died.
+  // Truncated, as by a program that crashed.
   const std::string bytes = ReadAll(folder / "felt/session.touch");
   std::ofstream(folder / "cut.part", std::ios::binary) << bytes.substr(0, bytes.size() - 100);
   const CommandRun cut = RunPalpate({"convert", "cut.part", "cut.csv"}, folder.Path());
@@ -67,7 +67,7 @@ TEST(CliTouch, ARecordingBecomesALineATick)
   EXPECT_EQ(RunPalpate({"convert", "cut.part", "b.nrrd"}, folder.Path()).Code, 2);
 }
 
-TEST(CliTouch, TooMuchStiffnessIsWarnedOfBeforeForcesStart)
+TEST(CliTouch, WarnsOfHighStiffnessBeforeForcesStart)
 {
   const TemporaryFolder folder;
   WriteTwoBalls(folder / "a.nii.gz");
@@ -103,7 +103,7 @@ TEST(CliTouch, BadInputIsRefusedAndLeavesNothing)
   }
 }
 
-TEST(CliDevices, ListsEachWithWhatItSays)
+TEST(CliDevices, ListsEachDeviceWithItsStatus)
 {
   const TemporaryFolder folder;
   const CommandRun run = RunPalpate({"devices"}, folder.Path());
@@ -129,7 +129,7 @@ TEST(CliTouchView, DrawsWhileTheServoRuns)
   EXPECT_GT(summary["memory_start_mib"].get<double>(), 1.0);
 }
 
-TEST(CliTouch, AViewNeedsRealTime)
+TEST(CliTouch, ViewNeedsRealTime)
 {
   const TemporaryFolder folder;
   WriteTwoBalls(folder / "a.nii.gz");

@@ -15,7 +15,7 @@ bool Has(const std::string& text, const std::string& part)
   return text.find(part) != std::string::npos;
 }
 
-/// A model and a mask; short paths, since nobody reads the times.
+/// A model and a mask; short paths, since the times are not checked.
 class CliTradeoff : public testing::Test
 {
 protected:

@@ -58,7 +58,7 @@ private:
   static std::string PlainFile(const std::string& name) { return name.substr(0, 1); }
 };
 
-// A mean and two modes along known coefficients, with scores of mean 0 that do not correlate.
+// A mean and two modes along known coefficients, with uncorrelated scores of mean 0.
 void AddKnownCases(Cohort& cohort)
 {
   Random random(21);
@@ -80,7 +80,7 @@ double Field(const CsvRecord& record, const std::string& column)
 }
 } // namespace
 
-TEST(CohortGroup, KnownMeanAndModesComeBackFromTheFiles)
+TEST(CohortGroup, FilesRestoreKnownMeanAndModes)
 {
   Cohort cohort;
   AddKnownCases(cohort);
@@ -110,7 +110,7 @@ TEST(CohortGroup, KnownMeanAndModesComeBackFromTheFiles)
   EXPECT_NEAR(plus.Coefficients()[6] - mean.Coefficients()[6], 2.0 * std::sqrt(16.0 / 3.0), 1e-12);
 }
 
-TEST(CohortGroup, TablesHaveARowACaseAndTheModelsOwnNumbers)
+TEST(CohortGroup, TablesHaveOneRowPerCase)
 {
   Cohort cohort;
   AddKnownCases(cohort);
@@ -130,7 +130,7 @@ TEST(CohortGroup, TablesHaveARowACaseAndTheModelsOwnNumbers)
   EXPECT_EQ(Field(measures[3], "dice"), 0.97);
 }
 
-TEST(CohortGroup, TurnedAndMovedCopiesAreOneShapeInTheirOwnAxes)
+TEST(CohortGroup, RotatedAndMovedCopiesAlignToOneShape)
 {
   Random random(22);
   const SphericalHarmonicModel model = palpate::test::RandomOrgan(random, 6);
@@ -156,7 +156,7 @@ TEST(CohortGroup, TurnedAndMovedCopiesAreOneShapeInTheirOwnAxes)
   EXPECT_LE(worst.Value(), 1e-9); // mm; rounding over the distance of the second moments
 }
 
-TEST(CohortGroup, LowerDegreesAreTakenAsTheHighestWithZeros)
+TEST(CohortGroup, LowerDegreesArePaddedWithZeros)
 {
   Cohort cohort;
   Random random(23);
@@ -168,7 +168,7 @@ TEST(CohortGroup, LowerDegreesAreTakenAsTheHighestWithZeros)
   EXPECT_EQ(group.Modes.Modes.cols(), 1);
 }
 
-TEST(CohortGroup, PageNeedsNothingElseAndNamesWhatIsLeftOut)
+TEST(CohortGroup, PageIsSelfContainedAndListsOmissions)
 {
   Cohort cohort;
   AddKnownCases(cohort);
@@ -179,11 +179,11 @@ TEST(CohortGroup, PageNeedsNothingElseAndNamesWhatIsLeftOut)
   EXPECT_EQ(html.find("http"), std::string::npos);
   EXPECT_NE(html.find("4 shapes, degree 5"), std::string::npos);
   EXPECT_NE(html.find("Mode 2: 5.9 %"), std::string::npos);
-  EXPECT_NE(html.find("x &amp; y has no model and is left out: is &lt;hidden&gt;"),
+  EXPECT_NE(html.find("x &amp; y has no model and is omitted: is &lt;hidden&gt;"),
             std::string::npos);
 }
 
-TEST(CohortGroup, SeveralStructuresNeedAChoice)
+TEST(CohortGroup, SeveralStructuresRequireChoice)
 {
   Cohort cohort;
   Random random(24);
@@ -197,13 +197,13 @@ TEST(CohortGroup, SeveralStructuresNeedAChoice)
   EXPECT_THROW(cohort.Group(AlignmentAxes::Patient, "3"), InputError);
 }
 
-TEST(CohortGroup, WhatIsNoCohortIsRefusedInOneSentence)
+TEST(CohortGroup, RejectsInvalidCohortWithOneSentence)
 {
   const TemporaryFolder folder;
   palpate::test::WriteAll(folder / "cohort.csv", "case,mask\na,b\n");
   const auto run = palpate::test::RunPalpate({"cohort", "."}, folder.Path());
   EXPECT_EQ(run.Code, 2);
-  EXPECT_NE(run.Errors.find("is no table of a cohort"), std::string::npos) << run.Errors;
+  EXPECT_NE(run.Errors.find("is not a cohort table"), std::string::npos) << run.Errors;
   EXPECT_EQ(palpate::test::RunPalpate({"cohort", "nowhere"}, folder.Path()).Code, 2);
   EXPECT_EQ(folder.EntryCount(), 1U);
 }

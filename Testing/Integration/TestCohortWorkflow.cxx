@@ -12,7 +12,7 @@ namespace
 {
 using Times = std::map<std::string, std::filesystem::file_time_type>;
 
-/// Four phantoms, one file that is no mask, one that is missing; and Snakemake.
+/// Four phantoms, one file that is not a mask, one missing file; and Snakemake.
 class CohortWorkflow : public testing::Test
 {
 protected:
@@ -55,8 +55,8 @@ protected:
   {
     return RunCommand("snakemake", this->Arguments(more), this->Folder.Path());
   }
-  /// Kills Snakemake and all its jobs as soon as two cases are done: then one of them is certainly
-  /// in its books.
+  /// Kills Snakemake and all its jobs as soon as two cases are done: then at least one of them is
+  /// recorded as complete.
   void KillAfterTwoCases() const
   {
     std::string command = "setsid snakemake";
@@ -89,7 +89,7 @@ protected:
 };
 } // namespace
 
-TEST_F(CohortWorkflow, KilledAndResumedItDoesTheRestAndNothingTwiceWithTheProgramsTables)
+TEST_F(CohortWorkflow, ResumesAfterKillWithoutRepetition)
 {
   this->KillAfterTwoCases();
   const Times before = this->Tables();
@@ -103,7 +103,7 @@ TEST_F(CohortWorkflow, KilledAndResumedItDoesTheRestAndNothingTwiceWithTheProgra
   const auto kept =
       std::count_if(before.begin(), before.end(),
                     [&](const auto& one) { return after.at(one.first) == one.second; });
-  // All but at most the last, which Snakemake may not have entered as complete.
+  // All but at most the last, which Snakemake may not have recorded as complete.
   EXPECT_GE(kept + 1, static_cast<std::ptrdiff_t>(before.size()));
 
   const CommandRun again = this->Snakemake();

@@ -6,7 +6,7 @@
 
 using palpate::cli::Console;
 
-TEST(Console, ResultsAndRemarksGoToTheirStreams)
+TEST(Console, ResultsAndRemarksUseTheirStreams)
 {
   std::ostringstream out;
   std::ostringstream err;
@@ -18,7 +18,7 @@ TEST(Console, ResultsAndRemarksGoToTheirStreams)
   EXPECT_EQ(err.str(), "remark\npalpate: sentence\n");
 }
 
-TEST(Console, NoProgressWhereErrorsAreNoTerminal)
+TEST(Console, NoProgressWithoutTerminal)
 {
   std::ostringstream out;
   std::ostringstream err;
@@ -28,7 +28,7 @@ TEST(Console, NoProgressWhereErrorsAreNoTerminal)
   EXPECT_EQ(err.str() + out.str(), "");
 }
 
-TEST(Console, ProgressIsDrawnAtOnceAndWiped)
+TEST(Console, DrawsProgressAtOnceAndClearsIt)
 {
   std::ostringstream out;
   std::ostringstream err;
@@ -41,7 +41,7 @@ TEST(Console, ProgressIsDrawnAtOnceAndWiped)
   EXPECT_EQ(out.str(), "");
 }
 
-TEST(Console, ALiveLineIsDrawnOnTerminalsAndReplaced)
+TEST(Console, DrawsAndReplacesLiveLineOnTerminal)
 {
   std::ostringstream out;
   std::ostringstream err;
@@ -55,7 +55,7 @@ TEST(Console, ALiveLineIsDrawnOnTerminalsAndReplaced)
   EXPECT_EQ(file.str() + out.str(), "");
 }
 
-TEST(Console, ManyStepsAreDrawnSeldom)
+TEST(Console, DrawsManyStepsRarely)
 {
   std::ostringstream out;
   std::ostringstream err;
@@ -70,7 +70,7 @@ TEST(Console, ManyStepsAreDrawnSeldom)
   EXPECT_LT(err.str().size(), 50 * once);
 }
 
-TEST(Console, FractionsOutOfRangeAndNanAreDrawable)
+TEST(Console, DrawsOutOfRangeAndNanFractions)
 {
   for (const double fraction : {-1.0, 2.0, std::nan("")})
   {
@@ -94,7 +94,7 @@ TEST(Console, QuietKeepsErrorsOnly)
   EXPECT_EQ(err.str(), "palpate: sentence\n");
 }
 
-TEST(Console, RemarkWipesTheProgressLineFirst)
+TEST(Console, RemarkClearsProgressLine)
 {
   std::ostringstream out;
   std::ostringstream err;

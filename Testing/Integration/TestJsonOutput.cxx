@@ -1,4 +1,4 @@
-// Documentation/JsonOutput.md against what every command prints with --json.
+// Compares Documentation/JsonOutput.md with every command's --json output.
 #include "CommandRun.h"
 #include "InputError.h"
 #include "JsonPaths.h"
@@ -55,7 +55,7 @@ std::map<std::string, Table> DocumentedTables()
   return tables;
 }
 
-// An empty list is in order where a list of anything is documented.
+// An empty list is valid for any documented list.
 bool IsDocumented(const std::string& path, const Table& table)
 {
   const auto next = table.lower_bound(path);
@@ -81,7 +81,7 @@ protected:
     this->Take(run.Output);
   }
 
-  // One object, or one a line.
+  // One object, or one per line.
   void Take(const std::string& text)
   {
     const Json whole = Json::parse(text, nullptr, false);
@@ -169,7 +169,7 @@ TEST_F(JsonOutput, SceneIsDocumented)
            R"({"format": "palpate-scene", "structures": [{"file": "ball.json"},
                {"file": "a.nii.gz", "label": 1, "seen": false, "touched": false}]})");
   this->Run({"scene", "explain", "a.scene.json", "--json"});
-  // With nothing to be touched there is no servo's scene, with nobody looking no drawing.
+  // Without touch there is no servo scene, and without a view no drawing.
   WriteAll(
       this->Folder / "seen.scene.json",
       R"({"format": "palpate-scene", "structures": [{"file": "ball.json", "touched": false}]})");
@@ -187,7 +187,7 @@ TEST_F(JsonOutput, TouchIsDocumented)
             0);
   this->Run(drill);
   this->Run({"touch", "felt/scene.json", "--replay", "felt/session.touch", "--json"});
-  // A view and real time, which a machine without a display has not.
+  // Require a view and real time, which a machine without a display does not have.
   palpate::TouchResult viewed;
   viewed.Frames.Add(1000);
   viewed.Periods.Add(1000);
@@ -213,7 +213,7 @@ TEST_F(JsonOutput, DevicesAreDocumented)
   this->ExpectDocumented("devices");
 }
 
-TEST(JsonPage, HasATableForEveryCommandThatHasJson)
+TEST(JsonPage, HasTableForEveryJsonCommand)
 {
   const TemporaryFolder folder;
   const CommandRun help = RunPalpate({"--help"}, folder.Path());
@@ -235,8 +235,8 @@ TEST(JsonPage, HasATableForEveryCommandThatHasJson)
   EXPECT_EQ(found, tables.size());
 }
 
-// The end of a key tells its unit, and the page says the same.
-TEST(JsonPage, NamesTheUnitsThatKeysEndIn)
+// The end of a key gives its unit, and the page agrees.
+TEST(JsonPage, ListsUnitSuffixesOfKeys)
 {
   const std::vector<std::pair<std::string, std::string>> units{
       {"_n_per_mm", "N/mm"}, {"_mm_per_rad", "mm/rad"},

@@ -18,8 +18,8 @@ namespace palpate
 {
 namespace
 {
-// Documentation/Tutorial/FeelAProstate.md, step by step, as a newcomer takes it. The pictures are
-// those of the page; the style is Qt's own, so that they look alike wherever the test runs.
+// Documentation/Tutorial/FeelAProstate.md, step by step, as a new user does. The screenshots are
+// those of the page; the style is Qt's own, so that they look the same on every machine.
 class TutorialTest : public test::WindowTest
 {
 protected:
@@ -64,7 +64,7 @@ protected:
     const PlainVector3& force = this->Study->Reading().Newest.ForceWorld;
     return std::hypot(force.X, force.Y, force.Z);
   }
-  // With the pointer over the gland, a notch of the wheel after the other until it is felt.
+  // With the pointer over the gland, one wheel step after the other until it is touched.
   void PressByWheel()
   {
     QWidget* canvas = this->Window->Views()->Space()->Canvas();
@@ -84,7 +84,8 @@ protected:
           return isFelt;
         });
   }
-  // The same place and force each time: 1.4 mm below where the line to the eye leaves the gland.
+  // The same position and force each time: 1.4 mm below the point where the line to the eye leaves
+  // the gland.
   void HoldStill()
   {
     const SphericalHarmonicModel& gland = this->Fit().Model;
@@ -156,7 +157,7 @@ void TutorialTest::Touch()
   this->ExpectPicture("tutorial-touch.png");
 }
 
-// Records what is felt, and looks at it again.
+// Records the touch and replays it.
 void TutorialTest::Replay()
 {
   const auto file = QString::fromStdString(this->File("prostate/case.touch").string());
@@ -191,7 +192,7 @@ void TutorialTest::Keep()
   EXPECT_TRUE(std::filesystem::exists(this->File("results/markups.csv")));
 }
 
-TEST_F(TutorialTest, TheTenStepsLeadFromFilesToAFeltProstate)
+TEST_F(TutorialTest, TenStepsLeadToTouchedProstate)
 {
   const test::CommandRun run =
       test::RunPalpate({"phantom", "--output", "prostate"}, this->Phantom.Folder.Path());

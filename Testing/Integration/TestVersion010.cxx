@@ -1,4 +1,4 @@
-// Files of version 0.1.0, made by that program: they open, and what was recorded is felt again.
+// Files of version 0.1.0, made by that program: they open, and the recording is replayed.
 #include "CommandRun.h"
 
 #include "ModelFile.h"
@@ -20,7 +20,7 @@ TEST(Version010, RecordingReplaysBitForBit)
   EXPECT_NE(run.Output.find("0 of 600 ticks differ"), std::string::npos) << run.Output;
 }
 
-TEST(Version010, SceneWithEveryKeyIsTouched)
+TEST(Version010, TouchesSceneWithEveryKey)
 {
   const test::CommandRun run =
       test::RunPalpate({"touch", "keys.scene.json", "--seconds", "0.05", "--json"}, Folder);
@@ -44,7 +44,7 @@ TEST(Version010, SessionOpens)
   const SceneStructure& gland = state.Structures.front();
   EXPECT_EQ(gland.Name, "gland");
   EXPECT_EQ(gland.Appearance, SceneAppearance::ErrorMap);
-  EXPECT_EQ(gland.Degree, 8); // as its dial had it, whatever the structure said
+  EXPECT_EQ(gland.Degree, 8); // as set by its preset, regardless of the structure
   EXPECT_EQ(gland.Representation, TouchRepresentation::ModelOrField);
   EXPECT_EQ(gland.Stiffness, 0.7);
   EXPECT_EQ(gland.Friction.Static, 0.4);

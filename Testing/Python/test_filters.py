@@ -1,4 +1,4 @@
-"""Palpate's filters run from Python on NumPy arrays and sit in a pipeline with stock filters."""
+"""Palpate's filters run from Python on NumPy arrays, in a pipeline with VTK's own filters."""
 
 import unittest
 
@@ -53,7 +53,7 @@ class SegmentationSurface(unittest.TestCase):
         self.assertGreater(self.filter.GetOutput().GetNumberOfPolys(), 100)
         self.assertEqual(edges.GetOutput().GetNumberOfCells(), 0)
 
-    def test_output_encloses_the_voxels_volume(self):
+    def test_output_encloses_mask_volume(self):
         mass = vtkMassProperties()
         mass.SetInputConnection(self.filter.GetOutputPort())
         mass.Update()
@@ -61,15 +61,15 @@ class SegmentationSurface(unittest.TestCase):
         # The default keeps the mask's volume within 2 %.
         self.assertAlmostEqual(mass.GetVolume() / voxels, 1.0, delta=0.02)
 
-    def test_output_lies_where_the_direction_matrix_puts_it(self):
+    def test_output_follows_direction_matrix(self):
         self.filter.Update()
         points = vtk_to_numpy(self.filter.GetOutput().GetPoints().GetData())
         middle = (points.min(axis=0) + points.max(axis=0)) / 2.0
         expected = ORIGIN + DIRECTION @ (self.center * SPACING)
-        # A symmetric body: its middle is its centre, to a small part of a voxel.
+        # A symmetric body: its bounding box has the same centre, to a small fraction of a voxel.
         numpy.testing.assert_allclose(middle, expected, atol=0.2)
 
-    def test_absent_label_raises_the_error_event(self):
+    def test_absent_label_raises_error_event(self):
         errors = []
         self.filter.AddObserver("ErrorEvent", lambda caller, event: errors.append(event))
         self.filter.GetExecutive().AddObserver("ErrorEvent", lambda caller, event: None)

@@ -19,7 +19,7 @@ TEST(AnatomicalView, FramesAreRightHandedAndOrthonormal)
   }
 }
 
-TEST(AnatomicalView, TheViewerStandsOnTheSideThatTheNameSays)
+TEST(AnatomicalView, ViewerIsOnNamedSide)
 {
   for (const ViewSide side : palpate::AllViewSides)
   {
@@ -28,7 +28,7 @@ TEST(AnatomicalView, TheViewerStandsOnTheSideThatTheNameSays)
   }
 }
 
-TEST(AnatomicalView, PicturesLieAsRadiologistsHangThem)
+TEST(AnatomicalView, FollowsRadiologicalConvention)
 {
   EXPECT_EQ(OrientationLetters(FrameOf(ViewSide::Anterior).RightWorld), "L");
   EXPECT_EQ(OrientationLetters(FrameOf(ViewSide::Posterior).RightWorld), "R");
@@ -40,14 +40,14 @@ TEST(AnatomicalView, PicturesLieAsRadiologistsHangThem)
   EXPECT_EQ(OrientationLetters(FrameOf(ViewSide::Left).UpWorld), "S");
 }
 
-TEST(AnatomicalView, EdgesAreNamedByWhatLiesBeyondThem)
+TEST(AnatomicalView, EdgeLettersMatchDirections)
 {
   using Letters = std::array<std::string, 4>; // left, right, top, bottom
   EXPECT_EQ(EdgeLettersOf(FrameOf(ViewSide::Inferior)), (Letters{"R", "L", "A", "P"}));
   EXPECT_EQ(EdgeLettersOf(FrameOf(ViewSide::Left)), (Letters{"A", "P", "S", "I"}));
 }
 
-TEST(AnatomicalView, ObliqueDirectionsAreNamedByTheirStrongestLetterFirst)
+TEST(AnatomicalView, ObliqueDirectionsListLargestComponentFirst)
 {
   EXPECT_EQ(OrientationLetters(Vector3(0.6, 0.8, 0.0)), "PL");
   EXPECT_EQ(OrientationLetters(Vector3(-0.2, -0.1, -0.97)), "I");

@@ -10,7 +10,7 @@ using palpate::Vector3;
 
 namespace
 {
-// A sagittal series: columns run to posterior, rows to inferior, slices to left; turned by 10
+// A sagittal series: columns run to posterior, rows to inferior, slices to left; rotated by 10
 // degrees about the body's long axis.
 vtkSmartPointer<vtkImageData> SagittalSeries()
 {
@@ -22,14 +22,14 @@ vtkSmartPointer<vtkImageData> SagittalSeries()
 }
 } // namespace
 
-TEST(BodyAxes, FindTheAxesOfASagittalSeries)
+TEST(BodyAxes, FindsAxesOfSagittalSeries)
 {
   const BodyAxes body{ImageAxes(SagittalSeries())};
   EXPECT_EQ(body.Axis, (std::array<int, 3>{{2, 0, 1}}));
   EXPECT_EQ(body.Sign, (std::array<double, 3>{{1.0, 1.0, -1.0}}));
 }
 
-TEST(BodyAxes, TheNearestDirectionKeepsTheSide)
+TEST(BodyAxes, NearestDirectionKeepsSign)
 {
   const auto image = SagittalSeries();
   const ImageAxes axes(image);

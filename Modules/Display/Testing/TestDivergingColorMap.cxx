@@ -26,16 +26,16 @@ int LargestDifference(const Color& a, const Color& b)
 }
 } // namespace
 
-TEST(DivergingColorMap, EndsAndMiddleAreThoseOfRdBu)
+TEST(DivergingColorMap, EndsAndCentreMatchRdBu)
 {
   const DivergingColorMap map(2.0);
-  // Two of 255: the constants are rounded to hundredths of CIELAB units.
+  // Two levels of 255: the constants are rounded to hundredths of CIELAB units.
   EXPECT_LE(LargestDifference(map.ColorOf(-2.0), Color{{33, 102, 172}}), 2);
   EXPECT_LE(LargestDifference(map.ColorOf(0.0), Color{{247, 247, 247}}), 2);
   EXPECT_LE(LargestDifference(map.ColorOf(2.0), Color{{178, 24, 43}}), 2);
 }
 
-TEST(DivergingColorMap, LightnessFallsToBothSides)
+TEST(DivergingColorMap, LightnessDecreasesToBothSides)
 {
   const DivergingColorMap map(1.0);
   for (int step = 0; step < 20; ++step)
@@ -46,20 +46,20 @@ TEST(DivergingColorMap, LightnessFallsToBothSides)
   }
 }
 
-TEST(DivergingColorMap, NumbersBeyondTheLimitHaveTheEndsColors)
+TEST(DivergingColorMap, NumbersBeyondLimitAreClamped)
 {
   const DivergingColorMap map(0.5);
   EXPECT_EQ(map.ColorOf(7.0), map.ColorOf(0.5));
   EXPECT_EQ(map.ColorOf(-7.0), map.ColorOf(-0.5));
 }
 
-TEST(DivergingColorMap, NotANumberIsGrey)
+TEST(DivergingColorMap, NanIsGrey)
 {
   EXPECT_EQ(DivergingColorMap(1.0).ColorOf(std::numeric_limits<double>::quiet_NaN()),
             (Color{{128, 128, 128}}));
 }
 
-TEST(DivergingColorMap, LimitsAreRoundedUpToNumbersThatReadWell)
+TEST(DivergingColorMap, RoundsLimitsUpToConvenientNumbers)
 {
   EXPECT_DOUBLE_EQ(DivergingColorMap::RoundLimit(0.54), 0.6);
   EXPECT_DOUBLE_EQ(DivergingColorMap::RoundLimit(1.0), 1.0);

@@ -7,7 +7,7 @@
 #include <limits>
 #include <numeric>
 
-TEST(GreyWindow, TheWindowSpansTheValuesWithoutTheirExtremes)
+TEST(GreyWindow, WindowExcludesExtremes)
 {
   std::vector<float> values(100000);
   std::iota(values.begin(), values.end(), 0.0F);
@@ -20,7 +20,7 @@ TEST(GreyWindow, TheWindowSpansTheValuesWithoutTheirExtremes)
   EXPECT_LT(flat.Low, flat.High);
 }
 
-TEST(GreyWindow, OfAnImageIsThatOfItsValues)
+TEST(GreyWindow, WindowOfImageEqualsThatOfValues)
 {
   vtkNew<vtkImageData> image;
   image->SetDimensions(100, 100, 1);

@@ -11,7 +11,7 @@ using palpate::ImageAxes;
 using palpate::IndexBox;
 using palpate::Vector3;
 
-TEST(ImageAxes, PlacesVoxelsWhereVtkDoes)
+TEST(ImageAxes, VoxelPositionsEqualVtk)
 {
   std::mt19937_64 random(1);
   for (int trial = 0; trial < 100; ++trial)
@@ -35,7 +35,7 @@ TEST(ImageAxes, PlacesVoxelsWhereVtkDoes)
   }
 }
 
-TEST(ImageAxes, CornersLieHalfAVoxelBeyondTheOutermostCentres)
+TEST(ImageAxes, CornersAreHalfAVoxelBeyondOutermostCentres)
 {
   vtkNew<vtkImageData> image;
   image->SetExtent(-3, 9, 2, 12, 0, 8);
@@ -46,7 +46,7 @@ TEST(ImageAxes, CornersLieHalfAVoxelBeyondTheOutermostCentres)
   EXPECT_EQ(corners[7], Vector3(19.0, 12.5, 34.0));
 }
 
-TEST(ImageAxes, TheBoxOfAValueIsTheSmallestThatHoldsIt)
+TEST(ImageAxes, ValueBoxIsSmallest)
 {
   std::mt19937_64 random(2);
   for (int trial = 0; trial < 50; ++trial)

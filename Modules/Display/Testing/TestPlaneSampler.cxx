@@ -17,7 +17,7 @@ namespace
 {
 constexpr float Outside = -7.0F;
 
-// Any numbers, on any grid whose extent starts anywhere.
+// Arbitrary numbers on an arbitrary grid and extent.
 template <typename T>
 vtkSmartPointer<vtkImageData> RandomImage(std::mt19937_64& random)
 {
@@ -33,7 +33,7 @@ vtkSmartPointer<vtkImageData> RandomImage(std::mt19937_64& random)
   return image;
 }
 
-// A plane through the image that reaches out of it on all sides.
+// A plane through the image that extends beyond it on all sides.
 PixelGrid RandomGrid(vtkImageData* image, std::mt19937_64& random)
 {
   std::uniform_real_distribution<double> unit(-1.0, 1.0);
@@ -54,7 +54,7 @@ double Voxel(vtkImageData* image, const Eigen::Vector3i& index)
   return image->GetScalarComponentAsDouble(index.x(), index.y(), index.z(), 0);
 }
 
-// The slow obvious version: eight voxels with their weights.
+// Reference: eight voxels with their weights.
 double InterpolateSlowly(vtkImageData* image, const Vector3& world)
 {
   const ImageAxes axes(image);
@@ -94,7 +94,7 @@ using Types = testing::Types<unsigned char, short, float, double>;
 TYPED_TEST_SUITE(PlaneSamplerOf, Types);
 } // namespace
 
-TYPED_TEST(PlaneSamplerOf, LinearRowsAreTheEightVoxelsWithTheirWeights)
+TYPED_TEST(PlaneSamplerOf, LinearRowsInterpolateEightVoxels)
 {
   std::mt19937_64 random(11);
   int inside = 0;
@@ -124,7 +124,7 @@ TYPED_TEST(PlaneSamplerOf, LinearRowsAreTheEightVoxelsWithTheirWeights)
   EXPECT_GT(inside, 5000);
 }
 
-TYPED_TEST(PlaneSamplerOf, NearestRowsAreTheVoxelsThatHoldThePoints)
+TYPED_TEST(PlaneSamplerOf, NearestRowsUseVoxelAtPoint)
 {
   std::mt19937_64 random(12);
   for (int trial = 0; trial < 20; ++trial)
@@ -154,7 +154,7 @@ TYPED_TEST(PlaneSamplerOf, NearestRowsAreTheVoxelsThatHoldThePoints)
   }
 }
 
-TEST(PlaneSampler, OnTheVoxelCentresOfASliceItsValuesComeBackExactly)
+TEST(PlaneSampler, RestoresValuesAtVoxelCentres)
 {
   std::mt19937_64 random(13);
   const auto image = RandomImage<short>(random);
@@ -178,7 +178,7 @@ TEST(PlaneSampler, OnTheVoxelCentresOfASliceItsValuesComeBackExactly)
   }
 }
 
-TEST(PlaneSampler, ASingleSliceHasItsValuesHalfAVoxelToBothSides)
+TEST(PlaneSampler, SingleSliceExtendsHalfAVoxelToBothSides)
 {
   vtkNew<vtkImageData> image;
   image->SetDimensions(4, 4, 1);

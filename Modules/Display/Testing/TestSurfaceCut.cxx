@@ -23,7 +23,7 @@ double Length(const SurfaceCurve& curve)
 }
 } // namespace
 
-TEST(SurfaceCut, ASphereIsCutInOneCircle)
+TEST(SurfaceCut, SphereIsCutInOneCircle)
 {
   std::mt19937_64 random(77);
   std::normal_distribution<double> gauss;
@@ -47,7 +47,7 @@ TEST(SurfaceCut, ASphereIsCutInOneCircle)
   }
 }
 
-TEST(SurfaceCut, ThroughPointsOfTheMeshTheCurveStaysOne)
+TEST(SurfaceCut, CutThroughMeshPointsGivesOneCurve)
 {
   // The icosahedron's mesh has points in the coordinate planes.
   const auto mesh =
@@ -60,7 +60,7 @@ TEST(SurfaceCut, ThroughPointsOfTheMeshTheCurveStaysOne)
   }
 }
 
-TEST(SurfaceCut, AnOpenSurfaceIsCutInAnOpenCurve)
+TEST(SurfaceCut, OpenSurfaceIsCutInOpenCurve)
 {
   vtkNew<vtkPoints> points;
   for (const Vector3& p : {Vector3(0, 0, 0), Vector3(3, 0, 0), Vector3(0, 3, 0), Vector3(3, 3, 0)})
@@ -79,7 +79,7 @@ TEST(SurfaceCut, AnOpenSurfaceIsCutInAnOpenCurve)
   EXPECT_NEAR(Length(curves.front()), 3.0, 1e-12);
 }
 
-TEST(SurfaceCut, APlaneThatMissesGivesNothing)
+TEST(SurfaceCut, MissingPlaneGivesNoCurve)
 {
   const auto mesh =
       palpate::test::MakeModelMesh(palpate::test::SphereModel(10.0, Vector3::Zero()), 4);

@@ -10,7 +10,7 @@ namespace palpate
 {
 namespace
 {
-// Every voxel has a value of its own, on a turned grid.
+// Every voxel has a unique value, on a rotated grid.
 vtkSmartPointer<vtkImageData> NumberedImage(std::mt19937_64& random)
 {
   test::LabelGrid grid;
@@ -26,7 +26,7 @@ vtkSmartPointer<vtkImageData> NumberedImage(std::mt19937_64& random)
   return image;
 }
 
-TEST(VoxelValue, IsThatOfTheVoxelThatThePointLiesIn)
+TEST(VoxelValue, EqualsVoxelAtPoint)
 {
   std::mt19937_64 random(3);
   const auto image = NumberedImage(random);
@@ -44,7 +44,7 @@ TEST(VoxelValue, IsThatOfTheVoxelThatThePointLiesIn)
   }
 }
 
-TEST(VoxelValue, OutsideThereIsNone)
+TEST(VoxelValue, IsEmptyOutsideImage)
 {
   std::mt19937_64 random(4);
   const auto image = NumberedImage(random);

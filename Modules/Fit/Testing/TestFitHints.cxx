@@ -11,7 +11,7 @@ bool Names(const std::string& hint, const char* option)
   return hint.find(option) != std::string::npos;
 }
 
-TEST(FitHints, NameTheVisibleCentreOnlyWhereAnotherWasUsed)
+TEST(FitHints, SuggestsVisibleCentreOnlyIfUnused)
 {
   FitSettings settings;
   for (const auto hint :
@@ -28,7 +28,7 @@ TEST(FitHints, NameTheVisibleCentreOnlyWhereAnotherWasUsed)
   }
 }
 
-TEST(FitHints, NameTheDegreeOptionThatIsInUse)
+TEST(FitHints, NamesDegreeOptionInUse)
 {
   FitSettings settings;
   EXPECT_TRUE(Names(palpate::HintForMisfit(settings), "--degree"));
@@ -39,7 +39,7 @@ TEST(FitHints, NameTheDegreeOptionThatIsInUse)
   EXPECT_TRUE(Names(palpate::OptionsOfFit(settings), "--tolerance"));
 }
 
-TEST(FitHints, NameThePenaltyOnlyWhereThereIsNone)
+TEST(FitHints, SuggestsPenaltyOnlyIfUnused)
 {
   FitSettings settings;
   EXPECT_TRUE(Names(palpate::HintForImplausible(settings), "--penalty auto"));

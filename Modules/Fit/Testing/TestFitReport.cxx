@@ -59,7 +59,7 @@ TEST(FitReport, ShowsSlicesContoursViewsAndCharts)
   EXPECT_EQ(Count(html, "<svg class=\"colorbar\""), 1);
 }
 
-TEST(FitReport, HoldsTheNumbersOfTheResult)
+TEST(FitReport, ContainsNumbersOfResult)
 {
   const SyntheticFit fit;
   const std::string html = Report(fit.Result, nullptr);
@@ -75,7 +75,7 @@ TEST(FitReport, HoldsTheNumbersOfTheResult)
   }
 }
 
-TEST(FitReport, SaysAndShowsWhereNoDirectionMeetsTheSurface)
+TEST(FitReport, ShowsRegionsWithoutDirections)
 {
   SyntheticFit fit;
   const std::string covered = Report(fit.Result, nullptr);
@@ -86,7 +86,7 @@ TEST(FitReport, SaysAndShowsWhereNoDirectionMeetsTheSurface)
   const std::string gaps = Report(fit.Result, nullptr);
   EXPECT_NE(gaps.find("<dt>Coverage</dt><dd>gaps"), std::string::npos);
   EXPECT_NE(gaps.find("Grey: no direction"), std::string::npos);
-  // The views from that side are other images.
+  // The views from that side are different images.
   const auto views = [](const std::string& html)
   {
     return html.substr(html.find("From six sides"), html.find("By degree") - html.find("From six"));
@@ -95,7 +95,7 @@ TEST(FitReport, SaysAndShowsWhereNoDirectionMeetsTheSurface)
             views(gaps).substr(views(gaps).find("data:")));
 }
 
-TEST(FitReport, MarkupInNamesIsShownAndNotObeyed)
+TEST(FitReport, EscapesMarkupInNames)
 {
   SyntheticFit fit;
   fit.Result.Structure.Name = "</h1><script>alert(\"1\")</script>&'\xFF";
@@ -113,7 +113,7 @@ TEST(FitReport, MarkupInNamesIsShownAndNotObeyed)
   EXPECT_GT(Count(html, "&lt;script&gt;"), 0);
 }
 
-TEST(FitReport, FoldersOfTheInputAreNotPassedOn)
+TEST(FitReport, DoesNotRevealInputFolders)
 {
   SyntheticFit fit;
   fit.Result.State = FitResult::Outcome::BadInput;
@@ -127,7 +127,7 @@ TEST(FitReport, FoldersOfTheInputAreNotPassedOn)
   EXPECT_GT(Count(html, "t2.nii.gz"), 0);
 }
 
-TEST(FitReport, ARefusedStructureShowsItsReasonMaskAndSurface)
+TEST(FitReport, RefusedStructureShowsReasonMaskAndSurface)
 {
   SyntheticFit fit;
   fit.Result.State = FitResult::Outcome::Refused;
@@ -145,7 +145,7 @@ TEST(FitReport, ARefusedStructureShowsItsReasonMaskAndSurface)
   EXPECT_EQ(Count(html, "Dice"), 0);
 }
 
-TEST(FitReport, AnInputThatWasNeverReadStillGetsAReport)
+TEST(FitReport, UnreadInputGetsReport)
 {
   FitResult nothing;
   nothing.Input = "missing.nii.gz";
@@ -157,7 +157,7 @@ TEST(FitReport, AnInputThatWasNeverReadStillGetsAReport)
   EXPECT_EQ(Count(html, "<svg"), 0);
 }
 
-TEST(FitReport, NumbersThatAreNotFiniteDoNotBreakIt)
+TEST(FitReport, HandlesNonFiniteNumbers)
 {
   SyntheticFit fit;
   const double nan = std::numeric_limits<double>::quiet_NaN();
@@ -173,13 +173,13 @@ TEST(FitReport, NumbersThatAreNotFiniteDoNotBreakIt)
   EXPECT_EQ(Count(html, "inf "), 0);
 }
 
-TEST(FitReport, IsTheSameEveryTime)
+TEST(FitReport, IsReproducible)
 {
   const SyntheticFit fit;
   EXPECT_EQ(Report(fit.Result, &fit.Mri), Report(fit.Result, &fit.Mri));
 }
 
-TEST(FitReport, AFolderThatIsNotThereIsAnInputError)
+TEST(FitReport, MissingFolderIsInputError)
 {
   const SyntheticFit fit;
   EXPECT_THROW(palpate::WriteFitReport(fit.Result, nullptr, "/no/such/folder/report.html"),

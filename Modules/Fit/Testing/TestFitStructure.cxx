@@ -84,7 +84,7 @@ double ErrorOf(const FitResult& result, const palpate::SphericalHarmonicModel& t
   return std::sqrt(squares / static_cast<double>(distances.size()));
 }
 
-TEST(FitStructure, ComesCloserToAKnownBodyAsVoxelsShrink)
+TEST(FitStructure, ConvergesAsVoxelsShrink)
 {
   const auto truth = palpate::MakeProstateLikeModel(8, 3, Vector3(12.0, -34.0, 56.0));
   std::vector<double> errors;
@@ -102,7 +102,7 @@ TEST(FitStructure, ComesCloserToAKnownBodyAsVoxelsShrink)
   EXPECT_LT(errors.back(), 0.05); // a tenth of a voxel
 }
 
-TEST(FitStructure, FindsTheCentreAndTheVolumeOfAKnownBody)
+TEST(FitStructure, FindsCentreAndVolumeOfKnownBody)
 {
   const auto truth = palpate::MakeProstateLikeModel(6, 9, Vector3(-80.0, 5.0, 700.0));
   const FitResult result = Fit(SegmentationOf(PhantomMask(truth, 1.0)));
@@ -113,7 +113,7 @@ TEST(FitStructure, FindsTheCentreAndTheVolumeOfAKnownBody)
 }
 
 // Seen from a point of its own surface, a body lies in one half of all directions.
-TEST(FitStructure, WarnsWhereHalfOfAllDirectionsMissTheSurface)
+TEST(FitStructure, WarnsIfHalfOfDirectionsMissSurface)
 {
   palpate::test::LabelGrid grid;
   grid.Size = {60, 60, 60};
@@ -138,7 +138,7 @@ TEST(FitStructure, WarnsWhereHalfOfAllDirectionsMissTheSurface)
   EXPECT_EQ(std::count(outside.Notes.begin(), outside.Notes.end(), outside.Coverage.Sentence), 1);
 }
 
-TEST(FitStructure, DoesNotWarnWhereAllDirectionsMeetTheSurface)
+TEST(FitStructure, DoesNotWarnIfAllDirectionsMeetSurface)
 {
   const auto truth = palpate::MakeProstateLikeModel(6, 9, Vector3::Zero());
   const FitResult result = Fit(SegmentationOf(PhantomMask(truth, 1.0)));
@@ -146,7 +146,7 @@ TEST(FitStructure, DoesNotWarnWhereAllDirectionsMeetTheSurface)
   EXPECT_TRUE(result.Notes.empty()) << result.Notes.front();
 }
 
-// Needles of 2 x 2 voxels, as a brush that slipped leaves them.
+// Needles of 2 x 2 voxels, as left by a slipped brush.
 void AddSpikes(vtkImageData* mask, const Vector3& centerWorld, int count, double length)
 {
   const palpate::IcosahedronDirections sphere(4);
@@ -192,7 +192,7 @@ TEST(FitStructure, RobustWeightsDiscountSpikes)
             1.1 * ErrorOf(Fit(SegmentationOf(clean)), truth));
 }
 
-TEST(FitStructure, RefusesARingAndSaysWhatIsHidden)
+TEST(FitStructure, RejectsRingAndReportsHiddenShare)
 {
   palpate::test::LabelGrid grid;
   grid.Size = {60, 60, 20};
@@ -204,16 +204,16 @@ TEST(FitStructure, RefusesARingAndSaysWhatIsHidden)
   EXPECT_EQ(result.State, Outcome::Refused);
   EXPECT_GT(result.HiddenPercent, 50.0);
   EXPECT_NE(result.Message.find("not star-shaped"), std::string::npos);
-  EXPECT_GT(result.Surface->GetNumberOfPolys(), 0); // what there is stays
+  EXPECT_GT(result.Surface->GetNumberOfPolys(), 0); // existing results remain
   EXPECT_EQ(result.ModelSurface, nullptr);
 }
 
-TEST(FitStructure, RefusesAModelThatDoesNotFollowTheMask)
+TEST(FitStructure, RejectsModelThatMissesMask)
 {
   palpate::test::LabelGrid grid;
   grid.Size = {70, 70, 9};
   grid.CenterOnOrigin();
-  // A plate thirty times as wide as thick: star-shaped, but no business of a low degree.
+  // A plate thirty times as wide as thick: star-shaped, but not representable at a low degree.
   const auto plate =
       palpate::test::MakeLabelImage(grid, [](double x, double y, double z)
                                     { return std::hypot(x, y) < 30 && std::abs(z) < 1.1; });
@@ -222,14 +222,14 @@ TEST(FitStructure, RefusesAModelThatDoesNotFollowTheMask)
   const Segmentation segmentation = SegmentationOf(plate);
   const FitResult result = Fit(segmentation, settings);
   EXPECT_EQ(result.State, Outcome::Refused);
-  EXPECT_NE(result.Message.find("is not followed by a model of degree 3"), std::string::npos)
+  EXPECT_NE(result.Message.find("is not matched by a model of degree 3"), std::string::npos)
       << result.Message;
   settings.MinimumDice = 0.0;
   EXPECT_EQ(Fit(segmentation, settings).State, Outcome::Fitted);
 }
 
-// A bowl, from whose hollow a third of all directions meets nothing: cross-validation then lets the
-// model go anywhere there.
+// A bowl, from whose hollow a third of all directions meets nothing: cross-validation leaves the
+// model undetermined there.
 vtkSmartPointer<vtkImageData> Bowl()
 {
   palpate::test::LabelGrid grid;
@@ -252,7 +252,7 @@ FitSettings AcceptingAll()
   return settings;
 }
 
-TEST(FitStructure, RefusesAModelThatReachesFarBeyondItsStructure)
+TEST(FitStructure, RejectsModelFarBeyondStructure)
 {
   const FitResult result = Fit(SegmentationOf(Bowl()), AcceptingAll());
   EXPECT_EQ(result.State, Outcome::Refused);
@@ -262,8 +262,9 @@ TEST(FitStructure, RefusesAModelThatReachesFarBeyondItsStructure)
   EXPECT_EQ(result.ModelSurface, nullptr);
 }
 
-// A low degree rings round the radius of nearly zero that a centre close to the surface gives.
-TEST(FitStructure, RemarksOnANegativeRadiusOfAModelThatFollows)
+// A low degree oscillates around the radius of nearly zero that a centre close to the surface
+// gives.
+TEST(FitStructure, RemarksOnNegativeRadius)
 {
   palpate::test::LabelGrid grid;
   grid.Size = {50, 50, 50};
@@ -281,7 +282,7 @@ TEST(FitStructure, RemarksOnANegativeRadiusOfAModelThatFollows)
   EXPECT_TRUE(Fit(SegmentationOf(ball), settings).Notes.empty());
 }
 
-TEST(FitStructure, HintsAtNoCentreThatWasUsed)
+TEST(FitStructure, DoesNotSuggestCentreInUse)
 {
   FitSettings settings;
   settings.Center = FitSettings::CenterChoice::MostVisible;
@@ -292,8 +293,8 @@ TEST(FitStructure, HintsAtNoCentreThatWasUsed)
   EXPECT_NE(result.OptionHint.find("--max-hidden"), std::string::npos) << result.OptionHint;
 }
 
-// Others than `palpate fit` read it too.
-TEST(FitStructure, NamesNoOptionInAReason)
+// The reason is also shown outside `palpate fit`.
+TEST(FitStructure, ReasonNamesNoOption)
 {
   FitSettings hidden;
   hidden.MaximumHiddenPercent = 1.0;
@@ -313,8 +314,8 @@ TEST(FitStructure, NamesNoOptionInAReason)
   }
 }
 
-// A limit that is missed by less than what is written of it.
-TEST(FitStructure, NeverWritesAMissAsIfItWereNone)
+// A limit that is missed by less than its printed precision.
+TEST(FitStructure, NeverRoundsMissToSuccess)
 {
   const auto truth = palpate::MakeProstateLikeModel(6, 9, Vector3::Zero());
   const Segmentation segmentation = SegmentationOf(PhantomMask(truth, 1.0));
@@ -327,7 +328,7 @@ TEST(FitStructure, NeverWritesAMissAsIfItWereNone)
   EXPECT_LT(told, settings.MinimumDice) << result.Message;
 }
 
-TEST(FitStructure, CallsWantOfMemoryAFailureOfTheStructure)
+TEST(FitStructure, OutOfMemoryFailsStructure)
 {
   const auto truth = palpate::MakeProstateLikeModel(6, 9, Vector3::Zero());
   const Segmentation segmentation = SegmentationOf(PhantomMask(truth, 2.0));
@@ -347,7 +348,7 @@ TEST(FitStructure, CallsWantOfMemoryAFailureOfTheStructure)
   }
 }
 
-TEST(FitStructure, SaysOneThingOfASingleVoxelAtTheBorder)
+TEST(FitStructure, SingleVoxelAtBorderGivesOneMessage)
 {
   palpate::test::LabelGrid grid;
   grid.Size = {5, 5, 5};
@@ -360,7 +361,7 @@ TEST(FitStructure, SaysOneThingOfASingleVoxelAtTheBorder)
   EXPECT_TRUE(result.Notes.empty()) << result.Notes.front();
 }
 
-TEST(FitStructure, CallsASingleVoxelBadInput)
+TEST(FitStructure, SingleVoxelIsBadInput)
 {
   palpate::test::LabelGrid grid;
   grid.Size = {5, 5, 5};
@@ -371,7 +372,7 @@ TEST(FitStructure, CallsASingleVoxelBadInput)
   EXPECT_NE(result.Message.find("only 1 voxel"), std::string::npos) << result.Message;
 }
 
-TEST(FitStructure, RemarksOnComponentsCavitiesAndTheBorder)
+TEST(FitStructure, RemarksOnComponentsCavitiesAndBorder)
 {
   palpate::test::LabelGrid grid;
   grid.Size = {40, 40, 40};
@@ -392,7 +393,7 @@ TEST(FitStructure, RemarksOnComponentsCavitiesAndTheBorder)
   EXPECT_EQ(result.Notes.size(), 3U);
 }
 
-TEST(FitStructure, TakesTheSmallestDegreeThatMeetsATolerance)
+TEST(FitStructure, UsesSmallestDegreeWithinTolerance)
 {
   const auto truth = palpate::MakeProstateLikeModel(8, 3, Vector3::Zero());
   FitSettings settings;
@@ -403,8 +404,8 @@ TEST(FitStructure, TakesTheSmallestDegreeThatMeetsATolerance)
   EXPECT_GT(result.RmsByDegree[static_cast<std::size_t>(result.Model.Degree()) - 1], 0.25);
 }
 
-// On voxels of 4 mm a body of 25 mm has waves of two voxels at degree 18.
-TEST(FitStructure, ASearchForADegreeEndsWithWhatTheMaskTells)
+// On voxels of 4 mm, a body of 25 mm has wavelengths of two voxels at degree 18.
+TEST(FitStructure, DegreeSearchEndsAtSupportedDegree)
 {
   const auto truth = palpate::MakeProstateLikeModel(8, 3, Vector3::Zero());
   FitSettings settings;
@@ -419,7 +420,7 @@ TEST(FitStructure, ASearchForADegreeEndsWithWhatTheMaskTells)
   EXPECT_GT(result.Rms, 1e-4);
   ASSERT_FALSE(result.Notes.empty());
   EXPECT_NE(result.Notes.back().find("degree " + std::to_string(supported)), std::string::npos);
-  // What a person sets is another matter, and so is a bound of theirs.
+  // A degree or bound set by the user is not limited.
   settings.MaximumDegree = supported - 4;
   EXPECT_EQ(Fit(coarse, settings).State, Outcome::Failed);
   settings.Tolerance.reset();
@@ -427,7 +428,7 @@ TEST(FitStructure, ASearchForADegreeEndsWithWhatTheMaskTells)
   EXPECT_EQ(Fit(coarse, settings).Model.Degree(), supported + 3);
 }
 
-TEST(FitStructure, WavesOfTheSupportedDegreeAreTwoVoxelsLong)
+TEST(FitStructure, SupportedDegreeHasWavelengthOfTwoVoxels)
 {
   vtkNew<vtkImageData> mask;
   mask->SetSpacing(0.5, 0.5, 3.0);
@@ -440,7 +441,7 @@ TEST(FitStructure, WavesOfTheSupportedDegreeAreTwoVoxelsLong)
   EXPECT_EQ(palpate::SupportedDegree(0.0, mask), 1);
 }
 
-TEST(FitStructure, ReportsProgressThatNeverFallsAndEndsWhenAskedTo)
+TEST(FitStructure, ProgressIsMonotonicAndCancellable)
 {
   const auto truth = palpate::MakeProstateLikeModel(8, 3, Vector3::Zero());
   const Segmentation segmentation = SegmentationOf(PhantomMask(truth, 1.0));
@@ -462,14 +463,14 @@ TEST(FitStructure, ReportsProgressThatNeverFallsAndEndsWhenAskedTo)
   }
 }
 
-TEST(FitStructure, GivesTheSameBitsOnEveryRun)
+TEST(FitStructure, IsBitReproducible)
 {
   const auto truth = palpate::MakeProstateLikeModel(8, 3, Vector3::Zero());
   const Segmentation segmentation = SegmentationOf(PhantomMask(truth, 1.5));
   EXPECT_EQ(Fit(segmentation).Model.Coefficients(), Fit(segmentation).Model.Coefficients());
 }
 
-TEST(CaseName, DropsFolderAndKnownEndingsOnly)
+TEST(CaseName, DropsOnlyFolderAndKnownEndings)
 {
   EXPECT_EQ(palpate::CaseNameOf("a/b/case.1.seg.nrrd"), "case.1");
   EXPECT_EQ(palpate::CaseNameOf("mask.nii.gz"), "mask");
@@ -483,7 +484,7 @@ class WholeGland : public testing::TestWithParam<const char*>
 {
 };
 
-TEST_P(WholeGland, IsFittedWithinAnEighthOfASlice)
+TEST_P(WholeGland, FitsWithinEighthOfSlice)
 {
   const auto path =
       palpate::test::DataPath(std::string("prostate/picai/whole_gland_") + GetParam() + ".nii.gz");
@@ -493,8 +494,8 @@ TEST_P(WholeGland, IsFittedWithinAnEighthOfASlice)
   ASSERT_EQ(result.State, Outcome::Fitted) << result.Message;
   const double* spacing = result.Mask->GetSpacing();
   const double slice = std::max({spacing[0], spacing[1], spacing[2]});
-  // 10015 is rougher than degree 12 can follow: the plain half level, a robust fit and the best
-  // centre each leave more than an eighth as well. It must not get worse than it is.
+  // 10015 is rougher than degree 12 can represent: the plain half level, a robust fit and the best
+  // centre each leave more than an eighth as well. It must not get worse.
   const double share = std::string(GetParam()) == "10015_1000015" ? 0.13 : 0.125;
   EXPECT_LE(result.ModelToMask.Mean, share * slice);
   EXPECT_GE(result.Dice, 0.98);
@@ -521,7 +522,7 @@ class EveryOtherMask : public testing::TestWithParam<const char*>
 {
 };
 
-TEST_P(EveryOtherMask, IsFittedOrRefusedWithAReason)
+TEST_P(EveryOtherMask, IsFittedOrRefusedWithReason)
 {
   const std::filesystem::path path = GetParam()[0] == '/' ? std::filesystem::path(GetParam())
                                                           : palpate::test::DataPath(GetParam());

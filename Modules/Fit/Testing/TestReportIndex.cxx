@@ -18,7 +18,7 @@ std::string Page(const palpate::ReportIndex& index)
 }
 } // namespace
 
-TEST(ReportIndex, LinksEveryCaseAndCountsTheFittedOnes)
+TEST(ReportIndex, LinksEveryCaseAndCountsFitted)
 {
   const palpate::test::SyntheticFit fit;
   FitResult refused = fit.Result;
@@ -40,7 +40,7 @@ TEST(ReportIndex, LinksEveryCaseAndCountsTheFittedOnes)
   EXPECT_EQ(html.find("http"), std::string::npos);
 }
 
-TEST(ReportIndex, AFileWithoutStructuresHasItsReason)
+TEST(ReportIndex, FileWithoutStructuresShowsReason)
 {
   FitResult unread;
   unread.Input = "folder/bad.nii.gz";
@@ -55,7 +55,7 @@ TEST(ReportIndex, AFileWithoutStructuresHasItsReason)
   EXPECT_EQ(html.find("Label 0"), std::string::npos);
 }
 
-TEST(ReportIndex, NoCasesMakeAPageToo)
+TEST(ReportIndex, NoCasesGiveValidPage)
 {
   EXPECT_EQ(palpate::test::MarkupError(Page(palpate::ReportIndex())), "");
 }

@@ -18,7 +18,7 @@ struct PathMeasure
   double Area = 0.0;   // pixels, of all closed curves, by the shoelace formula
 };
 
-// Reads path data of the kind that is written here: M x y, L x y, Z.
+// Parses path data of the written kind: M x y, L x y, Z.
 PathMeasure Measure(const std::string& path)
 {
   PathMeasure measure;
@@ -54,7 +54,7 @@ PathMeasure Measure(const std::string& path)
 }
 } // namespace
 
-TEST(SliceContour, ASurfacesCurveEnclosesTheDiscOfItsCut)
+TEST(SliceContour, SphereContourEnclosesDisc)
 {
   palpate::test::SyntheticFit fit;
   const auto sphere = palpate::test::MakeModelMesh(
@@ -71,7 +71,7 @@ TEST(SliceContour, ASurfacesCurveEnclosesTheDiscOfItsCut)
   }
 }
 
-TEST(SliceContour, TheMasksOutlineIsTheBoundaryOfItsVoxels)
+TEST(SliceContour, MaskOutlineIsVoxelBoundary)
 {
   palpate::test::SyntheticFit fit;
   int size[3];
@@ -79,7 +79,7 @@ TEST(SliceContour, TheMasksOutlineIsTheBoundaryOfItsVoxels)
   const double* spacing = fit.Result.Mask->GetSpacing();
   for (const SlicePlane& plane : palpate::ChooseSlicePlanes(fit.Result.Mask, 1, 3, 300))
   {
-    // The slow way: every voxel's four sides in the slice.
+    // Reference: every voxel's four sides in the slice.
     const auto inside = [&](std::array<int, 3> index)
     {
       for (int axis = 0; axis < 3; ++axis)
@@ -109,12 +109,12 @@ TEST(SliceContour, TheMasksOutlineIsTheBoundaryOfItsVoxels)
       }
     }
     const PathMeasure measure = Measure(palpate::MaskOutlinePath(fit.Result.Mask, 1, plane));
-    // Ends are rounded to a tenth of a pixel, which may fall on either side.
+    // Ends are rounded to a tenth of a pixel, which may round either way.
     EXPECT_NEAR(measure.Length * plane.PixelMillimeters / length, 1.0, 0.01) << plane.Name;
   }
 }
 
-TEST(SliceContour, TheMasksOutlineRunsAlongTheFacesOfItsVoxels)
+TEST(SliceContour, MaskOutlineFollowsVoxelFaces)
 {
   palpate::test::SyntheticFit fit;
   const palpate::ImageAxes axes(fit.Result.Mask);
@@ -140,7 +140,7 @@ TEST(SliceContour, TheMasksOutlineRunsAlongTheFacesOfItsVoxels)
   }
 }
 
-TEST(SliceContour, AnAbsentStructureHasNoPath)
+TEST(SliceContour, AbsentStructureHasNoPath)
 {
   palpate::test::SyntheticFit fit;
   const SlicePlane plane = palpate::ChooseSlicePlanes(fit.Result.Mask, 1, 1, 100).front();

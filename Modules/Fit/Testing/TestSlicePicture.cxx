@@ -15,7 +15,7 @@ namespace
 {
 const Vector3 Slope(0.3, -0.7, 0.2);
 
-// Values Slope . x (world) on a grid that is turned against everything else.
+// Values Slope . x (world) on a rotated grid.
 vtkSmartPointer<vtkImageData> MakeLinearImage()
 {
   auto image = vtkSmartPointer<vtkImageData>::New();
@@ -38,7 +38,7 @@ vtkSmartPointer<vtkImageData> MakeLinearImage()
 }
 } // namespace
 
-TEST(SlicePicture, ALinearImageOnAnotherGridIsReproducedInMillimetres)
+TEST(SlicePicture, ReproducesLinearImageOnOtherGrid)
 {
   const palpate::test::SyntheticFit fit;
   const auto image = MakeLinearImage();
@@ -57,7 +57,7 @@ TEST(SlicePicture, ALinearImageOnAnotherGridIsReproducedInMillimetres)
             index.minCoeff() > 0.0 && index.x() < 49.0 && index.y() < 59.0 && index.z() < 39.0;
         if (isWithinCentres)
         {
-          // Linear interpolation of a linear function; floats of size 70 carry 4e-6.
+          // Linear interpolation of a linear function; floats near 70 have a resolution of 4e-6.
           ASSERT_NEAR(value, Slope.dot(world), 5e-5);
           ++inside;
         }
@@ -67,7 +67,7 @@ TEST(SlicePicture, ALinearImageOnAnotherGridIsReproducedInMillimetres)
   EXPECT_GT(inside, 10000);
 }
 
-TEST(SlicePicture, OutsideTheImageThereIsNoNumber)
+TEST(SlicePicture, IsNanOutsideImage)
 {
   const palpate::test::SyntheticFit fit;
   SlicePlane plane = palpate::ChooseSlicePlanes(fit.Result.Mask, 1, 1, 50).front();
@@ -82,7 +82,7 @@ TEST(SlicePicture, OutsideTheImageThereIsNoNumber)
   }
 }
 
-TEST(SlicePicture, NearestSamplesAreTheVoxelThatHoldsThePoint)
+TEST(SlicePicture, NearestSamplesUseVoxelAtPoint)
 {
   const palpate::test::SyntheticFit fit;
   const SlicePlane plane = palpate::ChooseSlicePlanes(fit.Result.Mask, 1, 1, 77).front();
@@ -103,7 +103,7 @@ TEST(SlicePicture, NearestSamplesAreTheVoxelThatHoldsThePoint)
   }
 }
 
-TEST(SlicePicture, GreyRunsFromBlackToWhiteAndNoNumberIsBlack)
+TEST(SlicePicture, GreyRunsFromBlackToWhiteAndNanIsBlack)
 {
   SlicePlane plane;
   plane.Width = 4;

@@ -15,7 +15,7 @@ using palpate::Vector3;
 
 namespace
 {
-// A box of ones in a zero image whose index axes run along the given body directions.
+// A box of ones in a zero image with index axes along the given body directions.
 vtkSmartPointer<vtkImageData> MakeBox(const Eigen::Matrix3d& direction)
 {
   auto image = vtkSmartPointer<vtkImageData>::New();
@@ -62,7 +62,7 @@ std::vector<Eigen::Matrix3d> AxisDirections()
 }
 } // namespace
 
-TEST(SlicePlane, PicturesHangAsRadiologistsHangThemWhateverTheImagesAxes)
+TEST(SlicePlane, FollowsRadiologicalConventionForAnyAxes)
 {
   for (const Eigen::Matrix3d& direction : AxisDirections())
   {
@@ -76,7 +76,7 @@ TEST(SlicePlane, PicturesHangAsRadiologistsHangThemWhateverTheImagesAxes)
   }
 }
 
-TEST(SlicePlane, AxialPlanesRiseThroughTheStructure)
+TEST(SlicePlane, AxialPlanesRiseThroughStructure)
 {
   for (const Eigen::Matrix3d& direction : AxisDirections())
   {
@@ -89,7 +89,7 @@ TEST(SlicePlane, AxialPlanesRiseThroughTheStructure)
   }
 }
 
-TEST(SlicePlane, PlanesPassThroughTheVoxelCentresOfTheirSlice)
+TEST(SlicePlane, PlanesPassThroughVoxelCentres)
 {
   const Eigen::Matrix3d turned =
       Eigen::AngleAxisd(0.4, Vector3(1, -2, 3).normalized()).toRotationMatrix();
@@ -106,7 +106,7 @@ TEST(SlicePlane, PlanesPassThroughTheVoxelCentresOfTheirSlice)
   }
 }
 
-TEST(SlicePlane, PictureCoordinatesAreTrueToMillimetresAndInvertible)
+TEST(SlicePlane, ImageCoordinatesAreToScaleAndInvertible)
 {
   const palpate::test::SyntheticFit fit;
   std::mt19937_64 random(5);
@@ -121,7 +121,7 @@ TEST(SlicePlane, PictureCoordinatesAreTrueToMillimetresAndInvertible)
   }
 }
 
-TEST(SlicePlane, TheStructureLiesInsideEveryPicture)
+TEST(SlicePlane, StructureIsInsideEveryImage)
 {
   const auto image = MakeBox(Eigen::Matrix3d::Identity());
   for (const SlicePlane& plane : ChooseSlicePlanes(image, 1, 3, 150))
@@ -136,12 +136,12 @@ TEST(SlicePlane, TheStructureLiesInsideEveryPicture)
   }
 }
 
-TEST(SlicePlane, AnAbsentValueHasNoPlanes)
+TEST(SlicePlane, AbsentValueHasNoPlanes)
 {
   EXPECT_TRUE(ChooseSlicePlanes(MakeBox(Eigen::Matrix3d::Identity()), 2, 3, 100).empty());
 }
 
-TEST(SlicePlane, AStructureOfOneSliceIsShownOnce)
+TEST(SlicePlane, StructureOfOneSliceIsShownOnce)
 {
   vtkNew<vtkImageData> image;
   image->SetDimensions(5, 5, 5);

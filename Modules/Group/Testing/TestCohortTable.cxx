@@ -9,7 +9,7 @@
 using namespace palpate;
 using namespace palpate::test;
 
-// Memory and time are bounded by what a table is, not by what it claims.
+// Memory and time are bounded by the actual content of a table, not by its numbers.
 namespace
 {
 constexpr rlim_t SomeMemory = rlim_t{256} << 20;
@@ -52,7 +52,7 @@ bool Has(const std::string& text, const std::string& part)
 }
 } // namespace
 
-TEST(CohortTable, RowsOfTheHighestDegreeTakeNoCoefficients)
+TEST(CohortTable, RowsOfHighestDegreeStoreNoCoefficients)
 {
   const TemporaryFolder folder;
   std::string text = Head;
@@ -70,12 +70,12 @@ TEST(CohortTable, RowsOfTheHighestDegreeTakeNoCoefficients)
   EXPECT_EQ(CohortTable::Read(folder / "again.csv").Rows()[999].Degree, 1000);
 }
 
-TEST(CohortTable, RefusesDegreesThatNoModelHas)
+TEST(CohortTable, RejectsImpossibleDegrees)
 {
   for (const char* degree : {"10000", "1001", "-1", "2.5", "", "99999999999"})
   {
     const std::string refusal = TableRefusal(Head + FittedRow("a", degree));
-    EXPECT_TRUE(Has(refusal, "degree of case a is no whole number from 0 to 1000")) << refusal;
+    EXPECT_TRUE(Has(refusal, "degree of case a is not a whole number from 0 to 1000")) << refusal;
   }
 }
 
@@ -95,7 +95,7 @@ TEST(CohortTable, ManyColumnsAndRowsDoNotMultiply)
   EXPECT_EQ(TableRefusal(text), "no error");
 }
 
-TEST(CohortTable, EmptyRowsAreRefusedAtTheFirst)
+TEST(CohortTable, RejectsFirstEmptyRow)
 {
   std::string text = Head;
   for (int row = 0; row < 2000000; ++row)

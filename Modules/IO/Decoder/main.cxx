@@ -1,6 +1,6 @@
 // palpate-dicom-decoder: decodes compressed DICOM frames with DCMTK's codecs, in a process of its
 // own because they violate assertions on some damaged streams. Its standard input is the socket of
-// a DicomFrameDecoder; it ends at the first frame that it cannot decode, and with its client.
+// a DicomFrameDecoder; it ends at the first frame that it cannot decode, or when its client ends.
 
 #include "FrameExchange.h"
 
@@ -50,8 +50,8 @@ rlim_t ProcessorSeconds()
   return static_cast<rlim_t>(usage.ru_utime.tv_sec + usage.ru_stime.tv_sec);
 }
 
-// What a frame may take follows from its pixels and its stream, several times what the slowest
-// codec needs.
+// Limits memory and time by the sizes of the frame and its stream, to several times the needs of
+// the slowest codec.
 void LimitFrame(const FrameRequest& request)
 {
   constexpr rlim_t SomeMemory = rlim_t{64} << 20;
@@ -71,7 +71,7 @@ E_TransferSyntax SyntaxOf(FrameRequest::Codec codec)
   case FrameRequest::Codec::RunLength:
     return EXS_RLELossless;
   case FrameRequest::Codec::Jpeg:
-    return EXS_JPEGProcess14SV1; // its decoder takes the other processes too
+    return EXS_JPEGProcess14SV1; // its decoder also handles the other processes
   case FrameRequest::Codec::JpegLs:
     break;
   }
@@ -105,7 +105,7 @@ void PutStream(DcmDataset& dataset, E_TransferSyntax syntax, const std::vector<U
   dataset.insert(pixels.release(), OFTrue);
 }
 
-// False where the frame is damaged, and where DCMTK would go on with a warning.
+// Returns false if the frame is damaged, also if DCMTK would only warn.
 bool AnswerFrame(int socket, const FrameRequest& request, std::ostringstream& warnings)
 {
   std::vector<Uint8> stream((request.StreamBytes + std::size_t{1}) / 2 * 2);

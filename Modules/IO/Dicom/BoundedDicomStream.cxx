@@ -10,14 +10,14 @@ namespace palpate
 {
 namespace
 {
-// A thread has some megabytes, and what the parser made is looked through and freed by recursion
-// too. Real files nest ten sequences; this is enough for some hundred.
+// A thread has some megabytes of stack, and the parsed tree is also traversed and freed by
+// recursion. Real files nest ten sequences; this is enough for some hundred.
 constexpr std::uintptr_t MostStackBytes = std::uintptr_t{1} << 18;
 
 constexpr std::size_t TagBytes = 4;
 
-// Whether a tag is an item's or ends one or a sequence, in either byte order. There may be any
-// number of these.
+// Whether a tag starts or ends an item, or ends a sequence, in either byte order. Their number is
+// not limited.
 bool IsItem(std::string_view tag)
 {
   using std::string_view_literals::operator""sv;
@@ -76,7 +76,7 @@ void BoundedDicomStream::mark()
 {
   DcmInputFileStream::mark();
   const std::uintptr_t depth = this->Depth();
-  // What was deeper has been read.
+  // Deeper levels have been read.
   while (!this->Levels.empty() && this->Levels.back().Depth > depth)
   {
     this->Levels.pop_back();

@@ -13,26 +13,28 @@
 
 namespace palpate
 {
-/// A DICOM file as DCMTK's parser reads it, with bounds on what a file can make the parser do. The
-/// parser calls itself for each sequence in a sequence and reads a tag in every call, so its depth
-/// is measured here, on the stack, whatever the transfer syntax. It marks the place before each
-/// element, so that the elements of a data set or item are counted at each depth: for each it goes
-/// through those before it, where tags fall and for the creators of private ones. The bytes that it
-/// is given are counted behind the inflation of deflated files.
+/// Input stream for DCMTK's parser that bounds the depth, width and length of a file. The parser
+/// recurses for each nested sequence and reads a tag in every call, so its depth is measured here
+/// on the stack, for any transfer syntax. It marks the position before each element, which allows
+/// counting the elements of a data set or item at each depth; the parser searches all earlier
+/// elements if a tag is out of order, and for the creator of a private one. Bytes are counted after
+/// the inflation of deflated files.
 class BoundedDicomStream : public DcmInputFileStream
 {
 public:
-  /// `mostBytes`: how much the parser may be given. Parse in the function that makes the object.
+  /// `mostBytes`: the most bytes that the parser may read. Parse in the function that creates the
+  /// object.
   BoundedDicomStream(const std::filesystem::path& file, std::uint64_t mostBytes);
 
-  /// True once sequences were nested too deeply. The stream ends there.
+  /// True after sequences nested too deeply. The stream ends there.
   bool IsTooDeep() const { return this->TooDeep; }
-  /// True once there were more than the most bytes. The stream ends there.
+  /// True after more than `mostBytes` bytes. The stream ends there.
   bool IsTooLong() const { return this->TooLong; }
-  /// True once a data set or item had more than MostElements elements. The stream ends there.
+  /// True after a data set or item with more than MostElements elements. The stream ends there.
   bool IsTooWide() const { return this->TooWide; }
 
-  /// The dictionary has some 5,000, of which a file needs some hundred; so it is with private ones.
+  /// DICOM's dictionary has some 5,000 attributes, of which a file uses some hundred; the same
+  /// holds for private ones.
   static constexpr std::size_t MostElements = 5000;
 
   OFBool good() const override;
@@ -42,7 +44,7 @@ public:
   void mark() override;
 
 private:
-  /// A data set or item that is being read, by how deep on the stack that is.
+  /// A data set or item being read, identified by its depth on the stack.
   struct Level
   {
     std::uintptr_t Depth;
@@ -50,7 +52,7 @@ private:
   };
 
   std::uintptr_t Depth() const;
-  // What follows a mark.
+  // Takes the bytes after a mark.
   void TakeTag(const char* bytes, std::size_t count);
   bool IsStopped() const { return this->TooDeep || this->TooLong || this->TooWide; }
 

@@ -6,8 +6,8 @@
 
 namespace palpate
 {
-/// One frame of compressed grey pixels, and the form in which its header promises them: little-
-/// endian words of `BytesPerPixel` bytes, the values in the bits up to `HighBit`.
+/// One frame of compressed grey pixels, and the pixel format that its header declares:
+/// little-endian words of `BytesPerPixel` bytes, the values in the bits up to `HighBit`.
 struct CompressedFrame
 {
   std::vector<std::uint8_t> Stream;
@@ -23,8 +23,8 @@ struct CompressedFrame
     return static_cast<std::size_t>(this->Columns) * static_cast<std::size_t>(this->Rows);
   }
 
-  /// Puts a decoded sample of `precision` bits (1 to 8 BytesPerPixel) into its place of `pixels`.
-  /// A stream that is too narrow to reach the high bit holds the values themselves.
+  /// Stores a decoded sample of `precision` bits (1 to 8 BytesPerPixel) in `pixels`. If the stream
+  /// is too narrow to reach the high bit, its samples are the values themselves.
   void Store(std::uint32_t sample, int precision, std::size_t pixel, std::uint8_t* pixels) const
   {
     if (precision <= this->HighBit)

@@ -33,7 +33,7 @@ DicomDataset::DicomDataset(const std::filesystem::path& file, Extent extent)
     : Format(std::make_unique<DcmFileFormat>())
 {
   const DcmTagKey stop = extent == Extent::All ? DCM_UndefinedTagKey : DCM_PixelData;
-  // What is parsed is kept next to the bytes that it was parsed from.
+  // The parsed values are kept in addition to the bytes.
   const std::uint64_t available = AvailableMemoryBytes();
   BoundedDicomStream stream(file, available / 2);
   this->Format->transferInit();
@@ -42,7 +42,7 @@ DicomDataset::DicomDataset(const std::filesystem::path& file, Extent extent)
   this->Format->transferEnd();
   if (stream.IsTooDeep())
   {
-    Refuse(file, "nests sequences in sequences too deeply to be read",
+    Refuse(file, "nests sequences too deeply to be read",
            "export it again without its private attributes");
   }
   if (stream.IsTooWide())
@@ -60,9 +60,9 @@ DicomDataset::DicomDataset(const std::filesystem::path& file, Extent extent)
   }
   if (status.bad() || this->Format->getDataset()->card() == 0)
   {
-    Refuse(file, "is no DICOM file or is truncated or damaged", "copy or export it again");
+    Refuse(file, "is not a DICOM file, or it is truncated or damaged", "copy or export it again");
   }
-  // Without a conversion the text stays as it is in the file.
+  // If the conversion fails, the text remains as in the file.
   this->Format->convertToUTF8();
 }
 
@@ -75,7 +75,7 @@ DcmItem& DicomDataset::Root() const
 
 std::string DicomDataset::TransferSyntax() const
 {
-  // Where DCMTK does not know the one stated, it reads the data set as if none were stated.
+  // If DCMTK does not know the stated syntax, it reads the data set as if none were stated.
   const std::string stated = DicomText(*this->Format->getMetaInfo(), DCM_TransferSyntaxUID);
   return !stated.empty() && DcmXfer(stated.c_str()).getXfer() == EXS_Unknown
              ? stated
@@ -88,7 +88,7 @@ std::vector<DcmItem*> DicomItems(DcmItem& item, const DcmTagKey& sequence)
   DcmSequenceOfItems* found = nullptr;
   if (item.findAndGetSequence(sequence, found).good())
   {
-    // Not by their numbers, for each of which DCMTK counts from the first.
+    // Not by index, since DCMTK walks the list from its start for each index.
     for (DcmObject* next = nullptr; (next = found->nextInContainer(next)) != nullptr;)
     {
       items.push_back(static_cast<DcmItem*>(next));
@@ -161,8 +161,8 @@ bool ReadPlaneOrientation(DcmItem& item, SlicePlane& plane)
   {
     return false;
   }
-  // Rounded to few decimals in many files: any direction close to perpendicular unit vectors is
-  // meant to be so, and is made so; others are no orientation.
+  // Many files round to a few decimals: directions close to perpendicular unit vectors are made
+  // exact; others are rejected.
   const double cosine = plane.RowWorld.dot(plane.ColumnWorld);
   if (std::abs(plane.RowWorld.norm() - 1.0) > 1e-3 ||
       std::abs(plane.ColumnWorld.norm() - 1.0) > 1e-3 || std::abs(cosine) > 1e-3)

@@ -17,9 +17,9 @@ class DcmTagKey;
 
 namespace palpate
 {
-/// A DICOM file parsed by DCMTK, and readers of its attributes that treat what is absent or damaged
-/// as absent. Text comes out as UTF-8 where the file's character set can be converted. The standard
-/// streams are muted while it lives.
+/// A DICOM file parsed by DCMTK; its attributes count as absent if they are damaged. Text is UTF-8
+/// if the file's character set can be converted. The standard streams are muted during the object's
+/// lifetime.
 class PALPATEIO_EXPORT DicomDataset
 {
 public:
@@ -37,32 +37,31 @@ public:
   ~DicomDataset();
 
   DcmItem& Root() const;
-  /// UID of the transfer syntax that the file states; the one that DCMTK recognises where it states
-  /// none.
+  /// UID of the file's transfer syntax: the stated one, otherwise the one that DCMTK recognises.
   std::string TransferSyntax() const;
 
 private:
-  // DCMTK also prints when a damaged attribute is looked at.
+  // DCMTK also prints when a damaged attribute is read.
   QuietStandardStreams Quiet;
   std::unique_ptr<DcmFileFormat> Format;
 };
 
-/// All items of a sequence, in the file's order; none where it is absent.
+/// All items of a sequence, in the file's order; empty if it is absent.
 PALPATEIO_EXPORT std::vector<DcmItem*> DicomItems(DcmItem& item, const DcmTagKey& sequence);
-/// The first item of a sequence, null where it is absent.
+/// The first item of a sequence; null if it is absent.
 PALPATEIO_EXPORT DcmItem* DicomItem(DcmItem& item, const DcmTagKey& sequence);
-/// Empty where absent.
+/// Empty if absent.
 PALPATEIO_EXPORT std::string DicomText(DcmItem& item, const DcmTagKey& tag);
-/// `fallback` where absent.
+/// `fallback` if absent.
 PALPATEIO_EXPORT double DicomNumber(DcmItem& item, const DcmTagKey& tag, double fallback,
                                     unsigned long index = 0);
-/// `fallback` where absent, not whole or outside of int.
+/// `fallback` if absent, not a whole number or outside of int.
 PALPATEIO_EXPORT int DicomInteger(DcmItem& item, const DcmTagKey& tag, int fallback);
-/// The pixels as they lie in memory (little-endian, as the host's), null where there are none or
-/// they are compressed. They stay in the data set.
+/// The pixels in memory (little-endian, as the host); null if there are none or they are
+/// compressed. The data set owns them.
 PALPATEIO_EXPORT const std::uint8_t* DicomPixelBytes(DcmItem& item, std::size_t& count);
 /// Reads position, orientation or pixel spacing into `plane`, each from an item that holds it.
-/// False where it is absent, not finite or no plane's.
+/// Returns false if it is absent, not finite or not valid for a plane.
 PALPATEIO_EXPORT bool ReadPlanePosition(DcmItem& item, SlicePlane& plane);
 PALPATEIO_EXPORT bool ReadPlaneOrientation(DcmItem& item, SlicePlane& plane);
 PALPATEIO_EXPORT bool ReadPixelSpacing(DcmItem& item, SlicePlane& plane);

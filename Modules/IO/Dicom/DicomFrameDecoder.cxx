@@ -28,7 +28,7 @@ bool IsRead(PixelCoding coding, int marker)
                    marker == JpegFrameHeader::Lossless;
 }
 
-// Bits a sample of the stream; empty where it does not hold such a frame.
+// Bits per sample of the stream; empty if it does not match the frame.
 std::optional<int> PrecisionOf(PixelCoding coding, const CompressedFrame& frame)
 {
   const int most = 8 * frame.BytesPerPixel;
@@ -120,13 +120,13 @@ bool DicomFrameDecoder::Decode(const std::filesystem::path& file, PixelCoding co
   if (coding == PixelCoding::JpegLs && *precision < LeastJpegLsPrecision)
   {
     Refuse(file,
-           "has JPEG-LS pixels of " + std::to_string(*precision) + " bits, which are not read",
-           "export it again uncompressed or with eight bits or more a pixel");
+           "has JPEG-LS pixels of " + std::to_string(*precision) + " bits, which are not supported",
+           "export it again uncompressed or with at least eight bits per pixel");
   }
   if (!this->Start())
   {
-    Refuse(file, std::string("is compressed, and ") + Program + " cannot be started to decode it",
-           "install that program beside palpate or on the PATH");
+    Refuse(file, std::string("is compressed, but ") + Program + " cannot be started to decode it",
+           "install that program next to palpate or on the PATH");
   }
   const FrameRequest request = RequestFor(coding, frame, *precision);
   std::vector<std::uint8_t> samples(request.SampleBytes());

@@ -21,10 +21,10 @@ public:
   DicomFrameDecoder& operator=(const DicomFrameDecoder&) = delete;
   ~DicomFrameDecoder();
 
-  /// Decodes a frame of `file` into `pixels`, which has room for it. False for a damaged stream,
-  /// also where the codec would go on with a warning, and for one of another size, depth or number
-  /// of components than the frame. Throws InputError for JPEG-LS of fewer than eight bits, for
-  /// which DCMTK's thresholds are not the standard's, and if the program is not installed.
+  /// Decodes a frame of `file` into `pixels`, which must be large enough. Returns false if the
+  /// stream is damaged (also if the codec would only warn) or its size, depth or number of
+  /// components differ from the frame's. Throws InputError for JPEG-LS of fewer than eight bits,
+  /// for which DCMTK's thresholds differ from the standard's, and if the program is not installed.
   [[nodiscard]] bool Decode(const std::filesystem::path& file, PixelCoding coding,
                             const CompressedFrame& frame, std::uint8_t* pixels);
 

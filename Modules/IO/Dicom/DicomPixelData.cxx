@@ -19,11 +19,11 @@ namespace palpate
 {
 namespace
 {
-// Empty frames are compressed to a thousandth and less, but no real file is to a ten-thousandth.
+// Empty frames compress to a thousandth or less, but no real file to a ten-thousandth.
 constexpr double MostBytesFromAnything = 64e6;
 constexpr double MostBytesFromByte = 16384.0;
 
-// A header and a stream of some bytes must not take gigabytes and the time to fill them.
+// A header and a stream of a few bytes must not cause gigabytes to be allocated and filled.
 void CheckRatio(const std::filesystem::path& file, double pixelBytes, std::size_t streamBytes)
 {
   const double most =
@@ -31,8 +31,8 @@ void CheckRatio(const std::filesystem::path& file, double pixelBytes, std::size_
   if (!(pixelBytes <= most))
   {
     Refuse(file,
-           "is damaged: its header promises " + SignificantText(pixelBytes / 1e9) +
-               " GB of pixels, and there are " + std::to_string(streamBytes) + " compressed bytes",
+           "is damaged: its header declares " + SignificantText(pixelBytes / 1e9) +
+               " GB of pixels, but there are " + std::to_string(streamBytes) + " compressed bytes",
            "copy or export it again");
   }
 }
@@ -66,7 +66,7 @@ void CheckTransferSyntax(const std::filesystem::path& file, const std::string& t
   {
     Refuse(file,
            "stores its pixels in the transfer syntax " + TransferSyntaxName(transferSyntaxUid) +
-               ", which is not read",
+               ", which is not supported",
            "export it again uncompressed or as RLE, JPEG, JPEG-LS or JPEG 2000");
   }
 }
@@ -90,7 +90,7 @@ void DicomPixelData::Decode(const std::filesystem::path& file, const DicomDatase
   const EncapsulatedFrames frames(dataset.Root(), frameCount);
   if (!IsPlausible(frame) || !frames.AreFound())
   {
-    Refuse(file, "is truncated or damaged: its pixels are not what its header promises",
+    Refuse(file, "is truncated or damaged: its pixel data do not match its header",
            "copy or export it again");
   }
   const std::size_t frameBytes = frame.PixelCount() * static_cast<std::size_t>(frame.BytesPerPixel);

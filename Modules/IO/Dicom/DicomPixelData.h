@@ -13,27 +13,26 @@ namespace palpate
 {
 class DicomFrameDecoder;
 
-/// Throws InputError where the pixels are stored in a transfer syntax that is not read.
+/// Throws InputError if the transfer syntax of the pixels is not supported.
 PALPATEIO_EXPORT void CheckTransferSyntax(const std::filesystem::path& file,
                                           const std::string& transferSyntaxUid);
 
-/// The grey pixels of a DICOM file in the form of an uncompressed one, whatever their coding: all
-/// frames, row by row, little-endian words of BitsAllocated bits (several pixels in a byte where
-/// that is 1).
+/// The grey pixels of a DICOM file, decompressed if needed: all frames, row by row, little-endian
+/// words of BitsAllocated bits (several pixels per byte if that is 1).
 class PALPATEIO_EXPORT DicomPixelData
 {
 public:
-  /// `dataset` must outlive the object. Throws InputError for pixels that cannot be decoded and for
-  /// such as do not fit into memory.
+  /// `dataset` must outlive the object. Throws InputError for pixels that cannot be decoded or do
+  /// not fit into memory.
   DicomPixelData(const std::filesystem::path& file, const DicomDataset& dataset,
                  std::size_t frameCount, DicomFrameDecoder& decoder);
 
-  /// Null where there are none.
+  /// Null if there are none.
   const std::uint8_t* Bytes() const
   {
     return this->Decoded.empty() ? this->Native : this->Decoded.data();
   }
-  /// What the file really holds, for the caller to compare with what its header promises.
+  /// Actual number of bytes, for the caller to compare with the header.
   std::size_t ByteCount() const { return this->Count; }
 
 private:

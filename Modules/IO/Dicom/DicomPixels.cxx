@@ -20,7 +20,7 @@ namespace
 {
 [[noreturn]] void RefuseDamaged(const std::filesystem::path& file)
 {
-  Refuse(file, "is truncated or damaged: its pixels are not what its header promises",
+  Refuse(file, "is truncated or damaged: its pixel data do not match its header",
          "copy or export it again");
 }
 
@@ -121,13 +121,13 @@ void ReadSlicePixels(const std::filesystem::path& file, const DicomPixelFormat& 
 {
   if (!format.IsGrey)
   {
-    Refuse(file, "holds colours", "give a series of grey values");
+    Refuse(file, "holds colours", "use a greyscale series");
   }
   if (!IsPlausible(format))
   {
     RefuseDamaged(file);
   }
-  // Asked before the pixels are parsed, which DCMTK cannot do in a syntax that it does not know.
+  // Checked before the pixels are parsed, since DCMTK cannot parse an unknown syntax.
   CheckTransferSyntax(file, format.TransferSyntax);
   const DicomDataset dataset(file, DicomDataset::Extent::All);
   const DicomPixelData pixels(file, dataset, 1, decoder);

@@ -18,13 +18,13 @@ struct DicomPixelFormat
   int BitsStored = 0;
   int HighBit = 0;
   bool IsSigned = false;
-  bool IsGrey = true;         ///< one sample a pixel that is no index into a palette
+  bool IsGrey = true;         ///< one sample per pixel, which is not a palette index
   std::string TransferSyntax; ///< UID
   double Slope = 1.0;
   double Intercept = 0.0;
 
-  /// The smallest VTK type that holds every value (after slope and intercept): the stored type
-  /// where slope and intercept change nothing, int where they are whole numbers, else float.
+  /// The smallest VTK type that holds every value after slope and intercept: the stored type if
+  /// these change nothing, int if they are whole numbers, otherwise float.
   PALPATEIO_EXPORT int ScalarType() const;
 };
 

@@ -63,10 +63,10 @@ int Threshold(const std::filesystem::path& file, const DicomDataset& dataset,
   }
   if (kind != "FRACTIONAL")
   {
-    Refuse(file, "is a DICOM segmentation of the kind '" + kind + "', which is not read",
+    Refuse(file, "is a DICOM segmentation of the kind '" + kind + "', which is not supported",
            "convert it to the kind BINARY");
   }
-  // Of 16 bits at most.
+  // At most 16 bits.
   const int largest =
       std::clamp(DicomInteger(dataset.Root(), DCM_MaximumFractionalValue, 255), 1, 65535);
   notes.emplace_back("The segmentation is fractional; pixels of at least half its maximum (" +
@@ -74,8 +74,8 @@ int Threshold(const std::filesystem::path& file, const DicomDataset& dataset,
   return std::max(1, (largest + 1) / 2);
 }
 
-// Slices without a frame are not in the file, but take room: as much as a whole body of 2,048
-// slices of 512 x 512 voxels, or in proportion to the pixels that are there.
+// Slices without a frame are not in the file but need memory. The limit is a whole body of 2,048
+// slices of 512 x 512 voxels, or in proportion to the stored pixels.
 double MostBytes(const DicomSegmentationFrames& frames)
 {
   constexpr double OfAnyFile = 512.0 * 512.0 * 2048.0;
@@ -94,7 +94,7 @@ void ReadSeparateSegments(const std::filesystem::path& file, const DicomSegmenta
   }
   if (runsOfSegment.begin()->first < 1)
   {
-    Refuse(file, "has a frame that names no segment", "export the segmentation again");
+    Refuse(file, "has a frame without a segment number", "export the segmentation again");
   }
   SegmentLayers layers(file, frames.Grid(), runsOfSegment.rbegin()->first, MostBytes(frames));
   std::map<int, int> layerOfSegment;

@@ -22,7 +22,7 @@ struct FunctionalGroups
   DcmItem* Own;
   DcmItem* Shared;
 
-  // Item of a group macro's sequence, null where neither has it.
+  // Item of a group macro's sequence; null if neither has it.
   DcmItem* Find(const DcmTagKey& sequence) const
   {
     DcmItem* found = this->Own ? DicomItem(*this->Own, sequence) : nullptr;
@@ -60,7 +60,7 @@ constexpr int MostPixelsAlong = 65535; // as Columns and Rows are stored
 DicomSegmentationFrames::DicomSegmentationFrames(const std::filesystem::path& file,
                                                  const DicomDataset& dataset)
 {
-  // The pixels first: they bound what the header may promise.
+  // The pixels first: they bound the header's counts.
   this->ReadPixels(file, dataset);
   this->ReadPlanes(file, dataset);
 }
@@ -84,11 +84,12 @@ void DicomSegmentationFrames::ReadPixels(const std::filesystem::path& file,
   if ((this->BitsPerPixel != 1 && this->BitsPerPixel != 8 && this->BitsPerPixel != 16) ||
       DicomNumber(root, DCM_SamplesPerPixel, 1.0) != 1.0)
   {
-    Refuse(file, "has pixels of a form that no segmentation has", "export the segmentation again");
+    Refuse(file, "has a pixel format that is not valid for a segmentation",
+           "export the segmentation again");
   }
   if (this->BitsPerPixel == 1 && PixelCodingOf(dataset.TransferSyntax()) != PixelCoding::Native)
   {
-    Refuse(file, "has compressed pixels of one bit, which are not read",
+    Refuse(file, "has compressed pixels of one bit, which are not supported",
            "export the segmentation again uncompressed or with eight bits a pixel");
   }
   DicomFrameDecoder decoder;
@@ -98,7 +99,7 @@ void DicomSegmentationFrames::ReadPixels(const std::filesystem::path& file,
                         static_cast<double>(this->FrameCount) * this->BitsPerPixel / 8.0;
   if (!this->Pixels || static_cast<double>(this->PixelData->ByteCount()) < needed)
   {
-    Refuse(file, "is truncated: it has fewer pixels than its header promises",
+    Refuse(file, "is truncated: it has fewer pixels than its header declares",
            "copy or export it again");
   }
 }

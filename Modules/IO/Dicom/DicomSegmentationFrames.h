@@ -14,14 +14,14 @@
 
 namespace palpate
 {
-/// The frames of a DICOM segmentation object: their planes, the segment that each shows (0 where a
-/// frame shows many) and their pixels.
+/// The frames of a DICOM segmentation object: planes, segment numbers (0 for a frame with several
+/// segments) and pixels.
 class PALPATEIO_EXPORT DicomSegmentationFrames
 {
 public:
-  /// Throws InputError for planes that are no stack, for fewer pixels than the header promises and
-  /// for frames without an item of their own. Time and memory are bounded by the pixels and items
-  /// that the file has.
+  /// Throws InputError if the planes do not form a stack, if there are fewer pixels than the header
+  /// declares, or if a frame has no item of its own. Time and memory are bounded by the file's
+  /// pixels and items.
   /// `dataset` must outlive the object.
   DicomSegmentationFrames(const std::filesystem::path& file, const DicomDataset& dataset);
   DicomSegmentationFrames(const DicomSegmentationFrames&) = delete;
@@ -30,7 +30,7 @@ public:
   /// Right-handed by construction: its third axis is the cross product of the others.
   const ImageGrid& Grid() const { return this->Stack.Grid; }
   std::size_t Count() const { return this->Planes.size(); }
-  /// Of all frames; the file has them.
+  /// Number of stored pixels of all frames.
   std::int64_t PixelCount() const
   {
     return static_cast<std::int64_t>(this->Planes.size()) * this->PixelsPerFrame;
@@ -44,7 +44,7 @@ public:
 
 private:
   int Value(std::size_t frame, std::int64_t pixel) const;
-  // The first pixel from `pixel` on that is not 0, or the pixel count.
+  // The first non-zero pixel from `pixel` on, or the pixel count.
   std::int64_t SkipZeros(std::size_t frame, std::int64_t pixel) const;
   std::int64_t FirstVoxel(std::size_t frame) const
   {

@@ -26,7 +26,7 @@ struct SliceHeader
   DicomPixelFormat Format;
 };
 
-// Empty for a file that is no slice of a volume: a report, a segmentation, a projection image.
+// Empty for a file that is not a slice of a volume: a report, a segmentation, a projection image.
 std::optional<SliceHeader> ReadSliceHeader(const std::filesystem::path& file)
 {
   const DicomDataset dataset(file, DicomDataset::Extent::UpToPixels);
@@ -80,7 +80,7 @@ std::string SeriesList(const std::vector<DicomSeries>& all)
                                  const std::vector<DicomSeries>& all)
 {
   Refuse(folder, fact + " (" + SeriesList(all) + ")",
-         "choose one by its number or, where that is unique, its UID (--series)");
+         "choose one by its number or, if unique, its UID (--series)");
 }
 
 } // namespace
@@ -118,7 +118,7 @@ std::vector<DicomSeries> FindDicomSeries(const std::filesystem::path& folder)
     Refuse(folder,
            files.empty() ? "holds no DICOM file"
                          : "holds no DICOM slice with a position in the patient",
-           "name the folder that holds the slices of a series");
+           "specify the folder with the slices of a series");
   }
   std::stable_sort(all.begin(), all.end(),
                    [](const DicomSeries& a, const DicomSeries& b)
@@ -165,7 +165,7 @@ const DicomSeries& SeriesOfFile(const std::filesystem::path& file,
       }
     }
   }
-  Refuse(file, "is no DICOM slice with a position in the patient",
-         "name a slice of a volume or the folder of its series");
+  Refuse(file, "is not a DICOM slice with a position in the patient",
+         "specify a slice of a volume or the folder of its series");
 }
 } // namespace palpate

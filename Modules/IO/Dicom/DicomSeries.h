@@ -14,7 +14,7 @@ namespace palpate
 /// The slices of a folder that may be one volume: same series, orientation, size, pixel spacing.
 struct DicomSeries
 {
-  std::string Uid;         ///< series instance UID; not unique where a series mixes orientations
+  std::string Uid;         ///< series instance UID; not unique if a series mixes orientations
   std::string Description; ///< series description, as the scanner wrote it; no patient data
   int Number = 0;          ///< series number
   std::vector<std::filesystem::path> Files;
@@ -27,8 +27,8 @@ struct DicomSeries
   std::string Summary() const;
 };
 
-/// All image series of a folder (not of folders in it), by rising series number. Files that are no
-/// DICOM images are passed over. Throws InputError where no image is left.
+/// All image series of a folder (not of its subfolders), by ascending series number. Files that are
+/// not DICOM images are skipped. Throws InputError if no image is left.
 PALPATEIO_EXPORT std::vector<DicomSeries> FindDicomSeries(const std::filesystem::path& folder);
 
 /// The series that the user chose, or the only one. Throws InputError with the list of all.
@@ -36,7 +36,7 @@ PALPATEIO_EXPORT const DicomSeries& ChooseSeries(const std::filesystem::path& fo
                                                  const std::vector<DicomSeries>& all,
                                                  const VolumeChoice& choice);
 
-/// The series that one of the folder's files belongs to; throws InputError where it is no slice.
+/// The series of one of the folder's files; throws InputError if the file is not a slice.
 PALPATEIO_EXPORT const DicomSeries& SeriesOfFile(const std::filesystem::path& file,
                                                  const std::vector<DicomSeries>& all);
 } // namespace palpate

@@ -34,7 +34,7 @@ PixelCoding PixelCodingOf(const std::string& transferSyntaxUid)
 
 std::string TransferSyntaxName(const std::string& transferSyntaxUid)
 {
-  // Younger than Debian 12's DCMTK: .201 to .203, and .204 and .205 sent through JPIP.
+  // Newer than Debian 12's DCMTK: .201 to .203, and .204 and .205 through JPIP.
   if (transferSyntaxUid.rfind("1.2.840.10008.1.2.4.20", 0) == 0)
   {
     return "High-Throughput JPEG 2000 (" + transferSyntaxUid + ")";

@@ -6,7 +6,7 @@
 
 namespace palpate
 {
-/// How a DICOM file codes its pixels, as far as reading them goes.
+/// Pixel coding of a DICOM file.
 enum class PixelCoding
 {
   Native, ///< uncompressed
@@ -14,12 +14,12 @@ enum class PixelCoding
   Jpeg, ///< baseline, extended and lossless
   JpegLs,
   Jpeg2000,
-  Unread ///< any other
+  Unread ///< any other, not supported
 };
 
-/// The coding that a transfer syntax stands for. Source: DICOM PS3.5, 10 and annex A.
+/// The coding of a transfer syntax. Source: DICOM PS3.5, 10 and annex A.
 PALPATEIO_EXPORT PixelCoding PixelCodingOf(const std::string& transferSyntaxUid);
 
-/// Name and UID of a transfer syntax for a sentence; the UID alone where it has no known name.
+/// Name and UID of a transfer syntax for messages; the UID alone if its name is unknown.
 PALPATEIO_EXPORT std::string TransferSyntaxName(const std::string& transferSyntaxUid);
 } // namespace palpate

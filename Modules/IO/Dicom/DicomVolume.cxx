@@ -10,7 +10,7 @@ namespace palpate
 {
 namespace
 {
-// The type that holds every slice. Slices differ in it where their rescale slopes do (PET).
+// A type that holds every slice; slices with different rescale slopes (PET) have different types.
 int CommonScalarType(const std::vector<DicomPixelFormat>& formats)
 {
   int type = formats.front().ScalarType();

@@ -14,7 +14,7 @@ namespace palpate
 {
 namespace
 {
-// Tag and length before each fragment, which offsets count too.
+// Tag and length before each fragment, which offsets include.
 constexpr std::uint64_t ItemHeaderBytes = 8;
 
 DcmPixelSequence* FindSequence(DcmItem& root)
@@ -95,7 +95,7 @@ bool EncapsulatedFrames::CollectFragments(DcmItem& root)
   {
     return false;
   }
-  // Not by their numbers, for each of which DCMTK counts from the first.
+  // Not by index, since DCMTK walks the list from its start for each index.
   for (DcmObject* next = this->OffsetTable; (next = sequence->nextInContainer(next)) != nullptr;)
   {
     auto* item = dynamic_cast<DcmPixelItem*>(next);

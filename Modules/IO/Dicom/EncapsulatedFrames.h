@@ -11,20 +11,19 @@ class DcmPixelItem;
 
 namespace palpate
 {
-/// Compressed pixels as a DICOM file holds them: fragments that are put together to frames. Source:
-/// DICOM PS3.5, A.4.
+/// Assembles the compressed frames of a DICOM file from its fragments. Source: DICOM PS3.5, A.4.
 class PALPATEIO_EXPORT EncapsulatedFrames
 {
 public:
   /// Finds `frameCount` frames among the fragments of `root`, which must outlive the object. (DCMTK
-  /// has refused fragments that end behind the file's end.)
+  /// has already refused fragments beyond the end of the file.)
   EncapsulatedFrames(DcmItem& root, std::size_t frameCount);
 
-  /// False where it cannot be told which fragments belong to which frame.
+  /// False if the assignment of fragments to frames cannot be determined.
   bool AreFound() const { return !this->FirstFragments.empty(); }
   /// Of all fragments.
   std::size_t ByteCount() const;
-  /// The bytes of a frame, with any padding after its end. Fewer or none where they cannot be read.
+  /// The bytes of a frame, with any padding after its end; fewer or none if they cannot be read.
   std::vector<std::uint8_t> Frame(std::size_t frame) const;
 
 private:

@@ -26,18 +26,18 @@ struct Kind
 
 constexpr const char* ToVoxels =
     "convert it to a segmentation on its image's grid (with 3D Slicer: import it, then export "
-    "a .seg.nrrd) and give that";
-constexpr const char* ToMask = "give a DICOM segmentation, a label map or an image series";
+    "a .seg.nrrd) and use that";
+constexpr const char* ToMask = "use a DICOM segmentation, a label map or an image series";
 
 constexpr std::array<Kind, 16> Kinds{{
     {"1.2.840.10008.5.1.4.1.1.481.3",
-     "is a DICOM structure set (RTSTRUCT), which has contours and no voxels", ToVoxels},
-    {"1.2.840.10008.5.1.4.1.1.481.2", "is a DICOM dose (RTDOSE), no segmentation and no image",
-     ToMask},
+     "is a DICOM structure set (RTSTRUCT), which has contours but no voxels", ToVoxels},
+    {"1.2.840.10008.5.1.4.1.1.481.2",
+     "is a DICOM dose (RTDOSE), neither a segmentation nor an image", ToMask},
     {"1.2.840.10008.5.1.4.1.1.481.5", "is a DICOM treatment plan (RTPLAN)", ToMask},
     {"1.2.840.10008.5.1.4.1.1.481.", "is a DICOM radiotherapy object", ToMask},
     {"1.2.840.10008.5.1.4.1.1.66.5",
-     "is a DICOM surface segmentation, which has triangles and no voxels", ToVoxels},
+     "is a DICOM surface segmentation, which has triangles but no voxels", ToVoxels},
     {"1.2.840.10008.5.1.4.1.1.66.1", "is a DICOM registration", ToMask},
     {"1.2.840.10008.5.1.4.1.1.66.2", "has DICOM fiducials", ToMask},
     {"1.2.840.10008.5.1.4.1.1.66.3", "is a DICOM registration", ToMask},
@@ -45,13 +45,13 @@ constexpr std::array<Kind, 16> Kinds{{
     {"1.2.840.10008.5.1.4.1.1.11.", "is a DICOM presentation state", ToMask},
     {"1.2.840.10008.5.1.4.1.1.104.", "is a document within DICOM", ToMask},
     {"1.2.840.10008.5.1.4.1.1.9.", "is a DICOM waveform", ToMask},
-    {"1.2.840.10008.5.1.4.1.1.7", "is a DICOM secondary capture, a picture of a screen", ToMask},
+    {"1.2.840.10008.5.1.4.1.1.7", "is a DICOM secondary capture, a screen image", ToMask},
     {"1.2.840.10008.5.1.4.1.1.6.", "is a DICOM ultrasound image", ToMask},
     {"1.2.840.10008.5.1.4.1.1.1", "is a DICOM projection image (X-ray)", ToMask},
     {"1.2.840.10008.5.1.4.1.1.12.", "is a DICOM projection image (X-ray)", ToMask},
 }};
 
-// The class itself, a class below it where the key ends in a dot, or below it by a dot.
+// The class itself, or a class below it: `key` ends in a dot, or is followed by one.
 bool IsOfKind(const std::string& objectClass, const std::string& key)
 {
   const bool begins = objectClass.compare(0, key.size(), key) == 0;
@@ -67,7 +67,7 @@ std::optional<ForeignFile> RecognizeForeignDicom(const std::filesystem::path& fi
   if (root.tagExists(DCM_DirectoryRecordSequence))
   {
     return ForeignFile{"is the index of a DICOM medium (DICOMDIR)",
-                       "name the folder that holds the slices of a series"};
+                       "specify the folder with the slices of a series"};
   }
   const std::string objectClass = DicomText(root, DCM_SOPClassUID);
   const auto* found =
@@ -81,8 +81,8 @@ std::optional<ForeignFile> RecognizeForeignDicom(const std::filesystem::path& fi
   const double frames = DicomNumber(root, DCM_NumberOfFrames, 1.0);
   if (frames > 1.0 && !isSegmentation)
   {
-    return ForeignFile{"is a DICOM image of several frames, which is not read",
-                       "convert it to one slice a file or to NIfTI-1 (.nii.gz)"};
+    return ForeignFile{"is a multi-frame DICOM image, which is not supported",
+                       "convert it to one slice per file or to NIfTI-1 (.nii.gz)"};
   }
   return std::nullopt;
 }
@@ -106,7 +106,7 @@ void RefuseForeignDicomIn(const std::filesystem::path& folder)
     }
     catch (const InputError&)
     {
-      continue; // a damaged file is not what the folder lacks
+      continue; // a damaged file is not a foreign one
     }
     if (foreign)
     {

@@ -6,9 +6,9 @@
 #include <sys/socket.h>
 #include <sys/types.h>
 
-/// What passes between a DicomFrameDecoder and palpate-dicom-decoder, over a socket of one machine:
-/// a request and its stream one way, the decoded samples the other. A decoder that refuses a frame
-/// ends instead.
+/// Protocol between a DicomFrameDecoder and palpate-dicom-decoder, over a local socket: the client
+/// sends a request and its stream, the decoder answers with the samples. A decoder that refuses a
+/// frame exits instead.
 namespace palpate
 {
 struct FrameRequest
@@ -23,7 +23,7 @@ struct FrameRequest
   std::uint32_t Columns = 0; ///< 1 to 65,535, as Rows
   std::uint32_t Rows = 0;
   std::uint32_t BytesPerSample = 0; ///< of the answer: 1, 2 or (run-length) 4, little-endian
-  std::uint32_t Precision = 0;      ///< bits a sample
+  std::uint32_t Precision = 0;      ///< bits per sample
   std::uint32_t StreamBytes = 0;
 
   std::size_t SampleBytes() const
@@ -32,7 +32,7 @@ struct FrameRequest
   }
 };
 
-/// False if the other side has gone.
+/// Returns false if the peer has closed the socket.
 inline bool SendAll(int socket, const void* bytes, std::size_t count)
 {
   const char* next = static_cast<const char*>(bytes);
@@ -50,7 +50,7 @@ inline bool SendAll(int socket, const void* bytes, std::size_t count)
   return true;
 }
 
-/// False if the other side has gone before `count` bytes.
+/// Returns false if the peer closes the socket before `count` bytes.
 inline bool ReceiveAll(int socket, void* bytes, std::size_t count)
 {
   char* next = static_cast<char*>(bytes);

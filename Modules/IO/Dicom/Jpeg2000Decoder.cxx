@@ -17,7 +17,7 @@ struct Codestream
   std::size_t Place = 0;
 };
 
-// OpenJPEG's signs for the end.
+// OpenJPEG's return values at the end of a stream.
 constexpr auto NothingRead = static_cast<OPJ_SIZE_T>(-1);
 constexpr OPJ_OFF_T NothingSkipped = -1;
 
@@ -127,8 +127,8 @@ bool ReadImageSize(const Codestream& stream, ImageSize& size)
   return true;
 }
 
-// OpenJPEG allocates some kilobytes for each tile that a header states: a byte or so for a pixel
-// where tiles have at least 32 x 32 pixels.
+// OpenJPEG allocates some kilobytes per declared tile: about a byte per pixel if tiles have at
+// least 32 x 32 pixels.
 bool Fits(const ImageSize& size, const CompressedFrame& frame)
 {
   return size.Columns == static_cast<std::uint64_t>(frame.Columns) &&

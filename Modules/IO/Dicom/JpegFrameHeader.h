@@ -8,7 +8,7 @@
 
 namespace palpate
 {
-/// What a JPEG or JPEG-LS stream says of its image before any of it is decoded.
+/// Image properties declared by a JPEG or JPEG-LS stream, read without decoding it.
 struct JpegFrameHeader
 {
   /// Last bytes of the markers of sequential, Huffman-coded frames.
@@ -18,7 +18,7 @@ struct JpegFrameHeader
   static constexpr int JpegLs = 0xF7;
 
   int Marker = 0;    ///< last byte of the frame's marker
-  int Precision = 0; ///< bits a sample
+  int Precision = 0; ///< bits per sample
   int Rows = 0;
   int Columns = 0;
   int Components = 0;

@@ -12,11 +12,11 @@ namespace palpate
 {
 namespace
 {
-// Fraction of the slice distance by which a slice may miss its place; decimal strings in DICOM are
-// often rounded to a hundredth of a millimetre.
+// Tolerance of slice positions as a fraction of the spacing; decimal strings in DICOM are often
+// rounded to a hundredth of a millimetre.
 constexpr double EvenTolerance = 0.02;
 
-// More than any scan has, and few enough for an index.
+// More than any scan has, and within the range of an index.
 constexpr double MostSlices = 65536.0;
 
 // Distances along the normal from the first plane given, mm.
@@ -37,7 +37,7 @@ std::vector<double> Heights(const std::filesystem::path& file,
   return heights;
 }
 
-// Sorted, with those closer than a thousandth of a millimetre taken as one.
+// Sorted; distances within a thousandth of a millimetre are merged.
 std::vector<double> DistinctHeights(std::vector<double> heights)
 {
   std::sort(heights.begin(), heights.end());
@@ -88,8 +88,8 @@ double DenseStep(const std::filesystem::path& file, const std::vector<double>& d
   {
     Refuse(file,
            "has " + std::to_string(planeCount) + " images in " + std::to_string(distinct.size()) +
-               " places: it mixes several volumes (times, echoes or repetitions)",
-           "put one of them into a folder of its own");
+               " positions: it mixes several volumes (times, echoes or repetitions)",
+           "put one of them into a separate folder");
   }
   const double step =
       (distinct.back() - distinct.front()) / static_cast<double>(distinct.size() - 1);
@@ -113,9 +113,11 @@ double SparseStep(const std::filesystem::path& file, const std::vector<double>& 
   }
   if (distinct.size() < 2)
   {
-    Refuse(file, "states no distance between slices", "export it again with its slice thickness");
+    Refuse(file, "does not state the distance between its slices",
+           "export it again with its slice thickness");
   }
-  // Over many slices a rounded smallest gap drifts off; the mean over its whole number does not.
+  // A rounded smallest gap accumulates an error over many slices; the mean over a whole number of
+  // gaps does not.
   const double gap = SmallestGap(distinct);
   const double extent = distinct.back() - distinct.front();
   const double step = extent / std::max(1.0, std::round(extent / gap));
@@ -137,7 +139,7 @@ void CheckParallel(const std::filesystem::path& file, const std::vector<SlicePla
     if (!plane.IsParallelTo(first))
     {
       Refuse(file, "mixes slices of different orientation, size or pixel spacing",
-             "put each orientation into a folder of its own");
+             "put each orientation into a separate folder");
     }
     const Vector3 offset = plane.PositionWorld - planes[lowest].PositionWorld;
     if (std::abs(offset.dot(first.RowWorld)) > 0.1 * first.Spacing[0] ||
@@ -167,14 +169,14 @@ SliceStack StackSlices(const std::filesystem::path& file, const std::vector<Slic
   CheckParallel(file, planes, heights);
   if (!rules.Sparse && planes.size() < 2)
   {
-    Refuse(file, "is a single slice", "give a volume of at least two slices");
+    Refuse(file, "is a single slice", "use a volume of at least two slices");
   }
   const double step = rules.Sparse ? SparseStep(file, distinct, rules.StatedStep)
                                    : DenseStep(file, distinct, planes.size());
   const double slicesApart = (distinct.back() - distinct.front()) / step;
   if (distinct.size() > 1 && !(slicesApart < MostSlices))
   {
-    Refuse(file, "has slices that are " + SignificantText(slicesApart) + " slice distances apart",
+    Refuse(file, "has slices that are " + SignificantText(slicesApart) + " slice spacings apart",
            "export it again, or correct its slice positions");
   }
   SliceStack stack;

@@ -29,21 +29,21 @@ struct SlicePlane
 struct SliceStack
 {
   ImageGrid Grid;
-  std::vector<int> SliceOfPlane; ///< slice index of each plane that was given
+  std::vector<int> SliceOfPlane; ///< slice index of each given plane
 };
 
-/// What a stack of planes may be.
+/// Rules for a stack of planes.
 struct SliceStackRules
 {
   /// Slices may be absent and several planes may lie in one slice (a segmentation's frames).
   bool Sparse = false;
-  /// Distance of slices that the file states (mm). Used where the planes' positions fit it.
+  /// Slice spacing stated by the file (mm). Used if the planes' positions agree with it.
   std::optional<double> StatedStep;
 };
 
-/// Orders parallel planes along their normal. Throws InputError for an uneven distance of slices
-/// (2 % of it), more than 65,536 slices, planes that drift sideways by more than a tenth of a pixel
-/// (a sheared volume), and, unless sparse, for several planes in one place.
+/// Orders parallel planes along their normal. Throws InputError for uneven slice spacing (by more
+/// than 2 %), more than 65,536 slices, planes that drift sideways by more than a tenth of a pixel
+/// (a sheared volume), and, unless sparse, several planes at one position.
 PALPATEIO_EXPORT SliceStack StackSlices(const std::filesystem::path& file,
                                         const std::vector<SlicePlane>& planes,
                                         const SliceStackRules& rules);

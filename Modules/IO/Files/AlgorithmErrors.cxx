@@ -7,7 +7,7 @@ namespace palpate
 {
 namespace
 {
-// VTK words its errors "ERROR: In FILE, line N\nCLASS (ADDRESS): TEXT\n\n".
+// VTK formats its errors as "ERROR: In FILE, line N\nCLASS (ADDRESS): TEXT\n\n".
 std::string TextOf(const char* raised)
 {
   std::string text = raised == nullptr ? "" : raised;

@@ -9,8 +9,8 @@
 
 namespace palpate
 {
-/// Listens to the errors and warnings of a VTK algorithm and of its executive while it lives; they
-/// are then not printed.
+/// Captures the errors and warnings of a VTK algorithm and its executive during its lifetime; they
+/// are not printed.
 class PALPATEIO_EXPORT AlgorithmErrors
 {
 public:

@@ -7,26 +7,26 @@
 
 namespace palpate
 {
-/// A file that appears under its name complete, or not at all: it is written under a temporary
-/// name in the same folder and renamed by Commit(). Destroyed without Commit(), nothing is left and
-/// a file that had the name before is untouched. A symbolic link is followed, and an existing
-/// file's permissions are kept. A file that Commit() has named outlives a loss of power: file and
-/// folder are synchronised with the disk, which takes some milliseconds for each.
+/// A file that appears under its name complete, or not at all: it is written under a temporary name
+/// in the same folder and renamed by Commit(). Without Commit(), the destructor removes it and an
+/// existing file is unchanged. A symbolic link is followed, and an existing file's permissions are
+/// kept. A committed file survives a power failure: file and folder are synchronised with the disk,
+/// which takes some milliseconds each.
 class PALPATEIO_EXPORT AtomicFile
 {
 public:
-  /// Creates the empty temporary file. Throws InputError where `path` cannot be written: no such
+  /// Creates the empty temporary file. Throws InputError if `path` cannot be written: no such
   /// folder, no permission, a folder or a device of that name.
   explicit AtomicFile(const std::filesystem::path& path);
 
-  /// Where to write until Commit(). It ends as the final name does, since many writers choose
-  /// their format by the ending.
+  /// Where to write until Commit(). It has the ending of the final name, since many writers choose
+  /// their format by it.
   const std::filesystem::path& TemporaryPath() const { return this->File.Path(); }
-  /// Gives the file its name. Throws InputError where that fails.
+  /// Gives the file its name. Throws InputError if that fails.
   void Commit();
 
 private:
-  std::filesystem::path Requested; ///< as the user wrote it, for messages
+  std::filesystem::path Requested; ///< as given by the user, for messages
   TemporaryFile File;
 };
 } // namespace palpate

@@ -13,7 +13,7 @@ namespace
 {
 constexpr std::uint64_t Unlimited = std::numeric_limits<std::uint64_t>::max();
 
-// Names of a memory group's files in a version of control groups.
+// File names of a memory group in one version of control groups.
 struct GroupFiles
 {
   const char* Limit;
@@ -24,7 +24,7 @@ constexpr GroupFiles Version1{"memory.limit_in_bytes", "memory.usage_in_bytes",
                               "total_inactive_file"};
 constexpr GroupFiles Version2{"memory.max", "memory.current", "inactive_file"};
 
-// The number after a key, or the first number of a file where the key is empty. Nothing for "max".
+// The number after a key, or the first number of the file if the key is empty. Empty for "max".
 std::optional<std::uint64_t> NumberIn(const std::filesystem::path& file, const std::string& key)
 {
   std::ifstream stream(file);
@@ -49,8 +49,8 @@ std::uint64_t LeftInGroup(const std::filesystem::path& folder, const GroupFiles&
   return *limit - std::min(used, *limit);
 }
 
-// Of a group and all that it lies in. In a container the path may be the host's, of which only the
-// last folders or none are mounted there.
+// The least of a group and its parents. In a container the path may be the host's, of which only
+// the last folders, or none, are mounted.
 std::uint64_t LeftUpwards(const std::filesystem::path& root, std::filesystem::path group,
                           const GroupFiles& files)
 {

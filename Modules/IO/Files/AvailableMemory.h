@@ -7,7 +7,7 @@
 
 namespace palpate
 {
-/// The files in which Linux says how much memory is left.
+/// The files in which Linux reports the available memory.
 struct MemorySources
 {
   std::filesystem::path Machine = "/proc/meminfo";
@@ -15,9 +15,10 @@ struct MemorySources
   std::filesystem::path GroupRoot = "/sys/fs/cgroup"; ///< where their file system is mounted
 };
 
-/// Bytes that this process can still take without swapping: MemAvailable of the machine, or less
-/// where a control group of the process, as a container's, has a lower limit. Pages of files that
-/// the kernel can drop count as free. The largest number where nothing can be read (then nothing is
-/// refused). Source: Linux, Documentation/admin-guide/cgroup-v2.rst and cgroup-v1/memory.rst.
+/// Bytes that this process can still allocate without swapping: MemAvailable of the machine, or
+/// less if a control group of the process (such as a container's) has a lower limit. File pages
+/// that the kernel can drop count as free. Returns the largest number if nothing can be read, so
+/// that nothing is refused. Source: Linux, Documentation/admin-guide/cgroup-v2.rst and
+/// cgroup-v1/memory.rst.
 PALPATEIO_EXPORT std::uint64_t AvailableMemoryBytes(const MemorySources& sources = {});
 } // namespace palpate

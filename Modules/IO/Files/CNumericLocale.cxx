@@ -42,8 +42,8 @@ void CNumericLocale::RequireOfStreams(const std::filesystem::path& file)
   if (numbers.decimal_point() != '.' || !numbers.grouping().empty())
   {
     Refuse(file,
-           "cannot be read or written in its format while the program's C++ streams have the "
-           "numbers of the locale " +
+           "cannot be read or written in its format while the program's C++ streams use the number "
+           "format of the locale " +
                std::locale().name(),
            "set std::locale::global to the classic one, or use another format");
   }

@@ -7,10 +7,11 @@
 
 namespace palpate
 {
-/// Gives the calling thread the numbers of the "C" locale while it lives, whatever locale the
-/// process has: ITK, VTK and their format libraries read and write decimals with sscanf, strtod and
-/// fprintf, which take "3.5" for 3 where the decimal point is a comma. Other threads and the rest
-/// of the locale stay as they are, so that it suits programs which embed the readers.
+/// Switches the calling thread to the number format of the "C" locale during its lifetime,
+/// independently of the process's locale: ITK, VTK and their format libraries read and write
+/// decimals with sscanf, strtod and fprintf, which read "3.5" as 3 if the decimal separator is a
+/// comma. Other threads and the rest of the locale are unchanged, so programs can safely embed the
+/// readers.
 class PALPATEIO_EXPORT CNumericLocale
 {
 public:
@@ -21,8 +22,8 @@ public:
   ~CNumericLocale();
 
   /// MetaIO (MetaImage) and VTK's reader of VTP use C++ streams, whose locale belongs to the whole
-  /// process. Throws InputError, naming `file`, where the process has made it one that writes other
-  /// numbers than "C" (std::locale::global; setlocale and QApplication do not).
+  /// process. Throws InputError, naming `file`, if the process has set one whose number format is
+  /// not that of "C" (std::locale::global; setlocale and QApplication do not set it).
   static void RequireOfStreams(const std::filesystem::path& file);
 
 private:

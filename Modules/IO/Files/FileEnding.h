@@ -7,7 +7,7 @@
 
 namespace palpate
 {
-/// The ending that tells a file's format, in lower case and with its dot: ".nii.gz", ".seg.nrrd",
-/// otherwise what follows the last dot. Empty where there is none.
+/// The file ending that states the format, in lower case and with its dot: ".nii.gz", ".seg.nrrd",
+/// otherwise from the last dot on. Empty if there is none.
 PALPATEIO_EXPORT std::string FileEnding(const std::filesystem::path& path);
 } // namespace palpate

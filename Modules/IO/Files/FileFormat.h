@@ -14,20 +14,20 @@ namespace palpate
 struct FileFormat
 {
   std::string Name;
-  std::vector<std::string> ReadEndings;    ///< empty for one that is only written
-  std::vector<std::string> WrittenEndings; ///< empty for one that is only read
+  std::vector<std::string> ReadEndings;    ///< empty for a write-only format
+  std::vector<std::string> WrittenEndings; ///< empty for a read-only format
 };
 
-/// The longest of the endings that the file's name has, in either case; empty if it has none.
+/// The longest of the endings that matches the file name, ignoring case; empty if none does.
 PALPATEIO_EXPORT std::string EndingOf(const std::filesystem::path& file,
                                       const std::vector<std::string>& endings);
-/// Endings in a sentence: ".vtp, .stl or .ply".
+/// Endings for a message: ".vtp, .stl or .ply".
 PALPATEIO_EXPORT std::string ListOfEndings(const std::vector<std::string>& endings);
-/// Endings in a file dialog: "*.vtp *.stl *.ply".
+/// Endings for a file dialog: "*.vtp *.stl *.ply".
 PALPATEIO_EXPORT std::string PatternsOf(const std::vector<std::string>& endings);
 
-/// The formats of one kind of file, each declared once: whoever reads, writes, asks for or lists
-/// such files goes by them. Not thread-safe: formats are added before files are read.
+/// The formats of one kind of file, each declared once; readers, writers, dialogs and lists use
+/// this list. Not thread-safe: add formats before files are read.
 template <typename Format>
 class FormatList
 {

@@ -21,7 +21,7 @@ void CheckReadable(const std::filesystem::path& file)
   }
   if (!std::filesystem::is_regular_file(file, failure))
   {
-    Refuse(file, "is no file", "name an image file");
+    Refuse(file, "is not a file", "specify an image file");
   }
   if (!std::ifstream(file, std::ios::binary))
   {

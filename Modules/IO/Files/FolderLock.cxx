@@ -14,11 +14,11 @@ int Open(const std::filesystem::path& path)
 {
   constexpr int Flags = O_CREAT | O_CLOEXEC | O_NOFOLLOW;
   const int file = open(path.c_str(), Flags | O_RDWR, 0666);
-  // Another user's: to read it is enough for a lock, but not on every file system.
+  // Another user's file: opening it for reading is enough for a lock, but not on every file system.
   return file < 0 && errno == EACCES ? open(path.c_str(), Flags | O_RDONLY, 0666) : file;
 }
 
-// 0, or why not.
+// Returns 0 or errno.
 int Lock(int file, int operation)
 {
   while (flock(file, operation) != 0)
@@ -31,7 +31,7 @@ int Lock(int file, int operation)
   return 0;
 }
 
-// Whether the file has not been removed by whoever had it before.
+// Whether the file still exists, that is, was not removed by its previous holder.
 bool IsThere(int file, const std::filesystem::path& path)
 {
   struct stat opened = {};
@@ -48,7 +48,7 @@ FolderLock::FolderLock(const std::filesystem::path& folder, const std::string& n
 
 FolderLock::~FolderLock()
 {
-  // Of those who share it, the last one alone gets it alone.
+  // Among shared holders, only the last one gets the exclusive lock.
   if (this->File >= 0 && Lock(this->File, LOCK_EX | LOCK_NB) == 0 &&
       IsThere(this->File, this->Path))
   {

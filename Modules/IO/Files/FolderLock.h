@@ -7,24 +7,24 @@
 
 namespace palpate
 {
-/// Keeps processes that write into one folder apart, by an advisory lock on a hidden file in it.
-/// The kernel releases it when the process ends, however it ends; whoever is last removes the file,
-/// and one that a killed process left locks nobody out. Where the file system has no locks, or the
-/// folder takes no file, everybody is as if alone.
+/// Serializes processes that write into one folder, by an advisory lock on a hidden file in it. The
+/// kernel releases the lock when the process ends, in any way; the last holder removes the file,
+/// and a file left by a killed process locks nobody out. If the file system has no locks, or no
+/// file can be created in the folder, every process gets the lock.
 class PALPATEIO_EXPORT FolderLock
 {
 public:
-  /// Takes nothing yet. `name` is the file's, the same for all who are to be kept apart.
+  /// Does not lock yet. `name` is the file's, the same for all processes to be serialized.
   FolderLock(const std::filesystem::path& folder, const std::string& name);
   FolderLock(const FolderLock&) = delete;
   FolderLock& operator=(const FolderLock&) = delete;
   ~FolderLock();
 
-  /// Waits until nobody else has it.
+  /// Waits for the exclusive lock.
   void WaitAlone();
-  /// Whether nobody else has it: then it is this object's alone.
+  /// Takes the exclusive lock if it is free; returns whether it did.
   bool TryAlone();
-  /// Has it together with others who share it, once nobody has it alone.
+  /// Waits for a shared lock, until nobody holds it exclusively.
   void Share();
 
 private:

@@ -16,7 +16,7 @@ namespace
 {
 constexpr std::size_t HeadBytes = 512; // up to where a tar archive and a legacy VTK file say so
 constexpr const char* ToImage = "convert it to NIfTI-1 (.nii.gz), NRRD or MetaImage";
-constexpr const char* ToSurface = "give voxels here, and surfaces to commands that take them";
+constexpr const char* ToSurface = "use voxels here, and surfaces with commands that take them";
 
 // The start of a file's content.
 struct Head
@@ -44,7 +44,7 @@ struct Head
 
 using std::string_view_literals::operator""sv;
 
-// The word after the first `key`, in capitals; empty where there is none.
+// The word after the first `key`, in capitals; empty if there is none.
 std::string WordAfter(const Head& head, std::string_view key)
 {
   const std::size_t at = head.Bytes.find(key);
@@ -71,7 +71,7 @@ ForeignFile LegacyVtk(const Head& head)
   }
   if (kind == "STRUCTURED_POINTS")
   {
-    return {name + ", an image that does not say how it lies in the patient", ToImage};
+    return {name + ", an image that does not state its orientation in the patient", ToImage};
   }
   return {name, "save an image as NIfTI-1, NRRD or MetaImage, and a surface as .vtp"};
 }
@@ -83,7 +83,7 @@ ForeignFile XmlVtk(const Head& head)
                             : ForeignFile{"is a VTK file (" + kind + ")", ToImage};
 }
 
-// Whether a name ends as one of these, " .a .b ".
+// Whether the ending is one of these, " .a .b ".
 bool EndsAs(const std::string& ending, std::string_view endings)
 {
   return !ending.empty() && endings.find(" " + ending + " ") != std::string_view::npos;
@@ -93,12 +93,12 @@ std::optional<ForeignFile> NiftiOrAnalyze(const Head& head, const std::string& e
 {
   if (head.Has(344, "ni1"sv))
   {
-    return ForeignFile{"is the header of a NIfTI pair (.hdr and .img), which is not read",
+    return ForeignFile{"is the header of a NIfTI pair (.hdr and .img), which is not supported",
                        "convert the pair to one file (.nii.gz)"};
   }
   if (head.Has(344, "n+1"sv) && !EndsAs(ending, " .nii .nii.gz "))
   {
-    return ForeignFile{"is a NIfTI file by its content and not by its name",
+    return ForeignFile{"is a NIfTI file by content but not by name",
                        std::string("rename it to end in ") +
                            (head.IsCompressed ? ".nii.gz" : ".nii")};
   }
@@ -107,9 +107,9 @@ std::optional<ForeignFile> NiftiOrAnalyze(const Head& head, const std::string& e
                          (head.StartsWith("\x5C\x01\0\0"sv) || head.StartsWith("\0\0\x01\x5C"sv));
   if (isAnalyze)
   {
-    return ForeignFile{"is an Analyze 7.5 header, which does not say how its image lies in the "
-                       "patient",
-                       "convert header and .img to NIfTI-1 (.nii.gz) and check left and right"};
+    return ForeignFile{
+        "is an Analyze 7.5 header, which does not state its image's orientation in the patient",
+        "convert header and .img to NIfTI-1 (.nii.gz) and check left and right"};
   }
   return std::nullopt;
 }
@@ -120,28 +120,28 @@ struct Mark
   std::string_view Bytes;
   const char* Is;
   const char* WayOut;
-  std::string_view Own = {}; // endings of names that say the same: no foreign file
+  std::string_view Own = {}; // endings that match the content: not a foreign file
 };
 
-constexpr const char* ToVolume = "give the volume that it was made from";
-constexpr const char* Unpack = "unpack it and give the image in it";
+constexpr const char* ToVolume = "use the volume that it was made from";
+constexpr const char* Unpack = "unpack it and use the image in it";
 
 constexpr std::array<Mark, 15> Marks{{
-    {0, "NRRD000"sv, "is an NRRD file by its content and not by its name",
-     "rename it to end in .nrrd", " .nrrd .seg.nrrd .nhdr "sv},
-    {0, "ObjectType"sv, "is a MetaImage by its content and not by its name",
-     "rename it to end in .mha, or .mhd where its voxels lie in another file", " .mha .mhd "sv},
-    {128, "DICM"sv, "is a DICOM file by its content and not by its name",
-     "rename it to end in .dcm", " .dcm .ima "sv},
+    {0, "NRRD000"sv, "is an NRRD file by content but not by name", "rename it to end in .nrrd",
+     " .nrrd .seg.nrrd .nhdr "sv},
+    {0, "ObjectType"sv, "is a MetaImage by content but not by name",
+     "rename it to end in .mha, or .mhd if its voxels are in another file", " .mha .mhd "sv},
+    {128, "DICM"sv, "is a DICOM file by content but not by name", "rename it to end in .dcm",
+     " .dcm .ima "sv},
     {0, "<!DOCTYPE html"sv, "is a web page", "download the file itself"},
     {0, "<!doctype html"sv, "is a web page", "download the file itself"},
     {0, "<html"sv, "is a web page", "download the file itself"},
     {0, "PK\x03\x04"sv, "is a ZIP archive", Unpack},
     {257, "ustar"sv, "is a tar archive", Unpack},
-    {0, "\x89PNG"sv, "is a PNG picture", ToVolume},
-    {0, "\xFF\xD8\xFF"sv, "is a JPEG picture", ToVolume},
-    {0, "II*\0"sv, "is a TIFF picture", ToVolume},
-    {0, "MM\0*"sv, "is a TIFF picture", ToVolume},
+    {0, "\x89PNG"sv, "is a PNG image", ToVolume},
+    {0, "\xFF\xD8\xFF"sv, "is a JPEG image", ToVolume},
+    {0, "II*\0"sv, "is a TIFF image", ToVolume},
+    {0, "MM\0*"sv, "is a TIFF image", ToVolume},
     {0, "\x89HDF"sv, "is an HDF5 file, perhaps MINC", ToImage},
     {0, "CDF\x01"sv, "is a NetCDF file, perhaps MINC", ToImage},
     {0, "%PDF"sv, "is a PDF document", ToVolume},
@@ -175,17 +175,19 @@ struct Ending
 };
 
 constexpr std::array<Ending, 10> Endings{{
-    {".hdr", "is a header whose image lies in an .img file, which is not read", ToImage},
-    {".img", "has the voxels of a pair (.hdr and .img), which is not read",
+    {".hdr", "is a header whose image is in an .img file, which is not supported", ToImage},
+    {".img", "has the voxels of a pair (.hdr and .img), which is not supported",
      "convert the pair to one NIfTI file (.nii.gz)"},
-    {".mgz", "is a FreeSurfer volume, which is not read", "convert it (mri_convert) to .nii.gz"},
-    {".mgh", "is a FreeSurfer volume, which is not read", "convert it (mri_convert) to .nii.gz"},
-    {".mnc", "is a MINC file, which is not read", ToImage},
-    {".raw", "has voxels without a header", "name its header (.mhd or .nhdr)"},
-    {".zraw", "has voxels without a header", "name its header (.mhd)"},
+    {".mgz", "is a FreeSurfer volume, which is not supported",
+     "convert it (mri_convert) to .nii.gz"},
+    {".mgh", "is a FreeSurfer volume, which is not supported",
+     "convert it (mri_convert) to .nii.gz"},
+    {".mnc", "is a MINC file, which is not supported", ToImage},
+    {".raw", "has voxels without a header", "specify its header (.mhd or .nhdr)"},
+    {".zraw", "has voxels without a header", "specify its header (.mhd)"},
     {".gii", "is a GIFTI surface, not an image", ToSurface},
-    {".json", "is a JSON file, not an image", "name an image file"},
-    {".csv", "is a table, not an image", "name an image file"},
+    {".json", "is a JSON file, not an image", "specify an image file"},
+    {".csv", "is a table, not an image", "specify an image file"},
 }};
 
 std::optional<ForeignFile> ByEnding(const std::string& ending)
@@ -211,8 +213,8 @@ std::optional<ForeignFile> RecognizeForeignFile(const std::filesystem::path& fil
   found = found ? found : ByEnding(ending);
   if (!found && head.IsCompressed && ending != ".nii.gz")
   {
-    found = ForeignFile{"is a gzip file of something that is no known image",
-                        "unpack it (gunzip) and give an image"};
+    found = ForeignFile{"is a gzip file whose content is not a known image",
+                        "unpack it (gunzip) and use an image"};
   }
   return found;
 }

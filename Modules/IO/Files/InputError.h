@@ -4,7 +4,7 @@
 
 namespace palpate
 {
-/// Bad input. what() is one sentence for the user that names the file, the fact and the way out.
+/// Bad input. what() is one sentence for the user that names the file, the fact and the fix.
 class InputError : public std::runtime_error
 {
 public:

@@ -13,9 +13,9 @@ namespace
 {
 constexpr std::size_t MostDepth = 64;
 constexpr std::size_t MostOrderedKeys = 10000;
-constexpr double BytesOfValue = 64.0; // of a small list, with what the allocator adds
+constexpr double BytesOfValue = 64.0; // of a small list, with the allocator's overhead
 
-// What of a text decides how much it takes to parse it.
+// The properties of a text that determine the cost of parsing it.
 struct JsonExtent
 {
   std::size_t Depth = 0;
@@ -23,8 +23,7 @@ struct JsonExtent
   std::size_t Values = 0;
 };
 
-// Exact for valid JSON. The parser stops at the first fault of another text, up to which this is
-// exact too.
+// Exact for valid JSON; for other text, exact up to the first error, where the parser stops.
 JsonExtent ExtentOf(std::string_view text)
 {
   JsonExtent extent;
@@ -94,11 +93,11 @@ Json Parse(std::string_view text, const std::filesystem::path& file, const std::
   }
   catch (const nlohmann::json::parse_error& error)
   {
-    Refuse(file, "is no JSON from " + PlaceText(text, error.byte) + " on", wayOut);
+    Refuse(file, "is not valid JSON at " + PlaceText(text, error.byte), wayOut);
   }
   catch (const nlohmann::json::out_of_range&)
   {
-    Refuse(file, "cannot be read: it holds a number that is too large for any computer", wayOut);
+    Refuse(file, "cannot be read: it holds a number that is too large", wayOut);
   }
 }
 } // namespace

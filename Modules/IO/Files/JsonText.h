@@ -10,10 +10,10 @@
 
 namespace palpate
 {
-/// The one place that parses JSON from files. Throws InputError, naming `file` and ending with
-/// `wayOut`, if the text is not JSON (with line and column), if it nests lists and objects more
-/// than 64 deep, which would overflow the stack of whatever walks through it, if a number is too
-/// large, or if its values would not fit into memory.
+/// The only parser of JSON from files. Throws InputError, naming `file` and ending with `wayOut`,
+/// if the text is not JSON (with line and column), if lists and objects are nested more than 64
+/// deep, which would overflow the stack of recursive code, if a number is too large, or if its
+/// values would not fit into memory.
 PALPATEIO_EXPORT nlohmann::json ParseJson(std::string_view text, const std::filesystem::path& file,
                                           const std::string& wayOut);
 

@@ -6,7 +6,7 @@
 
 namespace palpate
 {
-/// Appends a number's bytes, lowest first, as the binary surface formats want them.
+/// Appends a number's bytes in little-endian order, as the binary surface formats require.
 template <typename Number>
 void AppendLittleEndian(std::string& bytes, Number value)
 {

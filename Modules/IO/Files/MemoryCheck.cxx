@@ -13,7 +13,7 @@ void CheckMemory(const std::filesystem::path& file, double dataBytes, std::uint6
   if (!(needed <= static_cast<double>(availableBytes)))
   {
     Refuse(file,
-           "needs about " + SignificantText(needed / 1e9) + " GB of memory to read and " +
+           "needs about " + SignificantText(needed / 1e9) + " GB of memory to read but " +
                SignificantText(static_cast<double>(availableBytes) / 1e9) + " GB are free",
            "crop or resample it, or use a larger machine");
   }

@@ -8,8 +8,8 @@
 
 namespace palpate
 {
-/// Throws InputError where reading `dataBytes` of voxels from `file` needs more than
-/// `availableBytes`. Counted twice: the format libraries decode into a buffer of their own.
+/// Throws InputError if reading `dataBytes` of voxels from `file` needs more than `availableBytes`.
+/// The voxels count twice, since the format libraries decode into their own buffer.
 PALPATEIO_EXPORT void CheckMemory(const std::filesystem::path& file, double dataBytes,
                                   std::uint64_t availableBytes);
 } // namespace palpate

@@ -17,10 +17,10 @@ namespace
 {
 [[noreturn]] void RefuseFolder(const std::filesystem::path& folder, const std::string& reason)
 {
-  Refuse(folder, "cannot be made as a folder (" + reason + ")", "choose another with --output");
+  Refuse(folder, "cannot be created as a folder (" + reason + ")", "choose another with --output");
 }
 
-// The part of the path that is there already; "." for a relative path of which nothing is.
+// The existing part of the path; "." for a relative path of which nothing exists.
 std::filesystem::path ExistingPart(std::filesystem::path path)
 {
   std::error_code ignored;
@@ -35,8 +35,7 @@ std::filesystem::path ExistingPart(std::filesystem::path path)
   return path.empty() ? std::filesystem::path(".") : path;
 }
 
-/// Makes a folder, and those above it that are missing; they are removed with the object where
-/// they are still empty.
+/// Creates a folder and its missing parents; the destructor removes those that are still empty.
 class NewFolder
 {
 public:
@@ -74,7 +73,7 @@ private:
   std::vector<std::filesystem::path> Made; // innermost first
 };
 
-/// A folder of a free name within another one, removed with all that is in it.
+/// A folder with an unused name within another one; the destructor removes it and its content.
 class StagingFolder
 {
 public:
@@ -111,7 +110,7 @@ private:
   std::filesystem::path Folder;
 };
 
-// Everything that can be refused is, before the first file gets its name.
+// Checks everything that can be checked before the first file is renamed.
 void Move(const std::vector<std::string>& names, const std::filesystem::path& from,
           const std::filesystem::path& to)
 {
@@ -121,7 +120,7 @@ void Move(const std::vector<std::string>& names, const std::filesystem::path& fr
     const AtomicFile& file = files.emplace_back(to / name);
     std::error_code error;
     std::filesystem::rename(from / name, file.TemporaryPath(), error);
-    if (error) // behind a link, on another disk
+    if (error) // through a link, on another disk
     {
       std::filesystem::copy_file(from / name, file.TemporaryPath(),
                                  std::filesystem::copy_options::overwrite_existing, error);
@@ -129,7 +128,7 @@ void Move(const std::vector<std::string>& names, const std::filesystem::path& fr
     if (error)
     {
       Refuse(to / name, "cannot be written: " + error.message(),
-             "make room or choose another output");
+             "free disk space or choose another output");
     }
   }
   for (AtomicFile& file : files)
@@ -143,7 +142,7 @@ void RemoveFile(const std::filesystem::path& file)
   std::error_code error;
   if (std::filesystem::is_directory(file, error))
   {
-    return; // none of ours
+    return; // not one of our files
   }
   std::filesystem::remove(file, error);
   if (error)
@@ -170,11 +169,11 @@ void CheckOutputFolder(const std::filesystem::path& folder)
   std::error_code ignored;
   if (!std::filesystem::is_directory(existing, ignored))
   {
-    RefuseFolder(folder, existing.string() + " is no folder");
+    RefuseFolder(folder, existing.string() + " is not a folder");
   }
   if (access(existing.c_str(), W_OK | X_OK) != 0)
   {
-    RefuseFolder(folder, existing.string() + " may not be written to");
+    RefuseFolder(folder, existing.string() + " is not writable");
   }
 }
 

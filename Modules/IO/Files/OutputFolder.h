@@ -9,18 +9,18 @@
 
 namespace palpate
 {
-/// Whether a folder for results can be made and written to, asked before long work and without
-/// making it. Throws InputError where it cannot: a part of its path is no folder, or forbids it.
+/// Checks, before long work, that a folder for results can be created and written to, without
+/// creating it. Throws InputError if a part of its path is not a folder or does not permit it.
 PALPATEIO_EXPORT void CheckOutputFolder(const std::filesystem::path& folder);
 
-/// Makes a folder for results, and those above it. Throws InputError where that fails.
+/// Creates a folder for results and its parents. Throws InputError if that fails.
 PALPATEIO_EXPORT void MakeOutputFolder(const std::filesystem::path& folder);
 
-/// Writes the files of one result: all of them, or none. `write` gets a temporary folder inside
-/// `folder`; what it writes there replaces files of these names in `folder` once all is written.
-/// Then the `obsolete` files of an earlier result that `write` did not write are removed. If
-/// anything throws before, `folder` is as it was, and does not exist if it did not. Throws
-/// InputError, in which the files have their final names.
+/// Writes the files of one result: all of them, or none. `write` receives a temporary folder inside
+/// `folder`; when it returns, its files replace those of the same names in `folder`. Then the
+/// `obsolete` files of an earlier result that `write` did not write are removed. If anything throws
+/// before, `folder` is unchanged, or removed if it was new. Throws InputError, with the final names
+/// of the files.
 PALPATEIO_EXPORT void
 WriteOutputSet(const std::filesystem::path& folder,
                const std::function<void(const std::filesystem::path& folder)>& write,

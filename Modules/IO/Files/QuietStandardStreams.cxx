@@ -23,7 +23,7 @@ void FlushAll()
   std::fflush(stderr);
 }
 
-// The duplicate of `descriptor` that brings it back, or -1 where it is closed anyway.
+// A duplicate of `descriptor` for restoring it, or -1 if it was closed.
 int Mute(int descriptor)
 {
   const int saved = fcntl(descriptor, F_DUPFD_CLOEXEC, 3);

@@ -6,10 +6,10 @@
 
 namespace palpate
 {
-/// Sends standard output and standard error of the process to nowhere while it lives. The format
-/// libraries below ITK and DCMTK print about every damaged file; their exceptions become our own
-/// sentence, so nothing is lost. It holds a lock, because those two descriptors (and the state that
-/// some of these libraries keep) belong to the whole process: readings of files take turns.
+/// Redirects the process's standard output and standard error to /dev/null during its lifetime. The
+/// format libraries below ITK and DCMTK print about every damaged file; their exceptions become our
+/// own messages, so nothing is lost. It holds a lock, because the two descriptors (and the state of
+/// some of these libraries) belong to the whole process: files are read one at a time.
 class PALPATEIO_EXPORT QuietStandardStreams
 {
 public:

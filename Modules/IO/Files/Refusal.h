@@ -8,11 +8,12 @@
 
 namespace palpate
 {
-/// Throws InputError with the one sentence "<file> <fact>; <way out>.".
+/// Throws InputError with the message "<file> <fact>; <way out>.", where the way out says what to
+/// do.
 [[noreturn]] PALPATEIO_EXPORT void Refuse(const std::filesystem::path& file,
                                           const std::string& fact, const std::string& wayOut);
 
-/// Throws InputError with a failure's sentence, after what it is about ("<about>: <sentence>")
-/// unless that is empty. Nothing for a success.
+/// Throws InputError with a failure's message, prefixed with "<about>: " unless that is empty. Does
+/// nothing for a success.
 PALPATEIO_EXPORT void RequireInput(const Status& status, const std::string& about = {});
 } // namespace palpate

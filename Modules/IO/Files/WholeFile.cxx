@@ -19,7 +19,7 @@ std::uintmax_t InputFileSize(const std::filesystem::path& path)
   }
   if (!std::filesystem::is_regular_file(status))
   {
-    Refuse(path, "is no file", "name a file");
+    Refuse(path, "is not a file", "specify a file");
   }
   const std::uintmax_t size = std::filesystem::file_size(path, error);
   if (error)
@@ -40,7 +40,7 @@ std::string ReadWholeFile(const std::filesystem::path& path, std::uintmax_t maxi
   {
     Refuse(path,
            "has " + std::to_string(size) + " bytes, more than the " + std::to_string(maximumBytes) +
-               " that such a file may have",
+               " allowed for such a file",
            "check the name");
   }
   std::ifstream stream(path, std::ios::binary);
@@ -63,7 +63,7 @@ void WriteWholeFile(const std::filesystem::path& path, std::string_view bytes)
   {
     const std::string reason =
         errno != 0 ? std::generic_category().message(errno) : "writing stopped early";
-    Refuse(path, "cannot be written: " + reason, "make room or choose another output");
+    Refuse(path, "cannot be written: " + reason, "free disk space or choose another output");
   }
   file.Commit();
 }

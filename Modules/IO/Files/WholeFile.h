@@ -9,10 +9,10 @@
 
 namespace palpate
 {
-/// A file's size in bytes. Throws InputError where it is missing, no regular file, or empty.
+/// A file's size in bytes. Throws InputError if it is missing, not a regular file, or empty.
 PALPATEIO_EXPORT std::uintmax_t InputFileSize(const std::filesystem::path& path);
 
-/// All bytes of a file. Throws InputError where it is missing, no regular file, empty, unreadable,
+/// All bytes of a file. Throws InputError if it is missing, not a regular file, empty, unreadable,
 /// or larger than `maximumBytes`.
 PALPATEIO_EXPORT std::string ReadWholeFile(const std::filesystem::path& path,
                                            std::uintmax_t maximumBytes);

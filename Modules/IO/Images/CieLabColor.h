@@ -9,8 +9,8 @@ namespace palpate
 {
 /// sRGB (0..1, clamped) of a colour in DICOM's 16-bit CIELab encoding: L* 0..100 and a*, b*
 /// -128..127 spread over 0..65535 (PS3.3, C.10.7.1.1). The white point is D65: the standard's
-/// profile connection space has D50, but DCMTK, dcmqi and 3D Slicer encode under D65, and this way
-/// their colours come back as they were picked.
+/// profile connection space has D50, but DCMTK, dcmqi and 3D Slicer encode under D65, so that
+/// colours are read as they were chosen there.
 PALPATEIO_EXPORT std::array<double, 3>
 CieLabToRgb(const std::array<std::uint16_t, 3>& encoded) noexcept;
 } // namespace palpate

@@ -52,7 +52,7 @@ void GzipFile::Read(void* buffer, std::size_t bytes)
     {
       Refuse(this->File,
              "is truncated: it ends after " + std::to_string(gztell(this->Stream.get())) +
-                 " bytes, where its header promises more",
+                 " bytes, but its header declares more",
              "copy or export it again");
     }
     target += got;

@@ -10,21 +10,20 @@ struct gzFile_s;
 
 namespace palpate
 {
-/// A file read from front to back, gzip-compressed or plain (zlib tells them apart). Whatever is
-/// missing or damaged is an InputError: zlib checks length and CRC at the compressed stream's end,
-/// which is why ReadToEnd must be called.
+/// A file read sequentially, gzip-compressed or plain (zlib detects which). Missing or damaged data
+/// raise an InputError: zlib checks length and CRC at the end of the compressed stream, so
+/// ReadToEnd must be called.
 class PALPATEIO_EXPORT GzipFile
 {
 public:
   explicit GzipFile(const std::filesystem::path& file);
 
-  /// The next `bytes` bytes. Throws InputError where there are fewer or they do not decode.
+  /// Reads the next `bytes` bytes. Throws InputError if there are fewer or they do not decode.
   void Read(void* buffer, std::size_t bytes);
-  /// Passes over bytes, as Read does.
+  /// Skips bytes, with Read's errors.
   void Skip(std::size_t bytes);
-  /// Decodes what is left of a compressed file. Throws InputError where its end is missing, its
-  /// checksum does not fit or more than a megabyte is left. What follows in a plain file is left
-  /// alone.
+  /// Decodes the rest of a compressed file. Throws InputError if its end is missing, its checksum
+  /// is wrong or more than a megabyte is left. The rest of a plain file is ignored.
   void ReadToEnd();
 
 private:

@@ -13,9 +13,9 @@
 
 namespace palpate
 {
-/// An image file whose header has been read; the voxels then go straight from the reader into the
-/// VTK array, in the type that the file has (after its rescale slope). Every failure is an
-/// InputError; nothing is printed.
+/// An image file whose header has been read; the reader then writes the voxels directly into the
+/// VTK array, in the file's type (after its rescale slope). Every failure is an InputError; nothing
+/// is printed.
 class PALPATEIO_EXPORT ImageFile
 {
 public:
@@ -23,30 +23,30 @@ public:
   ImageFile& operator=(const ImageFile&) = delete;
   virtual ~ImageFile() = default;
 
-  /// Throws InputError if the grid is no volume's (see CheckGrid).
+  /// Throws InputError if the grid is not valid for a volume (see CheckGrid).
   void CheckVolume() { CheckGrid(this->File, this->FileGrid); }
-  /// Patient LPS, mm; as in the file, so perhaps left-handed.
+  /// Patient LPS, mm; as in the file, so possibly left-handed.
   const ImageGrid& Grid() const { return this->FileGrid; }
   int Components() const { return this->Header.Components; }
   /// VTK_SHORT, ...
   int ScalarType() const { return this->Header.VtkType; }
   /// Text entries of the header (NRRD's key/value pairs).
   const std::map<std::string, std::string>& Entries() const { return this->Header.Entries; }
-  /// Sentences on what was made of the header.
+  /// Notes on the interpretation of the header, as sentences.
   const std::vector<std::string>& Notes() const { return this->HeaderNotes; }
 
-  /// An array of the file's type, components and voxel count, not yet filled. Throws InputError
-  /// where it does not fit into memory, or not into the file.
+  /// An uninitialized array of the file's type, components and voxel count. Throws InputError if it
+  /// does not fit into memory or exceeds the file.
   vtkSmartPointer<vtkDataArray> NewArray() const;
-  /// Reads all voxels to `buffer`, which has room for them. Throws InputError for a file that is
-  /// truncated or damaged.
+  /// Reads all voxels to `buffer`, which must be large enough. Throws InputError for a truncated or
+  /// damaged file.
   virtual void ReadInto(void* buffer) = 0;
 
 protected:
   explicit ImageFile(const std::filesystem::path& file) : File(file) {}
   /// Throws InputError if the file is too short for its voxels.
   virtual void CheckLength() const {}
-  /// Of all voxels. A double, since a header may promise anything.
+  /// Of all voxels. A double, since a header may declare any size.
   double DataBytes() const;
 
   std::filesystem::path File;

@@ -25,7 +25,7 @@ const ImageFormat& ImageFormatOf(const std::filesystem::path& file)
   if (SurfaceFormats().Reader(file) != nullptr && !RecognizeForeignFile(file))
   {
     Refuse(file, "is a surface, not an image",
-           "give voxels here, and surfaces to commands that take them");
+           "use voxels here, and surfaces with commands that take them");
   }
   std::string known;
   for (const ImageFormat& format : ImageFormats())
@@ -33,7 +33,7 @@ const ImageFormat& ImageFormatOf(const std::filesystem::path& file)
     known += format.Name + " (" + ListOfEndings(format.ReadEndings) + "), ";
   }
   known.erase(known.size() - 2);
-  RefuseContent(file, "is in no known image format", "give " + known + " or DICOM");
+  RefuseContent(file, "is not in a known image format", "use " + known + " or DICOM");
 }
 
 std::unique_ptr<ImageFile> OpenImage(const std::filesystem::path& file)

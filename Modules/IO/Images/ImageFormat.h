@@ -12,7 +12,7 @@
 
 namespace palpate
 {
-/// A format of three-dimensional images, each of which is one file.
+/// A format of three-dimensional images, one file each.
 struct ImageFormat : FileFormat
 {
   /// Reads the header. Throws InputError if it is damaged.
@@ -24,16 +24,15 @@ struct ImageFormat : FileFormat
   bool WritesThroughStreams = false;
 };
 
-/// NIfTI, NRRD and MetaImage, and what was added.
+/// NIfTI, NRRD, MetaImage and added formats.
 PALPATEIO_EXPORT FormatList<ImageFormat>& ImageFormats();
 
-/// The format of a file that is not DICOM, by the end of its name. Throws InputError if there is
-/// none.
+/// The format of a file that is not DICOM, by its ending. Throws InputError if there is none.
 PALPATEIO_EXPORT const ImageFormat& ImageFormatOf(const std::filesystem::path& file);
 
-/// Reads the header of such a file. Throws InputError if it is damaged or no volume's.
+/// Reads the header of such a file. Throws InputError if it is damaged or not that of a volume.
 PALPATEIO_EXPORT std::unique_ptr<ImageFile> OpenImage(const std::filesystem::path& file);
 
-/// Endings of all images and segmentations that are read, DICOM's among them.
+/// Endings of all readable images and segmentations, including DICOM.
 PALPATEIO_EXPORT std::vector<std::string> ReadableImageEndings();
 } // namespace palpate

@@ -24,10 +24,10 @@ void CheckSize(const std::filesystem::path& file, const ImageGrid& grid)
     if (grid.Size[static_cast<std::size_t>(axis)] < 2)
     {
       Refuse(file, "is two-dimensional (" + size + " voxels)",
-             "give a volume of at least two slices");
+             "use a volume of at least two slices");
     }
   }
-  // Counts of voxels and bytes stay exact numbers.
+  // Below this, counts of voxels and bytes are exact in double.
   constexpr double MostVoxels = 1e15;
   if (!(static_cast<double>(grid.Size[0]) * grid.Size[1] * grid.Size[2] <= MostVoxels))
   {

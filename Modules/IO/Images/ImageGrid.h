@@ -13,7 +13,7 @@
 
 namespace palpate
 {
-/// Where the voxels of an image are: patient LPS, mm.
+/// Geometry of an image's voxel grid: patient LPS, mm.
 struct ImageGrid
 {
   std::array<int, 3> Size{{0, 0, 0}};    ///< voxels along each index axis
@@ -29,11 +29,12 @@ struct ImageGrid
 };
 
 /// Throws InputError for fewer than two voxels along an axis, a spacing that is not positive, an
-/// origin that is not finite, and axes that are not perpendicular. Axes that are so up to rounding
-/// (1e-4, which moves no voxel of a 400 mm volume by 0.05 mm) are made exactly orthonormal.
+/// origin that is not finite, and axes that are not perpendicular. Axes that are perpendicular up
+/// to rounding (1e-4, which moves no voxel of a 400 mm volume by 0.05 mm) are made exactly
+/// orthonormal.
 PALPATEIO_EXPORT void CheckGrid(const std::filesystem::path& file, ImageGrid& grid);
 
-/// An image of one scalar array (one tuple a voxel, first index axis fastest) on a grid.
+/// An image of one scalar array (one tuple per voxel, first index axis fastest) on a grid.
 PALPATEIO_EXPORT vtkSmartPointer<vtkImageData> MakeImage(const ImageGrid& grid,
                                                          vtkDataArray* voxels);
 

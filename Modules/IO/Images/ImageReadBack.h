@@ -7,8 +7,7 @@
 
 namespace palpate
 {
-/// Whether an image file that was just written, without its place, holds exactly these
-/// one-component voxels: their type and all their bits. Throws std::exception where it cannot be
-/// read.
+/// Whether a newly written image file holds exactly these one-component voxels: their type and all
+/// their bits, not the geometry. Throws std::exception if it cannot be read.
 PALPATEIO_EXPORT bool HoldsVoxels(const std::filesystem::path& file, vtkDataArray* voxels);
 } // namespace palpate

@@ -19,8 +19,8 @@ namespace palpate
 {
 namespace
 {
-// 64-bit integers, which no format here holds, as 32-bit ones where those hold every value;
-// else the voxels as they are.
+// Converts 64-bit integers, which none of the formats supports, to 32-bit ones if these hold
+// every value; else returns the voxels unchanged.
 vtkSmartPointer<vtkDataArray> Narrowed(const std::filesystem::path& path, vtkDataArray* voxels)
 {
   const int type = voxels == nullptr ? VTK_VOID : voxels->GetDataType();
@@ -48,7 +48,7 @@ void CheckWritable(const std::filesystem::path& path, vtkDataArray* voxels)
 {
   if (voxels == nullptr || voxels->GetNumberOfTuples() == 0)
   {
-    Refuse(path, "cannot be written: the image has no voxels", "make the image first");
+    Refuse(path, "cannot be written: the image has no voxels", "create the image first");
   }
   if (voxels->GetNumberOfComponents() != 1)
   {
@@ -75,7 +75,7 @@ void WriteImage(const std::filesystem::path& path, vtkImageData* image)
   const ImageFormat* const format = ImageFormats().Writer(path);
   if (format == nullptr)
   {
-    Refuse(path, "does not end as an image file that can be written does",
+    Refuse(path, "does not have the ending of a writable image format",
            "use " + ListOfEndings(ImageFormats().WrittenEndings()));
   }
   const vtkSmartPointer<vtkDataArray> voxels = Narrowed(path, image->GetPointData()->GetScalars());
@@ -98,7 +98,8 @@ void WriteImage(const std::filesystem::path& path, vtkImageData* image)
   }
   if (!complete)
   {
-    Refuse(path, "cannot be written: writing stopped early", "make room or choose another output");
+    Refuse(path, "cannot be written: writing stopped early",
+           "free disk space or choose another output");
   }
   file.Commit();
 }

@@ -7,13 +7,13 @@
 
 namespace palpate
 {
-/// Whether the ending is one that WriteImage takes: .nii, .nii.gz, .nrrd, .mha.
+/// Whether WriteImage supports the ending: .nii, .nii.gz, .nrrd, .mha.
 PALPATEIO_EXPORT bool IsWritableImage(const std::filesystem::path& path);
 
 /// Writes an image or a label map by its ending: NIfTI, NRRD or MetaImage (all but .nii
 /// compressed), through ITK and under AtomicFile's rules. The one-component scalars keep their
-/// type; origin, spacing (mm) and the direction matrix (patient LPS) go along, in NIfTI in single
-/// precision. 64-bit integers are written as 32-bit ones. Throws InputError, also for more than one
-/// component and where 64-bit integers do not fit.
+/// type; origin, spacing (mm) and the direction matrix (patient LPS) are written too, in NIfTI in
+/// single precision. 64-bit integers are written as 32-bit ones. Throws InputError, also for more
+/// than one component and for 64-bit integers that do not fit.
 PALPATEIO_EXPORT void WriteImage(const std::filesystem::path& path, vtkImageData* image);
 } // namespace palpate

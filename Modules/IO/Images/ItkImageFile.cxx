@@ -17,7 +17,7 @@ void ItkImageFile::OpenReader(ItkFormat format, const std::string& name)
   }
   catch (const std::exception&)
   {
-    RefuseContent(this->File, "is no " + name + " image or its header is damaged",
+    RefuseContent(this->File, "is not in " + name + " format, or its header is damaged",
                   "copy or export it again");
   }
   this->CheckHeader();
@@ -41,7 +41,7 @@ void ItkImageFile::CheckHeader() const
   }
   if (this->Header.VtkType == 0 || this->Header.Components < 1)
   {
-    Refuse(this->File, "has voxels of a type that is not read",
+    Refuse(this->File, "has voxels of a type that is not supported",
            "convert it to integers or floating-point numbers");
   }
 }

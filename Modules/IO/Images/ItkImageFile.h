@@ -17,8 +17,8 @@ public:
 
 protected:
   using ImageFile::ImageFile;
-  /// Reads the header with ITK and takes its grid, which is not checked yet. Throws InputError,
-  /// naming the format.
+  /// Reads the header and its grid with ITK, without checking the grid. Throws InputError, naming
+  /// the format.
   void OpenReader(ItkFormat format, const std::string& name);
 
 private:

@@ -8,7 +8,7 @@
 
 namespace palpate
 {
-/// The formats that ITK reads or writes here.
+/// The formats that are read or written with ITK.
 enum class ItkFormat
 {
   Nifti, ///< only written
@@ -16,19 +16,19 @@ enum class ItkFormat
   MetaImage
 };
 
-/// The only door to ITK's image readers: NRRD and MetaImage. It prints nothing; failures come back
-/// as exceptions of ITK's (std::exception) with ITK's own words.
+/// The only interface to ITK's image readers: NRRD and MetaImage. Prints nothing; failures are
+/// ITK's exceptions (std::exception) with ITK's messages.
 class ItkImageReader
 {
 public:
-  /// Reads the header of an NRRD or MetaImage file. Throws where it is no such file or damaged.
+  /// Reads the header of an NRRD or MetaImage file. Throws if the file is neither or damaged.
   ItkImageReader(const std::filesystem::path& file, ItkFormat format);
   ItkImageReader(const ItkImageReader&) = delete;
   ItkImageReader& operator=(const ItkImageReader&) = delete;
   ~ItkImageReader();
 
   ItkImageHeader Header() const;
-  /// Reads all voxels to `buffer`, which has room for them.
+  /// Reads all voxels to `buffer`, which must be large enough.
   void ReadInto(void* buffer);
 
 private:

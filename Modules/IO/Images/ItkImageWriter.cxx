@@ -72,7 +72,7 @@ void SetGeometry(itk::ImageIOBase* io, vtkImageData* image)
     region.SetIndex(axis, 0);
     region.SetSize(axis, size);
   }
-  // The first voxel's place, which is not VTK's origin where an extent starts elsewhere than at 0.
+  // Position of the first voxel, which differs from VTK's origin if the extent does not start at 0.
   double first[3];
   image->TransformIndexToPhysicalPoint(image->GetExtent()[0], image->GetExtent()[2],
                                        image->GetExtent()[4], first);

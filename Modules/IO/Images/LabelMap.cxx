@@ -23,7 +23,7 @@ struct ValueSurvey
 {
   bool AllWhole = true;
   bool AnyNegative = false;
-  std::unordered_set<double> Distinct; // ends growing just above MostLabels
+  std::unordered_set<double> Distinct; // stops growing just above MostLabels
   vtkIdType Pairs = 0;
   vtkIdType EqualPairs = 0;
 };

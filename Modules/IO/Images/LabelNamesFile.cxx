@@ -33,7 +33,7 @@ std::uintmax_t SizeOf(const std::filesystem::path& file)
   return failure ? 0 : bytes;
 }
 
-// Empty where the file is absent, large for such a list, or any line of it has another form.
+// Empty if the file is absent, too large for such a list, or has a line of another format.
 std::optional<std::map<int, std::string>> ReadNames(const std::filesystem::path& file)
 {
   std::map<int, std::string> names;
@@ -88,7 +88,7 @@ void ApplyLabelNames(Segmentation& segmentation)
 {
   const std::filesystem::path namesFile = Beside(segmentation.Source, ".txt");
   ApplyColors(Beside(segmentation.Source, ".lut"), segmentation);
-  std::error_code isNoFile; // such as a name that is too long with its ending
+  std::error_code isNoFile; // such as a name that is too long with the ending
   if (!std::filesystem::exists(namesFile, isNoFile))
   {
     return;
@@ -97,7 +97,7 @@ void ApplyLabelNames(Segmentation& segmentation)
   if (!names)
   {
     segmentation.Notes.push_back(namesFile.string() +
-                                 " is no list of label names and was not used.");
+                                 " is not a list of label names and was not used.");
     return;
   }
   for (Segment& segment : segmentation.Segments)

@@ -13,10 +13,11 @@ namespace palpate
 {
 namespace
 {
-// Of all structures whose runs are collected in one pass, some 100 MB. A larger one comes alone.
+// Of all structures whose runs are collected in one pass, some 100 MB. A larger structure has its
+// own pass.
 constexpr std::size_t MostRunsTogether = std::size_t{1} << 22;
 
-// A layer's voxels behind one interface for the three types that layers have.
+// A layer's voxels behind one interface for the three types of layers.
 template <typename T>
 struct LayerView
 {
@@ -134,8 +135,8 @@ void CollectRuns(const LayerView<T>& view, Structures& structures)
              });
 }
 
-// Takes structures from `next` on while their runs are few enough to keep together. Returns the
-// first that is not taken.
+// Selects structures from `next` on while their runs fit into one pass. Returns the first that does
+// not fit.
 Structures::iterator TakeTogether(Structures& structures, Structures::iterator next)
 {
   std::size_t runs = 0;

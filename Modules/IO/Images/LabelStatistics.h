@@ -9,7 +9,7 @@
 
 namespace palpate
 {
-/// What there is to count about one structure of a segmentation, on its own voxel grid.
+/// Voxel statistics of one structure of a segmentation, on its own grid.
 struct LabelStatistics
 {
   vtkIdType Voxels = 0;
@@ -18,22 +18,22 @@ struct LabelStatistics
   std::array<int, 6> BoundsIndex{{0, -1, 0, -1, 0, -1}};
   /// Faces of the image that the structure reaches, in the order of BoundsIndex.
   std::array<bool, 6> TouchesFace{{false, false, false, false, false, false}};
-  /// Voxels of each connected component, falling. Voxels that share a face belong together, as in
-  /// the surface that is made of them.
+  /// Voxels of each connected component, descending. Voxels are connected through faces, as in the
+  /// extracted surface.
   std::vector<vtkIdType> ComponentVoxels;
-  /// Voxels of each cavity, falling: a component (26 neighbours) of the voxels that are not the
-  /// structure's, from which the outside of the image cannot be reached. Voxels of other structures
-  /// count as not the structure's, and what lies beyond the image as outside.
+  /// Voxels of each cavity, descending: a component (26 neighbours) of the voxels outside the
+  /// structure that does not reach the border of the image. Voxels of other structures count as
+  /// outside the structure.
   std::vector<vtkIdType> CavityVoxels;
   double CavityMilliliters = 0.0;
 
   PALPATEIO_EXPORT bool TouchesBorder() const;
-  /// Names of the faces that the structure reaches by index axis and end, such as "x- z+".
+  /// The faces that the structure reaches, by index axis and end, such as "x- z+".
   PALPATEIO_EXPORT std::string FacesText() const;
 };
 
-/// The statistics of every segment, in the order of `segmentation.Segments`. A pass over each layer
-/// counts, one more for every four million runs of voxels collects these, and the rest works on
-/// them, so that time does not grow with the number of structures.
+/// The statistics of every segment, in the order of `segmentation.Segments`. One pass over each
+/// layer counts, and a further one for every four million runs of voxels collects the runs, which
+/// the rest uses; so time does not grow with the number of structures.
 PALPATEIO_EXPORT std::vector<LabelStatistics> MeasureLabels(const Segmentation& segmentation);
 } // namespace palpate

@@ -19,7 +19,7 @@ namespace palpate
 {
 namespace
 {
-// Largest value; throws at the first that is no label.
+// Returns the largest value; throws at the first that is not a label.
 template <typename T>
 int LargestLabel(const std::filesystem::path& file, const T* values, vtkIdType count)
 {
@@ -32,9 +32,9 @@ int LargestLabel(const std::filesystem::path& file, const T* values, vtkIdType c
       if (!(std::floor(value) == value) || std::isinf(value))
       {
         Refuse(file,
-               // In the precision that it has: 0.9999999 is not written as 1.
-               "is no label map: it holds the value " + ExactText(value),
-               "give whole numbers, one for each structure");
+               // In full precision: 0.9999999 is not printed as 1.
+               "is not a label map: it holds the value " + ExactText(value),
+               "use whole numbers, one for each structure");
       }
     }
     if constexpr (std::is_signed_v<T>)
@@ -42,9 +42,9 @@ int LargestLabel(const std::filesystem::path& file, const T* values, vtkIdType c
       if (value < 0)
       {
         Refuse(file,
-               "is no label map: it holds the negative value " +
+               "is not a label map: it holds the negative value " +
                    SignificantText(static_cast<double>(value)),
-               "give labels from 1, with 0 for the background");
+               "use labels from 1, with 0 for the background");
       }
     }
     largest = std::max(largest, value);
@@ -53,7 +53,7 @@ int LargestLabel(const std::filesystem::path& file, const T* values, vtkIdType c
   if (static_cast<long double>(largest) > most)
   {
     Refuse(file, "holds the label " + TextAgainstLimit(static_cast<double>(largest), most, 0),
-           "give labels up to " + std::to_string(most));
+           "use labels up to " + std::to_string(most));
   }
   return static_cast<int>(largest);
 }
@@ -99,7 +99,7 @@ std::map<int, vtkIdType> CountSmall(const T* values, vtkIdType count)
   return found;
 }
 
-// Runs of one value, so that the tree is searched once a run.
+// By runs of one value, so that the tree is searched once per run.
 std::map<int, vtkIdType> CountLarge(const int* values, vtkIdType count)
 {
   std::map<int, vtkIdType> found;

@@ -10,7 +10,7 @@
 namespace palpate
 {
 /// The voxels as labels, in the smallest of unsigned char, unsigned short and int that holds them;
-/// the array itself where it has that type. Throws InputError for values that are not whole, NaN,
+/// the array itself if it has that type. Throws InputError for values that are fractional, NaN,
 /// negative, or above the range of int.
 PALPATEIO_EXPORT vtkSmartPointer<vtkDataArray> ToLabels(const std::filesystem::path& file,
                                                         vtkDataArray* voxels);

@@ -2,11 +2,11 @@
 
 namespace palpate
 {
-/// What to do with a file whose index axes are left-handed, as FSL and dcm2niix write them and half
-/// of all axis orders are.
+/// Handling of a file with left-handed index axes, as FSL and dcm2niix write them; half of all axis
+/// orders are left-handed.
 enum class LeftHandedAxes
 {
-  Refuse, ///< where every left-handed file is known to have a wrong header
-  Reverse ///< one index axis: voxels keep the places in the patient that the header gives them
+  Refuse, ///< if every left-handed file is known to have a wrong header
+  Reverse ///< reverses one index axis: voxels keep their positions in the patient
 };
 } // namespace palpate

@@ -13,18 +13,18 @@ namespace palpate
 {
 namespace
 {
-// No line of a real header is longer; a binary file has no line ends.
+// No line of a real header is longer; a binary file may have no line ends.
 constexpr std::size_t LongestLine = 4096;
-// The library makes a record of 33 kB of each line that it does not know.
+// The library allocates a 33 kB record for each unknown line.
 constexpr std::size_t MostLines = 10000;
-// The library copies keys into 255 bytes; those of the format have some twenty letters.
+// The library copies keys into 255 bytes; the format's own have some twenty characters.
 constexpr std::size_t LongestKey = 100;
-// So it does with words, and with numbers where it takes them for words.
+// The same holds for words, and for numbers that it reads as words.
 constexpr std::size_t LongestWord = 254;
-// Of the one word that it does not copy into so few it reads 499 letters.
+// It reads up to 499 characters of the one word with a larger buffer.
 constexpr std::size_t LongestName = 490;
 
-// How many numbers the library reads of a field: `Factor` for each dimension to this power.
+// How many numbers the library reads from a field: `Factor` times the dimension to this power.
 struct NumberCount
 {
   int Factor;
@@ -81,7 +81,7 @@ std::string Trimmed(const std::string& text)
                                     : text.substr(first, text.find_last_not_of(" \t") - first + 1);
 }
 
-// From the end of a word the library takes all that is not printed.
+// The library strips unprintable characters from the end of a word.
 std::string WithoutEnd(std::string word)
 {
   while (!word.empty() && (word.back() <= ' ' || word.back() > '~'))
@@ -120,9 +120,9 @@ private:
     std::array<char, LongestLine> letters{};
     if (!this->Stream.getline(letters.data(), letters.size()))
     {
-      this->RefuseHeader("is no MetaImage file or ends or is damaged within its header");
+      this->RefuseHeader("is not a MetaImage file, or its header is truncated or damaged");
     }
-    // Counted with its end, unless that is the file's.
+    // The count includes the line end, except at the end of the file.
     const auto count = static_cast<std::size_t>(this->Stream.gcount());
     this->Fields.Bytes += count;
     std::string line(letters.data(), this->Stream.eof() ? count : count - 1);
@@ -139,23 +139,24 @@ private:
     if (equals == std::string::npos || equals > LongestKey ||
         std::any_of(line.begin(), line.end(), IsControl))
     {
-      this->RefuseHeader("is no MetaImage file or ends or is damaged within its header");
+      this->RefuseHeader("is not a MetaImage file, or its header is truncated or damaged");
     }
     if (line.find(':') < equals)
     {
-      this->RefuseHeader("has a line in its header with a colon before the equals sign");
+      this->RefuseHeader("has a header line with a colon before the equals sign");
     }
     const std::string key = Trimmed(line.substr(0, equals));
     const std::size_t start = std::min(line.find_first_not_of(" \t", equals + 1), line.size());
     if (start < line.size() && (line[start] == '=' || line[start] == ':'))
     {
-      this->RefuseHeader("has a line in its header with two separators in a row");
+      this->RefuseHeader("has a header line with two separators in a row");
     }
     if (line.size() - start > MostLetters(key))
     {
       Refuse(this->File,
-             "has " + std::to_string(line.size() - start) + " letters of " + key +
-                 " in its header, which takes " + std::to_string(MostLetters(key)),
+             "has " + std::to_string(line.size() - start) + " characters of " + key +
+                 " in its header, where at most " + std::to_string(MostLetters(key)) +
+                 " are allowed",
              "shorten them");
     }
     if (!this->Fields.Entries.emplace(key, WithoutEnd(line.substr(start))).second)

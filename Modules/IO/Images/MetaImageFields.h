@@ -10,23 +10,23 @@
 
 namespace palpate
 {
-/// The text header of a MetaImage, as the MetaIO library will read it.
+/// The text header of a MetaImage, as read by the MetaIO library.
 struct MetaImageFields
 {
   std::map<std::string, std::string> Entries;
   std::uint64_t Bytes = 0; ///< where the data of a LOCAL file start
 
-  /// Empty where there is no such field.
+  /// Empty if there is no such field.
   std::string Text(const std::string& key) const;
-  /// The numbers with which a field starts; none where there is no such field.
+  /// The leading numbers of a field; empty if there is no such field.
   std::vector<double> Numbers(const std::string& key) const;
-  /// As the library takes words for truth.
+  /// The field as a Boolean, by the library's rules; `otherwise` if it is absent.
   bool IsTrue(const std::string& key, bool otherwise) const;
 };
 
-/// Reads a header. Throws InputError where the library would read other fields of it: lines without
-/// an equals sign or with a colon before it, control characters, fields that are there twice or
-/// have fewer numbers than dimensions (it goes on in the next line); and where it would overflow:
-/// keys and words that are longer than its buffers, ten thousands of lines.
+/// Reads a header. Throws InputError if the library would read it differently: lines without an
+/// equals sign or with a colon before it, control characters, duplicate fields or fields with fewer
+/// numbers than dimensions (the library continues in the next line); and if the library would
+/// overflow: keys and words longer than its buffers, more than 10,000 lines.
 PALPATEIO_EXPORT MetaImageFields ReadMetaImageFields(const std::filesystem::path& file);
 } // namespace palpate

@@ -18,14 +18,14 @@ public:
   {
     const MetaImageFacts facts = CheckMetaImageHeader(file);
     this->OpenReader(ItkFormat::MetaImage, "MetaImage");
-    // What was checked must be what is read.
+    // The values read must be those that were checked.
     const bool isSame =
         std::equal(facts.Size.begin(), facts.Size.end(), this->FileGrid.Size.begin()) &&
         this->Components() == 1 &&
         vtkDataArray::GetDataTypeSize(this->ScalarType()) == facts.VoxelBytes;
     if (!isSame)
     {
-      Refuse(file, "has a header that can be read in two ways", "copy or export it again");
+      Refuse(file, "has an ambiguous header", "copy or export it again");
     }
     this->HeaderNotes = facts.Notes;
   }

@@ -19,7 +19,7 @@ namespace palpate
 {
 namespace
 {
-// What the library reads of the data.
+// How the library reads one value.
 struct ElementType
 {
   double Bytes;
@@ -34,7 +34,7 @@ constexpr ElementType ElementTypeOf()
           static_cast<double>(std::numeric_limits<T>::max())};
 }
 
-// The sizes of three axes.
+// Returns the sizes of the three axes.
 std::vector<double> CheckDimensions(const std::filesystem::path& file,
                                     const MetaImageFields& header)
 {
@@ -61,7 +61,7 @@ std::vector<double> CheckDimensions(const std::filesystem::path& file,
   }
   if (sizes.size() < 3)
   {
-    Refuse(file, "is two-dimensional", "give a volume of at least two slices");
+    Refuse(file, "is two-dimensional", "use a volume of at least two slices");
   }
   sizes.resize(3);
   return sizes;
@@ -101,12 +101,12 @@ ElementType TypeOf(const std::filesystem::path& file, const MetaImageFields& hea
   if (type == types.end())
   {
     Refuse(file, "has no scalar ElementType in its header",
-           "give one grey value or label per voxel");
+           "use one grey value or label per voxel");
   }
   return type->second;
 }
 
-// Where the data are, as the library finds them.
+// Location of the data, by the library's rules.
 struct DataPlace
 {
   std::filesystem::path File;
@@ -121,7 +121,7 @@ DataPlace FindData(const std::filesystem::path& file, const MetaImageFields& hea
   place.IsLocal = name == "LOCAL" || name == "Local" || name == "local";
   if (name.empty() || name.rfind("LIST", 0) == 0 || name.find('%') != std::string::npos)
   {
-    Refuse(file, "keeps its slices in several files", "write it as one file");
+    Refuse(file, "stores its slices in several files", "write it as one file");
   }
   const std::string own = file.string();
   const bool isPath = name[0] == '/' || name[0] == '~';
@@ -132,13 +132,13 @@ DataPlace FindData(const std::filesystem::path& file, const MetaImageFields& hea
   place.Length = static_cast<double>(std::filesystem::file_size(place.File, failure));
   if (failure)
   {
-    Refuse(file, "lacks its data file " + place.File.string(), "put it beside the header");
+    Refuse(file, "lacks its data file " + place.File.string(), "put it next to the header");
   }
   return place;
 }
 
-// Where the data start in their file. The library skips HeaderSize bytes; at -1 it takes the file's
-// last ones.
+// Offset of the data in their file. The library skips HeaderSize bytes; if it is -1, the data are
+// the file's last bytes.
 double DataStart(const std::filesystem::path& file, const MetaImageFields& header,
                  const DataPlace& place, double dataBytes)
 {
@@ -162,7 +162,7 @@ double DataStart(const std::filesystem::path& file, const MetaImageFields& heade
   return skipped;
 }
 
-// Of data in the header's own file the library must be told the length: else it decodes from the
+// The library needs the length of data in the header's own file; otherwise it decodes from the
 // file's first byte.
 void CheckCompressedData(const DataPlace& place, const MetaImageFields& header, double start,
                          double dataBytes)
@@ -179,8 +179,8 @@ void CheckCompressedData(const DataPlace& place, const MetaImageFields& header, 
   if (isStated && !(stated[0] >= 1.0 && stated[0] <= available))
   {
     Refuse(place.File,
-           "is truncated: its header promises a CompressedDataSize of " +
-               SignificantText(stated[0]) + " bytes and there are " + SignificantText(available),
+           "is truncated: its header declares a CompressedDataSize of " +
+               SignificantText(stated[0]) + " bytes but there are " + SignificantText(available),
            "copy or export it again");
   }
   const auto bytes = static_cast<double>(CheckedInflatedBytes(
@@ -190,14 +190,14 @@ void CheckCompressedData(const DataPlace& place, const MetaImageFields& header, 
   {
     Refuse(place.File,
            std::string(bytes < dataBytes ? "is truncated" : "is damaged") +
-               ": its header promises " + std::to_string(std::llround(dataBytes)) +
-               " bytes of voxels and its compressed data hold " +
+               ": its header declares " + std::to_string(std::llround(dataBytes)) +
+               " bytes of voxels but its compressed data hold " +
                std::to_string(std::llround(bytes)),
            "copy or export it again");
   }
 }
 
-// Reads the numbers as the library does, which goes on without a word where they end.
+// Reads the numbers as the library does, which does not report missing ones.
 void CheckTextData(const std::filesystem::path& file, const MetaImageFields& header,
                    const DataPlace& place, double start, double voxels)
 {
@@ -210,7 +210,7 @@ void CheckTextData(const std::filesystem::path& file, const MetaImageFields& hea
     if (!(number >= type.Lowest && number <= type.Highest))
     {
       Refuse(file,
-             "has a voxel of " + SignificantText(number) + ", which is no " +
+             "has a voxel of " + SignificantText(number) + ", which is not a " +
                  header.Text("ElementType"),
              "correct the ElementType in its header");
     }
@@ -219,8 +219,8 @@ void CheckTextData(const std::filesystem::path& file, const MetaImageFields& hea
   if (count < voxels)
   {
     Refuse(file,
-           "is truncated: its header promises " + std::to_string(std::llround(voxels)) +
-               " voxels and there are " + std::to_string(std::llround(count)),
+           "is truncated: its header declares " + std::to_string(std::llround(voxels)) +
+               " voxels but there are " + std::to_string(std::llround(count)),
            "copy or export it again");
   }
 }
@@ -242,8 +242,8 @@ void CheckData(const std::filesystem::path& file, const MetaImageFields& header,
   if (available < dataBytes)
   {
     Refuse(file,
-           "is truncated: its header promises " + std::to_string(std::llround(dataBytes)) +
-               " bytes of voxels and there are " + std::to_string(std::llround(available)),
+           "is truncated: its header declares " + std::to_string(std::llround(dataBytes)) +
+               " bytes of voxels but there are " + std::to_string(std::llround(available)),
            "copy or export it again");
   }
 }
@@ -273,7 +273,7 @@ MetaImageFacts CheckMetaImageHeader(const std::filesystem::path& file)
   if (!channels.empty() && channels[0] != 1.0)
   {
     Refuse(file, "has " + SignificantText(channels[0]) + " values per voxel",
-           "give one grey value or label per voxel");
+           "use one grey value or label per voxel");
   }
   CheckData(file, header, facts.Size[0] * facts.Size[1] * facts.Size[2]);
   facts.Notes = OrientationNotes(header);

@@ -32,7 +32,7 @@ public:
     this->Compressed = stream && gzdirect(stream.get()) == 0;
     if (got < static_cast<int>(HeaderBytes))
     {
-      RefuseContent(file, "ends or is damaged within its header", "copy or export it again");
+      RefuseContent(file, "has a truncated or damaged header", "copy or export it again");
     }
     this->Swap = this->At<std::int32_t>(0) != static_cast<int>(HeaderBytes);
   }
@@ -69,14 +69,15 @@ private:
 void CheckMark(const std::filesystem::path& file, const HeaderReader& header)
 {
   const auto size = header.At<std::int32_t>(0);
-  // The reader has swapped a NIfTI-2 header's size where it need not.
+  // The reader may have swapped the size of a NIfTI-2 header.
   if (size == 540 || size == 0x1c020000)
   {
-    Refuse(file, "is a NIfTI-2 file, which is not read", "convert it to NIfTI-1");
+    Refuse(file, "is a NIfTI-2 file, which is not supported", "convert it to NIfTI-1");
   }
   if (size != static_cast<int>(HeaderBytes) || header.Mark() != "n+1")
   {
-    RefuseContent(file, "is no NIfTI-1 file or its header is damaged", "copy or export it again");
+    RefuseContent(file, "is not a NIfTI-1 file, or its header is damaged",
+                  "copy or export it again");
   }
 }
 
@@ -105,7 +106,7 @@ void CheckDimensions(const std::filesystem::path& file, const HeaderReader& head
   }
   if (count < 3)
   {
-    Refuse(file, "is two-dimensional", "give a volume of at least two slices");
+    Refuse(file, "is two-dimensional", "use a volume of at least two slices");
   }
 }
 
@@ -160,13 +161,13 @@ NiftiType VoxelType(const std::filesystem::path& file, const HeaderReader& heade
   const auto type = static_cast<NiftiType>(code);
   if (BytesPerVoxel(type) == 0)
   {
-    Refuse(file, "has voxels of a type that is not read (code " + std::to_string(code) + ")",
+    Refuse(file, "has voxels of a type that is not supported (code " + std::to_string(code) + ")",
            "convert it to integers or floating-point numbers");
   }
   return type;
 }
 
-// The data of a single file cannot start within its header, whatever that says.
+// The data of a single file cannot start within its header, whatever the header states.
 std::size_t VoxelOffset(const std::filesystem::path& file, const HeaderReader& header)
 {
   const double offset = header.At<float>(108);
@@ -191,7 +192,7 @@ void CheckLength(const std::filesystem::path& file, bool isCompressed, const Nif
   if (!isCompressed && length < needed)
   {
     Refuse(file,
-           "is truncated: its header promises " + std::to_string(needed) + " bytes and it has " +
+           "is truncated: its header declares " + std::to_string(needed) + " bytes but it has " +
                std::to_string(length),
            "copy or export it again");
   }
@@ -210,7 +211,7 @@ double MillimetersPerUnit(const HeaderReader& header)
   }
 }
 
-// A slope or an intercept that is NaN or infinite counts as not given.
+// A slope or an intercept that is NaN or infinite counts as absent.
 double FiniteOrZero(float value)
 {
   return std::isfinite(value) ? static_cast<double>(value) : 0.0;

@@ -10,7 +10,7 @@
 
 namespace palpate
 {
-/// Voxel types of NIfTI-1 that are read, by their code in the header.
+/// Supported voxel types of NIfTI-1, by their code in the header.
 enum class NiftiType : int
 {
   UnsignedChar = 2,
@@ -25,7 +25,7 @@ enum class NiftiType : int
   UnsignedLong = 1280
 };
 
-/// The fields of a NIfTI-1 header that say where its voxels are in the file and in the patient.
+/// The fields of a NIfTI-1 header that locate its voxels in the file and in the patient.
 struct NiftiHeader
 {
   std::array<int, 3> Size{};         ///< voxels along each axis

@@ -89,7 +89,7 @@ void PlaceGrid(const std::filesystem::path& file, const NiftiOrientation& orient
   const Form& form = usesSForm ? orientation.SFormWorld : orientation.QFormWorld;
   if (usesSForm && IsPerpendicular(form) && !HasSpacing(form, grid.Spacing))
   {
-    Refuse(file, "gives one voxel size by its sform and another by its pixdim",
+    Refuse(file, "has different voxel sizes in its sform and its pixdim",
            "correct its header or resample it to a rectangular grid");
   }
   grid.OriginWorld = form.col(3);

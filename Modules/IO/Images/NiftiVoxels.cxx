@@ -18,7 +18,7 @@ namespace
 {
 constexpr std::size_t BlockVoxels = 1U << 14;
 
-// What turns stored values into the image's.
+// Converts stored values to the image's values.
 struct Scaling
 {
   bool IsNeeded;
@@ -36,7 +36,7 @@ void ReverseBytes(std::vector<T>& values)
   }
 }
 
-// Whole numbers that are scaled become float before it, as in ITK.
+// Whole numbers are converted to float before scaling, as in ITK.
 template <typename Stored, typename Value>
 void Decode(GzipFile& file, const NiftiHeader& header, const Scaling& scaling, Value* target)
 {

@@ -45,7 +45,7 @@ std::string Field(const Header& header, const std::string& key)
   return found == header.Fields.end() ? std::string() : found->second;
 }
 
-// Where the data lie: the file itself or one beside it; empty for several files.
+// The data file: the file itself or one next to it; empty for several files.
 std::filesystem::path DataFile(const std::filesystem::path& file, const Header& header)
 {
   const std::string name = Field(header, "datafile");
@@ -63,7 +63,7 @@ bool NextNrrdLine(std::istream& stream, std::string& line)
   line.clear();
   for (int letter = stream.get(); letter != std::char_traits<char>::eof(); letter = stream.get())
   {
-    // To the library a carriage return ends a line too.
+    // For the library, a carriage return ends a line too.
     if (letter == '\r' && stream.peek() == '\n')
     {
       stream.ignore();
@@ -80,7 +80,7 @@ bool NextNrrdLine(std::istream& stream, std::string& line)
   return !line.empty();
 }
 
-// As the library: a field where ": " comes before ":=".
+// As in the library: a line is a field if ": " comes before ":=".
 std::optional<NrrdField> ParseNrrdField(const std::string& line)
 {
   const std::size_t end = line.find(": ");
@@ -112,7 +112,7 @@ void CheckNrrdHeader(const std::filesystem::path& file)
   std::error_code failure;
   if (!data.empty() && !std::filesystem::exists(data, failure))
   {
-    Refuse(file, "lacks its data file " + data.string(), "put it beside the header");
+    Refuse(file, "lacks its data file " + data.string(), "put it next to the header");
   }
 }
 
@@ -131,13 +131,14 @@ void CheckNrrdLength(const std::filesystem::path& file, double dataBytes)
   {
     return CheckInflatedSize(file, length, dataBytes);
   }
-  // Raw; in hexadecimal they need more. Text has at least two letters for up to eight bytes.
+  // The raw length; hexadecimal data need more. Text has at least two characters for up to eight
+  // bytes.
   const bool isText = encoding == "text" || encoding == "txt" || encoding == "ascii";
   if (length < (isText ? dataBytes / 4.0 - 1.0 : dataBytes))
   {
     Refuse(file,
-           "is truncated: its header promises " + SignificantText(dataBytes) +
-               " bytes of voxels and there are " + SignificantText(length),
+           "is truncated: its header declares " + SignificantText(dataBytes) +
+               " bytes of voxels but there are " + SignificantText(length),
            "copy or export it again");
   }
 }

@@ -19,7 +19,7 @@ constexpr std::size_t LongestPath = 512;
 constexpr std::size_t MostPairs = 20000;
 constexpr int MostDimensions = 10;
 
-/// Goes through a header line by line.
+/// Checks a header line by line.
 class HeaderCheck
 {
 public:
@@ -29,7 +29,7 @@ public:
   {
     if (this->File.string().size() > LongestPath)
     {
-      Refuse(this->File, "has a path of more than " + std::to_string(LongestPath) + " letters",
+      Refuse(this->File, "has a path of more than " + std::to_string(LongestPath) + " characters",
              "move it");
     }
     std::ifstream stream(this->File, std::ios::binary);
@@ -52,13 +52,14 @@ private:
     }
     if (line.find('\0') != std::string::npos)
     {
-      Refuse(this->File, "has a line in its header with a zero in it", "copy or export it again");
+      Refuse(this->File, "has a line in its header with a null byte", "copy or export it again");
     }
     if (line[0] == '#')
     {
       return;
     }
-    // What stands before ":=" may be a field's name with ": " to the library, where it is long.
+    // If the text before ":=" is long, the library may take a ": " in it for the end of a field's
+    // name.
     const std::size_t pair = line.find(":=");
     if (pair < line.find(": ") && pair < LongestField)
     {
@@ -81,7 +82,8 @@ private:
       const auto count = ParseInteger(text);
       if (!count)
       {
-        Refuse(this->File, "is no NRRD image or its header is damaged", "copy or export it again");
+        Refuse(this->File, "is not an NRRD image, or its header is damaged",
+               "copy or export it again");
       }
       if (*count < 1 || *count > MostDimensions)
       {
@@ -99,7 +101,7 @@ private:
     }
   }
 
-  // The readers behind this keep sizes, and values per voxel, as int.
+  // The readers store sizes, and values per voxel, as int.
   void CheckSizes(const std::string& text) const
   {
     std::istringstream words(text);
@@ -125,7 +127,7 @@ private:
     }
   }
 
-  // A name that is absent has a message of its own.
+  // A missing data file has its own message.
   void CheckDataFile(const std::string& name) const
   {
     std::error_code failure;
@@ -133,7 +135,7 @@ private:
     if (name == "-" || (std::filesystem::exists(data, failure) &&
                         !std::filesystem::is_regular_file(data, failure)))
     {
-      Refuse(this->File, "names a data file " + name + " that is no regular file",
+      Refuse(this->File, "names a data file " + name + " that is not a regular file",
              "write it with its data");
     }
   }
@@ -164,9 +166,9 @@ private:
   [[noreturn]] void RefuseLine(const std::string& line) const
   {
     Refuse(this->File,
-           "is no NRRD image or its header is damaged: a line of it has " +
+           "is not an NRRD image, or its header is damaged: one of its lines has " +
                std::to_string(line.size()) + (line.size() > LongestNrrdLine ? " and more" : "") +
-               " letters",
+               " characters",
            "copy or export it again");
   }
 

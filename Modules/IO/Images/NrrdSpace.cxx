@@ -15,7 +15,7 @@ namespace
 {
 constexpr const char* WayOut = "write it again with space left-posterior-superior";
 
-// Names are the same in either case, with blanks, with hyphens or with neither.
+// Names are compared without case, spaces and hyphens.
 std::string Normalised(const std::string& name)
 {
   std::string normalised;
@@ -34,7 +34,7 @@ bool IsOneOf(const std::string& name, std::initializer_list<const char*> names)
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-// "(1,0,0)", with blanks between its numbers or without.
+// "(1,0,0)", with or without spaces between its numbers.
 std::optional<Vector3> ParseVector(std::string_view text)
 {
   if (text.size() < 2 || text.front() != '(' || text.back() != ')')
@@ -57,7 +57,7 @@ std::optional<Vector3> ParseVector(std::string_view text)
   return vector;
 }
 
-// One for each axis, nothing for one that has none; no list where one is damaged.
+// One entry for each axis, empty for "none"; an empty list if one is damaged.
 using AxisDirections = std::vector<std::optional<Vector3>>;
 std::optional<AxisDirections> ParseDirections(std::string_view text)
 {
@@ -82,8 +82,8 @@ std::optional<AxisDirections> ParseDirections(std::string_view text)
   }
 }
 
-// Whether all axes with a direction are of a kind that can have one: the library takes vectors,
-// colours and the like for components of a voxel.
+// Whether all axes with a direction are of a spatial kind: the library takes vectors, colours and
+// the like for components of a voxel.
 bool AreDomains(const AxisDirections& directions, const std::string& kinds)
 {
   std::istringstream words(kinds);
@@ -131,7 +131,7 @@ NrrdSpace::NrrdSpace(const std::filesystem::path& file,
   }
   if (!AreDomains(*directions, FieldOf(fields, "kinds")))
   {
-    Refuse(file, "has a space direction for an axis whose kind is no place",
+    Refuse(file, "has a space direction for an axis whose kind is not spatial",
            "correct its header or export it again");
   }
   const std::string origin = FieldOf(fields, "spaceorigin");
@@ -163,7 +163,7 @@ void NrrdSpace::TakeName(const std::filesystem::path& file)
   }
   else if (space == "3dlefthanded")
   {
-    Refuse(file, "has the left-handed space " + this->Name + ", which the patient is not in",
+    Refuse(file, "has the left-handed space " + this->Name + ", which is not a patient frame",
            WayOut);
   }
   else if (!IsOneOf(space, {"scannerxyz", "3drighthanded"}))
@@ -203,6 +203,6 @@ std::vector<std::string> NrrdSpace::Notes() const
   return {this->Name.empty()
               ? "The file names no space; its space directions were taken as L, P, S."
               : "The file's space, " + this->Name +
-                    ", does not say how it lies in the patient; it was taken as L, P, S."};
+                    ", does not state its orientation in the patient; it was taken as L, P, S."};
 }
 } // namespace palpate

@@ -14,19 +14,19 @@ namespace palpate
 class PALPATEIO_EXPORT NrrdSpace
 {
 public:
-  /// From the fields of a header (ReadNrrdFields). To be made before the library reads the header:
-  /// ITK 5.2 writes beyond its arrays where a space has more dimensions than the image has axes.
-  /// Throws InputError, naming `file`, for a space that patient LPS cannot be made of (left-handed,
-  /// with a time axis, of another dimension than three, unknown), and for directions and an origin
-  /// that do not place three axes.
+  /// From the fields of a header (ReadNrrdFields). Construct it before the library reads the
+  /// header: ITK 5.2 writes beyond its arrays if a space has more dimensions than the image has
+  /// axes. Throws InputError, naming `file`, for a space that cannot be converted to patient LPS
+  /// (left-handed, with a time axis, not three-dimensional, unknown), and for directions and an
+  /// origin that do not place three axes.
   NrrdSpace(const std::filesystem::path& file, const std::map<std::string, std::string>& fields);
 
-  /// Puts origin, spacing (mm) and direction of a grid, which the library has read, where "space
-  /// directions" and "space origin" say. The library's own conversion to LPS cannot be relied on:
-  /// ITK 5.2 mirrors left-anterior-superior. Nothing changes where the header gives no directions.
+  /// Sets origin, spacing (mm) and direction of a grid, which the library has read, from "space
+  /// directions" and "space origin". The library's own conversion to LPS is unreliable: ITK 5.2
+  /// mirrors left-anterior-superior. Without directions in the header, the grid is unchanged.
   void PlaceGrid(ImageGrid& grid) const;
 
-  /// Sentences on what had to be assumed, since the header does not say how the axes lie in the
+  /// Assumptions, as sentences, if the header does not state the orientation of the axes in the
   /// patient.
   std::vector<std::string> Notes() const;
 
@@ -34,10 +34,10 @@ private:
   void TakeName(const std::filesystem::path& file);
   Vector3 ToLps(const Vector3& vector) const;
 
-  std::string Name;                ///< empty where the header names none
+  std::string Name;                ///< empty if the header names none
   std::vector<Vector3> Steps;      ///< of the index axes, mm, in the space: three or none
   Vector3 First = Vector3::Zero(); ///< centre of the first voxel, mm, in the space
-  bool IsAnatomical = false;       ///< whether the space says how it lies in the patient
-  Vector3 Signs = Vector3::Ones(); ///< of LPS coordinates, by coordinates of the space
+  bool IsAnatomical = false;       ///< whether the space defines its orientation in the patient
+  Vector3 Signs = Vector3::Ones(); ///< of LPS coordinates relative to those of the space
 };
 } // namespace palpate

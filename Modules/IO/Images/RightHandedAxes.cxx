@@ -10,7 +10,7 @@ namespace palpate
 {
 namespace
 {
-// The largest entry of an axis' unit vector says along which patient axis it runs mostly.
+// The largest entry of an axis' unit vector gives its main patient axis.
 int AxisToReverse(const Eigen::Matrix3d& direction)
 {
   int chosen = 2;
@@ -19,7 +19,7 @@ int AxisToReverse(const Eigen::Matrix3d& direction)
   {
     Eigen::Index row = 0;
     direction.col(axis).cwiseAbs().maxCoeff(&row);
-    // A difference below rounding is a tie, which the later axis wins.
+    // A difference below rounding counts as a tie, which the later axis wins.
     if (direction(row, axis) < most - 1e-9)
     {
       most = direction(row, axis);

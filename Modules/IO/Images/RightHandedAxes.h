@@ -12,9 +12,9 @@ namespace palpate
 /// Makes a left-handed grid right-handed; returns an empty text if the grid already is. Throws
 /// InputError for a left-handed one if `handling` is to refuse. Otherwise one index axis is
 /// reversed: the voxels are reordered in place, the origin moves to the other end, and every voxel
-/// stays where it is in the world. The axis that points most against its patient axis is taken (so
-/// the result is closest to L, P, S), and the slice axis where none does. Returns a sentence that
-/// says so.
+/// keeps its position in the world. The axis that points most against its patient axis is reversed
+/// (so the result is closest to L, P, S), or the slice axis if none does. Returns a note on the
+/// reversal.
 PALPATEIO_EXPORT std::string MakeRightHanded(const std::filesystem::path& file,
                                              LeftHandedAxes handling, ImageGrid& grid,
                                              vtkDataArray* voxels);

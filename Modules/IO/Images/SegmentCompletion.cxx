@@ -95,7 +95,7 @@ void CompleteSegments(Segmentation& segmentation)
   DropEmpty(counts, segmentation);
   if (segmentation.Segments.empty())
   {
-    Refuse(segmentation.Source, "has no labelled voxel (an empty mask)",
+    Refuse(segmentation.Source, "has no labelled voxels (the mask is empty)",
            "check that it is the right file and was exported with its labels");
   }
   std::sort(segmentation.Segments.begin(), segmentation.Segments.end(),

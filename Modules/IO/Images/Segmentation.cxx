@@ -6,7 +6,7 @@ namespace palpate
 {
 const Segment& Segmentation::Find(const std::string& labelOrName) const
 {
-  // A label before a name, where a structure is named by a number.
+  // A label takes precedence over a name that is a number.
   for (const Segment& segment : this->Segments)
   {
     if (labelOrName == std::to_string(segment.Label))

@@ -14,25 +14,24 @@ namespace palpate
 /// One structure of a segmentation: the voxels of a layer that have one value.
 struct Segment
 {
-  int Label = 0;    ///< number that the user names it by; unique in the segmentation
-  int Value = 0;    ///< voxel value in its layer; equals Label wherever that is unique
+  int Label = 0;    ///< number for the user; unique in the segmentation
+  int Value = 0;    ///< voxel value in its layer; equals Label if that is unique
   int Layer = 0;    ///< index into Segmentation::Layers
-  std::string Name; ///< empty where the file has none
+  std::string Name; ///< empty if the file has none
   std::array<double, 3> Color{{0.9, 0.6, 0.4}}; ///< red, green, blue in 0..1
 };
 
-/// A label map, or several where structures overlap. Layers are one-component images of type
-/// unsigned char, unsigned short or int, with origin, spacing (mm) and a right-handed direction
-/// matrix in patient LPS; 0 is background.
+/// A label map, or several if structures overlap. Layers are one-component images of type unsigned
+/// char, unsigned short or int, with origin, spacing (mm) and a right-handed direction matrix in
+/// patient LPS; 0 is background.
 struct Segmentation
 {
   std::vector<vtkSmartPointer<vtkImageData>> Layers;
-  std::vector<Segment> Segments; ///< those with at least one voxel, by rising Label
+  std::vector<Segment> Segments; ///< those with at least one voxel, by ascending Label
   std::filesystem::path Source;
-  std::vector<std::string> Notes; ///< what was done to the file's data on the way in
+  std::vector<std::string> Notes; ///< changes made to the file's data
 
-  /// The segment that the user means by a label number or by a name. Throws InputError with the
-  /// list of those that exist.
+  /// Finds a segment by label number or name. Throws InputError with the list of segments.
   PALPATEIO_EXPORT const Segment& Find(const std::string& labelOrName) const;
 };
 } // namespace palpate

@@ -16,15 +16,15 @@ struct Volume
 {
   vtkSmartPointer<vtkImageData> Image;
   std::filesystem::path Source;
-  /// Sentences about what was done to the file's data on the way in (an axis reversed, ...).
+  /// Changes made to the file's data (an axis reversed, ...), as sentences.
   std::vector<std::string> Notes;
 };
 
-/// What the user may have to choose before a path can be read.
+/// User choices for reading a path.
 struct VolumeChoice
 {
-  /// Series instance UID, or its number in the list that the error message gives (from 1); empty
-  /// where there is only one.
+  /// Series instance UID, or its number in the error message's list (from 1); empty if there is
+  /// only one.
   std::string DicomSeries;
   LeftHandedAxes LeftHanded = LeftHandedAxes::Reverse;
 };

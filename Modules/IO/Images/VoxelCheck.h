@@ -7,6 +7,6 @@
 
 namespace palpate
 {
-/// Throws InputError where floating-point voxels are not finite (NaN, infinity).
+/// Throws InputError if floating-point voxels are not finite (NaN, infinity).
 PALPATEIO_EXPORT void CheckFinite(const std::filesystem::path& file, vtkDataArray* voxels);
 } // namespace palpate

@@ -17,8 +17,8 @@ constexpr std::size_t BufferBytes = std::size_t{1} << 17;
 constexpr std::uint64_t MostBytesBehind = std::uint64_t{1} << 20;
 constexpr double MostBytesFromByte = 1032.0; // of the deflate format
 
-// Decodes what the stream has as input, until there are more than the most bytes. Returns zlib's
-// state; counts the bytes.
+// Decodes the stream's input until there are more than `most` bytes. Returns zlib's state and
+// counts the bytes.
 int InflateInput(z_stream& stream, std::vector<unsigned char>& room, std::uint64_t most,
                  std::uint64_t& bytes)
 {
@@ -30,7 +30,7 @@ int InflateInput(z_stream& stream, std::vector<unsigned char>& room, std::uint64
     state = inflate(&stream, Z_NO_FLUSH);
     bytes += room.size() - stream.avail_out;
   } while (state == Z_OK && stream.avail_out == 0 && bytes <= most);
-  // No progress without more input is no error.
+  // Z_BUF_ERROR only means that more input is needed.
   return state == Z_BUF_ERROR ? Z_OK : state;
 }
 } // namespace
@@ -80,7 +80,7 @@ void CheckInflatedSize(const std::filesystem::path& file, double packedBytes, do
   if (!(dataBytes <= MostBytesFromByte * packedBytes))
   {
     Refuse(file,
-           "is truncated: its header promises " + SignificantText(dataBytes) +
+           "is truncated: its header declares " + SignificantText(dataBytes) +
                " bytes of voxels, and its " + SignificantText(packedBytes) +
                " compressed bytes cannot hold them",
            "copy or export it again");

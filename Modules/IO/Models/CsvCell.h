@@ -6,11 +6,11 @@
 
 namespace palpate
 {
-/// A text as a cell of a table that no spreadsheet takes for a formula: where it begins with
-/// = + - @, a tab or a carriage return and is no number, or with apostrophes before these, it gets
-/// an apostrophe in front.
+/// A text as a table cell that no spreadsheet interprets as a formula: if it begins with = + - @, a
+/// tab or a carriage return and is not a number, or with apostrophes before these, it is prefixed
+/// with an apostrophe.
 PALPATEIO_EXPORT std::string InertCell(const std::string& text);
 
-/// The text that InertCell was given.
+/// The inverse of InertCell.
 PALPATEIO_EXPORT std::string TextOfCell(const std::string& cell);
 } // namespace palpate

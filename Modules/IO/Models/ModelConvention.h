@@ -2,8 +2,8 @@
 
 namespace palpate
 {
-/// The words by which Palpate's model files (JSON and CSV) state their convention. A reader takes
-/// these and refuses any other, so that no file is ever read in a convention it was not written in.
+/// The values by which Palpate's model files (JSON and CSV) state their convention. A reader
+/// accepts only these, so that no file is read in a convention other than its own.
 struct ModelConvention
 {
   static constexpr const char* Format = "palpate spherical-harmonic model";
@@ -19,7 +19,7 @@ struct ModelConvention
   static constexpr const char* Frame = "patient LPS";
   static constexpr const char* Unit = "mm";
 
-  /// Larger degrees are refused: no use is known, and a damaged file must not ask for gigabytes.
+  /// Larger degrees are refused: no use is known, and a damaged file must not allocate gigabytes.
   static constexpr int MaximumDegree = 1000;
 };
 } // namespace palpate

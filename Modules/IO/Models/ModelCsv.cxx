@@ -20,7 +20,7 @@ constexpr const char* ParametricTitle = "l,m,x_mm,y_mm,z_mm";
 
 using Columns = std::vector<std::vector<double>>; // one for each coordinate
 
-// What every file states in the same words, as name and value.
+// The entries that are the same in every file, as name and value.
 std::vector<std::pair<std::string, std::string>> Statements()
 {
   return {
@@ -39,7 +39,7 @@ std::string OnOneLine(std::string text)
   return text;
 }
 
-// A spreadsheet takes a comment apart at commas, and what comes then for cells.
+// A spreadsheet splits a comment at commas and takes the parts for cells.
 std::string InertAfterEachComma(const std::string& text)
 {
   std::size_t end = std::min(text.find_first_of(",;\t"), text.size());
@@ -77,7 +77,8 @@ std::string FiniteText(double value, const std::string& fileName)
 {
   if (!std::isfinite(value))
   {
-    Refuse(fileName, "cannot be written: a coefficient is no finite number", "fit the model again");
+    Refuse(fileName, "cannot be written: a coefficient is not a finite number",
+           "fit the model again");
   }
   return ExactText(value);
 }

@@ -10,11 +10,11 @@
 
 namespace palpate
 {
-/// Where a model came from. Empty entries are unknown and are not written.
+/// Origin of a model. Empty entries are unknown and are not written.
 struct ModelProvenance
 {
   std::string Program; ///< name and version of the program that made it
-  std::string Input;   ///< file name (no folder) of what it was made from
+  std::string Input;   ///< file name (without folder) of the input
   std::string Label;   ///< the structure's number or name
   std::string Date;    ///< only if the caller gives one, so that output is reproducible
   std::vector<std::pair<std::string, std::string>> Settings;
@@ -23,7 +23,7 @@ struct ModelProvenance
 /// A surface of spherical harmonics, star-shaped or parametric (patient LPS, mm).
 using SurfaceModel = std::variant<SphericalHarmonicModel, ParametricSphericalSurface>;
 
-/// What a model file holds.
+/// Content of a model file.
 struct ModelDocument
 {
   SurfaceModel Surface;

@@ -11,7 +11,7 @@ namespace palpate
 {
 namespace
 {
-// A model of the largest degree that is read fits, with room to spare.
+// More than a model of the largest supported degree needs.
 constexpr std::uintmax_t MaximumBytes = 256 * 1024 * 1024;
 
 struct ModelFormat : FileFormat
@@ -45,7 +45,7 @@ const ModelFormat& FormatOf(const std::filesystem::path& path)
   const ModelFormat* const format = Formats().Writer(path);
   if (format == nullptr)
   {
-    Refuse(path, "does not end as a model file does",
+    Refuse(path, "does not have the ending of a model file",
            "use " + ListOfEndings(ReadableModelEndings()) + ", or .csv to write one");
   }
   return *format;
@@ -72,8 +72,8 @@ ModelDocument ReadModel(const std::filesystem::path& path)
   const ModelFormat& format = FormatOf(path);
   if (format.Read == nullptr)
   {
-    Refuse(path, "is a model's table, which is written and not read",
-           "give the model.json that was written with it");
+    Refuse(path, "is a model table, which Palpate writes but does not read",
+           "use the model.json that was written with it");
   }
   return format.Read(ReadWholeFile(path, MaximumBytes), path.string());
 }

@@ -9,13 +9,13 @@
 
 namespace palpate
 {
-/// Whether the ending is one of a model file: .json, .coef, or .csv, which is only written.
+/// Whether the ending is that of a model file: .json, .coef, or .csv, which is write-only.
 PALPATEIO_EXPORT bool IsModelFile(const std::filesystem::path& path);
 
-/// Endings of models that are read.
+/// Endings of readable models.
 PALPATEIO_EXPORT std::vector<std::string> ReadableModelEndings();
 
-/// Whether a star-shaped model stays one in a file of this ending; SPHARM-PDM has only parametric
+/// Whether a file of this ending preserves a star-shaped model; SPHARM-PDM has only parametric
 /// surfaces.
 PALPATEIO_EXPORT bool KeepsStarShape(const std::filesystem::path& path);
 

@@ -18,7 +18,7 @@ using Json = nlohmann::ordered_json;
 
 constexpr std::array<const char*, 3> CoordinateKeys{{"x", "y", "z"}};
 
-// The statements of a file that are the same in every file.
+// The entries that are the same in every file.
 Json ConventionAsJson()
 {
   Json basis;
@@ -58,7 +58,7 @@ const std::vector<double>& Finite(const std::vector<double>& values, const std::
   {
     if (!std::isfinite(value))
     {
-      Refuse(fileName, "cannot be written: a coefficient is no finite number",
+      Refuse(fileName, "cannot be written: a coefficient is not a finite number",
              "fit the model again");
     }
   }
@@ -81,7 +81,7 @@ void AddSurface(const ParametricSphericalSurface& surface, const std::string& fi
   }
 }
 
-/// Takes a parsed file apart; every member throws InputError with the file's name.
+/// Extracts a model from a parsed file; every member throws InputError with the file's name.
 class Reader
 {
 public:
@@ -114,7 +114,7 @@ public:
 private:
   [[noreturn]] void Refuse(const std::string& fact, const std::string& wayOut) const
   {
-    palpate::Refuse(this->FileName, "is no model that Palpate reads: " + fact, wayOut);
+    palpate::Refuse(this->FileName, "is not a model that Palpate can read: " + fact, wayOut);
   }
   [[noreturn]] void RefuseEntry(const std::string& key, const std::string& what) const
   {
@@ -135,7 +135,7 @@ private:
     const Json& entry = this->Entry(parent, key);
     if (!entry.is_string())
     {
-      this->RefuseEntry(key, "is no text");
+      this->RefuseEntry(key, "is not text");
     }
     return entry.get<std::string>();
   }
@@ -154,7 +154,7 @@ private:
   {
     if (!this->File.is_object() || !this->File.contains("format"))
     {
-      this->Refuse("it does not say that it is one", "name a file that palpate fit wrote");
+      this->Refuse("it does not state its format", "specify a file that palpate fit wrote");
     }
     this->Expect(this->File, "format", ModelConvention::Format);
     const Json& version = this->Entry(this->File, "version");
@@ -182,7 +182,7 @@ private:
                       entry.get<std::uint64_t>() <= std::uint64_t{ModelConvention::MaximumDegree};
     if (!fits)
     {
-      this->RefuseEntry("degree", "is no whole number from 0 to " +
+      this->RefuseEntry("degree", "is not a whole number from 0 to " +
                                       std::to_string(ModelConvention::MaximumDegree));
     }
     return entry.get<int>();
@@ -193,7 +193,7 @@ private:
     const Json& entry = this->Entry(parent, key);
     if (!entry.is_array() || entry.size() != count)
     {
-      this->RefuseEntry(key, "is no list of " + std::to_string(count) + " numbers");
+      this->RefuseEntry(key, "is not a list of " + std::to_string(count) + " numbers");
     }
     std::vector<double> values;
     values.reserve(count);
@@ -201,7 +201,7 @@ private:
     {
       if (!value.is_number() || !std::isfinite(value.get<double>()))
       {
-        this->RefuseEntry(key, "holds something that is no finite number");
+        this->RefuseEntry(key, "holds a value that is not a finite number");
       }
       values.push_back(value.get<double>());
     }
@@ -220,7 +220,7 @@ private:
     return coordinates;
   }
 
-  // Provenance is for people: it may be absent, and unknown entries are passed over.
+  // Provenance is informative: it may be absent, and unknown entries are ignored.
   ModelProvenance Provenance() const
   {
     ModelProvenance result;
@@ -268,7 +268,7 @@ std::string ModelToJson(const ModelDocument& document, const std::string& fileNa
   file["degree"] = std::visit([](const auto& s) { return s.Degree(); }, document.Surface);
   std::visit([&](const auto& surface) { AddSurface(surface, fileName, file); }, document.Surface);
   file["provenance"] = AsJson(document.Provenance);
-  // Names in other encodings than UTF-8 lose the bytes that JSON cannot hold.
+  // Names that are not UTF-8 lose the bytes that JSON cannot represent.
   return file.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

@@ -8,11 +8,11 @@
 namespace palpate
 {
 /// A model as JSON text that states its convention (see ModelConvention), degree, centre and
-/// coefficients (mm, patient LPS) and provenance. Every finite double comes back to the same bits.
-/// Throws InputError where a number is not finite; `fileName` is named in messages.
+/// coefficients (mm, patient LPS) and provenance. Every finite double is restored bit by bit.
+/// Throws InputError if a number is not finite; `fileName` is used in messages.
 PALPATEIO_EXPORT std::string ModelToJson(const ModelDocument& document,
                                          const std::string& fileName);
 
-/// The model of such a text. Throws InputError on anything that is not one in this convention.
+/// The model of such a text. Throws InputError if the text is not a model in this convention.
 PALPATEIO_EXPORT ModelDocument ModelFromJson(const std::string& text, const std::string& fileName);
 } // namespace palpate

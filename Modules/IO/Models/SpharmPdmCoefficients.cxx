@@ -34,7 +34,7 @@ void Flip(std::vector<double>& values, double sign)
   }
 }
 
-/// Reads braces, commas and numbers; blanks may stand anywhere between them.
+/// Reads braces, commas and numbers, with any white space between them.
 class Reader
 {
 public:
@@ -64,7 +64,7 @@ public:
     this->SkipBlanks();
     if (!this->Rest.empty())
     {
-      this->Refuse("something stands behind its last brace");
+      this->Refuse("there is text after its last brace");
     }
     return rows;
   }
@@ -72,8 +72,8 @@ public:
 private:
   [[noreturn]] void Refuse(const std::string& fact) const
   {
-    palpate::Refuse(this->FileName, "is no coefficient file of SPHARM-PDM: " + fact,
-                    "name a .coef file that SPHARM-PDM or palpate wrote");
+    palpate::Refuse(this->FileName, "is not an SPHARM-PDM coefficient file: " + fact,
+                    "specify a .coef file that SPHARM-PDM or palpate wrote");
   }
 
   void SkipBlanks()
@@ -98,7 +98,7 @@ private:
     if (!this->Take(sign))
     {
       this->Refuse(this->Rest.empty() ? "it ends too early"
-                                      : std::string("a '") + sign + "' is missing in it");
+                                      : std::string("a '") + sign + "' is missing");
     }
   }
 
@@ -115,7 +115,7 @@ private:
     const std::optional<double> value = ParseNumber(this->Word());
     if (!value)
     {
-      this->Refuse("something in it is no finite number");
+      this->Refuse("it holds a value that is not a finite number");
     }
     return *value;
   }
@@ -126,7 +126,7 @@ private:
     degree = count && *count > 0 ? DegreeOfCount(static_cast<std::size_t>(*count)) : -1;
     if (degree < 0 || degree > ModelConvention::MaximumDegree)
     {
-      this->Refuse("its number of coefficients is no square of a whole number up to " +
+      this->Refuse("its number of coefficients is not the square of a whole number up to " +
                    std::to_string(ModelConvention::MaximumDegree + 1));
     }
     return static_cast<std::size_t>(*count);
@@ -152,7 +152,7 @@ std::string SurfaceToSpharmPdm(const SurfaceModel& surface, const std::string& f
   {
     if (!std::isfinite(rows[0][i]) || !std::isfinite(rows[1][i]) || !std::isfinite(rows[2][i]))
     {
-      Refuse(fileName, "cannot be written: a coefficient is no finite number",
+      Refuse(fileName, "cannot be written: a coefficient is not a finite number",
              "fit the model again");
     }
     text += (i == 0 ? "{" : ",\n{") + ExactText(rows[0][i]) + ", " + ExactText(rows[1][i]) + ", " +

@@ -18,14 +18,14 @@ namespace palpate
 {
 namespace
 {
-// Values take at least so much of a file's bytes: LZMA, of VTK's compressors, reaches some
-// thousand to one.
+// Bound on values per file byte: LZMA, the strongest of VTK's compressors, reaches some thousand
+// to one.
 constexpr double MostBytesFromByte = 8192.0;
 constexpr double MostComponents = 1000.0;
 constexpr std::array<const char*, 5> Counts{
     {"NumberOfPoints", "NumberOfVerts", "NumberOfLines", "NumberOfStrips", "NumberOfPolys"}};
 
-// Negative where it is stated and is no count.
+// Negative if the attribute is present but not a count.
 double Count(vtkXMLDataElement* element, const char* attribute, double fallback)
 {
   double count = 0.0;
@@ -36,8 +36,8 @@ double Count(vtkXMLDataElement* element, const char* attribute, double fallback)
   return element->GetScalarAttribute(attribute, count) != 0 && count >= 0.0 ? count : -1.0;
 }
 
-// The reader takes it for granted that an array is of numbers, or of texts where it may be, and
-// that none in a group has the name of another.
+// The reader assumes that arrays hold numbers (or texts where allowed) and that names within a
+// group are unique.
 bool AreArraysSound(vtkXMLDataElement* group)
 {
   static const std::set<std::string> Numbers{"Int8",   "UInt8", "Int16",  "UInt16",  "Int32",
@@ -60,8 +60,8 @@ bool AreArraysSound(vtkXMLDataElement* group)
   return true;
 }
 
-// Bytes of the arrays below an element, if each has `tuples` or what it states; negative for counts
-// that are none. In double, which no claim overflows.
+// Bytes of the arrays below an element, each with `tuples` tuples or its stated number; negative
+// for invalid counts. A double, which no stated count overflows.
 double ClaimedBytes(vtkXMLDataElement* element, double tuples)
 {
   constexpr double LargestValue = 8.0;
@@ -111,7 +111,7 @@ double ClaimedBytesOfPiece(vtkXMLDataElement* piece)
     most = std::max(most, count);
     sum += count;
   }
-  // Cell arrays have the sum of the cells, point arrays their points.
+  // Cell arrays have as many tuples as there are cells, point arrays as there are points.
   const double bytes = ClaimedBytes(piece, sum);
   return bytes < 0.0 ? bytes : std::max(bytes, most);
 }
@@ -148,7 +148,8 @@ int BoundedPolyDataReader::ReadPrimaryElement(vtkXMLDataElement* primary)
     const bool isPiece = std::strcmp(nested->GetName(), "Piece") == 0;
     if (!(isPiece ? AreGroupsSound(nested) : AreArraysSound(nested)))
     {
-      return this->Fail("an array of it is of a type that is not read, or has another's name");
+      return this->Fail(
+          "one of its arrays is of a type that is not supported, or has a duplicate name");
     }
     const double bytes = isPiece ? ClaimedBytesOfPiece(nested) : ClaimedBytes(nested, 0.0);
     sum += bytes;
@@ -170,11 +171,11 @@ int BoundedPolyDataReader::ReadArrayValues(vtkXMLDataElement* element, vtkIdType
   if (!hasRoom ||
       static_cast<double>(count) > MostBytesFromByte * static_cast<double>(this->FileBytes))
   {
-    return this->Fail("an array of it has another length than it states");
+    return this->Fail("one of its arrays does not have its stated length");
   }
   if (!parser->HasSoundBlocks(element, this->FileBytes))
   {
-    return this->Fail("compressed blocks of it are damaged");
+    return this->Fail("its compressed blocks are damaged");
   }
   if (this->Superclass::ReadArrayValues(element, arrayIndex, array, startIndex, count, type) == 0)
   {

@@ -7,17 +7,16 @@
 
 namespace palpate
 {
-/// VTK's reader of .vtp files with bounds on what a file can make it do: the counts that it states
-/// are compared with its size before memory is asked for them, and every array is looked at before
-/// values are put into it. What the reader itself does not find wrong may still be no surface (see
-/// TrianglesOf).
+/// VTK's reader of .vtp files with bounds on memory and time: stated counts are compared with the
+/// file's size before memory is allocated, and every array is checked before it is filled. The
+/// output may still not be a valid surface (see TrianglesOf).
 class BoundedPolyDataReader : public vtkXMLPolyDataReader
 {
 public:
   vtkTypeMacro(BoundedPolyDataReader, vtkXMLPolyDataReader);
   static BoundedPolyDataReader* New();
 
-  /// What the file claims wrongly; empty for nothing. Reading ends there.
+  /// The first problem found, where reading ends; empty if there is none.
   const std::string& Problem() const { return this->Found; }
 
 protected:

@@ -11,7 +11,7 @@ namespace palpate
 namespace
 {
 constexpr unsigned int MostDepth = 32;
-// Of the compressors that VTK has, LZMA reaches the most, some thousand.
+// LZMA, the strongest of VTK's compressors, reaches some thousand.
 constexpr std::uint64_t MostBytesFromByte = 8192;
 constexpr std::uint64_t SmallBlock = std::uint64_t{1} << 20;
 } // namespace
@@ -36,7 +36,7 @@ void BoundedXmlParser::EndElement(const char* name)
   }
 }
 
-// To the first byte of an array's data, as the superclass does to read it.
+// Seeks to the first byte of an array's data, as the superclass does before reading.
 void BoundedXmlParser::SeekData(vtkXMLDataElement* array)
 {
   vtkTypeInt64 offset = 0;
@@ -97,7 +97,7 @@ bool BoundedXmlParser::HasSoundBlocks(vtkXMLDataElement* array, std::uint64_t fi
       return false;
     }
   }
-  // A size of a last block counts even if there is no block.
+  // A stated size of the last block counts even if there are no blocks.
   return this->NumberOfBlocks == 0
              ? this->PartialLastBlockUncompressedSize == 0
              : this->BlockUncompressedSize > 0 &&

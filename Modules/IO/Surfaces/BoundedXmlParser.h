@@ -6,19 +6,18 @@
 
 namespace palpate
 {
-/// VTK's parser of its XML files with bounds on what a file can make it do: elements are nested at
-/// most 32 deep, since they are freed by recursion, and compressed blocks are looked at before they
-/// are read.
+/// VTK's parser of its XML files with bounds: elements are nested at most 32 deep, since they are
+/// freed by recursion, and compressed blocks are checked before they are read.
 class BoundedXmlParser : public vtkXMLDataParser
 {
 public:
   vtkTypeMacro(BoundedXmlParser, vtkXMLDataParser);
   static BoundedXmlParser* New();
 
-  /// True once elements were nested too deeply. They are left out.
+  /// True after elements nested too deeply, which are skipped.
   bool IsTooDeep() const { return this->TooDeep; }
-  /// True if the compressed blocks of an array, if it has any, lie within `fileBytes` and hold no
-  /// more than such data can.
+  /// True if the compressed blocks of an array, if any, lie within `fileBytes` and do not exceed
+  /// the possible compression.
   bool HasSoundBlocks(vtkXMLDataElement* array, std::uint64_t fileBytes);
 
 protected:

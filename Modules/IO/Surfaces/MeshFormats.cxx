@@ -32,7 +32,7 @@ Vector3 FacetNormal(const TriangleMesh& mesh, const std::array<int, 3>& triangle
   return length > 0.0 ? Vector3(normal / length) : Vector3::Zero();
 }
 
-// PLY separates words by blanks.
+// PLY separates words by spaces.
 std::string AsPlyName(std::string name)
 {
   std::replace_if(

@@ -11,7 +11,7 @@ namespace
 {
 using Json = nlohmann::ordered_json;
 
-// Numbers that glTF gives to component types, targets and the parts of a .glb file.
+// glTF's codes of component types, targets and the chunks of a .glb file.
 constexpr int Float = 5126;
 constexpr int UnsignedByte = 5121;
 constexpr int UnsignedInt = 5125;
@@ -23,7 +23,7 @@ constexpr std::uint32_t GlbJsonChunk = 0x4e4f534a;
 constexpr std::uint32_t GlbBinaryChunk = 0x004e4942;
 constexpr std::size_t GlbHeaderBytes = 12;
 
-/// The description and the bytes that it speaks of.
+/// The JSON description and the binary buffer that it refers to.
 struct GltfFile
 {
   Json Description;

@@ -21,7 +21,7 @@ namespace
 {
 constexpr std::string_view Blanks = " \t\r";
 
-// Takes the next word off the front; empty at the end.
+// Removes and returns the first word; empty at the end.
 std::string_view TakeWord(std::string_view& rest)
 {
   rest.remove_prefix(std::min(rest.find_first_not_of(Blanks), rest.size()));
@@ -30,7 +30,7 @@ std::string_view TakeWord(std::string_view& rest)
   return word;
 }
 
-/// Takes a text apart line by line.
+/// Parses a text line by line.
 class Reader
 {
 public:
@@ -58,12 +58,12 @@ private:
   [[noreturn]] void Refuse(const std::string& fact) const
   {
     palpate::Refuse(this->FileName,
-                    "is no OBJ surface that can be read: " + fact + " in line " +
+                    "is not a readable OBJ surface: " + fact + " in line " +
                         std::to_string(this->Line),
                     "write the file again");
   }
 
-  // A line that ends with a backslash goes on in the next.
+  // A line that ends with a backslash continues in the next.
   std::string NextLine()
   {
     std::string line;
@@ -98,7 +98,7 @@ private:
     }
   }
 
-  // What follows (a weight, a colour) is left out.
+  // Further numbers (a weight, a colour) are ignored.
   Triple TakeTriple(std::string_view words) const
   {
     Triple triple{};
@@ -107,7 +107,7 @@ private:
       const auto value = ParseNumber(TakeWord(words));
       if (!value || !(std::abs(*value) <= std::numeric_limits<float>::max()))
       {
-        this->Refuse("there are no three finite numbers");
+        this->Refuse("three finite numbers were expected");
       }
       number = static_cast<float>(*value);
     }
@@ -123,7 +123,7 @@ private:
     }
     if (this->Corners.size() < 3)
     {
-      this->Refuse("a face has fewer than three corners");
+      this->Refuse("a face has fewer than three vertices");
     }
     this->Faces->InsertNextCell(static_cast<vtkIdType>(this->Corners.size()), this->Corners.data());
   }
@@ -140,7 +140,8 @@ private:
     const vtkIdType normal =
         hasNormal ? this->Index(word.substr(second + 1), this->Normals.size()) : None;
     const auto place = static_cast<std::size_t>(point);
-    // Points may come behind the faces; but no more of them than the text has letters.
+    // Points may follow the faces, but there cannot be more of them than the text has
+    // characters.
     if (place >= this->NormalOfPoint.size())
     {
       this->NormalOfPoint.resize(place + 1, Unset);
@@ -150,7 +151,7 @@ private:
     this->AllHaveNormals = this->AllHaveNormals && taken != None;
   }
 
-  // From 0. Counted from 1, or backwards from the last of those so far.
+  // Zero-based. In the file, indices count from 1, or backwards from the last element so far.
   vtkIdType Index(std::string_view word, std::size_t countSoFar) const
   {
     const auto number = ParseInteger(word);
@@ -159,7 +160,7 @@ private:
                                           : static_cast<vtkIdType>(countSoFar) + *number;
     if (!number || *number == 0 || index < 0 || static_cast<std::size_t>(index) > this->TextSize)
     {
-      this->Refuse("a face names a point or normal that does not exist");
+      this->Refuse("a face refers to a point or normal that does not exist");
     }
     return index;
   }
@@ -169,8 +170,7 @@ private:
     if (this->LastPoint >= static_cast<vtkIdType>(this->Points.size()))
     {
       palpate::Refuse(this->FileName,
-                      "is no OBJ surface that can be read: a face names a point that does not "
-                      "exist",
+                      "is not a readable OBJ surface: a face refers to a point that does not exist",
                       "write the file again");
     }
     return this->Faces;

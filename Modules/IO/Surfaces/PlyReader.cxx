@@ -56,10 +56,10 @@ const std::map<std::string, NumberType>& NumberTypes()
   return types;
 }
 
-// Each is compared with all before it; real files have a handful.
+// Each element is compared with all before it; real files have a handful.
 constexpr std::size_t MostElements = 256;
 
-/// Takes a file apart from its start to its end.
+/// Parses a file from start to end.
 class Reader
 {
 public:
@@ -88,7 +88,7 @@ public:
 private:
   [[noreturn]] void Refuse(const std::string& fact) const
   {
-    palpate::Refuse(this->FileName, "is no PLY surface that can be read: " + fact,
+    palpate::Refuse(this->FileName, "is not a readable PLY surface: " + fact,
                     "write the file again");
   }
 
@@ -161,7 +161,7 @@ private:
     Element element;
     if (!(words >> element.Name >> element.Count))
     {
-      this->Refuse("an element of its header has no count");
+      this->Refuse("an element in its header has no count");
     }
     if (this->Elements.size() == MostElements)
     {
@@ -170,7 +170,7 @@ private:
     const auto isSame = [&](const Element& other) { return other.Name == element.Name; };
     if (std::any_of(this->Elements.begin(), this->Elements.end(), isSame))
     {
-      this->Refuse("an element of its header is there twice");
+      this->Refuse("an element is declared twice in its header");
     }
     this->Elements.push_back(std::move(element));
   }
@@ -182,7 +182,7 @@ private:
     const auto found = NumberTypes().find(name);
     if (found == NumberTypes().end())
     {
-      this->Refuse("a property of its header has an unknown type");
+      this->Refuse("a property in its header has an unknown type");
     }
     return found->second;
   }
@@ -191,7 +191,7 @@ private:
   {
     if (this->Elements.empty())
     {
-      this->Refuse("a property of its header belongs to nothing");
+      this->Refuse("a property in its header belongs to no element");
     }
     Property property{};
     const std::istringstream::pos_type start = words.tellg();
@@ -211,7 +211,7 @@ private:
     this->Elements.back().Properties.push_back(std::move(property));
   }
 
-  // Before memory is reserved for what a damaged header promises.
+  // Called before memory is reserved, since a damaged header may declare any count.
   void CheckCount(const Element& element) const
   {
     std::size_t least = 0;
@@ -241,7 +241,8 @@ private:
     const std::optional<double> value = ParseNumber(word);
     if (!value)
     {
-      this->Refuse(word.empty() ? "it ends too early" : "something in it is no finite number");
+      this->Refuse(word.empty() ? "it ends too early"
+                                : "it holds a value that is not a finite number");
     }
     return *value;
   }
@@ -338,11 +339,11 @@ private:
 
   static unsigned char AsByte(double value)
   {
-    // NaN, which binary files may hold, is 0.
+    // NaN, which binary files may hold, becomes 0.
     return static_cast<unsigned char>(value > 0.0 ? std::min(value, 255.0) : 0.0);
   }
 
-  // Moves three columns out as vectors; none where one of them is missing.
+  // Moves three columns out as vectors; empty if one of them is missing.
   static std::vector<Vector3> TakeVectors(std::map<std::string, std::vector<double>>& columns,
                                           const std::array<std::string, 3>& names)
   {
@@ -391,7 +392,7 @@ private:
   {
     if (!(index >= 0.0 && index <= 2147483647.0) || index != std::floor(index))
     {
-      this->Refuse("a face names a point that does not exist");
+      this->Refuse("a face refers to a point that does not exist");
     }
     return static_cast<int>(index);
   }
@@ -404,7 +405,7 @@ private:
       {
         if (static_cast<std::size_t>(corner) >= mesh.PointsWorld.size())
         {
-          this->Refuse("a face names a point that does not exist");
+          this->Refuse("a face refers to a point that does not exist");
         }
       }
     }

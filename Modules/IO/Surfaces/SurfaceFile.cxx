@@ -31,7 +31,7 @@ namespace palpate
 {
 namespace
 {
-// More than any surface that fits into memory here; a mistaken name must not fill the memory.
+// More than any surface that fits into memory; a wrong file must not fill the memory.
 constexpr std::uintmax_t MaximumBytes = std::uintmax_t{4} << 30;
 
 std::string SurfaceToVtp(const TriangleMesh&, vtkPolyData* surface,
@@ -39,7 +39,7 @@ std::string SurfaceToVtp(const TriangleMesh&, vtkPolyData* surface,
 {
   vtkNew<vtkPolyData> copy;
   copy->ShallowCopy(surface);
-  // A field array of its own, so that the caller's data set stays as it is.
+  // In a copy of the field data, so that the caller's data set is unchanged.
   vtkNew<vtkFieldData> fields;
   fields->ShallowCopy(surface->GetFieldData());
   vtkNew<vtkStringArray> frame;
@@ -58,9 +58,9 @@ std::string SurfaceToVtp(const TriangleMesh&, vtkPolyData* surface,
   return writer->GetOutputString();
 }
 
-// VTK's reader takes an STL file that is cut short without a word, and believes the count of what
-// it takes for a binary one, by its share of letters that are none in ASCII. A binary one says how
-// many triangles it has; a text one says where it ends. Returns its comment.
+// VTK's reader silently accepts a truncated STL file. It takes a file for binary if it has many
+// bytes that are not ASCII, and then trusts its triangle count. So the triangle count of a binary
+// file and the end mark of a text file are checked here. Returns the file's comment.
 std::string CheckedStlComment(const std::filesystem::path& path)
 {
   const std::string bytes = ReadWholeFile(path, MaximumBytes);
@@ -77,7 +77,7 @@ std::string CheckedStlComment(const std::filesystem::path& path)
              : bytes.size() >= header + 4 + 50 * std::max<std::uint64_t>(triangles, 1);
   if (!isWhole)
   {
-    Refuse(path, "is no whole STL file, perhaps cut short", "write the file again");
+    Refuse(path, "is not a complete STL file (it may be truncated)", "write the file again");
   }
   return bytes.substr(0, isText ? bytes.find('\n') : header);
 }
@@ -106,7 +106,7 @@ vtkSmartPointer<vtkPolyData> ReadWith(Reader* reader, const std::filesystem::pat
   const AlgorithmErrors errors(reader);
   reader->SetFileName(path.c_str());
   {
-    // The readers' helper objects print, where no observer reaches.
+    // The readers' helper objects print directly, so an observer does not catch it.
     const QuietStandardStreams quiet;
     const CNumericLocale numbers;
     reader->Update();
@@ -198,7 +198,7 @@ void WriteSurface(const std::filesystem::path& path, vtkPolyData* surface)
   const SurfaceFormat* const format = SurfaceFormats().Writer(path);
   if (format == nullptr)
   {
-    Refuse(path, "does not end as a surface file does",
+    Refuse(path, "does not have the ending of a surface file",
            "use " + ListOfEndings(SurfaceFormats().WrittenEndings()));
   }
   const TriangleMesh mesh = TrianglesOf(surface, path);
@@ -207,12 +207,12 @@ void WriteSurface(const std::filesystem::path& path, vtkPolyData* surface)
 
 vtkSmartPointer<vtkPolyData> ReadSurface(const std::filesystem::path& path)
 {
-  // Says what is wrong with the path itself better than the readers do.
+  // Gives better messages about the path itself than the readers do.
   InputFileSize(path);
   const SurfaceFormat* const format = SurfaceFormats().Reader(path);
   if (format == nullptr)
   {
-    RefuseContent(path, "does not end as a surface that can be read",
+    RefuseContent(path, "does not have the ending of a readable surface format",
                   "use " + ListOfEndings(SurfaceFormats().ReadEndings()));
   }
   vtkSmartPointer<vtkPolyData> surface = format->Read(path);

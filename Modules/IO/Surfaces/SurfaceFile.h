@@ -15,22 +15,22 @@ namespace palpate
 /// A format of surfaces, in patient LPS and mm.
 struct SurfaceFormat : FileFormat
 {
-  /// Throws InputError. What is read is checked afterwards (see TrianglesOf).
+  /// Throws InputError. The caller checks the result (see TrianglesOf).
   std::function<vtkSmartPointer<vtkPolyData>(const std::filesystem::path& file)> Read;
-  /// The bytes of a file: of the surface, or of its triangles. `file` is for messages.
+  /// Returns the bytes of a file, made from the surface or its triangles. `file` is for messages.
   std::function<std::string(const TriangleMesh& mesh, vtkPolyData* surface,
                             const std::filesystem::path& file)>
       Write;
 };
 
-/// The formats below, and what was added.
+/// The formats below and added formats.
 PALPATEIO_EXPORT FormatList<SurfaceFormat>& SurfaceFormats();
 
-/// Whether the ending is one of a surface's, read or written.
+/// Whether the ending is that of a readable or writable surface format.
 PALPATEIO_EXPORT bool IsSurfaceFile(const std::filesystem::path& path);
 
 /// Writes a surface (patient LPS, mm) in the format of the ending, under AtomicFile's rules:
-///   .vtp         everything that the data set holds, in its own precision;
+///   .vtp         the complete data set, in its own precision;
 ///   .ply         points, normals, colours, one-component point arrays (see MeshToPly);
 ///   .stl, .obj   see MeshToStl and MeshToObj;
 ///   .gltf, .glb  see MeshToGltf;
@@ -38,9 +38,9 @@ PALPATEIO_EXPORT bool IsSurfaceFile(const std::filesystem::path& path);
 /// Needs no display. Throws InputError, also for a surface without triangles.
 PALPATEIO_EXPORT void WriteSurface(const std::filesystem::path& path, vtkPolyData* surface);
 
-/// Reads .vtp, .stl, .ply or .obj into patient LPS in mm. A file that says SPACE=RAS as 3D Slicer
-/// does is turned; one that says nothing is LPS (see SurfaceSpace). STL has no common points, so
-/// equal ones are merged and a closed surface is closed again. PLY comes back with normals, colours
-/// and point arrays (see MeshFromPly), OBJ in single precision with its normals. Throws InputError.
+/// Reads .vtp, .stl, .ply or .obj into patient LPS in mm. A file that states SPACE=RAS as in 3D
+/// Slicer is converted; without a statement it is LPS (see SurfaceSpace). STL has no shared points,
+/// so equal ones are merged, which closes a closed surface again. PLY keeps normals, colours and
+/// point arrays (see MeshFromPly), OBJ its normals in single precision. Throws InputError.
 PALPATEIO_EXPORT vtkSmartPointer<vtkPolyData> ReadSurface(const std::filesystem::path& path);
 } // namespace palpate

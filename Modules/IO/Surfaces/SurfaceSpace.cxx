@@ -25,7 +25,7 @@ SurfaceSpace SpaceNamed(const std::filesystem::path& file, std::string_view name
 {
   if (name != "LPS" && name != "RAS")
   {
-    Refuse(file, "states its space as \"" + std::string(name) + "\"",
+    Refuse(file, "states an unsupported space: \"" + std::string(name) + "\"",
            "write it again with SPACE=LPS or SPACE=RAS");
   }
   return name == "RAS" ? SurfaceSpace::Ras : SurfaceSpace::Lps;

@@ -8,25 +8,25 @@
 
 namespace palpate
 {
-/// The frame that a surface file states for its coordinates. 3D Slicer writes it as SPACE=LPS or
-/// SPACE=RAS into the comments of STL, PLY and OBJ, and as a field array SPACE into VTP, and takes
-/// LPS where a file says nothing (vtkMRMLModelStorageNode).
+/// The frame stated by a surface file for its coordinates. 3D Slicer writes it as SPACE=LPS or
+/// SPACE=RAS into the comments of STL, PLY and OBJ, and as a field array SPACE into VTP, and
+/// assumes LPS if a file states none (vtkMRMLModelStorageNode).
 enum class SurfaceSpace
 {
   Lps,
   Ras
 };
 
-/// What the comments of a file state; LPS where they state nothing. Throws InputError, naming
+/// The space stated by the comments of a file; LPS if they state none. Throws InputError, naming
 /// `file`, for any other space.
 PALPATEIO_EXPORT SurfaceSpace SpaceOfComments(const std::filesystem::path& file,
                                               std::string_view comments);
 
-/// The same of a field array SPACE, which is taken out, since it would be untrue after a turn.
+/// The same for a field array SPACE, which is removed, since it would be wrong after a conversion.
 PALPATEIO_EXPORT SurfaceSpace TakeSpaceOfFields(const std::filesystem::path& file,
                                                 vtkPolyData* surface);
 
-/// Turns a surface from a space to patient LPS in place: from RAS, x and y of points, normals and
-/// vectors change sign, exactly.
+/// Converts a surface from a space to patient LPS in place: from RAS, x and y of points, normals
+/// and vectors change sign, exactly.
 PALPATEIO_EXPORT void TurnToLps(SurfaceSpace space, vtkPolyData* surface);
 } // namespace palpate

@@ -80,7 +80,7 @@ std::vector<std::array<int, 3>> TriangleIndices(vtkPolyData* surface)
   return result;
 }
 
-// What VTK's filters and our writers use without a look.
+// Checks the indices and lengths that VTK's filters and our writers use unchecked.
 void CheckIndices(vtkPolyData* surface, const std::filesystem::path& file)
 {
   const vtkIdType points = surface->GetNumberOfPoints();
@@ -100,7 +100,8 @@ void CheckIndices(vtkPolyData* surface, const std::filesystem::path& file)
     }
     if (!isSound)
     {
-      Refuse(file, "has a cell that names a point that does not exist", "write the surface again");
+      Refuse(file, "has a cell that refers to a point that does not exist",
+             "write the surface again");
     }
   }
   vtkPointData* data = surface->GetPointData();
@@ -108,7 +109,7 @@ void CheckIndices(vtkPolyData* surface, const std::filesystem::path& file)
   {
     if (data->GetAbstractArray(a)->GetNumberOfTuples() != points)
     {
-      Refuse(file, "has an array that has another number of values than points",
+      Refuse(file, "has an array whose number of values differs from its number of points",
              "write the surface again");
     }
   }
@@ -151,7 +152,7 @@ TriangleMesh TrianglesOf(vtkPolyData* surface, const std::filesystem::path& file
   vtkPolyData* triangles = cut->GetOutput();
   if (triangles->GetNumberOfPolys() == 0)
   {
-    Refuse(file, "holds no triangle", "give a closed surface");
+    Refuse(file, "has no triangles", "use a closed surface");
   }
   TriangleMesh mesh;
   mesh.PointsWorld = Vectors(triangles->GetPoints()->GetData());
@@ -160,7 +161,7 @@ TriangleMesh TrianglesOf(vtkPolyData* surface, const std::filesystem::path& file
   {
     if (!point.allFinite())
     {
-      Refuse(file, "has a point whose coordinates are not finite", "make the surface again");
+      Refuse(file, "has a point whose coordinates are not finite", "create the surface again");
     }
   }
   vtkPointData* data = triangles->GetPointData();

@@ -12,7 +12,7 @@
 
 namespace palpate
 {
-/// A surface as plain arrays, as the surface formats want it: points in patient LPS (mm).
+/// A surface as plain arrays, as the surface formats need it: points in patient LPS (mm).
 struct TriangleMesh
 {
   struct PointValues
@@ -23,16 +23,16 @@ struct TriangleMesh
 
   std::vector<Vector3> PointsWorld;
   bool SinglePrecision = false;                     ///< whether the points' own type was float
-  std::vector<Vector3> Normals;                     ///< unit vectors, one a point, or none
-  std::vector<std::array<unsigned char, 3>> Colors; ///< red, green, blue, one a point, or none
+  std::vector<Vector3> Normals;                     ///< unit vectors, one per point, or none
+  std::vector<std::array<unsigned char, 3>> Colors; ///< red, green, blue, one per point, or none
   std::vector<PointValues> Values;                  ///< every one-component point array
   std::vector<std::array<int, 3>> Triangles;        ///< counter-clockwise seen from outside
 };
 
-/// The triangles of a surface; larger polygons and strips are cut up, lines and vertices left out.
-/// Active point scalars of three or four unsigned chars are its colours. Throws InputError, naming
-/// `file`, where it has no triangle, a coordinate is not finite, a cell names a point that does not
-/// exist or a point array has another length.
+/// The triangles of a surface; larger polygons and strips are triangulated, lines and vertices
+/// ignored. Active point scalars of three or four unsigned chars are its colours. Throws
+/// InputError, naming `file`, if it has no triangle, a coordinate is not finite, a cell refers to a
+/// point that does not exist or a point array has another length.
 PALPATEIO_EXPORT TriangleMesh TrianglesOf(vtkPolyData* surface, const std::filesystem::path& file);
 
 /// The data set of a mesh; colours become its active point scalars.

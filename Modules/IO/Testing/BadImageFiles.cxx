@@ -163,11 +163,11 @@ std::vector<BadFile> BadNiftiFiles()
   version2[1] = 2;
   return {
       {"empty.nii", "", "is empty"},
-      {"short.nii", good.substr(0, 200), "within its header"},
-      {"cut.nii", good.substr(0, 400), "header promises 472 bytes and it has 400"},
+      {"short.nii", good.substr(0, 200), "has a truncated or damaged header"},
+      {"cut.nii", good.substr(0, 400), "header declares 472 bytes but it has 400"},
       {"cut.nii.gz", Gzipped(good).substr(0, 60), "damaged"},
-      {"garbage.nii", std::string(5000, 'x'), "is no NIfTI-1 file"},
-      {"garbage.nii.gz", std::string(5000, 'x'), "is no NIfTI-1 file"},
+      {"garbage.nii", std::string(5000, 'x'), "is not a NIfTI-1 file"},
+      {"garbage.nii.gz", std::string(5000, 'x'), "is not a NIfTI-1 file"},
       {"v2.nii", version2, "NIfTI-2"},
       {"flat.nii", NiftiBytes(flat), "is two-dimensional"},
       {"slice.nii", NiftiBytes(oneSlice), "is two-dimensional (4 x 5 x 1 voxels)"},
@@ -176,8 +176,8 @@ std::vector<BadFile> BadNiftiFiles()
       {"zero.nii", NiftiBytes(zero), "a voxel spacing of 0"},
       {"negative.nii", NiftiBytes(negative), "a voxel spacing of -2"},
       {"sheared.nii", NiftiBytes(sheared), "not perpendicular"},
-      {"rescaled.nii", NiftiBytes(rescaled), "one voxel size by its sform"},
-      {"bits.nii", NiftiBytes(bits), "type that is not read (code 1)"},
+      {"rescaled.nii", NiftiBytes(rescaled), "different voxel sizes in its sform"},
+      {"bits.nii", NiftiBytes(bits), "type that is not supported (code 1)"},
       {"nan.nii", NiftiWith(16, std::nanf("")), "1 voxels that are NaN or infinite"},
       {"inf.nii", NiftiWith(16, INFINITY), "1 voxels that are NaN or infinite"},
       {"nan64.nii.gz", Gzipped(NiftiWith(64, std::nan(""))), "1 voxels that are NaN or infinite"},
@@ -192,8 +192,8 @@ std::vector<BadFile> BadNrrdFiles()
   const std::string good = NrrdBytes(PlainNrrdLines("unsigned char"), std::string(120, '\1'));
   return {
       {"empty.nrrd", "", "is empty"},
-      {"garbage.nrrd", std::string(5000, 'x'), "is no NRRD image"},
-      {"short.nrrd", good.substr(0, 40), "is no NRRD image or its header is damaged"},
+      {"garbage.nrrd", std::string(5000, 'x'), "is not an NRRD image"},
+      {"short.nrrd", good.substr(0, 40), "is not an NRRD image, or its header is damaged"},
       {"cut.nrrd", good.substr(0, good.size() - 30), "truncated"},
       {"flat.nrrd", NrrdWith(3, "sizes: 4 5 1", 20), "is two-dimensional"},
       {"sheared.nrrd", NrrdWith(4, "space directions: (2,0,0) (0.3,2,0) (0,0,2)"),
@@ -224,9 +224,9 @@ std::vector<BadFile> BadOtherFiles()
   const std::string good = MetaImageBytes("MET_UCHAR", std::string(120, '\1'));
   return {
       {"empty.mha", "", "is empty"},
-      {"garbage.mha", std::string(5000, 'x'), "is no MetaImage file"},
+      {"garbage.mha", std::string(5000, 'x'), "is not a MetaImage file"},
       {"cut.mha", good.substr(0, good.size() - 20),
-       "promises 120 bytes of voxels and there are 100"},
+       "declares 120 bytes of voxels but there are 100"},
       {"zero.mha", MetaWith("ElementSpacing = 2 2 2", "ElementSpacing = 2 0 2"),
        "a voxel spacing of 0"},
       {"negative.mha", MetaWith("ElementSpacing = 2 2 2", "ElementSpacing = 2 -1 2"),
@@ -235,7 +235,7 @@ std::vector<BadFile> BadOtherFiles()
       {"many.mha", ManyDimensions(), "damaged header"},
       {"flat.mha", MetaWith("DimSize = 4 5 6", "DimSize = 4 30 1"), "is two-dimensional"},
       {"lost.mhd", MetaWith("LOCAL", "lost.raw"), "lacks its data file"},
-      {"plain.txt", "hello", "is in no known image format"},
+      {"plain.txt", "hello", "is not in a known image format"},
       {"empty.dcm", "", "is empty"},
       {"garbage.dcm", std::string(5000, 'x'), ""},
       {"marked.dcm", std::string(128, '\0') + "DICM" + std::string(500, 'y'), ""},

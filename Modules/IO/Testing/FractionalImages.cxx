@@ -26,7 +26,7 @@ std::string FractionalNrrd()
   return NrrdBytes(lines, Voxels());
 }
 
-// Without directions, so that its library's numbers are taken.
+// Without directions, so that its library's numbers are used.
 std::string FractionalSpacings()
 {
   return NrrdBytes({"type: unsigned char", "dimension: 3", "sizes: 4 5 6",

@@ -1,4 +1,4 @@
-// Asked by the leak sanitizer, which finds it by this name; unused without it. ITK's NRRD library
+// Called by the leak sanitizer, which finds it by this name; otherwise unused. ITK's NRRD library
 // keeps its half-read image when a damaged file makes it give up.
 // NOLINTNEXTLINE(bugprone-reserved-identifier): the sanitizer chose the name
 extern "C" const char* __lsan_default_suppressions();

@@ -7,7 +7,7 @@
 
 namespace palpate::test
 {
-/// The sentence with which `action` refuses its input.
+/// The message of the InputError thrown by `action`.
 template <typename Action>
 std::string MessageOf(const Action& action)
 {

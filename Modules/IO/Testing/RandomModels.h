@@ -23,7 +23,7 @@ inline std::vector<double> RandomNumbers(std::mt19937_64& random, std::size_t co
   return values;
 }
 
-/// Any finite bits: subnormal, negative zero, huge.
+/// Any finite bit pattern: subnormal, negative zero, huge.
 inline std::vector<double> RandomBits(std::mt19937_64& random, std::size_t count)
 {
   std::vector<double> values;

@@ -138,7 +138,7 @@ void PutPixels(DcmItem& item, const DicomSliceSpec& spec)
     value &= (1 << spec.BitsStored) - 1;
   }
   values.resize(count, spec.Value);
-  // A little-endian host's words, so bytes lie as they do in the file.
+  // Words of a little-endian host, so the bytes have the order of the file.
   std::vector<Uint16> words(values.begin(), values.end());
   if (spec.BitsAllocated == 8)
   {

@@ -8,11 +8,11 @@
 #include <string>
 #include <vector>
 
-/// Image files for tests, written byte by byte from the formats' definitions, so that the readers'
-/// oracles owe nothing to the readers' libraries (DICOM goes through DCMTK's data set writer).
+/// Image files for tests, written byte by byte from the formats' definitions, so that the tests are
+/// independent of the readers' libraries (DICOM goes through DCMTK's data set writer).
 namespace palpate::test
 {
-/// Values as they lie in memory.
+/// Values in memory order.
 template <typename T>
 std::string BytesOf(const std::vector<T>& values)
 {
@@ -50,11 +50,11 @@ std::string MetaImageBytes(const std::string& type, const std::string& voxels,
                            const std::string& moreLines = "");
 
 std::string Gzipped(const std::string& bytes);
-/// zlib's own wrapper, as MetaImage has it.
+/// zlib's own wrapper, as in MetaImage.
 std::string Deflated(const std::string& bytes);
 
 /// An uncompressed slice of a DICOM MR series; the default has 4 columns, 3 rows, 16 bits, and one
-/// stored value in every pixel.
+/// stored value for all pixels.
 struct DicomSliceSpec
 {
   std::string SeriesUid = "1.2.3";
@@ -66,17 +66,17 @@ struct DicomSliceSpec
   int Columns = 4;
   int Rows = 3;
   std::uint16_t Value = 0;
-  std::vector<int> Pixels; ///< where there are any, instead of Value; stored in BitsStored bits
+  std::vector<int> Pixels; ///< if not empty, used instead of Value; stored in BitsStored bits
   int BitsAllocated = 16;  ///< or 8
   int BitsStored = 16;
   bool IsSigned = false;
-  std::string Slope; ///< empty: left out, as is the intercept
+  std::string Slope; ///< omitted if empty, as is the intercept
   std::string Intercept;
 };
 void WriteDicomSlice(const std::filesystem::path& file, const DicomSliceSpec& spec);
 
-/// A DICOM segmentation object: 2 mm, and 4 columns and 3 rows unless they are changed; a frame has
-/// a value for each pixel.
+/// A DICOM segmentation object: 2 mm, 4 columns and 3 rows by default; a frame has a value for each
+/// pixel.
 struct DicomSegmentationSpec
 {
   struct Frame
@@ -94,7 +94,7 @@ struct DicomSegmentationSpec
   int Rows = 3;
   std::string Kind = "BINARY";
   int BitsAllocated = 1;
-  double StatedStep = 3.0; ///< mm; 0 leaves it out
+  double StatedStep = 3.0; ///< mm; omitted if 0
   std::vector<Description> Segments;
   std::vector<Frame> Frames;
 };

@@ -31,11 +31,11 @@ std::string MessageOf(const std::filesystem::path& path)
   return "no error";
 }
 
-// What this program asked to be on the disk, in order.
+// The files that this program synchronised with the disk, in order.
 std::vector<std::filesystem::path> Synced;
 } // namespace
 
-// Takes the place of the C library's in this program.
+// Replaces the C library's function in this program.
 extern "C" __attribute__((visibility("default"))) int fsync(int file)
 {
   std::error_code ignored;
@@ -43,7 +43,7 @@ extern "C" __attribute__((visibility("default"))) int fsync(int file)
   return static_cast<int>(syscall(SYS_fsync, file));
 }
 
-TEST(AtomicFile, CommittedFileHasItsNameAndNothingElseIsLeft)
+TEST(AtomicFile, CommitLeavesOnlyNamedFile)
 {
   const TemporaryFolder folder;
   AtomicFile file(folder / "a.json");
@@ -53,7 +53,7 @@ TEST(AtomicFile, CommittedFileHasItsNameAndNothingElseIsLeft)
   EXPECT_EQ(folder.EntryCount(), 1u);
 }
 
-TEST(AtomicFile, AbandonedFileLeavesTheFolderAsItWas)
+TEST(AtomicFile, AbandonedFileLeavesFolderUnchanged)
 {
   const TemporaryFolder folder;
   WriteAll(folder / "a.json", "old");
@@ -65,7 +65,7 @@ TEST(AtomicFile, AbandonedFileLeavesTheFolderAsItWas)
   EXPECT_EQ(folder.EntryCount(), 1u);
 }
 
-TEST(AtomicFile, OldContentIsThereUntilTheCommit)
+TEST(AtomicFile, KeepsOldContentUntilCommit)
 {
   const TemporaryFolder folder;
   WriteAll(folder / "a.json", "old");
@@ -76,7 +76,7 @@ TEST(AtomicFile, OldContentIsThereUntilTheCommit)
   EXPECT_EQ(ReadAll(folder / "a.json"), "new");
 }
 
-TEST(AtomicFile, TemporaryNameKeepsEveryEnding)
+TEST(AtomicFile, TemporaryNameKeepsEnding)
 {
   const TemporaryFolder folder;
   const AtomicFile file(folder / "a.seg.nii.gz");
@@ -84,23 +84,23 @@ TEST(AtomicFile, TemporaryNameKeepsEveryEnding)
   EXPECT_EQ(name.substr(name.size() - 11), ".seg.nii.gz");
 }
 
-TEST(AtomicFile, TemporaryFileIsInTheSameFolder)
+TEST(AtomicFile, TemporaryFileIsInSameFolder)
 {
   const TemporaryFolder folder;
   const AtomicFile file(folder / "a.json");
   EXPECT_EQ(file.TemporaryPath().parent_path(), folder.Path());
 }
 
-TEST(AtomicFile, LongestFileNameIsWritten)
+TEST(AtomicFile, WritesLongestFileName)
 {
   const TemporaryFolder folder;
-  const std::string name = std::string(250, 'x') + ".json"; // 255 bytes, the most there are
+  const std::string name = std::string(250, 'x') + ".json"; // 255 bytes, the maximum
   AtomicFile file(folder / name);
   file.Commit();
   EXPECT_TRUE(std::filesystem::exists(folder / name));
 }
 
-TEST(AtomicFile, TwoWritersOfOneNameDoNotMix)
+TEST(AtomicFile, ConcurrentWritersDoNotMix)
 {
   const TemporaryFolder folder;
   AtomicFile first(folder / "a");
@@ -112,7 +112,7 @@ TEST(AtomicFile, TwoWritersOfOneNameDoNotMix)
   EXPECT_EQ(ReadAll(folder / "a"), "second");
 }
 
-TEST(AtomicFile, SymbolicLinkStaysALink)
+TEST(AtomicFile, KeepsSymbolicLink)
 {
   const TemporaryFolder folder;
   std::filesystem::create_directory(folder / "elsewhere");
@@ -125,7 +125,7 @@ TEST(AtomicFile, SymbolicLinkStaysALink)
   EXPECT_EQ(ReadAll(folder / "elsewhere/target"), "new");
 }
 
-TEST(AtomicFile, PermissionsOfAnExistingFileAreKept)
+TEST(AtomicFile, KeepsPermissionsOfExistingFile)
 {
   const TemporaryFolder folder;
   WriteAll(folder / "a", "old");
@@ -136,7 +136,7 @@ TEST(AtomicFile, PermissionsOfAnExistingFileAreKept)
   EXPECT_EQ(status.st_mode & 0777, 0640u);
 }
 
-TEST(AtomicFile, PermissionsOfANewFileFollowTheMask)
+TEST(AtomicFile, NewFilePermissionsFollowUmask)
 {
   const TemporaryFolder folder;
   const mode_t mask = umask(0022);
@@ -147,7 +147,7 @@ TEST(AtomicFile, PermissionsOfANewFileFollowTheMask)
   EXPECT_EQ(status.st_mode & 0777, 0644u);
 }
 
-TEST(AtomicFile, MissingFolderIsNamed)
+TEST(AtomicFile, NamesMissingFolder)
 {
   const TemporaryFolder folder;
   const std::string message = MessageOf(folder / "none/a.json");
@@ -156,24 +156,24 @@ TEST(AtomicFile, MissingFolderIsNamed)
   EXPECT_EQ(folder.EntryCount(), 0u);
 }
 
-TEST(AtomicFile, FolderInPlaceOfTheFileIsRefused)
+TEST(AtomicFile, RejectsFolderOfSameName)
 {
   const TemporaryFolder folder;
   std::filesystem::create_directory(folder / "a.json");
   EXPECT_NE(MessageOf(folder / "a.json").find("it is a folder"), std::string::npos);
 }
 
-TEST(AtomicFile, DeviceIsRefused)
+TEST(AtomicFile, RejectsDevice)
 {
   EXPECT_NE(MessageOf("/dev/null").find("not a regular file"), std::string::npos);
 }
 
-TEST(AtomicFile, EmptyNameIsRefused)
+TEST(AtomicFile, RejectsEmptyName)
 {
   EXPECT_NE(MessageOf("").find("has no file name"), std::string::npos);
 }
 
-TEST(AtomicFile, UnwritableFolderIsRefused)
+TEST(AtomicFile, RejectsUnwritableFolder)
 {
   const TemporaryFolder folder;
   chmod(folder.Path().c_str(), 0555);
@@ -182,7 +182,7 @@ TEST(AtomicFile, UnwritableFolderIsRefused)
   chmod(folder.Path().c_str(), 0700);
 }
 
-TEST(AtomicFile, ReachesTheDiskBeforeItsNameDoes)
+TEST(AtomicFile, SyncsContentBeforeRename)
 {
   const TemporaryFolder folder;
   AtomicFile file(folder / "a");

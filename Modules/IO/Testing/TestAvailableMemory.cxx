@@ -11,7 +11,7 @@ namespace
 {
 constexpr std::uint64_t Kibibyte = 1024;
 
-// A machine with 300 kB left, and groups as a test writes them.
+// A machine with 300 kB left, and groups defined by the test.
 class AvailableMemory : public testing::Test
 {
 protected:
@@ -36,18 +36,18 @@ private:
 };
 } // namespace
 
-TEST_F(AvailableMemory, IsTheMachinesWithoutGroups)
+TEST_F(AvailableMemory, UsesMachineWithoutGroups)
 {
   EXPECT_EQ(this->Left(), 300 * Kibibyte);
 }
 
-TEST_F(AvailableMemory, NothingIsRefusedWhereNothingCanBeRead)
+TEST_F(AvailableMemory, IsUnlimitedIfNothingCanBeRead)
 {
   EXPECT_EQ(AvailableMemoryBytes({"/no/such/meminfo", "/no/such/cgroup", "/no/such/folder"}),
             std::numeric_limits<std::uint64_t>::max());
 }
 
-TEST_F(AvailableMemory, IsTheGroupsRestInVersion2)
+TEST_F(AvailableMemory, UsesGroupLimitVersion2)
 {
   this->Write("cgroup", "0::/user/program\n");
   this->Write("groups/user/program/memory.max", "204800\n");
@@ -55,7 +55,7 @@ TEST_F(AvailableMemory, IsTheGroupsRestInVersion2)
   EXPECT_EQ(this->Left(), 100 * Kibibyte);
 }
 
-TEST_F(AvailableMemory, IsTheSmallestRestOfTheGroupsAbove)
+TEST_F(AvailableMemory, UsesSmallestLimitOfParentGroups)
 {
   this->Write("cgroup", "0::/user/program\n");
   this->Write("groups/user/program/memory.max", "max\n");
@@ -65,7 +65,7 @@ TEST_F(AvailableMemory, IsTheSmallestRestOfTheGroupsAbove)
   EXPECT_EQ(this->Left(), 10 * Kibibyte);
 }
 
-TEST_F(AvailableMemory, IsTheContainersWhereTheGroupsPathIsTheHosts)
+TEST_F(AvailableMemory, UsesContainerLimitForHostPath)
 {
   this->Write("cgroup", "0::/docker/0123456789\n");
   this->Write("groups/memory.max", "204800\n");
@@ -73,7 +73,7 @@ TEST_F(AvailableMemory, IsTheContainersWhereTheGroupsPathIsTheHosts)
   EXPECT_EQ(this->Left(), 50 * Kibibyte);
 }
 
-TEST_F(AvailableMemory, IsTheGroupsRestInVersion1)
+TEST_F(AvailableMemory, UsesGroupLimitVersion1)
 {
   this->Write("cgroup", "5:cpu,cpuacct:/a\n4:memory:/a/b\n0::/\n");
   this->Write("groups/memory/memory.limit_in_bytes", "9223372036854771712\n");
@@ -92,7 +92,7 @@ TEST_F(AvailableMemory, CachedFilesCountAsFree)
   EXPECT_EQ(this->Left(), 90 * Kibibyte);
 }
 
-TEST_F(AvailableMemory, IsNoneInAFullGroup)
+TEST_F(AvailableMemory, IsZeroInFullGroup)
 {
   this->Write("cgroup", "0::/a\n");
   this->Write("groups/a/memory.max", "204800\n");
@@ -100,7 +100,7 @@ TEST_F(AvailableMemory, IsNoneInAFullGroup)
   EXPECT_EQ(this->Left(), 0U);
 }
 
-TEST_F(AvailableMemory, IsTheMachinesWhereTheGroupHasMore)
+TEST_F(AvailableMemory, UsesMachineIfGroupHasMore)
 {
   this->Write("cgroup", "0::/a\n");
   this->Write("groups/a/memory.max", "204800000\n");

@@ -14,7 +14,7 @@ using namespace palpate::test;
 
 namespace
 {
-// One sentence: it starts with the file, holds the fact, a way out, and no line break.
+// One sentence: it starts with the file, contains the fact and a fix, and no line break.
 void ExpectSentence(const std::string& message, const std::filesystem::path& file,
                     const std::string& fact)
 {
@@ -25,7 +25,7 @@ void ExpectSentence(const std::string& message, const std::filesystem::path& fil
   EXPECT_EQ(std::count(message.begin(), message.end(), '\n'), 0) << message;
 }
 
-// What the readers let through to the standard streams.
+// Output of the readers to the standard streams.
 template <typename Action>
 std::string Chatter(const Action& action)
 {
@@ -65,17 +65,17 @@ std::string SegmentationRefusal(const std::string& nrrd)
 }
 } // namespace
 
-TEST(BadImages, NiftiFilesAreRefusedWithOneSentence)
+TEST(BadImages, RejectsBadNiftiWithOneSentence)
 {
   ExpectRefused(BadNiftiFiles());
 }
 
-TEST(BadImages, CompressedDataThatEndEarlyOrDoNotFitAreRefused)
+TEST(BadImages, RejectsTruncatedOrMismatchedCompressedData)
 {
   ExpectRefused(BadCompressedFiles());
 }
 
-TEST(BadImages, CompressedDataThatAreWholeAreRead)
+TEST(BadImages, ReadsCompleteCompressedData)
 {
   const TemporaryFolder folder;
   const std::string voxels = Noise(120000);
@@ -91,7 +91,7 @@ TEST(BadImages, CompressedDataThatAreWholeAreRead)
   }
 }
 
-TEST(BadImages, SeparateCompressedDataThatEndEarlyAreRefused)
+TEST(BadImages, RejectsTruncatedDetachedCompressedData)
 {
   const TemporaryFolder folder;
   const std::string packed = Deflated(Noise(120000));
@@ -100,17 +100,17 @@ TEST(BadImages, SeparateCompressedDataThatEndEarlyAreRefused)
   EXPECT_TRUE(Contains(MessageOf([&] { ReadVolume(folder / "b.mhd"); }), "b.zraw is truncated"));
 }
 
-TEST(BadImages, NrrdFilesAreRefusedWithOneSentence)
+TEST(BadImages, RejectsBadNrrdWithOneSentence)
 {
   ExpectRefused(BadNrrdFiles());
 }
 
-TEST(BadImages, OtherFilesAreRefusedWithOneSentence)
+TEST(BadImages, RejectsOtherBadFilesWithOneSentence)
 {
   ExpectRefused(BadOtherFiles());
 }
 
-TEST(BadImages, MissingFileIsRefused)
+TEST(BadImages, RejectsMissingFile)
 {
   ExpectSentence(MessageOf([] { ReadVolume("/no/such/file.nii"); }), "/no/such/file.nii",
                  "does not exist");
@@ -118,7 +118,7 @@ TEST(BadImages, MissingFileIsRefused)
                  "does not exist");
 }
 
-TEST(BadImages, FolderWithoutImagesIsRefused)
+TEST(BadImages, RejectsFolderWithoutImages)
 {
   const TemporaryFolder folder;
   ExpectSentence(MessageOf([&] { ReadVolume(folder.Path()); }), folder.Path(), "no DICOM file");
@@ -126,17 +126,17 @@ TEST(BadImages, FolderWithoutImagesIsRefused)
                  "holds 0 DICOM segmentation objects");
 }
 
-TEST(BadImages, LabelsThatAreNotWholeAreRefused)
+TEST(BadImages, RejectsFractionalLabels)
 {
   EXPECT_TRUE(Contains(SegmentationRefusal(NrrdOfFloats(1.5F)), "it holds the value 1.5"));
 }
 
-TEST(BadImages, LabelsThatAreAlmostWholeAreNotWrittenAsWhole)
+TEST(BadImages, MessageShowsAlmostWholeLabelExactly)
 {
   EXPECT_TRUE(Contains(SegmentationRefusal(NrrdOfFloats(0.9999999F)), "the value 0.9999999;"));
 }
 
-TEST(BadImages, NegativeLabelsAreRefused)
+TEST(BadImages, RejectsNegativeLabels)
 {
   std::vector<short> values(120, 1);
   values[5] = -3;
@@ -144,7 +144,7 @@ TEST(BadImages, NegativeLabelsAreRefused)
                        "the negative value -3"));
 }
 
-TEST(BadImages, LabelsBeyondIntAreRefused)
+TEST(BadImages, RejectsLabelsBeyondInt)
 {
   std::vector<std::uint32_t> values(120, 1);
   values[5] = 3000000000U;
@@ -153,7 +153,7 @@ TEST(BadImages, LabelsBeyondIntAreRefused)
                "holds the label 3000000000"));
 }
 
-TEST(BadImages, EmptyMaskIsRefused)
+TEST(BadImages, RejectsEmptyMask)
 {
   EXPECT_TRUE(Contains(
       SegmentationRefusal(NrrdBytes(PlainNrrdLines("unsigned char"), std::string(120, '\0'))),

@@ -27,8 +27,8 @@ namespace
 {
 constexpr CommaLocale::Scope Scopes[] = {CommaLocale::Scope::OnlyC, CommaLocale::Scope::Streams};
 
-// MetaImage's and VTP's libraries use C++ streams, which no thread can have a locale of its own
-// for; a test below shows that they are refused.
+// MetaImage's and VTP's libraries use C++ streams, which cannot have a locale per thread; a test
+// below shows that they are refused.
 bool StreamFormatsIn(CommaLocale::Scope scope)
 {
   return scope == CommaLocale::Scope::OnlyC;
@@ -111,7 +111,7 @@ std::string BitsOf(const ModelDocument& document)
   return BytesOf(model.Coefficients()) + BytesOf(std::vector<double>(center, center + 3));
 }
 
-// What is read under the locale that the process has.
+// Results of reading under the locale of the process.
 std::map<std::string, std::string> ReadAllOf(const TemporaryFolder& folder,
                                              bool withStreamFormats = true)
 {
@@ -140,7 +140,7 @@ std::map<std::string, std::string> ReadAllOf(const TemporaryFolder& folder,
   return bits;
 }
 
-// All that we write, by what is written.
+// All written files, by content.
 void WriteAllOf(const TemporaryFolder& folder, vtkImageData* image, bool withStreamFormats = true)
 {
   if (withStreamFormats)
@@ -180,7 +180,7 @@ void WriteInputs(const TemporaryFolder& folder)
 }
 } // namespace
 
-TEST(CNumericLocale, GivesDecimalPointsToItsThreadWhileItLives)
+TEST(CNumericLocale, SetsDecimalPointForThreadDuringLifetime)
 {
   const CommaLocale comma;
   ASSERT_EQ(std::strtod("3.5", nullptr), 3.0);
@@ -194,7 +194,7 @@ TEST(CNumericLocale, GivesDecimalPointsToItsThreadWhileItLives)
   EXPECT_EQ(std::strtod("3.5", nullptr), 3.0);
 }
 
-TEST(CNumericLocale, EveryFormatIsReadAlikeUnderADecimalComma)
+TEST(CNumericLocale, ReadsAllFormatsUnderDecimalComma)
 {
   const TemporaryFolder folder;
   WriteInputs(folder);
@@ -211,7 +211,7 @@ TEST(CNumericLocale, EveryFormatIsReadAlikeUnderADecimalComma)
   }
 }
 
-TEST(CNumericLocale, EveryFormatIsWrittenAlikeUnderADecimalComma)
+TEST(CNumericLocale, WritesAllFormatsUnderDecimalComma)
 {
   const TemporaryFolder folder;
   WriteFractionalImages(folder.Path());
@@ -233,13 +233,13 @@ TEST(CNumericLocale, EveryFormatIsWrittenAlikeUnderADecimalComma)
   }
 }
 
-TEST(CNumericLocale, FormatsOfStreamsAreRefusedWhereThoseHaveDecimalCommas)
+TEST(CNumericLocale, RejectsStreamFormatsIfStreamsUseDecimalComma)
 {
   const TemporaryFolder folder;
   WriteFractionalImages(folder.Path());
   const auto image = ReadImageContent(folder / "a.mha").Labels->Layers[0];
   const CommaLocale comma(CommaLocale::Scope::Streams);
-  const std::string fact = "C++ streams have the numbers of the locale de_DE.UTF-8";
+  const std::string fact = "C++ streams use the number format of the locale de_DE.UTF-8";
   EXPECT_TRUE(Contains(MessageOf([&] { ReadImageContent(folder / "a.mha"); }), fact));
   EXPECT_TRUE(Contains(MessageOf([&] { WriteImage(folder / "w.mha", image); }), fact));
   WriteSurface(folder / "a.vtp", Triangle());

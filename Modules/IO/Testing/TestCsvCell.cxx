@@ -7,7 +7,7 @@
 using palpate::InertCell;
 using palpate::TextOfCell;
 
-TEST(CsvCell, NumbersStayNumbers)
+TEST(CsvCell, KeepsNumbers)
 {
   for (const char* number : {"-1.5", "+2", "1e-3", "-0", "0.1", ""})
   {
@@ -15,7 +15,7 @@ TEST(CsvCell, NumbersStayNumbers)
   }
 }
 
-TEST(CsvCell, OrdinaryTextIsKept)
+TEST(CsvCell, KeepsOrdinaryText)
 {
   for (const char* text : {"Prostate", "sub-01", "a=b", "it's", "'quoted'", " =1"})
   {
@@ -24,7 +24,7 @@ TEST(CsvCell, OrdinaryTextIsKept)
   }
 }
 
-TEST(CsvCell, FormulasAreDisarmed)
+TEST(CsvCell, DisarmsFormulas)
 {
   for (const char* text :
        {"=1+1", "+cmd|' /C calc'!A0", "-2+3", "@SUM(A1)", "\t=1", "\r=1", "=", "-", "-inf"})
@@ -33,7 +33,7 @@ TEST(CsvCell, FormulasAreDisarmed)
   }
 }
 
-TEST(CsvCell, EveryTextComesBackAndOnlyNumbersBeginLikeAFormula)
+TEST(CsvCell, RoundTripsTextAndDisarmsFormulas)
 {
   const std::string letters = "=+-@\t\r\n',;\"1.e5ax \xC3";
   std::mt19937 random(11);

@@ -10,7 +10,7 @@ TEST(FileEnding, IsLowerCaseWithItsDot)
   EXPECT_EQ(FileEnding("case.1.json"), ".json");
 }
 
-TEST(FileEnding, KnowsTheCompoundOnes)
+TEST(FileEnding, RecognizesCompoundEndings)
 {
   EXPECT_EQ(FileEnding("a.Nii.Gz"), ".nii.gz");
   EXPECT_EQ(FileEnding("a.seg.nrrd"), ".seg.nrrd");

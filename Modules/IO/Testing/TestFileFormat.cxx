@@ -81,7 +81,7 @@ std::string WriteTriangle(const TriangleMesh& mesh, vtkPolyData*, const std::fil
   return text.str();
 }
 
-// With the formats of the test, which stay until the process ends.
+// With the formats of the test, which remain until the process ends.
 class FileFormats : public testing::Test
 {
 protected:
@@ -143,7 +143,7 @@ TEST_F(FileFormats, AddedFormatsAreListedInDialogsAndMessages)
   EXPECT_TRUE(Holds(MessageOf([&] { ReadSurface(this->Folder / "a.txt"); }), "or .triangle"));
 }
 
-TEST(FileFormat, LongestEndingOfANameCounts)
+TEST(FileFormat, UsesLongestEnding)
 {
   EXPECT_EQ(EndingOf("a/Mask.SEG.nrrd", {".nrrd", ".seg.nrrd"}), ".seg.nrrd");
   EXPECT_EQ(EndingOf("a/.nrrd", {".nrrd"}), "");

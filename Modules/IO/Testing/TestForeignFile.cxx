@@ -73,18 +73,18 @@ std::vector<Foreign> ForeignFiles()
       {"mask.nii.gz", Gzipped(TarOf("mask.nii")), "is a gzip file, and its content is a tar",
        "gunzip"},
       {"mask.nrrd.gz", Gzipped("NRRD0004\ntype: short\n"), "its content is an NRRD file", "gunzip"},
-      {"mask.gz", Gzipped("nothing that is known"), "is a gzip file of something", "gunzip"},
-      {"named.gz", Gzipped(NiftiBytes({})), "is a NIfTI file by its content", "end in .nii.gz"},
-      {"mask", NiftiBytes({}), "is a NIfTI file by its content", "end in .nii"},
-      {"mask.nii", "NRRD0004\ntype: short\n", "is an NRRD file by its content", "end in .nrrd"},
-      {"picture.png", "\x89PNG\r\n", "is a PNG picture", "volume"},
+      {"mask.gz", Gzipped("nothing that is known"), "is a gzip file whose content", "gunzip"},
+      {"named.gz", Gzipped(NiftiBytes({})), "is a NIfTI file by content", "end in .nii.gz"},
+      {"mask", NiftiBytes({}), "is a NIfTI file by content", "end in .nii"},
+      {"mask.nii", "NRRD0004\ntype: short\n", "is an NRRD file by content", "end in .nrrd"},
+      {"picture.png", "\x89PNG\r\n", "is a PNG image", "volume"},
       {"text.mha", "<html>", "is a web page", "download"},
       {"text.nrrd", "<html>", "is a web page", "download"},
   };
 }
 } // namespace
 
-TEST(ForeignFile, IsRefusedByWhatItIsWithAWayOut)
+TEST(ForeignFile, RejectsNamingFormatAndFix)
 {
   for (const Foreign& foreign : ForeignFiles())
   {
@@ -101,7 +101,7 @@ TEST(ForeignFile, IsRefusedByWhatItIsWithAWayOut)
   }
 }
 
-TEST(ForeignFile, LeavesDamagedFilesOfOurFormatsToTheirReaders)
+TEST(ForeignFile, LeavesDamagedKnownFormatsToTheirReaders)
 {
   const TemporaryFolder folder;
   const std::vector<std::pair<const char*, std::string>> files{
@@ -116,7 +116,7 @@ TEST(ForeignFile, LeavesDamagedFilesOfOurFormatsToTheirReaders)
   }
 }
 
-TEST(ForeignFile, LegacyVtkIsNoSurfaceFileEither)
+TEST(ForeignFile, RejectsLegacyVtkSurface)
 {
   const TemporaryFolder folder;
   WriteAll(folder / "a.vtk", LegacySurface);
@@ -124,7 +124,7 @@ TEST(ForeignFile, LegacyVtkIsNoSurfaceFileEither)
                        "is a legacy VTK file (POLYDATA), a surface; save it as .vtp"));
 }
 
-TEST(ForeignFile, HeadersWhoseDataAreMissingSaySo)
+TEST(ForeignFile, HeaderReportsMissingData)
 {
   const TemporaryFolder folder;
   WriteAll(folder / "a.nhdr", "NRRD0004\ntype: short\ndimension: 3\nsizes: 2 2 2\nencoding: raw\n"

@@ -15,10 +15,10 @@
 using namespace palpate;
 using namespace palpate::test;
 
-// Memory and time are bounded by what an image file is, not by what it claims.
+// Memory and time are bounded by the actual content of an image file, not by its header.
 namespace
 {
-constexpr rlim_t SomeMemory = rlim_t{1} << 30; // what reading a file of some bytes may take at most
+constexpr rlim_t SomeMemory = rlim_t{1} << 30; // limit for reading a file of some bytes
 constexpr std::size_t Gigabytes = std::size_t{3} << 30;
 
 class HostileImages : public testing::Test
@@ -34,7 +34,7 @@ protected:
   {
     return this->Refusal("a.nrrd", NrrdBytes(lines, std::string(120, '\1')));
   }
-  // The plain header with a line more.
+  // The plain header with one more line.
   std::string NrrdRefusalWith(const std::string& line) const
   {
     std::vector<std::string> lines = PlainNrrdLines("unsigned char");
@@ -45,10 +45,10 @@ protected:
   TemporaryFolder Folder;
 };
 
-// Gzip data that begin with these bytes and go on with as many zeros; some megabytes.
+// Gzip data of these bytes followed by this many zeros; some megabytes.
 std::string GzippedWithZerosBehind(const std::string& bytes)
 {
-  // Gzip members follow each other, so the zeros are packed once for each 64 MB.
+  // Gzip members follow each other, so the zeros are compressed once per 64 MB.
   const std::string zeros = Gzipped(std::string(std::size_t{64} << 20, '\0'));
   std::string packed = Gzipped(bytes);
   for (std::size_t behind = 0; behind < Gigabytes; behind += std::size_t{64} << 20)
@@ -59,7 +59,7 @@ std::string GzippedWithZerosBehind(const std::string& bytes)
 }
 } // namespace
 
-TEST_F(HostileImages, RefusesNrrdFieldsThatOverflowTheLibrarysMessages)
+TEST_F(HostileImages, RejectsNrrdFieldsThatOverflowLibrary)
 {
   for (const std::size_t letters : {1000U, 5000U, 100000U, 2000000U})
   {
@@ -67,7 +67,7 @@ TEST_F(HostileImages, RefusesNrrdFieldsThatOverflowTheLibrarysMessages)
     for (const char* field : {"type: ", "encoding: ", "endian: ", "space: ", "space directions: (",
                               "kinds: ", "centers: ", "no such field: ", "byte skip: ", ""})
     {
-      EXPECT_TRUE(Contains(this->NrrdRefusalWith(field + word), "a line of it has"))
+      EXPECT_TRUE(Contains(this->NrrdRefusalWith(field + word), "one of its lines has"))
           << field << letters;
     }
   }
@@ -79,14 +79,14 @@ TEST_F(HostileImages, ReadsLongKeyValuePairsAndComments)
   EXPECT_EQ(this->NrrdRefusalWith("# " + std::string(100000, 'x')), "no error");
 }
 
-// The library ends a line there too, and takes the rest for a field.
-TEST_F(HostileImages, RefusesLongNrrdLinesBehindACarriageReturn)
+// The library ends a line there too, and parses the rest as a field.
+TEST_F(HostileImages, RejectsLongNrrdLinesAfterCarriageReturn)
 {
   EXPECT_TRUE(Contains(this->NrrdRefusalWith("note:=a\r" + std::string(2000, 'x')),
-                       "a line of it has 2000 letters"));
+                       "one of its lines has 2000 characters"));
 }
 
-TEST_F(HostileImages, RefusesNrrdAxesBehindACarriageReturn)
+TEST_F(HostileImages, RejectsNrrdAxesAfterCarriageReturn)
 {
   EXPECT_TRUE(
       Contains(this->NrrdRefusal({"type: unsigned char", "encoding: raw",
@@ -95,18 +95,18 @@ TEST_F(HostileImages, RefusesNrrdAxesBehindACarriageReturn)
                "has 16 dimensions"));
 }
 
-TEST_F(HostileImages, RefusesNrrdDataFilesBehindACarriageReturn)
+TEST_F(HostileImages, RejectsNrrdDataFilesAfterCarriageReturn)
 {
   mkfifo((this->Folder / "pipe").c_str(), 0600);
   for (const char* name : {"pipe", "-"})
   {
     EXPECT_TRUE(Contains(this->NrrdRefusalWith(std::string("note:=a\rdata file: ") + name),
-                         "that is no regular file"))
+                         "that is not a regular file"))
         << name;
   }
 }
 
-TEST_F(HostileImages, FollowsNrrdSpacesBehindACarriageReturn)
+TEST_F(HostileImages, FollowsNrrdSpaceAfterCarriageReturn)
 {
   std::vector<std::string> lines = PlainNrrdLines("unsigned char");
   lines[2] = "note:=a\rspace: right-anterior-superior";
@@ -118,14 +118,14 @@ TEST_F(HostileImages, FollowsNrrdSpacesBehindACarriageReturn)
   EXPECT_EQ(volume.Image->GetDirectionMatrix()->GetElement(0, 0), -1.0);
 }
 
-// To the library a line ends at a zero.
-TEST_F(HostileImages, RefusesNrrdLinesWithZeros)
+// For the library, a line ends at a null byte.
+TEST_F(HostileImages, RejectsNrrdLinesWithNullBytes)
 {
   WriteAll(this->Folder / "-", std::string(120, '\1'));
-  EXPECT_TRUE(Contains(this->NrrdRefusalWith(std::string("data file: -\0", 13)), "a zero in it"));
+  EXPECT_TRUE(Contains(this->NrrdRefusalWith(std::string("data file: -\0", 13)), "a null byte"));
 }
 
-TEST_F(HostileImages, RefusesNrrdSizesThatOverflow)
+TEST_F(HostileImages, RejectsNrrdSizesThatOverflow)
 {
   for (const char* sizes : {"4294967297 5 6", "4 5 -6", "4 5 18446744073709551615", "4 5 0"})
   {
@@ -138,7 +138,7 @@ TEST_F(HostileImages, RefusesNrrdSizesThatOverflow)
   EXPECT_TRUE(Contains(this->NrrdRefusal(lines), "header"));
 }
 
-TEST_F(HostileImages, RefusesNrrdAxesThatTheLibraryHasNoRoomFor)
+TEST_F(HostileImages, RejectsNrrdAxesThatOverflowLibrary)
 {
   std::string sizes = "sizes:";
   for (int axis = 0; axis < 17; ++axis)
@@ -150,8 +150,8 @@ TEST_F(HostileImages, RefusesNrrdAxesThatTheLibraryHasNoRoomFor)
                "has 16 dimensions"));
 }
 
-// The library takes such an axis for components, and has room for the other two only.
-TEST_F(HostileImages, RefusesNrrdDirectionsOfComponents)
+// The library takes such an axis for components, and allocates space only for the other two.
+TEST_F(HostileImages, RejectsNrrdDirectionsOfComponents)
 {
   const std::vector<std::string> lines{
       "type: unsigned char", "dimension: 3",  "space: left-posterior-superior",
@@ -160,11 +160,11 @@ TEST_F(HostileImages, RefusesNrrdDirectionsOfComponents)
   {
     std::vector<std::string> withKinds = lines;
     withKinds.push_back(std::string("kinds: ") + kinds);
-    EXPECT_TRUE(Contains(this->NrrdRefusal(withKinds), "whose kind is no place")) << kinds;
+    EXPECT_TRUE(Contains(this->NrrdRefusal(withKinds), "whose kind is not spatial")) << kinds;
   }
 }
 
-TEST_F(HostileImages, RefusesNrrdDataFilesByAPattern)
+TEST_F(HostileImages, RejectsNrrdDataFilePatterns)
 {
   for (const char* pattern : {"%s 1 2 1", "%n%n 1 2 1", "%999999999d 1 2 1", "a%03d.raw 1 9 1"})
   {
@@ -173,23 +173,23 @@ TEST_F(HostileImages, RefusesNrrdDataFilesByAPattern)
   }
 }
 
-TEST_F(HostileImages, RefusesNrrdDataFilesThatAreNoFiles)
+TEST_F(HostileImages, RejectsNrrdDataFilesThatAreNotRegular)
 {
   mkfifo((this->Folder / "pipe").c_str(), 0600);
   for (const char* name : {"pipe", "-", ".", "/dev/zero"})
   {
     EXPECT_TRUE(Contains(this->NrrdRefusalWith(std::string("data file: ") + name),
-                         "that is no regular file"))
+                         "that is not a regular file"))
         << name;
   }
   std::vector<std::string> lines = PlainNrrdLines("unsigned char");
   lines.emplace_back("data file: LIST\npipe");
-  EXPECT_TRUE(Contains(this->NrrdRefusal(lines), "that is no regular file"));
+  EXPECT_TRUE(Contains(this->NrrdRefusal(lines), "that is not a regular file"));
   lines.back() = "data file: LIST\n" + std::string(3000, 'x');
-  EXPECT_TRUE(Contains(this->NrrdRefusal(lines), "a line of it has 3000 letters"));
+  EXPECT_TRUE(Contains(this->NrrdRefusal(lines), "one of its lines has 3000 characters"));
 }
 
-TEST_F(HostileImages, RefusesMoreKeyValuePairsThanCanBeSearched)
+TEST_F(HostileImages, RejectsTooManyKeyValuePairs)
 {
   std::vector<std::string> lines = PlainNrrdLines("unsigned char");
   for (int pair = 0; pair < 200000; ++pair)
@@ -199,7 +199,7 @@ TEST_F(HostileImages, RefusesMoreKeyValuePairsThanCanBeSearched)
   EXPECT_TRUE(Contains(this->NrrdRefusal(lines), "more than 20000 key/value pairs"));
 }
 
-TEST_F(HostileImages, RefusesMetaImageKeysThatOverflowTheLibrarysNames)
+TEST_F(HostileImages, RejectsMetaImageKeysThatOverflowLibrary)
 {
   for (const std::size_t letters : {100U, 300U, 3000U})
   {
@@ -209,12 +209,12 @@ TEST_F(HostileImages, RefusesMetaImageKeysThatOverflowTheLibrarysNames)
       const std::string bytes = MetaImageBytes(
           "MET_UCHAR", std::string(120, '\1'),
           "TransformMatrix = 1 0 0 0 1 0 0 0 1\nElementSpacing = 2 2 2\n" + key + " = MET_UCHAR\n");
-      EXPECT_TRUE(Contains(this->Refusal("a.mha", bytes), "is no MetaImage file")) << key;
+      EXPECT_TRUE(Contains(this->Refusal("a.mha", bytes), "is not a MetaImage file")) << key;
     }
   }
 }
 
-TEST_F(HostileImages, RefusesMetaImageWordsThatOverflowTheLibrarysValues)
+TEST_F(HostileImages, RejectsMetaImageWordsThatOverflowLibrary)
 {
   for (const char* key : {"ObjectType", "ObjectSubType", "Name", "Comment", "TransformType"})
   {
@@ -222,12 +222,13 @@ TEST_F(HostileImages, RefusesMetaImageWordsThatOverflowTheLibrarysValues)
         MetaImageBytes("MET_UCHAR", std::string(120, '\1'),
                        "TransformMatrix = 1 0 0 0 1 0 0 0 1\nElementSpacing = 2 2 2\n" +
                            std::string(key) + " = " + std::string(260, 'I') + "\n");
-    EXPECT_TRUE(Contains(this->Refusal("a.mha", bytes), std::string("has 260 letters of ") + key))
+    EXPECT_TRUE(
+        Contains(this->Refusal("a.mha", bytes), std::string("has 260 characters of ") + key))
         << key;
   }
 }
 
-TEST_F(HostileImages, LongFilesNextToALabelMapAreNotRead)
+TEST_F(HostileImages, IgnoresHugeFilesNextToLabelMap)
 {
   WriteAll(this->Folder / "a.nii", NiftiBytes({}, std::string(120, '\1')));
   // Lists of one line that would fill the memory.
@@ -239,10 +240,10 @@ TEST_F(HostileImages, LongFilesNextToALabelMapAreNotRead)
   const AddressSpaceLimit limit(SomeMemory);
   const Segmentation segmentation = ReadSegmentation(this->Folder / "a.nii");
   ASSERT_FALSE(segmentation.Notes.empty());
-  EXPECT_TRUE(Contains(segmentation.Notes.back(), "is no list of label names"));
+  EXPECT_TRUE(Contains(segmentation.Notes.back(), "is not a list of label names"));
 }
 
-TEST_F(HostileImages, RefusesMoreLayersThanAnySegmentationHas)
+TEST_F(HostileImages, RejectsTooManyLayers)
 {
   const std::string bytes =
       NrrdBytes({"type: unsigned char", "dimension: 4", "sizes: 100000 2 2 2",
@@ -253,7 +254,7 @@ TEST_F(HostileImages, RefusesMoreLayersThanAnySegmentationHas)
                        "has 100000 layers of segments"));
 }
 
-TEST_F(HostileImages, RefusesGigabytesBehindTheVoxels)
+TEST_F(HostileImages, RejectsGigabytesAfterVoxels)
 {
   const std::string nifti = GzippedWithZerosBehind(NiftiBytes({}, std::string(120, '\1')));
   EXPECT_TRUE(Contains(this->Refusal("a.nii.gz", nifti), "go on for more than a megabyte"));
@@ -268,7 +269,7 @@ TEST_F(HostileImages, RefusesGigabytesBehindTheVoxels)
       "go on for more than a megabyte"));
 }
 
-TEST_F(HostileImages, RefusesVoxelsThatSoFewBytesCannotHold)
+TEST_F(HostileImages, RejectsVoxelsThatExceedCompressedBytes)
 {
   NiftiSpec spec;
   spec.Dimensions = {3, 2000, 2000, 2000, 1, 1, 1, 1};

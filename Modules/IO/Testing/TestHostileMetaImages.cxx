@@ -10,10 +10,11 @@
 using namespace palpate;
 using namespace palpate::test;
 
-// What the MetaIO library would overflow by, read otherwise, or leave voxels uninitialised for.
+// Headers that overflow the MetaIO library, that it reads differently, or that leave voxels
+// uninitialised.
 namespace
 {
-constexpr rlim_t SomeMemory = rlim_t{1} << 30; // what reading a file of some bytes may take at most
+constexpr rlim_t SomeMemory = rlim_t{1} << 30; // limit for reading a file of some bytes
 constexpr const char* DataLine = "ElementDataFile = LOCAL";
 
 std::string Voxels()
@@ -21,7 +22,7 @@ std::string Voxels()
   return std::string(120, '\1');
 }
 
-// A good file with lines put in before the one that starts with `before`.
+// A good file with lines inserted before the one that starts with `before`.
 std::string With(const std::string& lines, const std::string& before = "ElementDataFile",
                  const std::string& voxels = Voxels())
 {
@@ -58,7 +59,7 @@ protected:
     const AddressSpaceLimit limit(SomeMemory);
     return MessageOf([&] { ReadVolume(this->Folder / name); });
   }
-  // Of a header whose voxels lie in another file of this content.
+  // For a header whose voxels are in another file with this content.
   std::string RefusalBeside(const std::string& data, const std::string& line) const
   {
     WriteAll(this->Folder / "a.raw", data);
@@ -70,23 +71,23 @@ protected:
 };
 } // namespace
 
-TEST_F(HostileMetaImages, DigitsInPlaceOfWordsAreBoundedToo)
+TEST_F(HostileMetaImages, BoundsDigitsInPlaceOfWords)
 {
   for (const char* key : {"Comment", "Name", "ObjectSubType", "TransformType", "AcquisitionDate",
                           "DistanceUnits", "AnatomicalOrientation", "NoSuchKey"})
   {
     const std::string message =
         this->Refusal(With(std::string(key) + " = " + std::string(255, '1'), "DimSize"));
-    EXPECT_TRUE(Contains(message, std::string("has 255 letters of ") + key)) << message;
+    EXPECT_TRUE(Contains(message, std::string("has 255 characters of ") + key)) << message;
   }
 }
 
-TEST_F(HostileMetaImages, WordsOfTheLibrarysRoomAreRead)
+TEST_F(HostileMetaImages, ReadsWordsOfMaximumLength)
 {
   EXPECT_EQ(this->Refusal(With("Comment = " + std::string(254, '1'), "DimSize")), "no error");
 }
 
-TEST_F(HostileMetaImages, LongListsOfNumbersAreRead)
+TEST_F(HostileMetaImages, ReadsLongListsOfNumbers)
 {
   const std::string matrix = "TransformMatrix = 1 0 0 0 1 0 0 0 1";
   std::string digits = matrix;
@@ -100,16 +101,16 @@ TEST_F(HostileMetaImages, LongListsOfNumbersAreRead)
   EXPECT_EQ(this->Refusal(Replaced(With("ID = 1"), matrix, digits)), "no error");
 }
 
-// The library takes no more than 499 letters of a name and then fails, which it does not tell.
-TEST_F(HostileMetaImages, NamesOfDataFilesAreBounded)
+// The library reads at most 499 characters of a name, then fails silently.
+TEST_F(HostileMetaImages, BoundsDataFileNames)
 {
   const std::string line = DataLine + std::string(500, ' ');
   EXPECT_TRUE(Contains(this->Refusal(Replaced(With("ID = 1"), DataLine, line)),
-                       "letters of ElementDataFile"));
+                       "characters of ElementDataFile"));
 }
 
-// To the library a colon separates as the equals sign does.
-TEST_F(HostileMetaImages, LinesWithAColonFirstAreRefused)
+// For the library, a colon is a separator like the equals sign.
+TEST_F(HostileMetaImages, RejectsLinesWithColonFirst)
 {
   for (const char* line :
        {"DimSize : 1500 1500 1000 =", "ElementDataFile : LIST =", "ElementDataFile : %s%n 1 6 1 =",
@@ -119,7 +120,7 @@ TEST_F(HostileMetaImages, LinesWithAColonFirstAreRefused)
   }
 }
 
-TEST_F(HostileMetaImages, LinesWithTwoSeparatorsInARowAreRefused)
+TEST_F(HostileMetaImages, RejectsLinesWithTwoSeparators)
 {
   for (const char* line : {"CompressedData = :True", "HeaderSize == 5", "HeaderSize = : 5"})
   {
@@ -130,18 +131,18 @@ TEST_F(HostileMetaImages, LinesWithTwoSeparatorsInARowAreRefused)
 }
 
 // The library ends a name at a carriage return and skips other blanks before one.
-TEST_F(HostileMetaImages, ControlCharactersAreRefused)
+TEST_F(HostileMetaImages, RejectsControlCharacters)
 {
   for (const std::string& line :
        {std::string("DimSize\rFoo = 1500 1500 1000"), std::string("\vDimSize = 1500 1500 1000"),
         std::string("\fDimSize = 1500 1500 1000"), std::string("DimSize\0x = 1500 1500 1000", 26),
         std::string("Comment = a\rb"), std::string("Comment = a\0b", 13)})
   {
-    EXPECT_TRUE(Contains(this->Refusal(With(line)), "is no MetaImage file")) << line;
+    EXPECT_TRUE(Contains(this->Refusal(With(line)), "is not a MetaImage file")) << line;
   }
 }
 
-TEST_F(HostileMetaImages, LinesThatEndInCarriageReturnsAreRead)
+TEST_F(HostileMetaImages, ReadsLinesWithCarriageReturns)
 {
   std::string bytes = With("ID = 1");
   for (std::size_t at = 0; (at = bytes.find('\n', at)) != std::string::npos; at += 2)
@@ -151,7 +152,7 @@ TEST_F(HostileMetaImages, LinesThatEndInCarriageReturnsAreRead)
   EXPECT_EQ(this->Refusal(bytes), "no error");
 }
 
-TEST_F(HostileMetaImages, FieldsThatRepeatAreRefused)
+TEST_F(HostileMetaImages, RejectsDuplicateFields)
 {
   for (const char* line : {"DimSize = 4 5 6", "NDims = 3", "Foo = 1\nFoo = 1"})
   {
@@ -159,8 +160,8 @@ TEST_F(HostileMetaImages, FieldsThatRepeatAreRefused)
   }
 }
 
-// The library goes on with the next line's numbers.
-TEST_F(HostileMetaImages, FieldsWithTooFewNumbersAreRefused)
+// The library continues with the next line's numbers.
+TEST_F(HostileMetaImages, RejectsFieldsWithTooFewNumbers)
 {
   for (const char* lines : {"ID =\n5 = x", "Color = 1 1\n1 1 = x", "HeaderSize =\n100 = x",
                             "CenterOfRotation = 0 0\n0 = x", "Rotation = 1 0 0 0 1 0 0 0\n1 = x"})
@@ -169,8 +170,8 @@ TEST_F(HostileMetaImages, FieldsWithTooFewNumbersAreRefused)
   }
 }
 
-// The library makes a record of 33 kB of each.
-TEST_F(HostileMetaImages, LinesAreBounded)
+// The library allocates a 33 kB record for each.
+TEST_F(HostileMetaImages, BoundsNumberOfLines)
 {
   std::string lines;
   for (int line = 0; line < 200000; ++line)
@@ -180,23 +181,23 @@ TEST_F(HostileMetaImages, LinesAreBounded)
   EXPECT_TRUE(Contains(this->Refusal(With(lines + "ID = 1")), "more than 10000 lines"));
 }
 
-TEST_F(HostileMetaImages, BytesBeforeTheVoxelsDoNotCount)
+TEST_F(HostileMetaImages, BytesBeforeVoxelsAreNotCounted)
 {
   for (const char* size : {"1", "100", "100000"})
   {
     EXPECT_TRUE(Contains(this->RefusalBeside(Voxels(), std::string("HeaderSize = ") + size),
-                         "is truncated: its header promises 120 bytes of voxels"))
+                         "is truncated: its header declares 120 bytes of voxels"))
         << size;
   }
 }
 
-TEST_F(HostileMetaImages, VoxelsBehindAHeaderOfTheirOwnAreRead)
+TEST_F(HostileMetaImages, ReadsVoxelsAfterOwnHeader)
 {
   EXPECT_EQ(this->RefusalBeside(std::string(100, '\0') + Voxels(), "HeaderSize = 100"), "no error");
   EXPECT_EQ(this->RefusalBeside(std::string(100, '\0') + Voxels(), "HeaderSize = -1"), "no error");
 }
 
-TEST_F(HostileMetaImages, HeaderSizesThatAreNoneAreRefused)
+TEST_F(HostileMetaImages, RejectsInvalidHeaderSizes)
 {
   for (const char* size : {"1e300", "-2", "0.5", "5000000000"})
   {
@@ -207,7 +208,7 @@ TEST_F(HostileMetaImages, HeaderSizesThatAreNoneAreRefused)
   EXPECT_TRUE(Contains(this->Refusal(With("HeaderSize = 10")), "damaged header (HeaderSize)"));
 }
 
-TEST_F(HostileMetaImages, HeaderSizesOfCompressedVoxelsAreRefused)
+TEST_F(HostileMetaImages, RejectsHeaderSizeWithCompression)
 {
   const std::string packed = Deflated(Voxels());
   WriteAll(this->Folder / "a.raw", "12345" + packed);
@@ -219,7 +220,7 @@ TEST_F(HostileMetaImages, HeaderSizesOfCompressedVoxelsAreRefused)
       "damaged header (HeaderSize)"));
 }
 
-TEST_F(HostileMetaImages, CompressedSizesAreThoseOfTheFile)
+TEST_F(HostileMetaImages, RejectsWrongCompressedSizes)
 {
   const std::string packed = Deflated(Voxels());
   for (const char* size : {"-5", "1e16", "100000000000", "0.5"})
@@ -231,30 +232,30 @@ TEST_F(HostileMetaImages, CompressedSizesAreThoseOfTheFile)
   }
 }
 
-TEST_F(HostileMetaImages, HeadersThatEndTheFileHaveNoVoxels)
+TEST_F(HostileMetaImages, HeaderAtEndOfFileHasNoVoxels)
 {
   std::string bytes = With("ID = 1", "ElementDataFile", "");
   bytes.pop_back();
   EXPECT_TRUE(Contains(this->Refusal(bytes), "is truncated"));
 }
 
-TEST_F(HostileMetaImages, VoxelsAsTextAreRead)
+TEST_F(HostileMetaImages, ReadsTextVoxels)
 {
   EXPECT_EQ(this->Refusal(TextImage("MET_UCHAR", Repeated("1 ", 120))), "no error");
 }
 
-TEST_F(HostileMetaImages, VoxelsAsTextAreAllThere)
+TEST_F(HostileMetaImages, RejectsMissingTextVoxels)
 {
   for (const std::string& text :
        {Repeated("1 ", 60), Repeated("1 ", 119) + std::string(100, ' '), Repeated("1", 500),
         Repeated("1 ", 60) + "x " + Repeated("1 ", 60)})
   {
     EXPECT_TRUE(Contains(this->Refusal(TextImage("MET_UCHAR", text)),
-                         "is truncated: its header promises 120 voxels"));
+                         "is truncated: its header declares 120 voxels"));
   }
 }
 
-TEST_F(HostileMetaImages, VoxelsAsTextFitTheirType)
+TEST_F(HostileMetaImages, RejectsTextVoxelsBeyondType)
 {
   for (const char* number : {"256 ", "-1 ", "1e300 "})
   {
@@ -264,8 +265,8 @@ TEST_F(HostileMetaImages, VoxelsAsTextFitTheirType)
   }
 }
 
-// A name that starts with a tilde is one of the working folder to the library.
-TEST_F(HostileMetaImages, DataFilesAreWhereTheLibraryLooks)
+// For the library, a name that starts with a tilde is in the working folder.
+TEST_F(HostileMetaImages, DataFilePathMatchesLibrary)
 {
   WriteAll(this->Folder / "~a.raw", Voxels());
   EXPECT_TRUE(Contains(this->Refusal(Replaced(With("ID = 1", "ElementDataFile", ""), DataLine,
@@ -274,8 +275,8 @@ TEST_F(HostileMetaImages, DataFilesAreWhereTheLibraryLooks)
                        "lacks its data file ~a.raw"));
 }
 
-// The library strips all letters that are no plain ones from the end of a word.
-TEST_F(HostileMetaImages, WordsEndWhereTheLibraryEndsThem)
+// The library strips all unprintable characters from the end of a word.
+TEST_F(HostileMetaImages, WordsEndAsInLibrary)
 {
   WriteAll(this->Folder / "LOCAL\xff", Voxels());
   EXPECT_TRUE(Contains(this->Refusal(Replaced(With("ID = 1", "ElementDataFile", ""), DataLine,

@@ -15,7 +15,7 @@ using namespace palpate::test;
 // Indices and counts of surface files are checked before they are used.
 namespace
 {
-constexpr rlim_t SomeMemory = rlim_t{1} << 30; // what reading a file of some bytes may take at most
+constexpr rlim_t SomeMemory = rlim_t{1} << 30; // limit for reading a file of some bytes
 
 std::string Refusal(const std::string& name, const std::string& bytes)
 {
@@ -30,7 +30,7 @@ std::string ObjRefusal(const std::string& lines)
   return Refusal("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n" + lines);
 }
 
-// A text of VTK's XML format; the defaults are a triangle.
+// A file in VTK's XML format; the default is a triangle.
 struct VtpSpec
 {
   std::string Points = "3";
@@ -86,20 +86,21 @@ VtpSpec WithBlocks(const std::string& header)
 }
 } // namespace
 
-TEST(HostileSurfaces, ObjIndicesAreWithinThePoints)
+TEST(HostileSurfaces, RejectsObjIndicesOutOfRange)
 {
   for (const char* face : {"f 1 2 5", "f 1 2 0", "f 1 2 -5", "f 1 2 99999999999",
                            "f 1 2 2147483647", "f 1 2 x", "f 1//9999999 2//1 3//1", "f 1/2/-1 2 3"})
   {
     EXPECT_TRUE(Contains(ObjRefusal(std::string(face) + "\n"), "that does not exist")) << face;
   }
-  EXPECT_TRUE(Contains(ObjRefusal("f 1 2\n"), "fewer than three corners"));
-  EXPECT_TRUE(Contains(ObjRefusal("v 1 nan 2\nf 1 2 3\n"), "no three finite numbers in line 5"));
-  EXPECT_TRUE(Contains(ObjRefusal("v 1e300 0 0\nf 1 2 5\n"), "no three finite numbers"));
-  EXPECT_TRUE(Contains(ObjRefusal(""), "holds no triangle"));
+  EXPECT_TRUE(Contains(ObjRefusal("f 1 2\n"), "fewer than three vertices"));
+  EXPECT_TRUE(
+      Contains(ObjRefusal("v 1 nan 2\nf 1 2 3\n"), "three finite numbers were expected in line 5"));
+  EXPECT_TRUE(Contains(ObjRefusal("v 1e300 0 0\nf 1 2 5\n"), "three finite numbers were expected"));
+  EXPECT_TRUE(Contains(ObjRefusal(""), "has no triangles"));
 }
 
-TEST(HostileSurfaces, ObjFacesAreReadInEveryForm)
+TEST(HostileSurfaces, ReadsEveryFormOfObjFace)
 {
   const TemporaryFolder folder;
   WriteAll(folder / "a.obj", "# comment\r\no body\r\nf 1 2 3 4\r\nv 0 0 0\r\nv 1 0 0 1.0\r\n"
@@ -114,22 +115,22 @@ TEST(HostileSurfaces, ObjFacesAreReadInEveryForm)
   EXPECT_EQ(surface->GetPointData()->GetNormals(), nullptr); // the first face has none
 }
 
-TEST(HostileSurfaces, VtpTriangleIsRead)
+TEST(HostileSurfaces, ReadsVtpTriangle)
 {
   EXPECT_EQ(VtpRefusal({}), "no error");
 }
 
-TEST(HostileSurfaces, VtpIndicesAreWithinThePoints)
+TEST(HostileSurfaces, RejectsVtpIndicesOutOfRange)
 {
   for (const char* corners : {"0 1 3", "0 1 -1", "0 1 1000000000000", "0 1 9223372036854775807"})
   {
     VtpSpec spec;
     spec.Connectivity = corners;
-    EXPECT_TRUE(Contains(VtpRefusal(spec), "names a point that does not exist")) << corners;
+    EXPECT_TRUE(Contains(VtpRefusal(spec), "refers to a point that does not exist")) << corners;
   }
 }
 
-TEST(HostileSurfaces, VtpOffsetsAreWithinTheCorners)
+TEST(HostileSurfaces, RejectsVtpOffsetsOutOfRange)
 {
   for (const char* offsets : {"1000000", "4611686018427387904", "-3", "9223372036854775807"})
   {
@@ -144,7 +145,7 @@ TEST(HostileSurfaces, VtpOffsetsAreWithinTheCorners)
   EXPECT_TRUE(Contains(VtpRefusal(falling), "more corners than it can hold"));
 }
 
-TEST(HostileSurfaces, VtpCountsAreThoseOfItsBytes)
+TEST(HostileSurfaces, RejectsVtpCountsThatExceedFile)
 {
   for (const char* count : {"2000000000", "4611686018427387904", "-1", "1e300"})
   {
@@ -161,7 +162,7 @@ TEST(HostileSurfaces, VtpCountsAreThoseOfItsBytes)
   EXPECT_TRUE(Contains(VtpRefusal(fields), "more values than it can hold"));
 }
 
-TEST(HostileSurfaces, VtpArraysHaveRoomForTheirValues)
+TEST(HostileSurfaces, RejectsVtpArraysThatExceedFile)
 {
   VtpSpec spec;
   for (const char* components : {"2", "4", "0", "1000000000", "-3"})
@@ -174,18 +175,18 @@ TEST(HostileSurfaces, VtpArraysHaveRoomForTheirValues)
   EXPECT_TRUE(Contains(VtpRefusal(spec), "a.vtp "));
 }
 
-TEST(HostileSurfaces, VtpArraysAreNumbersWithNamesOfTheirOwn)
+TEST(HostileSurfaces, RejectsVtpTextArraysAndDuplicateNames)
 {
   VtpSpec spec;
   spec.PointData = "<DataArray type=\"String\" Name=\"a\" format=\"ascii\">1 2 3</DataArray>";
-  EXPECT_TRUE(Contains(VtpRefusal(spec), "of a type that is not read"));
+  EXPECT_TRUE(Contains(VtpRefusal(spec), "of a type that is not supported"));
   spec.PointData = "<DataArray type=\"Int8\" Name=\"a\" format=\"ascii\">1 2 3</DataArray>";
   EXPECT_EQ(VtpRefusal(spec), "no error");
   spec.PointData += spec.PointData;
-  EXPECT_TRUE(Contains(VtpRefusal(spec), "has another's name"));
+  EXPECT_TRUE(Contains(VtpRefusal(spec), "has a duplicate name"));
 }
 
-TEST(HostileSurfaces, VtpElementsAreNotNestedDeeply)
+TEST(HostileSurfaces, RejectsDeeplyNestedVtpElements)
 {
   constexpr int Levels = 300000;
   VtpSpec spec;
@@ -200,22 +201,22 @@ TEST(HostileSurfaces, VtpElementsAreNotNestedDeeply)
   EXPECT_TRUE(Contains(VtpRefusal(spec), "nested too deeply"));
 }
 
-TEST(HostileSurfaces, VtpBlocksAreThoseOfItsBytes)
+TEST(HostileSurfaces, RejectsDamagedVtpBlocks)
 {
   const std::vector<std::string> headers{
-      Word(1) + Word(0) + Word(0) + Word(64),                   // blocks of nothing
-      Word(0) + Word(32768) + Word(36),                         // a last one of none
+      Word(1) + Word(0) + Word(0) + Word(64),                   // blocks of size 0
+      Word(0) + Word(32768) + Word(36),                         // a last block without blocks
       Word(0xFFFFFFFF) + Word(32768) + Word(0),                 // more blocks than bytes
       Word(1) + Word(0xFFFFFFF0) + Word(0) + Word(64),          // gigabytes from 64 bytes
-      Word(2) + Word(4) + Word(4000000000) + Word(8) + Word(8), // a last one that is larger
+      Word(2) + Word(4) + Word(4000000000) + Word(8) + Word(8), // a last block that is larger
       Word(1) + Word(32768) + Word(36) + Word(0xFFFFFFFF)};     // more than the file has
   for (const std::string& header : headers)
   {
-    EXPECT_TRUE(Contains(VtpRefusal(WithBlocks(header)), "compressed blocks of it are damaged"));
+    EXPECT_TRUE(Contains(VtpRefusal(WithBlocks(header)), "its compressed blocks are damaged"));
   }
 }
 
-TEST(HostileSurfaces, WritersTakeNoIndexThatDoesNotExist)
+TEST(HostileSurfaces, WritersRejectIndicesOutOfRange)
 {
   const TemporaryFolder folder;
   vtkNew<vtkPolyData> surface;
@@ -228,23 +229,23 @@ TEST(HostileSurfaces, WritersTakeNoIndexThatDoesNotExist)
   for (const char* name : {"a.vtp", "a.stl", "a.ply", "a.obj", "a.gltf", "a.glb", "a.x3d"})
   {
     EXPECT_TRUE(Contains(MessageOf([&] { WriteSurface(folder / name, surface); }),
-                         "names a point that does not exist"))
+                         "refers to a point that does not exist"))
         << name;
   }
 }
 
-TEST(HostileSurfaces, StlTextThatVtkTakesForBinaryIsRefused)
+TEST(HostileSurfaces, RejectsStlTextThatVtkTakesForBinary)
 {
-  // The letters from 80 on are a count of triangles.
+  // The characters from 80 on are read as a triangle count.
   std::string text = "solid a\nendsolid a\n" + std::string(100, '\xEC');
-  EXPECT_TRUE(Contains(Refusal("a.stl", text), "is no whole STL file"));
+  EXPECT_TRUE(Contains(Refusal("a.stl", text), "is not a complete STL file"));
   text[19] = '\n';
-  EXPECT_TRUE(Contains(Refusal("a.stl", text), "is no whole STL file"));
+  EXPECT_TRUE(Contains(Refusal("a.stl", text), "is not a complete STL file"));
   EXPECT_TRUE(Contains(Refusal("a.stl", "solid a\nendsolid a\n" + std::string(100, '\x01')),
-                       "is no whole STL file"));
+                       "is not a complete STL file"));
 }
 
-TEST(HostileSurfaces, PlyElementsThatRepeatAreRefused)
+TEST(HostileSurfaces, RejectsDuplicatePlyElements)
 {
   const std::string point = "property float x\nproperty float y\nproperty float z\n"
                             "property float q\n";
@@ -253,10 +254,10 @@ TEST(HostileSurfaces, PlyElementsThatRepeatAreRefused)
                                             "element face 1\nproperty list uchar int "
                                             "vertex_indices\nend_header\n0 0 0 1\n0 0 0 1\n"
                                             "1 0 0 1\n0 1 0 1\n3 0 1 2\n"),
-                       "is there twice"));
+                       "is declared twice"));
 }
 
-TEST(HostileSurfaces, PlyElementsAreFew)
+TEST(HostileSurfaces, RejectsTooManyPlyElements)
 {
   std::string header = "ply\nformat ascii 1.0\n";
   for (int element = 0; element < 257; ++element)

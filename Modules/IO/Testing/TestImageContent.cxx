@@ -35,7 +35,7 @@ TEST(ImageContent, FewWholeValuesAreLabels)
   EXPECT_EQ(content.Labels->Segments[0].Label, 3);
 }
 
-TEST(ImageContent, NoiseIsAVolume)
+TEST(ImageContent, NoiseIsVolume)
 {
   Random random(5);
   std::vector<unsigned char> values(120);
@@ -48,20 +48,20 @@ TEST(ImageContent, NoiseIsAVolume)
   EXPECT_TRUE(Contains(content.KindReason, "vary from voxel to voxel"));
 }
 
-TEST(ImageContent, NegativeOrFractionalValuesAreAVolume)
+TEST(ImageContent, NegativeOrFractionalValuesAreVolume)
 {
   EXPECT_FALSE(ContentOf("short", std::vector<short>(120, -1)).Labels);
   EXPECT_FALSE(ContentOf("float", std::vector<float>(120, 0.5F)).Labels);
 }
 
-TEST(ImageContent, ZerosAreAVolume)
+TEST(ImageContent, ZerosAreVolume)
 {
   const ImageContent content = ContentOf("short", std::vector<short>(120, 0));
   EXPECT_FALSE(content.Labels);
   EXPECT_EQ(content.KindReason, "all its voxels are 0");
 }
 
-TEST(ImageContent, AtlasesAreLabelsAndHeadsAreVolumes)
+TEST(ImageContent, RecognizesAtlasesAndHeads)
 {
   PALPATE_REQUIRE_FILE(Templates / "aal.nii.gz");
   for (const char* name : {"aal", "brodmann", "AICHAmc", "jhu189", "natbrainlab",

@@ -82,7 +82,7 @@ TEST(ImageWriter, EveryFormatKeepsTypeAndValues)
   }
 }
 
-TEST(ImageWriter, LongIntegersThatFitAreWrittenAsInt)
+TEST(ImageWriter, WritesLongIntegersThatFitAsInt)
 {
   for (const char* name : Names)
   {
@@ -100,7 +100,7 @@ TEST(ImageWriter, LongIntegersThatFitAreWrittenAsInt)
   }
 }
 
-TEST(ImageWriter, EveryFormatKeepsThePlaceOfEveryCorner)
+TEST(ImageWriter, EveryFormatKeepsCornerPositions)
 {
   for (const char* name : Names)
   {
@@ -112,19 +112,19 @@ TEST(ImageWriter, EveryFormatKeepsThePlaceOfEveryCorner)
   }
 }
 
-TEST(ImageWriter, NrrdAndMetaImageKeepTheGridToDoublePrecision)
+TEST(ImageWriter, NrrdAndMetaImageKeepGridInDouble)
 {
   const TemporaryFolder folder;
   for (const char* name : {"a.nrrd", "a.mha"})
   {
     const auto image = Oblique(VTK_SHORT);
     WriteImage(folder / name, image);
-    // Both write 17 digits; spacing and direction are multiplied and taken apart again.
+    // Both write 17 digits; spacing and direction are multiplied and separated again.
     EXPECT_LT(LargestCornerShift(image, ReadVolume(folder / name).Image), 1e-11) << name;
   }
 }
 
-TEST(ImageWriter, ExtentThatDoesNotStartAtZeroKeepsItsPlace)
+TEST(ImageWriter, KeepsPositionOfExtentNotStartingAtZero)
 {
   const TemporaryFolder folder;
   const auto image = Oblique(VTK_SHORT);
@@ -138,7 +138,7 @@ TEST(ImageWriter, ExtentThatDoesNotStartAtZeroKeepsItsPlace)
   EXPECT_LT((found - expected).norm(), 1e-11); // 17 digits of numbers near 250
 }
 
-TEST(ImageWriter, SingleSlicesAreWritten)
+TEST(ImageWriter, WritesSingleSlices)
 {
   const TemporaryFolder folder;
   vtkNew<vtkImageData> slice;
@@ -151,7 +151,7 @@ TEST(ImageWriter, SingleSlicesAreWritten)
   }
 }
 
-TEST(ImageWriter, ImagesThatCannotBeWrittenLeaveNothing)
+TEST(ImageWriter, UnwritableImageLeavesNothing)
 {
   const TemporaryFolder folder;
   vtkNew<vtkImageData> empty;
@@ -171,7 +171,7 @@ TEST(ImageWriter, ImagesThatCannotBeWrittenLeaveNothing)
   EXPECT_EQ(folder.EntryCount(), 0u);
 }
 
-TEST(ImageWriter, FullDiskKeepsTheOldFile)
+TEST(ImageWriter, FullDiskKeepsOldFile)
 {
   const TemporaryFolder folder;
   for (const char* name : Names)

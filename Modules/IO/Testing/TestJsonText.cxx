@@ -21,7 +21,7 @@ std::string Refusal(const std::string& text)
 }
 } // namespace
 
-TEST(JsonText, RefusesDeepNesting)
+TEST(JsonText, RejectsDeepNesting)
 {
   EXPECT_EQ(Refusal(Nested(64)), "no error");
   EXPECT_EQ(Refusal(Nested(65)),
@@ -35,7 +35,7 @@ TEST(JsonText, RefusesDeepNesting)
   EXPECT_TRUE(Contains(Refusal(objects), "nested more than 64 deep"));
 }
 
-TEST(JsonText, BracketsInTextsAreNoDepth)
+TEST(JsonText, BracketsInStringsDoNotCountAsDepth)
 {
   const std::string text = "[\"" + std::string(100, '[') + "\\\"" + std::string(100, '{') + "\"]";
   EXPECT_EQ(ParseJson(text, "a.json", "mend it")[0].get<std::string>().size(), 201U);
@@ -43,15 +43,15 @@ TEST(JsonText, BracketsInTextsAreNoDepth)
   EXPECT_EQ(ParseJson(listsInARow, "a.json", "mend it").size(), 2U);
 }
 
-TEST(JsonText, RefusesWhatIsNoJsonWithItsPlace)
+TEST(JsonText, RejectsInvalidJsonWithPosition)
 {
   EXPECT_EQ(Refusal("{\n  \"a\": nonsense\n}"),
-            "a.json is no JSON from line 2, column 9 on; mend it.");
-  EXPECT_TRUE(Contains(Refusal(""), "is no JSON"));
+            "a.json is not valid JSON at line 2, column 9; mend it.");
+  EXPECT_TRUE(Contains(Refusal(""), "is not valid JSON"));
   EXPECT_TRUE(Contains(Refusal("[1e999]"), "a number that is too large"));
 }
 
-TEST(JsonText, OrderedObjectsAreBounded)
+TEST(JsonText, BoundsOrderedObjects)
 {
   std::string text = "{";
   for (int key = 0; key < 200000; ++key)
@@ -63,7 +63,7 @@ TEST(JsonText, OrderedObjectsAreBounded)
                        "more than 10000 keys"));
 }
 
-TEST(JsonText, DeeplyNestedModelIsRefused)
+TEST(JsonText, RejectsDeeplyNestedModel)
 {
   const TemporaryFolder folder;
   WriteAll(folder / "a.json", "{\"format\": " + Nested(1000000) + "}");

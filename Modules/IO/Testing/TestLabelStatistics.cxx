@@ -56,8 +56,8 @@ Segmentation SegmentationOf(const Labels& labels, const Vector3& spacing = Vecto
   return segmentation;
 }
 
-// Flood fill, voxel by voxel: the slow way. Sizes of the components of the voxels that `isMember`
-// accepts, on the volume with one voxel added all round; those that reach that rim are left out.
+// Reference by flood fill, voxel by voxel. Sizes of the components of the voxels that `isMember`
+// accepts, on the volume padded by one voxel; those that reach the padding are omitted.
 std::vector<vtkIdType> FloodedSizes(const Size& size, bool all26,
                                     const std::function<bool(int, int, int)>& isMember)
 {
@@ -146,7 +146,7 @@ TEST(LabelStatistics, RandomVolumesMatchFloodFill)
 
 namespace
 {
-// Labels from 1 on that follow each other along the first axis, so that each spans the volume.
+// Labels from 1 on that alternate along the first axis, so that each spans the volume.
 Segmentation InterleavedLabels(int labels)
 {
   const vtkIdType voxels = 64 * 64 * 64;
@@ -173,14 +173,14 @@ double SecondsToMeasure(const Segmentation& segmentation)
 }
 } // namespace
 
-TEST(LabelStatistics, TimeDoesNotGrowWithTheNumberOfLabels)
+TEST(LabelStatistics, TimeIsIndependentOfLabelCount)
 {
-  // As many runs of each; with a search through each label's box, a hundred times the time.
+  // The same number of runs each; searching each label's box would take a hundred times as long.
   const double few = SecondsToMeasure(InterleavedLabels(40));
   EXPECT_LT(SecondsToMeasure(InterleavedLabels(4000)), 10.0 * few + 0.05);
 }
 
-TEST(LabelStatistics, ManyLabelsThatSpanTheVolumeAreCounted)
+TEST(LabelStatistics, CountsManyLabelsThatSpanVolume)
 {
   const std::vector<LabelStatistics> all = MeasureLabels(InterleavedLabels(4000));
   ASSERT_EQ(all.size(), 4000U);
@@ -221,7 +221,7 @@ TEST(LabelStatistics, HollowBoxHasOneCavity)
   EXPECT_NEAR(statistics.CavityMilliliters, 2 * 3.0 / 1000.0, 1e-15);
 }
 
-TEST(LabelStatistics, VoxelsThatShareAFaceAreOneComponent)
+TEST(LabelStatistics, SharedFacesConnectVoxels)
 {
   Labels labels({4, 4, 4});
   labels.At(0, 0, 0) = 1;
@@ -231,7 +231,7 @@ TEST(LabelStatistics, VoxelsThatShareAFaceAreOneComponent)
             (std::vector<vtkIdType>{2, 1}));
 }
 
-TEST(LabelStatistics, FacesAreNamed)
+TEST(LabelStatistics, NamesFaces)
 {
   Labels labels({4, 5, 6});
   labels.At(0, 2, 5) = 1;
@@ -240,17 +240,17 @@ TEST(LabelStatistics, FacesAreNamed)
   EXPECT_TRUE(statistics.TouchesBorder());
 }
 
-TEST(LabelStatistics, GiantGlandTouchesTheBorderOfItsVolume)
+TEST(LabelStatistics, GiantGlandTouchesVolumeBorder)
 {
   const auto path = DataPath("prostate/picai/whole_gland_10715_1000731.nii.gz");
   PALPATE_REQUIRE_FILE(path);
   const LabelStatistics statistics = MeasureLabels(ReadSegmentation(path))[0];
   EXPECT_TRUE(statistics.TouchesBorder());
-  // 263 ml in the data's own description.
+  // 263 ml in the data's description.
   EXPECT_NEAR(statistics.Milliliters, 263.0, 0.5);
 }
 
-TEST(LabelStatistics, LabelCountsAddUpInAnAtlas)
+TEST(LabelStatistics, LabelCountsOfAtlasAddUp)
 {
   const std::filesystem::path path = "/usr/share/mricron/templates/aal.nii.gz";
   PALPATE_REQUIRE_FILE(path);

@@ -47,7 +47,7 @@ std::vector<float> Numbers(vtkXMLDataElement* scope, const char* element, const 
 }
 } // namespace
 
-TEST(MeshFormats, X3dIsXmlWithTheExactCountsOfTheIcosahedron)
+TEST(MeshFormats, X3dIsXmlWithExactIcosahedronCounts)
 {
   const auto root = Parse(MeshToX3d(Mesh(20)));
   ASSERT_NE(root, nullptr);
@@ -58,7 +58,7 @@ TEST(MeshFormats, X3dIsXmlWithTheExactCountsOfTheIcosahedron)
   EXPECT_EQ(Numbers(root, "IndexedFaceSet", "coordIndex").size(), 4u * 8000u);
 }
 
-TEST(MeshFormats, X3dKeepsEveryBitOfSinglePrecision)
+TEST(MeshFormats, X3dKeepsSinglePrecisionBits)
 {
   const TriangleMesh mesh = Mesh(3);
   const auto points = Numbers(Parse(MeshToX3d(mesh)), "Coordinate", "point");
@@ -68,7 +68,7 @@ TEST(MeshFormats, X3dKeepsEveryBitOfSinglePrecision)
   }
 }
 
-TEST(MeshFormats, X3dEndsEveryFaceAndNamesItsCorners)
+TEST(MeshFormats, X3dFacesListAndTerminateIndices)
 {
   const TriangleMesh mesh = Mesh(2);
   const auto indices = Numbers(Parse(MeshToX3d(mesh)), "IndexedFaceSet", "coordIndex");
@@ -82,7 +82,7 @@ TEST(MeshFormats, X3dEndsEveryFaceAndNamesItsCorners)
   }
 }
 
-TEST(MeshFormats, X3dColoursAreFractionsAndLeftOutWhereThereAreNone)
+TEST(MeshFormats, X3dColoursAreFractionsAndOptional)
 {
   TriangleMesh mesh = Mesh(1);
   const auto colors = Numbers(Parse(MeshToX3d(mesh)), "Color", "color");
@@ -104,7 +104,7 @@ TEST(MeshFormats, X3dStatesFrameAndUnit)
   EXPECT_NE(text.find("<meta name=\"unit\" content=\"mm\"/>"), std::string::npos);
 }
 
-TEST(MeshFormats, StlHasItsExactSize)
+TEST(MeshFormats, StlHasExactSize)
 {
   EXPECT_EQ(MeshToStl(Mesh(20)).size(), 84u + 50u * 8000u);
 }
@@ -123,7 +123,7 @@ TEST(MeshFormats, StlFacetNormalsPointOut)
   }
 }
 
-TEST(MeshFormats, PlyHoldsColoursAndEveryPointArray)
+TEST(MeshFormats, PlyKeepsColoursAndPointArrays)
 {
   TriangleMesh mesh = Mesh(1);
   mesh.Values = {{"Distance to surface", std::vector<double>(12, 0.1)}};
@@ -132,6 +132,6 @@ TEST(MeshFormats, PlyHoldsColoursAndEveryPointArray)
   const std::string header = bytes.substr(0, end);
   EXPECT_NE(header.find("property uchar red"), std::string::npos);
   EXPECT_NE(header.find("property double Distance_to_surface"), std::string::npos);
-  // 3 doubles, 3 floats, 3 bytes and a double a point; a byte and 3 integers a face.
+  // 3 doubles, 3 floats, 3 bytes and a double per point; a byte and 3 integers per face.
   EXPECT_EQ(bytes.size() - end - 11, 12u * (24 + 12 + 3 + 8) + 20u * 13);
 }

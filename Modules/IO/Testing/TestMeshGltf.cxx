@@ -85,7 +85,7 @@ std::string FromBase64(const std::string& text)
 }
 } // namespace
 
-TEST(MeshGltf, PositionsAndIndicesComeBack)
+TEST(MeshGltf, RoundTripsPositionsAndIndices)
 {
   const TriangleMesh mesh = Mesh();
   const Glb file(MeshToGlb(mesh));
@@ -112,7 +112,7 @@ TEST(MeshGltf, PositionsAndIndicesComeBack)
   }
 }
 
-TEST(MeshGltf, ViewsFillTheBufferInWholeWords)
+TEST(MeshGltf, ViewsFillBufferInWholeWords)
 {
   const Glb file(MeshToGlb(Mesh()));
   std::size_t end = 0;
@@ -126,7 +126,7 @@ TEST(MeshGltf, ViewsFillTheBufferInWholeWords)
   EXPECT_EQ(file.Buffer.size(), end);
 }
 
-TEST(MeshGltf, CountsMatchTheMesh)
+TEST(MeshGltf, CountsMatchMesh)
 {
   const TriangleMesh mesh = Mesh();
   const Glb file(MeshToGlb(mesh));
@@ -141,7 +141,7 @@ TEST(MeshGltf, CountsMatchTheMesh)
             3 * mesh.Triangles.size());
 }
 
-TEST(MeshGltf, BoundsHoldEveryStoredPositionTightly)
+TEST(MeshGltf, BoundsAreTight)
 {
   const TriangleMesh mesh = Mesh();
   const Glb file(MeshToGlb(mesh));
@@ -160,7 +160,7 @@ TEST(MeshGltf, BoundsHoldEveryStoredPositionTightly)
   }
 }
 
-TEST(MeshGltf, NodeTurnsThePatientUprightIntoMetres)
+TEST(MeshGltf, NodeMatrixConvertsToUprightMetres)
 {
   const Glb file(MeshToGlb(Mesh()));
   ASSERT_EQ(file.Description["scenes"][0]["nodes"], Json::array({0}));
@@ -176,7 +176,7 @@ TEST(MeshGltf, NodeTurnsThePatientUprightIntoMetres)
   EXPECT_EQ(column(2), Vector3(0.0, 0.001, 0.0));  // superior is up
 }
 
-TEST(MeshGltf, TextFormHoldsTheSameBuffer)
+TEST(MeshGltf, TextFormHasSameBuffer)
 {
   const Json text = Json::parse(MeshToGltf(Mesh()));
   const std::string uri = text["buffers"][0]["uri"].get<std::string>();
@@ -185,7 +185,7 @@ TEST(MeshGltf, TextFormHoldsTheSameBuffer)
   EXPECT_EQ(FromBase64(uri.substr(prefix.size())), Glb(MeshToGlb(Mesh())).Buffer);
 }
 
-TEST(MeshGltf, NormalsAndColoursAreLeftOutWhereThereAreNone)
+TEST(MeshGltf, OmitsAbsentNormalsAndColours)
 {
   TriangleMesh mesh = Mesh();
   mesh.Normals.clear();

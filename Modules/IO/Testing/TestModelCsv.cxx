@@ -12,7 +12,7 @@ using namespace palpate::test;
 
 namespace
 {
-// The numbers of a table's rows behind l and m, row by row.
+// The numbers of a table's rows after l and m, row by row.
 std::vector<double> NumbersOf(const std::string& table)
 {
   std::vector<double> numbers;
@@ -42,7 +42,7 @@ bool Has(const std::string& text, const std::string& part)
 }
 } // namespace
 
-TEST(ModelCsv, HoldsEveryBitOfAStarShapedModel)
+TEST(ModelCsv, KeepsEveryBitOfStarShapedModel)
 {
   std::mt19937_64 random(2);
   for (const int degree : {0, 1, 12, 40})
@@ -59,7 +59,7 @@ TEST(ModelCsv, HoldsEveryBitOfAStarShapedModel)
   }
 }
 
-TEST(ModelCsv, HoldsEveryBitOfAParametricSurface)
+TEST(ModelCsv, KeepsEveryBitOfParametricSurface)
 {
   std::mt19937_64 random(3);
   const ParametricSphericalSurface surface = RandomParametric(random, 7);
@@ -74,14 +74,14 @@ TEST(ModelCsv, HoldsEveryBitOfAParametricSurface)
   }
 }
 
-TEST(ModelCsv, RowsGoThroughDegreesAndOrders)
+TEST(ModelCsv, RowsListDegreesAndOrders)
 {
   const SphericalHarmonicModel model(1, {1.0, 2.0, 3.0, 4.0}, Vector3::Zero());
   EXPECT_TRUE(
       Has(ModelToCsv({model, {}}, "f"), "\nl,m,coefficient_mm\n0,0,1\n1,-1,2\n1,0,3\n1,1,4\n"));
 }
 
-TEST(ModelCsv, ProvenanceIsOnOneLineEach)
+TEST(ModelCsv, ProvenanceHasOneLinePerEntry)
 {
   std::mt19937_64 random(4);
   const ModelProvenance provenance{
@@ -91,7 +91,7 @@ TEST(ModelCsv, ProvenanceIsOnOneLineEach)
                          "# date: 2024-01-02\n# setting degree: 12\n"));
 }
 
-TEST(ModelCsv, CommentsHoldNoFormulaBehindTheirCommas)
+TEST(ModelCsv, DisarmsFormulasAfterCommasInComments)
 {
   std::mt19937_64 random(4);
   const ModelProvenance provenance{"p", "a,=cmd|' /C calc'!A0;+1+1,-2,'@x", {}, {}, {}};
@@ -99,7 +99,7 @@ TEST(ModelCsv, CommentsHoldNoFormulaBehindTheirCommas)
   EXPECT_TRUE(Has(text, "# input: a,'=cmd|' /C calc'!A0;'+1+1,-2,''@x\n")) << text;
 }
 
-TEST(ModelCsv, NumbersThatAreNotFiniteAreRefused)
+TEST(ModelCsv, RejectsNonFiniteNumbers)
 {
   EXPECT_THROW(ModelToCsv({SphericalHarmonicModel(0, {std::nan("")}, Vector3::Zero()), {}}, "f"),
                InputError);

@@ -10,7 +10,7 @@
 using namespace palpate;
 using namespace palpate::test;
 
-TEST(ModelFile, EndingChoosesTheFormat)
+TEST(ModelFile, EndingSelectsFormat)
 {
   const TemporaryFolder folder;
   std::mt19937_64 random(1);
@@ -26,17 +26,17 @@ TEST(ModelFile, EndingChoosesTheFormat)
   EXPECT_TRUE(std::holds_alternative<ParametricSphericalSurface>(back.Surface));
 }
 
-TEST(ModelFile, TablesAreWrittenAndNotRead)
+TEST(ModelFile, TablesAreWriteOnly)
 {
   const TemporaryFolder folder;
   std::mt19937_64 random(1);
   WriteModel(folder / "a.csv", {RandomModel(random, 3), {}});
   EXPECT_NE(ReadAll(folder / "a.csv").find("l,m,coefficient_mm"), std::string::npos);
   EXPECT_TRUE(Contains(MessageOf([&] { ReadModel(folder / "a.csv"); }),
-                       "which is written and not read; give the model.json"));
+                       "which Palpate writes but does not read; use the model.json"));
 }
 
-TEST(ModelFile, OtherEndingIsRefused)
+TEST(ModelFile, RejectsOtherEndings)
 {
   const TemporaryFolder folder;
   std::mt19937_64 random(2);
@@ -46,7 +46,7 @@ TEST(ModelFile, OtherEndingIsRefused)
   EXPECT_EQ(folder.EntryCount(), 0u);
 }
 
-TEST(ModelFile, FoldersOfTheInputStayOutOfTheFile)
+TEST(ModelFile, DoesNotWriteInputFolders)
 {
   const TemporaryFolder folder;
   std::mt19937_64 random(3);
@@ -56,7 +56,7 @@ TEST(ModelFile, FoldersOfTheInputStayOutOfTheFile)
   EXPECT_EQ(ReadModel(folder / "a.json").Provenance.Input, "m.nii");
 }
 
-TEST(ModelFile, ModelThatCannotBeWrittenKeepsTheOldFile)
+TEST(ModelFile, UnwritableModelKeepsOldFile)
 {
   const TemporaryFolder folder;
   WriteAll(folder / "a.json", "old");

@@ -41,7 +41,7 @@ void ExpectRefusal(const Json& file, const std::string& fact)
 }
 } // namespace
 
-TEST(ModelJson, EveryBitOfAStarShapedModelComesBack)
+TEST(ModelJson, RoundTripsStarShapedModelBitForBit)
 {
   std::mt19937_64 random(2);
   for (const int degree : {0, 1, 5, 12, 40})
@@ -58,7 +58,7 @@ TEST(ModelJson, EveryBitOfAStarShapedModelComesBack)
   }
 }
 
-TEST(ModelJson, ZeroOfEitherSignAndSubnormalsComeBack)
+TEST(ModelJson, RoundTripsSignedZeroAndSubnormals)
 {
   const double smallest = std::numeric_limits<double>::denorm_min();
   const std::vector<double> values{-0.0, 0.0, smallest, -smallest};
@@ -67,7 +67,7 @@ TEST(ModelJson, ZeroOfEitherSignAndSubnormalsComeBack)
   EXPECT_TRUE(SameBits(std::get<SphericalHarmonicModel>(back.Surface).Coefficients(), values));
 }
 
-TEST(ModelJson, EveryBitOfAParametricSurfaceComesBack)
+TEST(ModelJson, RoundTripsParametricSurfaceBitForBit)
 {
   std::mt19937_64 random(3);
   const ParametricSphericalSurface surface = RandomParametric(random, 7);
@@ -79,7 +79,7 @@ TEST(ModelJson, EveryBitOfAParametricSurfaceComesBack)
   }
 }
 
-TEST(ModelJson, ProvenanceComesBack)
+TEST(ModelJson, RoundTripsProvenance)
 {
   std::mt19937_64 random(4);
   const ModelProvenance provenance{
@@ -114,12 +114,12 @@ TEST(ModelJson, SameModelGivesSameText)
   EXPECT_EQ(ModelToJson(document, "f"), ModelToJson(document, "g"));
 }
 
-TEST(ModelJson, NoDateUnlessGiven)
+TEST(ModelJson, WritesDateOnlyIfGiven)
 {
   EXPECT_FALSE(SmallFile()["provenance"].contains("date"));
 }
 
-TEST(ModelJson, OtherConventionIsRefused)
+TEST(ModelJson, RejectsOtherConvention)
 {
   for (const char* key : {"kind", "normalization", "phase", "polar_axis", "order", "signs"})
   {
@@ -137,7 +137,7 @@ TEST(ModelJson, OtherConventionIsRefused)
   }
 }
 
-TEST(ModelJson, OtherVersionIsRefused)
+TEST(ModelJson, RejectsOtherVersion)
 {
   for (const Json& version : {Json(2), Json(0), Json("1"), Json(nullptr), Json(1.5)})
   {
@@ -147,7 +147,7 @@ TEST(ModelJson, OtherVersionIsRefused)
   }
 }
 
-TEST(ModelJson, WrongCountsAndTypesAreRefused)
+TEST(ModelJson, RejectsWrongCountsAndTypes)
 {
   const std::vector<std::pair<const char*, Json>> changes{
       {"degree", Json(3)},
@@ -171,14 +171,14 @@ TEST(ModelJson, WrongCountsAndTypesAreRefused)
   }
 }
 
-TEST(ModelJson, NumberOutOfRangeIsRefused)
+TEST(ModelJson, RejectsNumberOutOfRange)
 {
   std::string text = SmallFile().dump();
   text.replace(text.find("\"center_mm\":[") + 13, 0, "1e999,");
   EXPECT_NE(RefusalOf(text), "accepted");
 }
 
-TEST(ModelJson, NumbersThatAreNotFiniteAreNotWritten)
+TEST(ModelJson, DoesNotWriteNonFiniteNumbers)
 {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const double infinity = std::numeric_limits<double>::infinity();
@@ -188,7 +188,7 @@ TEST(ModelJson, NumbersThatAreNotFiniteAreNotWritten)
                InputError);
 }
 
-TEST(ModelJson, EveryTruncationIsRefused)
+TEST(ModelJson, RejectsEveryTruncation)
 {
   const std::string text = SmallFile().dump();
   for (std::size_t length = 0; length < text.size(); ++length)
@@ -197,7 +197,7 @@ TEST(ModelJson, EveryTruncationIsRefused)
   }
 }
 
-TEST(ModelJson, DamagedBytesNeverDoWorseThanARefusal)
+TEST(ModelJson, DamagedBytesAreOnlyRefused)
 {
   const std::string text = SmallFile().dump(1);
   std::mt19937_64 random(6);
@@ -213,7 +213,7 @@ TEST(ModelJson, DamagedBytesNeverDoWorseThanARefusal)
   }
 }
 
-TEST(ModelJson, DeeplyNestedTextIsRefused)
+TEST(ModelJson, RejectsDeeplyNestedText)
 {
   EXPECT_NE(RefusalOf(std::string(2000000, '[')), "accepted");
 }

@@ -18,13 +18,13 @@ using namespace palpate::test;
 
 namespace
 {
-// Not equal, so that exchanged axes show.
+// Different, so that exchanged axes are detected.
 const Vector3 Spacing(0.5, 1.25, 3.0);
 const Vector3 Origin(10.0, -20.0, 30.0);
-// What RAS coordinates are multiplied with to get LPS ones, and the other way round.
+// Factors between RAS and LPS coordinates, in both directions.
 const Vector3 HalfTurn(-1.0, -1.0, 1.0);
 
-// Every way in which three index axes can run along three world axes; columns are index axes.
+// All assignments of three index axes to three world axes; columns are index axes.
 std::vector<Eigen::Matrix3d> AllAxisOrders()
 {
   std::vector<Eigen::Matrix3d> orders;
@@ -44,7 +44,7 @@ std::vector<Eigen::Matrix3d> AllAxisOrders()
   return orders;
 }
 
-// 4 x 5 x 6 voxels, each with a value of its own: its number in the file.
+// 4 x 5 x 6 voxels, each with a unique value: its number in the file.
 std::string CountingVoxels()
 {
   std::string voxels(120, '\0');
@@ -52,7 +52,7 @@ std::string CountingVoxels()
   return voxels;
 }
 
-// -1 outside of the image.
+// -1 outside the image.
 double ValueAt(vtkImageData* image, const Vector3& world)
 {
   double index[3];
@@ -70,7 +70,8 @@ double ValueAt(vtkImageData* image, const Vector3& world)
   return image->GetScalarComponentAsDouble(voxel[0], voxel[1], voxel[2], 0);
 }
 
-// Whether all voxels of an image lie where the axes (columns, LPS), Spacing and an origin say.
+// Whether all voxels of an image are at the positions given by the axes (columns, LPS), Spacing and
+// an origin.
 testing::AssertionResult HasVoxelsAt(vtkImageData* image, const Eigen::Matrix3d& axes,
                                      const Vector3& origin)
 {
@@ -99,8 +100,8 @@ std::size_t CountOf(const std::vector<std::string>& notes, const std::string& pa
                                                 { return note.find(part) != std::string::npos; }));
 }
 
-// Reads a file of each axis order, as a volume and as a label map. The axes that `bytesOf` is given
-// are the header's; `signs` makes LPS coordinates of the header's.
+// Reads a file of each axis order, as a volume and as a label map. `bytesOf` receives the header's
+// axes; `signs` converts the header's coordinates to LPS.
 void ExpectAllOrdersKeepTheirPlaces(
     const std::string& name, const Vector3& signs,
     const std::function<std::string(const Eigen::Matrix3d& axes)>& bytesOf)
@@ -170,7 +171,7 @@ std::vector<std::string> LinesWith(std::size_t line, const std::string& text)
   return lines;
 }
 
-// A NIfTI header of Spacing without a place.
+// A NIfTI header with Spacing and no orientation.
 NiftiSpec NiftiOfSpacing()
 {
   NiftiSpec spec;
@@ -180,7 +181,7 @@ NiftiSpec NiftiOfSpacing()
 }
 } // namespace
 
-TEST(Orientations, NiftiSFormKeepsPlacesInAll48AxisOrders)
+TEST(Orientations, NiftiSFormKeepsPositionsInAll48AxisOrders)
 {
   ExpectAllOrdersKeepTheirPlaces("a.nii", HalfTurn,
                                  [](const Eigen::Matrix3d& axes)
@@ -201,15 +202,15 @@ TEST(Orientations, NiftiSFormKeepsPlacesInAll48AxisOrders)
                                  });
 }
 
-TEST(Orientations, NiftiQFormKeepsPlacesInAll48AxisOrders)
+TEST(Orientations, NiftiQFormKeepsPositionsInAll48AxisOrders)
 {
   ExpectAllOrdersKeepTheirPlaces("a.nii", HalfTurn,
                                  [](const Eigen::Matrix3d& axes)
                                  {
                                    NiftiSpec spec = NiftiOfSpacing();
                                    spec.QFormCode = 1;
-                                   // nifti1.h: a rotation, and pixdim[0] says whether the slice
-                                   // axis is reversed after it.
+                                   // nifti1.h: a rotation; pixdim[0] states whether the slice axis
+                                   // is then reversed.
                                    const double sign = axes.determinant() < 0.0 ? -1.0 : 1.0;
                                    const Eigen::Matrix3d rotation =
                                        axes * Vector3(1.0, 1.0, sign).asDiagonal();
@@ -226,9 +227,9 @@ TEST(Orientations, NiftiQFormKeepsPlacesInAll48AxisOrders)
                                  });
 }
 
-TEST(Orientations, MetaImageKeepsPlacesInAll48AxisOrders)
+TEST(Orientations, MetaImageKeepsPositionsInAll48AxisOrders)
 {
-  // Programs disagree on what the letters mean; the matrix says it.
+  // Programs disagree on the meaning of the letters; the matrix is unambiguous.
   for (const char* letters : {"RAI", "LPS", "ASR", "???"})
   {
     ExpectAllOrdersKeepTheirPlaces(
@@ -252,7 +253,7 @@ TEST(Orientations, MetaImageKeepsPlacesInAll48AxisOrders)
   }
 }
 
-TEST(Orientations, MetaImageWithoutMatrixGetsANote)
+TEST(Orientations, NotesMetaImageWithoutMatrix)
 {
   const TemporaryFolder folder;
   WriteAll(folder / "a.mha",
@@ -262,7 +263,7 @@ TEST(Orientations, MetaImageWithoutMatrixGetsANote)
   EXPECT_TRUE(GridOf(volume.Image).Direction.isIdentity());
 }
 
-TEST(Orientations, NrrdKeepsPlacesInEverySpaceAndAll48AxisOrders)
+TEST(Orientations, NrrdKeepsPositionsInAllSpacesAndAxisOrders)
 {
   const std::vector<std::pair<std::string, Vector3>> spaces{
       {"left-posterior-superior", {1, 1, 1}}, {"LPS", {1, 1, 1}},
@@ -278,7 +279,7 @@ TEST(Orientations, NrrdKeepsPlacesInEverySpaceAndAll48AxisOrders)
   }
 }
 
-TEST(Orientations, NrrdSpacesThatSayNothingOfThePatientAreTakenAsLpsWithANote)
+TEST(Orientations, NotesNrrdSpacesAssumedAsLps)
 {
   for (const char* frame : {"space: scanner-xyz", "space: 3D-right-handed", "space dimension: 3"})
   {
@@ -292,7 +293,7 @@ TEST(Orientations, NrrdSpacesThatSayNothingOfThePatientAreTakenAsLpsWithANote)
   }
 }
 
-TEST(Orientations, NrrdWithoutDirectionsGetsANote)
+TEST(Orientations, NotesNrrdWithoutDirections)
 {
   const std::vector<std::string> lines{"type: unsigned char", "dimension: 3", "sizes: 4 5 6",
                                        "spacings: 2 2 2", "encoding: raw"};
@@ -300,12 +301,12 @@ TEST(Orientations, NrrdWithoutDirectionsGetsANote)
                                                          "index axes were taken as L, P, S."});
 }
 
-TEST(Orientations, NrrdInTheSpaceOfPatientsGetsNoNote)
+TEST(Orientations, NrrdInPatientSpaceGetsNoNote)
 {
   EXPECT_TRUE(NotesOfNrrd(PlainNrrdLines("unsigned char")).empty());
 }
 
-TEST(Orientations, NrrdSpacesThatAreNotThePatientsAreRefusedByName)
+TEST(Orientations, RejectsNonPatientNrrdSpacesByName)
 {
   for (const char* space :
        {"3D-left-handed", "3D-left-handed-time", "3D-right-handed-time", "scanner-xyz-time",
@@ -316,8 +317,8 @@ TEST(Orientations, NrrdSpacesThatAreNotThePatientsAreRefusedByName)
   }
 }
 
-// The library writes as many coordinates as the space has into arrays of as many as the image has.
-TEST(Orientations, NrrdSpacesOfOtherDimensionsAreRefused)
+// The library writes one coordinate per space dimension into arrays of the image's dimension.
+TEST(Orientations, RejectsNrrdSpacesOfOtherDimensions)
 {
   for (const int dimension : {1, 2, 4, 8})
   {
@@ -327,7 +328,7 @@ TEST(Orientations, NrrdSpacesOfOtherDimensionsAreRefused)
   }
 }
 
-TEST(Orientations, NrrdDirectionsThatAreDamagedAreRefused)
+TEST(Orientations, RejectsDamagedNrrdDirections)
 {
   for (const char* directions :
        {"(2,0,0) (0,2,0)", "(2,0,0) (0,2,0) none", "(2,0) (0,2) (2,2)", "(2,0,0) (0,2,0) (0,0,nan)",

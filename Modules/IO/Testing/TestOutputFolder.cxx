@@ -34,7 +34,7 @@ std::string MessageOf(void (*ask)(const std::filesystem::path&), const std::file
   return {};
 }
 
-// Two files, of which the second is too large for the limit below.
+// Two files; the second exceeds the limit below.
 void WriteSmallAndLarge(const std::filesystem::path& folder)
 {
   WriteWholeFile(folder / "a.txt", "new a");
@@ -43,14 +43,14 @@ void WriteSmallAndLarge(const std::filesystem::path& folder)
 constexpr rlim_t TooSmall = 1024;
 } // namespace
 
-TEST(OutputFolder, CheckingMakesNothing)
+TEST(OutputFolder, CheckCreatesNothing)
 {
   const TemporaryFolder folder;
   EXPECT_EQ(MessageOf(CheckOutputFolder, folder / "new/deep"), "");
   EXPECT_EQ(folder.EntryCount(), 0U);
 }
 
-TEST(OutputFolder, IsMadeWithThoseAboveAndMayBeThereAlready)
+TEST(OutputFolder, CreatesParentsAndAcceptsExistingFolder)
 {
   const TemporaryFolder folder;
   MakeOutputFolder(folder / "new/deep");
@@ -59,7 +59,7 @@ TEST(OutputFolder, IsMadeWithThoseAboveAndMayBeThereAlready)
   EXPECT_EQ(MessageOf(CheckOutputFolder, folder / "new/deep"), "");
 }
 
-TEST(OutputFolder, AFileInTheWayIsNamed)
+TEST(OutputFolder, NamesFileThatBlocksFolder)
 {
   const TemporaryFolder folder;
   WriteAll(folder / "file", "x");
@@ -73,7 +73,7 @@ TEST(OutputFolder, AFileInTheWayIsNamed)
   }
 }
 
-TEST(OutputFolder, AFolderThatForbidsWritingIsRefused)
+TEST(OutputFolder, RejectsReadOnlyFolder)
 {
   const TemporaryFolder folder;
   chmod(folder.Path().c_str(), 0555);
@@ -84,12 +84,12 @@ TEST(OutputFolder, AFolderThatForbidsWritingIsRefused)
   chmod(folder.Path().c_str(), 0700);
 }
 
-TEST(OutputFolder, RelativeNamesStartAtTheWorkingFolder)
+TEST(OutputFolder, RelativeNamesStartAtWorkingFolder)
 {
   EXPECT_EQ(MessageOf(CheckOutputFolder, "no-such-folder-yet"), "");
 }
 
-TEST(OutputSet, FilesReplaceThoseOfTheirNamesAndNothingElse)
+TEST(OutputSet, ReplacesOnlyFilesOfSameName)
 {
   const TemporaryFolder folder;
   WriteAll(folder / "a.txt", "old a");
@@ -102,7 +102,7 @@ TEST(OutputSet, FilesReplaceThoseOfTheirNamesAndNothingElse)
   EXPECT_EQ(folder.EntryCount(), 3U) << "c.txt is obsolete, and nothing temporary is left";
 }
 
-TEST(OutputSet, FailureLeavesAnEarlierResultWhole)
+TEST(OutputSet, FailureKeepsEarlierResult)
 {
   const TemporaryFolder folder;
   WriteAll(folder / "a.txt", "old a");
@@ -116,7 +116,7 @@ TEST(OutputSet, FailureLeavesAnEarlierResultWhole)
   EXPECT_EQ(folder.EntryCount(), 2U);
 }
 
-TEST(OutputSet, FailureLeavesNoFolderThatWasNotThere)
+TEST(OutputSet, FailureRemovesNewFolder)
 {
   const TemporaryFolder folder;
   const FileSizeLimit full(TooSmall);
@@ -124,7 +124,7 @@ TEST(OutputSet, FailureLeavesNoFolderThatWasNotThere)
   EXPECT_EQ(folder.EntryCount(), 0U);
 }
 
-TEST(OutputSet, OneFileThatCannotBeReplacedKeepsAllAsTheyWere)
+TEST(OutputSet, OneIrreplaceableFileKeepsAllUnchanged)
 {
   const TemporaryFolder folder;
   WriteAll(folder / "a.txt", "old a");
@@ -134,7 +134,7 @@ TEST(OutputSet, OneFileThatCannotBeReplacedKeepsAllAsTheyWere)
   EXPECT_EQ(folder.EntryCount(), 2U);
 }
 
-TEST(OutputSet, MessagesNameTheFileThatWasAskedFor)
+TEST(OutputSet, MessagesNameRequestedFile)
 {
   const TemporaryFolder folder;
   const FileSizeLimit full(TooSmall);
@@ -150,7 +150,7 @@ TEST(OutputSet, MessagesNameTheFileThatWasAskedFor)
   }
 }
 
-TEST(OutputSet, SymbolicLinkStaysALink)
+TEST(OutputSet, KeepsSymbolicLink)
 {
   const TemporaryFolder folder;
   std::filesystem::create_directory(folder / "elsewhere");

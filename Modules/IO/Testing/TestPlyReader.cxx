@@ -22,7 +22,7 @@ TriangleMesh Mesh()
   for (const Vector3& u : sphere.Directions())
   {
     mesh.PointsWorld.push_back(Vector3(noise(random), noise(random), noise(random)));
-    // Multiples of 2^-10 have a place in single precision.
+    // Multiples of 2^-10 are exact in single precision.
     mesh.Normals.push_back((1024.0 * u).array().round() / 1024.0);
     mesh.Colors.push_back({static_cast<unsigned char>(random() % 256), 7, 255});
     mesh.Values[0].Numbers.push_back(noise(random));
@@ -51,7 +51,7 @@ const char* const TwoTrianglesAsText = "ply\r\nformat ascii 1.0\ncomment by hand
                                        "0 0 0 1\n1 0 0 2\n1 1.5 0 3\n0 1 -2e-1 4\n4 0 1 2 3\n";
 } // namespace
 
-TEST(PlyReader, ReadsBackEveryBitOfWhatIsWritten)
+TEST(PlyReader, RoundTripsBitForBit)
 {
   const TriangleMesh mesh = Mesh();
   const TriangleMesh back = MeshFromPly(MeshToPly(mesh), "f");
@@ -65,7 +65,7 @@ TEST(PlyReader, ReadsBackEveryBitOfWhatIsWritten)
   EXPECT_EQ(back.Values[0].Numbers, mesh.Values[0].Numbers);
 }
 
-TEST(PlyReader, TextWithAPolygonIsRead)
+TEST(PlyReader, ReadsTextWithPolygon)
 {
   const TriangleMesh mesh = MeshFromPly(TwoTrianglesAsText, "f");
   ASSERT_EQ(mesh.PointsWorld.size(), 4u);
@@ -78,7 +78,7 @@ TEST(PlyReader, TextWithAPolygonIsRead)
   EXPECT_EQ(mesh.Values[0].Numbers, (std::vector<double>{1, 2, 3, 4}));
 }
 
-TEST(PlyReader, BigEndianNumbersOfEveryTypeAreRead)
+TEST(PlyReader, ReadsBigEndianNumbersOfEveryType)
 {
   std::string bytes = "ply\nformat binary_big_endian 1.0\nelement vertex 1\nproperty char x\n"
                       "property ushort y\nproperty int z\nproperty float a\nproperty double b\n"
@@ -94,7 +94,7 @@ TEST(PlyReader, BigEndianNumbersOfEveryTypeAreRead)
   EXPECT_EQ(mesh.Values[1].Numbers[0], -2.5);
 }
 
-TEST(PlyReader, WrongHeadersAndIndicesAreRefused)
+TEST(PlyReader, RejectsWrongHeadersAndIndices)
 {
   const std::string text = TwoTrianglesAsText;
   for (const auto& [from, to] : std::vector<std::pair<std::string, std::string>>{
@@ -120,7 +120,7 @@ TEST(PlyReader, WrongHeadersAndIndicesAreRefused)
   }
 }
 
-TEST(PlyReader, EveryTruncationIsRefused)
+TEST(PlyReader, RejectsEveryTruncation)
 {
   const std::string bytes = MeshToPly(Mesh());
   for (std::size_t length = 0; length < bytes.size(); length += 7)
@@ -129,7 +129,7 @@ TEST(PlyReader, EveryTruncationIsRefused)
   }
 }
 
-TEST(PlyReader, DamagedBytesNeverDoWorseThanARefusal)
+TEST(PlyReader, DamagedBytesAreOnlyRefused)
 {
   std::mt19937_64 random(8);
   for (const std::string& bytes : {MeshToPly(Mesh()), std::string(TwoTrianglesAsText)})

@@ -6,7 +6,7 @@
 
 using palpate::QuietStandardStreams;
 
-TEST(QuietStandardStreams, MutesWhileItLivesAndNotAfter)
+TEST(QuietStandardStreams, MutesOnlyDuringLifetime)
 {
   testing::internal::CaptureStderr();
   testing::internal::CaptureStdout();

@@ -64,7 +64,7 @@ Segmentation ReadSlicer(const std::vector<std::string>& lines, const std::string
 }
 } // namespace
 
-TEST(Segmentation, LayersHaveTheSmallestTypeThatHoldsTheLabels)
+TEST(Segmentation, LayersHaveSmallestSufficientType)
 {
   EXPECT_EQ(ReadNrrdOf("unsigned char", OneVoxel<unsigned char>(255)).Layers[0]->GetScalarType(),
             VTK_UNSIGNED_CHAR);
@@ -77,7 +77,7 @@ TEST(Segmentation, LayersHaveTheSmallestTypeThatHoldsTheLabels)
             VTK_INT);
 }
 
-TEST(Segmentation, LabelsSurviveEveryIntegralAndWholeFloatType)
+TEST(Segmentation, KeepsLabelsOfEveryIntegerAndFloatType)
 {
   const auto expect = [](const Segmentation& segmentation)
   {
@@ -98,7 +98,7 @@ TEST(Segmentation, LabelsSurviveEveryIntegralAndWholeFloatType)
   expect(ReadNrrdOf("double", OneVoxel<double>(100)));
 }
 
-TEST(Segmentation, FindTakesNumberOrNameAndListsWhatThereIs)
+TEST(Segmentation, FindAcceptsNumberOrNameAndListsSegments)
 {
   Segmentation segmentation;
   segmentation.Source = "x.nii";
@@ -117,7 +117,7 @@ TEST(Segmentation, FindTakesNumberOrNameAndListsWhatThereIs)
   EXPECT_TRUE(Contains(MessageOf([&] { segmentation.Find(""); }), "has no label"));
 }
 
-TEST(Segmentation, SlicerKeysNameAndColorTheSegments)
+TEST(Segmentation, ReadsSlicerNamesAndColors)
 {
   std::string voxels(120, '\0');
   voxels[5] = 2;
@@ -137,7 +137,7 @@ TEST(Segmentation, SlicerKeysNameAndColorTheSegments)
   EXPECT_EQ(segmentation.Notes[0], "Segment 9 'lost' is empty and was left out.");
 }
 
-TEST(Segmentation, SlicerLayersWithRepeatedValuesAreNumberedByTheirOrder)
+TEST(Segmentation, NumbersRepeatedSlicerValuesByOrder)
 {
   // Interleaved: layer 0 and layer 1 of each voxel.
   std::string voxels(240, '\0');
@@ -163,7 +163,7 @@ TEST(Segmentation, SlicerLayersWithRepeatedValuesAreNumberedByTheirOrder)
   EXPECT_EQ(GridOf(segmentation.Layers[1]).Size, (std::array<int, 3>{4, 5, 6}));
 }
 
-TEST(Segmentation, OldSlicerFilesHaveOneLayerASegment)
+TEST(Segmentation, OldSlicerFilesHaveOneLayerPerSegment)
 {
   std::string voxels(240, '\0');
   voxels[2 * 10] = 1;
@@ -176,7 +176,7 @@ TEST(Segmentation, OldSlicerFilesHaveOneLayerASegment)
   EXPECT_EQ(segmentation.Find("2").Name, "b");
 }
 
-TEST(Segmentation, LeftHandedSlicerLayersKeepTheirPlaces)
+TEST(Segmentation, LeftHandedSlicerLayersKeepPositions)
 {
   std::vector<std::string> lines =
       SlicerLines(2, {"Segment0_Name:=a", "Segment0_LabelValue:=1", "Segment0_Layer:=0",
@@ -193,7 +193,7 @@ TEST(Segmentation, LeftHandedSlicerLayersKeepTheirPlaces)
   EXPECT_EQ(GridOf(segmentation.Layers[0]).OriginWorld, Vector3(10, 20, 20));
 }
 
-TEST(Segmentation, NamesFileBesideALabelMapIsUsed)
+TEST(Segmentation, UsesNamesFileNextToLabelMap)
 {
   const TemporaryFolder folder;
   std::string voxels(120, '\0');
@@ -211,10 +211,10 @@ TEST(Segmentation, NamesFileBesideALabelMapIsUsed)
   WriteAll(folder / "a.nii.txt", "some remarks about the case\n");
   const Segmentation unnamed = ReadSegmentation(folder / "a.nii.gz");
   EXPECT_EQ(unnamed.Segments[0].Name, "");
-  EXPECT_TRUE(Contains(unnamed.Notes.back(), "is no list of label names"));
+  EXPECT_TRUE(Contains(unnamed.Notes.back(), "is not a list of label names"));
 }
 
-TEST(Segmentation, AtlasHasItsNamesAndVoxelCounts)
+TEST(Segmentation, AtlasHasNamesAndVoxelCounts)
 {
   const std::filesystem::path path = "/usr/share/mricron/templates/aal.nii.gz";
   PALPATE_REQUIRE_FILE(path);
@@ -232,7 +232,7 @@ TEST(Segmentation, AtlasHasItsNamesAndVoxelCounts)
   }
 }
 
-TEST(Segmentation, EveryRealMaskIsRead)
+TEST(Segmentation, ReadsEveryRealMask)
 {
   const auto folder = DataPath("prostate/picai");
   PALPATE_REQUIRE_FILE(folder);

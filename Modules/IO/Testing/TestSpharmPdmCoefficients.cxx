@@ -27,7 +27,7 @@ std::string RefusalOf(const std::string& text)
   return "accepted";
 }
 
-// The published basis of SPHARM-PDM, written down on its own: P_lm by the classical recurrence
+// Independent implementation of SPHARM-PDM's published basis: P_lm by the classical recurrence
 // with the Condon-Shortley sign, rows l^2, l^2+2m-1 (cosine), l^2+2m (sine), no sqrt(2).
 double LegendreWithPhase(int l, int m, double z)
 {
@@ -85,7 +85,7 @@ std::array<std::vector<double>, 3> ScanRows(const std::string& text)
 }
 } // namespace
 
-TEST(SpharmPdmCoefficients, RealFilesEvaluateByTheBookAndTurnedToLps)
+TEST(SpharmPdmCoefficients, RealFilesMatchReferenceInLps)
 {
   for (const char* name : {"spharm_coef/case0_hippoL.coef", "spharm_coef/andesred_07.coef"})
   {
@@ -105,7 +105,7 @@ TEST(SpharmPdmCoefficients, RealFilesEvaluateByTheBookAndTurnedToLps)
   }
 }
 
-TEST(SpharmPdmCoefficients, RealFilesKeepEveryDecimalThroughReadingAndWriting)
+TEST(SpharmPdmCoefficients, RealFilesRoundTripEveryDecimal)
 {
   for (const char* name : {"spharm_coef/case0_hippoL.coef", "spharm_coef/andesred_07.coef"})
   {
@@ -125,7 +125,7 @@ TEST(SpharmPdmCoefficients, RealFilesKeepEveryDecimalThroughReadingAndWriting)
   }
 }
 
-TEST(SpharmPdmCoefficients, StarShapedModelEvaluatesToTheSameSurface)
+TEST(SpharmPdmCoefficients, StarShapedModelGivesSameSurface)
 {
   std::mt19937_64 random(7);
   for (const int degree : {0, 1, 4, 12})
@@ -145,7 +145,7 @@ TEST(SpharmPdmCoefficients, StarShapedModelEvaluatesToTheSameSurface)
   }
 }
 
-TEST(SpharmPdmCoefficients, SphereInRasHasItsCenterFlipped)
+TEST(SpharmPdmCoefficients, SphereInRasHasFlippedCenter)
 {
   const double root = std::sqrt(4.0 * 3.14159265358979323846);
   const std::string text =
@@ -157,7 +157,7 @@ TEST(SpharmPdmCoefficients, SphereInRasHasItsCenterFlipped)
   EXPECT_NEAR(rows[2][0], 3.0 * root, 1e-13);
 }
 
-TEST(SpharmPdmCoefficients, ParametricSurfaceComesBack)
+TEST(SpharmPdmCoefficients, RoundTripsParametricSurface)
 {
   std::mt19937_64 random(8);
   const ParametricSphericalSurface surface = RandomParametric(random, 6);
@@ -174,13 +174,13 @@ TEST(SpharmPdmCoefficients, ParametricSurfaceComesBack)
   }
 }
 
-TEST(SpharmPdmCoefficients, BlanksDoNotMatter)
+TEST(SpharmPdmCoefficients, IgnoresWhiteSpace)
 {
   EXPECT_EQ(RefusalOf("{1,{1,2,3}}"), "accepted");
   EXPECT_EQ(RefusalOf(" { 1 ,\n{ 1.0 , -2e0 ,\t+3 } ,\n} \n"), "accepted");
 }
 
-TEST(SpharmPdmCoefficients, AnythingElseIsRefused)
+TEST(SpharmPdmCoefficients, RejectsOtherText)
 {
   for (const char* text :
        {"", "{", "{}", "{ 1,", "{ 1,{1,2,3}", "{ 2,{1,2,3},{1,2,3}}", "{ 0,}", "{ -1,{1,2,3}}",
@@ -192,7 +192,7 @@ TEST(SpharmPdmCoefficients, AnythingElseIsRefused)
   }
 }
 
-TEST(SpharmPdmCoefficients, DamagedBytesNeverDoWorseThanARefusal)
+TEST(SpharmPdmCoefficients, DamagedBytesAreOnlyRefused)
 {
   std::mt19937_64 random(9);
   const std::string text = SurfaceToSpharmPdm(RandomModel(random, 2), "f");

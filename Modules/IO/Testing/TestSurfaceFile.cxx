@@ -120,7 +120,7 @@ TEST(SurfaceFile, VtpKeepsEveryBitAndArray)
   EXPECT_NE(back->GetPointData()->GetNormals(), nullptr);
 }
 
-TEST(SurfaceFile, VtpStatesTheFrameAndLeavesTheInputAlone)
+TEST(SurfaceFile, VtpStatesFrameAndKeepsInput)
 {
   const TemporaryFolder folder;
   const auto body = Body(Precision::Single);
@@ -165,7 +165,7 @@ TEST(SurfaceFile, StlIsClosedAgainAfterReading)
   EXPECT_EQ(OpenOrBadEdges(back), 0);
 }
 
-TEST(SurfaceFile, StlKeepsEveryCornerInItsOrder)
+TEST(SurfaceFile, StlKeepsVertexOrder)
 {
   const TemporaryFolder folder;
   const auto body = Body(Precision::Double);
@@ -199,7 +199,7 @@ TEST(SurfaceFile, PolygonsAreCutIntoTriangles)
   EXPECT_EQ(ReadSurface(folder / "a.stl")->GetNumberOfCells(), 2);
 }
 
-TEST(SurfaceFile, CommentsNameFrameAndUnit)
+TEST(SurfaceFile, CommentsStateFrameAndUnit)
 {
   const TemporaryFolder folder;
   for (const char* name : {"a.ply", "a.obj", "a.stl"})
@@ -211,7 +211,7 @@ TEST(SurfaceFile, CommentsNameFrameAndUnit)
   }
 }
 
-TEST(SurfaceFile, SurfacesThatCannotBeWrittenLeaveNothing)
+TEST(SurfaceFile, UnwritableSurfaceLeavesNothing)
 {
   const TemporaryFolder folder;
   vtkNew<vtkPolyData> empty;
@@ -229,7 +229,7 @@ TEST(SurfaceFile, SurfacesThatCannotBeWrittenLeaveNothing)
   EXPECT_EQ(folder.EntryCount(), 0u);
 }
 
-TEST(SurfaceFile, MissingEmptyAndForeignFilesAreRefused)
+TEST(SurfaceFile, RejectsMissingEmptyAndForeignFiles)
 {
   const TemporaryFolder folder;
   EXPECT_THROW(ReadSurface(folder / "none.vtp"), InputError);
@@ -243,7 +243,7 @@ TEST(SurfaceFile, MissingEmptyAndForeignFilesAreRefused)
   }
 }
 
-TEST(SurfaceFile, TruncatedFilesAreRefused)
+TEST(SurfaceFile, RejectsTruncatedFiles)
 {
   const TemporaryFolder folder;
   for (const char* name : {"a.vtp", "a.stl", "a.ply"})
@@ -258,7 +258,7 @@ TEST(SurfaceFile, TruncatedFilesAreRefused)
   }
 }
 
-TEST(SurfaceFile, TextStlIsRead)
+TEST(SurfaceFile, ReadsTextStl)
 {
   const TemporaryFolder folder;
   const std::string text = "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\n"
@@ -269,7 +269,7 @@ TEST(SurfaceFile, TextStlIsRead)
   EXPECT_THROW(ReadSurface(folder / "a.stl"), InputError);
 }
 
-TEST(SurfaceFile, EndingsInCapitalsAreKnown)
+TEST(SurfaceFile, AcceptsUpperCaseEndings)
 {
   EXPECT_TRUE(IsSurfaceFile("a.STL"));
   EXPECT_TRUE(IsSurfaceFile("a.x3d"));

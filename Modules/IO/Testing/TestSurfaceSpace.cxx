@@ -24,7 +24,7 @@ using Points = std::set<std::array<double, 3>>;
 
 const std::vector<Vector3> Corners{{1.5, -2.25, 3.0}, {4.0, 5.5, -6.0}, {-7.0, 8.0, 9.75}};
 
-// A triangle; its normal is not to scale, but single precision holds it.
+// A triangle; its normal is not a unit vector, but exact in single precision.
 vtkSmartPointer<vtkPolyData> Triangle()
 {
   vtkNew<vtkPoints> points;
@@ -78,7 +78,7 @@ std::string VerticesText(const std::string& start)
   return text;
 }
 
-// The triangle's files with a comment each, as text.
+// The triangle's text files with a comment each.
 std::vector<std::pair<std::string, std::string>> TextFiles(const std::string& comment)
 {
   return {{"a.stl", "solid " + comment + "\nfacet normal 0 0 1\nouter loop\n" +
@@ -100,7 +100,7 @@ void ExpectTextFilesAreReadTimes(const std::string& comment, double sign)
   }
 }
 
-// What we write, with the space that it states exchanged.
+// A written file with its stated space exchanged.
 void WriteStating(const std::filesystem::path& file, const std::string& space)
 {
   WriteSurface(file, Triangle());
@@ -121,20 +121,20 @@ vtkSmartPointer<vtkPolyData> TriangleStating(const std::string& space)
 }
 } // namespace
 
-TEST(SurfaceSpace, StatedSpaceIsObeyedInText)
+TEST(SurfaceSpace, FollowsSpaceStatedInText)
 {
   ExpectTextFilesAreReadTimes("3D Slicer output. SPACE=RAS", -1.0);
   ExpectTextFilesAreReadTimes("SPACE=RAS;UNIT=mm", -1.0);
   ExpectTextFilesAreReadTimes("3D Slicer output. SPACE=LPS", 1.0);
 }
 
-TEST(SurfaceSpace, FileThatStatesNoneIsLps)
+TEST(SurfaceSpace, DefaultIsLps)
 {
   ExpectTextFilesAreReadTimes("made elsewhere", 1.0);
   ExpectTextFilesAreReadTimes("WORKSPACE=RAS", 1.0);
 }
 
-TEST(SurfaceSpace, StatedSpaceIsObeyedInBinaryFiles)
+TEST(SurfaceSpace, FollowsSpaceStatedInBinaryFiles)
 {
   const TemporaryFolder folder;
   for (const char* name : {"a.stl", "a.ply", "a.obj"})
@@ -146,7 +146,7 @@ TEST(SurfaceSpace, StatedSpaceIsObeyedInBinaryFiles)
   }
 }
 
-TEST(SurfaceSpace, NormalsTurnWithTheirPoints)
+TEST(SurfaceSpace, NormalsRotateWithPoints)
 {
   const TemporaryFolder folder;
   for (const char* name : {"a.ply", "a.obj"})
@@ -159,7 +159,7 @@ TEST(SurfaceSpace, NormalsTurnWithTheirPoints)
   }
 }
 
-TEST(SurfaceSpace, VtpsFieldIsObeyedAndNotKept)
+TEST(SurfaceSpace, FollowsAndRemovesVtpField)
 {
   const TemporaryFolder folder;
   WriteSurface(folder / "a.vtp", TriangleStating("RAS"));
@@ -172,7 +172,7 @@ TEST(SurfaceSpace, VtpsFieldIsObeyedAndNotKept)
   EXPECT_EQ(PointsOf(ReadSurface(folder / "c.vtp")), CornersTimes(1.0));
 }
 
-TEST(SurfaceSpace, OtherSpacesAreRefusedByName)
+TEST(SurfaceSpace, RejectsOtherSpacesByName)
 {
   const TemporaryFolder folder;
   for (const char* space : {"LAS", "RASH", "ras"})
@@ -182,7 +182,7 @@ TEST(SurfaceSpace, OtherSpacesAreRefusedByName)
       const std::filesystem::path file = folder / name;
       WriteAll(file, text);
       EXPECT_TRUE(Contains(MessageOf([&file] { ReadSurface(file); }),
-                           name + " states its space as \"" + space + '"'));
+                           name + " states an unsupported space: \"" + space + '"'));
     }
   }
   WriteSurface(folder / "a.vtp", TriangleStating("LAS"));

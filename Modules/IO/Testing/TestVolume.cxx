@@ -79,11 +79,11 @@ void ExpectNrrdKeepsType(const char* nrrdType, int vtkType)
 }
 } // namespace
 
-TEST(Volume, NiftiVoxelsLieWhereTheSformSaysInLps)
+TEST(Volume, NiftiVoxelsFollowSformInLps)
 {
   const TemporaryFolder folder;
   NiftiSpec spec;
-  // A turn about two axes; spacings 1.5, 2.5 and 3.5 mm.
+  // A rotation about two axes; spacings 1.5, 2.5 and 3.5 mm.
   const Eigen::Matrix3d turn =
       (Eigen::AngleAxisd(0.4, Vector3::UnitZ()) * Eigen::AngleAxisd(-0.3, Vector3::UnitX()))
           .toRotationMatrix();
@@ -115,7 +115,7 @@ TEST(Volume, NiftiVoxelsLieWhereTheSformSaysInLps)
   EXPECT_LT(worst.Value(), 2e-5);
 }
 
-TEST(Volume, ScalarsKeepTheTypeOfTheFile)
+TEST(Volume, KeepsScalarTypeOfFile)
 {
   ExpectNrrdKeepsType<unsigned char>("unsigned char", VTK_UNSIGNED_CHAR);
   ExpectNrrdKeepsType<signed char>("signed char", VTK_SIGNED_CHAR);
@@ -127,7 +127,7 @@ TEST(Volume, ScalarsKeepTheTypeOfTheFile)
   ExpectNrrdKeepsType<double>("double", VTK_DOUBLE);
 }
 
-TEST(Volume, NiftiSlopeAndInterceptAreApplied)
+TEST(Volume, AppliesNiftiSlopeAndIntercept)
 {
   const TemporaryFolder folder;
   NiftiSpec spec;
@@ -138,7 +138,7 @@ TEST(Volume, NiftiSlopeAndInterceptAreApplied)
   EXPECT_EQ(volume.Image->GetScalarComponentAsDouble(3, 4, 5, 0), 119 * 0.5 - 3.0);
 }
 
-TEST(Volume, CompressedAndPlainNiftiAreTheSame)
+TEST(Volume, CompressedAndPlainNiftiAreEqual)
 {
   const TemporaryFolder folder;
   const std::string bytes = NiftiBytes({}, BytesOf(Counting<unsigned char>(120)));
@@ -153,7 +153,7 @@ TEST(Volume, CompressedAndPlainNiftiAreTheSame)
   }
 }
 
-TEST(Volume, CompressedNiftiBesideAPlainOneKeepsItsOwnVoxels)
+TEST(Volume, CompressedNiftiNextToPlainOneKeepsOwnVoxels)
 {
   const TemporaryFolder folder;
   WriteAll(folder / "a.nii", NiftiBytes({}));
@@ -162,7 +162,7 @@ TEST(Volume, CompressedNiftiBesideAPlainOneKeepsItsOwnVoxels)
   EXPECT_EQ(ReadVolume(folder / "a.nii.gz").Image->GetScalarComponentAsDouble(3, 4, 5, 0), 119.0);
 }
 
-TEST(Volume, NiftiOfTheOtherByteOrderIsTheSame)
+TEST(Volume, NiftiByteOrdersAreEquivalent)
 {
   const TemporaryFolder folder;
   NiftiSpec spec;
@@ -191,7 +191,7 @@ TEST(Volume, NiftiOfTheOtherByteOrderIsTheSame)
   EXPECT_EQ(WorldOf(volume.Image, 3, 4, 5), Vector3(-16, -28, 40));
 }
 
-TEST(Volume, NiftiSformFarFromZeroOrOfFineVoxelsIsRead)
+TEST(Volume, ReadsNiftiSformFarFromOriginOrWithFineVoxels)
 {
   for (const float spacing : {0.01F, 0.02F, 1.0F})
   {
@@ -212,7 +212,7 @@ TEST(Volume, NiftiSformFarFromZeroOrOfFineVoxelsIsRead)
   }
 }
 
-TEST(Volume, NiftiWithoutOrientationSaysSo)
+TEST(Volume, NotesNiftiWithoutOrientation)
 {
   const TemporaryFolder folder;
   NiftiSpec spec;
@@ -224,7 +224,7 @@ TEST(Volume, NiftiWithoutOrientationSaysSo)
   EXPECT_TRUE(ReadVolume(folder / "b.nii").Notes.empty());
 }
 
-TEST(Volume, NiftiFormsThatAgreeNeedNoNote)
+TEST(Volume, ConsistentNiftiFormsGetNoNote)
 {
   const TemporaryFolder folder;
   NiftiSpec spec;
@@ -238,7 +238,7 @@ TEST(Volume, NiftiFormsThatAgreeNeedNoNote)
   EXPECT_TRUE(ReadVolume(folder / "b.nii").Notes.empty());
 }
 
-TEST(Volume, NiftiFormsThatDisagreeAreNoted)
+TEST(Volume, NotesInconsistentNiftiForms)
 {
   const TemporaryFolder folder;
   NiftiSpec spec;
@@ -251,7 +251,7 @@ TEST(Volume, NiftiFormsThatDisagreeAreNoted)
                        "would place voxels up to 7 mm elsewhere; the other orientation was used"));
 }
 
-TEST(Volume, FourthDimensionOfOneIsNone)
+TEST(Volume, AcceptsFourthDimensionOfOne)
 {
   const TemporaryFolder folder;
   NiftiSpec spec;
@@ -260,7 +260,7 @@ TEST(Volume, FourthDimensionOfOneIsNone)
   EXPECT_EQ(ReadVolume(folder / "a.nii").Image->GetDimensions()[2], 6);
 }
 
-TEST(Volume, MetaImageVoxelsLieWhereItsMatrixSays)
+TEST(Volume, MetaImageVoxelsFollowMatrix)
 {
   const TemporaryFolder folder;
   // Rows of TransformMatrix are the index axes: x runs to -S, y to L, z to -P.
@@ -274,7 +274,7 @@ TEST(Volume, MetaImageVoxelsLieWhereItsMatrixSays)
   EXPECT_EQ(volume.Image->GetScalarComponentAsDouble(3, 4, 5, 0), 119);
 }
 
-TEST(Volume, EveryVoxelKeepsItsPlaceWhateverTheHandedness)
+TEST(Volume, VoxelsKeepPositionForEitherHandedness)
 {
   const TemporaryFolder folder;
   Random random(20261);
@@ -301,7 +301,7 @@ TEST(Volume, EveryVoxelKeepsItsPlaceWhateverTheHandedness)
   }
 }
 
-TEST(Volume, LeftHandedFileIsTurnedTowardsLps)
+TEST(Volume, LeftHandedFileIsReversedTowardsLps)
 {
   const TemporaryFolder folder;
   const Eigen::Matrix3d axes = Vector3(2, -2, 2).asDiagonal();
@@ -311,7 +311,7 @@ TEST(Volume, LeftHandedFileIsTurnedTowardsLps)
   EXPECT_EQ(GridOf(volume.Image).OriginWorld, Vector3(0, -8, 0));
 }
 
-TEST(Volume, PromiseCaseHasItsNominalGeometry)
+TEST(Volume, PromiseCaseHasNominalGeometry)
 {
   const auto path = DataPath("prostate/promise12_0_t2.nii.gz");
   PALPATE_REQUIRE_FILE(path);

@@ -25,7 +25,7 @@ TEST(WholeFile, BytesRoundTrip)
   EXPECT_EQ(ReadWholeFile(folder / "a", 70000), bytes);
 }
 
-TEST(WholeFile, FullDiskKeepsTheOldFileAndLeavesNothing)
+TEST(WholeFile, FullDiskKeepsOldFileOnly)
 {
   const TemporaryFolder folder;
   WriteAll(folder / "a", "old");
@@ -37,7 +37,7 @@ TEST(WholeFile, FullDiskKeepsTheOldFileAndLeavesNothing)
   EXPECT_EQ(folder.EntryCount(), 1u);
 }
 
-TEST(WholeFile, MissingEmptyFolderAndTooLargeAreRefused)
+TEST(WholeFile, RejectsMissingEmptyFolderAndTooLarge)
 {
   const TemporaryFolder folder;
   WriteAll(folder / "empty", "");

@@ -19,7 +19,7 @@ using namespace palpate::test;
 
 namespace
 {
-// Axes turned by a quarter about z: x runs to P, y to R.
+// Axes rotated by a quarter turn about z: x runs to P, y to R.
 std::string TurnedNrrd(const std::string& voxels)
 {
   std::vector<std::string> lines = PlainNrrdLines("unsigned char");
@@ -47,7 +47,7 @@ struct ErrorWatch
 };
 } // namespace
 
-TEST(vtkOrientedVolumeReader, OutputAndInformationCarryTheDirection)
+TEST(vtkOrientedVolumeReader, OutputAndInformationHaveDirection)
 {
   const TemporaryFolder folder;
   WriteAll(folder / "a.nrrd", TurnedNrrd(std::string(120, '\1')));
@@ -64,7 +64,7 @@ TEST(vtkOrientedVolumeReader, OutputAndInformationCarryTheDirection)
   EXPECT_EQ(reader->GetOutput()->GetScalarComponentAsDouble(3, 4, 5, 0), 1.0);
 }
 
-TEST(vtkOrientedVolumeReader, BadFileRaisesTheSentenceAndAnotherNameRecovers)
+TEST(vtkOrientedVolumeReader, BadFileRaisesErrorAndNextNameRecovers)
 {
   const TemporaryFolder folder;
   WriteAll(folder / "a.nrrd", TurnedNrrd(std::string(120, '\1')));
@@ -110,7 +110,7 @@ TEST(vtkSegmentationReader, LeftHandedFileIsReversedUnlessRefused)
   ExpectLeftHandedFileUnlessRefused<vtkSegmentationReader>();
 }
 
-TEST(vtkSegmentationReader, LayersAndSegmentsAreAtHand)
+TEST(vtkSegmentationReader, ProvidesLayersAndSegments)
 {
   const TemporaryFolder folder;
   DicomSegmentationSpec spec;
@@ -135,7 +135,7 @@ TEST(vtkSegmentationReader, LayersAndSegmentsAreAtHand)
   EXPECT_EQ(reader->GetOutput()->GetScalarComponentAsDouble(0, 0, 0, 0), 2.0);
 }
 
-TEST(vtkSegmentationReader, LayerThatIsNotThereIsAnError)
+TEST(vtkSegmentationReader, MissingLayerIsError)
 {
   const TemporaryFolder folder;
   WriteAll(folder / "a.nrrd", TurnedNrrd(std::string(120, '\1')));

@@ -26,7 +26,7 @@ std::string DigestOfContent(const std::filesystem::path& path)
   return digest.Text();
 }
 
-TEST(ContentDigest, IsTheSameForTheSameAndOtherForOther)
+TEST(ContentDigest, EqualOnlyForEqualContent)
 {
   EXPECT_EQ(DigestOf({"a", "b"}), DigestOf({"a", "b"}));
   EXPECT_NE(DigestOf({"a", "b"}), DigestOf({"b", "a"}));
@@ -35,7 +35,7 @@ TEST(ContentDigest, IsTheSameForTheSameAndOtherForOther)
   EXPECT_EQ(DigestOf({}), "cbf29ce484222325") << "FNV-1a's own start";
 }
 
-TEST(ContentDigest, OfAFileFollowsFromItsBytesAlone)
+TEST(ContentDigest, FileDigestDependsOnBytesOnly)
 {
   const test::TemporaryFolder folder;
   test::WriteAll(folder / "a", std::string(100000, 'x'));
@@ -45,7 +45,7 @@ TEST(ContentDigest, OfAFileFollowsFromItsBytesAlone)
   EXPECT_NE(DigestOfContent(folder / "a"), DigestOfContent(folder / "b"));
 }
 
-TEST(ContentDigest, OfAFolderFollowsFromItsFiles)
+TEST(ContentDigest, FolderDigestDependsOnFiles)
 {
   const test::TemporaryFolder folder;
   test::WriteAll(folder / "slice1", "one");
@@ -54,7 +54,7 @@ TEST(ContentDigest, OfAFolderFollowsFromItsFiles)
   EXPECT_NE(DigestOfContent(folder.Path()), before);
 }
 
-TEST(ContentDigest, AMissingFileIsRefused)
+TEST(ContentDigest, RejectsMissingFile)
 {
   EXPECT_THROW(DigestOfContent("/nowhere/at/all"), InputError);
 }

@@ -45,12 +45,12 @@ private:
   std::optional<std::string> Former;
 };
 
-TEST_F(DisplayCheck, AcceptsTheDisplayOfTestsThatDraw)
+TEST_F(DisplayCheck, AcceptsTestDisplay)
 {
   EXPECT_EQ(Message(), "");
 }
 
-TEST_F(DisplayCheck, MissingDisplayNamesTheWayOut)
+TEST_F(DisplayCheck, MissingDisplayGivesFix)
 {
   unsetenv("DISPLAY");
   EXPECT_NE(Message().find("xvfb-run -a"), std::string::npos) << Message();
@@ -58,7 +58,7 @@ TEST_F(DisplayCheck, MissingDisplayNamesTheWayOut)
   EXPECT_NE(Message().find("xvfb-run -a"), std::string::npos) << Message();
 }
 
-TEST_F(DisplayCheck, DisplayThatDoesNotAnswerIsNamed)
+TEST_F(DisplayCheck, NamesUnresponsiveDisplay)
 {
   setenv("DISPLAY", ":98765", 1);
   EXPECT_NE(Message().find("DISPLAY=:98765 does not answer"), std::string::npos) << Message();

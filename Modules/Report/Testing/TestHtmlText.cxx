@@ -4,13 +4,13 @@
 
 using palpate::EscapeHtml;
 
-TEST(HtmlText, MarkupAndQuotesLoseTheirMeaning)
+TEST(HtmlText, EscapesMarkupAndQuotes)
 {
   EXPECT_EQ(EscapeHtml("<b a=\"1\" b='2'>&amp;"),
             "&lt;b a=&quot;1&quot; b=&#39;2&#39;&gt;&amp;amp;");
 }
 
-TEST(HtmlText, Utf8StaysAndWhatIsNoneIsReplaced)
+TEST(HtmlText, KeepsUtf8AndReplacesInvalidBytes)
 {
   EXPECT_EQ(EscapeHtml("Dr\xC3\xBCse \xF0\x9F\x98\x80"), "Dr\xC3\xBCse \xF0\x9F\x98\x80");
   const std::string replaced = "\xEF\xBF\xBD";
@@ -20,7 +20,7 @@ TEST(HtmlText, Utf8StaysAndWhatIsNoneIsReplaced)
   EXPECT_EQ(EscapeHtml("\xED\xA0\x80"), replaced + replaced + replaced); // surrogate
 }
 
-TEST(HtmlText, ControlCharactersAreLeftOutAndLineBreaksBecomeSpaces)
+TEST(HtmlText, RemovesControlCharactersAndLineBreaks)
 {
   EXPECT_EQ(EscapeHtml(std::string("a\0b\x01\x1B[31mc\nd\x7F", 12)), "ab[31mc d");
 }

@@ -11,7 +11,7 @@ using palpate::Picture;
 
 namespace
 {
-// Reads a PNG back; row 0 of the answer is the top.
+// Reads a PNG back; row 0 of the result is the top.
 Picture Decode(const std::string& png, int& components)
 {
   vtkNew<vtkPNGReader> reader;
@@ -57,7 +57,7 @@ Picture RandomPicture(bool isGrey, bool isOpaque)
 }
 } // namespace
 
-TEST(Picture, PngKeepsEveryPixelInTheFewestComponents)
+TEST(Picture, PngKeepsPixelsInFewestComponents)
 {
   int components = 0;
   for (const bool isGrey : {true, false})
@@ -71,7 +71,7 @@ TEST(Picture, PngKeepsEveryPixelInTheFewestComponents)
   EXPECT_EQ(components, 4);
 }
 
-TEST(Picture, DataUriIsBase64OfThePng)
+TEST(Picture, DataUriIsBase64OfPng)
 {
   // RFC 4648: a PNG's first nine bytes 89 50 4E 47 0D 0A 1A 0A 00 are "iVBORw0KGgoA".
   const std::string uri = palpate::PngDataUri(RandomPicture(true, true));
@@ -81,7 +81,7 @@ TEST(Picture, DataUriIsBase64OfThePng)
   EXPECT_EQ(uri.size() - start.size(), (png.size() + 2) / 3 * 4);
 }
 
-TEST(Picture, AnEmptyPictureHasNoBytes)
+TEST(Picture, EmptyImageHasNoBytes)
 {
   EXPECT_EQ(palpate::EncodePng(Picture()), "");
 }

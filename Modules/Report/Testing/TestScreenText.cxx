@@ -5,7 +5,7 @@
 
 using palpate::Printable;
 
-TEST(ScreenText, LettersOfEveryLanguageStay)
+TEST(ScreenText, KeepsLettersOfEveryLanguage)
 {
   for (const char* text : {"Prostate 2", "Pankreas-K\u00f6rper", "\u524d\u7acb\u817a",
                            "\u05d1\u05dc\u05d5\u05d8\u05d4", "\U0001F9E0"})
@@ -14,7 +14,7 @@ TEST(ScreenText, LettersOfEveryLanguageStay)
   }
 }
 
-TEST(ScreenText, WhatSteersTerminalsBreaksLinesOrHidesIsEscaped)
+TEST(ScreenText, EscapesControlsLineBreaksAndInvisibles)
 {
   EXPECT_EQ(Printable("a\nb\tc\x1b[31m"), "a\\x0ab\\x09c\\x1b[31m");
   EXPECT_EQ(Printable("\u0085"), "\\xc2\\x85");
@@ -26,7 +26,7 @@ TEST(ScreenText, WhatSteersTerminalsBreaksLinesOrHidesIsEscaped)
   }
 }
 
-TEST(ScreenText, BytesThatAreNoUtf8AreEscaped)
+TEST(ScreenText, EscapesInvalidUtf8)
 {
   EXPECT_EQ(Printable("\xff"), "\\xff");
   EXPECT_EQ(Printable("a\xc3"), "a\\xc3");

@@ -19,7 +19,7 @@ using palpate::ViewSide;
 
 namespace
 {
-// Opaque area in pixels, partly covered ones counting in part.
+// Opaque area in pixels; partly covered ones count partly.
 double CoveredPixels(const Picture& picture)
 {
   double covered = 0.0;
@@ -30,7 +30,7 @@ double CoveredPixels(const Picture& picture)
   return covered;
 }
 
-// Two small balls, the first red and the second blue.
+// Two small spheres, the first red and the second blue.
 struct TwoBalls
 {
   TwoBalls(const Vector3& red, const Vector3& blue)
@@ -56,7 +56,7 @@ struct TwoBalls
   std::vector<SoftwareRenderer::Color> Colors;
 };
 
-// Mean place, in pixels from the picture's middle (right, up), of what is redder than blue.
+// Mean position of pixels that are more red than blue, in pixels from the image centre (right, up).
 std::array<double, 2> RedPlace(const Picture& picture)
 {
   double right = 0.0;
@@ -90,7 +90,7 @@ int CountColor(const Picture& picture, int channel)
 }
 } // namespace
 
-TEST(SoftwareRenderer, SilhouetteOfASphereHasTheAreaOfItsDisc)
+TEST(SoftwareRenderer, SphereSilhouetteHasAreaOfDisc)
 {
   constexpr int Size = 200;
   const auto mesh =
@@ -101,13 +101,13 @@ TEST(SoftwareRenderer, SilhouetteOfASphereHasTheAreaOfItsDisc)
   {
     const double area =
         CoveredPixels(renderer.Render(side, Size)) * millimetersPerPixel * millimetersPerPixel;
-    // The polyhedron's chords lie within 0.1 % inside; counting half pixels along a rim of 590
-    // pixels is good to about 0.1 %, and the rasteriser widens triangles by a hair.
+    // The polyhedron's chords are within 0.1 % inside; counting half pixels along a rim of 590
+    // pixels is accurate to about 0.1 %, and the rasteriser widens triangles slightly.
     EXPECT_NEAR(area / (M_PI * 17.0 * 17.0), 1.0, 3e-3) << palpate::NameOf(side);
   }
 }
 
-TEST(SoftwareRenderer, EveryPixelInsideASphereIsCovered)
+TEST(SoftwareRenderer, CoversEveryPixelOfSphere)
 {
   constexpr int Size = 320;
   const auto mesh =
@@ -129,9 +129,9 @@ TEST(SoftwareRenderer, EveryPixelInsideASphereIsCovered)
   }
 }
 
-TEST(SoftwareRenderer, TheNearerOfTwoBallsHidesTheOther)
+TEST(SoftwareRenderer, NearerSphereHidesOther)
 {
-  // Seen along each axis from both ends; the balls lie on that axis.
+  // Seen along each axis from both ends; the spheres are on that axis.
   const std::array<std::pair<ViewSide, ViewSide>, 3> ends{
       {{ViewSide::Left, ViewSide::Right},
        {ViewSide::Posterior, ViewSide::Anterior},
@@ -148,7 +148,7 @@ TEST(SoftwareRenderer, TheNearerOfTwoBallsHidesTheOther)
   }
 }
 
-TEST(SoftwareRenderer, AnOffsetAlongTheViewsAxesShowsWhereTheFrameSays)
+TEST(SoftwareRenderer, OffsetsAppearAlongViewAxes)
 {
   std::mt19937_64 random(20240607);
   std::uniform_real_distribution<double> spread(-20.0, 20.0);
@@ -162,7 +162,7 @@ TEST(SoftwareRenderer, AnOffsetAlongTheViewsAxesShowsWhereTheFrameSays)
       const double up = red.dot(frame.UpWorld);
       if (std::min(std::abs(right), std::abs(up)) < 7.0)
       {
-        continue; // the balls would overlap in the picture
+        continue; // the spheres would overlap in the image
       }
       const std::array<double, 2> place = RedPlace(TwoBalls(red, Vector3(-red)).Draw(side));
       EXPECT_GT(place[0] * right, 0.0) << palpate::NameOf(side) << " " << red.transpose();
@@ -171,7 +171,7 @@ TEST(SoftwareRenderer, AnOffsetAlongTheViewsAxesShowsWhereTheFrameSays)
   }
 }
 
-TEST(SoftwareRenderer, InwardFacingTrianglesAreDrawnAsWellAsOutwardOnes)
+TEST(SoftwareRenderer, DrawsInwardAndOutwardFacingTriangles)
 {
   const auto mesh =
       palpate::test::MakeModelMesh(palpate::test::SphereModel(10.0, Vector3::Zero()), 8);
@@ -186,7 +186,7 @@ TEST(SoftwareRenderer, InwardFacingTrianglesAreDrawnAsWellAsOutwardOnes)
   EXPECT_EQ(SoftwareRenderer(mesh).Render(ViewSide::Left, 60).Rgba, outward.Rgba);
 }
 
-TEST(SoftwareRenderer, AnEmptyMeshIsATransparentPicture)
+TEST(SoftwareRenderer, EmptyMeshIsTransparent)
 {
   vtkNew<vtkPolyData> nothing;
   EXPECT_EQ(CoveredPixels(SoftwareRenderer(nothing).Render(ViewSide::Left, 16)), 0.0);

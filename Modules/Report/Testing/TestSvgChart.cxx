@@ -39,7 +39,7 @@ Points Circles(const std::string& svg)
 }
 } // namespace
 
-TEST(SvgChart, BarHeightsAreProportionalToTheNumbers)
+TEST(SvgChart, BarHeightsAreProportional)
 {
   SvgChart chart("x", "y");
   chart.SetBars({{0, 1.0}, {1, 2.0}, {2, 4.0}}, 1.0);
@@ -50,7 +50,7 @@ TEST(SvgChart, BarHeightsAreProportionalToTheNumbers)
   EXPECT_NEAR(heights[2], 4.0 * heights[0], 0.5);
 }
 
-TEST(SvgChart, EqualFactorsAreEqualStepsOnALogarithmicAxis)
+TEST(SvgChart, EqualFactorsAreEqualStepsOnLogarithmicAxis)
 {
   SvgChart chart("x", "y");
   chart.SetLogarithmic(false, true);
@@ -61,7 +61,7 @@ TEST(SvgChart, EqualFactorsAreEqualStepsOnALogarithmicAxis)
   EXPECT_GT(heights[1] - heights[0], 20.0);
 }
 
-TEST(SvgChart, NumbersThatCannotBeDrawnAreLeftOut)
+TEST(SvgChart, OmitsUndrawableNumbers)
 {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   SvgChart chart("x", "y");
@@ -71,7 +71,7 @@ TEST(SvgChart, NumbersThatCannotBeDrawnAreLeftOut)
   EXPECT_EQ(BarHeights(chart.Svg()).size(), 1U);
 }
 
-TEST(SvgChart, NothingToDrawGivesNothing)
+TEST(SvgChart, NoPointsGiveEmptyChart)
 {
   SvgChart chart("x", "y");
   EXPECT_EQ(chart.Svg(), "");
@@ -79,7 +79,7 @@ TEST(SvgChart, NothingToDrawGivesNothing)
   EXPECT_EQ(chart.Svg(), "");
 }
 
-TEST(SvgChart, ItIsWellFormedForAnyRangeOfNumbers)
+TEST(SvgChart, IsWellFormedForAnyRange)
 {
   for (const double scale : {1e-12, 1e-3, 1.0, 1e9})
   {
@@ -111,7 +111,7 @@ TEST(SvgChart, EqualFactorsAreEqualStepsOnTwoLogarithmicAxes)
   EXPECT_LT(dots[1].second, dots[0].second) << "up";
 }
 
-TEST(SvgChart, DotsWithoutAPlaceOnLogarithmicAxesAreLeftOut)
+TEST(SvgChart, OmitsDotsOutsideLogarithmicAxes)
 {
   SvgChart chart("x", "y");
   chart.SetLogarithmic(true, true);
@@ -122,7 +122,7 @@ TEST(SvgChart, DotsWithoutAPlaceOnLogarithmicAxesAreLeftOut)
   EXPECT_EQ(chart.Svg(), "");
 }
 
-TEST(SvgChart, TheAxisReachesTheThreshold)
+TEST(SvgChart, AxisIncludesThreshold)
 {
   SvgChart chart("x", "y");
   chart.SetLogarithmic(true, true);
@@ -149,7 +149,7 @@ TEST(SvgChart, LabelsDoNotOverlap)
   EXPECT_NE(svg.find(">three<"), std::string::npos);
 }
 
-TEST(SvgChart, DotsAreWellFormedForAnyRangeAndText)
+TEST(SvgChart, DotsAreWellFormedForAnyInput)
 {
   for (const double least : {1e-12, 1.0, 1e9})
   {

@@ -156,7 +156,7 @@ TEST(StudyText, BadOnesAreRefusedWithThePlace)
       {"{\n  \"format\": oops\n}", "line 2, column 13"},
       {"", "line 1, column 1"},
       {start, "line 1"},
-      {"[]", "study is no object"},
+      {"[]", "study is not an object"},
       {"{}", "\"format\""},
       {start + ", \"rate_hz\": 1e999}", "too large"},
       {start + ", \"version\": 3}", "version 3"},

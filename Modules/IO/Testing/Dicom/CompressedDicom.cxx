@@ -73,12 +73,12 @@ std::unique_ptr<DcmRepresentationParameter> ParameterOf(Codec codec)
   }
 }
 
-// DCMTK's encoders, while it lives.
+// Registers DCMTK's encoders during its lifetime.
 class Encoders
 {
 public:
-  // "Cooked" JPEG-LS has as many bits as are stored, but DCMTK ends the program at an assertion
-  // when it cooks a negative value; uncooked, it has as many as are allocated.
+  // "Cooked" JPEG-LS has BitsStored bits, but DCMTK fails an assertion when it cooks a negative
+  // value; uncooked, it has BitsAllocated bits.
   explicit Encoders(bool isSigned)
   {
     DcmRLEEncoderRegistration::registerCodecs();
@@ -297,7 +297,7 @@ std::string Jpeg2000Stream(const std::vector<int>& values, int columns, int rows
   opj_stream_set_user_data(stream.get(), &bytes, nullptr);
   opj_cparameters_t parameters;
   opj_set_default_encoder_parameters(&parameters);
-  // OpenJPEG halves the image no further than to one pixel.
+  // OpenJPEG does not halve the image below one pixel.
   parameters.numresolution = std::min(columns, rows) < 4 ? 2 : 3;
   parameters.tcp_numlayers = 1;
   parameters.cp_disto_alloc = 1;

@@ -6,7 +6,7 @@
 #include <vector>
 
 /// Compressed DICOM files for tests: made from uncompressed ones with DCMTK's and OpenJPEG's
-/// encoders, and taken apart into fragments.
+/// encoders, and split into fragments.
 namespace palpate::test
 {
 enum class Codec
@@ -25,18 +25,18 @@ constexpr Codec LosslessCodecs[] = {Codec::RunLength, Codec::JpegLossless, Codec
 
 const char* CodecName(Codec codec);
 
-/// Codes the pixels of an uncompressed file anew, in place: a fragment a frame, an empty offset
+/// Encodes the pixels of an uncompressed file in place: one fragment per frame, an empty offset
 /// table.
 void Compress(const std::filesystem::path& file, Codec codec);
 
-/// The compressed streams of a file, one a fragment.
+/// The compressed streams of a file, one per fragment.
 std::vector<std::string> Fragments(const std::filesystem::path& file);
 
-/// Replaces them. `offsets` are those of the offset table.
+/// Replaces the streams. `offsets` are those of the offset table.
 void ReplaceFragments(const std::filesystem::path& file, const std::vector<std::string>& fragments,
                       const std::vector<std::uint32_t>& offsets = {});
 
-/// Names another transfer syntax in the file's meta header and leaves everything else.
+/// Changes only the transfer syntax in the file's meta header.
 void StateTransferSyntax(const std::filesystem::path& file, const std::string& uid);
 
 /// A JPEG 2000 codestream of grey values. `ratio` above 1 makes it lossy.

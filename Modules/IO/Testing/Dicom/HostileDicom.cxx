@@ -29,7 +29,7 @@ std::string SequenceHead(std::uint32_t length, DicomCoding coding)
 {
   const bool isBigEndian = coding == DicomCoding::BigEndian;
   const std::string vr = coding == DicomCoding::Implicit ? "" : std::string("SQ\0\0", 4);
-  // Referenced image sequence, which the dictionary has for implicit coding.
+  // Referenced image sequence, which is in the dictionary, as implicit coding requires.
   return Tag(0x0008, 0x1140, isBigEndian) + vr + Number(length, 4, isBigEndian);
 }
 

@@ -7,7 +7,7 @@ using palpate::CompressedFrame;
 
 namespace
 {
-// The 16-bit word that a sample becomes.
+// The 16-bit word made from a sample.
 int Stored(std::uint32_t sample, int precision, int bitsStored, int highBit, bool isSigned)
 {
   CompressedFrame frame;
@@ -21,20 +21,20 @@ int Stored(std::uint32_t sample, int precision, int bitsStored, int highBit, boo
 }
 } // namespace
 
-TEST(CompressedFrame, FullSamplesStayAsTheyAre)
+TEST(CompressedFrame, KeepsFullSamples)
 {
   EXPECT_EQ(Stored(0x8765, 16, 16, 15, true), 0x8765);
   EXPECT_EQ(Stored(0xF765, 16, 12, 11, true), 0xF765);
 }
 
-TEST(CompressedFrame, NarrowSignedSamplesAreExtended)
+TEST(CompressedFrame, SignExtendsNarrowSamples)
 {
   EXPECT_EQ(Stored(0x80, 8, 16, 15, true), 0xFF80);
   EXPECT_EQ(Stored(0x80, 8, 16, 15, false), 0x0080);
   EXPECT_EQ(Stored(0x7F, 8, 16, 15, true), 0x007F);
 }
 
-TEST(CompressedFrame, NarrowSamplesGoUpToTheHighBit)
+TEST(CompressedFrame, ShiftsNarrowSamplesToHighBit)
 {
   EXPECT_EQ(Stored(0x123, 12, 12, 15, false), 0x1230);
   EXPECT_EQ(Stored(0x1230, 16, 12, 15, false), 0x1230);

@@ -17,9 +17,9 @@ using namespace palpate::test;
 
 namespace
 {
-// 23 x 17 pixels: an odd number of bytes, where they are single. A slope, and the extremes, with no
-// more noise than compresses: DCMTK writes past its buffer where a JPEG-LS stream grows longer than
-// the pixels.
+// 23 x 17 pixels: an odd number of bytes for 8-bit pixels. A slope and the extremes, with little
+// enough noise to compress: DCMTK writes past its buffer if a JPEG-LS stream is longer than the
+// pixels.
 DicomSliceSpec NoisySlice(int bitsAllocated, int bitsStored, bool isSigned, unsigned int seed)
 {
   DicomSliceSpec spec;
@@ -71,51 +71,51 @@ void ExpectSame(const DicomSliceSpec& spec)
   {
     const Volume volume = ReadBack(spec, codec);
     EXPECT_EQ(LargestError(volume), 0.0) << CodecName(codec);
-    // The uncompressed slice is what was written.
+    // The uncompressed slice equals the written pixels.
     EXPECT_EQ(volume.Image->GetScalarComponentAsDouble(0, 0, 0, 0), spec.Pixels[0]);
     EXPECT_EQ(volume.Image->GetScalarComponentAsDouble(22, 16, 1, 0), spec.Pixels[390]);
   }
 }
 } // namespace
 
-TEST(DicomCodecs, UnsignedBytesComeBackToTheBit)
+TEST(DicomCodecs, RestoresUnsignedBytes)
 {
   ExpectSame(NoisySlice(8, 8, false, 1));
 }
 
-TEST(DicomCodecs, SignedBytesComeBackToTheBit)
+TEST(DicomCodecs, RestoresSignedBytes)
 {
   ExpectSame(NoisySlice(8, 8, true, 2));
 }
 
-TEST(DicomCodecs, UnsignedTwelveBitsComeBackToTheBit)
+TEST(DicomCodecs, RestoresUnsignedTwelveBits)
 {
   ExpectSame(NoisySlice(16, 12, false, 3));
 }
 
-TEST(DicomCodecs, SignedTwelveBitsComeBackToTheBit)
+TEST(DicomCodecs, RestoresSignedTwelveBits)
 {
   ExpectSame(NoisySlice(16, 12, true, 4));
 }
 
-TEST(DicomCodecs, UnsignedSixteenBitsComeBackToTheBit)
+TEST(DicomCodecs, RestoresUnsignedSixteenBits)
 {
   ExpectSame(NoisySlice(16, 16, false, 5));
 }
 
-TEST(DicomCodecs, SignedSixteenBitsComeBackToTheBit)
+TEST(DicomCodecs, RestoresSignedSixteenBits)
 {
   ExpectSame(NoisySlice(16, 16, true, 6));
 }
 
-TEST(DicomCodecs, FewStoredBitsComeBackToTheBit)
+TEST(DicomCodecs, RestoresFewStoredBits)
 {
   // Streams of at most eight bits fill words of sixteen.
   ExpectSame(NoisySlice(16, 8, false, 7));
   ExpectSame(NoisySlice(16, 8, true, 8));
 }
 
-TEST(DicomCodecs, RescaleIsAppliedAfterDecoding)
+TEST(DicomCodecs, AppliesRescaleAfterDecoding)
 {
   DicomSliceSpec spec = NoisySlice(16, 12, true, 9);
   spec.Slope = "2";
@@ -129,21 +129,21 @@ TEST(DicomCodecs, RescaleIsAppliedAfterDecoding)
   }
 }
 
-TEST(DicomCodecs, LossyCodingsComeBackNearly)
+TEST(DicomCodecs, RestoresLossyCodingsApproximately)
 {
   const DicomSliceSpec bytes = NoisySlice(8, 8, false, 10);
   // At quality 95 the largest quantisation step of the standard's tables is 12, and the errors of
-  // 64 cosines seldom add up to more than two of them.
+  // 64 cosines rarely add up to more than two steps.
   EXPECT_LT(LargestError(ReadBack(bytes, Codec::JpegBaseline)), 24.0);
   EXPECT_GT(LargestError(ReadBack(bytes, Codec::JpegBaseline)), 0.0);
-  // The bound that JPEG-LS was given.
+  // The error bound given to JPEG-LS.
   EXPECT_EQ(LargestError(ReadBack(bytes, Codec::JpegLsNearLossless)), 2.0);
-  // Half of the bits keep the slope; what is lost is noise, whose range is 16.
+  // Half of the bits keep the slope; only noise is lost, whose range is 16.
   EXPECT_LT(LargestError(ReadBack(bytes, Codec::Jpeg2000Lossy)), 16.0);
   EXPECT_GT(LargestError(ReadBack(bytes, Codec::Jpeg2000Lossy)), 0.0);
 }
 
-TEST(DicomCodecs, LossyTwelveBitsComeBackNearly)
+TEST(DicomCodecs, RestoresLossyTwelveBitsApproximately)
 {
   const DicomSliceSpec spec = NoisySlice(16, 12, false, 11);
   const double error = LargestError(ReadBack(spec, Codec::JpegExtended));
@@ -152,7 +152,7 @@ TEST(DicomCodecs, LossyTwelveBitsComeBackNearly)
   EXPECT_LT(error, 24.0 * 16.0);
 }
 
-TEST(DicomCodecs, WarningsStayInside)
+TEST(DicomCodecs, DoesNotPrintWarnings)
 {
   DicomSliceSpec spec = NoisySlice(16, 12, false, 12);
   const TemporaryFolder folder;
@@ -174,7 +174,7 @@ TEST(DicomCodecs, WarningsStayInside)
   }
 }
 
-TEST(DicomCodecs, LabelMapSegmentationsAreReadInEveryLosslessCoding)
+TEST(DicomCodecs, ReadsLabelMapsInEveryLosslessCoding)
 {
   for (const Codec codec : LosslessCodecs)
   {

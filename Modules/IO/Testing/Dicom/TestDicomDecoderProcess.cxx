@@ -15,7 +15,7 @@ using namespace palpate;
 
 namespace
 {
-// The program palpate-dicom-decoder, spoken to as DicomFrameDecoder does.
+// Runs palpate-dicom-decoder and uses the protocol of DicomFrameDecoder.
 class DecoderProcess : public testing::Test
 {
 protected:
@@ -46,7 +46,7 @@ protected:
     return isAnswered ? samples : std::vector<std::uint8_t>{};
   }
 
-  // A row of four pixels, run-length coded: three literals, once more the last.
+  // A row of four pixels, run-length coded: three literals, then the last one again.
   static FrameRequest Request() { return {FrameRequest::Codec::RunLength, 4, 1, 1, 8, 70}; }
   static std::vector<std::uint8_t> Stream()
   {
@@ -100,9 +100,9 @@ protected:
 };
 } // namespace
 
-TEST_F(DecoderProcess, HoldsNoFileOfItsClient)
+TEST_F(DecoderProcess, InheritsNoFiles)
 {
-  // Before the process starts, a file that exec does not close.
+  // Before the process starts, opens a file that exec does not close.
   this->TearDown();
   const int open = dup(STDERR_FILENO);
   this->SetUp();
@@ -129,11 +129,11 @@ TEST_F(DecoderProcess, LimitsFollowFromTheFrame)
 TEST_F(DecoderProcess, EndsWithItsClient)
 {
   close(this->Socket);
-  WaitForChildProgram(this->Process); // waits for ever otherwise
+  WaitForChildProgram(this->Process); // otherwise waits forever
   this->SetUp();
 }
 
-TEST(ChildProgram, MissingProgramsAreNotStarted)
+TEST(ChildProgram, ReportsMissingProgram)
 {
   EXPECT_EQ(StartChildProgram("palpate-no-such-program", {}, STDIN_FILENO), -1);
 }

@@ -20,7 +20,7 @@ int Value(int pixel)
   return pixel % Columns * (pixel / Columns) % 251;
 }
 
-// Eight bits, in words of sixteen but for run-length coding.
+// Eight bits, in 16-bit words except for run-length coding.
 CompressedFrame Frame(Codec codec)
 {
   const TemporaryFolder folder;
@@ -62,7 +62,7 @@ bool IsDecoded(DicomFrameDecoder& decoder, Codec codec, const CompressedFrame& f
 }
 } // namespace
 
-TEST(DicomFrameDecoder, LosslessPixelsComeBackToTheBit)
+TEST(DicomFrameDecoder, RestoresLosslessPixels)
 {
   DicomFrameDecoder decoder;
   for (const Codec codec : Codecs)
@@ -80,7 +80,7 @@ TEST(DicomFrameDecoder, LosslessPixelsComeBackToTheBit)
   }
 }
 
-TEST(DicomFrameDecoder, CutsAreNoticed)
+TEST(DicomFrameDecoder, DetectsTruncation)
 {
   DicomFrameDecoder decoder;
   for (const Codec codec :
@@ -98,9 +98,9 @@ TEST(DicomFrameDecoder, CutsAreNoticed)
   }
 }
 
-TEST(DicomFrameDecoder, MissingDataBeforeTheEndMarkerIsNoticed)
+TEST(DicomFrameDecoder, DetectsMissingDataBeforeEndMarker)
 {
-  // The codec fills what is missing, with a warning.
+  // The codec fills missing data, with a warning.
   DicomFrameDecoder decoder;
   for (const Codec codec : {Codec::JpegLossless, Codec::JpegBaseline})
   {
@@ -111,7 +111,7 @@ TEST(DicomFrameDecoder, MissingDataBeforeTheEndMarkerIsNoticed)
   }
 }
 
-TEST(DicomFrameDecoder, AnotherSizeOrDepthIsRefused)
+TEST(DicomFrameDecoder, RejectsOtherSizeOrDepth)
 {
   DicomFrameDecoder decoder;
   for (const Codec codec : {Codec::JpegLossless, Codec::JpegLs})
@@ -126,7 +126,7 @@ TEST(DicomFrameDecoder, AnotherSizeOrDepthIsRefused)
   EXPECT_FALSE(IsDecoded(decoder, Codec::RunLength, words));
 }
 
-TEST(DicomFrameDecoder, ProgressiveStreamsAreRefused)
+TEST(DicomFrameDecoder, RejectsProgressiveStreams)
 {
   CompressedFrame frame = Frame(Codec::JpegBaseline);
   for (std::size_t i = 0; i + 1 < frame.Stream.size(); ++i)
@@ -140,9 +140,9 @@ TEST(DicomFrameDecoder, ProgressiveStreamsAreRefused)
   EXPECT_FALSE(IsDecoded(decoder, Codec::JpegBaseline, frame));
 }
 
-TEST(DicomFrameDecoder, JpegLsOfFewBitsIsRefused)
+TEST(DicomFrameDecoder, RejectsJpegLsOfFewBits)
 {
-  // Precision stands behind the frame marker (0xFF 0xF7) and its length.
+  // The precision follows the frame marker (0xFF 0xF7) and its length.
   CompressedFrame frame = Frame(Codec::JpegLs);
   for (std::size_t i = 0; i + 4 < frame.Stream.size(); ++i)
   {
@@ -154,10 +154,10 @@ TEST(DicomFrameDecoder, JpegLsOfFewBitsIsRefused)
   }
   DicomFrameDecoder decoder;
   EXPECT_TRUE(Contains(MessageOf([&] { IsDecoded(decoder, Codec::JpegLs, frame); }),
-                       "has JPEG-LS pixels of 7 bits, which are not read"));
+                       "has JPEG-LS pixels of 7 bits, which are not supported"));
 }
 
-TEST(DicomFrameDecoder, DamagedFramesLeaveTheNextOnesReadable)
+TEST(DicomFrameDecoder, DamagedFrameKeepsNextFramesReadable)
 {
   Random random(23);
   DicomFrameDecoder decoder;
@@ -167,7 +167,7 @@ TEST(DicomFrameDecoder, DamagedFramesLeaveTheNextOnesReadable)
     CompressedFrame frame = Frame(Codec::JpegLs);
     for (int change = 0; change < 4; ++change)
     {
-      // Behind the markers.
+      // After the markers.
       const std::size_t place = 30 + random() % (frame.Stream.size() - 30);
       frame.Stream[place] = static_cast<std::uint8_t>(random());
     }

@@ -10,7 +10,7 @@ using namespace palpate::test;
 
 namespace
 {
-// A volume of two slices that are alike but for their place.
+// A volume of two slices that differ only in position.
 Volume ReadTwoSlices(DicomSliceSpec first, DicomSliceSpec second)
 {
   const TemporaryFolder folder;
@@ -29,14 +29,14 @@ void ExpectValue(const DicomSliceSpec& spec, int vtkType, double value)
 }
 } // namespace
 
-TEST(DicomPixels, UnsignedValuesStayAsTheyAre)
+TEST(DicomPixels, KeepsUnsignedValues)
 {
   DicomSliceSpec spec;
   spec.Value = 65535;
   ExpectValue(spec, VTK_UNSIGNED_SHORT, 65535);
 }
 
-TEST(DicomPixels, SignIsTakenFromTheStoredBits)
+TEST(DicomPixels, TakesSignFromStoredBits)
 {
   DicomSliceSpec spec;
   spec.IsSigned = true;
@@ -47,9 +47,9 @@ TEST(DicomPixels, SignIsTakenFromTheStoredBits)
   ExpectValue(spec, VTK_SHORT, -3);
 }
 
-TEST(DicomPixels, BitsAboveTheStoredOnesAreNoValue)
+TEST(DicomPixels, IgnoresBitsAboveStoredBits)
 {
-  // An overlay in the top bits, as old scanners put it.
+  // An overlay in the top bits, as written by old scanners.
   DicomSliceSpec spec;
   spec.BitsStored = 12;
   spec.Value = 0xF123;
@@ -74,7 +74,7 @@ TEST(DicomPixels, FractionalRescaleGivesFloat)
   ExpectValue(spec, VTK_FLOAT, 25.5);
 }
 
-TEST(DicomPixels, SlicesOfDifferentScaleShareAType)
+TEST(DicomPixels, SlicesOfDifferentScaleShareType)
 {
   DicomSliceSpec first;
   first.Value = 100;
@@ -88,7 +88,7 @@ TEST(DicomPixels, SlicesOfDifferentScaleShareAType)
   EXPECT_EQ(volume.Image->GetScalarComponentAsDouble(0, 0, 1, 0), 7.0);
 }
 
-TEST(DicomPixels, TooFewPixelsAreRefused)
+TEST(DicomPixels, RejectsTooFewPixels)
 {
   const TemporaryFolder folder;
   DicomSliceSpec spec;
@@ -96,10 +96,10 @@ TEST(DicomPixels, TooFewPixelsAreRefused)
   spec.PositionWorld = {0, 0, 3};
   WriteDicomSlice(folder / "2.dcm", spec);
   std::string bytes = ReadAll(folder / "2.dcm");
-  // The last element is the pixels: 24 bytes; its length field stands before them.
+  // The last element is the pixels: 24 bytes, preceded by their length field.
   bytes.resize(bytes.size() - 4);
   bytes[bytes.size() - 24] = 20;
   WriteAll(folder / "2.dcm", bytes);
   EXPECT_TRUE(Contains(MessageOf([&] { ReadVolume(folder.Path()); }),
-                       "its pixels are not what its header promises"));
+                       "its pixel data do not match its header"));
 }

@@ -72,7 +72,7 @@ std::vector<vtkIdType> SetBits(const std::filesystem::path& file, std::size_t bl
 }
 } // namespace
 
-TEST(DicomSegmentation, FramesArePlacedByTheirPositions)
+TEST(DicomSegmentation, PlacesFramesByPosition)
 {
   DicomSegmentationSpec spec;
   spec.Segments = {{1, "gland"}};
@@ -92,24 +92,24 @@ TEST(DicomSegmentation, FramesArePlacedByTheirPositions)
   EXPECT_EQ(segmentation.Segments[0].Name, "gland");
 }
 
-TEST(DicomSegmentation, DistanceOfSlicesComesFromThePositionsWhereNoneIsStated)
+TEST(DicomSegmentation, DerivesUnstatedSpacingFromPositions)
 {
   DicomSegmentationSpec spec;
   spec.StatedStep = 0.0;
   spec.Frames = {{1, 0.0, Pixels({0})}, {1, 4.0, Pixels({0})}, {1, 12.0, Pixels({0})}};
   EXPECT_EQ(GridOf(ReadBack(spec).Layers[0]).Spacing[2], 4.0);
-  // A stated distance that the positions do not fit is not believed.
+  // A stated spacing that contradicts the positions is ignored.
   spec.StatedStep = 3.0;
   EXPECT_EQ(GridOf(ReadBack(spec).Layers[0]).Spacing[2], 4.0);
 }
 
-TEST(DicomSegmentation, RandomFramesComeBackPixelByPixel)
+TEST(DicomSegmentation, RestoresRandomFrames)
 {
   Random random(31);
   for (int round = 0; round < 50; ++round)
   {
     DicomSegmentationSpec spec;
-    // Frames of 12 bits: they start at every other half byte.
+    // Frames of 12 bits: every other one starts at half a byte.
     for (int slice = 0; slice < 7; ++slice)
     {
       std::vector<int> pixels(12, 0);
@@ -133,7 +133,7 @@ TEST(DicomSegmentation, RandomFramesComeBackPixelByPixel)
   }
 }
 
-TEST(DicomSegmentation, OverlappingSegmentsGoToFurtherLayers)
+TEST(DicomSegmentation, OverlappingSegmentsUseFurtherLayers)
 {
   DicomSegmentationSpec spec;
   spec.Segments = {{1, "a"}, {2, "b"}, {3, "c"}};
@@ -152,7 +152,7 @@ TEST(DicomSegmentation, OverlappingSegmentsGoToFurtherLayers)
   EXPECT_EQ(LabelAt(segmentation, 0, 3.0, 1), 3);
 }
 
-TEST(DicomSegmentation, FractionalIsCutAtHalfOfItsMaximumWithANote)
+TEST(DicomSegmentation, ThresholdsFractionalAtHalfWithNote)
 {
   DicomSegmentationSpec spec;
   spec.Kind = "FRACTIONAL";
@@ -167,7 +167,7 @@ TEST(DicomSegmentation, FractionalIsCutAtHalfOfItsMaximumWithANote)
   EXPECT_TRUE(Contains(segmentation.Notes.front(), "half its maximum (100)"));
 }
 
-TEST(DicomSegmentation, LabelMapKindHasItsPixelValuesAsSegments)
+TEST(DicomSegmentation, LabelMapValuesBecomeSegments)
 {
   DicomSegmentationSpec spec;
   spec.Kind = "LABELMAP";
@@ -185,22 +185,22 @@ TEST(DicomSegmentation, LabelMapKindHasItsPixelValuesAsSegments)
   EXPECT_EQ(LabelAt(segmentation, 0, 3.0, 1), 1);
 }
 
-TEST(DicomSegmentation, UnknownKindIsNamed)
+TEST(DicomSegmentation, NamesUnknownKind)
 {
   DicomSegmentationSpec spec;
   spec.Kind = "SPECTRAL";
   spec.Frames = {{1, 0.0, Pixels({0})}, {1, 3.0, Pixels({0})}};
-  EXPECT_TRUE(Contains(Refusal(spec), "of the kind 'SPECTRAL', which is not read"));
+  EXPECT_TRUE(Contains(Refusal(spec), "of the kind 'SPECTRAL', which is not supported"));
 }
 
-TEST(DicomSegmentation, UnevenFramesAreRefused)
+TEST(DicomSegmentation, RejectsUnevenFrames)
 {
   DicomSegmentationSpec spec;
   spec.Frames = {{1, 0.0, Pixels({0})}, {1, 3.0, Pixels({0})}, {1, 7.5, Pixels({0})}};
   EXPECT_TRUE(Contains(Refusal(spec), "uneven gaps"));
 }
 
-TEST(DicomSegmentation, EmptyObjectIsRefused)
+TEST(DicomSegmentation, RejectsEmptyObject)
 {
   DicomSegmentationSpec spec;
   spec.Segments = {{1, "a"}};
@@ -209,7 +209,7 @@ TEST(DicomSegmentation, EmptyObjectIsRefused)
   EXPECT_FALSE(Contains(Refusal(spec), "Secret"));
 }
 
-TEST(DicomSegmentation, LiverHasTheVoxelsOfItsPixelData)
+TEST(DicomSegmentation, LiverMatchesItsPixelData)
 {
   const auto path = DataPath("dicom_seg/liver.dcm");
   PALPATE_REQUIRE_FILE(path);
@@ -223,7 +223,7 @@ TEST(DicomSegmentation, LiverHasTheVoxelsOfItsPixelData)
   EXPECT_LT((grid.Spacing - Vector3(0.810547, 0.810547, 1)).norm(), 1e-12);
 }
 
-TEST(DicomSegmentation, PartialOverlapsKeepEverySegmentWhole)
+TEST(DicomSegmentation, PartialOverlapKeepsEverySegment)
 {
   const auto path = DataPath("dicom_seg/partial_overlaps.dcm");
   PALPATE_REQUIRE_FILE(path);
@@ -241,7 +241,7 @@ TEST(DicomSegmentation, PartialOverlapsKeepEverySegmentWhole)
   EXPECT_EQ(segmentation.Find("DARK_BLUE").Label, 5);
 }
 
-TEST(DicomSegmentation, SparseLabelMapHasAnEmptySliceBetween)
+TEST(DicomSegmentation, SparseLabelMapHasEmptySlice)
 {
   const auto path = DataPath("dicom_seg/sparse-labelmap-noppv.dcm");
   PALPATE_REQUIRE_FILE(path);
@@ -269,7 +269,7 @@ TEST(CieLabColor, WhiteAndBlackAreNeutral)
   }
 }
 
-TEST(CieLabColor, SlicerColorsComeBackAsTheyWerePicked)
+TEST(CieLabColor, RestoresSlicerColors)
 {
   // 3D Slicer's colours of liver, tissue and artery, as dcmqi encoded them in the test files.
   const std::array<std::array<std::uint16_t, 3>, 3> encoded{

@@ -13,7 +13,7 @@ using namespace palpate::test;
 
 namespace
 {
-// Slices at these heights along their normal, in files whose names say nothing about the order.
+// Slices at these heights along their normal, in files whose names do not reveal the order.
 void WriteStack(const TemporaryFolder& folder, const std::vector<double>& heights,
                 DicomSliceSpec spec = {})
 {
@@ -34,7 +34,7 @@ std::string Refusal(const std::filesystem::path& path, const std::string& series
 }
 } // namespace
 
-TEST(DicomSeries, SlicesAreOrderedAlongTheirNormal)
+TEST(DicomSeries, OrdersSlicesAlongNormal)
 {
   const TemporaryFolder folder;
   DicomSliceSpec spec;
@@ -55,7 +55,7 @@ TEST(DicomSeries, SlicesAreOrderedAlongTheirNormal)
   }
 }
 
-TEST(DicomSeries, OneFileStandsForItsSeries)
+TEST(DicomSeries, OneFileSelectsItsSeries)
 {
   const TemporaryFolder folder;
   WriteStack(folder, {0, 3, 6});
@@ -67,7 +67,7 @@ TEST(DicomSeries, OneFileStandsForItsSeries)
   EXPECT_EQ(GridOf(ReadVolume(folder / "f1-2.dcm").Image).Size[2], 2);
 }
 
-TEST(DicomSeries, SeveralSeriesAreListedAndOneCanBeChosen)
+TEST(DicomSeries, ListsSeveralSeriesForChoice)
 {
   const TemporaryFolder folder;
   WriteStack(folder, {0, 3, 6});
@@ -84,28 +84,28 @@ TEST(DicomSeries, SeveralSeriesAreListedAndOneCanBeChosen)
   EXPECT_TRUE(Contains(Refusal(folder.Path(), "7"), "has no series 7"));
 }
 
-TEST(DicomSeries, PatientNamesStayInside)
+TEST(DicomSeries, DoesNotRevealPatientNames)
 {
   const TemporaryFolder folder;
   WriteStack(folder, {0, 3, 9});
   EXPECT_FALSE(Contains(Refusal(folder.Path()), "Secret"));
 }
 
-TEST(DicomSeries, MissingSliceIsRefused)
+TEST(DicomSeries, RejectsMissingSlice)
 {
   const TemporaryFolder folder;
   WriteStack(folder, {0, 3, 6, 12, 15});
   EXPECT_TRUE(Contains(Refusal(folder.Path()), "uneven gaps between its slices (3 to 6 mm)"));
 }
 
-TEST(DicomSeries, TwoImagesInOnePlaceAreRefused)
+TEST(DicomSeries, RejectsTwoImagesAtOnePosition)
 {
   const TemporaryFolder folder;
   WriteStack(folder, {0, 0, 3, 3});
   EXPECT_TRUE(Contains(Refusal(folder.Path()), "4 images in 2 places"));
 }
 
-TEST(DicomSeries, TiltedStackIsRefused)
+TEST(DicomSeries, RejectsTiltedStack)
 {
   const TemporaryFolder folder;
   for (int i = 0; i < 4; ++i)
@@ -117,21 +117,21 @@ TEST(DicomSeries, TiltedStackIsRefused)
   EXPECT_TRUE(Contains(Refusal(folder.Path()), "shifted sideways"));
 }
 
-TEST(DicomSeries, SingleSliceIsRefused)
+TEST(DicomSeries, RejectsSingleSlice)
 {
   const TemporaryFolder folder;
   WriteStack(folder, {0});
   EXPECT_TRUE(Contains(Refusal(folder.Path()), "is a single slice"));
 }
 
-TEST(DicomSeries, FolderWithoutImagesIsRefused)
+TEST(DicomSeries, RejectsFolderWithoutImages)
 {
   const TemporaryFolder folder;
   WriteAll(folder / "notes.txt", "nothing");
   EXPECT_TRUE(Contains(Refusal(folder.Path()), "holds no DICOM file"));
 }
 
-TEST(DicomSeries, OtherFilesInTheFolderArePassedOver)
+TEST(DicomSeries, SkipsOtherFilesInFolder)
 {
   const TemporaryFolder folder;
   WriteStack(folder, {0, 3});
@@ -139,7 +139,7 @@ TEST(DicomSeries, OtherFilesInTheFolderArePassedOver)
   EXPECT_EQ(GridOf(ReadVolume(folder.Path()).Image).Size[2], 2);
 }
 
-TEST(DicomSeries, AxialSeriesHasTheGeometryOfItsHeaders)
+TEST(DicomSeries, AxialSeriesHasGeometryOfHeaders)
 {
   const auto path = DataPath("prostate/dicom_t2_axial");
   PALPATE_REQUIRE_FILE(path);
@@ -153,7 +153,7 @@ TEST(DicomSeries, AxialSeriesHasTheGeometryOfItsHeaders)
   EXPECT_TRUE(grid.Direction.isIdentity(1e-12));
 }
 
-TEST(DicomSeries, OrientationsUnderOneUidAreApart)
+TEST(DicomSeries, SeparatesOrientationsOfSameUid)
 {
   const auto path = DataPath("prostate/dicom_localizer_three_planes");
   PALPATE_REQUIRE_FILE(path);

@@ -13,7 +13,7 @@ using namespace palpate::test;
 
 namespace
 {
-// A series whose second slice states another transfer syntax than it has.
+// A series whose second slice states a wrong transfer syntax.
 std::string SeriesRefusal(const std::string& syntax)
 {
   const TemporaryFolder folder;
@@ -27,7 +27,7 @@ std::string SeriesRefusal(const std::string& syntax)
 }
 } // namespace
 
-TEST(DicomTransferSyntax, UncompressedOnesAreNative)
+TEST(DicomTransferSyntax, UncompressedSyntaxesAreNative)
 {
   for (const char* uid : {"1.2.840.10008.1.2", "1.2.840.10008.1.2.1", "1.2.840.10008.1.2.2",
                           "1.2.840.10008.1.2.1.99"})
@@ -36,7 +36,7 @@ TEST(DicomTransferSyntax, UncompressedOnesAreNative)
   }
 }
 
-TEST(DicomTransferSyntax, CompressedOnesHaveTheirDecoder)
+TEST(DicomTransferSyntax, CompressedSyntaxesHaveDecoders)
 {
   EXPECT_EQ(PixelCodingOf("1.2.840.10008.1.2.5"), PixelCoding::RunLength);
   for (const char* uid : {"1.2.840.10008.1.2.4.50", "1.2.840.10008.1.2.4.51",
@@ -50,7 +50,7 @@ TEST(DicomTransferSyntax, CompressedOnesHaveTheirDecoder)
   EXPECT_EQ(PixelCodingOf("1.2.840.10008.1.2.4.91"), PixelCoding::Jpeg2000);
 }
 
-TEST(DicomTransferSyntax, AllOthersAreUnread)
+TEST(DicomTransferSyntax, OthersAreUnsupported)
 {
   // Progressive JPEG, JPEG 2000 of several components, JPIP, MPEG, HEVC, HTJ2K, a private one.
   for (const char* uid :
@@ -61,28 +61,29 @@ TEST(DicomTransferSyntax, AllOthersAreUnread)
   }
 }
 
-TEST(DicomTransferSyntax, RefusalNamesWhatIsNotRead)
+TEST(DicomTransferSyntax, RefusalNamesTransferSyntax)
 {
   EXPECT_TRUE(Contains(
       SeriesRefusal("1.2.840.10008.1.2.4.92"),
       "2.dcm stores its pixels in the transfer syntax JPEG 2000 Part 2 Multicomponent Image "
-      "Compression (Lossless only) (1.2.840.10008.1.2.4.92), which is not read; export it again "
+      "Compression (Lossless only) (1.2.840.10008.1.2.4.92), which is not supported; export it "
+      "again "
       "uncompressed or as RLE, JPEG, JPEG-LS or JPEG 2000."));
   EXPECT_TRUE(Contains(SeriesRefusal("1.2.840.10008.1.2.4.100"),
                        "in the transfer syntax MPEG2 Main Profile @ Main Level "
-                       "(1.2.840.10008.1.2.4.100), which is not read"));
+                       "(1.2.840.10008.1.2.4.100), which is not supported"));
 }
 
-TEST(DicomTransferSyntax, SyntaxesYoungerThanDcmtkAreNamedToo)
+TEST(DicomTransferSyntax, NamesSyntaxesUnknownToDcmtk)
 {
   EXPECT_TRUE(Contains(SeriesRefusal("1.2.840.10008.1.2.4.201"),
                        "in the transfer syntax High-Throughput JPEG 2000 "
-                       "(1.2.840.10008.1.2.4.201), which is not read"));
+                       "(1.2.840.10008.1.2.4.201), which is not supported"));
   EXPECT_TRUE(
-      Contains(SeriesRefusal("1.2.3.4"), "in the transfer syntax 1.2.3.4, which is not read"));
+      Contains(SeriesRefusal("1.2.3.4"), "in the transfer syntax 1.2.3.4, which is not supported"));
 }
 
-TEST(DicomTransferSyntax, SegmentationsAreRefusedTheSameWay)
+TEST(DicomTransferSyntax, SegmentationRefusalNamesTransferSyntax)
 {
   const TemporaryFolder folder;
   DicomSegmentationSpec spec;
@@ -95,11 +96,11 @@ TEST(DicomTransferSyntax, SegmentationsAreRefusedTheSameWay)
     Compress(folder / "a.dcm", Codec::Jpeg2000);
     StateTransferSyntax(folder / "a.dcm", syntax);
     EXPECT_TRUE(Contains(MessageOf([&] { ReadSegmentation(folder / "a.dcm"); }),
-                         std::string("(") + syntax + "), which is not read"));
+                         std::string("(") + syntax + "), which is not supported"));
   }
 }
 
-TEST(DicomTransferSyntax, CompressedBitsAreRefused)
+TEST(DicomTransferSyntax, RejectsCompressedBits)
 {
   const TemporaryFolder folder;
   DicomSegmentationSpec spec;
@@ -112,6 +113,6 @@ TEST(DicomTransferSyntax, CompressedBitsAreRefused)
   bytes[bytes.find(bitsAllocated) + 8] = 1;
   WriteAll(folder / "a.dcm", bytes);
   EXPECT_TRUE(Contains(MessageOf([&] { ReadSegmentation(folder / "a.dcm"); }),
-                       "has compressed pixels of one bit, which are not read; export the "
+                       "has compressed pixels of one bit, which are not supported; export the "
                        "segmentation again uncompressed or with eight bits a pixel."));
 }

@@ -16,7 +16,7 @@ using namespace palpate::test;
 
 namespace
 {
-// Splits a stream into pieces of an even length, and at most one shorter.
+// Splits a stream into pieces of even length, the last of which may be shorter.
 std::vector<std::string> Split(const std::string& stream, std::size_t length)
 {
   std::vector<std::string> pieces;
@@ -27,7 +27,7 @@ std::vector<std::string> Split(const std::string& stream, std::size_t length)
   return pieces;
 }
 
-// A label map of three frames of 16 x 12 pixels, each labelled in another third of its rows.
+// A label map of three frames of 16 x 12 pixels, each labelled in a different third of its rows.
 void WriteThreeFrames(const std::filesystem::path& file, Codec codec)
 {
   DicomSegmentationSpec spec;
@@ -61,7 +61,7 @@ void ExpectThreeFrames(const std::filesystem::path& file)
 constexpr Codec StreamCodecs[] = {Codec::JpegLossless, Codec::JpegLs, Codec::Jpeg2000};
 } // namespace
 
-TEST(EncapsulatedFrames, AFrameMayBeInSeveralFragments)
+TEST(EncapsulatedFrames, FrameMaySpanFragments)
 {
   for (const Codec codec : LosslessCodecs)
   {
@@ -88,7 +88,7 @@ TEST(EncapsulatedFrames, AFrameMayBeInSeveralFragments)
   }
 }
 
-TEST(EncapsulatedFrames, OffsetTableSaysWhereFramesStart)
+TEST(EncapsulatedFrames, OffsetTableLocatesFrames)
 {
   for (const Codec codec : LosslessCodecs)
   {
@@ -112,7 +112,7 @@ TEST(EncapsulatedFrames, OffsetTableSaysWhereFramesStart)
   }
 }
 
-TEST(EncapsulatedFrames, WithoutOffsetsFramesStartAtTheirMarkers)
+TEST(EncapsulatedFrames, FindsFramesByMarkersWithoutOffsets)
 {
   for (const Codec codec : StreamCodecs)
   {
@@ -127,13 +127,13 @@ TEST(EncapsulatedFrames, WithoutOffsetsFramesStartAtTheirMarkers)
     }
     ReplaceFragments(file, pieces);
     ExpectThreeFrames(file);
-    // Nor does a table that is wrong mislead.
+    // A wrong table is ignored.
     ReplaceFragments(file, pieces, {0, 5, 10});
     ExpectThreeFrames(file);
   }
 }
 
-TEST(EncapsulatedFrames, AFragmentAFrameNeedsNoOffsets)
+TEST(EncapsulatedFrames, OneFragmentPerFrameNeedsNoOffsets)
 {
   for (const Codec codec : LosslessCodecs)
   {
@@ -146,7 +146,7 @@ TEST(EncapsulatedFrames, AFragmentAFrameNeedsNoOffsets)
   }
 }
 
-TEST(EncapsulatedFrames, PaddingAfterAFrameIsPassedOver)
+TEST(EncapsulatedFrames, SkipsPaddingAfterFrame)
 {
   for (const Codec codec : LosslessCodecs)
   {
@@ -163,7 +163,7 @@ TEST(EncapsulatedFrames, PaddingAfterAFrameIsPassedOver)
   }
 }
 
-TEST(EncapsulatedFrames, FewerFragmentsThanFramesAreRefused)
+TEST(EncapsulatedFrames, RejectsFewerFragmentsThanFrames)
 {
   const TemporaryFolder folder;
   const auto file = folder / "a.dcm";
@@ -172,23 +172,23 @@ TEST(EncapsulatedFrames, FewerFragmentsThanFramesAreRefused)
   streams.pop_back();
   ReplaceFragments(file, streams);
   EXPECT_TRUE(Contains(MessageOf([&] { ReadSegmentation(file); }),
-                       "its pixels are not what its header promises"));
+                       "its pixel data do not match its header"));
 }
 
-TEST(EncapsulatedFrames, FragmentLongerThanTheFileIsRefused)
+TEST(EncapsulatedFrames, RejectsFragmentBeyondEndOfFile)
 {
   const TemporaryFolder folder;
   const auto file = folder / "a.dcm";
   WriteThreeFrames(file, Codec::RunLength);
   std::string bytes = ReadAll(file);
-  // The last fragment's length stands before it; the sequence's delimiter is the last eight bytes.
+  // The last fragment is preceded by its length; the sequence's delimiter is the last eight bytes.
   const std::size_t length = bytes.size() - 8 - Fragments(file).back().size() - 4;
   bytes[length + 3] = 0x7F;
   WriteAll(file, bytes);
   EXPECT_TRUE(Contains(MessageOf([&] { ReadSegmentation(file); }), "is truncated or damaged"));
 }
 
-TEST(EncapsulatedFrames, FragmentsThatBelongToNoFrameAreRefused)
+TEST(EncapsulatedFrames, RejectsFragmentsWithoutFrame)
 {
   const TemporaryFolder folder;
   const auto file = folder / "a.dcm";
@@ -197,5 +197,5 @@ TEST(EncapsulatedFrames, FragmentsThatBelongToNoFrameAreRefused)
   streams.push_back(streams.back());
   ReplaceFragments(file, streams, {0, 4, 8});
   EXPECT_TRUE(Contains(MessageOf([&] { ReadSegmentation(file); }),
-                       "its pixels are not what its header promises"));
+                       "its pixel data do not match its header"));
 }

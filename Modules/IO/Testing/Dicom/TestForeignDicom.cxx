@@ -57,7 +57,8 @@ void WriteObject(const std::filesystem::path& file, const char* objectClass, int
   ASSERT_TRUE(format.saveFile(file.c_str(), EXS_LittleEndianExplicit).good());
 }
 
-// One sentence that begins with the file, says what it is and what to do, and nothing of patients.
+// One sentence that begins with the file, states its format and the fix, and contains no patient
+// data.
 void ExpectTold(const std::string& message, const std::filesystem::path& file, const char* is)
 {
   EXPECT_EQ(message.rfind(file.string() + " ", 0), 0U) << message;
@@ -67,7 +68,7 @@ void ExpectTold(const std::string& message, const std::filesystem::path& file, c
 }
 } // namespace
 
-TEST(ForeignDicom, IsRefusedByWhatItIs)
+TEST(ForeignDicom, RejectsNamingFormat)
 {
   for (const Foreign& object : Objects)
   {
@@ -79,7 +80,7 @@ TEST(ForeignDicom, IsRefusedByWhatItIs)
   }
 }
 
-TEST(ForeignDicom, IsNamedWhereAFolderHoldsNothingElse)
+TEST(ForeignDicom, IsNamedIfFolderHoldsNothingElse)
 {
   const TemporaryFolder folder;
   const auto file = folder / "rs.dcm";
@@ -88,7 +89,7 @@ TEST(ForeignDicom, IsNamedWhereAFolderHoldsNothingElse)
   ExpectTold(MessageOf([&] { ReadSegmentation(folder.Path()); }), file, Objects.front().Is);
 }
 
-TEST(ForeignDicom, AStructureSetIsNotAskedToBeRead)
+TEST(ForeignDicom, RejectsStructureSetWithoutReading)
 {
   const TemporaryFolder folder;
   WriteObject(folder / "rs.dcm", Objects.front().Class);
@@ -96,7 +97,7 @@ TEST(ForeignDicom, AStructureSetIsNotAskedToBeRead)
                        "convert it to a segmentation on its image's grid"));
 }
 
-TEST(ForeignDicom, AnIndexPointsToTheFolderOfASeries)
+TEST(ForeignDicom, IndexSuggestsSeriesFolder)
 {
   const TemporaryFolder folder;
   WriteObject(folder / "DICOMDIR", UID_MediaStorageDirectoryStorage, 0, true);
@@ -104,15 +105,15 @@ TEST(ForeignDicom, AnIndexPointsToTheFolderOfASeries)
              "is the index of a DICOM medium (DICOMDIR)");
 }
 
-TEST(ForeignDicom, AnImageOfSeveralFramesSaysSo)
+TEST(ForeignDicom, NamesMultiFrameImage)
 {
   const TemporaryFolder folder;
   WriteObject(folder / "enhanced.dcm", "1.2.840.10008.5.1.4.1.1.4.1", 20);
   ExpectTold(MessageOf([&] { ReadVolume(folder / "enhanced.dcm"); }), folder / "enhanced.dcm",
-             "is a DICOM image of several frames");
+             "is a multi-frame DICOM image");
 }
 
-TEST(ForeignDicom, SlicesAndSegmentationsAreNone)
+TEST(ForeignDicom, SlicesAndSegmentationsAreNotForeign)
 {
   const TemporaryFolder folder;
   WriteDicomSlice(folder / "slice.dcm", {});

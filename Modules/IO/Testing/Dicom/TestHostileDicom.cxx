@@ -11,10 +11,10 @@
 using namespace palpate;
 using namespace palpate::test;
 
-// Memory and time are bounded by what a DICOM file is, not by what it claims.
+// Memory and time are bounded by the actual content of a DICOM file, not by its header.
 namespace
 {
-constexpr rlim_t SomeMemory = rlim_t{1} << 30; // what reading a file of some bytes may take at most
+constexpr rlim_t SomeMemory = rlim_t{1} << 30; // limit for reading a file of some bytes
 
 std::string Refusal(const std::string& bytes)
 {
@@ -30,7 +30,7 @@ double CpuSeconds()
 }
 } // namespace
 
-TEST(HostileDicom, ReadsTheUnclaimingSegmentation)
+TEST(HostileDicom, ReadsSegmentationWithoutFalseClaims)
 {
   const TemporaryFolder folder;
   WriteAll(folder / "a.dcm", ClaimedSegmentationBytes({}));
@@ -38,35 +38,35 @@ TEST(HostileDicom, ReadsTheUnclaimingSegmentation)
   EXPECT_EQ(segmentation.Segments.size(), 1U);
 }
 
-TEST(HostileDicom, RefusesSliceNumbersBeyondInt)
+TEST(HostileDicom, RejectsSliceNumbersBeyondInt)
 {
   ClaimedSegmentation claim;
   claim.Frames = "2";
   for (const char* height : {"3e9", "1e12", "1e300", "-1e12"})
   {
     claim.Heights = {"0", height};
-    EXPECT_TRUE(Contains(Refusal(ClaimedSegmentationBytes(claim)), "slice distances apart"))
+    EXPECT_TRUE(Contains(Refusal(ClaimedSegmentationBytes(claim)), "slice spacings apart"))
         << height;
   }
   claim.Heights = {"-1e308", "1.7e308"};
   EXPECT_TRUE(Contains(Refusal(ClaimedSegmentationBytes(claim)), "at an infinite distance"));
 }
 
-TEST(HostileDicom, RefusesFramesWithoutTheirPixels)
+TEST(HostileDicom, RejectsFramesWithoutPixels)
 {
   ClaimedSegmentation claim;
   claim.Columns = 65535;
   claim.Rows = 65535; // the product exceeds int
   EXPECT_TRUE(Contains(Refusal(ClaimedSegmentationBytes(claim)),
-                       "has fewer pixels than its header promises"));
+                       "has fewer pixels than its header declares"));
   claim.Frames = "2147483647";
   EXPECT_TRUE(Contains(Refusal(ClaimedSegmentationBytes(claim)),
-                       "has fewer pixels than its header promises"));
-  claim.Frames = "1e18"; // no whole number of the type
+                       "has fewer pixels than its header declares"));
+  claim.Frames = "1e18"; // not a whole number of the type
   EXPECT_TRUE(Contains(Refusal(ClaimedSegmentationBytes(claim)), "has no frames"));
 }
 
-TEST(HostileDicom, RefusesFramesThatHaveNoItem)
+TEST(HostileDicom, RejectsFramesWithoutItem)
 {
   ClaimedSegmentation claim;
   claim.Frames = "1000000";
@@ -75,7 +75,7 @@ TEST(HostileDicom, RefusesFramesThatHaveNoItem)
       Contains(Refusal(ClaimedSegmentationBytes(claim)), "describes 1 of its 1000000 frames"));
 }
 
-TEST(HostileDicom, RefusesEmptySlicesThatTakeGigabytes)
+TEST(HostileDicom, RejectsGigabytesOfEmptySlices)
 {
   ClaimedSegmentation claim;
   claim.Columns = 1024;
@@ -86,9 +86,9 @@ TEST(HostileDicom, RefusesEmptySlicesThatTakeGigabytes)
   EXPECT_TRUE(Contains(Refusal(ClaimedSegmentationBytes(claim)), "most of them without data"));
 }
 
-TEST(HostileDicom, TimeOfEmptyFramesGrowsAsTheirNumber)
+TEST(HostileDicom, EmptyFramesTakeLinearTime)
 {
-  // Twelve bytes a frame. With a search from the first for each, these would take minutes.
+  // Twelve bytes per frame. Searching from the first one for each would take minutes.
   constexpr int Frames = 300000;
   ClaimedSegmentation claim;
   claim.Frames = std::to_string(Frames);
@@ -101,7 +101,7 @@ TEST(HostileDicom, TimeOfEmptyFramesGrowsAsTheirNumber)
   EXPECT_LT(CpuSeconds() - start, 20.0);
 }
 
-TEST(HostileDicom, RefusesDeeplyNestedSequences)
+TEST(HostileDicom, RejectsDeeplyNestedSequences)
 {
   for (const DicomCoding coding : {DicomCoding::Explicit, DicomCoding::Implicit,
                                    DicomCoding::BigEndian, DicomCoding::Deflated})
@@ -110,7 +110,7 @@ TEST(HostileDicom, RefusesDeeplyNestedSequences)
     {
       const std::string bytes =
           DicomFile(NestedDicomSequences(200000, coding, definedLengths), coding);
-      EXPECT_TRUE(Contains(Refusal(bytes), "nests sequences in sequences too deeply"))
+      EXPECT_TRUE(Contains(Refusal(bytes), "nests sequences too deeply"))
           << static_cast<int>(coding) << definedLengths;
       const TemporaryFolder folder;
       WriteAll(folder / "a.dcm", bytes);
@@ -131,7 +131,7 @@ TEST(HostileDicom, ReadsSequencesNestedFarDeeperThanRealOnes)
 
 namespace
 {
-// Elements whose tags fall, with something between them.
+// Elements with descending tags, with other elements between them.
 std::string FallingElements(int count, const std::string& vr, const std::string& value)
 {
   std::string bytes = DicomShort(0x0028, 0x0002, 1);
@@ -147,7 +147,7 @@ std::string FallingElements(int count, const std::string& vr, const std::string&
   return DicomFile(bytes);
 }
 
-// Creators of private elements and as many private elements, in each of the groups.
+// Creators of private elements and an equal number of private elements, in each of the groups.
 std::string PrivateElements(int groups)
 {
   std::string bytes;
@@ -166,8 +166,8 @@ std::string PrivateElements(int groups)
 }
 } // namespace
 
-// The parser looks through those before for each.
-TEST(HostileDicom, RefusesMoreElementsThanAnyItemHas)
+// The parser searches all earlier ones for each.
+TEST(HostileDicom, RejectsTooManyElements)
 {
   const std::string message = "has more than 5000 attributes";
   EXPECT_TRUE(Contains(Refusal(FallingElements(20000, "LO", "x")), message));
@@ -176,7 +176,7 @@ TEST(HostileDicom, RefusesMoreElementsThanAnyItemHas)
       Contains(Refusal(DicomFile(DicomSequence(0x0008, 0x1140, {PrivateElements(40)}))), message));
 }
 
-// Whatever the parser went through in between.
+// Regardless of the elements in between.
 TEST(HostileDicom, CountsElementsBetweenSequences)
 {
   EXPECT_TRUE(Contains(Refusal(FallingElements(20000, "SQ", "")), "has more than 5000 attributes"));
@@ -191,7 +191,7 @@ TEST(HostileDicom, ReadsManyElementsInManyItems)
   EXPECT_EQ(Refusal(ClaimedSegmentationBytes(claim)), "no error");
 }
 
-TEST(HostileDicom, RefusesGigabytesOfPixelsFromFewCompressedBytes)
+TEST(HostileDicom, RejectsGigabytesFromFewCompressedBytes)
 {
   // A frame of 65,535 x 65,535 pixels in a stream of some bytes.
   const std::string item = std::string("\xFE\xFF\x00\xE0", 4);
@@ -206,10 +206,10 @@ TEST(HostileDicom, RefusesGigabytesOfPixelsFromFewCompressedBytes)
                 DicomShort(0x0028, 0x0011, 65535) + DicomShort(0x0028, 0x0100, 8) +
                 DicomElement(0x0062, 0x0001, "CS", "LABELMAP") + pixels);
   const std::string native = "1.2.840.10008.1.2.1";
-  // JPEG-LS; the length of the UID and of its group grow by three bytes and a padding.
+  // JPEG-LS; the lengths of the UID and of its group grow by three bytes and a padding byte.
   const std::string syntax = DicomElement(0x0002, 0x0010, "UI", "1.2.840.10008.1.2.4.80");
   const std::string old = DicomElement(0x0002, 0x0010, "UI", native);
   bytes.replace(bytes.find(old), old.size(), syntax);
   bytes[128 + 4 + 8] = static_cast<char>(syntax.size());
-  EXPECT_TRUE(Contains(Refusal(bytes), "promises 4.29484 GB of pixels, and there are 8"));
+  EXPECT_TRUE(Contains(Refusal(bytes), "declares 4.29484 GB of pixels, but there are 8"));
 }

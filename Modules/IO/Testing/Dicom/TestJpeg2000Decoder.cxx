@@ -55,7 +55,7 @@ void ExpectSlope(const CompressedFrame& frame)
 }
 } // namespace
 
-TEST(Jpeg2000Decoder, SignIsTheHeadersWhateverTheStreamSays)
+TEST(Jpeg2000Decoder, TakesSignFromHeader)
 {
   ExpectSlope(Frame(12, true));
   ExpectSlope(Frame(12, false));
@@ -63,7 +63,7 @@ TEST(Jpeg2000Decoder, SignIsTheHeadersWhateverTheStreamSays)
   ExpectSlope(Frame(16, false));
 }
 
-TEST(Jpeg2000Decoder, BoxesAroundTheCodestreamArePassedOver)
+TEST(Jpeg2000Decoder, SkipsBoxesAroundCodestream)
 {
   CompressedFrame frame = Frame(12, true);
   const std::vector<std::uint8_t> boxes{0, 0, 0, 12, 'j', 'P', ' ', ' ', 0x0D, 0x0A, 0x87, 0x0A};
@@ -71,7 +71,7 @@ TEST(Jpeg2000Decoder, BoxesAroundTheCodestreamArePassedOver)
   ExpectSlope(frame);
 }
 
-TEST(Jpeg2000Decoder, AnotherSizeOrDepthIsRefused)
+TEST(Jpeg2000Decoder, RejectsOtherSizeOrDepth)
 {
   std::vector<std::int16_t> pixels;
   CompressedFrame frame = Frame(12, true);
@@ -85,7 +85,7 @@ TEST(Jpeg2000Decoder, AnotherSizeOrDepthIsRefused)
   EXPECT_FALSE(Decode(frame, pixels));
 }
 
-TEST(Jpeg2000Decoder, TilesOfAFewPixelsAreRefusedBeforeTheyAreAllocated)
+TEST(Jpeg2000Decoder, RejectsTinyTilesBeforeAllocation)
 {
   std::vector<std::int16_t> pixels;
   CompressedFrame frame = Frame(12, true);
@@ -97,7 +97,7 @@ TEST(Jpeg2000Decoder, TilesOfAFewPixelsAreRefusedBeforeTheyAreAllocated)
   EXPECT_FALSE(Decode(frame, pixels));
 }
 
-TEST(Jpeg2000Decoder, EveryCutIsNoticed)
+TEST(Jpeg2000Decoder, DetectsEveryTruncation)
 {
   std::vector<std::int16_t> pixels;
   const CompressedFrame good = Frame(12, true);

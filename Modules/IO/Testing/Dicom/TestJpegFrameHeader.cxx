@@ -29,7 +29,7 @@ bool HasHeader(const Bytes& stream)
 }
 } // namespace
 
-TEST(JpegFrameHeader, FrameIsFoundAmongTheMarkers)
+TEST(JpegFrameHeader, FindsFrameAmongMarkers)
 {
   // With a repeated 0xFF.
   const auto header = ReadJpegFrameHeader(Stream({Comment, {0xFF}, Frame, Scan}));
@@ -41,7 +41,7 @@ TEST(JpegFrameHeader, FrameIsFoundAmongTheMarkers)
   EXPECT_EQ(header->Components, 1);
 }
 
-TEST(JpegFrameHeader, CutHeadersAreNone)
+TEST(JpegFrameHeader, RejectsTruncatedHeaders)
 {
   const Bytes good = Stream({Comment, Frame});
   for (std::size_t size = 0; size + 4 <= good.size(); ++size)
@@ -50,7 +50,7 @@ TEST(JpegFrameHeader, CutHeadersAreNone)
   }
 }
 
-TEST(JpegFrameHeader, LengthsBeyondTheStreamAreDamage)
+TEST(JpegFrameHeader, RejectsLengthsBeyondStream)
 {
   EXPECT_FALSE(HasHeader(Stream({{0xFF, 0xFE, 0xFF, 0xFE}, Frame, Scan})));
   EXPECT_FALSE(HasHeader(Stream({Comment, Scan})));

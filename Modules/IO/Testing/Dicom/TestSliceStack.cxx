@@ -40,7 +40,7 @@ std::string Refusal(const std::vector<double>& heights, const SliceStackRules& r
 }
 } // namespace
 
-TEST(SliceStack, AnyOrderAndOrientationGivesTheSameStack)
+TEST(SliceStack, StackIsIndependentOfOrderAndOrientation)
 {
   Random random(11);
   for (int round = 0; round < 30; ++round)
@@ -68,13 +68,13 @@ TEST(SliceStack, AnyOrderAndOrientationGivesTheSameStack)
   }
 }
 
-TEST(SliceStack, RoundedPositionsAreEven)
+TEST(SliceStack, AcceptsRoundedPositions)
 {
   const SliceStack stack = StackSlices("x", PlanesAt({0, 3.33, 6.67, 10.0}), {});
   EXPECT_NEAR(stack.Grid.Spacing[2], 10.0 / 3.0, 1e-12);
 }
 
-TEST(SliceStack, SparseStackFillsItsGaps)
+TEST(SliceStack, SparseStackFillsGaps)
 {
   SliceStackRules rules;
   rules.Sparse = true;
@@ -83,7 +83,7 @@ TEST(SliceStack, SparseStackFillsItsGaps)
   EXPECT_EQ(stack.Grid.Size[2], 5);
 }
 
-TEST(SliceStack, StatedDistanceIsUsedWhereItFits)
+TEST(SliceStack, UsesStatedSpacingIfConsistent)
 {
   SliceStackRules rules;
   rules.Sparse = true;
@@ -93,7 +93,7 @@ TEST(SliceStack, StatedDistanceIsUsedWhereItFits)
   EXPECT_EQ(StackSlices("x", PlanesAt({0, 4}), rules).Grid.Size[2], 2);
 }
 
-TEST(SliceStack, UnevenStacksAreRefused)
+TEST(SliceStack, RejectsUnevenStacks)
 {
   SliceStackRules sparse;
   sparse.Sparse = true;
@@ -101,10 +101,10 @@ TEST(SliceStack, UnevenStacksAreRefused)
   EXPECT_TRUE(Contains(Refusal({0, 2, 5}, sparse), "uneven gaps"));
   EXPECT_TRUE(Contains(Refusal({0, 1, 1, 2}, {}), "4 images in 3 places"));
   EXPECT_TRUE(Contains(Refusal({0}, {}), "single slice"));
-  EXPECT_TRUE(Contains(Refusal({0}, sparse), "states no distance between slices"));
+  EXPECT_TRUE(Contains(Refusal({0}, sparse), "does not state the distance between its slices"));
 }
 
-TEST(SliceStack, PlanesOfDifferentOrientationAreRefused)
+TEST(SliceStack, RejectsPlanesOfDifferentOrientation)
 {
   std::vector<SlicePlane> planes = PlanesAt({0, 1});
   planes[1].RowWorld = Vector3::UnitY();
