@@ -9,15 +9,15 @@
 
 namespace palpate::cli
 {
-/// `palpate tradeoff SCENE|FILE`: what speed costs in truth, setting by setting, on this machine,
-/// and what to choose.
+/// `palpate tradeoff SCENE|FILE`: measures the speed and accuracy of each setting on this machine,
+/// and recommends one.
 class TradeoffCommand : public Command
 {
 public:
   std::string Name() const override { return "tradeoff"; }
   std::string Summary() const override
   {
-    return "What speed costs in truth on this machine, and which setting to choose";
+    return "Measure speed and accuracy of each setting on this machine, and recommend one";
   }
   std::string Examples() const override;
   void DeclareOptions(CLI::App& app) override;
