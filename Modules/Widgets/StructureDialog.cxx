@@ -16,7 +16,7 @@ StructureDialog::StructureDialog(StudyController& study, int id, QWidget* parent
                   static_cast<int>(this->Structure.Mode),
                   [](SceneStructure& structure, int choice)
                   { structure.Mode = static_cast<HarmonicContactMode>(choice); });
-  this->AddChoice("Between voxels", "interpolation", {"linear", "cubic"},
+  this->AddChoice("Interpolation", "interpolation", {"linear", "cubic"},
                   static_cast<int>(this->Structure.Interpolation),
                   [](SceneStructure& structure, int choice)
                   { structure.Interpolation = static_cast<FieldInterpolation>(choice); });
@@ -51,7 +51,7 @@ void StructureDialog::AddNumber(const QString& label, const QString& name, doubl
   box->setSingleStep(0.1);
   box->setValue(member(this->Structure));
   this->Form->addRow(label, box);
-  // A value that the box shows rounded stays as it is until it is edited.
+  // A value that the box rounds is kept until it is edited.
   this->Writes.emplace_back(
       [box, member, shown = box->value()](SceneStructure& structure)
       { member(structure) = box->value() == shown ? member(structure) : box->value(); });

@@ -127,7 +127,7 @@ TEST_F(MainWindowTest, AStudyReopensAsItWasSaved)
   this->OpenPhantom();
   SlicePane* axial = this->Window->Views()->Slice(SliceOrientation::Axial);
   Click(axial->Canvas(), {90.0, 80.0});
-  this->Action("3-D with slices beside")->trigger();
+  this->Action("3-D with slices")->trigger();
   this->SavedTo = QString::fromStdString((this->Phantom.Folder / "case").string());
   this->Action("Save as")->trigger();
   const auto file = this->Phantom.Folder / "case.palpate.json";
