@@ -1,11 +1,11 @@
 #!/usr/bin/python3
-"""Puts the table that PalpateLimits measured into Documentation/Limits.md.
+"""Writes the table measured by PalpateLimits into Documentation/Limits.md.
 
     Utilities/limits.py [TABLE] [--page FILE]
 
-TABLE is build/release/fit-precision.md (see Utilities/limits.sh, which calls this). Of the page, what
-lies between the two comments is replaced; the rest is written by hand. Every test that the page names
-must be one of Testing/Extremes or of a module, or nothing is written; without TABLE that is all.
+TABLE is build/release/fit-precision.md (see Utilities/limits.sh, which calls this). Replaces the part
+of the page between the two comments; the rest is written by hand. First checks that every test named
+in the page exists in Testing or a module; without TABLE it only checks.
 """
 import argparse
 import pathlib

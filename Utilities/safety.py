@@ -1,11 +1,10 @@
 #!/usr/bin/python3
-"""Writes the table from a fault to 0 N into Documentation/Safety.md.
+"""Writes the table of times from a fault to 0 N into Documentation/Safety.md.
 
     Utilities/safety.py RESULTS...
 
 RESULTS are GoogleTest's JSON (see Utilities/safety.sh, which calls this) of tests that recorded the
-properties `front`, `fault` and ticks or milliseconds. Of the page, what lies between the two comments
-is replaced. A failed test is an error, and nothing is written.
+properties `front`, `fault` and ticks or milliseconds. Replaces the part of the page between the two comments. A failed test is an error, and nothing is written.
 """
 import json
 import pathlib
@@ -24,7 +23,7 @@ def tests_of(path):
 
 
 def words(name):
-    """'SwitchedOffWhileOwed' -> 'switched off while owed'; acronyms and sentences stay."""
+    """'SwitchedOffWhileOwed' -> 'switched off while owed'; acronyms and sentences are kept."""
     if " " in name and not name.startswith("SIG"):
         return name[0].lower() + name[1:]
     parts = re.findall(r"SIG[A-Z]+|NaN|[A-Z][a-z]*|[a-z]+|\d+", name)
