@@ -1,6 +1,6 @@
-"""Breaks one line at a time of what keeps the hand safe, and sees whether a test notices.
+"""Breaks one line at a time of the safety-critical code, and checks whether a test fails.
 
-Testing/Mutants/mutants.toml says which lines. They are changed in a copy of the sources, below
+Testing/Mutants/mutants.toml lists the lines. They are changed in a copy of the sources, below
 build/mutants, which is built and tested there; the working tree is only read.
 """
 
@@ -21,23 +21,23 @@ LIMIT = 120  # s, for a program that a mutant keeps from ending
 
 INTRODUCTION = """# Mutants
 
-Each row is one line that was broken on purpose, and the first test that noticed. A test that cannot fail kills
-nothing; a mutant that survives is a test that is missing. Written by `Utilities/mutants.sh` from
-[`Testing/Mutants/mutants.toml`](../Testing/Mutants/mutants.toml); the test `Structure.Mutants` keeps that table true
-to the sources.
+Each row is one line that was broken on purpose, and the first test that failed. A test that cannot fail kills nothing;
+a surviving mutant is a missing test. Written by `Utilities/mutants.sh` from
+[`Testing/Mutants/mutants.toml`](../Testing/Mutants/mutants.toml); the test `Structure.Mutants` checks that table against
+the sources.
 """
 
 
 def lines_of(text):
-    """The lines of a table's entry, without indentation."""
+    """The lines of an entry of the table, without indentation."""
     return [line.strip() for line in text.strip("\n").split("\n") if line.strip()]
 
 
 def mutated(text, mutant):
-    """The text of the file with the mutant in it. Raises ValueError where it does not apply."""
+    """The text of the file with the mutant applied. Raises ValueError if it does not apply."""
     source = text.split("\n")
     wanted = lines_of(mutant["old"])
-    # A line that clang-format broke is still the same.
+    # A line that clang-format wrapped is still the same.
     for length in range(len(wanted), len(wanted) + 3):
         found = [
             n
@@ -55,7 +55,7 @@ def mutated(text, mutant):
 
 
 def problems_of(table, root):
-    """What is wrong with the table: mutants that do not apply or say nothing."""
+    """Errors of the table: mutants that do not apply or lack a description."""
     problems = []
     seen = set()
     for mutant in table["mutant"]:
@@ -73,7 +73,7 @@ def problems_of(table, root):
 
 
 def group_of(table, mutant):
-    """What is built and run for a mutant."""
+    """The targets to build and run for a mutant."""
     return next((g for g in table["group"] if mutant["file"].startswith(g["files"])), None)
 
 
@@ -87,7 +87,7 @@ class Copy:
         os.environ.setdefault("CCACHE_BASEDIR", str(self.sources))
 
     def refresh(self):
-        """As the working tree is now; what is the same keeps its time, and is not built again."""
+        """Copies the working tree; unchanged files keep their time and are not built again."""
         names = subprocess.run(
             ["git", "ls-files", "-z", "--cached", "--others", "--exclude-standard"],
             cwd=ROOT, check=True, capture_output=True, text=True,
@@ -120,7 +120,7 @@ class Copy:
         return done.returncode == 0
 
     def first_failure(self, tests):
-        """The first test that fails; None where none does."""
+        """The first test that fails; None if none does."""
         for program, chosen in tests:
             try:
                 done = subprocess.run(
@@ -139,7 +139,7 @@ class Copy:
 
 
 def try_mutant(copy, table, mutant):
-    """Which test kills it; None where it survives. The copy is as before afterwards."""
+    """The test that kills it; None if it survives. Restores the copy afterwards."""
     path = copy.sources / mutant["file"]
     before = path.read_text()
     tests = group_of(table, mutant)["tests"]
@@ -158,7 +158,7 @@ def code_of(text):
 
 
 def page_of(table, killers):
-    """The page, of mutants and what killed each."""
+    """The page: mutants and the test that killed each."""
     page = [INTRODUCTION]
     survivors = [m for m in table["mutant"] if not m.get("equivalent") and not killers[id(m)]]
     harmless = [m for m in table["mutant"] if m.get("equivalent")]
@@ -182,7 +182,7 @@ def page_of(table, killers):
 
 
 def run(table, part):
-    """All mutants whose file's path holds `part`; the survivors."""
+    """Tests all mutants whose file's path contains `part`; returns the survivors."""
     chosen = [m for m in table["mutant"] if part in m["file"] and not m.get("equivalent")]
     copy = Copy()
     copy.refresh()
@@ -218,7 +218,7 @@ def main():
         return
     survivors = run(table, arguments.part)
     if survivors:
-        raise SystemExit(f"{len(survivors)} mutants survive: write the tests that are missing.")
+        raise SystemExit(f"{len(survivors)} mutants survive: write the missing tests.")
 
 
 if __name__ == "__main__":
