@@ -35,8 +35,8 @@ struct MaskToFit
   bool IsAlone = false;
   bool Json = false; ///< on standard output, instead of a line
 
-  ///@{ This mask's part of the whole run, and the title of its progress, given a structure, its
-  ///number from 1, and their count.
+  ///@{ This mask's part of the whole run, and the title of its progress for a structure, its number
+  /// from 1, and their count.
   double From = 0.0;
   double To = 1.0;
   std::function<std::string(std::size_t, std::size_t, const Segment&)> TitleOf;
