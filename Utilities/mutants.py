@@ -21,15 +21,15 @@ LIMIT = 120  # s, for a program that does not end because of a mutant
 
 INTRODUCTION = """# Mutants
 
-Each row is one line that was broken on purpose, and the first test that noticed. A test that cannot fail kills
-nothing; a mutant that survives is a test that is missing. Written by `Utilities/mutants.sh` from
-[`Testing/Mutants/mutants.toml`](../Testing/Mutants/mutants.toml); the test `Structure.Mutants` keeps that table true
-to the sources.
+Each row is one line that was broken on purpose, and the first test that failed. A test that cannot fail kills nothing;
+a surviving mutant is a missing test. Written by `Utilities/mutants.sh` from
+[`Testing/Mutants/mutants.toml`](../Testing/Mutants/mutants.toml); the test `Structure.Mutants` checks that table against
+the sources.
 """
 
 
 def lines_of(text):
-    """The lines of a table's entry, without indentation."""
+    """The lines of an entry of the table, without indentation."""
     return [line.strip() for line in text.strip("\n").split("\n") if line.strip()]
 
 
@@ -218,7 +218,7 @@ def main():
         return
     survivors = run(table, arguments.part)
     if survivors:
-        raise SystemExit(f"{len(survivors)} mutants survive: write the tests that are missing.")
+        raise SystemExit(f"{len(survivors)} mutants survive: write the missing tests.")
 
 
 if __name__ == "__main__":

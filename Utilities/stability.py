@@ -4,7 +4,7 @@
     Utilities/stability.py BORDERS [--page FILE] [--picture FILE]
 
 BORDERS is build/release/stability.json (see Utilities/stability.sh, which calls this). The part of the
-page below the line "## Ten minutes beside a view" is kept as it is: it comes from a run of its own.
+page below the line "## Ten minutes with a view" is kept as it is: it comes from a separate run.
 """
 import argparse
 import json
@@ -17,33 +17,33 @@ from matplotlib import pyplot  # noqa: E402
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 DOCUMENTATION = ROOT / "Documentation"
-KEPT_FROM = "## Ten minutes beside a view"
+KEPT_FROM = "## Ten minutes with a view"
 
 INTRODUCTION = """# Stability
 
 Made by `Utilities/stability.sh`. A simulated hand (`Testing/Support/StabilityProbe`) presses each
 structure for a second, stroking it, and then holds still. It was *stable* if at no tick structure and mechanism together
-had given out more energy since the contact began than they had taken in, and if the hand came to rest. The border
-is the least stiffness that fails, found in steps of a quarter and then by halving, to 1 %. Time is virtual, so every run gives
-the same numbers. Without the last column, nothing of the safety chain helps: no ramp, no limit, no energy observer.
+had generated net energy since the contact began, and if the hand came to rest. The border
+is the lowest stiffness that fails, found in steps of a quarter and then by bisection, to 1 %. Time is virtual, so every run gives
+the same numbers. Except in the last column, the safety chain is off: no ramp, no limit, no energy observer.
 
-*Claimed* is what `StiffestStable` allows, and what `palpate touch` warns of before forces start: the least of
-(b - |B|) / (T/2 + delay), for a mechanism that damps with b and a structure that damps with B (Colgate and Schenkel 1997),
-and 2 f / D, for friction f and encoder counts D (Diolaiti et al. 2006). The device's frame lies askew to every structure.
+*Claimed* is the limit of `StiffestStable`, above which `palpate touch` warns before forces start: the minimum of
+(b - |B|) / (T/2 + delay), for a mechanism with damping b and a structure with damping B (Colgate and Schenkel 1997),
+and 2 f / D, for friction f and encoder counts D (Diolaiti et al. 2006). The device's frame is oblique to every structure.
 
 ![Measured borders over the claimed one]({picture})
 """
 
-READING = """## What it says
+READING = """## Results
 
 - Of {count} combinations of structure, rate, delay, damping, friction, counts and hand, {violations}
-- Without counts and friction, energy begins to come out at {low:.2g} to {high:.2g} times the claimed stiffness (median {median:.2g}):
-  the bound of Colgate and Schenkel is nearly what happens. A hand at constant speed would reach it.
-- With counts and friction it is {low_counts:.2g} to {high_counts:.2g} times (median {median_counts:.2g}): the bound of Diolaiti et al.
-  leaves out what the mechanism's damping takes up beside friction.
-- At rest a limit cycle mostly needs more stiffness than a press that gives out energy, since the hand damps too. In
-  {earlier} of the {count} combinations it began below ({others} of them without counts): counts keep a hand going that does
-  not move far enough to give out energy on the whole. None began below the claimed border.
+- Without counts and friction, energy generation begins at {low:.2g} to {high:.2g} times the claimed stiffness (median {median:.2g}):
+  the bound of Colgate and Schenkel is nearly reached. A hand at constant speed would reach it.
+- With counts and friction, it begins at {low_counts:.2g} to {high_counts:.2g} times (median {median_counts:.2g}): the bound of Diolaiti et al.
+  does not include the energy that the mechanism's damping absorbs in addition to friction.
+- At rest a limit cycle mostly needs a higher stiffness than a press that generates energy, since the hand damps too. In
+  {earlier} of the {count} combinations it began below ({others} of them without counts): counts sustain a motion of the hand
+  that is too small to generate net energy. None began below the claimed border.
 - Without counts and friction, the kinds of structure hardly differ.
 """
 
@@ -67,7 +67,7 @@ def number(value):
 
 
 def border(value, claimed):
-    """A border at the end of the search was not found."""
+    """Borders at the end of the search range were not found."""
     if value <= 0.0:
         return "none"
     return f"above {number(value)}" if value >= 63.9 * claimed else number(value)
@@ -146,7 +146,7 @@ def counts_table(entries):
                 border(e["energy_n_per_mm"], e["claimed_n_per_mm"]),
                 border(e["vibration_n_per_mm"], e["claimed_n_per_mm"]))
             for e in entries if e["sweep"] == "counts"]
-    return table(["structure", "D, mm", "f, N", "claimed, N/mm", "energy comes out", "limit cycle"], rows)
+    return table(["structure", "D, mm", "f, N", "claimed, N/mm", "energy generated", "limit cycle"], rows)
 
 
 def hands_table(entries):
@@ -155,7 +155,7 @@ def hands_table(entries):
                 border(e["vibration_n_per_mm"], e["claimed_n_per_mm"]),
                 border(e["safety_n_per_mm"], e["claimed_n_per_mm"]))
             for e in entries if e["sweep"] == "hands"]
-    return table(["structure", "hand", "claimed, N/mm", "energy comes out", "limit cycle",
+    return table(["structure", "hand", "claimed, N/mm", "energy generated", "limit cycle",
                   "limit cycle with the safety chain"], rows)
 
 
@@ -164,7 +164,7 @@ def reading(entries):
                             if (e["sweep"] == "sampling") == is_bare) for is_bare in (True, False))
     failed = sum(ratio < NEARLY for ratio in bare + counted)
     earlier = [e for e in entries if e["vibration_n_per_mm"] < NEARLY * e["energy_n_per_mm"]]
-    violations = f"{failed or 'none'} gave out energy below the claimed border."
+    violations = f"{failed or 'none'} generated energy below the claimed border."
     below = [e for e in entries if e["vibration_n_per_mm"] < NEARLY * e["claimed_n_per_mm"]]
     assert not below, "reword the page"
     return READING.format(count=len(entries), violations=violations, low=bare[0], high=bare[-1],
@@ -191,9 +191,9 @@ def main():
     picture = arguments.picture.relative_to(arguments.page.parent) \
         if arguments.picture.is_relative_to(arguments.page.parent) else arguments.picture
     parts = [INTRODUCTION.format(picture=picture), reading(entries),
-             "## Sampling, delay and damping\n\nWhere energy comes out, N/mm.\n",
+             "## Sampling, delay and damping\n\nStiffness at which energy is generated, N/mm.\n",
              sampling_table(entries), "## Counts and friction\n", counts_table(entries),
-             "## Hands\n\nThe simulated device as it comes, at 1 kHz; its maker's limit of 3 N/mm aside. Hands are\n"
+             "## Hands\n\nThe simulated device with its defaults, at 1 kHz, ignoring its stated limit of 3 N/mm. Hands are\n"
              "0.1 kg, 0.1 N/mm (soft), 0.25 kg, 0.5 N/mm (usual) and 0.5 kg, 2 N/mm (firm).\n",
              hands_table(entries), kept(arguments.page)]
     arguments.page.write_text("\n".join(parts))

@@ -60,12 +60,12 @@ def glands(program, folder):
                         f"{to_mask['max_mm']:.2f}", f"{result['star']['hidden_percent']:.2f}",
                         "yes" if good else "no"))
     if not rows:
-        return "No whole-gland masks were at hand.\n"
+        return "No whole-gland masks were available.\n"
     head = ["mask", "slice mm", "ml", "mean mm", "of a slice", "95 % mm", "max mm", "Dice",
-            "volume %", "surface: mean mm", "surface: max mm", "hidden %", "within"]
+            "volume %", "surface: mean mm", "surface: max mm", "hidden %", "target met"]
     return table(head, rows) + (
-        f"\n\n{within} of {len(rows)} lie within: mean distance at most an eighth of a slice, Dice at "
-        f"least 0.98, volume within 1 %. Mean share of a slice 1/{len(shares) / sum(shares):.1f}, "
+        f"\n\n{within} of {len(rows)} meet the target: mean distance at most an eighth of a slice, "
+        f"Dice at least 0.98, volume within 1 %. Mean share of a slice 1/{len(shares) / sum(shares):.1f}, "
         f"lowest Dice {min(dices):.4f}, largest change of volume {max(volumes):.2f} %.\n")
 
 
@@ -82,7 +82,7 @@ def others(program, folder):
                         f"{mask['mean_mm']:.3f}" if fitted else "",
                         f"{mask['dice']:.4f}" if fitted else ""))
     if not rows:
-        return "No masks of zones and lesions were at hand.\n"
+        return "No masks of zones and lesions were available.\n"
     return table(["mask", "label", "ml", "status", "hidden %", "mean mm", "Dice"], rows) + "\n"
 
 
@@ -98,7 +98,7 @@ def atlas(program):
                 f"{r['quality']['mask']['dice']:.4f}") for r in fitted]
     names = ", ".join(f"{r['name']} ({r['star']['hidden_percent']:.0f} %)" for r in refused)
     return (f"Of {len(results)} structures {len(fitted)} are fitted, {len(refused)} refused because "
-            f"their centre does not see more than 10 % of their surface, {len(other)} neither.\n\n" +
+            f"more than 10 % of their surface is hidden from the centre, {len(other)} neither.\n\n" +
             table(["structure", "ml", "hidden %", "mean mm", "max mm", "Dice"], rows) +
             f"\n\nRefused (hidden): {names}.\n")
 
@@ -137,7 +137,7 @@ def phantoms(program):
 def speed(program, folder):
     masks = sorted(folder.glob("prostate/picai/whole_gland_10003*"))
     if not masks:
-        return "The mask to time was not at hand.\n"
+        return "The mask to time was not available.\n"
     with tempfile.TemporaryDirectory() as out:
         runs = [fit(program, masks, "--output", out)[0] for _ in range(5)]
     best = min(runs, key=lambda r: r["seconds"]["total"])
@@ -159,16 +159,16 @@ def main():
         sys.exit(f"{program} is not built; run Utilities/build.sh first")
     sections = [
         ("Whole glands", "Model and surface against the mask's own half-level boundary; distances "
-         "are symmetric, weighted by area, both directions counting alike.",
+         "are symmetric and weighted by area, with equal weight of both directions.",
          glands(program, arguments.data)),
         ("Zones and lesions", "", others(program, arguments.data)),
         ("A whole head: the 116 structures of AAL", "", atlas(program)),
-        ("Known bodies", "Prostate-like phantoms of degree 8, fitted at degree 12 round their true "
+        ("Known bodies", "Prostate-like phantoms of degree 8, fitted at degree 12 around their true "
          "centre.", phantoms(program)),
         ("Time and memory", "", speed(program, arguments.data)),
     ]
     text = ["# Validation", "", "Made by `Utilities/validate.py`; default settings (degree 12, "
-            "frequency 20) unless a section says otherwise.", ""]
+            "frequency 20) unless stated otherwise.", ""]
     for title, remark, body in sections:
         text += [f"## {title}", ""] + ([remark, ""] if remark else []) + [body]
     arguments.output.write_text("\n".join(text))

@@ -11,24 +11,24 @@ import pathlib
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 
-INTRODUCTION = """# The servo beside the window
+INTRODUCTION = """# Servo and window
 
 Made by `Utilities/window.sh` on {machine}, with software OpenGL and one process for all of it. A window of 1280 x 800 shows
-the Colin 27 head in four views; a simulated hand strokes the left thalamus at 1 kHz (harmonics of degree 12, a ball of
-2 mm), 1.5 mm deep, slices following. *Hidden* is the same touch with nothing to draw: what the servo does by itself.
-Every other line is as long, with the window doing one thing more. Priority: SCHED_FIFO, where the system grants it.
+the Colin 27 head in four views; a simulated hand strokes the left thalamus at 1 kHz (harmonics of degree 12, a sphere
+of 2 mm), 1.5 mm deep, with slices following. *Hidden* is the same touch with nothing to draw: the servo alone.
+Every other line is as long, with one more activity of the window. Priority: SCHED_FIFO, if the system grants it.
 
 """
 
 READING = """
-*Period* is from tick to tick, ms; *tick* is what the servo works for, \u00b5s; quantiles are those of a histogram whose classes
-are a sixteenth wide. *Pictures* are those a second of the view that drew least; *times* says how often the window was resized,
-a volume was opened (the newest is read, those before it are left), or a model of another degree was made.
+*Period* is from tick to tick, ms; *tick* is the computing time of a tick, \u00b5s; quantiles are from a histogram with bins a
+sixteenth wide. *Frames/s* are those of the view that drew least; *times* is how often the window was resized,
+a volume was opened (only the newest is read), or a model of another degree was made.
 
 ## Closing
 
-The window was closed at {moments} moments while it opened the head and its labels, and once while touching. Forces go off
-before anything else. Longest: {longest:.0f} ms ({work}); everything had ended each time: {ended}.
+The window was closed at {moments} moments while it opened the head and its labels, and once while touching. Forces are
+switched off first. Longest: {longest:.0f} ms ({work}); all work had ended each time: {ended}.
 
 | while | ms |
 | --- | --- |
@@ -61,8 +61,8 @@ def line_of(stretch):
 
 def page_of(measures):
     page = INTRODUCTION.format(machine=measures["machine"])
-    page += row("the window is", "ticks/s", "in contact", "period 99 %", "99.9 %", "longest", "left out",
-                "faults", "tick", "99.9 %", "pictures/s", "times")
+    page += row("the window is", "ticks/s", "in contact", "period 99 %", "99.9 %", "longest", "missed",
+                "faults", "tick", "99.9 %", "frames/s", "times")
     page += row(*["---"] * 12)
     page += "".join(line_of(stretch) for stretch in measures["stretches"])
     closings = measures["closings"]

@@ -44,8 +44,8 @@ std::string Line(const FitResult& result)
   return text.str();
 }
 
-// Until its model is there, a case fails by what the structure is and what the options ask of it:
-// no such component, too thin for a surface, too few samples for the degree.
+// A failure before the fit is caused by the structure or the options: no such component, too thin
+// for a surface, too few samples for the degree.
 void BlameInput(FitResult& result)
 {
   const bool isFitReached = std::any_of(result.Seconds.begin(), result.Seconds.end(),
@@ -224,7 +224,7 @@ private:
     {
       this->Output.Output() << Line(result) << std::flush;
     }
-    // What was said of the whole file comes first in a result's notes; it is not said again.
+    // Notes on the whole file come first in a result's notes; they are not repeated.
     for (std::size_t n = this->FileNotes; n < result.Notes.size(); ++n)
     {
       this->Output.Note(CaseTitle(result.Input, result.Structure) + ": " + result.Notes[n]);

@@ -10,7 +10,7 @@ namespace palpate::cli
 {
 namespace
 {
-// Whole, so that `.` and `folder/` have a name too.
+// Absolute, so that `.` and `folder/` have a name too.
 std::filesystem::path WholePath(const std::string& input)
 {
   const std::filesystem::path whole = std::filesystem::absolute(input).lexically_normal();
@@ -40,7 +40,7 @@ CaseNames::CaseNames(const std::vector<std::string>& inputs)
   std::set<std::string> taken;
   for (const auto& [name, count] : counts)
   {
-    // Also one that several would have: which of them has it is not plain to see, so none has.
+    // A name that several would share is ambiguous, so none gets it.
     taken.insert(name);
   }
   for (std::size_t i = 0; i < inputs.size(); ++i)

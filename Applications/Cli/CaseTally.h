@@ -4,7 +4,7 @@
 
 namespace palpate::cli
 {
-/// What became of the cases of one run, and the exit code that says so.
+/// Counts the outcomes of the cases of one run, and gives the exit code.
 struct CaseTally
 {
   int Cases = 0;
@@ -19,7 +19,7 @@ struct CaseTally
         outcome == FitResult::Outcome::Refused || outcome == FitResult::Outcome::Failed ? 1 : 0;
   }
   int Lost() const { return this->BadInputs + this->Failures; }
-  /// 0 where all went well, 2 where there was nothing but bad input, 1 otherwise.
+  /// 0 if all succeeded, 2 if every case was bad input, 1 otherwise.
   int ExitCode() const
   {
     if (this->Lost() == 0)

@@ -25,9 +25,8 @@ CohortTable Join(const std::vector<std::string>& folders, const std::filesystem:
     const CohortTable table = CohortTable::Read(std::filesystem::path(folder) / "cohort.csv");
     if (table.Rows().empty())
     {
-      throw InputError(folder +
-                       " has no cohort.csv with a case; name the folder that `palpate fit` "
-                       "wrote from a folder or a --manifest");
+      throw InputError(folder + " has no cohort.csv with cases; name a folder that `palpate fit` "
+                                "wrote from a folder or a --manifest");
     }
     std::vector<CohortRow> rows = table.Rows();
     for (CohortRow& row : rows)
@@ -46,21 +45,20 @@ CohortTable Join(const std::vector<std::string>& folders, const std::filesystem:
 std::string CohortCommand::Examples() const
 {
   return "  palpate cohort out                      mean, modes and tables of out/cohort.csv\n"
-         "  palpate cohort out --align ellipsoid    in each body's own axes\n"
-         "  palpate cohort a b c --output all       cases that were fitted apart";
+         "  palpate cohort out --align ellipsoid    in each body's principal axes\n"
+         "  palpate cohort a b c --output all       cases that were fitted separately";
 }
 
 void CohortCommand::DeclareOptions(CLI::App& app)
 {
-  app.add_option("OUT", this->Folders, "Folders with a cohort.csv that fit wrote")->required();
+  app.add_option("OUT", this->Folders, "Folders with a cohort.csv written by fit")->required();
   app.add_option("--output", this->OutputFolder,
-                 "Folder for tables and cohort.html (default: OUT, where it is one)")
+                 "Folder for tables and cohort.html (default: OUT, if it is a single folder)")
       ->type_name("DIR");
-  app.add_option("--label", this->Label,
-                 "Which structure, by number or name, where there are several")
+  app.add_option("--label", this->Label, "Structure, by number or name, if there are several")
       ->type_name("N|NAME");
   app.add_option("--align", this->Align,
-                 "patient: the patients' own axes; ellipsoid: each body's principal ones")
+                 "patient: the patients' axes; ellipsoid: each body's principal axes")
       ->check(CLI::IsMember({"patient", "ellipsoid"}))
       ->capture_default_str();
 }
@@ -70,7 +68,7 @@ int CohortCommand::Run(Console& console)
   const Interruption interruption;
   if (this->OutputFolder.empty() && this->Folders.size() > 1)
   {
-    throw InputError("--output: several cohorts need a folder for what they are together");
+    throw InputError("--output is required for several cohorts: the folder of their joint results");
   }
   const std::filesystem::path output =
       this->OutputFolder.empty() ? this->Folders.front() : this->OutputFolder;

@@ -7,16 +7,16 @@
 
 namespace palpate::cli
 {
-/// `palpate cohort OUT...`: what the cases that `fit` wrote have in common and how they differ. A
-/// command of its own and no end of `fit`: other axes or another structure need no fit again, and
-/// cases that were fitted on several machines are one cohort here.
+/// `palpate cohort OUT...`: mean and variation of the cases that `fit` wrote. Separate from `fit`,
+/// so that other axes or another structure need no new fit, and cases fitted on several machines
+/// can be joined.
 class CohortCommand : public Command
 {
 public:
   std::string Name() const override { return "cohort"; }
   std::string Summary() const override
   {
-    return "Mean shape, principal modes and tables of the cases that fit wrote";
+    return "Mean shape, principal modes and tables of fitted cases";
   }
   std::string Examples() const override;
   void DeclareOptions(CLI::App& app) override;

@@ -24,10 +24,10 @@ namespace palpate::cli
 namespace
 {
 constexpr int Failure = 1;
-// Held for as long as a table is read, changed and written.
+// Held while the table is read, changed and written.
 constexpr const char* TableLock = ".palpate-cohort.lock";
 
-// A table keeps numbers and sentences; meshes of a whole cohort would fill the memory.
+// A table keeps numbers and messages; meshes of a whole cohort would fill the memory.
 CohortRow RowOf(const CohortCase& one, FitResult result)
 {
   result.Mask = nullptr;
@@ -78,8 +78,8 @@ void CohortFit::TakeManifest(const std::string& manifest, const std::vector<std:
   if (inputs.size() > 1 ||
       (inputs.size() == 1 && !std::filesystem::is_directory(inputs.front(), ignored)))
   {
-    throw InputError("--manifest lists the masks; beside it, give at most the one folder from "
-                     "which its paths go");
+    throw InputError("--manifest lists the masks; besides it, give at most one folder, to which "
+                     "its paths are relative");
   }
   this->Cases = ReadManifest(manifest, inputs.empty() ? std::string() : inputs.front());
 }
@@ -97,7 +97,7 @@ void CohortFit::ChooseCases(const std::vector<std::string>& names)
                                     [&](const CohortCase& one) { return one.Name == name; });
     if (found == this->Cases.end())
     {
-      throw InputError("--case " + name + " is not listed; give the name of one that is");
+      throw InputError("--case " + name + " is not listed; give the name of a listed case");
     }
     chosen.push_back(*found);
   }
@@ -124,7 +124,7 @@ int CohortFit::Run(const std::filesystem::path& output, Console& console)
   catch (const Cancelled&)
   {
     console.EndProgress();
-    console.Error("cancelled; the cases that were finished are kept, and the same command goes on");
+    console.Error("cancelled; finished cases are kept, and the same command resumes");
     return Failure;
   }
   return this->Conclude(console);
@@ -154,8 +154,8 @@ void CohortFit::TakeRowsOfOthers()
   this->Rows = std::move(rows);
 }
 
-// What is not listed any more leaves the table, unless only a part was asked for, or it may be
-// listed by a run that is at work.
+// Cases that are no longer listed leave the table, unless only a part was asked for, or a
+// concurrent run may list them.
 void CohortFit::ReadEarlierRows(bool isAlone)
 {
   this->TakeRowsOfOthers();
@@ -216,7 +216,7 @@ void CohortFit::RunCases(Console& console)
       this->Mine.insert(this->Cases[i].Name);
       continue;
     }
-    // Before the mask is read: what changes meanwhile is done again.
+    // Before the mask is read: a mask that changes meanwhile is fitted again.
     const std::string key = this->KeyOf(this->Cases[i]);
     std::vector<CohortRow> rows = this->FitOne(i, console);
     std::for_each(rows.begin(), rows.end(), [&](CohortRow& row) { row.Key = key; });

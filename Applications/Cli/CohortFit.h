@@ -15,9 +15,9 @@ namespace palpate::cli
 class Console;
 
 /// Fits the cases of a folder or a manifest, each into a folder `CASE/LABEL_NAME`, and keeps
-/// `cohort.csv`, which is replaced whole after every case: a run that is killed loses the case at
-/// work, and the next one does only what is missing, what failed, and what was made from another
-/// mask or by other settings. Runs into one folder at the same time keep each other's rows.
+/// `cohort.csv`, which is replaced whole after every case: a killed run loses only its current
+/// case, and the next one fits only missing and failed cases and those with another mask or other
+/// settings. Concurrent runs into one folder keep each other's rows.
 class CohortFit
 {
 public:
@@ -26,19 +26,19 @@ public:
             const ImageOptions& images);
   void SetJson(bool json) { this->Json = json; }
 
-  /// Every mask of the folders, and the files, as cases of their names. Throws InputError.
+  /// Adds every mask of the folders, and the files, as cases named after them. Throws InputError.
   void TakeMasks(const std::vector<std::string>& inputs);
-  /// `inputs` is empty, or the one folder from which its paths go. Throws InputError.
+  /// `inputs` is empty, or the one folder to which its paths are relative. Throws InputError.
   void TakeManifest(const std::string& manifest, const std::vector<std::string>& inputs);
-  /// Only these, all for none; rows of others stay as they are. Throws InputError for a name that
-  /// is none's.
+  /// Selects these cases (empty: all); rows of others are not changed. Throws InputError for an
+  /// unknown name.
   void ChooseCases(const std::vector<std::string>& names);
 
-  /// Returns the exit code. Throws InputError where `output` cannot be written.
+  /// Returns the exit code. Throws InputError if `output` cannot be written.
   int Run(const std::filesystem::path& output, Console& console);
 
 private:
-  /// Of what other runs have written, and of what this one has not done.
+  /// Reads the rows of other runs, and of the cases that this one has not done.
   void TakeRowsOfOthers();
   void ReadEarlierRows(bool isAlone);
   void WriteTable();
@@ -46,7 +46,7 @@ private:
   std::string KeyOf(const CohortCase& one) const;
   bool IsDone(const CohortCase& one) const;
   void RunCases(Console& console);
-  /// Never throws for what is wrong with a case; throws Cancelled.
+  /// Does not throw for errors of a case; throws Cancelled.
   std::vector<CohortRow> FitOne(std::size_t number, Console& console) const;
   CohortTable Table() const;
   void WriteOverview(const CohortTable& table, Console& console) const;
@@ -58,10 +58,10 @@ private:
   bool Json = false;
   std::filesystem::path Output;
   std::vector<CohortCase> Cases;
-  bool IsPart = false;             ///< of what is listed, only some
-  std::vector<std::string> Listed; ///< the cases' names, of a part those of the whole
+  bool IsPart = false;             ///< only some of the listed cases
+  std::vector<std::string> Listed; ///< all cases' names, also of a part
   std::vector<std::string> Order;  ///< of the table
-  std::set<std::string> Mine;      ///< the cases that this run did or kept
+  std::set<std::string> Mine;      ///< the cases that this run fitted or kept
   std::map<std::string, std::vector<CohortRow>> Rows;
 };
 } // namespace palpate::cli

@@ -25,7 +25,7 @@ public:
   virtual std::string Name() const = 0;
   /// One line for the list of commands.
   virtual std::string Summary() const = 0;
-  /// Example calls with what they do, shown at the end of --help.
+  /// Example calls with explanations, shown at the end of --help.
   virtual std::string Examples() const = 0;
   virtual void DeclareOptions(CLI::App& app) = 0;
   /// Returns the exit code.

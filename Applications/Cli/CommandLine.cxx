@@ -25,9 +25,9 @@ constexpr int ParsedWithoutHelp = -1;
 std::string ProgramExamples()
 {
   return "Examples:\n"
-         "  palpate info mask.nii.gz                what a file holds\n"
+         "  palpate info mask.nii.gz                contents of a file\n"
          "  palpate fit mask.nii.gz --output case1  a model, its quality and a report\n"
-         "  palpate fit --help                      the options of one command";
+         "  palpate fit --help                      options of one command";
 }
 
 // CLI11 ends some messages with a full stop or a line break, and starts some in lower case.
@@ -40,7 +40,7 @@ std::string AsClause(std::string message)
   }
   return message;
 }
-// "--degre" of "--degre=5"; empty for what is no option, such as a negative number.
+// "--degre" of "--degre=5"; empty if the word is not an option, such as a negative number.
 std::string OptionOf(const std::string& word)
 {
   const bool isOption =
@@ -68,8 +68,8 @@ std::string UnknownWord(const std::string& kind, const std::string& word,
                         const std::vector<std::string>& known)
 {
   const std::string nearest = NearestWord(word, known);
-  return "there is no " + kind + " '" + word + "'" +
-         (nearest.empty() ? "" : ", perhaps '" + nearest + "'");
+  return "unknown " + kind + " '" + word + "'" +
+         (nearest.empty() ? "" : " (did you mean '" + nearest + "'?)");
 }
 } // namespace
 
@@ -79,13 +79,14 @@ CommandLine::CommandLine(std::vector<std::unique_ptr<Command>> commands)
           "From segmentations to spherical-harmonic organ models: fit, measure, draw.", "palpate"))
 {
   this->App->set_version_flag("--version", ProgramVersion());
-  this->App->add_flag("--quiet", this->Quiet, "No remarks and no progress; errors stay");
+  this->App->add_flag("--quiet", this->Quiet,
+                      "Suppress notes and progress; results and errors are still printed");
   this->App->footer(ProgramExamples());
   this->App->require_subcommand(1);
   for (const auto& command : this->Commands)
   {
     CLI::App* sub = this->App->add_subcommand(command->Name(), command->Summary());
-    // So that --quiet may also follow the command.
+    // --quiet may also follow the command.
     sub->fallthrough();
     sub->footer("Examples:\n" + command->Examples());
     command->DeclareOptions(*sub);
@@ -115,7 +116,7 @@ int CommandLine::Run(const std::vector<std::string>& arguments, Console& console
 
 int CommandLine::Parse(std::vector<std::string> arguments, Console& console)
 {
-  // CLI11 takes a vector from its end.
+  // CLI11 consumes a vector from its end.
   std::reverse(arguments.begin(), arguments.end());
   try
   {
@@ -127,7 +128,7 @@ int CommandLine::Parse(std::vector<std::string> arguments, Console& console)
     const auto chosen = this->App->get_subcommands();
     const std::string unknown = this->WhatIsUnknown();
     const bool isAsked = error.get_exit_code() == static_cast<int>(CLI::ExitCodes::Success);
-    // Help on a command that there is not would be on another one.
+    // For an unknown command, CLI11 would print the program's help: report the command instead.
     if (isAsked && (unknown.empty() || !chosen.empty()))
     {
       return this->App->exit(error, console.Output(), console.Output());
@@ -140,7 +141,7 @@ int CommandLine::Parse(std::vector<std::string> arguments, Console& console)
   }
 }
 
-// What is mistyped explains what is missing: an option --ouput leaves the required one out.
+// Reported before a missing required option, which the mistyped word (--ouput) may explain.
 std::string CommandLine::WhatIsUnknown() const
 {
   const auto chosen = this->App->get_subcommands();

@@ -15,9 +15,9 @@ namespace palpate::cli
 {
 class Console;
 
-/// The whole command line: its commands, their options, and how a failure becomes an exit code and
-/// a sentence. 0 is success, 1 a failure, 2 bad input or a bad command line; of a command that was
-/// interrupted Interruption::ExitCode.
+/// The whole command line: commands, options, and the mapping of failures to an exit code and a
+/// message. 0 is success, 1 a failure, 2 bad input or a bad command line; an interrupted command
+/// gives Interruption::ExitCode.
 class CommandLine
 {
 public:
@@ -30,8 +30,8 @@ public:
 private:
   int Parse(std::vector<std::string> arguments, Console& console);
   int RunParsed(Console& console);
-  /// The first word of those parsed that is no option or no command, with the nearest that is;
-  /// empty where all are known.
+  /// Message on the first unknown option or command, with the nearest known one; empty if all are
+  /// known.
   std::string WhatIsUnknown() const;
 
   std::vector<std::unique_ptr<Command>> Commands;

@@ -7,6 +7,6 @@
 
 namespace palpate::cli
 {
-/// Every sub-command of `palpate`, in the order in which --help lists them.
+/// Every sub-command of `palpate`, in the order of --help.
 std::vector<std::unique_ptr<Command>> MakeCommands();
 } // namespace palpate::cli

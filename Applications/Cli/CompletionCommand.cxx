@@ -18,7 +18,7 @@ std::string CompletionCommand::Examples() const
 void CompletionCommand::DeclareOptions(CLI::App& app)
 {
   this->Root = app.get_parent();
-  app.add_option("SHELL", this->Shell, "The shell")
+  app.add_option("SHELL", this->Shell, "Shell to complete for")
       ->required()
       ->check(CLI::IsMember({"bash", "zsh", "fish"}));
 }

@@ -4,8 +4,8 @@
 
 namespace palpate::cli
 {
-/// `palpate completion SHELL`: a script that makes the shell complete commands, options and the
-/// options' fixed values. It is made by walking the declared options, so it cannot go stale.
+/// `palpate completion SHELL`: a script with which the shell completes commands, options and the
+/// options' fixed values. It is generated from the declared options, so it is never out of date.
 class CompletionCommand : public Command
 {
 public:

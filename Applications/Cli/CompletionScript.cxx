@@ -7,7 +7,7 @@ namespace palpate::cli
 {
 namespace
 {
-// CLI11 tells an IsMember check's values only within the option's type name: "TEXT:{a,b}".
+// CLI11 exposes an IsMember check's values only within the option's type name: "TEXT:{a,b}".
 std::vector<std::string> FixedValues(const std::string& typeName)
 {
   std::vector<std::string> values;
@@ -34,7 +34,7 @@ std::string Join(const std::vector<std::string>& words, const std::string& separ
   return text;
 }
 
-// A shell's single-quoted word, with the escapes that each shell wants for a quote in it.
+// A single-quoted shell word; the escape of a quote in it depends on the shell.
 std::string Quoted(const std::string& text, const std::string& quoteEscape)
 {
   std::string result = "'";
@@ -53,7 +53,7 @@ std::string QuotedForFish(const std::string& text)
   return Quoted(text, "\\'");
 }
 
-// In zsh's _arguments, brackets and colons of a help text have a meaning.
+// Brackets and colons in a help text are special in zsh's _arguments.
 std::string HelpForZsh(const std::string& text)
 {
   std::string result;
@@ -73,7 +73,7 @@ CompletionScript::CompletionScript(const CLI::App& root)
   for (const CLI::App* sub : root.get_subcommands([](const CLI::App*) { return true; }))
   {
     Command command = Describe(*sub);
-    // The program's own options are also taken after a command.
+    // The program's own options are also accepted after a command.
     for (const Option& option : this->Program().Options)
     {
       if (option.Names.front() != "-h" && option.Names.front() != "--version")
@@ -156,7 +156,7 @@ std::string CompletionScript::Bash() const
          QuotedForBash(names) + "\n  case \"$command $previous\" in\n" + values +
          "  esac\n"
          "  COMPREPLY=($(compgen -W \"$words\" -- \"$current\"))\n}\n"
-         "# File names where nothing else fits.\n"
+         "# File names if nothing else matches.\n"
          "complete -o default -F _palpate palpate\n";
 }
 

@@ -10,8 +10,8 @@ class App;
 
 namespace palpate::cli
 {
-/// Completion scripts of a command line with sub-commands. An option's fixed values are those that
-/// its IsMember check names.
+/// Completion scripts of a command line with sub-commands. An option's fixed values are those of
+/// its IsMember check.
 class CompletionScript
 {
 public:
@@ -24,7 +24,7 @@ public:
 private:
   struct Option
   {
-    std::vector<std::string> Names; ///< with their dashes; empty for a positional
+    std::vector<std::string> Names; ///< with dashes; empty for a positional
     std::string Help;
     std::vector<std::string> Values;
     bool TakesValue;
@@ -37,7 +37,7 @@ private:
   };
 
   static Command Describe(const CLI::App& app);
-  /// Lines of bash's case: a command's words, and the values of its options.
+  /// Lines of the bash case statement: a command's words, and the values of its options.
   static std::string BashWords(const Command& command);
   static std::string BashValues(const Command& command);
   const Command& Program() const { return this->Commands.front(); }

@@ -13,7 +13,7 @@ namespace
 {
 constexpr std::chrono::milliseconds DrawInterval(100);
 constexpr int BarWidth = 24;
-// Before this, an estimate of the time left is a guess.
+// Earlier estimates of the time left would be guesses.
 constexpr double FirstEstimateSeconds = 1.0;
 
 double SecondsBetween(std::chrono::steady_clock::time_point first,
@@ -49,7 +49,7 @@ void Console::Note(const std::string& sentence)
 void Console::Error(const std::string& sentence)
 {
   this->Wipe();
-  // What is on its way to the output stream comes first, as the user expects to read it.
+  // Pending output comes first, in the order that the user expects.
   this->Out << std::flush;
   this->Errors << "palpate: " << Printable(sentence) << '\n' << std::flush;
 }

@@ -6,27 +6,27 @@
 
 namespace palpate::cli
 {
-/// Where a command writes: results on the output stream, sentences and progress on the error
-/// stream. Progress is drawn only where the error stream is a terminal.
+/// Where a command writes: results to the output stream, messages and progress to the error stream.
+/// Progress is drawn only if the error stream is a terminal.
 class Console
 {
 public:
   Console(std::ostream& output, std::ostream& errors, bool errorsAreTerminal);
 
-  /// Quiet: no remarks and no progress; results and errors stay.
+  /// Quiet: no notes and no progress; results and errors stay.
   void SetQuiet(bool quiet) { this->Quiet = quiet; }
 
-  /// Results: what a script reads.
+  /// Results, for scripts to read.
   std::ostream& Output() { return this->Out; }
-  /// A remark; one line on the error stream, whatever names from files are in it.
+  /// A note: one line on the error stream, even if names from files contain line breaks.
   void Note(const std::string& sentence);
-  /// An error; one line "palpate: sentence" on the error stream, likewise.
+  /// An error: one line "palpate: message" on the error stream, likewise.
   void Error(const std::string& sentence);
   /// Draws `stage` with a bar and the time left; fraction in 0..1. Cheap enough to call often.
   void Progress(double fraction, const std::string& stage);
-  /// Draws a line that the next one replaces, as progress is drawn.
+  /// Draws a line that the next one replaces, like progress.
   void Live(const std::string& line);
-  /// Wipes the progress line and starts the clock of the next one.
+  /// Clears the progress line and starts the clock of the next one.
   void EndProgress();
 
 private:

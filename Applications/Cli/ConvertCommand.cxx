@@ -29,7 +29,7 @@ void PassOn(const std::vector<std::string>& notes, Console& console)
   }
 }
 
-// Asked before what is written, which is then written whole.
+// Checked before writing; a file is then written whole.
 void RequireGoingOn()
 {
   if (Interruption::WasAsked())
@@ -42,12 +42,12 @@ void RequireGoingOn()
 std::string ConvertCommand::Examples() const
 {
   return "  palpate convert model.json model.coef              for SPHARM-PDM\n"
-         "  palpate convert hippocampus.coef surface.vtp       draw SPHARM-PDM's coefficients\n"
+         "  palpate convert hippocampus.coef surface.vtp       draw SPHARM-PDM coefficients\n"
          "  palpate convert model.json model.x3d --frequency 40\n"
          "  palpate convert surface.vtp surface.stl\n"
          "  palpate convert mask.nii.gz mask.nrrd\n"
          "  palpate convert mask.seg.nrrd gland.nii.gz --label Prostate\n"
-         "  palpate convert felt/session.touch ticks.csv       a line a tick\n"
+         "  palpate convert felt/session.touch ticks.csv       one line per tick\n"
          "  palpate convert felt/session.touch plots.svg       force and depth over time";
 }
 
@@ -55,13 +55,13 @@ void ConvertCommand::DeclareOptions(CLI::App& app)
 {
   app.add_option("IN", this->Input, "Model, surface, image, segmentation or recorded touch")
       ->required();
-  app.add_option("OUT", this->Output, "Its ending says the format")->required();
+  app.add_option("OUT", this->Output, "Output file; its ending selects the format")->required();
   app.add_option("--label", this->Label,
-                 "Write this structure of a segmentation alone, as a mask of 0 and 1")
+                 "Write only this structure of a segmentation, as a mask of 0 and 1")
       ->type_name("N|NAME");
   this->Images.Declare(app, "folder");
   app.add_option("--frequency", this->Frequency,
-                 "Subdivision F of the icosahedron that a model is drawn on: 20 F^2 triangles")
+                 "Subdivision F of the icosahedron for drawing a model: 20 F^2 triangles")
       ->check(CLI::Range(1, 200))
       ->capture_default_str();
 }
@@ -77,8 +77,9 @@ int ConvertCommand::Run(Console& console)
   {
     if (!IsSurfaceFile(this->Output))
     {
-      throw InputError(this->Output.string() + " is no surface file and " + this->Input.string() +
-                       " is one; use " + ListOfEndings(SurfaceFormats().WrittenEndings()) +
+      throw InputError(this->Output.string() + " is not a surface file, but " +
+                       this->Input.string() + " is; use " +
+                       ListOfEndings(SurfaceFormats().WrittenEndings()) +
                        ", or palpate fit on its mask for a model.");
     }
     const auto surface = ReadSurface(this->Input);
@@ -100,7 +101,7 @@ void ConvertCommand::ConvertTouch(Console& console) const
 {
   if (ExportTouch(this->Input, this->Output))
   {
-    console.Note(this->Input.string() + " ended within a tick, which is left out");
+    console.Note(this->Input.string() + " ends within a tick, which is left out");
   }
 }
 
@@ -115,17 +116,16 @@ void ConvertCommand::ConvertModel(Console& console) const
   }
   if (!IsModelFile(this->Output))
   {
-    throw InputError(this->Output.string() + " is neither a model nor a surface file and " +
+    throw InputError(this->Output.string() + " is neither a model nor a surface file, but " +
                      this->Input.string() + " is a model; use " +
-                     ListOfEndings(ReadableModelEndings()) + ", .csv or a surface's ending.");
+                     ListOfEndings(ReadableModelEndings()) + ", .csv or a surface format.");
   }
   WriteModel(this->Output, document);
   if (std::holds_alternative<SphericalHarmonicModel>(document.Surface) &&
       !KeepsStarShape(this->Output))
   {
-    console.Note(this->Output.string() +
-                 " holds the same surface as a parametric one of one degree more; its format has "
-                 "no room for the centre.");
+    console.Note(this->Output.string() + " holds the same surface as a parametric one of one "
+                                         "degree more; its format cannot store the centre.");
   }
 }
 
@@ -133,8 +133,8 @@ void ConvertCommand::ConvertImage(Console& console) const
 {
   if (!IsWritableImage(this->Output))
   {
-    throw InputError(this->Output.string() + " is no image file that can be written and " +
-                     this->Input.string() + " is taken for an image; use " +
+    throw InputError(this->Output.string() + " is not an image file that can be written, but " +
+                     this->Input.string() + " is read as an image; use " +
                      ListOfEndings(ImageFormats().WrittenEndings()) +
                      ", or palpate mesh for a surface.");
   }
@@ -158,7 +158,7 @@ void ConvertCommand::ConvertImage(Console& console) const
   {
     throw InputError(this->Input.string() + " has structures in " +
                      std::to_string(content.Labels->Layers.size()) +
-                     " layers, more than one image can hold; name one with --label.");
+                     " layers, more than one image can hold; choose a structure with --label.");
   }
   PassOn(content.Labels->Notes, console);
   WriteImage(this->Output, content.Labels->Layers.front());

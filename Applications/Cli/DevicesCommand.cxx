@@ -103,7 +103,7 @@ void Print(const HomingReport& report, std::ostream& out)
   }
 }
 
-// Short, since a line that wraps cannot be drawn over; what to do stands above it.
+// Short, since a line that wraps cannot be overwritten; the instruction stands above it.
 std::string LiveLine(const HomingView& view)
 {
   const DeviceSample& sample = view.Sample;
@@ -117,23 +117,22 @@ std::string LiveLine(const HomingView& view)
 
 std::string DevicesCommand::Examples() const
 {
-  return "  palpate devices                           what there is\n"
-         "  palpate devices --json                    one JSON object a device\n"
-         "  palpate devices --home                    home what is plugged in, and measure its "
-         "loop\n"
+  return "  palpate devices                           list devices\n"
+         "  palpate devices --json                    one JSON object per device\n"
+         "  palpate devices --home                    home the device, and measure its loop\n"
          "  palpate devices --home --device falcon --firmware FILE";
 }
 
 void DevicesCommand::DeclareOptions(CLI::App& app)
 {
-  app.add_flag("--json", this->Json, "One JSON object a line instead of text");
+  app.add_flag("--json", this->Json, "Print one JSON object per line instead of text");
   CLI::Option* const home =
       app.add_flag("--home", this->IsHoming,
                    "Guide the homing of a device, without force, and measure its loop");
   app.add_option("--device", this->Device, "Which one to home (default: the first plugged in)")
       ->type_name("NAME")
       ->needs(home);
-  app.add_option("--firmware", this->Firmware, "What the device is loaded with where it needs that")
+  app.add_option("--firmware", this->Firmware, "Firmware file, for devices that need it")
       ->type_name("FILE")
       ->needs(home);
 }
@@ -156,7 +155,7 @@ int DevicesCommand::List(Console& console) const
 
 int DevicesCommand::Home(Console& console) const
 {
-  constexpr double LeastSeconds = 2.0; // for numbers of the loop that mean something
+  constexpr double LeastSeconds = 2.0; // for meaningful numbers of the loop
   const Interruption interruption;
   const std::string device = this->Device.empty() ? FirstDevicePluggedIn() : this->Device;
   std::string said;

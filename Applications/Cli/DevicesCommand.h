@@ -6,15 +6,15 @@
 
 namespace palpate::cli
 {
-/// `palpate devices`: the kinds of devices of this build and what each says of itself; and homing
-/// one, with its loop measured.
+/// `palpate devices`: lists the kinds of devices of this build with their status; or homes one and
+/// measures its loop.
 class DevicesCommand : public Command
 {
 public:
   std::string Name() const override { return "devices"; }
   std::string Summary() const override
   {
-    return "List the haptic devices that can be used and what stands in their way, or home one";
+    return "List haptic devices and what prevents their use, or home one";
   }
   std::string Examples() const override;
   void DeclareOptions(CLI::App& app) override;

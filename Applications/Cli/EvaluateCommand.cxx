@@ -26,12 +26,12 @@ Vector3 UnitVector(const std::string& subject, const std::string& word)
   const double largest = vector.cwiseAbs().maxCoeff();
   if (!(largest > 0.0))
   {
-    throw InputError(subject + " " + word + " has no direction; give x,y,z that are not all 0.");
+    throw InputError(subject + " " + word + " is not a direction; give x,y,z that are not all 0.");
   }
   return (vector / largest).normalized();
 }
 
-// One direction a line, x,y,z; a title line and lines that start with # are passed over.
+// One direction x,y,z per line; a title line and lines that start with # are skipped.
 std::vector<Vector3> ReadDirections(const std::string& file)
 {
   std::vector<Vector3> directions;
@@ -54,7 +54,8 @@ std::string EvaluateCommand::Examples() const
 {
   return "  palpate evaluate model.json                          volume, area, spectrum\n"
          "  palpate evaluate model.json --direction 1,0,0 --direction 0,0,1\n"
-         "  palpate evaluate model.json --point 10,-5,22.5       inside or outside, and how far\n"
+         "  palpate evaluate model.json --point 10,-5,22.5       inside or outside, and the "
+         "distance\n"
          "  palpate evaluate model.json --frequency 20 --csv > samples.csv   4,002 directions";
 }
 
@@ -67,19 +68,18 @@ void EvaluateCommand::DeclareOptions(CLI::App& app)
       ->type_name("X,Y,Z")
       ->allow_extra_args(false);
   app.add_option("--directions", this->DirectionsFile,
-                 "Evaluate along each direction of a file, "
-                 "one x,y,z a line")
+                 "Evaluate along each direction of a file, one x,y,z per line")
       ->type_name("FILE.csv");
   app.add_option("--frequency", this->Frequency,
                  "Evaluate along the 10 F^2 + 2 directions of a subdivided icosahedron")
       ->type_name("F")
       ->check(CLI::Range(1, 200));
   app.add_option("--point", this->PointWords,
-                 "Tell whether this point (mm, LPS) is inside; may be repeated")
+                 "Report whether this point (mm, LPS) is inside; may be repeated")
       ->type_name("X,Y,Z")
       ->allow_extra_args(false);
-  CLI::Option* json = app.add_flag("--json", this->Json, "One JSON object");
-  app.add_flag("--csv", this->Csv, "One table: directions, or points, or the spectrum")
+  CLI::Option* json = app.add_flag("--json", this->Json, "Print one JSON object");
+  app.add_flag("--csv", this->Csv, "Print one table: directions, points, or the spectrum")
       ->excludes(json);
 }
 
@@ -113,7 +113,7 @@ int EvaluateCommand::Run(Console& console)
   }
   if (this->Csv && !directions.empty() && !pointsWorld.empty())
   {
-    throw InputError("--csv is one table, and directions and points are two; ask for one at a "
+    throw InputError("--csv prints one table, but directions and points need two; request one at a "
                      "time, or use --json.");
   }
   const ModelEvaluation evaluation =

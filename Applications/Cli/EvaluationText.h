@@ -6,9 +6,9 @@
 
 namespace palpate::cli
 {
-/// For people: tables with units.
+/// Readable tables with units.
 std::string EvaluationAsText(const ModelEvaluation& evaluation);
-/// For scripts: one JSON object; numbers come back to the same bits.
+/// For scripts: one JSON object; numbers round-trip to the same bits.
 std::string EvaluationAsJson(const ModelEvaluation& evaluation);
 /// For spreadsheets: one table, of the directions, else of the points, else of the power spectrum.
 std::string EvaluationAsCsv(const ModelEvaluation& evaluation);

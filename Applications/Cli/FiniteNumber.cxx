@@ -21,7 +21,7 @@ FiniteNumber::FiniteNumber(double low, double high, bool lowIsIn, const std::str
   {
     const std::optional<double> number = NumberOf(word);
     const bool good = number && *number <= high && (lowIsIn ? *number >= low : *number > low);
-    return good ? std::string() : word + " is no number " + range;
+    return good ? std::string() : word + " is not a number " + range;
   };
 }
 

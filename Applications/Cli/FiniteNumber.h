@@ -4,11 +4,11 @@
 
 namespace palpate::cli
 {
-/// Checks that the word of an option is a finite number in a range; CLI::Range lets nan through.
+/// Checks that an option's word is a finite number in a range; CLI::Range accepts nan.
 class FiniteNumber : public CLI::Validator
 {
 public:
-  /// Both ends are in the range.
+  /// The range includes both ends.
   static FiniteNumber Between(double low, double high);
   static FiniteNumber Positive();
   static FiniteNumber Any();

@@ -24,37 +24,36 @@ constexpr int Failure = 1;
 
 std::string FitCommand::Examples() const
 {
-  return "  palpate fit mask.nii.gz --output out               every label, files and report\n"
+  return "  palpate fit mask.nii.gz --output out               every label, with files and report\n"
          "  palpate fit mask.seg.nrrd --label Prostate --volume t2.nrrd --output out\n"
          "  palpate fit mask.nii.gz --degree auto --tolerance 0.3\n"
          "  palpate fit *.nii.gz --label 1 --json > results.jsonl   numbers for a script\n"
-         "  palpate fit masks --label 1 --output out       every mask of a folder; goes on where "
-         "it\n"
-         "                                                 stopped; then: palpate cohort out";
+         "  palpate fit masks --label 1 --output out       every mask of a folder; resumes after "
+         "a\n"
+         "                                                 stop; then: palpate cohort out";
 }
 
 void FitCommand::DeclareOptions(CLI::App& app)
 {
   app.add_option("MASK", this->Inputs,
                  "Segmentations: label maps, .seg.nrrd, DICOM-SEG; or folders of them");
-  app.add_option(
-         "--manifest", this->Manifest,
-         "Table of cases, case,mask,label,volume; paths from its folder, or from MASK where "
-         "that is a folder")
+  app.add_option("--manifest", this->Manifest,
+                 "Table of cases: case,mask,label,volume; paths are relative to its folder, or to "
+                 "MASK if that is a folder")
       ->type_name("CSV");
-  app.add_option("--case", this->Cases, "Of a folder or a manifest, only these cases")
+  app.add_option("--case", this->Cases, "Fit only these cases of a folder or manifest")
       ->type_name("NAME")
       ->allow_extra_args(false);
   this->Options.DeclareLabels(app);
   this->Options.DeclareModel(app);
   this->Options.DeclareSurface(app);
   app.add_option("--volume", this->VolumePath,
-                 "The image that the segmentations belong to, for the report's slices");
+                 "Image of the segmentations, for the slices of the report");
   this->Images.Declare(app, "--volume folder");
   app.add_option("--output", this->OutputFolder,
                  "Folder for models, surfaces and report.html (default: write nothing)")
       ->type_name("DIR");
-  app.add_flag("--json", this->Json, "One JSON object a case on standard output");
+  app.add_flag("--json", this->Json, "Print one JSON object per case");
 }
 
 bool FitCommand::IsCohort() const
@@ -70,11 +69,12 @@ int FitCommand::RunCohort(Console& console) const
 {
   if (this->OutputFolder.empty())
   {
-    throw InputError("--output: a folder or a --manifest needs one, where the table is kept");
+    throw InputError(
+        "--output is required for a folder or a --manifest: it holds the table of cases");
   }
   if (!this->VolumePath.empty())
   {
-    throw InputError("--volume belongs to one mask; name each case's in the --manifest");
+    throw InputError("--volume applies to one mask; name each case's volume in the --manifest");
   }
   CohortFit fit(this->Settings, this->Options.Labels(), this->Images);
   fit.SetJson(this->Json);
@@ -126,7 +126,7 @@ int FitCommand::Run(Console& console)
   catch (const Cancelled&)
   {
     console.EndProgress();
-    console.Error("cancelled; the cases that were finished are kept");
+    console.Error("cancelled; finished cases are kept");
     return Failure;
   }
   return this->Conclude(console);

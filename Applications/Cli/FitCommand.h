@@ -14,7 +14,7 @@
 namespace palpate::cli
 {
 /// `palpate fit MASK...`: a model, its quality and a report for every structure asked for. A case
-/// that fails doesn't stop the others. Folders and manifests are run by CohortFit.
+/// that fails does not stop the others. CohortFit runs folders and manifests.
 class FitCommand : public Command
 {
 public:
@@ -28,10 +28,11 @@ public:
   int Run(Console& console) override;
 
 private:
-  /// A folder or a manifest: cases in a table that a later run goes on with.
+  /// Whether the input is a folder or a manifest: its cases are kept in a table, which a later run
+  /// resumes.
   bool IsCohort() const;
   int RunCohort(Console& console) const;
-  /// Throws nothing for what is wrong with one file.
+  /// Does not throw for errors of one file.
   void FitFile(std::size_t file, const Volume* volume, Console& console);
   bool WriteIndex(Console& console) const;
   int Conclude(Console& console) const;
@@ -48,7 +49,7 @@ private:
   FitSettings Settings;
   CaseNames Names;
   CaseTally Tally;
-  std::vector<std::string> Sentences; ///< what went wrong, for the end
+  std::vector<std::string> Sentences; ///< errors, printed at the end
   ReportIndex Index;
 };
 } // namespace palpate::cli

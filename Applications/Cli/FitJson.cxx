@@ -99,7 +99,8 @@ std::string FitResultJson(const FitResult& result, const std::string& folder)
   Json json;
   json[JsonSchemaKey] = JsonSchemaVersion;
   json["input"] = result.Input.string();
-  // Background is no structure: a file that cannot be read, or a name that it does not have.
+  // Background is not a structure: it stands for a file that cannot be read, or a name that it
+  // lacks.
   json["label"] = result.Structure.Label == 0 ? Json() : Json(result.Structure.Label);
   json["name"] = result.Structure.Name;
   json["degree"] = fitted ? result.Model.Degree() : result.Settings.Degree;

@@ -12,7 +12,7 @@ namespace palpate::cli
 {
 namespace
 {
-constexpr int HighestDegree = 100; // a fit of it takes minutes and gigabytes
+constexpr int HighestDegree = 100; // a fit takes minutes and gigabytes
 constexpr double DefaultTolerance = 0.5;
 
 template <typename T>
@@ -28,13 +28,13 @@ int ParseDegree(const std::string& word)
   int degree = 0;
   if (!ParseWhole(word, degree) || degree < 0 || degree > HighestDegree)
   {
-    throw InputError("--degree " + word + " is no degree; give a whole number from 0 to " +
+    throw InputError("--degree " + word + " is not a valid degree; give a whole number from 0 to " +
                      std::to_string(HighestDegree) + ", or auto");
   }
   return degree;
 }
 
-// Known before a mask is read; directions that miss the surface may make it too few later.
+// Checked before a mask is read; directions that miss the surface may still leave too few samples.
 void CheckDirections(const FitSettings& settings)
 {
   const int directions = 10 * settings.Frequency * settings.Frequency + 2;
@@ -68,7 +68,7 @@ void FitOptions::DeclareSurface(CLI::App& app)
       ->check(FiniteNumber::Between(0.0, 10.0))
       ->capture_default_str();
   app.add_option("--component", this->ComponentWord,
-                 "Which connected component, by falling size from 1, or all")
+                 "Connected component, numbered from 1 by decreasing size, or all")
       ->type_name("N|all")
       ->capture_default_str();
 }
@@ -76,15 +76,16 @@ void FitOptions::DeclareSurface(CLI::App& app)
 void FitOptions::DeclareModel(CLI::App& app)
 {
   app.add_option("--degree", this->DegreeWord,
-                 "Degree of the model, or auto: the smallest that meets --tolerance, at most what "
-                 "the mask's voxels tell (waves of two voxels)")
+                 "Degree of the model, or auto: the smallest that meets --tolerance, up to the "
+                 "resolution of the mask (wavelength of two voxels)")
       ->type_name("N|auto")
       ->capture_default_str();
   app.add_option("--tolerance", this->Tolerance,
-                 "RMS residual in mm that --degree auto has to meet (default 0.5)")
+                 "RMS residual in mm that --degree auto must meet (default 0.5)")
       ->type_name("MM")
       ->check(FiniteNumber::Positive());
-  app.add_option("--max-degree", this->Values.MaximumDegree, "Where --degree auto gives up")
+  app.add_option("--max-degree", this->Values.MaximumDegree,
+                 "Highest degree that --degree auto tries")
       ->check(CLI::Range(0, HighestDegree))
       ->capture_default_str();
   app.add_option("--frequency", this->Values.Frequency,
@@ -95,7 +96,7 @@ void FitOptions::DeclareModel(CLI::App& app)
                  "centroid, visible (sees most of the surface), or a point x,y,z in mm (LPS)")
       ->type_name("CENTER")
       ->capture_default_str();
-  app.add_option("--weights", this->WeightsWord, "What a sample counts by")
+  app.add_option("--weights", this->WeightsWord, "Weight of each sample")
       ->check(CLI::IsMember({"area", "solid-angle", "uniform"}))
       ->capture_default_str();
   app.add_option("--penalty", this->PenaltyWord,
@@ -103,14 +104,14 @@ void FitOptions::DeclareModel(CLI::App& app)
       ->type_name("none|auto|X")
       ->capture_default_str();
   app.add_flag("--robust", this->Values.IsRobust,
-               "Samples with large residuals count less (Huber weights), for masks with "
-               "spikes");
+               "Down-weight samples with large residuals (Huber weights), for masks with spikes");
   app.add_option("--min-dice", this->Values.MinimumDice,
-                 "Refuse models that overlap the mask less than this (0 accepts all)")
+                 "Refuse models whose Dice with the mask is below this (0 accepts all)")
       ->check(FiniteNumber::Between(0.0, 1.0))
       ->capture_default_str();
-  app.add_option("--max-hidden", this->Values.MaximumHiddenPercent,
-                 "Refuse structures of which the centre doesn't see more than this (%)")
+  app.add_option(
+         "--max-hidden", this->Values.MaximumHiddenPercent,
+         "Refuse structures if more than this share of the surface is hidden from the centre (%)")
       ->check(FiniteNumber::Between(0.0, 100.0))
       ->capture_default_str();
 }
@@ -125,7 +126,7 @@ FitSettings FitOptions::Settings() const
       (!ParseWhole(this->ComponentWord, settings.Component) || settings.Component < 1))
   {
     throw InputError("--component " + this->ComponentWord +
-                     " is no component; give a whole number from 1, or all");
+                     " is not a valid component; give a whole number from 1, or all");
   }
   if (this->DegreeWord == "auto")
   {
@@ -137,7 +138,7 @@ FitSettings FitOptions::Settings() const
     CheckDirections(settings);
     if (this->Tolerance > 0.0)
     {
-      throw InputError("--tolerance needs --degree auto; a given degree meets what it meets");
+      throw InputError("--tolerance needs --degree auto; it has no effect on a fixed degree");
     }
   }
   if (this->CenterWord == "visible")
@@ -163,7 +164,7 @@ FitSettings FitOptions::Settings() const
         !std::isfinite(settings.Roughness))
     {
       throw InputError("--penalty " + this->PenaltyWord +
-                       " is no penalty; give none, auto, or a positive number");
+                       " is not a valid penalty; give none, auto, or a positive number");
     }
   }
   return settings;

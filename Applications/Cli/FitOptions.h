@@ -12,8 +12,8 @@ class App;
 
 namespace palpate::cli
 {
-/// The options that decide how a structure becomes a surface and a model, the same words for every
-/// command that needs them.
+/// The options that control how a structure becomes a surface and a model, shared by every command
+/// that needs them.
 class FitOptions
 {
 public:
@@ -27,7 +27,7 @@ public:
 
   /// Labels by number or name; empty for all.
   const std::vector<std::string>& Labels() const { return this->LabelWords; }
-  /// Throws InputError for words that mean nothing.
+  /// Throws InputError for invalid words.
   FitSettings Settings() const;
 
 private:

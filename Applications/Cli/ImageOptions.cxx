@@ -8,7 +8,7 @@ void ImageOptions::Declare(CLI::App& app, const std::string& seriesOf)
 {
   app.add_option("--series", this->Series,
                  "DICOM series of a " + seriesOf +
-                     ": its number in the list that the error gives, or its UID")
+                     ": its number in the list that the error message prints, or its UID")
       ->type_name("N|UID");
   this->DeclareAxes(app);
 }
@@ -17,7 +17,7 @@ void ImageOptions::DeclareAxes(CLI::App& app)
 {
   app.add_flag("--refuse-left-handed", this->RefuseLeftHanded,
                "Refuse files with left-handed directions, which FSL and dcm2niix write; by default "
-               "one index axis is reversed, and voxels keep their places in the patient");
+               "one index axis is reversed, and voxels keep their positions in the patient");
 }
 
 LeftHandedAxes ImageOptions::LeftHanded() const

@@ -11,12 +11,12 @@ class App;
 
 namespace palpate::cli
 {
-/// How the images of a command are to be read: the part of the option vocabulary that every command
-/// with image files shares.
+/// How a command reads its images: the options that every command with image files shares.
 class ImageOptions
 {
 public:
-  /// Adds --series, with what it chooses from, and --refuse-left-handed.
+  /// Adds --series and --refuse-left-handed; `seriesOf` says in help what the series is chosen
+  /// from.
   void Declare(CLI::App& app, const std::string& seriesOf);
   /// Adds --refuse-left-handed alone, where no DICOM series is read.
   void DeclareAxes(CLI::App& app);

@@ -17,7 +17,7 @@ std::string InfoCommand::Examples() const
 {
   return "  palpate info t2.nii.gz mask.seg.nrrd     geometry, values, labels\n"
          "  palpate info dicom-folder --series 2     the second series of a folder\n"
-         "  palpate info *.nii.gz --json             one JSON object a line, for scripts";
+         "  palpate info *.nii.gz --json             one JSON object per line, for scripts";
 }
 
 void InfoCommand::DeclareOptions(CLI::App& app)
@@ -26,7 +26,7 @@ void InfoCommand::DeclareOptions(CLI::App& app)
                  "Images (NIfTI, NRRD, MetaImage, DICOM file or folder) and segmentations")
       ->required();
   this->Images.Declare(app, "folder");
-  app.add_flag("--json", this->Json, "One JSON object a line instead of text");
+  app.add_flag("--json", this->Json, "Print one JSON object per line instead of text");
 }
 
 void InfoCommand::Describe(const std::string& input, Console& console) const

@@ -8,13 +8,13 @@
 
 namespace palpate::cli
 {
-/// `palpate info FILE...`: what each file holds, its geometry in patient LPS, its values, and for
-/// segmentations a table of the labels. A file that cannot be read doesn't stop the others.
+/// `palpate info FILE...`: the kind of each file, its geometry in patient LPS, its values, and for
+/// segmentations a table of the labels. A file that cannot be read does not stop the others.
 class InfoCommand : public Command
 {
 public:
   std::string Name() const override { return "info"; }
-  std::string Summary() const override { return "Print what image files and segmentations hold"; }
+  std::string Summary() const override { return "Print the contents of images and segmentations"; }
   std::string Examples() const override;
   void DeclareOptions(CLI::App& app) override;
   int Run(Console& console) override;

@@ -17,14 +17,14 @@ namespace
 {
 using nlohmann::json;
 
-constexpr std::size_t LongestName = 40; // a longer one leaves no room for the numbers
+constexpr std::size_t LongestName = 40; // leaves space for the numbers
 
 const std::vector<std::string>& NotesOf(const ImageContent& content)
 {
   return content.Labels ? content.Labels->Notes : content.Image->Notes;
 }
 
-// The image that tells the geometry, the file's type and range.
+// The image with the geometry, the file's type and range.
 vtkImageData* ImageOf(const ImageContent& content)
 {
   return content.Image ? content.Image->Image : content.Labels->Layers.front();
@@ -35,7 +35,7 @@ std::string Joined(const double* values, int count, const char* separator)
   std::ostringstream text;
   for (int i = 0; i < count; ++i)
   {
-    // Rounding leaves a negative zero in many directions and origins.
+    // Rounding gives many directions and origins a negative zero.
     text << (i == 0 ? "" : separator) << (values[i] == 0.0 ? 0.0 : values[i]);
   }
   return text.str();
@@ -49,7 +49,7 @@ std::string AxisText(vtkImageData* image, int axis)
   return "(" + Joined(column, 3, ", ") + ")";
 }
 
-// Integers as such, others in the precision of the file: 0.9999999 is not shown as 1.
+// Integers as they are, others in the precision of the file: 0.9999999 is not shown as 1.
 std::string ValueText(vtkImageData* image, double value)
 {
   switch (image->GetScalarType())

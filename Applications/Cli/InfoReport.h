@@ -8,14 +8,14 @@
 
 namespace palpate::cli
 {
-/// What `palpate info` says about one file.
+/// What `palpate info` prints about one file.
 struct InfoReport
 {
   std::string Input;
   ImageContent Content;
   std::vector<LabelStatistics> Labels; ///< of each segment of Content.Labels
 
-  /// Lines for people, ended by an empty line.
+  /// Readable lines, ended by an empty line.
   std::string Text() const;
   /// One JSON object on one line.
   std::string Json() const;

@@ -60,7 +60,7 @@ std::string MeshCommand::Examples() const
   return "  palpate mesh mask.nii.gz --label 1 --output gland.stl\n"
          "  palpate mesh mask.seg.nrrd --label Prostate --smoothing 0 --output gland.vtp\n"
          "  palpate mesh mask.nii.gz --method plain --label 1 --output steps.ply\n"
-         "  palpate mesh a.nii.gz b.nii.gz --output surfaces   every structure, a .vtp each";
+         "  palpate mesh a.nii.gz b.nii.gz --output surfaces   every structure, one .vtp each";
 }
 
 void MeshCommand::DeclareOptions(CLI::App& app)
@@ -75,7 +75,7 @@ void MeshCommand::DeclareOptions(CLI::App& app)
                      ") for one structure, or a folder for several")
       ->type_name("FILE|DIR")
       ->required();
-  app.add_flag("--json", this->Json, "One JSON object a structure on standard output");
+  app.add_flag("--json", this->Json, "Print one JSON object per structure");
 }
 
 bool MeshCommand::OutputIsFile() const
@@ -91,7 +91,7 @@ int MeshCommand::Run(Console& console)
   this->Tally = {};
   if (this->OutputIsFile() && this->Inputs.size() > 1)
   {
-    throw InputError("--output " + this->Output.string() + " is one file, and there are " +
+    throw InputError("--output " + this->Output.string() + " is one file, but there are " +
                      std::to_string(this->Inputs.size()) + " masks; give a folder.");
   }
   if (!this->OutputIsFile())
@@ -107,7 +107,7 @@ int MeshCommand::Run(Console& console)
   }
   catch (const Cancelled&)
   {
-    console.Error("cancelled; the surfaces that were finished are kept");
+    console.Error("cancelled; finished surfaces are kept");
     return 1;
   }
   if (this->Tally.Lost() > 0 && this->Tally.Cases > 1)
@@ -124,9 +124,9 @@ Segmentation MeshCommand::Read(const std::filesystem::path& input, StructureChoi
   choice = ChooseStructures(segmentation, this->Options.Labels());
   if (this->OutputIsFile() && choice.Found.size() > 1)
   {
-    throw InputError(input.string() + " has " + std::to_string(choice.Found.size()) +
-                     " structures and --output is one file; name one with --label, or give a "
-                     "folder.");
+    throw InputError(
+        input.string() + " has " + std::to_string(choice.Found.size()) +
+        " structures, but --output is one file; choose one with --label, or give a folder.");
   }
   return segmentation;
 }
@@ -191,7 +191,7 @@ void MeshCommand::MeshCase(const Case& one, Console& console)
   try
   {
     const vtkSmartPointer<vtkSegmentationSurface> surface = this->SurfaceOf(one, console);
-    // An output that is refused stops the only case as a bad command line does.
+    // For a single case, a refused output is treated as a bad command line.
     blame = one.IsOnly ? FitResult::Outcome::BadInput : FitResult::Outcome::Failed;
     if (!this->OutputIsFile())
     {
@@ -224,7 +224,7 @@ vtkSmartPointer<vtkSegmentationSurface> MeshCommand::SurfaceOf(const Case& one,
   }
   catch (const FilterError& error)
   {
-    // It fails by what the structure is: too thin, or without the component asked for.
+    // The structure is the cause: too thin, or without the component asked for.
     throw InputError(error.what());
   }
   if (const std::string reason = TooFewVoxels(surface->GetMaskVolume(), one.Layer); !reason.empty())

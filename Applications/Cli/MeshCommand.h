@@ -28,7 +28,7 @@ public:
   int Run(Console& console) override;
 
 private:
-  /// One structure on its way to a file.
+  /// One structure to be written.
   struct Case
   {
     std::filesystem::path Input;
@@ -36,15 +36,15 @@ private:
     vtkSmartPointer<vtkImageData> Layer;
     std::filesystem::path Output;
     bool IsOnly;       ///< of this run
-    double From, To;   ///< the part of the whole run that it is
-    std::string Title; ///< of its progress
+    double From, To;   ///< its part of the whole run
+    std::string Title; ///< for its progress
   };
 
   /// Reads a file and chooses its structures; throws InputError.
   Segmentation Read(const std::filesystem::path& input, StructureChoice& choice) const;
   void MeshFile(std::size_t file, Console& console);
   void MeshCase(const Case& one, Console& console);
-  /// Throws InputError for what is wrong with the structure.
+  /// Throws InputError for errors of the structure.
   vtkSmartPointer<vtkSegmentationSurface> SurfaceOf(const Case& one, Console& console) const;
   void RecordWritten(const Case& one, vtkSegmentationSurface* surface, Console& console);
   void RecordLost(const std::filesystem::path& input, const Segment& structure,

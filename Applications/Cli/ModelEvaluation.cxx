@@ -43,8 +43,8 @@ void Evaluate(const ParametricSphericalSurface& surface, const std::vector<Vecto
 {
   if (!pointsWorld.empty())
   {
-    throw InputError(result.File + " holds a parametric surface, which has no centre to tell "
-                                   "inside from outside; use a star-shaped model for --point.");
+    throw InputError(result.File + " is a parametric surface, without a centre to tell inside from "
+                                   "outside; use a star-shaped model for --point.");
   }
   const double volume = surface.Volume();
   result.InsideOut = volume < 0.0;

@@ -8,8 +8,8 @@
 
 namespace palpate::cli
 {
-/// What `palpate evaluate` tells of a model. Lengths mm, points patient LPS. Whatever needs a
-/// centre is absent for a parametric surface.
+/// What `palpate evaluate` prints about a model. Lengths mm, points patient LPS. Values that need a
+/// centre are absent for a parametric surface.
 struct ModelEvaluation
 {
   struct DirectionSample
@@ -40,8 +40,8 @@ struct ModelEvaluation
   std::vector<PointSample> Points;
 };
 
-/// Evaluates a model along unit directions and at points (mm, patient LPS); the centre itself is
-/// seen along +z. Throws InputError for points in a parametric surface.
+/// Evaluates a model along unit directions and at points (mm, patient LPS); a point at the centre
+/// is evaluated along +z. Throws InputError for points in a parametric surface.
 ModelEvaluation EvaluateModel(const std::string& file, const SurfaceModel& surface,
                               const std::vector<Vector3>& directions,
                               const std::vector<Vector3>& pointsWorld);

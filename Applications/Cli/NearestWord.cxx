@@ -6,7 +6,7 @@ namespace palpate::cli
 {
 namespace
 {
-constexpr std::size_t LongestWord = 64; // of options; what is longer is no slip of a finger
+constexpr std::size_t LongestWord = 64; // longer words are not mistyped options
 
 // The optimal string alignment distance: Levenshtein's with exchanges of neighbours.
 std::size_t Distance(const std::string& a, const std::string& b)

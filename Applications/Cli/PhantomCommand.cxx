@@ -35,7 +35,7 @@ namespace
 {
 constexpr double MostVoxels = 100000.0;    // along an axis
 constexpr double MarginMillimeters = 10.0; // between the body and the grid's sides
-// An intensity and a label, and a second copy of them while they are written.
+// An intensity and a label, and a second copy of both during writing.
 constexpr double BytesPerVoxel = 2.0 * (sizeof(float) + 1.0);
 
 double MaskMilliliters(vtkImageData* mask)
@@ -52,7 +52,7 @@ std::string PhantomCommand::Examples() const
 {
   return "  palpate phantom --output p                        0.5 x 0.5 x 3 mm voxels, some noise\n"
          "  palpate phantom --output p --spacing 1,1,1 --noise 0 --bias 0   clean and isotropic\n"
-         "  palpate phantom --output p --oblique 20 --seed 7  a turned grid, another body\n"
+         "  palpate phantom --output p --oblique 20 --seed 7  a rotated grid, another body\n"
          "  palpate phantom --output p --model model.json     the body of a fitted model\n"
          "  palpate phantom --output p --drill-block          bone to drill, with a hidden nerve";
 }
@@ -63,21 +63,22 @@ void PhantomCommand::DeclareOptions(CLI::App& app)
       ->type_name("DIR")
       ->required();
   app.add_option("--spacing", this->Spacing,
-                 "Voxel size x,y,z in mm (default: 0.5,0.5,3, of the block 0.3,0.3,0.3)")
+                 "Voxel size x,y,z in mm (default: 0.5,0.5,3; for the block 0.3,0.3,0.3)")
       ->delimiter(',')
       ->expected(3)
       ->check(FiniteNumber::Between(0.01, 100.0));
   app.add_option("--oblique", this->ObliqueDegrees,
-                 "Turn the grid by this angle about the left-right axis and by half of it about "
+                 "Rotate the grid by this angle about the left-right axis and by half of it about "
                  "the front-back axis")
       ->type_name("DEG")
       ->check(FiniteNumber::Between(-180.0, 180.0));
-  app.add_option("--format", this->Format, "Ending of the images")
+  app.add_option("--format", this->Format, "File format of the images")
       ->check(CLI::IsMember({"nii.gz", "nrrd", "mha"}))
       ->capture_default_str();
-  CLI::Option* block = app.add_flag("--drill-block", this->IsDrillBlock,
-                                    "Instead of a body a CT of a block of bone with a canal and a "
-                                    "hidden nerve, and a scene, a way and a script that drill it");
+  CLI::Option* block =
+      app.add_flag("--drill-block", this->IsDrillBlock,
+                   "Instead of a body, make a CT of a block of bone with a canal and a hidden "
+                   "nerve, with a scene, a path and a script to drill it");
   for (CLI::Option* option : this->DeclareBody(app))
   {
     block->excludes(option);
@@ -92,7 +93,8 @@ std::vector<CLI::Option*> PhantomCommand::DeclareBody(CLI::App& app)
                             ->check(CLI::Range(0, 64))
                             ->capture_default_str();
   CLI::Option* seed =
-      app.add_option("--seed", this->Seed, "Of the body's bumps, the noise and the bias field")
+      app.add_option("--seed", this->Seed,
+                     "Random seed of the body's bumps, the noise and the bias field")
           ->capture_default_str();
   CLI::Option* size =
       app.add_option("--size", this->Size, "Voxels x,y,z (default: as many as the body needs)")
@@ -134,8 +136,9 @@ SphericalHarmonicModel PhantomCommand::TrueModel() const
   const auto* model = std::get_if<SphericalHarmonicModel>(&document.Surface);
   if (!model)
   {
-    throw InputError(this->ModelPath + ": a parametric surface has no inside that a phantom could "
-                                       "be made of; give a star-shaped model (.json)");
+    throw InputError(
+        this->ModelPath +
+        ": a phantom cannot be made from a parametric surface; give a star-shaped model (.json)");
   }
   return *model;
 }

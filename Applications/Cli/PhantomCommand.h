@@ -17,8 +17,8 @@ class vtkSphericalHarmonicPhantom;
 
 namespace palpate::cli
 {
-/// `palpate phantom`: an MR-like volume, a mask and the true coefficients of a body, so that the
-/// truth is known on any machine. Or a block of bone to be drilled.
+/// `palpate phantom`: an MR-like volume, a mask and the true coefficients of a body, with the
+/// ground truth available on any machine. Or a block of bone to drill.
 class PhantomCommand : public Command
 {
 public:
@@ -32,7 +32,7 @@ public:
   int Run(Console& console) override;
 
 private:
-  /// What the block has not.
+  /// Declares the options that do not apply to the block, and returns them.
   std::vector<CLI::Option*> DeclareBody(CLI::App& app);
   int MakeBody(Console& console) const;
   int MakeDrillBlock(Console& console) const;
@@ -47,7 +47,7 @@ private:
   std::string ModelPath;
   std::string Format = "nii.gz";
   bool IsDrillBlock = false;
-  std::vector<double> Spacing; ///< mm; empty for what is usual
+  std::vector<double> Spacing; ///< mm; empty for the default
   std::vector<int> Size;       ///< voxels; empty for as many as the body needs
   double ObliqueDegrees = 0.0;
   double Noise = 10.0;

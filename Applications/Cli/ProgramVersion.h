@@ -4,6 +4,6 @@
 
 namespace palpate::cli
 {
-/// Name and version of the program, as --version prints it and as files name their maker.
+/// Name and version of the program, for --version and for the files it writes.
 std::string ProgramVersion();
 } // namespace palpate::cli

@@ -34,7 +34,7 @@ namespace
 constexpr int ModelFrequency = 40;
 constexpr int LargestSide = 8192; // pixels
 
-// Colours that the colour-blind tell apart (Okabe and Ito 2008), the organ's first.
+// Colours that colour-blind people can tell apart (Okabe and Ito 2008), the organ's first.
 constexpr std::array<SceneRenderer::Color, 7> Palette{{{{0.85, 0.66, 0.55}},
                                                        {{0.34, 0.71, 0.91}},
                                                        {{0.90, 0.62, 0.00}},
@@ -76,7 +76,7 @@ std::pair<int, int> ParseSize(const std::string& word)
       return {width, height};
     }
   }
-  throw InputError("--size " + word + " is no picture size; give WIDTHxHEIGHT, 16 to " +
+  throw InputError("--size " + word + " is not a valid image size; give WIDTHxHEIGHT, 16 to " +
                    std::to_string(LargestSide) + " pixels each");
 }
 
@@ -92,12 +92,12 @@ SceneRenderer::Color ParseColor(const std::string& word)
   if (word.size() != 7 || word.front() != '#' ||
       std::from_chars(word.data() + 1, end, code, 16).ptr != end)
   {
-    throw InputError("--background " + word + " is no colour; give white, black, or #rrggbb");
+    throw InputError("--background " + word + " is not a colour; give white, black, or #rrggbb");
   }
   return {{(code >> 16U & 255U) / 255.0, (code >> 8U & 255U) / 255.0, (code & 255U) / 255.0}};
 }
 
-// The structures that words name, all of which there have to be.
+// The structures that words name. Throws InputError if one is missing.
 std::vector<Segment> Found(const Segmentation& segmentation, const std::vector<std::string>& words)
 {
   const StructureChoice choice = ChooseStructures(segmentation, words);
@@ -108,7 +108,7 @@ std::vector<Segment> Found(const Segmentation& segmentation, const std::vector<s
   return choice.Found;
 }
 
-// Structures in groups of at most so many, as a field has room for.
+// Structures in groups of at most `most`, the limit of a field.
 std::vector<std::vector<Segment>> Groups(const std::vector<Segment>& structures, std::size_t most)
 {
   std::vector<std::vector<Segment>> groups;
@@ -132,7 +132,7 @@ std::vector<SceneRenderer::Color> ColorsOf(const std::vector<Segment>& structure
   return colors;
 }
 
-// Makes a field, which is the file's or the options' fault where it fails, and says what it takes.
+// Makes a field and reports its memory. A failure is blamed on the file or the options.
 template <typename Make>
 std::shared_ptr<const ScalarField> Field(const std::filesystem::path& file, Console& console,
                                          const Make& make)
@@ -160,7 +160,7 @@ std::string RenderCommand::Examples() const
          "  palpate render --volume head-ct.nii.gz --iso 300 --output skull.png\n"
          "  palpate render --volume ct.nrrd --iso 300 --within bones.seg.nrrd --output bones.png\n"
          "  palpate render model.json surface.stl --opacity 0.5 --view left --output both.png\n"
-         "It draws with OpenGL; on a machine without a screen, run it under xvfb-run -a.";
+         "Draws with OpenGL; on a machine without a display, run it under xvfb-run -a.";
 }
 
 void RenderCommand::DeclareOptions(CLI::App& app)
@@ -168,20 +168,18 @@ void RenderCommand::DeclareOptions(CLI::App& app)
   app.add_option("FILE", this->Inputs,
                  "Surfaces (" + ListOfEndings(SurfaceFormats().ReadEndings()) + "), models (" +
                      ListOfEndings(ReadableModelEndings()) + "), segmentations");
-  app.add_option("--output", this->Output, "The picture, a .png file")
-      ->type_name("FILE")
-      ->required();
+  app.add_option("--output", this->Output, "PNG file to write")->type_name("FILE")->required();
   this->Options.DeclareLabels(app);
   app.add_option("--volume", this->VolumePath, "Draw slices or iso-surfaces of this image");
   this->Images.Declare(app, "--volume folder");
   app.add_option("--slices", this->Slices,
-                 "Which slices of --volume, through the middle of what is drawn: axial, sagittal, "
-                 "coronal (default: all, and none with --iso)")
+                 "Slices of --volume through the centre of the drawing: axial, sagittal, coronal "
+                 "(default: all, and none with --iso)")
       ->delimiter(',')
       ->allow_extra_args(false)
       ->check(CLI::IsMember({"axial", "sagittal", "coronal"}));
   app.add_option("--iso", this->IsoValues,
-                 "Draw where --volume reaches these values, by the ray caster that feels it")
+                 "Draw iso-surfaces of --volume at these values, by the ray caster that touch uses")
       ->delimiter(',')
       ->allow_extra_args(false)
       ->check(FiniteNumber::Any());
@@ -192,18 +190,18 @@ void RenderCommand::DeclareOptions(CLI::App& app)
       ->type_name("N|NAME")
       ->allow_extra_args(false);
   app.add_flag("--sub-voxel", this->IsSubVoxel,
-               "Draw segmentations by that ray caster too, instead of by triangles");
+               "Draw segmentations by that ray caster too, instead of as triangles");
   app.add_option("--interpolation", this->Interpolation,
-                 "Between voxels, for --iso and --sub-voxel: linear, or cubic (smoother, slower)")
+                 "Interpolation between voxels, for --iso and --sub-voxel: linear, or cubic "
+                 "(smoother, slower)")
       ->check(CLI::IsMember({"linear", "cubic"}))
       ->capture_default_str();
-  app.add_option(
-         "--smoothing", this->Smoothing,
-         "Of structures for --sub-voxel and --within, in voxels (0: no voxel changes sides; "
-         "more where voxels can be seen)")
+  app.add_option("--smoothing", this->Smoothing,
+                 "Smoothing of structures for --sub-voxel and --within, in voxels (0: no voxel "
+                 "changes sides; increase it where voxels show)")
       ->check(FiniteNumber::Between(0.0, 8.0))
       ->capture_default_str();
-  app.add_option("--view", this->View, "The side that is looked at")
+  app.add_option("--view", this->View, "Side to look at")
       ->check(CLI::IsMember(
           {"anterior", "posterior", "left", "right", "superior", "inferior", "oblique"}))
       ->capture_default_str();
@@ -212,10 +210,10 @@ void RenderCommand::DeclareOptions(CLI::App& app)
       ->capture_default_str();
   app.add_option("--array", this->ArrayName,
                  "Colour surfaces by this point array, e.g. DistanceToSurface");
-  app.add_option("--opacity", this->Opacity, "Of the surfaces")
+  app.add_option("--opacity", this->Opacity, "Opacity of the surfaces")
       ->check(FiniteNumber::Between(0.0, 1.0))
       ->capture_default_str();
-  app.add_option("--background", this->Background, "white, black or #rrggbb")
+  app.add_option("--background", this->Background, "Background colour: white, black or #rrggbb")
       ->type_name("COLOR")
       ->capture_default_str();
 }
@@ -337,7 +335,7 @@ void RenderCommand::AddVolume(SceneRenderer& scene, Console& console)
     this->WithinPath.empty() ? this->AddIsoSurfaces(volume.Image, scene, console)
                              : this->AddIsoSurfacesWithin(volume.Image, scene, console);
   }
-  // Slices through an opaque surface would be hidden in it, so they are drawn with it if asked for.
+  // Opaque iso-surfaces would hide slices, so these are drawn only if asked for.
   const std::vector<std::string> every{"axial", "sagittal", "coronal"};
   const bool isPlain = this->Slices.empty() && this->IsoValues.empty();
   const Vector3 middle =
@@ -360,7 +358,7 @@ void RenderCommand::ColorByArray(SceneRenderer& scene) const
     }
     throw InputError(
         "--array " + this->ArrayName + ": no surface has a point array of this name" +
-        (names.empty() ? "; leave the option out, none has an array" : "; there is " + list));
+        (names.empty() ? "; none has an array, leave the option out" : "; available: " + list));
   }
 }
 
@@ -372,24 +370,24 @@ int RenderCommand::Run(Console& console)
   if (this->Output.extension() != ".png")
   {
     throw InputError("--output " + this->Output.string() +
-                     " does not end in .png; pictures are PNG files");
+                     " does not end in .png; only PNG files can be written");
   }
   if (!this->IsoValues.empty() && this->VolumePath.empty())
   {
-    throw InputError("--iso has no image to draw; name one with --volume");
+    throw InputError("--iso needs an image; name one with --volume");
   }
   if (this->IsoValues.empty() && !this->WithinPath.empty())
   {
-    throw InputError("--within limits no iso-surface; give its value with --iso");
+    throw InputError("--within needs an iso-surface to limit; give its value with --iso");
   }
   if (this->WithinPath.empty() && !this->WithinLabels.empty())
   {
-    throw InputError("--within-label names structures of no segmentation; give it with --within");
+    throw InputError("--within-label needs a segmentation; name it with --within");
   }
   if (this->Inputs.empty() && this->VolumePath.empty())
   {
-    throw InputError("there is nothing to draw; name a surface, a model or a segmentation, or an "
-                     "image with --volume");
+    throw InputError(
+        "nothing to draw; name a surface, a model or a segmentation, or an image with --volume");
   }
   SceneRenderer scene;
   scene.SetBackground(background);

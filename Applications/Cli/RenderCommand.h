@@ -12,7 +12,7 @@
 
 namespace palpate::cli
 {
-/// `palpate render FILE...`: one picture of surfaces, models and segmentations in space, with
+/// `palpate render FILE...`: one image of surfaces, models and segmentations in space, with
 /// slices and iso-surfaces of a volume.
 class RenderCommand : public Command
 {
@@ -20,7 +20,7 @@ public:
   std::string Name() const override { return "render"; }
   std::string Summary() const override
   {
-    return "Draw surfaces, models, segmentations and slices as a PNG picture";
+    return "Draw surfaces, models, segmentations and slices into a PNG image";
   }
   std::string Examples() const override;
   void DeclareOptions(CLI::App& app) override;
@@ -29,10 +29,10 @@ public:
 private:
   void AddFile(const std::filesystem::path& file, SceneRenderer& scene, Console& console);
   void AddSegmentation(const std::filesystem::path& file, SceneRenderer& scene, Console& console);
-  /// By triangles, one surface each.
+  /// As triangles, one surface per structure.
   void AddMeshes(const Segmentation& segmentation, const std::vector<Segment>& structures,
                  SceneRenderer& scene, Console& console) const;
-  /// By fields.
+  /// As fields, by ray casting.
   void AddFields(const Segmentation& segmentation, const std::vector<Segment>& structures,
                  SceneRenderer& scene, Console& console) const;
   void AddVolume(SceneRenderer& scene, Console& console);

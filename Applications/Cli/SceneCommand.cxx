@@ -45,7 +45,7 @@ void AddRow(TextTable& table, const std::string& name, const std::string& purpos
   table.AddRow({name, purpose, KilobytesOf(item), MillisecondsOf(item), item.Is});
 }
 
-// What of a scene was made, together.
+// Sums over everything that was made of a scene.
 struct Totals
 {
   std::size_t Read = 0;
@@ -105,8 +105,8 @@ std::string TextOf(const SceneAccount& account)
   };
   const std::size_t structures = account.Structures.size();
   return table.Text() + sentence(totals.Read, account.Files.size(), "files read", totals.Reading) +
-         sentence(totals.Touched, structures, "structures to be touched", totals.Contacts) +
-         sentence(totals.Seen, structures, "structures to be seen", totals.Drawings);
+         sentence(totals.Touched, structures, "structures touchable", totals.Contacts) +
+         sentence(totals.Seen, structures, "structures drawn", totals.Drawings);
 }
 
 JsonObject AsJson(const SceneItem& item)
@@ -152,19 +152,19 @@ JsonObject AsJson(const SceneAccount& account)
 
 std::string SceneCommand::Examples() const
 {
-  return "  palpate scene explain knee.scene.json             what is made of it, and why\n"
-         "  palpate scene explain knee.scene.json --unseen    as palpate touch without --view\n"
+  return "  palpate scene explain knee.scene.json             what is built, and why\n"
+         "  palpate scene explain knee.scene.json --unseen    like palpate touch without --view\n"
          "  palpate scene explain knee.scene.json --json";
 }
 
 void SceneCommand::DeclareOptions(CLI::App& app)
 {
-  app.add_option("ACTION", this->Action, "What to do: explain")
+  app.add_option("ACTION", this->Action, "Action: explain")
       ->required()
       ->check(CLI::IsMember({"explain"}));
   app.add_option("SCENE", this->Input, "A scene to touch (.scene.json)")->required();
-  app.add_flag("--unseen", this->IsUnseen, "As where nobody looks: no drawings");
-  app.add_flag("--json", this->Json, "One JSON object on standard output");
+  app.add_flag("--unseen", this->IsUnseen, "Make no drawings, like palpate touch without --view");
+  app.add_flag("--json", this->Json, "Print one JSON object");
 }
 
 int SceneCommand::Run(Console& console)

@@ -7,15 +7,15 @@
 
 namespace palpate::cli
 {
-/// `palpate scene explain SCENE`: makes what a scene to touch needs, as `touch --view` does, and
-/// says what was made for what, at what price, and what was not and why.
+/// `palpate scene explain SCENE`: builds a scene to touch as `touch --view` does, and reports what
+/// was built for which purpose, at what cost, and what was not and why.
 class SceneCommand : public Command
 {
 public:
   std::string Name() const override { return "scene"; }
   std::string Summary() const override
   {
-    return "Say what a scene to touch is made of, and what is left out and why";
+    return "Explain what a scene to touch is built from, and what is left out and why";
   }
   std::string Examples() const override;
   void DeclareOptions(CLI::App& app) override;

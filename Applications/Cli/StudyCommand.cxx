@@ -41,7 +41,7 @@ bool ShowStep(const StudyStepState& state, const std::string& title, Console& co
   return state.Is == Kind::Running;
 }
 
-// Of the first that runs: a file, or a structure and how many there are.
+// Of the first step that runs: a file, or a structure with its number and their count.
 void ShowProgress(Study& study, Console& console)
 {
   const StudyPipeline& pipeline = study.Pipeline();
@@ -83,7 +83,7 @@ void MakeAll(Study& study, Console& console)
   }
 }
 
-// A file or a structure of the study: how it stands, in which words, and why it failed.
+// Status of a file or a structure of the study: state, details, and why it failed.
 struct Line
 {
   std::string Name;
@@ -91,7 +91,7 @@ struct Line
   std::string Says;
   std::vector<std::string> Sentences;
   bool IsLost = false;
-  std::optional<double> TickMicroseconds; ///< of the servo, where it was measured
+  std::optional<double> TickMicroseconds; ///< of the servo, if measured
 };
 
 Line LineOf(SceneStep step, const StudyStepState& state)
@@ -102,7 +102,7 @@ Line LineOf(SceneStep step, const StudyStepState& state)
           isLost,       {}};
 }
 
-// What it costs a tick, once that was measured.
+// Its cost per tick, once measured.
 void AddMeasures(const SceneStructure& structure, Study& study, Line& line)
 {
   const StudyPipeline& pipeline = study.Pipeline();
@@ -110,11 +110,11 @@ void AddMeasures(const SceneStructure& structure, Study& study, Line& line)
   if (cost != nullptr && cost->Ticks > 0)
   {
     line.TickMicroseconds = 1e-3 * cost->MedianNanoseconds;
-    line.Says += "; " + FixedText(*line.TickMicroseconds, 2) + " us a tick";
+    line.Says += "; " + FixedText(*line.TickMicroseconds, 2) + " us per tick";
   }
 }
 
-// What is felt or seen of it is what counts: a model that was refused has a field in its place.
+// The last step that is wanted counts: a refused model is replaced by a field.
 Line LineOf(const SceneStructure& structure, Study& study)
 {
   const StudyPipeline& pipeline = study.Pipeline();
@@ -196,7 +196,7 @@ void Print(const std::vector<Line>& lines, bool asJson, Console& console)
   }
 }
 
-// Each sentence once: what a file is blamed for, its structures are too.
+// Each message once: the structures of a file repeat its message.
 CaseTally Tell(const std::vector<Line>& lines, Console& console)
 {
   CaseTally tally;
@@ -219,9 +219,9 @@ CaseTally Tell(const std::vector<Line>& lines, Console& console)
 
 std::string StudyCommand::Examples() const
 {
-  return "  palpate study case1.palpate.json                  how each step ends\n"
+  return "  palpate study case1.palpate.json                  result of each step\n"
          "  palpate study case1.palpate.json --output out     models, surfaces, reports, markups\n"
-         "  palpate touch out/scene.json                      what the study feels like";
+         "  palpate touch out/scene.json                      touch the study's scene";
 }
 
 void StudyCommand::DeclareOptions(CLI::App& app)
@@ -232,7 +232,7 @@ void StudyCommand::DeclareOptions(CLI::App& app)
                  "Folder for models, surfaces, reports, scene.json and markups (default: write "
                  "nothing)")
       ->type_name("DIR");
-  app.add_flag("--json", this->Json, "One JSON object a file or structure on standard output");
+  app.add_flag("--json", this->Json, "Print one JSON object per file or structure");
 }
 
 int StudyCommand::Run(Console& console)

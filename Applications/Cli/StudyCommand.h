@@ -8,15 +8,15 @@
 
 namespace palpate::cli
 {
-/// `palpate study SESSION`: makes everything that a session file of the application wants, says how
-/// each step stands, and writes what was made.
+/// `palpate study SESSION`: runs every step that a session file of the application needs, prints
+/// the status of each, and writes the results.
 class StudyCommand : public Command
 {
 public:
   std::string Name() const override { return "study"; }
   std::string Summary() const override
   {
-    return "Make everything that a session file (.palpate.json) wants";
+    return "Run every step that a session file (.palpate.json) needs";
   }
   std::string Examples() const override;
   void DeclareOptions(CLI::App& app) override;

@@ -6,16 +6,16 @@
 
 namespace palpate::cli
 {
-/// Rows of text in columns as wide as their widest entry, two blanks apart. A column whose entries
+/// Rows of text in columns as wide as their widest entry, two spaces apart. A column whose entries
 /// are all empty is left out.
 class TextTable
 {
 public:
   /// Names from files are made printable, so that a row stays a line.
   void AddRow(std::vector<std::string> row);
-  /// Columns (from 0) of numbers; the others are aligned left.
+  /// Columns of numbers, counted from 0; the others are aligned left.
   void AlignRight(std::set<std::size_t> columns) { this->RightColumns = std::move(columns); }
-  /// The table, a line a row, without blanks at the ends of lines.
+  /// The table, one line per row, without trailing spaces.
   std::string Text() const;
 
 private:

@@ -35,9 +35,9 @@ namespace palpate::cli
 {
 namespace
 {
-constexpr int NotWritten = 2; // as every output that is refused
+constexpr int NotWritten = 2; // as for every refused output
 
-// Says why not.
+// Prints the error if not.
 bool IsWritten(const std::function<void()>& write, Console& console)
 {
   try
@@ -63,7 +63,7 @@ std::vector<std::string> Representations()
   return names;
 }
 
-// "left.nii.gz", 2, "bone" is "left-2-bone.nii.gz".
+// "left.nii.gz", 2, "bone" gives "left-2-bone.nii.gz".
 std::filesystem::path WithNumberAndName(const std::filesystem::path& path, std::size_t number,
                                         const std::string& name)
 {
@@ -76,7 +76,7 @@ std::filesystem::path WithNumberAndName(const std::filesystem::path& path, std::
 
 std::string TouchCommand::Examples() const
 {
-  return "  palpate touch case1/model.json                   a sweep round a fitted model\n"
+  return "  palpate touch case1/model.json                   a sweep around a fitted model\n"
          "  palpate touch mask.seg.nrrd --label 1 --tool-radius 3 --output felt\n"
          "  palpate touch ct.nrrd --iso 300 --stiffness 1 --rate 2000\n"
          "  palpate touch ct.nrrd --iso 300 --wear 0.05 --drill strokes.json --output drilled\n"
@@ -91,95 +91,103 @@ void TouchCommand::DeclareStructure(CLI::App& app)
       ->type_name("N|NAME")
       ->delimiter(',')
       ->allow_extra_args(false);
-  app.add_option("--iso", this->Iso, "The files are images: touch where they reach this value")
+  app.add_option("--iso", this->Iso,
+                 "Treat the files as images, and touch the iso-surface of this value")
       ->expected(1)
       ->check(FiniteNumber::Any());
   app.add_option("--representation", this->Representation,
-                 "By what structures are touched (automatic: models by harmonics, surfaces by "
-                 "facets, voxels sub-voxel)")
+                 "Touch model of the structures (automatic: harmonics for models, facets for "
+                 "surfaces, sub-voxel for voxels)")
       ->check(CLI::IsMember(Representations()))
       ->capture_default_str();
-  app.add_option("--degree", this->Structure.Degree, "Of harmonics fitted to segmentations")
+  app.add_option("--degree", this->Structure.Degree,
+                 "Degree of the harmonics fitted to segmentations")
       ->check(CLI::Range(0, 64))
       ->capture_default_str();
-  app.add_option("--mode", this->Mode, "Of harmonics: nearest point, or the published radial law")
+  app.add_option("--mode", this->Mode,
+                 "Contact of harmonics: nearest point, or the published radial law")
       ->check(CLI::IsMember({"nearest", "radial"}))
       ->capture_default_str();
   app.add_option("--interpolation", this->Interpolation,
-                 "Between voxels: linear, or cubic (smoother, slower)")
+                 "Interpolation between voxels: linear, or cubic (smoother, slower)")
       ->check(CLI::IsMember({"linear", "cubic"}))
       ->capture_default_str();
-  app.add_option("--smoothing", this->Structure.Smoothing, "Of sub-voxel structures, in voxels")
+  app.add_option("--smoothing", this->Structure.Smoothing,
+                 "Smoothing of sub-voxel structures, in voxels")
       ->check(FiniteNumber::Between(0.0, 8.0))
       ->capture_default_str();
-  app.add_option("--stiffness", this->Structure.Stiffness, "N/mm of the hand's way")
+  app.add_option("--stiffness", this->Structure.Stiffness,
+                 "Stiffness, N per mm of hand displacement")
       ->check(FiniteNumber::Between(0.0, 1e4))
       ->capture_default_str();
-  app.add_option("--damping", this->Structure.Damping, "N s/mm")
+  app.add_option("--damping", this->Structure.Damping, "Damping, N s/mm")
       ->check(FiniteNumber::Between(0.0, 10.0))
       ->capture_default_str();
   app.add_option("--friction", this->Structure.Friction.Static,
-                 "Coulomb's coefficient, up to which the tool sticks; it slips with 0.8 of that")
+                 "Coefficient of static friction; sliding friction is 0.8 of it")
       ->check(FiniteNumber::Between(0.0, 10.0))
       ->capture_default_str();
   app.add_option("--wear", this->Structure.Drill.Wear,
-                 "Of sub-voxel structures under the drill: mm for each N of push and m of rubbing "
-                 "(0: it takes nothing away)")
+                 "Wear of sub-voxel structures under the drill, in mm per N of push and m of "
+                 "rubbing (0: not drilled)")
       ->check(FiniteNumber::Between(0.0, 100.0))
       ->capture_default_str();
-  app.add_option("--tool-radius", this->Tool.Radius, "Of the tool, a sphere, in mm (0: a point)")
+  app.add_option("--tool-radius", this->Tool.Radius,
+                 "Radius of the spherical tool, mm (0: a point)")
       ->check(FiniteNumber::Between(0.0, 100.0))
       ->capture_default_str();
-  app.add_option("--tool-points", this->Tool.Points,
-                 "Of its shell at sub-voxel structures (0: as voxels and radius ask for)")
+  app.add_option(
+         "--tool-points", this->Tool.Points,
+         "Points on the tool's surface for sub-voxel structures (0: from voxel size and radius)")
       ->check(CLI::Range(0, ToolShape::MaximumCount))
       ->capture_default_str();
 }
 
 void TouchCommand::DeclareRun(CLI::App& app)
 {
-  app.add_option("--device", this->Device, "See palpate devices (default: the scene's, simulated)")
+  app.add_option("--device", this->Device,
+                 "Haptic device, see palpate devices (default: the scene's, or simulated)")
       ->type_name("NAME");
-  app.add_option("--firmware", this->Firmware, "What the device is loaded with where it needs that")
+  app.add_option("--firmware", this->Firmware, "Firmware file, for devices that need it")
       ->type_name("FILE");
-  app.add_option("--rate", this->Rate, "Of the servo, Hz (default: the scene's, 1000)")
+  app.add_option("--rate", this->Rate, "Servo rate, Hz (default: the scene's, or 1000)")
       ->check(FiniteNumber::Between(1.0, 1e5));
   app.add_option("--scale", this->Scale,
-                 "Millimetres of the scene for one of the hand (default: all is in reach)")
+                 "Scene mm per mm of hand movement (default: the whole scene is in reach)")
       ->expected(1)
       ->check(FiniteNumber::Between(1e-3, 1e3));
   app.add_option("--path", this->PathFile,
-                 "Where a simulated hand wants to be, time_s,x_mm,y_mm,z_mm a line (default: a "
-                 "sweep round the scene)")
+                 "Target path of a simulated hand, time_s,x_mm,y_mm,z_mm per line (default: a "
+                 "sweep around the scene)")
       ->type_name("CSV");
-  app.add_option("--depth", this->Sweep.SweepDepth, "Of the sweep below the surface, mm")
+  app.add_option("--depth", this->Sweep.SweepDepth, "Depth of the sweep below the surface, mm")
       ->check(FiniteNumber::Between(0.0, 100.0))
       ->capture_default_str();
-  app.add_option("--speed", this->Sweep.SweepSpeed, "Of the sweep, mm/s")
+  app.add_option("--speed", this->Sweep.SweepSpeed, "Speed of the sweep, mm/s")
       ->check(FiniteNumber::Between(0.1, 1e5))
       ->capture_default_str();
   app.add_option("--drill", this->DrillScript,
-                 "What a hand that drills does with pedal and buttons, as JSON (see "
+                 "Scripted pedal and button actions for drilling, as JSON (see "
                  "Documentation/HowTo/Drill.md)")
       ->type_name("FILE");
   app.add_option("--drill-state", this->DrillStateFile,
-                 "Begin with what was drilled earlier (drill.state of an output folder)")
+                 "Start from an earlier state of drilling (drill.state of an output folder)")
       ->type_name("FILE");
   app.add_option("--drilled", this->DrilledFiles,
-                 "Where to write what is left: a volume (" +
+                 "Write what is left after drilling: a volume (" +
                      ListOfEndings(ImageFormats().WrittenEndings()) + ") or a surface (" +
                      ListOfEndings(SurfaceFormats().WrittenEndings()) +
-                     "); of several structures the names are added")
+                     "); with several structures, their names are added to the file name")
       ->type_name("FILE")
       ->allow_extra_args(false);
-  app.add_option("--seconds", this->Seconds, "How long (default: as long as the path)")
+  app.add_option("--seconds", this->Seconds, "Duration, s (default: that of the path)")
       ->expected(1)
       ->check(FiniteNumber::Between(0.001, 36000.0));
   app.add_flag("--real-time", this->IsRealTime,
-               "At the rate that is asked for, on a thread of its own; else as fast as it goes");
+               "Run at the servo rate on a separate thread; otherwise as fast as possible");
   app.add_flag("--view", this->IsViewed,
-               "Draws the scene off screen meanwhile, and says how many pictures a second; without "
-               "a screen, run it under xvfb-run -a")
+               "Draw the scene off screen meanwhile, and report frames per second; without a "
+               "display, run it under xvfb-run -a")
       ->needs("--real-time");
 }
 
@@ -194,9 +202,9 @@ void TouchCommand::DeclareOptions(CLI::App& app)
                  "Folder for report.html, summary.json, trace.csv, scene.json and session.touch")
       ->type_name("DIR");
   app.add_option("--replay", this->ReplayFile,
-                 "Feel a recorded session (session.touch) again, and compare each tick's force")
+                 "Replay a recorded session (session.touch), and compare each tick's force")
       ->type_name("FILE");
-  app.add_flag("--json", this->Json, "The summary as one JSON object on standard output");
+  app.add_flag("--json", this->Json, "Print the summary as one JSON object");
 }
 
 SceneSettings TouchCommand::Settings() const
@@ -205,7 +213,7 @@ SceneSettings TouchCommand::Settings() const
   const bool isScene = IsSceneFile(this->Inputs.front());
   if (isScene && this->Inputs.size() > 1)
   {
-    throw InputError(this->Inputs.front() + " is a whole scene; list the other files in it");
+    throw InputError(this->Inputs.front() + " is a complete scene; list the other files in it");
   }
   if (isScene)
   {
@@ -291,8 +299,8 @@ void TouchCommand::PrintSummary(const PreparedTouch& touch, const TouchResult& r
   }
   if (result.Frames.Count() > 0)
   {
-    out << result.FramesPerSecond << " pictures a second beside " << result.Periods.Misses()
-        << " ticks left out; memory " << result.MebibytesAtStart << " MiB after a second, "
+    out << result.FramesPerSecond << " frames per second, " << result.Periods.Misses()
+        << " missed ticks; memory " << result.MebibytesAtStart << " MiB after a second, "
         << result.MebibytesAtEnd << " MiB at the end\n";
   }
   if (!this->OutputFolder.empty())
@@ -334,14 +342,13 @@ void TouchCommand::CheckDrilled(const PreparedTouch& touch) const
   if (touch.Drill == nullptr && (!this->DrilledFiles.empty() || !this->DrillStateFile.empty()))
   {
     throw InputError(
-        "nothing of the scene is to be drilled; give one of its structures a \"drill\" "
-        "or use --wear");
+        "no structure of the scene can be drilled; give one a \"drill\", or use --wear");
   }
   for (const std::string& file : this->DrilledFiles)
   {
     if (!IsWritableImage(file) && !IsSurfaceFile(file))
     {
-      throw InputError(file + " has an ending that neither volumes nor surfaces have; use " +
+      throw InputError(file + " is neither a volume nor a surface file; use " +
                        ListOfEndings(ImageFormats().WrittenEndings()) + ", or " +
                        ListOfEndings(SurfaceFormats().WrittenEndings()));
     }
@@ -359,7 +366,7 @@ bool TouchCommand::WriteDrilled(const PreparedTouch& touch, Console& console) co
       IsWritten([&] { WriteDrillState(this->OutputFolder / "drill.state", *touch.Drill); },
                 console);
   const std::vector<DrillSite>& sites = touch.Drill->Sites();
-  // What was drilled until an interruption is written too.
+  // After an interruption, what was drilled until then is still written.
   const ProgressFunction progress = [&console](double fraction, const std::string& stage)
   {
     console.Progress(fraction, stage);
@@ -403,7 +410,7 @@ int TouchCommand::Touch(const PreparedTouch& touch, Console& console) const
   }
   const TouchResult result = RunTouch(touch, settings, ProgressOn(console));
   console.EndProgress();
-  // What cannot be written takes nothing else with it.
+  // An output that cannot be written does not stop the others.
   bool isWhole = this->OutputFolder.empty() ||
                  IsWritten([&] { WriteTouchFiles(this->OutputFolder, touch, result); }, console);
   isWhole = this->WriteDrilled(touch, console) && isWhole;
@@ -418,7 +425,7 @@ int TouchCommand::Touch(const PreparedTouch& touch, Console& console) const
   }
   if (result.Fault != SafetyFault::None)
   {
-    console.Error(std::string("forces went off: ") + Describe(result.Fault) +
+    console.Error(std::string("forces were switched off: ") + Describe(result.Fault) +
                   (result.DeviceProblem.empty() ? "" : " " + result.DeviceProblem));
     return 1;
   }

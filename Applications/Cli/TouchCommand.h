@@ -9,14 +9,14 @@
 
 namespace palpate::cli
 {
-/// `palpate touch SCENE|FILE...`: a scene felt by a device, without a window.
+/// `palpate touch SCENE|FILE...`: touches a scene with a device, without a window.
 class TouchCommand : public Command
 {
 public:
   std::string Name() const override { return "touch"; }
   std::string Summary() const override
   {
-    return "Touch a scene with a device or a simulated hand, and say what was felt";
+    return "Touch a scene with a device or a simulated hand, and report forces and timing";
   }
   std::string Examples() const override;
   void DeclareOptions(CLI::App& app) override;
@@ -25,18 +25,18 @@ public:
 private:
   void DeclareStructure(CLI::App& app);
   void DeclareRun(CLI::App& app);
-  /// The scene file, or what the options say of the files.
+  /// Of the scene file, or of the files and options.
   SceneSettings Settings() const;
   TouchScript Script() const;
   int Touch(const PreparedTouch& touch, Console& console) const;
   int Replay(const PreparedTouch& touch, Console& console) const;
   void CheckDrilled(const PreparedTouch& touch) const;
-  /// Whether all of it could be written; says what could not.
+  /// Returns whether everything was written; prints what was not.
   bool WriteDrilled(const PreparedTouch& touch, Console& console) const;
   void PrintSummary(const PreparedTouch& touch, const TouchResult& result, Console& console) const;
 
   std::vector<std::string> Inputs;
-  SceneStructure Structure; ///< of every input that is no scene
+  SceneStructure Structure; ///< of every input that is not a scene
   std::vector<std::string> Labels;
   std::vector<double> Iso; ///< none or one
   std::string Representation = "automatic";

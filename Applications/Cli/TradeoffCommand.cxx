@@ -30,7 +30,7 @@ constexpr int Failure = 1;
 constexpr double Micro = 1e-3; // us per ns
 constexpr double Mega = 1e6;
 
-// Two significant digits, without exponents where the number is no rarity.
+// Two significant digits, without exponents for ordinary numbers.
 std::string Short(double number)
 {
   if (!std::isfinite(number))
@@ -44,7 +44,7 @@ void PrintStructure(const TradeStructureResult& structure, std::ostream& out)
 {
   TextTable table;
   table.AlignRight({1, 2, 3, 4, 5, 6, 7});
-  table.AddRow({"", "us a tick", "99.9 %", "mm off", "JND", "degrees", "MB", "made in s"});
+  table.AddRow({"", "us per tick", "99.9 %", "mm off", "JND", "degrees", "MB", "build s"});
   for (const TradeRow& row : structure.Rows)
   {
     const std::string name = Printable(Describe(row.Setting));
@@ -71,8 +71,7 @@ void PrintStructure(const TradeStructureResult& structure, std::ostream& out)
 
 std::string TradeoffCommand::Examples() const
 {
-  return "  palpate tradeoff knee.scene.json --output trade    a table, a page, and what to "
-         "choose\n"
+  return "  palpate tradeoff knee.scene.json --output trade    a table, a page, and advice\n"
          "  palpate tradeoff mask.seg.nrrd --label 1 --tool-radius 3\n"
          "  palpate tradeoff ct.nrrd --iso 300 --tool-radius 1 --seconds 60 --output trade";
 }
@@ -88,27 +87,29 @@ void TradeoffCommand::DeclareOptions(CLI::App& app)
       ->type_name("N|NAME")
       ->delimiter(',')
       ->allow_extra_args(false);
-  app.add_option("--iso", this->Iso, "The file is an image: touch where it reaches this value")
+  app.add_option("--iso", this->Iso,
+                 "Treat the file as an image, and touch the iso-surface of this value")
       ->expected(1)
       ->check(FiniteNumber::Any());
-  app.add_option("--tool-radius", this->ToolRadius, "Of the tool, a sphere, in mm, without a scene")
+  app.add_option("--tool-radius", this->ToolRadius,
+                 "Radius of the spherical tool, mm, if the input is not a scene")
       ->check(FiniteNumber::Between(0.0, 100.0))
       ->capture_default_str();
-  app.add_option("--structure", this->Structures, "Of the scene, by name (default: all)")
+  app.add_option("--structure", this->Structures, "Structures of the scene, by name (default: all)")
       ->type_name("NAME")
       ->allow_extra_args(false);
-  app.add_option("--seed", this->Seed, "Of the path; equal seeds lead the same way")
+  app.add_option("--seed", this->Seed, "Random seed of the path; equal seeds give equal paths")
       ->capture_default_str();
-  app.add_option("--seconds", this->Seconds, "Of the path, at least")
+  app.add_option("--seconds", this->Seconds, "Minimum duration of the path, s")
       ->check(FiniteNumber::Between(0.5, 3600.0))
       ->capture_default_str();
-  app.add_option("--runs", this->Runs, "A tick's time is the least of so many runs of the path")
+  app.add_option("--runs", this->Runs, "Runs of the path; a tick's time is the shortest of them")
       ->check(CLI::Range(1, 1000))
       ->capture_default_str();
   app.add_option("-o,--output", this->OutputFolder,
                  "Folder for tradeoff.csv, tradeoff.json and tradeoff.html")
       ->type_name("DIR");
-  app.add_flag("--json", this->Json, "All numbers as one JSON object on standard output");
+  app.add_flag("--json", this->Json, "Print all numbers as one JSON object");
 }
 
 SceneSettings TradeoffCommand::Scene() const
@@ -117,8 +118,8 @@ SceneSettings TradeoffCommand::Scene() const
   {
     if (!this->Labels.empty() || !this->Iso.empty())
     {
-      throw InputError(this->Input + " is a whole scene, in which labels and values stand; choose "
-                                     "by --structure");
+      throw InputError(this->Input + " is a scene, which defines labels and values itself; choose "
+                                     "structures with --structure");
     }
     return ReadScene(this->Input);
   }

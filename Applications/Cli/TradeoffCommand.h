@@ -9,15 +9,15 @@
 
 namespace palpate::cli
 {
-/// `palpate tradeoff SCENE|FILE`: speed and accuracy of each setting on this machine, and the
-/// recommended one.
+/// `palpate tradeoff SCENE|FILE`: measures the speed and accuracy of each setting on this machine,
+/// and recommends one.
 class TradeoffCommand : public Command
 {
 public:
   std::string Name() const override { return "tradeoff"; }
   std::string Summary() const override
   {
-    return "Measures speed against accuracy of each setting on this machine, and recommends one";
+    return "Measure speed and accuracy of each setting on this machine, and recommend one";
   }
   std::string Examples() const override;
   void DeclareOptions(CLI::App& app) override;

@@ -10,6 +10,6 @@ namespace palpate::cli
 /// in a file) and the word.
 Vector3 ParseVector(const std::string& subject, const std::string& word);
 
-/// "x,y,z" with all their digits.
+/// "x,y,z" with all digits.
 std::string VectorText(const Vector3& vector);
 } // namespace palpate::cli

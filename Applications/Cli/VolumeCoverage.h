@@ -10,6 +10,6 @@ namespace palpate::cli
 /// image's voxels, in percent.
 double CoveredPercent(vtkImageData* image, const double* boundsWorld);
 
-/// The remark on an image that does not hold the whole box; empty where it does.
+/// The note on an image that does not cover the whole box; empty if it does.
 std::string CoverageNote(vtkImageData* image, const double* boundsWorld);
 } // namespace palpate::cli

@@ -8,8 +8,8 @@
 
 int main(int argc, char* argv[])
 {
-  // A file that grows beyond a limit fails as on a full disk: by a sentence, and whole or not at
-  // all.
+  // A file that exceeds a size limit fails with a message, as on a full disk, and is written whole
+  // or not at all.
   std::signal(SIGXFSZ, SIG_IGN);
   palpate::cli::Console console(std::cout, std::cerr, isatty(STDERR_FILENO) == 1);
   palpate::cli::CommandLine line(palpate::cli::MakeCommands());

@@ -10,7 +10,7 @@ namespace
 constexpr const char* DemoVolume = "/usr/share/mricron/templates/ch2.nii.gz";
 constexpr const char* DemoLabels = "/usr/share/mricron/templates/aal.nii.gz";
 
-// Empty for what is no size.
+// Empty for an invalid size.
 QSize SizeOf(const QString& text)
 {
   const auto match = QRegularExpression("^(\\d{2,5})x(\\d{2,5})$").match(text);
@@ -22,16 +22,17 @@ ViewerOptions ParseViewerOptions(const QStringList& arguments)
 {
   QCommandLineParser parser;
   parser.setApplicationDescription(
-      "Opens volumes, segmentations and studies (.palpate.json), to see and to touch.");
+      "Opens volumes, segmentations and studies (.palpate.json) for display and touch.");
   const QCommandLineOption help = parser.addHelpOption();
   const QCommandLineOption version = parser.addVersionOption();
-  const QCommandLineOption touch("touch", "Begins to touch as soon as there is something.");
+  const QCommandLineOption touch("touch", "Starts touching as soon as a structure is ready.");
   const QCommandLineOption demo("demo", "Opens the Colin 27 head of Debian's mricron-data.");
   const QCommandLineOption picture(
-      "screenshot", "Writes a picture of the window when all is made, and ends.", "file.png");
-  const QCommandLineOption size("size", "Of the window, in pixels.", "WxH", "1280x800");
+      "screenshot", "Writes a screenshot of the window when everything is ready, and exits.",
+      "file.png");
+  const QCommandLineOption size("size", "Size of the window in pixels.", "WxH", "1280x800");
   parser.addOptions({touch, demo, picture, size});
-  parser.addPositionalArgument("files", "What to open, whatever each is.", "[files...]");
+  parser.addPositionalArgument("files", "Files to open; their kinds are detected.", "[files...]");
   ViewerOptions options;
   if (!parser.parse(arguments))
   {
@@ -47,7 +48,7 @@ ViewerOptions ParseViewerOptions(const QStringList& arguments)
   options.Size = SizeOf(parser.value(size));
   if (options.Size.isEmpty())
   {
-    options.Problem = parser.value(size) + ": a size is written as 1280x800";
+    options.Problem = parser.value(size) + " is not a size; write it as 1280x800";
   }
   if (options.ShowsDemo)
   {

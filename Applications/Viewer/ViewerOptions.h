@@ -15,10 +15,10 @@ struct ViewerOptions
   QString Screenshot; ///< PNG file; empty for none
   QSize Size{1280, 800};
 
-  QString Problem; ///< a sentence where the command line is wrong; empty without
+  QString Problem; ///< error message on the command line; empty if it is valid
   QString Answer;  ///< what to print instead of opening a window: help or version
 };
 
-/// The first argument is the program. Needs a QCoreApplication, whose name help tells.
+/// The first argument is the program. Needs a QCoreApplication, whose name help prints.
 ViewerOptions ParseViewerOptions(const QStringList& arguments);
 } // namespace palpate

@@ -8,7 +8,7 @@ namespace palpate
 {
 namespace
 {
-constexpr int PictureDelay = 500; // ms: what was made last is drawn, a hand has come to rest
+constexpr int PictureDelay = 500; // ms: the last results are drawn, the hand is at rest
 constexpr int LookInterval = 50;  // ms
 } // namespace
 
@@ -26,7 +26,7 @@ ViewerRun::ViewerRun(StudyController& study, MainWindow& window, const ViewerOpt
   study.OpenFiles(files);
 }
 
-// Timers go on while a dialog waits for an answer; exit ends its loop too.
+// Timers also run while a dialog waits for an answer; exit ends its loop too.
 void ViewerRun::EndIfAsked()
 {
   if (Interruption::WasAsked())
@@ -39,7 +39,7 @@ void ViewerRun::EndIfAsked()
 
 void ViewerRun::GoOn()
 {
-  // Before anything is made of structures that are not wanted.
+  // Before anything is made of unwanted structures.
   if (this->Options.ShowsDemo && !this->HasChosen && !this->Study.State().Structures.empty())
   {
     this->HasChosen = true;
@@ -63,7 +63,7 @@ void ViewerRun::GoOn()
   }
 }
 
-// Deep structures that are star-shaped, as `palpate fit` is shown with.
+// Star-shaped deep structures, as in the examples of `palpate fit`.
 void ViewerRun::ChooseDemo()
 {
   static const QStringList Names{"Thalamus_L", "Thalamus_R", "Pallidum_L",    "Pallidum_R",
@@ -76,7 +76,7 @@ void ViewerRun::ChooseDemo()
     structure.IsTouchable = isChosen;
   }
   this->Study.Change("Choose the structures of the demonstration", next);
-  this->Window.Messages()->Clear(); // of the one that is shown unasked
+  this->Window.Messages()->Clear(); // on the structure shown by default
 }
 
 void ViewerRun::TakePicture()

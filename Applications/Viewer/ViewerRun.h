@@ -8,8 +8,8 @@
 
 namespace palpate
 {
-/// Does what a command line asks for once a window is there: files, then touch, then the picture.
-/// Ends the program as closing the window does, but without a question, where it is interrupted.
+/// Executes a command line once the window is open: files, then touch, then the screenshot. On an
+/// interruption, ends the program as closing the window does, but without a question.
 class ViewerRun : public QObject
 {
   Q_OBJECT
@@ -29,6 +29,6 @@ private:
   ViewerOptions Options;
   bool HasChosen = false;
   bool HasTouched = false;
-  QTimer Looks; // whether somebody interrupts
+  QTimer Looks; // polls for an interruption
 };
 } // namespace palpate

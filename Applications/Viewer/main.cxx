@@ -32,7 +32,7 @@ int Run(int argc, char* argv[], const palpate::ViewerOptions& options)
   const int code = QApplication::exec();
   if (!study.HasEnded() && !study.Close())
   {
-    // Some work does not hear that it is not wanted; nobody waits for it.
+    // Some work does not react to cancellation; do not wait for it.
     std::_Exit(code);
   }
   return code;
@@ -43,7 +43,7 @@ int main(int argc, char* argv[])
 {
   const palpate::ViewerOptions options = [&]
   {
-    // An application without windows, since it may turn out that there will be none.
+    // An application without windows, since none may be needed.
     const QCoreApplication parsing(argc, argv);
     return palpate::ParseViewerOptions(QCoreApplication::arguments());
   }();
@@ -60,9 +60,9 @@ int main(int argc, char* argv[])
   try
   {
     palpate::RequireDisplay();
-    // A terminal that no longer shows a window's remarks is no reason to close it.
+    // A closed terminal must not close the window.
     std::signal(SIGPIPE, SIG_IGN);
-    // A file that grows beyond a limit is a message, as on a full disk.
+    // A file that exceeds a size limit gives a message, as on a full disk.
     std::signal(SIGXFSZ, SIG_IGN);
     const palpate::Interruption interruption;
     return Run(argc, argv, options);

@@ -1,6 +1,6 @@
-// A sphere in a VTK window that can be felt. The mouse is the hand: move it over the window, and
-// turn the wheel to push; "TouchASurface falcon" opens a Novint Falcon instead. Esc switches forces
-// off, f on again; a drag with Ctrl turns the camera.
+// A touchable sphere in a VTK window. The mouse is the hand: move it over the window, and turn the
+// wheel to push; "TouchASurface falcon" opens a Novint Falcon instead. Esc switches forces off, f
+// on again; a drag with Ctrl rotates the camera.
 #include "vtkInteractorStyleHaptic.h"
 
 #include "vtkActor.h"

@@ -82,13 +82,13 @@ std::string HintForTooFewVoxels()
 
 std::string WindowHintForHidden(const FitSettings& settings)
 {
-  const std::string raise = "raise Most hidden to see what is lost";
+  const std::string raise = "raise Maximum hidden to see what is lost";
   return UsesMostVisible(settings) ? raise : "try the most visible Centre, or " + raise;
 }
 
 std::string WindowHintForMisfit(const FitSettings& settings)
 {
-  return "try " + AnyOf(WindowChoices(settings)) + ", or lower Least Dice to see it";
+  return "try " + AnyOf(WindowChoices(settings)) + ", or lower Minimum Dice to see it";
 }
 
 std::string WindowHintForImplausible(const FitSettings& settings)

@@ -16,16 +16,15 @@ namespace palpate
 {
 class SurfaceInSpace;
 
-/// Colours of surfaces that arrays colour: one scale for all that an array of one name does, so
-/// that they can be compared and one bar speaks for all.
+/// Colour scales of surfaces: one for all surfaces coloured by an array of the same name, so that
+/// they can be compared and share one bar.
 class PALPATEINTERACTION_EXPORT ArrayScales
 {
 public:
-  /// Gives the surfaces their colours.
+  /// Sets the surfaces' colours.
   void Update(const std::vector<std::unique_ptr<SurfaceInSpace>>& surfaces);
 
-  /// Of the array that has a bar: by its name the first; null and empty where none colours
-  /// anything.
+  /// Of the array with a bar, the first by name; null and empty if no array is in use.
   vtkLookupTable* FirstColors() const;
   std::string FirstArray() const;
 

@@ -17,7 +17,7 @@ namespace palpate
 namespace
 {
 constexpr double AxisLength = 26.0; // points
-constexpr double Reach = 42.0;      // from the corner to the middle
+constexpr double Reach = 42.0;      // from the corner to the centre
 constexpr double LetterPlace = 1.3; // of an axis
 constexpr int LetterSize = 12;
 constexpr double LineWidth = 1.5;
@@ -33,7 +33,7 @@ AxesMarker::AxesMarker()
   for (int part = 0; part < 3; ++part)
   {
     auto& letter = this->Letters[static_cast<std::size_t>(part)];
-    letter = MakeViewText(0.5, 0.5, LetterSize); // justified to its middle
+    letter = MakeViewText(0.5, 0.5, LetterSize); // centred
     letter->GetPositionCoordinate()->SetCoordinateSystemToViewport();
     SetViewText(letter, OrientationLetters(Vector3::Unit(part)));
   }

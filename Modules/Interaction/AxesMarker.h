@@ -15,8 +15,8 @@ class vtkTextActor;
 
 namespace palpate
 {
-/// The patient's directions in a corner of a view in space: lines to left, posterior and superior
-/// with their letters, turned as the camera is.
+/// The patient's directions in a corner of a 3D view: lines to left, posterior and superior with
+/// their letters, rotated with the camera.
 class PALPATEINTERACTION_EXPORT AxesMarker
 {
 public:
@@ -28,7 +28,7 @@ public:
   void AddTo(vtkRenderer* renderer) const;
   void RemoveFrom(vtkRenderer* renderer) const;
   void SetVisible(bool isVisible);
-  /// For a view of `width` pixels, `pointPixels` of which are a point.
+  /// For a view of `width` pixels, with `pointPixels` pixels per point.
   void Update(const ViewFrame& frame, int width, double pointPixels);
 
 private:

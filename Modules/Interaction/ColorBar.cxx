@@ -15,7 +15,7 @@ namespace
 {
 constexpr int TextSize = 11; // points
 constexpr int LabelCount = 5;
-constexpr double Left = 0.02; // all as shares of the view
+constexpr double Left = 0.02; // all as fractions of the view
 constexpr double Bottom = 0.05;
 constexpr double Width = 0.12;
 constexpr double Height = 0.4;

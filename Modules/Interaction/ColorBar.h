@@ -14,7 +14,7 @@ class vtkTextActor;
 
 namespace palpate
 {
-/// What the colours of an array mean, at the left of a view.
+/// Legend of an array's colours, at the left of a view.
 class PALPATEINTERACTION_EXPORT ColorBar
 {
 public:
@@ -25,7 +25,7 @@ public:
 
   void AddTo(vtkRenderer* renderer) const;
   void RemoveFrom(vtkRenderer* renderer) const;
-  /// Null shows none.
+  /// Null hides it.
   void Update(vtkLookupTable* colors, const std::string& array);
 
 private:

@@ -9,7 +9,7 @@ namespace palpate
 {
 namespace
 {
-constexpr double Gap = 8.0; // points from the middle to the lines
+constexpr double Gap = 8.0; // points from the centre to the lines
 constexpr double LineWidth = 1.0;
 } // namespace
 

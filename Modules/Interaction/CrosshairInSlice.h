@@ -10,8 +10,8 @@ class vtkRenderer;
 
 namespace palpate
 {
-/// A crosshair as a slice shows it: two lines with a gap, so that what is pointed at is seen; each
-/// has the colour of the plane that it is the trace of.
+/// A crosshair in a slice: two lines with a gap, so that the point itself is visible; each has the
+/// colour of the plane whose trace it is.
 class PALPATEINTERACTION_EXPORT CrosshairInSlice
 {
 public:

@@ -23,7 +23,7 @@ public:
   CurveActor(const CurveActor&) = delete;
   CurveActor& operator=(const CurveActor&) = delete;
 
-  /// Moved by `lift`: towards the viewer it changes nothing but what lies over what.
+  /// Moved by `lift`, towards the viewer, which changes only the drawing order.
   void SetCurves(const std::vector<SurfaceCurve>& curves, const Vector3& lift);
   /// `width` in pixels.
   void SetStyle(const std::array<double, 3>& color, double opacity, double width);

@@ -41,7 +41,7 @@ Vector3 PlaceOf(const vtkLandmarks& landmarks, int number)
   return Vector3(landmarks.GetLandmarks()[static_cast<std::size_t>(number)].PositionWorld.data());
 }
 
-// How many balls the slice cuts.
+// Returns the number of spheres that the slice cuts.
 int AddBalls(vtkLandmarks& landmarks, const SlicePosition& slice, Drawing& drawing)
 {
   int count = 0;

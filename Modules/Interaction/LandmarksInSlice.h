@@ -10,17 +10,17 @@ class vtkRenderer;
 
 namespace palpate
 {
-/// Landmarks in reach of a slice: the cuts of their balls with their names, and distances between
-/// two that are both in reach.
+/// Landmarks within reach of a slice: cross-sections of their spheres with their names, and
+/// distances between two that are both within reach.
 class PALPATEINTERACTION_EXPORT LandmarksInSlice
 {
 public:
-  /// Null takes them away.
+  /// Null removes them.
   void SetRenderer(vtkRenderer* renderer);
   /// Null shows nothing.
   void Update(vtkLandmarks* landmarks, const SlicePosition& slice);
 
-  /// How many are in reach.
+  /// Number of landmarks within reach.
   int Count() const { return this->Reached; }
 
 private:

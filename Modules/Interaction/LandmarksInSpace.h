@@ -12,7 +12,7 @@ class vtkSphereSource;
 
 namespace palpate
 {
-/// Landmarks as balls with their names, distances as lines.
+/// Landmarks as spheres with their names, distances as lines.
 class PALPATEINTERACTION_EXPORT LandmarksInSpace
 {
 public:
@@ -21,7 +21,7 @@ public:
   LandmarksInSpace(const LandmarksInSpace&) = delete;
   LandmarksInSpace& operator=(const LandmarksInSpace&) = delete;
 
-  /// Null takes them away.
+  /// Null removes them.
   void SetRenderer(vtkRenderer* renderer);
   /// Null shows nothing.
   void Update(vtkLandmarks* landmarks);

@@ -47,7 +47,7 @@ void PointLabels::Update(const std::vector<Label>& labels, const std::array<doub
   this->Resize(labels.size());
   for (std::size_t l = 0; l < this->Texts.size(); ++l)
   {
-    // A space keeps the word off its point.
+    // Spaces keep the text off its point.
     SetViewText(this->Texts[l], "  " + labels[l].Text);
     const Vector3& place = labels[l].PositionWorld;
     this->Texts[l]->GetPositionCoordinate()->SetValue(place.x(), place.y(), place.z());

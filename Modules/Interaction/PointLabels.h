@@ -15,7 +15,7 @@ class vtkTextActor;
 
 namespace palpate
 {
-/// Words beside points in space, in front of everything.
+/// Text next to points in 3D, in front of everything.
 class PALPATEINTERACTION_EXPORT PointLabels
 {
 public:
@@ -30,7 +30,7 @@ public:
   PointLabels(const PointLabels&) = delete;
   PointLabels& operator=(const PointLabels&) = delete;
 
-  /// Takes them from the renderer before; null is none.
+  /// Removes them from the previous renderer; null for none.
   void SetRenderer(vtkRenderer* renderer);
   void Update(const std::vector<Label>& labels, const std::array<double, 3>& color);
 

@@ -13,18 +13,18 @@ class vtkRenderer;
 
 namespace palpate
 {
-/// Where a tool that was placed by a rigid matrix cuts a plane; world, mm.
+/// Cross-section of a tool, placed by a rigid matrix, with a plane; world, mm.
 PALPATEINTERACTION_EXPORT std::vector<SurfaceCurve> CutTool(vtkPolyData* tool, vtkMatrix4x4* place,
                                                             const Vector3& originWorld,
                                                             const Vector3& normalWorld);
 
-/// A flat arrow along a vector, its head in the plane across `normal`. Empty for a vector without
-/// length.
+/// A flat arrow along a vector, its head in the plane perpendicular to `normal`. Empty for a zero
+/// vector.
 PALPATEINTERACTION_EXPORT std::vector<SurfaceCurve>
 FlatArrow(const Vector3& from, const Vector3& vector, const Vector3& normal, double headLength);
 
-/// A probe as a slice shows it: thin where the device is, strong where the tool is drawn, and the
-/// force's part in the plane from there. Nothing of a tool that the slice does not cut.
+/// A probe in a slice: a thin outline at the probe, a thick one at the proxy, and from there the
+/// force's component in the plane. Nothing if the slice does not cut the tool.
 class PALPATEINTERACTION_EXPORT ProbeInSlice
 {
 public:

@@ -19,7 +19,7 @@ namespace palpate
 namespace
 {
 constexpr double ProbeOpacity = 0.35;
-// Of an arrow of one unit's length: how much thicker than long it may be, mm.
+// Of an arrow of unit length: maximum ratio of thickness to length, mm.
 constexpr double ArrowThickness = 14.0;
 constexpr double LeastForce = 1e-3; // N; shorter arrows are not drawn
 
@@ -30,7 +30,7 @@ void SetMaterial(vtkActor* actor)
   actor->PickableOff();
 }
 
-// Takes an arrow along x to one from a point along a vector; thin ones stay as thick as others.
+// Transforms an arrow along x to one from a point along a vector, with constant thickness.
 void PlaceArrow(const Vector3& from, const Vector3& vector, vtkMatrix4x4* matrix)
 {
   const Vector3 along = vector.normalized();

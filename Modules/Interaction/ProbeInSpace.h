@@ -10,8 +10,8 @@ class vtkRenderer;
 
 namespace palpate
 {
-/// A probe in space: the tool where the device is (translucent) and where it is drawn (solid), and
-/// the force as an arrow.
+/// A probe in 3D: the tool at the probe (translucent) and at the proxy (solid), and the force as an
+/// arrow.
 class PALPATEINTERACTION_EXPORT ProbeInSpace
 {
 public:

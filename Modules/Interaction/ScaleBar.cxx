@@ -43,7 +43,7 @@ double ScaleBar::RoundLength(double millimeters)
   double length = decade;
   for (const double step : {2.0, 5.0, 10.0})
   {
-    // Rounding must not keep a round number from itself.
+    // Rounding must not reject an exact match.
     length = step * decade <= millimeters * (1.0 + 1e-12) ? step * decade : length;
   }
   return length;

@@ -12,7 +12,7 @@ class vtkTextActor;
 
 namespace palpate
 {
-/// A bar of a round length at the lower left of a view, with that length in words.
+/// A bar of a round length at the lower left of a view, with the length as text.
 class PALPATEINTERACTION_EXPORT ScaleBar
 {
 public:
@@ -21,13 +21,13 @@ public:
   ScaleBar(const ScaleBar&) = delete;
   ScaleBar& operator=(const ScaleBar&) = delete;
 
-  /// The largest of 1, 2 and 5 times a power of ten that is not above `millimeters` > 0.
+  /// The largest 1, 2 or 5 times a power of ten that does not exceed `millimeters` > 0.
   static double RoundLength(double millimeters);
 
   void AddTo(vtkRenderer* renderer) const;
   void RemoveFrom(vtkRenderer* renderer) const;
   void SetVisible(bool isVisible);
-  /// For a view of that many pixels, `pointPixels` of which are a point (1/72 inch).
+  /// For a view of that many pixels, with `pointPixels` pixels per point (1/72 inch).
   void Update(double pixelMillimeters, int width, int height, double pointPixels);
 
   double LengthMillimeters() const { return this->Length; }

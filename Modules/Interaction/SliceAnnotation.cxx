@@ -34,7 +34,7 @@ std::string Describe(SliceOrientation orientation, const SliceGeometry& geometry
 SliceAnnotation::SliceAnnotation() : Text(MakeViewText(0.015, 0.985, TextSize))
 {
   vtkTextProperty* style = this->Text->GetTextProperty();
-  style->ShadowOff(); // VTK makes it white under such colours
+  style->ShadowOff(); // VTK would draw a white one under such colours
   style->SetBackgroundColor(0.0, 0.0, 0.0);
   style->SetBackgroundOpacity(0.5);
 }

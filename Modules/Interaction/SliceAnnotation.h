@@ -8,8 +8,8 @@
 
 namespace palpate
 {
-/// Words and measures over a slice: letters of the patient's directions, a scale bar, and which
-/// slice it is, in the colour by which its plane is known.
+/// Text over a slice: letters of the patient's directions, a scale bar, and the slice's number and
+/// position, in the colour of its plane.
 class PALPATEINTERACTION_EXPORT SliceAnnotation
 {
 public:

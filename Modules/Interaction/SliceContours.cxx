@@ -77,7 +77,7 @@ void SliceContours::Update(Contour& contour, const SlicePosition& slice)
   const Vector3& normal = slice.Frame.TowardsViewerWorld;
   const double height = normal.dot(slice.CenterWorld);
   const std::uint64_t time = surface->GetMTime();
-  // What moves within the plane moves its height by rounding.
+  // A move within the plane changes its height by rounding.
   constexpr double SameHeight = 1e-9;
   const bool isSamePlane =
       std::abs(height - contour.Height) < SameHeight && normal == contour.Normal;

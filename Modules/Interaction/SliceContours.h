@@ -15,17 +15,17 @@ class vtkSurfaceDisplay;
 
 namespace palpate
 {
-/// The contours of surfaces in a slice, cut anew where the slice or the surface is another one.
+/// The contours of surfaces in a slice, cut again only if the slice or the surface changed.
 class PALPATEINTERACTION_EXPORT SliceContours
 {
 public:
-  /// Null takes them away.
+  /// Null removes them.
   void SetRenderer(vtkRenderer* renderer);
   void Add(vtkSurfaceDisplay* surface);
   void Remove(vtkSurfaceDisplay* surface);
   void Update(const SlicePosition& slice);
 
-  /// How often a surface was cut so far.
+  /// Number of cuts so far.
   int CutCount() const { return this->Cuts; }
 
 private:
@@ -33,7 +33,7 @@ private:
   {
     vtkSmartPointer<vtkSurfaceDisplay> Surface;
     std::unique_ptr<CurveActor> Curves;
-    // What it was cut by last.
+    // Of the last cut.
     std::uint64_t Time = 0;
     double Height = 0.0;
     Vector3 Normal = Vector3::Zero();

@@ -26,8 +26,8 @@ ViewSide SideOf(SliceOrientation orientation)
   return ViewSide::Left;
 }
 
-// To the patient's head, front or right: the way in which coordinates grow in RAS, by which
-// programs of this field count slices.
+// To the patient's head, front or right: the direction of increasing RAS coordinates, in which
+// imaging programs count slices.
 Vector3 BodyForward(SliceOrientation orientation)
 {
   switch (orientation)
@@ -42,7 +42,7 @@ Vector3 BodyForward(SliceOrientation orientation)
   return -Vector3::UnitX();
 }
 
-// The image's directions need not be at right angles; those of a picture are.
+// The image's directions need not be perpendicular; those of a view are.
 ViewFrame Orthonormal(const Vector3& right, const Vector3& up)
 {
   const Vector3 towards = right.cross(up).normalized();
@@ -111,7 +111,7 @@ SliceGeometry::SliceGeometry(SliceOrientation orientation, bool isAlongImage, vt
 int SliceGeometry::NumberOf(const Vector3& world) const
 {
   const double steps = (world - this->FirstWorld).dot(this->ForwardWorld) / this->StepMillimeters;
-  constexpr double Far = 1e6; // so that the number fits
+  constexpr double Far = 1e6; // keeps the number within range
   return static_cast<int>(std::lround(std::clamp(steps, -Far, Far)));
 }
 

@@ -10,7 +10,7 @@ class vtkImageData;
 
 namespace palpate
 {
-/// How a slice cuts the body.
+/// Orientation of a slice in the body.
 enum class SliceOrientation
 {
   Axial,
@@ -24,29 +24,30 @@ constexpr std::array<SliceOrientation, 3> AllSliceOrientations{
 /// "Axial", ...
 PALPATEINTERACTION_EXPORT const char* NameOf(SliceOrientation orientation);
 
-/// By which a plane is known in all views, 0 to 1; told apart by colour-blind eyes (Okabe and Ito,
+/// A plane's colour in all views, 0 to 1; distinguishable for colour-blind people (Okabe and Ito,
 /// Color Universal Design, 2008).
 PALPATEINTERACTION_EXPORT std::array<double, 3> ColorOf(SliceOrientation orientation);
 
-/// How slices of one orientation lie in space, hung as radiologists do: in axial slices the patient
-/// is seen from the feet, in sagittal ones from the left. World is patient LPS, mm.
+/// Geometry of slices of one orientation, in radiological convention: axial slices are seen from
+/// the feet, sagittal ones from the left. World is patient LPS, mm.
 struct PALPATEINTERACTION_EXPORT SliceGeometry
 {
-  /// Along the image's own axes that are nearest to the body's, or along the body's. Without an
-  /// image slices are 1 mm apart.
+  /// Along the image axes nearest to the body's, or along the body's. Without an image, slices are
+  /// 1 mm apart.
   SliceGeometry(SliceOrientation orientation, bool isAlongImage, vtkImageData* image);
 
-  /// Whether slices have numbers: those of the image, counted from its first one.
+  /// Whether slices have numbers: those of the image, counted from its first slice.
   bool HasNumbers() const { return this->Count > 0; }
-  /// Of the slice whose middle is nearest, from 0; outside the image it is below 0 or not below
-  /// Count.
+  /// Number of the slice with the nearest centre plane, from 0; outside the image it is below 0 or
+  /// not below Count.
   int NumberOf(const Vector3& world) const;
-  /// The point so many slices further (to the patient's head, front or right), on a slice's
-  /// middle if slices have numbers, and within the image then. The place in the plane is kept.
+  /// The point moved by `steps` slices (to the patient's head, front or right). If slices have
+  /// numbers, it lies on a slice's centre plane, within the image. Its position in the plane is
+  /// kept.
   Vector3 Moved(const Vector3& world, int steps) const;
 
   ViewFrame Frame;
-  Vector3 ForwardWorld;                 ///< unit, the way in which slices are counted
+  Vector3 ForwardWorld;                 ///< unit, the direction in which slices are counted
   Vector3 FirstWorld = Vector3::Zero(); ///< a point of the first slice
   double StepMillimeters = 1.0;         ///< from slice to slice
   int Count = 0;                        ///< slices of the image; 0 across its axes

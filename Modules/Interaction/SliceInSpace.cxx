@@ -21,7 +21,7 @@ namespace
 constexpr double OutlineWidth = 2.0;
 constexpr double LongestSide = 512.0; // pixels
 
-// The polygon in which a plane cuts the box of an image; empty where it does not.
+// The polygon in which a plane cuts the box of an image; empty if it misses it.
 std::vector<Vector3> CutBox(const ImageAxes& axes, const Vector3& through, const Vector3& normal)
 {
   vtkNew<vtkPoints> points;

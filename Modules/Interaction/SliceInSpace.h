@@ -12,8 +12,8 @@ class vtkRenderer;
 
 namespace palpate
 {
-/// A whole slice of a volume as a picture in space, about as fine as the voxels, with an outline in
-/// the colour by which its plane is known. World is patient LPS, mm.
+/// A whole slice of a volume as a textured plane in 3D, at about the voxels' resolution, with an
+/// outline in its plane's colour. World is patient LPS, mm.
 class PALPATEINTERACTION_EXPORT SliceInSpace
 {
 public:
@@ -22,8 +22,8 @@ public:
   void AddTo(vtkRenderer* renderer) const;
   void RemoveFrom(vtkRenderer* renderer) const;
   void SetVisible(bool isVisible);
-  /// Through a point; nothing is shown where the plane misses the volume. Painted anew only where
-  /// something is another.
+  /// Through a point; nothing is shown if the plane misses the volume. Painted again only after a
+  /// change.
   void Update(vtkImageDisplay* display, bool isAlongImage, const Vector3& throughWorld);
 
   vtkActor* Actor() const { return this->Patch.Actor(); }

@@ -16,7 +16,7 @@ namespace
 {
 // No label has this number, since labels fit into an int.
 constexpr float NoLabel = 1e20F;
-// Makes truncation of what is not negative the nearest number.
+// Turns truncation of a non-negative number into rounding.
 constexpr float Half = 0.5F;
 
 struct PaintedLayer
@@ -25,7 +25,7 @@ struct PaintedLayer
   const LabelLayer& Layer;
 };
 
-// Paints rows of one picture; those of a range share their buffers.
+// Paints rows of one slice; those of a range share their buffers.
 class RowPainter
 {
 public:
@@ -92,7 +92,7 @@ private:
     }
   }
 
-  // Neighbours mostly have the same label, so its colour is looked up where it changes.
+  // Neighbours mostly have the same label, so its colour is looked up only on a change.
   void BlendLabels(const LabelLayer& layer, const std::vector<float>& labels,
                    std::uint8_t* pixels) const
   {

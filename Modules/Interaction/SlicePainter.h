@@ -14,8 +14,7 @@ class vtkImageData;
 
 namespace palpate
 {
-/// Labels that are painted over an image: those that have a colour (red, green, blue, opacity; 0 to
-/// 1).
+/// Labels painted over an image: those with a colour (red, green, blue, opacity; 0 to 1).
 struct LabelLayer
 {
   using Color = std::array<float, 4>;
@@ -24,20 +23,20 @@ struct LabelLayer
   std::unordered_map<int, Color> Colors;
 };
 
-/// What a slice's picture is made of.
+/// The content of a slice.
 struct SliceContent
 {
-  vtkSmartPointer<vtkImageData> Image; ///< none: labels only
+  vtkSmartPointer<vtkImageData> Image; ///< null: labels only
   GreyWindow Window;
-  bool IsSmooth = true; ///< the image's values are interpolated linearly, not those of voxels
+  bool IsSmooth = true; ///< linear interpolation instead of nearest voxels
   std::vector<LabelLayer> Layers;
-  float LabelOpacity = 1.0F; ///< times that of each label
+  float LabelOpacity = 1.0F; ///< multiplied by that of each label
 };
 
 /// Paints the pixels of a plane: grey values of an image, labels over them in the order of their
-/// layers. Where there is neither, a pixel is transparent. Rows are painted by vtkSMPTools; the
-/// picture does not depend on the number of threads. `picture` becomes red, green, blue and opacity
-/// (0 to 255), its first row at the grid's first one.
+/// layers. A pixel with neither is transparent. Rows are painted by vtkSMPTools; the result does
+/// not depend on the number of threads. `picture` becomes red, green, blue and opacity (0 to 255),
+/// its first row at the grid's first one.
 PALPATEINTERACTION_EXPORT void PaintSlice(const SliceContent& content, const PixelGrid& grid,
                                           vtkImageData* picture);
 } // namespace palpate

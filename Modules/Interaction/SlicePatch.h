@@ -14,7 +14,7 @@ class vtkTexture;
 
 namespace palpate
 {
-/// A flat, unlit piece of a picture in space: pixels of a grid where the grid says, within a convex
+/// A flat, unlit, textured polygon in 3D: the pixels of a grid at their positions, within a convex
 /// polygon of its plane.
 class PALPATEINTERACTION_EXPORT SlicePatch
 {
@@ -24,13 +24,13 @@ public:
   SlicePatch(const SlicePatch&) = delete;
   SlicePatch& operator=(const SlicePatch&) = delete;
 
-  /// The picture that is shown; paint into it, then place it.
+  /// The image to show; paint into it, then place it.
   vtkImageData* Picture() const { return this->Pixels; }
   /// Corners in order, world, mm.
   void Place(const PixelGrid& grid, const std::vector<Vector3>& cornersWorld);
-  /// Those of the whole picture.
+  /// The corners of the whole image.
   static std::vector<Vector3> CornersOf(const PixelGrid& grid);
-  /// Whether values between pixels are interpolated: not where pixels meet those of the screen.
+  /// Whether to interpolate between pixels: not if they coincide with those of the screen.
   void SetInterpolate(bool interpolate);
 
   vtkActor* Actor() const { return this->Polygon; }

@@ -5,18 +5,18 @@
 
 namespace palpate
 {
-/// What a slice view shows at the moment; world is patient LPS, mm.
+/// What a slice view currently shows; world is patient LPS, mm.
 struct SlicePosition
 {
   ViewFrame Frame;
-  Vector3 CenterWorld = Vector3::Zero(); ///< in the plane, in the middle of the view
+  Vector3 CenterWorld = Vector3::Zero(); ///< in the plane, at the centre of the view
   double PixelMillimeters = 1.0;
   int Width = 0; ///< pixels
   int Height = 0;
   double PointPixels = 1.0; ///< pixels of a point (1/72 inch) on this screen
 
-  /// Things of a higher layer are drawn over those of a lower one: they lie nearer to the viewer,
-  /// which in parallel projection is not seen otherwise.
+  /// Offset of a layer towards the viewer: higher layers are drawn over lower ones. Invisible
+  /// otherwise, in parallel projection.
   Vector3 Lift(int layer) const { return layer * this->Frame.TowardsViewerWorld; }
   Vector3 Projected(const Vector3& world) const
   {
@@ -27,7 +27,7 @@ struct SlicePosition
   {
     return (world - this->CenterWorld).dot(this->Frame.TowardsViewerWorld);
   }
-  /// A place of the view in pixels from its lower left corner.
+  /// Converts a position in the view, in pixels from its lower left corner.
   Vector3 ToWorld(double x, double y) const
   {
     return this->CenterWorld +
@@ -41,7 +41,7 @@ struct SlicePosition
   }
 };
 
-/// What lies over what in a slice.
+/// Drawing order in a slice.
 enum SliceLayer
 {
   ContourLayer = 1,

@@ -23,7 +23,7 @@ namespace palpate
 {
 namespace
 {
-// ContactMark::ShareAt. Positions are the camera's, as those of fragments.
+// ContactMark::ShareAt. Positions are in camera coordinates, like those of fragments.
 constexpr const char* ContactShader = R"(//VTK::Color::Impl
   if (contactRadius > 0.0)
   {

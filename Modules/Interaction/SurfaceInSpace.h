@@ -19,9 +19,8 @@ namespace palpate
 {
 struct ContactMark;
 
-/// A surface in space, plain or coloured by an array, with the place that is touched in a colour of
-/// its own. That colour is mixed by the graphics system for each pixel, so that a touch that moves
-/// costs nothing for the surface's points.
+/// A surface in 3D, plain or coloured by an array, with the contact region in its own colour. A
+/// shader blends that colour per pixel, so a moving contact costs nothing per surface point.
 class PALPATEINTERACTION_EXPORT SurfaceInSpace
 {
 public:
@@ -31,14 +30,14 @@ public:
   SurfaceInSpace& operator=(const SurfaceInSpace&) = delete;
 
   void Update();
-  /// Where it is touched, seen by the camera that draws next.
+  /// Sets the contact, for the camera of the next frame.
   void UpdateContact(const ContactMark& contact, vtkCamera* camera);
 
   vtkSurfaceDisplay* Display() const { return this->Shown; }
   vtkActor* Actor() const { return this->Surface; }
-  /// Of the numbers that colour it, as it was updated last; none where it is plain or not shown.
+  /// Range of the values that colour it, at the last update; none if it is plain or hidden.
   const std::optional<std::array<double, 2>>& ColoredRange() const { return this->Range; }
-  /// By which those numbers have their colours.
+  /// Maps those values to colours.
   void SetColors(vtkLookupTable* colors);
 
 private:

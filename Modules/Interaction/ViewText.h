@@ -12,14 +12,14 @@ class vtkTextActor;
 
 namespace palpate
 {
-/// How many pixels of a renderer's window are a point; 1 where it has none.
+/// Pixels per point of a renderer's window; 1 without a window.
 PALPATEINTERACTION_EXPORT double PointPixels(vtkRenderer* renderer);
 
-/// A white text with a shadow at a place of a view, 0 to 1 from its lower left corner; what is near
-/// an edge is justified to it. Size in points.
+/// A white text with a shadow at a position of a view, 0 to 1 from its lower left corner; near an
+/// edge it is justified to it. Size in points.
 PALPATEINTERACTION_EXPORT vtkSmartPointer<vtkTextActor> MakeViewText(double x, double y, int size);
 
-/// Sets the text if it is another one: making its picture takes longer than drawing it.
+/// Sets the text if it changed: rendering text takes longer than drawing it.
 PALPATEINTERACTION_EXPORT void SetViewText(vtkTextActor* actor, const std::string& text);
 
 /// Letters of the patient's directions at the four edges of a view.

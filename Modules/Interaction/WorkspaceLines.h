@@ -9,7 +9,7 @@ class vtkWorkspaceRepresentation;
 
 namespace palpate
 {
-/// A device's workspace as thin lines, in space or in a slice.
+/// A device's workspace as thin lines, in 3D or in a slice.
 class PALPATEINTERACTION_EXPORT WorkspaceLines
 {
 public:
@@ -17,7 +17,7 @@ public:
   void RemoveFrom(vtkRenderer* renderer) const;
   /// Its edges. Null shows nothing.
   void Update(vtkWorkspaceRepresentation* workspace);
-  /// What a slice cuts out of it. Null shows nothing.
+  /// Its cross-section with a slice. Null shows nothing.
   void Update(vtkWorkspaceRepresentation* workspace, const SlicePosition& slice);
   const CurveActor& Drawn() const { return this->Lines; }
 

@@ -2,8 +2,8 @@
  * @class vtkCrosshair
  * @brief the point that linked views share
  *
- * Slice views pass through it, the view in space shows it; who moves it raises a ModifiedEvent, by
- * which others know that they have to draw again.
+ * Slice views pass through it, the 3D view shows it; a move raises a ModifiedEvent, which tells
+ * observers to draw again.
  */
 #ifndef vtkCrosshair_h
 #define vtkCrosshair_h
@@ -19,7 +19,7 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /** World, patient LPS, mm. A place that is no number is ignored. Default: the origin. */
+  /** World, patient LPS, mm. Non-finite positions are ignored. Default: the origin. */
   void SetPositionWorld(double x, double y, double z);
   void SetPositionWorld(const double position[3])
   {
@@ -29,7 +29,7 @@ public:
   ///@}
 
   ///@{
-  /** Whether views draw it; they pass through it all the same. On by default. */
+  /** Whether views draw it; they pass through it in any case. On by default. */
   vtkSetMacro(Visibility, bool);
   vtkGetMacro(Visibility, bool);
   vtkBooleanMacro(Visibility, bool);

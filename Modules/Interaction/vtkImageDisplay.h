@@ -1,13 +1,13 @@
 /**
  * @class vtkImageDisplay
- * @brief what slices show of a volume and its segmentation, shared by linked views
+ * @brief display of a volume and its segmentation in slices, shared by linked views
  *
- * A volume with window and level, and label images that are painted over it in colours. Images keep
- * their direction matrix and may lie on any grids; they are shown where world coordinates say. None
- * is copied.
+ * A volume with window and level, and label images painted over it in colours. Images keep their
+ * direction matrix and may be on any grids; they are shown at their world coordinates. None is
+ * copied.
  *
- * Views look at the modification times of this object and of its images when they draw. Whoever
- * wants to know when to draw observes its ModifiedEvent.
+ * Views check the modification times of this object and of its images when they draw. Observe its
+ * ModifiedEvent to know when to draw.
  */
 #ifndef vtkImageDisplay_h
 #define vtkImageDisplay_h
@@ -32,15 +32,15 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /** The volume; of several components the first is shown. Another one chooses its window. */
+  /** The volume; of several components the first is shown. A new volume resets the window. */
   void SetImage(vtkImageData* image);
   vtkImageData* GetImage();
   ///@}
 
   ///@{
   /**
-   * What is black and what is white: level -/+ half of the window. The window is not below a
-   * thousandth of what the volume would choose; numbers that are none are ignored.
+   * Black and white are level -/+ half of the window. The window is at least a thousandth of the
+   * volume's default; non-finite numbers are ignored.
    */
   void SetWindowLevel(double window, double level);
   double GetWindow();
@@ -48,29 +48,30 @@ public:
   ///@}
   /** From the 1st to the 99.5th percentile of the volume. */
   void ResetWindowLevel();
-  /** The window that the volume chooses: by it drags are measured. */
+  /** The volume's default window: the unit of drags. */
   vtkGetMacro(ChosenWindow, double);
 
   ///@{
-  /** Whether values between voxels are interpolated (the default) or those of the nearest. */
+  /** Whether values between voxels are interpolated (the default) or taken from the nearest. */
   void SetInterpolate(bool interpolate);
   bool GetInterpolate();
   vtkBooleanMacro(Interpolate, bool);
   ///@}
 
-  /** Adds a label image over those before; the layer's number, from 0. */
+  /** Adds a label image over the previous ones. Returns the layer's number, from 0. */
   int AddLabels(vtkImageData* labels);
   int GetNumberOfLayers();
   void RemoveAllLabels();
-  /** How a label is painted, 0 to 1. Labels without a colour, and with opacity 0, are not. */
+  /** A label's colour and opacity, 0 to 1. Labels without a colour, or with opacity 0, are not
+   * painted. */
   void SetLabelColor(int layer, int label, double red, double green, double blue, double opacity);
   ///@{
-  /** Times the opacity of every label. Default: 0.4. */
+  /** Factor on the opacity of every label. Default: 0.4. */
   void SetLabelOpacity(double opacity);
   double GetLabelOpacity();
   ///@}
 
-  /** The middle of the volume (world, mm); false where there is none. */
+  /** The centre of the volume (world, mm). Returns false without a volume. */
   bool GetCenterWorld(double center[3]);
 
   /** The latest of its own time and those of its images. */

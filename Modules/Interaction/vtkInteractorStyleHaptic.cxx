@@ -30,7 +30,7 @@ vtkStandardNewMacro(vtkInteractorStyleHaptic);
 namespace
 {
 constexpr unsigned long PollInterval = 16; // ms
-constexpr double Notch = 2.0;              // mm in depth, so that what is away is soon reached
+constexpr double Notch = 2.0;              // mm in depth, to reach distant surfaces quickly
 } // namespace
 
 struct vtkInteractorStyleHaptic::Live
@@ -166,8 +166,8 @@ bool vtkInteractorStyleHaptic::StartTouch(std::unique_ptr<palpate::HapticDevice>
   vtkRenderer* renderer = this->Led();
   if (renderer == nullptr)
   {
-    vtkErrorMacro("There is no renderer to touch in: set the style on the interactor of a window "
-                  "that has one.");
+    vtkErrorMacro(
+        "No renderer to touch in: set the style on the interactor of a window that has one.");
     return false;
   }
   palpate::TouchSession& session = inner.Session;
@@ -254,7 +254,7 @@ std::string vtkInteractorStyleHaptic::GetStatusText()
   return ofDevice.empty() ? palpate::Describe(inner.Reading.Newest.Safety.Fault) : ofDevice;
 }
 
-// The servo is told when the camera has come to rest: forces fade in for every new frame.
+// The servo gets a new frame only when the camera has come to rest, since forces fade in for each.
 void vtkInteractorStyleHaptic::FollowCamera()
 {
   Live& inner = *this->Inner;
@@ -264,7 +264,7 @@ void vtkInteractorStyleHaptic::FollowCamera()
   }
   palpate::WorkspaceFrame turned = inner.Session.Frame();
   turned.Rotation = palpate::CameraAxes(inner.DrawnIn->GetActiveCamera());
-  // Rounding of a camera that was not moved is no turn.
+  // Rounding of an unmoved camera is not a rotation.
   constexpr double LeastTurn = 1e-6;
   if ((turned.Rotation - inner.Session.Frame().Rotation).norm() > LeastTurn)
   {
@@ -354,7 +354,7 @@ void vtkInteractorStyleHaptic::OnTimer()
   }
 }
 
-// Leads a computed hand to where the mouse wants it, but not beyond what the device reaches.
+// Moves a simulated hand to the mouse's target, but not beyond the device's workspace.
 void vtkInteractorStyleHaptic::TakeHand()
 {
   palpate::TouchSession& session = this->Inner->Session;

@@ -1,22 +1,21 @@
 /**
  * @class vtkInteractorStyleHaptic
- * @brief joins a render window to a haptic device: what is seen in it can be felt
+ * @brief connects a render window to a haptic device: its surfaces can be touched
  *
- * Give it surfaces, set it on an interactor, and start. A servo thread then feels them at the
- * device's rate, whatever the window does; a timer of the interactor fetches what happened, moves
- * the tool that is drawn, and tells it by events. The camera is led as by
- * vtkInteractorStyleMouseHand.
+ * Add surfaces, set the style on an interactor, and start. A servo thread then renders forces at
+ * the device's rate, whatever the window does; a timer of the interactor polls it, moves the drawn
+ * tool, and raises events. The camera moves as in vtkInteractorStyleMouseHand.
  *
- * - The device's axes are the camera's: right, up, towards the viewer. When the camera has come to
- *   rest somewhere else, forces fade in anew. Workspace and scene have the same centre at first.
- * - While the clutch button is held nothing is felt, and the tool stays where it is: so the hand
- *   reaches places beyond its workspace.
- * - The hand of the simulated device is the mouse: it is under the pointer, and the wheel moves it
- *   in depth. It begins in front of everything.
- * - Esc switches forces off, f on again.
+ * - The device's axes are the camera's: right, up, towards the viewer. When a moved camera has come
+ *   to rest, forces fade in again. Initially workspace and scene have the same centre.
+ * - While the clutch button is held there is no force, and the tool stays in place: so the hand can
+ *   reach points beyond its workspace.
+ * - The mouse is the hand of the simulated device: the hand is under the pointer, and the wheel
+ *   moves it in depth. It starts in front of everything.
+ * - Esc switches forces off, f switches them on again.
  *
- * Whatever goes wrong ends in 0 N and a FaultEvent; GetStatusText says what to do. Destroying the
- * style, or its window, stops the touch.
+ * Any fault results in 0 N and a FaultEvent; GetStatusText says what to do. Destroying the style,
+ * or its window, stops the touch.
  */
 #ifndef vtkInteractorStyleHaptic_h
 #define vtkInteractorStyleHaptic_h
@@ -49,21 +48,21 @@ public:
 
   enum Events
   {
-    /** A structure begins, or ceases, to be touched; the call data is its number, an int. */
+    /** Contact with a structure begins or ends; the call data is its number, an int. */
     ContactBeginEvent = vtkCommand::UserEvent + 711,
     ContactEndEvent,
     /** A button of the device; the call data is its number from 0, an int. */
     ButtonPressEvent,
     ButtonReleaseEvent,
-    /** Forces went off; the call data is the sentence, a const char*. */
+    /** Forces were switched off; the call data is the message, a const char*. */
     FaultEvent
   };
 
   ///@{
   /**
-   * Adds a closed surface (world, mm) to be felt, by its triangles, or a structure of any kind.
-   * Stiffness in N/mm. Returns its number, or -1, with an error event, where it cannot be felt.
-   * What is added while touching is felt from then on.
+   * Adds a closed surface (world, mm) to be touched by its triangles, or a structure of any kind.
+   * Stiffness in N/mm. Returns its number, or -1, with an error event, if it cannot be touched. May
+   * be called while touching.
    */
   int AddSurface(vtkPolyData* surface, double stiffness);
 #ifndef __VTK_WRAP__
@@ -74,19 +73,19 @@ public:
   int GetNumberOfStructures();
 
   ///@{
-  /** The device that StartTouch opens: "simulated" (the default, led by the mouse), "falcon" … */
+  /** The device that StartTouch opens: "simulated" (the default, moved by the mouse), "falcon" … */
   vtkSetStringMacro(DeviceName);
   vtkGetStringMacro(DeviceName);
   ///@}
   ///@{
-  /** Of the tool, a sphere, mm. Default: 2. Taken by the next StartTouch. */
+  /** Radius of the spherical tool, mm. Default: 2. Takes effect at the next StartTouch. */
   vtkSetClampMacro(ToolRadius, double, 0.0, 1e3);
   vtkGetMacro(ToolRadius, double);
   ///@}
   ///@{
   /**
    * Millimetres of the world per millimetre of the device; 0, the default, reaches all structures.
-   * Taken by the next StartTouch.
+   * Takes effect at the next StartTouch.
    */
   vtkSetClampMacro(Scale, double, 0.0, 1e6);
   vtkGetMacro(Scale, double);
@@ -97,35 +96,35 @@ public:
   vtkGetMacro(ClutchButton, int);
   ///@}
   ///@{
-  /** Whether this style draws the tool into the renderer that it leads. On by default. */
+  /** Whether this style draws the tool into its renderer. On by default. */
   vtkSetMacro(ProbeVisibility, bool);
   vtkGetMacro(ProbeVisibility, bool);
   vtkBooleanMacro(ProbeVisibility, bool);
   ///@}
 
   /**
-   * Opens the device and begins. Needs an interactor and a renderer in its window. False, with an
-   * error event that says why, where it cannot.
+   * Opens the device and starts touching. Needs an interactor and a renderer in its window. Returns
+   * false, with an error event that gives the reason, on failure.
    */
   bool StartTouch();
 #ifndef __VTK_WRAP__
-  /** The same with a device that is open. */
+  /** The same with an open device. */
   bool StartTouch(std::unique_ptr<palpate::HapticDevice> device);
 #endif
-  /** 0 N; the device is closed. */
+  /** Sends 0 N and closes the device. */
   void StopTouch();
   bool IsTouching();
   ///@{
-  /** 0 N from the next tick on; and fading in again. The hand is followed all the same. */
+  /** 0 N from the next tick on; fading in again. The hand is tracked in any case. */
   void SwitchForcesOff();
   void SwitchForcesOn();
   ///@}
 
-  /** Where the tool is, and what it feels; to be shared with other views. */
+  /** The tool and its force, to be shared with other views. */
   vtkProbeRepresentation* GetProbe();
-  /** How forces are doing, in one sentence. */
+  /** Status of the forces, in one sentence. */
   std::string GetStatusText();
-  /** Fetches what happened since it was called last; the timer does it. */
+  /** Fetches changes since the last call; called by the timer. */
   void Poll();
 
   void OnTimer() override;

@@ -46,7 +46,7 @@ bool vtkInteractorStyleMouseHand::FindRenderer()
   return this->CurrentRenderer != nullptr;
 }
 
-// In the plane of the screen that a point lies in.
+// In the plane through a point, parallel to the screen.
 void vtkInteractorStyleMouseHand::WorldAtPointer(const double depthOf[3], const int pointer[2],
                                                  double world[3])
 {
@@ -95,7 +95,7 @@ void vtkInteractorStyleMouseHand::Deepen(double notches, double world[3])
   camera->GetDirectionOfProjection(sight);
   if (camera->GetParallelProjection() == 0)
   {
-    // Through the point, which stays where it is seen.
+    // Along the line of sight through the point, which keeps its position on the screen.
     vtkMath::Subtract(world, camera->GetPosition(), sight);
     vtkMath::Normalize(sight);
   }
@@ -196,7 +196,7 @@ void vtkInteractorStyleMouseHand::OnMouseWheelBackward()
   }
 }
 
-// VTK's other letters pick, end programs and change how everything is drawn.
+// VTK's other keys pick, end programs and change the representation of all actors.
 void vtkInteractorStyleMouseHand::OnChar()
 {
   const char key = this->Interactor->GetKeyCode();

@@ -1,18 +1,18 @@
 /**
  * @class vtkInteractorStyleMouseHand
- * @brief the mouse as the hand of a simulated haptic device, in a view in space
+ * @brief the mouse as the hand of a simulated haptic device, in a 3D view
  *
- * While Hand is on, the pointer moves the hand in the plane of the screen that the hand lies in,
- * and the wheel moves it along the line of sight, forwards away from the viewer. The camera keeps
- * what is left: Ctrl with a left drag turns it, Shift with a left drag and a middle drag pan, a
- * right drag and Ctrl with the wheel zoom. Otherwise it is a
- * vtkInteractorStyleTrackballCamera, of whose letters only r is left (shows everything).
+ * While Hand is on, the pointer moves the hand in its plane parallel to the screen, and the wheel
+ * moves it along the line of sight, forwards away from the viewer. The camera uses the rest: Ctrl
+ * with a left drag rotates, Shift with a left drag and a middle drag pan, a right drag and Ctrl
+ * with the wheel zoom. Otherwise it is a vtkInteractorStyleTrackballCamera with only the key r
+ * (show everything).
  *
- * While Dragging is on, a left drag moves something else in the same way, such as the device's
- * workspace, and the wheel moves that; the hand stays.
+ * While Dragging is on, a left drag and the wheel move another object in the same manner, such as
+ * the device's workspace; the hand stays.
  *
- * It moves nothing itself: whoever observes HandMovedEvent takes GetHandWorld to the device, and
- * whoever observes DraggedEvent moves what GetDraggedWorld belongs to.
+ * It moves nothing itself: observers of HandMovedEvent pass GetHandWorld to the device, and
+ * observers of DraggedEvent move the dragged object to GetDraggedWorld.
  */
 #ifndef vtkInteractorStyleMouseHand_h
 #define vtkInteractorStyleMouseHand_h
@@ -33,34 +33,34 @@ public:
   {
     HandMovedEvent = vtkCommand::UserEvent + 721,
     DraggedEvent,
-    /** A drag has ended, with what was moved where it is. */
+    /** A drag has ended; the object is at its final position. */
     DragEndEvent
   };
 
   ///@{
-  /** Whether the mouse is the hand. Off by default. */
+  /** Whether the mouse moves the hand. Off by default. */
   vtkSetMacro(Hand, bool);
   vtkGetMacro(Hand, bool);
   vtkBooleanMacro(Hand, bool);
   ///@}
   ///@{
-  /** Where the hand wants to be: world, mm. What is no number is ignored. */
+  /** Target of the hand: world, mm. Non-finite positions are ignored. */
   void SetHandWorld(const double position[3]);
   vtkGetVector3Macro(HandWorld, double);
   ///@}
   ///@{
-  /** Whether the mouse moves something else. Off by default. */
+  /** Whether the mouse moves another object. Off by default. */
   vtkSetMacro(Dragging, bool);
   vtkGetMacro(Dragging, bool);
   vtkBooleanMacro(Dragging, bool);
   ///@}
   ///@{
-  /** Where that is: world, mm. What is no number is ignored. */
+  /** Position of that object: world, mm. Non-finite positions are ignored. */
   void SetDraggedWorld(const double position[3]);
   vtkGetVector3Macro(DraggedWorld, double);
   ///@}
   ///@{
-  /** mm along the line of sight that a notch of the wheel is. Default: 0.5. */
+  /** mm along the line of sight per notch of the wheel. Default: 0.5. */
   vtkSetClampMacro(NotchMillimeters, double, 0.001, 100.0);
   vtkGetMacro(NotchMillimeters, double);
   ///@}

@@ -16,9 +16,9 @@ vtkStandardNewMacro(vtkInteractorStyleSlice);
 
 namespace
 {
-constexpr double WheelZoom = 1.2;   // a notch
+constexpr double WheelZoom = 1.2;   // per notch
 constexpr double DragZoom = 3.0;    // the logarithm of a drag over the view's whole height
-constexpr double DragWindows = 2.0; // chosen windows, likewise
+constexpr double DragWindows = 2.0; // default windows, likewise
 constexpr int PageSlices = 10;
 } // namespace
 
@@ -242,7 +242,7 @@ void vtkInteractorStyleSlice::OnKeyPress()
   this->Superclass::OnKeyPress();
 }
 
-// VTK's own letters turn cameras, end programs and pick; over a slice only one means something.
+// VTK's keys reset cameras, end programs and pick; over a slice only r has a meaning.
 void vtkInteractorStyleSlice::OnChar()
 {
   vtkSliceView* view = this->PokedView();

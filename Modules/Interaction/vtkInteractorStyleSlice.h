@@ -1,17 +1,17 @@
 /**
  * @class vtkInteractorStyleSlice
- * @brief mouse and keys in slice views, as users of 3D Slicer and ITK-SNAP know them
+ * @brief mouse and keys in slice views, as in 3D Slicer and ITK-SNAP
  *
  * - left drag: moves the crosshair, or window (to the right: wider) and level (upwards: brighter);
- *   LeftButtonMode says which, and with Ctrl it is the other one
+ *   LeftButtonMode selects which, Ctrl the other one
  * - mouse wheel: slices; with Ctrl: zoom. Middle drag: pan. Right drag: zoom, upwards larger
- * - arrow keys: a slice; page up and down: ten slices; r: fits the view to the volume
+ * - arrow keys: one slice; page up and down: ten slices; r: fit the view to the volume
  * - double click: a MaximizeEvent
  *
- * It serves the views that were added, by the renderer under the pointer. In other renderers of the
- * window it is a vtkInteractorStyleTrackballCamera, so that one style serves slices and a view in
- * space side by side. It draws its own window; views in other windows are drawn by whoever observes
- * what they share (vtkCrosshair, vtkImageDisplay) and this style's InteractionEvent.
+ * It acts on the added view whose renderer is under the pointer. In other renderers of the window
+ * it is a vtkInteractorStyleTrackballCamera, so that one style serves slices and a 3D view side by
+ * side. It draws its own window; to draw views in other windows, observe the shared objects
+ * (vtkCrosshair, vtkImageDisplay) and this style's InteractionEvent.
  */
 #ifndef vtkInteractorStyleSlice_h
 #define vtkInteractorStyleSlice_h
@@ -34,7 +34,7 @@ public:
 
   enum Events
   {
-    /** A double click; the call data is the vtkRenderer, of a slice view or not. */
+    /** A double click; the call data is the vtkRenderer, of any view. */
     MaximizeEvent = vtkCommand::UserEvent + 701
   };
   enum LeftButtonModes
@@ -47,7 +47,7 @@ public:
   void RemoveView(vtkSliceView* view);
 
   ///@{
-  /** What a left drag does. Default: CROSSHAIR. */
+  /** Action of a left drag. Default: CROSSHAIR. */
   vtkSetClampMacro(LeftButtonMode, int, CROSSHAIR, WINDOW_LEVEL);
   vtkGetMacro(LeftButtonMode, int);
   ///@}
@@ -82,9 +82,9 @@ private:
     ZOOM_DRAG
   };
 
-  /** The view under the pointer; null where there is none of ours. */
+  /** The added view under the pointer; null if there is none. */
   vtkSliceView* PokedView();
-  /** True where the drag is a slice view's. */
+  /** Returns whether the drag belongs to a slice view. */
   bool StartDrag(int drag);
   bool EndDrag();
   void Drag();

@@ -2,7 +2,7 @@
  * @class vtkLandmarks
  * @brief named points and distances between them, shared by linked views
  *
- * In space a landmark is a small ball, in slices that ball's cut: it is seen where the slice passes
+ * In 3D a landmark is a small sphere, in slices its cross-section: visible if the slice passes
  * within Radius of it. A distance is a straight line between two landmarks with its length in mm.
  */
 #ifndef vtkLandmarks_h
@@ -23,13 +23,13 @@ public:
   vtkTypeMacro(vtkLandmarks, vtkObject);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  /** World, mm. The landmark's number, from 0; -1 for a place that is no number. */
+  /** World, mm. Returns the landmark's number, from 0; -1 for a non-finite position. */
   int AddLandmark(const char* name, double x, double y, double z);
   int AddLandmark(const char* name, const double position[3])
   {
     return this->AddLandmark(name, position[0], position[1], position[2]);
   }
-  /** Between two landmarks; false where there are none of these numbers. */
+  /** Between two landmarks. Returns false for unknown numbers. */
   bool AddDistance(int from, int to);
   void RemoveAll();
 
@@ -37,7 +37,7 @@ public:
   int GetNumberOfDistances();
 
   ///@{
-  /** Of the balls, mm. */
+  /** Radius of the spheres, mm. */
   vtkSetClampMacro(Radius, double, 0.01, 100.0);
   vtkGetMacro(Radius, double);
   ///@}

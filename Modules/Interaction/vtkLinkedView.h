@@ -1,12 +1,12 @@
 /**
  * @class vtkLinkedView
- * @brief what a renderer shows of things that it shares with other views
+ * @brief a view in a renderer whose contents are shared with other views
  *
- * What vtkSliceView and vtkSpaceView have in common. Give a view a renderer of any render window,
- * and what is shown: a volume with labels (vtkImageDisplay), surfaces (vtkSurfaceDisplay),
- * landmarks, a haptic tool and its device's workspace, the point through which slices go
- * (vtkCrosshair). All of them may be shared with other views. The view brings itself up to date
- * whenever the renderer draws, and does then only what has to be done anew.
+ * Base of vtkSliceView and vtkSpaceView. Set a renderer of any render window, and the contents: a
+ * volume with labels (vtkImageDisplay), surfaces (vtkSurfaceDisplay), landmarks, a haptic tool and
+ * its device's workspace, the point through which slices pass (vtkCrosshair). All of them may be
+ * shared with other views. The view updates itself whenever the renderer draws, and updates only
+ * what changed.
  */
 #ifndef vtkLinkedView_h
 #define vtkLinkedView_h
@@ -31,13 +31,13 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /** Where it is drawn. The view takes its things away from the renderer before. */
+  /** The view's renderer. The view removes its props from the previous one. */
   void SetRenderer(vtkRenderer* renderer);
   vtkRenderer* GetRenderer();
   ///@}
 
   ///@{
-  /** What is shown; null shows none. */
+  /** Contents; null for none. */
   virtual void SetImageDisplay(vtkImageDisplay* display);
   vtkImageDisplay* GetImageDisplay();
   void SetCrosshair(vtkCrosshair* crosshair);
@@ -53,30 +53,31 @@ public:
   ///@}
 
   ///@{
-  /** Whether slices run along the volume's own axes (the default) or along the body's. */
+  /** Whether slices follow the volume's axes (the default) or the body's. */
   vtkSetMacro(AlongImage, bool);
   vtkGetMacro(AlongImage, bool);
   vtkBooleanMacro(AlongImage, bool);
   ///@}
   ///@{
-  /** Words, letters and bars over the picture. On by default. */
+  /** Text, letters and bars over the view. On by default. */
   vtkSetMacro(AnnotationVisibility, bool);
   vtkGetMacro(AnnotationVisibility, bool);
   vtkBooleanMacro(AnnotationVisibility, bool);
   ///@}
 
-  /** Brings everything up to date; done whenever the renderer draws. */
+  /** Updates everything; called whenever the renderer draws. */
   void Update();
 
 protected:
   vtkLinkedView();
-  /** Views end with SetRenderer(nullptr): what they show is gone when this runs. */
+  /** Subclasses call SetRenderer(nullptr) in their destructors: their contents are gone when this
+   * runs. */
   ~vtkLinkedView() override;
 
-  /** What the view shows, to its renderer and away from it. */
+  /** Adds the view's props to its renderer, and removes them. */
   virtual void AddTo(vtkRenderer* renderer) = 0;
   virtual void RemoveFrom(vtkRenderer* renderer) = 0;
-  /** Brings it up to date for the renderer, which there is. */
+  /** Updates the view for the renderer, which is not null. */
   virtual void UpdateFor(vtkRenderer* renderer) = 0;
 
 private:

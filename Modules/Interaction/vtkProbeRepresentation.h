@@ -1,15 +1,14 @@
 /**
  * @class vtkProbeRepresentation
- * @brief a haptic tool in linked views: where the device is, where the tool is drawn, what it feels
+ * @brief a haptic tool in linked views: device pose (probe), drawn pose (proxy), force and contact
  *
- * Views in space show the tool's shape at the probe (translucent) and at the proxy (solid), the
- * force as an arrow from the proxy, and colour surfaces round the place that is touched. Slices
- * show the cuts of both shapes, and the part of the force that lies in the slice.
+ * 3D views show the tool's shape at the probe (translucent) and at the proxy (solid), the force as
+ * an arrow from the proxy, and colour surfaces around the contact. Slices show the cross-sections
+ * of both shapes, and the force's component in the slice.
  *
- * The tool is a sphere or a closed surface of triangles in its own frame (mm); of a tool that is
- * felt, palpate::MakeToolSurface makes one. Whoever polls a
- * servo sets poses and force before views are drawn; numbers that are none are ignored, so that
- * what was known last stays.
+ * The tool is a sphere or a closed surface of triangles in its own frame (mm);
+ * palpate::MakeToolSurface makes one from a servo's tool. Set poses and force from the servo before
+ * views are drawn; non-finite numbers are ignored, and the last valid values are kept.
  */
 #ifndef vtkProbeRepresentation_h
 #define vtkProbeRepresentation_h
@@ -34,13 +33,13 @@ public:
   void SetTool(vtkPolyData* closedSurface);
   vtkPolyData* GetTool();
   ///@}
-  /** Of the sphere round the origin of the tool's frame that holds it, mm. */
+  /** Radius of its bounding sphere around the origin of the tool's frame, mm. */
   double GetToolRadius();
 
   ///@{
   /**
-   * Where the tool is: world, mm; its orientation as a unit quaternion (w, x, y, z) from the tool's
-   * frame to the world.
+   * Pose of the tool: position in the world, mm; orientation as a unit quaternion (w, x, y, z) from
+   * the tool's frame to the world.
    */
   void SetProbePose(const double position[3], const double orientation[4]);
   void SetProxyPose(const double position[3], const double orientation[4]);
@@ -48,40 +47,41 @@ public:
   void SetProxyPosition(double x, double y, double z);
   ///@}
   ///@{
-  /** From the tool's frame to the world. Not to be changed. */
+  /** From the tool's frame to the world. Do not change. */
   vtkMatrix4x4* GetProbeMatrix();
   vtkMatrix4x4* GetProxyMatrix();
   ///@}
 
   ///@{
-  /** On the hand, in N, world axes. */
+  /** Force on the hand, N, world axes. */
   void SetForce(double x, double y, double z);
   vtkGetVector3Macro(Force, double);
   ///@}
   ///@{
-  /** How long its arrow is, mm per N. Default: 10. */
+  /** Length of its arrow, mm per N. Default: 10. */
   vtkSetClampMacro(ForceScale, double, 0.0, 1e4);
   vtkGetMacro(ForceScale, double);
   ///@}
 
   ///@{
-  /** Whether something is touched. */
+  /** Whether the tool is in contact. */
   vtkSetMacro(InContact, bool);
   vtkGetMacro(InContact, bool);
   vtkBooleanMacro(InContact, bool);
   ///@}
   ///@{
-  /** Surfaces are coloured up to so far (mm) from the proxy's tool while in contact. Default: 4. */
+  /** Surfaces are coloured up to this distance (mm) from the proxy's tool while in contact.
+   * Default: 4. */
   vtkSetClampMacro(ContactRadius, double, 0.0, 1e3);
   vtkGetMacro(ContactRadius, double);
   ///@}
   ///@{
-  /** Of what is touched, red, green, blue. */
+  /** Colour of the contact: red, green, blue. */
   vtkSetVector3Macro(ContactColor, double);
   vtkGetVector3Macro(ContactColor, double);
   ///@}
   ///@{
-  /** Of the tool, red, green, blue. */
+  /** Colour of the tool: red, green, blue. */
   vtkSetVector3Macro(Color, double);
   vtkGetVector3Macro(Color, double);
   ///@}

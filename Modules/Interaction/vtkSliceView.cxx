@@ -37,7 +37,7 @@ vtkStandardNewMacro(vtkSliceView);
 namespace
 {
 constexpr double FitMargin = 1.04;     // view over volume
-constexpr double EyeDistance = 1000.0; // mm; in parallel projection any will do
+constexpr double EyeDistance = 1000.0; // mm; any value in parallel projection
 constexpr double SmallestHeight = 0.5; // of a view, mm
 constexpr double LargestHeight = 1e5;
 constexpr double EmptyHeight = 200.0; // without a volume
@@ -46,7 +46,7 @@ constexpr double EmptyHeight = 200.0; // without a volume
 struct vtkSliceView::State
 {
   bool NeedsFit = true;
-  Vector3 Center = Vector3::Zero(); // of the view, world; its height over the plane does not count
+  Vector3 Center = Vector3::Zero(); // of the view, world; its height over the plane is ignored
   double Height = EmptyHeight;      // of the view, mm
 
   palpate::SlicePatch Patch;

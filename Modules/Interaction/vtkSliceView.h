@@ -1,16 +1,15 @@
 /**
  * @class vtkSliceView
- * @brief what a renderer shows of one plane through a volume, linked to other views
+ * @brief one plane through a volume in a renderer, linked to other views
  *
- * The plane passes through the shared vtkCrosshair; hung as radiologists do. What is shown, and how
- * views are linked, is vtkLinkedView's; surfaces are shown as contours.
+ * The plane passes through the shared vtkCrosshair, in radiological convention. For contents and
+ * links see vtkLinkedView; surfaces are shown as contours.
  *
- * The picture is sampled from the volume at the view's own pixels, in world coordinates: volumes on
- * oblique grids are shown where they are. The camera is the view's: parallel, in front of the
- * plane. Letters of the patient's directions, a scale bar and the slice's place can be switched
- * off.
+ * The volume is sampled at the view's pixels, in world coordinates: volumes on oblique grids are
+ * shown at their positions. The view controls the camera: parallel, in front of the plane. Letters
+ * of the patient's directions, a scale bar and the slice's position can be switched off.
  *
- * vtkInteractorStyleSlice joins mouse and keys to it.
+ * vtkInteractorStyleSlice handles mouse and keys.
  */
 #ifndef vtkSliceView_h
 #define vtkSliceView_h
@@ -39,7 +38,7 @@ public:
     SAGITTAL ///< from the left, the head up
   };
 
-  /** Another one fits the view to its volume. */
+  /** A new one fits the view to its volume. */
   void SetImageDisplay(vtkImageDisplay* display) override;
   void AddSurface(vtkSurfaceDisplay* surface) override;
   void RemoveSurface(vtkSurfaceDisplay* surface) override;
@@ -49,32 +48,31 @@ public:
   vtkGetMacro(Orientation, int);
   ///@}
 
-  /** Shows the whole volume in the middle, when it is drawn next. */
+  /** Shows the whole volume, centred, in the next frame. */
   void FitToImage();
-  /** Moves the crosshair so many slices to the patient's head, front or right. */
+  /** Moves the crosshair by that many slices to the patient's head, front or right. */
   void Scroll(int slices);
-  /** The slice's number from 1, and how many there are; 0 where they have none. */
+  /** The slice's number from 1, and their count; 0 if slices have no numbers. */
   int GetSliceNumber();
   int GetNumberOfSlices();
-  /** Makes everything larger by a factor; what is at that place of the window (pixels) stays there.
-   */
+  /** Enlarges everything by a factor around that position of the window (pixels). */
   void Zoom(double factor, double x, double y);
-  /** Moves the picture by pixels to the right and up. */
+  /** Moves the contents by pixels to the right and up. */
   void Pan(double right, double up);
-  /** Puts the crosshair into the middle of the view. */
+  /** Centres the view on the crosshair. */
   void CenterOnCrosshair();
-  /** mm that a pixel shows. */
+  /** mm per pixel. */
   double GetPixelMillimeters();
 
-  /** The point (world, mm) of the plane at a place of the window in pixels: its middle. */
+  /** The point (world, mm) of the plane at a pixel's centre in the window. */
   void DisplayToWorld(double x, double y, double world[3]);
   /** Moves the crosshair there. */
   void MoveCrosshairTo(double x, double y);
 
 #ifndef __VTK_WRAP__
-  /** What is shown at the moment. */
+  /** What is currently shown. */
   palpate::SlicePosition GetPosition();
-  /** How often the picture was sampled and contours were cut so far. */
+  /** How often the volume was sampled and contours were cut so far. */
   int GetPaintCount() const;
   int GetCutCount() const;
 #endif

@@ -46,10 +46,10 @@ vtkStandardNewMacro(vtkSpaceView);
 
 namespace
 {
-// VTK leaves room for a ball round everything, of which boxes and organs fill less.
+// VTK leaves space for a sphere around everything, which boxes and organs do not fill.
 constexpr double FitCloseness = 1.15;
 
-// Turns the camera round what it looks at.
+// Rotates the camera around its focal point.
 void Look(vtkCamera* camera, const palpate::ViewFrame& frame)
 {
   const Vector3 eye =
@@ -65,7 +65,7 @@ double DistanceFrom(vtkCamera* camera, const double world[3])
       .dot(Vector3(camera->GetDirectionOfProjection()));
 }
 
-// Round the tool's point that touches: from its middle against the force on the hand.
+// Around the tool's contact point: from its centre against the force on the hand.
 palpate::ContactMark MarkOf(vtkProbeRepresentation* probe)
 {
   palpate::ContactMark mark;
@@ -246,7 +246,7 @@ void vtkSpaceView::ResetCamera()
     return;
   }
   this->UpdateContents();
-  // A workspace may be much larger than what there is to look at.
+  // A workspace may be much larger than the scene.
   vtkActor* reach = this->Inner->Reach.Drawn().Actor();
   reach->UseBoundsOff();
   renderer->ComputeVisiblePropBounds(bounds);

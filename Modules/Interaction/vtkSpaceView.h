@@ -1,13 +1,12 @@
 /**
  * @class vtkSpaceView
- * @brief what a renderer shows in space, linked to slice views
+ * @brief a 3D view in a renderer, linked to slice views
  *
- * Surfaces are shown plain or coloured by an array, with a bar that says what the colours mean; the
- * slices of the volume through the shared vtkCrosshair; a haptic tool with its force and the place
- * that it touches. What is shown, and how views are linked, is vtkLinkedView's. Other props, such
- * as a vtkSubVoxelVolume, are added to the renderer itself.
+ * Shows surfaces, plain or coloured by an array with a colour bar; the slices of the volume through
+ * the shared vtkCrosshair; a haptic tool with its force and contact. For contents and links see
+ * vtkLinkedView. Add other props, such as a vtkSubVoxelVolume, to the renderer itself.
  *
- * The camera is the renderer's own: any interactor style moves it. At first, and by LookFrom, it
+ * The camera is the renderer's: any interactor style may move it. At first, and after LookFrom, it
  * shows everything.
  */
 #ifndef vtkSpaceView_h
@@ -39,23 +38,23 @@ public:
   void RemoveSurface(vtkSurfaceDisplay* surface) override;
 
   ///@{
-  /** Whether a slice is shown; orientations as in vtkSliceView. All are by default. */
+  /** Whether a slice is shown; orientations as in vtkSliceView. All are shown by default. */
   void SetSliceVisibility(int orientation, bool visibility);
   bool GetSliceVisibility(int orientation);
   ///@}
 
-  /** Looks at everything from a side of the patient; see palpate::FrameOf for what is up. */
+  /** Shows everything from a side of the patient; see palpate::FrameOf for the up direction. */
   void LookFrom(int side);
-  /** Shows everything from where the camera looks now. */
+  /** Shows everything from the camera's current direction. */
   void ResetCamera();
 
   /**
-   * The nearest point (world, mm) of a surface, a slice or a sub-voxel volume under a place of the
-   * window in pixels; false where there is none. It is the surface's own point, not one of the
+   * The nearest point (world, mm) of a surface, a slice or a sub-voxel volume at a position of the
+   * window in pixels. Returns false if there is none. It is a point of the surface, not of the
    * depth buffer.
    */
   bool Pick(double x, double y, double world[3]);
-  /** The surface that was picked last; null where it was something else, or nothing. */
+  /** The surface of the last pick; null if it hit something else, or nothing. */
   vtkSurfaceDisplay* GetPickedSurface();
 
 protected:

@@ -1,10 +1,10 @@
 /**
  * @class vtkSurfaceDisplay
- * @brief how linked views show one surface: in space, and as a contour in slices
+ * @brief display of a surface in linked views: in 3D, and as a contour in slices
  *
- * The surface (world, patient LPS, mm) is shared by all views. With a color array the view in space
- * shows that array's numbers, such as a model's distances to its original, in colours fit for
- * colour-blind eyes, and a bar that says what they mean; slices keep the plain colour.
+ * The surface (world, patient LPS, mm) is shared by all views. With a color array, the 3D view
+ * shows that array's values, such as a model's distances to its original, in colours suitable for
+ * colour-blind people, with a colour bar; slices keep the plain colour.
  */
 #ifndef vtkSurfaceDisplay_h
 #define vtkSurfaceDisplay_h
@@ -35,7 +35,7 @@ public:
   vtkGetVector3Macro(Color, double);
   ///@}
   ///@{
-  /** In space, 0 to 1; contours are opaque. */
+  /** In 3D, 0 to 1; contours are opaque. */
   vtkSetClampMacro(Opacity, double, 0.0, 1.0);
   vtkGetMacro(Opacity, double);
   ///@}
@@ -52,12 +52,12 @@ public:
   vtkBooleanMacro(ContourVisibility, bool);
   ///@}
   ///@{
-  /** Of contours, in points. */
+  /** Line width of contours, in points. */
   vtkSetClampMacro(LineWidth, double, 0.5, 20.0);
   vtkGetMacro(LineWidth, double);
   ///@}
   ///@{
-  /** The one-component point array that colours it in space; empty for none, the default. */
+  /** The one-component point array that colours it in 3D; empty for none, the default. */
   vtkSetStdStringFromCharMacro(ColorArray);
   vtkGetCharFromStdStringMacro(ColorArray);
   ///@}

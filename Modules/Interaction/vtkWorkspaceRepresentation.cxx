@@ -14,7 +14,7 @@ vtkStandardNewMacro(vtkWorkspaceRepresentation);
 
 namespace
 {
-// Two triangles a side, outwards.
+// Two triangles per side, facing outwards.
 constexpr std::array<std::array<vtkIdType, 3>, 12> Triangles{{{0, 2, 3},
                                                               {0, 3, 1},
                                                               {4, 5, 7},

@@ -1,10 +1,9 @@
 /**
  * @class vtkWorkspaceRepresentation
- * @brief where a haptic device's workspace lies, in linked views
+ * @brief a haptic device's workspace in linked views
  *
- * Views in space show its box by its edges, slices by the outline that they cut out of it. Whoever
- * knows the device sets box and place before views are drawn; numbers that are none are ignored, so
- * that what was known last stays.
+ * 3D views show the edges of its box, slices the outline of its cross-section. Set the corners
+ * before views are drawn; non-finite numbers are ignored, and the last valid values are kept.
  */
 #ifndef vtkWorkspaceRepresentation_h
 #define vtkWorkspaceRepresentation_h
@@ -29,7 +28,7 @@ public:
   void SetCorners(const double corners[24]);
   /** One of them, from 0 to 7. */
   void GetCorner(int number, double world[3]);
-  /** The same as a closed surface of triangles. Not to be changed. */
+  /** The box as a closed surface of triangles. Do not change. */
   vtkPolyData* GetBox();
 
   ///@{

@@ -4,13 +4,13 @@
 
 namespace palpate
 {
-/// A QApplication that leaves LC_NUMERIC "C". Qt sets the user's locale, after which C functions
-/// (ITK's, VTK's and others') read "3.5" as 3 and write 3,5 where the decimal point is a comma.
-/// Widgets still show numbers as the user writes them, which is QLocale's.
+/// A QApplication that keeps LC_NUMERIC "C". Qt sets the user's locale; with a decimal comma, C
+/// functions (of ITK, VTK and others) would then read "3.5" as 3 and write 3,5. Widgets still show
+/// numbers in the user's locale, by QLocale.
 class Application : public QApplication
 {
 public:
-  /// As QApplication's: both must outlive the application.
+  /// As for QApplication: both must outlive the application.
   Application(int& argc, char** argv);
 };
 } // namespace palpate

@@ -5,7 +5,7 @@
 
 namespace palpate
 {
-/// Edits a cell that is one of a few choices, by its number.
+/// Edits a cell that holds the number of one of a few choices.
 class ChoiceDelegate : public QStyledItemDelegate
 {
   Q_OBJECT

@@ -19,7 +19,7 @@ namespace palpate
 {
 namespace
 {
-// What a structure may be to the drill. Wear and feel are plausible, not measured.
+// A structure's drill role. Wear and feel are plausible, not measured.
 struct DrillRole
 {
   const char* Name;
@@ -62,7 +62,7 @@ QDoubleSpinBox* MakeSpin(QWidget* parent, const QString& name, double least, dou
   return spin;
 }
 
-// Without drawing anything where nothing is different.
+// Does not repaint if the text is unchanged.
 void SetText(QTableWidgetItem* item, const QString& text)
 {
   if (item->text() != text)
@@ -70,15 +70,15 @@ void SetText(QTableWidgetItem* item, const QString& text)
     item->setText(text);
   }
 }
-// How near the drill is to a structure, or how its protection stands.
+// Distance of the drill to a structure, or the status of its protection.
 QString TextOf(const StudyForbidden& forbidden, const StudyDrillReading& reading)
 {
   for (const DrillApproach& one : reading.Approaches)
   {
     if (forbidden.IsReady() && one.Name == forbidden.Name)
     {
-      return QString::number(one.Distance, 'f', 1) + " mm away, at the nearest " +
-             QString::number(one.Least, 'f', 1) + " mm";
+      return QString::number(one.Distance, 'f', 1) + " mm away (minimum " +
+             QString::number(one.Least, 'f', 1) + " mm)";
     }
   }
   return QString::fromStdString(ProtectionText(forbidden));
@@ -116,8 +116,8 @@ void DrillPanel::MakeBurr(QWidget* row)
   line->setContentsMargins(0, 0, 0, 0);
   this->Pedal = new QPushButton("Drill (hold D)", row);
   this->Pedal->setObjectName("drill-pedal");
-  this->Pedal->setToolTip("While it is held, what is touched and can be drilled gives way. The key "
-                          "D and the device's first button do the same.");
+  this->Pedal->setToolTip("While held, removes touched material that can be drilled. The D key and "
+                          "the device's first button do the same.");
   connect(this->Pedal, &QPushButton::pressed, this, [this] { this->Press(true); });
   connect(this->Pedal, &QPushButton::released, this, [this] { this->Press(false); });
   this->Radius = MakeSpin(row, "burr-radius", 0.2, 20.0, 0.1, " mm");
@@ -140,7 +140,7 @@ void DrillPanel::MakeBurr(QWidget* row)
   line->addWidget(this->Pedal);
   line->addWidget(new QLabel("Burr radius", row));
   line->addWidget(this->Radius);
-  line->addWidget(new QLabel("Turns", row));
+  line->addWidget(new QLabel("Speed", row));
   line->addWidget(this->Turns);
   line->addStretch(1);
 }
@@ -172,7 +172,7 @@ void DrillPanel::MakeTable()
 {
   this->Table->setObjectName("drill-structures");
   this->Table->setColumnCount(Columns);
-  this->Table->setHorizontalHeaderLabels({"Structure", "To the drill", "Alarm", "Now"});
+  this->Table->setHorizontalHeaderLabels({"Structure", "Drill role", "Alarm", "Status"});
   this->Table->verticalHeader()->hide();
   this->Table->horizontalHeader()->setSectionResizeMode(StandColumn, QHeaderView::Stretch);
   this->Table->setEditTriggers(QAbstractItemView::NoEditTriggers);
@@ -211,7 +211,7 @@ void DrillPanel::MakeRow(int row, const SceneStructure& structure)
           [this, label, title](int chosen)
           {
             const DrillRole& to = Roles.at(static_cast<std::size_t>(chosen));
-            this->ChangeStructure(label, title + " is to the drill: " + to.Name,
+            this->ChangeStructure(label, "Change the drill role of " + title + " to " + to.Name,
                                   [&to](SceneStructure& one)
                                   {
                                     one.Drill = to.Law;
@@ -335,7 +335,7 @@ void DrillPanel::ShowAlarm(const StudyDrillReading& reading,
   }
 }
 
-// While nothing is touched, whatever would keep the pedal from cutting then.
+// While touch is off, what would keep the pedal from cutting.
 std::string DrillPanel::HoldText(const StudyDrillReading& reading,
                                  std::vector<StudyForbidden> forbidden) const
 {
@@ -371,8 +371,8 @@ void DrillPanel::Try(const std::function<void()>& act)
 
 void DrillPanel::Save()
 {
-  const QString file = this->Questions.ToSave(this, "Save what was drilled", "drill.state",
-                                              "Drilled states (*.state)");
+  const QString file = this->Questions.ToSave(this, "Save the drilling state", "drill.state",
+                                              "Drilling states (*.state)");
   if (!file.isEmpty())
   {
     this->Try([&] { this->Study.Current().Touch().Drill().Save(file.toStdString()); });
@@ -382,7 +382,7 @@ void DrillPanel::Save()
 void DrillPanel::Open()
 {
   const QStringList files =
-      this->Questions.ToOpen(this, "Open what was drilled", "Drilled states (*.state)");
+      this->Questions.ToOpen(this, "Open a drilling state", "Drilling states (*.state)");
   if (!files.isEmpty())
   {
     this->Try([&] { this->Study.OpenDrilled(files.front().toStdString()); });
@@ -396,7 +396,7 @@ void DrillPanel::Export()
   int label = drilled.empty() ? 0 : drilled.front().Id;
   label = row >= 0 ? this->Table->item(row, NameColumn)->data(Qt::UserRole).toInt() : label;
   const QString file = this->Questions.ToSave(
-      this, "Export what is left", "drilled.stl",
+      this, "Export the drilled structure", "drilled.stl",
       QString::fromStdString("Surfaces and images (" +
                              PatternsOf(SurfaceFormats().WrittenEndings()) + " " +
                              PatternsOf(ImageFormats().WrittenEndings()) + ")"));

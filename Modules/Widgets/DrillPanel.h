@@ -15,8 +15,8 @@
 
 namespace palpate
 {
-/// Drilling: what each structure is to the drill, the burr, its pedal, what is gone, how near it is
-/// to what is forbidden, and steps back and forth.
+/// Drilling: each structure's drill role, the burr and its pedal, removed volumes, distances to
+/// forbidden structures, and undo and redo.
 class DrillPanel : public QWidget
 {
   Q_OBJECT
@@ -25,7 +25,7 @@ public:
   /// Keeps the addresses.
   DrillPanel(StudyController& study, const FileQuestions& questions, QWidget* parent = nullptr);
 
-  /// What the drill is near to, and why it cuts nothing, as the panel says it.
+  /// The panel's text on forbidden structures near the drill, and on why it does not cut.
   QString AlarmWords() const { return this->Alarm->text(); }
 
 private:
@@ -56,7 +56,7 @@ private:
   QPushButton* Undo = nullptr;
   QPushButton* Redo = nullptr;
   QDoubleSpinBox* Radius = nullptr; // mm
-  QDoubleSpinBox* Turns = nullptr;  // a second
+  QDoubleSpinBox* Turns = nullptr;  // per second
   QTableWidget* Table;
   QLabel* Alarm;
 };

@@ -6,7 +6,7 @@
 
 namespace palpate
 {
-/// Steps back and forth, with what they are.
+/// Undo and redo, with the names of the steps.
 class EditMenu : public QMenu
 {
   Q_OBJECT

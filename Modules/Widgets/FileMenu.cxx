@@ -107,7 +107,7 @@ void FileMenu::AddIsoValue()
 {
   bool isGiven = false;
   const double iso = QInputDialog::getDouble(this->Window, "Add an iso-value",
-                                             "Touch where the volume has at least this value",
+                                             "Touch the iso-surface of the volume at this value",
                                              300.0, -1e9, 1e9, 3, &isGiven);
   if (isGiven)
   {
@@ -168,8 +168,8 @@ bool FileMenu::SaveAs()
 
 void FileMenu::AskForScreenshot()
 {
-  const QString file = this->Questions.ToSave(this->Window, "Save a picture of the window",
-                                              "palpate.png", "Pictures (*.png)");
+  const QString file = this->Questions.ToSave(this->Window, "Save a screenshot of the window",
+                                              "palpate.png", "Images (*.png)");
   if (!file.isEmpty())
   {
     Q_EMIT ScreenshotAsked(file);

@@ -16,9 +16,9 @@ public:
   /// Keeps the addresses.
   FileMenu(StudyController& study, const FileQuestions& questions, QWidget* window);
 
-  /// True where nothing is lost by leaving the study: saved, discarded, or nothing was changed.
+  /// True if the study may be left: saved, discarded, or unchanged.
   bool MayLeave();
-  /// Asks for each file that the study names and that is missing.
+  /// Asks for each missing file of the study.
   void AskForMissing();
 
 Q_SIGNALS:

@@ -17,12 +17,12 @@ QString AskForMissing(QWidget* parent, const StudyMissingFile& missing)
   const QString path = QString::fromStdString(missing.Path.string());
   const QString name = QFileInfo(path).fileName();
   QMessageBox box(QMessageBox::Question, "A file is missing",
-                  QString("The study's %1, %2, is not where it was. Where is it now?")
+                  QString("The study's %1, %2, was not found. Where is it?")
                       .arg(ScreenString(missing.Role), ScreenString(missing.Path.string())),
                   QMessageBox::NoButton, parent);
   box.setTextFormat(Qt::PlainText);
   const QAbstractButton* find = box.addButton("Find it...", QMessageBox::AcceptRole);
-  box.addButton("Go on without it", QMessageBox::RejectRole);
+  box.addButton("Continue without it", QMessageBox::RejectRole);
   box.exec();
   return box.clickedButton() == find
              ? QFileDialog::getOpenFileName(parent, "Find " + name, QFileInfo(path).path())
@@ -41,7 +41,7 @@ int AskForSeries(QWidget* parent, const QStringList& series)
 FileQuestions::Answer AskWhetherToSave(QWidget* parent)
 {
   const auto button =
-      QMessageBox::question(parent, "Palpate", "Save what was changed in this study?",
+      QMessageBox::question(parent, "Palpate", "Save the changes to this study?",
                             QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel);
   return button == QMessageBox::Save      ? FileQuestions::Answer::Save
          : button == QMessageBox::Discard ? FileQuestions::Answer::Discard

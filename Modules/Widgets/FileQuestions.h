@@ -11,7 +11,7 @@ class QWidget;
 
 namespace palpate
 {
-/// What a window asks its user about files. Tests answer by themselves.
+/// Questions of a window to its user about files. Tests provide the answers.
 struct FileQuestions
 {
   enum class Answer
@@ -21,19 +21,19 @@ struct FileQuestions
     Cancel
   };
 
-  /// Nothing where the user thinks better of it.
+  /// Empty if the user cancels.
   std::function<QStringList(QWidget* parent, const QString& title, const QString& filter)> ToOpen;
   std::function<QString(QWidget* parent, const QString& title, const QString& proposal,
                         const QString& filter)>
       ToSave;
   std::function<QString(QWidget* parent, const QString& title)> Folder;
-  /// Which of a folder's series to open, from 0; -1 where the user thinks better of it.
+  /// Which of a folder's series to open, from 0; -1 if the user cancels.
   std::function<int(QWidget* parent, const QStringList& series)> Series;
-  /// Where a file is that a session names and that is not there.
+  /// New path of a missing file of a session.
   std::function<QString(QWidget* parent, const StudyMissingFile& missing)> Missing;
   std::function<Answer(QWidget* parent)> WhetherToSave;
 };
 
-/// Asks by the system's dialogs.
+/// Asks with the system's dialogs.
 FileQuestions AskByDialogs();
 } // namespace palpate

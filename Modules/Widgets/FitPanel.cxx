@@ -57,7 +57,7 @@ void FitPanel::AddImportant(QFormLayout* form)
         }
       });
   this->AddChoice(
-      form, "Surface", "Change how surfaces are made", {"shape-interpolated", "plain"},
+      form, "Surface", "Change the surface method", {"shape-interpolated", "plain"},
       [](const StudyState& state) { return static_cast<int>(state.Fit.Method); },
       [](StudyState& state, int choice)
       { state.Fit.Method = static_cast<FitSettings::SurfaceMethod>(choice); });
@@ -66,15 +66,15 @@ void FitPanel::AddImportant(QFormLayout* form)
   this->Coverage = new QLabel(this);
   this->Coverage->setObjectName("coverage");
   this->Coverage->setWordWrap(true);
-  this->Coverage->setToolTip("How far to trust the models: whether samples in all directions "
-                             "determine them");
+  this->Coverage->setToolTip(
+      "Reliability of the models: whether samples in all directions determine them");
   form->addRow("Coverage", this->Coverage);
 }
 
 void FitPanel::AddOthers(QFormLayout* form)
 {
   this->AddChoice(
-      form, "Left-handed files", "Change what is done with left-handed files",
+      form, "Left-handed files", "Change the handling of left-handed files",
       {"refuse", "reverse an axis"},
       [](const StudyState& state) { return static_cast<int>(state.LeftHanded); },
       [](StudyState& state, int choice)
@@ -99,12 +99,12 @@ void FitPanel::AddOthers(QFormLayout* form)
       form, "Component", "Change the component", {"all", "largest", "second", "third"},
       [](const StudyState& state) { return std::min(state.Fit.Component, 3); },
       [](StudyState& state, int choice) { state.Fit.Component = choice; });
-  this->AddNumber(form, "Most hidden, %", "Change how much may be hidden", 0.0, 100.0, 1.0,
+  this->AddNumber(form, "Maximum hidden, %", "Change the maximum hidden share", 0.0, 100.0, 1.0,
                   [](StudyState& state) -> double& { return state.Fit.MaximumHiddenPercent; });
-  this->AddNumber(form, "Least Dice", "Change the least overlap", 0.0, 1.0, 0.05,
+  this->AddNumber(form, "Minimum Dice", "Change the minimum Dice", 0.0, 1.0, 0.05,
                   [](StudyState& state) -> double& { return state.Fit.MinimumDice; });
   this->AddChoice(
-      form, "Between voxels", "Change the interpolation of fields", {"linear", "cubic"},
+      form, "Interpolation", "Change the interpolation of fields", {"linear", "cubic"},
       [](const StudyState& state) {
         return state.Structures.empty() ? 0
                                         : static_cast<int>(state.Structures.front().Interpolation);

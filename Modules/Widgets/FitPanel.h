@@ -15,8 +15,8 @@
 
 namespace palpate
 {
-/// What decides how structures become models: the few options that matter, and the others folded
-/// away. Each change is a step of the study.
+/// Options of the fit: the most important ones, and the others folded away. Each change is an undo
+/// step of the study.
 class FitPanel : public QWidget
 {
   Q_OBJECT
@@ -39,11 +39,11 @@ private:
   void AddCheck(QFormLayout* form, const QString& label, const QString& sentence,
                 const std::function<bool&(StudyState&)>& field);
   void Show();
-  /// Of all models at hand.
+  /// Of all available models.
   void ShowCoverage();
 
   StudyController& Study;
   QLabel* Coverage = nullptr;
-  std::vector<std::function<void(const StudyState&)>> Shows; ///< one for each option
+  std::vector<std::function<void(const StudyState&)>> Shows; ///< one per option
 };
 } // namespace palpate

@@ -9,16 +9,15 @@ namespace
 constexpr const char* MouseText =
     "<p><b>Slices</b>: left drag moves the crosshair (with Ctrl: window and level), wheel scrolls, "
     "Ctrl+wheel or right drag zooms, middle drag pans, arrows and page keys scroll, R fits. Double "
-    "click: one view alone, and back.</p>"
-    "<p><b>3-D</b>: left drag turns, middle drag pans, right drag or wheel zooms. While something "
-    "is "
-    "touched the mouse is the hand and the wheel its depth; with Ctrl or Shift it moves the "
-    "camera. With Move workspace on, a left drag moves what the device reaches, the wheel moves "
-    "that in depth.</p>"
-    "<p><b>Esc</b> stops all force, wherever you are.</p>";
+    "click: one view alone, or all again.</p>"
+    "<p><b>3-D</b>: left drag rotates, middle drag pans, right drag or wheel zooms. While "
+    "touching, the mouse moves the hand and the wheel sets its depth; with Ctrl or Shift the mouse "
+    "moves the camera. With Move workspace on, a left drag moves the device's workspace, and the "
+    "wheel moves it in depth.</p>"
+    "<p><b>Esc</b> stops all force, anywhere in the window.</p>";
 constexpr const char* AboutText =
-    "<p><b>Palpate</b>: spherical-harmonic organ models to see and to touch.</p>"
-    "<p>For research. It is no medical device, and not for diagnosis or treatment.</p>";
+    "<p><b>Palpate</b>: spherical-harmonic organ models for display and touch.</p>"
+    "<p>For research. Not a medical device, and not for diagnosis or treatment.</p>";
 
 void Show(QWidget* window, const QString& title, const QString& text)
 {

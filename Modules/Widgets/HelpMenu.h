@@ -4,16 +4,16 @@
 
 namespace palpate
 {
-/// What keys and mouse do, and what this program is.
+/// Shortcuts, mouse actions, and information about the program.
 class HelpMenu : public QMenu
 {
   Q_OBJECT
 
 public:
-  /// Lists the shortcuts of the window's menus, as they are when asked for.
+  /// Lists the current shortcuts of the window's menus.
   explicit HelpMenu(QWidget* window);
 
-  /// Of all menus, and the mouse's.
+  /// Shortcuts of all menus, and mouse actions.
   QString ShortcutText() const;
 
 private:

@@ -121,7 +121,7 @@ void LandmarksPanel::AddAtProxy()
   }
   else
   {
-    this->Study.Report("Nothing is touched: start the touch, then place landmarks by it.");
+    this->Study.Report("Touch is off: start touching to place landmarks at the tool's contact.");
   }
 }
 
@@ -141,7 +141,7 @@ void LandmarksPanel::AddDistance()
   const std::vector<std::size_t> rows = this->SelectedRows();
   if (rows.size() != 2 || rows.back() >= next.Landmarks.size())
   {
-    this->Study.Report("Select two landmarks of the table: their distance is measured.");
+    this->Study.Report("Select two landmarks in the table to measure their distance.");
     return;
   }
   const StudyLandmark& from = next.Landmarks[rows.front()];
@@ -183,7 +183,7 @@ void LandmarksPanel::TakeEdit(QTableWidgetItem* item)
 void LandmarksPanel::Export()
 {
   const QString file = this->Questions.ToSave(this, "Export landmarks", "landmarks.mrk.json",
-                                              "3D Slicer's markups (*.mrk.json);;Table (*.csv)");
+                                              "3D Slicer markups (*.mrk.json);;Table (*.csv)");
   if (file.isEmpty())
   {
     return;

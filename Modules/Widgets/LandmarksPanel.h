@@ -9,7 +9,7 @@
 
 namespace palpate
 {
-/// Landmarks and distances in a table, placed by clicks or by touch, exported for others.
+/// Landmarks and distances in a table, placed by click or by touch, with export to other programs.
 class LandmarksPanel : public QWidget
 {
   Q_OBJECT
@@ -18,13 +18,13 @@ public:
   /// Keeps the addresses.
   LandmarksPanel(StudyController& study, const FileQuestions& questions, QWidget* parent = nullptr);
 
-  /// Whether a click on a view places one.
+  /// Whether a click on a view places a landmark.
   bool IsAdding() const { return this->AddMode->isChecked(); }
   /// World, mm.
   void Add(const Vector3& pointWorld);
 
 Q_SIGNALS:
-  /// The user chose a row: look there (world, mm).
+  /// The user chose a row: show this point (world, mm).
   void Chosen(const Vector3& pointWorld);
 
 private:

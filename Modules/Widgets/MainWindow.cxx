@@ -120,7 +120,7 @@ void MainWindow::MakePanels()
   QDockWidget* drill = this->AddPanel(
       "Drilling", new DrillPanel(this->Study, this->Questions, this), Qt::BottomDockWidgetArea);
   this->tabifyDockWidget(marks, drill);
-  drill->hide(); // until somebody drills
+  drill->hide(); // until the user drills
   table->raise();
   this->resizeDocks({pipeline, touch}, {LeftWidth, LeftWidth}, Qt::Horizontal);
   this->resizeDocks({table}, {BottomHeight}, Qt::Vertical);
@@ -180,7 +180,7 @@ void MainWindow::ShowTitle()
   this->setWindowModified(this->Study.Current().History().IsChanged());
 }
 
-// What the user made of crosshair, window and level belongs to the study.
+// The user's crosshair, window and level belong to the study.
 void MainWindow::TakeView()
 {
   if (!this->IsShowing && this->Shown.Images()->GetImage() != nullptr)
@@ -194,7 +194,7 @@ void MainWindow::TakeFile(const QString& file)
   this->ShowTitle();
   if (file.endsWith(StudyEnding))
   {
-    // Not within the opening, which the answer would change.
+    // Deferred: the answer changes the study that is being opened.
     QTimer::singleShot(0, this->Files, &FileMenu::AskForMissing);
   }
 }
@@ -218,7 +218,7 @@ bool MainWindow::SaveScreenshot(const QString& file)
   const bool isSaved = this->grab().save(file, "PNG");
   if (!isSaved)
   {
-    this->Study.Report(file.toStdString() + ": the picture cannot be written there");
+    this->Study.Report(file.toStdString() + ": the image cannot be written there");
   }
   return isSaved;
 }
@@ -250,7 +250,7 @@ void MainWindow::closeEvent(QCloseEvent* event)
   this->Study.SwitchForcesOff();
   if (!this->Files->MayLeave())
   {
-    // Forces stay off until somebody wants them again: they may have been off before.
+    // Forces stay off until the user allows them again: they may have been off before.
     event->ignore();
     return;
   }

@@ -16,8 +16,8 @@
 
 namespace palpate
 {
-/// The window: views in the middle, panels around them, messages below. It shows and asks; what is
-/// done is done by the study.
+/// The window: views in the centre, panels around them, messages below. It only shows and asks; the
+/// study does the work.
 class MainWindow : public QMainWindow
 {
   Q_OBJECT
@@ -29,9 +29,9 @@ public:
   ViewGrid* Views() const { return this->Grid; }
   MessageArea* Messages() const { return this->Area; }
   const ViewContents& Contents() const { return this->Shown; }
-  /// The sentence about the point under the pointer.
+  /// Text about the point under the pointer.
   QString PointText() const { return this->Point->text(); }
-  /// The window as it is, as a PNG file. False, with a message, where it cannot be written.
+  /// Saves the window as a PNG file. Returns false, with a message, if it cannot be written.
   bool SaveScreenshot(const QString& file);
 
 protected:
@@ -62,6 +62,7 @@ private:
   TouchMenu* Touching = nullptr;
   LandmarksPanel* Marks = nullptr;
   QMenu* Panels = nullptr;
-  bool IsShowing = false; ///< the study's view, so that nobody takes it for the user's
+  bool IsShowing =
+      false; ///< while showing the study's view, which is then not taken for the user's
 };
 } // namespace palpate

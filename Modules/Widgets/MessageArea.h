@@ -5,8 +5,8 @@
 
 namespace palpate
 {
-/// Sentences for the user, below the views: they stay until they are closed, stop nothing, and can
-/// be copied. Hidden while there is none.
+/// Messages for the user, below the views: they stay until closed, do not block, and can be copied.
+/// Hidden while empty.
 class MessageArea : public QFrame
 {
   Q_OBJECT
@@ -15,7 +15,7 @@ public:
   explicit MessageArea(QWidget* parent = nullptr);
 
   void Add(const QString& sentence);
-  /// All sentences, a line each.
+  /// All messages, one per line.
   QString Text() const { return this->Sentences->toPlainText(); }
   void Clear();
 

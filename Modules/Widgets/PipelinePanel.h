@@ -10,7 +10,7 @@
 
 namespace palpate
 {
-/// From files to touch: how each step stands, and what decides what it makes.
+/// The pipeline from files to touch: status of each step, and the options of the fit.
 class PipelinePanel : public QWidget
 {
   Q_OBJECT

@@ -74,7 +74,7 @@ void PlotsPanel::TakeTicks()
       !reading.NewTicks.empty() && reading.NewTicks.front().Tick.Number == this->LastNumber + 1;
   if (this->Study.IsReplaying() && !reading.NewTicks.empty() && !isNext)
   {
-    this->Clear(); // it leapt
+    this->Clear(); // the replay jumped
   }
   for (const TouchState& tick : reading.NewTicks)
   {
@@ -91,11 +91,11 @@ void PlotsPanel::TakeTicks()
   }
   if (this->Study.IsTouching())
   {
-    this->AddDuration(reading.Durations); // which recordings do not have
+    this->AddDuration(reading.Durations); // recordings have none
   }
 }
 
-// Ticks are timed in sum: what is shown is the mean since the reading before.
+// Tick times are accumulated: shows their mean since the previous reading.
 void PlotsPanel::AddDuration(const PeriodStatistics& durations)
 {
   const auto count = static_cast<double>(durations.Count());

@@ -33,7 +33,7 @@ private:
   StripChart* DepthChart;
   StripChart* DurationChart;
   StripChart* PeriodChart;
-  double LastStarted = -1.0;    ///< s, of the tick before
+  double LastStarted = -1.0;    ///< s, of the previous tick
   std::uint64_t LastNumber = 0; ///< its number
   std::filesystem::path Replayed;
   struct

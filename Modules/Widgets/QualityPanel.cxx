@@ -12,7 +12,7 @@ namespace
 {
 constexpr std::uint64_t TicksALook = 500;
 
-// Does not draw where nothing is different.
+// Does not repaint if the text is unchanged.
 void SetText(QLabel* label, const QString& text)
 {
   if (label->text() != text)
@@ -35,7 +35,7 @@ QualityPanel::QualityPanel(StudyController& study, QWidget* parent)
     this->Preset->addItem(NameOfPreset(preset));
   }
   this->Measuring->setObjectName("quality-measure");
-  this->Measuring->setToolTip("Measure speed and accuracy of every preset at every structure");
+  this->Measuring->setToolTip("Measure speed and accuracy of every preset for every structure");
   this->Recommended->setObjectName("quality-recommended");
   this->Recommended->setToolTip("Use the recommended preset for each structure");
   this->Numbers->setObjectName("quality-numbers");
@@ -71,7 +71,7 @@ void QualityPanel::Choose(int preset)
 {
   if (preset < 0)
   {
-    this->Show(); // nothing is chosen by this entry
+    this->Show(); // this entry cannot be chosen
     return;
   }
   StudyState next = this->Study.State();
@@ -112,7 +112,7 @@ void QualityPanel::ShowNumbers()
           QString::fromStdString(QualityNumbersText(this->Lines, this->Microseconds)));
 }
 
-// Over the last half second or so, so that another preset shows.
+// Over about the last half second, so that a change of preset shows.
 void QualityPanel::MeasureTicks()
 {
   const PeriodStatistics& now = this->Study.Reading().Durations;

@@ -10,8 +10,8 @@
 namespace palpate
 {
 /// Scene-wide quality presets, from faster to more accurate, with their cost and accuracy: expected
-/// where they were measured, and the servo's own ticks while something is touched. A button
-/// measures the presets and another applies what is recommended for each structure.
+/// values once measured, and the servo's own ticks while touching. One button measures the presets,
+/// another applies the recommendation for each structure.
 class QualityPanel : public QWidget
 {
   Q_OBJECT
@@ -21,7 +21,7 @@ public:
   explicit QualityPanel(StudyController& study, QWidget* parent = nullptr);
 
   QString NumbersText() const { return this->Numbers->text(); }
-  /// What each preset would cost at each structure; the tool tip.
+  /// Cost of each preset for each structure; the tool tip.
   QString DetailsText() const { return this->Numbers->toolTip(); }
 
 private:
@@ -37,7 +37,7 @@ private:
   QPushButton* Recommended;
   QLabel* Numbers;
   std::vector<QualityLine> Lines;
-  PeriodStatistics Last;     // up to the last look
-  double Microseconds = 0.0; // mean of a tick between the last two looks; 0 without
+  PeriodStatistics Last;     // up to the last poll
+  double Microseconds = 0.0; // mean tick between the last two polls; 0 if unknown
 };
 } // namespace palpate

@@ -70,7 +70,7 @@ ReplayBar::ReplayBar(StudyController& study, QWidget* parent)
 void ReplayBar::MakeSpeeds()
 {
   this->Speed->setObjectName("replay-speed");
-  this->Speed->setToolTip("Recorded seconds a second");
+  this->Speed->setToolTip("Playback speed");
   for (const double speed : {0.05, 0.1, 0.25, 0.5, 1.0, 2.0, 5.0, 10.0})
   {
     this->Speed->addItem(QString("%1 x").arg(speed), speed);
@@ -111,7 +111,7 @@ void ReplayBar::ShowMoment()
   {
     return;
   }
-  // Of what the user drags only the text follows.
+  // While the user drags, only the text follows.
   if (!this->Slider->isSliderDown())
   {
     const QSignalBlocker blocker(this->Slider);

@@ -10,8 +10,7 @@
 
 namespace palpate
 {
-/// Under the views while a recorded touch is looked at: its moment as a slider, play and pause,
-/// speed, time. Hidden otherwise.
+/// Below the views during a replay: time slider, play and pause, speed, time. Hidden otherwise.
 class ReplayBar : public QWidget
 {
   Q_OBJECT

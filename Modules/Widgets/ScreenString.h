@@ -6,17 +6,17 @@
 
 namespace palpate
 {
-/// Text that holds names from files, on one line and without what is invisible or turns the order
-/// of letters. For widgets that show plain text; labels are told so by setTextFormat.
+/// Text with names from files, on one line, without invisible characters or ones that change the
+/// text direction. For widgets that show plain text; set labels to that by setTextFormat.
 QString ScreenString(const std::string& text);
 
-/// The same for a tool tip, which Qt otherwise takes for HTML where it looks like that. Line breaks
-/// stay.
+/// The same for a tool tip, which Qt would otherwise interpret as HTML if it looks like that. Keeps
+/// line breaks.
 QString PlainToolTip(const QString& text);
 
-/// The same for a menu's entry, where & marks a key.
+/// The same for a menu entry, in which & marks a key.
 QString MenuString(const QString& text);
 
-/// The same for a window's title, where [*] marks a change.
+/// The same for a window title, in which [*] marks a change.
 QString TitleString(const QString& text);
 } // namespace palpate

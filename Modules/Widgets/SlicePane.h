@@ -24,7 +24,7 @@ public:
   void FitToImage();
 
 Q_SIGNALS:
-  /// World, mm; of the point under the pointer.
+  /// The point under the pointer (world, mm).
   void PointedAt(const Vector3& pointWorld);
   void ClickedAt(const Vector3& pointWorld);
 

@@ -10,8 +10,8 @@
 
 namespace palpate
 {
-/// The view in space of a window. While something is touched by a simulated device, the mouse over
-/// it is the hand.
+/// The 3D view of a window. While touching with a simulated device, the mouse over it moves the
+/// hand.
 class SpacePane : public ViewPane
 {
   Q_OBJECT
@@ -21,21 +21,21 @@ public:
   SpacePane(const ViewContents& contents, QWidget* parent);
 
   vtkSpaceView* View() const { return this->Space; }
-  /// Shows these and no others.
+  /// Shows only these.
   void ShowFields(const std::set<vtkProp*>& fields);
   void ShowSlices(bool areShown);
   void LookFrom(int side);
   void ShowAll();
-  /// The same, unless the user has led the camera since FreeCamera.
+  /// The same, unless the user has moved the camera since FreeCamera.
   void ShowAllUnlessLed();
   void FreeCamera() { this->IsLed = false; }
 
-  /// Whether the mouse is the hand, which is at `handWorld` (mm).
+  /// Whether the mouse moves the hand, which is at `handWorld` (mm).
   void SetHand(bool isOn, const Vector3& handWorld);
-  /// Where the hand is after all (mm).
+  /// Corrects the hand's position (mm).
   void PlaceHand(const Vector3& handWorld) { this->Style->SetHandWorld(handWorld.data()); }
   Vector3 HandWorld() const { return Vector3(this->Style->GetHandWorld()); }
-  /// Whether the mouse drags something that is at `world` (mm), instead.
+  /// Whether the mouse drags an object at `world` (mm) instead.
   void SetDragging(bool isOn, const Vector3& world);
   /// Columns: right, up and towards the viewer in the world.
   Matrix3 Axes() const;
@@ -43,7 +43,7 @@ public:
 Q_SIGNALS:
   void HandMoved(const Vector3& targetWorld);
   void CameraTurned();
-  void Dragged(const Vector3& world); ///< it is there now
+  void Dragged(const Vector3& world); ///< the object's new position
   void DragEnded();
 
 private:

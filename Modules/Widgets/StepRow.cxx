@@ -13,7 +13,8 @@ namespace palpate
 {
 namespace
 {
-// In the order of StudyStepState::Kind; the word says it too, for eyes that see no colours.
+// In the order of StudyStepState::Kind; the word repeats the colour's meaning, for the
+// colour-blind.
 struct StepLook
 {
   const char* Sign;
@@ -59,7 +60,7 @@ void StepRow::Show(const StudyStepState& state)
   this->Sign->setPalette(colors);
   this->State->setText(look.Word);
   this->State->setToolTip(PlainToolTip(ScreenString(state.Sentence)));
-  // Without a structure that must not be drilled there is nothing to protect.
+  // Without a forbidden structure there is nothing to protect.
   const bool isShown =
       this->Step != SceneStep::Protection || state.Is != StudyStepState::Kind::NotWanted;
   this->Sign->setVisible(isShown);

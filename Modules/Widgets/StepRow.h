@@ -10,8 +10,8 @@ class QGridLayout;
 
 namespace palpate
 {
-/// A step of the pipeline as a line of a table: sign and word of how it stands, how far it has
-/// come, and a button that stops it or does it again.
+/// A step of the pipeline as a row of a table: its status as a sign and a word, its progress, and a
+/// button that cancels or repeats it.
 class StepRow : public QObject
 {
   Q_OBJECT
@@ -20,7 +20,7 @@ public:
   StepRow(SceneStep step, QGridLayout* table, int row, QWidget* parent);
 
   void Show(const StudyStepState& state);
-  /// In a word.
+  /// The status in a word.
   QString Word() const { return this->State->text(); }
 
 Q_SIGNALS:

@@ -32,7 +32,7 @@ void StripChart::SetLimit(double limit)
 
 void StripChart::Add(double time, double value)
 {
-  // Another beginning, such as that of another touch.
+  // Time starts again, such as in another touch.
   if (!this->Values.empty() && time < this->Values.back().Time)
   {
     this->Values.clear();
@@ -40,7 +40,7 @@ void StripChart::Add(double time, double value)
   this->Values.push_back(
       {time, std::isfinite(value) ? value : std::numeric_limits<double>::quiet_NaN()});
   const auto isOld = [time](const Sample& sample) { return sample.Time < time - Seconds; };
-  // In large pieces, so that a value costs little.
+  // Removes values in large blocks, so that adding one is cheap.
   if (isOld(this->Values[this->Values.size() / 2]))
   {
     this->Values.erase(this->Values.begin(),

@@ -9,8 +9,8 @@
 
 namespace palpate
 {
-/// A curve over the last seconds, with its limit. Each pixel's column shows the least and the
-/// largest of its time, so that no peak is lost.
+/// A curve over the last seconds, with its limit. Each pixel column shows the minimum and maximum
+/// of its time, so that no peak is lost.
 class StripChart : public QWidget
 {
   Q_OBJECT
@@ -20,10 +20,10 @@ public:
 
   /// A dashed line; 0 for none.
   void SetLimit(double limit);
-  /// The value at a time, s; times rise. What is no number breaks the curve.
+  /// The value at a time, s; times increase. NaN interrupts the curve.
   void Add(double time, double value);
   void Clear();
-  /// How many values are held, and the largest of them.
+  /// Number of stored values, and the largest of them.
   std::size_t Count() const { return this->Values.size(); }
   double Largest() const;
 
@@ -44,6 +44,6 @@ private:
   QString Unit;
   QColor Color;
   double Limit = 0.0;
-  std::vector<Sample> Values; ///< of the time shown, and at most as much again
+  std::vector<Sample> Values; ///< of the visible time, and at most as much again
 };
 } // namespace palpate

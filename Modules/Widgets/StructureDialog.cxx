@@ -16,7 +16,7 @@ StructureDialog::StructureDialog(StudyController& study, int id, QWidget* parent
                   static_cast<int>(this->Structure.Mode),
                   [](SceneStructure& structure, int choice)
                   { structure.Mode = static_cast<HarmonicContactMode>(choice); });
-  this->AddChoice("Between voxels", "interpolation", {"linear", "cubic"},
+  this->AddChoice("Interpolation", "interpolation", {"linear", "cubic"},
                   static_cast<int>(this->Structure.Interpolation),
                   [](SceneStructure& structure, int choice)
                   { structure.Interpolation = static_cast<FieldInterpolation>(choice); });
@@ -65,7 +65,7 @@ void StructureDialog::AddBox(const QString& label, const QString& name, double m
   box->setSingleStep(0.1);
   box->setValue(value);
   this->Form->addRow(label, box);
-  // A value that the box shows rounded stays as it is until it is edited.
+  // A value that the box rounds is kept until it is edited.
   this->Writes.emplace_back(
       [box, set, shown = box->value()](SceneStructure& structure)
       {

@@ -15,8 +15,8 @@
 
 namespace palpate
 {
-/// Everything by which one structure is touched, for what the table has no column. Accepting it is
-/// one step of the study.
+/// All touch settings of one structure, including those without a table column. Accepting it is one
+/// undo step of the study.
 class StructureDialog : public QDialog
 {
   Q_OBJECT

@@ -11,9 +11,10 @@ namespace palpate
 {
 namespace
 {
-constexpr double SlipShare = 0.8; // of the static coefficient, as the command line has it
+constexpr double SlipShare = 0.8; // of the static coefficient, as in the command line
 
-// Writes a cell into a structure; empty where the value means nothing there.
+// Writes a cell into a structure, and returns the change's description; empty if the cell cannot be
+// written.
 QString Write(SceneStructure& structure, int column, const QVariant& value)
 {
   switch (column)
@@ -106,7 +107,8 @@ void StructureTableModel::TakeState()
 
 int StructureTableModel::rowCount(const QModelIndex& parent) const
 {
-  // A study that changed in a turn is announced in it; until then there are no more rows than both.
+  // A change of the study is announced within the same turn of the event loop; until then, the
+  // smaller number of rows is valid.
   return parent.isValid()
              ? 0
              : std::min(this->Rows, static_cast<int>(this->Study.State().Structures.size()));
@@ -125,16 +127,16 @@ QVariant StructureTableModel::headerData(int section, Qt::Orientation orientatio
   static const QStringList Tips{
       "Name",
       "Colour",
-      "Whether it is displayed",
-      "Whether it can be touched",
-      "Automatic: as its touch model",
-      "Automatic: models by harmonics, surfaces by facets, voxels by their sub-voxel field; model "
-      "or field: harmonics where they fit, otherwise the field",
-      "Of its harmonics",
+      "Whether the structure is displayed",
+      "Whether the structure can be touched",
+      "Automatic: as the touch model",
+      "Automatic: harmonics for models, facets for surfaces, the sub-voxel field for voxels; model "
+      "or field: harmonics if they fit, otherwise the field",
+      "Degree of the harmonics",
       "Stiffness",
-      "Coulomb's coefficient up to which the tool sticks",
+      "Coefficient of static friction",
       "Mean distance of the model from the mask's boundary",
-      "What it adds to a servo tick while it is touched: measured, median"};
+      "Time that touching it adds to a servo tick: measured, median"};
   if (orientation != Qt::Horizontal)
   {
     return {};
@@ -167,7 +169,7 @@ QVariant StructureTableModel::CostOf(const SceneStructure& structure) const
              : QString("\u2013");
 }
 
-// With what replaces harmonics where those were refused.
+// Includes the replacement if harmonics were refused.
 QString StructureTableModel::RepresentationOf(const SceneStructure& structure) const
 {
   const QString name = QString::fromStdString(palpate::RepresentationOf(structure).Label);

@@ -6,7 +6,7 @@
 
 namespace palpate
 {
-/// The structures of a study as a table. What is written into it is a step of the study.
+/// The structures of a study as a table. Each edit is an undo step of the study.
 class StructureTableModel : public QAbstractTableModel
 {
   Q_OBJECT

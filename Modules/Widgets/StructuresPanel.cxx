@@ -48,7 +48,7 @@ StructuresPanel::StructuresPanel(StudyController& study, QWidget* parent)
   auto* row = new QHBoxLayout;
   auto* details = new QPushButton("Details...", this);
   details->setObjectName("structure-details");
-  details->setToolTip("Everything by which the selected structure is touched");
+  details->setToolTip("All touch settings of the selected structure");
   connect(details, &QPushButton::clicked, this, &StructuresPanel::ShowDetails);
   auto* remove = new QPushButton("Remove", this);
   remove->setObjectName("structure-remove");

@@ -8,7 +8,7 @@
 
 namespace palpate
 {
-/// The table of structures, their details, and how strongly labels cover the slices.
+/// The table of structures, their details, and the opacity of labels over the slices.
 class StructuresPanel : public QWidget
 {
   Q_OBJECT

@@ -11,7 +11,7 @@ namespace palpate
 {
 namespace
 {
-constexpr int LookMilliseconds = 16; // a picture's time at 60 Hz
+constexpr int LookMilliseconds = 16; // a frame at 60 Hz
 constexpr int LooksAStep = 6;
 constexpr std::array<SceneStep, 10> AllSteps{
     {SceneStep::Volume, SceneStep::Segmentation, SceneStep::Structures, SceneStep::Surface,
@@ -33,7 +33,7 @@ void StudyController::Announce()
   this->Look();
 }
 
-// Whatever the file says is said to the user; what was open stays.
+// Reports errors to the user; the open study is kept.
 void StudyController::Try(const std::function<void()>& act)
 {
   try
@@ -86,7 +86,7 @@ void StudyController::TakeRole()
     return StudyJob::Delivery(
         [this, file, role, goOn]
         {
-          // Not within the delivery: a question to the user lets events happen.
+          // Deferred until after the delivery: a question to the user processes events.
           QTimer::singleShot(0, this,
                              [this, file, role, goOn]
                              {
@@ -164,12 +164,12 @@ void StudyController::OpenVolume(const std::filesystem::path& file)
 
 void StudyController::OpenVolumeNow(const std::filesystem::path& file, const std::string& series)
 {
-  this->Told.erase(SceneStep::Volume); // who opens a file again wants to be told again
+  this->Told.erase(SceneStep::Volume); // a file that is opened again is reported again
   this->Try([&] { this->Open.OpenVolume(file, series); });
   Q_EMIT FileOpened(QString::fromStdString(StudyPath(file).string()));
 }
 
-// A folder may have thousands of slices, whose headers are read beside the window.
+// A folder may have thousands of slices: their headers are read in the background.
 void StudyController::OpenFolder(const std::filesystem::path& folder)
 {
   ++this->Folders;
@@ -184,7 +184,7 @@ void StudyController::OpenFolder(const std::filesystem::path& folder)
     return StudyJob::Delivery(
         [this, folder, series]
         {
-          // Not within the delivery: a question to the user lets events happen.
+          // Deferred until after the delivery: a question to the user processes events.
           QTimer::singleShot(0, this, [this, folder, series] { this->TakeSeries(folder, series); });
         });
   };
@@ -429,7 +429,7 @@ void StudyController::Look()
     this->LookAtNotes();
     Q_EMIT ProductsChanged();
   }
-  // How far steps have come is read by eye.
+  // Progress is for reading, so it is updated less often.
   if (this->LooksToSteps-- <= 0)
   {
     this->LooksToSteps = LooksAStep;
@@ -439,7 +439,8 @@ void StudyController::Look()
   this->LookAtReplay();
 }
 
-// Once: what stands in the way of a step stands in that of all later ones. A volume stands alone.
+// Reports each problem once: a step's problem also blocks all later ones. Those of the volume are
+// separate.
 void StudyController::Tell(SceneStep step, const std::string& sentence)
 {
   const bool isOfVolume = step == SceneStep::Volume;
@@ -452,7 +453,7 @@ void StudyController::Tell(SceneStep step, const std::string& sentence)
   }
 }
 
-// What had to be assumed of an image, or was done to it, when it was read; once.
+// Reports once what was assumed of an image, or changed, when it was read.
 void StudyController::LookAtNotes()
 {
   const auto tell = [this](SceneStep step, const auto& image, auto& noted)
@@ -494,7 +495,7 @@ void StudyController::LookAtSteps()
   Q_EMIT StepsChanged();
 }
 
-// What cannot be protected is said at once, with what follows for the drill.
+// A structure that cannot be protected is reported at once, with the consequence for the drill.
 void StudyController::LookAtProtection()
 {
   std::vector<StudyForbidden> failed = ForbiddenOf(this->State(), this->Open.Pipeline());
@@ -529,7 +530,8 @@ void StudyController::LookAtTouch()
     this->Felt = this->Open.Touch().Poll();
     if (this->Felt.Newest.IsDrilling && !this->Felt.Drill.Hold.empty())
     {
-      this->Tell(SceneStep::Protection, this->Felt.Drill.Hold); // whatever pedal is pressed
+      this->Tell(SceneStep::Protection,
+                 this->Felt.Drill.Hold); // for the key and the device's button
     }
     Q_EMIT Touched();
   }

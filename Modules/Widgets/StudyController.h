@@ -19,8 +19,8 @@
 
 namespace palpate
 {
-/// The study that a window shows, as signals. All that the window wants done goes through here; it
-/// looks by a timer what was made and felt meanwhile.
+/// Connects a study to a window by signals. All actions of the window go through it; a timer polls
+/// for new results and touch readings.
 class StudyController : public QObject
 {
   Q_OBJECT
@@ -34,34 +34,34 @@ public:
   const StudyTouchReading& Reading() const { return this->Felt; }
   bool IsTouching() { return this->Open.Touch().IsRunning(); }
   bool IsRecording() { return this->Open.Touch().IsRecording(); }
-  /// Whether a recorded touch is looked at; Reading is what it has at its moment.
+  /// Whether a recorded touch is replayed; Reading is then the one at its current time.
   bool IsReplaying() const { return this->Open.Replay() != nullptr; }
-  /// Whether something is to be read, made or opened.
+  /// Whether something is being read, computed or opened.
   bool IsBusy() const { return !this->Roles.empty() || this->Folders > 0 || this->IsMaking; }
 
-  /// What answers whether the study may be left for another one that is among files. None: yes.
+  /// Asked whether the study may be closed when opened files include another one. None: always.
   void AskBeforeLeaving(std::function<bool()> mayLeave) { this->MayLeave = std::move(mayLeave); }
-  /// What answers which of several series is meant, as FileQuestions::Series. None: the reader says
-  /// that there are several.
+  /// Asked which of several series to open, as FileQuestions::Series. None: the reader reports an
+  /// error for several series.
   void AskForSeries(std::function<int(const QStringList&)> series)
   {
     this->WhichSeries = std::move(series);
   }
   void New();
-  /// Whatever they are, one after the other; what each is is found out beside the window.
+  /// Opens files of any kind, one after the other; their kinds are detected in the background.
   void OpenFiles(const std::vector<std::filesystem::path>& files);
   /// A file, or a folder of DICOM slices.
   void OpenVolume(const std::filesystem::path& file);
   void OpenSegmentation(const std::filesystem::path& file);
   void OpenSession(const std::filesystem::path& file);
   void RelocateFile(const std::filesystem::path& missing, const std::filesystem::path& moved);
-  /// False, with a message, where the file cannot be written.
+  /// Returns false, with a message, if the file cannot be written.
   bool Save(const std::filesystem::path& file);
 
-  /// A step; see StudyHistory.
+  /// An undo step; see StudyHistory.
   void Change(const QString& sentence, const StudyState& next, const QString& gesture = {});
   void EndGesture() { this->Open.EndGesture(); }
-  /// Looks elsewhere; no step.
+  /// Changes the view; not an undo step.
   void ChangeView(const StudyView& view);
   void Undo();
   void Redo();
@@ -81,7 +81,7 @@ public:
   void MoveHand(const Vector3& targetWorld);
   void MoveWorkspace(const Vector3& centerWorld, const QString& gesture);
   void FitWorkspace();
-  /// What was drilled earlier, while nothing is touched. Throws InputError.
+  /// Opens an earlier drilling state, interrupting touch. Throws InputError.
   void OpenDrilled(const std::filesystem::path& file);
   void StartRecording(const std::filesystem::path& file);
   void StopRecording();
@@ -90,26 +90,26 @@ public:
   void OpenReplay(const std::filesystem::path& file);
   void CloseReplay();
   void ExportReplay(const std::filesystem::path& file);
-  /// Only while it is replaying.
+  /// No effect without a replay.
   void PlayReplay(bool isPlayed);
-  /// The device's axes in the world, where they follow the camera.
+  /// Sets the device's axes in the world, if they follow the camera.
   void TurnAxes(const Matrix3& rotation);
 
-  /// A sentence for the user, from wherever in the window.
+  /// Shows a message to the user, from anywhere in the window.
   void Report(const std::string& sentence);
-  /// Forces first, then what is at work; nothing happens after this. False as Study::Close.
+  /// Switches forces off, then cancels work; nothing happens afterwards. Returns Study::Close.
   bool Close();
-  /// What Close answered.
+  /// The result of Close.
   bool HasEnded() const { return this->IsEnded; }
 
 Q_SIGNALS:
-  void StateChanged();    ///< another step, or another study
-  void ViewChanged();     ///< looked elsewhere
-  void ProductsChanged(); ///< something was made
-  void StepsChanged();    ///< how steps of the pipeline stand
+  void StateChanged();    ///< another undo step, or another study
+  void ViewChanged();     ///< another crosshair, window, level or layout
+  void ProductsChanged(); ///< the pipeline has new results
+  void StepsChanged();    ///< status of the pipeline's steps
   void FileOpened(const QString& file);
   void TouchChanged();  ///< began or ended
-  void Touched();       ///< there is a new reading
+  void Touched();       ///< a new reading
   void ReplayChanged(); ///< opened or closed, played or paused
   void Problem(const QString& sentence);
 
@@ -133,12 +133,12 @@ private:
   Study Open;
   StudyTouchReading Felt;
   QTimer Timer;
-  std::vector<std::filesystem::path> Roles; ///< files whose role is to be found out
-  int Folders = 0;                          ///< whose series are being looked up
+  std::vector<std::filesystem::path> Roles; ///< files whose kind is not yet known
+  int Folders = 0;                          ///< number of folders whose series are being listed
   std::function<bool()> MayLeave;
   std::function<int(const QStringList&)> WhichSeries;
-  std::map<SceneStep, std::set<std::string>> Told; ///< what failed or was replaced, and was said
-  std::weak_ptr<const Volume> NotedVolume;         ///< whose notes were told
+  std::map<SceneStep, std::set<std::string>> Told; ///< reported failures and replacements
+  std::weak_ptr<const Volume> NotedVolume;         ///< whose notes were reported
   std::weak_ptr<const Segmentation> NotedLabels;
   std::string ToldOfTouch;
   std::string ToldOfReplay;

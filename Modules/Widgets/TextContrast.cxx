@@ -29,7 +29,7 @@ QColor Mixed(const QColor& color, const QColor& end, double share)
 
 double ContrastRatio(const QColor& one, const QColor& other)
 {
-  constexpr double Flare = 0.05; // of a screen that shows black
+  constexpr double Flare = 0.05; // luminance of a screen that shows black
   const auto [darker, lighter] = std::minmax({Luminance(one), Luminance(other)});
   return (lighter + Flare) / (darker + Flare);
 }

@@ -12,7 +12,7 @@ namespace palpate
 {
 namespace
 {
-// Whether keys are text for it.
+// Whether the widget takes keys as text.
 bool TakesText(const QWidget* widget)
 {
   const auto* choice = qobject_cast<const QComboBox*>(widget);
@@ -65,7 +65,7 @@ void TouchLink::Begin()
   this->ShowPlace();
 }
 
-// Where the workspace lies, and so what a drag moves.
+// Shows the workspace's position, which a drag starts from.
 void TouchLink::ShowPlace()
 {
   const StudyTouch& touch = this->Study.Current().Touch();
@@ -100,8 +100,7 @@ void TouchLink::MoveHand(const Vector3& targetWorld)
   this->ShowHand();
 }
 
-// Beyond the device's reach, and with a workspace that moves, the hand is elsewhere than the
-// pointer led it.
+// Beyond the device's reach, or if the workspace moves, the hand differs from the pointer's target.
 void TouchLink::ShowHand()
 {
   this->Views.Space()->PlaceHand(this->Study.Current().Touch().HandWorld());
@@ -135,7 +134,7 @@ bool TouchLink::eventFilter(QObject* object, QEvent* event)
     this->ReleaseKey(static_cast<const QKeyEvent&>(*event));
     break;
   case QEvent::WindowDeactivate:
-    // Where the key is let go now, nobody here is told.
+    // A release of the key outside the window would not be received.
     this->Study.Current().Touch().RunDrill(false);
     break;
   default:
@@ -144,7 +143,7 @@ bool TouchLink::eventFilter(QObject* object, QEvent* event)
   return false;
 }
 
-// A window that has a key passes it on to the widget with the focus, and it comes here again.
+// A window passes a key on to the widget with the focus, so it arrives here twice.
 void TouchLink::PressKey(const QKeyEvent& key, const QObject* receiver)
 {
   if (key.key() == Qt::Key_Escape)
@@ -158,7 +157,7 @@ void TouchLink::PressKey(const QKeyEvent& key, const QObject* receiver)
   }
 }
 
-// Whatever else is pressed by then, and wherever the cursor is.
+// Whatever other keys are pressed, and wherever the cursor is.
 void TouchLink::ReleaseKey(const QKeyEvent& key)
 {
   if (key.key() == Qt::Key_D && !key.isAutoRepeat())

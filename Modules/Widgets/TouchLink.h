@@ -10,10 +10,10 @@ class QKeyEvent;
 
 namespace palpate
 {
-/// Joins a study's touch with the views: they show what is felt, the mouse over the view in space
-/// is the hand of a simulated device, the device's axes follow the camera, slices follow the probe,
-/// Escape stops all force wherever the user is, and the key D is the drill's pedal, which comes up
-/// too where another window becomes the active one.
+/// Connects a study's touch to the views: they show tool and force, the mouse over the 3D view is
+/// the hand of a simulated device, the device's axes follow the camera, slices follow the probe,
+/// Escape stops all force anywhere in the program, and the D key is the drill's pedal, which is
+/// also released when another window becomes active.
 class TouchLink : public QObject
 {
   Q_OBJECT
@@ -22,7 +22,7 @@ public:
   /// Keeps the addresses.
   TouchLink(StudyController& study, ViewContents& contents, ViewGrid& views, QObject* parent);
 
-  /// The workspace is shown while something is touched, and moved by the mouse.
+  /// The workspace is shown while touching, and moved by the mouse.
   void ShowWorkspace(bool isShown);
   void MoveWorkspace(bool isMoved);
 

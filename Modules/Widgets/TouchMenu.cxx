@@ -12,7 +12,7 @@ TouchMenu::TouchMenu(StudyController& study, const FileQuestions& questions, QWi
     : QMenu("&Touch", window), Study(study), Questions(questions), Window(window)
 {
   this->Touch = this->addAction("", this, &TouchMenu::ToggleTouch, QKeySequence("Ctrl+T"));
-  // Escape does the first wherever the focus is, and so is no shortcut of a menu.
+  // Escape does the first anywhere in the program, so it is not a menu shortcut.
   this->StopForce =
       this->addAction("Stop all &force (Esc)", &study, &StudyController::SwitchForcesOff);
   this->AllowForce =
@@ -35,10 +35,10 @@ void TouchMenu::AddWorkspace()
   this->Move = this->addAction("&Move workspace");
   this->Move->setCheckable(true);
   this->Move->setShortcut(QString("M"));
-  this->Move->setToolTip("Drag it over the view in space; the wheel moves it in depth");
+  this->Move->setToolTip("Drag it in the 3D view; the wheel moves it in depth");
   connect(this->Move, &QAction::toggled, this, &TouchMenu::WorkspaceMoved);
   this->Fit = this->addAction("F&it workspace", &this->Study, &StudyController::FitWorkspace);
-  this->Fit->setToolTip("All that can be touched is in reach");
+  this->Fit->setToolTip("Put all touchable structures in reach");
 }
 
 void TouchMenu::AddRecording()
@@ -56,9 +56,9 @@ void TouchMenu::AddRecording()
   this->Table =
       this->addAction("Export every &tick...", this,
                       [this] { this->Export("Export every tick", "ticks.csv", "Tables (*.csv)"); });
-  this->Plots = this->addAction(
-      "Export p&lots...", this,
-      [this] { this->Export("Export the plots", "plots.svg", "Pictures (*.svg)"); });
+  this->Plots =
+      this->addAction("Export p&lots...", this,
+                      [this] { this->Export("Export the plots", "plots.svg", "Images (*.svg)"); });
 }
 
 void TouchMenu::ToggleTouch()

@@ -16,15 +16,15 @@ public:
   /// Keeps the addresses.
   TouchMenu(StudyController& study, const FileQuestions& questions, QWidget* window);
 
-  /// Asks where to, and begins; or ends the recording that goes on.
+  /// Asks for a file and begins recording, or ends the current recording.
   void ToggleRecording();
-  /// Also for a panel's buttons.
+  /// Also used by a panel's buttons.
   QAction* MoveWorkspace() const { return this->Move; }
   QAction* FitWorkspace() const { return this->Fit; }
 
 Q_SIGNALS:
   void WorkspaceShown(bool isShown);
-  void WorkspaceMoved(bool isMoved); ///< whether the mouse does
+  void WorkspaceMoved(bool isMoved); ///< whether the mouse moves it
 
 private:
   void ToggleTouch();

@@ -95,11 +95,11 @@ void TouchPanel::MakeButtons()
   this->StopForce->setObjectName("stop-force");
   this->AllowForce->setObjectName("allow-force");
   this->Record->setObjectName("record");
-  // The one button that must be found without looking for it.
+  // This button must be found without searching.
   this->StopForce->setMinimumHeight(48);
   this->StopForce->setStyleSheet(
       "QPushButton { background: #B34700; color: white; font-weight: bold; font-size: 15px;"
-      " border: none; border-radius: 4px; }" // with the style's border comes its own gradient
+      " border: none; border-radius: 4px; }" // the style's border would bring its own gradient
       "QPushButton:pressed { background: #8A3600; }"
       "QPushButton:disabled { background: gray; }");
   connect(this->Start, &QPushButton::clicked, this,
@@ -151,7 +151,7 @@ void TouchPanel::MakeSettings(QFormLayout* form)
   this->Scale->setSingleStep(0.1);
   this->Scale->setKeyboardTracking(false);
   this->Scale->setSpecialValueText("all is in reach");
-  this->Scale->setToolTip("mm of the scene for one of the hand");
+  this->Scale->setToolTip("Scene mm per mm of hand movement");
   form->addRow("Scale", this->Scale);
   connect(this->Scale, qOverload<double>(&QDoubleSpinBox::valueChanged), this,
           &TouchPanel::ChangeScale);
@@ -162,7 +162,7 @@ void TouchPanel::MakeSettings(QFormLayout* form)
           {
             StudyState next = this->Study.State();
             next.Placement.AxesFollowCamera = isOn;
-            this->Study.Change(isOn ? "Have the axes follow the camera" : "Keep the axes", next);
+            this->Study.Change(isOn ? "Let the axes follow the camera" : "Fix the axes", next);
           });
 }
 
@@ -171,7 +171,7 @@ void TouchPanel::ChangeScale(double scale)
   StudyState next = this->Study.State();
   next.Placement.Scale = scale > 0.0 ? std::optional<double>(scale) : std::nullopt;
   this->Study.Change(scale > 0.0 ? QString("Change the scale to %1").arg(scale)
-                                 : QString("Have all in reach"),
+                                 : QString("Put all structures in reach"),
                      next, "scale");
 }
 

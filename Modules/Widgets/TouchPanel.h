@@ -14,8 +14,8 @@ class QHBoxLayout;
 
 namespace palpate
 {
-/// The device, the tool, start and stop, what the safety chain does, and the button that stops all
-/// force.
+/// The device, the tool, start and stop, the status of the safety chain, and the button that stops
+/// all force.
 class TouchPanel : public QWidget
 {
   Q_OBJECT
@@ -24,16 +24,16 @@ public:
   /// Keeps the address.
   explicit TouchPanel(StudyController& study, QWidget* parent = nullptr);
 
-  /// Buttons for what a menu does.
+  /// Adds buttons for menu actions.
   void AddTools(const QList<QAction*>& actions);
 
-  /// What the safety chain does, in words.
+  /// Text on the safety chain.
   QString SafetyWords() const { return this->Safety->text(); }
-  /// What is recorded or replayed, in words.
+  /// Text on the recording or replay.
   QString RecordingWords() const { return this->Recording->text(); }
 
 Q_SIGNALS:
-  /// The user wants a recording to begin, or to end.
+  /// The user asks to begin or end a recording.
   void RecordAsked();
 
 private:

@@ -16,8 +16,8 @@ ViewCanvas::ViewCanvas(QWidget* parent) : QVTKOpenGLNativeWidget(parent)
   this->setFocusPolicy(Qt::StrongFocus);
 }
 
-// VTK's widget has its first picture, and that of a new size, drawn here by the interactor; without
-// it, nothing of later ones is ever seen.
+// VTK's widget expects the interactor to draw the first frame, and that of a new size, here;
+// otherwise later ones are never shown.
 void ViewCanvas::paintGL()
 {
   this->interactor()->EnableRenderOn();

@@ -4,8 +4,8 @@
 
 namespace palpate
 {
-/// Where VTK draws in a window. Its interactor draws only when Qt paints: a style that asks for a
-/// picture at each move of the mouse gets none at once, but a RenderEvent.
+/// VTK's canvas in a window. Its interactor draws only when Qt paints: a style that asks to render
+/// at each mouse move triggers only a RenderEvent.
 class ViewCanvas : public QVTKOpenGLNativeWidget
 {
 public:

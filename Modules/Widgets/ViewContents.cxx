@@ -23,7 +23,7 @@ namespace
 {
 constexpr const char* ErrorArray = "DistanceToSurface";
 
-// A pipeline notes things on its input, and products are shared with other threads.
+// A VTK pipeline writes to its input, but products are shared with other threads.
 template <typename T>
 vtkSmartPointer<T> OwnView(T* data)
 {
@@ -32,7 +32,7 @@ vtkSmartPointer<T> OwnView(T* data)
   return own;
 }
 
-// Whether its model is to be seen, where there is one.
+// Whether to display its model, if there is one.
 bool WantsModel(const SceneStructure& structure)
 {
   switch (structure.Appearance)
@@ -58,7 +58,7 @@ bool WantsField(const SceneStructure& structure)
          (structure.Appearance == SceneAppearance::Automatic && isFelt);
 }
 
-// What a structure looks like: its model where that is wanted, else the surface of its mask.
+// The displayed surface of a structure: its model if wanted, else the surface of its mask.
 vtkPolyData* SurfaceOf(const StudyPipeline& pipeline, const SceneStructure& structure)
 {
   const auto model = pipeline.Newest<FitResult>(SceneStep::Model, structure.Id);
@@ -119,7 +119,7 @@ void ViewContents::ShowImages(const StudyPipeline& pipeline)
   }
   if (grey != this->Grey || grey == nullptr)
   {
-    // Without a volume the labels are what there is to look at.
+    // Without a volume, show the labels.
     vtkImageData* first = labels != nullptr ? labels->Layers.front().Get() : nullptr;
     vtkImageData* image = grey != nullptr ? grey->Image.Get() : first;
     this->ImageShown->SetImage(image != nullptr ? OwnView(image).Get() : nullptr);
@@ -169,7 +169,7 @@ void ViewContents::ShowSurfaces(const StudyState& state, const StudyPipeline& pi
     {
       continue;
     }
-    // What is there is shown until what is wanted is.
+    // Until the wanted surface is ready, show the existing one.
     vtkPolyData* surface = SurfaceOf(pipeline, structure);
     const auto field = pipeline.Newest<ScalarField>(SceneStep::Field, structure.Id);
     if (field != nullptr && (surface == nullptr || WantsField(structure)))
@@ -220,7 +220,7 @@ void ViewContents::ShowField(const SceneStructure& structure,
     shown = vtkSmartPointer<vtkSubVoxelVolume>::New();
     shown->SetMapper(mapper);
     vtkVolumeProperty* property = shown->GetProperty();
-    property->ShadeOn(); // as surfaces are
+    property->ShadeOn(); // like surfaces
     property->SetAmbient(SurfaceMaterial::Ambient);
     property->SetDiffuse(SurfaceMaterial::Diffuse);
     property->SetSpecular(SurfaceMaterial::Specular);
@@ -232,11 +232,11 @@ void ViewContents::ShowField(const SceneStructure& structure,
   if (color != structure.Color)
   {
     mapper->SetMaterialColor(0, structure.Color[0], structure.Color[1], structure.Color[2]);
-    shown->Modified(); // what views look at
+    shown->Modified(); // views check its modification time
   }
 }
 
-// A drilled structure's newest version in place of the field that it was.
+// Shows a drilled structure's newest version instead of its original field.
 void ViewContents::ShowNewest(int label)
 {
   const auto newest = this->DrilledFields.find(label);
@@ -249,7 +249,7 @@ void ViewContents::ShowNewest(int label)
   if (mapper->GetField() != newest->second)
   {
     mapper->SetField(newest->second);
-    shown->second->Modified(); // what views look at
+    shown->second->Modified(); // views check its modification time
   }
 }
 
@@ -271,7 +271,7 @@ bool ViewContents::ShowDrilled(const StudyDrillReading& reading)
     if (cut == nullptr)
     {
       cut = vtkSmartPointer<vtkSurfaceDisplay>::New();
-      cut->SetOpacity(0.0); // in space the hole itself is seen
+      cut->SetOpacity(0.0); // the 3D view shows the hole itself
       cut->SetColor(1.0, 0.55, 0.0);
       areOthers = true;
     }
@@ -308,7 +308,7 @@ void ViewContents::ShowLandmarks(const StudyState& state)
 
 void ViewContents::ShowTool(const TouchToolSettings& tool)
 {
-  // Until a surface is read, the tool before is shown.
+  // Until a surface is read, the previous tool is shown.
   const bool isThere = tool.Kind != TouchToolSettings::Shape::Surface || tool.Surface != nullptr;
   if (isThere && (!this->Tool || !(*this->Tool == tool)))
   {

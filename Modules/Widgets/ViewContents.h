@@ -23,8 +23,8 @@
 
 namespace palpate
 {
-/// What all views of a window show of a study: the shared objects of Interaction, brought to what
-/// the study is and has. Views that show them learn by their events when to draw.
+/// The objects of Interaction that all views of a window share, updated from the study. Their
+/// events tell views when to draw.
 class ViewContents
 {
 public:
@@ -32,16 +32,15 @@ public:
 
   /// Volume, labels, surfaces and landmarks.
   void Show(const StudyState& state, const StudyPipeline& pipeline);
-  /// Crosshair, window and opacity, where the view says some.
+  /// Crosshair, window and opacity, where the view specifies them.
   void ShowView(const StudyView& view);
-  /// The tool and what it feels; nothing where nothing is touched.
+  /// The tool and its contact; nothing if not touching.
   void ShowTouch(const StudyTouchReading& reading, bool isTouching);
-  /// What of the structures is drilled, and the outlines of cuts. Whether other things are shown
-  /// now than before.
+  /// Drilled structures, and the outlines of cuts. Returns whether different objects are shown now.
   bool ShowDrilled(const StudyDrillReading& reading);
-  /// The device's workspace; nothing where `isShown` is false.
+  /// The device's workspace; nothing if `isShown` is false.
   void ShowWorkspace(const WorkspaceFrame& frame, const Eigen::AlignedBox3d& box, bool isShown);
-  /// `view` with what the user has made of crosshair, window and opacity.
+  /// `view` with the user's crosshair, window and opacity.
   StudyView WithViewOf(StudyView view) const;
 
   vtkImageDisplay* Images() const { return this->ImageShown; }
@@ -54,12 +53,12 @@ public:
   {
     return this->SurfacesShown;
   }
-  /// What is gone of drilled structures, as outlines in slices; by the structure's label.
+  /// Removed parts of drilled structures, as outlines in slices; by the structure's label.
   const std::map<int, vtkSmartPointer<vtkSurfaceDisplay>>& Cuts() const { return this->CutsShown; }
-  /// Sub-voxel structures, for the view in space.
+  /// Sub-voxel structures, for the 3D view.
   const std::map<int, vtkSmartPointer<vtkVolume>>& Fields() const { return this->FieldsShown; }
 
-  /// The value and the name of the structures at a point (world, mm), as a status line says them.
+  /// The value and the names of the structures at a point (world, mm), for the status line.
   std::string TextAt(const Vector3& pointWorld) const;
 
 private:
@@ -81,7 +80,7 @@ private:
   std::map<int, vtkSmartPointer<vtkSurfaceDisplay>> CutsShown;
   std::map<int, vtkSmartPointer<vtkVolume>> FieldsShown;
 
-  // Which products are shown; they are shared and never changed.
+  // The displayed products; they are shared and never changed.
   std::shared_ptr<const Volume> Grey;
   std::shared_ptr<const Segmentation> Labels;
   std::vector<SceneStructure> Structures;

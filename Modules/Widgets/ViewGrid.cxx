@@ -151,7 +151,7 @@ void ViewGrid::TakeContents()
   }
 }
 
-// A volume elsewhere would not be seen where one looks now.
+// A volume at another position would be outside the current view.
 void ViewGrid::FitToAnotherImage()
 {
   vtkImageData* image = this->Contents.Images()->GetImage();

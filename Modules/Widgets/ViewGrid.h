@@ -15,22 +15,22 @@
 
 namespace palpate
 {
-/// How the views of a window lie.
+/// Arrangement of a window's views.
 enum class ViewLayout
 {
   Four,  ///< two by two
-  Space, ///< the view in space, and slices beside it
-  One    ///< one alone
+  Space, ///< the 3D view, with slices next to it
+  One    ///< a single view
 };
 constexpr std::array<ViewLayout, 3> AllViewLayouts{
     {ViewLayout::Four, ViewLayout::Space, ViewLayout::One}};
 
-/// "four", "space", "one": as sessions name them.
+/// "four", "space", "one": the names in session files.
 const char* WordOf(ViewLayout layout);
 /// The first one for an unknown word.
 ViewLayout LayoutOf(const std::string& word);
 
-/// Three slices and the view in space, linked by what they share.
+/// Three slices and the 3D view, linked by shared objects.
 class ViewGrid : public QWidget
 {
   Q_OBJECT
@@ -48,11 +48,11 @@ public:
 
   void SetLayout(ViewLayout layout);
   ViewLayout Layout() const { return this->Shown; }
-  /// One view alone, and back again.
+  /// Shows one view alone, or all again.
   void ToggleMaximized(ViewPane* pane);
   ViewPane* Maximized() const { return this->Alone; }
 
-  /// Takes over surfaces and fields that the contents show by now.
+  /// Takes over the current surfaces and fields of the contents.
   void TakeContents();
   void SetAlongImage(bool isAlongImage);
   void SetLeftButtonMode(int mode);
@@ -70,8 +70,8 @@ private:
   QGridLayout* Grid;
   ViewLayout Shown = ViewLayout::Four;
   ViewPane* Alone = nullptr;
-  ViewPane* One; ///< of that layout
+  ViewPane* One; ///< the view of layout One
   std::set<vtkSmartPointer<vtkSurfaceDisplay>> Surfaces;
-  vtkSmartPointer<vtkImageData> Image; ///< that the views were fitted to
+  vtkSmartPointer<vtkImageData> Image; ///< the image that the views were fitted to
 };
 } // namespace palpate

@@ -12,9 +12,9 @@ ViewHeader::ViewHeader(const QString& name, const QColor& color, QWidget* parent
   title->setStyleSheet(QString("background: %1; color: black; font-weight: bold; padding: 1px 6px;")
                            .arg(color.name()));
   auto* maximize = new QToolButton(this);
-  maximize->setText("\u25A1"); // an icon would not follow a look
+  maximize->setText("\u25A1"); // an icon would not follow light and dark
   maximize->setAutoRaise(true);
-  maximize->setToolTip("Shows this view alone, and all again (double click)");
+  maximize->setToolTip("Show this view alone, or all again (double click)");
   this->Slider->setObjectName("slice");
   this->Slider->setVisible(false);
   auto* row = new QHBoxLayout(this);

@@ -8,8 +8,8 @@
 
 namespace palpate
 {
-/// The thin bar over a view: its name in its colour, the slice's number of how many, a slider for
-/// it, and a button that maximises.
+/// The thin bar over a view: its name in its colour, the slice's number and their count, a slider,
+/// and a button that maximises.
 class ViewHeader : public QWidget
 {
   Q_OBJECT
@@ -17,7 +17,7 @@ class ViewHeader : public QWidget
 public:
   ViewHeader(const QString& name, const QColor& color, QWidget* parent);
 
-  /// From 1; no slider where there are none.
+  /// From 1; no slider if there are no slices.
   void ShowSlice(int number, int count);
 
 Q_SIGNALS:

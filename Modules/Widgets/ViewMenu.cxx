@@ -23,7 +23,7 @@ ViewMenu::ViewMenu(StudyController& study, ViewGrid& views, ViewContents& conten
 
 void ViewMenu::AddLayouts()
 {
-  constexpr std::array<const char*, 3> Texts{"&Four views", "&3-D with slices beside", "&One view"};
+  constexpr std::array<const char*, 3> Texts{"&Four views", "&3-D with slices", "&One view"};
   auto* group = new QActionGroup(this);
   for (const ViewLayout layout : AllViewLayouts)
   {
@@ -129,7 +129,7 @@ void ViewMenu::AddLooks()
   }
 }
 
-// All that is seen, in one step, and back as what each was shown before.
+// Switches all visible structures in one undo step, and back to their previous display.
 void ViewMenu::ShowErrorMaps(bool areShown)
 {
   StudyState next = this->Study.State();

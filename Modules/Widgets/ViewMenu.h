@@ -9,7 +9,7 @@
 
 namespace palpate
 {
-/// Layouts, what views show, from where one looks, and what the mouse does.
+/// Layouts, contents and cameras of views, and mouse modes.
 class ViewMenu : public QMenu
 {
   Q_OBJECT
@@ -26,7 +26,7 @@ private:
   void AddLooks();
   void ShowView();
   void ShowErrorMaps(bool areShown);
-  /// A switch of the view's state.
+  /// Adds a switch for a field of the view's state.
   QAction* AddSwitch(const QString& text, const QKeySequence& key, bool StudyView::*field);
 
   StudyController& Study;
@@ -36,6 +36,6 @@ private:
   QAction* AlongImage = nullptr;
   QAction* FollowProbe = nullptr;
   QAction* ErrorMaps = nullptr;
-  std::map<int, SceneAppearance> Before; ///< by label, of what became error maps here
+  std::map<int, SceneAppearance> Before; ///< by label, of structures that became error maps here
 };
 } // namespace palpate

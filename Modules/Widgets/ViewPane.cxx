@@ -33,7 +33,7 @@ ViewPane::ViewPane(const QString& name, const QColor& color, QWidget* parent)
   column->addWidget(this->Picture, 1);
   this->Picture->renderWindow()->AddRenderer(this->Scene);
   this->Picture->installEventFilter(this);
-  // Whoever asks the interactor to draw, such as a style at each move of the mouse, waits its turn.
+  // Requests to the interactor, such as a style's at each mouse move, are drawn in the next turn.
   this->Listener->SetCallback(AskForPicture);
   this->Listener->SetClientData(this);
   this->Picture->interactor()->AddObserver(vtkCommand::RenderEvent, this->Listener);
@@ -114,7 +114,7 @@ void ViewPane::RequestRender()
 
 void ViewPane::RenderNow()
 {
-  // What cannot be seen is drawn when it is shown.
+  // A hidden view is drawn when it is shown.
   const bool draws = this->IsDue && this->Picture->isVisible() && this->Picture->isValid();
   this->IsDue = false;
   if (draws)

@@ -19,8 +19,8 @@ namespace palpate
 {
 class ViewContents;
 
-/// A view with its header. It draws at most once in a turn of the event loop, however often it is
-/// asked to, and not at all while it cannot be seen.
+/// A view with its header. It draws at most once per turn of the event loop, however often it is
+/// asked to, and not at all while hidden.
 class ViewPane : public QWidget
 {
   Q_OBJECT
@@ -29,27 +29,27 @@ public:
   ViewPane(const QString& name, const QColor& color, QWidget* parent);
   ~ViewPane() override;
 
-  /// Where the picture is, and the mouse.
+  /// The widget that VTK draws in and that receives the mouse.
   ViewCanvas* Canvas() const { return this->Picture; }
   vtkRenderer* Renderer() const { return this->Scene; }
   /// Draws soon.
   void RequestRender();
-  /// Draws what is due now.
+  /// Draws now if a frame is due.
   void RenderNow();
-  /// How many pictures were drawn.
+  /// Number of frames drawn.
   int RenderCount() const { return this->Drawn; }
 
   void AddSurface(vtkSurfaceDisplay* surface);
   void RemoveSurface(vtkSurfaceDisplay* surface);
   void SetAlongImage(bool isAlongImage);
 
-  /// Draws whenever the object says that it was modified; observers end with the pane.
+  /// Draws whenever the object is modified; observers end with the pane.
   void Follow(vtkObject* shared);
   void Unfollow(vtkObject* shared);
 
 Q_SIGNALS:
   void MaximizeAsked();
-  /// Over the picture, in its pixels from the lower left.
+  /// Over the canvas, in its pixels from the lower left.
   void PointerMoved(double x, double y);
   void Clicked(double x, double y);
   void Rendered();
@@ -57,7 +57,7 @@ Q_SIGNALS:
 protected:
   ViewHeader* Header() const { return this->Bar; }
   void SetStyle(vtkInteractorStyle* style);
-  /// What the pane draws, of `contents`, which outlive it.
+  /// Sets the view that the pane draws, of `contents`, which outlive it.
   void Show(vtkLinkedView* view, const ViewContents& contents);
   bool eventFilter(QObject* object, QEvent* event) override;
 
@@ -67,7 +67,7 @@ private:
   ViewHeader* Bar;
   ViewCanvas* Picture;
   vtkNew<vtkRenderer> Scene;
-  vtkNew<vtkCallbackCommand> Listener; ///< of what is followed
+  vtkNew<vtkCallbackCommand> Listener; ///< of the followed objects
   std::vector<vtkSmartPointer<vtkObject>> Followed;
   vtkSmartPointer<vtkLinkedView> Shown;
   bool IsDue = false;

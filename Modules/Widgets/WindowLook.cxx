@@ -16,7 +16,7 @@ struct LookColors
   const char* Alternate;
   const char* Button;
   const char* Text;
-  const char* Faint; ///< what cannot be used, and what stands in for text
+  const char* Faint; ///< disabled and placeholder text
   const char* Highlight;
   const char* Link;
 };
@@ -27,7 +27,7 @@ constexpr LookColors Dark{"#2b2b2b", "#1e1e1e", "#262626", "#3a3a3a",
 
 QPalette MakePalette(const LookColors& colors)
 {
-  // Edges and shadows follow from button and window.
+  // Edges and shadows are derived from button and window.
   QPalette palette(QColor(colors.Button), QColor(colors.Window));
   const QColor text(colors.Text);
   for (const QPalette::ColorRole role : {QPalette::WindowText, QPalette::Text, QPalette::ButtonText,
@@ -65,7 +65,7 @@ QPalette PaletteOf(WindowLook look)
   case WindowLook::System:
     break;
   }
-  return {}; // which brings the system's back
+  return {}; // restores the system's palette
 }
 
 void ChooseLook(WindowLook look)

@@ -7,10 +7,10 @@
 
 namespace palpate
 {
-/// Whether a program is dark on light or light on dark. It is the user's, and of no study.
+/// Light or dark appearance of the program. A setting of the user, not of a study.
 enum class WindowLook
 {
-  System, ///< as other programs are
+  System, ///< like other programs
   Light,
   Dark
 };
@@ -20,11 +20,11 @@ constexpr std::array<WindowLook, 3> AllWindowLooks{
 /// "system", "light", "dark".
 QString NameOf(WindowLook look);
 
-/// The look's colours; those of the system's look are the system's.
+/// The look's colours; for System, those of the system.
 QPalette PaletteOf(WindowLook look);
 
-/// Shows the program in a look and keeps it for the next time.
+/// Applies a look to the program and keeps it for the next start.
 void ChooseLook(WindowLook look);
-/// The one that was kept; System where none was.
+/// The kept look; System if none was kept.
 WindowLook ChosenLook();
 } // namespace palpate

@@ -91,7 +91,9 @@ TEST_F(CliDrill, RejectsInvalidRequestsWithOneSentence)
   EXPECT_EQ(this->Run({"--drill-state", "hand.csv"}).Code, 2);
   const CommandRun ending = this->Run({"--drilled", "left.txt"});
   EXPECT_EQ(ending.Code, 2);
-  EXPECT_NE(ending.Errors.find("left.txt has an ending"), std::string::npos) << ending.Errors;
+  EXPECT_NE(ending.Errors.find("left.txt is neither a volume nor a surface file"),
+            std::string::npos)
+      << ending.Errors;
   const CommandRun nothing =
       RunPalpate({"touch", "ct.nrrd", "--iso", "750", "--drill", "pedal.json"}, this->Folder());
   EXPECT_EQ(nothing.Code, 2);

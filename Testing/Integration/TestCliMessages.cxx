@@ -78,31 +78,32 @@ std::string OnTerminal(const std::vector<std::string>& words)
 
 TEST(CliMessages, NamesUnknownCommand)
 {
-  EXPECT_EQ(Refusal({"nonsense"}), "palpate: there is no command 'nonsense'; see palpate --help\n");
+  EXPECT_EQ(Refusal({"nonsense"}), "palpate: unknown command 'nonsense'; see palpate --help\n");
   EXPECT_EQ(Refusal({"fti", "a.nii.gz"}),
-            "palpate: there is no command 'fti', perhaps 'fit'; see palpate --help\n");
+            "palpate: unknown command 'fti' (did you mean 'fit'?); see palpate --help\n");
   EXPECT_TRUE(Has(Refusal({"--quiet", "nonsense", "a"}), "'nonsense'"));
 }
 
 TEST(CliMessages, UnknownCommandHasNoHelp)
 {
   EXPECT_EQ(Refusal({"nonsense", "--help"}),
-            "palpate: there is no command 'nonsense'; see palpate --help\n");
+            "palpate: unknown command 'nonsense'; see palpate --help\n");
 }
 
 TEST(CliMessages, UnknownOptionSuggestsNearest)
 {
-  EXPECT_EQ(Refusal({"fit", "a.nii.gz", "--degre", "5"}),
-            "palpate: there is no option '--degre', perhaps '--degree'; see palpate fit --help\n");
-  EXPECT_TRUE(Has(Refusal({"fit", "a.nii.gz", "--degre=5"}), "perhaps '--degree'"));
-  EXPECT_TRUE(Has(Refusal({"fit", "a.nii.gz", "--xyzzy"}), "no option '--xyzzy'; see"));
-  EXPECT_TRUE(Has(Refusal({"--quite", "info", "a"}), "perhaps '--quiet'"));
+  EXPECT_EQ(
+      Refusal({"fit", "a.nii.gz", "--degre", "5"}),
+      "palpate: unknown option '--degre' (did you mean '--degree'?); see palpate fit --help\n");
+  EXPECT_TRUE(Has(Refusal({"fit", "a.nii.gz", "--degre=5"}), "did you mean '--degree'?"));
+  EXPECT_TRUE(Has(Refusal({"fit", "a.nii.gz", "--xyzzy"}), "unknown option '--xyzzy'; see"));
+  EXPECT_TRUE(Has(Refusal({"--quite", "info", "a"}), "did you mean '--quiet'?"));
 }
 
 // The required option is missing since it is misspelt.
 TEST(CliMessages, ReportsMisspeltOptionBeforeMissingOne)
 {
-  EXPECT_TRUE(Has(Refusal({"mesh", "a.nii.gz", "--ouput", "b.stl"}), "perhaps '--output'"));
+  EXPECT_TRUE(Has(Refusal({"mesh", "a.nii.gz", "--ouput", "b.stl"}), "did you mean '--output'?"));
 }
 
 TEST(CliMessages, NearestWordDiffersByFewLetters)

@@ -64,7 +64,7 @@ TEST(CliScene, PrintsSummaryAsText)
   const CommandRun run = RunPalpate({"scene", "explain", "all.scene.json"}, folder.Path());
   ASSERT_EQ(run.Code, 0) << run.Errors;
   for (const char* words : {"not opened", "neither displayed nor touched", "sub-voxel field",
-                            "2 of 3 files read", "2 of 4 structures to be touched"})
+                            "2 of 3 files read", "2 of 4 structures touchable"})
   {
     EXPECT_NE(run.Output.find(words), std::string::npos) << words << " in\n" << run.Output;
   }

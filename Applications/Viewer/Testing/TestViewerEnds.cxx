@@ -16,7 +16,7 @@ namespace palpate
 {
 namespace
 {
-// Whether a process has a handler of its own for a signal.
+// Whether a process has its own handler for a signal.
 bool Handles(qint64 process, int signal)
 {
   std::ifstream status("/proc/" + std::to_string(process) + "/status");
@@ -34,14 +34,14 @@ bool Handles(qint64 process, int signal)
 class ViewerEndsTest : public test::DisplayTest
 {
 protected:
-  // The window with a case that is touched, ended by a signal as soon as it listens to one.
+  // The window while touching, ended by a signal as soon as it handles one.
   QProcess& EndBy(int signal)
   {
     const auto session = this->Phantom.Folder / "case.palpate.json";
     WriteStudy(session, this->Phantom.State());
     QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
     environment.insert("XDG_CONFIG_HOME", QString::fromStdString(this->Phantom.Folder.Path()));
-    std::signal(signal, SIG_DFL); // what is ignored here would be so there
+    std::signal(signal, SIG_DFL); // the child would inherit an ignored signal
     this->Viewer.setProcessEnvironment(environment);
     this->Viewer.setProcessChannelMode(QProcess::ForwardedChannels);
     this->Viewer.start(PALPATE_VIEWER, {QString::fromStdString(session), "--touch"});
@@ -58,7 +58,7 @@ protected:
   QProcess Viewer;
 };
 
-TEST_F(ViewerEndsTest, EachSignalClosesTheWindowAndHasItsExitCode)
+TEST_F(ViewerEndsTest, EachSignalClosesWindowWithItsExitCode)
 {
   char name[] = "ViewerTests";
   char* all[] = {name, nullptr};

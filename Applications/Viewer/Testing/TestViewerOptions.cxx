@@ -18,7 +18,7 @@ ViewerOptions Parse(const QStringList& arguments)
 }
 } // namespace
 
-TEST(ViewerOptions, AreFilesSwitchesAndASize)
+TEST(ViewerOptions, ParsesFilesSwitchesAndSize)
 {
   const ViewerOptions options =
       Parse({"a.nii.gz", "--touch", "--screenshot", "p.png", "--size", "1600x1000", "b.nrrd"});
@@ -39,7 +39,7 @@ TEST(ViewerOptions, HaveDefaults)
   EXPECT_TRUE(Parse({"--help"}).Answer.contains("--screenshot"));
 }
 
-TEST(ViewerOptions, SayWhatIsWrong)
+TEST(ViewerOptions, ReportErrors)
 {
   EXPECT_TRUE(Parse({"--no-such-thing"}).Problem.contains("no-such-thing"));
   for (const char* bad : {"12", "axb", "0x0", "-1x5", "100x", "1e3x100"})

@@ -22,7 +22,7 @@ bool IsWhite(const QImage& picture, int column, int row)
   return color.red() > 250 && color.green() > 250 && color.blue() > 250;
 }
 
-// A white line that lies: columns from Left to Right, rows from Top to Bottom, all in it.
+// A horizontal white line: columns from Left to Right, rows from Top to Bottom, inclusive.
 struct Bar
 {
   int Left = 0, Right = -1, Top = 0, Bottom = -1;
@@ -36,8 +36,8 @@ bool IsBlack(const QImage& picture, int column, int row)
   return picture.valid(column, row) && qGray(picture.pixel(column, row)) < 30;
 }
 
-// What is white from a corner on to the right, and below its middle; of no length where that has
-// not black above and below.
+// The white pixels from a corner to the right, and below its centre; of length 0 unless black above
+// and below.
 Bar BarFrom(const QImage& picture, int left, int top)
 {
   Bar bar{left, left, top, top};
@@ -55,7 +55,7 @@ Bar BarFrom(const QImage& picture, int left, int top)
   return isOnBlack ? bar : Bar();
 }
 
-// The longest scale bar of all views: nothing else in them is white, on black and long.
+// The longest scale bar of all views: nothing else in them is white on black and long.
 Bar FindScaleBar(const QImage& picture)
 {
   Bar longest;
@@ -74,8 +74,8 @@ Bar FindScaleBar(const QImage& picture)
   return longest;
 }
 
-// How many squares of 2 x 2 pixels have pixels that differ: none in a picture that was made larger
-// after it was drawn.
+// Number of squares of 2 x 2 pixels with different pixels: none in an image that was enlarged after
+// drawing.
 int MixedSquares(const QImage& picture, const QRect& part)
 {
   int mixed = 0;
@@ -96,7 +96,7 @@ int MixedSquares(const QImage& picture, const QRect& part)
 class ViewerPicturesTest : public test::DisplayTest
 {
 protected:
-  // What the program shows of the phantom where a pixel of the desktop is `factor` of the screen's.
+  // The program's image of the phantom if a desktop pixel is `factor` screen pixels.
   QImage Take(int factor)
   {
     const auto file = this->Phantom.Folder / ("at" + std::to_string(factor) + ".png");
@@ -119,7 +119,7 @@ protected:
   test::StudyPhantom Phantom;
 };
 
-TEST_F(ViewerPicturesTest, AreSharpAndOfTheSameSizeToTheEyeOnFineScreens)
+TEST_F(ViewerPicturesTest, KeepApparentSizeOnHighResolutionScreens)
 {
   char name[] = "ViewerTests";
   char* all[] = {name, nullptr};
@@ -137,7 +137,7 @@ TEST_F(ViewerPicturesTest, AreSharpAndOfTheSameSizeToTheEyeOnFineScreens)
   EXPECT_EQ(fineBar.Thickness(), 2 * bar.Thickness());
   EXPECT_NEAR(fineBar.Left, 2 * bar.Left, 4);
   EXPECT_NEAR(fineBar.Top, 2 * bar.Top, 4);
-  // Its words stand above it.
+  // Its text is above it.
   const QRect words(fineBar.Left, fineBar.Top - 60, fineBar.Length(), 50);
   EXPECT_GT(MixedSquares(fine, words), 50);
   EXPECT_EQ(MixedSquares(plain.scaled(fine.size()), words), 0) << "what the figure above excludes";

@@ -1,5 +1,5 @@
-// Draws three linked slices and a view in space into one picture, off screen: an example of how the
-// classes of this module go together. Argument: the PNG file to write.
+// Draws three linked slices and a 3D view into one image, off screen: an example of using this
+// module's classes together. Argument: the PNG file to write.
 #include "DisplayCheck.h"
 #include "PhantomViews.h"
 #include "Picture.h"
@@ -13,7 +13,7 @@ int main(int argc, char** argv)
 {
   if (argc != 2)
   {
-    std::cerr << "usage: " << argv[0] << " PICTURE.png\n";
+    std::cerr << "usage: " << argv[0] << " IMAGE.png\n";
     return 2;
   }
   try

@@ -47,7 +47,7 @@ private:
     this->Views.Landmarks->AddLandmark("right", right.data());
     this->Views.Landmarks->AddDistance(0, 1);
   }
-  // 4 mm deep, from the front, a little from the left.
+  // 4 mm deep, from the front, slightly from the left.
   void PlaceProbe()
   {
     const Vector3 outward = Vector3(0.5, -1.0, 0.0).normalized();

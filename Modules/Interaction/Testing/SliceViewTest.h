@@ -23,7 +23,7 @@ inline double Ramp(const Vector3& world)
   return 100.0 + Vector3(0.6, -0.9, 0.7).dot(world);
 }
 
-/// Such an image of some 90 x 96 x 90 mm around the origin, on a grid turned by `turn`.
+/// Such an image of some 90 x 96 x 90 mm around the origin, on a grid rotated by `turn`.
 inline vtkSmartPointer<vtkImageData> RampImage(const Matrix3& turn)
 {
   auto image = vtkSmartPointer<vtkImageData>::New();
@@ -43,7 +43,8 @@ inline vtkSmartPointer<vtkImageData> RampImage(const Matrix3& turn)
   return image;
 }
 
-/// A turn by 25 degrees about a skew axis: far from the body's axes, but no axis changes its part.
+/// A rotation by 25 degrees about a skew axis: far from the body's axes, but each axis stays
+/// nearest to its own.
 inline Matrix3 SkewTurn()
 {
   return Eigen::AngleAxisd(M_PI * 25.0 / 180.0, Vector3(1.0, 2.0, -1.0).normalized())

@@ -12,7 +12,7 @@ class FourViewsTest : public palpate::test::DisplayTest
 };
 } // namespace
 
-TEST_F(FourViewsTest, LookLikeTheirBaseline)
+TEST_F(FourViewsTest, MatchBaseline)
 {
   palpate::test::PhantomViews scene(960, 600);
   scene.Views.Render();

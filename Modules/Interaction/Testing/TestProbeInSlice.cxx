@@ -16,7 +16,7 @@ using palpate::CutTool;
 using palpate::FlatArrow;
 using palpate::Vector3;
 
-TEST(ProbeInSlice, ASphereIsCutInTheCircleThatItsDepthSays)
+TEST(ProbeInSlice, SphereCrossSectionIsCircleOfItsDepth)
 {
   std::mt19937_64 random(21);
   std::uniform_real_distribution<double> unit(-1.0, 1.0);
@@ -47,7 +47,7 @@ TEST(ProbeInSlice, ASphereIsCutInTheCircleThatItsDepthSays)
   }
 }
 
-TEST(ProbeInSlice, AToolBesideThePlaneIsNotCut)
+TEST(ProbeInSlice, DistantToolIsNotCut)
 {
   vtkNew<vtkProbeRepresentation> probe;
   probe->SetToolSphere(2.0);
@@ -56,7 +56,7 @@ TEST(ProbeInSlice, AToolBesideThePlaneIsNotCut)
                   .empty());
 }
 
-TEST(ProbeInSlice, AnArrowEndsWhereItsVectorDoes)
+TEST(ProbeInSlice, ArrowEndsAtItsVectorsTip)
 {
   const auto arrow =
       FlatArrow(Vector3(1.0, 2.0, 3.0), Vector3(0.0, 6.0, 0.0), Vector3::UnitZ(), 2.0);
@@ -69,7 +69,7 @@ TEST(ProbeInSlice, AnArrowEndsWhereItsVectorDoes)
   EXPECT_TRUE(FlatArrow(Vector3::Zero(), Vector3::Zero(), Vector3::UnitZ(), 2.0).empty());
 }
 
-TEST(vtkProbeRepresentation, NumbersThatAreNoneLeaveWhatWasKnown)
+TEST(vtkProbeRepresentation, IgnoresNonFiniteNumbers)
 {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   vtkNew<vtkProbeRepresentation> probe;
@@ -83,7 +83,7 @@ TEST(vtkProbeRepresentation, NumbersThatAreNoneLeaveWhatWasKnown)
   EXPECT_EQ(probe->GetForce()[1], 1.0);
 }
 
-TEST(vtkProbeRepresentation, APointIsDrawnSoThatItIsSeen)
+TEST(vtkProbeRepresentation, DrawsPointAsSmallSphere)
 {
   vtkNew<vtkProbeRepresentation> probe;
   for (const double radius : {0.0, -1.0, std::numeric_limits<double>::quiet_NaN()})

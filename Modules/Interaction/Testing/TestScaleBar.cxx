@@ -5,7 +5,7 @@
 
 using palpate::ScaleBar;
 
-TEST(ScaleBar, LengthsAreOneTwoOrFiveTimesAPowerOfTen)
+TEST(ScaleBar, LengthIsOneTwoOrFiveTimesAPowerOfTen)
 {
   EXPECT_DOUBLE_EQ(ScaleBar::RoundLength(99.0), 50.0);
   EXPECT_DOUBLE_EQ(ScaleBar::RoundLength(100.0), 100.0);
@@ -20,7 +20,7 @@ TEST(ScaleBar, LengthsAreOneTwoOrFiveTimesAPowerOfTen)
   }
 }
 
-TEST(ScaleBar, TheBarIsShorterThanAThirdOfTheViewAndNotMuchShorter)
+TEST(ScaleBar, BarIsSlightlyShorterThanAThirdOfTheView)
 {
   ScaleBar bar;
   for (const double pixel : {0.01, 0.123, 0.5, 2.0})

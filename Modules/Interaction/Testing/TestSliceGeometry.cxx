@@ -12,7 +12,7 @@ using palpate::SliceGeometry;
 using palpate::SliceOrientation;
 using palpate::Vector3;
 
-TEST(SliceGeometry, SlicesHangAsRadiologistsHangThem)
+TEST(SliceGeometry, FollowsRadiologicalConvention)
 {
   const auto letters = [](SliceOrientation orientation)
   {
@@ -25,7 +25,7 @@ TEST(SliceGeometry, SlicesHangAsRadiologistsHangThem)
   EXPECT_EQ(letters(SliceOrientation::Sagittal), "PSR");
 }
 
-TEST(SliceGeometry, AlongTheImageSlicesAreThoseOfTheImage)
+TEST(SliceGeometry, AlongImageSlicesEqualImageSlices)
 {
   const auto image = palpate::test::RampImage(palpate::test::SkewTurn());
   const ImageAxes axes(image);
@@ -44,7 +44,7 @@ TEST(SliceGeometry, AlongTheImageSlicesAreThoseOfTheImage)
       ASSERT_NEAR(index, std::round(index), 1e-11);
       ASSERT_EQ(geometry.NumberOf(place), number);
     }
-    // The same side of the body, within the turn.
+    // The same side of the body, within the rotation.
     const SliceGeometry body(orientation, false, image);
     EXPECT_GT(geometry.Frame.RightWorld.dot(body.Frame.RightWorld), 0.9);
     EXPECT_GT(geometry.Frame.UpWorld.dot(body.Frame.UpWorld), 0.9);
@@ -52,7 +52,7 @@ TEST(SliceGeometry, AlongTheImageSlicesAreThoseOfTheImage)
   }
 }
 
-TEST(SliceGeometry, MovedPointsLieOnSlicesAndKeepTheirPlaceInThePlane)
+TEST(SliceGeometry, MovedPointsLieOnSlicesAndKeepInPlanePosition)
 {
   std::mt19937_64 random(5);
   std::uniform_real_distribution<double> place(-40.0, 40.0);
@@ -73,7 +73,7 @@ TEST(SliceGeometry, MovedPointsLieOnSlicesAndKeepTheirPlaceInThePlane)
   }
 }
 
-TEST(SliceGeometry, AcrossTheImagesAxesStepsAreThoseOfTheNearestAxisAndSlicesHaveNoNumbers)
+TEST(SliceGeometry, AlongBodyStepEqualsNearestAxisWithoutNumbers)
 {
   const auto image = palpate::test::RampImage(palpate::test::SkewTurn());
   const SliceGeometry geometry(SliceOrientation::Axial, false, image);

@@ -38,7 +38,7 @@ vtkSmartPointer<vtkImageData> Uniform(double value)
 }
 } // namespace
 
-TEST(SlicePainter, ThePictureDoesNotDependOnTheThreads)
+TEST(SlicePainter, ResultDoesNotDependOnThreads)
 {
   SliceContent content;
   content.Image = palpate::test::RampImage(palpate::test::SkewTurn());
@@ -52,7 +52,7 @@ TEST(SlicePainter, ThePictureDoesNotDependOnTheThreads)
   EXPECT_EQ(Bytes(one), Bytes(many));
 }
 
-TEST(SlicePainter, OutsideOfEverythingPixelsAreTransparent)
+TEST(SlicePainter, OutsidePixelsAreTransparent)
 {
   SliceContent content;
   content.Image = Uniform(1.0);
@@ -64,7 +64,7 @@ TEST(SlicePainter, OutsideOfEverythingPixelsAreTransparent)
   EXPECT_EQ(bytes[4 * 150], 255);
 }
 
-TEST(SlicePainter, LaterLayersLieOverEarlierOnesAndTheirOpacitiesMultiply)
+TEST(SlicePainter, BlendsLayersInOrderAndMultipliesOpacities)
 {
   SliceContent content;
   content.Image = Uniform(0.0);
@@ -79,7 +79,7 @@ TEST(SlicePainter, LaterLayersLieOverEarlierOnesAndTheirOpacitiesMultiply)
   EXPECT_EQ(bytes[2], 0);
 }
 
-TEST(SlicePainter, LabelsAreSeenWithoutAnImageAndThoseWithoutAColorAreNot)
+TEST(SlicePainter, PaintsColoredLabelsWithoutImage)
 {
   SliceContent content;
   content.Layers = {{Uniform(-4.0), {{-4, {{0.0F, 0.0F, 1.0F, 1.0F}}}}}};
@@ -91,7 +91,7 @@ TEST(SlicePainter, LabelsAreSeenWithoutAnImageAndThoseWithoutAColorAreNot)
   EXPECT_EQ(Bytes(picture), (std::vector<unsigned char>{0, 0, 0, 0}));
 }
 
-TEST(SlicePatch, CornersAreThoseOfThePixels)
+TEST(SlicePatch, CornersMatchPixelGrid)
 {
   const auto corners = palpate::SlicePatch::CornersOf(Plane(4, 2));
   ASSERT_EQ(corners.size(), 4U);

@@ -30,7 +30,7 @@ double Volume(vtkPolyData* surface)
 }
 } // namespace
 
-TEST(ToolSurface, ASphereHasItsRadius)
+TEST(ToolSurface, SphereHasItsRadius)
 {
   const auto surface = MakeToolSurface(ToolShape::Sphere(3.0));
   double bounds[6];
@@ -38,7 +38,7 @@ TEST(ToolSurface, ASphereHasItsRadius)
   EXPECT_NEAR(bounds[5], 3.0, 1e-6); // points are floats
 }
 
-TEST(ToolSurface, ACapsuleIsTheHullOfItsShell)
+TEST(ToolSurface, CapsuleIsHullOfItsShell)
 {
   const auto surface = MakeToolSurface(ToolShape::Capsule(2.0, 10.0, 400));
   EXPECT_EQ(OpenEdges(surface), 0);
@@ -48,7 +48,7 @@ TEST(ToolSurface, ACapsuleIsTheHullOfItsShell)
   EXPECT_GT(Volume(surface), 0.92 * exact);
 }
 
-TEST(ToolSurface, AnEllipsoidIsToo)
+TEST(ToolSurface, EllipsoidIsHullOfItsShell)
 {
   const auto surface = MakeToolSurface(ToolShape::Ellipsoid({1.0, 2.0, 4.0}, 400));
   EXPECT_EQ(OpenEdges(surface), 0);

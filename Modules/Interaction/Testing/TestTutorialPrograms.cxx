@@ -12,13 +12,13 @@
 #include <sstream>
 #include <thread>
 
-/// The program as it stands in Documentation/Tutorial; the build renames its main.
+/// The unmodified program of Documentation/Tutorial; the build renames its main.
 int TouchASurface(int argc, char** argv);
 
 namespace
 {
-// An interactor with a person: pushes the hand in depth until something is touched, and pulls it
-// back until that is let go; after ten seconds it gives up.
+// An interactor with a simulated user: pushes the hand in depth until contact, and pulls it back
+// until release; gives up after ten seconds.
 class PushingInteractor : public vtkGenericRenderWindowInteractor
 {
 public:
@@ -61,7 +61,7 @@ public:
   static PushingFactory* New();
   vtkTypeMacro(PushingFactory, vtkObjectFactory);
   const char* GetVTKSourceVersion() override { return VTK_SOURCE_VERSION; }
-  const char* GetDescription() override { return "Interactors with a person."; }
+  const char* GetDescription() override { return "Interactors with a simulated user."; }
 
 protected:
   PushingFactory()
@@ -94,7 +94,7 @@ protected:
   std::streambuf* Console = nullptr;
 };
 
-TEST_F(TutorialStyleTest, TouchASurfaceSaysWhenItIsTouchedAndLetGo)
+TEST_F(TutorialStyleTest, TouchASurfaceReportsContactAndRelease)
 {
   std::string name = "TouchASurface";
   char* arguments[] = {name.data(), nullptr};

@@ -16,7 +16,7 @@ namespace palpate
 {
 namespace
 {
-// A box of 20 x 10 x 6 mm round (1, 2, 3), and a slice across z.
+// A box of 20 x 10 x 6 mm around (1, 2, 3), and a slice perpendicular to z.
 class WorkspaceLinesTest : public testing::Test
 {
 protected:
@@ -36,7 +36,7 @@ protected:
     this->Slice.Frame.UpWorld = Vector3::UnitY();
     this->Slice.Frame.TowardsViewerWorld = Vector3::UnitZ();
   }
-  // Of all lines that are drawn.
+  // Total length of the drawn lines.
   double Length() const
   {
     vtkPolyData* data = this->Lines.Drawn().Data();
@@ -64,14 +64,14 @@ protected:
   SlicePosition Slice;
 };
 
-TEST_F(WorkspaceLinesTest, InSpaceItHasItsTwelveEdges)
+TEST_F(WorkspaceLinesTest, DrawsTwelveEdgesIn3D)
 {
   this->Lines.Update(this->Workspace);
   EXPECT_TRUE(this->IsShown());
   EXPECT_NEAR(this->Length(), 4.0 * (20.0 + 10.0 + 6.0), 1e-4); // points are floats
 }
 
-TEST_F(WorkspaceLinesTest, InASliceItHasItsOutline)
+TEST_F(WorkspaceLinesTest, DrawsOutlineInSlice)
 {
   this->Slice.CenterWorld = Vector3(0.0, 0.0, 2.5);
   this->Lines.Update(this->Workspace, this->Slice);
@@ -81,7 +81,7 @@ TEST_F(WorkspaceLinesTest, InASliceItHasItsOutline)
   EXPECT_EQ(this->Length(), 0.0);
 }
 
-TEST_F(WorkspaceLinesTest, NoneIsShownWhereNoneIsKnown)
+TEST_F(WorkspaceLinesTest, HidesUnknownWorkspace)
 {
   this->Lines.Update(nullptr);
   EXPECT_FALSE(this->IsShown());
@@ -90,7 +90,7 @@ TEST_F(WorkspaceLinesTest, NoneIsShownWhereNoneIsKnown)
   EXPECT_FALSE(this->IsShown());
 }
 
-TEST_F(WorkspaceLinesTest, OnlyAnotherPlaceModifiesIt)
+TEST_F(WorkspaceLinesTest, OnlyNewCornersModifyIt)
 {
   const vtkMTimeType before = this->Workspace->GetMTime();
   this->Workspace->SetCorners(this->Corners.data());

@@ -19,7 +19,7 @@ void Observe(vtkCrosshair* crosshair, int& count)
 }
 } // namespace
 
-TEST(vtkCrosshair, TellsEveryMoveOnce)
+TEST(vtkCrosshair, SignalsEachMoveOnce)
 {
   vtkNew<vtkCrosshair> crosshair;
   int moves = 0;
@@ -30,7 +30,7 @@ TEST(vtkCrosshair, TellsEveryMoveOnce)
   EXPECT_EQ(moves, 1);
 }
 
-TEST(vtkCrosshair, StaysWhereItIsWhenSentToNoPlace)
+TEST(vtkCrosshair, IgnoresNonFinitePosition)
 {
   vtkNew<vtkCrosshair> crosshair;
   crosshair->SetPositionWorld(1.0, 2.0, 3.0);

@@ -12,7 +12,7 @@
 
 using palpate::Vector3;
 
-TEST(vtkImageDisplay, ANewVolumeChoosesItsWindow)
+TEST(vtkImageDisplay, NewVolumeResetsWindow)
 {
   vtkNew<vtkImageDisplay> display;
   const auto image = palpate::test::RampImage(palpate::test::SkewTurn());
@@ -21,11 +21,11 @@ TEST(vtkImageDisplay, ANewVolumeChoosesItsWindow)
   image->GetScalarRange(range);
   EXPECT_GT(display->GetWindow(), 0.5 * (range[1] - range[0]));
   EXPECT_LT(display->GetWindow(), range[1] - range[0]);
-  EXPECT_NEAR(display->GetLevel(), 100.0, 5.0); // the ramp is even about its middle
+  EXPECT_NEAR(display->GetLevel(), 100.0, 5.0); // the ramp is symmetric about its centre
   EXPECT_EQ(display->GetWindow(), display->GetChosenWindow());
 }
 
-TEST(vtkImageDisplay, TheWindowStaysPositiveAndANumber)
+TEST(vtkImageDisplay, WindowStaysPositiveAndFinite)
 {
   vtkNew<vtkImageDisplay> display;
   display->SetImage(palpate::test::RampImage(palpate::test::SkewTurn()));
@@ -38,7 +38,7 @@ TEST(vtkImageDisplay, TheWindowStaysPositiveAndANumber)
   EXPECT_NEAR(display->GetLevel(), 20.0, 1e-12);
 }
 
-TEST(vtkImageDisplay, ItsCenterIsTheMiddleOfTheVolume)
+TEST(vtkImageDisplay, CenterEqualsVolumeCenter)
 {
   vtkNew<vtkImageDisplay> display;
   double center[3];
@@ -48,7 +48,7 @@ TEST(vtkImageDisplay, ItsCenterIsTheMiddleOfTheVolume)
   EXPECT_NEAR(Vector3(center).norm(), 0.0, 1e-12);
 }
 
-TEST(vtkImageDisplay, ItsTimeIsThatOfWhatChangedLast)
+TEST(vtkImageDisplay, MTimeIncludesImages)
 {
   vtkNew<vtkImageDisplay> display;
   const auto image = palpate::test::RampImage(palpate::test::SkewTurn());
@@ -63,7 +63,7 @@ TEST(vtkImageDisplay, ItsTimeIsThatOfWhatChangedLast)
   }
 }
 
-TEST(vtkImageDisplay, AColorOfALayerThatIsNotThereIsAnError)
+TEST(vtkImageDisplay, RejectsColorOfUnknownLayer)
 {
   vtkNew<vtkTest::ErrorObserver> errors;
   vtkNew<vtkImageDisplay> display;
@@ -72,7 +72,7 @@ TEST(vtkImageDisplay, AColorOfALayerThatIsNotThereIsAnError)
   EXPECT_TRUE(errors->GetError());
 }
 
-TEST(vtkSurfaceDisplay, ItsTimeIsThatOfItsSurface)
+TEST(vtkSurfaceDisplay, MTimeIncludesSurface)
 {
   vtkNew<vtkSurfaceDisplay> display;
   vtkNew<vtkPolyData> surface;
@@ -82,7 +82,7 @@ TEST(vtkSurfaceDisplay, ItsTimeIsThatOfItsSurface)
   EXPECT_GT(display->GetMTime(), before);
 }
 
-TEST(vtkLandmarks, KnowsOnlyPlacesAndDistancesBetweenThem)
+TEST(vtkLandmarks, RejectsNonFinitePositionsAndUnknownNumbers)
 {
   vtkNew<vtkLandmarks> landmarks;
   EXPECT_EQ(landmarks->AddLandmark("a", 1.0, 2.0, 3.0), 0);

@@ -33,7 +33,7 @@ constexpr double BallRadius = 20.0; // mm
 constexpr double ToolRadius = 2.0;
 constexpr int Side = 200; // pixels
 
-// A ball in a window, and the style on its interactor. Time is real: the servo runs beside.
+// A sphere in a window, and the style on its interactor, in real time: the servo runs in parallel.
 class StyleHapticTest : public test::DisplayTest
 {
 protected:
@@ -52,7 +52,7 @@ protected:
     this->Renderer = vtkSmartPointer<vtkRenderer>::New();
     this->Window->AddRenderer(this->Renderer);
     this->Renderer->GetActiveCamera()->ParallelProjectionOn();
-    this->Renderer->GetActiveCamera()->SetParallelScale(50.0); // half a mm a pixel
+    this->Renderer->GetActiveCamera()->SetParallelScale(50.0); // half a mm per pixel
     this->LookFrom({0.0, 0.0, 1.0}, {0.0, 1.0, 0.0});
     this->Interactor = vtkSmartPointer<vtkGenericRenderWindowInteractor>::New();
     this->Interactor->SetRenderWindow(this->Window);
@@ -104,7 +104,7 @@ protected:
     }
   }
 
-  // Polls, as the timer would, until it is so. The servo decides when; ten seconds is never.
+  // Polls, like the timer, until it is so. The servo determines when; gives up after ten seconds.
   bool PollUntil(const std::function<bool()>& isSo)
   {
     const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(10);
@@ -146,7 +146,7 @@ protected:
       this->Interactor->InvokeEvent(event);
     }
   }
-  // Begins in front of the ball, and brings the hand beside it, to the right.
+  // Starts in front of the sphere, and moves the hand to its right.
   void StartBesideTheBall()
   {
     ASSERT_TRUE(this->Touch->StartTouch());
@@ -166,13 +166,13 @@ protected:
   int Mouse[2] = {Side / 2, Side / 2};
 };
 
-TEST_F(StyleHapticTest, TheMouseFeelsWhatIsInTheWindow)
+TEST_F(StyleHapticTest, MouseTouchesSurfacesOfWindow)
 {
   this->StartBesideTheBall();
   this->MoveMouse(-36, 0); // to 17 mm, 5 below where the tool first touches
   ASSERT_TRUE(this->Comes(Style::ContactBeginEvent));
   ASSERT_TRUE(this->PollUntil([&] { return this->Force() > 0.5; }));
-  // Facets lie up to 0.03 mm inside the ball.
+  // Facets lie up to 0.03 mm inside the sphere.
   EXPECT_NEAR(this->Proxy().norm(), BallRadius + ToolRadius, 0.1);
   EXPECT_LT(this->Probe().norm(), BallRadius + ToolRadius);
   EXPECT_TRUE(this->Touch->GetProbe()->GetInContact());
@@ -181,7 +181,7 @@ TEST_F(StyleHapticTest, TheMouseFeelsWhatIsInTheWindow)
   EXPECT_TRUE(this->PollUntil([&] { return this->Force() == 0.0; }));
 }
 
-TEST_F(StyleHapticTest, TheWheelGoesInDepth)
+TEST_F(StyleHapticTest, WheelMovesInDepth)
 {
   this->StartBesideTheBall();
   const double before = this->Probe().z();
@@ -191,10 +191,10 @@ TEST_F(StyleHapticTest, TheWheelGoesInDepth)
   EXPECT_TRUE(this->PollUntil([&] { return this->Probe().z() > before - 1.0; }));
 }
 
-TEST_F(StyleHapticTest, TheDevicesAxesAreTheCamerasOnceItRests)
+TEST_F(StyleHapticTest, DeviceAxesEqualCameraAxesAtRest)
 {
   this->StartBesideTheBall();
-  // Seen from the left with the head up: what was 35 mm to the viewer's right still is.
+  // Seen from the left with the head up: 35 mm to the viewer's right stays so.
   this->LookFrom({1.0, 0.0, 0.0}, {0.0, 0.0, 1.0});
   EXPECT_TRUE(this->PollUntil([&] { return this->Probe().y() > 30.0; }));
   EXPECT_NEAR(this->Probe().x(), 0.0, 2.0); // the hand settles to within its friction
@@ -202,7 +202,7 @@ TEST_F(StyleHapticTest, TheDevicesAxesAreTheCamerasOnceItRests)
   EXPECT_TRUE(this->PollUntil([&] { return this->Probe().z() > 25.0; }));
 }
 
-TEST_F(StyleHapticTest, TheClutchKeepsTheToolWhereItIsAndGivesNoForce)
+TEST_F(StyleHapticTest, ClutchHoldsToolWithoutForce)
 {
   SteadyClock clock;
   auto owned = std::make_unique<test::PlacedDevice>(clock);
@@ -230,7 +230,7 @@ TEST_F(StyleHapticTest, TheClutchKeepsTheToolWhereItIsAndGivesNoForce)
   EXPECT_GT(this->Proxy().x(), this->Probe().x());
 }
 
-TEST_F(StyleHapticTest, EscapeSwitchesForcesOffAndFOnAgain)
+TEST_F(StyleHapticTest, EscapeSwitchesForcesOffAndFSwitchesThemOn)
 {
   this->StartBesideTheBall();
   this->MoveMouse(-36, 0);
@@ -248,7 +248,7 @@ TEST_F(StyleHapticTest, EscapeSwitchesForcesOffAndFOnAgain)
   EXPECT_EQ(this->Touch->GetStatusText(), Describe(SafetyFault::None));
 }
 
-TEST_F(StyleHapticTest, ALostDeviceIsAFaultThatSaysWhatToDo)
+TEST_F(StyleHapticTest, LostDeviceRaisesFaultWithInstructions)
 {
   SteadyClock clock;
   auto owned = std::make_unique<SimulatedDevice>(clock, SimulatedSettings());
@@ -261,7 +261,7 @@ TEST_F(StyleHapticTest, ALostDeviceIsAFaultThatSaysWhatToDo)
   EXPECT_EQ(this->Touch->GetStatusText(), device->Problem());
 }
 
-TEST_F(StyleHapticTest, WhatIsAddedWhileTouchingIsFelt)
+TEST_F(StyleHapticTest, AddsStructureWhileTouching)
 {
   this->StartBesideTheBall();
   vtkNew<vtkSphereSource> ball;
@@ -274,7 +274,7 @@ TEST_F(StyleHapticTest, WhatIsAddedWhileTouchingIsFelt)
   EXPECT_TRUE(this->Comes(Style::ContactEndEvent));
 }
 
-TEST_F(StyleHapticTest, TheToolIsDrawnWhileItTouches)
+TEST_F(StyleHapticTest, DrawsToolWhileTouching)
 {
   const int before = this->Renderer->GetViewProps()->GetNumberOfItems();
   this->StartBesideTheBall();
@@ -284,7 +284,7 @@ TEST_F(StyleHapticTest, TheToolIsDrawnWhileItTouches)
   EXPECT_EQ(this->Renderer->GetViewProps()->GetNumberOfItems(), before);
 }
 
-TEST_F(StyleHapticTest, WhatCannotBeDoneIsRefusedWithASentence)
+TEST_F(StyleHapticTest, RejectsInvalidRequestsWithMessage)
 {
   vtkNew<vtkTest::ErrorObserver> errors;
   this->Touch->AddObserver(vtkCommand::ErrorEvent, errors);
@@ -303,7 +303,7 @@ TEST_F(StyleHapticTest, WhatCannotBeDoneIsRefusedWithASentence)
   EXPECT_FALSE(this->Touch->IsTouching());
 }
 
-TEST_F(StyleHapticTest, LosingItsWindowStopsTheTouch)
+TEST_F(StyleHapticTest, LostWindowStopsTouch)
 {
   this->StartBesideTheBall();
   this->Interactor->SetInteractorStyle(nullptr);
@@ -315,7 +315,7 @@ TEST(CameraAxes, AreRightHandedWhateverTheViewUp)
   vtkNew<vtkCamera> camera;
   camera->SetPosition(3.0, -2.0, 5.0);
   camera->SetFocalPoint(-1.0, 0.5, 0.0);
-  camera->SetViewUp(0.2, 0.3, 0.9); // not across the view
+  camera->SetViewUp(0.2, 0.3, 0.9); // not perpendicular to the view direction
   const Matrix3 axes = CameraAxes(camera);
   EXPECT_LT((axes.transpose() * axes - Matrix3::Identity()).norm(), 1e-14);
   EXPECT_NEAR(axes.determinant(), 1.0, 1e-14);

@@ -60,12 +60,12 @@ protected:
   int Moves = 0;
 };
 
-TEST_F(MouseHandStyleTest, ThePointerMovesTheHandInItsOwnPlaneOfTheScreen)
+TEST_F(MouseHandStyleTest, PointerMovesHandInItsScreenPlane)
 {
   const double start[3] = {0.0, 0.0, 20.0};
   this->Style->SetHandWorld(start);
   this->Send(vtkCommand::MouseMoveEvent, 130, 40);
-  // Pixel 100 of 200 is the middle; within half a pixel of rounding.
+  // Pixel 100 of 200 is the centre; within half a pixel of rounding.
   EXPECT_NEAR(this->Hand().x(), 3.0, 0.051);
   EXPECT_NEAR(this->Hand().y(), -1.0, 0.051);
   // The depth goes through a normalised coordinate and back, in double precision.
@@ -73,7 +73,7 @@ TEST_F(MouseHandStyleTest, ThePointerMovesTheHandInItsOwnPlaneOfTheScreen)
   EXPECT_EQ(this->Moves, 1);
 }
 
-TEST_F(MouseHandStyleTest, TheWheelMovesItAlongTheLineOfSight)
+TEST_F(MouseHandStyleTest, WheelMovesHandAlongLineOfSight)
 {
   this->Style->SetNotchMillimeters(0.5);
   this->Send(vtkCommand::MouseWheelForwardEvent, 100, 50);
@@ -83,7 +83,7 @@ TEST_F(MouseHandStyleTest, TheWheelMovesItAlongTheLineOfSight)
   EXPECT_EQ(this->Moves, 3);
 }
 
-TEST_F(MouseHandStyleTest, InPerspectiveTheHandStaysUnderThePointer)
+TEST_F(MouseHandStyleTest, PerspectiveKeepsHandUnderPointer)
 {
   this->Renderer->GetActiveCamera()->ParallelProjectionOff();
   this->Renderer->GetActiveCamera()->SetViewAngle(30.0);
@@ -95,7 +95,7 @@ TEST_F(MouseHandStyleTest, InPerspectiveTheHandStaysUnderThePointer)
   EXPECT_NEAR((this->Hand() - before).norm(), this->Style->GetNotchMillimeters(), 1e-9);
 }
 
-TEST_F(MouseHandStyleTest, WhatIsDraggedGoesWithThePointerInItsPlaneAndTheHandStays)
+TEST_F(MouseHandStyleTest, DragMovesObjectInItsPlaneAndKeepsHand)
 {
   const double start[3] = {1.0, 2.0, 20.0};
   this->Style->SetDraggedWorld(start);
@@ -118,7 +118,7 @@ TEST_F(MouseHandStyleTest, WhatIsDraggedGoesWithThePointerInItsPlaneAndTheHandSt
   EXPECT_LT((Vector3(this->Style->GetDraggedWorld()) - Vector3(4.0, 0.0, 19.5)).norm(), 1e-9);
 }
 
-TEST_F(MouseHandStyleTest, WithControlTheCameraMovesAndTheHandDoesNot)
+TEST_F(MouseHandStyleTest, ControlMovesCameraInsteadOfHand)
 {
   vtkCamera* camera = this->Renderer->GetActiveCamera();
   this->Send(vtkCommand::LeftButtonPressEvent, 100, 50, true);
@@ -131,7 +131,7 @@ TEST_F(MouseHandStyleTest, WithControlTheCameraMovesAndTheHandDoesNot)
   EXPECT_EQ(this->Moves, 0);
 }
 
-TEST_F(MouseHandStyleTest, WithoutAHandItIsTheTrackball)
+TEST_F(MouseHandStyleTest, IsTrackballWithoutHand)
 {
   this->Style->HandOff();
   this->Send(vtkCommand::MouseMoveEvent, 130, 40);
@@ -144,7 +144,7 @@ TEST_F(MouseHandStyleTest, WithoutAHandItIsTheTrackball)
   EXPECT_EQ(this->Moves, 0);
 }
 
-TEST_F(MouseHandStyleTest, APlaceThatIsNoNumberIsIgnored)
+TEST_F(MouseHandStyleTest, IgnoresNonFinitePosition)
 {
   const double bad[3] = {std::numeric_limits<double>::quiet_NaN(), 0.0, 0.0};
   this->Style->SetHandWorld(bad);

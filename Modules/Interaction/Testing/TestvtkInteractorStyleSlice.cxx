@@ -15,7 +15,7 @@ using palpate::Vector3;
 
 namespace
 {
-// VTK's own for this system wants a window on a screen; tests send their events themselves.
+// VTK's interactor for this system needs a window on a display; tests send their events themselves.
 class EventSender : public vtkRenderWindowInteractor
 {
 public:
@@ -24,7 +24,7 @@ public:
 };
 vtkStandardNewMacro(EventSender);
 
-// A slice view at the left and a renderer of another kind at the right, under the style.
+// A slice view at the left and another renderer at the right, with the style.
 class vtkInteractorStyleSliceTest : public palpate::test::SliceViewTest
 {
 protected:
@@ -72,7 +72,7 @@ protected:
 };
 } // namespace
 
-TEST_F(vtkInteractorStyleSliceTest, LeftDragMovesTheCrosshairWithThePointer)
+TEST_F(vtkInteractorStyleSliceTest, LeftDragMovesCrosshairWithPointer)
 {
   this->Send(vtkCommand::LeftButtonPressEvent, 50, 60);
   this->ExpectCrosshairAt(50, 60);
@@ -83,13 +83,13 @@ TEST_F(vtkInteractorStyleSliceTest, LeftDragMovesTheCrosshairWithThePointer)
   this->ExpectCrosshairAt(80, 20);
 }
 
-TEST_F(vtkInteractorStyleSliceTest, ADragThatLeavesTheViewStaysThatViews)
+TEST_F(vtkInteractorStyleSliceTest, DragBeyondViewStaysWithItsView)
 {
   this->Drag(vtkCommand::LeftButtonPressEvent, 50, 60, 220, 90); // ends over the other renderer
   this->ExpectCrosshairAt(220, 90);
 }
 
-TEST_F(vtkInteractorStyleSliceTest, LeftDragIsWindowAndLevelInThatMode)
+TEST_F(vtkInteractorStyleSliceTest, LeftDragChangesWindowAndLevelInThatMode)
 {
   this->Style->SetLeftButtonMode(vtkInteractorStyleSlice::WINDOW_LEVEL);
   const Vector3 before = this->Place();
@@ -101,7 +101,7 @@ TEST_F(vtkInteractorStyleSliceTest, LeftDragIsWindowAndLevelInThatMode)
   EXPECT_EQ(this->Place(), before);
 }
 
-TEST_F(vtkInteractorStyleSliceTest, ControlTurnsALeftDragIntoTheOtherKind)
+TEST_F(vtkInteractorStyleSliceTest, ControlSwapsLeftDragMode)
 {
   const Vector3 before = this->Place();
   this->Drag(vtkCommand::LeftButtonPressEvent, 50, 60, 80, 60, true);
@@ -112,7 +112,7 @@ TEST_F(vtkInteractorStyleSliceTest, ControlTurnsALeftDragIntoTheOtherKind)
   this->ExpectCrosshairAt(90, 30);
 }
 
-TEST_F(vtkInteractorStyleSliceTest, TheWindowGoesBackWhenTheDragDoes)
+TEST_F(vtkInteractorStyleSliceTest, DragBackRestoresWindow)
 {
   this->Style->SetLeftButtonMode(vtkInteractorStyleSlice::WINDOW_LEVEL);
   this->Drag(vtkCommand::LeftButtonPressEvent, 50, 60, 81, 33);
@@ -121,7 +121,7 @@ TEST_F(vtkInteractorStyleSliceTest, TheWindowGoesBackWhenTheDragDoes)
   EXPECT_NEAR(this->Display->GetLevel(), 100.0, 1e-9);
 }
 
-TEST_F(vtkInteractorStyleSliceTest, TheWheelGoesFromSliceToSlice)
+TEST_F(vtkInteractorStyleSliceTest, WheelScrollsSlices)
 {
   const int slice = this->View->GetSliceNumber();
   this->Send(vtkCommand::MouseWheelForwardEvent, 60, 60);
@@ -131,7 +131,7 @@ TEST_F(vtkInteractorStyleSliceTest, TheWheelGoesFromSliceToSlice)
   EXPECT_EQ(this->View->GetSliceNumber(), slice + 1);
 }
 
-TEST_F(vtkInteractorStyleSliceTest, TheWheelWithControlZoomsRoundThePointer)
+TEST_F(vtkInteractorStyleSliceTest, ControlWheelZoomsAroundPointer)
 {
   const double pixel = this->View->GetPixelMillimeters();
   const Vector3 under = this->WorldAt(30, 50);
@@ -144,7 +144,7 @@ TEST_F(vtkInteractorStyleSliceTest, TheWheelWithControlZoomsRoundThePointer)
   EXPECT_EQ(this->Place(), before);
 }
 
-TEST_F(vtkInteractorStyleSliceTest, RightDragZoomsRoundWhereItBegan)
+TEST_F(vtkInteractorStyleSliceTest, RightDragZoomsAroundItsStart)
 {
   const double pixel = this->View->GetPixelMillimeters();
   const Vector3 under = this->WorldAt(40, 50);
@@ -153,7 +153,7 @@ TEST_F(vtkInteractorStyleSliceTest, RightDragZoomsRoundWhereItBegan)
   EXPECT_NEAR((this->WorldAt(40, 50) - under).norm(), 0.0, 1e-11);
 }
 
-TEST_F(vtkInteractorStyleSliceTest, MiddleDragTakesThePictureAlong)
+TEST_F(vtkInteractorStyleSliceTest, MiddleDragPans)
 {
   const Vector3 under = this->WorldAt(40, 50);
   this->Drag(vtkCommand::MiddleButtonPressEvent, 40, 50, 71, 33);
@@ -179,7 +179,7 @@ TEST_F(vtkInteractorStyleSliceTest, ArrowsAndPagesScroll)
   EXPECT_EQ(this->View->GetSliceNumber(), slice - 1);
 }
 
-TEST_F(vtkInteractorStyleSliceTest, RFitsTheViewAndOtherLettersDoNothing)
+TEST_F(vtkInteractorStyleSliceTest, OnlyKeyRActsAndFitsView)
 {
   const double pixel = this->View->GetPixelMillimeters();
   this->View->Zoom(3.0, 10.0, 10.0);
@@ -193,7 +193,7 @@ TEST_F(vtkInteractorStyleSliceTest, RFitsTheViewAndOtherLettersDoNothing)
   EXPECT_NEAR(this->View->GetPixelMillimeters(), pixel, 1e-12);
 }
 
-TEST_F(vtkInteractorStyleSliceTest, ADoubleClickSaysInWhichRenderer)
+TEST_F(vtkInteractorStyleSliceTest, DoubleClickReportsItsRenderer)
 {
   std::vector<void*> renderers;
   vtkNew<vtkCallbackCommand> command;
@@ -206,7 +206,7 @@ TEST_F(vtkInteractorStyleSliceTest, ADoubleClickSaysInWhichRenderer)
   EXPECT_EQ(renderers, (std::vector<void*>{this->Renderer.Get(), this->Other.Get()}));
 }
 
-TEST_F(vtkInteractorStyleSliceTest, BesideSlicesTheCameraTurnsAndTheCrosshairStays)
+TEST_F(vtkInteractorStyleSliceTest, OtherRenderersRotateCameraAndKeepCrosshair)
 {
   const Vector3 before = this->Place();
   const Vector3 eye(this->Other->GetActiveCamera()->GetPosition());
@@ -215,7 +215,7 @@ TEST_F(vtkInteractorStyleSliceTest, BesideSlicesTheCameraTurnsAndTheCrosshairSta
   EXPECT_EQ(this->Place(), before);
 }
 
-TEST_F(vtkInteractorStyleSliceTest, ViewsThatShareTheCrosshairAreDrawnToo)
+TEST_F(vtkInteractorStyleSliceTest, DrawsViewsThatShareCrosshair)
 {
   vtkNew<vtkSliceView> coronal;
   coronal->SetOrientation(vtkSliceView::CORONAL);
@@ -228,7 +228,7 @@ TEST_F(vtkInteractorStyleSliceTest, ViewsThatShareTheCrosshairAreDrawnToo)
   EXPECT_GT(coronal->GetPaintCount(), painted);
 }
 
-TEST_F(vtkInteractorStyleSliceTest, AViewThatIsTakenAwayIsLeftAlone)
+TEST_F(vtkInteractorStyleSliceTest, IgnoresRemovedView)
 {
   this->Send(vtkCommand::LeftButtonPressEvent, 50, 60);
   const Vector3 before = this->Place();

@@ -42,7 +42,7 @@ bool IsGreen(const std::uint8_t* pixel)
 }
 } // namespace
 
-TEST_F(vtkSliceViewTest, EveryPixelShowsTheVolumeWhereWorldCoordinatesSay)
+TEST_F(vtkSliceViewTest, PixelsShowVolumeAtWorldCoordinates)
 {
   this->Crosshair->SetPositionWorld(3.0, -5.0, 7.0);
   const ImageAxes axes(this->Image);
@@ -81,7 +81,7 @@ TEST_F(vtkSliceViewTest, EveryPixelShowsTheVolumeWhereWorldCoordinatesSay)
   }
 }
 
-TEST_F(vtkSliceViewTest, ThePlanePassesThroughTheCrosshairAndFacesTheViewer)
+TEST_F(vtkSliceViewTest, PlanePassesThroughCrosshairAndFacesViewer)
 {
   this->Crosshair->SetPositionWorld(12.0, 4.0, -9.0);
   for (const int orientation : Orientations)
@@ -96,7 +96,7 @@ TEST_F(vtkSliceViewTest, ThePlanePassesThroughTheCrosshairAndFacesTheViewer)
   }
 }
 
-TEST_F(vtkSliceViewTest, NearestInterpolationShowsVoxelsAsTheyAre)
+TEST_F(vtkSliceViewTest, NearestInterpolationShowsVoxelValues)
 {
   this->Display->InterpolateOff();
   const Picture picture = this->Draw();
@@ -121,7 +121,7 @@ TEST_F(vtkSliceViewTest, NearestInterpolationShowsVoxelsAsTheyAre)
   EXPECT_GT(checked, 500);
 }
 
-TEST_F(vtkSliceViewTest, LabelsAreBlendedOverTheImageInTheirColors)
+TEST_F(vtkSliceViewTest, BlendsLabelsOverImage)
 {
   vtkNew<vtkImageData> labels;
   labels->DeepCopy(this->Image);
@@ -157,7 +157,7 @@ TEST_F(vtkSliceViewTest, LabelsAreBlendedOverTheImageInTheirColors)
   EXPECT_LT(painted, 7000);
 }
 
-TEST_F(vtkSliceViewTest, AContourLiesWhereTheSurfaceMeetsThePlane)
+TEST_F(vtkSliceViewTest, ContourLiesOnSurfaceAndPlane)
 {
   const Vector3 center(5.0, -8.0, 4.0);
   const auto surface = SphereDisplay(center, 20.0);
@@ -177,7 +177,7 @@ TEST_F(vtkSliceViewTest, AContourLiesWhereTheSurfaceMeetsThePlane)
         if (IsGreen(PixelAt(picture, x, y)))
         {
           const double distance = (this->WorldAt(x, y) - position.Projected(center)).norm();
-          // A line of 1.5 points, to the pixel, along chords that lie 0.02 mm within.
+          // A line of 1.5 points, to the pixel, along chords up to 0.02 mm inside.
           ASSERT_NEAR(distance, radius, 1.6 * position.PixelMillimeters + 0.02);
           ++green;
         }
@@ -187,7 +187,7 @@ TEST_F(vtkSliceViewTest, AContourLiesWhereTheSurfaceMeetsThePlane)
   }
 }
 
-TEST_F(vtkSliceViewTest, ARemovedOrHiddenSurfaceHasNoContour)
+TEST_F(vtkSliceViewTest, RemovedOrHiddenSurfaceHasNoContour)
 {
   const auto surface = SphereDisplay(Vector3::Zero(), 20.0);
   const auto count = [this]
@@ -213,7 +213,7 @@ TEST_F(vtkSliceViewTest, ARemovedOrHiddenSurfaceHasNoContour)
   EXPECT_EQ(count(), 0);
 }
 
-TEST_F(vtkSliceViewTest, OnlyWhatChangedIsMadeAnew)
+TEST_F(vtkSliceViewTest, UpdatesOnlyChanges)
 {
   const auto surface = SphereDisplay(Vector3::Zero(), 20.0);
   this->View->AddSurface(surface);
@@ -237,7 +237,7 @@ TEST_F(vtkSliceViewTest, OnlyWhatChangedIsMadeAnew)
   EXPECT_EQ(this->View->GetCutCount(), 2);
 }
 
-TEST_F(vtkSliceViewTest, LinkedViewsPassThroughTheSamePoint)
+TEST_F(vtkSliceViewTest, LinkedViewsShareThePoint)
 {
   vtkNew<vtkSliceView> other;
   vtkNew<vtkRenderer> renderer;
@@ -259,7 +259,7 @@ TEST_F(vtkSliceViewTest, LinkedViewsPassThroughTheSamePoint)
               0.0, 1e-11);
 }
 
-TEST_F(vtkSliceViewTest, PlacesOfTheWindowAreThoseOfTheCamera)
+TEST_F(vtkSliceViewTest, WindowPositionsMatchCamera)
 {
   this->Renderer->SetViewport(0.25, 0.5, 1.0, 1.0);
   this->View->Pan(13.0, -7.0);
@@ -268,12 +268,12 @@ TEST_F(vtkSliceViewTest, PlacesOfTheWindowAreThoseOfTheCamera)
   this->Renderer->SetWorldPoint(world.x(), world.y(), world.z(), 1.0);
   this->Renderer->WorldToDisplay();
   const double* display = this->Renderer->GetDisplayPoint();
-  // The middle of the pixel; the camera computes in double precision.
+  // The pixel's centre; the camera computes in double precision.
   EXPECT_NEAR(display[0], 100.5, 1e-6);
   EXPECT_NEAR(display[1], 120.5, 1e-6);
 }
 
-TEST_F(vtkSliceViewTest, ZoomKeepsThePointUnderThePointerAndPanMovesIt)
+TEST_F(vtkSliceViewTest, ZoomKeepsPointUnderPointerAndPanMovesIt)
 {
   this->Draw();
   const Vector3 before = this->WorldAt(33.0, 44.0);
@@ -288,7 +288,7 @@ TEST_F(vtkSliceViewTest, ZoomKeepsThePointUnderThePointerAndPanMovesIt)
   EXPECT_NEAR((this->WorldAt(43.0, 40.0) - before).norm(), 0.0, 1e-11);
 }
 
-TEST_F(vtkSliceViewTest, ScrollingGoesFromSliceToSliceOfTheVolumeAndStopsAtItsEnds)
+TEST_F(vtkSliceViewTest, ScrollsVolumeSlicesAndStopsAtEnds)
 {
   const ImageAxes axes(this->Image);
   this->Crosshair->SetPositionWorld(1.0, 2.0, 3.0);
@@ -297,7 +297,7 @@ TEST_F(vtkSliceViewTest, ScrollingGoesFromSliceToSliceOfTheVolumeAndStopsAtItsEn
   this->View->Scroll(1);
   EXPECT_EQ(this->View->GetSliceNumber(), first + 1);
   const Vector3 index = axes.ToIndex(Vector3(this->Crosshair->GetPositionWorld()));
-  EXPECT_NEAR(index.z(), std::round(index.z()), 1e-9); // on a slice's middle
+  EXPECT_NEAR(index.z(), std::round(index.z()), 1e-9); // on a slice's centre plane
   EXPECT_NEAR(index.z(), first, 1e-9);                 // numbers count from 1, indices from 0
   this->View->Scroll(1000);
   EXPECT_EQ(this->View->GetSliceNumber(), 31);
@@ -305,7 +305,7 @@ TEST_F(vtkSliceViewTest, ScrollingGoesFromSliceToSliceOfTheVolumeAndStopsAtItsEn
   EXPECT_EQ(this->View->GetSliceNumber(), 1);
 }
 
-TEST_F(vtkSliceViewTest, LandmarksAreShownWithinReachOnly)
+TEST_F(vtkSliceViewTest, ShowsLandmarksWithinReachOnly)
 {
   vtkNew<vtkLandmarks> landmarks;
   landmarks->SetColor(0.0, 1.0, 0.0);
@@ -333,14 +333,15 @@ TEST_F(vtkSliceViewTest, LandmarksAreShownWithinReachOnly)
     return radius;
   };
   this->View->Zoom(3.0, 0.5 * Width - 0.5, 0.5 * Height - 0.5);
-  // The cut of a ball of 3 mm at 2 mm; a line of two pixels of 0.25 mm, and half a diagonal of one.
+  // The cross-section of a sphere of 3 mm at 2 mm; a line of two pixels of 0.25 mm, and half a
+  // pixel diagonal.
   EXPECT_NEAR(radiusSeen(), std::sqrt(5.0), 0.5);
   const Vector3 away = -1.5 * normal; // now 3.5 mm off
   this->Crosshair->SetPositionWorld(away.data());
   EXPECT_EQ(radiusSeen(), 0.0);
 }
 
-TEST_F(vtkSliceViewTest, WithoutAnythingItDrawsNothing)
+TEST_F(vtkSliceViewTest, DrawsNothingWithoutContents)
 {
   vtkNew<vtkSliceView> empty;
   vtkNew<vtkRenderer> renderer;
@@ -355,7 +356,7 @@ TEST_F(vtkSliceViewTest, WithoutAnythingItDrawsNothing)
   EXPECT_EQ(empty->GetNumberOfSlices(), 0);
 }
 
-TEST_F(vtkSliceViewTest, ARendererThatIsGivenBackIsEmpty)
+TEST_F(vtkSliceViewTest, ReleasedRendererIsEmpty)
 {
   this->View->AddSurface(SphereDisplay(Vector3::Zero(), 9.0));
   this->Draw();

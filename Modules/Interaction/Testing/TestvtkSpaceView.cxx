@@ -39,7 +39,7 @@ vtkSmartPointer<vtkPolyData> Ball(const Vector3& center, double radius)
   return sphere->GetOutput();
 }
 
-// A view of the middle of space from the front, in parallel, of which tests choose the contents.
+// A view of the origin from the front, in parallel projection; tests choose the contents.
 class vtkSpaceViewTest : public palpate::test::DisplayTest
 {
 protected:
@@ -62,7 +62,7 @@ protected:
     this->Surface->SetColor(0.0, 0.0, 1.0);
   }
 
-  // The first picture chooses a camera; this is the tests'.
+  // The first frame chooses a camera; this replaces it.
   Picture Draw(int side = vtkSpaceView::ANTERIOR)
   {
     this->Window->Render();
@@ -101,7 +101,7 @@ protected:
 };
 } // namespace
 
-TEST_F(vtkSpaceViewTest, ASurfaceIsDrawnInItsColorWhereItIs)
+TEST_F(vtkSpaceViewTest, DrawsSurfaceAtItsPositionInItsColor)
 {
   this->Surface->SetSurface(Ball(Vector3(8.0, 0.0, 0.0), 10.0));
   this->View->AddSurface(this->Surface);
@@ -117,7 +117,7 @@ TEST_F(vtkSpaceViewTest, ASurfaceIsDrawnInItsColorWhereItIs)
   EXPECT_TRUE(IsBlack(PixelAt(this->Draw(), 8.0, 0.0)));
 }
 
-TEST_F(vtkSpaceViewTest, AnArrayColorsTheSurfaceByItsSign)
+TEST_F(vtkSpaceViewTest, ArrayColorsSurfaceBySign)
 {
   const auto ball = Ball(Vector3::Zero(), 15.0);
   vtkNew<vtkDoubleArray> distances;
@@ -140,7 +140,7 @@ TEST_F(vtkSpaceViewTest, AnArrayColorsTheSurfaceByItsSign)
   EXPECT_TRUE(IsBlue(PixelAt(this->Draw(), 12.0, 0.0)));
 }
 
-TEST_F(vtkSpaceViewTest, SurfacesOfOneArrayShareItsScale)
+TEST_F(vtkSpaceViewTest, SurfacesOfOneArrayShareScale)
 {
   const auto measured = [](const Vector3& middle, double number)
   {
@@ -168,7 +168,7 @@ TEST_F(vtkSpaceViewTest, SurfacesOfOneArrayShareItsScale)
   EXPECT_TRUE(IsRed(PixelAt(this->Draw(), -10.0, 0.0)));
 }
 
-TEST_F(vtkSpaceViewTest, LookFromSeesThePatientFromThatSide)
+TEST_F(vtkSpaceViewTest, LookFromShowsThatSide)
 {
   this->Surface->SetSurface(Ball(Vector3(3.0, 4.0, 5.0), 10.0));
   this->View->AddSurface(this->Surface);
@@ -185,7 +185,7 @@ TEST_F(vtkSpaceViewTest, LookFromSeesThePatientFromThatSide)
   }
 }
 
-TEST_F(vtkSpaceViewTest, SlicesShowTheVolumeWhereItIs)
+TEST_F(vtkSpaceViewTest, SlicesShowVolumeAtItsPosition)
 {
   const auto image = palpate::test::RampImage(palpate::test::SkewTurn());
   vtkNew<vtkImageDisplay> display;
@@ -204,7 +204,7 @@ TEST_F(vtkSpaceViewTest, SlicesShowTheVolumeWhereItIs)
       const int step = place / 30;
       const double x = -25.0 + 1.7 * step;
       const double z = -25.0 + 1.7 * (place % 30);
-      // Of the pixel's middle.
+      // Of the pixel's centre.
       const double column = std::floor(0.5 * Side + x / PixelMillimeters) + 0.5;
       const double row = std::floor(0.5 * Side - z / PixelMillimeters) + 0.5;
       const Vector3 world((column - 0.5 * Side) * PixelMillimeters, depth,
@@ -216,7 +216,7 @@ TEST_F(vtkSpaceViewTest, SlicesShowTheVolumeWhereItIs)
   }
 }
 
-TEST_F(vtkSpaceViewTest, ASliceThatMissesTheVolumeIsNotDrawn)
+TEST_F(vtkSpaceViewTest, DoesNotDrawSliceOutsideVolume)
 {
   vtkNew<vtkImageDisplay> display;
   display->SetImage(palpate::test::RampImage(palpate::Matrix3::Identity()));
@@ -229,7 +229,7 @@ TEST_F(vtkSpaceViewTest, ASliceThatMissesTheVolumeIsNotDrawn)
   EXPECT_TRUE(IsBlack(PixelAt(this->Draw(), 1.0, 1.0)));
 }
 
-TEST_F(vtkSpaceViewTest, APickedPointLiesOnTheSurfaceUnderThePointer)
+TEST_F(vtkSpaceViewTest, PickedPointLiesOnSurfaceUnderPointer)
 {
   const Vector3 center(4.0, 6.0, -3.0);
   this->Surface->SetSurface(Ball(center, 12.0));
@@ -247,9 +247,9 @@ TEST_F(vtkSpaceViewTest, APickedPointLiesOnTheSurfaceUnderThePointer)
   EXPECT_EQ(this->View->GetPickedSurface(), nullptr);
 }
 
-TEST_F(vtkSpaceViewTest, OfPolygonsAndSubVoxelSurfacesTheNearerIsPicked)
+TEST_F(vtkSpaceViewTest, PicksNearerOfPolygonsAndSubVoxelSurfaces)
 {
-  // The ramp is high at the patient's front; from the back its surface is seen and not the border.
+  // The ramp is high at the patient's front; from the back its surface is visible, not the border.
   vtkNew<vtkSubVoxelVolumeMapper> mapper;
   mapper->SetInputData(palpate::test::RampImage(palpate::test::SkewTurn()));
   mapper->SetIsoValue(0, 100.0);
@@ -274,7 +274,7 @@ TEST_F(vtkSpaceViewTest, OfPolygonsAndSubVoxelSurfacesTheNearerIsPicked)
   EXPECT_NEAR((nearer - seen).norm(), 0.0, 1e-9);
 }
 
-TEST_F(vtkSpaceViewTest, WhatIsTouchedHasTheContactColor)
+TEST_F(vtkSpaceViewTest, ContactRegionHasContactColor)
 {
   this->Surface->SetSurface(Ball(Vector3::Zero(), 15.0));
   this->View->AddSurface(this->Surface);
@@ -296,7 +296,8 @@ TEST_F(vtkSpaceViewTest, WhatIsTouchedHasTheContactColor)
   EXPECT_TRUE(IsRed(PixelAt(picture, 3.5, 0.0)));
   EXPECT_TRUE(IsBlue(PixelAt(picture, 5.0, 6.0)));
   EXPECT_TRUE(IsBlue(PixelAt(picture, -3.0, 0.0)));
-  // The place is the surface's, whatever the camera; from the left, y runs to the right.
+  // The region is fixed to the surface, whatever the camera; from the left, y increases to the
+  // right.
   picture = this->Draw(vtkSpaceView::LEFT);
   EXPECT_TRUE(IsRed(PixelAt(picture, -13.8, 1.0)));
   EXPECT_TRUE(IsBlue(PixelAt(picture, -13.8, 5.0)));
@@ -305,7 +306,7 @@ TEST_F(vtkSpaceViewTest, WhatIsTouchedHasTheContactColor)
   EXPECT_TRUE(IsBlue(PixelAt(this->Draw(), 5.0, 1.8)));
 }
 
-TEST_F(vtkSpaceViewTest, ASubVoxelVolumeHasTheContactColorWhereItIsTouched)
+TEST_F(vtkSpaceViewTest, SubVoxelContactRegionHasContactColor)
 {
   vtkNew<vtkSubVoxelVolumeMapper> mapper;
   mapper->SetInputData(palpate::test::RampImage(palpate::test::SkewTurn()));
@@ -322,9 +323,9 @@ TEST_F(vtkSpaceViewTest, ASubVoxelVolumeHasTheContactColorWhereItIsTouched)
   Vector3 touched;
   this->Draw(vtkSpaceView::POSTERIOR);
   ASSERT_TRUE(this->PickAt(2.0, 3.0, touched));
-  // The tool stands before the surface, which pushes it to the viewer.
+  // The tool is in front of the surface, which pushes it towards the viewer.
   probe->SetForce(0.0, 1.0, 0.0);
-  probe->SetForceScale(0.0); // no arrow before it
+  probe->SetForceScale(0.0); // no arrow in front of it
   probe->SetProxyPosition(touched.x(), touched.y() + 0.5, touched.z());
   probe->SetProbePosition(touched.x(), touched.y() + 0.5, touched.z());
   Picture picture = this->Draw(vtkSpaceView::POSTERIOR);
@@ -338,7 +339,7 @@ TEST_F(vtkSpaceViewTest, ASubVoxelVolumeHasTheContactColorWhereItIsTouched)
   EXPECT_TRUE(IsBlue(PixelAt(picture, 2.0, 4.2)));
 }
 
-TEST_F(vtkSpaceViewTest, TheToolIsSolidAtTheProxyAndTranslucentAtTheProbe)
+TEST_F(vtkSpaceViewTest, ToolIsSolidAtProxyAndTranslucentAtProbe)
 {
   vtkNew<vtkProbeRepresentation> probe;
   this->View->SetProbe(probe);
@@ -356,7 +357,7 @@ TEST_F(vtkSpaceViewTest, TheToolIsSolidAtTheProxyAndTranslucentAtTheProbe)
   EXPECT_TRUE(IsBlack(PixelAt(this->Draw(), -10.0, 0.0)));
 }
 
-TEST_F(vtkSpaceViewTest, TheArrowIsAsLongAsTheForceSays)
+TEST_F(vtkSpaceViewTest, ArrowLengthFollowsForce)
 {
   vtkNew<vtkProbeRepresentation> probe;
   this->View->SetProbe(probe);
@@ -375,7 +376,7 @@ TEST_F(vtkSpaceViewTest, TheArrowIsAsLongAsTheForceSays)
   EXPECT_TRUE(IsBlack(PixelAt(picture, 0.0, 8.0)));
 }
 
-TEST_F(vtkSpaceViewTest, LandmarksAreBallsAndDistancesLines)
+TEST_F(vtkSpaceViewTest, DrawsLandmarksAsSpheresAndDistancesAsLines)
 {
   vtkNew<vtkLandmarks> landmarks;
   landmarks->SetColor(0.0, 0.0, 1.0);
@@ -400,7 +401,7 @@ TEST_F(vtkSpaceViewTest, LandmarksAreBallsAndDistancesLines)
   EXPECT_TRUE(isLine());
 }
 
-TEST_F(vtkSpaceViewTest, ARendererThatIsGivenBackIsEmpty)
+TEST_F(vtkSpaceViewTest, ReleasedRendererIsEmpty)
 {
   this->Surface->SetSurface(Ball(Vector3::Zero(), 9.0));
   this->View->AddSurface(this->Surface);

@@ -1,4 +1,4 @@
-// The window touches whatever the command line can: models, surfaces, iso-values, whole scenes.
+// The window touches everything that the command line can: models, surfaces, iso-values, scenes.
 #include "StructureDialog.h"
 #include "VolumeViscosity.h"
 #include "WindowTest.h"
@@ -67,14 +67,14 @@ TEST_F(AddedStructures, IsoValueOfTheVolumeIsTouchedByItsField)
   this->WaitForContact("sub-voxel field");
 }
 
-TEST_F(AddedStructures, IsoValueWithoutAVolumeIsRefusedInAMessage)
+TEST_F(AddedStructures, RejectsIsoValueWithoutVolume)
 {
   this->Study->AddIsoValue(350.0);
   EXPECT_TRUE(this->Study->State().Structures.empty());
   EXPECT_NE(this->Messages().find("no volume"), std::string::npos);
 }
 
-TEST_F(AddedStructures, SceneFileBringsItsStructuresAndTool)
+TEST_F(AddedStructures, SceneFileAddsStructuresAndTool)
 {
   SceneSettings scene;
   scene.Structures.resize(2);
@@ -93,7 +93,7 @@ TEST_F(AddedStructures, SceneFileBringsItsStructuresAndTool)
   EXPECT_EQ(this->Study->State().SegmentationFile, this->MaskFile());
 }
 
-TEST_F(AddedStructures, DialogChangesInOneStepWhatTheTableHasNoColumnFor)
+TEST_F(AddedStructures, DialogIsOneUndoStep)
 {
   this->OpenPhantom();
   const int id = this->Study->State().Structures.front().Id;

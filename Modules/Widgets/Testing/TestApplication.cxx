@@ -10,8 +10,8 @@ namespace palpate
 {
 namespace
 {
-// A window of a user whose decimals have a comma. The environment is made before the application,
-// of which a program has one: so this is a program of its own.
+// A window of a user with a decimal comma. The environment is set before the application, of which
+// a program has only one: hence a separate program.
 class ApplicationTest : public test::WindowTest
 {
 protected:
@@ -37,7 +37,7 @@ private:
   }
 };
 
-TEST_F(ApplicationTest, KeepsNumbersOfTheCLocale)
+TEST_F(ApplicationTest, KeepsNumericCLocale)
 {
   EXPECT_STREQ(std::setlocale(LC_NUMERIC, nullptr), "C");
   EXPECT_STREQ(std::setlocale(LC_CTYPE, nullptr), test::CommaLocaleName())

@@ -16,7 +16,7 @@ namespace
 {
 using test::BadFile;
 
-// How much memory is free is another number each time.
+// The amount of free memory differs each time.
 std::string WithoutFreeMemory(std::string sentence)
 {
   const std::size_t end = sentence.find(" GB are free");
@@ -28,11 +28,11 @@ std::string WithoutFreeMemory(std::string sentence)
   return sentence;
 }
 
-// What the command line refuses, opened by the window's dialogs.
+// Files that the command line rejects, opened by the window's dialogs.
 class BadFilesTest : public test::WindowTest
 {
 protected:
-  // What the window says of a file that its dialog gives back.
+  // The window's message on a file chosen in its dialog.
   std::string SaidOf(const char* action, const std::filesystem::path& file)
   {
     this->Window->Messages()->Clear();
@@ -86,27 +86,27 @@ protected:
   }
 };
 
-TEST_F(BadFilesTest, NiftiFilesGetTheCommandLinesSentence)
+TEST_F(BadFilesTest, NiftiMessageEqualsCommandLine)
 {
   this->ExpectTheReadersSentences(test::BadNiftiFiles());
 }
 
-TEST_F(BadFilesTest, NrrdFilesGetTheCommandLinesSentence)
+TEST_F(BadFilesTest, NrrdMessageEqualsCommandLine)
 {
   this->ExpectTheReadersSentences(test::BadNrrdFiles());
 }
 
-TEST_F(BadFilesTest, OtherFilesGetTheCommandLinesSentence)
+TEST_F(BadFilesTest, OtherFilesMessageEqualsCommandLine)
 {
   this->ExpectTheReadersSentences(test::BadOtherFiles());
 }
 
-TEST_F(BadFilesTest, DamagedCompressedFilesGetTheCommandLinesSentence)
+TEST_F(BadFilesTest, DamagedCompressedFileMessageEqualsCommandLine)
 {
   this->ExpectTheReadersSentences(test::BadCompressedFiles());
 }
 
-TEST_F(BadFilesTest, MasksWithoutLabelsGetTheCommandLinesSentence)
+TEST_F(BadFilesTest, MaskWithoutLabelsMessageEqualsCommandLine)
 {
   const auto odd = this->Phantom.Folder / "odd.nrrd";
   test::WriteAll(odd, test::NrrdOfFloats(1.5F));
@@ -120,7 +120,7 @@ TEST_F(BadFilesTest, MasksWithoutLabelsGetTheCommandLinesSentence)
   this->ExpectTheWindowGoesOn();
 }
 
-TEST_F(BadFilesTest, AMissingFileGetsTheCommandLinesSentence)
+TEST_F(BadFilesTest, MissingFileMessageEqualsCommandLine)
 {
   const auto gone = this->Phantom.Folder / "gone.nii.gz";
   EXPECT_EQ(this->SaidOf("Open volume", gone), test::MessageOf([&] { ReadVolume(gone); }));
@@ -149,7 +149,7 @@ TEST_F(BadFilesTest, LeftHandedFileIsReadUnlessRefused)
       << this->Messages();
 }
 
-TEST_F(BadFilesTest, OfSeveralSeriesTheUserChooses)
+TEST_F(BadFilesTest, UserChoosesAmongSeveralSeries)
 {
   this->Series = 1;
   this->OpenFolder(this->TwoSeries());
@@ -161,7 +161,7 @@ TEST_F(BadFilesTest, OfSeveralSeriesTheUserChooses)
   EXPECT_EQ(this->Messages(), "");
 }
 
-TEST_F(BadFilesTest, AUserWhoThinksBetterOfASeriesOpensNothing)
+TEST_F(BadFilesTest, CancelledSeriesChoiceOpensNothing)
 {
   this->Series = -1;
   this->OpenFolder(this->TwoSeries());
@@ -169,7 +169,7 @@ TEST_F(BadFilesTest, AUserWhoThinksBetterOfASeriesOpensNothing)
   EXPECT_EQ(this->Study->State(), StudyState());
 }
 
-TEST_F(BadFilesTest, OneSeriesIsOpenedUnasked)
+TEST_F(BadFilesTest, SingleSeriesIsOpenedWithoutQuestion)
 {
   const auto folder = this->TwoSeries();
   std::filesystem::remove(folder / "3.dcm");
@@ -180,7 +180,7 @@ TEST_F(BadFilesTest, OneSeriesIsOpenedUnasked)
   EXPECT_EQ(this->Study->State().DicomSeries, "");
 }
 
-TEST_F(BadFilesTest, AFolderWithoutImagesGetsTheCommandLinesSentence)
+TEST_F(BadFilesTest, FolderWithoutImagesMessageEqualsCommandLine)
 {
   const auto folder = this->Phantom.Folder / "bare";
   std::filesystem::create_directory(folder);
@@ -189,7 +189,7 @@ TEST_F(BadFilesTest, AFolderWithoutImagesGetsTheCommandLinesSentence)
   EXPECT_EQ(this->Study->State(), StudyState());
 }
 
-TEST_F(BadFilesTest, AStudyThatCannotBeWrittenIsSaidAndStaysOpen)
+TEST_F(BadFilesTest, ReportsUnwritableStudyAndKeepsItOpen)
 {
   this->OpenPhantom();
   const StudyState before = this->Study->State();

@@ -16,9 +16,9 @@ const std::filesystem::path Labels = "/usr/share/mricron/templates/aal.nii.gz";
 
 using WindowPictures = test::WindowTest;
 
-// The window as the documentation shows it: the style is Qt's own, so that it looks alike wherever
+// The window's image in the documentation: in Qt's own style, so that it looks the same wherever
 // the test runs.
-TEST_F(WindowPictures, TheWindowShowsAHeadAndItsModels)
+TEST_F(WindowPictures, WindowShowsHeadAndModels)
 {
   PALPATE_REQUIRE_FILE(Head);
   PALPATE_REQUIRE_FILE(Labels);

@@ -26,7 +26,7 @@ protected:
     choice->setCurrentIndex(role);
     Q_EMIT choice->activated(role);
   }
-  // The ball alone, as soft tissue, begun to be touched.
+  // Starts touching the sphere alone, as soft tissue.
   void StartDrilling()
   {
     this->OpenPhantom();
@@ -41,7 +41,7 @@ protected:
   void StartTouch()
   {
     DrawAll(*this->Window->Views());
-    this->Window->Messages()->Clear(); // of structures that are no bodies
+    this->Window->Messages()->Clear(); // on structures that cannot be modelled
     this->Button("start-touch")->click();
     WaitUntil([this] { return this->Study->IsTouching() || !this->Messages().empty(); });
     ASSERT_TRUE(this->Study->IsTouching()) << this->Messages();
@@ -56,13 +56,13 @@ protected:
     QKeyEvent event(type, key, Qt::NoModifier);
     QApplication::sendEvent(this->Window->Views(), &event);
   }
-  // Until the servo has seen the key.
+  // Until the servo has received the key.
   void HoldPedal()
   {
     this->Key(QEvent::KeyPress, Qt::Key_D);
     this->FeelUntil([this] { return this->Study->Reading().Newest.IsDrilling; });
   }
-  // Presses the hand into the ball with the pedal down until so much is gone.
+  // Presses the hand into the sphere with the pedal down until `volume` is removed.
   void Drill(double volume)
   {
     const Vector3 hand = this->Study->Current().Touch().HandWorld();
@@ -97,7 +97,7 @@ protected:
   const Vector3 BallMiddle{-15.0, 0.0, 0.0};
 };
 
-TEST_F(DrillPanelTest, RolesAreStepsOfTheStudyAndComeBackWithASession)
+TEST_F(DrillPanelTest, RolesAreUndoStepsAndRestoredBySession)
 {
   this->OpenPhantom();
   this->Choose(0, 1);
@@ -121,7 +121,7 @@ TEST_F(DrillPanelTest, RolesAreStepsOfTheStudyAndComeBackWithASession)
   this->Action("Undo");
 }
 
-TEST_F(DrillPanelTest, ThePedalIsReleasedWhenAnotherWindowBecomesActive)
+TEST_F(DrillPanelTest, DeactivatedWindowReleasesPedal)
 {
   this->StartDrilling();
   QApplication::setActiveWindow(this->Window.get());
@@ -132,7 +132,7 @@ TEST_F(DrillPanelTest, ThePedalIsReleasedWhenAnotherWindowBecomesActive)
   WaitUntil([this] { return !this->Study->Reading().Newest.IsDrilling; });
 }
 
-TEST_F(DrillPanelTest, LettingGoOfTheKeyReleasesThePedalWhateverElseIsPressed)
+TEST_F(DrillPanelTest, KeyReleaseReleasesPedalDespiteOtherKeys)
 {
   this->StartDrilling();
   const QKeyEvent withShift(QEvent::KeyRelease, Qt::Key_D, Qt::ShiftModifier);
@@ -148,7 +148,7 @@ TEST_F(DrillPanelTest, LettingGoOfTheKeyReleasesThePedalWhateverElseIsPressed)
   }
 }
 
-TEST_F(DrillPanelTest, WhatIsDrilledIsSeenAtOnceAndUndone)
+TEST_F(DrillPanelTest, ShowsDrilledHoleAtOnceAndUndoesIt)
 {
   this->StartDrilling();
   EXPECT_EQ(this->Removed(), 0.0);
@@ -169,12 +169,12 @@ TEST_F(DrillPanelTest, WhatIsDrilledIsSeenAtOnceAndUndone)
   WaitUntil([this] { return this->Removed() > 20.0; });
 }
 
-TEST_F(DrillPanelTest, WhatWasDrilledOutlivesTouchesAndIsSavedOpenedAndExported)
+TEST_F(DrillPanelTest, HolesOutliveTouchesAndAreSavedOpenedAndExported)
 {
   this->StartDrilling();
   this->Drill(10.0);
   this->Study->StopTouch();
-  // With what was ordered last, which no reading of the window may have seen.
+  // Includes the last command, which no reading of the window may show yet.
   constexpr double Later = 1e9; // s
   const double before = this->Study->Current()
                             .Touch()
@@ -201,7 +201,7 @@ TEST_F(DrillPanelTest, WhatWasDrilledOutlivesTouchesAndIsSavedOpenedAndExported)
   EXPECT_EQ(this->Messages(), "");
 }
 
-TEST_F(DrillPanelTest, WhatIsForbiddenRaisesAnAlarm)
+TEST_F(DrillPanelTest, ForbiddenStructureRaisesAlarm)
 {
   this->OpenPhantom();
   StudyState next = this->Study->State();

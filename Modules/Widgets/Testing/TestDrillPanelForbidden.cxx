@@ -14,7 +14,7 @@ namespace
 {
 using test::ForbiddenPhantom;
 
-// Twelve labels in the window, of which the first alone is visible and touchable.
+// Twelve labels in the window; only the first is visible and touchable.
 class DrillPanelForbiddenTest : public test::WindowTest
 {
 protected:
@@ -64,7 +64,7 @@ protected:
     this->Button("start-touch")->click();
     WaitUntil([this] { return !this->Study->Reading().Drill.Drilled.empty(); });
   }
-  // The study's only worker does nothing until Release.
+  // The study's only worker is blocked until Release.
   void HoldWorker()
   {
     StudyJob job;
@@ -82,7 +82,7 @@ protected:
   std::promise<void> Released;
 };
 
-TEST_F(DrillPanelForbiddenTest, SaysOnceThatDrillingWaitsForAProtection)
+TEST_F(DrillPanelForbiddenTest, ReportsOnceThatDrillingWaitsForProtection)
 {
   this->StartDrilling();
   EXPECT_EQ(this->Words(), "");
@@ -109,7 +109,7 @@ TEST_F(DrillPanelForbiddenTest, SaysOnceThatDrillingWaitsForAProtection)
       << this->StatusOf(NerveRow);
 }
 
-TEST_F(DrillPanelForbiddenTest, SaysHowAProtectionStandsBeforeATouch)
+TEST_F(DrillPanelForbiddenTest, ShowsProtectionStatusBeforeTouch)
 {
   this->Study->OpenSegmentation(this->Labels.File);
   WaitUntil([this] { return this->Study->State().Structures.size() == 12; });
@@ -120,14 +120,14 @@ TEST_F(DrillPanelForbiddenTest, SaysHowAProtectionStandsBeforeATouch)
   EXPECT_EQ(this->Words(), "");
 }
 
-TEST_F(DrillPanelForbiddenTest, SaysOnceWhatCannotBeProtectedAndTheWayOut)
+TEST_F(DrillPanelForbiddenTest, ReportsFailedProtectionOnceWithFix)
 {
   this->StartDrilling();
   this->Window->Messages()->Clear();
   StudyState next = this->Study->State();
   next.Structures.push_back(
       test::StudyPhantom::Structure(77, TouchRepresentation::Automatic, next.SegmentationFile));
-  next.Structures.back().Name = "Pallidum_L"; // of no voxel
+  next.Structures.back().Name = "Pallidum_L"; // without voxels
   next.Structures.back().IsVisible = false;
   next.Structures.back().IsTouchable = false;
   next.Structures.back().IsForbidden = true;

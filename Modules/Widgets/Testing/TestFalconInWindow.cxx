@@ -32,7 +32,7 @@ Vector3 HomingHand(double seconds)
 }
 
 // The window with a virtual Falcon on a virtual bus, in real time. Replies take some milliseconds
-// there, so nothing is said about rates.
+// there, so rates are not tested.
 class FalconInWindowTest : public test::WindowTest
 {
 protected:
@@ -51,12 +51,12 @@ protected:
     test::WriteAll(firmware, {image.begin(), image.end()});
     this->OpenPhantom();
     StudyState next = this->Study->State();
-    next.Structures.resize(1); // the ball
+    next.Structures.resize(1); // the sphere
     this->Study->Change("Keep the ball", next);
     this->Settle();
     auto* device = this->Window->findChild<QComboBox*>("device");
     device->setCurrentText("falcon:firmware=" + QString::fromStdString(firmware.string()));
-    this->Window->Messages()->Clear(); // of structures that are no bodies
+    this->Window->Messages()->Clear(); // on structures that cannot be modelled
   }
 
   void SetHand(std::function<Vector3(double)> path)
@@ -70,7 +70,7 @@ protected:
     this->Button("start-touch")->click();
     WaitUntil([this] { return this->Study->IsTouching() || !this->Messages().empty(); });
   }
-  // Starts, homes, and presses the ball from the user's side.
+  // Starts, homes, and presses the sphere from the user's side.
   void TouchTheBall()
   {
     this->StartTouch();
@@ -85,8 +85,8 @@ protected:
           return reading.TouchedId == 1 && Norm(reading.Newest.ForceDevice) > 0.2;
         });
   }
-  // Allows forces again as a person would, where the machine or the virtual bus were late, which
-  // in real time they may be; nothing else may go wrong. Throws where it never becomes true.
+  // Allows forces again, as a user would, after delays of the machine or the virtual bus, which can
+  // occur in real time; no other fault may occur. Throws if it never becomes true.
   void FeelDespiteDelaysUntil(const std::function<bool()>& isTrue)
   {
     const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(100);
@@ -114,7 +114,7 @@ protected:
   FalconTestBed Bed;
 };
 
-TEST_F(FalconInWindowTest, WithoutOneTheTouchSaysSoAndTheWindowGoesOn)
+TEST_F(FalconInWindowTest, ReportsMissingFalconAndContinues)
 {
   this->StartTouch();
   EXPECT_FALSE(this->Study->IsTouching());
@@ -122,7 +122,7 @@ TEST_F(FalconInWindowTest, WithoutOneTheTouchSaysSoAndTheWindowGoesOn)
   EXPECT_EQ(this->Button("start-touch")->text(), "Start touching");
 }
 
-TEST_F(FalconInWindowTest, ThePersonIsToldHowToHomeIt)
+TEST_F(FalconInWindowTest, ShowsHomingInstructions)
 {
   this->Bed.Plug(this->Bus, 2);
   this->SetHand([](double) -> Vector3 { return {0.0, 0.0, 125.0}; });
@@ -134,7 +134,7 @@ TEST_F(FalconInWindowTest, ThePersonIsToldHowToHomeIt)
   EXPECT_TRUE(advice->text().contains(QString::fromStdString(this->Study->Reading().Guidance)));
 }
 
-TEST_F(FalconInWindowTest, UnpluggedInContactForcesEndAndPluggedInAgainItIsFeltAgain)
+TEST_F(FalconInWindowTest, UnpluggingEndsForcesAndReplugRestoresTouch)
 {
   this->Bed.Plug(this->Bus, 2);
   ASSERT_NO_FATAL_FAILURE(this->TouchTheBall());
@@ -150,7 +150,7 @@ TEST_F(FalconInWindowTest, UnpluggedInContactForcesEndAndPluggedInAgainItIsFeltA
   this->FeelDespiteDelaysUntil([this] { return this->Window->Contents().Probe()->GetInContact(); });
 }
 
-TEST_F(FalconInWindowTest, ItClosesWhileItIsTouchedAndTheMotorsAreOff)
+TEST_F(FalconInWindowTest, ClosingWhileTouchingSwitchesMotorsOff)
 {
   this->Bed.Plug(this->Bus, 2);
   ASSERT_NO_FATAL_FAILURE(this->TouchTheBall());

@@ -21,9 +21,9 @@ namespace
 {
 using MainWindowTest = test::WindowTest;
 
-TEST_F(MainWindowTest, FilesFindTheirPartByThemselves)
+TEST_F(MainWindowTest, DetectsFileKinds)
 {
-  // A ball of grey values that vary as those of no label map do.
+  // A sphere with grey values that vary more than those of a label map.
   const auto grey = this->Phantom.Folder / "grey.nrrd";
   test::LabelGrid grid;
   const auto image = test::MakeLabelImage<float>(grid, [](double, double, double) { return true; });
@@ -56,7 +56,7 @@ TEST_F(MainWindowTest, DroppedFilesAreOpened)
   EXPECT_EQ(this->Study->State().SegmentationFile, this->MaskFile());
 }
 
-TEST_F(MainWindowTest, ABadFileIsSaidInTheCommandLinesWordsAndTheWindowGoesOn)
+TEST_F(MainWindowTest, BadFileMessageEqualsCommandLineAndWindowContinues)
 {
   const auto bad = this->Phantom.Folder / "bad.nii.gz";
   std::ofstream(bad) << "no image";
@@ -82,7 +82,7 @@ TEST_F(MainWindowTest, ABadFileIsSaidInTheCommandLinesWordsAndTheWindowGoesOn)
   EXPECT_EQ(this->Window->Contents().Surfaces().count(1), 1U);
 }
 
-TEST_F(MainWindowTest, UndoSaysWhatItUndoes)
+TEST_F(MainWindowTest, UndoNamesTheStep)
 {
   this->OpenPhantom();
   auto* degree = this->Window->findChild<QSpinBox*>("Degree of all");
@@ -97,7 +97,7 @@ TEST_F(MainWindowTest, UndoSaysWhatItUndoes)
   EXPECT_EQ(degree->value(), 5);
 }
 
-TEST_F(MainWindowTest, RobustIsAStepOfTheStudyAndCoverageIsSaid)
+TEST_F(MainWindowTest, RobustIsUndoStepAndCoverageIsShown)
 {
   this->OpenPhantom();
   EXPECT_EQ(this->Window->findChild<QLabel*>("coverage")->text(), "good");
@@ -109,12 +109,12 @@ TEST_F(MainWindowTest, RobustIsAStepOfTheStudyAndCoverageIsSaid)
   EXPECT_FALSE(robust->isChecked());
 }
 
-TEST_F(MainWindowTest, TheStatusLineSaysPlaceValueAndLabel)
+TEST_F(MainWindowTest, StatusLineShowsPositionValueAndLabel)
 {
   this->OpenPhantom();
   SlicePane* axial = this->Window->Views()->Slice(SliceOrientation::Axial);
   const QPointF middle(0.5 * axial->Canvas()->width(), 0.5 * axial->Canvas()->height());
-  const double left = -15.0 / axial->View()->GetPixelMillimeters(); // to the ball's middle
+  const double left = -15.0 / axial->View()->GetPixelMillimeters(); // to the sphere's centre
   Move(axial->Canvas(), middle + QPointF(left, 0.0));
   const std::string text = this->Window->PointText().toStdString();
   EXPECT_NE(text.find("value 700"), std::string::npos) << text;
@@ -122,12 +122,12 @@ TEST_F(MainWindowTest, TheStatusLineSaysPlaceValueAndLabel)
   EXPECT_EQ(text.rfind("L -1", 0), 0U) << text; // -15 mm, within a pixel
 }
 
-TEST_F(MainWindowTest, AStudyReopensAsItWasSaved)
+TEST_F(MainWindowTest, SavedStudyReopensUnchanged)
 {
   this->OpenPhantom();
   SlicePane* axial = this->Window->Views()->Slice(SliceOrientation::Axial);
   Click(axial->Canvas(), {90.0, 80.0});
-  this->Action("3-D with slices beside")->trigger();
+  this->Action("3-D with slices")->trigger();
   this->SavedTo = QString::fromStdString((this->Phantom.Folder / "case").string());
   this->Action("Save as")->trigger();
   const auto file = this->Phantom.Folder / "case.palpate.json";
@@ -145,7 +145,7 @@ TEST_F(MainWindowTest, AStudyReopensAsItWasSaved)
   EXPECT_EQ(this->Window->Views()->Layout(), ViewLayout::Space);
 }
 
-TEST_F(MainWindowTest, AStudyAmongFilesIsNotOpenedOverChangesUnasked)
+TEST_F(MainWindowTest, StudyAmongFilesAsksBeforeReplacingChanges)
 {
   this->OpenPhantom();
   const auto file = this->Phantom.Folder / "case.palpate.json";
@@ -161,7 +161,7 @@ TEST_F(MainWindowTest, AStudyAmongFilesIsNotOpenedOverChangesUnasked)
   WaitUntil([this] { return this->Study->State().Structures.at(0).Degree == 12; });
 }
 
-TEST_F(MainWindowTest, AMissingFileIsAskedFor)
+TEST_F(MainWindowTest, AsksForMissingFile)
 {
   this->OpenPhantom();
   const auto file = this->Phantom.Folder / "case.palpate.json";
@@ -175,7 +175,7 @@ TEST_F(MainWindowTest, AMissingFileIsAskedFor)
   EXPECT_EQ(this->AskedFor.front().Role, "segmentation");
 }
 
-TEST_F(MainWindowTest, RecentFilesAreListed)
+TEST_F(MainWindowTest, ListsRecentFiles)
 {
   this->OpenPhantom();
   auto* menu = this->Action("Recent")->menu();
@@ -184,7 +184,7 @@ TEST_F(MainWindowTest, RecentFilesAreListed)
   EXPECT_TRUE(menu->actions().front()->text().startsWith("mask.nii.gz"));
 }
 
-TEST_F(MainWindowTest, NoShortcutMeansTwoThings)
+TEST_F(MainWindowTest, ShortcutsAreUnique)
 {
   std::map<QKeySequence, QString> keys;
   for (const QAction* action : this->Window->findChildren<QAction*>())
@@ -200,7 +200,7 @@ TEST_F(MainWindowTest, NoShortcutMeansTwoThings)
   EXPECT_GT(keys.size(), 15U);
 }
 
-TEST_F(MainWindowTest, AScreenshotIsThePictureOfTheWindow)
+TEST_F(MainWindowTest, ScreenshotEqualsWindow)
 {
   this->OpenPhantom();
   const auto file = this->Phantom.Folder / "window.png";
@@ -210,7 +210,7 @@ TEST_F(MainWindowTest, AScreenshotIsThePictureOfTheWindow)
   EXPECT_NE(this->Messages().find("/no/such/folder/window.png"), std::string::npos);
 }
 
-TEST_F(MainWindowTest, ClosingIsRefusedWhereTheUserThinksBetterOfIt)
+TEST_F(MainWindowTest, CancelKeepsWindowOpen)
 {
   this->OpenPhantom();
   this->Leaving = FileQuestions::Answer::Cancel;
@@ -220,7 +220,7 @@ TEST_F(MainWindowTest, ClosingIsRefusedWhereTheUserThinksBetterOfIt)
   EXPECT_TRUE(this->Window->close());
 }
 
-TEST_F(MainWindowTest, ItClosesWhileWorkIsGoingOn)
+TEST_F(MainWindowTest, ClosesDuringWork)
 {
   this->Study->OpenSegmentation(this->MaskFile());
   WaitUntil([this] { return !this->Study->State().Structures.empty(); });

@@ -12,7 +12,7 @@ namespace
 class QualityPanelTest : public test::WindowTest
 {
 protected:
-  // What ticks cost is measured in real time.
+  // Tick times are measured in real time.
   QualityPanelTest() { this->Time = std::make_unique<SteadyClock>(); }
 
   QComboBox* Presets() const { return this->Window->findChild<QComboBox*>("quality"); }
@@ -44,7 +44,7 @@ TEST_F(QualityPanelTest, EditedStructureIsSetByHand)
   EXPECT_EQ(this->Presets()->currentText(), "Set by hand");
 }
 
-TEST_F(QualityPanelTest, MeasuresAndUsesWhatIsRecommended)
+TEST_F(QualityPanelTest, MeasuresAndAppliesRecommendation)
 {
   this->OpenPhantom();
   EXPECT_FALSE(this->Button("quality-recommended")->isEnabled());

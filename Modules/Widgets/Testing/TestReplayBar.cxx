@@ -15,12 +15,12 @@ namespace
 {
 constexpr std::size_t Count = 12000; // ticks, a millisecond apart
 
-// A window, and a recording whose tool goes along x at 10 mm/s and is in contact in its second
+// A window, and a recording whose tool moves along x at 10 mm/s and is in contact in the second
 // half.
 class ReplayBarTest : public test::WindowTest
 {
 protected:
-  // Replays go by themselves; nobody waits for their time.
+  // Replays run in real time; no test waits for their end.
   ReplayBarTest() { this->Time = std::make_unique<SteadyClock>(); }
   std::filesystem::path Write()
   {
@@ -60,7 +60,7 @@ protected:
   }
 };
 
-TEST_F(ReplayBarTest, ItIsThereWhileARecordingIsOpen)
+TEST_F(ReplayBarTest, IsVisibleWhileRecordingIsOpen)
 {
   auto* bar = this->Window->findChild<ReplayBar*>();
   EXPECT_FALSE(bar->isVisible());
@@ -88,12 +88,12 @@ TEST_F(ReplayBarTest, ViewsAndPlotsFollowTheSlider)
   EXPECT_TRUE(this->Window->Contents().Probe()->GetInContact());
   EXPECT_EQ(this->Window->Contents().Probe()->GetForce()[1], 2.0);
   EXPECT_EQ(force.Largest(), 2.0);
-  // The seconds before the moment, whatever is between two moments.
+  // The seconds before the current time, regardless of jumps between two times.
   EXPECT_LE(force.Count(), 5001U);
   EXPECT_EQ(this->Find<QLabel>("replay-time")->text(), "0:09.000 / 0:11.999");
 }
 
-TEST_F(ReplayBarTest, ItPlaysAndPauses)
+TEST_F(ReplayBarTest, PlaysAndPauses)
 {
   this->OpenRecording();
   this->Replay().SetSpeed(5.0);
@@ -104,17 +104,17 @@ TEST_F(ReplayBarTest, ItPlaysAndPauses)
   EXPECT_GT(this->Find<QSlider>("replay-slider")->value(), 0);
   this->Button("replay-play")->click();
   EXPECT_FALSE(this->Replay().IsPlaying());
-  // To the end, where it stops by itself.
+  // To the end, where the replay stops.
   this->Replay().SetSpeed(StudyReplay::LargestSpeed);
   this->Button("replay-play")->click();
   WaitUntil([this] { return this->Button("replay-play")->text() == "Play"; });
   EXPECT_NEAR(this->X(), 0.01 * (Count - 1), 1e-9);
 }
 
-TEST_F(ReplayBarTest, ATouchEndsAReplay)
+TEST_F(ReplayBarTest, TouchEndsReplay)
 {
   this->OpenPhantom();
-  this->Window->Messages()->Clear(); // of structures that are no bodies
+  this->Window->Messages()->Clear(); // on structures that cannot be modelled
   this->OpenRecording();
   EXPECT_EQ(this->Button("start-touch")->text(), "Close the replay and touch");
   this->Button("start-touch")->click();
@@ -140,13 +140,13 @@ TEST_F(ReplayBarTest, TicksAndPlotsAreExported)
   EXPECT_NE(this->Messages().find("/nowhere/plots.png"), std::string::npos) << this->Messages();
 }
 
-TEST_F(ReplayBarTest, ARecordingIsAmongTheRecentFiles)
+TEST_F(ReplayBarTest, RecordingIsListedAmongRecentFiles)
 {
   this->OpenRecording();
   EXPECT_TRUE(QSettings().value("recent").toStringList().first().endsWith("recorded.touch"));
 }
 
-TEST_F(ReplayBarTest, WhatIsNoRecordingIsSaidSoEachTime)
+TEST_F(ReplayBarTest, RejectsForeignFileEachTime)
 {
   const auto file = this->Phantom.Folder / "none.touch";
   test::WriteAll(file, "no recording");

@@ -3,7 +3,7 @@
 #include <QAbstractItemView>
 #include <QLabel>
 
-// Names from files, in a window that would show HTML wherever a text looks like it.
+// Names from files, in widgets that would interpret text as HTML.
 
 namespace palpate
 {
@@ -18,7 +18,7 @@ bool IsPlain(const QString& text)
   return !text.contains(QChar(0x202e)) && !text.contains("\n&");
 }
 
-TEST_F(ScreenStringTest, NamesAreShownAsTheyAreInEveryPart)
+TEST_F(ScreenStringTest, ShowsNamesAsPlainTextEverywhere)
 {
   this->OpenPhantom();
   StudyState next = this->Study->State();
@@ -38,7 +38,7 @@ TEST_F(ScreenStringTest, NamesAreShownAsTheyAreInEveryPart)
     EXPECT_TRUE(IsPlain(widget->toolTip())) << widget->toolTip().toStdString();
     seen += widget->toolTip().contains("&lt;b&gt;evil") ? 1 : 0;
   }
-  EXPECT_GE(seen, 1) << "the name is in a tool tip, and the test looks at it";
+  EXPECT_GE(seen, 1) << "the test must check a tool tip with the name";
   for (const auto* view : this->Window->findChildren<QAbstractItemView*>())
   {
     const QAbstractItemModel* model = view->model();
@@ -49,7 +49,7 @@ TEST_F(ScreenStringTest, NamesAreShownAsTheyAreInEveryPart)
       seen += text.startsWith("<b>evil</b>\\x0a&") ? 1 : 0;
     }
   }
-  EXPECT_GE(seen, 2) << "the name is in a table";
+  EXPECT_GE(seen, 2) << "the test must check a table with the name";
   EXPECT_EQ(this->Action("Undo")->text(),
             "&Undo: Rename <b>evil</b>\\x0a&& \\xe2\\x80\\xaeliver [*]");
 }

@@ -13,7 +13,7 @@ namespace
 class StripChartTest : public test::WidgetTest
 {
 protected:
-  // How many pixels of the curve's colour, which is red of some kind, are to be seen.
+  // Number of visible pixels in the curve's colour, some red.
   static int InkOf(StripChart& chart)
   {
     const QImage picture = chart.grab().toImage();
@@ -30,7 +30,7 @@ protected:
   }
 };
 
-TEST_F(StripChartTest, ASinglePeakAmongThousandsIsSeen)
+TEST_F(StripChartTest, ShowsSinglePeakAmongThousands)
 {
   StripChart chart("Force", "N", Qt::red, nullptr);
   chart.resize(200, 100);
@@ -43,7 +43,7 @@ TEST_F(StripChartTest, ASinglePeakAmongThousandsIsSeen)
   EXPECT_GT(InkOf(chart), 196 + 50);
 }
 
-TEST_F(StripChartTest, ItForgetsWhatIsNoLongerShown)
+TEST_F(StripChartTest, DiscardsOldValues)
 {
   StripChart chart("Force", "N", Qt::red, nullptr);
   chart.Add(0.0, 100.0);
@@ -56,7 +56,7 @@ TEST_F(StripChartTest, ItForgetsWhatIsNoLongerShown)
   EXPECT_LE(chart.Count(), 10002U);
 }
 
-TEST_F(StripChartTest, WhatIsNoNumberIsNotDrawnAndHarmsNothing)
+TEST_F(StripChartTest, IgnoresNan)
 {
   StripChart chart("Force", "N", Qt::red, nullptr);
   chart.resize(200, 100);
@@ -67,7 +67,7 @@ TEST_F(StripChartTest, WhatIsNoNumberIsNotDrawnAndHarmsNothing)
   EXPECT_GT(InkOf(chart), 0);
 }
 
-TEST_F(StripChartTest, AnotherBeginningStartsAnew)
+TEST_F(StripChartTest, EarlierTimeRestartsCurve)
 {
   StripChart chart("Force", "N", Qt::red, nullptr);
   chart.Add(100.0, 5.0);

@@ -21,7 +21,7 @@ protected:
   const SceneStructure& First() const { return this->Study->State().Structures.front(); }
 };
 
-TEST_F(StructureTableTest, WhatIsWrittenIsAStepOfTheStudy)
+TEST_F(StructureTableTest, EditIsUndoStep)
 {
   this->OpenPhantom();
   ASSERT_EQ(this->Table()->rowCount(), 3);
@@ -45,7 +45,7 @@ TEST_F(StructureTableTest, WhatIsWrittenIsAStepOfTheStudy)
   EXPECT_EQ(this->First().Stiffness, 0.5);
 }
 
-TEST_F(StructureTableTest, WhatIsHiddenIsInNoView)
+TEST_F(StructureTableTest, HiddenStructureIsInNoView)
 {
   this->OpenPhantom();
   ASSERT_EQ(this->Window->Contents().Surfaces().count(1), 1U);
@@ -57,7 +57,7 @@ TEST_F(StructureTableTest, WhatIsHiddenIsInNoView)
   EXPECT_EQ(this->Window->Contents().Surfaces().count(1), 1U);
 }
 
-TEST_F(StructureTableTest, ATicksCostIsShownForWhatCanBeTouched)
+TEST_F(StructureTableTest, ShowsTickCostOfTouchableStructures)
 {
   this->OpenPhantom();
   const auto cost = [this](int row)
@@ -67,7 +67,7 @@ TEST_F(StructureTableTest, ATicksCostIsShownForWhatCanBeTouched)
   EXPECT_EQ(cost(2), QString("\u2013")) << "of one voxel, which is refused";
 }
 
-TEST_F(StructureTableTest, AStructureIsDrawnAsWhatItIsShownAs)
+TEST_F(StructureTableTest, DrawsStructureAsChosen)
 {
   this->OpenPhantom();
   const ViewContents& shown = this->Window->Contents();
@@ -107,7 +107,7 @@ TEST_F(StructureTableTest, AStructureIsDrawnAsWhatItIsShownAs)
   EXPECT_EQ(pointsShown(), model->ModelSurface->GetPoints());
 }
 
-TEST_F(StructureTableTest, AllBecomeErrorMapsAndBackInOneStepEach)
+TEST_F(StructureTableTest, ErrorMapsSwitchInOneUndoStep)
 {
   this->OpenPhantom();
   this->Write(0, StructureTableModel::AppearanceColumn, static_cast<int>(SceneAppearance::Surface));
@@ -121,7 +121,7 @@ TEST_F(StructureTableTest, AllBecomeErrorMapsAndBackInOneStepEach)
   { return this->Study->State().Structures.at(s).Appearance; };
   EXPECT_EQ(appearance(0), SceneAppearance::ErrorMap);
   EXPECT_EQ(appearance(1), SceneAppearance::ErrorMap);
-  EXPECT_EQ(appearance(2), SceneAppearance::Automatic) << "it is not seen";
+  EXPECT_EQ(appearance(2), SceneAppearance::Automatic) << "it is hidden";
   all->trigger();
   EXPECT_FALSE(all->isChecked());
   EXPECT_EQ(this->Study->State(), before);
@@ -132,7 +132,7 @@ TEST_F(StructureTableTest, AllBecomeErrorMapsAndBackInOneStepEach)
 }
 
 // Label 2 is a horseshoe.
-TEST_F(StructureTableTest, WhatReplacesARefusedModelIsSaidOnceAndIsNoFailure)
+TEST_F(StructureTableTest, ReportsReplacementOnceAndNotAsFailure)
 {
   this->OpenPhantom();
   const std::string start =
@@ -141,7 +141,7 @@ TEST_F(StructureTableTest, WhatReplacesARefusedModelIsSaidOnceAndIsNoFailure)
   EXPECT_EQ(this->Messages().find(start), this->Messages().rfind(start));
   EXPECT_EQ(this->Study->Current().Pipeline().StateOf(SceneStep::Samples, 2).Is,
             StudyStepState::Kind::Replaced);
-  // By name, it is a failure of three steps, and said once.
+  // If chosen explicitly, it is a failure of three steps, reported once.
   this->Write(1, StructureTableModel::RepresentationColumn,
               StructureTableModel::RepresentationNames().indexOf("harmonics"));
   const std::string failure = "label 2 is not star-shaped";
@@ -150,7 +150,7 @@ TEST_F(StructureTableTest, WhatReplacesARefusedModelIsSaidOnceAndIsNoFailure)
   EXPECT_EQ(this->Messages().find(failure), this->Messages().rfind(failure));
 }
 
-TEST_F(StructureTableTest, QualityIsTheModelsAndCannotBeWritten)
+TEST_F(StructureTableTest, QualityEqualsModelAndIsReadOnly)
 {
   this->OpenPhantom();
   const QModelIndex quality = this->Table()->index(0, StructureTableModel::QualityColumn);
@@ -160,7 +160,7 @@ TEST_F(StructureTableTest, QualityIsTheModelsAndCannotBeWritten)
   EXPECT_NEAR(quality.data().toDouble(), model->ModelToMask.Mean, 0.00051);
   EXPECT_FALSE(this->Write(0, StructureTableModel::QualityColumn, 0.0));
   EXPECT_FALSE(this->Table()->flags(quality) & Qt::ItemIsEditable);
-  // Of what was refused there is none.
+  // A refused model has none.
   EXPECT_EQ(this->Table()->index(1, StructureTableModel::QualityColumn).data().toString(),
             QString(QChar(0x2013)));
 }

@@ -8,8 +8,8 @@ namespace palpate
 {
 namespace
 {
-// WCAG 2.1's own ends, and #767676, the lightest grey that it allows on white.
-TEST(TextContrast, RatiosAreThoseOfTheGuidelines)
+// The extremes of WCAG 2.1, and #767676, the lightest grey that it allows on white.
+TEST(TextContrast, RatiosMatchWcag)
 {
   EXPECT_NEAR(ContrastRatio(Qt::black, Qt::white), 21.0, 1e-9);
   EXPECT_NEAR(ContrastRatio(Qt::white, Qt::black), 21.0, 1e-9);
@@ -18,12 +18,12 @@ TEST(TextContrast, RatiosAreThoseOfTheGuidelines)
   EXPECT_LT(ContrastRatio(QColor("#777777"), Qt::white), LeastTextContrast);
 }
 
-TEST(TextContrast, WhatCanBeReadStaysAsItIs)
+TEST(TextContrast, KeepsReadableColors)
 {
   EXPECT_EQ(ReadableOn(Qt::white, QColor("#123456")).name(), "#123456");
 }
 
-TEST(TextContrast, EveryColorCanBeReadOnEveryGround)
+TEST(TextContrast, MakesEveryColorReadableOnEveryBackground)
 {
   test::Random random(7);
   for (int n = 0; n < 1000; ++n)

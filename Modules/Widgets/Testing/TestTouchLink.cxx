@@ -30,7 +30,7 @@ double Norm(const PlainVector3& vector)
 class TouchLinkTest : public test::WindowTest
 {
 protected:
-  // The ball alone, begun to be touched by mouse.
+  // Starts touching the sphere alone by mouse.
   void StartTouch()
   {
     this->OpenPhantom();
@@ -39,18 +39,19 @@ protected:
     this->Study->Change("Keep the ball", next);
     this->Settle();
     DrawAll(*this->Window->Views());
-    this->Window->Messages()->Clear(); // of structures that are no bodies
+    this->Window->Messages()->Clear(); // on structures that cannot be modelled
     this->Button("start-touch")->click();
     WaitUntil([this] { return this->Study->IsTouching() || !this->Messages().empty(); });
     ASSERT_TRUE(this->Study->IsTouching()) << this->Messages();
   }
-  // Over the ball's middle, then towards it until it is felt.
+  // Over the sphere's centre, then towards it until contact.
   void PressByMouse()
   {
     QWidget* canvas = this->Window->Views()->Space()->Canvas();
     const QPointF place = this->PlaceOf(BallMiddle);
     Move(canvas, place);
-    // A notch in 20 ticks: the hand follows slowly, and one that hurries comes out behind the ball.
+    // One notch per 20 ticks: the hand follows slowly, and a faster target would pass through the
+    // sphere.
     std::uint64_t last = 0;
     this->FeelUntil(
         [&]
@@ -67,7 +68,7 @@ protected:
         });
   }
 
-  // As the window system does: to the window, which passes it on to the widget with the focus.
+  // Like the window system: to the window, which passes it on to the widget with the focus.
   void SendKey(QEvent::Type type, Qt::Key key, const QString& text)
   {
     QKeyEvent event(type, key, Qt::NoModifier, text);
@@ -95,7 +96,7 @@ protected:
   const Vector3 BallMiddle{-15.0, 0.0, 0.0};
 };
 
-TEST_F(TouchLinkTest, TheMouseIsTheHandAndIsSeenInEveryView)
+TEST_F(TouchLinkTest, MouseMovesHandShownInEveryView)
 {
   this->StartTouch();
   this->PressByMouse();
@@ -107,7 +108,7 @@ TEST_F(TouchLinkTest, TheMouseIsTheHandAndIsSeenInEveryView)
   EXPECT_FALSE(this->Window->findChild<TouchPanel*>()->SafetyWords().isEmpty());
 }
 
-TEST_F(TouchLinkTest, EscapeStopsAllForceAndOneAllowsItAgain)
+TEST_F(TouchLinkTest, EscapeStopsForceUntilAllowedAgain)
 {
   this->StartTouch();
   this->PressByMouse();
@@ -120,7 +121,7 @@ TEST_F(TouchLinkTest, EscapeStopsAllForceAndOneAllowsItAgain)
   this->FeelUntil([this] { return Norm(this->Study->Reading().Newest.ForceDevice) > 0.05; });
 }
 
-TEST_F(TouchLinkTest, TheKeyDIsTheDrillsPedalWhereNoTextIsTyped)
+TEST_F(TouchLinkTest, KeyDIsPedalUnlessTyping)
 {
   this->StartTouch();
   this->Window->activateWindow();
@@ -138,7 +139,7 @@ TEST_F(TouchLinkTest, TheKeyDIsTheDrillsPedalWhereNoTextIsTyped)
   EXPECT_FALSE(this->IsPedalWith(choice));
 }
 
-TEST_F(TouchLinkTest, WithAModifierTheMouseMovesTheCameraAndNotTheHand)
+TEST_F(TouchLinkTest, ModifierMovesCameraInsteadOfHand)
 {
   this->StartTouch();
   SpacePane* space = this->Window->Views()->Space();
@@ -154,13 +155,13 @@ TEST_F(TouchLinkTest, WithAModifierTheMouseMovesTheCameraAndNotTheHand)
             Qt::ControlModifier);
   EXPECT_GT((space->Axes() - before).norm(), 0.1);
   EXPECT_EQ(moved, 0);
-  // The device's axes went with it.
+  // The device's axes followed.
   EXPECT_LT((this->Study->Current().Touch().Frame().Rotation - space->Axes()).norm(), 1e-12);
   Move(canvas, {120.0, 100.0});
   EXPECT_EQ(moved, 1);
 }
 
-TEST_F(TouchLinkTest, TheWheelEndsWhereTheDeviceDoes)
+TEST_F(TouchLinkTest, WheelStopsAtWorkspaceLimit)
 {
   this->StartTouch();
   SpacePane* space = this->Window->Views()->Space();
@@ -174,13 +175,13 @@ TEST_F(TouchLinkTest, TheWheelEndsWhereTheDeviceDoes)
   }
   const Vector3 farthest = space->HandWorld();
   EXPECT_NEAR(frame.ToDevice(farthest).z(), -reach, 1e-9); // some roundings
-  // So it comes back with the first notch.
+  // So it returns with the first notch.
   Wheel(space->Canvas(), place, -1);
   EXPECT_GT((space->HandWorld() - farthest).norm(), 0.1);
   EXPECT_LT((space->HandWorld() - this->Study->Current().Touch().HandWorld()).norm(), 1e-12);
 }
 
-TEST_F(TouchLinkTest, TheWorkspaceIsShownAndDraggedByMouse)
+TEST_F(TouchLinkTest, WorkspaceIsShownAndDraggedByMouse)
 {
   vtkWorkspaceRepresentation* shown = this->Window->Contents().Workspace();
   EXPECT_FALSE(shown->GetVisibility());
@@ -193,14 +194,14 @@ TEST_F(TouchLinkTest, TheWorkspaceIsShownAndDraggedByMouse)
   this->Action("Move workspace")->trigger();
   const Vector3 hand = touch.HandWorld();
   Move(canvas, {100.0, 100.0});
-  EXPECT_EQ(touch.HandWorld(), hand) << "the mouse is not the hand meanwhile";
+  EXPECT_EQ(touch.HandWorld(), hand) << "the mouse must not move the hand meanwhile";
   SendMouse(canvas, QEvent::MouseButtonPress, {100.0, 100.0}, Qt::LeftButton, Qt::LeftButton);
   SendMouse(canvas, QEvent::MouseMove, {120.0, 100.0}, Qt::NoButton, Qt::LeftButton);
   SendMouse(canvas, QEvent::MouseMove, {150.0, 100.0}, Qt::NoButton, Qt::LeftButton);
   SendMouse(canvas, QEvent::MouseButtonRelease, {150.0, 100.0}, Qt::LeftButton, Qt::NoButton);
   const Vector3 way = touch.Frame().CenterWorld - before;
   EXPECT_GT(way.norm(), 1.0);
-  // To the right as it is seen: a few roundings through the screen's coordinates.
+  // To the right on the screen: a few roundings through its coordinates.
   EXPECT_NEAR(way.normalized().dot(space->Axes().col(0)), 1.0, 1e-6);
   Vector3 corner;
   shown->GetCorner(0, corner.data());
@@ -227,8 +228,8 @@ TEST_F(TouchLinkTest, SlicesFollowTheProbe)
   EXPECT_EQ(cross[2], proxy.Z);
 }
 
-// Record, drop the file on the window: what was felt is seen again, and nothing is felt meanwhile.
-TEST_F(TouchLinkTest, WhatIsRecordedIsReplayed)
+// Record, drop the file on the window: the touch is shown again, and nothing is touched meanwhile.
+TEST_F(TouchLinkTest, ReplaysRecording)
 {
   this->StartTouch();
   const auto file = this->Phantom.Folder / "felt.touch";
@@ -261,7 +262,7 @@ TEST_F(TouchLinkTest, WhatIsRecordedIsReplayed)
   EXPECT_GT(this->Window->findChild<PlotsPanel*>()->Force().Largest(), 0.1);
 }
 
-TEST_F(TouchLinkTest, ClosingWhileTouchingTakesForcesAway)
+TEST_F(TouchLinkTest, ClosingSwitchesForcesOff)
 {
   this->StartTouch();
   this->PressByMouse();
@@ -269,7 +270,7 @@ TEST_F(TouchLinkTest, ClosingWhileTouchingTakesForcesAway)
   EXPECT_FALSE(this->Study->IsTouching());
 }
 
-TEST_F(TouchLinkTest, ForcesStayOffWhereTheWindowWasNotClosedAfterAll)
+TEST_F(TouchLinkTest, CancelledCloseKeepsForcesOff)
 {
   this->StartTouch();
   this->PressByMouse();
@@ -282,7 +283,7 @@ TEST_F(TouchLinkTest, ForcesStayOffWhereTheWindowWasNotClosedAfterAll)
   EXPECT_EQ(Norm(this->Study->Reading().Newest.ForceDevice), 0.0);
 }
 
-TEST_F(TouchLinkTest, ATouchOfNothingIsRefusedWithItsSentence)
+TEST_F(TouchLinkTest, RejectsTouchOfNothing)
 {
   this->Button("start-touch")->click();
   WaitUntil([this] { return !this->Messages().empty(); });
@@ -291,7 +292,7 @@ TEST_F(TouchLinkTest, ATouchOfNothingIsRefusedWithItsSentence)
 }
 
 // Open, fit, touch by mouse, landmark, save, reopen: the same state.
-TEST_F(TouchLinkTest, AWholeSessionReopensTheSame)
+TEST_F(TouchLinkTest, SessionReopensUnchanged)
 {
   this->StartTouch();
   this->PressByMouse();
@@ -300,7 +301,7 @@ TEST_F(TouchLinkTest, AWholeSessionReopensTheSame)
   Click(this->Window->Views()->Slice(SliceOrientation::Coronal)->Canvas(), {70.0, 60.0});
   this->Button("add-landmarks")->setChecked(false);
   ASSERT_EQ(this->Study->State().Landmarks.size(), 2U);
-  // Touched from outside: at least as far from the middle as the ball reaches, within a voxel.
+  // Touched from outside: at least the sphere's radius from the centre, within a voxel.
   const Vector3 touched = this->Study->State().Landmarks.front().PositionWorld;
   EXPECT_GT((touched - this->BallMiddle).norm(), 9.0 - 1.0);
   this->Window->findChild<QTableWidget*>("landmarks")->selectAll();

@@ -13,7 +13,7 @@ namespace palpate
 {
 namespace
 {
-// A ball of 12 mm in a volume of 60 x 50 x 40 mm round the origin.
+// A sphere of 12 mm in a volume of 60 x 50 x 40 mm around the origin.
 vtkSmartPointer<vtkImageData> BallImage()
 {
   test::LabelGrid grid;
@@ -70,32 +70,32 @@ protected:
   std::unique_ptr<ViewGrid> Views;
 };
 
-TEST_F(ViewGridTest, TheVolumeIsSeenInEverySlice)
+TEST_F(ViewGridTest, ShowsVolumeInEverySlice)
 {
   for (const SliceOrientation orientation : AllSliceOrientations)
   {
     const QImage picture = this->CanvasOf(orientation)->grab().toImage();
-    // Off the crosshair's lines, within the ball: 12 mm are 40 pixels and more.
+    // Off the crosshair's lines, within the sphere: 12 mm are at least 40 pixels.
     const QColor middle = picture.pixelColor(picture.width() / 2 + 12, picture.height() / 2 + 12);
     EXPECT_GT(middle.lightness(), 150) << NameOf(orientation);
   }
 }
 
-TEST_F(ViewGridTest, AClickMovesTheCrosshairOfAllViews)
+TEST_F(ViewGridTest, ClickMovesCrosshairOfAllViews)
 {
   QWidget* axial = this->CanvasOf(SliceOrientation::Axial);
   const double pixel = this->Views->Slice(SliceOrientation::Axial)->View()->GetPixelMillimeters();
   const QPointF middle(0.5 * axial->width(), 0.5 * axial->height());
   Click(axial, middle + QPointF(20.0, 10.0));
-  // Radiologists see axial slices from the feet: right on the screen is the patient's left, down
-  // is posterior. The middle of a pixel is meant, and that of the view lies between two.
+  // Radiological convention, from the feet: right on the screen is the patient's left, down is
+  // posterior. Points are pixel centres; the view's centre lies between two.
   const double* place = this->Contents.Crosshair()->GetPositionWorld();
   EXPECT_NEAR(place[0], 20.0 * pixel, 1.5 * pixel);
   EXPECT_NEAR(place[1], 10.0 * pixel, 1.5 * pixel);
-  EXPECT_NEAR(place[2], 0.0, 0.5); // the slice's own middle
+  EXPECT_NEAR(place[2], 0.0, 0.5); // the slice's centre
 }
 
-TEST_F(ViewGridTest, ManyChangesOfATurnAreOnePictureOfEachView)
+TEST_F(ViewGridTest, DrawsEachViewOncePerTurn)
 {
   const auto before = this->Counts();
   for (int step = 1; step <= 20; ++step)
@@ -111,7 +111,7 @@ TEST_F(ViewGridTest, ManyChangesOfATurnAreOnePictureOfEachView)
   }
 }
 
-TEST_F(ViewGridTest, OnlyTheViewThatChangedIsDrawn)
+TEST_F(ViewGridTest, DrawsOnlyChangedView)
 {
   const auto before = this->Counts();
   QWidget* axial = this->CanvasOf(SliceOrientation::Axial);
@@ -125,7 +125,7 @@ TEST_F(ViewGridTest, OnlyTheViewThatChangedIsDrawn)
   EXPECT_EQ(after[3], before[3]);
 }
 
-TEST_F(ViewGridTest, TheWheelAndTheSliderScroll)
+TEST_F(ViewGridTest, WheelAndSliderScroll)
 {
   SlicePane* axial = this->Views->Slice(SliceOrientation::Axial);
   const int number = axial->View()->GetSliceNumber();
@@ -139,7 +139,7 @@ TEST_F(ViewGridTest, TheWheelAndTheSliderScroll)
   EXPECT_EQ(slider->maximum(), 40);
 }
 
-TEST_F(ViewGridTest, ADoubleClickShowsOneViewAloneAndAllAgain)
+TEST_F(ViewGridTest, DoubleClickTogglesSingleView)
 {
   SlicePane* coronal = this->Views->Slice(SliceOrientation::Coronal);
   DoubleClick(coronal->Canvas(), {30.0, 30.0});
@@ -148,7 +148,7 @@ TEST_F(ViewGridTest, ADoubleClickShowsOneViewAloneAndAllAgain)
   EXPECT_EQ(this->Visible().size(), 4U);
 }
 
-TEST_F(ViewGridTest, LayoutsShowWhatTheySay)
+TEST_F(ViewGridTest, LayoutsShowTheirViews)
 {
   this->Views->SetLayout(ViewLayout::Space);
   QApplication::processEvents();
@@ -166,7 +166,7 @@ TEST_F(ViewGridTest, LayoutsShowWhatTheySay)
   }
 }
 
-TEST_F(ViewGridTest, WhatCannotBeSeenIsNotDrawn)
+TEST_F(ViewGridTest, DoesNotDrawHiddenViews)
 {
   this->Views->SetLayout(ViewLayout::One);
   QApplication::processEvents();

@@ -15,8 +15,8 @@ namespace palpate
 {
 namespace
 {
-// What a widget looks like: its ground is what there is most of, its text what differs most from
-// that. Edges of letters are mixed with the ground, their middles are not.
+// Contrast of a drawn widget: its background is the most frequent colour, its text the one that
+// differs most from it. Edges of letters are blended with the background, their centres are not.
 double DrawnContrast(QWidget& widget)
 {
   const QImage picture = widget.grab().toImage().convertToFormat(QImage::Format_RGB32);
@@ -42,7 +42,7 @@ double DrawnContrast(QWidget& widget)
 class WindowLookTest : public test::WindowTest
 {
 protected:
-  // What shows words and can be used.
+  // Enabled widgets that show text.
   std::vector<QWidget*> Words() const
   {
     std::vector<QWidget*> words;
@@ -74,15 +74,15 @@ protected:
   QColor Ground() const { return this->Window->palette().color(QPalette::Window); }
 };
 
-TEST_F(WindowLookTest, TextCanBeReadInBothLooks)
+TEST_F(WindowLookTest, TextIsReadableInBothLooks)
 {
-  this->OpenPhantom(); // which has a message, for its horseshoe
+  this->OpenPhantom(); // shows a message on its horseshoe
   this->Button("stop-force")->setEnabled(true);
   WaitUntil([this] { return !this->Messages().empty(); });
   for (const WindowLook look : {WindowLook::Light, WindowLook::Dark})
   {
     this->Action(look == WindowLook::Light ? "Light" : "Dark")->trigger();
-    bool isShown = false; // signs of steps take their colours when steps are looked at
+    bool isShown = false; // signs of steps update their colours when steps are polled
     const auto shown = QObject::connect(this->Study.get(), &StudyController::StepsChanged,
                                         [&isShown] { isShown = true; });
     WaitUntil([&isShown] { return isShown; });
@@ -101,7 +101,7 @@ TEST_F(WindowLookTest, TextCanBeReadInBothLooks)
   }
 }
 
-TEST_F(WindowLookTest, ALookIsKeptForTheNextWindowAndIsNoStep)
+TEST_F(WindowLookTest, LookIsKeptAndNotAnUndoStep)
 {
   const QColor system = this->Ground();
   this->Action("Dark")->trigger();

@@ -9,7 +9,7 @@
 
 namespace palpate::test
 {
-/// What a widget looks like.
+/// A widget's image.
 inline Picture PictureOf(QWidget& widget)
 {
   const QImage image = widget.grab().toImage().convertToFormat(QImage::Format_RGBA8888);

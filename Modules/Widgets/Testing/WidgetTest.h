@@ -28,7 +28,7 @@ public:
     static TestApplication only;
     return only;
   }
-  /// At the end of the tests: at exit, Qt's own objects may be gone before it.
+  /// Ends the application after the tests: at exit, Qt's own objects may be destroyed first.
   void End() { this->One.reset(); }
 
 private:
@@ -40,7 +40,7 @@ private:
   TestApplication()
   {
     QSurfaceFormat::setDefaultFormat(QVTKOpenGLNativeWidget::defaultFormat());
-    // Tests run beside each other: each process has settings of its own.
+    // Tests run in parallel: each process has its own settings.
     QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope,
                        QString::fromStdString(this->Settings.Path().string()));
     QApplication::setOrganizationName("Palpate tests");
@@ -56,13 +56,13 @@ private:
   std::unique_ptr<Application> One;
 };
 
-/// Tests that send real events to widgets. They need a display, as DisplayTest.
+/// Tests that send real events to widgets. They need a display, like DisplayTest.
 class WidgetTest : public testing::Test
 {
 protected:
   void SetUp() override { ASSERT_NO_THROW(TestApplication::Get()); }
 
-  /// Lets events happen until it is true. What it waits for comes by events: a test that waits in
+  /// Processes events until it is true. The condition must depend on events; a test that waits in
   /// vain ends by its time limit.
   static void WaitUntil(const std::function<bool()>& isTrue)
   {

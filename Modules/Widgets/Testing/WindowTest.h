@@ -12,7 +12,7 @@
 
 namespace palpate::test
 {
-/// A whole window on a phantom, whose questions are answered by the test.
+/// A window with a phantom, whose questions the test answers.
 class WindowTest : public WidgetTest
 {
 protected:
@@ -59,7 +59,7 @@ protected:
 
   std::filesystem::path VolumeFile() const { return this->Phantom.Folder / "volume.nii.gz"; }
   std::filesystem::path MaskFile() const { return this->Phantom.Folder / "mask.nii.gz"; }
-  /// Until everything that the study wants is made, or has failed.
+  /// Waits until everything that the study needs is made or has failed.
   void Settle()
   {
     const auto isMade = [this](const SceneStructure& structure)
@@ -90,7 +90,7 @@ protected:
     this->Settle();
     DrawAll(*this->Window->Views());
   }
-  /// Where a point is seen in the view in space, in pixels of Qt.
+  /// Position of a point in the 3D view, in Qt pixels.
   QPointF PlaceOf(const Vector3& world) const
   {
     SpacePane* space = this->Window->Views()->Space();
@@ -99,8 +99,8 @@ protected:
     const double* display = space->Renderer()->GetDisplayPoint();
     return {display[0], space->Canvas()->height() - 1 - display[1]};
   }
-  /// WaitUntil, with forces on or switched off. Any other fault ends the test: with a PacedClock it
-  /// cannot be the machine's.
+  /// WaitUntil, with forces on or switched off. Any other fault ends the test: with a PacedClock
+  /// the machine cannot be the cause.
   void FeelUntil(const std::function<bool()>& isTrue)
   {
     WaitUntil(
