@@ -146,8 +146,8 @@ int vtkSphericalHarmonicFit::RequestData(vtkInformation*, vtkInformationVector**
   if (status.IsOk() && !this->AbortExecute)
   {
     this->UpdateProgress(0.7);
-    status = palpate::AssessCoverage(samples.Directions, samples.Weights, options.Degree,
-                                     result.Roughness, this->Coverage);
+    status =
+        palpate::AssessCoverage(samples.Directions, samples.Weights, result, this->Coverage);
   }
   if (this->AbortExecute)
   {

@@ -447,7 +447,7 @@ TEST_F(DrilledFieldTest, RejectsFieldsThatCannotBeDrilled)
   EXPECT_NE(RefusalOf(*field, 0).find("no samples inside"), std::string::npos);
   builder.SetInterpolation(FieldInterpolation::TricubicBSpline);
   ASSERT_TRUE(builder.Build(field).IsOk());
-  EXPECT_NE(RefusalOf(*field, 0).find("linearly"), std::string::npos);
+  EXPECT_NE(RefusalOf(*field, 0).find("trilinear"), std::string::npos);
   builder.SetInterpolation(FieldInterpolation::Trilinear);
   builder.KeepInside(0);
   builder.AddMaterial({channel, 1000.0});

@@ -6,6 +6,8 @@
 #include "MomentSolver.h"
 #include "OrthogonalSolver.h"
 #include "SphericalHarmonicBasis.h"
+#include "SphericalHarmonicConventions.h"
+#include "SphericalHarmonicFit.h"
 
 #include <algorithm>
 #include <cmath>
@@ -139,6 +141,30 @@ void Judge(int degree, double strength, std::size_t count, DirectionCoverage& co
   }
   coverage.Sentence = text.str();
 }
+
+struct FittedSystem
+{
+  int Degree;
+  double Strength; // of the penalty
+  double Condition;
+};
+
+void Assess(const std::vector<Vector3>& directions, const std::vector<double>& weights,
+            const FittedSystem& system, CoefficientCovariance covariance,
+            DirectionCoverage& coverage)
+{
+  coverage = {};
+  coverage.LargestGap = FindGap(directions, weights);
+  coverage.Condition = system.Condition;
+  const std::size_t count = CountWeighted(weights);
+  covariance.SetVariance(4.0 * M_PI / static_cast<double>(count));
+  GainSearch search(covariance, system.Degree);
+  search.Run(coverage.LargestGap.Center);
+  coverage.NoiseGainMaximum = search.Gain;
+  coverage.NoiseGainDirection = search.Direction;
+  coverage.NoiseGainRms = std::sqrt(covariance.Trace() / (4.0 * M_PI));
+  Judge(system.Degree, system.Strength, count, coverage);
+}
 } // namespace
 
 double DirectionCoverage::WidestGap(int degree)
@@ -159,24 +185,28 @@ Status AssessCoverage(const std::vector<Vector3>& directions, const std::vector<
   {
     return Status::Failure("the strength of the penalty must not be negative");
   }
-  coverage = {};
-  coverage.LargestGap = FindGap(directions, weights);
   const std::vector<double> normalised = NormalisedWeights(weights);
   const auto solver = ReduceAnyhow(
       {directions.front().data(), normalised.data(), radii.data(), static_cast<long>(radii.size())},
       degree, strength);
-  coverage.Condition = EstimateCondition(solver->Triangle());
-  const std::size_t count = CountWeighted(weights);
-  const double variance = 4.0 * M_PI / static_cast<double>(count);
   const CoefficientCovariance covariance =
-      strength > 0.0 ? CoefficientCovariance(solver->Triangle(), solver->System(), variance)
-                     : CoefficientCovariance(solver->Triangle(), variance);
-  GainSearch search(covariance, degree);
-  search.Run(coverage.LargestGap.Center);
-  coverage.NoiseGainMaximum = search.Gain;
-  coverage.NoiseGainDirection = search.Direction;
-  coverage.NoiseGainRms = std::sqrt(covariance.Trace() / (4.0 * M_PI));
-  Judge(degree, strength, count, coverage);
+      strength > 0.0 ? CoefficientCovariance(solver->Triangle(), solver->System(), 1.0)
+                     : CoefficientCovariance(solver->Triangle(), 1.0);
+  Assess(directions, weights, {degree, strength, EstimateCondition(solver->Triangle())}, covariance,
+         coverage);
   return Status::Success();
+}
+
+Status AssessCoverage(const std::vector<Vector3>& directions, const std::vector<double>& weights,
+                      const SphericalHarmonicFitResult& fit, DirectionCoverage& coverage)
+{
+  const int degree = DegreeOfCount(fit.Coefficients.size());
+  const std::vector<double> radii(directions.size(), 0.0);
+  Status status = CheckSamples({directions, radii, weights}, degree);
+  if (status.IsOk())
+  {
+    Assess(directions, weights, {degree, fit.Roughness, fit.Condition}, fit.Covariance, coverage);
+  }
+  return status;
 }
 } // namespace palpate

@@ -10,6 +10,8 @@
 
 namespace palpate
 {
+struct SphericalHarmonicFitResult;
+
 /// How well directions determine a fit, independent of the measured radii.
 struct DirectionCoverage
 {
@@ -53,4 +55,9 @@ struct DirectionCoverage
 /// Some milliseconds for 4,002 directions at degree 12.
 Status AssessCoverage(const std::vector<Vector3>& directions, const std::vector<double>& weights,
                       int degree, double strength, DirectionCoverage& coverage);
+
+/// The same for a fit that was made with these directions and weights, by its own factorisation; of
+/// a robust fit with its final weights.
+Status AssessCoverage(const std::vector<Vector3>& directions, const std::vector<double>& weights,
+                      const SphericalHarmonicFitResult& fit, DirectionCoverage& coverage);
 } // namespace palpate

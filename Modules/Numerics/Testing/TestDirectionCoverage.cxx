@@ -188,6 +188,39 @@ TEST(DirectionCoverage, RepeatedDirectionIsUndetermined)
   EXPECT_EQ(Assess(directions, 4, 1e-3).Outcome, Verdict::Gaps);
 }
 
+TEST(DirectionCoverage, FitsOwnFactorisationGivesTheSame)
+{
+  for (const double roughness : {0.0, 1e-4})
+  {
+    RadialSamples samples;
+    samples.Directions = IcosahedronDirections(10).Directions();
+    samples.Directions.erase(samples.Directions.begin(), samples.Directions.begin() + 40);
+    test::Random random(6);
+    std::uniform_real_distribution<double> part(0.5, 1.5);
+    for (std::size_t i = 0; i < samples.Directions.size(); ++i)
+    {
+      samples.Radii.push_back(20.0 * part(random));
+      samples.Weights.push_back(part(random));
+    }
+    SphericalHarmonicFitOptions options;
+    options.Degree = 8;
+    options.PenaltyKind = roughness > 0.0 ? SphericalHarmonicFitOptions::Penalty::Given
+                                          : SphericalHarmonicFitOptions::Penalty::None;
+    options.Roughness = roughness;
+    SphericalHarmonicFitResult fit;
+    ASSERT_TRUE(FitSphericalHarmonics(samples, options, fit).IsOk());
+    DirectionCoverage own;
+    ASSERT_TRUE(AssessCoverage(samples.Directions, samples.Weights, fit, own).IsOk());
+    DirectionCoverage again;
+    ASSERT_TRUE(AssessCoverage(samples.Directions, samples.Weights, 8, roughness, again).IsOk());
+    // The same system, factorised twice.
+    EXPECT_NEAR(own.NoiseGainMaximum / again.NoiseGainMaximum, 1.0, 1e-9);
+    EXPECT_NEAR(own.NoiseGainRms / again.NoiseGainRms, 1.0, 1e-9);
+    EXPECT_EQ(own.LargestGap.Radius, again.LargestGap.Radius);
+    EXPECT_EQ(own.Outcome, again.Outcome);
+  }
+}
+
 TEST(DirectionCoverage, RejectsWhatFitRejects)
 {
   DirectionCoverage coverage;

@@ -102,7 +102,7 @@ TEST(DicomSeries, RejectsTwoImagesAtOnePosition)
 {
   const TemporaryFolder folder;
   WriteStack(folder, {0, 0, 3, 3});
-  EXPECT_TRUE(Contains(Refusal(folder.Path()), "4 images in 2 places"));
+  EXPECT_TRUE(Contains(Refusal(folder.Path()), "4 images in 2 positions"));
 }
 
 TEST(DicomSeries, RejectsTiltedStack)

@@ -99,7 +99,7 @@ TEST(SliceStack, RejectsUnevenStacks)
   sparse.Sparse = true;
   EXPECT_TRUE(Contains(Refusal({0, 1, 2.2, 3.2}, {}), "uneven gaps between its slices (1 to 1.2"));
   EXPECT_TRUE(Contains(Refusal({0, 2, 5}, sparse), "uneven gaps"));
-  EXPECT_TRUE(Contains(Refusal({0, 1, 1, 2}, {}), "4 images in 3 places"));
+  EXPECT_TRUE(Contains(Refusal({0, 1, 1, 2}, {}), "4 images in 3 positions"));
   EXPECT_TRUE(Contains(Refusal({0}, {}), "single slice"));
   EXPECT_TRUE(Contains(Refusal({0}, sparse), "does not state the distance between its slices"));
 }
