@@ -161,7 +161,7 @@ TEST(StudyText, BadOnesAreRefusedWithThePlace)
       {start + ", \"rate_hz\": 1e999}", "too large"},
       {start + ", \"version\": 3}", "version 3"},
       {start + ", \"volum\": \"a\"}", "\"volum\""},
-      {start + ", \"structures\": {}}", "\"structures\" are no list"},
+      {start + ", \"structures\": {}}", "\"structures\" is not a list"},
       {mask + ", \"structures\": [{\"label\": 1}, {\"degree\": 1.5}]}", "structures[1]"},
       {mask + ", \"structures\": [{\"visible\": 1}]}", "true or false"},
       {start + ", \"scene\": {\"structures\": [{\"label\": \"1\"}]}}", "no file"},
