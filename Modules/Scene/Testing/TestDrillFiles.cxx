@@ -94,10 +94,10 @@ TEST_F(DrillFiles, AStateOfOtherVoxelsIsRefused)
   settings.Structures[0].File = this->Block.Nerve;
   settings.Structures[0].Iso.reset();
   const PreparedTouch other = test::Prepare(settings, DrillBlock::CanalAt(4.0));
-  EXPECT_EQ(this->Refusal(other),
-            this->File.string() +
-                " was drilled into other voxels than those of bone; open the scene that it was "
-                "drilled in.");
+  EXPECT_EQ(
+      this->Refusal(other),
+      this->File.string() +
+          " was drilled in other voxels than those of bone; open the scene that was drilled.");
 }
 
 TEST_F(DrillFiles, TheVolumeIsTheScanButForWhatIsGone)

@@ -97,7 +97,8 @@ TEST(DrillRun, WhatIsForbiddenIsNeverRemovedAndRaisesTheAlarm)
   const std::string begin = "The drill is ";
   ASSERT_EQ(said[0].find(begin), 0u) << said[0];
   EXPECT_LT(std::stod(said[0].substr(begin.size())), 1.0) << said[0];
-  EXPECT_NE(said[0].find(" mm from nerve, nearer than 1.0 mm."), std::string::npos) << said[0];
+  EXPECT_NE(said[0].find(" mm from nerve, within the alarm distance of 1.0 mm."), std::string::npos)
+      << said[0];
   const DrillReading reading = touch.Drill->Editor().Newest();
   std::shared_ptr<const FieldSolid> solid;
   ASSERT_TRUE(FieldSolid::Make(reading.Fields[0], 0, solid).IsOk());
@@ -185,8 +186,8 @@ TEST(DrillRun, WhatCannotBeDrilledIsRefusedInASentence)
   const DrillBlock block;
   SceneSettings settings = block.Settings();
   settings.Structures[0].Drill.Wear = 0.0;
-  EXPECT_EQ(Refusal(settings), "nothing of the scene is to be drilled; give one of its structures "
-                               "a \"drill\"");
+  EXPECT_EQ(Refusal(settings),
+            "no structure of the scene is drilled; give one of its structures a \"drill\"");
   settings = block.Settings();
   settings.Tool.Radius = 0.0;
   EXPECT_EQ(Refusal(settings), "a point cannot drill; give the tool a radius above 0");

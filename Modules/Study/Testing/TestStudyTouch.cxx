@@ -489,14 +489,14 @@ TEST(SafetyText, SaysWhatTheChainDoes)
   TouchState state;
   EXPECT_EQ(SafetyText(state), "Forces are off: the device is closed.");
   state.State = DeviceState::Homing;
-  EXPECT_NE(SafetyText(state).find("zero"), std::string::npos);
+  EXPECT_NE(SafetyText(state).find("homing"), std::string::npos);
   state.State = DeviceState::Ready;
   state.Safety.IsArmed = true;
   EXPECT_EQ(SafetyText(state), "Forces are on.");
   state.Safety.IsRamping = true;
   state.Safety.IsLimited = true;
-  EXPECT_EQ(SafetyText(state), "Forces are on. They are being faded in. They are cut to the "
-                               "largest that the device can give.");
+  EXPECT_EQ(SafetyText(state),
+            "Forces are on. They are being faded in. They are limited to the device's maximum.");
   state.Safety.Fault = SafetyFault::SwitchedOff;
   EXPECT_EQ(SafetyText(state), Describe(SafetyFault::SwitchedOff));
 }
