@@ -38,7 +38,7 @@ TEST(TradeAdvice, RecommendsTheCheapestThatNoHandNotices)
   EXPECT_EQ(advice.Row, 1U);
   EXPECT_TRUE(advice.IsMet);
   EXPECT_TRUE(Has(advice.Sentence, "degree 8")) << advice.Sentence;
-  EXPECT_TRUE(Has(advice.Sentence, "cheapest of 2")) << "the last does not reach 1 kHz";
+  EXPECT_TRUE(Has(advice.Sentence, "fastest of 2")) << "the last does not reach 1 kHz";
 }
 
 TEST(TradeAdvice, RejectsSettingsThatSeize)
