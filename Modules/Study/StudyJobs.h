@@ -26,7 +26,7 @@ struct StudyJob
   std::function<Delivery(const ProgressFunction& progress)> Work;
   /// Called on the owner's thread if Work threw.
   std::function<void(const std::string& sentence)> Fail;
-  /// Runs before all other waiting jobs.
+  /// Runs before waiting jobs that are not urgent.
   bool IsUrgent = false;
 };
 

@@ -113,7 +113,7 @@ private:
   StudyState State;
   SceneStamps Stamps;
   std::vector<SceneNode> Plan;
-  std::unordered_map<std::string, SceneProduct> Current; ///< of the plan
+  std::unordered_map<std::string, SceneProduct> Current; ///< of the plan, never dropped
   std::unordered_map<std::string, StudyJobs::Id> Running;
   std::set<std::string> Held; ///< cancelled by the user
   std::map<Place, SceneProduct> Shown;
