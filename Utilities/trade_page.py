@@ -16,7 +16,7 @@ TEXT = """## Speed against accuracy, scene by scene
 What `palpate tradeoff` says of three sample scenes (`Utilities/trade.sh`). All settings are felt on the same seeded
 path and compared with one truth; errors are those that 99 % of the ticks do not exceed. A *JND* is the least difference of a
 force that hands notice, 7 % of it; directions are told apart from 18° to 33° on. The rate is what 99.9 % of the ticks
-leave time for. In bold: no other setting is both faster and truer in position.
+leave time for. In bold: no other setting is both faster and more accurate in position.
 
 ![Time of a tick against errors, scene by scene]({picture})
 """
@@ -105,5 +105,5 @@ def section(found, picture):
     for name, structure in found.items():
         sentence = structure["advice"]["sentence"]
         parts.append(f"### {SCENES[name]}\n\n{sentence[0].upper() + sentence[1:]}\n\n"
-                     f"Taken for true: {structure['truth']}.\n\n{table(structure)}")
+                     f"Reference: {structure['truth']}.\n\n{table(structure)}")
     return "\n".join(parts)

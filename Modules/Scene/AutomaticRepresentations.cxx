@@ -33,7 +33,7 @@ std::string AdviceOf(const SceneStructure& structure, const std::string& instead
   return TitleOf(structure) + ": " + instead + ", because " + (isPredicate ? "it " : "") + reason;
 }
 
-// Harmonics, and the field once any stage of those has failed.
+// Harmonics, or the field once any of their steps has failed.
 void PlanModelOrField(StructurePlan& plan)
 {
   const SceneStructure& structure = plan.Settings();

@@ -15,14 +15,14 @@
 
 namespace palpate
 {
-/// A structure that is drilled.
+/// A structure to be drilled.
 struct DrillSite
 {
   std::string Name;
   DrillSource Source;
 };
 
-/// A structure that no drill may remove.
+/// A structure protected from the drill.
 struct DrillProtection
 {
   std::string Name;
@@ -30,29 +30,29 @@ struct DrillProtection
   std::shared_ptr<const SceneProtection> Protection;
 };
 
-/// All that a scene needs to be drilled, but the servo: who edits the fields, what is forbidden,
-/// and the tool that cuts.
+/// The context of drilling in a scene, without the servo: the editor of the fields, the protected
+/// structures and the cutting tool.
 class PALPATESCENE_EXPORT DrillBench
 {
 public:
-  /// Makes it of the drilled ones among `contacts`, in their order, each kept out of what
-  /// `protections` have on its grid; null where nothing is drilled. Throws InputError.
+  /// Makes a site for each drilled one of `contacts`, in their order, protected by those of
+  /// `protections` that are on its grid. Returns null if none is drilled. Throws InputError.
   static std::shared_ptr<DrillBench> Make(const SceneSettings& scene,
                                           const std::vector<SceneContact>& contacts,
                                           const std::vector<DrillProtection>& protections);
 
-  /// Lets `scene`, which has the structures that the bench was made of, in their order, be drilled.
+  /// Makes `scene` drillable; its structures must be those given to Make, in the same order.
   void PutInto(TouchScene& scene) const { this->PutInto(scene, this->SiteOf); }
-  /// The same of a scene with other structures: the site of each, -1 where it is not drilled.
+  /// The same for a scene with other structures: the site of each, -1 if it is not drilled.
   void PutInto(TouchScene& scene, const std::vector<int>& sites) const;
-  /// Drills by another tool from the next scene on. Throws InputError for one that cannot.
+  /// Changes the cutting tool from the next scene on. Throws InputError if the tool cannot cut.
   void UseTool(const TouchToolSettings& tool, const TouchDrillSettings& drill);
 
   DrillEditor& Editor() const { return *this->Edits; }
   const std::shared_ptr<DrillEditor>& SharedEditor() const { return this->Edits; }
   const std::vector<DrillSite>& Sites() const { return this->Drilled; }
   const std::vector<ForbiddenStructure>& Forbidden() const { return this->Guarded; }
-  /// From the tool that cuts to each of them, mm; negative inside.
+  /// Distance from the cutting tool to each of Forbidden(), mm; negative inside.
   std::vector<double> Distances(const ToolPose& pose) const;
 
 private:
@@ -62,7 +62,7 @@ private:
            std::vector<std::unique_ptr<DrilledField>>& fields);
 
   std::vector<DrillSite> Drilled;
-  std::vector<int> SiteOf; // of each structure that is touched; -1: it is not drilled
+  std::vector<int> SiteOf; // of each touched structure; -1: not drilled
   std::vector<ForbiddenStructure> Guarded;
   std::shared_ptr<DrillEditor> Edits;
   ToolShape Cutter = ToolShape::Sphere(0.0);

@@ -2,13 +2,13 @@
 
 namespace palpate
 {
-/// What files may say of drilling at most.
+/// Largest values of drilling parameters in files.
 namespace DrillLimits
 {
-inline constexpr double Wear = 100.0;      ///< mm for each N of push and m of rubbing
+inline constexpr double Wear = 100.0;      ///< mm per N of push and m of sliding
 inline constexpr double Drag = 10.0;       ///< s/mm
 inline constexpr double Alarm = 1e3;       ///< mm
-inline constexpr double Turns = 1e4;       ///< a second
+inline constexpr double Turns = 1e4;       ///< 1/s
 inline constexpr double Vibration = 500.0; ///< Hz
 } // namespace DrillLimits
 } // namespace palpate

@@ -26,7 +26,7 @@ CutTool CapsuleTool(double radius, double length)
                      });
 }
 
-// Right at the surface, and to first order off it.
+// Exact at the surface, first-order accurate off it.
 CutTool EllipsoidTool(const Vector3& axes)
 {
   return SampledTool(Eigen::AlignedBox3d(-axes, axes),
@@ -51,7 +51,7 @@ CutTool MakeCutTool(const TouchToolSettings& settings)
   {
     if (!(settings.SemiAxes.minCoeff() > 0.0))
     {
-      throw InputError("an ellipsoid without an inside cannot drill; give three semi-axes above 0");
+      throw InputError("an ellipsoid without volume cannot drill; give three semi-axes above 0");
     }
     tool = EllipsoidTool(settings.SemiAxes);
   }

@@ -7,12 +7,13 @@
 
 namespace palpate
 {
-/// A scene's tool as what cuts. Throws InputError where it has no inside.
+/// The cutting volume of a scene's tool. Throws InputError if the tool encloses no volume.
 PALPATESCENE_EXPORT CutTool MakeCutTool(const TouchToolSettings& settings);
 
-/// The same tool as what touches beside it: smaller by `clearance` (mm) all round.
+/// The tool's shape for contact while drilling: smaller by `clearance` (mm) on all sides.
 PALPATESCENE_EXPORT ToolShape MakeClearTool(const ToolShape& tool, double clearance);
 
-/// mm at which a tool rubs, and by which it rises out of its own pit.
+/// Radius (mm) at which a turning tool slides over the material, and by which it has to rise to
+/// leave its own pit.
 PALPATESCENE_EXPORT double DrillRadius(const TouchToolSettings& settings, const CutTool& tool);
 } // namespace palpate

@@ -29,7 +29,7 @@ SceneRepresentation FacetRepresentation()
   facets.KeyOf = facets.Describe;
   facets.Vary = [](const ContactSetting& standard, const TouchToolSettings& tool, int)
   {
-    const bool isSphere = tool.Kind == TouchToolSettings::Shape::Sphere; // others cannot touch it
+    const bool isSphere = tool.Kind == TouchToolSettings::Shape::Sphere; // no other can touch them
     return isSphere ? std::vector<ContactSetting>{standard} : std::vector<ContactSetting>();
   };
   return facets;

@@ -7,7 +7,7 @@ namespace palpate
 {
 namespace
 {
-// What is drilled also has the image that it was made from.
+// A drilled structure also keeps the image that it was made from.
 SceneProduct MakeContact(const SceneStructure& structure, const StructurePlan::Inputs& inputs)
 {
   const auto field = ProductAs<ScalarField>(inputs.data());
@@ -48,7 +48,7 @@ std::vector<ContactSetting> Vary(const ContactSetting& standard, const TouchTool
       settings.push_back(standard);
       settings.back().ToolPoints = points;
     }
-    // A more accurate field is only noticed with a finer tool.
+    // A more accurate field is noticeable only with a finer tool.
     settings.push_back(standard);
     settings.back().Structure.Interpolation = FieldInterpolation::TricubicBSpline;
     settings.back().ToolPoints = FinePoints;

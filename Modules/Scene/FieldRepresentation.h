@@ -4,6 +4,6 @@
 
 namespace palpate
 {
-/// The sub-voxel field of a label or of an iso-value; the only one that can be drilled.
+/// The sub-voxel field of a label or of an iso-value; the only representation that can be drilled.
 PALPATESCENE_EXPORT SceneRepresentation FieldRepresentation();
 } // namespace palpate

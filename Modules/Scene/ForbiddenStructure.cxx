@@ -21,7 +21,7 @@ namespace
 constexpr int Side = RemovedDistances::Side;
 using Corner = RemovedDistances::Corner;
 
-// Index coordinates of what lies within `around` (mm) of a structure, cut to the grid.
+// Node range within `around` (mm) of a structure, clipped to the grid.
 std::pair<Corner, Corner> NodesRound(const ForbiddenStructure& structure, const FieldGrid& grid,
                                      double around)
 {
@@ -46,7 +46,7 @@ std::pair<Corner, Corner> NodesRound(const ForbiddenStructure& structure, const 
   return nodes;
 }
 
-// Blocks of what is forbidden; only those near its surface are looked at node by node.
+// Makes the blocks of a protected region; only those near its surface are evaluated node by node.
 class ProtectionMaker
 {
 public:
@@ -149,7 +149,7 @@ vtkSmartPointer<vtkPolyData> MakeForbiddenSurface(const Segmentation& segmentati
                                                   const Segment& segment,
                                                   const ProgressFunction& progress)
 {
-  // A pipeline notes things on its input, which other threads may be reading.
+  // Pipelines modify the information of their input, which other threads may be reading.
   vtkNew<vtkImageData> layer;
   layer->ShallowCopy(segmentation.Layers[static_cast<std::size_t>(segment.Layer)]);
   vtkNew<vtkSegmentationSurface> surface;
@@ -189,7 +189,7 @@ JoinProtections(const std::vector<std::shared_ptr<const RemovedDistances>>& part
           nodes[n] = std::min(nodes[n], block[n]);
         }
       }
-      joined.Set(corner, nodes); // no more than once: another part may have the block too
+      joined.Set(corner, nodes); // once only: another part may have the block too
     }
   }
   return joined.Finish();

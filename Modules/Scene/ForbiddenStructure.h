@@ -17,15 +17,15 @@ class vtkImplicitPolyDataDistance;
 
 namespace palpate
 {
-/// What no drill may remove: a closed surface (world mm, patient LPS), and from which distance on
-/// one has to be warned.
+/// A structure that the drill must not remove: a closed surface (world mm, patient LPS) and its
+/// alarm distance.
 class PALPATESCENE_EXPORT ForbiddenStructure
 {
 public:
   /// `alarm` in mm.
   ForbiddenStructure(std::string name, vtkPolyData* surface, double alarm);
-  /// Under another name and alarm distance. Shares the search structure, which takes long to build
-  /// for a large surface: both are for the same thread.
+  /// Copy with another name and alarm distance. Shares the search structure, which takes long to
+  /// build for a large surface, so both must be used by the same thread.
   ForbiddenStructure(const ForbiddenStructure& like, std::string name, double alarm);
   ForbiddenStructure(ForbiddenStructure&&) noexcept;
   ForbiddenStructure& operator=(ForbiddenStructure&&) noexcept;
@@ -35,7 +35,7 @@ public:
   double AlarmDistance() const { return this->Alarm; }
   vtkPolyData* Surface() const { return this->Triangles; }
 
-  /// mm from a point to the surface, negative inside. For one thread at a time.
+  /// Distance (mm) from a point to the surface, negative inside. One thread at a time.
   double Distance(const Vector3& pointWorld) const;
   /// The same from the nearest point of a tool.
   double Distance(const ToolShape& tool, const ToolPose& pose) const;
@@ -47,20 +47,19 @@ private:
   vtkSmartPointer<vtkImplicitPolyDataDistance> Query;
 };
 
-/// The surface of a segment that no drill may remove: all its connected components, by the default
-/// settings of vtkSegmentationSurface, whatever a fit of the segment uses. Throws FilterError and
-/// Cancelled.
+/// The surface of a protected segment: all its connected components, by the default settings of
+/// vtkSegmentationSurface, regardless of the settings of a fit. Throws FilterError and Cancelled.
 PALPATESCENE_EXPORT vtkSmartPointer<vtkPolyData>
 MakeForbiddenSurface(const Segmentation& segmentation, const Segment& segment,
                      const ProgressFunction& progress);
 
-/// What a structure forbids on the grid of a field, as if it were removed: see
-/// DrilledField::Protect. Throws Cancelled.
+/// The protected region on the grid of a field, in the form of removed distances (see
+/// DrilledField::Protect). Throws Cancelled.
 PALPATESCENE_EXPORT std::shared_ptr<const RemovedDistances>
 ProtectionOf(const ForbiddenStructure& structure, const RemovedDistances& like,
              const ProgressFunction& progress);
 
-/// What any of `parts` forbids. All are of one grid; at least one.
+/// The union of `parts`: at least one, all on the same grid.
 PALPATESCENE_EXPORT std::shared_ptr<const RemovedDistances>
 JoinProtections(const std::vector<std::shared_ptr<const RemovedDistances>>& parts);
 } // namespace palpate

@@ -30,13 +30,13 @@ HandPath::Place ParseLine(const std::string& line, const std::filesystem::path& 
                                      [](double value) { return std::isfinite(value); });
   if (numbers.size() != 4 || !areFinite)
   {
-    Refuse(path, "has no four numbers in line " + std::to_string(number),
-           "write time_s,x_mm,y_mm,z_mm a line");
+    Refuse(path, "does not have four numbers in line " + std::to_string(number),
+           "write time_s,x_mm,y_mm,z_mm on each line");
   }
   return {numbers[0], Vector3(numbers[1], numbers[2], numbers[3])};
 }
 
-// Where tools first touch a scene, looked for along rays from far outside to the middle.
+// Finds the first contact of a tool with a scene along rays from far outside to the centre.
 class SceneProbe
 {
 public:
@@ -46,10 +46,10 @@ public:
   {
   }
 
-  // As a servo does, so that it asks only what is near.
+  // As in a servo, so that only near structures are queried.
   Status MakeTrackers(TouchScene scene)
   {
-    constexpr double AnyTime = 1.0; // of velocities, which nobody asks for
+    constexpr double AnyTime = 1.0; // time constant of velocities, which are not used
     for (TouchStructure& structure : scene.Structures)
     {
       structure.Friction = {};
@@ -59,11 +59,11 @@ public:
   }
 
   Vector3 Middle() const { return this->Bounds.center(); }
-  /// From the middle, in which nothing is beyond.
+  /// Distance from the centre beyond which there is no structure.
   double Extent() const { return this->Reach; }
 
-  // The distance from the middle at which a tool that comes in along `direction` first touches, or
-  // a negative number.
+  // Distance from the centre of the first contact of a tool that approaches along `direction`;
+  // negative if there is none.
   double FirstTouch(const Vector3& direction)
   {
     constexpr int Steps = 200;
@@ -107,7 +107,7 @@ private:
   FollowStep Step;
 };
 
-// A way that grows place by place.
+// A path built place by place.
 class Walk
 {
 public:
@@ -116,7 +116,7 @@ public:
   void GoTo(const Vector3& point)
   {
     const double way = (point - this->Places.back().PointWorld).norm();
-    // Places that coincide would take no time.
+    // Coinciding places would take no time.
     this->Places.push_back({this->Places.back().Time + std::max(way / this->Speed, 1e-3), point});
   }
   HandPath Path() { return HandPath(std::move(this->Places)); }
@@ -134,7 +134,7 @@ Vector3 RandomDirection(std::mt19937_64& random)
   return Vector3(x, y, normal(random)).stableNormalized();
 }
 
-// Turns about the z axis from pole to pole; `part` from 0 to 1.
+// Spiral about the z axis from pole to pole; `part` from 0 to 1.
 Vector3 OnSpiral(double part)
 {
   constexpr double Pi = 3.14159265358979323846;
@@ -186,13 +186,14 @@ HandPath ReadHandPath(const std::filesystem::path& path)
     places.push_back(ParseLine(line, path, number));
     if (places.size() > 1 && !(places.back().Time > places[places.size() - 2].Time))
     {
-      Refuse(path, "has a time in line " + std::to_string(number) + " that does not rise",
-             "sort its lines by time");
+      Refuse(path, "has a time in line " + std::to_string(number) + " that does not increase",
+             "sort the lines by time");
     }
   }
   if (places.empty())
   {
-    Refuse(path, "has no places for a hand", "write time_s,x_mm,y_mm,z_mm and then a place a line");
+    Refuse(path, "contains no positions",
+           "write the line time_s,x_mm,y_mm,z_mm, then one position per line");
   }
   return HandPath(std::move(places));
 }

@@ -9,14 +9,14 @@
 
 namespace palpate
 {
-/// Where a hand wants to be over time: straight from place to place, still before the first and
-/// after the last. World, mm.
+/// Target position of a hand over time: linear between places, constant before the first and after
+/// the last. World, mm.
 class PALPATESCENE_EXPORT HandPath
 {
 public:
   struct Place
   {
-    double Time; ///< s, rising
+    double Time; ///< s, increasing
     Vector3 PointWorld;
   };
 
@@ -25,7 +25,7 @@ public:
 
   bool IsEmpty() const noexcept { return this->Places.empty(); }
   double Duration() const noexcept { return this->IsEmpty() ? 0.0 : this->Places.back().Time; }
-  /// For a servo: neither allocates nor throws.
+  /// Neither allocates nor throws.
   Vector3 At(double time) const noexcept;
   const std::vector<Place>& List() const noexcept { return this->Places; }
 
@@ -33,27 +33,28 @@ private:
   std::vector<Place> Places;
 };
 
-/// Reads "time_s,x_mm,y_mm,z_mm" a line, after a line of these names. Throws InputError.
+/// Reads a CSV file with the columns time_s,x_mm,y_mm,z_mm, named in its first line. Throws
+/// InputError.
 PALPATESCENE_EXPORT HandPath ReadHandPath(const std::filesystem::path& path);
 
-/// A way round everything that a scene lets be touched: along a spiral from pole to pole, `depth`
-/// mm below where the tool first touches, at `speed` mm/s, and off again. Parts of the spiral that
-/// meet nothing lead round the outside. Refuses a scene that cannot be felt.
+/// A path round all touchable structures of a scene: along a spiral from pole to pole, `depth` mm
+/// below the first contact of the tool, at `speed` mm/s, and off again. Parts of the spiral that
+/// meet no structure pass outside. Fails if the scene cannot be touched.
 PALPATESCENE_EXPORT Status SweepOf(const TouchScene& scene, double depth, double speed,
                                    HandPath& path);
 
-/// How a scene is pressed here and there.
+/// Presses into a scene at seeded places.
 struct HandPresses
 {
-  int Count = 24;         ///< directions from the scene's middle, chosen by the seed
-  std::uint64_t Seed = 1; ///< equal seeds press the same places
-  double Depth = 2.0;     ///< mm below where the tool first touches
-  double Aside = 5.0;     ///< mm along the surface there, and from outside to there
+  int Count = 24;         ///< random directions from the scene's centre
+  std::uint64_t Seed = 1; ///< equal seeds give the same places
+  double Depth = 2.0;     ///< mm below the first contact of the tool
+  double Aside = 5.0;     ///< mm along the surface at depth, and of approach and retreat
   double Speed = 50.0;    ///< mm/s
 };
 
-/// In, along and out again at each of the places; directions that meet nothing are left out.
-/// Refuses a scene that cannot be felt.
+/// Moves in, along and out at each place; directions that meet no structure are skipped. Fails if
+/// the scene cannot be touched.
 PALPATESCENE_EXPORT Status PressesOf(const TouchScene& scene, const HandPresses& presses,
                                      HandPath& path);
 } // namespace palpate

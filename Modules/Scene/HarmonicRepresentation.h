@@ -4,6 +4,6 @@
 
 namespace palpate
 {
-/// Spherical harmonics: a label is fitted, a model is read.
+/// Spherical harmonics: fitted to a label, or read from a model file.
 PALPATESCENE_EXPORT SceneRepresentation HarmonicRepresentation();
 } // namespace palpate

@@ -36,7 +36,7 @@ NodeRange RangeOf(const FieldGrid& grid, const Eigen::AlignedBox3d& boxWorld)
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
     const auto a = static_cast<Eigen::Index>(axis);
-    // One more than needed, for rounding.
+    // One more than needed, against rounding.
     const double last = grid.Size()[axis] - 1;
     range.First[axis] = static_cast<int>(std::clamp(std::floor(box.min()[a]) - 1.0, 0.0, last));
     range.Last[axis] = static_cast<int>(std::clamp(std::ceil(box.max()[a]) + 1.0, 0.0, last));

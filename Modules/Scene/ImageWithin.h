@@ -7,9 +7,9 @@
 
 namespace palpate
 {
-/// The part of an image (one component, patient LPS) round a box in the world (mm), as a copy: all
-/// nodes that values in the box are interpolated from, with the same scalars in the same places.
-/// The image itself where the box is outside it.
+/// Copies the part of an image (one component, patient LPS) around a box in the world (mm): all
+/// nodes needed to interpolate within the box, with unchanged scalars and positions. Returns the
+/// image itself if the box lies outside of it.
 PALPATESCENE_EXPORT vtkSmartPointer<vtkImageData> ImageWithin(vtkImageData* image,
                                                               const Eigen::AlignedBox3d& boxWorld);
 } // namespace palpate

@@ -13,11 +13,11 @@ namespace palpate
 {
 namespace
 {
-// Where a node of one grid lies in another: an affine map of indices.
+// Affine map of node indices from one grid to another.
 struct IndexMap
 {
   Vector3 First;
-  Matrix3 Steps; // columns: by one node along i, j, k
+  Matrix3 Steps; // columns: one node along i, j, k
 
   IndexMap(const FieldGrid& from, const FieldGrid& to)
       : First(to.PointIndex(from.PointWorld(Vector3::Zero())))
@@ -32,7 +32,7 @@ struct IndexMap
     return this->First + this->Steps * Vector3(i, j, k);
   }
 
-  // Whether no node is moved by a thousandth of a voxel.
+  // Whether every node is displaced by less than a thousandth of a voxel.
   bool IsIdentity(const std::array<int, 3>& size) const
   {
     constexpr double Tolerance = 1e-3;
@@ -43,7 +43,7 @@ struct IndexMap
   }
 };
 
-// The number of the voxel nearest to an index, or -1 outside the grid.
+// Number of the voxel nearest to an index, or -1 outside of the grid.
 vtkIdType NearestVoxel(const Vector3& index, const std::array<int, 3>& size)
 {
   vtkIdType number = 0;

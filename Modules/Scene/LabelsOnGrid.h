@@ -8,8 +8,8 @@ class vtkImageData;
 
 namespace palpate
 {
-/// A label map on another image's grid: at each of its nodes the label of the nearest voxel, in
-/// millimetres, and 0 outside the map. The map itself where it lies on that grid already.
+/// Resamples a label map onto another image's grid: each node gets the label of the voxel nearest
+/// in mm, or 0 outside of the map. Returns the map itself if it already lies on that grid.
 PALPATESCENE_EXPORT vtkSmartPointer<vtkImageData> LabelsOnGrid(vtkImageData* labels,
                                                                vtkImageData* image);
 } // namespace palpate

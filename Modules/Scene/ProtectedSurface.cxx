@@ -12,7 +12,7 @@ namespace palpate
 {
 namespace
 {
-// What is wrong with a label, as a message that names it.
+// Throws an error that names the label if it has too few voxels.
 void RequireVoxels(const Segmentation& segmentation, const Segment& segment)
 {
   if (const std::string reason = TooFewVoxels(segmentation, segment); !reason.empty())

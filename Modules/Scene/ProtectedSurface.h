@@ -7,8 +7,9 @@
 
 namespace palpate
 {
-/// The closed surface (world, mm) of all of a structure, whatever a fit of it uses, from the
-/// product of its source: a segmentation, a model or a surface. Throws InputError and Cancelled.
+/// The closed surface (world, mm) of the whole structure, regardless of the settings of a fit, made
+/// from the product of its source: a segmentation, a model or a surface. Throws InputError and
+/// Cancelled.
 PALPATESCENE_EXPORT vtkSmartPointer<vtkPolyData>
 ProtectedSurfaceOf(const SceneStructure& structure, const SceneProduct& source,
                    const ProgressFunction& progress);

@@ -11,9 +11,9 @@
 
 namespace palpate
 {
-/// A cutting tool within a box (mm, of its frame) by a function that gives the signed distance of a
-/// point to its surface: with some 24 nodes across the thinnest side, and at most 160 along the
-/// longest.
+/// Samples a cutting tool within a box (mm, tool frame) from a function that returns a point's
+/// signed distance to the tool's surface: about 24 nodes across the thinnest side, at most 160
+/// along the longest.
 template <typename Distance>
 CutTool SampledTool(const Eigen::AlignedBox3d& box, const Distance& distance)
 {

@@ -7,21 +7,21 @@
 
 namespace palpate
 {
-/// Something that a scene may need: what was made, at what price, or why it was not.
+/// One product that a scene may need: its description and cost, or why it was not made.
 struct SceneItem
 {
-  std::string Is; ///< in words; empty where it was not made
+  std::string Is; ///< description; empty if it was not made
   std::uintmax_t Bytes = 0;
   double Seconds = 0.0;
-  std::string WhyNot; ///< empty where it was made
+  std::string WhyNot; ///< empty if it was made
 };
 
-/// One structure of a scene; where its file was not opened, one entry of the scene file.
+/// One structure of a scene, or one entry of the scene file if its file was not opened.
 struct SceneStructureAccount
 {
   std::string Name;
   std::filesystem::path File;
-  SceneItem Contact; ///< to feel it by; with reading off a file what it is made from
+  SceneItem Contact; ///< its contact model; time without reading files
   SceneItem Drawing;
 };
 
@@ -32,11 +32,11 @@ struct SceneFileAccount
   SceneItem Reading;
 };
 
-/// What was made of a scene, for what, and what was not and why.
+/// Everything that was made for a scene, and what was skipped and why.
 struct SceneAccount
 {
   std::vector<SceneFileAccount> Files;
   std::vector<SceneStructureAccount> Structures;
-  SceneItem Servo; ///< trackers, and an index of what is where
+  SceneItem Servo; ///< trackers and a spatial index
 };
 } // namespace palpate

@@ -15,9 +15,9 @@ namespace palpate
 {
 namespace
 {
-constexpr const char* NeitherReason = "the scene wants it neither displayed nor touched";
-constexpr const char* UnseenReason = "the scene does not want it displayed";
-constexpr const char* UntouchedReason = "the scene does not want it touched";
+constexpr const char* NeitherReason = "neither displayed nor touched in the scene";
+constexpr const char* UnseenReason = "not displayed in the scene";
+constexpr const char* UntouchedReason = "not touched in the scene";
 constexpr const char* NobodyLooks = "nothing is displayed here";
 
 std::size_t BytesOf(vtkPolyData& surface)
@@ -59,7 +59,7 @@ public:
   }
 
 private:
-  // Where nobody looks nothing is made to be displayed.
+  // Nothing is made for display without a viewer.
   SceneSettings Seen() const
   {
     SceneSettings scene = this->Made.Settings;
@@ -115,7 +115,7 @@ private:
     }
   }
 
-  // What is displayed without being touched.
+  // Display of a structure that is not touched.
   TouchAppearance LooksOf(int id) const
   {
     TouchAppearance looks;
@@ -135,12 +135,12 @@ private:
     return looks;
   }
 
-  // A model becomes the surface that is drawn of it.
+  // A model is drawn as a surface.
   static SceneItem Draw(TouchAppearance& looks)
   {
     if (looks.Field != nullptr)
     {
-      return {"rays through the field that is felt", 0, 0.0, {}};
+      return {"ray casting of the touched field", 0, 0.0, {}};
     }
     if (looks.Model != nullptr)
     {
@@ -154,7 +154,7 @@ private:
             {}};
   }
 
-  // Files that are named and were not read, each once.
+  // Files that are named but were not read, each once.
   void AccountForFiles()
   {
     std::vector<SceneFileAccount>& files = this->Made.Account.Files;
@@ -174,7 +174,7 @@ private:
       {
         if (!file.empty() && known.insert(file).second)
         {
-          files.push_back({file, {{}, 0, 0.0, "nothing that is made needs it"}});
+          files.push_back({file, {{}, 0, 0.0, "no product needs it"}});
         }
       }
     }
@@ -183,7 +183,7 @@ private:
   const SceneSettings& Asked;
   bool IsSeen;
   const ProgressFunction& Progress;
-  SceneSettings Planned; // with nothing displayed where nobody looks
+  SceneSettings Planned; // with nothing displayed if there is no viewer
   SceneRun Run{false};
   BuiltScene Made;
 };
@@ -198,7 +198,7 @@ SceneItem AccountForServo(const BuiltScene& built)
 {
   if (built.Contacts.empty())
   {
-    return {{}, 0, 0.0, "nothing of the scene is touched"};
+    return {{}, 0, 0.0, "no structure of the scene is touched"};
   }
   auto scene = std::make_shared<TouchScene>(MakeTouchScene(built.Settings, built.Contacts, {}));
   std::vector<std::pair<std::string, double>> stages;

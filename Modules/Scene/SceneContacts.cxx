@@ -15,7 +15,7 @@ bool NeedsImage(const SceneStructure& structure)
                      [](const SceneEffectKind* kind) { return !kind->ImageKey.empty(); });
 }
 
-// Those that are made from an image act once they are there.
+// Effects made from an image act once they have been made.
 std::vector<std::shared_ptr<const ForceEffect>>
 MakeEffects(const SceneStructure& structure, const SceneContact& contact, double toolReach)
 {
@@ -54,7 +54,7 @@ std::vector<SceneContact> ContactsOf(const SceneSettings& scene, const SceneProd
     {
       one.Effects = ProductAs<ImageEffects>(products(SceneStep::Effects, structure.Id));
     }
-    // A contact that was made before the structure was to be drilled has no source.
+    // A contact made before the structure became drilled has no source.
     one.Drilled = structure.IsDrilled() ? contact->Drilled : DrillSource();
     one.Contact = std::move(contact);
     contacts.push_back(std::move(one));

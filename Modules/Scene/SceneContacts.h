@@ -20,19 +20,19 @@ struct SceneContact
   int Id = 0;
   std::shared_ptr<const TouchContact> Contact;
   std::shared_ptr<const ImageEffects> Effects = nullptr; ///< made from images; null: none
-  DrillSource Drilled = {}; ///< without a field: it is not drilled, or cannot be yet
+  DrillSource Drilled = {}; ///< without a field if it is not, or not yet, drilled
 };
 
-/// The scene's touchable structures whose contact model is there.
+/// The touchable structures of a scene whose contact model has been made.
 PALPATESCENE_EXPORT std::vector<SceneContact> ContactsOf(const SceneSettings& scene,
                                                          const SceneProducts& products);
 
-/// Those of `contacts` whose structures the scene has and wants touchable.
+/// Those of `contacts` whose structures exist in the scene and are touchable.
 PALPATESCENE_EXPORT std::vector<SceneContact>
 TouchableOf(const SceneSettings& scene, const std::vector<SceneContact>& contacts);
 
-/// The scene that a servo feels: a structure for each of `contacts`, which are touchable. Throws
-/// InputError if the settings do not describe a valid tool.
+/// Assembles the scene for the servo: one structure for each of `contacts`, which must be
+/// touchable. Throws InputError if the settings do not describe a valid tool.
 PALPATESCENE_EXPORT TouchScene MakeTouchScene(const SceneSettings& scene,
                                               const std::vector<SceneContact>& contacts,
                                               const WorkspaceFrame& frame);

@@ -55,7 +55,7 @@ struct SceneEffectKind
 /// texture, viscosity, then those that were added.
 PALPATESCENE_EXPORT const std::vector<SceneEffectKind>& SceneEffectKinds();
 
-/// Adds a kind for the whole program, before the first scene is read or shown.
+/// Registers a kind for the whole program; call before the first scene is read or shown.
 PALPATESCENE_EXPORT void AddSceneEffectKind(SceneEffectKind kind);
 
 /// The kinds that a structure has.

@@ -18,7 +18,7 @@ namespace palpate
 {
 namespace
 {
-// Throws what a status says; the builder answers a cancelled progress with a status too.
+// Throws a failed status; the builder also returns a status if progress cancels.
 void Require(const Status& status, bool wasCancelled)
 {
   if (wasCancelled)
@@ -31,7 +31,7 @@ void Require(const Status& status, bool wasCancelled)
   }
 }
 
-// Throws a sentence about a structure, unless the reason is empty.
+// Throws an error about a structure, unless the reason is empty.
 void Require(const Segmentation& segmentation, const Segment& structure, const std::string& reason,
              const std::string& hint)
 {
@@ -41,7 +41,7 @@ void Require(const Segmentation& segmentation, const Segment& structure, const s
   }
 }
 
-// What is thinner than the smoothing may be gone.
+// Structures thinner than the smoothing may vanish.
 std::string WhyVanished(const LabelField& distance, double smoothing)
 {
   const FieldSamples samples = distance.Samples();
@@ -49,13 +49,13 @@ std::string WhyVanished(const LabelField& distance, double smoothing)
   const bool isThere =
       std::any_of(first, first + samples.Count(), [](float value) { return value > 0.0f; });
   return isThere ? std::string()
-                 : "has no voxel left by a smoothing of " + FixedText(smoothing, 1) + " voxels";
+                 : "has no voxel left after smoothing by " + FixedText(smoothing, 1) + " voxels";
 }
 
-// Distances to labels take most of the time.
+// Fraction of the time that distances to labels take.
 constexpr double DistancesPart = 0.8;
 
-// Runs what answers a status and makes a field, and tells its progress from `done` on.
+// Runs a function that makes a field and returns a status; its progress starts at `done`.
 template <typename Make>
 std::shared_ptr<const ScalarField> Build(const Make& make, double done,
                                          const ProgressFunction& progress)
@@ -97,8 +97,8 @@ struct NodeBox
   }
 };
 
-// Where distances are known, and so far round it that the border's influence on a B-spline's
-// coefficients, 0.27 to the power of the nodes between, is below its floats' rounding.
+// The region of known distances, with a margin such that the border's influence on B-spline
+// coefficients, 0.27 to the power of the number of nodes between, is below the rounding of floats.
 NodeBox BoxOf(const std::vector<LabelField>& distances, const FieldGrid& whole,
               FieldInterpolation interpolation)
 {
@@ -118,7 +118,7 @@ NodeBox BoxOf(const std::vector<LabelField>& distances, const FieldGrid& whole,
   return box;
 }
 
-// The distances of structures, on the grid of the images that `layerOf` gives for their layers.
+// The distances of structures, on the grid of the images that `layerOf` returns for their layers.
 template <typename LayerOf>
 std::vector<LabelField> DistancesOf(const std::vector<Segment>& structures, const LayerOf& layerOf,
                                     double smoothing, const ProgressFunction& progress)

@@ -11,29 +11,29 @@
 
 namespace palpate
 {
-/// The fields of a scene, for the eye and the hand alike. Throw FilterError with a sentence where a
+/// The fields of a scene, used for rendering and for touch. The functions throw FilterError if a
 /// field cannot be made, and Cancelled.
 
-/// One material for each value: what of the image is at least that.
+/// One material per value: where the image is at least that value.
 PALPATESCENE_EXPORT std::shared_ptr<const ScalarField>
 MakeIsoField(vtkImageData* image, const std::vector<double>& isoValues, const FieldForm& form,
              const ProgressFunction& progress);
 
-/// What a field occupies, in words: "3.2 MB, 6.1 % of all its nodes as floats".
+/// Memory of a field: "3.2 MB, 6.1 % of all its nodes as floats".
 PALPATESCENE_EXPORT std::string MemoryText(const ScalarField& field);
 
-/// One material for each structure, in their order: what of the image is at least the value, within
-/// the structure. Structures are matched with the image in millimetres and bounded as in
-/// MakeSegmentField. At most MostMaterials structures.
+/// One material per structure, in their order: where the image is at least the value, within the
+/// structure. Structures are matched with the image in mm and bounded as in MakeSegmentField. At
+/// most MostMaterials structures.
 PALPATESCENE_EXPORT std::shared_ptr<const ScalarField>
 MakeIsoFieldWithin(vtkImageData* image, double isoValue, const Segmentation& segmentation,
                    const std::vector<Segment>& structures, const FieldForm& form, double smoothing,
                    const ProgressFunction& progress);
 
-/// One material for each structure, in their order, each with a smooth signed distance of its own
-/// (see LabelField, also for `smoothing`). At most MostMaterials structures, none of which has too
-/// few voxels: else the sentence names the file and the structure. Its grid is the part
-/// of the segmentation's that holds them, so that it takes as much however large the image.
+/// One material per structure, in their order, each with its own smooth signed distance (see
+/// LabelField, also for `smoothing`). At most MostMaterials structures; if one has too few voxels,
+/// the error names the file and the structure. The grid is cropped to the structures, so memory
+/// does not depend on the size of the image.
 PALPATESCENE_EXPORT std::shared_ptr<const ScalarField>
 MakeSegmentField(const Segmentation& segmentation, const std::vector<Segment>& structures,
                  const FieldForm& form, double smoothing, const ProgressFunction& progress);

@@ -11,7 +11,7 @@ namespace palpate
 namespace
 {
 constexpr const char* Format = "palpate-scene";
-constexpr std::uintmax_t LargestFile = 1 << 26; // of some hundred thousand structures
+constexpr std::uintmax_t LargestFile = 1 << 26; // bytes; some hundred thousand structures
 
 // Only a linear sub-voxel field can be drilled.
 void CheckDrilled(const SceneStructure& structure, const std::filesystem::path& path,
@@ -19,23 +19,22 @@ void CheckDrilled(const SceneStructure& structure, const std::filesystem::path& 
 {
   if (structure.IsForbidden)
   {
-    Refuse(path, "says that its " + place + " is both drilled and forbidden",
-           "leave one of \"drill\" and \"forbidden\" out");
+    Refuse(path, "declares " + place + " both drilled and forbidden",
+           "remove \"drill\" or \"forbidden\"");
   }
   if (!structure.IsTouchable)
   {
-    Refuse(path, "says that its " + place + " is drilled and not touched",
-           "leave \"touched\": false out");
+    Refuse(path, "declares " + place + " drilled but not touched", "remove \"touched\": false");
   }
   if (!RepresentationOf(structure).CanBeDrilled ||
       structure.Interpolation != FieldInterpolation::Trilinear)
   {
-    Refuse(path, "wants its " + place + " drilled, which only a linear sub-voxel field can be",
-           "leave \"representation\" and \"interpolation\" out there");
+    Refuse(path, "declares " + place + " drilled, which requires a linear sub-voxel field",
+           "remove \"representation\" and \"interpolation\" there");
   }
 }
 
-// What nobody can mean who writes a scene by hand.
+// Rejects contradictions in scenes written by hand.
 void Check(const SceneStructure& structure, const std::filesystem::path& path, std::size_t number)
 {
   const std::string place = "structures[" + std::to_string(number) + "]";
@@ -44,9 +43,9 @@ void Check(const SceneStructure& structure, const std::filesystem::path& path, s
     const bool hasImage = !structure.Image(kind.ImageKey).empty();
     if (!kind.ImageKey.empty() && kind.IsIn(structure) != hasImage)
     {
-      Refuse(path, "gives only half of the " + kind.Name + " of its " + place,
+      Refuse(path, "gives only one entry for the " + kind.Name + " of " + place,
              "give both \"" + kind.Numbers.front().Key + "\" and \"" + kind.ImageKey +
-                 "\", a file");
+                 "\" (a file)");
     }
   }
   if (structure.Drill.Wear > 0.0)
@@ -74,14 +73,14 @@ SceneSettings ReadScene(const std::filesystem::path& path)
   fields.Read("format", format);
   if (format != Format)
   {
-    Refuse(path, "does not say that it is a scene to touch",
+    Refuse(path, "is not marked as a scene",
            "begin it with \"format\": \"" + std::string(Format) + "\"");
   }
   SceneSettings scene = ReadSceneJson(root, fields, path.parent_path(), path);
   fields.RefuseOthers();
   if (scene.Structures.empty())
   {
-    Refuse(path, "has nothing to touch", "list its \"structures\": [ { \"file\": ... } ]");
+    Refuse(path, "has no structures", "list them: \"structures\": [ { \"file\": ... } ]");
   }
   for (std::size_t s = 0; s < scene.Structures.size(); ++s)
   {

@@ -8,15 +8,15 @@
 
 namespace palpate
 {
-/// Whether a file is a scene by its name: scene.json, or one that ends with .scene.json. A model is
-/// JSON too.
+/// Whether a file is a scene by its name: scene.json, or ending with .scene.json, since models are
+/// JSON files too.
 PALPATESCENE_EXPORT bool IsSceneFile(const std::filesystem::path& path);
 
 /// Reads a scene: "format": "palpate-scene" and the entries of ReadSceneJson, with paths relative
-/// to the file. Refuses settings that contradict each other. Throws InputError.
+/// to the file. Throws InputError, also for settings that contradict each other.
 PALPATESCENE_EXPORT SceneSettings ReadScene(const std::filesystem::path& path);
 
-/// The same as text, all entries written out, paths relative to the folder.
+/// A scene as the text of a scene file: all entries, paths relative to the folder.
 PALPATESCENE_EXPORT std::string SceneText(const SceneSettings& scene,
                                           const std::filesystem::path& folder);
 } // namespace palpate

@@ -16,7 +16,7 @@ namespace palpate
 {
 namespace
 {
-constexpr int Border = 1; // samples beyond the image, all below the value
+constexpr int Border = 1; // samples around the image, all below the value
 
 // The image's samples with a border.
 ScalarGrid GridOf(vtkImageData* image, double isoValue)
@@ -35,7 +35,8 @@ ScalarGrid GridOf(vtkImageData* image, double isoValue)
   vtkDataArray* values = image->GetPointData()->GetScalars();
   double range[2];
   values->GetRange(range);
-  // As far below the value as the darkest sample, so that the surface passes half-way at the most.
+  // As far below the value as the darkest sample, so that the surface lies at most half-way to the
+  // border.
   const double below = std::min(range[0], 2.0 * isoValue - range[1]);
   grid.Values.assign(count, static_cast<float>(below));
   vtkIdType id = 0;

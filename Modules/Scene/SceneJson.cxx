@@ -80,7 +80,7 @@ private:
     const nlohmann::json& list = this->Object["structures"];
     if (!list.is_array())
     {
-      Refuse(this->File, "cannot be read: its \"structures\" are no list",
+      Refuse(this->File, "cannot be read: its \"structures\" is not a list",
              "write them as [ { \"file\": ... } ]");
     }
     for (const nlohmann::json& object : list)
@@ -101,7 +101,7 @@ private:
     fields.Read("file", file);
     if (file.empty())
     {
-      Refuse(this->File, "cannot be read: its " + place + " has no file",
+      Refuse(this->File, "cannot be read: " + place + " has no file",
              "name a model, a surface, a segmentation or an image in its entry \"file\"");
     }
     structure.File = this->PathOf(file);
@@ -200,7 +200,7 @@ private:
     fields.Read("alarm_mm", structure.AlarmDistance, 0.0, DrillLimits::Alarm);
   }
 
-  // Version 0.1.0 had the scale alone, beside the rate.
+  // Version 0.1.0 had only the scale, next to the rate.
   void ReadPlacement(JsonFields& fields, ScenePlacement& placement) const
   {
     ReadScale(fields, placement);

@@ -8,7 +8,7 @@ namespace palpate
 {
 namespace
 {
-// Numbers that no label has.
+// Larger than any label's number.
 constexpr int FirstFreeId = 1'000'000'001;
 
 void AddSegments(const SceneStructure& entry, const Segmentation& segmentation,

@@ -23,7 +23,7 @@ std::size_t BytesOf(vtkDataObject* data)
   return data != nullptr ? Kibibyte * data->GetActualMemorySize() : 0;
 }
 
-// The structure that stood in the way; null where none did.
+// The refused or failed fit; null if there is none.
 const FitResult* RefusedOf(const SceneProduct& product)
 {
   return std::visit(Overloaded{[](const std::shared_ptr<const FitSurface>& surface)
@@ -79,7 +79,7 @@ std::size_t BytesOf(const SceneProduct& product)
           { return static_cast<std::size_t>(field->Memory().Bytes); },
           [](const std::shared_ptr<const TouchContact>& contact)
           {
-            // A tree of boxes over the facets takes about as much as they do.
+            // The bounding-box tree of the facets takes about as much memory as they do.
             return sizeof(*contact) + 2 * BytesOf(contact->Looks.Surface.Get());
           },
           [](const std::shared_ptr<const TouchCost>& cost) { return sizeof(*cost); },

@@ -18,7 +18,7 @@
 
 namespace palpate
 {
-/// Why there is no product: one sentence, the command line's.
+/// The product could not be made: a message, the same as on the command line.
 struct SceneFailure
 {
   std::string Sentence;
@@ -28,8 +28,8 @@ inline bool operator==(const SceneFailure& a, const SceneFailure& b)
   return a.Sentence == b.Sentence;
 }
 
-/// What a step makes. Shared with whoever shows or touches it, and never changed: a view that gives
-/// it to a VTK pipeline gives it a shallow copy, since pipelines note things on their input.
+/// The product of a step: shared and immutable. Pass a shallow copy to VTK pipelines, since they
+/// modify the information of their input.
 using SceneProduct =
     std::variant<SceneFailure, std::shared_ptr<const Volume>, std::shared_ptr<const Segmentation>,
                  std::shared_ptr<const FitSurface>, std::shared_ptr<const FitSamples>,
@@ -38,7 +38,7 @@ using SceneProduct =
                  std::shared_ptr<const ImageEffects>, std::shared_ptr<const SceneProtection>,
                  std::shared_ptr<const SurfaceTool>>;
 
-/// The product of a type; empty for another one.
+/// The product if it has this type, otherwise null.
 template <typename T>
 std::shared_ptr<const T> ProductAs(const SceneProduct* product)
 {
@@ -46,14 +46,14 @@ std::shared_ptr<const T> ProductAs(const SceneProduct* product)
   return held != nullptr ? *held : nullptr;
 }
 
-/// The sentence of what failed: there is no product, or the structure stood in the way. Empty for
-/// one that later steps can go on from.
+/// The error message if the product could not be made, or if a fit refused the structure. Empty if
+/// later steps can use the product.
 PALPATESCENE_EXPORT std::string FailureOf(const SceneProduct& product);
 
-/// The same without naming the file or the structure: a predicate ("is not star-shaped"), or a
+/// The same without the name of the file or structure: a predicate ("is not star-shaped"), or a
 /// clause.
 PALPATESCENE_EXPORT std::string ReasonOf(const SceneProduct& product);
 
-/// What it occupies beyond the products that it was made from, about.
+/// Approximate memory, without the products that it was made from.
 PALPATESCENE_EXPORT std::size_t BytesOf(const SceneProduct& product);
 } // namespace palpate

@@ -20,7 +20,7 @@ std::shared_ptr<const RemovedDistances> SceneProtection::On(const RemovedDistanc
 std::size_t SceneProtection::Bytes() const
 {
   constexpr std::size_t Kibibyte = 1024;
-  // A tree of cells over the triangles takes about as much as they do.
+  // The cell tree of the triangles takes about as much memory as they do.
   std::size_t bytes = 2 * Kibibyte * this->Structure->Surface()->GetActualMemorySize();
   for (const auto& kept : this->Kept)
   {

@@ -13,21 +13,21 @@
 
 namespace palpate
 {
-/// What keeps a drill out of one structure: its surface, and what of each drilled field's grid lies
-/// in it.
+/// Protection of one structure from the drill: its surface, and the protected region on the grid of
+/// each drilled field.
 struct SceneProtection
 {
-  /// Without a name and an alarm distance, which may change meanwhile. Its distances are for one
-  /// thread at a time: after it was made, for the study's owner.
+  /// Without name and alarm distance, which may change without a new protection. Distances may be
+  /// queried by one thread at a time: once it is made, the owner's thread.
   std::shared_ptr<const ForbiddenStructure> Structure;
   std::vector<std::shared_ptr<const RemovedDistances>> Kept; ///< one for each field
 
-  /// On that grid; null where it was made for other fields.
+  /// The region on that grid, or null if it was made for other fields.
   std::shared_ptr<const RemovedDistances> On(const RemovedDistances& like) const;
   std::size_t Bytes() const;
 };
 
-/// Protects a closed surface (world mm) from what drills `fields`. Throws Cancelled.
+/// Protects a closed surface (world mm) from drilling of `fields`. Throws Cancelled.
 PALPATESCENE_EXPORT SceneProtection MakeSceneProtection(
     vtkPolyData* surface, const std::vector<std::shared_ptr<const ScalarField>>& fields,
     const ProgressFunction& progress);

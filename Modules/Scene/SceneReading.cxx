@@ -21,7 +21,7 @@ std::string StampIn(const SceneStamps& stamps, const std::filesystem::path& file
   return found != stamps.end() ? found->second : std::string();
 }
 
-// Reading cannot be interrupted; what is cancelled before is not begun.
+// Reading cannot be interrupted; it is not started if cancelled before.
 template <typename Read>
 SceneNode ReadingNode(SceneStep step, const std::filesystem::path& file, std::string key,
                       const Read& read)
@@ -72,7 +72,8 @@ SceneNode ModelNode(const std::filesystem::path& file, const SceneStamps& stamps
                        const auto* model = std::get_if<SphericalHarmonicModel>(&document.Surface);
                        if (model == nullptr)
                        {
-                         Refuse(file, "is a parametric surface, which has no radius to touch",
+                         Refuse(file,
+                                "is a parametric surface, which has no radius function to touch",
                                 "write it as a surface (palpate convert) and touch that");
                        }
                        FitResult result;

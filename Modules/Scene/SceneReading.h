@@ -9,22 +9,22 @@
 
 namespace palpate
 {
-/// The nodes that read a file: one for each file, however many structures are made from it.
+/// Nodes that read a file: one per file, for any number of structures.
 PALPATESCENE_EXPORT SceneNode VolumeNode(const std::filesystem::path& file,
                                          const std::string& series, LeftHandedAxes leftHanded,
                                          const SceneStamps& stamps);
 PALPATESCENE_EXPORT SceneNode SegmentationNode(const std::filesystem::path& file,
                                                LeftHandedAxes leftHanded,
                                                const SceneStamps& stamps);
-/// A model becomes a fit that is there already, with its surface.
+/// Reads a model as a completed fit, with its surface.
 PALPATESCENE_EXPORT SceneNode ModelNode(const std::filesystem::path& file,
                                         const SceneStamps& stamps);
 PALPATESCENE_EXPORT SceneNode SurfaceNode(const std::filesystem::path& file,
                                           const SceneStamps& stamps);
-/// A tool from a file, ready to cut where anything of the scene is drilled.
+/// Reads a tool's surface; prepares it for cutting if the scene drills any structure.
 PALPATESCENE_EXPORT SceneNode ToolNode(const SceneSettings& scene, const SceneStamps& stamps);
 
-/// A text that differs wherever one of the values does.
+/// A text that differs if any of the values differs.
 template <typename... Values>
 std::string SceneKey(const std::string& start, const Values&... values)
 {

@@ -42,10 +42,10 @@ namespace palpate
 {
 namespace
 {
-// Picture over what is in it: room for the letters, and for the colour bar.
+// Size of the image relative to its content: margin for the letters, and for the colour bar.
 constexpr double Margin = 1.16;
 constexpr double BarMargin = 1.42;
-// Font sizes of a picture whose shorter side is ReferenceSide pixels.
+// Font sizes in an image whose shorter side is ReferenceSide pixels.
 constexpr double ReferenceSide = 800.0;
 constexpr double LetterSize = 24.0;
 constexpr double BarTextSize = 17.0;
@@ -126,7 +126,7 @@ std::size_t SceneRenderer::AddSurface(vtkPolyData* surface, const Color& color, 
   }
   if (opacity < 1.0)
   {
-    // Peeling loses all that is translucent where several samples a pixel are taken.
+    // Depth peeling loses translucent geometry with multi-sampling.
     this->Window->SetMultiSamples(0);
     this->Window->SetAlphaBitPlanes(1);
     this->Renderer->SetUseDepthPeeling(1);
@@ -397,7 +397,7 @@ void SceneRenderer::RemoveAnnotations()
   this->Annotations.clear();
 }
 
-// They stay from picture to picture: text made anew for each costs memory that comes and goes.
+// Kept between images: creating the text each time would keep allocating and freeing memory.
 void SceneRenderer::AddAnnotations(int width, int height)
 {
   const int* size = this->Window->GetSize();

@@ -26,9 +26,9 @@ class vtkUnsignedCharArray;
 namespace palpate
 {
 /// Draws surfaces and slices of volumes in space (patient LPS, mm) with VTK, off screen: parallel
-/// projection, letters of the patient's directions at the picture's edges, and a colour bar where
-/// an array is coloured. Its constructor throws
-/// std::runtime_error without a display, see RequireDisplay.
+/// projection, letters of the patient's directions at the edges of the image, and a colour bar if
+/// surfaces are coloured by an array. The constructor throws std::runtime_error without a display,
+/// see RequireDisplay.
 class PALPATESCENE_EXPORT SceneRenderer
 {
 public:
@@ -47,31 +47,33 @@ public:
   ~SceneRenderer();
 
   void SetBackground(const Color& color);
-  /// The surface's number, from 0, to move it by.
+  /// Returns the surface's number, from 0, for MoveSurface.
   std::size_t AddSurface(vtkPolyData* surface, const Color& color, double opacity);
-  /// Draws it so far (mm) from where it was added; the picture's frame is made for that place.
+  /// Draws the surface displaced by `wayWorld` (mm) from its original position, which alone decides
+  /// the extent of the image.
   void MoveSurface(std::size_t surface, const Vector3& wayWorld);
-  /// The surfaces of a field's materials, sub-voxel: by the ray caster that haptic queries use.
-  /// Colours by material. The field's number, from 0, to change it by.
+  /// Draws the sub-voxel surfaces of a field's materials by the ray caster that haptic queries use.
+  /// One colour per material. Returns the field's number, from 0, for ChangeField.
   std::size_t AddField(const std::shared_ptr<const ScalarField>& field,
                        const std::vector<Color>& colors, double opacity);
-  /// Another version of a field, with the same materials, in its place.
+  /// Replaces a field by another version with the same materials.
   void ChangeField(std::size_t number, const std::shared_ptr<const ScalarField>& field);
   /// The slice of a volume (with its direction matrix) through a point, along the image's axis
   /// that is nearest to the body's.
   void AddSlice(vtkImageData* volume, Plane plane, const Vector3& throughWorld);
   /// Colours every surface that has this one-component point array, all on one scale: diverging
-  /// around zero where it has both signs, and from white on otherwise. False where none has it.
+  /// around zero if it has both signs, otherwise starting at white. Returns false if no surface has
+  /// it.
   bool ColorByArray(const std::string& name);
   /// The one-component point arrays of all surfaces.
   std::vector<std::string> ArrayNames() const;
 
-  /// The middle of what was added so far, mm.
+  /// Centre of the objects added so far, mm.
   Vector3 MiddleWorld() const;
 
-  /// Everything, seen along a frame, as large as it fits.
+  /// Renders the scene along a frame, as large as it fits.
   Picture Render(const ViewFrame& frame, int width, int height);
-  /// The same into a picture that is there, as large as that is: no memory is taken for it.
+  /// The same into an existing image, at its size and without allocating memory.
   void Render(const ViewFrame& frame, Picture& picture);
 
 private:
@@ -96,8 +98,8 @@ private:
   vtkSmartPointer<vtkRenderWindow> Window;
   std::vector<Surface> Surfaces;
   std::vector<vtkSmartPointer<vtkSubVoxelVolumeMapper>> Fields;
-  std::vector<Vector3> Outline;                         ///< what has to be in the picture, mm
-  std::vector<vtkSmartPointer<vtkProp>> Annotations;    ///< of the picture drawn last
+  std::vector<Vector3> Outline;                         ///< points that must be visible, mm
+  std::vector<vtkSmartPointer<vtkProp>> Annotations;    ///< of the last rendered image
   std::array<vtkSmartPointer<vtkTextActor>, 4> Letters; ///< left, right, top, bottom
   vtkSmartPointer<vtkUnsignedCharArray> Pixels;
   Color Background{{1.0, 1.0, 1.0}};

@@ -19,7 +19,7 @@ struct ContactSetting
   int ToolPoints = 26; ///< of the tool's shell in a field; 0: by voxel size and radius
 };
 
-/// A way to represent structures for touch. Functions that are empty do not apply.
+/// A representation of structures for touch. Functions that are empty do not apply.
 struct SceneRepresentation
 {
   std::string Name;  ///< in files and options: "sub-voxel"
@@ -28,17 +28,17 @@ struct SceneRepresentation
   bool CanBeDrilled = false;
   /// What SceneAppearance::Automatic displays of a label, unless drilled.
   SceneAppearance Appearance = SceneAppearance::Surface;
-  std::vector<SceneNumber> Numbers; ///< of a structure, besides its members
-  /// Adds the contact and what it is made from.
+  std::vector<SceneNumber> Numbers; ///< of a structure, in addition to its members
+  /// Adds the contact and its inputs to the plan.
   std::function<void(StructurePlan& plan)> PlanContact;
-  /// Adds what a label is displayed as that is not touched; its surface if empty.
+  /// Adds the display of a label that is not touched; if empty, its surface.
   std::function<void(StructurePlan& plan)> PlanDisplay;
   /// "harmonics of degree 12, nearest point".
   std::function<std::string(const ContactSetting& setting)> Describe;
-  /// Short text that does not change from version to version: "harmonics/12/nearest".
+  /// Short identifier, stable across versions: "harmonics/12/nearest".
   std::function<std::string(const ContactSetting& setting)> KeyOf;
-  /// The settings whose speed and accuracy are worth comparing, beginning with `standard`, whose
-  /// representation is this. `highestDegree`: that the voxels of a label support.
+  /// The settings whose speed and accuracy are worth comparing, beginning with `standard`, which
+  /// has this representation. `highestDegree`: the highest that the voxels of a label support.
   std::function<std::vector<ContactSetting>(const ContactSetting& standard,
                                             const TouchToolSettings& tool, int highestDegree)>
       Vary;
@@ -46,16 +46,17 @@ struct SceneRepresentation
   PALPATESCENE_EXPORT bool Takes(SceneSource source) const;
 };
 
-/// Automatic, harmonics, facets, sub-voxel, model-or-field, then those that were added.
+/// Automatic, harmonics, facets, sub-voxel, model-or-field, then those added by
+/// AddSceneRepresentation.
 PALPATESCENE_EXPORT const std::vector<SceneRepresentation>& SceneRepresentations();
 
-/// Adds a representation for the whole program, before the first scene is read or shown.
+/// Registers a representation for the whole program; call before the first scene is read or shown.
 PALPATESCENE_EXPORT void AddSceneRepresentation(SceneRepresentation representation);
 
 /// Throws InputError if there is no representation of that name.
 PALPATESCENE_EXPORT const SceneRepresentation& RepresentationOf(const SceneStructure& structure);
 
-/// The settings without repetition, in their order.
+/// The settings without duplicates, in their order.
 PALPATESCENE_EXPORT std::vector<ContactSetting> Unique(const std::vector<ContactSetting>& settings);
 
 inline bool operator==(const ContactSetting& a, const ContactSetting& b)

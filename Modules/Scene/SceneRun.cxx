@@ -15,7 +15,7 @@ namespace palpate
 {
 namespace
 {
-// In words, what a file was read as.
+// Kind of content that a file was read as.
 const char* KindOf(SceneStep step)
 {
   switch (step)
@@ -67,7 +67,7 @@ std::shared_ptr<const Segmentation> SceneRun::SegmentationOf(const std::filesyst
 
 void SceneRun::Make(const SceneSettings& scene, const ProgressFunction& progress)
 {
-  // Until nothing is left to be made: what fails may bring something else into the plan.
+  // Until no node is left: a failure may add others to the plan.
   for (bool ran = true; ran;)
   {
     ran = false;
@@ -162,7 +162,7 @@ void SceneRun::Run(const SceneNode& node, const ProgressFunction& progress)
   this->Products[node.Key] = std::move(product);
 }
 
-// The content of files that nothing left to be made needs.
+// Releases the content of files that no remaining node needs.
 void SceneRun::Release(std::size_t number)
 {
   const bool isDecided = std::none_of(this->Plan.begin(), this->Plan.end(),
@@ -180,12 +180,12 @@ void SceneRun::Release(std::size_t number)
                     });
     if (isDecided && isLarge && !isWanted)
     {
-      this->Products[input] = SceneFailure(); // none, and nothing left of it
+      this->Products[input] = SceneFailure(); // releases the content
     }
   }
 }
 
-// Fitting is refused for shapes that other representations can take.
+// A fit may refuse shapes that other representations accept.
 void SceneRun::RequireMade(const SceneSettings& scene, const SceneNode& node,
                            const SceneProduct* product)
 {
@@ -208,11 +208,10 @@ void SceneRun::RequireMade(const SceneSettings& scene, const SceneNode& node,
   const bool isBad = found->State == FitResult::Outcome::BadInput;
   const SceneStructure* structure = FindStructure(scene, node.Id);
   const bool isFit = structure->Representation == TouchRepresentation::Harmonics;
-  throw InputError(
-      WithHint(CaseSentence(structure->File, found->Structure, found->Message),
-               isRefused && isFit
-                   ? "fit it with palpate fit and touch the model, or leave the representation out"
-               : isFit && !isBad ? "leave the representation out"
-                                 : ChooseAnother));
+  throw InputError(WithHint(
+      CaseSentence(structure->File, found->Structure, found->Message),
+      isRefused && isFit ? "fit it with palpate fit and touch the model, or omit the representation"
+      : isFit && !isBad  ? "omit the representation"
+                         : ChooseAnother));
 }
 } // namespace palpate

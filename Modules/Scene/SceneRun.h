@@ -11,13 +11,14 @@
 
 namespace palpate
 {
-/// Makes what scenes need on the caller's thread, and keeps the products by their keys: scenes that
-/// differ in a setting share what does not depend on it. Copies share the products made so far.
+/// Makes the products of scenes on the caller's thread, and keeps them by their keys: scenes that
+/// differ in a setting share the products that do not depend on it. Copies share the products made
+/// so far.
 class PALPATESCENE_EXPORT SceneRun
 {
 public:
-  /// `keepsFiles`: for further scenes of the same files. Otherwise the content of a file is
-  /// released once nothing that is left to be made needs it.
+  /// `keepsFiles`: keeps file contents for further scenes. Otherwise the content of a file is
+  /// released once no remaining product needs it.
   explicit SceneRun(bool keepsFiles) : KeepsFiles(keepsFiles) {}
 
   /// Reads a segmentation, once. Throws InputError and Cancelled.
@@ -26,14 +27,14 @@ public:
                                                      const ProgressFunction& progress);
 
   /// Makes everything that a scene with resolved labels needs (see PlanScene). Throws InputError if
-  /// something cannot be made and nothing replaces it, FilterError and Cancelled.
+  /// a product cannot be made and has no replacement, FilterError and Cancelled.
   void Make(const SceneSettings& scene, const ProgressFunction& progress);
 
-  /// The product of a step of the last scene, of one of its structures; null if there is none.
+  /// The product of a step for a structure of the last scene, or null.
   const SceneProduct* ProductAt(SceneStep step, int id) const;
-  /// Time to make everything that the last scene needs for one structure, without reading files.
+  /// Time to make the products of one structure of the last scene, without reading files.
   double SecondsOf(int id) const;
-  /// The files that were read, in that order.
+  /// The files that were read, in order.
   const std::vector<SceneFileAccount>& Files() const { return this->Read; }
 
 private:

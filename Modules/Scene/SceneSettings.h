@@ -30,15 +30,15 @@ struct TouchRepresentation
   static constexpr const char* ModelOrField = "model-or-field";
 };
 
-/// As what a structure is displayed. An error map is its model, coloured by the distance from the
+/// How a structure is displayed. An error map is its model, coloured by the distance from the
 /// surface of its mask.
 enum class SceneAppearance
 {
-  Automatic, ///< as what it is touched
+  Automatic, ///< the representation that is touched
   Model,
   Surface,
   ErrorMap,
-  SubVoxel ///< volume: the field's own surface, ray by ray
+  SubVoxel ///< volume: the field's own surface, by ray casting
 };
 constexpr std::array<SceneAppearance, 5> AllSceneAppearances{
     {SceneAppearance::Automatic, SceneAppearance::Model, SceneAppearance::Surface,
@@ -47,35 +47,34 @@ constexpr std::array<SceneAppearance, 5> AllSceneAppearances{
 /// "automatic", "model", "surface", "error map", "sub-voxel volume".
 PALPATESCENE_EXPORT const char* NameOf(SceneAppearance appearance);
 
-/// What a structure is made from.
+/// Source of a structure.
 enum class SceneSource
 {
   Label,    ///< of a segmentation
-  IsoValue, ///< of an image: what has at least this value
+  IsoValue, ///< of an image: the region of at least this value
   Model,
   Surface
 };
 
-/// One structure of a scene: what it is made from, how it is displayed and how it is felt. As read
-/// from a file or a command line, one entry may stand for several labels of a segmentation (see
-/// ResolveLabels).
+/// One structure of a scene: its source, its display and its touch. As read from a file or a
+/// command line, one entry may represent several labels of a segmentation (see ResolveLabels).
 struct SceneStructure
 {
-  int Id = 0;                      ///< unique in a scene; of a label its number where that is free
+  int Id = 0;                      ///< unique in a scene; of a label its number if that is free
   std::string Name;                ///< may be empty (see TitleOf)
   std::filesystem::path File;      ///< a model, a surface, a segmentation, or an image with `Iso`
-  std::vector<std::string> Labels; ///< of a segmentation, numbers or names; empty: all of them
-  std::optional<double> Iso;       ///< of an image: what has at least this value
+  std::vector<std::string> Labels; ///< of a segmentation, numbers or names; empty: all
+  std::optional<double> Iso;       ///< of an image: the region of at least this value
 
-  /// Nothing is made that is neither displayed nor touched nor forbidden, and its file isn't
-  /// opened.
+  /// If a structure is neither displayed nor touched nor forbidden, nothing is made and its file is
+  /// not opened.
   bool IsVisible = true;
   bool IsTouchable = true;
   std::array<double, 3> Color{{0.9, 0.6, 0.4}}; ///< red, green, blue in 0..1
   SceneAppearance Appearance = SceneAppearance::Automatic;
 
   std::string Representation = TouchRepresentation::Automatic; ///< its name
-  int Degree = 12; ///< of the harmonics that a label is fitted with
+  int Degree = 12;                                         ///< of the harmonics fitted to a label
   HarmonicContactMode Mode = HarmonicContactMode::Nearest; ///< of harmonics
   FieldInterpolation Interpolation = FieldInterpolation::Trilinear;
   double Smoothing = 1.0; ///< of a label's field, in voxels
@@ -84,57 +83,57 @@ struct SceneStructure
   double Damping = 0.0;   ///< N s/mm
   SurfaceFriction Friction;
   /// Of force effects and representations (see SceneEffectKind and SceneRepresentation), by their
-  /// keys in files; none is 0.
+  /// keys in files; missing ones are 0.
   std::map<std::string, double> Numbers;
   /// Of force effects, by their keys in files.
   std::map<std::string, std::filesystem::path> Images;
-  /// 0 without such a number.
+  /// 0 if there is no such number.
   PALPATESCENE_EXPORT double Number(const std::string& key) const;
-  /// Empty without such an image.
+  /// Empty if there is no such image.
   PALPATESCENE_EXPORT std::filesystem::path Image(const std::string& key) const;
   PALPATESCENE_EXPORT void SetNumber(const std::string& key, double number);
   PALPATESCENE_EXPORT void SetImage(const std::string& key, const std::filesystem::path& image);
 
-  DrillLaw Drill;             ///< how the drill wears it down; without wear it does not
-  bool IsForbidden = false;   ///< no drill removes any of it, whatever else it is part of
-  double AlarmDistance = 2.0; ///< mm from the tool to a forbidden structure
+  DrillLaw Drill;           ///< how the drill removes it; not at all if wear is 0
+  bool IsForbidden = false; ///< protected from the drill, even where it overlaps drilled structures
+  double AlarmDistance = 2.0; ///< mm from the tool, if forbidden
 
-  /// Then it is touched by its sub-voxel field, whatever else is chosen.
+  /// Drilled structures are touched by their sub-voxel field, regardless of Representation.
   bool IsDrilled() const noexcept
   {
     return this->IsTouchable && !this->IsForbidden && this->Drill.Wear > 0.0;
   }
-  /// By its iso-value, or else by the ending of its file.
+  /// Determined by its iso-value, otherwise by the ending of its file.
   PALPATESCENE_EXPORT SceneSource Source() const;
 };
 
-/// How a scene's tool runs as a drill.
+/// Motion of the tool as a drill.
 struct TouchDrillSettings
 {
-  double Turns = 1000.0;             ///< a second
+  double Turns = 1000.0;             ///< 1/s
   double VibrationFrequency = 120.0; ///< Hz
 };
 
-/// Where the device's workspace lies in the patient.
+/// Placement of the device's workspace in the patient.
 struct ScenePlacement
 {
-  std::optional<double> Scale; ///< mm of the scene for one of the device; none: all is in reach
+  std::optional<double> Scale;        ///< mm of the scene per mm of the device; none: all in reach
   std::optional<Vector3> CenterWorld; ///< mm, of the workspace; none: the centre of the scene
-  bool AxesFollowCamera = true;       ///< where there is one; otherwise they are the patient's
+  bool AxesFollowCamera = true;       ///< if there is one; otherwise the patient's axes
 };
 
-/// What is displayed and touched, with what tool and by which device: a value that a scene file, a
-/// command line and a session share.
+/// A scene as a value: structures, tool and device. Shared by scene files, the command line and
+/// sessions.
 struct SceneSettings
 {
   std::vector<SceneStructure> Structures;
   LeftHandedAxes LeftHanded = LeftHandedAxes::Reverse; ///< of all images
-  FitSettings Fit; ///< of all labels, but for the degree, which is that of new structures
+  FitSettings Fit; ///< of all labels, except the degree, which applies to new structures
   TouchToolSettings Tool;
   TouchDrillSettings Drill;
   std::string Device = "simulated"; ///< as DeviceRegistry::Make takes it
   double Rate = 1000.0;             ///< Hz, of the servo
-  int ModelInterval = 1;            ///< ticks from one question to the models to the next
+  int ModelInterval = 1;            ///< ticks between queries of the contact models
   ScenePlacement Placement;
 };
 
@@ -142,13 +141,13 @@ PALPATESCENE_EXPORT bool operator==(const SceneStructure& a, const SceneStructur
 PALPATESCENE_EXPORT bool operator==(const ScenePlacement& a, const ScenePlacement& b);
 PALPATESCENE_EXPORT bool operator==(const SceneSettings& a, const SceneSettings& b);
 
-/// Its name, or "label 3" or the file's name where it has none.
+/// The structure's name; if empty, "label 3" or the name of its file.
 PALPATESCENE_EXPORT std::string TitleOf(const SceneStructure& structure);
 
-/// The structure of an id, or null.
+/// The structure with this id, or null.
 PALPATESCENE_EXPORT const SceneStructure* FindStructure(const SceneSettings& scene, int id);
 
-/// How a label of a scene is fitted.
+/// Fit settings for a label of a scene.
 PALPATESCENE_EXPORT FitSettings FitSettingsOf(const SceneSettings& scene,
                                               const SceneStructure& structure);
 } // namespace palpate

@@ -20,8 +20,8 @@ std::string OwnStampOf(const std::filesystem::path& file)
 
 } // namespace
 
-// Companions: names and colours of a label map's labels (see ApplyLabelNames), and data that are
-// detached from their header. An absent one costs a glance at the folder's index.
+// Companion files: names and colours of a label map's labels (see ApplyLabelNames), and data
+// detached from their header. A missing one costs only a directory look-up.
 std::string StampOf(const std::filesystem::path& file)
 {
   std::string stamps = OwnStampOf(file);

@@ -8,9 +8,10 @@
 
 namespace palpate
 {
-/// The state of a scene's files: another text where one was written again.
+/// Stamps of a scene's files; a file's stamp changes when it is written again.
 using SceneStamps = std::map<std::filesystem::path, std::string>;
 
-/// By the time and size of a file and of those that are read with it. Reads no file.
+/// Made of the modification time and size of a file and of its companion files. Reads no file
+/// content.
 PALPATESCENE_EXPORT std::string StampOf(const std::filesystem::path& file);
 } // namespace palpate

@@ -28,8 +28,8 @@ TouchToolSettings ReadSceneTool(const nlohmann::json& object, const std::filesys
   fields.Read("file", surface);
   if (surface.empty() == (tool.Kind == TouchToolSettings::Shape::Surface))
   {
-    Refuse(file, "has a tool whose shape and file do not belong together",
-           "give a tool of the shape \"surface\" a \"file\", and no other");
+    Refuse(file, "has a tool whose shape and file contradict each other",
+           "give a \"file\" for the shape \"surface\", and for no other");
   }
   tool.File = surface.empty() ? std::filesystem::path()
                               : (folder / std::filesystem::u8path(surface)).lexically_normal();
@@ -43,7 +43,7 @@ std::string RelativeFile(const std::filesystem::path& file, const std::filesyste
   std::error_code failure;
   std::filesystem::path relative = std::filesystem::proximate(file, folder, failure);
   relative = failure ? file.lexically_proximate(folder) : relative;
-  // Through symbolic links the folder's name may lead elsewhere.
+  // With symbolic links a relative path may lead elsewhere.
   const bool leadsElsewhere = file.is_absolute() && folder.is_absolute() &&
                               (folder / relative).lexically_normal() != file.lexically_normal();
   return (leadsElsewhere ? file : relative).generic_string();

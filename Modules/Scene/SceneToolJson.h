@@ -14,8 +14,8 @@ namespace palpate
 PALPATESCENE_EXPORT TouchToolSettings ReadSceneTool(const nlohmann::json& object,
                                                     const std::filesystem::path& folder,
                                                     const std::filesystem::path& file);
-/// How a scene or session in `folder` names a file: relative to it, or as it is where a relative
-/// name would lead elsewhere.
+/// The path of a file as written in a scene or session in `folder`: relative, or unchanged if a
+/// relative path would lead elsewhere.
 PALPATESCENE_EXPORT std::string RelativeFile(const std::filesystem::path& file,
                                              const std::filesystem::path& folder);
 PALPATESCENE_EXPORT nlohmann::ordered_json SceneToolJson(const TouchToolSettings& tool,

@@ -29,14 +29,14 @@ std::string CenterKey(const FitSettings& fit)
   return SceneKey("at", center[0], center[1], center[2]);
 }
 
-// The tool that a product is made with: its surface is the second input, where it has one.
+// The tool for a product: its surface, if it has one, is the second input.
 TouchToolSettings ToolWith(const std::vector<SceneProduct>& inputs, TouchToolSettings settings)
 {
   settings.Surface = inputs.size() > 1 ? ProductAs<SurfaceTool>(&inputs[1]) : nullptr;
   return settings;
 }
 
-// Names the structure in what a filter refuses.
+// Adds the name of the structure to a filter's errors.
 template <typename Make>
 auto OfSegment(const Segmentation& segmentation, const Segment& segment, const Make& make)
 {
@@ -72,8 +72,8 @@ void StructurePlan::Add()
   }
 }
 
-// Once, whatever it is wanted for. What is asked for again is asked for by name: then nothing
-// replaces it.
+// Adds a node only once. A node that is requested again is needed explicitly, so nothing replaces
+// it.
 std::string StructurePlan::AddNode(SceneStep step, const std::string& key,
                                    std::vector<std::string> inputs, Making make)
 {
@@ -95,7 +95,7 @@ std::string StructurePlan::AddNode(SceneStep step, const std::string& key,
   return key;
 }
 
-// A file that is small enough to be read for each structure.
+// For files small enough to be read once per structure.
 std::string StructurePlan::AddFile(SceneNode node)
 {
   const std::string key = SceneKey(node.Key, this->Structure.Id);
@@ -104,7 +104,7 @@ std::string StructurePlan::AddFile(SceneNode node)
   return key;
 }
 
-// A file's node, which another structure may have brought.
+// The node of a file, which another structure may have added before.
 std::string StructurePlan::Share(SceneNode node)
 {
   const auto there = std::find_if(this->Nodes.begin(), this->Nodes.end(),
@@ -203,7 +203,7 @@ std::string StructurePlan::AddModel()
                        });
 }
 
-// Of voxels. What is drilled keeps its inside and is interpolated linearly.
+// For voxels. A drilled structure keeps its inside and is interpolated linearly.
 std::string StructurePlan::AddField()
 {
   const bool isDrilled = this->Structure.IsDrilled();
@@ -248,8 +248,9 @@ void StructurePlan::AddRepresentation()
   const SceneRepresentation& representation = RepresentationOf(this->Structure);
   if (this->Structure.IsDrilled() && !this->HasVoxels())
   {
-    return this->AddRefusal("cannot be drilled, since it is no image and no segmentation",
-                            "leave \"drill\" out, or name the voxels that it was made of");
+    return this->AddRefusal(
+        "cannot be drilled, since it is neither an image nor a segmentation",
+        "remove \"drill\", or give the image or segmentation that it was made from");
   }
   if (!representation.Takes(this->Source))
   {
@@ -257,14 +258,14 @@ void StructurePlan::AddRepresentation()
                            : this->Source == SceneSource::Surface ? "a surface of triangles"
                                                                   : "an image";
     return this->AddRefusal("cannot be touched by this representation, since it is " + is,
-                            "leave the representation out");
+                            "omit the representation");
   }
-  // Only a field can be drilled, whatever was chosen.
+  // Drilling requires a field, regardless of the chosen representation.
   this->Structure.IsDrilled() ? FieldRepresentation().PlanContact(*this)
                               : representation.PlanContact(*this);
 }
 
-// As it would be touched, but for voxels: those have a surface.
+// As it would be touched, except voxels, which are displayed as a surface.
 void StructurePlan::AddOnlyDisplayed()
 {
   const SceneRepresentation& representation = RepresentationOf(this->Structure);
@@ -312,7 +313,7 @@ void StructurePlan::AddAppearance()
   }
 }
 
-// Why a node of this structure has failed; empty where it has not, or not yet.
+// Reason for the failure of one of this structure's nodes; empty if it has not, or not yet, failed.
 std::string StructurePlan::ReasonAt(std::size_t node) const
 {
   const SceneProduct* product = this->Lookup(this->Nodes[node].Key);
@@ -380,7 +381,7 @@ std::string StructurePlan::AddVoxels()
                                             : this->AddImage(this->Structure.File);
 }
 
-// Those that are made from images.
+// Only effects made from images.
 void StructurePlan::AddEffects()
 {
   std::vector<const SceneEffectKind*> kinds;
@@ -460,7 +461,7 @@ std::string StructurePlan::WithTool(const std::string& start) const
                   axes.z(), tool.Points, this->ToolKey);
 }
 
-// The closed surface of all of a structure, whatever a fit of it uses.
+// The closed surface of the whole structure, regardless of the settings of a fit.
 std::string StructurePlan::AddProtectedSurface()
 {
   if (this->Source != SceneSource::Label)

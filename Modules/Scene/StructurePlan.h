@@ -8,59 +8,59 @@
 
 namespace palpate
 {
-/// Plans one structure of a scene: its source, what it is touched by and what it is displayed as.
+/// Plans one structure of a scene: its source, contact and display.
 class StructurePlan
 {
 public:
   using Inputs = std::vector<SceneProduct>;
   using Making = decltype(SceneNode::Make);
 
-  /// Keeps the addresses. `tool` is the key of the tool's surface, empty where the tool is not from
-  /// a file.
+  /// Keeps the addresses of its arguments. `tool` is the key of the tool's surface, empty if the
+  /// tool is not from a file.
   StructurePlan(const SceneSettings& scene, const SceneStructure& structure, std::string tool,
                 const SceneStamps& stamps, const SceneLookup& lookup,
                 std::vector<SceneNode>& nodes);
 
-  /// Everything that is needed to touch and to display it.
+  /// Adds all nodes that touch and display need.
   void Add();
-  /// Measures what its contact costs each tick.
+  /// Adds the measurement of its contact's time per tick.
   void AddCost();
   /// Only voxels can be drilled.
   bool HasVoxels() const
   {
     return this->Source == SceneSource::Label || this->Source == SceneSource::IsoValue;
   }
-  /// The key of the field that it is drilled in.
+  /// Adds the field for drilling; returns its key.
   std::string AddDrilledField();
-  /// The protection of a forbidden one from what drills `fields`, by their keys: fields that failed
-  /// are not drilled.
+  /// Adds the protection of a forbidden structure on the drilled `fields` (keys); fields that
+  /// failed are skipped.
   void AddProtection(const std::vector<std::string>& fields);
 
   /// \name For representations. Each product is planned once; the functions return its key.
   ///@{
   const SceneStructure& Settings() const { return this->Structure; }
-  /// Of a label a segmentation, of an iso-value an image.
+  /// The segmentation of a label, the image of an iso-value.
   std::string AddVoxels();
-  /// FitSurface: of a label its mask's, of an iso-value or a file its own.
+  /// FitSurface: of a label's mask, of an iso-value, or from a file.
   std::string AddSurface();
-  /// FitResult: fitted to a label or a surface, or read.
+  /// FitResult: fitted to a label or a surface, or read from a file.
   std::string AddModel();
   /// ScalarField of a label or an iso-value.
   std::string AddField();
   /// Any other product.
   std::string AddNode(SceneStep step, const std::string& key, std::vector<std::string> inputs,
                       Making make);
-  /// The contact, made from one product; of a drilled structure also from its voxels, the second
+  /// The contact, made from one product; for a drilled structure also from its voxels, as second
   /// input.
   void AddContact(const std::string& input, Making make);
-  /// Shows that a contact will follow once `input` is made.
+  /// Announces a contact that will be planned once `input` is made.
   void AddUndecidedContact(const std::string& input);
-  /// What was made of a key, or null.
+  /// The product of a key, or null.
   const SceneProduct* Find(const std::string& key) const { return this->Lookup(key); }
   std::size_t NodeCount() const { return this->Nodes.size(); }
-  /// Why the first of the structure's nodes that failed has failed; empty without any.
+  /// Reason for the first failure among the structure's nodes; empty if none failed.
   std::string FirstFailure() const;
-  /// Says of its nodes up to `last` that `replacement` is used instead, unless that fails too.
+  /// Marks the structure's nodes up to `last` as replaced by `replacement`, unless that fails too.
   void Replace(std::size_t last, const std::string& replacement, const std::string& advice);
   ///@}
 
@@ -89,7 +89,7 @@ private:
   FitSettings Fit;
   SceneSource Source;
   std::string ToolKey;
-  std::string ContactKey; // once it is decided
+  std::string ContactKey; // once decided
   std::size_t First;      // of the structure's own nodes
 };
 } // namespace palpate

@@ -23,7 +23,7 @@ namespace
 {
 vtkSmartPointer<vtkPolyData> ReadClosedSurface(const std::filesystem::path& file)
 {
-  // Files whose triangles have points of their own, as for shading, are closed where these agree.
+  // Files may repeat points per triangle, as for shading; equal points are merged first.
   vtkNew<vtkCleanPolyData> joined;
   joined->SetInputData(ReadSurface(file));
   joined->SetTolerance(0.0);
@@ -38,7 +38,8 @@ vtkSmartPointer<vtkPolyData> ReadClosedSurface(const std::filesystem::path& file
   edges->Update();
   if (edges->GetOutput()->GetNumberOfCells() > 0)
   {
-    Refuse(file, "cannot be a tool, since its surface is not closed", "close it, as for printing");
+    Refuse(file, "cannot be used as a tool, since its surface is not closed",
+           "close it, as for 3D printing");
   }
   vtkNew<vtkPolyDataNormals> normals;
   normals->SetInputData(surface);
@@ -55,7 +56,7 @@ Vector3 PointOf(vtkPolyData& surface, vtkIdType number)
   return point;
 }
 
-// Each the farthest from all before it: of more points the first ones are the same.
+// Each point is the farthest from all before it, so more points only append to the list.
 std::vector<vtkIdType> FarPointsOf(vtkPolyData& surface, int count)
 {
   const vtkIdType all = surface.GetNumberOfPoints();
@@ -127,15 +128,15 @@ CutTool SurfaceTool::Cutting() const
 {
   if (!(BoxOf(*this->Surface).sizes().minCoeff() > 0.0))
   {
-    Refuse(this->Source, "cannot be a drill, since it has no inside",
-           "give a surface round some volume");
+    Refuse(this->Source, "cannot be used as a drill, since it encloses no volume",
+           "use a surface that encloses a volume");
   }
   return this->Cut ? *this->Cut : this->SampleCut();
 }
 
 CutTool SurfaceTool::SampleCut() const
 {
-  // A search structure notes things on its input, which other threads may be reading.
+  // The search structure modifies its input, which other threads may be reading.
   vtkNew<vtkPolyData> own;
   own->DeepCopy(this->Surface);
   vtkNew<vtkImplicitPolyDataDistance> distance;
@@ -152,7 +153,7 @@ std::size_t SurfaceTool::Bytes() const
 
 int ShellPointsOf(const TouchToolSettings& settings)
 {
-  // Enough for the surfaces of organs; a sphere's own number follows from the voxels it touches.
+  // Enough for the surfaces of organs; for a sphere the number follows from the voxel size.
   constexpr int ShellPoints = 200;
   return settings.Points > 0 ? settings.Points : ShellPoints;
 }

@@ -15,19 +15,19 @@
 
 namespace palpate
 {
-/// A tool of any shape: a closed surface from a file (mm, in the tool's own frame, its tip or
-/// centre at the origin as the file has it). Immutable once read, for any thread.
+/// A tool of any shape: a closed surface from a file (mm, in the tool's own frame, whose origin is
+/// the tip or centre as the file has it). Immutable after reading; any thread.
 class PALPATESCENE_EXPORT SurfaceTool
 {
 public:
-  /// Reads the file once and prepares Touching for that many points, and Cutting where `cuts`.
-  /// Throws InputError for malformed files and for surfaces that are not closed.
+  /// Reads the file and prepares Touching for that many points, and Cutting if `cuts`. Throws
+  /// InputError for malformed files and for surfaces that are not closed.
   static std::shared_ptr<const SurfaceTool> Read(const std::filesystem::path& file, int points,
                                                  bool cuts);
 
-  /// What touches: `count` of the surface's points, as far from each other as they can be.
+  /// Contact shape: `count` points of the surface, spaced as far apart as possible.
   ToolShape Touching(int count) const;
-  /// What cuts: all that is inside. Throws InputError where the surface has no inside.
+  /// Cutting shape: the volume inside. Throws InputError if the surface encloses no volume.
   CutTool Cutting() const;
 
   std::size_t Bytes() const;
@@ -39,13 +39,13 @@ private:
   std::filesystem::path Source;
   vtkSmartPointer<vtkPolyData> Surface;
   std::vector<vtkIdType> FarPoints; // each the farthest from all before it
-  std::optional<CutTool> Cut;       // none: not prepared, or without an inside
+  std::optional<CutTool> Cut;       // none: not prepared, or no enclosed volume
 };
 
-/// The points of a tool's shell: its own number, or one that is enough for organs.
+/// Number of points of a tool's shell: as set, or a default that suffices for organs.
 PALPATESCENE_EXPORT int ShellPointsOf(const TouchToolSettings& settings);
 
-/// The surface of the settings' tool: what was read of it already, or else its file.
+/// The surface of the settings' tool: already read, or read from its file now.
 PALPATESCENE_EXPORT std::shared_ptr<const SurfaceTool> SurfaceOf(const TouchToolSettings& settings,
                                                                  bool cuts);
 } // namespace palpate

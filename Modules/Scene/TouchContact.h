@@ -18,7 +18,7 @@
 
 namespace palpate
 {
-/// How a structure looks that is touched: by one of these, which its contact model is made of.
+/// Display of a touched structure: the one of these that its contact model is made from.
 struct TouchAppearance
 {
   std::shared_ptr<const SphericalHarmonicModel> Model;
@@ -26,25 +26,25 @@ struct TouchAppearance
   std::shared_ptr<const ScalarField> Field; ///< its first material
 };
 
-/// What a structure that is drilled is made from: where an image reaches a value, or a label of a
-/// label map.
+/// Source of a drilled structure: the region where an image reaches a value, or a label of a label
+/// map.
 struct DrillSource
 {
-  std::shared_ptr<const ScalarField> Field; ///< null: nothing is drilled
+  std::shared_ptr<const ScalarField> Field; ///< null: not drilled
   vtkSmartPointer<vtkImageData> Image;
   std::optional<int> Label; ///< none: an image
 };
 
-/// A structure's surface as something to touch.
+/// A structure's contact model, with its display.
 struct TouchContact
 {
   std::shared_ptr<const ContactModel> Model;
   TouchAppearance Looks;
-  std::string Represented; ///< in words, such as "harmonics of degree 12, nearest point"
-  DrillSource Drilled;     ///< of a field that keeps its inside
+  std::string Represented; ///< "harmonics of degree 12, nearest point"
+  DrillSource Drilled;     ///< for a field that keeps its inside
 };
 
-/// The three kinds. `file` is for messages. Throw InputError for what cannot be touched.
+/// The three kinds of contacts. `file` is for messages. Throw InputError if it cannot be touched.
 PALPATESCENE_EXPORT TouchContact MakeHarmonicContact(const SphericalHarmonicModel& model,
                                                      HarmonicContactMode mode,
                                                      const std::filesystem::path& file);

@@ -47,7 +47,7 @@ TouchCost MeasureTouchCost(const TouchContact& contact, const TouchToolSettings&
   for (int tick = 1; tick <= ticks; ++tick)
   {
     if (tick % TicksBetweenQuestions == 0 &&
-        !progress(static_cast<double>(tick) / ticks, "time a tick"))
+        !progress(static_cast<double>(tick) / ticks, "time per tick"))
     {
       throw Cancelled();
     }

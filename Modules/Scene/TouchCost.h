@@ -10,16 +10,16 @@
 
 namespace palpate
 {
-/// What a structure costs each tick of the servo that feels it.
+/// Time that a structure takes in each servo tick.
 struct TouchCost
 {
   double MedianNanoseconds = 0.0;
-  std::size_t Ticks = 0; ///< that were timed, each while the tool touched
+  std::size_t Ticks = 0; ///< timed ticks, all of them in contact
 };
 
-/// Presses the tool into the structure here and there, as a hand would at 1 kHz, and times each
-/// tick beside whatever else this machine does. Throws InputError where the tool cannot touch it,
-/// and Cancelled.
+/// Presses the tool into the structure at several places, as a hand would at 1 kHz, and times each
+/// tick under the machine's current load. Throws InputError if the tool cannot touch it, and
+/// Cancelled.
 PALPATESCENE_EXPORT TouchCost MeasureTouchCost(const TouchContact& contact,
                                                const TouchToolSettings& tool, const Clock& clock,
                                                const ProgressFunction& progress);

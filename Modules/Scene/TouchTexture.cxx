@@ -24,12 +24,12 @@ std::shared_ptr<const ForceEffect> MakeTexture(const SceneEffectSource& source, 
   const FieldGrid grid = GridOfImage(image);
   FieldBuilder builder(grid);
   const int channel = builder.AddChannel(samples);
-  // A field keeps the samples near its surfaces; which surface does not matter where all are near.
+  // A field keeps only samples near its surfaces; any surface will do here, since all samples are
+  // near.
   const double* range = image->GetScalarRange();
   if (status.IsOk() && range[0] == range[1])
   {
-    status = Status::Failure("The image is the same everywhere at the structure: there is no "
-                             "texture to feel.");
+    status = Status::Failure("The image is constant around the structure, so it has no texture.");
   }
   builder.AddMaterial({channel, 0.5 * (range[0] + range[1])});
   const auto& size = grid.Size();

@@ -5,7 +5,7 @@
 
 namespace palpate
 {
-/// Texture: a small force by the intensities of an image (see SurfaceTexture). As much of the image
-/// is kept in memory as the tool and the structure can meet in.
+/// Texture: a small force from the intensities of an image (see SurfaceTexture). Only the part of
+/// the image where tool and structure can meet is kept in memory.
 PALPATESCENE_EXPORT SceneEffectKind TextureKind();
 } // namespace palpate

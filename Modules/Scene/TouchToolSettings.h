@@ -26,7 +26,8 @@ struct TouchToolSettings
   Vector3 SemiAxes = Vector3(4.0, 2.0, 2.0); ///< mm, of an ellipsoid
   std::filesystem::path File;                ///< of a closed surface, mm in the tool's frame
   int Points = 26;                           ///< of the shell that touches fields
-  /// What File holds, once it was read (see SurfaceOf); none: whoever needs the tool reads File.
+  /// The content of File once it is read (see SurfaceOf); if null, it is read when the tool is
+  /// needed.
   std::shared_ptr<const SurfaceTool> Surface = nullptr;
 };
 

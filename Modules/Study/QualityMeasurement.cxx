@@ -9,7 +9,7 @@ namespace palpate
 {
 namespace
 {
-// A few strokes from all sides. Presets differ by far more than the next strokes would change.
+// A few strokes from all sides; presets differ by far more than further strokes would change.
 constexpr double PathSeconds = 1.0;
 constexpr int Runs = 3;
 
@@ -30,7 +30,7 @@ QualityMeasurement MeasureQuality(const SceneSettings& scene, const SceneStructu
   std::vector<ContactSetting> presets;
   for (int preset = 0; preset < QualityPresetCount; ++preset)
   {
-    // Each by its own representation, so that a refusal is a row.
+    // No fallback, so that a refusal gives a row.
     SceneStructure one = WithPreset(structure, preset);
     const bool isField = one.Representation == TouchRepresentation::SubVoxel;
     one.Representation = isField ? one.Representation : TouchRepresentation::Harmonics;

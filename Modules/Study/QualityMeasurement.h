@@ -15,20 +15,21 @@ namespace palpate
 /// The cost and the accuracy of each quality preset at one structure.
 struct QualityMeasurement
 {
-  std::vector<TradeRow> Presets; ///< in their order; degrees as far as the structure supports them
+  std::vector<TradeRow> Presets; ///< in order; only degrees that the structure supports
 };
 
-/// Measures every preset at a label of a scene with short strokes, timed on `clock`. Throws
+/// Measures every preset at a label of a scene with short strokes, timed by `clock`. Throws
 /// InputError if the tool cannot touch it at all, FilterError and Cancelled.
 PALPATESTUDY_EXPORT QualityMeasurement MeasureQuality(const SceneSettings& scene,
                                                       const SceneStructure& structure,
                                                       const Clock& clock,
                                                       const ProgressFunction& progress);
 
-/// By the advice of the trade-off (AdviseOn) for a servo's rate (Hz); -1 where none was measured.
+/// The preset recommended by the trade-off (AdviseOn) for a servo's rate (Hz); -1 if none was
+/// measured.
 PALPATESTUDY_EXPORT int RecommendedPreset(const QualityMeasurement& measured, double rate);
 
-/// The row of a preset, or of the sub-voxel field that replaces harmonics which a structure
-/// refuses. Null where neither was measured.
+/// The row of a preset, or of the sub-voxel field that replaces harmonics if they do not fit the
+/// structure. Null if neither was measured.
 PALPATESTUDY_EXPORT const TradeRow* RowOf(const QualityMeasurement& measured, int preset);
 } // namespace palpate

@@ -6,18 +6,18 @@
 namespace palpate
 {
 /// Scene-wide quality presets, from fastest to most accurate. Choosing one writes its settings into
-/// the structures; a structure that stands at none is set by hand.
+/// the structures; a structure that matches none has manual settings.
 constexpr int QualityPresetCount = 6;
 
 /// "Harmonics of degree 4", ..., "Sub-voxel, linear", "Sub-voxel, cubic".
 PALPATESTUDY_EXPORT const char* NameOfPreset(int preset);
 
-/// The structure with the settings of a preset: harmonics give way to the field where they are
-/// refused. Structures that are not labels keep theirs.
+/// The structure with the settings of a preset; harmonics fall back to the field if they do not
+/// fit. Structures that are not labels keep their settings.
 PALPATESTUDY_EXPORT SceneStructure WithPreset(SceneStructure structure, int preset);
 
-/// The preset that a structure stands at, or -1.
+/// The preset that a structure's settings match, or -1.
 PALPATESTUDY_EXPORT int PresetOf(const SceneStructure& structure);
-/// The preset that all touchable labels of a scene stand at, or -1.
+/// The preset that all touchable labels of a scene match, or -1.
 PALPATESTUDY_EXPORT int PresetOf(const SceneSettings& scene);
 } // namespace palpate

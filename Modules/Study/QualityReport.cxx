@@ -32,7 +32,7 @@ std::string PresetsText(const QualityMeasurement& measured)
   return text;
 }
 
-// The largest of what is known; empty where nothing is.
+// The largest known value, if any.
 std::optional<double> Largest(const std::vector<QualityLine>& lines,
                               std::optional<double> QualityLine::*what)
 {

@@ -20,7 +20,7 @@ void Move(json& from, const char* key, json& to, const char* name)
   }
 }
 
-// The dial decided by what all structures were touched.
+// In version 1, the dial set the representation of all structures.
 void TurnDial(const std::string& dial, json& structure)
 {
   const std::string harmonics = "harmonics-";

@@ -6,7 +6,7 @@
 
 namespace palpate
 {
-/// Turns a session of version 1 (0.1.0), whose scene stood beside its views under names of its own,
-/// into one of the present version. Leaves everything else as it is, whatever it is.
+/// Converts a session of version 1 (0.1.0), whose scene entries stood next to its views under other
+/// names, to the present version. Leaves anything else unchanged.
 PALPATESTUDY_EXPORT void UpgradeSession(nlohmann::json& root);
 } // namespace palpate

@@ -20,7 +20,7 @@ namespace palpate
 {
 namespace
 {
-// Whether a state's segmentation has not given it its structures yet.
+// Whether a state lacks the structures of its segmentation.
 bool LacksStructures(const StudyState& state)
 {
   return std::none_of(state.Structures.begin(), state.Structures.end(),
@@ -38,7 +38,7 @@ int NextFreeId(const StudyState& state)
   return next;
 }
 
-// Everything that a structure's presets are measured with.
+// Identifies all settings of the measurement of a structure's presets.
 std::string QualityKey(const StudyState& state, const SceneStructure& structure)
 {
   const TouchToolSettings& tool = state.Tool;
@@ -117,9 +117,9 @@ void Study::AddIsoValue(double iso)
   if (next.VolumeFile.empty() || !next.DicomSeries.empty())
   {
     throw InputError(next.VolumeFile.empty()
-                         ? "there is no volume that could reach a value; open one first"
-                         : "an iso-value needs a volume that is one file; write the series as one "
-                           "with palpate convert");
+                         ? "there is no volume to take an iso-value of; open one first"
+                         : "an iso-value needs a volume in a single file; convert the series with "
+                           "palpate convert");
   }
   SceneStructure structure;
   structure.Id = NextFreeId(next);
@@ -127,7 +127,7 @@ void Study::AddIsoValue(double iso)
   structure.File = next.VolumeFile;
   structure.Iso = iso;
   next.Structures.push_back(std::move(structure));
-  this->Change("Add where the volume reaches " + SignificantText(iso, 6), next);
+  this->Change("Add the iso-surface at " + SignificantText(iso, 6), next);
 }
 
 void Study::OpenScene(const std::filesystem::path& file)
@@ -190,7 +190,7 @@ bool Study::Redo()
   return isRedone;
 }
 
-// What is made and touched is what the state is now.
+// Updates products and touch to the current state.
 void Study::Follow()
 {
   this->Made.Update(this->State());
@@ -223,8 +223,8 @@ void Study::FollowByTouch()
   }
 }
 
-// The state as it is felt: a tool's surface is the one that was read for it. While that is being
-// read, or where it cannot be, the tool before is felt.
+// The state for touch: with the tool's surface as read. While it is being read, or if that fails,
+// the previous tool is used.
 StudyState Study::WithTool()
 {
   StudyState state = this->State();
@@ -304,7 +304,7 @@ void Study::TakeDevice(std::unique_ptr<HapticDevice> device)
     device->Close();
     this->Problem = tool.Is == StudyStepState::Kind::Failed
                         ? tool.Sentence
-                        : "The tool's file is still being read: start the touch once it is.";
+                        : "The tool's file is still being read: start the touch afterwards.";
     return;
   }
   this->Felt.Forbid(ForbiddenOf(this->State(), this->Made));

@@ -19,13 +19,13 @@
 
 namespace palpate
 {
-/// What is open: its state with the steps back and forth, what is made of it, and its touch. For
-/// one thread, a window's or a command's, which calls Deliver now and then.
+/// An open study: its state with undo and redo, its products, and its touch. One thread only, a
+/// window's or a command's, which must call Deliver regularly.
 class PALPATESTUDY_EXPORT Study
 {
 public:
-  /// So many structures of a segmentation at most are shown and touched without being asked for; of
-  /// more, the first alone.
+  /// A segmentation with at most this many structures is shown and touched entirely by default; of
+  /// more, only the first structure.
   static constexpr std::size_t MostShownUnasked = 8;
 
   /// Keeps the address of the clock, which is the servo's.
@@ -35,32 +35,32 @@ public:
   const StudyHistory& History() const { return this->Steps; }
   StudyPipeline& Pipeline() { return this->Made; }
   StudyTouch& Touch() { return this->Felt; }
-  /// What can be touched now.
+  /// Contacts that can be touched now.
   std::vector<SceneContact> Contacts() const;
   StudyJobs& Jobs() { return this->Work; }
 
-  /// An empty one.
+  /// Starts an empty study.
   void New() { this->Begin({}, {}); }
-  /// A session file. Throws InputError, with what was open left as it was; files that it names and
-  /// that are missing are no error (see MissingFiles).
+  /// Opens a session file. Throws InputError, in which case the open study is unchanged; missing
+  /// files that it names are no error (see MissingFiles).
   void Open(const std::filesystem::path& file);
   /// Throws InputError.
   void Save(const std::filesystem::path& file);
-  /// The session file; empty where it has none yet.
+  /// The session file; empty if there is none yet.
   const std::filesystem::path& File() const { return this->SessionFile; }
 
-  /// Another volume, or another segmentation with its own structures; each a step. `series` as
-  /// VolumeChoice has it. Structures from other files stay.
+  /// Opens another volume, or another segmentation with its structures; each is an undo step.
+  /// `series` as in VolumeChoice. Structures from other files are kept.
   void OpenVolume(const std::filesystem::path& file, const std::string& series = {});
   void OpenSegmentation(const std::filesystem::path& file);
-  /// Adds a model, a surface, or where the volume reaches a value; a step. An iso-value throws
-  /// InputError without a volume that is one file.
+  /// Adds a model, a surface, or an iso-surface of the volume; an undo step. AddIsoValue throws
+  /// InputError without a volume in a single file.
   void AddStructure(const std::filesystem::path& file);
   void AddIsoValue(double iso);
-  /// Adds the structures of a scene file and takes its tool, device and rate; a step. Throws
-  /// InputError.
+  /// Adds the structures of a scene file and takes over its tool, device and rate; an undo step.
+  /// Throws InputError.
   void OpenScene(const std::filesystem::path& file);
-  /// See Relocate; a step.
+  /// See Relocate; an undo step.
   void RelocateFile(const std::filesystem::path& missing, const std::filesystem::path& moved);
 
   /// See StudyHistory.
@@ -70,54 +70,55 @@ public:
   bool Undo();
   bool Redo();
 
-  /// Measures the quality presets at every touchable label, on the worker; what was measured of the
-  /// same structure with the same tool is kept.
+  /// Measures the quality presets at every touchable label, on the worker; existing measurements of
+  /// the same structure with the same tool are kept.
   void MeasureQuality();
   bool IsMeasuringQuality() const { return !this->Measuring.empty(); }
-  /// A line for every touchable structure.
+  /// One line per touchable structure.
   std::vector<QualityLine> QualityLines() const;
-  /// The recommended preset for each structure that was measured; a step.
+  /// Applies the recommended preset to each measured structure; an undo step.
   void UseRecommendedQuality();
 
-  /// See StudyPipeline; what is touched follows.
+  /// See StudyPipeline; touch is updated.
   void CancelStep(SceneStep step);
-  /// Resumes what was cancelled, and tries again what failed.
+  /// Resumes cancelled work, and retries failed work.
   void ResumeStep(SceneStep step);
 
-  /// Opens the state's device beside the caller, then begins to touch.
+  /// Opens the state's device in the background, then starts the touch.
   void StartTouch();
   void StopTouch();
-  /// The middle of the workspace to there (mm), while something is touched; of one `gesture` a
-  /// step.
+  /// Moves the centre of the workspace (mm) during a touch; one undo step per `gesture`.
   void MoveWorkspace(const Vector3& centerWorld, const std::string& gesture);
-  /// All that can be touched is in reach again; a step.
+  /// Brings all touchable structures into reach again; an undo step.
   void FitWorkspace();
-  /// The device's axes in the world, where the placement wants them to follow the camera.
+  /// Sets the device's axes in the world, if the placement makes them follow the camera.
   void TurnAxes(const Matrix3& rotation);
   bool IsOpeningDevice() const { return this->Opening.has_value(); }
-  /// Why a touch did not begin, or does not follow what the state has become; empty without.
+  /// Why a touch did not start, or does not follow the current state; may be empty.
   const std::string& TouchProblem() const { return this->Problem; }
 
-  /// Reads a recorded touch beside the caller, then shows it. Nobody touches and looks at a
-  /// recording at once: what was going on of either ends, forces first, and StartTouch ends this.
+  /// Reads a recorded touch in the background, then shows it. Touch and replay exclude each other:
+  /// a running touch is stopped (forces first), an open replay is closed, and StartTouch closes
+  /// this one.
   void OpenReplay(const std::filesystem::path& file);
   void CloseReplay();
   bool IsOpeningReplay() const { return this->Reading.has_value(); }
-  /// Why a recording cannot be replayed or exported, or what of it is missing; empty without.
+  /// Why a recording cannot be replayed or exported, or which part is missing; may be empty.
   const std::string& ReplayProblem() const { return this->Unplayable; }
-  /// Null while no recording is open.
+  /// Null if no recording is open.
   StudyReplay* Replay() { return this->Played.get(); }
   const StudyReplay* Replay() const { return this->Played.get(); }
-  /// Writes it beside the caller (see ExportTouch); ReplayProblem says why where it cannot.
+  /// Writes the recording in the background (see ExportTouch); failures are reported by
+  /// ReplayProblem.
   void ExportReplay(const std::filesystem::path& file);
-  /// What the recording has at its moment. A structure of it is that one of the study's touchable
-  /// ones which has its number.
+  /// Reads the recording at its current position. Its structures are matched with the study's
+  /// touchable ones by number.
   const StudyTouchReading& PollReplay();
 
-  /// Takes what was made meanwhile; returns how many pieces.
+  /// Takes over finished results; returns their number.
   std::size_t Deliver();
-  /// Forces first, then what is at work. False where something goes on by itself (see StudyJobs):
-  /// then end the program without waiting for it.
+  /// Switches off forces, then ends all work. Returns false if a job could not be stopped (see
+  /// StudyJobs); then exit without waiting for it.
   bool Close(std::chrono::milliseconds longest = std::chrono::milliseconds(800));
 
 private:
@@ -135,17 +136,17 @@ private:
   StudyPipeline Made{Work};
   StudyTouch Felt;
   std::filesystem::path SessionFile;
-  std::set<std::filesystem::path> Unread; ///< segmentations whose structures are to be taken over
+  std::set<std::filesystem::path> Unread; ///< segmentations whose structures are not yet taken over
   std::optional<StudyJobs::Id> Opening;
   std::optional<StudyJobs::Id> Reading;
   std::unique_ptr<StudyReplay> Played;
-  TouchToolSettings ReadTool; ///< the last one that could be felt, with its surface
+  TouchToolSettings ReadTool; ///< the last usable one, with its surface
   std::string Problem;
   std::string Unplayable;
-  // Of a structure's presets.
+  // Measurement of a structure's presets.
   struct Quality
   {
-    std::string Key; ///< everything that it was measured with
+    std::string Key; ///< all settings of the measurement
     std::shared_ptr<const QualityMeasurement> Measured;
     std::string Problem;
   };
@@ -153,8 +154,7 @@ private:
   std::map<int, StudyJobs::Id> Measuring;
 };
 
-/// A state with a structure for each label of its segmentation in place of those it had of that
-/// file.
+/// The state with one structure per label of its segmentation, replacing those of that file.
 PALPATESTUDY_EXPORT StudyState WithStructuresOf(const StudyState& state,
                                                 const Segmentation& segmentation);
 } // namespace palpate

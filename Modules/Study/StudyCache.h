@@ -10,14 +10,13 @@
 
 namespace palpate
 {
-/// Products by what they were made from. Where they occupy more than they may, those go that were
-/// not asked for the longest.
+/// Products by key. If they exceed the memory limit, the least recently used are dropped.
 class PALPATESTUDY_EXPORT StudyCache
 {
 public:
   explicit StudyCache(std::size_t mostBytes) : MostBytes(mostBytes) {}
 
-  /// Empty where it is not held; good until the next Store.
+  /// Null if it is not held; valid until the next Store.
   const SceneProduct* Find(const std::string& key);
   void Store(const std::string& key, SceneProduct product);
   void Forget(const std::string& key);
@@ -31,7 +30,7 @@ private:
     std::size_t Bytes = 0;
   };
 
-  std::list<Item> Items; ///< the one asked for last first
+  std::list<Item> Items; ///< most recently used first
   std::unordered_map<std::string, std::list<Item>::iterator> Places;
   std::size_t MostBytes;
   std::size_t HeldBytes = 0;

@@ -16,7 +16,7 @@ namespace palpate
 {
 namespace
 {
-// Those that do not keep the drill out of all drilled fields now.
+// Structures that are not, or not yet, protected on all drilled fields.
 std::vector<StudyForbidden> UnreadyOf(const std::vector<StudyForbidden>& forbidden,
                                       const std::vector<DrillSource>& drilled)
 {
@@ -83,7 +83,7 @@ void StudyDrill::Follow(const StudyState& state, const std::vector<SceneContact>
   }
   const std::vector<StudyForbidden> unready = UnreadyOf(forbidden, sources);
   this->HoldText = drilled.empty() ? std::string() : DrillHoldText(unready);
-  // While something is not ready, what keeps the drill out so far is kept.
+  // While one is not ready, the previous protection is kept.
   if (!this->AreDrilled(drilled) || (unready.empty() && !this->AreForbidden(forbidden)))
   {
     this->Renew(state, drilled, forbidden);
@@ -110,7 +110,7 @@ void StudyDrill::Renew(const StudyState& state, const std::vector<SceneContact>&
   {
     protections.push_back({one.Name, one.AlarmDistance, one.Protection});
   }
-  // Where this throws, all is as it was.
+  // If this throws, the state is unchanged.
   const auto next = DrillBench::Make(state, drilled, protections);
   const std::shared_ptr<DrillBench> before = std::exchange(this->Bench, next);
   const std::vector<SceneContact> drilledBefore = std::exchange(this->Drilled, drilled);
@@ -138,7 +138,7 @@ void StudyDrill::KeepWhatIsGone(const DrillBench& before,
       kept[n] = isSame ? removed[last] : kept[n];
     }
   }
-  static_cast<void>(this->Bench->Editor().Restore(kept)); // of the same fields
+  static_cast<void>(this->Bench->Editor().Restore(kept)); // fields are the same
 }
 
 void StudyDrill::PutInto(TouchScene& scene) const
@@ -149,8 +149,8 @@ void StudyDrill::PutInto(TouchScene& scene) const
   }
   for (TouchStructure& structure : scene.Structures)
   {
-    // Without wear a drill cuts nothing, however its pedal is pressed. What is gone already is
-    // felt.
+    // Without wear the drill cuts nothing, even with the pedal pressed. Already removed material
+    // stays removed.
     structure.Drill = this->HoldText.empty() ? structure.Drill : DrillLaw();
   }
 }
@@ -160,7 +160,7 @@ std::shared_ptr<DrillEditor> StudyDrill::Editor() const
   return this->Bench != nullptr ? this->Bench->SharedEditor() : nullptr;
 }
 
-// Surfaces of cuts, ten times a second at most: slices show their outlines.
+// Updates the surfaces of cuts, whose outlines slices show, at most ten times per second.
 void StudyDrill::ReadCuts()
 {
   const std::vector<double> volumes = this->Bench->Editor().RemovedVolumes();
@@ -208,7 +208,7 @@ void StudyDrill::Save(const std::filesystem::path& path) const
 {
   if (this->Bench == nullptr)
   {
-    throw InputError("nothing is drilled that could be saved; make a structure drillable first");
+    throw InputError("there is no drilled state to save; make a structure drillable first");
   }
   WriteDrillState(path, *this->Bench);
 }
@@ -217,8 +217,8 @@ void StudyDrill::Open(const std::filesystem::path& path)
 {
   if (this->Bench == nullptr)
   {
-    throw InputError("nothing can be drilled yet; make a structure drillable, touch it, and open "
-                     "the drilled state then");
+    throw InputError(
+        "no structure is drillable yet; make one drillable, touch it, then open the drilled state");
   }
   ReadDrillState(path, *this->Bench);
   this->SeenNumber = ~std::uint64_t{0};
@@ -231,7 +231,7 @@ int StudyDrill::SiteOf(int id) const
                                   [id](const SceneContact& part) { return part.Id == id; });
   if (found == this->Drilled.end())
   {
-    throw InputError("nothing of this structure is drilled; choose one that is");
+    throw InputError("this structure is not drilled; choose one that is");
   }
   return static_cast<int>(found - this->Drilled.begin());
 }
@@ -250,7 +250,8 @@ void StudyDrill::Export(int id, const std::filesystem::path& path,
   }
   else
   {
-    throw InputError(path.string() + " has an ending that neither volumes nor surfaces have; use " +
+    throw InputError(path.string() +
+                     " has an ending of neither a volume nor a surface format; use " +
                      ListOfEndings(ImageFormats().WrittenEndings()) + ", or " +
                      ListOfEndings(SurfaceFormats().WrittenEndings()));
   }

@@ -15,30 +15,30 @@
 
 namespace palpate
 {
-/// How a structure stands that is drilled.
+/// State of a drilled structure.
 struct StudyDrilled
 {
   int Id = 0;
   std::string Name;
   double RemovedVolume = 0.0;               ///< mm^3
-  std::shared_ptr<const ScalarField> Field; ///< as it is now
-  vtkSmartPointer<vtkPolyData> Cut;         ///< the surface of what is gone; world mm
+  std::shared_ptr<const ScalarField> Field; ///< current version
+  vtkSmartPointer<vtkPolyData> Cut;         ///< surface of the removed volume; world mm
 };
 
-/// What is drilled in a study now.
+/// Current state of drilling in a study.
 struct StudyDrillReading
 {
   std::vector<StudyDrilled> Drilled;
-  std::vector<DrillApproach> Approaches; ///< to what is forbidden
+  std::vector<DrillApproach> Approaches; ///< to forbidden structures
   bool CanUndo = false;
   bool CanRedo = false;
-  std::string Problem; ///< in one sentence; empty without
-  std::string Hold;    ///< why the pedal cuts nothing now, and the way out; empty where it cuts
+  std::string Problem; ///< a message; may be empty
+  std::string Hold;    ///< why drilling is off, and what to do; empty if it is on
 };
 
-/// What is drilled in a study: it stays while touches come and go, and begins again where the
-/// drilled structures become others. Nothing can be cut while a forbidden structure's protection is
-/// not ready (see Hold). For the thread that owns it.
+/// Drilling in a study: kept between touches, and reset when the drilled structures change.
+/// Drilling is off while a forbidden structure's protection is not ready (see Hold). Owner thread
+/// only.
 class PALPATESTUDY_EXPORT StudyDrill
 {
 public:
@@ -46,34 +46,32 @@ public:
   StudyDrill(const StudyDrill&) = delete;
   StudyDrill& operator=(const StudyDrill&) = delete;
 
-  /// What follows is for these. Takes the time of copying the drilled fields where they are others
-  /// or are protected otherwise. What was drilled before in the same fields stays.
+  /// Adopts these contacts and protections. Copies the drilled fields if they or their protection
+  /// changed. What was removed from the same fields before stays removed.
   void Follow(const StudyState& state, const std::vector<SceneContact>& contacts,
               const std::vector<StudyForbidden>& forbidden);
-  /// Whether the last Follow keeps the drill out of all of these.
+  /// Whether the last Follow protects all of these.
   bool Protects(const std::vector<StudyForbidden>& forbidden) const;
-  /// Lets a scene with a structure for each of the last Follow's contacts be drilled.
+  /// Makes a scene drillable that has one structure for each of the last Follow's contacts.
   void PutInto(TouchScene& scene) const;
-  /// Why the scenes of now let nothing be cut, and the way out; empty where they do.
+  /// Why drilling is off, and what to do; empty if it is on.
   const std::string& Hold() const { return this->HoldText; }
-  /// Another one where a scene has to be published again.
+  /// Changes when a scene has to be published again.
   std::uint64_t Revision() const { return this->Changes; }
 
-  /// Another servo has begun, which numbers its orders from 0.
+  /// Call when another servo has started, which numbers its orders from 0.
   void FollowNextServo() { this->SeenNumber = ~std::uint64_t{0}; }
-  /// What executes the orders; null where nothing is drilled.
+  /// Executes the orders; null if nothing is drilled.
   std::shared_ptr<DrillEditor> Editor() const;
 
-  /// For views: what became of it, and how near the tool is. `time` in s.
+  /// Current state for views, with the tool's distances to forbidden structures. `time` in s.
   StudyDrillReading Read(double time, const TouchState& newest);
 
   bool IsEmpty() const { return this->Bench == nullptr; }
-  /// See WriteDrillState and ReadDrillState; throw InputError. To be opened while nothing is
-  /// touched.
+  /// See WriteDrillState and ReadDrillState; throw InputError. Open only while touch is off.
   void Save(const std::filesystem::path& path) const;
   void Open(const std::filesystem::path& path);
-  /// Writes what is left of a structure as a volume or as a surface, by the ending. Throws
-  /// InputError.
+  /// Writes a drilled structure as a volume or a surface, by the ending. Throws InputError.
   void Export(int id, const std::filesystem::path& path, const ProgressFunction& progress) const;
 
 private:
@@ -90,12 +88,12 @@ private:
   std::vector<SceneContact> Drilled;
   std::vector<StudyForbidden> Forbidden; // with their protections
   std::string HoldText;
-  std::vector<int> SiteOfContact; // -1: it is not drilled
+  std::vector<int> SiteOfContact; // -1: not drilled
   TouchToolSettings Tool;
   TouchDrillSettings Motion;
   std::uint64_t Changes = 0;
-  std::uint64_t SeenNumber = ~std::uint64_t{0}; // of what the reading has
-  double CutTime = -1.0;                        // s, of the last look at cuts
+  std::uint64_t SeenNumber = ~std::uint64_t{0}; // of the order in the last reading
+  double CutTime = -1.0;                        // s, of the last reading of cuts
   StudyDrillReading Known;
 };
 } // namespace palpate

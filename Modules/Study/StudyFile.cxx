@@ -26,8 +26,8 @@ void WriteStudy(const std::filesystem::path& path, const StudyState& state)
   const std::string text = StudyText(state, folder, path);
   if (StudyFromText(text, folder, path) != state)
   {
-    Refuse(path, "was not written, since it would not open again as it is",
-           "give files by their absolute paths");
+    Refuse(path, "was not written, since it would not open again unchanged",
+           "use absolute paths for its files");
   }
   WriteWholeFile(path, text);
 }

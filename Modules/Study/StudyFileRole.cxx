@@ -35,7 +35,7 @@ StudyFileRole RoleOf(const std::filesystem::path& file)
   std::error_code failure;
   if (std::filesystem::is_directory(file, failure))
   {
-    return StudyFileRole::Volume; // of DICOM slices; which series, only the user knows
+    return StudyFileRole::Volume; // of DICOM slices; the user chooses the series
   }
   if (IsTouchRecording(file))
   {

@@ -6,7 +6,7 @@
 
 namespace palpate
 {
-/// What a file that somebody gives without a word is to a study.
+/// Role of a file that is given to a study without further information.
 enum class StudyFileRole
 {
   Session, ///< a study itself
@@ -18,7 +18,7 @@ enum class StudyFileRole
   Surface
 };
 
-/// By its name, or else by what is in it, as `palpate info` tells it. Reads the whole file. Throws
-/// InputError.
+/// Determined by its name, otherwise by its content, as in `palpate info`. Reads the whole file.
+/// Throws InputError.
 PALPATESTUDY_EXPORT StudyFileRole RoleOf(const std::filesystem::path& file);
 } // namespace palpate

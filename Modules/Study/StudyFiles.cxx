@@ -47,7 +47,7 @@ void WriteStudyFiles(const StudyState& state, const StudyPipeline& pipeline,
   {
     if (structure.Source() != SceneSource::Label)
     {
-      continue; // it is a file of its own
+      continue; // it is already a file
     }
     WriteStructure(structure, pipeline, FolderOf(structure, folder), program);
   }

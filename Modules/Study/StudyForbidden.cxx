@@ -32,7 +32,7 @@ std::vector<StudyForbidden> ForbiddenOf(const StudyState& state, const StudyPipe
     {
       StudyForbidden one{structure.Id, TitleOf(structure), structure.AlarmDistance,
                          pipeline.StateOf(SceneStep::Protection, structure.Id)};
-      // A newest product may be of what the state was before.
+      // The newest product may belong to a previous state.
       if (one.State.Is == Kind::UpToDate)
       {
         one.Protection = pipeline.Newest<SceneProtection>(SceneStep::Protection, structure.Id);
@@ -56,7 +56,7 @@ std::string DrillHoldText(const std::vector<StudyForbidden>& unready)
   {
     return "Drilling is off, because " + failed->Name +
            " cannot be protected: " + failed->State.Sentence +
-           ". Give it another drill role, or mend this and press \"Again\" beside \"protection\".";
+           ". Give it another drill role, or fix this and press \"Again\" next to \"protection\".";
   }
   const auto cancelled =
       std::find_if(unready.begin(), unready.end(),

@@ -11,7 +11,7 @@
 
 namespace palpate
 {
-/// What no drill may remove, as a state and its products have it.
+/// A forbidden structure with the state of its protection.
 struct StudyForbidden
 {
   int Id = 0;
@@ -28,10 +28,10 @@ struct StudyForbidden
 PALPATESTUDY_EXPORT std::vector<StudyForbidden> ForbiddenOf(const StudyState& state,
                                                             const StudyPipeline& pipeline);
 
-/// Why nothing may be drilled while these are not ready, and the way out, for the user; empty where
+/// Message for the user: why drilling is off while these are not ready, and what to do; empty if
 /// there are none.
 PALPATESTUDY_EXPORT std::string DrillHoldText(const std::vector<StudyForbidden>& unready);
 
-/// How a structure's protection stands, in a few words: "Protected", "Protection: 40 %", ...
+/// State of a structure's protection: "Protected", "Protection: 40 %", ...
 PALPATESTUDY_EXPORT std::string ProtectionText(const StudyForbidden& forbidden);
 } // namespace palpate

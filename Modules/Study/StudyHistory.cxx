@@ -31,7 +31,7 @@ bool StudyHistory::Change(const std::string& sentence, const StudyState& next,
       !gesture.empty() && gesture == this->Gesture && this->CanUndo() && !this->CanRedo();
   if (isSameGesture && WithView(next, this->Past.back().State->View) == *this->Past.back().State)
   {
-    this->Past.pop_back(); // back where the gesture began
+    this->Past.pop_back(); // back to the state before the gesture
   }
   else if (isSameGesture)
   {

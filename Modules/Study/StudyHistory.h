@@ -10,9 +10,9 @@
 
 namespace palpate
 {
-/// A study's states, one a step, to go back and forth in. A state is small, so steps are whole
-/// states; what is computed from them lies elsewhere. Where one looks (StudyState::View) is no
-/// step: it stays when others are undone.
+/// Undo history of a study. States are small, so each step holds a whole state; products are kept
+/// elsewhere. Changes of the view (StudyState::View) are not steps: the view stays when steps are
+/// undone.
 class PALPATESTUDY_EXPORT StudyHistory
 {
 public:
@@ -20,34 +20,34 @@ public:
 
   const StudyState& Current() const { return this->Now; }
 
-  /// Makes `next` the current state, as a step that `sentence` names ("Change the degree to 14");
-  /// steps that were undone are gone. Changes that follow each other with the same `gesture`, such
-  /// as those of one slider, become one step, until EndGesture. False where nothing is different.
+  /// Makes `next` the current state, as a step named `sentence` ("Change the degree to 14"); undone
+  /// steps are discarded. Consecutive changes with the same `gesture`, such as those of one slider,
+  /// become one step, until EndGesture. Returns false if nothing differs.
   bool Change(const std::string& sentence, const StudyState& next, const std::string& gesture = {});
-  /// What follows from the last step by itself, and goes and comes with it.
+  /// Adds consequences of the last step to it; they are undone and redone with it.
   void Amend(const StudyState& next) { this->Now = next; }
-  /// The slider was let go: the next change is a step of its own.
+  /// Ends a gesture: the next change is a separate step.
   void EndGesture() { this->Gesture.clear(); }
-  /// Looks elsewhere.
+  /// Changes the view without a step.
   void ChangeView(const StudyView& view) { this->Now.View = view; }
-  /// Begins anew with another study.
+  /// Starts over with another study.
   void Reset(const StudyState& first);
 
   bool CanUndo() const { return !this->Past.empty(); }
   bool CanRedo() const { return !this->Future.empty(); }
-  /// The sentence of the step that would be taken back, or again; empty where there is none.
+  /// The name of the step to undo or redo; may be empty.
   std::string UndoText() const { return this->CanUndo() ? this->Past.back().Sentence : ""; }
   std::string RedoText() const { return this->CanRedo() ? this->Future.back().Sentence : ""; }
   bool Undo();
   bool Redo();
 
-  /// The current state is that of the file.
+  /// Marks the current state as saved.
   void MarkSaved() { this->Saved = this->Now; }
-  /// There is something to be saved; looking elsewhere is nothing.
+  /// Whether there are unsaved changes, not counting the view.
   bool IsChanged() const;
 
 private:
-  // The state that a step left, or comes to.
+  // A step's name, and the state before it (Past) or after it (Future).
   struct Step
   {
     std::string Sentence;
@@ -58,7 +58,7 @@ private:
   StudyState Now;
   StudyState Saved;
   std::deque<Step> Past;   ///< oldest first
-  std::deque<Step> Future; ///< next one last
+  std::deque<Step> Future; ///< next step last
   std::size_t MostSteps;
   std::string Gesture; ///< of the last step
 };

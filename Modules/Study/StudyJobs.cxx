@@ -19,9 +19,9 @@ struct Entry
   StudyJobs::Id Number = 0;
   StudyJob Job;
   std::atomic<bool> IsCancelled{false};
-  // Under the desk's lock.
+  // Guarded by the desk's lock.
   StudyJobProgress Progress;
-  StudyJob::Delivery Delivery; ///< once it has ended
+  StudyJob::Delivery Delivery; ///< after it has ended
 };
 using EntryPointer = std::shared_ptr<Entry>;
 
@@ -42,16 +42,16 @@ void Remove(std::deque<EntryPointer>& entries, const EntryPointer& entry)
 }
 } // namespace
 
-// What owner and workers share.
+// Shared by owner and workers.
 struct StudyJobs::Desk
 {
   std::mutex Lock;
-  std::condition_variable News; ///< something was started, has ended, or is no longer wanted
+  std::condition_variable News; ///< a job was started, has ended, or was cancelled
   std::deque<EntryPointer> Waiting;
   std::deque<EntryPointer> Running;
   std::deque<EntryPointer> Done;
   Id LastId = 0;
-  int Workers = 0; ///< threads that have not ended
+  int Workers = 0; ///< running threads
   bool IsEnding = false;
 
   EntryPointer Take();
@@ -61,7 +61,7 @@ struct StudyJobs::Desk
   bool HasWork() const;
 };
 
-// Waits for a job; empty where there will be none.
+// Waits for a job; null when ending.
 EntryPointer StudyJobs::Desk::Take()
 {
   std::unique_lock<std::mutex> hold(this->Lock);
@@ -92,7 +92,7 @@ StudyJob::Delivery StudyJobs::Desk::Do(Entry& entry)
   }
   catch (const Cancelled& cancelled)
   {
-    return FailWith(entry, cancelled.what()); // which is dropped where the owner cancelled
+    return FailWith(entry, cancelled.what()); // dropped if the owner cancelled
   }
   catch (const std::bad_alloc&)
   {
@@ -123,7 +123,7 @@ void StudyJobs::Desk::Work()
   this->News.notify_all();
 }
 
-// Under the lock.
+// Call with the lock held.
 void StudyJobs::Desk::Drop(Id id)
 {
   const auto isIt = [id](const EntryPointer& entry) { return entry->Number == id; };
@@ -138,7 +138,7 @@ void StudyJobs::Desk::Drop(Id id)
   this->News.notify_all();
 }
 
-// Under the lock: what somebody wants is still to come.
+// Call with the lock held: whether a result that is not cancelled is still to come.
 bool StudyJobs::Desk::HasWork() const
 {
   return !this->Waiting.empty() ||
@@ -212,7 +212,7 @@ std::size_t StudyJobs::Deliver()
       entry = this->Shared->Done.front();
       this->Shared->Done.pop_front();
     }
-    // Unlocked, since a result may start more work.
+    // Unlocked, since a delivery may start more jobs.
     if (entry->Delivery)
     {
       entry->Delivery();
@@ -261,7 +261,7 @@ bool StudyJobs::End(std::chrono::milliseconds longest)
   hold.unlock();
   for (std::thread& thread : this->Threads)
   {
-    // What does not end in time must not hold up who closes the window; it keeps the desk alive.
+    // A job that does not end in time must not delay closing the window; it keeps the desk alive.
     hasEnded ? thread.join() : thread.detach();
   }
   this->Threads.clear();

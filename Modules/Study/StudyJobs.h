@@ -15,66 +15,65 @@
 
 namespace palpate
 {
-/// A piece of long work.
+/// A long-running job.
 struct StudyJob
 {
-  /// What is to be done with a result, on the owner's thread.
+  /// Handles the result, on the owner's thread.
   using Delivery = std::function<void()>;
 
-  /// On a worker thread. Throws Cancelled where `progress` answers false; anything else that it
-  /// throws has a sentence for the user.
+  /// Runs on a worker thread. Throws Cancelled if `progress` returns false; any other exception's
+  /// message is shown to the user.
   std::function<Delivery(const ProgressFunction& progress)> Work;
-  /// On the owner's thread, where Work threw.
+  /// Called on the owner's thread if Work threw.
   std::function<void(const std::string& sentence)> Fail;
-  /// Goes before all that only waits.
+  /// Runs before waiting jobs that are not urgent.
   bool IsUrgent = false;
 };
 
-/// How far a job has come.
+/// Progress of a job.
 struct StudyJobProgress
 {
-  bool IsRunning = false; ///< else it waits for its turn
+  bool IsRunning = false; ///< otherwise waiting
   double Fraction = 0.0;
   std::string Stage;
 };
 
-/// Runs long work beside the thread that owns it, in the order of being started, what is urgent
-/// first. The owner's thread
-/// never waits: it asks now and then (Deliver), and whatever a result does to it happens there.
+/// Runs long jobs in the background, in order of their start, urgent ones first. The owner's thread
+/// never blocks: it calls Deliver regularly, which handles the results.
 class PALPATESTUDY_EXPORT StudyJobs
 {
 public:
   using Id = std::uint64_t;
 
-  /// One worker by default: of two cores the other belongs to the views and the servo.
+  /// One worker by default: on two cores the other is for the views and the servo.
   explicit StudyJobs(int workers = 1);
   StudyJobs(const StudyJobs&) = delete;
   StudyJobs& operator=(const StudyJobs&) = delete;
-  /// Ends within a second, whatever the work does (see End).
+  /// Returns within a second, whatever the jobs do (see End).
   ~StudyJobs();
 
   Id Start(StudyJob job);
-  /// Nothing of it is delivered any more. It may still run until it asks.
+  /// Cancels a job: its result is not delivered. It runs until its next progress call.
   void Cancel(Id id);
-  /// None for what has ended, was cancelled or never was.
+  /// None if the job has ended, was cancelled or never existed.
   std::optional<StudyJobProgress> ProgressOf(Id id) const;
 
-  /// Does what results that have come since ask for; returns how many.
+  /// Handles the results since the last call; returns their number.
   std::size_t Deliver();
-  /// Nothing waits, runs, or is to be delivered.
+  /// Whether no job is waiting, running, or to be delivered.
   bool IsIdle() const;
-  /// Waits until there is something to deliver, `longest` at most; false where there is nothing. At
-  /// once where nothing is on its way. For programs without a window, and tests.
+  /// Waits for at most `longest` until there is a result to deliver; false if there is none.
+  /// Returns immediately if no job is left. For programs without a window, and tests.
   bool WaitForResult(std::optional<std::chrono::milliseconds> longest = std::nullopt);
 
-  /// Cancels everything and waits for it to end, `longest` at most. False where something does not
-  /// ask whether it is wanted any more: it goes on by itself, with what it has, until its end or
-  /// the program's. Nothing is delivered or started after this.
+  /// Cancels all jobs and waits for at most `longest`. Returns false if a job does not respond to
+  /// cancellation: it keeps running, with the data it holds, until its end or the program's. No job
+  /// is delivered or started after this.
   bool End(std::chrono::milliseconds longest);
 
 private:
   struct Desk;
-  std::shared_ptr<Desk> Shared; ///< with the workers, which may outlive this
+  std::shared_ptr<Desk> Shared; ///< shared with the workers, which may outlive this object
   std::vector<std::thread> Threads;
 };
 } // namespace palpate

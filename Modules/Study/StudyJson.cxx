@@ -40,7 +40,7 @@ void AddIfGiven(OrderedJson& object, const char* key, const std::optional<T>& va
   }
 }
 
-// Calls `read` with a value to be filled where the object has the entry.
+// Calls `read` with a value to fill if the object has the entry.
 template <typename T, typename Read>
 void ReadIfGiven(JsonFields& fields, const char* key, std::optional<T>& value, const Read& read)
 {
@@ -63,7 +63,7 @@ void ReadPlace(JsonFields& fields, const char* key, Vector3& place)
   fields.Read(key, place, -LargestPlace, LargestPlace);
 }
 
-// Takes a session's root apart.
+// Reads a session's root object.
 class StudyReader
 {
 public:
@@ -101,7 +101,7 @@ private:
     fields.Read("format", format);
     if (format != Format)
     {
-      Refuse(this->File, "does not say that it is a Palpate session",
+      Refuse(this->File, "is not marked as a Palpate session",
              "begin it with \"format\": \"" + std::string(Format) + "\"");
     }
     fields.Read("version", version, 1, 1000);
@@ -129,7 +129,7 @@ private:
     state.SegmentationFile = this->ReadPath(fields, "segmentation");
   }
 
-  // Every object of the list `key`.
+  // Reads every object of the list `key`.
   template <typename T>
   void ForEach(JsonFields& fields, const std::string& key, std::vector<T>& values,
                T (*read)(JsonFields& fields)) const
@@ -141,7 +141,7 @@ private:
     const nlohmann::json& list = this->Root[key];
     if (!list.is_array())
     {
-      Refuse(this->File, "cannot be read: its \"" + key + "\" is no list",
+      Refuse(this->File, "cannot be read: its \"" + key + "\" is not a list",
              "write it as [ { ... }, ... ]");
     }
     for (const nlohmann::json& object : list)
@@ -263,7 +263,7 @@ std::string StudyText(const StudyState& state, const std::filesystem::path& fold
   }
   catch (const OrderedJson::type_error&)
   {
-    Refuse(file, "cannot be written: a name in it is no UTF-8 text",
+    Refuse(file, "cannot be written: it contains a name that is not UTF-8",
            "rename the file or the structure");
   }
 }
@@ -271,7 +271,7 @@ std::string StudyText(const StudyState& state, const std::filesystem::path& fold
 StudyState StudyFromText(const std::string& text, const std::filesystem::path& folder,
                          const std::filesystem::path& file)
 {
-  nlohmann::json root = ParseJson(text, file, "mend it there, or open another session");
+  nlohmann::json root = ParseJson(text, file, "fix it there, or open another session");
   UpgradeSession(root);
   return StudyReader(root, folder, file).Read();
 }

@@ -8,15 +8,15 @@
 
 namespace palpate
 {
-/// A state as the text of a session file: "format": "palpate-study", "version": 2; every number's
-/// name ends with its unit. Paths are relative to `folder`. Throws InputError, about `file`, for
-/// names that are no UTF-8.
+/// A state as the text of a session file: "format": "palpate-study", "version": 2; names of numbers
+/// end with the unit. Paths are relative to `folder`. Throws InputError, naming `file`, for names
+/// that are not UTF-8.
 PALPATESTUDY_EXPORT std::string StudyText(const StudyState& state,
                                           const std::filesystem::path& folder,
                                           const std::filesystem::path& file);
 
-/// The state of such a text. Entries that are missing keep their defaults. Throws InputError that
-/// names `file` and the place: line and column of what is no JSON, otherwise the entry.
+/// Reads a state from such a text. Missing entries keep their defaults. Throws InputError that
+/// names `file` and the position: line and column for invalid JSON, otherwise the entry.
 PALPATESTUDY_EXPORT StudyState StudyFromText(const std::string& text,
                                              const std::filesystem::path& folder,
                                              const std::filesystem::path& file);

@@ -75,7 +75,7 @@ std::string SlicerText(const std::filesystem::path& path,
   }
   catch (const OrderedJson::type_error&)
   {
-    Refuse(path, "cannot be written: a name in it is no UTF-8 text", "rename the landmark");
+    Refuse(path, "cannot be written: it contains a name that is not UTF-8", "rename the landmark");
   }
 }
 
@@ -107,7 +107,7 @@ void WriteMarkups(const std::filesystem::path& path, const std::vector<StudyLand
 {
   if (landmarks.empty() && distances.empty())
   {
-    Refuse(path, "was not written, since there is nothing to write",
+    Refuse(path, "was not written, since there are no markups",
            "place a landmark or a distance first");
   }
   const std::string name = path.filename().string();
@@ -121,7 +121,7 @@ void WriteMarkups(const std::filesystem::path& path, const std::vector<StudyLand
   }
   else
   {
-    Refuse(path, "has no ending of markups", "end it with .mrk.json or .csv");
+    Refuse(path, "has no ending of a markups format", "use .mrk.json or .csv");
   }
 }
 } // namespace palpate

@@ -15,7 +15,7 @@ StudyStepState Failed(const std::string& sentence)
   return {StudyStepState::Kind::Failed, 0.0, {}, sentence};
 }
 
-// What has failed, unless something else does its work.
+// The state of a failed node: replaced if it has a replacement.
 StudyStepState Lost(const SceneNode& node, const std::string& sentence)
 {
   return node.Advice.empty() ? Failed(sentence)
@@ -60,7 +60,7 @@ void StudyPipeline::Update(const StudyState& state)
   this->Advance();
 }
 
-// Whether the place is another file's in the next state.
+// Whether the place belongs to another file in the next state.
 bool StudyPipeline::IsOfOtherFile(const Place& place, const StudyState& next) const
 {
   switch (place.first)
@@ -79,7 +79,7 @@ bool StudyPipeline::IsOfOtherFile(const Place& place, const StudyState& next) co
              : before->File != after->File;
 }
 
-// What to do now that the state or a product is another one.
+// Starts and cancels jobs after a change of the state or of a product.
 void StudyPipeline::Advance()
 {
   this->Plan = PlanStudy(this->State, this->Stamps,
@@ -168,7 +168,7 @@ void StudyPipeline::Start(const SceneNode& node)
   job.Work = [this, key = node.Key, make = node.Make,
               inputs = std::move(inputs)](const ProgressFunction& progress)
   {
-    // What `this` is belongs to the owner's thread, which alone delivers.
+    // `this` may only be used on the owner's thread, which delivers.
     return StudyJob::Delivery([this, key, product = make(inputs, progress)]
                               { this->Finish(key, product); });
   };

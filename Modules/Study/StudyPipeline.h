@@ -17,76 +17,76 @@
 
 namespace palpate
 {
-/// How a step stands.
+/// State of a step.
 struct StudyStepState
 {
   enum class Kind
   {
-    NotWanted, ///< nothing shown or touched needs it
+    NotWanted, ///< not needed by anything shown or touched
     UpToDate,
-    Replaced,    ///< it failed, and something else does its work; Sentence says what, and why
-    NeedsUpdate, ///< waits for what comes before it, for its turn, or for Resume
-    Failed,      ///< Sentence says why
+    Replaced,    ///< it failed, and another product replaces it; Sentence names it and the reason
+    NeedsUpdate, ///< waits for its inputs, its turn, or Resume
+    Failed,      ///< Sentence gives the reason
     Running
   };
   Kind Is = Kind::NotWanted;
   double Fraction = 0.0; ///< while running
-  std::string Stage;     ///< while running, in one word
-  std::string Sentence;  ///< why it failed, or what replaces it
-  /// It needs an update that does not come by itself, since it or what it waits for was cancelled.
+  std::string Stage;     ///< while running, one word
+  std::string Sentence;  ///< why it failed, or its replacement
+  /// It needs an update that will not start by itself, since it or one of its inputs was cancelled.
   bool IsCancelled = false;
 };
 
 /// "not wanted", "up to date", ...
 PALPATESTUDY_EXPORT const char* NameOf(StudyStepState::Kind kind);
 
-/// Makes what a state wants, beside the thread that owns it, and keeps what it made: a state that
-/// was there before is there again at once. Nothing is made twice, and nothing for structures that
-/// are neither shown nor touched. Structures are named by their id.
+/// Makes the products that a state needs, in the background, and caches them: a former state is
+/// available again immediately. Each product is made only once, and none for structures that are
+/// neither shown, touched nor forbidden. Structures are identified by id.
 class PALPATESTUDY_EXPORT StudyPipeline
 {
 public:
-  /// Keeps the address of `jobs`, which outlive it. `mostBytes` are kept beside what the current
-  /// state wants.
+  /// Keeps the address of `jobs`, which must outlive it. Caches up to `mostBytes` in addition to
+  /// the products of the current state.
   explicit StudyPipeline(StudyJobs& jobs, std::size_t mostBytes = std::size_t{1} << 30);
   StudyPipeline(const StudyPipeline&) = delete;
   StudyPipeline& operator=(const StudyPipeline&) = delete;
-  /// Cancels what it started.
+  /// Cancels its jobs.
   ~StudyPipeline();
 
-  /// Wants what `state` wants; what is running for another one and no longer wanted is cancelled.
-  /// Looks whether files were written anew.
+  /// Starts the products that `state` needs; cancels running jobs that it no longer needs. Checks
+  /// whether files have changed.
   void Update(const StudyState& state);
 
   StudyStepState StateOf(SceneStep step, int id) const;
-  /// Of all structures together: running where one runs, failed where one failed, and so on.
+  /// State over all structures: running if one is running, failed if one failed, and so on.
   StudyStepState StateOf(SceneStep step) const;
 
-  /// A sentence for each structure that is touched or shown by something else than was tried first,
-  /// since that failed. In the order of structures.
+  /// One message per structure whose touch or display was replaced since the first choice failed,
+  /// in the order of structures.
   std::vector<std::string> Advice() const;
 
-  /// Stops a step and does not begin it again by itself, until Resume or other settings.
+  /// Stops a step; it does not restart until Resume or until settings change.
   void Cancel(SceneStep step);
   void Resume(SceneStep step);
-  /// Tries again what failed.
+  /// Retries failed work.
   void Retry(SceneStep step);
 
-  /// The newest product of a step, or nothing: while another one is being made the one before.
+  /// The newest product of a step, or null; the previous one while another is being made.
   template <typename T>
   std::shared_ptr<const T> Newest(SceneStep step, int id = 0) const
   {
     return ProductAs<T>(this->NewestProduct(step, id));
   }
-  /// The same whatever its type; null where there is none.
+  /// The same, of any type; null if there is none.
   const SceneProduct* NewestProduct(SceneStep step, int id) const
   {
     const auto found = this->Shown.find({step, id});
     return found != this->Shown.end() ? &found->second : nullptr;
   }
-  /// Grows whenever a newest product is another one.
+  /// Increases whenever a newest product changes.
   std::uint64_t Revision() const { return this->ShownCount; }
-  /// How many pieces of work it ever started.
+  /// Total number of jobs started.
   std::uint64_t StartedCount() const { return this->Started; }
 
 private:
@@ -113,7 +113,7 @@ private:
   StudyState State;
   SceneStamps Stamps;
   std::vector<SceneNode> Plan;
-  std::unordered_map<std::string, SceneProduct> Current; ///< of the plan, whatever the cache drops
+  std::unordered_map<std::string, SceneProduct> Current; ///< of the plan, never dropped
   std::unordered_map<std::string, StudyJobs::Id> Running;
   std::set<std::string> Held; ///< cancelled by the user
   std::map<Place, SceneProduct> Shown;

@@ -11,7 +11,7 @@ namespace palpate
 /// The stamps of all files that a state names.
 PALPATESTUDY_EXPORT SceneStamps StampFiles(const StudyState& state);
 
-/// Everything that a state needs: its scene, and the volume and the segmentation of its slices.
+/// All nodes that a state needs: those of its scene, and the volume and segmentation of its slices.
 PALPATESTUDY_EXPORT std::vector<SceneNode>
 PlanStudy(const StudyState& state, const SceneStamps& stamps, const SceneLookup& lookup);
 } // namespace palpate

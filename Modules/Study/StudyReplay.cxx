@@ -27,7 +27,7 @@ std::shared_ptr<const TouchRecording> ReadReplay(const std::filesystem::path& fi
   const std::vector<TouchState>& ticks = recording->Ticks;
   if (ticks.empty())
   {
-    Refuse(file, "has no ticks", "record a touch until something was felt");
+    Refuse(file, "has no ticks", "record the touch again");
   }
   if (!std::is_sorted(ticks.begin(), ticks.end(), BeganBefore))
   {
@@ -55,7 +55,7 @@ double StudyReplay::Position() const
   return std::min(this->Held + passed, this->Duration());
 }
 
-// From here on, now.
+// Continues from this position, starting now.
 void StudyReplay::HoldTo(double seconds)
 {
   this->Held = seconds;
@@ -96,7 +96,7 @@ void StudyReplay::SetSpeed(double speed)
   }
 }
 
-// The last that had begun by then.
+// The last tick that had begun by then.
 std::size_t StudyReplay::TickAt(double seconds) const
 {
   const std::vector<TouchState>& ticks = this->Recorded->Ticks;

@@ -14,23 +14,23 @@ namespace palpate
 {
 struct TouchRecording;
 
-/// Reads a recorded touch to be looked at. Throws InputError for what is none, has no ticks, or has
-/// ticks that began before others that came before them.
+/// Reads a recorded touch for replay. Throws InputError if the file is not a recording, has no
+/// ticks, or has ticks out of order.
 PALPATESTUDY_EXPORT std::shared_ptr<const TouchRecording>
 ReadReplay(const std::filesystem::path& file);
 
-/// A recorded touch at a moment that can be moved and that goes on by itself while it is played.
-/// Nothing is felt or computed again: what is read is what was. What a moment costs does not depend
-/// on how long the recording is.
+/// Player of a recorded touch: shows the recorded ticks at a position that can be moved or played.
+/// Nothing is computed again and no force is applied. The time per reading does not depend on the
+/// length of the recording.
 class PALPATESTUDY_EXPORT StudyReplay
 {
 public:
-  /// What is shown with a moment: the ticks of so many seconds before it.
+  /// Seconds of ticks that are shown before the current position.
   static constexpr double SecondsBefore = 5.0;
   static constexpr double LeastSpeed = 0.01;
   static constexpr double LargestSpeed = 100.0;
 
-  /// Stands at the first tick of a recording that ReadReplay read. Keeps the address of the clock.
+  /// Starts at the first tick of a recording read by ReadReplay. Keeps the address of the clock.
   StudyReplay(std::filesystem::path file, std::shared_ptr<const TouchRecording> recording,
               Clock& clock);
 
@@ -40,18 +40,19 @@ public:
   double Duration() const; ///< s, from the first tick to the last
   double Position() const; ///< s since the first tick
 
-  /// As near as the recording has it.
+  /// Clamped to the recording.
   void MoveTo(double seconds);
   bool IsPlaying() const { return this->Playing; }
-  /// From the beginning where it stands at the end, where it stops by itself.
+  /// Restarts from the beginning if at the end; stops at the end.
   void Play();
   void Pause();
   double Speed() const { return this->Rate; }
-  /// Recorded seconds a second, within the bounds above.
+  /// Recorded seconds per second, within the limits above.
   void SetSpeed(double speed);
 
-  /// What was then: the last tick that had begun, and those since the last call, or of the
-  /// SecondsBefore it after a leap. `labels` are those of the scene's structures, in their order.
+  /// The state at the current position: the last tick that had begun, and the ticks since the last
+  /// call, or those of the SecondsBefore it after a jump. `labels` are those of the scene's
+  /// structures, in their order.
   const StudyTouchReading& Poll(const std::vector<int>& labels);
 
 private:
@@ -63,8 +64,8 @@ private:
   Clock& Time;
   double Rate = 1.0;
   bool Playing = false;
-  double Held = 0.0;      // s, where it stood
-  std::int64_t Since = 0; // ns of the clock, then
+  double Held = 0.0;      // s, position at Since
+  std::int64_t Since = 0; // ns of the clock
   bool HasLeapt = true;
   std::size_t Last = 0; // tick, of the last reading
   StudyTouchReading Reading;

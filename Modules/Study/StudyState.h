@@ -11,14 +11,14 @@
 
 namespace palpate
 {
-/// A point with a name; mm, patient LPS.
+/// A named point; mm, patient LPS.
 struct StudyLandmark
 {
   std::string Name;
   Vector3 PositionWorld = Vector3::Zero();
 };
 
-/// A straight way between two points; mm, patient LPS.
+/// A line between two points; mm, patient LPS.
 struct StudyDistance
 {
   std::string Name;
@@ -28,25 +28,25 @@ struct StudyDistance
   double Length() const { return (this->ToWorld - this->FromWorld).norm(); } ///< mm
 };
 
-/// Where one looks; nothing is computed from it.
+/// View settings; no product depends on them.
 struct StudyView
 {
-  std::optional<Vector3> CrosshairWorld; ///< mm, that the slices go through; none: the middle
-  std::optional<double> Window;          ///< of intensities, its width; none: by the volume
-  std::optional<double> Level;           ///< and its middle
-  std::string Layout;                    ///< the window's own word; empty: its first one
+  std::optional<Vector3> CrosshairWorld; ///< mm, common point of the slices; none: the centre
+  std::optional<double> Window;          ///< intensity window width; none: by the volume
+  std::optional<double> Level;           ///< intensity window centre
+  std::string Layout;                    ///< name defined by the window; empty: its first one
   double OverlayOpacity = 0.5;           ///< of the segmentation over the slices, 0..1
   bool UsesVolumeAxes = true;            ///< slices along the volume's axes, else the patient's
   bool SlicesFollowProbe = false;
 };
 
-/// All that is open and how, as a value: a scene with what the window adds. A session file holds
-/// it, and undo goes back to it. Files are absolute and normal (see StudyPath), or empty.
+/// The complete state of a study as a value: a scene with the window's additions. Saved in session
+/// files and restored by undo. Files are absolute and normalised (see StudyPath), or empty.
 struct StudyState : SceneSettings
 {
   std::filesystem::path VolumeFile;       ///< or the folder of a DICOM series
   std::string DicomSeries;                ///< see VolumeChoice
-  std::filesystem::path SegmentationFile; ///< its labels lie over the slices
+  std::filesystem::path SegmentationFile; ///< its labels are overlaid on the slices
 
   std::vector<StudyLandmark> Landmarks;
   std::vector<StudyDistance> Distances;
@@ -62,7 +62,8 @@ inline bool operator!=(const StudyState& a, const StudyState& b)
   return !(a == b);
 }
 
-/// A file as a state names it, whatever the program's folder is later; empty stays empty.
+/// A path as stored in a state: absolute, so that it is independent of the working directory; empty
+/// stays empty.
 PALPATESTUDY_EXPORT std::filesystem::path StudyPath(const std::filesystem::path& file);
 
 } // namespace palpate

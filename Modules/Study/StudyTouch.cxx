@@ -101,7 +101,8 @@ Status StudyTouch::Publish(const StudyState& state, const std::vector<SceneConta
   return status;
 }
 
-// What was felt before goes on, and nothing of it is cut: that scene does not protect all.
+// Keeps the previous scene but disables cutting, since it does not protect all forbidden
+// structures.
 void StudyTouch::HoldDrill()
 {
   TouchScene held = *this->Session.Scene();
@@ -111,7 +112,7 @@ void StudyTouch::HoldDrill()
     this->Felt.Laws[s] = {};
   }
   this->Session.Loop().LiftPedals();
-  // The servo has accepted this scene before.
+  // The servo accepted this scene before.
   static_cast<void>(
       this->Session.Publish(std::move(held), this->Session.Frame(), SceneEntry::Continuing));
 }
@@ -129,7 +130,7 @@ Status StudyTouch::PublishAll(const StudyState& state, const std::vector<SceneCo
     this->Session.UseEditor(this->Drilled.Editor());
     if (this->IsRunning() && wasHeld != !this->Drilled.Hold().empty())
     {
-      // A pedal that was held meanwhile must not begin to cut by itself.
+      // A pedal held in the meantime must not start to cut without a new press.
       this->Session.Loop().LiftPedals();
     }
     next.Tool = state.Tool;
@@ -243,7 +244,7 @@ Status StudyTouch::StartRecording(const std::filesystem::path& path)
 {
   if (!this->IsRunning())
   {
-    return Status::Failure("Nothing is touched: start the touch, then record it.");
+    return Status::Failure("Touch is off: start the touch, then record it.");
   }
   Status status = this->Session.StartRecording(path);
   if (status.IsOk())

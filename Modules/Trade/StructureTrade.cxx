@@ -48,7 +48,7 @@ int StructureTrade::HighestDegree(const ProgressFunction& progress)
   }
   catch (const InputError&)
   {
-    return 0; // each setting gives the reason
+    return 0; // each setting reports the reason
   }
   constexpr double CubicMillimetersPerMilliliter = 1000.0;
   const auto surface =

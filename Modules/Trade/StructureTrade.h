@@ -12,19 +12,19 @@
 
 namespace palpate
 {
-/// Measures one structure of a scene: for each setting the time of a tick and the errors on one
-/// seeded path against one reference, and what it takes to make. Used by one thread.
+/// Measures one structure of a scene: for each setting the tick time and the errors on one seeded
+/// path against one reference, and the build time and memory. One thread only.
 class PALPATETRADE_EXPORT StructureTrade
 {
 public:
   struct Settings
   {
     TradePathSettings Path;
-    int Runs = 5; ///< a tick's time is the least of these
+    int Runs = 5; ///< a tick's time is the minimum over these
   };
 
-  /// The structure, as it is touched, is all that remains of the scene, whose labels are resolved.
-  /// `made` has the files that were read before. Keeps the address of the clock.
+  /// Reduces the scene, whose labels must be resolved, to this structure's touch. `made` holds the
+  /// files read so far. Keeps the address of the clock.
   StructureTrade(const SceneSettings& scene, const SceneStructure& structure, SceneRun made,
                  const Settings& settings, const Clock& clock);
   ~StructureTrade();
@@ -32,16 +32,17 @@ public:
   /// The settings to compare. Throws InputError, FilterError and Cancelled, as does Measure.
   std::vector<ContactSetting> Candidates(const ProgressFunction& progress);
 
-  /// Measures one setting. The first call makes the reference and the path. A setting by which the
-  /// structure cannot be represented gives a row with the reason. Throws InputError if the tool
-  /// cannot touch the structure at all.
+  /// Measures one setting. The first call makes the reference and the path. A setting that cannot
+  /// represent the structure gives a row with the reason. Throws InputError if the tool cannot
+  /// touch the structure at all.
   TradeRow Measure(const ContactSetting& setting, const ProgressFunction& progress);
 
-  /// Measures all, in their order.
+  /// Measures all settings, in their order.
   std::vector<TradeRow> MeasureAll(const std::vector<ContactSetting>& settings,
                                    const ProgressFunction& progress);
 
-  /// The highest degree that the voxels support; 0 if they have no surface, or it has no voxels.
+  /// The highest degree that the voxels support; 0 if the structure has no voxels, or they have no
+  /// surface.
   int HighestDegree(const ProgressFunction& progress);
 
 private:

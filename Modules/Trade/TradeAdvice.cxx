@@ -22,16 +22,16 @@ std::string RateText(double hertz)
 
 std::string Costs(const TradeRow& row)
 {
-  return SignificantText(Micro * row.TickMean, 2) + " \xC2\xB5s a tick (" + RateText(row.Rate) +
-         " is in reach)";
+  return SignificantText(Micro * row.TickMean, 2) + " \xC2\xB5s per tick (up to " +
+         RateText(row.Rate) + ")";
 }
 
 using Places = std::vector<std::size_t>;
 
-// "the cheapest of 7 settings", or "the only one of 20 settings".
+// "the fastest of 7 settings", or "the only one of 20 settings".
 std::string CheapestText(std::size_t meeting, std::size_t all)
 {
-  return meeting > 1 ? "the cheapest of " + std::to_string(meeting) + " settings"
+  return meeting > 1 ? "the fastest of " + std::to_string(meeting) + " settings"
                      : "the only one of " + std::to_string(all) + " settings";
 }
 
@@ -63,7 +63,7 @@ TradeAdvice AdviseOn(const std::vector<TradeRow>& rows, double servoRate)
   Places felt;
   for (std::size_t r = 0; r < rows.size(); ++r)
   {
-    // NaN has not been measured.
+    // NaN: not measured.
     if (rows[r].IsFelt() && std::isfinite(rows[r].TickMean) && std::isfinite(rows[r].PositionRare))
     {
       felt.push_back(r);
@@ -71,7 +71,7 @@ TradeAdvice AdviseOn(const std::vector<TradeRow>& rows, double servoRate)
   }
   if (felt.empty())
   {
-    return {std::nullopt, false, "nothing could be measured"};
+    return {std::nullopt, false, "no setting could be measured"};
   }
   const auto isFast = [&](std::size_t r) { return rows[r].Rate >= servoRate; };
   const auto isTrue = [&](std::size_t r)
@@ -87,13 +87,13 @@ TradeAdvice AdviseOn(const std::vector<TradeRow>& rows, double servoRate)
     return {best, true,
             "choose " + Describe(rows[best].Setting) + ": " + Costs(rows[best]) + ", " +
                 CheapestText(good.size(), felt.size()) +
-                " whose errors no hand notices: " + Errors(rows[best])};
+                " whose errors are not noticeable: " + Errors(rows[best])};
   }
   if (fast.empty())
   {
     const std::size_t best = CheapestOf(rows, felt);
     return {best, false,
-            "no setting keeps " + RateText(servoRate) + " on this machine; the cheapest is " +
+            "no setting keeps " + RateText(servoRate) + " on this machine; the fastest is " +
                 Describe(rows[best].Setting) + ": " + Costs(rows[best])};
   }
   constexpr double About = 1.1;
@@ -106,9 +106,10 @@ TradeAdvice AdviseOn(const std::vector<TradeRow>& rows, double servoRate)
       fast.begin(), fast.end(), [&](std::size_t a, std::size_t b) { return error(a) < error(b); });
   const std::size_t best = CheapestOf(
       rows, Where(fast, [&](std::size_t r) { return error(r) <= About * error(truest); }));
-  return {best, false,
-          "choose " + Describe(rows[best].Setting) + ": " + Costs(rows[best]) +
-              "; a hand may notice every setting's errors, and this is about the truest: " +
-              Errors(rows[best])};
+  return {
+      best, false,
+      "choose " + Describe(rows[best].Setting) + ": " + Costs(rows[best]) +
+          "; every setting's errors may be noticeable, and this one is among the most accurate: " +
+          Errors(rows[best])};
 }
 } // namespace palpate

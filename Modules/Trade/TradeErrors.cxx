@@ -11,7 +11,7 @@ constexpr double Rare = 0.99;
 constexpr double Most = 1.0;
 constexpr double DegreesPerRadian = 180.0 / M_PI;
 
-// Jumps of a force while it acts.
+// Jumps of a force during contact.
 class Jumps
 {
 public:
@@ -33,7 +33,7 @@ private:
   bool HasLast = false;
 };
 
-// Collects one tick after the other.
+// Accumulates ticks.
 class Comparison
 {
 public:
@@ -103,7 +103,7 @@ private:
 
   void AddDirection(const FeltTick& felt, const Vector3& ideal)
   {
-    // A force that is not there has no direction; that it is missing is the force's error.
+    // A missing force has no direction error; it counts as a force error.
     if (felt.IsTouching && !(felt.Force.norm() < TradeThresholds::LeastForce))
     {
       this->Directions.push_back(DegreesPerRadian *

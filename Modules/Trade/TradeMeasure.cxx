@@ -17,7 +17,7 @@ namespace
 {
 constexpr double SecondsPerNanosecond = 1e-9;
 
-// What two glances at a clock take.
+// Time between two consecutive readings of a clock.
 double GlanceOf(const Clock& clock)
 {
   constexpr int Glances = 1001;
@@ -30,7 +30,7 @@ double GlanceOf(const Clock& clock)
   return QuantileOf(times, 0.5);
 }
 
-// A structure alone in a scene that is as large in the hand.
+// A scene with this structure alone, at scale 1.
 TouchScene SceneOf(const ContactModel& model, const TradeTouch& touch)
 {
   TouchScene scene;
@@ -43,7 +43,7 @@ TouchScene SceneOf(const ContactModel& model, const TradeTouch& touch)
   return scene;
 }
 
-// One structure felt along a path, again and again.
+// Runs one structure along a path repeatedly.
 class Rehearsal
 {
 public:
@@ -79,7 +79,7 @@ public:
   void Fill(TradeRow& row) const
   {
     constexpr double Rare = 0.999;
-    constexpr double Least = 1.0; // ns, below which no clock tells anything
+    constexpr double Least = 1.0; // ns, below the resolution of any clock
     const double glance = GlanceOf(this->Time);
     std::vector<double> times = this->Times;
     for (double& time : times)
@@ -121,7 +121,7 @@ private:
   const TradeTouch& Touch;
   const TradePath& Way;
   const Clock& Time;
-  TouchScene Scene; // where the followers expect it
+  TouchScene Scene; // referenced by the followers
   std::vector<StructureFollower> Followers;
   std::vector<double> Times; // ns
   std::vector<FeltTick> Felt;

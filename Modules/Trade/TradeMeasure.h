@@ -7,18 +7,18 @@
 
 namespace palpate
 {
-/// How a model is felt while it is measured.
+/// Settings of touch during a measurement.
 struct TradeTouch
 {
   TouchToolSettings Tool;
   double Stiffness = 0.5; ///< N/mm
-  int Runs = 5;           ///< a tick's time is the least of so many runs of the same way
+  int Runs = 5;           ///< a tick's time is the minimum over this many runs of the same path
 };
 
-/// Follows `path` as a servo does and fills in what `row` says of ticks, positions, forces,
-/// directions and jumps. Without friction and damping, so that only the representation differs.
-/// Ticks whose truth nobody knows, and those where neither touches, count in the times alone.
-/// Throws InputError where the tool cannot touch the model, and Cancelled.
+/// Follows `path` as a servo does and fills in the times, errors and jumps of `row`. Without
+/// friction and damping, so that only the representation matters. Ticks with an unknown reference
+/// position, or without contact in both, count only in the times. Throws InputError if the tool
+/// cannot touch the model, and Cancelled.
 PALPATETRADE_EXPORT void MeasureTouch(const ContactModel& model, const TradeTouch& touch,
                                       const TradePath& path, const Clock& clock, TradeRow& row,
                                       const ProgressFunction& progress);

@@ -19,10 +19,10 @@ namespace
 {
 constexpr double Micro = 1e-3; // us per ns
 constexpr double Mega = 1e6;
-// mm, JND: an error on decades cannot be 0, and below this nobody cares which it is.
+// mm, JND: logarithmic axes cannot show 0, and errors below this do not matter.
 constexpr double LeastDrawn = 1e-6;
 
-// A number as people read it: no exponents where digits do.
+// Number for readers: no exponent where digits suffice.
 std::string NumberText(double number)
 {
   if (!std::isfinite(number))
@@ -33,7 +33,7 @@ std::string NumberText(double number)
   return size >= 100.0 ? FixedText(number, 0) : SignificantText(number, size < 1.0 ? 2 : 3);
 }
 
-// A sentence that begins as one.
+// The message with a capital first letter.
 std::string CapitalOf(std::string sentence)
 {
   if (!sentence.empty() && sentence.front() >= 'a' && sentence.front() <= 'z')
@@ -50,8 +50,8 @@ std::string StyleOf(const std::string& representation)
                                                           : "third";
 }
 
-// The rows of a structure that were felt, by rising time; a row's number in the page is its place
-// here, from 1.
+// The measured rows of a structure, sorted by time; a row's number in the page is its index here,
+// from 1.
 std::vector<const TradeRow*> FeltRows(const TradeStructureResult& structure)
 {
   std::vector<const TradeRow*> rows;
@@ -77,12 +77,11 @@ struct Plot
 };
 
 const std::array<Plot, 3> Plots{{
-    {"position error (99 %), mm", "How far the tool is felt from where it truly is",
-     &TradeRow::PositionRare, 0.0, ""},
-    {"force error (99 %), JND", "The force, in just noticeable differences of the ideal one",
+    {"position error (99 %), mm", "Position error of the tool", &TradeRow::PositionRare, 0.0, ""},
+    {"force error (99 %), JND", "Force error, in just noticeable differences of the ideal force",
      &TradeRow::NoticeableRare, 1.0, "noticeable"},
-    {"direction error (99 %), degrees", "The force\xE2\x80\x99s direction",
-     &TradeRow::DirectionRare, TradeThresholds::NoticeableDegrees, "noticeable"},
+    {"direction error (99 %), degrees", "Direction error of the force", &TradeRow::DirectionRare,
+     TradeThresholds::NoticeableDegrees, "noticeable"},
 }};
 
 std::vector<std::pair<double, double>> PlacesOf(const std::vector<const TradeRow*>& rows,
@@ -91,7 +90,7 @@ std::vector<std::pair<double, double>> PlacesOf(const std::vector<const TradeRow
   std::vector<std::pair<double, double>> places;
   for (const TradeRow* row : rows)
   {
-    // The least drawn, but not of what is no number.
+    // At least LeastDrawn, but NaN stays NaN.
     const double value = row->*error;
     places.emplace_back(Micro * row->TickMean, value < LeastDrawn ? LeastDrawn : value);
   }
@@ -133,7 +132,8 @@ std::string Legend()
 {
   return "<ul class=\"legend\"><li><i class=\"first\"></i>spherical harmonics</li>"
          "<li><i class=\"second\"></i>facets</li><li><i class=\"third\"></i>sub-voxel field</li>"
-         "<li>numbered: no other setting is both faster and truer; see the table</li></ul>\n";
+         "<li>numbered: no other setting is both faster and more accurate; see the "
+         "table</li></ul>\n";
 }
 
 std::string Cell(const std::string& text)
@@ -155,10 +155,10 @@ std::string Head(const std::vector<const char*>& columns)
 
 std::string FeltTable(const std::vector<const TradeRow*>& rows, const TradeRow* chosen)
 {
-  std::string html = Head({"", "Setting", "Mean, \xC2\xB5s", "Median", "99.9 %", "Rate, kHz",
-                           "Position, mm: mean", "99 %", "Force, JND: mean", "99 %",
-                           "Direction, \xC2\xB0: mean", "99 %", "Jump, mN: mean", "Most",
-                           "Ideal\xE2\x80\x99s most", "Seizures", "Made in, s", "Memory, MB"});
+  std::string html =
+      Head({"", "Setting", "Mean, \xC2\xB5s", "Median", "99.9 %", "Rate, kHz", "Position, mm: mean",
+            "99 %", "Force, JND: mean", "99 %", "Direction, \xC2\xB0: mean", "99 %",
+            "Jump, mN: mean", "Most", "Most, ideal", "Seizures", "Build time, s", "Memory, MB"});
   constexpr double Kilo = 1e3;
   for (std::size_t r = 0; r < rows.size(); ++r)
   {
@@ -204,7 +204,7 @@ std::string StructureSection(const TradeStructureResult& structure)
   return ReportSection(structure.Name,
                        "<div class=\"verdict " + std::string(advice.IsMet ? "good" : "poor") +
                            "\"><p>" + EscapeHtml(CapitalOf(advice.Sentence)) +
-                           ".</p></div>\n<p class=\"soft\">Taken for true: " + EscapeHtml(truth) +
+                           ".</p></div>\n<p class=\"soft\">Reference: " + EscapeHtml(truth) +
                            ".</p>\n" + Legend() + "<div class=\"charts\">\n" + plots + "</div>\n" +
                            FeltTable(rows, chosen) + Refusals(structure));
 }
@@ -214,16 +214,14 @@ std::string HowItWasMeasured(const TradeResult& result)
   const TradePathSettings& path = result.Settings.Measurement.Path;
   return "<p>Strokes of " + NumberText(path.Seconds) + " s together at 1 kHz (seed " +
          std::to_string(path.Seed) + "), up to " + NumberText(path.MostDepth) +
-         " mm deep, from all sides, made by what is taken for true; the same for every setting. A "
-         "tick\xE2\x80\x99s time is the least of " +
+         " mm deep, from all sides, made from the reference; the same for every setting. A "
+         "tick\xE2\x80\x99s time is the minimum over " +
          std::to_string(result.Settings.Measurement.Runs) +
-         " runs; the rate is what 99.9 % of ticks leave time for. Errors are those of the shape "
+         " runs; the rate is the one that 99.9 % of ticks permit. Errors are those of the shape "
          "alone, without friction and damping. A just noticeable difference (JND) of force is 7 % "
-         "of it, and below 0.5 N what it is there, since hands tell small forces worse; that of "
-         "its "
-         "direction is 18\xC2\xB0 to 33\xC2\xB0, compared from 0.02 N on. A seizure: the tool "
-         "comes to "
-         "be 2 mm off.</p>\n";
+         "of it, but at least that of 0.5 N, since small forces are harder to discriminate; that "
+         "of its direction is 18\xC2\xB0 to 33\xC2\xB0, evaluated from 0.02 N on. A seizure: the "
+         "position error exceeds 2 mm.</p>\n";
 }
 
 std::string Footer(const TradeResult& result)
@@ -245,10 +243,9 @@ std::string TradePage(const TradeResult& result)
     sections += StructureSection(structure);
   }
   return ReportPage("Palpate trade-off",
-                    "<header>\n<div class=\"kicker\">Palpate \xC2\xB7 trade-off</div>\n<h1>What "
-                    "speed costs in truth</h1>\n<p class=\"soft\">" +
+                    "<header>\n<div class=\"kicker\">Palpate \xC2\xB7 trade-off</div>\n<h1>Speed "
+                    "against accuracy</h1>\n<p class=\"soft\">" +
                         EscapeHtml(result.Machine) + "</p>\n</header>\n" + sections +
-                        ReportSection("How it was measured", HowItWasMeasured(result)) +
-                        Footer(result));
+                        ReportSection("Method", HowItWasMeasured(result)) + Footer(result));
 }
 } // namespace palpate

@@ -7,8 +7,8 @@
 
 namespace palpate
 {
-/// One HTML page that needs nothing else and runs nothing: for each structure what to choose, plots
-/// of time against error with the settings that no other beats, a table by rising time, and how all
-/// was measured.
+/// A self-contained HTML page without scripts: for each structure the recommendation, plots of time
+/// against error that mark the settings on the Pareto front, a table sorted by time, and a
+/// description of the measurement.
 PALPATETRADE_EXPORT std::string TradePage(const TradeResult& result);
 } // namespace palpate

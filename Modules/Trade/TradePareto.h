@@ -8,8 +8,8 @@
 
 namespace palpate
 {
-/// The places in `points` (cost, error) that no other dominates, by rising cost: none is at most as
-/// costly and at most as wrong, and better in one of both. Points that are not finite are none.
+/// Indices of the points (cost, error) on the Pareto front, sorted by cost: no other point is at
+/// least as good in both and better in one. Points that are not finite are skipped.
 PALPATETRADE_EXPORT std::vector<std::size_t>
 ParetoFront(const std::vector<std::pair<double, double>>& points);
 } // namespace palpate

@@ -13,9 +13,9 @@ namespace palpate
 {
 namespace
 {
-constexpr double ApproachStep = 0.05;    // mm a tick: 50 mm/s
+constexpr double ApproachStep = 0.05;    // mm per tick: 50 mm/s
 constexpr double ApproachDistance = 3.0; // mm
-constexpr double LargestStep = 0.2;      // mm a tick: no hand follows a corner faster
+constexpr double LargestStep = 0.2;      // mm per tick: no hand follows a corner faster
 constexpr int PressTicks = 80;
 constexpr int SlideTicks = 350;
 
@@ -26,7 +26,7 @@ public:
 
   double Between(double least, double most)
   {
-    // The distributions of the standard library differ from one to the next.
+    // The distributions of standard libraries differ between implementations.
     constexpr double Step = 0x1p-53;
     return least + (most - least) * Step * static_cast<double>(this->Engine() >> 11U);
   }
@@ -49,7 +49,7 @@ private:
   std::mt19937_64 Engine;
 };
 
-// Depth over the ticks of a stroke: eased in, wavering while it slides.
+// Depth over the ticks of a stroke: eased in, varying during the slide.
 double DepthAt(int tick, double depth)
 {
   const double part = std::min(1.0, static_cast<double>(tick) / PressTicks);
@@ -57,7 +57,7 @@ double DepthAt(int tick, double depth)
   return depth * (eased - 0.2 * part * (1.0 - std::cos(0.05 * tick)));
 }
 
-// One hand that feels by the reference.
+// A hand guided by the reference's proxy.
 class Hand
 {
 public:
@@ -67,12 +67,12 @@ public:
   {
   }
 
-  // False where the way in met nothing.
+  // False if the approach met no surface.
   bool Stroke()
   {
     const Vector3 inward = -this->Numbers.Direction();
     const double depth = this->MostDepth * this->Numbers.Between(0.3, 1.0);
-    const double step = this->Numbers.Between(0.02, 0.1); // mm a tick: 20 to 100 mm/s
+    const double step = this->Numbers.Between(0.02, 0.1); // mm per tick: 20 to 100 mm/s
     const std::optional<Vector3> touch = this->FirstTouch(inward);
     if (!touch)
     {
@@ -95,7 +95,7 @@ public:
 private:
   const TradeTruth& Truth() const { return this->Path.Ticks.back().Truth; }
 
-  // In coarse steps along a line through the middle; where the tool is then outside yet.
+  // Searches in coarse steps along a line through the centre; returns the last position outside.
   std::optional<Vector3> FirstTouch(const Vector3& inward)
   {
     constexpr double Step = 0.5; // mm
@@ -128,7 +128,7 @@ private:
     }
   }
 
-  // Along the surface as the proxy goes.
+  // Slides along the surface with the proxy.
   void Slide(double depth, double step)
   {
     constexpr double Wander = 0.05;
@@ -159,11 +159,11 @@ private:
 
   TradeReference& Reference;
   Random Numbers;
-  double Reach; // mm from the middle of the bounds, beyond which the tool is free
+  double Reach; // mm from the centre of the bounds, beyond which there is no contact
   double MostDepth;
   TradePath& Path;
   Vector3 Probe = Vector3::Zero();
-  Vector3 Proxy = Vector3::Zero();   // the last one that touched
+  Vector3 Proxy = Vector3::Zero();   // at the last contact
   Vector3 Normal = Vector3::UnitZ(); // there
 };
 } // namespace
@@ -172,7 +172,7 @@ TradePath MakeTradePath(TradeReference& reference, const TouchToolSettings& tool
                         const TradePathSettings& settings, const ProgressFunction& progress)
 {
   constexpr int MostMisses = 1000;      // in a row
-  constexpr double MostDepthPart = 0.1; // of the structure's least extent
+  constexpr double MostDepthPart = 0.1; // of the structure's smallest extent
   const Eigen::AlignedBox3d bounds = reference.BoundsWorld();
   TradePath path;
   path.MostDepth = std::min(settings.MostDepth, MostDepthPart * bounds.sizes().minCoeff());
@@ -189,7 +189,7 @@ TradePath MakeTradePath(TradeReference& reference, const TouchToolSettings& tool
     misses = hand.Stroke() ? 0 : misses + 1;
     if (misses > MostMisses)
     {
-      throw InputError("the tool meets nothing from any side; check the structure's size");
+      throw InputError("the tool meets no surface from any side; check the structure's size");
     }
   }
   return path;

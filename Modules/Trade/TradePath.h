@@ -9,16 +9,16 @@
 
 namespace palpate
 {
-/// How a tool is led over a structure.
+/// Settings of a tool's path over a structure.
 struct TradePathSettings
 {
-  std::uint64_t Seed = 1; ///< equal seeds lead the same way
-  double Seconds = 10.0;  ///< at least, of touch and what is round it
-  double MostDepth = 2.0; ///< mm below the surface; less on a structure that is thinner
+  std::uint64_t Seed = 1; ///< equal seeds give equal paths
+  double Seconds = 10.0;  ///< minimum, including approach and retreat
+  double MostDepth = 2.0; ///< mm below the surface; less on thin structures
 };
 
-/// A tool's way over a structure, a place a tick of 1 ms, and where its proxy truly is meanwhile.
-/// It is made by the reference alone, so it is the same for all that is compared.
+/// A tool's path over a structure, one position per tick of 1 ms, with the reference position of
+/// its proxy. Made by the reference alone, so it is the same for all settings.
 struct TradePath
 {
   struct Tick
@@ -30,14 +30,14 @@ struct TradePath
   static constexpr double Period = 1e-3; ///< s
 
   std::vector<Tick> Ticks;
-  /// The first tick of each stroke: free, outside the structure, unconnected with the one before.
+  /// The first tick of each stroke: outside of the structure, not connected to the previous stroke.
   std::vector<std::size_t> Strokes;
-  double MostDepth = 0.0; ///< mm that was aimed at
+  double MostDepth = 0.0; ///< mm, target depth
 };
 
-/// Strokes from all round: towards the structure, in to some depth, along its surface at 20 to 100
-/// mm/s with a direction that wanders, and out again. Throws InputError where nothing is met, and
-/// Cancelled.
+/// Strokes from all sides: towards the structure, in to some depth, along its surface at 20 to 100
+/// mm/s in a wandering direction, and out again. Throws InputError if no stroke meets the
+/// structure, and Cancelled.
 PALPATETRADE_EXPORT TradePath MakeTradePath(TradeReference& reference,
                                             const TouchToolSettings& tool,
                                             const TradePathSettings& settings,

@@ -12,7 +12,7 @@ namespace palpate
 {
 namespace
 {
-// A tracker on the finest representation that there is.
+// A tracker on the finest representation available.
 class TrackedReference final : public TradeReference
 {
 public:
@@ -40,7 +40,7 @@ private:
   std::unique_ptr<ContactTracker> Tracker;
 };
 
-// Every place by itself, with a proof.
+// Certifies each position independently.
 class CertifiedReference final : public TradeReference
 {
 public:
@@ -71,13 +71,13 @@ private:
 std::unique_ptr<TradeReference> FieldReference(const TouchContact& field, const std::string& what,
                                                TouchToolSettings tool)
 {
-  // A sphere of 2 mm is then nowhere more than 0.01 mm lower than its points.
+  // The points of a 2 mm sphere then deviate from it by at most 0.01 mm.
   constexpr int Points = 400;
   const bool isPoint = tool.Kind == TouchToolSettings::Shape::Sphere && tool.Radius == 0.0;
   tool.Points = isPoint ? tool.Points : Points;
-  return std::make_unique<TrackedReference>(
-      "the tricubic field of " + what + ", touched by as many points of the tool as make it smooth",
-      field, MakeTool(tool));
+  return std::make_unique<TrackedReference>("the tricubic field of " + what +
+                                                ", touched by a densely sampled tool",
+                                            field, MakeTool(tool));
 }
 
 std::unique_ptr<TradeReference>
@@ -99,6 +99,6 @@ std::unique_ptr<TradeReference> FacetReference(const TouchContact& facets,
                                                const TouchToolSettings& tool)
 {
   return std::make_unique<TrackedReference>(
-      "the surface's own triangles (" + facets.Represented + ")", facets, MakeTool(tool));
+      "the triangles of the surface (" + facets.Represented + ")", facets, MakeTool(tool));
 }
 } // namespace palpate

@@ -11,18 +11,18 @@
 
 namespace palpate
 {
-/// Where the tool's proxy truly is, world mm.
+/// Reference position of the tool's proxy, world mm.
 struct TradeTruth
 {
   bool IsTouching = false;
-  Vector3 ProxyWorld = Vector3::Zero();   ///< of the tool's centre; the probe where nothing touches
-  Vector3 NormalWorld = Vector3::UnitZ(); ///< unit, out of the structure
-  /// False where nobody can say, such as where a ball touches two sides of a hollow at once.
+  Vector3 ProxyWorld = Vector3::Zero();   ///< of the tool's centre; the probe without contact
+  Vector3 NormalWorld = Vector3::UnitZ(); ///< unit, outward
+  /// False if it is ambiguous, such as for a sphere that touches two sides of a hollow at once.
   bool IsKnown = false;
 };
 
-/// The most accurate affordable position of a tool that touches a structure; all settings are
-/// compared with it.
+/// The most accurate affordable proxy positions of a tool that touches a structure; all settings
+/// are compared with them.
 class PALPATETRADE_EXPORT TradeReference
 {
 public:
@@ -35,7 +35,7 @@ public:
   /// The next position on that path.
   virtual TradeTruth At(const Vector3& probeWorld) = 0;
   virtual Eigen::AlignedBox3d BoundsWorld() const = 0;
-  /// What the errors are measured against, in words.
+  /// Description of the reference.
   const std::string& Says() const { return this->Words; }
 
 protected:
@@ -45,8 +45,8 @@ private:
   std::string Words;
 };
 
-/// A tricubic field, touched by as many points of the tool as make it smooth. `what`: that it was
-/// made of. Throws InputError if the tool cannot touch it, as do the others.
+/// A tricubic field, touched by a densely sampled tool. `what`: the field's source, for the
+/// description. Throws InputError if the tool cannot touch it, as do the others.
 PALPATETRADE_EXPORT std::unique_ptr<TradeReference>
 FieldReference(const TouchContact& field, const std::string& what, TouchToolSettings tool);
 /// The model itself, by the certified search over its whole surface.

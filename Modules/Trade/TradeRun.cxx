@@ -12,7 +12,7 @@ namespace palpate
 {
 namespace
 {
-// The structures to measure, all of them touchable and of one label.
+// The structures to measure: touchable, one label each.
 std::vector<SceneStructure> TouchedOf(const SceneSettings& scene, SceneRun& files,
                                       const ProgressFunction& progress)
 {
@@ -31,12 +31,12 @@ std::vector<SceneStructure> TouchedOf(const SceneSettings& scene, SceneRun& file
   if (all.empty())
   {
     throw InputError("no structure of the scene is touchable, so there is nothing to measure; "
-                     "write \"touched\": true in a structure");
+                     "set \"touched\": true for a structure");
   }
   return std::move(all);
 }
 
-// Those that were asked for by name.
+// Those selected by name.
 std::vector<SceneStructure> Choose(const std::vector<std::string>& names,
                                    std::vector<SceneStructure> structures)
 {
@@ -53,7 +53,7 @@ std::vector<SceneStructure> Choose(const std::vector<std::string>& names,
                                     { return TitleOf(structure) == name; });
     if (found == structures.end())
     {
-      throw InputError("--structure " + name + " is not touched in the scene; name one of " +
+      throw InputError("--structure " + name + " is not touchable in the scene; name one of " +
                        known);
     }
     chosen.push_back(*found);
@@ -65,7 +65,7 @@ std::vector<SceneStructure> Choose(const std::vector<std::string>& names,
 TradeResult RunTrade(const TradeRunSettings& settings, const Clock& clock,
                      const ProgressFunction& progress)
 {
-  constexpr double Preparing = 0.05; // of a structure's time, about
+  constexpr double Preparing = 0.05; // fraction of a structure's time, roughly
   TradeResult result{{}, MachineName(), settings};
   SceneRun files(true);
   const std::vector<SceneStructure> structures =

@@ -10,16 +10,16 @@
 
 namespace palpate
 {
-/// What of a scene is measured, and how.
+/// Settings of a measurement of a scene.
 struct TradeRunSettings
 {
   SceneSettings Scene;
-  std::vector<std::string> Structures; ///< names; none for all
+  std::vector<std::string> Structures; ///< names; empty: all
   StructureTrade::Settings Measurement;
   std::string Program; ///< name and version, for the results
 };
 
-/// One structure's rows and the recommendation that follows from them.
+/// One structure's rows and the recommendation.
 struct TradeStructureResult
 {
   std::string Name;
@@ -34,8 +34,8 @@ struct TradeResult
   TradeRunSettings Settings;
 };
 
-/// Measures the touchable structures of a scene, one after another. Throws InputError, FilterError
-/// and Cancelled.
+/// Measures the touchable structures of a scene in turn. Throws InputError, FilterError and
+/// Cancelled.
 PALPATETRADE_EXPORT TradeResult RunTrade(const TradeRunSettings& settings, const Clock& clock,
                                          const ProgressFunction& progress);
 } // namespace palpate

@@ -15,7 +15,7 @@ namespace
 {
 using JsonObject = nlohmann::ordered_json;
 
-// A number of a row, and its name in files, which ends with the unit.
+// A number of a row and its key in files, which ends with the unit.
 struct TradeColumn
 {
   const char* Name;
@@ -93,7 +93,7 @@ JsonObject AsJson(const TradeStructureResult& structure)
 
 std::vector<std::string> RefusalsOf(const TradeStructureResult& structure)
 {
-  std::vector<const TradeRow*> firsts; // of each reason
+  std::vector<const TradeRow*> firsts; // one per reason
   std::map<std::string, int> counts;
   for (const TradeRow& row : structure.Rows)
   {

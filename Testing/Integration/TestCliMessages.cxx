@@ -186,7 +186,7 @@ TEST(CliMessages, NamesStructureLostBySmoothing)
       MakeLabelImage(grid, [](double, double y, double z) { return y == 10.0 && z == 10.0; });
   palpate::WriteImage(folder / "a.nrrd", thread);
   const std::string errors = RunPalpate({"touch", "a.nrrd"}, folder.Path()).Errors;
-  EXPECT_TRUE(Has(errors, "a.nrrd, label 1 has no voxel left by a smoothing of")) << errors;
+  EXPECT_TRUE(Has(errors, "a.nrrd, label 1 has no voxel left after smoothing by")) << errors;
 }
 
 TEST(CliMessages, RefusedFitSuggestsCommandOptions)

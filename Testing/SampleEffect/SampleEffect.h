@@ -10,7 +10,7 @@ class SampleEffect final : public ForceEffect
 public:
   explicit SampleEffect(double pull) : Pull(pull) {}
 
-  /// How scenes name it.
+  /// Its kind, for registration.
   static SceneEffectKind Kind();
 
   Vector3 Force(const EffectTouch& touch) const noexcept override

@@ -21,7 +21,7 @@ bool GoOn(double /*fraction*/, const std::string& /*stage*/)
   return true;
 }
 
-// One registration, and nothing else of the program knows the effect.
+// One registration is all that the program needs to support the effect.
 class SampleEffectTest : public testing::Test
 {
 protected:
@@ -60,7 +60,7 @@ protected:
   test::TemporaryFolder Folder;
 };
 
-TEST_F(SampleEffectTest, SceneFilesHaveIt)
+TEST_F(SampleEffectTest, RoundTripsInSceneFiles)
 {
   const SceneSettings scene = this->SceneWith(R"(, "adhesion_n": 0.2)");
   EXPECT_EQ(scene.Structures.front().Number("adhesion_n"), 0.2);

@@ -4,7 +4,7 @@
 
 namespace palpate
 {
-/// A label as the sphere of its surface's volume and centroid, enlarged by a margin: fast, and
-/// rough.
+/// Represents a label by a sphere with the volume of its mask and the centre of its surface,
+/// enlarged by a margin: fast but coarse.
 SceneRepresentation SampleRepresentation();
 } // namespace palpate

@@ -12,7 +12,7 @@ namespace palpate
 {
 namespace
 {
-// One registration, and nothing else of the program knows the representation.
+// One registration is all that the program needs to support the representation.
 class SampleRepresentationTest : public testing::Test
 {
 protected:
@@ -29,7 +29,7 @@ protected:
   test::MaskTrade Mask = test::BallMask();
 };
 
-TEST_F(SampleRepresentationTest, SceneFilesHaveIt)
+TEST_F(SampleRepresentationTest, RoundTripsInSceneFiles)
 {
   const test::TemporaryFolder folder;
   const SceneSettings scene = this->SceneWith(1.5);
@@ -41,14 +41,14 @@ TEST_F(SampleRepresentationTest, SceneFilesHaveIt)
   EXPECT_THROW(ReadScene(folder / "cube.scene.json"), InputError);
 }
 
-TEST_F(SampleRepresentationTest, IsTouched)
+TEST_F(SampleRepresentationTest, CanBeTouched)
 {
   for (const double margin : {0.0, 1.5})
   {
     const BuiltScene built = BuildScene(this->SceneWith(margin), false, test::GoOn);
     EXPECT_EQ(built.Touched.front().Represented, "sphere");
     const Vector3 size = built.Contacts.front().Contact->Model->BoundsWorld().sizes();
-    EXPECT_NEAR(size.x(), 2.0 * (14.0 + margin), 0.1) << "the mask is a ball of 14 mm";
+    EXPECT_NEAR(size.x(), 2.0 * (14.0 + margin), 0.1) << "the mask is a sphere of 14 mm";
   }
 }
 
@@ -70,7 +70,7 @@ TEST_F(SampleRepresentationTest, IsComparedInTheTradeOff)
   ASSERT_NE(sphere, candidates.end());
   const TradeRow row = trade.Measure(*sphere, test::GoOn);
   EXPECT_EQ(row.State, TradeRow::Outcome::Measured) << row.Message;
-  EXPECT_LT(row.SurfaceMean, 0.3) << "of a ball it is the ball, but for the voxels";
+  EXPECT_LT(row.SurfaceMean, 0.3) << "exact for a sphere, except for the voxels";
 }
 } // namespace
 } // namespace palpate

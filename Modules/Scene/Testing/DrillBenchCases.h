@@ -19,8 +19,8 @@ inline bool GoOn(double, const std::string&)
   return true;
 }
 
-/// A ball of bone round the origin as a CT of whole numbers in an oblique grid, a nerve of labels
-/// beside its middle in a coarser one, and the bone as a label in that too.
+/// A sphere of bone around the origin as an integer CT on an oblique grid, an off-centre nerve as a
+/// label on a coarser grid, and the bone as a label on that grid too.
 class BoneFiles
 {
 public:
@@ -54,7 +54,7 @@ public:
     this->Labels = MakeLabelImage(
         grid, [](double x, double y, double z) { return Vector3(x, y, z).norm() < BoneRadius; },
         BoneLabel);
-    // Within it a core that is another structure.
+    // With a core that is another structure.
     for (vtkIdType voxel = 0; voxel < this->Labels->GetNumberOfPoints(); ++voxel)
     {
       if (Vector3(this->Labels->GetPoint(voxel)).norm() < 2.0)
@@ -67,7 +67,7 @@ public:
     WriteImage(this->LabelsPath, this->Labels);
   }
 
-  /// The bone of the CT to be drilled by a ball of 2 mm.
+  /// The bone of the CT, drilled by a sphere of 2 mm.
   SceneSettings Scene() const
   {
     SceneStructure bone;
@@ -93,7 +93,7 @@ public:
     settings.Structures.push_back(nerve);
     return settings;
   }
-  /// The label instead.
+  /// The same with the label.
   SceneSettings SceneOfLabels() const
   {
     SceneSettings settings = this->Scene();
@@ -119,7 +119,7 @@ inline std::shared_ptr<DrillBench> BenchOf(const SceneSettings& settings)
   return DrillBench::Make(built.Settings, built.Contacts, built.Protections);
 }
 
-/// Orders cuts as a servo does.
+/// Issues cut orders as a servo does.
 class BenchCuts
 {
 public:

@@ -20,8 +20,8 @@ inline bool NeverCancels(double, const std::string&)
 }
 
 /// A block of bone as a scan of 0.4 mm voxels, iso-value 750, its top at z = 4 mm and its sides at
-/// 7 mm, with a nerve of 1 mm radius round the y axis; and a scene in which a ball of 1.6 mm drills
-/// it.
+/// 7 mm, with a nerve of 1 mm radius round the y axis; and a scene in which a sphere of 1.6 mm
+/// drills it.
 class DrillBlock
 {
 public:
@@ -71,8 +71,8 @@ public:
     return settings;
   }
 
-  /// Down from above to a height of the ball's middle, along x there, and up again; the pedal is
-  /// down from the first touch on.
+  /// Down to a height of the sphere's centre, along x there, and up again; the pedal is down from
+  /// the first contact on.
   static TouchScript CanalAt(double height)
   {
     TouchScript script;

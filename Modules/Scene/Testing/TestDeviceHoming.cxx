@@ -25,7 +25,7 @@ protected:
   std::unique_ptr<SimulatedDevice> Device;
 };
 
-TEST_F(DeviceHomingTest, EndsWhenItIsHomedAndCountsItsLoop)
+TEST_F(DeviceHomingTest, EndsWhenHomedAndCountsTicks)
 {
   ASSERT_NO_FATAL_FAILURE(this->OpenHoming(0.2));
   int homing = 0;
@@ -38,18 +38,18 @@ TEST_F(DeviceHomingTest, EndsWhenItIsHomedAndCountsItsLoop)
   EXPECT_EQ(report.State, DeviceState::Ready);
   EXPECT_GE(report.HomedAfter, 0.2);
   EXPECT_GT(homing, 0);
-  // A sample a tick, and a period fewer.
+  // One sample per tick, and one period less.
   EXPECT_EQ(report.Periods.Count() + 1, report.Ticks);
-  EXPECT_EQ(this->Device->Hand().Position(), Vector3(Vector3::Zero())) << "there is no force";
+  EXPECT_EQ(this->Device->Hand().Position(), Vector3(Vector3::Zero())) << "no force is applied";
 }
 
-TEST_F(DeviceHomingTest, GoesOnForAsLongAsIsAsked)
+TEST_F(DeviceHomingTest, RunsForTheRequestedTime)
 {
   ASSERT_NO_FATAL_FAILURE(this->OpenHoming(0.0));
   EXPECT_GE(HomeDevice(*this->Device, 0.2, [](const HomingView&) { return true; }).Seconds, 0.2);
 }
 
-TEST_F(DeviceHomingTest, StopsWhereItIsToldTo)
+TEST_F(DeviceHomingTest, StopsOnRequest)
 {
   ASSERT_NO_FATAL_FAILURE(this->OpenHoming(1000.0));
   int looks = 0;
@@ -60,7 +60,7 @@ TEST_F(DeviceHomingTest, StopsWhereItIsToldTo)
   EXPECT_EQ(looks, 3);
 }
 
-TEST_F(DeviceHomingTest, ADeviceThatFailsEndsItWithItsSentence)
+TEST_F(DeviceHomingTest, DeviceFailureEndsHomingWithItsMessage)
 {
   ASSERT_NO_FATAL_FAILURE(this->OpenHoming(1000.0));
   const HomingReport report = HomeDevice(*this->Device, 0.0,
@@ -73,7 +73,7 @@ TEST_F(DeviceHomingTest, ADeviceThatFailsEndsItWithItsSentence)
   EXPECT_EQ(report.Problem, "The simulated device was unplugged.");
 }
 
-TEST_F(DeviceHomingTest, IsHomedThoughItsConnectionTakesNoForce)
+TEST_F(DeviceHomingTest, HomesWithoutAcceptedForces)
 {
   ASSERT_NO_FATAL_FAILURE(this->OpenHoming(0.1));
   this->Device->Inject(SimulatedFault::RefusedForce);
@@ -83,7 +83,7 @@ TEST_F(DeviceHomingTest, IsHomedThoughItsConnectionTakesNoForce)
   EXPECT_EQ(report.State, DeviceState::Ready);
 }
 
-TEST_F(DeviceHomingTest, AKindThatIsNotKnownIsBadInput)
+TEST_F(DeviceHomingTest, RejectsUnknownKind)
 {
   EXPECT_THROW(HomeDevice("phantom", 0.0, [](const HomingView&) { return true; }), InputError);
 }

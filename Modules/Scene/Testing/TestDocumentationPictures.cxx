@@ -43,7 +43,7 @@ Picture SideBySide(const std::vector<Picture>& panels)
   return whole;
 }
 
-// A phantom in a clinical grid, and what a fit makes of its mask.
+// A phantom on a clinical grid, and the fit of its mask.
 struct PhantomFit
 {
   PhantomFit()
@@ -104,7 +104,7 @@ TEST_F(DocumentationPictures, OverviewShowsMaskModelAndError)
       SideBySide(panels), std::filesystem::path(PALPATE_DOCUMENTATION_IMAGES) / "overview.png");
 }
 
-TEST_F(DocumentationPictures, SkullIsDrawnFromTheCtItselfAndUnderItsSkin)
+TEST_F(DocumentationPictures, DrawsSkullFromCtAloneAndUnderSkin)
 {
   PALPATE_REQUIRE_FILE(palpate::test::HeadCtProject);
   const palpate::test::TemporaryFolder folder;

@@ -20,7 +20,7 @@ const double BallVolume = 4.0 / 3.0 * M_PI * std::pow(ToolRadius, 3);
 class DrillExport : public testing::Test
 {
 protected:
-  // A scene of which a ball is drilled.
+  // A scene with a drilled sphere.
   static std::shared_ptr<DrillBench> Drilled(const SceneSettings& settings)
   {
     auto bench = test::BenchOf(settings);
@@ -45,7 +45,7 @@ protected:
   test::BoneFiles Files;
 };
 
-TEST_F(DrillExport, AnImageKeepsGridTypeAndTheBitsOfWhatIsNotCut)
+TEST_F(DrillExport, ImageKeepsGridTypeAndUncutVoxels)
 {
   const auto bench = Drilled(this->Files.Scene());
   const auto image = DrilledImage(*bench, 0, test::GoOn);
@@ -66,7 +66,7 @@ TEST_F(DrillExport, AnImageKeepsGridTypeAndTheBitsOfWhatIsNotCut)
   EXPECT_GT(gone, 300);
 }
 
-TEST_F(DrillExport, TheSurfaceEnclosesWhatIsLeft)
+TEST_F(DrillExport, SurfaceEnclosesTheRemainingVolume)
 {
   const auto whole = test::BenchOf(this->Files.Scene());
   const double before = MeasureEnclosed(DrilledSurface(*whole, 0, test::GoOn)).Volume;
@@ -81,8 +81,8 @@ TEST_F(DrillExport, TheSurfaceEnclosesWhatIsLeft)
   }
 }
 
-// Of whole numbers up to 1000 a surface lies by a thousandth of a voxel off.
-TEST_F(DrillExport, AnImageThatIsReadAgainIsTheSameBone)
+// With integers up to 1000 a surface deviates by a thousandth of a voxel.
+TEST_F(DrillExport, ReadBackImageHasTheSameSurface)
 {
   const auto bench = Drilled(this->Files.Scene());
   const auto image = DrilledImage(*bench, 0, test::GoOn);
@@ -97,7 +97,7 @@ TEST_F(DrillExport, AnImageThatIsReadAgainIsTheSameBone)
   }
 }
 
-TEST_F(DrillExport, LabelsGoWhereTheirCentresAreGoneAndOthersStay)
+TEST_F(DrillExport, RemovesLabelsOfRemovedCentresOnly)
 {
   const auto bench = Drilled(this->Files.SceneOfLabels());
   const auto image = DrilledImage(*bench, 0, test::GoOn);

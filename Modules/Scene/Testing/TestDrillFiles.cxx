@@ -51,7 +51,7 @@ std::vector<std::byte> StateOf(const PreparedTouch& touch)
   return BytesOf(*touch.Drill->Editor().Removed()[0]);
 }
 
-TEST_F(DrillFiles, AStateComesBackToTheLastBit)
+TEST_F(DrillFiles, StateRoundTripsBitForBit)
 {
   const PreparedTouch touch = this->Drilled();
   WriteDrillState(this->File, *touch.Drill);
@@ -61,7 +61,7 @@ TEST_F(DrillFiles, AStateComesBackToTheLastBit)
   EXPECT_EQ(again.Drill->Editor().RemovedVolumes()[0], this->Removed);
 }
 
-TEST_F(DrillFiles, ADamagedStateIsRefusedWhateverIsDamaged)
+TEST_F(DrillFiles, RejectsDamagedState)
 {
   WriteDrillState(this->File, *this->Drilled().Drill);
   const std::string whole = ReadWholeFile(this->File, 1 << 28);
@@ -81,26 +81,26 @@ TEST_F(DrillFiles, ADamagedStateIsRefusedWhateverIsDamaged)
     }
     WriteWholeFile(this->File, bytes);
     const std::string refusal = this->Refusal(touch);
-    // A structure's name is for people; it may be any other.
+    // A structure's name is for display only; it may differ.
     EXPECT_TRUE(!refusal.empty() || StateOf(touch).size() > 100) << n;
     EXPECT_TRUE(refusal.empty() || refusal.find(this->File.string()) == 0) << refusal;
   }
 }
 
-TEST_F(DrillFiles, AStateOfOtherVoxelsIsRefused)
+TEST_F(DrillFiles, RejectsStateOfOtherVoxels)
 {
   WriteDrillState(this->File, *this->Drilled().Drill);
   SceneSettings settings = this->Block.Settings();
   settings.Structures[0].File = this->Block.Nerve;
   settings.Structures[0].Iso.reset();
   const PreparedTouch other = test::Prepare(settings, DrillBlock::CanalAt(4.0));
-  EXPECT_EQ(this->Refusal(other),
-            this->File.string() +
-                " was drilled into other voxels than those of bone; open the scene that it was "
-                "drilled in.");
+  EXPECT_EQ(
+      this->Refusal(other),
+      this->File.string() +
+          " was drilled in other voxels than those of bone; open the scene that was drilled.");
 }
 
-TEST_F(DrillFiles, TheVolumeIsTheScanButForWhatIsGone)
+TEST_F(DrillFiles, VolumeDiffersFromTheScanOnlyWhereDrilled)
 {
   const PreparedTouch touch = this->Drilled();
   const auto image = DrilledImage(*touch.Drill, 0, test::NeverCancels);
@@ -126,7 +126,7 @@ double VolumeOf(vtkPolyData* surface)
   return mass->GetVolume();
 }
 
-TEST_F(DrillFiles, TheSurfaceHoldsWhatIsLeft)
+TEST_F(DrillFiles, SurfaceEnclosesWhatIsNotRemoved)
 {
   const double whole = VolumeOf(DrilledSurface(*this->Fresh().Drill, 0, test::NeverCancels));
   EXPECT_NEAR(whole, 14.0 * 14.0 * 11.0, 0.01 * 14.0 * 14.0 * 11.0);
@@ -138,7 +138,7 @@ TEST_F(DrillFiles, TheSurfaceHoldsWhatIsLeft)
   EXPECT_NEAR(VolumeOf(ReadSurface(file)), VolumeOf(surface), 1e-3 * whole);
 }
 
-TEST_F(DrillFiles, OfALabelMapVoxelsLoseTheirLabel)
+TEST_F(DrillFiles, DrilledLabelVoxelsLoseTheirLabel)
 {
   SceneSettings settings = this->Block.Settings();
   settings.Structures[0].File = this->Block.Nerve;

@@ -18,7 +18,7 @@ bool GoOn(double, const std::string&)
   return true;
 }
 
-TEST(DrillPhantomTest, ItsSurfaceEnclosesTheBlockWithoutTheCanal)
+TEST(DrillPhantomTest, SurfaceEnclosesTheBlockWithoutTheCanal)
 {
   std::mt19937_64 random(91);
   const double bone = 24.0 * 24.0 * 16.0 - M_PI * 4.0 * 16.0;
@@ -32,10 +32,10 @@ TEST(DrillPhantomTest, ItsSurfaceEnclosesTheBlockWithoutTheCanal)
   }
 }
 
-TEST(DrillPhantomTest, ItsNerveIsACylinderThatTheCtDoesNotShow)
+TEST(DrillPhantomTest, NerveIsACylinderAbsentFromTheCt)
 {
   std::mt19937_64 random(92);
-  // Oblique, so that each of its sections is another circle among voxels.
+  // Oblique, so that each of its sections is sampled differently.
   const DrillPhantom phantom =
       MakeDrillPhantom(Vector3::Constant(0.25), test::RandomOrientation(random), GoOn);
   const auto* label = static_cast<const unsigned char*>(phantom.Nerve->GetScalarPointer());
@@ -52,7 +52,7 @@ TEST(DrillPhantomTest, ItsNerveIsACylinderThatTheCtDoesNotShow)
   EXPECT_NEAR(voxels * std::pow(0.25, 3), nerve, 0.02 * nerve);
 }
 
-TEST(DrillPhantomTest, TooFineAGridIsRefusedAndItIsCancelled)
+TEST(DrillPhantomTest, RejectsTooFineGridAndCanBeCancelled)
 {
   EXPECT_THROW(MakeDrillPhantom(Vector3::Constant(1e-3), Matrix3::Identity(), GoOn), InputError);
   EXPECT_THROW(MakeDrillPhantom(Vector3::Ones(), Matrix3::Identity(),

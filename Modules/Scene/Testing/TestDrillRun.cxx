@@ -36,10 +36,10 @@ std::string Refusal(const SceneSettings& settings)
   return {};
 }
 
-// The hand's own spring (0.5 N/mm) pulls it down to the height that it wants once nothing is left
-// between; friction of the mechanism (0.2 N) may hold it 0.4 mm above, and its way at 2 mm/s leaves
-// some of what is left.
-TEST(DrillRun, AScriptedHandDrillsACanalAsLargeAsTheBall)
+// The hand's spring (0.5 N/mm) pulls it down to its target height once the material between is
+// removed; friction of the mechanism (0.2 N) may hold it 0.4 mm above, and moving at 2 mm/s leaves
+// some material.
+TEST(DrillRun, ScriptedHandDrillsACanalOfTheToolsSize)
 {
   const DrillBlock block;
   constexpr double Height = 4.6; // 1 mm deep
@@ -61,7 +61,7 @@ TEST(DrillRun, AScriptedHandDrillsACanalAsLargeAsTheBall)
   EXPECT_EQ(result.Removal.front().Volumes[0], 0.0);
 }
 
-TEST(DrillRun, AReplayDrillsTheSameHolesToTheLastBit)
+TEST(DrillRun, ReplayDrillsTheSameHolesBitForBit)
 {
   const DrillBlock block;
   const std::filesystem::path recording = block.Folder / "session.touch";
@@ -78,7 +78,7 @@ TEST(DrillRun, AReplayDrillsTheSameHolesToTheLastBit)
   EXPECT_EQ(StateOf(again), StateOf(touch));
 }
 
-TEST(DrillRun, WhatIsForbiddenIsNeverRemovedAndRaisesTheAlarm)
+TEST(DrillRun, ForbiddenStructureIsNotRemovedAndRaisesAlarm)
 {
   const DrillBlock block;
   std::vector<std::string> said;
@@ -88,16 +88,18 @@ TEST(DrillRun, WhatIsForbiddenIsNeverRemovedAndRaisesTheAlarm)
   const TouchResult result = RunTouch(touch, settings, test::NeverCancels);
   ASSERT_EQ(result.Approaches.size(), 1u);
   EXPECT_EQ(result.Approaches[0].Name, "nerve");
-  // The ball may be a tenth of a voxel in, and the mask's surface is right to a few tenths.
+  // The sphere may be a tenth of a voxel inside, and the mask's surface is accurate to a few
+  // tenths.
   EXPECT_LT(result.Approaches[0].Least, 0.2);
   EXPECT_GT(result.Approaches[0].Least, -0.3 * DrillBlock::Spacing);
   EXPECT_GT(result.Approaches[0].AlarmSeconds, 1.0);
   ASSERT_FALSE(said.empty());
-  // Less than the alarm's distance, and written so.
+  // The distance in the message is less than the alarm distance.
   const std::string begin = "The drill is ";
   ASSERT_EQ(said[0].find(begin), 0u) << said[0];
   EXPECT_LT(std::stod(said[0].substr(begin.size())), 1.0) << said[0];
-  EXPECT_NE(said[0].find(" mm from nerve, nearer than 1.0 mm."), std::string::npos) << said[0];
+  EXPECT_NE(said[0].find(" mm from nerve, within the alarm distance of 1.0 mm."), std::string::npos)
+      << said[0];
   const DrillReading reading = touch.Drill->Editor().Newest();
   std::shared_ptr<const FieldSolid> solid;
   ASSERT_TRUE(FieldSolid::Make(reading.Fields[0], 0, solid).IsOk());
@@ -113,7 +115,7 @@ TEST(DrillRun, WhatIsForbiddenIsNeverRemovedAndRaisesTheAlarm)
   }
 }
 
-TEST(DrillRun, UndoOfEverythingIsTheUndrilledBone)
+TEST(DrillRun, UndoingAllStrokesRestoresTheBone)
 {
   const DrillBlock block;
   TouchScript script = DrillBlock::CanalAt(4.0);
@@ -157,7 +159,7 @@ TEST(DrillRun, TenMinutesOfStrokesTakeBoundedMemory)
   EXPECT_EQ(result.Fault, SafetyFault::None);
   EXPECT_GT(result.DrillOrders, 10000u);
   EXPECT_GT(result.RemovedVolumes[0], 50.0);
-  // Strokes that can be undone keep what they changed: some hundred blocks of 2 kB each.
+  // Strokes that can be undone keep their changes: a few hundred blocks of 2 kB each.
   EXPECT_LT(result.MebibytesAtEnd - result.MebibytesAtStart, 40.0);
   EXPECT_LT(touch.Drill->Editor().Bytes(), std::size_t{40} << 20);
 }
@@ -180,19 +182,19 @@ TEST(DrillRun, EveryToolDrills)
   }
 }
 
-TEST(DrillRun, WhatCannotBeDrilledIsRefusedInASentence)
+TEST(DrillRun, RejectsScenesThatCannotBeDrilled)
 {
   const DrillBlock block;
   SceneSettings settings = block.Settings();
   settings.Structures[0].Drill.Wear = 0.0;
-  EXPECT_EQ(Refusal(settings), "nothing of the scene is to be drilled; give one of its structures "
-                               "a \"drill\"");
+  EXPECT_EQ(Refusal(settings),
+            "no structure of the scene is drilled; give one of its structures a \"drill\"");
   settings = block.Settings();
   settings.Tool.Radius = 0.0;
   EXPECT_EQ(Refusal(settings), "a point cannot drill; give the tool a radius above 0");
 }
 
-TEST(DrillRun, DrillsALinearFieldWhateverTheInterpolation)
+TEST(DrillRun, DrillingAlwaysUsesALinearField)
 {
   const DrillBlock block;
   SceneSettings settings = block.Settings();
@@ -201,7 +203,7 @@ TEST(DrillRun, DrillsALinearFieldWhateverTheInterpolation)
   EXPECT_EQ(touch.Structures[0].Drilled.Field->Interpolation(), FieldInterpolation::Trilinear);
 }
 
-TEST(DrillRun, TheSummarySaysWhatIsGoneAndWhatWasNear)
+TEST(DrillRun, SummaryHasRemovedVolumeAndForbiddenStructures)
 {
   const DrillBlock block;
   const PreparedTouch touch = test::Prepare(block.Settings(true), DrillBlock::CanalAt(4.0));

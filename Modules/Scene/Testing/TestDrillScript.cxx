@@ -39,7 +39,7 @@ protected:
   std::filesystem::path Path = Folder / "drill.json";
 };
 
-TEST_F(DrillScript, EveryActionIsRead)
+TEST_F(DrillScript, ReadsEveryAction)
 {
   const auto actions = this->Read(Of(R"({"time_s": 0.5, "do": "start"}, {"time_s": 1, "do": "stop"},
     {"time_s": 1, "do": "end-stroke"}, {"time_s": 2, "do": "undo"}, {"time_s": 3, "do": "redo"},
@@ -55,7 +55,7 @@ TEST_F(DrillScript, EveryActionIsRead)
   }
 }
 
-TEST_F(DrillScript, WhatIsNoneIsRefusedInASentence)
+TEST_F(DrillScript, RejectsMalformedScripts)
 {
   for (const std::string& text :
        {std::string("{"), std::string("[]"), std::string(R"({"format": "palpate-scene"})"),

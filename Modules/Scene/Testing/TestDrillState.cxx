@@ -35,7 +35,7 @@ protected:
   std::shared_ptr<DrillBench> Bench;
 };
 
-TEST_F(DrillStateTest, SeveralStructuresComeBackEachToItsOwn)
+TEST_F(DrillStateTest, RestoresEachOfSeveralStructures)
 {
   SceneSettings settings = this->Files.Scene();
   settings.Structures.push_back(this->Files.SceneOfLabels().Structures[0]);
@@ -53,14 +53,14 @@ TEST_F(DrillStateTest, SeveralStructuresComeBackEachToItsOwn)
             std::string::npos);
 }
 
-TEST_F(DrillStateTest, WhatWasCutWithoutItTakesNothingForbidden)
+TEST_F(DrillStateTest, RestoredStateRespectsNewProtection)
 {
   const auto guarded = test::BenchOf(this->Files.SceneWithNerve());
   ReadDrillState(this->Path, *guarded);
   EXPECT_LT(guarded->Editor().RemovedVolumes()[0], this->Bench->Editor().RemovedVolumes()[0]);
 }
 
-TEST_F(DrillStateTest, OfOneVoxelThatIsAnotherOrOfMoreStructuresIsRefused)
+TEST_F(DrillStateTest, RejectsChangedVoxelAndMoreStructures)
 {
   static_cast<short*>(this->Files.Ct->GetScalarPointer())[20000] += 1;
   WriteImage(this->Files.CtPath, this->Files.Ct);

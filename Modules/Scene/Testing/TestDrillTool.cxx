@@ -28,7 +28,7 @@ using Shape = TouchToolSettings::Shape;
 class DrillTool : public testing::Test
 {
 protected:
-  // The triangles of what a source makes, as a file.
+  // Writes the triangles of a source to a file.
   std::filesystem::path Write(vtkPolyDataAlgorithm* source, const std::string& name) const
   {
     vtkNew<vtkTriangleFilter> triangles;
@@ -50,7 +50,7 @@ protected:
     settings.Points = 200;
     return settings;
   }
-  // Every shape, of 2 mm and more.
+  // Every shape, of at least 2 mm.
   std::vector<TouchToolSettings> Tools() const
   {
     std::vector<TouchToolSettings> tools(4);
@@ -71,7 +71,7 @@ protected:
   test::TemporaryFolder Folder;
 };
 
-// What a tool removes of the middle of a block, mm^3; the mean of several poses.
+// Volume that a tool removes from the centre of a block, mm^3; the mean of several poses.
 class DrillToolBlock
 {
 public:
@@ -123,8 +123,8 @@ private:
   std::unique_ptr<DrilledField> Drilled;
 };
 
-// Each volume within what is promised of balls, though edges are cut off by half a voxel's size.
-TEST_F(DrillTool, RemovesItsVolumeWithinOneInAHundred)
+// Each volume within the tolerance of spheres, though edges are rounded by half a voxel.
+TEST_F(DrillTool, RemovesItsVolumeWithinOnePercent)
 {
   const std::vector<double> volumes{4.0 / 3.0 * M_PI * 8.0,
                                     4.0 / 3.0 * M_PI * 8.0 + M_PI * 4.0 * 5.0,
@@ -138,8 +138,8 @@ TEST_F(DrillTool, RemovesItsVolumeWithinOneInAHundred)
   }
 }
 
-// What touches and what cuts are one tool: also where the triangles of a file face inwards, and
-// whatever its format.
+// Contact and cutting shapes agree, also if the triangles of a file face inwards, and for every
+// format.
 TEST_F(DrillTool, TouchesWhereItCuts)
 {
   vtkNew<vtkCubeSource> box;
@@ -158,7 +158,7 @@ TEST_F(DrillTool, TouchesWhereItCuts)
     const ToolShape touch = MakeTool(settings);
     ASSERT_TRUE(touch.Check().IsOk());
     ASSERT_FALSE(touch.Points().empty());
-    // Between the samples of a tool's distance edges are cut off, by half the samples' diagonal.
+    // Edges are rounded by half the diagonal of the distance samples.
     constexpr double Edges = 0.2;
     for (std::size_t n = 0; n < touch.Points().size(); ++n)
     {
@@ -169,7 +169,7 @@ TEST_F(DrillTool, TouchesWhereItCuts)
   }
 }
 
-TEST_F(DrillTool, WithClearanceLiesInsideByThat)
+TEST_F(DrillTool, ClearToolIsSmallerByTheClearance)
 {
   for (const TouchToolSettings& settings : this->Tools())
   {
@@ -185,7 +185,7 @@ TEST_F(DrillTool, WithClearanceLiesInsideByThat)
   EXPECT_EQ(MakeClearTool(ToolShape::Sphere(0.05), 0.1).Radius(), 0.0);
 }
 
-TEST_F(DrillTool, WithoutAnInsideIsRefused)
+TEST_F(DrillTool, RejectsToolsWithoutVolume)
 {
   vtkNew<vtkPlaneSource> plane;
   TouchToolSettings open;
@@ -218,7 +218,7 @@ TEST_F(DrillTool, WithoutAnInsideIsRefused)
   }
 }
 
-TEST_F(DrillTool, AClosedSurfaceInPlacesBesideItsOriginIsCutWhereItLies)
+TEST_F(DrillTool, OffsetSurfaceCutsWhereItLies)
 {
   vtkNew<vtkCubeSource> box;
   box->SetCenter(10.0, -2.0, 3.0);

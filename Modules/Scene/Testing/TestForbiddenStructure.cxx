@@ -15,7 +15,7 @@ namespace
 {
 constexpr double Radius = 3.0; // mm
 const Vector3 Middle(1.0, -2.0, 4.0);
-// A ball's fine triangles lie within it by this.
+// Depth of a sphere's fine triangles inside of it.
 constexpr double Coarse = 0.01;
 
 ForbiddenStructure Ball(const Vector3& middle = Middle)
@@ -29,7 +29,7 @@ ForbiddenStructure Ball(const Vector3& middle = Middle)
   return {"ball", source->GetOutput(), 1.5};
 }
 
-TEST(ForbiddenStructureTest, IsItsSurfaceFromAPointNegativeInside)
+TEST(ForbiddenStructureTest, PointDistanceIsSignedDistanceToTheSurface)
 {
   test::Random random(81);
   const ForbiddenStructure ball = Ball();
@@ -42,7 +42,7 @@ TEST(ForbiddenStructureTest, IsItsSurfaceFromAPointNegativeInside)
   }
 }
 
-TEST(ForbiddenStructureTest, IsNearestToTheNearestPointOfATool)
+TEST(ForbiddenStructureTest, ToolDistanceIsThatOfItsNearestPoint)
 {
   test::Random random(82);
   const ForbiddenStructure ball = Ball();
@@ -52,20 +52,20 @@ TEST(ForbiddenStructureTest, IsNearestToTheNearestPointOfATool)
     const Vector3 out = test::RandomDirection(random);
     const ToolPose pose{Middle + 10.0 * out,
                         Eigen::Quaterniond::FromTwoVectors(Vector3::UnitZ(), out)};
-    // With its end towards the ball; its 2000 points are 0.2 mm apart.
+    // With its end towards the sphere; its 2000 points are 0.2 mm apart.
     EXPECT_NEAR(ball.Distance(tool, pose), 10.0 - 4.0 - Radius, 0.02);
     EXPECT_NEAR(ball.Distance(ToolShape::Sphere(1.25), pose), 10.0 - 1.25 - Radius, Coarse);
   }
 }
 
-TEST(ForbiddenStructureTest, ItsProtectionIsItsDistanceWithinTheBand)
+TEST(ForbiddenStructureTest, ProtectionEqualsTheDistanceWithinTheBand)
 {
   std::mt19937_64 random(83);
   constexpr double Band = 0.9;
   const FieldGrid grid({42, 38, 30}, {-6.0, -9.0, -1.0}, {0.4, 0.35, 0.5},
                        test::RandomOrientation(random));
   const auto none = RemovedDistances::None(grid, Band);
-  // Two that overlap, in the grid's middle.
+  // Two overlapping structures at the grid's centre.
   const Vector3 middle = grid.PointWorld({20.0, 18.0, 15.0});
   const Vector3 beside = middle + Vector3(1.5, 1.0, -0.5);
   const auto made = JoinProtections({ProtectionOf(Ball(middle), *none, test::GoOn),
@@ -88,7 +88,7 @@ TEST(ForbiddenStructureTest, ItsProtectionIsItsDistanceWithinTheBand)
   EXPECT_GT(near, 1000);
 }
 
-TEST(ForbiddenStructureTest, FarFromTheGridItProtectsNothing)
+TEST(ForbiddenStructureTest, ProtectsNothingFarFromTheGrid)
 {
   const FieldGrid grid({20, 20, 20}, Vector3::Zero(), Vector3::Ones(), Matrix3::Identity());
   const auto none = RemovedDistances::None(grid, 2.0);
@@ -96,7 +96,7 @@ TEST(ForbiddenStructureTest, FarFromTheGridItProtectsNothing)
   EXPECT_TRUE(ProtectionOf(far, *none, test::GoOn)->Corners().empty());
 }
 
-TEST(ForbiddenStructureTest, ItsProtectionIsCancelled)
+TEST(ForbiddenStructureTest, ProtectionCanBeCancelled)
 {
   const FieldGrid grid({20, 20, 20}, Middle - Vector3::Constant(10.0), Vector3::Ones(),
                        Matrix3::Identity());
@@ -105,8 +105,8 @@ TEST(ForbiddenStructureTest, ItsProtectionIsCancelled)
                Cancelled);
 }
 
-// A nerve that a mask has in pieces is one structure.
-TEST(ForbiddenStructureTest, AllPiecesOfAMaskAreForbidden)
+// A nerve in several components of a mask is one structure.
+TEST(ForbiddenStructureTest, AllComponentsOfAMaskAreForbidden)
 {
   const Vector3 large(-6.0, 0.0, 0.0);
   const Vector3 small(7.0, 1.0, -1.0);
@@ -130,7 +130,7 @@ TEST(ForbiddenStructureTest, AllPiecesOfAMaskAreForbidden)
   EXPECT_NEAR(made.Distance(small), -3.0, PartOfVoxel);
 }
 
-TEST(ForbiddenStructureTest, OfAnotherGridThanTheBoneItStandsWhenAllIsDrilled)
+TEST(ForbiddenStructureTest, MaskOnAnotherGridSurvivesFullDrilling)
 {
   const test::BoneFiles files;
   const auto bench = test::BenchOf(files.SceneWithNerve());
@@ -145,7 +145,7 @@ TEST(ForbiddenStructureTest, OfAnotherGridThanTheBoneItStandsWhenAllIsDrilled)
       cuts.Cut(from, from + Vector3(18.0, 0.0, 0.0));
     }
   }
-  // Of the cylinder beside the middle what lies in the bone's ball, summed over its sections.
+  // Volume of the off-centre cylinder within the spherical bone, summed over its sections.
   double left = 0.0;
   constexpr int Steps = 400;
   constexpr double Step = 2.0 * test::BoneFiles::NerveRadius / Steps;
@@ -164,11 +164,11 @@ TEST(ForbiddenStructureTest, OfAnotherGridThanTheBoneItStandsWhenAllIsDrilled)
     }
   }
   const double ball = 4.0 / 3.0 * M_PI * std::pow(test::BoneFiles::BoneRadius, 3);
-  // The nerve's smooth surface, of voxels of a third of its radius, is not the cylinder's.
+  // The nerve's smooth surface, from voxels of a third of its radius, differs from the cylinder's.
   EXPECT_NEAR(ball - bench->Editor().RemovedVolumes()[0], left, 0.1 * left);
 }
 
-// A tick at a place, mm of the world.
+// A tick at a position, mm, world.
 TouchState At(const Vector3& place)
 {
   TouchState state;
@@ -178,8 +178,8 @@ TouchState At(const Vector3& place)
   return state;
 }
 
-// The burr's radius is 2 mm, the nerve's axis 3 mm beside the origin, its radius 1.5 mm.
-TEST(DrillWatchTest, SaysOnceForEachTimeThatAnAlarmBegins)
+// The burr's radius is 2 mm; the nerve's axis is 3 mm from the origin, its radius 1.5 mm.
+TEST(DrillWatchTest, ReportsEachAlarmOnce)
 {
   const test::BoneFiles files;
   DrillWatch watch(test::BenchOf(files.SceneWithNerve()));
@@ -190,20 +190,20 @@ TEST(DrillWatchTest, SaysOnceForEachTimeThatAnAlarmBegins)
   const std::vector<std::string> said = watch.Look(2.0, beside(0.8));
   ASSERT_EQ(said.size(), 1U);
   EXPECT_NE(said[0].find("nerve"), std::string::npos);
-  EXPECT_TRUE(watch.Look(3.0, beside(0.5)).empty()) << "it goes on";
+  EXPECT_TRUE(watch.Look(3.0, beside(0.5)).empty()) << "the alarm continues";
   EXPECT_TRUE(watch.Look(4.5, beside(3.0)).empty());
   EXPECT_EQ(watch.Look(6.0, beside(0.9)).size(), 1U);
   const DrillApproach& approach = watch.Approaches().at(0);
   EXPECT_EQ(approach.Name, "nerve");
   EXPECT_TRUE(approach.IsAlarmed);
-  // Its surface follows voxels of 0.5 mm.
+  // Its surface is made from voxels of 0.5 mm.
   EXPECT_NEAR(approach.Least, 0.5, 0.2);
   EXPECT_EQ(approach.LeastTime, 3.0);
   EXPECT_EQ(approach.AlarmSeconds, 2.5);
   EXPECT_EQ(approach.AlarmDistance, 1.25);
 }
 
-TEST(DrillWatchTest, WithoutASampleOrABenchSaysNothing)
+TEST(DrillWatchTest, IsSilentWithoutSampleOrDrill)
 {
   const test::BoneFiles files;
   DrillWatch watch(test::BenchOf(files.SceneWithNerve()));

@@ -13,7 +13,7 @@ namespace palpate
 {
 namespace
 {
-TEST(HandPath, IsStraightBetweenPlacesAndStillBeyondThem)
+TEST(HandPath, IsLinearBetweenPlacesAndConstantBeyond)
 {
   const HandPath path({{1.0, Vector3(0.0, 0.0, 0.0)},
                        {2.0, Vector3(4.0, 0.0, 0.0)},
@@ -26,7 +26,7 @@ TEST(HandPath, IsStraightBetweenPlacesAndStillBeyondThem)
   EXPECT_EQ(path.At(9.0), Vector3(4.0, 2.0, 0.0));
 }
 
-TEST(HandPath, IsReadFromAFile)
+TEST(HandPath, ReadsFile)
 {
   const test::TemporaryFolder folder;
   WriteWholeFile(folder / "hand.csv", "time_s,x_mm,y_mm,z_mm\r\n0,1,2,3\r\n\r\n0.5,-1,2e1,.5\r\n");
@@ -36,7 +36,7 @@ TEST(HandPath, IsReadFromAFile)
   EXPECT_EQ(path.List()[1].PointWorld, Vector3(-1.0, 20.0, 0.5));
 }
 
-TEST(HandPath, AFileThatIsNoneIsRefused)
+TEST(HandPath, RejectsMalformedFile)
 {
   const test::TemporaryFolder folder;
   for (const char* const lines :
@@ -47,7 +47,7 @@ TEST(HandPath, AFileThatIsNoneIsRefused)
   }
 }
 
-TEST(HandPath, ASweepLeadsRoundABallAtItsDepth)
+TEST(HandPath, SweepFollowsASphereAtItsDepth)
 {
   constexpr double Radius = 20.0;
   constexpr double ToolRadius = 2.0;
@@ -69,7 +69,7 @@ TEST(HandPath, ASweepLeadsRoundABallAtItsDepth)
   ASSERT_GT(places.size(), 100U);
   for (std::size_t p = 1; p + 1 < places.size(); ++p)
   {
-    // Halving finds the touch to the march's step by 2^-12.
+    // Bisection finds the contact to 2^-12 of the marching step.
     EXPECT_NEAR((places[p].PointWorld - center).norm(), Radius + ToolRadius - Depth, 1e-3);
     const double way = (places[p].PointWorld - places[p - 1].PointWorld).norm();
     EXPECT_NEAR(way / (places[p].Time - places[p - 1].Time), Speed, 1e-6 * Speed);

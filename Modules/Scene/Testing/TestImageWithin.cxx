@@ -9,7 +9,7 @@ namespace palpate
 {
 namespace
 {
-// An image with an oblique direction whose scalars tell their nodes.
+// An image with an oblique direction whose scalars identify their nodes.
 vtkSmartPointer<vtkImageData> NumberedImage(std::mt19937_64& random)
 {
   const FieldGrid grid({17, 9, 12}, {-20.0, 33.0, 5.0}, {0.8, 1.5, 1.1},
@@ -24,7 +24,7 @@ vtkSmartPointer<vtkImageData> NumberedImage(std::mt19937_64& random)
   return image;
 }
 
-TEST(ImageWithin, HoldsTheSameScalarsInTheSamePlacesAndAllThatTheBoxNeeds)
+TEST(ImageWithin, KeepsScalarsAndPlacesThatTheBoxNeeds)
 {
   std::mt19937_64 random(4401);
   std::uniform_real_distribution<double> part(-0.2, 1.2);
@@ -66,7 +66,7 @@ TEST(ImageWithin, HoldsTheSameScalarsInTheSamePlacesAndAllThatTheBoxNeeds)
   EXPECT_GT(smaller, 100);
 }
 
-TEST(ImageWithin, ABoxElsewhereGetsAll)
+TEST(ImageWithin, BoxOutsideGetsTheWholeImage)
 {
   std::mt19937_64 random(4402);
   const vtkSmartPointer<vtkImageData> image = NumberedImage(random);

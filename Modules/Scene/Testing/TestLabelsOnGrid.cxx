@@ -26,15 +26,15 @@ bool IsInBall(double x, double y, double z)
   return std::hypot(x, y, z) < 6.0;
 }
 
-TEST(LabelsOnGrid, OfOneGridAreTheMapItself)
+TEST(LabelsOnGrid, SameGridGivesTheMapItself)
 {
   const auto labels = test::MakeLabelImage(ObliqueGrid(1), IsInBall);
   const auto image = test::MakeLabelImage<short>(ObliqueGrid(1), IsInBall);
   EXPECT_EQ(LabelsOnGrid(labels, image), labels);
 }
 
-// The oracle looks for the nearest voxel among all.
-TEST(LabelsOnGrid, AreThoseOfTheNearestVoxelOrNothingOutside)
+// The oracle searches all voxels for the nearest.
+TEST(LabelsOnGrid, EqualNearestVoxelOrZeroOutside)
 {
   const test::LabelGrid small = ObliqueGrid(2);
   test::LabelGrid large = ObliqueGrid(3);

@@ -21,7 +21,7 @@ bool GoOn(double, const std::string&)
   return true;
 }
 
-// Eight small balls in a row as labels 1 to 8, and one as a model.
+// Eight small spheres in a row as labels 1 to 8, and one as a model.
 class SceneBuilderTest : public testing::Test
 {
 protected:
@@ -52,7 +52,7 @@ protected:
     entry.IsTouchable = isTouched;
     return entry;
   }
-  // An entry a ball, of which `touched` is touched.
+  // One entry per sphere, of which `touched` is touched.
   SceneSettings RowOf(const std::filesystem::path& file, int count, int touched) const
   {
     SceneSettings settings;
@@ -76,7 +76,7 @@ protected:
   std::filesystem::path Missing = Folder / "missing.nii.gz";
 };
 
-TEST_F(SceneBuilderTest, AFileThatOnlyAnUnneededStructureNamesIsNotOpened)
+TEST_F(SceneBuilderTest, DoesNotOpenFilesOfUnneededStructures)
 {
   SceneStructure smooth = this->Entry(this->ModelPath, true, false);
   smooth.SetNumber("texture_n", 0.2);
@@ -101,7 +101,7 @@ TEST_F(SceneBuilderTest, AFileThatOnlyAnUnneededStructureNamesIsNotOpened)
   EXPECT_THROW(this->Make({this->Entry(this->Missing, false, true)}), InputError);
 }
 
-TEST_F(SceneBuilderTest, WhereNobodyLooksNothingIsMadeToBeSeen)
+TEST_F(SceneBuilderTest, MakesNoDisplayWithoutViewer)
 {
   const BuiltScene made = this->Make(
       {this->Entry(this->Missing, true, false), this->Entry(this->ModelPath, true, true)}, false);
@@ -112,7 +112,7 @@ TEST_F(SceneBuilderTest, WhereNobodyLooksNothingIsMadeToBeSeen)
   EXPECT_EQ(made.Account.Structures[1].Drawing.WhyNot, "nothing is displayed here");
 }
 
-TEST_F(SceneBuilderTest, WhatIsOnlyDisplayedHasNeitherFieldNorContact)
+TEST_F(SceneBuilderTest, OnlyDisplayedHasNeitherFieldNorContact)
 {
   SceneStructure ball = this->Entry(this->MaskPath, true, false);
   ball.Labels = {"3"};
@@ -139,7 +139,7 @@ TEST_F(SceneBuilderTest, WhatIsOnlyDisplayedHasNeitherFieldNorContact)
   }
 }
 
-TEST_F(SceneBuilderTest, WhatIsOnlyTouchedHasNoDrawing)
+TEST_F(SceneBuilderTest, OnlyTouchedHasNoDrawing)
 {
   SceneStructure ball = this->Entry(this->MaskPath, false, true);
   ball.Labels = {"3"};
@@ -158,7 +158,7 @@ TEST_F(SceneBuilderTest, WhatIsOnlyTouchedHasNoDrawing)
   }
 }
 
-// A ball of 5 mm and a tool of 2 mm in an image of 100 mm: 14³ of 100³ voxels, and some round them.
+// A sphere of 5 mm and a tool of 2 mm in an image of 100 mm: 14³ of 100³ voxels, plus a margin.
 TEST_F(SceneBuilderTest, TextureKeepsTheImageWithinReachOfTheTool)
 {
   test::LabelGrid grid;
@@ -177,7 +177,7 @@ TEST_F(SceneBuilderTest, TextureKeepsTheImageWithinReachOfTheTool)
   EXPECT_LT(textured, smooth + 4 * 100 * 100 * 100 / 10);
 }
 
-TEST_F(SceneBuilderTest, WhatIsTouchedByVoxelsIsDrawnByTheSameField)
+TEST_F(SceneBuilderTest, TouchedVoxelsAreDrawnByTheSameField)
 {
   SceneStructure ball = this->Entry(this->MaskPath, true, true);
   ball.Labels = {"3"};
@@ -186,7 +186,7 @@ TEST_F(SceneBuilderTest, WhatIsTouchedByVoxelsIsDrawnByTheSameField)
   EXPECT_EQ(made.Account.Structures[0].Drawing.Bytes, 0u);
 }
 
-TEST_F(SceneBuilderTest, AFileThatManyNameIsReadOnce)
+TEST_F(SceneBuilderTest, ReadsASharedFileOnce)
 {
   SceneSettings settings = this->RowOf(this->MaskPath, Balls, 3);
   for (SceneStructure& structure : settings.Structures)
@@ -198,7 +198,7 @@ TEST_F(SceneBuilderTest, AFileThatManyNameIsReadOnce)
   EXPECT_EQ(made.Account.Files.size(), 1u);
 }
 
-TEST_F(SceneBuilderTest, OfManyStructuresOnlyTheTouchedOneIsMadeAndItFeelsTheSame)
+TEST_F(SceneBuilderTest, MakesOnlyTheTouchedStructureWithEqualForces)
 {
   const SceneSettings all = this->RowOf(this->MaskPath, Balls, 3);
   SceneSettings alone = all;
@@ -214,7 +214,7 @@ TEST_F(SceneBuilderTest, OfManyStructuresOnlyTheTouchedOneIsMadeAndItFeelsTheSam
   EXPECT_EQ(CompareTouch(PrepareTouch(alone, script, GoOn), file).DifferentTicks, 0u);
 }
 
-TEST_F(SceneBuilderTest, ProgressNamesTheStructureAndHowManyThereAre)
+TEST_F(SceneBuilderTest, ProgressNamesTheStructureAndTheCount)
 {
   SceneSettings settings = this->RowOf(this->MaskPath, 2, 2);
   settings.Structures[1].Representation = TouchRepresentation::Facets;
@@ -230,14 +230,14 @@ TEST_F(SceneBuilderTest, ProgressNamesTheStructureAndHowManyThereAre)
   EXPECT_EQ(stages.count("balls.nii.gz, structure 2 of 2: label 2: surface"), 1U);
 }
 
-TEST_F(SceneBuilderTest, AScenesNothingCannotBeTouched)
+TEST_F(SceneBuilderTest, RejectsSceneWithoutTouchableStructures)
 {
   SceneSettings settings;
   settings.Structures = {this->Entry(this->ModelPath, true, false)};
   EXPECT_THROW(PrepareTouch(settings, {}, GoOn), InputError);
 }
 
-TEST_F(SceneBuilderTest, OfAnAtlasOnlyTheTouchedStructureIsMade)
+TEST_F(SceneBuilderTest, MakesOnlyTheTouchedStructureOfAnAtlas)
 {
   const std::filesystem::path atlas = "/usr/share/mricron/templates/aal.nii.gz";
   PALPATE_REQUIRE_FILE(atlas);

@@ -19,8 +19,8 @@ bool GoOn(double, const std::string&)
   return true;
 }
 
-// A ball of 100 in an image of 0, and a segmentation on a coarser grid: label 1 where x < 0, label
-// 2 where x > 20, where there is no ball.
+// A sphere of value 100 in an image of 0, and a segmentation on a coarser grid: label 1 where x <
+// 0, label 2 where x > 20, outside of the sphere.
 class SceneFieldWithin : public testing::Test
 {
 protected:
@@ -46,22 +46,22 @@ protected:
   Segment Half;
 };
 
-TEST_F(SceneFieldWithin, OnlyWhatLiesInTheStructureIsThere)
+TEST_F(SceneFieldWithin, ContainsOnlyTheStructure)
 {
   const RayCaster caster(MakeIsoFieldWithin(this->Image, 50.0, this->Labels, {this->Half},
                                             FieldInterpolation::Trilinear, 0.0, GoOn));
   const FieldHit left = caster.CastWorld({{-40.0, 0.0, 0.0}, Vector3::UnitX()}, 0.0, 100.0);
   ASSERT_EQ(left.Kind, HitKind::Surface);
-  // The voxels' centres lie at half millimetres.
+  // Voxel centres lie at half millimetres.
   EXPECT_NEAR(left.Position[0], -12.0, 0.5);
-  // From the other side the ball ends where the label does: half way between the coarse voxels that
-  // differ, to half a fine voxel, since labels are matched by the nearest.
+  // On the other side the sphere ends at the label's border: half-way between the differing coarse
+  // voxels, to half a fine voxel, since labels are matched to the nearest.
   const FieldHit right = caster.CastWorld({{40.0, 0.0, 0.0}, -Vector3::UnitX()}, 0.0, 100.0);
   ASSERT_EQ(right.Kind, HitKind::Surface);
   EXPECT_NEAR(right.Position[0], 0.0, 0.5 + 1e-6);
 }
 
-TEST_F(SceneFieldWithin, AStructureBesideTheImageIsRefused)
+TEST_F(SceneFieldWithin, RejectsStructureOutsideTheImage)
 {
   this->Half.Value = 2;
   EXPECT_THROW(MakeIsoFieldWithin(this->Image, 50.0, this->Labels, {this->Half},
@@ -69,7 +69,7 @@ TEST_F(SceneFieldWithin, AStructureBesideTheImageIsRefused)
                FilterError);
 }
 
-TEST_F(SceneFieldWithin, MemoryIsToldBesideThatOfAllNodes)
+TEST_F(SceneFieldWithin, MemoryTextComparesWithAllNodes)
 {
   const auto field = MakeIsoField(this->Image, {50.0}, FieldInterpolation::Trilinear, GoOn);
   const double dense = 4.0 * 48 * 40 * 40;
@@ -80,8 +80,8 @@ TEST_F(SceneFieldWithin, MemoryIsToldBesideThatOfAllNodes)
   EXPECT_NEAR(told, percent, 0.06) << "one digit";
 }
 
-// A ball of 6 mm, off the lattice, in a volume of so many nodes along each axis that is round the
-// same place.
+// A sphere of 6 mm, off the lattice, in a volume around the same place with this many nodes along
+// each axis.
 Segmentation BallIn(int nodes)
 {
   test::LabelGrid grid;
@@ -101,7 +101,7 @@ std::shared_ptr<const ScalarField> FieldOfBall(int nodes, FieldInterpolation int
   return MakeSegmentField(ball, ball.Segments, interpolation, 1.0, GoOn);
 }
 
-TEST(SceneFieldOfSegments, TakesWhatTheStructureTakesHoweverLargeTheImage)
+TEST(SceneFieldOfSegments, MemoryDoesNotDependOnImageSize)
 {
   for (const auto interpolation :
        {FieldInterpolation::Trilinear, FieldInterpolation::TricubicBSpline})
@@ -110,13 +110,13 @@ TEST(SceneFieldOfSegments, TakesWhatTheStructureTakesHoweverLargeTheImage)
     const auto larger = FieldOfBall(128, interpolation);
     EXPECT_EQ(field->Memory().Bytes, larger->Memory().Bytes);
     EXPECT_EQ(field->Grid().Size(), larger->Grid().Size());
-    // Close round the ball the volume's border is the field's.
+    // Close around the sphere, the volume's border is the field's.
     EXPECT_EQ(FieldOfBall(16, interpolation)->Grid().Size(), (std::array<int, 3>{16, 16, 16}));
   }
 }
 
-// Against a field of the whole volume.
-TEST(SceneFieldOfSegments, ItsSurfaceIsThatOfTheWholeVolume)
+// Compared with a field of the whole volume.
+TEST(SceneFieldOfSegments, SurfaceEqualsThatOfTheWholeVolume)
 {
   const Segmentation ball = BallIn(64);
   LabelField distance;
@@ -134,7 +134,7 @@ TEST(SceneFieldOfSegments, ItsSurfaceIsThatOfTheWholeVolume)
     ASSERT_TRUE(builder.Build(whole).IsOk());
     const RayCaster oracle(whole);
     const RayCaster caster(FieldOfBall(64, interpolation));
-    // Places are computed from another origin, and a B-spline's coefficients are floats of 4 mm.
+    // Positions are computed from another origin, and B-spline coefficients are floats of 4 mm.
     const double tolerance = interpolation == FieldInterpolation::Trilinear ? 1e-9 : 1e-5;
     test::Random random(4411);
     for (int sample = 0; sample < 500; ++sample)

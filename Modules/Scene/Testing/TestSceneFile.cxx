@@ -52,7 +52,7 @@ TEST_F(TouchSceneFile, LabelsAreNumbersOrNames)
   EXPECT_EQ(labels("[2, \"tumour\", \"3\"]"), (Words{"2", "tumour", "3"}));
 }
 
-TEST_F(TouchSceneFile, WhatIsWrittenIsReadBackTheSame)
+TEST_F(TouchSceneFile, RoundTripsAllSettings)
 {
   SceneSettings settings;
   SceneStructure gland;
@@ -110,7 +110,7 @@ TEST_F(TouchSceneFile, WhatIsWrittenIsReadBackTheSame)
   EXPECT_EQ(back.Placement.Scale, 0.5);
 }
 
-TEST_F(TouchSceneFile, NamesOfAnyLengthAreWritten)
+TEST_F(TouchSceneFile, WritesNamesOfAnyLength)
 {
   const std::string name(5000, 'a');
   const SceneSettings settings =
@@ -118,7 +118,7 @@ TEST_F(TouchSceneFile, NamesOfAnyLengthAreWritten)
   EXPECT_NE(SceneText(settings, this->Folder.Path()).find(name), std::string::npos);
 }
 
-TEST_F(TouchSceneFile, WhatIsLeftOutHasItsDefault)
+TEST_F(TouchSceneFile, MissingEntriesHaveDefaults)
 {
   const SceneSettings settings =
       this->Read(R"({"format": "palpate-scene", "structures": [{"file": "a.json"}]})");
@@ -147,7 +147,7 @@ TEST_F(TouchSceneFile, DropsRetiredKeys)
   }
 }
 
-TEST_F(TouchSceneFile, HowItIsDrilledIsReadBackTheSame)
+TEST_F(TouchSceneFile, RoundTripsDrillSettings)
 {
   SceneSettings settings;
   SceneStructure bone;
@@ -181,8 +181,8 @@ TEST_F(TouchSceneFile, HowItIsDrilledIsReadBackTheSame)
   EXPECT_EQ(back.Tool.File.lexically_normal(), settings.Tool.File.lexically_normal());
 }
 
-// Each with a word that its refusal has to hold.
-TEST_F(TouchSceneFile, WhatIsWrongIsRefusedByName)
+// Each with a word that its error message must contain.
+TEST_F(TouchSceneFile, RejectsInvalidEntriesByName)
 {
   const std::string begin = R"({"format": "palpate-scene", "structures": [{"file": "a.json")";
   const std::vector<std::pair<std::string, std::string>> cases{

@@ -23,7 +23,7 @@ bool GoOn(double, const std::string&)
   return true;
 }
 
-// How far points are from the middle of a ball, on an oblique grid with three different spacings.
+// Distances to the centre of a sphere, on an oblique grid with three different spacings.
 vtkSmartPointer<vtkImageData> DistanceImage(std::mt19937_64& random)
 {
   test::LabelGrid grid;
@@ -60,7 +60,7 @@ TEST(SceneIsoSurface, LiesInTheWorldWhereTheImagePassesTheValue)
   }
 }
 
-TEST(SceneIsoSurface, FacesWhereTheImageIsLess)
+TEST(SceneIsoSurface, FacesLowerValues)
 {
   std::mt19937_64 random(82);
   const double ball = 4.0 / 3.0 * M_PI * std::pow(Radius - 2.0, 3);
@@ -68,15 +68,15 @@ TEST(SceneIsoSurface, FacesWhereTheImageIsLess)
   {
     const auto surface = MakeIsoSurface(DistanceImage(random), 2.0, GoOn);
     EXPECT_NEAR(MeasureEnclosed(surface).Volume, ball, 0.02 * ball)
-        << "a polyhedron within the ball";
+        << "a polyhedron inside of the sphere";
   }
 }
 
-TEST(SceneIsoSurface, IsClosedWhereTheImageEnds)
+TEST(SceneIsoSurface, IsClosedAtTheImageBorder)
 {
   std::mt19937_64 random(7);
   const auto image = DistanceImage(random);
-  // All of the image but for corners: a surface that goes on beyond it on every side.
+  // All of the image except its corners: a surface that extends beyond every side.
   const auto surface = MakeIsoSurface(image, -12.0, GoOn);
   vtkNew<vtkFeatureEdges> edges;
   edges->SetInputData(surface);
@@ -87,13 +87,13 @@ TEST(SceneIsoSurface, IsClosedWhereTheImageEnds)
   EXPECT_EQ(edges->GetOutput()->GetNumberOfCells(), 0);
 }
 
-TEST(SceneIsoSurface, AValueThatTheImageDoesNotReachIsRefusedInASentence)
+TEST(SceneIsoSurface, RejectsValueOutsideTheImagesRange)
 {
   std::mt19937_64 random(83);
   try
   {
     MakeIsoSurface(DistanceImage(random), 50.0, GoOn);
-    FAIL() << "made of nothing";
+    FAIL() << "a surface without voxels";
   }
   catch (const FilterError& error)
   {

@@ -55,7 +55,7 @@ TEST_F(SceneRendererTest, SurfaceInObliqueSlicesLooksLikeItsBaseline)
                      Baselines / "SceneSlices.png");
 }
 
-TEST_F(SceneRendererTest, AFieldCoversThePixelsOfItsMesh)
+TEST_F(SceneRendererTest, FieldCoversThePixelsOfItsMesh)
 {
   const palpate::test::SyntheticFit fit;
   palpate::Segmentation mask;
@@ -64,7 +64,7 @@ TEST_F(SceneRendererTest, AFieldCoversThePixelsOfItsMesh)
   const auto field =
       palpate::MakeSegmentField(mask, mask.Segments, palpate::FieldInterpolation::Trilinear, 0.5,
                                 [](double, const std::string&) { return true; });
-  // Both are in both scenes, so that the frames agree, but only one is seen.
+  // Both are in both scenes, so that the frames agree, but only one is visible.
   const auto draw = [&](double meshOpacity, double fieldOpacity)
   {
     SceneRenderer scene;
@@ -91,7 +91,7 @@ TEST_F(SceneRendererTest, AFieldCoversThePixelsOfItsMesh)
   EXPECT_LT(different, 1400);
 }
 
-TEST_F(SceneRendererTest, AnObliqueSliceShowsTheBodyWhereItsSurfaceIs)
+TEST_F(SceneRendererTest, ObliqueSliceAgreesWithTheSurface)
 {
   // The bright body in the slice must fill the model's silhouette: both lie in patient space.
   const palpate::test::SyntheticFit fit;
@@ -120,11 +120,11 @@ TEST_F(SceneRendererTest, AnObliqueSliceShowsTheBodyWhereItsSurfaceIs)
     }
   }
   ASSERT_GT(bright, 2000.0);
-  // The rest are pixels along the rim, where a voxel is in part body.
+  // The rest are pixels along the rim, in partial-volume voxels.
   EXPECT_GT(brightAndCovered / bright, 0.98);
 }
 
-TEST_F(SceneRendererTest, EverythingFitsIntoThePicture)
+TEST_F(SceneRendererTest, EverythingFitsIntoTheImage)
 {
   const palpate::test::SyntheticFit fit;
   SceneRenderer scene;
@@ -149,7 +149,7 @@ TEST_F(SceneRendererTest, EverythingFitsIntoThePicture)
   }
 }
 
-TEST_F(SceneRendererTest, OnlyArraysThatAreThereColorAnything)
+TEST_F(SceneRendererTest, MissingArraysColorNothing)
 {
   const palpate::test::SyntheticFit fit;
   SceneRenderer scene;
@@ -158,7 +158,7 @@ TEST_F(SceneRendererTest, OnlyArraysThatAreThereColorAnything)
   EXPECT_EQ(scene.ArrayNames(), std::vector<std::string>{"DistanceToSurface"});
 }
 
-TEST_F(SceneRendererTest, APictureDependsOnNoneThatWasDrawnBefore)
+TEST_F(SceneRendererTest, ImageDoesNotDependOnEarlierOnes)
 {
   const palpate::test::SyntheticFit fit;
   const auto color = [](SceneRenderer& scene)
@@ -183,7 +183,7 @@ TEST_F(SceneRendererTest, APictureDependsOnNoneThatWasDrawnBefore)
   EXPECT_EQ(scene.Render(FrameOf(ViewSide::Superior), 160, 130).Rgba, drawnFirst(160, 130).Rgba);
 }
 
-TEST_F(SceneRendererTest, AnEmptySceneIsABackground)
+TEST_F(SceneRendererTest, EmptySceneShowsTheBackground)
 {
   SceneRenderer scene;
   const Picture picture = scene.Render(FrameOf(ViewSide::Left), 64, 48);

@@ -25,7 +25,7 @@ bool GoOn(double /*fraction*/, const std::string& /*stage*/)
   return true;
 }
 
-// A clock on which everything takes as long as one glance at it.
+// A clock on which every measured time equals one reading of it.
 class CountingClock final : public Clock
 {
 public:
@@ -37,7 +37,7 @@ private:
   mutable std::int64_t Time = 0;
 };
 
-TEST(TouchCost, IsTheMedianOfWhatTheClockSays)
+TEST(TouchCost, EqualsTheMedianOnTheClock)
 {
   const CountingClock clock;
   const TouchCost cost = MeasureTouchCost(Ball(), {}, clock, GoOn);
@@ -53,11 +53,11 @@ TEST(TouchCost, IsPositiveAndFinite)
   EXPECT_TRUE(std::isfinite(cost.MedianNanoseconds));
 }
 
-TEST(TouchCost, AToolThatCannotTouchIsRefused)
+TEST(TouchCost, RejectsToolThatCannotTouch)
 {
   const SteadyClock clock;
   TouchToolSettings tool;
-  tool.Kind = TouchToolSettings::Shape::Ellipsoid; // harmonics feel spheres
+  tool.Kind = TouchToolSettings::Shape::Ellipsoid; // harmonics require a sphere
   EXPECT_THROW(static_cast<void>(MeasureTouchCost(Ball(), tool, clock, GoOn)), InputError);
 }
 
@@ -68,7 +68,7 @@ TEST(TouchCost, CanBeCancelled)
   EXPECT_THROW(static_cast<void>(MeasureTouchCost(Ball(), {}, clock, stop)), Cancelled);
 }
 
-TEST(HandPresses, GoToTheirDepthAndNoDeeperAndRepeatForASeed)
+TEST(HandPresses, ReachExactlyTheirDepthAndRepeatForASeed)
 {
   TouchScene scene;
   scene.Tool = ToolShape::Sphere(2.0);
@@ -83,7 +83,7 @@ TEST(HandPresses, GoToTheirDepthAndNoDeeperAndRepeatForASeed)
   {
     deepest = std::max(deepest, Radius + 2.0 - place.PointWorld.norm());
   }
-  // The first touch is found to 2^-12 of a step of some tenths of a millimetre.
+  // The first contact is found to 2^-12 of a step of a few tenths of a millimetre.
   EXPECT_NEAR(deepest, presses.Depth, 0.01);
   HandPath again;
   ASSERT_TRUE(PressesOf(scene, presses, again).IsOk());

@@ -13,7 +13,7 @@ namespace palpate
 {
 namespace
 {
-// A second at 1 kHz, pressed harder and harder.
+// One second at 1 kHz with increasing pressure.
 TouchRecording Recording()
 {
   TouchRecording recording;
@@ -42,13 +42,13 @@ protected:
   const test::TemporaryFolder Folder;
 };
 
-TEST_F(TouchExportTest, ATableHasALineATick)
+TEST_F(TouchExportTest, CsvHasOneLinePerTick)
 {
   const std::string text = this->Text("ticks.csv");
   EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 1001);
 }
 
-TEST_F(TouchExportTest, PlotsAreOneSvgOfAllCharts)
+TEST_F(TouchExportTest, PlotsAreOneSvgWithAllCharts)
 {
   const std::string svg = this->Text("plots.svg");
   EXPECT_EQ(svg.rfind("<svg xmlns=", 0), 0U);
@@ -59,7 +59,7 @@ TEST_F(TouchExportTest, PlotsAreOneSvgOfAllCharts)
   }
 }
 
-TEST_F(TouchExportTest, AnotherEndingAndNoTicksAreRefused)
+TEST_F(TouchExportTest, RejectsOtherEndingsAndEmptyRecordings)
 {
   EXPECT_THROW(ExportTouch(Recording(), this->Folder / "plots.png"), InputError);
   EXPECT_THROW(ExportTouch(TouchRecording(), this->Folder / "plots.svg"), InputError);

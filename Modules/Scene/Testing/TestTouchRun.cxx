@@ -36,7 +36,7 @@ const TouchStretch& LastOf(const TouchResult& result)
 
 constexpr double Radius = 15.0;
 
-// A ball, as a model, and as a mask on 1 mm voxels.
+// A sphere, as a model, and as a mask on 1 mm voxels.
 class TouchRun : public testing::Test
 {
 protected:
@@ -61,7 +61,7 @@ protected:
     settings.Structures = {structure};
     return settings;
   }
-  // Straight to a point on the x axis, and rest there.
+  // Straight to a point on the x axis, and rest.
   static TouchScript PressTo(double x)
   {
     TouchScript script;
@@ -75,8 +75,8 @@ protected:
   std::filesystem::path MaskPath = Folder / "ball.nii.gz";
 };
 
-// At rest the hand's spring and the structure's share the way: half of 4 mm each, as both have
-// 0.5 N/mm. The mechanism's friction (0.2 N) may hold 0.2 mm of it.
+// At rest the springs of hand and structure, both 0.5 N/mm, share the distance: half of 4 mm each.
+// The mechanism's friction (0.2 N) may hold 0.2 mm of it.
 TEST_F(TouchRun, EveryRepresentationOfABallGivesTheSameForce)
 {
   for (const char* const representation :
@@ -92,7 +92,7 @@ TEST_F(TouchRun, EveryRepresentationOfABallGivesTheSameForce)
     EXPECT_EQ(result.Ticks, 2000U);
     EXPECT_EQ(result.Fault, SafetyFault::None);
     EXPECT_EQ(result.LostTicks, 0U);
-    // The voxels' ball may be half a voxel larger or smaller.
+    // The voxel sphere may be half a voxel larger or smaller.
     const double voxels = isModel ? 0.0 : 0.5;
     EXPECT_NEAR(LastOf(result).Depth.Most, 2.0, 0.25 + 0.5 * voxels)
         << touch.Structures[0].Represented;
@@ -120,10 +120,10 @@ TEST_F(TouchRun, FullDiskEndsTheRecordingAndNotTheTouch)
   EXPECT_NE(result.RecordingProblem.find("1.013 s"), std::string::npos) << result.RecordingProblem;
   EXPECT_EQ(told, result.RecordingProblem);
   EXPECT_FALSE(std::filesystem::exists(file));
-  EXPECT_EQ(this->Folder.EntryCount(), 3U) << "model, mask, and what was recorded";
+  EXPECT_EQ(this->Folder.EntryCount(), 3U) << "model, mask and recording";
 }
 
-TEST_F(TouchRun, ASessionIsFeltAgainToTheLastBit)
+TEST_F(TouchRun, SessionReplaysBitForBit)
 {
   SceneSettings settings = this->SettingsOf(this->MaskPath, TouchRepresentation::SubVoxel);
   settings.Structures[0].Friction = {0.4, 0.3};
@@ -139,7 +139,7 @@ TEST_F(TouchRun, ASessionIsFeltAgainToTheLastBit)
   EXPECT_THROW(CompareTouch(touch, this->ModelPath), InputError);
 }
 
-// Scene, model and recording were written by version 0.1.0, with keys that are retired since.
+// Scene, model and recording were written by version 0.1.0, with keys that are now retired.
 TEST(TouchRunOfVersion010, RecordingReplaysBitForBit)
 {
   const std::filesystem::path folder = std::filesystem::path(PALPATE_BASELINES) / "0.1.0" / "felt";
@@ -153,7 +153,7 @@ TEST(TouchRunOfVersion010, RecordingReplaysBitForBit)
 }
 
 // The image is brighter where x is larger, and the hand presses there.
-TEST_F(TouchRun, AModelThatIsAskedSeldomIsFeltLaterAndTheSameAtRest)
+TEST_F(TouchRun, RarelyQueriedModelLagsAndEqualsAtRest)
 {
   SceneSettings settings = this->SettingsOf(this->ModelPath, TouchRepresentation::Automatic);
   const auto touch = [&](int interval)
@@ -163,13 +163,13 @@ TEST_F(TouchRun, AModelThatIsAskedSeldomIsFeltLaterAndTheSameAtRest)
   };
   const TouchResult always = touch(1);
   const TouchResult seldom = touch(10);
-  // What is interpolated has faded to the model's own answer by then, in floats.
+  // The interpolation has converged to the model's own answer by then, in floats.
   EXPECT_NEAR(LastOf(seldom).Force.Most, LastOf(always).Force.Most, 1e-4);
   EXPECT_LT(seldom.TouchedSeconds[0], always.TouchedSeconds[0]);
   EXPECT_GT(seldom.TouchedSeconds[0], always.TouchedSeconds[0] - 0.010) << "less than an interval";
 }
 
-TEST_F(TouchRun, TexturePushesMoreWhereTheImageIsBright)
+TEST_F(TouchRun, TextureForceIncreasesWithIntensity)
 {
   const auto image = this->Folder / "image.nrrd";
   test::LabelGrid grid;
@@ -190,7 +190,7 @@ TEST_F(TouchRun, TexturePushesMoreWhereTheImageIsBright)
   EXPECT_THROW(PrepareTouch(settings, PressTo(13.0), GoOn), InputError);
 }
 
-TEST_F(TouchRun, ASweepTouchesAllTheWay)
+TEST_F(TouchRun, SweepIsMostlyInContact)
 {
   const SceneSettings settings = this->SettingsOf(this->ModelPath, TouchRepresentation::Automatic);
   const PreparedTouch touch = PrepareTouch(settings, {}, GoOn);
@@ -199,8 +199,8 @@ TEST_F(TouchRun, ASweepTouchesAllTheWay)
   EXPECT_GT(result.TouchedSeconds[0], 0.8 * touch.Duration);
 }
 
-// Thrice as long as the sweep, it touches as much of the time.
-TEST_F(TouchRun, ASweepGoesToAndFroForAsLongAsATouchLasts)
+// A touch three times as long as the sweep is in contact for the same part of the time.
+TEST_F(TouchRun, SweepRepeatsForTheWholeTouch)
 {
   const SceneSettings settings = this->SettingsOf(this->ModelPath, TouchRepresentation::Automatic);
   TouchScript script;
@@ -212,7 +212,7 @@ TEST_F(TouchRun, ASweepGoesToAndFroForAsLongAsATouchLasts)
   EXPECT_GT(result.TouchedSeconds[0], 0.8 * touch.Duration);
 }
 
-TEST_F(TouchRun, AHandOfALargeSceneReachesAllOfIt)
+TEST_F(TouchRun, HandReachesAllOfALargeScene)
 {
   SceneSettings settings = this->SettingsOf(this->ModelPath, TouchRepresentation::Automatic);
   WriteModel(this->ModelPath,
@@ -240,7 +240,7 @@ TEST_F(TouchRun, CanBeEndedEarly)
   EXPECT_LT(result.Ticks, 2000U);
 }
 
-// On a thread, for as long as it says: by a clock that waits for a busy machine, no tick is late.
+// On a thread, for the given duration: with a clock that waits for a busy machine, no tick is late.
 TEST_F(TouchRun, RunsInRealTimeOnAThread)
 {
   SceneSettings settings = this->SettingsOf(this->ModelPath, TouchRepresentation::Automatic);
@@ -260,7 +260,7 @@ TEST_F(TouchRun, RunsInRealTimeOnAThread)
   };
   const TouchResult result = RunTouch(touch, run, GoOn);
   EXPECT_EQ(result.Fault, SafetyFault::None);
-  // Ticks at 0, 5, ... 1495 ms, and those until it was seen that the time was over.
+  // Ticks at 0, 5, ... 1495 ms, and those until the end was noticed.
   EXPECT_GE(result.Ticks, 300U);
   EXPECT_EQ(result.LostTicks, 0U);
   EXPECT_EQ(result.Trace.Stretches().size(), result.Ticks);
@@ -276,7 +276,7 @@ TEST_F(TouchRun, RunsInRealTimeOnAThread)
   EXPECT_GT(result.FramesPerSecond, 0.0);
 }
 
-TEST_F(TouchRun, WhatCannotBeTouchedIsRefused)
+TEST_F(TouchRun, RejectsScenesThatCannotBeTouched)
 {
   SceneSettings settings = this->SettingsOf(this->ModelPath, TouchRepresentation::SubVoxel);
   EXPECT_THROW(PrepareTouch(settings, {}, GoOn), InputError);
@@ -290,7 +290,7 @@ TEST_F(TouchRun, WhatCannotBeTouchedIsRefused)
   EXPECT_THROW(PrepareTouch(settings, {}, GoOn), InputError);
   settings = this->SettingsOf(this->ModelPath, TouchRepresentation::Automatic);
   settings.Tool.Kind = TouchToolSettings::Shape::Capsule;
-  EXPECT_THROW(PrepareTouch(settings, {}, GoOn), InputError) << "harmonics are felt by spheres";
+  EXPECT_THROW(PrepareTouch(settings, {}, GoOn), InputError) << "harmonics require a sphere";
 }
 
 TEST_F(TouchRun, FilesAreTheSameUnderADecimalComma)
@@ -311,7 +311,7 @@ TEST_F(TouchRun, FilesAreTheSameUnderADecimalComma)
   EXPECT_EQ(read.Structures.front().Stiffness, settings.Structures.front().Stiffness);
 }
 
-TEST_F(TouchRun, FilesSayWhatWasFelt)
+TEST_F(TouchRun, FilesDescribeTheTouch)
 {
   const SceneSettings settings = this->SettingsOf(this->ModelPath, TouchRepresentation::Automatic);
   const PreparedTouch touch = PrepareTouch(settings, PressTo(10.0), GoOn);
@@ -331,7 +331,7 @@ TEST_F(TouchRun, FilesSayWhatWasFelt)
   EXPECT_NE(read("scene.json").find("ball.json"), std::string::npos);
 }
 
-TEST(DeviceList, HasTheSimulatedDeviceAndSaysWhatOthersLack)
+TEST(DeviceList, HasTheSimulatedDeviceAndObstaclesOfOthers)
 {
   const std::vector<DeviceReport> reports = ListDevices();
   const auto named = [&](const std::string& name)

@@ -51,7 +51,7 @@ TEST(TouchTrace, DoesNotGrowWithTime)
   }
 }
 
-TEST(TouchTrace, EveryStretchHasTheLeastAndTheMostOfItsTicks)
+TEST(TouchTrace, EveryStretchHasMinimumAndMaximumOfItsTicks)
 {
   constexpr std::size_t Ticks = 100'007;
   const TouchTrace trace = TraceOf(Ticks);

@@ -41,7 +41,7 @@ TEST_F(TouchViewTest, DrawsTheToolWhereItsProxyIs)
   touch.Scene = scene;
   TouchView view(touch);
   const Vector3 middle = test::SyntheticFit::Center;
-  // At time 0 it is seen from the front, which is towards smaller y.
+  // At time 0 the view is from the front, towards smaller y.
   const Picture before = view.Draw(0.0, middle - Vector3(0.0, 60.0, 0.0));
   const Picture behind = view.Draw(0.0, middle + Vector3(0.0, 60.0, 0.0));
   const Picture turned = view.Draw(6.0, middle + Vector3(0.0, 60.0, 0.0));
@@ -51,10 +51,10 @@ TEST_F(TouchViewTest, DrawsTheToolWhereItsProxyIs)
   EXPECT_GT(ToolPixels(turned), 100);
 }
 
-TEST_F(TouchViewTest, ShowsWhatIsDrilledAsItIsThen)
+TEST_F(TouchViewTest, ShowsTheCurrentDrilledState)
 {
   const test::DrillBlock block;
-  // From the front, where it is looked at from.
+  // From the front, as in the view.
   TouchScript script;
   script.Path = HandPath({{0.0, {0.0, -12.0, 0.0}},
                           {0.5, {0.0, -9.0, 0.0}},
@@ -68,7 +68,7 @@ TEST_F(TouchViewTest, ShowsWhatIsDrilledAsItIsThen)
   const Picture before = view.Draw(0.0, away);
   ASSERT_GT(RunTouch(touch, {}, test::NeverCancels).RemovedVolumes[0], 10.0);
   EXPECT_NE(view.Draw(0.0, away).Rgba, before.Rgba);
-  // And again what it was.
+  // And as before again.
   const Status status = touch.Drill->Editor().Restore({RemovedDistances::None(
       touch.Drill->Editor().Site(0).Now().Grid(), touch.Drill->Editor().Site(0).Now().Band())});
   EXPECT_TRUE(status.IsOk()) << status.Message();

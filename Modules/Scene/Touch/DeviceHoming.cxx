@@ -19,14 +19,14 @@ namespace
 {
 constexpr double Nano = 1e-9;
 
-// What the loop's thread shows of itself.
+// Published by the loop's thread.
 struct LoopView
 {
   DeviceSample Sample;
   std::uint64_t Samples = 0;
 };
 
-// Reads and applies nothing, at the device's rate.
+// Reads samples at the device's rate and applies no force.
 class ForcelessLoop
 {
 public:
@@ -51,7 +51,7 @@ public:
 
   const LoopView& Latest() noexcept { return this->Published.Latest(); }
   const RealtimeGrant& Grant() const noexcept { return this->Thread.Grant(); }
-  // After Stop.
+  // Valid after Stop.
   const PeriodStatistics& Periods() const noexcept { return this->Counted; }
   std::uint64_t Ticks() const noexcept { return this->TickCount; }
 
@@ -67,7 +67,7 @@ private:
     ++this->TickCount;
     DeviceSample sample;
     const bool goesOn = this->Device.Read(sample);
-    // There is no force that must be taken in this very tick.
+    // Zero force need not be accepted in this very tick.
     static_cast<void>(this->Device.Apply(Vector3::Zero()));
     if (goesOn && sample.Sequence != this->View.Sample.Sequence)
     {
@@ -86,7 +86,7 @@ private:
   HapticDevice& Device;
   FixedRateLoop Loop;
   LatestValue<LoopView> Published;
-  // The thread's own.
+  // Used by the loop's thread only.
   LoopView View;
   std::int64_t LastSample = 0; // ns
   std::uint64_t TickCount = 0;
@@ -118,7 +118,7 @@ HomingReport HomeDevice(HapticDevice& device, double leastSeconds,
     return show(view) && (view.State == DeviceState::Homing ||
                           (view.State == DeviceState::Ready && view.Seconds < leastSeconds));
   };
-  // What to do is said before the first sample may end the homing.
+  // Guidance is shown before the first sample may end the homing.
   bool goesOn = look();
   RequireInput(loop.Start());
   while (goesOn)

@@ -10,7 +10,7 @@ namespace palpate
 {
 namespace
 {
-// Opens one, and closes it again.
+// Opens a device, and closes it again.
 void Ask(const DeviceRegistry& registry, Clock& clock, DeviceReport& report)
 {
   std::unique_ptr<HapticDevice> device;
@@ -30,7 +30,7 @@ void Ask(const DeviceRegistry& registry, Clock& clock, DeviceReport& report)
   device->Close();
 }
 
-// One report for each that is plugged in; where there is none, one that says so.
+// One report per plugged-in device; if there is none, one report that says so.
 void Find(const DeviceRegistry& registry, Clock& clock, const DeviceReport& kind,
           std::vector<DeviceReport>& reports)
 {
@@ -94,7 +94,7 @@ std::string FirstDevicePluggedIn()
   const DeviceRegistry registry = Registry();
   SteadyClock clock;
   std::string first;
-  std::string obstacle = "no device of this build can be plugged in";
+  std::string obstacle = "this build supports no plug-in device";
   for (const std::string& name : registry.Names())
   {
     std::vector<FoundDevice> found;

@@ -8,24 +8,25 @@
 
 namespace palpate
 {
-/// A kind of device that this build knows, or one device of a kind, and how it is.
+/// A kind of device that this build supports, or one device of a kind, with its state.
 struct DeviceReport
 {
-  std::string Name; ///< by which it is asked for: "kind" or "kind:which"
+  std::string Name; ///< "kind" or "kind:which", as in options and files
   std::string Description;
   bool IsThere = false;
-  DeviceCapabilities Capabilities; ///< where it is there
-  std::string Says;                ///< its state, or what stands in the way
+  DeviceCapabilities Capabilities; ///< if it is there
+  std::string Says;                ///< its state, or why it cannot be used
 };
 
-/// Every kind. Where devices of a kind can be looked for, each of them that is plugged in, as it
-/// stands; of the others, one is opened and closed again.
+/// Lists every kind. If devices of a kind can be searched for, each one that is plugged in, without
+/// opening it; of other kinds, one device is opened and closed again.
 PALPATESCENE_EXPORT std::vector<DeviceReport> ListDevices();
 
-/// The name of the first device that is plugged in and can be used as it stands; where none can,
-/// of the first, whose opening says what is missing. Throws InputError where there is none.
+/// The name of the first device that is plugged in and usable as it is; if none is usable, the
+/// first one, which reports what is missing when opened. Throws InputError if no device is plugged
+/// in.
 PALPATESCENE_EXPORT std::string FirstDevicePluggedIn();
-/// Whether devices of this name are plugged in, so that their time is the real one; replayed and
-/// computed ones have any.
+/// Whether devices of this name are hardware, so that they run in real time; replayed and simulated
+/// ones may run in virtual time.
 PALPATESCENE_EXPORT bool IsPluggedIn(const std::string& device);
 } // namespace palpate

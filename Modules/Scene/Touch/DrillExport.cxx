@@ -30,14 +30,14 @@ vtkSmartPointer<vtkImageData> CopyOf(vtkImageData* image)
   return copy;
 }
 
-// A structure before it was drilled and now.
+// A structure before drilling and now.
 struct BeforeAndNow
 {
   std::shared_ptr<const FieldSolid> Before;
   std::shared_ptr<const FieldSolid> Now;
 };
 
-// Takes the label from the voxels of a row whose centres were in the solid and are not any more.
+// Clears the label of voxels in a row whose centres were in the solid before and no longer are.
 void ClearRow(const BeforeAndNow& solids, const std::vector<Vector3>& centersWorld, double label,
               vtkDataArray& labels, vtkIdType first)
 {
@@ -88,7 +88,7 @@ void Require(const Status& status)
   }
 }
 
-// The nodes of a field as an image.
+// A field's nodes as an image.
 vtkSmartPointer<vtkImageData> ImageOf(const FieldGrid& grid, const std::vector<float>& nodes)
 {
   auto image = vtkSmartPointer<vtkImageData>::New();

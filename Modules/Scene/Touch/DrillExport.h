@@ -9,19 +9,19 @@
 
 namespace palpate
 {
-/// What is left of a drilled structure, as it is now, to be written by WriteImage and WriteSurface.
-/// Throw Cancelled and FilterError.
+/// The current state of a drilled structure, for WriteImage and WriteSurface. The functions throw
+/// Cancelled and FilterError.
 
-/// The image or the label map that it was made from, on the same grid and of the same type: the
-/// image's samples as if it had been scanned like that; of the label map those voxels without the
-/// label whose centres are gone.
+/// The image or label map that it was made from, on the same grid and of the same type: image
+/// samples as if the drilled structure had been scanned; in a label map, voxels whose centres were
+/// removed lose the label.
 PALPATESCENE_EXPORT vtkSmartPointer<vtkImageData> DrilledImage(const DrillBench& bench, int site,
                                                                const ProgressFunction& progress);
 
-/// The closed surface, as the hand feels it, in world mm (patient LPS).
+/// The closed surface as it is touched, in world mm (patient LPS).
 PALPATESCENE_EXPORT vtkSmartPointer<vtkPolyData> DrilledSurface(const DrillBench& bench, int site,
                                                                 const ProgressFunction& progress);
 
-/// The closed surface of what is gone, in world mm; empty where nothing is. Takes milliseconds.
+/// The closed surface of the removed volume, in world mm; may be empty. Takes milliseconds.
 PALPATESCENE_EXPORT vtkSmartPointer<vtkPolyData> RemovedSurface(const DrillBench& bench, int site);
 } // namespace palpate

@@ -21,9 +21,9 @@ namespace
 constexpr double Margin = 3.0; // mm of air all round
 constexpr double BoneValue = 1500.0;
 constexpr double AirValue = 2.0 * DrillPhantom::Iso - BoneValue;
-constexpr double BytesPerVoxel = 2.0 * (sizeof(short) + 1.0); // and a copy while they are written
+constexpr double BytesPerVoxel = 2.0 * (sizeof(short) + 1.0); // and a copy during writing
 
-// A grid with these axes that holds the block.
+// A grid with these axes that contains the block.
 FieldGrid GridRoundBlock(const Vector3& spacing, const Matrix3& direction)
 {
   const Vector3 half(DrillPhantom::HalfWidth, DrillPhantom::HalfWidth, DrillPhantom::HalfHeight);
@@ -39,8 +39,8 @@ FieldGrid GridRoundBlock(const Vector3& spacing, const Matrix3& direction)
   }
   if (!(voxels * BytesPerVoxel < static_cast<double>(AvailableMemoryBytes())))
   {
-    throw InputError("a block in so small voxels is larger than the free memory; give a coarser "
-                     "--spacing");
+    throw InputError(
+        "a block with such small voxels needs more than the free memory; give a coarser --spacing");
   }
   const Vector3 last(size[0] - 1, size[1] - 1, size[2] - 1);
   return {size, -0.5 * (direction * spacing.cwiseProduct(last)), spacing, direction};
@@ -48,7 +48,7 @@ FieldGrid GridRoundBlock(const Vector3& spacing, const Matrix3& direction)
 
 std::string HandText()
 {
-  // With a ball of 1.5 mm the groove's floor would lie at the nerve's axis.
+  // Unprotected, a sphere of 1.5 mm would cut down to the nerve's axis.
   return "time_s,x_mm,y_mm,z_mm\n0,-3,0,13\n1,-3,0,9.7\n3,-3,0,5.5\n6,9,0,5.5\n7,9,0,13\n";
 }
 
@@ -100,7 +100,7 @@ DrillPhantom MakeDrillPhantom(const Vector3& spacing, const Matrix3& direction,
   auto* value = static_cast<short*>(phantom.Ct->GetScalarPointer());
   auto* label = static_cast<unsigned char*>(phantom.Nerve->GetScalarPointer());
   const std::array<int, 3>& size = grid.Size();
-  // A voxel's part that is bone, as if its surface were flat.
+  // Bone fraction of a voxel, as if the surface were flat.
   const double width = spacing.maxCoeff();
   for (int k = 0; k < size[2]; ++k)
   {

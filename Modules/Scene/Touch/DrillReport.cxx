@@ -19,7 +19,7 @@ std::string RemovedText(double volume)
 
 std::string ApproachText(const DrillApproach& one)
 {
-  std::string text = "at the nearest " + FixedText(one.Least, 2) + " mm from the drill, after " +
+  std::string text = "smallest distance " + FixedText(one.Least, 2) + " mm at " +
                      FixedText(one.LeastTime, 2) + " s";
   if (one.AlarmSeconds > 0.0)
   {
@@ -95,6 +95,6 @@ std::string DrillSection(const PreparedTouch& touch, const TouchResult& result)
   }
   return ReportSection("Drilled",
                        "<div class=\"charts\">\n" + charts + "</div>\n<div class=\"tables\">\n" +
-                           HtmlTable("What is gone, and what was forbidden", rows) + "</div>\n");
+                           HtmlTable("Removed volume and protected structures", rows) + "</div>\n");
 }
 } // namespace palpate

@@ -24,7 +24,7 @@ std::vector<DrillAction> ReadDrillScript(const std::filesystem::path& path)
   fields.Read("format", format);
   if (format != Format)
   {
-    Refuse(path, "does not say that it is a script of drilling",
+    Refuse(path, "is not marked as a drill script",
            "begin it with \"format\": \"" + std::string(Format) + "\"");
   }
   if (!fields.Has("actions") || !root["actions"].is_array() || root["actions"].empty())
@@ -43,8 +43,8 @@ std::vector<DrillAction> ReadDrillScript(const std::filesystem::path& path)
     entry.ReadChoice("do", Words, action.Do);
     if (!entry.Has("do") || (!actions.empty() && action.Time < actions.back().Time))
     {
-      Refuse(path, "has an " + place + " that says nothing, or comes after a later one",
-             "give each its \"do\", in the order of \"time_s\"");
+      Refuse(path, "has " + place + " without an action, or out of order",
+             "give each a \"do\", and sort them by \"time_s\"");
     }
     entry.RefuseOthers();
     actions.push_back(action);

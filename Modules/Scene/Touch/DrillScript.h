@@ -8,13 +8,13 @@
 
 namespace palpate
 {
-/// What somebody who drills does with pedal and buttons, over time.
+/// A scripted action with the drill's pedal and buttons.
 struct DrillAction
 {
   enum class Kind
   {
-    Start, ///< the pedal is pressed
-    Stop,  ///< and let go, which ends a stroke
+    Start, ///< press the pedal
+    Stop,  ///< release it, which ends a stroke
     EndStroke,
     Undo,
     Redo,
@@ -24,10 +24,10 @@ struct DrillAction
   Kind Do = Kind::Start;
 };
 
-/// Reads { "format": "palpate-drill", "actions": [ { "time_s": 0.5, "do": "start" }, ... ] }, in
-/// the order of time; "do" is start, stop, end-stroke, undo, redo or reset. Throws InputError.
+/// Reads { "format": "palpate-drill", "actions": [ { "time_s": 0.5, "do": "start" }, ... ] },
+/// sorted by time; "do" is start, stop, end-stroke, undo, redo or reset. Throws InputError.
 PALPATESCENE_EXPORT std::vector<DrillAction> ReadDrillScript(const std::filesystem::path& path);
 
-/// The command of an action; None of the pedal's.
+/// The editor's command for an action; None for the pedal.
 PALPATESCENE_EXPORT DrillCommand CommandOf(DrillAction::Kind kind);
 } // namespace palpate

@@ -17,14 +17,13 @@
 #include <utility>
 #include <vector>
 
-// A line that names the format, a line of JSON that says what follows, and then bytes.
+// Format: a magic line, a line of JSON that describes the content, then binary data.
 namespace palpate
 {
 namespace
 {
 constexpr std::string_view Magic = "palpate-drill-state 1\n";
-constexpr const char* WayOut =
-    "take one that was written by palpate touch or saved from the window";
+constexpr const char* WayOut = "use a file written by palpate touch or saved from the window";
 constexpr std::uintmax_t LargestFile = std::uintmax_t{1} << 33;
 
 template <typename T>
@@ -40,7 +39,7 @@ std::string DigestOf(std::string_view bytes)
   return digest.Text();
 }
 
-// Of voxels, grid and what of the voxels it is.
+// Digest of voxels, grid, and the label or value.
 std::string DigestOf(const DrillBench& bench, std::size_t site)
 {
   const DrillSource& source = bench.Sites()[site].Source;
@@ -60,10 +59,10 @@ std::string DigestOf(const DrillBench& bench, std::size_t site)
 
 [[noreturn]] void RefuseDamaged(const std::filesystem::path& path)
 {
-  Refuse(path, "is damaged, or no state of something drilled", WayOut);
+  Refuse(path, "is damaged, or not a drilled state", WayOut);
 }
 
-// The next part of a file's bytes.
+// The next bytes of a file.
 std::string_view Part(std::string_view bytes, std::size_t& place, std::size_t count,
                       const std::filesystem::path& path)
 {
@@ -92,8 +91,8 @@ std::shared_ptr<const RemovedDistances> StateOf(const nlohmann::json& entry, std
   const DrillSite& here = bench.Sites()[site];
   if (source != DigestOf(bench, site))
   {
-    Refuse(path, "was drilled into other voxels than those of " + here.Name,
-           "open the scene that it was drilled in");
+    Refuse(path, "was drilled in other voxels than those of " + here.Name,
+           "open the scene that was drilled");
   }
   if (count.empty() || count.size() > 12 ||
       count.find_first_not_of("0123456789") != std::string::npos)
@@ -152,7 +151,7 @@ void ReadDrillState(const std::filesystem::path& path, const DrillBench& bench)
     Refuse(path,
            "holds " + std::to_string(header.size()) + " drilled structures, and the scene " +
                std::to_string(bench.Sites().size()),
-           "open the scene that it was drilled in");
+           "open the scene that was drilled");
   }
   std::size_t place = end + 1;
   std::vector<std::shared_ptr<const RemovedDistances>> states;

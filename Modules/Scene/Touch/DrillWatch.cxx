@@ -1,5 +1,6 @@
 #include "DrillWatch.h"
 
+#include "DecimalText.h"
 #include "LimitText.h"
 
 #include <algorithm>
@@ -7,6 +8,18 @@
 
 namespace palpate
 {
+namespace
+{
+std::string AlarmText(const DrillApproach& one)
+{
+  const double alarm = one.AlarmDistance;
+  return one.Distance < 0.0
+             ? "The drill touches " + one.Name + " (" + FixedText(-one.Distance, 1) + " mm inside)."
+             : "The drill is " + TextAgainstLimit(one.Distance, alarm, 1) + " mm from " + one.Name +
+                   ", within the alarm distance of " + TextAgainstLimit(alarm, alarm, 1) + " mm.";
+}
+} // namespace
+
 DrillWatch::DrillWatch(std::shared_ptr<DrillBench> bench) : Bench(std::move(bench))
 {
   if (this->Bench == nullptr)
@@ -46,9 +59,7 @@ std::vector<std::string> DrillWatch::Look(double time, const TouchState& state)
     }
     if (one.IsAlarmed && !wasAlarmed)
     {
-      const double alarm = one.AlarmDistance;
-      said.push_back("The drill is " + TextAgainstLimit(distances[n], alarm, 1) + " mm from " +
-                     one.Name + ", nearer than " + TextAgainstLimit(alarm, alarm, 1) + " mm.");
+      said.push_back(AlarmText(one));
     }
   }
   this->Last = time;

@@ -10,25 +10,25 @@
 
 namespace palpate
 {
-/// How near the drill came to what is forbidden.
+/// Distance of the drill to a forbidden structure over time.
 struct DrillApproach
 {
   std::string Name;
   double Distance = 0.0;      ///< mm, now; negative inside
-  double Least = 0.0;         ///< mm, so far
-  double LeastTime = 0.0;     ///< s, when that was
+  double Least = 0.0;         ///< mm, smallest so far
+  double LeastTime = 0.0;     ///< s, time of the smallest distance
   double AlarmDistance = 0.0; ///< mm
   double AlarmSeconds = 0.0;  ///< s within it
   bool IsAlarmed = false;     ///< now
 };
 
-/// Looks where a drill is, tick by tick or now and then, and raises alarms.
+/// Monitors the drill's distances to forbidden structures and raises alarms.
 class PALPATESCENE_EXPORT DrillWatch
 {
 public:
   explicit DrillWatch(std::shared_ptr<DrillBench> bench);
 
-  /// `time` in s. What is to be said now: a sentence for each alarm that begins.
+  /// Call at every tick or less often; `time` in s. Returns one message per alarm that begins.
   std::vector<std::string> Look(double time, const TouchState& state);
 
   const std::vector<DrillApproach>& Approaches() const { return this->Known; }

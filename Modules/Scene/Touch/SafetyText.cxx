@@ -11,7 +11,7 @@ std::string SafetyText(const TouchState& state)
   }
   if (state.State == DeviceState::Homing)
   {
-    return "The device looks for its zero: move it slowly through all of its workspace.";
+    return "The device is homing: move it slowly through its whole workspace.";
   }
   if (!safety.IsArmed)
   {
@@ -19,9 +19,9 @@ std::string SafetyText(const TouchState& state)
   }
   std::string text = Describe(SafetyFault::None);
   text += safety.IsRamping ? " They are being faded in." : "";
-  text += safety.IsLimited ? " They are cut to the largest that the device can give." : "";
-  text += safety.IsDamping ? " They are damped, since the contact gave out energy." : "";
-  text += safety.IsSlewing ? " They follow a sudden change a little later." : "";
+  text += safety.IsLimited ? " They are limited to the device's maximum." : "";
+  text += safety.IsDamping ? " They are damped, since the contact generated energy." : "";
+  text += safety.IsSlewing ? " Their rate of change is limited." : "";
   return text;
 }
 } // namespace palpate

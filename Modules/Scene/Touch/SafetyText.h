@@ -7,6 +7,6 @@
 
 namespace palpate
 {
-/// What the safety chain does, in one or two sentences for the person at the device.
+/// State of the safety chain, in one or two sentences for the user.
 PALPATESCENE_EXPORT std::string SafetyText(const TouchState& state);
 } // namespace palpate

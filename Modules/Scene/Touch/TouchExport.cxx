@@ -15,12 +15,12 @@ void ExportTouch(const TouchRecording& recording, const std::filesystem::path& f
   }
   else if (!IsTouchPlots(file))
   {
-    Refuse(file, "does not say how a recorded touch is to be written",
-           "end its name in .csv for a line a tick, or in .svg for plots");
+    Refuse(file, "has no ending of a format for recorded touches",
+           "use .csv for one line per tick, or .svg for plots");
   }
   else if (recording.Ticks.empty())
   {
-    Refuse(file, "would have nothing to plot: no tick was recorded", "record the touch again");
+    Refuse(file, "was not written, since no tick was recorded", "record the touch again");
   }
   else
   {

@@ -10,14 +10,14 @@ namespace palpate
 {
 namespace
 {
-// As the report's page on paper.
+// As the report's style for print.
 constexpr const char* Style =
     "<style>text { font: 11px sans-serif; fill: #1c2127; } .axis { stroke: #5c6670; } "
     ".grid { stroke: #dde1e6; } .bar { fill: #33709f; } "
     ".line { fill: none; stroke: #33709f; stroke-width: 1.6; }</style>";
 
-// The least and the most in each of some thousand stretches of time, so that a peak of one tick is
-// seen. What is 0, of ticks that nothing is known of, is left out of logarithms.
+// Minimum and maximum of each of a few thousand intervals, so that single-tick peaks are visible.
+// Zeros, which mark unknown values, are left out of logarithmic charts.
 std::vector<std::pair<double, double>> Envelope(const std::vector<TouchStretch>& stretches,
                                                 TouchQuantity quantity, bool isLogarithmic)
 {

@@ -12,16 +12,16 @@ namespace palpate
 {
 using TouchQuantity = LeastAndMost TouchStretch::*;
 
-/// A quantity over time: the least and the most of each stretch, so that a peak of one tick is
-/// seen.
+/// Chart of a quantity over time: minimum and maximum of each interval, so that single-tick peaks
+/// are visible.
 PALPATESCENE_EXPORT SvgChart TouchChart(const TouchTrace& trace, TouchQuantity quantity,
                                         const std::string& label, bool isLogarithmic);
 
-/// Whether plots can be written so: .svg.
+/// Whether the ending is that of plots: .svg.
 PALPATESCENE_EXPORT bool IsTouchPlots(const std::filesystem::path& file);
 
-/// Force, depth and period of recorded ticks over time, below each other, as SVG. Throws
-/// InputError.
+/// Writes force, depth and period of recorded ticks over time as SVG, one chart below the other.
+/// Throws InputError.
 PALPATESCENE_EXPORT void WriteTouchPlots(const std::vector<TouchState>& ticks,
                                          const std::filesystem::path& file);
 } // namespace palpate

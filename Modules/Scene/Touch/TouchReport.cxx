@@ -109,7 +109,7 @@ std::string StructuresTable(const PreparedTouch& touch, const TouchResult& resul
                           " N/mm; touched for " + FixedText(result.TouchedSeconds[s], 2) +
                           " s; made in " + FixedText(structure.Seconds, 2) + " s");
   }
-  return HtmlTable("What was touched", rows);
+  return HtmlTable("Touched structures", rows);
 }
 
 std::string NumbersTable(const PreparedTouch& touch, const TouchResult& result)
@@ -119,23 +119,23 @@ std::string NumbersTable(const PreparedTouch& touch, const TouchResult& result)
   { return SignificantText(Micro * static_cast<double>(nanoseconds), 3) + " µs"; };
   HtmlRows rows{
       {"device", touch.Settings.Device},
-      {"millimetres of the scene for one of the hand", SignificantText(touch.Frame.Scale, 3)},
+      {"scene mm per device mm", SignificantText(touch.Frame.Scale, 3)},
       {"rate", SignificantText(touch.Settings.Rate, 4) + " Hz"},
       {"ticks", std::to_string(result.Ticks)},
       {"touching", FixedText(TouchingPercent(result), 1) + " % of the time"},
       {"largest force", FixedText(result.Trace.Whole().Force.Most, 2) + " N"},
       {"largest depth", FixedText(result.Trace.Whole().Depth.Most, 2) + " mm"},
-      {"a tick takes, median", micro(result.Durations.Median())},
-      {"99.9 %", micro(result.Durations.Quantile(Almost))},
-      {"at most", micro(result.Durations.Max())},
+      {"tick time, median", micro(result.Durations.Median())},
+      {"tick time, 99.9 %", micro(result.Durations.Quantile(Almost))},
+      {"tick time, longest", micro(result.Durations.Max())},
       {"late ticks", std::to_string(result.Durations.Misses())},
-      {"left out", std::to_string(result.Periods.Misses())},
-      {"memory after a second and at the end", FixedText(result.MebibytesAtStart, 1) + " and " +
-                                                   FixedText(result.MebibytesAtEnd, 1) + " MiB"},
-      {"forces", result.Fault == SafetyFault::None ? "on to the end" : Describe(result.Fault)}};
+      {"skipped ticks", std::to_string(result.Periods.Misses())},
+      {"memory after 1 s and at the end", FixedText(result.MebibytesAtStart, 1) + " and " +
+                                              FixedText(result.MebibytesAtEnd, 1) + " MiB"},
+      {"forces", result.Fault == SafetyFault::None ? "on until the end" : Describe(result.Fault)}};
   if (result.Frames.Count() > 0)
   {
-    rows.emplace_back("pictures beside it", FixedText(result.FramesPerSecond, 1) + " a second");
+    rows.emplace_back("frames of the view", FixedText(result.FramesPerSecond, 1) + " per second");
   }
   for (const std::string& warning : touch.Warnings)
   {
@@ -145,7 +145,7 @@ std::string NumbersTable(const PreparedTouch& touch, const TouchResult& result)
   {
     rows.emplace_back("thread", result.ThreadAdvice);
   }
-  return HtmlTable("How it went", rows);
+  return HtmlTable("Summary", rows);
 }
 
 std::string Header(const PreparedTouch& touch)
@@ -162,16 +162,16 @@ std::string Header(const PreparedTouch& touch)
 std::string Charts(const TouchTrace& trace)
 {
   const bool isVirtual = trace.Whole().Computation.Most > 0.0F;
-  const std::string time =
-      isVirtual
-          ? Chart(trace, &TouchStretch::Computation, "time of a tick, µs",
-                  "What each tick took to compute. Virtual time: ticks follow each other at once.",
-                  true)
-          : Chart(trace, &TouchStretch::Period, "period, µs", "From tick to tick.", true);
+  const std::string time = isVirtual ? Chart(trace, &TouchStretch::Computation, "tick time, µs",
+                                             "Computation time of each tick. In virtual time, "
+                                             "ticks follow each other immediately.",
+                                             true)
+                                     : Chart(trace, &TouchStretch::Period, "period, µs",
+                                             "Period from tick to tick.", true);
   return "<div class=\"charts\">\n" +
-         Chart(trace, &TouchStretch::Force, "force, N", "Force on the hand.") +
+         Chart(trace, &TouchStretch::Force, "force, N", "Force applied to the hand.") +
          Chart(trace, &TouchStretch::Depth, "depth, mm",
-               "How deep the tool is in what it touches.") +
+               "Depth of the tool in the touched structure.") +
          time + "</div>\n";
 }
 
@@ -221,7 +221,7 @@ void WriteTouchFiles(const std::filesystem::path& folder, const PreparedTouch& t
                      const TouchResult& result)
 {
   SceneSettings settings = touch.Settings;
-  settings.Placement.Scale = touch.Frame.Scale; // so that the same file means the same touch
+  settings.Placement.Scale = touch.Frame.Scale; // so that the file reproduces this touch
   WriteOutputSet(folder,
                  [&](const std::filesystem::path& stage)
                  {

@@ -8,12 +8,13 @@
 
 namespace palpate
 {
-/// What a touch was like in numbers, as one JSON object.
+/// Numerical summary of a touch as one JSON object.
 PALPATESCENE_EXPORT std::string TouchSummaryText(const PreparedTouch& touch,
                                                  const TouchResult& result);
 
-/// Writes into a folder, which exists: `summary.json`, `trace.csv` (a line a tick), `scene.json`
-/// and `report.html` with force, depth and tick time over time. Throws InputError.
+/// Writes into an existing folder: `summary.json`, `trace.csv` (one line per interval of the
+/// trace), `scene.json` and `report.html` with force, depth and tick time over time. Throws
+/// InputError.
 PALPATESCENE_EXPORT void WriteTouchFiles(const std::filesystem::path& folder,
                                          const PreparedTouch& touch, const TouchResult& result);
 } // namespace palpate

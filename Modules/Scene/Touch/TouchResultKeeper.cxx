@@ -9,7 +9,7 @@ namespace palpate
 namespace
 {
 constexpr double Nano = 1e-9;
-constexpr double SettlingTime = 1.0; // s, until all memory is there
+constexpr double SettlingTime = 1.0; // s, until memory has settled
 } // namespace
 
 TouchResultKeeper::TouchResultKeeper(TouchResult& result, std::size_t structures) : Result(result)

@@ -7,16 +7,16 @@
 
 namespace palpate
 {
-/// Collects the ticks of a touch into its result, in memory that does not grow.
+/// Accumulates the ticks of a touch into its result, in bounded memory.
 class TouchResultKeeper
 {
 public:
-  /// Keeps the address of the result, which must outlive it.
+  /// Keeps the address of the result, which must outlive this object.
   TouchResultKeeper(TouchResult& result, std::size_t structures);
 
-  /// The next tick, that took `microseconds` to compute; 0 where that is not known.
+  /// Adds the next tick, which took `microseconds` to compute; 0 if unknown.
   void Add(const TouchState& state, float microseconds);
-  /// After the last tick.
+  /// Call after the last tick.
   void Close();
 
 private:

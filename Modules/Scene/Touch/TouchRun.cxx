@@ -26,9 +26,9 @@ namespace
 {
 constexpr double Nano = 1e-9;
 constexpr const char* SimulatedName = "simulated";
-constexpr double DefaultDuration = 10.0; // s, where no path says how long
+constexpr double DefaultDuration = 10.0; // s, without a path
 
-// What is not the user's fault.
+// Throws for failures that are not input errors.
 void Succeed(const Status& status)
 {
   if (!status.IsOk())
@@ -37,7 +37,7 @@ void Succeed(const Status& status)
   }
 }
 
-// The device of a name; its hand follows `path` (device's frame) where it has none of its own.
+// Makes the device with this name; a simulated hand follows `path` (device frame).
 std::unique_ptr<HapticDevice> MakeDevice(const std::string& name, Clock& clock,
                                          std::function<Vector3(double)> path)
 {
@@ -52,7 +52,7 @@ std::unique_ptr<HapticDevice> MakeDevice(const std::string& name, Clock& clock,
   return device;
 }
 
-// A sweep is gone to and fro for as long as a touch lasts; other paths end.
+// A sweep is repeated back and forth until the touch ends; other paths end.
 double TimeOnPath(const PreparedTouch& touch, double time) noexcept
 {
   const double once = touch.Path.Duration();
@@ -75,7 +75,7 @@ BackgroundWriter::Limits RecordingLimits(bool isVirtual)
   return limits;
 }
 
-// A session and everything that is noted of it.
+// A running session and its result.
 class LiveTouch
 {
 public:
@@ -111,7 +111,7 @@ public:
     loop.Run(
         [&](const TickInfo& tick)
         {
-          // A computed hand moves when it is read; that is no part of the tick's own time.
+          // A simulated hand moves when it is read; this does not count as tick time.
           DeviceSample ahead;
           this->Session.Device().Read(ahead);
           const double time = this->Touch.Duration * this->PartAt(tick.Number);
@@ -165,7 +165,7 @@ private:
     return static_cast<double>(tick) / (this->Touch.Duration * this->Touch.Settings.Rate);
   }
 
-  // What the script does until a time, s.
+  // Executes the script's actions up to a time (s).
   void Act(double time)
   {
     Servo& servo = this->Session.Loop();
@@ -224,7 +224,8 @@ private:
     };
   }
 
-  // Before forces can start; where it fails or is stopped, the touch ends with its first ticks.
+  // Homes the device before forces start; if that fails or is stopped, the touch ends within its
+  // first ticks.
   void Home(const ProgressFunction& progress)
   {
     if (this->Session.Device().State() != DeviceState::Homing)
@@ -244,7 +245,7 @@ private:
                });
   }
 
-  // Draws a frame, or waits for about as long as one takes.
+  // Draws a frame, or waits for about as long.
   void Look(const Clock& clock, double time)
   {
     constexpr auto Nap = std::chrono::milliseconds(20);
@@ -268,7 +269,7 @@ private:
     this->NoteRecording(now.RecordingProblem);
   }
 
-  // A session that cannot be recorded is touched all the same.
+  // A recording that fails does not end the touch.
   void NoteRecording(const std::string& problem)
   {
     if (problem != this->Result.RecordingProblem && !problem.empty() && this->Guide)
@@ -316,16 +317,15 @@ PreparedTouch PrepareTouch(const SceneSettings& settings, const TouchScript& scr
   BuiltScene built = BuildScene(settings, script.IsSeen, progress);
   if (built.Contacts.empty())
   {
-    throw InputError(
-        "nothing of the scene is to be touched; leave \"touched\": false out of one of "
-        "its structures");
+    throw InputError("no structure of the scene is touchable; remove \"touched\": false from one "
+                     "of its structures");
   }
   touch.Settings = std::move(built.Settings);
   touch.Drill = DrillBench::Make(touch.Settings, built.Contacts, built.Protections);
   if (touch.Drill == nullptr && !script.Actions.empty())
   {
     throw InputError(
-        "nothing of the scene is to be drilled; give one of its structures a \"drill\"");
+        "no structure of the scene is drilled; give one of its structures a \"drill\"");
   }
   touch.Actions = script.Actions;
   touch.Structures = std::move(built.Touched);

@@ -23,109 +23,108 @@
 
 namespace palpate
 {
-/// How the hand of a simulated device moves, for how long a scene is touched, and whether somebody
-/// looks.
+/// Path of a simulated device's hand, duration of the touch, scripted drill actions, and whether a
+/// view is needed.
 struct TouchScript
 {
-  HandPath Path;                    ///< empty: a sweep round the scene, to and fro
-  double SweepDepth = 3.0;          ///< mm, of the hand's target below the first touch
+  HandPath Path;                    ///< empty: a sweep round the scene, back and forth
+  double SweepDepth = 3.0;          ///< mm, of the hand's target below the first contact
   double SweepSpeed = 50.0;         ///< mm/s
   std::optional<double> Duration;   ///< s; none: as long as the path
-  std::vector<DrillAction> Actions; ///< of who drills, in the order of time
-  bool IsSeen = false;              ///< then what the scene has to be seen is made too
+  std::vector<DrillAction> Actions; ///< scripted drill actions, sorted by time
+  bool IsSeen = false;              ///< also make the display of structures
 };
 
-/// A scene, a device's place in it, and what a person should know before forces start.
+/// A scene prepared for touch, the device's placement in it, and warnings to show before forces
+/// start.
 struct PreparedTouch
 {
-  SceneSettings Settings;                 ///< with its labels resolved
-  std::vector<BuiltStructure> Structures; ///< to be touched, as in the scene
+  SceneSettings Settings;                 ///< with resolved labels
+  std::vector<BuiltStructure> Structures; ///< touched ones, in the scene's order
   std::vector<BuiltStructure> OnlyDisplayed;
   std::shared_ptr<const TouchScene> Scene;
-  std::shared_ptr<DrillBench> Drill; ///< none: nothing is drilled
-  std::vector<DrillAction> Actions;  ///< of who drills
-  HandPath Path;                     ///< empty for a device with a hand of its own
-  bool IsSweep = false;              ///< then the path is gone to and fro, for as long as it takes
+  std::shared_ptr<DrillBench> Drill; ///< null: nothing is drilled
+  std::vector<DrillAction> Actions;  ///< scripted drill actions
+  HandPath Path;                     ///< empty for a device with its own hand
+  bool IsSweep = false;              ///< the path is followed back and forth until Duration
   double Duration = 0.0;             ///< s
-  bool IsRealTimeOnly = false;       ///< the device is plugged in and has no other time
-  WorkspaceFrame Frame;              ///< the device's place in the scene
+  bool IsRealTimeOnly = false;       ///< hardware cannot run in virtual time
+  WorkspaceFrame Frame;              ///< placement of the device in the scene
   std::vector<std::string> Warnings;
 };
 
-/// What was gone at a time.
+/// Removed volumes at a time.
 struct DrillMoment
 {
   double Time = 0.0;           ///< s
-  std::vector<double> Volumes; ///< mm^3, of each of the bench's sites
+  std::vector<double> Volumes; ///< mm^3, of each drill site
 };
 
 struct TouchResult
 {
   TouchTrace Trace;
-  PeriodStatistics Durations; ///< of ticks; its misses are late ones
-  PeriodStatistics Periods;   ///< from tick to tick; its misses are those that were left out
-  PeriodStatistics Frames;    ///< that each picture of a view took
+  PeriodStatistics Durations; ///< of ticks; its misses are late ticks
+  PeriodStatistics Periods;   ///< from tick to tick; its misses are skipped ticks
+  PeriodStatistics Frames;    ///< time of each frame of a view
   double FramesPerSecond = 0.0;
-  double MebibytesAtStart = 0.0; ///< resident, a second after the first tick (a shorter touch: at
-                                 ///< its end); 0 where not known
+  double MebibytesAtStart = 0.0; ///< resident, one second after the first tick (if shorter: at
+                                 ///< its end); 0 if unknown
   double MebibytesAtEnd = 0.0;
   std::uint64_t Ticks = 0;
-  std::uint64_t LostTicks = 0;        ///< that the trace has not, though they ran
+  std::uint64_t LostTicks = 0;        ///< executed but missing in the trace
   std::vector<double> TouchedSeconds; ///< by structure, the one touched most deeply
-  double LeastEnergy = 0.0;           ///< N mm that contacts had taken in, at the lowest
+  double LeastEnergy = 0.0;           ///< N mm, smallest energy absorbed by contacts so far
   SafetyFault Fault = SafetyFault::None;
-  std::vector<double> RemovedVolumes;    ///< mm^3, of each of the bench's sites
-  std::vector<DrillMoment> Removal;      ///< over time, some hundred moments
+  std::vector<double> RemovedVolumes;    ///< mm^3, of each drill site
+  std::vector<DrillMoment> Removal;      ///< over time, a few hundred samples
   std::uint64_t DrillOrders = 0;         ///< cuts and commands
-  std::vector<DrillApproach> Approaches; ///< to what is forbidden
-  std::string DrillProblem;              ///< why not all was removed; empty without
-  std::string DeviceProblem;             ///< empty without
-  std::string RecordingProblem;          ///< why not all was recorded, and what is; empty without
-  std::string ThreadAdvice; ///< why the thread has not what it asked for; empty in virtual time
+  std::vector<DrillApproach> Approaches; ///< to forbidden structures
+  std::string DrillProblem;              ///< why drilling is incomplete; may be empty
+  std::string DeviceProblem;             ///< may be empty
+  std::string RecordingProblem; ///< why the recording is incomplete, and what is kept; may be empty
+  std::string ThreadAdvice; ///< why the requested priority was not granted; empty in virtual time
 };
 
-/// Reads and makes everything, so that forces could start. Throws InputError, FilterError,
-/// Cancelled.
+/// Reads and makes everything that a touch needs. Throws InputError, FilterError, Cancelled.
 PALPATESCENE_EXPORT PreparedTouch PrepareTouch(const SceneSettings& settings,
                                                const TouchScript& script,
                                                const ProgressFunction& progress);
 
-/// Draws a picture of the newest tick, `time` (s) after the first.
+/// Draws a frame of the newest tick, `time` (s) after the first.
 using TouchViewer = std::function<void(double time, const TouchState& newest)>;
 
-/// Tells the person at the device what to do now, as while it is homed.
+/// Tells the user what to do now, such as during homing.
 using TouchGuide = std::function<void(const std::string& sentence)>;
 
-/// How a scene is touched.
+/// Settings of a run.
 struct TouchRunSettings
 {
-  bool IsVirtual = true; ///< where the device allows it; as fast as ticks are computed; else at the
+  bool IsVirtual = true; ///< if the device allows it: as fast as ticks are computed; else at the
                          ///< rate, on a thread
-  std::filesystem::path Recording; ///< of the session; empty for none
-  TouchViewer View;                ///< drawn again and again beside the servo; not in virtual time
-  TouchGuide Guide;                ///< none: nobody is told
-  Clock* Time = nullptr;           ///< of a touch that is not virtual; none: the machine's
+  std::filesystem::path Recording; ///< of the session; empty: none
+  TouchViewer View;                ///< drawn repeatedly while the servo runs; not in virtual time
+  TouchGuide Guide;                ///< may be empty
+  Clock* Time = nullptr;           ///< in real time; null: the machine's clock
 };
 
-/// Touches, for `touch.Duration` from when the device is homed. Ends early, with what there is
-/// until then, where `progress` answers false. A recording that ends before the touch, since a disk
-/// is full or stalls, does not end the touch. Throws std::runtime_error where the device does not
-/// open, and InputError where the recording cannot begin. The memory it takes does not depend on
-/// the duration.
+/// Runs a touch for `touch.Duration`, starting when the device is homed. Ends early, with the
+/// result so far, if `progress` returns false. A recording that ends early because a disk is full
+/// or stalls does not end the touch. Throws std::runtime_error if the device cannot be opened, and
+/// InputError if the recording cannot be started. Memory does not depend on the duration.
 PALPATESCENE_EXPORT TouchResult RunTouch(const PreparedTouch& touch,
                                          const TouchRunSettings& settings,
                                          const ProgressFunction& progress);
 
-/// How what is felt again compares with what was recorded.
+/// Comparison of a replayed session with its recording.
 struct TouchComparison
 {
   std::uint64_t Ticks = 0;
   std::uint64_t DifferentTicks = 0; ///< in any bit
-  double LargestDifference = 0.0;   ///< N, of the forces
+  double LargestDifference = 0.0;   ///< N, between forces
 };
 
-/// Feels a recorded session again, and drills again what it drilled. Throws InputError where it is
-/// none.
+/// Replays a recorded session, including its drilling. Throws InputError if the file is not a
+/// recording.
 PALPATESCENE_EXPORT TouchComparison CompareTouch(const PreparedTouch& touch,
                                                  const std::filesystem::path& recording);
 } // namespace palpate

@@ -8,11 +8,11 @@
 
 namespace palpate
 {
-/// Whether the ending is that of a recorded touch: .touch, or .part where it was not finished.
+/// Whether the ending is that of a recorded touch: .touch, or .part for an unfinished one.
 PALPATESCENE_EXPORT bool IsTouchRecording(const std::filesystem::path& path);
 
-/// Writes every tick of a recorded touch as a line of CSV; the first line names the columns with
-/// their units. Lengths in the device's frame or, where a name says so, in the world. Throws
+/// Writes a recorded touch as CSV, one line per tick; the first line names the columns with their
+/// units. Lengths are in the device's frame or, if the name says so, in the world. Throws
 /// InputError.
 PALPATESCENE_EXPORT void WriteTouchTicks(const std::vector<TouchState>& ticks,
                                          const std::filesystem::path& csv);

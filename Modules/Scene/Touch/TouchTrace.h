@@ -10,7 +10,7 @@
 
 namespace palpate
 {
-/// The least and the largest of some numbers.
+/// Minimum and maximum.
 struct LeastAndMost
 {
   float Least = 0.0F;
@@ -23,35 +23,34 @@ struct LeastAndMost
   }
 };
 
-/// Some ticks that follow each other.
+/// An interval of consecutive ticks.
 struct TouchStretch
 {
-  double Time = 0.0;        ///< s from the first tick of all to the first of these
+  double Time = 0.0;        ///< s from the very first tick to the first of these
   LeastAndMost Force;       ///< N, applied
   LeastAndMost Depth;       ///< mm, of the deepest contact
   LeastAndMost Period;      ///< us, from the tick before
-  LeastAndMost Computation; ///< us that ticks took, where time is virtual; else 0
+  LeastAndMost Computation; ///< us that ticks took, in virtual time; else 0
 };
 
-/// A tick alone. `start` and `last` (ns): when the first tick was due, and when the one before this
+/// A single tick. `start` and `last` (ns): when the first tick was due, and when the previous one
 /// began.
 PALPATESCENE_EXPORT TouchStretch StretchOf(const TouchState& state, std::int64_t start,
                                            std::int64_t last);
 
-/// What was felt over time, in memory that does not grow: a stretch holds one tick until there are
-/// MostStretches, then two, and so on, so that no peak of a tick is lost. All ticks are in a
-/// recording.
+/// Trace of a touch in bounded memory: an interval holds one tick until there are MostStretches,
+/// then two, four and so on, so that no single-tick peak is lost. Recordings hold every tick.
 class PALPATESCENE_EXPORT TouchTrace
 {
 public:
-  /// Even. At 1 kHz every tick of the first 16 s.
+  /// Even. At 1 kHz, one tick each for the first 16 s.
   static constexpr std::size_t MostStretches = 16384;
 
-  /// The next tick, as a stretch of one.
+  /// Adds the next tick, as an interval of one.
   void Add(const TouchStretch& tick);
 
   const std::vector<TouchStretch>& Stretches() const noexcept { return this->List; }
-  /// So many in each but the last.
+  /// Ticks in each interval, except the last.
   std::uint64_t TicksAStretch() const noexcept { return this->Length; }
   /// Of all ticks.
   const TouchStretch& Whole() const noexcept { return this->All; }

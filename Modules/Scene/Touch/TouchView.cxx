@@ -45,10 +45,10 @@ void TouchView::Add(const BuiltStructure& structure)
   }
 }
 
-// As a sphere round what there is of it.
+// Drawn as its bounding sphere.
 void TouchView::AddTool(const ToolShape& tool)
 {
-  constexpr double LeastRadius = 0.5; // mm, so that a point is seen
+  constexpr double LeastRadius = 0.5; // mm, so that a point is visible
   vtkNew<vtkSphereSource> sphere;
   sphere->SetRadius(std::max(LeastRadius, tool.BoundingRadius()));
   sphere->SetCenter(this->Middle.data());

@@ -6,19 +6,19 @@
 
 namespace palpate
 {
-/// What a touch looks like while it goes on, off screen: the structures as they are touched,
-/// turning round the patient's long axis, drilled as they are just then, and the tool at its proxy.
+/// Draws a running touch off screen: the touched structures in their current drilled state, turning
+/// about the patient's long axis, and the tool at its proxy.
 class PALPATESCENE_EXPORT TouchView
 {
 public:
   static constexpr int Width = 640; ///< pixels
   static constexpr int Height = 480;
 
-  /// Throws FilterError, and std::runtime_error where nothing can be drawn.
+  /// Throws FilterError, and std::runtime_error if nothing can be drawn.
   explicit TouchView(const PreparedTouch& touch);
 
-  /// `time` in s turns the scene, 30 degrees a second. The picture is the view's own, until the
-  /// next is drawn.
+  /// `time` (s) turns the scene by 30 degrees per second. The image belongs to the view and is
+  /// valid until the next call.
   const Picture& Draw(double time, const Vector3& proxyWorld);
 
 private:
@@ -27,9 +27,9 @@ private:
 
   SceneRenderer Renderer;
   Picture Drawn{Width, Height};
-  std::size_t Tool = 0; // its surface
+  std::size_t Tool = 0; // number of its surface
   std::shared_ptr<DrillBench> Drill;
-  std::vector<std::size_t> DrilledFields; // their numbers, by the bench's sites
+  std::vector<std::size_t> DrilledFields; // field numbers, by drill site
   Vector3 Middle = Vector3::Zero();
 };
 } // namespace palpate

@@ -9,8 +9,8 @@
 
 namespace palpate::test
 {
-/// A segmentation with twelve labels, so that only the first is visible and touchable unasked:
-/// label 1 is a ball of bone round the origin, label 12 a nerve in its centre, the others are
+/// A segmentation with twelve labels, so that only the first is visible and touchable by default:
+/// label 1 is a sphere of bone around the origin, label 12 a nerve in its centre, the others are
 /// voxels in a corner.
 struct ForbiddenPhantom
 {
@@ -49,7 +49,7 @@ struct ForbiddenPhantom
   {
     state.Structures.at(0).Drill.Wear = 2.0;
     state.Tool.Radius = 3.0;
-    // The hand begins outside: in the centre it would be within the hollow of the nerve.
+    // The hand starts outside: at the centre it would be in the hollow of the nerve.
     state.Placement.Scale = 1.0;
     state.Placement.CenterWorld = Vector3(BoneRadius + 5.0, 0.0, 0.0);
     state.Fit.Frequency = 8;

@@ -27,7 +27,7 @@ inline Vector3 RandomPlace(Random& random)
   return 200.0 * RandomDirection(random);
 }
 
-/// A name with what files and JSON have to quote.
+/// A name with characters that files and JSON must quote.
 inline std::string RandomName(Random& random)
 {
   const std::vector<std::string> parts{"Prostata", " \"", "\\", "\xC3\xA4", "\n", "\t", ",", "7"};
@@ -134,7 +134,7 @@ inline StudyView RandomView(Random& random)
   return view;
 }
 
-/// Every entry is another than its default, most of the time.
+/// Most entries differ from their defaults.
 inline StudyState RandomStudy(Random& random)
 {
   StudyState state;

@@ -10,8 +10,8 @@
 
 namespace palpate::test
 {
-/// A volume and a segmentation of it: label 1 a ball of 9 mm, label 2 a shell that is not
-/// star-shaped from anywhere (two balls joined by a thin bow), label 3 three voxels.
+/// A volume and its segmentation: label 1 a sphere of 9 mm, label 2 a shape that is not star-shaped
+/// from any centre (two spheres joined by a thin bow), label 3 three voxels.
 class StudyPhantom
 {
 public:
@@ -42,7 +42,7 @@ public:
     return state;
   }
 
-  /// Of the mask at `file`, by the window's own choice where it is automatic.
+  /// Of the mask at `file`, with the window's choice for automatic.
   static SceneStructure Structure(int label, const std::string& representation,
                                   const std::filesystem::path& file = "mask.nii.gz")
   {
@@ -79,14 +79,14 @@ private:
   }
 };
 
-/// What can be touched of a state now.
+/// The contacts of a state that exist now.
 inline std::vector<SceneContact> ContactsIn(const StudyState& state, const StudyPipeline& pipeline)
 {
   return ContactsOf(state, [&pipeline](SceneStep step, int id)
                     { return pipeline.NewestProduct(step, id); });
 }
 
-/// Delivers until nothing more comes.
+/// Delivers until no job is left.
 inline void Settle(StudyJobs& jobs)
 {
   while (jobs.WaitForResult())

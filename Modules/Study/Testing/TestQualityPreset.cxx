@@ -10,7 +10,7 @@ namespace palpate
 {
 namespace
 {
-TEST(QualityPreset, StructureStandsAtThePresetThatItWasGiven)
+TEST(QualityPreset, StructureMatchesTheChosenPreset)
 {
   SceneStructure structure = test::StudyPhantom::Structure(1, TouchRepresentation::Facets);
   EXPECT_EQ(PresetOf(structure), -1);
@@ -20,17 +20,17 @@ TEST(QualityPreset, StructureStandsAtThePresetThatItWasGiven)
   }
   EXPECT_EQ(WithPreset(structure, 1).Degree, 8);
   EXPECT_EQ(WithPreset(structure, 5).Interpolation, FieldInterpolation::TricubicBSpline);
-  EXPECT_EQ(WithPreset(structure, 5).Degree, structure.Degree) << "of what is displayed";
+  EXPECT_EQ(WithPreset(structure, 5).Degree, structure.Degree) << "the degree of the display";
 }
 
-TEST(QualityPreset, OnlyLabelsTakeIt)
+TEST(QualityPreset, AppliesToLabelsOnly)
 {
   SceneStructure model;
   model.File = "model.json";
   EXPECT_TRUE(WithPreset(model, 3) == model);
 }
 
-TEST(QualityPreset, SceneStandsAtWhatAllTouchableLabelsShare)
+TEST(QualityPreset, SceneMatchesThePresetOfAllTouchableLabels)
 {
   SceneSettings scene;
   EXPECT_EQ(PresetOf(scene), -1);
@@ -43,7 +43,7 @@ TEST(QualityPreset, SceneStandsAtWhatAllTouchableLabelsShare)
   EXPECT_EQ(PresetOf(scene), 2);
 }
 
-TEST(QualityReport, NumbersAreOneSentence)
+TEST(QualityReport, NumbersAreOneLine)
 {
   QualityLine one;
   one.Title = "liver";
@@ -98,7 +98,7 @@ TEST_F(StudyQuality, IsMeasuredOnRequestAndRecommended)
   EXPECT_EQ(this->Open.History().UndoText(), "Use the recommended quality");
 }
 
-TEST_F(StudyQuality, OfAnotherToolIsNotKnown)
+TEST_F(StudyQuality, IsUnknownForAnotherTool)
 {
   this->Open.MeasureQuality();
   this->Settle();
@@ -108,7 +108,7 @@ TEST_F(StudyQuality, OfAnotherToolIsNotKnown)
   EXPECT_EQ(this->Open.QualityLines().at(0).Presets, "");
 }
 
-TEST_F(StudyQuality, SaysWhyItCannotBeMeasured)
+TEST_F(StudyQuality, ReportsWhyItCannotBeMeasured)
 {
   StudyState next = this->Open.State();
   next.Tool.Radius = -1.0;

@@ -38,7 +38,7 @@ protected:
       this->Open.Deliver();
     }
   }
-  // As the user would: another degree of the first structure.
+  // Changes the degree of the first structure, as the user would.
   void ChangeDegree(int degree)
   {
     StudyState next = this->Open.State();
@@ -51,7 +51,7 @@ protected:
   Study Open{this->Time, Ordinary()};
 };
 
-TEST_F(StudyTest, ASegmentationBringsItsStructuresAsPartOfItsStep)
+TEST_F(StudyTest, SegmentationAndItsStructuresAreOneStep)
 {
   this->OpenFiles();
   EXPECT_TRUE(this->Open.State().Structures.empty());
@@ -68,7 +68,7 @@ TEST_F(StudyTest, ASegmentationBringsItsStructuresAsPartOfItsStep)
   EXPECT_EQ(this->Open.State(), opened);
 }
 
-TEST_F(StudyTest, StructuresComeAlsoWhereTheStepWasUndoneMeanwhile)
+TEST_F(StudyTest, StructuresArriveAfterUndoAndRedo)
 {
   this->OpenFiles();
   this->Open.Undo();
@@ -78,7 +78,7 @@ TEST_F(StudyTest, StructuresComeAlsoWhereTheStepWasUndoneMeanwhile)
   EXPECT_EQ(this->Open.State().Structures.size(), 3U);
 }
 
-TEST_F(StudyTest, StructuresThatWereRemovedStayRemoved)
+TEST_F(StudyTest, RemovedStructuresStayRemoved)
 {
   this->OpenFiles();
   this->Settle();
@@ -92,7 +92,7 @@ TEST_F(StudyTest, StructuresThatWereRemovedStayRemoved)
   EXPECT_TRUE(this->Open.State().Structures.empty());
 }
 
-TEST(StudyStructures, OfManyOnlyTheFirstIsShownUnasked)
+TEST(StudyStructures, ShowsOnlyTheFirstOfManyByDefault)
 {
   Segmentation segmentation;
   for (int label = 1; label <= 20; ++label)
@@ -110,7 +110,7 @@ TEST(StudyStructures, OfManyOnlyTheFirstIsShownUnasked)
   }
 }
 
-TEST_F(StudyTest, ASessionReopensAsItWasSaved)
+TEST_F(StudyTest, SessionReopensAsSaved)
 {
   this->OpenFiles();
   this->Settle();
@@ -131,7 +131,7 @@ TEST_F(StudyTest, ASessionReopensAsItWasSaved)
   EXPECT_EQ(this->Open.Pipeline().Newest<FitResult>(SceneStep::Model, 1)->Model.Degree(), 5);
 }
 
-TEST_F(StudyTest, ASessionThatCannotBeReadLeavesWhatIsOpen)
+TEST_F(StudyTest, FailedOpenKeepsTheCurrentStudy)
 {
   this->OpenFiles();
   this->Settle();
@@ -142,7 +142,7 @@ TEST_F(StudyTest, ASessionThatCannotBeReadLeavesWhatIsOpen)
   EXPECT_TRUE(this->Open.History().CanUndo());
 }
 
-TEST_F(StudyTest, AMissingFileIsAskedForAndFound)
+TEST_F(StudyTest, RelocatesMissingFile)
 {
   this->OpenFiles();
   this->Settle();
@@ -162,7 +162,7 @@ TEST_F(StudyTest, AMissingFileIsAskedForAndFound)
 }
 
 // Open, touch, refit while touching, stop.
-TEST_F(StudyTest, ATouchFollowsWhatTheStudyBecomes)
+TEST_F(StudyTest, TouchFollowsTheState)
 {
   this->OpenFiles();
   this->Settle();
@@ -170,7 +170,7 @@ TEST_F(StudyTest, ATouchFollowsWhatTheStudyBecomes)
   EXPECT_TRUE(this->Open.IsOpeningDevice());
   this->Settle();
   ASSERT_TRUE(this->Open.Touch().IsRunning()) << this->Open.TouchProblem();
-  this->Open.Touch().MoveHand(Vector3(-15.0, 0.0, 5.0)); // in the ball
+  this->Open.Touch().MoveHand(Vector3(-15.0, 0.0, 5.0)); // in the sphere
   while (this->Open.Touch().Poll().TouchedId != 1)
   {
     std::this_thread::yield();
@@ -187,8 +187,8 @@ TEST_F(StudyTest, ATouchFollowsWhatTheStudyBecomes)
   EXPECT_FALSE(this->Open.Touch().IsRunning());
 }
 
-// Nobody touches and looks at a recording at once.
-TEST_F(StudyTest, ATouchAndAReplayEndEachOther)
+// Touch and replay never run at the same time.
+TEST_F(StudyTest, TouchAndReplayExcludeEachOther)
 {
   this->OpenFiles();
   this->Settle();
@@ -206,7 +206,7 @@ TEST_F(StudyTest, ATouchAndAReplayEndEachOther)
   EXPECT_TRUE(this->Open.IsOpeningReplay());
   this->Settle();
   EXPECT_NE(this->Open.ReplayProblem().find("absent.touch"), std::string::npos);
-  EXPECT_TRUE(this->Open.Touch().IsRunning()) << "what cannot be read ends nothing";
+  EXPECT_TRUE(this->Open.Touch().IsRunning()) << "a file that cannot be read ends nothing";
   this->Open.OpenReplay(file);
   this->Settle();
   ASSERT_NE(this->Open.Replay(), nullptr) << this->Open.ReplayProblem();
@@ -214,7 +214,7 @@ TEST_F(StudyTest, ATouchAndAReplayEndEachOther)
   const int second = this->Open.Contacts().at(1).Id;
   EXPECT_EQ(this->Open.PollReplay().TouchedId, second);
   EXPECT_EQ(this->Open.ReplayProblem(), "");
-  // As a program that died would leave it.
+  // As left by a crashed program.
   const std::string bytes = ReadWholeFile(file, 1 << 20);
   test::WriteAll(this->Phantom.Folder / "cut.part", bytes + bytes.substr(0, 100));
   this->Open.OpenReplay(this->Phantom.Folder / "cut.part");
@@ -227,12 +227,12 @@ TEST_F(StudyTest, ATouchAndAReplayEndEachOther)
   EXPECT_TRUE(this->Open.Touch().IsRunning()) << this->Open.TouchProblem();
 }
 
-TEST_F(StudyTest, AWorkspaceThatIsDraggedIsOneStepAndGoesBack)
+TEST_F(StudyTest, DraggedWorkspaceIsOneUndoableStep)
 {
   this->OpenFiles();
   this->Settle();
   this->Open.MoveWorkspace(Vector3::Zero(), "drag");
-  EXPECT_FALSE(this->Open.State().Placement.CenterWorld) << "there is none yet";
+  EXPECT_FALSE(this->Open.State().Placement.CenterWorld) << "none yet";
   this->Open.StartTouch();
   this->Settle();
   ASSERT_TRUE(this->Open.Touch().IsRunning()) << this->Open.TouchProblem();
@@ -253,7 +253,7 @@ TEST_F(StudyTest, AWorkspaceThatIsDraggedIsOneStepAndGoesBack)
   EXPECT_EQ(this->Open.Touch().Frame().CenterWorld, moved);
 }
 
-TEST_F(StudyTest, ATouchThatCannotBeginSaysWhy)
+TEST_F(StudyTest, ReportsWhyTouchCannotStart)
 {
   this->Open.StartTouch();
   this->Settle();
@@ -282,15 +282,15 @@ TEST_F(StudyTest, ClosingAtAnyMomentEndsEverything)
       closed.Deliver();
     }
     closed.StartTouch();
-    // What these small files ask for ends by itself long before.
+    // Jobs of these small files end long before.
     EXPECT_TRUE(closed.Close(std::chrono::minutes(1)));
     EXPECT_FALSE(closed.Touch().IsRunning());
     EXPECT_EQ(closed.Deliver(), 0U);
   }
 }
 
-// Whatever is done in which order, going all the way back and forth gives the states again.
-TEST_F(StudyTest, RandomStepsAllUndoneAndDoneAgainGiveTheSameStates)
+// After any sequence of steps, undoing and redoing all of them restores the states.
+TEST_F(StudyTest, UndoAndRedoOfRandomStepsRestoreTheStates)
 {
   this->OpenFiles();
   this->Settle();

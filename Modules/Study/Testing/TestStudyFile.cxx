@@ -14,7 +14,7 @@ namespace palpate
 {
 namespace
 {
-// The sentence that reading a text as a session is refused with.
+// The error message for a text that is read as a session.
 std::string RefusalOf(const std::string& text)
 {
   try
@@ -35,7 +35,7 @@ protected:
   std::filesystem::path Path = Folder / "case.palpate.json";
 };
 
-TEST_F(StudyFile, EveryStateComesBackEqual)
+TEST_F(StudyFile, RoundTripsEveryState)
 {
   test::Random random(11);
   for (int trial = 0; trial < 200; ++trial)
@@ -62,7 +62,7 @@ TEST_F(StudyFile, IsTheSameUnderADecimalComma)
   }
 }
 
-TEST_F(StudyFile, TheFolderMayMoveWithItsFiles)
+TEST_F(StudyFile, FolderMayMoveWithItsFiles)
 {
   std::filesystem::create_directories(this->Folder / "a/data");
   StudyState state;
@@ -90,7 +90,7 @@ TEST_F(StudyFile, MissingFilesAreNamedByTheirRole)
   EXPECT_TRUE(MissingFiles({}).empty());
 }
 
-TEST_F(StudyFile, WhatLayBesideAFileThatMovedIsFoundBesideIt)
+TEST_F(StudyFile, RelocatesNeighboursOfAMovedFile)
 {
   StudyState state;
   state.VolumeFile = this->Folder / "old/t2.nii.gz";
@@ -104,7 +104,7 @@ TEST_F(StudyFile, WhatLayBesideAFileThatMovedIsFoundBesideIt)
   EXPECT_TRUE(MissingFiles(moved).empty());
 }
 
-TEST_F(StudyFile, AFileThatIsThereStaysWhereItIs)
+TEST_F(StudyFile, KeepsExistingFilesWhenRelocating)
 {
   StudyState state;
   state.VolumeFile = this->Folder / "t2.nii.gz";
@@ -117,7 +117,7 @@ TEST_F(StudyFile, AFileThatIsThereStaysWhereItIs)
   EXPECT_EQ(moved.VolumeFile, this->Folder / "new/t2.nii.gz");
 }
 
-TEST(StudyText, AFileOfBeforeAppearancesShowsAsItIsTouched)
+TEST(StudyText, AppearanceIsAutomaticUnlessGiven)
 {
   const StudyState state =
       StudyFromText("{\"format\": \"palpate-study\", \"segmentation\": \"mask.nrrd\", "
@@ -129,7 +129,7 @@ TEST(StudyText, AFileOfBeforeAppearancesShowsAsItIsTouched)
   EXPECT_EQ(state.Structures[1].Appearance, SceneAppearance::ErrorMap);
 }
 
-TEST_F(StudyFile, WhatWouldNotOpenAgainIsNotWritten)
+TEST_F(StudyFile, RefusesToWriteWhatWouldNotReopen)
 {
   test::WriteAll(this->Path, "old");
   StudyState nan;
@@ -148,7 +148,7 @@ TEST_F(StudyFile, WhatWouldNotOpenAgainIsNotWritten)
   EXPECT_EQ(test::ReadAll(this->Path), "old");
 }
 
-TEST(StudyText, BadOnesAreRefusedWithThePlace)
+TEST(StudyText, RejectsMalformedTextWithThePosition)
 {
   const std::string start = "{\"format\": \"palpate-study\"";
   const std::string mask = start + ", \"segmentation\": \"mask.nrrd\"";
@@ -161,7 +161,7 @@ TEST(StudyText, BadOnesAreRefusedWithThePlace)
       {start + ", \"rate_hz\": 1e999}", "too large"},
       {start + ", \"version\": 3}", "version 3"},
       {start + ", \"volum\": \"a\"}", "\"volum\""},
-      {start + ", \"structures\": {}}", "\"structures\" are no list"},
+      {start + ", \"structures\": {}}", "\"structures\" is not a list"},
       {mask + ", \"structures\": [{\"label\": 1}, {\"degree\": 1.5}]}", "structures[1]"},
       {mask + ", \"structures\": [{\"visible\": 1}]}", "true or false"},
       {start + ", \"scene\": {\"structures\": [{\"label\": \"1\"}]}}", "no file"},
@@ -179,8 +179,8 @@ TEST(StudyText, BadOnesAreRefusedWithThePlace)
   }
 }
 
-// Whatever byte of a session is cut off or changed, it is refused or read, and nothing else.
-TEST(StudyText, DamageNeverDoesMoreThanRefuse)
+// A session truncated or changed at any byte is either refused or read.
+TEST(StudyText, DamagedTextIsRejectedOrRead)
 {
   test::Random random(5);
   const std::string text = StudyText(test::RandomStudy(random), "/folder", "case.palpate.json");
@@ -193,7 +193,7 @@ TEST(StudyText, DamageNeverDoesMoreThanRefuse)
   }
 }
 
-TEST(StudyText, AnEmptyObjectOfTheFormatIsTheDefaultState)
+TEST(StudyText, EmptyObjectGivesTheDefaultState)
 {
   EXPECT_EQ(StudyFromText("{\"format\": \"palpate-study\"}", "/folder", "case.palpate.json"),
             StudyState());

@@ -10,7 +10,7 @@ namespace palpate
 {
 namespace
 {
-TEST(StudyFileRole, IsToldByTheNameOfASessionAndTheContentOfAnImage)
+TEST(StudyFileRole, FollowsFromNameOrContent)
 {
   const test::StudyPhantom phantom;
   EXPECT_EQ(RoleOf(phantom.Folder / "mask.nii.gz"), StudyFileRole::Segmentation);
@@ -24,11 +24,11 @@ TEST(StudyFileRole, IsToldByTheNameOfASessionAndTheContentOfAnImage)
   }
   WriteImage(grey, image);
   EXPECT_EQ(RoleOf(grey), StudyFileRole::Volume);
-  // It need not be there: who opens it says so.
+  // It need not exist: opening it reports that.
   EXPECT_EQ(RoleOf("case.palpate.json"), StudyFileRole::Session);
 }
 
-TEST(StudyFileRole, OfAFileThatIsNoneOfThemIsAnError)
+TEST(StudyFileRole, RejectsUnknownFiles)
 {
   const test::TemporaryFolder folder;
   test::WriteAll(folder / "bad.nii.gz", "no image");

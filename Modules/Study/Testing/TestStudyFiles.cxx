@@ -12,7 +12,7 @@ namespace palpate
 namespace
 {
 // Every representation, and landmarks.
-TEST(StudyFiles, WhatWasMadeIsWrittenAndFeltAgain)
+TEST(StudyFiles, WrittenProductsCanBeTouchedAgain)
 {
   const test::StudyPhantom phantom;
   StudyState state = phantom.State();

@@ -20,7 +20,8 @@ namespace
 using test::ForbiddenPhantom;
 using Kind = StudyStepState::Kind;
 
-// The servo runs as fast as it can, in virtual time: with real-time priority nothing else would.
+// The servo runs as fast as it can, in virtual time; with real-time priority it would block
+// everything else.
 RealtimeRequest Ordinary()
 {
   RealtimeRequest request;
@@ -51,7 +52,7 @@ protected:
     this->Settle();
     ASSERT_TRUE(this->Open.Touch().IsRunning()) << this->Open.TouchProblem();
   }
-  // Bone that is drilled, with nothing forbidden, while it is touched.
+  // Drilled bone during a touch, without forbidden structures.
   void StartDrilling()
   {
     this->Change(ForbiddenPhantom::Drilled(this->Open.State()));
@@ -74,8 +75,8 @@ protected:
     this->WaitUntil([&](const StudyTouchReading& now)
                     { return now.Newest.ProbeWorld.X > Outside; });
   }
-  // From outside along x to a place before the bone's centre, with the pedal down; what is read
-  // after that much of the servo's time (s).
+  // Moves from outside along x to a place before the bone's centre, with the pedal down; returns
+  // the reading after this much servo time (s).
   const StudyTouchReading& PressWithPedal(double x, double seconds)
   {
     this->PlaceOutside();
@@ -83,7 +84,7 @@ protected:
     this->Open.Touch().RunDrill(true);
     return this->Pass(seconds);
   }
-  // What is read after that much of the servo's time (s).
+  // The reading after this much servo time (s).
   const StudyTouchReading& Pass(double seconds)
   {
     const std::int64_t end = this->Time.Now() + static_cast<std::int64_t>(1e9 * seconds);
@@ -102,7 +103,7 @@ protected:
   Study Open{this->Time, Ordinary()};
 };
 
-TEST_F(StudyForbiddenTest, IsProtectedThoughNeitherVisibleNorTouchable)
+TEST_F(StudyForbiddenTest, ProtectsThoughNeitherVisibleNorTouchable)
 {
   const SceneStructure& nerve = this->Open.State().Structures.back();
   ASSERT_EQ(nerve.Id, ForbiddenPhantom::Nerve);
@@ -119,8 +120,8 @@ TEST_F(StudyForbiddenTest, IsProtectedThoughNeitherVisibleNorTouchable)
           .Drill;
   EXPECT_EQ(drill.Approaches[0].Name, "label 12");
   EXPECT_EQ(drill.Hold, "");
-  // The burr came to the nerve and cut nothing of it; its surface is right to a fraction of a
-  // voxel of 1 mm.
+  // The burr reached the nerve without cutting it; the nerve's surface is accurate to a fraction of
+  // a 1 mm voxel.
   this->WaitUntil([](const StudyTouchReading& now) { return now.Drill.Approaches[0].Least < 0.0; });
   this->Open.Touch().RunDrill(false);
   const vtkSmartPointer<vtkPolyData> cut =
@@ -136,21 +137,21 @@ TEST_F(StudyForbiddenTest, IsProtectedThoughNeitherVisibleNorTouchable)
   EXPECT_GT(nearest, ForbiddenPhantom::NerveRadius - 0.6);
 }
 
-TEST_F(StudyForbiddenTest, NothingIsCutBeforeTheProtectionIsReady)
+TEST_F(StudyForbiddenTest, CutsNothingBeforeTheProtectionIsReady)
 {
   this->StartDrilling();
   ASSERT_EQ(this->Hold(), "");
-  // What the worker makes of it comes with Settle alone.
+  // The worker's result is delivered only by Settle.
   this->Change(ForbiddenPhantom::Forbidden(this->Open.State()));
   ASSERT_EQ(this->Hold(), "Drilling waits for the protection of label 12.");
   const StudyTouchReading& held = this->PressWithPedal(6.0, 2.0);
   EXPECT_TRUE(held.Newest.IsDrilling);
-  EXPECT_GT(held.Newest.Depth, 0.5) << "it is touched";
+  EXPECT_GT(held.Newest.Depth, 0.5) << "the tool is in contact";
   EXPECT_EQ(held.Newest.DrillOrders, 0U);
   EXPECT_EQ(this->Removed(), 0.0);
   this->Settle();
   EXPECT_EQ(this->Hold(), "");
-  // The pedal that was down all the time does not begin to cut by itself.
+  // The pedal that was down throughout does not start to cut without a new press.
   EXPECT_FALSE(this->WaitUntil([](const StudyTouchReading& now) { return !now.Newest.IsDrilling; })
                    .Newest.IsDrilling);
   EXPECT_EQ(this->Removed(), 0.0);
@@ -158,7 +159,7 @@ TEST_F(StudyForbiddenTest, NothingIsCutBeforeTheProtectionIsReady)
   this->WaitUntil([this](const StudyTouchReading&) { return this->Removed() > 1.0; });
 }
 
-TEST_F(StudyForbiddenTest, AButtonThatWasHeldMeanwhileDoesNotBeginToCutByItself)
+TEST_F(StudyForbiddenTest, HeldButtonDoesNotStartToCut)
 {
   constexpr unsigned Button = 1U << StudyTouch::DrillButton;
   this->Change(ForbiddenPhantom::Drilled(this->Open.State()));
@@ -167,7 +168,7 @@ TEST_F(StudyForbiddenTest, AButtonThatWasHeldMeanwhileDoesNotBeginToCutByItself)
   test::PlacedDevice* device = owned.get();
   const StudyState& state = this->Open.State();
   ASSERT_TRUE(this->Open.Touch().Start(std::move(owned), state, this->Open.Contacts()).IsOk());
-  // What the worker makes of it comes with Settle alone.
+  // The worker's result is delivered only by Settle.
   this->Change(ForbiddenPhantom::Forbidden(this->Open.State()));
   ASSERT_NE(this->Hold(), "");
   const Vector3 pressed = this->Open.Touch().Frame().ToDevice({6.0, 0.0, 0.0});
@@ -188,7 +189,7 @@ TEST_F(StudyForbiddenTest, AButtonThatWasHeldMeanwhileDoesNotBeginToCutByItself)
   this->WaitUntil([this](const StudyTouchReading&) { return this->Removed() > 1.0; });
 }
 
-TEST_F(StudyForbiddenTest, WhatWasDrilledBeforeStaysWhileAProtectionIsMade)
+TEST_F(StudyForbiddenTest, KeepsRemovedMaterialWhileAProtectionIsMade)
 {
   this->StartDrilling();
   this->PlaceOutside();
@@ -201,12 +202,13 @@ TEST_F(StudyForbiddenTest, WhatWasDrilledBeforeStaysWhileAProtectionIsMade)
   EXPECT_GT(this->Removed(), 19.0);
 }
 
-TEST_F(StudyForbiddenTest, AFailedProtectionTurnsTheDrillOffAndSaysWhy)
+TEST_F(StudyForbiddenTest, FailedProtectionTurnsTheDrillOffWithReason)
 {
   this->StartDrilling();
   StudyState next = this->Open.State();
-  next.Structures.push_back(test::StudyPhantom::Structure(77, TouchRepresentation::Automatic,
-                                                          next.SegmentationFile)); // of no voxel
+  next.Structures.push_back(
+      test::StudyPhantom::Structure(77, TouchRepresentation::Automatic,
+                                    next.SegmentationFile)); // not in any voxel
   next.Structures.back().Name = "Pallidum_L";
   next.Structures.back().IsTouchable = false;
   next.Structures.back().IsVisible = false;
@@ -224,7 +226,7 @@ TEST_F(StudyForbiddenTest, AFailedProtectionTurnsTheDrillOffAndSaysWhy)
   EXPECT_EQ(this->Hold(), "");
 }
 
-TEST_F(StudyForbiddenTest, ACancelledProtectionTurnsTheDrillOffUntilItIsResumed)
+TEST_F(StudyForbiddenTest, CancelledProtectionTurnsTheDrillOffUntilResumed)
 {
   this->StartDrilling();
   this->Change(ForbiddenPhantom::Forbidden(this->Open.State()));
@@ -240,8 +242,8 @@ TEST_F(StudyForbiddenTest, ACancelledProtectionTurnsTheDrillOffUntilItIsResumed)
   EXPECT_EQ(this->Hold(), "");
 }
 
-// The scene of before goes on where another cannot be felt; it does not protect what is forbidden.
-TEST_F(StudyForbiddenTest, NothingIsCutWhereTheProtectedSceneCannotBeFelt)
+// If the new scene cannot be touched, the previous one stays, which lacks the protection.
+TEST_F(StudyForbiddenTest, CutsNothingIfTheProtectedSceneCannotBeTouched)
 {
   this->StartDrilling();
   StudyState next = ForbiddenPhantom::Forbidden(this->Open.State());
@@ -256,7 +258,7 @@ TEST_F(StudyForbiddenTest, NothingIsCutWhereTheProtectedSceneCannotBeFelt)
   this->WaitUntil([this](const StudyTouchReading&) { return this->Removed() > 1.0; });
 }
 
-TEST_F(StudyForbiddenTest, ItsRowSaysHowTheProtectionStands)
+TEST_F(StudyForbiddenTest, RowShowsTheStateOfTheProtection)
 {
   const auto row = [this]
   { return ProtectionText(ForbiddenOf(this->Open.State(), this->Open.Pipeline()).at(0)); };
@@ -281,7 +283,7 @@ TEST(DrillHoldText, NamesTwoAndCountsTheOthers)
             "Drilling waits for the protection of a, b and 2 more.");
 }
 
-// From somewhere in the bone to somewhere else.
+// Between random places in the bone.
 std::vector<std::pair<Vector3, Vector3>> RandomSweeps()
 {
   constexpr int Count = 40;
@@ -295,7 +297,7 @@ std::vector<std::pair<Vector3, Vector3>> RandomSweeps()
   return sweeps;
 }
 
-TEST_F(StudyForbiddenTest, TheCommandLineProtectsTheSame)
+TEST_F(StudyForbiddenTest, CommandLineProtectsTheSame)
 {
   const StudyState state =
       ForbiddenPhantom::Forbidden(ForbiddenPhantom::Drilled(this->Open.State()));

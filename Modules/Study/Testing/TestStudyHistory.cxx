@@ -16,8 +16,8 @@ StudyState WithDegree(const StudyState& state, int degree)
   return changed;
 }
 
-// The oracle keeps every state in a list, and a place in it.
-TEST(StudyHistory, RandomStepsToAndFroGiveTheStatesOfAPlainList)
+// The oracle keeps every state in a list, with a current index.
+TEST(StudyHistory, RandomUndoAndRedoEqualAPlainList)
 {
   test::Random random(7);
   for (int trial = 0; trial < 20; ++trial)
@@ -50,7 +50,7 @@ TEST(StudyHistory, RandomStepsToAndFroGiveTheStatesOfAPlainList)
   }
 }
 
-TEST(StudyHistory, AStepIsNamedOnEitherSide)
+TEST(StudyHistory, StepHasOneNameForUndoAndRedo)
 {
   StudyHistory history;
   history.Change("Change the degree to 14", WithDegree({}, 14));
@@ -61,14 +61,14 @@ TEST(StudyHistory, AStepIsNamedOnEitherSide)
   EXPECT_EQ(history.UndoText(), "");
 }
 
-TEST(StudyHistory, WhatChangesNothingIsNoStep)
+TEST(StudyHistory, EqualStateIsNoStep)
 {
   StudyHistory history;
   EXPECT_FALSE(history.Change("nothing", StudyState()));
   EXPECT_FALSE(history.CanUndo());
 }
 
-TEST(StudyHistory, ADraggedSliderIsOneStep)
+TEST(StudyHistory, DraggedSliderIsOneStep)
 {
   StudyHistory history;
   for (const int degree : {13, 14, 15})
@@ -86,7 +86,7 @@ TEST(StudyHistory, ADraggedSliderIsOneStep)
   EXPECT_FALSE(history.CanUndo());
 }
 
-TEST(StudyHistory, ASliderThatIsDraggedBackLeavesNoStep)
+TEST(StudyHistory, SliderDraggedBackLeavesNoStep)
 {
   StudyHistory history;
   history.Change("to 14", WithDegree({}, 14), "degree");
@@ -95,7 +95,7 @@ TEST(StudyHistory, ASliderThatIsDraggedBackLeavesNoStep)
   EXPECT_FALSE(history.IsChanged());
 }
 
-TEST(StudyHistory, AnUndoEndsAGesture)
+TEST(StudyHistory, UndoEndsAGesture)
 {
   StudyHistory history;
   history.Change("to 13", WithDegree({}, 13));
@@ -106,7 +106,7 @@ TEST(StudyHistory, AnUndoEndsAGesture)
   EXPECT_EQ(history.Current().Fit.Degree, 13);
 }
 
-TEST(StudyHistory, WhereOneLooksIsNoStepAndStays)
+TEST(StudyHistory, ViewIsNoStepAndIsKept)
 {
   test::Random random(3);
   StudyHistory history;
@@ -120,7 +120,7 @@ TEST(StudyHistory, WhereOneLooksIsNoStepAndStays)
   EXPECT_FALSE(history.IsChanged());
 }
 
-TEST(StudyHistory, KeepsNoMoreStepsThanItIsAllowed)
+TEST(StudyHistory, KeepsAtMostTheAllowedSteps)
 {
   StudyHistory history({}, 3);
   for (int degree = 20; degree < 30; ++degree)
@@ -136,7 +136,7 @@ TEST(StudyHistory, KeepsNoMoreStepsThanItIsAllowed)
   EXPECT_EQ(history.Current().Fit.Degree, 26);
 }
 
-TEST(StudyHistory, SaysWhetherThereIsSomethingToSave)
+TEST(StudyHistory, ReportsUnsavedChanges)
 {
   StudyHistory history;
   history.Change("to 14", WithDegree({}, 14));

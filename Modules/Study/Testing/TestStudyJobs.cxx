@@ -30,7 +30,7 @@ void DeliverAll(StudyJobs& jobs)
   }
 }
 
-// Works until it is cancelled, and says when it has begun.
+// Runs until it is cancelled, and signals its start.
 struct Endless
 {
   std::promise<void> Begun;
@@ -54,7 +54,7 @@ struct Endless
   }
 };
 
-TEST(StudyJobs, ResultsAreDeliveredOnTheThreadThatAsksInTheOrderOfStarting)
+TEST(StudyJobs, DeliversOnTheCallersThreadInStartOrder)
 {
   StudyJobs jobs;
   std::vector<int> delivered;
@@ -74,10 +74,10 @@ TEST(StudyJobs, ResultsAreDeliveredOnTheThreadThatAsksInTheOrderOfStarting)
   {
     EXPECT_EQ(delivered[static_cast<std::size_t>(n)], n);
   }
-  EXPECT_FALSE(jobs.WaitForResult()) << "nothing is on its way";
+  EXPECT_FALSE(jobs.WaitForResult()) << "no job is left";
 }
 
-TEST(StudyJobs, WhatIsUrgentGoesBeforeWhatWaits)
+TEST(StudyJobs, UrgentJobsRunFirst)
 {
   StudyJobs jobs;
   Endless endless;
@@ -93,7 +93,7 @@ TEST(StudyJobs, WhatIsUrgentGoesBeforeWhatWaits)
   EXPECT_EQ(order, "urgent waiting");
 }
 
-TEST(StudyJobs, ADeliveryMayStartMore)
+TEST(StudyJobs, DeliveryMayStartJobs)
 {
   StudyJobs jobs;
   int count = 0;
@@ -109,7 +109,7 @@ TEST(StudyJobs, ADeliveryMayStartMore)
   EXPECT_EQ(count, 5);
 }
 
-TEST(StudyJobs, WhatWorkThrowsIsASentence)
+TEST(StudyJobs, ReportsExceptionsAsMessages)
 {
   StudyJobs jobs;
   std::vector<std::string> sentences;
@@ -127,7 +127,7 @@ TEST(StudyJobs, WhatWorkThrowsIsASentence)
   EXPECT_NE(sentences[1].find("memory"), std::string::npos);
 }
 
-TEST(StudyJobs, WhatIsCancelledStopsAndDeliversNothing)
+TEST(StudyJobs, CancelledJobStopsAndDeliversNothing)
 {
   StudyJobs jobs;
   Endless endless;
@@ -140,11 +140,11 @@ TEST(StudyJobs, WhatIsCancelledStopsAndDeliversNothing)
   bool isDelivered = false;
   jobs.Start(Delivering([&] { isDelivered = true; }));
   DeliverAll(jobs);
-  EXPECT_TRUE(*endless.HasEnded) << "its worker was free for the next one";
+  EXPECT_TRUE(*endless.HasEnded) << "its worker is free for the next job";
   EXPECT_TRUE(isDelivered);
 }
 
-TEST(StudyJobs, WhatWaitsOrIsDoneCanBeCancelledToo)
+TEST(StudyJobs, WaitingAndFinishedJobsCanBeCancelled)
 {
   StudyJobs jobs;
   int delivered = 0;
@@ -163,7 +163,7 @@ TEST(StudyJobs, WhatWaitsOrIsDoneCanBeCancelledToo)
   EXPECT_EQ(delivered, 0);
 }
 
-TEST(StudyJobs, EndingCancelsWhatRuns)
+TEST(StudyJobs, EndCancelsRunningJobs)
 {
   Endless endless;
   StudyJobs jobs;
@@ -178,8 +178,8 @@ TEST(StudyJobs, EndingCancelsWhatRuns)
   EXPECT_FALSE(isDelivered);
 }
 
-// Work that never asks whether it is wanted goes on by itself, with all that it needs.
-TEST(StudyJobs, WhatDoesNotListenHoldsNobodyUp)
+// A job that never checks for cancellation keeps running, with the data that it needs.
+TEST(StudyJobs, UnresponsiveJobDoesNotDelayEnd)
 {
   const auto release = std::make_shared<std::promise<void>>();
   const auto ended = std::make_shared<std::promise<void>>();
@@ -203,7 +203,7 @@ TEST(StudyJobs, WhatDoesNotListenHoldsNobodyUp)
   ended->get_future().wait();
 }
 
-TEST(StudyJobs, SeveralWorkersDoEachJobOnce)
+TEST(StudyJobs, SeveralWorkersRunEachJobOnce)
 {
   StudyJobs jobs(4);
   std::atomic<int> worked{0};

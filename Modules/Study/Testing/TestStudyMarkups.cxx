@@ -15,7 +15,7 @@ const std::vector<StudyLandmark> Landmarks{{"apex", Vector3(0.1, -20.5, 1.0 / 3.
 const std::vector<StudyDistance> Distances{
     {"width", Vector3(1.0, 2.0, 3.0), Vector3(1.0, 5.0, 7.0)}};
 
-TEST(StudyMarkups, SlicerGetsPointsAndLinesInLps)
+TEST(StudyMarkups, SlicerFileHasPointsAndLinesInLps)
 {
   const test::TemporaryFolder folder;
   WriteMarkups(folder / "a.mrk.json", Landmarks, Distances);
@@ -38,7 +38,7 @@ TEST(StudyMarkups, SlicerGetsPointsAndLinesInLps)
   EXPECT_EQ(markups[1]["measurements"][0]["value"].get<double>(), 5.0);
 }
 
-TEST(StudyMarkups, TheTableHasALineEachWithNamesQuotedWhereNeeded)
+TEST(StudyMarkups, TableHasOneLineEachWithQuotedNames)
 {
   const test::TemporaryFolder folder;
   WriteMarkups(folder / "a.csv", Landmarks, Distances);
@@ -49,7 +49,7 @@ TEST(StudyMarkups, TheTableHasALineEachWithNamesQuotedWhereNeeded)
             "distance,width,1,2,3,1,5,7,5\n");
 }
 
-TEST(StudyMarkups, NothingAndOtherEndingsAreRefusedAndLeaveNothing)
+TEST(StudyMarkups, RejectsEmptyMarkupsAndOtherEndings)
 {
   const test::TemporaryFolder folder;
   EXPECT_THROW(WriteMarkups(folder / "a.csv", {}, {}), InputError);

@@ -25,13 +25,13 @@ const Steps AllSteps{SceneStep::Volume,  SceneStep::Segmentation, SceneStep::Str
 class StudyPipelineTest : public testing::Test
 {
 protected:
-  // Wants a state and lets everything be made.
+  // Requests a state and waits until everything is made.
   void Make(const StudyState& state)
   {
     this->Pipeline.Update(state);
     test::Settle(this->Jobs);
   }
-  // The steps of a structure that are wanted.
+  // The steps that a structure needs.
   Steps WantedFor(int label) const
   {
     Steps wanted;
@@ -63,7 +63,7 @@ protected:
   StudyPipeline Pipeline{Jobs};
 };
 
-TEST_F(StudyPipelineTest, MakesWhatAFitMakes)
+TEST_F(StudyPipelineTest, MakesTheSameAsAFit)
 {
   const StudyState state = this->Phantom.State();
   this->Make(state);
@@ -98,14 +98,14 @@ TEST_F(StudyPipelineTest, MakesOnlyWhatARepresentationNeeds)
     this->ExpectUpToDate(steps);
     state.Structures[0].IsTouchable = false;
     this->Make(state);
-    // Voxels that are only displayed have a surface.
+    // Voxels that are only displayed get a surface.
     EXPECT_EQ(this->WantedFor(1), representation == TouchRepresentation::SubVoxel
                                       ? Steps{SceneStep::Surface}
                                       : Steps(steps.begin(), steps.end() - 1));
   }
 }
 
-TEST_F(StudyPipelineTest, MakesWhatIsShownWhateverItIsTouchedBy)
+TEST_F(StudyPipelineTest, MakesDisplayIndependentlyOfTouch)
 {
   struct Case
   {
@@ -141,7 +141,7 @@ TEST_F(StudyPipelineTest, MakesWhatIsShownWhateverItIsTouchedBy)
   }
 }
 
-TEST_F(StudyPipelineTest, WhatIsShownAndTouchedByOneThingIsMadeOnce)
+TEST_F(StudyPipelineTest, MakesASharedProductOnce)
 {
   StudyState state = this->Phantom.State();
   this->Make(state);
@@ -165,7 +165,7 @@ TEST_F(StudyPipelineTest, MakesNothingForWhatIsNeitherShownNorTouched)
   EXPECT_TRUE(this->WantedFor(1).empty());
 }
 
-TEST_F(StudyPipelineTest, AStructureThatHarmonicsRefuseIsTouchedByItsField)
+TEST_F(StudyPipelineTest, TouchesTheFieldIfHarmonicsRefuse)
 {
   StudyState state = this->Phantom.State();
   state.Structures = {
@@ -180,7 +180,7 @@ TEST_F(StudyPipelineTest, AStructureThatHarmonicsRefuseIsTouchedByItsField)
   EXPECT_EQ(this->Pipeline.StateOf(SceneStep::Model).Sentence, samples.Sentence);
   EXPECT_EQ(this->Pipeline.Advice(), std::vector<std::string>{samples.Sentence});
   this->ExpectUpToDate({SceneStep::Surface, SceneStep::Field, SceneStep::Touch});
-  // Asked for by name, it is refused and not replaced.
+  // An explicit choice is refused and not replaced.
   state.Structures[0].Representation = TouchRepresentation::Harmonics;
   this->Make(state);
   const StudyStepState touch = this->Pipeline.StateOf(SceneStep::Touch);
@@ -189,7 +189,7 @@ TEST_F(StudyPipelineTest, AStructureThatHarmonicsRefuseIsTouchedByItsField)
   EXPECT_TRUE(this->Pipeline.Advice().empty());
 }
 
-TEST_F(StudyPipelineTest, AModelThatIsAskedForToBeSeenIsRefusedAndNotReplaced)
+TEST_F(StudyPipelineTest, DoesNotReplaceAnExplicitlyDisplayedModel)
 {
   StudyState state = this->Phantom.State();
   state.Structures = {
@@ -200,7 +200,7 @@ TEST_F(StudyPipelineTest, AModelThatIsAskedForToBeSeenIsRefusedAndNotReplaced)
   this->ExpectUpToDate({SceneStep::Field, SceneStep::Touch});
 }
 
-TEST_F(StudyPipelineTest, WhatHarmonicsRefuseAndNobodyTouchesIsShownByItsSurface)
+TEST_F(StudyPipelineTest, ShowsTheSurfaceIfHarmonicsRefuseAndTouchIsOff)
 {
   StudyState state = this->Phantom.State();
   state.Structures = {
@@ -214,8 +214,8 @@ TEST_F(StudyPipelineTest, WhatHarmonicsRefuseAndNobodyTouchesIsShownByItsSurface
       << this->Pipeline.Advice()[0];
 }
 
-// Nothing does the work of what no file has.
-TEST_F(StudyPipelineTest, WhatCannotBeReplacedHasFailed)
+// A missing label has no replacement.
+TEST_F(StudyPipelineTest, FailsWithoutReplacement)
 {
   StudyState state = this->Phantom.State();
   state.Structures = {
@@ -228,7 +228,7 @@ TEST_F(StudyPipelineTest, WhatCannotBeReplacedHasFailed)
   EXPECT_TRUE(this->Pipeline.Advice().empty());
 }
 
-TEST_F(StudyPipelineTest, OneStructureThatFailsStopsNoOther)
+TEST_F(StudyPipelineTest, FailedStructureStopsNoOther)
 {
   StudyState state = this->Phantom.State();
   state.Structures.push_back(
@@ -244,8 +244,8 @@ TEST_F(StudyPipelineTest, OneStructureThatFailsStopsNoOther)
   EXPECT_EQ(this->Pipeline.StateOf(SceneStep::Structures).Is, Kind::Failed);
 }
 
-// The degree decides the model alone, the centre the samples too, the smoothing everything.
-TEST_F(StudyPipelineTest, ASettingMakesAgainOnlyWhatDependsOnIt)
+// The degree affects only the model, the centre also the samples, the smoothing everything.
+TEST_F(StudyPipelineTest, RemakesOnlyDependentProducts)
 {
   StudyState state = this->Phantom.State();
   this->Make(state);
@@ -269,10 +269,10 @@ TEST_F(StudyPipelineTest, ASettingMakesAgainOnlyWhatDependsOnIt)
   state.View.OverlayOpacity = 0.1;
   EXPECT_EQ(started(), 0U);
   state.Tool.Radius = 3.0;
-  EXPECT_EQ(started(), 1U); // what a tick costs
+  EXPECT_EQ(started(), 1U); // cost
 }
 
-TEST_F(StudyPipelineTest, WhatATickCostsIsMeasuredOnceForWhatCanBeTouched)
+TEST_F(StudyPipelineTest, MeasuresTheTickTimeOncePerContact)
 {
   StudyState state = this->Phantom.State();
   state.Structures.push_back(
@@ -283,7 +283,7 @@ TEST_F(StudyPipelineTest, WhatATickCostsIsMeasuredOnceForWhatCanBeTouched)
   EXPECT_GT(cost->MedianNanoseconds, 0.0);
   EXPECT_TRUE(std::isfinite(cost->MedianNanoseconds));
   EXPECT_EQ(this->Pipeline.Newest<TouchCost>(SceneStep::Cost, 2), nullptr)
-      << "a structure that is refused has none";
+      << "a refused structure has none";
   StudyState other = state;
   other.Structures[0].Degree = 2;
   this->Make(other);
@@ -295,7 +295,7 @@ TEST_F(StudyPipelineTest, WhatATickCostsIsMeasuredOnceForWhatCanBeTouched)
   EXPECT_EQ(this->Pipeline.Newest<TouchCost>(SceneStep::Cost, 1), nullptr);
 }
 
-TEST_F(StudyPipelineTest, AFormerStateIsThereAtOnceAndTheSame)
+TEST_F(StudyPipelineTest, FormerStateIsAvailableImmediately)
 {
   StudyState state = this->Phantom.State();
   this->Make(state);
@@ -310,7 +310,7 @@ TEST_F(StudyPipelineTest, AFormerStateIsThereAtOnceAndTheSame)
   EXPECT_EQ(this->Pipeline.StartedCount(), started);
 }
 
-TEST_F(StudyPipelineTest, WhatWasThereIsShownUntilTheNewOneIs)
+TEST_F(StudyPipelineTest, ShowsThePreviousProductUntilTheNext)
 {
   StudyState state = this->Phantom.State();
   this->Make(state);
@@ -325,7 +325,7 @@ TEST_F(StudyPipelineTest, WhatWasThereIsShownUntilTheNewOneIs)
   EXPECT_GT(this->Pipeline.Revision(), revision);
 }
 
-TEST_F(StudyPipelineTest, WhatIsHiddenIsForgotten)
+TEST_F(StudyPipelineTest, ForgetsHiddenStructures)
 {
   StudyState state = this->Phantom.State();
   this->Make(state);
@@ -335,7 +335,7 @@ TEST_F(StudyPipelineTest, WhatIsHiddenIsForgotten)
   EXPECT_EQ(this->Model(1), nullptr);
 }
 
-TEST_F(StudyPipelineTest, FilesThatFailSayWhatTheCommandLineSays)
+TEST_F(StudyPipelineTest, FailedFilesHaveTheCommandLinesMessages)
 {
   test::WriteAll(this->Phantom.Folder / "broken.nii.gz", "no image");
   StudyState state = this->Phantom.State();
@@ -360,7 +360,7 @@ TEST_F(StudyPipelineTest, FilesThatFailSayWhatTheCommandLineSays)
   }
 }
 
-TEST_F(StudyPipelineTest, AFileThatIsWrittenAnewIsReadAnew)
+TEST_F(StudyPipelineTest, RereadsChangedFiles)
 {
   StudyState state = this->Phantom.State();
   const auto file = this->Phantom.Folder / "mask.nii.gz";
@@ -373,7 +373,7 @@ TEST_F(StudyPipelineTest, AFileThatIsWrittenAnewIsReadAnew)
   this->ExpectUpToDate({SceneStep::Segmentation, SceneStep::Model});
 }
 
-TEST_F(StudyPipelineTest, WhatNobodyWantsAnyMoreIsCancelled)
+TEST_F(StudyPipelineTest, CancelsUnneededJobs)
 {
   this->Pipeline.Update(this->Phantom.State());
   EXPECT_FALSE(this->Jobs.IsIdle());
@@ -382,7 +382,7 @@ TEST_F(StudyPipelineTest, WhatNobodyWantsAnyMoreIsCancelled)
   EXPECT_EQ(this->Jobs.Deliver(), 0U);
 }
 
-TEST_F(StudyPipelineTest, WhatTheUserCancelsWaitsUntilItIsResumed)
+TEST_F(StudyPipelineTest, CancelledStepWaitsForResume)
 {
   const StudyState state = this->Phantom.State();
   this->Pipeline.Update(state);
@@ -396,7 +396,7 @@ TEST_F(StudyPipelineTest, WhatTheUserCancelsWaitsUntilItIsResumed)
   this->ExpectUpToDate({SceneStep::Model, SceneStep::Touch});
 }
 
-TEST_F(StudyPipelineTest, OneThatIsClosedWhileItWorksLeavesNothingBehind)
+TEST_F(StudyPipelineTest, DestructionWhileRunningLeavesNothingBehind)
 {
   for (int deliveries = 0; deliveries < 6; ++deliveries)
   {
@@ -410,7 +410,7 @@ TEST_F(StudyPipelineTest, OneThatIsClosedWhileItWorksLeavesNothingBehind)
   test::Settle(this->Jobs);
 }
 
-TEST_F(StudyPipelineTest, ACacheThatHoldsNothingStillMakesEverything)
+TEST_F(StudyPipelineTest, TinyCacheStillMakesEverything)
 {
   StudyPipeline poor(this->Jobs, 1);
   poor.Update(this->Phantom.State());
@@ -419,9 +419,9 @@ TEST_F(StudyPipelineTest, ACacheThatHoldsNothingStillMakesEverything)
   EXPECT_EQ(poor.StartedCount(), 7U);
 }
 
-// Whatever was changed, undone or cancelled when: once all is delivered, the pipeline holds what a
-// new one makes of the same state.
-TEST_F(StudyPipelineTest, RandomChangesUndoneAndCancelledEndAsIfMadeAtOnce)
+// After any changes, undo steps and cancellations, once all is delivered, the pipeline holds the
+// same products as a new one for the same state.
+TEST_F(StudyPipelineTest, RandomChangesEndAsIfMadeDirectly)
 {
   test::Random random(23);
   StudyHistory history(this->Phantom.State());
@@ -450,7 +450,7 @@ TEST_F(StudyPipelineTest, RandomChangesUndoneAndCancelledEndAsIfMadeAtOnce)
       this->Jobs.Deliver();
     }
     this->Pipeline.Resume(cancelled);
-    for (const SceneStep one : AllSteps) // at any moment a state can be told
+    for (const SceneStep one : AllSteps) // states are available at any moment
     {
       this->Pipeline.StateOf(one);
     }
@@ -466,7 +466,7 @@ TEST_F(StudyPipelineTest, RandomChangesUndoneAndCancelledEndAsIfMadeAtOnce)
   }
 }
 
-TEST_F(StudyPipelineTest, AProstateOfRealDataIsMade)
+TEST_F(StudyPipelineTest, MakesAProstateOfRealData)
 {
   StudyState state;
   state.VolumeFile = StudyPath(test::DataPath("prostate/promise12_0_t2.nii.gz"));
@@ -477,7 +477,7 @@ TEST_F(StudyPipelineTest, AProstateOfRealDataIsMade)
   state.Structures[0].Degree = 12;
   this->Make(state);
   this->ExpectUpToDate({SceneStep::Volume, SceneStep::Model, SceneStep::Touch});
-  EXPECT_GT(this->Model(1)->Dice, 0.95); // what `palpate fit` finds is 0.960
+  EXPECT_GT(this->Model(1)->Dice, 0.95); // `palpate fit` gives 0.960
 }
 } // namespace
 } // namespace palpate

@@ -15,7 +15,7 @@ using Place = std::pair<SceneStep, int>;
 using Places = std::set<Place>;
 using Step = SceneStep;
 
-// Structures that are felt in each way, one that is drilled and one that is forbidden.
+// Structures of every representation, one drilled and one forbidden.
 enum Label
 {
   Whole = 0,
@@ -142,7 +142,7 @@ std::function<void(Inputs&)> OfEach(const std::function<void(SceneStructure&)>& 
   };
 }
 
-TEST(StudyPlan, AnInputOfAProductIsInItsKey)
+TEST(StudyPlan, EveryInputOfAProductIsInItsKey)
 {
   const Inputs base = Base();
   const Places ofMask = Without(AllPlaces(base), {{Step::Volume, Whole}, {Step::Tool, Whole}});
@@ -207,8 +207,8 @@ TEST(StudyPlan, AnInputOfAProductIsInItsKey)
        {"tool's content", [](Inputs& i) { i.Stamps["/tool.stl"] = "u"; }, ToolPlaces}});
 }
 
-// What is only looked at or felt otherwise makes nothing again.
-TEST(StudyPlan, WhatNoProductDependsOnIsInNoKey)
+// Settings of the view or of the force law alone do not remake products.
+TEST(StudyPlan, KeysOmitIrrelevantSettings)
 {
   ExpectChanges(Base(), {{"stiffness", OfEach([](SceneStructure& s) { s.Stiffness = 1.25; }), {}},
                          {"friction",
@@ -232,7 +232,7 @@ TEST(StudyPlan, WhatNoProductDependsOnIsInNoKey)
                          {"placement", [](Inputs& i) { i.State.Placement.Scale = 2.0; }, {}}});
 }
 
-TEST(StudyPlan, AForbiddenStructureIsProtectedWhateverIsShown)
+TEST(StudyPlan, ProtectsForbiddenStructuresWhateverIsShown)
 {
   for (int bits = 0; bits < 4; ++bits)
   {
@@ -243,8 +243,8 @@ TEST(StudyPlan, AForbiddenStructureIsProtectedWhateverIsShown)
   }
 }
 
-// Names of labels and detached data are read with the file that names them.
-TEST(SceneStamps, FilesThatAreReadWithAnotherAreStamped)
+// Names of labels and detached data are read together with their main file.
+TEST(SceneStamps, StampsCompanionFiles)
 {
   const test::TemporaryFolder folder;
   const std::vector<std::pair<const char*, const char*>> cases{{"aal.nii.gz", "aal.nii.txt"},

@@ -17,7 +17,7 @@ namespace
 constexpr std::int64_t Second = 1'000'000'000;
 constexpr std::int64_t Period = 1'000'000;
 
-// Ticks whose x counts them, a millisecond and up to half of one apart.
+// Ticks numbered by their x, 1 to 1.5 ms apart.
 std::vector<TouchState> Ticks(std::size_t count)
 {
   test::Random random(1120);
@@ -55,7 +55,7 @@ protected:
     EXPECT_TRUE(recorder.Finish().IsOk());
     return file;
   }
-  // Who looks through all ticks.
+  // Reference that searches all ticks.
   static std::size_t Slow(const std::vector<TouchState>& ticks, double seconds)
   {
     std::size_t found = 0;
@@ -71,7 +71,7 @@ protected:
   ManualClock Time{5};
 };
 
-TEST_F(StudyReplayTest, AMomentHasTheLastTickThatHadBegun)
+TEST_F(StudyReplayTest, PositionHasTheLastStartedTick)
 {
   const auto ticks = Ticks(3000);
   StudyReplay replay = this->Replay(ticks);
@@ -91,7 +91,7 @@ TEST_F(StudyReplayTest, AMomentHasTheLastTickThatHadBegun)
   EXPECT_EQ(replay.Poll({}).Newest.Tick.Number, ticks.size() - 1);
 }
 
-TEST_F(StudyReplayTest, PlayedItShowsEveryTickOnceAndStopsAtTheEnd)
+TEST_F(StudyReplayTest, PlaysEveryTickOnceAndStopsAtTheEnd)
 {
   const auto ticks = Ticks(2000);
   StudyReplay replay = this->Replay(ticks);
@@ -104,7 +104,7 @@ TEST_F(StudyReplayTest, PlayedItShowsEveryTickOnceAndStopsAtTheEnd)
     const auto& fresh = replay.Poll({}).NewTicks;
     shown.insert(shown.end(), fresh.begin(), fresh.end());
     this->Time.Advance(16 * Period);
-    // Some roundings of seconds.
+    // A few roundings of seconds.
     EXPECT_LE(replay.Position(), before + 2.0 * 0.016 + 1e-12);
   }
   ASSERT_EQ(shown.size(), ticks.size());
@@ -118,12 +118,12 @@ TEST_F(StudyReplayTest, PlayedItShowsEveryTickOnceAndStopsAtTheEnd)
   EXPECT_EQ(replay.Position(), 0.0) << "from the beginning";
 }
 
-TEST_F(StudyReplayTest, PausedItStays)
+TEST_F(StudyReplayTest, PauseHoldsThePosition)
 {
   StudyReplay replay = this->Replay(Ticks(2000));
   replay.Play();
   this->Time.Advance(Second / 2);
-  EXPECT_NEAR(replay.Position(), 0.5, 1e-12); // some roundings
+  EXPECT_NEAR(replay.Position(), 0.5, 1e-12); // a few roundings
   replay.Pause();
   const double stands = replay.Position();
   this->Time.Advance(Second);
@@ -135,8 +135,8 @@ TEST_F(StudyReplayTest, PausedItStays)
   EXPECT_EQ(replay.Position(), 0.25);
 }
 
-// Whatever the length of the recording: no more than what is shown is read.
-TEST_F(StudyReplayTest, ALeapReadsTheSecondsBeforeIt)
+// For any length of the recording, only the shown ticks are read.
+TEST_F(StudyReplayTest, JumpReadsTheSecondsBefore)
 {
   const auto ticks = Ticks(20000);
   StudyReplay replay = this->Replay(ticks);
@@ -148,7 +148,7 @@ TEST_F(StudyReplayTest, ALeapReadsTheSecondsBeforeIt)
     EXPECT_EQ(shown.front().Tick.Number, Slow(ticks, from)) << moment;
     EXPECT_EQ(shown.back().Tick.Number, Slow(ticks, moment)) << moment;
   }
-  // A stall while it is played leaps too.
+  // A stall during playing is a jump too.
   replay.Play();
   replay.SetSpeed(StudyReplay::LargestSpeed);
   replay.MoveTo(0.0);
@@ -158,7 +158,7 @@ TEST_F(StudyReplayTest, ALeapReadsTheSecondsBeforeIt)
   EXPECT_EQ(shown.front().Tick.Number, Slow(ticks, 20.0 - StudyReplay::SecondsBefore));
 }
 
-TEST_F(StudyReplayTest, AStructureIsNamedByItsLabel)
+TEST_F(StudyReplayTest, IdentifiesStructuresByLabel)
 {
   auto ticks = Ticks(3);
   ticks[1].Structure = 1;
@@ -168,10 +168,10 @@ TEST_F(StudyReplayTest, AStructureIsNamedByItsLabel)
   replay.MoveTo(1.6e-3);
   EXPECT_EQ(replay.Poll({30, 40}).TouchedId, 40);
   replay.MoveTo(1.0);
-  EXPECT_EQ(replay.Poll({30, 40}).TouchedId, 0) << "of one that the study does not have";
+  EXPECT_EQ(replay.Poll({30, 40}).TouchedId, 0) << "not in the study";
 }
 
-TEST_F(StudyReplayTest, WhatIsNoNumberMovesNothing)
+TEST_F(StudyReplayTest, IgnoresNan)
 {
   constexpr double None = std::numeric_limits<double>::quiet_NaN();
   StudyReplay replay = this->Replay(Ticks(100));
@@ -188,7 +188,7 @@ TEST_F(StudyReplayTest, WhatIsNoNumberMovesNothing)
   EXPECT_EQ(replay.Speed(), StudyReplay::LeastSpeed);
 }
 
-TEST_F(StudyReplayTest, ASingleTickIsShown)
+TEST_F(StudyReplayTest, ShowsASingleTick)
 {
   StudyReplay replay = this->Replay(Ticks(1));
   EXPECT_EQ(replay.Duration(), 0.0);
@@ -198,7 +198,7 @@ TEST_F(StudyReplayTest, ASingleTickIsShown)
   EXPECT_FALSE(replay.IsPlaying());
 }
 
-TEST_F(StudyReplayTest, WhatWasRecordedIsReadAgain)
+TEST_F(StudyReplayTest, ReadsRecordings)
 {
   const auto ticks = Ticks(50);
   const auto read = ReadReplay(this->Write(ticks));
@@ -206,7 +206,7 @@ TEST_F(StudyReplayTest, WhatWasRecordedIsReadAgain)
   EXPECT_EQ(read->Ticks.back().ProbeWorld.X, ticks.back().ProbeWorld.X);
 }
 
-TEST_F(StudyReplayTest, WhatIsNoRecordingIsRefused)
+TEST_F(StudyReplayTest, RejectsMalformedRecordings)
 {
   EXPECT_THROW(static_cast<void>(ReadReplay(this->Folder / "absent.touch")), InputError);
   EXPECT_THROW(static_cast<void>(ReadReplay(this->Write({}))), InputError);

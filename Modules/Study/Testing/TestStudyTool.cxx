@@ -15,7 +15,7 @@ namespace palpate
 {
 namespace
 {
-// A study that is touched by a cube from a file.
+// A study touched by a cube from a file.
 class StudyToolTest : public testing::Test
 {
 protected:
@@ -62,7 +62,7 @@ protected:
     EXPECT_EQ(this->Open.TouchProblem(), "");
   }
   std::uint64_t Scene() { return this->Open.Touch().Poll().Newest.Scene; }
-  // Until the servo feels it; at once where it was not published.
+  // Waits until the servo uses it; returns immediately if it was not published.
   void WaitForScene(std::uint64_t scene)
   {
     while (this->Scene() < scene && this->Open.TouchProblem().empty())
@@ -77,7 +77,7 @@ protected:
   Study Open{this->Time, Ordinary()};
 };
 
-TEST_F(StudyToolTest, IsReadOnceAndFeltAfterItsFileIsGone)
+TEST_F(StudyToolTest, ReadsFileOnceAndKeepsTheTool)
 {
   this->Settle();
   const auto read = this->Open.Pipeline().Newest<SurfaceTool>(SceneStep::Tool);
@@ -101,7 +101,7 @@ TEST_F(StudyToolTest, IsReadOnceAndFeltAfterItsFileIsGone)
   this->WaitForScene(4);
 }
 
-TEST_F(StudyToolTest, AFileThatIsWrittenAgainIsAnotherTool)
+TEST_F(StudyToolTest, ChangedFileGivesAnotherTool)
 {
   this->Settle();
   const auto read = this->Open.Pipeline().Newest<SurfaceTool>(SceneStep::Tool);
@@ -115,7 +115,7 @@ TEST_F(StudyToolTest, AFileThatIsWrittenAgainIsAnotherTool)
   EXPECT_NE(this->Open.Pipeline().Newest<TouchCost>(SceneStep::Cost, 1), cost);
 }
 
-TEST_F(StudyToolTest, ATouchWaitsForItAndSaysSo)
+TEST_F(StudyToolTest, TouchWaitsForTheTool)
 {
   this->Settle();
   StudyState next = this->Open.State();

@@ -19,8 +19,8 @@ namespace palpate
 {
 namespace
 {
-// These servos run as fast as they can, in virtual time: with real-time priority nothing else
-// would.
+// These servos run as fast as they can, in virtual time; with real-time priority they would block
+// everything else.
 RealtimeRequest Ordinary()
 {
   RealtimeRequest request;
@@ -60,7 +60,7 @@ protected:
         this->Touch.Start(this->OpenDevice(this->Time), this->State, this->Contacts);
     ASSERT_TRUE(status.IsOk()) << status.Message();
   }
-  // Presses to a depth below the ball's surface along x, from outside.
+  // Presses to a depth below the sphere's surface along x, from outside.
   void Press(double depth)
   {
     this->Touch.MoveHand(Vector3(Radius + 5.0, 0.0, 0.0));
@@ -68,7 +68,7 @@ protected:
                     { return now.Newest.ProbeWorld.X > Radius + 4.0; });
     this->Touch.MoveHand(Vector3(Radius - depth, 0.0, 0.0));
   }
-  // Reads until `holds`; the servo's own time passes meanwhile.
+  // Polls until `holds`, while the servo's own time passes.
   template <typename Condition>
   const StudyTouchReading& WaitUntil(const Condition& holds)
   {
@@ -78,7 +78,7 @@ protected:
     }
     return this->Touch.Poll();
   }
-  // What is felt once the hand and its ramp are at rest, 2 s of the servo's time from now.
+  // The reading once hand and ramp are at rest, after 2 s of servo time.
   const StudyTouchReading& AtRest()
   {
     const std::int64_t end = this->Time.Now() + 2'000'000'000;
@@ -93,14 +93,14 @@ protected:
   StudyTouch Touch{Time, Ordinary()};
 };
 
-TEST_F(StudyTouchTest, AHandFeelsAStructureAndSaysWhich)
+TEST_F(StudyTouchTest, ReportsForceAndTouchedStructure)
 {
   this->Start();
   EXPECT_TRUE(this->Touch.IsRunning());
   this->Press(4.0);
   const StudyTouchReading& felt = this->AtRest();
   EXPECT_EQ(felt.TouchedId, 7);
-  // Hand and structure share the way as springs of 0.5 N/mm each; the mechanism's friction of
+  // Hand and structure share the distance as springs of 0.5 N/mm each; the mechanism's friction of
   // 0.2 N may hold 0.2 mm of it.
   EXPECT_NEAR(felt.Newest.Depth, 2.0, 0.25);
   EXPECT_NEAR(Vector3(felt.Newest.ForceWorld).x(), 0.5 * felt.Newest.Depth, 1e-2);
@@ -111,7 +111,7 @@ TEST_F(StudyTouchTest, AHandFeelsAStructureAndSaysWhich)
   EXPECT_EQ(Vector3(this->Touch.Poll().Newest.ForceDevice), Vector3::Zero());
 }
 
-TEST_F(StudyTouchTest, StiffnessChangesWhileItIsTouched)
+TEST_F(StudyTouchTest, StiffnessChangesDuringContact)
 {
   this->Start();
   this->Press(4.0);
@@ -125,7 +125,7 @@ TEST_F(StudyTouchTest, StiffnessChangesWhileItIsTouched)
   EXPECT_GT(after.Newest.ForceWorld.X, 1.25 * before);
 }
 
-TEST_F(StudyTouchTest, AModelThatIsFittedAnewIsSwappedIn)
+TEST_F(StudyTouchTest, RefittedModelIsSwappedIn)
 {
   this->Start();
   this->Press(2.0);
@@ -134,13 +134,13 @@ TEST_F(StudyTouchTest, AModelThatIsFittedAnewIsSwappedIn)
   const double scale = this->Touch.Frame().Scale;
   this->Contacts = {Ball(7, Radius - 10.0)};
   ASSERT_TRUE(this->Touch.Update(this->State, this->Contacts).IsOk());
-  EXPECT_EQ(this->AtRest().TouchedId, 0) << "the hand is outside the smaller ball";
+  EXPECT_EQ(this->AtRest().TouchedId, 0) << "the hand is outside of the smaller sphere";
   EXPECT_EQ(this->Touch.Frame().CenterWorld, center) << "the workspace stays where it is";
   EXPECT_EQ(this->Touch.Frame().Scale, scale);
 }
 
-// The device holds still and is pushed by what was felt all the time: nothing fades in anew.
-TEST_F(StudyTouchTest, ForcesGoOnThroughARefitAnotherStiffnessAndADraggedWorkspace)
+// The device stands still and the force acts throughout: nothing fades in again.
+TEST_F(StudyTouchTest, ForcesContinueAcrossSceneChanges)
 {
   auto owned = std::make_unique<test::PlacedDevice>(this->Time);
   test::PlacedDevice* device = owned.get();
@@ -174,7 +174,7 @@ TEST_F(StudyTouchTest, ForcesGoOnThroughARefitAnotherStiffnessAndADraggedWorkspa
   expectNoGap(3.5);
 }
 
-TEST_F(StudyTouchTest, WhatCannotBeFeltIsNotPublishedAgain)
+TEST_F(StudyTouchTest, IrrelevantChangesAreNotPublished)
 {
   this->Start();
   const std::uint64_t scene = this->AtRest().Newest.Scene;
@@ -184,7 +184,7 @@ TEST_F(StudyTouchTest, WhatCannotBeFeltIsNotPublishedAgain)
   EXPECT_EQ(this->AtRest().Newest.Scene, scene);
 }
 
-TEST_F(StudyTouchTest, ForcesThatAreSwitchedOffStayOffUntilTheyAreSwitchedOn)
+TEST_F(StudyTouchTest, SwitchedOffForcesStayOff)
 {
   this->Start();
   this->Press(4.0);
@@ -193,14 +193,14 @@ TEST_F(StudyTouchTest, ForcesThatAreSwitchedOffStayOffUntilTheyAreSwitchedOn)
   const StudyTouchReading& off = this->AtRest();
   EXPECT_EQ(Vector3(off.Newest.ForceDevice), Vector3::Zero());
   EXPECT_EQ(off.Newest.Safety.Fault, SafetyFault::SwitchedOff);
-  EXPECT_NEAR(off.Newest.ProbeWorld.X, Radius - 4.0, 0.5) << "the hand is followed all the same";
+  EXPECT_NEAR(off.Newest.ProbeWorld.X, Radius - 4.0, 0.5) << "the hand is still tracked";
   this->Touch.SwitchForcesOn();
   this->Press(4.0);
   EXPECT_GT(this->AtRest().Newest.ForceWorld.X, 0.5);
 }
 
-// Nobody looks after the touch meanwhile, as where a window hangs.
-TEST_F(StudyTouchTest, TheSecondRequestToEndTakesTheForceAway)
+// The touch is not polled meanwhile, as with a hanging window.
+TEST_F(StudyTouchTest, SecondRequestToEndRemovesTheForce)
 {
   const Interruption interruption;
   auto owned = std::make_unique<test::PlacedDevice>(this->Time);
@@ -222,7 +222,7 @@ TEST_F(StudyTouchTest, TheSecondRequestToEndTakesTheForceAway)
   EXPECT_EQ(this->AtRest().Newest.Safety.Fault, SafetyFault::SwitchedOff);
 }
 
-// Says what it was given last before it is closed.
+// Reports the last force before it was closed.
 class SayingDevice final : public test::PlacedDevice
 {
 public:
@@ -236,8 +236,8 @@ public:
 
 using StudyTouchDeathTest = StudyTouchTest;
 
-// As an X library does whose server has gone.
-TEST_F(StudyTouchDeathTest, WhoeverEndsTheProgramTheDeviceIsClosedWithoutForce)
+// As an X library does after its server has gone.
+TEST_F(StudyTouchDeathTest, AbruptExitClosesTheDeviceWithoutForce)
 {
   EXPECT_EXIT(
       {
@@ -252,7 +252,7 @@ TEST_F(StudyTouchDeathTest, WhoeverEndsTheProgramTheDeviceIsClosedWithoutForce)
       testing::ExitedWithCode(3), "^pushed with 1 N, closed with 0 N$");
 }
 
-TEST_F(StudyTouchTest, AStructureThatIsNoLongerTouchableLetsTheHandIn)
+TEST_F(StudyTouchTest, UntouchableStructureLetsTheHandIn)
 {
   this->Start();
   this->Press(4.0);
@@ -262,8 +262,8 @@ TEST_F(StudyTouchTest, AStructureThatIsNoLongerTouchableLetsTheHandIn)
   EXPECT_EQ(this->AtRest().TouchedId, 0);
 }
 
-// Whatever is said of a structure is said of the one that was touched.
-TEST_F(StudyTouchTest, ContactsOfWhatIsNotTouchableAreLeftOut)
+// Reports refer to the structure that was touched.
+TEST_F(StudyTouchTest, OmitsContactsOfUntouchableStructures)
 {
   this->State.Structures.insert(this->State.Structures.begin(),
                                 test::StudyPhantom::Structure(3, TouchRepresentation::Harmonics));
@@ -274,26 +274,26 @@ TEST_F(StudyTouchTest, ContactsOfWhatIsNotTouchableAreLeftOut)
   EXPECT_EQ(this->AtRest().TouchedId, 7);
 }
 
-TEST_F(StudyTouchTest, WhereThereIsNothingToTouchItDoesNotStart)
+TEST_F(StudyTouchTest, DoesNotStartWithoutContacts)
 {
   const Status status = this->Touch.Start(this->OpenDevice(this->Time), this->State, {});
   EXPECT_NE(status.Message().find("nothing to touch"), std::string::npos) << status.Message();
   EXPECT_FALSE(this->Touch.IsRunning());
 }
 
-TEST_F(StudyTouchTest, AToolThatCannotTouchIsRefusedAndTheOneBeforeStays)
+TEST_F(StudyTouchTest, RejectsUnusableToolAndKeepsThePrevious)
 {
   this->State.Tool.Radius = -1.0;
   EXPECT_FALSE(this->Touch.Start(this->OpenDevice(this->Time), this->State, this->Contacts).IsOk());
   this->State.Tool.Radius = 0.0;
   this->Start();
-  this->State.Tool.Kind = TouchToolSettings::Shape::Ellipsoid; // harmonics feel spheres
+  this->State.Tool.Kind = TouchToolSettings::Shape::Ellipsoid; // harmonics require a sphere
   EXPECT_FALSE(this->Touch.Update(this->State, this->Contacts).IsOk());
   this->Press(4.0);
   EXPECT_EQ(this->AtRest().TouchedId, 7);
 }
 
-TEST_F(StudyTouchTest, TheWorkspaceLiesWhereThePlacementSays)
+TEST_F(StudyTouchTest, PlacementDefinesTheWorkspace)
 {
   this->State.Placement.Scale = 2.0;
   this->State.Placement.CenterWorld = Vector3(5.0, 6.0, 7.0);
@@ -311,7 +311,7 @@ TEST_F(StudyTouchTest, TheWorkspaceLiesWhereThePlacementSays)
   EXPECT_EQ(this->Touch.Frame().Rotation, Matrix3(Matrix3::Identity()));
 }
 
-TEST_F(StudyTouchTest, TheHandStaysInTheWorkspace)
+TEST_F(StudyTouchTest, HandStaysInTheWorkspace)
 {
   this->State.Placement.Scale = 2.0;
   this->State.Placement.CenterWorld = Vector3(5.0, 6.0, 7.0);
@@ -319,10 +319,10 @@ TEST_F(StudyTouchTest, TheHandStaysInTheWorkspace)
   const double reach = this->Touch.Capabilities().Workspace.max().x();
   ASSERT_TRUE(this->Touch.MoveHand(Vector3(1000.0, 6.0, -1000.0)));
   const Vector3 corner(5.0 + 2.0 * reach, 6.0, 7.0 - 2.0 * reach);
-  // Some roundings of numbers of some hundred mm.
+  // A few roundings of numbers of a few hundred mm.
   EXPECT_LT((this->Touch.HandWorld() - corner).norm(), 1e-10);
   EXPECT_LT((Vector3(this->AtRest().Newest.ProbeWorld) - corner).norm(), 2.0 * (0.6 + 0.1));
-  // It goes with a workspace that is moved.
+  // It moves with the workspace.
   this->State.Placement.CenterWorld = Vector3(15.0, 6.0, 7.0);
   ASSERT_TRUE(this->Touch.Update(this->State, this->Contacts).IsOk());
   EXPECT_LT((this->Touch.HandWorld() - corner - Vector3(10.0, 0.0, 0.0)).norm(), 1e-10);
@@ -330,7 +330,7 @@ TEST_F(StudyTouchTest, TheHandStaysInTheWorkspace)
   EXPECT_FALSE(this->Touch.MoveHand(Vector3::Zero()));
 }
 
-TEST_F(StudyTouchTest, TheClutchHoldsTheToolAndTheHandGoesOnFromThere)
+TEST_F(StudyTouchTest, ClutchHoldsTheToolAndMovesTheWorkspace)
 {
   auto owned = std::make_unique<test::PlacedDevice>(this->Time);
   test::PlacedDevice* device = owned.get();
@@ -354,14 +354,14 @@ TEST_F(StudyTouchTest, TheClutchHoldsTheToolAndTheHandGoesOnFromThere)
   this->WaitUntil([](const StudyTouchReading& now) { return !now.IsClutched; });
   EXPECT_GT(this->AtRest().Newest.Depth, 1.0);
   EXPECT_LT((Vector3(this->Touch.Poll().Newest.ProbeWorld) - held).norm(), 1e-9);
-  // What changes later keeps the workspace where it was moved to.
+  // Later changes keep the moved workspace.
   this->State.Structures[0].Stiffness *= 0.5;
   ASSERT_TRUE(this->Touch.Update(this->State, this->Contacts).IsOk());
   EXPECT_LT((this->Touch.Frame().CenterWorld - held).norm(), 1e-9);
 }
 
-// However rarely somebody looks.
-TEST_F(StudyTouchTest, TheDevicesButtonDrillsInTheTickThatReadsIt)
+// Independently of the polling rate.
+TEST_F(StudyTouchTest, DeviceButtonDrillsInTheTickThatReadsIt)
 {
   constexpr unsigned Button = 1U << StudyTouch::DrillButton;
   auto owned = std::make_unique<test::PlacedDevice>(this->Time);
@@ -383,8 +383,8 @@ TEST_F(StudyTouchTest, TheDevicesButtonDrillsInTheTickThatReadsIt)
   }
 }
 
-// A recording begins the servo anew; what it was told of buttons is still known.
-TEST_F(StudyTouchTest, AClutchThatIsLetGoWhileARecordingBeginsIsLetGo)
+// A recording restarts the servo, which must not lose the state of buttons.
+TEST_F(StudyTouchTest, ClutchReleasedWhileARecordingStartsIsReleased)
 {
   const test::TemporaryFolder folder;
   auto owned = std::make_unique<test::PlacedDevice>(this->Time);
@@ -397,7 +397,7 @@ TEST_F(StudyTouchTest, AClutchThatIsLetGoWhileARecordingBeginsIsLetGo)
   EXPECT_FALSE(this->AtRest().IsClutched);
 }
 
-TEST_F(StudyTouchTest, ADeviceThatIsUnpluggedIsNamed)
+TEST_F(StudyTouchTest, ReportsUnpluggedDevice)
 {
   auto device = this->OpenDevice(this->Time);
   auto* simulated = dynamic_cast<SimulatedDevice*>(device.get());
@@ -413,15 +413,15 @@ TEST_F(StudyTouchTest, ADeviceThatIsUnpluggedIsNamed)
   EXPECT_EQ(this->AtRest().Safety, "Forces are on.");
 }
 
-TEST_F(StudyTouchTest, AnUnknownDeviceIsNamedInTheSentence)
+TEST_F(StudyTouchTest, MessageNamesUnknownDevice)
 {
   std::unique_ptr<HapticDevice> device;
   const Status status = OpenBuiltInDevice("phantom", this->Time, device);
   EXPECT_NE(status.Message().find("simulated"), std::string::npos) << status.Message();
 }
 
-// No faster than real time: the ring of a servo that runs as fast as it can overflows.
-TEST_F(StudyTouchTest, ARecordingIsFeltAgainToTheLastBit)
+// Not faster than real time, since the ring of an unthrottled servo overflows.
+TEST_F(StudyTouchTest, RecordingReplaysBitForBit)
 {
   const test::TemporaryFolder folder;
   test::PacedClock clock;
@@ -451,7 +451,7 @@ TEST_F(StudyTouchTest, ARecordingIsFeltAgainToTheLastBit)
   EXPECT_EQ(comparison.DifferentTicks, 0U);
 }
 
-TEST_F(StudyTouchTest, ARecordingThatCannotBeWrittenSaysSoAndTheTouchGoesOn)
+TEST_F(StudyTouchTest, FailedRecordingIsReportedAndTouchContinues)
 {
   EXPECT_FALSE(this->Touch.StartRecording("/nowhere/session.touch").IsOk());
   this->Start();
@@ -462,8 +462,8 @@ TEST_F(StudyTouchTest, ARecordingThatCannotBeWrittenSaysSoAndTheTouchGoesOn)
   EXPECT_EQ(this->AtRest().TouchedId, 7);
 }
 
-// From files to a touch, by what a pipeline makes.
-TEST(StudyTouchOfFiles, WhatThePipelineMakesIsFelt)
+// From files to a touch, with a pipeline's products.
+TEST(StudyTouchOfFiles, TouchesThePipelinesProducts)
 {
   const test::StudyPhantom phantom;
   StudyState state = phantom.State();
@@ -477,26 +477,26 @@ TEST(StudyTouchOfFiles, WhatThePipelineMakesIsFelt)
   std::unique_ptr<HapticDevice> device;
   ASSERT_TRUE(OpenBuiltInDevice(state.Device, clock, device).IsOk());
   ASSERT_TRUE(touch.Start(std::move(device), state, test::ContactsIn(state, pipeline)).IsOk());
-  touch.MoveHand(Vector3(-15.0, 0.0, 5.0)); // in the ball, whose middle is at x = -15
+  touch.MoveHand(Vector3(-15.0, 0.0, 5.0)); // in the sphere, whose centre is at x = -15
   while (touch.Poll().TouchedId != 1)
   {
     std::this_thread::yield();
   }
 }
 
-TEST(SafetyText, SaysWhatTheChainDoes)
+TEST(SafetyText, DescribesTheSafetyChain)
 {
   TouchState state;
   EXPECT_EQ(SafetyText(state), "Forces are off: the device is closed.");
   state.State = DeviceState::Homing;
-  EXPECT_NE(SafetyText(state).find("zero"), std::string::npos);
+  EXPECT_NE(SafetyText(state).find("homing"), std::string::npos);
   state.State = DeviceState::Ready;
   state.Safety.IsArmed = true;
   EXPECT_EQ(SafetyText(state), "Forces are on.");
   state.Safety.IsRamping = true;
   state.Safety.IsLimited = true;
-  EXPECT_EQ(SafetyText(state), "Forces are on. They are being faded in. They are cut to the "
-                               "largest that the device can give.");
+  EXPECT_EQ(SafetyText(state),
+            "Forces are on. They are being faded in. They are limited to the device's maximum.");
   state.Safety.Fault = SafetyFault::SwitchedOff;
   EXPECT_EQ(SafetyText(state), Describe(SafetyFault::SwitchedOff));
 }

@@ -28,20 +28,20 @@ TEST(TradeMeasure, WholeModelEqualsTheReference)
   EXPECT_GT(row.Bytes, 0.0);
 }
 
-TEST(TradeMeasure, LowerDegreeIsWrongByWhatItLeavesOut)
+TEST(TradeMeasure, LowerDegreeErrsByTheOmittedShape)
 {
   constexpr double Height = 0.5; // mm
   const TradeRow row = test::ModelTrade(Height).MeasureDegree(5);
   // The bumps lie between 0.5 mm above the sphere at the poles and 0.21 below; between, they change
-  // sign. A sphere of 2 mm feels their tops exactly.
+  // sign. A sphere of 2 mm touches their tops exactly.
   EXPECT_LE(row.SurfaceMost, Height * 1.001);
   EXPECT_GT(row.SurfaceMost, 0.2 * Height);
 }
 
-TEST(TradeMeasure, FacetsOfASphereAreWrongByTheirSagitta)
+TEST(TradeMeasure, FacetsOfASphereErrByTheirSagitta)
 {
   constexpr int Frequency = 5;
-  const test::ModelTrade trade(0.0, 0.0); // a point meets the middles of facets
+  const test::ModelTrade trade(0.0, 0.0); // a point touches facet centres
   const TradeRow row =
       trade.Measure(MakeFacetContact(DrawModel(*trade.Model, Frequency), "bumpy.vtp"));
   double sagitta = 0.0;
@@ -52,15 +52,15 @@ TEST(TradeMeasure, FacetsOfASphereAreWrongByTheirSagitta)
     const Vector3 normal = (corner(b) - corner(a)).cross(corner(c) - corner(a)).normalized();
     sagitta = std::max(sagitta, test::BallRadius * (1.0 - std::abs(normal.dot(corner(a)))));
   }
-  // At a true place of contact the facet lies at most its sagitta below; where the probe is deep
-  // the nearest place on the facets is a little aside, and nearer to a corner.
+  // At the reference contact the facet lies at most its sagitta below; for a deep probe the nearest
+  // point on the facets is slightly displaced towards a corner.
   EXPECT_LE(row.SurfaceMost, 1.05 * sagitta);
-  EXPECT_GT(row.SurfaceMost, 0.8 * sagitta) << "two seconds of sliding meet a facet's middle";
+  EXPECT_GT(row.SurfaceMost, 0.8 * sagitta) << "two seconds of sliding pass over a facet's centre";
 }
 
-TEST(TradeMeasure, TickTimeIsTheClocksLessItsOwn)
+TEST(TradeMeasure, TickTimeExcludesTheClocksOverhead)
 {
-  // Only looking at it takes time.
+  // Only reading the clock takes time.
   class GlanceClock final : public Clock
   {
   public:
@@ -73,7 +73,7 @@ TEST(TradeMeasure, TickTimeIsTheClocksLessItsOwn)
   const test::ModelTrade trade(0.5);
   const TradeRow row = trade.Measure(
       MakeHarmonicContact(*trade.Model, HarmonicContactMode::Nearest, {}), GlanceClock());
-  // Less than a nanosecond is not stated.
+  // Times are at least a nanosecond.
   EXPECT_EQ(row.TickMedian, 1.0);
   EXPECT_EQ(row.TickLongest, 1.0);
   EXPECT_DOUBLE_EQ(row.Rate, 1e9);
@@ -81,7 +81,7 @@ TEST(TradeMeasure, TickTimeIsTheClocksLessItsOwn)
 
 TEST(StructureTrade, ReferenceEqualsItself)
 {
-  constexpr int Points = 400; // as the reference has them
+  constexpr int Points = 400; // as in the reference
   const test::MaskTrade mask = test::BallMask();
   const TradeRow row =
       mask.Trade().Measure(mask.SubVoxel(FieldInterpolation::TricubicBSpline, Points), GoOn);
@@ -97,8 +97,8 @@ TEST(StructureTrade, FewerPointsOfAnEllipsoidAreLessAccurate)
   const TradeRow few = trade.Measure(mask.SubVoxel(FieldInterpolation::TricubicBSpline, 26), GoOn);
   const TradeRow more =
       trade.Measure(mask.SubVoxel(FieldInterpolation::TricubicBSpline, 200), GoOn);
-  // Between points an angle of a apart a sphere of r lies up to r (1 - cos(a / 2)) higher; a falls
-  // with the root of their number, so the error with the number, 7.7 times here.
+  // Between points at an angle a, a sphere of radius r lies up to r (1 - cos(a / 2)) higher; a
+  // decreases with the square root of their number, so the error with the number: 7.7 times here.
   EXPECT_GT(few.PositionMean, 3.0 * more.PositionMean);
   EXPECT_LT(more.PositionMean, 0.1);
 }
@@ -181,7 +181,7 @@ TEST(StructureTrade, CanBeCancelled)
   const auto stop = [](double /*fraction*/, const std::string& stage) { return stage != "touch"; };
   EXPECT_THROW(trade.Measure(setting, stop), Cancelled);
   EXPECT_EQ(trade.Measure(setting, GoOn).State, TradeRow::Outcome::Measured)
-      << "and continues after that";
+      << "and can be used afterwards";
 }
 
 TEST(TradePath, StrokesBeginFreeAndStayWithinTheDepth)
@@ -201,7 +201,7 @@ TEST(TradePath, StrokesBeginFreeAndStayWithinTheDepth)
     deepest = std::max(deepest, (tick.Truth.ProxyWorld - tick.ProbeWorld).norm());
     touching += tick.Truth.IsTouching ? 1 : 0;
   }
-  // From one proxy's aim to the next is at most a step of 0.2 mm.
+  // Targets of consecutive ticks are at most 0.2 mm apart.
   EXPECT_LT(deepest, path.MostDepth + 0.2);
   EXPECT_GT(deepest, 0.5 * path.MostDepth);
   EXPECT_GT(touching, path.Ticks.size() / 2);
@@ -223,7 +223,7 @@ TEST(TradeErrors, NanForceGivesNan)
   EXPECT_GE(row.Seizures, 1.0);
 }
 
-TEST(TradeErrors, ForceThatIsATenthTooStrongHasThatError)
+TEST(TradeErrors, ForceTenPercentTooStrongHasThatError)
 {
   const test::ModelTrade trade(0.5);
   constexpr double Stiffness = 0.5; // N/mm
@@ -235,7 +235,7 @@ TEST(TradeErrors, ForceThatIsATenthTooStrongHasThatError)
   }
   TradeRow row;
   CompareWithTruth(trade.Path, felt, Stiffness, row);
-  // A tenth in parts of 7 %, where the force is half a newton or more; less below.
+  // A tenth in units of 7 % for forces of at least half a newton; less below.
   EXPECT_NEAR(row.NoticeableRare, 0.1 / 0.07, 1e-9);
   EXPECT_LT(row.NoticeableMean, 0.1 / 0.07);
   EXPECT_LT(row.DirectionMost, 1e-5);

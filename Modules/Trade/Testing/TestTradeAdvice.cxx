@@ -6,7 +6,7 @@ namespace palpate
 {
 namespace
 {
-// A harmonic row by its degree, with a mean tick (us) and 99 % errors.
+// A row for harmonics of a degree, with mean tick time (us) and 99 % errors.
 TradeRow Row(int degree, double microseconds, double millimeters, double noticeable)
 {
   TradeRow row;
@@ -32,23 +32,23 @@ bool Has(const std::string& text, const std::string& part)
   return text.find(part) != std::string::npos;
 }
 
-TEST(TradeAdvice, RecommendsTheCheapestThatNoHandNotices)
+TEST(TradeAdvice, RecommendsTheFastestWithoutNoticeableErrors)
 {
   const TradeAdvice advice = AdviseOn(Rows, 1000.0);
   EXPECT_EQ(advice.Row, 1U);
   EXPECT_TRUE(advice.IsMet);
   EXPECT_TRUE(Has(advice.Sentence, "degree 8")) << advice.Sentence;
-  EXPECT_TRUE(Has(advice.Sentence, "cheapest of 2")) << "the last does not reach 1 kHz";
+  EXPECT_TRUE(Has(advice.Sentence, "fastest of 2")) << "the last does not reach 1 kHz";
 }
 
-TEST(TradeAdvice, RejectsSettingsThatSeize)
+TEST(TradeAdvice, RejectsSettingsWithSeizures)
 {
   std::vector<TradeRow> rows = Rows;
   rows[1].Seizures = 1.0;
   EXPECT_EQ(AdviseOn(rows, 1000.0).Row, 2U);
 }
 
-TEST(TradeAdvice, RecommendsAboutTheMostAccurateIfAllAreNoticed)
+TEST(TradeAdvice, RecommendsAmongTheMostAccurateIfAllAreNoticeable)
 {
   const std::vector<TradeRow> rows{Row(4, 1.0, 0.5, 5.0), Row(8, 2.0, 0.2, 2.1),
                                    Row(12, 4.0, 0.2, 2.0)};

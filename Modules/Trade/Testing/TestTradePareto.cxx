@@ -16,10 +16,10 @@ bool Dominates(const Point& a, const Point& b)
   return a.first <= b.first && a.second <= b.second && a != b;
 }
 
-TEST(TradePareto, KeepsWhatNothingDominatesAndDropsWhatSomethingDoes)
+TEST(TradePareto, KeepsExactlyUndominatedPoints)
 {
   std::mt19937_64 random(17);
-  // Few different numbers, so that many are equal.
+  // Few distinct numbers, so that many are equal.
   std::uniform_int_distribution<int> number(0, 12);
   for (int round = 0; round < 200; ++round)
   {
@@ -44,7 +44,7 @@ TEST(TradePareto, KeepsWhatNothingDominatesAndDropsWhatSomethingDoes)
   }
 }
 
-TEST(TradePareto, WhatIsNoNumberIsNeverKept)
+TEST(TradePareto, RejectsNonFinitePoints)
 {
   const std::vector<std::size_t> front =
       ParetoFront({{NAN, 0.0}, {1.0, 5.0}, {0.0, NAN}, {INFINITY, 1.0}});

@@ -100,7 +100,7 @@ TEST_F(TradeRunTest, PageIsOneFileWithoutScripts)
   EXPECT_NE(page.find("<svg class=\"chart\""), std::string::npos);
 }
 
-TEST(TradeText, ReasonIsStatedOnceForAllItHoldsFor)
+TEST(TradeText, StatesEachReasonOnce)
 {
   TradeStructureResult structure;
   for (const int degree : {4, 8, 12})

@@ -11,7 +11,7 @@
 
 namespace palpate::test
 {
-/// A clock on which nothing takes any time, so that what is measured has the same bits each time.
+/// A clock that stands still, so that measurements are reproducible bit for bit.
 class StillClock final : public Clock
 {
 public:
@@ -37,7 +37,7 @@ inline SphericalHarmonicModel BumpyModel(double height)
   return {Degree, coefficients, Vector3(3.0, -7.0, 11.0)};
 }
 
-/// Short, since errors need no exact times.
+/// Short, since errors do not depend on exact times.
 inline StructureTrade::Settings ShortPath(std::uint64_t seed = 1)
 {
   StructureTrade::Settings settings;
@@ -55,7 +55,7 @@ inline ContactSetting Harmonics(int degree)
   return setting;
 }
 
-/// The bumpy model as the reference of a path, and contact models along it.
+/// The bumpy model as the reference of a path, and the measurement of contact models along it.
 struct ModelTrade
 {
   explicit ModelTrade(double height, double toolRadius = 2.0)
@@ -84,7 +84,7 @@ struct ModelTrade
   TradePath Path;
 };
 
-/// A label map in a file, with one structure, and what is measured of it.
+/// A label map in a file, with one structure, and its measurement.
 class MaskTrade
 {
 public:
