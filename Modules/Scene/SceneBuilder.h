@@ -1,6 +1,6 @@
 #pragma once
 
-#include "DrillBench.h"
+#include "DrillContext.h"
 #include "PalpateSceneModule.h"
 #include "Progress.h"
 #include "SceneAccount.h"

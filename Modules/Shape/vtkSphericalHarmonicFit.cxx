@@ -146,8 +146,7 @@ int vtkSphericalHarmonicFit::RequestData(vtkInformation*, vtkInformationVector**
   if (status.IsOk() && !this->AbortExecute)
   {
     this->UpdateProgress(0.7);
-    status =
-        palpate::AssessCoverage(samples.Directions, samples.Weights, result, this->Coverage);
+    status = palpate::AssessCoverage(samples.Directions, samples.Weights, result, this->Coverage);
   }
   if (this->AbortExecute)
   {

@@ -88,11 +88,11 @@ void StudyDrill::Follow(const StudyState& state, const std::vector<SceneContact>
   {
     this->Renew(state, drilled, forbidden);
   }
-  else if (this->Bench != nullptr &&
+  else if (this->Context != nullptr &&
            !(state.Tool == this->Tool && state.Drill.Turns == this->Motion.Turns &&
              state.Drill.VibrationFrequency == this->Motion.VibrationFrequency))
   {
-    this->Bench->UseTool(state.Tool, state.Drill);
+    this->Context->UseTool(state.Tool, state.Drill);
     ++this->Changes;
   }
   this->Tool = state.Tool;
@@ -111,24 +111,24 @@ void StudyDrill::Renew(const StudyState& state, const std::vector<SceneContact>&
     protections.push_back({one.Name, one.AlarmDistance, one.Protection});
   }
   // If this throws, the state is unchanged.
-  const auto next = DrillBench::Make(state, drilled, protections);
-  const std::shared_ptr<DrillBench> before = std::exchange(this->Bench, next);
+  const auto next = DrillContext::Make(state, drilled, protections);
+  const std::shared_ptr<DrillContext> before = std::exchange(this->Context, next);
   const std::vector<SceneContact> drilledBefore = std::exchange(this->Drilled, drilled);
   this->Forbidden = ready;
-  if (before != nullptr && this->Bench != nullptr)
+  if (before != nullptr && this->Context != nullptr)
   {
     this->KeepWhatIsGone(*before, drilledBefore);
   }
-  this->Watch = std::make_unique<DrillWatch>(this->Bench);
+  this->Watch = std::make_unique<DrillWatch>(this->Context);
   this->Known = {};
   this->SeenNumber = ~std::uint64_t{0};
   ++this->Changes;
 }
 
-void StudyDrill::KeepWhatIsGone(const DrillBench& before,
+void StudyDrill::KeepWhatIsGone(const DrillContext& before,
                                 const std::vector<SceneContact>& drilledBefore)
 {
-  std::vector<std::shared_ptr<const RemovedDistances>> kept = this->Bench->Editor().Removed();
+  std::vector<std::shared_ptr<const RemovedDistances>> kept = this->Context->Editor().Removed();
   const auto removed = before.Editor().Removed();
   for (std::size_t n = 0; n < this->Drilled.size(); ++n)
   {
@@ -138,14 +138,14 @@ void StudyDrill::KeepWhatIsGone(const DrillBench& before,
       kept[n] = isSame ? removed[last] : kept[n];
     }
   }
-  static_cast<void>(this->Bench->Editor().Restore(kept)); // fields are the same
+  static_cast<void>(this->Context->Editor().Restore(kept)); // fields are the same
 }
 
 void StudyDrill::PutInto(TouchScene& scene) const
 {
-  if (this->Bench != nullptr)
+  if (this->Context != nullptr)
   {
-    this->Bench->PutInto(scene, this->SiteOfContact);
+    this->Context->PutInto(scene, this->SiteOfContact);
   }
   for (TouchStructure& structure : scene.Structures)
   {
@@ -157,36 +157,36 @@ void StudyDrill::PutInto(TouchScene& scene) const
 
 std::shared_ptr<DrillEditor> StudyDrill::Editor() const
 {
-  return this->Bench != nullptr ? this->Bench->SharedEditor() : nullptr;
+  return this->Context != nullptr ? this->Context->SharedEditor() : nullptr;
 }
 
 // Updates the surfaces of cuts, whose outlines slices show, at most ten times per second.
 void StudyDrill::ReadCuts()
 {
-  const std::vector<double> volumes = this->Bench->Editor().RemovedVolumes();
+  const std::vector<double> volumes = this->Context->Editor().RemovedVolumes();
   for (std::size_t site = 0; site < volumes.size(); ++site)
   {
     StudyDrilled& one = this->Known.Drilled[site];
     one.RemovedVolume = volumes[site];
-    one.Cut = RemovedSurface(*this->Bench, static_cast<int>(site));
+    one.Cut = RemovedSurface(*this->Context, static_cast<int>(site));
   }
 }
 
 StudyDrillReading StudyDrill::Read(double time, const TouchState& newest)
 {
-  if (this->Bench == nullptr)
+  if (this->Context == nullptr)
   {
     return {};
   }
   this->Known.Hold = this->HoldText;
   constexpr double CutPeriod = 0.1; // s
-  const DrillReading reading = this->Bench->Editor().Newest();
+  const DrillReading reading = this->Context->Editor().Newest();
   this->Known.Drilled.resize(reading.Fields.size());
   for (std::size_t site = 0; site < reading.Fields.size(); ++site)
   {
     StudyDrilled& one = this->Known.Drilled[site];
     one.Id = this->Drilled[site].Id;
-    one.Name = this->Bench->Sites()[site].Name;
+    one.Name = this->Context->Sites()[site].Name;
     one.Field = reading.Fields[site];
   }
   if (reading.Number != this->SeenNumber &&
@@ -206,21 +206,21 @@ StudyDrillReading StudyDrill::Read(double time, const TouchState& newest)
 
 void StudyDrill::Save(const std::filesystem::path& path) const
 {
-  if (this->Bench == nullptr)
+  if (this->Context == nullptr)
   {
     throw InputError("there is no drilled state to save; make a structure drillable first");
   }
-  WriteDrillState(path, *this->Bench);
+  WriteDrillState(path, *this->Context);
 }
 
 void StudyDrill::Open(const std::filesystem::path& path)
 {
-  if (this->Bench == nullptr)
+  if (this->Context == nullptr)
   {
     throw InputError(
         "no structure is drillable yet; make one drillable, touch it, then open the drilled state");
   }
-  ReadDrillState(path, *this->Bench);
+  ReadDrillState(path, *this->Context);
   this->SeenNumber = ~std::uint64_t{0};
   ++this->Changes;
 }
@@ -242,11 +242,11 @@ void StudyDrill::Export(int id, const std::filesystem::path& path,
   const int site = this->SiteOf(id);
   if (IsWritableImage(path))
   {
-    WriteImage(path, DrilledImage(*this->Bench, site, progress));
+    WriteImage(path, DrilledImage(*this->Context, site, progress));
   }
   else if (IsSurfaceFile(path))
   {
-    WriteSurface(path, DrilledSurface(*this->Bench, site, progress));
+    WriteSurface(path, DrilledSurface(*this->Context, site, progress));
   }
   else
   {

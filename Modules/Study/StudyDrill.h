@@ -1,6 +1,6 @@
 #pragma once
 
-#include "DrillBench.h"
+#include "DrillContext.h"
 #include "DrillWatch.h"
 #include "PalpateStudyModule.h"
 #include "SceneContacts.h"
@@ -67,7 +67,7 @@ public:
   /// Current state for views, with the tool's distances to forbidden structures. `time` in s.
   StudyDrillReading Read(double time, const TouchState& newest);
 
-  bool IsEmpty() const { return this->Bench == nullptr; }
+  bool IsEmpty() const { return this->Context == nullptr; }
   /// See WriteDrillState and ReadDrillState; throw InputError. Open only while touch is off.
   void Save(const std::filesystem::path& path) const;
   void Open(const std::filesystem::path& path);
@@ -79,11 +79,11 @@ private:
   bool AreForbidden(const std::vector<StudyForbidden>& forbidden) const;
   void Renew(const StudyState& state, const std::vector<SceneContact>& drilled,
              const std::vector<StudyForbidden>& forbidden);
-  void KeepWhatIsGone(const DrillBench& before, const std::vector<SceneContact>& drilledBefore);
+  void KeepWhatIsGone(const DrillContext& before, const std::vector<SceneContact>& drilledBefore);
   void ReadCuts();
   int SiteOf(int id) const;
 
-  std::shared_ptr<DrillBench> Bench;
+  std::shared_ptr<DrillContext> Context;
   std::unique_ptr<DrillWatch> Watch;
   std::vector<SceneContact> Drilled;
   std::vector<StudyForbidden> Forbidden; // with their protections

@@ -4,12 +4,14 @@ namespace palpate
 {
 std::string Describe(const ContactSetting& setting)
 {
-  return RepresentationOf(setting.Structure).Describe(setting);
+  const SceneRepresentation& representation = RepresentationOf(setting.Structure);
+  return representation.Describe ? representation.Describe(setting) : representation.Label;
 }
 
 std::string KeyOf(const ContactSetting& setting)
 {
-  return RepresentationOf(setting.Structure).KeyOf(setting);
+  const SceneRepresentation& representation = RepresentationOf(setting.Structure);
+  return representation.KeyOf ? representation.KeyOf(setting) : representation.Name;
 }
 
 ContactSetting SettingOf(const SceneSettings& scene, const std::string& representation)

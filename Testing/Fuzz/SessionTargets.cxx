@@ -3,7 +3,7 @@
 #include "BinaryFields.h"
 #include "CohortManifest.h"
 #include "CohortTable.h"
-#include "DrillBenchCases.h"
+#include "DrillContextCases.h"
 #include "DrillScript.h"
 #include "DrillState.h"
 #include "HandPath.h"
@@ -96,9 +96,12 @@ std::string CohortTableSeed()
 struct DrilledBone
 {
   BoneFiles Files;
-  std::shared_ptr<DrillBench> Bench = BenchOf(Files.Scene());
+  std::shared_ptr<DrillContext> Context = BenchOf(Files.Scene());
 
-  void Drill() const { BenchCuts(this->Bench).Cut(Vector3(7.0, 0.0, 0.0), Vector3(7.0, 1.0, 0.0)); }
+  void Drill() const
+  {
+    BenchCuts(this->Context).Cut(Vector3(7.0, 0.0, 0.0), Vector3(7.0, 1.0, 0.0));
+  }
 };
 
 std::string DrillStateSeed()
@@ -106,14 +109,14 @@ std::string DrillStateSeed()
   const DrilledBone bone;
   bone.Drill();
   return WrittenBytes("a.drill", [&](const std::filesystem::path& file)
-                      { WriteDrillState(file, *bone.Bench); });
+                      { WriteDrillState(file, *bone.Context); });
 }
 
 std::string RemovalSeed()
 {
   const DrilledBone bone;
   bone.Drill();
-  const std::vector<std::byte> bytes = StateOf(*bone.Bench);
+  const std::vector<std::byte> bytes = StateOf(*bone.Context);
   return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
 }
 
@@ -121,7 +124,7 @@ InputReader DrillStateReader()
 {
   const auto bone = std::make_shared<DrilledBone>();
   return FileReader("a.drill", [bone](const std::filesystem::path& file)
-                    { ReadDrillState(file, *bone->Bench); });
+                    { ReadDrillState(file, *bone->Context); });
 }
 
 // The part of a drill state that mutations of whole files do not reach, because of its digest.
@@ -133,7 +136,7 @@ InputReader RemovalReader()
     const auto* first = reinterpret_cast<const std::byte*>(bytes.data());
     std::shared_ptr<const RemovedDistances> removed;
     RequireInput(RemovedFromBytes({first, first + bytes.size()},
-                                  bone->Bench->Editor().Site(0).Now(), removed));
+                                  bone->Context->Editor().Site(0).Now(), removed));
   };
 }
 

@@ -1,6 +1,6 @@
 #include "DrillExport.h"
 
-#include "DrillBenchCases.h"
+#include "DrillContextCases.h"
 #include "FilterRun.h"
 #include "IsoSurface.h"
 #include "SceneIsoSurface.h"
@@ -21,11 +21,11 @@ class DrillExport : public testing::Test
 {
 protected:
   // A scene with a drilled sphere.
-  static std::shared_ptr<DrillBench> Drilled(const SceneSettings& settings)
+  static std::shared_ptr<DrillContext> Drilled(const SceneSettings& settings)
   {
-    auto bench = test::BenchOf(settings);
-    test::BenchCuts(bench).Cut(Place, Place);
-    return bench;
+    auto context = test::BenchOf(settings);
+    test::ContextCuts(context).Cut(Place, Place);
+    return context;
   }
   static void ExpectSameGrid(vtkImageData* a, vtkImageData* b, double tolerance)
   {
@@ -47,8 +47,8 @@ protected:
 
 TEST_F(DrillExport, ImageKeepsGridTypeAndUncutVoxels)
 {
-  const auto bench = Drilled(this->Files.Scene());
-  const auto image = DrilledImage(*bench, 0, test::GoOn);
+  const auto context = Drilled(this->Files.Scene());
+  const auto image = DrilledImage(*context, 0, test::GoOn);
   ASSERT_EQ(image->GetScalarType(), VTK_SHORT);
   ExpectSameGrid(image, this->Files.Ct, 1e-12);
   const auto* before = static_cast<const short*>(this->Files.Ct->GetScalarPointer());
@@ -70,8 +70,8 @@ TEST_F(DrillExport, SurfaceEnclosesTheRemainingVolume)
 {
   const auto whole = test::BenchOf(this->Files.Scene());
   const double before = MeasureEnclosed(DrilledSurface(*whole, 0, test::GoOn)).Volume;
-  const auto bench = Drilled(this->Files.Scene());
-  const auto surface = DrilledSurface(*bench, 0, test::GoOn);
+  const auto context = Drilled(this->Files.Scene());
+  const auto surface = DrilledSurface(*context, 0, test::GoOn);
   EXPECT_NEAR(before - MeasureEnclosed(surface).Volume, BallVolume, 0.01 * BallVolume);
   for (const char* name : {"left.stl", "left.vtp"})
   {
@@ -84,9 +84,9 @@ TEST_F(DrillExport, SurfaceEnclosesTheRemainingVolume)
 // With integers up to 1000 a surface deviates by a thousandth of a voxel.
 TEST_F(DrillExport, ReadBackImageHasTheSameSurface)
 {
-  const auto bench = Drilled(this->Files.Scene());
-  const auto image = DrilledImage(*bench, 0, test::GoOn);
-  const double left = MeasureEnclosed(DrilledSurface(*bench, 0, test::GoOn)).Volume;
+  const auto context = Drilled(this->Files.Scene());
+  const auto image = DrilledImage(*context, 0, test::GoOn);
+  const double left = MeasureEnclosed(DrilledSurface(*context, 0, test::GoOn)).Volume;
   for (const char* name : {"left.nii.gz", "left.nrrd"})
   {
     WriteImage(this->Files.Folder / name, image);
@@ -99,8 +99,8 @@ TEST_F(DrillExport, ReadBackImageHasTheSameSurface)
 
 TEST_F(DrillExport, RemovesLabelsOfRemovedCentresOnly)
 {
-  const auto bench = Drilled(this->Files.SceneOfLabels());
-  const auto image = DrilledImage(*bench, 0, test::GoOn);
+  const auto context = Drilled(this->Files.SceneOfLabels());
+  const auto image = DrilledImage(*context, 0, test::GoOn);
   ASSERT_EQ(image->GetScalarType(), this->Files.Labels->GetScalarType());
   ExpectSameGrid(image, this->Files.Labels, 1e-12);
   const auto* before = static_cast<const unsigned char*>(this->Files.Labels->GetScalarPointer());
@@ -127,9 +127,9 @@ TEST_F(DrillExport, IsCancelled)
   const auto never = [](double, const std::string&) { return false; };
   for (const SceneSettings& settings : {this->Files.Scene(), this->Files.SceneOfLabels()})
   {
-    const auto bench = Drilled(settings);
-    EXPECT_THROW(DrilledImage(*bench, 0, never), Cancelled);
-    EXPECT_THROW(DrilledSurface(*bench, 0, never), Cancelled);
+    const auto context = Drilled(settings);
+    EXPECT_THROW(DrilledImage(*context, 0, never), Cancelled);
+    EXPECT_THROW(DrilledSurface(*context, 0, never), Cancelled);
   }
 }
 } // namespace

@@ -1,6 +1,6 @@
 #include "DrillState.h"
 
-#include "DrillBenchCases.h"
+#include "DrillContextCases.h"
 #include "InputError.h"
 
 namespace palpate
@@ -12,15 +12,15 @@ class DrillStateTest : public testing::Test
 protected:
   void SetUp() override
   {
-    this->Bench = test::BenchOf(this->Files.Scene());
-    test::BenchCuts(this->Bench).CutAtRandom(this->Random, 12);
-    WriteDrillState(this->Path, *this->Bench);
+    this->Context = test::BenchOf(this->Files.Scene());
+    test::ContextCuts(this->Context).CutAtRandom(this->Random, 12);
+    WriteDrillState(this->Path, *this->Context);
   }
-  std::string Refusal(const std::filesystem::path& path, const DrillBench& bench) const
+  std::string Refusal(const std::filesystem::path& path, const DrillContext& context) const
   {
     try
     {
-      ReadDrillState(path, bench);
+      ReadDrillState(path, context);
     }
     catch (const InputError& error)
     {
@@ -32,22 +32,22 @@ protected:
   std::mt19937_64 Random{72};
   test::BoneFiles Files;
   std::filesystem::path Path = Files.Folder / "a.drill";
-  std::shared_ptr<DrillBench> Bench;
+  std::shared_ptr<DrillContext> Context;
 };
 
 TEST_F(DrillStateTest, RestoresEachOfSeveralStructures)
 {
   SceneSettings settings = this->Files.Scene();
   settings.Structures.push_back(this->Files.SceneOfLabels().Structures[0]);
-  const auto bench = test::BenchOf(settings);
-  test::BenchCuts cuts(bench);
+  const auto context = test::BenchOf(settings);
+  test::ContextCuts cuts(context);
   cuts.Cut(Vector3(4.0, 0.0, 0.0), Vector3(5.0, 0.0, 0.0), 0);
   cuts.Cut(Vector3(0.0, 4.0, 0.0), Vector3(0.0, 6.0, 0.0), 1);
-  WriteDrillState(this->Path, *bench);
+  WriteDrillState(this->Path, *context);
   const auto other = test::BenchOf(settings);
   ReadDrillState(this->Path, *other);
-  EXPECT_EQ(test::StateOf(*other, 0), test::StateOf(*bench, 0));
-  EXPECT_EQ(test::StateOf(*other, 1), test::StateOf(*bench, 1));
+  EXPECT_EQ(test::StateOf(*other, 0), test::StateOf(*context, 0));
+  EXPECT_EQ(test::StateOf(*other, 1), test::StateOf(*context, 1));
   std::swap(settings.Structures[0], settings.Structures[1]);
   EXPECT_NE(this->Refusal(this->Path, *test::BenchOf(settings)).find("other voxels"),
             std::string::npos);
@@ -57,7 +57,7 @@ TEST_F(DrillStateTest, RestoredStateRespectsNewProtection)
 {
   const auto guarded = test::BenchOf(this->Files.SceneWithNerve());
   ReadDrillState(this->Path, *guarded);
-  EXPECT_LT(guarded->Editor().RemovedVolumes()[0], this->Bench->Editor().RemovedVolumes()[0]);
+  EXPECT_LT(guarded->Editor().RemovedVolumes()[0], this->Context->Editor().RemovedVolumes()[0]);
 }
 
 TEST_F(DrillStateTest, RejectsChangedVoxelAndMoreStructures)

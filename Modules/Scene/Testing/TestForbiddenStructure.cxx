@@ -1,6 +1,6 @@
 #include "ForbiddenStructure.h"
 
-#include "DrillBenchCases.h"
+#include "DrillContextCases.h"
 #include "DrillWatch.h"
 #include "FilterRun.h"
 #include "RandomOrientation.h"
@@ -133,9 +133,9 @@ TEST(ForbiddenStructureTest, AllComponentsOfAMaskAreForbidden)
 TEST(ForbiddenStructureTest, MaskOnAnotherGridSurvivesFullDrilling)
 {
   const test::BoneFiles files;
-  const auto bench = test::BenchOf(files.SceneWithNerve());
-  ASSERT_EQ(bench->Forbidden().size(), 1U);
-  test::BenchCuts cuts(bench);
+  const auto context = test::BenchOf(files.SceneWithNerve());
+  ASSERT_EQ(context->Forbidden().size(), 1U);
+  test::ContextCuts cuts(context);
   constexpr int Ways = 12;
   for (int a = 0; a < Ways; ++a)
   {
@@ -165,7 +165,7 @@ TEST(ForbiddenStructureTest, MaskOnAnotherGridSurvivesFullDrilling)
   }
   const double ball = 4.0 / 3.0 * M_PI * std::pow(test::BoneFiles::BoneRadius, 3);
   // The nerve's smooth surface, from voxels of a third of its radius, differs from the cylinder's.
-  EXPECT_NEAR(ball - bench->Editor().RemovedVolumes()[0], left, 0.1 * left);
+  EXPECT_NEAR(ball - context->Editor().RemovedVolumes()[0], left, 0.1 * left);
 }
 
 // A tick at a position, mm, world.

@@ -18,9 +18,9 @@ namespace palpate
 {
 namespace
 {
-const DrillSite& SiteOf(const DrillBench& bench, int site)
+const DrillSite& SiteOf(const DrillContext& context, int site)
 {
-  return bench.Sites()[static_cast<std::size_t>(site)];
+  return context.Sites()[static_cast<std::size_t>(site)];
 }
 
 vtkSmartPointer<vtkImageData> CopyOf(vtkImageData* image)
@@ -111,10 +111,10 @@ vtkSmartPointer<vtkImageData> ImageOf(const FieldGrid& grid, const std::vector<f
 }
 } // namespace
 
-vtkSmartPointer<vtkImageData> DrilledImage(const DrillBench& bench, int site,
+vtkSmartPointer<vtkImageData> DrilledImage(const DrillContext& context, int site,
                                            const ProgressFunction& progress)
 {
-  const DrillSource& source = SiteOf(bench, site).Source;
+  const DrillSource& source = SiteOf(context, site).Source;
   if (!progress(0.0, "drilled image"))
   {
     throw Cancelled();
@@ -123,8 +123,8 @@ vtkSmartPointer<vtkImageData> DrilledImage(const DrillBench& bench, int site,
   if (source.Label)
   {
     BeforeAndNow solids;
-    const int material = bench.Editor().Site(site).Material();
-    const DrillReading reading = bench.Editor().Newest();
+    const int material = context.Editor().Site(site).Material();
+    const DrillReading reading = context.Editor().Newest();
     Require(FieldSolid::Make(source.Field, material, solids.Before));
     Require(FieldSolid::Make(reading.Fields[static_cast<std::size_t>(site)], material, solids.Now));
     ClearLabels(solids, *source.Label, image, progress);
@@ -132,22 +132,22 @@ vtkSmartPointer<vtkImageData> DrilledImage(const DrillBench& bench, int site,
   }
   FieldSamples samples;
   Require(SamplesOfImage(source.Image, samples));
-  bench.Editor().WriteSamples(site, samples, image->GetScalarPointer());
+  context.Editor().WriteSamples(site, samples, image->GetScalarPointer());
   return image;
 }
 
-vtkSmartPointer<vtkPolyData> DrilledSurface(const DrillBench& bench, int site,
+vtkSmartPointer<vtkPolyData> DrilledSurface(const DrillContext& context, int site,
                                             const ProgressFunction& progress)
 {
-  const DrilledField& drilled = bench.Editor().Site(site);
-  const auto now = bench.Editor().Newest().Fields[static_cast<std::size_t>(site)];
+  const DrilledField& drilled = context.Editor().Site(site);
+  const auto now = context.Editor().Newest().Fields[static_cast<std::size_t>(site)];
   const std::vector<float> nodes = NodesOf(*now, drilled.Channel());
   return MakeIsoSurface(ImageOf(now->Grid(), nodes), drilled.Condition().Iso, progress);
 }
 
-vtkSmartPointer<vtkPolyData> RemovedSurface(const DrillBench& bench, int site)
+vtkSmartPointer<vtkPolyData> RemovedSurface(const DrillContext& context, int site)
 {
-  DrillEditor::RemovedPart part = bench.Editor().CopyRemoved(site);
+  DrillEditor::RemovedPart part = context.Editor().CopyRemoved(site);
   if (std::none_of(part.Distances.begin(), part.Distances.end(),
                    [](float distance) { return distance < 0.0F; }))
   {

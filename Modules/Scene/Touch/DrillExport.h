@@ -1,6 +1,6 @@
 #pragma once
 
-#include "DrillBench.h"
+#include "DrillContext.h"
 #include "PalpateSceneModule.h"
 #include "Progress.h"
 #include "vtkImageData.h"
@@ -15,13 +15,14 @@ namespace palpate
 /// The image or label map that it was made from, on the same grid and of the same type: image
 /// samples as if the drilled structure had been scanned; in a label map, voxels whose centres were
 /// removed lose the label.
-PALPATESCENE_EXPORT vtkSmartPointer<vtkImageData> DrilledImage(const DrillBench& bench, int site,
-                                                               const ProgressFunction& progress);
+PALPATESCENE_EXPORT vtkSmartPointer<vtkImageData>
+DrilledImage(const DrillContext& context, int site, const ProgressFunction& progress);
 
 /// The closed surface as it is touched, in world mm (patient LPS).
-PALPATESCENE_EXPORT vtkSmartPointer<vtkPolyData> DrilledSurface(const DrillBench& bench, int site,
-                                                                const ProgressFunction& progress);
+PALPATESCENE_EXPORT vtkSmartPointer<vtkPolyData>
+DrilledSurface(const DrillContext& context, int site, const ProgressFunction& progress);
 
 /// The closed surface of the removed volume, in world mm; may be empty. Takes milliseconds.
-PALPATESCENE_EXPORT vtkSmartPointer<vtkPolyData> RemovedSurface(const DrillBench& bench, int site);
+PALPATESCENE_EXPORT vtkSmartPointer<vtkPolyData> RemovedSurface(const DrillContext& context,
+                                                                int site);
 } // namespace palpate

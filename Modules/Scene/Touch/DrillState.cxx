@@ -40,9 +40,9 @@ std::string DigestOf(std::string_view bytes)
 }
 
 // Digest of voxels, grid, and the label or value.
-std::string DigestOf(const DrillBench& bench, std::size_t site)
+std::string DigestOf(const DrillContext& context, std::size_t site)
 {
-  const DrillSource& source = bench.Sites()[site].Source;
+  const DrillSource& source = context.Sites()[site].Source;
   const FieldGrid& grid = source.Field->Grid();
   vtkDataArray& voxels = *source.Image->GetPointData()->GetScalars();
   const auto count = static_cast<std::size_t>(voxels.GetNumberOfTuples());
@@ -53,7 +53,7 @@ std::string DigestOf(const DrillBench& bench, std::size_t site)
   digest.Add(AsBytes(grid.OriginWorld().data(), 3));
   digest.Add(AsBytes(grid.Spacing().data(), 3));
   digest.Add(std::to_string(source.Label.value_or(-1)));
-  digest.Add(SignificantText(bench.Editor().Site(static_cast<int>(site)).Condition().Iso));
+  digest.Add(SignificantText(context.Editor().Site(static_cast<int>(site)).Condition().Iso));
   return digest.Text();
 }
 
@@ -75,7 +75,7 @@ std::string_view Part(std::string_view bytes, std::size_t& place, std::size_t co
 }
 
 std::shared_ptr<const RemovedDistances> StateOf(const nlohmann::json& entry, std::string_view bytes,
-                                                std::size_t& place, const DrillBench& bench,
+                                                std::size_t& place, const DrillContext& context,
                                                 std::size_t site, const std::filesystem::path& path)
 {
   JsonFields fields(entry, path, "structures[" + std::to_string(site) + "]");
@@ -88,8 +88,8 @@ std::shared_ptr<const RemovedDistances> StateOf(const nlohmann::json& entry, std
   fields.Read("bytes", count);
   fields.Read("digest", digest);
   fields.RefuseOthers();
-  const DrillSite& here = bench.Sites()[site];
-  if (source != DigestOf(bench, site))
+  const DrillSite& here = context.Sites()[site];
+  if (source != DigestOf(context, site))
   {
     Refuse(path, "was drilled in other voxels than those of " + here.Name,
            "open the scene that was drilled");
@@ -104,7 +104,7 @@ std::shared_ptr<const RemovedDistances> StateOf(const nlohmann::json& entry, std
   std::shared_ptr<const RemovedDistances> removed;
   if (DigestOf(part) != digest ||
       !RemovedFromBytes({first, first + part.size()},
-                        bench.Editor().Site(static_cast<int>(site)).Now(), removed)
+                        context.Editor().Site(static_cast<int>(site)).Now(), removed)
            .IsOk())
   {
     RefuseDamaged(path);
@@ -113,17 +113,17 @@ std::shared_ptr<const RemovedDistances> StateOf(const nlohmann::json& entry, std
 }
 } // namespace
 
-void WriteDrillState(const std::filesystem::path& path, const DrillBench& bench)
+void WriteDrillState(const std::filesystem::path& path, const DrillContext& context)
 {
   nlohmann::ordered_json header = nlohmann::ordered_json::array();
   std::string parts;
-  const auto removed = bench.Editor().Removed();
+  const auto removed = context.Editor().Removed();
   for (std::size_t site = 0; site < removed.size(); ++site)
   {
     const std::vector<std::byte> bytes = BytesOf(*removed[site]);
     const std::string_view part = AsBytes(bytes.data(), bytes.size());
-    header.push_back({{"name", bench.Sites()[site].Name},
-                      {"source", DigestOf(bench, site)},
+    header.push_back({{"name", context.Sites()[site].Name},
+                      {"source", DigestOf(context, site)},
                       {"bytes", std::to_string(part.size())},
                       {"digest", DigestOf(part)}});
     parts += part;
@@ -132,7 +132,7 @@ void WriteDrillState(const std::filesystem::path& path, const DrillBench& bench)
   WriteWholeFile(path, std::string(Magic) + header.dump(-1, ' ', false, Replace) + "\n" + parts);
 }
 
-void ReadDrillState(const std::filesystem::path& path, const DrillBench& bench)
+void ReadDrillState(const std::filesystem::path& path, const DrillContext& context)
 {
   const std::string file = ReadWholeFile(path, LargestFile);
   const std::size_t end = file.find('\n', Magic.size());
@@ -146,23 +146,23 @@ void ReadDrillState(const std::filesystem::path& path, const DrillBench& bench)
   {
     RefuseDamaged(path);
   }
-  if (header.size() != bench.Sites().size())
+  if (header.size() != context.Sites().size())
   {
     Refuse(path,
            "holds " + std::to_string(header.size()) + " drilled structures, and the scene " +
-               std::to_string(bench.Sites().size()),
+               std::to_string(context.Sites().size()),
            "open the scene that was drilled");
   }
   std::size_t place = end + 1;
   std::vector<std::shared_ptr<const RemovedDistances>> states;
   for (std::size_t site = 0; site < header.size(); ++site)
   {
-    states.push_back(StateOf(header[site], file, place, bench, site, path));
+    states.push_back(StateOf(header[site], file, place, context, site, path));
   }
   if (place != file.size())
   {
     RefuseDamaged(path);
   }
-  RequireInput(bench.Editor().Restore(states), path.string());
+  RequireInput(context.Editor().Restore(states), path.string());
 }
 } // namespace palpate

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "DrillBench.h"
+#include "DrillContext.h"
 #include "PalpateSceneModule.h"
 
 #include <filesystem>
@@ -11,9 +11,10 @@ namespace palpate
 /// was made from, and the removed region (RemovalBytes). Ends the current stroke. Throws InputError
 /// if it cannot be written.
 PALPATESCENE_EXPORT void WriteDrillState(const std::filesystem::path& path,
-                                         const DrillBench& bench);
+                                         const DrillContext& context);
 
 /// Restores a saved state, before anything is drilled. Throws InputError if the file is malformed,
 /// damaged, or belongs to other structures.
-PALPATESCENE_EXPORT void ReadDrillState(const std::filesystem::path& path, const DrillBench& bench);
+PALPATESCENE_EXPORT void ReadDrillState(const std::filesystem::path& path,
+                                        const DrillContext& context);
 } // namespace palpate

@@ -20,13 +20,13 @@ std::string AlarmText(const DrillApproach& one)
 }
 } // namespace
 
-DrillWatch::DrillWatch(std::shared_ptr<DrillBench> bench) : Bench(std::move(bench))
+DrillWatch::DrillWatch(std::shared_ptr<DrillContext> context) : Context(std::move(context))
 {
-  if (this->Bench == nullptr)
+  if (this->Context == nullptr)
   {
     return;
   }
-  for (const ForbiddenStructure& structure : this->Bench->Forbidden())
+  for (const ForbiddenStructure& structure : this->Context->Forbidden())
   {
     DrillApproach approach;
     approach.Name = structure.Name();
@@ -44,7 +44,7 @@ std::vector<std::string> DrillWatch::Look(double time, const TouchState& state)
   }
   const std::array<double, 4>& q = state.Sample.Orientation;
   const ToolPose pose{state.ProxyWorld, Eigen::Quaterniond(q[3], q[0], q[1], q[2])};
-  const std::vector<double> distances = this->Bench->Distances(pose);
+  const std::vector<double> distances = this->Context->Distances(pose);
   for (std::size_t n = 0; n < this->Known.size(); ++n)
   {
     DrillApproach& one = this->Known[n];

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "DrillBench.h"
+#include "DrillContext.h"
 #include "PalpateSceneModule.h"
 #include "TouchState.h"
 
@@ -26,7 +26,7 @@ struct DrillApproach
 class PALPATESCENE_EXPORT DrillWatch
 {
 public:
-  explicit DrillWatch(std::shared_ptr<DrillBench> bench);
+  explicit DrillWatch(std::shared_ptr<DrillContext> context);
 
   /// Call at every tick or less often; `time` in s. Returns one message per alarm that begins.
   std::vector<std::string> Look(double time, const TouchState& state);
@@ -34,7 +34,7 @@ public:
   const std::vector<DrillApproach>& Approaches() const { return this->Known; }
 
 private:
-  std::shared_ptr<DrillBench> Bench;
+  std::shared_ptr<DrillContext> Context;
   std::vector<DrillApproach> Known;
   double Last = 0.0;
   bool HasLooked = false;

@@ -10,7 +10,7 @@
 #include "SteadyClock.h"
 #include "StiffnessAdvice.h"
 #include "TouchReplay.h"
-#include "TouchResultKeeper.h"
+#include "TouchResultCollector.h"
 #include "TouchSession.h"
 #include "WorkspaceFrame.h"
 
@@ -303,7 +303,7 @@ private:
   const TouchViewer& View;
   const TouchGuide& Guide;
   TouchResult Result;
-  TouchResultKeeper Keeper;
+  TouchResultCollector Keeper;
   DrillWatch Watch;
   std::size_t Done = 0; // actions
   TouchSession Session;
@@ -321,7 +321,7 @@ PreparedTouch PrepareTouch(const SceneSettings& settings, const TouchScript& scr
                      "of its structures");
   }
   touch.Settings = std::move(built.Settings);
-  touch.Drill = DrillBench::Make(touch.Settings, built.Contacts, built.Protections);
+  touch.Drill = DrillContext::Make(touch.Settings, built.Contacts, built.Protections);
   if (touch.Drill == nullptr && !script.Actions.empty())
   {
     throw InputError(

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "Clock.h"
-#include "DrillBench.h"
+#include "DrillContext.h"
 #include "DrillScript.h"
 #include "DrillWatch.h"
 #include "HandPath.h"
@@ -43,13 +43,13 @@ struct PreparedTouch
   std::vector<BuiltStructure> Structures; ///< touched ones, in the scene's order
   std::vector<BuiltStructure> OnlyDisplayed;
   std::shared_ptr<const TouchScene> Scene;
-  std::shared_ptr<DrillBench> Drill; ///< null: nothing is drilled
-  std::vector<DrillAction> Actions;  ///< scripted drill actions
-  HandPath Path;                     ///< empty for a device with its own hand
-  bool IsSweep = false;              ///< the path is followed back and forth until Duration
-  double Duration = 0.0;             ///< s
-  bool IsRealTimeOnly = false;       ///< hardware cannot run in virtual time
-  WorkspaceFrame Frame;              ///< placement of the device in the scene
+  std::shared_ptr<DrillContext> Drill; ///< null: nothing is drilled
+  std::vector<DrillAction> Actions;    ///< scripted drill actions
+  HandPath Path;                       ///< empty for a device with its own hand
+  bool IsSweep = false;                ///< the path is followed back and forth until Duration
+  double Duration = 0.0;               ///< s
+  bool IsRealTimeOnly = false;         ///< hardware cannot run in virtual time
+  WorkspaceFrame Frame;                ///< placement of the device in the scene
   std::vector<std::string> Warnings;
 };
 

@@ -28,7 +28,7 @@ private:
   SceneRenderer Renderer;
   Picture Drawn{Width, Height};
   std::size_t Tool = 0; // number of its surface
-  std::shared_ptr<DrillBench> Drill;
+  std::shared_ptr<DrillContext> Drill;
   std::vector<std::size_t> DrilledFields; // field numbers, by drill site
   Vector3 Middle = Vector3::Zero();
 };

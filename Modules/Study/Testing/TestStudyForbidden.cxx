@@ -1,6 +1,6 @@
 #include "StudyForbidden.h"
 
-#include "DrillBenchCases.h"
+#include "DrillContextCases.h"
 #include "DrillState.h"
 #include "ForbiddenPhantom.h"
 #include "ManualClock.h"
@@ -321,15 +321,15 @@ TEST_F(StudyForbiddenTest, CommandLineProtectsTheSame)
   drill.Editor()->Take();
   drill.Save(this->Phantom.Folder / "window.state");
 
-  const auto bench = test::BenchOf(state);
-  ASSERT_EQ(bench->Forbidden().size(), 1U);
-  EXPECT_EQ(bench->Forbidden()[0].AlarmDistance(), state.Structures.back().AlarmDistance);
-  test::BenchCuts cuts(bench);
+  const auto context = test::BenchOf(state);
+  ASSERT_EQ(context->Forbidden().size(), 1U);
+  EXPECT_EQ(context->Forbidden()[0].AlarmDistance(), state.Structures.back().AlarmDistance);
+  test::ContextCuts cuts(context);
   for (const auto& [from, to] : RandomSweeps())
   {
     cuts.Cut(from, to);
   }
-  WriteDrillState(this->Phantom.Folder / "command.state", *bench);
+  WriteDrillState(this->Phantom.Folder / "command.state", *context);
   constexpr std::uintmax_t Largest = 1 << 28;
   EXPECT_EQ(ReadWholeFile(this->Phantom.Folder / "window.state", Largest),
             ReadWholeFile(this->Phantom.Folder / "command.state", Largest));

@@ -1,4 +1,4 @@
-#include "TouchResultKeeper.h"
+#include "TouchResultCollector.h"
 
 #include "ResidentMemory.h"
 
@@ -12,12 +12,13 @@ constexpr double Nano = 1e-9;
 constexpr double SettlingTime = 1.0; // s, until memory has settled
 } // namespace
 
-TouchResultKeeper::TouchResultKeeper(TouchResult& result, std::size_t structures) : Result(result)
+TouchResultCollector::TouchResultCollector(TouchResult& result, std::size_t structures)
+    : Result(result)
 {
   result.TouchedSeconds.resize(structures);
 }
 
-void TouchResultKeeper::Add(const TouchState& state, float microseconds)
+void TouchResultCollector::Add(const TouchState& state, float microseconds)
 {
   if (this->Result.Ticks++ == 0)
   {
@@ -38,7 +39,7 @@ void TouchResultKeeper::Add(const TouchState& state, float microseconds)
   }
 }
 
-void TouchResultKeeper::Trace(const TouchState& state, float microseconds)
+void TouchResultCollector::Trace(const TouchState& state, float microseconds)
 {
   TouchStretch tick = StretchOf(state, this->Start, this->Last);
   tick.Computation = {microseconds, microseconds};
@@ -49,7 +50,7 @@ void TouchResultKeeper::Trace(const TouchState& state, float microseconds)
   }
 }
 
-void TouchResultKeeper::Close()
+void TouchResultCollector::Close()
 {
   this->Result.MebibytesAtEnd = ResidentMebibytes();
   if (this->Result.MebibytesAtStart == 0.0)

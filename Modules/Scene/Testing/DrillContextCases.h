@@ -1,6 +1,6 @@
 #pragma once
 
-#include "DrillBench.h"
+#include "DrillContext.h"
 #include "ImageWriter.h"
 #include "LabelImages.h"
 #include "RemovalBytes.h"
@@ -113,17 +113,17 @@ public:
   std::filesystem::path LabelsPath = Folder / "labels.nrrd";
 };
 
-inline std::shared_ptr<DrillBench> BenchOf(const SceneSettings& settings)
+inline std::shared_ptr<DrillContext> BenchOf(const SceneSettings& settings)
 {
   const BuiltScene built = BuildScene(settings, false, GoOn);
-  return DrillBench::Make(built.Settings, built.Contacts, built.Protections);
+  return DrillContext::Make(built.Settings, built.Contacts, built.Protections);
 }
 
 /// Issues cut orders as a servo does.
-class BenchCuts
+class ContextCuts
 {
 public:
-  explicit BenchCuts(std::shared_ptr<DrillBench> bench) : Bench(std::move(bench)) {}
+  explicit ContextCuts(std::shared_ptr<DrillContext> context) : Context(std::move(context)) {}
 
   void Cut(const Vector3& from, const Vector3& to, int site = 0)
   {
@@ -132,9 +132,9 @@ public:
     order.Site = site;
     order.From.PositionWorld = from;
     order.To.PositionWorld = to;
-    ASSERT_TRUE(this->Bench->Editor().Link()->Orders.Push(order));
-    this->Bench->Editor().Take();
-    ASSERT_EQ(this->Bench->Editor().Newest().Problem, "");
+    ASSERT_TRUE(this->Context->Editor().Link()->Orders.Push(order));
+    this->Context->Editor().Take();
+    ASSERT_EQ(this->Context->Editor().Newest().Problem, "");
   }
   void CutAtRandom(std::mt19937_64& random, int count)
   {
@@ -148,12 +148,12 @@ public:
   }
 
 private:
-  std::shared_ptr<DrillBench> Bench;
+  std::shared_ptr<DrillContext> Context;
   std::uint64_t Number = 0;
 };
 
-inline std::vector<std::byte> StateOf(const DrillBench& bench, std::size_t site = 0)
+inline std::vector<std::byte> StateOf(const DrillContext& context, std::size_t site = 0)
 {
-  return BytesOf(*bench.Editor().Removed()[site]);
+  return BytesOf(*context.Editor().Removed()[site]);
 }
 } // namespace palpate::test

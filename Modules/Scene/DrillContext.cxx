@@ -1,4 +1,4 @@
-#include "DrillBench.h"
+#include "DrillContext.h"
 
 #include "DrillTool.h"
 #include "Refusal.h"
@@ -9,20 +9,21 @@
 
 namespace palpate
 {
-std::shared_ptr<DrillBench> DrillBench::Make(const SceneSettings& scene,
-                                             const std::vector<SceneContact>& contacts,
-                                             const std::vector<DrillProtection>& protections)
+std::shared_ptr<DrillContext> DrillContext::Make(const SceneSettings& scene,
+                                                 const std::vector<SceneContact>& contacts,
+                                                 const std::vector<DrillProtection>& protections)
 {
-  std::shared_ptr<DrillBench> bench(new DrillBench);
+  std::shared_ptr<DrillContext> context(new DrillContext);
   std::vector<std::unique_ptr<DrilledField>> fields;
   double voxel = std::numeric_limits<double>::max();
   for (const SceneContact& contact : contacts)
   {
     const bool isDrilled = contact.Drilled.Field != nullptr;
-    bench->SiteOf.push_back(isDrilled ? static_cast<int>(fields.size()) : -1);
+    context->SiteOf.push_back(isDrilled ? static_cast<int>(fields.size()) : -1);
     if (isDrilled)
     {
-      bench->Add(TitleOf(*FindStructure(scene, contact.Id)), contact.Drilled, protections, fields);
+      context->Add(TitleOf(*FindStructure(scene, contact.Id)), contact.Drilled, protections,
+                   fields);
       voxel = std::min(voxel, contact.Drilled.Field->Grid().Spacing().minCoeff());
     }
   }
@@ -32,19 +33,19 @@ std::shared_ptr<DrillBench> DrillBench::Make(const SceneSettings& scene,
   }
   for (const DrillProtection& one : protections)
   {
-    bench->Guarded.emplace_back(*one.Protection->Structure, one.Name, one.AlarmDistance);
+    context->Guarded.emplace_back(*one.Protection->Structure, one.Name, one.AlarmDistance);
   }
   std::unique_ptr<DrillEditor> editor;
   RequireInput(DrillEditor::Make(std::move(fields), editor), "the scene cannot be drilled");
-  bench->Edits = std::move(editor);
+  context->Edits = std::move(editor);
   constexpr double ClearanceInVoxels = 0.1;
-  bench->Drill.Link = bench->Edits->Link();
-  bench->Drill.Clearance = ClearanceInVoxels * voxel;
-  bench->UseTool(scene.Tool, scene.Drill);
-  return bench;
+  context->Drill.Link = context->Edits->Link();
+  context->Drill.Clearance = ClearanceInVoxels * voxel;
+  context->UseTool(scene.Tool, scene.Drill);
+  return context;
 }
 
-void DrillBench::UseTool(const TouchToolSettings& tool, const TouchDrillSettings& drill)
+void DrillContext::UseTool(const TouchToolSettings& tool, const TouchDrillSettings& drill)
 {
   const CutTool cutting = MakeCutTool(tool);
   RequireInput(this->Edits->AddTool(cutting, this->Drill.Tool), "the tool cannot drill");
@@ -52,9 +53,9 @@ void DrillBench::UseTool(const TouchToolSettings& tool, const TouchDrillSettings
   this->Drill.Motion = {DrillRadius(tool, cutting), drill.Turns, drill.VibrationFrequency};
 }
 
-void DrillBench::Add(const std::string& name, const DrillSource& source,
-                     const std::vector<DrillProtection>& protections,
-                     std::vector<std::unique_ptr<DrilledField>>& fields)
+void DrillContext::Add(const std::string& name, const DrillSource& source,
+                       const std::vector<DrillProtection>& protections,
+                       std::vector<std::unique_ptr<DrilledField>>& fields)
 {
   std::unique_ptr<DrilledField> field;
   RequireInput(DrilledField::Make(*source.Field, 0, field), name + " cannot be drilled");
@@ -74,7 +75,7 @@ void DrillBench::Add(const std::string& name, const DrillSource& source,
   this->Drilled.push_back({name, source});
 }
 
-void DrillBench::PutInto(TouchScene& scene, const std::vector<int>& sites) const
+void DrillContext::PutInto(TouchScene& scene, const std::vector<int>& sites) const
 {
   scene.Drill = this->Drill;
   scene.Tool = MakeClearTool(scene.Tool, this->Drill.Clearance);
@@ -84,7 +85,7 @@ void DrillBench::PutInto(TouchScene& scene, const std::vector<int>& sites) const
   }
 }
 
-std::vector<double> DrillBench::Distances(const ToolPose& pose) const
+std::vector<double> DrillContext::Distances(const ToolPose& pose) const
 {
   std::vector<double> distances;
   for (const ForbiddenStructure& structure : this->Guarded)

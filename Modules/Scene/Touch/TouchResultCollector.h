@@ -8,11 +8,11 @@
 namespace palpate
 {
 /// Accumulates the ticks of a touch into its result, in bounded memory.
-class TouchResultKeeper
+class TouchResultCollector
 {
 public:
   /// Keeps the address of the result, which must outlive this object.
-  TouchResultKeeper(TouchResult& result, std::size_t structures);
+  TouchResultCollector(TouchResult& result, std::size_t structures);
 
   /// Adds the next tick, which took `microseconds` to compute; 0 if unknown.
   void Add(const TouchState& state, float microseconds);

@@ -32,14 +32,14 @@ struct DrillProtection
 
 /// The context of drilling in a scene, without the servo: the editor of the fields, the protected
 /// structures and the cutting tool.
-class PALPATESCENE_EXPORT DrillBench
+class PALPATESCENE_EXPORT DrillContext
 {
 public:
   /// Makes a site for each drilled one of `contacts`, in their order, protected by those of
   /// `protections` that are on its grid. Returns null if none is drilled. Throws InputError.
-  static std::shared_ptr<DrillBench> Make(const SceneSettings& scene,
-                                          const std::vector<SceneContact>& contacts,
-                                          const std::vector<DrillProtection>& protections);
+  static std::shared_ptr<DrillContext> Make(const SceneSettings& scene,
+                                            const std::vector<SceneContact>& contacts,
+                                            const std::vector<DrillProtection>& protections);
 
   /// Makes `scene` drillable; its structures must be those given to Make, in the same order.
   void PutInto(TouchScene& scene) const { this->PutInto(scene, this->SiteOf); }
@@ -56,7 +56,7 @@ public:
   std::vector<double> Distances(const ToolPose& pose) const;
 
 private:
-  DrillBench() = default;
+  DrillContext() = default;
   void Add(const std::string& name, const DrillSource& source,
            const std::vector<DrillProtection>& protections,
            std::vector<std::unique_ptr<DrilledField>>& fields);
