@@ -100,7 +100,7 @@ struct DrilledBone
 
   void Drill() const
   {
-    BenchCuts(this->Context).Cut(Vector3(7.0, 0.0, 0.0), Vector3(7.0, 1.0, 0.0));
+    ContextCuts(this->Context).Cut(Vector3(7.0, 0.0, 0.0), Vector3(7.0, 1.0, 0.0));
   }
 };
 
