@@ -11,5 +11,5 @@ namespace palpate
 /// nodes that values in the box are interpolated from, with the same scalars in the same places.
 /// The image itself where the box is outside it.
 PALPATESCENE_EXPORT vtkSmartPointer<vtkImageData> ImageWithin(vtkImageData* image,
-                                                               const Eigen::AlignedBox3d& boxWorld);
+                                                              const Eigen::AlignedBox3d& boxWorld);
 } // namespace palpate
