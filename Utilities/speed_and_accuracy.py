@@ -23,22 +23,22 @@ DOCUMENTATION = ROOT / "Documentation"
 
 INTRODUCTION = """# Speed and accuracy
 
-Made by `Utilities/bench.sh`, on {machine}, with {compiler}. Times are the shortest of many short repetitions on
-one core of that machine, which others share: read the ratios, and the instruction counts, which do not change from
-run to run. Every benchmark compares both sides' results before it times them.
+Written by `Utilities/bench.sh`, on {machine}, with {compiler}. Times are the shortest of many short repetitions on
+one core of that machine, which is shared: read the ratios, and the instruction counts, which do not change from
+run to run. Every benchmark compares the results of both sides before it times them.
 """
 
-PEERS = """How the others are compiled: Eigen's and ITK's templates here, with the same compiler and for AVX2 and FMA as our kernels
+PEERS = """Compilation of the alternatives: Eigen's and ITK's templates here, with the same compiler and for AVX2 and FMA as our kernels
 are (`/sse2`: for any x86-64, as they were on this page before version 0.2); VTK, GSL and libsharp as Debian builds
-them, for any x86-64. Like is set beside like: an orthogonal factorisation beside one, a search that begins at the last
-point beside one that does, a search from nothing beside one from nothing. Eigen's fits are given the matrix of the
-harmonics, which ours has to make.
+them, for any x86-64. Like is compared with like: an orthogonal factorisation with another, a search that begins at the
+last point with another, a global search with another. Eigen's fits are given the matrix of the harmonics, which ours has to
+compute.
 
-*chained*: the direction of each call waits for the result of the one before, as in a search that iterates, by a logical
-operation on its bits. Up to 0.1 it waited by a sum with zero times the result, which added two roundings to each
-call: those times were longer by some nanoseconds, and are not comparable with these.
+*chained*: the direction of each call depends on the result of the previous one, as in an iterative search, through a logical
+operation on its bits. Up to 0.1 it depended on it through a sum with zero times the result, which added two roundings to each
+call: those times were some nanoseconds longer, and cannot be compared with these.
 
-The fastest public library for radius and gradient along one direction, sphericart, cannot be installed from here. Measured
+The fastest public library for radius and gradient along one direction, sphericart, is not installed by the scripts. Measured
 elsewhere (version 2.0.3, clang 14 with `-march=native`, one core of an AMD EPYC Zen 4 virtual machine, November 2026,
 degree 12, double, one direction a call): 331 ns independent, 337 ns chained; its gradient is that of the solid harmonics. On the
 same machine GSL took 489 ns for the value alone.
@@ -65,52 +65,52 @@ AIMS = {
     "touch/subvoxel/26": 4e3,
     "drill/tick/3mm": 50e3,
 }
-TRADE = """## What each nanosecond buys
+TRADE = """## Time of an evaluation against its accuracy
 
 ![Time for a radius and its gradient against the error]({picture})
 
 Radius and gradient along one direction, of an organ-like body of 25 mm (coefficients of degree l fall as
-(l + 1)^-2.5, up to degree 96). *Shape lost* is what a model of that degree leaves out of the body; *rounding* is the
-largest error of the computed radius against sums in extended precision. Left in the picture: what
-a higher degree costs and brings; right: what the arithmetic adds, which no one can feel.
+(l + 1)^-2.5, up to degree 96). *Shape lost* is the part of the body that a model of that degree leaves out; *rounding* is the
+largest error of the computed radius against sums in extended precision. Left in the figure: cost and gain of
+a higher degree; right: the error of the arithmetic, which is imperceptible.
 """
 
-CAPS = """## Directions that are missing
+CAPS = """## Missing directions
 
-A cap round one axis is left out of 4,002 directions; the rest sees organ-like bodies with 0.3 mm noise, fitted at
-degree 12. *Noise gain* is by how much noise of the radii is amplified in the model, over the whole sphere.
+A cap around one axis is left out of 4,002 directions; the others sample organ-like bodies with 0.3 mm noise, fitted at
+degree 12. *Noise gain* is the amplification of noise of the radii in the model, over the whole sphere.
 """
 
 
-FOOTPRINTS = """## What a field occupies
+FOOTPRINTS = """## Memory of a field
 
-The bone of a head phantom (16-bit samples, `Testing/Benchmarks/SkullPhantom`) as a field, beside the whole volume as
-dense floats: `vtkImageCast` for trilinear interpolation, `vtkImageBSplineCoefficients` for the cubic. One thread builds
-the field, VTK has all there are.
+The bone of a head phantom (16-bit samples, `Testing/Benchmarks/SkullPhantom`) as a field, compared with the whole volume as
+dense floats: `vtkImageCast` for trilinear interpolation, `vtkImageBSplineCoefficients` for the cubic. The field is built by one thread; VTK
+uses all.
 """
 
-TOUCH = """## What a minute of touch is worth
+TOUCH = """## A minute of touch
 
 A tool slides for 60 s at 1 kHz over a body of 25 mm (1 + 0.15 bumps of degrees 3 and 4), at 20 to 100 mm/s, 0.5 to 3 mm
-deep. A tick's time is the shortest of five runs of the same path on one core, so that other programs do not count. The
-ideal force goes to the nearest point of the exact body, found by the certified search. *Force jump* is the change of the
-force from one tick to the next, as part of the larger of both; a *seizure* is a proxy that comes to be more than 2 mm
+deep. A tick's time is the shortest of five runs of the same path on one core, which excludes other programs. The
+ideal force points to the nearest point of the exact body, found by the certified search. *Force jump* is the change of the
+force from one tick to the next, relative to the larger of both; a *seizure* is a proxy that comes to be more than 2 mm
 from the true one.
 """
 
-PUBLISHED = """## Beside the two founding systems
+PUBLISHED = """## Compared with the two published systems
 
-What both systems compared, touched again here: an organ of degree 12 against the 8,000 facets that are drawn of it,
-by a point 1.5 mm deep, and a ball in voxels of 0.5 mm by a ball of 26 points, half a voxel deep. A tick is all that a
-servo does, from the device's sample to its force, running freely on one core; a device takes 1,000 a second. Their rates
-are those of their time, on their machines, with a picture drawn beside: what can be compared are the ways with each other.
-The first system's radial force and the second's mean length are laws of their own: what they err by is theirs.
+The comparisons of both systems, repeated here: an organ of degree 12 against the 8,000 facets that are drawn of it,
+touched by a point 1.5 mm deep, and a sphere in voxels of 0.5 mm touched by a sphere of 26 points, half a voxel deep. A tick is
+all that a servo does, from the device's sample to its force, running freely on one core; a device takes 1,000 a second. Their
+rates were measured on the machines of their time, while drawing: compare the methods with each other.
+The first system's radial force and the second's mean length are laws of their own, with errors of their own.
 """
 
 # Entered by hand; see its text.
-CHAI3D = """The same of CHAI3D 3.3, typed in here from a study of November 2026 and not run by `Utilities/bench.sh`: its release build,
+CHAI3D = """The same of CHAI3D 3.3, copied from a study of November 2026 and not run by `Utilities/bench.sh`: its release build,
 driven by a program of ours that is not part of this project, with the same description of body, path and depths, on one core of
-an AMD EPYC Zen 4 virtual machine of two cores; its ball has 1 mm. Compare the shape of the numbers, not the last digit:
+an AMD EPYC Zen 4 virtual machine of two cores; its sphere has 1 mm. Compare orders of magnitude, not digits:
 
 | touched | tick: median, µs | 99.9 % | place to surface: mean, mm | most | force angle error: mean | 99 % | most | force jump a tick: mean | most | ideal's: mean | most | seizures |
 |---|---|---|---|---|---|---|---|---|---|---|---|---|

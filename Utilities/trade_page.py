@@ -13,10 +13,9 @@ SCENES = {
 
 TEXT = """## Speed against accuracy, scene by scene
 
-What `palpate tradeoff` says of three sample scenes (`Utilities/trade.sh`). All settings are felt on the same seeded
-path and compared with one truth; errors are those that 99 % of the ticks do not exceed. A *JND* is the least difference of a
-force that hands notice, 7 % of it; directions are told apart from 18° to 33° on. The rate is what 99.9 % of the ticks
-leave time for. In bold: no other setting is both faster and more accurate in position.
+Results of `palpate tradeoff` for three sample scenes (`Utilities/trade.sh`). All settings are touched along the same seeded
+path and compared with one reference; 99 % of the ticks have errors below those given. A *JND* (just noticeable difference) is 7 %
+of the force; directions are distinguished from 18° to 33° on. The rate is the one that 99.9 % of the ticks permit. In bold: no other setting is both faster and more accurate in position.
 
 ![Time of a tick against errors, scene by scene]({picture})
 """
