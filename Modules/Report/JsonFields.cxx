@@ -138,7 +138,7 @@ void JsonFields::Read(const char* key, Vector3& value, double least, double most
   }
 }
 
-void JsonFields::Read(const char* key, int& value, std::initializer_list<const char*> words)
+void JsonFields::Read(const char* key, int& value, const std::vector<std::string>& words)
 {
   const nlohmann::json* entry = this->Find(key);
   if (entry == nullptr)
@@ -147,14 +147,14 @@ void JsonFields::Read(const char* key, int& value, std::initializer_list<const c
   }
   std::string list;
   int number = 0;
-  for (const char* word : words)
+  for (const std::string& word : words)
   {
     if (entry->is_string() && entry->get<std::string>() == word)
     {
       value = number;
       return;
     }
-    list += (number++ == 0 ? "\"" : ", \"") + std::string(word) + "\"";
+    list += (number++ == 0 ? "\"" : ", \"") + word + "\"";
   }
   this->RefuseEntry(key, "one of " + list);
 }

@@ -30,12 +30,12 @@ public:
   void Read(const char* key, std::vector<std::string>& values);
   void Read(const char* key, Vector3& value, double least, double most);
   /// One of these words; `value` becomes its index.
-  void Read(const char* key, int& value, std::initializer_list<const char*> words);
+  void Read(const char* key, int& value, const std::vector<std::string>& words);
   template <typename Choice>
   void ReadChoice(const char* key, std::initializer_list<const char*> words, Choice& choice)
   {
     int number = static_cast<int>(choice);
-    this->Read(key, number, words);
+    this->Read(key, number, std::vector<std::string>(words.begin(), words.end()));
     choice = static_cast<Choice>(number);
   }
   bool Has(const char* key);

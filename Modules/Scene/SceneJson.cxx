@@ -130,7 +130,7 @@ private:
   void ReadTouch(JsonFields& fields, SceneStructure& structure) const
   {
     fields.Read("touched", structure.IsTouchable);
-    this->ReadRepresentation(fields, structure);
+    ReadRepresentation(fields, structure);
     fields.Read("degree", structure.Degree, 0, 64);
     fields.ReadChoice("mode", ModeWords, structure.Mode);
     fields.ReadChoice("interpolation", InterpolationWords, structure.Interpolation);
@@ -145,21 +145,18 @@ private:
     }
   }
 
-  void ReadRepresentation(JsonFields& fields, SceneStructure& structure) const
+  static void ReadRepresentation(JsonFields& fields, SceneStructure& structure)
   {
-    fields.Read("representation", structure.Representation);
-    std::string names;
-    bool isKnown = false;
+    std::vector<std::string> names;
     for (const SceneRepresentation& representation : SceneRepresentations())
     {
-      names += (names.empty() ? "" : ", ") + representation.Name;
-      isKnown = isKnown || representation.Name == structure.Representation;
+      names.push_back(representation.Name);
       ReadNumbers(fields, representation.Numbers, structure);
     }
-    if (!isKnown)
-    {
-      Refuse(this->File, "names an unknown \"representation\"", "name one of " + names);
-    }
+    int number = -1;
+    fields.Read("representation", number, names);
+    structure.Representation =
+        number < 0 ? structure.Representation : names[static_cast<std::size_t>(number)];
   }
 
   static void ReadNumbers(JsonFields& fields, const std::vector<SceneNumber>& numbers,
