@@ -21,12 +21,12 @@ SceneRepresentation FacetRepresentation()
   facets.Sources = {SceneSource::Label, SceneSource::Surface};
   facets.PlanContact = [](StructurePlan& plan)
   {
-    plan.AddContact(plan.AddSurface(),
+    plan.AddContact("facets", plan.AddSurface(),
                     [](const StructurePlan::Inputs& inputs, const ProgressFunction&)
                     { return MakeContact(ProductAs<FitSurface>(inputs.data())->Found); });
   };
   facets.Describe = [](const ContactSetting&) { return std::string("facets"); };
-  facets.KeyOf = facets.Describe;
+  facets.KeyOf = [](const ContactSetting&) { return std::string("facets/all"); };
   facets.Vary = [](const ContactSetting& standard, const TouchToolSettings& tool, int)
   {
     const bool isSphere = tool.Kind == TouchToolSettings::Shape::Sphere; // no other can touch them

@@ -72,7 +72,7 @@ SceneRepresentation FieldRepresentation()
   field.PlanContact = [](StructurePlan& plan)
   {
     plan.AddContact(
-        plan.AddField(),
+        "field", plan.AddField(),
         [structure = plan.Settings()](const StructurePlan::Inputs& inputs, const ProgressFunction&)
         { return MakeContact(structure, inputs); });
   };

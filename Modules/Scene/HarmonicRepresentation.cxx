@@ -42,6 +42,13 @@ std::vector<ContactSetting> Vary(ContactSetting standard, const TouchToolSetting
   return Unique(settings);
 }
 
+// A model has its own degree.
+std::string DegreeText(const ContactSetting& setting, const std::string& before)
+{
+  const bool isModel = setting.Structure.Source() == SceneSource::Model;
+  return isModel ? std::string() : before + std::to_string(setting.Structure.Degree);
+}
+
 bool IsNearest(const ContactSetting& setting)
 {
   return setting.Structure.Mode == HarmonicContactMode::Nearest;
@@ -57,20 +64,18 @@ SceneRepresentation HarmonicRepresentation()
   harmonics.PlanContact = [](StructurePlan& plan)
   {
     plan.AddContact(
-        plan.AddModel(),
+        "harmonics", plan.AddModel(),
         [mode = plan.Settings().Mode](const StructurePlan::Inputs& inputs, const ProgressFunction&)
         { return MakeContact(*ProductAs<FitResult>(inputs.data()), mode); });
   };
   harmonics.PlanDisplay = [](StructurePlan& plan) { plan.AddModel(); };
   harmonics.Describe = [](const ContactSetting& setting)
   {
-    return "harmonics of degree " + std::to_string(setting.Structure.Degree) +
+    return "harmonics" + DegreeText(setting, " of degree ") +
            (IsNearest(setting) ? ", nearest point" : ", radial");
   };
-  harmonics.KeyOf = [](const ContactSetting& setting)
-  {
-    return "harmonics/" + std::to_string(setting.Structure.Degree) +
-           (IsNearest(setting) ? "/nearest" : "/radial");
+  harmonics.KeyOf = [](const ContactSetting& setting) {
+    return "harmonics" + DegreeText(setting, "/") + (IsNearest(setting) ? "/nearest" : "/radial");
   };
   harmonics.Vary = Vary;
   return harmonics;

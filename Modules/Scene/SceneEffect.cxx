@@ -4,6 +4,7 @@
 #include "TouchTexture.h"
 #include "VolumeViscosity.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace palpate
@@ -23,9 +24,9 @@ SceneEffectKind ViscosityKind()
 }
 
 // Texture before viscosity: recordings replay the sum in this order.
-std::vector<SceneEffectKind>& Kinds()
+std::deque<SceneEffectKind>& Kinds()
 {
-  static std::vector<SceneEffectKind> kinds{TextureKind(), ViscosityKind()};
+  static std::deque<SceneEffectKind> kinds{TextureKind(), ViscosityKind()};
   return kinds;
 }
 } // namespace
@@ -35,14 +36,17 @@ bool SceneEffectKind::IsIn(const SceneStructure& structure) const
   return structure.Number(this->Numbers.front().Key) != 0.0;
 }
 
-const std::vector<SceneEffectKind>& SceneEffectKinds()
+const std::deque<SceneEffectKind>& SceneEffectKinds()
 {
   return Kinds();
 }
 
 void AddSceneEffectKind(SceneEffectKind kind)
 {
-  Kinds().push_back(std::move(kind));
+  const auto same =
+      std::find_if(Kinds().begin(), Kinds().end(),
+                   [&kind](const SceneEffectKind& one) { return one.Name == kind.Name; });
+  same != Kinds().end() ? * same = std::move(kind) : Kinds().emplace_back(std::move(kind));
 }
 
 std::vector<const SceneEffectKind*> EffectsOf(const SceneStructure& structure)

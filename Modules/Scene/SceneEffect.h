@@ -7,6 +7,7 @@
 #include "Volume.h"
 
 #include <Eigen/Geometry>
+#include <deque>
 #include <functional>
 #include <map>
 #include <memory>
@@ -53,9 +54,10 @@ struct SceneEffectKind
 
 /// The kinds of force effects that scenes can have, in the order in which their forces are added:
 /// texture, viscosity, then those that were added.
-PALPATESCENE_EXPORT const std::vector<SceneEffectKind>& SceneEffectKinds();
+PALPATESCENE_EXPORT const std::deque<SceneEffectKind>& SceneEffectKinds();
 
-/// Registers a kind for the whole program; call before the first scene is read or shown.
+/// Adds a kind for the whole program, or replaces the one of its name, before the first scene is
+/// read or shown. It has at least one number.
 PALPATESCENE_EXPORT void AddSceneEffectKind(SceneEffectKind kind);
 
 /// The kinds that a structure has.

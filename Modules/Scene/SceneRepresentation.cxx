@@ -13,11 +13,11 @@ namespace palpate
 {
 namespace
 {
-std::vector<SceneRepresentation>& All()
+std::deque<SceneRepresentation>& All()
 {
-  static std::vector<SceneRepresentation> all{AutomaticRepresentation(), HarmonicRepresentation(),
-                                              FacetRepresentation(), FieldRepresentation(),
-                                              ModelOrFieldRepresentation()};
+  static std::deque<SceneRepresentation> all{AutomaticRepresentation(), HarmonicRepresentation(),
+                                             FacetRepresentation(), FieldRepresentation(),
+                                             ModelOrFieldRepresentation()};
   return all;
 }
 } // namespace
@@ -27,14 +27,18 @@ bool SceneRepresentation::Takes(SceneSource source) const
   return std::find(this->Sources.begin(), this->Sources.end(), source) != this->Sources.end();
 }
 
-const std::vector<SceneRepresentation>& SceneRepresentations()
+const std::deque<SceneRepresentation>& SceneRepresentations()
 {
   return All();
 }
 
 void AddSceneRepresentation(SceneRepresentation representation)
 {
-  All().push_back(std::move(representation));
+  const auto same =
+      std::find_if(All().begin(), All().end(),
+                   [&](const SceneRepresentation& one) { return one.Name == representation.Name; });
+  same != All().end() ? * same = std::move(representation)
+                      : All().emplace_back(std::move(representation));
 }
 
 const SceneRepresentation& RepresentationOf(const SceneStructure& structure)

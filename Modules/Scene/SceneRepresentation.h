@@ -4,6 +4,7 @@
 #include "SceneEffect.h"
 #include "SceneSettings.h"
 
+#include <deque>
 #include <functional>
 #include <string>
 #include <vector>
@@ -48,9 +49,10 @@ struct SceneRepresentation
 
 /// Automatic, harmonics, facets, sub-voxel, model-or-field, then those added by
 /// AddSceneRepresentation.
-PALPATESCENE_EXPORT const std::vector<SceneRepresentation>& SceneRepresentations();
+PALPATESCENE_EXPORT const std::deque<SceneRepresentation>& SceneRepresentations();
 
-/// Registers a representation for the whole program; call before the first scene is read or shown.
+/// Adds a representation for the whole program, or replaces the one of its name, before the first
+/// scene is read or shown.
 PALPATESCENE_EXPORT void AddSceneRepresentation(SceneRepresentation representation);
 
 /// Throws InputError if there is no representation of that name.

@@ -50,6 +50,12 @@ std::string TitleOf(const SceneSettings& scene, const SceneNode& node)
   }
   return title + TitleOf(*structure);
 }
+
+bool IsReleased(const SceneProduct& product)
+{
+  const auto* failure = std::get_if<SceneFailure>(&product);
+  return failure != nullptr && failure->Sentence.empty();
+}
 } // namespace
 
 std::shared_ptr<const Segmentation> SceneRun::SegmentationOf(const std::filesystem::path& file,
@@ -74,6 +80,7 @@ void SceneRun::Make(const SceneSettings& scene, const ProgressFunction& progress
     this->Plan.clear();
     PlanScene(
         scene, {}, [this](const std::string& key) { return this->Find(key); }, false, this->Plan);
+    this->ReadAgain();
     for (std::size_t n = 0; n < this->Plan.size(); ++n)
     {
       if (this->IsReady(this->Plan[n]))
@@ -115,12 +122,31 @@ const SceneProduct* SceneRun::Find(const std::string& key) const
   return found != this->Products.end() ? &found->second : nullptr;
 }
 
+// Content that was released and is needed after all, since something else was refused.
+void SceneRun::ReadAgain()
+{
+  for (const SceneNode& node : this->Plan)
+  {
+    if (!node.Key.empty() && this->Find(node.Key) == nullptr)
+    {
+      for (const std::string& input : node.Inputs)
+      {
+        const SceneProduct* product = this->Find(input);
+        if (product != nullptr && IsReleased(*product))
+        {
+          this->Products.erase(input);
+        }
+      }
+    }
+  }
+}
+
 bool SceneRun::IsReady(const SceneNode& node) const
 {
   const auto isMade = [this](const std::string& input)
   {
     const SceneProduct* product = this->Find(input);
-    return product != nullptr && FailureOf(*product).empty();
+    return product != nullptr && !IsReleased(*product) && FailureOf(*product).empty();
   };
   return !node.Key.empty() && this->Find(node.Key) == nullptr &&
          std::all_of(node.Inputs.begin(), node.Inputs.end(), isMade);

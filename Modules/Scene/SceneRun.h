@@ -39,6 +39,7 @@ public:
 
 private:
   const SceneProduct* Find(const std::string& key) const;
+  void ReadAgain();
   bool IsReady(const SceneNode& node) const;
   void RunNode(const SceneSettings& scene, std::size_t number, const ProgressFunction& progress);
   void Run(const SceneNode& node, const ProgressFunction& progress);

@@ -99,8 +99,12 @@ std::string StructurePlan::AddNode(SceneStep step, const std::string& key,
 std::string StructurePlan::AddFile(SceneNode node)
 {
   const std::string key = SceneKey(node.Key, this->Structure.Id);
+  const std::size_t before = this->Nodes.size();
   this->AddNode(node.Step, key, {}, std::move(node.Make));
-  this->Nodes.back().Reads = node.Reads;
+  if (this->Nodes.size() > before)
+  {
+    this->Nodes.back().Reads = node.Reads;
+  }
   return key;
 }
 
@@ -354,14 +358,14 @@ void StructurePlan::AddRefusal(const std::string& fact, const std::string& wayOu
                 { Refuse(file, fact, wayOut); });
 }
 
-void StructurePlan::AddContact(const std::string& input, Making make)
+void StructurePlan::AddContact(const std::string& kind, const std::string& input, Making make)
 {
   std::vector<std::string> inputs{input};
   if (this->Structure.IsDrilled())
   {
     inputs.push_back(this->AddVoxels());
   }
-  std::string key = SceneKey(input, "touch", static_cast<int>(this->Structure.Mode));
+  std::string key = SceneKey(input, "touch", kind, static_cast<int>(this->Structure.Mode));
   for (const SceneNumber& number : RepresentationOf(this->Structure).Numbers)
   {
     key = SceneKey(key, this->Structure.Number(number.Key));

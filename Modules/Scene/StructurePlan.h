@@ -50,9 +50,9 @@ public:
   /// Any other product.
   std::string AddNode(SceneStep step, const std::string& key, std::vector<std::string> inputs,
                       Making make);
-  /// The contact, made from one product; for a drilled structure also from its voxels, as second
-  /// input.
-  void AddContact(const std::string& input, Making make);
+  /// The contact of a kind (a word that no other has), made from one product; for a drilled
+  /// structure also from its voxels, as second input.
+  void AddContact(const std::string& kind, const std::string& input, Making make);
   /// Announces a contact that will be planned once `input` is made.
   void AddUndecidedContact(const std::string& input);
   /// The product of a key, or null.

@@ -1,6 +1,7 @@
 #include "Study.h"
 
 #include "DecimalText.h"
+#include "FitSettingsJson.h"
 #include "InputError.h"
 #include "OpenBuiltInDevice.h"
 #include "SceneFile.h"
@@ -43,8 +44,9 @@ std::string QualityKey(const StudyState& state, const SceneStructure& structure)
 {
   const TouchToolSettings& tool = state.Tool;
   return SceneKey(structure.File.string(), StampOf(structure.File), structure.Labels.front(),
-                  structure.Smoothing, static_cast<int>(tool.Kind), tool.Radius, tool.Length,
-                  tool.SemiAxes.transpose(), tool.File, tool.Points);
+                  structure.Smoothing, structure.Stiffness, FitSettingsJson(state.Fit).dump(),
+                  static_cast<int>(tool.Kind), tool.Radius, tool.Length, tool.SemiAxes.transpose(),
+                  tool.File, tool.Points);
 }
 } // namespace
 

@@ -9,19 +9,28 @@
 
 namespace palpate
 {
+namespace
+{
+// Only touched: what it is displayed as, drilled by and protected from takes no part.
+SceneStructure OnlyTouched(SceneStructure structure)
+{
+  structure.IsTouchable = true;
+  structure.IsVisible = structure.IsForbidden = false;
+  structure.Drill = {};
+  for (const SceneEffectKind& kind : SceneEffectKinds())
+  {
+    structure.SetNumber(kind.Numbers.front().Key, 0.0);
+  }
+  return structure;
+}
+} // namespace
+
 StructureTrade::StructureTrade(const SceneSettings& scene, const SceneStructure& structure,
                                SceneRun made, const Settings& settings, const Clock& clock)
     : Scene(scene), Made(std::move(made)), Asked(settings), Time(clock)
 {
-  SceneStructure touched = structure;
-  touched.IsTouchable = true;
-  touched.IsVisible = touched.IsForbidden = false;
-  touched.Drill = {};
-  for (const SceneEffectKind& kind : SceneEffectKinds())
-  {
-    touched.SetNumber(kind.Numbers.front().Key, 0.0);
-  }
-  this->Scene.Structures = {touched};
+  this->Scene.Structures = {OnlyTouched(structure)};
+  this->Scene.Fit.Tolerance.reset(); // each setting has its own degree
 }
 
 StructureTrade::~StructureTrade() = default;
@@ -29,7 +38,8 @@ StructureTrade::~StructureTrade() = default;
 std::shared_ptr<const TouchContact> StructureTrade::Make(const ContactSetting& setting,
                                                          const ProgressFunction& progress)
 {
-  const SceneSettings scene = WithSetting(this->Scene, setting);
+  SceneSettings scene = WithSetting(this->Scene, setting);
+  scene.Structures.front() = OnlyTouched(scene.Structures.front());
   this->Made.Make(scene, progress);
   return ProductAs<TouchContact>(
       this->Made.ProductAt(SceneStep::Touch, scene.Structures.front().Id));
@@ -48,11 +58,15 @@ int StructureTrade::HighestDegree(const ProgressFunction& progress)
   }
   catch (const InputError&)
   {
-    return 0; // each setting reports the reason
+    // Each setting gives the reason.
   }
   constexpr double CubicMillimetersPerMilliliter = 1000.0;
   const auto surface =
       ProductAs<FitSurface>(this->Made.ProductAt(SceneStep::Surface, structure.Id));
+  if (surface == nullptr || surface->IsOver)
+  {
+    return 0;
+  }
   return SupportedDegree(CubicMillimetersPerMilliliter * surface->Found.MaskMilliliters,
                          surface->Found.Mask);
 }
@@ -101,7 +115,8 @@ void StructureTrade::Fill(const ContactSetting& setting, TradeRow& row,
   TradeTouch touch;
   touch.Tool = this->Scene.Tool;
   touch.Tool.Points = setting.ToolPoints;
-  touch.Stiffness = structure.Stiffness;
+  // Errors in mm and JND need a force.
+  touch.Stiffness = structure.Stiffness > 0.0 ? structure.Stiffness : SceneStructure().Stiffness;
   touch.Runs = this->Asked.Runs;
   MeasureTouch(*contact->Model, touch, this->Path, this->Time, row, progress);
 }

@@ -6,6 +6,7 @@
 #include "SceneLabels.h"
 
 #include <algorithm>
+#include <set>
 #include <utility>
 
 namespace palpate
@@ -40,25 +41,28 @@ std::vector<SceneStructure> TouchedOf(const SceneSettings& scene, SceneRun& file
 std::vector<SceneStructure> Choose(const std::vector<std::string>& names,
                                    std::vector<SceneStructure> structures)
 {
-  std::string known;
+  std::set<std::string> known;
+  std::string list;
   for (const SceneStructure& structure : structures)
   {
-    known += (known.empty() ? "" : ", ") + TitleOf(structure);
+    const std::string title = TitleOf(structure);
+    list += known.insert(title).second ? (list.empty() ? "" : ", ") + title : std::string();
   }
-  std::vector<SceneStructure> chosen;
   for (const std::string& name : names)
   {
-    const auto found = std::find_if(structures.begin(), structures.end(),
-                                    [&name](const SceneStructure& structure)
-                                    { return TitleOf(structure) == name; });
-    if (found == structures.end())
+    if (known.count(name) == 0)
     {
-      throw InputError("--structure " + name + " is not touchable in the scene; name one of " +
-                       known);
+      throw InputError("--structure " + name + " is not touched in the scene; name one of " + list);
     }
-    chosen.push_back(*found);
   }
-  return names.empty() ? structures : chosen;
+  if (!names.empty())
+  {
+    const auto isLeftOut = [&names](const SceneStructure& structure)
+    { return std::find(names.begin(), names.end(), TitleOf(structure)) == names.end(); };
+    structures.erase(std::remove_if(structures.begin(), structures.end(), isLeftOut),
+                     structures.end());
+  }
+  return structures;
 }
 } // namespace
 

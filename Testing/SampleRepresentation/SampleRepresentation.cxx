@@ -32,7 +32,7 @@ SceneRepresentation SampleRepresentation()
   sphere.Numbers = {{Margin, "Margin of the sphere, mm", 10.0, 2}};
   sphere.PlanContact = [](StructurePlan& plan)
   {
-    plan.AddContact(plan.AddSurface(),
+    plan.AddContact("sphere", plan.AddSurface(),
                     [margin = plan.Settings().Number(Margin)](const StructurePlan::Inputs& inputs,
                                                               const ProgressFunction&)
                     { return MakeContact(ProductAs<FitSurface>(inputs.data())->Found, margin); });

@@ -57,7 +57,17 @@ TEST_F(SampleRepresentationTest, RefusesOtherSources)
   SceneSettings scene = this->SceneWith(0.0);
   scene.Structures.front().Labels.clear();
   scene.Structures.front().Iso = 0.5;
-  EXPECT_THROW(BuildScene(scene, false, test::GoOn), InputError);
+  scene.Structures.front().SetNumber("sphere_margin_mm", 3.0);
+  try
+  {
+    BuildScene(scene, false, test::GoOn);
+    FAIL() << "built";
+  }
+  catch (const InputError& error)
+  {
+    EXPECT_NE(std::string(error.what()).find("since it is an image"), std::string::npos)
+        << error.what();
+  }
 }
 
 TEST_F(SampleRepresentationTest, IsComparedInTheTradeOff)

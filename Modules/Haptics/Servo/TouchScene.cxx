@@ -49,7 +49,9 @@ Status TouchScene::Check() const
     }
     for (const auto& effect : structure.Effects)
     {
-      if (const Status status = effect->Check(); !status.IsOk())
+      const Status status =
+          effect != nullptr ? effect->Check() : Status::Failure("a force effect is missing.");
+      if (!status.IsOk())
       {
         return Status::Failure("The structure " + structure.Name +
                                " cannot be touched: " + status.Message());

@@ -76,6 +76,19 @@ protected:
   std::filesystem::path Missing = Folder / "missing.nii.gz";
 };
 
+TEST_F(SceneBuilderTest, RefusesToDisplayALabelWithoutAnyShape)
+{
+  test::LabelGrid grid;
+  grid.Size = {{20, 12, 12}};
+  const auto oneVoxel = test::MakeLabelImage(grid, [](double x, double y, double z)
+                                             { return x == 5.0 && y == 5.0 && z == 5.0; });
+  WriteImage(this->Folder / "voxel.nii.gz", oneVoxel);
+  SceneStructure entry = this->Entry(this->Folder / "voxel.nii.gz", true, false);
+  entry.Representation = TouchRepresentation::ModelOrField;
+  // The field is tried after the surface was refused, and the segmentation released.
+  EXPECT_THROW(this->Make({entry}), InputError);
+}
+
 TEST_F(SceneBuilderTest, DoesNotOpenFilesOfUnneededStructures)
 {
   SceneStructure smooth = this->Entry(this->ModelPath, true, false);

@@ -165,12 +165,44 @@ TEST(StructureTrade, CandidatesOfAModelAreItsModes)
   SceneSettings scene;
   scene.Structures.resize(1);
   scene.Structures.front().File = folder / "model.json";
-  EXPECT_EQ(CandidatesFor(scene, 0).size(), 2U);
+  ASSERT_EQ(CandidatesFor(scene, 0).size(), 2U);
+  EXPECT_EQ(Describe(CandidatesFor(scene, 0).front()), "harmonics, nearest point")
+      << "of its own degree";
   scene.Tool.Kind = TouchToolSettings::Shape::Ellipsoid;
   EXPECT_TRUE(CandidatesFor(scene, 0).empty());
   const test::StillClock clock;
   StructureTrade trade(scene, scene.Structures.front(), SceneRun(true), test::ShortPath(), clock);
   EXPECT_THROW(trade.Measure(SettingOf(scene, TouchRepresentation::Harmonics), GoOn), InputError);
+}
+
+TEST(StructureTrade, DisplayAndDrillTakeNoPart)
+{
+  test::MaskTrade horseshoe(
+      [](double x, double y, double z)
+      { return std::hypot(std::hypot(x, y) - 11.0, z) < 4.0 && (x < 8.0 || y < 0.0); });
+  SceneStructure& structure = horseshoe.Scene.Structures.front();
+  structure.IsVisible = true;
+  structure.Appearance = SceneAppearance::Model; // which it has none of
+  structure.Drill.Wear = 1.0;
+  structure.Stiffness = 0.0;
+  const TradeRow row =
+      horseshoe.Trade().Measure(horseshoe.SubVoxel(FieldInterpolation::TricubicBSpline, 26), GoOn);
+  EXPECT_EQ(row.State, TradeRow::Outcome::Measured) << row.Message;
+  EXPECT_GT(row.NoticeableMean, 0.0) << "a stiffness of 0 is measured with the default";
+}
+
+TEST(StructureTrade, ToleranceDoesNotReplaceTheDegree)
+{
+  test::MaskTrade mask = test::BallMask();
+  mask.Scene.Fit.Tolerance = 0.5;
+  StructureTrade trade = mask.Trade();
+  ContactSetting setting = SettingOf(mask.Scene, TouchRepresentation::Harmonics);
+  for (const int degree : {4, 8})
+  {
+    setting.Structure.Degree = degree;
+    EXPECT_NE(trade.Measure(setting, GoOn).Represented.find("degree " + std::to_string(degree)),
+              std::string::npos);
+  }
 }
 
 TEST(StructureTrade, CanBeCancelled)
