@@ -9,19 +9,21 @@ namespace palpate
 {
 namespace
 {
-const std::vector<SceneSource> AllSources{SceneSource::Label, SceneSource::IsoValue,
-                                          SceneSource::Model, SceneSource::Surface};
+std::vector<SceneSource> AllSources()
+{
+  return {SceneSource::Label, SceneSource::IsoValue, SceneSource::Model, SceneSource::Surface};
+}
 
 void PlanBySource(StructurePlan& plan)
 {
   switch (plan.Settings().Source())
   {
   case SceneSource::Model:
-    return HarmonicRepresentation().PlanContact(plan);
+    return PlanHarmonicContact(plan);
   case SceneSource::Surface:
-    return FacetRepresentation().PlanContact(plan);
+    return PlanFacetContact(plan);
   default:
-    return FieldRepresentation().PlanContact(plan);
+    return PlanFieldContact(plan);
   }
 }
 
@@ -45,7 +47,7 @@ void PlanModelOrField(StructurePlan& plan)
   {
     if (structure.IsTouchable && plan.Find(model) != nullptr)
     {
-      HarmonicRepresentation().PlanContact(plan);
+      PlanHarmonicContact(plan);
     }
     else if (structure.IsTouchable)
     {
@@ -65,7 +67,7 @@ void PlanModelOrField(StructurePlan& plan)
   }
   if (structure.IsTouchable)
   {
-    FieldRepresentation().PlanContact(plan);
+    PlanFieldContact(plan);
   }
   plan.Replace(last, replacement, AdviceOf(structure, instead, reason));
 }
@@ -75,7 +77,7 @@ SceneRepresentation AutomaticRepresentation()
 {
   SceneRepresentation automatic;
   automatic.Name = automatic.Label = TouchRepresentation::Automatic;
-  automatic.Sources = AllSources;
+  automatic.Sources = AllSources();
   automatic.CanBeDrilled = true;
   automatic.Appearance = SceneAppearance::SubVoxel;
   automatic.PlanContact = PlanBySource;
@@ -87,7 +89,7 @@ SceneRepresentation ModelOrFieldRepresentation()
   SceneRepresentation either;
   either.Name = TouchRepresentation::ModelOrField;
   either.Label = "model or field";
-  either.Sources = AllSources;
+  either.Sources = AllSources();
   either.Appearance = SceneAppearance::Model;
   either.PlanContact = [](StructurePlan& plan)
   { plan.Settings().Source() == SceneSource::Label ? PlanModelOrField(plan) : PlanBySource(plan); };

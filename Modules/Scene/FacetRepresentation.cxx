@@ -14,17 +14,19 @@ SceneProduct MakeContact(const FitResult& found)
 }
 } // namespace
 
+void PlanFacetContact(StructurePlan& plan)
+{
+  plan.AddContact("facets", plan.AddSurface(),
+                  [](const StructurePlan::Inputs& inputs, const ProgressFunction&)
+                  { return MakeContact(ProductAs<FitSurface>(inputs.data())->Found); });
+}
+
 SceneRepresentation FacetRepresentation()
 {
   SceneRepresentation facets;
   facets.Name = facets.Label = TouchRepresentation::Facets;
   facets.Sources = {SceneSource::Label, SceneSource::Surface};
-  facets.PlanContact = [](StructurePlan& plan)
-  {
-    plan.AddContact("facets", plan.AddSurface(),
-                    [](const StructurePlan::Inputs& inputs, const ProgressFunction&)
-                    { return MakeContact(ProductAs<FitSurface>(inputs.data())->Found); });
-  };
+  facets.PlanContact = PlanFacetContact;
   facets.Describe = [](const ContactSetting&) { return std::string("facets"); };
   facets.KeyOf = [](const ContactSetting&) { return std::string("facets/all"); };
   facets.Vary = [](const ContactSetting& standard, const TouchToolSettings& tool, int)

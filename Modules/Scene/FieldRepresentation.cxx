@@ -62,6 +62,14 @@ bool IsLinear(const ContactSetting& setting)
 }
 } // namespace
 
+void PlanFieldContact(StructurePlan& plan)
+{
+  plan.AddContact(
+      "field", plan.AddField(),
+      [structure = plan.Settings()](const StructurePlan::Inputs& inputs, const ProgressFunction&)
+      { return MakeContact(structure, inputs); });
+}
+
 SceneRepresentation FieldRepresentation()
 {
   SceneRepresentation field;
@@ -69,13 +77,7 @@ SceneRepresentation FieldRepresentation()
   field.Sources = {SceneSource::Label, SceneSource::IsoValue};
   field.CanBeDrilled = true;
   field.Appearance = SceneAppearance::SubVoxel;
-  field.PlanContact = [](StructurePlan& plan)
-  {
-    plan.AddContact(
-        "field", plan.AddField(),
-        [structure = plan.Settings()](const StructurePlan::Inputs& inputs, const ProgressFunction&)
-        { return MakeContact(structure, inputs); });
-  };
+  field.PlanContact = PlanFieldContact;
   field.Describe = [](const ContactSetting& setting)
   {
     return std::string("sub-voxel, ") + (IsLinear(setting) ? "trilinear, " : "tricubic, ") +

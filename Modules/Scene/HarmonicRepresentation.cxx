@@ -1,5 +1,6 @@
 #include "HarmonicRepresentation.h"
 
+#include "SceneReading.h"
 #include "StructurePlan.h"
 
 #include <algorithm>
@@ -55,19 +56,21 @@ bool IsNearest(const ContactSetting& setting)
 }
 } // namespace
 
+void PlanHarmonicContact(StructurePlan& plan)
+{
+  const HarmonicContactMode mode = plan.Settings().Mode;
+  plan.AddContact(SceneKey("harmonics", static_cast<int>(mode)), plan.AddModel(),
+                  [mode](const StructurePlan::Inputs& inputs, const ProgressFunction&)
+                  { return MakeContact(*ProductAs<FitResult>(inputs.data()), mode); });
+}
+
 SceneRepresentation HarmonicRepresentation()
 {
   SceneRepresentation harmonics;
   harmonics.Name = harmonics.Label = TouchRepresentation::Harmonics;
   harmonics.Sources = {SceneSource::Label, SceneSource::Model};
   harmonics.Appearance = SceneAppearance::Model;
-  harmonics.PlanContact = [](StructurePlan& plan)
-  {
-    plan.AddContact(
-        "harmonics", plan.AddModel(),
-        [mode = plan.Settings().Mode](const StructurePlan::Inputs& inputs, const ProgressFunction&)
-        { return MakeContact(*ProductAs<FitResult>(inputs.data()), mode); });
-  };
+  harmonics.PlanContact = PlanHarmonicContact;
   harmonics.PlanDisplay = [](StructurePlan& plan) { plan.AddModel(); };
   harmonics.Describe = [](const ContactSetting& setting)
   {

@@ -1,10 +1,10 @@
 #include "SceneEffect.h"
 
+#include "KindRegistration.h"
 #include "SceneSettings.h"
 #include "TouchTexture.h"
 #include "VolumeViscosity.h"
 
-#include <algorithm>
 #include <utility>
 
 namespace palpate
@@ -43,10 +43,7 @@ const std::deque<SceneEffectKind>& SceneEffectKinds()
 
 void AddSceneEffectKind(SceneEffectKind kind)
 {
-  const auto same =
-      std::find_if(Kinds().begin(), Kinds().end(),
-                   [&kind](const SceneEffectKind& one) { return one.Name == kind.Name; });
-  same != Kinds().end() ? * same = std::move(kind) : Kinds().emplace_back(std::move(kind));
+  AddOrReplace(Kinds(), std::move(kind));
 }
 
 std::vector<const SceneEffectKind*> EffectsOf(const SceneStructure& structure)

@@ -33,7 +33,7 @@ void PlanScene(const SceneSettings& scene, const SceneStamps& stamps, const Scen
       plan.Add();
       if (structure.IsDrilled() && plan.HasVoxels())
       {
-        drilled.push_back(plan.AddDrilledField());
+        drilled.push_back(plan.AddField());
       }
       if (measuresCosts)
       {

@@ -5,6 +5,7 @@
 #include "FieldRepresentation.h"
 #include "HarmonicRepresentation.h"
 #include "InputError.h"
+#include "KindRegistration.h"
 
 #include <algorithm>
 #include <utility>
@@ -34,11 +35,7 @@ const std::deque<SceneRepresentation>& SceneRepresentations()
 
 void AddSceneRepresentation(SceneRepresentation representation)
 {
-  const auto same =
-      std::find_if(All().begin(), All().end(),
-                   [&](const SceneRepresentation& one) { return one.Name == representation.Name; });
-  same != All().end() ? * same = std::move(representation)
-                      : All().emplace_back(std::move(representation));
+  AddOrReplace(All(), std::move(representation));
 }
 
 const SceneRepresentation& RepresentationOf(const SceneStructure& structure)

@@ -242,11 +242,6 @@ std::string StructurePlan::AddField()
       });
 }
 
-std::string StructurePlan::AddDrilledField()
-{
-  return this->AddField();
-}
-
 void StructurePlan::AddRepresentation()
 {
   const SceneRepresentation& representation = RepresentationOf(this->Structure);
@@ -265,8 +260,7 @@ void StructurePlan::AddRepresentation()
                             "omit the representation");
   }
   // Drilling requires a field, regardless of the chosen representation.
-  this->Structure.IsDrilled() ? FieldRepresentation().PlanContact(*this)
-                              : representation.PlanContact(*this);
+  this->Structure.IsDrilled() ? PlanFieldContact(*this) : representation.PlanContact(*this);
 }
 
 // As it would be touched, except voxels, which are displayed as a surface.
@@ -365,7 +359,7 @@ void StructurePlan::AddContact(const std::string& kind, const std::string& input
   {
     inputs.push_back(this->AddVoxels());
   }
-  std::string key = SceneKey(input, "touch", kind, static_cast<int>(this->Structure.Mode));
+  std::string key = SceneKey(input, "touch", kind);
   for (const SceneNumber& number : RepresentationOf(this->Structure).Numbers)
   {
     key = SceneKey(key, this->Structure.Number(number.Key));

@@ -30,8 +30,6 @@ public:
   {
     return this->Source == SceneSource::Label || this->Source == SceneSource::IsoValue;
   }
-  /// Adds the field for drilling; returns its key.
-  std::string AddDrilledField();
   /// Adds the protection of a forbidden structure on the drilled `fields` (keys); fields that
   /// failed are skipped.
   void AddProtection(const std::vector<std::string>& fields);
@@ -50,8 +48,9 @@ public:
   /// Any other product.
   std::string AddNode(SceneStep step, const std::string& key, std::vector<std::string> inputs,
                       Making make);
-  /// The contact of a kind (a word that no other has), made from one product; for a drilled
-  /// structure also from its voxels, as second input.
+  /// The contact of a kind (text that says everything but `input` and the representation's numbers
+  /// that it is made by), made from one product; for a drilled structure also from its voxels, as
+  /// second input.
   void AddContact(const std::string& kind, const std::string& input, Making make);
   /// Announces a contact that will be planned once `input` is made.
   void AddUndecidedContact(const std::string& input);

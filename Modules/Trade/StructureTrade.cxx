@@ -29,7 +29,7 @@ StructureTrade::StructureTrade(const SceneSettings& scene, const SceneStructure&
                                SceneRun made, const Settings& settings, const Clock& clock)
     : Scene(scene), Made(std::move(made)), Asked(settings), Time(clock)
 {
-  this->Scene.Structures = {OnlyTouched(structure)};
+  this->Scene.Structures = {structure};
   this->Scene.Fit.Tolerance.reset(); // each setting has its own degree
 }
 

@@ -287,6 +287,11 @@ Vector3 StructureFollower::WithEffects(const Vector3& contactForce, const Contac
                                        const Vector3& proxyWorld,
                                        const FollowStep& step) const noexcept
 {
+  Vector3 force = contactForce + Vector3::Zero(); // -0 becomes 0, as recordings have it
+  if (this->Structure->Effects.empty())
+  {
+    return force;
+  }
   EffectTouch touch;
   touch.Contact = felt;
   touch.ContactForce = contactForce;
@@ -294,7 +299,6 @@ Vector3 StructureFollower::WithEffects(const Vector3& contactForce, const Contac
   touch.CenterDepth = this->ToolRadiusDevice;
   touch.SurfaceWorld = proxyWorld - this->ToolRadiusWorld * this->Frame->TurnedToWorld(felt.Normal);
   touch.Time = step.Time;
-  Vector3 force = contactForce + Vector3::Zero(); // -0 becomes 0, as recordings have it
   for (const auto& effect : this->Structure->Effects)
   {
     force += effect->Force(touch);
