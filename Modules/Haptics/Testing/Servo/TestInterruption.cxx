@@ -148,8 +148,8 @@ INSTANTIATE_TEST_SUITE_P(All, InterruptionByTerminal, testing::Values(SIGTSTP, S
                          [](const auto& chosen)
                          { return std::string("Signal") + std::to_string(chosen.param); });
 
-// ThreadSanitizer runs a handler only after the system call, and the terminal repeats the call until
-// the handler has run.
+// ThreadSanitizer runs a handler only after the system call, and the terminal repeats the call
+// until the handler has run.
 #ifndef __SANITIZE_THREAD__
 // Exit status of a program in the background of a terminal to which it may not write, while a
 // device pushes.
