@@ -1,11 +1,15 @@
 // Window and command line create the same scene from the same settings.
 #include "InputError.h"
+#include "ModelFile.h"
+#include "ModelSurface.h"
 #include "SceneContacts.h"
+#include "SceneRepresentation.h"
 #include "Servo.h"
 #include "SimulatedDevice.h"
 #include "StudyCases.h"
 #include "StudyDrill.h"
 #include "StudyPhantoms.h"
+#include "SurfaceFile.h"
 #include "TouchDoubles.h"
 #include "TouchRun.h"
 #include "WorkspaceFrame.h"
@@ -23,57 +27,113 @@ using test::RandomChoice;
 using test::RandomNumber;
 using test::RandomWhole;
 
-constexpr int Cases = 24;
+constexpr int Cases = 40;
 
-// One structure's settings for both.
-struct Wanted
+// A phantom with a source of each kind, and an image for textures.
+struct Sources
 {
-  SceneStructure Window;
-  SceneStructure CommandLine;
+  explicit Sources(Random& random)
+  {
+    const SphericalHarmonicModel ball(0, {6.0 * std::sqrt(4.0 * M_PI)}, Vector3(10.0, 9.0, 0.0));
+    WriteModel(this->Model, {ball, {}});
+    WriteSurface(this->Surface, DrawModel(ball, 3));
+    test::LabelGrid grid;
+    grid.Size = {{56, 40, 28}};
+    grid.CenterOnOrigin();
+    const auto image = test::MakeLabelImage<short>(
+        grid, [](double, double, double) { return false; }, 0);
+    auto* voxels = static_cast<short*>(image->GetScalarPointer());
+    std::generate_n(voxels, image->GetNumberOfPoints(),
+                    [&random] { return static_cast<short>(RandomWhole(random, 0, 500)); });
+    WriteImage(this->Texture, image);
+  }
+
+  test::StudyPhantom Phantom;
+  std::filesystem::path Model = this->Phantom.Folder / "ball.json";
+  std::filesystem::path Surface = this->Phantom.Folder / "ball.stl";
+  std::filesystem::path Texture = this->Phantom.Folder / "texture.nii.gz";
 };
 
-std::string RandomRepresentation(Random& random, int label)
+// The third structure may have any source.
+void SetRandomSource(Random& random, const Sources& sources, SceneStructure& structure)
 {
-  // The second structure of the phantom is not star-shaped.
-  const int most = label == 1 ? 3 : 2;
-  constexpr std::array<const char*, 3> All{
-      TouchRepresentation::SubVoxel, TouchRepresentation::Facets, TouchRepresentation::Harmonics};
-  return All.at(static_cast<std::size_t>(RandomWhole(random, 0, most - 1)));
+  const StudyState state = sources.Phantom.State();
+  const int source = structure.Id < 3 ? 0 : RandomWhole(random, 1, 3);
+  if (source == 0)
+  {
+    structure.File = state.SegmentationFile;
+    structure.Labels = {std::to_string(structure.Id)};
+  }
+  else if (source == 1)
+  {
+    structure.File = state.VolumeFile;
+    structure.Iso = RandomNumber(random, 100.0, 600.0);
+  }
+  else
+  {
+    structure.File = source == 2 ? sources.Model : sources.Surface;
+  }
 }
 
-Wanted RandomWanted(Random& random, int label)
+// One that its source has. No single harmonic surface fits the second label of the phantom.
+std::string RandomRepresentation(Random& random, const SceneStructure& structure)
 {
-  Wanted both;
-  SceneStructure& window = both.Window;
-  window.Id = label;
-  window.Labels = {std::to_string(label)};
-  window.Name = "structure " + std::to_string(label);
-  window.IsVisible = RandomChoice(random);
-  window.IsTouchable = label == 1 || RandomChoice(random);
-  window.Representation = RandomRepresentation(random, label);
-  window.Degree = RandomWhole(random, 2, 9);
-  window.Interpolation = static_cast<FieldInterpolation>(RandomWhole(random, 0, 1));
-  window.Smoothing = RandomNumber(random, 0.0, 1.5);
-  window.Mode = static_cast<HarmonicContactMode>(RandomWhole(random, 0, 1));
-  window.Damping = RandomNumber(random, 0.0, 0.002);
-  window.SetNumber("viscosity_ns_per_mm", RandomNumber(random, 0.0, 0.002));
-  window.Stiffness = RandomNumber(random, 0.1, 1.5);
+  std::vector<std::string> all;
+  for (const SceneRepresentation& one : SceneRepresentations())
+  {
+    const auto& of = one.Sources;
+    if (std::find(of.begin(), of.end(), structure.Source()) != of.end() &&
+        (structure.Id != 2 || one.Name != TouchRepresentation::Harmonics))
+    {
+      all.push_back(one.Name);
+    }
+  }
+  return all.at(static_cast<std::size_t>(RandomWhole(random, 0, static_cast<int>(all.size()) - 1)));
+}
+
+void SetRandomEffects(Random& random, const Sources& sources, SceneStructure& structure)
+{
+  if (RandomChoice(random))
+  {
+    structure.SetNumber("viscosity_ns_per_mm", RandomNumber(random, 0.0, 0.002));
+  }
+  if (RandomChoice(random))
+  {
+    structure.SetNumber("texture_n", RandomNumber(random, 0.1, 1.0));
+    structure.SetImage("texture_image", sources.Texture);
+  }
+}
+
+SceneStructure RandomStructure(Random& random, const Sources& sources, int id)
+{
+  SceneStructure structure;
+  structure.Id = id;
+  SetRandomSource(random, sources, structure);
+  structure.Name = "structure " + std::to_string(id);
+  structure.IsVisible = RandomChoice(random);
+  structure.IsTouchable = id == 1 || RandomChoice(random);
+  structure.Representation = RandomRepresentation(random, structure);
+  structure.Degree = RandomWhole(random, 2, 9);
+  structure.Interpolation = static_cast<FieldInterpolation>(RandomWhole(random, 0, 1));
+  structure.Smoothing = RandomNumber(random, 0.0, 1.5);
+  structure.Mode = static_cast<HarmonicContactMode>(RandomWhole(random, 0, 1));
+  structure.Damping = RandomNumber(random, 0.0, 0.002);
+  SetRandomEffects(random, sources, structure);
+  structure.Stiffness = RandomNumber(random, 0.1, 1.5);
   const double friction = RandomNumber(random, 0.0, 0.5);
-  window.Friction = {friction + RandomNumber(random, 0.0, 0.5), friction};
-  window.IsForbidden = label == 2 && RandomWhole(random, 0, 3) == 0;
-  if (window.Mode == HarmonicContactMode::Radial)
+  structure.Friction = {friction + RandomNumber(random, 0.0, 0.5), friction};
+  structure.IsForbidden = id == 2 && RandomWhole(random, 0, 3) == 0;
+  if (structure.Mode == HarmonicContactMode::Radial)
   {
-    window.Friction = {}; // the radial method has none
+    structure.Friction = {}; // the radial method has none
   }
-  window.AlarmDistance = RandomNumber(random, 0.5, 4.0);
-  if (RandomWhole(random, 0, 2) == 0)
+  structure.AlarmDistance = RandomNumber(random, 0.5, 4.0);
+  if (id < 3 && RandomWhole(random, 0, 2) == 0)
   {
-    window.Drill = {RandomNumber(random, 0.01, 1.0), RandomNumber(random, 0.0, 0.001),
-                    RandomNumber(random, 0.0, 0.3)};
+    structure.Drill = {RandomNumber(random, 0.01, 1.0), RandomNumber(random, 0.0, 0.001),
+                       RandomNumber(random, 0.0, 0.3)};
   }
-  both.CommandLine = window;
-  both.CommandLine.Id = 0;
-  return both;
+  return structure;
 }
 
 // Harmonics and facets support spheres only.
@@ -90,19 +150,17 @@ TouchToolSettings RandomTool(Random& random, bool isSphere)
 // The settings of one case, for both.
 struct SceneCase
 {
-  SceneCase(const test::StudyPhantom& phantom, Random& random)
+  SceneCase(const Sources& sources, Random& random)
   {
-    this->Window = phantom.State();
+    this->Window = sources.Phantom.State();
     this->Window.Structures.clear();
     this->Window.Fit = {};
     this->CommandLine.Drill.Turns = this->Window.Drill.Turns = RandomNumber(random, 100.0, 900.0);
-    for (const int label : {1, 2})
+    for (const int id : {1, 2, 3})
     {
-      Wanted both = RandomWanted(random, label);
-      both.CommandLine.File = this->Window.SegmentationFile;
-      both.Window.File = both.CommandLine.File;
-      this->Window.Structures.push_back(both.Window);
-      this->CommandLine.Structures.push_back(both.CommandLine);
+      this->Window.Structures.push_back(RandomStructure(random, sources, id));
+      this->CommandLine.Structures.push_back(this->Window.Structures.back());
+      this->CommandLine.Structures.back().Id = 0;
     }
     const auto& all = this->Window.Structures;
     const bool isSphere = std::any_of(
@@ -193,6 +251,30 @@ void ExpectSameBits(double a, double b, const char* what)
   EXPECT_EQ(std::memcmp(&a, &b, sizeof(a)), 0) << what << ": " << a << " and " << b;
 }
 
+// Random touches around the structures of the phantom.
+void ExpectSameEffect(const ForceEffect& a, const ForceEffect& b)
+{
+  ExpectSameBits(a.Damping(), b.Damping(), "damping of an effect");
+  Random random(7);
+  for (int n = 0; n < 100; ++n)
+  {
+    EffectTouch touch;
+    touch.Contact.IsTouching = true;
+    touch.Contact.Normal = test::RandomDirection(random);
+    touch.Contact.Offset = RandomNumber(random, 0.0, 3.0) * touch.Contact.Normal;
+    touch.ContactForce = 0.5 * touch.Contact.Offset;
+    touch.HandVelocity = 50.0 * test::RandomDirection(random);
+    touch.CenterDepth = RandomNumber(random, 0.0, 3.0);
+    touch.SurfaceWorld = 15.0 * test::RandomDirection(random);
+    const Vector3 one = a.Force(touch);
+    const Vector3 other = b.Force(touch);
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      ExpectSameBits(one[axis], other[axis], "force of an effect");
+    }
+  }
+}
+
 void ExpectSameStructure(const TouchStructure& a, const TouchStructure& b)
 {
   EXPECT_EQ(a.Name, b.Name);
@@ -203,7 +285,7 @@ void ExpectSameStructure(const TouchStructure& a, const TouchStructure& b)
   ASSERT_EQ(a.Effects.size(), b.Effects.size());
   for (std::size_t n = 0; n < a.Effects.size(); ++n)
   {
-    ExpectSameBits(a.Effects[n]->Damping(), b.Effects[n]->Damping(), "damping of an effect");
+    ExpectSameEffect(*a.Effects[n], *b.Effects[n]);
   }
   ExpectSameBits(a.Drill.Wear, b.Drill.Wear, "wear");
   ExpectSameBits(a.Drill.Drag, b.Drill.Drag, "drag");
@@ -235,13 +317,14 @@ std::uint64_t ExpectSameTicks(const TouchScene& a, const TouchScene& b)
 
 TEST(SameScene, WindowAndCommandLineGiveEqualBits)
 {
-  const test::StudyPhantom phantom;
   Random random(2026);
+  const Sources sources(random);
   std::uint64_t touching = 0;
   int scenes = 0;
+  std::size_t effects = 0;
   for (int n = 0; n < Cases; ++n)
   {
-    const SceneCase both(phantom, random);
+    const SceneCase both(sources, random);
     const Outcome line = CommandLineScene(both.CommandLine);
     const Outcome window = WindowScene(both.Window);
     SCOPED_TRACE("case " + std::to_string(n));
@@ -256,6 +339,7 @@ TEST(SameScene, WindowAndCommandLineGiveEqualBits)
     for (std::size_t s = 0; s < line.Scene->Structures.size(); ++s)
     {
       ExpectSameStructure(line.Scene->Structures[s], window.Scene->Structures[s]);
+      effects += line.Scene->Structures[s].Effects.size();
     }
     EXPECT_EQ(line.Scene->Drill.Link != nullptr, window.Scene->Drill.Link != nullptr);
     ExpectSameBits(line.Scene->Drill.Motion.Turns, window.Scene->Drill.Motion.Turns, "turns");
@@ -263,6 +347,7 @@ TEST(SameScene, WindowAndCommandLineGiveEqualBits)
     touching += ExpectSameTicks(*line.Scene, *window.Scene);
   }
   EXPECT_GT(scenes, Cases / 2);
+  EXPECT_GT(effects, static_cast<std::size_t>(scenes));
   EXPECT_GT(touching, 100U * static_cast<std::uint64_t>(scenes));
 }
 } // namespace
